@@ -1,0 +1,74 @@
+"""The engine: where is A as seen from B, at t?  A textbook of thirteen short pages.
+
+    stamps       when: time is a whole number of nanoseconds
+    quaternions  which way round: (x, y, z, w), and REP-103's axes
+    transforms   where: a turn and a step
+    errors       what can go wrong: tf2's family of exceptions
+    cache        one edge of the tree, through time
+    tree         who is whose child
+    walk         from one frame to another
+    buffer       BufferCore: publish, and ask
+    checks       what may come in, and what is refused
+    requests     call me when you can
+    velocity     how fast does it move
+    describe     what is in there, in tf2's words
+    batch        a hundred thousand questions at once
+    snapshot     what there is to draw
+
+Behaviour, order of checks and texts are those of ROS 2's tf2 (geometry2 0.39.1).
+It needs nothing but numpy.  Start with `stamps.py`; each page names the next.
+"""
+
+from . import quaternions
+from .batch import Batch, Failures
+from .buffer import DEFAULT_CACHE_TIME_NS, BufferCore, History, Memory
+from .errors import (
+    ConnectivityException,
+    ExtrapolationException,
+    InvalidArgumentException,
+    LookupException,
+    TimeoutException,
+    TransformException,
+)
+from .requests import NEVER, POSSIBLE_NOW
+from .snapshot import FrameSnapshot, Snapshot, snapshot
+from .stamps import (
+    LATEST,
+    NSEC_PER_SEC,
+    format_stamp,
+    sec_nanosec_from_stamp,
+    seconds,
+    stamp_from_sec_nanosec,
+)
+from .transforms import StampedTransform, Transform
+from .velocity import Velocity
+
+__all__ = [
+    "DEFAULT_CACHE_TIME_NS",
+    "LATEST",
+    "NEVER",
+    "NSEC_PER_SEC",
+    "POSSIBLE_NOW",
+    "Batch",
+    "BufferCore",
+    "ConnectivityException",
+    "ExtrapolationException",
+    "Failures",
+    "FrameSnapshot",
+    "History",
+    "InvalidArgumentException",
+    "LookupException",
+    "Memory",
+    "Snapshot",
+    "StampedTransform",
+    "TimeoutException",
+    "Transform",
+    "TransformException",
+    "Velocity",
+    "format_stamp",
+    "quaternions",
+    "sec_nanosec_from_stamp",
+    "seconds",
+    "snapshot",
+    "stamp_from_sec_nanosec",
+]

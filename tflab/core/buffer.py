@@ -1,0 +1,502 @@
+"""The buffer: everything that was published, and the answer to "where is A as seen from B, at t?"
+
+    publish -->  set_transform(parent_T_child, stamp)      one sample of one edge
+                              |
+                       [ tree of histories ]
+                              |
+    ask     -->  lookup_transform(target, source, stamp)   target_T_source
+
+Read a question aloud: "data expressed in *source*, wanted in *target*".  Both
+stamps and answers are integer nanoseconds; LATEST (0) asks for the newest moment
+at which the whole way is known.
+
+A bad transform is not an error but refused: it is reported to the logger
+`tflab.tf2` and set_transform returns False, because that is what tf2 does, and
+on a robot nobody catches an exception in another process.
+
+One thread may write while others read.  tf2 calls this BufferCore
+(tf2/src/buffer_core.cpp, 0.39.1).  Read `requests.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import isinf
+from operator import index
+from threading import RLock
+from typing import NamedTuple
+
+import numpy as np
+
+from . import batch, checks, describe, velocity
+from .cache import StaticCache, TimeCache
+from .errors import TransformException
+from .requests import RequestCallback, RequestQueue
+from .stamps import LATEST, NSEC_PER_SEC
+from .transforms import IDENTITY_POSE, StampedTransform, Transform, canonical_pose, compose, stamped_from_pose
+from .tree import Tree
+from .walk import (
+    Failure,
+    Path,
+    Route,
+    exception_from_failure,
+    find_path,
+    latest_common_time,
+    plan_route,
+    pose_on_path,
+    text_from_failure,
+)
+
+__all__ = ["DEFAULT_CACHE_TIME_NS", "BufferCore", "History", "Memory"]
+
+DEFAULT_CACHE_TIME_NS = 10 * NSEC_PER_SEC
+ROUTES_REMEMBERED = 4096
+
+# For BufferCore.memory(), in CPython on 64 bits.
+STATIC_BYTES = 400
+SEGMENT_BYTES = 700
+ROUTE_BYTES = 500
+
+
+class History(NamedTuple):
+    """One child through time, for timelines: parallel tuples, oldest first.
+
+    Attributes:
+        frame: the child.
+        is_static: whether its one sample is good for any time.
+        stamps_ns: when each sample was measured [ns].
+        parents: whose child it was.
+        authorities: who said so.
+        transforms: `parent_T_frame` of each.
+    """
+
+    frame: str
+    is_static: bool
+    stamps_ns: tuple[int, ...]
+    parents: tuple[str, ...]
+    authorities: tuple[str, ...]
+    transforms: tuple[Transform, ...]
+
+
+class Memory(NamedTuple):
+    """What a buffer holds: samples and their bytes, and, apart from them, the bytes of its memos."""
+
+    samples: int
+    sample_bytes: int
+    memo_bytes: int
+
+
+class BufferCore:
+    """Transforms between frames, through time.
+
+    Args:
+        cache_time_ns: how far each history reaches back from its newest sample [ns].
+    """
+
+    def __init__(self, cache_time_ns: int = DEFAULT_CACHE_TIME_NS) -> None:
+        cache_time_ns = index(cache_time_ns)
+        if cache_time_ns < 0:
+            raise ValueError(f"cache_time_ns must not be negative: {cache_time_ns}")
+        self._tree = Tree(cache_time_ns)
+        self._routes: dict[tuple[str, str], Route | None] = {}
+        self._requests = RequestQueue(self._tree)
+        self._tables = batch.Tables()
+        self._lock = RLock()
+
+    @property
+    def cache_time_ns(self) -> int:
+        """How far each history reaches back from its newest sample [ns]."""
+        return self._tree.cache_time_ns
+
+    # -- publishing -------------------------------------------------------
+
+    def set_transform(
+        self, stamped: StampedTransform, authority: str = "default_authority", is_static: bool = False
+    ) -> bool:
+        """Store where `stamped.child_frame_id` is in `stamped.frame_id`; return False if it is refused.
+
+        One leading slash of a name is dropped.  A rotation of any length is
+        scaled to one.  Refused are, with a line in the log for each fault: a frame
+        that is its own parent, an empty name, NaN, a quaternion without direction,
+        and a stamp older than the newest by more than the cache time.  Then wait-
+        ing requests are judged.
+        """
+        transform = stamped.transform
+        parent, child = stamped.frame_id, stamped.child_frame_id
+        numbers = transform.translation + transform.rotation
+        if not checks.is_ordinary(parent, child, numbers):
+            parent, child = checks.without_slash(parent), checks.without_slash(child)
+            if not checks.is_acceptable(parent, child, numbers, authority):
+                return False
+            self._tree.has_infinity |= any(map(isinf, numbers))
+            self._shape_changed()
+        with self._lock:
+            tree = self._tree
+            child_number = tree.number_of(child)
+            cache = tree.cache_for(child_number, is_static)
+            only_parent = cache.only_parent
+            parent_number = tree.number_of(parent)
+            accepted = cache.insert(stamped.stamp_ns, numbers, parent_number, authority)
+            if cache.only_parent != only_parent:
+                self._shape_changed()
+            if not accepted:
+                checks.log_old_data(child, stamped.stamp_ns, authority)
+                return False
+            tree.authorities[child_number] = authority
+            if self._requests:
+                self._requests.judge_all()
+        return True
+
+    def set_transforms(
+        self,
+        parent: str,
+        child: str,
+        stamps_ns: Sequence[int] | np.ndarray,
+        translations: np.ndarray,
+        rotations_xyzw: np.ndarray,
+        authority: str = "default_authority",
+    ) -> int:
+        """Store many samples of one moving edge, as if set one by one; return how many were accepted.
+
+        Args:
+            stamps_ns: shape (N,) [ns], fastest if each is newer than the one before.
+            translations: shape (N, 3) [m].
+            rotations_xyzw: shape (N, 4).
+
+        Raises:
+            ValueError: the shapes do not fit together.
+        """
+        stamps, numbers = batch.columns_from_arrays(stamps_ns, translations, rotations_xyzw)
+        with self._lock:
+            cache = self._tree.caches[self._tree.numbers.get(child, 0)]
+            newest_ns = cache.newest_ns if isinstance(cache, TimeCache) and len(cache) else None
+            if self._requests or not batch.is_plain(parent, child, stamps, numbers, newest_ns):
+                return sum(
+                    self.set_transform(
+                        StampedTransform(parent, child, stamp, Transform(row[:3], row[3:])), authority
+                    )
+                    for stamp, row in zip(stamps.tolist(), numbers.tolist(), strict=True)
+                )
+            if not len(stamps):
+                return 0
+            child_number = self._tree.number_of(child)
+            cache = self._tree.cache_for(child_number, is_static=False)
+            only_parent = cache.only_parent
+            cache.extend(stamps, numbers, self._tree.number_of(parent), authority)
+            if cache.only_parent != only_parent:
+                self._shape_changed()
+            self._tree.authorities[child_number] = authority
+        return len(stamps)
+
+    def clear(self) -> None:
+        """Forget every moving sample; names, static transforms, authorities and requests stay."""
+        with self._lock:
+            for cache in self._tree.caches:
+                if cache is not None:
+                    cache.clear()
+            self._shape_changed()
+
+    # -- asking -----------------------------------------------------------
+
+    def lookup_transform(self, target_frame: str, source_frame: str, stamp_ns: int) -> StampedTransform:
+        """Return `target_T_source` at `stamp_ns` [ns], or at the newest possible moment if it is LATEST.
+
+        The answer carries the moment it holds for (0 if only static transforms
+        are involved).  Two equal names are always an identity, even unknown ones.
+
+        Raises:
+            InvalidArgumentException: a name is empty or begins with a slash.
+            LookupException: a name is unknown, or the tree has a loop.
+            ConnectivityException: the frames are in different trees.
+            ExtrapolationException: a history on the way does not reach `stamp_ns`.
+        """
+        with self._lock:
+            route = self._routes.get((target_frame, source_frame))
+            if route is not None:
+                moment_ns = stamp_ns or route.latest_common_time()
+                pose = route.pose_at(moment_ns)
+                if pose is not None:
+                    return stamped_from_pose(target_frame, source_frame, moment_ns, canonical_pose(pose))
+            return self._lookup_from_scratch(target_frame, source_frame, stamp_ns)
+
+    def lookup_transform_full(
+        self, target_frame: str, target_ns: int, source_frame: str, source_ns: int, fixed_frame: str
+    ) -> StampedTransform:
+        """Return source's pose at `source_ns` as seen from target at `target_ns`.
+
+        `fixed_frame` is the one that did not move in between: `source` is looked
+        up in it at `source_ns`, and it in `target` at `target_ns`.
+
+        Raises:
+            TransformException: as for lookup_transform.
+        """
+        with self._lock:
+            checks.number_in_question(self._tree, "lookupTransform argument target_frame", target_frame)
+            checks.number_in_question(self._tree, "lookupTransform argument source_frame", source_frame)
+            checks.number_in_question(self._tree, "lookupTransform argument fixed_frame", fixed_frame)
+            fixed_T_source = self.lookup_transform(fixed_frame, source_frame, source_ns)
+            target_T_fixed = self.lookup_transform(target_frame, fixed_frame, target_ns)
+        outer, inner = target_T_fixed.transform, fixed_T_source.transform
+        pose = compose(outer.translation + outer.rotation, inner.translation + inner.rotation)
+        return stamped_from_pose(target_frame, source_frame, target_T_fixed.stamp_ns, canonical_pose(pose))
+
+    def lookup_transforms(
+        self,
+        target_frame: str,
+        source_frame: str,
+        stamps_ns: Sequence[int] | np.ndarray,
+        raise_on_failure: bool = False,
+    ) -> batch.Batch:
+        """Return `target_T_source` at each of `stamps_ns`, shape (N,) [ns], as lookup_transform would.
+
+        Where there is no answer the row is NaN, and `failures` says why; with
+        `raise_on_failure` the first such failure is raised instead.
+        """
+        with self._lock:
+            return batch.lookup(
+                self, self._tables, self._route(target_frame, source_frame),
+                target_frame, source_frame, stamps_ns, raise_on_failure,
+            )  # fmt: skip
+
+    def can_transform(self, target_frame: str, source_frame: str, stamp_ns: int) -> bool:
+        """Return whether lookup_transform would answer."""
+        return self.why_not(target_frame, source_frame, stamp_ns)[0]
+
+    def can_transform_full(
+        self, target_frame: str, target_ns: int, source_frame: str, source_ns: int, fixed_frame: str
+    ) -> bool:
+        """Return whether lookup_transform_full would answer."""
+        return self.why_not_full(target_frame, target_ns, source_frame, source_ns, fixed_frame)[0]
+
+    def why_not(self, target_frame: str, source_frame: str, stamp_ns: int) -> tuple[bool, str]:
+        """Return (can_transform, tf2's text why not), the text "" if it can."""
+        if target_frame == source_frame:
+            return True, ""
+        with self._lock:
+            text = checks.fault_in_question(self._tree, target_frame=target_frame, source_frame=source_frame)
+            if text:
+                return False, text
+            path = find_path(
+                self._tree, self._tree.numbers[target_frame], self._tree.numbers[source_frame], stamp_ns
+            )
+            if isinstance(path, Failure):
+                return False, text_from_failure(self._tree, path, target_frame, source_frame)
+            return True, ""
+
+    def why_not_full(
+        self, target_frame: str, target_ns: int, source_frame: str, source_ns: int, fixed_frame: str
+    ) -> tuple[bool, str]:
+        """Return (can_transform_full, tf2's text why not), the text "" if it can."""
+        with self._lock:
+            text = checks.fault_in_question(self._tree, target_frame=target_frame, source_frame=source_frame, fixed_frame=fixed_frame)
+            if text:
+                return False, text
+            can, text = self.why_not(target_frame, fixed_frame, target_ns)
+            return self.why_not(fixed_frame, source_frame, source_ns) if can else (can, text)
+
+    def latest_common_time_ns(self, target_frame: str, source_frame: str) -> int:
+        """Return the moment that LATEST means between two frames [ns]; 0 if only static transforms join them.
+
+        Raises:
+            TransformException: a bad or unknown name, or no path.
+        """
+        with self._lock:
+            target = checks.number_in_question(self._tree, "get_latest_common_time", target_frame)
+            source = checks.number_in_question(self._tree, "get_latest_common_time", source_frame)
+            common_ns = latest_common_time(self._tree, target, source)
+            if isinstance(common_ns, Failure):
+                text = text_from_failure(self._tree, common_ns, target_frame, source_frame)
+                raise TransformException(text, target_frame=target_frame, source_frame=source_frame)
+            return common_ns
+
+    def lookup_velocity(
+        self,
+        tracking_frame: str,
+        observation_frame: str,
+        stamp_ns: int,
+        averaging_ns: int,
+        reference_frame: str | None = None,
+        reference_point: Sequence[float] = (0.0, 0.0, 0.0),
+        reference_point_frame: str | None = None,
+    ) -> velocity.Velocity:
+        """Return how fast `tracking_frame` moves as seen from `observation_frame`, around `stamp_ns`.
+
+        Args:
+            averaging_ns: length of the interval that is averaged over [ns].
+            reference_frame: whose axes the answer is written in; observation_frame if None.
+            reference_point: the point of the moving body to speak of [m], in
+                reference_point_frame (tracking_frame if None).
+
+        Raises:
+            TransformException: as for lookup_transform.
+        """
+        with self._lock:
+            target = self._tree.numbers.get(observation_frame, 0)
+            source = self._tree.numbers.get(tracking_frame, 0)
+            newest_ns = latest_common_time(self._tree, target, source) if target and source else 0
+            return velocity.lookup_velocity(
+                self,
+                tracking_frame,
+                observation_frame,
+                stamp_ns,
+                averaging_ns,
+                0 if isinstance(newest_ns, Failure) else newest_ns,
+                reference_frame or observation_frame,
+                reference_point,
+                reference_point_frame or tracking_frame,
+            )
+
+    # -- waiting ----------------------------------------------------------
+
+    def request_transformable(
+        self, target_frame: str, source_frame: str, stamp_ns: int, callback: RequestCallback
+    ) -> int:
+        """Have `callback(handle, target_frame, source_frame, stamp_ns, result)` called once it is decided.
+
+        `result` is "available" or "failure"; the call comes from within the
+        set_transform that decided it.  Return the handle, or
+        `requests.POSSIBLE_NOW` or `requests.NEVER`, and then there is no call.
+        """
+        with self._lock:
+            return self._requests.add(target_frame, source_frame, stamp_ns, callback)
+
+    def cancel_request(self, handle: int) -> None:
+        """Forget a request; an unknown handle is ignored."""
+        with self._lock:
+            self._requests.cancel(handle)
+
+    # -- looking inside ---------------------------------------------------
+
+    def frame_names(self) -> list[str]:
+        """Return every frame ever named, roots included, in the order of first mention."""
+        with self._lock:
+            return list(self._tree.known_names())
+
+    def frame_exists(self, name: str) -> bool:
+        """Return whether a frame was ever named."""
+        return name in self._tree.numbers
+
+    def frame_number(self, name: str) -> int:
+        """Return a frame's number, counted from 1 in the order of first mention; 0 if unknown."""
+        return self._tree.numbers.get(name, 0)
+
+    def parent_of(self, frame: str, stamp_ns: int = LATEST) -> str | None:
+        """Return the parent of a frame at `stamp_ns`, or None if it has none then."""
+        with self._lock:
+            cache = self._tree.caches[self.frame_number(frame)]
+            number = cache.parent_at(stamp_ns) if cache is not None else 0
+            return self._tree.names[number] if number else None
+
+    def chain(self, target_frame: str, source_frame: str, stamp_ns: int = LATEST) -> list[str]:
+        """Return the frames on the way, from `source_frame` up and down to `target_frame`, both included.
+
+        Raises:
+            TransformException: as for lookup_transform.
+        """
+        with self._lock:
+            path = self._path(target_frame, source_frame, stamp_ns)
+            frames = [self._tree.numbers[source_frame]]
+            frames += [self._tree.caches[frame].parent_at(path.stamp_ns) for frame in path.up]
+            frames += reversed(path.down)
+            return [self._tree.names[frame] for frame in _without_detour(frames)]
+
+    def history(self, frame: str) -> History:
+        """Return every sample of one child; of a root, an empty history.
+
+        Raises:
+            LookupException: the frame was never named.
+        """
+        with self._lock:
+            if frame not in self._tree.numbers:
+                raise checks.unknown_frame(self._tree, "history", frame)
+            cache = self._tree.caches[self._tree.numbers[frame]]
+            samples = cache.samples() if cache is not None else []
+            return History(
+                frame=frame,
+                is_static=cache is not None and cache.is_static,
+                stamps_ns=tuple(sample.stamp_ns for sample in samples),
+                parents=tuple(self._tree.names[sample.parent] for sample in samples),
+                authorities=tuple(sample.authority for sample in samples),
+                transforms=tuple(Transform(sample.pose[:3], sample.pose[3:]) for sample in samples),
+            )
+
+    def history_ends(self) -> np.ndarray:
+        """Return the stamps at which any history begins or ends, ascending, shape (n,) [ns]."""
+        with self._lock:
+            caches = [cache for cache in self._tree.caches if cache is not None]
+            return np.unique(np.array([end for c in caches for end in (c.oldest_ns, c.newest_ns)], dtype=np.int64))
+
+    def all_frames_as_string(self) -> str:
+        """Return one line for each frame that has a parent, as tf2 prints it."""
+        with self._lock:
+            return describe.all_frames_as_string(self._tree)
+
+    def all_frames_as_yaml(self, now_ns: int | None = None) -> str:
+        """Return tf2's YAML of every edge; with `now_ns` [ns], also how old each is."""
+        with self._lock:
+            return describe.all_frames_as_yaml(self._tree, now_ns or 0)
+
+    def all_frames_as_dot(self, now_ns: int | None = None) -> str:
+        """Return tf2's Graphviz drawing; with `now_ns` [ns], also how old each edge is."""
+        with self._lock:
+            return describe.all_frames_as_dot(self._tree, now_ns or 0)
+
+    def memory(self) -> Memory:
+        """Return how much is stored, and, apart from it, how much is merely remembered to be fast."""
+        with self._lock:
+            moving = [cache for cache in self._tree.caches if isinstance(cache, TimeCache)]
+            statics = [cache for cache in self._tree.caches if isinstance(cache, StaticCache)]
+            columns_bytes, segments = (sum(part) for part in zip((0, 0), *(c.memory() for c in moving), strict=True))
+            return Memory(
+                samples=sum(map(len, moving + statics)),
+                sample_bytes=columns_bytes + STATIC_BYTES * len(statics),
+                memo_bytes=SEGMENT_BYTES * segments + ROUTE_BYTES * len(self._routes) + self._tables.nbytes,
+            )
+
+    # -- inside -----------------------------------------------------------
+
+    def _shape_changed(self) -> None:
+        """Forget every route: some frame got another parent, or lost its history."""
+        self._routes.clear()
+        self._tables.clear()
+
+    def _lookup_from_scratch(self, target_frame: str, source_frame: str, stamp_ns: int) -> StampedTransform:
+        """Look up the long way, as tf2 does, and try to make the next time shorter."""
+        stamp_ns = index(stamp_ns)
+        if target_frame == source_frame:
+            cache = self._tree.caches[self._tree.numbers.get(source_frame, 0)]
+            newest_ns = cache.newest_ns if cache is not None else 0
+            return stamped_from_pose(target_frame, source_frame, stamp_ns or newest_ns, IDENTITY_POSE)
+        path = self._path(target_frame, source_frame, stamp_ns)
+        self._route(target_frame, source_frame)
+        pose = canonical_pose(pose_on_path(self._tree, path))
+        return stamped_from_pose(target_frame, source_frame, path.stamp_ns, pose)
+
+    def _path(self, target_frame: str, source_frame: str, stamp_ns: int) -> Path:
+        """Return tf2's way between two frames at a moment, or raise its reason why there is none."""
+        target = checks.number_in_question(self._tree, "lookupTransform argument target_frame", target_frame)
+        source = checks.number_in_question(self._tree, "lookupTransform argument source_frame", source_frame)
+        path = find_path(self._tree, target, source, stamp_ns)
+        if isinstance(path, Failure):
+            raise exception_from_failure(self._tree, path, target_frame, source_frame)
+        return path
+
+    def _route(self, target_frame: str, source_frame: str) -> Route | None:
+        """Return the route between two frames, remembered until the shape of the tree changes."""
+        names = (target_frame, source_frame)
+        if names not in self._routes:
+            target, source = map(self.frame_number, names)
+            if len(self._routes) >= ROUTES_REMEMBERED:
+                self._routes.clear()
+            self._routes[names] = plan_route(self._tree, target, source) if target and source else None
+        return self._routes[names]
+
+
+def _without_detour(frames: list[int]) -> list[int]:
+    """Return a way without the stretch that it climbs above the turning point and comes back down."""
+    way: list[int] = []
+    for frame in frames:
+        if frame in way:
+            del way[way.index(frame) :]
+        way.append(frame)
+    return way

@@ -1,0 +1,249 @@
+"""Where is it?  A transform: first a turn, then a step.
+
+                        apply
+    source_p_tip  ------------------>  target_p_tip
+                 target_T_source
+
+`target_T_source` moves coordinates written in *source* into *target*; the same
+numbers are the pose of source as seen from target.  In a message, target is the
+parent (`header.frame_id`) and source is the child (`child_frame_id`).
+Neighbours must match, like dominoes:
+
+    map_T_base = map_T_odom @ odom_T_base
+    map_p_tip = map_T_base.apply(base_p_tip)
+
+`Transform` and `StampedTransform` are what people hold in their hands.  Inside
+the engine the same seven numbers travel as a plain tuple, a `Pose`, because a
+lookup may touch thousands of them.  (REP-103 axes; geometry_msgs/Transform.)
+
+Read `errors.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from . import quaternions
+from .quaternions import Quaternion, Vector3
+
+__all__ = ["Pose", "StampedTransform", "Transform"]
+
+Pose = tuple[float, float, float, float, float, float, float]  # x, y, z [m], then qx, qy, qz, qw
+
+IDENTITY_POSE: Pose = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)
+
+
+@dataclass(frozen=True, slots=True)
+class Transform:
+    """A turn and a step: `target_T_source`.
+
+    Attributes:
+        translation: (x, y, z) [m] of source's origin in target.
+        rotation: unit quaternion (x, y, z, w) of source's axes in target.
+
+    The rotation is kept as given.  Whether it is a rotation at all is judged by
+    whoever uses it: a buffer refuses a bad one as tf2 does, and the methods here
+    raise ValueError if it has no direction (and scale it to length one if it has).
+    """
+
+    translation: Vector3 = (0.0, 0.0, 0.0)
+    rotation: Quaternion = (0.0, 0.0, 0.0, 1.0)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "translation", _floats(self.translation, 3, "translation (x, y, z)"))
+        object.__setattr__(self, "rotation", _floats(self.rotation, 4, "rotation (x, y, z, w)"))
+
+    @classmethod
+    def from_rpy(
+        cls, roll: float = 0.0, pitch: float = 0.0, yaw: float = 0.0, translation: Sequence[float] = (0.0, 0.0, 0.0)
+    ) -> Transform:
+        """Return the turn by roll, then pitch, then yaw [rad] about the fixed axes, with a `translation` [m]."""
+        return cls(translation, quaternions.from_rpy(roll, pitch, yaw))
+
+    @classmethod
+    def from_matrix(cls, matrix: np.ndarray) -> Transform:
+        """Return the transform of a homogeneous matrix, shape (4, 4).
+
+        Raises:
+            ValueError: wrong shape, last row not (0, 0, 0, 1), or the 3x3 block not a
+                rotation (orthonormal and right-handed, to 1e-6).
+        """
+        m = np.asarray(matrix, dtype=float)
+        if m.shape != (4, 4):
+            raise ValueError(f"a homogeneous matrix has shape (4, 4), this one has {m.shape}")
+        if not np.allclose(m[3], (0.0, 0.0, 0.0, 1.0), atol=1e-9):
+            raise ValueError(f"the last row must be (0, 0, 0, 1), here it is {tuple(m[3].tolist())}")
+        block = m[:3, :3]
+        if not np.allclose(block @ block.T, np.eye(3), atol=1e-6):
+            raise ValueError("the 3x3 block is not a rotation: its rows are not of length one and at right angles")
+        if np.linalg.det(block) < 0.0:
+            raise ValueError("the 3x3 block is a mirror, not a rotation: REP-103 axes are right-handed")
+        rows = tuple(tuple(row) for row in block.tolist())
+        return cls(tuple(m[:3, 3].tolist()), quaternions.normalized(quaternions.from_matrix(rows)))
+
+    def matrix(self) -> np.ndarray:
+        """Return the homogeneous matrix, shape (4, 4), that moves columns (x, y, z, 1) from source to target."""
+        matrix = np.eye(4)
+        matrix[:3, :3] = quaternions.to_matrix(quaternions.normalized(self.rotation))
+        matrix[:3, 3] = self.translation
+        return matrix
+
+    def rpy(self) -> Vector3:
+        """Return (roll, pitch, yaw) [rad] about the fixed axes."""
+        return quaternions.to_rpy(quaternions.normalized(self.rotation))
+
+    def __matmul__(self, other: Transform) -> Transform:
+        """Return `a_T_c = a_T_b @ b_T_c`."""
+        if not isinstance(other, Transform):
+            return NotImplemented
+        return transform_from_pose(compose(pose_from_transform(self), pose_from_transform(other)))
+
+    def inverse(self) -> Transform:
+        """Return `b_T_a` of `a_T_b`: turn back first, then undo the step along the turned axes."""
+        return transform_from_pose(invert(pose_from_transform(self)))
+
+    def apply(self, points: Sequence[float] | np.ndarray) -> Vector3 | np.ndarray:
+        """Move a point (x, y, z) [m], or an array of points of shape (..., 3), from source to target.
+
+        A tuple or list gives a tuple, an array gives an array of the same shape.
+        """
+        if isinstance(points, np.ndarray):
+            if points.shape[-1:] != (3,):
+                raise ValueError(f"points must have shape (..., 3), not {points.shape}")
+            matrix = self.matrix()
+            return points @ matrix[:3, :3].T + matrix[:3, 3]
+        x, y, z = quaternions.rotate(quaternions.normalized(self.rotation), _floats(points, 3, "point (x, y, z)"))
+        tx, ty, tz = self.translation
+        return (x + tx, y + ty, z + tz)
+
+    def interpolate(self, other: Transform, ratio: float) -> Transform:
+        """Return the transform `ratio` of the way to `other`: a straight line, and the shorter arc.
+
+        This is what tf2 does between two samples.  `ratio` is not limited to
+        [0, 1], but tf2 never asks for more.
+        """
+        (ax, ay, az), (bx, by, bz) = self.translation, other.translation
+        start = quaternions.normalized(self.rotation)
+        end = quaternions.normalized(other.rotation)
+        back = 1.0 - ratio
+        return Transform(
+            (back * ax + ratio * bx, back * ay + ratio * by, back * az + ratio * bz),
+            quaternions.slerp(start, end, ratio),
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class StampedTransform:
+    """A transform that says between which frames, and when: geometry_msgs/TransformStamped.
+
+    Attributes:
+        frame_id: the parent, or the target of a lookup.
+        child_frame_id: the child, or the source of a lookup.
+        stamp_ns: when it holds [ns].
+        transform: `parent_T_child`.
+    """
+
+    frame_id: str
+    child_frame_id: str
+    stamp_ns: int
+    transform: Transform
+
+
+def compose(outer: Pose, inner: Pose) -> Pose:
+    """Return the pose "first `inner`, then `outer`", both of unit rotation."""
+    x, y, z, qx, qy, qz, qw = inner
+    tx, ty, tz, ax, ay, az, aw = outer
+    # outer's rotation of (x, y, z), as in quaternions.rotate ...
+    cx = ay * z - az * y
+    cy = az * x - ax * z
+    cz = ax * y - ay * x
+    cx, cy, cz = cx + cx, cy + cy, cz + cz
+    return (
+        x + aw * cx + ay * cz - az * cy + tx,
+        y + aw * cy + az * cx - ax * cz + ty,
+        z + aw * cz + ax * cy - ay * cx + tz,
+        # ... and the product of both rotations, as in quaternions.multiply
+        aw * qx + ax * qw + ay * qz - az * qy,
+        aw * qy + ay * qw + az * qx - ax * qz,
+        aw * qz + az * qw + ax * qy - ay * qx,
+        aw * qw - ax * qx - ay * qy - az * qz,
+    )
+
+
+def invert(pose: Pose) -> Pose:
+    """Return the opposite of a pose of unit rotation."""
+    x, y, z, qx, qy, qz, qw = pose
+    back = (-qx, -qy, -qz, qw)
+    return (*quaternions.rotate(back, (-x, -y, -z)), *back)
+
+
+def canonical_pose(pose: Pose) -> Pose:
+    """Return a pose of unit rotation with the sign of the quaternion that tf2 would print.
+
+    See quaternions.from_matrix for the rule.  Where it hangs on the last digit,
+    the pose takes tf2's way through a matrix and back.
+    """
+    x, y, z, qx, qy, qz, qw = pose
+    if qw > 0.51:
+        return pose
+    if qw < -0.51:
+        return (x, y, z, -qx, -qy, -qz, -qw)
+    return (x, y, z, *quaternions.canonical((qx, qy, qz, qw)))
+
+
+def pose_from_transform(transform: Transform) -> Pose:
+    """Return the seven numbers of a transform, its rotation scaled to length one.
+
+    Raises:
+        ValueError: the rotation has no direction.
+    """
+    return (*transform.translation, *quaternions.normalized(transform.rotation))
+
+
+def transform_from_pose(pose: Pose) -> Transform:
+    """Return the transform with these seven numbers."""
+    transform = _new(Transform)
+    _set_translation(transform, pose[:3])
+    _set_rotation(transform, pose[3:])
+    return transform
+
+
+def stamped_from_pose(frame_id: str, child_frame_id: str, stamp_ns: int, pose: Pose) -> StampedTransform:
+    """Return the stamped transform with these seven numbers."""
+    stamped = _new(StampedTransform)
+    _set_frame_id(stamped, frame_id)
+    _set_child_frame_id(stamped, child_frame_id)
+    _set_stamp_ns(stamped, stamp_ns)
+    _set_transform(stamped, transform_from_pose(pose))
+    return stamped
+
+
+# A frozen dataclass builds itself through object.__setattr__, one slow call for
+# each field.  The engine's own results need no checking, so the two functions
+# above fill the same slots directly, which takes a third of the time.
+_new = object.__new__
+_set_translation = Transform.translation.__set__
+_set_rotation = Transform.rotation.__set__
+_set_frame_id = StampedTransform.frame_id.__set__
+_set_child_frame_id = StampedTransform.child_frame_id.__set__
+_set_stamp_ns = StampedTransform.stamp_ns.__set__
+_set_transform = StampedTransform.transform.__set__
+
+
+def _floats(values: Sequence[float], count: int, what: str) -> tuple[float, ...]:
+    """Return `values` as a tuple of `count` floats, or say what was expected.
+
+    Raises:
+        TypeError: not a sequence of numbers.
+        ValueError: not `count` of them.
+    """
+    try:
+        floats = tuple(map(float, values))
+    except (TypeError, ValueError):
+        raise TypeError(f"{what} needs {count} numbers, not {values!r}") from None
+    if len(floats) != count:
+        raise ValueError(f"{what} needs {count} numbers, not {len(floats)}: {values!r}")
+    return floats

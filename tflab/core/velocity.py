@@ -1,0 +1,115 @@
+"""How fast does it move?  The change of a transform over a short interval.
+
+         start            stamp             end
+    -------|----------------|----------------|------->  time
+           `------- averaging interval ------'
+
+The velocity is what happens to `tracking_frame`, as seen from
+`observation_frame`, between two lookups.  Near the newest data the interval is
+moved back so that it ends there, as in tf2.
+
+tf2's BufferCore::lookupVelocity (0.39.1) finds the same interval and the same
+angular velocity, but turns the linear one by the wrong rotation and multiplies
+two vectors number by number where a cross product is meant, so it is right only
+for frames that are not turned against each other.  We compute what the names say.
+
+Read `describe.py` next.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple, Protocol
+
+from . import quaternions
+from .quaternions import Vector3
+from .stamps import NSEC_PER_SEC
+from .transforms import StampedTransform
+
+__all__ = ["Velocity", "lookup_velocity"]
+
+
+class Velocity(NamedTuple):
+    """How `body_frame_id` moves.
+
+    Attributes:
+        frame_id: the frame in whose axes both vectors are written.
+        body_frame_id: the frame that moves.
+        stamp_ns: the middle of the interval [ns].
+        linear: of the reference point [m/s].
+        angular: [rad/s].
+    """
+
+    frame_id: str
+    body_frame_id: str
+    stamp_ns: int
+    linear: Vector3
+    angular: Vector3
+
+
+class _Buffer(Protocol):
+    def lookup_transform(self, target_frame: str, source_frame: str, stamp_ns: int) -> StampedTransform: ...
+
+
+def averaging_interval_ns(stamp_ns: int, averaging_ns: int, newest_ns: int) -> tuple[int, int]:
+    """Return (start, end) [ns] of the interval around a stamp, not newer than the newest data.
+
+    It begins at 10 us after zero at the earliest, because zero would mean LATEST.
+    """
+    end_ns = min(stamp_ns + averaging_ns // 2, newest_ns)
+    start_ns = max(10_000 + averaging_ns, end_ns) - averaging_ns
+    return start_ns, end_ns
+
+
+def lookup_velocity(
+    buffer: _Buffer,
+    tracking_frame: str,
+    observation_frame: str,
+    stamp_ns: int,
+    averaging_ns: int,
+    newest_ns: int,
+    reference_frame: str,
+    reference_point: Vector3,
+    reference_point_frame: str,
+) -> Velocity:
+    """Return the velocity of `tracking_frame` in `observation_frame`: see BufferCore.lookup_velocity."""
+    start_ns, end_ns = averaging_interval_ns(stamp_ns, averaging_ns, newest_ns)
+    start = buffer.lookup_transform(observation_frame, tracking_frame, start_ns).transform
+    end = buffer.lookup_transform(observation_frame, tracking_frame, end_ns).transform
+    interval_s = (end_ns - start_ns) / NSEC_PER_SEC
+    if interval_s <= 0.0:  # as in tf2, where nothing moves in no time
+        linear = angular = (0.0, 0.0, 0.0)
+    else:
+        linear = tuple((b - a) / interval_s for a, b in zip(start.translation, end.translation, strict=True))
+        angular = _angular(start.rotation, end.rotation, interval_s)
+
+    # From the origin of the tracking frame to the reference point: add angular x lever.
+    now = buffer.lookup_transform(observation_frame, tracking_frame, stamp_ns).transform
+    point = buffer.lookup_transform(observation_frame, reference_point_frame, stamp_ns).transform.apply(reference_point)
+    lever = tuple(p - o for p, o in zip(point, now.translation, strict=True))
+    linear = tuple(v + w for v, w in zip(linear, _cross(angular, lever), strict=True))
+
+    # From the axes of the observation frame to those of the reference frame.
+    turn = buffer.lookup_transform(reference_frame, observation_frame, stamp_ns).transform.rotation
+    return Velocity(
+        frame_id=reference_frame,
+        body_frame_id=tracking_frame,
+        stamp_ns=start_ns + averaging_ns // 2,
+        linear=quaternions.rotate(turn, linear),
+        angular=quaternions.rotate(turn, angular),
+    )
+
+
+def _angular(start: quaternions.Quaternion, end: quaternions.Quaternion, interval_s: float) -> Vector3:
+    """Return the steady turn [rad/s], in outer axes, that leads from one rotation to the other."""
+    turn = quaternions.multiply(end, quaternions.conjugate(start))
+    x, y, z, w = turn if turn[3] >= 0.0 else tuple(-c for c in turn)
+    angle_rad = quaternions.angle((x, y, z, w))
+    length = (x * x + y * y + z * z) ** 0.5
+    if length == 0.0:
+        return (0.0, 0.0, 0.0)
+    speed = angle_rad / interval_s / length
+    return (x * speed, y * speed, z * speed)
+
+
+def _cross(a: Vector3, b: Vector3) -> Vector3:
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
