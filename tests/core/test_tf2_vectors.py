@@ -17,12 +17,8 @@ import pytest
 
 from tflab.core import BufferCore, StampedTransform, Transform, TransformException
 
-SCENARIOS = {
-    scenario["name"]: scenario
-    for scenario in map(
-        json.loads, gzip.open(Path(__file__).parent / "data" / "tf2_vectors.jsonl.gz", "rt", encoding="utf-8")
-    )
-}
+VECTORS = Path(__file__).parent / "data" / "tf2_vectors.jsonl.gz"
+SCENARIOS = {s["name"]: s for s in map(json.loads, gzip.decompress(VECTORS.read_bytes()).splitlines())}
 
 # Upstream's cancel takes away the wrong callback, and a lookup past a frame named
 # NO_PARENT gives a meaningless identity; neither is copied (see requests.py, walk.py).

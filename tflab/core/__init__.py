@@ -1,4 +1,4 @@
-"""The engine: where is A as seen from B, at t?  A textbook of thirteen short pages.
+"""The engine: where is A as seen from B, at t?  A textbook of short pages.
 
     stamps       when: time is a whole number of nanoseconds
     quaternions  which way round: (x, y, z, w), and REP-103's axes
@@ -13,6 +13,7 @@
     velocity     how fast does it move
     describe     what is in there, in tf2's words
     batch        a hundred thousand questions at once
+    history      what is stored
     snapshot     what there is to draw
 
 Behaviour, order of checks and texts are those of ROS 2's tf2 (geometry2 0.39.1).
@@ -21,7 +22,7 @@ It needs nothing but numpy.  Start with `stamps.py`; each page names the next.
 
 from . import quaternions
 from .batch import Batch, Failures
-from .buffer import DEFAULT_CACHE_TIME_NS, BufferCore, History, Memory
+from .buffer import DEFAULT_CACHE_TIME_NS, BufferCore
 from .errors import (
     ConnectivityException,
     ExtrapolationException,
@@ -30,6 +31,7 @@ from .errors import (
     TimeoutException,
     TransformException,
 )
+from .history import History, Memory
 from .requests import NEVER, POSSIBLE_NOW
 from .snapshot import FrameSnapshot, Snapshot, snapshot
 from .stamps import (

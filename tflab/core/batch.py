@@ -13,7 +13,7 @@ where they have one.  Questions are answered in blocks that fit the processor's
 cache, each block in the order of time, because a search that walks forward is
 several times faster than one that jumps.
 
-tf2 has nothing of the kind.  Read `snapshot.py` next.
+tf2 has nothing of the kind.  Read `history.py` next.
 """
 
 from __future__ import annotations
@@ -339,7 +339,9 @@ def columns_from_arrays(
     """Return stamps, shape (N,), and x, y, z, qx, qy, qz, qw, shape (N, 7), of arrays that fit together."""
     stamps = integer_stamps(stamps_ns)
     translations = np.asarray(translations, dtype=float).reshape(-1, 3) if not len(stamps) else np.asarray(translations)
-    rotations = np.asarray(rotations_xyzw, dtype=float).reshape(-1, 4) if not len(stamps) else np.asarray(rotations_xyzw)
+    rotations = (
+        np.asarray(rotations_xyzw, dtype=float).reshape(-1, 4) if not len(stamps) else np.asarray(rotations_xyzw)
+    )
     if translations.shape != (len(stamps), 3) or rotations.shape != (len(stamps), 4):
         raise ValueError(
             f"{len(stamps)} stamps need translations of shape ({len(stamps)}, 3) and rotations (x, y, z, w) of shape "

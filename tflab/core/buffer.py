@@ -24,14 +24,15 @@ from collections.abc import Sequence
 from math import isinf
 from operator import index
 from threading import RLock
-from typing import NamedTuple
 
 import numpy as np
 
 from . import batch, checks, describe, velocity
-from .cache import StaticCache, TimeCache
+from .cache import TimeCache
 from .errors import TransformException
+from .history import History, Memory, history_of, memory_of
 from .requests import RequestCallback, RequestQueue
+from .snapshot import Snapshot, snapshot_of
 from .stamps import LATEST, NSEC_PER_SEC
 from .transforms import IDENTITY_POSE, StampedTransform, Transform, canonical_pose, compose, stamped_from_pose
 from .tree import Tree
@@ -41,49 +42,18 @@ from .walk import (
     Route,
     exception_from_failure,
     find_path,
+    frames_on_path,
     latest_common_time,
     plan_route,
     pose_on_path,
     text_from_failure,
 )
 
-__all__ = ["DEFAULT_CACHE_TIME_NS", "BufferCore", "History", "Memory"]
+__all__ = ["DEFAULT_CACHE_TIME_NS", "BufferCore"]
 
 DEFAULT_CACHE_TIME_NS = 10 * NSEC_PER_SEC
 ROUTES_REMEMBERED = 4096
-
-# For BufferCore.memory(), in CPython on 64 bits.
-STATIC_BYTES = 400
-SEGMENT_BYTES = 700
-ROUTE_BYTES = 500
-
-
-class History(NamedTuple):
-    """One child through time, for timelines: parallel tuples, oldest first.
-
-    Attributes:
-        frame: the child.
-        is_static: whether its one sample is good for any time.
-        stamps_ns: when each sample was measured [ns].
-        parents: whose child it was.
-        authorities: who said so.
-        transforms: `parent_T_frame` of each.
-    """
-
-    frame: str
-    is_static: bool
-    stamps_ns: tuple[int, ...]
-    parents: tuple[str, ...]
-    authorities: tuple[str, ...]
-    transforms: tuple[Transform, ...]
-
-
-class Memory(NamedTuple):
-    """What a buffer holds: samples and their bytes, and, apart from them, the bytes of its memos."""
-
-    samples: int
-    sample_bytes: int
-    memo_bytes: int
+ROUTE_BYTES = 500  # each, in CPython on 64 bits
 
 
 class BufferCore:
@@ -91,13 +61,15 @@ class BufferCore:
 
     Args:
         cache_time_ns: how far each history reaches back from its newest sample [ns].
+        refuse_repeated_stamps: whether a second sample with the same stamp is refused, as in ROS 2
+            Humble; since Jazzy both are kept, and the one that came last answers.
     """
 
-    def __init__(self, cache_time_ns: int = DEFAULT_CACHE_TIME_NS) -> None:
+    def __init__(self, cache_time_ns: int = DEFAULT_CACHE_TIME_NS, refuse_repeated_stamps: bool = False) -> None:
         cache_time_ns = index(cache_time_ns)
         if cache_time_ns < 0:
             raise ValueError(f"cache_time_ns must not be negative: {cache_time_ns}")
-        self._tree = Tree(cache_time_ns)
+        self._tree = Tree(cache_time_ns, refuse_repeated_stamps)
         self._routes: dict[tuple[str, str], Route | None] = {}
         self._requests = RequestQueue(self._tree)
         self._tables = batch.Tables()
@@ -140,7 +112,10 @@ class BufferCore:
             if cache.only_parent != only_parent:
                 self._shape_changed()
             if not accepted:
-                checks.log_old_data(child, stamped.stamp_ns, authority)
+                if cache.has_stamp(stamped.stamp_ns):
+                    checks.log_repeated_data(parent, child, stamped.stamp_ns, authority)
+                else:
+                    checks.log_old_data(child, stamped.stamp_ns, authority)
                 return False
             tree.authorities[child_number] = authority
             if self._requests:
@@ -172,9 +147,7 @@ class BufferCore:
             newest_ns = cache.newest_ns if isinstance(cache, TimeCache) and len(cache) else None
             if self._requests or not batch.is_plain(parent, child, stamps, numbers, newest_ns):
                 return sum(
-                    self.set_transform(
-                        StampedTransform(parent, child, stamp, Transform(row[:3], row[3:])), authority
-                    )
+                    self.set_transform(StampedTransform(parent, child, stamp, Transform(row[:3], row[3:])), authority)
                     for stamp, row in zip(stamps.tolist(), numbers.tolist(), strict=True)
                 )
             if not len(stamps):
@@ -276,9 +249,7 @@ class BufferCore:
             text = checks.fault_in_question(self._tree, target_frame=target_frame, source_frame=source_frame)
             if text:
                 return False, text
-            path = find_path(
-                self._tree, self._tree.numbers[target_frame], self._tree.numbers[source_frame], stamp_ns
-            )
+            path = find_path(self._tree, self._tree.numbers[target_frame], self._tree.numbers[source_frame], stamp_ns)
             if isinstance(path, Failure):
                 return False, text_from_failure(self._tree, path, target_frame, source_frame)
             return True, ""
@@ -288,7 +259,9 @@ class BufferCore:
     ) -> tuple[bool, str]:
         """Return (can_transform_full, tf2's text why not), the text "" if it can."""
         with self._lock:
-            text = checks.fault_in_question(self._tree, target_frame=target_frame, source_frame=source_frame, fixed_frame=fixed_frame)
+            text = checks.fault_in_question(
+                self._tree, target_frame=target_frame, source_frame=source_frame, fixed_frame=fixed_frame
+            )
             if text:
                 return False, text
             can, text = self.why_not(target_frame, fixed_frame, target_ns)
@@ -331,20 +304,10 @@ class BufferCore:
             TransformException: as for lookup_transform.
         """
         with self._lock:
-            target = self._tree.numbers.get(observation_frame, 0)
-            source = self._tree.numbers.get(tracking_frame, 0)
-            newest_ns = latest_common_time(self._tree, target, source) if target and source else 0
             return velocity.lookup_velocity(
-                self,
-                tracking_frame,
-                observation_frame,
-                stamp_ns,
-                averaging_ns,
-                0 if isinstance(newest_ns, Failure) else newest_ns,
-                reference_frame or observation_frame,
-                reference_point,
-                reference_point_frame or tracking_frame,
-            )
+                self, tracking_frame, observation_frame, stamp_ns, averaging_ns,
+                reference_frame, reference_point, reference_point_frame,
+            )  # fmt: skip
 
     # -- waiting ----------------------------------------------------------
 
@@ -395,10 +358,8 @@ class BufferCore:
         """
         with self._lock:
             path = self._path(target_frame, source_frame, stamp_ns)
-            frames = [self._tree.numbers[source_frame]]
-            frames += [self._tree.caches[frame].parent_at(path.stamp_ns) for frame in path.up]
-            frames += reversed(path.down)
-            return [self._tree.names[frame] for frame in _without_detour(frames)]
+            frames = frames_on_path(self._tree, path, self._tree.numbers[source_frame])
+            return [self._tree.names[frame] for frame in frames]
 
     def history(self, frame: str) -> History:
         """Return every sample of one child; of a root, an empty history.
@@ -409,16 +370,12 @@ class BufferCore:
         with self._lock:
             if frame not in self._tree.numbers:
                 raise checks.unknown_frame(self._tree, "history", frame)
-            cache = self._tree.caches[self._tree.numbers[frame]]
-            samples = cache.samples() if cache is not None else []
-            return History(
-                frame=frame,
-                is_static=cache is not None and cache.is_static,
-                stamps_ns=tuple(sample.stamp_ns for sample in samples),
-                parents=tuple(self._tree.names[sample.parent] for sample in samples),
-                authorities=tuple(sample.authority for sample in samples),
-                transforms=tuple(Transform(sample.pose[:3], sample.pose[3:]) for sample in samples),
-            )
+            return history_of(self._tree, self._tree.numbers[frame])
+
+    def snapshot(self) -> Snapshot:
+        """Return what there is to draw of the tree now."""
+        with self._lock:
+            return snapshot_of(self._tree)
 
     def history_ends(self) -> np.ndarray:
         """Return the stamps at which any history begins or ends, ascending, shape (n,) [ns]."""
@@ -444,14 +401,7 @@ class BufferCore:
     def memory(self) -> Memory:
         """Return how much is stored, and, apart from it, how much is merely remembered to be fast."""
         with self._lock:
-            moving = [cache for cache in self._tree.caches if isinstance(cache, TimeCache)]
-            statics = [cache for cache in self._tree.caches if isinstance(cache, StaticCache)]
-            columns_bytes, segments = (sum(part) for part in zip((0, 0), *(c.memory() for c in moving), strict=True))
-            return Memory(
-                samples=sum(map(len, moving + statics)),
-                sample_bytes=columns_bytes + STATIC_BYTES * len(statics),
-                memo_bytes=SEGMENT_BYTES * segments + ROUTE_BYTES * len(self._routes) + self._tables.nbytes,
-            )
+            return memory_of(self._tree, ROUTE_BYTES * len(self._routes) + self._tables.nbytes)
 
     # -- inside -----------------------------------------------------------
 
@@ -490,13 +440,3 @@ class BufferCore:
                 self._routes.clear()
             self._routes[names] = plan_route(self._tree, target, source) if target and source else None
         return self._routes[names]
-
-
-def _without_detour(frames: list[int]) -> list[int]:
-    """Return a way without the stretch that it climbs above the turning point and comes back down."""
-    way: list[int] = []
-    for frame in frames:
-        if frame in way:
-            del way[way.index(frame) :]
-        way.append(frame)
-    return way

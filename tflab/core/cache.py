@@ -60,12 +60,17 @@ class Sample(NamedTuple):
 
 
 class TimeCache:
-    """A child that moves: its samples, oldest first, no older than `cache_time_ns` before the newest."""
+    """A child that moves: its samples, oldest first, no older than `cache_time_ns` before the newest.
+
+    With `refuse_repeated_stamps` a second sample with the same stamp is refused,
+    whatever it says, as in ROS 2 Humble.
+    """
 
     is_static = False
 
-    def __init__(self, cache_time_ns: int) -> None:
+    def __init__(self, cache_time_ns: int, refuse_repeated_stamps: bool = False) -> None:
         self._cache_time_ns = cache_time_ns
+        self._refuse_repeated_stamps = refuse_repeated_stamps
         self.version = 0  # goes up whenever anything changes
         self.clear()
 
@@ -135,6 +140,11 @@ class TimeCache:
         if len(self) > 1:  # the last insert saw all the others
             self._prune(self._stamps[-2] - self._cache_time_ns)
 
+    def has_stamp(self, stamp_ns: int) -> bool:
+        """Return whether there is a sample with exactly this stamp."""
+        i = bisect_right(self._stamps, stamp_ns, self._first) - 1
+        return i >= self._first and self._stamps[i] == stamp_ns
+
     def at(self, stamp_ns: int) -> Pose | None:
         """Return the child's pose in its parent at `stamp_ns`, or None if the history does not reach."""
         i = bisect_right(self._stamps, stamp_ns, self._first) - 1
@@ -180,6 +190,15 @@ class TimeCache:
             Sample(self._stamps[i], self._pose(i), *self._names[self._labels[i]])
             for i in range(self._first, len(self._stamps))
         ]
+
+    def owners(self) -> set[tuple[int, str]]:
+        """Return every (parent, authority) that a sample names."""
+        return {self._names[label] for label in set(self._labels[self._first :])}
+
+    def newest(self) -> Sample | None:
+        """Return the newest sample."""
+        last = len(self._stamps) - 1
+        return Sample(self._stamps[last], self._pose(last), *self._names[self._labels[last]]) if len(self) else None
 
     def columns(self) -> tuple[array, array, int]:
         """Return the stamps, the numbers as sent (seven a sample) and the index of the first live sample.
@@ -249,6 +268,8 @@ class TimeCache:
         """Keep a sample that is not newer than all others."""
         i = bisect_right(self._stamps, stamp_ns, self._first)
         twin = i - 1
+        if self._refuse_repeated_stamps and twin >= self._first and self._stamps[twin] == stamp_ns:
+            return False
         pose = (*numbers[:3], *quaternions.canonical(numbers[3:]))
         while twin >= self._first and self._stamps[twin] == stamp_ns:
             if self._pose(twin) == pose and self._names[self._labels[twin]][0] == parent:
@@ -325,8 +346,14 @@ class StaticCache:
     def parent_at(self, stamp_ns: int) -> int:
         return self.newest_parent
 
+    def newest(self) -> Sample | None:
+        return self._sample
+
     def samples(self) -> list[Sample]:
         return [self._sample] if self._sample else []
+
+    def owners(self) -> set[tuple[int, str]]:
+        return {(self._sample.parent, self._sample.authority)} if self._sample else set()
 
     def clear(self) -> None:
         """Do nothing: tf2's clear() keeps static transforms."""

@@ -25,6 +25,7 @@ __all__ = [
     "is_acceptable",
     "is_ordinary",
     "log_old_data",
+    "log_repeated_data",
     "number_in_question",
     "unknown_frame",
     "without_slash",
@@ -90,6 +91,14 @@ def is_acceptable(parent: str, child: str, numbers: tuple[float, ...], authority
     for fault in faults:
         _log.error(fault)
     return not faults
+
+
+def log_repeated_data(parent: str, child: str, stamp_ns: int, authority: str) -> None:
+    """Log that a sample had the stamp of another (ROS 2 Humble refuses it)."""
+    _log.warning(
+        f"TF_REPEATED_DATA ignoring data with redundant timestamp for frame {child} (parent {parent}) at time "
+        f"{format_stamp(stamp_ns)} according to authority {authority}"
+    )
 
 
 def log_old_data(child: str, stamp_ns: int, authority: str) -> None:

@@ -89,9 +89,7 @@ class RequestQueue:
         errors = []
         for request, result in decided:
             try:
-                request.callback(
-                    request.handle, request.target_frame, request.source_frame, request.stamp_ns, result
-                )
+                request.callback(request.handle, request.target_frame, request.source_frame, request.stamp_ns, result)
             except Exception as error:
                 errors.append(error)
         if errors:

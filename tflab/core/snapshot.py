@@ -10,13 +10,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
-from .stamps import LATEST
-from .transforms import Transform
+from .describe import edges
+from .transforms import Transform, transform_from_pose
+from .tree import Tree
 
 if TYPE_CHECKING:
     from .buffer import BufferCore
 
-__all__ = ["FrameSnapshot", "Snapshot", "snapshot"]
+__all__ = ["FrameSnapshot", "Snapshot", "snapshot", "snapshot_of"]
 
 
 class FrameSnapshot(NamedTuple):
@@ -59,25 +60,30 @@ class Snapshot(NamedTuple):
 
 def snapshot(buffer: BufferCore) -> Snapshot:
     """Return what there is to draw of a buffer now."""
+    return buffer.snapshot()
+
+
+def snapshot_of(tree: Tree) -> Snapshot:
+    """Return what there is to draw of a tree now."""
+    rates_hz = {edge.child: edge.rate_hz for edge in edges(tree)}
     roots, frames = [], []
-    for name in buffer.frame_names():
-        history = buffer.history(name)
-        if not history.stamps_ns:
+    for name, cache in zip(tree.names[1:], tree.caches[1:], strict=True):
+        if cache is None or (newest := cache.newest()) is None:
             roots.append(name)
             continue
-        span_ns = history.stamps_ns[-1] - history.stamps_ns[0]
+        owners = cache.owners()
         frames.append(
             FrameSnapshot(
                 name=name,
-                parent=history.parents[-1],
-                is_static=history.is_static,
-                authorities=tuple(sorted(set(history.authorities))),
-                parents=tuple(sorted(set(history.parents))),
-                samples=len(history.stamps_ns),
-                rate_hz=0.0,
-                oldest_ns=0 if history.is_static else history.stamps_ns[0],
-                newest_ns=0 if history.is_static else history.stamps_ns[-1],
-                parent_T_frame=history.transforms[-1],
+                parent=tree.names[newest.parent],
+                is_static=cache.is_static,
+                authorities=tuple(sorted({authority for _, authority in owners})),
+                parents=tuple(sorted({tree.names[parent] for parent, _ in owners})),
+                samples=len(cache),
+                rate_hz=0.0 if cache.is_static else rates_hz[name],
+                oldest_ns=cache.oldest_ns,
+                newest_ns=cache.newest_ns,
+                parent_T_frame=transform_from_pose(newest.pose),
             )
         )
     return Snapshot(tuple(roots), tuple(frames))

@@ -37,8 +37,9 @@ class Tree:
         has_infinity: whether any translation ever stored was infinite (tf2 allows it).
     """
 
-    def __init__(self, cache_time_ns: int) -> None:
+    def __init__(self, cache_time_ns: int, refuse_repeated_stamps: bool = False) -> None:
         self.cache_time_ns = cache_time_ns
+        self._refuse_repeated_stamps = refuse_repeated_stamps
         self.names: list[str] = [NO_PARENT]
         self.numbers: dict[str, int] = {NO_PARENT: 0}
         self.caches: list[Cache | None] = [None]
@@ -61,7 +62,8 @@ class Tree:
         """
         cache = self.caches[number]
         if cache is None or cache.is_static != is_static:
-            cache = self.caches[number] = StaticCache() if is_static else TimeCache(self.cache_time_ns)
+            moving = TimeCache(self.cache_time_ns, self._refuse_repeated_stamps)
+            cache = self.caches[number] = StaticCache() if is_static else moving
         return cache
 
     def known_names(self) -> tuple[str, ...]:

@@ -18,12 +18,16 @@ Read `describe.py` next.
 
 from __future__ import annotations
 
-from typing import NamedTuple, Protocol
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, NamedTuple
 
 from . import quaternions
+from .errors import TransformException
 from .quaternions import Vector3
 from .stamps import NSEC_PER_SEC
-from .transforms import StampedTransform
+
+if TYPE_CHECKING:
+    from .buffer import BufferCore
 
 __all__ = ["Velocity", "lookup_velocity"]
 
@@ -46,10 +50,6 @@ class Velocity(NamedTuple):
     angular: Vector3
 
 
-class _Buffer(Protocol):
-    def lookup_transform(self, target_frame: str, source_frame: str, stamp_ns: int) -> StampedTransform: ...
-
-
 def averaging_interval_ns(stamp_ns: int, averaging_ns: int, newest_ns: int) -> tuple[int, int]:
     """Return (start, end) [ns] of the interval around a stamp, not newer than the newest data.
 
@@ -61,17 +61,22 @@ def averaging_interval_ns(stamp_ns: int, averaging_ns: int, newest_ns: int) -> t
 
 
 def lookup_velocity(
-    buffer: _Buffer,
+    buffer: BufferCore,
     tracking_frame: str,
     observation_frame: str,
     stamp_ns: int,
     averaging_ns: int,
-    newest_ns: int,
-    reference_frame: str,
-    reference_point: Vector3,
-    reference_point_frame: str,
+    reference_frame: str | None,
+    reference_point: Sequence[float],
+    reference_point_frame: str | None,
 ) -> Velocity:
     """Return the velocity of `tracking_frame` in `observation_frame`: see BufferCore.lookup_velocity."""
+    reference_frame = reference_frame or observation_frame
+    reference_point_frame = reference_point_frame or tracking_frame
+    try:
+        newest_ns = buffer.latest_common_time_ns(observation_frame, tracking_frame)
+    except TransformException:
+        newest_ns = 0  # the first lookup will say why
     start_ns, end_ns = averaging_interval_ns(stamp_ns, averaging_ns, newest_ns)
     start = buffer.lookup_transform(observation_frame, tracking_frame, start_ns).transform
     end = buffer.lookup_transform(observation_frame, tracking_frame, end_ns).transform

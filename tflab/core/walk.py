@@ -33,7 +33,19 @@ from .stamps import LATEST, format_stamp
 from .transforms import IDENTITY_POSE, Pose, compose, invert
 from .tree import Cache, Tree
 
-__all__ = ["Failure", "Path", "Route", "exception_from_failure", "find_path", "latest_common_time", "plan_route"]
+__all__ = [
+    "Failure",
+    "Path",
+    "Route",
+    "exception_from_failure",
+    "extrapolation_text",
+    "find_path",
+    "frames_on_path",
+    "latest_common_time",
+    "plan_route",
+    "pose_on_path",
+    "text_from_failure",
+]
 
 MAX_DEPTH = 1000  # tf2 takes a longer climb for a loop
 
@@ -197,6 +209,17 @@ def _chained_literally(caches: tuple[Cache, ...], stamp_ns: int) -> Pose:
 def _turned_literally(q: quaternions.Quaternion, v: quaternions.Vector3) -> quaternions.Vector3:
     """Return `v` turned by `q` as two products of quaternions: q (v, 0) conj(q)."""
     return quaternions.multiply(quaternions.multiply(q, (*v, 0.0)), quaternions.conjugate(q))[:3]
+
+
+def frames_on_path(tree: Tree, path: Path, source: int) -> list[int]:
+    """Return the frames on a path, from source to target, without what it climbs above the turning point."""
+    climbed = [source, *(tree.caches[frame].parent_at(path.stamp_ns) for frame in path.up)]
+    way: list[int] = []
+    for frame in [*climbed, *reversed(path.down)]:
+        if frame in way:
+            del way[way.index(frame) :]
+        way.append(frame)
+    return way
 
 
 def latest_common_time(tree: Tree, target: int, source: int) -> int | Failure:
