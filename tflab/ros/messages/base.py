@@ -1,0 +1,288 @@
+"""What is a message?  An object with exactly these fields, made from its definition.
+
+    Vector3 = message("geometry_msgs/msg/Vector3", '''
+        float64 x
+        float64 y
+        float64 z
+    ''')
+    v = Vector3(x=1.0)      # keywords only; the rest has its default
+    v.Z = 1.0               # AttributeError: the classic slip is caught
+    a.header = b.header     # shared, not copied: now both move together
+
+rosidl writes one such class into a file for each .msg; here `message()` makes it
+from the same text.  It is the one place in the project where classes are made by
+code, for the reason upstream has: a hundred classes that differ in a table only.
+
+Read `geometry_msgs.py` next: such a table.
+"""
+
+from __future__ import annotations
+
+import re
+from array import array
+from collections.abc import Callable
+from importlib import import_module
+from operator import attrgetter
+from typing import ClassVar
+
+import numpy as np
+
+from . import checks
+from .definition import Array, BasicType, Field, NamespacedType, SlotType, UnboundedString, parse_definition, type_text
+from .fields import array_converter, checker, default_maker, numeric_array
+
+__all__ = ["Action", "Message", "Service", "action", "copy_message", "message", "service", "type_named"]
+
+# ROS type name -> class: 'geometry_msgs/msg/Point', 'tf2_msgs/srv/FrameGraph_Request', ...
+_types: dict[str, type] = {}
+
+
+class Message:
+    """What all messages share."""
+
+    __slots__ = ()
+
+    ROS_TYPE: ClassVar[str]
+    SLOT_TYPES: ClassVar[tuple[SlotType, ...]]
+    _FIELDS: ClassVar[tuple[tuple[str, Callable, Callable], ...]]  # name, put(message, value), default()
+    _WIRE: ClassVar[tuple[tuple[Callable, Callable, type | None, Callable], ...]]  # see copy_message
+
+    def __init__(self, **kwargs: object) -> None:
+        check = kwargs.pop("check_fields", None)
+        self._check_fields = checks.field_checks() if check is None else check
+        if kwargs and self._check_fields:
+            unknown = sorted(name for name in kwargs if f"_{name}" not in self.__slots__)
+            if unknown:
+                raise AssertionError(f"Invalid arguments passed to constructor: {', '.join(unknown)}")
+        for name, put, default in self._FIELDS:
+            if name in kwargs:
+                setattr(self, name, kwargs[name])
+            else:
+                put(self, default())
+
+    @classmethod
+    def get_fields_and_field_types(cls) -> dict[str, str]:
+        """Return the name and the type of each field: {'frame_id': 'string', ...}."""
+        return {name: type_text(slot) for (name, _, _), slot in zip(cls._FIELDS, cls.SLOT_TYPES, strict=True)}
+
+    def __repr__(self) -> str:
+        package, kind, name = self.ROS_TYPE.split("/")
+        values = (f"{field}={_field_repr(getattr(self, field))}" for field, _, _ in self._FIELDS)
+        return f"{package}.{kind}.{name}({', '.join(values)})"
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, self.__class__):
+            return False
+        return all(_equal(getattr(self, name), getattr(other, name)) for name, _, _ in self._FIELDS)
+
+    __hash__ = None
+
+    def __reduce__(self) -> tuple:
+        # By its ROS name, so that deepcopy and pickle work without the face packages.
+        values = {name: getattr(self, name) for name, _, _ in self._FIELDS}
+        return _rebuilt, (self.ROS_TYPE, values, self._check_fields)
+
+
+class Service:
+    """What all services share: a pair of messages, `Request` and `Response`."""
+
+    ROS_TYPE: ClassVar[str]
+    Request: ClassVar[type[Message]]
+    Response: ClassVar[type[Message]]
+
+    def __init__(self) -> None:
+        raise NotImplementedError("Service classes can not be instantiated")
+
+
+class Action:
+    """What all actions share: three messages, `Goal`, `Result` and `Feedback`."""
+
+    ROS_TYPE: ClassVar[str]
+    Goal: ClassVar[type[Message]]
+    Result: ClassVar[type[Message]]
+    Feedback: ClassVar[type[Message]]
+
+    def __init__(self) -> None:
+        raise NotImplementedError("Action classes can not be instantiated")
+
+
+def message(ros_type: str, definition: str = "") -> type[Message]:
+    """Make the class of a message from its name, 'package/msg/Name', and its definition in .msg notation."""
+    package = ros_type.split("/")[0]
+    fields, constants = parse_definition(definition, package)
+    members = {constant.name: constant.value for constant in constants}
+    cls = _named_class(
+        ros_type, Message, __slots__=[f"_{field.name}" for field in fields] + ["_check_fields"], **members
+    )
+    cls.SLOT_TYPES = tuple(field.slot_type for field in fields)
+    cls._FIELDS = tuple(_add_field(cls, field) for field in fields)
+    cls._WIRE = tuple(_wire(cls, field) for field in fields)
+    return cls
+
+
+def service(ros_type: str, request: str = "", response: str = "") -> type[Service]:
+    """Make the class of a service from its name, 'package/srv/Name', and the definitions of its two messages."""
+    return _named_class(
+        ros_type,
+        Service,
+        Request=message(f"{ros_type}_Request", request),
+        Response=message(f"{ros_type}_Response", response),
+    )
+
+
+def action(ros_type: str, goal: str = "", result: str = "", feedback: str = "") -> type[Action]:
+    """Make the class of an action from its name, 'package/action/Name', and the definitions of its three messages."""
+    return _named_class(
+        ros_type,
+        Action,
+        Goal=message(f"{ros_type}_Goal", goal),
+        Result=message(f"{ros_type}_Result", result),
+        Feedback=message(f"{ros_type}_Feedback", feedback),
+    )
+
+
+def copy_message(message: Message) -> Message:
+    """Return what a receiver gets of a published message: equal values, nothing shared.
+
+    As on a wire, float32 fields come out rounded to float32, and numpy's floats
+    and bools given for ints come out as plain floats and ints.
+
+    Raises:
+        AssertionError: a field holds something that cannot be sent, with the text
+            that the checks of the field have.  (ROS 2 aborts the process here.)
+    """
+    twin = object.__new__(message.__class__)
+    twin._check_fields = checks.field_checks()
+    for get, put, as_is, received in message._WIRE:
+        value = get(message)
+        put(twin, value if value.__class__ is as_is else received(value))
+    return twin
+
+
+def type_named(ros_type: str) -> type:
+    """Return the class of a ROS type: type_named('geometry_msgs/msg/Point').
+
+    Raises:
+        KeyError: there is no such type here.
+    """
+    package = ros_type.split("/")[0]
+    if ros_type not in _types and re.fullmatch(r"\w+", package):
+        try:
+            import_module(f"{__package__}.{package}")
+        except ModuleNotFoundError:
+            raise KeyError(ros_type) from None
+    return _types[ros_type]
+
+
+def _named_class(ros_type: str, base: type, **members: object) -> type:
+    """Make a class that is named, and says where it comes from, as rosidl's does."""
+    package, kind, name = ros_type.split("/")
+    # FrameGraph_Request lives in the module of FrameGraph.
+    module = f"{package}.{kind}._{_snake_case(re.sub('_(Request|Response|Goal|Result|Feedback)$', '', name))}"
+    kind_text = base.__name__
+    members |= {"__module__": module, "__doc__": f"{kind_text} class '{name}'.", "ROS_TYPE": ros_type}
+    _types[ros_type] = type(name, (base,), members)
+    return _types[ros_type]
+
+
+def _add_field(cls: type[Message], field: Field) -> tuple[str, Callable, Callable]:
+    """Give the class the property of a field; return the field's row of `_FIELDS`."""
+    message_class = _message_class(field.slot_type)
+    check = checker(field.name, field.slot_type, message_class)
+    pack, packed = array_converter(field.slot_type), numeric_array(field.slot_type)
+    put = cls.__dict__[f"_{field.name}"].__set__
+
+    def assign(self: Message, value: object) -> None:
+        if self._check_fields:
+            check(value)
+        put(self, value)
+
+    def assign_numbers(self: Message, value: object) -> None:
+        if self._check_fields:
+            check(value)
+            if isinstance(value, packed):  # kept, not copied; unchecked messages copy
+                put(self, value)
+                return
+        put(self, pack(value))
+
+    setter = assign if pack is None else assign_numbers
+    setattr(cls, field.name, property(attrgetter(f"_{field.name}"), setter, doc=f"Message field '{field.name}'."))
+    return field.name, put, default_maker(field, message_class)
+
+
+def _wire(cls: type[Message], field: Field) -> tuple[Callable, Callable, type | None, Callable]:
+    """Return how a field travels: get(message), put(message, value), the class that goes as it is, received(value)."""
+    get, put = attrgetter(f"_{field.name}"), cls.__dict__[f"_{field.name}"].__set__
+    slot_type = field.slot_type
+    check = checker(field.name, slot_type, _message_class(slot_type))
+    as_is = {BasicType("double"): float, BasicType("boolean"): bool, UnboundedString(): str}.get(slot_type)
+    plain = _plain_value(slot_type)
+
+    def received(value: object) -> object:
+        check(value)
+        return plain(value)
+
+    return get, put, as_is, received
+
+
+def _plain_value(slot_type: SlotType) -> Callable[[object], object]:
+    """Return the function that makes a value of the field as it comes off the wire, from one that was checked."""
+    match slot_type:
+        case BasicType("float"):
+            return _float32
+        case BasicType("double"):
+            return float
+        case BasicType("boolean"):
+            return bool
+        case BasicType("octet"):
+            return bytes
+        case BasicType():
+            return int
+        case UnboundedString():
+            return str
+        case NamespacedType():
+            return copy_message
+    pack = array_converter(slot_type)
+    if pack is not None:
+        return pack if not isinstance(slot_type, Array) else lambda value: pack(value).reshape(-1)
+    member = _plain_value(slot_type.value_type)
+    return lambda values: [member(value) for value in values]
+
+
+def _float32(value: float) -> float:
+    return array("f", (value,))[0]
+
+
+def _message_class(slot_type: SlotType) -> type[Message] | None:
+    """Return the class of a sub-message, or of the members of a sequence of messages."""
+    value_type = getattr(slot_type, "value_type", slot_type)
+    if isinstance(value_type, NamespacedType):
+        return type_named("/".join((*value_type.namespaces, value_type.name)))
+    return None
+
+
+def _rebuilt(ros_type: str, values: dict[str, object], check_fields: bool) -> Message:
+    """Make a message again from what `Message.__reduce__` took of it."""
+    cls = type_named(ros_type)
+    twin = object.__new__(cls)
+    twin._check_fields = check_fields
+    for name, put, _ in cls._FIELDS:
+        put(twin, values[name])
+    return twin
+
+
+def _equal(a: object, b: object) -> bool:
+    # Upstream calls two arrays equal unless every element differs: a bug, not copied.
+    if isinstance(a, np.ndarray) or isinstance(b, np.ndarray):
+        return np.array_equal(a, b)
+    return a == b
+
+
+def _field_repr(value: object) -> str:
+    return repr(value.tolist()) if isinstance(value, array) else repr(value)
+
+
+def _snake_case(name: str) -> str:
+    """Return a class's name as rosidl names its module: TF2Error -> tf2_error, UInt8 -> u_int8."""
+    name = re.sub(r"(.)([A-Z][a-z]+)", r"\1_\2", name)
+    return re.sub(r"([a-z0-9])([A-Z])", r"\1_\2", name).lower()

@@ -1,0 +1,21 @@
+"""builtin_interfaces: when, and for how long."""
+
+from .base import message
+
+__all__ = ["Duration", "Time"]
+
+Time = message(
+    "builtin_interfaces/msg/Time",
+    """
+    int32 sec
+    uint32 nanosec
+""",
+)
+
+Duration = message(
+    "builtin_interfaces/msg/Duration",
+    """
+    int32 sec
+    uint32 nanosec
+""",
+)

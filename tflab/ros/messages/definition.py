@@ -1,0 +1,165 @@
+"""What is in a message?  Its definition, read from the text that ROS keeps in .msg files.
+
+    "geometry_msgs/Point position"        ->  Field("position", NamespacedType(("geometry_msgs", "msg"), "Point"))
+    "float64[36] covariance"              ->  Field("covariance", Array(BasicType("double"), 36))
+    "float64 w 1"                         ->  Field("w", BasicType("double"), default=1.0)
+    "uint8 FLOAT32=7"                     ->  Constant("FLOAT32", BasicType("uint8"), 7)
+
+The type classes carry the names of `rosidl_parser.definition`; a message class
+shows them as `SLOT_TYPES`.  Read `fields.py` next: what such a field may hold.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+__all__ = [
+    "Array",
+    "BasicType",
+    "BoundedSequence",
+    "Constant",
+    "Field",
+    "NamespacedType",
+    "SlotType",
+    "UnboundedSequence",
+    "UnboundedString",
+    "parse_definition",
+    "type_text",
+]
+
+
+@dataclass(frozen=True, slots=True)
+class BasicType:
+    """A number, a bool or a byte, under its IDL name: float64 is 'double', bool is 'boolean'."""
+
+    typename: str
+
+
+@dataclass(frozen=True, slots=True)
+class UnboundedString:
+    """Text of any length."""
+
+
+@dataclass(frozen=True, slots=True)
+class NamespacedType:
+    """Another message: (('geometry_msgs', 'msg'), 'Point')."""
+
+    namespaces: tuple[str, str]
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class Array:
+    """Exactly `size` values: float64[36]."""
+
+    value_type: BasicType | UnboundedString | NamespacedType
+    size: int
+
+
+@dataclass(frozen=True, slots=True)
+class BoundedSequence:
+    """At most `maximum_size` values: IntegerRange[<=1]."""
+
+    value_type: BasicType | UnboundedString | NamespacedType
+    maximum_size: int
+
+
+@dataclass(frozen=True, slots=True)
+class UnboundedSequence:
+    """Any number of values: float32[]."""
+
+    value_type: BasicType | UnboundedString | NamespacedType
+
+
+SlotType = BasicType | UnboundedString | NamespacedType | Array | BoundedSequence | UnboundedSequence
+
+
+@dataclass(frozen=True, slots=True)
+class Field:
+    """One field: its name, its type, and its default if that is not the zero of the type."""
+
+    name: str
+    slot_type: SlotType
+    default: object = None
+
+
+@dataclass(frozen=True, slots=True)
+class Constant:
+    """One constant of a message, such as PointField.FLOAT32."""
+
+    name: str
+    value: int
+
+
+# .msg names that are spelt otherwise in IDL; the integers are spelt alike.
+_IDL_NAMES = {"bool": "boolean", "byte": "octet", "char": "uint8", "float32": "float", "float64": "double"}
+_INTEGERS = {"int8", "uint8", "int16", "uint16", "int32", "uint32", "int64", "uint64"}
+
+_LINE = re.compile(
+    r"(?P<type>[A-Za-z0-9_/]+)(?P<many>\[(?P<size>(<=)?\d*)\])?\s+(?P<name>\w+)"
+    r"(\s*=\s*(?P<constant>\S+)|\s+(?P<default>\S+))?"
+)
+
+
+def parse_definition(text: str, package: str) -> tuple[tuple[Field, ...], tuple[Constant, ...]]:
+    """Return the fields and the constants of a definition in .msg notation, in its order.
+
+    A type without a package is looked for in `package`.
+
+    Raises:
+        ValueError: a line is neither a field nor a constant.
+    """
+    fields, constants = [], []
+    for line in filter(None, map(str.strip, text.splitlines())):
+        match = _LINE.fullmatch(line)
+        if match is None:
+            raise ValueError(f'cannot read "{line}": expected "type name", "type name default" or "type NAME=value"')
+        slot_type = _slot_type(match, package)
+        if match["constant"] is not None:
+            constants.append(Constant(match["name"], int(match["constant"])))
+        elif match["default"] is not None:
+            fields.append(Field(match["name"], slot_type, float(match["default"])))
+        else:
+            fields.append(Field(match["name"], slot_type))
+    return tuple(fields), tuple(constants)
+
+
+def type_text(slot_type: SlotType) -> str:
+    """Return the type as `get_fields_and_field_types()` spells it: 'sequence<geometry_msgs/Point>'."""
+    match slot_type:
+        case BasicType(typename):
+            return typename
+        case UnboundedString():
+            return "string"
+        case NamespacedType((package, _), name):
+            return f"{package}/{name}"
+        case Array(value_type, size):
+            return f"{type_text(value_type)}[{size}]"
+        case BoundedSequence(value_type, maximum_size):
+            return f"sequence<{type_text(value_type)}, {maximum_size}>"
+        case UnboundedSequence(value_type):
+            return f"sequence<{type_text(value_type)}>"
+    raise TypeError(f"not a field type: {slot_type!r}")
+
+
+def _slot_type(match: re.Match, package: str) -> SlotType:
+    value_type = _value_type(match["type"], package)
+    if match["many"] is None:
+        return value_type
+    size = match["size"]
+    if size == "":
+        return UnboundedSequence(value_type)
+    if size.startswith("<="):
+        return BoundedSequence(value_type, int(size.removeprefix("<=")))
+    return Array(value_type, int(size))
+
+
+def _value_type(name: str, package: str) -> BasicType | UnboundedString | NamespacedType:
+    if name == "string":
+        return UnboundedString()
+    if name in _IDL_NAMES or name in _INTEGERS:
+        return BasicType(_IDL_NAMES.get(name, name))
+    if "/" in name:
+        package, name = name.split("/")
+    return NamespacedType((package, "msg"), name)

@@ -1,0 +1,7 @@
+"""rosgraph_msgs: the time that everybody follows under `use_sim_time`."""
+
+from .base import message
+
+__all__ = ["Clock"]
+
+Clock = message("rosgraph_msgs/msg/Clock", "builtin_interfaces/Time clock")

@@ -1,0 +1,57 @@
+"""std_msgs: one value, and the header that says when and in which frame."""
+
+from .base import message
+
+__all__ = [
+    "Bool",
+    "Byte",
+    "Char",
+    "ColorRGBA",
+    "Empty",
+    "Float32",
+    "Float64",
+    "Header",
+    "Int8",
+    "Int16",
+    "Int32",
+    "Int64",
+    "String",
+    "UInt8",
+    "UInt16",
+    "UInt32",
+    "UInt64",
+]
+
+Header = message(
+    "std_msgs/msg/Header",
+    """
+    builtin_interfaces/Time stamp
+    string frame_id
+""",
+)
+
+ColorRGBA = message(
+    "std_msgs/msg/ColorRGBA",
+    """
+    float32 r
+    float32 g
+    float32 b
+    float32 a
+""",
+)
+
+Empty = message("std_msgs/msg/Empty")
+String = message("std_msgs/msg/String", "string data")
+Bool = message("std_msgs/msg/Bool", "bool data")
+Byte = message("std_msgs/msg/Byte", "byte data")
+Char = message("std_msgs/msg/Char", "char data")
+Float32 = message("std_msgs/msg/Float32", "float32 data")
+Float64 = message("std_msgs/msg/Float64", "float64 data")
+Int8 = message("std_msgs/msg/Int8", "int8 data")
+Int16 = message("std_msgs/msg/Int16", "int16 data")
+Int32 = message("std_msgs/msg/Int32", "int32 data")
+Int64 = message("std_msgs/msg/Int64", "int64 data")
+UInt8 = message("std_msgs/msg/UInt8", "uint8 data")
+UInt16 = message("std_msgs/msg/UInt16", "uint16 data")
+UInt32 = message("std_msgs/msg/UInt32", "uint32 data")
+UInt64 = message("std_msgs/msg/UInt64", "uint64 data")

@@ -1,0 +1,1 @@
+"""builtin_interfaces, in process: see tflab.ros.messages.builtin_interfaces."""

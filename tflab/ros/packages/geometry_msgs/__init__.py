@@ -1,0 +1,1 @@
+"""geometry_msgs, in process: see tflab.ros.messages.geometry_msgs."""

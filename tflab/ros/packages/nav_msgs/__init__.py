@@ -1,0 +1,1 @@
+"""nav_msgs, in process: see tflab.ros.messages.nav_msgs."""

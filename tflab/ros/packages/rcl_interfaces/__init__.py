@@ -1,0 +1,1 @@
+"""rcl_interfaces, in process: see tflab.ros.messages.rcl_interfaces."""

@@ -1,0 +1,1 @@
+"""rosgraph_msgs, in process: see tflab.ros.messages.rosgraph_msgs."""

@@ -1,0 +1,9 @@
+"""Messages of rosgraph_msgs, in process."""
+
+from tflab.ros.messages.rosgraph_msgs import (
+    Clock,
+)
+
+__all__ = [
+    "Clock",
+]

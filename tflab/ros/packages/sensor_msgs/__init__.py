@@ -1,0 +1,1 @@
+"""sensor_msgs, in process: see tflab.ros.messages.sensor_msgs."""

@@ -1,0 +1,1 @@
+"""std_msgs, in process: see tflab.ros.messages.std_msgs."""

@@ -1,0 +1,41 @@
+"""Messages of std_msgs, in process."""
+
+from tflab.ros.messages.std_msgs import (
+    Bool,
+    Byte,
+    Char,
+    ColorRGBA,
+    Empty,
+    Float32,
+    Float64,
+    Header,
+    Int8,
+    Int16,
+    Int32,
+    Int64,
+    String,
+    UInt8,
+    UInt16,
+    UInt32,
+    UInt64,
+)
+
+__all__ = [
+    "Bool",
+    "Byte",
+    "Char",
+    "ColorRGBA",
+    "Empty",
+    "Float32",
+    "Float64",
+    "Header",
+    "Int8",
+    "Int16",
+    "Int32",
+    "Int64",
+    "String",
+    "UInt8",
+    "UInt16",
+    "UInt32",
+    "UInt64",
+]

@@ -1,0 +1,9 @@
+"""Actions of tf2_msgs, in process."""
+
+from tflab.ros.messages.tf2_msgs import (
+    LookupTransform,
+)
+
+__all__ = [
+    "LookupTransform",
+]

@@ -1,0 +1,11 @@
+"""Messages of tf2_msgs, in process."""
+
+from tflab.ros.messages.tf2_msgs import (
+    TF2Error,
+    TFMessage,
+)
+
+__all__ = [
+    "TF2Error",
+    "TFMessage",
+]

@@ -1,0 +1,9 @@
+"""Services of tf2_msgs, in process."""
+
+from tflab.ros.messages.tf2_msgs import (
+    FrameGraph,
+)
+
+__all__ = [
+    "FrameGraph",
+]
