@@ -1,0 +1,22 @@
+"""Seeing it: pictures that stand still, pictures that move, and the same in words.
+
+    style      sizes, colours, and how a number is printed
+    picture    what a view hands back
+    eye        from where we look
+    frames     how one draws a frame
+    labels     where a name may stand
+    axes       which way is forward
+    sentence   which one is the target
+    timeline   what the buffer knew, and when
+    journey    what happened to a message on its way
+    latency    where was I when I saw it
+    panels     the same, with sliders
+    marks      lines, boxes and words as SVG and PDF
+    tree       who is whose child
+    scene      in three dimensions, inside the page
+    rviz       a small RViz
+
+A view receives values and, where it must ask, a function
+`ask(target_frame, source_frame, stamp_ns)`; it never holds a buffer or a graph.
+It returns what it drew, with the same in words.  Start with `style.py`.
+"""

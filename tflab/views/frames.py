@@ -1,0 +1,315 @@
+"""How does one draw a frame?  Three arrows, told apart by letter, line and colour, and a name.
+
+        z
+        :      y                 poses:  name -> where it is in the drawing's own frame
+        :    /                   eye:    from where we look
+        :  /                     (.)     an arrow that comes out of the paper
+        :/____________ x         (x)     an arrow that goes into it
+     base_link
+
+`draw_frames`, `draw_points` and `draw_arrow` put artists on any matplotlib axes
+and return them; each can `move`, so a slider need not draw anything anew.  A
+ghost is the wrong answer: the same shape in grey outline beside the right one.
+`draw_scene` makes a whole picture of them.
+
+RViz draws the same with its TF and Axes displays.  Read `labels.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import cache
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from tflab.core import Transform
+from tflab.core.quaternions import Vector3
+
+from . import style
+from .eye import SLANTING, Eye
+from .labels import Label, place_labels
+from .picture import Picture
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.path import Path as MarkerPath
+
+FLAT = 0.2  # an axis shorter than this part of its length is seen end-on
+HEAD_LENGTH, HEAD_WIDTH = 0.17, 0.11  # parts of an axis's length
+LETTER_PT = 11.0
+
+
+class AxisArtists:
+    """One arrow of a frame: shaft, head, letter, and the sign for an arrow seen end-on."""
+
+    def __init__(self, axis: str, ax: Axes, is_ghost: bool) -> None:
+        from matplotlib.lines import Line2D
+        from matplotlib.patches import Polygon
+
+        colour = style.GREY if is_ghost else style.AXIS_COLOURS[axis]
+        width = 1.1 if is_ghost else 2.2
+        self.axis = axis
+        self.shaft = Line2D([], [], color=colour, linewidth=width, linestyle=style.AXIS_LINES[axis])
+        self.head = Polygon([(0, 0)] * 3, closed=True, facecolor=style.PAPER if is_ghost else colour,
+                            edgecolor=colour, linewidth=1.0, joinstyle="miter")  # fmt: skip
+        self.ring = Line2D([], [], color=colour, marker="o", markersize=9, markerfacecolor=style.PAPER,
+                           markeredgewidth=1.4, linestyle="none")  # fmt: skip
+        self.sign = Line2D([], [], color=colour, markersize=3.5, markeredgewidth=1.4, linestyle="none")
+        self.letter = Line2D([], [], color=colour, marker=_letter(axis), markersize=_height_pt(axis),
+                             markeredgewidth=0.0, linestyle="none", gid=axis)  # fmt: skip
+        for artist in (self.shaft, self.head, self.ring, self.sign, self.letter):
+            ax.add_artist(artist)
+
+    def move(self, origin: np.ndarray, tip: np.ndarray, towards_eye: bool, length_m: float, nearness: float) -> None:
+        """Draw from `origin` to `tip`, both on paper [m]; `towards_eye` tells dot from cross if it is end-on."""
+        step = tip - origin
+        seen = float(np.hypot(*step))
+        is_flat = seen < FLAT * length_m
+        for artist in (self.shaft, self.head):
+            artist.set_visible(not is_flat)
+        for artist in (self.ring, self.sign):
+            artist.set_visible(is_flat)
+        for rank, artist in enumerate((self.shaft, self.head, self.ring, self.sign, self.letter)):
+            artist.set_zorder(10 + nearness + 0.001 * rank)
+        if is_flat:
+            self.ring.set_data([origin[0]], [origin[1]])
+            self.sign.set_data([origin[0]], [origin[1]])
+            self.sign.set_marker("o" if towards_eye else "x")
+            self._write(origin - 0.2 * length_m)
+            return
+        along = step / seen
+        across = np.array((-along[1], along[0]))
+        neck = tip - HEAD_LENGTH * length_m * along
+        wing = 0.5 * HEAD_WIDTH * length_m * across
+        self.shaft.set_data(*zip(origin, neck, strict=True))
+        self.head.set_xy((neck + wing, tip, neck - wing))
+        self._write(tip + 0.15 * length_m * along)
+
+    @property
+    def letter_place(self) -> tuple[float, float]:
+        """Where the letter stands on paper [m]."""
+        return (self.letter.get_xdata()[0], self.letter.get_ydata()[0])
+
+    def _write(self, place: np.ndarray) -> None:
+        self.letter.set_data([place[0]], [place[1]])
+
+
+class FrameArtists:
+    """A frame on paper: its three arrows and its name."""
+
+    def __init__(self, name: str, ax: Axes, eye: Eye, length_m: float, is_ghost: bool) -> None:
+        self.name, self._eye, self._length_m = name, eye, length_m
+        self.axes = {axis: AxisArtists(axis, ax, is_ghost) for axis in style.AXES}
+        self.label = Label(ax, name, colour=style.GREY if is_ghost else style.INK, is_italic=is_ghost)
+
+    def move(self, pose: Transform) -> None:
+        """Draw the frame at `pose`, which is in the drawing's own frame."""
+        matrix = pose.matrix()
+        origin = matrix[:3, 3]
+        tips = origin + self._length_m * matrix[:3, :3].T  # one row each for x, y, z
+        on_paper = self._eye.on_paper(np.vstack((origin, tips)))
+        nearness = self._eye.nearness(tips)
+        for axis, tip, near in zip(style.AXES, on_paper[1:], nearness, strict=True):
+            comes_out = near > self._eye.nearness(origin)
+            self.axes[axis].move(on_paper[0], tip, bool(comes_out), self._length_m, float(near))
+        self.label.anchor = tuple(on_paper[0])
+        self.label.keep_off = [(tuple(on_paper[0]), axis.letter_place) for axis in self.axes.values()]
+
+
+class PointArtists:
+    """A point on paper: a round mark and its name."""
+
+    def __init__(self, name: str, ax: Axes, eye: Eye, is_ghost: bool) -> None:
+        self._eye = eye
+        colour = style.GREY if is_ghost else style.ACCENT
+        (self.mark,) = ax.plot([], [], linestyle="none", marker="o", markersize=8, color=colour,
+                               markerfacecolor=style.PAPER if is_ghost else colour, markeredgewidth=1.4,
+                               zorder=60)  # fmt: skip
+        self.label = Label(ax, name, colour=colour, is_italic=is_ghost)
+
+    def move(self, point: Sequence[float]) -> None:
+        """Draw the mark at `point` (x, y, z) [m]."""
+        x, y = self._eye.on_paper(point)
+        self.mark.set_data([x], [y])
+        self.label.anchor = (x, y)
+
+
+class ArrowArtists:
+    """An arrow on paper, with what it means written beside its middle."""
+
+    def __init__(self, label: str, ax: Axes, eye: Eye, colour: str, line, curve: float) -> None:
+        from matplotlib.patches import FancyArrowPatch
+
+        self._eye = eye
+        self.arrow = FancyArrowPatch((0, 0), (1, 1), arrowstyle="-|>,head_length=0.5,head_width=0.25",
+                                     mutation_scale=14, color=colour, linewidth=1.6, linestyle=line, zorder=50,
+                                     shrinkA=4, shrinkB=4, connectionstyle=f"arc3,rad={curve}")  # fmt: skip
+        ax.add_patch(self.arrow)
+        self.label = Label(ax, label, colour=colour)
+
+    def move(self, tail: Sequence[float], head: Sequence[float]) -> None:
+        """Draw from `tail` to `head`, both (x, y, z) [m]."""
+        a, b = self._eye.on_paper(np.array((tail, head), dtype=float))
+        self.arrow.set_positions(a, b)
+        self.label.anchor = tuple((a + b) / 2)
+        self.label.keep_off = [(tuple(a), tuple(b))]
+
+
+def draw_frames(
+    poses: Mapping[str, Transform],
+    ax: Axes,
+    eye: Eye = SLANTING,
+    length_m: float = 0.3,
+    is_ghost: bool = False,
+) -> dict[str, FrameArtists]:
+    """Draw frames on `ax` and return the artists of each; `poses` are in the drawing's own frame."""
+    drawn = {}
+    for name, pose in poses.items():
+        drawn[name] = FrameArtists(name, ax, eye, length_m, is_ghost)
+        drawn[name].move(pose)
+    return drawn
+
+
+def draw_points(
+    points: Mapping[str, Sequence[float]], ax: Axes, eye: Eye = SLANTING, is_ghost: bool = False
+) -> dict[str, PointArtists]:
+    """Draw named points, each (x, y, z) [m], on `ax` and return the artists of each."""
+    drawn = {}
+    for name, point in points.items():
+        drawn[name] = PointArtists(name, ax, eye, is_ghost)
+        drawn[name].move(point)
+    return drawn
+
+
+def draw_arrow(
+    tail: Sequence[float],
+    head: Sequence[float],
+    ax: Axes,
+    label: str = "",
+    eye: Eye = SLANTING,
+    colour: str = style.ACCENT,
+    line="solid",
+    curve: float = 0.0,
+) -> ArrowArtists:
+    """Draw an arrow between two points (x, y, z) [m] on `ax` and return its artists."""
+    drawn = ArrowArtists(label, ax, eye, colour, line, curve)
+    drawn.move(tail, head)
+    return drawn
+
+
+def draw_ground(ax: Axes, eye: Eye, x_m: tuple[float, float], y_m: tuple[float, float], step_m: float = 1.0):
+    """Draw the ground z = 0 as a grid of `step_m` [m] between these limits, and return it."""
+    from matplotlib.collections import LineCollection
+
+    (x0, x1), (y0, y1) = x_m, y_m
+    along = [((x0, y, 0.0), (x1, y, 0.0)) for y in _multiples(y0, y1, step_m)]
+    across = [((x, y0, 0.0), (x, y1, 0.0)) for x in _multiples(x0, x1, step_m)]
+    grid = LineCollection(eye.on_paper(np.array(along + across)), colors=style.HAIR, linewidths=0.9, zorder=-50)
+    ax.add_collection(grid, autolim=False)
+    return grid
+
+
+def clear_paper(ax: Axes) -> Axes:
+    """Make `ax` plain paper: no spines, no ticks, one metre as long upwards as sideways."""
+    ax.set_axis_off()
+    ax.set_aspect("equal", adjustable="box")
+    return ax
+
+
+def show_all(ax: Axes, on_paper: np.ndarray, margin_m: float) -> None:
+    """Choose the limits of `ax` so that points on paper, shape (n, 2) [m], fill its box with a margin."""
+    low, high = on_paper.min(axis=0) - margin_m, on_paper.max(axis=0) + margin_m
+    box = ax.get_window_extent()
+    middle, span = (low + high) / 2, high - low
+    metres_per_pixel = max(span[0] / box.width, span[1] / box.height)
+    half = np.array((box.width, box.height)) * metres_per_pixel / 2
+    ax.set_xlim(middle[0] - half[0], middle[0] + half[0])
+    ax.set_ylim(middle[1] - half[1], middle[1] + half[1])
+
+
+def draw_scene(
+    poses: Mapping[str, Transform],
+    points: Mapping[str, Sequence[float]] | None = None,
+    ghosts: Mapping[str, Transform] | None = None,
+    ghost_points: Mapping[str, Sequence[float]] | None = None,
+    eye: Eye = SLANTING,
+    fixed_frame: str = "map",
+    length_m: float | None = None,
+) -> Picture:
+    """Draw frames, points and their ghosts (the wrong answers) as one picture.
+
+    Args:
+        poses, ghosts: `fixed_frame`_T_name of each.
+        points, ghost_points: (x, y, z) [m] in `fixed_frame`.
+        length_m: how long to draw an axis [m]; a fifth of the scene if None.
+    """
+    points, ghosts, ghost_points = points or {}, ghosts or {}, ghost_points or {}
+    places = [pose.translation for pose in (*poses.values(), *ghosts.values())]
+    places = np.array([*places, *points.values(), *ghost_points.values(), (0.0, 0.0, 0.0)], dtype=float)
+    span_m = float(np.ptp(places, axis=0).max()) or 1.0
+    length_m = length_m or 0.2 * span_m
+    picture = Picture(style.WIDE)
+    with style.our_settings():
+        ax = clear_paper(picture.figure.add_axes((0.02, 0.03, 0.96, 0.94)))
+        reach = length_m * np.array([(sx, sy, sz) for sx in (-1, 1) for sy in (-1, 1) for sz in (0, 1)])
+        show_all(ax, eye.on_paper((places[:, None] + reach).reshape(-1, 3)), margin_m=0.3 * length_m)
+        low, high = places.min(axis=0) - length_m, places.max(axis=0) + length_m
+        draw_ground(ax, eye, (low[0], high[0]), (low[1], high[1]), _round_step(span_m / 5))
+        drawn = [
+            *draw_frames(ghosts, ax, eye, length_m, is_ghost=True).values(),
+            *draw_points(ghost_points, ax, eye, is_ghost=True).values(),
+            *draw_frames(poses, ax, eye, length_m).values(),
+            *draw_points(points, ax, eye).values(),
+        ]
+        place_labels([artists.label for artists in drawn])
+    picture.text = describe_scene(poses, points, ghosts, ghost_points, fixed_frame)
+    return picture
+
+
+def describe_scene(
+    poses: Mapping[str, Transform],
+    points: Mapping[str, Vector3],
+    ghosts: Mapping[str, Transform],
+    ghost_points: Mapping[str, Vector3],
+    fixed_frame: str,
+) -> str:
+    """Return the same in words, one line each."""
+    lines = [f"As seen from {fixed_frame}:"]
+    for title, frames in (("frame", poses), ("ghost", ghosts)):
+        for name, pose in frames.items():
+            roll, pitch, yaw = (style.fmt(angle, "") for angle in pose.rpy())
+            lines.append(
+                f"  {title} {name} at {style.fmt_all(pose.translation)}, roll {roll}, pitch {pitch}, yaw {yaw} rad"
+            )
+    for title, places in (("point", points), ("ghost point", ghost_points)):
+        lines += [f"  {title} {name} at {style.fmt_all(place)}" for name, place in places.items()]
+    return "\n".join(lines)
+
+
+@cache
+def _letter(axis: str) -> MarkerPath:
+    """Return a letter as the outline of a marker: many times quicker to redraw than a text."""
+    from matplotlib.path import Path
+    from matplotlib.textpath import TextPath
+
+    outline = TextPath((0.0, 0.0), axis, size=LETTER_PT, prop={"family": "DejaVu Sans", "weight": "bold"})
+    middle = (outline.vertices.min(axis=0) + outline.vertices.max(axis=0)) / 2
+    return Path(outline.vertices - middle, outline.codes)
+
+
+def _height_pt(axis: str) -> float:
+    """Return the marker size [points] at which a letter has its own size: matplotlib scales outlines to one."""
+    return 2.0 * float(abs(_letter(axis).vertices).max())
+
+
+def _multiples(low: float, high: float, step: float) -> list[float]:
+    """Return the multiples of `step` between `low` and `high`."""
+    first, last = int(np.ceil(low / step - 1e-9)), int(np.floor(high / step + 1e-9))
+    return [step * i for i in range(first, last + 1)]
+
+
+def _round_step(wish: float) -> float:
+    """Return 1, 2 or 5 times a power of ten, near `wish`."""
+    power = 10.0 ** np.floor(np.log10(wish))
+    return float(min((1.0, 2.0, 5.0, 10.0), key=lambda step: abs(np.log(step * power / wish))) * power)

@@ -1,0 +1,68 @@
+"""What does a view hand back?  A picture: a figure, the same in words, and how to show it.
+
+    picture            in a page     the card, sharp, at its size
+    picture.text       anywhere      what a screen reader or a terminal gets
+    picture.png()      a file        the same bytes every time
+    picture.figure     matplotlib    everything that was drawn
+
+A view makes its artists once and then only moves them, so the picture that
+stands still in a printed page and the one that follows a slider are the same.
+Jupyter shows the PNG; whoever cannot see it, and nbval, get the text.
+
+Read `eye.py` next.
+"""
+
+from __future__ import annotations
+
+from io import BytesIO
+
+import numpy as np
+
+from . import style
+
+
+class Picture:
+    """A figure that can be shown, moved, and read aloud.
+
+    Attributes:
+        figure: the matplotlib figure.
+        text: what it shows, in words.
+    """
+
+    def __init__(self, size_inch: tuple[float, float] = style.WIDE) -> None:
+        self.figure = style.figure(size_inch)
+        self.text = ""
+
+    @property
+    def size_px(self) -> tuple[int, int]:
+        """How large it stands on the page: width, height."""
+        width, height = self.figure.get_size_inches()
+        return round(width * style.SCREEN_DPI), round(height * style.SCREEN_DPI)
+
+    def png(self, dpi: int = style.PRINT_DPI) -> bytes:
+        """Return the picture as a PNG of at most 256 colours: small, and the same bytes every time."""
+        return self._png(dpi, compress_level=9)
+
+    def live_png(self) -> bytes:
+        """Return the picture as a PNG that is made quickly, for a slider to redraw."""
+        return self._png(style.LIVE_DPI, compress_level=1)
+
+    def _png(self, dpi: int, compress_level: int) -> bytes:
+        from PIL import Image
+
+        with style.our_settings():
+            self.figure.set_dpi(dpi)
+            self.figure.canvas.draw()
+            image = Image.fromarray(np.asarray(self.figure.canvas.buffer_rgba()))
+        image = image.quantize(256, method=Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE)
+        out = BytesIO()
+        image.save(out, format="PNG", compress_level=compress_level)
+        return out.getvalue()
+
+    def _repr_mimebundle_(self, include=None, exclude=None) -> tuple[dict, dict]:
+        width, height = self.size_px
+        data = {"image/png": self.png(), "text/plain": self.text}
+        return data, {"image/png": {"width": width, "height": height}}
+
+    def __repr__(self) -> str:
+        return self.text

@@ -1,0 +1,137 @@
+"""What do our figures look like?  Sizes, fonts, colours, and how a number is printed.
+
+    x  solid   -------->  x     reddish
+    y  dashed  - - - -->  y     greenish
+    z  dotted  .......->  z     blue
+
+An axis is told apart three times, by its letter, its line and its colour, so
+that a figure can be read in print, by the colour-blind and through a bad
+projector.  Everything else is ink and grey, and one accent marks the thing that
+is being taught.
+
+A figure is a card of its own light paper with rounded corners, so it looks the
+same on a light and on a dark page.  Nothing here touches matplotlib's global
+settings: `our_settings()` holds them only while one of our figures is at work.
+
+The colours are those of Okabe and Ito.  Read `picture.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+from tflab.core import format_stamp
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+AXES = ("x", "y", "z")
+AXIS_COLOURS = {"x": "#D55E00", "y": "#009E73", "z": "#0072B2"}
+AXIS_LINES = {"x": "solid", "y": (0, (4.0, 1.6)), "z": (0, (1.0, 1.1))}
+
+ACCENT = "#8E2A7C"  # the one thing being taught
+INK = "#1F2328"  # text, and what is true
+GREY = "#63696F"  # second thoughts: units, captions
+FAINT = "#B9BEC4"  # guides
+HAIR = "#E4E6E9"  # grids, borders
+PAPER = "#FDFDFB"  # the card
+SHADE = "#F1F2F0"  # a quiet area on the card
+
+WIDE = (7.6, 3.8)  # [inch], 100 screen pixels each
+TALL = (7.6, 5.2)
+SQUARE = (4.8, 4.8)
+
+TEXT_PT = 9.5
+SMALL_PT = 8.5
+TITLE_PT = 11.0
+
+SCREEN_DPI = 100  # how large a figure stands on the page
+PRINT_DPI = 150  # how finely it is drawn
+LIVE_DPI = 125  # the same while a slider moves
+
+_SETTINGS = {
+    "font.family": ["sans-serif"],
+    "font.sans-serif": ["DejaVu Sans"],
+    "font.monospace": ["DejaVu Sans Mono"],
+    "font.size": TEXT_PT,
+    "text.usetex": False,
+    "text.color": INK,
+    "text.hinting": "no_hinting",
+    "text.antialiased": True,
+    "axes.unicode_minus": False,
+    "lines.dash_capstyle": "butt",
+    "lines.solid_capstyle": "butt",
+    "lines.scale_dashes": True,
+    "lines.antialiased": True,
+    "patch.antialiased": True,
+    "hatch.linewidth": 0.8,
+    "path.effects": [],
+    "path.sketch": None,
+    "path.simplify": True,
+    "path.snap": True,
+    "figure.constrained_layout.use": False,
+    "figure.autolayout": False,
+    "axes.facecolor": "none",
+    "axes.edgecolor": FAINT,
+    "axes.labelcolor": GREY,
+    "axes.linewidth": 0.8,
+    "axes.axisbelow": True,
+    "axes.grid": False,
+    "axes.titlesize": TITLE_PT,
+    "axes.labelsize": SMALL_PT,
+    "axes.xmargin": 0.0,
+    "axes.ymargin": 0.0,
+    "xtick.labelsize": SMALL_PT,
+    "ytick.labelsize": SMALL_PT,
+    "xtick.color": FAINT,
+    "ytick.color": FAINT,
+    "xtick.labelcolor": GREY,
+    "ytick.labelcolor": GREY,
+    "xtick.direction": "out",
+    "ytick.direction": "out",
+}
+
+
+@contextmanager
+def our_settings() -> Iterator[None]:
+    """Hold matplotlib's settings as our figures need them, and give back the learner's."""
+    from matplotlib import rc_context
+
+    with rc_context(_SETTINGS):
+        yield
+
+
+def figure(size_inch: tuple[float, float] = WIDE) -> Figure:
+    """Return an empty card of `size_inch` (width, height), unknown to pyplot, so nobody needs to close it."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+    from matplotlib.patches import FancyBboxPatch
+
+    with our_settings():
+        fig = Figure(figsize=size_inch, dpi=SCREEN_DPI, facecolor="none", edgecolor="none")
+        FigureCanvasAgg(fig)
+        width, height = size_inch
+        card = FancyBboxPatch(
+            (0.02, 0.02), width - 0.04, height - 0.04,
+            boxstyle="round,pad=0,rounding_size=0.09", facecolor=PAPER, edgecolor=HAIR, linewidth=1.0,
+            transform=fig.dpi_scale_trans, zorder=-100,
+        )  # fmt: skip
+        fig.add_artist(card)
+    return fig
+
+
+def fmt(value: float, unit: str = "m", digits: int = 3) -> str:
+    """Return a number for people: fixed decimals, no negative zero, its unit: fmt(-0.0004) == "0.000 m"."""
+    return f"{round(float(value), digits) + 0.0:.{digits}f} {unit}".rstrip()
+
+
+def fmt_all(values: Sequence[float], unit: str = "m", digits: int = 3) -> str:
+    """Return several numbers with one unit: fmt_all((1, 2)) == "(1.000, 2.000) m"."""
+    return f"({', '.join(fmt(value, '', digits) for value in values)}) {unit}".rstrip()
+
+
+def fmt_stamp(stamp_ns: int, digits: int = 3) -> str:
+    """Return a stamp or a duration [ns] for people: fmt_stamp(1_500_000_000) == "1.500 s"."""
+    return f"{format_stamp(stamp_ns, digits)} s"
