@@ -1,0 +1,121 @@
+"""Joint positions give link poses, as worked out by hand and as an independent library has them."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from tflab.core import Transform
+from tflab.robots.kinematics import all_positions, joint_transform, link_poses, link_transform
+from tflab.robots.model import Joint
+from tflab.robots.urdf import parse_urdf
+
+# base --swing(z) at (1, 0, 0)--> arm --slide(x) at (0, 0, 1), turned on its side--> hand
+#                                  '--follow: finger = -2 * slide + 0.1
+ROBOT = """<robot name="crane">
+  <link name="base"/><link name="arm"/><link name="hand"/><link name="finger"/><link name="hook"/>
+  <joint name="swing" type="continuous">
+    <parent link="base"/><child link="arm"/><origin xyz="1 0 0"/><axis xyz="0 0 1"/>
+  </joint>
+  <joint name="slide" type="prismatic">
+    <parent link="arm"/><child link="hand"/><origin xyz="0 0 1" rpy="0.3 -0.4 1.2"/><axis xyz="1 2 -1"/>
+    <limit lower="-1" upper="1" effort="1" velocity="1"/>
+  </joint>
+  <joint name="follow" type="revolute">
+    <parent link="hand"/><child link="finger"/><origin xyz="0.1 0.2 0.3" rpy="1 2 3"/><axis xyz="-1 0.5 0"/>
+    <mimic joint="slide" multiplier="-2" offset="0.1"/>
+    <limit lower="-3" upper="3" effort="1" velocity="1"/>
+  </joint>
+  <joint name="bolt" type="fixed">
+    <parent link="finger"/><child link="hook"/><origin xyz="0 0 -0.5" rpy="-1.5707963267948966 0 -1.5707963267948966"/>
+  </joint>
+</robot>"""
+
+
+def test_a_quarter_turn_about_z_turns_the_child_left_about_its_origin():
+    poses = link_poses(parse_urdf(ROBOT), {"swing": math.pi / 2})
+    assert poses["base"] == Transform()
+    assert poses["arm"].apply((2.0, 0.0, 0.0)) == pytest.approx((1.0, 2.0, 0.0))
+
+
+def test_a_prismatic_joint_slides_along_its_axis_in_the_childs_axes():
+    joint = Joint("j", "prismatic", "a", "b", Transform.from_rpy(yaw=math.pi / 2), axis=(1.0, 0.0, 0.0))
+    assert joint_transform(joint, 0.3).translation == pytest.approx((0.0, 0.3, 0.0))
+
+
+def test_a_mimic_joint_follows_unless_its_own_position_is_given():
+    robot = parse_urdf(ROBOT)
+    assert all_positions(robot, {"slide": 0.2})["follow"] == pytest.approx(-0.3)
+    assert all_positions(robot, {})["follow"] == pytest.approx(0.1)
+    assert all_positions(robot, {"slide": 0.2, "follow": 1.0})["follow"] == 1.0
+
+
+def test_a_mimic_of_a_mimic_follows_through_both():
+    chained = ROBOT.replace('<axis xyz="0 0 1"/>', '<axis xyz="0 0 1"/><mimic joint="follow" multiplier="10"/>')
+    assert all_positions(parse_urdf(chained), {"slide": 0.2})["swing"] == pytest.approx(-3.0)
+
+
+def test_a_planar_joint_moves_in_the_plane_square_to_its_axis():
+    floor = Joint("j", "planar", "a", "b", axis=(0.0, 0.0, 1.0))
+    moved = joint_transform(floor, (1.0, 2.0, math.pi / 2))
+    assert moved.apply((1.0, 0.0, 0.0)) == pytest.approx((1.0, 3.0, 0.0))
+    wall = Joint("j", "planar", "a", "b", axis=(1.0, 0.0, 0.0))
+    assert joint_transform(wall, (1.0, 2.0, 0.5)).apply((0.0, 0.0, 0.0))[0] == pytest.approx(0.0)
+    ceiling = Joint("j", "planar", "a", "b", axis=(0.0, 0.0, -1.0))
+    assert joint_transform(ceiling, (0.0, 0.0, 0.5)).rpy() == pytest.approx((0.0, 0.0, -0.5))
+
+
+def test_a_floating_joint_takes_a_whole_pose():
+    joint = Joint("j", "floating", "a", "b", Transform((1.0, 0.0, 0.0)))
+    assert joint_transform(joint, (0.0, 2.0, 0.0, 0.0, 0.0, 0.0, 2.0)) == Transform((1.0, 2.0, 0.0))
+
+
+def test_a_joint_that_nobody_mentions_stands_at_its_origin():
+    robot = parse_urdf(ROBOT)
+    assert link_poses(robot)["arm"] == robot.joint("swing").origin
+
+
+def test_a_transform_between_two_links_undoes_the_one_and_does_the_other():
+    robot = parse_urdf(ROBOT)
+    poses = link_poses(robot, {"swing": 0.4})
+    hand_T_arm = link_transform(robot, "hand", "arm", {"swing": 0.4})
+    assert np.allclose((poses["hand"] @ hand_T_arm).matrix(), poses["arm"].matrix())
+
+
+@pytest.mark.parametrize(
+    ("positions", "words"),
+    [
+        ({"sving": 0.0}, "robot 'crane' has no joint 'sving'; it has bolt, follow, slide, swing"),
+        ({"swing": (1.0, 2.0)}, "joint 'swing' is continuous and takes one number"),
+        ({"swing": "left"}, "joint 'swing' is continuous and takes one number, not 'left'"),
+    ],
+)
+def test_a_position_that_does_not_fit_says_what_would(positions, words):
+    with pytest.raises(ValueError, match=words.replace("(", r"\(")):
+        link_poses(parse_urdf(ROBOT), positions)
+
+
+angles = st.floats(-10.0, 10.0)
+
+
+@settings(max_examples=60, deadline=None)
+@given(swing=angles, slide=angles)
+def test_every_link_is_where_pinocchio_has_it(swing, slide):
+    pin = pytest.importorskip("pinocchio")
+    model = pin.buildModelFromXML(ROBOT)
+    data = model.createData()
+    robot = parse_urdf(ROBOT)
+    positions = all_positions(robot, {"swing": swing, "slide": slide})
+    configuration = pin.neutral(model)
+    for name in ("swing", "slide", "follow"):
+        joint = model.joints[model.getJointId(name)]
+        angle = positions[name]
+        # pinocchio stores an angle without limits as its cosine and sine
+        numbers = (math.cos(angle), math.sin(angle)) if joint.nq == 2 else (angle,)
+        configuration[joint.idx_q : joint.idx_q + joint.nq] = numbers
+    pin.framesForwardKinematics(model, data, configuration)
+    for link, root_T_link in link_poses(robot, positions).items():
+        expected = data.oMf[model.getFrameId(link)].homogeneous
+        assert np.abs(root_T_link.matrix() - expected).max() < 1e-9

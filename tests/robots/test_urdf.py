@@ -1,0 +1,300 @@
+"""A robot is read from a file as it is, or the error says where and what to do."""
+
+import math
+
+import pytest
+
+from tflab.robots.model import Box, Cylinder, Limit, Material, Mesh, Mimic, Sphere
+from tflab.robots.urdf import UrdfError, parse_urdf, read_urdf
+
+ARM = """<?xml version="1.0"?>
+<robot name="arm">
+  <material name="grey"><color rgba="0.5 0.5 0.5 1"/></material>
+  <link name="base"/>
+  <link name="upper">
+    <inertial><mass value="1"/></inertial>
+    <visual name="tube">
+      <origin xyz="0 0 0.1" rpy="0 1.5707963267948966 0"/>
+      <geometry><cylinder radius="0.05" length="0.4"/></geometry>
+      <material name="grey"/>
+    </visual>
+    <collision><geometry><box size="0.1 0.2 0.3"/></geometry></collision>
+  </link>
+  <link name="hand">
+    <visual><geometry><mesh filename="package://arm/hand.dae" scale="0.001 0.001 0.001"/></geometry></visual>
+    <visual>
+      <geometry><sphere radius=".02"/></geometry>
+      <material name=""><color rgba="1 0 0 0.5"/></material>
+    </visual>
+  </link>
+  <joint name="slide" type="prismatic">
+    <parent link="upper"/><child link="hand"/>
+    <mimic joint="shoulder" multiplier="-2" offset="0.5"/>
+    <limit lower="0" upper="0.3" effort="10" velocity="1"/>
+  </joint>
+  <joint name="shoulder" type="revolute">
+    <origin xyz="1 2 3" rpy="0 0 1.5707963267948966"/>
+    <parent link="base"/><child link="upper"/>
+    <axis xyz="0 3 4"/>
+    <limit lower="-1.5" upper="1.5" effort="30" velocity="2"/>
+  </joint>
+</robot>
+"""
+
+
+def robot_text(body: str) -> str:
+    return f'<robot name="r">\n{body}\n</robot>'
+
+
+def joint_text(name: str, parent: str, child: str, kind: str = "fixed", more: str = "") -> str:
+    return f'<joint name="{name}" type="{kind}"><parent link="{parent}"/><child link="{child}"/>{more}</joint>'
+
+
+def fault(text: str) -> UrdfError:
+    with pytest.raises(UrdfError) as caught:
+        parse_urdf(text, source="robot.urdf")
+    return caught.value
+
+
+def test_links_joints_and_root_are_read():
+    robot = parse_urdf(ARM)
+    assert robot.name == "arm"
+    assert robot.root == "base"
+    assert [link.name for link in robot.links] == ["base", "upper", "hand"]
+    assert [link.has_inertia for link in robot.links] == [False, True, False]
+
+
+def test_joints_come_parents_first_whatever_the_order_of_the_file():
+    assert [joint.name for joint in parse_urdf(ARM).joints] == ["shoulder", "slide"]
+
+
+def test_origin_axis_and_limits_of_a_joint():
+    shoulder = parse_urdf(ARM).joint("shoulder")
+    assert shoulder.origin.translation == (1.0, 2.0, 3.0)
+    assert shoulder.origin.rotation == pytest.approx((0.0, 0.0, math.sqrt(0.5), math.sqrt(0.5)))
+    assert shoulder.axis == pytest.approx((0.0, 0.6, 0.8))
+    assert shoulder.limit == Limit(lower=-1.5, upper=1.5, effort=30.0, velocity=2.0)
+    assert shoulder.line == 26
+
+
+def test_an_axis_that_is_not_written_is_x_and_a_missing_origin_is_no_offset():
+    slide = parse_urdf(ARM).joint("slide")
+    assert slide.axis == (1.0, 0.0, 0.0)
+    assert slide.origin.translation == (0.0, 0.0, 0.0)
+
+
+def test_mimic_has_multiplier_and_offset_with_one_and_zero_as_defaults():
+    assert parse_urdf(ARM).joint("slide").mimic == Mimic("shoulder", -2.0, 0.5)
+    plain = ARM.replace(' multiplier="-2" offset="0.5"', "")
+    assert parse_urdf(plain).joint("slide").mimic == Mimic("shoulder", 1.0, 0.0)
+
+
+def test_shapes_have_geometry_origin_and_the_colour_defined_elsewhere():
+    upper = parse_urdf(ARM).link("upper")
+    (tube,) = upper.visuals
+    assert tube.geometry == Cylinder(radius=0.05, length=0.4)
+    assert tube.origin.translation == (0.0, 0.0, 0.1)
+    assert tube.material == Material("grey", (0.5, 0.5, 0.5, 1.0))
+    assert [shape.geometry for shape in upper.collisions] == [Box((0.1, 0.2, 0.3))]
+
+
+def test_meshes_are_named_and_not_loaded_and_materials_may_be_anonymous():
+    mesh, ball = parse_urdf(ARM).link("hand").visuals
+    assert mesh.geometry == Mesh("package://arm/hand.dae", (0.001, 0.001, 0.001))
+    assert ball.geometry == Sphere(0.02)
+    assert ball.material == Material("", (1.0, 0.0, 0.0, 0.5))
+
+
+@pytest.mark.parametrize("kind", ["revolute", "continuous", "prismatic", "fixed", "floating", "planar"])
+def test_every_joint_type_of_the_format_is_known(kind):
+    text = robot_text('<link name="a"/><link name="b"/>' + joint_text("j", "a", "b", kind))
+    assert parse_urdf(text).joint("j").type == kind
+
+
+def test_the_chain_to_a_link_lists_its_joints_from_the_root():
+    assert [joint.name for joint in parse_urdf(ARM).chain("hand")] == ["shoulder", "slide"]
+    assert parse_urdf(ARM).chain("base") == ()
+
+
+def test_undeclared_prefixes_and_unknown_elements_are_passed_over():
+    text = robot_text('<drake:member link="a"/><link name="a"><drake:soft/></link><gazebo><joint name="x"/></gazebo>')
+    assert [link.name for link in parse_urdf(text).links] == ["a"]
+
+
+def test_an_axis_of_zeros_is_harmless_on_a_joint_that_does_not_move():
+    text = robot_text('<link name="a"/><link name="b"/>' + joint_text("j", "a", "b", "fixed", '<axis xyz="0 0 0"/>'))
+    assert parse_urdf(text).joint("j").axis == (0.0, 0.0, 0.0)
+
+
+def test_an_axis_of_zeros_on_a_moving_joint_names_the_joint_and_the_line():
+    text = robot_text(
+        '<link name="a"/><link name="b"/>\n' + joint_text("j", "a", "b", "revolute", '\n<axis xyz="0 0 0"/>')
+    )
+    error = fault(text)
+    assert str(error).startswith('robot.urdf:4: joint "j": axis 0 0 0 has no direction')
+
+
+def test_a_revolute_joint_without_limits_is_read_and_noted():
+    text = robot_text('<link name="a"/><link name="b"/>\n' + joint_text("j", "a", "b", "revolute"))
+    (note,) = parse_urdf(text).notes
+    assert note == 'line 3: joint "j" is revolute and has no <limit>; ROS refuses such a file'
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        '<xacro:include filename="x.xacro"/>\n<link name="a"/>',
+        '<link name="${prefix}base"/>',
+        '<link name="a"/><link name="b"/>' + joint_text("j", "$(arg p)a", "b"),
+    ],
+)
+def test_xacro_left_in_is_an_error_that_says_to_run_xacro(body):
+    error = fault(robot_text(body))
+    assert error.line == 2
+    assert "Expand it first: xacro robot.urdf > expanded.urdf" in str(error)
+
+
+def test_xacro_in_a_comment_or_a_declared_prefix_is_harmless():
+    text = (
+        '<robot name="r" xmlns:xacro="http://ros.org/wiki/xacro"><!-- ${prefix} <xacro:x/> --><link name="a"/></robot>'
+    )
+    assert parse_urdf(text).root == "a"
+
+
+def test_two_roots_are_named_with_their_lines():
+    error = fault(robot_text('<link name="a"/>\n<link name="b"/>'))
+    assert str(error) == (
+        'robot.urdf:3: 2 root links: "a" (line 2), "b" (line 3). All but one of them must be the child of a joint'
+    )
+
+
+def test_a_loop_is_named_link_by_link_even_if_another_link_is_a_root():
+    body = '<link name="top"/><link name="a"/><link name="b"/><link name="c"/>\n'
+    ring = "\n".join([joint_text("ab", "a", "b"), joint_text("bc", "b", "c"), joint_text("ca", "c", "a")])
+    error = fault(robot_text(body + ring))
+    assert error.joint == "ca"
+    assert error.line == 5
+    assert "closes a loop of links: a -> b -> c -> a" in str(error)
+
+
+def test_a_joint_to_a_missing_link_suggests_the_closest_name():
+    error = fault(robot_text('<link name="base_link"/>\n' + joint_text("j", "base_lnk", "base_link")))
+    assert str(error) == (
+        'robot.urdf:3: joint "j": its parent link "base_lnk" does not exist. Did you mean "base_link"?'
+    )
+
+
+def test_a_link_may_not_join_itself():
+    error = fault(robot_text('<link name="a"/>' + joint_text("j", "a", "a")))
+    assert 'joint "j": joins link "a" to itself' in str(error)
+
+
+def test_a_link_with_two_parents_names_both_joints():
+    body = '<link name="a"/><link name="b"/><link name="c"/>\n' + joint_text("ac", "a", "c") + "\n"
+    error = fault(robot_text(body + joint_text("bc", "b", "c")))
+    assert str(error).startswith('robot.urdf:4: joint "bc": link "c" already is the child of joint "ac" (line 3)')
+
+
+@pytest.mark.parametrize(
+    ("body", "name"),
+    [
+        ('<link name="a"/>\n<link name="a"/>', 'a second link of the name "a"; the first is in line 2'),
+        (
+            '<link name="a"/><link name="b"/><link name="c"/>
+' + joint_text("j", "a", "b") + joint_text("j", "b", "c"),
+            'joint "j": a second joint of the name "j"; the first is in line 3',
+        ),
+    ],
+)
+def test_a_name_used_twice_says_where_the_first_is(body, name):
+    error = fault(robot_text(body))
+    assert error.line == 3
+    assert name in str(error)
+
+
+@pytest.mark.parametrize("written", ["0 0", "0 0 zero", "0 0 0 0", "0,0,0", "0 nan 0", "0 inf 0", "1_0 0 0", ""])
+def test_a_bad_number_names_the_attribute_and_the_joint(written):
+    more = f'\n<origin xyz="{written}"/>'
+    error = fault(robot_text('<link name="a"/><link name="b"/>\n' + joint_text("j", "a", "b", "fixed", more)))
+    assert str(error) == (
+        f'robot.urdf:4: joint "j": bad number: <origin> xyz="{written}" should be 3 numbers with spaces between'
+    )
+
+
+@pytest.mark.parametrize(
+    ("body", "words"),
+    [
+        ("<link/>", 'a <link> needs a name="..."'),
+        ("", 'robot "r" has no <link>'),
+        ('<link name="a"/><joint name="j" type="hinge"/>', 'joint "j": type "hinge" is none of revolute, continuous'),
+        ('<link name="a"/><joint name="j"/>', 'joint "j": joint "j" needs a type="..."'),
+        ('<link name="a"/><joint name="j" type="fixed"><parent link="a"/></joint>', 'joint "j": has no <child link='),
+        ('<link name="a"><visual/></link>', "a <visual> without <geometry>"),
+        ('<link name="a"><visual><geometry><cone/></geometry></visual></link>', "unknown geometry <cone>"),
+        ('<link name="a"><visual><geometry><sphere/></geometry></visual></link>', '<sphere> needs a radius="..."'),
+    ],
+)
+def test_something_missing_or_unknown_says_what_is_needed(body, words):
+    assert words in str(fault(robot_text(body)))
+
+
+@pytest.mark.parametrize(
+    ("mimic", "words"),
+    [
+        ("nobody", 'joint "j": mimics joint "nobody", which does not exist'),
+        ("j", 'joint "j": mimics itself: j -> j'),
+        ("ball", 'joint "j": mimics joint "ball", which is floating and has no single position'),
+    ],
+)
+def test_a_mimic_must_follow_another_joint_that_has_one_position(mimic, words):
+    body = '<link name="a"/><link name="b"/><link name="c"/>' + joint_text("ball", "a", "c", "floating")
+    error = fault(robot_text(body + joint_text("j", "a", "b", "continuous", f'<mimic joint="{mimic}"/>')))
+    assert words in str(error)
+
+
+def test_two_hyphens_in_a_comment_are_explained_with_their_line():
+    error = fault('<robot name="r">\n<!-- all\n is -- well -->\n<link name="a"/></robot>')
+    assert error.line == 3
+    assert 'two hyphens, "--", inside a comment' in str(error)
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("", "robot.urdf:1: the file is empty"),
+        ("not xml", "robot.urdf:1: not well-formed XML"),
+        ('<robot name="r">\n<link name="a">', "robot.urdf:2: not well-formed XML"),
+        ('<sdf version="1.6"/>', "robot.urdf:1: a URDF begins with <robot>, this file with <sdf>. That is SDF"),
+        ('<!DOCTYPE r [<!ENTITY e "x">]>\n<robot name="&e;"/>', "the entity &e; is declared here"),
+    ],
+)
+def test_what_is_no_urdf_says_so_in_one_line(text, words):
+    error = str(fault(text))
+    assert words in error
+    assert "\n" not in error
+
+
+def test_a_file_is_read_and_errors_carry_its_name(tmp_path):
+    good, bad = tmp_path / "good.urdf", tmp_path / "bad.urdf"
+    good.write_text(ARM)
+    bad.write_text(ARM.replace('link="base"', 'link="bass"'))
+    assert read_urdf(good).name == "arm"
+    with pytest.raises(UrdfError, match=r"bad\.urdf:26: joint \"shoulder\": its parent link \"bass\" does not exist"):
+        read_urdf(bad)
+
+
+def test_a_file_that_is_not_there_is_an_error_of_the_same_family(tmp_path):
+    with pytest.raises(UrdfError, match="cannot read this file: No such file"):
+        read_urdf(tmp_path / "none.urdf")
+
+
+def test_a_chain_of_two_thousand_links_is_read():
+    links = "".join(f'<link name="l{i}"/>' for i in range(2000))
+    joints = "".join(joint_text(f"j{i}", f"l{i}", f"l{i + 1}") for i in range(1999))
+    robot = parse_urdf(robot_text(links + joints))
+    assert len(robot.chain("l1999")) == 1999
+
+
+def test_an_unknown_name_lists_the_known_ones():
+    with pytest.raises(KeyError, match="has no link 'hnad'; it has base, hand, upper"):
+        parse_urdf(ARM).link("hnad")
