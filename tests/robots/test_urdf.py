@@ -200,8 +200,9 @@ def test_a_link_with_two_parents_names_both_joints():
     [
         ('<link name="a"/>\n<link name="a"/>', 'a second link of the name "a"; the first is in line 2'),
         (
-            '<link name="a"/><link name="b"/><link name="c"/>
-' + joint_text("j", "a", "b") + joint_text("j", "b", "c"),
+            '<link name="a"/><link name="b"/><link name="c"/>\n'
+            + joint_text("j", "a", "b")
+            + joint_text("j", "b", "c"),
             'joint "j": a second joint of the name "j"; the first is in line 3',
         ),
     ],
