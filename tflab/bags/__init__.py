@@ -1,0 +1,14 @@
+"""Real recordings: what a robot said, and when it was heard.
+
+    errors      what can be wrong with a file
+    recording   a recording as columns, and from there a buffer
+    messages    the bytes of a TFMessage, and of a header
+    reader      from a bag, of ROS 2 or ROS 1, to a recording
+    progress    how far along long work is
+    record      `ros2 bag record`: from the graph to a bag
+    play        `ros2 bag play`: from a bag to the graph
+    info        `ros2 bag info`
+
+The files are read and written by the rosbags library, which is loaded only when
+a file is opened.  Start with `recording.py`.
+"""
