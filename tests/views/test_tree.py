@@ -1,0 +1,195 @@
+"""The drawn frame tree: what it says in words, what it calls a fault, and that nothing in it overlaps."""
+
+import re
+from itertools import combinations
+from xml.etree import ElementTree
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from tflab.core import BufferCore, FrameSnapshot, Snapshot, StampedTransform, Transform, seconds, snapshot
+from tflab.views.marks import Box, Label, Line, text_width
+from tflab.views.tree import draw_tree, rows_of, text_from_tree, tree_faults
+
+AHEAD = Transform((1.0, 0.0, 0.0))
+
+
+def edge(parent, child, owners=("/node",), static=False, parents=None, samples=20):
+    return FrameSnapshot(
+        name=child,
+        parent=parent,
+        is_static=static,
+        authorities=tuple(owners),
+        parents=tuple(parents or (parent,)),
+        samples=samples,
+        rate_hz=0.0 if static else 20.0,
+        oldest_ns=0 if static else seconds(1),
+        newest_ns=0 if static else seconds(2),
+        parent_T_frame=AHEAD,
+    )
+
+
+def forest(*edges, roots=()):
+    return Snapshot(tuple(roots), tuple(edges))
+
+
+ROBOT = forest(
+    edge("odom", "base_link", ["/ekf"]),
+    edge("map", "odom", ["/amcl"]),
+    edge("base_link", "laser_frame", ["/robot_state_publisher"], static=True),
+    edge("base_link", "camera_link", ["/robot_state_publisher"], static=True),
+    roots=["map"],
+)
+
+
+def test_a_healthy_tree_in_words():
+    assert text_from_tree(ROBOT, now_ns=seconds(2.05)) == (
+        "map\n"
+        "└─ odom               D  20.0 Hz  0.050 s  /amcl\n"
+        "   └─ base_link       D  20.0 Hz  0.050 s  /ekf\n"
+        "      ├─ camera_link  S                    /robot_state_publisher\n"
+        "      └─ laser_frame  S                    /robot_state_publisher"
+    )
+    assert tree_faults(ROBOT) == ()
+
+
+def test_without_a_present_moment_the_newest_stamp_stands_in_place_of_the_age():
+    assert "D  20.0 Hz  at 2.000 s  /amcl" in text_from_tree(ROBOT)
+
+
+def test_a_rate_needs_two_samples():
+    assert "1 sample" in text_from_tree(forest(edge("odom", "base_link", samples=1)))
+
+
+def test_a_misspelt_parent_shows_as_two_trees():
+    typo = forest(edge("map", "odom", static=True), edge("odm", "base_link", static=True))
+    assert text_from_tree(typo).splitlines()[-1] == (
+        "! 2 separate trees, from map, odm. No lookup crosses from one to another (ConnectivityException)."
+    )
+
+
+def test_a_loop_is_drawn_once_and_closed_by_its_first_frame():
+    loop = forest(edge("a", "b"), edge("b", "c"), edge("c", "a", ["/late"]), edge("c", "tool", static=True))
+    assert [(row.frame, row.parent_row, row.role) for row in rows_of(loop)] == [
+        ("a", None, "frame"), ("b", 0, "frame"), ("c", 1, "frame"), ("a", 2, "again"), ("tool", 2, "frame"),
+    ]  # fmt: skip
+    assert "a (again)  D  20.0 Hz" in text_from_tree(loop)
+    assert [fault.text for fault in tree_faults(loop)] == [
+        "loop: a -> b -> c -> a. A lookup that enters it fails (LookupException)."
+    ]
+
+
+def test_a_frame_that_is_its_own_parent_is_a_loop_of_one():
+    assert tree_faults(forest(edge("a", "a")))[0].frames == ("a",)
+
+
+def test_a_second_publisher_is_named():
+    two = forest(edge("odom", "base_link", ["/ekf", "/wheels"]))
+    assert tree_faults(two)[0].text == (
+        "odom -> base_link has 2 publishers: /ekf, /wheels. Lookups land between their values."
+    )
+    assert "The one heard last counts." in tree_faults(forest(edge("a", "b", ["/1", "/2"], static=True)))[0].text
+
+
+def test_a_second_parent_is_named_and_the_frame_stands_under_both():
+    moved = forest(edge("map", "odom"), edge("map", "base_link", parents=["map", "odom"]))
+    assert [(row.frame, row.role) for row in rows_of(moved)] == [
+        ("map", "frame"), ("base_link", "frame"), ("odom", "frame"), ("base_link", "also here"),
+    ]  # fmt: skip
+    assert tree_faults(moved)[0].text == "base_link has 2 parents in its history: map, odom. It jumps between them."
+
+
+def test_no_frames_is_said():
+    assert text_from_tree(forest()) == "(no frames yet)"
+    assert "no frames yet" in draw_tree(forest()).svg
+
+
+def test_the_order_of_arrival_does_not_show():
+    assert draw_tree(ROBOT).svg == draw_tree(Snapshot(ROBOT.roots, ROBOT.frames[::-1])).svg
+
+
+def test_static_and_dynamic_edges_differ_in_line_and_letter():
+    svg = draw_tree(ROBOT).svg
+    marks = draw_tree(ROBOT).sheet.marks
+    arrows = [mark.style for mark in marks if isinstance(mark, Line) and mark.arrow]
+    assert arrows == ["solid", "solid", "dashed", "dashed"]
+    assert re.findall(r">([DS])</text>", svg) == ["D", "D", "S", "S"]
+
+
+def test_two_publishers_are_a_doubled_line():
+    lines = [mark for mark in draw_tree(forest(edge("a", "b", ["/1", "/2"]))).sheet.marks if isinstance(mark, Line)]
+    heights = {line.points[1][1] for line in lines if line.points[0][1] == line.points[1][1]}
+    assert len(heights) == 2
+
+
+def test_the_svg_is_well_formed_carries_its_words_and_reaches_for_nothing():
+    picture = draw_tree(forest(edge("<&>", 'q"'), roots=["<&>"]))
+    tree = ElementTree.fromstring(picture.svg)
+    assert tree.find("{http://www.w3.org/2000/svg}desc").text == picture.text
+    assert re.findall(r"https?://[^\"]*", picture.svg) == ["http://www.w3.org/2000/svg"]
+
+
+def test_the_pdf_is_the_same_every_time():
+    first, second = draw_tree(ROBOT).pdf(), draw_tree(ROBOT).pdf()
+    assert first.startswith(b"%PDF-")
+    assert first == second
+    assert b"CreationDate" not in first
+
+
+def test_a_page_gets_the_drawing_and_a_terminal_the_words():
+    picture = draw_tree(ROBOT)
+    assert picture._repr_mimebundle_() == {"image/svg+xml": picture.svg, "text/plain": picture.text}
+    assert str(picture) == picture.text
+
+
+def test_a_snapshot_of_the_engine_can_be_drawn():
+    buffer = BufferCore()
+    for stamp_ns, owner in ((seconds(1), "/ekf"), (seconds(2), "/wheels")):
+        buffer.set_transform(StampedTransform("odom", "base_link", stamp_ns, AHEAD), owner)
+    assert [fault.kind for fault in draw_tree(snapshot(buffer)).faults] == ["owners"]
+
+
+def room_of(mark):
+    """The rectangle a label or a box takes: left, top, right, bottom."""
+    if isinstance(mark, Box):
+        return (mark.x, mark.y, mark.x + mark.width, mark.y + mark.height)
+    width = text_width(mark.text, mark.size)
+    left = mark.x - width / 2 if mark.centred else mark.x
+    return (left, mark.y - mark.size / 2, left + width, mark.y + mark.size / 2)
+
+
+def overlap(a, b):
+    return a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]
+
+
+names = st.lists(st.text("abc_/", min_size=1, max_size=30), min_size=1, max_size=40, unique=True)
+
+
+@settings(max_examples=40, deadline=None)
+@given(names=names, data=st.data())
+def test_no_label_touches_another_or_leaves_the_paper(names, data):
+    edges = []
+    for number, name in enumerate(names[1:], start=1):
+        parents = data.draw(st.sets(st.sampled_from(names), min_size=1, max_size=2))
+        owners = data.draw(st.sampled_from([["/one"], ["/one", "/another_with_a_long_name"]]))
+        edges.append(edge(sorted(parents)[0], name, owners, static=bool(number % 3), parents=sorted(parents)))
+    sheet = draw_tree(forest(*edges, roots=names[:1]), now_ns=seconds(3)).sheet
+    rooms = [room_of(mark) for mark in sheet.marks if isinstance(mark, Label)]
+    assert not any(overlap(a, b) for a, b in combinations(rooms, 2))
+    assert all(room[0] >= 0 and room[2] <= sheet.width and room[3] <= sheet.height for room in rooms)
+
+
+@settings(max_examples=60, deadline=None)
+@given(names=names, data=st.data())
+def test_every_frame_is_drawn_once_whatever_the_parents(names, data):
+    edges = [edge(data.draw(st.sampled_from(names)), name) for name in names[1:]]
+    rows = rows_of(forest(*edges, roots=names[:1]))
+    assert sorted(row.frame for row in rows if row.role == "frame") == sorted(names)
+
+
+@pytest.mark.parametrize("frames", [1, 40])
+def test_a_chain_of_any_length_fits_a_page(frames):
+    chain = forest(*(edge(f"frame_{n}", f"frame_{n + 1}") for n in range(frames)))
+    assert len(rows_of(chain)) == frames + 1
+    assert draw_tree(chain).sheet.height < 60 + 34 * (frames + 2)

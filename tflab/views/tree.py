@@ -1,0 +1,326 @@
+"""Who is whose child?  The frame tree, drawn and in words.
+
+    map
+    └─ odom             D   10.0 Hz   0.050 s   /amcl
+       └─ base_link     D   20.0 Hz   0.010 s   /moving_robot_broadcaster
+          └─ laser      S                       /static_sensor_broadcaster
+
+One row for each frame, a child below its parent, so that forty frames with long
+names still do not touch.  D is a dynamic transform (a solid line), S a static one
+(a dashed line).  What a healthy tree never has is drawn as a fault and said in a
+sentence: several roots, a loop, two publishers of one child, two parents.
+
+The same picture as `view_frames` gives, except that here the publishers are real:
+who calls decides what `authorities` holds.  `marks.py` writes the SVG and the PDF.
+Read `timeline.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any, Literal
+
+from tflab.core import FrameSnapshot, Snapshot, format_stamp
+
+from . import style
+from .marks import FONT_SIZE, Box, Label, Line, Mark, Sheet, pdf_from_sheet, svg_from_sheet, text_width
+
+__all__ = ["Fault", "Row", "TreePicture", "draw_tree", "rows_of", "text_from_tree", "tree_faults"]
+
+QUIET, ALARM, WASH = style.GREY, style.ACCENT, "#F8EDF6"
+MARGIN, STEP, TRUNK, ROW, PILL = 18.0, 46.0, 14.0, 34.0, 24.0  # [pt] rim, indent, stem, row and box heights
+
+
+@dataclass(frozen=True, slots=True)
+class Fault:
+    """Something that a healthy tree does not have: what kind, which frames, and a sentence about it."""
+
+    kind: Literal["roots", "loop", "owners", "parents"]
+    frames: tuple[str, ...]
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """One line of the drawing.
+
+    Attributes:
+        frame: whose line it is.
+        parent_row: the number of its parent's row, None for a root.
+        edge: what is known of it as a child; None for a root.
+        role: "again" closes a loop, "also here" stands under a parent it had besides its newest one.
+    """
+
+    frame: str
+    parent_row: int | None
+    edge: FrameSnapshot | None
+    role: Literal["frame", "again", "also here"] = "frame"
+
+
+@dataclass(frozen=True, slots=True)
+class TreePicture:
+    """The drawn tree: `svg` for a page, `text` for a terminal, `pdf()` for a file."""
+
+    text: str
+    svg: str
+    faults: tuple[Fault, ...]
+    sheet: Sheet
+
+    def pdf(self) -> bytes:
+        """Return the drawing as a PDF of one page, the same bytes every time."""
+        return pdf_from_sheet(self.sheet)
+
+    def __str__(self) -> str:
+        return self.text
+
+    def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> dict[str, str]:
+        return {"image/svg+xml": self.svg, "text/plain": self.text}
+
+
+def draw_tree(snapshot: Snapshot, now_ns: int | None = None, title: str = "Frame tree") -> TreePicture:
+    """Draw a tree of frames.
+
+    Args:
+        snapshot: its `authorities` are shown as the publishers.
+        now_ns: the moment that ages are reckoned from [ns]; without it, stamps stand in their place.
+    """
+    rows, faults = rows_of(snapshot), tree_faults(snapshot)
+    text = text_from_tree(snapshot, now_ns)
+    sheet = _sheet(rows, faults, now_ns, title, text)
+    return TreePicture(text, svg_from_sheet(sheet), faults, sheet)
+
+
+# -- what is there --------------------------------------------------------
+
+
+def rows_of(snapshot: Snapshot) -> tuple[Row, ...]:
+    """Return every frame in drawing order: trees by the name of their root, then loops; children by name."""
+    edges = {edge.name: edge for edge in snapshot.frames}
+    children = _children(snapshot)
+    rows: list[Row] = []
+
+    def descend(frame: str, parent_row: int | None, role: str, ancestors: tuple[str, ...]) -> None:
+        number = len(rows)
+        if frame in ancestors:
+            role = "again"
+        rows.append(Row(frame, parent_row, None if parent_row is None else edges[frame], role))
+        if role == "frame":
+            for child in children.get(frame, ()):
+                child_role = "frame" if edges[child].parent == frame else "also here"
+                descend(child, number, child_role, (*ancestors, frame))
+
+    for root in _roots(snapshot):
+        descend(root, None, "frame", ())
+    for loop in _loops(snapshot):
+        descend(loop[0], None, "frame", ())
+    return tuple(rows)
+
+
+def tree_faults(snapshot: Snapshot) -> tuple[Fault, ...]:
+    """Return what a healthy tree does not have, the worst first."""
+    return tuple(_faults(snapshot))
+
+
+def _faults(snapshot: Snapshot) -> Iterator[Fault]:
+    loops, roots = _loops(snapshot), _roots(snapshot)
+    for loop in loops:
+        way = " -> ".join((*loop, loop[0]))
+        yield Fault("loop", loop, f"loop: {way}. A lookup that enters it fails (LookupException).")
+    if len(roots) + len(loops) > 1:
+        tops = (*roots, *(loop[0] for loop in loops))
+        trees = f"{len(tops)} separate trees, from {', '.join(tops)}."
+        yield Fault("roots", tops, f"{trees} No lookup crosses from one to another (ConnectivityException).")
+    for edge in sorted(snapshot.frames):
+        if len(edge.authorities) > 1:
+            who = f"{len(edge.authorities)} publishers: {', '.join(edge.authorities)}."
+            what = "The one heard last counts." if edge.is_static else "Lookups land between their values."
+            yield Fault("owners", (edge.name,), f"{edge.parent} -> {edge.name} has {who} {what}")
+        if len(edge.parents) > 1:
+            who = f"{len(edge.parents)} parents in its history: {', '.join(edge.parents)}."
+            yield Fault("parents", (edge.name,), f"{edge.name} has {who} It jumps between them.")
+
+
+def _children(snapshot: Snapshot) -> dict[str, list[str]]:
+    """Return the children of each frame by name, those included that have meanwhile moved to another parent."""
+    children: dict[str, list[str]] = {}
+    for edge in sorted(snapshot.frames):
+        for parent in sorted({edge.parent, *edge.parents}):
+            children.setdefault(parent, []).append(edge.name)
+    return children
+
+
+def _roots(snapshot: Snapshot) -> tuple[str, ...]:
+    named = {edge.name for edge in snapshot.frames}
+    parents = {parent for edge in snapshot.frames for parent in (edge.parent, *edge.parents)}
+    return tuple(sorted((parents | set(snapshot.roots)) - named))
+
+
+def _loops(snapshot: Snapshot) -> tuple[tuple[str, ...], ...]:
+    """Return every loop once, parent before child, beginning with its alphabetically first frame."""
+    parent_of = {edge.name: edge.parent for edge in snapshot.frames}
+    loops, seen = [], set()
+    for start in sorted(parent_of):
+        way, frame = [], start
+        while frame in parent_of and frame not in seen:
+            seen.add(frame)
+            way.append(frame)
+            frame = parent_of[frame]
+        if frame in way:
+            upwards = way[way.index(frame) :]
+            downwards = upwards[::-1]
+            first = downwards.index(min(downwards))
+            loops.append(tuple(downwards[first:] + downwards[:first]))
+    return tuple(sorted(loops))
+
+
+# -- in words -------------------------------------------------------------
+
+
+def text_from_tree(snapshot: Snapshot, now_ns: int | None = None) -> str:
+    """Return the tree as lines of text, with a line for each fault below it."""
+    rows = rows_of(snapshot)
+    if not rows:
+        return "(no frames yet)"
+    branches = _branches(rows)
+    table = [(branch + _name(row), *_cells(row, now_ns)) for branch, row in zip(branches, rows, strict=True)]
+    widths = [max(len(line[column]) for line in table) for column in range(5)]
+    lines = ["  ".join(cell.ljust(width) for cell, width in zip(line, widths, strict=True)).rstrip() for line in table]
+    return "\n".join([*lines, *(f"! {fault.text}" for fault in tree_faults(snapshot))])
+
+
+def _branches(rows: tuple[Row, ...]) -> list[str]:
+    """Return the lines that lead to each name, as in a listing of folders."""
+    last_child = {row.parent_row: number for number, row in enumerate(rows)}
+    branches = []
+    for number, row in enumerate(rows):
+        branch, above, below = "", number, row.parent_row
+        while below is not None:
+            is_last = last_child[below] == above
+            piece = ("└─ " if is_last else "├─ ") if above == number else ("   " if is_last else "│  ")
+            branch = piece + branch
+            above, below = below, rows[below].parent_row
+        branches.append(branch)
+    return branches
+
+
+def _name(row: Row) -> str:
+    return row.frame if row.role == "frame" else f"{row.frame} ({row.role})"
+
+
+def _cells(row: Row, now_ns: int | None) -> tuple[str, str, str, str]:
+    """Return kind, rate, age and publishers of a row, each "" where there is nothing to say."""
+    edge = row.edge
+    if edge is None or row.role == "also here":
+        return ("", "", "", "")
+    owners = ", ".join(edge.authorities)
+    if edge.is_static:
+        return ("S", "", "", owners)
+    rate = f"{edge.rate_hz:.1f} Hz" if edge.samples > 1 else "1 sample"
+    age = f"at {format_stamp(edge.newest_ns, 3)} s" if now_ns is None else f"{(now_ns - edge.newest_ns) / 1e9:.3f} s"
+    return ("D", rate, age, owners)
+
+
+# -- as a drawing ---------------------------------------------------------
+
+
+def _sheet(rows: tuple[Row, ...], faults: tuple[Fault, ...], now_ns: int | None, title: str, text: str) -> Sheet:
+    """Lay the tree out: the frames on the left, what is known of each to the right of them, the faults below."""
+    if not rows:
+        return Sheet(260, 60, (Label(130, 30, "no frames yet", QUIET, centred=True),), title, text)
+    cells = [_cells(row, now_ns) for row in rows]
+    depths = _depths(rows)
+    ends = [_left(depth) + _pill_width(row) for depth, row in zip(depths, rows, strict=True)]
+    headings = ("", "rate", "newest stamp" if now_ns is None else "age", "published by")
+    columns = _columns(max(ends) + 30, headings, cells)
+    faulty = {(fault.kind, frame) for fault in faults for frame in fault.frames}
+
+    marks: list[Mark] = [
+        Label(x, MARGIN + 4, heading, QUIET, size=11)
+        for column, (x, heading) in enumerate(zip(columns, headings, strict=True))
+        if any(cell[column] for cell in cells)
+    ]
+    marks += _trunks(rows, depths)
+    for number, (row, depth) in enumerate(zip(rows, depths, strict=True)):
+        marks += _row_marks(row, depth, number, cells[number], columns, faulty)
+    foot = _y(len(rows))
+    sentences = [*(f"! {fault.text}" for fault in faults), LEGEND]
+    for number, sentence in enumerate(sentences):
+        colour = QUIET if sentence == LEGEND else ALARM
+        marks.append(Label(MARGIN, foot + 20 * number, sentence, colour, size=11))
+    widest_owner = max(text_width(cell[3]) for cell in cells)
+    width = max(columns[3] + widest_owner, *(MARGIN + text_width(sentence, 11) for sentence in sentences)) + MARGIN
+    return Sheet(width, foot + 20 * len(sentences) + 6, tuple(marks), title, text)
+
+
+LEGEND = "D dynamic: solid line, valid at its stamps    S static: dashed line, valid at any time"
+
+
+def _row_marks(
+    row: Row,
+    depth: int,
+    number: int,
+    cells: tuple[str, str, str, str],
+    columns: tuple[float, ...],
+    faulty: set[tuple[str, str]],
+) -> Iterator[Mark]:
+    """Yield the branch, the box with the name, the letter and the figures of one row."""
+    x, y = _left(depth), _y(number)
+    kind, rate, age, owners = cells
+    is_repeated = row.role != "frame"
+    is_alarming = is_repeated or any((kind, row.frame) in faulty for kind in ("loop", "parents"))
+    is_alarming |= row.parent_row is None and ("roots", row.frame) in faulty
+    colour = ALARM if is_alarming else style.INK
+    has_two_owners = ("owners", row.frame) in faulty and not is_repeated
+    if row.parent_row is not None:
+        line_style = "dotted" if is_repeated else "dashed" if kind == "S" else "solid"
+        branch_colour = ALARM if is_repeated or has_two_owners else style.INK
+        start = _left(depth - 1) + TRUNK
+        for shift in (-2.5, 2.5) if has_two_owners else (0,):  # two publishers: a doubled line
+            line = ((start, y + shift), (x, y + shift))
+            yield Line(line, branch_colour, style=line_style, arrow=shift == 0)
+    box_style = "dotted" if is_repeated else "solid"
+    yield Box(x, y - PILL / 2, _pill_width(row), PILL, colour, WASH if is_alarming else style.PAPER, box_style)
+    yield Label(x + 10, y, _name(row), colour, bold=row.parent_row is None)
+    if kind:
+        yield Box(columns[0], y - 9, 18, 18, QUIET, style.PAPER, "dashed" if kind == "S" else "solid", corner=9)
+        yield Label(columns[0] + 9, y, kind, style.INK, size=11, bold=True, centred=True)
+    yield from (Label(x, y, cell, style.INK) for x, cell in ((columns[1], rate), (columns[2], age)) if cell)
+    if owners:
+        yield Label(columns[3], y, owners, ALARM if has_two_owners else style.INK, bold=has_two_owners)
+
+
+def _trunks(rows: tuple[Row, ...], depths: list[int]) -> Iterator[Mark]:
+    """Yield, for each parent, the upright line that its children branch off from."""
+    last_child = {row.parent_row: number for number, row in enumerate(rows) if row.parent_row is not None}
+    for parent, last in last_child.items():
+        x = _left(depths[parent]) + TRUNK
+        yield Line(((x, _y(parent) + PILL / 2), (x, _y(last))), QUIET, width=1.2)
+
+
+def _depths(rows: tuple[Row, ...]) -> list[int]:
+    depths: list[int] = []
+    for row in rows:
+        depths.append(0 if row.parent_row is None else depths[row.parent_row] + 1)
+    return depths
+
+
+def _columns(x: float, headings: tuple[str, ...], cells: list[tuple[str, str, str, str]]) -> tuple[float, ...]:
+    """Return where the letter, the rate, the age and the publishers begin; an empty column takes no room."""
+    places = [x, x + 36]
+    for column in (1, 2):
+        width = max(text_width(cell[column]) for cell in cells)
+        places.append(places[-1] + (max(width, text_width(headings[column], 11)) + 18 if width else 0))
+    return tuple(places)
+
+
+def _left(depth: int) -> float:
+    return MARGIN + depth * STEP
+
+
+def _y(number: int) -> float:
+    return MARGIN + 32 + number * ROW
+
+
+def _pill_width(row: Row) -> float:
+    return text_width(_name(row), FONT_SIZE) + 20
