@@ -270,7 +270,8 @@ def _reader(tables: Tables, cache, questions: int):
 def _interpolated(stamps: np.ndarray, moments: np.ndarray, segments) -> tuple[np.ndarray, ...]:
     """Return the pose at each of the moments, all of them within the history."""
     which = np.searchsorted(stamps, moments, side="right") - 1
-    which[: np.searchsorted(moments, stamps[0], side="right")] = 0  # of twins at the old end, the first counts
+    if stamps[0] != stamps[-1]:  # of twins at the old end the first counts, at the new end the last
+        which[: np.searchsorted(moments, stamps[0], side="right")] = 0
     segment = segments(which)
     ratio = (moments - stamps.take(which)) * segment[15]
     turned = ratio * segment[14]

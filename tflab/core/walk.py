@@ -100,8 +100,8 @@ def plan_route(tree: Tree, target: int, source: int) -> Route | None:
     if from_source is None:
         return None
     from_target = _fixed_climb(tree, target, until=source)
-    if from_target is None:
-        return None
+    if from_target is None or (from_source[-1] == target and from_target[-1] == source):
+        return None  # each is above the other: a loop
     met = next((frame for frame in from_target if frame in set(from_source)), None)
     if met is None:
         return None
