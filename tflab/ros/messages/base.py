@@ -29,7 +29,7 @@ import numpy as np
 
 from . import checks
 from .definition import Array, BasicType, Field, NamespacedType, SlotType, UnboundedString, parse_definition, type_text
-from .fields import array_converter, checker, default_maker, numeric_array
+from .fields import array_converter, checker, default_value, numeric_array
 
 __all__ = ["Action", "Message", "Service", "action", "copy_message", "message", "service", "type_named"]
 
@@ -44,42 +44,41 @@ class Message:
 
     ROS_TYPE: ClassVar[str]
     SLOT_TYPES: ClassVar[tuple[SlotType, ...]]
-    _FIELDS: ClassVar[tuple[tuple[str, Callable, Callable], ...]]  # name, put(message, value), default()
-    _WIRE: ClassVar[tuple[tuple[Callable, Callable, type | None, Callable], ...]]  # see copy_message
+    _FIELDS: ClassVar[tuple[tuple[str, str, object, Callable | None], ...]]  # see _add_field
+    _WIRE: ClassVar[tuple[tuple[str, type | None, Callable], ...]]  # see _wire
 
     def __init__(self, **kwargs: object) -> None:
-        check = kwargs.pop("check_fields", None)
-        self._check_fields = checks.field_checks() if check is None else check
+        self._check_fields = kwargs.pop("check_fields", checks.on)
         if kwargs and self._check_fields:
             unknown = sorted(name for name in kwargs if f"_{name}" not in self.__slots__)
             if unknown:
                 raise AssertionError(f"Invalid arguments passed to constructor: {', '.join(unknown)}")
-        for name, put, default in self._FIELDS:
+        for name, slot, zero, fresh in self._FIELDS:
             if name in kwargs:
                 setattr(self, name, kwargs[name])
             else:
-                put(self, default())
+                setattr(self, slot, zero if fresh is None else fresh())
 
     @classmethod
     def get_fields_and_field_types(cls) -> dict[str, str]:
         """Return the name and the type of each field: {'frame_id': 'string', ...}."""
-        return {name: type_text(slot) for (name, _, _), slot in zip(cls._FIELDS, cls.SLOT_TYPES, strict=True)}
+        return {name: type_text(slot) for (name, *_), slot in zip(cls._FIELDS, cls.SLOT_TYPES, strict=True)}
 
     def __repr__(self) -> str:
         package, kind, name = self.ROS_TYPE.split("/")
-        values = (f"{field}={_field_repr(getattr(self, field))}" for field, _, _ in self._FIELDS)
+        values = (f"{field}={_field_repr(getattr(self, field))}" for field, *_ in self._FIELDS)
         return f"{package}.{kind}.{name}({', '.join(values)})"
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, self.__class__):
             return False
-        return all(_equal(getattr(self, name), getattr(other, name)) for name, _, _ in self._FIELDS)
+        return all(_equal(getattr(self, name), getattr(other, name)) for name, *_ in self._FIELDS)
 
     __hash__ = None
 
     def __reduce__(self) -> tuple:
         # By its ROS name, so that deepcopy and pickle work without the face packages.
-        values = {name: getattr(self, name) for name, _, _ in self._FIELDS}
+        values = {name: getattr(self, name) for name, *_ in self._FIELDS}
         return _rebuilt, (self.ROS_TYPE, values, self._check_fields)
 
 
@@ -116,7 +115,7 @@ def message(ros_type: str, definition: str = "") -> type[Message]:
     )
     cls.SLOT_TYPES = tuple(field.slot_type for field in fields)
     cls._FIELDS = tuple(_add_field(cls, field) for field in fields)
-    cls._WIRE = tuple(_wire(cls, field) for field in fields)
+    cls._WIRE = tuple(_wire(field) for field in fields)
     return cls
 
 
@@ -152,10 +151,10 @@ def copy_message(message: Message) -> Message:
             that the checks of the field have.  (ROS 2 aborts the process here.)
     """
     twin = object.__new__(message.__class__)
-    twin._check_fields = checks.field_checks()
-    for get, put, as_is, received in message._WIRE:
-        value = get(message)
-        put(twin, value if value.__class__ is as_is else received(value))
+    twin._check_fields = checks.on
+    for slot, as_is, received in message._WIRE:
+        value = getattr(message, slot)
+        setattr(twin, slot, value if value.__class__ is as_is else received(value))
     return twin
 
 
@@ -185,34 +184,33 @@ def _named_class(ros_type: str, base: type, **members: object) -> type:
     return _types[ros_type]
 
 
-def _add_field(cls: type[Message], field: Field) -> tuple[str, Callable, Callable]:
-    """Give the class the property of a field; return the field's row of `_FIELDS`."""
+def _add_field(cls: type[Message], field: Field) -> tuple[str, str, object, Callable | None]:
+    """Give the class the property of a field; return the field's row: name, slot, default, maker of a fresh default."""
+    slot = f"_{field.name}"
     message_class = _message_class(field.slot_type)
     check = checker(field.name, field.slot_type, message_class)
     pack, packed = array_converter(field.slot_type), numeric_array(field.slot_type)
-    put = cls.__dict__[f"_{field.name}"].__set__
 
     def assign(self: Message, value: object) -> None:
         if self._check_fields:
             check(value)
-        put(self, value)
+        setattr(self, slot, value)
 
     def assign_numbers(self: Message, value: object) -> None:
         if self._check_fields:
             check(value)
             if isinstance(value, packed):  # kept, not copied; unchecked messages copy
-                put(self, value)
+                setattr(self, slot, value)
                 return
-        put(self, pack(value))
+        setattr(self, slot, pack(value))
 
     setter = assign if pack is None else assign_numbers
-    setattr(cls, field.name, property(attrgetter(f"_{field.name}"), setter, doc=f"Message field '{field.name}'."))
-    return field.name, put, default_maker(field, message_class)
+    setattr(cls, field.name, property(attrgetter(slot), setter, doc=f"Message field '{field.name}'."))
+    return field.name, slot, *default_value(field, message_class)
 
 
-def _wire(cls: type[Message], field: Field) -> tuple[Callable, Callable, type | None, Callable]:
-    """Return how a field travels: get(message), put(message, value), the class that goes as it is, received(value)."""
-    get, put = attrgetter(f"_{field.name}"), cls.__dict__[f"_{field.name}"].__set__
+def _wire(field: Field) -> tuple[str, type | None, Callable]:
+    """Return how a field travels: its slot, the class of value that goes as it is, and received(value) for others."""
     slot_type = field.slot_type
     check = checker(field.name, slot_type, _message_class(slot_type))
     as_is = {BasicType("double"): float, BasicType("boolean"): bool, UnboundedString(): str}.get(slot_type)
@@ -222,7 +220,7 @@ def _wire(cls: type[Message], field: Field) -> tuple[Callable, Callable, type | 
         check(value)
         return plain(value)
 
-    return get, put, as_is, received
+    return f"_{field.name}", as_is, received
 
 
 def _plain_value(slot_type: SlotType) -> Callable[[object], object]:
@@ -266,8 +264,8 @@ def _rebuilt(ros_type: str, values: dict[str, object], check_fields: bool) -> Me
     cls = type_named(ros_type)
     twin = object.__new__(cls)
     twin._check_fields = check_fields
-    for name, put, _ in cls._FIELDS:
-        put(twin, values[name])
+    for name, slot, *_ in cls._FIELDS:
+        setattr(twin, slot, values[name])
     return twin
 
 

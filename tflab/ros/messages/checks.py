@@ -15,15 +15,15 @@ from .. import distro
 
 __all__ = ["field_checks", "set_field_checks"]
 
-_on = distro.checks_fields()
+on = distro.checks_fields()  # for reading; set_field_checks() changes it
 
 
 def field_checks() -> bool:
     """Return whether a new message checks the types of its fields."""
-    return _on
+    return on
 
 
-def set_field_checks(on: bool | None) -> None:
+def set_field_checks(value: bool | None) -> None:
     """Turn the checks of new messages on or off; None goes back to what distribution and environment say."""
-    global _on
-    _on = distro.checks_fields() if on is None else on
+    global on
+    on = distro.checks_fields() if value is None else value

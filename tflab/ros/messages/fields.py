@@ -32,7 +32,7 @@ from .definition import (
     UnboundedString,
 )
 
-__all__ = ["array_converter", "checker", "default_maker", "numeric_array"]
+__all__ = ["array_converter", "checker", "default_value", "numeric_array"]
 
 Check = Callable[[object], None]
 
@@ -53,22 +53,23 @@ _NUMBERS = {
 _FLOAT_BOUNDS = {"float": 3.402823466e38, "double": 1.7976931348623157e308}
 
 
-def default_maker(field: Field, message_class: type | None) -> Callable[[], object]:
-    """Return a function that makes a fresh default value of the field; `message_class` is that of a sub-message."""
-    default, slot_type = field.default, field.slot_type
-    if default is not None:
-        return lambda: default
-    match slot_type:
+def default_value(field: Field, message_class: type | None) -> tuple[object, Callable[[], object] | None]:
+    """Return the default of a field: (value, None), or (None, maker) where each message needs a value of its own.
+
+    `message_class` is that of a sub-message.
+    """
+    match field.slot_type:
         case Array(BasicType(typename), size) if typename in _NUMBERS:
-            return lambda: np.zeros(size, dtype=_NUMBERS[typename][1])
+            return None, lambda: np.zeros(size, dtype=_NUMBERS[typename][1])
         case UnboundedSequence(BasicType(typename)) | BoundedSequence(BasicType(typename)) if typename in _NUMBERS:
-            return lambda: array(_NUMBERS[typename][0])
+            return None, lambda: array(_NUMBERS[typename][0])
         case UnboundedSequence() | BoundedSequence():
-            return list
+            return None, list
         case NamespacedType():
-            return message_class
-    zero = b"\x00" if slot_type == BasicType("octet") else _python_type(slot_type, message_class)()
-    return lambda: zero
+            return None, message_class
+        case BasicType("octet"):
+            return b"\x00", None
+    return (_python_type(field.slot_type, None)() if field.default is None else field.default), None
 
 
 def array_converter(slot_type: SlotType) -> Callable[[object], object] | None:
@@ -77,7 +78,7 @@ def array_converter(slot_type: SlotType) -> Callable[[object], object] | None:
         case Array(BasicType(typename)) if typename in _NUMBERS:
             return lambda value: np.array(value, dtype=_NUMBERS[typename][1])
         case UnboundedSequence(BasicType(typename)) | BoundedSequence(BasicType(typename)) if typename in _NUMBERS:
-            return lambda value: array(_NUMBERS[typename][0], value)
+            return lambda value: _packed_sequence(value, *_NUMBERS[typename])
     return None
 
 
@@ -112,6 +113,15 @@ def checker(name: str, slot_type: SlotType, message_class: type | None) -> Check
     return _instance_checker(python_type, f"The '{name}' field must be of type '{python_type.__name__}'")
 
 
+def _packed_sequence(value: object, code: str, dtype: type) -> array:
+    if isinstance(value, np.ndarray) and value.dtype == dtype:
+        value = value.tobytes()  # a million points as one block, not one by one
+        packed = array(code)
+        packed.frombytes(value)
+        return packed
+    return array(code, value)
+
+
 def _instance_checker(python_type: type, text: str) -> Check:
     def check(value: object) -> None:
         if not isinstance(value, python_type):
@@ -136,7 +146,7 @@ def _number_checker(name: str, typename: str) -> Check:
     def check(value: object) -> None:
         if not isinstance(value, python_type):
             raise AssertionError(f"The '{name}' field must be of type '{python_type.__name__}'")
-        if not _within(value, low, high):
+        if not low <= value <= high and _is_finite(value):
             raise AssertionError(f"The '{name}' field must be {kind} in [{low}, {high}]")
 
     return check
@@ -160,7 +170,7 @@ def _sequence_checker(
             or isinstance(value, (str, UserString))
             or not _length_fits(slot_type, len(value))
             or not all(isinstance(item, python_type) for item in value)
-            or not (bounds is None or all(_within(item, *bounds) for item in value))
+            or not (bounds is None or all(bounds[0] <= item <= bounds[1] or not _is_finite(item) for item in value))
         ):
             raise AssertionError(text)
 
@@ -234,9 +244,9 @@ def _bounds(typename: str) -> tuple[float, float] | tuple[int, int]:
     return int(info.min), int(info.max)
 
 
-def _within(value: float, low: float, high: float) -> bool:
-    """Tell whether a number fits; infinities and nan are numbers too."""
-    return not (value < low or value > high) or math.isinf(value)
+def _is_finite(value: float) -> bool:
+    """Tell a number that may be out of bounds from infinity and nan, which fit any float field."""
+    return isinstance(value, int) or math.isfinite(value)
 
 
 def _integer_kind(typename: str) -> str:
