@@ -45,6 +45,7 @@ class RobotArtists:
         self.faces = PolyCollection([], facecolors=style.PAPER, edgecolors=colour, linestyles=[line], linewidths=1.3)
         self.faces.set_zorder(5)
         ax.add_collection(self.faces, autolim=False)
+        self.artists = [self.faces]
 
     def move(self, pose: Transform) -> None:
         """Draw the robot at `pose`, which is in the drawing's own frame."""
@@ -62,6 +63,7 @@ class PostArtists:
         (self.pole,) = ax.plot([], [], color=colour, linewidth=2.0, linestyle=line, zorder=20)
         (self.top,) = ax.plot([], [], color=colour, linestyle="none", marker="o", markersize=9, markeredgewidth=1.6,
                               markerfacecolor=style.PAPER if is_ghost else colour, zorder=21)  # fmt: skip
+        self.artists = [self.pole, self.top]
 
     def move(self, foot: Sequence[float]) -> None:
         """Draw the post on the ground at `foot` (x, y, z) [m]."""

@@ -217,6 +217,12 @@ def clear_paper(ax: Axes) -> Axes:
     return ax
 
 
+def write_caption(ax: Axes, text: str) -> None:
+    """Write in small grey what `ax` shows, in its upper left corner."""
+    paper = {"facecolor": style.PAPER, "edgecolor": "none", "pad": 2.0}
+    ax.text(0.0, 1.0, text, transform=ax.transAxes, va="top", color=style.GREY, fontsize=style.SMALL_PT, bbox=paper)
+
+
 def show_all(ax: Axes, on_paper: np.ndarray, margin_m: float) -> None:
     """Choose the limits of `ax` so that points on paper, shape (n, 2) [m], fill its box with a margin."""
     low, high = on_paper.min(axis=0) - margin_m, on_paper.max(axis=0) + margin_m

@@ -31,7 +31,7 @@ from tflab.core.quaternions import Vector3
 from . import style
 from .bodies import OUTLINE, PostArtists, RobotArtists
 from .eye import FROM_ABOVE, Eye, eye_at
-from .frames import clear_paper, draw_ground, show_all
+from .frames import clear_paper, draw_ground, show_all, write_caption
 from .labels import Label, place_labels
 from .picture import Picture
 
@@ -137,22 +137,21 @@ class LatencyPicture(Picture):
             self._views = [_Field(above, FROM_ABOVE, has_names=True), _Field(slant, ASIDE, has_names=False)]
             self._close = _Triangle(close)
             for ax, caption in ((above, "from above, grid of 1 m"), (slant, "in 3D"), (close, "the error, enlarged")):
-                ax.text(
-                    0.0,
-                    1.0,
-                    caption,
-                    transform=ax.transAxes,
-                    va="top",
-                    color=style.GREY,
-                    fontsize=style.SMALL_PT,
-                    bbox={"facecolor": style.PAPER, "edgecolor": "none", "pad": 2.0},
-                )
+                write_caption(ax, caption)
+        self.moving = [artist for part in (*self._views, self._close) for artist in part.artists]
+        self._extent = ()
 
     def show(self, sight: Sight) -> LatencyPicture:
         """Draw this sight, and return the picture."""
         error = latency_error(sight)
+        # whole metres, so that the ground stays where it is while a slider moves a little
+        extent = (math.ceil(max(sight.range_m, error.drawn_at[0], 7.0)), max(math.ceil(abs(error.drawn_at[1])), 1))
+        if extent != self._extent:
+            self._extent = extent
+            self.redraw_all()
         with style.our_settings():
             for view in self._views:
+                view.look_at(*extent)
                 view.show(sight, error)
             self._close.show(error)
         self.text = describe_latency(sight)
@@ -176,6 +175,18 @@ class _Field:
         colours = (style.INK, style.GREY, style.INK, style.ACCENT)
         self.labels = [Label(ax, name, colour) for name, colour in zip(names, colours, strict=False)]
 
+    @property
+    def artists(self) -> list:
+        """Everything that moves."""
+        bodies = (self.robot_then, self.robot_now, self.truth, self.wrong)
+        parts = [artist for body in bodies for artist in body.artists]
+        return [*parts, self.sight_then, self.sight_now, *(label.text for label in self.labels)]
+
+    def look_at(self, ahead_m: float, aside_m: float) -> None:
+        """Choose the limits: `ahead_m` forwards, and `aside_m` to either side [m]."""
+        corners = [(x, y, 0.0) for x in (-1.0, ahead_m) for y in (-aside_m, aside_m)]
+        show_all(self.ax, self.eye.on_paper(corners), margin_m=0.5)
+
     def show(self, sight: Sight, error: LatencyError) -> None:
         then_T_now = drive(sight.speed_mps, sight.yaw_rate_radps, sight.delay_ns)
         start, goal = (0.0, 0.0, 0.0), (sight.range_m, 0.0, 0.0)
@@ -186,8 +197,6 @@ class _Field:
         places = self.eye.on_paper((start, then_T_now.translation, goal, error.drawn_at))
         self.sight_then.set_data(*places[[0, 2]].T)
         self.sight_now.set_data(*places[[1, 3]].T)
-        corners = [(-1.0, -1.2, 0.0), (-1.0, 1.2, 0.0), (7.0, -1.2, 0.0), (7.0, 1.2, 0.0)]
-        show_all(self.ax, self.eye.on_paper((*corners, goal, error.drawn_at)), margin_m=0.4)
         tail, *_, nose = ROBOT_SCALE * OUTLINE[[0, 1, 2]]
         anchors = (tail, then_T_now.apply((*nose, 0.0))[:2], *places[2:])
         lines = [places[[0, 2]], places[[1, 3]], *self._outline(Transform()), *self._outline(then_T_now)]
@@ -218,6 +227,11 @@ class _Triangle:
             ax.annotate("", (0, 0), (0, 0), textcoords="offset points", color=colour, ha=ha, linespacing=1.3)
             for colour, ha in ((style.GREY, "center"), (style.GREY, "left"), (style.ACCENT, "right"))
         ]
+
+    @property
+    def artists(self) -> list:
+        """Everything that moves."""
+        return [*self.legs, self.across, self.truth, self.wrong, *self.names]
 
     def show(self, error: LatencyError) -> None:
         corner, top = (error.forwards_m, 0.0), (error.forwards_m, error.sideways_m)

@@ -15,10 +15,14 @@ Read `eye.py` next.
 from __future__ import annotations
 
 from io import BytesIO
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from . import style
+
+if TYPE_CHECKING:
+    from matplotlib.artist import Artist
 
 
 class Picture:
@@ -27,11 +31,15 @@ class Picture:
     Attributes:
         figure: the matplotlib figure.
         text: what it shows, in words.
+        moving: the artists that a view moves; the others stand still and, while a slider
+            is dragged, are drawn only once.
     """
 
     def __init__(self, size_inch: tuple[float, float] = style.WIDE) -> None:
         self.figure = style.figure(size_inch)
         self.text = ""
+        self.moving: list[Artist] = []
+        self._still = None  # the pixels of what stands still
 
     @property
     def size_px(self) -> tuple[int, int]:
@@ -41,19 +49,42 @@ class Picture:
 
     def png(self, dpi: int = style.PRINT_DPI) -> bytes:
         """Return the picture as a PNG of at most 256 colours: small, and the same bytes every time."""
-        return self._png(dpi, compress_level=9)
+        self.redraw_all()
+        self.figure.set_dpi(dpi)
+        with style.our_settings():
+            self.figure.canvas.draw()
+        return self._encoded(compress_level=9)
 
     def live_png(self) -> bytes:
         """Return the picture as a PNG that is made quickly, for a slider to redraw."""
-        return self._png(style.LIVE_DPI, compress_level=1)
+        canvas = self.figure.canvas
+        with style.our_settings():
+            if self._still is None:
+                self._still = self._draw_still()
+            canvas.restore_region(self._still)
+            for artist in sorted(self.moving, key=lambda artist: artist.get_zorder()):
+                artist.draw(canvas.get_renderer())
+        return self._encoded(compress_level=1)
 
-    def _png(self, dpi: int, compress_level: int) -> bytes:
+    def redraw_all(self) -> None:
+        """Forget what stands still; to be called when it changes, or when limits do."""
+        self._still = None
+
+    def _draw_still(self):
+        """Draw everything but what moves, and return the pixels."""
+        self.figure.set_dpi(style.LIVE_DPI)
+        for artist in self.moving:
+            artist.set_animated(True)
+        self.figure.canvas.draw()
+        for artist in self.moving:
+            artist.set_animated(False)
+        return self.figure.canvas.copy_from_bbox(self.figure.bbox)
+
+    def _encoded(self, compress_level: int) -> bytes:
+        """Return what the canvas holds now as a PNG."""
         from PIL import Image
 
-        with style.our_settings():
-            self.figure.set_dpi(dpi)
-            self.figure.canvas.draw()
-            image = Image.fromarray(np.asarray(self.figure.canvas.buffer_rgba()))
+        image = Image.fromarray(np.asarray(self.figure.canvas.buffer_rgba()))
         image = image.quantize(256, method=Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE)
         out = BytesIO()
         image.save(out, format="PNG", compress_level=compress_level)

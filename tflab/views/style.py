@@ -37,7 +37,7 @@ GREY = "#63696F"  # second thoughts: units, captions
 FAINT = "#B9BEC4"  # guides
 HAIR = "#E4E6E9"  # grids, borders
 PAPER = "#FDFDFB"  # the card
-SHADE = "#F1F2F0"  # a quiet area on the card
+SHADE = "#EAECE8"  # a quiet area on the card
 
 WIDE = (7.6, 3.8)  # [inch], 100 screen pixels each
 TALL = (7.6, 5.2)
