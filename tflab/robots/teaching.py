@@ -1,0 +1,245 @@
+"""Which robot do we look at all through the book?  One with two wheels, four sensors and an arm.
+
+    map --localization--> odom --wheel_odometry--> base_footprint --robot_state_publisher--> base_link
+                                                                     laser_frame, camera_link, imu_link,
+                                                                     wheels, shoulder ... tool0 -> tcp
+
+A TeachingRobot is a pure simulation: ask it for a moment, and it answers from that
+moment alone, with no clock, no thread and no ROS.  Three ways to use it:
+
+    robot.buffer(until_s=20.0)     a BufferCore, as a listener would have filled it
+    robot.records(until_s=20.0)    every transform as it arrived, for bags and the doctor
+    robot.readings(until_s=20.0)   what the sensors said meanwhile
+
+`nodes.py` runs the same robot on ROS, one node for each source.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from importlib.resources import files
+from typing import NamedTuple
+
+import numpy as np
+
+from tflab.core import NSEC_PER_SEC, BufferCore, StampedTransform, Transform, seconds
+from tflab.core.quaternions import Vector3
+from tflab.core.records import TransformRecord
+
+from .kinematics import joint_transform, link_poses
+from .localization import Localizer
+from .motion import Drive
+from .odometry import WheelOdometry
+from .readings import JointReading, OdometryReading, Reading
+from .sensors import Camera, Imu, Laser
+from .urdf import parse_urdf
+from .world import BALL, ROOM, Room
+
+__all__ = ["SOURCES", "Source", "TeachingRobot", "teaching_urdf"]
+
+
+class Source(NamedTuple):
+    """One node that speaks: how often [Hz], and how long after its stamp it is heard.
+
+    Attributes:
+        delay_s: processing, the same for every message [s].
+        jitter_s: the network adds between nothing and this [s].
+    """
+
+    publisher: str
+    rate_hz: float
+    delay_s: float
+    jitter_s: float
+
+
+SOURCES: dict[str, Source] = {
+    "odometry": Source("wheel_odometry", 20.0, 0.004, 0.002),
+    "localization": Source("localization", 10.0, 0.010, 0.004),
+    "joints": Source("joint_driver", 20.0, 0.002, 0.001),
+    "robot_state": Source("robot_state_publisher", 20.0, 0.004, 0.002),
+    "laser": Source("laser_driver", 10.0, 0.105, 0.004),  # a sweep takes 0.1 s
+    "camera": Source("object_detector", 5.0, 0.200, 0.010),  # finding things takes time
+    "imu": Source("imu_driver", 50.0, 0.002, 0.001),
+}
+
+
+def teaching_urdf() -> str:
+    """Return the robot's URDF, as /robot_description holds it."""
+    return (files("tflab.robots") / "data" / "tf_lab_robot.urdf").read_text(encoding="utf-8")
+
+
+class TeachingRobot:
+    """The robot of the workbook.
+
+    Args:
+        drive: where it goes; laps around a pillar if None.
+        room: what its laser sees.
+        ball: what its camera looks for, in map [m].
+        sources: how its nodes speak, by the keys of SOURCES; those left out are as in SOURCES.
+        prefix: goes before every frame but `map`, and before topics and nodes: "robot1/".
+        bias, slip: errors of the wheels; see WheelOdometry.
+        correction_period_s: time between two corrections of the localiser [s].
+        seed: of everything that happens by chance.
+    """
+
+    def __init__(
+        self,
+        drive: Drive | None = None,
+        *,
+        room: Room = ROOM,
+        ball: Vector3 = BALL,
+        sources: Mapping[str, Source] | None = None,
+        prefix: str = "",
+        bias: float = 0.002,
+        slip: float = 0.003,
+        correction_period_s: float = 2.0,
+        seed: int = 0,
+    ) -> None:
+        self.urdf = teaching_urdf()
+        self.model = parse_urdf(self.urdf, source="tf_lab_robot.urdf")
+        self.drive = drive or Drive()
+        self.prefix, self.seed = prefix, seed
+        for key in sources or {}:
+            if key not in SOURCES:
+                raise ValueError(f"no source {key!r}; the robot has {', '.join(SOURCES)}")
+        self.sources = {**SOURCES, **(sources or {})}
+        self.odometry = WheelOdometry(self.drive, bias, slip, seed)
+        self.localizer = Localizer(self.drive, self.odometry, correction_period_s, seed=seed)
+        mounts = link_poses(self.model)
+        self.laser = Laser(self.drive, room, mounts["laser_frame"], self.frame("laser_frame"), seed=seed)
+        self.camera = Camera(
+            self.drive, room, mounts["camera_optical_frame"], ball, self.frame("camera_optical_frame"), seed=seed
+        )
+        self.imu = Imu(self.drive, mounts["imu_link"], self.frame("imu_link"), seed=seed)
+
+    def frame(self, name: str) -> str:
+        """Return the full name of a frame; `map` is shared, the others carry the prefix."""
+        return name if name == "map" else self.prefix + name
+
+    # -- one moment ---------------------------------------------------------
+
+    def joint_positions_at(self, stamp_ns: int) -> dict[str, float]:
+        """Return where the joints are [rad]; the arm waves, and keeps within its limits."""
+        elapsed_s = (stamp_ns - self.drive.start_ns) / NSEC_PER_SEC
+        left, right = self.odometry.wheel_angles_at(stamp_ns)
+        return {
+            "shoulder_joint": 0.6 * math.sin(2.0 * math.pi * elapsed_s / 8.0),
+            "elbow_joint": -0.5 + 0.4 * math.sin(2.0 * math.pi * elapsed_s / 6.0),
+            "wrist_joint": 0.3 * math.sin(2.0 * math.pi * elapsed_s / 4.0),
+            "left_wheel_joint": left,
+            "right_wheel_joint": right,
+        }
+
+    def truth_at(self, stamp_ns: int) -> dict[str, Transform]:
+        """Return where every link truly is: `map_T_link`, by its name in the URDF."""
+        map_T_base = self.drive.pose_at(stamp_ns).transform()
+        poses = link_poses(self.model, self.joint_positions_at(stamp_ns))
+        return {link: map_T_base @ base_T_link for link, base_T_link in poses.items()}
+
+    def map_to_odom_at(self, stamp_ns: int) -> StampedTransform:
+        """Return what the localiser publishes."""
+        pose = self.localizer.map_T_odom_at(stamp_ns).transform()
+        return StampedTransform("map", self.frame("odom"), stamp_ns, pose)
+
+    def odom_to_base_at(self, stamp_ns: int) -> StampedTransform:
+        """Return what the wheel odometry publishes."""
+        pose = self.odometry.pose_at(stamp_ns).transform()
+        return StampedTransform(self.frame("odom"), self.frame("base_footprint"), stamp_ns, pose)
+
+    def joints_at(self, stamp_ns: int) -> list[StampedTransform]:
+        """Return what robot_state_publisher makes of the joint positions, in the order of joint names."""
+        positions = self.joint_positions_at(stamp_ns)
+        moving = sorted(self.model.moving_joints, key=lambda joint: joint.name)
+        return [self._joint(joint, positions[joint.name], stamp_ns) for joint in moving]
+
+    def mounts(self, stamp_ns: int) -> list[StampedTransform]:
+        """Return the static transforms: the fixed joints, in the order of joint names."""
+        fixed = sorted((j for j in self.model.joints if j.type == "fixed"), key=lambda joint: joint.name)
+        return [self._joint(joint, None, stamp_ns) for joint in fixed]
+
+    def odometry_at(self, stamp_ns: int) -> OdometryReading:
+        """Return the wheel odometry as a message has it."""
+        base = self.odom_to_base_at(stamp_ns)
+        speed, yaw_rate = self.odometry.twist_at(stamp_ns)
+        return OdometryReading(stamp_ns, base.frame_id, base.child_frame_id, base.transform, speed, yaw_rate)
+
+    def joint_reading_at(self, stamp_ns: int) -> JointReading:
+        """Return the joint positions as a message has them."""
+        positions = self.joint_positions_at(stamp_ns)
+        return JointReading(stamp_ns, tuple(positions), tuple(positions.values()))
+
+    def _joint(self, joint, position: float | None, stamp_ns: int) -> StampedTransform:
+        transform = joint_transform(joint, position)
+        return StampedTransform(self.frame(joint.parent), self.frame(joint.child), stamp_ns, transform)
+
+    # -- a stretch of time --------------------------------------------------
+
+    def records(self, until_s: float) -> list[TransformRecord]:
+        """Return every transform heard before `until_s` [s], in the order of arrival.  The clock begins at 1 s."""
+        start_ns = self.drive.start_ns
+        source = self.sources["robot_state"]
+        heard_ns = start_ns + seconds(source.delay_s)
+        topic, owner = self._topic("tf_static"), self._node(source)
+        records = [TransformRecord(topic, heard_ns, owner, mount, True) for mount in self.mounts(start_ns)]
+        tellers = {
+            "localization": lambda stamp_ns: [self.map_to_odom_at(stamp_ns)],
+            "odometry": lambda stamp_ns: [self.odom_to_base_at(stamp_ns)],
+            "robot_state": self.joints_at,
+        }
+        for key, tell in tellers.items():
+            owner = self._node(self.sources[key])
+            for stamp_ns, heard_ns in self._times(key, until_s):
+                records += [TransformRecord(self._topic("tf"), heard_ns, owner, t, False) for t in tell(stamp_ns)]
+        records.sort(key=_heard)
+        return records
+
+    def readings(self, until_s: float) -> list[Reading]:
+        """Return every sensor message heard before `until_s` [s], in the order of arrival."""
+        tellers = {
+            "joints": ("joint_states", self.joint_reading_at),
+            "odometry": ("odom", self.odometry_at),
+            "laser": ("scan", self.laser.scan_at),
+            "camera": ("detected_point", self.camera.detection_at),
+            "imu": ("imu", self.imu.reading_at),
+        }
+        readings = []
+        for key, (topic, tell) in tellers.items():
+            topic, owner = self._topic(topic), self._node(self.sources[key])
+            for stamp_ns, heard_ns in self._times(key, until_s):
+                value = tell(stamp_ns)
+                if value is not None:
+                    readings.append(Reading(topic, heard_ns, owner, value))
+        readings.sort(key=_heard)
+        return readings
+
+    def buffer(self, until_s: float, cache_time_s: float = 10.0) -> BufferCore:
+        """Return a buffer that has heard everything before `until_s` [s]; authorities are the publishers."""
+        buffer = BufferCore(seconds(cache_time_s))
+        for record in self.records(until_s):
+            buffer.set_transform(record.stamped, record.publisher, record.is_static)
+        return buffer
+
+    def _times(self, key: str, until_s: float) -> Iterator[tuple[int, int]]:
+        """Yield (stamp_ns, receive_ns) of each message of a source that is heard before `until_s`."""
+        source = self.sources[key]
+        period_ns, until_ns = seconds(1.0 / source.rate_hz), seconds(until_s)
+        chance = np.random.default_rng([self.seed, list(SOURCES).index(key)])
+        stamp_ns = self.drive.start_ns
+        while True:
+            heard_ns = stamp_ns + seconds(source.delay_s + source.jitter_s * chance.random())
+            if heard_ns >= until_ns:
+                return
+            yield stamp_ns, heard_ns
+            stamp_ns += period_ns
+
+    def _topic(self, name: str) -> str:
+        # TF topics are global: every robot's frames are in one tree.
+        return f"/{name}" if name in ("tf", "tf_static") else f"/{self.prefix}{name}"
+
+    def _node(self, source: Source) -> str:
+        return f"/{self.prefix}{source.publisher}"
+
+
+def _heard(thing: TransformRecord | Reading) -> int:
+    return thing.receive_ns
