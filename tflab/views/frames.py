@@ -32,11 +32,12 @@ from .labels import Label, place_labels
 from .picture import Picture
 
 if TYPE_CHECKING:
+    from matplotlib.artist import Artist
     from matplotlib.axes import Axes
     from matplotlib.path import Path as MarkerPath
 
 FLAT = 0.2  # an axis shorter than this part of its length is seen end-on
-HEAD_LENGTH, HEAD_WIDTH = 0.17, 0.11  # parts of an axis's length
+HEAD_LENGTH, HEAD_WIDTH = 0.16, 0.1  # parts of an axis's length
 LETTER_PT = 11.0
 
 
@@ -58,7 +59,8 @@ class AxisArtists:
         self.sign = Line2D([], [], color=colour, markersize=3.5, markeredgewidth=1.4, linestyle="none")
         self.letter = Line2D([], [], color=colour, marker=_letter(axis), markersize=_height_pt(axis),
                              markeredgewidth=0.0, linestyle="none", gid=axis)  # fmt: skip
-        for artist in (self.shaft, self.head, self.ring, self.sign, self.letter):
+        self.artists = [self.shaft, self.head, self.ring, self.sign, self.letter]
+        for artist in self.artists:
             ax.add_artist(artist)
 
     def move(self, origin: np.ndarray, tip: np.ndarray, towards_eye: bool, length_m: float, nearness: float) -> None:
@@ -70,8 +72,8 @@ class AxisArtists:
             artist.set_visible(not is_flat)
         for artist in (self.ring, self.sign):
             artist.set_visible(is_flat)
-        for rank, artist in enumerate((self.shaft, self.head, self.ring, self.sign, self.letter)):
-            artist.set_zorder(10 + nearness + 0.001 * rank)
+        for rank, artist in enumerate(self.artists):
+            artist.set_zorder((12 if is_flat else 10) + nearness + 0.001 * rank)
         if is_flat:
             self.ring.set_data([origin[0]], [origin[1]])
             self.sign.set_data([origin[0]], [origin[1]])
@@ -103,6 +105,11 @@ class FrameArtists:
         self.axes = {axis: AxisArtists(axis, ax, is_ghost) for axis in style.AXES}
         self.label = Label(ax, name, colour=style.GREY if is_ghost else style.INK, is_italic=is_ghost)
 
+    @property
+    def artists(self) -> list[Artist]:
+        """Everything that `move` moves."""
+        return [*(artist for axis in self.axes.values() for artist in axis.artists), self.label.text]
+
     def move(self, pose: Transform) -> None:
         """Draw the frame at `pose`, which is in the drawing's own frame."""
         matrix = pose.matrix()
@@ -127,6 +134,7 @@ class PointArtists:
                                markerfacecolor=style.PAPER if is_ghost else colour, markeredgewidth=1.4,
                                zorder=60)  # fmt: skip
         self.label = Label(ax, name, colour=colour, is_italic=is_ghost)
+        self.artists = [self.mark, self.label.text]
 
     def move(self, point: Sequence[float]) -> None:
         """Draw the mark at `point` (x, y, z) [m]."""
@@ -147,6 +155,7 @@ class ArrowArtists:
                                      shrinkA=4, shrinkB=4, connectionstyle=f"arc3,rad={curve}")  # fmt: skip
         ax.add_patch(self.arrow)
         self.label = Label(ax, label, colour=colour)
+        self.artists = [self.arrow, self.label.text]
 
     def move(self, tail: Sequence[float], head: Sequence[float]) -> None:
         """Draw from `tail` to `head`, both (x, y, z) [m]."""

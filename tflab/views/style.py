@@ -18,7 +18,7 @@ The colours are those of Okabe and Ito.  Read `picture.py` next.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
@@ -120,6 +120,11 @@ def figure(size_inch: tuple[float, float] = WIDE) -> Figure:
         )  # fmt: skip
         fig.add_artist(card)
     return fig
+
+
+def room_px(names: Iterable[str], at_least_px: int = 110) -> int:
+    """Return how much room the longest of these names takes left of a row [screen pixels]."""
+    return max(at_least_px, *(30 + 7 * len(name) for name in names))
 
 
 def fmt(value: float, unit: str = "m", digits: int = 3) -> str:

@@ -29,7 +29,7 @@ from .picture import Picture
 Ask = Callable[[str, str, int], StampedTransform]
 
 TEXT_COLUMNS = 48  # how wide a lane is in words
-NAME_PX, RIGHT_PX = 190, 24  # what stands left and right of a lane
+RIGHT_PX = 24  # what stands right of a lane
 LANE_PX, TOP_PX, ANSWER_PX = 34, 30, 128
 QUERY_ROW = -0.75  # above the lanes
 MOST_MARKS = 120  # a lane with more samples is drawn as a band
@@ -195,8 +195,9 @@ class TimelinePicture(Picture):
         width_px = style.WIDE[0] * style.SCREEN_DPI
         super().__init__((style.WIDE[0], height_px / style.SCREEN_DPI))
         lanes_px = height_px - TOP_PX - ANSWER_PX
+        name_px = style.room_px(lane.name for lane in timeline.lanes)
         with style.our_settings():
-            box = (NAME_PX / width_px, ANSWER_PX / height_px, 1 - (NAME_PX + RIGHT_PX) / width_px, lanes_px / height_px)
+            box = (name_px / width_px, ANSWER_PX / height_px, 1 - (name_px + RIGHT_PX) / width_px, lanes_px / height_px)
             self.ax = self.figure.add_axes(box)
             self._draw_lanes()
             self._draw_query()
