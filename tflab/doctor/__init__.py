@@ -1,0 +1,20 @@
+"""What is wrong with this TF?  The lecture's order of questions, asked of a recording, a graph or a buffer.
+
+    findings     what the doctor says
+    evidence     what there is to judge
+    motion       steps, jumps, and two stories told at once
+    names        1  are the names right?
+    tree         2  is it one tree?
+    values       3  are the numbers transforms?
+    timing       4  is it there in time?
+    clocks       5  whose clock is it?
+    owners       6  who says so?
+    statics      7  is what is fixed published as fixed?
+    diagnose     all of them, and causes apart from effects
+    texts        the sentences
+    report_text, report_html    the report
+    doctor       the door: doctor(recording | graph | buffer)
+    command      `tflab doctor BAG`
+
+Start with `findings.py`.
+"""

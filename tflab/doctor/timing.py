@@ -1,0 +1,220 @@
+"""Is it there in time?  Step 4 of the lecture's order: stamps in order, no gaps, no delay.
+
+    o--o--o--o--o--o          as it should be
+    o--o--o        o--o       a gap: no lookup in there, and a straight line across
+    o--o==o--o                the same stamp twice
+    o--o-----o                one came late: tf2 sorts it in, if it is not too old
+           `--o
+
+If *every* edge is silent at once, it is not the edges: the recorder, the network
+or the computer stood still, and that is one event.  Read `owners.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from tflab.core import NSEC_PER_SEC
+
+from .evidence import Edge, Evidence
+from .findings import Finding
+from .motion import clock_jumps, distances, segments, unit
+
+__all__ = ["gaps", "odd_delays", "repeated_stamps", "unordered_stamps", "unset_stamps"]
+
+LEAST_GAP_S = 0.25
+GAP_PERIODS = 5.0  # a gap is longer than so many usual steps ...
+GAP_HABITS = 3.0  # ... and than so many of the longer steps of an irregular edge
+FEWEST_SAMPLES = 8
+FEWEST_REPEATED = 3  # stamps, before it is more than a slip
+LATE_S = 0.1  # more than the others: at 1 m/s an error of 10 cm
+EARLY_S = 0.05
+TOLERANCE_S = 3.0  # how far ahead a localiser may stamp map -> odom (AMCL's transform_tolerance, 1 s at the most)
+
+
+class Silence(NamedTuple):
+    """An edge said nothing between two moments of receipt [ns]; it never spoke again if `is_last`."""
+
+    edge: Edge
+    begin_ns: int
+    end_ns: int
+    is_last: bool
+
+
+def repeated_stamps(evidence: Evidence) -> Iterator[Finding]:
+    """Yield a finding for each moving edge with several samples of one stamp."""
+    for edge in evidence.moving:
+        repeats = []
+        for stretch in segments(edge, clock_jumps(edge) if evidence.has_arrival else []):
+            stamps = edge.stamp_ns[stretch]
+            order = np.argsort(stamps, kind="stable")
+            again = order[1:][np.diff(stamps[order]) == 0]
+            repeats.extend((stretch.start + again).tolist())
+        if not repeats or not edge.stamp_ns.any():
+            continue
+        repeats.sort()
+        severity = "warning" if len(repeats) >= FEWEST_REPEATED else "info"
+        facts = {"count": len(repeats), "total": len(edge), "values": _values_of_repeats(edge, repeats)}
+        yield _finding(edge, "repeated-stamps", severity, repeats[0], repeats[-1], facts)
+
+
+def unordered_stamps(evidence: Evidence) -> Iterator[Finding]:
+    """Yield a finding for each moving edge whose samples did not arrive in the order of their stamps."""
+    for edge in evidence.moving:
+        back_s = []
+        where = []
+        for stretch in segments(edge, clock_jumps(edge)):
+            stamps = edge.stamp_ns[stretch]
+            behind = np.maximum.accumulate(stamps) - stamps
+            late = np.flatnonzero(behind > 0)
+            where.extend((stretch.start + late).tolist())
+            back_s.extend((behind[late] / NSEC_PER_SEC).tolist())
+        if where:
+            severity = "warning" if len(where) > 1 else "info"
+            facts = {"count": len(where), "total": len(edge), "most": f"{max(back_s):.3f}"}
+            yield _finding(edge, "unordered-stamps", severity, where[0], where[-1], facts)
+
+
+def unset_stamps(evidence: Evidence) -> Iterator[Finding]:
+    """Yield a finding for each moving edge with stamps of zero."""
+    for edge in evidence.moving:
+        unset = np.flatnonzero(edge.stamp_ns == 0)
+        if len(unset):
+            facts = {"count": len(unset), "total": len(edge)}
+            yield _finding(edge, "unset-stamps", "error", int(unset[0]), int(unset[-1]), facts)
+
+
+def gaps(evidence: Evidence) -> Iterator[Finding]:
+    """Yield a finding for each silence of an edge, and one for each moment at which all are silent."""
+    silences = [silence for edge in evidence.moving for silence in _silences(evidence, edge)]
+    told: list[tuple[int, int]] = []
+    for silence in sorted(silences, key=lambda s: (s.begin_ns, s.end_ns)):
+        if any(begin <= silence.end_ns and silence.begin_ns <= end for begin, end in told):
+            continue
+        if _all_are_silent(evidence, silence):
+            told.append((silence.begin_ns, silence.end_ns))
+            length_s = (silence.end_ns - silence.begin_ns) / NSEC_PER_SEC
+            facts = {"length": f"{length_s:.3f}", "edges": len(evidence.moving)}
+            yield Finding("stall", "warning", begin_ns=silence.begin_ns, end_ns=silence.end_ns, facts=facts)
+    per_edge: dict[str, list[Silence]] = {}
+    for silence in silences:
+        if not any(begin <= silence.end_ns and silence.begin_ns <= end for begin, end in told):
+            per_edge.setdefault(silence.edge.child, []).append(silence)
+    for found in per_edge.values():
+        yield _finding_of_silences(found)
+
+
+def odd_delays(evidence: Evidence) -> Iterator[Finding]:
+    """Yield a finding for each moving edge that is stamped much earlier or later than the other sources."""
+    for edge in evidence.moving:
+        if len(edge) < FEWEST_SAMPLES or not edge.stamp_ns.all():
+            continue
+        delay_s = evidence.delay_s(edge)
+        usual_s = float(np.median(delay_s))
+        others_s = _usual_delay_of_others(evidence, edge)
+        spread_s = float(np.percentile(delay_s, 90) - np.percentile(delay_s, 10))
+        facts = {"delay": f"{abs(usual_s):.3f}", "others": f"{others_s:.3f}", "spread": f"{spread_s:.3f}"}
+        if usual_s < -EARLY_S and usual_s < others_s - EARLY_S:
+            if _may_be_ahead(evidence, edge) and -usual_s < TOLERANCE_S:
+                yield _finding(edge, "stamped-ahead", "info", 0, len(edge) - 1, facts)
+            else:
+                yield _finding(edge, "early-stamps", "warning", 0, len(edge) - 1, facts)
+        elif usual_s > LATE_S and usual_s - others_s > max(LATE_S, 2.0 * abs(others_s)):
+            yield _finding(edge, "late-stamps", "warning", 0, len(edge) - 1, facts)
+
+
+def _usual_delay_of_others(evidence: Evidence, edge: Edge) -> float:
+    """Return the median of the usual delays of all other sources [s]; 0 if there are none."""
+    others = [other for other in evidence.moving if other is not edge and len(other) >= FEWEST_SAMPLES]
+    sources = [*others, *(header for header in evidence.headers if len(header.stamp_ns) and header.stamp_ns.all())]
+    return float(np.median([np.median(evidence.delay_s(source)) for source in sources])) if sources else 0.0
+
+
+def _may_be_ahead(evidence: Evidence, edge: Edge) -> bool:
+    """Return whether an edge is a localiser's: the one at the top of the tree, above a moving one."""
+    moving_children = {other.child for other in evidence.moving}
+    is_top = edge.usual_parent not in evidence.parent_of
+    carries_moving = any(evidence.parent_of[child] == edge.child for child in moving_children)
+    return is_top and carries_moving
+
+
+def _silences(evidence: Evidence, edge: Edge) -> Iterator[Silence]:
+    """Yield where an edge said nothing for much longer than it usually does, neither by its stamps nor in fact."""
+    if len(edge) < FEWEST_SAMPLES:
+        return
+    order = np.argsort(edge.stamp_ns, kind="stable")
+    stamp_step_s = np.diff(edge.stamp_ns) / NSEC_PER_SEC
+    heard_step_s = np.diff(edge.receive_ns) / NSEC_PER_SEC
+    usual_s = float(np.median(np.diff(edge.stamp_ns[order]))) / NSEC_PER_SEC
+    habit_s = float(np.percentile(heard_step_s, 90))
+    least_s = max(LEAST_GAP_S, GAP_PERIODS * usual_s, GAP_HABITS * habit_s)
+    for i in np.flatnonzero((stamp_step_s > least_s) & (heard_step_s > 0.6 * least_s)).tolist():
+        yield Silence(edge, int(edge.receive_ns[i]), int(edge.receive_ns[i + 1]), is_last=False)
+    others_end_ns = max((int(o.receive_ns[-1]) for o in evidence.moving if o is not edge), default=0)
+    if others_end_ns - edge.receive_ns[-1] > max(1.0, 2.0 * least_s) * NSEC_PER_SEC:
+        yield Silence(edge, int(edge.receive_ns[-1]), others_end_ns, is_last=True)
+
+
+def _all_are_silent(evidence: Evidence, silence: Silence) -> bool:
+    """Return whether nothing else that should have spoken did, while an edge was silent."""
+    begin_ns, end_ns = silence.begin_ns, silence.end_ns
+    margin_ns = (end_ns - begin_ns) // 5
+    asked = 0
+    for other in (*evidence.moving, *evidence.headers):
+        if other is silence.edge or len(other.stamp_ns) < FEWEST_SAMPLES:
+            continue
+        spoke = other.receive_ns
+        period_ns = float(np.median(np.diff(np.sort(spoke))))
+        if spoke[0] > begin_ns or spoke[-1] < end_ns or 2.0 * period_ns > end_ns - begin_ns:
+            continue
+        asked += 1
+        if ((spoke > begin_ns + margin_ns) & (spoke < end_ns - margin_ns)).any():
+            return False
+    return asked > 0 and not silence.is_last
+
+
+def _finding_of_silences(silences: list[Silence]) -> Finding:
+    """Return one finding for all silences of an edge."""
+    edge = silences[0].edge
+    longest = max(silences, key=lambda s: s.end_ns - s.begin_ns)
+    facts = {
+        "count": len(silences),
+        "longest": f"{(longest.end_ns - longest.begin_ns) / NSEC_PER_SEC:.3f}",
+        "period": f"{edge.period_ns / NSEC_PER_SEC:.3f}",
+        "moved": f"{_moved_across(longest):.3f}",
+    }
+    code = "went-silent" if longest.is_last else "gap"
+    return Finding(code, "warning", edge.usual_parent, edge.child, edge.topic, longest.begin_ns, longest.end_ns, facts)
+
+
+def _moved_across(silence: Silence) -> float:
+    """Return how far an edge moved while it was silent [m]: what a straight line has to stand for."""
+    edge = silence.edge
+    ends = np.flatnonzero((edge.receive_ns == silence.begin_ns) | (edge.receive_ns == silence.end_ns))
+    ends = ends[edge.is_usable[ends]]
+    if silence.is_last or len(ends) < 2:
+        return 0.0
+    poses = unit(edge.numbers[ends[[0, -1]]])
+    return float(distances(poses[:1], poses[1:])[0])
+
+
+def _values_of_repeats(edge: Edge, repeats: list[int]) -> str:
+    """Return whether samples of one stamp agree: "the same" or "different"."""
+    first_of: dict[int, np.ndarray] = {}
+    for i in repeats:
+        stamp_ns = int(edge.stamp_ns[i])
+        if stamp_ns not in first_of:
+            first_of[stamp_ns] = edge.numbers[int(np.argmax(edge.stamp_ns == stamp_ns))]
+        if not np.array_equal(first_of[stamp_ns], edge.numbers[i], equal_nan=True):
+            return "different"
+        if len(first_of) > 200:
+            break
+    return "the same"
+
+
+def _finding(edge: Edge, code: str, severity, first: int, last: int, facts: dict) -> Finding:
+    span = (int(edge.receive_ns[first]), int(edge.receive_ns[last]))
+    return Finding(code, severity, edge.usual_parent, edge.child, edge.topic, *span, facts)
