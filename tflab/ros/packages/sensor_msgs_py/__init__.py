@@ -1,0 +1,1 @@
+"""sensor_msgs_py, in process: only its module point_cloud2."""
