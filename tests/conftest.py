@@ -1,0 +1,168 @@
+"""What do tests in a real browser need?  One JupyterLab and one Chromium for the whole run.
+
+    lab        a real JupyterLab on a free port of this machine, in an empty folder
+    chromium   a browser without a window, WebGL in software
+    page       a tab of it; afterwards, no request of it may have left this machine
+
+Only tests marked `browser` ask for these.  Without Chromium they are skipped, and
+say how to get one; where CI=true they fail instead.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import socket
+import subprocess
+import sys
+import time
+import urllib.request
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from urllib.parse import urlsplit
+
+import pytest
+
+TOKEN = "for-this-test-only"
+HERE = ("127.0.0.1", "localhost")
+LOCAL_SCHEMES = ("file", "data", "blob", "about")
+CHROMIUM_ARGUMENTS = [
+    "--headless=new", "--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking",
+    "--disable-component-update", "--disable-sync", "--use-gl=angle", "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+]  # fmt: skip
+HOW_TO_GET_CHROMIUM = (
+    "no Chromium: install one (apt install chromium; or: playwright install chromium), "
+    "or name it in TFLAB_CHROMIUM, to run the tests in a browser"
+)
+
+
+@dataclass(frozen=True)
+class Lab:
+    """A running JupyterLab: where it is, and the folder it shows."""
+
+    url: str
+    folder: Path
+
+    def write_notebook(self, name: str, sources: list[str]) -> None:
+        """Put a notebook with these code cells into the folder."""
+        import nbformat
+
+        cells = [nbformat.v4.new_code_cell(source, id=f"cell-{i}") for i, source in enumerate(sources)]
+        kernel = {"kernelspec": {"name": "python3", "display_name": "Python 3", "language": "python"}}
+        nbformat.write(nbformat.v4.new_notebook(cells=cells, metadata=kernel), self.folder / name)
+
+    def open(self, page, name: str) -> None:
+        """Show a notebook of the folder alone in `page`, ready to run."""
+        page.goto(f"{self.url}/doc/tree/{name}?token={TOKEN}&reset")
+        page.wait_for_selector(".jp-Notebook .jp-Cell", timeout=60_000)
+        page.wait_for_function(
+            "jupyterapp.shell.currentWidget?.sessionContext?.session?.kernel?.status === 'idle'", timeout=60_000
+        )
+
+    def run_all(self, page) -> None:
+        """Run every cell, and wait until the last one has run."""
+        page.evaluate("void window.jupyterapp.commands.execute('notebook:run-all-cells')")
+        page.wait_for_function(
+            "[...document.querySelectorAll('.jp-CodeCell .jp-InputPrompt')].every((p) => /\\[\\d+\\]/.test(p.innerText))",
+            timeout=60_000,
+        )
+
+    def set_theme(self, page, theme: str) -> None:
+        """Change to "JupyterLab Light" or "JupyterLab Dark"."""
+        page.evaluate(f"window.jupyterapp.commands.execute('apputils:change-theme', {{theme: '{theme}'}})")
+        light = str(theme == "JupyterLab Light").lower()
+        page.wait_for_selector(f"body[data-jp-theme-light={light}]", timeout=20_000, state="attached")
+
+
+@pytest.fixture(scope="session")
+def chromium() -> Iterator:
+    """A headless Chromium with WebGL in software."""
+    playwright = pytest.importorskip("playwright.sync_api", reason="no playwright: pip install playwright")
+    with playwright.sync_playwright() as driver:
+        path = _chromium_path(driver)
+        if path is None:
+            if os.environ.get("CI") == "true":
+                pytest.fail(HOW_TO_GET_CHROMIUM)
+            pytest.skip(HOW_TO_GET_CHROMIUM)
+        browser = driver.chromium.launch(
+            executable_path=path, args=CHROMIUM_ARGUMENTS, ignore_default_args=["--headless", "--headless=old"]
+        )
+        yield browser
+        browser.close()
+
+
+@pytest.fixture
+def page(chromium) -> Iterator:
+    """A new tab; when the test is over, every request it made must have stayed on this machine."""
+    context = chromium.new_context(viewport={"width": 1100, "height": 900})
+    tab = context.new_page()
+    asked: list[str] = []
+    context.on("request", lambda request: asked.append(request.url))
+    yield tab
+    context.close()
+    parts = [urlsplit(url) for url in asked]
+    outside = [part.geturl() for part in parts if part.scheme not in LOCAL_SCHEMES and part.hostname not in HERE]
+    assert not outside, f"these requests left the machine: {outside}"
+
+
+@pytest.fixture(scope="session")
+def lab(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Lab]:
+    """A JupyterLab without news, update checks or look-ups of extensions."""
+    home = tmp_path_factory.mktemp("jupyter")
+    folder = tmp_path_factory.mktemp("notebooks")
+    port = _free_port()
+    settings = home / "settings" / "@jupyterlab" / "apputils-extension"
+    settings.mkdir(parents=True)
+    silent = {"fetchNews": "false", "checkForUpdates": False}
+    (settings / "notification.jupyterlab-settings").write_text(json.dumps(silent))
+    server = subprocess.Popen(
+        [
+            sys.executable, "-m", "jupyterlab", "--no-browser", "--allow-root", f"--ServerApp.root_dir={folder}",
+            f"--ServerApp.port={port}", "--ServerApp.port_retries=0", f"--IdentityProvider.token={TOKEN}",
+            "--LabApp.expose_app_in_browser=True", "--LabApp.extension_manager=readonly", "--LabApp.news_url=",
+            "--LabApp.check_for_updates_class=jupyterlab.NeverCheckForUpdate",
+        ],
+        env=os.environ | {
+            "JUPYTER_CONFIG_DIR": str(home / "config"), "JUPYTER_RUNTIME_DIR": str(home / "runtime"),
+            "JUPYTERLAB_SETTINGS_DIR": str(home / "settings"), "JUPYTERLAB_WORKSPACES_DIR": str(home / "workspaces"),
+            "IPYTHONDIR": str(home / "ipython"),
+        },
+        stdout=subprocess.DEVNULL,
+        stderr=(home / "log").open("w"),
+    )  # fmt: skip
+    url = f"http://127.0.0.1:{port}"
+    try:
+        _wait_for(f"{url}/api?token={TOKEN}", server, home / "log")
+        yield Lab(url, folder)
+    finally:
+        server.terminate()  # it ends its kernels, too
+        server.wait(timeout=20)
+
+
+def _chromium_path(driver) -> str | None:
+    """Return the browser to use: the one that was named, the system's, or playwright's own."""
+    for name in (os.environ.get("TFLAB_CHROMIUM", ""), "chromium", "chromium-browser", "google-chrome"):
+        if name and shutil.which(name):
+            return shutil.which(name)
+    own = driver.chromium.executable_path
+    return own if Path(own).exists() else None
+
+
+def _free_port() -> int:
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
+
+
+def _wait_for(url: str, server: subprocess.Popen, log: Path, patience_s: float = 60.0) -> None:
+    deadline = time.monotonic() + patience_s
+    while time.monotonic() < deadline and server.poll() is None:
+        try:
+            with urllib.request.urlopen(url, timeout=5):
+                return
+        except OSError:
+            time.sleep(0.2)
+    pytest.fail(f"JupyterLab did not start:\n{log.read_text()[-2000:]}")
