@@ -65,7 +65,7 @@ def draw_body_axes() -> Picture:
         draw_ground(ax, SLANTING, (-1.0, 1.5), (-1.0, 1.5), 0.5)
         RobotArtists(ax, SLANTING, style.GREY, scale=1.3).move(Transform())
         frame = draw_frames({"base_link": Transform()}, ax, SLANTING, length_m=0.9)["base_link"]
-        frame.label.stand((0.0, -44.0), is_far=False)
+        frame.label.stand((0.0, -44.0))
         _write_words(ax, frame, BODY_WORDS)
         ax.set_xlim(-1.35, 1.35)
         ax.set_ylim(-1.05, 1.65)
@@ -221,13 +221,14 @@ class _CameraSide:
     def __init__(self, figure, left: float, name: str, pose: Transform) -> None:
         self._pose = pose
         space = clear_paper(figure.add_axes((left + 0.02, 0.42, 0.46, 0.55)))
-        write_caption(space, name)
+        words = BODY_WORDS if pose == Transform() else OPTICAL_WORDS
+        write_caption(space, f"{name}: {', '.join(' '.join(pair) for pair in words.items())}")
         _draw_frustum(space)
         draw_frames({"": pose}, space, SLANTING, length_m=0.75)
         (self.sight,) = space.plot([], [], color=style.ACCENT, linewidth=1.2, zorder=30)
         (self.point,) = space.plot([], [], "o", color=style.ACCENT, markersize=9, zorder=31)
-        space.set_xlim(-1.3, 2.2)
-        space.set_ylim(-1.0, 1.85)
+        space.set_xlim(-1.1, 2.0)
+        space.set_ylim(-0.95, 1.55)
 
         image = clear_paper(figure.add_axes((left + 0.1, 0.12, 0.3, 0.3)))
         corners = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1)]) * (HALF_WIDTH, HALF_HEIGHT)

@@ -108,7 +108,7 @@ class FrameArtists:
     @property
     def artists(self) -> list[Artist]:
         """Everything that `move` moves."""
-        return [*(artist for axis in self.axes.values() for artist in axis.artists), self.label.text]
+        return [*(artist for axis in self.axes.values() for artist in axis.artists), *self.label.artists]
 
     def move(self, pose: Transform) -> None:
         """Draw the frame at `pose`, which is in the drawing's own frame."""
@@ -134,7 +134,7 @@ class PointArtists:
                                markerfacecolor=style.PAPER if is_ghost else colour, markeredgewidth=1.4,
                                zorder=60)  # fmt: skip
         self.label = Label(ax, name, colour=colour, is_italic=is_ghost)
-        self.artists = [self.mark, self.label.text]
+        self.artists = [self.mark, *self.label.artists]
 
     def move(self, point: Sequence[float]) -> None:
         """Draw the mark at `point` (x, y, z) [m]."""
@@ -155,7 +155,7 @@ class ArrowArtists:
                                      shrinkA=4, shrinkB=4, connectionstyle=f"arc3,rad={curve}")  # fmt: skip
         ax.add_patch(self.arrow)
         self.label = Label(ax, label, colour=colour)
-        self.artists = [self.arrow, self.label.text]
+        self.artists = [self.arrow, *self.label.artists]
 
     def move(self, tail: Sequence[float], head: Sequence[float]) -> None:
         """Draw from `tail` to `head`, both (x, y, z) [m]."""

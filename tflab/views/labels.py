@@ -49,9 +49,10 @@ class Label:
         self.text = self.ax.annotate(
             self.name, (0, 0), (0, 0), textcoords="offset points", ha="center", va="center", color=self.colour,
             fontsize=style.TEXT_PT, fontstyle="italic" if self.is_italic else "normal", annotation_clip=False,
-            arrowprops={"arrowstyle": "-", "color": style.FAINT, "linewidth": 0.8, "shrinkA": 1.0, "shrinkB": 5.0},
             zorder=100,
         )  # fmt: skip
+        (self.leader,) = self.ax.plot([], [], color=style.FAINT, linewidth=0.8, zorder=99)
+        self.artists = [self.leader, self.text]
         self._measured = ("", (0.0, 0.0))
 
     def size_pt(self) -> tuple[float, float]:
@@ -63,11 +64,18 @@ class Label:
             self._measured = (text, (extent.width * scale, extent.height * scale))
         return self._measured[1]
 
-    def stand(self, place: Place, is_far: bool) -> None:
-        """Write the name at this place [points from the anchor], with a thin line if it is far."""
+    def stand(self, place: Place, is_far: bool = False) -> None:
+        """Write the name with its middle at this place [points from the anchor], with a thin line if it is far."""
         self.text.xy = self.anchor
         self.text.set_position(place)
-        self.text.arrow_patch.set_visible(is_far)
+        self.leader.set_visible(is_far)
+        if is_far:
+            pixels_per_point = self.ax.figure.dpi / 72.0
+            half = np.array(self.size_pt()) / 2
+            edge = np.array(place) - np.sign(place) * np.minimum(half, np.abs(place))
+            start = self.ax.transData.transform(self.anchor)
+            end = self.ax.transData.inverted().transform(start + 0.9 * edge * pixels_per_point)
+            self.leader.set_data(*zip(self.anchor, end, strict=True))
 
 
 def place_labels(labels: Sequence[Label]) -> None:
@@ -84,25 +92,21 @@ def place_labels(labels: Sequence[Label]) -> None:
 
     lines = [np.linspace(on_page(a), on_page(b), 24) for label in labels for a, b in label.keep_off]
     taken = np.vstack([*lines, *(on_page(label.anchor)[None] for label in labels)])
-    boxes: list[np.ndarray] = []
+    boxes = np.empty((0, 4))
     for label in labels:
         half = np.array(label.size_pt()) / 2
-        anchor = on_page(label.anchor)
         choices = np.vstack([gap * WAYS + np.sign(WAYS) * half for gap in (NEAR_PT, FAR_PT)])
-        faults = [_faults(anchor + choice, half, taken, boxes, paper) for choice in choices]
-        best = int(np.argmin(faults))
-        label.stand(tuple(choices[best]), is_far=best >= len(WAYS))
-        boxes.append(_box(anchor + choices[best], half))
+        middles = on_page(label.anchor) + choices
+        candidates = np.hstack((middles - half, middles + half))
+        best = int(np.argmin(_faults(candidates, taken, boxes, paper)))
+        label.stand(tuple(choices[best]), best >= len(WAYS))
+        boxes = np.vstack((boxes, candidates[best]))
 
 
-def _faults(middle: np.ndarray, half: np.ndarray, taken: np.ndarray, boxes: list[np.ndarray], paper: np.ndarray) -> int:
-    """Return how much a box would cover: points of lines, and, worse, names and the edge of the paper."""
-    box = _box(middle, half)
-    inside = ((taken >= box[:2]) & (taken <= box[2:])).all(axis=1)
-    covered = sum(bool((box[:2] < other[2:]).all() and (other[:2] < box[2:]).all()) for other in boxes)
-    is_outside = bool((box[:2] < paper[:2]).any() or (box[2:] > paper[2:]).any())
-    return int(inside.sum()) + 50 * covered + 50 * is_outside
-
-
-def _box(middle: np.ndarray, half: np.ndarray) -> np.ndarray:
-    return np.concatenate((middle - half, middle + half))
+def _faults(candidates: np.ndarray, taken: np.ndarray, boxes: np.ndarray, paper: np.ndarray) -> np.ndarray:
+    """Return how much each box, shape (n, 4), would cover: points of lines, and, worse, names and the paper's edge."""
+    low, high = candidates[:, None, :2], candidates[:, None, 2:]
+    points = ((taken >= low) & (taken <= high)).all(axis=2).sum(axis=1)
+    names = ((low < boxes[:, 2:]) & (boxes[:, :2] < high)).all(axis=2).sum(axis=1)
+    is_outside = (candidates[:, :2] < paper[:2]).any(axis=1) | (candidates[:, 2:] > paper[2:]).any(axis=1)
+    return points + 50 * names + 50 * is_outside

@@ -180,7 +180,7 @@ class _Field:
         """Everything that moves."""
         bodies = (self.robot_then, self.robot_now, self.truth, self.wrong)
         parts = [artist for body in bodies for artist in body.artists]
-        return [*parts, self.sight_then, self.sight_now, *(label.text for label in self.labels)]
+        return [*parts, self.sight_then, self.sight_now, *(artist for label in self.labels for artist in label.artists)]
 
     def look_at(self, ahead_m: float, aside_m: float) -> None:
         """Choose the limits: `ahead_m` forwards, and `aside_m` to either side [m]."""

@@ -49,7 +49,7 @@ TITLE_PT = 11.0
 
 SCREEN_DPI = 100  # how large a figure stands on the page
 PRINT_DPI = 150  # how finely it is drawn
-LIVE_DPI = 125  # the same while a slider moves
+LIVE_DPI = SCREEN_DPI  # while a slider moves
 
 _SETTINGS = {
     "font.family": ["sans-serif"],
