@@ -90,6 +90,8 @@ class Drive:
             begins_s.append(begins_s[-1] + leg.duration_s)
             poses.append(poses[-1].then(PlanarPose(float(x), float(y), float(yaw))))
         self._begins_s, self._poses = np.array(begins_s), np.array(poses)
+        each = np.array([(leg.speed_mps * leg.duration_s, leg.yaw_rate_radps * leg.duration_s) for leg in legs])
+        self._rolled = np.pad(np.cumsum(each, axis=0), ((1, 0), (0, 0)))
         # After the last leg comes one without motion, which has no end.
         self._twists = np.array([(leg.speed_mps, leg.yaw_rate_radps) for leg in legs] + [(0.0, 0.0)])
 
@@ -119,6 +121,11 @@ class Drive:
     def twists_at(self, stamps_ns: np.ndarray) -> np.ndarray:
         """Return (speed [m/s], yaw rate [rad/s]) at each of `stamps_ns`, shape (N,) [ns], shape (N, 2)."""
         return self._twists[self._place(stamps_ns)[0]] * (np.asarray(stamps_ns) >= self.start_ns)[:, None]
+
+    def rolled_at(self, stamps_ns: np.ndarray) -> np.ndarray:
+        """Return (way forward [m], turn to the left [rad]) since the start, shape (N, 2): what perfect wheels count."""
+        legs, since_s = self._place(stamps_ns)
+        return self._rolled[legs] + self._twists[legs] * since_s[:, None]
 
     def _place(self, stamps_ns: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return on which leg each stamp is, and for how long [s] it has been on it."""

@@ -43,11 +43,8 @@ class WheelOdometry:
     def __init__(self, drive: Drive, bias: float = 0.002, slip: float = 0.003, seed: int = 0) -> None:
         self._start_ns = drive.start_ns
         steps = -(-(drive.end_ns - drive.start_ns) // STEP_NS)
-        middles_ns = drive.start_ns + STEP_NS * np.arange(steps) + STEP_NS // 2
-        speed, yaw_rate = drive.twists_at(middles_ns).T
-        step_s = STEP_NS / NSEC_PER_SEC
-        left = (speed - yaw_rate * TRACK_M / 2.0) * step_s
-        right = (speed + yaw_rate * TRACK_M / 2.0) * step_s
+        way, turned = np.diff(drive.rolled_at(drive.start_ns + STEP_NS * np.arange(steps + 1)), axis=0).T
+        left, right = way - turned * TRACK_M / 2.0, way + turned * TRACK_M / 2.0
         chance = np.random.default_rng(seed).standard_normal((2, steps))
         left = left * (1.0 - bias) + slip * np.sqrt(np.abs(left)) * chance[0]
         right = right * (1.0 + bias) + slip * np.sqrt(np.abs(right)) * chance[1]

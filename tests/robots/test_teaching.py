@@ -1,0 +1,156 @@
+"""The robot of the workbook: its frames, its stamps and delays, and the same answer every time."""
+
+import math
+
+import pytest
+
+from tflab.core import LATEST, seconds
+from tflab.robots.kinematics import link_transform
+from tflab.robots.motion import Drive, Leg
+from tflab.robots.readings import Detection, JointReading, OdometryReading, Scan
+from tflab.robots.teaching import SOURCES, Source, TeachingRobot, teaching_urdf
+
+
+def test_mounts_are_those_of_the_lecture():
+    buffer = TeachingRobot().buffer(until_s=3.0)
+    laser = buffer.lookup_transform("base_link", "laser_frame", LATEST)
+    assert laser.transform.translation == (0.20, 0.0, 0.15)
+    camera = buffer.lookup_transform("base_link", "camera_link", LATEST)
+    assert camera.transform.translation == (0.10, 0.0, 0.30)
+
+
+def test_the_optical_frame_looks_along_z_with_x_to_the_right():
+    buffer = TeachingRobot().buffer(until_s=3.0)
+    link_T_optical = buffer.lookup_transform("camera_link", "camera_optical_frame", LATEST).transform
+    assert link_T_optical.rotation == pytest.approx((-0.5, 0.5, -0.5, 0.5))
+    assert link_T_optical.apply((0.0, 0.0, 2.0)) == pytest.approx((2.0, 0.0, 0.0))
+    assert link_T_optical.apply((1.0, 0.0, 0.0)) == pytest.approx((0.0, -1.0, 0.0))
+
+
+def test_the_chain_from_map_to_the_tool_is_whole():
+    buffer = TeachingRobot().buffer(until_s=3.0)
+    assert buffer.chain("map", "tcp")[::-1] == [
+        "map", "odom", "base_footprint", "base_link", "shoulder", "elbow", "wrist", "tool0", "tcp",
+    ]  # fmt: skip
+
+
+def test_the_stretched_arm_reaches_as_far_as_its_parts_are_long():
+    # shoulder 0.10 behind; upper arm 0.25, forearm 0.20, tool 0.12, all pointing forward
+    robot = TeachingRobot()
+    straight = link_transform(robot.model, "base_link", "tcp", {"elbow_joint": 0.0, "wrist_joint": 0.0})
+    assert straight.translation == pytest.approx((-0.10 + 0.25 + 0.20 + 0.12, 0.0, 0.15))
+    assert straight.apply((0.0, 0.0, 1.0))[0] == pytest.approx(1.0 + straight.translation[0])
+
+
+def test_the_arm_keeps_within_its_limits():
+    robot = TeachingRobot()
+    for t in range(60):
+        positions = robot.joint_positions_at(seconds(1.0 + 0.37 * t))
+        for name in ("shoulder_joint", "elbow_joint", "wrist_joint"):
+            limit = robot.model.joint(name).limit
+            assert limit.lower <= positions[name] <= limit.upper
+
+
+def test_the_believed_pose_stays_near_the_true_one():
+    robot = TeachingRobot()
+    buffer = robot.buffer(until_s=60.0)
+    stamp_ns = buffer.latest_common_time_ns("map", "laser_frame")
+    believed = buffer.lookup_transform("map", "laser_frame", stamp_ns).transform.translation
+    truth = robot.truth_at(stamp_ns)["laser_frame"].translation
+    assert math.dist(believed, truth) < 0.1
+    assert believed != truth
+
+
+def test_a_detection_transformed_at_its_stamp_finds_the_ball():
+    robot = TeachingRobot()
+    buffer = robot.buffer(until_s=6.0)
+    detections = [
+        r.value for r in robot.readings(until_s=5.5) if r.topic == "/detected_point" and r.value.stamp_ns > seconds(2)
+    ]
+    assert len(detections) > 5
+    for detection in detections:
+        map_T_optical = buffer.lookup_transform("map", detection.frame_id, detection.stamp_ns).transform
+        assert math.dist(map_T_optical.apply(detection.point), (6.5, -1.5, 0.30)) < 0.25
+
+
+def test_every_message_is_heard_after_its_stamp_by_its_delay():
+    robot = TeachingRobot()
+    for reading in robot.readings(until_s=4.0):
+        if isinstance(reading.value, Detection):
+            assert 0.200 <= (reading.receive_ns - reading.value.stamp_ns) / 1e9 <= 0.211
+        if isinstance(reading.value, Scan):
+            assert reading.receive_ns > reading.value.ray_stamps_ns[-1]
+
+
+def test_streams_come_in_the_order_of_arrival_and_end_where_asked():
+    robot = TeachingRobot()
+    for stream in (robot.records(until_s=4.0), robot.readings(until_s=4.0)):
+        heard = [item.receive_ns for item in stream]
+        assert heard == sorted(heard)
+        assert seconds(1.0) < heard[0] and seconds(3.8) < heard[-1] < seconds(4.0)
+
+
+def test_mounts_are_static_and_the_rest_is_not():
+    records = TeachingRobot().records(until_s=3.0)
+    static = {record.stamped.child_frame_id for record in records if record.is_static}
+    assert static == {
+        "base_link", "laser_frame", "camera_link", "camera_optical_frame", "imu_link", "tool0", "tcp",
+    }  # fmt: skip
+    assert {record.topic for record in records if record.is_static} == {"/tf_static"}
+
+
+def test_each_edge_has_one_owner():
+    owners = {}
+    for record in TeachingRobot().records(until_s=3.0):
+        owners.setdefault(record.stamped.child_frame_id, set()).add(record.publisher)
+    assert all(len(names) == 1 for names in owners.values())
+    assert owners["odom"] == {"/localization"}
+    assert owners["base_footprint"] == {"/wheel_odometry"}
+    assert owners["wrist"] == owners["laser_frame"] == {"/robot_state_publisher"}
+
+
+def test_the_odometry_message_and_the_transform_agree():
+    robot = TeachingRobot()
+    buffer = robot.buffer(until_s=5.0)
+    for reading in robot.readings(until_s=4.5):
+        if isinstance(reading.value, OdometryReading):
+            edge = buffer.lookup_transform("odom", "base_footprint", reading.value.stamp_ns)
+            assert edge.transform.translation == pytest.approx(reading.value.pose.translation)
+
+
+def test_joint_readings_name_every_moving_joint():
+    robot = TeachingRobot()
+    joints = next(r.value for r in robot.readings(until_s=2.0) if isinstance(r.value, JointReading))
+    assert sorted(joints.names) == sorted(joint.name for joint in robot.model.moving_joints)
+
+
+def test_two_robots_with_prefixes_share_the_map():
+    buffer = TeachingRobot(prefix="robot1/").buffer(until_s=3.0)
+    for record in TeachingRobot(prefix="robot2/", seed=1).records(until_s=3.0):
+        buffer.set_transform(record.stamped, record.publisher, record.is_static)
+    assert buffer.can_transform("robot1/laser_frame", "robot2/tcp", LATEST)
+    assert buffer.parent_of("robot1/odom") == buffer.parent_of("robot2/odom") == "map"
+
+
+def test_a_source_can_be_slowed_down():
+    slow = TeachingRobot(sources={"odometry": Source("wheel_odometry", 1.0, 0.3, 0.0)})
+    stamps = slow.buffer(until_s=5.0).history("base_footprint").stamps_ns
+    assert stamps == (seconds(1), seconds(2), seconds(3), seconds(4))
+    with pytest.raises(ValueError, match="no source 'odom'; the robot has odometry, localization"):
+        TeachingRobot(sources={"odom": SOURCES["odometry"]})
+
+
+def test_the_same_seed_gives_the_same_stream_and_another_seed_another():
+    first, again, other = (TeachingRobot(seed=seed).records(until_s=5.0) for seed in (3, 3, 4))
+    assert first == again
+    assert first != other
+
+
+def test_a_drive_of_ones_own_is_driven():
+    robot = TeachingRobot(Drive([Leg(5.0, speed_mps=1.0)]))
+    x0 = robot.truth_at(seconds(1.0))["base_link"].translation[0]
+    assert robot.truth_at(seconds(3.0))["base_link"].translation[0] == pytest.approx(x0 + 2.0)
+
+
+def test_the_urdf_comes_with_the_package():
+    assert '<robot name="tf_lab_robot">' in teaching_urdf()
