@@ -1,0 +1,78 @@
+"""What view_frames writes: to the letter."""
+
+import pytest
+import yaml
+
+from tflab.core import Snapshot
+from tflab.tools.view_frames import dot_from_frames, parser, write_pictures
+from tflab.views.tree import draw_tree
+
+ANSWER = """\
+laser_frame: 
+  parent: 'base_link'
+  broadcaster: 'default_authority'
+  rate: 10000.000
+  most_recent_transform: 0.000000
+  oldest_transform: 0.000000
+  buffer_length: 0.000
+base_link: 
+  parent: 'odom'
+  broadcaster: 'default_authority'
+  rate: 20.164
+  most_recent_transform: 5.950000
+  oldest_transform: 1.050000
+  buffer_length: 4.900
+"""  # noqa: W291 - as tf2 writes it
+
+
+def test_a_frame_is_an_edge_with_a_label():
+    assert dot_from_frames(yaml.safe_load(ANSWER), 6.0) == (
+        "digraph G {\n"
+        '"base_link" -> "laser_frame"[label=" Broadcaster: default_authority\\nAverage rate: 10000.0\\n'
+        'Buffer length: 0.0\\nMost recent transform: 0.0\\nOldest transform: 0.0\\n"];\n'
+        '"odom" -> "base_link"[label=" Broadcaster: default_authority\\nAverage rate: 20.164\\n'
+        'Buffer length: 4.9\\nMost recent transform: 5.95\\nOldest transform: 1.05\\n"];\n'
+        "edge [style=invis];\n"
+        ' subgraph cluster_legend { style=bold; color=black; label ="view_frames Result";\n'
+        '"Recorded at time: 6.0"[ shape=plaintext ] ;\n'
+        '}->"odom";\n'
+        "}"
+    )
+
+
+def test_without_frames_it_says_so():
+    assert dot_from_frames(yaml.safe_load("[]"), 6.0) == 'digraph G { "No tf data received" }'
+
+
+def test_a_name_that_yaml_reads_as_a_number_is_a_name_again():
+    frames = yaml.safe_load(ANSWER.replace("laser_frame:", "7:"))
+    assert '"base_link" -> "7"[label=' in dot_from_frames(frames, 6.0)
+
+
+def test_the_legend_hangs_on_the_last_root():
+    frames = yaml.safe_load(ANSWER + ANSWER.replace("base_link", "b2").replace("odom", "odm").replace("laser", "l2"))
+    assert dot_from_frames(frames, 6.0).endswith('}->"odm";\n}')
+
+
+def test_its_options():
+    options = parser().parse_args([])
+    assert (options.wait_time, options.output, options.tf_topic, options.tf_static_topic) == (
+        5.0, None, "/tf", "/tf_static",
+    )  # fmt: skip
+    assert parser().parse_args(["-t", "2", "-o", "tree"]).output == "tree"
+    help_text = parser().format_help()
+    assert help_text.startswith("usage: view_frames [-h] [--wait-time WAIT_TIME] [-o OUTPUT]")
+    assert "Create a diagram of the TF frames being broadcast over ROS" in help_text
+
+
+def test_a_wrong_option_is_exit_code_two(capsys):
+    with pytest.raises(SystemExit) as stop:
+        parser().parse_args(["--nope"])
+    assert stop.value.code == 2
+    assert "view_frames: error: unrecognized arguments: --nope" in capsys.readouterr().err
+
+
+def test_two_files_are_written(tmp_path):
+    write_pictures(str(tmp_path / "frames"), "digraph G {}", draw_tree(Snapshot(("map",), ())))
+    assert (tmp_path / "frames.gv").read_text() == "digraph G {}"
+    assert (tmp_path / "frames.pdf").read_bytes().startswith(b"%PDF-")

@@ -1,0 +1,76 @@
+"""Which room?  `tflab <subcommand> ...`: a table, and nothing is imported before it is asked for.
+
+    tflab run node.py --with 'ros2 topic hz /tf'    SUBCOMMANDS["run"] -> tflab.tools.shell.run
+
+A room adds itself with one line; its function takes the words after its name and
+returns the exit code.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Sequence
+from difflib import get_close_matches
+from importlib import import_module
+from typing import NamedTuple
+
+from . import __version__
+
+__all__ = ["SUBCOMMANDS", "Subcommand", "main"]
+
+
+class Subcommand(NamedTuple):
+    """One word after `tflab`: what it does, and where the function is that does it."""
+
+    help: str
+    module: str
+    function: str
+
+
+SUBCOMMANDS = {
+    "run": Subcommand("run node files together in real time, with tools beside them", "tflab.tools.shell", "run"),
+    "ros2": Subcommand("ROS 2's command line tools, on their own or on a bag", "tflab.tools.shell", "ros2"),
+}
+
+
+def main(words: Sequence[str] | None = None) -> int:
+    """Run `tflab` with these words, those of the command line if None; return the exit code."""
+    words = list(sys.argv[1:] if words is None else words)
+    match words:
+        case [] | ["-h" | "--help", *_]:
+            print(_help())
+            return 0
+        case ["--version", *_]:
+            print(f"tflab {__version__}")
+            return 0
+        case [name, *rest] if name in SUBCOMMANDS:
+            return _function(SUBCOMMANDS[name])(rest)
+    print(_unknown(words[0]), file=sys.stderr)
+    return 2
+
+
+def _function(subcommand: Subcommand) -> Callable[[Sequence[str]], int]:
+    return getattr(import_module(subcommand.module), subcommand.function)
+
+
+def _help() -> str:
+    width = max(len(name) for name in SUBCOMMANDS)
+    lines = [f"  {name:<{width}}  {subcommand.help}" for name, subcommand in sorted(SUBCOMMANDS.items())]
+    return "\n".join(
+        [
+            "usage: tflab [-h] [--version] <subcommand> ...",
+            "",
+            "A book that runs: it teaches ROS 2 TF2 to someone who has only Python.",
+            "",
+            "subcommands:",
+            *lines,
+            "",
+            "Call `tflab <subcommand> -h` for more.",
+        ]
+    )
+
+
+def _unknown(name: str) -> str:
+    close = get_close_matches(name, SUBCOMMANDS, n=1)
+    hint = f' Did you mean "{close[0]}"?' if close else ""
+    return f'tflab: there is no "{name}"; there is {", ".join(sorted(SUBCOMMANDS))}.{hint}'

@@ -1,0 +1,97 @@
+"""Who is there, and what does each of them do?  `ros2 node list` and `ros2 node info`.
+
+upstream: ros2cli/ros2node.  Read `param.py` next.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Sequence
+
+from .session import cli_node
+from .topic import add_discovery_options, visible
+
+__all__ = ["add_verbs", "duplicates_warning", "full_names", "info_text"]
+
+SAME_NAME = (
+    "WARNING: Be aware that there are nodes in the graph that share an exact name, "
+    "which can have unintended side effects."
+)
+SECTIONS = ("Subscribers", "Publishers", "Service Servers", "Service Clients", "Action Servers", "Action Clients")
+
+
+def add_verbs(verbs: argparse._SubParsersAction) -> None:
+    """Add the verbs of `ros2 node` to a parser."""
+    what = "Output information about a node"
+    verb = verbs.add_parser("info", help=what, description=what)
+    verb.set_defaults(run=info)
+    add_discovery_options(verb)
+    verb.add_argument("node_name", help="Fully qualified node name to request information")
+    verb.add_argument(
+        "--include-hidden", action="store_true", help="Display hidden topics, services, and actions as well"
+    )
+    what = "Output a list of available nodes"
+    verb = verbs.add_parser("list", help=what, description=what)
+    verb.set_defaults(run=list_nodes)
+    add_discovery_options(verb)
+    verb.add_argument("-a", "--all", action="store_true", help="Display all nodes even hidden ones")
+    verb.add_argument("-c", "--count-nodes", action="store_true", help="Only display the number of nodes discovered")
+
+
+def full_names(names_and_namespaces: Sequence[tuple[str, str]], hidden: bool = False) -> list[str]:
+    """Return the full names of nodes, sorted; of hidden ones, whose name begins with "_", only if asked."""
+    shown = [pair for pair in names_and_namespaces if hidden or not pair[0].startswith("_")]
+    return sorted(f"{namespace.rstrip('/')}/{name}" for name, namespace in shown)
+
+
+def duplicates_warning(names: Sequence[str]) -> str:
+    """Return the warning that two nodes share a name, or ""."""
+    return SAME_NAME if len(set(names)) < len(names) else ""
+
+
+def info_text(name: str, sections: Sequence[Sequence[tuple[str, Sequence[str]]]]) -> str:
+    """Return what `info` prints of a node; `sections` as in SECTIONS, each (name, types) of what there is."""
+    lines = [name]
+    for heading, entries in zip(SECTIONS, sections, strict=True):
+        lines.append(f"  {heading}:")
+        lines.append("\n".join(f"    {entry}: {', '.join(types)}" for entry, types in entries))
+    return "\n".join(lines)
+
+
+def list_nodes(options: argparse.Namespace) -> None:
+    """Print the nodes."""
+    with cli_node() as node:
+        names = full_names(node.get_node_names_and_namespaces(), options.all)
+        if options.count_nodes:
+            print(len(names))
+            return
+        if duplicates_warning(names):
+            print(duplicates_warning(names), file=sys.stderr)
+        if names:
+            print("\n".join(names))
+
+
+def info(options: argparse.Namespace) -> str | None:
+    """Print what a node publishes, listens to and serves."""
+    wanted = options.node_name
+    with cli_node() as node:
+        count = full_names(node.get_node_names_and_namespaces(), options.include_hidden).count(wanted)
+        if count == 0:
+            return f"Unable to find node '{wanted}'"
+        if count > 1:
+            print(
+                f'There are {count} nodes in the graph with the exact name "{wanted}". '
+                "You are seeing information about only one of them.",
+                file=sys.stderr,
+            )
+        namespace, _, name = wanted.rpartition("/")
+        ask = (
+            node.get_subscriber_names_and_types_by_node,
+            node.get_publisher_names_and_types_by_node,
+            node.get_service_names_and_types_by_node,
+            node.get_client_names_and_types_by_node,
+        )
+        sections = [visible(question(name, namespace or "/"), options.include_hidden) for question in ask]
+        print(info_text(wanted, [*sections, [], []]))  # actions are hidden topics and services: none is served here
+    return None

@@ -1,0 +1,92 @@
+"""How does a tool run in a page?  As one more participant of the graph, for a while of its time.
+
+    %ros2 run tf2_ros tf2_echo map odom            3.5 s of the graph, then Ctrl-C
+    %ros2 --for 10 run tf2_ros tf2_echo map odom   10 s, then Ctrl-C
+    %ros2 run tf2_ros static_transform_publisher   started, and left running: a terminal of its own
+    %ros2 topic info /tf                           until it has ended
+
+Time stands still before and after.  A tool that waits for something that never
+comes is stopped, and that is said.  Read `completion.py` next.
+"""
+
+from __future__ import annotations
+
+import shlex
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+from tflab.ros.graph import Graph
+
+from . import ros2
+
+__all__ = ["Outcome", "PageError", "run_words", "split_line"]
+
+LIMIT_S = 60.0  # of the graph's time, for a tool that ends by itself
+STEP_S = 0.05
+
+
+class PageError(Exception):
+    """The line cannot be run; the text says why, and what to type instead."""
+
+
+class Outcome(NamedTuple):
+    """What came of a tool: its exit code, None while it runs, and the pictures it has for the page."""
+
+    exit_code: int | None
+    pictures: tuple[Any, ...] = ()
+
+
+def split_line(line: str) -> tuple[float | None, list[str]]:
+    """Return how long to run [s], None if that is not said, and the words after `ros2`.
+
+    Raises:
+        PageError: unbalanced quotes, or `--for` without a time.
+    """
+    try:
+        words = shlex.split(line, comments=True)
+    except ValueError as fault:
+        raise PageError(f"cannot read the line: {fault}") from None
+    seconds = None
+    if words and words[0].partition("=")[0] == "--for":
+        first = words.pop(0)
+        text = first.partition("=")[2] if "=" in first else words.pop(0) if words else ""
+        seconds = _seconds(text)
+    if words[:1] == ["ros2"]:
+        words = words[1:]
+    return seconds, ["run", "rviz2", *words] if words[:1] == ["rviz2"] else words
+
+
+def _seconds(text: str) -> float:
+    try:
+        seconds = float(text)
+    except ValueError:
+        seconds = -1.0
+    if not 0 <= seconds < float("inf"):
+        raise PageError(f"--for needs a time in seconds, such as `%ros2 --for 3 topic hz /tf`, not {text!r}")
+    return seconds
+
+
+def run_words(graph: Graph, words: Sequence[str], seconds: float | None = None) -> Outcome:
+    """Run `ros2` with these words on the graph; for `seconds` [s] of its time, as long as suits the tool if None."""
+    try:
+        plan = ros2.plan(words)
+    except SystemExit as stop:  # help, or a wrong option, which argparse has explained
+        return Outcome(stop.code or 0)
+    pictures: list[Any] = []
+    codes: list[int] = []
+    participant = graph.start(lambda: codes.append(plan.run(pictures)), name=f"ros2 {' '.join(words)}")
+    if plan.stays and seconds is None:
+        return Outcome(codes[0] if codes else None)
+    span_s = seconds if seconds is not None else plan.page_s
+    left_s = LIMIT_S if span_s is None else span_s
+    while participant.is_running and left_s > 0:
+        graph.run(seconds=min(STEP_S, left_s))
+        left_s -= STEP_S
+    if participant.is_running:
+        graph.stop(participant)
+        if span_s is None:
+            print(
+                f"`ros2 {' '.join(words)}` did not end within {LIMIT_S:g} s of the graph's time, and was stopped.\n"
+                "Is the node that it waits for running, and spinning?  `%ros2 --for SECONDS ...` gives it longer."
+            )
+    return Outcome(codes[0] if codes else None, tuple(pictures))

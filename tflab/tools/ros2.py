@@ -1,0 +1,203 @@
+"""What was typed?  `ros2 <command> <verb> ...`: to each command its module, to each executable its program.
+
+    ros2 topic info /tf          COMMANDS["topic"] -> topic.info
+    ros2 run tf2_ros tf2_echo    EXECUTABLES["tf2_ros"]["tf2_echo"] -> tf2_echo.main
+
+A new command is one line in COMMANDS, a new program one line in EXECUTABLES; its
+module is imported when it is asked for.  Errors and exit codes are those of ros2cli
+and argparse: 2 for a wrong option, 1 for a refusal.
+
+upstream: ros2cli/ros2cli/cli.py, ros2run.  Read `magic.py` next.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Callable, Sequence
+from importlib import import_module
+from importlib.util import find_spec
+from typing import Any, NamedTuple
+
+__all__ = ["COMMANDS", "EXECUTABLES", "Executable", "Plan", "is_here", "main", "plan", "verbs_of"]
+
+
+class Executable(NamedTuple):
+    """A program of a package.
+
+    Attributes:
+        module: where its `main(arguments)` is; it returns the exit code.
+        stays: in a page it goes on running after the cell, as in a terminal of its own.
+        page_s: how long a page runs it if it is not told [s]; None: until it ends.
+        shows: its main also takes a list, to which it appends pictures.
+    """
+
+    module: str
+    stays: bool = False
+    page_s: float | None = None
+    shows: bool = False
+
+
+class Command(NamedTuple):
+    """A command of `ros2`: what its help says, and the module whose `add_verbs(verbs)` adds its verbs."""
+
+    help: str
+    module: str
+
+
+COMMANDS = {
+    "bag": Command("Various rosbag related sub-commands", "tflab.tools.bag"),
+    "node": Command("Various node related sub-commands", "tflab.tools.node"),
+    "param": Command("Various param related sub-commands", "tflab.tools.param"),
+    "run": Command("Run a package specific executable", ""),
+    "topic": Command("Various topic related sub-commands", "tflab.tools.topic"),
+}
+
+EXECUTABLES = {
+    "robot_state_publisher": {
+        "robot_state_publisher": Executable("tflab.robots.state_publisher", stays=True),
+    },
+    "rviz2": {"rviz2": Executable("tflab.tools.rviz2")},
+    "tf2_ros": {
+        "static_transform_publisher": Executable("tflab.tools.static_transform_publisher", stays=True),
+        "tf2_echo": Executable("tflab.tools.tf2_echo", page_s=3.5),
+        "tf2_monitor": Executable("tflab.tools.tf2_monitor", page_s=11.0),
+    },
+    "tf2_tools": {"view_frames": Executable("tflab.tools.view_frames", shows=True)},
+}
+
+# How long a page runs a verb that would go on for ever [s].
+PAGE_SECONDS = {"echo": 2.0, "hz": 3.5, "delay": 3.5, "record": 5.0}
+
+
+class Plan(NamedTuple):
+    """A command line that was understood, and can be run.
+
+    Attributes:
+        words: what was typed, without `ros2`.
+        run: runs it, on the current process's graph; takes a list for pictures, returns the exit code.
+        stays, page_s: as of an Executable.
+    """
+
+    words: tuple[str, ...]
+    run: Callable[[list[Any]], int]
+    stays: bool = False
+    page_s: float | None = None
+
+
+def main(words: Sequence[str]) -> int:
+    """Run `ros2` with these words to its end; return the exit code."""
+    try:
+        return plan(words).run([])
+    except SystemExit as stop:  # argparse's way to end, after --help or a wrong option
+        return stop.code or 0
+
+
+def plan(words: Sequence[str]) -> Plan:
+    """Understand what was typed, without running it.
+
+    Raises:
+        SystemExit: help was asked for and printed, or the words are wrong and argparse has said so.
+    """
+    options = _parser(words).parse_args(list(words))
+    if options.command is None:
+        options.command_parser.print_help()
+        raise SystemExit(0)
+    if options.command == "run":
+        return _plan_executable(words, options)
+    if not hasattr(options, "run"):
+        options.command_parser.print_help()
+        raise SystemExit(0)
+    page_s = None if getattr(options, "once", False) else PAGE_SECONDS.get(options.verb)
+    return Plan(tuple(words), lambda pictures: _exit_code(lambda: options.run(options)), page_s=page_s)
+
+
+def verbs_of(command: str) -> list[str]:
+    """Return the verbs of a command, for completion."""
+    if not is_here(command) or command == "run":
+        return []
+    parser = argparse.ArgumentParser()
+    verbs = parser.add_subparsers()
+    import_module(COMMANDS[command].module).add_verbs(verbs)
+    return sorted(verbs.choices)
+
+
+# -- the parser -----------------------------------------------------------
+
+
+def _parser(words: Sequence[str]) -> argparse.ArgumentParser:
+    """Return the parser of `ros2`; of the commands only the one that was typed gets its verbs."""
+    parser = argparse.ArgumentParser(prog="ros2", description="ros2 is an extensible command-line tool for ROS 2.")
+    parser.set_defaults(command_parser=parser)
+    commands = _subparsers(parser, "ros2", "command")
+    for name, command in COMMANDS.items():
+        if not is_here(name):
+            continue
+        sub = commands.add_parser(name, help=command.help, description=command.help)
+        if name == "run":
+            _add_run(sub)
+        elif name in words:
+            sub.set_defaults(command_parser=sub)
+            import_module(command.module).add_verbs(_subparsers(sub, f"ros2 {name}", "verb"))
+    return parser
+
+
+def _subparsers(parser: argparse.ArgumentParser, prog: str, dest: str) -> argparse._SubParsersAction:
+    detail = f"Call `{prog} <command> -h` for more detailed usage."
+    return parser.add_subparsers(title="Commands", dest=dest, metavar=detail)
+
+
+def _add_run(sub: argparse.ArgumentParser) -> None:
+    sub.add_argument("package_name", help="Name of the ROS package")
+    sub.add_argument("executable_name", help="Name of the executable")
+    sub.add_argument("argv", nargs=argparse.REMAINDER, help="Pass arbitrary arguments to the executable")
+
+
+def is_here(command: str) -> bool:
+    """Return whether the module of a command exists."""
+    module = COMMANDS[command].module
+    return not module or find_spec(module) is not None
+
+
+# -- running --------------------------------------------------------------
+
+
+def _plan_executable(words: Sequence[str], options: argparse.Namespace) -> Plan:
+    package = EXECUTABLES.get(options.package_name)
+    if package is None:
+        return Plan(tuple(words), lambda pictures: _refuse(f"Package '{options.package_name}' not found"))
+    executable = package.get(options.executable_name)
+    if executable is None or find_spec(executable.module) is None:
+        return Plan(tuple(words), lambda pictures: _refuse("No executable found"))
+
+    def run(pictures: list[Any]) -> int:
+        from tflab.ros.arguments import remove_ros_args
+        from tflab.ros.process import current_process
+
+        argv = [options.executable_name, *options.argv]
+        current_process().argv = argv  # rclpy.init() reads its --ros-args from there
+        program = import_module(executable.module).main
+        arguments = remove_ros_args(argv)[1:]
+        code = _exit_code(lambda: program(arguments, pictures) if executable.shows else program(arguments))
+        if code:
+            print(f"[ros2run]: {'Aborted' if code < 0 else f'Process exited with failure {code}'}", flush=True)
+        return code
+
+    helps = {"-h", "--help"} & set(options.argv)
+    return Plan(tuple(words), run, stays=executable.stays and not helps, page_s=executable.page_s)
+
+
+def _exit_code(program: Callable[[], int | str | None]) -> int:
+    """Return the exit code of a program; a text is its last word, on standard error."""
+    try:
+        outcome = program()
+    except SystemExit as stop:
+        outcome = stop.code
+    except RuntimeError as refusal:
+        outcome = str(refusal)
+    return _refuse(outcome) if isinstance(outcome, str) else outcome or 0
+
+
+def _refuse(text: str) -> int:
+    print(text, file=sys.stderr, flush=True)
+    return 1

@@ -1,0 +1,151 @@
+"""How does a tool take part?  As a program of its own: it begins, has a node, spins, and ends.
+
+    with tool_node("tf2_echo") as node:      rclpy.init(), Node, ... destroy_node(), shutdown()
+        spin_for(node, 1.0)                  callbacks run; Ctrl-C ends it
+
+Whoever runs the tool decides on which graph and clock: a page on virtual time, a
+shell on wall time.  Read `trees.py` next.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import string
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+
+from tflab.core import BufferCore
+from tflab.ros import client_library
+from tflab.ros.clock import JumpThreshold, TimeJump
+from tflab.ros.duration import Duration
+from tflab.ros.logging import RcutilsLogger
+from tflab.ros.node import Node
+from tflab.ros.process import current_process
+from tflab.ros.task import Future
+
+__all__ = [
+    "Listener",
+    "abort",
+    "cli_node",
+    "cpp_listener",
+    "log_as_root",
+    "spin",
+    "spin_for",
+    "spin_until_done",
+    "tool_node",
+    "unused_name",
+]
+
+ABORTED = -6  # what the parent of a process sees that called abort()
+
+
+@contextmanager
+def tool_node(name: str, **options) -> Iterator[Node]:
+    """Begin a program, give it a node of that name, and end it; `options` are those of Node."""
+    client_library.init()
+    try:
+        node = Node(name, **options)
+        client_library.get_global_executor().add_node(node)
+        yield node
+        node.destroy_node()
+    finally:
+        client_library.try_shutdown()
+
+
+@contextmanager
+def cli_node() -> Iterator[Node]:
+    """Give one of the `ros2` commands its node, hidden and without services."""
+    name = unused_name("_ros2cli_", (), digits=string.digits, length=5)
+    with tool_node(name, start_parameter_services=False, enable_rosout=False) as node:
+        yield node
+
+
+def unused_name(
+    prefix: str, arguments: Sequence[str], digits: str = string.digits + string.ascii_letters, length: int = 16
+) -> str:
+    """Return a name that no node has: `prefix` and what looks random, but follows from the arguments.
+
+    Upstream draws it; here the same page prints the same name every time.
+    """
+    taken = {node.get_name() for node in current_process().graph.network.nodes}
+    number = 0
+    while True:
+        digest = hashlib.sha256(repr((list(arguments), number)).encode()).digest()
+        name = prefix + "".join(digits[byte % len(digits)] for byte in digest[:length])
+        if name not in taken:
+            return name
+        number += 1
+
+
+# -- spinning -------------------------------------------------------------
+
+
+def spin(node: Node) -> None:
+    """Run callbacks until stopped."""
+    client_library.get_global_executor().spin()
+
+
+def spin_for(node: Node, duration_s: float) -> None:
+    """Run callbacks for a while [s].
+
+    Raises:
+        KeyboardInterrupt: the tool is to end.
+    """
+    executor, driver = client_library.get_global_executor(), current_process().driver
+    until_ns = driver.steady_ns() + round(duration_s * 1e9)
+    while (left_ns := until_ns - driver.steady_ns()) > 0:
+        if not node.context.ok():
+            raise KeyboardInterrupt
+        executor.spin_once(timeout_sec=left_ns / 1e9)
+
+
+def spin_until_done(node: Node, future: Future) -> None:
+    """Run callbacks until a future is done."""
+    client_library.get_global_executor().spin_until_future_complete(future)
+
+
+# -- as a C++ program does ------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Listener:
+    """What a C++ tool has heard of the transforms."""
+
+    core: BufferCore
+    node: Node
+
+
+@contextmanager
+def cpp_listener(node: Node) -> Iterator[Listener]:
+    """Listen to the transforms as rclcpp's listener does: with a node of its own, which `ros2 node list` shows."""
+    from tflab.ros.tf2_listener import TransformListener
+
+    name = unused_name("transform_listener_impl_", [node.get_name()], digits=string.hexdigits[:16], length=12)
+    hidden = Node(name, start_parameter_services=False)
+    client_library.get_global_executor().add_node(hidden)
+    core = BufferCore()
+    listener = TransformListener(core, hidden)
+    threshold = JumpThreshold(min_forward=None, min_backward=Duration(nanoseconds=-1), on_clock_change=True)
+
+    def on_jump(jump: TimeJump) -> None:
+        what = "jump back in time" if jump.delta.nanoseconds < 0 else "time source change"
+        RcutilsLogger("tf2_buffer").warning(f"Detected {what}. Clearing TF buffer.")
+        core.clear()
+
+    with node.get_clock().create_jump_callback(threshold, post_callback=on_jump):
+        yield Listener(core, hidden)
+    listener.unregister()
+    hidden.destroy_node()
+
+
+def abort(kind: str, what: str) -> int:
+    """Say what an exception says that nobody catches in C++; return the exit code."""
+    print(f"terminate called after throwing an instance of '{kind}'\n  what():  {what}", file=sys.stderr, flush=True)
+    return ABORTED
+
+
+def log_as_root(level: str, text: str) -> None:
+    """Log before there is a node: the name is empty, `[ERROR] [...] []: ...`."""
+    getattr(RcutilsLogger(""), level)(text)

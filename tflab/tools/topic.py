@@ -1,0 +1,208 @@
+"""Who talks about what?  `ros2 topic list`, `info`, `type`, `find`; `echo` and `hz` have pages of their own.
+
+    ros2 topic info /tf --verbose
+        Publisher count: 2          <- two nodes on /tf: the only evidence of a second owner
+            Node name: ekf
+            Node name: wheel_odometry
+
+upstream: ros2cli/ros2topic.  Read `topic_echo.py` next.
+"""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Sequence
+
+from tflab.ros import distro
+
+from .session import cli_node
+
+__all__ = ["add_verbs", "endpoint_text", "info_text", "list_text"]
+
+NO_LIMIT_NS = 2**63 - 1
+
+# What a policy that was left to the system has become by the time that discovery shows it.
+RESOLVED = {"reliability": "RELIABLE", "history": "KEEP_LAST", "durability": "VOLATILE", "liveliness": "AUTOMATIC"}
+
+
+def add_verbs(verbs: argparse._SubParsersAction) -> None:
+    """Add the verbs of `ros2 topic` to a parser."""
+    from . import topic_echo, topic_rates
+
+    topic_rates.add_delay(verbs)
+    topic_echo.add_echo(verbs)
+    _add(verbs, "find", "Output a list of available topics of a given type", find, "topic_type",
+         "Name of the ROS topic type to filter for (e.g. 'std_msg/msg/String')", hidden=True, count=True)  # fmt: skip
+    topic_rates.add_hz(verbs)
+    info_parser = _add(verbs, "info", "Print information about a topic", info, "topic_name",
+                       "Name of the ROS topic to get info (e.g. '/chatter')")  # fmt: skip
+    info_parser.add_argument(
+        "--verbose", "-v", action="store_true",
+        help="Prints detailed information like the node name, node namespace, topic type, topic type hash, GUID, and "
+             "QoS Profile of the publishers and subscribers to this topic",
+    )  # fmt: skip
+    list_parser = _add(verbs, "list", "Output a list of available topics", list_topics, hidden=True, count=True)
+    list_parser.add_argument("-t", "--show-types", action="store_true", help="Additionally show the topic type")
+    list_parser.add_argument("-v", "--verbose", action="store_true", help="List full details about each topic")
+    _add(verbs, "type", "Print a topic's type", topic_type, "topic_name",
+         "Name of the ROS topic to get type (e.g. '/chatter')")  # fmt: skip
+
+
+def _add(verbs, name, what, run, argument="", argument_help="", hidden=False, count=False) -> argparse.ArgumentParser:
+    """Add one verb, with the options that several share."""
+    verb = verbs.add_parser(name, help=what, description=what)
+    verb.set_defaults(run=run)
+    add_discovery_options(verb)
+    if argument:
+        verb.add_argument(argument, help=argument_help)
+    if count:
+        verb.add_argument("-c", "--count-topics", action="store_true",
+                          help="Only display the number of topics discovered")  # fmt: skip
+    if hidden:
+        verb.add_argument("-a", "--include-hidden-topics", action="store_true", help="Consider hidden topics as well")
+    return verb
+
+
+def add_discovery_options(parser: argparse.ArgumentParser) -> None:
+    """Add the options about discovery, which here is immediate: they are taken, and change nothing."""
+    parser.add_argument(
+        "--spin-time", type=float,
+        help="Spin time in seconds to wait for discovery (only applies when not using an already running daemon)",
+    )  # fmt: skip
+    parser.add_argument("-s", "--use-sim-time", action="store_true", help="Enable ROS simulation time")
+    parser.add_argument("--no-daemon", action="store_true", help="Do not spawn nor use an already running daemon")
+
+
+# -- what they print ------------------------------------------------------
+
+
+def list_text(topics: Sequence[tuple[str, Sequence[str]]], show_types: bool = False) -> str:
+    """Return a line for each topic."""
+    return "\n".join(f"{name} [{', '.join(types)}]" if show_types else name for name, types in topics)
+
+
+def verbose_list_text(topics: Sequence[tuple[str, Sequence[str], int, int]]) -> str:
+    """Return the topics, each (name, types, publishers, subscriptions), that have publishers, then the others."""
+    blocks = []
+    for heading, who, column in (("Published topics:", "publisher", 2), ("Subscribed topics:", "subscriber", 3)):
+        lines = [
+            f" * {topic[0]} [{', '.join(topic[1])}] {topic[column]} {who}{'s' if topic[column] > 1 else ''}"
+            for topic in topics
+            if topic[column]
+        ]
+        blocks.append("\n".join([heading, *lines]) + "\n")
+    return "\n".join(blocks)
+
+
+def info_text(types: Sequence[str], publishers: Sequence[str] | int, subscriptions: Sequence[str] | int) -> str:
+    """Return what `info` prints: given numbers the short form, given the texts of the endpoints the long one."""
+    type_text = types[0] if len(types) == 1 else list(types)
+    if isinstance(publishers, int):
+        return f"Type: {type_text}\nPublisher count: {publishers}\nSubscription count: {subscriptions}"
+    blocks = [
+        f"Type: {type_text}",
+        f"Publisher count: {len(publishers)}",
+        *publishers,
+        f"Subscription count: {len(subscriptions)}",
+        *subscriptions,
+    ]
+    return "\n\n".join(blocks) + "\n"
+
+
+def endpoint_text(endpoint, type_hash: str | None) -> str:
+    """Return one publisher or subscription as `info --verbose` prints it; Humble has no line for the hash."""
+    qos = endpoint.qos_profile
+    policies = {kind: getattr(qos, kind).name for kind in RESOLVED}
+    policies = {kind: RESOLVED[kind] if name == "SYSTEM_DEFAULT" else name for kind, name in policies.items()}
+    depth = f" ({qos.depth})" if policies["history"] == "KEEP_LAST" else ""
+    lines = [
+        f"Node name: {endpoint.node_name}",
+        f"Node namespace: {endpoint.node_namespace}",
+        f"Topic type: {endpoint.topic_type}",
+        *([f"Topic type hash: {type_hash}"] if type_hash else []),
+        f"Endpoint type: {endpoint.endpoint_type.name}",
+        f"GID: {'.'.join(f'{byte:02x}' for byte in endpoint.endpoint_gid)}",
+        "QoS profile:",
+        f"  Reliability: {policies['reliability']}",
+        f"  History (Depth): {policies['history']}{depth}",
+        f"  Durability: {policies['durability']}",
+        f"  Lifespan: {_duration_text(qos.lifespan)}",
+        f"  Deadline: {_duration_text(qos.deadline)}",
+        f"  Liveliness: {policies['liveliness']}",
+        f"  Liveliness lease duration: {_duration_text(qos.liveliness_lease_duration)}",
+    ]
+    return "\n".join(lines)
+
+
+def _duration_text(duration) -> str:
+    is_unlimited = duration.nanoseconds in (0, NO_LIMIT_NS)
+    return "Infinite" if is_unlimited else f"{duration.nanoseconds} nanoseconds"
+
+
+# -- the verbs ------------------------------------------------------------
+
+
+def visible(names_and_types: Sequence[tuple[str, Sequence[str]]], hidden: bool = False) -> list[tuple[str, list[str]]]:
+    """Return those topics or services that are not hidden (no part of their name begins with "_"), by name."""
+    return sorted((name, list(types)) for name, types in names_and_types if hidden or "/_" not in name)
+
+
+def types_of(node, topic_name: str) -> list[str] | None:
+    """Return the types of a topic, None if there is no such topic."""
+    return dict(node.get_topic_names_and_types()).get(topic_name)
+
+
+def list_topics(options: argparse.Namespace) -> str | None:
+    """Print the topics."""
+    with cli_node() as node:
+        topics = visible(node.get_topic_names_and_types(), options.include_hidden_topics)
+        if options.count_topics:
+            print(len(topics))
+        elif topics and options.verbose:
+            counts = [(n, t, node.count_publishers(n), node.count_subscribers(n)) for n, t in topics]
+            print(verbose_list_text(counts))
+        elif topics:
+            print(list_text(topics, options.show_types))
+
+
+def info(options: argparse.Namespace) -> str | None:
+    """Print who publishes and who listens."""
+    with cli_node() as node:
+        name = options.topic_name
+        types = types_of(node, name)
+        if types is None:
+            return f"Unknown topic '{name}'"
+        if not options.verbose:
+            print(info_text(types, node.count_publishers(name), node.count_subscribers(name)))
+            return None
+        publishers = [_endpoint(each) for each in node.get_publishers_info_by_topic(name)]
+        subscriptions = [_endpoint(each) for each in node.get_subscriptions_info_by_topic(name)]
+        print(info_text(types, publishers, subscriptions))
+    return None
+
+
+def _endpoint(endpoint) -> str:
+    from tflab.ros.messages.text import type_hash
+
+    return endpoint_text(endpoint, type_hash(endpoint.topic_type) if distro.current().has_type_hash else None)
+
+
+def topic_type(options: argparse.Namespace) -> str | int | None:
+    """Print the type of a topic; an unknown one is exit code 1 and no word."""
+    with cli_node() as node:
+        types = types_of(node, options.topic_name)
+        if types is None:
+            return 1
+        print("\n".join(types))
+    return None
+
+
+def find(options: argparse.Namespace) -> None:
+    """Print the topics of a type."""
+    with cli_node() as node:
+        topics = visible(node.get_topic_names_and_types(), options.include_hidden_topics)
+        names = [name for name, types in topics if options.topic_type in types]
+        if options.count_topics:
+            print(len(names))
+        elif names:
+            print("\n".join(names))

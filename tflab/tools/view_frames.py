@@ -1,0 +1,117 @@
+"""What does the tree look like?  `view_frames`: listen for five seconds, then draw.
+
+    /tf, /tf_static --5 s--> Buffer --service tf2_frames--> frames_<date>_<time>.gv
+                                                            frames_<date>_<time>.pdf
+
+The .gv is upstream's to the letter.  The .pdf is drawn by `tflab.views.tree`, so
+that no `dot` program is needed, and a page shows the same drawing.  The broadcaster
+is `default_authority` for everybody, so two publishers of one child do not show.
+So it is upstream.  `frame_tree()` in `trees.py` draws the tree of a graph with its
+real publishers.
+
+upstream: tf2_tools/tf2_tools/view_frames.py.  Read `trees.py` next.
+"""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Mapping, Sequence
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from tflab.views.tree import TreePicture, draw_tree
+
+from .session import spin_for, spin_until_done, tool_node
+
+__all__ = ["dot_from_frames", "main", "parser", "write_pictures"]
+
+
+def parser() -> argparse.ArgumentParser:
+    """Return the tool's options, with upstream's help texts."""
+    options = argparse.ArgumentParser(
+        prog="view_frames", description="Create a diagram of the TF frames being broadcast over ROS"
+    )
+    options.add_argument(
+        "--wait-time", "-t", type=float, default=5.0,
+        help="Listen to the /tf topic for this many seconds before rendering the frame tree",
+    )  # fmt: skip
+    options.add_argument("-o", "--output", help="Output filename")
+    options.add_argument("--tf_topic", help="Topic for dynamic transforms", default="/tf")
+    options.add_argument("--tf_static_topic", help="Topic for static transforms", default="/tf_static")
+    return options
+
+
+def dot_from_frames(frames: Mapping[Any, Mapping[str, Any]], recorded_s: float) -> str:
+    """Return upstream's Graphviz text of what the service `tf2_frames` answered."""
+    if not frames:
+        return 'digraph G { "No tf data received" }'
+    lines, root = ["digraph G {"], ""
+    for name, frame in frames.items():
+        lines.append(
+            f'"{frame["parent"]}" -> "{name}"[label=" '
+            f"Broadcaster: {frame['broadcaster']}\\n"
+            f"Average rate: {frame['rate']}\\n"
+            f"Buffer length: {frame['buffer_length']}\\n"
+            f"Most recent transform: {frame['most_recent_transform']}\\n"
+            f'Oldest transform: {frame["oldest_transform"]}\\n"];'
+        )
+        if frame["parent"] not in frames:
+            root = frame["parent"]
+    lines.append("edge [style=invis];")
+    lines.append(' subgraph cluster_legend { style=bold; color=black; label ="view_frames Result";')
+    lines.append(f'"Recorded at time: {recorded_s}"[ shape=plaintext ] ;')
+    lines.append(f'}}->"{root}";\n}}')
+    return "\n".join(lines)
+
+
+def write_pictures(stem: str, dot: str, picture: TreePicture) -> None:
+    """Write `stem`.gv and `stem`.pdf."""
+    Path(f"{stem}.gv").write_text(dot)
+    Path(f"{stem}.pdf").write_bytes(picture.pdf())
+
+
+def main(arguments: Sequence[str], pictures: list[Any]) -> int:
+    """Listen, write the files, and append the drawing to `pictures`; return the exit code."""
+    options = parser().parse_args(arguments)
+    with tool_node("view_frames") as node:
+        return _view(node, options, pictures)
+
+
+def _view(node, options: argparse.Namespace, pictures: list[Any]) -> int:
+    from tflab.ros.messages.tf2_msgs import FrameGraph
+    from tflab.ros.tf2_buffer import Buffer
+    from tflab.ros.tf2_listener import TransformListener
+
+    log = node.get_logger()
+    buffer = Buffer(node=node)
+    listener = TransformListener(buffer, node, tf_topic=options.tf_topic, tf_static_topic=options.tf_static_topic)
+    log.info(f"Listening to tf data for {options.wait_time} seconds...")
+    spin_for(node, options.wait_time)
+    log.info("Generating graph...")
+
+    client = node.create_client(FrameGraph, "tf2_frames")
+    while not client.wait_for_service(timeout_sec=1.0):
+        log.info("service not available, waiting again...")
+    future = client.call_async(FrameGraph.Request())
+    spin_until_done(node, future)
+    answer = future.result()
+    log.info(f"Result:{answer}")
+
+    now = node.get_clock().now()
+    stem = options.output or _dated_name(node.context.process.driver)
+    log.info(f"Exporting graph in {stem}.pdf file...")
+    sec, nanosec = now.seconds_nanoseconds()
+    picture = draw_tree(buffer.core.snapshot(), now.nanoseconds, title="view_frames Result")
+    write_pictures(stem, dot_from_frames(yaml.safe_load(answer.frame_yaml), sec + nanosec / 1e9), picture)
+    pictures.append(picture)
+    listener.unregister()
+    return 0
+
+
+def _dated_name(driver) -> str:
+    """Return the name with date and time: local time on a wall clock, since 1970 on a virtual one."""
+    zone = UTC if driver.is_virtual else None
+    return datetime.fromtimestamp(driver.now_ns() / 1e9, zone).strftime("frames_%Y-%m-%d_%H.%M.%S")
