@@ -82,7 +82,7 @@ def sentence(stamped: StampedTransform, asked_ns: int = LATEST) -> Sentence:
 
 def matrix_rows(transform: Transform) -> tuple[str, str, str, str]:
     """Return the four rows of a 4x4 matrix, in brackets."""
-    rows = [[f"{style.fmt(cell, unit=''):>7}" for cell in row] for row in transform.matrix()]
+    rows = [[f"{style.fmt(cell, unit=''):>6}" for cell in row] for row in transform.matrix()]
     return tuple(f"[{' '.join(row)} ]" for row in rows)
 
 
@@ -162,7 +162,7 @@ class SentencePicture(Picture):
             place_labels(list(self._labels.values()))
             self.words.set_text(said.english)
             product = f"{target}_p = {target}_T_{source} @ {source}_p"
-            self.lines.set_text("\n".join((said.call, said.echo_command, product)))
+            self.lines.set_text("\n".join((said.call, f"tf2_echo {target} {source}", product)))
             self.matrix.set_text("\n".join(said.matrix))
         self.text = said.text
         return self

@@ -1,0 +1,30 @@
+"""What happens if I move it?  Sliders in front of the pictures.
+
+    slider --> a pure function --> the picture moves its artists --> a PNG for the page
+                                `-> panel.text, the same in words
+
+    panel          controls, a picture, words: what all of them share
+    axes           turn a robot; move a point in front of a camera
+    sentence       choose target and source in any of five ways
+    timeline       drag a query past either end of the buffer
+    latency        how far off, for this speed, turn, range and delay
+
+A page shows a panel by naming it in the last line of a cell; `.text` says the same
+in a terminal, and `.close()` gives everything back.  Start with `panel.py`.
+"""
+
+from .axes import cameras_panel, rotation_panel
+from .latency import latency_panel
+from .panel import Panel
+from .sentence import SentencePanel, sentence_panel
+from .timeline import timeline_panel
+
+__all__ = [
+    "Panel",
+    "SentencePanel",
+    "cameras_panel",
+    "latency_panel",
+    "rotation_panel",
+    "sentence_panel",
+    "timeline_panel",
+]

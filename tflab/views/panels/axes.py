@@ -1,0 +1,39 @@
+"""Which way does it turn?  Sliders in front of `axes`.
+
+The pure functions behind it are `Transform.from_rpy` and
+`tflab.views.axes.optical_from_body`.  Read `sentence.py` next.
+"""
+
+from __future__ import annotations
+
+import math
+
+from ..axes import CamerasPicture, RotationPicture
+from .panel import Panel, slider
+
+
+def rotation_panel(roll_rad: float = 0.0, pitch_rad: float = 0.0, yaw_rad: float = 0.0) -> Panel:
+    """Return a panel that turns a robot by roll, pitch and yaw [rad] and shows its quaternion and its matrix."""
+    half_turn = round(math.pi, 2)
+    roll = slider("roll", roll_rad, -half_turn, half_turn, 0.01, "rad")
+    pitch = slider("pitch", pitch_rad, -half_turn, half_turn, 0.01, "rad")
+    yaw = slider("yaw", yaw_rad, -half_turn, half_turn, 0.01, "rad")
+    picture = RotationPicture()
+
+    def move() -> None:
+        picture.show(roll.value, pitch.value, yaw.value)
+
+    return Panel("A robot turned by roll, pitch and yaw", picture, (roll, pitch, yaw), move)
+
+
+def cameras_panel(forward_m: float = 2.0, left_m: float = 0.0, up_m: float = 0.0) -> Panel:
+    """Return a panel that moves a point in front of a camera and shows it in the body and in the optical frame."""
+    forward = slider("forward", forward_m, 0.5, 4.0, 0.05, "m")
+    left = slider("left", left_m, -1.5, 1.5, 0.05, "m")
+    up = slider("up", up_m, -1.0, 1.0, 0.05, "m")
+    picture = CamerasPicture()
+
+    def move() -> None:
+        picture.show((forward.value, left.value, up.value))
+
+    return Panel("One camera with its body frame and its optical frame", picture, (forward, left, up), move)

@@ -1,0 +1,124 @@
+"""What do all panels share?  Controls above, a picture below, and the same in words on request.
+
+    speed  ----o------------  1.00 m/s
+    delay  --o--------------  0.20 s
+    +-----------------------------+
+    |           picture           |      [as text]
+    +-----------------------------+
+
+All controls can be reached and moved with the keyboard: Tab goes from one to the
+next, the arrow keys move a slider.
+
+Read `axes.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from html import escape
+
+import ipywidgets as widgets
+
+from ..picture import Picture
+
+
+class Panel:
+    """Controls, a picture that follows them, and the same in words.
+
+    Attributes:
+        picture: what is moved.
+        controls: by their description.
+        widget: what Jupyter shows.
+    """
+
+    def __init__(
+        self,
+        title: str,
+        picture: Picture,
+        controls: Sequence[widgets.ValueWidget],
+        move: Callable[[], object],
+        layout: Sequence[widgets.Widget] | None = None,
+    ) -> None:
+        """Make a panel.
+
+        Args:
+            title: what it is, for a screen reader.
+            controls: whatever changes the picture.
+            move: moves the picture to where the controls are.
+            layout: the controls as they should stand, if not one below the other.
+        """
+        self.picture = picture
+        self.controls = {control.description: control for control in controls}
+        self._move = move
+        width, height = picture.size_px
+        self._image = widgets.Image(format="png", width=width, height=height, tooltip=title)
+        self._image.layout.max_width = "100%"
+        self._image.layout.object_fit = "contain"
+        self._as_text = widgets.ToggleButton(description="as text", tooltip="Show the same in words")
+        self._words = widgets.HTML()
+        self._words.layout.display = "none"
+        self.widget = widgets.VBox([*(layout or controls), self._image, self._as_text, self._words])
+        for control in controls:
+            control.observe(self._on_change, names="value")
+        self._as_text.observe(self._on_as_text, names="value")
+        self.redraw()
+
+    @property
+    def text(self) -> str:
+        """What the picture shows, in words."""
+        return self.picture.text
+
+    def redraw(self) -> None:
+        """Move the picture to where the controls are, and show it."""
+        self._move()
+        self._image.value = self.picture.live_png()
+        if self._as_text.value:
+            self._words.value = f"<pre>{escape(self.text)}</pre>"
+
+    def close(self) -> None:
+        """Take the panel off the page and free its picture."""
+        for control in self.controls.values():
+            control.unobserve_all()
+        self._as_text.unobserve_all()
+        _close_all(self.widget)
+        self.picture.figure.clear()
+        self.picture.redraw_all()
+        self._move = _nothing
+
+    def _on_change(self, change) -> None:
+        self.redraw()
+
+    def _on_as_text(self, change) -> None:
+        self._words.layout.display = "block" if change.new else "none"
+        self._words.value = f"<pre>{escape(self.text)}</pre>" if change.new else ""
+
+    def _repr_mimebundle_(self, **kwargs):
+        data, metadata = self.widget._repr_mimebundle_(**kwargs), {}
+        return {**data, "text/plain": self.text}, metadata
+
+
+def slider(description: str, value: float, low: float, high: float, step: float, unit: str) -> widgets.FloatSlider:
+    """Return a slider from `low` to `high` that says what it is, in which unit, and follows while dragged."""
+    digits = 2 if step >= 0.01 else 3
+    return widgets.FloatSlider(
+        value=value,
+        min=low,
+        max=high,
+        step=step,
+        description=f"{description} [{unit}]",
+        tooltip=f"{description}, from {low:g} to {high:g} {unit}",
+        readout_format=f".{digits}f",
+        continuous_update=True,
+        style={"description_width": "130px"},
+        layout={"width": "560px", "max_width": "100%"},
+    )
+
+
+def _close_all(widget: widgets.Widget) -> None:
+    for child in getattr(widget, "children", ()):
+        _close_all(child)
+    widget.close()
+
+
+def _nothing() -> None:
+    """Do nothing: a closed panel has nothing to move."""
