@@ -1,0 +1,261 @@
+"""tf2's MessageFilter: messages come out once they can be transformed, or the log says why not."""
+
+from types import SimpleNamespace
+
+import pytest
+
+from tflab.core import NSEC_PER_SEC, BufferCore, StampedTransform, Transform, seconds
+from tflab.ros.duration import Duration
+from tflab.ros.filters import SimpleFilter
+from tflab.ros.logging import LoggingSeverity, get_logger, set_logger_level
+from tflab.ros.message_filter import DropReason, MessageFilter
+from tflab.ros.messages.geometry_msgs import PointStamped
+from tflab.ros.time import Time
+
+
+class NodeWithTimers:
+    """A node whose timers a test fires by hand."""
+
+    def __init__(self):
+        self.timers = []
+
+    def get_logger(self):
+        return get_logger("laser_node")
+
+    def create_timer(self, timer_period_sec, callback):
+        timer = SimpleNamespace(period_s=timer_period_sec, fire=callback)
+        self.timers.append(timer)
+        return timer
+
+    def destroy_timer(self, timer):
+        self.timers.remove(timer)
+        return True
+
+
+class Setup:
+    """A filter to `map`, its input, its engine, and what has come out [s]."""
+
+    def __init__(self, target_frame="map", queue_size=10, buffer_timeout=None):
+        self.engine = BufferCore()
+        self.node = NodeWithTimers()
+        self.input = SimpleFilter()
+        self.passed = []
+        buffer = SimpleNamespace(core=self.engine)
+        self.filter = MessageFilter(self.input, buffer, target_frame, queue_size, self.node, buffer_timeout)
+        self.filter.registerCallback(
+            lambda message: self.passed.append(Time.from_msg(message.header.stamp).nanoseconds / NSEC_PER_SEC)
+        )
+
+    def message(self, at_s, frame_id="laser"):
+        message = PointStamped()
+        message.header.frame_id = frame_id
+        message.header.stamp = Time(nanoseconds=seconds(at_s)).to_msg()
+        self.input.signalMessage(message)
+
+    def transform(self, *at_s, parent="map", child="laser"):
+        for stamp_s in at_s:
+            self.engine.set_transform(StampedTransform(parent, child, seconds(stamp_s), Transform()))
+
+
+def test_a_message_waits_for_its_transform_and_then_comes_out():
+    setup = Setup()
+    setup.message(2.0)
+    setup.transform(1.0)
+    assert setup.passed == []
+    setup.transform(3.0)
+    assert setup.passed == [2.0]
+    assert (setup.filter.incoming_message_count, setup.filter.successful_transform_count) == (1, 1)
+
+
+def test_a_message_that_can_be_transformed_comes_out_at_once():
+    setup = Setup()
+    setup.transform(1.0, 3.0)
+    setup.message(2.0)
+    assert setup.passed == [2.0]
+
+
+def test_messages_come_out_in_the_order_of_their_transforms():
+    setup = Setup()
+    setup.transform(1.0, parent="map", child="laser")
+    setup.transform(1.0, parent="map", child="camera")
+    setup.message(2.0, "laser")
+    setup.message(1.5, "camera")
+    setup.transform(3.0, child="camera")
+    setup.transform(3.0, child="laser")
+    assert setup.passed == [1.5, 2.0]
+
+
+def test_a_message_without_a_frame_is_dropped_at_once(capsys):
+    setup = Setup()
+    setup.message(12.345, frame_id="")
+    assert setup.filter.dropped == {DropReason.EMPTY_FRAME_ID: 1}
+    assert setup.filter.incoming_message_count == 0
+    assert_logged(
+        capsys,
+        "[INFO]",
+        "[laser_node]: Message Filter dropping message: frame '' at time 12.345 "
+        "for reason 'the frame id of the message is empty'",
+    )
+
+
+def test_a_full_queue_drops_the_oldest_to_admit_the_new(capsys):
+    setup = Setup(queue_size=2)
+    for at_s in (2.0, 3.0, 4.0):
+        setup.message(at_s)
+    assert setup.filter.dropped == {DropReason.QUEUE_FULL: 1}
+    assert_logged(
+        capsys,
+        "Message Filter dropping message: frame 'laser' at time 2.000 "
+        "for reason 'discarding message because the queue is full'",
+    )
+    setup.transform(1.0, 5.0)
+    assert sorted(setup.passed) == [3.0, 4.0]
+
+
+def test_a_full_queue_drops_the_oldest_even_for_one_that_is_ready_at_once():
+    setup = Setup(queue_size=1)
+    setup.transform(1.0, 3.0)
+    setup.message(4.0)
+    setup.message(2.0)
+    assert setup.passed == [2.0]
+    assert setup.filter.dropped == {DropReason.QUEUE_FULL: 1}
+
+
+def test_a_queue_of_size_zero_has_no_end():
+    setup = Setup(queue_size=0)
+    for i in range(50):
+        setup.message(2.0 + i)
+    assert setup.filter.dropped == {}
+
+
+def test_a_message_older_than_the_cache_is_dropped_when_it_comes(capsys):
+    setup = Setup()
+    setup.transform(20.0, 21.0)  # the cache reaches back ten seconds, to 11 s
+    setup.message(10.9)
+    assert setup.filter.dropped == {DropReason.OUT_THE_BACK: 1}
+    assert_logged(
+        capsys,
+        "Message Filter dropping message: frame 'laser' at time 10.900 for reason "
+        "'the timestamp on the message is earlier than all the data in the transform cache'",
+    )
+
+
+def test_a_message_is_dropped_while_it_waits_once_time_has_left_it_behind():
+    setup = Setup()
+    setup.transform(5.0)
+    setup.message(4.0)
+    assert setup.filter.dropped == {}
+    setup.transform(14.1)
+    assert setup.filter.dropped == {DropReason.OUT_THE_BACK: 1}
+    assert setup.passed == []
+
+
+def test_with_a_tolerance_a_message_waits_until_that_much_later_is_known_too():
+    setup = Setup()
+    setup.filter.setTolerance(Duration(seconds=0.5))
+    setup.transform(1.0, 2.4)
+    setup.message(2.0)
+    assert setup.passed == []
+    setup.transform(2.5)
+    assert setup.passed == [2.0]
+
+
+def test_with_two_targets_a_message_waits_for_both():
+    setup = Setup()
+    setup.filter.setTargetFrames(["map", "odom"])
+    setup.transform(1.0, 3.0)
+    setup.message(2.0)
+    assert setup.passed == []
+    setup.transform(1.0, 3.0, parent="map", child="odom")
+    assert setup.passed == [2.0]
+
+
+def test_leading_slashes_are_stripped_from_targets_and_frames():
+    setup = Setup(target_frame="/map")
+    assert setup.filter.getTargetFramesString() == "map "
+    setup.transform(1.0, 3.0)
+    setup.message(2.0, frame_id="/laser")
+    assert setup.passed == [2.0]
+
+
+def test_without_a_target_nothing_is_taken():
+    setup = Setup()
+    setup.filter.setTargetFrames([])
+    setup.message(2.0)
+    assert setup.filter.incoming_message_count == 0
+
+
+def test_a_message_that_waits_longer_than_the_timeout_is_dropped():
+    setup = Setup(buffer_timeout=Duration(seconds=0.2))
+    setup.message(2.0)
+    (timer,) = setup.node.timers
+    assert timer.period_s == pytest.approx(0.2)
+    timer.fire()
+    assert setup.filter.dropped == {DropReason.OUT_THE_BACK: 1}
+    assert setup.node.timers == []
+    setup.transform(1.0, 3.0)
+    assert setup.passed == []
+
+
+def test_a_message_that_comes_out_in_time_leaves_no_timer():
+    setup = Setup(buffer_timeout=Duration(seconds=0.2))
+    setup.message(2.0)
+    setup.transform(1.0, 3.0)
+    assert setup.passed == [2.0]
+    setup.message(2.5)
+    assert setup.passed == [2.0, 2.5]
+    assert setup.node.timers == []
+
+
+def test_clear_forgets_what_waits_without_a_word(capsys):
+    setup = Setup(buffer_timeout=Duration(seconds=1.0))
+    setup.message(2.0)
+    setup.filter.clear()
+    setup.transform(1.0, 3.0)
+    assert (setup.passed, setup.filter.dropped, setup.node.timers) == ([], {}, [])
+    assert capsys.readouterr().err == ""
+
+
+def test_a_transform_that_is_gone_again_when_the_last_one_comes_drops_the_message_for_an_unknown_reason():
+    setup = Setup()
+    setup.filter.setTargetFrames(["map", "odom"])
+    setup.transform(1.0, 3.0)
+    setup.message(2.0)
+    setup.engine.clear()
+    setup.transform(1.0, 3.0, parent="odom", child="laser")  # the laser's only parent is odom now
+    assert setup.passed == []
+    assert setup.filter.dropped == {DropReason.UNKNOWN: 1}
+
+
+def test_the_queue_can_be_made_smaller_on_the_way():
+    setup = Setup(queue_size=5)
+    setup.filter.setQueueSize(1)
+    assert setup.filter.getQueueSize() == 1
+    setup.message(2.0)
+    setup.message(3.0)
+    assert setup.filter.dropped == {DropReason.QUEUE_FULL: 1}
+
+
+def test_at_debug_level_each_step_is_told(capsys):
+    set_logger_level("tf2_ros_message_filter", LoggingSeverity.DEBUG)
+    try:
+        setup = Setup(queue_size=1)
+        setup.message(2.0)
+        setup.message(2.5)
+        setup.transform(1.0, 3.0)
+    finally:
+        set_logger_level("tf2_ros_message_filter", LoggingSeverity.UNSET)
+    assert_logged(
+        capsys,
+        "[tf2_ros_message_filter]: MessageFilter [target=map ]: "
+        "Added message in frame laser at time 2.000, count now 1",
+        "MessageFilter [target=map ]: Removed oldest message because buffer is full, count now 1 "
+        "(frame_id=laser, stamp=2.000000)",
+        "MessageFilter [target=map ]: Message ready in frame laser at time 2.500, count now 0",
+    )
+
+
+def assert_logged(capsys, *texts):
+    printed = capsys.readouterr()
+    for text in texts:
+        assert text in printed.out + printed.err
