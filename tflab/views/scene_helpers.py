@@ -33,6 +33,7 @@ if TYPE_CHECKING:
 
 GHOST_OPACITY = 0.28
 GRID_COLOUR = "#8C9196"
+ACCENT = "#B5539B"  # style.ACCENT, in a shade that stands out on a light and on a dark page
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,7 +118,7 @@ def draw_arrow(
 
 
 def draw_path(
-    scene: Scene, path: str, points: np.ndarray, colour: str = style.ACCENT, radius_m: float = 0.015, ghost: bool = False
+    scene: Scene, path: str, points: np.ndarray, colour: str = ACCENT, radius_m: float = 0.015, ghost: bool = False
 ) -> None:
     """Draw a line through `points`, shape (n, 3) [m]; a ghost is grey and dashed."""
     mesh = shapes.polyline(points, radius_m, style.GREY if ghost else colour, dashed=ghost)
@@ -129,7 +130,7 @@ def draw_points(
     scene: Scene,
     path: str,
     points: np.ndarray,
-    colour: str | np.ndarray = style.ACCENT,
+    colour: str | np.ndarray = ACCENT,
     size_m: float = 0.05,
     words: str = "point cloud",
 ) -> None:
@@ -150,7 +151,7 @@ def draw_scan(
     ranges_m: np.ndarray,
     angle_min_rad: float,
     angle_increment_rad: float,
-    colour: str = style.ACCENT,
+    colour: str = ACCENT,
     size_m: float = 0.06,
     ghost: bool = False,
 ) -> None:
@@ -173,7 +174,7 @@ def draw_camera(
     image_px: tuple[int, int] = (640, 480),
     focal_px: float = 525.0,
     depth_m: float = 0.6,
-    colour: str = style.ACCENT,
+    colour: str = ACCENT,
     pixels: np.ndarray | None = None,
 ) -> None:
     """Draw what a camera sees, down to an image plane at `depth_m`, and on it `pixels` (u, v), shape (n, 2).
@@ -187,17 +188,15 @@ def draw_camera(
         camera.set_transform(scene_T_optical.matrix())
         camera["rim"].set_object(*_triangles(shapes.frustum(half_w, half_h, depth_m, 0.008 * depth_m, colour)))
         camera["image"].set_object(*_triangles(_image_plane(half_w, half_h, depth_m, colour), 0.16))
-        corner = (-half_w, -half_h, depth_m)
         camera["image"].set_property("labels", [
-            _label("(0, 0)", corner, colour),
-            _label("u", (half_w * 0.1, -half_h * 1.12, depth_m), colour),
-            _label("v", (-half_w * 1.12, half_h * 0.1, depth_m), colour),
+            _label("u", (half_w * 0.1, -half_h * 1.18, depth_m), colour, small=True),
+            _label("v", (-half_w * 1.18, half_h * 0.1, depth_m), colour, small=True),
         ])  # fmt: skip
         camera.set_property("words", f"camera, {width_px} x {height_px} pixels, image plane at {depth_m:.2f} m")
         if pixels is not None:
             centred = (np.asarray(pixels, dtype=float).reshape(-1, 2) - (width_px / 2.0, height_px / 2.0)) / focal_px
             points = np.column_stack([centred * depth_m, np.full(len(centred), depth_m)])
-            draw_points(scene, f"{path}/pixels", points, style.INK, 0.05 * depth_m, "pixels")
+            draw_points(scene, f"{path}/pixels", points, colour, 0.05 * depth_m, "pixels")
 
 
 def draw_robot(
@@ -285,7 +284,9 @@ def _fan(points: np.ndarray, hit: np.ndarray, colour: str) -> shapes.Mesh:
 
 
 def _image_plane(half_w: float, half_h: float, depth: float, colour: str) -> shapes.Mesh:
-    corners = np.array([(x, y, depth) for x, y in ((-half_w, -half_h), (half_w, -half_h), (half_w, half_h), (-half_w, half_h))])
+    corners = np.array(
+        [(x, y, depth) for x, y in ((-half_w, -half_h), (half_w, -half_h), (half_w, half_h), (-half_w, half_h))]
+    )
     return shapes.Mesh(corners, np.array([(0, 1, 2), (0, 2, 3)]), np.tile(shapes.rgb(colour), (4, 1)))
 
 

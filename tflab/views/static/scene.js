@@ -11,7 +11,7 @@
 const BLUR_PX = 4;             // a click may move this far and is still a click
 const PICK_PX = 16;            // how near to a frame's origin a click must be
 const SWEEP_SECONDS = 4;       // how long playing a sweep takes
-const MARGIN = 1.12;           // room for names around what is drawn
+const MARGIN = 1.15;           // room for names around what is drawn
 const EYE = [-0.62, -1.15, 0.72]; // x to the right, y away, z up
 
 // ---- loading meshcat's viewer: once per page -----------------------------------------------------
@@ -168,6 +168,39 @@ function ring(context, label, spot) {
   context.stroke();
 }
 
+// ---- where to look from --------------------------------------------------------------------------
+
+// The corners of the box around each thing below `root`.
+function cornersOf(THREE, root) {
+  const corners = [];
+  root.updateWorldMatrix(true, true); // nothing may have been drawn yet
+  root.traverse((object) => {
+    if (!object.geometry || !isShown(object)) return;
+    object.geometry.computeBoundingBox();
+    const { min, max } = object.geometry.boundingBox;
+    if (min.x > max.x) return; // nothing in it
+    for (const x of [min.x, max.x]) for (const y of [min.y, max.y]) for (const z of [min.z, max.z]) {
+      corners.push(new THREE.Vector3(x, y, z).applyMatrix4(object.matrixWorld));
+    }
+  });
+  return corners;
+}
+
+// The middle of all corners as seen from the direction `eye`, and how far away all are in the picture.
+function bestPlace(THREE, corners, center, eye, camera) {
+  const right = new THREE.Vector3(0, 1, 0).cross(eye).normalize();
+  const up = eye.clone().cross(right);
+  const along = (axis) => corners.map((corner) => corner.clone().sub(center).dot(axis));
+  const midway = (values) => (Math.min(...values) + Math.max(...values)) / 2;
+  const [rights, ups, nears] = [along(right), along(up), along(eye)];
+  const [midRight, midUp] = [midway(rights), midway(ups)];
+  const tall = Math.tan(camera.fov / 2 * Math.PI / 180), wide = tall * camera.aspect;
+  const needed = corners.map((_, i) => nears[i]
+    + Math.max(Math.abs(rights[i] - midRight) / wide, Math.abs(ups[i] - midUp) / tall));
+  const middle = center.clone().addScaledVector(right, midRight).addScaledVector(up, midUp);
+  return { middle, distance: MARGIN * Math.max(0.5, ...needed) };
+}
+
 // ---- one view ------------------------------------------------------------------------------------
 
 // Run `action`, and note in `noted` every listener it leaves on the window: the viewer never removes them.
@@ -230,7 +263,7 @@ class View {
       new IntersectionObserver((entries) => {
         this.visible = entries[entries.length - 1].isIntersecting;
         if (this.visible) this.wake();
-      }),
+      }, { rootMargin: "1000px" }),
       new MutationObserver(() => this.wake()), // the page's theme
     ];
     this.observers[0].observe(this.pane);
@@ -267,38 +300,21 @@ class View {
   // Look at everything, unless somebody has chosen where to look, or the view is good enough as it is.
   fit(again = false) {
     const root = this.scene.getObjectByName("meshcat");
-    if (!root || (this.turned && !again)) return;
-    const bounds = new this.THREE.Box3().setFromObject(root);
-    if (bounds.isEmpty()) return;
-    const middle = bounds.getCenter(new this.THREE.Vector3());
-    const radius = Math.max(0.25, bounds.getSize(new this.THREE.Vector3()).length() / 2);
-    const before = this.fitted;
-    if (!again && before && radius < 1.3 * before.radius && radius > 0.5 * before.radius
-      && middle.distanceTo(before.middle) < 0.5 * before.radius) return;
-    this.fitted = { middle, radius };
+    const corners = root && (again || !this.turned) ? cornersOf(this.THREE, root) : [];
+    if (!corners.length) return;
+    const sphere = new this.THREE.Sphere().setFromPoints(corners), before = this.fitted;
+    if (!again && before && sphere.radius < 1.3 * before.radius && sphere.radius > 0.5 * before.radius
+      && sphere.center.distanceTo(before.center) < 0.5 * before.radius) return;
+    this.fitted = sphere;
     const { camera, controls } = this.viewer;
     const eye = new this.THREE.Vector3(EYE[0], EYE[2], -EYE[1]).normalize();
-    const distance = MARGIN * this.distanceToSee(bounds, middle, eye);
+    const { middle, distance } = bestPlace(this.THREE, corners, sphere.center, eye, camera);
     camera.near = distance / 100;
     camera.far = distance * 100;
     controls.target.copy(middle);
     camera.position.copy(middle).addScaledVector(eye, distance);
     this.turned = false;
     this.wake();
-  }
-
-  // How far from `middle`, in the direction `eye`, all corners of a box are in the picture.
-  distanceToSee(bounds, middle, eye) {
-    const right = new this.THREE.Vector3(0, 1, 0).cross(eye).normalize();
-    const up = eye.clone().cross(right);
-    const tangent = Math.tan(this.viewer.camera.fov / 2 * Math.PI / 180);
-    let far = 0.5;
-    for (const x of ["min", "max"]) for (const y of ["min", "max"]) for (const z of ["min", "max"]) {
-      const corner = new this.THREE.Vector3(bounds[x].x, bounds[y].y, bounds[z].z).sub(middle);
-      const wide = Math.abs(corner.dot(right)) / (tangent * this.viewer.camera.aspect);
-      far = Math.max(far, corner.dot(eye) + Math.max(wide, Math.abs(corner.dot(up)) / tangent));
-    }
-    return far;
   }
 
   turn(right, up) { // by the arrow keys [rad]

@@ -1,0 +1,172 @@
+"""How does a page live on without a kernel and without a network?  As HTML that brings along all it needs.
+
+    executed notebook  -->  03_target_and_source.html        text, figures, the state of its live views
+                            assets/meshcat-1f2e3d4c.js       the 3D viewer      \\
+                            assets/module-5a6b7c8d.js        our JavaScript      > once for all pages
+                            assets/style-9e8f7a6b.css        Jupyter's style    /
+
+The page works from a disk (file://): 3D turns, a click picks, and each view keeps its
+scrubber; other inputs stand as text at their stored values (`export_widgets.py`).
+With `single_file` everything is in one file that can be mailed.
+
+The notebook must have been run with its widgets' state stored, as nbclient does.
+Files in `assets` are named after their content, so pages can share a folder.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+from .export_widgets import WIDGET_VIEW, LiveView, live_view, outputs_from_widget
+from .scene import viewer_file
+
+__all__ = ["export_html"]
+
+STATIC = Path(__file__).parent / "static"
+STATE = "application/vnd.jupyter.widget-state+json"
+LARGE_STYLE = 10_000  # characters; smaller styles stay in the page
+
+# nbconvert's page, without what it would fetch from elsewhere.
+TEMPLATE = """{%- extends 'lab/index.html.j2' -%}
+{%- block html_head_js -%}{%- endblock -%}
+{%- block html_head_js_mathjax -%}{%- endblock -%}
+{%- block html_head_js_mermaidjs -%}{%- endblock -%}
+{%- block jupyter_widgets -%}{%- endblock -%}
+"""
+OUR_STYLE = """
+.tflab-live pre { white-space: pre-wrap; }
+.tflab-value { margin: 2px 0; font-variant-numeric: tabular-nums; }
+"""
+
+
+def export_html(
+    notebook_path: str | Path, out_dir: str | Path, single_file: bool = False, language: str = "en"
+) -> Path:
+    """Write an executed notebook as HTML into `out_dir`; return the page's path.
+
+    Raises:
+        FileNotFoundError: there is no such notebook.
+    """
+    import nbformat
+
+    notebook_path, out_dir = Path(notebook_path), Path(out_dir)
+    notebook = nbformat.read(notebook_path, as_version=4)
+    views = _without_widgets(notebook)
+    page = _page(notebook, notebook_path.stem, language)
+    assets = _assets(views)
+    if not single_file:
+        page, styles = _styles_apart(page)
+        assets |= styles
+        _write_assets(assets, out_dir / "assets")
+    page = page.replace("</head>", _head(assets, views, single_file) + "</head>", 1)
+    page = page.replace("</body>", _foot(views) + "</body>", 1)
+    out_dir.mkdir(parents=True, exist_ok=True)
+    path = out_dir / f"{notebook_path.stem}.html"
+    path.write_text(page, encoding="utf-8")
+    return path
+
+
+def _without_widgets(notebook: Any) -> list[LiveView]:
+    """Replace every widget in the notebook by what is left of it; return its live views."""
+    import nbformat
+
+    models = notebook.metadata.pop("widgets", {}).get(STATE, {}).get("state", {})
+    names: dict[str, str] = {}
+    for cell in notebook.cells:
+        if cell.cell_type != "code":
+            continue
+        outputs = []
+        for output in cell.outputs:
+            view = output.get("data", {}).get(WIDGET_VIEW)
+            outputs += [output] if view is None else outputs_from_widget(view["model_id"], models, names)
+        cell.outputs = [nbformat.from_dict(output) for output in outputs]
+    return [live_view(name, models[model_id]) for model_id, name in names.items()]
+
+
+def _page(notebook: Any, title: str, language: str) -> str:
+    from jinja2 import DictLoader
+    from nbconvert import HTMLExporter
+
+    exporter = HTMLExporter(
+        extra_loaders=[DictLoader({"tflab.html.j2": TEMPLATE})], template_file="tflab.html.j2", language_code=language
+    )
+    page, _ = exporter.from_notebook_node(notebook, {"metadata": {"name": title}})
+    return page
+
+
+def _assets(views: list[LiveView]) -> dict[str, str]:
+    """Return the scripts that these views need, by file name."""
+    assets = {}
+    if any("scene" in view.state or any(b["path"] == ["scene"] for b in view.buffers) for view in views):
+        viewer = viewer_file().read_text(encoding="utf-8")
+        assets[f"meshcat-{_hash(viewer)}.js"] = viewer
+    for esm in sorted({view.esm for view in views}):
+        key = _hash(esm)
+        assets[f"module-{key}.js"] = f"(globalThis.tflabModules ??= {{}})['{key}'] = {_script_text(esm)};\n"
+    if views:
+        live = (STATIC / "export.js").read_text(encoding="utf-8")
+        assets[f"live-{_hash(live)}.js"] = live
+    return assets
+
+
+def _styles_apart(page: str) -> tuple[str, dict[str, str]]:
+    """Take the large styles out of a page; return it with links in their place, and the styles by file name."""
+    styles: dict[str, str] = {}
+
+    def link(found: re.Match) -> str:
+        if len(found[1]) < LARGE_STYLE:
+            return found[0]
+        name = f"style-{_hash(found[1])}.css"
+        styles[name] = found[1]
+        return f'<link rel="stylesheet" href="assets/{name}">'
+
+    return re.sub(r'<style type="text/css">(.*?)</style>', link, page, flags=re.DOTALL), styles
+
+
+def _write_assets(assets: dict[str, str], folder: Path) -> None:
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, text in assets.items():
+        if not (folder / name).exists():
+            (folder / name).write_text(text, encoding="utf-8")
+    if any(name.startswith("meshcat-") for name in assets):
+        licence = viewer_file().with_suffix(".js.LICENSE.txt")
+        (folder / "meshcat.LICENSE.txt").write_bytes(licence.read_bytes())
+
+
+def _head(assets: dict[str, str], views: list[LiveView], single_file: bool) -> str:
+    style = OUR_STYLE + "\n".join(sorted({view.css for view in views}))
+    scripts = sorted(name for name in assets if name.endswith(".js"))
+    if single_file:
+        inside = [assets[name].replace("</script", "<\\/script") for name in scripts if not name.startswith("live-")]
+        inside += [
+            f"addEventListener('load', () => {{{assets[name]}}});" for name in scripts if name.startswith("live-")
+        ]
+        tags = [f"<script>{text}</script>\n" for text in inside]
+    else:
+        tags = [f'<script defer src="assets/{name}"></script>\n' for name in sorted(scripts, key=_live_last)]
+    return f"<style>{style}</style>\n" + "".join(tags)
+
+
+def _foot(views: list[LiveView]) -> str:
+    """Return the state of the live views as the page carries it."""
+    if not views:
+        return ""
+    state = {view.name: {"module": _hash(view.esm), "state": view.state, "buffers": view.buffers} for view in views}
+    return f'<script type="application/json" id="tflab-state">{_script_text(state)}</script>\n'
+
+
+def _live_last(name: str) -> tuple[bool, str]:
+    return name.startswith("live-"), name
+
+
+def _script_text(value: Any) -> str:
+    """Return JSON that may stand inside <script>."""
+    return json.dumps(value, sort_keys=True).replace("</", "<\\/")
+
+
+def _hash(text: str) -> str:
+    return hashlib.sha256(text.encode()).hexdigest()[:8]

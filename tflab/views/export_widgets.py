@@ -1,0 +1,129 @@
+"""What is left of a widget when there is no kernel?  The live views, and every other input as words.
+
+    VBox                       "speed: 0.50"          a slider, at its stored value
+    |-- FloatSlider speed  =>  <live view view-0>     drawn by its own JavaScript; it brings its scrubber
+    |-- Scene                  (image)                what an Output widget held
+    `-- Button                                        nothing: it could do nothing
+
+A widget that draws itself in the browser (an anywidget) goes on living in the page.
+All others would be dead controls, so they stand as text.  The result is a list of
+ordinary notebook outputs, in the order of the widgets, which any exporter can show.
+
+Read `export.py` next.
+"""
+
+from __future__ import annotations
+
+from html import escape
+from typing import Any, NamedTuple
+
+__all__ = ["LiveView", "Model", "Models", "live_view", "outputs_from_widget"]
+
+WIDGET_VIEW = "application/vnd.jupyter.widget-view+json"
+REFERENCE = "IPY_MODEL_"
+WITHOUT_KERNEL_NOTHING = ("ButtonModel", "PlayModel", "FileUploadModel", "ControllerModel")
+
+Models = dict[str, dict]  # as stored in a notebook: model id -> model_name, state, buffers
+Model = dict[str, Any]
+
+
+class LiveView(NamedTuple):
+    """A widget that still draws itself: its name in the page, and all it knows.
+
+    Attributes:
+        state: its traits, but not its code.
+        buffers: its binary traits, as the notebook stores them: path, encoding, data.
+        esm, css: its code and its style.
+    """
+
+    name: str
+    state: Model
+    buffers: list[Model]
+    esm: str
+    css: str
+
+
+def outputs_from_widget(model_id: str, models: Models, names: dict[str, str]) -> list[dict]:
+    """Return the widget `model_id`, and all inside it, as notebook outputs.
+
+    Live views are named "view-0", "view-1", ... in `names`, in the order they are met.
+    """
+    model = models.get(model_id)
+    if model is None:
+        return [_html("<p><em>This view was not stored; run the notebook to see it.</em></p>")]
+    state, kind = model["state"], model["model_name"]
+    if kind == "AnyModel":
+        name = names.setdefault(model_id, f"view-{len(names)}")
+        words = escape(state.get("description") or "")
+        return [_html(f'<div class="tflab-live" data-view="{name}"><pre>{words}</pre></div>')]
+    if "children" in state:
+        inside = [reference.removeprefix(REFERENCE) for reference in state["children"]]
+        return [output for child in inside for output in outputs_from_widget(child, models, names)]
+    if kind == "OutputModel":
+        return [
+            shown
+            for output in state.get("outputs", ())
+            for shown in (
+                outputs_from_widget(output["data"][WIDGET_VIEW]["model_id"], models, names)
+                if WIDGET_VIEW in output.get("data", {})
+                else [output]
+            )
+        ]
+    if kind == "ImageModel":
+        return [_image(model)]
+    words = _words(kind, state)
+    return [_html(words)] if words else []
+
+
+def live_view(name: str, model: Model) -> LiveView:
+    """Return what the page must know to draw a live view."""
+    own = {
+        key: value
+        for key, value in model["state"].items()
+        if not key.startswith("_") and not _is_reference(value) and key not in ("layout", "tabbable", "tooltip")
+    }
+    esm, css = model["state"]["_esm"], model["state"].get("_css", "")
+    buffers = [
+        buffer for buffer in model.get("buffers", []) if buffer["path"][0] in own or buffer["path"][0] == "scene"
+    ]
+    return LiveView(name, own, buffers, esm, css)
+
+
+def _words(kind: str, state: Model) -> str:
+    """Return an input as text: what it is called, and its value."""
+    if kind in WITHOUT_KERNEL_NOTHING or state.get("value", state.get("index")) is None:
+        return ""
+    if kind in ("HTMLModel", "HTMLMathModel"):
+        return f"<div>{state['value']}</div>"
+    value = escape(_value(state))
+    if kind == "LabelModel":
+        return f"<p>{value}</p>"
+    called = escape(state.get("description") or "").rstrip(": ")
+    return f'<p class="tflab-value">{called}: {value}</p>' if called else f'<p class="tflab-value">{value}</p>'
+
+
+def _value(state: Model) -> str:
+    labels, index = state.get("_options_labels"), state.get("index")
+    if labels is not None and index is not None:
+        chosen = index if isinstance(index, (list, tuple)) else [index]
+        return ", ".join(str(labels[i]) for i in chosen)
+    value = state["value"]
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    values = value if isinstance(value, (list, tuple)) else [value]
+    form = state.get("readout_format") or ""
+    return " to ".join(format(v, form) if isinstance(v, float) and form else str(v) for v in values)
+
+
+def _image(model: Model) -> dict:
+    data = next(buffer["data"] for buffer in model["buffers"] if buffer["path"] == ["value"])
+    kind = f"image/{model['state'].get('format', 'png')}"
+    return {"output_type": "display_data", "data": {kind: data}, "metadata": {}}
+
+
+def _html(text: str) -> dict:
+    return {"output_type": "display_data", "data": {"text/html": text}, "metadata": {}}
+
+
+def _is_reference(value: Any) -> bool:
+    return isinstance(value, str) and value.startswith(REFERENCE)
