@@ -81,7 +81,7 @@ def transform_points(point_cloud: np.ndarray, transform: Transform | TransformSt
     if isinstance(transform, TransformStamped):
         transform = transform.transform
     q, t = transform.rotation, transform.translation
-    turn = _get_mat_from_quat(np.array((q.w, q.x, q.y, q.z)))
+    turn = _get_mat_from_quat((q.w, q.x, q.y, q.z))
     return np.asarray(point_cloud) @ turn.T + (t.x, t.y, t.z)
 
 

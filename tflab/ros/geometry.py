@@ -127,7 +127,7 @@ def transform_covariance(cov_in: Sequence[float], transform: TransformStamped) -
         cov_in: 6x6 values row by row, in the order x, y, z, turns about x, y, z.
         transform: only its rotation R matters.
     """
-    turn = _get_mat_from_quat(np.array(_wxyz(transform.transform.rotation)))
+    turn = _get_mat_from_quat(_wxyz(transform.transform.rotation))
     both = np.kron(np.eye(2), turn)  # R for the position, R for the turns
     return (both @ np.reshape(cov_in, (6, 6)) @ both.T).reshape(36)
 
@@ -146,7 +146,7 @@ def _build_affine(rotation: Sequence[float] | None = None, translation: Sequence
     """Return the matrix, shape (4, 4), of a quaternion (w, x, y, z) and a translation; None is identity."""
     affine = np.eye(4)
     if rotation is not None:
-        affine[:3, :3] = _get_mat_from_quat(np.asarray(rotation))
+        affine[:3, :3] = _get_mat_from_quat(rotation)
     if translation is not None:
         affine[:3, 3] = translation
     return affine
@@ -162,7 +162,7 @@ def _decompose_affine(affine: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return _get_quat_from_mat(affine[:3, :3]), affine[:3, 3]
 
 
-def _get_mat_from_quat(quaternion: np.ndarray) -> np.ndarray:
+def _get_mat_from_quat(quaternion: Sequence[float]) -> np.ndarray:
     """Return the rotation matrix, shape (3, 3), of a quaternion (w, x, y, z).
 
     A quaternion of another length than one is scaled; one of no length, such as
@@ -170,7 +170,7 @@ def _get_mat_from_quat(quaternion: np.ndarray) -> np.ndarray:
     """
     if np.dot(quaternion, quaternion) < np.finfo(np.float64).eps:
         return np.eye(3)
-    return np.array(quaternions.to_matrix(quaternions.xyzw_from_wxyz(quaternion.tolist())))
+    return np.array(quaternions.to_matrix(quaternions.xyzw_from_wxyz(quaternion)))
 
 
 def _get_quat_from_mat(rot_mat: np.ndarray) -> np.ndarray:
