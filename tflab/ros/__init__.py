@@ -10,7 +10,8 @@ Node files as they are, together, in real time, until Ctrl-C:
 
     tflab.ros.run_files(["talker.py", "listener.py"])
 
-On virtual time, as in pages (`%load_ext tflab` does the first two lines):
+On virtual time, as in pages (`%load_ext tflab` does the first three lines, and
+leaves the graph in the variable `graph`):
 
     import tflab.ros
     tflab.ros.activate("in-process")
@@ -26,17 +27,40 @@ On virtual time, as in pages (`%load_ext tflab` does the first two lines):
 
     graph.start(main)                 # lives on between cells
     graph.run(seconds=3)              # three hellos, in milliseconds
-    graph.disturb("/tf", delay=0.1)   # lessons can stage trouble
+    graph.disturb("/tf", delay=0.1, jitter=0.02, loss=0.1, seed=1)   # trouble, staged
+    graph.set_clock_offset("talker", 0.5)
     graph.stop()                      # as if by Ctrl-C
 
-`current_graph()` is the graph that `rclpy.init()` attaches to.  Read in this order:
+`current_graph()` is the graph that `rclpy.init()` attaches to; the cell itself may
+also init, create nodes and spin, and time passes while it does.
+`snapshot(graph)` says what is going on, in plain values.
 
-    activation  distro | time  duration  clock  time_source | qos  names  exceptions
-    process     virtual  wall  graph  network | context  executors  task  timer
-    node        publisher  subscription  service  parameter  node_parameters
-    convert     tf2_core  tf2_buffer  tf2_listener  tf2_broadcaster | snapshot
+Read in this order; each page names the next:
+
+    activation  distro | clock_type  duration  time | process  virtual  wall  graph  threads
+    network  qos  names  exceptions  arguments  context  logging
+    entity  timer  guard_condition  publisher  subscription  service  callback_groups  task
+    executors  signals  parameter  node_parameters  parameter_service  clock  time_source
+    node  graph_queries  client_library
+    convert  tf2_core  tf2_interface  tf2_buffer  tf2_listener  tf2_broadcaster
+    snapshot  notebook  run
 """
 
 from .activation import activate, deactivate, is_active
+from .graph import Graph, Participant, current_graph, new_graph
+from .notebook import load_in_notebook
+from .run import run_files
+from .snapshot import snapshot
 
-__all__ = ["activate", "deactivate", "is_active"]
+__all__ = [
+    "Graph",
+    "Participant",
+    "activate",
+    "current_graph",
+    "deactivate",
+    "is_active",
+    "load_in_notebook",
+    "new_graph",
+    "run_files",
+    "snapshot",
+]

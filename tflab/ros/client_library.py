@@ -1,0 +1,161 @@
+"""A program's life: init, node, spin, shutdown.  The functions of the module `rclpy`.
+
+    rclpy.init()              the process's default context begins
+    node = Node("name")       a node joins the graph
+    rclpy.spin(node)          its callbacks run, until Ctrl-C
+    rclpy.shutdown()          the context ends
+
+Read `tf2_buffer.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from types import TracebackType
+from typing import Any
+
+from . import signals
+from .context import Context
+from .executors import Executor, SingleThreadedExecutor
+from .node import Node
+from .process import current_process
+from .signals import SignalHandlerOptions
+from .task import Future
+
+__all__ = [
+    "create_node",
+    "get_default_context",
+    "get_global_executor",
+    "init",
+    "ok",
+    "shutdown",
+    "spin",
+    "spin_once",
+    "spin_until_future_complete",
+    "try_shutdown",
+]
+
+
+class InitContextManager:
+    """What rclpy.init() returns, for `with rclpy.init(): ...`."""
+
+    def __init__(self, context: Context) -> None:
+        self.context = context
+
+    def __enter__(self) -> InitContextManager:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.context.try_shutdown()
+        signals.uninstall_signal_handlers()
+
+
+def get_default_context(*, shutting_down: bool = False) -> Context:
+    """Return this process's default context; it gets a new one if this one is `shutting_down`."""
+    process = current_process()
+    if process.default_context is None:
+        process.default_context = Context()
+    context = process.default_context
+    if shutting_down:
+        process.default_context = None
+    return context
+
+
+def init(
+    *,
+    args: Sequence[str] | None = None,
+    context: Context | None = None,
+    domain_id: int | None = None,
+    signal_handler_options: SignalHandlerOptions | None = None,
+) -> InitContextManager:
+    """Begin; `args` is the command line (sys.argv if None), of which `--ros-args` concern ROS."""
+    is_default = context is None
+    context = get_default_context() if context is None else context
+    if signal_handler_options is None:
+        signal_handler_options = SignalHandlerOptions.ALL if is_default else SignalHandlerOptions.NO
+    signals.install_signal_handlers(signal_handler_options)
+    context.init(args, domain_id=domain_id)
+    return InitContextManager(context)
+
+
+def ok(*, context: Context | None = None) -> bool:
+    """Return whether the context has begun and not ended."""
+    return (get_default_context() if context is None else context).ok()
+
+
+def shutdown(*, context: Context | None = None, uninstall_handlers: bool | None = None) -> None:
+    """End.
+
+    Raises:
+        RuntimeError: it has not begun.
+        RCLError: it has ended before, for instance by Ctrl-C.
+    """
+    is_default = context is None
+    (get_default_context(shutting_down=True) if context is None else context).shutdown()
+    if uninstall_handlers or (uninstall_handlers is None and is_default):
+        signals.uninstall_signal_handlers()
+
+
+def try_shutdown(*, context: Context | None = None, uninstall_handlers: bool | None = None) -> None:
+    """End, unless that has happened already."""
+    is_default = context is None
+    context = get_default_context() if context is None else context
+    context.try_shutdown()
+    if is_default and not context.ok():
+        current_process().default_context = None
+    if uninstall_handlers or (uninstall_handlers is None and is_default):
+        signals.uninstall_signal_handlers()
+
+
+def create_node(node_name: str, **options: Any) -> Node:
+    """Return a new node; `options` are those of Node."""
+    return Node(node_name, **options)
+
+
+def get_global_executor() -> Executor:
+    """Return the executor that the spin functions use; it lasts until shutdown."""
+    process = current_process()
+    if process.global_executor is None:
+        context = get_default_context()
+        executor = SingleThreadedExecutor(context=context)
+        process.global_executor = executor
+
+        def forget() -> None:
+            process.global_executor = None
+
+        context.on_shutdown(forget)
+    return process.global_executor
+
+
+def spin(node: Node, executor: Executor | None = None) -> None:
+    """Run the callbacks of a node until the context ends, or Ctrl-C."""
+    executor = get_global_executor() if executor is None else executor
+    try:
+        executor.add_node(node)
+        executor.spin()
+    finally:
+        executor.remove_node(node)
+
+
+def spin_once(node: Node, *, executor: Executor | None = None, timeout_sec: float | None = None) -> None:
+    """Run one callback of a node; wait for it at most `timeout_sec` [s], for ever if None."""
+    executor = get_global_executor() if executor is None else executor
+    try:
+        executor.add_node(node)
+        executor.spin_once(timeout_sec=timeout_sec)
+    finally:
+        executor.remove_node(node)
+
+
+def spin_until_future_complete(
+    node: Node, future: Future, executor: Executor | None = None, timeout_sec: float | None = None
+) -> None:
+    """Run the callbacks of a node until a future is done, at most `timeout_sec` [s]."""
+    executor = get_global_executor() if executor is None else executor
+    try:
+        executor.add_node(node)
+        executor.spin_until_future_complete(future, timeout_sec)
+    finally:
+        executor.remove_node(node)

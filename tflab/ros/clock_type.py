@@ -1,0 +1,21 @@
+"""Which clock?  The four kinds of rclpy.
+
+Read `duration.py` next.
+"""
+
+from __future__ import annotations
+
+from enum import IntEnum
+
+__all__ = ["NANOSECONDS_PER_SECOND", "ClockType"]
+
+NANOSECONDS_PER_SECOND = 1_000_000_000
+
+
+class ClockType(IntEnum):
+    """Where a time comes from; times of different kinds cannot be compared."""
+
+    UNINITIALIZED = 0
+    ROS_TIME = 1  # the system's clock, or /clock where use_sim_time is set
+    SYSTEM_TIME = 2
+    STEADY_TIME = 3

@@ -1,0 +1,161 @@
+"""From init to shutdown: a context, and what hangs on it.
+
+    rclpy.init()  -->  context ok  -->  rclpy.shutdown(): nodes destroyed, spins end
+
+Read `logging.py` next.
+"""
+
+from __future__ import annotations
+
+import threading
+import weakref
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from typing import Any
+
+from .arguments import Arguments, parse_arguments
+from .exceptions import RCLError
+from .logging import set_logger_level
+from .process import current_process
+
+__all__ = ["Context"]
+
+ALREADY_SHUT_DOWN = "failed to shutdown: rcl_shutdown already called on the given context, at ./src/rcl/init.c:333"
+
+
+class Context:
+    """One run of ROS within a process.
+
+    Attributes:
+        process: the one it was made in.
+        arguments: what the command line said.
+    """
+
+    def __init__(self) -> None:
+        self.process = current_process()
+        self.arguments = Arguments()
+        self._state = "new"
+        self._domain_id = 0
+        self._nodes: list[Any] = []
+        self._callbacks: list[Callable[[], None]] = []
+        self._waiters: list[Any] = []
+        self._lock = threading.RLock()
+
+    def init(
+        self,
+        args: Sequence[str] | None = None,
+        *,
+        initialize_logging: bool = True,
+        domain_id: int | None = None,
+    ) -> None:
+        """Begin; `args` is the command line, the process's own if None.
+
+        Raises:
+            RuntimeError: it has begun before.
+        """
+        with self._lock:
+            if domain_id is not None and domain_id < 0:
+                raise RuntimeError(f"Domain id ({domain_id}) should not be lower than zero.")
+            if self._state != "new":
+                raise RuntimeError("Context.init() must only be called once")
+            self.arguments = parse_arguments(self.process.arguments() if args is None else args)
+            self._domain_id = domain_id or 0
+            self._state = "ok"
+            self.process.contexts.append(self)
+        for logger, severity in self.arguments.log_levels:
+            set_logger_level(logger, severity)
+
+    def ok(self) -> bool:
+        """Return whether it has begun and not been shut down."""
+        return self._state == "ok"
+
+    def get_domain_id(self) -> int:
+        """Return the number that init() was given."""
+        return self._domain_id
+
+    def track_node(self, node: Any) -> None:
+        """Remember a node, to be destroyed with the context."""
+        self._nodes.append(node)
+
+    def untrack_node(self, node: Any) -> None:
+        """Forget a node."""
+        if node in self._nodes:
+            self._nodes.remove(node)
+
+    def shutdown(self) -> None:
+        """End: destroy the nodes, wake whoever waits.
+
+        Raises:
+            RuntimeError: it has not begun.
+            RCLError: it was shut down before.
+        """
+        if self._state == "new":
+            raise RuntimeError("Context must be initialized before it can be shutdown")
+        if not self.try_shutdown():
+            raise RCLError(ALREADY_SHUT_DOWN)
+
+    def try_shutdown(self) -> bool:
+        """End, if it has begun and not ended; return whether it did so now."""
+        with self._lock:
+            if self._state != "ok":
+                return False
+            nodes, self._nodes = self._nodes, []
+            for node in nodes:
+                node.destroy_node()
+            self._state = "shut down"
+            if self in self.process.contexts:
+                self.process.contexts.remove(self)
+        self._after_shutdown()
+        return True
+
+    def signalled(self) -> None:
+        """End as Ctrl-C ends it: nodes stay, but nothing spins any more."""
+        with self._lock:
+            if self._state != "ok":
+                return
+            self._state = "shut down"
+        self._after_shutdown()
+
+    def end(self) -> None:
+        """End because the process does."""
+        self._callbacks.clear()
+        if not self.try_shutdown():
+            for node in list(self._nodes):
+                node.destroy_node()
+
+    def on_shutdown(self, callback: Callable[[], None]) -> None:
+        """Have `callback()` called once at the end.
+
+        Raises:
+            TypeError: it cannot be called.
+        """
+        if not callable(callback):
+            raise TypeError("callback should be a callable, got {}", type(callback))
+        if hasattr(callback, "__self__"):
+            reference = weakref.WeakMethod(callback)
+            self._callbacks.append(lambda: (method := reference()) and method())
+        else:
+            self._callbacks.append(callback)
+
+    @contextmanager
+    def waking(self, waiter: Any) -> Iterator[None]:
+        """Have somebody who waits woken at the end."""
+        self._waiters.append(waiter)
+        try:
+            yield
+        finally:
+            self._waiters.remove(waiter)
+
+    def _after_shutdown(self) -> None:
+        callbacks, self._callbacks = self._callbacks, []
+        for callback in callbacks:
+            callback()
+        for waiter in self._waiters:
+            waiter.wake()
+
+    def __enter__(self) -> Context:
+        # For users' convenience: `with rclpy.init(): ...`; Context() itself may be entered before init(), too.
+        return self
+
+    def __exit__(self, *exc: object) -> None:
+        self.try_shutdown()

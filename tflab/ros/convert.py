@@ -1,0 +1,111 @@
+"""Where do messages and the engine meet?  Here, and nowhere else.
+
+    geometry_msgs/TransformStamped  <->  StampedTransform
+    rclpy Time, builtin Time, ...    ->  integer nanoseconds
+
+Read `tf2_core.py` next.
+"""
+
+from __future__ import annotations
+
+import warnings
+from typing import Any
+
+from tflab.core import StampedTransform, Transform, sec_nanosec_from_stamp
+from tflab.core.transforms import stamped_from_pose
+
+from .messages import builtin_interfaces, geometry_msgs, std_msgs
+
+__all__ = [
+    "duration_ns_from",
+    "msg_from_stamp",
+    "msg_from_stamped",
+    "msg_from_transform",
+    "stamp_ns_from",
+    "stamped_from_msg",
+    "stampeds_from_sample",
+    "transform_from_msg",
+]
+
+
+def stamp_ns_from(time: Any) -> int:
+    """Return the nanoseconds of an rclpy Time, a message, or anything alike.
+
+    Raises:
+        TypeError: it has neither `sec` and `nanosec` nor `nanoseconds`.
+    """
+    return _nanoseconds(time, "time")
+
+
+def duration_ns_from(duration: Any) -> int:
+    """Return the nanoseconds of an rclpy Duration, a message, or anything alike.
+
+    Raises:
+        TypeError: it has neither `sec` and `nanosec` nor `nanoseconds`.
+    """
+    return _nanoseconds(duration, "duration")
+
+
+def _nanoseconds(value: Any, what: str) -> int:
+    try:
+        return value.sec * 1_000_000_000 + value.nanosec
+    except AttributeError:
+        pass
+    try:
+        return int(value.nanoseconds)
+    except AttributeError:
+        raise TypeError(f"{what} must have sec and nanosec, or nanoseconds.") from None
+
+
+def msg_from_stamp(stamp_ns: int) -> builtin_interfaces.Time:
+    """Return the message of a stamp [ns]."""
+    sec, nanosec = sec_nanosec_from_stamp(stamp_ns)
+    return builtin_interfaces.Time(sec=sec, nanosec=nanosec)
+
+
+def stamped_from_msg(msg: Any) -> StampedTransform:
+    """Return the engine's value of a geometry_msgs/TransformStamped, or of anything alike.
+
+    Raises:
+        TypeError: the translation is no Vector3, or a time or number is none.
+    """
+    header, transform = msg.header, msg.transform
+    move, turn = transform.translation, transform.rotation
+    if not isinstance(move, geometry_msgs.Vector3):
+        warnings.warn("translation should be of type Vector3", UserWarning, stacklevel=3)
+        raise TypeError("transform.translation must have members x, y, z")
+    if not isinstance(turn, geometry_msgs.Quaternion):
+        warnings.warn("rotation should be of type Quaternion", UserWarning, stacklevel=3)
+    pose = tuple(map(float, (move.x, move.y, move.z, turn.x, turn.y, turn.z, turn.w)))
+    return stamped_from_pose(header.frame_id, msg.child_frame_id, stamp_ns_from(header.stamp), pose)
+
+
+def stampeds_from_sample(sample: Any) -> list[StampedTransform]:
+    """Return the transforms of a tf2_msgs/TFMessage on its way, decoded once for all listeners."""
+    if sample.decoded is None:
+        sample.decoded = [stamped_from_msg(msg) for msg in sample.message.transforms]
+    return sample.decoded
+
+
+def transform_from_msg(msg: geometry_msgs.Transform) -> Transform:
+    """Return the engine's value of a geometry_msgs/Transform."""
+    move, turn = msg.translation, msg.rotation
+    return Transform((move.x, move.y, move.z), (turn.x, turn.y, turn.z, turn.w))
+
+
+def msg_from_transform(transform: Transform) -> geometry_msgs.Transform:
+    """Return the message of a transform."""
+    (x, y, z), (qx, qy, qz, qw) = transform.translation, transform.rotation
+    return geometry_msgs.Transform(
+        translation=geometry_msgs.Vector3(x=x, y=y, z=z),
+        rotation=geometry_msgs.Quaternion(x=qx, y=qy, z=qz, w=qw),
+    )
+
+
+def msg_from_stamped(stamped: StampedTransform) -> geometry_msgs.TransformStamped:
+    """Return the message of a stamped transform."""
+    return geometry_msgs.TransformStamped(
+        header=std_msgs.Header(stamp=msg_from_stamp(stamped.stamp_ns), frame_id=stamped.frame_id),
+        child_frame_id=stamped.child_frame_id,
+        transform=msg_from_transform(stamped.transform),
+    )

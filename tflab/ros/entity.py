@@ -1,0 +1,56 @@
+"""What can an executor execute?  Timers, subscriptions, guard conditions, clients, services.
+
+Read `timer.py` next.
+"""
+
+from __future__ import annotations
+
+from enum import IntEnum
+from typing import Any
+
+__all__ = ["Entity", "Kind"]
+
+
+class Kind(IntEnum):
+    """The order in which a node's entities have their turn within a round of waiting."""
+
+    WAITABLE = 0
+    TIMER = 1
+    SUBSCRIPTION = 2
+    GUARD_CONDITION = 3
+    CLIENT = 4
+    SERVICE = 5
+
+
+class Entity:
+    """One thing of a node that can become ready and has a callback."""
+
+    kind: Kind
+
+    def __init__(self, node: Any, callback_group: Any) -> None:
+        self.node = node
+        self.callback_group = callback_group
+        self.rank = (self.kind, node.next_rank())
+        self.is_destroyed = False
+        callback_group.add_entity(self)
+
+    def mark_ready(self) -> None:
+        """Tell the node's executor that there is something to do."""
+        node = self.node
+        node.pending[self] = None
+        executor = node.executor
+        if executor is not None:
+            executor.wake()
+
+    def is_pending(self) -> bool:
+        """Return whether there is something to do."""
+        raise NotImplementedError
+
+    def execute(self) -> Any:
+        """Take one thing, call the callback with it, and return what it returns."""
+        raise NotImplementedError
+
+    def destroy(self) -> None:
+        """Have nothing to do any more."""
+        self.is_destroyed = True
+        self.node.pending.pop(self, None)

@@ -1,0 +1,254 @@
+"""Everybody together: a graph of processes, nodes and topics in one Python.
+
+    graph = Graph()                    virtual time, stands at 1 s
+    graph.start(main)                  a participant: a main function, as one would run it in a terminal
+    graph.run(seconds=3)               time passes, the participants work
+    graph.disturb("/tf", delay=0.1)    trouble, staged
+    graph.set_clock_offset("lidar", 0.5)
+    graph.stop()                       Ctrl-C for all of them
+
+Between two calls time stands still.  A participant's exception is reported with
+its name and does not hurt the others; one that keeps busy without ever sleeping
+or spinning is stopped and named.
+
+Read `network.py` next.
+"""
+
+from __future__ import annotations
+
+import random
+import sys
+import threading
+import traceback
+from collections.abc import Callable
+from typing import Any
+
+from . import threads
+from .network import Link, Network
+from .process import Process, current_process, use_graph
+from .virtual import EndlessLoop, VirtualTime
+from .wall import WallTime
+
+__all__ = ["Graph", "Participant", "current_graph", "new_graph"]
+
+# After Ctrl-C a participant may still tidy up, sleeping if need be, for this long.
+GRACE_NS = 10_000_000_000
+
+
+class Participant(Process):
+    """A process that runs a main function.
+
+    Attributes:
+        exception: what ended it, None if it still runs or returned.
+        is_running: whether its main function has not returned yet.
+    """
+
+    def __init__(self, name: str, graph: Graph, main: Callable[..., Any], args: tuple, argv: list[str]) -> None:
+        super().__init__(name, graph, argv)
+        self.exception: BaseException | None = None
+        self.is_running = True
+        self._main = main
+        self._args = args
+        self.main_thread = threading.Thread(target=self._run, name=name, daemon=True)
+        self.main_thread.tflab_process = self
+
+    def stop(self) -> None:
+        """Interrupt it, as Ctrl-C does, and wait until it has ended."""
+        self.graph.stop(self)
+
+    def _run(self) -> None:
+        try:
+            self._main(*self._args)
+        except EndlessLoop as error:
+            self._report(error, self.loop_text())
+        except KeyboardInterrupt as error:
+            self.exception = error  # asked for, so not worth a report
+        except SystemExit as error:
+            self.exception = error if error.code else None
+            if isinstance(error.code, str):
+                print(error.code, file=sys.stderr)
+        except BaseException as error:
+            self._report(error, "".join(traceback.format_exception(_without_our_frames(error))).rstrip())
+        finally:
+            self.is_running = False
+            self.end()
+
+    def lost(self, where: str) -> None:
+        """Give it up: it keeps busy, and cannot even be interrupted."""
+        super().lost(where)
+        self.is_running = False
+
+    def _report(self, error: BaseException, text: str) -> None:
+        self.exception = error
+        print(f'participant "{self.name}" ended with an exception:\n{text}', file=sys.stderr, flush=True)
+
+    def __repr__(self) -> str:
+        state = "running" if self.is_running else "ended"
+        return f"<Participant {self.name!r}, {state}>"
+
+
+class Graph:
+    """Processes that see each other's topics, on one clock.
+
+    Args:
+        virtual: whether time only passes in run(); otherwise it is the machine's.
+
+    Attributes:
+        driver: the clock.
+        network: topics, services and nodes.
+        main: the process of whoever made the graph: the notebook, the script.
+        participants: everybody who was started, in order, the ended ones included.
+    """
+
+    def __init__(self, virtual: bool = True) -> None:
+        self.driver = VirtualTime() if virtual else WallTime()
+        self.network = Network()
+        self.main = Process("main", self)
+        self.participants: list[Participant] = []
+        self._offsets_ns: dict[str, int] = {}
+        threads.install()
+
+    @property
+    def now_ns(self) -> int:
+        """The time [ns]."""
+        return self.driver.now_ns()
+
+    @property
+    def nodes(self) -> list[Any]:
+        """Every node, in the order they came."""
+        return list(self.network.nodes)
+
+    # -- participants -------------------------------------------------------------------
+
+    def start(
+        self, main: Callable[..., Any], *args: Any, name: str | None = None, argv: list[str] | None = None
+    ) -> Participant:
+        """Run `main(*args)` as a program of its own, up to where it first waits; it goes on in run().
+
+        Args:
+            name: for reports; the function's own if None, with a number if that is taken.
+            argv: what `rclpy.init()` finds on the command line.
+        """
+        name = self._free_name(name or getattr(main, "__name__", "participant"))
+        participant = Participant(name, self, main, args, argv or [name])
+        self.participants.append(participant)
+        if self.driver.is_virtual:
+            self.driver.adopt(participant.main_thread, participant)
+        participant.main_thread.start()
+        if self.driver.is_virtual:
+            self._advance(0)
+        return participant
+
+    def run(self, *, seconds: float) -> None:
+        """Let `seconds` [s] pass; the participants work meanwhile.
+
+        Raises:
+            ValueError: a negative time.
+            RuntimeError: called from within a participant.
+        """
+        if not seconds >= 0:
+            raise ValueError(f"time cannot run back: seconds={seconds}")
+        if self.driver.is_virtual:
+            self._advance(round(seconds * 1e9))
+        else:
+            self.main.sleep(round(seconds * 1e9))
+
+    def stop(self, participant: Participant | None = None) -> None:
+        """Interrupt one participant, or all, as Ctrl-C does, and wait until they have ended.
+
+        They see a KeyboardInterrupt where they spin or sleep.  Unlike on a robot,
+        their contexts are still valid then.
+        """
+        concerned = [each for each in self.participants if each.is_running and participant in (None, each)]
+        for each in concerned:
+            each.interrupt()
+        if self.driver.is_virtual:
+            self._advance(GRACE_NS, lambda: not any(each.is_running for each in concerned), stop=False)
+        for each in concerned:
+            if each.is_running:
+                print(f'participant "{each.name}" went on after it was interrupted, and was ended.', file=sys.stderr)
+                each.end()
+        if self.driver.is_virtual:
+            self._advance(0, stop=False)
+
+    # -- trouble --------------------------------------------------------------------------
+
+    def disturb(self, topic: str, *, delay: float = 0.0, jitter: float = 0.0, loss: float = 0.0, seed: int = 0) -> None:
+        """Put something between the publishers and the subscriptions of a topic; nothing, without arguments.
+
+        Args:
+            delay: how long every message takes [s].
+            jitter: up to how much longer [s]; messages keep their order.
+            loss: the share of messages that never arrive, 0 to 1, whatever the quality of service.
+            seed: the same seed gives the same trouble.
+        """
+        if delay < 0 or jitter < 0 or not 0 <= loss <= 1:
+            raise ValueError(
+                f"delay and jitter must not be negative, and loss is between 0 and 1: delay={delay}, "
+                f"jitter={jitter}, loss={loss}"
+            )
+        if not topic.startswith("/"):
+            raise ValueError(f'a topic of the graph has an absolute name: "/{topic}", not "{topic}"')
+        link = None
+        if delay or jitter or loss:
+            link = Link(round(delay * 1e9), round(jitter * 1e9), loss, random.Random(f"{seed} {topic}"))
+        self.network.topic(topic).link = link
+
+    def set_clock_offset(self, node_name: str, seconds: float) -> None:
+        """Set the clock of a node wrong by `seconds` [s], as on a machine whose clock is: now and when it comes."""
+        full_name = node_name if node_name.startswith("/") else f"/{node_name}"
+        self._offsets_ns[full_name] = round(seconds * 1e9)
+        for node in self.network.nodes:
+            if node.get_fully_qualified_name() == full_name:
+                node.get_clock().offset_ns = self._offsets_ns[full_name]
+
+    # -- for nodes ------------------------------------------------------------------------
+
+    def add_node(self, node: Any) -> None:
+        """Take a new node in."""
+        self.network.nodes.append(node)
+        node.get_clock().offset_ns = self._offsets_ns.get(node.get_fully_qualified_name(), 0)
+
+    def remove_node(self, node: Any) -> None:
+        """Let a node go."""
+        if node in self.network.nodes:
+            self.network.nodes.remove(node)
+
+    # -- inside -----------------------------------------------------------------------------
+
+    def _advance(self, duration_ns: int, done: Callable[[], bool] = lambda: False, stop: bool = True) -> None:
+        try:
+            self.driver.run_until(self.driver.now_ns() + duration_ns, done)
+        except KeyboardInterrupt:  # the stop button of the notebook stops everything
+            if stop:
+                self.stop()
+            raise
+
+    def _free_name(self, name: str) -> str:
+        taken = {each.name for each in self.participants if each.is_running}
+        number, free = 1, name
+        while free in taken:
+            number += 1
+            free = f"{name}_{number}"
+        return free
+
+
+def new_graph(virtual: bool = True) -> Graph:
+    """Make a graph, and make it the current one; what lived in the one before is stopped."""
+    before = use_graph(None)
+    if before is not None:
+        before.stop()
+    graph = Graph(virtual)
+    use_graph(graph)
+    return graph
+
+
+def current_graph() -> Graph:
+    """Return the graph that this thread's process lives in."""
+    return current_process().graph
+
+
+def _without_our_frames(error: BaseException) -> BaseException:
+    """Return an exception whose traceback begins in the participant's own code."""
+    trace = error.__traceback__
+    return error.with_traceback(trace.tb_next if trace is not None and trace.tb_next is not None else trace)

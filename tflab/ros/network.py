@@ -1,0 +1,179 @@
+"""How does a message get there?  Topics: who publishes, who listens, and what lies between.
+
+    publisher --copy--> [stored samples] --> link: delay, jitter, loss --> subscription's queue
+
+A publisher and a subscription are connected when topic and type agree and the
+offered quality of service is not less than the requested one; otherwise both say
+so in their logs.  Publishing makes one copy; each receiver's callback gets its
+own, except tf2's listeners, which share one decoded message because they only
+read it.
+
+Read `entity.py` next.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from typing import Any
+
+from . import distro
+from .qos import incompatible_policy
+
+__all__ = ["Link", "Network", "Sample", "Topic"]
+
+
+class Sample:
+    """One published message on its way.
+
+    Attributes:
+        message: the publisher's copy; receivers must not change it.
+        publisher: who sent it.
+        sent_ns: when [ns].
+        number: which one of its publisher, from 1.
+        decoded: what tf2's listeners made of it, once for all of them.
+    """
+
+    __slots__ = ("decoded", "message", "number", "publisher", "sent_ns")
+
+    def __init__(self, message: Any, publisher: Any, sent_ns: int, number: int) -> None:
+        self.message = message
+        self.publisher = publisher
+        self.sent_ns = sent_ns
+        self.number = number
+        self.decoded: Any = None
+
+
+@dataclass
+class Link:
+    """What lies between the publishers and the subscriptions of a topic.
+
+    Attributes:
+        delay_ns: every message takes this long [ns] ...
+        jitter_ns: ... and up to this much longer, evenly spread [ns]; order is kept.
+        loss: the share of messages that never arrive, 0 to 1.
+        random: where jitter and loss come from.
+    """
+
+    delay_ns: int
+    jitter_ns: int
+    loss: float
+    random: random.Random
+    _last_arrival_ns: dict[tuple[int, int], int] = field(default_factory=dict)
+
+    def carry(self, sample: Sample, subscription: Any, driver: Any) -> None:
+        """Deliver a sample, late or never."""
+        if self.random.random() < self.loss:
+            return
+        arrival_ns = sample.sent_ns + self.delay_ns + round(self.random.random() * self.jitter_ns)
+        pair = (id(sample.publisher), id(subscription))
+        arrival_ns = max(arrival_ns, self._last_arrival_ns.get(pair, 0))
+        self._last_arrival_ns[pair] = arrival_ns
+        driver.call_after(arrival_ns - sample.sent_ns, lambda: subscription.put(sample))
+
+
+class Topic:
+    """A name, and who uses it."""
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+        self.publishers: list[Any] = []
+        self.subscriptions: list[Any] = []
+        self.link: Link | None = None
+
+    def add_publisher(self, publisher: Any) -> None:
+        """Connect a new publisher to whoever is there."""
+        self.publishers.append(publisher)
+        for subscription in self.subscriptions:
+            self._connect(publisher, subscription)
+
+    def add_subscription(self, subscription: Any) -> None:
+        """Connect a new subscription to whoever is there, and give it what was stored for latecomers."""
+        self.subscriptions.append(subscription)
+        for publisher in self.publishers:
+            self._connect(publisher, subscription)
+
+    def remove_publisher(self, publisher: Any) -> None:
+        """Forget a publisher, and what it had stored."""
+        self.publishers.remove(publisher)
+        for subscription in publisher.matched:
+            subscription.matched_count -= 1
+
+    def remove_subscription(self, subscription: Any) -> None:
+        """Forget a subscription."""
+        self.subscriptions.remove(subscription)
+        for publisher in self.publishers:
+            if subscription in publisher.matched:
+                publisher.matched.remove(subscription)
+
+    def deliver(self, sample: Sample, subscription: Any, driver: Any) -> None:
+        """Send a sample on its way."""
+        if self.link is None:
+            subscription.put(sample)
+        else:
+            self.link.carry(sample, subscription, driver)
+
+    def _connect(self, publisher: Any, subscription: Any) -> None:
+        if publisher.msg_type is not subscription.msg_type:
+            return
+        policy = incompatible_policy(publisher.qos_profile, subscription.qos_profile)
+        if policy is not None:
+            policy += distro.current().policy_suffix
+            subscription.on_incompatible_qos(policy)
+            publisher.on_incompatible_qos(policy)
+            return
+        publisher.matched.append(subscription)
+        subscription.matched_count += 1
+        if subscription.qos_profile.is_latched:
+            stored = publisher.stored_samples()
+            for sample in stored[-(subscription.qos_profile.capacity or len(stored)) :]:
+                subscription.put(sample)
+
+
+class Network:
+    """Every topic, service and node of a graph, as discovery would find them."""
+
+    def __init__(self) -> None:
+        self.topics: dict[str, Topic] = {}
+        self.services: dict[str, list[Any]] = {}
+        self.clients: dict[str, list[Any]] = {}
+        self.nodes: list[Any] = []
+        self._endpoints = 0
+
+    def topic(self, name: str) -> Topic:
+        """Return the topic of that absolute name, new if need be."""
+        if name not in self.topics:
+            self.topics[name] = Topic(name)
+        return self.topics[name]
+
+    def new_gid(self) -> bytes:
+        """Return the next endpoint's identity: 16 bytes, counted up so that they repeat."""
+        self._endpoints += 1
+        return bytes([1, 15]) + bytes(6) + self._endpoints.to_bytes(8, "big")
+
+    def topic_names_and_types(self, keep: Callable[[Any], bool] = lambda endpoint: True) -> list[tuple[str, list[str]]]:
+        """Return (topic, its types) for each topic that has an endpoint, sorted by name."""
+        found = []
+        for name, topic in sorted(self.topics.items()):
+            types = {end.msg_type.ROS_TYPE for end in (*topic.publishers, *topic.subscriptions) if keep(end)}
+            if types:
+                found.append((name, sorted(types)))
+        return found
+
+    def service_names_and_types(
+        self, keep: Callable[[Any], bool] = lambda service: True, clients: bool = False
+    ) -> list[tuple[str, list[str]]]:
+        """Return (service, its types) for each service, or each that has a client, sorted by name."""
+        found = []
+        for name, ends in sorted((self.clients if clients else self.services).items()):
+            types = {end.srv_type.ROS_TYPE for end in ends if keep(end)}
+            if types:
+                found.append((name, sorted(types)))
+        return found
+
+    def endpoints(self) -> Iterator[Any]:
+        """Yield every publisher and subscription, by topic."""
+        for _, topic in sorted(self.topics.items()):
+            yield from topic.publishers
+            yield from topic.subscriptions

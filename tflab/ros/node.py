@@ -1,0 +1,470 @@
+"""Who am I in the graph?  A node: a name, a clock, a log, and what it publishes, hears and answers.
+
+    Node("point_to_map", namespace="/robot")
+      |-- publishers, subscriptions, timers, services, clients, guard conditions
+      |-- parameters (node_parameters.py), and the services that reach them
+      `-- clock (ROS time; follows /clock if use_sim_time), logger
+
+Read `client_library.py` next.
+"""
+
+from __future__ import annotations
+
+import itertools
+import weakref
+from collections.abc import Callable, Iterator
+from typing import Any
+
+from . import graph_queries
+from .callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup
+from .clock import Clock, ROSClock
+from .clock_type import ClockType
+from .context import Context
+from .entity import Entity
+from .exceptions import NotInitializedException, NoTypeSupportImportedException
+from .guard_condition import GuardCondition
+from .logging import RcutilsLogger
+from .messages import rcl_interfaces
+from .messages.base import Message
+from .messages.base import Service as ServiceType
+from .names import expand_topic_name, full_node_name, validate_namespace, validate_node_name, validate_topic_name
+from .node_parameters import NodeParameters
+from .parameter import Parameter
+from .parameter_service import ParameterService
+from .process import current_process
+from .publisher import Publisher
+from .qos import (
+    QoSProfile,
+    profile_from,
+    qos_profile_parameter_events,
+    qos_profile_rosout_default,
+    qos_profile_services_default,
+)
+from .service import Client, Service
+from .subscription import Subscription
+from .time import Time
+from .time_source import TimeSource
+from .timer import Rate, Timer
+
+__all__ = ["Node"]
+
+
+class Node(graph_queries.GraphQueries, NodeParameters):
+    """A node.
+
+    Args:
+        node_name: unique in its namespace, one should think; it is not checked, as in ROS 2.
+        context: the process's default one if None.
+        cli_args: `--ros-args` for this node alone.
+        namespace: put before its name and its relative topics.
+        use_global_arguments: whether what rclpy.init() was told concerns it.
+        enable_rosout: whether its log lines go to /rosout, too.
+        start_parameter_services: whether its parameters can be reached from outside.
+        parameter_overrides: values that win over the defaults of declare_parameter.
+        allow_undeclared_parameters: whether any name can be set.
+        automatically_declare_parameters_from_overrides: declare those of parameter_overrides at once.
+
+    Raises:
+        NotInitializedException: rclpy.init() has not been called.
+        InvalidNodeNameException, InvalidNamespaceException: a malformed name.
+    """
+
+    def __init__(
+        self,
+        node_name: str,
+        *,
+        context: Context | None = None,
+        cli_args: list[str] | None = None,
+        namespace: str | None = None,
+        use_global_arguments: bool = True,
+        enable_rosout: bool = True,
+        start_parameter_services: bool = True,
+        parameter_overrides: list[Parameter] | None = None,
+        allow_undeclared_parameters: bool = False,
+        automatically_declare_parameters_from_overrides: bool = False,
+        enable_logger_service: bool = False,
+    ) -> None:
+        if context is None:
+            context = current_process().default_context
+        if context is None or not context.ok():
+            raise NotInitializedException("cannot create node")
+        self._context = context
+        self._arguments = graph_queries.arguments_of(context, cli_args, use_global_arguments)
+        self._set_names(node_name, namespace or "")
+        self.network = context.process.graph.network
+        self.pending: dict[Entity, None] = {}
+        self.timer_list: list[Timer] = []
+        self._entities: dict[str, list[Any]] = {kind: [] for kind in _KINDS}
+        self._ranks = itertools.count()
+        self._executor: weakref.ref | None = None
+        self._is_destroyed = False
+        self._default_callback_group = MutuallyExclusiveCallbackGroup()
+        self._clock = ROSClock()
+        context.process.graph.add_node(self)
+        context.track_node(self)
+
+        self._rosout: Publisher | None = None
+        self._parameter_event_publisher: Publisher | None = None
+        self._logger = RcutilsLogger(
+            self.get_fully_qualified_name().strip("/").replace("/", "."), self._log_time_ns, self._publish_log
+        )
+        overrides = self._arguments.parameters_of(self.get_fully_qualified_name())
+        overrides = {name: Parameter(name, value=value) for name, value in overrides.items()}
+        overrides |= {each.name: each for each in parameter_overrides or ()}
+        self._init_parameters(overrides, allow_undeclared_parameters)
+        if enable_rosout:
+            self._rosout = self.create_publisher(rcl_interfaces.Log, "/rosout", qos_profile_rosout_default)
+        self._parameter_event_publisher = self.create_publisher(
+            rcl_interfaces.ParameterEvent, "/parameter_events", qos_profile_parameter_events
+        )
+        if automatically_declare_parameters_from_overrides:
+            for parameter in overrides.values():
+                self.declare_parameter(
+                    parameter.name, parameter.value, rcl_interfaces.ParameterDescriptor(dynamic_typing=True)
+                )
+        self._time_source = TimeSource(node=self)
+        self._time_source.attach_clock(self._clock)
+        if start_parameter_services:
+            self._parameter_service = ParameterService(self)
+            graph_queries.add_type_description_service(self)
+        if enable_logger_service:
+            graph_queries.add_logger_services(self)
+
+    def _set_names(self, name: str, namespace: str) -> None:
+        validate_node_name(name)
+        if not namespace.startswith("/"):
+            namespace = f"/{namespace}"
+        validate_namespace(namespace)
+        self._name = self._arguments.remapped(name, "__node")
+        self._name = name if self._name == "__node" else self._name
+        remapped = self._arguments.remapped(name, "__ns")
+        self._namespace = namespace if remapped == "__ns" else remapped
+        validate_node_name(self._name)
+        validate_namespace(self._namespace)
+
+    # -- who it is --------------------------------------------------------------------
+
+    def get_name(self) -> str:
+        """Return its name, without namespace."""
+        return self._name
+
+    def get_namespace(self) -> str:
+        """Return its namespace, "/" for the root."""
+        return self._namespace
+
+    def get_fully_qualified_name(self) -> str:
+        """Return "/namespace/name"."""
+        return full_node_name(self._name, self._namespace)
+
+    def get_logger(self) -> RcutilsLogger:
+        """Return its logger."""
+        return self._logger
+
+    def get_clock(self) -> Clock:
+        """Return its clock: ROS time."""
+        return self._clock
+
+    @property
+    def context(self) -> Context:
+        """The context it lives in."""
+        return self._context
+
+    @property
+    def default_callback_group(self) -> CallbackGroup:
+        """The group of its callbacks that are not put in another."""
+        return self._default_callback_group
+
+    @property
+    def handle(self) -> Node:
+        """What rclpy's lower layer knows it by."""
+        return self
+
+    @property
+    def executor(self) -> Any:
+        """The executor that runs its callbacks, None if nobody does."""
+        return self._executor() if self._executor is not None else None
+
+    @executor.setter
+    def executor(self, new: Any) -> None:
+        old = self.executor
+        if old is new:
+            return
+        self._executor = None if new is None else weakref.ref(new)
+        if old is not None:
+            old.remove_node(self)
+        if new is not None and self not in new.get_nodes():
+            new.add_node(self)
+
+    @property
+    def publishers(self) -> Iterator[Publisher]:
+        """Its publishers."""
+        yield from self._entities["publisher"]
+
+    @property
+    def subscriptions(self) -> Iterator[Subscription]:
+        """Its subscriptions."""
+        yield from self._entities["subscription"]
+
+    @property
+    def clients(self) -> Iterator[Client]:
+        """Its clients."""
+        yield from self._entities["client"]
+
+    @property
+    def services(self) -> Iterator[Service]:
+        """Its services."""
+        yield from self._entities["service"]
+
+    @property
+    def timers(self) -> Iterator[Timer]:
+        """Its timers."""
+        yield from self.timer_list
+
+    @property
+    def guards(self) -> Iterator[GuardCondition]:
+        """Its guard conditions."""
+        yield from self._entities["guard"]
+
+    @property
+    def waitables(self) -> Iterator[Any]:
+        """Nothing: what rclpy keeps here does not exist in one process."""
+        yield from ()
+
+    # -- what it makes ------------------------------------------------------------------
+
+    def create_publisher(
+        self,
+        msg_type: type,
+        topic: str,
+        qos_profile: QoSProfile | int,
+        *,
+        callback_group: CallbackGroup | None = None,
+        event_callbacks: Any = None,
+        qos_overriding_options: Any = None,
+        publisher_class: type[Publisher] = Publisher,
+    ) -> Publisher:
+        """Return a new publisher.
+
+        Raises:
+            InvalidTopicNameException: a malformed name.
+            NoTypeSupportImportedException: not a message type.
+            TypeError, ValueError: not a quality of service.
+        """
+        qos = profile_from(qos_profile)
+        _check_type(msg_type, Message, "message")
+        group = callback_group or self._default_callback_group
+        publisher = publisher_class(self, msg_type, self._topic_named(topic), qos, event_callbacks, group)
+        self._entities["publisher"].append(publisher)
+        return publisher
+
+    def create_subscription(
+        self,
+        msg_type: type,
+        topic: str,
+        callback: Callable[..., Any],
+        qos_profile: QoSProfile | int,
+        *,
+        callback_group: CallbackGroup | None = None,
+        event_callbacks: Any = None,
+        qos_overriding_options: Any = None,
+        subscription_class: type[Subscription] = Subscription,
+    ) -> Subscription:
+        """Return a new subscription; the callback takes (message) or (message, info).
+
+        Raises:
+            as create_publisher.
+        """
+        qos = profile_from(qos_profile)
+        _check_type(msg_type, Message, "message")
+        group = callback_group or self._default_callback_group
+        name = self._topic_named(topic)
+        subscription = subscription_class(self, msg_type, name, callback, qos, event_callbacks, group)
+        self._entities["subscription"].append(subscription)
+        return subscription
+
+    def create_timer(
+        self,
+        timer_period_sec: float,
+        callback: Callable[..., Any] | None,
+        callback_group: CallbackGroup | None = None,
+        clock: Clock | None = None,
+        autostart: bool = True,
+    ) -> Timer:
+        """Return a timer that calls back every `timer_period_sec` [s] of `clock`, the node's own if None."""
+        period_ns = int(float(timer_period_sec) * 1e9)
+        if period_ns < 0:
+            raise ValueError(f"the period of a timer cannot be negative: {timer_period_sec}")
+        group = callback_group or self._default_callback_group
+        timer = Timer(self, callback, group, period_ns, clock or self._clock, autostart)
+        self.timer_list.append(timer)
+        self._wake_executor()
+        return timer
+
+    def create_service(
+        self,
+        srv_type: type,
+        srv_name: str,
+        callback: Callable[[Any, Any], Any],
+        *,
+        qos_profile: QoSProfile = qos_profile_services_default,
+        callback_group: CallbackGroup | None = None,
+    ) -> Service:
+        """Return a new service; the callback takes (request, response) and returns the response."""
+        _check_type(srv_type, ServiceType, "service")
+        name = self._topic_named(srv_name, is_service=True)
+        group = callback_group or self._default_callback_group
+        service = Service(self, srv_type, name, callback, qos_profile, group)
+        self._entities["service"].append(service)
+        return service
+
+    def create_client(
+        self,
+        srv_type: type,
+        srv_name: str,
+        *,
+        qos_profile: QoSProfile = qos_profile_services_default,
+        callback_group: CallbackGroup | None = None,
+    ) -> Client:
+        """Return a new client of a service."""
+        _check_type(srv_type, ServiceType, "service")
+        name = self._topic_named(srv_name, is_service=True)
+        client = Client(self, srv_type, name, qos_profile, callback_group or self._default_callback_group)
+        self._entities["client"].append(client)
+        return client
+
+    def create_rate(self, frequency: float, clock: Clock | None = None) -> Rate:
+        """Return something that sleeps `frequency` times a second [Hz]; another thread must spin the node.
+
+        Raises:
+            ValueError: not a positive frequency.
+        """
+        if frequency <= 0:
+            raise ValueError("frequency must be > 0")
+        timer = self.create_timer(1.0 / frequency, None, MutuallyExclusiveCallbackGroup(), clock)
+        return Rate(timer, self._context)
+
+    def create_guard_condition(
+        self, callback: Callable[[], Any], callback_group: CallbackGroup | None = None
+    ) -> GuardCondition:
+        """Return something that can be triggered by hand."""
+        guard = GuardCondition(self, callback, callback_group or self._default_callback_group)
+        self._entities["guard"].append(guard)
+        return guard
+
+    # -- what it destroys -----------------------------------------------------------------
+
+    def destroy_publisher(self, publisher: Publisher) -> bool:
+        """Destroy a publisher of this node; return whether it was one."""
+        return self._destroy(self._entities["publisher"], publisher)
+
+    def destroy_subscription(self, subscription: Subscription) -> bool:
+        """Destroy a subscription of this node; return whether it was one."""
+        return self._destroy(self._entities["subscription"], subscription)
+
+    def destroy_client(self, client: Client) -> bool:
+        """Destroy a client of this node; return whether it was one."""
+        return self._destroy(self._entities["client"], client)
+
+    def destroy_service(self, service: Service) -> bool:
+        """Destroy a service of this node; return whether it was one."""
+        return self._destroy(self._entities["service"], service)
+
+    def destroy_timer(self, timer: Timer) -> bool:
+        """Destroy a timer of this node; return whether it was one."""
+        return self._destroy(self.timer_list, timer)
+
+    def destroy_guard_condition(self, guard: GuardCondition) -> bool:
+        """Destroy a guard condition of this node; return whether it was one."""
+        return self._destroy(self._entities["guard"], guard)
+
+    def destroy_rate(self, rate: Rate) -> bool:
+        """Destroy a rate of this node; return whether it was one."""
+        found = self.destroy_timer(rate._timer)
+        rate.destroy()
+        return found
+
+    def destroy_node(self) -> None:
+        """Leave the graph with everything; harmless the second time."""
+        if self._is_destroyed:
+            return
+        self._is_destroyed = True
+        executor = self.executor
+        if executor is not None:
+            executor.remove_node(self)
+        self._time_source.detach_node()
+        self._parameter_event_publisher = None
+        self._rosout = None
+        for entities in (*self._entities.values(), self.timer_list):
+            while entities:
+                entities.pop().destroy()
+        self._context.untrack_node(self)
+        self._context.process.graph.remove_node(self)
+
+    def __enter__(self) -> Node:
+        return self
+
+    def __exit__(self, *exc: object) -> None:
+        self.destroy_node()
+
+    # -- names ------------------------------------------------------------------------------
+
+    def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
+        """Return the absolute, remapped name of a topic as this node means it."""
+        return self._topic_named(topic, only_expand=only_expand)
+
+    def resolve_service_name(self, service: str, *, only_expand: bool = False) -> str:
+        """Return the absolute, remapped name of a service as this node means it."""
+        return self._topic_named(service, is_service=True, only_expand=only_expand)
+
+    def next_rank(self) -> int:
+        """Return the next entity's place in the order of creation."""
+        return next(self._ranks)
+
+    # -- inside -------------------------------------------------------------------------------
+
+    def _topic_named(self, name: str, is_service: bool = False, only_expand: bool = False) -> str:
+        validate_topic_name(name, is_service=is_service)
+        full = expand_topic_name(name, self._name, self._namespace)
+        if only_expand:
+            return full
+        return self._arguments.remapped(
+            self._name, full, lambda each: expand_topic_name(each, self._name, self._namespace)
+        )
+
+    def _destroy(self, entities: list, entity: Any) -> bool:
+        if entity not in entities:
+            return False
+        entities.remove(entity)
+        entity.destroy()
+        self._wake_executor()
+        return True
+
+    def _wake_executor(self) -> None:
+        if self.executor is not None:
+            self.executor.wake()
+
+    def _log_time_ns(self) -> int:
+        return self._context.process.driver.now_ns() + self._clock.offset_ns
+
+    def _publish_log(
+        self, stamp_ns: int, severity: int, name: str, message: str, file: str, function: str, line: int
+    ) -> None:
+        if self._rosout is not None:
+            stamp = Time(nanoseconds=max(0, stamp_ns), clock_type=ClockType.ROS_TIME).to_msg()
+            log = rcl_interfaces.Log(
+                stamp=stamp, level=int(severity), name=name, msg=message, file=file, function=function, line=line
+            )
+            self._rosout.publish(log)
+
+
+_KINDS = ("publisher", "subscription", "client", "service", "guard")
+
+
+def _check_type(given: object, base: type, what: str) -> None:
+    if not (isinstance(given, type) and issubclass(given, base)):
+        raise NoTypeSupportImportedException(
+            f"Expected a {what} type such as {_EXAMPLES[what]}, got {given!r}. Pass the class, not an object or a text"
+        )
+
+
+_EXAMPLES = {"message": "geometry_msgs.msg.PointStamped", "service": "tf2_msgs.srv.FrameGraph"}

@@ -1,0 +1,7 @@
+"""rclpy.client"""
+
+from tflab.ros.service import Client
+
+__all__ = [
+    "Client",
+]

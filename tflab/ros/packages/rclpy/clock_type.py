@@ -1,0 +1,7 @@
+"""rclpy.clock_type"""
+
+from tflab.ros.clock_type import ClockType
+
+__all__ = [
+    "ClockType",
+]

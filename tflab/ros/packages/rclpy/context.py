@@ -1,0 +1,7 @@
+"""rclpy.context"""
+
+from tflab.ros.context import Context
+
+__all__ = [
+    "Context",
+]

@@ -1,0 +1,7 @@
+"""rclpy.impl.rcutils_logger"""
+
+from tflab.ros.logging import RcutilsLogger
+
+__all__ = [
+    "RcutilsLogger",
+]

@@ -1,0 +1,9 @@
+"""rclpy.parameter"""
+
+from tflab.ros.parameter import Parameter, get_parameter_value, parameter_value_to_python
+
+__all__ = [
+    "Parameter",
+    "get_parameter_value",
+    "parameter_value_to_python",
+]

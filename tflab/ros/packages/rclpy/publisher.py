@@ -1,0 +1,7 @@
+"""rclpy.publisher"""
+
+from tflab.ros.publisher import Publisher
+
+__all__ = [
+    "Publisher",
+]

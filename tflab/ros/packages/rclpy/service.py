@@ -1,0 +1,7 @@
+"""rclpy.service"""
+
+from tflab.ros.service import Service
+
+__all__ = [
+    "Service",
+]

@@ -1,0 +1,7 @@
+"""rclpy.subscription"""
+
+from tflab.ros.subscription import Subscription
+
+__all__ = [
+    "Subscription",
+]

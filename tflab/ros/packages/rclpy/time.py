@@ -1,0 +1,8 @@
+"""rclpy.time"""
+
+from tflab.ros.time import Duration, Time
+
+__all__ = [
+    "Duration",
+    "Time",
+]

@@ -1,0 +1,9 @@
+"""rclpy.timer"""
+
+from tflab.ros.timer import Rate, Timer, TimerInfo
+
+__all__ = [
+    "Rate",
+    "Timer",
+    "TimerInfo",
+]

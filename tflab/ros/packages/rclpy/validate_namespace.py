@@ -1,0 +1,7 @@
+"""rclpy.validate_namespace"""
+
+from tflab.ros.names import validate_namespace
+
+__all__ = [
+    "validate_namespace",
+]

@@ -1,0 +1,21 @@
+"""tf2_ros.buffer_interface"""
+
+from tflab.ros.tf2_interface import (
+    BufferInterface,
+    ConvertRegistration,
+    NotImplementedException,
+    Stamped,
+    TransformRegistration,
+    TypeException,
+    convert,
+)
+
+__all__ = [
+    "BufferInterface",
+    "ConvertRegistration",
+    "NotImplementedException",
+    "Stamped",
+    "TransformRegistration",
+    "TypeException",
+    "convert",
+]

@@ -1,0 +1,8 @@
+"""tf2_ros.static_transform_listener"""
+
+from tflab.ros.tf2_listener import DEFAULT_STATIC_TF_TOPIC, StaticTransformListener
+
+__all__ = [
+    "DEFAULT_STATIC_TF_TOPIC",
+    "StaticTransformListener",
+]

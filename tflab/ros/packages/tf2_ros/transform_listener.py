@@ -1,0 +1,9 @@
+"""tf2_ros.transform_listener"""
+
+from tflab.ros.tf2_listener import DEFAULT_STATIC_TF_TOPIC, DEFAULT_TF_TOPIC, TransformListener
+
+__all__ = [
+    "DEFAULT_STATIC_TF_TOPIC",
+    "DEFAULT_TF_TOPIC",
+    "TransformListener",
+]

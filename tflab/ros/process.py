@@ -1,0 +1,151 @@
+"""Who am I?  Nodes that live in one Python still believe that each has a process of its own.
+
+    graph -- process "main" (the cell, the script)     default context, global executor
+         |-- process "moving_robot"                    default context, global executor
+         `-- process "point_to_map"                    ...
+
+A thread belongs to the process of whoever started it, so `rclpy.init()`,
+`rclpy.ok()` and `rclpy.spin(node)` need not be told.  A process can be
+interrupted, which is what Ctrl-C does, and it ends when its main function does.
+
+Read `virtual.py` next.
+"""
+
+from __future__ import annotations
+
+import sys
+import threading
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from .graph import Graph
+
+__all__ = ["Process", "current_process", "use_graph"]
+
+
+class Process:
+    """What a program started in its own terminal would have to itself.
+
+    Attributes:
+        name: as reports say it.
+        graph: where it lives.
+        argv: what `rclpy.init()` reads if it is given no arguments.
+        contexts: those made in it, in order; the rest of ROS 2 hangs on them.
+        default_context, global_executor: rclpy's two globals, None until needed.
+        ended: nothing runs in it any more.
+        loop: where it was found in an endless loop, as "file:line in function".
+    """
+
+    def __init__(self, name: str, graph: Graph, argv: list[str] | None = None) -> None:
+        self.name = name
+        self.graph = graph
+        self.argv = argv
+        self.contexts: list[Any] = []
+        self.default_context: Any = None
+        self.global_executor: Any = None
+        self.main_thread: threading.Thread | None = None
+        self.ended = False
+        self.loop = ""
+        self._interrupted = False
+        self._waiting: dict[Any, None] = {}
+
+    @property
+    def driver(self) -> Any:
+        """The clock and the waiting of the graph: VirtualTime or WallTime."""
+        return self.graph.driver
+
+    def arguments(self) -> list[str]:
+        """Return the command line."""
+        return sys.argv if self.argv is None else self.argv
+
+    def interrupt(self) -> None:
+        """Have the main thread raise KeyboardInterrupt at its next, or present, wait."""
+        self._interrupted = True
+        for waiter in list(self._waiting):
+            waiter.wake()
+
+    def end(self) -> None:
+        """Take everything of it out of the graph, as an operating system would."""
+        self.ended = True
+        for context in list(self.contexts):
+            context.end()
+        for waiter in list(self._waiting):
+            waiter.wake()
+
+    def loop_text(self) -> str:
+        """Return the report of an endless loop; `loop` says where it was found."""
+        return (
+            f"Endless loop: it kept busy for {self.driver.patience_s:g} s of real time without sleeping or spinning, "
+            f"at {self.loop}. Let it wait for something: rclpy.spin(node), rclpy.spin_once(node, timeout_sec=...), or "
+            "time.sleep(...)."
+        )
+
+    def lost(self, where: str) -> None:
+        """Give up a thread that keeps busy, and cannot even be interrupted."""
+        print(f'participant "{self.name}" was given up. {self.loop_text()}', file=sys.stderr, flush=True)
+        self.end()
+
+    def wait(self, waiter: Any, duration_ns: int | None) -> None:
+        """Block until `waiter` is woken, or for `duration_ns` [ns].
+
+        Raises:
+            KeyboardInterrupt: the process was interrupted, and this is its main thread.
+            SystemExit: the process has ended, and this thread is left over.
+        """
+        self.check()
+        self._waiting[waiter] = None
+        try:
+            self.driver.wait(waiter, duration_ns)
+        finally:
+            self._waiting.pop(waiter, None)
+        self.check()
+
+    def sleep(self, duration_ns: int) -> None:
+        """Let `duration_ns` [ns] pass."""
+        driver = self.driver
+        waiter = driver.new_waiter()
+        until_ns = driver.steady_ns() + duration_ns
+        while (left_ns := until_ns - driver.steady_ns()) > 0:
+            self.wait(waiter, left_ns)
+
+    def wait_until(self, ready: Callable[[], bool], waiter: Any, duration_ns: int | None) -> bool:
+        """Block until `ready()`, asked again whenever `waiter` is woken; return whether it is."""
+        driver = self.driver
+        until_ns = None if duration_ns is None else driver.steady_ns() + duration_ns
+        while not ready():
+            left_ns = None if until_ns is None else until_ns - driver.steady_ns()
+            if left_ns is not None and left_ns <= 0:
+                return False
+            self.wait(waiter, left_ns)
+        return True
+
+    def check(self) -> None:
+        """Raise what the process has been told meanwhile; see wait()."""
+        if self.ended and self.main_thread is not None:
+            raise SystemExit
+        if self._interrupted and threading.current_thread() is self.main_thread:
+            self._interrupted = False
+            raise KeyboardInterrupt
+
+
+_graph: Graph | None = None
+
+
+def use_graph(graph: Graph | None) -> Graph | None:
+    """Make `graph` the current one of this Python; return the one before."""
+    global _graph
+    before, _graph = _graph, graph
+    return before
+
+
+def current_process() -> Process:
+    """Return the process that this thread belongs to: its starter's, or the current graph's main one."""
+    process = getattr(threading.current_thread(), "tflab_process", None)
+    if process is not None:
+        return process
+    if _graph is None:
+        from .graph import Graph  # the graph is built from processes, so it cannot be imported above
+
+        use_graph(Graph(virtual=False))
+    return _graph.main

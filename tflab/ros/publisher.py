@@ -1,0 +1,118 @@
+"""Who sends?  A publisher.
+
+Read `subscription.py` next.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from typing import Any
+
+from .exceptions import InvalidHandle
+from .messages import copy_message, tf2_msgs
+from .network import Sample
+from .qos import QoSProfile
+
+__all__ = ["Publisher"]
+
+
+class Publisher:
+    """Sends messages of one type to one topic.
+
+    Attributes:
+        gid: its identity in the graph, 16 bytes.
+        matched: the subscriptions that hear it.
+        edges: (parent, child) -> how often; of the transforms it has sent, if that is what it sends.
+    """
+
+    endpoint_type = "PUBLISHER"
+
+    def __init__(
+        self, node: Any, msg_type: type, topic: str, qos_profile: QoSProfile, event_callbacks: Any, callback_group: Any
+    ) -> None:
+        self.node = node
+        self.msg_type = msg_type
+        self.topic_name = topic
+        self.topic = topic
+        self.qos_profile = qos_profile
+        self.callback_group = callback_group
+        self.gid = node.network.new_gid()
+        self.matched: list[Any] = []
+        self.edges: dict[tuple[str, str], int] = {}
+        self._sends_transforms = msg_type is tf2_msgs.TFMessage
+        self._events = event_callbacks
+        self._driver = node.context.process.driver
+        self._stored: deque[Sample] | None = deque(maxlen=qos_profile.capacity) if qos_profile.is_latched else None
+        self._count = 0
+        self._is_destroyed = False
+        self._topic = node.network.topic(topic)
+        self._topic.add_publisher(self)
+
+    @property
+    def logger_name(self) -> str:
+        """The name of its node's logger."""
+        return self.node.get_logger().name
+
+    def publish(self, msg: Any) -> None:
+        """Send a copy of a message; the caller may change it afterwards.
+
+        Raises:
+            TypeError: not a message of the topic's type.
+            AssertionError: a field holds what cannot be sent.
+        """
+        if self._is_destroyed:
+            raise InvalidHandle("cannot use Destroyable because destruction was requested")
+        if not isinstance(msg, self.msg_type):
+            raise TypeError(f"Expected {self.msg_type}, got {type(msg)}")
+        self._count += 1
+        if self._sends_transforms:
+            for transform in msg.transforms:
+                edge = (transform.header.frame_id, transform.child_frame_id)
+                self.edges[edge] = self.edges.get(edge, 0) + 1
+        sample = Sample(copy_message(msg), self, self._driver.now_ns(), self._count)
+        if self._stored is not None:
+            self._stored.append(sample)
+        deliver, driver = self._topic.deliver, self._driver
+        for subscription in tuple(self.matched):
+            deliver(sample, subscription, driver)
+
+    def stored_samples(self) -> list[Sample]:
+        """Return what a latecomer gets."""
+        if not self._stored:
+            return []
+        lifespan_ns = self.qos_profile.lifespan.nanoseconds
+        now_ns = self._driver.now_ns()
+        return [sample for sample in self._stored if not lifespan_ns or now_ns - sample.sent_ns <= lifespan_ns]
+
+    def get_subscription_count(self) -> int:
+        """Return how many subscriptions it is connected to."""
+        return len(self.matched)
+
+    def wait_for_all_acked(self, timeout: Any = None) -> bool:
+        """Return True: what was published has arrived, or is lost."""
+        return True
+
+    def assert_liveliness(self) -> None:
+        """Say that it is alive; nobody doubts it here."""
+
+    def on_incompatible_qos(self, policy: str) -> None:
+        """Say that a subscription requests more than this offers."""
+        if self._events is not None and self._events.incompatible_qos is not None:
+            self._events.incompatible_qos(policy)
+            return
+        self.node.get_logger().warning(
+            f"New subscription discovered on topic '{self.topic_name}', requesting incompatible QoS. No messages will "
+            f"be sent to it. Last incompatible policy: {policy}"
+        )
+
+    def destroy(self) -> None:
+        """Leave the topic; what was stored for latecomers is gone."""
+        if not self._is_destroyed:
+            self._is_destroyed = True
+            self._topic.remove_publisher(self)
+
+    def __enter__(self) -> Publisher:
+        return self
+
+    def __exit__(self, *exc: object) -> None:
+        self.destroy()

@@ -1,0 +1,428 @@
+"""How faithfully?  Quality of service: what a publisher offers, and a subscription requests.
+
+    publisher offers      subscription requests
+    RELIABLE              RELIABLE, BEST_EFFORT       what is offered may be more,
+    BEST_EFFORT           BEST_EFFORT                 but never less, than what
+    TRANSIENT_LOCAL       TRANSIENT_LOCAL, VOLATILE   is requested
+    VOLATILE              VOLATILE
+
+If it is less, the two are not connected, and both say so in their logs.
+TRANSIENT_LOCAL is why somebody who comes late still hears /tf_static.
+
+Read `network.py` next.
+"""
+
+from __future__ import annotations
+
+import warnings
+from enum import Enum, IntEnum
+
+from .duration import Duration
+
+__all__ = [
+    "DurabilityPolicy",
+    "HistoryPolicy",
+    "InvalidQoSProfileException",
+    "LivelinessPolicy",
+    "QoSCompatibility",
+    "QoSDurabilityPolicy",
+    "QoSHistoryPolicy",
+    "QoSLivelinessPolicy",
+    "QoSPresetProfiles",
+    "QoSProfile",
+    "QoSReliabilityPolicy",
+    "ReliabilityPolicy",
+    "incompatible_policy",
+    "profile_from",
+    "qos_check_compatible",
+    "qos_profile_action_status_default",
+    "qos_profile_best_available",
+    "qos_profile_default",
+    "qos_profile_parameter_events",
+    "qos_profile_parameters",
+    "qos_profile_rosout_default",
+    "qos_profile_sensor_data",
+    "qos_profile_services_default",
+    "qos_profile_system_default",
+    "qos_profile_unknown",
+]
+
+
+class InvalidQoSProfileException(Exception):
+    """A QoSProfile lacks something."""
+
+    __module__ = "rclpy.qos"
+
+    def __init__(self, *args: object) -> None:
+        super().__init__("Invalid QoSProfile", *args)
+
+
+class _Policy(IntEnum):
+    @property
+    def short_key(self) -> str:
+        """The policy's name as the command line tools write it."""
+        return self.name.lower()
+
+    @classmethod
+    def short_keys(cls) -> list[str]:
+        """Return every name that the command line tools accept."""
+        return [policy.short_key for policy in cls if policy.name != "UNKNOWN"]
+
+    @classmethod
+    def get_from_short_key(cls, name: str) -> int:
+        """Return the policy of such a name."""
+        return cls[name.upper()].value
+
+
+class HistoryPolicy(_Policy):
+    """How many samples wait in a queue."""
+
+    SYSTEM_DEFAULT = 0
+    KEEP_LAST = 1
+    KEEP_ALL = 2
+    UNKNOWN = 3
+
+
+class ReliabilityPolicy(_Policy):
+    """Whether a lost sample is sent again."""
+
+    SYSTEM_DEFAULT = 0
+    RELIABLE = 1
+    BEST_EFFORT = 2
+    UNKNOWN = 3
+    BEST_AVAILABLE = 4
+
+
+class DurabilityPolicy(_Policy):
+    """Whether those who come late get what was sent before."""
+
+    SYSTEM_DEFAULT = 0
+    TRANSIENT_LOCAL = 1
+    VOLATILE = 2
+    UNKNOWN = 3
+    BEST_AVAILABLE = 4
+
+
+class LivelinessPolicy(_Policy):
+    """Who says that a publisher is alive."""
+
+    SYSTEM_DEFAULT = 0
+    AUTOMATIC = 1
+    MANUAL_BY_TOPIC = 3
+    UNKNOWN = 4
+    BEST_AVAILABLE = 5
+
+
+QoSHistoryPolicy = HistoryPolicy
+QoSReliabilityPolicy = ReliabilityPolicy
+QoSDurabilityPolicy = DurabilityPolicy
+QoSLivelinessPolicy = LivelinessPolicy
+
+
+class QoSProfile:
+    """One side's policies.  Give at least `depth`, or `history`."""
+
+    __slots__ = (
+        "_avoid_ros_namespace_conventions",
+        "_deadline",
+        "_depth",
+        "_durability",
+        "_history",
+        "_lifespan",
+        "_liveliness",
+        "_liveliness_lease_duration",
+        "_reliability",
+    )
+    __hash__ = None
+
+    def __init__(self, **policies: object) -> None:
+        unknown = sorted(set(policies) - set(_DEFAULTS))
+        assert not unknown, f"Invalid arguments passed to constructor: {', '.join(unknown)}"
+        if "history" not in policies:
+            if "depth" not in policies:
+                raise InvalidQoSProfileException("History and/or depth settings are required.")
+            policies["history"] = HistoryPolicy.KEEP_LAST
+        elif policies["history"] == HistoryPolicy.KEEP_LAST and "depth" not in policies:
+            raise InvalidQoSProfileException("History set to KEEP_LAST without a depth setting.")
+        for name, default in _DEFAULTS.items():
+            setattr(self, name, policies.get(name, default))
+        if self._history == HistoryPolicy.KEEP_LAST and self._depth == 0 and "depth" in policies:
+            warnings.warn(
+                "A zero depth with KEEP_LAST doesn't make sense; no data could be stored. "
+                "This will be interpreted as SYSTEM_DEFAULT",
+                stacklevel=2,
+            )
+
+    @property
+    def history(self) -> HistoryPolicy:
+        """How many samples wait in a queue."""
+        return self._history
+
+    @history.setter
+    def history(self, value: HistoryPolicy) -> None:
+        assert isinstance(value, (HistoryPolicy, int))
+        self._history = HistoryPolicy(value)
+
+    @property
+    def depth(self) -> int:
+        """How many, with KEEP_LAST."""
+        return self._depth
+
+    @depth.setter
+    def depth(self, value: int) -> None:
+        assert isinstance(value, int)
+        self._depth = value
+
+    @property
+    def reliability(self) -> ReliabilityPolicy:
+        """Whether a lost sample is sent again."""
+        return self._reliability
+
+    @reliability.setter
+    def reliability(self, value: ReliabilityPolicy) -> None:
+        assert isinstance(value, (ReliabilityPolicy, int))
+        self._reliability = ReliabilityPolicy(value)
+
+    @property
+    def durability(self) -> DurabilityPolicy:
+        """Whether those who come late get what was sent before."""
+        return self._durability
+
+    @durability.setter
+    def durability(self, value: DurabilityPolicy) -> None:
+        assert isinstance(value, (DurabilityPolicy, int))
+        self._durability = DurabilityPolicy(value)
+
+    @property
+    def lifespan(self) -> Duration:
+        """How old a sample may get before it is dropped; zero for no limit."""
+        return self._lifespan
+
+    @lifespan.setter
+    def lifespan(self, value: Duration) -> None:
+        assert isinstance(value, Duration)
+        self._lifespan = value
+
+    @property
+    def deadline(self) -> Duration:
+        """How long there may be between samples; zero for no limit."""
+        return self._deadline
+
+    @deadline.setter
+    def deadline(self, value: Duration) -> None:
+        assert isinstance(value, Duration)
+        self._deadline = value
+
+    @property
+    def liveliness(self) -> LivelinessPolicy:
+        """Who says that the publisher is alive."""
+        return self._liveliness
+
+    @liveliness.setter
+    def liveliness(self, value: LivelinessPolicy) -> None:
+        assert isinstance(value, (LivelinessPolicy, int))
+        self._liveliness = LivelinessPolicy(value)
+
+    @property
+    def liveliness_lease_duration(self) -> Duration:
+        """How often it must be said; zero for no limit."""
+        return self._liveliness_lease_duration
+
+    @liveliness_lease_duration.setter
+    def liveliness_lease_duration(self, value: Duration) -> None:
+        assert isinstance(value, Duration)
+        self._liveliness_lease_duration = value
+
+    @property
+    def avoid_ros_namespace_conventions(self) -> bool:
+        """Whether the name is used below ROS 2 without a prefix."""
+        return self._avoid_ros_namespace_conventions
+
+    @avoid_ros_namespace_conventions.setter
+    def avoid_ros_namespace_conventions(self, value: bool) -> None:
+        assert isinstance(value, bool)
+        self._avoid_ros_namespace_conventions = value
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, QoSProfile):
+            return False
+        return all(getattr(self, name) == getattr(other, name) for name in self.__slots__)
+
+    def __str__(self) -> str:
+        shown = ", ".join(f"{name}={_shown(getattr(self, name))}" for name in _DEFAULTS)
+        return f"QoSProfile({shown})"
+
+    __repr__ = __str__
+
+    @property
+    def is_latched(self) -> bool:
+        """Whether it offers, or requests, what was sent before."""
+        return self._durability == DurabilityPolicy.TRANSIENT_LOCAL
+
+    @property
+    def capacity(self) -> int | None:
+        """How many samples a queue holds; None without a limit."""
+        if self._history == HistoryPolicy.KEEP_ALL:
+            return None
+        return self._depth or SYSTEM_DEPTH
+
+
+SYSTEM_DEPTH = 1
+
+_ZERO = Duration()
+_DEFAULTS = {
+    "history": HistoryPolicy.SYSTEM_DEFAULT,
+    "depth": 0,
+    "reliability": ReliabilityPolicy.RELIABLE,
+    "durability": DurabilityPolicy.VOLATILE,
+    "lifespan": _ZERO,
+    "deadline": _ZERO,
+    "liveliness": LivelinessPolicy.SYSTEM_DEFAULT,
+    "liveliness_lease_duration": _ZERO,
+    "avoid_ros_namespace_conventions": False,
+}
+
+
+def _shown(value: object) -> str:
+    return value.name if isinstance(value, Enum) else str(value)
+
+
+def profile_from(qos: QoSProfile | int) -> QoSProfile:
+    """Return the profile that create_publisher or create_subscription was given.
+
+    Raises:
+        ValueError: a negative depth.
+        TypeError: neither a profile nor a depth.
+    """
+    if isinstance(qos, QoSProfile):
+        return qos
+    if isinstance(qos, int):
+        if qos < 0:
+            raise ValueError("history depth must be greater than or equal to zero")
+        return QoSProfile(depth=qos)
+    raise TypeError(f"Expected QoSProfile or int, but received {type(qos)!r}")
+
+
+# -- do the two sides fit? ----------------------------------------------------
+
+
+class QoSCompatibility(IntEnum):
+    """Whether a publisher and a subscription are connected."""
+
+    OK = 0
+    WARNING = 1
+    ERROR = 2
+
+
+def incompatible_policy(offered: QoSProfile, requested: QoSProfile) -> str | None:
+    """Return the last policy for which less is offered than requested, or None if the two fit."""
+    last = None
+    if requested.is_latched and not offered.is_latched:
+        last = "DURABILITY"
+    if requested.deadline != _ZERO and not _ZERO < offered.deadline <= requested.deadline:
+        last = "DEADLINE"
+    if (
+        requested.liveliness == LivelinessPolicy.MANUAL_BY_TOPIC != offered.liveliness
+        or (requested.liveliness_lease_duration != _ZERO
+        and not _ZERO < offered.liveliness_lease_duration <= requested.liveliness_lease_duration)
+    ):
+        last = "LIVELINESS"
+    if (
+        requested.reliability in (ReliabilityPolicy.RELIABLE, ReliabilityPolicy.SYSTEM_DEFAULT)
+        and offered.reliability == ReliabilityPolicy.BEST_EFFORT
+    ):
+        last = "RELIABILITY"
+    return last
+
+
+def qos_check_compatible(publisher_qos: QoSProfile, subscription_qos: QoSProfile) -> tuple[QoSCompatibility, str]:
+    """Return whether the two fit, and why not; a policy that is left open gives a warning."""
+    reasons = _errors(publisher_qos, subscription_qos)
+    if reasons:
+        return QoSCompatibility.ERROR, "".join(f"ERROR: {reason};" for reason in reasons)
+    reasons = _warnings(publisher_qos, subscription_qos)
+    if reasons:
+        return QoSCompatibility.WARNING, "".join(f"WARNING: {reason};" for reason in reasons)
+    return QoSCompatibility.OK, ""
+
+
+def _errors(offered: QoSProfile, requested: QoSProfile) -> list[str]:
+    reasons = []
+    if offered.reliability == ReliabilityPolicy.BEST_EFFORT and requested.reliability == ReliabilityPolicy.RELIABLE:
+        reasons.append("Best effort publisher and reliable subscription")
+    if offered.durability == DurabilityPolicy.VOLATILE and requested.is_latched:
+        reasons.append("Volatile publisher and transient local subscription")
+    if requested.deadline != _ZERO:
+        if offered.deadline == _ZERO:
+            reasons.append("Subscription has a deadline, but publisher does not")
+        elif offered.deadline > requested.deadline:
+            reasons.append("Subscription deadline is less than publisher deadline")
+    if offered.liveliness == LivelinessPolicy.AUTOMATIC and requested.liveliness == LivelinessPolicy.MANUAL_BY_TOPIC:
+        reasons.append("Publisher's liveliness is automatic and subscription's is manual by topic")
+    if requested.liveliness_lease_duration != _ZERO:
+        if offered.liveliness_lease_duration == _ZERO:
+            reasons.append("Subscription has a liveliness lease duration, but publisher does not")
+        elif offered.liveliness_lease_duration > requested.liveliness_lease_duration:
+            reasons.append("Subscription liveliness lease duration is less than publisher")
+    return reasons
+
+
+def _warnings(offered: QoSProfile, requested: QoSProfile) -> list[str]:
+    reasons = []
+    for policy in ("reliability", "durability", "liveliness"):
+        sides = getattr(offered, policy), getattr(requested, policy)
+        if any(side.name in ("SYSTEM_DEFAULT", "UNKNOWN") for side in sides) and sides[0] != sides[1]:
+            reasons.append(f"Publisher {policy} is {sides[0].name} and subscription {policy} is {sides[1].name}")
+    return reasons
+
+
+# -- presets --------------------------------------------------------------------
+
+
+def _preset(
+    depth: int,
+    reliability: ReliabilityPolicy = ReliabilityPolicy.RELIABLE,
+    durability: DurabilityPolicy = DurabilityPolicy.VOLATILE,
+    history: HistoryPolicy = HistoryPolicy.KEEP_LAST,
+    lifespan: Duration = _ZERO,
+) -> QoSProfile:
+    return QoSProfile(history=history, depth=depth, reliability=reliability, durability=durability, lifespan=lifespan)
+
+
+qos_profile_default = _preset(10)
+qos_profile_sensor_data = _preset(5, ReliabilityPolicy.BEST_EFFORT)
+qos_profile_services_default = _preset(10)
+qos_profile_parameters = _preset(1000)
+qos_profile_parameter_events = _preset(1000)
+qos_profile_action_status_default = _preset(1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+qos_profile_rosout_default = _preset(1000, durability=DurabilityPolicy.TRANSIENT_LOCAL, lifespan=Duration(seconds=10))
+qos_profile_system_default = _preset(
+    0, ReliabilityPolicy.SYSTEM_DEFAULT, DurabilityPolicy.SYSTEM_DEFAULT, HistoryPolicy.SYSTEM_DEFAULT
+)
+qos_profile_unknown = _preset(0, ReliabilityPolicy.UNKNOWN, DurabilityPolicy.UNKNOWN, HistoryPolicy.UNKNOWN)
+qos_profile_best_available = _preset(10, ReliabilityPolicy.BEST_AVAILABLE, DurabilityPolicy.BEST_AVAILABLE)
+
+
+class QoSPresetProfiles(Enum):
+    """Every preset, by name."""
+
+    UNKNOWN = qos_profile_unknown
+    DEFAULT = qos_profile_default
+    SYSTEM_DEFAULT = qos_profile_system_default
+    SENSOR_DATA = qos_profile_sensor_data
+    SERVICES_DEFAULT = qos_profile_services_default
+    PARAMETERS = qos_profile_parameters
+    PARAMETER_EVENTS = qos_profile_parameter_events
+    ACTION_STATUS_DEFAULT = qos_profile_action_status_default
+    BEST_AVAILABLE = qos_profile_best_available
+    ROSOUT_DEFAULT = qos_profile_rosout_default
+
+    @classmethod
+    def short_keys(cls) -> list[str]:
+        """Return every name that the command line tools accept."""
+        return [preset.name.lower() for preset in cls]
+
+    @classmethod
+    def get_from_short_key(cls, name: str) -> QoSProfile:
+        """Return the profile of such a name."""
+        return cls[name.upper()].value

@@ -1,0 +1,115 @@
+"""Node files as they are, together, in real time.  What `tflab run a.py b.py` does.
+
+    a.py  -->  participant "a"  --.
+    b.py  -->  participant "b"  --+--  one graph, the machine's clock  -- Ctrl-C --> all of them
+
+Each file runs as `python file.py` would run it, in a process of its own, it
+believes.  Ctrl-C does what it does on ROS 2: it shuts the contexts down first,
+so a file that ends with `finally: rclpy.shutdown()` ends with an RCLError.
+
+This is the last page of the room.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import sys
+import time
+from collections.abc import Callable, Iterator, Sequence
+from types import ModuleType
+
+from .activation import activate
+from .graph import Graph, Participant, new_graph
+from .signals import shut_down_contexts
+
+__all__ = ["run_files", "runner_of"]
+
+GRACE_S = 5.0
+
+
+def run_files(
+    paths: Sequence[str],
+    *,
+    args: Sequence[str] = (),
+    beside: Sequence[tuple[str, Callable[[], None]]] = (),
+    seconds: float | None = None,
+) -> int:
+    """Run node files in real time until all have ended, or Ctrl-C; return 0, or 1 if one of them failed.
+
+    Args:
+        args: the command line of each, such as ["--ros-args", "-p", "use_sim_time:=true"].
+        beside: (name, main function) of whatever shall run with them; when the files
+            have ended these are interrupted, and when these have ended nothing happens.
+        seconds: interrupt them after this time [s].
+
+    Raises:
+        FileNotFoundError: one of them does not exist; none has been started then.
+    """
+    for path in paths:
+        if not os.path.isfile(path):
+            raise FileNotFoundError(f"no such node file: {path}")
+    activate("in-process")
+    graph = new_graph(virtual=False)
+    with _importing_beside(paths):
+        files = [
+            graph.start(runner_of(path), name=os.path.splitext(os.path.basename(path))[0], argv=[path, *args])
+            for path in paths
+        ]
+        others = [graph.start(main, name=name) for name, main in beside]
+        with contextlib.suppress(KeyboardInterrupt):
+            _wait_for(files or others, seconds)
+        _interrupt(graph, [each for each in graph.participants if each.is_running])
+    return int(any(_has_failed(each) for each in graph.participants))
+
+
+def runner_of(path: str) -> Callable[[], None]:
+    """Return the main function that runs a file as `python file.py` would."""
+
+    def run() -> None:
+        with open(path, encoding="utf-8") as file:
+            code = compile(file.read(), path, "exec")
+        module = ModuleType("__main__")
+        module.__file__ = path
+        exec(code, module.__dict__)
+
+    return run
+
+
+@contextlib.contextmanager
+def _importing_beside(paths: Sequence[str]) -> Iterator[None]:
+    """Let each file import its neighbours, as a script can."""
+    folders = list(dict.fromkeys(os.path.dirname(os.path.abspath(path)) for path in paths))
+    sys.path[:0] = folders
+    try:
+        yield
+    finally:
+        for folder in folders:
+            sys.path.remove(folder)
+
+
+def _wait_for(participants: Sequence[Participant], seconds: float | None) -> None:
+    until_s = None if seconds is None else time.monotonic() + seconds
+    while any(each.is_running for each in participants):
+        if until_s is not None and time.monotonic() >= until_s:
+            return
+        time.sleep(0.05)
+
+
+def _interrupt(graph: Graph, participants: Sequence[Participant]) -> None:
+    """Do what Ctrl-C does to each, and name whoever goes on regardless."""
+    for each in participants:
+        shut_down_contexts(each)
+        each.interrupt()
+    with contextlib.suppress(KeyboardInterrupt):  # a second Ctrl-C ends the patience
+        _wait_for(participants, GRACE_S)
+    for each in participants:
+        if each.is_running:
+            print(
+                f'participant "{each.name}" went on after it was interrupted: it neither sleeps nor spins.',
+                file=sys.stderr,
+            )
+
+
+def _has_failed(participant: Participant) -> bool:
+    return participant.is_running or not isinstance(participant.exception, (KeyboardInterrupt, type(None)))

@@ -1,0 +1,157 @@
+"""Who answers?  Services, and the clients that ask them.
+
+A call blocks until the answer has come, so somebody else must spin the client's
+node meanwhile; `call_async` returns a Future instead.
+
+Read `parameter.py` next.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections import deque
+from collections.abc import Callable
+from typing import Any
+
+from .entity import Entity, Kind
+from .messages import copy_message
+from .qos import QoSProfile
+from .task import Future
+
+__all__ = ["Client", "Service"]
+
+POLL_NS = 100_000_000  # how often wait_for_service looks
+
+
+class Service(Entity):
+    """Answers requests: `callback(request, response)` returns the response."""
+
+    kind = Kind.SERVICE
+
+    def __init__(
+        self,
+        node: Any,
+        srv_type: type,
+        srv_name: str,
+        callback: Callable[[Any, Any], Any],
+        qos_profile: QoSProfile,
+        callback_group: Any,
+    ) -> None:
+        super().__init__(node, callback_group)
+        self.srv_type = srv_type
+        self.srv_name = srv_name
+        self.service_name = srv_name
+        self.callback = callback
+        self.qos_profile = qos_profile
+        self._requests: deque[tuple[Any, Client, int]] = deque()
+        node.network.services.setdefault(srv_name, []).append(self)
+
+    def put(self, request: Any, client: Client, number: int) -> None:
+        """Receive a request."""
+        self._requests.append((request, client, number))
+        self.mark_ready()
+
+    def is_pending(self) -> bool:
+        return bool(self._requests)
+
+    def execute(self) -> Any:
+        request, client, number = self._requests.popleft()
+        response = self.callback(request, self.srv_type.Response())
+        if not isinstance(response, self.srv_type.Response):
+            raise TypeError(f"Expected {self.srv_type.Response}, got {type(response)}")
+        client.put(copy_message(response), number)
+
+    def destroy(self) -> None:
+        """Answer no more."""
+        if not self.is_destroyed:
+            self.node.network.services[self.srv_name].remove(self)
+        super().destroy()
+
+
+class Client(Entity):
+    """Asks one service."""
+
+    kind = Kind.CLIENT
+
+    def __init__(self, node: Any, srv_type: type, srv_name: str, qos_profile: QoSProfile, callback_group: Any) -> None:
+        super().__init__(node, callback_group)
+        self.srv_type = srv_type
+        self.srv_name = srv_name
+        self.service_name = srv_name
+        self.qos_profile = qos_profile
+        self._count = 0
+        self._futures: dict[int, Future] = {}
+        self._responses: deque[tuple[Any, int]] = deque()
+        self._lock = threading.Lock()
+        node.network.clients.setdefault(srv_name, []).append(self)
+
+    def call_async(self, request: Any) -> Future:
+        """Ask, and return a Future of the answer.
+
+        Raises:
+            TypeError: not a request of the service's type.
+        """
+        if not isinstance(request, self.srv_type.Request):
+            raise TypeError(f"Expected {self.srv_type.Request}, got {type(request)}")
+        future = Future()
+        with self._lock:
+            self._count += 1
+            self._futures[self._count] = future
+        for service in self._servers()[:1]:
+            service.put(copy_message(request), self, self._count)
+        future.add_done_callback(self.remove_pending_request)
+        return future
+
+    def call(self, request: Any, timeout_sec: float | None = None) -> Any:
+        """Ask, block, and return the answer, or None if it did not come in time [s]."""
+        process = self.node.context.process
+        waiter = process.driver.new_waiter()
+        future = self.call_async(request)
+        future.add_done_callback(lambda _: waiter.wake())
+        duration_ns = None if timeout_sec is None else round(timeout_sec * 1e9)
+        if not process.wait_until(future.done, waiter, duration_ns):
+            return None
+        return future.result()
+
+    def put(self, response: Any, number: int) -> None:
+        """Receive an answer."""
+        self._responses.append((response, number))
+        self.mark_ready()
+
+    def is_pending(self) -> bool:
+        return bool(self._responses)
+
+    def execute(self) -> Any:
+        response, number = self._responses.popleft()
+        future = self._futures.pop(number, None)
+        if future is not None and not future.done():
+            future.set_result(response)
+
+    def remove_pending_request(self, future: Future) -> None:
+        """Wait no more for the answer to one request."""
+        with self._lock:
+            self._futures = {number: each for number, each in self._futures.items() if each is not future}
+
+    def service_is_ready(self) -> bool:
+        """Return whether somebody answers."""
+        return bool(self._servers())
+
+    def wait_for_service(self, timeout_sec: float | None = None) -> bool:
+        """Block until somebody answers, at most `timeout_sec` [s]; return whether somebody does."""
+        process, context = self.node.context.process, self.node.context
+        until_ns = None if timeout_sec is None else process.driver.steady_ns() + round(timeout_sec * 1e9)
+        while context.ok() and not self.service_is_ready():
+            if until_ns is not None and process.driver.steady_ns() >= until_ns:
+                return False
+            process.sleep(POLL_NS)
+        return self.service_is_ready()
+
+    def destroy(self) -> None:
+        """Ask no more."""
+        if not self.is_destroyed:
+            self.node.network.clients[self.srv_name].remove(self)
+        super().destroy()
+
+    def _servers(self) -> list[Service]:
+        services = self.node.network.services.get(self.srv_name, [])
+        return [service for service in services if service.srv_type is self.srv_type]

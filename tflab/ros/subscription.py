@@ -1,0 +1,128 @@
+"""Who listens?  A subscription, with a queue that forgets its oldest when it is full.
+
+Read `service.py` next.
+"""
+
+from __future__ import annotations
+
+import inspect
+from collections import deque
+from collections.abc import Callable
+from typing import Any
+
+from .entity import Entity, Kind
+from .messages import copy_message
+from .network import Sample
+from .qos import QoSProfile
+
+__all__ = ["Subscription"]
+
+
+class Subscription(Entity):
+    """Calls back with each message of one type from one topic."""
+
+    kind = Kind.SUBSCRIPTION
+    endpoint_type = "SUBSCRIPTION"
+
+    def __init__(
+        self,
+        node: Any,
+        msg_type: type,
+        topic: str,
+        callback: Callable[..., Any],
+        qos_profile: QoSProfile,
+        event_callbacks: Any,
+        callback_group: Any,
+    ) -> None:
+        super().__init__(node, callback_group)
+        self.msg_type = msg_type
+        self.topic_name = topic
+        self.qos_profile = qos_profile
+        self.gid = node.network.new_gid()
+        self.matched_count = 0
+        self.callback = callback
+        self._wants_info = _wants_info(callback)
+        self._events = event_callbacks
+        self._driver = node.context.process.driver
+        self._queue: deque[tuple[Sample, int]] = deque(maxlen=qos_profile.capacity)
+        self._received = 0
+        self._topic = node.network.topic(topic)
+        self._topic.add_subscription(self)
+
+    @property
+    def logger_name(self) -> str:
+        """The name of its node's logger."""
+        return self.node.get_logger().name
+
+    def put(self, sample: Sample) -> None:
+        """Receive a sample; the oldest one is forgotten if the queue is full."""
+        if not self.is_destroyed:
+            self._queue.append((sample, self._driver.now_ns()))
+            self.mark_ready()
+
+    def is_pending(self) -> bool:
+        return bool(self._queue)
+
+    def execute(self) -> Any:
+        sample, received_ns = self._queue.popleft()
+        self._received += 1
+        return self.call(sample, received_ns)
+
+    def call(self, sample: Sample, received_ns: int) -> Any:
+        """Call back with a message of the receiver's own."""
+        message = copy_message(sample.message)
+        if not self._wants_info:
+            return self.callback(message)
+        info = {
+            "source_timestamp": sample.sent_ns,
+            "received_timestamp": received_ns,
+            "publication_sequence_number": sample.number,
+            "reception_sequence_number": self._received,
+            "publisher_gid": sample.publisher.gid,
+        }
+        return self.callback(message, info)
+
+    def get_publisher_count(self) -> int:
+        """Return how many publishers it is connected to."""
+        return self.matched_count
+
+    def on_incompatible_qos(self, policy: str) -> None:
+        """Say that a publisher offers less than this requests."""
+        if self._events is not None and self._events.incompatible_qos is not None:
+            self._events.incompatible_qos(policy)
+            return
+        self.node.get_logger().warning(
+            f"New publisher discovered on topic '{self.topic_name}', offering incompatible QoS. No messages will be "
+            f"received from it. Last incompatible policy: {policy}"
+        )
+
+    def destroy(self) -> None:
+        """Leave the topic."""
+        if not self.is_destroyed:
+            self._topic.remove_subscription(self)
+            self._queue.clear()
+        super().destroy()
+
+    def __enter__(self) -> Subscription:
+        return self
+
+    def __exit__(self, *exc: object) -> None:
+        self.destroy()
+
+
+def _wants_info(callback: Callable[..., Any]) -> bool:
+    """Return whether a callback takes (message, info); else it takes (message)."""
+    try:
+        signature = inspect.signature(callback)
+    except (TypeError, ValueError):
+        return False
+    for count in (1, 2):
+        try:
+            signature.bind(*[None] * count)
+        except TypeError:
+            continue
+        return count == 2
+    raise RuntimeError(
+        "Subscription.__init__(): callback should be either be callable with one argument (to get only the message) "
+        "or two arguments (to get message and message info)"
+    )

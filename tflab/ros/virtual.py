@@ -1,0 +1,288 @@
+"""What if time only passed when nobody has anything to do?  Virtual time, one thread at a time.
+
+    driver ---- turn ----> strand A    runs until it sleeps, spins or returns
+           <--- turn -----
+           ---- turn ----> strand B
+           <--- turn -----
+    nobody is ready: set the clock to the next event, and go on
+
+Every participant's thread is a *strand*: it only runs while it has the turn, and
+gives it back whenever it would block.  So there are no races, 20 s of robot take
+milliseconds, and the same program prints the same twice.  The thread that made
+the graph (the notebook's) is no strand: while it runs or waits, it hands out the
+turns.
+
+Read `wall.py` next.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import heapq
+import itertools
+import sys
+import threading
+import traceback
+from collections import deque
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any
+
+__all__ = ["START_NS", "EndlessLoop", "VirtualTime"]
+
+START_NS = 1_000_000_000  # one second: readable stamps, and never 0, which tf2 takes for "latest"
+
+# On a robot every turn takes time.  After so many turns without any, a step makes
+# two nodes that answer each other at once get on with it.
+TURNS_PER_INSTANT = 10_000
+STEP_NS = 1_000_000
+
+
+class EndlessLoop(BaseException):
+    """A participant kept its turn for too long; raised into its thread, past every `except Exception`."""
+
+
+class VirtualWaiter:
+    """Somebody waiting, who can be woken."""
+
+    def __init__(self, driver: VirtualTime) -> None:
+        self._driver = driver
+        self.woken = False
+        self.strand: Strand | None = None
+
+    def wake(self) -> None:
+        """End the present wait, or the next one."""
+        self.woken = True
+        if self.strand is not None:
+            self._driver.make_ready(self.strand)
+
+
+class Strand:
+    """One thread that waits for its turn."""
+
+    def __init__(self, process: Any, thread: threading.Thread) -> None:
+        self.process = process
+        self.thread = thread
+        self.is_ready = True
+        self.is_lost = False
+        self.is_finished = False
+        self.alarm_ns: int | None = None
+        self.at_end: list[VirtualWaiter] = []
+        self._go = threading.Semaphore(0)
+        self._back = threading.Semaphore(0)
+
+    def take_turn(self, patience_s: float) -> bool:
+        """Let the thread run until it gives the turn back; return False if it does not."""
+        self._go.release()
+        return self._back.acquire(timeout=patience_s)
+
+    def has_given_back(self, patience_s: float) -> bool:
+        """Return whether the turn comes back late."""
+        return self._back.acquire(timeout=patience_s)
+
+    def give_turn_back(self) -> None:
+        """Block, in the thread itself, until it has the turn again."""
+        self._back.release()
+        self._go.acquire()
+
+    def begin(self) -> None:
+        """Wait, in the thread itself, for the first turn."""
+        self._go.acquire()
+
+    def finish(self) -> None:
+        """Give the turn back for good."""
+        self.is_finished = True
+        for waiter in self.at_end:
+            waiter.wake()
+        self._back.release()
+
+
+class VirtualTime:
+    """The clock, the turns, and what is due when.
+
+    Attributes:
+        patience_s: how long, in real time, a participant may keep its turn [s].
+    """
+
+    is_virtual = True
+    poll_ns = STEP_NS  # a poll that finds nothing takes this long, so that polling in a loop gets somewhere
+
+    def __init__(self) -> None:
+        self.patience_s = 5.0
+        self._now_ns = START_NS
+        self._home = threading.get_ident()
+        self._order = itertools.count()
+        self._agenda: list[tuple[int, int, Callable[..., None], tuple]] = []
+        self._ready: deque[Strand] = deque()
+        self._strands: dict[int, Strand] = {}
+        self._in_callback = 0
+
+    def now_ns(self) -> int:
+        """Return the virtual time [ns]."""
+        return self._now_ns
+
+    steady_ns = now_ns
+
+    # -- for those who wait -------------------------------------------------
+
+    def new_waiter(self) -> VirtualWaiter:
+        """Return something to wait on."""
+        return VirtualWaiter(self)
+
+    def wait(self, waiter: VirtualWaiter, duration_ns: int | None) -> None:
+        """Block until woken, or until `duration_ns` [ns] have passed."""
+        until_ns = None if duration_ns is None else self._now_ns + max(0, duration_ns)
+        strand = self._strands.get(threading.get_ident())
+        if strand is None:
+            self._wait_at_home(waiter, until_ns)
+        elif not waiter.woken:
+            waiter.strand = strand
+            strand.is_ready = False
+            if until_ns is not None and until_ns != strand.alarm_ns:
+                strand.alarm_ns = until_ns
+                self._put(until_ns, self._ring, (strand, until_ns))
+            strand.give_turn_back()
+            waiter.strand = None
+        waiter.woken = False
+
+    def call_after(self, delay_ns: int, action: Callable[[], None]) -> None:
+        """Have `action` called in `delay_ns` [ns]; it must not block."""
+        self._put(self._now_ns + delay_ns, action, ())
+
+    def make_ready(self, strand: Strand) -> None:
+        """Put a strand in the queue for the turn, if it is not there."""
+        if not strand.is_ready:
+            strand.is_ready = True
+            self._ready.append(strand)
+
+    def is_cooperative(self) -> bool:
+        """Return whether this thread passes virtual time when it sleeps."""
+        ident = threading.get_ident()
+        return ident in self._strands or (ident == self._home and self._in_callback > 0)
+
+    @contextmanager
+    def callback_at_home(self) -> Iterator[None]:
+        """Mark that the home thread is inside a callback, where sleeping passes virtual time."""
+        self._in_callback += 1
+        try:
+            yield
+        finally:
+            self._in_callback -= 1
+
+    # -- strands --------------------------------------------------------------
+
+    def adopt(self, thread: threading.Thread, process: Any) -> Strand:
+        """Make a strand of a thread that has not been started yet."""
+        strand = Strand(process, thread)
+        run = thread.run
+
+        def run_in_turns() -> None:
+            self._strands[threading.get_ident()] = strand
+            strand.begin()
+            try:
+                if not process.ended:
+                    run()
+            except SystemExit:
+                pass  # its process has ended
+            finally:
+                self._strands.pop(threading.get_ident(), None)
+                strand.finish()
+
+        thread.run = run_in_turns
+        thread.tflab_strand = strand
+        self._ready.append(strand)
+        return strand
+
+    def join(self, strand: Strand, duration_ns: int | None) -> None:
+        """Wait until a strand has finished."""
+        waiter = self.new_waiter()
+        strand.at_end.append(waiter)
+        if not strand.is_finished:
+            self.wait(waiter, duration_ns)
+
+    # -- handing out the turns ------------------------------------------------
+
+    def run_until(self, until_ns: int, done: Callable[[], bool] = lambda: False) -> None:
+        """Do everything that is due up to and including `until_ns` [ns], or until `done()`."""
+        self._must_be_home()
+        if self._go_on(until_ns, done):
+            self._now_ns = max(self._now_ns, until_ns)
+
+    def _wait_at_home(self, waiter: VirtualWaiter, until_ns: int | None) -> None:
+        self._must_be_home()
+        nothing_left = self._go_on(until_ns, lambda: waiter.woken)
+        if nothing_left and until_ns is None:
+            raise RuntimeError(
+                "this would wait for ever: nobody in the graph has anything left to do, so nothing can arrive any "
+                "more. Start a participant that publishes or answers, or give a timeout."
+            )
+        if nothing_left:
+            self._now_ns = max(self._now_ns, until_ns)
+
+    def _go_on(self, until_ns: int | None, done: Callable[[], bool]) -> bool:
+        """Hand out turns and pass time; return True when nothing is due any more, False when `done()`."""
+        turns = 0
+        while not done():
+            if self._ready and turns < TURNS_PER_INSTANT:
+                self._turn(self._ready.popleft())
+                turns += 1
+                continue
+            turns = 0
+            next_ns = self._now_ns + STEP_NS if self._ready else self._agenda[0][0] if self._agenda else None
+            if next_ns is None or (until_ns is not None and next_ns > until_ns):
+                return True
+            self._now_ns = max(self._now_ns, next_ns)
+            while self._agenda and self._agenda[0][0] <= self._now_ns:
+                _, _, action, arguments = heapq.heappop(self._agenda)
+                action(*arguments)
+        return False
+
+    def _turn(self, strand: Strand) -> None:
+        if strand.is_lost:
+            return
+        try:
+            if not strand.take_turn(self.patience_s):
+                self._end_loop(strand)
+        except KeyboardInterrupt:  # the stop button: whoever has the turn must give it back first
+            _raise_in(strand.thread, KeyboardInterrupt)
+            strand.is_lost = not strand.has_given_back(2.0)
+            raise
+
+    def _end_loop(self, strand: Strand) -> None:
+        """Throw EndlessLoop into a strand that keeps its turn; give it up if that does not help."""
+        where = _place_of(strand.thread)
+        strand.process.loop = where
+        _raise_in(strand.thread, EndlessLoop)
+        if not strand.has_given_back(2.0):
+            strand.is_lost = True
+            strand.process.lost(where)
+
+    def _ring(self, strand: Strand, until_ns: int) -> None:
+        if strand.alarm_ns == until_ns:
+            strand.alarm_ns = None
+            self.make_ready(strand)
+
+    def _put(self, time_ns: int, action: Callable[..., None], arguments: tuple) -> None:
+        heapq.heappush(self._agenda, (time_ns, next(self._order), action, arguments))
+
+    def _must_be_home(self) -> None:
+        if threading.get_ident() != self._home:
+            raise RuntimeError(
+                "on virtual time this thread is unknown to the graph, and only the thread that made the graph can let "
+                "time pass. Start what should run beside it with graph.start(function); inside a participant, spin "
+                "or sleep."
+            )
+
+
+def _raise_in(thread: threading.Thread, exception: type[BaseException]) -> None:
+    """Have `exception` raised in another thread, as soon as it executes Python again."""
+    ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(thread.ident), ctypes.py_object(exception))
+
+
+def _place_of(thread: threading.Thread) -> str:
+    """Return where a thread is now, as "file:line in function"."""
+    frame = sys._current_frames().get(thread.ident)
+    if frame is None:
+        return "somewhere"
+    last = traceback.extract_stack(frame)[-1]
+    return f"{last.filename}:{last.lineno} in {last.name}"

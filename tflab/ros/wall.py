@@ -1,0 +1,70 @@
+"""What time is it, really?  Waiting and clocks in real time, for scripts and `tflab run`.
+
+Threads simply run beside each other.  The other driver, for pages, is
+`virtual.py`; both have the same methods.  Read `graph.py` next.
+"""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable
+
+__all__ = ["WallTime"]
+
+# Some systems do not see Ctrl-C while a thread waits, so nobody waits for longer than this at a time.
+LONGEST_WAIT_S = 0.5
+
+
+class WallWaiter:
+    """Somebody waiting, who can be woken."""
+
+    def __init__(self) -> None:
+        self._event = threading.Event()
+
+    def wake(self) -> None:
+        """End the present wait, or the next one."""
+        self._event.set()
+
+    def wait(self, duration_ns: int | None) -> None:
+        """Block until woken, or for `duration_ns` [ns]."""
+        until_s = None if duration_ns is None else time.monotonic() + duration_ns / 1e9
+        while not self._event.is_set():
+            left_s = LONGEST_WAIT_S if until_s is None else until_s - time.monotonic()
+            if left_s <= 0.0:
+                break
+            self._event.wait(min(left_s, LONGEST_WAIT_S))
+        self._event.clear()
+
+
+class WallTime:
+    """The machine's own clocks."""
+
+    is_virtual = False
+    poll_ns = 0  # what an unsuccessful poll costs besides the time it takes
+
+    def now_ns(self) -> int:
+        """Return the time since 1970 [ns]."""
+        return time.time_ns()
+
+    def steady_ns(self) -> int:
+        """Return a time that is never set back [ns]."""
+        return time.monotonic_ns()
+
+    def new_waiter(self) -> WallWaiter:
+        """Return something to wait on."""
+        return WallWaiter()
+
+    def wait(self, waiter: WallWaiter, duration_ns: int | None) -> None:
+        """Block until woken, or for `duration_ns` [ns]."""
+        waiter.wait(duration_ns)
+
+    def call_after(self, delay_ns: int, action: Callable[[], None]) -> None:
+        """Have `action` called in `delay_ns` [ns], from another thread."""
+        timer = threading.Timer(delay_ns / 1e9, action)
+        timer.daemon = True
+        timer.start()
+
+    def is_cooperative(self) -> bool:
+        """Return whether this thread waits for its turn; nobody does in real time."""
+        return False
