@@ -11,44 +11,84 @@ Read `statics.py` next.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import NamedTuple
 
 import numpy as np
 
+from tflab.bags.recording import Headers
 from tflab.core import NSEC_PER_SEC
 
 from .evidence import Edge, Evidence
 from .findings import Finding
-from .motion import Jump, clock_jumps
+from .jumps import Jump
 
-__all__ = ["clock_offset", "jumping_clocks", "other_time_source"]
+__all__ = ["JumpEvent", "clock_offset", "jump_events", "jumping_clocks", "other_time_source", "settled_delay_s"]
 
 TOGETHER_NS = 2 * NSEC_PER_SEC  # jumps this close to each other are one event
 OFFSET_S = 0.1
+FEWEST_SAMPLES = 8
+
+
+class JumpEvent(NamedTuple):
+    """Clocks that were set at the same moment by the same amount: one time source, or one computer.
+
+    Attributes:
+        moment_ns: of receipt [ns].
+        size_s: negative if back.
+        edges: with the sample from which on each has the new time.
+    """
+
+    moment_ns: int
+    size_s: float
+    edges: tuple[tuple[Edge, int], ...]
+
+
+def jump_events(evidence: Evidence) -> list[JumpEvent]:
+    """Return each moment at which a clock was set.
+
+    One edge alone that leaps ahead is not among them: it may as well have begun to
+    stamp ahead, and that is told as such (see timing.odd_delays).
+    """
+    jumps = sorted(
+        ((int(edge.receive_ns[jump.index]), edge, jump) for edge in evidence.moving for jump in edge.jumps),
+        key=lambda entry: entry[0],
+    )
+    groups: list[list[tuple[int, Edge, Jump]]] = []
+    for entry in jumps:
+        if groups and entry[0] - groups[-1][0][0] < TOGETHER_NS and _same_way(entry[2], groups[-1][0][2]):
+            groups[-1].append(entry)
+        else:
+            groups.append([entry])
+    events = [
+        JumpEvent(
+            group[0][0],
+            float(np.median([jump.size_s for *_, jump in group])),
+            tuple((edge, jump.index) for _, edge, jump in group),
+        )
+        for group in groups
+    ]
+    return [event for event in events if event.size_s < 0 or len(event.edges) > 1]
+
+
+def settled_delay_s(evidence: Evidence, edge: Edge) -> np.ndarray:
+    """Return how late each sample was received, as if no clock had been set meanwhile [s]."""
+    delay_s = evidence.delay_s(edge)
+    for event in jump_events(evidence):
+        for other, index in event.edges:
+            if other is edge:
+                delay_s[index:] += event.size_s
+    return delay_s
 
 
 def jumping_clocks(evidence: Evidence) -> Iterator[Finding]:
     """Yield a finding for each moment at which a clock was set, of one edge or of several."""
-    jumps = sorted(
-        ((int(edge.receive_ns[jump.index]), edge, jump) for edge in evidence.moving for jump in clock_jumps(edge)),
-        key=lambda entry: entry[0],
-    )
-    events: list[list[tuple[int, Edge, Jump]]] = []
-    for entry in jumps:
-        if events and entry[0] - events[-1][0][0] < TOGETHER_NS and _same_way(entry[2], events[-1][0][2]):
-            events[-1].append(entry)
-        else:
-            events.append([entry])
-    for event in events:
-        moment_ns, edge, _ = event[0]
-        size_s = float(np.median([jump.size_s for *_, jump in event]))
-        edges = sorted({f"{e.usual_parent} -> {e.child}" for _, e, _ in event})
-        facts = {"size": f"{abs(size_s):.3f}", "edges": ", ".join(edges), "count": len(edges)}
-        code = "clock-jump-back" if size_s < 0 else "clock-jump-forward"
-        only = edge if len(edges) == 1 else None
-        parent, child = (only.usual_parent, only.child) if only else ("", "")
-        yield Finding(
-            code, "error" if size_s < 0 else "warning", parent, child, edge.topic, moment_ns, moment_ns, facts
-        )
+    for event in jump_events(evidence):
+        names = sorted({f"{edge.usual_parent} -> {edge.child}" for edge, _ in event.edges})
+        facts = {"size": f"{abs(event.size_s):.3f}", "edges": ", ".join(names), "count": len(names)}
+        edge = event.edges[0][0]
+        parent, child = (edge.usual_parent, edge.child) if len(names) == 1 else ("", "")
+        code, severity = ("clock-jump-back", "error") if event.size_s < 0 else ("clock-jump-forward", "warning")
+        yield Finding(code, severity, parent, child, edge.topic, event.moment_ns, event.moment_ns, facts)
 
 
 def other_time_source(evidence: Evidence) -> Iterator[Finding]:
@@ -66,20 +106,23 @@ def other_time_source(evidence: Evidence) -> Iterator[Finding]:
 
 def clock_offset(evidence: Evidence) -> Iterator[Finding]:
     """Yield a finding if everything is stamped early, or late, by the same amount."""
-    sources = [source for source in (*evidence.moving, *evidence.headers) if len(source.stamp_ns) > 7]
-    sources = [source for source in sources if source.stamp_ns.all()]
-    if not sources or evidence.clock.source != "same":
+    if evidence.clock.source != "same":
         return
-    usual_s = np.array([float(np.median(evidence.delay_s(source))) for source in sources])
+    delays = [settled_delay_s(evidence, edge) for edge in evidence.moving if _has_stamps(edge)]
+    delays += [evidence.delay_s(header) for header in evidence.headers if _has_stamps(header)]
+    usual_s = np.array([float(np.median(delay_s)) for delay_s in delays])
+    if len(usual_s) < 2:  # one source alone: nothing to compare it with, see timing.odd_delays
+        return
     common_s = float(np.median(usual_s))
     near = np.abs(usual_s - common_s) < max(0.05, 0.1 * abs(common_s))
-    if abs(common_s) > OFFSET_S and near.mean() > 0.5:
-        facts = {
-            "offset": f"{abs(common_s):.3f}",
-            "way": "after" if common_s > 0 else "before",
-            "count": int(near.sum()),
-        }
+    if abs(common_s) > OFFSET_S and near.all():
+        way = "after" if common_s > 0 else "before"
+        facts = {"offset": f"{abs(common_s):.3f}", "way": way, "count": len(usual_s)}
         yield Finding("clock-offset", "warning", facts=facts)
+
+
+def _has_stamps(source: Edge | Headers) -> bool:
+    return len(source.stamp_ns) >= FEWEST_SAMPLES and bool(source.stamp_ns.all())
 
 
 def _same_way(a: Jump, b: Jump) -> bool:

@@ -13,7 +13,7 @@ recorded, else from what all publishers have in common, and taken off.
 A buffer has forgotten the order of arrival, the times of receipt and whatever it
 refused; checks that need those are then not made.
 
-Read `motion.py` next.
+Read `jumps.py` next.
 """
 
 from __future__ import annotations
@@ -21,11 +21,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
 
 from tflab.bags.recording import Clock, Connection, Headers, JointStates, Recording, namespace_of
 from tflab.core import NSEC_PER_SEC, BufferCore
+
+from .jumps import Jump, find_jumps
 
 __all__ = ["ClockRelation", "Edge", "Evidence", "evidence_from_buffer", "evidence_from_recording"]
 
@@ -81,15 +84,20 @@ class Edge:
         return self.is_finite & (self.norm > 0.0)
 
     @cached_property
-    def offset_s(self) -> np.ndarray:
-        """Received minus stamp, of each sample [s]: shape (n,)."""
-        return (self.receive_ns - self.stamp_ns) / NSEC_PER_SEC
-
-    @cached_property
     def period_ns(self) -> int:
         """The usual time between two samples [ns], 0 if there are none."""
         steps = np.diff(np.unique(self.stamp_ns))
         return int(np.median(steps)) if len(steps) else 0
+
+    @cached_property
+    def jumps(self) -> list[Jump]:
+        """Where the clock behind the stamps was set; none if there are no times of receipt."""
+        return find_jumps(self.stamp_ns, self.receive_ns, self.period_ns)
+
+    def stretches(self) -> list[slice]:
+        """Return the samples between the jumps of the clock."""
+        bounds = [0, *(jump.index for jump in self.jumps), len(self)]
+        return [slice(a, b) for a, b in pairwise(bounds) if b > a]
 
 
 @dataclass(frozen=True)

@@ -11,6 +11,7 @@ values: each of them is smooth, but they take turns.  Read `clocks.py` next.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
 
 import numpy as np
 
@@ -71,5 +72,5 @@ def _publishers_at_once(edge: Edge) -> list[str]:
         mine = edge.receive_ns[edge.publisher == number]
         spans.append((int(mine.min()), int(mine.max()), name))
     spans.sort()
-    overlap = any(later[0] < earlier[1] for earlier, later in zip(spans, spans[1:], strict=False))
+    overlap = any(later[0] < earlier[1] for earlier, later in pairwise(spans))
     return sorted(name or "(unknown)" for *_, name in spans)[:MOST_SHOWN] if overlap else []

@@ -192,13 +192,13 @@ TEXTS: dict[str, Text] = {
     ),
     "late-stamps": Text(
         "{parent} -> {child} comes late",
-        "Received {delay} s after its stamp as a rule (others: {others} s; spread {spread} s).",
+        "{count} of {total} samples were received {delay} s after their stamp (others: {others} s; spread {spread} s).",
         "The node takes long, or the clock of its computer is behind the others: this alone cannot tell which.",
         MONITOR,
     ),
     "early-stamps": Text(
         "{parent} -> {child} is stamped in the future",
-        "Received {delay} s before its stamp as a rule (others: {others} s after; spread {spread} s).",
+        "{count} of {total} samples were received {delay} s before their stamp (others: {others} s after; spread {spread} s).",
         "The clock of its computer is ahead of the others, or the node adds something to its stamps: this alone cannot tell which.",
         MONITOR,
     ),

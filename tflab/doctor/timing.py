@@ -7,7 +7,8 @@
            `--o
 
 If *every* edge is silent at once, it is not the edges: the recorder, the network
-or the computer stood still, and that is one event.  Read `owners.py` next.
+or the computer stood still, and that is one event.  Read `clocks.py` first, if the
+difference of two clocks is new to you; then `owners.py`.
 """
 
 from __future__ import annotations
@@ -19,9 +20,10 @@ import numpy as np
 
 from tflab.core import NSEC_PER_SEC
 
+from .clocks import settled_delay_s
 from .evidence import Edge, Evidence
 from .findings import Finding
-from .motion import clock_jumps, distances, segments, unit
+from .motion import distances, unit
 
 __all__ = ["gaps", "odd_delays", "repeated_stamps", "unordered_stamps", "unset_stamps"]
 
@@ -29,10 +31,11 @@ LEAST_GAP_S = 0.25
 GAP_PERIODS = 5.0  # a gap is longer than so many usual steps ...
 GAP_HABITS = 3.0  # ... and than so many of the longer steps of an irregular edge
 FEWEST_SAMPLES = 8
+ODD_SHARE = 0.1  # of the samples of an edge
 FEWEST_REPEATED = 3  # stamps, before it is more than a slip
 LATE_S = 0.1  # more than the others: at 1 m/s an error of 10 cm
 EARLY_S = 0.05
-TOLERANCE_S = 3.0  # how far ahead a localiser may stamp map -> odom (AMCL's transform_tolerance, 1 s at the most)
+TOLERANCE_S = 1.5  # how far ahead a localiser may stamp map -> odom (AMCL's transform_tolerance is 1 s)
 
 
 class Silence(NamedTuple):
@@ -48,7 +51,7 @@ def repeated_stamps(evidence: Evidence) -> Iterator[Finding]:
     """Yield a finding for each moving edge with several samples of one stamp."""
     for edge in evidence.moving:
         repeats = []
-        for stretch in segments(edge, clock_jumps(edge) if evidence.has_arrival else []):
+        for stretch in edge.stretches():
             stamps = edge.stamp_ns[stretch]
             order = np.argsort(stamps, kind="stable")
             again = order[1:][np.diff(stamps[order]) == 0]
@@ -66,7 +69,7 @@ def unordered_stamps(evidence: Evidence) -> Iterator[Finding]:
     for edge in evidence.moving:
         back_s = []
         where = []
-        for stretch in segments(edge, clock_jumps(edge)):
+        for stretch in edge.stretches():
             stamps = edge.stamp_ns[stretch]
             behind = np.maximum.accumulate(stamps) - stamps
             late = np.flatnonzero(behind > 0)
@@ -108,29 +111,40 @@ def gaps(evidence: Evidence) -> Iterator[Finding]:
 
 
 def odd_delays(evidence: Evidence) -> Iterator[Finding]:
-    """Yield a finding for each moving edge that is stamped much earlier or later than the other sources."""
+    """Yield a finding for each moving edge that is, or at some time was, much earlier or later than the other sources."""
     for edge in evidence.moving:
         if len(edge) < FEWEST_SAMPLES or not edge.stamp_ns.all():
             continue
-        delay_s = evidence.delay_s(edge)
-        usual_s = float(np.median(delay_s))
-        others_s = _usual_delay_of_others(evidence, edge)
-        spread_s = float(np.percentile(delay_s, 90) - np.percentile(delay_s, 10))
-        facts = {"delay": f"{abs(usual_s):.3f}", "others": f"{others_s:.3f}", "spread": f"{spread_s:.3f}"}
-        if usual_s < -EARLY_S and usual_s < others_s - EARLY_S:
-            if _may_be_ahead(evidence, edge) and -usual_s < TOLERANCE_S:
-                yield _finding(edge, "stamped-ahead", "info", 0, len(edge) - 1, facts)
+        delay_s = settled_delay_s(evidence, edge)
+        others_s = _least_delay_of_others(evidence, edge)
+        late_s = others_s + max(LATE_S, 2.0 * others_s)
+        for code, is_odd in (("early-stamps", delay_s < -EARLY_S), ("late-stamps", delay_s > late_s)):
+            odd = _in_a_row(is_odd)
+            if len(odd) < max(FEWEST_SAMPLES, ODD_SHARE * len(edge)):
+                continue
+            usual_s = float(np.median(delay_s[odd]))
+            spread_s = float(np.percentile(delay_s[odd], 90) - np.percentile(delay_s[odd], 10))
+            facts = {"delay": f"{abs(usual_s):.3f}", "others": f"{others_s:.3f}", "spread": f"{spread_s:.3f}",
+                     "count": len(odd), "total": len(edge)}  # fmt: skip
+            if code == "early-stamps" and _may_be_ahead(evidence, edge) and -usual_s < TOLERANCE_S:
+                yield _finding(edge, "stamped-ahead", "info", int(odd[0]), int(odd[-1]), facts)
             else:
-                yield _finding(edge, "early-stamps", "warning", 0, len(edge) - 1, facts)
-        elif usual_s > LATE_S and usual_s - others_s > max(LATE_S, 2.0 * abs(others_s)):
-            yield _finding(edge, "late-stamps", "warning", 0, len(edge) - 1, facts)
+                yield _finding(edge, code, "warning", int(odd[0]), int(odd[-1]), facts)
 
 
-def _usual_delay_of_others(evidence: Evidence, edge: Edge) -> float:
-    """Return the median of the usual delays of all other sources [s]; 0 if there are none."""
+def _least_delay_of_others(evidence: Evidence, edge: Edge) -> float:
+    """Return the usual delay of the other source that has the least [s]; 0 if there is none, or it is ahead."""
     others = [other for other in evidence.moving if other is not edge and len(other) >= FEWEST_SAMPLES]
-    sources = [*others, *(header for header in evidence.headers if len(header.stamp_ns) and header.stamp_ns.all())]
-    return float(np.median([np.median(evidence.delay_s(source)) for source in sources])) if sources else 0.0
+    delays = [settled_delay_s(evidence, other) for other in others]
+    delays += [evidence.delay_s(h) for h in evidence.headers if len(h.stamp_ns) and h.stamp_ns.all()]
+    return max(0.0, min((float(np.median(delay_s)) for delay_s in delays), default=0.0))
+
+
+def _in_a_row(is_odd: np.ndarray) -> np.ndarray:
+    """Return the places of odd samples among others like them: one alone was overtaken, or repeats a stamp."""
+    bounds = np.flatnonzero(np.diff(np.concatenate([[False], is_odd, [False]]).astype(int)))
+    runs = [np.arange(a, b) for a, b in bounds.reshape(-1, 2).tolist() if b - a >= FEWEST_SAMPLES]
+    return np.concatenate(runs) if runs else np.zeros(0, dtype=np.int64)
 
 
 def _may_be_ahead(evidence: Evidence, edge: Edge) -> bool:
@@ -153,9 +167,12 @@ def _silences(evidence: Evidence, edge: Edge) -> Iterator[Silence]:
     least_s = max(LEAST_GAP_S, GAP_PERIODS * usual_s, GAP_HABITS * habit_s)
     for i in np.flatnonzero((stamp_step_s > least_s) & (heard_step_s > 0.6 * least_s)).tolist():
         yield Silence(edge, int(edge.receive_ns[i]), int(edge.receive_ns[i + 1]), is_last=False)
-    others_end_ns = max((int(o.receive_ns[-1]) for o in evidence.moving if o is not edge), default=0)
-    if others_end_ns - edge.receive_ns[-1] > max(1.0, 2.0 * least_s) * NSEC_PER_SEC:
-        yield Silence(edge, int(edge.receive_ns[-1]), others_end_ns, is_last=True)
+    least_ns = max(1.0, 2.0 * least_s) * NSEC_PER_SEC
+    others = [other for other in evidence.moving if other is not edge]
+    heard_longer = [other for other in others if other.receive_ns[-1] - edge.receive_ns[-1] > least_ns]
+    stamped_longer = [other for other in heard_longer if other.stamp_ns.max() - edge.stamp_ns.max() > least_ns]
+    if others and len(stamped_longer) > len(others) / 2:
+        yield Silence(edge, int(edge.receive_ns[-1]), max(int(o.receive_ns[-1]) for o in others), is_last=True)
 
 
 def _all_are_silent(evidence: Evidence, silence: Silence) -> bool:

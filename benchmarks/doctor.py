@@ -1,0 +1,186 @@
+"""How often is the doctor right, and how fast?
+
+    python benchmarks/doctor.py matrix [BAG ...] [--seeds 20]    every fault, in simulated runs and in the bags
+    python benchmarks/doctor.py speed [--transforms 1000000]     a large bag: time and memory
+
+The matrix has a row for each fault that was put in and a column for each fault
+that was named above "info".  A finding that names the injected fault counts for
+recall; one that names none of the injected faults counts against precision.
+"""
+
+from __future__ import annotations
+
+import argparse
+import math
+import resource
+import struct
+import sys
+import tempfile
+import time
+from collections import Counter
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from tflab.bags.progress import Progress
+from tflab.bags.reader import read_bag
+from tflab.bags.recording import recording_from_records
+from tflab.core.records import TransformRecord
+from tflab.doctor.catalogue import faults_of_code
+from tflab.doctor.diagnose import diagnose_recording
+from tflab.robots.faults import Fault
+from tflab.robots.injectors import CannotInject, inject
+from tflab.robots.teaching import TeachingRobot
+
+LEAST = 0.95  # of recall and of precision
+
+
+@dataclass
+class Row:
+    """How often a fault was put in, how often it was named, and what else was."""
+
+    cases: int = 0
+    right: int = 0
+    wrong: Counter = field(default_factory=Counter)
+
+    def count(self, fault: str, found: set[str]) -> None:
+        self.cases += 1
+        self.right += fault in found if fault else not found
+        self.wrong.update(str(other) for other in sorted(found - {fault}))
+
+    @property
+    def recall(self) -> float:
+        return self.right / self.cases
+
+    @property
+    def precision(self) -> float:
+        return self.right / max(self.right + self.wrong.total(), 1)
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    commands = parser.add_subparsers(dest="command", required=True)
+    matrix = commands.add_parser("matrix")
+    matrix.add_argument("bags", nargs="*", type=Path)
+    matrix.add_argument("--seeds", type=int, default=20)
+    matrix.add_argument("--verbose", action="store_true", help="tell each miss")
+    speed = commands.add_parser("speed")
+    speed.add_argument("--transforms", type=int, default=1_000_000)
+    arguments = parser.parse_args()
+    if arguments.command == "matrix":
+        return run_matrix(arguments.bags, arguments.seeds, arguments.verbose)
+    return run_speed(arguments.transforms)
+
+
+def run_matrix(bags: list[Path], seeds: int, verbose: bool) -> int:
+    """Print the confusion matrix of each source of clean recordings, and return 1 if it is not good enough."""
+    sources = {"simulated": simulated_run}
+    for bag in bags:
+        records = read_bag(bag).records()
+        sources[bag.name] = lambda seed, records=records: records
+    is_good = True
+    for name, clean in sources.items():
+        is_good &= print_matrix(name, confusion(name, clean, seeds, verbose))
+    return 0 if is_good else 1
+
+
+def simulated_run(seed: int) -> list[TransformRecord]:
+    """Return a clean run of the teaching robot; every other one without publishers, as in a rosbag2."""
+    records = TeachingRobot(seed=seed).records(until_s=20.0)
+    return records if seed % 2 else [record._replace(publisher="") for record in records]
+
+
+def confusion(name: str, clean, seeds: int, verbose: bool) -> dict[str, Row]:
+    """Return, for each fault that can be put in, how often which faults were named."""
+    rows = {"(clean)": Row()}
+    with Progress(name, len(Fault) * seeds) as progress:
+        for seed in range(seeds):
+            records = clean(seed)
+            rows["(clean)"].count("", named(records))
+            for number, fault in enumerate(Fault):
+                progress.at(seed * len(Fault) + number)
+                try:
+                    broken, diagnosis = inject(records, fault, seed)
+                except CannotInject:
+                    continue
+                found = named(broken, fault)
+                rows.setdefault(fault, Row()).count(fault, found)
+                if verbose and found != {fault}:
+                    print(f"{name} seed {seed}: {fault}: {diagnosis.detail}: {sorted(found)}", file=sys.stderr)
+    return rows
+
+
+def named(records: list[TransformRecord], injected: Fault | None = None) -> set[str]:
+    """Return the faults that the findings above "info" name; of several names of one, the injected if it is among them."""
+    report = diagnose_recording(recording_from_records(records))
+    found = set()
+    for finding in report.of_severity("error", "warning"):
+        faults = faults_of_code(finding.code)
+        found.add(injected if injected in faults else (faults[0] if faults else finding.code))
+    return found
+
+
+def print_matrix(name: str, rows: dict[str, Row]) -> bool:
+    """Print one matrix with recall and precision, and return whether both are at least 0.95 everywhere."""
+    print(f"\n{name}\n  {'injected':22s} {'cases':>5s} {'recall':>7s} {'precision':>9s}   also named")
+    for fault, row in rows.items():
+        print(f"  {fault:22s} {row.cases:5d} {row.recall:7.2f} {row.precision:9.2f}   {dict(row.wrong) or ''}")
+    return all(min(row.recall, row.precision) >= LEAST for row in rows.values())
+
+
+def run_speed(transforms: int) -> int:
+    """Write a bag with so many transforms, one a message, then read and diagnose it; return 1 if that is too slow."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "large"
+        write_large_bag(path, transforms)
+        size_mb = sum(file.stat().st_size for file in path.iterdir()) / 1e6
+        begin_s = time.perf_counter()
+        recording = read_bag(path)
+        read_s = time.perf_counter()
+        recording.buffer()
+        filled_s = time.perf_counter()
+        report = diagnose_recording(recording)
+        end_s = time.perf_counter()
+    memory_mb = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+    print(f"{transforms} transforms, {size_mb:.0f} MB, {len(report.findings)} findings")
+    print(
+        f"file to buffer     {filled_s - begin_s:6.1f} s   {transforms / (filled_s - begin_s):8.0f} transforms a second"
+    )
+    print(f"file to diagnosis  {read_s - begin_s + end_s - filled_s:6.1f} s")
+    print(f"memory             {memory_mb:6.0f} MB")
+    return 0 if end_s - begin_s < 30.0 and memory_mb < 1024 else 1
+
+
+def write_large_bag(path: Path, transforms: int) -> None:
+    """Write a mast on a robot with eight joints, a thousand messages a second, one transform in each."""
+    from rosbags.rosbag2 import StoragePlugin, Writer
+    from rosbags.typesys import Stores, get_typestore
+
+    store = get_typestore(Stores.ROS2_JAZZY)
+    message_types = store.types
+    edges = [("map", "odom"), ("odom", "base_link"), *(("base_link", f"joint_{i}") for i in range(8))]
+    templates = [cdr_template(store, message_types, parent, child) for parent, child in edges]
+    with Writer(path, version=9, storage_plugin=StoragePlugin.MCAP) as writer:
+        connection = writer.add_connection("/tf", "tf2_msgs/msg/TFMessage", typestore=store)
+        for i in range(transforms):
+            step, edge = divmod(i, len(edges))
+            stamp_ns = 1_700_000_000_000_000_000 + step * 10_000_000
+            angle = 0.001 * step * (edge + 1)
+            data = bytearray(templates[edge])
+            struct.pack_into("<iI", data, 8, *divmod(stamp_ns, 1_000_000_000))
+            pose = (math.cos(angle), math.sin(angle), 0.0, 0.0, 0.0, math.sin(angle / 2), math.cos(angle / 2))
+            struct.pack_into("<7d", data, len(data) - 56, *pose)
+            writer.write(connection, stamp_ns + 3_000_000 + step * 7919 % 13 * 100_000, data)
+
+
+def cdr_template(store, types: dict, parent: str, child: str) -> bytes:
+    """Return a TFMessage of one transform, as rosbags writes it; its last 56 bytes are the seven numbers."""
+    header = types["std_msgs/msg/Header"](types["builtin_interfaces/msg/Time"](0, 0), parent)
+    transform = types["geometry_msgs/msg/Transform"](
+        types["geometry_msgs/msg/Vector3"](0.0, 0.0, 0.0), types["geometry_msgs/msg/Quaternion"](0.0, 0.0, 0.0, 1.0)
+    )
+    stamped = types["geometry_msgs/msg/TransformStamped"](header, child, transform)
+    return bytes(store.serialize_cdr(types["tf2_msgs/msg/TFMessage"]([stamped]), "tf2_msgs/msg/TFMessage"))
+
+
+if __name__ == "__main__":
+    sys.exit(main())
