@@ -25,7 +25,7 @@ import numpy as np
 
 from . import quaternions
 from .cache import TimeCache
-from .checks import is_ordinary
+from .checks import are_ordinary_names
 from .errors import ExtrapolationException, TransformException
 from .stamps import LATEST
 from .transforms import IDENTITY_POSE, compose, invert
@@ -99,7 +99,7 @@ class Tables:
     """A table of segments for each history that was asked many questions, until it changes."""
 
     def __init__(self) -> None:
-        self._tables: dict[TimeCache, tuple[int, np.ndarray, np.ndarray]] = {}
+        self._tables: dict[TimeCache, tuple[tuple[int, int], np.ndarray, np.ndarray]] = {}
 
     @property
     def nbytes(self) -> int:
@@ -353,7 +353,7 @@ def columns_from_arrays(
 
 def is_plain(parent: str, child: str, stamps: np.ndarray, numbers: np.ndarray, newest_ns: int | None) -> bool:
     """Return whether samples may be stored without looking at each: sound, and each newer than the one before."""
-    if not is_ordinary(parent, child, (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)):
+    if not are_ordinary_names(parent, child):
         return False
     squared = np.einsum("ij,ij->i", numbers[:, 3:], numbers[:, 3:])
     return bool(

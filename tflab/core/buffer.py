@@ -35,7 +35,7 @@ from .requests import RequestCallback, RequestQueue
 from .snapshot import Snapshot, snapshot_of
 from .stamps import LATEST, NSEC_PER_SEC
 from .transforms import IDENTITY_POSE, StampedTransform, Transform, canonical_pose, compose, stamped_from_pose
-from .tree import Tree
+from .tree import Cache, Tree
 from .walk import (
     Failure,
     Path,
@@ -71,6 +71,7 @@ class BufferCore:
             raise ValueError(f"cache_time_ns must not be negative: {cache_time_ns}")
         self._tree = Tree(cache_time_ns, refuse_repeated_stamps)
         self._routes: dict[tuple[str, str], Route | None] = {}
+        self._edges: dict[tuple[str, str, bool], tuple[Cache, int, int]] = {}  # of sound names, as published
         self._requests = RequestQueue(self._tree)
         self._tables = batch.Tables()
         self._lock = RLock()
@@ -94,33 +95,26 @@ class BufferCore:
         ing requests are judged.
         """
         transform = stamped.transform
-        parent, child = stamped.frame_id, stamped.child_frame_id
         numbers = transform.translation + transform.rotation
-        if not checks.is_ordinary(parent, child, numbers):
-            parent, child = checks.without_slash(parent), checks.without_slash(child)
-            if not checks.is_acceptable(parent, child, numbers, authority):
-                return False
-            self._tree.has_infinity |= any(map(isinf, numbers))
-            self._shape_changed()
-        with self._lock:
-            tree = self._tree
-            child_number = tree.number_of(child)
-            cache = tree.cache_for(child_number, is_static)
-            only_parent = cache.only_parent
-            parent_number = tree.number_of(parent)
-            accepted = cache.insert(stamped.stamp_ns, numbers, parent_number, authority)
-            if cache.only_parent != only_parent:
-                self._shape_changed()
-            if not accepted:
-                if cache.has_stamp(stamped.stamp_ns):
-                    checks.log_repeated_data(parent, child, stamped.stamp_ns, authority)
-                else:
-                    checks.log_old_data(child, stamped.stamp_ns, authority)
-                return False
-            tree.authorities[child_number] = authority
-            if self._requests:
+        self._lock.acquire()  # a `with` would cost twice as much, and this is done for every transform
+        try:
+            edge = self._edges.get((stamped.frame_id, stamped.child_frame_id, is_static))
+            if edge is None or not checks.are_ordinary_numbers(numbers):
+                return self._set_with_care(stamped, numbers, authority, is_static)
+            cache, parent_number, child_number = edge
+            if cache.only_parent != parent_number:
+                return self._set_with_care(stamped, numbers, authority, is_static)
+            if not cache.insert(stamped.stamp_ns, numbers, parent_number, authority):
+                return self._refused(stamped, cache, authority)
+            self._tree.authorities[child_number] = authority
+            if self._requests.is_anyone_waiting:
                 self._requests.judge_all()
-        return True
+            return True
+        except (TypeError, OverflowError):
+            checks.stamp_in_range(stamped.stamp_ns)
+            raise
+        finally:
+            self._lock.release()
 
     def set_transforms(
         self,
@@ -145,7 +139,7 @@ class BufferCore:
         with self._lock:
             cache = self._tree.caches[self._tree.numbers.get(child, 0)]
             newest_ns = cache.newest_ns if isinstance(cache, TimeCache) and len(cache) else None
-            if self._requests or not batch.is_plain(parent, child, stamps, numbers, newest_ns):
+            if self._requests.is_anyone_waiting or not batch.is_plain(parent, child, stamps, numbers, newest_ns):
                 return sum(
                     self.set_transform(StampedTransform(parent, child, stamp, Transform(row[:3], row[3:])), authority)
                     for stamp, row in zip(stamps.tolist(), numbers.tolist(), strict=True)
@@ -153,7 +147,7 @@ class BufferCore:
             if not len(stamps):
                 return 0
             child_number = self._tree.number_of(child)
-            cache = self._tree.cache_for(child_number, is_static=False)
+            cache = self._cache_for(child_number, is_static=False)
             only_parent = cache.only_parent
             cache.extend(stamps, numbers, self._tree.number_of(parent), authority)
             if cache.only_parent != only_parent:
@@ -183,7 +177,8 @@ class BufferCore:
             ConnectivityException: the frames are in different trees.
             ExtrapolationException: a history on the way does not reach `stamp_ns`.
         """
-        with self._lock:
+        self._lock.acquire()  # a `with` would cost twice as much
+        try:
             route = self._routes.get((target_frame, source_frame))
             if route is not None:
                 moment_ns = stamp_ns or route.latest_common_time()
@@ -191,6 +186,8 @@ class BufferCore:
                 if pose is not None:
                     return stamped_from_pose(target_frame, source_frame, moment_ns, canonical_pose(pose))
             return self._lookup_from_scratch(target_frame, source_frame, stamp_ns)
+        finally:
+            self._lock.release()
 
     def lookup_transform_full(
         self, target_frame: str, target_ns: int, source_frame: str, source_ns: int, fixed_frame: str
@@ -404,6 +401,51 @@ class BufferCore:
             return memory_of(self._tree, ROUTE_BYTES * len(self._routes) + self._tables.nbytes)
 
     # -- inside -----------------------------------------------------------
+
+    def _set_with_care(
+        self, stamped: StampedTransform, numbers: tuple[float, ...], authority: str, is_static: bool
+    ) -> bool:
+        """Store a transform of an edge that is new or has changed, or one that needs a closer look."""
+        tree, parent, child = self._tree, stamped.frame_id, stamped.child_frame_id
+        if not (checks.are_ordinary_names(parent, child) and checks.are_ordinary_numbers(numbers)):
+            parent, child = checks.without_slash(parent), checks.without_slash(child)
+            if not checks.is_acceptable(parent, child, numbers, authority):
+                return False
+            if any(map(isinf, numbers)):
+                tree.has_infinity = True
+                self._shape_changed()
+        stamp_ns = checks.stamp_in_range(stamped.stamp_ns)
+        child_number = tree.number_of(child)
+        cache = self._cache_for(child_number, is_static)
+        only_parent = cache.only_parent
+        parent_number = tree.number_of(parent)
+        accepted = cache.insert(stamp_ns, numbers, parent_number, authority)
+        if cache.only_parent != only_parent:
+            self._shape_changed()
+        self._edges[parent, child, is_static] = (cache, parent_number, child_number)
+        if not accepted:
+            return self._refused(stamped, cache, authority)
+        tree.authorities[child_number] = authority
+        if self._requests.is_anyone_waiting:
+            self._requests.judge_all()
+        return True
+
+    def _cache_for(self, child_number: int, is_static: bool) -> Cache:
+        """Return the history of a child, an empty one if it is new or changes its kind."""
+        before = self._tree.caches[child_number]
+        cache = self._tree.cache_for(child_number, is_static)
+        if cache is not before:
+            self._edges.clear()
+        return cache
+
+    def _refused(self, stamped: StampedTransform, cache: Cache, authority: str) -> bool:
+        """Log why a history would not take a sample, and return False."""
+        parent, child = checks.without_slash(stamped.frame_id), checks.without_slash(stamped.child_frame_id)
+        if cache.has_stamp(stamped.stamp_ns):
+            checks.log_repeated_data(parent, child, stamped.stamp_ns, authority)
+        else:
+            checks.log_old_data(child, stamped.stamp_ns, authority)
+        return False
 
     def _shape_changed(self) -> None:
         """Forget every route: some frame got another parent, or lost its history."""

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import logging
 import math
+from operator import index
 
 from . import quaternions
 from .errors import InvalidArgumentException, LookupException
@@ -21,12 +22,14 @@ from .stamps import format_stamp
 from .tree import Tree
 
 __all__ = [
+    "are_ordinary_names",
+    "are_ordinary_numbers",
     "fault_in_question",
     "is_acceptable",
-    "is_ordinary",
     "log_old_data",
     "log_repeated_data",
     "number_in_question",
+    "stamp_in_range",
     "unknown_frame",
     "without_slash",
 ]
@@ -41,23 +44,17 @@ def without_slash(name: str) -> str:
     return name[1:] if name.startswith("/") else name
 
 
-def is_ordinary(parent: str, child: str, numbers: tuple[float, ...]) -> bool:
-    """Return whether nothing about a transform needs a closer look; most need none.
-
-    `numbers` are x, y, z, qx, qy, qz, qw.
-    """
+def are_ordinary_numbers(numbers: tuple[float, ...]) -> bool:
+    """Return whether x, y, z, qx, qy, qz, qw need no closer look: finite, and the quaternion has a direction."""
     x, y, z, qx, qy, qz, qw = numbers
-    length = qx * qx + qy * qy + qz * qz + qw * qw
-    total = x + y + z + length  # not finite if any of them is not
-    return (
-        1e-300 < length < 1e300
-        and total - total == 0.0
-        and parent != child
-        and parent != ""
-        and child != ""
-        and parent[0] != "/"
-        and child[0] != "/"
-    )
+    squared_length = qx * qx + qy * qy + qz * qz + qw * qw
+    total = x + y + z + squared_length  # not finite if any of them is not
+    return 1e-300 < squared_length < 1e300 and total - total == 0.0
+
+
+def are_ordinary_names(parent: str, child: str) -> bool:
+    """Return whether the names of an edge need no closer look: different, not empty, without leading slashes."""
+    return bool(parent and child) and parent != child and parent[0] != "/" and child[0] != "/"
 
 
 def is_acceptable(parent: str, child: str, numbers: tuple[float, ...], authority: str) -> bool:
@@ -91,6 +88,22 @@ def is_acceptable(parent: str, child: str, numbers: tuple[float, ...], authority
     for fault in faults:
         _log.error(fault)
     return not faults
+
+
+def stamp_in_range(stamp_ns: int) -> int:
+    """Return a stamp that a history can hold.
+
+    Raises:
+        TypeError: not an integer: seconds, perhaps?
+        ValueError: not within 64 bits.
+    """
+    try:
+        stamp_ns = index(stamp_ns)
+    except TypeError:
+        raise TypeError(f"a stamp is an int of nanoseconds, not {stamp_ns!r}; seconds(1.5) makes one") from None
+    if not -(2**63) <= stamp_ns < 2**63:
+        raise ValueError(f"a stamp must fit in 64 bits, {stamp_ns} ns does not")
+    return stamp_ns
 
 
 def log_repeated_data(parent: str, child: str, stamp_ns: int, authority: str) -> None:

@@ -47,8 +47,9 @@ class RequestQueue:
         self._waiting: list[_Request] = []
         self._last_handle = 0
 
-    def __len__(self) -> int:
-        return len(self._waiting)
+    @property
+    def is_anyone_waiting(self) -> bool:
+        return bool(self._waiting)
 
     def add(self, target_frame: str, source_frame: str, stamp_ns: int, callback: RequestCallback) -> int:
         """Queue a request, or say at once that it is POSSIBLE_NOW or NEVER will be.

@@ -189,9 +189,13 @@ def canonical_pose(pose: Pose) -> Pose:
     x, y, z, qx, qy, qz, qw = pose
     if qw > 0.51:
         return pose
-    if qw < -0.51:
-        return (x, y, z, -qx, -qy, -qz, -qw)
-    return (x, y, z, *quaternions.canonical((qx, qy, qz, qw)))
+    if qw >= -0.51:
+        _, middle, largest = sorted((abs(qx), abs(qy), abs(qz)))
+        if abs(qw) > 0.49 or largest - middle < 1e-6:
+            return (x, y, z, *quaternions.canonical((qx, qy, qz, qw)))
+        if largest in (qx, qy, qz):
+            return pose
+    return (x, y, z, -qx, -qy, -qz, -qw)
 
 
 def pose_from_transform(transform: Transform) -> Pose:
