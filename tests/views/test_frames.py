@@ -1,0 +1,102 @@
+"""A frame on paper: where its arrows go, and how they are told apart."""
+
+import math
+
+import numpy as np
+import pytest
+
+from tflab.core import Transform
+from tflab.views import style
+from tflab.views.eye import FROM_ABOVE, eye_at
+from tflab.views.frames import draw_arrow, draw_frames, draw_points, draw_scene
+
+
+@pytest.fixture(name="ax")
+def ax_fixture():
+    ax = style.figure((4.0, 4.0)).add_axes((0, 0, 1, 1))
+    ax.set(xlim=(-1, 3), ylim=(-1, 3))
+    return ax
+
+
+def place(line):
+    return (float(line.get_xdata()[0]), float(line.get_ydata()[0]))
+
+
+def test_from_above_x_is_right_and_y_is_up_as_on_a_map():
+    assert FROM_ABOVE.on_paper((1.0, 2.0, 3.0)).tolist() == [1.0, 2.0]
+    assert FROM_ABOVE.nearness((1.0, 2.0, 3.0)) == 3.0
+
+
+def test_from_the_front_left_is_right():
+    # looking back at the robot from ahead of it: its left hand is on our right
+    eye = eye_at(0.0, 0.0)
+    assert eye.on_paper((5.0, 2.0, 3.0)) == pytest.approx([2.0, 3.0])
+
+
+def test_an_eye_has_three_directions_at_right_angles():
+    eye = eye_at(math.radians(-125), math.radians(28))
+    directions = np.array((eye.right, eye.up, eye.towards))
+    assert directions @ directions.T == pytest.approx(np.eye(3))
+    assert np.linalg.det(directions) == pytest.approx(1.0)
+
+
+def test_an_arrow_points_along_its_axis_and_its_letter_stands_beyond_its_tip(ax):
+    pose = Transform.from_rpy(yaw=math.pi / 2, translation=(1.0, 2.0, 0.0))
+    drawn = draw_frames({"base_link": pose}, ax, FROM_ABOVE, length_m=1.0)["base_link"]
+    assert drawn.axes["x"].head.get_xy()[1] == pytest.approx((1.0, 3.0))  # the tip: x points up on paper
+    assert drawn.axes["y"].head.get_xy()[1] == pytest.approx((0.0, 2.0))  # and y to the left
+    assert place(drawn.axes["x"].letter) == pytest.approx((1.0, 3.15))
+
+
+def test_an_axis_seen_end_on_is_a_dot_if_it_comes_out_of_the_paper_and_a_cross_if_it_goes_in(ax):
+    up, down = Transform(), Transform.from_rpy(roll=math.pi)
+    drawn = draw_frames({"up": up, "down": down}, ax, FROM_ABOVE)
+    assert [drawn[name].axes["z"].sign.get_marker() for name in ("up", "down")] == ["o", "x"]
+    for frame in drawn.values():
+        assert frame.axes["z"].ring.get_visible() and not frame.axes["z"].shaft.get_visible()
+        assert frame.axes["x"].shaft.get_visible() and not frame.axes["x"].ring.get_visible()
+
+
+def test_axes_are_told_apart_by_letter_colour_and_line(ax):
+    drawn = draw_frames({"base_link": Transform()}, ax, FROM_ABOVE)["base_link"]
+    shafts = [drawn.axes[axis].shaft for axis in "xyz"]
+    assert [shaft.get_color() for shaft in shafts] == ["#D55E00", "#009E73", "#0072B2"]
+    assert len({str(shaft._unscaled_dash_pattern) for shaft in shafts}) == 3
+    assert [drawn.axes[axis].letter.get_gid() for axis in "xyz"] == ["x", "y", "z"]
+
+
+def test_a_ghost_is_grey_and_hollow(ax):
+    ghost = draw_frames({"wrong": Transform()}, ax, FROM_ABOVE, is_ghost=True)["wrong"]
+    assert {ghost.axes[axis].shaft.get_color() for axis in "xyz"} == {style.GREY}
+    assert ghost.label.text.get_fontstyle() == "italic"
+
+
+def test_moving_a_frame_adds_nothing_to_the_axes(ax):
+    drawn = draw_frames({"base_link": Transform()}, ax, FROM_ABOVE)["base_link"]
+    before = len(ax.get_children())
+    drawn.move(Transform((1.0, 1.0, 0.0)))
+    assert len(ax.get_children()) == before
+    assert drawn.axes["x"].head.get_xy()[1] == pytest.approx((1.3, 1.0))
+
+
+def test_points_and_arrows_return_what_they_drew(ax):
+    points = draw_points({"corner": (2.0, 1.0, 5.0)}, ax, FROM_ABOVE)
+    assert place(points["corner"].mark) == (2.0, 1.0)
+    arrow = draw_arrow((0, 0, 0), (2, 0, 0), ax, "step", FROM_ABOVE)
+    assert arrow.label.anchor == (1.0, 0.0)
+
+
+def test_a_scene_in_words():
+    picture = draw_scene(
+        {"base_link": Transform.from_rpy(yaw=math.pi / 2, translation=(1.0, 2.0, 0.0))},
+        points={"corner": (3.0, -0.0, 0.5)},
+        ghosts={"swapped": Transform((-2.0, 1.0, 0.0))},
+        ghost_points={"corner, swapped": (0.0, 1.0, 0.5)},
+    )
+    assert picture.text == (
+        "As seen from map:\n"
+        "  frame base_link at (1.000, 2.000, 0.000) m, roll 0.000, pitch 0.000, yaw 1.571 rad\n"
+        "  ghost swapped at (-2.000, 1.000, 0.000) m, roll 0.000, pitch 0.000, yaw 0.000 rad\n"
+        "  point corner at (3.000, 0.000, 0.500) m\n"
+        "  ghost point corner, swapped at (0.000, 1.000, 0.500) m"
+    )

@@ -1,0 +1,115 @@
+"""A picture gives the same bytes each time, and stays small."""
+
+import matplotlib
+import numpy as np
+import pytest
+
+from tflab.core import Transform
+from tflab.views import axes, frames, journey, latency, sentence, style, timeline
+from tflab.views.picture import Picture
+
+POSES = {"map": Transform(), "base_link": Transform.from_rpy(yaw=0.5, translation=(2.0, 1.0, 0.0))}
+
+
+def lookup(target, source, stamp_ns):
+    return sentence.StampedTransform(target, source, stamp_ns, Transform((1.0, 2.0, 3.0)))
+
+
+PICTURES = {
+    "scene": lambda: frames.draw_scene(POSES, points={"corner": (3.0, 0.0, 0.0)}),
+    "body axes": axes.draw_body_axes,
+    "right hand": axes.draw_right_hand,
+    "rotation": lambda: axes.draw_rotation(0.1, 0.2, 0.3),
+    "cameras": axes.draw_cameras,
+    "sentence": lambda: sentence.draw_sentence(POSES, lookup("map", "base_link", 0)),
+    "timeline": lambda: timeline.draw_timeline(
+        "map", "odom", [timeline.Lane("map", "odom", (1_000_000_000, 2_000_000_000))], lookup, 1_500_000_000
+    ),
+    "journeys": lambda: journey.draw_journeys([journey.Journey("scan", 0, 10_000_000, 20_000_000)]),
+    "latency": lambda: latency.LatencyPicture().show(latency.Sight()),
+}
+
+
+@pytest.fixture(params=PICTURES, name="make")
+def make_fixture(request):
+    return PICTURES[request.param]
+
+
+def test_two_drawings_of_the_same_give_the_same_bytes_of_at_most_60_kb(make):
+    first, second = make().png(), make().png()
+    assert first == second
+    assert first.startswith(b"\x89PNG")
+    assert len(first) <= 60_000
+
+
+def test_a_picture_does_not_depend_on_the_learners_settings(make):
+    expected = make().png()
+    with matplotlib.rc_context({"font.size": 20, "axes.grid": True, "text.color": "red", "axes.facecolor": "black"}):
+        assert make().png() == expected
+
+
+def test_a_picture_is_shown_at_its_size_with_its_words_as_plain_text(make):
+    picture = make()
+    data, metadata = picture._repr_mimebundle_()
+    width, height = picture.figure.get_size_inches()
+    assert data["text/plain"] == picture.text == repr(picture) != ""
+    assert metadata["image/png"] == {"width": round(width * 100), "height": round(height * 100)}
+
+
+def test_no_figure_is_known_to_pyplot(make):
+    from matplotlib import pyplot
+
+    before = pyplot.get_fignums()
+    make().png()
+    assert pyplot.get_fignums() == before
+
+
+def test_no_two_names_cover_each_other(make):
+    picture = make()
+    picture.png()
+    boxes = [text.get_window_extent() for text in visible_texts(picture.figure)]
+    for i, box in enumerate(boxes):
+        for other in boxes[:i]:
+            assert box.x1 <= other.x0 or other.x1 <= box.x0 or box.y1 <= other.y0 or other.y1 <= box.y0
+
+
+def test_every_word_is_on_the_card(make):
+    picture = make()
+    picture.png()
+    card = picture.figure.bbox
+    for text in visible_texts(picture.figure):
+        box = text.get_window_extent()
+        assert card.x0 <= box.x0 and box.x1 <= card.x1 and card.y0 <= box.y0 and box.y1 <= card.y1, text.get_text()
+
+
+def test_a_live_picture_shows_what_moved_and_what_stands_still():
+    picture = Picture((2.0, 1.0))
+    (still,) = picture.figure.add_axes((0, 0, 1, 1)).plot([0.25], [0.5], "o", color="black")
+    ax = still.axes
+    (moving,) = ax.plot([0.5], [0.5], "o", color="black")
+    ax.set(xlim=(0, 1), ylim=(0, 1))
+    picture.moving = [moving]
+    assert dark(picture) == (True, True, False)
+    moving.set_data([0.75], [0.5])
+    assert dark(picture) == (True, False, True)
+    still.set_visible(False)
+    assert dark(picture) == (True, False, True)  # drawn once for all live pictures ...
+    picture.redraw_all()
+    assert dark(picture) == (False, False, True)  # ... until told
+
+
+def dark(picture):
+    """Return whether the live picture is black at a quarter, a half and three quarters of its width."""
+    picture.live_png()
+    pixels = np.asarray(picture.figure.canvas.buffer_rgba())
+    row = pixels[pixels.shape[0] // 2]
+    return tuple(bool(row[round(part * style.LIVE_DPI * 2), 0] < 60) for part in (0.25, 0.5, 0.75))
+
+
+def visible_texts(figure):
+    from matplotlib.text import Text
+
+    for text in figure.findobj(Text):
+        on_axis_off = text.axes is not None and not text.axes.axison and text not in text.axes.texts
+        if text.get_visible() and text.get_text().strip() and not on_axis_off:
+            yield text

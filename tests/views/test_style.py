@@ -1,0 +1,59 @@
+"""How numbers are printed, and that our figures leave matplotlib as they found it."""
+
+import subprocess
+import sys
+
+import matplotlib
+import numpy as np
+
+from tflab.views import style
+
+
+def test_a_number_has_fixed_decimals_and_its_unit():
+    assert style.fmt(0.2) == "0.200 m"
+    assert style.fmt(1, "rad", 1) == "1.0 rad"
+    assert style.fmt(2.0, "") == "2.000"
+
+
+def test_a_number_that_rounds_to_zero_has_no_minus():
+    assert style.fmt(-0.0) == "0.000 m"
+    assert style.fmt(-0.0004) == "0.000 m"
+    assert style.fmt(-0.0006) == "-0.001 m"
+
+
+def test_several_numbers_share_one_unit():
+    assert style.fmt_all((1, -0.0, 0.25)) == "(1.000, 0.000, 0.250) m"
+    assert style.fmt_all((1, 2), "") == "(1.000, 2.000)"
+
+
+def test_a_stamp_is_printed_in_seconds():
+    assert style.fmt_stamp(1_500_000_000) == "1.500 s"
+    assert style.fmt_stamp(20_000_000) == "0.020 s"
+
+
+def test_axes_differ_in_letter_colour_and_line():
+    assert len(set(style.AXES)) == len(set(style.AXIS_COLOURS.values())) == len(set(style.AXIS_LINES.values())) == 3
+    assert style.AXIS_COLOURS == {"x": "#D55E00", "y": "#009E73", "z": "#0072B2"}
+
+
+def test_our_settings_hold_only_while_we_draw():
+    before = dict(matplotlib.rcParams)
+    with style.our_settings():
+        assert matplotlib.rcParams["text.color"] == style.INK
+    assert dict(matplotlib.rcParams) == before
+
+
+def test_a_figure_is_an_opaque_card_in_a_transparent_corner():
+    figure = style.figure((2.0, 1.0))
+    figure.canvas.draw()
+    pixels = np.asarray(figure.canvas.buffer_rgba())
+    assert pixels[50, 100].tolist() == [253, 253, 251, 255]  # PAPER
+    assert pixels[0, 0, 3] == 0  # outside the rounded corner
+
+
+def test_importing_a_view_loads_neither_pyplot_nor_widgets():
+    names = "style picture eye frames labels bodies axes sentence timeline journey latency"
+    code = f"import sys\nfor n in '{names}'.split(): __import__('tflab.views.' + n)\n"
+    code += "print(sorted({'matplotlib', 'ipywidgets', 'IPython'} & set(sys.modules)))"
+    out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert out.stdout.strip() == "[]"

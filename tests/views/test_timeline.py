@@ -1,0 +1,129 @@
+"""Lanes, the common interval, and a query past either end, in tf2's own words."""
+
+import pytest
+
+from tflab.core import LATEST, BufferCore, StampedTransform, Transform, seconds
+from tflab.views.timeline import Lane, Timeline, TimelinePicture, answer, draw_timeline, lane_from_history
+
+
+@pytest.fixture(name="buffer")
+def buffer_fixture():
+    #  map --(1 s .. 5 s, 1 Hz)--> odom --(2 s .. 6 s, 1 Hz, 1 m/s)--> base_link --(static)--> laser_frame
+    buffer = BufferCore()
+    for i in range(5):
+        buffer.set_transform(StampedTransform("map", "odom", seconds(1 + i), Transform()))
+        buffer.set_transform(StampedTransform("odom", "base_link", seconds(2 + i), Transform((float(i), 0.0, 0.0))))
+    laser = StampedTransform("base_link", "laser_frame", 0, Transform((0.2, 0.0, 0.15)))
+    buffer.set_transform(laser, is_static=True)
+    return buffer
+
+
+@pytest.fixture(name="timeline")
+def timeline_fixture(buffer):
+    lanes = tuple(lane_from_history(buffer.history(frame)) for frame in ("odom", "base_link", "laser_frame"))
+    return Timeline("map", "laser_frame", lanes)
+
+
+def lane(*stamps_s, is_static=False):
+    return Lane("a", "b", tuple(map(seconds, stamps_s)), is_static)
+
+
+def test_the_common_interval_goes_from_the_last_start_to_the_first_end(timeline):
+    assert timeline.common_ns == (seconds(2), seconds(5))
+
+
+def test_statics_do_not_count():
+    assert Timeline("a", "b", (lane(1, 3), lane(is_static=True))).common_ns == (seconds(1), seconds(3))
+    assert Timeline("a", "b", (lane(is_static=True),)).common_ns is None
+
+
+def test_lanes_that_do_not_meet_have_no_common_interval():
+    assert Timeline("a", "b", (lane(1, 2), lane(3, 4))).common_ns is None
+    assert Timeline("a", "b", (lane(1, 2), lane())).common_ns is None
+
+
+def test_a_query_between_two_samples_shows_the_interpolated_pose(timeline, buffer):
+    # five seconds of data and a sixth on either side are 6.667 s on 47 steps: 7.05 letters to a second
+    text = TimelinePicture(timeline, buffer.lookup_transform).show(seconds(3.25)).text
+    assert text == (
+        "lookup_transform('map', 'laser_frame', 3.250 s)\n"
+        "map -> odom              |      o======o======o======o======o             | 1.000 s to 5.000 s, 5 samples\n"
+        "odom -> base_link        |             o======o======o======o======o      | 2.000 s to 6.000 s, 5 samples\n"
+        "base_link -> laser_frame |<==============================================>| static\n"
+        "all of them              |             ----------------------             | 2.000 s to 5.000 s\n"
+        "query                    |                      ^                         | 3.250 s\n"
+        "laser_frame in map at 3.250 s\n"
+        "translation (1.450, 0.000, 0.150) m\n"
+        "roll, pitch, yaw (0.000, 0.000, 0.000) rad"
+    )
+
+
+@pytest.mark.parametrize(
+    ("stamp_s", "text"),
+    [
+        (
+            5.5,
+            "Lookup would require extrapolation into the future.  Requested time 5.500000 but the latest data is at "
+            "time 5.000000, when looking up transform from frame [laser_frame] to frame [map]",
+        ),
+        (
+            0.5,
+            "Lookup would require extrapolation into the past.  Requested time 0.500000 but the earliest data is at "
+            "time 2.000000, when looking up transform from frame [laser_frame] to frame [map]",
+        ),
+    ],
+)
+def test_past_either_end_tf2s_exception_and_text_appear(timeline, buffer, stamp_s, text):
+    picture = TimelinePicture(timeline, buffer.lookup_transform).show(seconds(stamp_s))
+    assert picture.text.endswith(f"\nExtrapolationException\n{text}")
+    assert picture.headline.get_text() == "ExtrapolationException"
+    assert picture.body.get_text().replace("\n", " ") == text
+    assert picture.handle.get_marker() == "X"
+
+
+def test_coming_back_inside_shows_the_pose_again(timeline, buffer):
+    picture = TimelinePicture(timeline, buffer.lookup_transform).show(seconds(9.0)).show(seconds(3.0))
+    assert picture.headline.get_text() == "laser_frame in map at 3.000 s"
+    assert picture.handle.get_marker() == "o"
+
+
+def test_latest_is_the_end_of_the_common_interval(timeline, buffer):
+    picture = TimelinePicture(timeline, buffer.lookup_transform).show(LATEST)
+    assert picture.moment.get_text() == "LATEST: 5.000 s"
+    assert answer(timeline, buffer.lookup_transform, LATEST).moment_ns == seconds(5)
+
+
+def test_every_sample_has_its_mark(timeline, buffer):
+    picture = TimelinePicture(timeline, buffer.lookup_transform)
+    dots = [line for line in picture.ax.lines if line.get_marker() == "o" and len(line.get_xdata()) == 5]
+    left_ns, _ = timeline.shown_ns
+    places = [[round(float(x) + left_ns / 1e9, 6) for x in dot.get_xdata()] for dot in dots]
+    assert places == [[1.0, 2.0, 3.0, 4.0, 5.0], [2.0, 3.0, 4.0, 5.0, 6.0]]
+
+
+def test_epoch_stamps_keep_their_nanoseconds():
+    # a float of seconds could not tell these two apart
+    start = 1_700_000_000_000_000_000
+    asked = []
+    draw_timeline(
+        "a", "b", [Lane("a", "b", (start, start + 100))], lambda *q: asked.append(q) or StampedTransform(
+            "a", "b", q[2], Transform()), start + 1,
+    )  # fmt: skip
+    assert asked == [("a", "b", start + 1)]
+
+
+def test_static_only_and_empty_lanes_are_drawn_too():
+    def ask(target, source, stamp_ns):
+        return StampedTransform(target, source, stamp_ns, Transform())
+
+    text = draw_timeline("a", "b", [lane(is_static=True)], ask, LATEST).text
+    assert "any time" in text and text.startswith("lookup_transform('a', 'b', LATEST)")
+    text = draw_timeline("a", "b", [lane(), lane(1, 2)], ask, seconds(1)).text
+    assert "no data" in text and "no common time" in text
+
+
+def test_moving_the_query_adds_no_artist(timeline, buffer):
+    picture = TimelinePicture(timeline, buffer.lookup_transform).show(seconds(3.0))
+    before = len(picture.figure.findobj())
+    picture.show(seconds(9.0))
+    assert len(picture.figure.findobj()) == before
