@@ -74,8 +74,6 @@ class Message:
             return False
         return all(_equal(getattr(self, name), getattr(other, name)) for name, *_ in self._FIELDS)
 
-    __hash__ = None
-
     def __reduce__(self) -> tuple:
         # By its ROS name, so that deepcopy and pickle work without the face packages.
         values = {name: getattr(self, name) for name, *_ in self._FIELDS}

@@ -1,0 +1,186 @@
+"""QoS profiles: what must be given, what fits together, and what the presets are."""
+
+import warnings
+
+import pytest
+
+from tflab.ros.duration import Duration
+from tflab.ros.qos import (
+    DurabilityPolicy,
+    HistoryPolicy,
+    InvalidQoSProfileException,
+    QoSCompatibility,
+    QoSDurabilityPolicy,
+    QoSHistoryPolicy,
+    QoSLivelinessPolicy,
+    QoSPresetProfiles,
+    QoSProfile,
+    QoSReliabilityPolicy,
+    ReliabilityPolicy,
+    incompatible_policy,
+    profile_from,
+    qos_check_compatible,
+    qos_profile_sensor_data,
+)
+
+RELIABLE, BEST_EFFORT = ReliabilityPolicy.RELIABLE, ReliabilityPolicy.BEST_EFFORT
+TRANSIENT_LOCAL, VOLATILE = DurabilityPolicy.TRANSIENT_LOCAL, DurabilityPolicy.VOLATILE
+
+
+def profile(**policies):
+    return QoSProfile(depth=10, **policies)
+
+
+# One profile ----------------------------------------------------------------------
+
+
+def test_a_depth_alone_means_keep_last_reliable_and_volatile():
+    qos = QoSProfile(depth=5)
+    assert (qos.history, qos.depth, qos.reliability, qos.durability) == (
+        HistoryPolicy.KEEP_LAST,
+        5,
+        RELIABLE,
+        VOLATILE,
+    )
+
+
+def test_neither_depth_nor_history_is_not_enough():
+    with pytest.raises(InvalidQoSProfileException):
+        QoSProfile()
+    with pytest.raises(InvalidQoSProfileException):
+        QoSProfile(history=HistoryPolicy.KEEP_LAST)
+    assert QoSProfile(history=HistoryPolicy.KEEP_ALL).history == HistoryPolicy.KEEP_ALL
+
+
+def test_a_depth_of_zero_is_warned_about():
+    with pytest.warns(UserWarning, match="A zero depth with KEEP_LAST doesn't make sense; no data could be stored"):
+        QoSProfile(depth=0)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        QoSProfile(depth=1)
+
+
+@pytest.mark.parametrize(
+    ("policy", "wrong"),
+    [("depth", "ten"), ("reliability", "RELIABLE"), ("durability", None), ("deadline", 1.0), ("lifespan", 1)],
+)
+def test_policies_of_a_wrong_type_are_refused(policy, wrong):
+    with pytest.raises(AssertionError):
+        setattr(profile(), policy, wrong)
+
+
+def test_profiles_are_equal_field_by_field():
+    assert profile() == profile()
+    assert profile() != profile(durability=TRANSIENT_LOCAL)
+    assert profile() != 10
+
+
+def test_a_profile_names_its_policies_in_text():
+    text = str(QoSProfile(depth=3, durability=TRANSIENT_LOCAL))
+    assert text.startswith("QoSProfile(history=")
+    assert "depth=3" in text
+
+
+def test_the_policies_have_the_numbers_of_the_library_below_and_their_old_names():
+    assert [(p.name, p.value) for p in ReliabilityPolicy] == [
+        ("SYSTEM_DEFAULT", 0),
+        ("RELIABLE", 1),
+        ("BEST_EFFORT", 2),
+        ("UNKNOWN", 3),
+        ("BEST_AVAILABLE", 4),
+    ]
+    assert (DurabilityPolicy.TRANSIENT_LOCAL, DurabilityPolicy.VOLATILE) == (1, 2)
+    assert (HistoryPolicy.KEEP_LAST, HistoryPolicy.KEEP_ALL, HistoryPolicy.UNKNOWN) == (1, 2, 3)
+    assert (QoSLivelinessPolicy.AUTOMATIC, QoSLivelinessPolicy.MANUAL_BY_TOPIC) == (1, 3)
+    assert (QoSReliabilityPolicy, QoSDurabilityPolicy, QoSHistoryPolicy) == (
+        ReliabilityPolicy,
+        DurabilityPolicy,
+        HistoryPolicy,
+    )
+
+
+def test_a_number_given_as_a_profile_is_a_depth():
+    assert profile_from(7) == QoSProfile(depth=7)
+    given = profile()
+    assert profile_from(given) is given
+    with pytest.raises(ValueError):
+        profile_from(-1)
+    with pytest.raises(TypeError):
+        profile_from("10")
+
+
+@pytest.mark.parametrize(
+    ("preset", "reliability", "durability", "depth"),
+    [
+        ("DEFAULT", RELIABLE, VOLATILE, 10),
+        ("SENSOR_DATA", BEST_EFFORT, VOLATILE, 5),
+        ("SERVICES_DEFAULT", RELIABLE, VOLATILE, 10),
+        ("PARAMETERS", RELIABLE, VOLATILE, 1000),
+        ("PARAMETER_EVENTS", RELIABLE, VOLATILE, 1000),
+        ("ACTION_STATUS_DEFAULT", RELIABLE, TRANSIENT_LOCAL, 1),
+    ],
+)
+def test_the_presets_are_those_of_ros(preset, reliability, durability, depth):
+    qos = QoSPresetProfiles[preset].value
+    assert (qos.history, qos.reliability, qos.durability, qos.depth) == (
+        HistoryPolicy.KEEP_LAST,
+        reliability,
+        durability,
+        depth,
+    )
+
+
+def test_a_preset_is_found_by_its_name_on_the_command_line():
+    assert QoSPresetProfiles.get_from_short_key("sensor_data") == qos_profile_sensor_data
+
+
+# Two profiles ---------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("offered", "requested", "policy", "reason"),
+    [
+        ({"reliability": RELIABLE}, {"reliability": RELIABLE}, None, ""),
+        ({"reliability": RELIABLE}, {"reliability": BEST_EFFORT}, None, ""),
+        ({"reliability": BEST_EFFORT}, {"reliability": BEST_EFFORT}, None, ""),
+        (
+            {"reliability": BEST_EFFORT},
+            {"reliability": RELIABLE},
+            "RELIABILITY",
+            "ERROR: Best effort publisher and reliable subscription;",
+        ),
+        ({"durability": TRANSIENT_LOCAL}, {"durability": TRANSIENT_LOCAL}, None, ""),
+        ({"durability": TRANSIENT_LOCAL}, {"durability": VOLATILE}, None, ""),
+        (
+            {"durability": VOLATILE},
+            {"durability": TRANSIENT_LOCAL},
+            "DURABILITY",
+            "ERROR: Volatile publisher and transient local subscription;",
+        ),
+    ],
+)
+def test_an_offer_fits_if_it_is_no_less_than_the_request(offered, requested, policy, reason):
+    offered, requested = profile(**offered), profile(**requested)
+    assert incompatible_policy(offered, requested) == policy
+    result = QoSCompatibility.OK if policy is None else QoSCompatibility.ERROR
+    assert qos_check_compatible(offered, requested) == (result, reason)
+
+
+def test_history_and_depth_never_stand_in_the_way():
+    keep_all = QoSProfile(history=HistoryPolicy.KEEP_ALL)
+    assert incompatible_policy(QoSProfile(depth=1), keep_all) is None
+    assert incompatible_policy(keep_all, QoSProfile(depth=1)) is None
+
+
+def test_a_subscription_may_expect_messages_no_more_often_than_they_are_promised():
+    slow, fast = profile(deadline=Duration(seconds=2)), profile(deadline=Duration(seconds=1))
+    assert incompatible_policy(fast, slow) is None
+    assert incompatible_policy(slow, fast) == "DEADLINE"
+    assert incompatible_policy(profile(), fast) == "DEADLINE"
+
+
+def test_liveliness_that_is_requested_by_topic_must_be_offered_by_topic():
+    by_topic = profile(liveliness=QoSLivelinessPolicy.MANUAL_BY_TOPIC)
+    automatic = profile(liveliness=QoSLivelinessPolicy.AUTOMATIC)
+    assert incompatible_policy(by_topic, automatic) is None
+    assert incompatible_policy(automatic, by_topic) == "LIVELINESS"
