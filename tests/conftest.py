@@ -66,7 +66,8 @@ class Lab:
         """Run every cell, and wait until the last one has run."""
         page.evaluate("void window.jupyterapp.commands.execute('notebook:run-all-cells')")
         page.wait_for_function(
-            "[...document.querySelectorAll('.jp-CodeCell .jp-InputPrompt')].every((p) => /\\[\\d+\\]/.test(p.innerText))",
+            "[...document.querySelectorAll('.jp-CodeCell .jp-InputPrompt')]"
+            ".every((p) => /\\[\\d+\\]/.test(p.innerText))",
             timeout=60_000,
         )
 

@@ -175,25 +175,24 @@ def describe_cameras(body_p: Sequence[float]) -> str:
     """Return in words where a point of camera_link, (x, y, z) [m], is in both frames and in the picture."""
     optical_p = optical_from_body(body_p)
     pixel = pixel_from_optical(optical_p)
-    seen = "outside the picture" if pixel is None else f"{_sides(*pixel)} of the middle of the picture"
+    seen = "not in the picture" if pixel is None else f"seen {_place(*pixel)}"
     return "\n".join(
         (
             "One point, one camera, two frames:",
             f"  in camera_link           {style.fmt_all(body_p)}  x forward, y left, z up",
             f"  in camera_optical_frame  {style.fmt_all(optical_p)}  x right, y down, z forward",
-            f"  it is seen {seen}",
+            f"  it is {seen}",
         )
     )
 
 
-def _sides(right: float, down: float) -> str:
+def _place(right: float, down: float) -> str:
     """Return a place in the picture in words, the amounts being per metre of depth."""
-    words = [
-        style.fmt(abs(amount), word)
-        for amount, word in ((right, "right" if right > 0 else "left"), (down, "below" if down > 0 else "above"))
-        if round(amount, 3)
-    ]
-    return " and ".join(words) if words else "exactly in line"
+    ways = ((right, "right of" if right > 0 else "left of"), (down, "below" if down > 0 else "above"))
+    words = [style.fmt(abs(amount), way) for amount, way in ways if round(amount, 3)]
+    if not words:
+        return "in the middle of the picture"
+    return f"{' and '.join(words)} the middle of the picture, per metre of depth"
 
 
 class CamerasPicture(Picture):
@@ -203,13 +202,13 @@ class CamerasPicture(Picture):
         super().__init__(style.TALL)
         poses = {"camera_link": Transform(), "camera_optical_frame": BODY_T_OPTICAL}
         with style.our_settings():
-            self._sides = [_CameraSide(self.figure, 0.5 * i, *pose) for i, pose in enumerate(poses.items())]
-        self.moving = [artist for side in self._sides for artist in side.artists]
+            self.sides = [_CameraSide(self.figure, 0.5 * i, *pose) for i, pose in enumerate(poses.items())]
+        self.moving = [artist for side in self.sides for artist in side.artists]
 
     def show(self, body_p: Sequence[float] = (2.0, 0.0, 0.0)) -> CamerasPicture:
         """Put the point at (x, y, z) [m] of camera_link, and return the picture."""
         with style.our_settings():
-            for side in self._sides:
+            for side in self.sides:
                 side.show(tuple(body_p))
         self.text = describe_cameras(body_p)
         return self

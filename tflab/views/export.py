@@ -139,15 +139,11 @@ def _write_assets(assets: dict[str, str], folder: Path) -> None:
 
 def _head(assets: dict[str, str], views: list[LiveView], single_file: bool) -> str:
     style = OUR_STYLE + "\n".join(sorted({view.css for view in views}))
-    scripts = sorted(name for name in assets if name.endswith(".js"))
+    scripts = sorted((name for name in assets if name.endswith(".js")), key=_live_last)
     if single_file:
-        inside = [assets[name].replace("</script", "<\\/script") for name in scripts if not name.startswith("live-")]
-        inside += [
-            f"addEventListener('load', () => {{{assets[name]}}});" for name in scripts if name.startswith("live-")
-        ]
-        tags = [f"<script>{text}</script>\n" for text in inside]
+        tags = [_inline_script(assets[name], wait=name.startswith("live-")) for name in scripts]
     else:
-        tags = [f'<script defer src="assets/{name}"></script>\n' for name in sorted(scripts, key=_live_last)]
+        tags = [f'<script defer src="assets/{name}"></script>\n' for name in scripts]
     return f"<style>{style}</style>\n" + "".join(tags)
 
 
@@ -157,6 +153,12 @@ def _foot(views: list[LiveView]) -> str:
         return ""
     state = {view.name: {"module": _hash(view.esm), "state": view.state, "buffers": view.buffers} for view in views}
     return f'<script type="application/json" id="tflab-state">{_script_text(state)}</script>\n'
+
+
+def _inline_script(text: str, wait: bool) -> str:
+    """Return a script as part of the page; `wait` runs it once the page is complete."""
+    text = text.replace("</script", "<\\/script")
+    return f"<script>addEventListener('load', () => {{{text}}});</script>\n" if wait else f"<script>{text}</script>\n"
 
 
 def _live_last(name: str) -> tuple[bool, str]:

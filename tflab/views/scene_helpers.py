@@ -31,6 +31,7 @@ from . import style
 if TYPE_CHECKING:
     from .scene import Scene
 
+IDENTITY = Transform()
 GHOST_OPACITY = 0.28
 GRID_COLOUR = "#8C9196"
 ACCENT = "#B5539B"  # style.ACCENT, in a shade that stands out on a light and on a dark page
@@ -49,7 +50,7 @@ class Part:
 
     shape: str
     size: tuple[float, ...]
-    link_T_part: Transform = Transform()
+    link_T_part: Transform = IDENTITY
     rgba: tuple[float, float, float, float] = (0.62, 0.65, 0.69, 1.0)
 
 
@@ -74,7 +75,7 @@ def draw_frame(
     path = scene[frame_path(name, ghost)]
     path.set_object(*_triangles(_axes(length_m, ghost), GHOST_OPACITY * 2 if ghost else 1.0))
     path.set_transform(scene_T_frame.matrix())
-    path.set_property("labels", _axis_letters(length_m, ghost) + [_name_label(label or name, length_m, ghost)])
+    path.set_property("labels", [*_axis_letters(length_m, ghost), _name_label(label or name, ghost)])
     path.set_property("frame", {"name": name, "parent": parent, "ghost": ghost})
 
 
@@ -94,7 +95,7 @@ def draw_frames(
             if parent in poses:
                 ends = (poses[parent].translation, scene_T_frame.translation)
                 start, end = reversed(ends) if to_parent else ends
-                draw_arrow(scene, f"edges/{_bare(name)}", start, end, radius_m=0.014 * length_m)
+                draw_arrow(scene, edge_path(name), start, end, radius_m=0.014 * length_m)
 
 
 def draw_arrow(
@@ -225,6 +226,11 @@ def frame_path(name: str, ghost: bool = False) -> str:
     return f"{'ghosts' if ghost else 'frames'}/{_bare(name)}"
 
 
+def edge_path(child: str) -> str:
+    """Return where the arrow between a frame and its parent is in the scene's tree."""
+    return f"edges/{_bare(child)}"
+
+
 def _draw_part(place: Any, part: Part, ghost: bool) -> None:
     from meshcat.geometry import MeshBasicMaterial, MeshLambertMaterial
 
@@ -284,9 +290,8 @@ def _fan(points: np.ndarray, hit: np.ndarray, colour: str) -> shapes.Mesh:
 
 
 def _image_plane(half_w: float, half_h: float, depth: float, colour: str) -> shapes.Mesh:
-    corners = np.array(
-        [(x, y, depth) for x, y in ((-half_w, -half_h), (half_w, -half_h), (half_w, half_h), (-half_w, half_h))]
-    )
+    signs = np.array([(-1, -1, 1), (1, -1, 1), (1, 1, 1), (-1, 1, 1)])
+    corners = signs * (half_w, half_h, depth)
     return shapes.Mesh(corners, np.array([(0, 1, 2), (0, 2, 3)]), np.tile(shapes.rgb(colour), (4, 1)))
 
 
@@ -296,8 +301,8 @@ def _axis_letters(length_m: float, ghost: bool) -> list[dict]:
     return [_label(axis, np.array(tips[axis]) * length_m, colours[axis], small=True) for axis in style.AXES]
 
 
-def _name_label(text: str, length_m: float, ghost: bool) -> dict:
-    """Return a frame's name, a little below its origin; a ghost's is grey and slanted."""
+def _name_label(text: str, ghost: bool) -> dict:
+    """Return a frame's name; a ghost's is grey and slanted."""
     return _label(text, (0.0, 0.0, 0.0), style.GREY if ghost else "", name=True, slanted=ghost)
 
 

@@ -14,6 +14,7 @@ Read `scene_helpers.py` next.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -97,7 +98,7 @@ def axes(length_m: float, ghost: bool = False) -> Mesh:
 def polyline(points: np.ndarray, radius_m: float, colour: str, dashed: bool = False) -> Mesh:
     """Return a line through `points`, shape (n, 3); dashed leaves out every other part of it."""
     points = np.asarray(points, dtype=float)
-    pieces = list(zip(points[:-1], points[1:], strict=True))
+    pieces = list(pairwise(points))
     if dashed:
         pieces = [(a, a + 0.5 * (b - a)) for a, b in pieces]
     return joined([bar(a, b, radius_m, colour) for a, b in pieces])

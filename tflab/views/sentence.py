@@ -140,13 +140,12 @@ class SentencePicture(Picture):
             show_all(ax, SLANTING.on_paper(corners), margin_m=0.4 * length_m)
             low, high = places.min(axis=0) - 2 * length_m, places.max(axis=0) + 2 * length_m
             draw_ground(ax, SLANTING, (low[0], high[0]), (low[1], high[1]), 0.5 * span_m)
-            frames = draw_frames(self.poses, ax, SLANTING, length_m)
+            self.frames = draw_frames(self.poses, ax, SLANTING, length_m)
             self.arrow = draw_arrow((0, 0, 0), (1, 0, 0), ax, "", SLANTING, curve=-0.25)
-            self._labels = {name: frame.label for name, frame in frames.items()}
             self.words = self.figure.text(0.03, 0.31, "", fontsize=style.TITLE_PT, va="top", color=style.ACCENT)
             self.lines = self.figure.text(0.03, 0.235, "", family="monospace", va="top", linespacing=1.7)
             self.matrix = self.figure.text(0.62, 0.31, "", family="monospace", va="top", linespacing=1.45)
-        self.moving = [self.arrow.arrow, *(part for label in self._labels.values() for part in label.artists)]
+        self.moving = [self.arrow.arrow, *(part for frame in self.frames.values() for part in frame.label.artists)]
         self.moving += [self.words, self.lines, self.matrix]
 
     def show(self, stamped: StampedTransform, asked_ns: int = LATEST) -> SentencePicture:
@@ -155,11 +154,12 @@ class SentencePicture(Picture):
         said = sentence(stamped, asked_ns)
         with style.our_settings():
             self.arrow.move(self.poses[source].translation, self.poses[target].translation)
-            for name, label in self._labels.items():
+            labels = {name: frame.label for name, frame in self.frames.items()}
+            for name, label in labels.items():
                 roles = [role for role, frame in (("target", target), ("source", source)) if frame == name]
                 label.text.set_text("\n".join((name, *roles)))
                 label.text.set_color(style.ACCENT if roles else style.GREY)
-            place_labels(list(self._labels.values()))
+            place_labels(list(labels.values()))
             self.words.set_text(said.english)
             product = f"{target}_p = {target}_T_{source} @ {source}_p"
             self.lines.set_text("\n".join((said.call, f"tf2_echo {target} {source}", product)))

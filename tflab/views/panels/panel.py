@@ -114,9 +114,13 @@ def slider(description: str, value: float, low: float, high: float, step: float,
     )
 
 
-def _close_all(widget: widgets.Widget) -> None:
+def _close_all(widget: widgets.DOMWidget) -> None:
+    """Close a widget, its children, and its layout and style, which are widgets too."""
     for child in getattr(widget, "children", ()):
         _close_all(child)
+    for name in ("style", "layout"):
+        if hasattr(widget, name):
+            getattr(widget, name).close()
     widget.close()
 
 

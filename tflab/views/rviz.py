@@ -1,0 +1,236 @@
+"""What is RViz?  A window that turns everything into one frame, and says what it could not turn.
+
+    Fixed Frame [ map    ]                    pick another: the picture changes, the data do not
+    +------------------------------+
+    |   map ---> odom ---> base    |          scene.py
+    +------------------------------+
+    Global Status: Ok                         rviz_status.py
+    LaserScan (/scan): Error
+      Transform: No transform to fixed frame [map]. TF error: [...]
+
+`RViz` gets plain values and a function to ask; it holds no buffer.  What a view of
+one's own graph looks like is wired up in `tflab.tools`.
+
+(https://github.com/ros2/rviz)  Read `export_widgets.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence, Set
+from html import escape
+
+import ipywidgets
+import numpy as np
+
+from tflab.core import Transform
+
+from .rviz_status import (
+    Ask,
+    Display,
+    LaserScan,
+    MapCells,
+    Message,
+    Path,
+    PointCloud2,
+    RobotModel,
+    Shown,
+    Status,
+    look_through,
+    statuses_as_text,
+)
+from .scene import Scene
+from .scene_helpers import (
+    draw_arrow,
+    draw_frame,
+    draw_path,
+    draw_points,
+    draw_robot,
+    draw_scan,
+    edge_path,
+    frame_path,
+)
+
+__all__ = [
+    "Display",
+    "LaserScan",
+    "MapCells",
+    "Path",
+    "PointCloud2",
+    "RViz",
+    "RobotModel",
+    "Shown",
+    "Status",
+    "draw_shown",
+    "look_through",
+    "statuses_as_text",
+]
+
+SIGNS = {"Ok": "✓", "Warn": "!", "Error": "✗"}
+COLOURS = {"Ok": "#009E73", "Warn": "#D08700", "Error": "#D55E00"}
+LASER_COLOURS = ("#B5539B", "#D08700", "#3C8DC5", "#009E73")  # one for each topic, in turn
+
+
+class RViz(ipywidgets.VBox):
+    """A small RViz, to be shown by a cell.
+
+    Args:
+        parents: every frame with its parent, "" for a root.
+        displays: what to show besides TF.
+        ask: gives `target_T_source` at a stamp [ns], or raises a TransformException.
+        fixed_frame: the frame to start with; it may be one that does not exist.
+
+    Attributes:
+        scene: the 3D view.
+        shown: what became of each display.
+        text: the same in words.
+    """
+
+    def __init__(
+        self,
+        parents: Mapping[str, str],
+        displays: Sequence[Display],
+        ask: Ask,
+        fixed_frame: str = "map",
+        height_px: int = 420,
+        axis_m: float = 0.4,
+    ) -> None:
+        self.scene = Scene(height_px=height_px)
+        self._axis_m = axis_m
+        self._drawn: set[str] = set()
+        self._picker = ipywidgets.Combobox(
+            value=fixed_frame, options=sorted(parents), description="Fixed Frame", continuous_update=False
+        )
+        self._list = ipywidgets.HTML()
+        super().__init__([self._picker, self.scene, self._list])
+        self.update(parents, displays, ask)
+        self._picker.observe(lambda _change: self._redraw(), "value")
+
+    @property
+    def fixed_frame(self) -> str:
+        """The frame that everything is turned into; set it to look from another."""
+        return self._picker.value
+
+    @fixed_frame.setter
+    def fixed_frame(self, frame: str) -> None:
+        self._picker.value = frame
+
+    @property
+    def text(self) -> str:
+        return statuses_as_text(self.shown) + "\n" + self.scene.describe()
+
+    def update(self, parents: Mapping[str, str], displays: Sequence[Display], ask: Ask) -> None:
+        """Show other values, with the same Fixed Frame."""
+        self._parents, self._displays, self._ask = dict(parents), tuple(displays), ask
+        self._picker.options = tuple(sorted(parents))
+        self._redraw()
+
+    def sweep(
+        self,
+        name: str,
+        values: Sequence[float],
+        values_at: Callable[[float], tuple[Mapping[str, str], Sequence[Display], Ask]],
+        unit: str = "s",
+    ) -> None:
+        """Let the view's scrubber go through `values`; `values_at(value)` gives what `update` takes."""
+        steps = {
+            value: (dict(at[0]), look_through(self.fixed_frame, *at)) for value in values for at in [values_at(value)]
+        }
+        everything = set().union(*(_paths(shown) for _, shown in steps.values()))
+
+        def draw(value: float) -> None:
+            parents, shown = steps[value]
+            draw_shown(self.scene, parents, shown, everything, self._axis_m)
+
+        self.scene.sweep(name, values, draw, unit)
+        self._drawn |= everything
+
+    def _redraw(self) -> None:
+        self.shown = look_through(self.fixed_frame, self._parents, self._displays, self._ask)
+        self._drawn = draw_shown(self.scene, self._parents, self.shown, self._drawn, self._axis_m)
+        self._list.value = _list_as_html(self.shown)
+
+
+def draw_shown(
+    scene: Scene,
+    parents: Mapping[str, str],
+    shown: Sequence[Shown],
+    before: Set[str] = frozenset(),
+    axis_m: float = 0.4,
+) -> set[str]:
+    """Draw what can be shown, take away what was drawn before and cannot; return where things were drawn."""
+    with scene.redraw():
+        drawn = _paths(shown)
+        for path in sorted(before - drawn):
+            scene[path].delete()
+        for i, entry in enumerate(shown):
+            if entry.name == "TF":
+                _draw_tf(scene, parents, entry.poses, axis_m)
+            elif entry.poses:
+                draw_robot(scene, _place(entry, i, 0), entry.display.content.links, entry.poses)
+            for j, (message, fixed_T_message) in enumerate(entry.placed):
+                _draw_message(
+                    scene, _place(entry, i, j), message, fixed_T_message, LASER_COLOURS[i % len(LASER_COLOURS)]
+                )
+        return drawn
+
+
+def _draw_tf(scene: Scene, parents: Mapping[str, str], poses: Mapping[str, Transform], axis_m: float) -> None:
+    for frame, fixed_T_frame in poses.items():
+        parent = parents[frame]
+        draw_frame(scene, frame, fixed_T_frame, parent, axis_m)
+        if parent in poses:  # RViz's arrows point to the parent
+            start, end = fixed_T_frame.translation, poses[parent].translation
+            draw_arrow(scene, edge_path(frame), start, end, radius_m=0.014 * axis_m)
+
+
+def _draw_message(scene: Scene, path: str, message: Message, fixed_T_message: Transform, colour: str) -> None:
+    if isinstance(message, LaserScan):
+        rays = (message.ranges_m, message.angle_min_rad, message.angle_increment_rad)
+        draw_scan(scene, path, fixed_T_message, *rays, colour=colour)
+        return
+    if isinstance(message, MapCells):
+        cells = np.asarray(message.cells, dtype=float).reshape(-1, 2)
+        message_p = np.column_stack([cells, np.zeros(len(cells))])
+        draw_points(scene, path, fixed_T_message.apply(message_p), "#808890", 1.4 * message.resolution_m, "map cells")
+        return
+    fixed_p = fixed_T_message.apply(np.asarray(message.points, dtype=float).reshape(-1, 3))
+    if isinstance(message, Path):
+        draw_path(scene, path, fixed_p, colour)
+    else:
+        draw_points(scene, path, fixed_p, colour)
+
+
+def _place(entry: Shown, number: int, message: int) -> str:
+    """Return where a display's message is in the scene's tree; two displays may be of one kind."""
+    return f"{entry.name}_{number}/{message}"
+
+
+def _paths(shown: Sequence[Shown]) -> set[str]:
+    """Return where `draw_shown` would draw."""
+    paths = set()
+    for i, entry in enumerate(shown):
+        if entry.name == "TF":
+            paths |= {frame_path(frame) for frame in entry.poses} | {edge_path(frame) for frame in entry.poses}
+        elif entry.poses:
+            paths.add(_place(entry, i, 0))
+        paths |= {_place(entry, i, j) for j in range(len(entry.placed))}
+    return paths
+
+
+def _list_as_html(shown: Sequence[Shown]) -> str:
+    """Return RViz's list; a sign and a word say what the colour says."""
+    rows = []
+    for entry in shown:
+        topic = f" <code>{escape(entry.display.topic)}</code>" if entry.display and entry.display.topic else ""
+        lines = "".join(
+            f'<div style="margin-left:2.2em">{_sign(status.level)} {escape(status.name)}: {escape(status.text)}</div>'
+            for status in entry.statuses
+        )
+        state = "" if entry.level == "Ok" else " open"
+        head = f"{_sign(entry.level)} <b>{escape(entry.name)}</b>{topic}: {entry.level}"
+        rows.append(f"<details{state}><summary>{head}</summary>{lines}</details>")
+    return f'<div style="line-height:1.5">{"".join(rows)}</div>'
+
+
+def _sign(level: str) -> str:
+    return f'<span style="color:{COLOURS[level]};font-weight:bold">{SIGNS[level]}</span>'
