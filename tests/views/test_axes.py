@@ -1,0 +1,131 @@
+"""Body axes, optical axes, and turning."""
+
+import math
+
+import pytest
+
+from tflab.core import Transform
+from tflab.views.axes import (
+    BODY_T_OPTICAL,
+    FROM_BEHIND,
+    draw_body_axes,
+    draw_cameras,
+    draw_right_hand,
+    draw_rotation,
+    optical_from_body,
+    pixel_from_optical,
+)
+
+
+def test_the_optical_turn_is_the_one_to_remember():
+    assert BODY_T_OPTICAL.rotation == pytest.approx((-0.5, 0.5, -0.5, 0.5))
+
+
+@pytest.mark.parametrize(
+    ("body_p", "optical_p"),
+    [
+        ((2.0, 0.0, 0.0), (0.0, 0.0, 2.0)),  # ahead
+        ((0.0, 1.0, 0.0), (-1.0, 0.0, 0.0)),  # left is minus right
+        ((0.0, 0.0, 1.0), (0.0, -1.0, 0.0)),  # up is minus down
+    ],
+)
+def test_optical_axes_are_right_down_forward(body_p, optical_p):
+    assert optical_from_body(body_p) == pytest.approx(optical_p, abs=1e-12)
+
+
+def test_what_is_ahead_is_in_the_middle_of_the_picture():
+    assert pixel_from_optical((0.0, 0.0, 2.0)) == (0.0, 0.0)
+
+
+def test_what_is_right_and_below_is_right_and_below_in_the_picture():
+    assert pixel_from_optical((0.4, 0.2, 2.0)) == pytest.approx((0.2, 0.1))
+
+
+@pytest.mark.parametrize("optical_p", [(0.0, 0.0, -1.0), (0.0, 0.0, 0.0), (2.0, 0.0, 2.0), (0.0, -1.0, 2.0)])
+def test_what_is_behind_or_aside_is_not_in_the_picture(optical_p):
+    assert pixel_from_optical(optical_p) is None
+
+
+def test_from_behind_the_camera_left_is_left_and_up_is_up():
+    assert FROM_BEHIND.on_paper((5.0, 1.0, 2.0)).tolist() == [-1.0, 2.0]
+
+
+def test_both_cameras_see_the_same_and_write_it_differently():
+    picture = draw_cameras((2.0, 0.5, 0.3))
+    assert picture.text == (
+        "One point, one camera, two frames:\n"
+        "  in camera_link           (2.000, 0.500, 0.300) m  x forward, y left, z up\n"
+        "  in camera_optical_frame  (-0.500, -0.300, 2.000) m  x right, y down, z forward\n"
+        "  it is seen 0.250 left of and 0.150 above the middle of the picture, per metre of depth"
+    )
+    dots = [(float(side.dot.get_xdata()[0]), float(side.dot.get_ydata()[0])) for side in picture.sides]
+    assert dots == [pytest.approx((-0.25, 0.15))] * 2
+    assert [side.numbers.get_text() for side in picture.sides] == [
+        "(2.000, 0.500, 0.300) m",
+        "(-0.500, -0.300, 2.000) m",
+    ]
+
+
+def test_a_point_straight_ahead_in_words():
+    assert draw_cameras().text.endswith("it is seen in the middle of the picture")
+
+
+def test_a_point_that_leaves_the_picture_loses_its_dot_and_may_come_back():
+    picture = draw_cameras((2.0, 1.9, 0.0))
+    assert not any(side.dot.get_visible() for side in picture.sides)
+    assert picture.text.endswith("it is not in the picture")
+    picture.show((2.0, 0.0, 0.0))
+    assert all(side.dot.get_visible() for side in picture.sides)
+
+
+def test_a_rotation_in_words():
+    assert draw_rotation(0.0, 0.0, math.pi / 2).text == (
+        "roll, pitch, yaw (0.000, 0.000, 1.571) rad\n"
+        "quaternion (x, y, z, w) (0.000, 0.000, 0.707, 0.707)\n"
+        "matrix\n"
+        "    0.000  -1.000   0.000\n"
+        "    1.000   0.000   0.000\n"
+        "    0.000   0.000   1.000"
+    )
+
+
+def test_turning_left_by_a_quarter_puts_x_where_y_was():
+    fixed, turned = draw_rotation(), draw_rotation(0.0, 0.0, math.pi / 2)
+    y_tip = fixed.frame.axes["y"].head.get_xy()[1]
+    assert turned.frame.axes["x"].head.get_xy()[1] == pytest.approx(y_tip)
+
+
+def test_roll_pitch_yaw_turn_about_the_fixed_axes_in_that_order():
+    # first roll a quarter, then yaw a quarter: y goes up to z and stays; x goes to y
+    frame = draw_rotation(math.pi / 2, 0.0, math.pi / 2).frame
+    fixed = draw_rotation().frame
+    assert frame.axes["y"].head.get_xy()[1] == pytest.approx(fixed.axes["z"].head.get_xy()[1])
+    assert frame.axes["x"].head.get_xy()[1] == pytest.approx(fixed.axes["y"].head.get_xy()[1])
+
+
+def test_the_words_at_the_axes_are_those_of_rep_103():
+    words = {text.get_text() for text in draw_body_axes().figure.axes[0].texts}
+    assert {"forward", "left", "up", "base_link"} <= words
+
+
+def test_the_right_hand_has_one_curl_for_each_turn():
+    picture = draw_right_hand()
+    assert [ax.texts[-1].get_text() for ax in picture.figure.axes] == [
+        "roll: about x",
+        "pitch: about y",
+        "yaw: about z",
+    ]
+    # each arrow ends near the axis that the right hand reaches: z, then x, then y
+    for ax, (axis, end) in zip(picture.figure.axes, (("x", "z"), ("y", "x"), ("z", "y")), strict=True):
+        arc = next(patch for patch in ax.patches if hasattr(patch, "get_arrowstyle"))
+        letters = {line.get_gid(): line.get_xydata()[0] for line in ax.lines if line.get_gid()}
+        last = arc._path_original.vertices[-1]
+        apart = {name: float(((place / 1.15 - last) ** 2).sum()) for name, place in letters.items() if name != axis}
+        assert min(apart, key=apart.get) == end
+
+
+def test_turn_words_agree_with_the_engine():
+    # "positive pitch: the nose goes down", "positive roll: the left side goes up"
+    assert Transform.from_rpy(pitch=0.1).apply((1.0, 0.0, 0.0))[2] < 0.0
+    assert Transform.from_rpy(roll=0.1).apply((0.0, 1.0, 0.0))[2] > 0.0
+    assert "nose goes down" in draw_right_hand().text and "left side goes up" in draw_right_hand().text

@@ -1,0 +1,187 @@
+"""Panels follow their controls, say the same in words, and give everything back."""
+
+import gc
+import weakref
+
+import pytest
+
+from tflab.core import StampedTransform, Transform, seconds
+from tflab.views.panels import cameras_panel, latency_panel, rotation_panel, sentence_panel, timeline_panel
+from tflab.views.panels.sentence import between
+from tflab.views.timeline import Lane
+
+POSES = {
+    "map": Transform(),
+    "base_link": Transform.from_rpy(yaw=1.0, translation=(2.0, 1.0, 0.0)),
+    "laser_frame": Transform.from_rpy(yaw=1.0, translation=(2.2, 1.3, 0.15)),
+}
+
+
+def lookup(target, source, stamp_ns):
+    return StampedTransform(target, source, stamp_ns, Transform((stamp_ns / 1e9, 0.0, 0.0)))
+
+
+def query_panel():
+    return timeline_panel("map", "odom", [Lane("map", "odom", (seconds(1), seconds(3)))], lookup)
+
+
+PANELS = {
+    "latency": latency_panel,
+    "rotation": rotation_panel,
+    "cameras": cameras_panel,
+    "timeline": query_panel,
+    "sentence": lambda: sentence_panel(POSES, "map", "laser_frame"),
+}
+
+
+@pytest.fixture(params=PANELS, name="make")
+def make_fixture(request):
+    return PANELS[request.param]
+
+
+def png_of(panel):
+    return next(child for child in panel.widget.children if hasattr(child, "format")).value
+
+
+def test_every_control_says_what_it_is_and_changes_the_picture(make):
+    panel = make()
+    for description, control in panel.controls.items():
+        assert description == control.description and control.tooltip
+        before, words = png_of(panel), panel.text
+        change(control)
+        assert png_of(panel) != before and panel.text != words, description
+
+
+def change(control):
+    """Move a slider by a third of its way, turn a box over, choose the next of a menu."""
+    if hasattr(control, "options"):
+        control.index = (control.index + 1) % len(control.options)
+    elif hasattr(control, "max"):
+        control.value = control.value + (control.max - control.min) / 3 * (1 if control.value < control.max / 2 else -1)
+    else:
+        control.value = not control.value
+
+
+def test_going_back_gives_the_same_picture(make):
+    panel = make()
+    before = png_of(panel)
+    control = next(iter(panel.controls.values()))
+    value = control.value
+    change(control)
+    control.value = value
+    assert png_of(panel) == before
+
+
+def test_sliders_follow_while_they_are_dragged(make):
+    for control in make().controls.values():
+        assert getattr(control, "continuous_update", True)
+
+
+def test_the_words_are_shown_on_request_and_follow():
+    panel = latency_panel()
+    as_text, words = panel.widget.children[-2:]
+    assert words.layout.display == "none"
+    as_text.value = True
+    assert words.layout.display == "block"
+    panel.controls["speed [m/s]"].value = 2.0
+    assert "A robot drives 2.000 m/s" in words.value
+    as_text.value = False
+    assert words.layout.display == "none"
+
+
+def test_words_are_escaped_for_the_page():
+    panel = query_panel()
+    as_text, words = panel.widget.children[-2:]
+    as_text.value = True
+    assert "map -&gt; odom" in words.value
+
+
+def test_a_page_that_cannot_show_widgets_gets_the_words(make):
+    panel = make()
+    data, _ = panel._repr_mimebundle_()
+    assert data["text/plain"] == panel.text
+    assert "application/vnd.jupyter.widget-view+json" in data
+
+
+def test_closing_frees_the_figure_and_every_widget(make):
+    panel = make()
+    figure = weakref.ref(panel.picture.figure)
+    control = next(iter(panel.controls.values()))
+    parts = list(all_widgets(panel.widget))
+    assert all(part.comm is not None for part in parts)
+    panel.close()
+    assert all(part.comm is None for part in parts)
+    change(control)  # harmless
+    del panel, control, parts
+    gc.collect()
+    assert figure() is None
+
+
+def all_widgets(widget):
+    """Yield a widget, its layout and style, and the same of its children."""
+    yield widget
+    yield from (getattr(widget, name) for name in ("layout", "style") if hasattr(widget, name))
+    for child in getattr(widget, "children", ()):
+        yield from all_widgets(child)
+
+
+def test_the_timeline_asks_for_the_moment_under_the_slider():
+    panel = query_panel()
+    assert panel.controls["query [s]"].value == 2.0  # the middle of the common interval
+    panel.controls["query [s]"].value = 1.5
+    assert "translation (1.500, 0.000, 0.000) m" in panel.text
+
+
+def test_the_timeline_can_ask_for_latest():
+    panel = query_panel()
+    panel.controls["LATEST"].value = True
+    assert panel.text.startswith("lookup_transform('map', 'odom', LATEST)")
+    assert panel.controls["query [s]"].disabled
+
+
+def test_choosing_in_one_form_changes_the_others():
+    panel = sentence_panel(POSES, "map", "laser_frame")
+    menus = panel.controls
+    menus["Python"].value = ("base_link", "map")
+    assert (menus["target"].value, menus["source"].value) == ("base_link", "map")
+    assert menus["arrow"].label == "map o--------> base_link"
+    assert menus["shell"].label == "ros2 run tf2_ros tf2_echo base_link map"
+    menus["source"].value = "laser_frame"
+    assert menus["Python"].label == "lookup_transform('base_link', 'laser_frame', Time())"
+    menus["shell"].value = ("map", "base_link")
+    assert panel.text.startswith("data expressed in [base_link], wanted in [map]")
+
+
+def test_choosing_the_frame_that_the_other_menu_has_swaps_the_two():
+    panel = sentence_panel(POSES, "map", "laser_frame")
+    panel.controls["target"].value = "laser_frame"
+    assert panel.controls["source"].value == "map"
+    assert panel.text.startswith("data expressed in [map], wanted in [laser_frame]")
+
+
+def test_the_sentence_is_there_in_korean():
+    panel = sentence_panel(POSES, "map", "laser_frame", language="ko")
+    labels = [child.value for child in panel.widget.children[0].children if not child.description]
+    assert labels == ["", "에서 표현된 Data를", "에서 표현하고 싶습니다."]
+
+
+def test_a_sentence_between_frames_is_target_T_source():
+    # base_link is 2 m ahead, turned by a quarter: the map's origin is 2 m to its left
+    poses = {"map": Transform(), "base_link": Transform.from_rpy(yaw=1.5707963267948966, translation=(2.0, 0.0, 0.0))}
+    answer = between(poses, "base_link", "map")
+    assert (answer.frame_id, answer.child_frame_id) == ("base_link", "map")
+    assert answer.transform.translation == pytest.approx((0.0, 2.0, 0.0))
+
+
+@pytest.mark.parametrize(
+    ("frames", "language", "hint"),
+    [
+        (("map", "odom"), "en", 'no pose is given for "odom"; there are poses for map, base_link, laser_frame'),
+        (("map", "map"), "en", 'target and source are both "map": choose two frames'),
+        (("map", "base_link"), "fr", 'there is no sentence in "fr"; languages are en, ko'),
+    ],
+)
+def test_a_sentence_that_cannot_be_is_refused_with_a_hint(frames, language, hint):
+    with pytest.raises(ValueError) as refused:
+        sentence_panel(POSES, *frames, language=language)
+    assert str(refused.value) == hint

@@ -1,0 +1,94 @@
+"""One question about two frames, said in five ways."""
+
+import math
+
+import pytest
+
+from tflab.core import BufferCore, StampedTransform, Transform, seconds
+from tflab.views.sentence import SentencePicture, draw_sentence, echo_text, sentence
+
+# the laser is mounted 0.2 m ahead and 0.15 m up, turned to the left by a quarter
+BASE_T_LASER = Transform.from_rpy(yaw=math.pi / 2, translation=(0.2, 0.0, 0.15))
+LASER_IN_BASE = StampedTransform("base_link", "laser_frame", 0, BASE_T_LASER)
+
+
+def test_one_question_in_five_ways():
+    said = sentence(LASER_IN_BASE)
+    assert said.english == "data expressed in [laser_frame], wanted in [base_link]"
+    assert said.korean == "[laser_frame]에서 표현된 Data를 [base_link]에서 표현하고 싶습니다."
+    assert said.call == "lookup_transform('base_link', 'laser_frame', Time())"
+    assert said.arrow == "laser_frame o--------> base_link"
+    assert said.matrix == (
+        "[ 0.000 -1.000  0.000  0.200 ]",
+        "[ 1.000  0.000  0.000  0.000 ]",
+        "[ 0.000  0.000  1.000  0.150 ]",
+        "[ 0.000  0.000  0.000  1.000 ]",
+    )
+    assert said.echo_command == "ros2 run tf2_ros tf2_echo base_link laser_frame"
+
+
+def test_a_stamp_that_was_asked_for_stands_in_the_call():
+    said = sentence(LASER_IN_BASE, asked_ns=seconds(4.25))
+    assert said.call == "lookup_transform('base_link', 'laser_frame', Time(nanoseconds=4_250_000_000))"
+
+
+def test_tf2_echo_to_the_letter():
+    assert echo_text(LASER_IN_BASE) == (
+        "At time 0.0\n"
+        "- Translation: [0.200, 0.000, 0.150]\n"
+        "- Rotation: in Quaternion [0.000, 0.000, 0.707, 0.707]\n"
+        "- Rotation: in RPY (radian) [0.000, -0.000, 1.571]\n"
+        "- Rotation: in RPY (degree) [0.000, -0.000, 90.000]\n"
+        "- Matrix:\n"
+        "  0.000 -1.000  0.000  0.200\n"
+        "  1.000  0.000  0.000  0.000\n"
+        "  0.000  0.000  1.000  0.150\n"
+        "  0.000  0.000  0.000  1.000"
+    )
+
+
+def test_tf2_echo_prints_nanoseconds_without_leading_zeros():
+    assert echo_text(StampedTransform("a", "b", seconds(12.005), Transform())).startswith("At time 12.5000000\n")
+
+
+@pytest.mark.parametrize(("pitch", "shown"), [(math.pi / 2, "1.571"), (-math.pi / 2, "-1.571")])
+def test_tf2_echo_calls_yaw_zero_when_looking_straight_up_or_down(pitch, shown):
+    straight = Transform((0.0, 0.0, 0.0), (0.0, math.copysign(math.sqrt(0.5), pitch), 0.0, math.sqrt(0.5)))
+    line = echo_text(StampedTransform("a", "b", 0, straight)).split("\n")[3]
+    assert line == f"- Rotation: in RPY (radian) [0.000, {shown}, 0.000]"
+
+
+def test_the_sentence_agrees_with_the_engine():
+    buffer = BufferCore()
+    buffer.set_transform(LASER_IN_BASE, is_static=True)
+    said = sentence(buffer.lookup_transform("laser_frame", "base_link", 0))
+    assert said.english == "data expressed in [base_link], wanted in [laser_frame]"
+    assert said.matrix[1] == "[-1.000  0.000  0.000  0.200 ]"  # not minus the step: turned back first
+
+
+def test_the_text_holds_all_five():
+    said = sentence(LASER_IN_BASE)
+    for part in (said.english, said.korean, said.call, said.arrow, *said.matrix, said.echo_command, said.echo_output):
+        assert part in said.text
+
+
+def test_the_arrow_goes_from_source_to_target():
+    poses = {"base_link": Transform(), "laser_frame": Transform((2.0, 0.0, 0.0))}
+    picture = draw_sentence(poses, StampedTransform("base_link", "laser_frame", 0, poses["laser_frame"]))
+    (tail, head) = picture.arrow.arrow._posA_posB
+    assert tail == pytest.approx(picture.frames["laser_frame"].label.anchor)
+    assert head == pytest.approx(picture.frames["base_link"].label.anchor)
+    assert picture.frames["laser_frame"].label.text.get_text() == "laser_frame\nsource"
+    assert picture.frames["base_link"].label.text.get_text() == "base_link\ntarget"
+
+
+def test_showing_another_question_changes_all_of_it():
+    poses = {"map": Transform(), "odom": Transform((1.0, 0.0, 0.0)), "base_link": Transform((2.0, 0.0, 0.0))}
+    picture = SentencePicture(poses)
+    picture.show(StampedTransform("map", "odom", 0, Transform((1.0, 0.0, 0.0))))
+    picture.show(StampedTransform("odom", "base_link", 0, Transform((1.0, 0.0, 0.0))))
+    assert picture.words.get_text() == "data expressed in [base_link], wanted in [odom]"
+    assert picture.frames["map"].label.text.get_text() == "map"
+    assert "lookup_transform('odom', 'base_link', Time())" in picture.lines.get_text()
+    assert "tf2_echo odom base_link" in picture.lines.get_text()
+    assert picture.text.startswith("data expressed in [base_link], wanted in [odom]\n")
