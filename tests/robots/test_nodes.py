@@ -1,0 +1,136 @@
+"""On ROS the robot says what the pure simulation knows, with true moments and real delays."""
+
+import math
+
+import pytest
+
+from tflab.core import LATEST, seconds
+from tflab.robots.nodes import NODES, launch
+from tflab.robots.teaching import TeachingRobot
+from tflab.ros import client_library as rclpy
+from tflab.ros.convert import stamp_ns_from
+from tflab.ros.graph import new_graph
+from tflab.ros.messages import geometry_msgs, nav_msgs, sensor_msgs
+from tflab.ros.node import Node
+from tflab.ros.qos import qos_profile_sensor_data
+from tflab.ros.tf2_buffer import Buffer
+from tflab.ros.tf2_listener import TransformListener
+
+
+class Audience:
+    """Somebody who hears everything the robot says for a while."""
+
+    def __init__(self, graph, for_s: float, topics: dict[str, type]) -> None:
+        rclpy.init(args=[])
+        node = Node("audience")
+        self.heard = {topic: [] for topic in topics}
+        for topic, kind in topics.items():
+            node.create_subscription(kind, topic, self._keeper(topic, graph), qos_profile_sensor_data)
+        self.buffer = Buffer()
+        listener = TransformListener(self.buffer, node)
+        rclpy.spin_until_future_complete(node, rclpy.Future(), timeout_sec=for_s)
+        listener.unregister()
+
+    def _keeper(self, topic, graph):
+        return lambda message: self.heard[topic].append((graph.now_ns, message))
+
+
+@pytest.fixture
+def graph():
+    yield new_graph()
+    rclpy.try_shutdown()
+    new_graph()
+
+
+def test_every_edge_is_the_simulations_at_its_stamp(graph):
+    launch(graph)
+    core = Audience(graph, 3.0, {}).buffer.core
+    robot = TeachingRobot()
+    for child, truth_at in (("odom", robot.map_to_odom_at), ("base_footprint", robot.odom_to_base_at)):
+        history = core.history(child)
+        assert len(history.stamps_ns) > 25
+        for stamp_ns, transform in zip(history.stamps_ns, history.transforms, strict=True):
+            expected = truth_at(stamp_ns)
+            assert history.parents[0] == expected.frame_id
+            assert transform.translation == pytest.approx(expected.transform.translation)
+    wrist = core.lookup_transform("elbow", "wrist", LATEST)
+    expected = next(each for each in robot.joints_at(wrist.stamp_ns) if each.child_frame_id == "wrist")
+    assert wrist.transform.rotation == pytest.approx(expected.transform.rotation)
+    assert core.lookup_transform("base_link", "laser_frame", LATEST).transform.translation == (0.20, 0.0, 0.15)
+
+
+def test_messages_come_as_late_as_their_sources_are_and_say_what_was_true_then(graph):
+    launch(graph)
+    robot = TeachingRobot()
+    heard = Audience(
+        graph, 3.0,
+        {"/scan": sensor_msgs.LaserScan, "/detected_point": geometry_msgs.PointStamped, "/imu": sensor_msgs.Imu},
+    ).heard  # fmt: skip
+    for topic, source in (("/scan", "laser"), ("/detected_point", "camera"), ("/imu", "imu")):
+        assert len(heard[topic]) >= 5
+        for now_ns, message in heard[topic]:
+            assert now_ns - stamp_ns_from(message.header.stamp) == seconds(robot.sources[source].delay_s)
+    _, scan = heard["/scan"][-1]
+    expected = robot.laser.scan_at(stamp_ns_from(scan.header.stamp))
+    assert list(scan.ranges) == pytest.approx(expected.ranges, rel=1e-6)
+    assert scan.header.frame_id == "laser_frame"
+    assert scan.angle_max == pytest.approx(math.pi - 2 * math.pi / 360)
+    assert scan.scan_time == pytest.approx(0.1, rel=1e-4)
+    _, point = heard["/detected_point"][-1]
+    detection = robot.camera.detection_at(stamp_ns_from(point.header.stamp))
+    assert (point.point.x, point.point.y, point.point.z) == detection.point
+    _, felt = heard["/imu"][-1]
+    assert felt.linear_acceleration.z == robot.imu.reading_at(stamp_ns_from(felt.header.stamp)).linear_acceleration[2]
+
+
+def test_odometry_as_a_message_and_as_a_transform_agree(graph):
+    launch(graph, only=["wheel_odometry"])
+    audience = Audience(graph, 2.01, {"/odom": nav_msgs.Odometry})
+    assert len(audience.heard["/odom"]) == 40
+    for _, message in audience.heard["/odom"]:
+        stamp_ns = stamp_ns_from(message.header.stamp)
+        edge = audience.buffer.core.lookup_transform("odom", "base_footprint", stamp_ns)
+        position = message.pose.pose.position
+        assert (position.x, position.y, position.z) == edge.transform.translation
+        assert message.child_frame_id == "base_footprint"
+    assert message.twist.twist.linear.x == pytest.approx(0.5, abs=0.05)
+
+
+def test_a_wrong_clock_changes_the_stamps_and_not_what_is_true(graph):
+    graph.set_clock_offset("wheel_odometry", 5.0)
+    launch(graph, only=["wheel_odometry"])
+    ((now_ns, message), *_) = Audience(graph, 1.0, {"/odom": nav_msgs.Odometry}).heard["/odom"]
+    assert stamp_ns_from(message.header.stamp) - now_ns == seconds(5.0) - seconds(0.004)
+    truth = TeachingRobot().odometry_at(now_ns - seconds(0.004))
+    assert message.pose.pose.position.x == truth.pose.translation[0]
+
+
+def test_a_prefix_separates_two_robots_on_one_graph(graph):
+    names = ["robot_state_publisher", "wheel_odometry", "localization"]
+    launch(graph, TeachingRobot(prefix="robot1/"), only=names)
+    launch(graph, TeachingRobot(prefix="robot2/"), only=names)
+    assert {node.get_fully_qualified_name() for node in graph.nodes} == {
+        f"/robot{n}/{name}" for n in (1, 2) for name in names
+    }
+    core = Audience(graph, 1.0, {}).buffer.core
+    assert core.can_transform("robot1/laser_frame", "robot2/camera_link", LATEST)
+
+
+def test_the_robot_begins_to_drive_when_it_is_launched(graph):
+    graph.run(seconds=100.0)
+    launch(graph, only=["wheel_odometry"])
+    (_, first), *_ = Audience(graph, 3.0, {"/odom": nav_msgs.Odometry}).heard["/odom"]
+    assert first.pose.pose.position.x == 0.0
+
+
+def test_participants_end_when_they_are_stopped(graph):
+    participants = launch(graph)
+    assert [each.name for each in participants] == list(NODES)
+    graph.stop()
+    assert not any(each.is_running for each in participants)
+
+
+def test_an_unknown_node_is_refused_before_anything_starts(graph):
+    with pytest.raises(ValueError, match="the robot has no node 'lidar'; it has robot_state_publisher, joint_driver"):
+        launch(graph, only=["imu_driver", "lidar"])
+    assert graph.participants == []
