@@ -92,9 +92,11 @@ def two_stories(edge: Edge) -> Stories | None:
 
 
 def _less_than_half_a_turn(poses: np.ndarray) -> int:
-    """Return how many samples to look back: a wheel is back where it was after each turn."""
+    """Return how many samples to look back: a wheel, which only turns, is back where it was after each turn."""
+    if np.ptp(poses[:, :3], axis=0).max() > LEAST_DIFFERENCE_M:
+        return LOOK_BACK
     dot = np.abs(np.einsum("ij,ij->i", poses[1:, 3:], poses[:-1, 3:]))
-    turn_rad = 2.0 * float(np.arccos(np.clip(np.median(dot), 0.0, 1.0)))
+    turn_rad = 2.0 * float(np.percentile(np.arccos(np.clip(dot, 0.0, 1.0)), 90))
     return LOOK_BACK if turn_rad * LOOK_BACK < np.pi else int(np.pi / turn_rad)
 
 
