@@ -13,6 +13,9 @@ from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 from typing import NamedTuple
 
+from tflab.ros.graph import Graph
+from tflab.ros.snapshot import snapshot
+
 from . import ros2
 
 __all__ = ["Known", "complete", "known_in"]
@@ -27,6 +30,17 @@ class Known(NamedTuple):
     topics: Sequence[str] = ()
     nodes: Sequence[str] = ()
     parameters: Mapping[str, Sequence[str]] = MappingProxyType({})
+
+
+def known_in(graph: Graph) -> Known:
+    """Return what a graph has to be named."""
+    seen = snapshot(graph)
+    return Known(
+        frames=sorted({frame for edge in seen.edges for frame in (edge.parent, edge.child)}),
+        topics=[topic.name for topic in seen.topics],
+        nodes=[node.name for node in seen.nodes],
+        parameters={node.get_fully_qualified_name(): sorted(node.get_parameters_by_prefix("")) for node in graph.nodes},
+    )
 
 
 def complete(words: Sequence[str], begun: str, known: Known) -> list[str]:

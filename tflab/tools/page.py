@@ -46,13 +46,12 @@ def split_line(line: str) -> tuple[float | None, list[str]]:
         words = shlex.split(line, comments=True)
     except ValueError as fault:
         raise PageError(f"cannot read the line: {fault}") from None
+    words = words[1:] if words[:1] == ["ros2"] else words
     seconds = None
     if words and words[0].partition("=")[0] == "--for":
         first = words.pop(0)
         text = first.partition("=")[2] if "=" in first else words.pop(0) if words else ""
         seconds = _seconds(text)
-    if words[:1] == ["ros2"]:
-        words = words[1:]
     return seconds, ["run", "rviz2", *words] if words[:1] == ["rviz2"] else words
 
 

@@ -15,6 +15,8 @@ from typing import Any
 
 import yaml
 
+from tflab.ros.node import Node
+
 from .node import full_names
 from .session import cli_node, spin_until_done
 from .topic import add_discovery_options
@@ -151,11 +153,11 @@ def list_parameters(options: argparse.Namespace) -> str | None:
     return None
 
 
-def _exists(node, name: str, options: argparse.Namespace) -> bool:
+def _exists(node: Node, name: str, options: argparse.Namespace) -> bool:
     return name in full_names(node.get_node_names_and_namespaces(), options.include_hidden_nodes)
 
 
-def _call(node, service_type: type, service_name: str, request):
+def _call(node: Node, service_type: type, service_name: str, request):
     """Return a service's answer; wait for it as long as it takes, as upstream does."""
     client = node.create_client(service_type, service_name)
     future = client.call_async(request)

@@ -58,7 +58,7 @@ def tool_node(name: str, **options) -> Iterator[Node]:
 def cli_node() -> Iterator[Node]:
     """Give one of the `ros2` commands its node, hidden and without services."""
     name = unused_name("_ros2cli_", (), digits=string.digits, length=5)
-    with tool_node(name, start_parameter_services=False, enable_rosout=False) as node:
+    with tool_node(name, start_parameter_services=False) as node:
         yield node
 
 
@@ -120,22 +120,23 @@ class Listener:
 @contextmanager
 def cpp_listener(node: Node) -> Iterator[Listener]:
     """Listen to the transforms as rclcpp's listener does: with a node of its own, which `ros2 node list` shows."""
+    from tflab.ros.tf2_buffer import Buffer
     from tflab.ros.tf2_listener import TransformListener
 
     name = unused_name("transform_listener_impl_", [node.get_name()], digits=string.hexdigits[:16], length=12)
     hidden = Node(name, start_parameter_services=False)
     client_library.get_global_executor().add_node(hidden)
-    core = BufferCore()
-    listener = TransformListener(core, hidden)
+    buffer = Buffer()
+    listener = TransformListener(buffer, hidden)
     threshold = JumpThreshold(min_forward=None, min_backward=Duration(nanoseconds=-1), on_clock_change=True)
 
     def on_jump(jump: TimeJump) -> None:
         what = "jump back in time" if jump.delta.nanoseconds < 0 else "time source change"
         RcutilsLogger("tf2_buffer").warning(f"Detected {what}. Clearing TF buffer.")
-        core.clear()
+        buffer.clear()
 
     with node.get_clock().create_jump_callback(threshold, post_callback=on_jump):
-        yield Listener(core, hidden)
+        yield Listener(buffer.core, hidden)
     listener.unregister()
     hidden.destroy_node()
 

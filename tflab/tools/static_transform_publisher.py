@@ -13,11 +13,11 @@ upstream: tf2_ros/src/static_transform_broadcaster_program.cpp.  Read `tf2_echo.
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 from tflab.core.quaternions import from_rpy
+from tflab.ros.node import Node
 
 from .numbers_as_in_c import stod
 from .session import abort, log_as_root, spin, tool_node, unused_name
@@ -175,11 +175,12 @@ def _publish(request: Request, arguments: Sequence[str]) -> int:
     from tflab.ros.messages.geometry_msgs import Quaternion, TransformStamped, Vector3
     from tflab.ros.tf2_broadcaster import StaticTransformBroadcaster
 
-    with tool_node(lambda node_names: unused_name("static_transform_publisher_", arguments, node_names)) as node:
+    with tool_node(unused_name("static_transform_publisher_", arguments)) as node:
         if request.frame_id == request.child_frame_id:
             same = f"cannot publish static transform from '{request.frame_id}' to '{request.child_frame_id}', exiting"
             node.get_logger().error(same)
             return abort("std::runtime_error", "child_frame_id cannot equal frame_id")
+        _declare_parameters(node, request)
         message = TransformStamped(child_frame_id=request.child_frame_id)
         message.header.frame_id = request.frame_id
         message.header.stamp = node.get_clock().now().to_msg()
@@ -187,6 +188,19 @@ def _publish(request: Request, arguments: Sequence[str]) -> int:
         message.transform.rotation = Quaternion(**dict(zip("xyzw", request.rotation, strict=True)))
         StaticTransformBroadcaster(node).sendTransform(message)
         node.get_logger().info(announcement(request))
-        sys.stdout.flush()
         spin(node)
     return 0
+
+
+def _declare_parameters(node: Node, request: Request) -> None:
+    """Show what is published as parameters, which cannot be changed."""
+    from tflab.ros.messages.rcl_interfaces import ParameterDescriptor
+
+    values = {
+        **{f"translation.{axis}": value for axis, value in zip("xyz", request.translation, strict=True)},
+        **{f"rotation.{axis}": value for axis, value in zip("xyzw", request.rotation, strict=True)},
+        "frame_id": request.frame_id,
+        "child_frame_id": request.child_frame_id,
+    }
+    for name, value in values.items():
+        node.declare_parameter(name, value, ParameterDescriptor(read_only=True))

@@ -21,6 +21,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from tflab.core import LATEST, BufferCore, TransformException
+from tflab.ros.node import Node
 
 from .numbers_as_in_c import general
 from .session import abort, cpp_listener, spin_for, tool_node
@@ -114,7 +115,7 @@ def main(arguments: Sequence[str]) -> int:
     return 0
 
 
-def _watch(node, core: BufferCore, frame_a: str = "", frame_b: str = "") -> None:
+def _watch(node: Node, core: BufferCore, frame_a: str = "", frame_b: str = "") -> None:
     chain, net = None, None
     if frame_a:
         while not (answer := core.why_not(frame_a, frame_b, LATEST))[0]:
@@ -136,7 +137,7 @@ def _watch(node, core: BufferCore, frame_a: str = "", frame_b: str = "") -> None
             print(broadcaster_line(delays), flush=True)
 
 
-def _listen(node) -> Delays:
+def _listen(node: Node) -> Delays:
     """Measure every message on /tf and /tf_static from now on."""
     from tflab.ros.messages.tf2_msgs import TFMessage
     from tflab.ros.qos import DurabilityPolicy, QoSProfile

@@ -14,6 +14,7 @@ import argparse
 from collections.abc import Sequence
 
 from tflab.ros import distro
+from tflab.ros.node import Node
 
 from .session import cli_node
 
@@ -147,7 +148,7 @@ def visible(names_and_types: Sequence[tuple[str, Sequence[str]]], hidden: bool =
     return sorted((name, list(types)) for name, types in names_and_types if hidden or "/_" not in name)
 
 
-def types_of(node, topic_name: str) -> list[str] | None:
+def types_of(node: Node, topic_name: str) -> list[str] | None:
     """Return the types of a topic, None if there is no such topic."""
     return dict(node.get_topic_names_and_types()).get(topic_name)
 

@@ -14,6 +14,8 @@ import argparse
 from collections.abc import Sequence
 from typing import Any
 
+from tflab.ros.node import Node
+
 from .session import cli_node, spin, spin_until_done
 
 __all__ = ["add_echo", "field_of", "matching_policy", "message_class"]
@@ -89,7 +91,7 @@ def message_class(type_name: str) -> type:
         raise RuntimeError(f"The message type '{type_name}' is invalid") from None
 
 
-def topic_class(node, topic_name: str, type_name: str | None = None) -> type | None:
+def topic_class(node: Node, topic_name: str, type_name: str | None = None) -> type | None:
     """Return the class of a topic's messages, None, with upstream's warning, if nobody knows the topic.
 
     Raises:
@@ -140,7 +142,7 @@ def echo(options: argparse.Namespace) -> str | None:
     return None
 
 
-def _print_messages(node, message_type: type, options: argparse.Namespace):
+def _print_messages(node: Node, message_type: type, options: argparse.Namespace):
     """Subscribe, print whatever comes, and return a future of the first."""
     from tflab.ros.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
     from tflab.ros.task import Future

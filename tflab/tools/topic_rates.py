@@ -15,6 +15,7 @@ from collections import deque
 from collections.abc import Sequence
 
 from tflab.core import NSEC_PER_SEC
+from tflab.ros.node import Node
 
 from .session import cli_node, spin, spin_for
 
@@ -153,7 +154,7 @@ def delay(options: argparse.Namespace) -> str | None:
     return None
 
 
-def _published_type(node, topic_name: str) -> type:
+def _published_type(node: Node, topic_name: str) -> type:
     """Return the class of a topic's messages; wait for the topic if need be."""
     from .topic import types_of
     from .topic_echo import topic_class

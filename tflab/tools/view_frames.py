@@ -22,6 +22,7 @@ from typing import Any
 
 import yaml
 
+from tflab.ros.node import Node
 from tflab.views.tree import TreePicture, draw_tree
 
 from .session import spin_for, spin_until_done, tool_node
@@ -80,7 +81,7 @@ def main(arguments: Sequence[str], pictures: list[Any]) -> int:
         return _view(node, options, pictures)
 
 
-def _view(node, options: argparse.Namespace, pictures: list[Any]) -> int:
+def _view(node: Node, options: argparse.Namespace, pictures: list[Any]) -> int:
     from tflab.ros.messages.tf2_msgs import FrameGraph
     from tflab.ros.tf2_buffer import Buffer
     from tflab.ros.tf2_listener import TransformListener

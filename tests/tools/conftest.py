@@ -1,0 +1,47 @@
+"""A graph for each test, stopped afterwards, and a terminal to type in."""
+
+import importlib.util
+import sys
+from pathlib import Path
+
+import pytest
+
+from tflab.ros.graph import new_graph
+from tflab.tools.page import run_words, split_line
+
+# The test folders are no packages, so the robot next door is loaded by its path.
+_spec = importlib.util.spec_from_file_location("tools_robot", Path(__file__).with_name("robot.py"))
+sys.modules.setdefault("tools_robot", importlib.util.module_from_spec(_spec))
+_spec.loader.exec_module(sys.modules["tools_robot"])
+
+
+@pytest.fixture
+def graph():
+    made = new_graph()
+    yield made
+    made.stop()
+
+
+class Terminal:
+    """Types lines, and reads what is printed."""
+
+    def __init__(self, graph, capsys):
+        self.graph = graph
+        self._capsys = capsys
+        self.exit_code = None
+        self.error = ""
+        self.pictures = ()
+
+    def type(self, line):
+        """Run a line that begins with `ros2`; return standard output; `error` and `exit_code` are kept."""
+        self._capsys.readouterr()
+        seconds, words = split_line(line)
+        self.exit_code, self.pictures = run_words(self.graph, words, seconds)
+        captured = self._capsys.readouterr()
+        self.error = captured.err
+        return captured.out
+
+
+@pytest.fixture
+def terminal(graph, capsys):
+    return Terminal(graph, capsys)

@@ -1,0 +1,376 @@
+"""Every command of the lecture, on a graph: accepted, and answered as the real tools answer.
+
+The lines are the lecture's own, `\\` at their ends joined, in its order.
+"""
+
+import pytest
+from tools_robot import fixed, moving
+
+TF_HASH = "RIHS01_e369d0f05a23ae52508854b66f6aa0437f3449d652e8cbf22d5abe85d020f087"
+UNKNOWN_MAP = 'Invalid frame ID "map" passed to canTransform argument target_frame - frame does not exist'
+
+ODOM_TO_BASE = """\
+At time 2.950000000
+- Translation: [1.950, 0.000, 0.000]
+- Rotation: in Quaternion [0.000, 0.000, 0.000, 1.000]
+- Rotation: in RPY (radian) [0.000, -0.000, 0.000]
+- Rotation: in RPY (degree) [0.000, -0.000, 0.000]
+- Matrix:
+  1.000  0.000  0.000  1.950
+  0.000  1.000  0.000  0.000
+  0.000  0.000  1.000  0.000
+  0.000  0.000  0.000  1.000
+"""
+
+LASER_MESSAGE = """\
+transforms:
+- header:
+    stamp:
+      sec: 1
+      nanosec: 0
+    frame_id: base_link
+  child_frame_id: laser_frame
+  transform:
+    translation:
+      x: 0.2
+      y: 0.0
+      z: 0.15
+    rotation:
+      x: 0.0
+      y: 0.0
+      z: 0.0
+      w: 1.0
+---
+"""
+
+
+@pytest.fixture
+def robot(terminal):
+    """odom -> base_link -> laser_frame, one second old."""
+    terminal.graph.start(moving(), name="moving_robot_broadcaster")
+    terminal.graph.start(fixed(), name="static_sensor_broadcaster")
+    terminal.graph.run(seconds=1)
+    return terminal
+
+
+def endpoint(name, kind, gid, depth, durability):
+    return f"""\
+Node name: {name}
+Node namespace: /
+Topic type: tf2_msgs/msg/TFMessage
+Topic type hash: {TF_HASH}
+Endpoint type: {kind}
+GID: 01.0f.00.00.00.00.00.00.00.00.00.00.00.00.00.{gid:02x}
+QoS profile:
+  Reliability: RELIABLE
+  History (Depth): KEEP_LAST ({depth})
+  Durability: {durability}
+  Lifespan: Infinite
+  Deadline: Infinite
+  Liveliness: AUTOMATIC
+  Liveliness lease duration: Infinite
+"""
+
+
+def gid_of(terminal, topic):
+    (publisher,) = terminal.graph.network.topic(topic).publishers
+    return publisher.gid[-1]
+
+
+# -- §7 and §27: static and dynamic ---------------------------------------
+
+
+def test_topic_info_tf_verbose(robot):
+    assert robot.type("ros2 topic info /tf --verbose") == (
+        "Type: tf2_msgs/msg/TFMessage\n\nPublisher count: 1\n\n"
+        + endpoint("moving_robot_broadcaster", "PUBLISHER", gid_of(robot, "/tf"), 100, "VOLATILE")
+        + "\nSubscription count: 0\n\n"
+    )
+
+
+def test_topic_info_tf_static_verbose(robot):
+    assert robot.type("ros2 topic info /tf_static --verbose") == (
+        "Type: tf2_msgs/msg/TFMessage\n\nPublisher count: 1\n\n"
+        + endpoint("static_sensor_broadcaster", "PUBLISHER", gid_of(robot, "/tf_static"), 1, "TRANSIENT_LOCAL")
+        + "\nSubscription count: 0\n\n"
+    )
+
+
+def test_topic_info_without_verbose_is_three_lines(robot):
+    assert robot.type("ros2 topic info /tf") == (
+        "Type: tf2_msgs/msg/TFMessage\nPublisher count: 1\nSubscription count: 0\n"
+    )
+
+
+def test_humble_has_no_line_for_the_hash(robot, monkeypatch):
+    monkeypatch.setenv("TFLAB_ROS_DISTRO", "humble")
+    assert "Topic type hash" not in robot.type("ros2 topic info /tf --verbose")
+
+
+def test_topic_echo_tf_static_once(robot):
+    assert robot.type("ros2 topic echo /tf_static --once") == LASER_MESSAGE
+    assert robot.exit_code == 0
+
+
+# -- §8: static_transform_publisher ---------------------------------------
+
+
+def test_static_transform_publisher_goes_on_after_the_line(terminal):
+    out = terminal.type(
+        "ros2 run tf2_ros static_transform_publisher --x 0.20 --y 0.0 --z 0.15 --roll 0.0 --pitch 0.0 --yaw 0.0 "
+        "--frame-id base_link --child-frame-id laser_frame   # a comment, as in a shell"
+    )
+    (name,) = [node.get_name() for node in terminal.graph.nodes]
+    assert name.startswith("static_transform_publisher_")
+    assert len(name) == len("static_transform_publisher_") + 16
+    assert out + terminal.error == (
+        f"[INFO] [1.000000000] [{name}]: Spinning until stopped - publishing transform\n"
+        "translation: ('0.200000', '0.000000', '0.150000')\n"
+        "rotation: ('0.000000', '0.000000', '0.000000', '1.000000')\n"
+        "from 'base_link' to 'laser_frame'\n"
+    )
+    assert terminal.type("ros2 topic echo /tf_static --once") == LASER_MESSAGE
+
+
+def test_static_transform_publisher_help(terminal):
+    out = terminal.type("ros2 run tf2_ros static_transform_publisher --help")
+    assert out.startswith("usage: static_transform_publisher [--x X] [--y Y] [--z Z] [--qx QX]")
+    assert terminal.exit_code == 0
+
+
+def test_static_transform_publisher_says_what_is_wrong(terminal):
+    out = terminal.type("ros2 run tf2_ros static_transform_publisher --frame-id map")
+    said = "[ERROR] [1.000000000] []: error parsing command line arguments: Child frame id must not be empty\n"
+    assert said in out + terminal.error
+    assert out.endswith("[ros2run]: Process exited with failure 1\n")
+    assert terminal.exit_code == 1
+
+
+def test_static_transform_publisher_of_a_frame_to_itself_aborts(terminal):
+    terminal.type("ros2 run tf2_ros static_transform_publisher --frame-id a --child-frame-id a")
+    assert "cannot publish static transform from 'a' to 'a', exiting\n" in terminal.error
+    assert "  what():  child_frame_id cannot equal frame_id\n" in terminal.error
+    assert terminal.exit_code == -6
+
+
+def test_static_transform_publisher_shows_its_values_as_parameters(terminal):
+    terminal.type("ros2 run tf2_ros static_transform_publisher --x 2 --frame-id a --child-frame-id b")
+    (name,) = [node.get_name() for node in terminal.graph.nodes]
+    assert terminal.type(f"ros2 param get /{name} translation.x") == "Double value is: 2.0\n"
+    terminal.type(f"ros2 param set /{name} translation.x 3.0")
+    assert terminal.error.startswith("Setting parameter failed: Trying to set a read-only parameter")
+
+
+# -- §12: view_frames -----------------------------------------------------
+
+
+def test_view_frames(robot, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    out = robot.type("ros2 run tf2_tools view_frames")
+    log = (out + robot.error).splitlines()
+    assert log[0] == "[INFO] [2.000000000] [view_frames]: Listening to tf data for 5.0 seconds..."
+    assert log[1] == "[INFO] [7.000000000] [view_frames]: Generating graph..."
+    assert log[2].startswith(
+        '[INFO] [7.000000000] [view_frames]: Result:tf2_msgs.srv.FrameGraph_Response(frame_yaml="laser_frame: \\n'
+    )
+    assert log[3] == ("[INFO] [7.000000000] [view_frames]: Exporting graph in frames_1970-01-01_00.00.07.pdf file...")
+    assert len(log) == 4
+    assert sorted(path.name for path in tmp_path.iterdir()) == [
+        "frames_1970-01-01_00.00.07.gv",
+        "frames_1970-01-01_00.00.07.pdf",
+    ]
+    (picture,) = robot.pictures
+    assert picture.text.splitlines()[0] == "odom"
+    assert "default_authority" in picture.text  # ROS 2 does not say who it was
+
+
+def test_view_frames_help(terminal):
+    assert "--wait-time WAIT_TIME, -t WAIT_TIME" in terminal.type("ros2 run tf2_tools view_frames --help")
+    assert terminal.exit_code == 0
+
+
+def test_view_frames_of_nothing(terminal, tmp_path):
+    terminal.type(f"ros2 run tf2_tools view_frames -t 1 -o {tmp_path}/frames")
+    assert (tmp_path / "frames.gv").read_text() == 'digraph G { "No tf data received" }'
+
+
+# -- §13, §23, §27: tf2_echo ----------------------------------------------
+
+
+def test_tf2_echo_odom_base_link(robot):
+    out = robot.type("ros2 run tf2_ros tf2_echo odom base_link")
+    assert out.startswith(ODOM_TO_BASE)
+    assert [line for line in out.splitlines() if line.startswith("At")] == [
+        "At time 2.950000000", "At time 3.950000000", "At time 4.950000000",
+    ]  # fmt: skip
+
+
+def test_tf2_echo_base_link_laser_frame(robot):
+    out = robot.type("ros2 --for 1.5 run tf2_ros tf2_echo base_link laser_frame")
+    assert out.splitlines()[:2] == ["At time 0.0", "- Translation: [0.200, 0.000, 0.150]"]
+
+
+def test_tf2_echo_the_other_way_round_is_the_inverse(robot):
+    out = robot.type("ros2 --for 1.5 run tf2_ros tf2_echo laser_frame base_link")
+    assert "- Translation: [-0.200, 0.000, -0.150]" in out
+
+
+def test_tf2_echo_map_base_link_without_a_map_waits(robot):
+    out = robot.type("ros2 run tf2_ros tf2_echo map base_link")
+    assert (out + robot.error).splitlines() == [
+        f"[INFO] [{second}.000000000] [tf2_echo]: Waiting for transform map ->  base_link: {UNKNOWN_MAP}"
+        for second in (2, 3, 4, 5)
+    ]
+
+
+def test_tf2_echo_asks_as_often_as_it_is_told(robot):
+    out = robot.type("ros2 --for 1.05 run tf2_ros tf2_echo odom base_link 10")
+    assert out.count("At time") == 10
+
+
+def test_two_tools_at_once_do_not_share_a_listener(robot):
+    for _ in range(2):
+        robot.graph.start(lambda: __import__("tflab.tools.tf2_echo", fromlist=["main"]).main(["odom", "base_link"]))
+    names = robot.type("ros2 node list").split()
+    assert len([name for name in names if name.startswith("/transform_listener_impl_")]) == 2
+
+
+# -- §14, §27: tf2_monitor ------------------------------------------------
+
+
+def test_tf2_monitor(robot):
+    out = robot.type("ros2 run tf2_ros tf2_monitor")
+    assert out.startswith("Gathering data on all frames for 10 seconds...\n\n\n\nRESULTS: for all Frames\n\nFrames:\n")
+    assert "Frame: base_link, published by <no authority available>, Average Delay: 0, Max Delay: 0\n" in out
+    assert "\nAll Broadcasters:\n" in robot.error
+    assert out.splitlines()[-1].startswith("Node: <no authority available> 20.")
+
+
+def test_tf2_monitor_map_base_link(robot):
+    robot.type("ros2 run tf2_ros static_transform_publisher --frame-id map --child-frame-id odom")
+    out = robot.type("ros2 --for 12 run tf2_ros tf2_monitor map base_link")
+    assert out.startswith(
+        "Gathering data on map -> base_link for 10 seconds...\n\n\n\n"
+        "RESULTS: for map to base_link\nChain is: map -> odom -> base_link\nNet delay     avg = "
+    )
+    assert [line.split(",")[0] for line in out.splitlines() if line.startswith("Frame:")] == [
+        "Frame: base_link", "Frame: odom",
+    ]  # fmt: skip
+
+
+def test_tf2_monitor_shows_a_delay(terminal):
+    terminal.graph.disturb("/tf", delay=0.25)
+    terminal.graph.start(moving())
+    out = terminal.type("ros2 run tf2_ros tf2_monitor")
+    assert "Average Delay: 0.25, Max Delay: 0.25" in out
+
+
+def test_tf2_monitor_wants_two_frames_or_none(terminal):
+    out = terminal.type("ros2 run tf2_ros tf2_monitor map")
+    said = "[INFO] [1.000000000] [tf2_monitor_main]: TF_Monitor: usage: tf2_monitor framea frameb\n"
+    assert said in out + terminal.error
+    assert terminal.exit_code == 255
+
+
+# -- §15: rviz2 -----------------------------------------------------------
+
+
+def test_rviz2_names_the_view_to_open(terminal):
+    assert "from tflab.views import rviz" in terminal.type("rviz2")
+    assert terminal.exit_code == 0
+
+
+# -- §22: simulated time --------------------------------------------------
+
+
+def test_topic_echo_clock_once_without_a_clock(terminal):
+    assert terminal.type("ros2 topic echo /clock --once") == (
+        "WARNING: topic [/clock] does not appear to be published yet\n"
+    )
+    assert terminal.error == "Could not determine the type for the passed topic\n"
+    assert terminal.exit_code == 1
+
+
+def test_param_get_and_set_use_sim_time(terminal):
+    terminal.graph.start(moving(name="point_to_map"))
+    assert terminal.type("ros2 param get /point_to_map use_sim_time") == "Boolean value is: False\n"
+    assert terminal.type("ros2 param set /point_to_map use_sim_time true") == "Set parameter successful\n"
+    assert terminal.type("ros2 param get /point_to_map use_sim_time") == "Boolean value is: True\n"
+
+
+def test_once_the_parameter_is_set_the_topic_clock_has_a_listener_but_no_publisher(terminal):
+    terminal.graph.start(moving(name="point_to_map"))
+    terminal.type("ros2 param set /point_to_map use_sim_time true")
+    assert terminal.type("ros2 topic info /clock") == (
+        "Type: rosgraph_msgs/msg/Clock\nPublisher count: 0\nSubscription count: 1\n"
+    )
+
+
+# -- §27: the standard order ----------------------------------------------
+
+
+def test_node_list(robot):
+    assert robot.type("ros2 node list") == "/moving_robot_broadcaster\n/static_sensor_broadcaster\n"
+
+
+def test_param_get_of_a_node_that_is_not_there(terminal):
+    assert terminal.type("ros2 param get /problem_node use_sim_time") == ""
+    assert (terminal.error, terminal.exit_code) == ("Node not found\n", 1)
+
+
+# -- §11: what robot_state_publisher would be asked -----------------------
+
+
+@pytest.mark.parametrize("line", ["ros2 topic echo /robot_description --once", "ros2 topic echo /joint_states"])
+def test_without_a_publisher_there_is_nothing_to_echo(terminal, line):
+    terminal.type(line)
+    assert terminal.error == "Could not determine the type for the passed topic\n"
+
+
+def test_node_info_of_a_node_that_is_not_there(terminal):
+    terminal.type("ros2 node info /robot_state_publisher")
+    assert (terminal.error, terminal.exit_code) == ("Unable to find node '/robot_state_publisher'\n", 1)
+
+
+# -- §23: three experiments -----------------------------------------------
+
+MAP_TO_ODOM = (
+    "ros2 run tf2_ros static_transform_publisher --x 0 --y 0 --z 0 --yaw 0 --pitch 0 --roll 0 "
+    "--frame-id map --child-frame-id odom"
+)
+ODOM_TO_BASE_LINK = (
+    "ros2 run tf2_ros static_transform_publisher --x 1 --y 0 --z 0 --yaw 0 --pitch 0 --roll 0 "
+    "--frame-id odom --child-frame-id base_link"
+)
+
+
+def test_experiment_a_a_healthy_tree(terminal):
+    terminal.type(MAP_TO_ODOM)
+    terminal.type(ODOM_TO_BASE_LINK)
+    out = terminal.type("ros2 run tf2_ros tf2_echo map base_link")
+    assert out.splitlines()[:2] == ["At time 0.0", "- Translation: [1.000, 0.000, 0.000]"]
+
+
+def test_experiment_b_a_misspelt_parent(terminal, tmp_path):
+    terminal.type(MAP_TO_ODOM)
+    terminal.type(ODOM_TO_BASE_LINK.replace("--frame-id odom --child", "--frame-id odm --child"))
+    out = terminal.type("ros2 --for 1.5 run tf2_ros tf2_echo map base_link")
+    assert (out + terminal.error).splitlines()[-1] == (
+        "[INFO] [2.000000000] [tf2_echo]: Waiting for transform map ->  base_link: "
+        "Could not find a connection between 'map' and 'base_link' because they are not part of the same tree."
+        "Tf has two or more unconnected trees."
+    )
+    terminal.type(f"ros2 run tf2_tools view_frames -o {tmp_path}/frames")
+    assert [fault.frames for fault in terminal.pictures[0].faults] == [("map", "odm")]
+
+
+def test_experiment_c_two_publishers_of_one_frame(terminal):
+    terminal.graph.start(moving(name="ekf", speed=0.0, y=0.0))
+    terminal.graph.start(moving(name="wheel_odometry", speed=0.0, y=1.0, rate_hz=16.0))
+    out = terminal.type("ros2 --for 3.2 run tf2_ros tf2_echo odom base_link 5")
+    seen = {line for line in out.splitlines() if line.startswith("- Translation")}
+    assert seen == {"- Translation: [0.000, 0.000, 0.000]", "- Translation: [0.000, 1.000, 0.000]"}
+    info = terminal.type("ros2 topic info /tf --verbose")
+    assert [line for line in info.splitlines() if line.startswith("Node name:")] == [
+        "Node name: ekf", "Node name: wheel_odometry",
+    ]  # fmt: skip

@@ -1,0 +1,145 @@
+"""`ros2 node` and `ros2 param`: what they print, to the letter."""
+
+import pytest
+from tools_robot import moving, spin
+
+from tflab.ros import client_library as rclpy
+from tflab.ros.node import Node
+from tflab.tools.node import duplicates_warning, full_names
+from tflab.tools.param import python_value
+
+
+def node_with(**values):
+    def main():
+        rclpy.init()
+        node = Node("node", namespace="/robot")
+        for name, value in values.items():
+            node.declare_parameter(name, value)
+        spin(node)
+
+    return main
+
+
+def test_node_info(terminal):
+    terminal.graph.start(moving(name="driver"))
+    assert (
+        terminal.type("ros2 node info /driver")
+        == """\
+/driver
+  Subscribers:
+
+  Publishers:
+    /parameter_events: rcl_interfaces/msg/ParameterEvent
+    /rosout: rcl_interfaces/msg/Log
+    /tf: tf2_msgs/msg/TFMessage
+  Service Servers:
+    /driver/describe_parameters: rcl_interfaces/srv/DescribeParameters
+    /driver/get_parameter_types: rcl_interfaces/srv/GetParameterTypes
+    /driver/get_parameters: rcl_interfaces/srv/GetParameters
+    /driver/get_type_description: type_description_interfaces/srv/GetTypeDescription
+    /driver/list_parameters: rcl_interfaces/srv/ListParameters
+    /driver/set_parameters: rcl_interfaces/srv/SetParameters
+    /driver/set_parameters_atomically: rcl_interfaces/srv/SetParametersAtomically
+  Service Clients:
+
+  Action Servers:
+
+  Action Clients:
+
+"""
+    )
+
+
+def test_hidden_nodes_are_listed_only_on_request(terminal):
+    assert terminal.type("ros2 node list") == ""
+    assert terminal.type("ros2 node list -a").startswith("/_ros2cli_")
+    assert terminal.type("ros2 node list -c") == "0\n"
+
+
+def test_full_names_are_sorted():
+    assert full_names([("b", "/"), ("a", "/robot"), ("_hidden", "/")]) == ["/b", "/robot/a"]
+
+
+def test_two_nodes_of_one_name_are_warned_of(terminal):
+    for _ in range(2):
+        terminal.graph.start(moving(name="twin"))
+    assert terminal.type("ros2 node list") == "/twin\n/twin\n"
+    assert terminal.error == (
+        "WARNING: Be aware that there are nodes in the graph that share an exact name, "
+        "which can have unintended side effects.\n"
+    )
+    assert duplicates_warning(["/a", "/b"]) == ""
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (True, "Boolean value is: True"),
+        (7, "Integer value is: 7"),
+        (0.5, "Double value is: 0.5"),
+        ("map", "String value is: map"),
+        ([1, 2], "Integer values are: [1, 2]"),
+        ([0.5, 1.0], "Double values are: [0.5, 1.0]"),
+        (["a", "b"], "String values are: ['a', 'b']"),
+        ([True, False], "Boolean values are: [True, False]"),
+    ],
+)
+def test_get_names_the_type(terminal, value, text):
+    terminal.graph.start(node_with(x=value))
+    assert terminal.type("ros2 param get /robot/node x") == f"{text}\n"
+    assert terminal.type("ros2 param get robot/node x --hide-type") == text.partition(": ")[2] + "\n"
+
+
+def test_get_of_what_is_not_declared(terminal):
+    terminal.graph.start(node_with())
+    terminal.type("ros2 param get /robot/node nope")
+    assert (terminal.error, terminal.exit_code) == ("Parameter not set\n", 1)
+
+
+def test_set_of_what_is_not_declared(terminal):
+    terminal.graph.start(node_with())
+    terminal.type("ros2 param set /robot/node x 1")
+    assert terminal.error == "Setting parameter failed: Invalid access to undeclared parameter(s): ['x']\n"
+
+
+def test_set_of_another_type_is_refused(terminal):
+    terminal.graph.start(node_with(x=0.5))
+    terminal.type("ros2 param set /robot/node x 1")
+    assert terminal.error == (
+        "Setting parameter failed: Wrong parameter type, expected 'Type.DOUBLE' got 'Type.INTEGER'\n"
+    )
+
+
+@pytest.mark.parametrize("word", ["true", "True"])
+def test_either_spelling_is_a_bool(terminal, word):
+    terminal.graph.start(moving(name="driver"))
+    assert terminal.type(f"ros2 param set /driver use_sim_time {word}") == "Set parameter successful\n"
+
+
+def test_list_of_one_node_and_of_all(terminal):
+    terminal.graph.start(node_with(b=1, a=2))
+    assert terminal.type("ros2 param list /robot/node") == "  a\n  b\n  use_sim_time\n"
+    assert terminal.type("ros2 param list") == "/robot/node:\n  a\n  b\n  use_sim_time\n"
+    terminal.type("ros2 param list /nope")
+    assert terminal.error == "Node not found\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [("1", 1), ("1.0", 1.0), ("'1.0'", "1.0"), ("no", False), ("[1, 2]", [1, 2]), ("[1, a]", "[1, a]"), ("", ""),
+     ("{a: 1}", "{a: 1}"), ("[", "["), ("2024-01-01", "2024-01-01"), ("[]", "[]")],
+)  # fmt: skip
+def test_a_value_is_what_yaml_makes_of_it(text, value):
+    found = python_value(text)
+    assert (found, type(found)) == (value, type(value))
+
+
+def test_a_node_that_does_not_spin_does_not_answer_and_the_line_still_ends(terminal):
+    def main():
+        rclpy.init()
+        Node("busy").create_timer(1e6, lambda: None)
+        terminal.graph.participants[0].sleep(10**15)
+
+    terminal.graph.start(main)
+    out = terminal.type("ros2 param get /busy use_sim_time")
+    assert out.startswith("`ros2 param get /busy use_sim_time` did not end within 60 s of the graph's time")
