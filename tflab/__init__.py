@@ -5,12 +5,8 @@ __version__ = "0.1.0"
 
 def load_ipython_extension(ipython):
     """Answer `%load_ext tflab`: the in-process ROS 2 on virtual time, and the magic %ros2."""
-    from importlib.util import find_spec
-
     from tflab.ros import load_in_notebook
+    from tflab.tools import magic
 
     load_in_notebook(ipython)
-    if find_spec("tflab.tools.magic"):
-        from tflab.tools import magic
-
-        magic.register(ipython)
+    magic.register(ipython)

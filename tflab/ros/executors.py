@@ -16,7 +16,6 @@ import inspect
 import threading
 from collections import deque
 from collections.abc import Callable
-from contextlib import nullcontext
 from typing import Any
 
 from .context import Context
@@ -274,14 +273,16 @@ class Executor:
 
         def execute() -> None:
             result = None
+            self._driver.enter_callback()
             try:
-                with self._in_callback():
-                    result = entity.execute()
+                result = entity.execute()
             finally:
-                if not inspect.iscoroutine(result):
+                self._driver.leave_callback()
+                is_coroutine = result is not None and inspect.iscoroutine(result)
+                if not is_coroutine:
                     self._end_execution(entity)
-            if inspect.iscoroutine(result):
-                task = Task(result, executor=None)
+            if is_coroutine:
+                task = Task(result)
                 with self._lock:
                     self._tasks.append((task, entity))
                 self._task_handler(task, entity)()
@@ -290,8 +291,11 @@ class Executor:
 
     def _task_handler(self, task: Task, entity: Entity | None) -> Callable[[], None]:
         def execute() -> None:
-            with self._in_callback():
+            self._driver.enter_callback()
+            try:
                 task()
+            finally:
+                self._driver.leave_callback()
             if not task.done():
                 _executors_with_waiting_tasks.add(self)
                 return
@@ -308,11 +312,11 @@ class Executor:
 
     def _end_execution(self, entity: Entity) -> None:
         entity.callback_group.ending_execution(entity)
-        if entity.node.pending:
+        pending = entity.node.pending
+        if entity in pending and not entity.is_pending():
+            del pending[entity]
+        if pending:  # perhaps something waited for this group
             self.wake()
-
-    def _in_callback(self) -> Any:
-        return self._driver.callback_at_home() if self._driver.is_virtual else nullcontext()
 
 
 class SingleThreadedExecutor(Executor):

@@ -18,7 +18,12 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
+from tflab.core import StampedTransform
+
 from . import distro
+from .convert import msg_from_stamped, stamped_from_msg, stampeds_from_plain_msgs
+from .messages import copy_message
+from .messages.tf2_msgs import TFMessage
 from .qos import incompatible_policy
 
 __all__ = ["Link", "Network", "Sample", "Topic"]
@@ -28,21 +33,33 @@ class Sample:
     """One published message on its way.
 
     Attributes:
-        message: the publisher's copy; receivers must not change it.
         publisher: who sent it.
         sent_ns: when [ns].
         number: which one of its publisher, from 1.
-        decoded: what tf2's listeners made of it, once for all of them.
     """
 
-    __slots__ = ("decoded", "message", "number", "publisher", "sent_ns")
+    __slots__ = ("_message", "_stampeds", "number", "publisher", "sent_ns")
 
     def __init__(self, message: Any, publisher: Any, sent_ns: int, number: int) -> None:
-        self.message = message
         self.publisher = publisher
         self.sent_ns = sent_ns
         self.number = number
-        self.decoded: Any = None
+        self._stampeds = stampeds_from_plain_msgs(message.transforms) if type(message) is TFMessage else None
+        self._message = copy_message(message) if self._stampeds is None else None
+
+    @property
+    def message(self) -> Any:
+        """The message as it was when it was published; receivers must not change it."""
+        if self._message is None:
+            self._message = TFMessage(transforms=[msg_from_stamped(stamped) for stamped in self._stampeds])
+        return self._message
+
+    @property
+    def stampeds(self) -> list[StampedTransform]:
+        """Of a tf2_msgs/TFMessage, the engine's values: decoded once for all who listen."""
+        if self._stampeds is None:
+            self._stampeds = [stamped_from_msg(msg) for msg in self._message.transforms]
+        return self._stampeds
 
 
 @dataclass

@@ -9,7 +9,7 @@ from collections import deque
 from typing import Any
 
 from .exceptions import InvalidHandle
-from .messages import copy_message, tf2_msgs
+from .messages import tf2_msgs
 from .network import Sample
 from .qos import QoSProfile
 
@@ -65,11 +65,11 @@ class Publisher:
         if not isinstance(msg, self.msg_type):
             raise TypeError(f"Expected {self.msg_type}, got {type(msg)}")
         self._count += 1
+        sample = Sample(msg, self, self._driver.now_ns(), self._count)
         if self._sends_transforms:
-            for transform in msg.transforms:
-                edge = (transform.header.frame_id, transform.child_frame_id)
+            for stamped in sample.stampeds:
+                edge = (stamped.frame_id, stamped.child_frame_id)
                 self.edges[edge] = self.edges.get(edge, 0) + 1
-        sample = Sample(copy_message(msg), self, self._driver.now_ns(), self._count)
         if self._stored is not None:
             self._stored.append(sample)
         deliver, driver = self._topic.deliver, self._driver

@@ -14,7 +14,6 @@ import weakref
 from typing import Any
 
 from .callback_groups import ReentrantCallbackGroup
-from .convert import stampeds_from_sample
 from .executors import ExternalShutdownException, SingleThreadedExecutor
 from .messages import copy_message, tf2_msgs
 from .network import Sample
@@ -90,7 +89,7 @@ class TransformListener:
         buffer = self.buffer
         if type(buffer) is Buffer and not buffer.has_waiting() and type(self) in _PLAIN:
             store = buffer.core.set_transform
-            for stamped in stampeds_from_sample(sample):
+            for stamped in sample.stampeds:
                 store(stamped, AUTHORITY, is_static)
         elif is_static:
             self.static_callback(copy_message(sample.message))

@@ -24,8 +24,7 @@ import sys
 import threading
 import traceback
 from collections import deque
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from typing import Any
 
 __all__ = ["START_NS", "EndlessLoop", "VirtualTime"]
@@ -68,8 +67,11 @@ class Strand:
         self.is_finished = False
         self.alarm_ns: int | None = None
         self.at_end: list[VirtualWaiter] = []
-        self._go = threading.Semaphore(0)
-        self._back = threading.Semaphore(0)
+        # Two locks that are held from the start: whoever is to wait acquires, the other one releases.
+        self._go = threading.Lock()
+        self._back = threading.Lock()
+        self._go.acquire()
+        self._back.acquire()
 
     def take_turn(self, patience_s: float) -> bool:
         """Let the thread run until it gives the turn back; return False if it does not."""
@@ -160,13 +162,14 @@ class VirtualTime:
         ident = threading.get_ident()
         return ident in self._strands or (ident == self._home and self._in_callback > 0)
 
-    @contextmanager
-    def callback_at_home(self) -> Iterator[None]:
-        """Mark that the home thread is inside a callback, where sleeping passes virtual time."""
-        self._in_callback += 1
-        try:
-            yield
-        finally:
+    def enter_callback(self) -> None:
+        """Note that a callback begins; at home, sleeping passes virtual time in there."""
+        if threading.get_ident() == self._home:
+            self._in_callback += 1
+
+    def leave_callback(self) -> None:
+        """Note that it has ended."""
+        if threading.get_ident() == self._home:
             self._in_callback -= 1
 
     # -- strands --------------------------------------------------------------

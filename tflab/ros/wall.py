@@ -65,6 +65,12 @@ class WallTime:
         timer.daemon = True
         timer.start()
 
+    def enter_callback(self) -> None:
+        """Note that a callback begins; nothing depends on it in real time."""
+
+    def leave_callback(self) -> None:
+        """Note that it has ended."""
+
     def is_cooperative(self) -> bool:
         """Return whether this thread waits for its turn; nobody does in real time."""
         return False
