@@ -5,11 +5,17 @@ from types import SimpleNamespace
 import pytest
 
 from tflab.core import NSEC_PER_SEC, BufferCore, StampedTransform, Transform, seconds
+from tflab.ros import client_library
 from tflab.ros.duration import Duration
-from tflab.ros.filters import SimpleFilter
+from tflab.ros.filters import SimpleFilter, Subscriber
+from tflab.ros.graph import new_graph
 from tflab.ros.logging import LoggingSeverity, get_logger, set_logger_level
 from tflab.ros.message_filter import DropReason, MessageFilter
-from tflab.ros.messages.geometry_msgs import PointStamped
+from tflab.ros.messages.geometry_msgs import PointStamped, TransformStamped
+from tflab.ros.node import Node
+from tflab.ros.tf2_broadcaster import TransformBroadcaster
+from tflab.ros.tf2_buffer import Buffer
+from tflab.ros.tf2_listener import TransformListener
 from tflab.ros.time import Time
 
 
@@ -253,6 +259,51 @@ def test_at_debug_level_each_step_is_told(capsys):
         "(frame_id=laser, stamp=2.000000)",
         "MessageFilter [target=map ]: Message ready in frame laser at time 2.500, count now 0",
     )
+
+
+def test_on_a_graph_no_scan_is_lost_though_tf_arrives_later_than_the_scans():
+    #  odom --(published at 20 Hz, 0.15 s under way)--> base_link      scans at 10 Hz, at once
+    graph = new_graph()
+    graph.disturb("/tf", delay=0.15)
+    transformed = []
+
+    def robot():
+        client_library.init()
+        node = Node("robot")
+        broadcaster = TransformBroadcaster(node)
+        scans = node.create_publisher(PointStamped, "scan", 10)
+
+        def publish(message, frame_id):
+            message.header.frame_id = frame_id
+            message.header.stamp = node.get_clock().now().to_msg()
+            return message
+
+        node.create_timer(
+            0.05, lambda: broadcaster.sendTransform(publish(TransformStamped(child_frame_id="base_link"), "odom"))
+        )
+        node.create_timer(0.1, lambda: scans.publish(publish(PointStamped(), "base_link")))
+        client_library.spin(node)
+
+    def mapper():
+        client_library.init()
+        node = Node("mapper")
+        buffer = Buffer()
+        node.listener = TransformListener(buffer, node)
+        scans = MessageFilter(Subscriber(node, PointStamped, "scan"), buffer, "odom", 10, node)
+
+        def on_scan(scan):
+            transform = buffer.lookup_transform("odom", "base_link", scan.header.stamp)
+            transformed.append(transform.header.stamp == scan.header.stamp)
+
+        scans.registerCallback(on_scan)
+        client_library.spin(node)
+
+    graph.start(mapper)
+    graph.start(robot)
+    graph.run(seconds=2.0)
+    graph.stop()
+    assert len(transformed) >= 17
+    assert all(transformed)
 
 
 def assert_logged(capsys, *texts):

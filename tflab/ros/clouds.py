@@ -22,7 +22,7 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 from numpy.lib.recfunctions import structured_to_unstructured, unstructured_to_structured
 
-from .geometry import _get_mat_from_quat, from_msg_msg, to_msg_msg
+from .geometry import from_msg_msg, rotation_matrix, to_msg_msg
 from .messages.geometry_msgs import Transform, TransformStamped
 from .messages.sensor_msgs import PointCloud2, PointField
 from .messages.std_msgs import Header
@@ -80,9 +80,8 @@ def transform_points(point_cloud: np.ndarray, transform: Transform | TransformSt
     """Return points, shape (n, 3), turned, then moved."""
     if isinstance(transform, TransformStamped):
         transform = transform.transform
-    q, t = transform.rotation, transform.translation
-    turn = _get_mat_from_quat((q.w, q.x, q.y, q.z))
-    return np.asarray(point_cloud) @ turn.T + (t.x, t.y, t.z)
+    step = transform.translation
+    return np.asarray(point_cloud) @ rotation_matrix(transform.rotation).T + (step.x, step.y, step.z)
 
 
 # sensor_msgs_py.point_cloud2 ------------------------------------------------------

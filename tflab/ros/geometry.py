@@ -47,6 +47,7 @@ __all__ = [
     "do_transform_pose_with_covariance_stamped",
     "do_transform_vector3",
     "from_msg_msg",
+    "rotation_matrix",
     "to_msg_msg",
     "transform_covariance",
 ]
@@ -83,8 +84,7 @@ def do_transform_vector3(vector3: Vector3Stamped, transform: TransformStamped) -
     if VECTOR3_ZEROES_TRANSLATION:
         translation = transform.transform.translation
         translation.x = translation.y = translation.z = 0.0
-    turn = _build_affine(rotation=_wxyz(transform.transform.rotation))
-    x, y, z = (turn[:3, :3] @ _xyz(vector3.vector)).tolist()
+    x, y, z = (rotation_matrix(transform.transform.rotation) @ _xyz(vector3.vector)).tolist()
     return Vector3Stamped(header=transform.header, vector=Vector3(x=x, y=y, z=z))
 
 
@@ -127,9 +127,14 @@ def transform_covariance(cov_in: Sequence[float], transform: TransformStamped) -
         cov_in: 6x6 values row by row, in the order x, y, z, turns about x, y, z.
         transform: only its rotation R matters.
     """
-    turn = _get_mat_from_quat(_wxyz(transform.transform.rotation))
+    turn = rotation_matrix(transform.transform.rotation)
     both = np.kron(np.eye(2), turn)  # R for the position, R for the turns
     return (both @ np.reshape(cov_in, (6, 6)) @ both.T).reshape(36)
+
+
+def rotation_matrix(rotation: Quaternion) -> np.ndarray:
+    """Return the matrix, shape (3, 3), of a message's rotation; of any length, and identity if it has none."""
+    return _get_mat_from_quat(_wxyz(rotation))
 
 
 # What `import tf2_geometry_msgs` registers.
