@@ -19,6 +19,10 @@
 
     faults            what goes wrong: the catalogue
     streams           which edges are in a stream of transforms
+    scene             where a fault could happen
+    broken_tree       two parents, two owners, a hole, a loop, a wrong name or topic
+    broken_values     quaternions and numbers that are none
+    broken_time       stamps that repeat, step back, lag, lead or stop
     injectors         a clean recording -> a broken one, and the truth about it
 
 Start with `model.py`; each page names the next.

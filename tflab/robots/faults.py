@@ -8,7 +8,7 @@ The names here are what the injectors and the doctor have in common: a fault is
 put in under a name, and must be found under the same.  A Diagnosis is the truth
 about one injection: which fault, in which frames, and when.
 
-Read `injectors.py` next: how each fault is made.
+Read `streams.py` next, and `injectors.py` for how faults are put in.
 """
 
 from __future__ import annotations

@@ -5,7 +5,7 @@
     Edge(child="base", parent="odom", places=(0, 2, 4, ...))
 
 Places are positions in the stream, so that a change to an edge is a change to the
-records at its places.  Read `injectors.py` next, which makes such changes.
+records at its places.  Read `scene.py` next.
 """
 
 from __future__ import annotations
