@@ -28,7 +28,7 @@ from .cache import TimeCache
 from .checks import are_ordinary_names
 from .errors import ExtrapolationException, TransformException
 from .stamps import LATEST
-from .transforms import IDENTITY_POSE, compose, invert
+from .transforms import A_BIT, HALF_AND_A_BIT, canonical_pose, compose, invert
 from .walk import Route, extrapolation_text
 
 if TYPE_CHECKING:
@@ -165,29 +165,35 @@ def _in_columns(
     buffer: BufferCore, tables: Tables, route: Route, target_frame: str, source_frame: str, moments: np.ndarray
 ) -> Batch:
     """Answer many questions along a route whose shape does not change."""
-    begin = max((cache.oldest_ns for cache in route.moving), default=None)
-    end = min((cache.newest_ns for cache in route.moving), default=None)
     numbers = np.empty((7, len(moments)))
-    if begin is None or begin <= end:
-        readers = {cache: _reader(tables, cache, len(moments)) for cache in route.up + route.down}
-        for start in range(0, len(moments), BLOCK):
-            block = moments[start : start + BLOCK]
-            order = None
-            if (block[1:] < block[:-1]).any():
-                order = np.argsort(block)
-                block = block[order]
-            inside = block if begin is None else np.clip(block, begin, end)
-            pose = _canonical(_along(route, readers, inside))
-            place = slice(start, start + len(block)) if order is None else start + order
-            for row, column in zip(numbers, pose, strict=True):
-                row[place] = column
-
     outside = np.zeros(0, dtype=np.int64)
-    if begin is not None:
+    if not route.moving:
+        numbers[:] = np.reshape(canonical_pose(route.pose_at(LATEST)), (7, 1))
+    else:
+        begin = max(cache.oldest_ns for cache in route.moving)
+        end = min(cache.newest_ns for cache in route.moving)
         outside = np.flatnonzero((moments < begin) | (moments > end))
+        if begin <= end:
+            within = np.clip(moments, begin, end) if len(outside) else moments
+            _fill(numbers, tables, route, within)
         numbers[:, outside] = np.nan
     failures = _explained(buffer, target_frame, source_frame, outside, moments[outside])
-    return Batch(np.ascontiguousarray(numbers[:3].T), np.ascontiguousarray(numbers[3:].T), failures)
+    return Batch(numbers[:3].T, numbers[3:].T, failures)
+
+
+def _fill(numbers: np.ndarray, tables: Tables, route: Route, moments: np.ndarray) -> None:
+    """Write the poses at moments that every history reaches into `numbers`, shape (7, N), block by block."""
+    readers = {cache: _reader(tables, cache, len(moments)) for cache in route.up + route.down}
+    for start in range(0, len(moments), BLOCK):
+        block = moments[start : start + BLOCK]
+        place: slice | np.ndarray = slice(start, start + len(block))
+        if (block[1:] < block[:-1]).any():
+            order = np.argsort(block)
+            block, place = block[order], start + order
+        *position, qx, qy, qz, qw = _along(route, readers, block)
+        signs = _signs((qx, qy, qz, qw))
+        for row, column in zip(numbers, (*position, qx * signs, qy * signs, qz * signs, qw * signs), strict=True):
+            row[place] = column
 
 
 def _explained(
@@ -280,7 +286,7 @@ def _interpolated(stamps: np.ndarray, moments: np.ndarray, segments) -> tuple[np
     return (*((1.0 - ratio) * segment[0:3] + ratio * segment[3:6]), *rotation)
 
 
-def _along(route: Route, readers: dict, moments: np.ndarray) -> tuple:
+def _along(route: Route, readers: dict, moments: np.ndarray) -> tuple[np.ndarray, ...]:
     """Return the pose along a route at each of the moments.  Compare Route.pose_at."""
     total = None
     for caches in (route.down, route.up):
@@ -292,28 +298,26 @@ def _along(route: Route, readers: dict, moments: np.ndarray) -> tuple:
             total = None if half is None else invert(half)
         elif half is not None:
             total = half if total is None else compose(total, half)
-    return IDENTITY_POSE if total is None else total
+    return total
 
 
-def _canonical(pose: tuple) -> tuple:
-    """Return poses with tf2's choice between q and -q.  Compare transforms.canonical_pose."""
-    x, y, z, *rotation = (np.asarray(column, dtype=float) for column in pose)
-    rotation = np.array(np.broadcast_arrays(*rotation))
-    sign = np.where(rotation[3] < 0.0, -1.0, 1.0)
-    turned_far = np.flatnonzero(np.abs(np.atleast_1d(rotation[3])) <= 0.51)
-    if rotation.ndim == 1:  # nothing on the route moves
-        return (x, y, z, *quaternions.canonical(rotation.tolist())) if len(turned_far) else (x, y, z, *rotation * sign)
-    if len(turned_far):
-        q = rotation[:, turned_far]
-        sizes = np.abs(q[:3])
-        largest = sizes.argmax(axis=0)
-        middle, most = np.sort(sizes, axis=0)[1:]
-        sign[turned_far] = np.where(np.take_along_axis(q, largest[None], axis=0)[0] < 0.0, -1.0, 1.0)
-        hangs_on_a_digit = (np.abs(q[3]) > 0.49) | (most - middle < 1e-6)
-        for i in turned_far[hangs_on_a_digit].tolist():
-            canonical = quaternions.canonical(rotation[:, i].tolist())
-            sign[i] = 1.0 if np.dot(canonical, rotation[:, i]) > 0.0 else -1.0
-    return (x, y, z, *(rotation * sign))
+def _signs(rotation: Sequence[np.ndarray]) -> np.ndarray:
+    """Return 1 or -1 for each quaternion: tf2's choice between q and -q.  Compare transforms.canonical_pose."""
+    x, y, z, w = rotation
+    signs = np.where(w < 0.0, -1.0, 1.0)
+    far = np.flatnonzero(np.abs(w) < HALF_AND_A_BIT)  # turned so far that the largest of x, y, z decides
+    if len(far):
+        x, y, z, w = (part.take(far) for part in rotation)
+        ax, ay, az = np.abs(x), np.abs(y), np.abs(z)
+        xy = np.maximum(ax, ay)
+        largest = np.where(xy < az, z, np.where(ax < ay, y, x))
+        signs[far] = np.where(largest < 0.0, -1.0, 1.0)
+        middle = np.maximum(np.minimum(ax, ay), np.minimum(xy, az))
+        on_a_digit = (np.abs(largest) - middle < A_BIT) | (np.abs(w) > 0.5 - A_BIT)
+        for i in far[on_a_digit].tolist():
+            q = [float(part[i]) for part in rotation]
+            signs[i] = 1.0 if np.dot(quaternions.canonical(q), q) > 0.0 else -1.0
+    return signs
 
 
 # -- arrays that come in --------------------------------------------------------

@@ -33,6 +33,9 @@ __all__ = ["Pose", "StampedTransform", "Transform"]
 
 Pose = tuple[float, float, float, float, float, float, float]  # x, y, z [m], then qx, qy, qz, qw
 
+A_BIT = 1e-7  # closer than this, rounding may decide between q and -q
+HALF_AND_A_BIT = 0.5 + A_BIT
+
 IDENTITY_POSE: Pose = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)
 
 
@@ -187,11 +190,11 @@ def canonical_pose(pose: Pose) -> Pose:
     the pose takes tf2's way through a matrix and back.
     """
     x, y, z, qx, qy, qz, qw = pose
-    if qw > 0.51:
+    if qw > HALF_AND_A_BIT:
         return pose
-    if qw >= -0.51:
+    if qw >= -HALF_AND_A_BIT:
         _, middle, largest = sorted((abs(qx), abs(qy), abs(qz)))
-        if abs(qw) > 0.49 or largest - middle < 1e-6:
+        if abs(qw) > 0.5 - A_BIT or largest - middle < A_BIT:
             return (x, y, z, *quaternions.canonical((qx, qy, qz, qw)))
         if largest in (qx, qy, qz):
             return pose
