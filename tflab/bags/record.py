@@ -123,7 +123,7 @@ class Recorder:
 
 
 def adapted_profile(offered: Sequence[QoSProfile]) -> QoSProfile:
-    """Return the profile of a subscription that hears all these publishers, and what they said before if all offer it."""
+    """Return the profile that hears all these publishers, and what they said before if all of them keep it."""
     is_latched = all(profile.durability == DurabilityPolicy.TRANSIENT_LOCAL for profile in offered)
     is_reliable = all(profile.reliability == ReliabilityPolicy.RELIABLE for profile in offered)
     return QoSProfile(

@@ -73,6 +73,8 @@ def jump_events(evidence: Evidence) -> list[JumpEvent]:
 def settled_delay_s(evidence: Evidence, edge: Edge) -> np.ndarray:
     """Return how late each sample was received, as if no clock had been set meanwhile [s]."""
     delay_s = evidence.delay_s(edge)
+    if evidence.clock.source != "same":  # then the difference of the clocks, taken off, holds the jumps already
+        return delay_s
     for event in jump_events(evidence):
         for other, index in event.edges:
             if other is edge:
@@ -81,14 +83,20 @@ def settled_delay_s(evidence: Evidence, edge: Edge) -> np.ndarray:
 
 
 def jumping_clocks(evidence: Evidence) -> Iterator[Finding]:
-    """Yield a finding for each moment at which a clock was set, of one edge or of several."""
+    """Yield a finding for the edges whose clock was set together, back or forward; a loop sets it again and again."""
+    alike: dict[tuple[bool, str], list[JumpEvent]] = {}
     for event in jump_events(evidence):
         names = sorted({f"{edge.usual_parent} -> {edge.child}" for edge, _ in event.edges})
-        facts = {"size": f"{abs(event.size_s):.3f}", "edges": ", ".join(names), "count": len(names)}
-        edge = event.edges[0][0]
-        parent, child = (edge.usual_parent, edge.child) if len(names) == 1 else ("", "")
-        code, severity = ("clock-jump-back", "error") if event.size_s < 0 else ("clock-jump-forward", "warning")
-        yield Finding(code, severity, parent, child, edge.topic, event.moment_ns, event.moment_ns, facts)
+        alike.setdefault((event.size_s < 0, ", ".join(names)), []).append(event)
+    for (is_back, names), events in alike.items():
+        largest_s = max(abs(event.size_s) for event in events)
+        facts = {"size": f"{largest_s:.3f}", "edges": names, "count": len(events)}
+        edges = {edge.child: edge for edge, _ in events[0].edges}
+        edge = next(iter(edges.values()))
+        parent, child = (edge.usual_parent, edge.child) if len(edges) == 1 else ("", "")
+        code, severity = ("clock-jump-back", "error") if is_back else ("clock-jump-forward", "warning")
+        span = (events[0].moment_ns, events[-1].moment_ns)
+        yield Finding(code, severity, parent, child, edge.topic, *span, facts)
 
 
 def other_time_source(evidence: Evidence) -> Iterator[Finding]:

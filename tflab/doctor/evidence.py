@@ -252,18 +252,19 @@ def evidence_from_buffer(buffer: BufferCore, subject: str = "buffer") -> Evidenc
 def clock_relation(moving: list[Edge], headers: tuple[Headers, ...], clock: Clock) -> ClockRelation:
     """Return the difference between the recorder's clock and the one that stamps.
 
-    If the usual "received minus stamp" is small, the clocks are one.  Otherwise
-    it is /clock that stamps, or a recording was recorded again from its replay:
-    then the level that all have in common is the difference, and it may drift.
+    If /clock was recorded, it is the one that stamps.  Otherwise, if the usual
+    "received minus stamp" is small, the clocks are one; if not, a recording was
+    recorded again from its replay, or /clock was left out: then the level that all
+    have in common is the difference, and it may drift.
     """
+    if len(clock.time_ns) > 1:
+        return ClockRelation("/clock", clock.receive_ns, (clock.receive_ns - clock.time_ns) / NSEC_PER_SEC)
     sources = [source for source in (*moving, *headers) if len(source.stamp_ns) > 1 and source.stamp_ns.any()]
     if not sources:
         return ClockRelation("same", np.zeros(0), np.zeros(0))
     usual_s = float(np.median([np.median(s.receive_ns - s.stamp_ns) for s in sources])) / NSEC_PER_SEC
     if abs(usual_s) < SAME_CLOCK_NS / NSEC_PER_SEC:
         return ClockRelation("same", np.zeros(0), np.zeros(0))
-    if len(clock.time_ns) > 1:
-        return ClockRelation("/clock", clock.receive_ns, (clock.receive_ns - clock.time_ns) / NSEC_PER_SEC)
     # The smallest difference in each stretch of time is the one with the least delay in it.
     receive = np.concatenate([s.receive_ns for s in sources])
     offset_s = np.concatenate([(s.receive_ns - s.stamp_ns) / NSEC_PER_SEC for s in sources])

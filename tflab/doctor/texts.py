@@ -48,7 +48,8 @@ TEXTS: dict[str, Text] = {
     "leading-slash": Text(
         'The name "{name}" begins with a slash',
         'Sent on {topic} as "{name}"; tf2 stores it as "{bare}".',
-        "Code from ROS 1, or a parameter such as frame_id with a slash. A lookup of the name with the slash is refused.",
+        "Code from ROS 1, or a parameter such as frame_id with a slash. A lookup of the name with the slash "
+        "is refused.",
         "ros2 topic echo {topic} --once",
     ),
     "empty-name": Text(
@@ -66,7 +67,8 @@ TEXTS: dict[str, Text] = {
     "name-prefix": Text(
         '"{name}" and "{other}" differ only in the prefix',
         'Both occur; tf2 takes "{name}" for another frame.',
-        "A frame_prefix or a namespace is set for one node and not for the others. Namespaces do not change frame names.",
+        "A frame_prefix or a namespace is set for one node and not for the others. Namespaces do not change "
+        "frame names.",
         TOPIC_INFO,
     ),
     "name-slip": Text(
@@ -84,7 +86,8 @@ TEXTS: dict[str, Text] = {
     "unknown-frame": Text(
         'Messages on {topic} are in the frame "{name}", which nobody publishes',
         "{count} messages name it; it is not in the tree.",
-        "The static transform of the sensor is missing, or its name is written differently in the driver and in the URDF.",
+        "The static transform of the sensor is missing, or its name is written differently in the driver and "
+        "in the URDF.",
         "ros2 topic echo /tf_static --once",
     ),
     # tree
@@ -123,7 +126,8 @@ TEXTS: dict[str, Text] = {
     "several-robots": Text(
         "Several robots, without a common frame",
         "Roots: {roots}.",
-        "Each robot has a tree of its own. That is a choice; for a common map somebody must publish the first link of each.",
+        "Each robot has a tree of its own. That is a choice; for a common map somebody must publish the first "
+        "link of each.",
         VIEW_FRAMES,
     ),
     # values
@@ -142,20 +146,23 @@ TEXTS: dict[str, Text] = {
     "not-unit-quaternion": Text(
         "{parent} -> {child} has rotations that are not of length one",
         "{count} of {total} samples, of length {shortest} to {longest}.",
-        "Numbers were rounded, mixed or interpolated without normalising. ROS 2 scales them in silence, ROS 1 refuses them.",
+        "Numbers were rounded, mixed or interpolated without normalising. ROS 2 scales them in silence, ROS 1 "
+        "refuses them.",
         "ros2 topic echo {topic} --once",
     ),
     "optical-unturned": Text(
         'The optical frame "{child}" is not turned',
         "{parent} -> {child} has no rotation ({count} of {total} samples).",
-        "REP-103: z of an optical frame looks ahead, x to the right: rpy (-1.5708, 0, -1.5708) under the camera's body frame.",
+        "REP-103: z of an optical frame looks ahead, x to the right: rpy (-1.5708, 0, -1.5708) under the "
+        "camera's body frame.",
         ECHO,
     ),
     # time
     "repeated-stamps": Text(
         "{parent} -> {child} repeats its stamps",
         "{count} of {total} samples have the stamp of an earlier one, with {values} values.",
-        "The node publishes faster than it computes, or the messages arrive twice (a bridge, a bag played beside the robot). "
+        "The node publishes faster than it computes, or the messages arrive twice (a bridge, a bag played "
+        "beside the robot). "
         "Humble warns TF_REPEATED_DATA and drops them; later tf2 keeps the last.",
         TOPIC_INFO,
     ),
@@ -198,8 +205,10 @@ TEXTS: dict[str, Text] = {
     ),
     "early-stamps": Text(
         "{parent} -> {child} is stamped in the future",
-        "{count} of {total} samples were received {delay} s before their stamp (others: {others} s after; spread {spread} s).",
-        "The clock of its computer is ahead of the others, or the node adds something to its stamps: this alone cannot tell which.",
+        "{count} of {total} samples were received {delay} s before their stamp (others: {others} s after; "
+        "spread {spread} s).",
+        "The clock of its computer is ahead of the others, or the node adds something to its stamps: this "
+        "alone cannot tell which.",
         MONITOR,
     ),
     "stamped-ahead": Text(
@@ -212,7 +221,8 @@ TEXTS: dict[str, Text] = {
     "two-owners": Text(
         "{parent} -> {child} has two owners",
         "{evidence}.",
-        "Two nodes publish the same transform, such as wheel odometry and a filter. The robot trembles between their values; "
+        "Two nodes publish the same transform, such as wheel odometry and a filter. The robot trembles "
+        "between their values; "
         "switch off one (often a parameter publish_tf).",
         TOPIC_INFO,
     ),
@@ -225,21 +235,23 @@ TEXTS: dict[str, Text] = {
     # clocks
     "clock-jump-back": Text(
         "The clock jumped back",
-        "Stamps of {edges} went back by {size} s and went on from there.",
-        "A bag in a loop, a simulator that was reset, or a clock that was set. tf2 refuses what is older than its cache; "
+        "Stamps of {edges} went back by {size} s and went on from there; seen {count} times.",
+        "A bag in a loop, a simulator that was reset, or a clock that was set. tf2 refuses what is older than "
+        "its cache; "
         "a buffer without a node is not cleared.",
         SIM_TIME,
     ),
     "clock-jump-forward": Text(
         "The clock jumped forward",
-        "Stamps of {edges} leapt by {size} s and went on from there.",
+        "Stamps of {edges} leapt by {size} s and went on from there; seen {count} times.",
         "A clock that was set while running (NTP after the start), or a bag that was skipped ahead.",
         SIM_TIME,
     ),
     "clock-offset": Text(
         "Two clocks disagree",
         "{count} sources are received {offset} s {way} their stamp, all alike.",
-        "The clocks of the robot and of the recorder differ, or everything is delayed alike: the recording cannot tell which.",
+        "The clocks of the robot and of the recorder differ, or everything is delayed alike: the recording "
+        "cannot tell which.",
         "chronyc tracking",
     ),
     "other-clock": Text(
@@ -264,7 +276,8 @@ TEXTS: dict[str, Text] = {
     "moving-on-static": Text(
         "{parent} -> {child} moves on /tf_static",
         "{changes} changes in {count} samples, up to {apart} m.",
-        "A moving transform was sent with a static broadcaster: it has no history, so every lookup gets the last value.",
+        "A moving transform was sent with a static broadcaster: it has no history, so every lookup gets the "
+        "last value.",
         "ros2 topic echo /tf_static",
     ),
     "static-changed": Text(

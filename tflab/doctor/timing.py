@@ -111,7 +111,7 @@ def gaps(evidence: Evidence) -> Iterator[Finding]:
 
 
 def odd_delays(evidence: Evidence) -> Iterator[Finding]:
-    """Yield a finding for each moving edge that is, or at some time was, much earlier or later than the other sources."""
+    """Yield a finding for each moving edge that is, or was for a while, much earlier or later than the others."""
     for edge in evidence.moving:
         if len(edge) < FEWEST_SAMPLES or not edge.stamp_ns.all():
             continue

@@ -85,7 +85,7 @@ def separate_trees(evidence: Evidence) -> Iterator[Finding]:
 
 
 def _arrangements(evidence: Evidence) -> Iterator[tuple[int, dict[str, str]]]:
-    """Yield (moment of receipt [ns], parent of each child) after each new way in which some child changed its parent."""
+    """Yield (moment of receipt [ns], parent of each child) at each new arrangement of children and parents."""
     changes = []
     for edge in evidence.edges():
         if len(edge):

@@ -1,0 +1,40 @@
+"""Where does one knock?  `doctor(recording | graph | buffer)`, and a report comes out.
+
+    from tflab.doctor.doctor import doctor
+    print(doctor(buffer))
+
+A graph is listened to for some seconds, as view_frames does.  Read `command.py`
+next.
+"""
+
+from __future__ import annotations
+
+from tflab.bags.listen import recording_from_graph
+from tflab.bags.recording import Recording
+from tflab.core import BufferCore
+from tflab.ros.graph import Graph
+
+from .diagnose import diagnose_buffer, diagnose_recording
+from .findings import Report
+
+__all__ = ["doctor"]
+
+
+def doctor(patient: Recording | Graph | BufferCore, seconds: float = 5.0) -> Report:
+    """Return what is wrong with the transforms of a recording, a graph or a buffer.
+
+    Args:
+        patient: a Buffer of tf2_ros may stand for its BufferCore.
+        seconds: how long to listen to a graph [s].
+
+    Raises:
+        TypeError: it is something else.
+    """
+    if isinstance(patient, Recording):
+        return diagnose_recording(patient)
+    if isinstance(patient, Graph):
+        return diagnose_recording(recording_from_graph(patient, seconds))
+    core = getattr(patient, "core", patient)
+    if isinstance(core, BufferCore):
+        return diagnose_buffer(core)
+    raise TypeError(f"the doctor looks at a Recording, a Graph or a BufferCore, not at {type(patient).__name__}")
