@@ -50,7 +50,7 @@ def joint_text(name: str, parent: str, child: str, kind: str = "fixed", more: st
     return f'<joint name="{name}" type="{kind}"><parent link="{parent}"/><child link="{child}"/>{more}</joint>'
 
 
-def fault(text: str) -> UrdfError:
+def fault(text: str | bytes) -> UrdfError:
     with pytest.raises(UrdfError) as caught:
         parse_urdf(text, source="robot.urdf")
     return caught.value
@@ -266,6 +266,9 @@ def test_two_hyphens_in_a_comment_are_explained_with_their_line():
         ("not xml", "robot.urdf:1: not well-formed XML"),
         ('<robot name="r">\n<link name="a">', "robot.urdf:2: not well-formed XML"),
         ('<sdf version="1.6"/>', "robot.urdf:1: a URDF begins with <robot>, this file with <sdf>. That is SDF"),
+        (b'<?xml version="1.0" encoding="uft-8"?><robot name="r"/>', "cannot be read as text: unknown encoding: uft-8"),
+        ('<robot name="r"><link name="a"/><link name="a&#10;b"/></robot>', '"a b" (line 1)'),
+        ('<robot name="r">\ud800</robot>', "these bytes cannot be read as text"),
         ('<!DOCTYPE r [<!ENTITY e "x">]>\n<robot name="&e;"/>', "the entity &e; is declared here"),
     ],
 )

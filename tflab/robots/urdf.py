@@ -56,6 +56,7 @@ class UrdfError(ValueError):
     """
 
     def __init__(self, message: str, source: str, line: int = 0, joint: str = "") -> None:
+        message = " ".join(message.splitlines())  # names may hold anything, an error is one line
         place = f"{source}:{line}" if line else source
         super().__init__(f'{place}: joint "{joint}": {message}' if joint else f"{place}: {message}")
         self.source, self.line, self.joint = source, line, joint

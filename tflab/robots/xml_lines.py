@@ -83,6 +83,10 @@ def read_xml(text: str | bytes) -> Element:
         parser.Parse(text, True)
     except expat.ExpatError as error:
         raise _explained(error, text) from None
+    except XmlFault:
+        raise
+    except (LookupError, ValueError) as error:  # an encoding that Python does not know, or cannot use here
+        raise XmlFault(f"these bytes cannot be read as text: {error}", parser.CurrentLineNumber) from None
     return document.children[0]
 
 
