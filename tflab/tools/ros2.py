@@ -155,8 +155,7 @@ def _add_run(sub: argparse.ArgumentParser) -> None:
 
 def is_here(command: str) -> bool:
     """Return whether the module of a command exists."""
-    module = COMMANDS[command].module
-    return not module or find_spec(module) is not None
+    return command in COMMANDS and (not COMMANDS[command].module or find_spec(COMMANDS[command].module) is not None)
 
 
 # -- running --------------------------------------------------------------

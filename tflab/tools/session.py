@@ -38,6 +38,7 @@ __all__ = [
     "unused_name",
 ]
 
+DISCOVERY_S = 0.5  # how long a command looks around before it answers; on virtual time everybody is known at once
 ABORTED = -6  # what the parent of a process sees that called abort()
 
 
@@ -59,6 +60,8 @@ def cli_node() -> Iterator[Node]:
     """Give one of the `ros2` commands its node, hidden and without services."""
     name = unused_name("_ros2cli_", (), digits=string.digits, length=5)
     with tool_node(name, start_parameter_services=False) as node:
+        if not current_process().driver.is_virtual:
+            spin_for(node, DISCOVERY_S)
         yield node
 
 

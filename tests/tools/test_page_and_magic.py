@@ -1,0 +1,190 @@
+"""A tool in a page: how long it runs, that it always ends, and what can be completed."""
+
+import pytest
+from IPython.core.interactiveshell import InteractiveShell
+from tools_robot import fixed, moving
+
+from tflab.ros.logging import RcutilsLogger
+from tflab.tools import magic, ros2
+from tflab.tools.completion import Known, complete, known_in
+from tflab.tools.page import PageError, run_words, split_line
+
+KNOWN = Known(
+    frames=["base_link", "map", "odom"],
+    topics=["/tf", "/tf_static"],
+    nodes=["/ekf", "/point_to_map"],
+    parameters={"/ekf": ["use_sim_time"]},
+)
+
+
+@pytest.mark.parametrize(
+    ("line", "seconds", "words"),
+    [
+        ("run tf2_ros tf2_echo map odom", None, ["run", "tf2_ros", "tf2_echo", "map", "odom"]),
+        ("--for 3 topic hz /tf", 3.0, ["topic", "hz", "/tf"]),
+        ("--for=0.5 topic hz /tf", 0.5, ["topic", "hz", "/tf"]),
+        ("ros2 topic list", None, ["topic", "list"]),
+        ("topic list   # all of them", None, ["topic", "list"]),
+        ("param set /node name 'two words'", None, ["param", "set", "/node", "name", "two words"]),
+        ("rviz2", None, ["run", "rviz2", "rviz2"]),
+        ("", None, []),
+    ],
+)
+def test_a_line_is_a_time_and_words(line, seconds, words):
+    assert split_line(line) == (seconds, words)
+
+
+@pytest.mark.parametrize("line", ["--for", "--for x topic hz /tf", "--for -1 topic hz /tf", "--for inf topic list"])
+def test_a_time_that_is_none_is_explained(line):
+    with pytest.raises(PageError, match="--for needs a time in seconds, such as `%ros2 --for 3 topic hz /tf`"):
+        split_line(line)
+
+
+def test_a_forgotten_quote_is_explained():
+    with pytest.raises(PageError, match="No closing quotation"):
+        split_line("param set /node name 'two words")
+
+
+def test_time_passes_only_while_the_tool_runs(graph):
+    graph.start(moving())
+    run_words(graph, ["topic", "list"])
+    assert graph.now_ns == 1_000_000_000
+    run_words(graph, ["topic", "hz", "/tf"], seconds=2.0)
+    assert graph.now_ns == 3_000_000_000
+    assert [each.name for each in graph.participants if each.is_running] == ["main"]
+
+
+def test_a_publisher_told_for_how_long_is_gone_afterwards(terminal):
+    line = "run tf2_ros static_transform_publisher --frame-id map --child-frame-id odom"
+    terminal.type(line)
+    assert len(terminal.graph.nodes) == 1
+    terminal.type(f"--for 1 {line} --x 1")
+    assert len(terminal.graph.nodes) == 1
+
+
+def test_a_tool_follows_its_own_ros_arguments(terminal):
+    terminal.graph.start(fixed())
+    terminal.graph.start(moving())
+    out = terminal.type("--for 2.5 run tf2_ros tf2_echo odom base_link --ros-args -r __node:=other")
+    assert "[other]: Waiting for transform odom ->  base_link" in out + terminal.error
+
+
+@pytest.mark.parametrize(
+    ("line", "code", "text"),
+    [
+        ("nope", 2, "invalid choice: 'nope'"),
+        ("topic nope", 2, "ros2 topic: error: argument Call `ros2 topic <command> -h` for more detailed usage.: "),
+        ("topic list --nope", 2, "ros2: error: unrecognized arguments: --nope"),
+        ("topic hz", 2, "ros2 topic hz: error: the following arguments are required: topic_name"),
+        ("run tf2_ros", 2, "ros2 run: error: the following arguments are required: executable_name"),
+        ("run nope nope", 1, "Package 'nope' not found\n"),
+        ("run tf2_ros nope", 1, "No executable found\n"),
+    ],
+)
+def test_wrong_words_are_answered_as_ros2_answers(terminal, line, code, text):
+    terminal.type(line)
+    assert text in terminal.error
+    assert terminal.exit_code == code
+
+
+@pytest.mark.parametrize("line", ["", "-h", "topic", "topic -h", "topic echo --help", "run -h"])
+def test_help_is_no_error(terminal, line):
+    assert terminal.type(line).startswith("usage: ros2")
+    assert terminal.exit_code == 0
+
+
+# -- completion -----------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("words", "begun", "found"),
+    [
+        ([], "to", ["topic"]),
+        ([], "r", ["run"]),
+        (["topic"], "h", ["hz"]),
+        (["topic", "echo"], "", ["/tf", "/tf_static"]),
+        (["topic", "echo", "--once"], "/tf_", ["/tf_static"]),
+        (["topic", "echo", "/tf"], "", []),
+        (["node", "info"], "/e", ["/ekf"]),
+        (["param", "get"], "", ["/ekf", "/point_to_map"]),
+        (["param", "get", "/ekf"], "", ["use_sim_time"]),
+        (["run"], "tf2", ["tf2_ros", "tf2_tools"]),
+        (["run", "tf2_ros"], "tf2_", ["tf2_echo", "tf2_monitor"]),
+        (["run", "tf2_ros", "tf2_echo"], "o", ["odom"]),
+        (["run", "tf2_ros", "tf2_echo", "map"], "ba", ["base_link"]),
+        (["run", "tf2_ros", "tf2_echo", "map", "odom"], "", []),
+        (["run", "tf2_ros", "static_transform_publisher", "--x", "1", "--frame-id"], "m", ["map"]),
+        (["nope"], "", []),
+    ],
+)
+def test_what_can_stand_there(words, begun, found):
+    assert complete(words, begun, KNOWN) == found
+
+
+def test_what_a_graph_has_to_be_named(graph):
+    graph.start(moving())
+    graph.start(fixed())
+    graph.run(seconds=0.1)
+    known = known_in(graph)
+    assert known.frames == ["base_link", "laser_frame", "odom"]
+    assert known.nodes == ["/moving_robot_broadcaster", "/static_sensor_broadcaster"]
+    assert "/tf_static" in known.topics
+    assert known.parameters["/moving_robot_broadcaster"] == ["use_sim_time"]
+
+
+@pytest.fixture
+def shell(graph):
+    made = InteractiveShell()
+    magic.register(made)
+    return made
+
+
+def test_the_magic_runs_on_the_current_graph(shell, graph, capsys):
+    graph.start(moving())
+    shell.run_line_magic("ros2", "topic info /tf")
+    assert capsys.readouterr().out == ("Type: tf2_msgs/msg/TFMessage\nPublisher count: 1\nSubscription count: 0\n")
+
+
+def test_a_second_cell_sees_the_nodes_that_the_first_one_started(shell, graph, capsys):
+    shell.user_ns |= {"graph": graph, "main": moving()}
+    shell.run_cell("graph.start(main); graph.run(seconds=1)")
+    shell.run_cell("%ros2 --for 1.5 run tf2_ros tf2_echo odom base_link")
+    assert "At time 2.950000000\n- Translation: [1.950, 0.000, 0.000]\n" in capsys.readouterr().out
+
+
+def test_the_magic_explains_a_bad_line_and_does_not_raise(shell, capsys):
+    shell.run_line_magic("ros2", "--for x topic list")
+    shell.run_line_magic("ros2", "nope")
+    captured = capsys.readouterr()
+    assert captured.out.startswith("--for needs a time in seconds")
+    assert "invalid choice: 'nope'" in captured.err
+
+
+def test_the_notebook_completes_topics_and_frames(shell, graph):
+    graph.start(moving())
+    graph.run(seconds=0.1)
+    for line, word in [
+        ("%ros2 topic echo /t", "/tf"),
+        ("%ros2 run tf2_ros tf2_echo od", "odom"),
+        ("%ros2 to", "topic"),
+    ]:
+        _, matches = shell.complete("", line, len(line))
+        assert word in matches
+
+
+def test_every_program_and_every_command_is_there():
+    for package in ros2.EXECUTABLES.values():
+        for executable in package.values():
+            assert callable(__import__(executable.module, fromlist=["main"]).main)
+    assert all(ros2.is_here(command) for command in ros2.COMMANDS)
+
+
+def test_the_logger_in_a_page_writes_to_standard_output(graph, capsys):
+    from tflab.ros.logging import write_to_stdout
+
+    write_to_stdout(True)
+    try:
+        RcutilsLogger("x").info("hello")
+    finally:
+        write_to_stdout(False)
+    assert capsys.readouterr().out == "[INFO] [1.000000000] [x]: hello\n"

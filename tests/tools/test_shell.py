@@ -1,0 +1,118 @@
+"""`tflab run` and `tflab ros2`: in a shell, in real time."""
+
+import signal
+import subprocess
+import sys
+
+import pytest
+
+from tflab import __version__
+from tflab.cli import main
+
+TALKER = """\
+import rclpy
+from geometry_msgs.msg import TransformStamped
+from rclpy.node import Node
+from tf2_ros import TransformBroadcaster
+
+
+def main():
+    rclpy.init()
+    node = Node("talker")
+    broadcaster = TransformBroadcaster(node)
+
+    def tick():
+        transform = TransformStamped(child_frame_id="base_link")
+        transform.header.frame_id = "odom"
+        transform.header.stamp = node.get_clock().now().to_msg()
+        broadcaster.sendTransform(transform)
+
+    node.create_timer(0.05, tick)
+    try:
+        rclpy.spin(node)
+    except KeyboardInterrupt:
+        pass
+
+
+if __name__ == "__main__":
+    main()
+"""
+
+
+def tflab(*words, **options):
+    """Start `tflab` in a process of its own."""
+    code = "import sys; from tflab.cli import main; sys.exit(main())"
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
+    return subprocess.Popen([sys.executable, "-c", code, *words], **pipes, **options)
+
+
+@pytest.fixture
+def talker(tmp_path):
+    path = tmp_path / "talker.py"
+    path.write_text(TALKER)
+    return str(path)
+
+
+def test_nodes_run_with_a_tool_beside_them(talker):
+    process = tflab("run", talker, "--with", "ros2 topic hz /tf", "--for", "2.6")
+    out, error = process.communicate(timeout=30)
+    assert out.splitlines()[0].startswith("average rate: ")
+    assert (error, process.returncode) == ("", 0)
+
+
+def test_ctrl_c_ends_everything(talker):
+    process = tflab("run", talker, "--with", "ros2 run tf2_ros tf2_echo odom base_link 20")
+    while not process.stdout.readline().startswith("At time"):
+        assert process.poll() is None
+    process.send_signal(signal.SIGINT)
+    process.communicate(timeout=30)
+    assert process.returncode == 0
+
+
+def test_a_tool_alone_ends_with_its_exit_code():
+    process = tflab("ros2", "topic", "info", "/nope")
+    out, error = process.communicate(timeout=30)
+    assert (out, error, process.returncode) == ("", "Unknown topic '/nope'\n", 1)
+
+
+@pytest.mark.parametrize(
+    ("words", "text"),
+    [
+        (["run", "nope.py"], "tflab run: no such node file: nope.py\n"),
+        (["run", "x.py", "--with", "rm -r"],
+         "tflab run: --with takes a line that begins with ros2, such as 'ros2 topic hz /tf', not 'rm -r'\n"),
+        (["rnu"], 'tflab: there is no "rnu"; '),
+    ],
+)  # fmt: skip
+def test_what_cannot_be_run_is_explained(words, text, capsys):
+    assert main(words) == 2
+    assert capsys.readouterr().err.startswith(text)
+
+
+@pytest.mark.parametrize("seconds", ["x", "0", "-1", "inf"])
+def test_a_time_must_be_one(seconds, capsys):
+    with pytest.raises(SystemExit) as stop:
+        main(["run", "x.py", "--for", seconds])
+    assert stop.value.code == 2
+    assert "argument --for: it needs a time in seconds" in capsys.readouterr().err
+
+
+def test_version_and_help(capsys):
+    assert main(["--version"]) == 0
+    assert capsys.readouterr().out == f"tflab {__version__}\n"
+    assert main([]) == 0
+    assert "run node files together in real time" in capsys.readouterr().out
+
+
+def test_a_close_name_is_suggested(capsys):
+    main(["rum"])
+    assert capsys.readouterr().err.endswith('Did you mean "run"?\n')
+
+
+def test_help_loads_no_room():
+    code = (
+        "import sys; from tflab.cli import main; main(['--help']); "
+        "print(sorted(name for name in sys.modules if 'tflab' in name))"
+    )
+    out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
+    assert out.splitlines()[-1] == "['tflab', 'tflab.cli']"
