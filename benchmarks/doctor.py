@@ -110,7 +110,7 @@ def confusion(name: str, clean, seeds: int, verbose: bool) -> dict[str, Row]:
 
 
 def named(records: list[TransformRecord], injected: Fault | None = None) -> set[str]:
-    """Return the faults that the findings above "info" name; of several names of one, the injected if it is among them."""
+    """Return the faults that findings above "info" name; of those that one names, the injected if it is among them."""
     report = diagnose_recording(recording_from_records(records))
     found = set()
     for finding in report.of_severity("error", "warning"):

@@ -65,7 +65,7 @@ CHECKS = (
 # cause: effects that it brings about on the same child, and anywhere
 EFFECTS_ON_CHILD = {
     "two-owners": ("unordered-stamps", "repeated-stamps", "clock-jump-back", "clock-jump-forward", "late-stamps",
-                   "early-stamps", "gap", "static-changed", "moving-on-static"),
+                   "early-stamps", "static-changed", "moving-on-static"),
     "two-parents": ("two-owners", "unordered-stamps", "repeated-stamps", "clock-jump-back", "clock-jump-forward"),
     "re-parented": ("two-owners",),
     "moving-and-static": ("constant-on-tf", "moving-on-static", "static-changed", "two-parents"),
@@ -73,8 +73,6 @@ EFFECTS_ON_CHILD = {
                      "late-stamps", "early-stamps"),
     "moving-on-static": ("static-changed",),
     "self-transform": ("loop", "two-parents", "re-parented"),
-    "zero-quaternion": ("gap",),
-    "not-a-number": ("gap",),
 }  # fmt: skip
 EFFECTS_ANYWHERE = {
     "name-case": ("two-trees", "re-parented", "two-parents", "unknown-frame", "loop"),

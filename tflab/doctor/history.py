@@ -31,9 +31,9 @@ LANE_INCH = 0.26
 DELAYS_INCH = 1.7
 RIM_INCH = 0.95
 WIDTH_INCH = 9.6
-MOST_LINES = 6  # of delays: more cannot be told apart
-LINES = (style.INK, style.AXIS_COLOURS["z"], style.AXIS_COLOURS["x"], style.AXIS_COLOURS["y"], style.GREY, style.ACCENT)
-STYLES = ("solid", (0, (4.0, 1.6)), (0, (1.0, 1.1)), (0, (6.0, 1.5, 1.0, 1.5)), (0, (2.5, 1.2)), (0, (8.0, 2.0)))
+MOST_LINES = 3  # of delays, those that vary most: more cannot be told apart
+LINES = (style.INK, style.AXIS_COLOURS["z"], style.AXIS_COLOURS["x"])
+STYLES = ("solid", (0, (4.0, 1.6)), (0, (1.0, 1.1)))
 
 
 def draw_history(evidence: Evidence, findings: Sequence[Finding] = ()) -> Picture:
@@ -44,7 +44,7 @@ def draw_history(evidence: Evidence, findings: Sequence[Finding] = ()) -> Pictur
     picture = Picture((WIDTH_INCH, height))
     longest = max((len(_name(edge)) for edge in edges), default=0)
     left = min(0.08 + 0.0072 * longest, 0.42)
-    lanes_bottom = (delays_inch + 0.48) / height
+    lanes_bottom = (delays_inch + 0.50) / height
     with style.our_settings():
         lanes = picture.figure.add_axes((left, lanes_bottom, 0.90 - left, 1.0 - lanes_bottom - 0.40 / height))
         _draw_lanes(lanes, evidence, edges, findings)
@@ -82,6 +82,7 @@ def _draw_lanes(axes, evidence: Evidence, edges: list[Edge], findings: Sequence[
     axes.set(xlim=(0.0, length_s), ylim=(max(len(edges), 1) - 0.5, -0.6), yticks=range(len(edges)))
     axes.set_yticklabels([_name(edge) for edge in edges], color=style.INK)
     axes.tick_params(axis="y", length=0)
+    axes.tick_params(axis="x", labelbottom=not evidence.has_arrival)
     axes.set_title("heard", loc="left", color=style.INK)
     for side in ("left", "right", "top"):
         axes.spines[side].set_visible(False)
@@ -102,7 +103,8 @@ def _draw_delays(axes, evidence: Evidence, edges: list[Edge]) -> None:
     axes.set(xlim=(0.0, length_s), xlabel="time since the beginning [s]")
     axes.set_title("delay [ms]", loc="left", color=style.INK)
     axes.margins(y=0.15)
-    axes.legend(loc="upper right", fontsize=style.SMALL_PT - 1.5, frameon=False, ncols=3, handlelength=2.6)
+    axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), borderpad=0.2, fontsize=style.SMALL_PT - 1.0,
+                frameon=False, ncols=MOST_LINES, handlelength=2.6)  # fmt: skip
     for side in ("right", "top"):
         axes.spines[side].set_visible(False)
 

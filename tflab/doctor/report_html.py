@@ -53,8 +53,7 @@ article p { margin: .45rem 0 0; overflow-wrap: anywhere; } .why { color: var(--g
 code { background: var(--code); border-radius: 6px; padding: .3rem .6rem; font: .9rem ui-monospace, monospace;
   display: inline-block; overflow-wrap: anywhere; }
 figure { margin: 0; overflow-x: auto; } figure img, figure svg { max-width: 100%; height: auto; display: block; }
-.paper { background: #fdfdfb; border: 1px solid var(--hair); border-radius: 9px; padding: .5rem; }
-ul { padding-left: 1.2rem; color: var(--grey); } .quiet { color: var(--grey); }
+ul { padding-left: 1.2rem; color: var(--grey); }
 details { margin-top: .5rem; } summary { cursor: pointer; }
 """
 
@@ -105,7 +104,7 @@ def _pictures(report: Report, recording: Recording, namespace: str) -> str:
 <figure><img src="data:image/png;base64,{png}" width="{history.size_px[0]}" alt="{escape(history.text, quote=True)}">
 </figure>
 <h2>Tree{of}</h2>
-<figure class="paper">{tree.svg}</figure>"""
+<figure>{tree.svg}</figure>"""
 
 
 def _checks(report: Report) -> str:

@@ -86,7 +86,8 @@ def moments_text(report: Report, finding: Finding) -> str:
 def _finding_lines(report: Report, finding: Finding, texts: Mapping[str, Text]) -> list[str]:
     said = sentences(finding, texts)
     when = moments_text(report, finding)
-    lines = [f"{finding.severity.upper():<9}{said.title}" + (f"   [{when}]" if when else "")]
+    title = said.title + (f"   [{when}]" if when else "")
+    lines = wrap(title, WIDTH, initial_indent=f"{finding.severity.upper():<9}", subsequent_indent=INDENT)
     lines += _indented(said.evidence, "")
     lines += _indented(said.cause, "Why   ")
     if said.command:

@@ -179,21 +179,22 @@ TEXTS: dict[str, Text] = {
         SIM_TIME,
     ),
     "gap": Text(
-        "{parent} -> {child} has gaps",
-        "{count} silences, the longest {longest} s (usually {period} s between samples); it moved {moved} m meanwhile.",
+        "There are gaps in {edges}",
+        "Silent {count} time(s), at most for {longest} s (usually {period} s between samples), "
+        "and moved {moved} m meanwhile.",
         "The publisher was blocked, or its messages were lost. tf2 draws a straight line across, and the shorter arc: "
         "wrong if a wheel turned more than half a turn.",
         "ros2 topic hz {topic}",
     ),
     "went-silent": Text(
-        "{parent} -> {child} stopped",
+        "{edges}: no more transforms",
         "Nothing for the last {longest} s (usually {period} s between samples), while others went on.",
         "The node died, or was shut down. Lookups will fail with an extrapolation into the future.",
         "ros2 node list",
     ),
     "stall": Text(
         "Everything stood still",
-        "All of {edges} moving edges were silent for {length} s.",
+        "All moving edges were silent for {longest} s: {edges}.",
         "Not the publishers but what they share: the recorder, the network or the computer was blocked.",
         MONITOR,
     ),

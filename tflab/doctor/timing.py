@@ -32,6 +32,7 @@ GAP_PERIODS = 5.0  # a gap is longer than so many usual steps ...
 GAP_HABITS = 3.0  # ... and than so many of the longer steps of an irregular edge
 FEWEST_SAMPLES = 8
 ODD_SHARE = 0.1  # of the samples of an edge
+ALIKE_SHARE = 0.25  # of its length: silences that begin and end within so much of each other are one event
 FEWEST_REPEATED = 3  # stamps, before it is more than a slip
 LATE_S = 0.1  # more than the others: at 1 m/s an error of 10 cm
 EARLY_S = 0.05
@@ -39,7 +40,7 @@ TOLERANCE_S = 1.5  # how far ahead a localiser may stamp map -> odom (AMCL's tra
 
 
 class Silence(NamedTuple):
-    """An edge said nothing between two moments of receipt [ns]; it never spoke again if `is_last`."""
+    """One edge said nothing between two moments of receipt [ns]; it never spoke again if `is_last`."""
 
     edge: Edge
     begin_ns: int
@@ -91,23 +92,16 @@ def unset_stamps(evidence: Evidence) -> Iterator[Finding]:
 
 
 def gaps(evidence: Evidence) -> Iterator[Finding]:
-    """Yield a finding for each silence of an edge, and one for each moment at which all are silent."""
-    silences = [silence for edge in evidence.moving for silence in _silences(evidence, edge)]
-    told: list[tuple[int, int]] = []
-    for silence in sorted(silences, key=lambda s: (s.begin_ns, s.end_ns)):
-        if any(begin <= silence.end_ns and silence.begin_ns <= end for begin, end in told):
-            continue
-        if _all_are_silent(evidence, silence):
-            told.append((silence.begin_ns, silence.end_ns))
-            length_s = (silence.end_ns - silence.begin_ns) / NSEC_PER_SEC
-            facts = {"length": f"{length_s:.3f}", "edges": len(evidence.moving)}
-            yield Finding("stall", "warning", begin_ns=silence.begin_ns, end_ns=silence.end_ns, facts=facts)
-    per_edge: dict[str, list[Silence]] = {}
-    for silence in silences:
-        if not any(begin <= silence.end_ns and silence.begin_ns <= end for begin, end in told):
-            per_edge.setdefault(silence.edge.child, []).append(silence)
-    for found in per_edge.values():
-        yield _finding_of_silences(found)
+    """Yield a finding for each silence: of everything, of the edges that fell silent together, or of one."""
+    together: dict[tuple[str, ...], list[list[Silence]]] = {}
+    for event in _events(evidence):
+        if _all_are_silent(evidence, event):
+            yield _finding_of_silences("stall", [event])
+        else:
+            children = tuple(sorted(silence.edge.child for silence in event))
+            together.setdefault((event[0].is_last, *children), []).append(event)
+    for events in together.values():
+        yield _finding_of_silences("went-silent" if events[0][0].is_last else "gap", events)
 
 
 def odd_delays(evidence: Evidence) -> Iterator[Finding]:
@@ -175,13 +169,31 @@ def _silences(evidence: Evidence, edge: Edge) -> Iterator[Silence]:
         yield Silence(edge, int(edge.receive_ns[-1]), max(int(o.receive_ns[-1]) for o in others), is_last=True)
 
 
-def _all_are_silent(evidence: Evidence, silence: Silence) -> bool:
-    """Return whether nothing else that should have spoken did, while an edge was silent."""
-    begin_ns, end_ns = silence.begin_ns, silence.end_ns
+def _events(evidence: Evidence) -> list[list[Silence]]:
+    """Return the silences, those together that began and ended at about the same time."""
+    events: list[list[Silence]] = []
+    silences = [silence for edge in evidence.moving for silence in _silences(evidence, edge)]
+    for silence in sorted(silences, key=lambda s: (s.begin_ns, s.end_ns)):
+        for event in events:
+            first = event[0]
+            slack_ns = ALIKE_SHARE * (first.end_ns - first.begin_ns)
+            begins_alike = abs(silence.begin_ns - first.begin_ns) < slack_ns
+            if begins_alike and abs(silence.end_ns - first.end_ns) < slack_ns and silence.is_last == first.is_last:
+                event.append(silence)
+                break
+        else:
+            events.append([silence])
+    return events
+
+
+def _all_are_silent(evidence: Evidence, event: list[Silence]) -> bool:
+    """Return whether nothing else that should have spoken did, while these edges were silent."""
+    begin_ns, end_ns = event[0].begin_ns, event[0].end_ns
     margin_ns = (end_ns - begin_ns) // 5
-    asked = 0
+    silent = [silence.edge for silence in event]
+    asked = len(silent) - 1
     for other in (*evidence.moving, *evidence.headers):
-        if other is silence.edge or len(other.stamp_ns) < FEWEST_SAMPLES:
+        if any(other is edge for edge in silent) or len(other.stamp_ns) < FEWEST_SAMPLES:
             continue
         spoke = other.receive_ns
         period_ns = float(np.median(np.diff(np.sort(spoke))))
@@ -190,21 +202,24 @@ def _all_are_silent(evidence: Evidence, silence: Silence) -> bool:
         asked += 1
         if ((spoke > begin_ns + margin_ns) & (spoke < end_ns - margin_ns)).any():
             return False
-    return asked > 0 and not silence.is_last
+    return asked > 0 and not event[0].is_last
 
 
-def _finding_of_silences(silences: list[Silence]) -> Finding:
-    """Return one finding for all silences of an edge."""
-    edge = silences[0].edge
-    longest = max(silences, key=lambda s: s.end_ns - s.begin_ns)
+def _finding_of_silences(code: str, events: list[list[Silence]]) -> Finding:
+    """Return one finding for all silences of the same edges."""
+    longest = max((silence for event in events for silence in event), key=lambda s: s.end_ns - s.begin_ns)
+    edges = [silence.edge for silence in events[0]]
+    length_s = (longest.end_ns - longest.begin_ns) / NSEC_PER_SEC
     facts = {
-        "count": len(silences),
-        "longest": f"{(longest.end_ns - longest.begin_ns) / NSEC_PER_SEC:.3f}",
-        "period": f"{edge.period_ns / NSEC_PER_SEC:.3f}",
+        "count": len(events),
+        "edges": ", ".join(f"{edge.usual_parent} -> {edge.child}" for edge in edges),
+        "longest": f"{length_s:.3f}",
+        "period": f"{longest.edge.period_ns / NSEC_PER_SEC:.3f}",
         "moved": f"{_moved_across(longest):.3f}",
     }
-    code = "went-silent" if longest.is_last else "gap"
-    return Finding(code, "warning", edge.usual_parent, edge.child, edge.topic, longest.begin_ns, longest.end_ns, facts)
+    edge = edges[0]
+    parent, child = (edge.usual_parent, edge.child) if len(edges) == 1 and code != "stall" else ("", "")
+    return Finding(code, "warning", parent, child, edge.topic, longest.begin_ns, longest.end_ns, facts)
 
 
 def _moved_across(silence: Silence) -> float:
