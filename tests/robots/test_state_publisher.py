@@ -54,8 +54,9 @@ class Stage(NamedTuple):
         self.settle()
 
     def settle(self) -> None:
-        for _ in range(8):
-            rclpy.spin_once(self.listener, timeout_sec=0)
+        for node in (self.publisher, self.listener):
+            for _ in range(8):
+                rclpy.spin_once(node, timeout_sec=0)
 
     def heard(self) -> list[str]:
         return [each.child_frame_id for message in self.moving for each in message.transforms]
@@ -201,8 +202,8 @@ def test_a_new_description_changes_the_robot_and_its_static_transforms():
     results = stage.publisher.set_parameters(
         [Parameter("robot_description", value=URDF.replace('xyz="0 0 0.5"', 'xyz="0 0 0.7"'))]
     )
-    stage.settle()
     assert results[0].successful
+    stage.settle()
     plate = stamped_from_msg(stage.static[-1].transforms[0])
     assert (plate.child_frame_id, plate.transform.translation) == ("plate", (0.0, 0.0, 0.7))
 
@@ -243,7 +244,8 @@ def test_a_robot_that_cannot_be_read_is_explained_on_the_log(capfd):
 
 def test_as_a_program_it_serves_joint_states_until_it_is_interrupted():
     graph = new_graph()
-    participant = graph.start(main, ["--ros-args", "-p", f"robot_description:={URDF!r}"])
+    command_line = ["robot_state_publisher", "--ros-args", "-p", f"robot_description:={URDF!r}"]
+    participant = graph.start(main, argv=command_line)
     rclpy.init(args=[])
     node = Node("driver")
     heard = []
@@ -260,7 +262,7 @@ def test_as_a_program_it_serves_joint_states_until_it_is_interrupted():
 
 
 def test_as_a_program_it_ends_with_the_last_words_of_a_cpp_program(capfd):
-    participant = new_graph().start(main, [])
+    participant = new_graph().start(main)
     assert not participant.is_running
     words = "terminate called after throwing an instance of 'std::runtime_error'\n"
     assert words + "  what():  robot_description parameter must not be empty" in capfd.readouterr().err

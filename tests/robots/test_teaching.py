@@ -1,14 +1,17 @@
 """The robot of the workbook: its frames, its stamps and delays, and the same answer every time."""
 
 import math
+from dataclasses import replace
 
 import pytest
+import yaml
 
 from tflab.core import LATEST, seconds
 from tflab.robots.kinematics import link_transform
 from tflab.robots.motion import Drive, Leg
 from tflab.robots.readings import Detection, JointReading, OdometryReading, Scan
 from tflab.robots.teaching import SOURCES, Source, TeachingRobot, teaching_urdf
+from tflab.robots.urdf import parse_urdf
 
 
 def test_mounts_are_those_of_the_lecture():
@@ -154,3 +157,9 @@ def test_a_drive_of_ones_own_is_driven():
 
 def test_the_urdf_comes_with_the_package():
     assert '<robot name="tf_lab_robot">' in teaching_urdf()
+
+
+def test_the_urdf_survives_a_command_line_where_parameters_are_yaml():
+    # As on a robot, a ": " or " #" in -p robot_description:="$(cat tf_lab_robot.urdf)" would break it.
+    on_one_line = parse_urdf(yaml.safe_load(teaching_urdf())).joint("base_to_laser")
+    assert replace(on_one_line, line=0) == replace(TeachingRobot().model.joint("base_to_laser"), line=0)

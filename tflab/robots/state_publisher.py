@@ -17,6 +17,7 @@ Read `teaching.py` next.
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Sequence
 
 from tflab.core import StampedTransform
@@ -27,7 +28,7 @@ from tflab.ros.logging import get_logger
 from tflab.ros.messages import geometry_msgs, rcl_interfaces, sensor_msgs, std_msgs, tf2_msgs
 from tflab.ros.node import Node
 from tflab.ros.parameter import Parameter
-from tflab.ros.qos import DurabilityPolicy, QoSProfile, qos_profile_sensor_data
+from tflab.ros.qos import DurabilityPolicy, QoSProfile, qos_profile_parameter_events, qos_profile_sensor_data
 
 from .kinematics import joint_transform
 from .model import JOINT_TYPES, Joint, Robot
@@ -65,7 +66,9 @@ class RobotStatePublisher(Node):
         self.declare_parameter("frame_prefix", "")
         self.declare_parameter("ignore_timestamp", False)
         self.add_on_set_parameters_callback(self._check_new_parameters)
-        self.add_post_set_parameters_callback(self._on_new_parameters)
+        self.create_subscription(
+            rcl_interfaces.ParameterEvent, "/parameter_events", self._on_parameter_event, qos_profile_parameter_events
+        )
 
         self._tf = self.create_publisher(tf2_msgs.TFMessage, "/tf", QoSProfile(depth=100))
         self._tf_static = self.create_publisher(tf2_msgs.TFMessage, "/tf_static", LATCHED)
@@ -182,33 +185,38 @@ class RobotStatePublisher(Node):
             return str(error)
         return ""
 
-    def _on_new_parameters(self, parameters: list[Parameter]) -> None:
-        """Become another robot, if there is a new description."""
-        for parameter in parameters:
-            if parameter.name == "robot_description":
-                self._robot = self._robot_from(parameter.value)
-                self._publish_description(parameter.value)
-                self._publish_fixed()
+    def _on_parameter_event(self, event: rcl_interfaces.ParameterEvent) -> None:
+        """Become another robot, if this node was given a new description."""
+        names = [each.name for each in event.changed_parameters]
+        if event.node == self.get_fully_qualified_name() and "robot_description" in names:
+            urdf = self.get_parameter("robot_description").value
+            self._robot = self._robot_from(urdf)
+            self._publish_description(urdf)
+            self._publish_fixed()
 
     def _period_ns(self) -> int:
         """Return the shortest time between two stamps, in whole milliseconds as the real node has it."""
         return int(1000.0 / self.get_parameter("publish_frequency").value) * MILLISECOND_NS
 
 
-def main(args: Sequence[str] | None = None) -> None:
-    """Run the node until it is interrupted; `args` is the command line."""
-    rclpy.init(args=args)
+def main(args: Sequence[str] = ()) -> int:
+    """Run the node until it is interrupted; its `--ros-args` are those of the process, and `args` the rest: none.
+
+    Return the exit code.
+    """
+    rclpy.init()
     try:
         rclpy.spin(RobotStatePublisher())
     except RuntimeError as error:
-        # What a C++ program says when nobody catches its exception.
-        raise SystemExit(
-            f"terminate called after throwing an instance of 'std::runtime_error'\n  what():  {error}"
-        ) from None
+        # The last words of a C++ program whose exception nobody catches, and the code of SIGABRT.
+        last_words = f"terminate called after throwing an instance of 'std::runtime_error'\n  what():  {error}"
+        print(last_words, file=sys.stderr)
+        return -6
     except (KeyboardInterrupt, ExternalShutdownException):
         pass
     finally:
         rclpy.try_shutdown()
+    return 0
 
 
 def _is_possible(publish_frequency: float) -> bool:
