@@ -5,6 +5,7 @@ import subprocess
 import sys
 
 import pytest
+from tools_robot import fixed, moving
 
 from tflab import __version__
 from tflab.cli import main
@@ -95,6 +96,40 @@ def test_a_time_must_be_one(seconds, capsys):
         main(["run", "x.py", "--for", seconds])
     assert stop.value.code == 2
     assert "argument --for: it needs a time in seconds" in capsys.readouterr().err
+
+
+@pytest.fixture
+def bag(terminal, tmp_path):
+    """Five seconds of odom -> base_link -> laser_frame."""
+    terminal.graph.start(moving())
+    terminal.graph.start(fixed())
+    path = str(tmp_path / "drive")
+    terminal.type(f"--for 5 bag record /tf /tf_static -o {path}")
+    return path
+
+
+def test_a_tool_sees_what_a_bag_plays(bag, capsys):
+    assert main(["ros2", "--bag", bag, *["run", "tf2_ros", "tf2_echo", "odom", "base_link"]]) == 0
+    out = capsys.readouterr().out
+    assert [line for line in out.splitlines() if line.startswith("At time")] == [
+        f"At time {second}.950000000" for second in (1, 2, 3, 4, 5)
+    ]
+
+
+def test_tools_follow_the_clock_of_the_bag(bag, capsys):
+    main(["ros2", "--bag", bag, *["run", "tf2_ros", "tf2_monitor", "odom", "base_link"]])
+    out = capsys.readouterr().out
+    assert "Frame: base_link, published by <no authority available>, Average Delay: 0" in out
+
+
+def test_a_bag_has_its_topics_from_the_beginning(bag, capsys):
+    assert main(["ros2", "--bag", bag, "topic", "info", "/tf_static"]) == 0
+    assert capsys.readouterr().out.startswith("Type: tf2_msgs/msg/TFMessage\nPublisher count: 1\n")
+
+
+def test_what_is_no_bag_is_explained(capsys):
+    assert main(["ros2", "--bag", "/nope", "topic", "list"]) == 2
+    assert capsys.readouterr().err == "tflab ros2: /nope: there is no such file or directory\n"
 
 
 def test_version_and_help(capsys):

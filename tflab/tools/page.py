@@ -65,15 +65,21 @@ def _seconds(text: str) -> float:
     return seconds
 
 
-def run_words(graph: Graph, words: Sequence[str], seconds: float | None = None) -> Outcome:
-    """Run `ros2` with these words on the graph; for `seconds` [s] of its time, as long as suits the tool if None."""
+def run_words(
+    graph: Graph, words: Sequence[str], seconds: float | None = None, ros_args: Sequence[str] = ()
+) -> Outcome:
+    """Run `ros2` with these words on the graph; for `seconds` [s] of its time, as long as suits the tool if None.
+
+    `ros_args` are for the tool's nodes, such as ["--ros-args", "-p", "use_sim_time:=true"].
+    """
     try:
         plan = ros2.plan(words)
     except SystemExit as stop:  # help, or a wrong option, which argparse has explained
         return Outcome(stop.code or 0)
     pictures: list[Any] = []
     codes: list[int] = []
-    participant = graph.start(lambda: codes.append(plan.run(pictures)), name=f"ros2 {' '.join(words)}")
+    name = f"ros2 {' '.join(words)}"
+    participant = graph.start(lambda: codes.append(plan.run(pictures)), name=name, argv=[name, *ros_args])
     if plan.stays and seconds is None:
         return Outcome(codes[0] if codes else None)
     span_s = seconds if seconds is not None else plan.page_s
@@ -85,7 +91,7 @@ def run_words(graph: Graph, words: Sequence[str], seconds: float | None = None) 
         graph.stop(participant)
         if span_s is None:
             print(
-                f"`ros2 {' '.join(words)}` did not end within {LIMIT_S:g} s of the graph's time, and was stopped.\n"
+                f"`{name}` did not end within {LIMIT_S:g} s of the graph's time, and was stopped.\n"
                 "Is the node that it waits for running, and spinning?  `%ros2 --for SECONDS ...` gives it longer."
             )
     return Outcome(codes[0] if codes else None, tuple(pictures))

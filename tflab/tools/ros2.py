@@ -66,8 +66,8 @@ EXECUTABLES = {
     "tf2_tools": {"view_frames": Executable("tflab.tools.view_frames", shows=True)},
 }
 
-# How long a page runs a verb that would go on for ever [s].
-PAGE_SECONDS = {"echo": 2.0, "hz": 3.5, "delay": 3.5, "record": 5.0}
+# How long a page runs a verb that would go on for ever, or very long [s].
+PAGE_SECONDS = {"echo": 2.0, "hz": 3.5, "delay": 3.5, "record": 5.0, "play": 3600.0}
 
 
 class Plan(NamedTuple):
@@ -108,7 +108,8 @@ def plan(words: Sequence[str]) -> Plan:
     if not hasattr(options, "run"):
         options.command_parser.print_help()
         raise SystemExit(0)
-    page_s = None if getattr(options, "once", False) else PAGE_SECONDS.get(options.verb)
+    is_endless = getattr(options, "loop", False)
+    page_s = None if getattr(options, "once", False) or is_endless else PAGE_SECONDS.get(options.verb)
     return Plan(tuple(words), lambda pictures: _exit_code(lambda: options.run(options)), page_s=page_s)
 
 
@@ -173,10 +174,11 @@ def _plan_executable(words: Sequence[str], options: argparse.Namespace) -> Plan:
         from tflab.ros.arguments import remove_ros_args
         from tflab.ros.process import current_process
 
-        argv = [options.executable_name, *options.argv]
-        current_process().argv = argv  # rclpy.init() reads its --ros-args from there
+        process = current_process()
+        # rclpy.init() reads the --ros-args there; those that the process was started with come last.
+        process.argv = [options.executable_name, *options.argv, *(process.argv or [])[1:]]
         program = import_module(executable.module).main
-        arguments = remove_ros_args(argv)[1:]
+        arguments = remove_ros_args(process.argv)[1:]
         code = _exit_code(lambda: program(arguments, pictures) if executable.shows else program(arguments))
         if code:
             print(f"[ros2run]: {'Aborted' if code < 0 else f'Process exited with failure {code}'}", flush=True)

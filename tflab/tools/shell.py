@@ -1,10 +1,12 @@
 """How does one run things in a shell?  `tflab run` for node files, `tflab ros2` for the tools.
 
     tflab run robot.py ekf.py --with 'ros2 topic hz /tf' --for 10
+    tflab ros2 --bag drive run tf2_ros tf2_echo map base_link
     tflab ros2 run tf2_ros static_transform_publisher --frame-id map --child-frame-id odom
 
-Everything of one command line lives in one process, in real time: tools see the
-nodes of their own command line, not those of another terminal.
+Everything of one command line lives in one process: tools see the nodes of their
+own command line, not those of another terminal.  Nodes run in real time; a bag is
+played on virtual time, so its twenty seconds take as long as the work in them.
 
 This is the last page of the room.
 """
@@ -21,6 +23,9 @@ from . import ros2 as ros2_words
 
 __all__ = ["ros2", "run"]
 
+HEAD_START_S = 0.01
+CLOCK_HZ = 100.0
+
 
 def run(words: Sequence[str]) -> int:
     """Run node files, and tools beside them, until they have ended or Ctrl-C; return the exit code."""
@@ -34,10 +39,66 @@ def run(words: Sequence[str]) -> int:
 
 
 def ros2(words: Sequence[str]) -> int:
-    """Run one of the tools until it has ended or Ctrl-C; return its exit code."""
+    """Run one of the tools, alone or with `--bag`, until it has ended or Ctrl-C; return its exit code."""
+    parser = argparse.ArgumentParser(
+        prog="tflab ros2",
+        description="Run one of ROS 2's command line tools. `tflab ros2 topic -h` is about `ros2 topic`.",
+    )
+    parser.add_argument("--bag", metavar="BAG", help="play this bag meanwhile, with /clock, on virtual time")
+    parser.add_argument(
+        "--for", dest="seconds", type=_seconds, metavar="SECONDS", help="stop after this time, as by Ctrl-C"
+    )
+    parser.add_argument("words", nargs=argparse.REMAINDER, metavar="...", help="as after `ros2`")
+    options = parser.parse_args(list(words))
+    if options.bag is not None:
+        return _on_bag(options.bag, options.words, options.seconds)
     codes: list[int] = []
-    _run_files([], beside=[("ros2", _program(words, codes))])
+    _run_files([], beside=[("ros2", _program(options.words, codes))], seconds=options.seconds)
     return codes[0] % 256 if codes else 0
+
+
+def _on_bag(bag: str, words: Sequence[str], seconds: float | None) -> int:
+    """Run a tool on a graph where nothing lives but a bag, until one of them is over; return the exit code."""
+    from tflab.bags.errors import BagError
+    from tflab.bags.info import bag_facts
+    from tflab.ros.graph import new_graph
+
+    from .page import run_words
+
+    try:
+        bag_s = bag_facts(bag).duration_ns / 1e9
+    except BagError as fault:
+        print(f"tflab ros2: {fault}", file=sys.stderr)
+        return 2
+    try:
+        page_s = ros2_words.plan(words).page_s
+    except SystemExit as stop:
+        return stop.code or 0
+    if seconds is None and page_s is not None:
+        seconds = max(bag_s + HEAD_START_S, page_s)
+    graph = new_graph()
+    graph.start(_play, bag, name="ros2 bag play")
+    outcome = run_words(graph, words, seconds, ros_args=["--ros-args", "-p", "use_sim_time:=true"])
+    graph.stop()
+    return (outcome.exit_code or 0) % 256
+
+
+def _play(bag: str) -> None:
+    """Play a bag without a word, after a moment in which others can begin to listen; then stay."""
+    from tflab.bags.play import PlayOptions, play
+    from tflab.ros.process import current_process
+
+    from .session import spin, spin_for, tool_node
+
+    with tool_node("rosbag2_player") as node:
+        driver = current_process().driver
+        begin_ns = driver.steady_ns() + round(HEAD_START_S * 1e9)
+
+        def wait_until(after_ns: int) -> None:
+            spin_for(node, (begin_ns + after_ns - driver.steady_ns()) / 1e9)
+
+        play(node, bag, PlayOptions(clock_hz=CLOCK_HZ), wait_until)
+        spin(node)
 
 
 def _run_parser() -> argparse.ArgumentParser:
