@@ -5,6 +5,7 @@ Read `timer.py` next.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from enum import IntEnum
 from typing import Any
 
@@ -46,8 +47,11 @@ class Entity:
         """Return whether there is something to do."""
         raise NotImplementedError
 
-    def execute(self) -> Any:
-        """Take one thing, call the callback with it, and return what it returns."""
+    def take(self) -> Callable[[], Any]:
+        """Take one thing; return what calls the callback with it, in whichever thread.
+
+        The executor that found it pending takes it, before anybody looks again.
+        """
         raise NotImplementedError
 
     def destroy(self) -> None:

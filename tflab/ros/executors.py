@@ -104,7 +104,6 @@ class Executor:
             if node not in self._nodes:
                 return
             self._nodes.remove(node)
-            self._round_entities = deque(each for each in self._round_entities if each.node is not node)
             if node.executor is self:
                 node.executor = None
         self.wake()
@@ -125,6 +124,13 @@ class Executor:
     def wake(self) -> None:
         """End the present wait."""
         self._waiter.wake()
+
+    def resume_tasks(self) -> None:
+        """Let the coroutines that wait look again: some future is done."""
+        with self._lock:
+            for task, _ in self._tasks:
+                task.may_go_on = True
+        self.wake()
 
     def shutdown(self, timeout_sec: float | None = None) -> bool:
         """Stop; return True."""
@@ -250,14 +256,16 @@ class Executor:
             return self._task_handler(*self._round_tasks.popleft())
         while self._round_entities:
             entity = self._round_entities.popleft()
-            if not entity.is_destroyed and entity.is_pending() and entity.callback_group.beginning_execution(entity):
+            if entity.is_destroyed or entity.node not in self._nodes or not entity.is_pending():
+                continue  # something has happened to it since the round began
+            if entity.callback_group.beginning_execution(entity):
                 return self._handler(entity)
         return None
 
     def _new_round(self) -> None:
         if self._tasks:
             self._tasks = [(task, entity) for task, entity in self._tasks if not task.done()]
-            self._round_tasks.extend(each for each in self._tasks if not each[0].executing())
+            self._round_tasks.extend(each for each in self._tasks if each[0].may_go_on and not each[0].executing())
         for node in self._nodes:
             ready = [timer for timer in node.timer_list if timer.is_ready()]
             if node.pending:
@@ -269,13 +277,14 @@ class Executor:
             self._round_entities.extend(entity for entity in ready if entity.callback_group.can_execute(entity))
 
     def _handler(self, entity: Entity) -> Callable[[], None]:
-        """Return what executes an entity's callback; a coroutine is carried on in later rounds."""
+        """Take one thing of an entity; return what calls back with it; a coroutine is carried on in later rounds."""
+        call = entity.take()
 
         def execute() -> None:
             result = None
             self._driver.enter_callback()
             try:
-                result = entity.execute()
+                result = call()
             finally:
                 self._driver.leave_callback()
                 is_coroutine = result is not None and inspect.iscoroutine(result)
@@ -291,21 +300,19 @@ class Executor:
 
     def _task_handler(self, task: Task, entity: Entity | None) -> Callable[[], None]:
         def execute() -> None:
+            _executors_with_waiting_tasks.add(self)
             self._driver.enter_callback()
             try:
                 task()
             finally:
                 self._driver.leave_callback()
             if not task.done():
-                _executors_with_waiting_tasks.add(self)
                 return
             with self._lock:
                 self._tasks = [each for each in self._tasks if each[0] is not task]
             if entity is not None:
                 self._end_execution(entity)
-                if task.exception() is not None:
-                    raise task.exception()
-            elif task.exception() is not None:
+            if task.exception() is not None:
                 raise task.exception()
 
         return execute

@@ -31,6 +31,10 @@ class GuardCondition(Entity):
     def is_pending(self) -> bool:
         return self._triggered
 
-    def execute(self) -> Any:
+    def take(self) -> Callable[[], Any]:
         self._triggered = False
-        return self.callback() if self.callback else None
+        return self.callback or _nothing
+
+
+def _nothing() -> None:
+    pass

@@ -54,8 +54,11 @@ class Service(Entity):
     def is_pending(self) -> bool:
         return bool(self._requests)
 
-    def execute(self) -> Any:
-        request, client, number = self._requests.popleft()
+    def take(self) -> Callable[[], None]:
+        question = self._requests.popleft()
+        return lambda: self._answer(*question)
+
+    def _answer(self, request: Any, client: Client, number: int) -> None:
         response = self.callback(request, self.srv_type.Response())
         if not isinstance(response, self.srv_type.Response):
             raise TypeError(f"Expected {self.srv_type.Response}, got {type(response)}")
@@ -121,8 +124,11 @@ class Client(Entity):
     def is_pending(self) -> bool:
         return bool(self._responses)
 
-    def execute(self) -> Any:
-        response, number = self._responses.popleft()
+    def take(self) -> Callable[[], None]:
+        answer = self._responses.popleft()
+        return lambda: self._hand_over(*answer)
+
+    def _hand_over(self, response: Any, number: int) -> None:
         future = self._futures.pop(number, None)
         if future is not None and not future.done():
             future.set_result(response)

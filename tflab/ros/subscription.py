@@ -63,10 +63,10 @@ class Subscription(Entity):
     def is_pending(self) -> bool:
         return bool(self._queue)
 
-    def execute(self) -> Any:
+    def take(self) -> Callable[[], Any]:
         sample, received_ns = self._queue.popleft()
         self._received += 1
-        return self.call(sample, received_ns)
+        return lambda: self.call(sample, received_ns)
 
     def call(self, sample: Sample, received_ns: int) -> Any:
         """Call back with a message of the receiver's own."""

@@ -110,7 +110,7 @@ class Future:
         for callback in callbacks:
             self._invoke(callback)
         for executor in list(_executors_with_waiting_tasks):
-            executor.wake()
+            executor.resume_tasks()
 
     def _invoke(self, callback: Callable[[Future], None]) -> None:
         executor = self._executor() if self._executor is not None else None
@@ -124,7 +124,11 @@ class Future:
 
 
 class Task(Future):
-    """A function or coroutine that is executed step by step; its result is the future's."""
+    """A function or coroutine that is executed step by step; its result is the future's.
+
+    Attributes:
+        may_go_on: False while a coroutine waits, until some future is done.
+    """
 
     def __init__(
         self, handler: Any, args: tuple | None = None, kwargs: dict | None = None, executor: Any = None
@@ -134,6 +138,7 @@ class Task(Future):
         self._kwargs = kwargs or {}
         self._handler = handler
         self._executing = False
+        self.may_go_on = True
         if inspect.iscoroutinefunction(handler):
             self._handler = handler(*self._args, **self._kwargs)
 
@@ -142,6 +147,7 @@ class Task(Future):
         if self.done() or self._executing:
             return
         self._executing = True
+        self.may_go_on = False
         try:
             self._step()
         finally:

@@ -108,7 +108,7 @@ class Timer(Entity):
             self._jump_handle.unregister()
         super().destroy()
 
-    def execute(self) -> Any:
+    def take(self) -> Callable[[], Any]:
         if self.is_destroyed:
             raise InvalidHandle("cannot use Destroyable because destruction was requested")
         now_ns, expected_ns = self.clock.now_ns(), self._next_call_ns
@@ -120,6 +120,9 @@ class Timer(Entity):
             else:
                 periods = -((self._next_call_ns - now_ns) // self._period_ns)
                 self._next_call_ns += periods * self._period_ns
+        return lambda: self._call(expected_ns, now_ns)
+
+    def _call(self, expected_ns: int, now_ns: int) -> Any:
         if self.callback is None:
             return None
         if not self._wants_info:
