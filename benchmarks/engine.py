@@ -115,7 +115,9 @@ class Table:
     def __init__(self) -> None:
         self.missed: list[str] = []
 
-    def row(self, what: str, ours: list[float], peers: dict[str, list[float]], per: int, goals: dict[str, float]) -> None:
+    def row(
+        self, what: str, ours: list[float], peers: dict[str, list[float]], per: int, goals: dict[str, float]
+    ) -> None:
         text = f"{what:<44}{statistics.median(ours) / per * 1e6:>9.3f} us"
         for name, theirs in peers.items():
             if not theirs:
@@ -166,7 +168,14 @@ def scalar_lookups(table: Table, peer: Tf2Py | None, rounds: int, asked: int) ->
 
 def batch_lookups(table: Table, peer: Tf2Py | None, rounds: int, sizes: list[int]) -> None:
     rng = np.random.default_rng(3)
-    goals = {(1, "random"): 30, (4, "random"): 9, (10, "random"): 4, (1, "sorted"): 60, (4, "sorted"): 14, (10, "sorted"): 6}
+    goals = {
+        (1, "random"): 30,
+        (4, "random"): 9,
+        (10, "random"): 4,
+        (1, "sorted"): 60,
+        (4, "sorted"): 14,
+        (10, "sorted"): 6,
+    }
     for depth in (1, 4, 10):
         samples = chain_samples(depth, PER_EDGE)
         buffer, target, source = filled(samples), "f0", f"f{depth}"
@@ -234,7 +243,8 @@ def growth(rounds: int, sizes: list[int]) -> None:
         lookup_us = statistics.median(timed(lookups) for _ in range(rounds)) / 5000 * 1e6
         insert_us = timed(inserts) / 5000 * 1e6
         print(
-            f"history of {n:.0e}: bulk {filling / n * 1e6:.3f} us, lookup {lookup_us:.2f} us, insert {insert_us:.2f} us, "
+            f"history of {n:.0e}: bulk {filling / n * 1e6:.3f} us, lookup {lookup_us:.2f} us, "
+            f"insert {insert_us:.2f} us, "
             f"{per_sample:.1f} bytes a sample, memos {buffer.memory().memo_bytes / 1024:.0f} KiB",
             flush=True,
         )

@@ -73,10 +73,7 @@ def act(chance: random.Random, buffer: BufferCore, plain, now_ns: int) -> None:
 
 
 def some_transform(chance: random.Random) -> Transform:
-    if chance.random() < 0.5:
-        rotation = tuple(chance.gauss(0, 1) for _ in range(4))
-    else:
-        rotation = chance.choice(ROTATIONS)
+    rotation = chance.choice([*ROTATIONS, *([tuple(chance.gauss(0, 1) for _ in range(4))] * len(ROTATIONS))])
     return Transform((chance.choice([0.0, 1.0, chance.uniform(-4, 4)]), chance.uniform(-4, 4), 0.5), rotation)
 
 

@@ -1,0 +1,41 @@
+# Two commands do everything on a machine with only Python >= 3.11:
+#   make lab     open the workbook in JupyterLab
+#   make test    install what is missing and run every test
+
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+WORKERS ?= 2
+
+.PHONY: lab test test-fast check bench clean
+
+lab: $(VENV)/learner
+	$(BIN)/tflab lab
+
+test: $(VENV)/developer check
+	$(BIN)/python -m pytest -n $(WORKERS) --dist loadscope
+
+test-fast: $(VENV)/developer
+	$(BIN)/python -m pytest -m "not browser and not slow" -x -q
+
+check: $(VENV)/developer
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+
+bench: $(VENV)/developer
+	$(BIN)/pip install --quiet --constraint constraints.txt --editable ".[bench]"
+	for script in benchmarks/[a-z]*.py; do \
+	  case $$script in *_peer.py) ;; *) echo "== $$script"; $(BIN)/python $$script || exit 1;; esac; done
+
+$(VENV)/learner: pyproject.toml constraints.txt
+	test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
+	$(BIN)/pip install --quiet --constraint constraints.txt --editable .
+	touch $@
+
+$(VENV)/developer: pyproject.toml constraints.txt
+	test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
+	$(BIN)/pip install --quiet --constraint constraints.txt --editable ".[dev]"
+	touch $@ $(VENV)/learner
+
+clean:
+	rm -rf $(VENV) build dist *.egg-info .pytest_cache .ruff_cache .hypothesis
