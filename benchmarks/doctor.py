@@ -73,7 +73,7 @@ def main() -> int:
 
 def run_matrix(bags: list[Path], seeds: int, verbose: bool) -> int:
     """Print the confusion matrix of each source of clean recordings, and return 1 if it is not good enough."""
-    sources = {"simulated": simulated_run}
+    sources = {"simulated": simulated_run, "simulated, on another clock": other_clock}
     for bag in bags:
         records = read_bag(bag).records()
         sources[bag.name] = lambda seed, records=records: records
@@ -87,6 +87,12 @@ def simulated_run(seed: int) -> list[TransformRecord]:
     """Return a clean run of the teaching robot; every other one without publishers, as in a rosbag2."""
     records = TeachingRobot(seed=seed).records(until_s=20.0)
     return records if seed % 2 else [record._replace(publisher="") for record in records]
+
+
+def other_clock(seed: int) -> list[TransformRecord]:
+    """Return a clean run in simulated time, which is years behind the recorder's clock and drifts."""
+    records = simulated_run(seed)
+    return [r._replace(receive_ns=1_700_000_000_000_000_000 + round(1.0001 * r.receive_ns)) for r in records]
 
 
 def confusion(name: str, clean, seeds: int, verbose: bool) -> dict[str, Row]:

@@ -19,12 +19,22 @@ from struct import Struct
 
 from tflab.core import NSEC_PER_SEC
 
-__all__ = ["MalformedMessage", "clock_in", "header_in", "transforms_in_cdr", "transforms_in_ros1"]
+__all__ = [
+    "MalformedMessage",
+    "clock_in",
+    "header_in",
+    "names_of_single",
+    "single_in_cdr",
+    "transforms_in_cdr",
+    "transforms_in_ros1",
+]
 
+ONE_TRANSFORM = b"\0\1\0\0" + b"\1\0\0\0"  # little-endian CDR, count 1
 NUMBERS_SIZE = 7 * 8  # x, y, z, qx, qy, qz, qw as doubles
 
 _little_u32, _big_u32 = Struct("<I"), Struct(">I")
 _little_stamp, _big_stamp = Struct("<iII"), Struct(">iII")  # sec, nanosec, length of the name that follows
+_little_time = Struct("<iI")
 _ros1_stamp = Struct("<IIII")  # seq, sec, nanosec, length of the name that follows
 _little_numbers, _big_numbers = Struct("<7d"), Struct(">7d")
 
@@ -81,6 +91,21 @@ def transforms_in_ros1(data: bytes) -> Iterator[RawTransform]:
         if at > len(data):
             raise MalformedMessage("a TFMessage that ends too early")
         yield sec * NSEC_PER_SEC + nanosec, parent, child, numbers
+
+
+def names_of_single(data: bytes) -> bytes | None:
+    """Return the bytes between the stamp and the numbers of a CDR message of one transform, else None.
+
+    In such a message everything but stamp and numbers is fixed by the two names, so
+    whoever has read one with the same bytes in between knows this one.
+    """
+    return data[16:-NUMBERS_SIZE] if data[:8] == ONE_TRANSFORM else None
+
+
+def single_in_cdr(data: bytes) -> tuple[int, bytes]:
+    """Return stamp [ns] and numbers of a message whose names are known; see names_of_single."""
+    sec, nanosec = _little_time.unpack_from(data, 8)
+    return sec * NSEC_PER_SEC + nanosec, data[-NUMBERS_SIZE:]
 
 
 def header_in(data: bytes, is_ros1: bool) -> tuple[int, bytes]:

@@ -29,7 +29,17 @@ import numpy as np
 from tflab.core.stamps import NSEC_PER_SEC
 
 from .errors import BagError
-from .messages import MalformedMessage, clock_in, header_in, transforms_in_cdr, transforms_in_ros1
+from .messages import (
+    NUMBERS_SIZE,
+    MalformedMessage,
+    RawTransform,
+    clock_in,
+    header_in,
+    names_of_single,
+    single_in_cdr,
+    transforms_in_cdr,
+    transforms_in_ros1,
+)
 from .progress import Progress
 from .recording import (
     Clock,
@@ -52,6 +62,7 @@ ODOMETRY_TYPE = "nav_msgs/msg/Odometry"
 STRING_TYPE = "std_msgs/msg/String"
 
 MAGICS = {b"#ROSBAG V": ".bag", b"\x89MCAP0\r\n": ".mcap", b"SQLite format 3\0": ".db3"}
+SQLITE_HEADER = struct.Struct(">16xH10xI")  # size of a page, and how many there are
 FIRST_FIELD = re.compile(r"^\s*(?!#|=|MSG:)(\S+)\s+\w+", re.MULTILINE)
 COMMENT = re.compile(r"#.*$", re.MULTILINE)
 
@@ -119,7 +130,7 @@ def _kind_of(path: Path) -> str:
         )
     try:
         with path.open("rb") as file:
-            start = file.read(16)
+            start = file.read(SQLITE_HEADER.size)
     except OSError as error:
         raise BagError(f"{path}: cannot be opened ({error.strerror})") from None
     if not start:
@@ -128,8 +139,18 @@ def _kind_of(path: Path) -> str:
         if start.startswith(magic):
             if kind != ".bag" and path.suffix != kind:
                 raise BagError(f"{path}: this is a {kind} file, but its name does not end in {kind}; rename it")
+            if kind == ".db3" and _is_cut_short(start, path.stat().st_size):
+                raise BagError(f"{path}: the file is cut short")
             return kind
     raise BagError(f"{path}: not a bag; known are rosbag2 directories, .mcap, .db3, and .bag of ROS 1 (version 2.0)")
+
+
+def _is_cut_short(start: bytes, size: int) -> bool:
+    """Return whether an SQLite file is smaller than its header says: the missing pages would read as zeros."""
+    if len(start) < SQLITE_HEADER.size:
+        return True
+    page_size, pages = SQLITE_HEADER.unpack(start)
+    return pages * (65536 if page_size == 1 else page_size) > size
 
 
 class _Collector:
@@ -183,8 +204,7 @@ class _Collector:
     def _handler(self, connection) -> Callable | None:
         """Return what to do with the messages of a connection, None if nothing."""
         if connection.msgtype in TRANSFORM_TYPES:
-            label = (connection.topic, _publisher_of(connection), connection.topic.endswith("tf_static"))
-            return lambda _, receive_ns, data: self._transforms.add(label, receive_ns, self._raw_transforms(data))
+            return self._transform_handler(connection)
         if connection.msgtype == CLOCK_TYPE:
             return self._add_clock
         if connection.msgtype == JOINTS_TYPE:
@@ -194,6 +214,23 @@ class _Collector:
         if connection.msgtype == STRING_TYPE and connection.topic.endswith("robot_description"):
             return self._add_description
         return self._add_header if _begins_with_header(connection) else None
+
+    def _transform_handler(self, connection) -> Callable:
+        """Return what to do with the messages of a topic of transforms; those of known names take the short way."""
+        how = (connection.topic, _publisher_of(connection), connection.topic.endswith("tf_static"))
+        columns, known = self._transforms, {}
+
+        def add(_, receive_ns: int, data: bytes) -> None:
+            names = None if self._is_ros1 else names_of_single(data)
+            if names in known:
+                stamp_ns, numbers = single_in_cdr(data)
+                columns.add_one(known[names], receive_ns, stamp_ns, numbers)
+                return
+            columns.add(how, receive_ns, list(self._raw_transforms(data)))
+            if names is not None and columns.ends_with(data):
+                known[names] = columns.newest_label
+
+        return add
 
     def _add_clock(self, _, receive_ns: int, data: bytes) -> None:
         self._clock[1].append(clock_in(data, self._is_ros1))
@@ -245,19 +282,33 @@ class _TransformColumns:
         self._labels: dict[tuple, int] = {}
         self._messages = 0
 
-    def add(self, how: tuple[str, str, bool], receive_ns: int, transforms: Iterator) -> None:
-        """Take the transforms of one message, whole or not at all; `how` is topic, publisher, is_static."""
-        for stamp_ns, parent, child, numbers in list(transforms):
+    def add(self, how: tuple[str, str, bool], receive_ns: int, transforms: list[RawTransform]) -> None:
+        """Take the transforms of one message; `how` is topic, publisher, is_static."""
+        for stamp_ns, parent, child, numbers in transforms:
             key = (how, parent, child)
-            label = self._labels.get(key)
-            if label is None:
-                label = self._labels[key] = len(self._labels)
-            self._stamp_ns.append(stamp_ns)
-            self._label.append(label)
-            self._numbers += numbers
-            self._receive_ns.append(receive_ns)
-            self._message.append(self._messages)
+            label = self._labels.setdefault(key, len(self._labels))
+            self._append(label, receive_ns, stamp_ns, numbers)
         self._messages += 1
+
+    def add_one(self, label: int, receive_ns: int, stamp_ns: int, numbers: bytes) -> None:
+        """Take the one transform of a message whose label is known."""
+        self._append(label, receive_ns, stamp_ns, numbers)
+        self._messages += 1
+
+    @property
+    def newest_label(self) -> int:
+        return self._label[-1]
+
+    def ends_with(self, data: bytes) -> bool:
+        """Return whether the numbers that came last are the last bytes of `data`."""
+        return bool(self._numbers) and data.endswith(bytes(self._numbers[-NUMBERS_SIZE:]))
+
+    def _append(self, label: int, receive_ns: int, stamp_ns: int, numbers: bytes) -> None:
+        self._stamp_ns.append(stamp_ns)
+        self._label.append(label)
+        self._numbers += numbers
+        self._receive_ns.append(receive_ns)
+        self._message.append(self._messages)
 
     def table(self) -> Transforms:
         columns = (self._receive_ns, self._stamp_ns, self._message, self._label)

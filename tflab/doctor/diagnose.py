@@ -72,6 +72,7 @@ EFFECTS_ON_CHILD = {
     "unset-stamps": ("repeated-stamps", "unordered-stamps", "gap", "clock-jump-back", "clock-jump-forward",
                      "late-stamps", "early-stamps"),
     "moving-on-static": ("static-changed",),
+    "constant-on-tf": ("early-stamps", "stamped-ahead"),  # as ROS 1 sends them: stamped ahead by a period
     "self-transform": ("loop", "two-parents", "re-parented"),
 }  # fmt: skip
 EFFECTS_ANYWHERE = {

@@ -116,7 +116,10 @@ class ClockRelation:
         """Return the difference of the two clocks at moments of receipt [s]."""
         if not len(self.receive_ns):
             return np.zeros(len(receive_ns))
-        return np.interp(receive_ns.astype(float), self.receive_ns.astype(float), self.difference_s)
+        begin_ns = self.receive_ns[0]  # a float cannot tell nanoseconds apart that are counted from 1970
+        return np.interp(
+            (receive_ns - begin_ns).astype(float), (self.receive_ns - begin_ns).astype(float), self.difference_s
+        )
 
 
 @dataclass(eq=False)
@@ -265,16 +268,23 @@ def clock_relation(moving: list[Edge], headers: tuple[Headers, ...], clock: Cloc
     usual_s = float(np.median([np.median(s.receive_ns - s.stamp_ns) for s in sources])) / NSEC_PER_SEC
     if abs(usual_s) < SAME_CLOCK_NS / NSEC_PER_SEC:
         return ClockRelation("same", np.zeros(0), np.zeros(0))
-    # The smallest difference in each stretch of time is the one with the least delay in it.
-    receive = np.concatenate([s.receive_ns for s in sources])
-    offset_s = np.concatenate([(s.receive_ns - s.stamp_ns) / NSEC_PER_SEC for s in sources])
-    near = np.abs(offset_s - usual_s) < 10.0 + 0.5 * abs(float(receive.max() - receive.min())) / NSEC_PER_SEC
-    receive, offset_s = receive[near], offset_s[near]
-    edges = np.linspace(receive.min(), receive.max() + 1, min(BINS, max(len(receive) // 8, 1)) + 1)
-    which = np.digitize(receive, edges) - 1
-    filled = np.unique(which)
-    middle = (edges[filled] + edges[filled + 1]) / 2
-    return ClockRelation("estimated", middle, np.array([np.percentile(offset_s[which == i], 5) for i in filled]))
+    return _estimated_relation(sources)
+
+
+def _estimated_relation(sources: list) -> ClockRelation:
+    """Return what most sources agree on: in each stretch of time the median of their least differences."""
+    begin_ns = min(int(source.receive_ns.min()) for source in sources)
+    span_ns = max(int(source.receive_ns.max()) for source in sources) - begin_ns + 1
+    bins = min(BINS, max(max(len(source.receive_ns) for source in sources) // 8, 1))
+    least_s = np.full((len(sources), bins), np.nan)
+    for row, source in zip(least_s, sources, strict=True):
+        offset_s = (source.receive_ns - source.stamp_ns) / NSEC_PER_SEC
+        which = (source.receive_ns - begin_ns) * bins // span_ns
+        for i in np.unique(which).tolist():
+            row[i] = offset_s[which == i].min()
+    filled = np.flatnonzero(~np.isnan(least_s).all(axis=0))
+    middle_ns = begin_ns + (2 * filled + 1) * span_ns // (2 * bins)
+    return ClockRelation("estimated", middle_ns, np.nanmedian(least_s[:, filled], axis=0))
 
 
 def _edge(table, child: str, is_static: bool, parts: list[tuple[int, np.ndarray]]) -> Edge:

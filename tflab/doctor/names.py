@@ -13,6 +13,7 @@ Read `tree.py` next.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from difflib import SequenceMatcher
 
@@ -22,6 +23,9 @@ from .findings import Finding
 __all__ = ["empty_names", "leading_slashes", "misspelt_names", "unknown_frames_in_messages"]
 
 ALIKE = 0.75  # of difflib's measure, for a misspelling
+SPATIAL = re.compile(
+    r"LaserScan|PointCloud|Image|CameraInfo|Imu|Range|Odometry|Path|Grid|geometry_msgs|Detection|Marker"
+)
 ROBOT_FRAMES = 3  # a prefix that so many frames share, in a tree of their own, is a robot
 
 
@@ -72,12 +76,10 @@ def unknown_frames_in_messages(evidence: Evidence) -> Iterator[Finding]:
                 facts = {"name": frame, "bare": bare, "topic": header.topic}
                 yield Finding("message-slash", "warning", topic=header.topic, facts=facts)
             elif bare and bare not in evidence.frames:
-                facts = {
-                    "name": frame,
-                    "topic": header.topic,
-                    "count": int((header.frame == header.frames.index(frame)).sum()),
-                }
-                yield Finding("unknown-frame", "warning", topic=header.topic, facts=facts)
+                count = int((header.frame == header.frames.index(frame)).sum())
+                severity = "warning" if SPATIAL.search(header.msgtype) else "info"
+                facts = {"name": frame, "topic": header.topic, "count": count}
+                yield Finding("unknown-frame", severity, topic=header.topic, facts=facts)
 
 
 def _likeness(evidence: Evidence, name: str, other: str) -> str:

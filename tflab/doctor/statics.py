@@ -11,6 +11,7 @@ are as it should be.  Read `diagnose.py` next.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 import numpy as np
@@ -27,6 +28,7 @@ __all__ = ["constant_on_tf", "missing_statics", "moving_on_static", "volatile_st
 FEWEST_SAMPLES = 8
 LEAST_TIME_S = 1.0
 WORLD_FRAMES = ("map", "world", "earth", "odom")
+MOVABLE = re.compile(r"wheel|caster|steer|joint|shoulder|elbow|wrist|arm|finger|grip|hip|knee|pan_|tilt|link_?\d")
 
 
 def missing_statics(evidence: Evidence) -> Iterator[Finding]:
@@ -94,10 +96,12 @@ def _looks_like_a_mount(evidence: Evidence, edge: Edge) -> bool:
 
 
 def _is_a_joint_at_rest(evidence: Evidence, edge: Edge) -> bool:
-    """Return whether an edge comes with the joints: stamped as joint states are, or in one message with what moves."""
+    """Return whether an edge is one of the joints: by its stamps, its name, or because it comes with some that move."""
     for joints in evidence.joint_states:
         if np.isin(edge.stamp_ns, joints.stamp_ns).mean() > 0.5:
             return True
+    if MOVABLE.search(edge.child.lower()):
+        return True
     for other in evidence.moving:
         if other is edge or other.usual_parent in WORLD_FRAMES or is_constant(other):
             continue
