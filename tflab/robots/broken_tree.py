@@ -6,12 +6,14 @@ diagnosis.  Read `broken_values.py` next.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from tflab.core import NSEC_PER_SEC, StampedTransform, Transform
 from tflab.core.records import TransformRecord
 
 from .faults import Fault
 from .scene import FEWEST_SAMPLES, CannotInject, Injection, Scene
-from .streams import Edge, restamped
+from .streams import Edge, Stream, restamped
 
 __all__ = [
     "close_loop",
@@ -27,7 +29,7 @@ __all__ = [
 
 
 def reparent(scene: Scene) -> Injection:
-    """From some moment on, a frame hangs under another parent."""
+    """A frame gets another parent: from some moment on, or in turns with the first."""
     choices = {}
     for edge in scene.edges.values():
         others = [name for name in scene.frames() if name != edge.parent and name not in scene.below(edge.child)]
@@ -35,31 +37,57 @@ def reparent(scene: Scene) -> Injection:
             choices[edge.child] = others
     edge = scene.pick((scene.edges[child] for child in choices), "an edge, and a frame that could be another parent")
     parent = choices[edge.child][int(scene.rng.integers(len(choices[edge.child])))]
-    detail = f"{edge.child} moves from under {edge.parent} to under {parent}"
-    if not edge.is_static:
+    if edge.is_static:
+        places = (len(scene.records) // 2,)
+        middle_ns = scene.records[places[0]].receive_ns
+        again = restamped(scene.records[edge.places[-1]], frame_id=parent)._replace(receive_ns=middle_ns)
+        records, how = [*scene.records, again], "moves"
+    else:
         places = scene.tail(edge)
-        changes = {place: restamped(scene.records[place], frame_id=parent) for place in places}
-        return scene.done(scene.changed(changes), Fault.REPARENTED, [edge], places[0], detail)
-    middle = scene.records[len(scene.records) // 2]
-    again = restamped(scene.records[edge.places[-1]], frame_id=parent)._replace(receive_ns=middle.receive_ns)
-    at = len(scene.records) // 2
-    return scene.done([*scene.records, again], Fault.REPARENTED, [edge], at, detail)
+        others = {place: restamped(scene.records[place], frame_id=parent) for place in places}
+        if scene.rng.random() < 0.6:
+            records, how = scene.changed(others), "moves"
+        else:
+            records, how = [*scene.records, *_between_the_samples(scene, edge, others.values())], "moves to and fro"
+    detail = f"{edge.child} {how} from under {edge.parent} to under {parent}"
+    return scene.done(records, Fault.REPARENTED, [edge], places[0], detail)
 
 
 def second_owner(scene: Scene) -> Injection:
-    """Another node publishes the same edge, with other values, between the samples of the first."""
-    edge = scene.pick_moving()
-    places = scene.tail(edge)
-    half_ns = scene.period_ns(edge) // 2
+    """Another node publishes the same edge, with other values."""
+    edge = scene.pick([*scene.moving(), *scene.static()], "an edge that moves, or a static one")
     off = Transform.from_rpy(yaw=scene.between(0.3, 1.0), translation=(scene.between(0.3, 1.0), 0.2, 0.0))
-    owner = f"{edge.publisher}_2" if edge.publisher else ""
-    lies = []
-    for place in places:
-        record = scene.records[place]
-        lie = restamped(record, stamp_ns=record.stamped.stamp_ns + half_ns, transform=record.stamped.transform @ off)
-        lies.append(lie._replace(receive_ns=record.receive_ns + half_ns, publisher=owner))
+    places = scene.tail(edge)
+    lies = [restamped(scene.records[place], transform=scene.records[place].stamped.transform @ off) for place in places]
+    lies = _again_later(scene, edge, lies) if edge.is_static else _between_the_samples(scene, edge, lies)
     detail = f"a second publisher of {edge.parent} -> {edge.child} says {off.translation[0]:.2f} m further"
     return scene.done([*scene.records, *lies], Fault.SECOND_OWNER, [edge], places[0], detail)
+
+
+def _between_the_samples(scene: Scene, edge: Edge, records: Iterable[TransformRecord]) -> Stream:
+    """Return samples as another publisher sends them: half a period after those of the first."""
+    half_ns = scene.period_ns(edge) // 2
+    return [
+        restamped(record, stamp_ns=record.stamped.stamp_ns + half_ns)._replace(
+            receive_ns=record.receive_ns + half_ns, publisher=_another(record.publisher)
+        )
+        for record in records
+    ]
+
+
+def _again_later(scene: Scene, edge: Edge, records: Iterable[TransformRecord]) -> Stream:
+    """Return static samples as another publisher sends them, which starts a little later."""
+    later_ns = round(scene.between(0.1, 1.0) * NSEC_PER_SEC)
+    return [
+        restamped(record, stamp_ns=record.stamped.stamp_ns + later_ns)._replace(
+            receive_ns=record.receive_ns + later_ns, publisher=_another(record.publisher)
+        )
+        for record in records
+    ]
+
+
+def _another(publisher: str) -> str:
+    return f"{publisher}_2" if publisher else ""
 
 
 def remove_edge(scene: Scene) -> Injection:
