@@ -33,7 +33,7 @@ START_NS = 1_000_000_000  # one second: readable stamps, and never 0, which tf2 
 
 # On a robot every turn takes time.  After so many turns without any, a step makes
 # two nodes that answer each other at once get on with it.
-TURNS_PER_INSTANT = 10_000
+TURNS_PER_INSTANT = 2_000
 STEP_NS = 1_000_000
 
 

@@ -1,0 +1,354 @@
+"""Executors, callback groups, timers and futures, on virtual time."""
+
+import time
+
+import pytest
+
+from tflab.core import seconds
+from tflab.ros import client_library as rclpy
+from tflab.ros.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
+from tflab.ros.exceptions import RCLError, ROSInterruptException
+from tflab.ros.executors import ExternalShutdownException, MultiThreadedExecutor, SingleThreadedExecutor
+from tflab.ros.messages.rcl_interfaces import GetParameters
+from tflab.ros.messages.std_msgs import String
+from tflab.ros.node import Node
+from tflab.ros.task import Future, Task
+from tflab.ros.timer import TimerInfo
+
+
+@pytest.fixture
+def node(graph):
+    rclpy.init()
+    node = Node("node")
+    yield node
+    rclpy.try_shutdown()
+
+
+def test_spin_once_executes_one_callback(node, graph):
+    done = []
+    node.create_timer(0.1, lambda: done.append("a"))
+    node.create_timer(0.1, lambda: done.append("b"))
+    rclpy.spin_once(node, timeout_sec=1.0)
+    assert done == ["a"]
+    rclpy.spin_once(node, timeout_sec=1.0)
+    assert done == ["a", "b"]
+    assert graph.now_ns == seconds(1.1)
+
+
+def test_in_a_round_timers_come_first_and_a_subscription_gives_one_message(node):
+    done = []
+    publisher = node.create_publisher(String, "chatter", 10)
+    node.create_subscription(String, "chatter", lambda msg: done.append(msg.data), 10)
+    guard = node.create_guard_condition(lambda: done.append("guard"))
+    node.create_timer(0.0, lambda: done.append("timer"))
+    guard.trigger()
+    publisher.publish(String(data="1"))
+    publisher.publish(String(data="2"))
+    for _ in range(5):
+        rclpy.spin_once(node, timeout_sec=0.1)
+    assert done == ["timer", "1", "guard", "timer", "2"]
+
+
+def test_a_full_queue_forgets_its_oldest(node):
+    heard = []
+    publisher = node.create_publisher(String, "chatter", 10)
+    node.create_subscription(String, "chatter", lambda msg: heard.append(msg.data), 3)
+    for number in range(10):
+        publisher.publish(String(data=str(number)))
+    for _ in range(5):
+        rclpy.spin_once(node, timeout_sec=0.01)
+    assert heard == ["7", "8", "9"]
+
+
+def test_publishing_copies_and_each_callback_gets_its_own(node):
+    heard = []
+    publisher = node.create_publisher(String, "chatter", 10)
+    node.create_subscription(String, "chatter", heard.append, 10)
+    node.create_subscription(String, "chatter", heard.append, 10)
+    message = String(data="as published")
+    publisher.publish(message)
+    message.data = "changed"
+    rclpy.spin_once(node, timeout_sec=0.01)
+    rclpy.spin_once(node, timeout_sec=0.01)
+    assert [each.data for each in heard] == ["as published"] * 2
+    assert heard[0] is not heard[1]
+
+
+def test_a_callback_with_two_arguments_hears_how_the_message_came(node, graph):
+    heard = []
+    graph.disturb("/chatter", delay=0.5)
+    publisher = node.create_publisher(String, "chatter", 10)
+    node.create_subscription(String, "chatter", lambda msg, info: heard.append(info), 10)
+    publisher.publish(String())
+    rclpy.spin_once(node, timeout_sec=1.0)
+    assert (heard[0]["source_timestamp"], heard[0]["received_timestamp"]) == (seconds(1), seconds(1.5))
+    assert heard[0]["publisher_gid"] == publisher.gid
+
+
+def test_an_exception_in_a_callback_comes_out_of_spin(node):
+    node.create_timer(0.1, lambda: 1 / 0)
+    with pytest.raises(ZeroDivisionError):
+        rclpy.spin(node)
+
+
+def test_a_shutdown_from_a_callback_ends_spin(node):
+    node.create_timer(0.1, rclpy.shutdown)
+    rclpy.spin(node)
+    assert not rclpy.ok()
+
+
+def test_after_a_shutdown_one_may_begin_again(node):
+    rclpy.shutdown()
+    with pytest.raises(RuntimeError, match="Context must be initialized before it can be shutdown"):
+        rclpy.shutdown()
+    rclpy.init()
+    with pytest.raises(RuntimeError, match=r"Context.init\(\) must only be called once"):
+        rclpy.init()
+
+
+def test_shutting_one_context_down_twice_is_an_rcl_error(node):
+    context = rclpy.get_default_context()
+    context.shutdown()
+    with pytest.raises(RCLError, match="failed to shutdown: rcl_shutdown already called on the given context, at "):
+        rclpy.shutdown()
+
+
+def test_spinning_after_a_shutdown_by_somebody_else_is_an_external_shutdown(node):
+    executor = SingleThreadedExecutor()
+    executor.add_node(node)
+    rclpy.get_default_context().try_shutdown()
+    with pytest.raises(ExternalShutdownException):
+        executor.spin_once(timeout_sec=1.0)
+
+
+# -- timers -----------------------------------------------------------------------
+
+
+def test_the_first_call_comes_after_one_period(node, graph):
+    calls = []
+    node.create_timer(0.5, lambda: calls.append(graph.now_ns))
+    for _ in range(3):
+        rclpy.spin_once(node, timeout_sec=1.0)
+    assert calls == [seconds(1.5), seconds(2.0), seconds(2.5)]
+
+
+def test_missed_calls_are_skipped_not_replayed(node, graph):
+    calls = []
+
+    def slow():
+        calls.append(graph.now_ns)
+        if len(calls) == 1:
+            time.sleep(0.35)
+
+    node.create_timer(0.1, slow)
+    for _ in range(3):
+        rclpy.spin_once(node, timeout_sec=1.0)
+    # Due at 1.1 (until 1.45); that of 1.2 is late; 1.3 and 1.4 are skipped.
+    assert calls == [seconds(1.1), seconds(1.45), seconds(1.5)]
+
+
+def test_a_cancelled_timer_stands_still_until_it_is_reset(node, graph):
+    calls = []
+    timer = node.create_timer(0.5, lambda: calls.append(graph.now_ns))
+    timer.cancel()
+    assert timer.is_canceled() and timer.time_until_next_call() is None
+    rclpy.spin_once(node, timeout_sec=1.0)
+    assert calls == []
+    timer.reset()
+    assert timer.time_until_next_call() == seconds(0.5)
+    rclpy.spin_once(node, timeout_sec=1.0)
+    assert calls == [seconds(2.5)]
+
+
+def test_a_timer_without_autostart_waits_for_reset(node):
+    timer = node.create_timer(0.5, lambda: None, autostart=False)
+    assert timer.is_canceled()
+
+
+def test_a_new_period_counts_from_the_next_call_on(node, graph):
+    calls = []
+    timer = node.create_timer(0.5, lambda: calls.append(graph.now_ns))
+    timer.timer_period_ns = seconds(0.1)
+    for _ in range(2):
+        rclpy.spin_once(node, timeout_sec=1.0)
+    assert calls == [seconds(1.5), seconds(1.6)]
+
+
+def test_a_timer_tells_a_callback_that_asks_when_it_was_due(node):
+    infos = []
+
+    def on_timer(info: TimerInfo):
+        infos.append(info)
+
+    node.create_timer(0.5, on_timer)
+    rclpy.spin_once(node, timeout_sec=1.0)
+    assert infos[0].expected_call_time.nanoseconds == infos[0].actual_call_time.nanoseconds == seconds(1.5)
+
+
+def test_a_rate_needs_somebody_else_to_spin(graph):
+    import threading
+
+    ticks = []
+
+    def main():
+        rclpy.init()
+        node = Node("worker")
+        threading.Thread(target=rclpy.spin, args=(node,), daemon=True).start()
+        rate = node.create_rate(4)
+        for _ in range(3):
+            rate.sleep()
+            ticks.append(graph.now_ns)
+
+    graph.start(main)
+    graph.run(seconds=2)
+    assert ticks == [seconds(1.25), seconds(1.5), seconds(1.75)]
+
+
+def test_a_rate_says_when_the_context_is_gone_and_is_positive(node):
+    rate = node.create_rate(1)
+    rclpy.shutdown()
+    with pytest.raises(ROSInterruptException):
+        rate.sleep()
+    rclpy.init()
+    with pytest.raises(ValueError, match="frequency must be > 0"):
+        Node("other").create_rate(0)
+
+
+# -- groups and threads -------------------------------------------------------------
+
+
+def run_two_sleepy_timers(graph, groups, executor_type):
+    """Return when two callbacks, due together and 0.3 s long, began."""
+    began = []
+
+    def main():
+        rclpy.init()
+        node = Node("sleepy")
+        for group in groups:
+
+            def callback():
+                began.append(graph.now_ns)
+                time.sleep(0.3)
+
+            node.create_timer(0.5, callback, callback_group=group)
+        executor = executor_type()
+        executor.add_node(node)
+        executor.spin()
+
+    graph.start(main)
+    graph.run(seconds=0.9)
+    return began[:2]
+
+
+def test_one_thread_runs_one_callback_after_the_other(graph):
+    reentrant = ReentrantCallbackGroup()
+    assert run_two_sleepy_timers(graph, [reentrant] * 2, SingleThreadedExecutor) == [seconds(1.5), seconds(1.8)]
+
+
+def test_many_threads_run_callbacks_of_a_reentrant_group_together(graph):
+    reentrant = ReentrantCallbackGroup()
+    assert run_two_sleepy_timers(graph, [reentrant] * 2, MultiThreadedExecutor) == [seconds(1.5), seconds(1.5)]
+
+
+def test_many_threads_do_not_help_within_one_mutually_exclusive_group(graph):
+    group = MutuallyExclusiveCallbackGroup()
+    assert run_two_sleepy_timers(graph, [group] * 2, MultiThreadedExecutor) == [seconds(1.5), seconds(1.8)]
+
+
+def test_an_exception_in_another_thread_comes_out_of_spin(graph, capsys):
+    def main():
+        rclpy.init()
+        node = Node("clumsy")
+        node.create_timer(0.5, lambda: 1 / 0)
+        executor = MultiThreadedExecutor(2)
+        executor.add_node(node)
+        executor.spin()
+
+    participant = graph.start(main)
+    graph.run(seconds=2)
+    assert isinstance(participant.exception, ZeroDivisionError)
+    capsys.readouterr()
+
+
+# -- futures, tasks, coroutines -------------------------------------------------------
+
+
+def test_a_future_calls_back_at_once_when_nobody_executes_it():
+    future, done = Future(), []
+    future.add_done_callback(lambda each: done.append(each.result()))
+    assert future.result() is None and not future.done()
+    future.set_result(3)
+    future.add_done_callback(lambda each: done.append(each.result() + 1))
+    assert done == [3, 4]
+
+
+def test_an_exception_that_nobody_fetches_is_printed(capsys):
+    future = Future()
+    future.set_exception(ValueError("lost"))
+    del future
+    assert capsys.readouterr().err == "The following exception was never retrieved: lost\n"
+
+
+def test_a_task_is_executed_by_the_next_round(node):
+    executor = rclpy.get_global_executor()
+    task = executor.create_task(lambda a, b: a + b, 1, b=2)
+    executor.spin_until_future_complete(task)
+    assert task.result() == 3
+
+
+def test_a_coroutine_callback_is_carried_on_when_its_future_is_done(node):
+    future, done = Future(), []
+
+    async def on_timer():
+        done.append(await future)
+
+    node.create_timer(0.5, on_timer)
+    node.create_timer(1.2, lambda: future.set_result("here"), callback_group=ReentrantCallbackGroup())
+    rclpy.spin_once(node, timeout_sec=1.0)
+    assert done == []
+    for _ in range(4):
+        rclpy.spin_once(node, timeout_sec=0.5)
+    assert done[0] == "here"
+
+
+def test_a_coroutine_can_be_stepped_by_hand():
+    future = Future()
+
+    async def wait():
+        return await future
+
+    task = Task(wait)
+    task()
+    assert not task.done()
+    future.set_result(5)
+    task()
+    assert task.result() == 5
+
+
+def test_spin_until_future_complete_gives_up_after_its_timeout(node, graph):
+    rclpy.spin_until_future_complete(node, Future(), timeout_sec=0.5)
+    assert graph.now_ns == seconds(1.5)
+
+
+# -- services -------------------------------------------------------------------------
+
+
+def test_a_service_answers_a_future(node, graph):
+    def server():
+        rclpy.init()
+        rclpy.spin(Node("server"))
+
+    graph.start(server)
+    client = node.create_client(GetParameters, "/server/get_parameters")
+    assert client.wait_for_service(timeout_sec=1.0)
+    future = client.call_async(GetParameters.Request(names=["use_sim_time"]))
+    rclpy.spin_until_future_complete(node, future, timeout_sec=1.0)
+    assert [(value.type, value.bool_value) for value in future.result().values] == [(1, False)]
+
+
+def test_without_a_server_one_waits_in_vain(node, graph):
+    client = node.create_client(GetParameters, "/nobody/get_parameters")
+    assert not client.wait_for_service(timeout_sec=0.5)
+    assert graph.now_ns == seconds(1.5)
+    with pytest.raises(TypeError, match="Expected <class"):
+        client.call_async(String())

@@ -1,0 +1,403 @@
+"""The graph: time that passes when asked, participants that do not hurt each other, trouble that repeats."""
+
+import contextlib
+import threading
+import time
+
+import pytest
+
+from tflab.core import seconds
+from tflab.ros import client_library as rclpy
+from tflab.ros import snapshot
+from tflab.ros.clock_type import ClockType
+from tflab.ros.duration import Duration
+from tflab.ros.messages.std_msgs import String
+from tflab.ros.node import Node
+from tflab.ros.qos import QoSProfile, ReliabilityPolicy
+
+
+def talker(period_s=1.0, topic="chatter", name="talker"):
+    """A main function that publishes "1", "2", ... every `period_s` [s]."""
+
+    def main():
+        rclpy.init()
+        node = Node(name)
+        publisher = node.create_publisher(String, topic, 10)
+        count = iter(range(1, 1_000_000))
+        node.create_timer(period_s, lambda: publisher.publish(String(data=str(next(count)))))
+        rclpy.spin(node)
+
+    return main
+
+
+def recorder(heard, topic="chatter", name="recorder", qos=10):
+    """A main function that notes (time [ns], text) of what it hears."""
+
+    def main():
+        rclpy.init()
+        node = Node(name)
+        node.create_subscription(
+            String, topic, lambda msg: heard.append((node.get_clock().now().nanoseconds, msg.data)), qos
+        )
+        rclpy.spin(node)
+
+    return main
+
+
+def test_time_begins_at_one_second_and_passes_only_in_run(graph):
+    assert graph.now_ns == seconds(1)
+    time.sleep(0.01)  # the notebook's own sleep is real
+    assert graph.now_ns == seconds(1)
+    graph.run(seconds=2.5)
+    assert graph.now_ns == seconds(3.5)
+
+
+def test_time_does_not_run_back(graph):
+    with pytest.raises(ValueError, match=r"time cannot run back: seconds=-1"):
+        graph.run(seconds=-1)
+
+
+def test_a_participant_lives_on_between_two_runs(graph):
+    heard = []
+    graph.start(talker())
+    graph.start(recorder(heard))
+    graph.run(seconds=1)
+    graph.run(seconds=2)
+    assert heard == [(seconds(2), "1"), (seconds(3), "2"), (seconds(4), "3")]
+
+
+def test_sleeping_inside_a_participant_passes_virtual_time(graph):
+    seen = []
+
+    def sleeper():
+        seen.append(graph.now_ns)
+        time.sleep(3600.0)
+        seen.append(graph.now_ns)
+
+    graph.start(sleeper)
+    assert seen == [seconds(1)]  # it has run up to its first wait
+    graph.run(seconds=3600)
+    assert seen == [seconds(1), seconds(3601)]
+
+
+def test_each_participant_has_a_context_and_an_executor_of_its_own(graph):
+    contexts, executors = [], []
+
+    def main():
+        rclpy.init()
+        contexts.append(rclpy.get_default_context())
+        executors.append(rclpy.get_global_executor())
+
+    graph.start(main)
+    graph.start(main)
+    rclpy.init()  # the notebook's own
+    contexts.append(rclpy.get_default_context())
+    executors.append(rclpy.get_global_executor())
+    rclpy.shutdown()
+    assert len(set(map(id, contexts))) == 3
+    assert len(set(map(id, executors))) == 3
+
+
+def test_a_name_is_numbered_if_it_is_taken(graph):
+    names = [graph.start(talker()).name for _ in range(3)]
+    assert names == ["main", "main_2", "main_3"]
+
+
+def test_when_a_participant_ends_everything_of_it_leaves_the_graph(graph):
+    def forgetful():
+        rclpy.init()
+        node = Node("forgetful")
+        node.create_publisher(String, "chatter", 10)
+        time.sleep(1.0)  # and then it ends, without destroying anything
+
+    participant = graph.start(forgetful)
+    assert [node.get_name() for node in graph.nodes] == ["forgetful"]
+    graph.run(seconds=1)
+    assert not participant.is_running
+    assert graph.nodes == []
+    assert graph.network.topics["/chatter"].publishers == []
+
+
+def test_an_exception_is_reported_by_name_and_does_not_hurt_the_others(graph, capsys):
+    heard = []
+
+    def clumsy():
+        rclpy.init()
+        node = Node("clumsy")
+        node.create_timer(1.5, lambda: 1 / 0)
+        rclpy.spin(node)
+
+    participant = graph.start(clumsy)
+    graph.start(talker())
+    graph.start(recorder(heard))
+    graph.run(seconds=3)
+    assert len(heard) == 3
+    assert isinstance(participant.exception, ZeroDivisionError)
+    report = capsys.readouterr().err
+    assert report.startswith('participant "clumsy" ended with an exception:\nTraceback (most recent call last):')
+    assert report.rstrip().endswith("ZeroDivisionError: division by zero")
+
+
+def test_an_endless_loop_is_stopped_and_named_and_the_others_go_on(graph, capsys):
+    graph.driver.patience_s = 0.2
+    heard = []
+
+    def busy():
+        while True:
+            pass
+
+    participant = graph.start(busy)
+    graph.start(talker())
+    graph.start(recorder(heard))
+    graph.run(seconds=2)
+    report = capsys.readouterr().err
+    assert 'participant "busy" ended with an exception:\nEndless loop: it kept busy for 0.2 s of real time' in report
+    assert "test_graph.py:" in report and "in busy" in report
+    assert not participant.is_running
+    assert len(heard) == 2
+
+
+def test_an_endless_loop_that_catches_every_exception_is_named_too(graph, capsys):
+    graph.driver.patience_s = 0.2
+
+    def stubborn():
+        while True:
+            try:
+                while True:
+                    pass
+            except Exception:
+                pass
+
+    graph.start(stubborn)
+    assert 'participant "stubborn"' in capsys.readouterr().err
+
+
+def test_polling_without_a_timeout_passes_a_millisecond_so_that_it_gets_somewhere(graph):
+    heard = []
+
+    def poller():
+        rclpy.init()
+        node = Node("poller")
+        node.create_subscription(String, "chatter", lambda msg: heard.append(msg.data), 10)
+        while rclpy.ok():
+            rclpy.spin_once(node, timeout_sec=0)
+
+    graph.start(talker(0.1))
+    graph.start(poller)
+    graph.run(seconds=0.35)
+    assert heard == ["1", "2", "3"]
+
+
+def test_two_nodes_that_answer_each_other_at_once_do_not_stop_time(graph):
+    def echo(hears, says):
+        def main():
+            rclpy.init()
+            node = Node(f"echo_{hears}")
+            publisher = node.create_publisher(String, says, 10)
+            node.create_subscription(String, hears, publisher.publish, 10)
+            publisher.publish(String())
+            rclpy.spin(node)
+
+        return main
+
+    graph.start(echo("ping", "pong"))
+    graph.start(echo("pong", "ping"))
+    graph.run(seconds=0.002)
+    assert graph.now_ns == seconds(1.002)
+
+
+def test_stop_interrupts_a_spin_and_a_sleep_and_lets_them_tidy_up(graph):
+    seen = []
+
+    def spinner():
+        rclpy.init()
+        node = Node("spinner")
+        try:
+            rclpy.spin(node)
+        except KeyboardInterrupt:
+            time.sleep(0.5)
+            seen.append(("spinner", rclpy.ok()))
+        rclpy.shutdown()
+
+    def sleeper():
+        try:
+            time.sleep(100)
+        finally:
+            seen.append("sleeper")
+
+    graph.start(spinner)
+    graph.start(sleeper)
+    graph.stop()
+    assert sorted(map(str, seen)) == ["('spinner', True)", "sleeper"]
+    assert [each.is_running for each in graph.participants] == [False, False]
+
+
+def test_one_participant_can_be_stopped_alone(graph):
+    first, second = graph.start(talker(name="a")), graph.start(talker(name="b"))
+    first.stop()
+    assert (first.is_running, second.is_running) == (False, True)
+    assert [node.get_name() for node in graph.nodes] == ["b"]
+
+
+def test_a_participant_that_ignores_ctrl_c_is_ended(graph, capsys):
+    def stubborn():
+        while True:
+            with contextlib.suppress(KeyboardInterrupt):
+                time.sleep(1)
+
+    participant = graph.start(stubborn)
+    graph.stop()
+    assert not participant.is_running
+    assert capsys.readouterr().err == ('participant "stubborn" went on after it was interrupted, and was ended.\n')
+
+
+def test_the_cell_itself_may_spin_and_time_passes_meanwhile(graph):
+    graph.start(talker())
+    rclpy.init()
+    heard = []
+    node = Node("cell")
+    node.create_subscription(String, "chatter", lambda msg: heard.append(msg.data), 10)
+    rclpy.spin_once(node, timeout_sec=5.0)
+    assert (heard, graph.now_ns) == (["1"], seconds(2))
+    rclpy.spin_once(node, timeout_sec=0.25)
+    assert (heard, graph.now_ns) == (["1"], seconds(2.25))
+    rclpy.shutdown()
+
+
+def test_a_wait_in_the_cell_that_can_never_end_says_so(graph):
+    rclpy.init()
+    node = Node("cell")
+    with pytest.raises(RuntimeError, match="this would wait for ever: nobody in the graph has anything left to do"):
+        rclpy.spin_once(node)
+    rclpy.shutdown()
+
+
+def test_time_cannot_be_run_from_within_a_participant(graph, capsys):
+    def meddler():
+        graph.run(seconds=1)
+
+    participant = graph.start(meddler)
+    assert isinstance(participant.exception, RuntimeError)
+    assert "only the thread that made the graph can let time pass" in capsys.readouterr().err
+
+
+def test_threads_of_a_participant_take_turns_with_everybody_else(graph):
+    seen = []
+
+    def main():
+        def worker():
+            time.sleep(0.5)
+            seen.append(("worker", graph.now_ns))
+
+        thread = threading.Thread(target=worker)
+        thread.start()
+        thread.join()
+        seen.append(("main", graph.now_ns))
+
+    graph.start(main)
+    graph.run(seconds=1)
+    assert seen == [("worker", seconds(1.5)), ("main", seconds(1.5))]
+
+
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnhandledThreadExceptionWarning")  # as in rclpy
+def test_a_thread_that_spins_may_be_started_from_the_cell(graph):
+    rclpy.init()
+    node = Node("cell")
+    ticks = []
+    node.create_timer(0.1, lambda: ticks.append(graph.now_ns))
+    threading.Thread(target=rclpy.spin, args=(node,), daemon=True).start()
+    graph.run(seconds=0.35)
+    assert ticks == [seconds(1.1), seconds(1.2), seconds(1.3)]
+    rclpy.shutdown()
+    graph.run(seconds=0.1)
+
+
+def test_a_topic_can_be_delayed(graph):
+    heard = []
+    graph.disturb("/chatter", delay=0.25)
+    graph.start(talker())
+    graph.start(recorder(heard))
+    graph.run(seconds=2.5)
+    assert heard == [(seconds(2.25), "1"), (seconds(3.25), "2")]
+
+
+def test_jitter_keeps_the_order_and_loss_loses_its_share_the_same_each_time(graph):
+    heard, again = [], []
+    graph.disturb("/chatter", delay=0.01, jitter=0.3, loss=0.25, seed=7)
+    graph.disturb("/again", delay=0.01, jitter=0.3, loss=0.25, seed=7)
+    for topic, list_ in (("chatter", heard), ("again", again)):
+        graph.start(recorder(list_, topic, f"recorder_{topic}", qos=1000))
+        graph.start(talker(0.05, topic, f"talker_{topic}"))
+    graph.run(seconds=20)
+    numbers = [int(text) for _, text in heard]
+    assert numbers == sorted(numbers)
+    assert 250 < len(numbers) < 350  # of 400
+    assert heard != again  # another topic, another trouble
+
+    graph.disturb("/chatter")  # and no more
+    graph.run(seconds=0.5)
+    before = len(heard)
+    graph.run(seconds=1)
+    assert len(heard) == before + 20
+
+
+@pytest.mark.parametrize("trouble", [{"delay": -1}, {"jitter": -0.1}, {"loss": 1.5}])
+def test_impossible_trouble_is_refused(graph, trouble):
+    with pytest.raises(ValueError, match="delay and jitter must not be negative, and loss is between 0 and 1"):
+        graph.disturb("/tf", **trouble)
+
+
+def test_trouble_is_for_absolute_names(graph):
+    with pytest.raises(ValueError, match='absolute name: "/tf", not "tf"'):
+        graph.disturb("tf", delay=1)
+
+
+def test_the_clock_of_one_node_can_be_wrong(graph, capsys):
+    rclpy.init()
+    right, wrong = Node("right"), Node("wrong")
+    graph.set_clock_offset("wrong", -0.4)
+    graph.set_clock_offset("/late/comer", 2.0)
+    late = Node("comer", namespace="late")
+    assert right.get_clock().now().nanoseconds == seconds(1)
+    assert wrong.get_clock().now().nanoseconds == seconds(0.6)
+    assert late.get_clock().now().nanoseconds == seconds(3)
+    wrong.get_logger().info("what time is it?")
+    assert capsys.readouterr().err == "[INFO] [0.600000000] [wrong]: what time is it?\n"
+    rclpy.shutdown()
+
+
+def test_clocks_sleep_on_virtual_time(graph):
+    rclpy.init()
+    node = Node("sleeper")
+    clock = node.get_clock()
+    assert clock.clock_type == ClockType.ROS_TIME
+    assert clock.sleep_for(Duration(seconds=1.5))
+    assert graph.now_ns == seconds(2.5)
+    rclpy.shutdown()
+
+
+def test_a_snapshot_knows_who_publishes_what(graph):
+    from tflab.ros.messages.geometry_msgs import TransformStamped
+    from tflab.ros.tf2_broadcaster import TransformBroadcaster
+
+    def robot():
+        rclpy.init()
+        node = Node("robot", namespace="/a")
+        message = TransformStamped(child_frame_id="base_link")
+        message.header.frame_id = "odom"
+        TransformBroadcaster(node).sendTransform(message)
+        rclpy.spin(node)
+
+    graph.start(robot)
+    seen = snapshot(graph)
+    assert [(node.name, node.participant) for node in seen.nodes] == [("/a/robot", "robot")]
+    assert [tuple(edge) for edge in seen.edges] == [("odom", "base_link", "/tf", "/a/robot", 1)]
+    assert [topic.name for topic in seen.topics] == ["/parameter_events", "/rosout", "/tf"]
+
+
+def test_best_effort_is_no_reason_to_lose_anything_by_itself(graph):
+    heard = []
+    graph.start(talker())
+    graph.start(recorder(heard, qos=QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)))
+    graph.run(seconds=3)
+    assert [text for _, text in heard] == ["1", "2", "3"]

@@ -1,0 +1,388 @@
+"""What surprises people on a robot surprises them here: waiting, clocks, late joiners, bad quaternions."""
+
+import time
+
+import pytest
+
+from tflab.core import ExtrapolationException, LookupException, seconds
+from tflab.ros import client_library as rclpy
+from tflab.ros.duration import Duration
+from tflab.ros.executors import MultiThreadedExecutor, SingleThreadedExecutor
+from tflab.ros.messages.geometry_msgs import Quaternion, TransformStamped
+from tflab.ros.messages.rosgraph_msgs import Clock
+from tflab.ros.messages.std_msgs import String
+from tflab.ros.node import Node
+from tflab.ros.parameter import Parameter
+from tflab.ros.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from tflab.ros.tf2_broadcaster import StaticTransformBroadcaster, TransformBroadcaster
+from tflab.ros.tf2_buffer import Buffer
+from tflab.ros.tf2_listener import TransformListener
+from tflab.ros.time import Time
+
+
+def transform(parent, child, stamp_ns=0, x=0.0):
+    message = TransformStamped(child_frame_id=child)
+    message.header.frame_id = parent
+    message.header.stamp = Time(nanoseconds=stamp_ns).to_msg()
+    message.transform.translation.x = x
+    return message
+
+
+def moving(graph, period_s=0.05, name="moving"):
+    """A main function: odom -> base_link, x = seconds since the graph's start."""
+
+    def main():
+        rclpy.init()
+        node = Node(name)
+        broadcaster = TransformBroadcaster(node)
+        node.create_timer(
+            period_s,
+            lambda: broadcaster.sendTransform(
+                transform("odom", "base_link", node.get_clock().now().nanoseconds, graph.now_ns / 1e9 - 1.0)
+            ),
+        )
+        rclpy.spin(node)
+
+    return main
+
+
+def ask_now(graph, node, buffer, outcome):
+    """Ask for this very moment, wait up to 0.2 s, and note the answer and how long it took [ns]."""
+    began_ns = graph.now_ns
+    try:
+        found = buffer.lookup_transform("odom", "base_link", node.get_clock().now(), timeout=Duration(seconds=0.2))
+        outcome.append(round(found.transform.translation.x, 9))
+    except ExtrapolationException as error:
+        outcome.append(error.direction)
+    outcome.append(graph.now_ns - began_ns)
+
+
+def asker(graph, outcome, executor_type):
+    """A main function: 0.99 s after its start, a callback asks."""
+
+    def main():
+        rclpy.init()
+        node = Node("asker")
+        buffer = Buffer(node=node)
+        node.listener = TransformListener(buffer, node)
+
+        def ask():
+            timer.cancel()
+            ask_now(graph, node, buffer, outcome)
+
+        timer = node.create_timer(0.99, ask)
+        executor = executor_type()
+        executor.add_node(node)
+        executor.spin()
+
+    return main
+
+
+# -- waiting for a transform -----------------------------------------------------------
+
+
+def test_a_timeout_in_a_callback_of_a_single_threaded_executor_burns_and_fails(graph):
+    outcome = []
+    graph.start(moving(graph))
+    graph.start(asker(graph, outcome, SingleThreadedExecutor))
+    graph.run(seconds=2)
+    assert outcome == ["future", seconds(0.2)]
+
+
+def test_with_many_threads_transforms_arrive_while_a_callback_waits(graph):
+    outcome = []
+    graph.start(moving(graph))
+    graph.start(asker(graph, outcome, MultiThreadedExecutor))
+    graph.run(seconds=2)
+    # Asked at 1.99 s; the sample of 2.00 s is there at the first look after it.
+    assert outcome == [0.99, seconds(0.02)]
+
+
+def test_with_a_thread_of_its_own_a_listener_serves_whoever_waits(graph):
+    outcome = []
+
+    def main():
+        rclpy.init()
+        node = Node("asker")
+        buffer = Buffer(node=node)
+        node.listener = TransformListener(buffer, node, spin_thread=True)
+        time.sleep(0.99)
+        ask_now(graph, node, buffer, outcome)
+
+    graph.start(moving(graph))
+    graph.start(main)
+    graph.run(seconds=2)
+    assert outcome == [0.99, seconds(0.02)]
+
+
+# -- simulated time ---------------------------------------------------------------------
+
+
+def test_use_sim_time_without_clock_stands_at_zero_and_timers_are_dead(graph):
+    calls = []
+
+    def main():
+        rclpy.init(args=["node", "--ros-args", "-p", "use_sim_time:=true"])
+        node = Node("waiting_for_clock")
+        calls.append(node.get_clock().now().nanoseconds)
+        node.create_timer(0.1, lambda: calls.append(node.get_clock().now().nanoseconds))
+        rclpy.spin(node)
+
+    graph.start(main)
+    graph.run(seconds=5)
+    assert calls == [0]
+
+
+def clock_player(stamps_s):
+    """A main function that publishes /clock every 0.1 s, with these times [s]."""
+
+    def main():
+        rclpy.init()
+        node = Node("player")
+        publisher = node.create_publisher(Clock, "/clock", 10)
+        times = iter(stamps_s)
+
+        def tick():
+            at_s = next(times, None)
+            if at_s is not None:
+                publisher.publish(Clock(clock=Time(nanoseconds=seconds(at_s)).to_msg()))
+
+        node.create_timer(0.1, tick)
+        rclpy.spin(node)
+
+    return main
+
+
+def test_with_clock_a_node_and_its_timers_follow_it(graph):
+    calls = []
+
+    def main():
+        rclpy.init(args=["node", "--ros-args", "-p", "use_sim_time:=true"])
+        node = Node("follower")
+        node.create_timer(10.0, lambda: calls.append((graph.now_ns, node.get_clock().now().nanoseconds)))
+        rclpy.spin(node)
+
+    graph.start(main)
+    graph.start(clock_player([103.0, 105.0, 110.0, 115.0, 120.0]))
+    graph.run(seconds=1)
+    # The first message is a jump from 0 to 103 s, past the first call; what was missed is skipped.
+    assert calls == [
+        (seconds(1.1), seconds(103)),
+        (seconds(1.3), seconds(110)),
+        (seconds(1.5), seconds(120)),
+    ]
+
+
+def listening_to_a_jump(graph, with_node, buffers, back_to_s):
+    def main():
+        rclpy.init(args=["node", "--ros-args", "-p", "use_sim_time:=true"])
+        node = Node("listener")
+        buffer = Buffer(node=node) if with_node else Buffer()
+        buffers.append(buffer)
+        rclpy.spin(node)
+
+    graph.start(main)
+    graph.start(clock_player([100.0, 101.0, back_to_s]))
+    graph.run(seconds=0.25)
+    buffers[0].set_transform(transform("odom", "base_link", seconds(101)), "test")
+    graph.run(seconds=1)
+    return buffers[0].can_transform("odom", "base_link", Time())
+
+
+def test_a_buffer_with_a_node_forgets_everything_when_time_jumps_back(graph, capsys):
+    assert not listening_to_a_jump(graph, True, [], back_to_s=50.0)
+    assert (
+        "[WARN] [1.300000000] [tf2_buffer]: Detected jump back in time. Clearing tf buffer." in capsys.readouterr().err
+    )
+
+
+def test_a_jump_back_of_less_than_a_second_is_not_noticed(graph, capsys):
+    assert listening_to_a_jump(graph, True, [], back_to_s=100.5)
+    assert "jump" not in capsys.readouterr().err
+
+
+def test_a_buffer_without_a_node_does_not_clear_and_then_refuses_what_is_too_old(graph, capsys):
+    buffers = []
+    assert listening_to_a_jump(graph, False, buffers, back_to_s=50.0)
+    buffers[0].set_transform(transform("odom", "base_link", seconds(50)), "default_authority")
+    assert (
+        "[WARN] [2.250000000] []: TF_OLD_DATA ignoring data from the past for frame base_link at time 50.000000 "
+        "according to authority default_authority\n"
+        "Possible reasons are listed at http://wiki.ros.org/tf/Errors%20explained\n"
+    ) in capsys.readouterr().err
+
+
+def test_use_sim_time_can_be_set_while_running_and_clears_the_buffer(graph, capsys):
+    rclpy.init()
+    node = Node("node")
+    buffer = Buffer(node=node)
+    buffer.set_transform(transform("odom", "base_link", seconds(1)), "test")
+    results = node.set_parameters([Parameter("use_sim_time", Parameter.Type.BOOL, True)])
+    assert results[0].successful
+    assert node.get_clock().now().nanoseconds == 0
+    assert not buffer.can_transform("odom", "base_link", Time())
+    assert capsys.readouterr().err.count("Detected jump back in time. Clearing tf buffer.") == 1
+    rclpy.shutdown()
+
+
+# -- late joiners -------------------------------------------------------------------------
+
+
+def hear_late(graph, static_qos):
+    """Return whether a listener that comes after a static transform was published knows it."""
+
+    def bolted():
+        rclpy.init()
+        node = Node("bolted")
+        StaticTransformBroadcaster(node).sendTransform(transform("base_link", "laser"))
+        rclpy.spin(node)
+
+    graph.start(bolted)
+    graph.run(seconds=1)
+    rclpy.init()
+    node = Node("late")
+    buffer = Buffer()
+    node.listener = TransformListener(buffer, node, static_qos=static_qos)
+    rclpy.spin_once(node, timeout_sec=0.1)
+    found = buffer.can_transform("base_link", "laser", Time())
+    rclpy.shutdown()
+    return found
+
+
+def test_a_late_listener_still_hears_static_transforms(graph):
+    assert hear_late(graph, static_qos=None)
+
+
+def test_a_late_subscriber_without_transient_local_misses_them(graph):
+    assert not hear_late(graph, static_qos=10)
+
+
+def test_what_is_kept_for_latecomers_dies_with_its_publisher(graph):
+    def short_lived():
+        rclpy.init()
+        node = Node("short_lived")
+        StaticTransformBroadcaster(node).sendTransform(transform("base_link", "laser"))
+
+    graph.start(short_lived)
+    rclpy.init()
+    node = Node("late")
+    buffer = Buffer()
+    node.listener = TransformListener(buffer, node)
+    rclpy.spin_once(node, timeout_sec=0.1)
+    assert not buffer.can_transform("base_link", "laser", Time())
+    rclpy.shutdown()
+
+
+@pytest.mark.parametrize(
+    ("distro", "known"),
+    [
+        ("humble", {"lidar": None, "camera": 3.0}),  # the second message has replaced the first
+        ("jazzy", {"lidar": 1.0, "camera": 3.0}),  # all so far, but the first value of each
+        ("rolling", {"lidar": 2.0, "camera": 3.0}),
+    ],
+)
+def test_what_latecomers_hear_of_a_resend_depends_on_the_distribution(graph, monkeypatch, distro, known):
+    monkeypatch.setenv("TFLAB_ROS_DISTRO", distro)
+    rclpy.init()
+    sender, late = Node("sender"), Node("late")
+    broadcaster = StaticTransformBroadcaster(sender)
+    broadcaster.sendTransform(transform("base_link", "lidar", x=1.0))
+    if distro != "humble":
+        broadcaster.sendTransform(transform("base_link", "lidar", x=2.0))
+    broadcaster.sendTransform(transform("base_link", "camera", x=3.0))
+    buffer = Buffer()
+    late.listener = TransformListener(buffer, late)
+    rclpy.spin_once(late, timeout_sec=0.1)
+    for frame, x in known.items():
+        if x is None:
+            assert not buffer.can_transform("base_link", frame, Time())
+        else:
+            assert buffer.lookup_transform("base_link", frame, Time()).transform.translation.x == x
+    rclpy.shutdown()
+
+
+@pytest.mark.parametrize(("distro", "accepted"), [("humble", 1.0), ("jazzy", 2.0)])
+def test_a_repeated_stamp_is_refused_by_humble_and_replaces_since_jazzy(graph, monkeypatch, capsys, distro, accepted):
+    monkeypatch.setenv("TFLAB_ROS_DISTRO", distro)
+    buffer = Buffer()
+    for x in (1.0, 2.0):
+        buffer.set_transform(transform("odom", "base_link", seconds(1), x), "somebody")
+    assert buffer.lookup_transform("odom", "base_link", Time()).transform.translation.x == accepted
+    assert ("TF_REPEATED_DATA" in capsys.readouterr().err) == (distro == "humble")
+
+
+# -- quality of service -----------------------------------------------------------------
+
+
+def test_an_offer_that_is_less_than_the_request_is_warned_about_on_both_sides(graph, capsys):
+    rclpy.init()
+    talker, hearer = Node("talker"), Node("hearer")
+    publisher = talker.create_publisher(String, "/t", QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT))
+    heard = []
+    hearer.create_subscription(String, "/t", heard.append, 10)
+    publisher.publish(String())
+    rclpy.spin_once(hearer, timeout_sec=0.1)
+    assert heard == []
+    assert capsys.readouterr().err == (
+        "[WARN] [1.000000000] [hearer]: New publisher discovered on topic '/t', offering incompatible QoS. No messages "
+        "will be received from it. Last incompatible policy: RELIABILITY\n"
+        "[WARN] [1.000000000] [talker]: New subscription discovered on topic '/t', requesting incompatible QoS. No "
+        "messages will be sent to it. Last incompatible policy: RELIABILITY\n"
+    )
+    rclpy.shutdown()
+
+
+def test_humble_calls_the_policy_by_its_longer_name(graph, capsys, monkeypatch):
+    monkeypatch.setenv("TFLAB_ROS_DISTRO", "humble")
+    rclpy.init()
+    node = Node("node")
+    node.create_publisher(String, "/t", 1)
+    node.create_subscription(
+        String, "/t", lambda msg: None, QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+    )
+    assert "Last incompatible policy: DURABILITY_QOS_POLICY\n" in capsys.readouterr().err
+    rclpy.shutdown()
+
+
+# -- bad data -----------------------------------------------------------------------------
+
+
+def test_a_zero_quaternion_travels_and_each_listener_refuses_it_in_its_log(graph, capsys):
+    def hearer(number):
+        def main():
+            rclpy.init()
+            node = Node(f"hearer{number}")
+            node.listener = TransformListener(Buffer(), node)
+            rclpy.spin(node)
+
+        return main
+
+    graph.start(hearer(1))
+    graph.start(hearer(2))
+    rclpy.init()
+    node = Node("careless")
+    message = transform("base_link", "laser")
+    message.transform.rotation = Quaternion(x=0.0, y=0.0, z=0.0, w=0.0)
+    StaticTransformBroadcaster(node).sendTransform(message)
+    assert capsys.readouterr().err == ""
+    graph.run(seconds=0.1)
+    lines = capsys.readouterr().err.splitlines()
+    refusals = [line for line in lines if "TF_DENORMALIZED_QUATERNION" in line]
+    assert len(refusals) == 2
+    assert refusals[0].startswith(
+        '[ERROR] [1.000000000] []: TF_DENORMALIZED_QUATERNION: Ignoring transform for child_frame_id "laser" from '
+        'authority "default_authority" because of an invalid quaternion in the transform ('
+    )
+    rclpy.shutdown()
+
+
+def test_a_lookup_right_after_the_start_fails_because_nothing_has_arrived(graph):
+    graph.start(moving(graph))
+    graph.run(seconds=1)
+    rclpy.init()
+    node = Node("impatient")
+    buffer = Buffer()
+    node.listener = TransformListener(buffer, node)
+    with pytest.raises(LookupException, match='"odom" passed to lookupTransform argument target_frame does not exist'):
+        buffer.lookup_transform("odom", "base_link", Time())
+    rclpy.shutdown()
