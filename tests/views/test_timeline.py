@@ -81,6 +81,14 @@ def test_past_either_end_tf2s_exception_and_text_appear(timeline, buffer, stamp_
     assert picture.handle.get_marker() == "X"
 
 
+@pytest.mark.parametrize("stamp_s", [0.0, 3.0, 99.0])
+def test_the_moment_stays_on_the_card_however_far_the_query_is(timeline, buffer, stamp_s):
+    picture = TimelinePicture(timeline, buffer.lookup_transform).show(seconds(stamp_s))
+    picture.png()
+    words, card = picture.moment.get_window_extent(), picture.figure.bbox
+    assert card.x0 < words.x0 and words.x1 < card.x1
+
+
 def test_coming_back_inside_shows_the_pose_again(timeline, buffer):
     picture = TimelinePicture(timeline, buffer.lookup_transform).show(seconds(9.0)).show(seconds(3.0))
     assert picture.headline.get_text() == "laser_frame in map at 3.000 s"

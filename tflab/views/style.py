@@ -124,7 +124,7 @@ def figure(size_inch: tuple[float, float] = WIDE) -> Figure:
 
 def room_px(names: Iterable[str], at_least_px: int = 110) -> int:
     """Return how much room the longest of these names takes left of a row [screen pixels]."""
-    return max(at_least_px, *(30 + 7 * len(name) for name in names))
+    return max(at_least_px, *(42 + 7 * len(name) for name in names))
 
 
 def fmt(value: float, unit: str = "m", digits: int = 3) -> str:

@@ -217,6 +217,9 @@ class TimelinePicture(Picture):
             self.handle.set_marker("X" if refused else "o")
             self.moment.xy = (at, QUERY_ROW)
             self.moment.set_text(reply.moment)
+            is_near_end = at > 0.75 * self.ax.get_xlim()[1]
+            self.moment.set_position((-9, 0) if is_near_end else (9, 0))
+            self.moment.set_horizontalalignment("right" if is_near_end else "left")
             self.headline.set_text(lines[0])
             self.body.set_text("\n".join(part for line in lines[1:] for part in wrap(line, 96)))
         self.text = describe_timeline(self.timeline, reply)

@@ -42,7 +42,7 @@ class Panel:
         """Make a panel.
 
         Args:
-            title: what it is, for a screen reader.
+            title: what it is, for whoever hears it: it names the button that shows the words.
             controls: whatever changes the picture.
             move: moves the picture to where the controls are.
             layout: the controls as they should stand, if not one below the other.
@@ -51,10 +51,10 @@ class Panel:
         self.controls = {control.description: control for control in controls}
         self._move = move
         width, height = picture.size_px
-        self._image = widgets.Image(format="png", width=width, height=height, tooltip=title)
+        self._image = widgets.Image(format="png", width=width, height=height)  # a tooltip would break it in JupyterLab
         self._image.layout.max_width = "100%"
         self._image.layout.object_fit = "contain"
-        self._as_text = widgets.ToggleButton(description="as text", tooltip="Show the same in words")
+        self._as_text = widgets.ToggleButton(description="as text", tooltip=f"{title}: the same in words")
         self._words = widgets.HTML()
         self._words.layout.display = "none"
         self.widget = widgets.VBox([*(layout or controls), self._image, self._as_text, self._words])
