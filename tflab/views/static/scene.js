@@ -108,14 +108,30 @@ function lighter(colour) { // a dark blue letter on a dark page
 
 const overlap = (a, b) => a.x < b.x + b.w && b.x < a.x + a.w && a.y < b.y + b.h && b.y < a.y + a.h;
 
-// Where a name may stand, seen from its frame's origin, nearest wish first.
-const PLACES = [[0, 14], [0, -14], [-1, 14], [1, 14], [-1, -14], [1, -14], [0, 30], [0, -30], [0, 46], [0, -46]];
+// Where a name may stand, seen from its frame's origin, nearest wish first: below, above, to the sides, farther.
+const PLACES = [16, 34, 52, 70].flatMap((far) => [
+  [0, far], [0, -far], [0.6, far], [-0.6, far], [0.6, -far], [-0.6, -far], [1, 0.25 * far], [-1, 0.25 * far],
+].map(([side, down]) => [side, down, far]));
 
 function placed(label, taken) {
-  const boxes = PLACES.map(([side, down]) => ({
-    x: label.x - label.w / 2 + side * (label.w / 2 + 6), y: label.y + down - label.h / 2, w: label.w, h: label.h,
+  const boxes = PLACES.map(([side, down, far]) => ({
+    x: label.x - label.w / 2 + side * (label.w / 2 + far), y: label.y + down - label.h / 2, w: label.w, h: label.h,
   }));
   return boxes.find((box) => !taken.some((other) => overlap(box, other))) ?? boxes[0];
+}
+
+// A name that had to go far away is tied to its origin.
+function tie(context, label, x, y, colour) {
+  const far = Math.hypot(x - label.x, y - label.y);
+  if (far < 30) return;
+  context.globalAlpha = 0.55;
+  context.strokeStyle = colour;
+  context.lineWidth = 1;
+  context.beginPath();
+  context.moveTo(label.x, label.y);
+  context.lineTo(x, y);
+  context.stroke();
+  context.globalAlpha = 1;
 }
 
 // Write every label of the scene; return where the frames' names stand, for picking.
@@ -138,7 +154,8 @@ function writeLabels(context, view, camera) {
   context.textAlign = "center";
   context.textBaseline = "middle";
   context.lineJoin = "round";
-  const taken = [], names = [];
+  const origins = found.filter((label) => label.name).map(({ x, y }) => ({ x: x - 5, y: y - 5, w: 10, h: 10 }));
+  const taken = [...origins], names = [];
   for (const label of found) {
     const size = label.small ? 12 : 13;
     context.font = `${label.slanted ? "italic " : ""}${label.name || label.small ? "600 " : ""}${size}px ${look.fontFamily}`;
@@ -150,6 +167,7 @@ function writeLabels(context, view, camera) {
     const x = spot.x + spot.w / 2, y = spot.y + spot.h / 2;
     if (label.name) names.push({ frame: label.frame, spot, origin: { x: label.x, y: label.y } });
     if (label.name && label.frame && label.frame === view.picked) ring(context, label, spot);
+    if (label.name) tie(context, label, x, y, ink);
     context.lineWidth = 3.5;
     context.strokeStyle = paper;
     context.strokeText(label.text, x, y);
@@ -252,6 +270,8 @@ class View {
       else handle.call(viewer, command);
       if (command.type === "set_object") this.grown = true;
     };
+    this.look(EYE.map((value) => 5 * value), [0, 0, 0]); // until there is something to look at
+    this.turned = false;
     for (const name of ["Background", "Axes"]) viewer.set_property([name], "visible", false);
     viewer.controls.addEventListener("start", () => { this.turned = true; });
     viewer.set_3d_pane_size();

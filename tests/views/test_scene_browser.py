@@ -1,0 +1,250 @@
+"""The 3D view in a real JupyterLab and in a real browser, and the same page from a disk."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+pytestmark = pytest.mark.browser
+
+ORANGE, BLUE = (0xD5, 0x5E, 0x00), (0x00, 0x72, 0xB2)
+
+# Where a box stands in the view's width: a metre is 61 pixels of some 850 to 1000.
+IN_THE_MIDDLE, AT_1_M, AT_MINUS_1_M = (0.49, 0.51), (0.55, 0.58), (0.42, 0.45)
+
+SETUP = """
+import ipywidgets
+from meshcat.animation import Animation
+from meshcat.geometry import Box, MeshBasicMaterial, Sphere
+from meshcat.transformations import translation_matrix
+from tflab.core import Transform
+from tflab.views.scene import Scene, draw_frame
+
+def box_scene(colour=0xD55E00, height_px=240):
+    scene = Scene(height_px=height_px)
+    scene.look((0.0, -5.0, 2.0))
+    scene["robot/box"].set_object(Box([0.5, 0.5, 0.5]), MeshBasicMaterial(color=colour))
+    return scene
+
+def at(x_m):
+    return translation_matrix([float(x_m), 0.0, 0.0])
+"""
+SLIDER = """
+scene = box_scene()
+slider = ipywidgets.FloatSlider(min=-1.5, max=1.5, description="x")
+slider.observe(lambda change: scene["robot"].set_transform(at(change["new"])), "value")
+ipywidgets.VBox([slider, scene])
+"""
+
+# Where a colour is in the n-th view's canvas: how many pixels, and their middle as a part of its width and height.
+FIND = """([n, [red, green, blue]]) => {
+  const canvas = document.querySelectorAll(".tflab-scene canvas")[n];
+  if (!canvas) return [0, 0, 0];
+  const { data, width, height } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+  let count = 0, x = 0, y = 0;
+  for (let i = 0; i < data.length; i += 4) {
+    const off = Math.abs(data[i] - red) + Math.abs(data[i + 1] - green) + Math.abs(data[i + 2] - blue);
+    if (off < 12 && data[i + 3] > 250) { count++; x += i / 4 % width; y += Math.floor(i / 4 / width); }
+  }
+  return count ? [count, x / count / width, y / count / height] : [0, 0, 0];
+}"""
+COUNT_CONTEXTS = """
+  window.contexts = new Set();
+  window.lost = 0;
+  const getContext = HTMLCanvasElement.prototype.getContext;
+  HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
+    if (/webgl/.test(kind) && !contexts.has(this)) {
+      contexts.add(this);
+      this.addEventListener("webglcontextlost", () => { lost++; });
+    }
+    return getContext.call(this, kind, ...rest);
+  };
+"""
+
+
+def find(page, colour, view: int = 0) -> tuple[int, float, float]:
+    """Return how many pixels of a view have a colour, and where their middle is, in parts of its size."""
+    return tuple(page.evaluate(FIND, [view, colour]))
+
+
+def wait_for_views(page, count: int = 1) -> None:
+    page.wait_for_function(f"globalThis.tflabViews?.size >= {count}", timeout=30_000)
+    page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+
+
+def wait_for_colour(page, colour, left: float, right: float, view: int = 0) -> tuple[int, float, float]:
+    """Wait until a view shows a colour with its middle between `left` and `right`; return what `find` does."""
+    page.locator(".tflab-scene").nth(view).scroll_into_view_if_needed()  # what nobody can see is not drawn
+    condition = f"(a) => {{ const [count, x] = ({FIND})(a); return count > 30 && x > {left} && x < {right}; }}"
+    page.wait_for_function(condition, arg=[view, colour], timeout=20_000)
+    return find(page, colour, view)
+
+
+def settled_x(page, colour) -> float:
+    """Return where a colour has come to rest in the first view."""
+    before, now = -1.0, find(page, colour)[1]
+    while before != now:
+        page.wait_for_timeout(400)
+        before, now = now, find(page, colour)[1]
+    return now
+
+
+def drag(page, box: dict, to_x: float, to_y: float) -> None:
+    """Take the middle of `box` with the mouse and pull it to a point."""
+    page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    page.mouse.down()
+    page.mouse.move(to_x, to_y, steps=8)
+    page.mouse.up()
+
+
+def test_run_all_shows_the_box_and_dragging_the_slider_moves_it(lab, page):
+    lab.write_notebook("slider.ipynb", [SETUP, SLIDER, "scene"])
+    lab.open(page, "slider.ipynb")
+    lab.run_all(page)
+    wait_for_views(page, 2)
+    count, _, y = wait_for_colour(page, ORANGE, *IN_THE_MIDDLE)
+    # From 5.385 m, 21.8 degrees above, 240 pixels are 3.92 m, and the cube of 0.5 m shows
+    # 0.5 (0.5 cos + 0.5 sin) = 0.325 square metres, which is 1217 pixels.
+    assert count == pytest.approx(1217, rel=0.1)
+    assert y == pytest.approx(0.5, abs=0.05)
+
+    handle = page.locator(".noUi-handle").first.bounding_box()
+    drag(page, handle, handle["x"] + 200, handle["y"])
+    wait_for_colour(page, ORANGE, 0.55, 0.62)
+    moved_x = settled_x(page, ORANGE)
+    wait_for_colour(page, ORANGE, moved_x - 0.01, moved_x + 0.01, view=1)
+
+    page.evaluate("jupyterapp.commands.execute('docmanager:save')")
+    page.evaluate("jupyterapp.commands.execute('notebook:move-cursor-down')")
+    page.reload()  # the kernel lives on, and tells the new page what there is
+    wait_for_views(page, 2)
+    for view in (0, 1):
+        wait_for_colour(page, ORANGE, moved_x - 0.01, moved_x + 0.01, view)
+
+
+def test_a_view_that_opens_late_shows_the_scene_as_it_is_by_then(lab, page):
+    show_late = "for x_m in (0.2, 0.5, 1.0):\n    scene['robot'].set_transform(at(x_m))\nscene"
+    lab.write_notebook("late.ipynb", [SETUP, "scene = box_scene()", show_late])
+    lab.open(page, "late.ipynb")
+    lab.run_all(page)
+    wait_for_views(page)
+    wait_for_colour(page, ORANGE, *AT_1_M)
+
+
+def test_twenty_views_share_one_webgl_context_and_none_is_lost(lab, page):
+    page.add_init_script(COUNT_CONTEXTS)
+    twenty = "for i in range(20):\n    display(box_scene(0x0072B2 if i % 2 else 0xD55E00, height_px=60))"
+    lab.write_notebook("twenty.ipynb", [SETUP, twenty])
+    lab.open(page, "twenty.ipynb")
+    lab.run_all(page)
+    wait_for_views(page, 20)
+    for view in range(20):
+        wait_for_colour(page, BLUE if view % 2 else ORANGE, *IN_THE_MIDDLE, view)
+    assert page.evaluate("[contexts.size, lost]") == [1, 0]
+
+    page.evaluate("void jupyterapp.commands.execute('notebook:clear-all-cell-outputs')")
+    page.wait_for_function("globalThis.tflabViews.size === 0", timeout=10_000)
+
+
+def test_a_click_picks_a_frame_and_python_hears_of_it(lab, page):
+    cell = """
+    scene = Scene(height_px=240)
+    scene.look((0.0, -5.0, 2.0))
+    draw_frame(scene, "base_link", Transform())
+    heard = ipywidgets.Label("nothing")
+    scene.on_pick(lambda name: setattr(heard, "value", f"picked: {name}"))
+    ipywidgets.VBox([scene, heard])
+    """
+    lab.write_notebook("pick.ipynb", [SETUP, cell])
+    lab.open(page, "pick.ipynb")
+    lab.run_all(page)
+    wait_for_views(page)
+    pane = page.locator(".tflab-scene-pane").bounding_box()
+    page.mouse.click(pane["x"] + pane["width"] / 2, pane["y"] + pane["height"] / 2)
+    page.wait_for_function("document.body.innerText.includes('picked: base_link')", timeout=10_000)
+    assert "base_link  frame" in page.locator(".tflab-scene-pane").get_attribute("aria-label")
+
+
+def test_scenes_start_no_process_and_open_no_port_and_follow_the_dark_theme(lab, page):
+    count = """
+    import psutil
+    def owned():
+        me = psutil.Process()
+        return len(me.children()), len([c for c in me.net_connections() if c.status == "LISTEN"])
+    before = owned()
+    """
+    lab.write_notebook("clean.ipynb", [SETUP, count, "scene = box_scene()\nscene", "print(owned() == before)"])
+    lab.open(page, "clean.ipynb")
+    lab.run_all(page)
+    wait_for_views(page)
+    page.wait_for_selector(".jp-OutputArea-output >> text=True")
+    background = "getComputedStyle(document.querySelector('.tflab-scene')).backgroundColor"
+    assert page.evaluate(background) == "rgb(255, 255, 255)"
+    lab.set_theme(page, "JupyterLab Dark")
+    page.wait_for_function(f"Math.max(...{background}.match(/\\d+/g)) < 40", timeout=10_000)
+    wait_for_colour(page, ORANGE, *IN_THE_MIDDLE)
+    lab.set_theme(page, "JupyterLab Light")
+
+
+ANIMATION = """
+moving = box_scene(0x0072B2)
+animation = Animation(default_framerate=10)
+for frame, x_m in ((0, -1.0), (10, 1.0)):
+    with animation.at_frame(moving, frame) as now:
+        now["robot"].set_transform(at(x_m))
+moving.set_animation(animation, play=False)
+ipywidgets.VBox([moving, ipywidgets.Button(description="Go"), ipywidgets.Dropdown(options=["map", "odom"])])
+"""
+SWEEP = """
+swept = box_scene()
+swept.sweep("x", [-1.0, 0.0, 1.0], lambda x_m: swept["robot"].set_transform(at(x_m)), "m", start=1)
+swept
+"""
+
+
+@pytest.fixture(scope="module")
+def executed(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A notebook with a slider, an animation and a sweep, run by nbclient."""
+    nbclient = pytest.importorskip("nbclient")
+    nbformat = pytest.importorskip("nbformat")
+    cells = [nbformat.v4.new_code_cell(source) for source in (SETUP, SLIDER, ANIMATION, SWEEP)]
+    notebook = nbformat.v4.new_notebook(cells=cells, metadata={"kernelspec": {"name": "python3", "display_name": "p"}})
+    nbclient.NotebookClient(notebook, timeout=60).execute()
+    path = tmp_path_factory.mktemp("executed") / "moving.ipynb"
+    nbformat.write(notebook, path)
+    return path
+
+
+@pytest.mark.parametrize("single_file", [False, True])
+def test_an_exported_page_works_from_the_disk(executed, tmp_path, page, single_file):
+    from tflab.views.export import export_html
+
+    exported = export_html(executed, tmp_path, single_file=single_file)
+    assert (tmp_path / "assets").exists() != single_file
+    page.goto(exported.as_uri())
+    wait_for_views(page, 3)
+    wait_for_colour(page, ORANGE, *IN_THE_MIDDLE)
+
+    # 3D turns
+    picture = "document.querySelector('.tflab-scene canvas').toDataURL()"
+    before = page.evaluate(picture)
+    pane = page.locator(".tflab-scene-pane").first.bounding_box()
+    drag(page, pane, pane["x"] + pane["width"] / 2, pane["y"] + pane["height"] - 5)
+    page.wait_for_function(f"(before) => {picture} !== before", arg=before, timeout=10_000)
+    assert find(page, ORANGE)[0] > 0
+
+    # each scrubber moves its own box
+    wait_for_colour(page, BLUE, *AT_MINUS_1_M, view=1)
+    sliders = page.locator(".tflab-scrubber input")
+    sliders.nth(0).fill("1")
+    wait_for_colour(page, BLUE, *AT_1_M, view=1)
+    wait_for_colour(page, ORANGE, *IN_THE_MIDDLE, view=2)
+    sliders.nth(1).fill("2")
+    wait_for_colour(page, ORANGE, *AT_1_M, view=2)
+    assert page.locator(".tflab-scrubber output").all_inner_texts() == ["1.00 s", "x = 1.00 m"]
+
+    # nothing is left that does nothing
+    controls = page.locator("input, button, select, textarea")
+    assert controls.count() == page.locator(".tflab-scrubber :is(input, button)").count() == 4
+    assert page.locator(".tflab-value").all_inner_texts() == ["x: 0.00", "map"]
