@@ -276,7 +276,7 @@ def test_tf2_monitor_wants_two_frames_or_none(terminal):
 
 
 def test_rviz2_names_the_view_to_open(terminal):
-    assert "from tflab.views import rviz" in terminal.type("rviz2")
+    assert "%rviz2 -f map" in terminal.type("rviz2")
     assert terminal.exit_code == 0
 
 

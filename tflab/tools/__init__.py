@@ -8,7 +8,7 @@
     trees                         the tree of a graph, with its real publishers
     topic  topic_echo  topic_rates    who talks about what, what, and how often?
     node  param                   who is there, and how is it set?
-    rviz2                         where is RViz?
+    rviz  rviz2                   what would RViz see of a graph, and where is it?
     session                       how a tool takes part in a graph
     ros2                          what was typed?
     magic  completion             in a page

@@ -3,16 +3,19 @@
     %load_ext tflab                              registers the magic
     graph.start(main)                            a first cell
     %ros2 run tf2_ros tf2_echo odom base_link    a second cell sees what the first one started
+    %rviz2 -f map                                a small RViz, after a second of listening
 
 Read `shell.py` next: the same in a shell.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from tflab.ros.graph import current_graph
 
+from . import rviz2
 from .completion import complete, known_in
 from .page import PageError, run_words, split_line
 
@@ -22,7 +25,7 @@ __all__ = ["complete_line", "register", "ros2_line"]
 def register(ipython: Any) -> None:
     """Give a notebook `%ros2` and `%rviz2`, with completion."""
     ipython.register_magic_function(ros2_line, "line", "ros2")
-    ipython.register_magic_function(lambda line: ros2_line(f"rviz2 {line}"), "line", "rviz2")
+    ipython.register_magic_function(rviz2_line, "line", "rviz2")
     for prefix in ("%ros2", "ros2"):  # with automagic the percent sign may be left out
         ipython.set_hook("complete_command", lambda shell, event: complete_line(event.line), str_key=prefix)
 
@@ -34,11 +37,30 @@ def ros2_line(line: str) -> None:
     except PageError as fault:
         print(fault)
         return
-    outcome = run_words(current_graph(), words, seconds)
-    if outcome.pictures:
+    if words[:3] == ["run", "rviz2", "rviz2"]:
+        pictures = _rviz(words[3:], seconds)
+    else:
+        pictures = run_words(current_graph(), words, seconds).pictures
+    if pictures:
         from IPython.display import display
 
-        display(*outcome.pictures)
+        display(*pictures)
+
+
+def rviz2_line(line: str) -> None:
+    """Show a small RViz of the current graph."""
+    ros2_line(f"rviz2 {line}")
+
+
+def _rviz(arguments: Sequence[str], seconds: float | None) -> tuple[Any, ...]:
+    """Return a small RViz of the current graph; nothing if the arguments are wrong, which has been said then."""
+    from .rviz import open_rviz
+
+    try:
+        options = rviz2.parser().parse_args(arguments)
+    except SystemExit:
+        return ()
+    return (open_rviz(current_graph(), options.fixed_frame, 1.0 if seconds is None else seconds),)
 
 
 def complete_line(line: str) -> list[str]:
