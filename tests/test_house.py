@@ -26,7 +26,7 @@ ROOMS = {
     "workbook": {"core", "views", "ros", "robots", "bags", "doctor", "tools"},
     "grading": {"core", "views", "workbook"},
 }
-ABOUT_400_LINES = 490
+ABOUT_400_LINES = 475
 HEAVY = {
     "matplotlib",
     "ipywidgets",

@@ -11,10 +11,11 @@
     checks       what may come in, and what is refused
     requests     call me when you can
     velocity     how fast does it move
-    describe     what is in there, in tf2's words
+    describe     the tree in tf2's words
     batch        a hundred thousand questions at once
-    history      what is stored
+    inspection   what is in there: names, parents, histories
     snapshot     what there is to draw
+    records      what was heard, before anybody judged it
 
 Behaviour, order of checks and texts are those of ROS 2's tf2 (geometry2 0.39.1).
 It needs nothing but numpy.  Start with `stamps.py`; each page names the next.
@@ -31,7 +32,7 @@ from .errors import (
     TimeoutException,
     TransformException,
 )
-from .history import History, Memory
+from .inspection import History, Memory
 from .requests import NEVER, POSSIBLE_NOW
 from .snapshot import FrameSnapshot, Snapshot, snapshot
 from .stamps import (

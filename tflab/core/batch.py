@@ -13,7 +13,7 @@ where they have one.  Questions are answered in blocks that fit the processor's
 cache, each block in the order of time, because a search that walks forward is
 several times faster than one that jumps.
 
-tf2 has nothing of the kind.  Read `history.py` next.
+tf2 has nothing of the kind.  Read `inspection.py` next.
 """
 
 from __future__ import annotations

@@ -15,7 +15,7 @@ A bad transform is not an error but refused: it is reported to the logger
 on a robot nobody catches an exception in another process.
 
 One thread may write while others read.  tf2 calls this BufferCore
-(tf2/src/buffer_core.cpp, 0.39.1).  Read `requests.py` next.
+(tf2/src/buffer_core.cpp, 0.39.1).  Read `checks.py` next.
 """
 
 from __future__ import annotations
@@ -27,12 +27,11 @@ from threading import RLock
 
 import numpy as np
 
-from . import batch, checks, describe, velocity
+from . import batch, checks, velocity
 from .cache import TimeCache
 from .errors import TransformException
-from .history import History, Memory, history_of, memory_of
+from .inspection import Inspection, Memory, memory_of
 from .requests import RequestCallback, RequestQueue
-from .snapshot import Snapshot, snapshot_of
 from .stamps import LATEST, NSEC_PER_SEC
 from .transforms import IDENTITY_POSE, StampedTransform, Transform, canonical_pose, compose, stamped_from_pose
 from .tree import Cache, Tree
@@ -56,8 +55,8 @@ ROUTES_REMEMBERED = 4096
 ROUTE_BYTES = 500  # each, in CPython on 64 bits
 
 
-class BufferCore:
-    """Transforms between frames, through time.
+class BufferCore(Inspection):
+    """Transforms between frames, through time.  What one can read off it besides is in `inspection.py`.
 
     Args:
         cache_time_ns: how far each history reaches back from its newest sample [ns].
@@ -69,17 +68,11 @@ class BufferCore:
         cache_time_ns = index(cache_time_ns)
         if cache_time_ns < 0:
             raise ValueError(f"cache_time_ns must not be negative: {cache_time_ns}")
-        self._tree = Tree(cache_time_ns, refuse_repeated_stamps)
+        super().__init__(Tree(cache_time_ns, refuse_repeated_stamps), RLock())
         self._routes: dict[tuple[str, str], Route | None] = {}
         self._edges: dict[tuple[str, str, bool], tuple[Cache, int, int]] = {}  # of sound names, as published
         self._requests = RequestQueue(self._tree)
         self._tables = batch.Tables()
-        self._lock = RLock()
-
-    @property
-    def cache_time_ns(self) -> int:
-        """How far each history reaches back from its newest sample [ns]."""
-        return self._tree.cache_time_ns
 
     # -- publishing -------------------------------------------------------
 
@@ -327,26 +320,6 @@ class BufferCore:
 
     # -- looking inside ---------------------------------------------------
 
-    def frame_names(self) -> list[str]:
-        """Return every frame ever named, roots included, in the order of first mention."""
-        with self._lock:
-            return list(self._tree.known_names())
-
-    def frame_exists(self, name: str) -> bool:
-        """Return whether a frame was ever named."""
-        return name in self._tree.numbers
-
-    def frame_number(self, name: str) -> int:
-        """Return a frame's number, counted from 1 in the order of first mention; 0 if unknown."""
-        return self._tree.numbers.get(name, 0)
-
-    def parent_of(self, frame: str, stamp_ns: int = LATEST) -> str | None:
-        """Return the parent of a frame at `stamp_ns`, or None if it has none then."""
-        with self._lock:
-            cache = self._tree.caches[self.frame_number(frame)]
-            number = cache.parent_at(stamp_ns) if cache is not None else 0
-            return self._tree.names[number] if number else None
-
     def chain(self, target_frame: str, source_frame: str, stamp_ns: int = LATEST) -> list[str]:
         """Return the frames on the way, from `source_frame` up and down to `target_frame`, both included.
 
@@ -357,43 +330,6 @@ class BufferCore:
             path = self._path(target_frame, source_frame, stamp_ns)
             frames = frames_on_path(self._tree, path, self._tree.numbers[source_frame])
             return [self._tree.names[frame] for frame in frames]
-
-    def history(self, frame: str) -> History:
-        """Return every sample of one child; of a root, an empty history.
-
-        Raises:
-            LookupException: the frame was never named.
-        """
-        with self._lock:
-            if frame not in self._tree.numbers:
-                raise checks.unknown_frame(self._tree, "history", frame)
-            return history_of(self._tree, self._tree.numbers[frame])
-
-    def snapshot(self) -> Snapshot:
-        """Return what there is to draw of the tree now."""
-        with self._lock:
-            return snapshot_of(self._tree)
-
-    def history_ends(self) -> np.ndarray:
-        """Return the stamps at which any history begins or ends, ascending, shape (n,) [ns]."""
-        with self._lock:
-            caches = [cache for cache in self._tree.caches if cache is not None]
-            return np.unique(np.array([end for c in caches for end in (c.oldest_ns, c.newest_ns)], dtype=np.int64))
-
-    def all_frames_as_string(self) -> str:
-        """Return one line for each frame that has a parent, as tf2 prints it."""
-        with self._lock:
-            return describe.all_frames_as_string(self._tree)
-
-    def all_frames_as_yaml(self, now_ns: int | None = None) -> str:
-        """Return tf2's YAML of every edge; with `now_ns` [ns], also how old each is."""
-        with self._lock:
-            return describe.all_frames_as_yaml(self._tree, now_ns or 0)
-
-    def all_frames_as_dot(self, now_ns: int | None = None) -> str:
-        """Return tf2's Graphviz drawing; with `now_ns` [ns], also how old each edge is."""
-        with self._lock:
-            return describe.all_frames_as_dot(self._tree, now_ns or 0)
 
     def memory(self) -> Memory:
         """Return how much is stored, and, apart from it, how much is merely remembered to be fast."""

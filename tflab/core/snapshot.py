@@ -2,8 +2,8 @@
 
 A view never holds a buffer: it gets a `Snapshot`, or a function to ask.
 
-This is the last page of the engine.  On top of it, `tflab.ros` speaks ROS 2, and
-`tflab.views` draws.
+Here the engine ends.  On top of it, `tflab.ros` speaks ROS 2 and `tflab.views`
+draws; `records.py` is the form in which recordings come in.
 """
 
 from __future__ import annotations

@@ -1,0 +1,161 @@
+"""What is in the buffer?  Names, parents, histories and their weight; nothing here changes anything.
+
+    odom -> base_link    o---o---o--o---o      stamps, parents, authorities, transforms
+    base_link -> laser   ================      bolted on: one sample, good for any time
+
+Tools, timelines and tests read a buffer through these methods; a lookup does not
+need them.  tf2 has some (allFramesAsYAML, getParent); histories it keeps to
+itself.  Read `snapshot.py` next.
+"""
+
+from __future__ import annotations
+
+from threading import RLock
+from typing import NamedTuple
+
+import numpy as np
+
+from . import checks, describe
+from .cache import TimeCache
+from .snapshot import Snapshot, snapshot_of
+from .stamps import LATEST
+from .transforms import Transform
+from .tree import Tree
+
+__all__ = ["History", "Inspection", "Memory", "history_of", "memory_of"]
+
+# In CPython on 64 bits.
+STATIC_BYTES = 400
+SEGMENT_BYTES = 700
+
+
+class History(NamedTuple):
+    """One child through time: parallel tuples, oldest first.
+
+    Attributes:
+        frame: the child.
+        is_static: whether its one sample is good for any time.
+        stamps_ns: when each sample was measured [ns].
+        parents: whose child it was.
+        authorities: who said so.
+        transforms: `parent_T_frame` of each.
+    """
+
+    frame: str
+    is_static: bool
+    stamps_ns: tuple[int, ...]
+    parents: tuple[str, ...]
+    authorities: tuple[str, ...]
+    transforms: tuple[Transform, ...]
+
+
+class Memory(NamedTuple):
+    """What a buffer holds, and apart from that what it merely remembers to be fast.
+
+    Attributes:
+        samples: how many transforms are stored.
+        sample_bytes: what they take.
+        memo_bytes: what segments, routes and tables take; bounded, and gone whenever they might be stale.
+    """
+
+    samples: int
+    sample_bytes: int
+    memo_bytes: int
+
+
+class Inspection:
+    """What one can read off a tree, under its lock: the silent half of a BufferCore."""
+
+    def __init__(self, tree: Tree, lock: RLock) -> None:
+        self._tree = tree
+        self._lock = lock
+
+    @property
+    def cache_time_ns(self) -> int:
+        """How far each history reaches back from its newest sample [ns]."""
+        return self._tree.cache_time_ns
+
+    def frame_names(self) -> list[str]:
+        """Return every frame ever named, roots included, in the order of first mention."""
+        with self._lock:
+            return list(self._tree.known_names())
+
+    def frame_exists(self, name: str) -> bool:
+        """Return whether a frame was ever named."""
+        return name in self._tree.numbers
+
+    def frame_number(self, name: str) -> int:
+        """Return a frame's number, counted from 1 in the order of first mention; 0 if unknown."""
+        return self._tree.numbers.get(name, 0)
+
+    def parent_of(self, frame: str, stamp_ns: int = LATEST) -> str | None:
+        """Return the parent of a frame at `stamp_ns`, or None if it has none then."""
+        with self._lock:
+            cache = self._tree.caches[self.frame_number(frame)]
+            number = cache.parent_at(stamp_ns) if cache is not None else 0
+            return self._tree.names[number] if number else None
+
+    def history(self, frame: str) -> History:
+        """Return every sample of one child; of a root, an empty history.
+
+        Raises:
+            LookupException: the frame was never named.
+        """
+        with self._lock:
+            if frame not in self._tree.numbers:
+                raise checks.unknown_frame(self._tree, "history", frame)
+            return history_of(self._tree, self._tree.numbers[frame])
+
+    def snapshot(self) -> Snapshot:
+        """Return what there is to draw of the tree now."""
+        with self._lock:
+            return snapshot_of(self._tree)
+
+    def history_ends(self) -> np.ndarray:
+        """Return the stamps at which any history begins or ends, ascending, shape (n,) [ns]."""
+        with self._lock:
+            caches = [cache for cache in self._tree.caches if cache is not None]
+            return np.unique(np.array([end for c in caches for end in (c.oldest_ns, c.newest_ns)], dtype=np.int64))
+
+    def all_frames_as_string(self) -> str:
+        """Return one line for each frame that has a parent, as tf2 prints it."""
+        with self._lock:
+            return describe.all_frames_as_string(self._tree)
+
+    def all_frames_as_yaml(self, now_ns: int | None = None) -> str:
+        """Return tf2's YAML of every edge; with `now_ns` [ns], also how old each is."""
+        with self._lock:
+            return describe.all_frames_as_yaml(self._tree, now_ns or 0)
+
+    def all_frames_as_dot(self, now_ns: int | None = None) -> str:
+        """Return tf2's Graphviz drawing; with `now_ns` [ns], also how old each edge is."""
+        with self._lock:
+            return describe.all_frames_as_dot(self._tree, now_ns or 0)
+
+
+def history_of(tree: Tree, number: int) -> History:
+    """Return every sample of one frame; of a root, none."""
+    cache = tree.caches[number]
+    samples = cache.samples() if cache is not None else []
+    return History(
+        frame=tree.names[number],
+        is_static=cache is not None and cache.is_static,
+        stamps_ns=tuple(sample.stamp_ns for sample in samples),
+        parents=tuple(tree.names[sample.parent] for sample in samples),
+        authorities=tuple(sample.authority for sample in samples),
+        transforms=tuple(Transform(sample.pose[:3], sample.pose[3:]) for sample in samples),
+    )
+
+
+def memory_of(tree: Tree, other_memo_bytes: int) -> Memory:
+    """Return the weight of a tree; `other_memo_bytes` is what its owner remembers besides."""
+    samples = sample_bytes = segments = 0
+    for cache in tree.caches:
+        samples += len(cache) if cache is not None else 0
+        if isinstance(cache, TimeCache):
+            column_bytes, remembered = cache.memory()
+            sample_bytes += column_bytes
+            segments += remembered
+        elif cache is not None:
+            sample_bytes += STATIC_BYTES
+    return Memory(samples, sample_bytes, SEGMENT_BYTES * segments + other_memo_bytes)
