@@ -4,7 +4,8 @@ import math
 
 import pytest
 
-from tflab.core import LATEST, seconds
+from tflab.core import LATEST, quaternions, seconds
+from tflab.robots.kinematics import joint_transform
 from tflab.robots.nodes import NODES, launch
 from tflab.robots.teaching import TeachingRobot
 from tflab.ros import client_library as rclpy
@@ -94,6 +95,20 @@ def test_odometry_as_a_message_and_as_a_transform_agree(graph):
         assert (position.x, position.y, position.z) == edge.transform.translation
         assert message.child_frame_id == "base_footprint"
     assert message.twist.twist.linear.x == pytest.approx(0.5, abs=0.05)
+
+
+def test_joint_states_and_the_urdf_reproduce_every_moving_transform(graph):
+    launch(graph, only=["robot_state_publisher", "joint_driver"])
+    audience = Audience(graph, 2.01, {"/joint_states": sensor_msgs.JointState})
+    model = TeachingRobot().model
+    assert len(audience.heard["/joint_states"]) == 40
+    for _, state in audience.heard["/joint_states"]:
+        stamp_ns = stamp_ns_from(state.header.stamp)
+        for name, position in zip(state.name, state.position, strict=True):
+            joint = model.joint(name)
+            recorded = audience.buffer.core.lookup_transform(joint.parent, joint.child, stamp_ns).transform
+            assert recorded.translation == pytest.approx(joint.origin.translation)
+            assert quaternions.angle(recorded.rotation, joint_transform(joint, position).rotation) < 1e-9
 
 
 def test_a_wrong_clock_changes_the_stamps_and_not_what_is_true(graph):
