@@ -1,0 +1,143 @@
+"""Putting modules in the place of a ROS 2 that is not there, and taking them away again."""
+
+import importlib
+import sys
+import types
+
+import pytest
+
+from tflab import ros
+from tflab.ros import distro
+from tflab.ros.activation import PACKAGES, is_active
+from tflab.ros.notebook import load_in_notebook
+
+
+@pytest.fixture(autouse=True)
+def clean(monkeypatch):
+    monkeypatch.delenv("TFLAB_ROS", raising=False)
+    yield
+    ros.deactivate()
+
+
+@pytest.fixture
+def real_rclpy(tmp_path, monkeypatch):
+    """Something that Python finds under the name rclpy."""
+    (tmp_path / "rclpy").mkdir()
+    (tmp_path / "rclpy" / "__init__.py").write_text("REAL = True\n")
+    monkeypatch.syspath_prepend(str(tmp_path))
+    importlib.invalidate_caches()
+    yield
+    sys.modules.pop("rclpy", None)
+
+
+def test_every_package_can_be_imported_and_is_gone_afterwards():
+    assert ros.activate() == "in-process"
+    for name in PACKAGES:
+        importlib.import_module(name)
+    ros.deactivate()
+    assert not [name for name in PACKAGES if name in sys.modules]
+    with pytest.raises(ModuleNotFoundError):
+        importlib.import_module("rclpy")
+
+
+RCLPY_MODULES = """
+    node time duration clock clock_type constants qos executors callback_groups task parameter timer context utilities
+    exceptions logging time_source event_handler publisher subscription client service topic_endpoint_info
+    expand_topic_name signals guard_condition
+"""
+TF2_ROS_MODULES = """
+    buffer buffer_interface transform_listener transform_broadcaster static_transform_broadcaster
+    static_transform_listener
+"""
+
+
+def test_the_submodules_that_users_import_are_there():
+    ros.activate()
+    import rclpy
+
+    for name in RCLPY_MODULES.split():
+        assert getattr(rclpy, name) is importlib.import_module(f"rclpy.{name}")
+    for name in TF2_ROS_MODULES.split():
+        importlib.import_module(f"tf2_ros.{name}")
+
+
+def test_classes_are_the_same_however_one_reaches_them():
+    ros.activate()
+    import rclpy.node
+    import tf2_py
+    import tf2_ros
+
+    from tflab import core
+    from tflab.ros.node import Node
+
+    assert rclpy.node.Node is Node
+    assert tf2_ros.LookupException is tf2_py.LookupException is core.LookupException
+    assert repr(tf2_ros.LookupException) == "<class 'tf2.LookupException'>"
+
+
+def test_it_stands_aside_beside_a_real_ros_2(real_rclpy):
+    assert ros.activate() == "real"
+    assert importlib.import_module("rclpy").REAL
+
+
+def test_the_environment_may_ask_for_ours_all_the_same(real_rclpy, monkeypatch):
+    monkeypatch.setenv("TFLAB_ROS", "in-process")
+    assert ros.activate() == "in-process"
+    assert not hasattr(importlib.import_module("rclpy"), "REAL")
+
+
+def test_asking_for_the_real_one_where_there_is_none_says_what_to_do(monkeypatch):
+    monkeypatch.setenv("TFLAB_ROS", "real")
+    with pytest.raises(ImportError, match="Source its setup file first"):
+        ros.activate()
+
+
+def test_another_word_is_refused(monkeypatch):
+    monkeypatch.setenv("TFLAB_ROS", "virtual")
+    with pytest.raises(ValueError, match='"in-process" or "real"'):
+        ros.activate()
+
+
+def test_a_tf2_ros_alone_is_ros_1_and_does_not_count(tmp_path, monkeypatch):
+    (tmp_path / "tf2_ros").mkdir()
+    (tmp_path / "tf2_ros" / "__init__.py").write_text("REAL = True\n")
+    monkeypatch.syspath_prepend(str(tmp_path))
+    importlib.invalidate_caches()
+    assert ros.activate() == "in-process"
+    assert not hasattr(importlib.import_module("tf2_ros"), "REAL")
+
+
+def test_a_module_that_is_imported_already_is_refused_with_the_remedy(monkeypatch):
+    stranger = types.ModuleType("geometry_msgs")
+    stranger.__file__ = "/opt/ros/geometry_msgs/__init__.py"
+    monkeypatch.setitem(sys.modules, "geometry_msgs", stranger)
+    with pytest.raises(ImportError, match=r"geometry_msgs already imported, from /opt/ros.* Restart Python"):
+        ros.activate("in-process")
+    assert not is_active()
+
+
+def test_an_unknown_distribution_is_refused(monkeypatch):
+    monkeypatch.setenv("TFLAB_ROS_DISTRO", "foxy")
+    with pytest.raises(ValueError, match="'foxy' is not known: it is one of humble, jazzy, rolling"):
+        distro.current()
+
+
+def test_loading_in_a_notebook_says_so_in_one_line_and_leaves_the_graph(capsys):
+    class Shell:
+        def push(self, names):
+            self.names = names
+
+    from tflab.ros.logging import write_to_stdout
+    from tflab.ros.messages import field_checks, set_field_checks
+    from tflab.ros.process import use_graph
+
+    shell = Shell()
+    graph = load_in_notebook(shell)
+    try:
+        assert capsys.readouterr().out == ("tflab: in-process ROS 2 (jazzy), virtual time, message fields checked.\n")
+        assert shell.names["graph"] is graph is ros.current_graph()
+        assert graph.driver.is_virtual and field_checks()
+    finally:
+        set_field_checks(None)
+        write_to_stdout(False)
+        use_graph(None)

@@ -1,0 +1,121 @@
+"""The lecture's experiments of section 23: a healthy tree, a misspelt frame, two owners."""
+
+import pytest
+
+from tflab.core import ConnectivityException, seconds
+from tflab.ros import client_library as rclpy
+from tflab.ros import snapshot
+from tflab.ros.messages.geometry_msgs import TransformStamped
+from tflab.ros.node import Node
+from tflab.ros.tf2_broadcaster import StaticTransformBroadcaster, TransformBroadcaster
+from tflab.ros.tf2_buffer import Buffer
+from tflab.ros.tf2_listener import TransformListener
+from tflab.ros.time import Time
+
+
+def static_publisher(parent, child, x):
+    """What `static_transform_publisher --x X --frame-id PARENT --child-frame-id CHILD` does."""
+
+    def main():
+        rclpy.init()
+        node = Node(f"static_{parent}_{child}")
+        transform = TransformStamped(child_frame_id=child)
+        transform.header.stamp = node.get_clock().now().to_msg()
+        transform.header.frame_id = parent
+        transform.transform.translation.x = x
+        StaticTransformBroadcaster(node).sendTransform(transform)
+        rclpy.spin(node)
+
+    return main
+
+
+@pytest.fixture
+def listen(graph):
+    """Let a listener hear for a while [s]; return its buffer."""
+
+    def listen_for(duration_s):
+        node = Node("listener")
+        buffer = Buffer()
+        node.listener = TransformListener(buffer, node)
+        until_ns = graph.now_ns + seconds(duration_s)
+        while graph.now_ns < until_ns:
+            rclpy.spin_once(node, timeout_sec=(until_ns - graph.now_ns) / 1e9)
+        return buffer
+
+    rclpy.init()
+    yield listen_for
+    rclpy.shutdown()
+
+
+def test_a_a_healthy_tree_gives_the_sum_of_both(graph, listen):
+    #  map --0--> odom --1--> base_link
+    graph.start(static_publisher("map", "odom", 0.0))
+    graph.start(static_publisher("odom", "base_link", 1.0))
+    found = listen(1.0).lookup_transform("map", "base_link", Time())
+    translation, rotation = found.transform.translation, found.transform.rotation
+    assert (translation.x, translation.y, translation.z) == (1.0, 0.0, 0.0)
+    assert (rotation.x, rotation.y, rotation.z, rotation.w) == (0.0, 0.0, 0.0, 1.0)
+    assert (found.header.stamp.sec, found.header.stamp.nanosec) == (0, 0)  # nothing in it moves
+
+
+def test_b_a_misspelt_parent_makes_two_trees(graph, listen):
+    #  map --> odom      odm --> base_link
+    graph.start(static_publisher("map", "odom", 0.0))
+    graph.start(static_publisher("odm", "base_link", 1.0))
+    buffer = listen(1.0)
+    with pytest.raises(ConnectivityException) as refused:
+        buffer.lookup_transform("map", "base_link", Time())
+    assert str(refused.value) == (
+        "Could not find a connection between 'map' and 'base_link' because they are not part of the same tree."
+        "Tf has two or more unconnected trees."
+    )
+    assert buffer.all_frames_as_string() == (
+        "Frame odom exists with parent map.\nFrame base_link exists with parent odm.\n"
+    )
+
+
+def test_c_of_two_static_owners_the_last_one_heard_wins(graph, listen):
+    graph.start(static_publisher("odom", "base_link", 1.0))
+    graph.start(static_publisher("odom", "base_link", 2.0))
+    buffer = listen(1.0)
+    assert buffer.lookup_transform("odom", "base_link", Time()).transform.translation.x == 2.0
+
+
+def test_c_of_two_moving_owners_both_are_stored_and_between_them_tf_is_in_between(graph, listen):
+    def owner(x, begins_after_s):
+        def main():
+            rclpy.init()
+            node = Node(f"owner_{x:g}")
+            broadcaster = TransformBroadcaster(node)
+
+            def send():
+                transform = TransformStamped(child_frame_id="base_link")
+                transform.header.stamp = node.get_clock().now().to_msg()
+                transform.header.frame_id = "odom"
+                transform.transform.translation.x = x
+                broadcaster.sendTransform(transform)
+
+            def begin():
+                first.cancel()
+                node.create_timer(0.1, send)
+
+            first = node.create_timer(begins_after_s, begin)
+            rclpy.spin(node)
+
+        return main
+
+    # "1" at 1.2, 1.3, 1.4 ... s; "3" at 1.25, 1.35, 1.45 ... s
+    graph.start(owner(1.0, 0.1))
+    graph.start(owner(3.0, 0.15))
+    buffer = listen(1.0)
+
+    def x_at(at_s):
+        stamp = Time(nanoseconds=seconds(at_s))
+        return buffer.lookup_transform("odom", "base_link", stamp).transform.translation.x
+
+    assert [x_at(1.4), x_at(1.45), x_at(1.5)] == [1.0, 3.0, 1.0]
+    assert x_at(1.425) == pytest.approx(2.0)  # nobody ever said that
+    assert x_at(1.4625) == pytest.approx(2.5)
+    # What tf2 cannot tell, the graph can: who they are.
+    owners = [edge.node for edge in snapshot(graph).edges if (edge.parent, edge.child) == ("odom", "base_link")]
+    assert owners == ["/owner_1", "/owner_3"]

@@ -1,0 +1,231 @@
+"""Nodes: names, remapping, errors with a caret, logs, and what they see of each other."""
+
+import pytest
+
+from tflab.core import seconds
+from tflab.ros import client_library as rclpy
+from tflab.ros.exceptions import (
+    InvalidNamespaceException,
+    InvalidNodeNameException,
+    InvalidServiceNameException,
+    InvalidTopicNameException,
+    NotInitializedException,
+    NoTypeSupportImportedException,
+)
+from tflab.ros.logging import LoggingSeverity
+from tflab.ros.messages.geometry_msgs import PointStamped
+from tflab.ros.messages.rcl_interfaces import Log
+from tflab.ros.messages.std_msgs import String
+from tflab.ros.messages.tf2_msgs import FrameGraph
+from tflab.ros.node import Node
+from tflab.ros.qos import qos_profile_rosout_default
+
+
+@pytest.fixture
+def node(graph):
+    rclpy.init()
+    yield Node("camera", namespace="robot")
+    rclpy.try_shutdown()
+
+
+def test_without_init_there_is_no_node(graph):
+    with pytest.raises(NotInitializedException) as refused:
+        Node("too_early")
+    assert str(refused.value) == "rclpy.init() has not been called. msg:cannot create node"
+
+
+def test_names_are_completed_as_the_node_means_them(node):
+    assert (node.get_name(), node.get_namespace()) == ("camera", "/robot")
+    assert node.get_fully_qualified_name() == "/robot/camera"
+    assert node.resolve_topic_name("points") == "/robot/points"
+    assert node.resolve_topic_name("~/points") == "/robot/camera/points"
+    assert node.resolve_topic_name("/points") == "/points"
+
+
+def test_nodes_and_topics_are_remapped_from_the_command_line(graph):
+    rclpy.init(args=["x", "--ros-args", "-r", "__node:=lidar", "-r", "__ns:=/left", "-r", "scan:=cloud"])
+    node = Node("sensor")
+    assert node.get_fully_qualified_name() == "/left/lidar"
+    assert node.create_publisher(String, "scan", 1).topic_name == "/left/cloud"
+    rclpy.shutdown()
+
+
+def test_a_command_line_that_is_not_understood_is_refused(graph):
+    with pytest.raises(RuntimeError, match="unknown ROS argument: '--remapp'"):
+        rclpy.init(args=["x", "--ros-args", "--remapp", "a:=b"])
+
+
+@pytest.mark.parametrize(
+    ("make", "error", "text"),
+    [
+        (
+            lambda node: Node("my node"),
+            InvalidNodeNameException,
+            "Invalid node name: node name must not contain characters other than alphanumerics or '_':\n"
+            "  'my node'\n"
+            "     ^",
+        ),
+        (
+            lambda node: Node("n", namespace="/a//b"),
+            InvalidNamespaceException,
+            "Invalid namespace: namespace must not contain repeated '/':\n  '/a//b'\n      ^",
+        ),
+        (
+            lambda node: node.create_publisher(String, "my topic", 1),
+            InvalidTopicNameException,
+            "Invalid topic name: topic name must not contain characters other than alphanumerics, '_', '~', '{', or "
+            "'}':\n  'my topic'\n     ^",
+        ),
+        (
+            lambda node: node.create_subscription(String, "9lives", print, 1),
+            InvalidTopicNameException,
+            "Invalid topic name: topic name token must not start with a number:\n  '9lives'\n   ^",
+        ),
+        (
+            lambda node: node.create_service(FrameGraph, "frames/", print),
+            InvalidServiceNameException,
+            "Invalid service name: topic name must not end with a forward slash:\n  'frames/'\n         ^",
+        ),
+    ],
+)
+def test_a_bad_name_is_answered_with_a_finger_on_the_character(node, make, error, text):
+    with pytest.raises(error) as refused:
+        make(node)
+    assert str(refused.value) == text
+
+
+@pytest.mark.parametrize(
+    ("make", "error"),
+    [
+        (lambda node: node.create_publisher(String, "t", -1), ValueError),
+        (lambda node: node.create_publisher(String, "t", "10"), TypeError),
+        (lambda node: node.create_publisher(String(), "t", 1), NoTypeSupportImportedException),
+        (lambda node: node.create_subscription("String", "t", print, 1), NoTypeSupportImportedException),
+        (lambda node: node.create_subscription(String, "t", lambda: None, 1), RuntimeError),
+        (lambda node: setattr(node, "handle", None), AttributeError),
+    ],
+)
+def test_bad_arguments_are_refused(node, make, error):
+    with pytest.raises(error):
+        make(node)
+
+
+def test_a_message_of_another_type_is_refused(node):
+    publisher = node.create_publisher(String, "t", 1)
+    with pytest.raises(TypeError, match=r"^Expected <class 'std_msgs\.msg\._string\.String'>, got <class 'geometry_"):
+        publisher.publish(PointStamped())
+
+
+def test_topics_of_different_types_are_not_connected(node):
+    publisher = node.create_publisher(String, "t", 1)
+    node.create_subscription(PointStamped, "t", print, 1)
+    assert publisher.get_subscription_count() == 0
+    assert ("/robot/t", ["geometry_msgs/msg/PointStamped", "std_msgs/msg/String"]) in node.get_topic_names_and_types()
+
+
+def test_every_node_has_its_parameter_services_and_topics(node):
+    names = [name for name, _ in node.get_service_names_and_types_by_node("camera", "/robot")]
+    assert [name.rpartition("/")[2] for name in names] == [
+        "describe_parameters",
+        "get_parameter_types",
+        "get_parameters",
+        "get_type_description",
+        "list_parameters",
+        "set_parameters",
+        "set_parameters_atomically",
+    ]
+    assert node.get_publisher_names_and_types_by_node("camera", "/robot") == [
+        ("/parameter_events", ["rcl_interfaces/msg/ParameterEvent"]),
+        ("/rosout", ["rcl_interfaces/msg/Log"]),
+    ]
+
+
+def test_a_node_sees_the_others_and_who_is_on_a_topic(node):
+    other = Node("other")
+    other.create_publisher(String, "/t", 7)
+    assert node.get_fully_qualified_node_names() == ["/robot/camera", "/other"]
+    (info,) = node.get_publishers_info_by_topic("/t")
+    assert (info.node_name, info.node_namespace, info.topic_type) == ("other", "/", "std_msgs/msg/String")
+    assert info.qos_profile.depth == 7
+    assert (node.count_publishers("/t"), node.count_subscribers("/t")) == (1, 0)
+
+
+def test_what_is_destroyed_is_gone_and_only_once(node):
+    publisher = node.create_publisher(String, "t", 1)
+    assert node.destroy_publisher(publisher)
+    assert not node.destroy_publisher(publisher)
+    assert node.count_publishers("t") == 0
+    node.destroy_node()
+    node.destroy_node()
+
+
+# -- logs ------------------------------------------------------------------------------
+
+
+def test_a_line_in_the_log_looks_as_on_a_robot(node, capsys):
+    node.get_logger().warning("low battery")
+    node.get_logger().get_child("driver").error("gone")
+    assert capsys.readouterr().err == (
+        "[WARN] [1.000000000] [robot.camera]: low battery\n[ERROR] [1.000000000] [robot.camera.driver]: gone\n"
+    )
+
+
+def test_debug_is_silent_until_the_level_is_set(node, capsys):
+    logger = node.get_logger()
+    assert not logger.debug("quiet")
+    logger.set_level(LoggingSeverity.DEBUG)
+    assert logger.debug("loud")
+    logger.set_level(LoggingSeverity.UNSET)
+    assert capsys.readouterr().err == "[DEBUG] [1.000000000] [robot.camera]: loud\n"
+
+
+def test_a_line_can_be_printed_once_not_first_or_not_too_often(node, graph, capsys):
+    for _ in range(5):
+        node.get_logger().info("once", once=True)
+        node.get_logger().info("not first", skip_first=True)
+        node.get_logger().info("slowly", throttle_duration_sec=1.0)
+        graph.run(seconds=0.4)
+    text = capsys.readouterr().err
+    assert [text.count(word) for word in ("once", "not first", "slowly")] == [1, 4, 2]
+
+
+def test_a_message_that_is_no_text_is_refused(node):
+    with pytest.raises(TypeError, match="a log message is a str, not ZeroDivisionError"):
+        node.get_logger().error(ZeroDivisionError("x"))
+
+
+def test_one_line_of_code_cannot_change_its_severity(node, capsys):
+    for severity, refused in ((LoggingSeverity.INFO, False), (LoggingSeverity.WARN, True)):
+        try:
+            node.get_logger().log("x", severity)
+        except ValueError as error:
+            assert refused and str(error) == "Logger severity cannot be changed between calls."
+        else:
+            assert not refused
+    capsys.readouterr()
+
+
+def test_logs_go_to_rosout_and_latecomers_hear_them(node, capsys):
+    node.get_logger().info("early")
+    heard = []
+    late = Node("late")
+    late.create_subscription(Log, "/rosout", heard.append, qos_profile_rosout_default)
+    rclpy.spin_once(late, timeout_sec=0.1)
+    assert [(log.name, log.msg, log.level, log.stamp.sec) for log in heard] == [("robot.camera", "early", 20, 1)]
+    capsys.readouterr()
+
+
+def test_standard_output_is_used_if_the_environment_says_so(node, capsys, monkeypatch):
+    monkeypatch.setenv("RCUTILS_LOGGING_USE_STDOUT", "1")
+    node.get_logger().info("here")
+    assert capsys.readouterr().out == "[INFO] [1.000000000] [robot.camera]: here\n"
+
+
+def test_a_late_message_is_seen_at_its_time(node, graph):
+    graph.disturb("/robot/t", delay=0.2)
+    heard = []
+    publisher = node.create_publisher(String, "t", 1)
+    node.create_subscription(String, "t", lambda msg: heard.append(graph.now_ns), 1)
+    publisher.publish(String())
+    rclpy.spin_once(node, timeout_sec=1.0)
+    assert heard == [seconds(1.2)]

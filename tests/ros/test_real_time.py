@@ -1,0 +1,141 @@
+"""The same nodes in real time: scripts, files run together, Ctrl-C."""
+
+import signal
+import subprocess
+import sys
+import textwrap
+from pathlib import Path
+
+import pytest
+
+from tflab import ros
+from tflab.ros import run_files
+from tflab.ros.process import use_graph
+
+LECTURE = Path(__file__).parent / "lecture"
+NODES = [
+    str(LECTURE / f"{name}.py") for name in ("static_sensor_broadcaster", "moving_robot_broadcaster", "point_to_map")
+]
+
+
+@pytest.fixture(autouse=True)
+def clean():
+    yield
+    use_graph(None)
+    ros.deactivate()
+
+
+def run_python(code, until=None):
+    """Run a script; interrupt it as soon as a line of its stderr contains `until`.  Return (out, err)."""
+    process = subprocess.Popen(
+        [sys.executable, "-c", textwrap.dedent(code)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    )
+    err = ""
+    if until is not None:
+        for line in process.stderr:
+            err += line
+            if until in line:
+                process.send_signal(signal.SIGINT)
+                break
+    out, rest = process.communicate(timeout=30)
+    return out, err + rest
+
+
+@pytest.mark.parametrize("name", ["16_lookup_latest", "17_lookup_at_stamp", "19_wait_async", "20_exceptions"])
+def test_the_four_snippets_pass_in_real_time(capsys, name):
+    ros.activate("in-process")
+    ros.new_graph(virtual=False)
+    import runpy
+
+    runpy.run_path(str(LECTURE / f"snippet_{name}.py"))["main"]()
+    assert capsys.readouterr().out.splitlines()[-1].startswith(f"OK §{name[:2]}")
+
+
+def test_the_three_nodes_run_together_and_end_as_on_ros_2(capfd):
+    assert run_files(NODES, seconds=0.5) == 1
+    err = capfd.readouterr().err
+    assert "[static_sensor_broadcaster]: base_link → laser_frame 발행" in err
+    # Ctrl-C has shut the context down, so the last line of each file fails.
+    assert (
+        err.count(
+            "rclpy._rclpy_pybind11.RCLError: failed to shutdown: rcl_shutdown already called on the given context, at "
+            "./src/rcl/init.c:"
+        )
+        == 3
+    )
+    assert "run.py" not in err  # a traceback begins in the reader's own file
+
+
+def test_something_may_run_beside_the_files_and_see_them(capfd):
+    from tflab.ros import client_library as rclpy
+    from tflab.ros.node import Node
+
+    seen = []
+
+    def look():
+        rclpy.init()
+        node = Node("looker")
+        seen.append(node.wait_for_node("moving_robot_broadcaster", timeout=5.0))
+
+    run_files(NODES[1:2], beside=[("look", look)], seconds=0.5)
+    capfd.readouterr()
+    assert seen == [True]
+
+
+def test_a_missing_file_is_named_and_nothing_is_started(tmp_path):
+    with pytest.raises(FileNotFoundError, match=r"no such node file: .*nobody\.py"):
+        run_files([*NODES, str(tmp_path / "nobody.py")])
+
+
+def test_a_file_that_ends_well_is_a_success(tmp_path, capfd):
+    path = tmp_path / "short.py"
+    path.write_text("import helper\nimport rclpy\nwith rclpy.init():\n    print(helper.WORD, __name__)\n")
+    (tmp_path / "helper.py").write_text("WORD = 'neighbour'\n")
+    assert run_files([str(path)]) == 0
+    assert capfd.readouterr().out == "neighbour __main__\n"
+
+
+def test_ctrl_c_in_a_script_shuts_the_context_down_first():
+    _, err = run_python(
+        """
+        import tflab.ros
+        tflab.ros.activate("in-process")
+        import rclpy
+        from rclpy.node import Node
+
+        rclpy.init()
+        node = Node("script")
+        node.create_timer(0.05, lambda: node.get_logger().info("ready", once=True))
+        try:
+            rclpy.spin(node)
+        except KeyboardInterrupt:
+            node.get_logger().info(f"interrupted, ok is {rclpy.ok()}")
+        rclpy.shutdown()
+        """,
+        until="ready",
+    )
+    assert "[script]: interrupted, ok is False" in err
+    assert "RCLError: failed to shutdown: rcl_shutdown already called on the given context" in err
+
+
+def test_ctrl_c_with_the_present_idiom_ends_quietly():
+    out, err = run_python(
+        """
+        import sys
+        import tflab.ros
+        tflab.ros.activate("in-process")
+        import rclpy
+        from rclpy.executors import ExternalShutdownException
+        from rclpy.node import Node
+
+        try:
+            with rclpy.init():
+                node = Node("script")
+                print("ready", file=sys.stderr, flush=True)
+                rclpy.spin(node)
+        except (KeyboardInterrupt, ExternalShutdownException):
+            print("bye")
+        """,
+        until="ready",
+    )
+    assert (out, err) == ("bye\n", "ready\n")
