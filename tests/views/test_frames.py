@@ -86,6 +86,14 @@ def test_points_and_arrows_return_what_they_drew(ax):
     assert arrow.label.anchor == (1.0, 0.0)
 
 
+def test_names_keep_off_the_curve_that_is_drawn(ax):
+    arrow = draw_arrow((0, 0, 0), (2, 0, 0), ax, "", FROM_ABOVE, curve=-0.5)
+    drawn = arrow.arrow.get_path().cleaned(curves=False).vertices  # the curve as short straight pieces
+    corners = np.array([start for start, _ in arrow.label.keep_off])
+    assert np.hypot(*(drawn - corners[2]).T).min() < 0.05
+    assert corners[4] == pytest.approx((1.0, 0.5))  # the middle, half way out to the bend at 1 m
+
+
 def test_a_scene_in_words():
     picture = draw_scene(
         {"base_link": Transform.from_rpy(yaw=math.pi / 2, translation=(1.0, 2.0, 0.0))},

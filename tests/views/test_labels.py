@@ -59,6 +59,13 @@ def test_a_name_that_finds_no_place_near_goes_far_and_gets_a_line(ax):
     assert label.leader.get_visible()
 
 
+def test_a_thing_without_a_name_is_kept_off_too(ax):
+    label, nameless = label_at(ax, 200, 200), label_at(ax, 300, 300, name="")
+    nameless.keep_off = [((200, 200), (300, 100))]
+    place_labels([label, nameless])
+    assert way(label) == (-1, -1)
+
+
 def test_a_name_without_letters_takes_no_place(ax):
     empty, label = label_at(ax, 200, 200, name=""), label_at(ax, 200, 200)
     place_labels([empty, label])

@@ -75,7 +75,7 @@ def draw_body_axes() -> Picture:
 
 def draw_right_hand() -> Picture:
     """Draw the positive turn about each axis: roll about x, pitch about y, yaw about z."""
-    picture = Picture((style.WIDE[0], 2.9))
+    picture = Picture((style.WIDE[0], 2.6))
     with style.our_settings():
         for column, (turn, axis) in enumerate(TURNS.items()):
             ax = clear_paper(picture.figure.add_axes((0.02 + 0.325 * column, 0.03, 0.31, 0.91)))
@@ -83,7 +83,7 @@ def draw_right_hand() -> Picture:
             _draw_turn(ax, axis)
             write_caption(ax, f"{turn}: about {axis}")
             ax.set_xlim(-1.25, 1.25)
-            ax.set_ylim(-1.05, 1.75)
+            ax.set_ylim(-0.9, 1.6)
     picture.text = "\n".join(
         (
             "Right hand: thumb along the axis, and the fingers curl the positive way.",
@@ -224,7 +224,8 @@ class _CameraSide:
         write_caption(space, f"{name}: {', '.join(' '.join(pair) for pair in words.items())}")
         _draw_frustum(space)
         draw_frames({"": pose}, space, SLANTING, length_m=0.75)
-        (self.sight,) = space.plot([], [], color=style.ACCENT, linewidth=1.2, zorder=30)
+        (self.sight,) = space.plot([], [], color=style.ACCENT, linewidth=1.2, zorder=30, marker="o", markersize=5,
+                                   markerfacecolor=style.PAPER, markevery=[0])  # fmt: skip
         (self.point,) = space.plot([], [], "o", color=style.ACCENT, markersize=9, zorder=31)
         space.set_xlim(-1.1, 2.0)
         space.set_ylim(-0.95, 1.55)
@@ -233,7 +234,8 @@ class _CameraSide:
         corners = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1)]) * (HALF_WIDTH, HALF_HEIGHT)
         image.fill(*corners.T, facecolor=style.SHADE, edgecolor=style.FAINT, linewidth=1.0, zorder=-10)
         draw_frames({"": pose}, image, FROM_BEHIND, length_m=0.3)
-        (self.dot,) = image.plot([], [], "o", color=style.ACCENT, markersize=9, zorder=60)
+        (self.dot,) = image.plot([], [], "o", color=style.ACCENT, markersize=16, markerfacecolor="none",
+                                 markeredgewidth=2.0, zorder=60)  # fmt: skip
         image.set_xlim(-0.62, 0.62)
         image.set_ylim(-0.47, 0.47)
         self.numbers = figure.text(left + 0.25, 0.075, "", ha="center", va="center", color=style.ACCENT,
@@ -241,7 +243,9 @@ class _CameraSide:
         self.artists = [self.sight, self.point, self.dot, self.numbers]
 
     def show(self, body_p: Vector3) -> None:
-        places = SLANTING.on_paper(((0.0, 0.0, 0.0), body_p))
+        forward = body_p[0]
+        pierced = tuple(part / forward for part in body_p) if forward > 0.0 else body_p  # the picture, one metre ahead
+        places = SLANTING.on_paper((pierced, body_p))
         self.sight.set_data(*places.T)
         self.point.set_data(*places[1:].T)
         self.numbers.set_text(style.fmt_all(self._pose.inverse().apply(body_p)))

@@ -19,6 +19,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from functools import cache
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -78,7 +79,7 @@ class AxisArtists:
             self.ring.set_data([origin[0]], [origin[1]])
             self.sign.set_data([origin[0]], [origin[1]])
             self.sign.set_marker("o" if towards_eye else "x")
-            self._write(origin - 0.2 * length_m)
+            self._write(origin - 0.28 * length_m)
             return
         along = step / seen
         across = np.array((-along[1], along[0]))
@@ -149,7 +150,7 @@ class ArrowArtists:
     def __init__(self, label: str, ax: Axes, eye: Eye, colour: str, line, curve: float) -> None:
         from matplotlib.patches import FancyArrowPatch
 
-        self._eye = eye
+        self._eye, self._curve = eye, curve
         self.arrow = FancyArrowPatch((0, 0), (1, 1), arrowstyle="-|>,head_length=0.5,head_width=0.25",
                                      mutation_scale=14, color=colour, linewidth=1.6, linestyle=line, zorder=50,
                                      shrinkA=4, shrinkB=4, connectionstyle=f"arc3,rad={curve}")  # fmt: skip
@@ -161,8 +162,11 @@ class ArrowArtists:
         """Draw from `tail` to `head`, both (x, y, z) [m]."""
         a, b = self._eye.on_paper(np.array((tail, head), dtype=float))
         self.arrow.set_positions(a, b)
-        self.label.anchor = tuple((a + b) / 2)
-        self.label.keep_off = [(tuple(a), tuple(b))]
+        ratios = np.linspace(0.0, 1.0, 9)[:, None]
+        bend = (a + b) / 2 + self._curve * np.array((b[1] - a[1], a[0] - b[0]))  # matplotlib's arc3
+        places = (1 - ratios) ** 2 * a + 2 * ratios * (1 - ratios) * bend + ratios**2 * b
+        self.label.anchor = tuple(places[len(places) // 2])
+        self.label.keep_off = [(tuple(p), tuple(q)) for p, q in pairwise(places)]
 
 
 def draw_frames(

@@ -80,7 +80,6 @@ class Label:
 
 def place_labels(labels: Sequence[Label]) -> None:
     """Find a place for each label of one axes, so that none covers a line, a mark or another name."""
-    labels = [label for label in labels if label.text.get_text()]
     if not labels:
         return
     ax = labels[0].ax
@@ -94,6 +93,8 @@ def place_labels(labels: Sequence[Label]) -> None:
     taken = np.vstack([*lines, *(on_page(label.anchor)[None] for label in labels)])
     boxes = np.empty((0, 4))
     for label in labels:
+        if not label.text.get_text():
+            continue
         half = np.array(label.size_pt()) / 2
         choices = np.vstack([gap * WAYS + np.sign(WAYS) * half for gap in (NEAR_PT, FAR_PT)])
         middles = on_page(label.anchor) + choices

@@ -133,7 +133,7 @@ class SentencePicture(Picture):
         span_m = float(np.ptp(places, axis=0).max()) or 1.0
         length_m = 0.22 * span_m
         with style.our_settings():
-            ax = self.figure.add_axes((0.02, 0.36, 0.96, 0.61))
+            ax = self.figure.add_axes((0.02, 0.36, 0.62, 0.61))
             ax.set_axis_off()
             reach = length_m * np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (0, 1)])
             corners = (places[:, None] + reach).reshape(-1, 3)
@@ -144,7 +144,7 @@ class SentencePicture(Picture):
             self.arrow = draw_arrow((0, 0, 0), (1, 0, 0), ax, "", SLANTING, curve=-0.25)
             self.words = self.figure.text(0.03, 0.31, "", fontsize=style.TITLE_PT, va="top", color=style.ACCENT)
             self.lines = self.figure.text(0.03, 0.235, "", family="monospace", va="top", linespacing=1.7)
-            self.matrix = self.figure.text(0.62, 0.31, "", family="monospace", va="top", linespacing=1.45)
+            self.matrix = self.figure.text(0.66, 0.78, "", family="monospace", va="top", linespacing=1.45)
         self.moving = [self.arrow.arrow, *(part for frame in self.frames.values() for part in frame.label.artists)]
         self.moving += [self.words, self.lines, self.matrix]
 
@@ -159,7 +159,7 @@ class SentencePicture(Picture):
                 roles = [role for role, frame in (("target", target), ("source", source)) if frame == name]
                 label.text.set_text("\n".join((name, *roles)))
                 label.text.set_color(style.ACCENT if roles else style.GREY)
-            place_labels(list(labels.values()))
+            place_labels([*labels.values(), self.arrow.label])
             self.words.set_text(said.english)
             product = f"{target}_p = {target}_T_{source} @ {source}_p"
             self.lines.set_text("\n".join((said.call, f"tf2_echo {target} {source}", product)))
