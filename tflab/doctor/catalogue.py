@@ -18,7 +18,7 @@ __all__ = ["CODES_OF_FAULT", "faults_of_code"]
 
 CODES_OF_FAULT: dict[Fault, tuple[str, ...]] = {
     Fault.REPARENTED: ("re-parented", "two-parents"),
-    Fault.SECOND_OWNER: ("two-owners", "moving-and-static"),
+    Fault.SECOND_OWNER: ("two-owners", "moving-and-static", "static-changed"),
     Fault.DUPLICATE_STAMPS: ("repeated-stamps",),
     Fault.OUT_OF_ORDER: ("unordered-stamps",),
     Fault.ZERO_QUATERNION: ("zero-quaternion",),

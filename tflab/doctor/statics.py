@@ -21,12 +21,13 @@ from tflab.core import NSEC_PER_SEC
 
 from .evidence import Edge, Evidence
 from .findings import Finding
-from .motion import LEAST_DIFFERENCE_M, distances, is_constant, unit
+from .motion import distances, is_constant, unit
 
 __all__ = ["constant_on_tf", "missing_statics", "moving_on_static", "volatile_statics"]
 
 FEWEST_SAMPLES = 8
 LEAST_TIME_S = 1.0
+LEAST_CHANGE_M = 1e-4
 WORLD_FRAMES = ("map", "world", "earth", "odom")
 MOVABLE = re.compile(r"wheel|caster|steer|joint|shoulder|elbow|wrist|arm|finger|grip|hip|knee|pan_|tilt|link_?\d")
 
@@ -63,16 +64,26 @@ def moving_on_static(evidence: Evidence) -> Iterator[Finding]:
         poses = unit(edge.numbers[edge.is_usable])
         if len(poses) < 2:
             continue
-        changes = int((distances(poses[1:], poses[:-1]) > 1e-6).sum())
-        apart_m = float(distances(poses, np.broadcast_to(poses[0], poses.shape)).max())
-        if not changes or apart_m < LEAST_DIFFERENCE_M / 100:
+        is_change = distances(poses[1:], poses[:-1]) > LEAST_CHANGE_M
+        changes = int(is_change.sum())
+        apart_m = distances(poses, np.broadcast_to(poses[0], poses.shape))
+        if not changes:
             continue
-        code = "moving-on-static" if changes > 1 else "static-changed"
-        facts = {"changes": changes, "apart": f"{apart_m:.3f}", "count": len(edge)}
+        facts = {"changes": changes, "apart": f"{apart_m.max():.3f}", "count": len(edge)}
+        code, severity = "moving-on-static", "error"
+        if changes == 1:
+            code, severity = "static-changed", "warning"
+        elif _takes_turns(poses, is_change):
+            code = "two-owners"
+            facts["evidence"] = f"two values on /tf_static, {apart_m.max():.3f} m apart, that took turns"
         span = (int(edge.receive_ns[0]), int(edge.receive_ns[-1]))
-        yield Finding(
-            code, "error" if changes > 1 else "warning", edge.usual_parent, edge.child, edge.topic, *span, facts
-        )
+        yield Finding(code, severity, edge.usual_parent, edge.child, edge.topic, *span, facts)
+
+
+def _takes_turns(poses: np.ndarray, is_change: np.ndarray) -> bool:
+    """Return whether the values go back and forth between two."""
+    told = poses[np.concatenate([[True], is_change])]
+    return bool((distances(told[2:], told[:-2]) < LEAST_CHANGE_M).all())
 
 
 def volatile_statics(evidence: Evidence) -> Iterator[Finding]:
