@@ -2,8 +2,10 @@
 
 import math
 from collections import defaultdict
+from contextlib import suppress
 from itertools import pairwise
 
+import numpy as np
 import pytest
 
 from tflab.core import LATEST, BufferCore, ConnectivityException, LookupException, StampedTransform, Transform, seconds
@@ -261,6 +263,22 @@ def test_faults_add_up_and_each_has_its_diagnosis():
     assert stamps_of(records, slashed)
     for child in silent - set(diagnoses[2].frames):
         assert len(stamps_of(records, child)) < len(stamps_of(CLEAN, child))
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_any_three_faults_can_be_put_in_one_after_the_other_or_it_is_said_why_not(seed):
+    faults = np.random.default_rng(seed).choice(list(Fault), 3, replace=False)
+    with suppress(CannotInject):
+        records, diagnoses = inject_all(CLEAN, faults, seed)
+        assert len(diagnoses) == 3
+        assert [r.receive_ns for r in records] == sorted(r.receive_ns for r in records)
+
+
+def test_what_was_spoilt_before_is_not_computed_with():
+    spoilt, _ = inject(small_stream(), Fault.ZERO_QUATERNION)
+    bad = {record.stamped.stamp_ns for record in spoilt if record.stamped.transform.rotation[3] == 0.0}
+    records, _ = inject(spoilt, Fault.LOOP)
+    assert not bad & {record.stamped.stamp_ns for record in records if record.stamped.child_frame_id == "odom"}
 
 
 def test_a_robot_can_have_every_fault_and_a_single_edge_only_some():

@@ -57,7 +57,7 @@ def second_owner(scene: Scene) -> Injection:
     """Another node publishes the same edge, with other values."""
     edge = scene.pick([*scene.moving(), *scene.static()], "an edge that moves, or a static one")
     off = Transform.from_rpy(yaw=scene.between(0.3, 1.0), translation=(scene.between(0.3, 1.0), 0.2, 0.0))
-    places = scene.tail(edge)
+    places = scene.sound(scene.tail(edge))
     lies = [restamped(scene.records[place], transform=scene.records[place].stamped.transform @ off) for place in places]
     lies = _again_later(scene, edge, lies) if edge.is_static else _between_the_samples(scene, edge, lies)
     detail = f"a second publisher of {edge.parent} -> {edge.child} says {off.translation[0]:.2f} m further"
@@ -110,7 +110,7 @@ def close_loop(scene: Scene) -> Injection:
         (e for e in scene.moving() if any(e.child in scene.below(root) for root in roots)), "a moving edge under a root"
     )
     root = next(root for root in roots if edge.child in scene.below(root))
-    places = scene.tail(edge)
+    places = scene.sound(scene.tail(edge))
     topic = scene.records[places[0]].topic
     backwards = []
     for place in places:

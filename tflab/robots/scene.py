@@ -10,11 +10,13 @@ Each injector is a function from a Scene to an Injection.  Read `broken_tree.py`
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
+from tflab.core import Transform
 from tflab.core.records import TransformRecord
 
 from .faults import Diagnosis, Fault
@@ -70,6 +72,13 @@ class Scene(NamedTuple):
         """Return the places of an edge from some moment in the middle on; of a static one, all."""
         return edge.places if edge.is_static else edge.places[int(len(edge.places) * self.between(0.25, 0.6)) :]
 
+    def sound(self, places: Iterable[int]) -> list[int]:
+        """Return those places whose transforms can be computed with: an earlier fault may have spoilt some."""
+        sound = [place for place in places if _can_be_computed_with(self.records[place].stamped.transform)]
+        if not sound:
+            raise CannotInject("this stream cannot have the fault: it needs transforms that are not broken already")
+        return sound
+
     def period_ns(self, edge: Edge) -> int:
         """Return the usual time between two samples of an edge, as they arrive."""
         heard = np.array([self.records[place].receive_ns for place in edge.places])
@@ -98,3 +107,8 @@ class Scene(NamedTuple):
         """Return the result; `at` is the place of the first record at fault."""
         frames = tuple(edge.child for edge in edges)
         return Injection(in_order(records), Diagnosis(fault, frames, self.records[at].receive_ns, detail))
+
+
+def _can_be_computed_with(transform: Transform) -> bool:
+    length = math.hypot(*transform.rotation)
+    return 0.0 < length < math.inf
