@@ -309,7 +309,7 @@ class Node(graph_queries.GraphQueries, NodeParameters):
         qos_profile: QoSProfile = qos_profile_services_default,
         callback_group: CallbackGroup | None = None,
     ) -> Service:
-        """Return a new service; the callback takes (request, response) and returns the response."""
+        """Return a new service; the callback, plain or async, takes (request, response) and returns the response."""
         _check_type(srv_type, ServiceType, "service")
         name = self._topic_named(srv_name, is_service=True)
         group = callback_group or self._default_callback_group

@@ -8,9 +8,10 @@ Read `parameter.py` next.
 
 from __future__ import annotations
 
+import inspect
 import threading
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Coroutine
 from typing import Any
 
 from .entity import Entity, Kind
@@ -54,12 +55,21 @@ class Service(Entity):
     def is_pending(self) -> bool:
         return bool(self._requests)
 
-    def take(self) -> Callable[[], None]:
+    def take(self) -> Callable[[], Any]:
         question = self._requests.popleft()
         return lambda: self._answer(*question)
 
-    def _answer(self, request: Any, client: Client, number: int) -> None:
+    def _answer(self, request: Any, client: Client, number: int) -> Coroutine | None:
         response = self.callback(request, self.srv_type.Response())
+        if inspect.iscoroutine(response):
+            return self._answer_later(response, client, number)
+        self._send(response, client, number)
+        return None
+
+    async def _answer_later(self, response: Coroutine, client: Client, number: int) -> None:
+        self._send(await response, client, number)
+
+    def _send(self, response: Any, client: Client, number: int) -> None:
         if not isinstance(response, self.srv_type.Response):
             raise TypeError(f"Expected {self.srv_type.Response}, got {type(response)}")
         client.put(copy_message(response), number)

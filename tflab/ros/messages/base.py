@@ -92,12 +92,17 @@ class Service:
 
 
 class Action:
-    """What all actions share: three messages, `Goal`, `Result` and `Feedback`."""
+    """What all actions share: three messages, `Goal`, `Result` and `Feedback`.
+
+    `SendGoalService` and `GetResultService` carry them, with the id of the goal.  (rosidl keeps them in `Impl`.)
+    """
 
     ROS_TYPE: ClassVar[str]
     Goal: ClassVar[type[Message]]
     Result: ClassVar[type[Message]]
     Feedback: ClassVar[type[Message]]
+    SendGoalService: ClassVar[type[Service]]
+    GetResultService: ClassVar[type[Service]]
 
     def __init__(self) -> None:
         raise NotImplementedError("Action classes can not be instantiated")
@@ -135,6 +140,16 @@ def action(ros_type: str, goal: str = "", result: str = "", feedback: str = "") 
         Goal=message(f"{ros_type}_Goal", goal),
         Result=message(f"{ros_type}_Result", result),
         Feedback=message(f"{ros_type}_Feedback", feedback),
+        SendGoalService=service(
+            f"{ros_type}_SendGoal",
+            request=f"unique_identifier_msgs/UUID goal_id\n{ros_type}_Goal goal",
+            response="bool accepted\nbuiltin_interfaces/Time stamp",
+        ),
+        GetResultService=service(
+            f"{ros_type}_GetResult",
+            request="unique_identifier_msgs/UUID goal_id",
+            response=f"int8 status\n{ros_type}_Result result",
+        ),
     )
 
 
@@ -174,8 +189,7 @@ def type_named(ros_type: str) -> type:
 def _named_class(ros_type: str, base: type, **members: object) -> type:
     """Make a class that is named, and says where it comes from, as rosidl's does."""
     package, kind, name = ros_type.split("/")
-    # FrameGraph_Request lives in the module of FrameGraph.
-    module = f"{package}.{kind}._{_snake_case(re.sub('_(Request|Response|Goal|Result|Feedback)$', '', name))}"
+    module = f"{package}.{kind}._{_snake_case(name.partition('_')[0])}"  # FrameGraph_Request: that of FrameGraph
     kind_text = base.__name__
     members |= {"__module__": module, "__doc__": f"{kind_text} class '{name}'.", "ROS_TYPE": ros_type}
     _types[ros_type] = type(name, (base,), members)

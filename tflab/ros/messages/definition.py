@@ -160,6 +160,11 @@ def _value_type(name: str, package: str) -> BasicType | UnboundedString | Namesp
         return UnboundedString()
     if name in _IDL_NAMES or name in _INTEGERS:
         return BasicType(_IDL_NAMES.get(name, name))
-    if "/" in name:
-        package, name = name.split("/")
-    return NamespacedType((package, "msg"), name)
+    match name.split("/"):
+        case [name]:
+            return NamespacedType((package, "msg"), name)
+        case [package, name]:
+            return NamespacedType((package, "msg"), name)
+        case [package, kind, name]:  # the goal of an action
+            return NamespacedType((package, kind), name)
+    raise ValueError(f'cannot read the type "{name}": expected "Name", "package/Name" or "package/kind/Name"')

@@ -14,6 +14,7 @@ from tflab.ros.client_library import (
 )
 
 from . import (
+    action,
     callback_groups,
     client,
     clock,
@@ -50,6 +51,7 @@ from . import (
 )
 
 __all__ = [
+    "action",
     "callback_groups",
     "client",
     "clock",

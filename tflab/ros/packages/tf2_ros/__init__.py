@@ -11,6 +11,7 @@ from tf2_py import (
 )
 
 from .buffer import Buffer
+from .buffer_client import BufferClient
 from .buffer_interface import (
     BufferInterface,
     ConvertRegistration,
@@ -29,6 +30,7 @@ __all__ = [
     "DEFAULT_STATIC_TF_TOPIC",
     "DEFAULT_TF_TOPIC",
     "Buffer",
+    "BufferClient",
     "BufferCore",
     "BufferInterface",
     "ConnectivityException",

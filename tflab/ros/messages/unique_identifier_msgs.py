@@ -1,0 +1,7 @@
+"""unique_identifier_msgs: which one."""
+
+from .base import message
+
+__all__ = ["UUID"]
+
+UUID = message("unique_identifier_msgs/msg/UUID", "uint8[16] uuid")

@@ -1,0 +1,5 @@
+"""rclpy.action.client"""
+
+from tflab.ros.action import ActionClient, ClientGoalHandle
+
+__all__ = ["ActionClient", "ClientGoalHandle"]

@@ -1,0 +1,7 @@
+"""tf2_ros.buffer_client"""
+
+from tflab.ros.tf2_client import BufferClient
+
+__all__ = [
+    "BufferClient",
+]
