@@ -25,57 +25,64 @@ PICTURES = {
     "timeline": lambda: timeline.draw_timeline(
         "map", "odom", [timeline.Lane("map", "odom", (1_000_000_000, 2_000_000_000))], lookup, 1_500_000_000
     ),
+    "long names": lambda: sentence.draw_sentence(
+        {"base_footprint": Transform(), "camera_optical_frame": Transform((1.0, 0.4, 0.5))},
+        lookup("camera_optical_frame", "base_footprint", 0),
+    ),
+    "long lanes": lambda: timeline.draw_timeline(
+        "camera_link",
+        "camera_optical_frame",
+        [timeline.Lane("camera_link", "camera_optical_frame", (), is_static=True)],
+        lookup,
+        0,
+    ),
     "journeys": lambda: journey.draw_journeys([journey.Journey("scan", 0, 10_000_000, 20_000_000)]),
     "latency": lambda: latency.LatencyPicture().show(latency.Sight()),
 }
 
 
-@pytest.fixture(params=PICTURES, name="make")
-def make_fixture(request):
-    return PICTURES[request.param]
+@pytest.fixture(scope="module", params=PICTURES, name="drawn")
+def drawn_fixture(request):
+    """A picture, drawn once, with its bytes; tests only look at it."""
+    from matplotlib import pyplot
+
+    picture = PICTURES[request.param]()
+    png = picture.png()
+    assert pyplot.get_fignums() == []  # pyplot knows nothing of it, so nobody needs to close it
+    return request.param, picture, png
 
 
-def test_two_drawings_of_the_same_give_the_same_bytes_of_at_most_60_kb(make):
-    first, second = make().png(), make().png()
-    assert first == second
-    assert first.startswith(b"\x89PNG")
-    assert len(first) <= 60_000
-
-
-def test_a_picture_does_not_depend_on_the_learners_settings(make):
-    expected = make().png()
+def test_a_second_drawing_gives_the_same_bytes_whatever_the_learners_settings(drawn):
+    name, _, png = drawn
     with matplotlib.rc_context({"font.size": 20, "axes.grid": True, "text.color": "red", "axes.facecolor": "black"}):
-        assert make().png() == expected
+        assert PICTURES[name]().png() == png
 
 
-def test_a_picture_is_shown_at_its_size_with_its_words_as_plain_text(make):
-    picture = make()
+def test_a_picture_is_a_png_of_at_most_60_kb(drawn):
+    _, _, png = drawn
+    assert png.startswith(b"\x89PNG")
+    assert len(png) <= 60_000
+
+
+def test_a_picture_is_shown_at_its_size_with_its_words_as_plain_text(drawn):
+    _, picture, png = drawn
     data, metadata = picture._repr_mimebundle_()
     width, height = picture.figure.get_size_inches()
-    assert data["text/plain"] == picture.text == repr(picture) != ""
+    assert data == {"image/png": png, "text/plain": picture.text}
+    assert picture.text == repr(picture) != ""
     assert metadata["image/png"] == {"width": round(width * 100), "height": round(height * 100)}
 
 
-def test_no_figure_is_known_to_pyplot(make):
-    from matplotlib import pyplot
-
-    before = pyplot.get_fignums()
-    make().png()
-    assert pyplot.get_fignums() == before
-
-
-def test_no_two_names_cover_each_other(make):
-    picture = make()
-    picture.png()
+def test_no_two_names_cover_each_other(drawn):
+    _, picture, _ = drawn
     boxes = [text.get_window_extent() for text in visible_texts(picture.figure)]
     for i, box in enumerate(boxes):
         for other in boxes[:i]:
             assert box.x1 <= other.x0 or other.x1 <= box.x0 or box.y1 <= other.y0 or other.y1 <= box.y0
 
 
-def test_every_word_is_on_the_card(make):
-    picture = make()
-    picture.png()
+def test_every_word_is_on_the_card(drawn):
+    _, picture, _ = drawn
     card = picture.figure.bbox
     for text in visible_texts(picture.figure):
         box = text.get_window_extent()
