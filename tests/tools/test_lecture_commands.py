@@ -3,6 +3,8 @@
 The lines are the lecture's own, `\\` at their ends joined, in its order.
 """
 
+import time
+
 import pytest
 from tools_robot import fixed, moving
 
@@ -265,6 +267,18 @@ def test_tf2_monitor_shows_a_delay(terminal):
     assert "Average Delay: 0.25, Max Delay: 0.25" in out
 
 
+def test_tf2_monitor_dies_when_the_chain_breaks(robot):
+    def intruder():
+        time.sleep(2)
+        moving(parent="elsewhere", name="intruder", rate_hz=100.0)()
+
+    robot.graph.start(intruder)
+    out = robot.type("ros2 run tf2_ros tf2_monitor odom base_link")
+    assert "terminate called after throwing an instance of 'tf2::ConnectivityException'\n" in robot.error
+    assert out.endswith("[ros2run]: Aborted\n")
+    assert robot.exit_code == -6
+
+
 def test_tf2_monitor_wants_two_frames_or_none(terminal):
     out = terminal.type("ros2 run tf2_ros tf2_monitor map")
     said = "[INFO] [1.000000000] [tf2_monitor_main]: TF_Monitor: usage: tf2_monitor framea frameb\n"
@@ -306,6 +320,21 @@ def test_once_the_parameter_is_set_the_topic_clock_has_a_listener_but_no_publish
     )
 
 
+def test_bag_record_and_bag_info(robot, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    robot.type("ros2 --for 2 bag record /scan /odom /tf /tf_static /clock -o drive")
+    out = robot.type("ros2 bag info drive")
+    assert "Messages:          41\n" in out  # 20 Hz for 2 s, and the laser
+    assert "Topic: /tf_static | Type: tf2_msgs/msg/TFMessage | Count: 1 | Serialization Format: cdr" in out
+    assert "/scan" not in out  # nobody published it, and nobody said so
+
+
+def test_bag_info_wants_a_bag(terminal):
+    terminal.type("ros2 bag info")
+    assert terminal.error.endswith("ros2 bag info: error: the following arguments are required: bag_path\n")
+    assert terminal.exit_code == 2
+
+
 # -- §27: the standard order ----------------------------------------------
 
 
@@ -318,7 +347,43 @@ def test_param_get_of_a_node_that_is_not_there(terminal):
     assert (terminal.error, terminal.exit_code) == ("Node not found\n", 1)
 
 
-# -- §11: what robot_state_publisher would be asked -----------------------
+# -- §11: robot_state_publisher -------------------------------------------
+
+URDF = """<robot name="tf_lab_robot"><link name="base_link"/><link name="laser_frame"/>
+<joint name="base_to_laser" type="fixed"><parent link="base_link"/><child link="laser_frame"/>
+<origin xyz="0.20 0.0 0.15" rpy="0.0 0.0 0.0"/></joint></robot>"""
+
+
+@pytest.fixture
+def state_publisher(terminal):
+    description = URDF.replace("\n", " ")
+    terminal.type(
+        f"ros2 run robot_state_publisher robot_state_publisher --ros-args -p 'robot_description:={description}'"
+    )
+    return terminal
+
+
+def test_topic_echo_robot_description_once(state_publisher):
+    out = state_publisher.type("ros2 topic echo /robot_description --once")
+    assert out.startswith('data: <robot name="tf_lab_robot">')
+    assert out.endswith("...\n---\n")  # after 128 letters
+
+
+def test_topic_echo_joint_states(state_publisher):
+    out = state_publisher.type("ros2 topic echo /joint_states")
+    assert (out, state_publisher.exit_code) == ("", None)  # it listens, and nobody publishes
+
+
+def test_node_info_robot_state_publisher(state_publisher):
+    out = state_publisher.type("ros2 node info /robot_state_publisher")
+    assert out.startswith("/robot_state_publisher\n  Subscribers:\n    /joint_states: sensor_msgs/msg/JointState\n")
+    assert "    /robot_description: std_msgs/msg/String\n" in out
+    assert "    /tf: tf2_msgs/msg/TFMessage\n    /tf_static: tf2_msgs/msg/TFMessage\n" in out
+
+
+def test_robot_state_publisher_bolts_the_laser_on(state_publisher):
+    out = state_publisher.type("ros2 --for 1.5 run tf2_ros tf2_echo base_link laser_frame")
+    assert "- Translation: [0.200, 0.000, 0.150]" in out
 
 
 @pytest.mark.parametrize("line", ["ros2 topic echo /robot_description --once", "ros2 topic echo /joint_states"])

@@ -1,6 +1,7 @@
 """What one types in a terminal: `ros2 ...`, `rviz2`, and the line magic `%ros2` for pages.
 
     numbers_as_in_c               how C++ reads and writes a number
+    session                       how a tool takes part in a graph
     static_transform_publisher    how is something bolted on?
     tf2_echo                      where is B as seen from A?
     tf2_monitor                   how late, and how often?
@@ -8,12 +9,12 @@
     trees                         the tree of a graph, with its real publishers
     topic  topic_echo  topic_rates    who talks about what, what, and how often?
     node  param                   who is there, and how is it set?
+    bag                           what was said, kept and said again?
     rviz  rviz2                   what would RViz see of a graph, and where is it?
-    session                       how a tool takes part in a graph
     ros2                          what was typed?
-    magic  completion             in a page
+    page  completion  magic       in a page
     shell                         in a shell
 
 A tool is two things: functions that turn values into upstream's text, and a small
-program on a node that calls them.  Start with `static_transform_publisher.py`.
+program on a node that calls them.  Start with `numbers_as_in_c.py`.
 """

@@ -51,7 +51,7 @@ def complete(words: Sequence[str], begun: str, known: Known) -> list[str]:
 def _possible(words: list[str], known: Known) -> Sequence[str]:
     match words:
         case []:
-            return [name for name in ros2.COMMANDS if ros2.is_here(name)]
+            return list(ros2.COMMANDS)
         case ["run"]:
             return list(ros2.EXECUTABLES)
         case ["run", package]:

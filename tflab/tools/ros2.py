@@ -7,7 +7,7 @@ A new command is one line in COMMANDS, a new program one line in EXECUTABLES; it
 module is imported when it is asked for.  Errors and exit codes are those of ros2cli
 and argparse: 2 for a wrong option, 1 for a refusal.
 
-upstream: ros2cli/ros2cli/cli.py, ros2run.  Read `magic.py` next.
+upstream: ros2cli/ros2cli/cli.py, ros2run.  Read `page.py` next.
 """
 
 from __future__ import annotations
@@ -16,10 +16,9 @@ import argparse
 import sys
 from collections.abc import Callable, Sequence
 from importlib import import_module
-from importlib.util import find_spec
 from typing import Any, NamedTuple
 
-__all__ = ["COMMANDS", "EXECUTABLES", "Executable", "Plan", "is_here", "main", "plan", "verbs_of"]
+__all__ = ["COMMANDS", "EXECUTABLES", "Executable", "Plan", "main", "plan", "verbs_of"]
 
 
 class Executable(NamedTuple):
@@ -115,7 +114,7 @@ def plan(words: Sequence[str]) -> Plan:
 
 def verbs_of(command: str) -> list[str]:
     """Return the verbs of a command, for completion."""
-    if not is_here(command) or command == "run":
+    if command not in COMMANDS or command == "run":
         return []
     parser = argparse.ArgumentParser()
     verbs = parser.add_subparsers()
@@ -132,8 +131,6 @@ def _parser(words: Sequence[str]) -> argparse.ArgumentParser:
     parser.set_defaults(command_parser=parser)
     commands = _subparsers(parser, "ros2", "command")
     for name, command in COMMANDS.items():
-        if not is_here(name):
-            continue
         sub = commands.add_parser(name, help=command.help, description=command.help)
         if name == "run":
             _add_run(sub)
@@ -154,11 +151,6 @@ def _add_run(sub: argparse.ArgumentParser) -> None:
     sub.add_argument("argv", nargs=argparse.REMAINDER, help="Pass arbitrary arguments to the executable")
 
 
-def is_here(command: str) -> bool:
-    """Return whether the module of a command exists."""
-    return command in COMMANDS and (not COMMANDS[command].module or find_spec(COMMANDS[command].module) is not None)
-
-
 # -- running --------------------------------------------------------------
 
 
@@ -167,7 +159,7 @@ def _plan_executable(words: Sequence[str], options: argparse.Namespace) -> Plan:
     if package is None:
         return Plan(tuple(words), lambda pictures: _refuse(f"Package '{options.package_name}' not found"))
     executable = package.get(options.executable_name)
-    if executable is None or find_spec(executable.module) is None:
+    if executable is None:
         return Plan(tuple(words), lambda pictures: _refuse("No executable found"))
 
     def run(pictures: list[Any]) -> int:

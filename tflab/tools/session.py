@@ -4,7 +4,7 @@
         spin_for(node, 1.0)                  callbacks run; Ctrl-C ends it
 
 Whoever runs the tool decides on which graph and clock: a page on virtual time, a
-shell on wall time.  Read `trees.py` next.
+shell on wall time.  Read `static_transform_publisher.py` next.
 """
 
 from __future__ import annotations
@@ -14,7 +14,6 @@ import string
 import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
 
 from tflab.core import BufferCore
 from tflab.ros import client_library
@@ -26,7 +25,6 @@ from tflab.ros.process import current_process
 from tflab.ros.task import Future
 
 __all__ = [
-    "Listener",
     "abort",
     "cli_node",
     "cpp_listener",
@@ -48,7 +46,6 @@ def tool_node(name: str, **options) -> Iterator[Node]:
     client_library.init()
     try:
         node = Node(name, **options)
-        client_library.get_global_executor().add_node(node)
         yield node
         node.destroy_node()
     finally:
@@ -87,7 +84,7 @@ def unused_name(
 
 def spin(node: Node) -> None:
     """Run callbacks until stopped."""
-    client_library.get_global_executor().spin()
+    client_library.spin(node)
 
 
 def spin_for(node: Node, duration_s: float) -> None:
@@ -97,6 +94,7 @@ def spin_for(node: Node, duration_s: float) -> None:
         KeyboardInterrupt: the tool is to end.
     """
     executor, driver = client_library.get_global_executor(), current_process().driver
+    executor.add_node(node)
     until_ns = driver.steady_ns() + round(duration_s * 1e9)
     while (left_ns := until_ns - driver.steady_ns()) > 0:
         if not node.context.ok():
@@ -106,22 +104,14 @@ def spin_for(node: Node, duration_s: float) -> None:
 
 def spin_until_done(node: Node, future: Future) -> None:
     """Run callbacks until a future is done."""
-    client_library.get_global_executor().spin_until_future_complete(future)
+    client_library.spin_until_future_complete(node, future)
 
 
 # -- as a C++ program does ------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True)
-class Listener:
-    """What a C++ tool has heard of the transforms."""
-
-    core: BufferCore
-    node: Node
-
-
 @contextmanager
-def cpp_listener(node: Node) -> Iterator[Listener]:
+def cpp_listener(node: Node) -> Iterator[BufferCore]:
     """Listen to the transforms as rclcpp's listener does: with a node of its own, which `ros2 node list` shows."""
     from tflab.ros.tf2_buffer import Buffer
     from tflab.ros.tf2_listener import TransformListener
@@ -139,7 +129,7 @@ def cpp_listener(node: Node) -> Iterator[Listener]:
         buffer.clear()
 
     with node.get_clock().create_jump_callback(threshold, post_callback=on_jump):
-        yield Listener(buffer.core, hidden)
+        yield buffer.core
     listener.unregister()
     hidden.destroy_node()
 

@@ -106,8 +106,7 @@ def main(arguments: Sequence[str]) -> int:
 
 
 def _echo(source: str, target: str, period_s: float) -> int:
-    with tool_node("tf2_echo") as node, cpp_listener(node) as buffer:
-        core = buffer.core
+    with tool_node("tf2_echo") as node, cpp_listener(node) as core:
         while not (answer := core.why_not(source, target, LATEST))[0]:
             node.get_logger().info(waiting_text(source, target, answer[1]), throttle_duration_sec=1.0)
             spin_for(node, period_s)

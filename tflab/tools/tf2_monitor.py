@@ -107,9 +107,9 @@ def main(arguments: Sequence[str]) -> int:
         if len(arguments) not in (0, 2):
             node.get_logger().info("TF_Monitor: usage: tf2_monitor framea frameb")
             return 255
-        with cpp_listener(node) as buffer:
+        with cpp_listener(node) as core:
             try:
-                _watch(node, buffer.core, *arguments)
+                _watch(node, core, *arguments)
             except TransformException as fault:  # upstream does not catch it either
                 return abort(f"tf2::{type(fault).__name__}", str(fault))
     return 0

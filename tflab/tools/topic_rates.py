@@ -30,7 +30,7 @@ def add_hz(verbs: argparse._SubParsersAction) -> None:
     verb = verbs.add_parser("hz", help=what, description=what)
     verb.set_defaults(run=hz)
     verb.add_argument("topic_name", help="Name of the ROS topic to listen to (e.g. '/chatter')")
-    _add_options(verb, positive_int)
+    _add_options(verb)
     verb.add_argument(
         "--wall-time", action="store_true",
         help="calculates rate using wall time which can be helpful when clock is not published during simulation",
@@ -43,15 +43,15 @@ def add_delay(verbs: argparse._SubParsersAction) -> None:
     verb = verbs.add_parser("delay", help=what, description=what)
     verb.set_defaults(run=delay)
     verb.add_argument("topic", help="Topic name to calculate the delay for")
-    _add_options(verb, positive_int)
+    _add_options(verb)
 
 
-def _add_options(verb: argparse.ArgumentParser, window_type) -> None:
+def _add_options(verb: argparse.ArgumentParser) -> None:
     from .topic import add_discovery_options
 
     add_discovery_options(verb)
     verb.add_argument(
-        "--window", "-w", type=window_type, default=WINDOW, metavar="WINDOW",
+        "--window", "-w", type=positive_int, default=WINDOW, metavar="WINDOW",
         help=f"window size, in # of messages, for calculating rate (default: {WINDOW})",
     )  # fmt: skip
 
