@@ -43,6 +43,7 @@ Read in this order; each page names the next:
     executors  signals  parameter  node_parameters  parameter_service  clock  time_source
     node  graph_queries  client_library
     convert  tf2_core  tf2_interface  tf2_buffer  tf2_listener  tf2_broadcaster
+    geometry  clouds | filters  message_filter | action  tf2_client     (messages/ has a table of its own)
     snapshot  notebook  run
 """
 

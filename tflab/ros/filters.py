@@ -6,7 +6,7 @@
     Subscriber("scan")  --> Cache(size) --> what was between two times
 
 Everything is a SimpleFilter: it has callbacks, and may be somebody's input.
-A filter that waits for a transform is in `message_filter.py`; read it next.
+A filter that waits for a transform is `message_filter.py`; read it next.
 """
 
 from __future__ import annotations

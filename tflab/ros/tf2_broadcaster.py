@@ -6,7 +6,7 @@
 Because only the last message is kept, a static broadcaster repeats in it what it
 sent before; how well, depends on the distribution (distro.py).
 
-Read `snapshot.py` next.
+Read `geometry.py` next.
 """
 
 from __future__ import annotations
