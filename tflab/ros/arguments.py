@@ -10,7 +10,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
+from typing import TextIO
 
+from .exceptions import RCLError
 from .logging import LoggingSeverity
 
 __all__ = ["Arguments", "parse_arguments", "remove_ros_args"]
@@ -92,14 +94,25 @@ def _parse_one(rest: list[str], parsed: _Parsed) -> list[str]:
         parsed.remaps.append((node, before, after))
     elif flag in ("-p", "--param"):
         node, name, text = _rule(flag, value)
-        parsed.parameters.append((f"/**/{node}" if node else "/**", name, _yaml(text)))
+        parsed.parameters.append(
+            (f"/**/{node}" if node else "/**", name, _yaml(text, f"parameter override rule: '{flag} {value}'"))
+        )
     elif flag == "--params-file":
-        with open(value, encoding="utf-8") as file:
-            parsed.parameters.extend(_parameters_in(_yaml(file.read()), value))
+        with _opened(value) as file:
+            parsed.parameters.extend(_parameters_in(_yaml(file.read(), f"parameter file: '{value}'"), value))
     elif flag == "--log-level":
         logger, _, level = value.rpartition(":=")
+        if level.upper() not in LoggingSeverity.__members__:
+            raise RCLError(f"failed to initialize rcl: Couldn't parse log level rule: '{flag} {value}'.")
         parsed.log_levels.append((logger, LoggingSeverity[level.upper()]))
     return rest[2:]
+
+
+def _opened(path: str) -> TextIO:
+    try:
+        return open(path, encoding="utf-8")
+    except OSError as error:
+        raise RCLError(f"failed to initialize rcl: Error opening YAML file: {path}: {error.strerror}") from None
 
 
 def _rule(flag: str, text: str) -> tuple[str, str, str]:
@@ -111,10 +124,14 @@ def _rule(flag: str, text: str) -> tuple[str, str, str]:
     return node, name, right
 
 
-def _yaml(text: str) -> object:
+def _yaml(text: str, what: str) -> object:
     import yaml  # only where a command line says something about parameters
 
-    return yaml.safe_load(text)
+    try:
+        return yaml.safe_load(text)
+    except yaml.YAMLError as error:
+        reason = " ".join(str(error).split())
+        raise RCLError(f"failed to initialize rcl: Couldn't parse {what}. Error: {reason}") from None
 
 
 def _parameters_in(content: object, path: str) -> Iterable[tuple[str, str, object]]:
