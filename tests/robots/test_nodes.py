@@ -6,13 +6,14 @@ import pytest
 
 from tflab.core import LATEST, quaternions, seconds
 from tflab.robots.kinematics import joint_transform
-from tflab.robots.nodes import NODES, launch
+from tflab.robots.nodes import USUAL_NODES, launch
 from tflab.robots.teaching import TeachingRobot
 from tflab.ros import client_library as rclpy
 from tflab.ros.convert import stamp_ns_from
 from tflab.ros.graph import new_graph
-from tflab.ros.messages import geometry_msgs, nav_msgs, sensor_msgs
+from tflab.ros.messages import geometry_msgs, nav_msgs, sensor_msgs, tf2_msgs
 from tflab.ros.node import Node
+from tflab.ros.parameter import Parameter
 from tflab.ros.qos import qos_profile_sensor_data
 from tflab.ros.tf2_buffer import Buffer
 from tflab.ros.tf2_listener import TransformListener
@@ -120,6 +121,34 @@ def test_a_wrong_clock_changes_the_stamps_and_not_what_is_true(graph):
     assert message.pose.pose.position.x == truth.pose.translation[0]
 
 
+def test_a_filter_beside_the_odometry_is_a_second_owner_until_one_of_them_is_told_to_stop(graph):
+    launch(graph, only=["wheel_odometry", "ekf_filter_node"])
+    graph.run(seconds=5.0)
+    rclpy.init(args=[])
+    node = Node("audience")
+    stamps = []
+    node.create_subscription(
+        tf2_msgs.TFMessage, "/tf", lambda m: stamps.extend(stamp_ns_from(t.header.stamp) for t in m.transforms), 100
+    )
+    rclpy.spin_until_future_complete(node, rclpy.Future(), timeout_sec=1.01)
+    assert len(stamps) == 20 + 30
+    robot = TeachingRobot()
+    wheels, fused = robot.odometry_at(stamps[0]).pose, robot.filtered_at(stamps[0]).pose
+    assert math.dist(wheels.translation, fused.translation) > 0.01
+    (ekf,) = (each for each in graph.nodes if each.get_name() == "ekf_filter_node")
+    ekf.set_parameters([Parameter("publish_tf", value=False)])
+    stamps.clear()
+    rclpy.spin_until_future_complete(node, rclpy.Future(), timeout_sec=1.0)
+    assert len(stamps) == 20
+
+
+def test_the_localiser_keeps_its_edge_to_itself_if_it_is_told_to(graph):
+    launch(graph, only=["localization"])
+    (localizer,) = (each for each in graph.nodes if each.get_name() == "localization")
+    localizer.set_parameters([Parameter("tf_broadcast", value=False)])
+    assert not Audience(graph, 1.0, {}).buffer.core.frame_exists("odom")
+
+
 def test_a_prefix_separates_two_robots_on_one_graph(graph):
     names = ["robot_state_publisher", "wheel_odometry", "localization"]
     launch(graph, TeachingRobot(prefix="robot1/"), only=names)
@@ -140,7 +169,7 @@ def test_the_robot_begins_to_drive_when_it_is_launched(graph):
 
 def test_participants_end_when_they_are_stopped(graph):
     participants = launch(graph)
-    assert [each.name for each in participants] == list(NODES)
+    assert [each.name for each in participants] == list(USUAL_NODES)
     graph.stop()
     assert not any(each.is_running for each in participants)
 

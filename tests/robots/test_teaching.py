@@ -121,6 +121,17 @@ def test_the_odometry_message_and_the_transform_agree():
             assert edge.transform.translation == pytest.approx(reading.value.pose.translation)
 
 
+def test_the_filter_drifts_less_than_the_wheels():
+    robot = TeachingRobot()
+    stamp_ns = seconds(60.0)
+    truth = robot.drive.pose_at(stamp_ns)
+    off = {}
+    for name, odometry in (("wheels", robot.odometry), ("filter", robot.filtered)):
+        believed = robot.drive.start.then(odometry.pose_at(stamp_ns))
+        off[name] = math.dist(believed[:2], truth[:2])
+    assert 0.0 < off["filter"] < off["wheels"]
+
+
 def test_joint_readings_name_every_moving_joint():
     robot = TeachingRobot()
     joints = next(r.value for r in robot.readings(until_s=2.0) if isinstance(r.value, JointReading))

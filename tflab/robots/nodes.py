@@ -6,7 +6,10 @@
     laser_driver ----- /scan               imu_driver -- /imu
     object_detector -- /detected_point
 
-    launch(graph)      all of them; launch(graph, only=["wheel_odometry"]) some
+    ekf_filter_node -- /odometry/filtered, /tf (odom -> base_footprint): not by default,
+                       because two owners of one edge are one too many
+
+    launch(graph)      the usual ones; launch(graph, only=["wheel_odometry"]) some
 
 A driver measures at one moment and publishes at a later one.  So every timer here
 speaks of the past: the stamp lies `delay_s` before the publication, and the reading
@@ -21,7 +24,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 
-from tflab.core import seconds
+from tflab.core import StampedTransform, seconds
 from tflab.ros import client_library as rclpy
 from tflab.ros.convert import msg_from_stamped
 from tflab.ros.executors import ExternalShutdownException
@@ -34,10 +37,11 @@ from tflab.ros.tf2_broadcaster import TransformBroadcaster
 
 from .motion import Drive
 from .reading_messages import imu_msg, joint_state_msg, laser_scan_msg, odometry_msg, point_msg
+from .readings import OdometryReading
 from .state_publisher import RobotStatePublisher
 from .teaching import Source, TeachingRobot
 
-__all__ = ["NODES", "Driver", "launch"]
+__all__ = ["NODES", "USUAL_NODES", "Driver", "launch"]
 
 DEPTH = 10
 
@@ -72,30 +76,44 @@ class JointDriver(Driver):
         self._states.publish(joint_state_msg(reading))
 
 
-class WheelOdometryDriver(Driver):
-    """Says where the wheels think the robot is, as a message and as a transform."""
+class OdometryDriver(Driver):
+    """Says where the robot is in odom, as a message and, unless told not to, as a transform.
 
-    def __init__(self, robot: TeachingRobot) -> None:
-        super().__init__(robot, robot.sources["odometry"])
-        self._odometry = self.create_publisher(nav_msgs.Odometry, "odom", DEPTH)
+    Parameters (of ROS): publish_tf, because odom -> base_footprint may have one owner only.
+    """
+
+    def __init__(
+        self, robot: TeachingRobot, source: Source, topic: str, odometry_at: Callable[[int], OdometryReading]
+    ) -> None:
+        super().__init__(robot, source)
+        self.declare_parameter("publish_tf", True)
+        self._odometry_at = odometry_at
+        self._odometry = self.create_publisher(nav_msgs.Odometry, topic, DEPTH)
         self._broadcaster = TransformBroadcaster(self)
 
     def tell(self, true_ns: int, stamp_ns: int) -> None:
-        self._odometry.publish(odometry_msg(replace(self.robot.odometry_at(true_ns), stamp_ns=stamp_ns)))
-        base = replace(self.robot.odom_to_base_at(true_ns), stamp_ns=stamp_ns)
-        self._broadcaster.sendTransform(msg_from_stamped(base))
+        reading = replace(self._odometry_at(true_ns), stamp_ns=stamp_ns)
+        self._odometry.publish(odometry_msg(reading))
+        if self.get_parameter("publish_tf").value:
+            base = StampedTransform(reading.frame_id, reading.child_frame_id, stamp_ns, reading.pose)
+            self._broadcaster.sendTransform(msg_from_stamped(base))
 
 
 class LocalizationDriver(Driver):
-    """Says where odom is in map."""
+    """Says where odom is in map.
+
+    Parameters (of ROS): tf_broadcast, as AMCL calls it.
+    """
 
     def __init__(self, robot: TeachingRobot) -> None:
         super().__init__(robot, robot.sources["localization"])
+        self.declare_parameter("tf_broadcast", True)
         self._broadcaster = TransformBroadcaster(self)
 
     def tell(self, true_ns: int, stamp_ns: int) -> None:
-        odom = replace(self.robot.map_to_odom_at(true_ns), stamp_ns=stamp_ns)
-        self._broadcaster.sendTransform(msg_from_stamped(odom))
+        if self.get_parameter("tf_broadcast").value:
+            odom = replace(self.robot.map_to_odom_at(true_ns), stamp_ns=stamp_ns)
+            self._broadcaster.sendTransform(msg_from_stamped(odom))
 
 
 class LaserDriver(Driver):
@@ -139,26 +157,38 @@ def state_publisher(robot: TeachingRobot) -> RobotStatePublisher:
     return RobotStatePublisher(namespace=robot.prefix.strip("/"), parameter_overrides=parameters)
 
 
+def wheel_odometry(robot: TeachingRobot) -> OdometryDriver:
+    """Return the node that counts the turns of the wheels."""
+    return OdometryDriver(robot, robot.sources["odometry"], "odom", robot.odometry_at)
+
+
+def ekf_filter_node(robot: TeachingRobot) -> OdometryDriver:
+    """Return the node that makes more of wheels and imu together; it wants to own the same edge."""
+    return OdometryDriver(robot, robot.sources["ekf"], "odometry/filtered", robot.filtered_at)
+
+
 NODES: dict[str, Callable[[TeachingRobot], Node]] = {
     "robot_state_publisher": state_publisher,
     "joint_driver": JointDriver,
-    "wheel_odometry": WheelOdometryDriver,
+    "wheel_odometry": wheel_odometry,
     "localization": LocalizationDriver,
     "laser_driver": LaserDriver,
     "object_detector": ObjectDetector,
     "imu_driver": ImuDriver,
+    "ekf_filter_node": ekf_filter_node,
 }
+USUAL_NODES = tuple(name for name in NODES if name != "ekf_filter_node")
 
 
 def launch(
-    graph: Graph | None = None, robot: TeachingRobot | None = None, only: Iterable[str] = tuple(NODES)
+    graph: Graph | None = None, robot: TeachingRobot | None = None, only: Iterable[str] = USUAL_NODES
 ) -> list[Participant]:
     """Start the robot's nodes, each as a participant of its own, and return these.
 
     Args:
         graph: the current one if None.
         robot: one that begins to drive now if None.
-        only: which nodes, by the keys of NODES.
+        only: which nodes, by the keys of NODES; if not said, all but the ekf_filter_node.
 
     Raises:
         ValueError: no such node.
