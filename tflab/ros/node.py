@@ -41,7 +41,7 @@ from .qos import (
     qos_profile_services_default,
 )
 from .service import Client, Service
-from .subscription import Subscription
+from .subscription import RawSubscription, Subscription
 from .time import Time
 from .time_source import TimeSource
 from .timer import Rate, Timer
@@ -267,9 +267,10 @@ class Node(graph_queries.GraphQueries, NodeParameters):
         callback_group: CallbackGroup | None = None,
         event_callbacks: Any = None,
         qos_overriding_options: Any = None,
+        raw: bool = False,
         subscription_class: type[Subscription] = Subscription,
     ) -> Subscription:
-        """Return a new subscription; the callback takes (message) or (message, info).
+        """Return a new subscription; the callback takes (message) or (message, info), with `raw` bytes for a message.
 
         Raises:
             as create_publisher.
@@ -278,6 +279,7 @@ class Node(graph_queries.GraphQueries, NodeParameters):
         _check_type(msg_type, Message, "message")
         group = callback_group or self._default_callback_group
         name = self._topic_named(topic)
+        subscription_class = RawSubscription if raw else subscription_class
         subscription = subscription_class(self, msg_type, name, callback, qos, event_callbacks, group)
         self._entities["subscription"].append(subscription)
         return subscription

@@ -321,10 +321,9 @@ def incompatible_policy(offered: QoSProfile, requested: QoSProfile) -> str | Non
         last = "DURABILITY"
     if requested.deadline != _ZERO and not _ZERO < offered.deadline <= requested.deadline:
         last = "DEADLINE"
-    if (
-        requested.liveliness == LivelinessPolicy.MANUAL_BY_TOPIC != offered.liveliness
-        or (requested.liveliness_lease_duration != _ZERO
-        and not _ZERO < offered.liveliness_lease_duration <= requested.liveliness_lease_duration)
+    if requested.liveliness == LivelinessPolicy.MANUAL_BY_TOPIC != offered.liveliness or (
+        requested.liveliness_lease_duration != _ZERO
+        and not _ZERO < offered.liveliness_lease_duration <= requested.liveliness_lease_duration
     ):
         last = "LIVELINESS"
     if (

@@ -14,8 +14,9 @@ from .entity import Entity, Kind
 from .messages import copy_message
 from .network import Sample
 from .qos import QoSProfile
+from .serialization import serialize_message
 
-__all__ = ["Subscription"]
+__all__ = ["RawSubscription", "Subscription"]
 
 
 class Subscription(Entity):
@@ -70,7 +71,7 @@ class Subscription(Entity):
 
     def call(self, sample: Sample, received_ns: int) -> Any:
         """Call back with a message of the receiver's own."""
-        message = copy_message(sample.message)
+        message = self._message_of(sample)
         if not self._wants_info:
             return self.callback(message)
         info = {
@@ -81,6 +82,9 @@ class Subscription(Entity):
             "publisher_gid": sample.publisher.gid,
         }
         return self.callback(message, info)
+
+    def _message_of(self, sample: Sample) -> Any:
+        return copy_message(sample.message)
 
     def get_publisher_count(self) -> int:
         """Return how many publishers it is connected to."""
@@ -108,6 +112,13 @@ class Subscription(Entity):
 
     def __exit__(self, *exc: object) -> None:
         self.destroy()
+
+
+class RawSubscription(Subscription):
+    """Calls back with bytes, as they are on the wire."""
+
+    def _message_of(self, sample: Sample) -> bytes:
+        return serialize_message(sample.message)
 
 
 def _wants_info(callback: Callable[..., Any]) -> bool:

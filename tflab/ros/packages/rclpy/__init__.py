@@ -34,6 +34,7 @@ from . import (
     parameter_service,
     publisher,
     qos,
+    serialization,
     service,
     signals,
     subscription,
@@ -48,6 +49,7 @@ from . import (
     validate_namespace,
     validate_node_name,
     validate_topic_name,
+    wait_for_message,
 )
 
 __all__ = [
@@ -76,6 +78,7 @@ __all__ = [
     "parameter_service",
     "publisher",
     "qos",
+    "serialization",
     "service",
     "shutdown",
     "signals",
@@ -95,4 +98,5 @@ __all__ = [
     "validate_namespace",
     "validate_node_name",
     "validate_topic_name",
+    "wait_for_message",
 ]
