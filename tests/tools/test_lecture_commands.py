@@ -55,6 +55,12 @@ def robot(terminal):
     return terminal
 
 
+def intruder():
+    """Begins after two seconds, and gives base_link another parent."""
+    time.sleep(2)
+    moving(parent="elsewhere", name="intruder", rate_hz=97.0)()
+
+
 def endpoint(name, kind, gid, depth, durability):
     return f"""\
 Node name: {name}
@@ -230,6 +236,24 @@ def test_tf2_echo_asks_as_often_as_it_is_told(robot):
     assert out.count("At time") == 10
 
 
+def test_tf2_echo_waits_with_one_line_a_second_however_often_it_asks(terminal):
+    out = terminal.type("ros2 --for 2.5 run tf2_ros tf2_echo map base_link 10")
+    assert (out + terminal.error).count("Waiting for transform map ->  base_link: ") == 3
+
+
+def test_tf2_echo_goes_on_when_a_lookup_fails(robot):
+    robot.graph.start(intruder)
+    out = robot.type("ros2 run tf2_ros tf2_echo odom base_link")
+    assert (
+        "Failure at 5.000\n"
+        "Exception thrown:Could not find a connection between 'odom' and 'base_link' because they are not part of "
+        "the same tree.Tf has two or more unconnected trees.\n"
+        "The current list of frames is:\n"
+        "Frame laser_frame exists with parent base_link.\n"
+        "Frame base_link exists with parent elsewhere.\n\n"
+    ) in out
+
+
 def test_two_tools_at_once_do_not_share_a_listener(robot):
     for _ in range(2):
         robot.graph.start(lambda: __import__("tflab.tools.tf2_echo", fromlist=["main"]).main(["odom", "base_link"]))
@@ -268,10 +292,6 @@ def test_tf2_monitor_shows_a_delay(terminal):
 
 
 def test_tf2_monitor_dies_when_the_chain_breaks(robot):
-    def intruder():
-        time.sleep(2)
-        moving(parent="elsewhere", name="intruder", rate_hz=100.0)()
-
     robot.graph.start(intruder)
     out = robot.type("ros2 run tf2_ros tf2_monitor odom base_link")
     assert "terminate called after throwing an instance of 'tf2::ConnectivityException'\n" in robot.error

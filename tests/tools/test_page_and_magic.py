@@ -153,6 +153,13 @@ def test_a_second_cell_sees_the_nodes_that_the_first_one_started(shell, graph, c
     assert "At time 2.950000000\n- Translation: [1.950, 0.000, 0.000]\n" in capsys.readouterr().out
 
 
+def test_a_command_may_go_over_several_lines(shell, graph, capsys):
+    shell.run_cell(
+        "%ros2 run tf2_ros static_transform_publisher \\\n  --x 1 --frame-id map \\\n  --child-frame-id odom"
+    )
+    assert "from 'map' to 'odom'" in "".join(capsys.readouterr())
+
+
 def test_the_magic_explains_a_bad_line_and_does_not_raise(shell, capsys):
     shell.run_line_magic("ros2", "--for x topic list")
     shell.run_line_magic("ros2", "nope")

@@ -92,9 +92,7 @@ def test_what_cannot_be_run_is_explained(words, text, capsys):
 
 @pytest.mark.parametrize("seconds", ["x", "0", "-1", "inf"])
 def test_a_time_must_be_one(seconds, capsys):
-    with pytest.raises(SystemExit) as stop:
-        main(["run", "x.py", "--for", seconds])
-    assert stop.value.code == 2
+    assert main(["run", "x.py", "--for", seconds]) == 2
     assert "argument --for: it needs a time in seconds" in capsys.readouterr().err
 
 
@@ -130,6 +128,11 @@ def test_a_bag_has_its_topics_from_the_beginning(bag, capsys):
 def test_what_is_no_bag_is_explained(capsys):
     assert main(["ros2", "--bag", "/nope", "topic", "list"]) == 2
     assert capsys.readouterr().err == "tflab ros2: /nope: there is no such file or directory\n"
+
+
+def test_a_wrong_tool_is_refused_before_anything_starts(talker, capsys):
+    assert main(["run", talker, "--with", "ros2 topic hz"]) == 2
+    assert capsys.readouterr().err.endswith("ros2 topic hz: error: the following arguments are required: topic_name\n")
 
 
 def test_version_and_help(capsys):

@@ -29,13 +29,17 @@ CLOCK_HZ = 100.0
 
 def run(words: Sequence[str]) -> int:
     """Run node files, and tools beside them, until they have ended or Ctrl-C; return the exit code."""
-    options = _run_parser().parse_args(list(words))
     try:
-        beside = [(line, _program(_words_of(line))) for line in options.tools]
+        options = _run_parser().parse_args(list(words))
+        beside = [(line, _program(ros2_words.plan(_words_of(line)).words)) for line in options.tools]
+    except SystemExit as stop:  # help, or wrong words, which argparse has explained; nothing has begun
+        return stop.code or 0
+    except ValueError as fault:
+        return _refuse(fault)
+    try:
         return _run_files(options.files, args=options.ros_args, beside=beside, seconds=options.seconds)
-    except (FileNotFoundError, ValueError) as fault:
-        print(f"tflab run: {fault}", file=sys.stderr)
-        return 2
+    except FileNotFoundError as fault:
+        return _refuse(fault)
 
 
 def ros2(words: Sequence[str]) -> int:
@@ -49,7 +53,10 @@ def ros2(words: Sequence[str]) -> int:
         "--for", dest="seconds", type=_seconds, metavar="SECONDS", help="stop after this time, as by Ctrl-C"
     )
     parser.add_argument("words", nargs=argparse.REMAINDER, metavar="...", help="as after `ros2`")
-    options = parser.parse_args(list(words))
+    try:
+        options = parser.parse_args(list(words))
+    except SystemExit as stop:
+        return stop.code or 0
     if options.bag is not None:
         return _on_bag(options.bag, options.words, options.seconds)
     codes: list[int] = []
@@ -165,3 +172,8 @@ def _run_files(paths: Sequence[str], **options: Any) -> int:
     from tflab.ros.run import run_files  # only now: it is long to load, and --help must not wait for it
 
     return run_files(paths, **options)
+
+
+def _refuse(fault: Exception) -> int:
+    print(f"tflab run: {fault}", file=sys.stderr)
+    return 2

@@ -29,7 +29,9 @@ from .marks import FONT_SIZE, Box, Label, Line, Mark, Sheet, pdf_from_sheet, svg
 __all__ = ["Fault", "Row", "TreePicture", "draw_tree", "rows_of", "text_from_tree", "tree_faults"]
 
 QUIET, ALARM, WASH = style.GREY, style.ACCENT, "#F8EDF6"
-MARGIN, STEP, TRUNK, ROW, PILL = 18.0, 46.0, 14.0, 34.0, 24.0  # [pt] rim, indent, stem, row and box heights
+MARGIN, TRUNK, ROW, PILL = 18.0, 14.0, 34.0, 24.0  # [pt] rim, stem from the left, height of a row and of a box
+STEP, NARROWEST_STEP, WIDEST_INDENT = 46.0, 28.0, 460.0  # [pt] indent of a child; deep trees get less, down to this
+LEGEND = "D dynamic: solid line, valid at its stamps    S static: dashed line, valid at any time"
 
 
 @dataclass(frozen=True, slots=True)
@@ -224,102 +226,127 @@ def _cells(row: Row, now_ns: int | None) -> tuple[str, str, str, str]:
 # -- as a drawing ---------------------------------------------------------
 
 
+@dataclass(frozen=True, slots=True)
+class _Layout:
+    """Where everything stands: the frames on the left, what is known of each to the right, the faults below."""
+
+    rows: tuple[Row, ...]
+    cells: tuple[tuple[str, str, str, str], ...]
+    faulty: frozenset[tuple[str, str]]
+    depths: tuple[int, ...]
+    step: float
+    columns: tuple[float, ...]
+
+    def left(self, depth: int) -> float:
+        return MARGIN + depth * self.step
+
+    def y(self, number: int) -> float:
+        return MARGIN + 32 + number * ROW
+
+
+def _layout(rows: tuple[Row, ...], faults: tuple[Fault, ...], now_ns: int | None) -> _Layout:
+    cells = tuple(_cells(row, now_ns) for row in rows)
+    depths = _depths(rows)
+    step = min(STEP, max(NARROWEST_STEP, WIDEST_INDENT / (max(depths) or 1)))
+    right = max(depth * step + _pill_width(row) for depth, row in zip(depths, rows, strict=True))
+    columns = _columns(MARGIN + right + 30, _headings(now_ns), cells)
+    faulty = frozenset((fault.kind, frame) for fault in faults for frame in fault.frames)
+    return _Layout(rows, cells, faulty, depths, step, columns)
+
+
 def _sheet(rows: tuple[Row, ...], faults: tuple[Fault, ...], now_ns: int | None, title: str, text: str) -> Sheet:
-    """Lay the tree out: the frames on the left, what is known of each to the right of them, the faults below."""
     if not rows:
         return Sheet(260, 60, (Label(130, 30, "no frames yet", QUIET, centred=True),), title, text)
-    cells = [_cells(row, now_ns) for row in rows]
-    depths = _depths(rows)
-    ends = [_left(depth) + _pill_width(row) for depth, row in zip(depths, rows, strict=True)]
-    headings = ("", "rate", "newest stamp" if now_ns is None else "age", "published by")
-    columns = _columns(max(ends) + 30, headings, cells)
-    faulty = {(fault.kind, frame) for fault in faults for frame in fault.frames}
-
+    layout = _layout(rows, faults, now_ns)
     marks: list[Mark] = [
         Label(x, MARGIN + 4, heading, QUIET, size=11)
-        for column, (x, heading) in enumerate(zip(columns, headings, strict=True))
-        if any(cell[column] for cell in cells)
+        for column, (x, heading) in enumerate(zip(layout.columns, _headings(now_ns), strict=True))
+        if any(cell[column] for cell in layout.cells)
     ]
-    marks += _trunks(rows, depths)
-    for number, (row, depth) in enumerate(zip(rows, depths, strict=True)):
-        marks += _row_marks(row, depth, number, cells[number], columns, faulty)
-    foot = _y(len(rows))
+    marks += _trunks(layout)
+    for number in range(len(rows)):
+        marks += _branch_marks(layout, number)
+        marks += _frame_marks(layout, number)
+        marks += _figure_marks(layout, number)
+    foot = layout.y(len(rows))
     sentences = [*(f"! {fault.text}" for fault in faults), LEGEND]
     for number, sentence in enumerate(sentences):
         colour = QUIET if sentence == LEGEND else ALARM
         marks.append(Label(MARGIN, foot + 20 * number, sentence, colour, size=11))
-    widest_owner = max(text_width(cell[3]) for cell in cells)
-    width = max(columns[3] + widest_owner, *(MARGIN + text_width(sentence, 11) for sentence in sentences)) + MARGIN
+    right = layout.columns[3] + max(text_width(cell[3]) for cell in layout.cells)
+    width = max(right, *(MARGIN + text_width(sentence, 11) for sentence in sentences)) + MARGIN
     return Sheet(width, foot + 20 * len(sentences) + 6, tuple(marks), title, text)
 
 
-LEGEND = "D dynamic: solid line, valid at its stamps    S static: dashed line, valid at any time"
-
-
-def _row_marks(
-    row: Row,
-    depth: int,
-    number: int,
-    cells: tuple[str, str, str, str],
-    columns: tuple[float, ...],
-    faulty: set[tuple[str, str]],
-) -> Iterator[Mark]:
-    """Yield the branch, the box with the name, the letter and the figures of one row."""
-    x, y = _left(depth), _y(number)
-    kind, rate, age, owners = cells
-    is_repeated = row.role != "frame"
-    is_alarming = is_repeated or any((kind, row.frame) in faulty for kind in ("loop", "parents"))
-    is_alarming |= row.parent_row is None and ("roots", row.frame) in faulty
-    colour = ALARM if is_alarming else style.INK
-    has_two_owners = ("owners", row.frame) in faulty and not is_repeated
-    if row.parent_row is not None:
-        line_style = "dotted" if is_repeated else "dashed" if kind == "S" else "solid"
-        branch_colour = ALARM if is_repeated or has_two_owners else style.INK
-        start = _left(depth - 1) + TRUNK
-        for shift in (-2.5, 2.5) if has_two_owners else (0,):  # two publishers: a doubled line
-            line = ((start, y + shift), (x, y + shift))
-            yield Line(line, branch_colour, style=line_style, arrow=shift == 0)
-    box_style = "dotted" if is_repeated else "solid"
-    yield Box(x, y - PILL / 2, _pill_width(row), PILL, colour, WASH if is_alarming else style.PAPER, box_style)
-    yield Label(x + 10, y, _name(row), colour, bold=row.parent_row is None)
-    if kind:
-        yield Box(columns[0], y - 9, 18, 18, QUIET, style.PAPER, "dashed" if kind == "S" else "solid", corner=9)
-        yield Label(columns[0] + 9, y, kind, style.INK, size=11, bold=True, centred=True)
-    yield from (Label(x, y, cell, style.INK) for x, cell in ((columns[1], rate), (columns[2], age)) if cell)
-    if owners:
-        yield Label(columns[3], y, owners, ALARM if has_two_owners else style.INK, bold=has_two_owners)
-
-
-def _trunks(rows: tuple[Row, ...], depths: list[int]) -> Iterator[Mark]:
+def _trunks(layout: _Layout) -> Iterator[Mark]:
     """Yield, for each parent, the upright line that its children branch off from."""
-    last_child = {row.parent_row: number for number, row in enumerate(rows) if row.parent_row is not None}
+    last_child = {row.parent_row: number for number, row in enumerate(layout.rows) if row.parent_row is not None}
     for parent, last in last_child.items():
-        x = _left(depths[parent]) + TRUNK
-        yield Line(((x, _y(parent) + PILL / 2), (x, _y(last))), QUIET, width=1.2)
+        x = layout.left(layout.depths[parent]) + TRUNK
+        yield Line(((x, layout.y(parent) + PILL / 2), (x, layout.y(last))), QUIET, width=1.2)
 
 
-def _depths(rows: tuple[Row, ...]) -> list[int]:
+def _branch_marks(layout: _Layout, number: int) -> Iterator[Mark]:
+    """Yield the line from the parent's trunk; with two publishers a doubled one."""
+    row, y, depth = layout.rows[number], layout.y(number), layout.depths[number]
+    if row.parent_row is None:
+        return
+    is_repeated = row.role != "frame"
+    has_two_owners = _has_two_owners(layout, number)
+    line_style = "dotted" if is_repeated else "dashed" if row.edge.is_static else "solid"
+    colour = ALARM if is_repeated or has_two_owners else style.INK
+    for shift in (-2.5, 2.5) if has_two_owners else (0,):
+        start, end = layout.left(depth - 1) + TRUNK, layout.left(depth)
+        yield Line(((start, y + shift), (end, y + shift)), colour, style=line_style, arrow=shift == 0)
+
+
+def _frame_marks(layout: _Layout, number: int) -> Iterator[Mark]:
+    """Yield the box with the name."""
+    row, x, y = layout.rows[number], layout.left(layout.depths[number]), layout.y(number)
+    is_root, is_repeated = row.parent_row is None, row.role != "frame"
+    is_faulty = any((kind, row.frame) in layout.faulty for kind in ("loop", "parents"))
+    is_alarming = is_repeated or is_faulty or (is_root and ("roots", row.frame) in layout.faulty)
+    colour, fill = (ALARM, WASH) if is_alarming else (style.INK, style.PAPER)
+    yield Box(x, y - PILL / 2, _pill_width(row), PILL, colour, fill, "dotted" if is_repeated else "solid")
+    yield Label(x + 10, y, _name(row), colour, bold=is_root)
+
+
+def _figure_marks(layout: _Layout, number: int) -> Iterator[Mark]:
+    """Yield the letter, and what is known of the edge."""
+    y, (x_kind, x_rate, x_age, x_owners) = layout.y(number), layout.columns
+    kind, rate, age, owners = layout.cells[number]
+    if kind:
+        yield Box(x_kind, y - 9, 18, 18, QUIET, style.PAPER, "dashed" if kind == "S" else "solid", corner=9)
+        yield Label(x_kind + 9, y, kind, style.INK, size=11, bold=True, centred=True)
+    yield from (Label(x, y, cell, style.INK) for x, cell in ((x_rate, rate), (x_age, age)) if cell)
+    if owners:
+        has_two = _has_two_owners(layout, number)
+        yield Label(x_owners, y, owners, ALARM if has_two else style.INK, bold=has_two)
+
+
+def _has_two_owners(layout: _Layout, number: int) -> bool:
+    row = layout.rows[number]
+    return ("owners", row.frame) in layout.faulty and row.role != "also here" and row.parent_row is not None
+
+
+def _depths(rows: tuple[Row, ...]) -> tuple[int, ...]:
     depths: list[int] = []
     for row in rows:
         depths.append(0 if row.parent_row is None else depths[row.parent_row] + 1)
-    return depths
+    return tuple(depths)
 
 
-def _columns(x: float, headings: tuple[str, ...], cells: list[tuple[str, str, str, str]]) -> tuple[float, ...]:
+def _headings(now_ns: int | None) -> tuple[str, str, str, str]:
+    return ("", "rate", "newest stamp" if now_ns is None else "age", "published by")
+
+
+def _columns(x: float, headings: tuple[str, ...], cells: tuple[tuple[str, ...], ...]) -> tuple[float, ...]:
     """Return where the letter, the rate, the age and the publishers begin; an empty column takes no room."""
     places = [x, x + 36]
     for column in (1, 2):
         width = max(text_width(cell[column]) for cell in cells)
         places.append(places[-1] + (max(width, text_width(headings[column], 11)) + 18 if width else 0))
     return tuple(places)
-
-
-def _left(depth: int) -> float:
-    return MARGIN + depth * STEP
-
-
-def _y(number: int) -> float:
-    return MARGIN + 32 + number * ROW
 
 
 def _pill_width(row: Row) -> float:
