@@ -97,7 +97,7 @@ def _less_than_half_a_turn(poses: np.ndarray) -> int:
         return LOOK_BACK
     dot = np.abs(np.einsum("ij,ij->i", poses[1:, 3:], poses[:-1, 3:]))
     turn_rad = 2.0 * float(np.percentile(np.arccos(np.clip(dot, 0.0, 1.0)), 90))
-    return LOOK_BACK if turn_rad * LOOK_BACK < np.pi else int(np.pi / turn_rad)
+    return LOOK_BACK if turn_rad * LOOK_BACK < np.pi else int(0.5 * np.pi / turn_rad)
 
 
 def _told_alternately(poses: np.ndarray, rows: np.ndarray, apart_m: float, look_back: int) -> Stories | None:

@@ -26,6 +26,7 @@ ALIKE = 0.75  # of difflib's measure, for a misspelling
 SPATIAL = re.compile(
     r"LaserScan|PointCloud|Image|CameraInfo|Imu|Range|Odometry|Path|Grid|geometry_msgs|Detection|Marker"
 )
+STANDARD = ("earth", "map", "odom", "base_link", "base_footprint", "world")  # REP-105, and what is usual beside it
 ROBOT_FRAMES = 3  # a prefix that so many frames share, in a tree of their own, is a robot
 
 
@@ -127,7 +128,15 @@ def _weight(evidence: Evidence, name: str) -> tuple:
                 samples += int((edge.parent == number).sum())
     said = name in _frames_in_messages(evidence)
     neat = name == name.lower()
-    return (said, links, neat, "/" not in name, samples, [-ord(letter) for letter in name])
+    return (
+        said,
+        name.rpartition("/")[2] in STANDARD,
+        links,
+        neat,
+        "/" not in name,
+        samples,
+        [-ord(letter) for letter in name],
+    )
 
 
 def _is_a_robot(evidence: Evidence, name: str) -> bool:

@@ -1,0 +1,272 @@
+"""ros2 bag: what the graph said is in the file, and what is in the file is said again."""
+
+import numpy as np
+import pytest
+from rosbags.highlevel import AnyReader
+from rosbags.interfaces import QosDurability
+
+from tflab.bags.errors import BagError
+from tflab.bags.info import BagFacts, bag_facts, info_text, size_text
+from tflab.bags.listen import recording_from_graph
+from tflab.bags.play import PlayOptions, events
+from tflab.bags.reader import read_bag
+from tflab.bags.record import BagWriter, adapted_profile
+from tflab.bags.wire import bytes_of, message_of, profile_of, qos_of
+from tflab.core import Transform
+from tflab.robots.kinematics import joint_transform
+from tflab.robots.nodes import launch
+from tflab.robots.teaching import TeachingRobot
+from tflab.robots.urdf import parse_urdf
+from tflab.ros.duration import Duration
+from tflab.ros.graph import new_graph
+from tflab.ros.messages import geometry_msgs, std_msgs
+from tflab.ros.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from tflab.tools import ros2
+
+SECOND = 1_000_000_000
+
+
+@pytest.fixture
+def graph():
+    made = new_graph()
+    yield made
+    made.stop()
+    new_graph()
+
+
+def record(graph, path, seconds, *options):
+    """Record for a while, and end it as Ctrl-C does."""
+    participant = graph.start(ros2.main, ["bag", "record", *options, "-o", str(path)], name="record")
+    graph.run(seconds=seconds)
+    graph.stop(participant)
+    return path
+
+
+@pytest.fixture
+def drive(graph, tmp_path):
+    """A recording of the teaching robot, all topics."""
+    launch(graph)
+    return record(graph, tmp_path / "drive", 4.0, "--all")
+
+
+def test_the_libraries_own_reader_finds_definitions_types_and_qos(drive):
+    with AnyReader([drive]) as reader:
+        by_topic = {connection.topic: connection for connection in reader.connections}
+        assert by_topic["/tf"].msgtype == "tf2_msgs/msg/TFMessage"
+        assert all(connection.msgdef.data and connection.digest for connection in reader.connections)
+        (qos,) = by_topic["/tf_static"].ext.offered_qos_profiles
+        assert (qos.durability, qos.depth) == (QosDurability.TRANSIENT_LOCAL, 1)
+        connection, _, data = next(reader.messages([by_topic["/tf_static"]]))
+        message = reader.deserialize(data, connection.msgtype)
+        laser = next(t for t in message.transforms if t.child_frame_id == "laser_frame")
+        assert (laser.transform.translation.x, laser.transform.translation.z) == (0.20, 0.15)
+
+
+def test_odometry_and_tf_of_a_recording_agree_at_every_stamp(drive):
+    recording = read_bag(drive)
+    (odometry,) = recording.odometry
+    batch = recording.buffer().lookup_transforms(odometry.frame, odometry.child, odometry.stamp_ns)
+    ok = batch.ok
+    assert ok.sum() > 60 and (~ok).sum() <= 1  # the last /odom may have come without its transform
+    assert np.allclose(batch.translations[ok], odometry.numbers[ok, :3], atol=1e-12)
+    assert np.allclose(np.abs((batch.rotations[ok] * odometry.numbers[ok, 3:]).sum(axis=1)), 1.0, atol=1e-12)
+
+
+def test_joint_states_and_urdf_reproduce_the_recorded_transforms(drive):
+    recording = read_bag(drive)
+    joints = {joint.name: joint for joint in parse_urdf(recording.robot_description, source="bag").joints}
+    buffer = recording.buffer()
+    (states,) = recording.joint_states
+    compared = 0
+    for stamp_ns, names, positions in zip(states.stamp_ns.tolist(), states.names, states.positions, strict=True):
+        for name, position in zip(names, positions, strict=True):
+            joint = joints[name]
+            if not buffer.can_transform(joint.parent, joint.child, stamp_ns):
+                continue
+            recorded = buffer.lookup_transform(joint.parent, joint.child, stamp_ns).transform
+            assert_alike(recorded, joint_transform(joint, position))
+            compared += 1
+    assert compared > 300
+
+
+def assert_alike(a: Transform, b: Transform) -> None:
+    assert np.allclose(a.matrix(), b.matrix(), atol=1e-9)
+
+
+def test_an_existing_path_is_left_alone(graph, tmp_path, capsys):
+    (tmp_path / "drive").mkdir()
+    (tmp_path / "drive" / "precious").write_text("data")
+    assert ros2.main(["bag", "record", "/tf", "-o", str(tmp_path / "drive")]) == 1
+    assert f"Output folder '{tmp_path / 'drive'}' already exists." in capsys.readouterr().err
+    assert (tmp_path / "drive" / "precious").read_text() == "data"
+    with pytest.raises(BagError, match="nothing is overwritten"):
+        BagWriter(tmp_path / "drive")
+
+
+def test_the_words_of_a_recording_are_rosbag2s(graph, tmp_path, capsys):
+    launch(graph, only=["wheel_odometry"])
+    record(graph, tmp_path / "b", 1.0, "/tf")
+    lines = [line.split("]: ", 1) for line in capsys.readouterr().err.splitlines() if "rosbag2" in line]
+    assert [text for _, text in lines] == [
+        "Press SPACE for pausing/resuming",
+        "Listening for topics...",
+        "Event publisher thread: Starting",
+        "Recording...",
+        "Subscribed to topic '/tf'",
+        "All requested topics are subscribed. Stopping discovery...",
+        "Writing remaining messages from cache to the bag. It may take a while",
+        "Event publisher thread: Exiting",
+        "Recording stopped",
+    ]
+    assert lines[0][0].startswith("[INFO] [1.000000000] [rosbag2_recorder")
+
+
+def test_a_topic_that_nobody_publishes_is_waited_for_and_absent(graph, tmp_path):
+    launch(graph, only=["wheel_odometry"])
+    facts = bag_facts(record(graph, tmp_path / "b", 1.0, "/tf", "/scan"))
+    assert [topic[0] for topic in facts.topics] == ["/tf"]
+
+
+def test_statics_that_were_said_before_are_recorded_and_said_again(graph, tmp_path):
+    launch(graph)
+    graph.run(seconds=2.0)
+    path = record(graph, tmp_path / "late", 1.0, "/tf_static")
+    assert read_bag(path).transforms.labels[0].is_static
+    graph.stop()
+    again = new_graph()
+    again.start(ros2.main, ["bag", "play", str(path), "--loop"], name="play")  # without a loop it would end at once
+    heard = recording_from_graph(again, seconds=0.05)
+    again.stop()
+    assert {label.child for label in heard.transforms.labels} >= {"laser_frame", "imu_link"}
+
+
+def test_what_is_played_and_recorded_again_is_the_same(drive, tmp_path):
+    first = read_bag(drive).transforms
+    graph = new_graph()
+    graph.start(ros2.main, ["bag", "play", str(drive), "--rate", "2.0"], name="play")
+    second = read_bag(record(graph, tmp_path / "again", 3.0, "/tf", "-s", "sqlite3")).transforms
+    graph.stop()
+    moving = [i for i, label in enumerate(first.labels) if label.topic == "/tf"]
+    rows = np.isin(first.label, moving)
+    missed = int(rows.sum()) - len(second)
+    assert 0 <= missed <= 3  # what was played in the same instant as the recorder looked around
+    assert np.array_equal(first.stamp_ns[rows][missed:], second.stamp_ns)
+    assert np.array_equal(first.numbers[rows][missed:], second.numbers)
+    span_s = (second.receive_ns[-1] - second.receive_ns[0]) / SECOND
+    assert 1.8 < span_s < 2.0  # four seconds at twice the speed
+
+
+def test_a_loop_sets_the_clock_back_and_an_offset_leaves_out_the_beginning(drive, tmp_path):
+    graph = new_graph()
+    graph.start(ros2.main, ["bag", "play", str(drive), "--clock", "10", "--loop", "--start-offset", "3.0"], name="play")
+    recording = read_bag(record(graph, tmp_path / "loop", 2.5, "/clock", "/tf"))
+    graph.stop()
+    steps_ns = np.diff(recording.clock.time_ns)
+    assert (steps_ns < 0).sum() == 2
+    assert set(steps_ns[steps_ns > 0].tolist()) == {SECOND // 10}
+    begin_ns = read_bag(drive).begin_ns
+    assert recording.clock.time_ns.min() == begin_ns + 3 * SECOND
+
+
+def test_only_the_topics_that_were_asked_for_are_played(drive):
+    options = PlayOptions(topics=("/odom",))
+    assert {event.topic for event in events(drive, options, ("/odom",))} == {"/odom"}
+
+
+def test_a_living_graph_tells_who_publishes(graph):
+    launch(graph)
+    labels = recording_from_graph(graph, seconds=1.0).transforms.labels
+    publishers = {label.child: label.publisher for label in labels}
+    assert publishers["base_footprint"] == "/wheel_odometry"
+    assert publishers["laser_frame"] == "/robot_state_publisher"
+
+
+# -- info ---------------------------------------------------------------------
+
+FACTS = BagFacts(
+    files=("bag_0.mcap",),
+    size=2_831_155,
+    storage="mcap",
+    ros_distro="jazzy",
+    begin_ns=1_701_316_731_045_123_000,
+    duration_ns=27_045_000_000,
+    count=959,
+    topics=(("/tf_static", "tf2_msgs/msg/TFMessage", 1, "cdr"), ("/tf", "tf2_msgs/msg/TFMessage", 958, "cdr")),
+)
+
+
+def test_info_prints_what_jazzy_prints(monkeypatch):
+    monkeypatch.setenv("TFLAB_ROS_DISTRO", "jazzy")
+    lines = info_text(FACTS).split("\n")
+    assert lines[:5] == [
+        "",
+        "Files:             bag_0.mcap",
+        "Bag size:          2.7 MiB",
+        "Storage id:        mcap",
+        "ROS Distro:        jazzy",
+    ]
+    assert lines[5] == "Duration:          27.045000000s"
+    assert lines[6].endswith(".045123000 (1701316731.045123000)")
+    assert lines[8:] == [
+        "Messages:          959",
+        "Topic information: Topic: /tf_static | Type: tf2_msgs/msg/TFMessage | Count: 1 | Serialization Format: cdr",
+        "                   Topic: /tf | Type: tf2_msgs/msg/TFMessage | Count: 958 | Serialization Format: cdr",
+        "Service:           0",
+        "Service information: ",
+    ]
+
+
+def test_info_prints_humbles_unpadded_milliseconds_and_no_services(monkeypatch):
+    monkeypatch.setenv("TFLAB_ROS_DISTRO", "humble")
+    text = info_text(FACTS)
+    assert "Duration:          27.45s\n" in text and "(1701316731.45)" in text
+    assert "Service" not in text and "ROS Distro" not in text
+
+
+def test_sizes_have_one_decimal_above_bytes():
+    assert [size_text(n) for n in (518, 1024, 2_831_155)] == ["518 B", "1.0 KiB", "2.7 MiB"]
+
+
+def test_info_of_something_else_is_an_error(tmp_path, capsys):
+    (tmp_path / "x.mcap").write_bytes(b"nonsense")
+    assert ros2.main(["bag", "info", str(tmp_path / "x.mcap")]) == 1
+    assert "not a bag" in capsys.readouterr().err
+
+
+# -- on the wire ----------------------------------------------------------------
+
+
+def test_a_message_survives_the_way_to_bytes_and_back():
+    point = geometry_msgs.PointStamped(header=std_msgs.Header(frame_id="map"), point=geometry_msgs.Point(x=1.5, z=-2.0))
+    assert message_of(bytes_of(point), point.ROS_TYPE) == point
+
+
+def test_a_quality_of_service_survives_the_way_to_a_file_and_back():
+    profile = QoSProfile(
+        depth=7,
+        reliability=ReliabilityPolicy.BEST_EFFORT,
+        durability=DurabilityPolicy.TRANSIENT_LOCAL,
+        deadline=Duration(seconds=1.5),
+    )
+    assert profile_of(qos_of(profile)) == profile
+
+
+def test_a_recorder_asks_for_what_all_publishers_offer():
+    latched = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+    volatile = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
+    assert adapted_profile([latched]).durability == DurabilityPolicy.TRANSIENT_LOCAL
+    assert adapted_profile([latched, volatile]).durability == DurabilityPolicy.VOLATILE
+    assert adapted_profile([latched, volatile]).reliability == ReliabilityPolicy.BEST_EFFORT
+
+
+def test_a_bag_is_whole_after_an_error(tmp_path):
+    with pytest.raises(ZeroDivisionError), BagWriter(tmp_path / "drive") as writer:
+        writer.add_topic("/chatter", "std_msgs/msg/String", [QoSProfile(depth=1)])
+        writer.write("/chatter", std_msgs.String(data="hello"), 5)
+        raise ZeroDivisionError
+    (event,) = events(tmp_path / "drive", PlayOptions(), ("/chatter",))
+    assert (event.moment_ns, event.message.data) == (5, "hello")
+
+
+def test_the_robot_of_the_recording_is_the_teaching_robot(drive):
+    assert read_bag(drive).robot_description == TeachingRobot().urdf

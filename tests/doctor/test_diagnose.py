@@ -1,0 +1,232 @@
+"""What is said about small recordings made by hand, and what is not."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from tflab.bags.recording import Headers, JointStates, recording_from_records
+from tflab.core import BufferCore, StampedTransform, Transform
+from tflab.core.records import TransformRecord
+from tflab.doctor.diagnose import diagnose_buffer, diagnose_recording
+from tflab.doctor.doctor import doctor
+from tflab.doctor.texts import sentences
+from tflab.robots.nodes import launch
+from tflab.ros.graph import new_graph
+
+MS = 1_000_000
+SECOND = 1000 * MS
+
+
+def edge(parent, child, count=100, period_ms=50, delay_ms=4, value=None, is_static=False, start_ms=1000, publisher=""):
+    """Samples of one edge on a circle, or of what `value(i)` returns."""
+    records = []
+    for i in range(count):
+        stamp_ns = (start_ms + i * period_ms) * MS
+        yaw = 0.02 * i
+        pose = value(i) if value else Transform.from_rpy(yaw=yaw, translation=(math.cos(yaw), math.sin(yaw), 0.0))
+        topic = "/tf_static" if is_static else "/tf"
+        stamped = StampedTransform(parent, child, stamp_ns, pose)
+        records.append(TransformRecord(topic, stamp_ns + delay_ms * MS, publisher, stamped, is_static))
+    return records
+
+
+def mount(parent, child, x=0.2, **options):
+    return edge(parent, child, count=1, value=lambda i: Transform((x, 0.0, 0.0)), is_static=True, **options)
+
+
+def recording(*edges):
+    records = sorted((record for records in edges for record in records), key=lambda record: record.receive_ns)
+    return recording_from_records(records, "made by hand")
+
+
+def found(patient):
+    """The findings, as {code: finding}."""
+    return {finding.code: finding for finding in diagnose_recording(patient).findings}
+
+
+def alarming(patient):
+    return {finding.code for finding in diagnose_recording(patient).of_severity("error", "warning")}
+
+
+HEALTHY = (edge("map", "odom", 50, 100), edge("odom", "base_link"), mount("base_link", "laser_frame"))
+
+
+def test_a_healthy_robot_is_left_in_peace():
+    assert found(recording(*HEALTHY)) == {}
+
+
+# -- what is normal ------------------------------------------------------------
+
+
+def test_a_latched_static_from_long_ago_is_normal():
+    old = [record._replace(stamped=replace(record.stamped, stamp_ns=1)) for record in mount("base_link", "imu_link")]
+    assert alarming(recording(*HEALTHY, old)) == set()
+
+
+def test_a_localiser_may_stamp_ahead_and_it_is_told_as_a_note():
+    findings = found(recording(edge("map", "odom", 50, 100, delay_ms=-500), *HEALTHY[1:]))
+    assert [(f.code, f.severity, f.child) for f in findings.values()] == [("stamped-ahead", "info", "odom")]
+
+
+def test_odometry_may_not_stamp_ahead():
+    findings = found(recording(HEALTHY[0], edge("odom", "base_link", delay_ms=-500), HEALTHY[2]))
+    assert findings["early-stamps"].severity == "warning" and findings["early-stamps"].child == "base_link"
+
+
+def test_a_joint_at_rest_is_normal_and_a_repeated_mount_is_not():
+    still = [edge("base_link", child, value=lambda i: Transform((0.1, 0.0, 0.0))) for child in ("plate", "bracket")]
+    broken = recording(*HEALTHY, *still)
+    assert alarming(broken) == {"constant-on-tf"}
+    stamps = np.array([record.stamped.stamp_ns for record in still[0]])
+    joints = JointStates("/joint_states", stamps, (("j1", "j2"),) * 100, ((0.0, 0.0),) * 100)
+    assert alarming(replace(broken, joint_states=(joints,))) == set()
+
+
+def test_a_localiser_that_has_nothing_to_correct_is_normal():
+    constant = edge("map", "odom", 50, 100, value=lambda i: Transform())
+    assert alarming(recording(constant, *HEALTHY[1:])) == set()
+
+
+def test_sign_flips_of_a_quaternion_are_normal():
+    def flipping(i):
+        sign = 1.0 if i % 2 else -1.0
+        return Transform((0.01 * i, 0.0, 0.0), (0.0, 0.0, 0.0, sign))
+
+    assert alarming(recording(HEALTHY[0], edge("odom", "base_link", value=flipping), HEALTHY[2])) == set()
+
+
+def test_corrections_of_a_localiser_are_not_a_second_owner():
+    def corrected(i):
+        return Transform((0.5 * (i // 10 % 3), 0.0, 0.0))
+
+    assert alarming(recording(edge("map", "odom", 50, 100, value=corrected), *HEALTHY[1:])) == set()
+
+
+def test_a_stall_of_everything_is_one_event():
+    def silent(records):
+        return [record for record in records if not 2 * SECOND < record.receive_ns < 4 * SECOND]
+
+    findings = found(recording(silent(edge("map", "odom", 50, 100)), silent(edge("odom", "base_link")), HEALTHY[2]))
+    assert set(findings) == {"stall"}
+    assert float(findings["stall"].facts["longest"]) == pytest.approx(2.0, abs=0.11)
+
+
+def test_two_robots_in_one_recording_are_two_trees_by_choice():
+    robots = [edge(f"r{n}/odom", f"r{n}/base_link") for n in (1, 2)]
+    mounts = [mount(f"r{n}/base_link", f"r{n}/laser") for n in (1, 2)]
+    assert {f.code: f.severity for f in found(recording(*robots, *mounts)).values()} == {"several-robots": "info"}
+
+
+def test_two_robots_with_topics_of_their_own_may_have_the_same_frames():
+    def of(robot, records):
+        return [record._replace(topic=f"/{robot}{record.topic}") for record in records]
+
+    both = [of(robot, records) for robot in ("r1", "r2") for records in HEALTHY]
+    assert alarming(recording(*both)) == set()
+
+
+# -- what is not ------------------------------------------------------------------
+
+
+def test_two_owners_are_told_by_their_names():
+    second = edge("odom", "base_link", start_ms=1025, publisher="/ekf")
+    first = edge("odom", "base_link", publisher="/wheels")
+    finding = found(recording(HEALTHY[0], first, second, HEALTHY[2]))["two-owners"]
+    assert "/ekf, /wheels" in finding.facts["evidence"]
+
+
+def test_two_owners_without_names_are_told_by_their_values():
+    def elsewhere(i):
+        return Transform.from_rpy(yaw=0.02 * i, translation=(math.cos(0.02 * i) + 0.4, math.sin(0.02 * i), 0.0))
+
+    second = edge("odom", "base_link", start_ms=1025, value=elsewhere)
+    finding = found(recording(*HEALTHY, second))["two-owners"]
+    assert float(finding.facts["apart"]) == pytest.approx(0.4, abs=0.05)
+
+
+def test_a_localiser_that_publishes_the_robot_itself_gives_it_two_parents():
+    assert "two-parents" in alarming(recording(*HEALTHY, edge("map", "base_link", start_ms=1020)))
+
+
+def test_the_misspelt_parent_of_the_lecture_is_named():
+    findings = found(recording(edge("map", "odom"), edge("odm", "base_link"), HEALTHY[2]))
+    assert set(findings) == {"name-slip"}
+    assert (findings["name-slip"].facts["name"], findings["name-slip"].facts["other"]) == ("odm", "odom")
+
+
+def test_a_missing_link_makes_two_trees():
+    findings = found(recording(edge("map", "odom"), edge("base_link", "arm"), HEALTHY[2]))
+    assert set(findings) == {"two-trees"}
+
+
+def test_a_circle_is_told_in_full():
+    findings = found(recording(*HEALTHY, edge("base_link", "map", start_ms=1010)))
+    assert findings["loop"].facts["circle"] == "base_link -> odom -> map -> base_link"
+
+
+def test_messages_in_a_frame_that_nobody_publishes_are_named():
+    stamps = np.arange(1, 30, dtype=np.int64) * 100 * MS + SECOND
+    scan = Headers("/scan", "sensor_msgs/msg/LaserScan", stamps, stamps, np.zeros(29, dtype=np.int64), ("lidar",))
+    findings = found(replace(recording(*HEALTHY), headers=(scan,)))
+    assert findings["unknown-frame"].facts == {"name": "lidar", "topic": "/scan", "count": 29}
+
+
+def test_a_wrong_case_between_a_driver_and_the_tree_is_named():
+    stamps = np.arange(1, 30, dtype=np.int64) * 100 * MS + SECOND
+    scan = Headers("/scan", "sensor_msgs/msg/LaserScan", stamps, stamps, np.zeros(29, dtype=np.int64), ("Laser_Frame",))
+    assert alarming(replace(recording(*HEALTHY), headers=(scan,))) == {"name-case"}
+
+
+def test_stamps_that_were_never_set_are_an_error():
+    unset = [r._replace(stamped=replace(r.stamped, stamp_ns=0)) for r in edge("odom", "base_link")]
+    assert alarming(recording(HEALTHY[0], unset, HEALTHY[2])) == {"unset-stamps"}
+
+
+def test_an_edge_that_stops_is_told():
+    finding = found(recording(HEALTHY[0], edge("odom", "base_link", count=40), HEALTHY[2]))["went-silent"]
+    assert finding.child == "base_link"
+
+
+def test_everything_late_by_the_same_is_two_clocks_that_disagree():
+    late = (edge("map", "odom", 50, 100, delay_ms=2000), edge("odom", "base_link", delay_ms=2000), HEALTHY[2])
+    assert found(recording(*late))["clock-offset"].facts["offset"] == "2.000"
+
+
+# -- graph and buffer ----------------------------------------------------------------
+
+
+def test_of_a_buffer_only_some_checks_are_made_and_the_others_listed():
+    buffer = recording(*HEALTHY, edge("island", "rock")).buffer()
+    report = doctor(buffer)
+    assert [finding.code for finding in report.findings] == ["two-trees"]
+    assert "one tree" in report.checks_made
+    assert {check.check for check in report.checks_not_made} >= {"order of stamps", "leading slashes", "delays"}
+    assert not set(report.checks_made) & {check.check for check in report.checks_not_made}
+
+
+def test_an_empty_buffer_has_nothing_wrong():
+    assert diagnose_buffer(BufferCore()).findings == ()
+
+
+def test_a_living_graph_is_listened_to_and_owners_have_names():
+    graph = new_graph()
+    launch(graph)
+    launch(graph, only=["wheel_odometry"])
+    report = doctor(graph, seconds=3.0)
+    graph.stop()
+    new_graph()
+    assert {f.code for f in report.of_severity("error", "warning")} <= {"two-owners", "repeated-stamps"}
+    assert report.findings
+
+
+def test_something_else_is_refused():
+    with pytest.raises(TypeError, match="not at str"):
+        doctor("drive")
+
+
+def test_every_finding_can_be_told():
+    patient = recording(*HEALTHY, edge("base_link", "map", start_ms=1010), edge("odm", "/arm"))
+    for finding in diagnose_recording(patient).findings:
+        assert all("{" not in part for part in sentences(finding))

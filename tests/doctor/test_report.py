@@ -1,0 +1,113 @@
+"""What `tflab doctor` prints and writes, and what its exit status says."""
+
+import json
+import re
+
+import pytest
+
+from tflab.bags.reader import read_bag
+from tflab.bags.record import BagWriter
+from tflab.cli import main
+from tflab.doctor.diagnose import diagnose_recording
+from tflab.doctor.report_html import html_from_report
+from tflab.robots.injectors import inject
+from tflab.robots.teaching import TeachingRobot
+from tflab.ros.convert import msg_from_stamped
+from tflab.ros.messages.tf2_msgs import TFMessage
+from tflab.ros.qos import DurabilityPolicy, QoSProfile
+
+
+def write(path, records):
+    """Write transforms into a bag, one a message."""
+    with BagWriter(path) as writer:
+        writer.add_topic("/tf", TFMessage.ROS_TYPE, [QoSProfile(depth=100)])
+        latched = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+        writer.add_topic("/tf_static", TFMessage.ROS_TYPE, [latched])
+        for record in records:
+            writer.write(record.topic, TFMessage(transforms=[msg_from_stamped(record.stamped)]), record.receive_ns)
+    return path
+
+
+@pytest.fixture(scope="module")
+def clean(tmp_path_factory):
+    return write(tmp_path_factory.mktemp("clean") / "clean", TeachingRobot().records(until_s=6.0))
+
+
+@pytest.fixture(scope="module")
+def broken(tmp_path_factory):
+    records, _ = inject(TeachingRobot().records(until_s=6.0), "zero-quaternion", seed=1)
+    return write(tmp_path_factory.mktemp("broken") / "broken", records)
+
+
+def test_a_clean_bag_exits_with_0_and_says_so(clean, capsys):
+    assert main(["doctor", str(clean)]) == 0
+    assert capsys.readouterr().out.startswith("clean: nothing is wrong\n")
+
+
+def test_an_error_exits_with_1_and_names_edge_cause_and_next_command(broken, capsys):
+    assert main(["doctor", str(broken)]) == 1
+    text = capsys.readouterr().out
+    assert re.search(r"ERROR {4}\w+ -> \w+ has rotations of \(0, 0, 0, 0\)", text)
+    assert "TF_DENORMALIZED_QUATERNION" in text and "Why " in text and "Next  ros2 " in text
+
+
+def test_an_unusable_bag_exits_with_2_and_one_line(tmp_path, capsys):
+    (tmp_path / "x.mcap").write_bytes(b"")
+    assert main(["doctor", str(tmp_path / "x.mcap")]) == 2
+    captured = capsys.readouterr()
+    assert captured.out == "" and captured.err.count("\n") == 1
+
+
+def test_json_is_the_same_report(broken, capsys):
+    assert main(["doctor", str(broken), "--json"]) == 1
+    data = json.loads(capsys.readouterr().out)
+    (finding,) = data["findings"]
+    assert finding["code"] == "zero-quaternion" and finding["faults"] == ["zero-quaternion"]
+    assert finding["facts"]["count"] > 0 and finding["command"].startswith("ros2")
+    assert data["checks_made"] and data["checks_not_made"] == []
+
+
+def test_the_page_holds_its_pictures_and_asks_nobody(broken, tmp_path, capsys):
+    page = tmp_path / "report.html"
+    assert main(["doctor", str(broken), "--html", str(page)]) == 1
+    text = page.read_text(encoding="utf-8")
+    assert "data:image/png;base64," in text and "<svg" in text
+    assert not re.search(r"""(src|href)\s*=\s*["']https?:|<script|@import|url\(http""", text)
+    assert "TF_" not in capsys.readouterr().err  # the tree's buffer keeps its refusals to itself
+
+
+def test_an_existing_report_is_left_alone(clean, tmp_path):
+    page = tmp_path / "report.html"
+    page.write_text("mine")
+    assert main(["doctor", str(clean), "--html", str(page)]) == 2
+    assert page.read_text() == "mine"
+
+
+def test_the_same_bag_gives_the_same_page(broken):
+    recording = read_bag(broken)
+    report = diagnose_recording(recording)
+    assert html_from_report(report, recording) == html_from_report(report, recording)
+
+
+def test_names_in_a_bag_are_escaped_in_the_page(tmp_path):
+    records = TeachingRobot().records(until_s=2.0)
+    evil = [r._replace(stamped=r.stamped.__class__("<b>", "/<i>&", r.stamped.stamp_ns, r.stamped.transform))
+            for r in records[-5:]]  # fmt: skip
+    recording = read_bag(write(tmp_path / "evil", [*records, *evil]))
+    page = html_from_report(diagnose_recording(recording), recording)
+    assert "<b>" not in page and "<i>&" not in page and "&lt;b&gt;" in page
+
+
+@pytest.mark.browser
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_the_page_fits_a_telephone_and_a_desk_in_both_themes(broken, tmp_path, page, scheme):
+    recording = read_bag(broken)
+    file = tmp_path / "report.html"
+    file.write_text(html_from_report(diagnose_recording(recording), recording), encoding="utf-8")
+    page.emulate_media(color_scheme=scheme)
+    for width in (390, 1100):
+        page.set_viewport_size({"width": width, "height": 900})
+        page.goto(file.as_uri())
+        assert page.evaluate("document.documentElement.scrollWidth") <= width
+        assert page.locator("article.error").count() == 1
+        assert page.evaluate("[...document.images].every(image => image.naturalWidth > 0)")
