@@ -176,11 +176,6 @@ class Robot:
         """Return the joint of that name, or raise KeyError naming those that exist."""
         return _named(self.joints, name, f"robot {self.name!r} has no joint")
 
-    def joint_to(self, link: str) -> Joint | None:
-        """Return the joint whose child is `link`; None for the root."""
-        self.link(link)
-        return next((joint for joint in self.joints if joint.child == link), None)
-
     def chain(self, link: str) -> tuple[Joint, ...]:
         """Return the joints on the way from the root to `link`."""
         self.link(link)
