@@ -215,3 +215,12 @@ def test_choosing_a_fixed_frame_in_the_widget_redraws_and_takes_away_what_cannot
     assert rviz.scene.describe() == "3D scene: 0 frames, 0 other things"
     rviz.fixed_frame = "odom"
     assert frame_line(rviz, "base_link").startswith("frame in odom: x 1.000 m")
+
+
+def test_a_page_that_is_built_for_export_can_go_through_the_fixed_frames(monkeypatch):
+    monkeypatch.setenv("TFLAB_FILMS", "1")
+    rviz = RViz(*world(), fixed_frame="odom")
+    rviz._repr_mimebundle_()
+    rviz.scene.flush()
+    assert b"Fixed Frame = base_link" in rviz.scene.scene
+    assert rviz.fixed_frame == "odom"

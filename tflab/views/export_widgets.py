@@ -54,7 +54,7 @@ def outputs_from_widget(model_id: str, models: Models, names: dict[str, str]) ->
     state, kind = model["state"], model["model_name"]
     if kind == "AnyModel":
         name = names.setdefault(model_id, f"view-{len(names)}")
-        words = escape(state.get("description") or "")
+        words = escape(state.get("description") or "\n".join(state.get("words", ())[:1]))
         return [_html(f'<div class="tflab-live" data-view="{name}"><pre>{words}</pre></div>')]
     if "children" in state:
         inside = [reference.removeprefix(REFERENCE) for reference in state["children"]]
@@ -83,10 +83,7 @@ def live_view(name: str, model: Model) -> LiveView:
         if not key.startswith("_") and not _is_reference(value) and key not in ("layout", "tabbable", "tooltip")
     }
     esm, css = model["state"]["_esm"], model["state"].get("_css", "")
-    buffers = [
-        buffer for buffer in model.get("buffers", []) if buffer["path"][0] in own or buffer["path"][0] == "scene"
-    ]
-    return LiveView(name, own, buffers, esm, css)
+    return LiveView(name, own, model.get("buffers", []), esm, css)
 
 
 def _words(kind: str, state: Model) -> str:

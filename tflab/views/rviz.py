@@ -8,6 +8,9 @@
     LaserScan (/scan): Error
       Transform: No transform to fixed frame [map]. TF error: [...]
 
+While a page is built for export (TFLAB_FILMS=1), where nobody will answer, `RViz`
+is drawn for every Fixed Frame, and its scrubber goes through them.
+
 `RViz` gets plain values and a function to ask; it holds no buffer.  What a view of
 one's own graph looks like is wired up in `tflab.tools`.
 
@@ -16,8 +19,10 @@ one's own graph looks like is wired up in `tflab.tools`.
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Mapping, Sequence, Set
 from html import escape
+from typing import Any
 
 import ipywidgets
 import numpy as np
@@ -143,6 +148,21 @@ class RViz(ipywidgets.VBox):
 
         self.scene.sweep(name, values, draw, unit)
         self._drawn |= everything
+
+    def _repr_mimebundle_(self, **kwargs: Any) -> tuple[dict, dict] | dict | None:
+        if os.environ.get("TFLAB_FILMS"):
+            self._sweep_fixed_frames()
+        return super()._repr_mimebundle_(**kwargs)
+
+    def _sweep_fixed_frames(self) -> None:
+        frames = sorted({*self._parents, self.fixed_frame})
+        seen = {frame: look_through(frame, self._parents, self._displays, self._ask) for frame in frames}
+        everything = set().union(*map(_paths, seen.values()))
+
+        def draw(frame: str) -> None:
+            draw_shown(self.scene, self._parents, seen[frame], everything, self._axis_m)
+
+        self.scene.sweep("Fixed Frame", frames, draw, start=frames.index(self.fixed_frame))
 
     def _redraw(self) -> None:
         self.shown = look_through(self.fixed_frame, self._parents, self._displays, self._ask)

@@ -37,6 +37,7 @@ import traitlets
 from ipywidgets import widget_serialization
 
 from . import scene_words
+from .film import STATIC, javascript
 from .scene_helpers import (
     Part,
     draw_arrow,
@@ -71,7 +72,6 @@ __all__ = [
     "viewer_file",
 ]
 
-STATIC = Path(__file__).parent / "static"
 COMMANDS_BETWEEN_SNAPSHOTS = 500  # what a browser has to remember while a slider is dragged
 
 
@@ -94,7 +94,7 @@ class Scene(anywidget.AnyWidget):
         position: where the scrubber stands: seconds of an animation, or a step of a sweep.
     """
 
-    _esm = STATIC / "scene.js"
+    _esm = javascript("renderer", "labels", "camera", "scrubber", "scene")
     _css = STATIC / "scene.css"
     asset = traitlets.Instance(ViewerAsset).tag(sync=True, **widget_serialization)
     scene = traitlets.Bytes(b"").tag(sync=True)
@@ -165,8 +165,8 @@ class Scene(anywidget.AnyWidget):
     def sweep(
         self,
         name: str,
-        values: Sequence[float],
-        draw: Callable[[float], object],
+        values: Sequence[float] | Sequence[str],
+        draw: Callable[[Any], object],
         unit: str = "",
         start: int = 0,
         digits: int = 2,
@@ -179,7 +179,7 @@ class Scene(anywidget.AnyWidget):
         with self.redraw():
             steps = _without_repeats([self._recorded(draw, value) for value in values])
             draw(values[start])
-            texts = [f"{name} = {round(v, digits) + 0.0:.{digits}f} {unit}".strip() for v in values]
+            texts = [f"{name} = {_in_words(value, digits)} {unit}".strip() for value in values]
             self._tell({"type": "sweep", "path": "", "texts": texts, "steps": steps, "start": start})
 
     def on_pick(self, function: Callable[[str], object]) -> None:
@@ -226,7 +226,7 @@ class Scene(anywidget.AnyWidget):
                 self._state.apply(command, packed)
                 self._pending.append(packed)
 
-    def _recorded(self, draw: Callable[[float], object], value: float) -> list[dict]:
+    def _recorded(self, draw: Callable[[Any], object], value: float | str) -> list[dict]:
         self._recording = []
         try:
             draw(value)
@@ -257,6 +257,10 @@ class _Window:
     def wait(self) -> str:
         """Wait for nothing: what is drawn is kept until somebody looks."""
         return "ok"
+
+
+def _in_words(value: float | str, digits: int) -> str:
+    return value if isinstance(value, str) else f"{round(value, digits) + 0.0:.{digits}f}"
 
 
 def _without_repeats(steps: list[list[dict]]) -> list[list[dict]]:

@@ -160,7 +160,8 @@ def draw_scan(
     ranges_m = np.asarray(ranges_m, dtype=float)
     angles = angle_min_rad + angle_increment_rad * np.arange(len(ranges_m))
     hit = np.isfinite(ranges_m)
-    scan_p_hits = np.column_stack([ranges_m * np.cos(angles), ranges_m * np.sin(angles), np.zeros(len(ranges_m))])
+    reach_m = np.where(hit, ranges_m, 0.0)
+    scan_p_hits = np.column_stack([reach_m * np.cos(angles), reach_m * np.sin(angles), np.zeros(len(reach_m))])
     colour = style.GREY if ghost else colour
     with scene.redraw():
         scene[path].set_transform(scene_T_scan.matrix())

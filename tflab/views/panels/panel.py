@@ -6,6 +6,10 @@
     |           picture           |      [as text]
     +-----------------------------+
 
+A page that is exported has no kernel to redraw for it.  While it is built, with
+TFLAB_FILMS=1, a panel shows itself as a film: drawn for every place of its first
+slider, the other controls standing still.
+
 All controls can be reached and moved with the keyboard: Tab goes from one to the
 next, the arrow keys move a slider.
 
@@ -14,12 +18,17 @@ Read `axes.py` next.
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Sequence
 from html import escape
 
 import ipywidgets as widgets
+import numpy as np
 
+from ..film import Film
 from ..picture import Picture
+
+FILM_STEPS = 13
 
 
 class Panel:
@@ -75,6 +84,24 @@ class Panel:
         if self._as_text.value:
             self._words.value = f"<pre>{escape(self.text)}</pre>"
 
+    def film(self, steps: int = FILM_STEPS) -> widgets.VBox | None:
+        """Return the panel as it lives on without a kernel, or None if it has no slider to go along."""
+        slider = next((c for c in self.controls.values() if isinstance(c, widgets.FloatSlider)), None)
+        if slider is None:
+            return None
+        before = slider.value
+        values = np.unique([*np.linspace(slider.min, slider.max, steps), before]).tolist()
+        pictures, texts, words = [], [], []
+        for value in values:
+            slider.value = value
+            pictures.append(self.picture.live_png())
+            texts.append(f"{slider.description}: {format(slider.value, slider.readout_format)}")
+            words.append(self.text)
+        slider.value = before
+        film = Film(pictures, texts, words, self.picture.size_px, start=values.index(before))
+        others = [control for control in self.controls.values() if control is not slider]
+        return widgets.VBox([*others, film])
+
     def close(self) -> None:
         """Take the panel off the page and free its picture."""
         for control in self.controls.values():
@@ -93,7 +120,8 @@ class Panel:
         self._words.value = f"<pre>{escape(self.text)}</pre>" if change.new else ""
 
     def _repr_mimebundle_(self, **kwargs):
-        data, metadata = self.widget._repr_mimebundle_(**kwargs), {}
+        shown = (self.film() if os.environ.get("TFLAB_FILMS") else None) or self.widget
+        data, metadata = shown._repr_mimebundle_(**kwargs), {}
         return {**data, "text/plain": self.text}, metadata
 
 

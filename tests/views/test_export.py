@@ -1,0 +1,120 @@
+"""What becomes of a notebook's widgets when it is exported; the page itself is tried in test_scene_browser.py."""
+
+from __future__ import annotations
+
+import nbformat
+import pytest
+
+from tflab.views.export import export_html
+from tflab.views.export_widgets import outputs_from_widget
+
+STATE = "application/vnd.jupyter.widget-state+json"
+VIEW = "application/vnd.jupyter.widget-view+json"
+
+
+def widget(kind: str, **state) -> dict:
+    return {"model_name": f"{kind}Model", "model_module": "@jupyter-widgets/controls", "state": state}
+
+
+def live(scene: str = "AAAAAA==", **state) -> dict:
+    buffers = [{"path": ["scene"], "encoding": "base64", "data": scene}]
+    module = {"_esm": "export default { render() {} };", "_css": ".of-the-view {}", "_anywidget_id": "x"}
+    return {"model_name": "AnyModel", "model_module": "anywidget", "state": state | module, "buffers": buffers}
+
+
+def words_of(**models: dict) -> list[str]:
+    outputs = outputs_from_widget("top", models, {})
+    return [output["data"]["text/html"] for output in outputs]
+
+
+def notebook_at(path, models: dict, shown: tuple[str, ...], source: str = "1 + 1"):
+    outputs = [nbformat.v4.new_output("display_data", {VIEW: {"model_id": one}, "text/plain": "view"}) for one in shown]
+    cell = nbformat.v4.new_code_cell(source, outputs=outputs, execution_count=1, id="a")
+    prose = nbformat.v4.new_markdown_cell("# Title\n\nProse.", id="b")
+    notebook = nbformat.v4.new_notebook(cells=[prose, cell], metadata={"widgets": {STATE: {"state": models}}})
+    nbformat.write(notebook, path)
+    return path
+
+
+@pytest.mark.parametrize(
+    ("model", "text"),
+    [
+        (widget("FloatSlider", description="yaw:", value=0.5, readout_format=".2f"), "yaw: 0.50"),
+        (widget("IntSlider", description="n", value=3, readout_format="d"), "n: 3"),
+        (widget("FloatRangeSlider", description="t", value=[0.0, 1.0], readout_format=".1f"), "t: 0.0 to 1.0"),
+        (widget("Checkbox", description="names", value=True), "names: yes"),
+        (widget("Dropdown", description="Frame", index=1, _options_labels=["map", "odom"]), "Frame: odom"),
+        (widget("Text", description="", value="<b>"), "&lt;b&gt;"),
+    ],
+)
+def test_an_input_stands_as_text_at_its_stored_value(model, text):
+    assert words_of(top=model) == [f'<p class="tflab-value">{text}</p>']
+
+
+def test_a_button_without_a_kernel_is_left_out():
+    assert words_of(top=widget("Button", description="Go")) == []
+    assert words_of(top=widget("Dropdown", description="Frame", index=None, _options_labels=["map"])) == []
+
+
+def test_what_is_in_a_box_comes_in_its_order_and_live_views_are_counted():
+    models = {
+        "top": widget("VBox", children=["IPY_MODEL_a", "IPY_MODEL_b", "IPY_MODEL_a"]),
+        "a": live(description="3D scene <1>"),
+        "b": widget("Label", value="between"),
+    }
+    first = '<div class="tflab-live" data-view="view-0"><pre>3D scene &lt;1&gt;</pre></div>'
+    assert words_of(**models) == [first, "<p>between</p>", first]
+
+
+def test_what_an_output_widget_held_is_kept_as_it_is():
+    stream = {"output_type": "stream", "name": "stdout", "text": "hello"}
+    inner = {"output_type": "display_data", "data": {VIEW: {"model_id": "b"}}}
+    models = {"top": widget("Output", outputs=[stream, inner]), "b": widget("Label", value="inside")}
+    outputs = outputs_from_widget("top", models, {})
+    assert outputs[0] == stream
+    assert outputs[1]["data"]["text/html"] == "<p>inside</p>"
+
+
+def test_a_view_whose_state_was_not_stored_says_what_to_do():
+    assert words_of() == ["<p><em>This view was not stored; run the notebook to see it.</em></p>"]
+
+
+def test_pages_share_their_assets_and_fetch_nothing(tmp_path):
+    for name in ("one", "two"):
+        notebook = notebook_at(tmp_path / f"{name}.ipynb", {"m": live(description=name)}, ("m",))
+        page = export_html(notebook, tmp_path / "site").read_text()
+        assert "http" not in "".join(line for line in page.splitlines() if "src=" in line or "<link" in line)
+        assert ".of-the-view {}" in page
+    assets = sorted({path.name.rsplit("-", 1)[0] for path in (tmp_path / "site" / "assets").iterdir()})
+    assert assets == ["live", "meshcat", "meshcat.LICENSE.txt", "module", "style"]
+
+
+def test_a_page_without_live_views_has_no_script(tmp_path):
+    page = export_html(notebook_at(tmp_path / "plain.ipynb", {}, ()), tmp_path / "site").read_text()
+    assert "<script" not in page
+    assert "Prose." in page
+
+
+def test_the_same_notebook_gives_the_same_bytes(tmp_path):
+    def exported(model_id: str, name: str) -> bytes:
+        (tmp_path / name).mkdir()
+        notebook = notebook_at(tmp_path / name / "page.ipynb", {model_id: live()}, (model_id,))
+        return export_html(notebook, tmp_path / name, single_file=True).read_bytes()
+
+    assert exported("4711", "a") == exported("0815", "b")
+
+
+def test_what_a_view_stores_cannot_end_the_script_it_stands_in(tmp_path):
+    notebook = notebook_at(tmp_path / "page.ipynb", {"m": live(words="</script><b>")}, ("m",))
+    page = export_html(notebook, tmp_path).read_text()
+    assert "</script><b>" not in page
+
+
+def test_the_page_says_its_language(tmp_path):
+    page = export_html(notebook_at(tmp_path / "ko.ipynb", {}, ()), tmp_path, language="ko").read_text()
+    assert '<html lang="ko">' in page
+
+
+def test_a_notebook_that_is_not_there_is_an_error(tmp_path):
+    with pytest.raises(FileNotFoundError):
+        export_html(tmp_path / "missing.ipynb", tmp_path)

@@ -1,0 +1,100 @@
+// Where do names stand?  On the copy of the picture, as text: sharp, in the page's colours, never hidden.
+//
+// Letters at the tips of axes stay where they are; names make way for them and for each other.
+// Read camera.js next.
+
+function isShown(object) {
+  for (let o = object; o; o = o.parent) if (!o.visible) return false;
+  return true;
+}
+
+function toPixels(point, camera, width, height) {
+  const p = point.project(camera);
+  return p.z < 1 ? { x: (p.x + 1) / 2 * width, y: (1 - p.y) / 2 * height, depth: p.z } : null;
+}
+
+function lighter(colour) { // a dark blue letter on a dark page
+  const parts = [1, 3, 5].map((i) => parseInt(colour.slice(i, i + 2), 16));
+  return `rgb(${parts.map((c) => Math.round(c + 0.4 * (255 - c))).join(",")})`;
+}
+
+const overlap = (a, b) => a.x < b.x + b.w && b.x < a.x + a.w && a.y < b.y + b.h && b.y < a.y + a.h;
+
+// Where a name may stand, seen from its frame's origin, nearest wish first: below, above, to the sides, farther.
+const PLACES = [16, 34, 52, 70].flatMap((far) => [
+  [0, far], [0, -far], [0.6, far], [-0.6, far], [0.6, -far], [-0.6, -far], [1, 0.25 * far], [-1, 0.25 * far],
+].map(([side, down]) => [side, down, far]));
+
+function placed(label, taken) {
+  const boxes = PLACES.map(([side, down, far]) => ({
+    x: label.x - label.w / 2 + side * (label.w / 2 + far), y: label.y + down - label.h / 2, w: label.w, h: label.h,
+  }));
+  return boxes.find((box) => !taken.some((other) => overlap(box, other))) ?? boxes[0];
+}
+
+// A name that had to go far away is tied to its origin.
+function tie(context, label, x, y, colour) {
+  const far = Math.hypot(x - label.x, y - label.y);
+  if (far < 30) return;
+  context.globalAlpha = 0.55;
+  context.strokeStyle = colour;
+  context.lineWidth = 1;
+  context.beginPath();
+  context.moveTo(label.x, label.y);
+  context.lineTo(x, y);
+  context.stroke();
+  context.globalAlpha = 1;
+}
+
+// Write every label of the scene; return where the frames' names stand, for picking.
+function writeLabels(context, view, camera) {
+  const { THREE, scene, renderer, box } = view;
+  const look = getComputedStyle(box);
+  const ink = look.color, paper = look.backgroundColor;
+  const dark = ink.match(/\d+/g).slice(0, 3).reduce((sum, c) => sum + Number(c), 0) > 384;
+  const found = [];
+  scene.updateMatrixWorld();
+  scene.traverse((object) => {
+    if (!object.labels || !isShown(object)) return;
+    for (const label of object.labels) {
+      const at = object.localToWorld(new THREE.Vector3(...label.at));
+      const pixels = toPixels(at, camera, renderer.width, renderer.height);
+      if (pixels) found.push({ ...label, ...pixels, frame: object.frame?.name });
+    }
+  });
+  found.sort((a, b) => a.name - b.name || a.depth - b.depth); // letters first: they cannot move
+  context.textAlign = "center";
+  context.textBaseline = "middle";
+  context.lineJoin = "round";
+  const origins = found.filter((label) => label.name).map(({ x, y }) => ({ x: x - 5, y: y - 5, w: 10, h: 10 }));
+  const taken = [...origins], names = [];
+  for (const label of found) {
+    const size = label.small ? 12 : 13;
+    context.font = `${label.slanted ? "italic " : ""}${label.name || label.small ? "600 " : ""}${size}px ${look.fontFamily}`;
+    label.w = context.measureText(label.text).width + 4;
+    label.h = size + 4;
+    const own = { x: label.x - label.w / 2, y: label.y - label.h / 2, w: label.w, h: label.h };
+    const spot = label.name ? placed(label, taken) : own;
+    taken.push(spot);
+    const x = spot.x + spot.w / 2, y = spot.y + spot.h / 2;
+    if (label.name) names.push({ frame: label.frame, spot, origin: { x: label.x, y: label.y } });
+    if (label.name && label.frame && label.frame === view.picked) ring(context, label, spot);
+    if (label.name) tie(context, label, x, y, ink);
+    context.lineWidth = 3.5;
+    context.strokeStyle = paper;
+    context.strokeText(label.text, x, y);
+    context.fillStyle = label.colour ? (dark ? lighter(label.colour) : label.colour) : ink;
+    context.fillText(label.text, x, y);
+  }
+  return names;
+}
+
+function ring(context, label, spot) {
+  context.strokeStyle = "#CC79A7";
+  context.lineWidth = 2;
+  context.strokeRect(spot.x - 3, spot.y - 1, spot.w + 6, spot.h + 2);
+  context.beginPath();
+  context.arc(label.x, label.y, 8, 0, 2 * Math.PI);
+  context.stroke();
+}
+
