@@ -3,10 +3,12 @@
 import matplotlib
 import numpy as np
 import pytest
+from matplotlib.text import Text
 
 from tflab.core import Transform
 from tflab.views import axes, frames, journey, latency, sentence, style, timeline
 from tflab.views.picture import Picture
+from tflab.views.typed import TypedBlock
 
 POSES = {"map": Transform(), "base_link": Transform.from_rpy(yaw=0.5, translation=(2.0, 1.0, 0.0))}
 
@@ -86,7 +88,7 @@ def test_every_word_is_on_the_card(drawn):
     card = picture.figure.bbox
     for text in visible_texts(picture.figure):
         box = text.get_window_extent()
-        assert card.x0 <= box.x0 and box.x1 <= card.x1 and card.y0 <= box.y0 and box.y1 <= card.y1, text.get_text()
+        assert card.x0 <= box.x0 and box.x1 <= card.x1 and card.y0 <= box.y0 and box.y1 <= card.y1, text
 
 
 def test_a_live_picture_shows_what_moved_and_what_stands_still():
@@ -114,8 +116,8 @@ def dark(picture):
 
 
 def visible_texts(figure):
-    from matplotlib.text import Text
-
+    """Yield everything with letters that can be seen."""
+    yield from (block for block in figure.findobj(TypedBlock) if block.text)
     for text in figure.findobj(Text):
         on_axis_off = text.axes is not None and not text.axes.axison and text not in text.axes.texts
         if text.get_visible() and text.get_text().strip() and not on_axis_off:

@@ -89,6 +89,6 @@ def test_showing_another_question_changes_all_of_it():
     picture.show(StampedTransform("odom", "base_link", 0, Transform((1.0, 0.0, 0.0))))
     assert picture.words.get_text() == "data expressed in [base_link], wanted in [odom]"
     assert picture.frames["map"].label.text.get_text() == "map"
-    assert "lookup_transform('odom', 'base_link', Time())" in picture.lines.get_text()
-    assert "tf2_echo odom base_link" in picture.lines.get_text()
+    assert "lookup_transform('odom', 'base_link', Time())" in picture.lines.text
+    assert "tf2_echo odom base_link" in picture.lines.text
     assert picture.text.startswith("data expressed in [base_link], wanted in [odom]\n")

@@ -77,7 +77,7 @@ def test_past_either_end_tf2s_exception_and_text_appear(timeline, buffer, stamp_
     picture = TimelinePicture(timeline, buffer.lookup_transform).show(seconds(stamp_s))
     assert picture.text.endswith(f"\nExtrapolationException\n{text}")
     assert picture.headline.get_text() == "ExtrapolationException"
-    assert picture.body.get_text().replace("\n", " ") == text
+    assert picture.body.text.replace("\n", " ") == text
     assert picture.handle.get_marker() == "X"
 
 

@@ -5,6 +5,7 @@
     eye        from where we look
     frames     how one draws a frame
     labels     where a name may stand
+    typed      a block of numbers, quickly
     axes       which way is forward
     sentence   which one is the target
     timeline   what the buffer knew, and when

@@ -123,6 +123,8 @@ class RotationPicture(Picture):
     """A robot turned by roll, pitch and yaw about the fixed axes, with the same as numbers."""
 
     def __init__(self) -> None:
+        from .typed import TypedBlock
+
         super().__init__(style.WIDE)
         with style.our_settings():
             ax = clear_paper(self.figure.add_axes((0.02, 0.03, 0.5, 0.94)))
@@ -133,7 +135,7 @@ class RotationPicture(Picture):
             ax.set_xlim(-1.4, 1.4)
             ax.set_ylim(-1.1, 1.5)
             write_caption(ax, "grey: fixed axes")
-            self.numbers = self.figure.text(0.56, 0.9, "", va="top", family="monospace", linespacing=1.5)
+            self.numbers = TypedBlock(self.figure, 0.56, 0.92)
         self.moving = [*self.robot.artists, *self.frame.artists, self.numbers]
 
     def show(self, roll_rad: float, pitch_rad: float, yaw_rad: float) -> RotationPicture:
@@ -142,7 +144,7 @@ class RotationPicture(Picture):
         with style.our_settings():
             self.robot.move(turn)
             self.frame.move(turn)
-            self.numbers.set_text("\n".join(_number_lines(roll_rad, pitch_rad, yaw_rad)))
+            self.numbers.write("\n".join(_number_lines(roll_rad, pitch_rad, yaw_rad)))
         self.text = describe_rotation(roll_rad, pitch_rad, yaw_rad)
         return self
 

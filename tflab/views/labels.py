@@ -6,7 +6,7 @@
 
 Every name tries its places in the same order, so a figure is the same each time.
 
-Read `axes.py` next.
+Read `typed.py` next.
 """
 
 from __future__ import annotations
@@ -86,18 +86,20 @@ def place_labels(labels: Sequence[Label]) -> None:
     points_per_pixel = 72.0 / ax.figure.dpi
     paper = np.array(ax.get_window_extent().extents) * points_per_pixel
 
-    def on_page(place: Place) -> np.ndarray:
-        return ax.transData.transform(place) * points_per_pixel
+    def on_page(places: Sequence[Place] | np.ndarray) -> np.ndarray:
+        return ax.transData.transform(places) * points_per_pixel
 
-    lines = [np.linspace(on_page(a), on_page(b), 24) for label in labels for a, b in label.keep_off]
-    taken = np.vstack([*lines, *(on_page(label.anchor)[None] for label in labels)])
+    anchors = on_page([label.anchor for label in labels])
+    ends = [line for label in labels for line in label.keep_off] or [(labels[0].anchor, labels[0].anchor)]
+    starts, stops = on_page(np.array(ends).reshape(-1, 2)).reshape(-1, 2, 2).swapaxes(0, 1)
+    taken = np.vstack((np.linspace(starts, stops, 24).reshape(-1, 2), anchors))
     boxes = np.empty((0, 4))
-    for label in labels:
+    for label, anchor in zip(labels, anchors, strict=True):
         if not label.text.get_text():
             continue
         half = np.array(label.size_pt()) / 2
         choices = np.vstack([gap * WAYS + np.sign(WAYS) * half for gap in (NEAR_PT, FAR_PT)])
-        middles = on_page(label.anchor) + choices
+        middles = anchor + choices
         candidates = np.hstack((middles - half, middles + half))
         best = int(np.argmin(_faults(candidates, taken, boxes, paper)))
         label.stand(tuple(choices[best]), best >= len(WAYS))

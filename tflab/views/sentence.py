@@ -127,7 +127,9 @@ class SentencePicture(Picture):
     """All frames, an arrow from source to target, and the sentence, the call and the matrix."""
 
     def __init__(self, poses: Mapping[str, Transform]) -> None:
-        super().__init__((style.WIDE[0], 4.4))
+        from .typed import TypedBlock
+
+        super().__init__((style.WIDE[0], 4.3))
         self.poses = dict(poses)
         places = np.array([pose.translation for pose in self.poses.values()])
         span_m = float(np.ptp(places, axis=0).max()) or 1.0
@@ -143,8 +145,8 @@ class SentencePicture(Picture):
             self.frames = draw_frames(self.poses, ax, SLANTING, length_m)
             self.arrow = draw_arrow((0, 0, 0), (1, 0, 0), ax, "", SLANTING, curve=-0.25)
             self.words = self.figure.text(0.03, 0.31, "", fontsize=style.TITLE_PT, va="top", color=style.ACCENT)
-            self.lines = self.figure.text(0.03, 0.235, "", family="monospace", va="top", linespacing=1.7)
-            self.matrix = self.figure.text(0.66, 0.78, "", family="monospace", va="top", linespacing=1.45)
+            self.lines = TypedBlock(self.figure, 0.03, 0.235)
+            self.matrix = TypedBlock(self.figure, 0.66, 0.78)
         self.moving = [self.arrow.arrow, *(part for frame in self.frames.values() for part in frame.label.artists)]
         self.moving += [self.words, self.lines, self.matrix]
 
@@ -162,8 +164,8 @@ class SentencePicture(Picture):
             place_labels([*labels.values(), self.arrow.label])
             self.words.set_text(said.english)
             product = f"{target}_p = {target}_T_{source} @ {source}_p"
-            self.lines.set_text("\n".join((said.call, f"tf2_echo {target} {source}", product)))
-            self.matrix.set_text("\n".join(said.matrix))
+            self.lines.write("\n".join((said.call, f"tf2_echo {target} {source}", product)))
+            self.matrix.write("\n".join(said.matrix))
         self.text = said.text
         return self
 

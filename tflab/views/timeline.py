@@ -31,6 +31,7 @@ Ask = Callable[[str, str, int], StampedTransform]
 TEXT_COLUMNS = 48  # how wide a lane is in words
 RIGHT_PX = 24  # what stands right of a lane
 LANE_PX, TOP_PX, ANSWER_PX = 34, 30, 128
+BODY_COLUMNS = 88  # how many letters go side by side on the card
 QUERY_ROW = -0.75  # above the lanes
 MOST_MARKS = 120  # a lane with more samples is drawn as a band
 
@@ -221,7 +222,7 @@ class TimelinePicture(Picture):
             self.moment.set_position((-9, 0) if is_near_end else (9, 0))
             self.moment.set_horizontalalignment("right" if is_near_end else "left")
             self.headline.set_text(lines[0])
-            self.body.set_text("\n".join(part for line in lines[1:] for part in wrap(line, 96)))
+            self.body.write("\n".join(part for line in lines[1:] for part in wrap(line, BODY_COLUMNS)))
         self.text = describe_timeline(self.timeline, reply)
         return self
 
@@ -265,6 +266,8 @@ class TimelinePicture(Picture):
             ax.plot(times, [row] * len(times), color=style.INK, linestyle="none", marker="o", markersize=3.5, zorder=3)
 
     def _draw_query(self) -> None:
+        from .typed import TypedBlock
+
         ax = self.ax
         (self.query,) = ax.plot([], [], color=style.ACCENT, linewidth=2.0, zorder=10, clip_on=False)
         (self.handle,) = ax.plot([], [], color=style.ACCENT, marker="o", markersize=10, zorder=11, clip_on=False,
@@ -274,7 +277,7 @@ class TimelinePicture(Picture):
         _, height = self.size_px
         self.headline = self.figure.text(0.025, 70 / height, "", fontsize=style.TITLE_PT, fontweight="bold", va="top",
                                          color=style.ACCENT)  # fmt: skip
-        self.body = self.figure.text(0.025, 48 / height, "", va="top", linespacing=1.35)
+        self.body = TypedBlock(self.figure, 0.025, 48 / height)
 
 
 def _label_time(ax, left_ns: int, right_ns: int) -> None:
