@@ -1,0 +1,56 @@
+"""How is the workbook opened?  `tflab lab [DIR]`: a JupyterLab that talks to nobody but the browser.
+
+    tflab lab          the pages that come with tflab
+    tflab lab DIR      a folder of yours
+    tflab lab -- ...   what stands after -- goes to JupyterLab itself: --no-browser, --port 9000
+
+JupyterLab would look for news, for updates and for extensions on the network;
+here it does none of that.
+"""
+
+from __future__ import annotations
+
+import argparse
+import subprocess
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+__all__ = ["QUIET_OPTIONS", "lab", "pages_folder"]
+
+QUIET_OPTIONS = (
+    "--LabApp.news_url=None",
+    "--LabApp.check_for_updates_class=jupyterlab.NeverCheckForUpdate",
+    "--LabApp.extension_manager=readonly",
+)
+FIRST_PAGE = "00_start.ipynb"
+
+
+def pages_folder() -> Path:
+    """Return the folder of the pages that come with tflab."""
+    return Path(__file__).resolve().parents[2] / "notebooks" / "en"
+
+
+def lab(words: Sequence[str]) -> int:
+    """Open JupyterLab on a folder, and return its exit code when it ends."""
+    words, own_options = _split(words)
+    parser = argparse.ArgumentParser(prog="tflab lab", description="Open the workbook in JupyterLab, offline.")
+    parser.add_argument("folder", nargs="?", metavar="DIR", help="a folder of yours, instead of tflab's pages")
+    folder = Path(parser.parse_args(words).folder or pages_folder()).resolve()
+    if not folder.is_dir():
+        print(f"tflab lab: there is no folder {folder}", file=sys.stderr)
+        return 2
+    first_page = [f"--LabApp.default_url=/lab/tree/{FIRST_PAGE}"] if (folder / FIRST_PAGE).exists() else []
+    command = [sys.executable, "-m", "jupyterlab", *QUIET_OPTIONS, *first_page, *own_options]
+    try:
+        return subprocess.run(command, cwd=folder).returncode
+    except KeyboardInterrupt:  # JupyterLab got it too, asked, and has ended
+        return 0
+
+
+def _split(words: Sequence[str]) -> tuple[list[str], list[str]]:
+    """Return the words before the first `--`, and those after it."""
+    words = list(words)
+    if "--" not in words:
+        return words, []
+    return words[: words.index("--")], words[words.index("--") + 1 :]
