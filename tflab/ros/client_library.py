@@ -48,7 +48,10 @@ class InitContextManager:
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
+        process = self.context.process
         self.context.try_shutdown()
+        if process.default_context is self.context:
+            process.default_context = None
         signals.uninstall_signal_handlers()
 
 

@@ -27,6 +27,10 @@ __all__ = ["NodeParameters"]
 
 Descriptor = rcl_interfaces.ParameterDescriptor
 Result = rcl_interfaces.SetParametersResult
+NOTHING_LEFT = (
+    "parameter list cannot be empty, this might be due to pre_set_parameters_callback modifying the original "
+    "parameters list."
+)
 WRONG_TYPE = "Wrong parameter type, expected"
 
 
@@ -224,6 +228,8 @@ class NodeParameters:
                 raise TypeError("parameter must be instance of type Parameter")
         for callback in self._pre_set_callbacks:
             parameter_list = callback(parameter_list)
+        if self._pre_set_callbacks and not parameter_list:
+            return Result(successful=False, reason=NOTHING_LEFT)
         for parameter in parameter_list:
             if not self.has_parameter(parameter.name):
                 if not self._allow_undeclared_parameters:

@@ -10,7 +10,12 @@ from enum import Enum
 
 from .messages import rcl_interfaces
 
-__all__ = ["Parameter", "get_parameter_value", "parameter_value_to_python"]
+__all__ = [
+    "Parameter",
+    "get_parameter_value",
+    "parameter_dict_from_yaml_file",
+    "parameter_value_to_python",
+]
 
 
 class Parameter:
@@ -147,3 +152,52 @@ def get_parameter_value(string_value: str) -> rcl_interfaces.ParameterValue:
     if value is None:
         kind, value = Parameter.Type.STRING, string_value
     return Parameter("", kind, value).get_parameter_value()
+
+
+def parameter_dict_from_yaml_file(
+    parameter_file: str,
+    use_wildcard: bool = False,
+    target_nodes: list[str] | None = None,
+    namespace: str = "",
+) -> dict[str, rcl_interfaces.Parameter]:
+    """Return the parameters of a file as messages, by name.
+
+    Args:
+        use_wildcard: whether those of "/**" count; the others override them.
+        target_nodes: whose parameters; everybody's if None.
+        namespace: put before each name.
+
+    Raises:
+        RuntimeError: the file holds nothing for one of them, or is no parameter file.
+    """
+    import yaml  # only where a text says something about parameters
+
+    with open(parameter_file, encoding="utf-8") as file:
+        content = yaml.safe_load(file)
+    keys = ["/**"] if use_wildcard and "/**" in content else []
+    for node in target_nodes or ():
+        if node not in content:
+            raise RuntimeError(f"Param file does not contain parameters for {node},only for nodes: {list(content)}")
+        keys.append(node)
+    if not target_nodes:
+        keys += [key for key in content if key != "/**"]
+    if not keys:
+        raise RuntimeError("Param file does not contain selected parameters")
+    found: dict[str, rcl_interfaces.Parameter] = {}
+    for key in keys:
+        if not isinstance(content[key], dict) or "ros__parameters" not in content[key]:
+            raise RuntimeError("YAML file is not a valid ROS parameter file")
+        found |= _messages_in(namespace, content[key]["ros__parameters"])
+    return found
+
+
+def _messages_in(prefix: str, values: dict) -> dict[str, rcl_interfaces.Parameter]:
+    """Return the parameters of a nested mapping; the names of the levels are joined by dots."""
+    found = {}
+    for key, value in values.items():
+        name = f"{prefix}.{key}" if prefix else str(key)
+        if isinstance(value, dict):
+            found |= _messages_in(name, value)
+        else:
+            found[name] = rcl_interfaces.Parameter(name=name, value=get_parameter_value(str(value)))
+    return found

@@ -28,8 +28,8 @@ class TimeSource:
 
     def __init__(self, *, node: Any = None) -> None:
         self._node: Any = None
-        self._subscription: Any = None
-        self._clocks: list[ROSClock] = []
+        self._clock_sub: Any = None
+        self._associated_clocks: list[ROSClock] = []
         self._active = False
         self._last_time = Time(clock_type=ClockType.ROS_TIME)
         if node is not None:
@@ -45,13 +45,13 @@ class TimeSource:
         if self._active == enabled:
             return
         self._active = enabled
-        for clock in self._clocks:
+        for clock in self._associated_clocks:
             clock._set_ros_time_is_active(enabled)
         if enabled:
             self._subscribe()
-        elif self._subscription is not None:
-            self._node.destroy_subscription(self._subscription)
-            self._subscription = None
+        elif self._clock_sub is not None:
+            self._node.destroy_subscription(self._clock_sub)
+            self._clock_sub = None
 
     def attach_node(self, node: Any) -> None:
         """Follow a node's use_sim_time, declared here if it is not yet.
@@ -79,9 +79,9 @@ class TimeSource:
 
     def detach_node(self) -> None:
         """Follow nobody."""
-        if self._subscription is not None:
-            self._node.destroy_subscription(self._subscription)
-            self._subscription = None
+        if self._clock_sub is not None:
+            self._node.destroy_subscription(self._clock_sub)
+            self._clock_sub = None
         self._node = None
 
     def attach_clock(self, clock: ROSClock) -> None:
@@ -94,17 +94,17 @@ class TimeSource:
             raise ValueError("Only clocks with type ROS_TIME can be attached.")
         clock.set_ros_time_override(self._last_time)
         clock._set_ros_time_is_active(self._active)
-        self._clocks.append(clock)
+        self._associated_clocks.append(clock)
 
     def clock_callback(self, msg: rosgraph_msgs.Clock) -> None:
         """Set the clocks."""
         self._last_time = Time.from_msg(msg.clock)
-        for clock in self._clocks:
+        for clock in self._associated_clocks:
             clock.set_ros_time_override(self._last_time)
 
     def _subscribe(self) -> None:
-        if self._subscription is None and self._node is not None:
-            self._subscription = self._node.create_subscription(
+        if self._clock_sub is None and self._node is not None:
+            self._clock_sub = self._node.create_subscription(
                 rosgraph_msgs.Clock,
                 CLOCK_TOPIC,
                 self.clock_callback,
