@@ -241,6 +241,11 @@ def test_tf2_echo_waits_with_one_line_a_second_however_often_it_asks(terminal):
     assert (out + terminal.error).count("Waiting for transform map ->  base_link: ") == 3
 
 
+def test_tf2_echo_at_an_endless_rate_ends(robot):
+    out = robot.type("ros2 --for 0.1 run tf2_ros tf2_echo odom base_link inf")
+    assert 0 < out.count("At time") <= 100
+
+
 def test_tf2_echo_goes_on_when_a_lookup_fails(robot):
     robot.graph.start(intruder)
     out = robot.type("ros2 run tf2_ros tf2_echo odom base_link")
@@ -459,3 +464,11 @@ def test_experiment_c_two_publishers_of_one_frame(terminal):
     assert [line for line in info.splitlines() if line.startswith("Node name:")] == [
         "Node name: ekf", "Node name: wheel_odometry",
     ]  # fmt: skip
+
+
+def test_experiment_c_with_static_publishers_the_one_heard_last_counts(terminal):
+    terminal.type(ODOM_TO_BASE_LINK)
+    terminal.type(ODOM_TO_BASE_LINK.replace("--x 1", "--x 2"))
+    assert "Publisher count: 2\n" in terminal.type("ros2 topic info /tf_static")
+    out = terminal.type("ros2 run tf2_ros tf2_echo odom base_link")
+    assert {line for line in out.splitlines() if line.startswith("- Trans")} == {"- Translation: [2.000, 0.000, 0.000]"}

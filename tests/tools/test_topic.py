@@ -209,6 +209,13 @@ def test_the_policy_is_one_that_every_publisher_offers(offers, policy):
     assert matching_policy(offers, RELIABLE, BEST_EFFORT)[0] is policy
 
 
+@pytest.mark.parametrize("verb", ["echo", "hz", "delay"])
+def test_a_malformed_name_is_answered_with_a_caret(terminal, verb):
+    terminal.type(f"ros2 topic {verb} 1x")
+    assert terminal.error.splitlines()[1:] == ["  '1x'", "   ^"]
+    assert terminal.exit_code == 1
+
+
 def test_a_topic_of_two_types_cannot_be_echoed(terminal):
     terminal.graph.start(talker(hello, name="one"))
     terminal.graph.start(talker(point, name="two"))

@@ -72,6 +72,12 @@ def test_a_wrong_option_is_exit_code_two(capsys):
     assert "view_frames: error: unrecognized arguments: --nope" in capsys.readouterr().err
 
 
+def test_where_nothing_can_be_written_it_says_so(terminal):
+    terminal.type("run tf2_tools view_frames -t 0 -o /nope/frames")
+    assert terminal.error.splitlines()[-1] == "/nope/frames.gv: cannot be written (No such file or directory)"
+    assert terminal.exit_code == 1
+
+
 def test_two_files_are_written(tmp_path):
     write_pictures(str(tmp_path / "frames"), "digraph G {}", draw_tree(Snapshot(("map",), ())))
     assert (tmp_path / "frames.gv").read_text() == "digraph G {}"

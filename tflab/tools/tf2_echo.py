@@ -25,6 +25,8 @@ from .session import abort, cpp_listener, spin_for, tool_node
 
 __all__ = ["USAGE", "echo_text", "failure_text", "main", "rpy_from_matrix"]
 
+SHORTEST_PERIOD_S = 0.001  # nobody prints faster, whatever the rate; and virtual time must pass
+
 USAGE = """\
 Usage: tf2_echo source_frame target_frame [echo_rate]
 
@@ -102,7 +104,7 @@ def main(arguments: Sequence[str]) -> int:
             return 3
     if not rate_hz > 0:
         return abort("std::invalid_argument", "rate must be greater than 0")
-    return _echo(*arguments[:2], period_s=1.0 / rate_hz)
+    return _echo(*arguments[:2], period_s=max(1.0 / rate_hz, SHORTEST_PERIOD_S))
 
 
 def _echo(source: str, target: str, period_s: float) -> int:

@@ -14,6 +14,7 @@ import argparse
 from collections.abc import Sequence
 from typing import Any
 
+from tflab.ros.exceptions import InvalidTopicNameException
 from tflab.ros.node import Node
 
 from .session import cli_node, spin, spin_until_done
@@ -35,7 +36,7 @@ def add_echo(verbs: argparse._SubParsersAction) -> None:
     add = echo_parser.add_argument
     add("topic_name", help="Name of the ROS topic to listen to (e.g. '/chatter')")
     add("message_type", nargs="?", help="Type of the ROS message (e.g. 'std_msgs/msg/String')")
-    add("--qos-depth", metavar="N", type=int, default=5, help="Queue size setting to subscribe with")
+    add("--qos-depth", metavar="N", type=unsigned_int, default=5, help="Queue size setting to subscribe with")
     add("--qos-reliability", choices=["system_default", "reliable", "best_effort"],
         help="Quality of service reliability setting to subscribe with")  # fmt: skip
     add("--qos-durability", choices=["system_default", "transient_local", "volatile"],
@@ -95,13 +96,16 @@ def topic_class(node: Node, topic_name: str, type_name: str | None = None) -> ty
     """Return the class of a topic's messages, None, with upstream's warning, if nobody knows the topic.
 
     Raises:
-        RuntimeError: it has several types, or one that is not known here.
+        RuntimeError: it has several types, or one that is not known here, or its name is malformed.
     """
     from .topic import types_of
 
+    try:
+        full_name = node.resolve_topic_name(topic_name)
+    except InvalidTopicNameException as fault:
+        raise RuntimeError(str(fault)) from None
     if type_name is not None:
         return message_class(type_name)
-    full_name = node.resolve_topic_name(topic_name)
     types = types_of(node, full_name)
     if types is None:
         print(f"WARNING: topic [{full_name}] does not appear to be published yet")
@@ -147,8 +151,8 @@ def _print_messages(node: Node, message_type: type, options: argparse.Namespace)
     from tflab.ros.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
     from tflab.ros.task import Future
 
-    first = Future()
-    offers = [each.qos_profile for each in node.get_publishers_info_by_topic(options.topic_name)]
+    first, topic = Future(), node.resolve_topic_name(options.topic_name)
+    offers = [each.qos_profile for each in node.get_publishers_info_by_topic(topic)]
     reliability = _policy(
         options.qos_reliability, [offer.reliability for offer in offers],
         ReliabilityPolicy.RELIABLE, ReliabilityPolicy.BEST_EFFORT,
@@ -166,7 +170,7 @@ def _print_messages(node: Node, message_type: type, options: argparse.Namespace)
         if options.once:
             first.set_result(True)
 
-    node.create_subscription(message_type, options.topic_name, on_message, qos)
+    node.create_subscription(message_type, topic, on_message, qos)
     return first
 
 

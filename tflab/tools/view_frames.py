@@ -15,6 +15,7 @@ upstream: tf2_tools/tf2_tools/view_frames.py.  Read `trees.py` next.
 from __future__ import annotations
 
 import argparse
+import sys
 from collections.abc import Mapping, Sequence
 from datetime import UTC, datetime
 from pathlib import Path
@@ -106,7 +107,11 @@ def _view(node: Node, options: argparse.Namespace, pictures: list[Any]) -> int:
     log.info(f"Exporting graph in {stem}.pdf file...")
     sec, nanosec = now.seconds_nanoseconds()
     picture = draw_tree(buffer.core.snapshot(), now.nanoseconds, title="view_frames Result")
-    write_pictures(stem, dot_from_frames(yaml.safe_load(answer.frame_yaml), sec + nanosec / 1e9), picture)
+    try:
+        write_pictures(stem, dot_from_frames(yaml.safe_load(answer.frame_yaml), sec + nanosec / 1e9), picture)
+    except OSError as fault:
+        print(f"{fault.filename}: cannot be written ({fault.strerror})", file=sys.stderr)
+        return 1
     pictures.append(picture)
     listener.unregister()
     return 0
