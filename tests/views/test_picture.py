@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from matplotlib.text import Text
 
-from tflab.core import Transform
+from tflab.core import ExtrapolationException, Transform
 from tflab.views import axes, frames, journey, latency, sentence, style, timeline
 from tflab.views.picture import Picture
 from tflab.views.typed import TypedBlock
@@ -15,6 +15,13 @@ POSES = {"map": Transform(), "base_link": Transform.from_rpy(yaw=0.5, translatio
 
 def lookup(target, source, stamp_ns):
     return sentence.StampedTransform(target, source, stamp_ns, Transform((1.0, 2.0, 3.0)))
+
+
+def refuse(target, source, stamp_ns):
+    raise ExtrapolationException(
+        "Lookup would require extrapolation into the future.  Requested time 1700000010.000000 but the latest data is "
+        f"at time 1700000002.000000, when looking up transform from frame [{source}] to frame [{target}]"
+    )
 
 
 PICTURES = {
@@ -37,6 +44,9 @@ PICTURES = {
         [timeline.Lane("camera_link", "camera_optical_frame", (), is_static=True)],
         lookup,
         0,
+    ),
+    "refusal": lambda: timeline.draw_timeline(
+        "base_footprint", "camera_optical_frame", [timeline.Lane("map", "odom", (10**9, 2 * 10**9))], refuse, 10**10
     ),
     "journeys": lambda: journey.draw_journeys([journey.Journey("scan", 0, 10_000_000, 20_000_000)]),
     "latency": lambda: latency.LatencyPicture().show(latency.Sight()),

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tflab.core import LATEST, BufferCore, StampedTransform, Transform, seconds
+from tflab.core import LATEST, BufferCore, LookupException, StampedTransform, Transform, seconds
 from tflab.views.timeline import Lane, Timeline, TimelinePicture, answer, draw_timeline, lane_from_history
 
 
@@ -87,6 +87,15 @@ def test_the_moment_stays_on_the_card_however_far_the_query_is(timeline, buffer,
     picture.png()
     words, card = picture.moment.get_window_extent(), picture.figure.bbox
     assert card.x0 < words.x0 and words.x1 < card.x1
+
+
+def test_a_text_that_is_too_long_for_the_card_is_whole_in_the_words(timeline):
+    def refuse(target, source, stamp_ns):
+        raise LookupException("word " * 200)
+
+    picture = TimelinePicture(timeline, refuse).show(seconds(3.0))
+    assert picture.body.text.count("\n") == 3 and picture.body.text.endswith("\n...")
+    assert picture.text.count("word ") == 200
 
 
 def test_coming_back_inside_shows_the_pose_again(timeline, buffer):

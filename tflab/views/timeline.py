@@ -30,8 +30,8 @@ Ask = Callable[[str, str, int], StampedTransform]
 
 TEXT_COLUMNS = 48  # how wide a lane is in words
 RIGHT_PX = 24  # what stands right of a lane
-LANE_PX, TOP_PX, ANSWER_PX = 34, 30, 128
-BODY_COLUMNS = 88  # how many letters go side by side on the card
+LANE_PX, TOP_PX, ANSWER_PX = 34, 30, 164
+BODY_COLUMNS, BODY_ROWS = 88, 4  # how many letters go side by side on the card, and rows below each other
 QUERY_ROW = -0.75  # above the lanes
 MOST_MARKS = 120  # a lane with more samples is drawn as a band
 
@@ -222,7 +222,7 @@ class TimelinePicture(Picture):
             self.moment.set_position((-9, 0) if is_near_end else (9, 0))
             self.moment.set_horizontalalignment("right" if is_near_end else "left")
             self.headline.set_text(lines[0])
-            self.body.write("\n".join(part for line in lines[1:] for part in wrap(line, BODY_COLUMNS)))
+            self.body.write("\n".join(_fitting(lines[1:])))
         self.text = describe_timeline(self.timeline, reply)
         return self
 
@@ -275,9 +275,15 @@ class TimelinePicture(Picture):
         self.moment = ax.annotate("", (0.0, QUERY_ROW), (9, 0), textcoords="offset points", va="center",
                                   color=style.ACCENT, annotation_clip=False)  # fmt: skip
         _, height = self.size_px
-        self.headline = self.figure.text(0.025, 70 / height, "", fontsize=style.TITLE_PT, fontweight="bold", va="top",
+        self.headline = self.figure.text(0.025, 106 / height, "", fontsize=style.TITLE_PT, fontweight="bold", va="top",
                                          color=style.ACCENT)  # fmt: skip
-        self.body = TypedBlock(self.figure, 0.025, 48 / height)
+        self.body = TypedBlock(self.figure, 0.025, 84 / height)
+
+
+def _fitting(lines: Sequence[str]) -> list[str]:
+    """Return lines broken to fit on the card; what does not fit is still in the words of the picture."""
+    rows = [row for line in lines for row in wrap(line, BODY_COLUMNS)]
+    return rows if len(rows) <= BODY_ROWS else [*rows[: BODY_ROWS - 1], "..."]
 
 
 def _label_time(ax, left_ns: int, right_ns: int) -> None:
