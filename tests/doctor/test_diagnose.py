@@ -14,6 +14,7 @@ from tflab.doctor.doctor import doctor
 from tflab.doctor.texts import sentences
 from tflab.robots.nodes import launch
 from tflab.ros.graph import new_graph
+from tflab.tools import ros2
 
 MS = 1_000_000
 SECOND = 1000 * MS
@@ -194,6 +195,20 @@ def test_everything_late_by_the_same_is_two_clocks_that_disagree():
     assert found(recording(*late))["clock-offset"].facts["offset"] == "2.000"
 
 
+def test_a_mount_that_is_sent_on_both_topics_is_repeated_and_has_not_two_owners():
+    repeated = edge("base_link", "laser_frame", value=lambda i: Transform((0.2, 0.0, 0.0)))
+    assert alarming(recording(*HEALTHY, repeated)) == {"constant-on-tf"}
+
+
+def test_a_child_that_moves_and_is_bolted_on_has_two_owners():
+    assert alarming(recording(*HEALTHY, edge("base_link", "laser_frame"))) == {"moving-and-static"}
+
+
+def test_all_names_with_a_slash_on_a_topic_are_one_finding():
+    slashed = recording(edge("/map", "/odom", 50, 100), edge("/odom", "/base_link"), HEALTHY[2])
+    assert found(slashed)["leading-slash"].facts["names"] == "/base_link, /map, /odom"
+
+
 # -- graph and buffer ----------------------------------------------------------------
 
 
@@ -219,6 +234,18 @@ def test_a_living_graph_is_listened_to_and_owners_have_names():
     new_graph()
     assert {f.code for f in report.of_severity("error", "warning")} <= {"two-owners", "repeated-stamps"}
     assert report.findings
+
+
+def test_nodes_that_do_not_follow_the_same_clock_are_named():
+    graph = new_graph()
+    launch(graph, only=["wheel_odometry"])
+    words = ["run", "tf2_ros", "static_transform_publisher", "--frame-id", "base_link", "--child-frame-id", "laser"]
+    graph.start(ros2.main, [*words, "--ros-args", "-p", "use_sim_time:=true"])
+    report = doctor(graph, seconds=2.0)
+    graph.stop()
+    new_graph()
+    (finding,) = [finding for finding in report.findings if finding.code == "mixed-time"]
+    assert finding.facts["others"] == "/wheel_odometry"
 
 
 def test_something_else_is_refused():

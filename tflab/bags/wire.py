@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
     from tflab.ros.messages.base import Message
 
-__all__ = ["bytes_of", "is_known", "message_of", "profile_of", "qos_of", "store"]
+__all__ = ["bytes_of", "message_of", "profile_of", "qos_of", "store"]
 
 NSEC_PER_SEC = 1_000_000_000
 
@@ -32,11 +32,6 @@ def store():
     from rosbags.typesys import Stores, get_typestore
 
     return get_typestore(Stores.ROS2_JAZZY)
-
-
-def is_known(ros_type: str) -> bool:
-    """Return whether rosbags can write messages of this type."""
-    return ros_type in store().types
 
 
 def bytes_of(message: Message) -> bytes:

@@ -2,7 +2,8 @@
 
     findings     what the doctor says
     evidence     what there is to judge
-    motion       steps, jumps, and two stories told at once
+    jumps        where a clock was set
+    motion       steps, and two stories told at once
     names        1  are the names right?
     tree         2  is it one tree?
     values       3  are the numbers transforms?
@@ -12,7 +13,9 @@
     statics      7  is what is fixed published as fixed?
     diagnose     all of them, and causes apart from effects
     texts        the sentences
-    report_text, report_html    the report
+    catalogue    which finding names which fault
+    report_text, history, report_html    the report
+    time_sources what only a living graph can tell
     doctor       the door: doctor(recording | graph | buffer)
     command      `tflab doctor BAG`
 

@@ -68,10 +68,10 @@ EFFECTS_ON_CHILD = {
                    "early-stamps", "static-changed", "moving-on-static"),
     "two-parents": ("two-owners", "unordered-stamps", "repeated-stamps", "clock-jump-back", "clock-jump-forward"),
     "re-parented": ("two-owners",),
-    "moving-and-static": ("constant-on-tf", "moving-on-static", "static-changed", "two-parents"),
+    "moving-and-static": ("constant-on-tf", "static-changed", "two-parents"),
     "unset-stamps": ("repeated-stamps", "unordered-stamps", "gap", "clock-jump-back", "clock-jump-forward",
                      "late-stamps", "early-stamps"),
-    "moving-on-static": ("static-changed",),
+    "moving-on-static": ("static-changed", "moving-and-static"),
     "constant-on-tf": ("early-stamps", "stamped-ahead"),  # as ROS 1 sends them: stamped ahead by a period
     "self-transform": ("loop", "two-parents", "re-parented"),
 }  # fmt: skip
@@ -82,6 +82,8 @@ EFFECTS_ANYWHERE = {
     "statics-missing": ("two-trees", "unknown-frame"),
     "empty-name": ("two-trees",),
     "loop": ("re-parented", "two-parents", "two-trees"),
+    "re-parented": ("two-trees",),
+    "two-parents": ("two-trees",),
     "clock-offset": ("late-stamps", "early-stamps"),
     "stall": ("late-stamps",),
     "two-trees": ("unknown-frame",),

@@ -3,19 +3,23 @@
     from tflab.doctor.doctor import doctor
     print(doctor(buffer))
 
-A graph is listened to for some seconds, as view_frames does.  Read `command.py`
-next.
+A graph is listened to for some seconds, as view_frames does, and asked for its
+nodes.  Read `command.py` next.
 """
 
 from __future__ import annotations
+
+from dataclasses import replace
 
 from tflab.bags.listen import recording_from_graph
 from tflab.bags.recording import Recording
 from tflab.core import BufferCore
 from tflab.ros.graph import Graph
+from tflab.ros.snapshot import snapshot
 
-from .diagnose import diagnose_buffer, diagnose_recording
+from .diagnose import diagnose_buffer, diagnose_recording, worst_first
 from .findings import Report
+from .time_sources import mixed_time_sources
 
 __all__ = ["doctor"]
 
@@ -33,8 +37,15 @@ def doctor(patient: Recording | Graph | BufferCore, seconds: float = 5.0) -> Rep
     if isinstance(patient, Recording):
         return diagnose_recording(patient)
     if isinstance(patient, Graph):
-        return diagnose_recording(recording_from_graph(patient, seconds))
+        return _diagnose_graph(patient, seconds)
     core = getattr(patient, "core", patient)
     if isinstance(core, BufferCore):
         return diagnose_buffer(core)
     raise TypeError(f"the doctor looks at a Recording, a Graph or a BufferCore, not at {type(patient).__name__}")
+
+
+def _diagnose_graph(graph: Graph, seconds: float) -> Report:
+    mixed = list(mixed_time_sources(snapshot(graph)))
+    report = diagnose_recording(recording_from_graph(graph, seconds))
+    made = (*report.checks_made, "time sources of the nodes")
+    return replace(report, findings=worst_first([*report.findings, *mixed]), checks_made=made)

@@ -146,7 +146,6 @@ class Evidence:
     joint_states: tuple[JointStates, ...] = ()
     connections: tuple[Connection, ...] = ()
     clock: ClockRelation = field(default_factory=lambda: ClockRelation("same", np.zeros(0), np.zeros(0)))
-    notes: tuple[str, ...] = ()
 
     def edges(self) -> Iterator[Edge]:
         """Yield every edge, the moving ones first."""
@@ -216,7 +215,6 @@ def evidence_from_recording(recording: Recording, namespace: str = "") -> Eviden
         joint_states=recording.joint_states,
         connections=recording.connections,
         clock=clock_relation(moving, headers, recording.clock),
-        notes=recording.notes,
     )
 
 

@@ -31,14 +31,15 @@ ROBOT_FRAMES = 3  # a prefix that so many frames share, in a tree of their own, 
 
 
 def leading_slashes(evidence: Evidence) -> Iterator[Finding]:
-    """Yield a finding for each name that was sent with a leading slash."""
-    seen: dict[str, tuple[str, str, str]] = {}
+    """Yield a finding for each topic on which names were sent with a leading slash."""
+    edges_of: dict[str, list[tuple[str, str]]] = {}
     for parent, child, topic in evidence.raw_names:
-        for name in (parent, child):
-            if name.startswith("/"):
-                seen.setdefault(name, (parent, child, topic))
-    for name, (parent, child, topic) in seen.items():
-        yield Finding("leading-slash", "warning", parent, child, topic, facts={"name": name, "bare": name[1:]})
+        if parent.startswith("/") or child.startswith("/"):
+            edges_of.setdefault(topic, []).append((parent, child))
+    for topic, edges in edges_of.items():
+        names = sorted({name for edge in edges for name in edge if name.startswith("/")})
+        facts = {"names": ", ".join(names), "bare": ", ".join(name[1:] for name in names)}
+        yield Finding("leading-slash", "warning", *edges[0], topic, facts=facts)
 
 
 def empty_names(evidence: Evidence) -> Iterator[Finding]:

@@ -55,12 +55,19 @@ def several_static_owners(evidence: Evidence) -> Iterator[Finding]:
 
 
 def owners_of_both_kinds(evidence: Evidence) -> Iterator[Finding]:
-    """Yield a finding for each child that is published as moving and as static."""
+    """Yield a finding for each child that is published as moving and as static, unless both say the same."""
     statics = {edge.child: edge for edge in evidence.statics}
     for edge in evidence.moving:
-        if edge.child in statics:
-            facts = {"count": len(edge), "static_count": len(statics[edge.child])}
+        static = statics.get(edge.child)
+        if static is not None and not _say_the_same(edge, static):
+            facts = {"count": len(edge), "static_count": len(static)}
             yield Finding("moving-and-static", "error", edge.usual_parent, edge.child, edge.topic, facts=facts)
+
+
+def _say_the_same(a: Edge, b: Edge) -> bool:
+    """Return whether all values of two edges are one: a mount that is repeated as if it moved."""
+    poses = unit(np.concatenate([a.numbers[a.is_usable], b.numbers[b.is_usable]]))
+    return len(poses) == 0 or bool((distances(poses, np.broadcast_to(poses[0], poses.shape)) < 1e-6).all())
 
 
 def _publishers_at_once(edge: Edge) -> list[str]:

@@ -15,8 +15,8 @@ from base64 import b64encode
 from collections.abc import Mapping
 from html import escape
 
-from tflab.bags.recording import Recording
-from tflab.core import snapshot
+from tflab.bags.recording import DEFAULT_AUTHORITY, Recording
+from tflab.core import Snapshot, snapshot
 from tflab.views.tree import draw_tree
 
 from .evidence import evidence_from_recording
@@ -99,12 +99,20 @@ def _pictures(report: Report, recording: Recording, namespace: str) -> str:
     of = f" of {escape(namespace)}" if namespace else ""
     history = draw_history(evidence, report.findings)
     png = b64encode(history.png()).decode()
-    tree = draw_tree(snapshot(recording.buffer(namespace=namespace)), title="")
+    tree = draw_tree(_tree_of(recording, namespace), title="")
     return f"""<h2>Timeline{of}</h2>
 <figure><img src="data:image/png;base64,{png}" width="{history.size_px[0]}" alt="{escape(history.text, quote=True)}">
 </figure>
 <h2>Tree{of}</h2>
 <figure>{tree.svg}</figure>"""
+
+
+def _tree_of(recording: Recording, namespace: str) -> Snapshot:
+    """Return the tree; where no publisher was recorded, none is shown."""
+    tree = snapshot(recording.buffer(namespace=namespace))
+    known = [tuple(name for name in frame.authorities if name != DEFAULT_AUTHORITY) for frame in tree.frames]
+    frames = (frame._replace(authorities=names) for frame, names in zip(tree.frames, known, strict=True))
+    return tree._replace(frames=tuple(frames))
 
 
 def _checks(report: Report) -> str:

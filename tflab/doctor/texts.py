@@ -46,11 +46,10 @@ class Sentences(NamedTuple):
 TEXTS: dict[str, Text] = {
     # names
     "leading-slash": Text(
-        'The name "{name}" begins with a slash',
-        'Sent on {topic} as "{name}"; tf2 stores it as "{bare}".',
-        "Code from ROS 1, or a parameter such as frame_id with a slash. A lookup of the name with the slash "
-        "is refused.",
-        "ros2 topic echo {topic} --once",
+        "Names on {topic} begin with a slash: {names}",
+        "tf2 stores them without it, as {bare}.",
+        "Code from ROS 1, or a parameter such as frame_id with a slash. A lookup with the slash is refused.",
+        TOPIC_ECHO,
     ),
     "empty-name": Text(
         "A transform without a name at one end",
@@ -141,14 +140,14 @@ TEXTS: dict[str, Text] = {
         "{parent} -> {child} has rotations of (0, 0, 0, 0)",
         "{count} of {total} samples; tf2 refuses them (TF_DENORMALIZED_QUATERNION), so the frame seems not to exist.",
         "The rotation was never set, or zeroed. No rotation is (0, 0, 0, 1).",
-        "ros2 topic echo {topic} --once",
+        TOPIC_ECHO,
     ),
     "not-unit-quaternion": Text(
         "{parent} -> {child} has rotations that are not of length one",
         "{count} of {total} samples, of length {shortest} to {longest}.",
         "Numbers were rounded, mixed or interpolated without normalising. ROS 2 scales them in silence, ROS 1 "
         "refuses them.",
-        "ros2 topic echo {topic} --once",
+        TOPIC_ECHO,
     ),
     "optical-unturned": Text(
         'The optical frame "{child}" is not turned',
@@ -255,6 +254,12 @@ TEXTS: dict[str, Text] = {
         "cannot tell which.",
         "chronyc tracking",
     ),
+    "mixed-time": Text(
+        "Some nodes follow /clock and others do not",
+        "use_sim_time is true in {following}, and false in {others}.",
+        "The parameter must be the same in all nodes: set it in the launch file, for all (/**).",
+        "ros2 param get {node} use_sim_time",
+    ),
     "other-clock": Text(
         "Stamps come from another clock than the times of receipt",
         "The difference is {difference} s ({source}), with {drift} ms of drift; delays are told without it.",
@@ -291,7 +296,7 @@ TEXTS: dict[str, Text] = {
         "{topic} was offered as volatile",
         "By {publisher}.",
         "Listeners that start later never hear of it; a listener that asks for transient_local hears nothing at all.",
-        "ros2 topic info {topic} --verbose",
+        TOPIC_INFO,
     ),
     "no-transforms": Text(
         "There are no transforms",

@@ -33,8 +33,8 @@ GAP_HABITS = 3.0  # ... and than so many of the longer steps of an irregular edg
 FEWEST_SAMPLES = 8
 ODD_SHARE = 0.1  # of the samples of an edge
 ALIKE_SHARE = 0.25  # of its length: silences that begin and end within so much of each other are one event
-FEWEST_ODD = 3  # stamps that are repeated, or out of order, before it is more than a slip ...
-ODD_STAMPS = 0.005  # ... and their share of an edge
+FEWEST_REPEATED = 3  # stamps, before it is more than a slip ...
+REPEATED_SHARE = 0.005  # ... and their share of an edge
 LATE_S = 0.1  # more than the others: at 1 m/s an error of 10 cm
 EARLY_S = 0.05
 TOLERANCE_S = 1.5  # how far ahead a localiser may stamp map -> odom (AMCL's transform_tolerance is 1 s)
@@ -61,7 +61,7 @@ def repeated_stamps(evidence: Evidence) -> Iterator[Finding]:
         if not repeats or not edge.stamp_ns.any():
             continue
         repeats.sort()
-        severity = "warning" if len(repeats) >= max(FEWEST_ODD, ODD_STAMPS * len(edge)) else "info"
+        severity = "warning" if len(repeats) >= max(FEWEST_REPEATED, REPEATED_SHARE * len(edge)) else "info"
         facts = {"count": len(repeats), "total": len(edge), "values": _values_of_repeats(edge, repeats)}
         yield _finding(edge, "repeated-stamps", severity, repeats[0], repeats[-1], facts)
 
@@ -78,7 +78,7 @@ def unordered_stamps(evidence: Evidence) -> Iterator[Finding]:
             where.extend((stretch.start + late).tolist())
             back_s.extend((behind[late] / NSEC_PER_SEC).tolist())
         if where:
-            severity = "warning" if len(where) >= max(FEWEST_ODD, ODD_STAMPS * len(edge)) else "info"
+            severity = "warning" if len(where) > 1 else "info"
             facts = {"count": len(where), "total": len(edge), "most": f"{max(back_s):.3f}"}
             yield _finding(edge, "unordered-stamps", severity, where[0], where[-1], facts)
 
