@@ -48,6 +48,13 @@ PICTURES = {
     "refusal": lambda: timeline.draw_timeline(
         "base_footprint", "camera_optical_frame", [timeline.Lane("map", "odom", (10**9, 2 * 10**9))], refuse, 10**10
     ),
+    "stamps since 1970": lambda: timeline.draw_timeline(
+        "map",
+        "odom",
+        [timeline.Lane("map", "odom", (1_700_000_000_250_000_000, 1_700_000_003_250_000_000))],
+        lookup,
+        1_700_000_003_000_000_000,
+    ),
     "journeys": lambda: journey.draw_journeys([journey.Journey("scan", 0, 10_000_000, 20_000_000)]),
     "latency": lambda: latency.LatencyPicture().show(latency.Sight()),
 }

@@ -129,6 +129,15 @@ def test_epoch_stamps_keep_their_nanoseconds():
     assert asked == [("a", "b", start + 1)]
 
 
+def test_stamps_since_1970_are_counted_from_a_whole_second():
+    start = 1_700_000_000_500_000_000
+    lanes = [Lane("a", "b", (start, start + seconds(6)))]
+    ax = draw_timeline("a", "b", lanes, lambda a, b, t: StampedTransform(a, b, t, Transform()), start).ax
+    assert ax.get_xlabel() == "stamp [s] after 1699999999"  # a sixth of 6 s before the first sample
+    labels = [label.get_text() for label in ax.get_xticklabels()]
+    assert labels == ["1.5", "3.0", "4.5", "6.0", "7.5"]
+
+
 def test_static_only_and_empty_lanes_are_drawn_too():
     def ask(target, source, stamp_ns):
         return StampedTransform(target, source, stamp_ns, Transform())

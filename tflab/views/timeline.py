@@ -21,7 +21,7 @@ from dataclasses import dataclass
 from textwrap import wrap
 from typing import NamedTuple
 
-from tflab.core import LATEST, History, StampedTransform, TransformException
+from tflab.core import LATEST, NSEC_PER_SEC, History, StampedTransform, TransformException
 
 from . import style
 from .picture import Picture
@@ -32,6 +32,7 @@ TEXT_COLUMNS = 48  # how wide a lane is in words
 RIGHT_PX = 24  # what stands right of a lane
 LANE_PX, TOP_PX, ANSWER_PX = 34, 30, 164
 BODY_COLUMNS, BODY_ROWS = 88, 4  # how many letters go side by side on the card, and rows below each other
+LONG_STAMP_NS = 100_000 * NSEC_PER_SEC
 QUERY_ROW = -0.75  # above the lanes
 MOST_MARKS = 120  # a lane with more samples is drawn as a band
 
@@ -236,7 +237,6 @@ class TimelinePicture(Picture):
             ax.spines[side].set_visible(False)
         ax.set_yticks([*range(rows), rows], [*(lane.name for lane in lanes), "all of them"])
         ax.tick_params(axis="y", length=0, pad=10, labelcolor=style.INK, labelsize=style.TEXT_PT)
-        ax.set_xlabel("stamp [s]", loc="right")
         _label_time(ax, left_ns, right_ns)
         for row, lane in enumerate(lanes):
             self._draw_lane(row, lane, left_ns, right_ns)
@@ -287,15 +287,19 @@ def _fitting(lines: Sequence[str]) -> list[str]:
 
 
 def _label_time(ax, left_ns: int, right_ns: int) -> None:
-    """Write the stamps below a time axis that counts seconds from `left_ns` [ns]."""
+    """Write the stamps below a time axis that counts seconds from `left_ns` [ns].
+
+    Stamps since 1970 have too many digits to stand side by side, so they are
+    counted from a whole second that is named at the end of the axis.
+    """
     from matplotlib.ticker import MaxNLocator
 
-    first = left_ns / 1e9
-    whole = [
-        tick for tick in MaxNLocator(6).tick_values(first, right_ns / 1e9) if left_ns / 1e9 <= tick <= right_ns / 1e9
-    ]
-    digits = 1 if (right_ns - left_ns) > 3_000_000_000 else 2
-    ax.set_xticks([tick - first for tick in whole], [style.fmt(tick, "", digits) for tick in whole])
+    base_ns = left_ns // NSEC_PER_SEC * NSEC_PER_SEC if left_ns >= LONG_STAMP_NS else 0
+    first, last = (left_ns - base_ns) / 1e9, (right_ns - base_ns) / 1e9
+    ticks = [tick for tick in MaxNLocator(6).tick_values(first, last) if first <= tick <= last]
+    digits = 1 if last - first > 3.0 else 2
+    ax.set_xticks([tick - first for tick in ticks], [style.fmt(tick, "", digits) for tick in ticks])
+    ax.set_xlabel(f"stamp [s] after {base_ns // NSEC_PER_SEC}" if base_ns else "stamp [s]", loc="right")
 
 
 def draw_timeline(
