@@ -124,6 +124,15 @@ def test_a_topic_that_is_silent_has_no_messages(robot):
     assert "LaserScan (/scan): Warn\n  Topic: No messages received" in said(look(robot), "odom")
 
 
+def test_what_cannot_be_read_is_named_and_left_out(robot, capsys):
+    robot.start(sensor("/robot_description", lambda header: std_msgs.String(data="<robt/>"), LATCHED))
+    robot.start(sensor("/points", lambda header: sensor_msgs.PointCloud2(header=header)))
+    assert look(robot).displays == ()
+    said = capsys.readouterr().out.splitlines()
+    assert said[0].startswith("/points cannot be shown: ")
+    assert said[1].startswith("/robot_description cannot be shown: ")
+
+
 def test_a_view_of_the_graph_and_then_of_the_graph_later(robot):
     view = open_rviz(robot, "odom")
     assert "base_link" in view.text
@@ -137,7 +146,7 @@ def test_rviz2_in_a_page_shows_the_view(robot, monkeypatch):
     monkeypatch.setattr("IPython.display.display", lambda *views: shown.extend(views))
     shell = InteractiveShell()
     magic.register(shell)
-    shell.run_line_magic("rviz2", "-f odom")
+    shell.run_line_magic("rviz2", "--for 0.5 -f odom")
     shell.run_line_magic("ros2", "--for 0.5 run rviz2 rviz2 -f laser_frame")
     assert [view.fixed_frame for view in shown] == ["odom", "laser_frame"]
 

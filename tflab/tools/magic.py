@@ -37,6 +37,20 @@ def ros2_line(line: str) -> None:
     except PageError as fault:
         print(fault)
         return
+    _run(words, seconds)
+
+
+def rviz2_line(line: str) -> None:
+    """Show a small RViz of the current graph; `line` is what stands after `%rviz2`."""
+    try:
+        seconds, arguments = split_line(line)
+    except PageError as fault:
+        print(fault)
+        return
+    _run(["run", "rviz2", "rviz2", *arguments], seconds)
+
+
+def _run(words: Sequence[str], seconds: float | None) -> None:
     if words[:3] == ["run", "rviz2", "rviz2"]:
         pictures = _rviz(words[3:], seconds)
     else:
@@ -45,11 +59,6 @@ def ros2_line(line: str) -> None:
         from IPython.display import display
 
         display(*pictures)
-
-
-def rviz2_line(line: str) -> None:
-    """Show a small RViz of the current graph."""
-    ros2_line(f"rviz2 {line}")
 
 
 def _rviz(arguments: Sequence[str], seconds: float | None) -> tuple[Any, ...]:

@@ -17,7 +17,7 @@ Read `rviz2.py` next.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -78,7 +78,7 @@ def _watch(seconds: float, decay_s: float, looks: list[Look]) -> None:
         listener = TransformListener(buffer, node)
         heard = _hear_everything(node)
         spin_for(node, seconds)
-        displays = tuple(_display(topic, *heard[topic], decay_s) for topic in sorted(heard))
+        displays = tuple(_displays(heard, decay_s))
         spin_for(node, PATIENCE_S)
         listener.unregister()
         looks.append(Look(_parents(buffer.core), displays, _asking(buffer.core)))
@@ -115,6 +115,14 @@ def _asking(core: BufferCore) -> Callable[[str, str, int], Transform]:
 
 
 # -- messages as values ---------------------------------------------------
+
+
+def _displays(heard: dict[str, tuple[type, list[Any]]], decay_s: float) -> Iterator[Display]:
+    for topic, (message_type, messages) in sorted(heard.items()):
+        try:
+            yield _display(topic, message_type, messages, decay_s)
+        except (ValueError, AssertionError) as fault:  # no URDF, a cloud without x, y, z, a map of another size
+            print(f"{topic} cannot be shown: {fault}")
 
 
 def _display(topic: str, message_type: type, messages: list[Any], decay_s: float) -> Display:
