@@ -79,6 +79,21 @@ def test_moving_a_frame_adds_nothing_to_the_axes(ax):
     assert drawn.axes["x"].head.get_xy()[1] == pytest.approx((1.3, 1.0))
 
 
+def test_a_name_stands_beside_its_frame_and_moves_with_it(ax):
+    drawn = draw_frames({"base_link": Transform((1.0, 2.0, 0.0))}, ax, FROM_ABOVE)["base_link"]
+    assert drawn.label.text.xy == (1.0, 2.0)
+    drawn.move(Transform((2.0, 0.5, 0.0)))
+    assert drawn.label.text.xy == (2.0, 0.5)
+
+
+def test_what_is_nearer_covers_what_is_farther_and_nothing_covers_a_name(ax):
+    heights = {"far": -500.0, "middle": 0.0, "near": 500.0}
+    drawn = draw_frames({name: Transform((0.0, 0.0, z)) for name, z in heights.items()}, ax, FROM_ABOVE)
+    levels = [drawn[name].axes["x"].shaft.get_zorder() for name in heights]
+    assert sorted(levels) == levels
+    assert levels[0] > 0 and levels[2] < drawn["far"].label.text.get_zorder()
+
+
 def test_points_and_arrows_return_what_they_drew(ax):
     points = draw_points({"corner": (2.0, 1.0, 5.0)}, ax, FROM_ABOVE)
     assert place(points["corner"].mark) == (2.0, 1.0)

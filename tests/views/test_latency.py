@@ -5,7 +5,7 @@ import math
 import pytest
 
 from tflab.core import seconds
-from tflab.views.latency import LatencyPicture, Sight, describe_latency, drive, latency_error
+from tflab.views.latency import Sight, describe_latency, draw_latency, drive, latency_error
 
 
 def test_a_robot_that_does_not_turn_drives_straight():
@@ -68,7 +68,7 @@ def test_latency_in_words():
 
 
 def test_the_picture_says_which_number_is_exact_and_which_is_not():
-    picture = LatencyPicture().show(Sight(1.0, 0.5, 5.0, seconds(0.2)))
+    picture = draw_latency(Sight(1.0, 0.5, 5.0, seconds(0.2)))
     words = [text.get_text() for text in picture.figure.findobj(match=lambda a: hasattr(a, "get_text"))]
     assert "exactly\n0.538 m" in words
     assert "speed × delay\n≈ 0.200 m" in words
@@ -77,7 +77,7 @@ def test_the_picture_says_which_number_is_exact_and_which_is_not():
 
 @pytest.mark.parametrize("sight", [Sight(3.0, 1.0, 10.0, seconds(0.5)), Sight(0.0, -1.0, 1.0, 0), Sight(0, 0, 10, 0)])
 def test_any_sight_that_a_slider_can_choose_stays_in_the_picture(sight):
-    picture = LatencyPicture().show(sight)
+    picture = draw_latency(sight)
     error = latency_error(sight)
     x0, x1 = picture.figure.axes[0].get_xlim()
     y0, y1 = picture.figure.axes[0].get_ylim()

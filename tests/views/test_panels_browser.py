@@ -14,7 +14,7 @@ poses = {"map": Transform(), "odom": Transform((2.0, 1.0, 0.0)), "base_link": Tr
 """
 CELLS = [
     SETUP + LOOKUP,
-    "latency.LatencyPicture().show(latency.Sight())",
+    "latency.draw_latency(latency.Sight())",
     "panels.latency_panel()",
     "panels.timeline_panel('map', 'odom', lanes, lookup)",
     "panels.sentence_panel(poses, 'map', 'base_link', language='ko')",

@@ -56,7 +56,7 @@ PICTURES = {
         1_700_000_003_000_000_000,
     ),
     "journeys": lambda: journey.draw_journeys([journey.Journey("scan", 0, 10_000_000, 20_000_000)]),
-    "latency": lambda: latency.LatencyPicture().show(latency.Sight()),
+    "latency": lambda: latency.draw_latency(latency.Sight()),
 }
 
 

@@ -82,6 +82,13 @@ def test_the_arrow_goes_from_source_to_target():
     assert picture.frames["base_link"].label.text.get_text() == "base_link\ntarget"
 
 
+def test_two_frames_at_one_place_can_be_asked_about():
+    poses = {"camera_link": Transform(), "camera_optical_frame": Transform.from_rpy(-1.57, 0.0, -1.57)}
+    answer = StampedTransform("camera_link", "camera_optical_frame", 0, poses["camera_optical_frame"])
+    picture = draw_sentence(poses, answer)
+    assert picture.png().startswith(b"\x89PNG")
+
+
 def test_showing_another_question_changes_all_of_it():
     poses = {"map": Transform(), "odom": Transform((1.0, 0.0, 0.0)), "base_link": Transform((2.0, 0.0, 0.0))}
     picture = SentencePicture(poses)

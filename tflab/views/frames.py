@@ -73,8 +73,9 @@ class AxisArtists:
             artist.set_visible(not is_flat)
         for artist in (self.ring, self.sign):
             artist.set_visible(is_flat)
+        height = 10 + 4 * nearness / (1 + abs(nearness))  # between the ground and the names, however far
         for rank, artist in enumerate(self.artists):
-            artist.set_zorder((12 if is_flat else 10) + nearness + 0.001 * rank)
+            artist.set_zorder(height + (5 if is_flat else 0) + 0.001 * rank)
         if is_flat:
             self.ring.set_data([origin[0]], [origin[1]])
             self.sign.set_data([origin[0]], [origin[1]])
@@ -121,7 +122,7 @@ class FrameArtists:
         for axis, tip, near in zip(style.AXES, on_paper[1:], nearness, strict=True):
             comes_out = near > self._eye.nearness(origin)
             self.axes[axis].move(on_paper[0], tip, bool(comes_out), self._length_m, float(near))
-        self.label.anchor = tuple(on_paper[0])
+        self.label.follow(on_paper[0])
         self.label.keep_off = [(tuple(on_paper[0]), axis.letter_place) for axis in self.axes.values()]
 
 
@@ -141,7 +142,7 @@ class PointArtists:
         """Draw the mark at `point` (x, y, z) [m]."""
         x, y = self._eye.on_paper(point)
         self.mark.set_data([x], [y])
-        self.label.anchor = (x, y)
+        self.label.follow((x, y))
 
 
 class ArrowArtists:
@@ -165,7 +166,7 @@ class ArrowArtists:
         ratios = np.linspace(0.0, 1.0, 9)[:, None]
         bend = (a + b) / 2 + self._curve * np.array((b[1] - a[1], a[0] - b[0]))  # matplotlib's arc3
         places = (1 - ratios) ** 2 * a + 2 * ratios * (1 - ratios) * bend + ratios**2 * b
-        self.label.anchor = tuple(places[len(places) // 2])
+        self.label.follow(places[len(places) // 2])
         self.label.keep_off = [(tuple(p), tuple(q)) for p, q in pairwise(places)]
 
 
@@ -181,6 +182,7 @@ def draw_frames(
     for name, pose in poses.items():
         drawn[name] = FrameArtists(name, ax, eye, length_m, is_ghost)
         drawn[name].move(pose)
+    place_labels([frame.label for frame in drawn.values()])
     return drawn
 
 
@@ -192,6 +194,7 @@ def draw_points(
     for name, point in points.items():
         drawn[name] = PointArtists(name, ax, eye, is_ghost)
         drawn[name].move(point)
+    place_labels([point.label for point in drawn.values()])
     return drawn
 
 
@@ -208,6 +211,7 @@ def draw_arrow(
     """Draw an arrow between two points (x, y, z) [m] on `ax` and return its artists."""
     drawn = ArrowArtists(label, ax, eye, colour, line, curve)
     drawn.move(tail, head)
+    place_labels([drawn.label])
     return drawn
 
 

@@ -64,6 +64,12 @@ class Label:
             self._measured = (text, (extent.width * scale, extent.height * scale))
         return self._measured[1]
 
+    def follow(self, anchor: Place) -> None:
+        """Move along with the named thing, keeping the place beside it until a better one is found."""
+        self.anchor = (float(anchor[0]), float(anchor[1]))
+        self.text.xy = self.anchor
+        self.leader.set_visible(False)
+
     def stand(self, place: Place, is_far: bool = False) -> None:
         """Write the name with its middle at this place [points from the anchor], with a thin line if it is far."""
         self.text.xy = self.anchor

@@ -158,6 +158,11 @@ class LatencyPicture(Picture):
         return self
 
 
+def draw_latency(sight: Sight) -> LatencyPicture:
+    """Draw where the object is and where it is drawn with the pose of now, and the error in its pieces."""
+    return LatencyPicture().show(sight)
+
+
 class _Field:
     """The ground with the robot and the object, then and now, from one eye."""
 
@@ -171,9 +176,13 @@ class _Field:
         height = 0.0 if eye is FROM_ABOVE else 0.8
         self.truth = PostArtists(ax, eye, style.INK, height_m=height)
         self.wrong = PostArtists(ax, eye, style.ACCENT, is_ghost=True, height_m=height)
-        names = ("robot at the stamp", "robot now", "object", "drawn with the pose of now") if has_names else ()
-        colours = (style.INK, style.GREY, style.INK, style.ACCENT)
-        self.labels = [Label(ax, name, colour) for name, colour in zip(names, colours, strict=False)]
+        names = {
+            "robot at the stamp": style.INK,
+            "robot now": style.GREY,
+            "object": style.INK,
+            "drawn with the pose of now": style.ACCENT,
+        }
+        self.labels = [Label(ax, name, colour) for name, colour in names.items()] if has_names else []
 
     @property
     def artists(self) -> list:
@@ -188,6 +197,7 @@ class _Field:
         show_all(self.ax, self.eye.on_paper(corners), margin_m=0.5)
 
     def show(self, sight: Sight, error: LatencyError) -> None:
+        """Move everything to this sight."""
         then_T_now = drive(sight.speed_mps, sight.yaw_rate_radps, sight.delay_ns)
         start, goal = (0.0, 0.0, 0.0), (sight.range_m, 0.0, 0.0)
         self.robot_then.move(Transform())
@@ -197,13 +207,17 @@ class _Field:
         places = self.eye.on_paper((start, then_T_now.translation, goal, error.drawn_at))
         self.sight_then.set_data(*places[[0, 2]].T)
         self.sight_now.set_data(*places[[1, 3]].T)
-        tail, *_, nose = ROBOT_SCALE * OUTLINE[[0, 1, 2]]
+        if self.labels:
+            self._place_names(then_T_now, places)
+
+    def _place_names(self, then_T_now: Transform, places: np.ndarray) -> None:
+        """Write the names beside their things: the robots' tail and nose, and the two places of the object."""
+        tail, _, nose, *_ = ROBOT_SCALE * OUTLINE
         anchors = (tail, then_T_now.apply((*nose, 0.0))[:2], *places[2:])
+        for label, anchor in zip(self.labels, anchors, strict=True):
+            label.follow(anchor)
         lines = [places[[0, 2]], places[[1, 3]], *self._outline(Transform()), *self._outline(then_T_now)]
-        for label, anchor in zip(self.labels, anchors, strict=False):
-            label.anchor = tuple(anchor)
-        for label in self.labels[:1]:
-            label.keep_off = [tuple(map(tuple, line)) for line in lines]
+        self.labels[0].keep_off = [tuple(map(tuple, line)) for line in lines]
         place_labels(self.labels)
 
     def _outline(self, pose: Transform) -> list[np.ndarray]:
@@ -234,6 +248,7 @@ class _Triangle:
         return [*self.legs, self.across, self.truth, self.wrong, *self.names]
 
     def show(self, error: LatencyError) -> None:
+        """Move everything to this error, and enlarge it to the room there is."""
         corner, top = (error.forwards_m, 0.0), (error.forwards_m, error.sideways_m)
         truth, drawn = (0.0, 0.0), error.exact[:2]
         for leg, ends in zip(self.legs, ((truth, corner), (corner, top)), strict=True):
