@@ -7,6 +7,7 @@
     tf2_monitor                   how late, and how often?
     view_frames                   what does the tree look like?
     trees                         the tree of a graph, with its real publishers
+    buffers                       what does this buffer look like?
     topic  topic_echo  topic_rates    who talks about what, what, and how often?
     node  param                   who is there, and how is it set?
     bag                           what was said, kept and said again?

@@ -6,7 +6,7 @@
 lost on the wire, so here we can.  On a robot, `ros2 topic info /tf --verbose`
 names the nodes, though not their frames.
 
-Read `topic.py` next.
+Read `buffers.py` next.
 """
 
 from __future__ import annotations
