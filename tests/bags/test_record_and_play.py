@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from making_bags import circle, write_rosbag1
 from rosbags.highlevel import AnyReader
 from rosbags.interfaces import QosDurability
 
@@ -166,6 +167,19 @@ def test_a_loop_sets_the_clock_back_and_an_offset_leaves_out_the_beginning(drive
     assert set(steps_ns[steps_ns > 0].tolist()) == {SECOND // 10}
     begin_ns = read_bag(drive).begin_ns
     assert recording.clock.time_ns.min() == begin_ns + 3 * SECOND
+
+
+@pytest.mark.parametrize("msgtype", ["tf2_msgs/msg/TFMessage", "tf/msg/tfMessage"])
+def test_a_ros1_bag_is_played_with_todays_types(tmp_path, msgtype):
+    rows = circle(20)
+    path = write_rosbag1(tmp_path / "old.bag", rows, msgtype)
+    graph = new_graph()
+    graph.start(ros2.main, ["bag", "play", str(path), "--loop"], name="play")
+    heard = recording_from_graph(graph, seconds=0.9).transforms
+    graph.stop()
+    new_graph()
+    assert {label[2:4] for label in heard.labels} == {("odom", "base_link")}
+    assert heard.numbers[:10].tolist() == [list(row[3]) for row in rows[1:11]]  # the first was said before we listened
 
 
 def test_only_the_topics_that_were_asked_for_are_played(drive):

@@ -45,9 +45,8 @@ def message_of(data: bytes, ros_type: str, is_ros1: bool = False) -> Message:
     Raises:
         KeyError: we have no such type.
     """
-    if is_ros1:
-        data = bytes(_ros1_store().ros1_to_cdr(data, ros_type))
-    return message_from_object(ros_type, store().deserialize_cdr(data, ros_type))
+    read = _ros1_store().deserialize_ros1 if is_ros1 else store().deserialize_cdr
+    return message_from_object(ros_type, read(data, ros_type))
 
 
 def qos_of(profile: QoSProfile) -> Qos:
@@ -90,8 +89,7 @@ def _ros1_store():
     from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 
     table = get_typestore(Stores.ROS1_NOETIC)
-    for ros_type in ("tf2_msgs/msg/TFMessage", "tf/msg/tfMessage"):
-        table.register(get_types_from_msg("geometry_msgs/TransformStamped[] transforms\n", ros_type))
+    table.register(get_types_from_msg("geometry_msgs/TransformStamped[] transforms\n", "tf2_msgs/msg/TFMessage"))
     return table
 
 
