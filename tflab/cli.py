@@ -30,6 +30,7 @@ class Subcommand(NamedTuple):
 SUBCOMMANDS = {
     "lab": Subcommand("open the workbook in JupyterLab, offline", "tflab.workbook.lab", "lab"),
     "doctor": Subcommand("say what is wrong with the TF of a recording", "tflab.doctor.command", "main"),
+    "export": Subcommand("write an executed notebook as HTML that works from a disk", "tflab.views.export", "main"),
     "run": Subcommand("run node files together in real time, with tools beside them", "tflab.tools.shell", "run"),
     "ros2": Subcommand("ROS 2's command line tools, on their own or on a bag", "tflab.tools.shell", "ros2"),
 }

@@ -5,7 +5,7 @@ from __future__ import annotations
 import nbformat
 import pytest
 
-from tflab.views.export import export_html
+from tflab.views.export import export_html, main
 from tflab.views.export_widgets import outputs_from_widget
 
 STATE = "application/vnd.jupyter.widget-state+json"
@@ -118,3 +118,11 @@ def test_the_page_says_its_language(tmp_path):
 def test_a_notebook_that_is_not_there_is_an_error(tmp_path):
     with pytest.raises(FileNotFoundError):
         export_html(tmp_path / "missing.ipynb", tmp_path)
+
+
+def test_the_command_prints_where_the_page_is_and_says_what_is_missing(tmp_path, capsys):
+    notebook = notebook_at(tmp_path / "page.ipynb", {}, ())
+    assert main([str(notebook), "--out", str(tmp_path / "site")]) == 0
+    assert capsys.readouterr().out == f"{tmp_path / 'site' / 'page.html'}\n"
+    assert main([str(tmp_path / "other.ipynb"), "--out", str(tmp_path)]) == 2
+    assert "there is no notebook" in capsys.readouterr().err

@@ -213,8 +213,18 @@ def test_choosing_a_fixed_frame_in_the_widget_redraws_and_takes_away_what_cannot
     rviz.fixed_frame = "mpa"
     assert "Fixed Frame: Frame [mpa] does not exist" in rviz.text
     assert rviz.scene.describe() == "3D scene: 0 frames, 0 other things"
-    rviz.fixed_frame = "odom"
+    picker = rviz.children[0]
+    picker.value = "odom"  # as a learner does with the mouse
     assert frame_line(rviz, "base_link").startswith("frame in odom: x 1.000 m")
+    assert set(picker.options) == {*PARENTS, "mpa"}
+    assert picker.label == "odom"  # which is what the browser shows
+
+
+def test_new_values_keep_the_fixed_frame():
+    rviz = RViz(*world(), fixed_frame="odom")
+    rviz.update(*world(without=("wheel_link",)))
+    assert rviz.fixed_frame == "odom"
+    assert "wheel_link: No transform from [wheel_link] to [odom]" in rviz.text
 
 
 def test_a_page_that_is_built_for_export_can_go_through_the_fixed_frames(monkeypatch):

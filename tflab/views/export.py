@@ -15,16 +15,19 @@ Files in `assets` are named after their content, so pages can share a folder.
 
 from __future__ import annotations
 
+import argparse
 import hashlib
 import json
 import re
+import sys
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 from .export_widgets import WIDGET_VIEW, LiveView, live_view, outputs_from_widget
 from .scene import viewer_file
 
-__all__ = ["export_html"]
+__all__ = ["export_html", "main"]
 
 STATIC = Path(__file__).parent / "static"
 STATE = "application/vnd.jupyter.widget-state+json"
@@ -68,6 +71,21 @@ def export_html(
     path = out_dir / f"{notebook_path.stem}.html"
     path.write_text(page, encoding="utf-8")
     return path
+
+
+def main(words: Sequence[str]) -> int:
+    """Run `tflab export NOTEBOOK --out DIR`; return the exit code."""
+    parser = argparse.ArgumentParser(prog="tflab export", description="Write an executed notebook as HTML.")
+    parser.add_argument("notebook", type=Path, help="a notebook that has been run, with its widgets' state")
+    parser.add_argument("--out", type=Path, required=True, help="the folder to write into")
+    parser.add_argument("--single-file", action="store_true", help="put everything into one file that can be mailed")
+    asked = parser.parse_args(words)
+    try:
+        print(export_html(asked.notebook, asked.out, asked.single_file))
+    except FileNotFoundError:
+        print(f'tflab export: there is no notebook "{asked.notebook}"', file=sys.stderr)
+        return 2
+    return 0
 
 
 def _without_widgets(notebook: Any) -> list[LiveView]:

@@ -102,13 +102,12 @@ class RViz(ipywidgets.VBox):
         self.scene = Scene(height_px=height_px)
         self._axis_m = axis_m
         self._drawn: set[str] = set()
-        self._picker = ipywidgets.Combobox(
-            value=fixed_frame, options=sorted(parents), description="Fixed Frame", continuous_update=False
-        )
+        self._picker = ipywidgets.Dropdown(description="Fixed Frame", style={"description_width": "initial"})
         self._list = ipywidgets.HTML()
         super().__init__([self._picker, self.scene, self._list])
+        self._picker.observe(self._on_choice, "value")
+        self._offer(parents, fixed_frame)
         self.update(parents, displays, ask)
-        self._picker.observe(lambda _change: self._redraw(), "value")
 
     @property
     def fixed_frame(self) -> str:
@@ -117,7 +116,8 @@ class RViz(ipywidgets.VBox):
 
     @fixed_frame.setter
     def fixed_frame(self, frame: str) -> None:
-        self._picker.value = frame
+        self._offer(self._parents, frame)
+        self._redraw()
 
     @property
     def text(self) -> str:
@@ -126,7 +126,7 @@ class RViz(ipywidgets.VBox):
     def update(self, parents: Mapping[str, str], displays: Sequence[Display], ask: Ask) -> None:
         """Show other values, with the same Fixed Frame."""
         self._parents, self._displays, self._ask = dict(parents), tuple(displays), ask
-        self._picker.options = tuple(sorted(parents))
+        self._offer(parents, self.fixed_frame)
         self._redraw()
 
     def sweep(
@@ -148,6 +148,16 @@ class RViz(ipywidgets.VBox):
 
         self.scene.sweep(name, values, draw, unit)
         self._drawn |= everything
+
+    def _offer(self, parents: Mapping[str, str], chosen: str) -> None:
+        """Let the picker offer every known frame, and the chosen one even if nobody knows it."""
+        self._picker.unobserve(self._on_choice, "value")  # new options choose one of themselves at first
+        self._picker.options = sorted({*parents, chosen})
+        self._picker.value = chosen
+        self._picker.observe(self._on_choice, "value")
+
+    def _on_choice(self, _change: object) -> None:
+        self._redraw()
 
     def _repr_mimebundle_(self, **kwargs: Any) -> tuple[dict, dict] | dict | None:
         if os.environ.get("TFLAB_FILMS"):
