@@ -6,6 +6,7 @@
     frames     how one draws a frame
     labels     where a name may stand
     typed      a block of numbers, quickly
+    bodies     what a robot looks like
     axes       which way is forward
     sentence   which one is the target
     timeline   what the buffer knew, and when

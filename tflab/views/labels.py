@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 
 Place = tuple[float, float]
 
+AIR_PT = 2.5  # between a name and what it must not cover
 NEAR_PT, FAR_PT = 8.0, 26.0  # between a thing and its name; a far name gets a thin line
 # below right, below left, above right, above left, right, left, below, above
 WAYS = np.array([(1, -1), (-1, -1), (1, 1), (-1, 1), (1.4, 0), (-1.4, 0), (0, -1.4), (0, 1.4)])
@@ -98,7 +99,7 @@ def place_labels(labels: Sequence[Label]) -> None:
     anchors = on_page([label.anchor for label in labels])
     ends = [line for label in labels for line in label.keep_off] or [(labels[0].anchor, labels[0].anchor)]
     starts, stops = on_page(np.array(ends).reshape(-1, 2)).reshape(-1, 2, 2).swapaxes(0, 1)
-    taken = np.vstack((np.linspace(starts, stops, 24).reshape(-1, 2), anchors))
+    taken = np.vstack((np.linspace(starts, stops, 48).reshape(-1, 2), anchors))
     boxes = np.empty((0, 4))
     for label, anchor in zip(labels, anchors, strict=True):
         if not label.text.get_text():
@@ -115,7 +116,7 @@ def place_labels(labels: Sequence[Label]) -> None:
 def _faults(candidates: np.ndarray, taken: np.ndarray, boxes: np.ndarray, paper: np.ndarray) -> np.ndarray:
     """Return how much each box, shape (n, 4), would cover: points of lines, and, worse, names and the paper's edge."""
     low, high = candidates[:, None, :2], candidates[:, None, 2:]
-    points = ((taken >= low) & (taken <= high)).all(axis=2).sum(axis=1)
+    points = ((taken >= low - AIR_PT) & (taken <= high + AIR_PT)).all(axis=2).sum(axis=1)
     names = ((low < boxes[:, 2:]) & (boxes[:, :2] < high)).all(axis=2).sum(axis=1)
     is_outside = (candidates[:, :2] < paper[:2]).any(axis=1) | (candidates[:, 2:] > paper[2:]).any(axis=1)
     return points + 50 * names + 50 * is_outside

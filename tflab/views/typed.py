@@ -7,7 +7,7 @@ matplotlib lays a text out anew, letter by letter, each time it is drawn.  A pag
 of numbers that follows a slider would spend most of its time on that; as an
 outline it takes a tenth.
 
-Read `axes.py` next.
+Read `bodies.py` next.
 """
 
 from __future__ import annotations
