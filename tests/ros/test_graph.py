@@ -1,6 +1,8 @@
 """The graph: time that passes when asked, participants that do not hurt each other, trouble that repeats."""
 
 import contextlib
+import os
+import signal
 import threading
 import time
 
@@ -401,3 +403,42 @@ def test_best_effort_is_no_reason_to_lose_anything_by_itself(graph):
     graph.start(recorder(heard, qos=QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)))
     graph.run(seconds=3)
     assert [text for _, text in heard] == ["1", "2", "3"]
+
+
+def press_stop_after(seconds_real):
+    """Send what the stop button of a notebook sends."""
+    timer = threading.Timer(seconds_real, lambda: os.kill(os.getpid(), signal.SIGINT))
+    timer.daemon = True
+    timer.start()
+
+
+def test_the_stop_button_stops_everything(graph):
+    tidied = []
+
+    def slow():
+        try:
+            while True:
+                time.sleep(0.001)
+                sum(range(10_000_000))  # it has the turn nearly all the time
+        finally:
+            tidied.append("slow")
+
+    participants = [graph.start(talker()), graph.start(slow)]
+    press_stop_after(0.3)
+    with pytest.raises(KeyboardInterrupt):
+        graph.run(seconds=1e9)
+    assert [each.is_running for each in participants] == [False, False]
+    assert tidied == ["slow"]
+
+
+def test_an_endless_spin_in_the_cell_passes_time_as_fast_as_it_really_does(graph):
+    rclpy.init()
+    node = Node("cell")
+    ticks = []
+    node.create_timer(0.05, lambda: ticks.append(graph.now_ns))
+    press_stop_after(0.5)
+    with pytest.raises(KeyboardInterrupt):
+        rclpy.spin(node)
+    assert rclpy.ok()
+    assert 1 <= len(ticks) <= 1000  # at full speed it would be ten thousands
+    rclpy.shutdown()

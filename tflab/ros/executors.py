@@ -156,8 +156,9 @@ class Executor:
 
     def spin(self) -> None:
         """Execute callbacks until the context ends or the executor is shut down."""
-        while self._context.ok() and not self._is_shutdown:
-            self.spin_once()
+        with self._driver.spinning():
+            while self._context.ok() and not self._is_shutdown:
+                self.spin_once()
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
         """Execute one callback; wait for it at most `timeout_sec` [s], for ever if None or negative.

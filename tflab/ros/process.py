@@ -83,6 +83,7 @@ class Process:
 
     def lost(self, where: str) -> None:
         """Give up a thread that keeps busy, and cannot even be interrupted."""
+        self.loop = where
         print(f'participant "{self.name}" was given up. {self.loop_text()}', file=sys.stderr, flush=True)
         self.end()
 

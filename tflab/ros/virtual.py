@@ -20,11 +20,15 @@ from __future__ import annotations
 import ctypes
 import heapq
 import itertools
+import signal
 import sys
 import threading
+import time
 import traceback
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from types import FrameType
 from typing import Any
 
 __all__ = ["START_NS", "EndlessLoop", "VirtualTime"]
@@ -35,6 +39,11 @@ START_NS = 1_000_000_000  # one second: readable stamps, and never 0, which tf2 
 # two nodes that answer each other at once get on with it.
 TURNS_PER_INSTANT = 2_000
 STEP_NS = 1_000_000
+
+# In real time [s]: how often to look whether Ctrl-C was pressed while somebody has the turn, and how long an
+# interrupted thread may take to give it back.
+SLICE_S = 0.1
+PATIENCE_AFTER_INTERRUPT_S = 2.0
 
 
 class EndlessLoop(BaseException):
@@ -73,13 +82,12 @@ class Strand:
         self._go.acquire()
         self._back.acquire()
 
-    def take_turn(self, patience_s: float) -> bool:
-        """Let the thread run until it gives the turn back; return False if it does not."""
+    def get_turn(self) -> None:
+        """Let the thread run until it gives the turn back."""
         self._go.release()
-        return self._back.acquire(timeout=patience_s)
 
     def has_given_back(self, patience_s: float) -> bool:
-        """Return whether the turn comes back late."""
+        """Return whether the thread gives the turn back within `patience_s` [s] of real time."""
         return self._back.acquire(timeout=patience_s)
 
     def give_turn_back(self) -> None:
@@ -118,6 +126,8 @@ class VirtualTime:
         self._ready: deque[Strand] = deque()
         self._strands: dict[int, Strand] = {}
         self._in_callback = 0
+        self._is_interrupted = False
+        self._pace_ns: int | None = None  # what to add to virtual time for the time it is to have in reality
 
     def now_ns(self) -> int:
         """Return the virtual time [ns]."""
@@ -172,6 +182,21 @@ class VirtualTime:
         if threading.get_ident() == self._home:
             self._in_callback -= 1
 
+    @contextmanager
+    def spinning(self) -> Iterator[None]:
+        """Mark that something spins without end; at home, time then passes as fast as it really does.
+
+        On a robot nobody would read faster, either, and the stop button ends it.
+        """
+        is_first = threading.get_ident() == self._home and self._pace_ns is None
+        if is_first:
+            self._pace_ns = time.monotonic_ns() - self._now_ns
+        try:
+            yield
+        finally:
+            if is_first:
+                self._pace_ns = None
+
     # -- strands --------------------------------------------------------------
 
     def adopt(self, thread: threading.Thread, process: Any) -> Strand:
@@ -208,8 +233,7 @@ class VirtualTime:
     def run_until(self, until_ns: int, done: Callable[[], bool] = lambda: False) -> None:
         """Do everything that is due up to and including `until_ns` [ns], or until `done()`."""
         self._must_be_home()
-        if self._go_on(until_ns, done):
-            self._now_ns = max(self._now_ns, until_ns)
+        self._go_on(until_ns, done)
 
     def _wait_at_home(self, waiter: VirtualWaiter, until_ns: int | None) -> None:
         self._must_be_home()
@@ -219,46 +243,84 @@ class VirtualTime:
                 "this would wait for ever: nobody in the graph has anything left to do, so nothing can arrive any "
                 "more. Start a participant that publishes or answers, or give a timeout."
             )
-        if nothing_left:
-            self._now_ns = max(self._now_ns, until_ns)
 
     def _go_on(self, until_ns: int | None, done: Callable[[], bool]) -> bool:
         """Hand out turns and pass time; return True when nothing is due any more, False when `done()`."""
         turns = 0
-        while not done():
-            if self._ready and turns < TURNS_PER_INSTANT:
-                self._turn(self._ready.popleft())
-                turns += 1
-                continue
-            turns = 0
-            next_ns = self._now_ns + STEP_NS if self._ready else self._agenda[0][0] if self._agenda else None
-            if next_ns is None or (until_ns is not None and next_ns > until_ns):
-                return True
-            self._now_ns = max(self._now_ns, next_ns)
-            while self._agenda and self._agenda[0][0] <= self._now_ns:
-                _, _, action, arguments = heapq.heappop(self._agenda)
-                action(*arguments)
+        with self._noting_interrupts():
+            while not done():
+                if self._is_interrupted:
+                    return False
+                if self._ready and turns < TURNS_PER_INSTANT:
+                    self._turn(self._ready.popleft())
+                    turns += 1
+                    continue
+                turns = 0
+                next_ns = self._now_ns + STEP_NS if self._ready else self._agenda[0][0] if self._agenda else None
+                if next_ns is None or (until_ns is not None and next_ns > until_ns):
+                    self._pass_time(self._now_ns if until_ns is None else until_ns)
+                    return True
+                self._pass_time(next_ns)
+                while self._agenda and self._agenda[0][0] <= self._now_ns:
+                    _, _, action, arguments = heapq.heappop(self._agenda)
+                    action(*arguments)
         return False
+
+    def _pass_time(self, until_ns: int) -> None:
+        """Set the clock; while something spins without end at home, wait until reality is there, too."""
+        while self._pace_ns is not None and not self._is_interrupted:
+            left_ns = until_ns + self._pace_ns - time.monotonic_ns()
+            if left_ns <= 0:
+                break
+            time.sleep(min(left_ns / 1e9, SLICE_S))
+        self._now_ns = max(self._now_ns, until_ns)
+
+    @contextmanager
+    def _noting_interrupts(self) -> Iterator[None]:
+        """Only note Ctrl-C, or the stop button, meanwhile: between two turns is the moment for it."""
+        self._is_interrupted = False
+        if threading.current_thread() is not threading.main_thread():
+            yield  # only the main thread hears of it
+            return
+
+        def note(number: int, frame: FrameType | None) -> None:
+            self._is_interrupted = True
+
+        before = signal.signal(signal.SIGINT, note)
+        try:
+            yield
+        finally:
+            signal.signal(signal.SIGINT, before)
+        if self._is_interrupted:
+            raise KeyboardInterrupt
 
     def _turn(self, strand: Strand) -> None:
         if strand.is_lost:
             return
-        try:
-            if not strand.take_turn(self.patience_s):
+        strand.get_turn()
+        waited_s = 0.0
+        while not strand.has_given_back(SLICE_S):
+            waited_s += SLICE_S
+            if self._is_interrupted:  # it hears of it, too, in the middle of what it does
+                _raise_in(strand.thread, KeyboardInterrupt)
+                self._wait_for_turn_of(strand)
+                return
+            if waited_s >= self.patience_s:
                 self._end_loop(strand)
-        except KeyboardInterrupt:  # the stop button: whoever has the turn must give it back first
-            _raise_in(strand.thread, KeyboardInterrupt)
-            strand.is_lost = not strand.has_given_back(2.0)
-            raise
+                return
 
     def _end_loop(self, strand: Strand) -> None:
         """Throw EndlessLoop into a strand that keeps its turn; give it up if that does not help."""
         where = _place_of(strand.thread)
         strand.process.loop = where
         _raise_in(strand.thread, EndlessLoop)
-        if not strand.has_given_back(2.0):
+        self._wait_for_turn_of(strand)
+
+    def _wait_for_turn_of(self, strand: Strand) -> None:
+        """Wait for the turn of a strand that was interrupted; give the strand up if it keeps it all the same."""
+        if not strand.has_given_back(PATIENCE_AFTER_INTERRUPT_S):
             strand.is_lost = True
-            strand.process.lost(where)
+            strand.process.lost(_place_of(strand.thread))
 
     def _ring(self, strand: Strand, until_ns: int) -> None:
         if strand.alarm_ns == until_ns:

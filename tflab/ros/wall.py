@@ -9,6 +9,7 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Callable
+from contextlib import AbstractContextManager, nullcontext
 
 __all__ = ["WallTime"]
 
@@ -70,6 +71,10 @@ class WallTime:
 
     def leave_callback(self) -> None:
         """Note that it has ended."""
+
+    def spinning(self) -> AbstractContextManager:
+        """Mark that something spins without end; nothing depends on it in real time."""
+        return nullcontext()
 
     def is_cooperative(self) -> bool:
         """Return whether this thread waits for its turn; nobody does in real time."""
