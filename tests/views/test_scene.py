@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+import subprocess
+import sys
 import threading
 
 import numpy as np
@@ -162,6 +164,11 @@ def test_who_opens_late_gets_everything_in_the_state(scene):
     state = scene.get_state()
     assert b"frames/map" in state["scene"]
     assert state["description"] == scene.describe()
+
+
+def test_importing_the_module_does_not_import_meshcat():
+    code = "import sys, tflab.views.scene; sys.exit('meshcat' in sys.modules)"
+    assert subprocess.run([sys.executable, "-c", code], timeout=60).returncode == 0
 
 
 def test_the_viewer_is_carried_once_for_all_scenes(scene):

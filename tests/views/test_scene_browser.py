@@ -201,14 +201,26 @@ swept = box_scene()
 swept.sweep("x", [-1.0, 0.0, 1.0], lambda x_m: swept["robot"].set_transform(at(x_m)), "m", start=1)
 swept
 """
+FILM = """
+from io import BytesIO
+from PIL import Image
+from tflab.views.film import Film
+
+def picture(colour):
+    png = BytesIO()
+    Image.new("RGB", (40, 20), colour).save(png, "png")
+    return png.getvalue()
+
+Film([picture("red"), picture("blue")], ["speed: 0", "speed: 1"], ["it stands", "it moves"], (40, 20))
+"""
 
 
 @pytest.fixture(scope="module")
 def executed(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A notebook with a slider, an animation and a sweep, run by nbclient."""
+    """A notebook with a slider, an animation, a sweep and a film, run by nbclient."""
     nbclient = pytest.importorskip("nbclient")
     nbformat = pytest.importorskip("nbformat")
-    cells = [nbformat.v4.new_code_cell(source) for source in (SETUP, SLIDER, ANIMATION, SWEEP)]
+    cells = [nbformat.v4.new_code_cell(source) for source in (SETUP, SLIDER, ANIMATION, SWEEP, FILM)]
     notebook = nbformat.v4.new_notebook(cells=cells, metadata={"kernelspec": {"name": "python3", "display_name": "p"}})
     nbclient.NotebookClient(notebook, timeout=60).execute()
     path = tmp_path_factory.mktemp("executed") / "moving.ipynb"
@@ -242,9 +254,12 @@ def test_an_exported_page_works_from_the_disk(executed, tmp_path, page, single_f
     wait_for_colour(page, ORANGE, *IN_THE_MIDDLE, view=2)
     sliders.nth(1).fill("2")
     wait_for_colour(page, ORANGE, *AT_1_M, view=2)
-    assert page.locator(".tflab-scrubber output").all_inner_texts() == ["1.00 s", "x = 1.00 m"]
+    assert page.locator(".tflab-film img").get_attribute("alt") == "it stands"
+    sliders.nth(2).fill("1")
+    assert page.locator(".tflab-film img").get_attribute("alt") == "it moves"
+    assert page.locator(".tflab-scrubber output").all_inner_texts() == ["1.00 s", "x = 1.00 m", "speed: 1"]
 
     # nothing is left that does nothing
     controls = page.locator("input, button, select, textarea")
-    assert controls.count() == page.locator(".tflab-scrubber :is(input, button)").count() == 4
+    assert controls.count() == page.locator(".tflab-scrubber :is(input, button)").count() == 6
     assert page.locator(".tflab-value").all_inner_texts() == ["x: 0.00", "map"]

@@ -17,6 +17,8 @@
     tree       who is whose child
     scene      in three dimensions, inside the page
     rviz       a small RViz
+    film       a picture for each place of a slider
+    export     pages that live on without a kernel
 
 A view receives values and, where it must ask, a function
 `ask(target_frame, source_frame, stamp_ns)`; it never holds a buffer or a graph.

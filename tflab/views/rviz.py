@@ -14,7 +14,7 @@ is drawn for every Fixed Frame, and its scrubber goes through them.
 `RViz` gets plain values and a function to ask; it holds no buffer.  What a view of
 one's own graph looks like is wired up in `tflab.tools`.
 
-(https://github.com/ros2/rviz)  Read `export_widgets.py` next.
+(https://github.com/ros2/rviz)  Read `film.py` next.
 """
 
 from __future__ import annotations
