@@ -100,7 +100,7 @@ class BufferCore(Inspection):
             if not cache.insert(stamped.stamp_ns, numbers, parent_number, authority):
                 return self._refused(stamped, cache, authority)
             self._tree.authorities[child_number] = authority
-            if self._requests.is_anyone_waiting:
+            if self._requests.waiting:
                 self._requests.judge_all()
             return True
         except (TypeError, OverflowError):
@@ -132,7 +132,7 @@ class BufferCore(Inspection):
         with self._lock:
             cache = self._tree.caches[self._tree.numbers.get(child, 0)]
             newest_ns = cache.newest_ns if isinstance(cache, TimeCache) and len(cache) else None
-            if self._requests.is_anyone_waiting or not batch.is_plain(parent, child, stamps, numbers, newest_ns):
+            if self._requests.waiting or not batch.is_plain(parent, child, stamps, numbers, newest_ns):
                 return sum(
                     self.set_transform(StampedTransform(parent, child, stamp, Transform(row[:3], row[3:])), authority)
                     for stamp, row in zip(stamps.tolist(), numbers.tolist(), strict=True)
@@ -362,7 +362,7 @@ class BufferCore(Inspection):
         if not accepted:
             return self._refused(stamped, cache, authority)
         tree.authorities[child_number] = authority
-        if self._requests.is_anyone_waiting:
+        if self._requests.waiting:
             self._requests.judge_all()
         return True
 

@@ -161,11 +161,9 @@ class TimeCache:
         i = bisect_right(self._stamps, stamp_ns, self._first) - 1
         segment = self._segments.get(i)
         if segment is None:
-            i = self._find(stamp_ns)
-            if i < 0:
-                return None
-            if i == len(self._stamps) - 1 or self._stamps[i + 1] == self._stamps[i]:
-                return self._pose(i)
+            if stamp_ns == LATEST or not self.oldest_ns < stamp_ns < self.newest_ns:
+                i = self._find(stamp_ns)
+                return None if i < 0 else self._pose(i)
             segment = self._segment(i)
         start_ns, rate, x, y, z, x1, y1, z1, ax, ay, az, aw, bx, by, bz, bw, theta = segment
         ratio = (stamp_ns - start_ns) * rate
@@ -268,10 +266,10 @@ class TimeCache:
         if len(self._segments) >= SEGMENTS_REMEMBERED:
             self._segments.clear()
         segment = (start_ns, rate, x, y, z, x1, y1, z1, ax, ay, az, aw, bx, by, bz, bw, theta)
-        # Not remembered: what _find, and not the order of the samples, decides.
-        twin_of_oldest = start_ns == self.oldest_ns and i != self._first
+        # Not remembered: where _find, and not the order of the samples, decides.
+        is_twin_of_oldest = start_ns == self.oldest_ns and i != self._first
         holds_latest = start_ns <= LATEST < self._stamps[i + 1]
-        if not (twin_of_oldest or holds_latest):
+        if not (is_twin_of_oldest or holds_latest):
             self._segments[i] = segment
         return segment
 

@@ -180,7 +180,24 @@ def canonical(q: Sequence[float]) -> Quaternion:
 
     A quaternion without direction (zeros, NaN, infinite) comes out as NaN.
     """
+    x, y, z, w = q
     try:
+        # from_matrix(to_matrix(q)), with only those elements that are needed if the trace is positive.
+        s = 2.0 / (x * x + y * y + z * z + w * w)
+        xs, ys, zs = x * s, y * s, z * s
+        xx, yy, zz = x * xs, y * ys, z * zs
+        trace = (1.0 - (yy + zz)) + (1.0 - (xx + zz)) + (1.0 - (xx + yy))
+        if trace > 0.0:
+            wx, wy, wz = w * xs, w * ys, w * zs
+            xy, xz, yz = x * ys, x * zs, y * zs
+            root = sqrt(trace + 1.0)
+            s = 0.5 / root
+            return (
+                ((yz + wx) - (yz - wx)) * s,
+                ((xz + wy) - (xz - wy)) * s,
+                ((xy + wz) - (xy - wz)) * s,
+                root * 0.5,
+            )
         return from_matrix(to_matrix(q))
     except (ZeroDivisionError, ValueError):  # 2 / 0, or the root of a negative number
         return _NAN

@@ -44,12 +44,8 @@ class RequestQueue:
 
     def __init__(self, tree: Tree) -> None:
         self._tree = tree
-        self._waiting: list[_Request] = []
+        self.waiting: list[_Request] = []
         self._last_handle = 0
-
-    @property
-    def is_anyone_waiting(self) -> bool:
-        return bool(self._waiting)
 
     def add(self, target_frame: str, source_frame: str, stamp_ns: int, callback: RequestCallback) -> int:
         """Queue a request, or say at once that it is POSSIBLE_NOW or NEVER will be.
@@ -61,12 +57,12 @@ class RequestQueue:
         if self._is_too_old(target_frame, source_frame, stamp_ns):
             return NEVER
         self._last_handle += 1
-        self._waiting.append(_Request(self._last_handle, target_frame, source_frame, stamp_ns, callback))
+        self.waiting.append(_Request(self._last_handle, target_frame, source_frame, stamp_ns, callback))
         return self._last_handle
 
     def cancel(self, handle: int) -> None:
         """Forget a request; its callback will not be called.  An unknown handle is ignored."""
-        self._waiting = [request for request in self._waiting if request.handle != handle]
+        self.waiting = [request for request in self.waiting if request.handle != handle]
 
     def judge_all(self) -> None:
         """Take every decided request out of the queue, then call back.
@@ -77,16 +73,16 @@ class RequestQueue:
         """
         decided = []
         i = 0
-        while i < len(self._waiting):
-            request = self._waiting[i]
+        while i < len(self.waiting):
+            request = self.waiting[i]
             result = self._judge(request)
             if result is None:
                 i += 1
                 continue
             decided.append((request, result))
-            last = self._waiting.pop()
+            last = self.waiting.pop()
             if last is not request:
-                self._waiting[i] = last
+                self.waiting[i] = last
         errors = []
         for request, result in decided:
             try:

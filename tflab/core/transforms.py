@@ -189,9 +189,9 @@ def canonical_pose(pose: Pose) -> Pose:
     See quaternions.from_matrix for the rule.  Where it hangs on the last digit,
     the pose takes tf2's way through a matrix and back.
     """
-    x, y, z, qx, qy, qz, qw = pose
-    if qw > HALF_AND_A_BIT:
+    if pose[6] > HALF_AND_A_BIT:
         return pose
+    x, y, z, qx, qy, qz, qw = pose
     if qw >= -HALF_AND_A_BIT:
         _, middle, largest = sorted((abs(qx), abs(qy), abs(qz)))
         if abs(qw) > 0.5 - A_BIT or largest - middle < A_BIT:
@@ -220,11 +220,15 @@ def transform_from_pose(pose: Pose) -> Transform:
 
 def stamped_from_pose(frame_id: str, child_frame_id: str, stamp_ns: int, pose: Pose) -> StampedTransform:
     """Return the stamped transform with these seven numbers."""
+    x, y, z, qx, qy, qz, qw = pose
+    transform = _new(Transform)
+    _set_translation(transform, (x, y, z))
+    _set_rotation(transform, (qx, qy, qz, qw))
     stamped = _new(StampedTransform)
     _set_frame_id(stamped, frame_id)
     _set_child_frame_id(stamped, child_frame_id)
     _set_stamp_ns(stamped, stamp_ns)
-    _set_transform(stamped, transform_from_pose(pose))
+    _set_transform(stamped, transform)
     return stamped
 
 
