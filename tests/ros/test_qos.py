@@ -9,7 +9,6 @@ from tflab.ros.qos import (
     DurabilityPolicy,
     HistoryPolicy,
     InvalidQoSProfileException,
-    QoSCompatibility,
     QoSDurabilityPolicy,
     QoSHistoryPolicy,
     QoSLivelinessPolicy,
@@ -17,11 +16,10 @@ from tflab.ros.qos import (
     QoSProfile,
     QoSReliabilityPolicy,
     ReliabilityPolicy,
-    incompatible_policy,
     profile_from,
-    qos_check_compatible,
     qos_profile_sensor_data,
 )
+from tflab.ros.qos_compatibility import QoSCompatibility, incompatible_policy, qos_check_compatible
 
 RELIABLE, BEST_EFFORT = ReliabilityPolicy.RELIABLE, ReliabilityPolicy.BEST_EFFORT
 TRANSIENT_LOCAL, VOLATILE = DurabilityPolicy.TRANSIENT_LOCAL, DurabilityPolicy.VOLATILE

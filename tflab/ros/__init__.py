@@ -37,14 +37,18 @@ also init, create nodes and spin, and time passes while it does.
 
 Read in this order; each page names the next:
 
-    activation  distro | clock_type  duration  time | process  virtual  wall  graph  threads
-    network  qos  names  exceptions  arguments  context  logging
-    entity  timer  guard_condition  publisher  subscription  service  callback_groups  task
-    executors  signals  parameter  node_parameters  parameter_service  clock  time_source
-    node  graph_queries  client_library
-    convert  tf2_core  tf2_interface  tf2_buffer  tf2_listener  tf2_broadcaster
-    geometry  clouds | filters  message_filter | action  tf2_client     (messages/ has a table of its own)
-    snapshot  notebook  run
+    activation  distro                                   modules put in place
+    messages/                                            what nodes send each other
+    clock_type  duration  time                           when, and for how long
+    process  virtual  wall  graph  threads  network      who lives here, and how time passes
+    qos  qos_compatibility  names  exceptions  arguments  context  logging
+    entity  timer  guard_condition  publisher  subscription  service  action
+    callback_groups  task  executors  signals
+    parameter  node_parameters  parameter_service  clock  time_source
+    node  node_entities  graph_queries  client_library  wait_for_message  serialization
+    convert  tf2_core  tf2_interface  tf2_buffer  tf2_listener  tf2_broadcaster  tf2_client
+    geometry  clouds  filters  message_filter            transforms of messages, and waiting for them
+    snapshot  notebook  run                              looking at a graph, pages, scripts
 """
 
 from .activation import activate, deactivate, is_active

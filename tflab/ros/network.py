@@ -24,7 +24,7 @@ from . import distro
 from .convert import msg_from_stamped, stamped_from_msg, stampeds_from_plain_msgs
 from .messages import copy_message
 from .messages.tf2_msgs import TFMessage
-from .qos import incompatible_policy
+from .qos_compatibility import incompatible_policy
 
 __all__ = ["Link", "Network", "Sample", "Topic"]
 

@@ -5,7 +5,6 @@ from tflab.ros.qos import (
     HistoryPolicy,
     InvalidQoSProfileException,
     LivelinessPolicy,
-    QoSCompatibility,
     QoSDurabilityPolicy,
     QoSHistoryPolicy,
     QoSLivelinessPolicy,
@@ -13,7 +12,6 @@ from tflab.ros.qos import (
     QoSProfile,
     QoSReliabilityPolicy,
     ReliabilityPolicy,
-    qos_check_compatible,
     qos_profile_action_status_default,
     qos_profile_best_available,
     qos_profile_default,
@@ -25,6 +23,7 @@ from tflab.ros.qos import (
     qos_profile_system_default,
     qos_profile_unknown,
 )
+from tflab.ros.qos_compatibility import QoSCompatibility, qos_check_compatible
 
 __all__ = [
     "DurabilityPolicy",
