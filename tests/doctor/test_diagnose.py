@@ -180,6 +180,14 @@ def test_a_wrong_case_between_a_driver_and_the_tree_is_named():
     assert alarming(replace(recording(*HEALTHY), headers=(scan,))) == {"name-case"}
 
 
+@pytest.mark.parametrize(("delay_ms", "codes"), [(105, set()), (-500, {"messages-early"}), (5000, {"messages-late"})])
+def test_a_sensor_on_another_clock_is_named(delay_ms, codes):
+    stamps = np.arange(1, 30, dtype=np.int64) * 100 * MS + 6 * SECOND
+    frames = ("laser_frame",)
+    scan = Headers("/scan", "LaserScan", stamps + delay_ms * MS, stamps, np.zeros(29, dtype=np.int64), frames)
+    assert alarming(replace(recording(*HEALTHY), headers=(scan,))) == codes
+
+
 def test_stamps_that_were_never_set_are_an_error():
     unset = [r._replace(stamped=replace(r.stamped, stamp_ns=0)) for r in edge("odom", "base_link")]
     assert alarming(recording(HEALTHY[0], unset, HEALTHY[2])) == {"unset-stamps"}
@@ -202,6 +210,17 @@ def test_a_mount_that_is_sent_on_both_topics_is_repeated_and_has_not_two_owners(
 
 def test_a_child_that_moves_and_is_bolted_on_has_two_owners():
     assert alarming(recording(*HEALTHY, edge("base_link", "laser_frame"))) == {"moving-and-static"}
+
+
+def test_an_edge_that_changes_over_to_tf_static_moves_there():
+    samples = edge("odom", "base_link")
+    changed = [record._replace(topic="/tf_static", is_static=True) for record in samples[50:]]
+    assert alarming(recording(HEALTHY[0], samples[:50], changed, HEALTHY[2])) == {"moving-on-static"}
+
+
+def test_a_robot_that_is_prefixed_below_its_odometry_is_one_robot_with_a_wrong_prefix():
+    prefixed = [edge("r1/base_link", f"r1/arm_{i}") for i in range(3)]
+    assert alarming(recording(*HEALTHY, *prefixed)) == {"name-prefix"}
 
 
 def test_all_names_with_a_slash_on_a_topic_are_one_finding():

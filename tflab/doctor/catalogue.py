@@ -28,7 +28,7 @@ CODES_OF_FAULT: dict[Fault, tuple[str, ...]] = {
     Fault.LOOP: ("loop", "self-transform"),
     Fault.LEADING_SLASH: ("leading-slash", "message-slash"),
     Fault.CLOCK_JUMPED_BACK: ("clock-jump-back",),
-    Fault.CLOCK_OFFSET: ("clock-offset", "late-stamps", "early-stamps"),
+    Fault.CLOCK_OFFSET: ("clock-offset", "late-stamps", "early-stamps", "messages-early", "messages-late"),
     Fault.STATIC_ON_TF: ("constant-on-tf",),
     Fault.MOVING_ON_TF_STATIC: ("moving-on-static", "static-changed"),
     Fault.NO_TF_STATIC: ("statics-missing",),

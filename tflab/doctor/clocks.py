@@ -18,7 +18,7 @@ import numpy as np
 from tflab.bags.recording import Headers
 from tflab.core import NSEC_PER_SEC
 
-from .evidence import Edge, Evidence
+from .evidence import Edge, Evidence, is_stamped
 from .findings import Finding
 from .jumps import Jump
 
@@ -130,7 +130,7 @@ def clock_offset(evidence: Evidence) -> Iterator[Finding]:
 
 
 def _has_stamps(source: Edge | Headers) -> bool:
-    return len(source.stamp_ns) >= FEWEST_SAMPLES and bool(source.stamp_ns.all())
+    return len(source.stamp_ns) >= FEWEST_SAMPLES and is_stamped(source)
 
 
 def _same_way(a: Jump, b: Jump) -> bool:

@@ -50,6 +50,7 @@ CHECKS = (
     Check("order of stamps", timing.unordered_stamps, "arrival"),
     Check("gaps", timing.gaps),
     Check("delays", timing.odd_delays, "arrival"),
+    Check("delays of other messages", timing.odd_message_delays, "recording"),
     Check("one owner for each transform", owners.several_owners),
     Check("one owner for each static transform", owners.several_static_owners, "arrival"),
     Check("moving or static, not both", owners.owners_of_both_kinds, "raw"),
@@ -71,7 +72,7 @@ EFFECTS_ON_CHILD = {
     "moving-and-static": ("constant-on-tf", "static-changed", "two-parents"),
     "unset-stamps": ("repeated-stamps", "unordered-stamps", "gap", "clock-jump-back", "clock-jump-forward",
                      "late-stamps", "early-stamps"),
-    "moving-on-static": ("static-changed", "moving-and-static"),
+    "moving-on-static": ("static-changed", "moving-and-static", "went-silent"),
     "constant-on-tf": ("early-stamps", "stamped-ahead"),  # as ROS 1 sends them: stamped ahead by a period
     "self-transform": ("loop", "two-parents", "re-parented"),
 }  # fmt: skip
@@ -84,7 +85,7 @@ EFFECTS_ANYWHERE = {
     "loop": ("re-parented", "two-parents", "two-trees"),
     "re-parented": ("two-trees",),
     "two-parents": ("two-trees",),
-    "clock-offset": ("late-stamps", "early-stamps"),
+    "clock-offset": ("late-stamps", "early-stamps", "messages-early", "messages-late"),
     "stall": ("late-stamps",),
     "two-trees": ("unknown-frame",),
 }

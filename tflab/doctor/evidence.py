@@ -30,7 +30,7 @@ from tflab.core import NSEC_PER_SEC, BufferCore
 
 from .jumps import Jump, find_jumps
 
-__all__ = ["ClockRelation", "Edge", "Evidence", "evidence_from_buffer", "evidence_from_recording"]
+__all__ = ["ClockRelation", "Edge", "Evidence", "evidence_from_buffer", "evidence_from_recording", "is_stamped"]
 
 SAME_CLOCK_NS = 3600 * NSEC_PER_SEC  # two clocks of one robot differ by less than this, sim time and 1970 by more
 BINS = 64
@@ -250,6 +250,11 @@ def evidence_from_buffer(buffer: BufferCore, subject: str = "buffer") -> Evidenc
     )
 
 
+def is_stamped(source: Edge | Headers) -> bool:
+    """Return whether the stamps of a source were set; a single zero may be the first moment of a simulated clock."""
+    return len(source.stamp_ns) > 0 and np.count_nonzero(source.stamp_ns == 0) <= min(1, len(source.stamp_ns) - 1)
+
+
 def clock_relation(moving: list[Edge], headers: tuple[Headers, ...], clock: Clock) -> ClockRelation:
     """Return the difference between the recorder's clock and the one that stamps.
 
@@ -260,7 +265,7 @@ def clock_relation(moving: list[Edge], headers: tuple[Headers, ...], clock: Cloc
     """
     if len(clock.time_ns) > 1:
         return ClockRelation("/clock", clock.receive_ns, (clock.receive_ns - clock.time_ns) / NSEC_PER_SEC)
-    sources = [source for source in (*moving, *headers) if len(source.stamp_ns) > 1 and source.stamp_ns.any()]
+    sources = [source for source in (*moving, *headers) if len(source.stamp_ns) > 1 and is_stamped(source)]
     if not sources:
         return ClockRelation("same", np.zeros(0), np.zeros(0))
     usual_s = float(np.median([np.median(s.receive_ns - s.stamp_ns) for s in sources])) / NSEC_PER_SEC

@@ -104,11 +104,9 @@ def _is_the_wrong_one(evidence: Evidence, name: str, other: str, kind: str) -> b
     if kind == "case":
         return _weight(evidence, name) < _weight(evidence, other)
     if kind == "prefix":
-        return (
-            not _is_a_robot(evidence, name)
-            and not _is_a_robot(evidence, other)
-            and (_weight(evidence, name) < _weight(evidence, other))
-        )
+        hangs = name not in evidence.parent_of and other in evidence.parent_of  # a whole robot with a wrong prefix
+        is_stranger = not _is_a_robot(evidence, name) and not _is_a_robot(evidence, other)
+        return hangs or (is_stranger and _weight(evidence, name) < _weight(evidence, other))
     # A slip must leave something unconnected: many pairs of honest names are alike.
     if other not in evidence.frames:
         return name not in _frames_in_messages(evidence) and _is_leaf(evidence, name)

@@ -21,7 +21,7 @@ from tflab.core import NSEC_PER_SEC
 
 from .evidence import Edge, Evidence
 from .findings import Finding
-from .motion import distances, is_constant, unit
+from .motion import LEAST_DIFFERENCE_M, distances, is_constant, unit
 
 __all__ = ["constant_on_tf", "missing_statics", "moving_on_static", "volatile_statics"]
 
@@ -73,7 +73,7 @@ def moving_on_static(evidence: Evidence) -> Iterator[Finding]:
         code, severity = "moving-on-static", "error"
         if changes == 1:
             code, severity = "static-changed", "warning"
-        elif _takes_turns(poses, is_change):
+        elif apart_m.max() > LEAST_DIFFERENCE_M and _takes_turns(poses, is_change):
             code = "two-owners"
             facts["evidence"] = f"two values on /tf_static, {apart_m.max():.3f} m apart, that took turns"
         span = (int(edge.receive_ns[0]), int(edge.receive_ns[-1]))

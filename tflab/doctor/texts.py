@@ -217,6 +217,20 @@ TEXTS: dict[str, Text] = {
         "AMCL and others add their transform_tolerance, so that lookups between two corrections succeed.",
         MONITOR,
     ),
+    "messages-early": Text(
+        "Messages on {topic} are stamped in the future",
+        "{count} messages, received {delay} s before their stamp as a rule.",
+        "The clock of the sensor's computer is ahead: lookups at these stamps need an extrapolation into the future, "
+        "and waiting does not help.",
+        "ros2 topic delay {topic}",
+    ),
+    "messages-late": Text(
+        "Messages on {topic} are stamped long ago",
+        "{count} messages, received {delay} s after their stamp as a rule.",
+        "Processing takes long, or the clock of the sensor's computer is behind: lookups at these stamps may find "
+        "that the buffer has forgotten them.",
+        "ros2 topic delay {topic}",
+    ),
     # owners
     "two-owners": Text(
         "{parent} -> {child} has two owners",

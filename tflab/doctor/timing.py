@@ -21,11 +21,11 @@ import numpy as np
 from tflab.core import NSEC_PER_SEC
 
 from .clocks import settled_delay_s
-from .evidence import Edge, Evidence
+from .evidence import Edge, Evidence, is_stamped
 from .findings import Finding
 from .motion import distances, unit
 
-__all__ = ["gaps", "odd_delays", "repeated_stamps", "unordered_stamps", "unset_stamps"]
+__all__ = ["gaps", "odd_delays", "odd_message_delays", "repeated_stamps", "unordered_stamps", "unset_stamps"]
 
 LEAST_GAP_S = 0.25
 GAP_PERIODS = 5.0  # a gap is longer than so many usual steps ...
@@ -34,9 +34,11 @@ FEWEST_SAMPLES = 8
 ODD_SHARE = 0.1  # of the samples of an edge
 ALIKE_SHARE = 0.25  # of its length: silences that begin and end within so much of each other are one event
 FEWEST_REPEATED = 3  # stamps, before it is more than a slip ...
-REPEATED_SHARE = 0.005  # ... and their share of an edge
+REPEATED_SHARE = 0.002  # ... and their share of an edge
 LATE_S = 0.1  # more than the others: at 1 m/s an error of 10 cm
 EARLY_S = 0.05
+MESSAGE_EARLY_S = 0.1  # a scan may be stamped at its end, a little after it is published
+MESSAGE_LATE_S = 2.0  # finding things in a picture takes time, but a buffer forgets
 TOLERANCE_S = 1.5  # how far ahead a localiser may stamp map -> odom (AMCL's transform_tolerance is 1 s)
 
 
@@ -58,7 +60,7 @@ def repeated_stamps(evidence: Evidence) -> Iterator[Finding]:
             order = np.argsort(stamps, kind="stable")
             again = order[1:][np.diff(stamps[order]) == 0]
             repeats.extend((stretch.start + again).tolist())
-        if not repeats or not edge.stamp_ns.any():
+        if not repeats or not is_stamped(edge):
             continue
         repeats.sort()
         severity = "warning" if len(repeats) >= max(FEWEST_REPEATED, REPEATED_SHARE * len(edge)) else "info"
@@ -87,7 +89,7 @@ def unset_stamps(evidence: Evidence) -> Iterator[Finding]:
     """Yield a finding for each moving edge with stamps of zero."""
     for edge in evidence.moving:
         unset = np.flatnonzero(edge.stamp_ns == 0)
-        if len(unset):
+        if not is_stamped(edge):
             facts = {"count": len(unset), "total": len(edge)}
             yield _finding(edge, "unset-stamps", "error", int(unset[0]), int(unset[-1]), facts)
 
@@ -108,7 +110,7 @@ def gaps(evidence: Evidence) -> Iterator[Finding]:
 def odd_delays(evidence: Evidence) -> Iterator[Finding]:
     """Yield a finding for each moving edge that is, or was for a while, much earlier or later than the others."""
     for edge in evidence.moving:
-        if len(edge) < FEWEST_SAMPLES or not edge.stamp_ns.all():
+        if len(edge) < FEWEST_SAMPLES or not is_stamped(edge):
             continue
         delay_s = settled_delay_s(evidence, edge)
         others_s = _least_delay_of_others(evidence, edge)
@@ -127,11 +129,27 @@ def odd_delays(evidence: Evidence) -> Iterator[Finding]:
                 yield _finding(edge, code, "warning", int(odd[0]), int(odd[-1]), facts)
 
 
+def odd_message_delays(evidence: Evidence) -> Iterator[Finding]:
+    """Yield a finding for each topic whose messages are stamped ahead of the transforms, or long before them."""
+    if not evidence.moving:
+        return
+    for header in evidence.headers:
+        if len(header.stamp_ns) < FEWEST_SAMPLES or not is_stamped(header):
+            continue
+        usual_s = float(np.median(evidence.delay_s(header)))
+        if -MESSAGE_EARLY_S <= usual_s <= MESSAGE_LATE_S:
+            continue
+        code = "messages-early" if usual_s < 0.0 else "messages-late"
+        facts = {"topic": header.topic, "delay": f"{abs(usual_s):.3f}", "count": len(header.stamp_ns)}
+        span = (int(header.receive_ns[0]), int(header.receive_ns[-1]))
+        yield Finding(code, "warning", "", "", header.topic, *span, facts)
+
+
 def _least_delay_of_others(evidence: Evidence, edge: Edge) -> float:
     """Return the usual delay of the other source that has the least [s]; 0 if there is none, or it is ahead."""
     others = [other for other in evidence.moving if other is not edge and len(other) >= FEWEST_SAMPLES]
     delays = [settled_delay_s(evidence, other) for other in others]
-    delays += [evidence.delay_s(h) for h in evidence.headers if len(h.stamp_ns) and h.stamp_ns.all()]
+    delays += [evidence.delay_s(h) for h in evidence.headers if is_stamped(h)]
     return max(0.0, min((float(np.median(delay_s)) for delay_s in delays), default=0.0))
 
 
