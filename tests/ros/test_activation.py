@@ -141,3 +141,11 @@ def test_loading_in_a_notebook_says_so_in_one_line_and_leaves_the_graph(capsys):
         set_field_checks(None)
         write_to_stdout(False)
         use_graph(None)
+
+
+def test_deactivating_gives_python_its_own_sleep_back(graph):
+    import time
+
+    assert time.sleep.__module__ == "tflab.ros.threads"
+    ros.deactivate()
+    assert time.sleep.__module__ == "time"

@@ -22,6 +22,8 @@ from importlib.machinery import ModuleSpec, PathFinder
 from importlib.util import find_spec
 from pathlib import Path
 
+from . import threads
+
 __all__ = ["PACKAGES", "activate", "deactivate", "is_active"]
 
 PACKAGES = (
@@ -94,6 +96,7 @@ def activate(which: str | None = None) -> str:
 
 def deactivate() -> None:
     """Undo activate(): the names belong to nobody again, and what was imported is forgotten."""
+    threads.uninstall()
     if not is_active():
         return
     sys.meta_path.remove(_finder)

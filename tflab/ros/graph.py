@@ -166,6 +166,9 @@ class Graph:
             each.interrupt()
         if self.driver.is_virtual:
             self._advance(GRACE_NS, lambda: not any(each.is_running for each in concerned), stop=False)
+        else:
+            for each in concerned:
+                each.main_thread.join(GRACE_NS / 1e9 / len(concerned))
         for each in concerned:
             if each.is_running:
                 print(f'participant "{each.name}" went on after it was interrupted, and was ended.', file=sys.stderr)
