@@ -282,5 +282,14 @@ def test_a_bag_is_whole_after_an_error(tmp_path):
     assert (event.moment_ns, event.message.data) == (5, "hello")
 
 
+def test_closing_twice_is_no_harm_and_what_comes_later_is_not_stored(tmp_path):
+    writer = BagWriter(tmp_path / "drive")
+    writer.add_topic("/chatter", "std_msgs/msg/String")
+    writer.close()
+    writer.write("/chatter", std_msgs.String(data="too late"), 5)
+    writer.close()
+    assert bag_facts(tmp_path / "drive").count == 0
+
+
 def test_the_robot_of_the_recording_is_the_teaching_robot(drive):
     assert read_bag(drive).robot_description == TeachingRobot().urdf

@@ -37,7 +37,7 @@ def streams(draw):
     return records
 
 
-@settings(max_examples=200)
+@settings(max_examples=80)
 @given(streams(), st.sampled_from([None, 3 * SECOND]))
 def test_the_buffer_is_the_one_that_was_fed_one_by_one(records, cache_time_ns):
     logging.getLogger("tflab.tf2").disabled = True

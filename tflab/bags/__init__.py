@@ -5,7 +5,9 @@
     messages    the bytes of a TFMessage, and of a header
     reader      from a bag, of ROS 2 or ROS 1, to a recording
     progress    how far along long work is
+    wire        messages and qualities of service, as a bag holds them
     record      `ros2 bag record`: from the graph to a bag
+    listen      from the graph to a recording, without a file
     play        `ros2 bag play`: from a bag to the graph
     info        `ros2 bag info`
 

@@ -12,6 +12,8 @@ ends.  Read `play.py` next.
 
 from __future__ import annotations
 
+import atexit
+import threading
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -51,6 +53,9 @@ class BagWriter:
         except OSError as error:
             raise BagError(f"{path}: cannot be made ({error.strerror})") from None
         self._connections = {}
+        self._lock = threading.Lock()
+        self._is_open = True
+        atexit.register(self.close)  # whoever presses Ctrl-C twice does not wait for the thread that records
 
     def add_topic(self, topic: str, ros_type: str, profiles: Sequence[QoSProfile] = ()) -> None:
         """Announce a topic, with the profiles that its publishers offer."""
@@ -60,11 +65,18 @@ class BagWriter:
 
     def write(self, topic: str, message: Message, receive_ns: int) -> None:
         """Store a message of an announced topic, received at `receive_ns` [ns]."""
-        self._writer.write(self._connections[topic], receive_ns, wire.bytes_of(message))
+        data = wire.bytes_of(message)
+        with self._lock:
+            if self._is_open:
+                self._writer.write(self._connections[topic], receive_ns, data)
 
     def close(self) -> None:
-        """Finish the bag."""
-        self._writer.close()
+        """Finish the bag; again is no harm, and what comes later is not stored."""
+        with self._lock:
+            if self._is_open:
+                self._is_open = False
+                self._writer.close()
+        atexit.unregister(self.close)
 
     def __enter__(self) -> BagWriter:
         return self
