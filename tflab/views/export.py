@@ -66,7 +66,8 @@ def export_html(
         assets |= styles
         _write_assets(assets, out_dir / "assets")
     page = page.replace("</head>", _head(assets, views, single_file) + "</head>", 1)
-    page = page.replace("</body>", _foot(views) + "</body>", 1)
+    content, end, rest = page.rpartition("</body>")
+    page = content + _foot(views) + end + rest
     out_dir.mkdir(parents=True, exist_ok=True)
     path = out_dir / f"{notebook_path.stem}.html"
     path.write_text(page, encoding="utf-8")

@@ -162,6 +162,7 @@ class RViz(ipywidgets.VBox):
     def _repr_mimebundle_(self, **kwargs: Any) -> tuple[dict, dict] | dict | None:
         if os.environ.get("TFLAB_FILMS"):
             self._sweep_fixed_frames()
+            self.children = (self.scene, self._list)  # the scrubber takes the picker's place
         return super()._repr_mimebundle_(**kwargs)
 
     def _sweep_fixed_frames(self) -> None:

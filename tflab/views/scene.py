@@ -137,7 +137,7 @@ class Scene(anywidget.AnyWidget):
         self.visualizer.set_property(key, value)
 
     def set_animation(self, animation: Animation, play: bool = True, repetitions: int = 1) -> None:
-        """Give the scene an animation, and its view a scrubber."""
+        """Give the scene an animation, and its views a scrubber; `play` starts it in views that are open by now."""
         self.visualizer.set_animation(animation, play=play, repetitions=repetitions)
 
     def delete(self) -> None:

@@ -94,7 +94,6 @@ class View {
   draw() {
     if (!this.pane.clientWidth || !this.pane.clientHeight) return;
     if (this.grown) { this.grown = false; this.fit(); }
-    this.onFrame?.();
     this.viewer.render();
   }
 
@@ -217,9 +216,8 @@ function note(box, text) {
   box.replaceChildren(words);
 }
 
-function renderScene(model, el, live) {
-  const box = document.createElement("div");
-  const pane = document.createElement("div");
+function emptyBox(model) {
+  const box = document.createElement("div"), pane = document.createElement("div");
   box.className = "tflab-scene";
   pane.className = "tflab-scene-pane";
   pane.style.height = `${model.get("height_px")}px`;
@@ -227,57 +225,83 @@ function renderScene(model, el, live) {
   pane.setAttribute("role", "img");
   pane.title = "drag: turn; right drag: move; click, then wheel: zoom; double click: see everything";
   box.append(pane);
-  el.append(box);
+  return { box, pane };
+}
+
+// What an animation or a sweep is scrubbed with; `seek` goes to a place of the newest of them.
+function makePlayer(model, box) {
+  const player = { track: null, quiet: false, stop() { player.scrubber?.pause(); } };
+  player.seek = (t) => {
+    if (!player.track) return;
+    player.track.seek(t);
+    player.scrubber.show(t);
+  };
+  player.take = (track) => {
+    player.stop();
+    player.scrubber?.bar.remove();
+    player.track = track;
+    player.scrubber = makeScrubber(track, (t) => { player.seek(t); model.set("position", t); model.save_changes(); });
+    box.append(player.scrubber.bar);
+    player.seek(track.start);
+    const still = player.quiet || matchMedia("(prefers-reduced-motion: reduce)").matches;
+    if (track.play && !still) player.scrubber.play();
+  };
+  return player;
+}
+
+// Let a view show what the model has, and hears from now on.
+function connect(view, player, model, live, on) {
+  const replay = () => {
+    player.quiet = true;
+    for (const command of readSnapshot(model.get("scene")).commands) view.run(command);
+    for (const command of live.log) view.run(command);
+    player.quiet = false;
+    view.seen = live.gap ? -1 : live.last;
+    if (model.get("position")) player.seek(model.get("position"));
+    view.wake();
+  };
+  const hear = (first, last, commands) => {
+    for (const command of commands) view.run(command);
+    if (first === view.seen) view.seen = last; // else something was missed: the next snapshot mends it
+    view.wake();
+  };
+  const highlight = () => { view.picked = model.get("picked"); view.wake(); };
+  on("change:position", () => { player.seek(model.get("position")); view.wake(); });
+  on("change:picked", highlight);
+  on("change:scene", () => {
+    if (readSnapshot(model.get("scene")).count > view.seen) { view.clear(); replay(); }
+  });
+  listenToPointer(view, (frame) => { model.set("picked", frame); model.save_changes(); });
+  live.views.add(hear);
+  replay();
+  highlight();
+  return () => live.views.delete(hear);
+}
+
+function renderScene(model, el, live) {
+  const { box, pane } = emptyBox(model);
   const undo = [];
+  let gone = false;
+  el.append(box);
   const on = (event, action) => { model.on(event, action); undo.push(() => model.off(event, action)); };
   const describe = () => pane.setAttribute("aria-label", model.get("description"));
   on("change:description", describe);
   describe();
 
   loadViewer(model).then((MeshCat) => {
-    if (!el.isConnected && undo.gone) return;
-    let track = null, scrubber = null, replaying = false;
-    const seek = (t) => { track.seek(t); scrubber.show(t); view.wake(); };
-    const view = new View(MeshCat, box, pane, (newTrack) => {
-      scrubber?.pause();
-      scrubber?.bar.remove();
-      track = newTrack;
-      scrubber = makeScrubber(track, (t) => { seek(t); model.set("position", t); model.save_changes(); });
-      box.append(scrubber.bar);
-      seek(track.start);
-      const still = replaying || matchMedia("(prefers-reduced-motion: reduce)").matches;
-      if (track.play && !still) scrubber.play();
-    });
-    on("change:position", () => { if (track) seek(model.get("position")); });
-
-    const replay = () => {
-      replaying = true;
-      for (const command of readSnapshot(model.get("scene")).commands) view.run(command);
-      for (const command of live.log) view.run(command);
-      view.seen = live.gap ? -1 : live.last;
-      replaying = false;
-      if (track && model.get("position")) seek(model.get("position"));
-      view.wake();
-    };
-    replay();
-    const hear = (first, last, commands) => {
-      for (const command of commands) view.run(command);
-      if (first === view.seen) view.seen = last; // else something was missed: the next snapshot mends it
-      view.wake();
-    };
-    live.views.add(hear);
-    on("change:scene", () => {
-      if (readSnapshot(model.get("scene")).count > view.seen) { view.clear(); replay(); }
-    });
-    on("change:picked", () => { view.picked = model.get("picked"); view.wake(); });
-    view.picked = model.get("picked");
-    listenToPointer(view, (frame) => { model.set("picked", frame); model.save_changes(); });
+    if (gone) return;
+    const player = makePlayer(model, box);
+    const view = new View(MeshCat, box, pane, player.take);
     (globalThis.tflabViews ??= new Set()).add(view); // so that a test, or a curious reader, can look inside
-    undo.push(() => { scrubber?.pause(); live.views.delete(hear); globalThis.tflabViews.delete(view); view.dispose(); });
-    if (undo.gone) undo.forEach((action) => action());
-  }, () => note(box, model.get("description")));
-
-  return () => { undo.gone = true; undo.forEach((action) => action()); };
+    undo.push(connect(view, player, model, live, on), player.stop, () => {
+      globalThis.tflabViews.delete(view);
+      view.dispose();
+    });
+  }).catch((error) => { // no kernel to ask for the viewer, or no WebGL
+    console.error(error);
+    note(box, model.get("description"));
+  });
+  return () => { gone = true; undo.forEach((action) => action()); };
 }
 
 function listenToPointer(view, onPick) {
