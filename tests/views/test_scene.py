@@ -110,6 +110,13 @@ def test_moving_what_is_there_sends_only_where_it_is(scene):
     assert sent == [1]
 
 
+def test_an_arrow_points_from_its_start_to_its_end(scene):
+    draw_arrow(scene, "step", (1.0, 2.0, 0.0), (1.0, 2.0, 3.0))
+    pose = scene._state.pose("/meshcat/step")
+    assert pose.translation == (1.0, 2.0, 0.0)
+    assert pose.apply((3.0, 0.0, 0.0)) == pytest.approx((1.0, 2.0, 3.0))
+
+
 def test_a_redraw_is_one_message(scene):
     sent = sent_by(scene)
     draw_frames(scene, {"map": Transform(), "base_link": FORWARD}, {"base_link": "map"})
@@ -140,9 +147,7 @@ def test_a_sweep_leaves_the_scene_at_its_start_and_stores_what_changes(scene):
     scene.sweep("x", [0.0, 1.0, 2.0], lambda x_m: draw_frame(scene, "a", Transform((x_m, 0.0, 0.0))), "m", start=2)
     assert "x 2.000 m" in scene.describe()
     ((_, _, value),) = [(kind, path, word) for (kind, path, _), word in scene._state._words.items() if kind == "sweep"]
-    import umsgpack
-
-    sweep = umsgpack.unpackb(value.packed)
+    sweep = value.command
     assert sweep["texts"] == ["x = 0.00 m", "x = 1.00 m", "x = 2.00 m"]
     assert [[command["type"] for command in step] for step in sweep["steps"]] == [["set_transform"]] * 3
 

@@ -221,10 +221,11 @@ class Scene(anywidget.AnyWidget):
             if self._recording is not None:
                 self._recording.append(command)
                 return
+            if self._state.is_said(command):
+                return
             packed = pack(command)
-            if not self._state.is_said(command, packed):
-                self._state.apply(command, packed)
-                self._pending.append(packed)
+            self._state.apply(command, packed)
+            self._pending.append(packed)
 
     def _recorded(self, draw: Callable[[Any], object], value: float | str) -> list[dict]:
         self._recording = []

@@ -109,12 +109,14 @@ def draw_arrow(
 ) -> None:
     """Draw an arrow between two points (x, y, z) [m], its name at the middle; of no length, it vanishes."""
     start, end = np.asarray(start, dtype=float), np.asarray(end, dtype=float)
-    if np.linalg.norm(end - start) < 4.0 * radius_m:
+    length_m = float(np.linalg.norm(end - start))
+    if length_m < 4.0 * radius_m:
         scene[path].delete()
         return
-    scene[path].set_object(*_triangles(shapes.arrow(start, end, radius_m, colour)))
+    scene[path].set_object(*_triangles(_arrow_along_x(round(length_m, 6), radius_m, colour)))
+    scene[path].set_transform(_x_along(start, end))
     if name:
-        scene[path].set_property("labels", [_label(name, 0.5 * (start + end), colour)])
+        scene[path].set_property("labels", [_label(name, (0.5 * length_m, 0.0, 0.0), colour)])
         scene[path].set_property("words", f"arrow from {_point(start)} to {_point(end)}")
 
 
@@ -280,6 +282,21 @@ def _line_segments(ends: np.ndarray, colour: str, opacity: float) -> Any:
 @lru_cache(16)
 def _axes(length_m: float, ghost: bool) -> shapes.Mesh:
     return shapes.axes(length_m, ghost)
+
+
+@lru_cache(256)
+def _arrow_along_x(length_m: float, radius_m: float, colour: str) -> shapes.Mesh:
+    """Return an arrow in a frame of its own, so that one that only moves need not be sent again."""
+    return shapes.arrow((0.0, 0.0, 0.0), (length_m, 0.0, 0.0), radius_m, colour)
+
+
+def _x_along(start: np.ndarray, end: np.ndarray) -> np.ndarray:
+    """Return the pose, shape (4, 4), at `start` whose x points to `end`."""
+    pose = np.eye(4)
+    pose[:3, 0] = (end - start) / np.linalg.norm(end - start)
+    pose[:3, 1], pose[:3, 2] = shapes.across(end - start)
+    pose[:3, 3] = start
+    return pose
 
 
 def _fan(points: np.ndarray, hit: np.ndarray, colour: str) -> shapes.Mesh:

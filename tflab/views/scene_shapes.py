@@ -21,7 +21,7 @@ import numpy as np
 
 from . import style
 
-__all__ = ["Mesh", "arrow", "axes", "bar", "frustum", "joined", "polyline", "rgb"]
+__all__ = ["Mesh", "across", "arrow", "axes", "bar", "frustum", "joined", "polyline", "rgb"]
 
 SIDES = 8
 DASHES = {"solid": 1, "dashed": 4, "dotted": 8}
@@ -52,11 +52,21 @@ def joined(meshes: Sequence[Mesh]) -> Mesh:
     )
 
 
+def across(direction: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return two directions of length one, at right angles to `direction` and to each other."""
+    length = np.linalg.norm(direction)
+    along = direction / length if length else np.array((0.0, 0.0, 1.0))
+    helper = np.array((1.0, 0.0, 0.0)) if abs(along[0]) < 0.9 else np.array((0.0, 1.0, 0.0))
+    side = np.cross(along, helper)
+    side /= np.linalg.norm(side)
+    return side, np.cross(along, side)
+
+
 def bar(start: Sequence[float], end: Sequence[float], radius_m: float, colour: str, end_radius_m: float = -1.0) -> Mesh:
     """Return a straight bar; with another radius at its end (0 gives a cone)."""
     start, end = np.asarray(start, dtype=float), np.asarray(end, dtype=float)
     end_radius_m = radius_m if end_radius_m < 0.0 else end_radius_m
-    side, up = _across(end - start)
+    side, up = across(end - start)
     angle = np.linspace(0.0, 2.0 * np.pi, SIDES, endpoint=False)[:, None]
     ring = np.cos(angle) * side + np.sin(angle) * up
     points = np.vstack([start + radius_m * ring, end + end_radius_m * ring, start, end])
@@ -115,13 +125,3 @@ def frustum(half_width_m: float, half_height_m: float, depth_m: float, radius_m:
     edges = [bar((0.0, 0.0, 0.0), corner, radius_m, colour) for corner in corners]
     rim = [bar(corners[i], corners[(i + 1) % 4], radius_m, colour) for i in range(4)]
     return joined(edges + rim)
-
-
-def _across(direction: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return two directions of length one, at right angles to `direction` and to each other."""
-    length = np.linalg.norm(direction)
-    along = direction / length if length else np.array((0.0, 0.0, 1.0))
-    helper = np.array((1.0, 0.0, 0.0)) if abs(along[0]) < 0.9 else np.array((0.0, 1.0, 0.0))
-    side = np.cross(along, helper)
-    side /= np.linalg.norm(side)
-    return side, np.cross(along, side)

@@ -31,10 +31,10 @@ LASTING = ("frame", "labels", "words")  # properties that nothing but their own 
 
 
 class Word(NamedTuple):
-    """The last word on one subject: as bytes, and, if it is small, as a value."""
+    """The last word on one subject: as it was said, and as bytes."""
 
+    command: Mapping[str, Any]
     packed: bytes
-    value: Any
 
 
 class SceneState:
@@ -58,9 +58,9 @@ class SceneState:
                 return  # it was ours, so not to mention it is enough; lights and the like are the viewer's
         subject = (kind, path, command.get("property", ""))
         self._words.pop(subject, None)  # so that it goes to the end
-        self._words[subject] = Word(packed, command.get("value", command.get("matrix")))
+        self._words[subject] = Word(command, packed)
 
-    def is_said(self, command: Mapping[str, Any], packed: bytes) -> bool:
+    def is_said(self, command: Mapping[str, Any]) -> bool:
         """Return whether saying an object or a label once more would change nothing.
 
         A colour is no part of an object but was painted on it, so a painted object
@@ -70,7 +70,7 @@ class SceneState:
         if kind != "set_object" and command.get("property") not in LASTING:
             return False
         word = self._words.get((kind, path, command.get("property", "")))
-        return word is not None and word.packed == packed and not self._is_painted(path)
+        return word is not None and word.command == command and not self._is_painted(path)
 
     def packed(self) -> bytes:
         """Return the scene for the viewer: the count, then each command after its length (u32, little-endian)."""
@@ -80,7 +80,7 @@ class SceneState:
 
     def properties(self, key: str) -> dict[str, Any]:
         """Return the value of the property `key` of each path that has it, in the order they were set."""
-        return {path: word.value for (kind, path, name), word in self._words.items() if name == key}
+        return {path: word.command["value"] for (kind, path, name), word in self._words.items() if name == key}
 
     def pose(self, path: str) -> Transform:
         """Return where `path` is in the scene.
@@ -93,7 +93,7 @@ class SceneState:
         for i in range(len(names)):
             word = self._words.get(("set_transform", "/" + "/".join(names[: i + 1]), ""))
             if word is not None:
-                matrix = matrix @ np.reshape(word.value, (4, 4)).T  # three.js writes columns
+                matrix = matrix @ np.reshape(word.command["matrix"], (4, 4)).T  # three.js writes columns
         return Transform.from_matrix(matrix)
 
     def _is_painted(self, path: str) -> bool:
