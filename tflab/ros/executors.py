@@ -217,6 +217,7 @@ class Executor:
         while True:
             if self._is_shutdown:
                 raise ShutdownException
+            self._process.check()  # Ctrl-C comes before the shutdown that it causes
             if not self._context.ok():
                 raise ExternalShutdownException
             if stop():
@@ -226,7 +227,6 @@ class Executor:
                 return handler
             left_ns = None if until_ns is None else until_ns - self._driver.steady_ns() + poll_ns
             if left_ns is not None and left_ns <= 0:
-                self._process.check()
                 raise TimeoutException
             self._process.wait(self._waiter, self._shortest_wait_ns(left_ns))
 

@@ -59,9 +59,16 @@ class Process:
         """Return the command line."""
         return sys.argv if self.argv is None else self.argv
 
-    def interrupt(self) -> None:
-        """Have the main thread raise KeyboardInterrupt at its next, or present, wait."""
+    def interrupt(self, shut_down_contexts: bool = False) -> None:
+        """Have the main thread raise KeyboardInterrupt at its next, or present, wait.
+
+        Args:
+            shut_down_contexts: first shut down its contexts, as the signal does on ROS 2.
+        """
         self._interrupted = True
+        if shut_down_contexts:
+            for context in list(self.contexts):
+                context.signalled()
         for waiter in list(self._waiting):
             waiter.wake()
 

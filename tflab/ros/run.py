@@ -21,7 +21,6 @@ from types import ModuleType
 
 from .activation import activate
 from .graph import Graph, Participant, new_graph
-from .signals import shut_down_contexts
 
 __all__ = ["run_files", "runner_of"]
 
@@ -99,8 +98,7 @@ def _wait_for(participants: Sequence[Participant], seconds: float | None) -> Non
 def _interrupt(graph: Graph, participants: Sequence[Participant]) -> None:
     """Do what Ctrl-C does to each, and name whoever goes on regardless."""
     for each in participants:
-        shut_down_contexts(each)
-        each.interrupt()
+        each.interrupt(shut_down_contexts=True)
     with contextlib.suppress(KeyboardInterrupt):  # a second Ctrl-C ends the patience
         _wait_for(participants, GRACE_S)
     for each in participants:

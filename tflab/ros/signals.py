@@ -15,9 +15,9 @@ from enum import IntEnum
 from types import FrameType
 from typing import Any
 
-from .process import Process, current_process
+from .process import current_process
 
-__all__ = ["SignalHandlerOptions", "install_signal_handlers", "shut_down_contexts", "uninstall_signal_handlers"]
+__all__ = ["SignalHandlerOptions", "install_signal_handlers", "uninstall_signal_handlers"]
 
 
 class SignalHandlerOptions(IntEnum):
@@ -51,13 +51,8 @@ def uninstall_signal_handlers() -> None:
         _before = None
 
 
-def shut_down_contexts(process: Process) -> None:
-    """End the contexts of a process as the signal does: its nodes stay, but nothing spins."""
-    for context in list(process.contexts):
-        context.signalled()
-
-
 def _on_interrupt(number: int, frame: FrameType | None) -> None:
-    shut_down_contexts(current_process())
+    for context in list(current_process().contexts):
+        context.signalled()
     if callable(_before):
         _before(number, frame)
