@@ -210,6 +210,8 @@ class VirtualTime:
             try:
                 if not process.ended:
                     run()
+            except SystemExit:
+                pass  # its process has ended
             except BaseException:  # reported while it still has its turn, so that outputs keep their order
                 threading.excepthook(threading.ExceptHookArgs((*sys.exc_info(), thread)))
             finally:
