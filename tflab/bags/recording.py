@@ -75,7 +75,8 @@ class Label(NamedTuple):
     is_static: bool
 
 
-class Transforms(NamedTuple):
+@dataclass(frozen=True, slots=True, eq=False)
+class Transforms:
     """Transforms in the order of arrival, as columns.
 
     Attributes:
@@ -94,7 +95,7 @@ class Transforms(NamedTuple):
     numbers: np.ndarray
     labels: tuple[Label, ...]
 
-    def __len__(self) -> int:  # a NamedTuple would count its columns
+    def __len__(self) -> int:
         return len(self.stamp_ns)
 
 

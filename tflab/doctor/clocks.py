@@ -22,7 +22,7 @@ from .evidence import Edge, Evidence, is_stamped
 from .findings import Finding
 from .jumps import Jump
 
-__all__ = ["JumpEvent", "clock_offset", "jump_events", "jumping_clocks", "other_time_source", "settled_delay_s"]
+__all__ = ["JumpEvent", "clock_offset", "jump_events", "jumping_clocks", "other_time_source", "settled_delays_s"]
 
 TOGETHER_NS = 2 * NSEC_PER_SEC  # jumps this close to each other are one event
 OFFSET_S = 0.1
@@ -70,16 +70,16 @@ def jump_events(evidence: Evidence) -> list[JumpEvent]:
     return [event for event in events if event.size_s < 0 or len(event.edges) > 1]
 
 
-def settled_delay_s(evidence: Evidence, edge: Edge) -> np.ndarray:
-    """Return how late each sample was received, as if no clock had been set meanwhile [s]."""
-    delay_s = evidence.delay_s(edge)
+def settled_delays_s(evidence: Evidence) -> list[np.ndarray]:
+    """Return how late each sample of each moving edge was received, as if no clock had been set meanwhile [s]."""
+    delays_s = [evidence.delay_s(edge) for edge in evidence.moving]
     if evidence.clock.source != "same":  # then the difference of the clocks, taken off, holds the jumps already
-        return delay_s
+        return delays_s
+    places = {edge.child: place for place, edge in enumerate(evidence.moving)}
     for event in jump_events(evidence):
-        for other, index in event.edges:
-            if other is edge:
-                delay_s[index:] += event.size_s
-    return delay_s
+        for edge, index in event.edges:
+            delays_s[places[edge.child]][index:] += event.size_s
+    return delays_s
 
 
 def jumping_clocks(evidence: Evidence) -> Iterator[Finding]:
@@ -116,7 +116,8 @@ def clock_offset(evidence: Evidence) -> Iterator[Finding]:
     """Yield a finding if everything is stamped early, or late, by the same amount."""
     if evidence.clock.source != "same":
         return
-    delays = [settled_delay_s(evidence, edge) for edge in evidence.moving if _has_stamps(edge)]
+    settled = zip(evidence.moving, settled_delays_s(evidence), strict=True)
+    delays = [delay_s for edge, delay_s in settled if _has_stamps(edge)]
     delays += [evidence.delay_s(header) for header in evidence.headers if _has_stamps(header)]
     usual_s = np.array([float(np.median(delay_s)) for delay_s in delays])
     if len(usual_s) < 2:  # one source alone: nothing to compare it with, see timing.odd_delays

@@ -19,7 +19,7 @@ from tflab.core import NSEC_PER_SEC
 from tflab.views import style
 from tflab.views.picture import Picture
 
-from .clocks import settled_delay_s
+from .clocks import settled_delays_s
 from .evidence import Edge, Evidence
 from .findings import Finding
 
@@ -51,7 +51,8 @@ def draw_history(evidence: Evidence, findings: Sequence[Finding] = ()) -> Pictur
         if delays_inch:
             below = picture.figure.add_axes((left, 0.5 / height, 0.90 - left, (delays_inch - 0.45) / height))
             _draw_delays(below, evidence, edges)
-    picture.text = "\n".join(_line(evidence, edge) for edge in edges) or "nothing moves"
+    delays_s = _delays_s(evidence) if evidence.has_arrival else {}
+    picture.text = "\n".join(_line(edge, delays_s.get(edge.child)) for edge in edges) or "nothing moves"
     return picture
 
 
@@ -90,12 +91,13 @@ def _draw_lanes(axes, evidence: Evidence, edges: list[Edge], findings: Sequence[
 
 def _draw_delays(axes, evidence: Evidence, edges: list[Edge]) -> None:
     begin_ns, length_s = _span(evidence, edges)
-    shown = sorted(edges, key=lambda edge: -float(np.ptp(settled_delay_s(evidence, edge))))[:MOST_LINES]
+    delays_s = _delays_s(evidence)
+    shown = sorted(edges, key=lambda edge: -float(np.ptp(delays_s[edge.child])))[:MOST_LINES]
     bounds = np.linspace(0.0, length_s, BINS // 2 + 1)
     middles = (bounds[1:] + bounds[:-1]) / 2
     for edge, colour, line in zip(shown, LINES, STYLES, strict=False):
         which = np.digitize((edge.receive_ns - begin_ns) / NSEC_PER_SEC, bounds) - 1
-        delay_ms = 1e3 * settled_delay_s(evidence, edge)
+        delay_ms = 1e3 * delays_s[edge.child]
         filled = [i for i in np.unique(which).tolist() if 0 <= i < len(middles)]
         level = [float(np.median(delay_ms[which == i])) for i in filled]
         axes.plot(middles[filled], level, color=colour, linestyle=line, linewidth=1.3, label=_name(edge))
@@ -121,15 +123,19 @@ def _grey(shade: np.ndarray) -> np.ndarray:
     return np.concatenate([np.broadcast_to(ink, (*shade.shape, 3)), shade[:, :, None]], axis=2)
 
 
-def _line(evidence: Evidence, edge: Edge) -> str:
+def _line(edge: Edge, delay_s: np.ndarray | None) -> str:
     """Return one edge in words."""
     rate = f"{NSEC_PER_SEC / edge.period_ns:.1f} Hz" if edge.period_ns else "no rate"
     silence_s = float(np.diff(edge.receive_ns).max()) / NSEC_PER_SEC
     text = f"{_name(edge)}: {len(edge)} samples, {rate}, longest silence {silence_s:.3f} s"
-    if not evidence.has_arrival:
+    if delay_s is None:
         return text
-    delay_ms = 1e3 * settled_delay_s(evidence, edge)
-    return f"{text}, delay {np.median(delay_ms):.1f} ms (most {delay_ms.max():.1f} ms)"
+    return f"{text}, delay {1e3 * np.median(delay_s):.1f} ms (most {1e3 * delay_s.max():.1f} ms)"
+
+
+def _delays_s(evidence: Evidence) -> dict[str, np.ndarray]:
+    """Return the delays of each moving child [s]."""
+    return {edge.child: delay_s for edge, delay_s in zip(evidence.moving, settled_delays_s(evidence), strict=True)}
 
 
 def _name(edge: Edge) -> str:

@@ -22,6 +22,7 @@ __all__ = ["Jump", "find_jumps"]
 LEAST_JUMP_S = 0.05
 LEAST_PERIODS = 3.0  # less can be a message or two that took another way
 LEAST_HABITS = 8.0
+FEWEST_SAMPLES = 4  # on either side
 LEVEL_SAMPLES = 8  # that tell where a level is, before and after a jump
 
 
@@ -51,6 +52,8 @@ def find_jumps(stamp_ns: np.ndarray, receive_ns: np.ndarray, period_ns: int) -> 
     jumps = []
     for before in np.flatnonzero(is_back | is_forward).tolist():
         after = before + 1
+        if min(after, len(stamp_ns) - after) < FEWEST_SAMPLES:
+            continue
         level_s = np.median(offset_s[max(0, after - LEVEL_SAMPLES) : after])
         shift_s = float(np.median(offset_s[after : after + LEVEL_SAMPLES]) - level_s)
         if abs(shift_s) > 0.7 * abs(change_s[before]) and shift_s * change_s[before] > 0.0:

@@ -24,7 +24,7 @@ __all__ = ["Stories", "distances", "is_constant", "two_stories"]
 ARM_M = 0.3  # a turn counts as far as it moves a point at this distance
 LEAST_DIFFERENCE_M = 0.01  # values closer than this do not contradict each other
 LOOK_BACK = 12  # samples: a second owner may be this many times slower
-MOST_SAMPLES = 20_000  # of an edge that are looked at for a second owner
+MOST_SAMPLES = 5_000  # of an edge that are looked at for a second owner
 CONSTANT = 1e-9
 
 

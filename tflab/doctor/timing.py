@@ -13,14 +13,16 @@ difference of two clocks is new to you; then `owners.py`.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
 
+from tflab.bags.recording import Headers
 from tflab.core import NSEC_PER_SEC
 
-from .clocks import settled_delay_s
+from .clocks import settled_delays_s
 from .evidence import Edge, Evidence, is_stamped
 from .findings import Finding
 from .motion import distances, unit
@@ -109,21 +111,25 @@ def gaps(evidence: Evidence) -> Iterator[Finding]:
 
 def odd_delays(evidence: Evidence) -> Iterator[Finding]:
     """Yield a finding for each moving edge that is, or was for a while, much earlier or later than the others."""
-    for edge in evidence.moving:
+    delays_s = settled_delays_s(evidence)
+    usual_s = [_usual_delay_s(edge, delay_s) for edge, delay_s in zip(evidence.moving, delays_s, strict=True)]
+    of_messages_s = [_usual_delay_s(header, evidence.delay_s(header)) for header in evidence.headers]
+    for place, (edge, delay_s) in enumerate(zip(evidence.moving, delays_s, strict=True)):
         if len(edge) < FEWEST_SAMPLES or not is_stamped(edge):
             continue
-        delay_s = settled_delay_s(evidence, edge)
-        others_s = _least_delay_of_others(evidence, edge)
+        # of the other source that has the least; 0 if there is none, or it is ahead
+        others_s = max(0.0, min([*usual_s[:place], *usual_s[place + 1 :], *of_messages_s, math.inf]))
+        others_s = 0.0 if math.isinf(others_s) else others_s
         late_s = others_s + max(LATE_S, 2.0 * others_s)
         for code, is_odd in (("early-stamps", delay_s < -EARLY_S), ("late-stamps", delay_s > late_s)):
             odd = _in_a_row(is_odd)
             if len(odd) < max(FEWEST_SAMPLES, ODD_SHARE * len(edge)):
                 continue
-            usual_s = float(np.median(delay_s[odd]))
+            odd_s = float(np.median(delay_s[odd]))
             spread_s = float(np.percentile(delay_s[odd], 90) - np.percentile(delay_s[odd], 10))
-            facts = {"delay": f"{abs(usual_s):.3f}", "others": f"{others_s:.3f}", "spread": f"{spread_s:.3f}",
+            facts = {"delay": f"{abs(odd_s):.3f}", "others": f"{others_s:.3f}", "spread": f"{spread_s:.3f}",
                      "count": len(odd), "total": len(edge)}  # fmt: skip
-            if code == "early-stamps" and _may_be_ahead(evidence, edge) and -usual_s < TOLERANCE_S:
+            if code == "early-stamps" and _may_be_ahead(evidence, edge) and -odd_s < TOLERANCE_S:
                 yield _finding(edge, "stamped-ahead", "info", int(odd[0]), int(odd[-1]), facts)
             else:
                 yield _finding(edge, code, "warning", int(odd[0]), int(odd[-1]), facts)
@@ -145,12 +151,9 @@ def odd_message_delays(evidence: Evidence) -> Iterator[Finding]:
         yield Finding(code, "warning", "", "", header.topic, *span, facts)
 
 
-def _least_delay_of_others(evidence: Evidence, edge: Edge) -> float:
-    """Return the usual delay of the other source that has the least [s]; 0 if there is none, or it is ahead."""
-    others = [other for other in evidence.moving if other is not edge and len(other) >= FEWEST_SAMPLES]
-    delays = [settled_delay_s(evidence, other) for other in others]
-    delays += [evidence.delay_s(h) for h in evidence.headers if is_stamped(h)]
-    return max(0.0, min((float(np.median(delay_s)) for delay_s in delays), default=0.0))
+def _usual_delay_s(source: Edge | Headers, delay_s: np.ndarray) -> float:
+    """Return the usual delay of a source [s]; infinity if it says too little."""
+    return float(np.median(delay_s)) if len(delay_s) >= FEWEST_SAMPLES and is_stamped(source) else math.inf
 
 
 def _in_a_row(is_odd: np.ndarray) -> np.ndarray:
