@@ -273,7 +273,8 @@ def _sheet(rows: tuple[Row, ...], faults: tuple[Fault, ...], now_ns: int | None,
     for number, sentence in enumerate(sentences):
         colour = QUIET if sentence == LEGEND else ALARM
         marks.append(Label(MARGIN, foot + 20 * number, sentence, colour, size=11))
-    right = layout.columns[3] + max(text_width(cell[3]) for cell in layout.cells)
+    owners = max(text_width(_headings(now_ns)[3], 11), *(text_width(cell[3]) for cell in layout.cells))
+    right = layout.columns[3] + owners
     width = max(right, *(MARGIN + text_width(sentence, 11) for sentence in sentences)) + MARGIN
     return Sheet(width, foot + 20 * len(sentences) + 6, tuple(marks), title, text)
 
