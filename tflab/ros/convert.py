@@ -24,7 +24,6 @@ __all__ = [
     "stamp_ns_from",
     "stamped_from_msg",
     "stampeds_from_plain_msgs",
-    "transform_from_msg",
 ]
 
 
@@ -106,12 +105,6 @@ def stampeds_from_plain_msgs(msgs: list) -> list[StampedTransform] | None:
 
 _SEVEN_FLOATS = (float,) * 7
 _NAMES_AND_STAMP = (str, str, int, int)
-
-
-def transform_from_msg(msg: geometry_msgs.Transform) -> Transform:
-    """Return the engine's value of a geometry_msgs/Transform."""
-    move, turn = msg.translation, msg.rotation
-    return Transform((move.x, move.y, move.z), (turn.x, turn.y, turn.z, turn.w))
 
 
 def msg_from_transform(transform: Transform) -> geometry_msgs.Transform:

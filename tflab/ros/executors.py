@@ -33,6 +33,7 @@ __all__ = [
 ]
 
 _MODULE = "rclpy.executors"
+DEFAULT_THREADS = 4
 
 
 class TimeoutException(Exception):
@@ -77,7 +78,6 @@ class Executor:
         self._round_tasks: deque[tuple[Task, Entity | None]] = deque()
         self._round_entities: deque[Entity] = deque()
         self._is_shutdown = False
-        self._is_spinning = False
         self._lock = threading.RLock()
         context.on_shutdown(self.wake)
 
@@ -380,6 +380,3 @@ class MultiThreadedExecutor(Executor):
     def _raise_first_error(self) -> None:
         if self._errors:
             raise self._errors.popleft()
-
-
-DEFAULT_THREADS = 4

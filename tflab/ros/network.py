@@ -14,7 +14,7 @@ Read `entity.py` next.
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -188,9 +188,3 @@ class Network:
             if types:
                 found.append((name, sorted(types)))
         return found
-
-    def endpoints(self) -> Iterator[Any]:
-        """Yield every publisher and subscription, by topic."""
-        for _, topic in sorted(self.topics.items()):
-            yield from topic.publishers
-            yield from topic.subscriptions

@@ -48,11 +48,6 @@ class Publisher:
         self._topic = node.network.topic(topic)
         self._topic.add_publisher(self)
 
-    @property
-    def logger_name(self) -> str:
-        """The name of its node's logger."""
-        return self.node.get_logger().name
-
     def publish(self, msg: Any) -> None:
         """Send a copy of a message; the caller may change it afterwards.
 

@@ -50,11 +50,6 @@ class Subscription(Entity):
         self._topic = node.network.topic(topic)
         self._topic.add_subscription(self)
 
-    @property
-    def logger_name(self) -> str:
-        """The name of its node's logger."""
-        return self.node.get_logger().name
-
     def put(self, sample: Sample) -> None:
         """Receive a sample; the oldest one is forgotten if the queue is full."""
         if not self.is_destroyed:
