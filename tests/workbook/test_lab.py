@@ -13,32 +13,28 @@ from tflab.workbook import lab
 
 
 @pytest.fixture
-def started(monkeypatch: pytest.MonkeyPatch) -> list:
+def started(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> list:
     """What would have been started."""
     calls = []
-
-    def run(command, cwd):
-        calls.append((command, cwd))
-        return subprocess.CompletedProcess(command, 0)
-
-    monkeypatch.setattr(lab.subprocess, "run", run)
+    monkeypatch.chdir(tmp_path)  # and back afterwards
+    monkeypatch.setattr(lab, "start_jupyterlab", lambda options: calls.append((options, Path.cwd())))
     return calls
 
 
 def test_without_a_folder_it_opens_the_first_page_that_comes_with_tflab(started: list) -> None:
     assert lab.lab([]) == 0
-    command, folder = started[0]
+    options, folder = started[0]
     assert folder == lab.pages_folder()
-    assert f"--LabApp.default_url=/lab/tree/{lab.FIRST_PAGE}" in command
+    assert f"--LabApp.default_url=/lab/tree/{lab.FIRST_PAGE}" in options
     assert (folder / lab.FIRST_PAGE).exists()
 
 
 def test_a_folder_of_ones_own_and_options_for_jupyterlab_are_passed_on(started: list, tmp_path: Path) -> None:
     assert lab.lab([str(tmp_path), "--", "--no-browser"]) == 0
-    command, folder = started[0]
+    options, folder = started[0]
     assert folder == tmp_path
-    assert command[-1] == "--no-browser"
-    assert not any("default_url" in word for word in command)
+    assert options[-1] == "--no-browser"
+    assert not any("default_url" in word for word in options)
 
 
 def test_a_folder_that_is_not_there_is_said_and_nothing_is_started(started: list, capsys) -> None:

@@ -304,18 +304,18 @@ class TimeCache:
     def _prune(self, horizon_ns: int) -> None:
         """Drop every sample older than `horizon_ns`."""
         stamps, first = self._stamps, self._first
-        while stamps[self._first] < horizon_ns:
-            self._segments.pop(self._first, None)
-            self._first += 1
-        if self._first == first:
-            return
-        if len(self) > 1 and stamps[self._first] == stamps[self._first + 1]:
+        while stamps[first] < horizon_ns:
+            self._segments.pop(first, None)
+            first += 1
+        self._first = first
+        live = len(stamps) - first
+        if live > 1 and stamps[first] == stamps[first + 1]:
             self._segments.clear()  # twins at the old end: see _find
         if self.only_parent == 0:
             parents = {self._names[label][0] for label in set(self._labels[self._first :])}
             self.only_parent = parents.pop() if len(parents) == 1 else 0
             self._last_authority = None  # the last label may name a parent that is gone
-        if self._first > 64 + len(self) // 16:
+        if first > 64 + live // 16:
             self._cut_off_the_dead()
 
     def _cut_off_the_dead(self) -> None:

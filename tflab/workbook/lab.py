@@ -11,12 +11,12 @@ here it does none of that.
 from __future__ import annotations
 
 import argparse
-import subprocess
+import os
 import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-__all__ = ["QUIET_OPTIONS", "lab", "pages_folder"]
+__all__ = ["FIRST_PAGE", "QUIET_OPTIONS", "lab", "pages_folder"]
 
 QUIET_OPTIONS = (
     "--LabApp.news_url=None",
@@ -32,7 +32,7 @@ def pages_folder() -> Path:
 
 
 def lab(words: Sequence[str]) -> int:
-    """Open JupyterLab on a folder, and return its exit code when it ends."""
+    """Open JupyterLab on a folder; return when it has ended."""
     words, own_options = _split(words)
     parser = argparse.ArgumentParser(prog="tflab lab", description="Open the workbook in JupyterLab, offline.")
     parser.add_argument("folder", nargs="?", metavar="DIR", help="a folder of yours, instead of tflab's pages")
@@ -41,11 +41,16 @@ def lab(words: Sequence[str]) -> int:
         print(f"tflab lab: there is no folder {folder}", file=sys.stderr)
         return 2
     first_page = [f"--LabApp.default_url=/lab/tree/{FIRST_PAGE}"] if (folder / FIRST_PAGE).exists() else []
-    command = [sys.executable, "-m", "jupyterlab", *QUIET_OPTIONS, *first_page, *own_options]
-    try:
-        return subprocess.run(command, cwd=folder).returncode
-    except KeyboardInterrupt:  # JupyterLab got it too, asked, and has ended
-        return 0
+    os.chdir(folder)
+    start_jupyterlab([*QUIET_OPTIONS, *first_page, *own_options])
+    return 0
+
+
+def start_jupyterlab(options: Sequence[str]) -> None:
+    """Run JupyterLab in this very process, so that whatever ends this one ends it too."""
+    from jupyterlab.labapp import main
+
+    main(list(options))
 
 
 def _split(words: Sequence[str]) -> tuple[list[str], list[str]]:
