@@ -2,12 +2,15 @@
 
 import json
 import re
+from dataclasses import replace
 
 import pytest
 
 from tflab.bags.reader import read_bag
 from tflab.bags.record import BagWriter
+from tflab.bags.recording import recording_from_records
 from tflab.cli import main
+from tflab.core import Transform
 from tflab.doctor.diagnose import diagnose_recording
 from tflab.doctor.report_html import html_from_report
 from tflab.robots.injectors import inject
@@ -111,3 +114,13 @@ def test_the_page_fits_a_telephone_and_a_desk_in_both_themes(broken, tmp_path, p
         assert page.evaluate("document.documentElement.scrollWidth") <= width
         assert page.locator("article.error").count() == 1
         assert page.evaluate("[...document.images].every(image => image.naturalWidth > 0)")
+
+
+def test_the_tree_names_both_owners_of_a_static_edge():
+    records = TeachingRobot().records(until_s=5.0)
+    laser = next(record for record in records if record.stamped.child_frame_id == "laser_frame")
+    moved = replace(laser.stamped, transform=Transform((0.5, 0.0, 0.0)))
+    second = laser._replace(publisher="/static_sensor_broadcaster", stamped=moved)
+    recording = recording_from_records([*records, second])
+    page = html_from_report(diagnose_recording(recording), recording)
+    assert "laser_frame has 2 publishers: /robot_state_publisher, /static_sensor_broadcaster." in page

@@ -15,7 +15,7 @@ from base64 import b64encode
 from collections.abc import Mapping
 from html import escape
 
-from tflab.bags.recording import DEFAULT_AUTHORITY, Recording
+from tflab.bags.recording import Recording, namespace_of
 from tflab.core import Snapshot, snapshot
 from tflab.views.tree import draw_tree
 
@@ -108,10 +108,13 @@ def _pictures(report: Report, recording: Recording, namespace: str) -> str:
 
 
 def _tree_of(recording: Recording, namespace: str) -> Snapshot:
-    """Return the tree; where no publisher was recorded, none is shown."""
+    """Return the tree with everybody who published an edge; a buffer forgets the earlier of two statics."""
     tree = snapshot(recording.buffer(namespace=namespace))
-    known = [tuple(name for name in frame.authorities if name != DEFAULT_AUTHORITY) for frame in tree.frames]
-    frames = (frame._replace(authorities=names) for frame, names in zip(tree.frames, known, strict=True))
+    publishers: dict[str, set[str]] = {}
+    for label in recording.transforms.labels:
+        if label.publisher and namespace_of(label.topic) == namespace:
+            publishers.setdefault(label.child.removeprefix("/"), set()).add(label.publisher)
+    frames = (frame._replace(authorities=tuple(sorted(publishers.get(frame.name, ())))) for frame in tree.frames)
     return tree._replace(frames=tuple(frames))
 
 
