@@ -1,0 +1,51 @@
+"""`tflab build --html`: from a notebook to a page that needs neither kernel nor network."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import nbformat
+import pytest
+
+from tflab.workbook.build import build
+
+
+def notebook(path: Path, *sources: str) -> Path:
+    cells = [nbformat.v4.new_code_cell(source, id=f"cell-{i}") for i, source in enumerate(sources)]
+    nbformat.write(nbformat.v4.new_notebook(cells=cells), path)
+    return path
+
+
+def test_a_page_is_run_and_written_and_its_source_stays_as_it_was(tmp_path: Path) -> None:
+    source = notebook(
+        tmp_path / "look.ipynb",
+        "from meshcat.geometry import Box\nfrom tflab.views.scene import Scene\nscene = Scene()\n"
+        "scene['crate'].set_object(Box([1.0, 1.0, 1.0]))\nscene",
+        "open('made_here', 'w').close()\nprint(6 * 7)",
+    )
+    before = source.read_bytes()
+    assert build(["--html", str(source), "--out", str(tmp_path / "out")]) == 0
+    page = (tmp_path / "out" / "look.html").read_text(encoding="utf-8")
+    assert "42" in page
+    assert (tmp_path / "out" / "assets").is_dir()
+    assert "crate" in page
+    assert not re.search(r"<(script|link)[^>]+(src|href)=\"https?:", page)
+    assert source.read_bytes() == before
+    assert not (tmp_path / "made_here").exists()
+
+
+def test_a_failing_cell_is_named_and_does_not_stop_the_other_pages(tmp_path: Path, capsys) -> None:
+    bad = notebook(tmp_path / "bad.ipynb", "raise RuntimeError('wheel came off')")
+    good = notebook(tmp_path / "good.ipynb", "print('fine')")
+    assert build(["--html", str(bad), str(good), "--out", str(tmp_path / "out")]) == 1
+    assert "wheel came off" in capsys.readouterr().err
+    assert (tmp_path / "out" / "good.html").exists()
+    assert not (tmp_path / "out" / "bad.html").exists()
+
+
+def test_a_notebook_that_is_not_there_is_said(tmp_path: Path, capsys) -> None:
+    assert build(["--html", str(tmp_path / "nowhere.ipynb")]) == 2
+    assert "nowhere.ipynb" in capsys.readouterr().err
+    with pytest.raises(SystemExit):
+        build([])

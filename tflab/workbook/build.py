@@ -1,0 +1,79 @@
+"""How do pages become something one can read without Python?  `tflab build --html`.
+
+    notebook  --run in a kernel, pictures filmed-->  executed  --export-->  page.html + assets/
+
+Each notebook is run in a folder of its own, so nothing is written beside the
+source; then `tflab.views.export` makes a page of it that works from a disk, with
+no kernel and no network: 3D turns, and every view keeps one scrubber.
+
+Read `lab.py` next.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import shutil
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from .lab import pages_folder
+
+__all__ = ["build", "html_from_notebook"]
+
+SECONDS_FOR_A_CELL = 120
+
+
+def build(words: Sequence[str]) -> int:
+    """Write pages as HTML, and return 0; 1 if a cell of one failed, 2 if there is nothing to write."""
+    parser = argparse.ArgumentParser(prog="tflab build", description="Run the pages, and write them for reading.")
+    parser.add_argument("notebooks", nargs="*", metavar="NOTEBOOK", help="instead of the pages that come with tflab")
+    parser.add_argument("--html", action="store_true", required=True, help="as pages that work from a disk")
+    parser.add_argument("--out", default="html", metavar="DIR", help="where to; %(default)s if left out")
+    options = parser.parse_args(list(words))
+    notebooks = [Path(name) for name in options.notebooks] or sorted(pages_folder().glob("*.ipynb"))
+    missing = [str(path) for path in notebooks if not path.is_file()]
+    if missing or not notebooks:
+        print(f"tflab build: there is no notebook {', '.join(missing) or 'to build'}", file=sys.stderr)
+        return 2
+    failed = 0
+    for number, notebook in enumerate(notebooks, start=1):
+        print(f"[{number}/{len(notebooks)}] {notebook.name}", end=" ", flush=True)
+        try:
+            print(html_from_notebook(notebook, Path(options.out)))
+        except CellFailed as failure:
+            print(f"failed\n{failure}", file=sys.stderr)
+            failed += 1
+    return 1 if failed else 0
+
+
+class CellFailed(Exception):
+    """A cell of a page raised an error; the text says which, and what."""
+
+
+def html_from_notebook(notebook: Path, out_dir: Path) -> Path:
+    """Run a copy of `notebook` and write it as HTML into `out_dir`; return the page's path.
+
+    Raises:
+        CellFailed: a cell raised an error.
+    """
+    import nbformat
+    from nbclient import NotebookClient
+    from nbclient.exceptions import CellExecutionError
+
+    from tflab.views.export import export_html
+
+    page = nbformat.read(notebook, as_version=4)
+    with TemporaryDirectory() as folder:
+        client = NotebookClient(page, timeout=SECONDS_FOR_A_CELL, resources={"metadata": {"path": folder}})
+        try:
+            client.execute(env={**os.environ, "TFLAB_FILMS": "1"})
+        except CellExecutionError as error:
+            raise CellFailed(f"{notebook.name}: {error}") from None
+        executed = Path(folder) / notebook.name
+        nbformat.write(page, executed)
+        exported = export_html(executed, Path(folder) / "pages")
+        shutil.copytree(exported.parent, out_dir, dirs_exist_ok=True)
+        return out_dir / exported.name
