@@ -26,6 +26,12 @@ from typing import NoReturn
 from urllib.parse import urlsplit
 
 import pytest
+from hypothesis import settings
+
+# Where a change has to pass, the same examples every time; on a developer's machine, new ones every time.
+settings.register_profile("ci", derandomize=True, deadline=None)
+settings.register_profile("developer", deadline=None)
+settings.load_profile("ci" if os.environ.get("CI") == "true" else "developer")
 
 TOKEN = "for-this-test-only"
 HERE = ("127.0.0.1", "localhost")
