@@ -43,6 +43,13 @@ def test_a_folder_that_is_not_there_is_said_and_nothing_is_started(started: list
     assert started == []
 
 
+def test_installed_from_a_wheel_the_pages_are_those_inside_the_package(monkeypatch, tmp_path: Path) -> None:
+    pages = tmp_path / "tflab" / "_workbook" / "notebooks" / "en"
+    pages.mkdir(parents=True)
+    monkeypatch.setattr(lab, "__file__", str(tmp_path / "tflab" / "workbook" / "lab.py"))
+    assert lab.pages_folder() == pages
+
+
 def test_jupyterlab_understands_the_options_that_keep_it_quiet() -> None:
     probe = (
         "import json, sys; from jupyterlab.labapp import LabApp;"

@@ -27,8 +27,11 @@ FIRST_PAGE = "00_start.ipynb"
 
 
 def pages_folder() -> Path:
-    """Return the folder of the pages that come with tflab."""
-    return Path(__file__).resolve().parents[2] / "notebooks" / "en"
+    """Return the folder of the pages that come with tflab: the wheel's, or in an editable install the repository's."""
+    package = Path(__file__).resolve().parents[1]
+    in_the_wheel = package / "_workbook"
+    root = in_the_wheel if in_the_wheel.is_dir() else package.parent
+    return root / "notebooks" / "en"
 
 
 def lab(words: Sequence[str]) -> int:
