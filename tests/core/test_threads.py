@@ -33,10 +33,9 @@ def test_readers_see_whole_samples_while_the_history_grows_is_pruned_and_cut(imp
 
     def read(reader: int) -> None:
         while not done.is_set():
-            newest = buffer.history_ends()
-            if not len(newest):
+            stamp_ns = int(buffer.history_ends().max(initial=0)) - 20 * reader
+            if stamp_ns <= 0:  # nothing yet, and 0 would mean LATEST
                 continue
-            stamp_ns = int(newest[-1]) - 20 * reader
             try:
                 stamped = buffer.lookup_transform("a", "c", stamp_ns)
                 batch = buffer.lookup_transforms("a", "c", [stamp_ns] * 20)
