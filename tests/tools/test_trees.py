@@ -1,9 +1,12 @@
 """The tree of a graph names its real publishers."""
 
+import pytest
 from tools_robot import fixed, moving
 
 from tflab.core import FrameSnapshot, Snapshot, Transform
 from tflab.ros.snapshot import EdgeSnapshot
+from tflab.tools.rviz import look
+from tflab.tools.session import result_of
 from tflab.tools.trees import frame_tree, with_publishers
 
 
@@ -43,3 +46,20 @@ def test_two_parents_from_two_publishers_are_both_known():
     edges = [EdgeSnapshot("map", "base_link", "/tf", "/gps", 9), EdgeSnapshot("odom", "base_link", "/tf", "/ekf", 9)]
     (known,) = with_publishers(Snapshot(("map",), (frame,)), edges).frames
     assert (known.authorities, known.parents) == (("/ekf", "/gps"), ("map", "odom"))
+
+
+@pytest.mark.parametrize("seconds", [-1, "x", float("inf"), float("nan")])
+@pytest.mark.parametrize("view", [frame_tree, look])
+def test_a_time_to_look_must_be_one(graph, view, seconds):
+    with pytest.raises(ValueError, match="how long to look is a time in seconds, 0 or more"):
+        view(graph, seconds=seconds)
+    assert graph.participants == []
+
+
+def test_a_look_that_fails_says_why(graph, capsys):
+    def broken():
+        raise KeyError("mine")
+
+    with pytest.raises(RuntimeError, match='"peek" was ended before it had seen anything'):
+        result_of(graph, broken, 1.0, name="peek")
+    assert capsys.readouterr().err.endswith("KeyError: 'mine'\n")

@@ -27,7 +27,7 @@ from tflab.ros.graph import Graph, current_graph
 from tflab.ros.messages import geometry_msgs, nav_msgs, sensor_msgs, std_msgs
 from tflab.ros.node import Node
 
-from .session import spin_for, tool_node
+from .session import result_of, spin_for, tool_node
 
 if TYPE_CHECKING:
     from tflab.views.rviz import RViz
@@ -62,14 +62,10 @@ def look(graph: Graph | None = None, seconds: float = 1.0, decay_s: float = 0.0)
         decay_s: how long a message stays on the screen, RViz's "Decay Time" [s]; 0: until the next one.
     """
     graph = current_graph() if graph is None else graph
-    looks: list[Look] = []
-    participant = graph.start(_watch, seconds, decay_s, looks, name="rviz2")
-    while participant.is_running:
-        graph.run(seconds=seconds + PATIENCE_S)
-    return looks[0]
+    return result_of(graph, lambda: _watch(seconds, decay_s), seconds, name="rviz2")
 
 
-def _watch(seconds: float, decay_s: float, looks: list[Look]) -> None:
+def _watch(seconds: float, decay_s: float) -> Look:
     from tflab.ros.tf2_buffer import Buffer
     from tflab.ros.tf2_listener import TransformListener
 
@@ -81,7 +77,7 @@ def _watch(seconds: float, decay_s: float, looks: list[Look]) -> None:
         displays = tuple(_displays(heard, decay_s))
         spin_for(node, PATIENCE_S)
         listener.unregister()
-        looks.append(Look(_parents(buffer.core), displays, _asking(buffer.core)))
+        return Look(_parents(buffer.core), displays, _asking(buffer.core))
 
 
 def _hear_everything(node: Node) -> dict[str, tuple[type, list[Any]]]:

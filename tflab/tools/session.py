@@ -12,13 +12,15 @@ from __future__ import annotations
 import hashlib
 import string
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from typing import Any
 
 from tflab.core import BufferCore
 from tflab.ros import client_library
 from tflab.ros.clock import JumpThreshold, TimeJump
 from tflab.ros.duration import Duration
+from tflab.ros.graph import Graph
 from tflab.ros.logging import RcutilsLogger
 from tflab.ros.node import Node
 from tflab.ros.process import current_process
@@ -29,6 +31,7 @@ __all__ = [
     "cli_node",
     "cpp_listener",
     "log_as_root",
+    "result_of",
     "spin",
     "spin_for",
     "spin_until_done",
@@ -37,6 +40,7 @@ __all__ = [
 ]
 
 DISCOVERY_S = 0.5  # how long a command looks around before it answers; on virtual time everybody is known at once
+MOMENT_S = 0.01
 ABORTED = -6  # what the parent of a process sees that called abort()
 
 
@@ -60,6 +64,25 @@ def cli_node() -> Iterator[Node]:
         if not current_process().driver.is_virtual:
             spin_for(node, DISCOVERY_S)
         yield node
+
+
+def result_of(graph: Graph, program: Callable[[], Any], seconds: float, name: str) -> Any:
+    """Return what a program returns that looks at a graph for `seconds` [s] of its time.
+
+    Raises:
+        ValueError: that is no time to look for.
+        RuntimeError: the program came to nothing; what ended it has been printed.
+    """
+    if not isinstance(seconds, (int, float)) or not 0 <= seconds < float("inf"):
+        raise ValueError(f"how long to look is a time in seconds, 0 or more, such as seconds=2.0, not {seconds!r}")
+    results: list[Any] = []
+    participant = graph.start(lambda: results.append(program()), name=name)
+    graph.run(seconds=seconds)
+    while participant.is_running:  # a program may take a moment longer
+        graph.run(seconds=MOMENT_S)
+    if not results:
+        raise RuntimeError(f'"{name}" was ended before it had seen anything') from participant.exception
+    return results[0]
 
 
 def unused_name(

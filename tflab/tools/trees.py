@@ -18,7 +18,7 @@ from tflab.ros.graph import Graph, current_graph
 from tflab.ros.snapshot import EdgeSnapshot, snapshot
 from tflab.views.tree import TreePicture, draw_tree
 
-from .session import spin_for, tool_node
+from .session import result_of, spin_for, tool_node
 
 __all__ = ["frame_tree", "with_publishers"]
 
@@ -27,13 +27,10 @@ def frame_tree(graph: Graph | None = None, seconds: float = 5.0) -> TreePicture:
     """Listen for `seconds` [s] of a graph's time, the current one's if None, and draw its tree with its publishers."""
     graph = current_graph() if graph is None else graph
     before = {edge[:4]: edge.count for edge in snapshot(graph).edges}
-    heard: list[Snapshot] = []
-    listener = graph.start(_listen, seconds, heard, name="frame_tree")
-    while listener.is_running:
-        graph.run(seconds=seconds or 0.01)
+    heard = result_of(graph, lambda: _listen(seconds), seconds, name="frame_tree")
     now = snapshot(graph)
     active = [edge for edge in now.edges if edge.topic == "/tf_static" or edge.count > before.get(edge[:4], 0)]
-    return draw_tree(with_publishers(heard[0], active), now.now_ns)
+    return draw_tree(with_publishers(heard, active), now.now_ns)
 
 
 def with_publishers(tree: Snapshot, edges: Sequence[EdgeSnapshot]) -> Snapshot:
@@ -48,7 +45,7 @@ def _with_publishers(frame: FrameSnapshot, edges: Sequence[EdgeSnapshot]) -> Fra
     return frame._replace(authorities=nodes or frame.authorities, parents=parents)
 
 
-def _listen(seconds: float, heard: list[Snapshot]) -> None:
+def _listen(seconds: float) -> Snapshot:
     from tflab.ros.tf2_buffer import Buffer
     from tflab.ros.tf2_listener import TransformListener
 
@@ -56,5 +53,5 @@ def _listen(seconds: float, heard: list[Snapshot]) -> None:
         buffer = Buffer()
         listener = TransformListener(buffer, node)
         spin_for(node, seconds)
-        heard.append(buffer.core.snapshot())
         listener.unregister()
+        return buffer.core.snapshot()
