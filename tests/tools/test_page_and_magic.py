@@ -197,3 +197,20 @@ def test_the_logger_in_a_page_writes_to_standard_output(graph, capsys):
     finally:
         write_to_stdout(False)
     assert capsys.readouterr().out == "[INFO] [1.000000000] [x]: hello\n"
+
+
+def test_a_time_behind_the_tool_is_put_right():
+    with pytest.raises(PageError, match="--for stands first, before the tool"):
+        split_line("topic hz /tf --for 3")
+
+
+def test_the_stop_button_between_two_steps_stops_everything(graph, monkeypatch):
+    graph.start(moving())
+
+    def pressed(seconds):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(graph, "run", pressed)
+    with pytest.raises(KeyboardInterrupt):
+        run_words(graph, ["run", "tf2_ros", "tf2_echo", "odom", "base_link"])
+    assert [each.name for each in graph.participants if each.is_running] == []

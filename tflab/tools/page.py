@@ -47,6 +47,8 @@ def split_line(line: str) -> tuple[float | None, list[str]]:
     except ValueError as fault:
         raise PageError(f"cannot read the line: {fault}") from None
     words = words[1:] if words[:1] == ["ros2"] else words
+    if "--for" in words[1:]:
+        raise PageError("--for stands first, before the tool: %ros2 --for 3 topic hz /tf")
     seconds = None
     if words and words[0].partition("=")[0] == "--for":
         first = words.pop(0)
@@ -84,9 +86,13 @@ def run_words(
         return Outcome(codes[0] if codes else None)
     span_s = seconds if seconds is not None else plan.page_s
     left_s = LIMIT_S if span_s is None else span_s
-    while participant.is_running and left_s > 0:
-        graph.run(seconds=min(STEP_S, left_s))
-        left_s -= STEP_S
+    try:
+        while participant.is_running and left_s > 0:
+            graph.run(seconds=min(STEP_S, left_s))
+            left_s -= STEP_S
+    except KeyboardInterrupt:  # the stop button stops everything, also if it was pressed between two steps
+        graph.stop()
+        raise
     if participant.is_running:
         graph.stop(participant)
         if span_s is None:
@@ -94,4 +100,5 @@ def run_words(
                 f"`{name}` did not end within {LIMIT_S:g} s of the graph's time, and was stopped.\n"
                 "Is the node that it waits for running, and spinning?  `%ros2 --for SECONDS ...` gives it longer."
             )
-    return Outcome(codes[0] if codes else None, tuple(pictures))
+    failed = None if isinstance(participant.exception, (KeyboardInterrupt, type(None))) else 1
+    return Outcome(codes[0] if codes else failed, tuple(pictures))
