@@ -8,6 +8,7 @@ returns the exit code.
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Callable, Sequence
 from difflib import get_close_matches
@@ -27,7 +28,11 @@ class Subcommand(NamedTuple):
     function: str
 
 
+# What a shell says of a program that a signal has ended.
+BY_CTRL_C, BY_A_CLOSED_PIPE = 130, 141
+
 SUBCOMMANDS = {
+    "build": Subcommand("run the pages and write them as HTML that works from a disk", "tflab.workbook.build", "build"),
     "lab": Subcommand("open the workbook in JupyterLab, offline", "tflab.workbook.lab", "lab"),
     "doctor": Subcommand("say what is wrong with the TF of a recording", "tflab.doctor.command", "main"),
     "export": Subcommand("write an executed notebook as HTML that works from a disk", "tflab.views.export", "main"),
@@ -37,8 +42,23 @@ SUBCOMMANDS = {
 
 
 def main(words: Sequence[str] | None = None) -> int:
-    """Run `tflab` with these words, those of the command line if None; return the exit code."""
-    words = list(sys.argv[1:] if words is None else words)
+    """Run `tflab` with these words, those of the command line if None; return the exit code.
+
+    Ctrl-C ends it without a word, and so does a reader that has gone, as in `tflab ... | head -1`.
+    """
+    try:
+        code = _run(list(sys.argv[1:] if words is None else words))
+        if sys.stdout is not None:
+            sys.stdout.flush()
+    except KeyboardInterrupt:
+        return BY_CTRL_C
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # so that nothing is left to fail at the exit
+        return BY_A_CLOSED_PIPE
+    return code
+
+
+def _run(words: list[str]) -> int:
     match words:
         case [] | ["-h" | "--help", *_]:
             print(_help())

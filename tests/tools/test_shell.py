@@ -3,6 +3,7 @@
 import signal
 import subprocess
 import sys
+import time
 
 import pytest
 from tools_robot import fixed, moving
@@ -154,3 +155,70 @@ def test_help_loads_no_room():
     )
     out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
     assert out.splitlines()[-1] == "['tflab', 'tflab.cli']"
+
+
+def test_a_reader_that_has_gone_is_no_fault(talker):
+    process = tflab("run", talker, "--with", "ros2 topic echo /tf", "--for", "2")
+    assert process.stdout.readline() == "transforms:\n"
+    process.stdout.close()
+    assert (process.stderr.read(), process.wait(timeout=30)) == ("", 0)
+
+
+def test_a_reader_that_has_gone_ends_a_tool_on_a_bag(bag):
+    process = tflab("ros2", "--bag", bag, "topic", "echo", "/tf")
+    process.stdout.readline()
+    process.stdout.close()
+    assert (process.stderr.read(), process.wait(timeout=30)) == ("", 141)
+
+
+@pytest.mark.parametrize("moment_s", [0.1, 0.2, 0.3])
+def test_ctrl_c_while_it_is_still_loading_says_nothing(moment_s):
+    code = "import sys; from tflab.cli import main; print(flush=True); sys.exit(main())"
+    process = subprocess.Popen(
+        [sys.executable, "-c", code, "ros2", "topic", "hz", "/tf"], stdout=subprocess.PIPE, stderr=subprocess.PIPE
+    )
+    process.stdout.readline()
+    time.sleep(moment_s)
+    process.send_signal(signal.SIGINT)
+    _, error = process.communicate(timeout=30)
+    assert b"Traceback" not in error
+    assert process.returncode in (0, 130)  # 0: the tool ran already, and Ctrl-C is how it ends
+
+
+def test_an_endless_loop_is_interrupted_as_python_would_and_named(tmp_path):
+    (tmp_path / "loop.py").write_text("import rclpy\n\nrclpy.init()\nwhile True:\n    pass\n")
+    process = tflab("run", "loop.py", "--for", "0.5", cwd=tmp_path)
+    _, error = process.communicate(timeout=30)
+    assert error.startswith('participant "loop" neither slept nor spun: interrupted at loop.py:')
+    assert "went on" not in error
+
+
+@pytest.mark.parametrize(
+    ("source", "last_line"),
+    [
+        (b"def main(:\n", "SyntaxError: invalid syntax"),
+        (b"print(1)\n\n# \xc7\xd1\xb1\xdb\n", "save it as UTF-8 in your editor"),
+        (b"raise ValueError('mine')\n", "ValueError: mine"),
+    ],
+)
+def test_what_is_wrong_in_a_file_is_shown_without_our_own_lines(tmp_path, source, last_line):
+    (tmp_path / "node.py").write_bytes(source)
+    process = tflab("run", "node.py", cwd=tmp_path)
+    out, error = process.communicate(timeout=30)
+    assert error.rstrip().endswith(last_line)
+    assert "run.py" not in error
+    assert (out, process.returncode) == ("", 1)
+
+
+def test_an_option_of_ours_behind_the_tool_is_put_right(capsys):
+    assert main(["ros2", "topic", "hz", "/tf", "--for", "2"]) == 2
+    assert capsys.readouterr().err == "tflab ros2: --for stands first: tflab ros2 --for 3 topic hz /tf\n"
+
+
+def test_a_full_disk_is_one_line_and_a_failure(bag):
+    with open("/dev/full", "w") as full:
+        code = "import sys; from tflab.cli import main; sys.exit(main())"
+        words = ["ros2", "--bag", bag, "topic", "echo", "/tf"]
+        ended = subprocess.run([sys.executable, "-c", code, *words], stdout=full, stderr=subprocess.PIPE, text=True)
+    assert ended.stderr.splitlines()[0] == "ros2: [Errno 28] No space left on device"
+    assert ended.returncode != 0

@@ -259,7 +259,7 @@ def current_graph() -> Graph:
 def _without_our_frames(error: BaseException) -> BaseException:
     """Return an exception whose traceback begins in the participant's own code."""
     trace = error.__traceback__
-    while trace is not None and trace.tb_next is not None and trace.tb_frame.f_code.co_filename in _OUR_FILES:
+    while trace is not None and trace.tb_frame.f_code.co_filename in _OUR_FILES:
         trace = trace.tb_next
     return error.with_traceback(trace)
 

@@ -72,6 +72,11 @@ class Process:
         for waiter in list(self._waiting):
             waiter.wake()
 
+    def take_interrupt(self) -> bool:
+        """Return whether it was interrupted and has not heard of it yet; from now on it has."""
+        was_interrupted, self._interrupted = self._interrupted, False
+        return was_interrupted
+
     def end(self) -> None:
         """Take everything of it out of the graph, as an operating system would."""
         self.ended = True
@@ -132,8 +137,7 @@ class Process:
         """Raise what the process has been told meanwhile; see wait()."""
         if self.ended and self.main_thread is not None:
             raise SystemExit
-        if self._interrupted and threading.current_thread() is self.main_thread:
-            self._interrupted = False
+        if threading.current_thread() is self.main_thread and self.take_interrupt():
             raise KeyboardInterrupt
 
 

@@ -16,15 +16,18 @@ import contextlib
 import os
 import sys
 import time
+import tokenize
 from collections.abc import Callable, Iterator, Sequence
 from types import ModuleType
 
 from .activation import activate
 from .graph import Graph, Participant, new_graph
+from .virtual import place_of, raise_in
 
 __all__ = ["run_files", "runner_of"]
 
-GRACE_S = 5.0
+# After Ctrl-C: how long whoever sleeps or spins takes to hear of it, and how long to tidy up [s].
+HEARING_S, GRACE_S = 0.5, 5.0
 
 
 def run_files(
@@ -66,13 +69,25 @@ def runner_of(path: str) -> Callable[[], None]:
     """Return the main function that runs a file as `python file.py` would."""
 
     def run() -> None:
-        with open(path, encoding="utf-8") as file:
-            code = compile(file.read(), path, "exec")
+        code = compile(_source(path), path, "exec")
         module = ModuleType("__main__")
         module.__file__ = path
         exec(code, module.__dict__)
 
     return run
+
+
+def _source(path: str) -> str:
+    """Return a Python file's text: UTF-8, or what its "coding:" says.
+
+    Raises:
+        SyntaxError: it is neither.
+    """
+    try:
+        with tokenize.open(path) as file:
+            return file.read()
+    except UnicodeDecodeError as fault:
+        raise SyntaxError(f"{path} is not UTF-8 ({fault}); save it as UTF-8 in your editor") from None
 
 
 @contextlib.contextmanager
@@ -100,11 +115,19 @@ def _interrupt(graph: Graph, participants: Sequence[Participant]) -> None:
     for each in participants:
         each.interrupt(shut_down_contexts=True)
     with contextlib.suppress(KeyboardInterrupt):  # a second Ctrl-C ends the patience
+        _wait_for(participants, HEARING_S)
+        for each in participants:
+            if each.is_running and each.take_interrupt():  # busy: Python interrupts in the middle of a loop, too
+                print(
+                    f'participant "{each.name}" neither slept nor spun: interrupted at {place_of(each.main_thread)}.',
+                    file=sys.stderr,
+                )
+                raise_in(each.main_thread, KeyboardInterrupt)
         _wait_for(participants, GRACE_S)
     for each in participants:
         if each.is_running:
             print(
-                f'participant "{each.name}" went on after it was interrupted: it neither sleeps nor spins.',
+                f'participant "{each.name}" went on after it was interrupted, at {place_of(each.main_thread)}.',
                 file=sys.stderr,
             )
 

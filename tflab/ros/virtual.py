@@ -31,7 +31,7 @@ from contextlib import contextmanager
 from types import FrameType
 from typing import Any
 
-__all__ = ["START_NS", "EndlessLoop", "VirtualTime"]
+__all__ = ["START_NS", "EndlessLoop", "VirtualTime", "place_of", "raise_in"]
 
 START_NS = 1_000_000_000  # one second: readable stamps, and never 0, which tf2 takes for "latest"
 
@@ -304,7 +304,7 @@ class VirtualTime:
         while not strand.has_given_back(SLICE_S):
             waited_s += SLICE_S
             if self._is_interrupted:  # it hears of it, too, in the middle of what it does
-                _raise_in(strand.thread, KeyboardInterrupt)
+                raise_in(strand.thread, KeyboardInterrupt)
                 self._wait_for_turn_of(strand)
                 return
             if waited_s >= self.patience_s:
@@ -313,16 +313,16 @@ class VirtualTime:
 
     def _end_loop(self, strand: Strand) -> None:
         """Throw EndlessLoop into a strand that keeps its turn; give it up if that does not help."""
-        where = _place_of(strand.thread)
+        where = place_of(strand.thread)
         strand.process.loop = where
-        _raise_in(strand.thread, EndlessLoop)
+        raise_in(strand.thread, EndlessLoop)
         self._wait_for_turn_of(strand)
 
     def _wait_for_turn_of(self, strand: Strand) -> None:
         """Wait for the turn of a strand that was interrupted; give the strand up if it keeps it all the same."""
         if not strand.has_given_back(PATIENCE_AFTER_INTERRUPT_S):
             strand.is_lost = True
-            strand.process.lost(_place_of(strand.thread))
+            strand.process.lost(place_of(strand.thread))
 
     def _ring(self, strand: Strand, until_ns: int) -> None:
         if strand.alarm_ns == until_ns:
@@ -341,12 +341,12 @@ class VirtualTime:
             )
 
 
-def _raise_in(thread: threading.Thread, exception: type[BaseException]) -> None:
+def raise_in(thread: threading.Thread, exception: type[BaseException]) -> None:
     """Have `exception` raised in another thread, as soon as it executes Python again."""
     ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(thread.ident), ctypes.py_object(exception))
 
 
-def _place_of(thread: threading.Thread) -> str:
+def place_of(thread: threading.Thread) -> str:
     """Return where a thread is now, as "file:line in function"."""
     frame = sys._current_frames().get(thread.ident)
     if frame is None:

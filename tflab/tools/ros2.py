@@ -13,6 +13,7 @@ upstream: ros2cli/ros2cli/cli.py, ros2run.  Read `page.py` next.
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 from collections.abc import Callable, Sequence
 from importlib import import_module
@@ -64,6 +65,8 @@ EXECUTABLES = {
     },
     "tf2_tools": {"view_frames": Executable("tflab.tools.view_frames", shows=True)},
 }
+
+CLOSED_PIPE = 141  # what a shell says of a program that wrote to a reader who has gone
 
 # How long a page runs a verb that would go on for ever, or very long [s].
 PAGE_SECONDS = {"echo": 2.0, "hz": 3.5, "delay": 3.5, "record": 5.0, "play": 3600.0}
@@ -188,6 +191,11 @@ def _exit_code(program: Callable[[], int | str | None]) -> int:
         outcome = stop.code
     except RuntimeError as refusal:
         outcome = str(refusal)
+    except BrokenPipeError:  # whoever read the output has gone, as `| head -1` does: nobody is left to write to
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return CLOSED_PIPE
+    except OSError as fault:  # a disk that is full
+        outcome = f"ros2: {fault}"
     return _refuse(outcome) if isinstance(outcome, str) else outcome or 0
 
 

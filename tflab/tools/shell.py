@@ -57,11 +57,14 @@ def ros2(words: Sequence[str]) -> int:
         options = parser.parse_args(list(words))
     except SystemExit as stop:
         return stop.code or 0
+    if late := {"--bag", "--for"} & set(options.words):
+        print(f"tflab ros2: {late.pop()} stands first: tflab ros2 --for 3 topic hz /tf", file=sys.stderr)
+        return 2
     if options.bag is not None:
         return _on_bag(options.bag, options.words, options.seconds)
     codes: list[int] = []
-    _run_files([], beside=[("ros2", _program(options.words, codes))], seconds=options.seconds)
-    return codes[0] % 256 if codes else 0
+    failed = _run_files([], beside=[("ros2", _program(options.words, codes))], seconds=options.seconds)
+    return codes[0] % 256 if codes else failed
 
 
 def _on_bag(bag: str, words: Sequence[str], seconds: float | None) -> int:
