@@ -58,3 +58,9 @@ class Entity:
         """Have nothing to do any more."""
         self.is_destroyed = True
         self.node.pending.pop(self, None)
+
+    def __enter__(self) -> Entity:
+        return self
+
+    def __exit__(self, *exc: object) -> None:
+        self.destroy()

@@ -42,9 +42,9 @@ class NodeParameters:
         self._descriptors: dict[str, Descriptor] = {}
         self._parameter_overrides = overrides
         self._allow_undeclared_parameters = allow_undeclared
-        self._pre_set_callbacks: list[Callable] = []
-        self._on_set_callbacks: list[Callable] = []
-        self._post_set_callbacks: list[Callable] = []
+        self._pre_set_parameters_callbacks: list[Callable] = []
+        self._on_set_parameters_callbacks: list[Callable] = []
+        self._post_set_parameters_callbacks: list[Callable] = []
 
     # -- declaring ------------------------------------------------------------------
 
@@ -73,6 +73,8 @@ class NodeParameters:
             raise ParameterAlreadyDeclaredException([name])
         if not isinstance(name, str) or not name.strip():
             raise InvalidParameterException(name)
+        if not isinstance(descriptor, Descriptor | None):
+            raise TypeError(f"descriptor must be a ParameterDescriptor, not {descriptor!r}")
         descriptor = Descriptor() if descriptor is None else copy_message(descriptor)
         descriptor.name = name
         parameter, kind = self._initial(name, value, ignore_override)
@@ -106,6 +108,9 @@ class NodeParameters:
                     f"Expected (name,), (name, value) or (name, value, descriptor) for a parameter, not {row!r}"
                 )
         prefix = f"{namespace}." if namespace else ""
+        taken = [prefix + row[0] for row in rows if self.has_parameter(prefix + row[0])]
+        if taken:  # all of them or none
+            raise ParameterAlreadyDeclaredException(taken)
         return [self.declare_parameter(prefix + row[0], *row[1:], ignore_override=ignore_override) for row in rows]
 
     def undeclare_parameter(self, name: str) -> None:
@@ -118,9 +123,7 @@ class NodeParameters:
             raise ParameterNotDeclaredException(name)
         if self._descriptors[name].read_only:
             raise ParameterImmutableException(name)
-        deleted = self._parameters.pop(name)
-        del self._descriptors[name]
-        self._announce(deleted=[deleted])
+        self._forget([name])
 
     def has_parameter(self, name: str) -> bool:
         """Return whether a parameter was declared."""
@@ -168,6 +171,10 @@ class NodeParameters:
     def get_parameter_type(self, name: str) -> Parameter.Type:
         """Return the type of a parameter."""
         return self._parameters[name].type_ if self.has_parameter(name) else self.get_parameter(name).type_
+
+    def get_parameter_types(self, names: Iterable[str]) -> list[Parameter.Type]:
+        """Return the types of several parameters."""
+        return [self.get_parameter_type(name) for name in names]
 
     def describe_parameter(self, name: str) -> Descriptor:
         """Return what is known of a parameter besides its value."""
@@ -222,13 +229,16 @@ class NodeParameters:
         return [self.set_parameters_atomically([parameter]) for parameter in parameter_list]
 
     def set_parameters_atomically(self, parameter_list: list[Parameter]) -> Result:
-        """Set parameters all together or not at all; return whether they were accepted, and if not, why."""
+        """Set parameters all together or not at all; return whether they were accepted, and if not, why.
+
+        A dynamically typed parameter that is set to nothing (Parameter.Type.NOT_SET) is undeclared by that.
+        """
         for parameter in parameter_list:
             if not isinstance(parameter, Parameter):
                 raise TypeError("parameter must be instance of type Parameter")
-        for callback in self._pre_set_callbacks:
+        for callback in self._pre_set_parameters_callbacks:
             parameter_list = callback(parameter_list)
-        if self._pre_set_callbacks and not parameter_list:
+        if self._pre_set_parameters_callbacks and not parameter_list:
             return Result(successful=False, reason=NOTHING_LEFT)
         for parameter in parameter_list:
             if not self.has_parameter(parameter.name):
@@ -237,34 +247,35 @@ class NodeParameters:
                 self._descriptors[parameter.name] = Descriptor(name=parameter.name, dynamic_typing=True)
         result = self._judge(parameter_list, self._descriptors, check_read_only=True)
         if result.successful:
-            self._store(parameter_list)
-            for callback in self._post_set_callbacks:
+            self._store([each for each in parameter_list if each.type_ is not Parameter.Type.NOT_SET])
+            self._forget([each.name for each in parameter_list if each.type_ is Parameter.Type.NOT_SET])
+            for callback in self._post_set_parameters_callbacks:
                 callback(parameter_list)
         return result
 
     def add_pre_set_parameters_callback(self, callback: Callable[[list[Parameter]], list[Parameter]]) -> None:
         """Let `callback(parameters)` change what is to be set; the last one added is asked first."""
-        self._pre_set_callbacks.insert(0, callback)
+        self._pre_set_parameters_callbacks.insert(0, callback)
 
     def add_on_set_parameters_callback(self, callback: Callable[[list[Parameter]], Result]) -> None:
         """Let `callback(parameters)` accept or refuse; the last one added is asked first."""
-        self._on_set_callbacks.insert(0, callback)
+        self._on_set_parameters_callbacks.insert(0, callback)
 
     def add_post_set_parameters_callback(self, callback: Callable[[list[Parameter]], None]) -> None:
         """Have `callback(parameters)` called after they were set; the last one added comes first."""
-        self._post_set_callbacks.insert(0, callback)
+        self._post_set_parameters_callbacks.insert(0, callback)
 
     def remove_pre_set_parameters_callback(self, callback: Callable) -> None:
         """Forget such a callback."""
-        self._pre_set_callbacks.remove(callback)
+        self._pre_set_parameters_callbacks.remove(callback)
 
     def remove_on_set_parameters_callback(self, callback: Callable) -> None:
         """Forget such a callback."""
-        self._on_set_callbacks.remove(callback)
+        self._on_set_parameters_callbacks.remove(callback)
 
     def remove_post_set_parameters_callback(self, callback: Callable) -> None:
         """Forget such a callback."""
-        self._post_set_callbacks.remove(callback)
+        self._post_set_parameters_callbacks.remove(callback)
 
     # -- inside -------------------------------------------------------------------------
 
@@ -286,7 +297,7 @@ class NodeParameters:
             reason = _fault(parameter, descriptors[parameter.name], check_read_only)
             if reason:
                 return Result(successful=False, reason=reason)
-        for callback in self._on_set_callbacks:
+        for callback in self._on_set_parameters_callbacks:
             result = callback(parameters)
             if not result.successful:
                 return result
@@ -296,7 +307,15 @@ class NodeParameters:
         new = [each for each in parameters if each.name not in self._parameters]
         changed = [each for each in parameters if each.name in self._parameters]
         self._parameters.update({each.name: each for each in parameters})
-        self._announce(new=new, changed=changed)
+        if parameters:
+            self._announce(new=new, changed=changed)
+
+    def _forget(self, names: list[str]) -> None:
+        deleted = [self._parameters.pop(name) for name in names if name in self._parameters]
+        for name in names:
+            self._descriptors.pop(name, None)
+        if deleted:
+            self._announce(deleted=deleted)
 
     def _announce(
         self, new: Iterable[Parameter] = (), changed: Iterable[Parameter] = (), deleted: Iterable[Parameter] = ()

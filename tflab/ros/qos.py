@@ -44,6 +44,12 @@ __all__ = [
 ]
 
 
+ZERO_DEPTH = (
+    "A zero depth with KEEP_LAST doesn't make sense; no data could be stored. "
+    "This will be interpreted as SYSTEM_DEFAULT"
+)
+
+
 class InvalidQoSProfileException(Exception):
     """A QoSProfile lacks something."""
 
@@ -140,14 +146,11 @@ class QoSProfile:
             policies["history"] = HistoryPolicy.KEEP_LAST
         elif policies["history"] == HistoryPolicy.KEEP_LAST and "depth" not in policies:
             raise InvalidQoSProfileException("History set to KEEP_LAST without a depth setting.")
-        for name, default in _DEFAULTS.items():
-            setattr(self, name, policies.get(name, default))
+        self._history = HistoryPolicy.UNKNOWN
+        for name in reversed(_DEFAULTS):  # the history last: a depth of 0 is judged here, once
+            setattr(self, name, policies.get(name, _DEFAULTS[name]))
         if self._history == HistoryPolicy.KEEP_LAST and self._depth == 0 and "depth" in policies:
-            warnings.warn(
-                "A zero depth with KEEP_LAST doesn't make sense; no data could be stored. "
-                "This will be interpreted as SYSTEM_DEFAULT",
-                stacklevel=2,
-            )
+            warnings.warn(ZERO_DEPTH, stacklevel=2)
 
     @property
     def history(self) -> HistoryPolicy:
@@ -167,6 +170,8 @@ class QoSProfile:
     @depth.setter
     def depth(self, value: int) -> None:
         assert isinstance(value, int)
+        if value == 0 and self._history == HistoryPolicy.KEEP_LAST:
+            warnings.warn(ZERO_DEPTH, stacklevel=2)
         self._depth = value
 
     @property

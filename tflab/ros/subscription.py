@@ -102,12 +102,6 @@ class Subscription(Entity):
             self._queue.clear()
         super().destroy()
 
-    def __enter__(self) -> Subscription:
-        return self
-
-    def __exit__(self, *exc: object) -> None:
-        self.destroy()
-
 
 class RawSubscription(Subscription):
     """Calls back with bytes, as they are on the wire."""

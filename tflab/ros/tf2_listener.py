@@ -87,7 +87,7 @@ class TransformListener:
 
     def _take(self, sample: Sample, is_static: bool) -> None:
         buffer = self.buffer
-        if type(buffer) is Buffer and not buffer.has_waiting() and type(self) in _PLAIN:
+        if _is_plain(self, buffer) and not buffer.has_waiting():
             store = buffer.core.set_transform
             for stamped in sample.stampeds:
                 store(stamped, AUTHORITY, is_static)
@@ -145,7 +145,20 @@ class StaticTransformListener(TransformListener):
             self._spin_in_thread()
 
 
-_PLAIN = (TransformListener, StaticTransformListener)  # whose callbacks nobody has overridden
+_PLAIN = (
+    TransformListener.callback,
+    TransformListener.static_callback,
+    Buffer.set_transform,
+    Buffer.set_transform_static,
+)
+
+
+def _is_plain(listener: TransformListener, buffer: Any) -> bool:
+    """Return whether nobody has overridden, or replaced, what stores a transform."""
+    if type(buffer) is not Buffer:
+        return False
+    methods = (listener.callback, listener.static_callback, buffer.set_transform, buffer.set_transform_static)
+    return tuple(getattr(method, "__func__", None) for method in methods) == _PLAIN
 
 
 def _profile(durability: DurabilityPolicy = DurabilityPolicy.VOLATILE) -> QoSProfile:

@@ -14,7 +14,6 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 from .clock import Clock, ClockChange, JumpThreshold, TimeJump
@@ -27,13 +26,28 @@ from .time import Time
 __all__ = ["Rate", "Timer", "TimerInfo"]
 
 
-@dataclass(frozen=True)
 class TimerInfo:
-    """When a timer's call was due, and when it came."""
+    """When a timer's call was due, and when it came: given in nanoseconds, read as Time."""
 
-    expected_call_time: Time
-    actual_call_time: Time
-    clock_type: ClockType
+    def __init__(
+        self,
+        *,
+        expected_call_time: int = 0,
+        actual_call_time: int = 0,
+        clock_type: ClockType = ClockType.SYSTEM_TIME,
+    ) -> None:
+        self._expected_call_time = Time(nanoseconds=expected_call_time, clock_type=clock_type)
+        self._actual_call_time = Time(nanoseconds=actual_call_time, clock_type=clock_type)
+
+    @property
+    def expected_call_time(self) -> Time:
+        """When the call was due."""
+        return self._expected_call_time
+
+    @property
+    def actual_call_time(self) -> Time:
+        """When it came."""
+        return self._actual_call_time
 
 
 class Timer(Entity):
@@ -106,6 +120,7 @@ class Timer(Entity):
     def destroy(self) -> None:
         if not self.is_destroyed:
             self._jump_handle.unregister()
+        self._canceled = True  # nobody waits for it any more
         super().destroy()
 
     def take(self) -> Callable[[], Any]:
@@ -127,9 +142,8 @@ class Timer(Entity):
             return None
         if not self._wants_info:
             return self.callback()
-        kind = self.clock.clock_type
         return self.callback(
-            TimerInfo(Time(nanoseconds=expected_ns, clock_type=kind), Time(nanoseconds=now_ns, clock_type=kind), kind)
+            TimerInfo(expected_call_time=expected_ns, actual_call_time=now_ns, clock_type=self.clock.clock_type)
         )
 
     def _before_jump(self) -> None:
