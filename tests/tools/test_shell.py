@@ -10,6 +10,7 @@ from tools_robot import fixed, moving
 
 from tflab import __version__
 from tflab.cli import main
+from tflab.tools.ros2 import plan
 
 TALKER = """\
 import rclpy
@@ -222,3 +223,30 @@ def test_a_full_disk_is_one_line_and_a_failure(bag):
         ended = subprocess.run([sys.executable, "-c", code, *words], stdout=full, stderr=subprocess.PIPE, text=True)
     assert ended.stderr.splitlines()[0] == "ros2: [Errno 28] No space left on device"
     assert ended.returncode != 0
+
+
+def test_a_node_that_sits_in_a_call_that_nothing_interrupts_does_not_keep_the_shell(tmp_path):
+    (tmp_path / "ask.py").write_text("input()\n")
+    process = tflab("run", "ask.py", stdin=subprocess.PIPE, cwd=tmp_path)
+    time.sleep(1.0)
+    for _ in range(2):  # the second one ends the patience
+        process.send_signal(signal.SIGINT)
+        time.sleep(1.0)
+    error = process.stderr.read()
+    assert error.splitlines()[-1] == 'participant "ask" went on after it was interrupted, at ask.py:1 in <module>.'
+    assert process.wait(timeout=30) == 1
+
+
+@pytest.mark.parametrize(
+    ("words", "reason"),
+    [
+        (["play", "x", "-r", "0"], "-r/--rate: 0 is not in the valid range (> 0.0)"),
+        (["play", "x", "-r", "fast"], "-r/--rate: fast is not the valid type (float)"),
+        (["play", "x", "--start-offset", "-1"], "--start-offset: -1 is not in the valid range (>= 0.0)"),
+        (["record", "-e", "(["], "-e/--regex: ([ is no regular expression: unterminated character set at position 1"),
+    ],
+)
+def test_wrong_options_of_a_bag_are_explained(words, reason, capsys):
+    with pytest.raises(SystemExit):
+        plan(["bag", *words])
+    assert capsys.readouterr().err.splitlines()[-1] == f"ros2 bag {words[0]}: error: argument {reason}"

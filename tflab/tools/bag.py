@@ -60,7 +60,7 @@ def _add_play_options(verb: argparse.ArgumentParser) -> None:
 def _add_record_options(verb: argparse.ArgumentParser) -> None:
     verb.add_argument("topics", nargs="*", default=[], help="List of topics to record.")
     verb.add_argument("-a", "--all", action="store_true", help="Record all topics.")
-    verb.add_argument("-e", "--regex", default="", help="Record only topics containing provided regular expression.")
+    verb.add_argument("-e", "--regex", type=_pattern, help="Record only topics containing provided regular expression.")
     verb.add_argument("-o", "--output", help="Destination of the bag to create; a timestamped directory by default.")
     verb.add_argument("-s", "--storage", choices=STORAGES, default=distro.current().default_bag_storage,
                       help="Storage identifier to be used.")  # fmt: skip
@@ -144,14 +144,13 @@ def play(options: argparse.Namespace) -> str | None:
 
 def _filter(options: argparse.Namespace, topics: list[str]):
     """Return the function that says whether a topic is to be recorded."""
-    pattern = re.compile(options.regex) if options.regex else None
     own = ("/rosout", "/parameter_events", "/events/write_split")
 
     def is_wanted(topic: str) -> bool:
         if topic in topics:
             return True
-        if pattern is not None:
-            return pattern.search(topic) is not None
+        if options.regex is not None:
+            return options.regex.search(topic) is not None
         return options.all and topic not in own
 
     return is_wanted
@@ -163,14 +162,28 @@ def _dated_name() -> str:
 
 
 def _positive(text: str) -> float:
-    value = float(text)
-    if not value > 0.0:
-        raise argparse.ArgumentTypeError("Value must be a positive number")
+    value = _float(text)
+    if not 0.0 < value < float("inf"):
+        raise argparse.ArgumentTypeError(f"{text} is not in the valid range (> 0.0)")
     return value
 
 
 def _not_negative(text: str) -> float:
-    value = float(text)
-    if not value >= 0.0:
-        raise argparse.ArgumentTypeError("Value must not be negative")
+    value = _float(text)
+    if not 0.0 <= value < float("inf"):
+        raise argparse.ArgumentTypeError(f"{text} is not in the valid range (>= 0.0)")
     return value
+
+
+def _float(text: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text} is not the valid type (float)") from None
+
+
+def _pattern(text: str) -> re.Pattern[str]:
+    try:
+        return re.compile(text)
+    except re.error as fault:
+        raise argparse.ArgumentTypeError(f"{text} is no regular expression: {fault}") from None

@@ -14,6 +14,7 @@ This is the last page of the room.
 from __future__ import annotations
 
 import argparse
+import os
 import shlex
 import sys
 from collections.abc import Callable, Sequence
@@ -172,9 +173,16 @@ def _program(words: Sequence[str], codes: list[int] | None = None) -> Callable[[
 
 
 def _run_files(paths: Sequence[str], **options: Any) -> int:
-    from tflab.ros.run import run_files  # only now: it is long to load, and --help must not wait for it
+    from tflab.ros.graph import current_graph  # only now: long to load, and --help must not wait for it
+    from tflab.ros.run import run_files
 
-    return run_files(paths, **options)
+    code = run_files(paths, **options)
+    if any(each.is_running for each in current_graph().participants):
+        # It sits in a call that nothing interrupts, such as input(); waiting for it, Python itself would abort.
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(code)
+    return code
 
 
 def _refuse(fault: Exception) -> int:
