@@ -289,3 +289,23 @@ def test_an_unknown_type_is_not_a_transform_exception():
         TransformRegistration().get(int)
     assert refused.value.errstr == "Type <class 'int'> is not loaded or supported"
     assert not isinstance(refused.value, TransformException)
+
+
+def test_velocity_of_a_turned_frame_is_as_wrong_as_on_a_robot():
+    # Driving along y at 1 m/s, turned left by 90 degrees: tf2 turns the velocity once too often.
+    from tflab.core import quaternions
+
+    buffer = Buffer()
+    for i in range(11):
+        transform = TransformStamped()
+        transform.header.frame_id, transform.child_frame_id = "odom", "base_link"
+        transform.header.stamp = Time(seconds=1 + i / 10).to_msg()
+        transform.transform.translation.y = i / 10
+        turn = transform.transform.rotation
+        turn.x, turn.y, turn.z, turn.w = quaternions.from_rpy(0.0, 0.0, 3.141592653589793 / 2)
+        buffer.set_transform(transform, "test")
+    linear, angular = buffer.lookupVelocityCore("base_link", "odom", Time(seconds=1.5), Duration(seconds=0.2))
+    assert linear == pytest.approx((-1.0, 0.0, 0.0), abs=1e-6)
+    assert angular == pytest.approx((0.0, 0.0, 0.0), abs=1e-6)
+    true = buffer.core.lookup_velocity("base_link", "odom", 1_500_000_000, 200_000_000)
+    assert true.linear == pytest.approx((0.0, 1.0, 0.0), abs=1e-6)

@@ -8,16 +8,19 @@ The velocity is what happens to `tracking_frame`, as seen from
 `observation_frame`, between two lookups.  Near the newest data the interval is
 moved back so that it ends there, as in tf2.
 
-tf2's BufferCore::lookupVelocity (0.39.1) finds the same interval and the same
-angular velocity, but turns the linear one by the wrong rotation and multiplies
-two vectors number by number where a cross product is meant, so it is right only
-for frames that are not turned against each other.  We compute what the names say.
+tf2's BufferCore::lookupVelocity (0.39.1) finds the same interval, but then turns
+both vectors by the wrong rotation, and multiplies two vectors number by number
+where a cross product is meant: it is right only for frames that are not turned
+against each other.  `lookup_velocity` computes what the names say;
+`lookup_velocity_as_tf2` what a robot answers, for code that has to agree with one.
 
 Read `describe.py` next.
 """
 
 from __future__ import annotations
 
+import math
+import sys
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -29,7 +32,7 @@ from .stamps import NSEC_PER_SEC
 if TYPE_CHECKING:
     from .buffer import BufferCore
 
-__all__ = ["Velocity", "lookup_velocity"]
+__all__ = ["Velocity", "lookup_velocity", "lookup_velocity_as_tf2"]
 
 
 class Velocity(NamedTuple):
@@ -48,6 +51,13 @@ class Velocity(NamedTuple):
     stamp_ns: int
     linear: Vector3
     angular: Vector3
+
+
+def _newest_ns(buffer: BufferCore, observation_frame: str, tracking_frame: str) -> int:
+    try:
+        return buffer.latest_common_time_ns(observation_frame, tracking_frame)
+    except TransformException:
+        return 0  # the first lookup will say why
 
 
 def averaging_interval_ns(stamp_ns: int, averaging_ns: int, newest_ns: int) -> tuple[int, int]:
@@ -73,10 +83,7 @@ def lookup_velocity(
     """Return the velocity of `tracking_frame` in `observation_frame`: see BufferCore.lookup_velocity."""
     reference_frame = reference_frame or observation_frame
     reference_point_frame = reference_point_frame or tracking_frame
-    try:
-        newest_ns = buffer.latest_common_time_ns(observation_frame, tracking_frame)
-    except TransformException:
-        newest_ns = 0  # the first lookup will say why
+    newest_ns = _newest_ns(buffer, observation_frame, tracking_frame)
     start_ns, end_ns = averaging_interval_ns(stamp_ns, averaging_ns, newest_ns)
     start = buffer.lookup_transform(observation_frame, tracking_frame, start_ns).transform
     end = buffer.lookup_transform(observation_frame, tracking_frame, end_ns).transform
@@ -102,6 +109,49 @@ def lookup_velocity(
         linear=quaternions.rotate(turn, linear),
         angular=quaternions.rotate(turn, angular),
     )
+
+
+def lookup_velocity_as_tf2(
+    buffer: BufferCore,
+    tracking_frame: str,
+    observation_frame: str,
+    stamp_ns: int,
+    averaging_ns: int,
+    reference_frame: str | None = None,
+    reference_point: Sequence[float] = (0.0, 0.0, 0.0),
+    reference_point_frame: str | None = None,
+) -> Velocity:
+    """Return what tf2 0.39.1 answers, step by step and number by number.
+
+    Raises:
+        TransformException: as for BufferCore.lookup_transform.
+    """
+    reference_frame = reference_frame or observation_frame
+    newest_ns = _newest_ns(buffer, observation_frame, tracking_frame)
+    start_ns, end_ns = averaging_interval_ns(stamp_ns, averaging_ns, newest_ns)
+    start = buffer.lookup_transform(observation_frame, tracking_frame, start_ns).transform
+    end = buffer.lookup_transform(observation_frame, tracking_frame, end_ns).transform
+    interval_s = (end_ns - start_ns) / NSEC_PER_SEC or math.nan
+
+    x, y, z, w = quaternions.canonical(quaternions.multiply(quaternions.conjugate(start.rotation), end.rotation))
+    sine = math.sqrt(max(0.0, 1.0 - w * w))
+    axis = (x / sine, y / sine, z / sine) if sine * sine > 10 * sys.float_info.epsilon else (1.0, 0.0, 0.0)
+    speed = 2.0 * math.acos(min(1.0, w)) / interval_s
+    turning = tuple(speed * c for c in quaternions.rotate(start.rotation, axis))
+    moving = tuple((b - a) / interval_s for a, b in zip(start.translation, end.translation, strict=True))
+
+    reference_T_tracking = buffer.lookup_transform(reference_frame, tracking_frame, stamp_ns).transform
+    origin, turn = reference_T_tracking.translation, reference_T_tracking.rotation
+    point_frame = reference_point_frame or tracking_frame
+    point = buffer.lookup_transform(reference_frame, point_frame, stamp_ns).transform.apply(reference_point)
+    angular = quaternions.rotate(turn, turning)  # the axes were those of the observation frame, not the tracking one
+    linear = tuple(
+        v + c + w * (p - o)  # here a cross product was meant
+        for v, c, w, p, o in zip(
+            quaternions.rotate(turn, moving), _cross(origin, angular), angular, point, origin, strict=True
+        )
+    )
+    return Velocity(reference_frame, tracking_frame, start_ns + averaging_ns // 2, linear, angular)
 
 
 def _angular(start: quaternions.Quaternion, end: quaternions.Quaternion, interval_s: float) -> Vector3:

@@ -11,6 +11,7 @@ from __future__ import annotations
 from typing import Any
 
 from tflab import core
+from tflab.core.velocity import lookup_velocity_as_tf2
 
 from . import distro
 from .clock_type import ClockType
@@ -99,8 +100,8 @@ class BufferCore:
         self, tracking_frame: str, observation_frame: str, time: Any, averaging_interval: Any
     ) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
         """Return (linear [m/s], angular [rad/s]) velocity of a frame as seen from another."""
-        velocity = self.core.lookup_velocity(
-            tracking_frame, observation_frame, stamp_ns_from(time), duration_ns_from(averaging_interval)
+        velocity = lookup_velocity_as_tf2(
+            self.core, tracking_frame, observation_frame, stamp_ns_from(time), duration_ns_from(averaging_interval)
         )
         return velocity.linear, velocity.angular
 
@@ -116,7 +117,8 @@ class BufferCore:
         /,
     ) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
         """Return (linear [m/s], angular [rad/s]) velocity of a point, in the axes of a third frame."""
-        velocity = self.core.lookup_velocity(
+        velocity = lookup_velocity_as_tf2(
+            self.core,
             tracking_frame,
             observation_frame,
             stamp_ns_from(time),
