@@ -1,9 +1,10 @@
-"""Is the house in order?  Imports point one way, modules are short, and `import tflab` is light."""
+"""Is the house in order?  Imports point one way, modules are short, each names the next, and `import tflab` is light."""
 
 from __future__ import annotations
 
 import ast
 import importlib
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -39,6 +40,9 @@ HEAVY = {
     "nbval",
     "yaml",
 }
+
+# Pages of tflab.ros that its reading order leaves out; no other page may be missing.
+NAMED_NOWHERE = {"event_handler", "unique_identifier_msgs"}
 
 MODULES = sorted(path for path in ROOT.rglob("*.py"))
 
@@ -80,6 +84,32 @@ def test_a_module_is_short_and_says_what_it_is(path: Path) -> None:
     text = path.read_text(encoding="utf-8")
     assert text.count("\n") <= ABOUT_400_LINES
     assert ast.get_docstring(ast.parse(text)) or not text.strip()
+
+
+@pytest.mark.parametrize("path", MODULES, ids=lambda p: str(p.relative_to(ROOT)))
+def test_the_page_to_read_next_is_there(path: Path) -> None:
+    docstring = ast.get_docstring(ast.parse(path.read_text(encoding="utf-8"))) or ""
+    for page in pages_to_read_next(docstring):
+        assert (path.parent / page).is_file(), f"there is no {page} beside {path}"
+        assert path.parent / page != path
+
+
+@pytest.mark.parametrize("room", sorted({p.parent for p in MODULES} - {ROOT}), ids=lambda p: str(p.relative_to(ROOT)))
+def test_every_page_is_named_by_its_room_or_by_the_page_before_it(room: Path) -> None:
+    if "packages" in room.parts:
+        pytest.skip("these folders are laid out as ROS's own packages are")
+    docstrings = {
+        page: ast.get_docstring(ast.parse(page.read_text(encoding="utf-8"))) or "" for page in room.glob("*.py")
+    }
+    named = set(re.findall(r"\w+", docstrings.pop(room / "__init__.py")))
+    for docstring in docstrings.values():
+        named |= {Path(page).stem for page in pages_to_read_next(docstring)}
+    assert {page.stem for page in docstrings} - NAMED_NOWHERE <= named
+
+
+def pages_to_read_next(docstring: str) -> list[str]:
+    """Return the pages that a docstring sends its reader to: "Read `cache.py` next"."""
+    return re.findall(r"[Rr]ead\s+`([\w/]+\.py)`\s+next", docstring)
 
 
 @pytest.mark.parametrize("code", ["import tflab", "import tflab.core", "import tflab.cli"])

@@ -12,5 +12,5 @@
     info        `ros2 bag info`
 
 The files are read and written by the rosbags library, which is loaded only when
-a file is opened.  Start with `recording.py`.
+a file is opened.  Start with `errors.py`; each page names the next.
 """

@@ -3,7 +3,7 @@
     graph --/tf, /tf_static--> a listener for some seconds --> Recording
 
 A file cannot tell who published a transform; in one process nothing gets lost,
-so here every label has its publisher.
+so here every label has its publisher.  Read `play.py` next.
 """
 
 from __future__ import annotations

@@ -3,7 +3,7 @@
     reading drive.mcap  [##########..........]  52%
 
 Only where somebody is watching: into a file or a pipe nothing is written, and
-nothing that is compared depends on it.
+nothing that is compared depends on it.  Read `wire.py` next.
 """
 
 from __future__ import annotations

@@ -19,5 +19,5 @@
     doctor       the door: doctor(recording | graph | buffer)
     command      `tflab doctor BAG`
 
-Start with `findings.py`.
+Start with `findings.py`; each page names the next.
 """

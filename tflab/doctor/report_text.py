@@ -7,7 +7,7 @@
              Why   Two nodes publish the same transform ...
              Next  ros2 topic info /tf --verbose
 
-Read `report_html.py` next.
+Read `history.py` next.
 """
 
 from __future__ import annotations

@@ -6,7 +6,7 @@
               command     what to type on the robot next (lecture, 27)
 
 The blanks are filled from a finding's edge, topic and facts.  Another language is
-another table with the same keys.  Read `report_text.py` next.
+another table with the same keys.  Read `catalogue.py` next.
 """
 
 from __future__ import annotations

@@ -7,8 +7,7 @@
            `--o
 
 If *every* edge is silent at once, it is not the edges: the recorder, the network
-or the computer stood still, and that is one event.  Read `clocks.py` first, if the
-difference of two clocks is new to you; then `owners.py`.
+or the computer stood still, and that is one event.  Read `clocks.py` next.
 """
 
 from __future__ import annotations

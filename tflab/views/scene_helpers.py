@@ -11,7 +11,7 @@ All poses and points are in the scene's own frame; whoever draws decides which f
 that is.  Drawing the same path again moves what is there.  Each function takes a
 `Scene`, and leaves on what it draws the words that `scene_words.py` reads.
 
-Read `rviz.py` next.
+Read `rviz_status.py` next.
 """
 
 from __future__ import annotations

@@ -8,7 +8,7 @@
 Browsers draw every line one pixel wide, so whatever must be seen from afar is a
 mesh.  All functions here are arithmetic on arrays: points in, triangles out.
 
-Read `scene_helpers.py` next.
+Read `scene_words.py` next.
 """
 
 from __future__ import annotations
