@@ -23,6 +23,7 @@ from tflab.ros.qos_compatibility import QoSCompatibility, incompatible_policy, q
 
 RELIABLE, BEST_EFFORT = ReliabilityPolicy.RELIABLE, ReliabilityPolicy.BEST_EFFORT
 TRANSIENT_LOCAL, VOLATILE = DurabilityPolicy.TRANSIENT_LOCAL, DurabilityPolicy.VOLATILE
+AUTOMATIC, MANUAL_BY_TOPIC = QoSLivelinessPolicy.AUTOMATIC, QoSLivelinessPolicy.MANUAL_BY_TOPIC
 
 
 def profile(**policies):
@@ -158,10 +159,43 @@ def test_a_preset_is_found_by_its_name_on_the_command_line():
     ],
 )
 def test_an_offer_fits_if_it_is_no_less_than_the_request(offered, requested, policy, reason):
-    offered, requested = profile(**offered), profile(**requested)
+    offered = profile(liveliness=AUTOMATIC, **offered)
+    requested = profile(liveliness=AUTOMATIC, **requested)
     assert incompatible_policy(offered, requested) == policy
     result = QoSCompatibility.OK if policy is None else QoSCompatibility.ERROR
     assert qos_check_compatible(offered, requested) == (result, reason)
+
+
+@pytest.mark.parametrize(
+    ("policy", "offered", "requested", "reason"),
+    [
+        ("reliability", 0, 0, "Publisher reliability is system_default and subscription reliability is system_default"),
+        ("reliability", 0, RELIABLE, "Reliable subscription, but publisher is system_default"),
+        ("reliability", BEST_EFFORT, 3, "Best effort publisher, but subscription is unknown"),
+        ("durability", 0, 3, "Publisher durabilty is system_default and subscription durability is unknown"),
+        ("durability", 0, TRANSIENT_LOCAL, "Transient local subscription, but publisher is system_default"),
+        ("durability", VOLATILE, 0, "Volatile publisher, but subscription is system_default"),
+        ("liveliness", 0, 0, "Publisher liveliness is system_default and subscription liveliness is system_default"),
+        (
+            "liveliness",
+            0,
+            MANUAL_BY_TOPIC,
+            "Subscription's liveliness is manual by topic, but publisher's is system_default",
+        ),
+        ("liveliness", AUTOMATIC, 0, "Publisher's liveliness is automatic, but subscription's is system_default"),
+    ],
+)
+def test_a_policy_left_open_gives_a_warning(policy, offered, requested, reason):
+    sides = [profile(**{"liveliness": AUTOMATIC, policy: value}) for value in (offered, requested)]
+    assert qos_check_compatible(*sides) == (QoSCompatibility.WARNING, f"WARNING: {reason};")
+
+
+@pytest.mark.parametrize(
+    ("policy", "offered", "requested"), [("reliability", 0, BEST_EFFORT), ("durability", 0, VOLATILE)]
+)
+def test_a_policy_left_open_is_no_matter_where_every_value_would_fit(policy, offered, requested):
+    sides = [profile(**{"liveliness": AUTOMATIC, policy: value}) for value in (offered, requested)]
+    assert qos_check_compatible(*sides) == (QoSCompatibility.OK, "")
 
 
 def test_history_and_depth_never_stand_in_the_way():

@@ -14,6 +14,7 @@ from .qos import DurabilityPolicy, LivelinessPolicy, QoSProfile, ReliabilityPoli
 
 __all__ = ["QoSCompatibility", "incompatible_policy", "qos_check_compatible"]
 
+OPEN = ("SYSTEM_DEFAULT", "UNKNOWN")  # a value that leaves the decision to others
 ZERO = Duration()  # a span of zero means: no limit
 
 
@@ -78,9 +79,38 @@ def _errors(offered: QoSProfile, requested: QoSProfile) -> list[str]:
 
 
 def _warnings(offered: QoSProfile, requested: QoSProfile) -> list[str]:
-    reasons = []
-    for policy in ("reliability", "durability", "liveliness"):
-        sides = getattr(offered, policy), getattr(requested, policy)
-        if any(side.name in ("SYSTEM_DEFAULT", "UNKNOWN") for side in sides) and sides[0] != sides[1]:
-            reasons.append(f"Publisher {policy} is {sides[0].name} and subscription {policy} is {sides[1].name}")
-    return reasons
+    """Return what may go wrong because a side leaves a policy open; rmw's words, its slip included."""
+    return [
+        *_warnings_of(
+            (offered.reliability, requested.reliability),
+            ("BEST_EFFORT", "Best effort publisher, but subscription is"),
+            ("RELIABLE", "Reliable subscription, but publisher is"),
+            "Publisher reliability is {} and subscription reliability is {}",
+        ),
+        *_warnings_of(
+            (offered.durability, requested.durability),
+            ("VOLATILE", "Volatile publisher, but subscription is"),
+            ("TRANSIENT_LOCAL", "Transient local subscription, but publisher is"),
+            "Publisher durabilty is {} and subscription durability is {}",
+        ),
+        *_warnings_of(
+            (offered.liveliness, requested.liveliness),
+            ("AUTOMATIC", "Publisher's liveliness is automatic, but subscription's is"),
+            ("MANUAL_BY_TOPIC", "Subscription's liveliness is manual by topic, but publisher's is"),
+            "Publisher liveliness is {} and subscription liveliness is {}",
+        ),
+    ]
+
+
+def _warnings_of(
+    sides: tuple[IntEnum, IntEnum], least_offer: tuple[str, str], highest_request: tuple[str, str], both: str
+) -> list[str]:
+    """Return the warning of one policy; a pair is a value, and what to say if the other side is open."""
+    offered, requested = (side.name for side in sides)
+    if offered in OPEN and requested in OPEN:
+        return [both.format(offered.lower(), requested.lower())]
+    if offered in OPEN and requested == highest_request[0]:
+        return [f"{highest_request[1]} {offered.lower()}"]
+    if offered == least_offer[0] and requested in OPEN:
+        return [f"{least_offer[1]} {requested.lower()}"]
+    return []
