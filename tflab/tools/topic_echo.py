@@ -108,7 +108,7 @@ def topic_class(node: Node, topic_name: str, type_name: str | None = None) -> ty
         return message_class(type_name)
     types = types_of(node, full_name)
     if types is None:
-        print(f"WARNING: topic [{full_name}] does not appear to be published yet")
+        print(f"WARNING: topic [{full_name}] does not appear to be published yet", flush=True)
         return None
     if len(types) > 1:
         raise RuntimeError(f"Cannot echo topic '{full_name}', as it contains more than one type: [{', '.join(types)}]")
