@@ -84,6 +84,7 @@ def test_a_tool_alone_ends_with_its_exit_code():
         (["run", "nope.py"], "tflab run: no such node file: nope.py\n"),
         (["run", "x.py", "--with", "rm -r"],
          "tflab run: --with takes a line that begins with ros2, such as 'ros2 topic hz /tf', not 'rm -r'\n"),
+        (["run", "page.ipynb"], "tflab run: a notebook is no node file: page.ipynb; open it with `tflab lab`\n"),
         (["rnu"], 'tflab: there is no "rnu"; '),
     ],
 )  # fmt: skip
@@ -250,3 +251,11 @@ def test_wrong_options_of_a_bag_are_explained(words, reason, capsys):
     with pytest.raises(SystemExit):
         plan(["bag", *words])
     assert capsys.readouterr().err.splitlines()[-1] == f"ros2 bag {words[0]}: error: argument {reason}"
+
+
+def test_a_tool_without_its_quotes_is_put_right(capsys):
+    assert main(["run", "x.py", "--with", "ros2", "topic", "hz", "/tf"]) == 2
+    assert capsys.readouterr().err.splitlines()[-1] == (
+        "tflab run: error: unrecognized arguments: topic hz /tf; "
+        "the line of a tool stands in quotes: --with 'ros2 topic hz /tf'"
+    )

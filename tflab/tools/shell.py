@@ -31,12 +31,14 @@ CLOCK_HZ = 100.0
 def run(words: Sequence[str]) -> int:
     """Run node files, and tools beside them, until they have ended or Ctrl-C; return the exit code."""
     try:
-        options = _run_parser().parse_args(list(words))
+        options = _run_options(words)
         beside = [(line, _program(ros2_words.plan(_words_of(line)).words)) for line in options.tools]
     except SystemExit as stop:  # help, or wrong words, which argparse has explained; nothing has begun
         return stop.code or 0
     except ValueError as fault:
         return _refuse(fault)
+    if notebooks := [path for path in options.files if path.endswith(".ipynb")]:
+        return _refuse(f"a notebook is no node file: {notebooks[0]}; open it with `tflab lab`")
     try:
         return _run_files(options.files, args=options.ros_args, beside=beside, seconds=options.seconds)
     except FileNotFoundError as fault:
@@ -132,6 +134,15 @@ def _run_parser() -> argparse.ArgumentParser:
     return parser
 
 
+def _run_options(words: Sequence[str]) -> argparse.Namespace:
+    parser = _run_parser()
+    options, rest = parser.parse_known_args(list(words))
+    if rest:
+        quotes = "; the line of a tool stands in quotes: --with 'ros2 topic hz /tf'" if options.tools else ""
+        parser.error(f"unrecognized arguments: {' '.join(rest)}{quotes}")
+    return options
+
+
 class _WithItsName(argparse.Action):
     """Keeps the words after `--ros-args`, and the option itself before them."""
 
@@ -185,6 +196,6 @@ def _run_files(paths: Sequence[str], **options: Any) -> int:
     return code
 
 
-def _refuse(fault: Exception) -> int:
+def _refuse(fault: Exception | str) -> int:
     print(f"tflab run: {fault}", file=sys.stderr)
     return 2
