@@ -13,6 +13,7 @@ import sys
 from collections.abc import Callable, Sequence
 from difflib import get_close_matches
 from importlib import import_module
+from io import TextIOWrapper
 from typing import NamedTuple
 
 from . import __version__
@@ -46,6 +47,8 @@ def main(words: Sequence[str] | None = None) -> int:
 
     Ctrl-C ends it without a word, and so does a reader that has gone, as in `tflab ... | head -1`.
     """
+    if isinstance(sys.stdout, TextIOWrapper):
+        sys.stdout.reconfigure(errors="backslashreplace")  # a terminal that lacks a letter shows its number
     try:
         code = _run(list(sys.argv[1:] if words is None else words))
         if sys.stdout is not None:

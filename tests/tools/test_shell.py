@@ -1,5 +1,6 @@
 """`tflab run` and `tflab ros2`: in a shell, in real time."""
 
+import os
 import signal
 import subprocess
 import sys
@@ -259,3 +260,10 @@ def test_a_tool_without_its_quotes_is_put_right(capsys):
         "tflab run: error: unrecognized arguments: topic hz /tf; "
         "the line of a tool stands in quotes: --with 'ros2 topic hz /tf'"
     )
+
+
+def test_a_terminal_that_lacks_a_letter_shows_its_number(tmp_path):
+    (tmp_path / "hangul.py").write_text("print('발행')\n", encoding="utf-8")
+    process = tflab("run", "hangul.py", cwd=tmp_path, env=os.environ | {"PYTHONIOENCODING": "ascii"})
+    assert process.communicate(timeout=30) == ("\\ubc1c\\ud589\n", "")
+    assert process.returncode == 0

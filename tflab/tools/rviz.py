@@ -60,6 +60,10 @@ def look(graph: Graph | None = None, seconds: float = 1.0, decay_s: float = 0.0)
 
     Args:
         decay_s: how long a message stays on the screen, RViz's "Decay Time" [s]; 0: until the next one.
+
+    Raises:
+        ValueError: that is no time to listen for.
+        RuntimeError: it was ended before it had heard anything.
     """
     graph = current_graph() if graph is None else graph
     return result_of(graph, lambda: _watch(seconds, decay_s), seconds, name="rviz2")

@@ -24,7 +24,12 @@ __all__ = ["frame_tree", "with_publishers"]
 
 
 def frame_tree(graph: Graph | None = None, seconds: float = 5.0) -> TreePicture:
-    """Listen for `seconds` [s] of a graph's time, the current one's if None, and draw its tree with its publishers."""
+    """Listen for `seconds` [s] of a graph's time, the current one's if None, and draw its tree with its publishers.
+
+    Raises:
+        ValueError: that is no time to listen for.
+        RuntimeError: it was ended before it had heard anything.
+    """
     graph = current_graph() if graph is None else graph
     before = {edge[:4]: edge.count for edge in snapshot(graph).edges}
     heard = result_of(graph, lambda: _listen(seconds), seconds, name="frame_tree")

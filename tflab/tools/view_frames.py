@@ -71,7 +71,7 @@ def dot_from_frames(frames: Mapping[Any, Mapping[str, Any]], recorded_s: float) 
 
 def write_pictures(stem: str, dot: str, picture: TreePicture) -> None:
     """Write `stem`.gv and `stem`.pdf."""
-    Path(f"{stem}.gv").write_text(dot)
+    Path(f"{stem}.gv").write_text(dot, encoding="utf-8")
     Path(f"{stem}.pdf").write_bytes(picture.pdf())
 
 
