@@ -30,7 +30,7 @@ class PageError(Exception):
 
 
 class Outcome(NamedTuple):
-    """What came of a tool: its exit code, None while it runs or if it was stopped, and the pictures it has for the page."""
+    """What came of a tool: its exit code, None if it runs on or was stopped, and the pictures it has for the page."""
 
     exit_code: int | None
     pictures: tuple[Any, ...] = ()
