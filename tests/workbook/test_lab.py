@@ -50,6 +50,20 @@ def test_installed_from_a_wheel_the_pages_are_those_inside_the_package(monkeypat
     assert lab.pages_folder() == pages
 
 
+def test_pages_out_of_a_wheel_are_copied_and_what_was_written_on_the_copy_stays(tmp_path: Path, monkeypatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    pages = tmp_path / "tflab" / "_workbook" / "notebooks" / "en"
+    pages.mkdir(parents=True)
+    (pages / "a.ipynb").write_text("as it came")
+    copy = lab.own_copy(pages)
+    assert (copy / "a.ipynb").read_text() == "as it came"
+    (copy / "a.ipynb").write_text("mine")
+    (pages / "b.ipynb").write_text("new")
+    assert lab.own_copy(pages) == copy == tmp_path / lab.COPY
+    assert (copy / "a.ipynb").read_text() == "mine"
+    assert (copy / "b.ipynb").read_text() == "new"
+
+
 def test_jupyterlab_understands_the_options_that_keep_it_quiet() -> None:
     probe = (
         "import json, sys; from jupyterlab.labapp import LabApp;"

@@ -41,7 +41,7 @@ Read in this order; each page names the next:
     messages/                                            what nodes send each other
     clock_type  duration  time                           when, and for how long
     process  virtual  wall  graph  threads  network      who lives here, and how time passes
-    qos  qos_compatibility  names  exceptions  arguments  context  logging
+    qos  qos_compatibility  event_handler  names  exceptions  arguments  context  logging
     entity  timer  guard_condition  publisher  subscription  service  action
     callback_groups  task  executors  signals
     parameter  node_parameters  parameter_service  clock  time_source

@@ -14,6 +14,7 @@ from __future__ import annotations
 import argparse
 import os
 import shutil
+import subprocess
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -69,7 +70,8 @@ def html_from_notebook(notebook: Path, out_dir: Path) -> Path:
     with TemporaryDirectory() as folder:
         client = NotebookClient(page, timeout=SECONDS_FOR_A_CELL, resources={"metadata": {"path": folder}})
         try:
-            client.execute(env={**os.environ, "TFLAB_FILMS": "1"})
+            # A kernel's own remarks on how it is connected are nothing to whoever waits for a page.
+            client.execute(env={**os.environ, "TFLAB_FILMS": "1"}, stderr=subprocess.DEVNULL)
         except CellExecutionError as error:
             raise CellFailed(f"{notebook.name}: {error}") from None
         executed = Path(folder) / notebook.name

@@ -8,7 +8,8 @@ definition    what is in a message
 fields        what a field may hold
 base          the classes
 builtin_interfaces, std_msgs, geometry_msgs, sensor_msgs, nav_msgs,
-tf2_msgs, rosgraph_msgs, rcl_interfaces     the tables
+tf2_msgs, rosgraph_msgs, rcl_interfaces,
+unique_identifier_msgs      the tables
 text          as `ros2 topic echo` prints them
 values        to plain values and back: for bags
 """
