@@ -25,13 +25,15 @@ def test_readers_see_whole_samples_while_the_history_grows_is_pruned_and_cut(imp
     wrong, answers, done = [], [0, 0, 0], threading.Event()
 
     def write() -> None:
-        for stamp_ns in range(1, 1_000_000):
-            if stamp_ns > 5000 and min(answers) > 20:
-                break
-            at = float(stamp_ns)
-            buffer.set_transform(StampedTransform("a", "b", stamp_ns, Transform((-at, 0.0, 0.0))))
-            buffer.set_transform(StampedTransform("b", "c", stamp_ns, Transform((at, at, at))))
-        done.set()
+        try:
+            for stamp_ns in range(1, 1_000_000):
+                if stamp_ns > 5000 and min(answers) > 20:
+                    break
+                at = float(stamp_ns)
+                buffer.set_transform(StampedTransform("a", "b", stamp_ns, Transform((-at, 0.0, 0.0))))
+                buffer.set_transform(StampedTransform("b", "c", stamp_ns, Transform((at, at, at))))
+        finally:
+            done.set()
 
     def read(reader: int) -> None:
         while not done.is_set():
