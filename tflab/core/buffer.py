@@ -92,12 +92,15 @@ class BufferCore(Inspection):
         self._lock.acquire()  # a `with` would cost twice as much, and this is done for every transform
         try:
             edge = self._edges.get((stamped.frame_id, stamped.child_frame_id, is_static))
-            if edge is None or not checks.are_ordinary_numbers(numbers):
-                return self._set_with_care(stamped, numbers, authority, is_static)
-            cache, parent_number, child_number = edge
-            if cache.only_parent != parent_number:
-                return self._set_with_care(stamped, numbers, authority, is_static)
-            if not cache.insert(stamped.stamp_ns, numbers, parent_number, authority):
+            if edge is not None and edge[0].only_parent == edge[1] and checks.are_ordinary_numbers(numbers):
+                cache, parent_number, child_number = edge
+                accepted = cache.insert(stamped.stamp_ns, numbers, parent_number, authority)
+            else:
+                inserted = self._insert_with_care(stamped, numbers, authority, is_static)
+                if inserted is None:
+                    return False
+                cache, child_number, accepted = inserted
+            if not accepted:
                 return self._refused(stamped, cache, authority)
             self._tree.authorities[child_number] = authority
             if self._requests.waiting:
@@ -338,15 +341,18 @@ class BufferCore(Inspection):
 
     # -- inside -----------------------------------------------------------
 
-    def _set_with_care(
+    def _insert_with_care(
         self, stamped: StampedTransform, numbers: tuple[float, ...], authority: str, is_static: bool
-    ) -> bool:
-        """Store a transform of an edge that is new or has changed, or one that needs a closer look."""
+    ) -> tuple[Cache, int, bool] | None:
+        """Insert a transform of an edge that is new or has changed, or one that needs a closer look.
+
+        Return the history, the child's number and whether the history took it; None if it did not get that far.
+        """
         tree, parent, child = self._tree, stamped.frame_id, stamped.child_frame_id
         if not (checks.are_ordinary_names(parent, child) and checks.are_ordinary_numbers(numbers)):
             parent, child = checks.without_slash(parent), checks.without_slash(child)
             if not checks.is_acceptable(parent, child, numbers, authority):
-                return False
+                return None
             if any(map(isinf, numbers)):
                 tree.has_infinity = True
                 self._shape_changed()
@@ -359,12 +365,7 @@ class BufferCore(Inspection):
         if cache.only_parent != only_parent:
             self._shape_changed()
         self._edges[parent, child, is_static] = (cache, parent_number, child_number)
-        if not accepted:
-            return self._refused(stamped, cache, authority)
-        tree.authorities[child_number] = authority
-        if self._requests.waiting:
-            self._requests.judge_all()
-        return True
+        return cache, child_number, accepted
 
     def _cache_for(self, child_number: int, is_static: bool) -> Cache:
         """Return the history of a child, an empty one if it is new or changes its kind."""
