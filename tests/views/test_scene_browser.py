@@ -180,7 +180,8 @@ def test_scenes_start_no_process_and_open_no_port_and_follow_the_dark_theme(lab,
     wait_for_views(page)
     page.wait_for_selector(".jp-OutputArea-output >> text=True")
     background = "getComputedStyle(document.querySelector('.tflab-scene')).backgroundColor"
-    assert page.evaluate(background) == "rgb(255, 255, 255)"
+    lab.set_theme(page, "JupyterLab Light")  # another test may have left it dark
+    page.wait_for_function(f"{background} === 'rgb(255, 255, 255)'", timeout=10_000)
     lab.set_theme(page, "JupyterLab Dark")
     page.wait_for_function(f"Math.max(...{background}.match(/\\d+/g)) < 40", timeout=10_000)
     wait_for_colour(page, ORANGE, *IN_THE_MIDDLE)
