@@ -1,0 +1,91 @@
+"""When do two command lines do the same?  When the order of options, quotes and defaults do not matter.
+
+    ros2 run tf2_ros tf2_echo map base_link           (a leading `$`, `!` or `%` is no part of it)
+    ros2 topic echo --once /tf_static     ==     ros2 topic echo tf_static --once
+    static_transform_publisher: by the transform that it would publish
+
+A line becomes a row of marks: words, then options by name.  Numbers are compared
+as numbers.  Read `forms.py` next.
+"""
+
+from __future__ import annotations
+
+import shlex
+from collections.abc import Sequence
+
+from tflab.tools import static_transform_publisher
+
+__all__ = ["rows"]
+
+MarkPair = tuple[float | str, float]
+TOLERANCE = 1e-3
+
+# Options that stand alone; every other one takes the word after it.
+ALONE = {
+    "--all", "--csv", "--flow-style", "--help", "--include-hidden-nodes", "--include-hidden-topics", "--loop",
+    "--no-arr", "--no-daemon", "--no-log", "--no-str", "--once", "--raw", "--show-types", "--spin", "--verbose",
+    "-1", "-a", "-h", "-l", "-t", "-v", "-w",
+}  # fmt: skip
+LONG_NAMES = {"-a": "--all", "-h": "--help", "-l": "--loop", "-t": "--show-types", "-v": "--verbose", "-o": "--output"}
+NAMES_WITH_A_ROOT = {"topic", "node", "param", "service", "bag"}  # `tf` and `/tf` are the same to these
+
+
+def rows(line: str) -> list[list[MarkPair]] | None:
+    """Return the equal ways to write what `line` does, or None if it is not a line for a shell."""
+    try:
+        words = shlex.split(line.strip().lstrip("$!%").replace("\\\n", " "), comments=True)
+    except ValueError:
+        return None
+    if not words:
+        return None
+    if words[:4] == ["ros2", "run", "tf2_ros", "static_transform_publisher"]:
+        published = _published(words[4:])
+        if published is not None:
+            return published
+    return [_row(words)]
+
+
+def _published(arguments: Sequence[str]) -> list[list[MarkPair]] | None:
+    try:
+        request = static_transform_publisher.parse([word for word in arguments if word != "--"])
+    except static_transform_publisher.UsageError:
+        return None
+    if request.help:
+        return None
+    names = [("static", 0.0), (request.frame_id, 0.0), (request.child_frame_id, 0.0)]
+    before = names + [(number, TOLERANCE) for number in request.translation]
+    return [before + [(sign * number, TOLERANCE) for number in request.rotation] for sign in (1.0, -1.0)]
+
+
+def _row(words: Sequence[str]) -> list[MarkPair]:
+    bare: list[str] = []
+    options: list[tuple[str, list[str]]] = []
+    remaining = iter(words)
+    for word in remaining:
+        if not word.startswith("-") or _number(word) is not None:
+            bare.append(word)
+            continue
+        name, _, value = word.partition("=")
+        if not value and name not in ALONE:
+            value = next(remaining, "")
+        options.append((LONG_NAMES.get(name, name), [value] if value else []))
+    if bare[:1] == ["ros2"] and bare[1:2] and bare[1] in NAMES_WITH_A_ROOT:
+        # What follows the verb are names; `ros2 bag record` takes them in any order.
+        names = [word.removeprefix("/") for word in bare[3:]]
+        bare = bare[:3] + (sorted(names) if bare[1:3] == ["bag", "record"] else names)
+    flat = bare + [word for name, values in sorted(options) for word in (name, *values)]
+    return [_mark(word) for word in flat]
+
+
+def _mark(word: str) -> MarkPair:
+    number = _number(word)
+    if number is not None:
+        return (number, TOLERANCE)
+    return (word.lower() if word.lower() in ("true", "false") else word, 0.0)
+
+
+def _number(word: str) -> float | None:
+    try:
+        return float(word)
+    except ValueError:
+        return None
