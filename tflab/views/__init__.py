@@ -8,10 +8,16 @@
     typed      a block of numbers, quickly
     bodies     what a robot looks like
     axes       which way is forward
+    card       the same, for the pocket
+    turns      which way it turns, and in which order
+    misread    the same numbers, in a wrong frame
     sentence   which one is the target
     timeline   what the buffer knew, and when
     journey    what happened to a message on its way
     latency    where was I when I saw it
+    placed     how far off does a map put what was seen
+    work       who was busy, and what had to wait
+    ages       how far behind, as time goes by
     panels     the same, with sliders
     marks      lines, boxes and words as SVG and PDF
     tree       who is whose child
