@@ -11,6 +11,8 @@
     card       the same, for the pocket
     turns      which way it turns, and in which order
     misread    the same numbers, in a wrong frame
+    mount      a turned sensor, and two wrong answers
+    dominoes   does this product fit
     sentence   which one is the target
     timeline   what the buffer knew, and when
     journey    what happened to a message on its way

@@ -14,7 +14,7 @@ bolted on, the optical one is what its picture is written in.  The turn between
 them is roll -pi/2, then yaw -pi/2; as a quaternion (x, y, z, w) it is
 (-0.5, 0.5, -0.5, 0.5).
 
-Read `sentence.py` next.
+Read `card.py` next.
 """
 
 from __future__ import annotations
@@ -80,7 +80,7 @@ def draw_right_hand() -> Picture:
         for column, (turn, axis) in enumerate(TURNS.items()):
             ax = clear_paper(picture.figure.add_axes((0.02 + 0.325 * column, 0.03, 0.31, 0.91)))
             draw_frames({"": Transform()}, ax, FROM_FRONT, length_m=1.0)
-            _draw_turn(ax, axis)
+            draw_turn(ax, axis)
             write_caption(ax, f"{turn}: about {axis}")
             ax.set_xlim(-1.25, 1.25)
             ax.set_ylim(-0.9, 1.6)
@@ -95,7 +95,7 @@ def draw_right_hand() -> Picture:
     return picture
 
 
-def _draw_turn(ax, axis: str) -> None:
+def draw_turn(ax, axis: str) -> None:
     """Draw the quarter of a circle by which the next axis turns to the one after."""
     from matplotlib.patches import FancyArrowPatch
     from matplotlib.path import Path
