@@ -10,7 +10,7 @@ What varies comes from `given` (values that the learner is shown) and `inputs`
 makes the public variants, and with a secret seed the hidden ones.
 
 Task files stand in `solutions/tasks/`, one for each chapter, and each holds TASKS.
-Read `cases.py` next.
+Read `reference.py` next.
 """
 
 from __future__ import annotations
