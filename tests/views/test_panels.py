@@ -6,7 +6,7 @@ import weakref
 import pytest
 
 from tflab.core import StampedTransform, Transform, seconds
-from tflab.views.panels import cameras_panel, latency_panel, rotation_panel, sentence_panel, timeline_panel
+from tflab.views.panels import cameras_panel, latency_panel, mount_panel, rotation_panel, sentence_panel, timeline_panel
 from tflab.views.panels.sentence import between
 from tflab.views.timeline import Lane
 
@@ -27,6 +27,7 @@ def query_panel():
 
 PANELS = {
     "latency": latency_panel,
+    "mount": mount_panel,
     "rotation": rotation_panel,
     "cameras": cameras_panel,
     "timeline": query_panel,

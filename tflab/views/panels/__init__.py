@@ -5,6 +5,7 @@
 
     panel          controls, a picture, words: what all of them share
     axes           turn a robot; move a point in front of a camera
+    mount          turn a sensor; see two mistakes wander
     sentence       choose target and source in any of five ways
     timeline       drag a query past either end of the buffer
     latency        how far off, for this speed, turn, range and delay
@@ -15,6 +16,7 @@ in a terminal, and `.close()` gives everything back.  Start with `panel.py`.
 
 from .axes import cameras_panel, rotation_panel
 from .latency import latency_panel
+from .mount import mount_panel
 from .panel import Panel
 from .sentence import SentencePanel, sentence_panel
 from .timeline import timeline_panel
@@ -24,6 +26,7 @@ __all__ = [
     "SentencePanel",
     "cameras_panel",
     "latency_panel",
+    "mount_panel",
     "rotation_panel",
     "sentence_panel",
     "timeline_panel",

@@ -1,0 +1,58 @@
+"""Where a turned laser sees a corner, and where two mistakes put it."""
+
+import math
+
+import pytest
+
+from tflab.core import Transform
+from tflab.views.mount import describe_mount, draw_mount, seen_from
+
+LASER_AT = (0.2, 0.0, 0.15)
+
+
+def turned(yaw_rad, at=LASER_AT):
+    return Transform.from_rpy(yaw=yaw_rad, translation=at)
+
+
+def test_a_laser_that_looks_left_sees_the_corner_on_the_left():
+    # 2 m along the laser's x is 2 m along the robot's y, from the laser's place on
+    places = seen_from(turned(math.pi / 2), (2.0, 0.0, 0.0))
+    assert places["corner"] == pytest.approx((0.2, 2.0, 0.15))
+    assert places["turn forgotten"] == pytest.approx((2.2, 0.0, 0.15))
+    # swapped: undo the step first, (1.8, 0, -0.15), then turn right
+    assert places["swapped"] == pytest.approx((0.0, -1.8, -0.15))
+
+
+def test_without_a_turn_forgetting_the_turn_is_no_mistake():
+    places = seen_from(turned(0.0), (2.0, 0.5, 0.0))
+    assert places["turn forgotten"] == pytest.approx(places["corner"])
+
+
+def test_a_laser_that_looks_backwards_hides_a_swap_from_everybody_who_does_not_look_at_z():
+    places = seen_from(turned(math.pi), (2.0, 0.7, 0.0))
+    assert places["swapped"][:2] == pytest.approx(places["corner"][:2])
+    assert places["swapped"][2] == pytest.approx(-0.15)
+
+
+def test_the_picture_in_words():
+    assert describe_mount(math.pi / 2, (2.0, 0.0, 0.0)) == (
+        "laser_frame at (0.200, 0.000, 0.150) m in base_link, yaw 1.57 rad\n"
+        "the laser says    (2.000, 0.000, 0.000) m  in laser_frame\n"
+        "the corner is at  (0.200, 2.000, 0.150) m  in base_link\n"
+        "swapped:          (0.000, -1.800, -0.150) m  off by 3.817 m  (laser_T_base @ laser_p)\n"
+        "turn forgotten:   (2.200, 0.000, 0.150) m  off by 2.828 m  (laser_p + translation)"
+    )
+
+
+@pytest.mark.parametrize("yaw_rad", [-math.pi, -1.0, 0.0, 0.7, math.pi])
+def test_whatever_the_slider_chooses_stays_in_the_picture(yaw_rad):
+    picture = draw_mount(yaw_rad)
+    low, high = picture.figure.axes[0].get_xlim()
+    for x, y, _ in seen_from(turned(yaw_rad), (2.0, 0.0, 0.0)).values():
+        assert low < x < high and low < y < high
+
+
+def test_a_mistake_that_hides_behind_the_truth_is_a_ring_around_it():
+    picture = draw_mount(math.pi)
+    assert picture.points["swapped"].mark.get_markersize() > picture.points["corner"].mark.get_markersize()
+    assert picture.points["swapped"].mark.get_zorder() < picture.points["corner"].mark.get_zorder()

@@ -1,0 +1,125 @@
+"""A turned sensor sees a corner: where is it, and where do two wrong answers put it?
+
+         o corner                 base_p = base_T_laser.apply(laser_p)        right
+         |                        base_p = laser_T_base.apply(laser_p)        target and source swapped
+    laser|                        base_p = laser_p + translation              turn forgotten
+    +----+   . ghost
+    base_link
+
+Turn the sensor, and the ghosts wander: at some angles they hide behind the truth.
+The pure function is `seen_from`.  Read `dominoes.py` next.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from tflab.core import Transform
+from tflab.core.quaternions import Vector3
+
+from . import style
+from .bodies import RobotArtists
+from .eye import FROM_ABOVE
+from .frames import FrameArtists, PointArtists, clear_paper, draw_ground, write_caption
+from .labels import place_labels
+from .picture import Picture
+
+__all__ = ["LASER_AT", "MountPicture", "describe_mount", "draw_mount", "seen_from"]
+
+LASER_AT: Vector3 = (0.20, 0.0, 0.15)  # of laser_frame in base_link [m]
+READINGS = ("corner", "swapped", "turn forgotten")
+
+
+def seen_from(base_T_laser: Transform, laser_p: Sequence[float]) -> dict[str, Vector3]:
+    """Return where a point of the laser is in base_link [m]: rightly, and by two mistakes."""
+    x, y, z = laser_p
+    tx, ty, tz = base_T_laser.translation
+    return {
+        "corner": base_T_laser.apply((x, y, z)),
+        "swapped": base_T_laser.inverse().apply((x, y, z)),
+        "turn forgotten": (x + tx, y + ty, z + tz),
+    }
+
+
+def describe_mount(yaw_rad: float, laser_p: Sequence[float], laser_at: Sequence[float] = LASER_AT) -> str:
+    """Return the same in words: what the laser said, and three places in base_link."""
+    places = seen_from(Transform.from_rpy(yaw=yaw_rad, translation=laser_at), laser_p)
+    truth = np.array(places["corner"])
+    lines = [
+        f"laser_frame at {style.fmt_all(laser_at)} in base_link, yaw {style.fmt(yaw_rad, 'rad', 2)}",
+        f"the laser says    {style.fmt_all(laser_p)}  in laser_frame",
+        f"the corner is at  {style.fmt_all(places['corner'])}  in base_link",
+    ]
+    for name, formula in (("swapped", "laser_T_base @ laser_p"), ("turn forgotten", "laser_p + translation")):
+        off = style.fmt(float(np.linalg.norm(np.array(places[name]) - truth)))
+        lines.append(f"{name + ':':<17} {style.fmt_all(places[name])}  off by {off}  ({formula})")
+    return "\n".join(lines)
+
+
+class MountPicture(Picture):
+    """The robot from above, its turned laser, the corner, and the ghosts of two mistakes."""
+
+    def __init__(self, laser_p: Sequence[float] = (2.0, 0.0, 0.0), laser_at: Sequence[float] = LASER_AT) -> None:
+        from .typed import TypedBlock
+
+        super().__init__((style.WIDE[0], 4.2))
+        self.laser_p, self.laser_at = tuple(laser_p), tuple(laser_at)
+        reach = float(np.linalg.norm(self.laser_p)) + float(np.linalg.norm(self.laser_at)) + 0.35
+        with style.our_settings():
+            ax = clear_paper(self.figure.add_axes((0.01, 0.02, 0.53, 0.96)))
+            draw_ground(ax, FROM_ABOVE, (-reach, reach), (-reach, reach), 0.5)
+            RobotArtists(ax, FROM_ABOVE, style.GREY, scale=1.2).move(Transform())
+            self.base = FrameArtists("base_link", ax, FROM_ABOVE, 0.55, is_ghost=False)
+            self.base.move(Transform())
+            self.laser = FrameArtists("laser_frame", ax, FROM_ABOVE, 0.55, is_ghost=False)
+            (self.beam,) = ax.plot([], [], color=style.ACCENT, linewidth=1.2, zorder=8)
+            self.points = {name: PointArtists(name, ax, FROM_ABOVE, name != "corner") for name in READINGS}
+            for name in READINGS[1:]:  # a ring around the truth, where the mistake hides behind it
+                self.points[name].mark.set(markersize=13, zorder=55)
+            ax.set_xlim(-reach, reach)
+            ax.set_ylim(-reach, reach)
+            write_caption(ax, "from above, grid of 0.5 m")
+            self.numbers = TypedBlock(self.figure, 0.565, 0.9)
+        parts = [*self.points.values(), self.laser]
+        self.moving = [*(artist for part in parts for artist in part.artists), *self.base.label.artists]
+        self.moving += [self.beam, self.numbers]
+
+    def show(self, yaw_rad: float) -> MountPicture:
+        """Turn the laser to this yaw [rad], and return the picture."""
+        base_T_laser = Transform.from_rpy(yaw=yaw_rad, translation=self.laser_at)
+        places = seen_from(base_T_laser, self.laser_p)
+        with style.our_settings():
+            self.laser.move(base_T_laser)
+            self.beam.set_data(*zip(self.laser_at[:2], places["corner"][:2], strict=True))
+            for name, point in self.points.items():
+                point.move(places[name])
+            labels = [*(point.label for point in self.points.values()), self.base.label, self.laser.label]
+            labels[0].keep_off = [(self.laser_at[:2], places["corner"][:2])]
+            place_labels(labels)
+            self.numbers.write(_numbers(yaw_rad, self.laser_p, places))
+        self.text = describe_mount(yaw_rad, self.laser_p, self.laser_at)
+        return self
+
+
+def draw_mount(
+    yaw_rad: float = math.pi / 2, laser_p: Sequence[float] = (2.0, 0.0, 0.0), laser_at: Sequence[float] = LASER_AT
+) -> MountPicture:
+    """Draw where a laser turned by `yaw_rad` [rad] sees a point, and where two mistakes put it."""
+    return MountPicture(laser_p, laser_at).show(yaw_rad)
+
+
+def _numbers(yaw_rad: float, laser_p: Sequence[float], places: dict[str, Vector3]) -> str:
+    truth = np.array(places["corner"])
+    lines = [f"yaw of the mount {style.fmt(yaw_rad, 'rad', 2)}", "", "laser_p, as measured", _row(laser_p), ""]
+    lines += ["base_p, the corner", _row(places["corner"]), ""]
+    for name in READINGS[1:]:
+        off = style.fmt(float(np.linalg.norm(np.array(places[name]) - truth)), digits=2)
+        lines += [f"{name}, off by {off}", _row(places[name]), ""]
+    return "\n".join(lines)
+
+
+def _row(point: Sequence[float]) -> str:
+    return " ".join(f"{style.fmt(value, '', 2):>6}" for value in point) + " m"

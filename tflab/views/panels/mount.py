@@ -1,0 +1,27 @@
+"""What does a turned mount do to two mistakes?  A slider in front of `mount`.
+
+The pure function behind it is `tflab.views.mount.seen_from`.
+Read `sentence.py` next.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from ..mount import LASER_AT, MountPicture
+from .panel import Panel, slider
+
+
+def mount_panel(
+    yaw_rad: float = math.pi / 2, laser_p: Sequence[float] = (2.0, 0.0, 0.0), laser_at: Sequence[float] = LASER_AT
+) -> Panel:
+    """Return a panel that turns a laser on its robot by yaw [rad], and shows a corner and two wrong answers."""
+    half_turn = round(math.pi, 2)
+    yaw = slider("yaw of the mount", round(yaw_rad, 2), -half_turn, half_turn, 0.01, "rad")
+    picture = MountPicture(laser_p, laser_at)
+
+    def move() -> None:
+        picture.show(yaw.value)
+
+    return Panel("A turned laser, the corner that it sees, and two wrong answers", picture, (yaw,), move)
