@@ -13,6 +13,7 @@
     misread    the same numbers, in a wrong frame
     mount      a turned sensor, and two wrong answers
     dominoes   does this product fit
+    readings   what does "from A to B" mean
     sentence   which one is the target
     timeline   what the buffer knew, and when
     journey    what happened to a message on its way
