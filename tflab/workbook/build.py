@@ -1,81 +1,269 @@
-"""How do pages become something one can read without Python?  `tflab build --html`.
+"""How do pages become notebooks?  `tflab build`: read, look for faults, run once, write every edition.
 
-    notebook  --run in a kernel, pictures filmed-->  executed  --export-->  page.html + assets/
+    notebooks/src/03_x.py                     --run-->  notebooks/{en,ko}/03_x.ipynb
+    solutions/src/03_x.py                     --run-->  solutions/{en,ko}/03_x.ipynb
+        + solutions/tasks/03_x.py             -------->  exercises/{en,ko}/03_x.ipynb, exercises/cases/03_x.json
 
-Each notebook is run in a folder of its own, so nothing is written beside the
-source; then `tflab.views.export` makes a page of it that works from a disk, with
-no kernel and no network: 3D turns, and every view keeps one scrubber.
+    tflab build            everything
+    tflab build 03         what has this number, or stem
+    tflab build --check    write nothing; say what is stale, and why
+    tflab build --html     the built notebooks as HTML (`html.py`)
 
-Read `lab.py` next.
+The result depends on the sources and on tflab, and on nothing else: two builds are
+the same bytes.  A page with a fault is not written, and all faults are said at once.
+
+Read `html.py` next.
 """
 
 from __future__ import annotations
 
 import argparse
-import os
-import shutil
-import subprocess
+import asyncio
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
-from tempfile import TemporaryDirectory
+from typing import Any
 
-from .lab import pages_folder
+from .editions import exercise_notebook, lecture_notebook, text_of
+from .execute import Outputs, run_page
+from .exercise_rules import exercise_faults
+from .places import workbook_data
+from .rules import page_faults
+from .source import LANGUAGES, Fault, Page, PageError, read_page
+from .stale import stale
+from .whole_files import write_whole
 
-__all__ = ["build", "html_from_notebook"]
+__all__ = ["Built", "build", "build_pages", "sources", "write_files"]
 
-SECONDS_FOR_A_CELL = 120
+FOLDERS = ("notebooks", "solutions")
+Progress = Callable[[str], None]
+
+
+@dataclass
+class Built:
+    """What came of a build.
+
+    Attributes:
+        files: the text of each file, by its path in the workbook.
+        faults: what is wrong with the sources.
+        faulty: the files of pages with faults, where there is enough of them to look at.
+    """
+
+    files: dict[str, str] = field(default_factory=dict)
+    faults: list[Fault] = field(default_factory=list)
+    faulty: dict[str, str] = field(default_factory=dict)
 
 
 def build(words: Sequence[str]) -> int:
-    """Write pages as HTML, and return 0; 1 if a cell of one failed, 2 if there is nothing to write."""
-    parser = argparse.ArgumentParser(prog="tflab build", description="Run the pages, and write them for reading.")
-    parser.add_argument("notebooks", nargs="*", metavar="NOTEBOOK", help="instead of the pages that come with tflab")
-    parser.add_argument("--html", action="store_true", required=True, help="as pages that work from a disk")
-    parser.add_argument("--out", default="html", metavar="DIR", help="where to; %(default)s if left out")
-    options = parser.parse_args(list(words))
-    notebooks = [Path(name) for name in options.notebooks] or sorted(pages_folder().glob("*.ipynb"))
-    missing = [str(path) for path in notebooks if not path.is_file()]
-    if missing or not notebooks:
-        print(f"tflab build: there is no notebook {', '.join(missing) or 'to build'}", file=sys.stderr)
+    """Build pages; return 0, 1 if a page has a fault or is stale, 2 if there is nothing to build."""
+    options = _options(words)
+    if options.html:
+        from .html import write_html
+
+        return write_html(options.pages, Path(options.out))
+    root = Path(options.root) if options.root else workbook_data()
+    try:
+        chosen = sources(root, options.pages)
+    except LookupError as nothing:
+        print(f"tflab build: {nothing}", file=sys.stderr)
         return 2
-    failed = 0
-    for number, notebook in enumerate(notebooks, start=1):
-        print(f"[{number}/{len(notebooks)}] {notebook.name}", end=" ", flush=True)
-        try:
-            print(html_from_notebook(notebook, Path(options.out)))
-        except CellFailed as failure:
-            print(f"failed\n{failure}", file=sys.stderr)
-            failed += 1
-    return 1 if failed else 0
+    built = build_pages(root, chosen, jobs=options.jobs, progress=_shown_progress(len(chosen)))
+    for fault in built.faults:
+        print(fault, file=sys.stderr)
+    if options.check:
+        lines = [*stale(root, built.files), *(_without_source(root) if not options.pages else ())]
+        for line in lines:
+            print(line)
+        print(_count(len(lines), "file is stale", "files are stale") if lines else "nothing is stale")
+        return 1 if lines or built.faults else 0
+    files = built.files | (built.faulty if options.draft else {})
+    written = write_files(root, files)
+    print(f"{_count(len(written), 'file', 'files')} written, {len(files) - len(written)} as they were")
+    for line in _without_source(root):
+        print(line)
+    if built.faults:
+        left = "written all the same" if options.draft else "not written; --draft writes them all the same"
+        print(f"{_count(len(built.faults), 'fault', 'faults')}; the pages that have them are {left}", file=sys.stderr)
+    return 1 if built.faults else 0
 
 
-class CellFailed(Exception):
-    """A cell of a page raised an error; the text says which, and what."""
-
-
-def html_from_notebook(notebook: Path, out_dir: Path) -> Path:
-    """Run a copy of `notebook` and write it as HTML into `out_dir`; return the page's path.
+def sources(root: Path, wanted: Iterable[str] = ()) -> list[Path]:
+    """Return the sources below `root` with these stems or numbers, all if there are none.
 
     Raises:
-        CellFailed: a cell raised an error.
+        LookupError: there are none.
     """
-    import nbformat
-    from nbclient import NotebookClient
-    from nbclient.exceptions import CellExecutionError
+    there = [path for folder in FOLDERS for path in sorted((root / folder / "src").glob("*.py"))]
+    if not there:
+        raise LookupError(f"there are no pages in {root / 'notebooks' / 'src'}; a wheel holds only what was built")
+    chosen: list[Path] = []
+    for word in wanted:
+        found = [path for path in there if word in (path.stem, path.stem.partition("_")[0])]
+        if not found:
+            stems = sorted({path.stem for path in there})
+            raise LookupError(f'there is no page "{word}"; there is {", ".join(stems)}')
+        chosen += [path for path in found if path not in chosen]
+    return chosen or there
 
-    from tflab.views.export import export_html
 
-    page = nbformat.read(notebook, as_version=4)
-    with TemporaryDirectory() as folder:
-        client = NotebookClient(page, timeout=SECONDS_FOR_A_CELL, resources={"metadata": {"path": folder}})
+def build_pages(root: Path, chosen: Sequence[Path], *, jobs: int = 2, progress: Progress = lambda line: None) -> Built:
+    """Build these sources in memory, `jobs` kernels at a time; nothing is written."""
+    return asyncio.run(_build_all(root, chosen, jobs, progress))
+
+
+def write_files(root: Path, files: dict[str, str]) -> list[str]:
+    """Write what is different, each file whole or not at all; return what was written."""
+    written = []
+    for name, text in sorted(files.items()):
+        path = root / name
+        data = text.encode("utf-8")
+        if path.is_file() and path.read_bytes() == data:
+            continue
+        write_whole(path, data)
+        written.append(name)
+    return written
+
+
+async def _build_all(root: Path, chosen: Sequence[Path], jobs: int, progress: Progress) -> Built:
+    terms = _terms()
+    turn, cases_turn = asyncio.Semaphore(max(1, jobs)), asyncio.Lock()
+    tasks = []
+    async with asyncio.TaskGroup() as group:
+        for path in chosen:
+            tasks.append(group.create_task(_build_page(root, path, terms, turn, cases_turn, progress)))
+    built = Built()
+    for task in tasks:
+        files, faults = task.result()
+        (built.faulty if faults else built.files).update(files)
+        built.faults += faults
+    return built
+
+
+async def _build_page(
+    root: Path,
+    path: Path,
+    terms: set[str] | None,
+    turn: asyncio.Semaphore,
+    cases_turn: asyncio.Lock,
+    progress: Progress,
+) -> tuple[dict[str, str], list[Fault]]:
+    """Return the files that come from one source, and its faults."""
+    async with turn:
+        name = f"{path.parent.parent.name}/{path.stem}"
         try:
-            # A kernel's own remarks on how it is connected are nothing to whoever waits for a page.
-            client.execute(env={**os.environ, "TFLAB_FILMS": "1"}, stderr=subprocess.DEVNULL)
-        except CellExecutionError as error:
-            raise CellFailed(f"{notebook.name}: {error}") from None
-        executed = Path(folder) / notebook.name
-        nbformat.write(page, executed)
-        exported = export_html(executed, Path(folder) / "pages")
-        shutil.copytree(exported.parent, out_dir, dirs_exist_ok=True)
-        return out_dir / exported.name
+            page = read_page(path)
+            faults = page_faults(page, terms)
+            solved = path.parent.parent.name == "solutions"
+            cases: dict[str, Any] | None = None
+            if solved:
+                async with cases_turn:  # it puts tflab's rclpy in place for its time
+                    cases, more = await asyncio.to_thread(_cases, root, page)
+                faults += more
+            public = {page.stem: _cases_text(cases)} if cases else {}
+            outputs, more = await run_page(page, f"{path.parent.parent.name}/{LANGUAGES[0]}", public)
+            faults += more
+            files = _solution_files(page, outputs, cases, public, faults) if solved else _lecture_files(page, outputs)
+        except PageError as error:
+            files, faults = {}, list(error.faults)
+        progress(f"{name}: {_count(len(faults), 'fault', 'faults')}" if faults else name)
+        return files, faults
+
+
+def _lecture_files(page: Page, outputs: Outputs) -> dict[str, str]:
+    return {
+        f"notebooks/{language}/{page.stem}.ipynb": text_of(lecture_notebook(page, language, outputs))
+        for language in LANGUAGES
+    }
+
+
+def _solution_files(
+    page: Page, outputs: Outputs, cases: dict[str, Any] | None, public: dict[str, str], faults: list[Fault]
+) -> dict[str, str]:
+    from .blank import BlankError
+
+    tasks = cases["tasks"] if cases else {}
+    files = {f"exercises/cases/{stem}.json": text for stem, text in public.items()}
+    for language in LANGUAGES:
+        files[f"solutions/{language}/{page.stem}.ipynb"] = text_of(lecture_notebook(page, language, outputs, tasks))
+        try:
+            files[f"exercises/{language}/{page.stem}.ipynb"] = text_of(exercise_notebook(page, language, tasks))
+        except BlankError:  # which is a fault already
+            assert faults
+    return files
+
+
+def _cases(root: Path, page: Page) -> tuple[dict[str, Any] | None, list[Fault]]:
+    """Return the public cases of a solution, and what is wrong with its tasks."""
+    from .cases import FORMAT, PUBLIC_SEED, task_cases
+    from .reference import CodeCell, Solution, answer_cell_name, in_process_ros
+    from .tasks import TaskError, read_tasks
+
+    try:
+        tasks = read_tasks(root / "solutions" / "tasks" / f"{page.stem}.py")
+    except TaskError as error:
+        return None, [page.fault(None, str(error), "mend the chapter's tasks")]
+    faults = exercise_faults(page, tasks)
+    solution = Solution(page.stem, [CodeCell(cell.name, cell.source) for cell in page.code])
+    made = {}
+    with in_process_ros():
+        for task in tasks:
+            try:
+                made[task.id] = task_cases(task, PUBLIC_SEED, solution)
+            except Exception as error:  # a generator or a twin may fail in any way
+                text = str(error) if isinstance(error, TaskError) else f"{task.id}: {type(error).__name__}: {error}"
+                cell = next((c for c in page.code if c.name == answer_cell_name(task.id)), None)
+                faults.append(
+                    page.fault(cell, text, f"mend {task.id} in solutions/tasks/{page.stem}.py, or its answer")
+                )
+    return {"format": FORMAT, "chapter": page.stem, "tasks": made}, faults
+
+
+def _cases_text(cases: dict[str, Any]) -> str:
+    from .cases import cases_json
+
+    return cases_json(cases)
+
+
+def _terms() -> set[str] | None:
+    from .glossary import GLOSSARY, read_glossary
+
+    return set(read_glossary()) if GLOSSARY.is_file() else None
+
+
+def _without_source(root: Path) -> list[str]:
+    """Return a line for each built file that nothing builds any more."""
+    lines = []
+    for folder, source in (("notebooks", "notebooks"), ("solutions", "solutions"), ("exercises", "solutions")):
+        stems = {path.stem for path in (root / source / "src").glob("*.py")}
+        for path in sorted([*(root / folder).glob("*/*.ipynb"), *(root / folder).glob("cases/*.json")]):
+            if path.stem not in stems:
+                lines.append(f"{path.relative_to(root).as_posix()}: has no source any more; delete it")
+    return lines
+
+
+def _options(words: Sequence[str]) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(prog="tflab build", description="Run the pages, and write their notebooks.")
+    parser.add_argument("pages", nargs="*", metavar="STEM", help="such as 03; every page if left out")
+    parser.add_argument("--check", action="store_true", help="write nothing: say what is stale, and why")
+    parser.add_argument("--draft", action="store_true", help="write pages that have faults, too")
+    parser.add_argument("--jobs", type=int, default=2, metavar="N", help="kernels at a time (%(default)s)")
+    parser.add_argument("--root", metavar="DIR", help="the folder with notebooks/src, instead of tflab's own")
+    parser.add_argument("--html", action="store_true", help="write built notebooks as pages that work from a disk")
+    parser.add_argument("--out", default="html", metavar="DIR", help="where --html writes (%(default)s)")
+    return parser.parse_args(list(words))
+
+
+def _shown_progress(total: int) -> Progress:
+    done = 0
+
+    def show(line: str) -> None:
+        nonlocal done
+        done += 1
+        print(f"[{done}/{total}] {line}", file=sys.stderr, flush=True)
+
+    return show
+
+
+def _count(number: int, one: str, many: str) -> str:
+    return f"{number} {one if number == 1 else many}"

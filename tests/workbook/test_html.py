@@ -6,7 +6,6 @@ import re
 from pathlib import Path
 
 import nbformat
-import pytest
 
 from tflab.workbook.build import build
 
@@ -47,5 +46,3 @@ def test_a_failing_cell_is_named_and_does_not_stop_the_other_pages(tmp_path: Pat
 def test_a_notebook_that_is_not_there_is_said(tmp_path: Path, capsys) -> None:
     assert build(["--html", str(tmp_path / "nowhere.ipynb")]) == 2
     assert "nowhere.ipynb" in capsys.readouterr().err
-    with pytest.raises(SystemExit):
-        build([])

@@ -1,0 +1,183 @@
+"""What does a page print?  It is run once, in a kernel and a workbook of its own, and its outputs are made storable.
+
+    page --cells, in order--> kernel --outputs--> merged, nothing of this machine in them --> {cell name: [output, ...]}
+                                 |
+                                 +--> faults: an error, a warning, a picture without words ...
+
+The kernel starts in a temporary copy of the workbook, so a page sees its public cases
+and its progress is forgotten; no option of the author's shell reaches it.
+
+Read `stale.py` next.
+"""
+
+from __future__ import annotations
+
+import base64
+import json
+import os
+import re
+import subprocess
+from collections.abc import Callable, Iterator
+from itertools import pairwise
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from tflab import __version__
+
+from .source import Cell, Fault, Page
+
+__all__ = ["LARGEST_PNG", "Outputs", "run_page"]
+
+SECONDS_FOR_A_CELL = 60
+LARGEST_PNG = 60_000
+ADDRESS = re.compile(r"\b0x[0-9a-fA-F]{6,}\b")
+WIDGET = "application/vnd.jupyter.widget-view+json"
+Outputs = dict[str, list[dict]]
+
+
+async def run_page(
+    page: Page, folder: str, cases: dict[str, str], each: Callable[[Cell], None] = lambda cell: None
+) -> tuple[Outputs, list[Fault]]:
+    """Run a page's code once; return what its cells store, and what is wrong with that.
+
+    Args:
+        folder: where the page stands in a workbook, such as "notebooks/en".
+        cases: the public cases to put beside it, text by stem.
+        each: is called before each cell.
+    """
+    with TemporaryDirectory(prefix="tflab-page-", ignore_cleanup_errors=True) as name:
+        root = Path(name).resolve()
+        _lay_workbook(root, folder, cases)
+        ran = await _run(page, root, folder, each)
+    outputs = {cell: [_storable(output) for output in _merged(made)] for cell, made in ran.items()}
+    found = [fault for cell in page.code for fault in _output_faults(page, cell, outputs[cell.name], str(root))]
+    found += _figures(page, outputs)
+    for cell in page.code:
+        if "interactive" in cell.tags:
+            outputs[cell.name] = []
+    return outputs, found
+
+
+def _lay_workbook(root: Path, folder: str, cases: dict[str, str]) -> None:
+    workbook = {"edition": "self-study", "language": "en", "learner": None, "tflab": __version__}
+    (root / "workbook.json").write_text(json.dumps(workbook), encoding="utf-8")
+    (root / folder).mkdir(parents=True)
+    (root / "exercises" / "cases").mkdir(parents=True)
+    for stem, text in cases.items():
+        (root / "exercises" / "cases" / f"{stem}.json").write_text(text, encoding="utf-8")
+
+
+async def _run(page: Page, root: Path, folder: str, each: Callable[[Cell], None]) -> Outputs:
+    """Run the code cells in a fresh kernel, which ends with this call, however it ends."""
+    import nbformat
+    from nbclient import NotebookClient
+    from nbclient.exceptions import CellTimeoutError, DeadKernelError
+
+    cells = [nbformat.v4.new_code_cell(cell.source, id=f"c{i}") for i, cell in enumerate(page.code)]
+    notebook = nbformat.v4.new_notebook(cells=cells)
+    where = {"metadata": {"path": str(root / folder)}}
+    client = NotebookClient(
+        notebook, kernel_name="python3", timeout=SECONDS_FOR_A_CELL, allow_errors=True, resources=where
+    )
+    env = {name: value for name, value in os.environ.items() if not name.startswith("TFLAB_")}
+    env |= {"IPYTHONDIR": str(root / "ipython"), "PYTHONHASHSEED": "0"}
+    async with client.async_setup_kernel(env=env, stderr=subprocess.DEVNULL):
+        for number, (cell, written) in enumerate(zip(cells, page.code, strict=True)):
+            each(written)
+            try:
+                await client.async_execute_cell(cell, number)
+            except CellTimeoutError:
+                cell.outputs.append(_error("TimeoutError", f"not done after {SECONDS_FOR_A_CELL} s"))
+                break
+            except DeadKernelError:
+                cell.outputs.append(_error("DeadKernelError", "the kernel died"))
+                break
+    return {written.name: list(cell.outputs) for cell, written in zip(cells, page.code, strict=True)}
+
+
+def _error(name: str, text: str) -> dict:
+    return {"output_type": "error", "ename": name, "evalue": text, "traceback": []}
+
+
+def _merged(outputs: list[dict]) -> Iterator[dict]:
+    """Yield outputs with the chunks of one stream joined."""
+    before: dict | None = None
+    for output in outputs:
+        if before is not None and output["output_type"] == "stream" and output["name"] == before.get("name"):
+            before = {**before, "text": before["text"] + output["text"]}
+            continue
+        if before is not None:
+            yield before
+        before = dict(output)
+    if before is not None:
+        yield before
+
+
+def _storable(output: dict) -> dict:
+    """Return an output as a notebook's file has it, without what is different every time."""
+    kind = output["output_type"]
+    if kind == "stream":
+        return {"name": output["name"], "output_type": kind, "text": output["text"].splitlines(keepends=True)}
+    if kind == "error":
+        return {"ename": output["ename"], "evalue": output["evalue"], "output_type": kind, "traceback": []}
+    data = {
+        mime: value.splitlines(keepends=True) if mime.startswith("text/") or mime == "image/svg+xml" else value
+        for mime, value in output["data"].items()
+    }
+    return {"data": data, "metadata": json.loads(json.dumps(output["metadata"])), "output_type": kind}
+
+
+def _output_faults(page: Page, cell: Cell, outputs: list[dict], root: str) -> Iterator[Fault]:
+    """Find what a cell must not have put out."""
+    raised = [output for output in outputs if output["output_type"] == "error"]
+    meant = "raises-exception" in cell.tags
+    for output in raised:
+        if not meant:
+            wrong = f"raised {output['ename']}: {output['evalue']}"
+            yield page.fault(cell, wrong, 'mend it, or tag the cell "raises-exception" if it is meant')
+    if meant and not raised:
+        yield page.fault(cell, "raises nothing", 'take the tag "raises-exception" off, or let it fail')
+    for output in outputs:
+        text = "".join(_texts(output))
+        data = output.get("data", {})
+        if output.get("name") == "stderr":
+            yield page.fault(cell, f"wrote to stderr: {text.strip()[:200]}", "a page writes no warnings")
+        if "interactive" in cell.tags:
+            continue
+        if ADDRESS.search(text):
+            yield page.fault(
+                cell, f"prints an address ({ADDRESS.search(text)[0]})", "print what is the same every time"
+            )
+        if root in text:
+            yield page.fault(cell, "prints where it was run", "print no paths")
+        if WIDGET in data:
+            yield page.fault(cell, "shows a widget", 'tag the cell "interactive", and let a figure follow')
+        if any(mime.startswith("image/") for mime in data) and not _words(data):
+            yield page.fault(cell, "shows an image without words", "let the cell end with a Picture: it has a text")
+        size = len(base64.b64decode(data.get("image/png", "")))
+        if size > LARGEST_PNG:
+            wrong = f"shows an image of {size / 1000:.0f} kB"
+            yield page.fault(cell, wrong, f"at most {LARGEST_PNG // 1000} kB: draw less of it")
+
+
+def _figures(page: Page, outputs: Outputs) -> Iterator[Fault]:
+    """Find interactive cells whose next cell draws nothing."""
+    for cell, following in pairwise(page.code):
+        if "interactive" in cell.tags and "interactive" not in following.tags:
+            drawn = [output for output in outputs[following.name] if "image/png" in output.get("data", {})]
+            if not drawn:
+                wrong = f'the next code cell, "{following.name}", shows no figure'
+                yield page.fault(cell, wrong, "let it draw the same, standing still")
+
+
+def _texts(output: dict) -> list[str]:
+    if output["output_type"] == "stream":
+        return output["text"]
+    if output["output_type"] == "error":
+        return [output["evalue"]]
+    return [line for mime, value in output["data"].items() if mime.startswith("text/") for line in value]
+
+
+def _words(data: dict) -> bool:
+    text = "".join(data.get("text/plain", [])).strip()
+    return bool(text) and not text.startswith("<")

@@ -1,0 +1,92 @@
+"""How do pages become something one can read without Python?  `tflab build --html`.
+
+    notebook  --run in a kernel, pictures filmed-->  executed  --export-->  page.html + assets/
+
+Each notebook is run in a folder of its own, so nothing is written beside the
+source; then `tflab.views.export` makes a page of it that works from a disk, with
+no kernel and no network: 3D turns, and every view keeps one scrubber.
+
+Read `lab.py` next.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from .places import workbook_data
+
+__all__ = ["CellFailed", "html_from_notebook", "write_html"]
+
+SECONDS_FOR_A_CELL = 120
+
+
+def write_html(names: Sequence[str], out_dir: Path) -> int:
+    """Write notebooks as HTML, the built pages if none is named; return 0, 1 if a cell failed, 2 if there is nothing.
+
+    Args:
+        names: paths of notebooks, or stems and numbers of built pages.
+    """
+    notebooks, missing = _notebooks(names)
+    if missing or not notebooks:
+        print(f"tflab build: there is no notebook {', '.join(missing) or 'to build'}", file=sys.stderr)
+        return 2
+    failed = 0
+    for number, notebook in enumerate(notebooks, start=1):
+        print(f"[{number}/{len(notebooks)}] {notebook.name}", end=" ", flush=True)
+        try:
+            print(html_from_notebook(notebook, out_dir))
+        except CellFailed as failure:
+            print(f"failed\n{failure}", file=sys.stderr)
+            failed += 1
+    return 1 if failed else 0
+
+
+def _notebooks(names: Sequence[str]) -> tuple[list[Path], list[str]]:
+    """Return the notebooks that are meant, and the names that mean none."""
+    built = sorted((workbook_data() / "notebooks" / "en").glob("*.ipynb"))
+    found: list[Path] = []
+    missing = []
+    for name in names:
+        meant = [path for path in built if name in (path.stem, path.stem.partition("_")[0])]
+        if Path(name).is_file():
+            meant = [Path(name)]
+        found += meant
+        missing += [] if meant else [name]
+    return found if names else built, missing
+
+
+class CellFailed(Exception):
+    """A cell of a page raised an error; the text says which, and what."""
+
+
+def html_from_notebook(notebook: Path, out_dir: Path) -> Path:
+    """Run a copy of `notebook` and write it as HTML into `out_dir`; return the page's path.
+
+    Raises:
+        CellFailed: a cell raised an error.
+    """
+    import nbformat
+    from nbclient import NotebookClient
+    from nbclient.exceptions import CellExecutionError
+
+    from tflab.views.export import export_html
+
+    page = nbformat.read(notebook, as_version=4)
+    with TemporaryDirectory() as folder:
+        client = NotebookClient(page, timeout=SECONDS_FOR_A_CELL, resources={"metadata": {"path": folder}})
+        try:
+            # A kernel's own remarks on how it is connected are nothing to whoever waits for a page.
+            client.execute(env={**os.environ, "TFLAB_FILMS": "1"}, stderr=subprocess.DEVNULL)
+        except CellExecutionError as error:
+            raise CellFailed(f"{notebook.name}: {error}") from None
+        executed = Path(folder) / notebook.name
+        nbformat.write(page, executed)
+        exported = export_html(executed, Path(folder) / "pages")
+        shutil.copytree(exported.parent, out_dir, dirs_exist_ok=True)
+        return out_dir / exported.name
