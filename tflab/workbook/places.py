@@ -1,0 +1,116 @@
+"""Where is the workbook?  In a learner's copy, which `workbook.json` marks; else where tflab itself is.
+
+    my_copy/
+      workbook.json           version, edition, language, learner
+      progress.json           what has been tried (see `progress.py`)
+      notebooks/en/           pages to read
+      exercises/en/           pages to answer;  exercises/cases/  what `check` asks
+      solutions/en/           self-study edition only
+
+The same folders, in every language and with their sources, are in the repository
+and in the wheel.  Read `learner.py` next.
+"""
+
+from __future__ import annotations
+
+import json
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+from tflab import __version__
+
+from .words import LANGUAGES
+
+__all__ = [
+    "CASES",
+    "EDITIONS",
+    "MARK",
+    "Workbook",
+    "WorkbookError",
+    "chapters",
+    "read_workbook",
+    "workbook_data",
+    "workbook_root",
+    "write_workbook",
+]
+
+MARK = "workbook.json"
+CASES = Path("exercises", "cases")
+EDITIONS = ("self-study", "class")
+
+
+class WorkbookError(Exception):
+    """A `workbook.json` that cannot be used; the text says what is wrong with it and what to try."""
+
+
+@dataclass(frozen=True)
+class Workbook:
+    """What a copy of the workbook says about itself.
+
+    Attributes:
+        tflab: the version that its pages come from.
+        edition: "self-study", with solutions, or "class".
+        language: "en" or "ko", that of replies and hints.
+        learner: an id, which picks variants of tasks; None has the first ones.
+    """
+
+    tflab: str = __version__
+    edition: str = "self-study"
+    language: str = "en"
+    learner: str | None = None
+
+
+def workbook_data() -> Path:
+    """Return the folder of what comes with tflab: the wheel's, or in an editable install the repository."""
+    package = Path(__file__).resolve().parents[1]
+    in_the_wheel = package / "_workbook"
+    return in_the_wheel if in_the_wheel.is_dir() else package.parent
+
+
+def workbook_root(start: str | Path | None = None) -> Path:
+    """Return the nearest folder, from `start` (here) upwards, that is a copy of the workbook; else tflab's own."""
+    here = Path(start or Path.cwd()).resolve()
+    return next((folder for folder in (here, *here.parents) if (folder / MARK).is_file()), workbook_data())
+
+
+def read_workbook(root: str | Path | None = None) -> Workbook:
+    """Return what the workbook at `root` (the nearest) says about itself; of tflab's own, the defaults.
+
+    Raises:
+        WorkbookError: its `workbook.json` is not what tflab has written.
+    """
+    path = Path(root or workbook_root()) / MARK
+    if not path.is_file():
+        return Workbook()
+    try:
+        found = json.loads(path.read_text(encoding="utf-8"))
+        read = Workbook(**{name: found[name] for name in asdict(Workbook())})
+    except (OSError, ValueError, TypeError, KeyError) as error:
+        reason = f"{error.args[0]!r} is missing" if isinstance(error, KeyError) else error
+        raise WorkbookError(f"{path} cannot be read: {reason}.\n{_remedy(path)}") from None
+    if read.edition not in EDITIONS or read.language not in LANGUAGES or not isinstance(read.learner, str | None):
+        raise WorkbookError(
+            f'{path} says edition "{read.edition}", language "{read.language}" and learner {read.learner!r}; '
+            f"there is {' and '.join(EDITIONS)}, {' and '.join(LANGUAGES)}, and a learner is a text or null.\n"
+            f"{_remedy(path)}"
+        )
+    return read
+
+
+def write_workbook(root: Path, workbook: Workbook) -> None:
+    """Mark `root` as a copy of the workbook."""
+    from .whole_files import write_whole
+
+    write_whole(root / MARK, json.dumps(asdict(workbook), indent=1, ensure_ascii=False) + "\n")
+
+
+def chapters(root: str | Path | None = None) -> list[str]:
+    """Return the stems of the chapters that have tasks, in order; those of tflab's own workbook if `root` is None."""
+    return sorted(path.stem for path in (Path(root or workbook_data()) / CASES).glob("*.json"))
+
+
+def _remedy(path: Path) -> str:
+    return (
+        "Nothing was changed. Put the file right by hand, or move it away and call "
+        f'"tflab lab {path.parent.name}" in the folder above: answers and progress.json stay as they are.'
+    )

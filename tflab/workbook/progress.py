@@ -1,0 +1,123 @@
+"""What has been tried, and what has been passed?  A small file beside `workbook.json`, written by `check`.
+
+    progress.json   {"format": 1, "tasks": {"E3.2": {"tries": 3, "hints": 1, "passed": true, ...}}}
+
+It never leaves the machine.  A copy without `workbook.json` keeps no file: tflab's
+own pages are read, not worked in.  What the file means for the course's objectives
+and checklist is said in `progress_page.py`, which you read next.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+
+from .places import MARK
+from .whole_files import locked, write_whole
+
+__all__ = ["FILE", "FORMAT", "Attempts", "attempts", "read_progress", "record_hint", "record_try"]
+
+FILE = "progress.json"
+FORMAT = 1
+
+
+@dataclass
+class Attempts:
+    """What happened with one task.
+
+    Attributes:
+        tries: how often an answer was checked.
+        hints: how many hints were asked for.
+        passed: whether any try got everything right.
+        best: the most that was right at once, and `of` how many, in that try.
+        twins: the mistakes that were named, by name, and how often.
+    """
+
+    tries: int = 0
+    hints: int = 0
+    passed: bool = False
+    best: int = 0
+    of: int = 0
+    twins: dict[str, int] = field(default_factory=dict)
+
+
+def record_try(root: Path, task_id: str, passed: int, of: int, twin: str | None = None) -> None:
+    """Write down that an answer was checked: `passed` of `of` were right, and which mistake it was."""
+
+    def tried(task: Attempts) -> None:
+        task.tries += 1
+        task.passed = task.passed or (of > 0 and passed >= of)
+        if not task.of or passed * task.of >= task.best * of:
+            task.best, task.of = passed, of
+        if twin:
+            task.twins[twin] = task.twins.get(twin, 0) + 1
+
+    _change(Path(root), task_id, tried)
+
+
+def record_hint(root: Path, task_id: str) -> int:
+    """Write down that a hint was asked for, and return how many now were; 0 where nothing is kept."""
+
+    def hinted(task: Attempts) -> None:
+        task.hints += 1
+
+    return _change(Path(root), task_id, hinted).hints
+
+
+def attempts(root: Path, task_id: str) -> Attempts:
+    """Return what happened with a task; nothing, where nothing is kept."""
+    return read_progress(Path(root)).get(task_id, Attempts())
+
+
+def read_progress(root: Path) -> dict[str, Attempts]:
+    """Return what happened with each task; a file that cannot be read is kept aside, and said."""
+    path = Path(root) / FILE
+    if not (Path(root) / MARK).is_file() or not path.is_file():
+        return {}
+    try:
+        return _tasks(json.loads(path.read_text(encoding="utf-8")))
+    except (ValueError, TypeError, KeyError, AttributeError) as error:
+        _keep_aside(path, error)
+        return {}
+
+
+def _change(root: Path, task_id: str, change) -> Attempts:
+    """Read, change and write a task's line under the lock, so that two notebooks lose nothing."""
+    task = Attempts()
+    if not (root / MARK).is_file():
+        return task
+    try:
+        with locked(root):
+            tasks = read_progress(root)
+            task = tasks.setdefault(task_id, task)
+            change(task)
+            kept = {name: asdict(tasks[name]) for name in sorted(tasks)}
+            text = json.dumps({"format": FORMAT, "tasks": kept}, indent=1, ensure_ascii=False)
+            write_whole(root / FILE, text + "\n")
+    except OSError as error:
+        print(f"tflab: your progress could not be written to {root / FILE}: {error}", file=sys.stderr)
+    return task
+
+
+def _tasks(found: dict) -> dict[str, Attempts]:
+    if found["format"] != FORMAT:
+        raise ValueError(f"it has format {found['format']}, and this tflab knows format {FORMAT}")
+    return {name: Attempts(**line) for name, line in found["tasks"].items()}
+
+
+def _keep_aside(path: Path, error: Exception) -> None:
+    number = 1
+    while (aside := path.with_name(f"progress.kept-{number}.json")).exists():
+        number += 1
+    try:
+        path.rename(aside)
+    except FileNotFoundError:  # another notebook was quicker, and has said so
+        return
+    print(
+        f"tflab: {path.name} cannot be read ({error}).\n"
+        f"It is kept as {aside.name}, and a new one begins; the answers in your notebooks are untouched.\n"
+        f"To have it back: repair {aside.name} or install the tflab that wrote it, and rename it to {path.name}.",
+        file=sys.stderr,
+    )
