@@ -1,7 +1,25 @@
-"""The workbook: where its pages are, how they are opened, and how they are written for reading.
+"""The workbook: pages that are written once, tasks whose wrong answers are named, and a learner's own copy of it all.
 
-    build  run the pages and write them as HTML
-    lab    start JupyterLab on them, without a word to the network
+In an exercise one calls four functions:
 
-Start with `build.py`.
+    from tflab.workbook import check, hint, task, solution
+
+The rooms within the room, in reading order:
+
+    words, values                     what a person reads, twice; what an answer may be, as plain JSON
+    measures, structures, forms       what an answer looks like, and when two are the same
+    tasks, reference, cases, sealed   a task, its right answer, its wrong ones; what an answer is tried on
+    verdict, replies, checks          what became of an answer, and how it is said
+    places, learner, lab, progress    where the workbook is, a learner's copy, JupyterLab on it, what was passed
+    course, glossary                  chapters, objectives, checklist; terms
+    source, rules, editions, build    from a page's source to its notebooks in two languages
+    slides, html                      the same pages for lecturing and for reading
+
+Start with `words.py`.
 """
+
+from __future__ import annotations
+
+from .checks import check, hint, solution, task
+
+__all__ = ["check", "hint", "solution", "task"]

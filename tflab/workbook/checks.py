@@ -1,0 +1,329 @@
+"""What does one call in an exercise?  `task`, `check`, `hint`, `solution`.
+
+    e3_2 = task("E3.2")              prints what is given, and returns it
+    check("E3.2", base_p_corner)     E3.2 ✓ 1/1, or what is wrong with it
+    hint("E3.2")                     three, coarse to fine
+    solution("E3.2")                 after a pass or three tries, for self-study
+
+They work offline, on the public cases that came with the exercises.  `check`
+never raises: it is there for wrong answers.  What it says of a right one is that
+it is right on these cases, and what grading will add.
+
+    cases (cases.py)  +  answer  -->  outcomes  -->  verdict (verdict.py)  -->  words (replies.py)
+
+Read `places.py` next.
+"""
+
+from __future__ import annotations
+
+import difflib
+import json
+import os
+from collections.abc import Callable
+from functools import lru_cache
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any, NamedTuple
+
+from . import progress
+from .cases import CasesError, read_cases
+from .forms import form_from_plain
+from .places import CASES, Workbook, WorkbookError, read_workbook, workbook_data, workbook_root
+from .reference import answer_cell_name
+from .replies import LATER, REPLIES
+from .showing import show, show_all
+from .tasks import TaskError, chapter_of, variant_of
+from .values import Plain, from_plain, is_unanswered, raised, to_plain
+from .verdict import Verdict, judge_outcomes, kind_of
+from .words import Words
+
+__all__ = ["check", "hint", "judge", "solution", "task"]
+
+NOTHING = object()
+TRIES_BEFORE_SOLUTION = 3
+_hints_seen: dict[str, int] = {}  # where no progress is kept
+
+
+class _Task(NamedTuple):
+    """A task as this learner has it."""
+
+    id: str
+    stem: str
+    plain: dict[str, Any]  # as in the cases file
+    variant: dict[str, Any]
+    root: Path
+    workbook: Workbook
+
+    def say(self, reply: str, **names: object) -> str:
+        """Return one of the replies in the learner's language."""
+        return REPLIES[reply].say(self.workbook.language, id=self.id, answer=self.plain["answer"], **names)
+
+    def words(self, plain: dict[str, str]) -> str:
+        """Return a text that stands with the task, in the learner's language."""
+        return Words(**plain).say(self.workbook.language)
+
+
+def task(task_id: str) -> SimpleNamespace | None:
+    """Print what a task gives, and return it: `e3_2.laser_p_corner`; None if nothing varies.
+
+    Raises:
+        WorkbookError: there is no such task.
+    """
+    one = _find(task_id)
+    given = one.variant["given"]
+    print(f"{one.id} · {one.plain['points']} {'point' if one.plain['points'] == 1 else 'points'}")
+    if given is None:
+        return None
+    values = {name: from_plain(value) for name, value in given.items()}
+    print(show_all(values))
+    return SimpleNamespace(**values)
+
+
+def check(task_id: str, answer: Any = NOTHING) -> float | None:
+    """Say what is right or wrong about an answer; it never raises.
+
+    Returns:
+        None; under nbgrader (NBGRADER_EXECUTION) the points, as it takes them for partial credit.
+    """
+    try:
+        one = _find(task_id)
+    except (WorkbookError, TaskError) as error:
+        print(f"{task_id}: {error}")
+        return 0.0 if os.environ.get("NBGRADER_EXECUTION") else None
+    if answer is NOTHING:
+        print(f"{one.id}: {one.say('no_answer_given')}")
+        verdict = Verdict(0, 1, "unanswered")
+    else:
+        verdict, outcomes = _tried(one, answer)
+        if verdict.kind != "unanswered":
+            progress.record_try(one.root, one.id, verdict.passed, verdict.of, verdict.twin or None)
+        _print_verdict(one, verdict, outcomes)
+    if os.environ.get("NBGRADER_EXECUTION"):
+        return round(one.plain["points"] * verdict.passed / verdict.of, 4)
+    return None
+
+
+def judge(task_id: str, answer: Any) -> Verdict:
+    """Return what became of an answer, without a word and without keeping count.
+
+    Raises:
+        WorkbookError: there is no such task.
+    """
+    return _tried(_find(task_id), answer)[0]
+
+
+def hint(task_id: str) -> None:
+    """Print the next of a task's three hints."""
+    try:
+        one = _find(task_id)
+    except (WorkbookError, TaskError) as error:
+        print(f"{task_id}: {error}")
+        return
+    number = progress.record_hint(one.root, one.id) or _hints_seen.get(one.id, 0) + 1
+    _hints_seen[one.id] = number
+    hints = one.plain["hints"]
+    head = one.say("hint_number", number=number) if number <= len(hints) else one.say("last_hint")
+    print(f"{one.id} · {head}: {one.words(hints[min(number, len(hints)) - 1])}")
+
+
+def solution(task_id: str) -> None:
+    """Print the solution's answer cell, after a pass or three tries; a class's solutions are with its instructor."""
+    try:
+        one = _find(task_id)
+    except (WorkbookError, TaskError) as error:
+        print(f"{task_id}: {error}")
+        return
+    if one.workbook.edition == "class":
+        print(f"{one.id}: {one.say('solution_of_class')}")
+        return
+    tried = progress.attempts(one.root, one.id)
+    is_copy = one.root != workbook_data()
+    if is_copy and not tried.passed and tried.tries < TRIES_BEFORE_SOLUTION:
+        print(f"{one.id}: {one.say('solution_later', tries=tried.tries)}")
+        return
+    path = workbook_data() / "solutions" / one.workbook.language / f"{one.stem}.ipynb"
+    try:
+        cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
+    except OSError as error:
+        print(f"{one.id}: {one.say('no_cases', why=error)}")
+        return
+    print("".join(line for cell in cells if cell["id"] == answer_cell_name(one.id) for line in cell["source"]))
+
+
+# -- trying ---------------------------------------------------------------------------
+
+
+def _tried(one: _Task, answer: Any) -> tuple[Verdict, list[Plain]]:
+    """Return the verdict, and what came out of each case."""
+    cases = one.variant["cases"]
+    if not one.plain["is_function"]:
+        outcomes = [_plain(answer)]
+        return judge_outcomes(one.plain, one.variant, outcomes), outcomes
+    if not callable(answer):
+        kind = "unanswered" if answer is ... else "not_a_function"
+        verdict = Verdict(0, len(cases), kind, detail={"got": kind_of(_plain(answer))})
+        return verdict, []
+    outcomes = []
+    for number, case in enumerate(cases):
+        try:
+            first, again = _outcome(answer, case["args"]), _outcome(answer, case["args"])
+        except KeyboardInterrupt:
+            return Verdict(0, len(cases), "interrupted", case=number), []
+        if first != again:
+            return Verdict(0, len(cases), "unsteady", case=number), []
+        outcomes.append(first)
+        if number == 0 and is_unanswered(first):
+            return Verdict(0, len(cases), "unanswered"), []
+    return judge_outcomes(one.plain, one.variant, outcomes), outcomes
+
+
+def _outcome(function: Callable[..., Any], args: list[Plain]) -> Plain:
+    """Return what a function gives for fresh copies of its arguments."""
+    try:
+        return _plain(function(*map(from_plain, args)))
+    except Exception as error:
+        return raised(error)
+
+
+def _plain(value: Any) -> Plain:
+    if callable(value) and not isinstance(value, type):
+        return {"object": "function"}
+    try:
+        return to_plain(value)
+    except Exception:  # an object with surprises in it, or one without end
+        return {"object": type(value).__name__}
+
+
+# -- saying ---------------------------------------------------------------------------
+
+
+def _print_verdict(one: _Task, verdict: Verdict, outcomes: list[Plain]) -> None:
+    mark = "✓" if verdict.kind == "passed" else "✗"
+    score = f"{one.id} {mark} {verdict.passed}/{verdict.of}"
+    if verdict.kind == "passed":
+        print(score)
+        if one.root != workbook_data():
+            later = LATER["function" if one.plain["is_function"] else "value"]
+            print(later.say(one.workbook.language, of=verdict.of))
+        return
+    if verdict.kind == "unanswered":
+        print(f"{one.id}: {one.say('unanswered')}")
+        return
+    print(f"{score}: {_reply(one, verdict, outcomes)}")
+    if one.plain["is_function"] and outcomes and verdict.kind != "raised":
+        print(one.say("case", call=_call(one, verdict.case), got=_shown(outcomes[verdict.case])))
+    elif one.plain["is_function"] and outcomes:
+        print(one.say("case", call=_call(one, verdict.case), got=outcomes[verdict.case].get("raises")))
+    tried = progress.attempts(one.root, one.id)
+    if one.workbook.edition == "self-study" and tried.tries >= TRIES_BEFORE_SOLUTION:
+        print(one.say("solution"))
+    elif verdict.kind in ("value", "twin", "parts"):
+        print(one.say("hint"))
+    _show_both(one, verdict, outcomes)
+
+
+def _reply(one: _Task, verdict: Verdict, outcomes: list[Plain]) -> str:
+    if verdict.kind == "twin":
+        return one.words(one.plain["twins"][verdict.twin]["reply"])
+    names = dict(verdict.detail)
+    for several in ("parts", "wrong"):
+        if several in names:
+            names[several] = ", ".join(f'"{name}"' for name in names[several])
+    kind = verdict.kind
+    if kind == "type" and names.get("got") == "function":
+        kind = "a_function"
+    if kind in REPLIES and "{answer}" in REPLIES[kind].en and "answer" in names:
+        text = REPLIES[kind].say(one.workbook.language, wanted=_wanted(one, verdict), **names)
+    else:
+        text = one.say(kind, wanted=_wanted(one, verdict), **names)
+    return f'"{names["part"]}": {text}' if "part" in names else text
+
+
+def _wanted(one: _Task, verdict: Verdict) -> str:
+    form = form_from_plain(one.plain["form"])
+    part = verdict.detail.get("part")
+    form = form.parts[part] if part else form
+    return form.wanted().say(one.workbook.language)
+
+
+def _call(one: _Task, case: int) -> str:
+    """Return the call as it was made, short enough to read."""
+    texts = [show(from_plain(arg)).splitlines() for arg in one.variant["cases"][case]["args"]]
+    arguments = ", ".join(lines[0] + (" …" if len(lines) > 1 else "") if lines else "()" for lines in texts)
+    return f"{one.plain['answer']}({arguments})"
+
+
+def _shown(outcome: Plain) -> str:
+    if isinstance(outcome, dict) and "raises" in outcome:
+        return outcome["raises"]
+    try:
+        text = show(from_plain(outcome))
+    except ValueError:
+        return kind_of(outcome)
+    return text if "\n" not in text else kind_of(outcome)
+
+
+def _show_both(one: _Task, verdict: Verdict, outcomes: list[Plain]) -> None:
+    """Draw the answer beside the right one, where both are in space: a function's, or a value after three tries."""
+    from .comparison import picture_of
+
+    tries = progress.attempts(one.root, one.id).tries
+    if not outcomes or verdict.kind not in ("twin", "value", "unit"):
+        return
+    if not one.plain["is_function"] and tries < TRIES_BEFORE_SOLUTION:
+        return  # the picture would tell the number
+    picture = picture_of(one.plain["form"], outcomes[verdict.case], one.variant["cases"][verdict.case]["expected"])
+    if picture is None:
+        return
+    from IPython import get_ipython
+    from IPython.display import display
+
+    if get_ipython() is not None:
+        display(picture)
+
+
+# -- finding --------------------------------------------------------------------------
+
+
+def _find(task_id: str) -> _Task:
+    """Return a task of this workbook, as this learner has it.
+
+    Raises:
+        WorkbookError: there is no such task, or its cases cannot be read.
+    """
+    root = workbook_root()
+    workbook = read_workbook(root)
+    try:
+        number = chapter_of(task_id)
+    except TaskError:
+        raise WorkbookError(_unknown(root, workbook, str(task_id), sorted((root / CASES).glob("*.json")))) from None
+    paths = sorted((root / CASES).glob(f"{number:02d}_*.json"))
+    if not paths:
+        raise WorkbookError(_unknown(root, workbook, task_id, sorted((root / CASES).glob("*.json"))))
+    try:
+        cases = _read(paths[0], paths[0].stat().st_mtime_ns)
+    except CasesError as error:
+        raise WorkbookError(REPLIES["no_cases"].say(workbook.language, why=error)) from None
+    if task_id not in cases["tasks"]:
+        raise WorkbookError(_unknown(root, workbook, task_id, paths))
+    plain = cases["tasks"][task_id]
+    variants = plain["variants"]
+    variant = variants[variant_of(workbook.learner, task_id, len(variants))]
+    return _Task(task_id, paths[0].stem, plain, variant, root, workbook)
+
+
+@lru_cache(maxsize=4)
+def _read(path: Path, _mtime_ns: int) -> dict[str, Any]:
+    return read_cases(path)
+
+
+def _unknown(root: Path, workbook: Workbook, task_id: str, paths: list[Path]) -> str:
+    known: list[str] = []
+    for path in paths:
+        try:
+            known += read_cases(path)["tasks"]
+        except CasesError:
+            continue
+    close = difflib.get_close_matches(task_id, known, n=1, cutoff=0.5)
+    suggestion = REPLIES["did_you_mean"].say(workbook.language, name=close[0]) if close else ""
+    return REPLIES["unknown_task"].say(workbook.language, known=", ".join(known) or str(root / CASES), close=suggestion)

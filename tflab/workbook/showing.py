@@ -1,0 +1,94 @@
+"""How is a given printed?  The same in both languages: names, numbers with fixed decimals, nothing else.
+
+    base_T_laser    translation (0.200, 0.000, 0.150), rotation xyzw (0.000, 0.000, 0.707, 0.707)
+    laser_p_corner  (2.000, 0.000, 0.000)
+
+Read `checks.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from tflab.core import BufferCore, StampedTransform, Transform
+from tflab.ros import tf2_buffer
+from tflab.ros.messages.base import Message
+from tflab.ros.messages.text import message_to_yaml
+
+__all__ = ["show", "show_all"]
+
+NS_PER_S = 1_000_000_000
+
+
+def show_all(values: Mapping[str, Any]) -> str:
+    """Return one line for each name, or a block where the value takes several."""
+    width = max(map(len, values), default=0)
+    lines = []
+    for name, value in values.items():
+        text = show(value)
+        if "\n" in text:
+            lines += [f"  {name}", *(f"      {line}" for line in text.splitlines())]
+        else:
+            lines.append(f"  {name:<{width}}  {text}")
+    return "\n".join(lines)
+
+
+def show(value: Any) -> str:
+    """Return a value for people: fixed decimals, no negative zero, no reprs of NumPy."""
+    if isinstance(value, bool | int | None):
+        return str(value)
+    if isinstance(value, float | np.floating):
+        return _number(float(value))
+    if isinstance(value, str):
+        return value if "\n" in value else f'"{value}"'
+    if isinstance(value, Transform):
+        return f"translation {show(value.translation)}, rotation xyzw {show(value.rotation)}"
+    if isinstance(value, StampedTransform):
+        head = f"{value.frame_id} -> {value.child_frame_id} at {_seconds(value.stamp_ns)}"
+        return f"{head}: {show(value.transform)}"
+    if isinstance(value, BufferCore | tf2_buffer.BufferCore):
+        return _buffer(value if isinstance(value, BufferCore) else value.core)
+    if isinstance(value, Message):
+        return f"{value.ROS_TYPE}\n{message_to_yaml(value)}".rstrip()
+    if isinstance(value, Mapping):
+        return "\n".join(f"{key}: {show(inner)}" for key, inner in value.items())
+    if isinstance(value, np.ndarray):
+        value = value.tolist()
+    if isinstance(value, list | tuple):
+        return _row(value)
+    return str(value)
+
+
+def _row(members: list | tuple) -> str:
+    texts = [show(member) for member in members]
+    if sum(map(len, texts)) > 90 or any("\n" in text for text in texts):
+        return "\n".join(texts)
+    left, right = "[]" if isinstance(members, list) else "()"
+    return left + ", ".join(texts) + right
+
+
+def _buffer(buffer: BufferCore) -> str:
+    """Return one line for each edge: whose child, from when to when, how many samples."""
+    lines = []
+    for frame in sorted(buffer.frame_names()):
+        history = buffer.history(frame)
+        if not history.stamps_ns:
+            continue
+        edge = f"{history.parents[-1]} -> {frame}"
+        if history.is_static:
+            lines.append(f"{edge}  static")
+        else:
+            first, last = map(_seconds, (history.stamps_ns[0], history.stamps_ns[-1]))
+            lines.append(f"{edge}  {len(history.stamps_ns)} samples from {first} to {last}")
+    return "\n".join(lines)
+
+
+def _number(value: float) -> str:
+    return f"{round(value, 3) + 0.0:.3f}" if 0.001 <= abs(value) < 1e6 or value == 0.0 else f"{value:.6g}"
+
+
+def _seconds(stamp_ns: int) -> str:
+    return f"{stamp_ns // NS_PER_S}.{stamp_ns % NS_PER_S:09d} s"
