@@ -46,7 +46,7 @@ class Term(NamedTuple):
     code: bool = False
 
     def shown(self, language: str) -> str:
-        """Return the word as running text has it; in Korean with its gloss, names in code before it and others after."""
+        """Return the word as running text has it; in Korean with its gloss, which names in code have after them."""
         if language != "ko" or self.word.ko == self.word.en:
             return self.word.say(language)
         return f"{self.word.en}({self.word.ko})" if self.code else f"{self.word.ko}({self.word.en})"
