@@ -1,0 +1,93 @@
+"""What a page stores when it is run, and what it must not put out."""
+
+from __future__ import annotations
+
+import asyncio
+import re
+from pathlib import Path
+
+from making_pages import TITLE, code, page
+
+from tflab.workbook.execute import Outputs, run_page
+from tflab.workbook.source import Fault
+
+DRAW = "from tflab.views.picture import Picture\npicture = Picture()\npicture.text = 'nothing yet'\npicture"
+WIDGET = "import ipywidgets\nipywidgets.IntSlider()"
+
+
+def run(root: Path, *parts: str) -> tuple[Outputs, list[Fault]]:
+    return asyncio.run(run_page(page(root, TITLE, *parts), "notebooks/en", {"03_x": '{"format": 1}\n'}))
+
+
+def test_a_page_stores_what_is_the_same_every_time(tmp_path: Path) -> None:
+    outputs, faults = run(
+        tmp_path,
+        code("twice", "print('one', flush=True)\nprint('two', flush=True)\n1 + 2"),
+        code("silent", "x = 1"),
+        code("turn", WIDGET, ' tags=["interactive"]'),
+        code("figure", DRAW),
+        code("fails", "1 / 0", ' tags=["raises-exception"]'),
+        code("after", "print(open('../../exercises/cases/03_x.json').read(), end='')"),
+        code("shell", "import os\nprint([name for name in os.environ if name.startswith('TFLAB_')])"),
+    )
+    assert faults == []
+    assert outputs["twice"] == [
+        {"name": "stdout", "output_type": "stream", "text": ["one\n", "two\n"]},
+        {"data": {"text/plain": ["3"]}, "metadata": {}, "output_type": "execute_result"},
+    ]
+    assert outputs["silent"] == outputs["turn"] == []
+    assert outputs["figure"][0]["data"]["text/plain"] == ["nothing yet"]
+    division = {"ename": "ZeroDivisionError", "evalue": "division by zero", "output_type": "error", "traceback": []}
+    assert outputs["fails"] == [division]
+    assert outputs["after"][0]["text"] == ['{"format": 1}\n']  # the public cases, beside the page
+    assert outputs["shell"][0]["text"] == ["[]\n"]
+
+
+def test_everything_that_must_not_be_put_out_is_a_fault_and_the_rest_still_runs(tmp_path: Path) -> None:
+    _, faults = run(
+        tmp_path,
+        code("error", "raise RuntimeError('wheel came off')"),
+        code("no-error", "1", ' tags=["raises-exception"]'),
+        code("warns", "import warnings\nwarnings.warn('slippery')"),
+        code("address", "print(object())"),
+        code("place", "import os\nprint(os.getcwd())"),
+        code("widget", WIDGET),
+        code("no-words", wordless()),
+        code("large", large()),
+        code("turn", WIDGET, ' tags=["interactive"]'),
+        code("no-figure", "print('nothing to see')"),
+    )
+    said = {fault.cell: fault.wrong for fault in faults}
+    expected = {
+        "error": "raised RuntimeError: wheel came off",
+        "no-error": "raises nothing",
+        "warns": "wrote to stderr: .*slippery",
+        "address": r"prints an address \(0x",
+        "place": "prints where it was run",
+        "widget": "shows a widget",
+        "no-words": "shows an image without words",
+        "large": r"shows an image of \d+ kB",
+        "turn": 'the next code cell, "no-figure", shows no figure',
+    }
+    assert set(said) == set(expected)
+    for cell, wrong in expected.items():
+        assert re.match(wrong, said[cell], re.DOTALL), said[cell]
+    assert len(faults) == len(expected), [str(fault) for fault in faults]
+
+
+def wordless() -> str:
+    return "from matplotlib.figure import Figure\nfigure = Figure()\nfigure.savefig('f.png')\n" + (
+        "from IPython.display import Image\nImage('f.png')"
+    )
+
+
+def large() -> str:
+    noise = "import numpy as np\nfrom PIL import Image as Photo\nrng = np.random.default_rng(1)\n"
+    save = "Photo.fromarray(rng.integers(0, 255, (200, 200, 3), dtype=np.uint8)).save('n.png')\n"
+    show = "from IPython.display import display\nraw = open('n.png', 'rb').read()\n"
+    return noise + save + show + "display({'image/png': raw, 'text/plain': 'noise'}, raw=True)"
+
+
+def test_a_kernel_that_dies_is_a_fault_of_the_cell_that_ended_it(tmp_path: Path) -> None:
+    _, faults = run(tmp_path, code("ends", "import os\nos._exit(1)"), code("after", "1"))
+    assert [(fault.cell, fault.wrong) for fault in faults] == [("ends", "raised DeadKernelError: the kernel died")]
