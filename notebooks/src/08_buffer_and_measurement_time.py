@@ -1,0 +1,1331 @@
+# %% [markdown] lang="en" name="title" slide="slide"
+# # 08 · Where was I when I saw it?
+#
+# **Buffer and measurement time** · about 55 minutes · builds on 01, 03, 04, 05 and 06
+#
+# After this chapter you can
+#
+# - describe a [[buffer]] as one lane of time for each edge of the tree;
+# - say what the buffer answers between two samples, and what it refuses outside them;
+# - find the [[latest common time]] of a path, and say what `Time()` asks for;
+# - move a message into another frame at the moment it was measured;
+# - estimate how far off you are if you do not.
+
+# %% [markdown] lang="ko" name="title" slide="slide"
+# # 08 · 그것을 보았을 때 나는 어디에 있었나?
+#
+# **Buffer와 측정 시각** · 약 55분 · 01, 03, 04, 05, 06장을 바탕으로 합니다
+#
+# 이 장을 마치면 다음을 할 수 있습니다.
+#
+# - [[buffer|Buffer(변환 버퍼)]]를 Tree의 edge마다 하나씩 있는 시간 축으로 설명합니다.
+# - 두 표본 사이에서 Buffer가 무엇을 답하고, 그 바깥에서는 무엇을 거절하는지 말합니다.
+# - 경로의 [[latest common time|최신 공통 시각]]을 찾고, `Time()`이 무엇을 묻는지 말합니다.
+# - Message를 측정된 순간을 기준으로 다른 Frame으로 옮깁니다.
+# - 그렇게 하지 않으면 얼마나 빗나가는지 어림합니다.
+
+# %% [markdown] lang="en" name="title-notes" slide="notes"
+# Ask the room first: how old is what you see on your phone's camera screen?
+# Nobody says "zero" for long.
+# The whole chapter is that one number, carried through tf2.
+
+# %% [markdown] lang="ko" name="title-notes" slide="notes"
+# 먼저 이렇게 물어보십시오. 휴대전화 카메라 화면에 보이는 장면은 몇 밀리초 전의 것일까요?
+# "0"이라는 대답은 오래 버티지 못합니다.
+# 이 장 전체는 그 숫자 하나를 tf2 안에서 끝까지 따라가는 이야기입니다.
+
+# %% [markdown] lang="en" name="needed" slide="slide"
+# ## What you need from chapters that come before
+#
+# Skip this if you have done them.
+#
+# - **A point** (01) is three things: a value, a frame, and the moment it was measured. In ROS 2 the last two are `header.frame_id` and `header.stamp`.
+# - **The question** (03) has a fixed order: `lookup_transform(target, source, time)`. Data is expressed in the source, and wanted in the target.
+# - **The tree** (04) gives each frame one parent. Between two frames there is one path, made of edges.
+# - **Our robot** (05) has `map → odom → base_footprint → base_link`. `map → odom` is corrected by a localiser; `odom → base_footprint` is counted by the wheels, many times a second.
+# - **Two kinds of edge** (06): a static one, such as a camera's mount, is sent once and holds for ever. A dynamic one is sent again and again, each time with its [[stamp]].
+# - **A node** is a program. It subscribes to a *topic*, and ROS 2 calls one of its functions, a *callback*, with each message that arrives. *Spinning* is waiting for messages and calling callbacks.
+
+# %% [markdown] lang="ko" name="needed" slide="slide"
+# ## 앞 장에서 가져올 것
+#
+# 앞 장을 마쳤다면 건너뛰어도 됩니다.
+#
+# - **점**(01)은 값, Frame, 측정된 순간, 이 세 가지입니다. ROS 2에서 뒤의 둘은 `header.frame_id`와 `header.stamp`입니다.
+# - **질문**(03)의 순서는 정해져 있습니다. `lookup_transform(target, source, time)`: source에서 표현된 Data를 target에서 표현하고 싶습니다.
+# - **Tree**(04)에서 각 Frame의 부모는 하나입니다. 두 Frame 사이에는 edge로 이어진 길이 하나 있습니다.
+# - **우리 Robot**(05)에는 `map → odom → base_footprint → base_link`가 있습니다. `map → odom`은 Localization이 보정하고, `odom → base_footprint`는 바퀴가 초마다 여러 번 셉니다.
+# - **두 종류의 edge**(06): Camera 장착 위치 같은 Static edge는 한 번 보내면 언제나 유효합니다. Dynamic edge는 매번 [[stamp|Stamp(측정 시각)]]와 함께 계속 보냅니다.
+# - **Node**는 Program입니다. *Topic*을 구독하면, Message가 도착할 때마다 ROS 2가 그 Node의 함수, 곧 *callback*을 부릅니다. *spin*은 Message를 기다리며 callback을 부르는 일입니다.
+
+# %% name="load"
+# %load_ext tflab
+
+# %% name="imports-ros"
+import copy
+import math
+
+import numpy as np
+import rclpy
+from geometry_msgs.msg import PointStamped
+from rclpy.duration import Duration
+from rclpy.node import Node
+from rclpy.time import Time
+from sensor_msgs.msg import PointCloud2
+from tf2_geometry_msgs import do_transform_point
+from tf2_ros import Buffer, TransformException, TransformListener
+
+# %% name="imports-lab"
+from tflab.core import BufferCore, StampedTransform, Transform, seconds
+from tflab.robots.motion import Drive, Leg, PlanarPose
+from tflab.robots.nodes import launch
+from tflab.robots.teaching import Source, TeachingRobot
+from tflab.robots.world import BALL, ROOM
+from tflab.tools.buffers import draw_history
+from tflab.views import latency, scene_helpers
+from tflab.views.frames import draw_scene
+from tflab.views.panels import latency_panel, timeline_panel
+from tflab.views.placed import draw_placed
+from tflab.views.scene import Scene
+from tflab.views.timeline import lane_from_history
+
+# %% [markdown] lang="en" name="story" slide="slide"
+# ## Fifty years, and the length of a hand
+#
+# Someone's mapping node asked TF for a pose at second 1574652168.59.
+# TF stood at second 3.235.
+# One of them lived in 2019, the other in a simulation that had just been switched on: they were almost fifty years apart (ANYbotics/elevation_mapping, report 122).
+#
+# That one is easy. Nothing works, and the error says why.
+#
+# This one is harder: everything works, no error comes, and each obstacle sits the length of a hand away from where it is.
+# Let us build it.
+# A robot weaves through a room at walking pace.
+# Its camera looks for one ball, and finding it takes 0.2 s of computing.
+
+# %% [markdown] lang="ko" name="story" slide="slide"
+# ## 오십 년, 그리고 손 한 뼘
+#
+# 어느 지도 작성 Node가 TF에 1574652168.59초의 Pose를 물었습니다.
+# 그때 TF는 3.235초에 있었습니다.
+# 한쪽은 2019년을, 다른 쪽은 방금 켜진 Simulation을 살고 있었으니 둘은 거의 오십 년 떨어져 있었습니다(ANYbotics/elevation_mapping 122번 보고).
+#
+# 이 고장은 쉽습니다. 아무것도 동작하지 않고, 오류가 이유를 말해 줍니다.
+#
+# 더 어려운 고장은 이것입니다. 모든 것이 동작하고 오류도 없는데, 장애물마다 실제 위치에서 손 한 뼘쯤 떨어져 있습니다.
+# 직접 만들어 봅시다.
+# Robot 한 대가 방 안을 좌우로 흔들며 걷는 속도로 나아갑니다.
+# Camera는 공 하나를 찾고, 찾는 계산에 0.2초가 걸립니다.
+
+# %% name="start-the-robot"
+weave = [Leg(1.0), *3 * [Leg(1.0, 0.5, 0.5), Leg(2.0, 0.5, -0.5), Leg(1.0, 0.5, 0.5)]]  # seconds, m/s, rad/s
+plan = Drive(weave, PlanarPose(-1.0, -1.5, 0.0), start_ns=graph.now_ns)
+robot = TeachingRobot(plan, bias=0.0, slip=0.0005)  # good wheels: what you will see is time, not drift
+nodes = launch(graph, robot, only=["robot_state_publisher", "wheel_odometry", "localization", "object_detector"])
+
+# %% [markdown] lang="en" name="finder-intro" slide="subslide"
+# Here is the node that puts the ball on the map.
+# Read it slowly; it is shorter than its fame.
+#
+# - The [[listener]] hears `/tf` and `/tf_static`, and fills the [[buffer]].
+# - `on_point` is called with each sighting. It asks the buffer for `map_T_camera`, and moves the point.
+# - It asks with `Time()`. The author thought: "the newest pose is surely the best one".
+
+# %% [markdown] lang="ko" name="finder-intro" slide="subslide"
+# 공을 지도에 올리는 Node입니다.
+# 천천히 읽어 보십시오. 유명세에 비해 짧습니다.
+#
+# - [[listener|Listener(변환 수신기)]]는 `/tf`와 `/tf_static`을 듣고 [[buffer|Buffer]]를 채웁니다.
+# - 공을 볼 때마다 `on_point`가 불립니다. Buffer에 `map_T_camera`를 묻고, 점을 옮깁니다.
+# - 물을 때는 `Time()`을 씁니다. 작성자는 "가장 새로운 Pose가 당연히 가장 좋겠지"라고 생각했습니다.
+
+# %% name="finder"
+class Finder(Node):
+    def __init__(self):
+        super().__init__("finder")
+        self.buffer = Buffer(cache_time=Duration(seconds=20.0))
+        self.listener = TransformListener(self.buffer, self)
+        self.create_subscription(PointStamped, "detected_point", self.on_point, 10)
+        self.messages, self.balls = [], []
+
+    def on_point(self, message):
+        self.messages.append(message)
+        map_T_camera = self.buffer.lookup_transform("map", message.header.frame_id, Time())
+        point = do_transform_point(message, map_T_camera).point
+        self.balls.append((point.x, point.y, point.z))
+
+
+# %% name="twelve-seconds"
+rclpy.init()
+finder = Finder()
+while graph.now_ns < seconds(13.0):
+    rclpy.spin_once(finder)
+print(len(finder.balls), "sightings, no error, no warning")
+
+# %% [markdown] lang="en" name="how-many-balls" slide="slide"
+# ### Predict
+#
+# Forty sightings, one ball, which lies still.
+# Before you run the next cell: what does the map look like, and how many balls would you say there are?
+
+# %% [markdown] lang="ko" name="how-many-balls" slide="slide"
+# ### 예측해 보십시오
+#
+# 공은 하나, 움직이지 않고, 마흔 번 보았습니다.
+# 다음 셀을 실행하기 전에 생각해 보십시오. 지도는 어떤 모습일까요? 공이 몇 개라고 말하겠습니까?
+
+# %% name="one-ball"
+draw_placed({"balls on the map": np.array(finder.balls)}, things=[BALL], shown_m=(5.2, -2.0, 7.8, -1.0))
+
+# %% [markdown] lang="en" name="many-balls" slide="subslide"
+# The ring is the ball. The dots are where the map says it is.
+#
+# Not one dot lies in the ring.
+# The map shows four or five balls, in two gangs, left and right of the real one: 0.18 m off on average, 0.31 m at worst.
+# A gripper would close on air, with great confidence.
+#
+# The mathematics was right, and so was the tree.
+# The question was wrong: it asked where the camera is *now* for something the camera saw *then*.
+
+# %% [markdown] lang="ko" name="many-balls" slide="subslide"
+# 고리가 실제 공이고, 점은 지도가 말하는 공의 위치입니다.
+#
+# 고리 안에 든 점은 하나도 없습니다.
+# 지도에는 공이 네다섯 개, 진짜 공의 왼쪽과 오른쪽에 두 무리로 나타납니다. 평균 0.18 m, 최대 0.31 m 빗나갔습니다.
+# Gripper라면 자신 있게 허공을 움켜쥐었을 것입니다.
+#
+# 수학도 Tree도 맞았습니다.
+# 틀린 것은 질문입니다. Camera가 *그때* 본 것을 두고 Camera가 *지금* 어디 있는지를 물었습니다.
+
+# %% [markdown] lang="en" name="many-balls-notes" slide="notes"
+# Let them count. Wait for the laugh, then ask why there are two gangs and not one cloud.
+# The robot was turning left or turning right; hardly ever neither.
+# Real numbers to mention: in a recorded Nav2 run, asking for map → base_link "now" instead of at the localiser's stamp moved the robot by 3 cm in the median and 15 cm at worst.
+
+# %% [markdown] lang="ko" name="many-balls-notes" slide="notes"
+# 직접 세어 보게 하십시오. 웃음이 지나가면, 왜 구름 하나가 아니라 두 무리인지 물어보십시오.
+# Robot은 왼쪽으로 돌고 있었거나 오른쪽으로 돌고 있었습니다. 곧게 가는 순간은 거의 없었습니다.
+# 실제 수치도 있습니다. 기록된 Nav2 주행에서 map → base_link를 Localization의 Stamp가 아니라 "지금"으로 물으면 중앙값 3 cm, 최대 15 cm만큼 Robot이 옮겨졌습니다.
+
+# %% [markdown] lang="en" name="predict-error" slide="slide"
+# ## How far off, with a pencil
+#
+# ### Predict
+#
+# 1. A robot drives straight ahead at 1 m/s. It sees an object 5 m ahead, and uses the sight 200 ms later with the pose of *now*. How far off is the object drawn?
+# 2. The same, but the robot also turns left at 0.5 rad/s. How far off now: about the same, twice, or more than twice?
+#
+# Write both numbers down. Then run.
+
+# %% [markdown] lang="ko" name="predict-error" slide="slide"
+# ## 연필로 어림하는 오차
+#
+# ### 예측해 보십시오
+#
+# 1. Robot이 1 m/s로 곧게 달립니다. 5 m 앞의 물체를 보고, 200 ms 뒤에 *지금*의 Pose로 그 관측을 씁니다. 물체는 얼마나 빗나가 그려집니까?
+# 2. 같은 조건에서 Robot이 0.5 rad/s로 왼쪽으로 돌기도 합니다. 이제 얼마나 빗나갑니까? 비슷합니까, 두 배입니까, 두 배보다 큽니까?
+#
+# 두 숫자를 적어 두고 실행하십시오.
+
+# %% name="run-error"
+straight = latency.Sight(speed_mps=1.0, yaw_rate_radps=0.0, range_m=5.0, delay_ns=seconds(0.2))
+turning = latency.Sight(speed_mps=1.0, yaw_rate_radps=0.5, range_m=5.0, delay_ns=seconds(0.2))
+for name, sight in (("straight", straight), ("turning", turning)):
+    error = latency.latency_error(sight)
+    print(f"{name}: {error.exact_m:.3f} m off, at ({error.drawn_at[0]:.3f}, {error.drawn_at[1]:.3f})")
+
+# %% [markdown] lang="en" name="two-pieces" slide="subslide"
+# Straight: 0.2 m. Turning: 0.54 m, nearly three times as much, from a turn that you would hardly notice.
+#
+# Two pieces make the error, at right angles to each other:
+#
+# - **forwards**: speed × delay = 1.0 × 0.2 = 0.2 m;
+# - **sideways**: range × yaw rate × delay = 5 × 0.5 × 0.2 = 0.5 m.
+#
+# Many texts give only the first, `speed × delay`. On a robot that turns, that is the small one.
+# And the second grows with the range: what is far away is drawn far off.
+#
+# <details><summary>If you predicted something else</summary>
+#
+# - *0.2 m both times*: you left out the turn. The pose of now is 0.1 rad further round, and at 5 m that is half a metre.
+# - *0.7 m*: you added the pieces. They are at right angles, so it is √(0.2² + 0.5²).
+# - *To the right*: the old sight is straight ahead of the robot. Now the robot looks further left, and drags the sight along to the left.
+# - *Hundreds of metres, or millimetres*: a yaw rate in degrees went into a formula for radians, or the other way round.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="two-pieces" slide="subslide"
+# 곧게 갈 때 0.2 m, 돌 때 0.54 m입니다. 거의 느끼지도 못할 회전 때문에 오차가 세 배 가까이 커졌습니다.
+#
+# 오차는 서로 직각인 두 조각으로 이루어집니다.
+#
+# - **앞뒤 방향**: 속도 × 지연 = 1.0 × 0.2 = 0.2 m
+# - **좌우 방향**: 거리 × Yaw 각속도 × 지연 = 5 × 0.5 × 0.2 = 0.5 m
+#
+# 첫 조각인 `속도 × 지연`만 적은 글이 많습니다. 회전하는 Robot에서는 그쪽이 작은 조각입니다.
+# 둘째 조각은 거리에 비례합니다. 멀리 있는 것일수록 멀리 빗나갑니다.
+#
+# <details><summary>다르게 예측했다면</summary>
+#
+# - *두 번 다 0.2 m*: 회전을 빠뜨렸습니다. 지금의 Pose는 0.1 rad 더 돌아가 있고, 5 m 앞에서는 그것이 0.5 m입니다.
+# - *0.7 m*: 두 조각을 더했습니다. 서로 직각이므로 √(0.2² + 0.5²)입니다.
+# - *오른쪽으로 빗나간다*: 옛 관측은 Robot의 정면에 있습니다. 지금 Robot은 더 왼쪽을 보고 있으니 관측도 왼쪽으로 끌려갑니다.
+# - *수백 m, 또는 몇 mm*: 라디안을 쓰는 식에 도 단위 각속도를 넣었거나 그 반대입니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="the-sentence" slide="slide"
+# ## The idea, three times
+#
+# **In a sentence:** ask where the sensor was when the light came in, not where it is when the computer has finished thinking.
+#
+# **In numbers:** the cell above.
+#
+# **In 3D:** below. The solid axes are the robot at the stamp, the dashed ones are the robot now.
+# Drag the delay, and watch the ball leave.
+
+# %% [markdown] lang="ko" name="the-sentence" slide="slide"
+# ## 같은 생각을 세 번
+#
+# **한 문장으로:** 계산이 끝난 지금 Sensor가 어디 있는지가 아니라, 빛이 들어온 그때 Sensor가 어디 있었는지를 묻습니다.
+#
+# **숫자로:** 바로 위의 셀입니다.
+#
+# **3D로:** 아래입니다. 실선 축은 Stamp 때의 Robot, 점선 축은 지금의 Robot입니다.
+# 지연을 끌어 보며 공이 달아나는 모습을 보십시오.
+
+# %% name="scene-of-the-delay" tags=["interactive"] slide="subslide"
+scene = Scene()
+
+
+def draw(delay_s):
+    then_T_now = latency.drive(1.0, 0.5, seconds(delay_s))
+    drawn_at = then_T_now.apply((5.0, 0.0, 0.3))
+    scene_helpers.draw_frame(scene, "robot at the stamp", Transform())
+    scene_helpers.draw_frame(scene, "robot now", then_T_now, ghost=True)
+    scene_helpers.draw_points(scene, "ball", np.array([(5.0, 0.0, 0.3)]), size_m=0.3, words="ball")
+    scene_helpers.draw_arrow(scene, "error", (5.0, 0.0, 0.3), drawn_at, "error", radius_m=0.03)
+
+
+scene.sweep("delay", [0.05 * i for i in range(11)], draw, "s", start=4)
+scene
+
+# %% name="picture-of-the-delay"
+latency.draw_latency(turning)
+
+# %% [markdown] lang="en" name="slider-intro" slide="slide"
+# ### Play with it
+#
+# Four sliders. Find out, and say it aloud before you move:
+#
+# - Which of speed, yaw rate, range and delay can make the error zero all by itself?
+# - Your robot may be off by 0.1 m at 5 m, and it turns at 0.5 rad/s. How old may a sight be?
+
+# %% [markdown] lang="ko" name="slider-intro" slide="slide"
+# ### 직접 움직여 보십시오
+#
+# Slider가 네 개 있습니다. 움직이기 전에 먼저 소리 내어 답해 보십시오.
+#
+# - 속도, Yaw 각속도, 거리, 지연 가운데 혼자서 오차를 0으로 만들 수 있는 것은 무엇입니까?
+# - 5 m 앞에서 0.1 m까지 허용되고 Robot이 0.5 rad/s로 돕니다. 관측은 몇 초까지 늙어도 됩니까?
+
+# %% name="slider" tags=["interactive"] slide="subslide"
+latency_panel(turning)
+
+# %% name="slider-still"
+latency.draw_latency(latency.Sight(speed_mps=0.0, yaw_rate_radps=0.5, range_m=5.0, delay_ns=seconds(0.04)))
+
+# %% [markdown] lang="en" name="slider-answer"
+# <details><summary>Answers</summary>
+#
+# Only the delay, and that is why this chapter is about time.
+# Speed zero leaves the turn; yaw rate zero leaves the drive.
+#
+# 0.1 m = 5 m × 0.5 rad/s × delay, so 0.04 s even for a robot that turns on the spot: about one picture of a 30 Hz camera.
+# No detector is that fast. You cannot win by being quick; you win by asking about the right moment.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="slider-answer"
+# <details><summary>답</summary>
+#
+# 지연뿐입니다. 그래서 이 장은 시간에 관한 장입니다.
+# 속도가 0이어도 회전이 남고, 각속도가 0이어도 주행이 남습니다.
+#
+# 0.1 m = 5 m × 0.5 rad/s × 지연이므로, 제자리에서 도는 Robot이라도 0.04초, 30 Hz Camera로 사진 한 장 남짓입니다.
+# 그렇게 빠른 검출기는 없습니다. 빨라지는 것으로는 이길 수 없고, 올바른 순간을 물어야 이깁니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="the-lanes" slide="slide"
+# ## What the buffer remembers
+#
+# To ask about *then*, somebody must have kept *then*.
+# That is the buffer's whole job.
+#
+# Each edge of the tree has a lane of its own.
+# A lane holds the samples that were heard, each at its stamp, for the last few seconds.
+# A static edge has one value, and it is good for any time.
+#
+# Here is a small buffer, made by hand so that you can count its samples.
+# (`BufferCore` is the engine inside `tf2_ros.Buffer`. Filling it ourselves saves us three nodes.)
+
+# %% [markdown] lang="ko" name="the-lanes" slide="slide"
+# ## Buffer가 기억하는 것
+#
+# *그때*를 물으려면 누군가 *그때*를 간직하고 있어야 합니다.
+# Buffer가 하는 일이 바로 그것입니다.
+#
+# Tree의 edge마다 자기 차선이 하나씩 있습니다.
+# 차선에는 들은 표본이 Stamp 자리에, 최근 몇 초 동안 남아 있습니다.
+# Static edge에는 값이 하나뿐이고, 어느 시각에나 유효합니다.
+#
+# 표본을 셀 수 있도록 작은 Buffer를 손으로 만들었습니다.
+# (`BufferCore`는 `tf2_ros.Buffer` 안에 있는 엔진입니다. 직접 채우면 Node 세 개를 아낄 수 있습니다.)
+
+# %% name="small-buffer"
+small = BufferCore()
+mount = Transform((0.20, 0.0, 0.15))
+small.set_transform(StampedTransform("base_link", "laser_frame", seconds(1.0), mount), is_static=True)
+for i in range(3):  # map -> odom, once a second
+    small.set_transform(StampedTransform("map", "odom", seconds(2.0 + i), Transform()))
+for i in range(14):  # odom -> base_link, four times a second, at 1 m/s
+    small.set_transform(StampedTransform("odom", "base_link", seconds(1.5 + 0.25 * i), Transform((0.25 * i, 0.0, 0.0))))
+
+# %% name="three-lanes" slide="subslide"
+draw_history(small, "map", "laser_frame", seconds(3.4))
+
+# %% [markdown] lang="en" name="between" slide="slide"
+# ### Between two samples
+#
+# Nobody sent anything at 3.4 s, and still there is an answer: x = 2.1 m.
+# The neighbours of `odom → base_link` are 3.25 s (1.75 m) and 3.5 s (2.00 m); 3.4 s lies 0.6 of the way, so 1.90 m, and 0.20 m more to the laser.
+# That is [[interpolation]]: positions go along a straight line, rotations along the shortest arc.
+#
+# Inside the lane the buffer fills the gaps. Outside it never guesses.
+#
+# **Predict.** At 1.0 s the yaw is 170°, at 2.0 s it is −170°. What is it at 1.5 s: 0° or 180°?
+
+# %% [markdown] lang="ko" name="between" slide="slide"
+# ### 두 표본 사이
+#
+# 3.4초에는 아무도 보내지 않았는데 답이 있습니다. x = 2.1 m입니다.
+# `odom → base_link`의 이웃 표본은 3.25초(1.75 m)와 3.5초(2.00 m)입니다. 3.4초는 그 사이의 0.6 지점이므로 1.90 m이고, Laser까지 0.20 m를 더합니다.
+# 이것이 [[interpolation|보간(interpolation)]]입니다. 위치는 직선을, 회전은 가장 짧은 호를 따라갑니다.
+#
+# 차선 안에서는 Buffer가 빈틈을 메웁니다. 바깥에서는 결코 짐작하지 않습니다.
+#
+# **예측해 보십시오.** 1.0초에 Yaw가 170°, 2.0초에 −170°입니다. 1.5초에는 0°입니까, 180°입니까?
+
+# %% name="shortest-arc"
+turn = BufferCore()
+for stamp_s, yaw_deg in ((1.0, 170.0), (2.0, -170.0)):
+    pose = Transform.from_rpy(yaw=math.radians(yaw_deg))
+    turn.set_transform(StampedTransform("odom", "base_link", seconds(stamp_s), pose))
+for stamp_s in (1.0, 1.25, 1.5, 1.75, 2.0):
+    yaw = turn.lookup_transform("odom", "base_link", seconds(stamp_s)).transform.rpy()[2]
+    print(f"{stamp_s:.2f} s: yaw {math.degrees(yaw):7.2f} degrees")
+
+# %% [markdown] lang="en" name="shortest-arc-read"
+# 180°. The robot turned by 20°, through the back, as any robot would.
+# Whoever averages the two numbers gets 0°, and a robot that looks the other way for one frame.
+# That bug has been written by hand in every language there is; the exercise lets you write it once more, safely.
+
+# %% [markdown] lang="ko" name="shortest-arc-read"
+# 180°입니다. 여느 Robot처럼 등 뒤쪽을 지나 20°만 돌았습니다.
+# 두 숫자를 평균하면 0°가 되고, Robot이 한순간 반대쪽을 봅니다.
+# 세상의 모든 언어로 누군가 손수 만들어 본 버그입니다. 연습문제에서 안전하게 한 번 더 만들어 볼 수 있습니다.
+
+# %% [markdown] lang="en" name="latest-common" slide="slide"
+# ### How fresh is "latest"?
+#
+# A query walks several lanes, and *each* must cover the moment asked for.
+# The shaded band in the picture is where all do.
+#
+# `Time()` means "time zero", and tf2 reads that as: the [[latest common time]] of the path.
+# It does **not** mean now.
+#
+# **Predict** from the picture: `map → odom` ends at 4.00 s, `odom → base_link` at 4.75 s, the static mount was sent at 1.00 s, and the clock on the wall says 4.80 s.
+# What does `Time()` get?
+
+# %% [markdown] lang="ko" name="latest-common" slide="slide"
+# ### "최신"은 얼마나 새로운가?
+#
+# 조회 하나가 여러 차선을 지나고, 차선 *하나하나*가 그 시각을 덮어야 합니다.
+# 그림에서 칠해진 띠가 모두가 덮는 구간입니다.
+#
+# `Time()`은 "시각 0"이고, tf2는 이것을 그 경로의 [[latest common time|최신 공통 시각]]으로 읽습니다.
+# "지금"이라는 뜻이 **아닙니다**.
+#
+# 그림을 보고 **예측해 보십시오.** `map → odom`은 4.00초에, `odom → base_link`는 4.75초에 끝나고, Static 장착은 1.00초에 보냈으며, 벽시계는 4.80초입니다.
+# `Time()`은 어느 시각을 얻습니까?
+
+# %% name="latest-common-run"
+print(small.latest_common_time_ns("map", "laser_frame") / 1e9, "s  map <- laser_frame")
+print(small.latest_common_time_ns("odom", "laser_frame") / 1e9, "s  odom <- laser_frame")
+print(small.latest_common_time_ns("base_link", "laser_frame") / 1e9, "s  base_link <- laser_frame, all static")
+
+# %% [markdown] lang="en" name="latest-common-read"
+# 4.00 s: **the earliest of the latest ones**. One slow lane holds everybody back.
+#
+# - 4.75 would need `map → odom` where it has nothing to say yet.
+# - 1.00 counts the static edge, which holds for ever and limits nobody.
+# - 4.80 is now, and nothing in the buffer is that fresh.
+#
+# From `odom` the slow lane is not on the path, so 4.75 s.
+# A path of static edges only has no latest time; tf2 says 0.
+#
+# Our live robot, a moment after its last sighting:
+
+# %% [markdown] lang="ko" name="latest-common-read"
+# 4.00초, 곧 **마지막 시각들 가운데 가장 이른 것**입니다. 느린 차선 하나가 모두를 붙잡습니다.
+#
+# - 4.75초라면 `map → odom`이 아직 아무 말도 하지 않은 곳을 물어야 합니다.
+# - 1.00초는 Static edge까지 센 것입니다. Static은 언제나 유효하므로 아무도 붙잡지 않습니다.
+# - 4.80초는 지금이고, Buffer 안에 그만큼 새로운 것은 없습니다.
+#
+# `odom`에서 물으면 느린 차선을 지나지 않으므로 4.75초입니다.
+# Static edge로만 이어진 길에는 최신 시각이 없고, tf2는 0이라고 답합니다.
+#
+# 마지막으로 공을 본 직후의 우리 Robot입니다.
+
+# %% name="latest-live"
+newest = finder.buffer.lookup_transform("map", "camera_optical_frame", Time())
+print("the clock says     ", graph.now_ns / 1e9)
+print("Time() came back as", Time.from_msg(newest.header.stamp).nanoseconds / 1e9)
+print("the picture is from", Time.from_msg(finder.messages[-1].header.stamp).nanoseconds / 1e9)
+
+# %% [markdown] lang="en" name="latest-live-read"
+# Three moments: 13.00 s now, 12.89 s "latest", 12.80 s the picture.
+# `Time()` is neither now nor the picture; it is whatever the slowest lane had to offer.
+# The answer carries its stamp. Print it, and you will never again call it "now".
+#
+# Now drag a query through the small buffer, and past both of its ends.
+
+# %% [markdown] lang="ko" name="latest-live-read"
+# 순간이 셋입니다. 지금 13.00초, "최신" 12.89초, 사진을 찍은 12.80초입니다.
+# `Time()`은 지금도 아니고 사진을 찍은 때도 아닙니다. 가장 느린 차선이 내놓을 수 있는 시각일 뿐입니다.
+# 답에는 Stamp가 붙어 있습니다. 한 번 출력해 보면 다시는 "지금"이라고 부르지 않게 됩니다.
+#
+# 이제 작은 Buffer 위에서 조회 시각을 끌어 양쪽 끝을 넘어가 보십시오.
+
+# %% name="drag-the-query" tags=["interactive"] slide="subslide"
+lanes = [lane_from_history(small.history(child)) for child in ("odom", "base_link", "laser_frame")]
+timeline_panel("map", "laser_frame", lanes, small.lookup_transform, seconds(3.4))
+
+# %% name="past-the-end"
+draw_history(small, "map", "laser_frame", seconds(4.4))
+
+# %% [markdown] lang="en" name="past-the-end-read"
+# At 4.4 s `odom → base_link` could answer, `map → odom` cannot, so there is no answer.
+# tf2 calls this [[extrapolation]], and refuses. Chapter 09 is about the refusals.
+
+# %% [markdown] lang="ko" name="past-the-end-read"
+# 4.4초에 `odom → base_link`는 답할 수 있지만 `map → odom`은 답할 수 없으므로, 답이 없습니다.
+# tf2는 이것을 [[extrapolation|외삽(extrapolation)]]이라 부르고 거절합니다. 거절에 관한 이야기는 09장에 있습니다.
+
+# %% [markdown] lang="en" name="past-the-end-notes" slide="notes"
+# Drag slowly across 4.00 s and let the class see the handle turn into a cross.
+# Ask: who is to blame, the query or map → odom?
+# Then tick LATEST and watch the handle jump back to 4.00 s.
+
+# %% [markdown] lang="ko" name="past-the-end-notes" slide="notes"
+# 4.00초를 천천히 넘기며 손잡이가 X로 바뀌는 순간을 보여 주십시오.
+# 물어보십시오. 누구의 잘못입니까? 조회입니까, map → odom입니까?
+# 그런 다음 LATEST를 켜서 손잡이가 4.00초로 되돌아가는 것을 보여 주십시오.
+
+# %% [markdown] lang="en" name="worked" slide="slide"
+# ## A worked example: value, frame and stamp
+#
+# A message brings all three along. So the right question needs nothing that you do not have:
+#
+# 1. **target**: where you want it, `"map"`;
+# 2. **source**: `message.header.frame_id`;
+# 3. **time**: `message.header.stamp`.
+
+# %% [markdown] lang="ko" name="worked" slide="slide"
+# ## 풀어 본 예제: 값, Frame, Stamp
+#
+# Message가 셋을 모두 들고 옵니다. 그러니 올바른 질문에 필요한 것은 이미 손에 있습니다.
+#
+# 1. **target**: 표현하고 싶은 Frame, `"map"`
+# 2. **source**: `message.header.frame_id`
+# 3. **time**: `message.header.stamp`
+
+# %% name="worked-by-hand"
+message = finder.messages[12]
+stamp = Time.from_msg(message.header.stamp)
+map_T_camera = finder.buffer.lookup_transform("map", message.header.frame_id, stamp)
+by_hand = do_transform_point(message, map_T_camera)
+print(f"at {stamp.nanoseconds / 1e9} s: ({by_hand.point.x:.2f}, {by_hand.point.y:.2f}, {by_hand.point.z:.2f})")
+
+# %% [markdown] lang="en" name="worked-one-line"
+# The ball truly lies at (6.50, -1.50, 0.30).
+#
+# These lines are so usual that tf2 has one for them.
+# `buffer.transform(message, "map")` reads frame and stamp off the message itself, and there is nothing left to get wrong:
+
+# %% [markdown] lang="ko" name="worked-one-line"
+# 공의 실제 위치는 (6.50, -1.50, 0.30)입니다.
+#
+# 워낙 자주 쓰는 코드라 tf2에는 한 줄짜리가 있습니다.
+# `buffer.transform(message, "map")`은 Frame과 Stamp를 Message에서 직접 읽습니다. 틀릴 데가 남지 않습니다.
+
+# %% name="transform-in-one-line"
+at_stamp = [finder.buffer.transform(message, "map").point for message in finder.messages]
+ways = {
+    "newest pose: Time()": np.array(finder.balls),
+    "pose at the stamp": np.array([(point.x, point.y, point.z) for point in at_stamp]),
+}
+draw_placed(ways, things=[BALL], shown_m=(5.8, -2.0, 7.2, -1.0))
+
+# %% [markdown] lang="en" name="one-ball-again"
+# One ball. Same forty messages, same buffer, same robot; only the third argument changed.
+# What is left, 2.5 cm on average, is the camera's noise and the localiser's.
+
+# %% [markdown] lang="ko" name="one-ball-again"
+# 공이 하나입니다. 같은 Message 마흔 개, 같은 Buffer, 같은 Robot이고, 바뀐 것은 셋째 인자뿐입니다.
+# 남은 평균 2.5 cm는 Camera와 Localization의 잡음입니다.
+
+# %% [markdown] lang="en" name="faded" slide="slide"
+# ## Your turn, with two blanks
+#
+# Same point, wanted in `odom` this time. Replace each `...`, and run.
+
+# %% [markdown] lang="ko" name="faded" slide="slide"
+# ## 빈칸 두 개를 채워 보십시오
+#
+# 같은 점을 이번에는 `odom`에서 표현하고 싶습니다. `...` 두 곳을 바꾸고 실행하십시오.
+
+# %% name="faded-example"
+message = finder.messages[20]
+source_frame = ...  # which frame are the numbers written in?
+moment = ...  # which moment are they from? Time.from_msg(...) makes a Time of a stamp
+if ... in (source_frame, moment):
+    print("two blanks to fill")
+else:
+    odom_T_camera = finder.buffer.lookup_transform("odom", source_frame, moment)
+    print(do_transform_point(message, odom_T_camera).point)
+
+# %% [markdown] lang="en" name="faded-answer"
+# <details><summary>How you know that it is right</summary>
+#
+# `finder.buffer.transform(message, "odom").point` gives the same numbers.
+# The blanks are `message.header.frame_id` and `Time.from_msg(message.header.stamp)`.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="faded-answer"
+# <details><summary>맞았는지 확인하는 법</summary>
+#
+# `finder.buffer.transform(message, "odom").point`가 같은 숫자를 줍니다.
+# 빈칸은 `message.header.frame_id`와 `Time.from_msg(message.header.stamp)`입니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="try-it" slide="slide"
+# ### Try it
+#
+# - In the cell above, ask for `Time()` instead. By how much does the ball move? Then try messages 12, 25 and 30: left, right, left?
+# - Ask for 100 ms before the stamp. Is that better or worse than 100 ms after it?
+# - In `start-the-robot`, set all yaw rates to 0, choose *Restart Kernel and Run All*, and count the balls again. What remains is the small piece, speed × delay.
+
+# %% [markdown] lang="ko" name="try-it" slide="slide"
+# ### 해 보십시오
+#
+# - 위 셀에서 대신 `Time()`을 물어보십시오. 공이 얼마나 움직입니까? Message 12, 25, 30번으로도 해 보십시오. 왼쪽입니까, 오른쪽입니까?
+# - Stamp보다 100 ms 앞을 물어보십시오. 100 ms 뒤를 묻는 것보다 낫습니까, 나쁩니까?
+# - `start-the-robot`에서 각속도를 모두 0으로 바꾸고 *Restart Kernel and Run All*을 고른 뒤 공을 다시 세어 보십시오. 작은 조각인 속도 × 지연만 남습니다.
+
+# %% [markdown] lang="en" name="break-stamp" slide="slide"
+# ## Break it on purpose
+#
+# ### One: overwrite the stamp
+#
+# Somewhere in the world a node does this at this very moment:
+# it receives a message, filters it, and sends it on with a fresh stamp, because "it is published now, after all".
+
+# %% [markdown] lang="ko" name="break-stamp" slide="slide"
+# ## 일부러 망가뜨리기
+#
+# ### 하나: Stamp 덮어쓰기
+#
+# 지금 이 순간에도 어딘가의 Node가 이렇게 하고 있습니다.
+# Message를 받아 걸러 낸 뒤, "어쨌든 지금 발행하니까"라며 새 Stamp를 찍어 내보냅니다.
+
+# %% name="overwritten" tags=["raises-exception"]
+late = copy.deepcopy(finder.messages[-1])
+late.header.stamp = finder.get_clock().now().to_msg()  # measured 0.2 s ago, and now it says "now"
+finder.buffer.transform(late, "map")
+
+# %% [markdown] lang="en" name="overwritten-read" slide="subslide"
+# Read it to the end. It asked for 13.000 s; the latest data is at 12.946 s.
+# The future was 54 ms away, so a "cure" is near: wait 0.1 s and ask again.
+#
+# The error goes. The ball is wrong by half a metre again, and now nothing will ever tell you.
+# **The stamp says when it was measured, not when it arrived.** Overwrite it, and the error does not go away; it hides.
+#
+# What does that look like to a laser? Here a filter holds each scan for 0.3 s. The walls are placed twice: once at the stamp that the laser gave, once at a fresh one.
+
+# %% [markdown] lang="ko" name="overwritten-read" slide="subslide"
+# 끝까지 읽어 보십시오. 13.000초를 물었는데 가장 새로운 Data가 12.946초입니다.
+# 미래까지 고작 54 ms이니 "치료법"이 가까워 보입니다. 0.1초 기다렸다 다시 물으면 됩니다.
+#
+# 오류는 사라집니다. 공은 다시 반 미터쯤 틀리고, 이제는 아무도 알려 주지 않습니다.
+# **Stamp는 도착한 시각이 아니라 측정한 시각입니다.** 덮어쓰면 오차가 없어지는 것이 아니라 숨습니다.
+#
+# Laser에서는 어떻게 보일까요? 필터가 Scan을 0.3초 붙잡아 둡니다. 벽을 두 번 놓아 봅니다. 한 번은 Laser가 찍은 Stamp로, 한 번은 새로 찍은 Stamp로.
+
+# %% name="scans"
+held = TeachingRobot(plan, bias=0.0, slip=0.0005, sources={"laser": Source("laser_driver", 10.0, 0.3, 0.004)})
+poses = held.buffer(until_s=14.0, cache_time_s=30.0)
+scans = [heard for heard in held.readings(until_s=13.0) if heard.topic == "/scan"][2:58:4]
+
+
+def placed(stamp_of):
+    walls = []
+    for heard in scans:
+        map_T_laser = poses.lookup_transform("map", "laser_frame", stamp_of(heard)).transform
+        walls.append(map_T_laser.apply(heard.value.points()))
+    return np.vstack(walls)
+
+
+# %% name="smear" slide="subslide"
+ways = {
+    "the laser's stamp": placed(lambda heard: heard.value.stamp_ns),
+    "a fresh stamp on arrival": placed(lambda heard: heard.receive_ns),
+}
+draw_placed(ways, walls=ROOM.walls)
+
+# %% [markdown] lang="en" name="smear-read" slide="subslide"
+# In RViz people call this "the walls are smeared", and begin to look for a broken laser.
+# Far walls swing most: that is range × yaw rate × delay again.
+#
+# The left picture is not perfect either: 4 cm on average, up to 26 cm.
+# A sweep takes 0.1 s, and the header's stamp is that of its *first* ray. The last one is 0.1 s younger.
+# That is [[motion distortion]], and you know the cure by now: ask for each ray at its own moment.
+
+# %% [markdown] lang="ko" name="smear-read" slide="subslide"
+# RViz에서 흔히 "Scan이 벽에 번진다"고 말하는 증상입니다. 그러고는 고장 난 Laser부터 찾기 시작합니다.
+# 먼 벽일수록 크게 흔들립니다. 이번에도 거리 × Yaw 각속도 × 지연입니다.
+#
+# 왼쪽 그림도 완벽하지는 않습니다. 평균 4 cm, 최대 26 cm 어긋납니다.
+# 한 바퀴 훑는 데 0.1초가 걸리고, header의 Stamp는 *첫* 광선의 시각입니다. 마지막 광선은 0.1초 더 젊습니다.
+# 이것이 [[motion distortion|움직임 왜곡(motion distortion)]]이고, 치료법은 이미 압니다. 광선마다 자기 시각으로 물으면 됩니다.
+
+# %% name="ray-by-ray"
+rays = []
+for heard in scans:
+    for ray_stamp_ns, point in zip(heard.value.ray_stamps_ns, heard.value.points(), strict=True):
+        map_T_laser = poses.lookup_transform("map", "laser_frame", int(ray_stamp_ns)).transform
+        rays.append(map_T_laser.apply(np.array([point])))
+draw_placed({"one stamp a scan": ways["the laser's stamp"], "one stamp a ray": np.vstack(rays)}, walls=ROOM.walls)
+
+# %% [markdown] lang="en" name="ray-by-ray-notes" slide="notes"
+# This is the slide for the engineers in the room: laser_geometry does the same in C++ when it is given a TF buffer.
+# Say that a sweep at 10 Hz and a robot at 0.5 rad/s already give 5 cm at 1 m of range per second of care you do not take.
+# Then go back: most of the smear in practice comes from stamps, and costs nothing to mend.
+
+# %% [markdown] lang="ko" name="ray-by-ray-notes" slide="notes"
+# 현업 엔지니어를 위한 Slide입니다. C++의 laser_geometry도 TF Buffer를 주면 같은 일을 합니다.
+# 10 Hz로 훑는 Laser와 0.5 rad/s로 도는 Robot이면, 한 바퀴 사이에 0.05 rad가 돌아가고 5 m 앞에서 25 cm가 된다고 말해 주십시오.
+# 그리고 다시 돌아오십시오. 실제 번짐의 대부분은 Stamp에서 오고, 고치는 데 돈이 들지 않습니다.
+
+# %% [markdown] lang="en" name="break-slow" slide="slide"
+# ### Two: odometry once a second
+#
+# The wheels now speak at 1 Hz instead of 20. The camera still sees the ball five times a second, and each sighting arrives 0.2 s after its stamp.
+#
+# **Predict:** of about forty sightings, how many can be placed at their stamp the moment they arrive?
+
+# %% [markdown] lang="ko" name="break-slow" slide="slide"
+# ### 둘: 초당 한 번뿐인 Odometry
+#
+# 바퀴가 이제 20 Hz가 아니라 1 Hz로 말합니다. Camera는 여전히 초마다 다섯 번 공을 보고, 관측은 Stamp보다 0.2초 늦게 도착합니다.
+#
+# **예측해 보십시오.** 마흔 번쯤 되는 관측 가운데 몇 개를 도착하자마자 자기 Stamp로 놓을 수 있을까요?
+
+# %% name="slow-odometry"
+slow = TeachingRobot(plan, bias=0.0, slip=0.0005, sources={"odometry": Source("wheel_odometry", 1.0, 0.004, 0.002)})
+answered, refusals = 0, []
+for heard in slow.readings(until_s=13.0):
+    if heard.topic == "/detected_point":
+        known_by_then = slow.buffer(until_s=heard.receive_ns / 1e9, cache_time_s=20.0)
+        try:
+            known_by_then.lookup_transform("map", heard.value.frame_id, heard.value.stamp_ns)
+            answered += 1
+        except TransformException as refusal:
+            refusals.append(str(refusal))
+print(answered, "answered,", len(refusals), "refused. The first refusal:")
+print(refusals[0])
+
+# %% [markdown] lang="en" name="slow-odometry-read"
+# Fewer than one in three.
+# A sighting is answered only if a sample of *each* lane is at least as young as it is, and for 0.8 of each second the newest odometry is older.
+#
+# Three ways out, in this order: publish odometry faster; let the message wait until the lane has caught up (chapter 09); or drop it.
+# `Time()` is not among them. It always answers, with a pose that is up to a second old.
+
+# %% [markdown] lang="ko" name="slow-odometry-read"
+# 셋 중 하나도 되지 않습니다.
+# *모든* 차선에 관측보다 젊은 표본이 하나씩 있어야 답이 나오는데, 1초 가운데 0.8초 동안은 가장 새로운 Odometry가 관측보다 늙었습니다.
+#
+# 빠져나갈 길은 셋이고 순서도 이렇습니다. Odometry를 더 자주 발행합니다. 차선이 따라올 때까지 Message를 기다리게 합니다(09장). 아니면 버립니다.
+# `Time()`은 여기에 없습니다. 언제나 답해 주지만, 최대 1초 늙은 Pose로 답합니다.
+
+# %% [markdown] lang="en" name="break-type" slide="slide"
+# ### Three: a forgotten import
+#
+# How does `transform()` know what to do with a `PointStamped`?
+# Importing `tf2_geometry_msgs` told it. The import looks unused, so one day a tidy colleague deletes it.
+#
+# This page imported the teacher for points, but not the one for clouds, `tf2_sensor_msgs`:
+
+# %% [markdown] lang="ko" name="break-type" slide="slide"
+# ### 셋: 빠뜨린 import
+#
+# `transform()`은 `PointStamped`를 어떻게 다루는지 어디서 배웠을까요?
+# `tf2_geometry_msgs`를 import할 때 배웠습니다. 쓰이지 않는 import처럼 보이므로, 어느 날 깔끔한 동료가 지웁니다.
+#
+# 이 페이지는 점을 가르치는 package만 import했고, Cloud를 가르치는 `tf2_sensor_msgs`는 import하지 않았습니다.
+
+# %% name="forgotten-import" tags=["raises-exception"]
+try:
+    finder.buffer.transform(PointCloud2(), "map")
+except TransformException as error:
+    print("handled:", error)
+
+# %% [markdown] lang="en" name="forgotten-import-read"
+# It walked straight past `except TransformException`, because `TypeException` is **not** a `TransformException`.
+# TF is innocent here: no frame is missing and no time is wrong, only Python was never told about the type.
+# Cure: `import tf2_geometry_msgs` for points, poses and vectors; `import tf2_sensor_msgs` for clouds. Write a comment beside it that says why.
+
+# %% [markdown] lang="ko" name="forgotten-import-read"
+# `except TransformException`을 그대로 지나쳤습니다. `TypeException`은 `TransformException`이 **아니기** 때문입니다.
+# TF는 죄가 없습니다. 없는 Frame도 틀린 시각도 없고, Python이 그 자료형을 배우지 못했을 뿐입니다.
+# 고치는 법: 점, Pose, Vector에는 `import tf2_geometry_msgs`, Cloud에는 `import tf2_sensor_msgs`. 왜 필요한지 주석을 옆에 달아 두십시오.
+
+# %% [markdown] lang="en" name="break-years" slide="slide"
+# ### Four: fifty years
+#
+# And the story from the beginning, with its own numbers. Simulated TF, and a node whose clock hangs on the wall:
+
+# %% [markdown] lang="ko" name="break-years" slide="slide"
+# ### 넷: 오십 년
+#
+# 처음의 이야기를 그때의 숫자 그대로 재현합니다. TF는 Simulation의 시계를, Node는 벽시계를 봅니다.
+
+# %% name="fifty-years" tags=["raises-exception"]
+simulation = BufferCore()
+for stamp_s in (3.185, 3.235):
+    simulation.set_transform(StampedTransform("map", "base_link", seconds(stamp_s), Transform()))
+simulation.lookup_transform("map", "base_link", seconds(1574652168.59))
+
+# %% [markdown] lang="en" name="fifty-years-read"
+# Two numbers so far apart are never a slow network. They are two clocks: set `use_sim_time` on every node, or on none (chapter 10).
+
+# %% [markdown] lang="ko" name="fifty-years-read"
+# 두 숫자가 이렇게 멀면 결코 느린 Network 탓이 아닙니다. 시계가 둘입니다. `use_sim_time`을 모든 Node에 켜거나 모두 끄십시오(10장).
+
+# %% [markdown] lang="en" name="how-long" slide="slide"
+# ## How long must the buffer remember?
+#
+# A buffer forgets. Each lane keeps its samples for the [[cache time]], ten seconds if you do not say otherwise, counted back from its newest one.
+# Whoever computes longer than that comes home to an empty house:
+
+# %% [markdown] lang="ko" name="how-long" slide="slide"
+# ## Buffer는 얼마나 오래 기억해야 하나?
+#
+# Buffer는 잊습니다. 차선마다 가장 새로운 표본에서 거꾸로 세어 [[cache time|보관 시간(cache time)]]만큼만 간직합니다. 따로 정하지 않으면 10초입니다.
+# 그보다 오래 계산하고 돌아오면 빈집입니다.
+
+# %% name="short-memory" tags=["raises-exception"]
+forgetful = robot.buffer(until_s=13.0, cache_time_s=1.0)
+forgetful.lookup_transform("map", "camera_optical_frame", seconds(11.0))
+
+# %% [markdown] lang="en" name="short-memory-read"
+# When a sight is used, its stamp lies one *delay* back. To interpolate there, the lane must still hold the sample *before* the stamp, and that one can be a whole period older.
+# So, for the slowest lane of the path:
+#
+# > cache time ≥ delay + one period
+#
+# A detector that needs 2 s, on a path with an edge of 4 Hz: 2.25 s at least. Take more; memory is cheap.
+
+# %% [markdown] lang="ko" name="short-memory-read"
+# 관측을 쓸 때 그 Stamp는 *지연*만큼 과거에 있습니다. 거기서 보간하려면 Stamp *바로 앞*의 표본이 차선에 남아 있어야 하고, 그 표본은 한 주기만큼 더 늙었을 수 있습니다.
+# 그러므로 경로에서 가장 느린 차선을 두고 다음이 성립해야 합니다.
+#
+# > 보관 시간 ≥ 지연 + 한 주기
+#
+# 2초 걸리는 검출기와 4 Hz edge가 있는 경로라면 적어도 2.25초입니다. 넉넉히 잡으십시오. Memory는 쌉니다.
+
+# %% [markdown] lang="en" name="two-moments" slide="slide"
+# ## One more question: two moments at once
+#
+# A planner thinks for a second about the ball that it saw at 7.4 s. Now, at 8.4 s, it wants to steer.
+# So it needs the ball of *then* in the base_link of *now*.
+#
+# One stamp cannot say that. What stands still between the two moments can: the [[fixed frame]], here `odom`.
+# `lookup_transform_full` walks from the camera **then** up to `odom`, waits there for a second, and walks down to base_link **now**.
+
+# %% [markdown] lang="ko" name="two-moments" slide="slide"
+# ## 한 걸음 더: 두 순간을 한 번에
+#
+# Planner가 7.4초에 본 공을 두고 1초 동안 생각합니다. 이제 8.4초, 조향하려고 합니다.
+# 그러니 *그때*의 공을 *지금*의 base_link에서 표현해야 합니다.
+#
+# Stamp 하나로는 말할 수 없습니다. 두 순간 사이에 가만히 있는 것, 곧 [[fixed frame|고정 Frame]]이 이어 줍니다. 여기서는 `odom`입니다.
+# `lookup_transform_full`은 **그때**의 Camera에서 `odom`까지 올라가고, 거기서 1초를 기다렸다가, **지금**의 base_link로 내려옵니다.
+
+# %% name="six-arguments"
+message = finder.messages[12]
+stamp, now = Time.from_msg(message.header.stamp), Time(nanoseconds=8_400_000_000)
+old = finder.buffer.transform(message, "base_link").point
+now_T_then = finder.buffer.lookup_transform_full("base_link", now, message.header.frame_id, stamp, "odom")
+fresh = do_transform_point(message, now_T_then).point
+truth = robot.truth_at(now.nanoseconds)["base_link"].inverse().apply(BALL)
+print(f"base_link then: ({old.x:.2f}, {old.y:.2f})   base_link now: ({fresh.x:.2f}, {fresh.y:.2f})")
+print(f"the truth now:  ({truth[0]:.2f}, {truth[1]:.2f})")
+
+# %% name="picture-of-two-moments"
+moments = {"base_link, 7.4 s": stamp, "base_link, 8.4 s": now}
+engine = finder.buffer.core
+ball = engine.lookup_transform("odom", "camera_optical_frame", stamp.nanoseconds).transform.apply(
+    (message.point.x, message.point.y, message.point.z)
+)
+draw_scene(
+    {name: engine.lookup_transform("odom", "base_link", at.nanoseconds).transform for name, at in moments.items()},
+    points={"ball": ball},
+    fixed_frame="odom",
+    length_m=0.6,
+)
+
+# %% [markdown] lang="en" name="two-moments-read" slide="subslide"
+# A second ago the ball was 1.6 m to the **right**. Now it is 0.7 m to the **left**.
+# The old answer was a true answer to an old question; steering by it would have turned the robot away.
+#
+# Why `odom` and not `map`? The ball rests in both. But `map` may jump when the localiser corrects itself in between, and the ball would jump with it (chapter 05).
+
+# %% [markdown] lang="ko" name="two-moments-read" slide="subslide"
+# 1초 전에 공은 **오른쪽** 1.6 m에 있었습니다. 지금은 **왼쪽** 0.7 m에 있습니다.
+# 옛 답은 옛 질문에 대한 옳은 답이었습니다. 그대로 조향했다면 Robot은 공에게서 돌아섰을 것입니다.
+#
+# 왜 `map`이 아니라 `odom`일까요? 공은 어느 쪽에서나 가만히 있습니다. 하지만 그사이 Localization이 보정하면 `map`은 뛸 수 있고, 공도 함께 뜁니다(05장).
+
+# %% [markdown] lang="en" name="checkpoint" slide="slide"
+# ## Checkpoint
+#
+# Your node asks at `header.stamp`. Every few messages it gets "extrapolation into the future", 40 ms short.
+# Four colleagues offer four patches. Choose one, then open its reply.
+#
+# <details><summary>A. Ask for <code>Time()</code> instead of the stamp.</summary>
+#
+# The error goes, and each point is now moved with a pose of another moment. On a turning robot that was 18 cm in our room. You traded a loud error for a silent one.
+#
+# </details>
+#
+# <details><summary>B. Set <code>header.stamp</code> to now before asking.</summary>
+#
+# Then you ask for an even later moment: more refusals, and those that succeed are wrong by the whole delay. You also lied to everyone who reads the message after you.
+#
+# </details>
+#
+# <details><summary>C. Keep the stamp, let the message wait a little for its transform, drop it when it is too old.</summary>
+#
+# Yes. 40 ms short means that the transform is on its way. The moment is right; only your hurry was wrong. Chapter 09 shows how to wait without blocking, and for how long.
+#
+# </details>
+#
+# <details><summary>D. Make the <code>cache_time</code> longer.</summary>
+#
+# The cache decides how far *back* the buffer remembers. What you ask for has not arrived yet; no memory is long enough for that.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="checkpoint" slide="slide"
+# ## 확인 문제
+#
+# 여러분의 Node는 `header.stamp`로 묻습니다. 몇 번에 한 번씩 40 ms 모자라다며 "extrapolation into the future"가 나옵니다.
+# 동료 넷이 수정안 넷을 내놓았습니다. 하나를 고른 뒤 답을 펼쳐 보십시오.
+#
+# <details><summary>A. Stamp 대신 <code>Time()</code>으로 묻는다.</summary>
+#
+# 오류는 사라지고, 이제 점마다 다른 순간의 Pose로 옮겨집니다. 우리 방에서 도는 Robot은 그렇게 18 cm를 틀렸습니다. 시끄러운 오류를 조용한 오차와 맞바꾼 셈입니다.
+#
+# </details>
+#
+# <details><summary>B. 묻기 전에 <code>header.stamp</code>를 지금으로 바꾼다.</summary>
+#
+# 더 늦은 순간을 묻게 되어 거절이 늘고, 성공한 답은 지연 전체만큼 틀립니다. 게다가 그 Message를 뒤에 읽을 모두에게 거짓말을 했습니다.
+#
+# </details>
+#
+# <details><summary>C. Stamp는 두고, 변환이 올 때까지 잠깐 기다리게 하고, 너무 늙으면 버린다.</summary>
+#
+# 맞습니다. 40 ms 모자라다는 것은 변환이 오는 중이라는 뜻입니다. 물은 순간은 옳았고 서둘렀을 뿐입니다. 막지 않고 기다리는 법과 기다릴 시간은 09장에서 다룹니다.
+#
+# </details>
+#
+# <details><summary>D. <code>cache_time</code>을 늘린다.</summary>
+#
+# 보관 시간은 Buffer가 얼마나 *옛날*까지 기억하는지를 정합니다. 여러분이 묻는 것은 아직 도착하지 않았습니다. 아무리 긴 기억으로도 소용없습니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="on-a-robot" slide="slide"
+# ## The same on a real robot
+#
+# This is the lecture's node, whole, as you would save it in `tf_lab_py/point_to_map.py`.
+# It is our finder, grown up: it refuses a point without a frame, uses the point's own stamp, and says so when TF cannot answer.
+#
+# ```python
+# # tf_lab_py/point_to_map.py
+# import rclpy
+# from geometry_msgs.msg import PointStamped
+# from rclpy.duration import Duration
+# from rclpy.node import Node
+# from tf2_ros import Buffer, TransformListener, TransformException
+# import tf2_geometry_msgs  # Geometry Message 변환 등록
+#
+#
+# class PointToMap(Node):
+#     def __init__(self):
+#         super().__init__('point_to_map')
+#         self.buffer = Buffer(cache_time=Duration(seconds=20.0))
+#         self.listener = TransformListener(self.buffer, self)
+#         self.subscription = self.create_subscription(
+#             PointStamped, 'detected_point', self.on_point, 10)
+#
+#     def on_point(self, message):
+#         if not message.header.frame_id:
+#             self.get_logger().warning('frame_id가 없는 Point 거절')
+#             return
+#         try:
+#             transformed = self.buffer.transform(
+#                 message,
+#                 'map',
+#                 timeout=Duration(seconds=0.2),
+#             )
+#             self.get_logger().info(
+#                 f'map point=({transformed.point.x:.2f}, '
+#                 f'{transformed.point.y:.2f}, '
+#                 f'{transformed.point.z:.2f})')
+#         except TransformException as error:
+#             self.get_logger().warning(f'TF 변환 실패: {error}')
+#
+#
+# def main(args=None):
+#     rclpy.init(args=args)
+#     node = PointToMap()
+#     try:
+#         rclpy.spin(node)
+#     except KeyboardInterrupt:
+#         pass
+#     finally:
+#         node.destroy_node()
+#         rclpy.shutdown()
+#
+#
+# if __name__ == '__main__':
+#     main()
+# ```
+#
+# Here is its heart, running on our robot:
+
+# %% [markdown] lang="ko" name="on-a-robot" slide="slide"
+# ## 실제 Robot에서도 똑같이
+#
+# 강의의 Node 전체입니다. `tf_lab_py/point_to_map.py`에 그대로 저장하면 됩니다.
+# 앞의 finder가 어른이 된 모습입니다. Frame 없는 점은 거절하고, 점 자신의 Stamp를 쓰고, TF가 답하지 못하면 그렇다고 알립니다.
+#
+# ```python
+# # tf_lab_py/point_to_map.py
+# import rclpy
+# from geometry_msgs.msg import PointStamped
+# from rclpy.duration import Duration
+# from rclpy.node import Node
+# from tf2_ros import Buffer, TransformListener, TransformException
+# import tf2_geometry_msgs  # Geometry Message 변환 등록
+#
+#
+# class PointToMap(Node):
+#     def __init__(self):
+#         super().__init__('point_to_map')
+#         self.buffer = Buffer(cache_time=Duration(seconds=20.0))
+#         self.listener = TransformListener(self.buffer, self)
+#         self.subscription = self.create_subscription(
+#             PointStamped, 'detected_point', self.on_point, 10)
+#
+#     def on_point(self, message):
+#         if not message.header.frame_id:
+#             self.get_logger().warning('frame_id가 없는 Point 거절')
+#             return
+#         try:
+#             transformed = self.buffer.transform(
+#                 message,
+#                 'map',
+#                 timeout=Duration(seconds=0.2),
+#             )
+#             self.get_logger().info(
+#                 f'map point=({transformed.point.x:.2f}, '
+#                 f'{transformed.point.y:.2f}, '
+#                 f'{transformed.point.z:.2f})')
+#         except TransformException as error:
+#             self.get_logger().warning(f'TF 변환 실패: {error}')
+#
+#
+# def main(args=None):
+#     rclpy.init(args=args)
+#     node = PointToMap()
+#     try:
+#         rclpy.spin(node)
+#     except KeyboardInterrupt:
+#         pass
+#     finally:
+#         node.destroy_node()
+#         rclpy.shutdown()
+#
+#
+# if __name__ == '__main__':
+#     main()
+# ```
+#
+# 핵심 부분을 우리 Robot에서 돌려 봅니다.
+
+# %% name="point-to-map"
+class PointToMap(Node):
+    def __init__(self):
+        super().__init__("point_to_map")
+        self.buffer = Buffer(cache_time=Duration(seconds=20.0))
+        self.listener = TransformListener(self.buffer, self)
+        self.subscription = self.create_subscription(PointStamped, "detected_point", self.on_point, 10)
+
+    def on_point(self, message):
+        try:
+            point = self.buffer.transform(message, "map", timeout=Duration(seconds=0.2)).point
+            self.get_logger().info(f"map point=({point.x:.2f}, {point.y:.2f}, {point.z:.2f})")
+        except TransformException as error:
+            self.get_logger().warning(f"TF 변환 실패: {error}")
+
+
+# %% name="point-to-map-runs"
+def main():
+    rclpy.init()
+    rclpy.spin(PointToMap())
+
+
+graph.start(main)
+graph.run(seconds=1.2)
+
+# %% [markdown] lang="en" name="point-to-map-read" slide="subslide"
+# Look at the first lines. Right after it starts, the node knows no `map` yet: even `/tf_static` needs a moment to arrive.
+# Then the first points are *older than the buffer*: they were measured before the node began to listen.
+# A mapping node once crashed on exactly that, at start-up, because a scan was 41 ms older than the first transform (SteveMacenski/slam_toolbox, report 775).
+# The patch that was proposed there asked for the latest transform instead. You know now what that would have hidden.
+# Refusing the first few messages, as this node does, is the right behaviour.
+
+# %% [markdown] lang="ko" name="point-to-map-read" slide="subslide"
+# 첫 줄들을 보십시오. 시작 직후의 Node는 아직 `map`을 모릅니다. `/tf_static`도 도착하려면 잠깐이 필요합니다.
+# 그다음 점들은 *Buffer보다 늙었습니다*. Node가 듣기 시작하기 전에 측정된 것이기 때문입니다.
+# 어느 지도 작성 Node는 바로 이 때문에 시작하자마자 죽었습니다. Scan이 첫 변환보다 41 ms 늙어 있었습니다(SteveMacenski/slam_toolbox 775번 보고).
+# 그때 제안된 수정은 최신 변환을 대신 묻는 것이었습니다. 그것이 무엇을 숨겼을지 이제 여러분은 압니다.
+# 이 Node처럼 처음 몇 개를 거절하는 것이 올바른 동작입니다.
+
+# %% [markdown] lang="en" name="robot-care" slide="subslide"
+# Two things to know before you type it on a robot:
+#
+# - `timeout=` inside a callback cannot help in a node with one thread: while the callback waits, nobody reads `/tf`, so nothing new can arrive. Here it does no harm; chapter 09 shows what does help.
+# - Since ROS 2 Humble, Ctrl-C shuts the context down by itself, and the last `rclpy.shutdown()` then raises `RCLError`. Today one writes `except (KeyboardInterrupt, ExternalShutdownException): pass` and `rclpy.try_shutdown()`.
+#
+# And the lookup by hand, as in the lecture, when you need the transform itself:
+#
+# ```python
+# measurement_time = Time.from_msg(message.header.stamp)
+#
+# transform = self.tf_buffer.lookup_transform(
+#     'map',
+#     message.header.frame_id,
+#     measurement_time,
+#     timeout=Duration(seconds=0.2),
+# )
+# ```
+#
+# Is your robot's data old? Ask it. `ros2 topic delay` prints arrival minus stamp:
+
+# %% [markdown] lang="ko" name="robot-care" slide="subslide"
+# Robot에 입력하기 전에 알아 둘 것이 둘 있습니다.
+#
+# - Thread가 하나인 Node의 callback 안에서 `timeout=`은 도움이 되지 않습니다. callback이 기다리는 동안 아무도 `/tf`를 읽지 않으므로 새것이 올 수 없습니다. 여기서는 해가 없고, 무엇이 도움이 되는지는 09장에서 봅니다.
+# - ROS 2 Humble부터 Ctrl-C는 context를 스스로 닫으므로, 마지막 `rclpy.shutdown()`이 `RCLError`를 일으킵니다. 요즘은 `except (KeyboardInterrupt, ExternalShutdownException): pass`와 `rclpy.try_shutdown()`을 씁니다.
+#
+# 변환 자체가 필요할 때는 강의처럼 직접 조회합니다.
+#
+# ```python
+# measurement_time = Time.from_msg(message.header.stamp)
+#
+# transform = self.tf_buffer.lookup_transform(
+#     'map',
+#     message.header.frame_id,
+#     measurement_time,
+#     timeout=Duration(seconds=0.2),
+# )
+# ```
+#
+# 여러분 Robot의 Data는 얼마나 늙었습니까? 물어보십시오. `ros2 topic delay`는 도착 시각에서 Stamp를 뺀 값을 출력합니다.
+
+# %% name="topic-delay"
+# %ros2 --for 2 topic delay /detected_point
+
+# %% [markdown] lang="en" name="topic-delay-read"
+# 0.200 s: the detector's computing time, for everyone to see, because its stamp is honest.
+# Had somebody overwritten the stamp, this would read 0.000 s, and look splendid.
+#
+# | symptom | likely cause | first look |
+# |---|---|---|
+# | scan smeared along walls while turning | stamp overwritten, or late odometry | `ros2 topic delay`, then `tf2_monitor` |
+# | smeared, and the delay reads 0.000 s | stamp overwritten on the way | who republishes the topic? |
+# | "extrapolation into the future" by some ms | transform still on its way | wait a little (09) |
+# | "extrapolation into the past" | long computing, or a short cache | data age, `cache_time` |
+# | off by the same amount, standing or moving | static mount is wrong | `tf2_echo base_link laser_frame` |
+
+# %% [markdown] lang="ko" name="topic-delay-read"
+# 0.200초입니다. Stamp가 정직하므로 검출기의 계산 시간이 누구에게나 보입니다.
+# 누군가 Stamp를 덮어썼다면 0.000초로, 눈부시게 좋아 보였을 것입니다.
+#
+# | 증상 | 가능성이 큰 원인 | 첫 확인 |
+# |---|---|---|
+# | 회전할 때 Scan이 벽에 번짐 | Stamp 덮어쓰기, 또는 늦은 Odometry | `ros2 topic delay`, 다음에 `tf2_monitor` |
+# | 번지는데 delay는 0.000초 | 도중에 Stamp를 덮어씀 | 누가 그 Topic을 다시 발행하는가? |
+# | 몇 ms짜리 "extrapolation into the future" | 변환이 아직 오는 중 | 조금 기다림(09장) |
+# | "extrapolation into the past" | 긴 계산, 또는 짧은 보관 시간 | Data의 나이, `cache_time` |
+# | 서 있으나 움직이나 똑같이 어긋남 | Static 장착값 오류 | `tf2_echo base_link laser_frame` |
+
+# %% [markdown] lang="en" name="recap" slide="slide"
+# ## Recap
+#
+# - The buffer keeps a lane of time for each edge. Between samples it interpolates; outside it refuses.
+# - `Time()` is the latest common time: the earliest of the latest ones, statics not counted. It is not now.
+# - Value + frame + stamp. `buffer.transform()` uses all three, and so should you.
+# - Wrong moment, wrong place: speed × delay forwards, range × yaw rate × delay sideways.
+# - The stamp says when it was measured. Overwrite it, and the error hides.
+# - Two moments: `lookup_transform_full` through a frame that stands still.
+#
+# Words of this chapter: [[buffer]], [[listener]], [[stamp]], [[interpolation]], [[latest common time]], [[extrapolation]], [[cache time]], [[latency]], [[motion distortion]], [[fixed frame]].
+#
+# Checklist of the lecture: *looked up the newest transform with Buffer and Listener* (C8), *transformed a PointStamped at its measurement time* (C9). The exercise ticks both.
+
+# %% [markdown] lang="ko" name="recap" slide="slide"
+# ## 정리
+#
+# - Buffer는 edge마다 시간 차선을 하나씩 간직합니다. 표본 사이는 보간하고, 바깥은 거절합니다.
+# - `Time()`은 최신 공통 시각입니다. 마지막 시각들 가운데 가장 이른 것이고 Static은 세지 않습니다. 지금이 아닙니다.
+# - 값 + Frame + Stamp. `buffer.transform()`은 셋을 모두 씁니다. 여러분도 그래야 합니다.
+# - 순간이 틀리면 위치가 틀립니다. 앞뒤로 속도 × 지연, 좌우로 거리 × Yaw 각속도 × 지연.
+# - Stamp는 측정한 시각입니다. 덮어쓰면 오차가 숨습니다.
+# - 두 순간을 이을 때는 가만히 있는 Frame을 거치는 `lookup_transform_full`.
+#
+# 이 장의 용어: [[buffer|Buffer]], [[listener|Listener]], [[stamp|Stamp]], [[interpolation|보간]], [[latest common time|최신 공통 시각]], [[extrapolation|외삽]], [[cache time|보관 시간]], [[latency|지연(latency)]], [[motion distortion|움직임 왜곡]], [[fixed frame|고정 Frame]].
+#
+# 강의의 실습 체크리스트: *Buffer와 Listener로 최신 Transform을 조회했다*(C8), *`PointStamped`를 측정 Timestamp 기준으로 변환했다*(C9). 연습문제를 풀면 둘 다 표시됩니다.
+
+# %% [markdown] lang="en" name="from-before" slide="slide"
+# ## Three questions from earlier chapters
+#
+# <details><summary>01. A message says (2.0, 0.0, 0.0). What two things must you know before you may use it?</summary>
+#
+# Its frame and its stamp: two metres of whose x, and when.
+#
+# </details>
+#
+# <details><summary>03. You have a point in <code>camera_optical_frame</code> and want it in <code>base_link</code>. Which arguments, in which order?</summary>
+#
+# `lookup_transform("base_link", "camera_optical_frame", stamp)`: target first, then source. "Data expressed in camera_optical_frame, wanted in base_link."
+#
+# </details>
+#
+# <details><summary>06. Why does a camera's mount have no place in the latest common time?</summary>
+#
+# It is static: sent once on `/tf_static`, good for any time. A lane without an end cannot end first.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="from-before" slide="slide"
+# ## 앞 장의 문제 셋
+#
+# <details><summary>01. Message에 (2.0, 0.0, 0.0)이 있습니다. 쓰기 전에 알아야 할 두 가지는 무엇입니까?</summary>
+#
+# Frame과 Stamp입니다. 누구의 x 방향으로 2 m인지, 그리고 언제인지입니다.
+#
+# </details>
+#
+# <details><summary>03. <code>camera_optical_frame</code>의 점을 <code>base_link</code>에서 표현하고 싶습니다. 인자를 어떤 순서로 씁니까?</summary>
+#
+# `lookup_transform("base_link", "camera_optical_frame", stamp)`입니다. target이 먼저, source가 다음입니다. "camera_optical_frame에서 표현된 Data를 base_link에서 표현하고 싶다."
+#
+# </details>
+#
+# <details><summary>06. Camera 장착 위치는 왜 최신 공통 시각을 정하는 데 끼지 않습니까?</summary>
+#
+# Static이기 때문입니다. `/tf_static`으로 한 번 보내면 어느 시각에나 유효합니다. 끝이 없는 차선이 먼저 끝날 수는 없습니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="practice" slide="slide"
+# ## Practice question
+#
+# **Q10.** Why must a sensor message be transformed at its measurement stamp, and not with the newest transform? Write five lines, then open the rubric and mark yourself.
+#
+# <details><summary>Rubric: one point for each idea that stands in your text</summary>
+#
+# 1. The message tells what the sensor saw at its stamp; processing and the network make it older before it is used.
+# 2. Meanwhile the robot moves, so the newest pose is not the pose of the sensor at the measurement.
+# 3. The error has a size: about speed × delay, and range × yaw rate × delay when the robot turns.
+# 4. No exception warns you: the newest transform always exists. Walls smear, obstacles trail.
+# 5. The buffer keeps the past for this purpose: look up at `header.stamp`, or use `transform()`; do not overwrite the stamp.
+#
+# 4 or 5: you have it. 2 or 3: read "How far off, with a pencil" again. Less: play with the slider first.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="practice" slide="slide"
+# ## 연습 문제
+#
+# **Q10.** Sensor Message를 최신 Transform이 아니라 측정 Stamp로 변환해야 하는 이유는 무엇인가요? 다섯 줄로 쓴 뒤 채점 기준을 펼쳐 스스로 채점하십시오.
+#
+# <details><summary>채점 기준: 글에 들어 있는 생각 하나에 1점</summary>
+#
+# 1. Message는 Stamp 때 Sensor가 본 것을 말하고, 처리와 Network를 거치는 동안 늙습니다.
+# 2. 그사이 Robot이 움직이므로 최신 Pose는 측정 순간의 Sensor Pose가 아닙니다.
+# 3. 오차에는 크기가 있습니다. 속도 × 지연쯤이고, 회전하면 거리 × Yaw 각속도 × 지연이 더해집니다.
+# 4. 예외가 알려 주지 않습니다. 최신 Transform은 언제나 있으니까요. 벽이 번지고 장애물이 뒤따라옵니다.
+# 5. Buffer는 이 일을 위해 과거를 간직합니다. `header.stamp`로 조회하거나 `transform()`을 쓰고, Stamp를 덮어쓰지 않습니다.
+#
+# 4–5점: 충분합니다. 2–3점: "연필로 어림하는 오차"를 다시 읽으십시오. 그 아래: Slider부터 움직여 보십시오.
+#
+# </details>
+
+# %% [markdown] lang="en" name="exit-ticket" slide="slide"
+# ## Exit ticket
+#
+# Finish this sentence without looking: *"I look the transform up at …, because …; and if there is none yet, I …"*
+#
+# <details><summary>One good ending</summary>
+#
+# "… at the message's own stamp, because that is when the sensor was where it was; and if there is none yet, I wait a bounded time, and then drop the message."
+#
+# </details>
+#
+# Now the exercise: [08 · Buffer and measurement time](../../exercises/en/08_buffer_and_measurement_time.ipynb).
+
+# %% [markdown] lang="ko" name="exit-ticket" slide="slide"
+# ## 나가기 전에
+#
+# 보지 않고 문장을 완성해 보십시오. *"나는 Transform을 …로 조회한다. 왜냐하면 … 때문이다. 아직 없다면 나는 …"*
+#
+# <details><summary>좋은 답의 한 예</summary>
+#
+# "나는 Transform을 Message 자신의 Stamp로 조회한다. 왜냐하면 그때 Sensor가 그 자리에 있었기 때문이다. 아직 없다면 나는 정해 둔 시간만큼만 기다리고, 그다음에는 그 Message를 버린다."
+#
+# </details>
+#
+# 이제 연습문제로 갑니다: [08 · Buffer와 측정 시각](../../exercises/ko/08_buffer_and_measurement_time.ipynb)
