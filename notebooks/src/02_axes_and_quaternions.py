@@ -1,0 +1,1182 @@
+# %% [markdown] lang="en" name="title" slide="slide"
+# # Which way is forward?
+#
+# **Chapter 2 · Axes and quaternions · about 55 minutes**
+#
+# After this chapter you can
+#
+# - point along x, y and z of any robot with your eyes shut, and say the sign of a turn before the robot moves,
+# - read roll, pitch and yaw, and know why their order matters,
+# - write the quaternion of a turn, and tell a good one from four kinds of bad ones,
+# - move a point from a camera's picture to the camera's body and back,
+# - look at a point cloud that lies at 90° and name the one line to change.
+
+# %% [markdown] lang="ko" name="title" slide="slide"
+# # 어느 쪽이 앞입니까?
+#
+# **2장 · 좌표축과 쿼터니언 · 약 55분**
+#
+# 이 장을 마치면 다음을 할 수 있습니다.
+#
+# - 눈을 감고도 로봇의 x, y, z축을 손으로 가리키고, 로봇이 돌기 전에 회전의 부호를 말합니다.
+# - roll, pitch, yaw를 읽고, 순서가 왜 중요한지 설명합니다.
+# - 회전을 쿼터니언으로 쓰고, 올바른 쿼터니언과 네 가지 잘못된 쿼터니언을 가려냅니다.
+# - 카메라 영상의 점을 카메라 몸체 기준으로 옮기고, 거꾸로도 옮깁니다.
+# - 90° 누워 있는 포인트 클라우드를 보고, 고쳐야 할 단 한 줄을 짚어냅니다.
+
+# %% [markdown] lang="en" name="title-notes" slide="notes"
+# Ask everyone to stand up and point forward, left, up: x, y, z. Then ask them to imagine they are a camera and do it again.
+# Half the room will not move their hands. That half is this chapter's audience.
+
+# %% [markdown] lang="ko" name="title-notes" slide="notes"
+# 모두 일어나서 앞, 왼쪽, 위를 차례로 가리키게 합니다. 각각 x, y, z입니다. 이번에는 자신이 카메라라고 생각하고 다시 가리키게 합니다.
+# 절반은 손을 움직이지 않을 것입니다. 바로 그분들을 위한 장입니다.
+
+# %% [markdown] lang="en" name="needed" slide="skip"
+# ## What you need for this chapter
+#
+# You need Python. If you have not read chapter 1, these five lines are enough:
+#
+# - A [[frame]] is an origin and three directions, with a name: `base_link`, `camera_link`.
+# - A point is a value, a frame and a time. `(2, 0, 0)` alone is a rumour.
+# - A message says its frame in `header.frame_id`.
+# - A [[transform]] says where one frame, the [[child frame|child]], sits in another, the [[parent frame|parent]]. It has two parts: a step (metres) and a turn. **This chapter is about the turn.**
+# - Our robot carries a camera: `camera_link` sits at (0.10, 0, 0.30) in `base_link`, 10 cm ahead of the robot's middle and 30 cm up.
+
+# %% [markdown] lang="ko" name="needed" slide="skip"
+# ## 이 장에 필요한 것
+#
+# 파이썬만 알면 됩니다. 1장을 아직 읽지 않았다면 다음 다섯 줄이면 충분합니다.
+#
+# - [[frame|프레임(frame, 좌표계)]]은 원점과 세 방향에 이름을 붙인 것입니다. `base_link`, `camera_link`처럼 씁니다.
+# - 점은 값, 프레임, 시각이 모두 있어야 점입니다. `(2, 0, 0)`만으로는 소문일 뿐입니다.
+# - 메시지는 자신의 프레임을 `header.frame_id`에 적습니다.
+# - [[transform|변환(transform)]]은 한 프레임([[child frame|자식]])이 다른 프레임([[parent frame|부모]]) 안에서 어디에 있는지 나타냅니다. 이동(미터)과 회전, 두 부분으로 이루어집니다. **이 장에서는 회전을 다룹니다.**
+# - 우리 로봇에는 카메라가 달려 있습니다. `camera_link`는 `base_link` 기준 (0.10, 0, 0.30), 곧 로봇 중심에서 앞으로 10 cm, 위로 30 cm인 곳에 있습니다.
+
+# %% name="load"
+# %load_ext tflab
+
+# %% name="imports"
+import math
+
+import numpy as np
+import rclpy
+import tf2_geometry_msgs  # teaches buffer.transform() about points
+import tf2_sensor_msgs  # and about clouds
+from geometry_msgs.msg import PointStamped, TransformStamped
+from rclpy.node import Node
+from rclpy.time import Time
+from sensor_msgs.msg import PointCloud2
+from sensor_msgs_py.point_cloud2 import create_cloud_xyz32, read_points_numpy
+from std_msgs.msg import Header
+from tf2_ros import Buffer, StaticTransformBroadcaster, TransformListener
+
+# %% name="imports-of-the-workbook"
+from tflab.core import Transform
+from tflab.core.quaternions import angle, xyzw_from_wxyz
+from tflab.views import axes, card, frames, misread, scene, turns
+from tflab.views.panels import cameras_panel, rotation_panel
+from tflab.views.style import fmt, fmt_all
+
+# %% [markdown] lang="en" name="story" slide="slide"
+# ## Half a day, lost in a contest
+#
+# A robot contest, in simulation. Cameras look at a bench, a detector finds the parts, an arm picks them up.
+# One team took an object detector off the shelf, one that thousands of robots use.
+# It found every part. And it put every part in the wrong place.
+#
+# The mathematics was right. The detector was right. The camera was right.
+# The images were stamped with the frame of the camera's **body**, and the detector's numbers were those of the camera's **picture**.
+# The team wrote down what it had cost them: about half a day, during the competition.
+# ([usnistgov/ARIAC, issue 345](https://github.com/usnistgov/ARIAC/issues/345). The organisers added the missing frame.)
+#
+# Here is that bench, seen by our robot.
+
+# %% [markdown] lang="ko" name="story" slide="slide"
+# ## 대회에서 날린 반나절
+#
+# 시뮬레이션으로 치르는 로봇 대회입니다. 카메라가 작업대를 보고, 검출기가 부품을 찾고, 로봇 팔이 집습니다.
+# 한 팀은 수많은 로봇이 쓰는 공개 검출기를 그대로 가져다 썼습니다.
+# 검출기는 모든 부품을 찾았습니다. 그리고 모든 부품을 엉뚱한 곳에 놓았습니다.
+#
+# 수학은 맞았습니다. 검출기도 맞았습니다. 카메라도 맞았습니다.
+# 다만 영상에는 카메라 **몸체**의 프레임이 적혀 있었고, 검출기의 숫자는 카메라 **영상** 기준이었습니다.
+# 팀이 적어 둔 대가는 이렇습니다. 대회 도중 약 반나절.
+# ([usnistgov/ARIAC, 이슈 345](https://github.com/usnistgov/ARIAC/issues/345). 주최 측은 이후 빠져 있던 프레임을 추가했습니다.)
+#
+# 우리 로봇이 본 그 작업대는 이렇습니다.
+
+# %% name="story-picture"
+base_T_camera = Transform((0.10, 0.0, 0.30))
+base_T_optical = base_T_camera @ axes.BODY_T_OPTICAL
+detected = (0.25, 0.15, 1.2)  # what the detector said [m]
+frames.draw_scene(
+    {"base_link": Transform(), "camera_link": base_T_camera},
+    points={"the part": base_T_optical.apply(detected)},
+    ghost_points={"where the arm goes": base_T_camera.apply(detected)},
+    fixed_frame="base_link",
+)
+
+# %% [markdown] lang="en" name="story-after"
+# The grey circle is where the arm went: up, above the camera, into the air.
+# No error was raised. TF computed happily: to the mathematics, one frame is as good as another.
+# By the end of this page you will find this fault in one minute, with one command.
+
+# %% [markdown] lang="ko" name="story-after"
+# 회색 원이 팔이 향한 곳입니다. 카메라보다 위쪽, 허공입니다.
+# 오류는 하나도 나지 않았습니다. TF는 아무렇지 않게 계산했습니다. 수학에게는 어느 프레임이든 똑같은 프레임일 뿐입니다.
+# 이 장을 마칠 때쯤이면 여러분은 이 결함을 명령 하나로, 1분 안에 찾아낼 것입니다.
+
+# %% [markdown] lang="en" name="story-notes" slide="notes"
+# Let the picture stand for ten seconds before you say anything. Ask: "which line of code is wrong?" None of them is. A word in a header is.
+
+# %% [markdown] lang="ko" name="story-notes" slide="notes"
+# 그림을 띄운 채 10초쯤 기다립니다. 그러고 나서 "어느 코드 줄이 틀렸습니까?"라고 묻습니다. 틀린 코드는 없습니다. 헤더에 적힌 단어 하나가 틀렸습니다.
+
+# %% [markdown] lang="en" name="predict" slide="slide"
+# ## Predict
+#
+# A mug stands 2 m straight ahead of the camera. In the image it is exactly in the middle.
+#
+# **Write down two triples on paper, now:** where is the mug in `camera_link`, and where is it in `camera_optical_frame`?
+#
+# Guessing is allowed. Not writing is not: a guess in the head bends itself to fit the answer.
+
+# %% [markdown] lang="ko" name="predict" slide="slide"
+# ## 예측해 보십시오
+#
+# 머그컵이 카메라 정면 2 m 앞에 있습니다. 영상에서는 정확히 한가운데에 보입니다.
+#
+# **지금 종이에 좌표를 두 개 적어 보십시오.** 머그컵은 `camera_link` 기준으로 어디에 있습니까? `camera_optical_frame` 기준으로는 어디에 있습니까?
+#
+# 찍어도 좋습니다. 다만 반드시 적으십시오. 머릿속에만 둔 예측은 정답을 보는 순간 슬그머니 정답에 맞춰집니다.
+
+# %% name="predict-run"
+camera_p_mug = (2.0, 0.0, 0.0)
+print("in camera_link          ", fmt_all(camera_p_mug))
+print("in camera_optical_frame ", fmt_all(axes.optical_from_body(camera_p_mug)))
+
+# %% [markdown] lang="en" name="predict-replies"
+# What did you write for the second one?
+#
+# <details><summary>(2, 0, 0) again</summary>
+#
+# That is the mistake of the contest. One point, but two frames: the numbers must differ, because the axes do.
+#
+# </details>
+# <details><summary>(0, 0, −2)</summary>
+#
+# You know that depth is z, but your z points backward. Computer graphics (OpenGL) does it that way; ROS cameras look along **+z**.
+#
+# </details>
+# <details><summary>(0, −2, 0)</summary>
+#
+# The right rotation, the wrong way round: you took the numbers from the picture to the body. Here they go from the body to the picture. Chapter 3 has a sentence that cures this for good.
+#
+# </details>
+# <details><summary>(0, 0, 2)</summary>
+#
+# Right. Keep the paper: you will need to say *why* at the end.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="predict-replies"
+# 두 번째 좌표를 무엇이라고 적었습니까?
+#
+# <details><summary>똑같이 (2, 0, 0)</summary>
+#
+# 대회에서 일어난 바로 그 실수입니다. 점은 하나지만 프레임은 둘입니다. 축이 다르므로 숫자도 달라야 합니다.
+#
+# </details>
+# <details><summary>(0, 0, −2)</summary>
+#
+# 깊이가 z라는 것은 알고 있지만, z가 뒤를 향하고 있습니다. 컴퓨터 그래픽스(OpenGL)에서는 그렇게 씁니다. ROS의 카메라는 **+z** 방향을 봅니다.
+#
+# </details>
+# <details><summary>(0, −2, 0)</summary>
+#
+# 회전은 맞지만 방향이 거꾸로입니다. 영상에서 몸체로 옮겼습니다. 여기서는 몸체에서 영상으로 옮겨야 합니다. 이 실수를 뿌리 뽑는 문장은 3장에서 배웁니다.
+#
+# </details>
+# <details><summary>(0, 0, 2)</summary>
+#
+# 맞습니다. 종이는 버리지 마십시오. 마지막에 *왜* 그런지 말해야 합니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="body-axes" slide="slide"
+# ## The body: x forward, y left, z up
+#
+# Every ROS robot agrees on this; the rule is called [[REP-103]].
+# Lengths are in metres, angles in radians.
+#
+# Hold up your **right** hand like a pistol: index finger forward (x), thumb up (z), and the middle finger points left by itself (y).
+# With the left hand it points right. That is why the hand matters.
+
+# %% [markdown] lang="ko" name="body-axes" slide="slide"
+# ## 몸체: x는 앞, y는 왼쪽, z는 위
+#
+# 모든 ROS 로봇이 이 약속을 따릅니다. 규칙의 이름은 [[REP-103]]입니다.
+# 길이는 미터, 각도는 라디안을 씁니다.
+#
+# **오른손**을 권총 모양으로 들어 보십시오. 검지는 앞(x), 엄지는 위(z), 그러면 가운뎃손가락은 저절로 왼쪽(y)을 가리킵니다.
+# 왼손으로 하면 오른쪽을 가리킵니다. 그래서 어느 손인지가 중요합니다.
+
+# %% name="body-axes-figure"
+axes.draw_body_axes()
+
+# %% [markdown] lang="en" name="body-axes-colours"
+# In every figure of this book x is a solid line, y is dashed, z is dotted; the letters stand at the tips.
+# The colours are RViz's idea (red, green, blue for x, y, z), in shades that colour-blind people can tell apart.
+
+# %% [markdown] lang="ko" name="body-axes-colours"
+# 이 책의 모든 그림에서 x는 실선, y는 파선, z는 점선이며, 끝에 글자가 붙어 있습니다.
+# 색은 RViz의 관례(x, y, z가 빨강, 초록, 파랑)를 따르되, 색을 구별하기 어려운 사람도 알아볼 수 있는 색조로 골랐습니다.
+
+# %% [markdown] lang="en" name="signs-predict" slide="slide"
+# ## Say the sign before it moves
+#
+# Now the thumb of the right hand shows the axis, and the fingers curl the **positive** way.
+#
+# **Predict.** You send a robot `linear.x = 0.5` and `angular.z = -0.5`. Does it go left or right?
+# And an aeroplane question: with a *positive* pitch, does the nose go up or down?
+
+# %% [markdown] lang="ko" name="signs-predict" slide="slide"
+# ## 움직이기 전에 부호를 말하십시오
+#
+# 이번에는 오른손 엄지가 축입니다. 나머지 손가락을 감아쥐는 방향이 **양(+)** 의 회전입니다.
+#
+# **예측.** 로봇에 `linear.x = 0.5`, `angular.z = -0.5`를 보냅니다. 왼쪽으로 갑니까, 오른쪽으로 갑니까?
+# 비행기 문제도 하나 드립니다. pitch가 *양수*이면 기수는 올라갑니까, 내려갑니까?
+
+# %% name="signs-drive"
+turns.draw_drives({"angular.z = +0.5": 0.5, "angular.z = 0": 0.0, "angular.z = -0.5": -0.5})
+
+# %% name="signs-hand"
+axes.draw_right_hand()
+
+# %% [markdown] lang="en" name="signs-after"
+# Positive yaw turns **left**: from x towards y. So −0.5 goes right.
+#
+# Positive pitch puts the **nose down**. Pilots shake their heads: in an aeroplane's frame z points down, so there plus is up.
+# Neither is wrong. They are two conventions, and a drone has both on board.
+#
+# Positive roll lifts the left side.
+
+# %% [markdown] lang="ko" name="signs-after"
+# 양의 yaw는 **왼쪽**으로 돕니다. x에서 y 쪽으로 도는 방향입니다. 그러므로 −0.5는 오른쪽입니다.
+#
+# 양의 pitch는 **기수를 내립니다**. 조종사라면 고개를 저을 것입니다. 비행기 좌표계에서는 z가 아래를 향하므로 양수일 때 기수가 올라갑니다.
+# 어느 쪽도 틀리지 않았습니다. 약속이 둘일 뿐이고, 드론 한 대 안에 두 약속이 함께 들어 있기도 합니다.
+#
+# 양의 roll은 왼쪽을 들어 올립니다.
+
+# %% [markdown] lang="en" name="signs-notes" slide="notes"
+# Make them vote on pitch before the figure. The vote is usually split down the middle, and people with a drone at home lose it.
+
+# %% [markdown] lang="ko" name="signs-notes" slide="notes"
+# 그림을 보여 주기 전에 pitch에 대해 손을 들게 합니다. 보통 반반으로 갈리고, 집에 드론이 있는 사람이 틀립니다.
+
+# %% [markdown] lang="en" name="rpy" slide="slide"
+# ## Roll, pitch, yaw
+#
+# [[roll pitch yaw|Three angles]] describe any turn: roll about x, then pitch about y, then yaw about z.
+# The three axes are **fixed**: they stay where they are while the robot turns.
+# URDF's `rpy="..."` and the `--roll --pitch --yaw` of ROS 2's tools mean exactly this.
+#
+# Move one slider at a time, and say aloud what will happen before you let go.
+
+# %% [markdown] lang="ko" name="rpy" slide="slide"
+# ## Roll, pitch, yaw
+#
+# [[roll pitch yaw|세 각도]]로 어떤 회전이든 나타낼 수 있습니다. x축으로 roll, 다음에 y축으로 pitch, 다음에 z축으로 yaw만큼 돌립니다.
+# 세 축은 **고정**되어 있습니다. 로봇이 도는 동안에도 축은 제자리에 있습니다.
+# URDF의 `rpy="..."`와 ROS 2 도구의 `--roll --pitch --yaw`가 정확히 이 뜻입니다.
+#
+# 슬라이더를 하나씩만 움직이되, 놓기 전에 무슨 일이 일어날지 소리 내어 말해 보십시오.
+
+# %% name="rpy-panel" tags=["interactive"]
+rotation_panel(roll_rad=0.0, pitch_rad=0.0, yaw_rad=0.5)
+
+# %% name="rpy-figure"
+axes.draw_rotation(roll_rad=0.0, pitch_rad=0.0, yaw_rad=0.5)
+
+# %% [markdown] lang="en" name="order-predict" slide="subslide"
+# ### Does the order matter?
+#
+# Take your phone. Screen up, top edge forward.
+# Give it a quarter roll (left side up), then a quarter yaw (to the left). Remember where the top edge points.
+# Start again, and do it the other way round.
+#
+# **Predict:** is it the same?
+
+# %% [markdown] lang="ko" name="order-predict" slide="subslide"
+# ### 순서가 중요합니까?
+#
+# 휴대전화를 꺼내십시오. 화면은 위로, 윗변은 앞으로 둡니다.
+# roll로 90°(왼쪽이 위로), 다음에 yaw로 90°(왼쪽으로) 돌립니다. 윗변이 어디를 가리키는지 기억하십시오.
+# 처음으로 돌아가서 순서를 바꾸어 다시 해 보십시오.
+#
+# **예측:** 결과가 같습니까?
+
+# %% name="order-figure"
+turns.draw_orders(("roll", math.pi / 2), ("yaw", math.pi / 2))
+
+# %% name="order-numbers"
+roll = Transform.from_rpy(roll=math.pi / 2)
+yaw = Transform.from_rpy(yaw=math.pi / 2)
+nose = (1.0, 0.0, 0.0)
+print("first roll, then yaw:", fmt_all((yaw @ roll).apply(nose), ""))
+print("first yaw, then roll:", fmt_all((roll @ yaw).apply(nose), ""))
+
+# %% [markdown] lang="en" name="order-after"
+# One robot looks to the left. The other looks at the ceiling.
+#
+# In code, the turn that happens **first** stands on the **right**, next to the point: `yaw @ roll` is "roll, then yaw".
+# `Transform.from_rpy(r, p, y)` is `yaw @ pitch @ roll`, always.
+#
+# > The same product can be read from left to right with axes that turn along: yaw first, then pitch about the *new* y, then roll about the *new* x.
+# > Both readings are in use. If somebody hands you three angles, ask: which order, and fixed axes or turning ones?
+
+# %% [markdown] lang="ko" name="order-after"
+# 한 로봇은 왼쪽을 보고, 다른 로봇은 천장을 봅니다.
+#
+# 코드에서 **먼저** 일어나는 회전은 점과 가까운 **오른쪽**에 씁니다. `yaw @ roll`은 "roll 하고 나서 yaw"입니다.
+# `Transform.from_rpy(r, p, y)`는 언제나 `yaw @ pitch @ roll`입니다.
+#
+# > 같은 곱을 왼쪽부터 읽을 수도 있습니다. 이때는 축이 함께 돕니다. 먼저 yaw, 다음에 *새로운* y축으로 pitch, 다음에 *새로운* x축으로 roll입니다.
+# > 두 방식 모두 쓰입니다. 누가 각도 세 개를 건네면 꼭 물어보십시오. 순서는 무엇이고, 축은 고정입니까, 함께 돕니까?
+
+# %% [markdown] lang="en" name="gimbal" slide="slide"
+# ## Why not stay with three angles?
+#
+# Point the nose straight down: pitch 90°. Now compare two recipes with quite different rolls and yaws.
+# **Predict:** how far apart are the two robots?
+
+# %% [markdown] lang="ko" name="gimbal" slide="slide"
+# ## 각도 세 개로는 왜 부족합니까?
+#
+# 기수를 똑바로 아래로 내립니다. pitch가 90°입니다. 이제 roll과 yaw가 전혀 다른 두 조합을 비교합니다.
+# **예측:** 두 로봇의 자세는 얼마나 다릅니까?
+
+# %% name="gimbal-run"
+one = Transform.from_rpy(roll=0.0, pitch=math.pi / 2, yaw=0.5).rotation
+other = Transform.from_rpy(roll=1.2, pitch=math.pi / 2, yaw=1.7).rotation
+print("one   (x, y, z, w):", fmt_all(one, ""))
+print("other (x, y, z, w):", fmt_all(other, ""))
+print("apart:", fmt(angle(one, other), "rad"))
+
+# %% [markdown] lang="en" name="gimbal-after"
+# Not at all: they are the same. With the nose down, roll and yaw turn about the same line, and one of the three angles has nothing left to say.
+# That is [[gimbal lock]]. Near it, a tiny real motion makes the angles leap, so a filter or a controller that computes with angles goes wild.
+#
+# A [[quaternion]] has no such place. Four numbers, one of them to spare, and they never leap.
+# So ROS **stores and sends** quaternions, and shows angles only to people.
+
+# %% [markdown] lang="ko" name="gimbal-after"
+# 전혀 다르지 않습니다. 같은 자세입니다. 기수가 아래를 향하면 roll과 yaw가 같은 직선을 축으로 돌게 되어, 세 각도 중 하나가 할 일을 잃습니다.
+# 이것을 [[gimbal lock|짐벌 락(gimbal lock)]]이라고 합니다. 이 근처에서는 실제로 아주 조금만 움직여도 각도가 훌쩍 뜁니다. 각도로 계산하는 필터나 제어기는 여기서 날뜁니다.
+#
+# [[quaternion|쿼터니언(quaternion, 사원수)]]에는 그런 자리가 없습니다. 숫자 넷 중 하나는 여유분이고, 값이 갑자기 뛰지 않습니다.
+# 그래서 ROS는 쿼터니언으로 **저장하고 전송하며**, 각도는 사람에게 보여 줄 때만 씁니다.
+
+# %% [markdown] lang="en" name="recipe" slide="slide"
+# ## How to write one: half the angle
+#
+# To turn by an angle *a* about an axis (a direction of length one):
+#
+# ```
+# (x, y, z) = axis * sin(a / 2)
+#         w = cos(a / 2)
+# ```
+#
+# **Worked example.** Turn left by 90°. Left is yaw, so the axis is z: (0, 0, 1).
+# Half of 90° is 45°, and sin 45° = cos 45° = 0.707.
+# So (x, y, z, w) = (0, 0, 0.707, 0.707).
+
+# %% [markdown] lang="ko" name="recipe" slide="slide"
+# ## 쓰는 법: 각도의 절반
+#
+# 어떤 축(길이 1인 방향)을 중심으로 각도 *a*만큼 돌리려면 이렇게 씁니다.
+#
+# ```
+# (x, y, z) = axis * sin(a / 2)
+#         w = cos(a / 2)
+# ```
+#
+# **풀이 예제.** 왼쪽으로 90° 돕니다. 왼쪽으로 도는 것은 yaw이므로 축은 z, 곧 (0, 0, 1)입니다.
+# 90°의 절반은 45°이고 sin 45° = cos 45° = 0.707입니다.
+# 따라서 (x, y, z, w) = (0, 0, 0.707, 0.707)입니다.
+
+# %% name="recipe-run"
+a = math.radians(90)
+left_90 = (0.0, 0.0, math.sin(a / 2), math.cos(a / 2))
+print("quaternion:", fmt_all(left_90, ""))
+print("the nose, after it:", fmt_all(Transform(rotation=left_90).apply((1.0, 0.0, 0.0)), ""))
+
+# %% [markdown] lang="en" name="faded"
+# **Your turn, with two blanks.** Turn *right* by 40°. Replace the two `...` and run the cell again.
+
+# %% [markdown] lang="ko" name="faded"
+# **빈칸 두 개를 채워 보십시오.** *오른쪽*으로 40° 돕니다. `...` 두 개를 바꾸고 셀을 다시 실행하십시오.
+
+# %% name="faded-run"
+half = math.radians(-40) / 2  # to the right is negative
+right_40 = (0.0, 0.0, ..., ...)  # fill in z and w
+if ... in right_40:
+    print("two blanks left")
+else:
+    print("that is a yaw of", fmt(math.degrees(Transform(rotation=right_40).rpy()[2]), "degrees", 1))
+
+# %% [markdown] lang="en" name="faded-answer"
+# <details><summary>What belongs there?</summary>
+#
+# `math.sin(half)` and `math.cos(half)`. You should read "a yaw of -40.0 degrees".
+#
+# - 40.0: the sign got lost. `half` has it; use `half`, not 20°.
+# - -80.0: a quaternion holds *half* the angle, and you gave it the whole.
+# - -140.0: sine and cosine changed places. z takes the sine, w the cosine.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="faded-answer"
+# <details><summary>무엇이 들어가야 합니까?</summary>
+#
+# `math.sin(half)`와 `math.cos(half)`입니다. "a yaw of -40.0 degrees"가 나와야 합니다.
+#
+# - 40.0이면 부호를 잃어버렸습니다. 부호는 `half`에 들어 있으니 20°를 직접 쓰지 말고 `half`를 쓰십시오.
+# - -80.0이면 각도를 통째로 넣었습니다. 쿼터니언에는 각도의 *절반*이 들어갑니다.
+# - -140.0이면 sin과 cos의 자리를 바꾸어 썼습니다. z가 sin, w가 cos입니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="four-facts" slide="slide"
+# ## Four facts that save an afternoon each
+#
+# | quaternion (x, y, z, w) | what it is |
+# |---|---|
+# | (0, 0, 0, 1) | no rotation |
+# | (0, 0, 0, 0) | nothing at all: not a rotation |
+# | q and −q | the same rotation |
+# | (1, 0, 0, 0) | half a turn about x: the robot lies on its back |
+#
+# The last line is what "no rotation" looks like if somebody writes **w first**.
+# Eigen's constructor, MuJoCo and many papers do. ROS, RViz and SciPy write w last.
+
+# %% [markdown] lang="ko" name="four-facts" slide="slide"
+# ## 오후 하나씩을 아껴 주는 네 가지 사실
+#
+# | 쿼터니언 (x, y, z, w) | 뜻 |
+# |---|---|
+# | (0, 0, 0, 1) | 회전 없음 |
+# | (0, 0, 0, 0) | 아무것도 아님: 회전이 아닙니다 |
+# | q와 −q | 같은 회전 |
+# | (1, 0, 0, 0) | x축으로 반 바퀴: 로봇이 뒤집혀 누워 있습니다 |
+#
+# 마지막 줄은 누군가 **w를 맨 앞에** 써 보낸 "회전 없음"의 모습입니다.
+# Eigen의 생성자, MuJoCo, 여러 논문이 w를 먼저 씁니다. ROS, RViz, SciPy는 w를 마지막에 씁니다.
+
+# %% name="four-facts-run"
+minus = tuple(-part for part in left_90)
+point = (1.0, 0.0, 0.0)
+print(" q turns it to", fmt_all(Transform(rotation=left_90).apply(point), ""))
+print("-q turns it to", fmt_all(Transform(rotation=minus).apply(point), ""))
+
+# %% [markdown] lang="en" name="w-first"
+# And the w-first accident, with a gentle turn to the left of 20°. **Predict** what the robot does.
+
+# %% [markdown] lang="ko" name="w-first"
+# 이번에는 w를 먼저 쓰는 사고입니다. 왼쪽으로 살짝 20° 도는 회전입니다. 로봇이 어떻게 될지 **예측**해 보십시오.
+
+# %% name="w-first-run"
+a = math.radians(20)
+from_mujoco = (math.cos(a / 2), 0.0, 0.0, math.sin(a / 2))  # (w, x, y, z)
+for name, q in (("taken as it came", from_mujoco), ("put in order", xyzw_from_wxyz(from_mujoco))):
+    angles = (math.degrees(part) for part in Transform(rotation=q).rpy())
+    print(f"{name}: roll, pitch, yaw", fmt_all(tuple(angles), "degrees", 1))
+
+# %% [markdown] lang="en" name="w-first-after"
+# Roll 160°: upside down, wheels in the air.
+# Small turns become half rolls, so a robot that stands on its head in RViz is the signature of w-first.
+# Convert at the border, once, in a function whose name says it: `xyzw_from_wxyz`.
+
+# %% [markdown] lang="ko" name="w-first-after"
+# roll이 160°입니다. 바퀴를 하늘로 하고 뒤집혔습니다.
+# 작은 회전이 거의 반 바퀴 roll로 바뀝니다. RViz에서 로봇이 거꾸로 서 있다면 w를 먼저 쓴 흔적입니다.
+# 변환은 경계에서 한 번만, 이름만 보아도 뜻이 드러나는 함수로 하십시오. `xyzw_from_wxyz`가 그런 이름입니다.
+
+# %% [markdown] lang="en" name="optical" slide="slide"
+# ## The picture: z forward, x right, y down
+#
+# A picture has its own habit: pixels are counted to the **right** and **down** from the upper left corner.
+# People who compute with pictures keep it in space: x right, y down, and so, right hand, z goes **forward**, into the scene.
+# ROS calls such a frame an [[optical frame]], and its name ends in `_optical_frame`.
+#
+# Move the mug. Watch the same point being written twice.
+
+# %% [markdown] lang="ko" name="optical" slide="slide"
+# ## 영상: z는 앞, x는 오른쪽, y는 아래
+#
+# 영상에는 영상의 습관이 있습니다. 픽셀은 왼쪽 위 모서리에서 **오른쪽**과 **아래**로 셉니다.
+# 영상을 다루는 사람들은 공간에서도 이 습관을 지킵니다. x가 오른쪽, y가 아래이면, 오른손 법칙에 따라 z는 장면 속으로 들어가는 **앞**입니다.
+# ROS에서는 이런 프레임을 [[optical frame|optical frame(광학 좌표계)]]이라고 부르고, 이름을 `_optical_frame`으로 끝냅니다.
+#
+# 머그컵을 움직여 보십시오. 같은 점이 두 가지로 적히는 모습을 보십시오.
+
+# %% name="optical-panel" tags=["interactive"]
+cameras_panel(forward_m=2.0, left_m=0.5, up_m=0.3)
+
+# %% name="optical-figure"
+axes.draw_cameras((2.0, 0.5, 0.3))
+
+# %% [markdown] lang="en" name="two-turns" slide="slide"
+# ## Two quarter turns
+#
+# How do you get from one to the other? Take the camera's body axes, and turn about the fixed axes:
+#
+# 1. roll −90°: y (left) goes down. Now x is forward, **y is down**, z is left.
+# 2. yaw −90°: x (forward) goes right, z (left) goes forward. Now **x is right, y is down, z is forward**.
+#
+# The rotation to remember: **rpy (−π/2, 0, −π/2)**. As a quaternion, it looks as if somebody had tossed coins: **(−0.5, 0.5, −0.5, 0.5)**.
+
+# %% [markdown] lang="ko" name="two-turns" slide="slide"
+# ## 90° 회전 두 번
+#
+# 한쪽에서 다른 쪽으로 어떻게 갑니까? 카메라 몸체의 축에서 시작하여 고정축을 중심으로 돌립니다.
+#
+# 1. roll −90°: y(왼쪽)가 아래로 갑니다. 이제 x는 앞, **y는 아래**, z는 왼쪽입니다.
+# 2. yaw −90°: x(앞)가 오른쪽으로, z(왼쪽)가 앞으로 갑니다. 이제 **x는 오른쪽, y는 아래, z는 앞**입니다.
+#
+# 외워 둘 회전은 **rpy (−π/2, 0, −π/2)** 입니다. 쿼터니언으로 쓰면 동전을 던져 정한 듯한 모습입니다. **(−0.5, 0.5, −0.5, 0.5)**.
+
+# %% name="two-turns-run"
+camera_T_optical = Transform.from_rpy(roll=-math.pi / 2, yaw=-math.pi / 2)
+print("quaternion (x, y, z, w):", fmt_all(camera_T_optical.rotation, ""))
+for axis, direction in {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1)}.items():
+    print(f"optical {axis} points, in camera_link, along", fmt_all(camera_T_optical.apply(direction), "", 0))
+
+# %% [markdown] lang="en" name="two-turns-after"
+# Read the three lines aloud: optical x points to minus y, that is, right. Optical y points to minus z: down. Optical z points to plus x: forward.
+# These three lines are the three **columns** of the rotation matrix. A rotation matrix is nothing more: where do the child's axes point, in the parent?
+#
+# So a point of the picture, (right, down, forward), is in the camera's body (forward, −right, −down).
+
+# %% [markdown] lang="ko" name="two-turns-after"
+# 세 줄을 소리 내어 읽어 보십시오. optical의 x는 −y, 곧 오른쪽을 향합니다. optical의 y는 −z, 곧 아래를 향합니다. optical의 z는 +x, 곧 앞을 향합니다.
+# 이 세 줄이 회전 행렬의 세 **열**입니다. 회전 행렬은 그 이상도 이하도 아닙니다. 자식의 축이 부모 안에서 어디를 향하는지 적은 것입니다.
+#
+# 그러므로 영상의 점 (오른쪽, 아래, 앞)은 카메라 몸체에서 (앞, −오른쪽, −아래)입니다.
+
+# %% [markdown] lang="en" name="worked" slide="subslide"
+# ### Worked example: from a detection to the robot
+#
+# A detector says: 0.40 m to the right, 0.20 m **above** the middle, 1.50 m deep. Where is it in `base_link`?
+#
+# 1. In the optical frame, up is minus down: (0.40, −0.20, 1.50).
+# 2. In `camera_link`: (forward, −right, −down) = (1.50, −0.40, 0.20). Check with your hand: ahead, to the right, above. Yes.
+# 3. The camera is at (0.10, 0, 0.30) and not turned: add. (1.60, −0.40, 0.50).
+
+# %% [markdown] lang="ko" name="worked" slide="subslide"
+# ### 풀이 예제: 검출 결과에서 로봇까지
+#
+# 검출기가 말합니다. 영상 중심에서 오른쪽으로 0.40 m, **위로** 0.20 m, 깊이 1.50 m. `base_link` 기준으로 어디입니까?
+#
+# 1. optical 프레임에서 위는 아래의 음수입니다. (0.40, −0.20, 1.50).
+# 2. `camera_link`에서는 (앞, −오른쪽, −아래) = (1.50, −0.40, 0.20)입니다. 손으로 확인하십시오. 앞쪽, 오른쪽, 위쪽. 맞습니다.
+# 3. 카메라는 (0.10, 0, 0.30)에 있고 돌아가 있지 않으므로 더합니다. (1.60, −0.40, 0.50).
+
+# %% name="worked-run"
+optical_p_mug = (0.40, -0.20, 1.50)
+camera_p_mug = camera_T_optical.apply(optical_p_mug)
+base_p_mug = base_T_camera.apply(camera_p_mug)
+print("camera_link:", fmt_all(camera_p_mug))
+print("base_link:  ", fmt_all(base_p_mug))
+
+# %% [markdown] lang="en" name="why-two" slide="slide"
+# ## Why two frames, and which one goes into the header?
+#
+# - `camera_link` is where the camera is **bolted on**. Mechanics, URDF, rulers: x forward, like everything else on the robot.
+# - `camera_optical_frame` is what its **data** is written in: images, detections, depth clouds.
+#
+# Both sit at the same place; only the turn is between them.
+# The driver stamps its data with the **optical** one. Then nobody has to convert anything: TF does.
+
+# %% [markdown] lang="ko" name="why-two" slide="slide"
+# ## 왜 프레임이 둘이며, 헤더에는 어느 쪽을 씁니까?
+#
+# - `camera_link`는 카메라가 **장착된** 자리입니다. 기구 설계, URDF, 자로 재는 치수의 세계이며, 로봇의 다른 부분처럼 x가 앞입니다.
+# - `camera_optical_frame`은 카메라 **데이터**의 기준입니다. 영상, 검출 결과, 깊이 포인트 클라우드가 여기에 속합니다.
+#
+# 둘은 같은 자리에 있고, 그 사이에는 회전만 있습니다.
+# 드라이버는 데이터에 **optical** 쪽을 적습니다. 그러면 아무도 손으로 변환할 필요가 없습니다. TF가 합니다.
+
+# %% name="scene-3d" tags=["interactive"]
+view = scene.Scene(height_px=380, grid_m=0.5)
+scene.draw_frame(view, "base_link", Transform(), length_m=0.3)
+scene.draw_frame(view, "camera_link", base_T_camera, "base_link", length_m=0.3)
+scene.draw_frame(view, "camera_optical_frame", base_T_optical, "camera_link", length_m=0.5)
+scene.draw_camera(view, "camera", base_T_optical, depth_m=1.5, pixels=np.array([[460.0, 170.0]]))
+scene.draw_arrow(view, "ray", base_T_optical.translation, base_p_mug, name="mug")
+view
+
+# %% name="scene-figure"
+frames.draw_scene(
+    {"base_link": Transform(), "camera_link": base_T_camera, "camera_optical_frame": base_T_optical},
+    points={"mug": base_p_mug},
+    fixed_frame="base_link",
+    length_m=0.35,
+)
+
+# %% [markdown] lang="en" name="try-it" slide="subslide"
+# ### Try it
+#
+# Change the numbers and run again. Can you find
+#
+# - a point that has the **same** three numbers in both frames?
+# - a point that lands at (1, 1, 1) in `camera_link`?
+#
+# <details><summary>Solution</summary>
+#
+# You look for (x, y, z) = (z, −x, −y): y = −x and z = x and z = −y, so every (a, −a, a) will do. All of them lie on one line: the axis that the rotation turns about.
+# For (1, 1, 1) in the body: right is −1, down is −1, forward is 1.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="try-it" slide="subslide"
+# ### 직접 해 보십시오
+#
+# 숫자를 바꾸어 다시 실행해 보십시오. 다음을 찾을 수 있습니까?
+#
+# - 두 프레임에서 세 숫자가 **똑같은** 점
+# - `camera_link`에서 (1, 1, 1)이 되는 점
+#
+# <details><summary>풀이</summary>
+#
+# (x, y, z) = (z, −x, −y)를 풀면 y = −x, z = x, z = −y이므로 (a, −a, a) 꼴이면 됩니다. 이 점들은 모두 한 직선 위에 있습니다. 바로 이 회전의 회전축입니다.
+# 몸체에서 (1, 1, 1)이 되려면 오른쪽은 −1, 아래는 −1, 앞은 1입니다.
+#
+# </details>
+
+# %% name="try-it-run"
+right, down, forward = 0.3, -0.1, 2.0  # change me
+print("camera_link:", fmt_all(camera_T_optical.apply((right, down, forward))))
+
+# %% [markdown] lang="en" name="break-zero" slide="slide"
+# ## Break it on purpose, 1: all zeros
+#
+# Now on ROS 2. First, the robot's camera as it should be: bolted on, and its optical frame beside it.
+# Note the second command. It is the one that the contest lacked.
+
+# %% [markdown] lang="ko" name="break-zero" slide="slide"
+# ## 일부러 고장 내기 1: 모두 0
+#
+# 이제 ROS 2로 해 봅니다. 먼저 올바른 카메라부터 만듭니다. 카메라를 장착하고, 그 자리에 optical 프레임을 둡니다.
+# 두 번째 명령을 눈여겨보십시오. 대회에 빠져 있던 바로 그 명령입니다.
+
+# %% name="mount-camera"
+# %ros2 run tf2_ros static_transform_publisher --x 0.10 --z 0.30 --frame-id base_link --child-frame-id camera_link --ros-args -r __node:=camera_mount
+
+# %% name="mount-optical"
+# %ros2 run tf2_ros static_transform_publisher --roll -1.5707963 --yaw -1.5707963 --frame-id camera_link --child-frame-id camera_optical_frame --ros-args -r __node:=optical_mount
+
+# %% name="asker"
+rclpy.init()
+asker = Node("asker")
+buffer = Buffer()
+listener = TransformListener(buffer, asker, spin_thread=True)
+graph.run(seconds=0.5)
+
+seen = PointStamped()
+seen.header.frame_id = "camera_optical_frame"
+seen.point.x, seen.point.y, seen.point.z = optical_p_mug
+p = buffer.transform(seen, "base_link").point
+print("in base_link:", fmt_all((p.x, p.y, p.z)))
+
+# %% [markdown] lang="en" name="asker-after"
+# The worked example, by TF. Now a colleague adds a second camera, whose quaternion comes from a configuration file. The file says `0, 0, 0, 0`: "no rotation, of course".
+#
+# **Predict:** who complains? The broadcaster, the listener, or whoever asks? And with which words?
+
+# %% [markdown] lang="ko" name="asker-after"
+# 풀이 예제를 TF가 계산했습니다. 이번에는 동료가 두 번째 카메라를 추가합니다. 쿼터니언은 설정 파일에서 읽어 옵니다. 파일에는 `0, 0, 0, 0`이라고 적혀 있습니다. "당연히 회전 없음이지요."
+#
+# **예측:** 누가 불평합니까? 브로드캐스터입니까, 리스너입니까, 조회하는 쪽입니까? 그리고 뭐라고 합니까?
+
+# %% name="zero-sent"
+t = TransformStamped()
+t.header.frame_id, t.child_frame_id = "base_link", "rear_camera_link"
+r = t.transform.rotation
+print("a new message already has", fmt_all((r.x, r.y, r.z, r.w), ""))
+r.x, r.y, r.z, r.w = 0.0, 0.0, 0.0, 0.0  # from the configuration file
+
+driver = Node("rear_camera_driver")
+broadcaster = StaticTransformBroadcaster(driver)
+broadcaster.sendTransform(t)
+print("sent")
+
+# %% [markdown] lang="en" name="zero-sent-after"
+# The broadcaster is content. Let half a second pass, and the listener hears it:
+
+# %% [markdown] lang="ko" name="zero-sent-after"
+# 브로드캐스터는 아무 불만이 없습니다. 0.5초가 지나면 리스너가 받습니다.
+
+# %% name="zero-heard"
+graph.run(seconds=0.5)
+
+# %% name="zero-asked" tags=["raises-exception"]
+buffer.lookup_transform("base_link", "rear_camera_link", Time())
+
+# %% [markdown] lang="en" name="zero-after"
+# Look at what happened, and where.
+#
+# 1. The **sender** said nothing.
+# 2. **Each listener** refused the transform, in its own log, in words about `nan`: to turn the zeros into a matrix it divides by their length, and 0/0 is "not a number".
+# 3. **You** read that the frame *does not exist*. You look for a typo. You look at the launch file. You restart the driver, which is sending away happily.
+#
+# The error and its cause are two programs apart.
+# So: when a frame "does not exist" and its publisher runs, read the **listener's** log for `TF_NAN_INPUT` or `TF_DENORMALIZED_QUATERNION`.
+#
+# A new message in ROS 2 has w = 1 already. The zeros come from elsewhere: files, arrays made by `zeros(4)`, C structs, bridges, ROS 1.
+
+# %% [markdown] lang="ko" name="zero-after"
+# 무슨 일이 어디에서 일어났는지 보십시오.
+#
+# 1. **보낸 쪽**은 아무 말도 하지 않았습니다.
+# 2. **리스너마다** 자기 로그에 거절을 남겼고, 그 내용은 `nan`에 관한 것입니다. 행렬로 바꾸려면 길이로 나누어야 하는데, 0/0은 "숫자가 아님(not a number)"입니다.
+# 3. **여러분**이 읽은 것은 프레임이 *존재하지 않는다*는 말입니다. 그래서 오타를 찾고, launch 파일을 뒤지고, 멀쩡히 발행 중인 드라이버를 다시 시작합니다.
+#
+# 오류와 원인이 프로그램 두 개만큼 떨어져 있습니다.
+# 그러니 발행자가 돌고 있는데도 프레임이 "does not exist"라고 하면, **리스너**의 로그에서 `TF_NAN_INPUT`이나 `TF_DENORMALIZED_QUATERNION`을 찾으십시오.
+#
+# ROS 2의 새 메시지에는 이미 w = 1이 들어 있습니다. 0은 다른 곳에서 옵니다. 설정 파일, `zeros(4)`로 만든 배열, C 구조체, 브리지, ROS 1 같은 곳입니다.
+
+# %% name="zero-gone"
+driver.destroy_node()  # the rear camera goes home
+
+# %% [markdown] lang="en" name="zero-notes" slide="notes"
+# Ask before the last cell which exception they expect. "InvalidArgument" is a reasonable answer and it is what the engine raises for bad *lookups*; a bad *transform* never gets in.
+
+# %% [markdown] lang="ko" name="zero-notes" slide="notes"
+# 마지막 셀을 실행하기 전에 어떤 예외가 날지 물어봅니다. "InvalidArgument"도 그럴듯한 답입니다. 그것은 잘못된 *조회*에 나는 예외이고, 잘못된 *변환*은 아예 버퍼에 들어가지 못합니다.
+
+# %% [markdown] lang="en" name="break-cloud" slide="slide"
+# ## Break it on purpose, 2: one word in a header
+#
+# A depth camera looks at a wall 2 m ahead, and at the floor before it. Here is what it measures, in its own axes: right, down, forward.
+
+# %% [markdown] lang="ko" name="break-cloud" slide="slide"
+# ## 일부러 고장 내기 2: 헤더의 단어 하나
+#
+# 깊이 카메라가 2 m 앞의 벽과 그 앞의 바닥을 보고 있습니다. 카메라 자신의 축(오른쪽, 아래, 앞)으로 잰 값은 이렇습니다.
+
+# %% name="cloud"
+across, down = np.meshgrid(np.linspace(-1.0, 1.0, 21), np.linspace(-0.8, 0.4, 13))
+wall = np.column_stack([across.ravel(), down.ravel(), np.full(across.size, 2.0)])
+across, deep = np.meshgrid(np.linspace(-1.0, 1.0, 21), np.linspace(0.8, 1.9, 12))
+floor = np.column_stack([across.ravel(), np.full(across.size, 0.4), deep.ravel()])
+print(misread.describe_extent({"wall": wall, "floor": floor}, "the optical frame"))
+
+# %% [markdown] lang="en" name="cloud-node"
+# And its driver. Somebody set the parameter `frame_id` to the frame that the camera is bolted to. It sounds so sensible.
+
+# %% [markdown] lang="ko" name="cloud-node"
+# 드라이버는 다음과 같습니다. 누군가 `frame_id` 파라미터에 카메라가 장착된 프레임을 적었습니다. 참 그럴듯하게 들립니다.
+
+# %% name="cloud-driver"
+def depth_camera():
+    rclpy.init()
+    node = Node("depth_camera")
+    node.declare_parameter("frame_id", "camera_link")
+    publisher = node.create_publisher(PointCloud2, "/camera/points", 10)
+
+    def publish():
+        header = Header(stamp=node.get_clock().now().to_msg())
+        header.frame_id = node.get_parameter("frame_id").value
+        publisher.publish(create_cloud_xyz32(header, np.vstack([wall, floor])))
+
+    node.create_timer(0.2, publish)
+    rclpy.spin(node)
+
+# %% name="cloud-start"
+graph.start(depth_camera, name="depth_camera")
+graph.run(seconds=1.0)
+
+# %% [markdown] lang="en" name="cloud-predict"
+# **Predict.** Where does RViz draw the wall? Where is the floor?
+# Take your pistol hand: right becomes *forward*, down becomes *left*, forward becomes *up*.
+
+# %% [markdown] lang="ko" name="cloud-predict"
+# **예측.** RViz는 벽을 어디에 그립니까? 바닥은 어디에 있습니까?
+# 오른손을 드십시오. 오른쪽이 *앞*이 되고, 아래가 *왼쪽*이 되고, 앞이 *위*가 됩니다.
+
+# %% name="cloud-rviz" tags=["interactive"]
+# %rviz2 -f base_link
+
+# %% name="cloud-figure"
+misread.draw_misread(
+    {"wall": base_T_optical.apply(wall), "floor": base_T_optical.apply(floor)},
+    {"wall": base_T_camera.apply(wall), "floor": base_T_camera.apply(floor)},
+    titles=("frame_id: camera_optical_frame", "frame_id: camera_link"),
+)
+
+# %% [markdown] lang="en" name="cloud-after"
+# The wall hangs above the robot as a ceiling, and the floor stands at its left, in the air.
+# TF raised nothing. It was asked to move points from `camera_link` to `base_link`, and it did.
+#
+# Now think of the planner that reads this cloud and looks for obstacles at the robot's height.
+
+# %% [markdown] lang="ko" name="cloud-after"
+# 벽은 천장이 되어 로봇 위에 떠 있고, 바닥은 왼쪽 공중에 서 있습니다.
+# TF는 아무 오류도 내지 않았습니다. `camera_link`의 점을 `base_link`로 옮겨 달라는 요청을 받았고, 그대로 했습니다.
+#
+# 이제 이 클라우드를 읽고 로봇 높이의 장애물을 찾는 경로 계획기를 생각해 보십시오.
+
+# %% name="cloud-obstacles"
+def obstacles_ahead(frame_id):
+    cloud = create_cloud_xyz32(Header(frame_id=frame_id), np.vstack([wall, floor]))
+    x, y, z = read_points_numpy(buffer.transform(cloud, "base_link")).T
+    in_the_way = (x > 0.3) & (abs(y) < 0.3) & (z > 0.0) & (z < 0.5)
+    return np.count_nonzero(in_the_way)
+
+
+print("stamped camera_optical_frame:", obstacles_ahead("camera_optical_frame"), "points in the way")
+print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points in the way")
+
+# %% [markdown] lang="en" name="cloud-obstacles-after"
+# No obstacle at all. The road is clear, says the planner, and the robot drives into the wall that its own camera is looking at.
+#
+# The cure is **one word in the header**, not mathematics in your node. Find it, change it, look again. On a real robot you would type the same.
+
+# %% [markdown] lang="ko" name="cloud-obstacles-after"
+# 장애물이 하나도 없습니다. 경로 계획기는 길이 비었다고 하고, 로봇은 자기 카메라가 보고 있는 바로 그 벽으로 달려갑니다.
+#
+# 고칠 것은 노드 안의 수식이 아니라 **헤더의 단어 하나**입니다. 찾고, 바꾸고, 다시 확인하십시오. 실제 로봇에서도 똑같이 입력합니다.
+
+# %% name="cloud-find"
+# %ros2 topic echo /camera/points --field header.frame_id --once
+
+# %% name="cloud-mend"
+# %ros2 param set /depth_camera frame_id camera_optical_frame
+
+# %% name="cloud-again"
+# %ros2 topic echo /camera/points --field header.frame_id --once
+
+# %% [markdown] lang="en" name="cloud-others"
+# This does not happen to beginners only. The same ninety degrees stand in the issue lists of a mapping package ([introlab/rtabmap_ros 383](https://github.com/introlab/rtabmap_ros/issues/383)), of a depth camera's driver ([realsense-ros 634](https://github.com/IntelRealSense/realsense-ros/issues/634)) and of a simulator ([ros-simulation/gazebo_ros_pkgs 1329](https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1329)).
+# Each time the answer is the same: keep two frames, and stamp the data with the optical one.
+
+# %% [markdown] lang="ko" name="cloud-others"
+# 초보자만 겪는 일이 아닙니다. 똑같은 90° 문제가 지도 작성 패키지([introlab/rtabmap_ros 383](https://github.com/introlab/rtabmap_ros/issues/383)), 깊이 카메라 드라이버([realsense-ros 634](https://github.com/IntelRealSense/realsense-ros/issues/634)), 시뮬레이터([ros-simulation/gazebo_ros_pkgs 1329](https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1329))의 이슈에도 올라와 있습니다.
+# 답은 매번 같습니다. 프레임을 둘 다 두고, 데이터에는 optical 쪽을 적습니다.
+
+# %% [markdown] lang="en" name="checkpoint" slide="slide"
+# ## Checkpoint
+#
+# A new camera arrives. In RViz its whole cloud stands in the air above the robot, flat like a ceiling.
+# `tf2_echo camera_link camera_optical_frame` prints −90, 0, −90 degrees. What do you change?
+#
+# <details><summary>A. In my node, I swap the coordinates: (z, −x, −y)</summary>
+#
+# It will look right in your node, and wrong in every other one: RViz, the recorder, the colleague's planner.
+# And on the day somebody mends the driver, yours breaks. Leave the numbers alone.
+#
+# </details>
+# <details><summary>B. In the URDF, I turn camera_link by −90°, 0, −90°</summary>
+#
+# Now the cloud lies right. But in the model the camera looks to the robot's right, and `camera_optical_frame`, which hangs from it, is turned **twice**.
+# The next thing that uses the optical frame properly is wrong.
+#
+# </details>
+# <details><summary>C. In the driver, I set frame_id to camera_optical_frame</summary>
+#
+# Yes. The numbers are optical; now the label says so. The mount is right, as tf2_echo has just shown.
+#
+# </details>
+# <details><summary>D. I look for the broken quaternion</summary>
+#
+# A broken quaternion would not turn the cloud: the transform would be refused, and nothing at all would be drawn.
+# And tf2_echo has just shown a good one.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="checkpoint" slide="slide"
+# ## 점검 문제
+#
+# 새 카메라가 도착했습니다. RViz에서 클라우드 전체가 천장처럼 납작하게 로봇 위 허공에 떠 있습니다.
+# `tf2_echo camera_link camera_optical_frame`은 −90, 0, −90도를 출력합니다. 무엇을 바꾸겠습니까?
+#
+# <details><summary>A. 내 노드에서 좌표를 (z, −x, −y)로 바꿔치기합니다</summary>
+#
+# 내 노드에서는 맞아 보이지만 다른 모든 곳에서는 여전히 틀립니다. RViz도, 기록된 데이터도, 동료의 경로 계획기도 그렇습니다.
+# 게다가 누군가 드라이버를 고치는 날, 내 노드가 망가집니다. 숫자는 건드리지 마십시오.
+#
+# </details>
+# <details><summary>B. URDF에서 camera_link를 −90°, 0, −90°만큼 돌립니다</summary>
+#
+# 클라우드는 제자리에 놓입니다. 하지만 모델 속 카메라는 로봇의 오른쪽을 보게 되고, 그 아래 달린 `camera_optical_frame`은 **두 번** 돌아갑니다.
+# optical 프레임을 제대로 쓰는 다음 사람이 틀리게 됩니다.
+#
+# </details>
+# <details><summary>C. 드라이버에서 frame_id를 camera_optical_frame으로 바꿉니다</summary>
+#
+# 맞습니다. 숫자는 optical 기준이고, 이제 이름표도 그렇게 말합니다. 장착 변환은 옳습니다. 방금 tf2_echo가 보여 주었습니다.
+#
+# </details>
+# <details><summary>D. 망가진 쿼터니언을 찾습니다</summary>
+#
+# 쿼터니언이 망가졌다면 클라우드가 돌아가는 것이 아니라 변환 자체가 거절되어 아무것도 그려지지 않습니다.
+# 그리고 방금 tf2_echo가 올바른 값을 보여 주었습니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="robot" slide="slide"
+# ## The same on a real robot
+#
+# Everything above runs there unchanged; without the `%`, the commands are what you type in a terminal. Check the turn with your own eyes:
+
+# %% [markdown] lang="ko" name="robot" slide="slide"
+# ## 실제 로봇에서도 똑같이
+#
+# 위의 모든 것이 실제 로봇에서 그대로 돌아갑니다. `%`만 빼면 터미널에 입력하는 명령입니다. 회전은 눈으로 직접 확인하십시오.
+
+# %% name="robot-echo"
+# %ros2 --for 1 run tf2_ros tf2_echo camera_link camera_optical_frame
+
+# %% [markdown] lang="en" name="robot-urdf"
+# `tf2_echo` prints the first line, "Waiting", because it asks before it has heard anything. That is normal.
+#
+# On a robot, mounts belong into the URDF, and `robot_state_publisher` publishes them. These are the lines to have in every camera's description:
+#
+# ```xml
+# <link name="camera_link"/>
+# <joint name="base_to_camera" type="fixed">
+#   <parent link="base_link"/>
+#   <child link="camera_link"/>
+#   <origin xyz="0.10 0.0 0.30" rpy="0.0 0.0 0.0"/>
+# </joint>
+# <link name="camera_optical_frame"/>
+# <joint name="camera_to_optical" type="fixed">
+#   <parent link="camera_link"/>
+#   <child link="camera_optical_frame"/>
+#   <origin xyz="0.0 0.0 0.0" rpy="-1.5707963267948966 0.0 -1.5707963267948966"/>
+# </joint>
+# ```
+#
+# Write π/2 with all its digits (xacro: `${pi/2}`). TurtleBot3's description writes `-1.57`, and so do the many robots that copied from it: at 10 m you can measure it. How much, you compute in the exercise.
+#
+# In a node, a yaw needs no library, only the two lines of the lecture's broadcaster:
+#
+# ```python
+# transform.transform.rotation.z = math.sin(self.theta / 2.0)
+# transform.transform.rotation.w = math.cos(self.theta / 2.0)
+# ```
+
+# %% [markdown] lang="ko" name="robot-urdf"
+# `tf2_echo`의 첫 줄에 "Waiting"이 나오는 것은 아직 아무것도 듣지 못한 채 물어보기 때문입니다. 정상입니다.
+#
+# 로봇에서는 장착 위치를 URDF에 적고 `robot_state_publisher`가 발행하게 합니다. 카메라라면 반드시 있어야 할 줄은 다음과 같습니다.
+#
+# ```xml
+# <link name="camera_link"/>
+# <joint name="base_to_camera" type="fixed">
+#   <parent link="base_link"/>
+#   <child link="camera_link"/>
+#   <origin xyz="0.10 0.0 0.30" rpy="0.0 0.0 0.0"/>
+# </joint>
+# <link name="camera_optical_frame"/>
+# <joint name="camera_to_optical" type="fixed">
+#   <parent link="camera_link"/>
+#   <child link="camera_optical_frame"/>
+#   <origin xyz="0.0 0.0 0.0" rpy="-1.5707963267948966 0.0 -1.5707963267948966"/>
+# </joint>
+# ```
+#
+# π/2는 모든 자릿수를 적으십시오(xacro에서는 `${pi/2}`). TurtleBot3의 로봇 기술 파일에는 `-1.57`이라고 적혀 있고, 이를 베껴 쓴 수많은 로봇도 그렇습니다. 10 m 앞에서는 잴 수 있을 만큼 어긋납니다. 얼마나 어긋나는지는 연습 문제에서 계산합니다.
+#
+# 노드에서 yaw를 쓸 때는 라이브러리가 필요 없습니다. 강의의 브로드캐스터에 나오는 두 줄이면 됩니다.
+#
+# ```python
+# transform.transform.rotation.z = math.sin(self.theta / 2.0)
+# transform.transform.rotation.w = math.cos(self.theta / 2.0)
+# ```
+
+# %% [markdown] lang="en" name="robot-table" slide="subslide"
+# ### "It is turned by 90° or 180°": where to look first
+#
+# | what you see | likely cause | first look |
+# |---|---|---|
+# | a depth cloud above the robot like a ceiling | optical data stamped with the body frame | `ros2 topic echo /camera/points --field header.frame_id --once` |
+# | what is ahead appears at the robot's right | the optical turn applied twice, or to the body as well | `ros2 run tf2_ros tf2_echo base_link camera_link`, URDF `rpy` |
+# | the robot on its back | quaternion written w first | print it where it enters |
+# | "frame does not exist", but its publisher runs | all zeros, or NaN | the **listener's** log |
+# | a sensor turned by an angle that nobody chose | degrees written where radians belong | URDF `rpy`: is any number larger than 3.2? |
+# | IMU: gravity appears on the wrong axis | `imu_link` not turned as the chip is | at rest, level, `ros2 topic echo /imu --field linear_acceleration`: z must read about **+9.8** |
+#
+# An IMU at rest feels the table push it *up*: with z up, it reads plus 9.8. Minus 9.8 means it is upside down; 9.8 on x or y, that it is on its side.
+# Then correct the mount (the `rpy` of `imu_link`), not the numbers.
+
+# %% [markdown] lang="ko" name="robot-table" slide="subslide"
+# ### "90°나 180° 돌아가 있다"면 어디부터 봅니까?
+#
+# | 증상 | 가능성이 큰 원인 | 첫 확인 |
+# |---|---|---|
+# | 깊이 클라우드가 천장처럼 로봇 위에 뜬다 | optical 데이터에 몸체 프레임을 적음 | `ros2 topic echo /camera/points --field header.frame_id --once` |
+# | 앞에 있는 것이 로봇 오른쪽에 나타난다 | optical 회전을 두 번 적용했거나 몸체에도 적용함 | `ros2 run tf2_ros tf2_echo base_link camera_link`, URDF의 `rpy` |
+# | 로봇이 뒤집혀 누워 있다 | 쿼터니언의 w를 맨 앞에 씀 | 값이 들어오는 곳에서 출력해 보기 |
+# | 발행자가 돌고 있는데 "frame does not exist" | 모두 0이거나 NaN | **리스너**의 로그 |
+# | 센서가 아무도 정한 적 없는 각도로 돌아가 있다 | 라디안 자리에 도(degree)를 씀 | URDF의 `rpy`에 3.2보다 큰 수가 있는지 |
+# | IMU의 중력이 엉뚱한 축에 나타난다 | `imu_link`가 실제 칩 방향대로 돌아가 있지 않음 | 수평으로 정지한 채 `ros2 topic echo /imu --field linear_acceleration`: z가 약 **+9.8**이어야 함 |
+#
+# 정지한 IMU는 책상이 자신을 *위로* 미는 힘을 느낍니다. z가 위라면 +9.8이 나옵니다. −9.8이면 뒤집힌 것이고, x나 y에 9.8이 나오면 옆으로 누운 것입니다.
+# 이때 고칠 것은 숫자가 아니라 장착 변환(`imu_link`의 `rpy`)입니다.
+
+# %% [markdown] lang="en" name="recap" slide="slide"
+# ## Recap
+#
+# - Body: x forward, y left, z up. Picture: x right, y down, z forward. Both are right-handed.
+# - Positive yaw turns left, positive pitch puts the nose down, positive roll lifts the left side.
+# - rpy turns about fixed axes, roll first; the order matters.
+# - A quaternion (x, y, z, w) holds half the angle. (0, 0, 0, 1) is no rotation, (0, 0, 0, 0) is none at all, q and −q are one.
+# - Body to optical: rpy (−π/2, 0, −π/2). Data is stamped with the optical frame.
+# - If it is turned by 90°, change the label or the mount, never the data.
+#
+# Print the card and put it where you solder.
+
+# %% [markdown] lang="ko" name="recap" slide="slide"
+# ## 정리
+#
+# - 몸체: x 앞, y 왼쪽, z 위. 영상: x 오른쪽, y 아래, z 앞. 둘 다 오른손 좌표계입니다.
+# - 양의 yaw는 왼쪽으로 돌고, 양의 pitch는 기수를 내리고, 양의 roll은 왼쪽을 들어 올립니다.
+# - rpy는 고정축을 중심으로 roll부터 돌리며, 순서가 중요합니다.
+# - 쿼터니언 (x, y, z, w)에는 각도의 절반이 들어갑니다. (0, 0, 0, 1)은 회전 없음, (0, 0, 0, 0)은 회전이 아니며, q와 −q는 같습니다.
+# - 몸체에서 optical까지는 rpy (−π/2, 0, −π/2). 데이터에는 optical 프레임을 적습니다.
+# - 90° 돌아가 있다면 이름표나 장착 변환을 고치고, 데이터는 절대 고치지 않습니다.
+#
+# 카드를 인쇄하여 작업대에 붙여 두십시오.
+
+# %% name="recap-card"
+card.draw_card()
+
+# %% [markdown] lang="en" name="words"
+# **Words of this chapter:** [[REP-103]] · [[roll pitch yaw]] · [[quaternion]] · [[gimbal lock]] · [[optical frame]] · [[static transform]]
+#
+# ### Three questions from before
+#
+# <details><summary>1. What does a coordinate need, besides its value?</summary>
+#
+# A frame, and a time: which axes it is written in, and when it was measured.
+#
+# </details>
+# <details><summary>2. The robot drives on while a post stands still. Whose coordinates of the post change: those in map, or those in laser_frame?</summary>
+#
+# Those in `laser_frame`: the frame moves along with the robot. In `map` the post stands still.
+#
+# </details>
+# <details><summary>3. The laser is at (0.20, 0, 0.15) in base_link, not turned. It sees a corner at (2, 0, 0). Where is the corner in base_link?</summary>
+#
+# (2.20, 0, 0.15): without a turn, one adds. With a turn, one does not, and that is chapter 3.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="words"
+# **이 장의 용어:** [[REP-103]] · [[roll pitch yaw]] · [[quaternion]] · [[gimbal lock]] · [[optical frame]] · [[static transform]]
+#
+# ### 앞 장에서 온 질문 셋
+#
+# <details><summary>1. 좌표에는 값 말고 무엇이 더 필요합니까?</summary>
+#
+# 프레임과 시각입니다. 어느 축을 기준으로 적었는지, 언제 측정했는지입니다.
+#
+# </details>
+# <details><summary>2. 로봇은 계속 달리고 기둥은 서 있습니다. map 기준과 laser_frame 기준 중 어느 쪽의 기둥 좌표가 바뀝니까?</summary>
+#
+# `laser_frame` 기준입니다. 프레임이 로봇과 함께 움직이기 때문입니다. `map`에서 기둥은 가만히 있습니다.
+#
+# </details>
+# <details><summary>3. 레이저는 base_link 기준 (0.20, 0, 0.15)에 회전 없이 달려 있습니다. 레이저가 모서리를 (2, 0, 0)에서 보았습니다. base_link에서는 어디입니까?</summary>
+#
+# (2.20, 0, 0.15)입니다. 회전이 없으면 더하면 됩니다. 회전이 있으면 그렇지 않습니다. 그 이야기가 3장입니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="practice" slide="subslide"
+# ### Practice questions
+#
+# Write two or three sentences each, then open the rubric and mark yourself honestly: one point per idea.
+#
+# **Q2.** Compare the axes of a robot's body with those of a camera's optical frame.
+#
+# <details><summary>Rubric (4 points)</summary>
+#
+# - Body: x forward, y left, z up.
+# - Optical: z forward, x right, y down.
+# - Both are right-handed, in metres; between them lies a rotation, rpy (−π/2, 0, −π/2), and no step.
+# - If a header names the wrong one, TF computes without an error, and clouds and detections come out turned or mirrored.
+#
+# </details>
+#
+# **Q8.** What is the difference between the quaternion of "no rotation" and one that is all zeros?
+#
+# <details><summary>Rubric (3 points)</summary>
+#
+# - (0, 0, 0, 1) is the identity: length one, turns nothing.
+# - (0, 0, 0, 0) has length zero and is no rotation; it cannot be made one by scaling.
+# - The sender does not complain; each listener refuses the transform in its log, and whoever asks later reads that the frame does not exist.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="practice" slide="subslide"
+# ### 연습 질문
+#
+# 두세 문장씩 적은 다음, 채점 기준을 열어 스스로 정직하게 채점하십시오. 한 가지 생각에 1점입니다.
+#
+# **Q2.** 로봇 몸체의 좌표축과 카메라 optical 프레임의 좌표축을 비교하십시오.
+#
+# <details><summary>채점 기준 (4점)</summary>
+#
+# - 몸체: x 앞, y 왼쪽, z 위.
+# - Optical: z 앞, x 오른쪽, y 아래.
+# - 둘 다 오른손 좌표계이고 단위는 미터입니다. 둘 사이에는 이동 없이 회전 rpy (−π/2, 0, −π/2)만 있습니다.
+# - 헤더에 다른 쪽 이름이 적히면 TF는 오류 없이 계산하고, 포인트 클라우드와 검출 결과는 돌아가거나 뒤집혀 나타납니다.
+#
+# </details>
+#
+# **Q8.** "회전 없음" 쿼터니언과 모두 0인 쿼터니언은 어떻게 다릅니까?
+#
+# <details><summary>채점 기준 (3점)</summary>
+#
+# - (0, 0, 0, 1)은 항등 회전입니다. 길이가 1이고 아무것도 돌리지 않습니다.
+# - (0, 0, 0, 0)은 길이가 0이고 회전이 아닙니다. 크기를 조절해도 회전이 되지 않습니다.
+# - 보내는 쪽은 불평하지 않습니다. 리스너마다 로그를 남기고 변환을 거절하며, 나중에 조회하는 쪽은 프레임이 존재하지 않는다는 말을 읽게 됩니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="exit" slide="slide"
+# ## Exit ticket
+#
+# One sentence each, on paper:
+#
+# 1. Why is the mug at (0, 0, 2) in the optical frame? Use your hand, not a formula.
+# 2. Somebody says: "TF gave no error, so the frames are right." What do you answer?
+# 3. What is still foggy? Bring it to the next lesson.
+#
+# Then do the [exercises of this chapter](../../exercises/en/02_axes_and_quaternions.ipynb). `check` tells you not only whether, but *which* mistake.
+#
+# The next cell stops the robot's programs, as Ctrl-C would.
+
+# %% [markdown] lang="ko" name="exit" slide="slide"
+# ## 나가기 전에
+#
+# 종이에 한 문장씩 적으십시오.
+#
+# 1. 머그컵은 optical 프레임에서 왜 (0, 0, 2)에 있습니까? 공식 말고 손으로 설명하십시오.
+# 2. 누가 "TF가 오류를 내지 않았으니 프레임은 맞다"고 합니다. 뭐라고 답하겠습니까?
+# 3. 아직 흐릿한 것은 무엇입니까? 다음 시간에 가져오십시오.
+#
+# 이제 [이 장의 연습 문제](../../exercises/ko/02_axes_and_quaternions.ipynb)를 푸십시오. `check`는 맞고 틀림뿐 아니라 *어떤* 실수인지도 알려 줍니다.
+#
+# 다음 셀은 Ctrl-C처럼 로봇의 프로그램을 모두 멈춥니다.
+
+# %% name="stop"
+graph.stop()
