@@ -1,0 +1,200 @@
+"""How does the grader get a kernel?  From its own forkserver, one of them forked ahead of need.
+
+    kernels = Kernels(choose())
+    kernel = kernels.take(Limits())       # milliseconds: it was waiting
+    kernel.wire.send({...}); kernel.close()
+
+One `Kernels` belongs to one process; `for_this_process` keeps one for each sandbox.
+
+Read `running.py` next: nbval on such a kernel.
+"""
+
+from __future__ import annotations
+
+import atexit
+import contextlib
+import json
+import os
+import socket
+import subprocess
+import sys
+import threading
+from dataclasses import asdict, dataclass
+
+from .limits import Limits
+from .sandbox import LEVELS, Sandbox
+from .wire import Wire, WireClosed, WireFault
+
+__all__ = ["Kernel", "KernelError", "Kernels", "choose", "for_this_process"]
+
+START_S = 60.0
+PASSED_ON = ("TFLAB_ROS_DISTRO",)  # of the grader's environment
+
+
+class KernelError(RuntimeError):
+    """There is no kernel to be had this way."""
+
+
+@dataclass
+class Kernel:
+    """A kernel that runs: say something on its wire; drop its leash and it is gone."""
+
+    wire: Wire
+    leash: socket.socket
+
+    def await_ready(self, timeout: float = START_S) -> None:
+        """Return when it serves; raise KernelError with the reason if it never will."""
+        try:
+            hello = self.wire.receive(timeout)
+        except (WireClosed, WireFault) as fault:
+            raise KernelError(self.close() or f"the kernel did not start: {fault}") from None
+        if hello is None or hello.get("ready") is not True:
+            self.close()
+            reason = "it took too long" if hello is None else hello.get("fault", "it talks nonsense")
+            raise KernelError(f"the kernel did not start: {reason}")
+
+    def close(self) -> str | None:
+        """End it and all it started; return what its keeper has to say about the end, once all are gone."""
+        with contextlib.suppress(OSError):
+            self.leash.shutdown(socket.SHUT_WR)
+        self.wire.close()
+        said = b""
+        with contextlib.suppress(OSError):
+            self.leash.settimeout(START_S)
+            while part := self.leash.recv(4096):
+                said += part
+        self.leash.close()
+        return json.loads(said).get("fault") if said else None
+
+
+class Kernels:
+    """A forkserver, and the kernels it makes."""
+
+    def __init__(self, sandbox: Sandbox, *, ahead: int = 1) -> None:
+        self.sandbox = sandbox
+        self.ahead = ahead
+        self._ready: list[tuple[Limits, Kernel]] = []
+        self._lock = threading.Lock()
+        self._shown, self._hidden = sandbox.shown(), sandbox.hidden()
+        self._server: subprocess.Popen[bytes] | None = None
+        self._orders: socket.socket | None = None
+
+    def take(self, limits: Limits) -> Kernel:
+        """Return a kernel that serves; it is the caller's to close."""
+        with self._lock:
+            kernel = next((kernel for made_for, kernel in self._ready if made_for == limits), None)
+            if kernel is None:
+                kernel = self._order(limits)
+            self._ready = [(made_for, other) for made_for, other in self._ready if other is not kernel]
+            while len(self._ready) < self.ahead:
+                self._ready.append((limits, self._order(limits)))
+        kernel.await_ready()
+        return kernel
+
+    def _order(self, limits: Limits) -> Kernel:
+        order = {
+            "level": self.sandbox.level,
+            "limits": asdict(limits),
+            "shown": self._shown,
+            "hidden": self._hidden,
+            "environment": {name: os.environ[name] for name in PASSED_ON if name in os.environ},
+        }
+        wire, wire_end = socket.socketpair()
+        leash, leash_end = socket.socketpair()
+        try:
+            for attempt in (1, 2):
+                try:
+                    socket.send_fds(self._server_socket(), [json.dumps(order).encode()], [wire_end.fileno(), leash_end.fileno()])
+                    break
+                except OSError:  # it has died, of memory perhaps
+                    self._stop_server()
+                    if attempt == 2:
+                        raise
+        finally:
+            wire_end.close()
+            leash_end.close()
+        return Kernel(Wire(wire, longest=limits.output_bytes), leash)
+
+    def _server_socket(self) -> socket.socket:
+        if self._orders is None:
+            ours, its = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+            self._server = subprocess.Popen(
+                [sys.executable, "-P", "-m", "tflab.grading.forkserver", str(its.fileno())],
+                pass_fds=[its.fileno()],
+                start_new_session=True,  # Ctrl-C is for the grader
+                stdin=subprocess.DEVNULL,
+                cwd="/",
+                env=environment_of_the_server(),
+            )
+            its.close()
+            ours.settimeout(START_S)
+            if ours.recv(16) != b"ready":
+                self._stop_server()
+                raise KernelError("the forkserver did not start; its own words stand above")
+            self._orders = ours
+        return self._orders
+
+    def _stop_server(self) -> None:
+        if self._orders is not None:
+            self._orders.close()
+            self._orders = None
+        if self._server is not None:
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                self._server.wait(5)
+            if self._server.returncode is None:
+                self._server.kill()
+                self._server.wait()
+            self._server = None
+
+    def close(self) -> None:
+        """End the kernels that were forked ahead, and the forkserver."""
+        with self._lock:
+            for _, kernel in self._ready:
+                kernel.close()
+            self._ready = []
+            self._stop_server()
+
+
+def environment_of_the_server() -> dict[str, str]:
+    """Return what the forkserver sees of the grader's environment: where Python and its fonts are."""
+    kept = {name: os.environ[name] for name in ("HOME", "PYTHONPATH", "LD_LIBRARY_PATH") if name in os.environ}
+    one_thread = dict.fromkeys(("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS"), "1")  # before a fork
+    return kept | one_thread | {"LANG": "C.UTF-8", "PATH": os.defpath, "PYTHONHASHSEED": "0", "MPLBACKEND": "agg"}
+
+
+def choose(hide: tuple[str, ...] = ()) -> Sandbox:
+    """Return the best sandbox that works on this machine, tried out."""
+    reasons = []
+    for level in LEVELS:
+        sandbox = Sandbox(level, hide)
+        kernels = Kernels(sandbox, ahead=0)
+        try:
+            kernels.take(Limits()).close()
+            return sandbox
+        except (KernelError, OSError) as fault:
+            reasons.append(f"{level}: {fault}")
+        finally:
+            kernels.close()
+    raise KernelError("no kernel can be started here; " + "; ".join(reasons))
+
+
+_of_this_process: dict[tuple[int, Sandbox], Kernels] = {}
+_lock = threading.Lock()
+
+
+def for_this_process(sandbox: Sandbox) -> Kernels:
+    """Return the kernels of this process; a forked process gets its own."""
+    with _lock:
+        key = (os.getpid(), sandbox)
+        if key not in _of_this_process:
+            _of_this_process[key] = Kernels(sandbox)
+        return _of_this_process[key]
+
+
+@atexit.register
+def close_all() -> None:
+    """End what this process has started."""
+    for (pid, _), kernels in list(_of_this_process.items()):
+        if pid == os.getpid():
+            kernels.close()
+            del _of_this_process[pid, kernels.sandbox]

@@ -1,0 +1,84 @@
+"""What stands between a learner's code and the grader?  One of three walls; the report says which, and its gaps.
+
+    namespaces    its own processes, files, network, users: nothing outside can be seen or signalled
+    bubblewrap    the same by the program `bwrap`, which some machines allow more; slower
+    limits        only time, memory and files are bounded: hidden answers are advisory
+
+`kernels.choose` tries them in this order.  What must not be seen (the pack, the other
+submissions) goes into `hide`, although the first two walls show only what Python needs.
+
+Read `namespaces.py` next.
+"""
+
+from __future__ import annotations
+
+import site
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+import tflab
+from tflab.workbook import places
+
+__all__ = ["LEVELS", "Sandbox"]
+
+GAPS = {
+    "namespaces": (),
+    "bubblewrap": ("every kernel starts from nothing, so grading takes several times as long",),
+    "limits": (
+        "code in a submission can read files that the instructor can read, the pack among them, "
+        "so hidden answers are only advisory",
+        "code in a submission can reach the network",
+        "code in a submission can end the grader; the run has to be started again then",
+    ),
+}
+LEVELS = tuple(GAPS)
+SYSTEM = ("/usr", "/bin", "/sbin", "/lib", "/lib32", "/lib64", "/libx32", "/nix/store", "/gnu/store")
+OF_ETC = (
+    "alternatives", "fonts", "ld.so.cache", "ld.so.conf", "ld.so.conf.d", "localtime", "matplotlibrc", "mime.types",
+    "nsswitch.conf", "timezone",
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Sandbox:
+    """A kind of wall, and what has to stay behind it."""
+
+    level: str = "namespaces"
+    hide: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        if self.level not in GAPS:
+            raise ValueError(f"there is no sandbox {self.level!r}; there are {', '.join(LEVELS)}")
+
+    @property
+    def gaps(self) -> tuple[str, ...]:
+        """Return what this wall does not protect from, one sentence each; nothing for the best one."""
+        return GAPS[self.level]
+
+    def announce(self) -> str:
+        """Return one line for the report."""
+        if not self.gaps:
+            return f"Sandbox: {self.level}."
+        return f"Sandbox: {self.level}. Mind: {'; '.join(self.gaps)}."
+
+    def shown(self) -> tuple[str, ...]:
+        """Return the folders and files of this machine that a kernel may read: the system and Python, no home."""
+        paths = [*SYSTEM, *(f"/etc/{name}" for name in OF_ETC), sys.base_prefix, sys.prefix, Path(tflab.__file__).parent]
+        paths += [path for path in sys.path if path in {*site.getsitepackages(), site.getusersitepackages()}]
+        return outermost(Path(path) for path in paths)
+
+    def hidden(self) -> tuple[str, ...]:
+        """Return what is covered even where it lies in a folder that is shown."""
+        book = places.workbook_data()
+        secrets = [book / "solutions", book / "exercises", *map(Path, self.hide)]
+        return tuple(sorted({str(path.resolve()) for path in secrets if path.exists()}))
+
+
+def outermost(paths: object) -> tuple[str, ...]:
+    """Return those of the paths that exist and lie in none of the others."""
+    kept: list[Path] = []
+    for path in sorted({Path(path) for path in paths if Path(path).exists()}):  # type: ignore[attr-defined]
+        if not any(above in path.parents and not above.is_symlink() for above in kept):
+            kept.append(path)
+    return tuple(map(str, kept))

@@ -1,0 +1,143 @@
+"""What runs a learner's cells?  ipykernel's own kernel and shell, with its five sockets replaced by one wire.
+
+    grader                        kernel (forked, sandboxed)
+    {"msg_id", "code"}   ----->   IPythonKernel.do_execute, in a running event loop, as in JupyterLab
+                         <-----   error · probe's display_data · execute_reply · status: idle
+
+Magics, `await`, widgets, `display` and plots are what they are in JupyterLab, but only what grading
+reads goes over the wire: prints, pictures and widgets are made and then dropped, so a talkative
+answer costs nothing.  The kernel is built once, before the fork (`build`), and has no thread.
+
+Read `keeper.py` next: where this runs.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import logging
+import os
+import socket
+import sys
+import threading
+from types import SimpleNamespace
+from typing import Any
+
+from .wire import Wire
+
+__all__ = ["PROBE_MIME", "build", "serve"]
+
+PROBE_MIME = "application/vnd.tflab.probe+json"
+LONGEST_TEXT = 2000
+LONGEST_CODE = 64 << 20
+
+
+def build() -> Any:
+    """Make the kernel, once per process; it talks to nobody before `serve`."""
+    from ipykernel.ipkernel import IPythonKernel
+    from ipykernel.zmqshell import ZMQInteractiveShell
+    from jupyter_client.session import Session
+    from traitlets import Any as AnyTrait
+    from traitlets import Type as TypeTrait
+    from traitlets.config import Config
+
+    class OneWire(Session):
+        """ipykernel sends everything through its session: here it goes to the wire, or nowhere."""
+
+        wire: Wire | None = None
+
+        def send(self, stream: Any, msg_or_type: Any, content: Any = None, parent: Any = None, **rest: Any) -> Any:  # type: ignore[override]
+            if isinstance(msg_or_type, dict):
+                message = msg_or_type
+            else:
+                message = {"msg_type": msg_or_type, "content": content, "parent_header": (parent or {}).get("header", parent)}
+            said = what_grading_reads(message)
+            if said is not None and self.wire is not None:
+                self.wire.send_bytes(said)
+            return message
+
+    class Shell(ZMQInteractiveShell):
+        def enable_gui(self, gui: Any = None) -> None:
+            """Accept every event loop of windows: there are none."""
+            self.active_eventloop = gui
+
+    class Kernel(IPythonKernel):
+        shell_class = TypeTrait(Shell)
+        shell_stream = AnyTrait()
+
+        def start(self) -> None:
+            """Serve nothing by itself."""
+
+    config = Config()
+    config.HistoryManager.enabled = False
+    config.InteractiveShell.xmode = "Minimal"  # nobody reads the traceback, and a full one takes long
+    config.InteractiveShell.colors = "nocolor"
+    config.InteractiveShell.cache_size = 1000
+    kernel = Kernel.instance(
+        config=config, session=OneWire(config=config, key=b""), iopub_socket=object(), log=logging.getLogger("tflab.grading")
+    )
+    kernel.shell.keepkernel_on_exit = True  # a cell with `exit` in it ends nothing
+    kernel.shell_channel_thread = SimpleNamespace(parent_thread=threading.main_thread())
+    return kernel
+
+
+def what_grading_reads(message: dict[str, Any]) -> bytes | None:
+    """Return what of a message goes to the grader, as JSON; None if nothing does."""
+    kind, content = message.get("msg_type"), message.get("content") or {}
+    if kind == "error":
+        content = {"ename": str(content["ename"])[:200], "evalue": str(content["evalue"])[:LONGEST_TEXT], "traceback": []}
+    elif kind in ("display_data", "execute_result"):
+        data = content.get("data") or {}
+        if PROBE_MIME not in data:
+            return None
+        content = {"data": {PROBE_MIME: data[PROBE_MIME]}, "metadata": {}}
+        kind = "display_data"
+    else:
+        return None
+    parent = {"msg_id": (message.get("parent_header") or {}).get("msg_id")}
+    said = {"channel": "iopub", "msg_type": kind, "parent_header": parent, "content": content}
+    return json.dumps(said, default=str).encode()
+
+
+def serve(kernel: Any, end: socket.socket) -> None:
+    """Run what comes over the wire, cell by cell, until the grader hangs up."""
+    asyncio.run(_serve(kernel, Wire(end, longest=LONGEST_CODE)))
+
+
+async def _serve(kernel: Any, wire: Wire) -> None:
+    from tornado.ioloop import IOLoop
+
+    kernel.session.wire = wire
+    kernel.io_loop = IOLoop.current()
+    me = os.getpid()
+    wire.send({"ready": True})
+    while True:
+        request = await _next(wire)
+        parent = {"header": {"msg_id": request["msg_id"], "session": "grader", "msg_type": "execute_request"}}
+        kernel.set_parent([], parent)
+        try:
+            reply = await kernel.do_execute(request["code"], silent=False, store_history=False, allow_stdin=False)
+            status = reply["status"]
+        except (Exception, asyncio.CancelledError, KeyboardInterrupt) as fault:
+            print(fault, file=sys.stderr)
+            status = "error"
+        if os.getpid() != me:
+            os._exit(0)  # a copy that an answer made of the kernel, and forgot to end
+        header = parent["header"]
+        wire.send({"channel": "shell", "msg_type": "execute_reply", "parent_header": header, "content": {"status": status}})
+        idle = {"execution_state": "idle"}
+        wire.send({"channel": "iopub", "msg_type": "status", "parent_header": header, "content": idle})
+
+
+async def _next(wire: Wire) -> dict[str, Any]:
+    """Return the next request, while whatever answers left running in the loop runs on."""
+    loop = asyncio.get_running_loop()
+    while (request := wire.receive(0)) is None:
+        ready = loop.create_future()
+        loop.add_reader(wire.fileno(), lambda ready=ready: ready.done() or ready.set_result(None))
+        try:
+            await ready
+        finally:
+            loop.remove_reader(wire.fileno())
+        # nothing is lost in between: the wire keeps what has come
+    return request
