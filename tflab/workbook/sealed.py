@@ -54,7 +54,7 @@ def judge(form: Form, answer: Plain, expected: Plain) -> list[bool]:
     if not is_sealed(expected):
         return form.judge(answer, expected)
     salt, wanted = expected["sealed"]["salt"], expected["sealed"]["probes"]
-    given = form.probes(answer)
+    given = form.read(answer)
     if given is None or len(given) != len(wanted):
         return [False] * len(wanted)
     return [_any_fits(rows, right, salt) for rows, right in zip(given, wanted, strict=True)]

@@ -79,7 +79,10 @@ def judge_outcomes(task: dict[str, Any], variant: dict[str, Any], outcomes: Sequ
     if passed == of:
         return Verdict(passed, of, "passed", right=right)
     case = next(number for number, row in enumerate(rights) if not all(row))
-    kind, twin, detail = _mistake(task, form, cases, outcomes, rights, case)
+    try:
+        kind, twin, detail = _mistake(task, form, cases, outcomes, rights, case)
+    except Exception:  # JSON that `to_plain` never wrote: wrong, and there is nothing to say of it
+        kind, twin, detail = "value", "", {}
     return Verdict(passed, of, kind, twin, case, right, detail)
 
 
@@ -142,7 +145,7 @@ def _coarse(form: Form, outcome: Plain) -> tuple[str, dict[str, Any]] | None:
     """Return what is wrong with the answer before its value is looked at, or None."""
     if isinstance(form, Parts):
         return _coarse_of_parts(form, outcome)
-    if form.probes(outcome) is not None:
+    if form.read(outcome) is not None:
         return None
     if isinstance(form, Choice) and isinstance(outcome, str):
         return "option", {"answer": outcome}

@@ -1,0 +1,81 @@
+"""A chapter of four tasks for tests: its task file, its solution, and a folder laid out of them."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from types import SimpleNamespace
+
+from tflab.workbook import cases
+
+STEM = "03_small"
+TASKS = """
+import math
+from tflab.core import Transform
+from tflab.workbook.forms import Choice, Number, Parts, Pose, Vector
+from tflab.workbook.tasks import Task, Twin, Words
+
+HINTS = tuple(Words(en=f"hint {n}", ko=f"힌트 {n}") for n in (1, 2, 3))
+
+
+def mount(rng):
+    mounted = Transform.from_rpy(yaw=round(float(rng.uniform(0.5, 2.6)), 2), translation=(0.2, 0.0, 0.15))
+    return {"base_T_laser": mounted, "laser_p_corner": (2.0, 0.5, 0.0)}
+
+
+def transforms(rng):
+    return [(Transform.from_rpy(*rng.uniform(0.3, 1.2, 3), translation=rng.uniform(1, 2, 3)),) for _ in range(4)]
+
+
+def swapped(given):
+    return given.base_T_laser.inverse().apply(given.laser_p_corner)
+
+
+def minus(T):
+    return Transform([-x for x in T.translation], T.rotation)
+
+
+def both(en):
+    return Words(en=en, ko="한국어: " + en)
+
+
+FRAME = Choice(("map", "laser"))
+TASKS = (
+    Task("E3.1", "N", 3, both("corner"), "base_p_corner", Vector(3, "m", "base_link", 0.005), HINTS,
+         given=mount, variants=3, twins=(Twin("swapped", swapped, both("that is the inverse"), "M1"),)),
+    Task("E3.2", "F", 2, both("invert"), "invert", Pose(), HINTS,
+         inputs=transforms, twins=(Twin("minus", minus, both("only the sign"), "M3"),)),
+    Task("E3.3", "M", 2, both("roles"), "roles", Parts({"target": FRAME, "source": FRAME}), HINTS,
+         twins=(Twin("swapped", {"target": "laser", "source": "map"}, both("turned round"), "M1"),)),
+    Task("E3.4", "N", 1, both("angle"), "angle_rad", Number("rad", 0.01), HINTS),
+)
+"""
+CELLS = {
+    "load": "%load_ext tflab\nfrom tflab.workbook import check, hint, task",
+    "imports": "import math",
+    "e3-1-answer": "base_p_corner = e3_1.base_T_laser.apply(e3_1.laser_p_corner)",
+    "e3-2-answer": "def invert(transform):\n    return transform.inverse()",
+    "e3-3-answer": 'roles = {"target": "map", "source": "laser"}',
+    "e3-4-answer": "angle_rad = math.pi / 2",
+}
+
+
+def lay_out(folder: Path, *, tasks: str = TASKS, cells: dict[str, str] = CELLS) -> Path:
+    """Write the task file and the solution into `folder`, which stands for `solutions/`."""
+    (folder / "tasks").mkdir(parents=True, exist_ok=True)
+    (folder / "en").mkdir(exist_ok=True)
+    (folder / "tasks" / f"{STEM}.py").write_text(tasks, encoding="utf-8")
+    notebook = {"cells": [{"cell_type": "code", "id": name, "source": [text]} for name, text in cells.items()]}
+    (folder / "en" / f"{STEM}.ipynb").write_text(json.dumps(notebook), encoding="utf-8")
+    return folder
+
+
+def copy_of_workbook(folder: Path, *, language: str = "en", learner: str | None = None, edition: str = "self-study"):
+    """Lay out a learner's copy that holds only the cases; return its root and the cases."""
+    made = cases.make_cases(STEM, "public", solutions=lay_out(folder / "source"))
+    root = folder / "copy"
+    (root / "exercises" / "cases").mkdir(parents=True)
+    (root / "exercises" / "cases" / f"{STEM}.json").write_text(cases.cases_json(made), encoding="utf-8")
+    mark = {"tflab": "0.1.0", "edition": edition, "language": language, "learner": learner}
+    (root / "workbook.json").write_text(json.dumps(mark), encoding="utf-8")
+    return SimpleNamespace(root=root, cases=made)

@@ -1,0 +1,205 @@
+"""What `check` says."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from tflab.core import Transform
+from tflab.workbook import check, checks, hint, solution, task
+from tflab.workbook.places import WorkbookError
+
+from . import small_chapter as chapter
+
+
+@pytest.fixture
+def copy(tmp_path, monkeypatch):
+    laid_out = chapter.copy_of_workbook(tmp_path)
+    monkeypatch.chdir(laid_out.root)
+    monkeypatch.delenv("NBGRADER_EXECUTION", raising=False)
+    checks._hints_seen.clear()
+    return laid_out
+
+
+def said(capsys, task_id, answer):
+    check(task_id, answer)
+    return capsys.readouterr().out
+
+
+def right_corner(capsys):
+    given = task("E3.1")
+    capsys.readouterr()
+    return given, given.base_T_laser.apply(given.laser_p_corner)
+
+
+def test_a_right_answer_says_so_and_what_grading_adds(copy, capsys):
+    _, right = right_corner(capsys)
+    lines = said(capsys, "E3.1", right).splitlines()
+    assert lines[0] == "E3.1 ✓ 1/1"
+    assert "Grading" in lines[1]
+
+
+def test_each_stage_has_its_own_words(copy, capsys):
+    given, right = right_corner(capsys)
+    assert "not answered yet" in said(capsys, "E3.1", ...)
+    assert "wrong kind (str)" in said(capsys, "E3.1", "left")
+    assert "wrong shape (tuple of 2)" in said(capsys, "E3.1", (1.0, 2.0))
+    assert "in mm" in said(capsys, "E3.1", tuple(1000 * x for x in right))
+    assert "the value is not" in said(capsys, "E3.1", (9.0, 9.0, 9.0))
+    assert "that is the inverse" in said(capsys, "E3.1", given.base_T_laser.inverse().apply(given.laser_p_corner))
+    assert "is a function" in said(capsys, "E3.1", lambda: right)
+
+
+def test_a_message_in_the_wrong_frame_is_told_its_frame(copy, capsys):
+    from tflab.ros.messages import geometry_msgs, std_msgs
+
+    _, (x, y, z) = right_corner(capsys)
+    place = geometry_msgs.Point(x=x, y=y, z=z)
+    wrong = geometry_msgs.PointStamped(header=std_msgs.Header(frame_id="map"), point=place)
+    assert '"map", and "base_link" is asked for' in said(capsys, "E3.1", wrong)
+
+
+def test_functions_are_called_on_the_public_inputs(copy, capsys):
+    def your_turn(transform):
+        raise NotImplementedError("your turn")
+
+    assert said(capsys, "E3.2", lambda T: T.inverse()).startswith("E3.2 ✓ 4/4")
+    assert "only the sign" in said(capsys, "E3.2", lambda T: Transform([-x for x in T.translation], T.rotation))
+    assert "not answered yet" in said(capsys, "E3.2", your_turn)
+    assert "should be a function" in said(capsys, "E3.2", Transform())
+    assert "ZeroDivisionError" in said(capsys, "E3.2", lambda T: 1 / 0)
+
+
+def test_a_function_that_remembers_is_found_out(copy, capsys):
+    calls = []
+
+    def growing(transform):
+        calls.append(1)
+        return Transform((len(calls), 0, 0))
+
+    assert "two different results" in said(capsys, "E3.2", growing)
+
+
+def test_arguments_are_fresh_copies(copy, capsys):
+    seen = []
+
+    def keeps(transform):
+        seen.append(id(transform))
+        return transform.inverse()
+
+    said(capsys, "E3.2", keeps)
+    assert len(seen) == 8
+
+
+def test_parts_have_credit_and_a_slip_in_one_is_named(copy, capsys):
+    assert said(capsys, "E3.3", {"target": "laser", "source": "map"}).startswith("E3.3 ✗ 0/2: turned round")
+    assert said(capsys, "E3.3", {"target": "map", "source": "map"}).startswith("E3.3 ✗ 1/2: turned round")
+    assert '"source"' in said(capsys, "E3.3", {"target": "map"})
+    assert "not among" in said(capsys, "E3.3", {"target": "odom", "source": "map"})
+
+
+def test_degrees_are_recognised(copy, capsys):
+    assert "in degrees" in said(capsys, "E3.4", 90.0)
+
+
+class Hostile:
+    def __eq__(self, other):
+        return True
+
+    def __getattr__(self, name):
+        raise RuntimeError(name)
+
+    def __iter__(self):
+        raise RuntimeError
+
+
+RUBBISH = [
+    Hostile(),
+    [Hostile()],
+    {"target": Hostile()},
+    object,
+    print,
+    10**400,
+    float("nan"),
+    b"x",
+    {1: 2},
+    {"dict": []},
+]
+
+
+@pytest.mark.parametrize("answer", RUBBISH, ids=lambda answer: type(answer).__name__)
+@pytest.mark.parametrize("task_id", ["E3.1", "E3.2", "E3.3", "E3.4"])
+def test_check_never_raises_and_never_gives_points_for_rubbish(copy, capsys, task_id, answer):
+    assert "✗ 0/" in said(capsys, task_id, answer)
+
+
+@pytest.mark.parametrize("task_id", ["E3.9", "E7.1", "foo", "", 3, None])
+def test_an_unknown_task_is_answered_with_those_there_are(copy, capsys, task_id):
+    assert "E3.1, E3.2, E3.3, E3.4" in said(capsys, task_id, 1)
+    with pytest.raises(WorkbookError):
+        task(task_id)
+
+
+def test_an_answer_left_out_is_asked_for(copy, capsys):
+    check("E3.1")
+    assert 'check("E3.1", base_p_corner)' in capsys.readouterr().out
+
+
+def test_hints_come_one_by_one_and_are_counted(copy, capsys):
+    for _ in range(4):
+        hint("E3.1")
+    assert [line.rpartition(": ")[2] for line in capsys.readouterr().out.splitlines()] == [
+        "hint 1", "hint 2", "hint 3", "hint 3",
+    ]  # fmt: skip
+    assert json.loads((copy.root / "progress.json").read_text())["tasks"]["E3.1"]["hints"] == 4
+
+
+def test_what_was_tried_is_kept(copy, capsys):
+    said(capsys, "E3.3", {"target": "laser", "source": "map"})
+    said(capsys, "E3.3", {"target": "map", "source": "laser"})
+    said(capsys, "E3.1", ...)
+    kept = json.loads((copy.root / "progress.json").read_text())["tasks"]
+    assert kept["E3.3"]["tries"] == 2 and kept["E3.3"]["passed"] and kept["E3.3"]["twins"] == {"swapped": 1}
+    assert "E3.1" not in kept
+
+
+def test_replies_are_in_the_learners_language(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(chapter.copy_of_workbook(tmp_path, language="ko").root)
+    assert "한국어: turned round" in said(capsys, "E3.3", {"target": "laser", "source": "map"})
+    assert "아직 답하지 않았습니다" in said(capsys, "E3.1", ...)
+    assert said(capsys, "E3.3", {"target": "map", "source": "laser"}).startswith("E3.3 ✓ 2/2\n")
+
+
+def test_a_learner_has_a_variant_of_their_own(tmp_path, monkeypatch, capsys):
+    laid_out = chapter.copy_of_workbook(tmp_path, learner="ada")
+    monkeypatch.chdir(laid_out.root)
+    given = task("E3.1")
+    assert "E3.1 ✓" in said(capsys, "E3.1", given.base_T_laser.apply(given.laser_p_corner))
+
+
+def test_the_solution_opens_after_three_tries(copy, capsys):
+    solution("E3.4")
+    assert "0 so far" in capsys.readouterr().out
+    for _ in range(3):
+        said(capsys, "E3.4", 7.0)
+    assert "solution(" in said(capsys, "E3.4", 7.0)
+
+
+def test_a_class_has_no_solutions(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(chapter.copy_of_workbook(tmp_path, edition="class").root)
+    solution("E3.4")
+    assert "instructor" in capsys.readouterr().out
+
+
+def test_nbgrader_gets_the_points_for_partial_credit(copy, capsys, monkeypatch):
+    monkeypatch.setenv("NBGRADER_EXECUTION", "autograde")
+    assert check("E3.3", {"target": "map", "source": "map"}) == 1.0
+    assert check("E3.3", ...) == 0.0
+    assert check("E3.9", 1) == 0.0
+
+
+def test_a_damaged_cases_file_is_said_in_one_line(copy, capsys):
+    (copy.root / "exercises" / "cases" / f"{chapter.STEM}.json").write_text("{")
+    text = said(capsys, "E3.1", 1)
+    assert "damaged" in text and "tflab lab --update" in text

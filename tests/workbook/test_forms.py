@@ -1,0 +1,156 @@
+"""When two answers are the same."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from tflab.core import BufferCore, StampedTransform, Transform
+from tflab.ros.messages import geometry_msgs, std_msgs
+from tflab.workbook import sealed
+from tflab.workbook.forms import (
+    Angle,
+    Choice,
+    Command,
+    Message,
+    Number,
+    Parts,
+    Pose,
+    Quaternion,
+    Sequence,
+    Tree,
+    Vector,
+    form_from_plain,
+)
+from tflab.workbook.values import to_plain
+
+LEFT = Transform.from_rpy(yaw=math.pi / 2, translation=(1.0, 0.0, 0.0))
+STAMPED = StampedTransform("map", "base", 7, LEFT)
+
+
+def message_of(stamped: StampedTransform) -> geometry_msgs.TransformStamped:
+    from tflab.ros.convert import msg_from_stamped
+
+    return msg_from_stamped(stamped)
+
+
+def point(frame: str) -> geometry_msgs.PointStamped:
+    return geometry_msgs.PointStamped(
+        header=std_msgs.Header(frame_id=frame), point=geometry_msgs.Point(x=1.0, y=2.0, z=3.0)
+    )
+
+
+ECHO = "ros2 run tf2_ros tf2_echo map base_link"
+STATIC = "ros2 run tf2_ros static_transform_publisher"
+SAME = [
+    (Number(), 1.0, 1.0004), (Number(tolerance=0), 5, 5), (Number(), np.float64(2.0), 2),
+    (Number(), np.array(2.0), 2.0),
+    (Angle(), math.pi, -math.pi), (Angle(), 0.1 + 4 * math.pi, 0.1),
+    (Vector(3), np.array([1.0, 2.0, 3.0]), (1, 2, 3)), (Vector(3, frame="map"), point("map"), (1.0, 2.0, 3.0)),
+    (Vector(3), {"x": 1, "y": 2, "z": 3}, (1, 2, 3)), (Vector(2), [1, 2], (1, 2)),
+    (Quaternion(), (0, 0, -1, 0), (0, 0, 1, 0)), (Quaternion(), geometry_msgs.Quaternion(w=1.0), (0, 0, 0, 1)),
+    (Pose(), LEFT.matrix(), LEFT), (Pose(), message_of(STAMPED), LEFT),
+    (Pose(frames=True), message_of(STAMPED), STAMPED),
+    (Pose(), Transform(LEFT.translation, tuple(-q for q in LEFT.rotation)), LEFT),
+    (Choice(("past", "future")), " past ", "past"), (Choice(("True", "False")), True, "True"),
+    (Sequence(Choice()), ["map", "odom"], ("map", "odom")), (Sequence(Quaternion()), [(0, 0, 0, -1)], [(0, 0, 0, 1)]),
+    (Tree(), [STAMPED], {"base": "map"}),
+    (Command(), f"$ {ECHO}", ECHO), (Command(), "ros2 topic echo --once tf", "ros2 topic echo /tf --once"),
+    (Command(), f"{STATIC} --yaw 3.14159265 --frame-id a --child-frame-id b",
+     f"{STATIC} --frame-id a --child-frame-id 'b' --x 0.0 --qz 1 --qw 0"),
+    (Command(), "ros2 bag record /tf_static /tf", "ros2 bag record /tf /tf_static"),
+]  # fmt: skip
+DIFFERENT = [
+    (Number(), 1.0, 1.002), (Number(), True, 1.0), (Number(), "1.0", 1.0), (Number(), math.nan, 1.0),
+    (Number(), [1.0], 1.0),
+    (Angle(), 0.0, math.pi), (Vector(3), (1, 2), (1, 2, 3)), (Vector(3, frame="map"), point("odom"), (1, 2, 3)),
+    (Vector(3), (1, 2, math.inf), (1, 2, 3)), (Vector(3), (1, True, 3), (1, 1, 3)), (Vector(3), None, (1, 2, 3)),
+    (Quaternion(), (1, 0, 0, 0), (0, 0, 0, 1)), (Pose(), LEFT.inverse(), LEFT), (Pose(frames=True), LEFT, STAMPED),
+    (Pose(frames=True), StampedTransform("base", "map", 7, LEFT), STAMPED),
+    (Pose(stamp=True), StampedTransform("map", "base", 8, LEFT), STAMPED),
+    (Choice(("past", "future")), "Past", "past"), (Sequence(Choice()), ["map"], ["map", "odom"]),
+    (Tree(), {"map": "base"}, {"base": "map"}),
+    (Command(), "ros2 run tf2_ros tf2_echo base_link map", ECHO),
+    (Command(), "ros2 topic echo /tf", "ros2 topic echo /tf --once"),
+    (Command(), f"{STATIC} --frame-id b --child-frame-id a", f"{STATIC} --frame-id a --child-frame-id b"),
+    (Command(), "ros2 'run", ECHO), (Command(), 3, ECHO),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("form", "answer", "expected"), SAME)
+def test_equal_answers_are_the_same(form, answer, expected):
+    assert form.same(to_plain(answer), to_plain(expected))
+
+
+@pytest.mark.parametrize(("form", "answer", "expected"), DIFFERENT)
+def test_different_answers_are_not(form, answer, expected):
+    assert not form.same(to_plain(answer), to_plain(expected))
+
+
+@pytest.mark.parametrize(("form", "answer", "expected"), SAME)
+def test_a_sealed_answer_is_recognised(form, answer, expected):
+    assert all(sealed.judge(form, to_plain(answer), sealed.seal(form, to_plain(expected), "salt")))
+
+
+@pytest.mark.parametrize(("form", "answer", "expected"), DIFFERENT)
+def test_a_sealed_answer_is_not_taken_for_another(form, answer, expected):
+    assert not all(sealed.judge(form, to_plain(answer), sealed.seal(form, to_plain(expected), "salt")))
+
+
+def test_a_seal_does_not_hold_the_number():
+    assert "2.2" not in str(sealed.seal(Vector(3), [2.2, 0.0, 0.15], "salt"))
+
+
+@pytest.mark.parametrize("form", {type(form).__name__: form for form, _, _ in SAME}.values())
+def test_a_form_comes_back_from_json(form):
+    assert form_from_plain(form.plain()) == form
+
+
+def test_parts_have_credit_of_their_own_and_come_back():
+    form = Parts({"target": Choice(("map", "odom")), "x": Number()})
+    expected = to_plain({"target": "map", "x": 1.0})
+    assert form.judge(to_plain({"target": "odom", "x": 1.0}), expected) == [False, True]
+    assert form.judge(to_plain({"x": 1.0}), expected) == [False, True]
+    assert form.judge(to_plain("map"), expected) == [False, False]
+    assert form_from_plain(form.plain()) == form
+
+
+def test_a_message_has_credit_for_each_field():
+    fields = ("header.frame_id", "child_frame_id", "transform.translation.x", "transform.rotation")
+    form = Message("geometry_msgs/msg/TransformStamped", fields)
+    swapped = message_of(StampedTransform("base", "map", 7, LEFT))
+    assert form.judge(to_plain(swapped), to_plain(message_of(STAMPED))) == [False, False, True, True]
+    assert form.judge(to_plain(LEFT), to_plain(message_of(STAMPED))) == [False] * 4
+    assert form_from_plain(form.plain()) == form
+
+
+def test_an_outcome_that_should_be_an_error_is_judged_by_its_class():
+    expected = {"raises": "LookupException", "text": "of the solution"}
+    assert Number().same({"raises": "LookupException", "text": "another"}, expected)
+    assert not Number().same({"raises": "TypeError", "text": ""}, expected)
+    assert not Number().same(1.0, expected)
+
+
+def test_a_tree_may_be_a_buffer():
+    buffer = BufferCore()
+    buffer.set_transform(STAMPED, "test")
+    assert Tree().same(to_plain(buffer), to_plain({"base": "map"}))
+
+
+def test_an_unknown_form_is_an_error_that_names_the_others():
+    with pytest.raises(ValueError, match="Vector"):
+        form_from_plain({"form": "Colour"})
+
+
+MADE_UP = [
+    {"message": []}, {"message": [1, 2]}, {"dict": 3}, {"Buffer": {}}, [[[]]], {"tuple": {}}, {"Transform": [1, 2]},
+    {"BufferCore": {"samples": 3}}, {"StampedTransform": [1]}, {"array": {"x": 1}}, 10**40, {"raises": []}, {},
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("hostile", MADE_UP, ids=repr)
+@pytest.mark.parametrize(("form", "answer", "expected"), SAME[::3])
+def test_made_up_json_is_merely_wrong(form, answer, expected, hostile):
+    assert form.judge(hostile, to_plain(expected)) == [False]

@@ -1,0 +1,116 @@
+"""Answers as plain JSON, and back."""
+
+from __future__ import annotations
+
+import json
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tflab.core import BufferCore, StampedTransform, Transform
+from tflab.ros.duration import Duration
+from tflab.ros.messages import geometry_msgs, sensor_msgs
+from tflab.ros.tf2_buffer import Buffer
+from tflab.ros.time import Time
+from tflab.workbook.values import from_plain, is_unanswered, raised, to_plain
+
+TURNED = Transform((1.0, 2.0, 3.0), (0.0, 0.0, 0.6, 0.8))
+
+
+def filled(buffer):
+    buffer.set_transform(StampedTransform("map", "odom", 1_000_000_000, TURNED), "slam")
+    buffer.set_transform(StampedTransform("map", "odom", 2_000_000_000, Transform()), "slam")
+    buffer.set_transform(StampedTransform("odom", "laser", 0, TURNED), "urdf", is_static=True)
+    return buffer
+
+
+VALUES = [
+    None, True, 3, 2.5, "map", [1, [2.0]], (1, (2, "x")), {"map": (1, 2)}, math.inf, ..., TURNED,
+    StampedTransform("map", "odom", 1_700_000_000_123_456_789, TURNED),
+    geometry_msgs.PointStamped(point=geometry_msgs.Point(x=1.0, y=-2.0, z=0.5)),
+    sensor_msgs.PointCloud2(data=b"abc", width=3), Time(nanoseconds=5), Duration(nanoseconds=-7),
+    filled(BufferCore(5_000_000_000)),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("value", VALUES, ids=lambda value: type(value).__name__)
+def test_a_value_comes_back_from_json_as_it_was(value):
+    plain = to_plain(value)
+    back = from_plain(json.loads(json.dumps(plain, allow_nan=False)))
+    assert to_plain(back) == plain
+    assert type(back) is type(value)
+
+
+json_like = st.recursive(
+    st.none() | st.booleans() | st.integers() | st.floats() | st.text(),
+    lambda inner: st.lists(inner) | st.tuples(inner, inner) | st.dictionaries(st.text(), inner),
+    max_leaves=20,
+)
+
+
+@given(json_like)
+def test_whatever_is_made_of_lists_tuples_and_dicts_comes_back(value):
+    plain = to_plain(value)
+    assert to_plain(from_plain(json.loads(json.dumps(plain, allow_nan=False)))) == plain
+
+
+def test_a_nan_is_kept_as_a_nan():
+    assert math.isnan(from_plain(to_plain(math.nan)))
+
+
+def test_numpy_is_written_as_plain_numbers():
+    assert to_plain(np.float64(0.5)) == 0.5
+    assert to_plain(np.int32(3)) == 3
+    assert to_plain(np.bool_(True)) is True
+    assert to_plain(np.eye(2)) == {"array": [[1.0, 0.0], [0.0, 1.0]]}
+
+
+def test_a_buffer_of_messages_answers_as_before():
+    core = filled(BufferCore())
+    copy = from_plain({"Buffer": to_plain(core)["BufferCore"]})
+    assert isinstance(copy, Buffer)
+    assert copy.core.lookup_transform("map", "laser", 1_500_000_000) == core.lookup_transform(
+        "map", "laser", 1_500_000_000
+    )
+
+
+def test_two_readings_share_nothing():
+    plain = to_plain(geometry_msgs.Point())
+    one, other = from_plain(plain), from_plain(plain)
+    one.x = 5.0
+    assert other.x == 0.0
+
+
+def test_an_object_of_unknown_class_is_named_and_not_touched():
+    class Surprise:
+        def __getattr__(self, name):
+            raise RuntimeError("touched")
+
+        def __eq__(self, other):
+            return True
+
+    assert to_plain(Surprise()) == {"object": "Surprise"}
+    assert to_plain([Surprise()]) == [{"object": "Surprise"}]
+
+
+def test_an_endless_answer_is_refused():
+    endless: list = []
+    endless.append(endless)
+    with pytest.raises(ValueError, match="too deep"):
+        to_plain(endless)
+
+
+@pytest.mark.parametrize("plain", [{"object": "Surprise"}, {"raises": "KeyError"}, {"os": "system"}, {}])
+def test_what_names_no_value_is_not_read(plain):
+    with pytest.raises(ValueError, match="unknown kind"):
+        from_plain(plain)
+
+
+def test_unanswered_is_the_dots_or_your_turn():
+    assert is_unanswered(to_plain(...))
+    assert is_unanswered(raised(NotImplementedError("your turn")))
+    assert not is_unanswered(raised(NotImplementedError("later")))
+    assert not is_unanswered(to_plain(None))
