@@ -19,7 +19,8 @@ def run(root: Path, *parts: str) -> tuple[Outputs, list[Fault]]:
     return asyncio.run(run_page(page(root, TITLE, *parts), "notebooks/en", {"03_x": '{"format": 1}\n'}))
 
 
-def test_a_page_stores_what_is_the_same_every_time(tmp_path: Path) -> None:
+def test_a_page_stores_what_is_the_same_every_time(tmp_path: Path, monkeypatch) -> None:
+    monkeypatch.setenv("TFLAB_ROS_DISTRO", "humble")
     outputs, faults = run(
         tmp_path,
         code("twice", "print('one', flush=True)\nprint('two', flush=True)\n1 + 2"),
@@ -28,7 +29,7 @@ def test_a_page_stores_what_is_the_same_every_time(tmp_path: Path) -> None:
         code("figure", DRAW),
         code("fails", "1 / 0", ' tags=["raises-exception"]'),
         code("after", "print(open('../../exercises/cases/03_x.json').read(), end='')"),
-        code("shell", "import os\nprint([name for name in os.environ if name.startswith('TFLAB_')])"),
+        code("shell", "import os\nprint([name for name in os.environ if name.startswith('TFLAB_ROS')])"),
     )
     assert faults == []
     assert outputs["twice"] == [

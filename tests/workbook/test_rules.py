@@ -6,8 +6,8 @@ import re
 from pathlib import Path
 
 import pytest
-
 from making_pages import TITLE, code, page, text
+
 from tflab.workbook.rules import page_faults
 
 KO = '# %% [markdown] lang="ko" name="why"\n# 그래서입니다.\n'
@@ -28,7 +28,10 @@ BROKEN = {
     "an empty text": (text("why", "Because.", ""), "there is no text"),
     "code with a language": (code("look", "1", ' lang="en"'), "code has a language"),
     "16 lines of code": (code("long", "\n".join(["x = 1"] * 16)), "16 lines of code"),
-    "headings of different depth": (text("why", "## Why\n### So", "## 왜\n## 그래서"), r"depths \[2, 2\], those of the English \[2, 3\]"),
+    "headings of different depth": (
+        text("why", "## Why\n### So", "## 왜\n## 아"),
+        r"depths \[2, 2\], those of the English \[2, 3\]",
+    ),
     "a heading less": (text("why", "## Why\ntext\n## And", "## 왜"), r"depths \[2\], those of the English \[2, 2\]"),
     "a depth left out": (text("why", "### Why", "### 왜"), "a heading of depth 3 comes after one of depth 1"),
     "two titles": (text("why", "# Why", "# 왜"), "this is a second title"),

@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-
 from making_pages import TITLE, code, page, text, written
+
 from tflab.workbook.source import PageError, code_lines, read_page
 
 

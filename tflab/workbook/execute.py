@@ -4,8 +4,8 @@
                                  |
                                  +--> faults: an error, a warning, a picture without words ...
 
-The kernel starts in a temporary copy of the workbook, so a page sees its public cases
-and its progress is forgotten; no option of the author's shell reaches it.
+The kernel starts in a temporary workbook that passes for tflab's own, so a page sees its
+public cases as they are being built; no option of the author's shell reaches it.
 
 Read `stale.py` next.
 """
@@ -21,8 +21,6 @@ from collections.abc import Callable, Iterator
 from itertools import pairwise
 from pathlib import Path
 from tempfile import TemporaryDirectory
-
-from tflab import __version__
 
 from .source import Cell, Fault, Page
 
@@ -59,8 +57,6 @@ async def run_page(
 
 
 def _lay_workbook(root: Path, folder: str, cases: dict[str, str]) -> None:
-    workbook = {"edition": "self-study", "language": "en", "learner": None, "tflab": __version__}
-    (root / "workbook.json").write_text(json.dumps(workbook), encoding="utf-8")
     (root / folder).mkdir(parents=True)
     (root / "exercises" / "cases").mkdir(parents=True)
     for stem, text in cases.items():
@@ -80,7 +76,7 @@ async def _run(page: Page, root: Path, folder: str, each: Callable[[Cell], None]
         notebook, kernel_name="python3", timeout=SECONDS_FOR_A_CELL, allow_errors=True, resources=where
     )
     env = {name: value for name, value in os.environ.items() if not name.startswith("TFLAB_")}
-    env |= {"IPYTHONDIR": str(root / "ipython"), "PYTHONHASHSEED": "0"}
+    env |= {"TFLAB_WORKBOOK": str(root), "IPYTHONDIR": str(root / "ipython"), "PYTHONHASHSEED": "0"}
     async with client.async_setup_kernel(env=env, stderr=subprocess.DEVNULL):
         for number, (cell, written) in enumerate(zip(cells, page.code, strict=True)):
             each(written)

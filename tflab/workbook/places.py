@@ -14,6 +14,7 @@ and in the wheel.  Read `learner.py` next.
 from __future__ import annotations
 
 import json
+import os
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
@@ -61,7 +62,12 @@ class Workbook:
 
 
 def workbook_data() -> Path:
-    """Return the folder of what comes with tflab: the wheel's, or in an editable install the repository."""
+    """Return the folder of what comes with tflab: the wheel's, or in an editable install the repository.
+
+    While pages are built it is another, which TFLAB_WORKBOOK names (see `execute.py`).
+    """
+    if os.environ.get("TFLAB_WORKBOOK"):
+        return Path(os.environ["TFLAB_WORKBOOK"])
     package = Path(__file__).resolve().parents[1]
     in_the_wheel = package / "_workbook"
     return in_the_wheel if in_the_wheel.is_dir() else package.parent

@@ -1,0 +1,224 @@
+"""`tflab build`: from sources to every edition, the same bytes each time; what is stale is said with its reason."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from making_pages import HALF, LOAD, TASKS, THIRD, TITLE, code, exercise, text, written
+
+from tflab.workbook.build import build, build_pages, sources
+from tflab.workbook.stale import difference
+
+LECTURE = (
+    TITLE,
+    text("note", "Wait for it.", "기다립니다.", ' slide="notes"'),
+    text("term", "A [[frame]].", "[[frame]]입니다.", ' slide="slide"'),
+    code("look", "print(6 * 7)\n'seen'"),
+)
+
+
+def bytes_below(root: Path) -> dict[str, bytes]:
+    """Return what was built, by its path."""
+    there = [*root.glob("*/*/*.ipynb"), *root.glob("*/*/*.json")]
+    return {path.relative_to(root).as_posix(): path.read_bytes() for path in there}
+
+
+def cells_of(root: Path, name: str) -> dict[str, dict]:
+    return {cell["id"]: cell for cell in json.loads((root / name).read_text(encoding="utf-8"))["cells"]}
+
+
+@pytest.fixture(scope="module")
+def workbook(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A workbook of one chapter, built."""
+    root = tmp_path_factory.mktemp("workbook")
+    written(root, *LECTURE)
+    exercise(root)
+    assert build(["--root", str(root)]) == 0
+    return root
+
+
+def test_a_chapter_becomes_seven_files(workbook: Path) -> None:
+    rooms = ("notebooks", "solutions", "exercises")
+    pages = {f"{room}/{language}/03_x.ipynb" for room in rooms for language in ("en", "ko")}
+    assert set(bytes_below(workbook)) == pages | {"exercises/cases/03_x.json"}
+
+
+def test_two_builds_are_the_same_bytes_and_nothing_is_stale(workbook: Path, capsys) -> None:
+    before = bytes_below(workbook)
+    again = build_pages(workbook, sources(workbook), jobs=1)
+    assert {name: text.encode() for name, text in again.files.items()} == before
+    assert build(["--root", str(workbook), "--check"]) == 0
+    assert "nothing is stale" in capsys.readouterr().out
+
+
+def test_a_notebook_is_in_the_shape_that_jupyter_knows(workbook: Path) -> None:
+    import nbformat
+
+    for path in workbook.glob("*/*/*.ipynb"):
+        nbformat.validate(nbformat.read(path, as_version=4))
+
+
+def test_both_languages_have_the_same_code_and_outputs(workbook: Path) -> None:
+    en, ko = (cells_of(workbook, f"notebooks/{language}/03_x.ipynb") for language in ("en", "ko"))
+    assert list(en) == list(ko)
+    assert en["look"] == ko["look"]
+    assert en["look"]["execution_count"] == 2
+    assert [output["output_type"] for output in en["look"]["outputs"]] == ["stream", "execute_result"]
+    assert en["title"]["source"] == ["# A page"]
+    assert ko["title"]["source"] == ["# 한 쪽"]
+
+
+def test_what_the_speaker_says_is_kept_with_the_cell_before_it(workbook: Path) -> None:
+    page = cells_of(workbook, "notebooks/ko/03_x.ipynb")
+    assert "note" not in page
+    assert page["load"]["metadata"]["tflab"]["notes"] == "기다립니다."
+    assert page["term"]["metadata"]["slideshow"] == {"slide_type": "slide"}
+
+
+def test_a_marked_term_is_explained_by_the_glossary(workbook: Path) -> None:
+    assert "".join(cells_of(workbook, "notebooks/en/03_x.ipynb")["term"]["source"]).startswith('A <abbr title="')
+
+
+def test_an_exercise_has_its_regions_taken_out_and_nothing_run(workbook: Path) -> None:
+    page = cells_of(workbook, "exercises/en/03_x.ipynb")
+    assert "".join(page["e3-1-answer"]["source"]) == "half = ...  # [m]"
+    assert "".join(page["e3-2-answer"]["source"]).endswith('    raise NotImplementedError("your turn")')
+    code_cells = [cell for cell in page.values() if cell["cell_type"] == "code"]
+    assert all(cell["outputs"] == [] and cell["execution_count"] is None for cell in code_cells)
+    assert "".join(cells_of(workbook, "solutions/en/03_x.ipynb")["e3-1-check"]["outputs"][0]["text"]) == "E3.1 ✓ 1/1\n"
+
+
+def test_an_exercise_says_to_nbgrader_and_to_us_which_cells_are_a_task(workbook: Path) -> None:
+    page = cells_of(workbook, "exercises/ko/03_x.ipynb")
+    answer, check = page["e3-1-answer"]["metadata"], page["e3-1-check"]["metadata"]
+    assert answer["tflab"] == check["tflab"] == page["e3-1-given"]["metadata"]["tflab"] == {"task": "E3.1"}
+    assert answer["nbgrader"] == {
+        "cell_type": "code",
+        "grade": False,
+        "grade_id": "e3-1-answer",
+        "locked": False,
+        "schema_version": 3,
+        "solution": True,
+        "task": False,
+    }
+    assert (check["nbgrader"]["grade"], check["nbgrader"]["locked"], check["nbgrader"]["points"]) == (True, True, 2)
+    assert "nbgrader" not in page["e3-1"]["metadata"]
+
+
+def test_what_is_stale_is_said_with_the_cell_and_what_to_run(tmp_path: Path, workbook: Path, capsys) -> None:
+    written(tmp_path, *LECTURE)
+    for name, data in bytes_below(workbook).items():
+        if name.startswith("notebooks"):
+            (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+            (tmp_path / name).write_bytes(data.replace(b'"42\\n"', b'"43\\n"'))
+    (tmp_path / "notebooks" / "en" / "04_old.ipynb").write_text("{}")
+    (tmp_path / "notebooks" / "ko" / "03_x.ipynb").unlink()
+    before = bytes_below(tmp_path)
+    assert build(["--root", str(tmp_path), "--check"]) == 1
+    said = capsys.readouterr().out.splitlines()
+    assert said[0].startswith("notebooks/en/03_x.ipynb: cell \"look\": prints '43\\n', and would be '42\\n'")
+    assert said[0].endswith("run: tflab build 03_x")
+    assert said[1] == "notebooks/ko/03_x.ipynb: is not there; run: tflab build 03_x"
+    assert said[2] == "notebooks/en/04_old.ipynb: has no source any more; delete it"
+    assert bytes_below(tmp_path) == before
+
+
+def test_a_page_with_a_fault_is_not_written_the_others_are(tmp_path: Path, capsys) -> None:
+    written(tmp_path, TITLE, code("Look", "1 / 0"))
+    written(tmp_path, TITLE, code("look", "1"), stem="04_y")
+    assert build(["--root", str(tmp_path)]) == 1
+    assert set(bytes_below(tmp_path)) == {"notebooks/en/04_y.ipynb", "notebooks/ko/04_y.ipynb"}
+    said = capsys.readouterr().err
+    assert 'notebooks/src/03_x.py:10: cell "Look": this is no name for a cell' in said
+    assert 'notebooks/src/03_x.py:10: cell "Look": raised ZeroDivisionError: division by zero' in said
+
+
+def test_a_draft_is_written_with_its_faults(tmp_path: Path) -> None:
+    written(tmp_path, TITLE, code("look", "1 / 0"))
+    assert build(["--root", str(tmp_path), "--draft"]) == 1
+    assert cells_of(tmp_path, "notebooks/en/03_x.ipynb")["look"]["outputs"][0]["ename"] == "ZeroDivisionError"
+
+
+def test_a_page_is_asked_for_by_its_number_and_one_that_is_not_there_is_said(workbook: Path, capsys) -> None:
+    assert [path.parent.parent.name for path in sources(workbook, ["03"])] == ["notebooks", "solutions"]
+    assert build(["--root", str(workbook), "99"]) == 2
+    assert 'there is no page "99"; there is 03_x' in capsys.readouterr().err
+
+
+def test_where_there_are_only_built_pages_it_says_so(tmp_path: Path, capsys) -> None:
+    assert build(["--root", str(tmp_path)]) == 2
+    assert "a wheel holds only what was built" in capsys.readouterr().err
+
+
+BROKEN = {
+    "no text": (HALF.replace('name="e3-1"', 'name="half"'), "E3.1 has no text"),
+    "a heading without the id": (HALF.replace("## E3.1 ·", "##"), "its heading does not name E3.1"),
+    "no given": (HALF.replace("e3-1-given", "given"), "E3.1 has no given"),
+    "a given of another task": (HALF.replace('task("E3.1")', 'task("E3.2")'), "it does not call for its task"),
+    "no answer": (HALF.replace("e3-1-answer", "answer"), "E3.1 has no answer"),
+    "an answer without its tag": (HALF.replace(' tags=["answer"]', ""), "it is not tagged"),
+    "no region": (HALF.replace("# BEGIN SOLUTION\n", "").replace("# END SOLUTION", ""), "nothing is marked"),
+    "a region without its end": (HALF.replace("# END SOLUTION", ""), 'has no "# END SOLUTION"'),
+    "a region elsewhere": (HALF + code("x", "# BEGIN SOLUTION\nx = 1\n# END SOLUTION"), "in a cell that is no answer"),
+    "no check": (HALF.replace("e3-1-check", "last"), "E3.1 has no check"),
+    "a check with something else": (
+        HALF.replace('check("E3.1", half)', 'check("E3.1", 1)'),
+        "does not hold the check alone",
+    ),
+    "a task nobody knows": (HALF + code("more", 'hint("E3.7")'), 'hint names the task "E3.7"'),
+    "an answer of no task": (
+        HALF + code("x", "# BEGIN SOLUTION\nx = 1\n# END SOLUTION", ' tags=["answer"]'),
+        "no task",
+    ),
+    "the check first": (
+        HALF.replace("e3-1-check", "e3-1-last").replace("e3-1-answer", "e3-1-check").replace("last", "answer"),
+        "not in order",
+    ),
+}
+
+
+@pytest.mark.parametrize("half, wrong", BROKEN.values(), ids=BROKEN.keys())
+def test_a_fault_of_an_exercise_is_found_before_it_is_run(tmp_path: Path, half: str, wrong: str) -> None:
+    from tflab.workbook.exercise_rules import exercise_faults
+    from tflab.workbook.source import read_page
+    from tflab.workbook.tasks import read_tasks
+
+    page = read_page(exercise(tmp_path, TITLE, LOAD, half, THIRD))
+    found = exercise_faults(page, read_tasks(tmp_path / "solutions" / "tasks" / "03_x.py"))
+    assert any(wrong in str(fault) for fault in found), [str(fault) for fault in found]
+    good = read_page(exercise(tmp_path))
+    assert exercise_faults(good, read_tasks(tmp_path / "solutions" / "tasks" / "03_x.py")) == []
+
+
+def test_a_twin_that_is_the_answer_is_a_fault_with_file_and_line(tmp_path: Path, capsys) -> None:
+    exercise(tmp_path, tasks=TASKS.replace("given.length * 2", "given.length / 2"))
+    assert build(["--root", str(tmp_path)]) == 1
+    said = capsys.readouterr().err
+    assert 'solutions/src/03_x.py:20: cell "e3-1-answer": E3.1' in said
+    assert 'the twin "double" is the right answer' in said
+    assert bytes_below(tmp_path) == {}
+
+
+def test_a_chapter_without_tasks_says_where_they_belong(tmp_path: Path, capsys) -> None:
+    exercise(tmp_path)
+    (tmp_path / "solutions" / "tasks" / "03_x.py").unlink()
+    assert build(["--root", str(tmp_path)]) == 1
+    assert "there is no task file" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    "there, new, said",
+    [
+        ('{"cells": [], "metadata": {}}', '{"cells": [{"id": "a"}], "metadata": {}}', 'cell "a" is missing'),
+        ('{"cells": [{"id": "a"}]}', '{"cells": []}', 'cell "a" is no longer in the source'),
+        ('{"cells": [{"id": "a"}, {"id": "b"}]}', '{"cells": [{"id": "b"}, {"id": "a"}]}', "in another order"),
+        ('{"tasks": {"E3.1": {"points": 1}}}', '{"tasks": {"E3.1": {"points": 2}}}', "tasks.E3.1.points is 1"),
+        ('{"cells": [], "metadata": {"x": 1}}', '{"cells": [], "metadata": {"x": 2}}', "metadata.x is 1"),
+        ("<<<<", '{"cells": []}', "cannot be read"),
+        ('{"a":1}', '{"a": 1}', "written in another way"),
+    ],
+)
+def test_where_two_files_part_is_said(there: str, new: str, said: str) -> None:
+    assert said in difference(there, new)
