@@ -1,0 +1,80 @@
+"""The tasks of the chapters there are: well made, and telling every mistake apart for any seed."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from tflab.workbook.cases import make_cases, task_cases
+from tflab.workbook.forms import form_from_plain
+from tflab.workbook.places import workbook_data
+from tflab.workbook.reference import in_process_ros, solution_in_notebook
+from tflab.workbook.tasks import read_tasks
+from tflab.workbook.verdict import judge_outcomes
+
+SOLUTIONS = workbook_data() / "solutions"
+STEMS = sorted(path.stem for path in (SOLUTIONS / "tasks").glob("[0-9]*.py"))
+TASKS = [(stem, task) for stem in STEMS for task in read_tasks(SOLUTIONS / "tasks" / f"{stem}.py")]
+SEEDS = 200
+each_task = pytest.mark.parametrize(("stem", "task"), TASKS, ids=[task.id for _, task in TASKS])
+
+
+def test_the_first_four_chapters_are_there():
+    assert {"02", "03", "08", "09"} <= {stem[:2] for stem in STEMS}
+
+
+@each_task
+def test_twins_stay_apart_for_any_seed(stem, task):
+    solution = solution_in_notebook(SOLUTIONS / "en" / f"{stem}.ipynb")
+    with in_process_ros():
+        for seed in range(SEEDS):
+            task_cases(task, f"seed {seed}", solution, variants=1)  # raises where two look alike
+
+
+@each_task
+def test_every_twin_gets_its_own_reply_and_the_solution_full_marks(stem, task):
+    solution = solution_in_notebook(SOLUTIONS / "en" / f"{stem}.ipynb")
+    with in_process_ros():
+        made = task_cases(task, "replies", solution)
+    for variant in made["variants"]:
+        right = [case["expected"] for case in variant["cases"]]
+        assert judge_outcomes(made, variant, right).kind == "passed"
+        for name in made["twins"]:
+            verdict = judge_outcomes(made, variant, [case["twins"][name] for case in variant["cases"]])
+            assert (verdict.kind, verdict.twin) == ("twin", name)
+
+
+@each_task
+def test_a_task_says_everything_twice_and_does_not_tell_the_answer(stem, task):
+    said = [task.title, *task.hints, *(twin.reply for twin in task.twins)]
+    for words in said:
+        assert words.en.strip() and words.ko.strip()
+        assert re.search("[가-힣]", words.ko), f"not in Korean: {words.ko}"
+        assert not re.search("[가-힣]", words.en), f"not in English: {words.en}"
+    assert len({words.en for words in task.hints}) == 3
+    assert len({twin.reply.en for twin in task.twins}) == len(task.twins), "two mistakes get one reply"
+
+
+@each_task
+def test_what_may_vary_has_variants_and_mistakes_are_foreseen(stem, task):
+    if task.kind in "NFT":
+        assert task.variants >= 3 or task.inputs is not None
+        assert task.twins
+    assert form_from_plain(task.form.plain()) == task.form
+
+
+@pytest.mark.parametrize("stem", STEMS)
+def test_a_chapter_has_five_to_seven_tasks_in_order(stem):
+    ids = [task.id for task in read_tasks(SOLUTIONS / "tasks" / f"{stem}.py")]
+    assert 5 <= len(ids) <= 7
+    assert ids == [f"E{int(stem[:2])}.{number}" for number in range(1, len(ids) + 1)]
+
+
+@pytest.mark.parametrize("stem", STEMS)
+def test_a_secret_seed_makes_other_cases(stem):
+    public, secret = (make_cases(stem, seed, solutions=SOLUTIONS, variants=1)["tasks"] for seed in ("public", "x"))
+    for task_id, task in public.items():
+        if task["is_function"]:
+            hidden = [case["args"] for case in secret[task_id]["variants"][0]["cases"]]
+            assert any(args not in hidden for args in (case["args"] for case in task["variants"][0]["cases"]))
