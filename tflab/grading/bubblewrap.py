@@ -22,7 +22,9 @@ from .namespaces import LEARNER_HOME, LEARNER_UID
 __all__ = ["command", "start"]
 
 
-def start(order: Mapping[str, Any], wire: socket.socket, limits: Limits, uid: int, environment: Mapping[str, str]) -> int:
+def start(
+    order: Mapping[str, Any], wire: socket.socket, limits: Limits, uid: int, environment: Mapping[str, str]
+) -> int:
     """Start a kernel in bubblewrap; return the process to kill."""
     words = command(order["shown"], order["hidden"], limits, environment, root=os.getuid() == 0)
     inside = {"limits": order["limits"], "uid": uid}
@@ -46,7 +48,18 @@ def command(
         words += ["--unshare-user", "--uid", str(LEARNER_UID), "--gid", str(LEARNER_UID)]
     for path in shown:
         words += ["--symlink", os.readlink(path), path] if os.path.islink(path) else ["--ro-bind", path, path]
-    words += ["--proc", "/proc", "--dev", "/dev", "--perms", "1777", "--size", str(limits.file_bytes), "--tmpfs", "/tmp"]
+    words += [
+        "--proc",
+        "/proc",
+        "--dev",
+        "/dev",
+        "--perms",
+        "1777",
+        "--size",
+        str(limits.file_bytes),
+        "--tmpfs",
+        "/tmp",
+    ]
     words += ["--dir", "/home", "--perms", "1777", "--size", str(limits.file_bytes), "--tmpfs", LEARNER_HOME]
     for path in hidden:
         if any(path.startswith(f"{folder}/") for folder in shown):

@@ -109,6 +109,8 @@ def serve(kernel: Any, wire: socket.socket) -> None:
 
     random.seed(0)  # whatever an answer draws, it draws the same every time
     os.umask(0o022)
+    os.closerange(3, wire.fileno())
+    os.closerange(wire.fileno() + 1, 256)
     shell.serve(kernel, wire)
 
 

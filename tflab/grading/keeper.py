@@ -49,7 +49,9 @@ ENVIRONMENT = {
 }
 
 
-def keep(order: dict[str, Any], wire: socket.socket, leash: socket.socket, serve: Callable[[socket.socket], None]) -> None:
+def keep(
+    order: dict[str, Any], wire: socket.socket, leash: socket.socket, serve: Callable[[socket.socket], None]
+) -> None:
     """Start a kernel as ordered and stay until it has ended; never returns to the caller's work."""
     limits = Limits(**order["limits"])
     uid = FIRST_UID + os.getpid() % UIDS

@@ -104,7 +104,9 @@ class Kernels:
         try:
             for attempt in (1, 2):
                 try:
-                    socket.send_fds(self._server_socket(), [json.dumps(order).encode()], [wire_end.fileno(), leash_end.fileno()])
+                    socket.send_fds(
+                        self._server_socket(), [json.dumps(order).encode()], [wire_end.fileno(), leash_end.fileno()]
+                    )
                     break
                 except OSError:  # it has died, of memory perhaps
                     self._stop_server()

@@ -29,7 +29,14 @@ RDONLY, NOSUID, NODEV, NOEXEC, REMOUNT, BIND, REC, PRIVATE = 1, 2, 4, 8, 32, 409
 DETACH = 2
 PR_SET_DUMPABLE, PR_CAPBSET_DROP, PR_SET_NO_NEW_PRIVS = 4, 24, 38
 # What of a mount may not be loosened when it is bound again: statvfs flag -> mount flag.
-LOCKED = {os.ST_NOSUID: NOSUID, os.ST_NODEV: NODEV, os.ST_NOEXEC: NOEXEC, os.ST_NOATIME: 1024, 2048: 2048, 4096: 1 << 21}
+LOCKED = {
+    os.ST_NOSUID: NOSUID,
+    os.ST_NODEV: NODEV,
+    os.ST_NOEXEC: NOEXEC,
+    os.ST_NOATIME: 1024,
+    2048: 2048,
+    4096: 1 << 21,
+}
 DEVICES = ("null", "zero", "full", "random", "urandom")
 NOT_FOR_READING = ("acpi", "kcore", "keys", "kallsyms", "latency_stats", "sched_debug", "scsi", "timer_list")
 NOT_FOR_WRITING = ("bus", "fs", "irq", "sys", "sysrq-trigger")

@@ -64,7 +64,13 @@ class Sandbox:
 
     def shown(self) -> tuple[str, ...]:
         """Return the folders and files of this machine that a kernel may read: the system and Python, no home."""
-        paths = [*SYSTEM, *(f"/etc/{name}" for name in OF_ETC), sys.base_prefix, sys.prefix, Path(tflab.__file__).parent]
+        paths = [
+            *SYSTEM,
+            *(f"/etc/{name}" for name in OF_ETC),
+            sys.base_prefix,
+            sys.prefix,
+            Path(tflab.__file__).parent,
+        ]
         paths += [path for path in sys.path if path in {*site.getsitepackages(), site.getusersitepackages()}]
         return outermost(Path(path) for path in paths)
 

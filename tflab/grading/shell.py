@@ -50,7 +50,11 @@ def build() -> Any:
             if isinstance(msg_or_type, dict):
                 message = msg_or_type
             else:
-                message = {"msg_type": msg_or_type, "content": content, "parent_header": (parent or {}).get("header", parent)}
+                message = {
+                    "msg_type": msg_or_type,
+                    "content": content,
+                    "parent_header": (parent or {}).get("header", parent),
+                }
             said = what_grading_reads(message)
             if said is not None and self.wire is not None:
                 self.wire.send_bytes(said)
@@ -74,7 +78,10 @@ def build() -> Any:
     config.InteractiveShell.colors = "nocolor"
     config.InteractiveShell.cache_size = 1000
     kernel = Kernel.instance(
-        config=config, session=OneWire(config=config, key=b""), iopub_socket=object(), log=logging.getLogger("tflab.grading")
+        config=config,
+        session=OneWire(config=config, key=b""),
+        iopub_socket=object(),
+        log=logging.getLogger("tflab.grading"),
     )
     kernel.shell.keepkernel_on_exit = True  # a cell with `exit` in it ends nothing
     kernel.shell_channel_thread = SimpleNamespace(parent_thread=threading.main_thread())
@@ -85,7 +92,11 @@ def what_grading_reads(message: dict[str, Any]) -> bytes | None:
     """Return what of a message goes to the grader, as JSON; None if nothing does."""
     kind, content = message.get("msg_type"), message.get("content") or {}
     if kind == "error":
-        content = {"ename": str(content["ename"])[:200], "evalue": str(content["evalue"])[:LONGEST_TEXT], "traceback": []}
+        content = {
+            "ename": str(content["ename"])[:200],
+            "evalue": str(content["evalue"])[:LONGEST_TEXT],
+            "traceback": [],
+        }
     elif kind in ("display_data", "execute_result"):
         data = content.get("data") or {}
         if PROBE_MIME not in data:
@@ -124,7 +135,9 @@ async def _serve(kernel: Any, wire: Wire) -> None:
         if os.getpid() != me:
             os._exit(0)  # a copy that an answer made of the kernel, and forgot to end
         header = parent["header"]
-        wire.send({"channel": "shell", "msg_type": "execute_reply", "parent_header": header, "content": {"status": status}})
+        wire.send(
+            {"channel": "shell", "msg_type": "execute_reply", "parent_header": header, "content": {"status": status}}
+        )
         idle = {"execution_state": "idle"}
         wire.send({"channel": "iopub", "msg_type": "status", "parent_header": header, "content": idle})
 

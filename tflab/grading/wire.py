@@ -41,6 +41,7 @@ class Wire:
         end.setblocking(False)
         self.end = end
         self.longest = longest  # of one frame [bytes]
+        self.taken = 0  # bytes, so far
         self._got = bytearray()
 
     def fileno(self) -> int:
@@ -86,6 +87,7 @@ class Wire:
         if not got:
             raise WireClosed("the other end hung up")
         self._got += got
+        self.taken += len(got)
         return len(got)
 
     def _frame(self) -> dict[str, Any] | None:
