@@ -10,58 +10,149 @@ from pathlib import Path
 import pytest
 
 from tflab.workbook import lab
+from tflab.workbook.places import read_workbook
 
 
 @pytest.fixture
-def started(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> list:
-    """What would have been started."""
+def started(monkeypatch: pytest.MonkeyPatch, tmp_path: Path, handed_out) -> list:
+    """What would have been started, in a folder that holds nothing, with an English locale."""
     calls = []
-    monkeypatch.chdir(tmp_path)  # and back afterwards
+    here = tmp_path / "here"
+    here.mkdir()
+    monkeypatch.chdir(here)  # and back afterwards
+    for name in ("LC_ALL", "LC_MESSAGES"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setenv("LANG", "en_US.UTF-8")
     monkeypatch.setattr(lab, "start_jupyterlab", lambda options: calls.append((options, Path.cwd())))
     return calls
 
 
-def test_without_a_folder_it_opens_the_first_page_that_comes_with_tflab(started: list) -> None:
+def files(folder: Path) -> set[str]:
+    return {p.relative_to(folder).as_posix() for p in folder.rglob("*") if p.is_file() and ".tflab" not in p.parts}
+
+
+def test_without_a_folder_it_makes_a_copy_and_opens_its_first_page(started: list, tmp_path: Path, capsys) -> None:
     assert lab.lab([]) == 0
     options, folder = started[0]
-    assert folder == lab.pages_folder()
-    assert f"--LabApp.default_url=/lab/tree/{lab.FIRST_PAGE}" in options
-    assert (folder / lab.FIRST_PAGE).exists()
+    assert folder == tmp_path / "here" / lab.COPY
+    assert "--LabApp.default_url=/lab/tree/notebooks/en/00_start.ipynb" in options
+    assert files(folder) == {
+        "workbook.json",
+        "notebooks/en/00_start.ipynb",
+        "exercises/en/03_small.ipynb",
+        "exercises/cases/03_small.json",
+    }
+    assert str(folder) in capsys.readouterr().out
 
 
-def test_a_folder_of_ones_own_and_options_for_jupyterlab_are_passed_on(started: list, tmp_path: Path) -> None:
-    assert lab.lab([str(tmp_path), "--", "--no-browser"]) == 0
-    options, folder = started[0]
-    assert folder == tmp_path
-    assert options[-1] == "--no-browser"
-    assert not any("default_url" in word for word in options)
+def test_the_second_time_it_opens_the_same_copy_and_leaves_what_was_written(started: list) -> None:
+    lab.lab([])
+    page = started[0][1] / "notebooks/en/00_start.ipynb"
+    page.write_text("mine")
+    lab.os.chdir(started[0][1].parent)
+    assert lab.lab([]) == 0
+    assert started[1][1] == started[0][1]
+    assert page.read_text() == "mine"
 
 
-def test_a_folder_that_is_not_there_is_said_and_nothing_is_started(started: list, capsys) -> None:
-    assert lab.lab(["/no/such/folder"]) == 2
-    assert "there is no folder /no/such/folder" in capsys.readouterr().err
+def test_inside_a_copy_it_opens_that_copy(started: list) -> None:
+    lab.lab(["mine"])
+    lab.os.chdir(started[0][1] / "exercises" / "en")
+    assert lab.lab([]) == 0
+    assert started[1][1] == started[0][1]
+
+
+@pytest.mark.parametrize(
+    ("environment", "language"),
+    [
+        ({}, "en"),
+        ({"LANG": "ko_KR.UTF-8"}, "ko"),
+        ({"LANG": "C.UTF-8"}, "en"),
+        ({"LC_ALL": "en_GB.UTF-8", "LANG": "ko_KR.UTF-8"}, "en"),
+        ({"LC_ALL": "", "LC_MESSAGES": "ko_KR", "LANG": "en_GB"}, "ko"),
+    ],
+)
+def test_a_new_copy_has_the_language_of_the_locale(environment: dict, language: str) -> None:
+    assert lab.language_of(environment) == language
+
+
+def test_a_second_language_is_added_and_switched_to_and_stays(started: list, capsys) -> None:
+    lab.lab(["mine"])
+    copy = started[0][1]
+    lab.os.chdir(copy.parent)
+    assert lab.lab(["mine", "--lang", "ko"]) == 0
+    assert "--LabApp.default_url=/lab/tree/notebooks/ko/00_start.ipynb" in started[1][0]
+    assert {"notebooks/en/00_start.ipynb", "notebooks/ko/00_start.ipynb"} <= files(copy)
+    assert read_workbook(copy).language == "ko"
+    lab.os.chdir(copy.parent)
+    lab.lab(["mine"])
+    assert "--LabApp.default_url=/lab/tree/notebooks/ko/00_start.ipynb" in started[2][0]
+    assert "내 워크북을 엽니다" in capsys.readouterr().out
+
+
+def test_a_folder_of_something_else_is_left_as_it_is_and_said(started: list, tmp_path: Path, capsys) -> None:
+    other = tmp_path / "thesis"
+    other.mkdir()
+    (other / "chapter.ipynb").write_text("{}")
+    assert lab.lab([str(other)]) == 2
+    said = capsys.readouterr().err
+    assert "nothing was written there" in said
+    assert "--as-is" in said
+    assert files(other) == {"chapter.ipynb"}
     assert started == []
 
 
-def test_installed_from_a_wheel_the_pages_are_those_inside_the_package(monkeypatch, tmp_path: Path) -> None:
-    pages = tmp_path / "tflab" / "_workbook" / "notebooks" / "en"
-    pages.mkdir(parents=True)
-    monkeypatch.setattr(lab, "__file__", str(tmp_path / "tflab" / "workbook" / "lab.py"))
-    assert lab.pages_folder() == pages
+def test_as_is_opens_any_folder_and_passes_options_on_to_jupyterlab(started: list, tmp_path: Path) -> None:
+    other = tmp_path / "thesis"
+    other.mkdir()
+    (other / "chapter.ipynb").write_text("{}")
+    assert lab.lab([str(other), "--as-is", "--", "--no-browser"]) == 0
+    options, folder = started[0]
+    assert folder == other
+    assert options[-1] == "--no-browser"
+    assert not any("default_url" in word for word in options)
+    assert files(other) == {"chapter.ipynb"}
 
 
-def test_pages_out_of_a_wheel_are_copied_and_what_was_written_on_the_copy_stays(tmp_path: Path, monkeypatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    pages = tmp_path / "tflab" / "_workbook" / "notebooks" / "en"
-    pages.mkdir(parents=True)
-    (pages / "a.ipynb").write_text("as it came")
-    copy = lab.own_copy(pages)
-    assert (copy / "a.ipynb").read_text() == "as it came"
-    (copy / "a.ipynb").write_text("mine")
-    (pages / "b.ipynb").write_text("new")
-    assert lab.own_copy(pages) == copy == tmp_path / lab.COPY
-    assert (copy / "a.ipynb").read_text() == "mine"
-    assert (copy / "b.ipynb").read_text() == "new"
+@pytest.mark.parametrize("words", [["/no/such/folder"], ["/no/such/folder", "--as-is"]])
+def test_a_folder_that_is_not_there_is_said_and_nothing_is_started(words: list, started: list, capsys) -> None:
+    assert lab.lab(words) == 2
+    assert "there is no folder /no/such" in capsys.readouterr().err
+    assert started == []
+
+
+def test_a_broken_workbook_json_is_said_and_nothing_is_changed(started: list, capsys) -> None:
+    lab.lab(["mine"])
+    copy = started[0][1]
+    (copy / "workbook.json").write_text('{"tflab": "0.1')
+    lab.os.chdir(copy.parent)
+    assert lab.lab(["mine", "--update"]) == 2
+    assert "workbook.json cannot be read" in capsys.readouterr().err
+    assert (copy / "workbook.json").read_text() == '{"tflab": "0.1'
+    assert len(started) == 1
+
+
+def test_a_copy_of_another_version_opens_as_it_is_and_update_is_offered(started: list, handed_out, capsys) -> None:
+    lab.lab(["mine"])
+    copy = started[0][1]
+    mark = json.loads((copy / "workbook.json").read_text())
+    (copy / "workbook.json").write_text(json.dumps({**mark, "tflab": "0.0.1"}))
+    handed_out.write("notebooks/en/00_start.ipynb", hello="print('new')")
+    lab.os.chdir(copy.parent)
+    capsys.readouterr()
+    assert lab.lab(["mine"]) == 0
+    assert "--update" in capsys.readouterr().out
+    assert "new" not in (copy / "notebooks/en/00_start.ipynb").read_text()
+
+    lab.os.chdir(copy.parent)
+    assert lab.lab(["mine", "--update"]) == 0
+    assert "notebooks/en/00_start.ipynb: replaced by the new version" in capsys.readouterr().out
+    assert "new" in (copy / "notebooks/en/00_start.ipynb").read_text()
+    assert read_workbook(copy).tflab == lab.__version__
+
+    lab.os.chdir(copy.parent)
+    lab.lab(["mine", "--update"])
+    assert "Nothing to bring in" in capsys.readouterr().out
 
 
 def test_jupyterlab_understands_the_options_that_keep_it_quiet() -> None:
@@ -74,15 +165,3 @@ def test_jupyterlab_understands_the_options_that_keep_it_quiet() -> None:
         [sys.executable, "-c", probe, *lab.QUIET_OPTIONS], capture_output=True, text=True, check=True
     )
     assert json.loads(answer.stdout) == [None, "NeverCheckForUpdate", "readonly"]
-
-
-def test_every_cell_of_the_first_page_runs(tmp_path: Path) -> None:
-    nbclient = pytest.importorskip("nbclient", reason="no nbclient: pip install 'tflab[dev]'")
-    import nbformat
-
-    page = nbformat.read(lab.pages_folder() / lab.FIRST_PAGE, 4)
-    nbclient.NotebookClient(page, timeout=60, resources={"metadata": {"path": str(tmp_path)}}).execute()
-    outputs = {cell.id: cell.outputs for cell in page.cells if cell.cell_type == "code"}
-    assert outputs["load"][0].text == "tflab: in-process ROS 2 (jazzy), virtual time, message fields checked.\n"
-    assert "At time 2.950000000\n- Translation: [0.396, 0.940, 0.150]" in "".join(o.text for o in outputs["echo"])
-    assert "application/vnd.jupyter.widget-view+json" in outputs["rviz"][0].data

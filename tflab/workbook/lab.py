@@ -1,23 +1,30 @@
-"""How is the workbook opened?  `tflab lab [DIR]`: a JupyterLab that talks to nobody but the browser.
+"""How is the workbook opened?  `tflab lab [DIR]`: a copy of your own, in a JupyterLab that talks to nobody else.
 
-    tflab lab          the pages that come with tflab (installed: a copy of them, in ./tflab_workbook)
-    tflab lab DIR      a folder of yours
-    tflab lab -- ...   what stands after -- goes to JupyterLab itself: --no-browser, --port 9000
+    tflab lab                 your copy in ./tflab_workbook, made the first time, opened every time
+    tflab lab DIR --lang ko   another place, another language
+    tflab lab --update        brings in new material; what you wrote stays
+    tflab lab DIR --as-is     any folder of notebooks; nothing is written there
+    tflab lab -- ...          what stands after -- goes to JupyterLab itself: --no-browser, --port 9000
 
 JupyterLab would look for news, for updates and for extensions on the network;
-here it does none of that.
+here it does none of that.  Read `course.py` next.
 """
 
 from __future__ import annotations
 
 import argparse
 import os
-import shutil
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-__all__ = ["FIRST_PAGE", "QUIET_OPTIONS", "lab", "own_copy", "pages_folder"]
+from tflab import __version__
+
+from .learner import Change, has_language, lay_out, update
+from .places import MARK, WorkbookError, read_workbook
+from .words import LANGUAGES, Words
+
+__all__ = ["COPY", "FIRST_PAGE", "QUIET_OPTIONS", "lab", "language_of"]
 
 QUIET_OPTIONS = (
     "--LabApp.news_url=None",
@@ -27,43 +34,75 @@ QUIET_OPTIONS = (
 FIRST_PAGE = "00_start.ipynb"
 COPY = "tflab_workbook"
 
-
-def pages_folder() -> Path:
-    """Return the folder of the pages that come with tflab: the wheel's, or in an editable install the repository's."""
-    package = Path(__file__).resolve().parents[1]
-    in_the_wheel = package / "_workbook"
-    root = in_the_wheel if in_the_wheel.is_dir() else package.parent
-    return root / "notebooks" / "en"
-
-
-def own_copy(pages: Path) -> Path:
-    """Return where to work on the pages: the repository's as they are, a wheel's in a copy below this folder.
-
-    What is already in the copy is never touched: it may have been written on.
-    """
-    if "_workbook" not in pages.parts:
-        return pages
-    copy = Path.cwd() / COPY
-    for page in sorted(pages.glob("*.ipynb")):
-        if not (copy / page.name).exists():
-            copy.mkdir(exist_ok=True)
-            shutil.copyfile(page, copy / page.name)
-    return copy
+MADE = Words(
+    en="tflab lab: your own copy of the workbook is in {folder}.",
+    ko="tflab lab: 내 워크북을 {folder}에 만들었습니다.",
+)
+OPENED = Words(
+    en="tflab lab: opening your copy in {folder}.",
+    ko="tflab lab: {folder}에 있는 내 워크북을 엽니다.",
+)
+OTHER_VERSION = Words(
+    en="This copy was made by tflab {theirs}; you have tflab {ours}. It opens as it is.\n"
+    "To bring in what is new: tflab lab {folder} --update (what you wrote stays).",
+    ko="이 워크북은 tflab {theirs}로 만들었고, 지금 설치된 것은 tflab {ours}입니다. 일단 그대로 엽니다.\n"
+    "새 내용을 받으려면 tflab lab {folder} --update를 실행하세요. 직접 쓰신 내용은 그대로 남습니다.",
+)
+UP_TO_DATE = Words(
+    en="Nothing to bring in: everything is as in tflab {version}.",
+    ko="받을 내용이 없습니다. 모두 tflab {version}과 같습니다.",
+)
+CHANGES = {
+    "new": Words(en="new", ko="새 파일"),
+    "replaced": Words(
+        en="replaced by the new version; nothing in it was yours", ko="새 버전으로 바꿈(직접 쓰신 내용 없음)"
+    ),
+    "merged": Words(
+        en="new version, with {kept} of your cells kept", ko="새 버전으로 바꾸고 직접 쓰신 셀 {kept}개를 남김"
+    ),
+    "kept": Words(
+        en="yours is no notebook that tflab can read; it stays, and the new one is beside it",
+        ko="읽을 수 없는 노트북이라 그대로 두고, 새 버전을 옆에 따로 저장함",
+    ),
+}
+BESIDE = Words(
+    en='; {beside} changed on both sides, look for "New in tflab"',
+    ko=". {beside}개는 양쪽에서 바뀌었으니 “바뀐 내용입니다”를 찾아보세요",
+)
+BACKUP = Words(
+    en="What was there before is in {folder}.",
+    ko="바뀌기 전의 파일은 {folder}에 있습니다.",
+)
 
 
 def lab(words: Sequence[str]) -> int:
-    """Open JupyterLab on a folder; return when it has ended."""
+    """Open JupyterLab on a copy of the workbook, or on any folder as it is; return when it has ended."""
     words, own_options = _split(words)
-    parser = argparse.ArgumentParser(prog="tflab lab", description="Open the workbook in JupyterLab, offline.")
-    parser.add_argument("folder", nargs="?", metavar="DIR", help="a folder of yours, instead of tflab's pages")
-    folder = Path(parser.parse_args(words).folder or own_copy(pages_folder())).resolve()
-    if not folder.is_dir():
-        print(f"tflab lab: there is no folder {folder}", file=sys.stderr)
-        return 2
-    first_page = [f"--LabApp.default_url=/lab/tree/{FIRST_PAGE}"] if (folder / FIRST_PAGE).exists() else []
+    options = _parser().parse_args(words)
+    if options.as_is:
+        folder = Path(options.folder or ".").resolve()
+        if not folder.is_dir():
+            return _refuse(f"there is no folder {folder}")
+        pages = [FIRST_PAGE]
+    else:
+        folder = _folder(options.folder).resolve()
+        try:
+            language = _prepare(folder, options.lang, options.update)
+        except (WorkbookError, OSError) as error:
+            return _refuse(f"{error}")
+        pages = [f"notebooks/{language}/{FIRST_PAGE}"]
+    first_page = [f"--LabApp.default_url=/lab/tree/{page}" for page in pages if (folder / page).exists()]
     os.chdir(folder)
     start_jupyterlab([*QUIET_OPTIONS, *first_page, *own_options])
     return 0
+
+
+def language_of(environment: Mapping[str, str]) -> str:
+    """Return "ko" where the locale is Korean, else "en"."""
+    for name in ("LC_ALL", "LC_MESSAGES", "LANG"):
+        if environment.get(name):
+            return "ko" if environment[name].lower().startswith("ko") else "en"
+    return "en"
 
 
 def start_jupyterlab(options: Sequence[str]) -> None:
@@ -71,6 +110,70 @@ def start_jupyterlab(options: Sequence[str]) -> None:
     from jupyterlab.labapp import main
 
     main(list(options))
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(prog="tflab lab", description="Open your copy of the workbook, offline.")
+    parser.add_argument(
+        "folder", nargs="?", metavar="DIR", help=f"where your copy is, or will be; ./{COPY} if left out"
+    )
+    parser.add_argument("--lang", choices=LANGUAGES, help="of the pages; that of the locale for a new copy")
+    parser.add_argument("--update", action="store_true", help="bring in new material; what you wrote stays")
+    parser.add_argument("--as-is", action="store_true", help="open DIR as any folder of notebooks, and write nothing")
+    return parser
+
+
+def _folder(named: str | None) -> Path:
+    """Return the copy to open: the named one, the one that we are in, or the one below this folder."""
+    if named:
+        return Path(named)
+    here = Path.cwd()
+    return next((folder for folder in (here, *here.parents) if (folder / MARK).is_file()), here / COPY)
+
+
+def _prepare(folder: Path, language: str | None, bring_in: bool) -> str:
+    """Make or open the copy, say so, and return its language."""
+    if not folder.parent.is_dir():
+        raise WorkbookError(f"there is no folder {folder.parent} to put a copy into")
+    if (folder / MARK).is_file():
+        return _open(folder, language, bring_in)
+    language = language or language_of(os.environ)
+    try:
+        lay_out(folder, language)
+    except WorkbookError as error:
+        raise WorkbookError(f'{error}\nTo open it as it is: tflab lab "{folder}" --as-is') from None
+    print(MADE.say(language, folder=folder))
+    return language
+
+
+def _open(folder: Path, language: str | None, bring_in: bool) -> str:
+    found = read_workbook(folder)
+    language = language or found.language
+    print(OPENED.say(language, folder=folder))
+    if found.tflab == __version__ or bring_in or language != found.language:
+        lay_out(folder, language)  # what is missing
+    if bring_in:
+        _tell(update(folder), folder, language)
+    elif found.tflab != __version__:
+        print(OTHER_VERSION.say(language, theirs=found.tflab, ours=__version__, folder=folder))
+    return language if has_language(folder, language) else found.language
+
+
+def _tell(changes: Sequence[Change], folder: Path, language: str) -> None:
+    if not changes:
+        print(UP_TO_DATE.say(language, version=__version__))
+        return
+    for change in changes:
+        said = CHANGES[change.what].say(language, kept=change.kept)
+        print(f"  {change.path}: {said}{BESIDE.say(language, beside=change.beside) if change.beside else ''}")
+    backups = sorted((folder / ".tflab" / "backups").glob("*"), key=lambda path: path.name.zfill(9))
+    if backups and any(change.what in ("replaced", "merged") for change in changes):
+        print(BACKUP.say(language, folder=backups[-1]))
+
+
+def _refuse(reason: str) -> int:
+    print(f"tflab lab: {reason}", file=sys.stderr)
+    return 2
 
 
 def _split(words: Sequence[str]) -> tuple[list[str], list[str]]:

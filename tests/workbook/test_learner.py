@@ -1,0 +1,176 @@
+"""A learner's copy: laid out once, brought up to date around what was written, and never written over."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from tflab.workbook.learner import Change, lay_out, update
+from tflab.workbook.places import Workbook, WorkbookError, read_workbook, workbook_data, workbook_root
+
+from .conftest import HandedOut
+
+PAGE = "exercises/en/03_small.ipynb"
+
+
+def cells(path: Path) -> dict[str, str]:
+    return {cell["id"]: "".join(cell["source"]) for cell in json.loads(path.read_text())["cells"]}
+
+
+def write_into(path: Path, name: str, source: str) -> None:
+    page = json.loads(path.read_text())
+    next(cell for cell in page["cells"] if cell["id"] == name)["source"] = source
+    path.write_text(json.dumps(page))
+
+
+def test_a_copy_knows_its_edition_language_and_learner(handed_out: HandedOut, tmp_path: Path) -> None:
+    copy = lay_out(tmp_path / "copy", "ko", edition="class", learner="s17", cases={})
+    assert read_workbook(copy) == Workbook(edition="class", language="ko", learner="s17")
+    assert workbook_root(copy / "notebooks" / "ko") == copy
+    assert workbook_root(tmp_path) == workbook_data() == handed_out.root
+
+
+def test_a_class_copy_has_the_exercises_that_it_is_given_cases_for_and_those_cases(
+    handed_out: HandedOut, tmp_path: Path
+) -> None:
+    handed_out.write("exercises/en/09_other.ipynb", title="# E9")
+    copy = lay_out(tmp_path / "copy", "en", edition="class", cases={"03_small": {"chapter": "03_small", "mine": 1}})
+    assert [path.name for path in (copy / "exercises/en").iterdir()] == ["03_small.ipynb"]
+    assert json.loads((copy / "exercises/cases/03_small.json").read_text())["mine"] == 1
+    assert not (copy / "solutions").exists()
+
+
+def test_solutions_are_laid_out_only_if_asked_for(handed_out: HandedOut, tmp_path: Path) -> None:
+    assert not (lay_out(tmp_path / "one", "en") / "solutions").exists()
+    assert (lay_out(tmp_path / "two", "en", with_solutions=True) / "solutions/en/03_small.ipynb").exists()
+
+
+def test_what_was_deleted_comes_back_and_what_was_written_stays(handed_out: HandedOut, tmp_path: Path) -> None:
+    copy = lay_out(tmp_path / "copy", "en")
+    (copy / "notebooks/en/00_start.ipynb").unlink()
+    (copy / PAGE).write_text("mine")
+    lay_out(copy, "en")
+    assert (copy / "notebooks/en/00_start.ipynb").exists()
+    assert (copy / PAGE).read_text() == "mine"
+
+
+def test_a_folder_with_something_else_in_it_is_refused(handed_out: HandedOut, tmp_path: Path) -> None:
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "mine" / "letter.txt").write_text("dear")
+    with pytest.raises(WorkbookError, match="not a copy of the workbook, and nothing was written"):
+        lay_out(tmp_path / "mine", "en")
+    (tmp_path / "hidden").mkdir()
+    (tmp_path / "hidden" / ".DS_Store").write_text("")
+    assert lay_out(tmp_path / "hidden", "en").is_dir()
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["", "[]", '{"tflab": "1", "edition": "class"}', '{"tflab":"1","edition":"x","language":"en","learner":null}'],
+)
+def test_a_workbook_json_that_is_broken_is_said_and_kept(text: str, handed_out: HandedOut, tmp_path: Path) -> None:
+    copy = lay_out(tmp_path / "copy", "en")
+    (copy / "workbook.json").write_text(text)
+    for attempt in (lambda: read_workbook(copy), lambda: update(copy), lambda: lay_out(copy, "ko")):
+        with pytest.raises(WorkbookError, match="Nothing was changed"):
+            attempt()
+    assert (copy / "workbook.json").read_text() == text
+
+
+def test_an_answer_stays_where_the_page_around_it_is_new(handed_out: HandedOut, tmp_path: Path) -> None:
+    copy = lay_out(tmp_path / "copy", "en")
+    write_into(copy / PAGE, "answer", "x = 42")
+    handed_out.write(PAGE, title="# E3, better", answer="x = ...", more="print(x)", check="check('E3.1', x)")
+    assert update(copy) == [Change(PAGE, "merged", kept=1)]
+    assert cells(copy / PAGE) == {
+        "title": "# E3, better",
+        "answer": "x = 42",
+        "more": "print(x)",
+        "check": "check('E3.1', x)",
+    }
+    assert cells(copy / ".tflab/backups/1" / PAGE)["title"] == "# E3"
+
+
+def test_a_cell_that_both_changed_stays_and_has_the_new_one_beside_it_once(
+    handed_out: HandedOut, tmp_path: Path
+) -> None:
+    copy = lay_out(tmp_path / "copy", "en")
+    write_into(copy / PAGE, "answer", "x = 42")
+    handed_out.write(PAGE, title="# E3", answer="y = ...", check="check('E3.1', y)")
+    assert update(copy) == [Change(PAGE, "merged", kept=1, beside=1)]
+    now = list(cells(copy / PAGE).items())
+    assert now[1] == ("answer", "x = 42")
+    assert now[2][1].endswith("```python\ny = ...\n```")
+    assert update(copy) == []
+    assert list(cells(copy / PAGE).items()) == now
+
+
+def test_cells_of_ones_own_stay_behind_the_cell_that_they_stood_behind(handed_out: HandedOut, tmp_path: Path) -> None:
+    copy = lay_out(tmp_path / "copy", "en")
+    page = json.loads((copy / PAGE).read_text())
+    for place, name in ((2, "own-2"), (2, "own-1"), (0, "own-0")):
+        page["cells"].insert(place, {"cell_type": "code", "id": name, "metadata": {}, "source": name, "outputs": []})
+    (copy / PAGE).write_text(json.dumps(page))
+    handed_out.write(PAGE, first="# first", title="# E3, better", answer="x = ...", check="check('E3.1', x)")
+    update(copy)
+    assert list(cells(copy / PAGE)) == ["own-0", "first", "title", "answer", "own-1", "own-2", "check"]
+
+
+def test_a_cell_that_is_no_longer_part_goes_unless_it_was_written_in(handed_out: HandedOut, tmp_path: Path) -> None:
+    copy = lay_out(tmp_path / "copy", "en")
+    write_into(copy / PAGE, "check", "check('E3.1', x)  # mine")
+    handed_out.write(PAGE, answer="x = ...")
+    update(copy)
+    assert cells(copy / PAGE) == {"answer": "x = ...", "check": "check('E3.1', x)  # mine"}
+
+
+def test_two_cells_with_one_id_are_both_kept(handed_out: HandedOut, tmp_path: Path) -> None:
+    copy = lay_out(tmp_path / "copy", "en")
+    page = json.loads((copy / PAGE).read_text())
+    page["cells"].insert(2, {**page["cells"][1], "source": "x = 'the copy'"})
+    (copy / PAGE).write_text(json.dumps(page))
+    handed_out.write(PAGE, title="# E3, better", answer="x = ...", check="check('E3.1', x)")
+    update(copy)
+    assert "x = 'the copy'" in cells(copy / PAGE).values()
+
+
+def test_outputs_of_an_exercise_stay_where_its_cell_is_the_same(handed_out: HandedOut, tmp_path: Path) -> None:
+    copy = lay_out(tmp_path / "copy", "en")
+    page = json.loads((copy / PAGE).read_text())
+    page["cells"][2]["outputs"] = [{"output_type": "stream", "name": "stdout", "text": "E3.1 ✓ 6/6\n"}]
+    (copy / PAGE).write_text(json.dumps(page))
+    handed_out.write(PAGE, title="# E3, better", answer="x = ...", check="check('E3.1', x)")
+    assert update(copy) == [Change(PAGE, "replaced")]
+    assert "E3.1 ✓ 6/6" in (copy / PAGE).read_text()
+
+
+def test_a_page_that_is_no_notebook_any_more_stays_and_the_new_one_is_put_beside(
+    handed_out: HandedOut, tmp_path: Path
+) -> None:
+    copy = lay_out(tmp_path / "copy", "en")
+    (copy / PAGE).write_text("half a noteb")
+    handed_out.write(PAGE, title="# E3, better")
+    assert update(copy) == [Change(PAGE, "kept")]
+    assert (copy / PAGE).read_text() == "half a noteb"
+    assert len(list((copy / PAGE).parent.glob("03_small.new-*.ipynb"))) == 1
+
+
+def test_without_the_pages_as_they_were_handed_out_answers_stay(handed_out: HandedOut, tmp_path: Path) -> None:
+    import shutil
+
+    copy = lay_out(tmp_path / "copy", "en")
+    write_into(copy / PAGE, "answer", "x = 42")
+    shutil.rmtree(copy / ".tflab")
+    handed_out.write(PAGE, title="# E3, better", answer="x = ...", check="check('E3.1', x)")
+    update(copy)
+    assert cells(copy / PAGE)["answer"] == "x = 42"
+
+
+def test_what_an_instructor_handed_out_is_not_updated(handed_out: HandedOut, tmp_path: Path) -> None:
+    copy = lay_out(tmp_path / "copy", "en", edition="class", cases={"03_small": {"chapter": "03_small"}})
+    handed_out.write(PAGE, title="# E3, better")
+    handed_out.write("notebooks/en/00_start.ipynb", title="# Start, better")
+    assert [change.path for change in update(copy)] == ["notebooks/en/00_start.ipynb"]
+    assert cells(copy / PAGE)["title"] == "# E3"

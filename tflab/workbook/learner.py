@@ -1,0 +1,189 @@
+"""How does a learner get a copy of their own, and how does it stay theirs?
+
+    lay_out(folder, "en")    writes what is not there yet, and nothing else
+    update(folder)           brings in new material around what the learner wrote (see `merge.py`)
+
+    .tflab/pristine/...      each file as it was handed out: what tells the learner's hand from ours
+    .tflab/backups/1/...     each file as it was before an update
+
+`tflab lab` and `tflab release` make copies with the same function.  Read `merge.py` next.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path, PurePosixPath
+
+from tflab import __version__
+
+from .merge import Merged, merge_notebooks
+from .places import MARK, Workbook, WorkbookError, read_workbook, workbook_data, write_workbook
+from .whole_files import locked, write_whole
+
+__all__ = ["Change", "has_language", "is_free", "lay_out", "material", "update"]
+
+HIDDEN = Path(".tflab")
+PRISTINE = HIDDEN / "pristine"
+BACKUPS = HIDDEN / "backups"
+
+
+@dataclass(frozen=True)
+class Change:
+    """What an update did to one file.
+
+    Attributes:
+        path: of the file, from the copy's folder on.
+        what: "new", "replaced", "merged", or "kept" where the learner's file cannot be read as a notebook.
+        kept: how many cells of the learner's stand in it as they were.
+        beside: how many cells changed on both sides, and have the new version beside them.
+    """
+
+    path: str
+    what: str
+    kept: int = 0
+    beside: int = 0
+
+
+def lay_out(
+    target: Path,
+    language: str,
+    *,
+    edition: str = "self-study",
+    learner: str | None = None,
+    cases: Mapping[str, dict] | None = None,
+    with_solutions: bool = False,
+) -> Path:
+    """Write a copy of the workbook into `target`, or add to one what it lacks; nothing there is overwritten.
+
+    Args:
+        edition: "self-study", or "class", whose tasks come from an instructor.
+        learner: an id, which picks variants.
+        cases: the chapters with exercises, each with what `check` asks; tflab's own if left out.
+
+    Raises:
+        WorkbookError: the folder holds something else, or its `workbook.json` cannot be read.
+    """
+    target = Path(target)
+    if not (target / MARK).is_file() and not is_free(target):
+        raise WorkbookError(
+            f"{target} holds files that are not a copy of the workbook, and nothing was written there.\n"
+            "Name a new or an empty folder for the copy."
+        )
+    workbook = Workbook(__version__, edition, language, learner)
+    if (target / MARK).is_file():
+        workbook = replace(read_workbook(target), language=language)
+    files = dict(material(language, edition=workbook.edition, cases=cases, with_solutions=with_solutions))
+    target.mkdir(parents=True, exist_ok=True)
+    with locked(target):
+        write_workbook(target, workbook)  # first, so that a copy that was cut short is known for one
+        for name, content in files.items():
+            if not (target / name).exists():
+                write_whole(target / name, content)
+                write_whole(target / PRISTINE / name, content)
+    return target
+
+
+def update(root: Path) -> list[Change]:
+    """Bring a copy's material up to this version, around what the learner wrote; return what changed.
+
+    What an instructor handed out (the exercises of a class edition) stays as it is.
+
+    Raises:
+        WorkbookError: its `workbook.json` cannot be read.
+    """
+    root = Path(root)
+    workbook = read_workbook(root)
+    changes = []
+    with locked(root):
+        backup = _next_backup(root)
+        for language in [language for language in ("en", "ko") if has_language(root, language)]:
+            for name, content in material(language, edition=workbook.edition, with_solutions=_has_solutions(root)):
+                change = _update_file(root, name, content, backup, workbook.language)
+                if change is not None:
+                    changes.append(change)
+        write_workbook(root, replace(workbook, tflab=__version__))
+    return changes
+
+
+def material(
+    language: str,
+    *,
+    edition: str = "self-study",
+    cases: Mapping[str, dict] | None = None,
+    with_solutions: bool = False,
+) -> Iterator[tuple[str, bytes]]:
+    """Yield each file of a fresh copy: its path from the copy's folder on, and what is in it.
+
+    A class edition without `cases` has pages only: its exercises are the instructor's.
+    """
+    data = workbook_data()
+    folders = [Path("notebooks", language)]
+    if edition != "class" or cases is not None:
+        folders += [Path("exercises", language), Path("exercises", "cases")]
+    if with_solutions:
+        folders.append(Path("solutions", language))
+    for folder in folders:
+        for path in sorted((data / folder).glob("*.json" if folder.name == "cases" else "*.ipynb")):
+            if cases is None or folder.parts[0] == "notebooks":
+                yield PurePosixPath(folder, path.name).as_posix(), path.read_bytes()
+            elif path.stem in cases:
+                given = folder.name == "cases"
+                content = _json(cases[path.stem]) if given else path.read_bytes()
+                yield PurePosixPath(folder, path.name).as_posix(), content
+
+
+def is_free(folder: Path) -> bool:
+    """Return whether a copy may be laid out in a folder: it is not there yet, or holds nothing but hidden files."""
+    if not folder.exists():
+        return True
+    return folder.is_dir() and all(path.name.startswith(".") for path in folder.iterdir())
+
+
+def has_language(root: Path, language: str) -> bool:
+    """Return whether a copy has pages in a language."""
+    return any((root / "notebooks" / language).glob("*.ipynb"))
+
+
+def _update_file(root: Path, name: str, content: bytes, backup: Path, language: str) -> Change | None:
+    """Bring one file up to date; None if nothing had to change."""
+    path, pristine = root / name, root / PRISTINE / name
+    if not path.exists():
+        write_whole(path, content)
+        write_whole(pristine, content)
+        return Change(name, "new")
+    mine = path.read_bytes()
+    base = pristine.read_bytes() if pristine.exists() else None
+    if mine == content or base == content:  # the same already, or nothing new
+        if base != content:
+            write_whole(pristine, content)
+        return None
+    merged: Merged | None = Merged(content)
+    if mine != base and path.suffix == ".ipynb":
+        merged = merge_notebooks(base, mine, content, language=language, version=__version__)
+    if merged is None:
+        beside = path.with_name(f"{path.stem}.new-{__version__}.ipynb")
+        write_whole(beside, content)
+    elif merged.content != mine:
+        write_whole(root / backup / name, mine)
+        write_whole(path, merged.content)
+    write_whole(pristine, content)
+    if merged is None:
+        return Change(name, "kept")
+    return Change(name, "merged" if merged.kept or merged.beside else "replaced", merged.kept, merged.beside)
+
+
+def _next_backup(root: Path) -> Path:
+    number = 1
+    while (root / BACKUPS / str(number)).exists():
+        number += 1
+    return BACKUPS / str(number)
+
+
+def _has_solutions(root: Path) -> bool:
+    return any(root.glob("solutions/*/*.ipynb"))
+
+
+def _json(cases: dict) -> bytes:
+    return (json.dumps(cases, indent=1, ensure_ascii=False, sort_keys=True) + "\n").encode()
