@@ -1,0 +1,1470 @@
+# %% [markdown] lang="en" name="title" slide="slide"
+# # 09 · Four ways to not get an answer
+#
+# 60 minutes · builds on 03 (target and source) and 08 (the buffer, and measurement time)
+#
+# When you have worked through this page, you can
+#
+# - tell tf2's exceptions apart by meaning, and say what to look at first for each,
+# - read an extrapolation text: which moment was asked for, which edge stopped the walk, how far outside it was,
+# - tell data that is late from a clock that is wrong,
+# - wait without stopping the very thread that would bring the answer,
+# - write down a policy: how long to wait, how many to keep, how old is too old to move a robot.
+
+# %% [markdown] lang="ko" name="title" slide="slide"
+# # 09 · 답을 얻지 못하는 네 가지 길
+#
+# 60분 · 03장(타깃과 소스)과 08장(버퍼와 측정 시각)에 이어집니다
+#
+# 이 장을 마치면 다음을 할 수 있습니다.
+#
+# - tf2의 예외를 의미로 구분하고, 각각 무엇부터 확인할지 말합니다.
+# - 외삽 오류문을 읽습니다. 어느 시각을 물었고, 어느 연결에서 막혔으며, 얼마나 벗어났는지 찾아냅니다.
+# - 데이터가 늦은 것인지 시계가 틀린 것인지 가려냅니다.
+# - 답을 가져올 바로 그 스레드를 멈추지 않으면서 기다립니다.
+# - 얼마나 기다릴지, 몇 개까지 쌓아 둘지, 얼마나 오래된 데이터부터 로봇을 움직이는 데 쓰지 않을지 정책을 세웁니다.
+
+# %% [markdown] lang="en" name="title-notes" slide="notes"
+# Ask who has ever cured a TF warning by raising a timeout. Most hands go up.
+# Keep that question open; it is answered in the second half, and most of those hands will want to come down.
+
+# %% [markdown] lang="ko" name="title-notes" slide="notes"
+# TF 경고를 timeout을 늘려서 없애 본 적이 있는지 물어보십시오. 대부분 손을 듭니다.
+# 그 질문은 그대로 두십시오. 답은 후반부에 나오고, 그때는 손을 내리고 싶어질 것입니다.
+
+# %% [markdown] lang="en" name="what-you-need" slide="-"
+# ## What you need from chapters that are not here yet
+#
+# The chapters between 03 and 08 are still being written. This much of them is used here.
+#
+# - **The tree (04).** Every frame has at most one parent. A frame without a parent is a root. Two frames are connected if the way up from both ends at the same root.
+# - **The usual chain (05).** `map → odom → base_footprint → base_link → laser_frame`. A localiser publishes `map → odom`, the wheels' odometry publishes `odom → base_footprint`. So every lookup from `map` to a sensor needs news from *two* nodes.
+# - **Static and dynamic (06).** What is bolted on is sent once on `/tf_static` and is good for any time. What moves is sent again and again on `/tf`, each time with a stamp.
+# - **A node (any ROS 2 introduction).** A node has *callbacks*: functions that run when a message comes or a timer rings. An *executor* calls them. `rclpy.spin(node)` is an executor with one thread: one callback at a time.
+
+# %% [markdown] lang="ko" name="what-you-need" slide="-"
+# ## 아직 나오지 않은 장에서 필요한 내용
+#
+# 03장과 08장 사이는 아직 집필 중입니다. 이 장에서는 거기서 다음 내용만 가져다 씁니다.
+#
+# - **트리(04).** 모든 좌표계는 부모를 최대 하나 가집니다. 부모가 없는 좌표계가 루트입니다. 두 좌표계에서 위로 올라가 같은 루트에 닿으면 서로 연결된 것입니다.
+# - **흔히 쓰는 체인(05).** `map → odom → base_footprint → base_link → laser_frame`. `map → odom`은 위치 추정 노드가, `odom → base_footprint`는 바퀴 오도메트리가 발행합니다. 따라서 `map`에서 센서까지 조회하려면 *두* 노드의 소식이 모두 필요합니다.
+# - **정적과 동적(06).** 볼트로 고정된 것은 `/tf_static`으로 한 번만 보내며 어느 시각에나 유효합니다. 움직이는 것은 `/tf`로 계속 보내고, 보낼 때마다 시각을 붙입니다.
+# - **노드(ROS 2 입문).** 노드에는 메시지가 오거나 타이머가 울릴 때 실행되는 *콜백*이 있습니다. 콜백을 부르는 것은 *실행기(executor)*입니다. `rclpy.spin(node)`는 스레드가 하나인 실행기라서 콜백을 한 번에 하나만 실행합니다.
+
+# %% name="load"
+# %load_ext tflab
+
+# %% name="imports"
+from collections import deque
+
+import rclpy
+from geometry_msgs.msg import PointStamped
+from rclpy.duration import Duration
+from rclpy.executors import MultiThreadedExecutor
+from rclpy.node import Node
+from rclpy.qos import qos_profile_sensor_data
+from rclpy.time import Time
+from sensor_msgs.msg import LaserScan
+from tf2_ros import Buffer, ConnectivityException, ExtrapolationException
+from tf2_ros import LookupException, TransformException, TransformListener
+
+# %% [markdown] lang="en" name="helpers-why" slide="skip"
+# Those were ROS 2's own modules. The next ones are this workbook's: robots to watch, and pictures.
+
+# %% [markdown] lang="ko" name="helpers-why" slide="skip"
+# 위는 ROS 2의 모듈입니다. 아래는 이 워크북의 모듈로, 관찰할 로봇과 그림을 제공합니다.
+
+# %% name="helpers"
+import numpy as np
+
+from tflab.core import StampedTransform, Transform, seconds
+from tflab.robots.motion import Drive
+from tflab.robots.nodes import launch
+from tflab.robots.teaching import TeachingRobot
+from tflab.robots.world import ROOM
+from tflab.ros import new_graph
+from tflab.tools.buffers import draw_history
+
+# %% [markdown] lang="en" name="pictures-why" slide="skip"
+# And these draw.
+
+# %% [markdown] lang="ko" name="pictures-why" slide="skip"
+# 아래는 그림을 그리는 모듈입니다.
+
+# %% name="pictures"
+from tflab.views.ages import Curve, draw_ages
+from tflab.views.journey import Journey, draw_journeys
+from tflab.views.panels import timeline_panel
+from tflab.views.placed import draw_placed
+from tflab.views.scene import Scene
+from tflab.views.scene_helpers import draw_frame, draw_path, draw_scan
+from tflab.views.work import Work, draw_work
+
+# %% [markdown] lang="en" name="story" slide="slide"
+# ## 43 milliseconds into the future
+#
+# A small robot, a fresh install, the first drive.
+# It moved in jerks, and RViz filled its log with one sentence: *extrapolation into the future*.
+# RViz had asked for a moment 43 ms later than the newest transform it had (ROBOTIS-GIT/turtlebot3 #618).
+# Nothing was broken. There were two computers, and each had a clock.
+#
+# Others had the same sentence in their logs, set a timeout of one second, and the warnings went away (stella_vslam_ros #21, perception_pcl #416).
+# For some of them that was the cure. For others it was a plaster over a wound.
+# **How can you tell which?** That is what this chapter is about.
+#
+# Here is how two clocks look from the outside. The three scans are stamped and sent by the robot's clock, and received by the desktop's. (The numbers are ours.)
+
+# %% [markdown] lang="ko" name="story" slide="slide"
+# ## 43밀리초 뒤의 미래
+#
+# 작은 로봇에 막 소프트웨어를 설치하고 처음 주행하는 날이었습니다.
+# 로봇은 뚝뚝 끊기며 움직였고, RViz 로그는 한 문장으로 가득 찼습니다. *extrapolation into the future.*
+# RViz는 자신이 가진 최신 변환보다 43 ms 뒤의 시각을 묻고 있었습니다(ROBOTIS-GIT/turtlebot3 #618).
+# 고장 난 것은 없었습니다. 컴퓨터가 두 대였고, 시계도 두 개였을 뿐입니다.
+#
+# 같은 문장을 본 다른 사람들은 timeout을 1초로 늘렸고, 경고는 사라졌습니다(stella_vslam_ros #21, perception_pcl #416).
+# 누군가에게는 그것이 치료였고, 누군가에게는 상처 위에 붙인 반창고였습니다.
+# **어느 쪽인지 어떻게 알 수 있을까요?** 그것이 이 장의 주제입니다.
+#
+# 두 시계가 어긋나면 밖에서는 이렇게 보입니다. 세 스캔의 측정과 송신은 로봇의 시계로, 수신은 데스크톱의 시계로 적었습니다. (숫자는 예시입니다.)
+
+# %% name="story-picture" slide="-"
+draw_journeys([
+    Journey('scan 1', seconds(10.000), seconds(10.105), seconds(10.062)),
+    Journey('scan 2', seconds(10.100), seconds(10.205), seconds(10.163)),
+    Journey('scan 3', seconds(10.200), seconds(10.305), seconds(10.261)),
+])
+
+# %% [markdown] lang="en" name="story-read" slide="fragment"
+# A message cannot arrive before it leaves.
+# If it seems to, you are not looking at a network. You are looking at two clocks.
+
+# %% [markdown] lang="ko" name="story-read" slide="fragment"
+# 메시지는 떠나기 전에 도착할 수 없습니다.
+# 그렇게 보인다면 지금 보고 있는 것은 네트워크가 아니라 두 개의 시계입니다.
+
+# %% [markdown] lang="en" name="story-notes" slide="notes"
+# Let somebody read the picture aloud, row by row: stamped, sent, received.
+# Wait for the moment when they stop and say: that cannot be.
+
+# %% [markdown] lang="ko" name="story-notes" slide="notes"
+# 한 사람에게 그림을 한 줄씩 소리 내어 읽게 하십시오. 측정, 송신, 수신 순서입니다.
+# 읽다가 멈추고 "이럴 수는 없는데요"라고 말하는 순간을 기다리십시오.
+
+# %% [markdown] lang="en" name="predict-windows" slide="slide"
+# ## Predict: which question gets an answer?
+#
+# This [[buffer]] holds the chain from `map` to `laser_frame`.
+# `map → odom` comes twice a second, and its last sample is from 14.0 s.
+# `odom → base_footprint` comes five times a second; the odometry node was started late, at 11.0 s, and its last sample is from 14.6 s.
+# The other two edges are bolted on.
+
+# %% [markdown] lang="ko" name="predict-windows" slide="slide"
+# ## 예측: 어느 질문에 답이 나올까요?
+#
+# 이 [[buffer|버퍼(Buffer)]]에는 `map`에서 `laser_frame`까지의 체인이 들어 있습니다.
+# `map → odom`은 1초에 두 번 오고, 마지막 샘플은 14.0 s의 것입니다.
+# `odom → base_footprint`는 1초에 다섯 번 옵니다. 오도메트리 노드가 11.0 s에 늦게 켜졌고, 마지막 샘플은 14.6 s의 것입니다.
+# 나머지 두 연결은 볼트로 고정되어 있습니다.
+
+# %% name="four-edges" slide="-"
+buffer = Buffer()
+store = buffer.core.set_transform  # the engine inside tf2_ros.Buffer
+for i in range(9):
+    odom = StampedTransform('map', 'odom', seconds(10.0 + 0.5 * i), Transform((0.1, 0.0, 0.0)))
+    store(odom, 'localization')
+for i in range(19):
+    base = StampedTransform('odom', 'base_footprint', seconds(11.0 + 0.2 * i), Transform((0.1 * i, 0.0, 0.0)))
+    store(base, 'wheel_odometry')
+for parent, child, step in (
+    ('base_footprint', 'base_link', (0.0, 0.0, 0.05)), ('base_link', 'laser_frame', (0.20, 0.0, 0.15)),
+):  # fmt: skip
+    store(StampedTransform(parent, child, 0, Transform(step)), 'urdf', is_static=True)
+
+# %% name="windows" slide="-"
+draw_history(buffer, 'map', 'laser_frame', seconds(12.3))
+
+# %% [markdown] lang="en" name="predict-question" slide="fragment"
+# At 12.3 s there is an answer, and it even lies between two samples.
+#
+# **Write down before you go on.** Somebody asks for `map ← laser_frame` at **14.3 s**, and then at **10.6 s**.
+# For each: an answer or an exception? Which exception? Because of which edge?
+#
+# <details><summary>A hint, if you need one</summary>
+#
+# The lanes do not end together. A walk needs every lane at the same moment.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="predict-question" slide="fragment"
+# 12.3 s에는 답이 있습니다. 그것도 두 샘플 사이에 있는 시각입니다.
+#
+# **넘어가기 전에 적어 보십시오.** 누군가 `map ← laser_frame`을 **14.3 s**에, 그리고 **10.6 s**에 묻습니다.
+# 각각 답이 나올까요, 예외가 나올까요? 어떤 예외일까요? 어느 연결 때문일까요?
+#
+# <details><summary>힌트가 필요하면 여십시오</summary>
+#
+# 레인들은 같은 시각에 끝나지 않습니다. 경로를 따라가려면 같은 시각에 모든 레인이 있어야 합니다.
+#
+# </details>
+
+# %% name="ask-three" slide="subslide"
+for second in (12.3, 14.3, 10.6):
+    try:
+        buffer.lookup_transform('map', 'laser_frame', Time(seconds=second))
+        print(f'{second}: an answer')
+    except TransformException as error:
+        print(f'{second}: {type(error).__name__}\n      {error}')
+
+# %% [markdown] lang="en" name="compare-three" slide="-"
+# Compare with what you wrote.
+#
+# Both are an [[extrapolation exception|ExtrapolationException]]: the path is there, but not for that moment, and tf2 never guesses beyond its samples.
+# At 14.3 s it was `map → odom` that ended too early: the *localiser*, although the odometry had news until 14.6 s.
+# At 10.6 s it was `odom → base_footprint` that began too late.
+#
+# Now look at the text again. It names `laser_frame` and `map`. It names neither `odom` nor `base_footprint`.
+# **The text names the two ends of the question. It does not name the edge that failed.**
+# On a robot, people read "laser_frame", and replace the laser's cable.
+
+# %% [markdown] lang="ko" name="compare-three" slide="-"
+# 적어 둔 것과 비교해 보십시오.
+#
+# 둘 다 [[extrapolation exception|ExtrapolationException(시간 외삽 예외)]]입니다. 경로는 있지만 그 시각의 값이 없고, tf2는 샘플 바깥을 절대 추측하지 않습니다.
+# 14.3 s에서는 `map → odom`이 너무 일찍 끝났습니다. 오도메트리에는 14.6 s까지 소식이 있었으니, 막은 것은 *위치 추정 노드*입니다.
+# 10.6 s에서는 `odom → base_footprint`가 너무 늦게 시작했습니다.
+#
+# 이제 오류문을 다시 보십시오. `laser_frame`과 `map`은 있지만 `odom`도 `base_footprint`도 없습니다.
+# **오류문은 질문의 양 끝을 말할 뿐, 실패한 연결을 말하지 않습니다.**
+# 그래서 현장에서는 "laser_frame"을 읽고 라이다 케이블부터 바꿉니다.
+
+# %% [markdown] lang="en" name="compare-three-notes" slide="notes"
+# Ask who blamed the odometry for 14.3 s. That is the common guess: it is the one that moves.
+# The window of a chain ends where its laziest publisher ends.
+
+# %% [markdown] lang="ko" name="compare-three-notes" slide="notes"
+# 14.3 s에서 오도메트리를 탓한 사람이 있는지 물어보십시오. 움직이는 것이 오도메트리라서 흔히 그렇게 추측합니다.
+# 체인의 구간은 가장 게으른 발행자가 끝나는 곳에서 끝납니다.
+
+# %% [markdown] lang="en" name="family" slide="slide"
+# ## The idea in a sentence: three questions, always in this order
+#
+# tf2 asks itself three questions about your question, and the first "no" becomes the exception.
+#
+# | tf2 asks | "no" is called | what it means | look first at |
+# | --- | --- | --- | --- |
+# | Is this a question at all? | [[invalid argument exception|InvalidArgumentException]] | a frame name is empty, or begins with `/` | the line that asks, `header.frame_id` |
+# | Have I heard of both **names**? | [[lookup exception|LookupException]] | a name is unknown to this buffer | spelling; is its publisher running? |
+# | Is there a **path**? | [[connectivity exception|ConnectivityException]] | both names are known, in separate trees | `view_frames`: two roots |
+# | Is there a value for that **moment**? | [[extrapolation exception|ExtrapolationException]] | there is a path, but one edge on it has no data then | stamps and clocks |
+#
+# All of them are a [[transform exception|TransformException]], which is their common base class.
+# Name, path, moment: if you can say which of the three is missing, you are half done.
+
+# %% [markdown] lang="ko" name="family" slide="slide"
+# ## 한 문장으로: 늘 같은 순서의 세 질문
+#
+# tf2는 여러분의 질문을 두고 스스로 세 가지를 묻습니다. 처음 나온 "아니요"가 예외가 됩니다.
+#
+# | tf2가 스스로 묻는 것 | "아니요"의 이름 | 의미 | 먼저 볼 곳 |
+# | --- | --- | --- | --- |
+# | 질문이 말이 됩니까? | [[invalid argument exception|InvalidArgumentException(인수 예외)]] | 좌표계 이름이 비었거나 `/`로 시작합니다 | 질문하는 코드, `header.frame_id` |
+# | 두 **이름**을 들어 본 적이 있습니까? | [[lookup exception|LookupException(프레임 조회 예외)]] | 이 버퍼가 모르는 이름입니다 | 철자, 발행 노드가 켜져 있는지 |
+# | **경로**가 있습니까? | [[connectivity exception|ConnectivityException(연결 예외)]] | 두 이름은 알지만 서로 다른 트리에 있습니다 | `view_frames`: 루트가 둘 |
+# | 그 **시각**의 값이 있습니까? | [[extrapolation exception|ExtrapolationException(시간 외삽 예외)]] | 경로는 있지만 그중 한 연결에 그때의 값이 없습니다 | 시각(stamp)과 시계 |
+#
+# 이들의 공통 부모 클래스가 [[transform exception|TransformException]]입니다.
+# 이름, 경로, 시각. 셋 중 무엇이 빠졌는지 말할 수 있으면 절반은 끝난 것입니다.
+
+# %% [markdown] lang="en" name="numbers" slide="subslide"
+# ### The same in numbers
+#
+# How far outside was it? In tflab an extrapolation carries the numbers beside the text, and the edge that stopped the walk.
+# On a robot you get only the text, so you take the numbers from there, and the edge from `view_frames` or `tf2_monitor`.
+
+# %% [markdown] lang="ko" name="numbers" slide="subslide"
+# ### 숫자로
+#
+# 얼마나 벗어났을까요? tflab의 외삽 예외에는 오류문 외에 숫자와, 경로가 막힌 연결이 함께 들어 있습니다.
+# 실제 로봇에서는 오류문만 나오므로 숫자는 오류문에서, 연결은 `view_frames`나 `tf2_monitor`에서 찾습니다.
+
+# %% name="which-edge" slide="-"
+for second in (14.3, 10.6):
+    try:
+        buffer.lookup_transform('map', 'laser_frame', Time(seconds=second))
+    except ExtrapolationException as error:
+        outside_ms = abs(error.requested_ns - error.bound_ns) / 1e6  # tflab only, as are the next two
+        print(f'{second} s: {error.parent} -> {error.frame}, {error.direction}, {outside_ms:.0f} ms outside')
+
+# %% [markdown] lang="en" name="worked" slide="slide"
+# ## A worked example: reading one line
+#
+# ```text
+# Lookup would require extrapolation into the future.  Requested time 14.300000 but the latest data is at
+# time 14.000000, when looking up transform from frame [laser_frame] to frame [map]
+# ```
+#
+# 1. **Which kind?** "into the future": the moment asked for is newer than something.
+# 2. **Whose moment?** "Requested time 14.300000" is the stamp that the *asker* brought: usually `header.stamp` of a message.
+# 3. **How far outside?** 14.3 − 14.0 = 0.3 s.
+# 4. **Which data, wanted where?** "from frame [laser_frame] to frame [map]": data expressed in `laser_frame`, wanted in `map`. That is the sentence of chapter 03, and neither name is accused.
+# 5. **Which edge?** The one on the way whose *newest* sample is from 14.000000. Look for that number: `map → odom`.
+#
+# Five questions, one line. With a little practice it takes ten seconds.
+
+# %% [markdown] lang="ko" name="worked" slide="slide"
+# ## 예제: 오류문 한 줄 읽기
+#
+# ```text
+# Lookup would require extrapolation into the future.  Requested time 14.300000 but the latest data is at
+# time 14.000000, when looking up transform from frame [laser_frame] to frame [map]
+# ```
+#
+# 1. **어떤 종류입니까?** "into the future": 물어본 시각이 무언가보다 새롭습니다.
+# 2. **누구의 시각입니까?** "Requested time 14.300000"은 *질문한 쪽*이 가져온 시각입니다. 대개 메시지의 `header.stamp`입니다.
+# 3. **얼마나 벗어났습니까?** 14.3 − 14.0 = 0.3 s입니다.
+# 4. **어떤 데이터를 어디에서 보려 합니까?** "from frame [laser_frame] to frame [map]": `laser_frame`으로 표현된 데이터를 `map`에서 보려 합니다. 03장의 그 문장이며, 어느 이름도 범인으로 지목된 것이 아닙니다.
+# 5. **어느 연결입니까?** 경로 위에서 *최신* 샘플이 14.000000인 연결입니다. 그 숫자를 찾으면 `map → odom`입니다.
+#
+# 한 줄에 다섯 질문입니다. 조금만 연습하면 10초면 됩니다.
+
+# %% [markdown] lang="en" name="faded" slide="subslide"
+# ## Your turn, with two blanks
+#
+# Here is the other line. Fill in the two blanks, and run the cell.
+
+# %% [markdown] lang="ko" name="faded" slide="subslide"
+# ## 두 칸을 채워 보십시오
+#
+# 이번에는 다른 줄입니다. 두 칸을 채우고 셀을 실행하십시오.
+
+# %% name="two-blanks" slide="-"
+# ... into the past.  Requested time 10.600000 but the earliest data is at time 11.000000,
+# when looking up transform from frame [laser_frame] to frame [map]
+outside_s = ...  # how far outside [s]
+stopped_at = ...  # the child frame of the edge that begins at that time, as a str
+
+if ... in (outside_s, stopped_at):
+    print('two blanks to fill')
+else:
+    print('how far:', 'yes' if abs(outside_s - 0.4) < 1e-6 else 'not yet: requested and earliest, subtracted')
+    print('where:', 'yes' if stopped_at == 'base_footprint' else 'not yet: which lane begins at 11.0?')
+
+# %% [markdown] lang="en" name="slider" slide="slide"
+# ## Drag the query out of the buffer
+#
+# Move the query past either end, slowly. Watch three things: where it begins to fail, which number in the text stays the same, and what LATEST means.
+
+# %% [markdown] lang="ko" name="slider" slide="slide"
+# ## 질문을 버퍼 밖으로 끌어 보십시오
+#
+# 질문 시각을 양쪽 끝 너머로 천천히 옮겨 보십시오. 세 가지를 보십시오. 어디서부터 실패하는지, 오류문에서 변하지 않는 숫자는 무엇인지, LATEST는 무엇을 뜻하는지입니다.
+
+# %% name="slider-panel" tags=["interactive"] slide="-"
+lanes = draw_history(buffer, 'map', 'laser_frame').timeline.lanes
+timeline_panel('map', 'laser_frame', lanes, buffer.core.lookup_transform)
+
+# %% name="slider-still" slide="-"
+draw_history(buffer, 'map', 'laser_frame', seconds(14.3))
+
+# %% [markdown] lang="en" name="try-edge" slide="-"
+# ### Try it
+#
+# Ask for exactly 14.0 s, and then for one nanosecond more. The boundary is sharp: there is no "about".
+
+# %% [markdown] lang="ko" name="try-edge" slide="-"
+# ### 해 보기
+#
+# 정확히 14.0 s를 묻고, 이어서 1나노초 뒤를 물어보십시오. 경계는 칼같습니다. "대략"은 없습니다.
+
+# %% name="one-nanosecond" slide="-"
+for stamp_ns in (14_000_000_000, 14_000_000_001):
+    answered = buffer.can_transform('map', 'laser_frame', Time(nanoseconds=stamp_ns))
+    print(stamp_ns, 'an answer' if answered else 'no answer')
+
+# %% [markdown] lang="en" name="break-it" slide="slide"
+# ## Break it, one by one
+#
+# Now meet each "no" on purpose, while nothing is at stake. The red texts are those of a robot, to the letter.
+#
+# ### A name that nobody has said
+
+# %% [markdown] lang="ko" name="break-it" slide="slide"
+# ## 하나씩 일부러 망가뜨리기
+#
+# 잃을 것이 없는 지금, "아니요"를 하나씩 일부러 만나 봅시다. 빨간 글은 실제 로봇의 것과 글자까지 같습니다.
+#
+# ### 아무도 말한 적 없는 이름
+
+# %% name="break-lookup" tags=["raises-exception"] slide="-"
+buffer.lookup_transform('map', 'laser_fame', Time())
+
+# %% [markdown] lang="en" name="lookup-read" slide="-"
+# It says which argument, and which name. Read the name letter by letter, as the buffer does. (We wanted fame, and got a typo.)
+#
+# The same exception comes in the first second after every start: the name is right, and its publisher has not spoken yet.
+# So a [[lookup exception|LookupException]] is a typo *or* a question that came too early.
+#
+# ### A name that you never typed
+
+# %% [markdown] lang="ko" name="lookup-read" slide="-"
+# 어느 인수의 어느 이름인지 알려 줍니다. 버퍼가 그러듯이 이름을 한 글자씩 읽으십시오. (frame에서 r이 빠지면 fame, 명성이 됩니다.)
+#
+# 노드를 켠 뒤 처음 1초 동안에도 같은 예외가 나옵니다. 이름은 맞지만 발행자가 아직 말을 꺼내지 않은 것입니다.
+# 그래서 [[lookup exception|LookupException(프레임 조회 예외)]]은 오타*이거나* 너무 이른 질문입니다.
+#
+# ### 한 번도 입력한 적 없는 이름
+
+# %% name="break-header" tags=["raises-exception"] slide="-"
+import tf2_geometry_msgs
+
+corner = PointStamped()
+corner.header.frame_id = 'Laser_frame'  # some driver wrote this, far away
+corner.header.stamp = Time(seconds=12.3).to_msg()
+buffer.transform(corner, 'map')
+
+# %% [markdown] lang="en" name="header-read" slide="-"
+# You typed `map` only. The other name came with the message: `transform()` takes source and stamp from its header.
+# **An exception may name a frame that you never asked about, because something asked for you**: a header, RViz's Fixed Frame, a costmap's parameter.
+# Names are compared letter by letter, so `Laser_frame` is nobody.
+#
+# ### A typo in the middle of the tree
+#
+# Somebody mounts a camera, and writes `base_lnk`.
+
+# %% [markdown] lang="ko" name="header-read" slide="-"
+# 여러분이 입력한 것은 `map`뿐입니다. 다른 이름은 메시지를 타고 왔습니다. `transform()`은 소스와 시각을 헤더에서 가져옵니다.
+# **묻지 않은 좌표계가 예외에 나온다면, 무언가가 대신 물은 것입니다.** 메시지 헤더, RViz의 Fixed Frame, 코스트맵 매개변수가 그렇습니다.
+# 이름은 글자 단위로 비교하므로 `Laser_frame`은 아무도 아닙니다.
+#
+# ### 트리 한가운데의 오타
+#
+# 누군가 카메라를 달면서 `base_lnk`라고 적었습니다.
+
+# %% name="break-connectivity" tags=["raises-exception"] slide="-"
+store(StampedTransform('base_lnk', 'camera_link', 0, Transform((0.10, 0.0, 0.30))), 'camera', is_static=True)
+buffer.lookup_transform('map', 'camera_link', Time())
+
+# %% [markdown] lang="en" name="connectivity-read" slide="-"
+# Both names are known, and they are spelt right. The text does not contain the typo at all.
+# So do not stare at the names in a [[connectivity exception|ConnectivityException]]: look at the **roots**. There are two, and one of them has a funny name.
+
+# %% [markdown] lang="ko" name="connectivity-read" slide="-"
+# 두 이름 모두 알려져 있고 철자도 맞습니다. 오류문 어디에도 오타가 없습니다.
+# 그러니 [[connectivity exception|ConnectivityException(연결 예외)]]에서는 이름을 노려보지 말고 **루트**를 보십시오. 루트가 둘이고, 그중 하나의 이름이 이상합니다.
+
+# %% name="two-roots" slide="-"
+print(buffer.core.snapshot().roots)
+
+# %% [markdown] lang="en" name="one-sample" slide="subslide"
+# ### One sample is not enough
+#
+# An [[extrapolation exception|ExtrapolationException]] has three texts. You know "future" and "past". Here is the third: an edge that has been heard exactly once.
+# It comes after a restart, for a joint that was published once, or for a static edge that went to `/tf` by mistake.
+
+# %% [markdown] lang="ko" name="one-sample" slide="subslide"
+# ### 샘플 하나로는 모자랍니다
+#
+# [[extrapolation exception|ExtrapolationException(시간 외삽 예외)]]의 오류문은 세 가지입니다. "future"와 "past"는 이미 보았습니다. 세 번째는 지금까지 딱 한 번 들은 연결에서 나옵니다.
+# 재시작 직후이거나, 관절 값을 한 번만 발행했거나, 정적 연결을 실수로 `/tf`에 보냈을 때 나옵니다.
+
+# %% name="break-one-sample" tags=["raises-exception"] slide="-"
+store(StampedTransform('base_link', 'tool0', seconds(12.0), Transform((0.3, 0.0, 0.4))), 'arm')
+buffer.lookup_transform('base_link', 'tool0', Time(seconds=12.3))
+
+# %% [markdown] lang="en" name="statics" slide="-"
+# And `base_link → laser_frame`, whose stamp is 0? It answers for any time. **An old stamp on a static edge is not a fault**, and people have hunted it for days.
+#
+# ### A question that is none
+
+# %% [markdown] lang="ko" name="statics" slide="-"
+# 그렇다면 시각이 0인 `base_link → laser_frame`은 어떨까요? 어느 시각에나 답합니다. **정적 연결의 오래된 시각은 결함이 아닙니다.** 그것을 며칠씩 쫓은 사람도 있습니다.
+#
+# ### 질문이 아닌 질문
+
+# %% name="break-argument" tags=["raises-exception"] slide="-"
+buffer.lookup_transform('/map', 'laser_frame', Time())
+
+# %% [markdown] lang="en" name="argument-read" slide="-"
+# ROS 1 wrote `/map`. ROS 2 writes `map`. An empty `header.frame_id` ends here as well.
+# This one is not about the robot's state: it fails today, tomorrow and with any timeout. Fix the line.
+
+# %% [markdown] lang="ko" name="argument-read" slide="-"
+# ROS 1에서는 `/map`, ROS 2에서는 `map`이라고 씁니다. 비어 있는 `header.frame_id`도 여기서 걸립니다.
+# 이 예외는 로봇의 상태와 상관이 없습니다. 오늘도 내일도, timeout을 얼마로 해도 실패합니다. 코드를 고치십시오.
+
+# %% [markdown] lang="en" name="order" slide="subslide"
+# ### Predict: two faults at once
+#
+# `camera_link` hangs in a tree of its own (the typo is still there). Now ask for `camera_link ← odom` at 99 s, long after the newest sample.
+# No path *and* no data. Which exception do you expect?
+
+# %% [markdown] lang="ko" name="order" slide="subslide"
+# ### 예측: 두 결함이 한꺼번에
+#
+# `camera_link`는 여전히 별도의 트리에 매달려 있습니다(오타가 그대로 있습니다). 이제 최신 샘플보다 한참 뒤인 99 s에 `camera_link ← odom`을 묻습니다.
+# 경로도 *없고* 데이터도 없습니다. 어떤 예외가 나올까요?
+
+# %% name="two-faults" slide="-"
+for when in (Time(seconds=99), Time()):
+    try:
+        buffer.lookup_transform('camera_link', 'odom', when)
+    except TransformException as error:
+        print(f'{when.nanoseconds / 1e9:.0f} s: {type(error).__name__}\n      {error}')
+
+# %% [markdown] lang="en" name="order-read" slide="-"
+# The table was a little too tidy. tf2 checks the names first, but path and moment are checked **while walking**:
+# it climbs from the source, meets `map → odom`, which has nothing for 99 s, and remembers that. Only then does it notice that the other side ends elsewhere.
+# The time fault, found first, is the one it reports.
+#
+# So when an extrapolation puzzles you, ask once more with `Time()`, the latest. If *that* says "not part of the same tree", you have been chasing the wrong fault.
+
+# %% [markdown] lang="ko" name="order-read" slide="-"
+# 앞의 표는 조금 지나치게 깔끔했습니다. tf2는 이름을 먼저 확인하지만, 경로와 시각은 **걸어가면서** 확인합니다.
+# 소스에서 올라가다 99 s의 값이 없는 `map → odom`을 만나 그 사실을 기억해 둡니다. 반대쪽이 다른 곳에서 끝난다는 것은 그다음에야 알게 됩니다.
+# 그래서 먼저 찾은 시각 문제를 보고합니다.
+#
+# 외삽 예외가 이해되지 않으면 최신을 뜻하는 `Time()`으로 한 번 더 물어보십시오. *그때* "not part of the same tree"가 나오면 엉뚱한 결함을 쫓고 있던 것입니다.
+
+# %% [markdown] lang="en" name="order-notes" slide="notes"
+# This is the one subtle point of the first half. If time is short, say only the last sentence: ask once more with Time().
+
+# %% [markdown] lang="ko" name="order-notes" slide="notes"
+# 전반부에서 유일하게 까다로운 대목입니다. 시간이 없으면 마지막 문장만 말하십시오. Time()으로 한 번 더 묻습니다.
+
+# %% [markdown] lang="en" name="handler" slide="slide"
+# ## Four exceptions, four actions
+#
+# An exception is not a log line. It is a decision: a different kind of "no" wants a different action.
+
+# %% [markdown] lang="ko" name="handler" slide="slide"
+# ## 네 가지 예외, 네 가지 행동
+#
+# 예외는 로그 한 줄이 아니라 결정입니다. "아니요"의 종류가 다르면 할 일도 다릅니다.
+
+# %% name="handler-code" slide="-"
+def answer_or_advice(target, source, stamp):
+    try:
+        buffer.lookup_transform(target, source, stamp)
+        return 'use it'
+    except LookupException:
+        return 'check the name, and whether its publisher runs'
+    except ConnectivityException:
+        return 'check the tree: an edge is missing'
+    except ExtrapolationException as error:  # Python has one class; the direction is in the text
+        return 'wait a little' if 'into the future' in str(error) else 'drop this message'
+    except TransformException:  # the base class comes last
+        return 'fix the question'
+
+# %% name="handler-run" slide="-"
+for target, source, second in (
+    ('map', 'laser_frame', 12.3), ('map', 'laser_fame', 12.3), ('map', 'camera_link', 12.3),
+    ('map', 'laser_frame', 14.3), ('map', 'laser_frame', 10.6), ('/map', 'laser_frame', 12.3),
+):  # fmt: skip
+    advice = answer_or_advice(target, source, Time(seconds=second))
+    print(f'{target:>5} <- {source:<12} at {second}: {advice}')
+
+# %% [markdown] lang="en" name="handler-traps" slide="-"
+# Wait a moment: `map ← camera_link` has *no path*, and it was asked at 12.3 s, where there is data. So here the path is what is reported. Good.
+#
+# Two traps:
+#
+# - **The base class first.** Put `except TransformException` at the top, and the others are never reached. Python takes the first branch that fits.
+# - **Not everything is a `TransformException`.** Forget `import tf2_geometry_msgs`, and `transform()` raises a `TypeException`, which walks past every branch above (chapter 08). That is right: it is a fault of the program, not of the robot.
+
+# %% [markdown] lang="ko" name="handler-traps" slide="-"
+# 잠깐, `map ← camera_link`는 *경로가 없고*, 데이터가 있는 12.3 s에 물었습니다. 그래서 이번에는 경로 문제가 보고됩니다. 좋습니다.
+#
+# 함정이 두 가지 있습니다.
+#
+# - **부모 클래스를 먼저 쓰는 것.** `except TransformException`을 맨 위에 두면 나머지에는 영영 도달하지 못합니다. Python은 맞는 첫 분기를 택합니다.
+# - **모두가 `TransformException`은 아닙니다.** `import tf2_geometry_msgs`를 빠뜨리면 `transform()`은 `TypeException`을 일으키고, 이것은 위의 모든 분기를 지나쳐 갑니다(08장). 그것이 맞습니다. 로봇이 아니라 프로그램의 결함이기 때문입니다.
+
+# %% [markdown] lang="en" name="future-past" slide="slide"
+# ## Future and past: what is behind them
+#
+# | | asked for a moment … | ordinary causes | causes that no waiting cures |
+# | --- | --- | --- | --- |
+# | **future** | newer than the newest sample | the transform is on its way; its publisher is slow (10 Hz means up to 100 ms) | the sensor's clock is fast; the publisher's clock is slow; the publisher has died |
+# | **past** | older than the oldest sample | the message comes from before the start of TF; processing took longer than the cache remembers | the sensor's clock is slow; a bag's old stamps against today's TF |
+#
+# For the past, waiting is useless by definition: old data does not come back.
+# For the future, waiting *may* help. The rest of this page is about that "may".
+
+# %% [markdown] lang="ko" name="future-past" slide="slide"
+# ## 미래와 과거: 그 뒤에 있는 원인
+#
+# | | 물어본 시각이 … | 흔한 원인 | 기다려도 낫지 않는 원인 |
+# | --- | --- | --- | --- |
+# | **미래** | 최신 샘플보다 새롭습니다 | 변환이 오는 중입니다. 발행이 느립니다(10 Hz면 최대 100 ms) | 센서 시계가 빠릅니다. 발행자 시계가 느립니다. 발행자가 죽었습니다 |
+# | **과거** | 가장 오래된 샘플보다 오래됐습니다 | TF가 시작되기 전의 메시지입니다. 처리 시간이 버퍼의 기억보다 깁니다 | 센서 시계가 느립니다. 백의 옛 시각을 오늘의 TF에 물었습니다 |
+#
+# 과거라면 기다림은 정의상 소용이 없습니다. 지나간 데이터는 돌아오지 않습니다.
+# 미래라면 기다림이 도움이 될 *수도* 있습니다. 이 장의 나머지는 그 "수도"에 관한 이야기입니다.
+
+# %% [markdown] lang="en" name="late-or-wrong" slide="slide"
+# ## Late, or wrong?
+#
+# Two robots. On robot A, the Wi-Fi hiccups at 3 s, and every transform takes 0.2 to 0.4 s to arrive. On robot B, at 3 s the laser's computer sets its clock 0.3 s too fast.
+#
+# The node below watches one number: the **gap**, which is the stamp of a scan minus the newest moment that TF can answer.
+# A positive gap is an extrapolation into the future.
+
+# %% [markdown] lang="ko" name="late-or-wrong" slide="slide"
+# ## 늦은 것일까요, 틀린 것일까요?
+#
+# 로봇이 두 대 있습니다. 로봇 A에서는 3 s에 Wi-Fi가 딸꾹질을 해서 변환이 도착하는 데 0.2~0.4 s가 걸립니다. 로봇 B에서는 3 s에 라이다 컴퓨터의 시계가 0.3 s 빠르게 맞춰집니다.
+#
+# 아래 노드는 숫자 하나를 지켜봅니다. **간격(gap)**, 곧 스캔의 시각에서 TF가 답할 수 있는 최신 시각을 뺀 값입니다.
+# 간격이 양수이면 미래 외삽입니다.
+
+# %% name="gap-node" slide="-"
+class GapWatcher(Node):
+    def __init__(self):
+        super().__init__('gap_watcher')
+        self.buffer = Buffer()
+        self.listener = TransformListener(self.buffer, self)
+        self.times, self.gaps = [], []
+        self.create_subscription(LaserScan, 'scan', self.on_scan, qos_profile_sensor_data)
+
+    def on_scan(self, scan):
+        stamp = Time.from_msg(scan.header.stamp)
+        newest = self.buffer.get_latest_common_time('map', scan.header.frame_id)
+        self.times.append(self.get_clock().now().nanoseconds / 1e9)
+        self.gaps.append((stamp.nanoseconds - newest.nanoseconds) / 1e9)
+
+# %% name="watch" slide="-"
+def watch(node_class, executor_class=None):
+    rclpy.init()
+    nodes.append(node_class())
+    rclpy.spin(nodes[-1], executor=executor_class() if executor_class else None)
+
+
+nodes = []  # so that we can look at them from outside
+
+# %% name="robot-a" slide="-"
+graph = new_graph()  # a fresh robot; its clock stands at 1 s
+launch(graph)
+graph.start(watch, GapWatcher)
+graph.run(seconds=2)
+graph.disturb('/tf', delay=0.2, jitter=0.2, seed=1)  # the Wi-Fi hiccups ...
+graph.run(seconds=1.5)
+graph.disturb('/tf')  # ... and recovers
+graph.run(seconds=2.5)
+
+# %% name="robot-b" slide="-"
+graph = new_graph()
+launch(graph)
+graph.start(watch, GapWatcher)
+graph.run(seconds=2)
+graph.set_clock_offset('laser_driver', 0.3)  # somebody "sets the clock"
+graph.run(seconds=4)
+
+# %% [markdown] lang="en" name="first-second" slide="subslide"
+# Here are both, but only up to one second after the trouble began.
+#
+# **Predict.** Your node waits at most 0.1 s. Which of the two robots gets better by itself? Could you tell, if this was all you had?
+
+# %% [markdown] lang="ko" name="first-second" slide="subslide"
+# 두 로봇을 나란히 그렸습니다. 다만 문제가 생긴 뒤 1초까지만입니다.
+#
+# **예측해 보십시오.** 여러분의 노드는 최대 0.1 s를 기다립니다. 둘 중 어느 로봇이 저절로 나아질까요? 이 그림만 가지고 알 수 있을까요?
+
+# %% name="two-gaps-first" slide="-"
+def gap_curve(name, node, until_s):
+    seen = [(time, gap) for time, gap in zip(node.times, node.gaps) if time <= until_s]
+    return Curve(name, *zip(*seen))
+
+
+robot_a, robot_b = nodes
+draw_ages([gap_curve('robot A', robot_a, 4.0), gap_curve('robot B', robot_b, 4.0)], 'gap', limit_s=0.1)
+
+# %% [markdown] lang="en" name="whole-story" slide="fragment"
+# For a second they look alike: both ask about 0.3 s ahead of what TF knows. Now the whole story.
+
+# %% [markdown] lang="ko" name="whole-story" slide="fragment"
+# 처음 1초 동안은 똑같아 보입니다. 둘 다 TF가 아는 것보다 약 0.3 s 앞을 묻습니다. 이제 전체를 봅시다.
+
+# %% name="two-gaps" slide="-"
+draw_ages([gap_curve('robot A', robot_a, 7.0), gap_curve('robot B', robot_b, 7.0)], 'gap', limit_s=0.1)
+
+# %% [markdown] lang="en" name="two-gaps-read" slide="-"
+# A comes back. B never does: a clock that is wrong stays wrong, and each new scan brings the same gap along.
+#
+# - **Lateness passes, and it trembles** (look at A's wobble). Waiting bridges it.
+# - **A [[clock offset]] stays, and it is smooth.** Waiting does not shrink it.
+#
+# But you need not wait and see. One tool tells them apart at once. `ros2 topic delay` prints *when I heard it* minus *the stamp in it*. This is robot B, still running:
+
+# %% [markdown] lang="ko" name="two-gaps-read" slide="-"
+# A는 돌아옵니다. B는 끝내 돌아오지 않습니다. 틀린 시계는 계속 틀리고, 새 스캔마다 같은 간격을 달고 옵니다.
+#
+# - **늦음은 지나가고, 떨립니다**(A의 흔들림을 보십시오). 기다리면 건널 수 있습니다.
+# - **[[clock offset|시계 오프셋(clock offset)]]은 머무르고, 매끈합니다.** 기다려도 줄지 않습니다.
+#
+# 하지만 두고 볼 필요도 없습니다. 도구 하나로 바로 가려집니다. `ros2 topic delay`는 *내가 들은 시각*에서 *그 안에 적힌 시각*을 뺀 값을 보여 줍니다. 아직 달리고 있는 로봇 B입니다.
+
+# %% name="delay-scan" slide="-"
+# %ros2 --for 1.5 topic delay /scan
+
+# %% [markdown] lang="en" name="delay-read" slide="-"
+# A negative delay: the scan was heard 0.195 s *before it was measured*. Messages cannot do that; clocks can.
+# (A healthy laser here would show +0.105 s: a sweep takes a tenth of a second, so 0.105 − 0.3 = −0.195.)
+#
+# What about the transforms? `/tf` has no header of its own, and the tool would say so: *msg does not have header*. But the odometry node also sends `/odom`, stamped by the same clock.
+
+# %% [markdown] lang="ko" name="delay-read" slide="-"
+# 지연이 음수입니다. 스캔을 *측정하기도 전에* 0.195 s 먼저 들었습니다. 메시지는 그럴 수 없지만 시계는 그럴 수 있습니다.
+# (건강한 라이다라면 +0.105 s가 나옵니다. 한 바퀴 도는 데 0.1 s가 걸리므로 0.105 − 0.3 = −0.195입니다.)
+#
+# 변환 쪽은 어떨까요? `/tf`에는 자체 헤더가 없어서 도구가 *msg does not have header*라고 답합니다. 하지만 오도메트리 노드는 같은 시계로 시각을 찍은 `/odom`도 보냅니다.
+
+# %% name="delay-tf" slide="-"
+# %ros2 --for 1.5 topic delay /odom
+
+# %% [markdown] lang="en" name="delay-odom-read" slide="-"
+# 0.004 s: the transform's side is prompt, and by the same clock as ours. So it is the laser's clock.
+
+# %% [markdown] lang="ko" name="delay-odom-read" slide="-"
+# 0.004 s입니다. 변환 쪽은 제때 오고, 우리와 같은 시계를 씁니다. 그러니 범인은 라이다의 시계입니다.
+
+# %% [markdown] lang="en" name="honest-limit" slide="subslide"
+# ### What this cannot tell you
+#
+# A delay of +0.3 s that never trembles may be a slow network, or a publisher whose clock is 0.3 s *slow*.
+# From one-way times alone, **nobody** can separate the two: both add the same number to every message.
+# It takes a message that goes there *and back*. That is what `chrony` and NTP do for a living, so on two computers ask them:
+#
+# ```text
+# $ chronyc tracking
+# ...
+# System time     : 0.300184021 seconds fast of NTP time      <- this line
+# ```
+#
+# And mind the quiet case. A sensor clock that is *slow* asks for the past. The buffer is happy to answer, for as long as its cache reaches: no exception, no warning, a robot that is wrong all day.
+
+# %% [markdown] lang="ko" name="honest-limit" slide="subslide"
+# ### 이것으로 알 수 없는 것
+#
+# 떨림 없이 늘 +0.3 s인 지연은 느린 네트워크일 수도 있고, 시계가 0.3 s *느린* 발행자일 수도 있습니다.
+# 한 방향의 시각만으로는 **누구도** 둘을 가를 수 없습니다. 둘 다 모든 메시지에 같은 숫자를 더하기 때문입니다.
+# 갔다가 *되돌아오는* 메시지가 있어야 합니다. 그것이 `chrony`와 NTP의 본업이니, 컴퓨터가 두 대라면 이들에게 물으십시오.
+#
+# ```text
+# $ chronyc tracking
+# ...
+# System time     : 0.300184021 seconds fast of NTP time      <- 이 줄입니다
+# ```
+#
+# 그리고 조용한 경우를 조심하십시오. 시계가 *느린* 센서는 과거를 묻습니다. 버퍼는 기억이 닿는 한 기꺼이 답합니다. 예외도 경고도 없이, 로봇은 온종일 틀립니다.
+
+# %% [markdown] lang="en" name="plaster" slide="slide"
+# ## Break it: the plaster
+#
+# Robot B again, with a clock 0.3 s fast. Somebody sets `timeout=Duration(seconds=1)`, as the forum said.
+# (And spins with several threads, so that waiting works at all. Why, you will see in a minute.)
+# The robot drives its first bend, at half a metre a second.
+#
+# **Predict.** Will the warnings go away? Will the walls stay where they are?
+
+# %% [markdown] lang="ko" name="plaster" slide="slide"
+# ## 망가뜨리기: 반창고
+#
+# 다시 시계가 0.3 s 빠른 로봇 B입니다. 누군가 게시판에서 본 대로 `timeout=Duration(seconds=1)`을 넣었습니다.
+# (그리고 기다림이 통하도록 스레드 여러 개로 spin합니다. 이유는 잠시 뒤에 나옵니다.)
+# 로봇은 초속 0.5 m로 첫 굽이를 돕니다.
+#
+# **예측해 보십시오.** 경고가 사라질까요? 벽은 제자리에 있을까요?
+
+# %% name="placer" slide="-"
+class ScanPlacer(Node):
+    def __init__(self):
+        super().__init__('scan_placer')
+        self.buffer = Buffer()
+        self.listener = TransformListener(self.buffer, self)
+        self.placed, self.failures = [], 0
+        self.create_subscription(LaserScan, 'scan', self.on_scan, qos_profile_sensor_data)
+
+    def on_scan(self, scan):
+        stamp = Time.from_msg(scan.header.stamp)
+        try:
+            self.buffer.lookup_transform('map', 'laser_frame', stamp, timeout=Duration(seconds=1))
+            self.placed.append((scan, stamp))
+        except TransformException:
+            self.failures += 1
+
+# %% name="plaster-run" slide="-"
+graph = new_graph()
+robot = TeachingRobot(Drive(start_ns=graph.now_ns))
+graph.set_clock_offset('laser_driver', 0.3)
+launch(graph, robot)
+graph.start(watch, ScanPlacer, MultiThreadedExecutor)
+graph.run(seconds=9)  # 1 s standing, 6 s straight on, then the bend
+placer = nodes[-1]
+print(f'{len(placer.placed)} scans placed, {placer.failures} failed')
+
+# %% [markdown] lang="en" name="plaster-green" slide="fragment"
+# Not one warning. The log is green, and the forum was right.
+# Now draw where the points of the bend went, beside where they belong.
+
+# %% [markdown] lang="ko" name="plaster-green" slide="fragment"
+# 경고가 하나도 없습니다. 로그는 초록색이고, 게시판 말이 맞았습니다.
+# 이제 굽이에서 얻은 점들이 어디에 찍혔는지, 원래 있어야 할 자리 옆에 그려 봅시다.
+
+# %% name="plaster-points" slide="-"
+def points_of(placed, clock_error_s):
+    clouds = []
+    for scan, stamp in placed:
+        when = Time(nanoseconds=stamp.nanoseconds - seconds(clock_error_s))
+        pose = placer.buffer.core.lookup_transform('map', 'laser_frame', when.nanoseconds).transform
+        angles = scan.angle_min + scan.angle_increment * np.arange(len(scan.ranges))
+        reach = np.where(np.isfinite(scan.ranges), scan.ranges, np.nan)
+        laser_p = np.column_stack([reach * np.cos(angles), reach * np.sin(angles), np.zeros(len(reach))])
+        clouds.append(pose.apply(laser_p[::6]))
+    return np.vstack(clouds)
+
+# %% name="plaster-picture" slide="-"
+bend = placer.placed[-10:]
+draw_placed(
+    {'as measured': points_of(bend, 0.3), 'with the wait that "works"': points_of(bend, 0.0)}, walls=ROOM.walls
+)
+
+# %% [markdown] lang="en" name="plaster-read" slide="-"
+# The wait ended each time, because after a while TF caught up with the *wrong* stamp.
+# Then the lookup gave a perfectly good answer to a perfectly wrong question: where was the laser 0.3 s **after** it measured?
+#
+# A timeout asks "is it there yet?". It never asks "is it true?".
+# **Waiting cures lateness. It does not cure a clock: it hides it.** (And each scan is now used 0.2 s later than it need be.)
+# Even on the left the points do not lie on the walls exactly: the robot turns while the laser sweeps, which is a story of chapter 08.
+#
+# What if the clock were 2 s fast? Then even the plaster would fall off: each wait of one second would expire, scan after scan, for as long as the robot runs.
+
+# %% [markdown] lang="ko" name="plaster-read" slide="-"
+# 기다림은 매번 끝났습니다. 잠시 뒤 TF가 *틀린* 시각을 따라잡았기 때문입니다.
+# 그리고 완전히 틀린 질문에 더없이 좋은 답을 주었습니다. 라이다는 측정하고 0.3 s **뒤에** 어디에 있었는가?
+#
+# timeout은 "왔습니까?"라고 물을 뿐, "맞습니까?"라고 묻지 않습니다.
+# **기다림은 늦음을 고칩니다. 시계는 고치지 못하고 숨길 뿐입니다.** (게다가 이제 스캔마다 쓸데없이 0.2 s 늦게 씁니다.)
+# 왼쪽에서도 점들이 벽에 정확히 놓이지는 않습니다. 라이다가 한 바퀴 훑는 동안 로봇이 돌기 때문이며, 08장에서 다룬 이야기입니다.
+#
+# 시계가 2 s 빨랐다면 어땠을까요? 그때는 반창고마저 떨어집니다. 1초씩 기다리다가 매번 시간이 다 되고, 로봇이 달리는 내내 스캔마다 그렇게 됩니다.
+
+# %% [markdown] lang="en" name="plaster-3d" slide="subslide"
+# ### The same in 3D
+#
+# One scan, taken in the middle of the bend. Drag the scrubber: it is the error of the laser's clock. The grey lines are the real walls.
+
+# %% [markdown] lang="ko" name="plaster-3d" slide="subslide"
+# ### 3D로
+#
+# 굽이 한가운데서 얻은 스캔 하나입니다. 눈금을 끌어 보십시오. 라이다 시계의 오차입니다. 회색 선이 실제 벽입니다.
+
+# %% name="walls-walk" tags=["interactive"] slide="-"
+scene, stamp_ns = Scene(), seconds(8.8)
+scan = robot.laser.scan_at(stamp_ns)
+for i, wall in enumerate(ROOM.walls):
+    draw_path(scene, f'walls/{i}', np.array([(*end, 0.2) for end in wall]), ghost=True)
+
+
+def draw(clock_error_s):
+    pose = robot.truth_at(stamp_ns + seconds(clock_error_s))['laser_frame']
+    draw_frame(scene, 'laser_frame', pose)
+    draw_scan(scene, 'scan', pose, scan.ranges, scan.angle_min, scan.angle_increment)
+
+
+scene.sweep('clock error', [0.0, 0.1, 0.2, 0.3, 0.4, 0.5], draw, unit='s')
+scene
+
+# %% name="walls-walk-still" slide="-"
+one_scan = [(message, stamp) for message, stamp in placer.placed if stamp.nanoseconds >= seconds(9.0)][:1]
+draw_placed({f'clock error {0.3 - shift:.1f} s': points_of(one_scan, shift) for shift in (0.3, 0.1, 0.0)}, ROOM.walls)
+
+# %% [markdown] lang="en" name="lanes" slide="slide"
+# ## Where may I wait?
+#
+# Late data, then, is worth a short wait. Robot C has honest clocks and a prompt network: nothing is wrong with it at all.
+# Still, a careful programmer gives the lookup half a second. One never knows.
+#
+# The node notes three things: when `/tf` messages are stored, and from when until when its callback is busy.
+#
+# **Predict.** The robot runs for three seconds, ten scans a second. How many scans get their transform?
+
+# %% [markdown] lang="ko" name="lanes" slide="slide"
+# ## 어디서 기다려도 될까요?
+#
+# 그러니 늦은 데이터는 잠깐 기다릴 만합니다. 로봇 C는 시계도 정확하고 네트워크도 빠릅니다. 잘못된 것이 하나도 없습니다.
+# 그래도 조심스러운 프로그래머는 혹시 몰라 조회에 0.5초를 주었습니다.
+#
+# 노드는 `/tf` 메시지가 언제 저장되는지, 콜백이 언제부터 언제까지 바쁜지를 적어 둡니다.
+#
+# **예측해 보십시오.** 로봇은 3초 동안 달리고 스캔은 1초에 열 번 옵니다. 몇 개의 스캔이 변환을 얻을까요?
+
+# %% name="noting-buffer" slide="-"
+class NotingBuffer(Buffer):
+    def __init__(self):
+        super().__init__()
+        self.stored_ns = []
+
+    def set_transform(self, transform, authority):
+        if transform.child_frame_id == 'base_footprint':  # one edge will do
+            self.stored_ns.append(graph.now_ns)
+        super().set_transform(transform, authority)
+
+# %% name="patient-node" slide="-"
+class Patient(Node):
+    def __init__(self):
+        super().__init__('patient')
+        self.busy, self.answers, self.buffer = [], [], NotingBuffer()
+        self.listener = TransformListener(self.buffer, self)
+        self.create_subscription(LaserScan, 'scan', self.on_scan, qos_profile_sensor_data)
+
+    def on_scan(self, scan):
+        began, stamp, answer = graph.now_ns, Time.from_msg(scan.header.stamp), 'ok'
+        try:
+            self.buffer.lookup_transform('map', 'laser_frame', stamp, timeout=Duration(seconds=0.5))
+        except TransformException as error:
+            answer = str(error).partition(', when')[0]
+        self.answers.append(answer)
+        self.busy.append((began, graph.now_ns))
+
+# %% name="robot-c" slide="-"
+def on_robot_c(node_class, executor_class=None, delay_s=0.0):
+    global graph
+    graph = new_graph()
+    graph.disturb('/tf', delay=delay_s)
+    launch(graph)
+    graph.start(watch, node_class, executor_class)
+    graph.run(seconds=3)
+    return nodes[-1]
+
+
+patient = on_robot_c(Patient)
+print(*patient.answers, sep='\n')
+
+# %% [markdown] lang="en" name="lanes-read" slide="-"
+# None. Not one.
+#
+# It begins with bad luck: the first scan is 51 ms older than the first transform, so it can never be answered, and the callback waits its half second for nothing. (A mapper crashed at start-up over just such 41 ms: SteveMacenski/slam_toolbox #775.)
+# But why does it not recover? Look at the numbers: at the end it asks for 2.595 s, and the newest transform that it knows is from 1.146 s, although twenty a second have arrived.
+# The longer it waits, the less it knows. Here is why.
+
+# %% [markdown] lang="ko" name="lanes-read" slide="-"
+# 하나도 없습니다. 단 하나도 얻지 못했습니다.
+#
+# 시작은 불운이었습니다. 첫 스캔이 첫 변환보다 51 ms 오래되어 답이 있을 수 없었고, 콜백은 0.5초를 헛되이 기다렸습니다. (바로 이런 41 ms 때문에 시작하자마자 죽은 지도 작성 노드도 있습니다: SteveMacenski/slam_toolbox #775.)
+# 그런데 왜 회복하지 못할까요? 숫자를 보십시오. 마지막에는 2.595 s를 묻는데, 변환이 1초에 스무 개씩 도착했는데도 아는 최신 변환은 1.146 s의 것입니다.
+# 기다릴수록 아는 것이 줄어듭니다. 이유는 이렇습니다.
+
+# %% name="lanes-picture" slide="-"
+def draw_lanes(node, start_s=1.0, end_s=3.0):
+    sent_ns = tuple(range(seconds(start_s), seconds(end_s), seconds(0.05)))  # odometry, 20 times a second
+    return draw_work(
+        [Work('/tf sent', moments_ns=sent_ns), Work('on_scan', tuple(node.busy)),
+         Work('/tf stored', moments_ns=tuple(node.buffer.stored_ns))],
+        seconds(start_s), seconds(end_s),
+    )  # fmt: skip
+
+
+draw_lanes(patient)
+
+# %% [markdown] lang="en" name="lanes-why" slide="-"
+# `rclpy.spin(node)` has one thread, and between two callbacks it gets round to a single message. While `on_scan` waits *in* it, nobody calls the listener, and the transform lies at the door, unread.
+# The callback waits for the mail, and it is also the postman.
+#
+# A public report of just this is ros2/geometry2 #327. In C++ tf2 refuses such a wait at once, with a sentence that ends in `setUsingDedicatedThread(true)`. In Python it lets you wait.
+
+# %% [markdown] lang="ko" name="lanes-why" slide="-"
+# `rclpy.spin(node)`에는 스레드가 하나뿐이고, 두 콜백 사이에 겨우 메시지 하나를 처리합니다. `on_scan`이 그 *안에서* 기다리는 동안 아무도 리스너를 부르지 않고, 변환은 문 앞에 읽히지 않은 채 쌓입니다.
+# 편지를 기다리는 사람이 바로 집배원인 셈입니다.
+#
+# 바로 이 문제를 다룬 공개 이슈가 ros2/geometry2 #327입니다. C++의 tf2는 이런 기다림을 `setUsingDedicatedThread(true)`로 끝나는 문장과 함께 곧바로 거절합니다. Python은 그냥 기다리게 둡니다.
+
+# %% [markdown] lang="en" name="lanes-notes" slide="notes"
+# Play it: one student is the executor, a second one hands over mail. The executor must answer "where is the robot?" and may not touch the mail while thinking.
+
+# %% [markdown] lang="ko" name="lanes-notes" slide="notes"
+# 연극으로 해 보십시오. 한 학생은 실행기, 다른 학생은 편지를 건네는 사람입니다. 실행기는 "로봇이 어디 있습니까?"에 답해야 하고, 생각하는 동안에는 편지에 손댈 수 없습니다.
+
+# %% [markdown] lang="en" name="cure-threads" slide="subslide"
+# ### Cure one: somebody else fetches the mail
+#
+# The listener's subscriptions are in a *reentrant* callback group of their own. So an executor with several threads may call them while your callback waits. One word changes.
+# To make it harder, every transform now takes 0.15 s to arrive.
+
+# %% [markdown] lang="ko" name="cure-threads" slide="subslide"
+# ### 치료 하나: 편지는 다른 사람이 가져옵니다
+#
+# 리스너의 구독은 따로 마련된 *재진입(reentrant)* 콜백 그룹에 있습니다. 그래서 스레드가 여럿인 실행기는 여러분의 콜백이 기다리는 동안에도 리스너를 부를 수 있습니다. 단어 하나만 바뀝니다.
+# 더 어렵게, 이제 변환마다 도착하는 데 0.15 s가 걸립니다.
+
+# %% name="cure-threads-run" slide="-"
+patient = on_robot_c(Patient, MultiThreadedExecutor, delay_s=0.15)
+print(len(patient.answers), 'scans,', patient.answers.count('ok'), 'answered')
+draw_lanes(patient)
+
+# %% [markdown] lang="en" name="cure-async" slide="subslide"
+# ### Cure two: do not wait, be called
+#
+# `wait_for_transform_async` gives you a *future* at once: a promise that is kept when the transform comes. Your callback is over in no time, and one thread is enough.
+#
+# Mind two things. It **never gives up**: whatever is never answered waits for ever. So keep the futures, and cancel the old ones.
+# And a promise must be looked at: `future.result()` gives the transform, or raises what went wrong.
+
+# %% [markdown] lang="ko" name="cure-async" slide="subslide"
+# ### 치료 둘: 기다리지 말고 불러 달라고 하십시오
+#
+# `wait_for_transform_async`는 *퓨처(future)*를 바로 돌려줍니다. 변환이 오면 지켜지는 약속입니다. 콜백은 순식간에 끝나고 스레드는 하나면 됩니다.
+#
+# 두 가지를 조심하십시오. 이 약속은 **포기하지 않습니다.** 끝내 답이 없는 것은 영원히 기다립니다. 그러니 퓨처를 보관하고 오래된 것은 취소하십시오.
+# 그리고 약속은 확인해야 합니다. `future.result()`는 변환을 주거나, 무엇이 잘못됐는지 예외로 알려 줍니다.
+
+# %% name="called-node" slide="-"
+class Called(Patient):
+    def on_scan(self, scan):
+        began, stamp = graph.now_ns, Time.from_msg(scan.header.stamp)
+        future = self.buffer.wait_for_transform_async('map', 'laser_frame', stamp)
+        future.add_done_callback(self.on_answer)
+        promises.append(future)
+        if len(promises) > 3:  # at most three promises: the oldest is let go
+            promises.popleft().cancel()
+        self.busy.append((began, graph.now_ns))
+
+    def on_answer(self, future):
+        if not future.cancelled():
+            where = future.result().transform.translation
+            self.answers.append((where.x, where.y))
+
+# %% name="called-run" slide="-"
+promises = deque()
+called = on_robot_c(Called, delay_s=0.15)  # one thread
+print(len(called.busy), 'scans,', len(called.answers), 'answered')
+draw_lanes(called)
+
+# %% [markdown] lang="en" name="cures-compared" slide="-"
+# 27 of 30: the first scan can never be answered, and was let go when three younger ones were waiting; the last two are still on their way.
+# And look at the lane of the callback: it is touched ten times a second, and never busy. With threads it was busy all the time.
+#
+# | where you wait | when it is right |
+# | --- | --- |
+# | nowhere: ask, and drop on failure | fast sensors: the next scan comes in 0.1 s anyway |
+# | in the callback, *with* a `MultiThreadedExecutor` | a few messages a second, a short timeout |
+# | `TransformListener(buffer, node, spin_thread=True)` | you spin nothing else: its thread runs the callbacks of the *whole* node |
+# | a future (`wait_for_transform_async`) | many messages, one thread; keep the promises bounded |
+# | `await buffer.lookup_transform_async(...)` | the same, in an `async` callback of a *reentrant* group: a promise that is never kept would block any other group for good |
+# | a [[message filter]] (`tf2_ros::MessageFilter`, C++) | the same, ready made: your callback runs only when the transform is there; its queue has a size |
+# | in a plain callback with one thread | **never** |
+
+# %% [markdown] lang="ko" name="cures-compared" slide="-"
+# 30개 가운데 27개입니다. 첫 스캔은 답이 있을 수 없어서 뒤에 셋이 기다리자 놓아 주었고, 마지막 둘은 아직 기다리는 중입니다.
+# 콜백의 레인도 보십시오. 1초에 열 번 스칠 뿐 한 번도 바쁘지 않습니다. 스레드를 쓸 때는 내내 바빴습니다.
+#
+# | 기다리는 곳 | 알맞은 경우 |
+# | --- | --- |
+# | 기다리지 않음: 묻고, 실패하면 버립니다 | 빠른 센서. 어차피 0.1 s 뒤에 다음 스캔이 옵니다 |
+# | 콜백 안, 단 `MultiThreadedExecutor`*와 함께* | 1초에 몇 개뿐인 메시지, 짧은 timeout |
+# | `TransformListener(buffer, node, spin_thread=True)` | 따로 spin하지 않을 때. 그 스레드가 노드 *전체*의 콜백을 실행합니다 |
+# | 퓨처(`wait_for_transform_async`) | 메시지가 많고 스레드가 하나일 때. 약속의 수를 제한하십시오 |
+# | `await buffer.lookup_transform_async(...)` | 같은 일을 *재진입* 그룹의 `async` 콜백에서 합니다. 다른 그룹이라면 지켜지지 않는 약속 하나가 그룹 전체를 영영 막습니다 |
+# | [[message filter|메시지 필터(message filter)]](`tf2_ros::MessageFilter`, C++) | 같은 일을 해 주는 완제품. 변환이 있을 때만 콜백이 실행되고, 큐의 크기가 정해져 있습니다 |
+# | 스레드 하나인 평범한 콜백 안 | **절대 안 됩니다** |
+
+# %% [markdown] lang="en" name="policy" slide="slide"
+# ## How long, how many, how old?
+#
+# Waiting has a price: whoever waits, queues. A robot needs four answers *before* it drives, and they are yours to give, not tf2's:
+#
+# 1. If TF is late, how long do I wait?
+# 2. What did not make it: drop it, or keep it?
+# 3. How many may queue, and which one goes when the queue is full?
+# 4. How old may data be when it moves the robot?
+#
+# Here is what happens without answers. Scans come every 100 ms. Each decision takes 150 ms. The queue is endless, and nobody has set a limit.
+#
+# **Predict.** After 12 seconds: how old is the data that the robot is deciding on?
+
+# %% [markdown] lang="ko" name="policy" slide="slide"
+# ## 얼마나 오래, 몇 개까지, 얼마나 오래된 것까지?
+#
+# 기다림에는 값이 따릅니다. 기다리면 줄이 생깁니다. 로봇에는 달리기 *전에* 네 가지 답이 필요하며, 답은 tf2가 아니라 여러분이 정합니다.
+#
+# 1. TF가 늦으면 얼마나 기다릴까요?
+# 2. 시간 안에 못 온 것은 버릴까요, 둘까요?
+# 3. 큐에는 몇 개까지 두고, 꽉 차면 무엇을 버릴까요?
+# 4. 로봇을 움직이는 데이터는 얼마나 오래된 것까지 허용할까요?
+#
+# 답이 없으면 이렇게 됩니다. 스캔은 100 ms마다 옵니다. 결정 한 번에 150 ms가 걸립니다. 큐는 끝이 없고, 아무도 한계를 정하지 않았습니다.
+#
+# **예측해 보십시오.** 12초 뒤에 로봇은 얼마나 오래된 데이터로 결정하고 있을까요?
+
+# %% name="decide" slide="-"
+def ages_of_decisions(queue, until_ms=12_000):
+    now_ms, next_scan_ms, times_s, ages_s = 0, 0, [], []
+    while now_ms < until_ms:
+        while next_scan_ms <= now_ms:  # what has come meanwhile
+            queue.append(next_scan_ms)
+            next_scan_ms += 100
+        stamp_ms = queue.popleft()  # the oldest first
+        now_ms += 150  # thinking
+        times_s.append(now_ms / 1000)
+        ages_s.append((now_ms - stamp_ms) / 1000)
+    return times_s, ages_s
+
+# %% name="queues" slide="-"
+endless = Curve('no limit', *ages_of_decisions(deque()))
+bounded = Curve('two at most', *ages_of_decisions(deque(maxlen=2)))  # a full deque drops its oldest
+draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
+
+# %% [markdown] lang="en" name="queues-read" slide="-"
+# Four seconds. At half a metre a second, the robot brakes for what it saw two metres ago, and nothing in the log is red.
+# It *lost no message at all*. That is the trouble.
+#
+# With room for two, a third of the scans is dropped, and every decision is younger than 0.3 s.
+# **For moving a robot, new beats complete.** (For building a map afterwards, it may be the other way round.)
+#
+# A policy in one line each, for this robot: wait at most 0.1 s; then drop; keep two, the oldest goes; nothing older than 0.5 s moves a wheel.
+
+# %% [markdown] lang="ko" name="queues-read" slide="-"
+# 4초입니다. 초속 0.5 m라면 로봇은 2미터 전에 본 것을 두고 브레이크를 밟습니다. 그런데도 로그에 빨간 줄은 하나도 없습니다.
+# 메시지를 *하나도 잃지 않았습니다*. 바로 그것이 문제입니다.
+#
+# 두 개만 두면 스캔의 3분의 1을 버리는 대신, 모든 결정이 0.3 s보다 새로운 데이터로 이루어집니다.
+# **로봇을 움직일 때는 빠짐없는 것보다 새로운 것이 낫습니다.** (나중에 지도를 만들 때는 반대일 수 있습니다.)
+#
+# 이 로봇의 정책을 한 줄씩 적으면 이렇습니다. 최대 0.1 s 기다린다. 그다음에는 버린다. 두 개만 두고, 넘치면 가장 오래된 것을 버린다. 0.5 s보다 오래된 데이터로는 바퀴를 돌리지 않는다.
+
+# %% [markdown] lang="en" name="policy-notes" slide="notes"
+# Let them say a number before you run it; most say 0.15 s or 0.3 s.
+# Then ask what the curve looks like after an hour.
+
+# %% [markdown] lang="ko" name="policy-notes" slide="notes"
+# 실행하기 전에 숫자를 말하게 하십시오. 대부분 0.15 s나 0.3 s라고 합니다.
+# 그러고 나서 한 시간 뒤에는 곡선이 어떻게 될지 물어보십시오.
+
+# %% [markdown] lang="en" name="how-long" slide="subslide"
+# ### How long is "a little"?
+#
+# Not a matter of taste: it can be worked out. A scan waits for the first transform that is stamped *at or after* it.
+#
+# - In the worst case that transform is stamped one whole **period** later (10 Hz: 0.1 s),
+# - and it takes its **delay**, and at worst its whole **[[jitter]]**, to arrive.
+# - The scan was itself under way for a while: that time has already passed.
+#
+# `wait = period + delay + jitter − the scan's own delay`, for the worst edge on the way. For robot C: 0.1 + (0.010 + 0.15) + 0 − 0.105 = 0.155 s.
+# Longer than this only helps against clocks. That is, it does not.
+
+# %% [markdown] lang="ko" name="how-long" slide="subslide"
+# ### "조금"은 얼마일까요?
+#
+# 취향이 아니라 계산할 수 있는 값입니다. 스캔은 자신과 *같거나 뒤인* 시각의 첫 변환을 기다립니다.
+#
+# - 최악의 경우 그 변환의 시각은 한 **주기**만큼 뒤입니다(10 Hz면 0.1 s).
+# - 그것이 도착하는 데 **지연**만큼, 최악에는 **[[jitter|지터(jitter)]]** 전부만큼 더 걸립니다.
+# - 스캔도 오는 데 시간이 걸렸습니다. 그 시간은 이미 지나갔습니다.
+#
+# 경로 위 최악의 연결을 두고 `기다림 = 주기 + 지연 + 지터 − 스캔 자신의 지연`입니다. 로봇 C라면 0.1 + (0.010 + 0.15) + 0 − 0.105 = 0.155 s입니다.
+# 이보다 길게 기다리는 것은 시계가 틀렸을 때나 도움이 됩니다. 곧, 도움이 되지 않습니다.
+
+# %% [markdown] lang="en" name="checkpoint" slide="slide"
+# ## Checkpoint
+#
+# Your robot has two computers. For an hour, every scan has failed with *extrapolation into the future*, always by 0.40 s, give or take 2 ms. `ros2 topic delay /scan` prints −0.31. What do you do?
+#
+# 1. `timeout=Duration(seconds=1)`
+# 2. Ask with `Time()`, the latest, instead of the stamp
+# 3. Write the time of arrival into `header.stamp`
+# 4. `chronyc tracking` on both computers, and set the clock right
+#
+# <details><summary>1</summary>
+#
+# The warnings will go away, and each scan will be placed where the laser was 0.4 s after it measured. You have seen that picture. The wait asks "is it there?", not "is it true?".
+#
+# </details>
+# <details><summary>2</summary>
+#
+# `Time()` always gets an answer, and throws away the only thing that the stamp is for: when it was measured. While the robot stands still nobody notices. When it turns, the walls smear (chapter 08).
+#
+# </details>
+# <details><summary>3</summary>
+#
+# Then the stamp says when the message was *heard*. The exception is gone, the sweep time and the transport are hidden in the stamp, and nobody downstream can ever find out.
+#
+# </details>
+# <details><summary>4</summary>
+#
+# Yes. Constant for an hour, hardly any tremble, and a negative delay: that is a clock, and a clock is set right where it is wrong.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="checkpoint" slide="slide"
+# ## 확인 문제
+#
+# 로봇에 컴퓨터가 두 대 있습니다. 한 시간째 모든 스캔이 *extrapolation into the future*로 실패합니다. 언제나 0.40 s이고 오차는 2 ms 남짓입니다. `ros2 topic delay /scan`은 −0.31을 보여 줍니다. 어떻게 하겠습니까?
+#
+# 1. `timeout=Duration(seconds=1)`을 넣는다
+# 2. 측정 시각 대신 최신을 뜻하는 `Time()`으로 묻는다
+# 3. `header.stamp`에 도착한 시각을 써 넣는다
+# 4. 두 컴퓨터에서 `chronyc tracking`을 실행하고 시계를 바로잡는다
+#
+# <details><summary>1번</summary>
+#
+# 경고는 사라지고, 모든 스캔은 측정 0.4 s 뒤의 라이다 위치에 찍힙니다. 그 그림은 이미 보았습니다. 기다림은 "왔습니까?"라고 물을 뿐 "맞습니까?"라고 묻지 않습니다.
+#
+# </details>
+# <details><summary>2번</summary>
+#
+# `Time()`은 언제나 답을 얻지만, 시각이 존재하는 단 하나의 이유인 '언제 측정했는가'를 버립니다. 로봇이 서 있으면 아무도 모릅니다. 돌기 시작하면 벽이 번집니다(08장).
+#
+# </details>
+# <details><summary>3번</summary>
+#
+# 그러면 stamp는 메시지를 *들은* 시각이 됩니다. 예외는 사라지지만 스캔 시간과 전송 시간이 stamp 속에 숨고, 뒤에서 이 데이터를 쓰는 누구도 그것을 알아낼 수 없습니다.
+#
+# </details>
+# <details><summary>4번</summary>
+#
+# 맞습니다. 한 시간째 일정하고, 거의 떨림이 없고, 지연이 음수입니다. 그것은 시계이고, 시계는 틀린 곳에서 바로잡습니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="on-the-robot" slide="slide"
+# ## The same on a real robot
+#
+# The lecture's handler and its asynchronous wait, in one node. This file runs unchanged on ROS 2: on a robot you add the usual `main()`.
+
+# %% [markdown] lang="ko" name="on-the-robot" slide="slide"
+# ## 실제 로봇에서도 똑같이
+#
+# 강의의 예외 처리와 비동기 기다림을 한 노드에 담았습니다. ROS 2에서 그대로 실행됩니다. 로봇에서는 늘 쓰는 `main()`만 덧붙이면 됩니다.
+
+# %% name="robot-node" slide="-"
+class Careful(Node):
+    def __init__(self):
+        super().__init__('careful')
+        self.promises = deque()
+        self.tf_buffer = Buffer(cache_time=Duration(seconds=20.0))
+        self.tf_listener = TransformListener(self.tf_buffer, self)
+        self.create_subscription(LaserScan, 'scan', self.on_scan, qos_profile_sensor_data)
+
+    def on_scan(self, message):
+        stamp = Time.from_msg(message.header.stamp)
+        future = self.tf_buffer.wait_for_transform_async('map', message.header.frame_id, stamp)
+        future.add_done_callback(lambda done: done.cancelled() or self.on_transform(message))
+        self.promises.append(future)
+        if len(self.promises) > 3:  # the oldest goes
+            self.promises.popleft().cancel()
+
+# %% name="robot-handler" slide="-"
+class Handling(Careful):
+    def on_transform(self, message):
+        stamp = Time.from_msg(message.header.stamp)
+        if self.get_clock().now() - stamp > Duration(seconds=0.5):
+            return  # too old to move a robot
+        try:
+            transform = self.tf_buffer.lookup_transform('map', message.header.frame_id, stamp)
+            self.use(message, transform)
+        except LookupException as error:
+            self.get_logger().warning(f'check frame name and publisher: {error}')
+        except ConnectivityException as error:
+            self.get_logger().warning(f'check the broken tree: {error}')
+        except ExtrapolationException as error:
+            self.get_logger().warning(f'check stamp, clock and delay: {error}')
+
+# %% name="robot-run" slide="-"
+class OnRobot(Handling):
+    def use(self, message, transform):
+        where = transform.transform.translation
+        self.get_logger().info(f'laser at {where.x:.2f}, {where.y:.2f}', throttle_duration_sec=1.0)
+
+
+graph = new_graph()
+launch(graph)
+graph.start(watch, OnRobot)
+graph.run(seconds=4)
+
+# %% [markdown] lang="en" name="robot-commands" slide="subslide"
+# ### In the terminal
+#
+# What to type when it happens, in this order. All but the last also run here; that one needs two real computers.
+#
+# ```bash
+# ros2 topic delay /scan                       # negative? two clocks
+# ros2 topic delay /odom                       # the transform's side, by the same clock
+# ros2 param get /careful use_sim_time         # one node on another time than the rest?
+# ros2 run tf2_ros tf2_monitor map laser_frame # which edge is late, and how late
+# chronyc tracking                             # on each computer
+# ```
+
+# %% [markdown] lang="ko" name="robot-commands" slide="subslide"
+# ### 터미널에서
+#
+# 문제가 생기면 이 순서로 입력합니다. 마지막 것만 빼고 여기서도 실행됩니다. 마지막 것은 실제 컴퓨터가 두 대 있어야 합니다.
+#
+# ```bash
+# ros2 topic delay /scan                       # 음수? 시계가 둘
+# ros2 topic delay /odom                       # 같은 시계를 쓰는 변환 쪽
+# ros2 param get /careful use_sim_time         # 혼자 다른 시간을 쓰는 노드?
+# ros2 run tf2_ros tf2_monitor map laser_frame # 어느 연결이 얼마나 늦는지
+# chronyc tracking                             # 컴퓨터마다
+# ```
+
+# %% name="robot-tools" slide="-"
+# %ros2 param get /careful use_sim_time
+# %ros2 --for 1.5 topic delay /scan
+
+# %% [markdown] lang="en" name="recap" slide="slide"
+# ## What you take along
+#
+# - **Name, path, moment.** Lookup, connectivity, extrapolation: which of the three is missing? (And InvalidArgument: it was no question.)
+# - The text names the ends of the question, not the edge that failed. Find that edge by the time in the text.
+# - Past: waiting is useless. Future: wait a little if it is *late*; set the clock if it is *wrong*. A negative delay is a clock.
+# - A timeout asks "is it there?", never "is it true?".
+# - Never wait in the only thread. Use several threads, or a promise.
+# - How long, how many, how old: decide before you drive.
+#
+# Words of this chapter: [[lookup exception|LookupException]], [[connectivity exception|ConnectivityException]], [[extrapolation exception|ExtrapolationException]], [[invalid argument exception|InvalidArgumentException]], [[transform exception|TransformException]], [[clock offset]], [[jitter]], [[message filter]].
+
+# %% [markdown] lang="ko" name="recap" slide="slide"
+# ## 이것만은 가져가십시오
+#
+# - **이름, 경로, 시각.** 조회, 연결, 외삽 가운데 무엇이 빠졌습니까? (InvalidArgument는 애초에 질문이 아니었던 것입니다.)
+# - 오류문은 질문의 양 끝을 말하고, 실패한 연결은 말하지 않습니다. 오류문에 나온 시각으로 그 연결을 찾으십시오.
+# - 과거라면 기다려도 소용없습니다. 미래라면 *늦은* 것은 조금 기다리고, *틀린* 것은 시계를 맞춥니다. 음수 지연은 시계입니다.
+# - timeout은 "왔습니까?"라고 물을 뿐, "맞습니까?"라고 묻지 않습니다.
+# - 하나뿐인 스레드에서는 절대 기다리지 마십시오. 스레드를 늘리거나 약속(퓨처)을 쓰십시오.
+# - 얼마나 오래, 몇 개까지, 얼마나 오래된 것까지. 달리기 전에 정하십시오.
+#
+# 이 장의 용어: [[lookup exception|LookupException]], [[connectivity exception|ConnectivityException]], [[extrapolation exception|ExtrapolationException]], [[invalid argument exception|InvalidArgumentException]], [[transform exception|TransformException]], [[clock offset|시계 오프셋]], [[jitter|지터]], [[message filter|메시지 필터]].
+
+# %% [markdown] lang="en" name="from-earlier" slide="-"
+# ## Three questions from earlier chapters
+#
+# **From 03.** The text says *from frame [laser_frame] to frame [map]*. Write the call that was made.
+#
+# <details><summary>Answer</summary>
+#
+# `lookup_transform('map', 'laser_frame', stamp)`: data expressed in `laser_frame`, wanted in `map`; wanted comes first.
+#
+# </details>
+#
+# **From 08.** What does `Time()` ask for, and why did it get an answer at 14.0 s although the odometry had news until 14.6 s?
+#
+# <details><summary>Answer</summary>
+#
+# The latest *common* time: the earliest of the newest samples of all dynamic edges on the way. Statics do not count.
+#
+# </details>
+#
+# **From 02.** Somebody publishes a transform whose quaternion is (0, 0, 0, 0). Which exception will *you* get, and where?
+#
+# <details><summary>Answer</summary>
+#
+# A LookupException, at your own lookup, far away from the culprit: the listener refuses the transform and says so in its log, so the frame is never heard of.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="from-earlier" slide="-"
+# ## 앞 장에서 세 문제
+#
+# **03장에서.** 오류문에 *from frame [laser_frame] to frame [map]*이라고 나왔습니다. 어떤 호출이었는지 적으십시오.
+#
+# <details><summary>답</summary>
+#
+# `lookup_transform('map', 'laser_frame', stamp)`입니다. `laser_frame`으로 표현된 데이터를 `map`에서 보려 한 것이고, 보려는 쪽이 먼저입니다.
+#
+# </details>
+#
+# **08장에서.** `Time()`은 무엇을 묻습니까? 오도메트리 소식은 14.6 s까지 있는데 왜 14.0 s의 답이 나왔을까요?
+#
+# <details><summary>답</summary>
+#
+# 최신 *공통* 시각을 묻습니다. 경로 위 모든 동적 연결의 최신 샘플 가운데 가장 이른 것입니다. 정적 연결은 세지 않습니다.
+#
+# </details>
+#
+# **02장에서.** 누군가 쿼터니언이 (0, 0, 0, 0)인 변환을 발행합니다. *여러분*은 어디서 어떤 예외를 만나게 될까요?
+#
+# <details><summary>답</summary>
+#
+# 범인과 멀리 떨어진 여러분의 조회에서 LookupException을 만납니다. 리스너가 그 변환을 거절하고 로그에만 남기므로, 그 좌표계는 한 번도 들은 적 없는 이름이 됩니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="practice" slide="-"
+# ## Practice questions
+#
+# Answer on paper, then open the list and mark yourself: one point for each idea that is there.
+#
+# **Q11.** What is the difference between LookupException, ConnectivityException and ExtrapolationException?
+#
+# <details><summary>Ideas that a full answer has</summary>
+#
+# - Lookup: the buffer does not know a *name* (typo, publisher not running, not heard *yet*).
+# - Connectivity: both names are known, but no *path*: the tree is in pieces, two roots.
+# - Extrapolation: there is a path, but an edge on it has no value for that *moment*, and tf2 does not guess.
+# - Each wants another first check: the name; the tree; stamps and clocks.
+# - For a fourth star: with two faults at once, the time fault may be reported first.
+#
+# </details>
+#
+# **Q12.** Give two causes each of future and of past extrapolation.
+#
+# <details><summary>Ideas that a full answer has</summary>
+#
+# - Future: the transform is still on its way, or its publisher is slow or has died.
+# - Future: the sensor's clock is fast, or the clock of the transform's publisher is slow.
+# - Past: the message was processed for longer than the cache reaches, or comes from before TF began.
+# - Past: stamps from another clock: a slow sensor clock, a bag's old stamps.
+# - A waiting time helps in the first case only.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="practice" slide="-"
+# ## 연습 문제
+#
+# 종이에 답한 뒤 목록을 열어 스스로 채점하십시오. 담긴 내용 하나에 1점입니다.
+#
+# **Q11.** LookupException, ConnectivityException과 ExtrapolationException의 차이는 무엇인가요?
+#
+# <details><summary>좋은 답에 담긴 내용</summary>
+#
+# - Lookup: 버퍼가 *이름*을 모릅니다(오타, 발행자가 꺼져 있음, *아직* 듣지 못함).
+# - Connectivity: 두 이름은 알지만 *경로*가 없습니다. 트리가 여러 조각이고 루트가 둘입니다.
+# - Extrapolation: 경로는 있지만 그중 한 연결에 그 *시각*의 값이 없고, tf2는 추측하지 않습니다.
+# - 먼저 확인할 것이 서로 다릅니다. 이름, 트리, 시각과 시계입니다.
+# - 하나 더: 결함이 둘이면 시각 문제가 먼저 보고될 수 있습니다.
+#
+# </details>
+#
+# **Q12.** Future Extrapolation과 Past Extrapolation의 원인을 각각 두 가지씩 쓰세요.
+#
+# <details><summary>좋은 답에 담긴 내용</summary>
+#
+# - 미래: 변환이 아직 오는 중이거나, 발행자가 느리거나 죽었습니다.
+# - 미래: 센서 시계가 빠르거나, 변환을 발행하는 쪽의 시계가 느립니다.
+# - 과거: 처리 시간이 버퍼의 기억보다 길었거나, TF가 시작되기 전의 메시지입니다.
+# - 과거: 다른 시계의 시각입니다. 느린 센서 시계, 백에 담긴 옛 시각이 그렇습니다.
+# - 기다림이 도움이 되는 것은 첫 번째 경우뿐입니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="exit-ticket" slide="slide"
+# ## Exit ticket
+#
+# Without looking: your log says *extrapolation into the future*. Name the **two** things it can mean, and the **one** command that tells them apart.
+# Write one sentence for the colleague who wants to raise the timeout.
+#
+# Then go to the exercises: [09, seven tasks](../../exercises/en/09_exceptions_and_waiting.ipynb).
+# On your checklist this chapter is **C10**: you have now reproduced the lookup, the connectivity and the extrapolation error. Here it was simulated; do it once on the robot.
+
+# %% [markdown] lang="ko" name="exit-ticket" slide="slide"
+# ## 나가기 전에
+#
+# 보지 않고 답해 보십시오. 로그에 *extrapolation into the future*가 나왔습니다. 이것이 뜻할 수 있는 **두** 가지와, 둘을 가려내는 **한** 가지 명령을 말하십시오.
+# timeout을 늘리자는 동료에게 건넬 한 문장을 적어 보십시오.
+#
+# 그다음은 연습입니다. [09장, 일곱 과제](../../exercises/ko/09_exceptions_and_waiting.ipynb).
+# 실습 체크리스트에서 이 장은 **C10**입니다. 이제 Lookup·Connectivity·Extrapolation 오류를 모두 재현했습니다. 여기서는 시뮬레이션이었으니, 로봇에서도 한 번 해 보십시오.
+
+# %% name="stop"
+graph.stop()
