@@ -1,12 +1,21 @@
-"""What do tests of the workbook need?  A small one to hand out, that can be changed as a new version changes it."""
+"""What do tests of the workbook need?  A small one to hand out, that can be changed as a new version changes it.
+
+And a page maker next door: the test folders are no packages, so it is loaded by its path.
+"""
 
 from __future__ import annotations
 
+import importlib.util
 import json
+import sys
 from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
+
+_spec = importlib.util.spec_from_file_location("making_pages", Path(__file__).with_name("making_pages.py"))
+sys.modules.setdefault("making_pages", importlib.util.module_from_spec(_spec))
+_spec.loader.exec_module(sys.modules["making_pages"])
 
 
 @dataclass(frozen=True)
