@@ -208,7 +208,7 @@ print("in camera_optical_frame ", fmt_all(axes.optical_from_body(camera_p_mug)))
 # %% [markdown] lang="en" name="body-axes" slide="slide"
 # ## The body: x forward, y left, z up
 #
-# Every ROS robot agrees on this; the rule is called [[REP-103]].
+# Every ROS robot agrees on this; the rule is called [[rep-103]].
 # Lengths are in metres, angles in radians.
 #
 # Hold up your **right** hand like a pistol: index finger forward (x), thumb up (z), and the middle finger points left by itself (y).
@@ -217,7 +217,7 @@ print("in camera_optical_frame ", fmt_all(axes.optical_from_body(camera_p_mug)))
 # %% [markdown] lang="ko" name="body-axes" slide="slide"
 # ## 몸체: x는 앞, y는 왼쪽, z는 위
 #
-# 모든 ROS 로봇이 이 약속을 따릅니다. 규칙의 이름은 [[REP-103]]입니다.
+# 모든 ROS 로봇이 이 약속을 따릅니다. 규칙의 이름은 [[rep-103]]입니다.
 # 길이는 미터, 각도는 라디안을 씁니다.
 #
 # **오른손**을 권총 모양으로 들어 보십시오. 검지는 앞(x), 엄지는 위(z), 그러면 가운뎃손가락은 저절로 왼쪽(y)을 가리킵니다.
@@ -863,12 +863,12 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # %ros2 topic echo /camera/points --field header.frame_id --once
 
 # %% [markdown] lang="en" name="cloud-others"
-# This does not happen to beginners only. The same ninety degrees stand in the issue lists of a mapping package ([introlab/rtabmap_ros 383](https://github.com/introlab/rtabmap_ros/issues/383)), of a depth camera's driver ([realsense-ros 634](https://github.com/IntelRealSense/realsense-ros/issues/634)) and of a simulator ([ros-simulation/gazebo_ros_pkgs 1329](https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1329)).
-# Each time the answer is the same: keep two frames, and stamp the data with the optical one.
+# This does not happen to beginners only. Clouds that stare at the sky or lie at 90° fill the issue lists of a mapping package ([introlab/rtabmap_ros 383](https://github.com/introlab/rtabmap_ros/issues/383)), of the simulator of an underground robot race ([osrf/subt 369](https://github.com/osrf/subt/issues/369)) and of the simulator that half of all ROS robots grew up in ([gazebo_ros_pkgs 1329](https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1329)).
+# The cure has one shape: keep two frames, and stamp the data with the optical one.
 
 # %% [markdown] lang="ko" name="cloud-others"
-# 초보자만 겪는 일이 아닙니다. 똑같은 90° 문제가 지도 작성 패키지([introlab/rtabmap_ros 383](https://github.com/introlab/rtabmap_ros/issues/383)), 깊이 카메라 드라이버([realsense-ros 634](https://github.com/IntelRealSense/realsense-ros/issues/634)), 시뮬레이터([ros-simulation/gazebo_ros_pkgs 1329](https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1329))의 이슈에도 올라와 있습니다.
-# 답은 매번 같습니다. 프레임을 둘 다 두고, 데이터에는 optical 쪽을 적습니다.
+# 초보자만 겪는 일이 아닙니다. 하늘을 바라보거나 90° 누운 클라우드는 지도 작성 패키지([introlab/rtabmap_ros 383](https://github.com/introlab/rtabmap_ros/issues/383)), 지하 탐사 로봇 대회의 시뮬레이터([osrf/subt 369](https://github.com/osrf/subt/issues/369)), 수많은 ROS 로봇이 거쳐 간 시뮬레이터([gazebo_ros_pkgs 1329](https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1329))의 이슈 목록에도 올라와 있습니다.
+# 해결책의 모양은 한결같습니다. 프레임을 둘 다 두고, 데이터에는 optical 쪽을 적습니다.
 
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
 # ## Checkpoint
@@ -1059,7 +1059,7 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 card.draw_card()
 
 # %% [markdown] lang="en" name="words"
-# **Words of this chapter:** [[REP-103]] · [[roll pitch yaw]] · [[quaternion]] · [[gimbal lock]] · [[optical frame]] · [[static transform]]
+# **Words of this chapter:** [[rep-103]] · [[roll pitch yaw]] · [[quaternion]] · [[gimbal lock]] · [[optical frame]] · [[static transform]]
 #
 # ### Three questions from before
 #
@@ -1080,7 +1080,7 @@ card.draw_card()
 # </details>
 
 # %% [markdown] lang="ko" name="words"
-# **이 장의 용어:** [[REP-103]] · [[roll pitch yaw]] · [[quaternion]] · [[gimbal lock]] · [[optical frame]] · [[static transform]]
+# **이 장의 용어:** [[rep-103]] · [[roll pitch yaw]] · [[quaternion]] · [[gimbal lock]] · [[optical frame]] · [[static transform]]
 #
 # ### 앞 장에서 온 질문 셋
 #

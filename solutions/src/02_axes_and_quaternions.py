@@ -1,0 +1,260 @@
+# %% [markdown] lang="en" name="title"
+# # Exercises 2: which way is forward?
+#
+# Seven tasks, 21 points, about 40 minutes. The page of this chapter is [here](../../notebooks/en/02_axes_and_quaternions.ipynb).
+#
+# Write your answer where it says `...` or `your turn`, run that cell, then run the check below it.
+# `check` tells you which mistake it was; `hint("E2.2")` helps, one step at a time. Both may be used as often as you like.
+#
+# Have your right hand ready.
+
+# %% [markdown] lang="ko" name="title"
+# # 연습 문제 2: 어느 쪽이 앞입니까?
+#
+# 과제는 일곱, 21점, 약 40분입니다. 이 장의 본문은 [여기](../../notebooks/ko/02_axes_and_quaternions.ipynb)에 있습니다.
+#
+# `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고, 그 셀을 실행한 다음, 바로 아래의 check 셀을 실행하십시오.
+# `check`는 어떤 실수인지 알려 주고, `hint("E2.2")`는 한 단계씩 도와줍니다. 둘 다 몇 번이든 써도 됩니다.
+#
+# 오른손을 준비하십시오.
+
+# %% name="load"
+# %load_ext tflab
+from tflab.workbook import check, hint, task
+
+# %% name="imports"
+import math
+
+import numpy as np
+from tflab.core import Transform
+
+# %% [markdown] lang="en" name="e2-1"
+# ## E2.1 · Say the sign (3 points)
+#
+# Is each of these numbers `"positive"` or `"negative"`? Use your hand first, then write.
+#
+# 1. The `angular.z` that makes a robot turn left.
+# 2. The pitch of a robot whose nose looks down.
+# 3. The y of a post on the robot's right, in `base_link`.
+# 4. The x of the same post, in `camera_optical_frame`. The camera looks ahead.
+# 5. The y of a lamp that hangs higher than the camera, in `camera_optical_frame`.
+
+# %% [markdown] lang="ko" name="e2-1"
+# ## E2.1 · 부호를 말하십시오 (3점)
+#
+# 다음 숫자는 각각 `"positive"`(양수)입니까, `"negative"`(음수)입니까? 손으로 먼저 확인하고 나서 쓰십시오.
+#
+# 1. 로봇을 왼쪽으로 돌게 하는 `angular.z`
+# 2. 기수가 아래를 보는 로봇의 pitch
+# 3. 로봇 오른쪽에 있는 기둥의 y, `base_link` 기준
+# 4. 같은 기둥의 x, `camera_optical_frame` 기준. 카메라는 앞을 봅니다.
+# 5. 카메라보다 높이 달린 등의 y, `camera_optical_frame` 기준
+
+# %% name="e2-1-answer" tags=["answer"]
+signs = {
+    # BEGIN SOLUTION
+    "angular_z_to_turn_left": "positive",
+    "pitch_of_a_nose_that_looks_down": "positive",
+    "y_of_a_post_on_the_right_in_base_link": "negative",
+    "x_of_a_post_on_the_right_in_camera_optical_frame": "positive",
+    "y_of_a_lamp_above_the_camera_axis_in_camera_optical_frame": "negative",
+    # END SOLUTION
+}
+
+# %% name="e2-1-check" tags=["check"]
+check("E2.1", signs)
+
+# %% [markdown] lang="en" name="e2-2"
+# ## E2.2 · From the picture to the camera (3 points)
+#
+# A detector reports a part in `camera_optical_frame` [m]. Where is it in `camera_link`?
+#
+# Predict first: is it left or right of the camera, above or below?
+
+# %% [markdown] lang="ko" name="e2-2"
+# ## E2.2 · 영상에서 카메라로 (3점)
+#
+# 검출기가 부품의 위치를 `camera_optical_frame` 기준으로 알려 줍니다 [m]. `camera_link` 기준으로는 어디입니까?
+#
+# 먼저 예측하십시오. 카메라의 왼쪽입니까, 오른쪽입니까? 위입니까, 아래입니까?
+
+# %% name="e2-2-given"
+e2_2 = task("E2.2")
+
+# %% name="e2-2-answer" tags=["answer"]
+# BEGIN SOLUTION
+camera_T_optical = Transform.from_rpy(roll=-math.pi / 2, yaw=-math.pi / 2)
+camera_p_part = camera_T_optical.apply(e2_2.optical_p_part)  # (x, y, z) in camera_link [m]
+# END SOLUTION
+
+# %% name="e2-2-check" tags=["check"]
+check("E2.2", camera_p_part)
+
+# %% [markdown] lang="en" name="e2-3"
+# ## E2.3 · The quaternion of a yaw (3 points)
+#
+# Write the function that every planar robot needs: a yaw in radians becomes a quaternion (x, y, z, w).
+# No library, only `math`.
+
+# %% [markdown] lang="ko" name="e2-3"
+# ## E2.3 · yaw를 쿼터니언으로 (3점)
+#
+# 평면을 달리는 로봇이라면 꼭 필요한 함수를 만드십시오. 라디안으로 받은 yaw를 쿼터니언 (x, y, z, w)로 바꿉니다.
+# 다른 라이브러리 없이 `math`만 씁니다.
+
+# %% name="e2-3-answer" tags=["answer"]
+def quaternion_from_yaw(yaw_rad):
+    """Return (x, y, z, w) of a turn to the left by `yaw_rad`."""
+    # BEGIN SOLUTION
+    return (0.0, 0.0, math.sin(yaw_rad / 2), math.cos(yaw_rad / 2))
+    # END SOLUTION
+
+# %% name="e2-3-check" tags=["check"]
+check("E2.3", quaternion_from_yaw)
+
+# %% [markdown] lang="en" name="e2-4"
+# ## E2.4 · A customs officer for quaternions (4 points)
+#
+# TF refuses a bad quaternion two programs away from where it was made. You do it at the border.
+# The robot drives on a flat floor, so a good quaternion turns only about z.
+# Return the first verdict that fits, in this order:
+#
+# | verdict | when |
+# |---|---|
+# | `"nan"` | one of the four is not finite (NaN or infinite) |
+# | `"zero"` | the length is zero (below 0.000001) |
+# | `"not unit"` | the length differs from 1 by more than 0.01 |
+# | `"w first"` | x or y is larger than 0.1 in size: on a flat floor, somebody wrote w first |
+# | `"ok"` | none of these |
+
+# %% [markdown] lang="ko" name="e2-4"
+# ## E2.4 · 쿼터니언 검문소 (4점)
+#
+# TF는 잘못된 쿼터니언을 만든 곳에서 프로그램 두 개만큼 떨어진 곳에서야 거절합니다. 여러분은 국경에서 바로 가려냅니다.
+# 로봇은 평평한 바닥을 달리므로 올바른 쿼터니언은 z축으로만 돕니다.
+# 다음 순서로 보아 처음 해당하는 판정을 반환하십시오.
+#
+# | 판정 | 조건 |
+# |---|---|
+# | `"nan"` | 네 수 가운데 하나라도 유한하지 않음(NaN 또는 무한대) |
+# | `"zero"` | 길이가 0임(0.000001 미만) |
+# | `"not unit"` | 길이가 1에서 0.01보다 더 벗어남 |
+# | `"w first"` | x나 y의 크기가 0.1보다 큼: 평평한 바닥이라면 누군가 w를 먼저 쓴 것입니다 |
+# | `"ok"` | 어느 것도 아님 |
+
+# %% name="e2-4-answer" tags=["answer"]
+def judge_quaternion(q):
+    """Return the verdict on `q`, four numbers (x, y, z, w)."""
+    x, y, z, w = q
+    # BEGIN SOLUTION
+    if not all(math.isfinite(part) for part in q):
+        return "nan"
+    length = math.hypot(*q)
+    if length < 1e-6:
+        return "zero"
+    if abs(length - 1.0) > 0.01:
+        return "not unit"
+    return "w first" if max(abs(x), abs(y)) > 0.1 else "ok"
+    # END SOLUTION
+
+# %% name="e2-4-check" tags=["check"]
+check("E2.4", judge_quaternion)
+
+# %% [markdown] lang="en" name="e2-5"
+# ## E2.5 · First the yaw, then the pitch (3 points)
+#
+# A sensor is on a bench, aligned with the robot. You turn it **first** by a yaw about the robot's z, **then** by a pitch about the robot's y. Both axes are fixed to the robot.
+# What is the sensor's rotation in the robot's frame, as a quaternion (x, y, z, w)?
+
+# %% [markdown] lang="ko" name="e2-5"
+# ## E2.5 · 먼저 yaw, 다음에 pitch (3점)
+#
+# 센서가 로봇과 나란히 놓여 있습니다. **먼저** 로봇의 z축을 중심으로 yaw만큼, **다음에** 로봇의 y축을 중심으로 pitch만큼 돌립니다. 두 축 모두 로봇에 고정되어 있습니다.
+# 로봇 기준으로 센서의 회전을 쿼터니언 (x, y, z, w)로 쓰면 무엇입니까?
+
+# %% name="e2-5-given"
+e2_5 = task("E2.5")
+
+# %% name="e2-5-answer" tags=["answer"]
+# BEGIN SOLUTION
+yaw = Transform.from_rpy(yaw=e2_5.first_yaw_rad)
+pitch = Transform.from_rpy(pitch=e2_5.then_pitch_rad)
+robot_q_sensor = (pitch @ yaw).rotation  # (x, y, z, w)
+# END SOLUTION
+
+# %% name="e2-5-check" tags=["check"]
+check("E2.5", robot_q_sensor)
+
+# %% [markdown] lang="en" name="e2-6"
+# ## E2.6 · A cloud at ninety degrees (3 points)
+#
+# A depth camera looks straight ahead at a wall. Its cloud, right in its own optical axes, lies wrongly in RViz (Fixed Frame: `base_link`).
+# Here is the evidence: the cloud's header, and what `tf2_echo` says of the two mounts. One of the three is not as it should be.
+#
+# - `"wall_appears"`: where does the wall appear? `"ahead"`, `"above"`, `"left"` or `"right"`
+# - `"fault"`: what is wrong? `"header"`, `"mount of camera_link"`, `"mount of camera_optical_frame"`, `"data"` or `"quaternion"`
+# - `"change"`: where do you mend it? `"driver"`, `"URDF"` or `"my node"`
+
+# %% [markdown] lang="ko" name="e2-6"
+# ## E2.6 · 90° 돌아간 클라우드 (3점)
+#
+# 깊이 카메라가 정면의 벽을 보고 있습니다. 클라우드의 숫자는 카메라의 optical 축 기준으로 올바르지만, RViz(Fixed Frame: `base_link`)에서는 엉뚱한 곳에 놓입니다.
+# 증거는 셋입니다. 클라우드의 헤더, 그리고 `tf2_echo`로 읽은 두 장착 변환입니다. 셋 중 하나가 잘못되어 있습니다.
+#
+# - `"wall_appears"`: 벽이 어디에 나타납니까? `"ahead"`(앞), `"above"`(위), `"left"`(왼쪽), `"right"`(오른쪽)
+# - `"fault"`: 무엇이 잘못되었습니까? `"header"`(헤더), `"mount of camera_link"`, `"mount of camera_optical_frame"`(각 장착 변환), `"data"`(데이터), `"quaternion"`(쿼터니언)
+# - `"change"`: 어디를 고칩니까? `"driver"`(드라이버), `"URDF"`, `"my node"`(내 노드)
+
+# %% name="e2-6-given"
+e2_6 = task("E2.6")
+
+# %% name="e2-6-answer" tags=["answer"]
+diagnosis = {
+    # BEGIN SOLUTION
+    "wall_appears": "right" if any(e2_6.rpy_of_camera_link_in_base_link_deg) else "above",
+    "fault": (
+        "header" if e2_6.header_frame_id == "camera_link"
+        else "mount of camera_link" if any(e2_6.rpy_of_camera_link_in_base_link_deg)
+        else "mount of camera_optical_frame"
+    ),
+    "change": "driver" if e2_6.header_frame_id == "camera_link" else "URDF",
+    # END SOLUTION
+}
+
+# %% name="e2-6-check" tags=["check"]
+check("E2.6", diagnosis)
+
+# %% [markdown] lang="en" name="e2-7"
+# ## E2.7 · A few digits too few (2 points)
+#
+# A URDF should turn a camera's mount by π/2 of yaw, and somebody wrote it with too few digits.
+# How far off sideways is a point at this range [mm], as a number without a sign?
+
+# %% [markdown] lang="ko" name="e2-7"
+# ## E2.7 · 모자란 숫자 몇 자리 (2점)
+#
+# URDF에서 카메라를 yaw로 π/2만큼 돌려야 하는데, 누군가 자릿수를 줄여 적었습니다.
+# 이 거리에 있는 점은 옆으로 얼마나 어긋납니까 [mm]? 부호 없이 답하십시오.
+
+# %% name="e2-7-given"
+e2_7 = task("E2.7")
+
+# %% name="e2-7-answer" tags=["answer"]
+# BEGIN SOLUTION
+off_mm = 1000.0 * e2_7.range_m * abs(math.pi / 2 - e2_7.written_yaw_rad)  # [mm]
+# END SOLUTION
+
+# %% name="e2-7-check" tags=["check"]
+check("E2.7", off_mm)
+
+# %% [markdown] lang="en" name="end"
+# ## Done
+#
+# Everything green? Then look at one more thing: run `hint("E2.2")` and ask yourself whether you could have written that hint.
+# Whoever can help others with a mistake will not make it again.
+
+# %% [markdown] lang="ko" name="end"
+# ## 마쳤습니다
+#
+# 모두 통과했습니까? 한 가지만 더 해 보십시오. `hint("E2.2")`를 실행하고, 자신도 그런 힌트를 쓸 수 있을지 생각해 보십시오.
+# 남의 실수를 도와줄 수 있는 사람은 같은 실수를 하지 않습니다.
