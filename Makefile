@@ -1,19 +1,22 @@
 # Two commands do everything on a machine with only Python >= 3.11:
 #   make lab     open the workbook in JupyterLab
 #   make test    install what is missing and run every test
+# and for whoever writes pages:
+#   make build   make the notebooks of their sources
 
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 WORKERS ?= 2
 
-.PHONY: lab test test-fast check bench clean
+.PHONY: lab test test-fast check build bench clean
 
 lab: $(VENV)/learner
 	$(BIN)/tflab lab
 
 test: $(VENV)/developer check
 	$(BIN)/python -m pytest -n $(WORKERS) --dist loadscope
+	$(BIN)/python -m pytest -n $(WORKERS) --dist loadscope --nbval notebooks/en solutions/en
 
 test-fast: $(VENV)/developer
 	$(BIN)/python -m pytest -m "not browser and not slow" -x -q
@@ -21,6 +24,9 @@ test-fast: $(VENV)/developer
 check: $(VENV)/developer
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
+
+build: $(VENV)/developer
+	$(BIN)/tflab build
 
 bench: $(VENV)/developer
 	$(BIN)/pip install --quiet --constraint constraints.txt --editable ".[bench]"

@@ -3,6 +3,11 @@
 from __future__ import annotations
 
 import json
+import os
+import signal
+import subprocess
+import sys
+import time
 from pathlib import Path
 
 import pytest
@@ -222,3 +227,20 @@ def test_a_chapter_without_tasks_says_where_they_belong(tmp_path: Path, capsys) 
 )
 def test_where_two_files_part_is_said(there: str, new: str, said: str) -> None:
     assert said in difference(there, new)
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no SIGINT to send to one process")
+def test_ctrl_c_ends_the_kernels_and_leaves_no_half_of_a_file(tmp_path: Path) -> None:
+    mark = tmp_path / "running"
+    wait = f"import os, time\nopen({str(mark)!r}, 'w').write(str(os.getpid()))\ntime.sleep(100)"
+    written(tmp_path, TITLE, code("waits", wait))
+    command = [sys.executable, "-c", "import sys, tflab.cli; sys.exit(tflab.cli.main(sys.argv[1:]))"]
+    process = subprocess.Popen([*command, "build", "--root", str(tmp_path)], stderr=subprocess.PIPE)
+    while not (mark.exists() and mark.read_text()):
+        assert process.poll() is None, process.communicate()
+        time.sleep(0.05)
+    process.send_signal(signal.SIGINT)
+    assert process.wait(timeout=30) == 130
+    with pytest.raises(ProcessLookupError):
+        os.kill(int(mark.read_text()), 0)
+    assert bytes_below(tmp_path) == {}

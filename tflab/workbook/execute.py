@@ -17,10 +17,11 @@ import json
 import os
 import re
 import subprocess
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from itertools import pairwise
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import Any
 
 from .source import Cell, Fault, Page
 
@@ -67,7 +68,6 @@ async def _run(page: Page, root: Path, folder: str, each: Callable[[Cell], None]
     """Run the code cells in a fresh kernel, which ends with this call, however it ends."""
     import nbformat
     from nbclient import NotebookClient
-    from nbclient.exceptions import CellTimeoutError, DeadKernelError
 
     cells = [nbformat.v4.new_code_cell(cell.source, id=f"c{i}") for i, cell in enumerate(page.code)]
     notebook = nbformat.v4.new_notebook(cells=cells)
@@ -77,18 +77,33 @@ async def _run(page: Page, root: Path, folder: str, each: Callable[[Cell], None]
     )
     env = {name: value for name, value in os.environ.items() if not name.startswith("TFLAB_")}
     env |= {"TFLAB_WORKBOOK": str(root), "IPYTHONDIR": str(root / "ipython"), "PYTHONHASHSEED": "0"}
-    async with client.async_setup_kernel(env=env, stderr=subprocess.DEVNULL):
-        for number, (cell, written) in enumerate(zip(cells, page.code, strict=True)):
-            each(written)
-            try:
-                await client.async_execute_cell(cell, number)
-            except CellTimeoutError:
-                cell.outputs.append(_error("TimeoutError", f"not done after {SECONDS_FOR_A_CELL} s"))
-                break
-            except DeadKernelError:
-                cell.outputs.append(_error("DeadKernelError", "the kernel died"))
-                break
+    kernel = client.create_kernel_manager()
+    try:  # not client.async_setup_kernel(): that takes Ctrl-C for itself, and stumbles over it
+        await client.async_start_new_kernel(env=env, stderr=subprocess.DEVNULL)
+        await client.async_start_new_kernel_client()
+        await _run_cells(client, zip(cells, page.code, strict=True), each)
+    finally:
+        if client.kc is not None:
+            client.kc.stop_channels()
+        if kernel.has_kernel:
+            await kernel.shutdown_kernel(now=True)
+        await kernel.cleanup_resources()
     return {written.name: list(cell.outputs) for cell, written in zip(cells, page.code, strict=True)}
+
+
+async def _run_cells(client: Any, cells: Iterable[tuple[Any, Cell]], each: Callable[[Cell], None]) -> None:
+    from nbclient.exceptions import CellTimeoutError, DeadKernelError
+
+    for number, (cell, written) in enumerate(cells):
+        each(written)
+        try:
+            await client.async_execute_cell(cell, number)
+        except CellTimeoutError:
+            cell.outputs.append(_error("TimeoutError", f"not done after {SECONDS_FOR_A_CELL} s"))
+            return
+        except DeadKernelError:
+            cell.outputs.append(_error("DeadKernelError", "the kernel died"))
+            return
 
 
 def _error(name: str, text: str) -> dict:

@@ -1,0 +1,98 @@
+"""The committed pages: both languages agree, stubs score zero, solutions everything, and nothing is stale."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+
+from tflab.workbook.build import build_pages, sources
+from tflab.workbook.editions import slug
+from tflab.workbook.places import chapters, workbook_data
+from tflab.workbook.stale import stale
+
+ROOT = workbook_data()
+CHAPTERS = chapters()
+ROOMS = [path.relative_to(ROOT).as_posix() for path in sorted(ROOT.glob("*/en/*.ipynb"))]
+
+
+def cells_of(path: Path) -> list[dict]:
+    return json.loads(path.read_text(encoding="utf-8"))["cells"]
+
+
+def points_of(stem: str) -> dict[str, int]:
+    cases = json.loads((ROOT / "exercises" / "cases" / f"{stem}.json").read_text(encoding="utf-8"))
+    return {task: plain["points"] for task, plain in cases["tasks"].items()}
+
+
+@pytest.mark.parametrize("name", ROOMS)
+def test_a_korean_page_has_the_code_and_the_outputs_of_the_english(name: str) -> None:
+    en, ko = (cells_of(ROOT / name.replace("/en/", f"/{language}/")) for language in ("en", "ko"))
+    assert [(cell["id"], cell["cell_type"]) for cell in en] == [(cell["id"], cell["cell_type"]) for cell in ko]
+    for ours, theirs in zip(en, ko, strict=True):
+        if ours["cell_type"] == "code":
+            shared = ("source", "outputs", "execution_count")
+            assert [ours[key] for key in shared] == [theirs[key] for key in shared], ours["id"]
+
+
+@pytest.mark.parametrize("name", ROOMS)
+def test_a_korean_page_is_in_korean(name: str) -> None:
+    texts = [cell for cell in cells_of(ROOT / name.replace("/en/", "/ko/")) if cell["cell_type"] == "markdown"]
+    hangul = [cell["id"] for cell in texts if re.search("[가-힣]", "".join(cell["source"]))]
+    assert len(hangul) >= 0.9 * len(texts), sorted({cell["id"] for cell in texts} - set(hangul))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("language", ["en", "ko"])
+@pytest.mark.parametrize("stem", CHAPTERS)
+def test_an_untouched_exercise_runs_to_its_last_cell_and_scores_zero(stem: str, language: str, tmp_path: Path) -> None:
+    import nbformat
+    from nbclient import NotebookClient
+
+    from tflab.workbook.learner import lay_out
+    from tflab.workbook.progress import attempts
+
+    root = lay_out(tmp_path / "copy", language)
+    path = root / "exercises" / language / f"{stem}.ipynb"
+    page = nbformat.read(path, as_version=4)
+    NotebookClient(page, timeout=60, resources={"metadata": {"path": str(path.parent)}}).execute()
+    said = {
+        cell.id: "".join(output.get("text", "") for output in cell.outputs)
+        for cell in page.cells
+        if cell.cell_type == "code"
+    }
+    for task in points_of(stem):
+        assert said[f"{slug(task)}-check"], f"{task} says nothing to an empty answer"
+        assert "✓" not in said[f"{slug(task)}-check"]
+        assert attempts(root, task).passed == 0
+
+
+@pytest.mark.parametrize("stem", CHAPTERS)
+def test_a_solution_scores_everything_there_is(stem: str) -> None:
+    cells = {cell["id"]: cell for cell in cells_of(ROOT / "solutions" / "en" / f"{stem}.ipynb")}
+    for task in points_of(stem):
+        (printed,) = cells[f"{slug(task)}-check"]["outputs"]
+        score = re.fullmatch(rf"{re.escape(task)} ✓ (\d+)/(\d+)\n", "".join(printed["text"]))
+        assert score, f"{task}: {printed['text']}"
+        assert score[1] == score[2] != "0"
+
+
+@pytest.mark.parametrize("stem", CHAPTERS)
+def test_an_exercise_holds_nothing_of_its_solution(stem: str) -> None:
+    for language in ("en", "ko"):
+        cells = cells_of(ROOT / "exercises" / language / f"{stem}.ipynb")
+        solved = {cell["id"]: cell for cell in cells_of(ROOT / "solutions" / language / f"{stem}.ipynb")}
+        for cell in cells:
+            assert not cell.get("outputs")
+            assert "SOLUTION" not in "".join(cell["source"])
+            if "answer" in cell["metadata"].get("tags", ()):
+                assert cell["source"] != solved[cell["id"]]["source"]
+
+
+@pytest.mark.slow
+def test_what_is_committed_is_what_the_sources_make() -> None:
+    built = build_pages(ROOT, sources(ROOT))
+    assert [str(fault) for fault in built.faults] == []
+    assert stale(ROOT, built.files) == []
