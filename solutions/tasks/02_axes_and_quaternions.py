@@ -92,7 +92,7 @@ def quaternions(rng: np.random.Generator) -> list[tuple[tuple[float, float, floa
 
 def judged(q: tuple, *, nan=True, zero=True, tolerance=0.01, norm=2, last_sign=False, zero_by_w=False) -> str:
     """Judge a quaternion as the task asks; the options are the mistakes."""
-    x, y, z, w = q
+    x, y, _, w = q
     if nan and not all(math.isfinite(part) for part in q):
         return "nan"
     length = float(np.linalg.norm(np.array(q, dtype=float), norm))
