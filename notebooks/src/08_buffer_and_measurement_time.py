@@ -139,6 +139,7 @@ nodes = launch(graph, robot, only=["robot_state_publisher", "wheel_odometry", "l
 # - 공을 볼 때마다 `on_point`가 불립니다. Buffer에 `map_T_camera`를 묻고, 점을 옮깁니다.
 # - 물을 때는 `Time()`을 씁니다. 작성자는 "가장 새로운 Pose가 당연히 가장 좋겠지"라고 생각했습니다.
 
+
 # %% name="finder"
 class Finder(Node):
     def __init__(self):
@@ -1092,49 +1093,102 @@ draw_scene(
 #
 # 핵심 부분을 우리 Robot에서 돌려 봅니다.
 
+
 # %% name="point-to-map"
 class PointToMap(Node):
-    def __init__(self):
+    def __init__(self, timeout):
         super().__init__("point_to_map")
+        self.timeout = timeout
         self.buffer = Buffer(cache_time=Duration(seconds=20.0))
         self.listener = TransformListener(self.buffer, self)
         self.subscription = self.create_subscription(PointStamped, "detected_point", self.on_point, 10)
 
     def on_point(self, message):
         try:
-            point = self.buffer.transform(message, "map", timeout=Duration(seconds=0.2)).point
+            point = self.buffer.transform(message, "map", timeout=self.timeout).point
             self.get_logger().info(f"map point=({point.x:.2f}, {point.y:.2f}, {point.z:.2f})")
         except TransformException as error:
-            self.get_logger().warning(f"TF 변환 실패: {error}")
+            self.get_logger().warning(f"no transform: {error}")
 
 
-# %% name="point-to-map-runs"
-def main():
+# %% [markdown] lang="en" name="point-to-map-predict" slide="subslide"
+# The robot has been driving for twelve seconds; the node starts in the middle of it.
+#
+# **Predict:** the first point was measured before the node began to listen, so it must be refused. The second one, 0.2 s later: placed or refused?
+
+# %% [markdown] lang="ko" name="point-to-map-predict" slide="subslide"
+# Robot은 12초째 달리고 있고, Node는 그 한가운데서 시작합니다.
+#
+# **예측해 보십시오.** 첫 점은 Node가 듣기 전에 측정된 것이니 거절될 수밖에 없습니다. 0.2초 뒤의 둘째 점은 놓일까요, 거절될까요?
+
+
+# %% name="with-a-timeout"
+def main(timeout):
     rclpy.init()
-    rclpy.spin(PointToMap())
+    rclpy.spin(PointToMap(timeout))
 
 
-graph.start(main)
-graph.run(seconds=1.2)
+node = graph.start(main, Duration(seconds=0.2))
+graph.run(seconds=1.3)
+node.stop()
+
+# %% [markdown] lang="en" name="with-a-timeout-read" slide="subslide"
+# Every point is refused, and look at the two times of each line: the gap *grows*.
+# The robot speaks as before. It is the node that has stopped listening.
+#
+# A node that spins on one thread does one thing at a time.
+# The first point fails, so its callback waits 0.2 s for a transform, and while it waits nobody reads `/tf`.
+# Then comes the next point, and waits 0.2 s as well.
+# The transforms stand in a queue at the door, and the node reads one of them for each nap it takes.
+# The timeout that was to help has made the node deaf, after a single miss.
+#
+# Without it:
+
+# %% [markdown] lang="ko" name="with-a-timeout-read" slide="subslide"
+# 모든 점이 거절되었습니다. 그리고 줄마다 두 시각을 비교해 보십시오. 차이가 점점 *벌어집니다*.
+# Robot은 전과 똑같이 말하고 있습니다. 듣기를 멈춘 쪽은 Node입니다.
+#
+# Thread 하나로 spin하는 Node는 한 번에 한 가지 일만 합니다.
+# 첫 점이 실패하자 callback이 변환을 기다리며 0.2초를 쉬고, 그동안 아무도 `/tf`를 읽지 않습니다.
+# 그러면 다음 점이 와서 또 0.2초를 기다립니다.
+# 변환들은 문 앞에 줄을 서 있고, Node는 한 번 졸 때마다 하나씩만 읽습니다.
+# 도우려던 timeout이, 단 한 번의 실패 뒤에, Node의 귀를 막았습니다.
+#
+# timeout 없이 해 봅니다.
+
+# %% name="without-a-timeout"
+node = graph.start(main, Duration())
+graph.run(seconds=1.3)
+node.stop()
 
 # %% [markdown] lang="en" name="point-to-map-read" slide="subslide"
-# Look at the first lines. Right after it starts, the node knows no `map` yet: even `/tf_static` needs a moment to arrive.
-# Then the first points are *older than the buffer*: they were measured before the node began to listen.
+# One refusal, then the ball, again and again, where it is.
+#
+# The first point is older than everything the node has heard. That one is lost, and rightly so.
 # A mapping node once crashed on exactly that, at start-up, because a scan was 41 ms older than the first transform (SteveMacenski/slam_toolbox, report 775).
 # The patch that was proposed there asked for the latest transform instead. You know now what that would have hidden.
-# Refusing the first few messages, as this node does, is the right behaviour.
 
 # %% [markdown] lang="ko" name="point-to-map-read" slide="subslide"
-# 첫 줄들을 보십시오. 시작 직후의 Node는 아직 `map`을 모릅니다. `/tf_static`도 도착하려면 잠깐이 필요합니다.
-# 그다음 점들은 *Buffer보다 늙었습니다*. Node가 듣기 시작하기 전에 측정된 것이기 때문입니다.
+# 한 번 거절한 뒤에는, 공이 있는 자리에 공을 거듭 놓습니다.
+#
+# 첫 점은 Node가 들은 모든 것보다 늙었습니다. 그 점은 버려지고, 그것이 옳습니다.
 # 어느 지도 작성 Node는 바로 이 때문에 시작하자마자 죽었습니다. Scan이 첫 변환보다 41 ms 늙어 있었습니다(SteveMacenski/slam_toolbox 775번 보고).
 # 그때 제안된 수정은 최신 변환을 대신 묻는 것이었습니다. 그것이 무엇을 숨겼을지 이제 여러분은 압니다.
-# 이 Node처럼 처음 몇 개를 거절하는 것이 올바른 동작입니다.
+
+# %% [markdown] lang="en" name="point-to-map-notes" slide="notes"
+# The lecture's node is right in everything that it asks. It works as long as no transform is ever late; one miss, and it goes deaf.
+# On a slower detector (1 Hz) it would recover: 0.2 s of sleep in each second leaves time to listen. Ask the class why.
+# Chapter 09 shows how to wait: a listener with its own thread, wait_for_transform_async, or a message filter.
+
+# %% [markdown] lang="ko" name="point-to-map-notes" slide="notes"
+# 강의의 Node는 묻는 내용이 모두 옳습니다. 변환이 한 번도 늦지 않는 한 잘 동작하지만, 한 번 놓치면 귀가 막힙니다.
+# 검출기가 더 느렸다면(1 Hz) 회복했을 것입니다. 1초에 0.2초만 자면 들을 시간이 남습니다. 왜 그런지 물어보십시오.
+# 기다리는 법은 09장에서 다룹니다. 자기 Thread를 가진 Listener, wait_for_transform_async, Message Filter입니다.
 
 # %% [markdown] lang="en" name="robot-care" slide="subslide"
-# Two things to know before you type it on a robot:
+# So, before you type it on a robot:
 #
-# - `timeout=` inside a callback cannot help in a node with one thread: while the callback waits, nobody reads `/tf`, so nothing new can arrive. Here it does no harm; chapter 09 shows what does help.
+# - Leave `timeout=` out of callbacks, or give the listener a thread of its own; chapter 09 shows how to wait.
 # - Since ROS 2 Humble, Ctrl-C shuts the context down by itself, and the last `rclpy.shutdown()` then raises `RCLError`. Today one writes `except (KeyboardInterrupt, ExternalShutdownException): pass` and `rclpy.try_shutdown()`.
 #
 # And the lookup by hand, as in the lecture, when you need the transform itself:
@@ -1153,9 +1207,9 @@ graph.run(seconds=1.2)
 # Is your robot's data old? Ask it. `ros2 topic delay` prints arrival minus stamp:
 
 # %% [markdown] lang="ko" name="robot-care" slide="subslide"
-# Robot에 입력하기 전에 알아 둘 것이 둘 있습니다.
+# 그러니 Robot에 입력하기 전에 다음을 알아 두십시오.
 #
-# - Thread가 하나인 Node의 callback 안에서 `timeout=`은 도움이 되지 않습니다. callback이 기다리는 동안 아무도 `/tf`를 읽지 않으므로 새것이 올 수 없습니다. 여기서는 해가 없고, 무엇이 도움이 되는지는 09장에서 봅니다.
+# - callback에서는 `timeout=`을 빼거나, Listener에 자기 Thread를 주십시오. 기다리는 법은 09장에서 봅니다.
 # - ROS 2 Humble부터 Ctrl-C는 context를 스스로 닫으므로, 마지막 `rclpy.shutdown()`이 `RCLError`를 일으킵니다. 요즘은 `except (KeyboardInterrupt, ExternalShutdownException): pass`와 `rclpy.try_shutdown()`을 씁니다.
 #
 # 변환 자체가 필요할 때는 강의처럼 직접 조회합니다.
