@@ -1,0 +1,1085 @@
+# %% [markdown] lang="en" name="title" slide="slide"
+# # Target and source: data in …, wanted in …
+#
+# **50 minutes.** Builds on chapters 01 (value, frame, stamp) and 02 (axes and quaternions).
+#
+# After this chapter you can
+#
+# - say where a child sits in its parent, and which way its data goes;
+# - turn a sentence into `lookup_transform(target, source, time)`, and never guess the order again;
+# - chain transforms like dominoes, and see at once when a product is wrong;
+# - go back: invert a transform that turns, and read `tf2_echo` both ways.
+
+# %% [markdown] lang="ko" name="title" slide="slide"
+# # Target과 source: …에서 쓴 데이터를, …에서 보고 싶다
+#
+# **50분.** 01장(값, 좌표계, 시각)과 02장(축과 쿼터니언)에 이어집니다.
+#
+# 이 장을 마치면 다음을 할 수 있습니다.
+#
+# - 자식이 부모 안 어디에 있는지, 데이터는 어느 쪽으로 흐르는지 말합니다.
+# - 문장 하나를 `lookup_transform(target, source, time)`으로 옮기고, 인자 순서를 더는 찍지 않습니다.
+# - 변환을 도미노처럼 잇고, 잘못된 곱은 보자마자 알아챕니다.
+# - 거꾸로 갑니다. 회전이 있는 변환의 역을 구하고, `tf2_echo`를 양쪽으로 읽습니다.
+
+# %% [markdown] lang="en" name="title-notes" slide="notes"
+# The whole chapter is one sentence: "data written in source, wanted in target".
+# Ask the room now: who has ever fixed a transform by swapping two arguments until the picture looked right?
+# Most hands go up. That is the chapter.
+
+# %% [markdown] lang="ko" name="title-notes" slide="notes"
+# 이 장은 한 문장입니다. "source에서 쓴 데이터를 target에서 보고 싶다."
+# 먼저 물어봅니다. 그림이 맞아 보일 때까지 두 인자를 바꿔 가며 고친 적이 있는 사람?
+# 대부분 손을 듭니다. 그것이 오늘의 주제입니다.
+
+# %% [markdown] lang="en" name="what-you-need" slide="subslide"
+# ## What you need to begin
+#
+# Five facts from the chapters before; if one is new, believe it for an hour.
+#
+# - A position is a value **in a [[frame]]**: `(2, 0, 0)` alone means nothing, `(2, 0, 0)` in `laser_frame` does.
+# - x points forward, y to the left, z up; a positive yaw turns to the left.
+# - A rotation is a quaternion (x, y, z, w), and "no rotation" is (0, 0, 0, 1).
+# - Where a sensor is bolted on does not change, so it is published once, as a static transform.
+# - A `Buffer` remembers what was published, and a `TransformListener` fills it; `Time()` asks for the latest.
+#
+# Today the robot stands still, so time plays no part; chapter 08 brings it back.
+
+# %% [markdown] lang="ko" name="what-you-need" slide="subslide"
+# ## 시작하기 전에 알아 둘 것
+#
+# 앞 장에서 온 다섯 가지입니다. 처음 보는 것이 있다면 한 시간만 믿어 두십시오.
+#
+# - 위치는 **어떤 [[frame|좌표계(frame)]]에서** 읽은 값입니다. `(2, 0, 0)`만으로는 아무 뜻이 없고, `laser_frame`의 `(2, 0, 0)`이라야 뜻이 있습니다.
+# - x는 앞, y는 왼쪽, z는 위입니다. 양의 yaw는 왼쪽으로 돕니다.
+# - 회전은 쿼터니언 (x, y, z, w)이고, "회전 없음"은 (0, 0, 0, 1)입니다.
+# - 센서를 단 자리는 변하지 않으므로 정적 변환으로 한 번만 발행합니다.
+# - `Buffer`는 발행된 것을 기억하고, `TransformListener`가 그것을 채웁니다. `Time()`은 가장 최근 값을 달라는 뜻입니다.
+#
+# 오늘은 로봇이 서 있으므로 시간은 신경 쓰지 않습니다. 시간은 08장에서 다시 나옵니다.
+
+# %% name="load"
+# %load_ext tflab
+
+# %% name="imports"
+import math
+
+import rclpy
+import tf2_geometry_msgs  # lets the buffer transform a PointStamped
+from geometry_msgs.msg import PointStamped
+from rclpy.node import Node
+from rclpy.time import Time
+from tf2_ros import Buffer, TransformListener
+
+from tflab.core import LATEST, Transform
+from tflab.tools.buffers import draw_buffer, draw_question
+from tflab.views.dominoes import draw_dominoes
+from tflab.views.eye import FROM_ABOVE
+from tflab.views.frames import draw_scene
+from tflab.views.mount import draw_mount, seen_from
+from tflab.views.panels import mount_panel, sentence_panel
+from tflab.views.readings import draw_readings
+from tflab.views.scene import Scene, draw_arrow, draw_frame, draw_path
+from tflab.views.style import ACCENT, fmt_all
+
+# %% [markdown] lang="en" name="ten-years" slide="slide"
+# ## Ten years of "reversed"
+#
+# In 2015 somebody reported to ros/geometry that `tf_echo` prints the transform the wrong way round (#108).
+# Somebody else did in #192, and again in #226.
+# ROS 2 came, and with it ros2/geometry2 #470 (2021); then the documentation, ros2/ros2_documentation #4239 (2024).
+# A maintainer of the most used EKF package wrote that they frequently get it backwards themselves (robot_localization #437).
+#
+# Now the strange part: nobody was wrong, and the tool was right all along.
+# Everybody had asked for the transform **"from A to B"**, and that phrase is two questions.
+
+# %% [markdown] lang="ko" name="ten-years" slide="slide"
+# ## "거꾸로 나와요" 10년
+#
+# 2015년, 누군가 `tf_echo`가 변환을 반대로 찍는다고 ros/geometry에 알렸습니다(#108).
+# 같은 이야기가 #192에, 다시 #226에 올라왔습니다.
+# ROS 2가 나오자 ros2/geometry2 #470(2021)이, 이어서 공식 문서에도 ros2/ros2_documentation #4239(2024)가 올라왔습니다.
+# 가장 널리 쓰이는 EKF 패키지의 관리자도 자신도 자주 거꾸로 쓴다고 적었습니다(robot_localization #437).
+#
+# 이상한 점은 따로 있습니다. 틀린 사람은 아무도 없었고, 도구도 처음부터 맞았습니다.
+# 모두가 **"A에서 B로 가는 변환"** 을 물었는데, 이 말 안에 질문이 두 개 들어 있었습니다.
+
+# %% name="two-readings"
+draw_readings("base_link", "laser_frame", Transform.from_rpy(yaw=math.pi / 2, translation=(0.20, 0.0, 0.15)))
+
+# %% [markdown] lang="en" name="two-readings-seen"
+# Left, an engineer who mounts sensors: where does the laser *sit*, looking from the robot?
+# Right, an engineer who moves data: I have numbers of the robot and *want* them in the laser.
+# Both say "from base_link to laser_frame", and they need opposite transforms.
+#
+# The cure is a sentence with neither "from" nor "to".
+# You will have it in ten minutes; first, burn your fingers.
+
+# %% [markdown] lang="ko" name="two-readings-seen"
+# 왼쪽은 센서를 다는 사람의 말입니다. 로봇에서 볼 때 레이저는 어디에 *달려* 있는가?
+# 오른쪽은 데이터를 옮기는 사람의 말입니다. 로봇 기준 숫자가 있는데, 레이저 기준으로 *보고 싶다*.
+# 둘 다 "base_link에서 laser_frame으로"라고 말하지만, 필요한 변환은 서로 반대입니다.
+#
+# 해결책은 "에서 … 로"가 없는 문장 하나입니다.
+# 10분 뒤면 그 문장을 갖게 됩니다. 그 전에 먼저 한번 데어 봅시다.
+
+# %% [markdown] lang="en" name="two-readings-seen-notes" slide="notes"
+# Let two people act it: one is base_link, one is laser_frame, an object lies between them.
+# "Go from A to B" moves a person; "take this number from A to B" moves a note. Same words.
+# Do not name target and source yet.
+
+# %% [markdown] lang="ko" name="two-readings-seen-notes" slide="notes"
+# 두 사람에게 시켜 봅니다. 한 명은 base_link, 한 명은 laser_frame이고, 물체 하나를 사이에 둡니다.
+# "A에서 B로 가세요"는 사람이 움직이고, "이 숫자를 A에서 B로 옮기세요"는 쪽지가 움직입니다. 말은 같습니다.
+# 아직 target과 source라는 말은 꺼내지 않습니다.
+
+# %% [markdown] lang="en" name="predict" slide="slide"
+# ## Predict
+#
+# The laser is bolted on 20 cm ahead of the robot's middle and 15 cm above it.
+# Somebody has turned it by +90°, so that it looks along the shelf on the left.
+# It sees the corner of the shelf straight ahead: **(2, 0, 0) in `laser_frame`**.
+#
+# Where is the corner in `base_link`?
+# Write your guess into the next cell before you go on; a guess that turns out wrong is worth more than none.
+
+# %% [markdown] lang="ko" name="predict" slide="slide"
+# ## 예측하기
+#
+# 레이저는 로봇 중심에서 앞으로 20 cm, 위로 15 cm 자리에 달려 있습니다.
+# 누군가 왼쪽 선반을 보도록 레이저를 +90° 돌려 달았습니다.
+# 레이저는 정면에서 선반 모서리를 봅니다. **`laser_frame`에서 (2, 0, 0)** 입니다.
+#
+# `base_link`에서 모서리는 어디에 있습니까?
+# 다음 셀에 예측을 적고 넘어가십시오. 틀린 예측이 예측하지 않은 것보다 낫습니다.
+
+# %% name="my-guess"
+my_guess = (0.0, 0.0, 0.0)  # your guess: (x, y, z) in base_link [m]
+
+# %% [markdown] lang="en" name="run-it"
+# ## Run it
+#
+# The mount, with ROS 2's own tool, and then a node with a buffer: what you would write on a robot.
+# `spin_thread=True` lets the listener hear in a thread of its own, while you type.
+
+# %% [markdown] lang="ko" name="run-it"
+# ## 실행해 보기
+#
+# 먼저 ROS 2 도구로 레이저를 달고, 이어서 버퍼를 가진 노드를 만듭니다. 로봇에서도 똑같이 씁니다.
+# `spin_thread=True`를 주면, 여러분이 입력하는 동안에도 리스너가 자기 스레드에서 듣습니다.
+
+# %% name="mount-the-laser"
+# %ros2 run tf2_ros static_transform_publisher --x 0.20 --z 0.15 --yaw 1.5707963 --frame-id base_link --child-frame-id laser_frame
+
+# %% name="listen"
+rclpy.init()
+node = Node('corner_watcher')
+buffer = Buffer()
+listener = TransformListener(buffer, node, spin_thread=True)
+graph.run(seconds=0.5)
+
+# %% name="the-corner"
+seen = PointStamped()
+seen.header.frame_id = 'laser_frame'
+seen.point.x = 2.0
+
+corner = buffer.transform(seen, 'base_link')
+base_p_corner = (corner.point.x, corner.point.y, corner.point.z)
+print(corner.header.frame_id, fmt_all(base_p_corner))
+print('your guess was off by', f'{math.dist(my_guess, base_p_corner):.2f} m')
+
+# %% [markdown] lang="en" name="compare" slide="subslide"
+# ### How was your guess?
+#
+# The laser looks to the left, so its "ahead" is the robot's "left": 2 m of y, counted from where the laser sits.
+#
+# <details><summary>I said (2.2, 0, 0.15)</summary>
+#
+# You added the step and forgot the turn.
+# It is right for a laser that looks straight ahead, and only for that one.
+#
+# </details>
+# <details><summary>I said (0, −1.8, −0.15)</summary>
+#
+# You applied the opposite transform: that one takes robot data to the laser.
+# The corner has changed sides, from the left of the robot to the right.
+#
+# </details>
+# <details><summary>I said (0, 2.2, 0.15)</summary>
+#
+# You added the step first and turned the sum.
+# The step of 20 cm is measured along the robot's own x, so nobody turns it: turn the point, *then* add the step.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="compare" slide="subslide"
+# ### 예측은 어땠습니까?
+#
+# 레이저가 왼쪽을 보므로, 레이저의 "앞"은 로봇의 "왼쪽"입니다. 레이저가 달린 자리에서 y로 2 m입니다.
+#
+# <details><summary>(2.2, 0, 0.15)라고 했습니다</summary>
+#
+# 이동은 더했지만 회전을 잊었습니다.
+# 정면을 보는 레이저라면 맞는 답이고, 그때만 맞습니다.
+#
+# </details>
+# <details><summary>(0, −1.8, −0.15)라고 했습니다</summary>
+#
+# 반대 변환을 적용했습니다. 그것은 로봇 기준 데이터를 레이저로 옮기는 변환입니다.
+# 모서리가 로봇 왼쪽에서 오른쪽으로 넘어가 버렸습니다.
+#
+# </details>
+# <details><summary>(0, 2.2, 0.15)라고 했습니다</summary>
+#
+# 이동을 먼저 더한 다음 그 합을 돌렸습니다.
+# 20 cm는 로봇의 x축을 따라 잰 값이므로 돌리면 안 됩니다. 점을 돌리고, *그다음에* 이동을 더합니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="one-transform" slide="slide"
+# ## One transform, read twice
+#
+# What you published is a [[transform]]: it says where the [[child frame]] sits in its [[parent frame]].
+#
+# ```
+# header.frame_id = base_link      # parent
+# child_frame_id  = laser_frame    # child
+# translation     = (0.20, 0, 0.15)  [m], in the parent
+# rotation        = (0, 0, 0.707, 0.707)   x, y, z, w
+# ```
+#
+# The same seven numbers do a second job.
+# They take a point that is written in the **child** and give the same point in the **parent**.
+# So the arrow that is usually drawn, parent → child, shows the family; the data runs against it, child → parent.
+#
+# Call it by both names, target first: `base_T_laser`, and say "laser, expressed in base".
+
+# %% [markdown] lang="ko" name="one-transform" slide="slide"
+# ## 변환 하나, 두 가지 읽기
+#
+# 방금 발행한 것이 [[transform|변환(transform)]]입니다. [[child frame|자식 좌표계(child frame)]]가 [[parent frame|부모 좌표계(parent frame)]] 안 어디에 있는지 말합니다.
+#
+# ```
+# header.frame_id = base_link      # parent
+# child_frame_id  = laser_frame    # child
+# translation     = (0.20, 0, 0.15)  [m], in the parent
+# rotation        = (0, 0, 0.707, 0.707)   x, y, z, w
+# ```
+#
+# 같은 숫자 일곱 개가 일을 하나 더 합니다.
+# **자식**에서 쓴 점을 받아, 같은 점을 **부모**에서 쓴 값으로 돌려줍니다.
+# 그래서 흔히 그리는 부모 → 자식 화살표는 가족 관계이고, 데이터는 그 반대인 자식 → 부모로 흐릅니다.
+#
+# 두 이름으로 부르되 목표를 앞에 둡니다. `base_T_laser`라고 쓰고 "base에서 표현한 laser"라고 읽습니다.
+
+# %% name="one-transform-in-numbers"
+base_T_laser = buffer.core.lookup_transform('base_link', 'laser_frame', LATEST).transform
+
+print('where the laser sits    ', fmt_all(base_T_laser.translation))
+print('its own origin, moved   ', fmt_all(base_T_laser.apply((0.0, 0.0, 0.0))))
+print('the corner, moved       ', fmt_all(base_T_laser.apply((2.0, 0.0, 0.0))))
+
+# %% [markdown] lang="en" name="one-transform-numbers-seen"
+# `buffer.core` is the engine itself: its answers are plain values, which you can multiply and apply.
+# Look at the first two lines: they must be the same, and that settles which way a transform works.
+# The laser's origin is (0, 0, 0) in the laser, and the transform moves it to where the laser sits.
+# Child data goes in, parent data comes out.
+
+# %% [markdown] lang="ko" name="one-transform-numbers-seen"
+# `buffer.core`는 엔진 자체입니다. 답이 평범한 값이라 곱하고 적용할 수 있습니다.
+# 처음 두 줄을 보십시오. 두 값은 같을 수밖에 없고, 이것으로 변환의 방향이 정해집니다.
+# 레이저의 원점은 레이저에서 (0, 0, 0)이고, 변환은 그것을 레이저가 달린 자리로 옮깁니다.
+# 자식의 데이터가 들어가서 부모의 데이터가 나옵니다.
+
+# %% [markdown] lang="en" name="in-3d"
+# Now in 3D: drag to turn it, and move the scrubber to turn the mount.
+# The grey, hatched one is the wrong answer: target and source swapped.
+
+# %% [markdown] lang="ko" name="in-3d"
+# 이번에는 3D입니다. 끌어서 돌려 보고, 스크러버를 움직여 레이저를 돌려 보십시오.
+# 빗금 친 회색이 틀린 답, 즉 target과 source를 바꿔 쓴 경우입니다.
+
+# %% name="in-3d-scene" tags=["interactive"]
+scene = Scene(height_px=380)
+draw_frame(scene, 'base_link', Transform())
+
+
+def turn_the_mount(yaw):
+    mount = Transform.from_rpy(yaw=yaw, translation=(0.20, 0.0, 0.15))
+    places = seen_from(mount, (2.0, 0.0, 0.0))
+    draw_frame(scene, 'laser_frame', mount, parent='base_link')
+    draw_frame(scene, 'swapped', mount.inverse(), ghost=True)
+    draw_arrow(scene, 'beam', mount.translation, places['corner'], 'corner', ACCENT)
+    draw_path(scene, 'wrong beam', [mount.inverse().translation, places['swapped']], ghost=True)
+
+
+scene.sweep('yaw', [math.radians(a) for a in range(-180, 181, 15)], turn_the_mount, unit='rad', start=18)
+scene
+
+# %% name="in-3d-still"
+draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'corner': (0.2, 2.0, 0.15)},
+           ghost_points={'swapped': (0.0, -1.8, -0.15)}, fixed_frame='base_link', length_m=0.5)
+
+# %% [markdown] lang="en" name="the-sentence" slide="slide"
+# ## The sentence
+#
+# > Data **written in** `laser_frame`, **wanted in** `base_link`.
+#
+# That is all.
+# What the data is written in is the [[source frame|source]]; what you want it in is the [[target frame|target]].
+# The target comes first in every call:
+#
+# ```python
+# lookup_transform('base_link', 'laser_frame', time)   # wanted in, written in, when
+# ```
+#
+# The answer is `base_T_laser`: same order, same words.
+# There is no "from" and no "to" in it, so there is nothing to turn round.
+#
+# | you want | target | source |
+# |---|---|---|
+# | a laser point on the map | `map` | `laser_frame` |
+# | to know where the robot is on the map | `map` | `base_link` |
+# | a goal of the map as the robot sees it | `base_link` | `map` |
+#
+# The second row is the first in disguise: "where is the robot" is the robot's own origin, written in `base_link`, wanted in `map`.
+
+# %% [markdown] lang="ko" name="the-sentence" slide="slide"
+# ## 문장 하나
+#
+# > `laser_frame`**에서 쓴** 데이터를 `base_link`**에서 보고 싶다**.
+#
+# 이것이 전부입니다.
+# 데이터가 쓰인 좌표계가 [[source frame|원본(source)]]이고, 보고 싶은 좌표계가 [[target frame|목표(target)]]입니다.
+# 모든 호출에서 목표가 먼저 옵니다.
+#
+# ```python
+# lookup_transform('base_link', 'laser_frame', time)   # wanted in, written in, when
+# ```
+#
+# 답은 `base_T_laser`입니다. 순서도 말도 그대로입니다.
+# 이 문장에는 "여기서 저기로"라는 말이 없으므로 뒤집힐 것도 없습니다.
+#
+# | 하고 싶은 일 | target | source |
+# |---|---|---|
+# | 레이저 점을 지도에 찍기 | `map` | `laser_frame` |
+# | 로봇이 지도 어디에 있는지 알기 | `map` | `base_link` |
+# | 지도의 목표점을 로봇에서 보기 | `base_link` | `map` |
+#
+# 둘째 줄은 첫째 줄과 같은 이야기입니다. "로봇이 어디 있는가"는 `base_link`에서 쓴 로봇의 원점을 `map`에서 보고 싶다는 뜻입니다.
+
+# %% [markdown] lang="en" name="the-sentence-notes" slide="notes"
+# Have everybody say it aloud three times with other frames: camera and map, tool and base, goal and robot.
+# The lecture's sentence in Korean is the same one; a pull request in Japanese found it independently.
+# If somebody says "from", stop and smile.
+
+# %% [markdown] lang="ko" name="the-sentence-notes" slide="notes"
+# 다른 좌표계로 세 번 소리 내어 말하게 합니다. 카메라와 지도, 공구와 베이스, 목표점과 로봇.
+# 일본어로 올라온 어느 풀 리퀘스트도 같은 문장에 이르렀습니다.
+# 누가 "어디에서 어디로"라고 말하면 멈추고 웃어 줍니다.
+
+# %% [markdown] lang="en" name="the-sentence-panel-why"
+# Choose in any line; the others follow.
+# Find a pair for which the matrix and its opposite differ in only one sign.
+
+# %% [markdown] lang="ko" name="the-sentence-panel-why"
+# 아무 줄에서나 골라 보십시오. 나머지가 따라옵니다.
+# 행렬과 그 반대 행렬이 부호 하나만 다른 쌍을 찾아보십시오.
+
+# %% name="the-sentence-panel" tags=["interactive"]
+sentence_panel(
+    {
+        'base_link': Transform(),
+        'laser_frame': base_T_laser,
+        'rear_laser': Transform.from_rpy(yaw=math.pi, translation=(-0.20, 0.0, 0.15)),
+    },
+    'base_link',
+    'laser_frame',
+)
+
+# %% name="the-sentence-still"
+draw_question(buffer, 'base_link', 'laser_frame')
+
+# %% [markdown] lang="en" name="dominoes" slide="slide"
+# ## Dominoes
+#
+# The laser sits on the robot, the robot stands in `odom`, `odom` lies in `map`.
+# Let us bolt the rest together; the robot stands still today, so every edge may be static.
+
+# %% [markdown] lang="ko" name="dominoes" slide="slide"
+# ## 도미노
+#
+# 레이저는 로봇에 달려 있고, 로봇은 `odom`에 서 있고, `odom`은 `map` 안에 있습니다.
+# 나머지를 이어 봅시다. 오늘은 로봇이 서 있으므로 모든 연결이 정적이어도 됩니다.
+
+# %% name="the-rest-of-the-robot"
+# %ros2 run tf2_ros static_transform_publisher --x 4 --y 1 --yaw 1.5707963 --frame-id map --child-frame-id odom
+# %ros2 run tf2_ros static_transform_publisher --x 2 --frame-id odom --child-frame-id base_footprint
+# %ros2 run tf2_ros static_transform_publisher --z 0.10 --frame-id base_footprint --child-frame-id base_link
+# %ros2 run tf2_ros static_transform_publisher --x 0.10 --z 0.30 --frame-id base_link --child-frame-id camera_link
+
+# %% name="the-tree"
+graph.run(seconds=0.5)
+draw_buffer(buffer)
+
+# %% [markdown] lang="en" name="dominoes-fit" slide="subslide"
+# ### Neighbours must match
+#
+# Transforms multiply like dominoes lie: the right half of one must be the left half of the next.
+# What matches cancels; the two ends remain.
+
+# %% [markdown] lang="ko" name="dominoes-fit" slide="subslide"
+# ### 이웃끼리 맞아야 합니다
+#
+# 변환을 곱하는 것은 도미노를 놓는 것과 같습니다. 앞 조각의 오른쪽 칸과 다음 조각의 왼쪽 칸이 같아야 합니다.
+# 맞는 것은 지워지고 양 끝만 남습니다.
+
+# %% name="dominoes-that-fit"
+draw_dominoes(('map', 'odom'), ('odom', 'base_link'), ('base_link', 'laser_frame'))
+
+# %% [markdown] lang="en" name="worked-example"
+# ### A worked example
+#
+# The corner once more: written in `laser_frame`, wanted in `map`.
+# First by hand, one domino after the other; then what `lookup_transform` says.
+
+# %% [markdown] lang="ko" name="worked-example"
+# ### 풀이 예제
+#
+# 다시 그 모서리입니다. `laser_frame`에서 쓴 것을 `map`에서 보고 싶습니다.
+# 먼저 도미노를 하나씩 놓아 손으로 구하고, 그다음 `lookup_transform`의 답과 견줍니다.
+
+# %% name="worked-example-by-hand"
+map_T_odom = buffer.core.lookup_transform('map', 'odom', LATEST).transform
+odom_T_base = buffer.core.lookup_transform('odom', 'base_link', LATEST).transform
+
+laser_p_corner = (2.0, 0.0, 0.0)
+base_p_corner = base_T_laser.apply(laser_p_corner)
+odom_p_corner = odom_T_base.apply(base_p_corner)
+map_p_corner = map_T_odom.apply(odom_p_corner)
+for frame, point in (('base', base_p_corner), ('odom', odom_p_corner), ('map', map_p_corner)):
+    print(f'{frame}_p_corner', fmt_all(point))
+
+# %% name="worked-example-in-one"
+map_T_laser = map_T_odom @ odom_T_base @ base_T_laser
+asked = buffer.core.lookup_transform('map', 'laser_frame', LATEST).transform
+
+print('one product   ', fmt_all(map_T_laser.apply(laser_p_corner)))
+print('one lookup    ', fmt_all(asked.apply(laser_p_corner)))
+
+# %% [markdown] lang="en" name="wrong-order" slide="subslide"
+# ### A row that does not fit
+#
+# Somebody multiplies in another order.
+# The picture objects.
+
+# %% [markdown] lang="ko" name="wrong-order" slide="subslide"
+# ### 맞지 않는 줄
+#
+# 누군가 다른 순서로 곱합니다.
+# 그림은 바로 항의합니다.
+
+# %% name="dominoes-that-do-not-fit"
+draw_dominoes(('map', 'odom'), ('base_link', 'laser_frame'), ('odom', 'base_link'))
+
+# %% name="wrong-order-in-numbers"
+nonsense = map_T_odom @ base_T_laser @ odom_T_base
+print('the corner, says Python', fmt_all(nonsense.apply(laser_p_corner)))
+
+# %% [markdown] lang="en" name="wrong-order-seen"
+# Python does not object: four by four times four by four is always fine.
+# The corner has moved by metres, and no error was raised.
+# That is why both frames stand in the name of a variable: `map_T_odom @ base_T_laser` *looks* wrong, and `T1 @ T3` never will.
+
+# %% [markdown] lang="ko" name="wrong-order-seen"
+# 파이썬은 항의하지 않습니다. 4×4 곱하기 4×4는 언제나 계산됩니다.
+# 모서리가 몇 미터나 옮겨 갔는데 오류는 나지 않았습니다.
+# 변수 이름에 두 좌표계를 모두 적는 이유가 이것입니다. `map_T_odom @ base_T_laser`는 틀려 *보이지만*, `T1 @ T3`는 절대 틀려 보이지 않습니다.
+
+# %% [markdown] lang="en" name="up-up-down" slide="slide"
+# ## Up, up, down
+#
+# Nobody has published where the laser is in the camera.
+# They are siblings: both sit on `base_link`.
+# Yet you may ask, because a lookup walks the tree: **up** from the source to the frame that both share, then **down** to the target.
+# Up is a transform as it was published; down is one turned round.
+
+# %% [markdown] lang="ko" name="up-up-down" slide="slide"
+# ## 위로, 위로, 아래로
+#
+# 카메라에서 본 레이저의 자리를 발행한 사람은 없습니다.
+# 둘은 형제입니다. 모두 `base_link` 위에 있습니다.
+# 그래도 물을 수 있습니다. 조회(lookup)가 트리를 걷기 때문입니다. 원본에서 둘이 만나는 좌표계까지 **올라가고**, 거기서 목표까지 **내려갑니다**.
+# 올라갈 때는 발행된 변환을 그대로 쓰고, 내려갈 때는 뒤집어 씁니다.
+
+# %% name="siblings"
+base_T_camera = buffer.core.lookup_transform('base_link', 'camera_link', LATEST).transform
+camera_T_laser = base_T_camera.inverse() @ base_T_laser
+asked = buffer.core.lookup_transform('camera_link', 'laser_frame', LATEST).transform
+
+print('down after up ', fmt_all(camera_T_laser.translation))
+print('one lookup    ', fmt_all(asked.translation))
+
+# %% name="siblings-as-dominoes"
+draw_dominoes(('camera_link', 'base_link'), ('base_link', 'laser_frame'))
+
+# %% [markdown] lang="en" name="siblings-seen"
+# 10 cm ahead of the camera and 15 cm below it: check that with the numbers of both mounts.
+# The tile `camera_link | base_link` is the published one, `base_link | camera_link`, turned round.
+# `inverse()` turns a tile, and now we look at what it costs.
+
+# %% [markdown] lang="ko" name="siblings-seen"
+# 카메라보다 10 cm 앞, 15 cm 아래입니다. 두 센서를 단 자리의 숫자로 확인해 보십시오.
+# 조각 `camera_link | base_link`는 발행된 `base_link | camera_link`를 뒤집은 것입니다.
+# 조각을 뒤집는 것이 `inverse()`입니다. 뒤집으면 무엇이 달라지는지 이제 봅시다.
+
+# %% [markdown] lang="en" name="faded" slide="-"
+# ### Your turn, with two blanks
+#
+# A goal is written in `map` at (4, 1, 0), and the robot wants to know where that is as it stands there: ahead, behind, left, right?
+# Fill both blanks, and run.
+
+# %% [markdown] lang="ko" name="faded" slide="-"
+# ### 빈칸 두 개를 채워 보기
+#
+# 목표점이 `map`에서 (4, 1, 0)에 있습니다. 서 있는 로봇에서 보면 앞입니까, 뒤입니까, 왼쪽입니까, 오른쪽입니까?
+# 빈칸 두 개를 채우고 실행하십시오.
+
+# %% name="faded-blanks"
+wanted_in = ...  # blank 1: a frame's name, in quotes
+written_in = ...  # blank 2
+
+if ... not in (wanted_in, written_in):
+    answer = buffer.core.lookup_transform(wanted_in, written_in, LATEST).transform
+    print('the goal is at', fmt_all(answer.apply((4.0, 1.0, 0.0))), 'in', wanted_in)
+
+# %% [markdown] lang="en" name="faded-answer"
+# <details><summary>Compare</summary>
+#
+# Written in `map`, wanted in `base_link`: `lookup_transform('base_link', 'map', …)` puts the goal at (−2, 0, −0.1).
+# That is 2 m behind the robot, and 10 cm below its middle, on the floor.
+# If you read (3, 7, 0.1), the two names stand the other way round, and your robot is on its way to somewhere else.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="faded-answer"
+# <details><summary>맞춰 보기</summary>
+#
+# `map`에서 쓴 것을 `base_link`에서 보고 싶으므로 `lookup_transform('base_link', 'map', …)`이고, 목표점은 (−2, 0, −0.1)입니다.
+# 로봇 뒤 2 m, 로봇 중심보다 10 cm 아래인 바닥입니다.
+# (3, 7, 0.1)이 나왔다면 두 이름이 바뀐 것이고, 로봇은 엉뚱한 곳으로 떠납니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="inverse" slide="slide"
+# ## The way back
+#
+# Stand up. You are the laser: face left, with the robot's middle 20 cm away from you.
+# Where is the robot's middle, **as you see it**?
+#
+# The robot's front is to your right now, so its middle, which lies behind the mount, is on your **left**: +y, not −x.
+# A flipped sign would have said "20 cm behind you", and that is the door.
+#
+# A transform is "turn, then step"; to undo it, take the step off, then turn back.
+# Written as "turn, then step" again, the step comes out turned, too:
+#
+# ```
+# base_T_laser:  R      then  t
+# laser_T_base:  R⁻¹    then  −R⁻¹ t
+# ```
+#
+# The minus sign alone is right only where nothing turns.
+
+# %% [markdown] lang="ko" name="inverse" slide="slide"
+# ## 돌아가는 길
+#
+# 자리에서 일어나 보십시오. 여러분이 레이저입니다. 왼쪽을 보고 섭니다. 로봇의 중심은 20 cm 떨어져 있습니다.
+# **여러분이 볼 때** 로봇의 중심은 어느 쪽입니까?
+#
+# 이제 로봇의 앞은 여러분의 오른쪽입니다. 중심은 레이저가 달린 자리보다 뒤에 있으므로 여러분의 **왼쪽**, 즉 −x가 아니라 +y입니다.
+# 부호만 뒤집었다면 "등 뒤 20 cm"라고 했을 텐데, 거기에는 문이 있을 뿐입니다.
+#
+# 변환은 "돌린 다음 옮기기"입니다. 되돌리려면 옮긴 것을 먼저 빼고, 그다음 반대로 돌립니다.
+# 이것을 다시 "돌린 다음 옮기기"로 쓰면 이동도 함께 돌아갑니다.
+#
+# ```
+# base_T_laser:  R      then  t
+# laser_T_base:  R⁻¹    then  −R⁻¹ t
+# ```
+#
+# 부호만 바꾸는 것은 회전이 없을 때만 맞습니다.
+
+# %% name="inverse-in-numbers"
+laser_T_base = base_T_laser.inverse()
+x, y, z = base_T_laser.translation
+flipped = Transform((-x, -y, -z), laser_T_base.rotation)  # the minus sign alone
+
+print('there and back      ', fmt_all(laser_T_base.apply(base_p_corner)))
+print('there and "flipped" ', fmt_all(flipped.apply(base_p_corner)))
+
+# %% name="inverse-seen-from-the-laser"
+draw_scene({'laser_frame': Transform(), 'base_link': laser_T_base}, ghosts={'sign flipped': flipped},
+           eye=FROM_ABOVE, fixed_frame='laser_frame', length_m=0.12)
+
+# %% [markdown] lang="en" name="inverse-seen"
+# There and back must end where it began: at (2, 0, 0).
+# The flipped one misses by 28 cm, the length of a shoe, just small enough to be taken for a bad calibration.
+# People have turned screws for days over less.
+
+# %% [markdown] lang="ko" name="inverse-seen"
+# 갔다가 돌아오면 출발한 자리, (2, 0, 0)이어야 합니다.
+# 부호만 뒤집은 쪽은 신발 한 짝 길이인 28 cm만큼 빗나갑니다. 보정이 조금 틀어졌다고 넘기기 딱 좋은 크기입니다.
+# 이보다 작은 차이 때문에 며칠씩 나사를 돌린 사람도 있습니다.
+
+# %% [markdown] lang="en" name="inverse-seen-notes" slide="notes"
+# Really have one person stand up. It takes twenty seconds and nobody forgets it.
+# Then ask: for which turns is the flipped sign right? For none but zero. By how much is it wrong?
+# By twice the step times the sine of half the turn: 2 × 0.20 m × sin 45° = 0.28 m.
+
+# %% [markdown] lang="ko" name="inverse-seen-notes" slide="notes"
+# 정말로 한 사람을 일으켜 세웁니다. 20초면 되고, 아무도 잊지 않습니다.
+# 그다음 묻습니다. 부호만 뒤집어도 맞는 회전은 몇 도입니까? 0도뿐입니다. 얼마나 틀립니까?
+# 이동 거리의 두 배에 회전각 절반의 사인을 곱한 만큼, 2 × 0.20 m × sin 45° = 0.28 m입니다.
+
+# %% [markdown] lang="en" name="try-it" slide="slide"
+# ## Try it: turn the mount
+#
+# Move the slider, and watch two mistakes.
+#
+# 1. Where does "turn forgotten" hide behind the truth?
+# 2. Where does "swapped" do so, seen from above? Look at z as well.
+# 3. At which yaw is a swap at its worst?
+
+# %% [markdown] lang="ko" name="try-it" slide="slide"
+# ## 해 보기: 레이저를 돌려 보기
+#
+# 슬라이더를 움직이며 두 가지 실수를 지켜보십시오.
+#
+# 1. "turn forgotten"(회전을 잊음)은 어디에서 정답 뒤에 숨습니까?
+# 2. 위에서 볼 때 "swapped"(바꿔 씀)는 어디에서 숨습니까? z도 보십시오.
+# 3. yaw가 얼마일 때 바꿔 쓴 실수가 가장 크게 드러납니까?
+
+# %% name="try-it-panel" tags=["interactive"]
+mount_panel()
+
+# %% name="try-it-still"
+draw_mount(math.pi / 2)
+
+# %% [markdown] lang="en" name="try-it-answers"
+# <details><summary>What I found</summary>
+#
+# 1. At yaw 0: without a turn, there is nothing to forget.
+# 2. At ±π, a laser that looks backwards: from above the swap cannot be seen at all, and z is off by 0.30 m, which a flat 2D scan does not show.
+# 3. Near ±π/2, by 3.8 m here: the corner jumps to the other side of the robot.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="try-it-answers"
+# <details><summary>찾은 것 확인하기</summary>
+#
+# 1. yaw가 0일 때입니다. 회전이 없으면 잊을 것도 없습니다.
+# 2. ±π, 즉 뒤를 보는 레이저입니다. 위에서 보면 전혀 드러나지 않습니다. z는 0.30 m 틀리지만 평면 2D 스캔에는 보이지 않습니다.
+# 3. ±π/2 근처입니다. 여기서는 3.8 m나 빗나가서, 모서리가 로봇 반대편으로 넘어갑니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="echo-help" slide="slide"
+# ## The tool that caused it all
+#
+# `tf2_echo A B` prints where B sits in A.
+# So A is what you want it in, the target, and B is the source: the order of `lookup_transform`.
+# Now read the tool's own help.
+
+# %% [markdown] lang="ko" name="echo-help" slide="slide"
+# ## 이 모든 일의 시작이 된 도구
+#
+# `tf2_echo A B`는 B가 A 안 어디에 있는지 찍습니다.
+# 그러므로 A가 보고 싶은 쪽인 목표이고 B가 원본입니다. `lookup_transform`과 같은 순서입니다.
+# 이제 도구의 도움말을 직접 읽어 봅시다.
+
+# %% name="echo-help-itself"
+# %ros2 run tf2_ros tf2_echo
+
+# %% [markdown] lang="en" name="echo-help-seen"
+# The first argument is the *target* of the lookup, and the help calls it `source_frame`.
+# Its first sentence says "from … to …"; two lines later it says, correctly, that data goes the other way.
+# This is the text behind ten years of reports.
+# Laugh once, and trust the sentence: **echo wanted-in written-in**.
+
+# %% [markdown] lang="ko" name="echo-help-seen"
+# 첫 인자는 조회의 *목표*인데, 도움말은 그것을 `source_frame`이라고 부릅니다.
+# 첫 문장은 "어디에서 어디로"라고 하고, 두 줄 아래에서는 데이터가 반대로 간다고 (맞게) 적었습니다.
+# 10년 치 신고 뒤에 있던 글이 이것입니다.
+# 한 번 웃고, 문장을 믿으십시오. **echo 보고-싶은-곳 쓰인-곳** 순서입니다.
+
+# %% [markdown] lang="en" name="echo-predict"
+# ### Predict the second from the first
+#
+# Here is `tf2_echo base_link laser_frame`.
+# Before you run the cell after it: what will the Translation of `tf2_echo laser_frame base_link` be?
+
+# %% [markdown] lang="ko" name="echo-predict"
+# ### 첫 출력에서 둘째 출력 예측하기
+#
+# 아래는 `tf2_echo base_link laser_frame`입니다.
+# 그다음 셀을 실행하기 전에, `tf2_echo laser_frame base_link`의 Translation이 무엇일지 적어 보십시오.
+
+# %% name="echo-one-way"
+# %ros2 --for 1.5 run tf2_ros tf2_echo base_link laser_frame
+
+# %% name="echo-the-other-way"
+# %ros2 --for 1.5 run tf2_ros tf2_echo laser_frame base_link
+
+# %% [markdown] lang="en" name="echo-seen"
+# (−0.20, 0, −0.15) would be the sign flipped; the tool says (0, 0.20, −0.15): to the laser's left, as you saw when you stood up.
+# The first line of each is the tool waiting until it has heard something, and `-0.000` is its way to print a level pose.
+
+# %% [markdown] lang="ko" name="echo-seen"
+# 부호만 뒤집으면 (−0.20, 0, −0.15)이지만, 도구는 (0, 0.20, −0.15)라고 합니다. 일어서서 본 대로 레이저의 왼쪽입니다.
+# 첫 줄은 도구가 무언가 들을 때까지 기다린다는 뜻이고, `-0.000`은 수평인 자세를 찍는 이 도구의 버릇입니다.
+
+# %% [markdown] lang="en" name="break-it" slide="slide"
+# ## Break it: the swap that passed every test
+#
+# A team swaps the arguments.
+# Their robot has one laser, at the back, looking backwards: 20 cm behind the middle, turned by 180°.
+# They test with a corner 2 m behind and 0.7 m aside, in the plane, and everything fits.
+
+# %% [markdown] lang="ko" name="break-it" slide="slide"
+# ## 망가뜨리기: 모든 시험을 통과한 실수
+#
+# 어느 팀이 인자를 바꿔 썼습니다.
+# 그 로봇에는 뒤를 보는 레이저가 하나, 중심에서 20 cm 뒤에 180° 돌려 달려 있습니다.
+# 2 m 뒤, 0.7 m 옆에 있는 모서리로 평면에서 시험하니 모두 맞습니다.
+
+# %% name="swap-at-the-back"
+rear = Transform.from_rpy(yaw=math.pi, translation=(-0.20, 0.0, 0.0))
+seen_at = (2.0, 0.7, 0.0)
+
+print('right  ', fmt_all(rear.apply(seen_at)))
+print('swapped', fmt_all(rear.inverse().apply(seen_at)))
+
+# %% [markdown] lang="en" name="swap-at-the-back-seen"
+# Identical: half a turn undoes itself.
+# The code is reviewed, merged, and copied to the next robot, whose laser looks to the left.
+
+# %% [markdown] lang="ko" name="swap-at-the-back-seen"
+# 똑같습니다. 반 바퀴는 한 번 더 돌면 제자리이기 때문입니다.
+# 코드는 검토를 통과해 병합되고, 레이저가 왼쪽을 보는 다음 로봇으로 복사됩니다.
+
+# %% name="swap-on-the-side"
+answer = buffer.core.lookup_transform('laser_frame', 'base_link', LATEST).transform  # swapped
+print('right  ', fmt_all(base_T_laser.apply(seen_at)))
+print('swapped', fmt_all(answer.apply(seen_at)))
+
+# %% [markdown] lang="en" name="no-error" slide="subslide"
+# ### Where is the error message?
+#
+# There is none.
+# Both questions are good questions, and TF2 cannot know which one you meant.
+# The shelf is on the left; the robot keeps clear of its right, and drives into the shelf.
+#
+# What *does* raise is a name that nobody knows, and then the text tells you in which role you used it.
+
+# %% [markdown] lang="ko" name="no-error" slide="subslide"
+# ### 오류 메시지는 어디에 있습니까?
+#
+# 없습니다.
+# 두 질문 모두 올바른 질문이고, TF2는 여러분이 어느 쪽을 뜻했는지 알 길이 없습니다.
+# 선반은 왼쪽에 있는데 로봇은 오른쪽을 조심하면서 선반으로 들어갑니다.
+#
+# 오류가 *나는* 것은 아무도 모르는 이름을 썼을 때입니다. 그때는 그 이름을 어떤 역할로 썼는지 메시지가 말해 줍니다.
+
+# %% name="unknown-name" tags=["raises-exception"]
+buffer.lookup_transform('laser_fame', 'base_link', Time())
+
+# %% [markdown] lang="en" name="unknown-name-seen"
+# `argument target_frame`: the misspelt name stands where the target belongs.
+# If you had meant it as the *source*, this message is the only one that ever tells you about a swap. Read it to the end.
+#
+# And a leading slash, common in ROS 1, is not a name at all:
+
+# %% [markdown] lang="ko" name="unknown-name-seen"
+# `argument target_frame`, 곧 철자가 틀린 이름이 목표 자리에 있다는 뜻입니다.
+# 그것을 *원본*으로 쓰려던 것이었다면, 바꿔 쓴 실수를 알려 주는 메시지는 이것뿐입니다. 끝까지 읽으십시오.
+#
+# 그리고 ROS 1에서 흔하던 맨 앞의 슬래시는 이름이 될 수 없습니다.
+
+# %% name="leading-slash" tags=["raises-exception"]
+buffer.lookup_transform('/base_link', 'laser_frame', Time())
+
+# %% [markdown] lang="en" name="safest-call"
+# The safest call is the one that you used at the start: `buffer.transform(message, 'base_link')`.
+# The message carries its own source in `header.frame_id`, so only the target is left to say, and nothing can be swapped.
+
+# %% [markdown] lang="ko" name="safest-call"
+# 가장 안전한 호출은 처음에 쓴 `buffer.transform(message, 'base_link')`입니다.
+# 원본은 메시지가 `header.frame_id`에 담아 오므로 목표만 말하면 되고, 바꿔 쓸 것이 없습니다.
+
+# %% [markdown] lang="en" name="checkpoint" slide="slide"
+# ## Checkpoint
+#
+# A detector stamps an apple with `header.frame_id = 'camera_optical_frame'`.
+# The arm is planned in `base_link`.
+# Which line gives the transform to apply to the apple?
+#
+# 1. `lookup_transform('camera_optical_frame', 'base_link', t)`
+# 2. `lookup_transform('base_link', 'camera_link', t)`
+# 3. `lookup_transform('base_link', 'camera_optical_frame', t)`
+# 4. `lookup_transform('map', 'camera_optical_frame', t)`, because `map` is where everything is
+#
+# <details><summary>I chose 1</summary>
+#
+# Say the sentence: data written in `camera_optical_frame`, wanted in `base_link`. Wanted comes first.
+# Your line moves robot data into the camera; "from the camera to the base" has caught you.
+#
+# </details>
+# <details><summary>I chose 2</summary>
+#
+# The order is right, the source is not: the apple is written in the *optical* frame, whose axes point elsewhere (chapter 02).
+# The source is whatever `header.frame_id` says, not the part that you can touch.
+#
+# </details>
+# <details><summary>I chose 3</summary>
+#
+# Yes: written in `camera_optical_frame`, wanted in `base_link`, and the names in the call are those in the sentence.
+#
+# </details>
+# <details><summary>I chose 4</summary>
+#
+# The source is right, the target is not: the arm is planned in `base_link`.
+# Through `map` the apple would pick up the localiser's corrections, which the arm has nothing to do with (chapter 05).
+#
+# </details>
+
+# %% [markdown] lang="ko" name="checkpoint" slide="slide"
+# ## 확인 문제
+#
+# 검출기가 사과에 `header.frame_id = 'camera_optical_frame'`을 붙입니다.
+# 팔의 동작은 `base_link`에서 계획합니다.
+# 사과에 적용할 변환을 얻는 줄은 어느 것입니까?
+#
+# 1. `lookup_transform('camera_optical_frame', 'base_link', t)`
+# 2. `lookup_transform('base_link', 'camera_link', t)`
+# 3. `lookup_transform('base_link', 'camera_optical_frame', t)`
+# 4. `lookup_transform('map', 'camera_optical_frame', t)`, 모든 것은 `map`에 있으니까
+#
+# <details><summary>1번을 골랐습니다</summary>
+#
+# 문장으로 말해 보십시오. `camera_optical_frame`에서 쓴 데이터를 `base_link`에서 보고 싶습니다. 보고 싶은 쪽이 먼저입니다.
+# 고른 줄은 로봇의 데이터를 카메라로 옮깁니다. "카메라에서 베이스로"라는 말에 걸려들었습니다.
+#
+# </details>
+# <details><summary>2번을 골랐습니다</summary>
+#
+# 순서는 맞지만 원본이 다릅니다. 사과는 축 방향이 다른 *광학* 좌표계에서 쓰였습니다(02장).
+# 원본은 손에 잡히는 부품이 아니라 `header.frame_id`에 적힌 이름입니다.
+#
+# </details>
+# <details><summary>3번을 골랐습니다</summary>
+#
+# 맞습니다. `camera_optical_frame`에서 쓰였고 `base_link`에서 보고 싶습니다. 호출의 이름이 문장의 이름과 같습니다.
+#
+# </details>
+# <details><summary>4번을 골랐습니다</summary>
+#
+# 원본은 맞지만 목표가 다릅니다. 팔은 `base_link`에서 계획합니다.
+# `map`을 거치면 팔과 상관없는 위치 추정 보정까지 사과에 섞입니다(05장).
+#
+# </details>
+
+# %% [markdown] lang="en" name="on-the-robot" slide="slide"
+# ## On a real robot
+#
+# Nothing changes.
+# Save this as a file, and `python3` runs it beside a real ROS 2; the buffer, the listener and the lookup are the ones that you used above.
+
+# %% [markdown] lang="ko" name="on-the-robot" slide="slide"
+# ## 실제 로봇에서
+#
+# 바뀌는 것이 없습니다.
+# 아래를 파일로 저장해 실제 ROS 2에서 `python3`로 실행하면 됩니다. 버퍼도 리스너도 조회도 위에서 쓴 그대로입니다.
+
+# %% name="on-the-robot-node"
+class WhereIsTheLaser(Node):
+    def __init__(self):
+        super().__init__('where_is_the_laser')
+        self.tf_buffer = Buffer()
+        self.tf_listener = TransformListener(self.tf_buffer, self)
+        self.create_timer(1.0, self.tell)
+
+    def tell(self):
+        t = self.tf_buffer.lookup_transform('map', 'laser_frame', Time())  # wanted in, written in
+        p = t.transform.translation
+        self.get_logger().info(f'laser in {t.header.frame_id}: ({p.x:.2f}, {p.y:.2f}, {p.z:.2f})')
+
+# %% name="on-the-robot-main"
+def main():
+    rclpy.init()
+    rclpy.spin(WhereIsTheLaser())
+
+
+graph.start(main, name='where_is_the_laser')
+graph.run(seconds=2.5)
+
+# %% [markdown] lang="en" name="on-the-robot-commands" slide="-"
+# In the answer, `header.frame_id` is the target and `child_frame_id` the source: an answer is the same kind of thing as what was published.
+#
+# Three commands to type on any robot, each with its sentence:
+#
+# ```
+# ros2 run tf2_ros tf2_echo base_link laser_frame    # where the laser sits on the robot
+# ros2 run tf2_ros tf2_echo odom base_link           # where the robot is, by its wheels
+# ros2 run tf2_ros tf2_echo map base_link            # where the robot is, on the map
+# ```
+#
+# The first argument is the target, the second the source, whatever the help says.
+
+# %% [markdown] lang="ko" name="on-the-robot-commands" slide="-"
+# 답에서 `header.frame_id`는 목표이고 `child_frame_id`는 원본입니다. 답도 발행된 것과 같은 종류의 메시지입니다.
+#
+# 어느 로봇에서나 입력해 볼 명령 세 개와 그 뜻입니다.
+#
+# ```
+# ros2 run tf2_ros tf2_echo base_link laser_frame    # where the laser sits on the robot
+# ros2 run tf2_ros tf2_echo odom base_link           # where the robot is, by its wheels
+# ros2 run tf2_ros tf2_echo map base_link            # where the robot is, on the map
+# ```
+#
+# 도움말이 뭐라고 하든 첫 인자가 목표, 둘째 인자가 원본입니다.
+
+# %% name="echo-on-the-map"
+# %ros2 --for 1.5 run tf2_ros tf2_echo map base_link
+
+# %% name="stop"
+graph.stop()
+node.destroy_node()
+rclpy.shutdown()
+
+# %% [markdown] lang="en" name="recap" slide="slide"
+# ## What to keep
+#
+# - A [[transform]] `parent_T_child` says where the child sits, and takes child data to the parent.
+# - Say it without "from" and "to": **data written in [[source frame|source]], wanted in [[target frame|target]]**; wanted comes first.
+# - Neighbours match: `map_T_laser = map_T_odom @ odom_T_base @ base_T_laser`.
+# - The way back is an inverse: turn back, and turn the step back too. A minus sign is not enough.
+# - A swap raises no error. Half a turn hides it, a quarter shows it.
+# - `tf2_echo A B` prints B in A.
+
+# %% [markdown] lang="ko" name="recap" slide="slide"
+# ## 기억할 것
+#
+# - [[transform|변환]] `parent_T_child`는 자식이 어디에 있는지 말하고, 자식의 데이터를 부모로 옮깁니다.
+# - "어디에서 어디로" 대신 이렇게 말합니다. **[[source frame|원본]]에서 쓴 데이터를 [[target frame|목표]]에서 보고 싶다.** 호출에서는 보고 싶은 쪽이 먼저입니다.
+# - 이웃끼리 맞춥니다. `map_T_laser = map_T_odom @ odom_T_base @ base_T_laser`.
+# - 돌아가는 길은 역변환입니다. 반대로 돌리고, 이동도 돌려야 합니다. 부호만으로는 모자랍니다.
+# - 바꿔 써도 오류는 나지 않습니다. 반 바퀴에서는 숨고, 4분의 1바퀴에서는 드러납니다.
+# - `tf2_echo A B`는 A에서 본 B를 찍습니다.
+
+# %% [markdown] lang="en" name="from-before" slide="subslide"
+# ### Three questions from earlier chapters
+#
+# 1. A message says `(2.0, 0.0, 0.0)` and has an empty `frame_id`. May you use it?
+# 2. A wheel robot turns to its right. Is its yaw rate positive or negative?
+# 3. Which quaternion (x, y, z, w) means "no rotation", and what does TF2 do with (0, 0, 0, 0)?
+#
+# <details><summary>Answers</summary>
+#
+# 1. No: a value without a frame is a rumour. Refuse it, and say so in the log.
+# 2. Negative: z points up, and by the right hand a positive turn goes to the left.
+# 3. (0, 0, 0, 1). All zeros is no rotation at all in the other sense: each listener refuses it, and the frame never appears.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="from-before" slide="subslide"
+# ### 앞 장에서 온 질문 세 개
+#
+# 1. 어떤 메시지에 `(2.0, 0.0, 0.0)`이 들어 있고 `frame_id`는 비어 있습니다. 써도 됩니까?
+# 2. 바퀴 로봇이 오른쪽으로 돕니다. yaw 속도는 양수입니까, 음수입니까?
+# 3. "회전 없음"을 뜻하는 쿼터니언(x, y, z, w)은 무엇이고, (0, 0, 0, 0)을 받으면 TF2는 어떻게 합니까?
+#
+# <details><summary>답</summary>
+#
+# 1. 안 됩니다. 좌표계 없는 값은 소문일 뿐입니다. 거절하고 로그에 남깁니다.
+# 2. 음수입니다. z가 위를 향하므로 오른손 법칙에 따라 양의 회전은 왼쪽입니다.
+# 3. (0, 0, 0, 1)입니다. 모두 0인 것은 회전이 아닙니다. 리스너마다 거절하고, 그 좌표계는 끝내 나타나지 않습니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="practice" slide="-"
+# ### Practice question 3
+#
+# Explain the parent and the child of a transform, and what `lookup_transform(target, source, time)` means.
+# Write four or five sentences, then open the list and give yourself a point for each idea.
+#
+# <details><summary>What a full answer holds</summary>
+#
+# - [ ] A transform gives the position and rotation of the child's axes, measured in the parent.
+# - [ ] In the message, the parent is `header.frame_id` and the child is `child_frame_id`.
+# - [ ] The lookup returns what takes data written in *source* to the same data in *target*.
+# - [ ] Target and source need not be parent and child: any two frames of one tree will do, and the lookup walks between them.
+# - [ ] `time` says for which moment; `Time()` means the latest moment that all edges on the way share.
+# - [ ] Swapping both gives the inverse and no error; if anything turns, that is not just another sign.
+#
+# Five or six: you could teach it. Three or four: read "One transform, read twice" again. Fewer: do the predictions again, with a pencil.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="practice" slide="-"
+# ### 연습 문제 3
+#
+# Transform의 부모와 자식, 그리고 `lookup_transform(target, source, time)`의 의미를 설명하십시오.
+# 네다섯 문장으로 쓴 다음, 목록을 펼쳐 들어 있는 내용마다 1점씩 매기십시오.
+#
+# <details><summary>완전한 답에 들어 있는 것</summary>
+#
+# - [ ] 변환은 부모에서 잰 자식 좌표축의 위치와 회전이다.
+# - [ ] 메시지에서 부모는 `header.frame_id`, 자식은 `child_frame_id`이다.
+# - [ ] 조회는 *source*에서 쓴 데이터를 *target*에서 쓴 같은 데이터로 옮기는 변환을 돌려준다.
+# - [ ] target과 source가 꼭 부모와 자식일 필요는 없다. 한 트리 안의 어떤 두 좌표계라도 되고, 조회가 그 사이를 걷는다.
+# - [ ] `time`은 어느 시각인지를 말한다. `Time()`은 경로의 모든 연결이 함께 가진 가장 최근 시각이다.
+# - [ ] 둘을 바꿔 쓰면 역변환이 나올 뿐 오류는 나지 않는다. 회전이 있으면 부호만 다른 것이 아니다.
+#
+# 다섯 개 이상이면 남을 가르칠 수 있습니다. 서너 개면 "변환 하나, 두 가지 읽기"를 다시 읽으십시오. 그보다 적으면 연필을 들고 예측을 다시 해 보십시오.
+#
+# </details>
+
+# %% [markdown] lang="en" name="exit-ticket" slide="slide"
+# ## Exit ticket
+#
+# Without looking up: fill the blanks.
+#
+# > "`goal` is written in `map`. The controller works in `base_link`."
+# > `lookup_transform('____', '____', Time())`, and the product that gives it: `base_T_map = ______ @ ______`
+#
+# <details><summary>Compare</summary>
+#
+# `lookup_transform('base_link', 'map', Time())`; `base_T_map = base_T_odom @ odom_T_map`, two published tiles, both turned round.
+#
+# </details>
+#
+# Then do the exercises: [03 Target and source](../../exercises/en/03_target_and_source.ipynb).
+# On a robot this chapter ticks one line of your checklist: *I ran `tf2_echo` with target and source in the right order.*
+
+# %% [markdown] lang="ko" name="exit-ticket" slide="slide"
+# ## 나가기 전에
+#
+# 찾아보지 말고 빈칸을 채우십시오.
+#
+# > "`goal`은 `map`에서 쓰였다. 제어기는 `base_link`에서 일한다."
+# > `lookup_transform('____', '____', Time())`, 그리고 이것을 만드는 곱: `base_T_map = ______ @ ______`
+#
+# <details><summary>맞춰 보기</summary>
+#
+# `lookup_transform('base_link', 'map', Time())`이고, `base_T_map = base_T_odom @ odom_T_map`입니다. 발행된 두 조각을 모두 뒤집은 것입니다.
+#
+# </details>
+#
+# 이제 연습 문제를 푸십시오: [03 Target과 source](../../exercises/ko/03_target_and_source.ipynb).
+# 실제 로봇에서는 이 장으로 체크리스트 한 줄을 채웁니다. *Target·Source 순서로 `tf2_echo`를 실행했다.*
+
+# %% [markdown] lang="en" name="exit-ticket-notes" slide="notes"
+# Collect the tickets. A wrong order here is the one thing to come back to at the start of the next lecture.
+
+# %% [markdown] lang="ko" name="exit-ticket-notes" slide="notes"
+# 쪽지를 걷습니다. 순서가 틀린 사람이 있으면 다음 강의를 그 이야기로 시작합니다.

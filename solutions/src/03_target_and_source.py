@@ -1,0 +1,288 @@
+# %% [markdown] lang="en" name="title" slide="slide"
+# # Exercises 03: target and source
+#
+# Seven tasks, 26 points, about 60 minutes.
+# The page they belong to: [03 Target and source](../../notebooks/en/03_target_and_source.ipynb).
+#
+# Write your answer where the dots are, run the cell, then run the check below it.
+# A check never punishes: it names the mistake, and you try again.
+# Stuck? `hint("E3.1")` gives one hint at a time, three in all.
+
+# %% [markdown] lang="ko" name="title" slide="slide"
+# # 연습 문제 03: target과 source
+#
+# 문제 일곱 개, 26점, 60분쯤 걸립니다.
+# 본문은 여기에 있습니다: [03 Target과 source](../../notebooks/ko/03_target_and_source.ipynb).
+#
+# 점 세 개가 있는 자리에 답을 쓰고 그 셀을 실행한 다음, 아래의 확인 셀을 실행하십시오.
+# 틀려도 벌점은 없습니다. 어떤 실수인지 알려 주므로 고쳐서 다시 하면 됩니다.
+# 막히면 `hint("E3.1")`을 부르십시오. 힌트가 하나씩, 모두 세 개 나옵니다.
+
+# %% name="load"
+# %load_ext tflab
+from tflab.workbook import check, hint, task
+
+# %% name="imports"
+import math
+
+from geometry_msgs.msg import TransformStamped
+
+from tflab.core import Transform
+
+# %% [markdown] lang="en" name="e3-1" slide="slide"
+# ## E3.1 · Four sentences, four calls (4 points)
+#
+# Write the two frames of `lookup_transform(…, …, time)` for each, in the order of the call.
+#
+# - **a** Obstacles come from the laser; paint them on the map.
+# - **b** The goal is given in the map; the controller works in `base_link`.
+# - **c** Where is `camera_link` on the robot, seen from `base_link`?
+# - **d** The robot's middle is to be marked in the picture of the laser, which is drawn in `laser_frame`.
+
+# %% [markdown] lang="ko" name="e3-1" slide="slide"
+# ## E3.1 · 문장 네 개, 호출 네 개 (4점)
+#
+# 각각 `lookup_transform(…, …, time)`에 들어갈 두 좌표계를 호출 순서대로 쓰십시오.
+#
+# - **a** 레이저가 찾은 장애물을 지도에 칠합니다.
+# - **b** 목표점은 지도에서 주어지고, 제어기는 `base_link`에서 일합니다.
+# - **c** `base_link`에서 볼 때 `camera_link`는 로봇 어디에 있습니까?
+# - **d** `laser_frame`에 그린 레이저 그림에 로봇의 중심을 표시합니다.
+
+# %% name="e3-1-answer" tags=["answer"]
+calls = {
+    # BEGIN SOLUTION
+    'a': ['map', 'laser_frame'],
+    'b': ['base_link', 'map'],
+    'c': ['base_link', 'camera_link'],
+    'd': ['laser_frame', 'base_link'],
+    # END SOLUTION
+}
+
+# %% name="e3-1-check" tags=["check"]
+check("E3.1", calls)
+
+# %% [markdown] lang="en" name="e3-2" slide="slide"
+# ## E3.2 · A corner seen by a turned laser (4 points)
+#
+# The laser is turned on its mount, and the robot is turned on the map.
+# It sees a corner at `laser_p_corner`.
+# Where is the corner in `base_link`, and where in `map`?
+#
+# `e3_2.base_T_laser.apply(point)` moves a point; `@` joins transforms that match.
+
+# %% [markdown] lang="ko" name="e3-2" slide="slide"
+# ## E3.2 · 돌려 단 레이저가 본 모서리 (4점)
+#
+# 레이저는 돌려 달려 있고, 로봇은 지도에서 돌아서 있습니다.
+# 레이저가 `laser_p_corner`에서 모서리를 봅니다.
+# 모서리는 `base_link`에서 어디이고, `map`에서 어디입니까?
+#
+# `e3_2.base_T_laser.apply(점)`은 점을 옮기고, `@`는 이웃이 맞는 변환을 잇습니다.
+
+# %% name="e3-2-given"
+e3_2 = task("E3.2")
+
+# %% name="e3-2-answer" tags=["answer"]
+corner = {
+    # BEGIN SOLUTION
+    'base_link': e3_2.base_T_laser.apply(e3_2.laser_p_corner),  # (x, y, z) [m]
+    'map': (e3_2.map_T_base @ e3_2.base_T_laser).apply(e3_2.laser_p_corner),  # (x, y, z) [m]
+    # END SOLUTION
+}
+
+# %% name="e3-2-check" tags=["check"]
+check("E3.2", corner)
+
+# %% [markdown] lang="en" name="e3-3" slide="slide"
+# ## E3.3 · The way back (4 points)
+#
+# In the plane, a pose is three numbers: where b sits in a (`x`, `y`), and how far it is turned (`yaw`).
+# Return where **a sits in b**, in the same form.
+# Use paper, `math.cos` and `math.sin`; no library needed.
+
+# %% [markdown] lang="ko" name="e3-3" slide="slide"
+# ## E3.3 · 돌아가는 길 (4점)
+#
+# 평면에서 자세는 숫자 세 개입니다. b가 a 안 어디에 있고(`x`, `y`) 얼마나 돌아가 있는지(`yaw`)입니다.
+# 같은 꼴로 **a가 b 안 어디에 있는지** 돌려주십시오.
+# 종이와 `math.cos`, `math.sin`이면 됩니다. 라이브러리는 필요 없습니다.
+
+# %% name="e3-3-answer" tags=["answer"]
+def invert(a_pose_b):
+    """Return b_pose_a, {'x': [m], 'y': [m], 'yaw': [rad]}, of a_pose_b."""
+    # BEGIN SOLUTION
+    yaw = -a_pose_b['yaw']  # turn back
+    c, s = math.cos(yaw), math.sin(yaw)
+    x, y = -a_pose_b['x'], -a_pose_b['y']  # take the step off, along the turned axes
+    return {'x': c * x - s * y, 'y': s * x + c * y, 'yaw': yaw}
+    # END SOLUTION
+
+# %% name="e3-3-check" tags=["check"]
+check("E3.3", invert)
+
+# %% [markdown] lang="en" name="e3-4" slide="slide"
+# ## E3.4 · Two dominoes into one (4 points)
+#
+# `[a|b][b|c]` is `[a|c]`.
+# Given where b sits in a, and where c sits in b, return where c sits in a.
+
+# %% [markdown] lang="ko" name="e3-4" slide="slide"
+# ## E3.4 · 도미노 둘을 하나로 (4점)
+#
+# `[a|b][b|c]`는 `[a|c]`입니다.
+# b가 a 안 어디에 있는지, c가 b 안 어디에 있는지 알 때, c가 a 안 어디에 있는지 돌려주십시오.
+
+# %% name="e3-4-answer" tags=["answer"]
+def compose(a_pose_b, b_pose_c):
+    """Return a_pose_c, {'x': [m], 'y': [m], 'yaw': [rad]}."""
+    # BEGIN SOLUTION
+    c, s = math.cos(a_pose_b['yaw']), math.sin(a_pose_b['yaw'])
+    x, y = b_pose_c['x'], b_pose_c['y']
+    return {
+        'x': a_pose_b['x'] + c * x - s * y,
+        'y': a_pose_b['y'] + s * x + c * y,
+        'yaw': a_pose_b['yaw'] + b_pose_c['yaw'],
+    }
+    # END SOLUTION
+
+# %% name="e3-4-check" tags=["check"]
+check("E3.4", compose)
+
+# %% [markdown] lang="en" name="e3-5" slide="slide"
+# ## E3.5 · tf2_echo, both ways (3 points)
+#
+# This is what `ros2 run tf2_ros tf2_echo base_link laser_frame` printed on some robot.
+# Read it, and say what the other way round would print.
+#
+# - `laser_in_base`: where the laser sits in `base_link`, (x, y, z) [m]
+# - `base_in_laser`: where `base_link` sits in the laser, (x, y, z) [m]
+# - `yaw_back`: the yaw [rad] that `tf2_echo laser_frame base_link` prints
+
+# %% [markdown] lang="ko" name="e3-5" slide="slide"
+# ## E3.5 · tf2_echo 양쪽으로 읽기 (3점)
+#
+# 어느 로봇에서 `ros2 run tf2_ros tf2_echo base_link laser_frame`이 찍은 출력입니다.
+# 이것을 읽고, 거꾸로 물으면 무엇이 찍힐지 답하십시오.
+#
+# - `laser_in_base`: `base_link`에서 레이저가 있는 자리, (x, y, z) [m]
+# - `base_in_laser`: 레이저에서 `base_link`가 있는 자리, (x, y, z) [m]
+# - `yaw_back`: `tf2_echo laser_frame base_link`가 찍을 yaw [rad]
+
+# %% name="e3-5-given"
+e3_5 = task("E3.5")
+
+# %% name="e3-5-answer" tags=["answer"]
+rows = [line.split('[')[-1].strip(']').split(', ') for line in e3_5.echo.splitlines()]
+x, y, z = map(float, rows[1])  # from the line "Translation"
+yaw = float(rows[3][2])  # from the line "RPY (radian)"
+both_ways = {
+    # BEGIN SOLUTION
+    'laser_in_base': (x, y, z),
+    'base_in_laser': Transform.from_rpy(yaw=yaw, translation=(x, y, z)).inverse().translation,
+    'yaw_back': -yaw,
+    # END SOLUTION
+}
+
+# %% name="e3-5-check" tags=["check"]
+check("E3.5", both_ways)
+
+# %% [markdown] lang="en" name="e3-6" slide="slide"
+# ## E3.6 · Bolt the camera on (4 points)
+#
+# `camera_link` is to be bolted onto `base_link`: `ahead_m` in front of its middle, `up_m` above it, and turned to the left by `yaw_deg` **degrees**.
+# Fill in the message that a static broadcaster would send. Leave the stamp as it is.
+
+# %% [markdown] lang="ko" name="e3-6" slide="slide"
+# ## E3.6 · 카메라 달기 (4점)
+#
+# `camera_link`를 `base_link`에 답니다. 중심에서 앞으로 `ahead_m`, 위로 `up_m`이고, 왼쪽으로 `yaw_deg`**도** 돌려 답니다.
+# 정적 브로드캐스터가 보낼 메시지를 채우십시오. 시각(stamp)은 그대로 둡니다.
+
+# %% name="e3-6-answer" tags=["answer"]
+def camera_mount(ahead_m, up_m, yaw_deg):
+    """Return the TransformStamped of camera_link on base_link."""
+    t = TransformStamped()
+    # BEGIN SOLUTION
+    t.header.frame_id = 'base_link'
+    t.child_frame_id = 'camera_link'
+    t.transform.translation.x = float(ahead_m)
+    t.transform.translation.z = float(up_m)
+    half = math.radians(yaw_deg) / 2
+    t.transform.rotation.z = math.sin(half)
+    t.transform.rotation.w = math.cos(half)
+    # END SOLUTION
+    return t
+
+# %% name="e3-6-check" tags=["check"]
+check("E3.6", camera_mount)
+
+# %% [markdown] lang="en" name="e3-7" slide="slide"
+# ## E3.7 · Three nodes, one swap (3 points)
+#
+# One of three nodes has target and source the wrong way round. No error was ever logged.
+#
+# ```python
+# # node_a: stops for obstacles; the scan point carries its own frame, the bumper lives in base_link
+# t = buffer.lookup_transform('base_link', point.header.frame_id, point.header.stamp)
+# near = do_transform_point(point, t).point
+#
+# # node_b: drives to a goal that is given in map; the wheels obey base_link
+# t = buffer.lookup_transform('map', 'base_link', Time())
+# ahead = do_transform_point(goal, t).point
+#
+# # node_c: paints the robot on the map
+# t = buffer.lookup_transform('map', 'base_link', Time())
+# here = t.transform.translation
+# ```
+#
+# - `node`: `"node_a"`, `"node_b"` or `"node_c"`
+# - `robot`, what its robot does: `"stops for the wrong things"`, `"drives to another place"`, `"is drawn where it is not"` or `"stops with an exception"`
+# - `hidden_while`, when nobody would notice: `"it stands still"`, `"it stands on the map's origin, not turned"` or `"the goal is far away"`
+
+# %% [markdown] lang="ko" name="e3-7" slide="slide"
+# ## E3.7 · 노드 셋, 하나는 거꾸로 (3점)
+#
+# 세 노드 가운데 하나가 목표와 원본을 바꿔 썼습니다. 로그에는 오류가 하나도 없습니다.
+#
+# ```python
+# # node_a: stops for obstacles; the scan point carries its own frame, the bumper lives in base_link
+# t = buffer.lookup_transform('base_link', point.header.frame_id, point.header.stamp)
+# near = do_transform_point(point, t).point
+#
+# # node_b: drives to a goal that is given in map; the wheels obey base_link
+# t = buffer.lookup_transform('map', 'base_link', Time())
+# ahead = do_transform_point(goal, t).point
+#
+# # node_c: paints the robot on the map
+# t = buffer.lookup_transform('map', 'base_link', Time())
+# here = t.transform.translation
+# ```
+#
+# - `node`: `"node_a"`, `"node_b"`, `"node_c"` 가운데 하나
+# - `robot`, 그 로봇이 하는 일: `"stops for the wrong things"`(엉뚱한 것에 멈춘다), `"drives to another place"`(다른 곳으로 간다), `"is drawn where it is not"`(엉뚱한 자리에 그려진다), `"stops with an exception"`(예외로 멈춘다) 가운데 하나
+# - `hidden_while`, 아무도 눈치채지 못하는 때: `"it stands still"`(서 있는 동안), `"it stands on the map's origin, not turned"`(지도 원점에 돌지 않고 서 있는 동안), `"the goal is far away"`(목표점이 멀리 있는 동안) 가운데 하나
+
+# %% name="e3-7-answer" tags=["answer"]
+verdict = {
+    # BEGIN SOLUTION
+    'node': 'node_b',
+    'robot': 'drives to another place',
+    'hidden_while': "it stands on the map's origin, not turned",
+    # END SOLUTION
+}
+
+# %% name="e3-7-check" tags=["check"]
+check("E3.7", verdict)
+
+# %% [markdown] lang="en" name="done" slide="slide"
+# ## Done?
+#
+# On a robot, run `ros2 run tf2_ros tf2_echo base_link laser_frame`, and the other way round.
+# Predict the second before you look: that is line 2 of your checklist.
+
+# %% [markdown] lang="ko" name="done" slide="slide"
+# ## 다 했습니까?
+#
+# 로봇에서 `ros2 run tf2_ros tf2_echo base_link laser_frame`을 실행하고, 거꾸로도 실행해 보십시오.
+# 둘째를 보기 전에 먼저 예측하십시오. 체크리스트의 둘째 줄입니다.

@@ -1,0 +1,748 @@
+"""The tasks of chapter 03: which way does a transform work, and how does one turn it round?
+
+Every twin is one sentence that people say: "from A to B", "just flip the sign",
+"the order of a product does not matter".
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from tflab.core import LATEST, StampedTransform, Transform
+from tflab.ros.messages import geometry_msgs
+from tflab.views.sentence import echo_text
+from tflab.workbook.forms import Angle, Choice, Message, Number, Parts, Sequence, Vector
+from tflab.workbook.tasks import Task, Twin, Words
+
+FRAMES = ("map", "odom", "base_link", "laser_frame", "camera_link", "camera_optical_frame")
+PLANAR = Parts({"x": Number("m"), "y": Number("m"), "yaw": Angle()})
+
+# -- what is drawn ------------------------------------------------------------
+
+
+def some_yaw_degrees(rng: np.random.Generator) -> int:
+    """Return a turn that nobody can overlook: 20 to 70 or 110 to 160 degrees, to either side."""
+    size = rng.choice([rng.integers(20, 71), rng.integers(110, 161)])
+    return int(size * rng.choice([-1, 1]))
+
+
+def some_mount(rng: np.random.Generator) -> Transform:
+    """Return where a sensor is bolted on: ahead, aside, above, and turned."""
+    ahead, aside, above = rng.integers(15, 60) / 100, rng.choice([-1, 1]) * rng.integers(8, 30) / 100, 0.15
+    return Transform.from_rpy(yaw=math.radians(some_yaw_degrees(rng)), translation=(ahead, aside, above))
+
+
+def some_planar(rng: np.random.Generator) -> dict[str, float]:
+    """Return a pose in the plane."""
+    x, y = (float(rng.choice([-1, 1]) * rng.integers(50, 400) / 100) for _ in range(2))
+    return {"x": x, "y": y, "yaw": round(math.radians(some_yaw_degrees(rng)), 4)}
+
+
+def added(*points) -> tuple[float, ...]:
+    """Return the sum of points, one number after the other."""
+    return tuple(map(sum, zip(*points, strict=True)))
+
+
+# -- E3.1 ---------------------------------------------------------------------
+
+SENTENCES = {
+    "a": ["map", "laser_frame"],
+    "b": ["base_link", "map"],
+    "c": ["base_link", "camera_link"],
+    "d": ["laser_frame", "base_link"],
+}
+PARENT_FIRST = {
+    "a": ["map", "laser_frame"],
+    "b": ["map", "base_link"],
+    "c": ["base_link", "camera_link"],
+    "d": ["base_link", "laser_frame"],
+}
+
+# -- E3.2 ---------------------------------------------------------------------
+
+
+def corner_given(rng: np.random.Generator) -> dict[str, object]:
+    x, y = rng.integers(200, 600, size=2) / 100
+    map_T_base = Transform.from_rpy(yaw=math.radians(some_yaw_degrees(rng)), translation=(x, y, 0.1))
+    point = (rng.integers(150, 400) / 100, rng.choice([-1, 1]) * rng.integers(30, 120) / 100, 0.0)
+    return {"map_T_base": map_T_base, "base_T_laser": some_mount(rng), "laser_p_corner": tuple(map(float, point))}
+
+
+def corner_swapped(given) -> dict[str, tuple]:
+    map_T_laser = given.map_T_base @ given.base_T_laser
+    point = given.laser_p_corner
+    return {"base_link": given.base_T_laser.inverse().apply(point), "map": map_T_laser.inverse().apply(point)}
+
+
+def corner_without_turns(given) -> dict[str, tuple]:
+    base_p = added(given.laser_p_corner, given.base_T_laser.translation)
+    return {"base_link": base_p, "map": added(base_p, given.map_T_base.translation)}
+
+
+def corner_step_first(given) -> dict[str, tuple]:
+    mount, robot = given.base_T_laser, given.map_T_base
+    base_p = turned(mount, added(given.laser_p_corner, mount.translation))
+    return {"base_link": base_p, "map": turned(robot, added(base_p, robot.translation))}
+
+
+def corner_reversed_product(given) -> dict[str, tuple]:
+    product = given.base_T_laser @ given.map_T_base
+    return {"base_link": given.base_T_laser.apply(given.laser_p_corner), "map": product.apply(given.laser_p_corner)}
+
+
+def corner_skips_the_laser(given) -> dict[str, tuple]:
+    point = given.laser_p_corner
+    return {"base_link": given.base_T_laser.apply(point), "map": given.map_T_base.apply(point)}
+
+
+def turned(transform: Transform, point) -> tuple[float, ...]:
+    """Return a point turned by a transform's rotation alone."""
+    return Transform(rotation=transform.rotation).apply(point)
+
+
+# -- E3.3 and E3.4 ------------------------------------------------------------
+
+
+def invert_inputs(rng: np.random.Generator) -> list[tuple]:
+    straight = {"x": 2.0, "y": 1.0, "yaw": 0.0}
+    on_the_spot = {"x": 0.0, "y": 0.0, "yaw": round(float(rng.uniform(0.4, 1.2)), 4)}
+    return [(some_planar(rng),), (some_planar(rng),), (some_planar(rng),), (some_planar(rng),), (straight,),
+            (on_the_spot,)]  # fmt: skip
+
+
+def moved(pose: dict, x: float, y: float, yaw: float) -> dict[str, float]:
+    """Return where a pose lies after a turn about the origin by its yaw."""
+    c, s = math.cos(yaw), math.sin(yaw)
+    return {"x": c * x - s * y, "y": s * x + c * y, "yaw": pose["yaw"]}
+
+
+def sign_only(a_pose_b: dict) -> dict[str, float]:
+    return {"x": -a_pose_b["x"], "y": -a_pose_b["y"], "yaw": -a_pose_b["yaw"]}
+
+
+def sign_and_same_turn(a_pose_b: dict) -> dict[str, float]:
+    return {"x": -a_pose_b["x"], "y": -a_pose_b["y"], "yaw": a_pose_b["yaw"]}
+
+
+def turned_on(a_pose_b: dict) -> dict[str, float]:
+    back = {"yaw": -a_pose_b["yaw"]}
+    return moved(back, -a_pose_b["x"], -a_pose_b["y"], a_pose_b["yaw"])
+
+
+def not_taken_off(a_pose_b: dict) -> dict[str, float]:
+    back = {"yaw": -a_pose_b["yaw"]}
+    return moved(back, a_pose_b["x"], a_pose_b["y"], -a_pose_b["yaw"])
+
+
+def compose_inputs(rng: np.random.Generator) -> list[tuple]:
+    nothing = {"x": 0.0, "y": 0.0, "yaw": 0.0}
+    pairs = [(some_planar(rng), some_planar(rng)) for _ in range(4)]
+    return [*pairs, (some_planar(rng), nothing), (nothing, some_planar(rng))]
+
+
+def composed(outer: dict, inner: dict, turn: float) -> dict[str, float]:
+    """Return `outer` and `inner` put together, with the step of `inner` turned by `turn` [rad]."""
+    step = moved(outer, inner["x"], inner["y"], turn)
+    return {"x": outer["x"] + step["x"], "y": outer["y"] + step["y"], "yaw": outer["yaw"] + inner["yaw"]}
+
+
+def other_order(a_pose_b: dict, b_pose_c: dict) -> dict[str, float]:
+    return composed(b_pose_c, a_pose_b, b_pose_c["yaw"])
+
+
+def only_added(a_pose_b: dict, b_pose_c: dict) -> dict[str, float]:
+    return composed(a_pose_b, b_pose_c, 0.0)
+
+
+def turned_the_other_way(a_pose_b: dict, b_pose_c: dict) -> dict[str, float]:
+    return composed(a_pose_b, b_pose_c, -a_pose_b["yaw"])
+
+
+def turned_by_the_second(a_pose_b: dict, b_pose_c: dict) -> dict[str, float]:
+    return composed(a_pose_b, b_pose_c, b_pose_c["yaw"])
+
+
+# -- E3.5 ---------------------------------------------------------------------
+
+
+def echo_given(rng: np.random.Generator) -> dict[str, str]:
+    return {"echo": echo_text(StampedTransform("base_link", "laser_frame", LATEST, some_mount(rng)))}
+
+
+def echoed(given) -> tuple[Transform, float]:
+    """Return the transform that was printed, and its yaw [rad]."""
+    rows = [line.split("[")[1].rstrip("]").split(", ") for line in given.echo.splitlines()[1:4]]
+    yaw = float(rows[2][2])
+    return Transform.from_rpy(yaw=yaw, translation=tuple(map(float, rows[0]))), yaw
+
+
+def echo_answer(laser_in_base, base_in_laser, yaw_back) -> dict[str, object]:
+    return {"laser_in_base": laser_in_base, "base_in_laser": base_in_laser, "yaw_back": yaw_back}
+
+
+def echo_swapped(given) -> dict[str, object]:
+    mount, yaw = echoed(given)
+    return echo_answer(mount.inverse().translation, mount.translation, -yaw)
+
+
+def echo_sign_only(given) -> dict[str, object]:
+    mount, yaw = echoed(given)
+    return echo_answer(mount.translation, tuple(-value for value in mount.translation), -yaw)
+
+
+def echo_turned_on(given) -> dict[str, object]:
+    mount, yaw = echoed(given)
+    return echo_answer(mount.translation, turned(mount, tuple(-value for value in mount.translation)), -yaw)
+
+
+def echo_same_yaw(given) -> dict[str, object]:
+    mount, yaw = echoed(given)
+    return echo_answer(mount.translation, mount.inverse().translation, yaw)
+
+
+# -- E3.6 ---------------------------------------------------------------------
+
+
+def mount_inputs(rng: np.random.Generator) -> list[tuple]:
+    cases = [(int(rng.integers(5, 40)) / 100, int(rng.integers(20, 60)) / 100, some_yaw_degrees(rng)) for _ in range(4)]
+    return [*cases, (0.10, 0.30, 0), (0.10, 0.30, 90)]
+
+
+def camera_message(parent: str, child: str, ahead_m: float, up_m: float, xyzw) -> geometry_msgs.TransformStamped:
+    t = geometry_msgs.TransformStamped()
+    t.header.frame_id, t.child_frame_id = parent, child
+    t.transform.translation.x, t.transform.translation.z = float(ahead_m), float(up_m)
+    q = t.transform.rotation
+    q.x, q.y, q.z, q.w = map(float, xyzw)
+    return t
+
+
+def half_turn(yaw: float) -> tuple[float, float]:
+    return math.sin(yaw / 2), math.cos(yaw / 2)
+
+
+def parent_and_child_swapped(ahead_m, up_m, yaw_deg):
+    z, w = half_turn(math.radians(yaw_deg))
+    return camera_message("camera_link", "base_link", ahead_m, up_m, (0, 0, z, w))
+
+
+def in_degrees(ahead_m, up_m, yaw_deg):
+    z, w = half_turn(yaw_deg)
+    return camera_message("base_link", "camera_link", ahead_m, up_m, (0, 0, z, w))
+
+
+def without_the_half(ahead_m, up_m, yaw_deg):
+    z, w = half_turn(2 * math.radians(yaw_deg))
+    return camera_message("base_link", "camera_link", ahead_m, up_m, (0, 0, z, w))
+
+
+def w_first(ahead_m, up_m, yaw_deg):
+    z, w = half_turn(math.radians(yaw_deg))
+    return camera_message("base_link", "camera_link", ahead_m, up_m, (w, 0, 0, z))
+
+
+def zero_quaternion(ahead_m, up_m, yaw_deg):
+    return camera_message("base_link", "camera_link", ahead_m, up_m, (0, 0, 0, 0))
+
+
+# -- E3.7 ---------------------------------------------------------------------
+
+NODES = ("node_a", "node_b", "node_c")
+ROBOTS = (
+    "stops for the wrong things",
+    "drives to another place",
+    "is drawn where it is not",
+    "stops with an exception",
+)
+HIDDEN = ("it stands still", "it stands on the map's origin, not turned", "the goal is far away")
+
+
+def blamed(node: str, robot: str, hidden_while: str = HIDDEN[1]) -> dict[str, str]:
+    return {"node": node, "robot": robot, "hidden_while": hidden_while}
+
+
+# -- all of them --------------------------------------------------------------
+
+TASKS = (
+    Task(
+        id="E3.1",
+        kind="M",
+        points=4,
+        title=Words(en="Four sentences, four calls", ko="문장 네 개, 호출 네 개"),
+        answer="calls",
+        form=Parts({key: Sequence(Choice(FRAMES)) for key in SENTENCES}),
+        twins=(
+            Twin(
+                "swapped",
+                {key: pair[::-1] for key, pair in SENTENCES.items()},
+                Words(
+                    en="all four are the wrong way round. You wrote [source, target]. In the call, the frame in which "
+                    "you *want* the data comes first.",
+                    ko="네 개 모두 뒤집혔습니다. [원본, 목표] 순서로 썼습니다. 호출에서는 데이터를 *보고 싶은* 좌표계가 "
+                    "먼저 옵니다.",
+                ),
+                "M1",
+            ),
+            Twin(
+                "parent_first",
+                PARENT_FIRST,
+                Words(
+                    en="you put the parent first everywhere. Target and source have nothing to do with who is whose "
+                    "parent: in b and d the data is wanted farther down the tree. Say each sentence aloud.",
+                    ko="어디서나 부모를 앞에 두었습니다. 목표와 원본은 누가 누구의 부모인지와 상관없습니다. b와 d는 트리 "
+                    "아래쪽에서 데이터를 보고 싶은 경우입니다. 문장을 하나씩 소리 내어 읽어 보십시오.",
+                ),
+                "M2",
+            ),
+        ),
+        hints=(
+            Words(
+                en='Turn each one into "data written in …, wanted in …".',
+                ko='하나씩 "…에서 쓴 데이터를 …에서 보고 싶다"로 바꿔 보십시오.',
+            ),
+            Words(
+                en="`lookup_transform(target, source, time)`: wanted in first, written in second.",
+                ko="`lookup_transform(target, source, time)`입니다. 보고 싶은 쪽이 먼저, 쓰인 쪽이 다음입니다.",
+            ),
+            Words(
+                en='"Where is X, seen from Y?" asks for X\'s own origin: written in X, wanted in Y.',
+                ko='"Y에서 볼 때 X는 어디인가?"는 X의 원점을 묻습니다. X에서 쓴 것을 Y에서 보고 싶은 것입니다.',
+            ),
+        ),
+        cures=("M1", "M2"),
+    ),
+    Task(
+        id="E3.2",
+        kind="N",
+        points=4,
+        title=Words(en="A corner seen by a turned laser", ko="돌려 단 레이저가 본 모서리"),
+        answer="corner",
+        form=Parts({"base_link": Vector(3, "m", "base_link", 0.005), "map": Vector(3, "m", "map", 0.005)}),
+        given=corner_given,
+        variants=6,
+        twins=(
+            Twin(
+                "swapped",
+                corner_swapped,
+                Words(
+                    en="target and source are swapped: you used the inverse. `base_T_laser` already takes laser data "
+                    "to the base; check it with the laser's own origin, (0, 0, 0).",
+                    ko="목표와 원본이 바뀌었습니다. 역변환을 썼습니다. `base_T_laser`가 이미 레이저 데이터를 베이스로 "
+                    "옮깁니다. 레이저의 원점 (0, 0, 0)을 넣어 확인해 보십시오.",
+                ),
+                "M1",
+            ),
+            Twin(
+                "turn_ignored",
+                corner_without_turns,
+                Words(
+                    en="you added the steps and left out the turns. That is right only for a sensor that looks "
+                    "straight ahead on a robot that does, too.",
+                    ko="이동만 더하고 회전을 빠뜨렸습니다. 센서도 로봇도 정면을 볼 때만 맞습니다.",
+                ),
+                "M3",
+            ),
+            Twin(
+                "step_before_turn",
+                corner_step_first,
+                Words(
+                    en="you added the step first and turned the sum. The step is measured in the parent, so it is not "
+                    "turned: turn the point, then add the step.",
+                    ko="이동을 먼저 더하고 그 합을 돌렸습니다. 이동은 부모에서 잰 값이므로 돌리지 않습니다. 점을 돌린 "
+                    "다음에 이동을 더하십시오.",
+                ),
+            ),
+            Twin(
+                "product_reversed",
+                corner_reversed_product,
+                Words(
+                    en="the first is right. In the product for `map`, the dominoes do not match: which halves touch in "
+                    "`base_T_laser @ map_T_base`?",
+                    ko="첫째는 맞습니다. `map`을 구한 곱에서는 도미노가 맞지 않습니다. `base_T_laser @ map_T_base`에서 "
+                    "맞닿은 두 칸은 무엇과 무엇입니까?",
+                ),
+            ),
+            Twin(
+                "an_edge_skipped",
+                corner_skips_the_laser,
+                Words(
+                    en="the first is right. For `map` you applied `map_T_base` to a point that is written in the "
+                    "laser: one domino is missing.",
+                    ko="첫째는 맞습니다. `map`을 구할 때는 레이저에서 쓴 점에 `map_T_base`를 적용했습니다. 도미노 하나가 "
+                    "빠졌습니다.",
+                ),
+            ),
+        ),
+        hints=(
+            Words(
+                en="Two questions, two sentences: written in laser, wanted in base; written in laser, wanted in map.",
+                ko="질문이 두 개이니 문장도 두 개입니다. 레이저에서 쓴 것을 베이스에서, 레이저에서 쓴 것을 지도에서.",
+            ),
+            Words(
+                en="A transform `a_T_b` has `.apply(point)` for a point written in b, and `@` joins two that match.",
+                ko="변환 `a_T_b`는 b에서 쓴 점을 받는 `.apply(점)`이 있고, 이웃이 맞는 둘은 `@`로 잇습니다.",
+            ),
+            Words(
+                en="Lay the dominoes: [map|base][base|laser], and the point of the laser at the right end.",
+                ko="도미노를 놓아 보십시오. [map|base][base|laser], 그리고 오른쪽 끝에 레이저의 점입니다.",
+            ),
+        ),
+        cures=("M1", "M3"),
+    ),
+    Task(
+        id="E3.3",
+        kind="F",
+        points=4,
+        title=Words(en="The way back", ko="돌아가는 길"),
+        answer="invert",
+        form=PLANAR,
+        inputs=invert_inputs,
+        variants=3,
+        twins=(
+            Twin(
+                "sign_only",
+                sign_only,
+                Words(
+                    en="the step has only got a minus sign. It is measured along a's axes; you need it along b's, "
+                    "which are turned. Without a turn you are right, and only then.",
+                    ko="이동에 마이너스만 붙였습니다. 그 이동은 a의 축을 따라 잰 값인데, 필요한 것은 돌아가 있는 b의 축을 "
+                    "따라 잰 값입니다. 회전이 없을 때만 맞습니다.",
+                ),
+                "M3",
+            ),
+            Twin(
+                "same_turn",
+                sign_and_same_turn,
+                Words(
+                    en="the turn has not changed at all: going back, one turns back. And the step needs more than a "
+                    "minus sign.",
+                    ko="회전이 그대로입니다. 돌아갈 때는 반대로 돌려야 합니다. 이동도 부호만 바꿔서는 모자랍니다.",
+                ),
+                "M3",
+            ),
+            Twin(
+                "turned_on",
+                turned_on,
+                Words(
+                    en="you turned the step, but the wrong way: by yaw instead of by minus yaw. Try it with a quarter "
+                    "turn to the left and stand up.",
+                    ko="이동을 돌리기는 했는데 방향이 반대입니다. −yaw가 아니라 yaw로 돌렸습니다. 왼쪽으로 90° 돌린 경우를 "
+                    "일어서서 직접 해 보십시오.",
+                ),
+            ),
+            Twin(
+                "not_taken_off",
+                not_taken_off,
+                Words(
+                    en="the turn is right, and the step has kept its sign: from b, the origin of a lies on the other "
+                    "side.",
+                    ko="회전은 맞지만 이동의 부호가 그대로입니다. b에서 보면 a의 원점은 반대쪽에 있습니다.",
+                ),
+            ),
+        ),
+        hints=(
+            Words(
+                en="Going there is: turn by yaw, then step by (x, y). Going back undoes the last thing first.",
+                ko="가는 길은 yaw만큼 돌고 (x, y)만큼 옮기는 것입니다. 돌아갈 때는 나중에 한 것부터 되돌립니다.",
+            ),
+            Words(
+                en="Turn the vector (−x, −y) by −yaw; the new yaw is −yaw.",
+                ko="벡터 (−x, −y)를 −yaw만큼 돌리십시오. 새 yaw는 −yaw입니다.",
+            ),
+            Words(
+                en="Turning (u, v) by an angle a gives (u cos a − v sin a, u sin a + v cos a).",
+                ko="(u, v)를 각도 a만큼 돌리면 (u cos a − v sin a, u sin a + v cos a)입니다.",
+            ),
+        ),
+        cures=("M3",),
+    ),
+    Task(
+        id="E3.4",
+        kind="F",
+        points=4,
+        title=Words(en="Two dominoes into one", ko="도미노 둘을 하나로"),
+        answer="compose",
+        form=PLANAR,
+        inputs=compose_inputs,
+        variants=3,
+        twins=(
+            Twin(
+                "other_order",
+                other_order,
+                Words(
+                    en="you put them together in the other order: b_pose_c first, then a_pose_b. Lay the dominoes: "
+                    "[a|b][b|c].",
+                    ko="순서를 바꿔 이었습니다. b_pose_c가 먼저, a_pose_b가 나중입니다. 도미노를 놓아 보십시오. [a|b][b|c]",
+                ),
+            ),
+            Twin(
+                "only_added",
+                only_added,
+                Words(
+                    en="you added the steps as they are. The second step is measured along b's axes, and b is turned "
+                    "in a.",
+                    ko="이동을 그대로 더했습니다. 둘째 이동은 b의 축을 따라 잰 값이고, b는 a 안에서 돌아가 있습니다.",
+                ),
+                "M3",
+            ),
+            Twin(
+                "turned_back",
+                turned_the_other_way,
+                Words(
+                    en="the second step is turned the wrong way. b data goes to a with b's yaw, as it stands.",
+                    ko="둘째 이동을 반대로 돌렸습니다. b의 데이터는 b의 yaw 그대로 돌려서 a로 옮깁니다.",
+                ),
+                "M1",
+            ),
+            Twin(
+                "turned_by_the_second",
+                turned_by_the_second,
+                Words(
+                    en="you turned the second step by its own yaw. It is b that is turned in a: which of the two yaws "
+                    "says by how much?",
+                    ko="둘째 이동을 자기 yaw로 돌렸습니다. a 안에서 돌아가 있는 것은 b입니다. 그 각도는 두 yaw 가운데 "
+                    "어느 것입니까?",
+                ),
+            ),
+        ),
+        hints=(
+            Words(
+                en="Where is c's origin in b? Move that point to a, as in E3.2.",
+                ko="c의 원점은 b에서 어디입니까? 그 점을 E3.2처럼 a로 옮기십시오.",
+            ),
+            Words(
+                en="Turn b's step (x, y) by the yaw of a_pose_b, then add a's step. The yaws add up.",
+                ko="둘째 이동 (x, y)를 a_pose_b의 yaw로 돌린 뒤 첫째 이동을 더합니다. yaw는 서로 더합니다.",
+            ),
+            Words(
+                en="Check yourself: compose(p, invert(p)) is nothing at all, {x: 0, y: 0, yaw: 0}.",
+                ko="스스로 확인해 보십시오. compose(p, invert(p))는 아무것도 하지 않는 {x: 0, y: 0, yaw: 0}입니다.",
+            ),
+        ),
+        cures=("M1", "M3"),
+    ),
+    Task(
+        id="E3.5",
+        kind="N",
+        points=3,
+        title=Words(en="tf2_echo, both ways", ko="tf2_echo 양쪽으로 읽기"),
+        answer="both_ways",
+        form=Parts(
+            {
+                "laser_in_base": Vector(3, "m", "base_link", 0.005),
+                "base_in_laser": Vector(3, "m", "laser_frame", 0.005),
+                "yaw_back": Angle(0.005),
+            }
+        ),
+        given=echo_given,
+        variants=6,
+        twins=(
+            Twin(
+                "swapped",
+                echo_swapped,
+                Words(
+                    en="the two places are exchanged. `tf2_echo base_link laser_frame` prints where the second sits in "
+                    "the first, whatever the tool's help calls them.",
+                    ko="두 위치가 서로 바뀌었습니다. `tf2_echo base_link laser_frame`은 둘째가 첫째 안 어디에 있는지 "
+                    "찍습니다. 도움말이 무엇이라 부르든 그렇습니다.",
+                ),
+                "M1",
+            ),
+            Twin(
+                "sign_only",
+                echo_sign_only,
+                Words(
+                    en="for the way back you flipped the signs. The mount is turned, so the step has to be turned, "
+                    "too. Stand where the laser is and look for the robot's middle.",
+                    ko="돌아가는 쪽은 부호만 뒤집었습니다. 센서가 돌아가 있으므로 이동도 돌려야 합니다. 레이저 자리에 서서 "
+                    "로봇 중심이 어느 쪽인지 찾아보십시오.",
+                ),
+                "M3",
+            ),
+            Twin(
+                "turned_on",
+                echo_turned_on,
+                Words(
+                    en="for the way back the step was turned, but by yaw instead of by minus yaw.",
+                    ko="돌아가는 쪽의 이동을 돌렸지만, −yaw가 아니라 yaw로 돌렸습니다.",
+                ),
+            ),
+            Twin(
+                "same_yaw",
+                echo_same_yaw,
+                Words(
+                    en="both places are right. Going back, one also turns back: look at the sign of the yaw.",
+                    ko="두 위치는 맞습니다. 돌아갈 때는 회전도 반대입니다. yaw의 부호를 보십시오.",
+                ),
+            ),
+        ),
+        hints=(
+            Words(
+                en="One of the two places stands in the output as it is.",
+                ko="두 위치 가운데 하나는 출력에 그대로 적혀 있습니다.",
+            ),
+            Words(
+                en="The output is base_T_laser. The other one is its inverse: E3.3, with z.",
+                ko="출력은 base_T_laser입니다. 다른 하나는 그 역변환입니다. E3.3에 z가 더해진 것입니다.",
+            ),
+            Words(
+                en="`Transform.from_rpy(yaw=..., translation=(...)).inverse()` does the arithmetic; z only changes sign.",
+                ko="`Transform.from_rpy(yaw=..., translation=(...)).inverse()`로 계산할 수 있습니다. z는 부호만 바뀝니다.",
+            ),
+        ),
+        cures=("M1", "M3"),
+    ),
+    Task(
+        id="E3.6",
+        kind="C",
+        points=4,
+        title=Words(en="Bolt the camera on", ko="카메라 달기"),
+        answer="camera_mount",
+        form=Message(
+            "geometry_msgs/msg/TransformStamped",
+            ("header.frame_id", "child_frame_id", "transform.translation", "transform.rotation"),
+        ),
+        inputs=mount_inputs,
+        variants=3,
+        twins=(
+            Twin(
+                "parent_and_child_swapped",
+                parent_and_child_swapped,
+                Words(
+                    en="parent and child are swapped: this says that the robot is bolted onto the camera. The parent "
+                    "is `header.frame_id`, and the numbers are measured in it.",
+                    ko="부모와 자식이 바뀌었습니다. 로봇을 카메라에 달았다는 뜻이 됩니다. 부모는 `header.frame_id`이고, "
+                    "숫자는 부모에서 잽니다.",
+                ),
+                "M2",
+            ),
+            Twin(
+                "degrees",
+                in_degrees,
+                Words(
+                    en="your angle went into sin and cos in degrees. Python and ROS count in radians (REP-103): "
+                    "`math.radians`.",
+                    ko="각도를 도(degree) 그대로 sin과 cos에 넣었습니다. 파이썬과 ROS는 라디안을 씁니다(REP-103). "
+                    "`math.radians`를 쓰십시오.",
+                ),
+                "M5",
+            ),
+            Twin(
+                "whole_angle",
+                without_the_half,
+                Words(
+                    en="the camera is turned twice as far as asked: a quaternion holds the sine and cosine of *half* "
+                    "the angle.",
+                    ko="카메라가 두 배로 돌아갔습니다. 쿼터니언에는 각도의 *절반*에 대한 sin과 cos을 넣습니다.",
+                ),
+                "M5",
+            ),
+            Twin(
+                "w_first",
+                w_first,
+                Words(
+                    en="your quaternion has w first. ROS writes (x, y, z, w), so this camera lies on its side.",
+                    ko="쿼터니언에 w를 먼저 썼습니다. ROS는 (x, y, z, w) 순서이므로 이 카메라는 옆으로 누워 버립니다.",
+                ),
+                "M5",
+            ),
+            Twin(
+                "zero_quaternion",
+                zero_quaternion,
+                Words(
+                    en="the rotation is all zeros. That is no rotation at all: every listener refuses the message, and "
+                    "camera_link never appears.",
+                    ko="회전이 모두 0입니다. 이것은 회전이 아니므로 모든 리스너가 메시지를 거절하고, camera_link는 끝내 "
+                    "나타나지 않습니다.",
+                ),
+                "M5",
+            ),
+        ),
+        hints=(
+            Words(
+                en="Which frame holds the numbers? That one is the parent, `header.frame_id`.",
+                ko="숫자를 잰 좌표계는 어느 쪽입니까? 그쪽이 부모, `header.frame_id`입니다.",
+            ),
+            Words(
+                en="A turn to the left by an angle is z = sin(half of it), w = cos(half of it), and x = y = 0.",
+                ko="왼쪽으로 어떤 각도만큼 돌면 z = sin(그 절반), w = cos(그 절반), x = y = 0입니다.",
+            ),
+            Words(
+                en="ahead is x, up is z. Message fields want floats, so write `float(...)` around what may be an int.",
+                ko="앞은 x, 위는 z입니다. 메시지 필드는 float를 받으므로 int일 수 있는 값은 `float(...)`로 감싸십시오.",
+            ),
+        ),
+        cures=("M2", "M5"),
+    ),
+    Task(
+        id="E3.7",
+        kind="D",
+        points=3,
+        title=Words(en="Three nodes, one swap", ko="노드 셋, 하나는 거꾸로"),
+        answer="verdict",
+        form=Parts({"node": Choice(NODES), "robot": Choice(ROBOTS), "hidden_while": Choice(HIDDEN)}),
+        twins=(
+            Twin(
+                "by_its_looks",
+                blamed("node_c", ROBOTS[2]),
+                Words(
+                    en="node_c has the same line as node_b, and it is not the line that is wrong. The robot's own "
+                    "origin is written in `base_link`; node_c wants it in `map`. What does node_b hold, and want?",
+                    ko="node_c는 node_b와 같은 줄을 썼고, 줄 자체가 틀린 것은 아닙니다. 로봇의 원점은 `base_link`에서 쓴 "
+                    "것이고 node_c는 그것을 `map`에서 보고 싶어 합니다. node_b는 무엇을 가졌고, 무엇을 원합니까?",
+                ),
+                "M2",
+            ),
+            Twin(
+                "against_the_arrow",
+                blamed("node_a", ROBOTS[0]),
+                Words(
+                    en="node_a is right: written in the scan's frame, wanted in `base_link`. Parent → child is the "
+                    "family; data runs the other way.",
+                    ko="node_a는 맞습니다. 스캔의 좌표계에서 쓴 것을 `base_link`에서 보고 싶습니다. 부모 → 자식은 가족 "
+                    "관계이고, 데이터는 그 반대로 흐릅니다.",
+                ),
+                "M2",
+            ),
+            Twin(
+                "expects_an_exception",
+                blamed("node_b", ROBOTS[3]),
+                Words(
+                    en="the node is right. But a swapped lookup raises nothing: both questions have an answer. What "
+                    "does a robot do that believes this one?",
+                    ko="노드는 맞습니다. 그러나 바꿔 쓴 조회는 예외를 내지 않습니다. 두 질문 모두 답이 있기 때문입니다. 그 "
+                    "답을 믿은 로봇은 무엇을 합니까?",
+                ),
+                "M1",
+            ),
+            Twin(
+                "still_is_enough",
+                blamed("node_b", ROBOTS[1], HIDDEN[0]),
+                Words(
+                    en="node and robot are right. Standing still does not help: a wrong transform is wrong at rest, "
+                    "too. For which transform is the inverse the same?",
+                    ko="노드와 로봇은 맞습니다. 서 있다고 해서 맞지는 않습니다. 틀린 변환은 서 있을 때도 틀립니다. 역변환이 "
+                    "자기 자신과 같은 변환은 어떤 것입니까?",
+                ),
+                "M3",
+            ),
+        ),
+        hints=(
+            Words(
+                en="Each comment says in which frame the data is written. Say the three sentences.",
+                ko="주석마다 데이터가 어느 좌표계에서 쓰였는지 적혀 있습니다. 문장 세 개로 말해 보십시오.",
+            ),
+            Words(
+                en="The frame that the data is written in must be the second argument.",
+                ko="데이터가 쓰인 좌표계가 둘째 인자여야 합니다.",
+            ),
+            Words(
+                en="Nothing stops: TF2 answers the opposite question. The numbers that come out belong somewhere else.",
+                ko="아무것도 멈추지 않습니다. TF2는 반대 질문에 답할 뿐이고, 나온 숫자는 다른 곳을 가리킵니다.",
+            ),
+        ),
+        cures=("M1", "M2"),
+    ),
+)
