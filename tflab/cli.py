@@ -34,9 +34,12 @@ BY_CTRL_C, BY_A_CLOSED_PIPE = 130, 141
 
 SUBCOMMANDS = {
     "build": Subcommand("run the pages and write them as HTML that works from a disk", "tflab.workbook.build", "build"),
-    "lab": Subcommand("open the workbook in JupyterLab, offline", "tflab.workbook.lab", "lab"),
+    "grade": Subcommand("grade what a class handed in", "tflab.grading.grade", "main"),
+    "lab": Subcommand("open your own copy of the workbook in JupyterLab, offline", "tflab.workbook.lab", "lab"),
+    "progress": Subcommand("say which checks you have passed", "tflab.workbook.progress_page", "progress"),
     "doctor": Subcommand("say what is wrong with the TF of a recording", "tflab.doctor.command", "main"),
     "export": Subcommand("write an executed notebook as HTML that works from a disk", "tflab.views.export", "main"),
+    "release": Subcommand("hand out exercises, and keep what grades them", "tflab.grading.release", "main"),
     "run": Subcommand("run node files together in real time, with tools beside them", "tflab.tools.shell", "run"),
     "ros2": Subcommand("ROS 2's command line tools, on their own or on a bag", "tflab.tools.shell", "ros2"),
 }

@@ -1,0 +1,167 @@
+"""A chapter of three tasks in a folder of its own, a class that is handed it, and what one may hand in."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from pathlib import Path
+
+from tflab.workbook.cases import PUBLIC_SEED, cases_json, make_cases
+from tflab.workbook.editions import exercise_notebook, lecture_notebook, text_of
+from tflab.workbook.reference import CodeCell, Solution
+from tflab.workbook.source import read_page
+
+STEM = "03_tiny"
+
+SOURCE = """\
+# %% [markdown] lang="en" name="title"
+# # Tiny
+
+# %% [markdown] lang="ko" name="title"
+# # 작은 장
+
+# %% name="load"
+# %load_ext tflab
+from tflab.workbook import check, hint, task
+
+# %% name="imports"
+import math
+
+# %% [markdown] lang="en" name="e3-1"
+# ## E3.1 · Sum
+
+# %% [markdown] lang="ko" name="e3-1"
+# ## E3.1 · 합
+
+# %% name="e3-1-given"
+e3_1 = task("E3.1")
+
+# %% name="e3-1-answer" tags=["answer"]
+# BEGIN SOLUTION
+total = e3_1.a + e3_1.b
+# END SOLUTION
+
+# %% name="e3-1-check" tags=["check"]
+check("E3.1", total)
+
+# %% [markdown] lang="en" name="e3-2"
+# ## E3.2 · Length
+
+# %% [markdown] lang="ko" name="e3-2"
+# ## E3.2 · 길이
+
+# %% name="e3-2-answer" tags=["answer"]
+def length(x, y):
+    # BEGIN SOLUTION
+    return math.hypot(x, y)
+    # END SOLUTION
+
+# %% name="e3-2-check" tags=["check"]
+check("E3.2", length)
+
+# %% [markdown] lang="en" name="e3-3"
+# ## E3.3 · Which frames
+
+# %% [markdown] lang="ko" name="e3-3"
+# ## E3.3 · 어느 좌표계
+
+# %% name="e3-3-answer" tags=["answer"]
+frames = {
+    # BEGIN SOLUTION
+    "target": "map",
+    "source": "laser_frame",
+    # END SOLUTION
+}
+
+# %% name="e3-3-check" tags=["check"]
+check("E3.3", frames)
+"""
+
+TASKS = """\
+import math
+
+from tflab.workbook.forms import Choice, Number, Parts
+from tflab.workbook.tasks import Task, Twin, Words
+
+HINTS = (Words("a", "가"), Words("b", "나"), Words("c", "다"))
+FRAMES = Choice(options=("map", "laser_frame"))
+
+
+def two_numbers(rng):
+    return {"a": float(rng.uniform(1, 5)), "b": float(rng.uniform(6, 9))}
+
+
+def legs(rng):
+    return [tuple(float(leg) for leg in rng.uniform(1, 5, 2)) for _ in range(4)]
+
+
+TASKS = (
+    Task("E3.1", "N", 2, Words("Sum", "합"), "total", Number(unit="m"), HINTS, given=two_numbers, variants=5,
+         twins=(Twin("subtracted", lambda given: given.a - given.b, Words("You subtracted.", "뺐습니다."), "M3"),)),
+    Task("E3.2", "F", 4, Words("Length", "길이"), "length", Number(), HINTS, inputs=legs, variants=3,
+         twins=(Twin("added", lambda x, y: x + y, Words("You added the legs.", "두 변을 더했습니다."), "M1"),)),
+    Task("E3.3", "M", 2, Words("Frames", "좌표계"), "frames", Parts({"target": FRAMES, "source": FRAMES}), HINTS,
+         twins=(Twin("swapped", {"target": "laser_frame", "source": "map"}, Words("Swapped.", "바뀌었습니다."), "M1"),)),
+)
+"""
+
+RIGHT = {
+    "e3-1-answer": "total = e3_1.a + e3_1.b",
+    "e3-2-answer": "def length(x, y):\n    return math.hypot(x, y)",
+    "e3-3-answer": 'frames = {"target": "map", "source": "laser_frame"}',
+}
+
+
+def write_tiny_workbook(root: Path) -> Path:
+    """Write the chapter as `tflab build` would, without running it; return the root."""
+    source = root / "solutions" / "src" / f"{STEM}.py"
+    tasks = root / "solutions" / "tasks" / f"{STEM}.py"
+    for path, text in ((source, SOURCE), (tasks, TASKS)):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+    page = read_page(source)
+    solution = Solution(STEM, [CodeCell(cell.name, cell.source) for cell in page.code])
+    cases = make_cases(STEM, PUBLIC_SEED, solutions=root / "solutions", solution=solution)
+    files = {f"exercises/cases/{STEM}.json": cases_json(cases)}
+    for language in ("en", "ko"):
+        files[f"solutions/{language}/{STEM}.ipynb"] = text_of(lecture_notebook(page, language, {}))
+        files[f"exercises/{language}/{STEM}.ipynb"] = text_of(exercise_notebook(page, language, cases["tasks"]))
+    for name, text in files.items():
+        (root / name).parent.mkdir(parents=True, exist_ok=True)
+        (root / name).write_text(text, encoding="utf-8")
+    (root / "notebooks" / "en").mkdir(parents=True, exist_ok=True)
+    (root / "notebooks" / "ko").mkdir(parents=True, exist_ok=True)
+    return root
+
+
+def exercise(root: Path, language: str = "en") -> dict:
+    """Return the exercise notebook below a folder, the workbook's or a learner's."""
+    return json.loads((root / "exercises" / language / f"{STEM}.ipynb").read_text(encoding="utf-8"))
+
+
+def answered(notebook: dict, answers: Mapping[str, str] = RIGHT) -> dict:
+    """Return a copy of a notebook with the sources of some of its cells replaced."""
+    made = json.loads(json.dumps(notebook))
+    for cell in made["cells"]:
+        if cell["id"] in answers:
+            cell["source"] = answers[cell["id"]]
+    return made
+
+
+def own_cell(source: str, identity: str = "mine", kind: str = "code") -> dict:
+    """Return a cell that a learner added."""
+    return {"cell_type": kind, "id": identity, "metadata": {}, "source": source, "outputs": [], "execution_count": 1}
+
+
+def index_of(notebook: dict, identity: str) -> int:
+    """Return where a cell is."""
+    return next(number for number, cell in enumerate(notebook["cells"]) if cell["id"] == identity)
+
+
+def hand_in(folder: Path, learner: str, notebook: dict | bytes | str, name: str = f"{STEM}.ipynb") -> Path:
+    """Write a notebook as a learner's submission."""
+    path = folder / learner / name
+    path.parent.mkdir(parents=True, exist_ok=True)
+    data = json.dumps(notebook) if isinstance(notebook, dict) else notebook
+    path.write_bytes(data if isinstance(data, bytes) else data.encode("utf-8"))
+    return path

@@ -1,0 +1,222 @@
+"""How are two hundred graded?  A job for each, on so many processes; what is done is on the disk at once.
+
+    collection --jobs, made one by one-->  processes of this machine, or a Dask cluster
+                                             |
+    results/submissions/s101-7f3a....json  <-+   a record for each, under a name that its content determines
+                                             |
+    what hit a deadline  <-------------------+   once more at the end, alone, with three times the time
+
+A second run takes the records that are there and grades only what changed, in the
+submission, the pack or tflab.  Ctrl-C loses nothing that was done.  Read `one.py` next.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import BrokenExecutor
+from dataclasses import dataclass, replace
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from tflab import __version__
+from tflab.workbook.whole_files import write_whole
+
+from .attempt import NotRun
+from .kernels import KernelError
+from .limits import Limits
+from .one import File, Job, graded, record_with
+from .pack import Pack
+from .plan import PlannedCell
+from .progress_bar import ProgressBar
+from .reader import Unreadable
+from .running import Cell, Run, run_cells
+from .sandbox import Sandbox
+from .submissions import Collection, Submission
+
+__all__ = ["RECORDS", "Batch", "grade_batch"]
+
+RECORDS = "submissions"
+RECORD_FORMAT = 1
+
+
+@dataclass(frozen=True)
+class Batch:
+    """How a batch is graded: within which limits, behind which wall, by how many, where."""
+
+    limits: Limits
+    sandbox: Sandbox
+    jobs: int = 1
+    scheduler: str | None = None
+    quiet: bool = True
+
+
+def grade_batch(collection: Collection, pack: Pack, out: Path, batch: Batch) -> list[dict[str, Any]]:
+    """Return a record for each submission, in their order; each is also in `out`."""
+    records: dict[str, dict[str, Any]] = {}
+    waiting: dict[str, tuple[Submission, Path]] = {}
+    set_aside: list[tuple[Submission, Path]] = []
+    paths: set[Path] = set()
+    do = partial(grade_job, sandbox=batch.sandbox)
+    bar = ProgressBar(len(collection.submissions), "graded", quiet=batch.quiet)
+
+    def jobs() -> Iterator[Job]:
+        for submission in collection.submissions:
+            job = job_of(submission, pack, batch.limits)
+            path = out / RECORDS / f"{_file_name(job.learner)}-{_key(job, pack, batch)[:16]}.json"
+            paths.add(path)
+            there = _record_at(path, job.learner)
+            if there is not None:
+                records[job.learner] = there
+                bar.step(job.learner)
+            else:
+                waiting[job.learner] = (submission, path)
+                yield job
+
+    def keep(record: dict[str, Any], path: Path) -> None:
+        records[record["learner"]] = record
+        if not record.get("not_run"):  # what could not be run is tried again the next time
+            _write_record(path, record)
+        bar.step(record["learner"])
+
+    def take(record: dict[str, Any]) -> None:
+        submission, path = waiting.pop(record["learner"])
+        if record["set_aside"]:
+            records[record["learner"]] = record
+            set_aside.append((submission, path))
+        else:
+            keep(record, path)
+
+    source = jobs()
+    try:
+        for record in _on_processes(source, do, batch):
+            take(record)
+    except BrokenExecutor:  # a process was killed, for want of memory perhaps: here, one by one
+        for submission, _ in list(waiting.values()):
+            take(do(job_of(submission, pack, batch.limits)))
+        for job in source:
+            take(do(job))
+    for submission, path in sorted(set_aside, key=lambda pair: pair[0].learner):
+        record = records[submission.learner]
+        job = replace(job_of(submission, pack, batch.limits), only=record["set_aside"])
+        keep(record_with(record, do(job)), path)
+    bar.close()
+    _remove_old(out / RECORDS, set(records), paths)
+    return [records[submission.learner] for submission in collection.submissions]
+
+
+def job_of(submission: Submission, pack: Pack, limits: Limits) -> Job:
+    """Return the job for a submission; its files are read now, within the reader's limits."""
+    files = []
+    for member in submission.notebooks:
+        name = "/".join("".join(letter if letter.isprintable() else "?" for letter in part) for part in member.parts)
+        try:
+            files.append(File(name[-200:], member.read()))
+        except Unreadable as error:
+            files.append(File(name[-200:], fault=str(error)))
+    known = (pack.roster or {}).get(submission.learner)
+    return Job(
+        learner=submission.learner,
+        name=known.name if known else "",
+        language=known.language if known else pack.language,
+        release=pack.release,
+        version=pack.version,
+        files=tuple(files),
+        chapters=pack.for_learner(submission.learner),
+        limits=limits,
+        remarks=submission.remarks,
+        on_roster=submission.known,
+        has_roster=pack.roster is not None,
+    )
+
+
+def grade_job(job: Job, *, sandbox: Sandbox) -> dict[str, Any]:
+    """Do one job, in whichever process this is; whatever happens, there is a record of it."""
+    try:
+        return graded(job, partial(_run, sandbox=sandbox)) | {"sandbox": sandbox.level}
+    except Exception as error:  # a fault of ours; it must not cost the others
+        text = (
+            f"tflab itself failed here ({type(error).__name__}: {str(error)[:200]}); please report it, and grade again"
+        )
+        record = graded(replace(job, files=(), remarks=(*job.remarks, text)), _nothing_runs)
+        return record | {"sandbox": sandbox.level, "not_run": True}
+
+
+def _nothing_runs(cells: Sequence[PlannedCell], limits: Limits) -> Run:
+    raise NotRun("nothing runs here")
+
+
+def _run(cells: Sequence[PlannedCell], limits: Limits, sandbox: Sandbox) -> Run:
+    named = [Cell(f"{number}-{cell.piece.name}", cell.source, cell.probe) for number, cell in enumerate(cells, start=1)]
+    try:
+        return run_cells(named, limits=limits, sandbox=sandbox)
+    except (KernelError, OSError) as error:
+        raise NotRun(str(error)[:200]) from None
+
+
+def _on_processes(jobs: Iterator[Job], do: Callable[[Job], dict[str, Any]], batch: Batch) -> Iterator[dict[str, Any]]:
+    """Do jobs as they come, and yield records as they are done; only as many jobs wait as there are processes."""
+    from joblib import Parallel, delayed, parallel_config
+
+    if batch.scheduler is None and batch.jobs == 1:
+        yield from map(do, jobs)
+        return
+    if batch.scheduler is not None:
+        with _dask_client(batch.scheduler) as client, parallel_config(backend="dask", wait_for_workers_timeout=60):
+            workers = max(1, sum(client.nthreads().values()))
+            work = Parallel(n_jobs=workers, return_as="generator_unordered", pre_dispatch=2 * workers, batch_size=1)
+            yield from work(delayed(do)(job) for job in jobs)
+        return
+    work = Parallel(n_jobs=batch.jobs, return_as="generator_unordered", pre_dispatch="2*n_jobs", batch_size=1)
+    try:
+        yield from work(delayed(do)(job) for job in jobs)
+    except BaseException:
+        from joblib.externals.loky import get_reusable_executor
+
+        get_reusable_executor().shutdown(wait=True, kill_workers=True)
+        raise
+
+
+def _dask_client(scheduler: str) -> Any:
+    try:
+        from dask.distributed import Client
+    except ModuleNotFoundError as missing:
+        raise ImportError("--scheduler needs Dask: pip install tflab[cluster]") from missing
+    return Client(scheduler, set_as_default=True)
+
+
+def _key(job: Job, pack: Pack, batch: Batch) -> str:
+    """Return a name for all that decides a record: the files, the pack, the limits, the wall, and tflab itself."""
+    content = hashlib.sha256()
+    rest = [RECORD_FORMAT, __version__, pack.digest, repr(batch.limits), batch.sandbox.level]
+    rest += [job.learner, job.name, job.language, job.remarks, job.on_roster]
+    content.update(json.dumps(rest, ensure_ascii=False).encode("utf-8", "replace"))
+    for file in job.files:
+        content.update(repr((file.name, file.fault, hashlib.sha256(file.data).hexdigest())).encode())
+    return content.hexdigest()
+
+
+def _file_name(learner: str) -> str:
+    return "".join(letter if letter.isalnum() or letter in "._@-" else "_" for letter in learner)[:64]
+
+
+def _record_at(path: Path, learner: str) -> dict[str, Any] | None:
+    try:
+        record = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return None
+    return record if isinstance(record, dict) and record.get("learner") == learner else None
+
+
+def _write_record(path: Path, record: dict[str, Any]) -> None:
+    write_whole(path, json.dumps(record, ensure_ascii=False, sort_keys=True, indent=1) + "\n")
+
+
+def _remove_old(folder: Path, learners: set[str], paths: set[Path]) -> None:
+    """Remove the records of what these learners handed in before; those of others stay."""
+    names = {_file_name(learner) for learner in learners}
+    for path in folder.glob("*.json"):
+        if path not in paths and path.name.rpartition("-")[0] in names:
+            path.unlink(missing_ok=True)

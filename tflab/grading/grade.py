@@ -1,0 +1,141 @@
+"""How does an instructor grade a class?  `tflab grade SUBMISSIONS --pack DIR/instructor --out results/`.
+
+    submissions (folder, zip)  --collect-->  jobs  --batch-->  records  -->  grades.csv, results.json,
+                                                                             feedback/s101.html, class.html
+
+What is missing or malformed is a line in the report and stops nothing.  Read
+`submissions.py` next, then `batch.py`.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from tflab import __version__
+from tflab.workbook.whole_files import write_whole
+
+from .gradebook import LMS, grades_csv, results_json
+from .pack import Pack, PackError, read_pack
+from .reader import Unreadable
+from .submissions import Collection, collect
+
+__all__ = ["FEEDBACK", "main"]
+
+FEEDBACK = ("none", "score", "named", "full")
+BY_CTRL_C = 130
+NEEDS_LINUX = (
+    "grading runs what learners wrote behind a wall that only Linux has; use Linux, WSL or a container. "
+    "`tflab check` works everywhere"
+)
+
+
+def main(words: Sequence[str]) -> int:
+    """Grade, and return 0; 2 if nothing could be graded, 130 if it was stopped."""
+    options = _options(words)
+    out = Path(options.out)
+    if sys.platform != "linux":
+        return _refuse(NEEDS_LINUX)
+    from .kernels import KernelError  # from here on it is Linux
+
+    try:
+        pack = read_pack(Path(options.pack))
+        collection = collect(Path(options.submissions), pack.roster, list(pack.cases))
+        if not collection.submissions:
+            raise Unreadable(f"there is no submission in {options.submissions}")
+        (out / "submissions").mkdir(parents=True, exist_ok=True)
+        records, wall = _graded(collection, pack, out, options)
+        _write_reports(records, collection, pack, out, options, wall)
+    except (PackError, Unreadable, KernelError, ImportError) as error:
+        return _refuse(str(error))
+    except OSError as error:
+        return _refuse(f"{error.filename}: {error.strerror}")
+    except KeyboardInterrupt:
+        done = len(list((out / "submissions").glob("*.json")))
+        print(
+            f"\ntflab grade: stopped. {done} are done and kept; the same command goes on from there.", file=sys.stderr
+        )
+        return BY_CTRL_C
+    _say(records, collection, out, wall)
+    return 0
+
+
+def _graded(
+    collection: Collection, pack: Pack, out: Path, options: argparse.Namespace
+) -> tuple[list[dict], tuple[str, ...]]:
+    from .batch import Batch, grade_batch
+    from .kernels import choose
+    from .limits import Limits
+
+    hidden = (Path(options.pack), Path(options.submissions), out)
+    sandbox = choose(hide=tuple(str(path.resolve()) for path in hidden))
+    limits = Limits(cell_s=options.seconds, notebook_s=6 * options.seconds)
+    jobs = options.jobs if options.jobs > 0 else os.cpu_count() or 1
+    batch = Batch(limits, sandbox, jobs, options.scheduler, options.quiet)
+    wall = (sandbox.announce(), *sandbox.gaps)
+    return grade_batch(collection, pack, out, batch), wall
+
+
+def _write_reports(
+    records: list[dict[str, Any]],
+    collection: Collection,
+    pack: Pack,
+    out: Path,
+    options: argparse.Namespace,
+    wall: tuple[str, ...],
+) -> None:
+    about = {
+        "tflab": __version__,
+        "release": pack.release,
+        "chapters": list(pack.cases),
+        "wall": list(wall),
+        "remarks": list(collection.remarks),
+    }
+    write_whole(out / "grades.csv", grades_csv(records, options.lms, options.assignment))
+    write_whole(out / "results.json", results_json(records, about))
+    _write_pages(records, collection, pack, out, options, wall)
+
+
+def _write_pages(records, collection, pack, out, options, wall) -> None:
+    pass
+
+
+def _say(records: list[dict[str, Any]], collection: Collection, out: Path, wall: tuple[str, ...]) -> None:
+    for line in collection.remarks:
+        print(line)
+    for record in records:
+        if not record["handed_in"]:
+            from .gradebook import remarks_of
+
+            print(
+                f"{record['learner']}: {'; '.join(remark.say('en') for remark in remarks_of(record)) or 'nothing to grade'}"
+            )
+    handed_in = [record for record in records if record["handed_in"]]
+    print(f"{len(handed_in)} graded, {len(records) - len(handed_in)} with nothing to grade. {' '.join(wall)}")
+    print(f"{out / 'grades.csv'}  {out / 'results.json'}  {out / 'class.html'}")
+
+
+def _refuse(why: str) -> int:
+    print(f"tflab grade: {why}", file=sys.stderr)
+    return 2
+
+
+def _options(words: Sequence[str]) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(prog="tflab grade", description="Grade what a class handed in.")
+    parser.add_argument("submissions", metavar="SUBMISSIONS", help="a folder of notebooks or of folders, or a zip")
+    parser.add_argument("--pack", required=True, metavar="DIR", help="the instructor's folder of the release")
+    parser.add_argument("--out", default="results", metavar="DIR", help="where the results go; %(default)s if left out")
+    parser.add_argument("--jobs", type=int, default=1, metavar="N", help="how many at once; 0: one for each processor")
+    parser.add_argument(
+        "--scheduler", metavar="tcp://...", help="of a Dask cluster that you trust: it sees hidden cases"
+    )
+    parser.add_argument("--lms", choices=sorted(LMS), help="the columns of grades.csv")
+    parser.add_argument("--assignment", default="tflab", metavar="NAME", help="its column in Canvas; %(default)s")
+    parser.add_argument("--feedback", choices=FEEDBACK, default="named", help="what learners see; %(default)s")
+    parser.add_argument("--seconds", type=float, default=10.0, metavar="S", help="for one cell; %(default)s")
+    parser.add_argument("--quiet", action="store_true", help="no progress bar")
+    return parser.parse_args(list(words))

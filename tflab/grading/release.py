@@ -1,0 +1,172 @@
+"""How does a course hand out its exercises?  `tflab release DIR`: a folder to give away, and one to keep.
+
+    tflab release autumn --roster class.csv --chapters 02,03
+
+    autumn/learners/s101/     pages, exercises and public cases, stamped; no solutions
+    autumn/instructor/        the pack: a secret seed, hidden cases, master notebooks (see pack.py)
+
+Each learner on the roster gets variants of their own.  Nothing under learners/ says
+what is graded.  A pack is never overwritten: `--add` brings in more learners and
+chapters, with the seed it has.  Read `pack.py` next.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import secrets
+import sys
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from tflab import __version__
+from tflab.workbook import places
+from tflab.workbook.learner import lay_out
+from tflab.workbook.places import WorkbookError
+from tflab.workbook.tasks import TaskError
+from tflab.workbook.whole_files import write_whole
+
+from .pack import Pack, PackError, chapter_cases, learners_cases, read_pack, write_chapter, write_pack
+from .progress_bar import ProgressBar
+from .reader import Unreadable, read_bytes
+from .roster import LANGUAGES, Learner, Roster, read_roster
+
+__all__ = ["main", "release"]
+
+INSTRUCTOR, LEARNERS, ONE_FOR_ALL = "instructor", "learners", "tflab_workbook"
+
+
+def main(words: Sequence[str]) -> int:
+    """Release, and return 0; 1 if rows of the roster were left out, 2 if nothing was released."""
+    options = _options(words)
+    folder = Path(options.folder)
+    try:
+        stems = _chapters(options.chapters, places.chapters())
+        roster = _roster(options.roster, options.lang)
+        for fault in roster.faults if roster else ():
+            print(f"tflab release: {options.roster}, {fault}; left out", file=sys.stderr)
+        if roster is not None and not roster.learners:
+            raise PackError("no learner on the roster")
+        learners = list(roster.learners.values()) if roster else None
+        release(folder, stems, learners, language=options.lang, add=options.add, quiet=options.quiet)
+    except (PackError, TaskError, WorkbookError, Unreadable) as error:
+        print(f"tflab release: {error}", file=sys.stderr)
+        return 2
+    who = f"{len(learners)} learners" if learners is not None else "everybody, the same folder"
+    print(f"{folder / LEARNERS}: for {who}: {', '.join(stems)}")
+    print(f"{folder / INSTRUCTOR}: your pack. Keep it to yourself; grading needs it.")
+    return 1 if roster and roster.faults else 0
+
+
+def release(
+    folder: Path,
+    stems: Sequence[str],
+    learners: Sequence[Learner] | None,
+    *,
+    language: str = "en",
+    add: bool = False,
+    quiet: bool = True,
+) -> Pack:
+    """Write the pack and the learners' folders; return the pack.
+
+    Raises:
+        PackError: there is a pack already, and nothing is to be added; or, adding, there is none.
+        TaskError: a chapter's solution or cases are no good.
+    """
+    pack = _pack_to_fill(folder, learners, language, add)
+    data = places.workbook_data()
+    handed_out: dict[str, dict[str, Any]] = {}
+    for stem in dict.fromkeys([*pack.cases, *stems]):
+        master = data / "exercises" / "en" / f"{stem}.ipynb"
+        if not master.is_file():
+            raise PackError(f"{stem} has no exercise; `tflab build {stem}` makes it")
+        handed_out[stem], graded = chapter_cases(stem, pack.seed, data / "solutions")
+        if stem not in pack.cases:
+            pack.cases[stem] = graded
+            write_chapter(folder / INSTRUCTOR, stem, graded, master.read_bytes())
+    write_pack(folder / INSTRUCTOR, pack)
+    everybody: Iterable[Learner | None] = [None] if pack.roster is None else pack.roster.values()
+    bar = ProgressBar(len(list(everybody)), "released", quiet=quiet)
+    for learner in everybody:
+        _lay_out_for(folder / LEARNERS, learner, pack, handed_out, language)
+        bar.step(learner.id if learner else ONE_FOR_ALL)
+    bar.close()
+    return pack
+
+
+def _pack_to_fill(folder: Path, learners: Sequence[Learner] | None, language: str, add: bool) -> Pack:
+    there = (folder / INSTRUCTOR).exists() or (folder / LEARNERS).exists()
+    roster = {learner.id: learner for learner in learners} if learners is not None else None
+    if not add:
+        if there:
+            raise PackError(
+                f"{folder} holds a release already, and nothing in it is changed. "
+                "Name another folder, or add chapters and learners to this one with --add."
+            )
+        return Pack(secrets.token_hex(4), secrets.token_hex(32), language=language, roster=roster)
+    pack = read_pack(folder / INSTRUCTOR)
+    if pack.version != __version__:
+        raise PackError(f"{folder} was released by tflab {pack.version}, this is {__version__}; add with that version")
+    if roster and pack.roster is None and (folder / LEARNERS).exists():
+        raise PackError(f"{folder} was released without a roster, the same for everybody; release to another folder")
+    return replace(pack, roster={**pack.roster, **(roster or {})} if pack.roster is not None else roster)
+
+
+def _lay_out_for(
+    place: Path, learner: Learner | None, pack: Pack, handed_out: Mapping[str, dict[str, Any]], language: str
+) -> None:
+    identity = learner.id if learner else None
+    spoken = learner.language if learner else language
+    target = place / (identity or ONE_FOR_ALL)
+    cases = {stem: learners_cases(one, pack.roster, identity) for stem, one in handed_out.items()}
+    fresh = [stem for stem in cases if not (target / "exercises" / spoken / f"{stem}.ipynb").exists()]
+    lay_out(target, spoken, edition="class", learner=identity, cases=cases)
+    stamp = {"release": pack.release, "version": pack.version} | ({"learner": identity} if identity else {})
+    for stem in fresh:
+        for root in (target, target / ".tflab" / "pristine"):
+            path = root / "exercises" / spoken / f"{stem}.ipynb"
+            if path.is_file():
+                _write_stamped(path, stamp | {"chapter": stem, "language": spoken})
+
+
+def _write_stamped(path: Path, stamp: Mapping[str, str]) -> None:
+    notebook = json.loads(path.read_text(encoding="utf-8"))
+    notebook["metadata"]["tflab"] = {**notebook["metadata"].get("tflab", {}), **stamp}
+    write_whole(path, json.dumps(notebook, sort_keys=True, indent=1, ensure_ascii=False) + "\n")
+
+
+def _chapters(words: str | None, there: Sequence[str]) -> list[str]:
+    """Return the stems that "02,03" names; all if there are no words."""
+    if not there:
+        raise PackError("there is no chapter with an exercise; `tflab build` makes them")
+    chosen = []
+    for word in (words or "").replace(" ", ",").split(","):
+        if not word:
+            continue
+        stems = [stem for stem in there if stem == word or stem.split("_")[0] == word.zfill(2)]
+        if not stems:
+            raise PackError(f'there is no chapter "{word}" with an exercise; there is {", ".join(there)}')
+        chosen += stems
+    return list(dict.fromkeys(chosen)) or list(there)
+
+
+def _roster(path: str | None, language: str) -> Roster | None:
+    if path is None:
+        return None
+    try:
+        return read_roster(read_bytes(Path(path).resolve()), language)
+    except Unreadable as error:
+        raise Unreadable(f"the roster {path} {error}") from None
+
+
+def _options(words: Sequence[str]) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(prog="tflab release", description="Hand out exercises, and keep what grades them.")
+    parser.add_argument("folder", metavar="DIR", help="a new folder: DIR/learners to give away, DIR/instructor to keep")
+    parser.add_argument("--roster", metavar="CSV", help="the class, a learner a row: id,name,language")
+    parser.add_argument("--chapters", metavar="02,03", help="all that have exercises if left out")
+    parser.add_argument("--lang", choices=LANGUAGES, default="en", help="for whom the roster names none; %(default)s")
+    parser.add_argument("--add", action="store_true", help="add chapters or learners to a release that is there")
+    parser.add_argument("--quiet", action="store_true", help="no progress bar")
+    return parser.parse_args(list(words))

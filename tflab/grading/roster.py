@@ -1,0 +1,116 @@
+"""Who is in the class?  A CSV file with one learner a row becomes a roster, with one clear line for each row that is wrong.
+
+    id,name,language
+    s101,Kim Minji,ko
+    s102,Ada Byron,en          the column `language` may be missing, and so may `name`
+
+The first row names the columns, in any order; their names may be those that
+Moodle or Canvas export.  Read `release.py` next.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import re
+from dataclasses import dataclass, field
+
+__all__ = ["LANGUAGES", "Learner", "Roster", "is_learner_id", "read_roster"]
+
+LANGUAGES = ("en", "ko")
+ENCODINGS = ("utf-8-sig", "utf-16", "cp949")
+COLUMNS = {
+    "id": ("id", "learner", "learner id", "student id", "id number", "sis user id", "sis login id", "username"),
+    "name": ("name", "full name", "student", "first name", "이름"),
+    "language": ("language", "lang", "언어"),
+}
+ID = re.compile(r"[A-Za-z0-9][A-Za-z0-9._@-]{0,63}")
+RESERVED = {"con", "prn", "aux", "nul", *(f"{port}{n}" for port in ("com", "lpt") for n in range(1, 10))}
+MAX_NAME = 120
+
+
+@dataclass(frozen=True, slots=True)
+class Learner:
+    """One learner: the id is also the name of a folder."""
+
+    id: str
+    name: str = ""
+    language: str = "en"
+
+
+@dataclass(frozen=True, slots=True)
+class Roster:
+    """The learners by id, and one line for each row that is not one."""
+
+    learners: dict[str, Learner] = field(default_factory=dict)
+    faults: tuple[str, ...] = ()
+
+
+def is_learner_id(text: str) -> bool:
+    """Return whether a text can be a learner's id: letters, digits and . _ @ -, and the name of a folder anywhere."""
+    return (
+        bool(ID.fullmatch(text)) and ".." not in text and text[-1] != "." and text.split(".")[0].lower() not in RESERVED
+    )
+
+
+def read_roster(data: bytes, language: str = "en") -> Roster:
+    """Return the class in a CSV file; `language` is for those whose row names none."""
+    rows = [row for row in csv.reader(io.StringIO(_decoded(data), newline=""), dialect=_dialect(data))]
+    if not rows:
+        return Roster(faults=("the roster is empty; its first row names the columns: id,name,language",))
+    columns = _columns(rows[0])
+    if "id" not in columns:
+        there = ", ".join(f'"{name}"' for name in rows[0]) or "nothing"
+        return Roster(faults=(f'row 1: no column "id"; there is {there}',))
+    learners: dict[str, Learner] = {}
+    faults = []
+    for number, row in enumerate(rows[1:], start=2):
+        if not any(word.strip() for word in row):
+            continue
+        learner, fault = _learner(row, columns, language)
+        if learner is not None and learner.id.lower() in {other.lower() for other in learners}:
+            fault = f'the id "{learner.id}" is there twice; the first row is taken'
+        if fault:
+            faults.append(f"row {number}: {fault}")
+        elif learner is not None:
+            learners[learner.id] = learner
+    return Roster(learners, tuple(faults))
+
+
+def _decoded(data: bytes) -> str:
+    for encoding in ENCODINGS if data[:2] not in (b"\xff\xfe", b"\xfe\xff") else ("utf-16",):
+        try:
+            return data.decode(encoding).replace("\0", "")
+        except UnicodeDecodeError:
+            continue
+    return data.decode("utf-8", errors="replace").replace("\0", "")
+
+
+def _dialect(data: bytes) -> type[csv.Dialect]:
+    class Dialect(csv.excel):
+        delimiter = max(",;\t", key=_decoded(data).split("\n")[0].count)
+
+    return Dialect
+
+
+def _columns(header: list[str]) -> dict[str, int]:
+    """Return where each column that we know is; of several names for one, the earlier in our list."""
+    found = {name.strip().lower(): place for place, name in reversed(list(enumerate(header)))}
+    columns = {}
+    for column, names in COLUMNS.items():
+        places = [found[name] for name in names if name in found]
+        if places:
+            columns[column] = places[0]
+    return columns
+
+
+def _learner(row: list[str], columns: dict[str, int], language: str) -> tuple[Learner | None, str]:
+    words = {column: row[place].strip() if place < len(row) else "" for column, place in columns.items()}
+    identity, spoken = words["id"], words.get("language", "").lower() or language
+    if not identity:
+        return None, "no id"
+    if not is_learner_id(identity):
+        return None, f'"{identity[:64]}" cannot be an id; use letters, digits and . _ @ -, as in s101'
+    if spoken not in LANGUAGES:
+        return None, f'the language "{spoken[:20]}" is not there; there is {" and ".join(LANGUAGES)}'
+    return Learner(identity, words.get("name", "")[:MAX_NAME], spoken), ""

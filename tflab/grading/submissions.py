@@ -1,0 +1,240 @@
+"""Who handed in what?  A folder, a zip or one notebook becomes a list of submissions, one for each learner.
+
+    s101/exercises/en/03_target_and_source.ipynb        a folder for each learner
+    s101/hw1/03_target_and_source.ipynb                 as nbgrader collects
+    Kim Minji_4711_assignsubmission_file_/03.ipynb      as Moodle gives it
+    kimminji_4711_98765_03.ipynb                        as Canvas gives it
+    s101.ipynb, s101_03_target_and_source.ipynb         a folder of notebooks
+
+Files are only listed here, and read when their turn comes.  Whose they are is
+said first by where they were found, then by the stamp in the notebook.  Read
+`roster.py` next.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import unicodedata
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from .archives import MAX_ARCHIVE, Member, archive_members, is_zip_name
+from .reader import Unreadable, read_bytes, read_notebook
+from .roster import Learner
+
+__all__ = ["Collection", "Submission", "collect"]
+
+NOTEBOOKS = (".ipynb", ".ipynb.txt", ".ipynb.json")  # a browser adds the last ones
+SKIPPED = {"__MACOSX", "__pycache__"}
+WRAPPERS = {"submitted", "submissions", "submission", "exercises"}
+MAX_FILES = 50_000
+MAX_NOTEBOOKS = 60  # of one learner
+MAX_DEPTH = 12
+MOODLE = re.compile(r"(?P<name>.+?)_(?P<number>\d+)_assignsubmission_\w+?_?")
+CANVAS = re.compile(r"(?P<name>[^_]+)_(?:LATE_)?(?P<user>\d+)_(?P<file>\d+)_(?P<rest>.+)")
+
+
+@dataclass(frozen=True)
+class Submission:
+    """What one learner handed in.
+
+    Attributes:
+        learner: the id: the roster's, else the name that the files go by.
+        notebooks: the files that call themselves notebooks.
+        remarks: one line each, on what is odd about how it was handed in.
+    """
+
+    learner: str
+    notebooks: tuple[Member, ...]
+    remarks: tuple[str, ...] = ()
+    known: bool = True
+
+
+@dataclass(frozen=True)
+class Collection:
+    """Every submission, by learner's id, and lines on what belongs to nobody."""
+
+    submissions: tuple[Submission, ...]
+    remarks: tuple[str, ...] = ()
+
+
+def collect(place: Path, roster: Mapping[str, Learner] | None, chapters: Sequence[str]) -> Collection:
+    """Return what there is in a folder, a zip or a notebook; with a roster, one submission for each who is on it.
+
+    Raises:
+        Unreadable: there is no such thing, or it cannot be listed.
+    """
+    members, remarks = _listed(place)
+    members = _unwrapped(members, roster or {})
+    groups: dict[str, list[Member]] = {}
+    for member in members:
+        groups.setdefault(_group(member.parts, chapters), []).append(member)
+    found: dict[str, Submission] = {}
+    for key in sorted(groups):
+        one = _submission(key, groups[key], roster, chapters)
+        there = found.get(one.learner)
+        if there is not None:
+            together = f"handed in at several places: {key}"
+            one = Submission(one.learner, there.notebooks + one.notebooks, (*there.remarks, *one.remarks, together))
+        found[one.learner] = one
+    for learner in sorted(set(roster or ()) - set(found)):
+        found[learner] = Submission(learner, (), ("nothing was handed in",))
+    return Collection(tuple(found[learner] for learner in sorted(found)), tuple(remarks))
+
+
+def _listed(place: Path) -> tuple[list[Member], list[str]]:
+    """Return all files, those in zips included."""
+    if place.is_dir():
+        return _walked(place)
+    if not place.exists():
+        raise Unreadable(f"there is no {place}; name a folder, a zip or a notebook")
+    if is_zip_name(place.name):
+        return _opened(archive_members(place))
+    return [Member((place.name,), lambda: read_bytes(place))], []
+
+
+def _walked(place: Path) -> tuple[list[Member], list[str]]:
+    members, remarks = [], []
+    for folder, folders, files in os.walk(place):
+        parts = Path(folder).relative_to(place).parts
+        for name in [name for name in folders if os.path.islink(os.path.join(folder, name))]:
+            remarks.append(f"{'/'.join((*parts, name))}: a link to another folder; left out")
+        folders[:] = sorted(name for name in folders if not _is_skipped(name)) if len(parts) < MAX_DEPTH else []
+        if not files and not folders and parts:
+            members.append(Member((*parts, ""), bytes))  # so that who handed in an empty folder is heard of
+        for name in sorted(files):
+            path = Path(folder) / name
+            limit = {"at_most": MAX_ARCHIVE} if is_zip_name(name) else {}
+            members.append(Member((*parts, name), lambda path=path, limit=limit: read_bytes(path, **limit)))
+            if len(members) > MAX_FILES:
+                raise Unreadable(f"more than {MAX_FILES} files in {place}; is it the right folder?")
+    return _opened((members, remarks))
+
+
+def _opened(listed: tuple[list[Member], list[str]]) -> tuple[list[Member], list[str]]:
+    """Return the members, with a zip among them replaced by what is in it."""
+    members, remarks = [], list(listed[1])
+    for member in listed[0]:
+        if any(_is_skipped(part) for part in member.parts):
+            continue
+        if not is_zip_name(member.parts[-1]):
+            members.append(member)
+            continue
+        folder = member.parts if len(member.parts) == 1 else member.parts[:-1]
+        folder = (*folder[:-1], folder[-1][:-4]) if is_zip_name(folder[-1]) else folder
+        try:
+            inner, refused = archive_members(member.read())
+        except Unreadable as error:
+            remarks.append(f"{'/'.join(member.parts)}: {error}")
+            inner, refused = [], []
+            members.append(Member((*folder, ""), bytes))
+        remarks += [f"{'/'.join(member.parts)}: {line}" for line in refused]
+        members += [replace(one, parts=(*folder, *one.parts)) for one in inner if not any(map(_is_skipped, one.parts))]
+    return members, remarks
+
+
+def _is_skipped(name: str) -> bool:
+    """Return whether a folder or file is not the learner's work: checkpoints, what a Mac adds, pristine copies."""
+    return name.startswith(".") or name in SKIPPED
+
+
+def _unwrapped(members: list[Member], roster: Mapping[str, Learner]) -> list[Member]:
+    """Return the members without a folder that they all share and that is nobody's."""
+    while members:
+        tops = {member.parts[0] for member in members}
+        inside = {member.parts[1] for member in members if len(member.parts) > 2}
+        top = next(iter(tops))
+        if len(tops) > 1 or any(len(member.parts) == 1 for member in members) or top in roster:
+            return members
+        if not (top.lower() in WRAPPERS or any(_of_path(name, roster) for name in inside)):
+            return members
+        members = [replace(member, parts=member.parts[1:]) for member in members]
+    return members
+
+
+def _group(parts: tuple[str, ...], chapters: Sequence[str]) -> str:
+    """Return by what name a file's learner goes: the folder's, or the file's without the chapter in it."""
+    canvas = CANVAS.fullmatch(parts[0])
+    if canvas:
+        return f"{canvas['name']}_{canvas['user']}"
+    if len(parts) > 1:
+        moodle = MOODLE.fullmatch(parts[0])
+        return moodle["name"] if moodle else parts[0]
+    stem = parts[0]
+    for ending in sorted(NOTEBOOKS, key=len, reverse=True):
+        if stem.lower().endswith(ending):
+            stem = stem[: -len(ending)]
+            break
+    for chapter in chapters:
+        if chapter in stem and stem != chapter:
+            stem = stem.replace(chapter, "")
+    return stem.strip(" _-.") or parts[0]
+
+
+def _submission(
+    key: str, members: list[Member], roster: Mapping[str, Learner] | None, chapters: Sequence[str]
+) -> Submission:
+    notebooks = tuple(member for member in members if member.parts[-1].lower().endswith(NOTEBOOKS))
+    others = sorted({member.parts[-1] for member in members} - {member.parts[-1] for member in notebooks} - {""})
+    remarks = []
+    if not notebooks:
+        remarks.append(f"no notebook; there is {_few(others)}" if others else "an empty folder")
+    if len(notebooks) > MAX_NOTEBOOKS:
+        remarks.append(f"{len(notebooks)} notebooks; the first {MAX_NOTEBOOKS} are looked at")
+    notebooks = notebooks[:MAX_NOTEBOOKS]
+    if roster is None:
+        return Submission(_printable(key), notebooks, tuple(remarks))
+    learner = _of_path(key, roster) or _of_stamps(notebooks, roster)
+    if learner is None:
+        remarks.insert(0, f'"{_printable(key)}" is nobody on the roster, and neither is the stamp in the notebook')
+    return Submission(learner or _printable(key), notebooks, tuple(remarks), learner is not None)
+
+
+def _of_path(key: str, roster: Mapping[str, Learner]) -> str | None:
+    """Return whose name a folder or a file has: an id, a part of it that is one, or a name."""
+    by_lower = {learner.lower(): learner for learner in roster}
+    for word in [key, *re.split(r"[\s_,()+]+", key)]:
+        if word.lower() in by_lower:
+            return by_lower[word.lower()]
+    letters = _letters(re.sub(r"_\d+$", "", key))
+    named = [learner.id for learner in roster.values() if letters and letters in _ways(learner.name)]
+    return named[0] if len(named) == 1 else None
+
+
+def _ways(name: str) -> set[str]:
+    """Return a name in the orders that learning systems write it in: Kim Minji, Kim, Minji, Minji Kim."""
+    words = [word for word in re.split(r"[\s,]+", name) if word]
+    return {_letters("".join(words)), _letters("".join(words[1:] + words[:1])), _letters("".join(words[::-1]))} - {""}
+
+
+def _letters(text: str) -> str:
+    return "".join(letter for letter in unicodedata.normalize("NFC", text).casefold() if letter.isalnum())
+
+
+def _of_stamps(notebooks: Sequence[Member], roster: Mapping[str, Learner]) -> str | None:
+    stamps = set()
+    for member in notebooks:
+        try:
+            stamps.add(read_notebook(member.read()).stamp.get("learner"))
+        except Unreadable:
+            continue
+    known = stamps & set(roster)
+    return known.pop() if len(known) == 1 else None
+
+
+def _printable(key: str) -> str:
+    """Return a name that can stand in a report and as a file's name."""
+    key = unicodedata.normalize("NFC", key)
+    return (
+        "".join(letter if letter.isprintable() and letter not in '/\\:*?"<>|' else "_" for letter in key)[:64].strip(
+            " ."
+        )
+        or "unnamed"
+    )
+
+
+def _few(names: list[str]) -> str:
+    shown = ", ".join(_printable(name) for name in names[:3])
+    return shown if len(names) <= 3 else f"{shown} and {len(names) - 3} more"

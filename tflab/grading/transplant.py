@@ -1,0 +1,185 @@
+"""What of a notebook counts?  The answers, and the learner's own cells between ours; everything else is the master's.
+
+    master                    handed in                 what runs
+    load                      load (changed)            load            the master's
+                              import math               import math     the learner's own
+    e3-2-given                e3-2-given                e3-2-given      the master's
+    e3-2-answer  x = ...      e3-2-answer  x = f(2)     e3-2-answer     the learner's
+    e3-2-check                e3-2-check                <probe E3.2>
+
+A cell is known by the task that its metadata names, then by its id, then by its
+text.  Two different cells that claim one name void that answer and no other.
+Own cells stay behind the cell of ours that they were put behind.  An answer that
+only a cell behind the check completes is seen by a second probe there.  Read
+`plan.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+
+from .reader import SubmittedCell, SubmittedNotebook, task_slug
+from .remarks import Remark
+
+__all__ = ["Master", "MasterCell", "Piece", "Transplant", "master_of", "transplant"]
+
+ROLES = ("given", "answer", "check")
+
+
+@dataclass(frozen=True, slots=True)
+class MasterCell:
+    """A code cell of the exercise as it was handed out."""
+
+    name: str
+    source: str
+    task: str = ""
+    role: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Master:
+    """A chapter's exercise as it was handed out: its code cells in order, and its tasks."""
+
+    chapter: str
+    cells: tuple[MasterCell, ...]
+
+    @property
+    def tasks(self) -> tuple[str, ...]:
+        """The tasks in the order of the page."""
+        return tuple(dict.fromkeys(cell.task for cell in self.cells if cell.task))
+
+
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """One thing to run, or the place of a probe.
+
+    Attributes:
+        kind: "ours", "own" (the learner's helper cell), "answer", or "probe".
+        name: the cell's name; an own cell has one of ours with a number.
+    """
+
+    kind: str
+    name: str
+    source: str = ""
+    task: str = ""
+
+
+@dataclass(frozen=True)
+class Transplant:
+    """What to run, which tasks have an answer at all, and what is to be said about it."""
+
+    pieces: tuple[Piece, ...]
+    answered: tuple[str, ...]
+    remarks: tuple[Remark, ...] = ()
+    known_cells: int = 0
+
+
+@dataclass
+class _Found:
+    """What was found in a notebook: for each of our names its texts, and the own cells behind it."""
+
+    texts: dict[str, list[str]] = field(default_factory=dict)
+    kinds: dict[str, set[str]] = field(default_factory=dict)
+    own: dict[str, list[str]] = field(default_factory=dict)
+
+
+def master_of(notebook: Mapping, chapter: str, tasks: Iterable[str]) -> Master:
+    """Return the master that an exercise notebook is; `notebook` is one of ours."""
+    by_name = {f"{task_slug(task)}-{role}": (task, role) for task in tasks for role in ROLES}
+    cells = [
+        MasterCell(cell["id"], "".join(cell["source"]), *by_name.get(cell["id"], ("", "")))
+        for cell in notebook["cells"]
+        if cell["cell_type"] == "code"
+    ]
+    return Master(chapter, tuple(cells))
+
+
+def transplant(master: Master, handed_in: SubmittedNotebook) -> Transplant:
+    """Return what runs of a notebook in the place of the master's answers."""
+    found = _find(master, handed_in.cells)
+    remarks: list[Remark] = []
+    pieces: list[Piece] = [_own("", number, text) for number, text in enumerate(found.own.get("", ()))]
+    answered = []
+    for cell in master.cells:
+        source, complaint = _source(cell, found)
+        if complaint:
+            remarks.append(complaint)
+        texts = _kept_texts(cell, found) + found.own.get(cell.name, [])
+        if cell.role == "answer":
+            pieces.append(Piece("answer", cell.name, source, cell.task))
+        elif cell.role != "check":
+            pieces.append(Piece("ours", cell.name, cell.source, cell.task))
+        own = [_own(cell.name, number, text, cell.task) for number, text in enumerate(texts)]
+        probe = [Piece("probe", cell.name, task=cell.task)] if cell.role == "check" else []
+        # An answer cell that was left as it was may be completed behind the check: then look again there.
+        again = [Piece("probe", f"{cell.name}-again", task=cell.task)] if probe and own else []
+        pieces += [*probe, *own, *again]
+        # With cells of their own, an answer may stand anywhere: look at every task then.
+        wrote_elsewhere = bool(found.own) or any(_kept_texts(other, found) for other in master.cells)
+        if cell.role == "answer" and (wrote_elsewhere or not _same(source, cell.source)) and not _void(complaint):
+            answered.append(cell.task)
+    void = {remark.task for remark in remarks if _void(remark)}
+    kept = tuple(piece for piece in pieces if piece.kind != "probe" or piece.task not in void)
+    return Transplant(kept, tuple(answered), tuple(remarks), len(found.texts))
+
+
+def _find(master: Master, cells: Iterable[SubmittedCell]) -> _Found:
+    names = {cell.name for cell in master.cells}
+    texts = {_bare(cell.source): cell.name for cell in master.cells}
+    claimed = {claim for cell in cells for claim in cell.claims if claim in names}
+    found, last = _Found(), ""
+    for cell in cells:
+        name = next((claim for claim in cell.claims if claim in names), None)
+        if name is None and cell.kind == "code":
+            by_text = texts.get(_bare(cell.source))
+            name = by_text if by_text not in claimed else None
+        if name is not None:
+            found.texts.setdefault(name, []).append(cell.source)
+            found.kinds.setdefault(name, set()).add(cell.kind)
+            last = name
+        elif cell.kind == "code" and cell.source.strip():
+            found.own.setdefault(last, []).append(cell.source)
+    return found
+
+
+def _source(cell: MasterCell, found: _Found) -> tuple[str, Remark | None]:
+    """Return the text of one of our cells as it is to run, and what there is to say about it."""
+    texts = list(dict.fromkeys(_bare(text) for text in found.texts.get(cell.name, ())))
+    changed = [text for text in texts if text and text != _bare(cell.source)]
+    if cell.role != "answer":
+        return cell.source, Remark("changed", cell.task, cell=cell.name) if changed and cell.task else None
+    if len(changed) > 1:
+        return cell.source, Remark("twice", cell.task, cell=cell.name)
+    if "code" not in found.kinds.get(cell.name, {"code"}):
+        return cell.source, Remark("no code", cell.task, cell=cell.name)
+    if not texts:
+        return cell.source, Remark("missing", cell.task, cell=cell.name)
+    return changed[0] if changed else cell.source, None
+
+
+def _void(remark: Remark | None) -> bool:
+    return remark is not None and remark.kind in ("twice", "no code")
+
+
+def _kept_texts(cell: MasterCell, found: _Found) -> list[str]:
+    """Return what the learner wrote into a cell of ours that is not theirs, where it can still serve.
+
+    More imports in the imports, or the answer in the check; never what is given.
+    """
+    if cell.role in ("answer", "given"):
+        return []
+    texts = dict.fromkeys(found.texts.get(cell.name, ()))
+    return [text for text in texts if text.strip() and not _same(text, cell.source)][:1]
+
+
+def _own(behind: str, number: int, text: str, task: str = "") -> Piece:
+    return Piece("own", f"{behind or 'top'}+{number + 1}", text, task)
+
+
+def _same(one: str, other: str) -> bool:
+    return _bare(one) == _bare(other)
+
+
+def _bare(text: str) -> str:
+    return "\n".join(line.rstrip() for line in text.strip().split("\n"))
