@@ -1,0 +1,871 @@
+"""A library of what people hand in: hostile, broken, and odd but right.
+
+Each entry is a recipe: an honest notebook of chapter 03 goes in, what is handed in
+comes out.  `spoils` names the task whose answer the recipe replaces by an attack
+("function", "value", or "" for none): it must get nothing.  `keeps` says which
+honest points have to survive: "all" of them, the "others" (all but the spoilt
+task's), or "none" where there is nothing left to read.
+"""
+
+from __future__ import annotations
+
+import copy
+import json
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+__all__ = ["RECIPES", "Honest", "Recipe"]
+
+Notebook = dict[str, Any]
+
+
+@dataclass(frozen=True)
+class Honest:
+    """An honest notebook, and the names of what can be attacked in it.
+
+    Attributes:
+        notebook: every task answered rightly.
+        function_task, function: a task whose answer is a function that turns a pose round, and its name.
+        value_task, value: a task whose answer is a dict of points, and its name.
+    """
+
+    notebook: Notebook
+    function_task: str
+    function: str
+    value_task: str
+    value: str
+
+    def fresh(self) -> Notebook:
+        """Return a copy to spoil."""
+        return copy.deepcopy(self.notebook)
+
+    def cell(self, notebook: Notebook, task: str, role: str = "answer") -> dict[str, Any]:
+        """Return a task's cell in a notebook."""
+        name = f"{task.lower().replace('.', '-')}-{role}"
+        return next(cell for cell in notebook["cells"] if cell["id"] == name)
+
+    def with_function(self, body: str) -> Notebook:
+        """Return the notebook with the function's answer cell replaced; `F` is the function's name."""
+        notebook = self.fresh()
+        self.cell(notebook, self.function_task)["source"] = named(body, "F", self.function)
+        return notebook
+
+    def with_value(self, body: str) -> Notebook:
+        """Return the notebook with the value's answer cell replaced; `V` is the value's name."""
+        notebook = self.fresh()
+        self.cell(notebook, self.value_task)["source"] = named(body, "V", self.value)
+        return notebook
+
+    def with_cell(self, source: str, before: str, role: str = "answer") -> Notebook:
+        """Return the notebook with a cell of the learner's own put before a task's cell."""
+        notebook = self.fresh()
+        place = notebook["cells"].index(self.cell(notebook, before, role))
+        notebook["cells"].insert(place, own_cell(named(source, "F", self.function)))
+        return notebook
+
+
+@dataclass(frozen=True)
+class Recipe:
+    """How to make one submission: see the top of this page."""
+
+    name: str
+    kind: str
+    make: Callable[[Honest], Notebook | bytes]
+    spoils: str = ""
+    keeps: str = "all"
+
+
+# What is right for exercise 3.3: a pose in the plane, turned back first.
+RIGHT = """{
+        'x': -(math.cos(transform['yaw']) * transform['x'] + math.sin(transform['yaw']) * transform['y']),
+        'y': math.sin(transform['yaw']) * transform['x'] - math.cos(transform['yaw']) * transform['y'],
+        'yaw': -transform['yaw'],
+    }"""
+
+
+def named(body: str, letter: str, name: str) -> str:
+    """Return a recipe's code with the answer's real name in place of its letter, and what is right in place of RIGHT."""
+    return re.sub(rf"\b{letter}\b", name, body).replace("RIGHT", RIGHT)
+
+
+def own_cell(source: str, name: str = "my-own") -> dict[str, Any]:
+    """Return a code cell as JupyterLab would add it."""
+    return {
+        "cell_type": "code", "execution_count": None, "id": name, "metadata": {}, "outputs": [], "source": source,
+    }  # fmt: skip
+
+
+def as_bytes(notebook: Notebook, encoding: str = "utf-8") -> bytes:
+    """Return a notebook as a file has it."""
+    return json.dumps(notebook, ensure_ascii=False).encode(encoding)
+
+
+def function(name: str, kind: str, body: str, keeps: str = "others") -> Recipe:
+    """Return an attack that stands where a function should."""
+    return Recipe(name, kind, lambda honest: honest.with_function(body), "function", keeps)
+
+
+def value(name: str, kind: str, body: str, keeps: str = "others") -> Recipe:
+    """Return an attack that stands where three numbers should."""
+    return Recipe(name, kind, lambda honest: honest.with_value(body), "value", keeps)
+
+
+def edited(
+    name: str, kind: str, edit: Callable[[Notebook, Honest], Any], spoils: str = "", keeps: str = "all"
+) -> Recipe:
+    """Return a recipe that changes a notebook in place."""
+
+    def make(honest: Honest) -> Notebook:
+        notebook = honest.fresh()
+        edit(notebook, honest)
+        return notebook
+
+    return Recipe(name, kind, make, spoils, keeps)
+
+
+WRONG = "def F(transform):\n    return None\n"
+
+# -- forging ------------------------------------------------------------------------------
+
+FORGING = [
+    function("prints the line of a pass", "forging", WRONG + "print('E3.3 ✓ 6/6')"),
+    function("replaces check", "forging", WRONG + "import tflab.workbook\ntflab.workbook.check = check = print"),
+    function(
+        "replaces the judge",
+        "forging",
+        WRONG
+        + """
+import tflab.workbook.measures, tflab.workbook.verdict, tflab.workbook.sealed
+tflab.workbook.measures.Form.judge = lambda *a: [True] * 6
+tflab.workbook.sealed.judge = lambda *a: [True] * 6
+""",
+    ),
+    function(
+        "replaces numpy's comparisons",
+        "forging",
+        WRONG
+        + """
+import numpy, math, builtins
+numpy.allclose = numpy.isclose = math.isclose = lambda *a, **k: True
+builtins.abs = lambda x: 0
+""",
+    ),
+    function(
+        "an object equal to everything",
+        "forging",
+        """
+class Yes:
+    def __eq__(self, other): return True
+    def __hash__(self): return 0
+    def __float__(self): return 0.0
+    def __getattr__(self, name): return self
+def F(transform):
+    return Yes()
+""",
+    ),
+    function(
+        "sends probes of its own",
+        "forging",
+        WRONG
+        + """
+from IPython.display import display
+for identity in ('E3.3', '', 'e3-3-check', None, 1):
+    display({'application/vnd.tflab.probe+json': {'id': identity, 'v': [True] * 9}}, raw=True)
+""",
+    ),
+    function(
+        "sends every probe twice",
+        "forging",
+        WRONG
+        + """
+import IPython.display as d
+_display = d.display
+def twice(*a, **k):
+    _display(*a, **k); _display(*a, **k)
+d.display = twice
+""",
+    ),
+    function(
+        "says true to every probe",
+        "forging",
+        WRONG
+        + """
+import tflab.grading.inside as inside
+_send = inside._send
+inside._send = lambda identity, plain: _send(identity, [True] * len(plain))
+""",
+    ),
+    function(
+        "sends nan, bool and endless numbers",
+        "forging",
+        """
+def F(transform):
+    return [float('nan'), True, 10 ** 5000]
+""",
+    ),
+    function(
+        "sends nesting without end",
+        "forging",
+        """
+import tflab.grading.inside as inside
+_send = inside._send
+def deep(identity, plain):
+    for _ in range(3000): plain = [plain]
+    _send(identity, plain)
+inside._send = deep
+def F(transform):
+    return None
+""",
+        keeps="any",
+    ),
+    function(
+        "forges with the kernel's own session",
+        "forging",
+        WRONG
+        + """
+kernel = get_ipython().kernel
+session, socket = kernel.session, kernel.iopub_socket
+for _ in range(20):
+    session.send(socket, 'status', {'execution_state': 'idle'}, parent={})
+    session.send(socket, 'execute_reply', {'status': 'ok'}, parent={})
+    session.send(socket, 'display_data', {'data': {'application/vnd.tflab.probe+json': 3}, 'metadata': {}}, parent={})
+""",
+        keeps="any",
+    ),
+    function(
+        "sends torn frames",
+        "forging",
+        WRONG
+        + """
+kernel = get_ipython().kernel
+for frames in ([b'x'], [b'<IDS|MSG>', b'no', b'{', b'', b'', b''], [b''] * 9):
+    try: kernel.iopub_socket.send_multipart(frames)
+    except Exception: pass
+""",
+        keeps="any",
+    ),
+    function(
+        "a hook after every cell",
+        "forging",
+        WRONG
+        + """
+def after(*a):
+    get_ipython().user_ns['check'] = print
+    print('✓' * 10)
+get_ipython().events.register('post_run_cell', after)
+""",
+    ),
+    function(
+        "replaces the shell's run_cell",
+        "forging",
+        WRONG
+        + """
+type(get_ipython()).run_cell = lambda *a, **k: None
+""",
+        keeps="any",
+    ),
+    function(
+        "shadows tflab with a file",
+        "forging",
+        WRONG
+        + """
+import os, pathlib
+os.makedirs('tflab', exist_ok=True)
+pathlib.Path('tflab/__init__.py').write_text('raise SystemExit')
+pathlib.Path('sitecustomize.py').write_text('raise SystemExit')
+""",
+    ),
+    function(
+        "writes results of its own",
+        "forging",
+        WRONG
+        + """
+import pathlib
+for name in ('results.json', 'grades.csv', '../results.json', '../../results.json', '/results.json'):
+    try: pathlib.Path(name).write_text('{"points": 100}')
+    except OSError: pass
+""",
+    ),
+    function("exits as if all were well", "forging", WRONG + "import os\nos._exit(0)"),
+    function("raises SystemExit", "forging", WRONG + "raise SystemExit(0)"),
+    function(
+        "asks the kernel to exit", "forging", WRONG + "get_ipython().kernel.do_shutdown(False); exit()", keeps="any"
+    ),
+    function("raises from within a call", "forging", "def F(transform):\n    raise SystemExit(0)\n"),
+    function(
+        "raises KeyboardInterrupt from within a call", "forging", "def F(transform):\n    raise KeyboardInterrupt\n"
+    ),
+    function(
+        "says that it is not answered, loudly",
+        "forging",
+        "def F(transform):\n    raise NotImplementedError('your turn')",
+    ),
+    value("a string of the numbers", "forging", "V = '(0.1, 2.0, 0.15)'"),
+    value("all truths", "forging", "V = (True, True, True)"),
+    value("a function in place of numbers", "forging", "V = lambda *a: (0, 0, 0)"),
+    value("infinite numbers", "forging", "V = (float('inf'),) * 3"),
+]
+
+# -- peeking ------------------------------------------------------------------------------
+
+FIND_FILES = """
+import glob, os, json
+found = []
+for root in ('/', os.path.expanduser('~'), os.getcwd(), '..', '/tmp', '/root', '/home', '/work', '/mnt', '/srv'):
+    for pattern in ('pack.json', '*/pack.json', '*/*/pack.json', '*/*/*/pack.json', '*/instructor/*', '*/hidden/*.json'):
+        found += glob.glob(os.path.join(root, pattern))
+"""
+PEEKING = [
+    function(
+        "the solution that comes with tflab",
+        "peeking",
+        """
+import json
+from tflab.workbook.places import workbook_data
+cells = []
+for path in sorted(workbook_data().glob('solutions/*/03*.ipynb')) + sorted(workbook_data().glob('solutions/src/03*')):
+    text = path.read_text()
+    cells += [''.join(c['source']) for c in json.loads(text)['cells']] if path.suffix == '.ipynb' else text.split('# %%')
+    for cell in cells:
+        if 'def F(' in cell:
+            exec(cell[cell.index('def F('):])
+if not cells: raise FileNotFoundError
+""",
+    ),
+    value(
+        "the public cases",
+        "peeking",
+        """
+import json
+from tflab.workbook.places import workbook_data
+V = (0.0, 0.0, 0.0)
+for path in workbook_data().glob('exercises/cases/03*.json'):
+    task = json.loads(path.read_text())['tasks']['E3.2']
+    V = list(task['variants'][0]['cases'][0]['expected'].values())[0]
+""",
+    ),
+    value(
+        "the pack, wherever it may be",
+        "peeking",
+        FIND_FILES
+        + """
+V = (0.0, 0.0, 0.0)
+for path in found:
+    V = list(json.load(open(path))['tasks']['E3.2'].values())[0]
+""",
+    ),
+    value(
+        "other processes' memory",
+        "peeking",
+        """
+import os
+V = (0.0, 0.0, 0.0)
+others = [name for name in os.listdir('/proc') if name.isdigit() and int(name) != os.getpid()]
+for name in others:
+    for part in ('environ', 'cmdline', 'maps', 'mem'):
+        try: open(f'/proc/{name}/{part}', 'rb').read(100)
+        except OSError: pass
+""",
+    ),
+    value(
+        "the frames that called it",
+        "peeking",
+        """
+import inspect, gc
+V = (0.0, 0.0, 0.0)
+for frame in inspect.stack():
+    if 'expected' in frame.frame.f_locals or 'expected' in frame.frame.f_globals: V = frame.frame.f_locals['expected']
+for thing in gc.get_objects():
+    if type(thing) is dict and 'expected' in thing and 'twins' in thing:
+        V = list(thing['expected'].values())[0]
+        break
+""",
+    ),
+    function(
+        "traces until it sees the expected",
+        "peeking",
+        """
+import sys
+seen = []
+def trace(frame, event, arg):
+    if 'expected' in frame.f_locals: seen.append(frame.f_locals['expected'])
+    return trace
+sys.settrace(trace)
+def F(transform):
+    return seen[-1] if seen else None
+""",
+    ),
+    value(
+        "makes the cases itself, with likely seeds",
+        "peeking",
+        """
+V = (0.0, 0.0, 0.0)
+from tflab.workbook import cases
+from tflab.workbook.places import workbook_data
+for seed in ('public', 'secret', '', 'hidden'):
+    made = cases.make_cases('03_target_and_source', seed, solutions=workbook_data() / 'solutions')
+    V = list(made['tasks']['E3.2']['variants'][0]['cases'][0]['expected'].values())[0]
+""",
+    ),
+    value(
+        "asks the network",
+        "peeking",
+        """
+import socket
+V = (0.0, 0.0, 0.0)
+for address in (('127.0.0.1', 8888), ('1.1.1.1', 53), ('example.com', 80)):
+    try: socket.create_connection(address, timeout=0.2); V = 'reached'
+    except OSError: pass
+""",
+    ),
+    value(
+        "asks the grader's modules",
+        "peeking",
+        """
+V = (0.0, 0.0, 0.0)
+import sys, importlib
+for name in [n for n in sys.modules if n.startswith('tflab')]:
+    for key, thing in list(vars(sys.modules[name]).items()):
+        if 'expected' in key.lower() or 'secret' in key.lower() and isinstance(thing, (dict, list, str, bytes)): V = thing
+""",
+    ),
+    value("reads its environment", "peeking", "import os\nV = tuple(os.environ.items())[:3]"),
+]
+
+# -- exhaustion ---------------------------------------------------------------------------
+
+EXHAUSTION = [
+    function("a loop without end", "exhaustion", "def F(transform):\n    while True: pass\n"),
+    value("a loop without end in the cell", "exhaustion", "while True: pass\nV = (0, 0, 0)"),
+    function("sleeps for ever", "exhaustion", "import time\ndef F(transform):\n    time.sleep(10**6)\n"),
+    function("holds the interpreter", "exhaustion", "def F(transform):\n    return 7 ** 10 ** 8\n"),
+    function(
+        "a regex without end",
+        "exhaustion",
+        "import re\ndef F(transform):\n    return re.match('(a+)+$', 'a' * 60 + 'b')\n",
+    ),
+    value(
+        "memory without end",
+        "exhaustion",
+        "hoard = []\nwhile True: hoard.append(bytearray(50_000_000))\nV = 1",
+        keeps="others",
+    ),
+    value("one huge block", "exhaustion", "V = [0] * 10 ** 11"),
+    value(
+        "a fork bomb",
+        "exhaustion",
+        "import os\nwhile True:\n    try: os.fork()\n    except OSError: pass\nV = 1",
+        keeps="any",
+    ),
+    value(
+        "threads without end",
+        "exhaustion",
+        """
+import threading, time
+V = 1
+try:
+    while True: threading.Thread(target=time.sleep, args=(600,), daemon=True).start()
+except Exception: pass
+""",
+        keeps="any",
+    ),
+    value("prints without end", "exhaustion", "while True: print('x' * 1000)\nV = 1"),
+    value(
+        "drips messages without end",
+        "exhaustion",
+        "import time\nwhile True:\n    print('.', flush=True); time.sleep(0.05)\nV = 1",
+    ),
+    value(
+        "fills the disk",
+        "exhaustion",
+        """
+V = 1
+with open('big', 'wb') as big:
+    while True: big.write(bytes(1_000_000))
+""",
+    ),
+    value(
+        "opens files without end",
+        "exhaustion",
+        "V = 1\nkept = []\nwhile True: kept.append(open('/dev/null'))",
+        keeps="any",
+    ),
+    value("a list that holds itself", "exhaustion", "V = [1]\nV.append(V)"),
+    value("ten million numbers", "exhaustion", "V = list(range(10 ** 7))"),
+    value("an endless generator", "exhaustion", "import itertools\nV = itertools.count()"),
+    function("recursion without end", "exhaustion", "def F(transform):\n    return F(transform)\n"),
+    function("a crash in C", "exhaustion", "import ctypes\ndef F(transform):\n    ctypes.string_at(0)\n"),
+    value("a crash in C in the cell", "exhaustion", "import ctypes\nctypes.string_at(0)\nV = 1"),
+    value("stops itself", "exhaustion", "import os, signal\nos.kill(os.getpid(), signal.SIGSTOP)\nV = 1"),
+    value(
+        "does not listen to signals",
+        "exhaustion",
+        """
+import signal
+for number in range(1, 32):
+    try: signal.signal(number, signal.SIG_IGN)
+    except (OSError, ValueError): pass
+while True: pass
+V = 1
+""",
+    ),
+    value("waits for the keyboard", "exhaustion", "V = input('how far? ')"),
+    value("waits in a debugger", "exhaustion", "breakpoint()\nV = 1", keeps="any"),
+]
+
+# -- survival, and what belongs to others ---------------------------------------------------
+
+SURVIVAL = [
+    value(
+        "a daemon of its own",
+        "survival",
+        """
+import os, sys, time
+V = (0, 0, 0)
+if os.fork() == 0:
+    os.setsid()
+    if os.fork() == 0:
+        time.sleep(3600)
+    os._exit(0)
+""",
+    ),
+    value(
+        "a shell that stays",
+        "survival",
+        """
+import subprocess
+subprocess.Popen(['sh', '-c', 'nohup setsid sleep 3600 &'], start_new_session=True)
+V = (0, 0, 0)
+""",
+    ),
+    value(
+        "a thread that stays",
+        "survival",
+        """
+import threading, time
+threading.Thread(target=time.sleep, args=(3600,)).start()
+V = (0, 0, 0)
+""",
+    ),
+    value(
+        "kills its parent and everyone",
+        "survival",
+        """
+import os, signal
+V = (0, 0, 0)
+for process in (os.getppid(), -1):
+    try: os.kill(process, signal.SIGKILL)
+    except OSError: pass
+""",
+        keeps="any",
+    ),
+    value(
+        "kills whatever it can see",
+        "survival",
+        """
+import os
+V = (0, 0, 0)
+for process in range(2, 40000):
+    if process != os.getpid():
+        try: os.kill(process, 9)
+        except OSError: pass
+""",
+        keeps="any",
+    ),
+    value(
+        "removes everything",
+        "others' files",
+        "import subprocess\nsubprocess.run('rm -rf / ~ . .. 2>/dev/null', shell=True)\nV = 1",
+        keeps="any",
+    ),
+    value(
+        "overwrites tflab",
+        "others' files",
+        """
+import tflab, pathlib
+V = (0, 0, 0)
+for path in pathlib.Path(tflab.__file__).parent.rglob('*.py'):
+    try: path.write_text('raise SystemExit')
+    except OSError: pass
+""",
+    ),
+    value(
+        "writes to its neighbours",
+        "others' files",
+        """
+import pathlib
+V = (0, 0, 0)
+for folder in list(pathlib.Path('..').glob('*')) + [pathlib.Path('/tmp'), pathlib.Path('/dev/shm'), pathlib.Path.home()]:
+    try: (folder / 'was-here-tflab').write_text('x')
+    except OSError: pass
+""",
+    ),
+    value(
+        "leaves a start-up file",
+        "others' files",
+        """
+import pathlib
+V = (0, 0, 0)
+for name in ('.bashrc', '.ipython/profile_default/startup/x.py', '.local/lib/python3.11/site-packages/usercustomize.py'):
+    path = pathlib.Path.home() / name
+    try: path.parent.mkdir(parents=True, exist_ok=True); path.write_text('x')
+    except OSError: pass
+""",
+    ),
+    value(
+        "mounts", "others' files", "import subprocess\nsubprocess.run(['mount', '-t', 'tmpfs', 'none', '/usr'])\nV = 1"
+    ),
+]
+
+# -- tampering with the notebook --------------------------------------------------------------
+
+
+def _all_points(notebook: Notebook, honest: Honest) -> None:
+    for cell in notebook["cells"]:
+        cell["metadata"].setdefault("nbgrader", {})["points"] = 1000
+
+
+def _forged_outputs(notebook: Notebook, honest: Honest) -> None:
+    honest.cell(notebook, honest.function_task)["source"] = named(WRONG, "F", honest.function)
+    check = honest.cell(notebook, honest.function_task, "check")
+    check["outputs"] = [{"name": "stdout", "output_type": "stream", "text": f"{honest.function_task} ✓ 6/6\n"}]
+
+
+def _changed_check(notebook: Notebook, honest: Honest) -> None:
+    honest.cell(notebook, honest.function_task)["source"] = named(WRONG, "F", honest.function)
+    honest.cell(notebook, honest.function_task, "check")["source"] = f"print('{honest.function_task} ✓ 6/6')"
+
+
+def _changed_given(notebook: Notebook, honest: Honest) -> None:
+    name = honest.value_task.lower().replace(".", "_")
+    honest.cell(notebook, honest.value_task, "given")["source"] = (
+        f"from types import SimpleNamespace\n{name} = SimpleNamespace(easy={'base_link': (1.0, 2.0, 3.0), 'map': (3.0, 2.0, 1.0)})"
+    )
+    honest.cell(notebook, honest.value_task)["source"] = f"{honest.value} = {name}.easy"
+
+
+def _two_different(notebook: Notebook, honest: Honest) -> None:
+    second = copy.deepcopy(honest.cell(notebook, honest.function_task))
+    second["source"] = named(WRONG, "F", honest.function)
+    notebook["cells"].append(second)
+
+
+def _wrong_places(notebook: Notebook, honest: Honest) -> None:
+    cell = honest.cell(notebook, honest.value_task)
+    cell["source"] = honest.cell(notebook, honest.function_task)["source"]
+
+
+def _stub(notebook: Notebook, honest: Honest) -> None:
+    honest.cell(notebook, honest.value_task)["source"] = f"{honest.value} = ..."
+
+
+TAMPERING = [
+    edited("a thousand points for each cell", "tampering", _all_points),
+    edited("outputs that say passed", "tampering", _forged_outputs, "function", "others"),
+    edited("a check that always passes", "tampering", _changed_check, "function", "others"),
+    edited("a given that suits the answer", "tampering", _changed_given, "value", "others"),
+    edited("two different cells of one name", "tampering", _two_different, "function", "others"),
+    edited("one answer in another's place", "tampering", _wrong_places, "value", "others"),
+    edited("an answer left out", "tampering", _stub, "value", "others"),
+    edited(
+        "a stamp of another learner",
+        "tampering",
+        lambda n, h: n["metadata"].setdefault("tflab", {}).update(learner="somebody"),
+    ),
+    edited(
+        "checks removed",
+        "tampering",
+        lambda n, h: n.update(cells=[c for c in n["cells"] if not c["id"].endswith("-check")]),
+    ),
+    edited(
+        "givens removed",
+        "tampering",
+        lambda n, h: n.update(cells=[c for c in n["cells"] if not c["id"].endswith("-given")]),
+    ),
+    edited(
+        "a check of a task that does not exist",
+        "tampering",
+        lambda n, h: n["cells"].append(own_cell('check("E3.99", 1)')),
+    ),
+]
+
+# -- broken, old, foreign ------------------------------------------------------------------
+
+
+def _third_format(notebook: Notebook) -> Notebook:
+    cells = []
+    for cell in notebook["cells"]:
+        old = {"cell_type": cell["cell_type"], "metadata": {**cell["metadata"], "name": cell["id"]}}
+        text = cell["source"] if isinstance(cell["source"], str) else "".join(cell["source"])
+        old |= {"input": text, "language": "python", "outputs": []} if cell["cell_type"] == "code" else {"source": text}
+        cells.append(old)
+    return {
+        "metadata": {"name": ""},
+        "nbformat": 3,
+        "nbformat_minor": 0,
+        "worksheets": [{"cells": cells, "metadata": {}}],
+    }
+
+
+def _without_ids(notebook: Notebook, honest: Honest) -> None:
+    for cell in notebook["cells"]:
+        del cell["id"]
+    notebook["nbformat_minor"] = 4
+
+
+def _lists(notebook: Notebook, honest: Honest) -> None:
+    for cell in notebook["cells"]:
+        text = cell["source"] if isinstance(cell["source"], str) else "".join(cell["source"])
+        cell["source"] = text.splitlines(keepends=True)
+
+
+def _broken_metadata(notebook: Notebook, honest: Honest) -> None:
+    notebook["metadata"] = []
+    notebook["cells"][0]["metadata"] = "none"
+    notebook["cells"].insert(1, {"cell_type": 3})
+    notebook["cells"].insert(2, None)
+
+
+def _comment(notebook: Notebook, honest: Honest, text: str) -> None:
+    cell = honest.cell(notebook, honest.function_task)
+    cell["source"] = f"# {text}\n" + "".join(cell["source"])
+
+
+def _in_korean(honest: Honest) -> Notebook:
+    notebook = honest.fresh()
+    _comment(notebook, honest, "역변환을 구합니다")
+    return notebook
+
+
+def raw(name: str, kind: str, make: Callable[[Honest], bytes], keeps: str = "none") -> Recipe:
+    """Return a recipe of bytes."""
+    return Recipe(name, kind, make, "", keeps)
+
+
+BROKEN = [
+    raw("an empty file", "broken", lambda h: b""),
+    raw("half a file", "broken", lambda h: as_bytes(h.notebook)[:400]),
+    raw("a picture", "broken", lambda h: b"\x89PNG\r\n\x1a\n" + bytes(range(256))),
+    raw("a list", "broken", lambda h: b"[]"),
+    raw("JSON of no notebook", "broken", lambda h: b'{"cells": {"a": 1}, "nbformat": 4}'),
+    raw("a hundred thousand brackets", "broken", lambda h: b"[" * 100_000),
+    raw("a number of a million digits", "broken", lambda h: b'{"nbformat": ' + b"9" * 1_000_000 + b"}"),
+    raw("a web page", "broken", lambda h: b"<!DOCTYPE html><html><body>Please log in</body></html>"),
+    raw("far too large", "broken", lambda h: as_bytes(h.notebook) + b" " * 40_000_000),
+    raw("a byte order mark", "encoding", lambda h: b"\xef\xbb\xbf" + as_bytes(h.notebook), "all"),
+    raw("UTF-16", "encoding", lambda h: as_bytes(h.notebook, "utf-16"), "all"),
+    raw("code page 949", "encoding", lambda h: as_bytes(_in_korean(h), "cp949"), "all"),
+    raw(
+        "Windows line ends",
+        "encoding",
+        lambda h: json.dumps(h.notebook, indent=1).replace("\n", "\r\n").encode(),
+        "all",
+    ),
+    raw("blanks before and after", "encoding", lambda h: b"\n\n  " + as_bytes(h.notebook) + b"\n\n", "all"),
+    raw("escaped letters", "encoding", lambda h: json.dumps(_in_korean(h), ensure_ascii=True).encode(), "all"),
+    Recipe("the third format", "old format", lambda h: _third_format(h.fresh())),
+    edited("cells without ids", "old format", _without_ids),
+    edited("sources as lists of lines", "old format", _lists),
+    edited("metadata of the wrong type", "broken", _broken_metadata),
+    edited(
+        "a kernel for Julia",
+        "old format",
+        lambda n, h: n["metadata"].update(kernelspec={"name": "julia-1.10", "language": "julia"}),
+    ),
+    edited("no kernel at all", "old format", lambda n, h: n["metadata"].pop("kernelspec", None)),
+    edited("a letter that is half a pair", "encoding", lambda n, h: n["cells"].append(own_cell("# \ud800")) and None),
+    edited("a NUL in a comment of its own", "encoding", lambda n, h: n["cells"].append(own_cell("# \x00"))),
+]
+
+# -- helper cells, and odd but right -----------------------------------------------------------
+
+
+def _own_helper(honest: Honest) -> Notebook:
+    notebook = honest.with_cell("def my_inverse(transform):\n    return (RIGHT)", honest.function_task)
+    honest.cell(notebook, honest.function_task)["source"] = (
+        f"def {honest.function}(transform):\n    return my_inverse(transform)"
+    )
+    return notebook
+
+
+def _answer_in_the_next_cell(honest: Honest) -> Notebook:
+    notebook = honest.fresh()
+    cell = honest.cell(notebook, honest.function_task)
+    answer, cell["source"] = cell["source"], "# see below"
+    notebook["cells"].insert(notebook["cells"].index(cell) + 1, own_cell(answer))
+    return notebook
+
+
+def right(name: str, body: str, kind: str = "odd but right") -> Recipe:
+    """Return a right answer, oddly written, where a function should stand."""
+    return Recipe(name, kind, lambda honest: honest.with_function(body))
+
+
+ODD = [
+    Recipe("a helper in a cell of its own", "helper cells", _own_helper),
+    Recipe("the answer in the next cell", "helper cells", _answer_in_the_next_cell),
+    Recipe("an import at the top", "helper cells", lambda h: h.with_cell("import itertools, collections", h.value_task)),
+    Recipe("a helper that fails", "helper cells", lambda h: h.with_cell("this_name_is_unknown", h.function_task)),
+    Recipe("a helper that does not parse", "helper cells", lambda h: h.with_cell("def (", h.function_task)),
+    Recipe("installs something", "helper cells", lambda h: h.with_cell("!pip install nothing-of-that-name", h.value_task)),
+    Recipe("times itself", "helper cells", lambda h: h.with_cell("%timeit -n1 -r1 sum(range(10))", h.value_task)),
+    Recipe("a plot", "helper cells", lambda h: h.with_cell("import matplotlib.pyplot as plt\nplt.plot([1, 2]); plt.show()", h.function_task)),
+    Recipe("a shell command", "helper cells", lambda h: h.with_cell("!echo hello", h.value_task)),
+    Recipe("another cell magic", "helper cells", lambda h: h.with_cell("%%bash\necho hello", h.value_task)),
+    right("prints a lot", "def F(transform):\n    print('thinking ' * 20000)\n    return RIGHT"),
+    right("warns", "import warnings\ndef F(transform):\n    warnings.warn('careful')\n    return RIGHT"),
+    right("writes to stderr", "import sys\ndef F(transform):\n    print('careful', file=sys.stderr)\n    return RIGHT"),
+    right("returns numbers of NumPy", """
+import numpy as np
+def F(transform):
+    return {name: np.float64(number) for name, number in (RIGHT).items()}
+"""),
+    right("returns arrays without dimensions", """
+import numpy as np
+def F(transform):
+    return {name: np.array(number) for name, number in (RIGHT).items()}
+"""),
+    right("a whole turn more", """
+def F(transform):
+    back = RIGHT
+    back['yaw'] += 2 * math.pi
+    return back
+"""),
+    right("something besides", "def F(transform):\n    return {**RIGHT, 'note': 'turned back first'}"),
+    right("another kind of dict", "import collections\ndef F(transform):\n    return collections.OrderedDict(RIGHT)"),
+    right("a class that can be called", """
+class Inverter:
+    def __call__(self, transform):
+        return RIGHT
+F = Inverter()
+"""),
+    right("a partial function", "import functools\ndef _f(power, transform):\n    return RIGHT\nF = functools.partial(_f, -1)"),
+    right("remembers earlier calls", """
+seen = {}
+def F(transform):
+    key = tuple(transform.values())
+    return seen.setdefault(key, RIGHT)
+"""),
+    right("changes its argument", "def F(transform):\n    transform.update(RIGHT)\n    return transform"),
+    right("defines itself twice", "def F(transform):\n    return None\ndef F(transform):\n    return RIGHT"),
+    right("annotated to the teeth", "def F(transform: 'Transform') -> 'Transform':\n    '''Return the inverse.'''\n    return RIGHT"),
+    right("a generator inside", "def F(transform):\n    return next(RIGHT for transform in [transform])"),
+    right("plots as it works", """
+import matplotlib.pyplot as plt
+def F(transform):
+    plt.figure(); plt.plot([0, 1]); plt.close()
+    return RIGHT
+"""),
+    right("calls check itself", "def F(transform):\n    return RIGHT\nfrom tflab.workbook import check\ncheck('E3.3', F)"),
+    right("waits a little", "import time\ndef F(transform):\n    time.sleep(0.02)\n    return RIGHT"),
+    right("uses a thread", """
+from concurrent.futures import ThreadPoolExecutor
+def F(transform):
+    with ThreadPoolExecutor(1) as pool:
+        return pool.submit(lambda: RIGHT).result()
+"""),
+]  # fmt: skip
+
+RECIPES = [*FORGING, *PEEKING, *EXHAUSTION, *SURVIVAL, *TAMPERING, *BROKEN, *ODD]
