@@ -71,6 +71,7 @@ from rclpy.node import Node
 from rclpy.time import Time
 from tf2_ros import Buffer, TransformListener
 
+# %% name="imports-of-the-workbook"
 from tflab.core import LATEST, Transform
 from tflab.tools.buffers import draw_buffer, draw_question
 from tflab.views.dominoes import draw_dominoes
