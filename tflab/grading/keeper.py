@@ -23,11 +23,13 @@ import socket
 import sys
 import tempfile
 from collections.abc import Callable
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
 from . import bubblewrap, namespaces, seccomp
 from .limits import Limits
+from .wire import Wire
 
 __all__ = ["keep"]
 
@@ -49,140 +51,129 @@ ENVIRONMENT = {
 }
 
 
-def keep(
-    order: dict[str, Any], wire: socket.socket, leash: socket.socket, serve: Callable[[socket.socket], None]
-) -> None:
-    """Start a kernel as ordered and stay until it has ended; never returns to the caller's work."""
-    limits = Limits(**order["limits"])
-    uid = FIRST_UID + os.getpid() % UIDS
-    start = {"namespaces": in_namespaces, "bubblewrap": in_bubblewrap, "limits": in_limits}[order["level"]]
+@dataclass(frozen=True)
+class Order:
+    """Which kernel to start, and with what ends in its hands."""
+
+    level: str
+    limits: Limits
+    shown: list[str]
+    hidden: list[str]
+    environment: dict[str, str]
+    uid: int
+    folder: str  # of the kernel, where it has no file system of its own
+    wire: socket.socket
+    leash: socket.socket
+    serve: Callable[[socket.socket], None]
+
+
+def keep(said: dict[str, Any], wire: socket.socket, leash: socket.socket, serve: Callable[[Any], None]) -> None:
+    """Start a kernel as ordered and stay until it has ended."""
     namespaces.libc.prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
     signal.signal(signal.SIGCHLD, signal.SIG_DFL)
-    folder = tempfile.mkdtemp(prefix="tflab-kernel-") if order["level"] == "limits" else None
+    folder = tempfile.mkdtemp(prefix="tflab-kernel-") if said["level"] == "limits" else ""
+    of_its_own = {"uid": FIRST_UID + os.getpid() % UIDS, "folder": folder}
+    of_its_own |= {"limits": Limits(**said["limits"]), "environment": ENVIRONMENT | said["environment"]}
+    order = Order(**said | of_its_own, wire=wire, leash=leash, serve=serve)
     try:
-        pid = start(order, wire, leash, serve, limits, uid, folder)
+        pid = START[order.level](order)
         wire.close()
-        said = watch(pid, leash, limits.memory_bytes, uid if order["level"] == "limits" and os.getuid() == 0 else None)
+        end = watch(pid, order)
     except OSError as fault:
-        said = {"fault": str(fault)}
+        end = {"fault": str(fault)}
     finally:
         if folder:
             shutil.rmtree(folder, ignore_errors=True)
     with contextlib.suppress(OSError):
-        leash.sendall(json.dumps(said).encode())
+        leash.sendall(json.dumps(end).encode())
 
 
 # Three ways to start it.
 
 
-def in_namespaces(
-    order: dict[str, Any],
-    wire: socket.socket,
-    leash: socket.socket,
-    serve: Callable[[socket.socket], None],
-    limits: Limits,
-    uid: int,
-    folder: str | None,
-) -> int:
+def in_namespaces(order: Order) -> int:
+    """Fork a kernel that is the first process of its own small machine."""
+
+    def enter() -> None:
+        uid = order.uid if os.getuid() == 0 else namespaces.LEARNER_UID
+        namespaces.furnish(order.shown, order.hidden, order.limits.file_bytes, uid)
+        order.limits.apply()
+        namespaces.become_nobody(order.uid)
+
     namespaces.leave()
-    pid = os.fork()
-    if pid:
-        return pid
+    return os.fork() or become_kernel(order, enter)
+
+
+def in_bubblewrap(order: Order) -> int:
+    words = bubblewrap.command(order.shown, order.hidden, order.limits.file_bytes, order.environment)
+    return bubblewrap.start(words, order.wire, {"limits": asdict(order.limits), "uid": order.uid})
+
+
+def in_limits(order: Order) -> int:
+    """Fork a kernel that has a folder and, from root, a user of its own."""
 
     def enter() -> None:
-        inside = uid if os.getuid() == 0 else namespaces.LEARNER_UID
-        namespaces.furnish(order["shown"], order["hidden"], limits.file_bytes, inside)
-        limits.apply()
+        uid = order.uid if gets_a_user() else None
+        if uid is not None:
+            os.chown(order.folder, uid, uid)
+        os.chdir(order.folder)
+        os.environ.update(HOME=order.folder, TMPDIR=order.folder, MPLCONFIGDIR=order.folder)
+        order.limits.apply()
         namespaces.become_nobody(uid)
-        seccomp.refuse_dangerous_calls()
 
-    become_kernel(enter, wire, leash, serve, order)
-
-
-def in_limits(
-    order: dict[str, Any],
-    wire: socket.socket,
-    leash: socket.socket,
-    serve: Callable[[socket.socket], None],
-    limits: Limits,
-    uid: int,
-    folder: str | None,
-) -> int:
-    pid = os.fork()
-    if pid:
-        return pid
-
-    def enter() -> None:
-        if os.getuid() == 0:
-            os.chown(folder, uid, uid)
-        os.chdir(folder)
-        limits.apply()
-        namespaces.become_nobody(uid)
-        seccomp.refuse_dangerous_calls()
-        os.environ.update(HOME=folder, TMPDIR=folder, MPLCONFIGDIR=folder)
-
-    become_kernel(enter, wire, leash, serve, order)
+    return os.fork() or become_kernel(order, enter)
 
 
-def in_bubblewrap(
-    order: dict[str, Any],
-    wire: socket.socket,
-    leash: socket.socket,
-    serve: Callable[[socket.socket], None],
-    limits: Limits,
-    uid: int,
-    folder: str | None,
-) -> int:
-    return bubblewrap.start(order, wire, limits, uid, ENVIRONMENT | order["environment"])
+START: dict[str, Callable[[Order], int]] = {
+    "namespaces": in_namespaces,
+    "bubblewrap": in_bubblewrap,
+    "limits": in_limits,
+}
 
 
-def become_kernel(
-    enter: Callable[[], None],
-    wire: socket.socket,
-    leash: socket.socket,
-    serve: Callable[[socket.socket], None],
-    order: dict[str, Any],
-) -> None:
+def gets_a_user() -> bool:
+    """Return whether a kernel that sees all files can still be a user of its own: everybody must be able to read Python."""
+    places = {Path(place).resolve() for place in (sys.prefix, sys.base_prefix, __file__)}
+    folders = {folder for place in places for folder in (place, *place.parents) if folder.is_dir()}
+    return os.getuid() == 0 and all(folder.stat().st_mode & 0o5 == 0o5 for folder in folders)
+
+
+def become_kernel(order: Order, enter: Callable[[], None]) -> int:
     """Go behind the wall and serve there; never returns."""
     try:
-        leash.close()
+        order.leash.close()
         namespaces.libc.prctl(PR_SET_PDEATHSIG, signal.SIGKILL, 0, 0, 0)
         os.setsid()
         os.environ.clear()
-        os.environ.update(ENVIRONMENT | order["environment"])
+        os.environ.update(order.environment)
         try:
             enter()
+            seccomp.refuse_dangerous_calls()
         except Exception as fault:
-            wire.sendall(frame({"fault": f"{type(fault).__name__}: {fault}"}))
+            Wire(order.wire, longest=0).send({"fault": f"{type(fault).__name__}: {fault}"})
             os._exit(1)
-        serve(wire)
-    except BaseException:
-        os._exit(1)  # nobody reads a traceback
-    os._exit(0)
-
-
-def frame(message: dict[str, Any]) -> bytes:
-    body = json.dumps(message).encode()
-    return len(body).to_bytes(4, "big") + body
+        order.serve(order.wire)
+    finally:
+        os._exit(0)  # nobody reads a traceback
 
 
 # Until the end.
 
 
-def watch(pid: int, leash: socket.socket, memory_bytes: int, uid: int | None) -> dict[str, Any]:
+def watch(pid: int, order: Order) -> dict[str, Any]:
     """Wait for the end of the kernel, or bring it about; return how it ended."""
     ended = os.pidfd_open(pid)
     said: dict[str, Any] = {}
     poll = select.poll()
     poll.register(ended, select.POLLIN)
-    poll.register(leash, select.POLLIN)
+    poll.register(order.leash, select.POLLIN)
     while not (ready := poll.poll(TICK_S * 1000)):
-        if memory_of_all(pid) > memory_bytes:
+        if memory_of_all(pid) > order.limits.memory_bytes:
             said["fault"] = "memory limit"
             break
     if not said and ready and ready[0][0] == ended:
         said["ended"] = True
-    kill_all(pid, uid)
+    kill_all(pid, order.uid if order.level == "limits" and gets_a_user() else None)
     os.close(ended)
     return said
 

@@ -18,6 +18,7 @@ import os
 import socket
 import subprocess
 import sys
+import tempfile
 import threading
 from dataclasses import asdict, dataclass
 
@@ -119,12 +120,15 @@ class Kernels:
 
     def _server_socket(self) -> socket.socket:
         if self._orders is None:
+            words = tempfile.TemporaryFile()  # noqa: SIM115  # it may have warnings; they matter only if it fails
             ours, its = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
             self._server = subprocess.Popen(
                 [sys.executable, "-P", "-m", "tflab.grading.forkserver", str(its.fileno())],
                 pass_fds=[its.fileno()],
                 start_new_session=True,  # Ctrl-C is for the grader
                 stdin=subprocess.DEVNULL,
+                stdout=subprocess.DEVNULL,
+                stderr=words,
                 cwd="/",
                 env=environment_of_the_server(),
             )
@@ -132,7 +136,9 @@ class Kernels:
             ours.settimeout(START_S)
             if ours.recv(16) != b"ready":
                 self._stop_server()
-                raise KernelError("the forkserver did not start; its own words stand above")
+                words.seek(0)
+                last = words.read().decode(errors="replace").strip().splitlines()[-1:]
+                raise KernelError(f"the forkserver did not start: {' '.join(last)}")
             self._orders = ours
         return self._orders
 

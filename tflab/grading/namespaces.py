@@ -19,7 +19,7 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
-__all__ = ["LEARNER_HOME", "become_nobody", "check", "furnish", "libc", "leave"]
+__all__ = ["LEARNER_HOME", "become_nobody", "check", "furnish", "leave", "libc"]
 
 LEARNER_HOME = "/home/learner"
 LEARNER_UID = 1000  # inside a namespace of users
@@ -54,7 +54,7 @@ def check(result: int, what: str) -> None:
 
 
 def leave() -> None:
-    """Separate this process from the machine's users, mounts, network and names; its children also from its processes."""
+    """Leave the machine's mounts, network, names and users; the next child also leaves its processes."""
     apart = NEWNS | NEWUTS | NEWIPC | NEWPID | NEWNET
     uid, gid = os.getuid(), os.getgid()
     if uid == 0 and libc.unshare(apart) == 0:

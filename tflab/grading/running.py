@@ -92,10 +92,8 @@ def run_cells(
 
 def outcome_of(item: AnswerCell) -> Outcome:
     """Run one cell as nbval does, and say what came of it."""
-    try:
+    with contextlib.suppress(NbCellError, pytest.fail.Exception):  # it is in item.trouble
         item.runtest()
-    except (NbCellError, pytest.fail.Exception):
-        pass  # it is in item.trouble
     judged = item.value is not None and item.known.probe in item.parent.judges
     right = item.trouble is None if judged else None
     return Outcome(item.known.name, item.known.probe, item.value, item.trouble, right)

@@ -12,7 +12,6 @@ Read `namespaces.py` next.
 
 from __future__ import annotations
 
-import site
 import sys
 from dataclasses import dataclass
 from pathlib import Path
@@ -71,7 +70,7 @@ class Sandbox:
             sys.prefix,
             Path(tflab.__file__).parent,
         ]
-        paths += [path for path in sys.path if path in {*site.getsitepackages(), site.getusersitepackages()}]
+        paths += [path for path in sys.path if Path(path).name in ("site-packages", "dist-packages")]
         return outermost(Path(path) for path in paths)
 
     def hidden(self) -> tuple[str, ...]:

@@ -18,7 +18,6 @@ import json
 import logging
 import os
 import socket
-import sys
 import threading
 from types import SimpleNamespace
 from typing import Any
@@ -36,6 +35,7 @@ def build() -> Any:
     """Make the kernel, once per process; it talks to nobody before `serve`."""
     from ipykernel.ipkernel import IPythonKernel
     from ipykernel.zmqshell import ZMQInteractiveShell
+    from IPython.core.profiledir import ProfileDir
     from jupyter_client.session import Session
     from traitlets import Any as AnyTrait
     from traitlets import Type as TypeTrait
@@ -46,15 +46,9 @@ def build() -> Any:
 
         wire: Wire | None = None
 
-        def send(self, stream: Any, msg_or_type: Any, content: Any = None, parent: Any = None, **rest: Any) -> Any:  # type: ignore[override]
-            if isinstance(msg_or_type, dict):
-                message = msg_or_type
-            else:
-                message = {
-                    "msg_type": msg_or_type,
-                    "content": content,
-                    "parent_header": (parent or {}).get("header", parent),
-                }
+        def send(self, stream: Any, message: Any, content: Any = None, parent: Any = None, **rest: Any) -> Any:
+            if not isinstance(message, dict):  # a type, and what belongs to it
+                message = as_message(message, parent or {}, content)
             said = what_grading_reads(message)
             if said is not None and self.wire is not None:
                 self.wire.send_bytes(said)
@@ -72,6 +66,10 @@ def build() -> Any:
         def start(self) -> None:
             """Serve nothing by itself."""
 
+    class NoFolder(ProfileDir):
+        def _location_changed(self, change: Any) -> None:
+            """Make no folder in anybody's home."""
+
     config = Config()
     config.HistoryManager.enabled = False
     config.InteractiveShell.xmode = "Minimal"  # nobody reads the traceback, and a full one takes long
@@ -81,6 +79,7 @@ def build() -> Any:
         config=config,
         session=OneWire(config=config, key=b""),
         iopub_socket=object(),
+        profile_dir=NoFolder(location="."),
         log=logging.getLogger("tflab.grading"),
     )
     kernel.shell.keepkernel_on_exit = True  # a cell with `exit` in it ends nothing
@@ -88,15 +87,16 @@ def build() -> Any:
     return kernel
 
 
+def as_message(kind: str, parent: dict[str, Any], content: Any) -> dict[str, Any]:
+    return {"msg_type": kind, "parent_header": parent.get("header", parent), "content": content}
+
+
 def what_grading_reads(message: dict[str, Any]) -> bytes | None:
     """Return what of a message goes to the grader, as JSON; None if nothing does."""
     kind, content = message.get("msg_type"), message.get("content") or {}
     if kind == "error":
-        content = {
-            "ename": str(content["ename"])[:200],
-            "evalue": str(content["evalue"])[:LONGEST_TEXT],
-            "traceback": [],
-        }
+        words = {name: str(content[name])[:LONGEST_TEXT] for name in ("ename", "evalue")}
+        content = words | {"traceback": []}
     elif kind in ("display_data", "execute_result"):
         data = content.get("data") or {}
         if PROBE_MIME not in data:
@@ -129,17 +129,14 @@ async def _serve(kernel: Any, wire: Wire) -> None:
         try:
             reply = await kernel.do_execute(request["code"], silent=False, store_history=False, allow_stdin=False)
             status = reply["status"]
-        except (Exception, asyncio.CancelledError, KeyboardInterrupt) as fault:
-            print(fault, file=sys.stderr)
+        except (Exception, asyncio.CancelledError, KeyboardInterrupt) as fault:  # of the kernel, perhaps tampered with
             status = "error"
+            words = {"ename": type(fault).__name__, "evalue": str(fault)}
+            kernel.session.send(None, "error", words, parent)
         if os.getpid() != me:
             os._exit(0)  # a copy that an answer made of the kernel, and forgot to end
-        header = parent["header"]
-        wire.send(
-            {"channel": "shell", "msg_type": "execute_reply", "parent_header": header, "content": {"status": status}}
-        )
-        idle = {"execution_state": "idle"}
-        wire.send({"channel": "iopub", "msg_type": "status", "parent_header": header, "content": idle})
+        wire.send({"channel": "shell"} | as_message("execute_reply", parent, {"status": status}))
+        wire.send({"channel": "iopub"} | as_message("status", parent, {"execution_state": "idle"}))
 
 
 async def _next(wire: Wire) -> dict[str, Any]:
