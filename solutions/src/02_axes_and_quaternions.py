@@ -53,11 +53,11 @@ from tflab.core import Transform
 # %% name="e2-1-answer" tags=["answer"]
 signs = {
     # BEGIN SOLUTION
-    "angular_z_to_turn_left": "positive",
-    "pitch_of_a_nose_that_looks_down": "positive",
-    "y_of_a_post_on_the_right_in_base_link": "negative",
-    "x_of_a_post_on_the_right_in_camera_optical_frame": "positive",
-    "y_of_a_lamp_above_the_camera_axis_in_camera_optical_frame": "negative",
+    "angular_z_turning_left": "positive",
+    "pitch_nose_down": "positive",
+    "y_right_in_base_link": "negative",
+    "x_right_in_optical_frame": "positive",
+    "y_above_in_optical_frame": "negative",
     # END SOLUTION
 }
 

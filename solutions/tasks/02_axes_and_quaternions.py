@@ -17,11 +17,11 @@ from tflab.workbook.tasks import Task, Twin, Words
 
 SIGN = Choice(("positive", "negative"))
 SIGNS = {
-    "angular_z_to_turn_left": "positive",
-    "pitch_of_a_nose_that_looks_down": "positive",
-    "y_of_a_post_on_the_right_in_base_link": "negative",
-    "x_of_a_post_on_the_right_in_camera_optical_frame": "positive",
-    "y_of_a_lamp_above_the_camera_axis_in_camera_optical_frame": "negative",
+    "angular_z_turning_left": "positive",
+    "pitch_nose_down": "positive",
+    "y_right_in_base_link": "negative",
+    "x_right_in_optical_frame": "positive",
+    "y_above_in_optical_frame": "negative",
 }
 BODY_RIGHT, OPTICAL_RIGHT, OPTICAL_UP = list(SIGNS)[2:]
 
@@ -74,17 +74,18 @@ def quaternions(rng: np.random.Generator) -> list[tuple[tuple[float, float, floa
         return Transform.from_rpy(yaw=float(rng.uniform(low, high))).rotation
 
     good, negative, rough = yawed(0.4, 1.4), yawed(-2.4, -0.6), yawed(1.6, 2.6)
-    length = float(rng.uniform(1.5, 3.0))
+    length, share = float(rng.uniform(1.5, 3.0)), round(float(rng.uniform(0.35, 0.65)), 2)
     drawn = [
         (0.0, 0.0, 0.0, 1.0),
         good,
         tuple(-part for part in negative),
         (0.0, 0.0, 1.0, 0.0),
-        tuple(round(part, 3) for part in rough),
+        tuple(math.floor(1000.0 * part) / 1000.0 for part in rough),
         (0.0, 0.0, 0.0, 0.0),
         (0.0, 0.0, math.nan, 1.0),
         (math.inf, 0.0, 0.0, 1.0),
         tuple(length * part for part in good),
+        (0.0, 0.0, share, round(1.0 - share, 2)),
         wxyz_from_xyzw(yawed(0.3, 1.2)),
     ]
     return [(q,) for q in drawn]
@@ -152,6 +153,14 @@ def wall_appears(given) -> str:
     return "above" if given.rpy_of_camera_link_in_base_link_deg == STRAIGHT_DEG else "right"
 
 
+def named(given) -> dict:
+    """Return what is wrong, and where it is mended."""
+    if given.header_frame_id == "camera_link":
+        return {"fault": "header", "change": "driver"}
+    mount = "camera_optical_frame" if wall_appears(given) == "above" else "camera_link"
+    return {"fault": f"mount of {mount}", "change": "URDF"}
+
+
 def at_the_wrong_end(given) -> dict:
     """Blame the mount for a wrong header, and the header for a wrong mount."""
     if given.header_frame_id == "camera_link":
@@ -189,7 +198,7 @@ TASKS = (
         twins=(
             Twin(
                 "aeroplane",
-                signs("pitch_of_a_nose_that_looks_down"),
+                signs("pitch_nose_down"),
                 Words(
                     en="That is an aeroplane's pitch, whose z points down. Here z points up: lay the thumb of your right hand along y, to the left, and see where the fingers take the nose.",
                     ko="그것은 z가 아래를 향하는 비행기의 pitch입니다. 여기서는 z가 위를 향합니다. 오른손 엄지를 y, 곧 왼쪽으로 뻗고 나머지 손가락이 기수를 어디로 보내는지 보십시오.",
@@ -197,7 +206,7 @@ TASKS = (
             ),
             Twin(
                 "compass",
-                signs("angular_z_to_turn_left"),
+                signs("angular_z_turning_left"),
                 Words(
                     en="A compass counts clockwise; REP-103 does not. Thumb up along z: which way do the fingers curl?",
                     ko="나침반은 시계 방향으로 세지만 REP-103은 그렇지 않습니다. 엄지를 z 방향으로 세우면 나머지 손가락은 어느 쪽으로 감깁니까?",
@@ -205,7 +214,7 @@ TASKS = (
             ),
             Twin(
                 "right is plus",
-                signs("y_of_a_post_on_the_right_in_base_link"),
+                signs("y_right_in_base_link"),
                 Words(
                     en="On paper, right is plus. On a robot's body, look where y points: hold up the pistol hand.",
                     ko="종이 위에서는 오른쪽이 양수입니다. 로봇 몸체에서는 y가 어디를 가리킵니까? 오른손을 권총 모양으로 들어 보십시오.",
@@ -406,7 +415,7 @@ TASKS = (
         twins=(
             Twin(
                 "nan slips through",
-                lambda q: judged(q, nan=False) if math.isfinite(sum(q)) else "ok",
+                lambda q: judged(q, nan=False),
                 Words(
                     en="NaN slips through: every comparison with it is False, so no 'if' catches it. Ask for it first, with math.isfinite.",
                     ko="NaN이 빠져나갔습니다. NaN과의 비교는 모두 False여서 어떤 if에도 걸리지 않습니다. math.isfinite로 맨 먼저 확인하십시오.",
@@ -424,10 +433,18 @@ TASKS = (
             ),
             Twin(
                 "exactly one",
-                lambda q: judged(q, tolerance=1e-9),
+                lambda q: judged(q, tolerance=0.0),
                 Words(
                     en="A quaternion that was rounded to three decimals is still a good one. Compare its length with a tolerance.",
                     ko="소수 셋째 자리까지 반올림한 쿼터니언도 올바른 쿼터니언입니다. 길이는 허용 오차를 두고 비교하십시오.",
+                ),
+            ),
+            Twin(
+                "too strict",
+                lambda q: judged(q, tolerance=1e-6),
+                Words(
+                    en="Your tolerance is finer than the task's: a quaternion that was cut to three decimals has a length of 0.999, and is still a good one.",
+                    ko="허용 오차가 문제에서 정한 것보다 엄격합니다. 소수 셋째 자리까지만 적은 쿼터니언은 길이가 0.999쯤 되지만 여전히 올바릅니다.",
                 ),
             ),
             Twin(
@@ -573,6 +590,15 @@ TASKS = (
                 misconception="M4",
             ),
             Twin(
+                "wall elsewhere",
+                lambda given: {**named(given), "wall_appears": "above" if wall_appears(given) == "right" else "right"},
+                Words(
+                    en="The fault is right, the place is not. Put three fingers on the numbers (right, down, forward) and read them as the fault makes them be read: which one becomes x, which one becomes z?",
+                    ko="결함은 맞지만 벽의 위치가 틀립니다. (오른쪽, 아래, 앞) 세 숫자를 손가락으로 짚고, 이 결함에서 각각 무엇으로 읽히는지 따라가 보십시오. 어느 것이 x가 되고 어느 것이 z가 됩니까?",
+                ),
+                misconception="M4",
+            ),
+            Twin(
                 "quaternion",
                 lambda given: {"wall_appears": wall_appears(given), "fault": "quaternion", "change": "URDF"},
                 Words(
@@ -633,11 +659,16 @@ TASKS = (
                 ),
             ),
             Twin(
-                "rounded pi",
-                lambda given: (
-                    1000.0 * given.range_m * abs(3.14 / 2 - given.written_yaw_rad)
-                    + 1e3 * (given.written_yaw_rad == 1.57)
+                "negative",
+                lambda given: -1000.0 * given.range_m * missing_rad(given),
+                Words(
+                    en="The size is right. How far off is asked without a sign: take abs().",
+                    ko="크기는 맞습니다. 얼마나 어긋나는지는 부호 없이 답합니다. abs()를 쓰십시오.",
                 ),
+            ),
+            Twin(
+                "rounded pi",
+                lambda given: 1000.0 * given.range_m * abs(3.14 / 2 - given.written_yaw_rad),
                 Words(
                     en="You compared with 3.14 / 2, which is as short of digits as the URDF. Use math.pi.",
                     ko="3.14 / 2와 비교했습니다. 그 값도 URDF만큼이나 자릿수가 모자랍니다. math.pi를 쓰십시오.",
