@@ -1,0 +1,299 @@
+# %% [markdown] lang="en" name="title"
+# # Exercises 9: four ways to not get an answer
+#
+# Seven tasks, 22 points, about 45 minutes. The page of this chapter is [here](../../notebooks/en/09_exceptions_and_waiting.ipynb).
+#
+# Write your answer where it says `...` or `your turn`, run that cell, then run the check below it.
+# `check` tells you which mistake it was; `hint("E9.2")` helps, one step at a time.
+#
+# What you write in E9.2, E9.3 and E9.5 runs unchanged on a robot.
+
+# %% [markdown] lang="ko" name="title"
+# # 연습 문제 9: 답을 얻지 못하는 네 가지 길
+#
+# 과제는 일곱, 22점, 약 45분입니다. 이 장의 본문은 [여기](../../notebooks/ko/09_exceptions_and_waiting.ipynb)에 있습니다.
+#
+# `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고, 그 셀을 실행한 다음, 바로 아래의 check 셀을 실행하십시오.
+# `check`는 어떤 실수인지 알려 주고, `hint("E9.2")`는 한 단계씩 도와줍니다.
+#
+# E9.2, E9.3, E9.5에서 쓴 코드는 로봇에서 그대로 실행됩니다.
+
+# %% name="load"
+# %load_ext tflab
+from tflab.workbook import check, hint, task
+
+# %% name="imports"
+import numpy as np
+from rclpy.time import Time
+from tf2_ros import ConnectivityException, ExtrapolationException, InvalidArgumentException
+from tf2_ros import LookupException, TransformException
+
+# %% [markdown] lang="en" name="e9-1"
+# ## E9.1 · Eight lines from a log (4 points)
+#
+# Eight lines, all from one robot, and what its buffer held at that time.
+#
+# - `"a"` to `"h"`: which kind is it? `"lookup"`, `"connectivity"`, `"future"`, `"past"`, `"one sample"`, `"invalid argument"` or `"not a TransformException"`.
+# - `"c edge"`, `"d edge"`, `"e edge"`: which edge stopped the walk? Give its child frame.
+# - `"a check"`, `"b check"`, `"f check"`, `"h check"`: what do you look at first? `"spelling and publisher"`, `"roots of the tree"`, `"use_sim_time"`, `"the line of code"` or `"a longer timeout"`.
+
+# %% [markdown] lang="ko" name="e9-1"
+# ## E9.1 · 로그 속 여덟 줄 (4점)
+#
+# 모두 한 로봇에서 나온 여덟 줄과, 그때 버퍼에 들어 있던 내용입니다.
+#
+# - `"a"`~`"h"`: 어떤 종류입니까? `"lookup"`, `"connectivity"`, `"future"`, `"past"`, `"one sample"`, `"invalid argument"`, `"not a TransformException"` 가운데 하나입니다.
+# - `"c edge"`, `"d edge"`, `"e edge"`: 어느 연결에서 막혔습니까? 그 연결의 자식 좌표계를 쓰십시오.
+# - `"a check"`, `"b check"`, `"f check"`, `"h check"`: 무엇부터 확인합니까? `"spelling and publisher"`(철자와 발행자), `"roots of the tree"`(트리의 루트), `"use_sim_time"`, `"the line of code"`(그 코드 줄), `"a longer timeout"`(더 긴 timeout) 가운데 하나입니다.
+
+# %% name="e9-1-given"
+e9_1 = task("E9.1")
+
+# %% name="e9-1-answer" tags=["answer"]
+lines = {
+    # BEGIN SOLUTION
+    "a": "lookup", "b": "connectivity", "c": "future", "d": "past",
+    "e": "one sample", "f": "invalid argument", "g": "not a TransformException", "h": "future",
+    "c edge": "odom", "d edge": "base_footprint", "e edge": "arm_link",
+    "a check": "spelling and publisher", "b check": "roots of the tree",
+    "f check": "the line of code", "h check": "use_sim_time",
+    # END SOLUTION
+}  # fmt: skip
+
+# %% name="e9-1-check" tags=["check"]
+check("E9.1", lines)
+
+# %% [markdown] lang="en" name="e9-2"
+# ## E9.2 · Classify a refusal (4 points)
+#
+# `buffer` is a `tf2_ros.Buffer`, `stamp` an `rclpy.time.Time`. Return one word: `"ok"` if there is an answer, else
+# `"invalid argument"`, `"lookup"`, `"connectivity"`, `"future"`, `"past"` or `"one sample"`.
+#
+# Use only what a robot has: the exception's class and its text. Let tf2 decide what comes first.
+
+# %% [markdown] lang="ko" name="e9-2"
+# ## E9.2 · 거절을 분류하기 (4점)
+#
+# `buffer`는 `tf2_ros.Buffer`, `stamp`는 `rclpy.time.Time`입니다. 한 단어를 반환하십시오. 답이 있으면 `"ok"`, 없으면
+# `"invalid argument"`, `"lookup"`, `"connectivity"`, `"future"`, `"past"`, `"one sample"` 가운데 하나입니다.
+#
+# 로봇에 있는 것, 곧 예외의 클래스와 오류문만 쓰십시오. 무엇이 먼저인지는 tf2가 정하게 두십시오.
+
+# %% name="e9-2-answer" tags=["answer"]
+def classify(buffer, target, source, stamp):
+    """Return what kind of "no" tf2 says, or "ok"."""
+    # BEGIN SOLUTION
+    try:
+        buffer.lookup_transform(target, source, stamp)
+    except ExtrapolationException as error:
+        in_text = (kind for kind in ("future", "past") if f"into the {kind}" in str(error))
+        return next(in_text, "one sample")
+    except TransformException as error:
+        kinds = {LookupException: "lookup", ConnectivityException: "connectivity"}
+        return kinds.get(type(error), "invalid argument")
+    return "ok"
+    # END SOLUTION
+
+# %% name="e9-2-check" tags=["check"]
+check("E9.2", classify)
+
+# %% [markdown] lang="en" name="e9-3"
+# ## E9.3 · From exception to action (4 points)
+#
+# A `PointStamped` has come, and is wanted in `map`. Decide what to do with it:
+#
+# | what tf2 says | action |
+# | --- | --- |
+# | an answer | `"use"` |
+# | future, TF is behind by 0.2 s or less | `"wait"` |
+# | future, TF is behind by more | `"check clocks"` |
+# | any other extrapolation | `"drop"` |
+# | an unknown name | `"check names"` |
+# | no path | `"check tree"` |
+# | no question at all | `"fix message"` |
+#
+# "TF is behind" means: the whole chain. A wait must last until its *slowest* edge is there.
+
+# %% [markdown] lang="ko" name="e9-3"
+# ## E9.3 · 예외에서 행동으로 (4점)
+#
+# `PointStamped`가 하나 왔고, 이것을 `map`에서 보려 합니다. 어떻게 할지 정하십시오.
+#
+# | tf2의 답 | 행동 |
+# | --- | --- |
+# | 답이 있음 | `"use"` |
+# | 미래, TF가 0.2 s 이하로 뒤처짐 | `"wait"` |
+# | 미래, TF가 그보다 더 뒤처짐 | `"check clocks"` |
+# | 그 밖의 외삽 | `"drop"` |
+# | 모르는 이름 | `"check names"` |
+# | 경로 없음 | `"check tree"` |
+# | 질문이 말이 안 됨 | `"fix message"` |
+#
+# "TF가 뒤처진다"는 체인 전체를 두고 하는 말입니다. *가장 느린* 연결이 올 때까지 기다려야 합니다.
+
+# %% name="e9-3-answer" tags=["answer"]
+def decide(buffer, message):
+    """Return what to do with a PointStamped that is wanted in map."""
+    source, stamp = message.header.frame_id, Time.from_msg(message.header.stamp)
+    # BEGIN SOLUTION
+    try:
+        buffer.lookup_transform("map", source, stamp)
+    except ExtrapolationException as error:
+        newest = buffer.get_latest_common_time("map", source)  # of the whole chain
+        is_near = stamp.nanoseconds - newest.nanoseconds <= 200_000_000
+        return "drop" if "into the future" not in str(error) else "wait" if is_near else "check clocks"
+    except TransformException as error:
+        actions = {LookupException: "check names", ConnectivityException: "check tree"}
+        return actions.get(type(error), "fix message")
+    return "use"
+    # END SOLUTION
+
+# %% name="e9-3-check" tags=["check"]
+check("E9.3", decide)
+
+# %% [markdown] lang="en" name="e9-4"
+# ## E9.4 · Late, or wrong? (3 points)
+#
+# Three robots have the same warning in their logs: extrapolation into the future, by about a third of a second.
+# Ten messages of `/scan` and of `/odom` were noted on each; a row is (stamp, heard) in seconds, heard by the clock of the computer that listens.
+# A healthy `/scan` is heard about 0.105 s after its stamp, a healthy `/odom` about 0.005 s.
+#
+# - `"a"`, `"b"`, `"c"`: what is it on robot a, b, c? `"transforms arrive late"`, `"laser clock is fast"` or `"cannot be told from this"`.
+# - `"a do"`, `"b do"`, `"c do"`: what do you do? `"wait a little"`, `"set the laser's clock"`, `"ask chrony on both computers"` or `"set a timeout of 10 s"`.
+#
+# Write down what you see, or have Python find it: both count.
+
+# %% [markdown] lang="ko" name="e9-4"
+# ## E9.4 · 늦은 것인가, 틀린 것인가? (3점)
+#
+# 로봇 세 대의 로그에 똑같은 경고가 있습니다. 약 3분의 1초만큼의 미래 외삽입니다.
+# 로봇마다 `/scan`과 `/odom` 메시지를 열 개씩 적었습니다. 한 행은 (측정 시각, 들은 시각)[s]이고, 들은 시각은 듣는 컴퓨터의 시계로 적었습니다.
+# 건강한 `/scan`은 측정 후 약 0.105 s, 건강한 `/odom`은 약 0.005 s 뒤에 들립니다.
+#
+# - `"a"`, `"b"`, `"c"`: 로봇 a, b, c의 원인은 무엇입니까? `"transforms arrive late"`(변환이 늦게 옴), `"laser clock is fast"`(라이다 시계가 빠름), `"cannot be told from this"`(이것만으로는 알 수 없음) 가운데 하나입니다.
+# - `"a do"`, `"b do"`, `"c do"`: 어떻게 합니까? `"wait a little"`(조금 기다린다), `"set the laser's clock"`(라이다의 시계를 맞춘다), `"ask chrony on both computers"`(두 컴퓨터에서 chrony에 묻는다), `"set a timeout of 10 s"`(timeout을 10초로 한다) 가운데 하나입니다.
+#
+# 눈으로 보고 적어도 되고, Python으로 찾아도 됩니다.
+
+# %% name="e9-4-given"
+e9_4 = task("E9.4")
+
+# %% name="e9-4-answer" tags=["answer"]
+# BEGIN SOLUTION
+causes = {}
+for name, robot in (("a", e9_4.robot_a), ("b", e9_4.robot_b), ("c", e9_4.robot_c)):
+    scan_s, odom_s = (np.diff(robot[topic], axis=1).ravel() for topic in ("scan", "odom"))
+    if scan_s.min() < 0.0:  # heard before it was measured: no network does that
+        causes[name], causes[f"{name} do"] = "laser clock is fast", "set the laser's clock"
+    elif np.ptp(odom_s) > 0.1:  # it trembles
+        causes[name], causes[f"{name} do"] = "transforms arrive late", "wait a little"
+    else:  # smooth and positive: a slow network, or a slow clock
+        causes[name], causes[f"{name} do"] = "cannot be told from this", "ask chrony on both computers"
+# END SOLUTION
+
+# %% name="e9-4-check" tags=["check"]
+check("E9.4", causes)
+
+# %% [markdown] lang="en" name="e9-5"
+# ## E9.5 · A queue that stays fresh (3 points)
+#
+# Messages wait with the stamps `stamps_s` [s], in the order in which they arrived. It is `now_s`.
+# Keep only what is worth deciding on: nothing older than `max_age_s`, nothing from the future, and at most `max_size` of the newest.
+#
+# Return `{"kept": [...], "lost": n}`: the stamps that stay, oldest first, and how many messages went.
+# You are scored on both: what you kept is your freshness, what you lost is its price.
+
+# %% [markdown] lang="ko" name="e9-5"
+# ## E9.5 · 늘 신선한 큐 (3점)
+#
+# 시각이 `stamps_s`[s]인 메시지들이 도착한 순서대로 기다립니다. 지금은 `now_s`입니다.
+# 결정에 쓸 만한 것만 남기십시오. `max_age_s`보다 오래된 것은 버리고, 미래에서 온 것도 버리고, 가장 새로운 것부터 `max_size`개까지만 남깁니다.
+#
+# `{"kept": [...], "lost": n}`을 반환하십시오. 남는 시각을 오래된 것부터, 그리고 버린 개수입니다.
+# 둘 다 채점합니다. 남긴 것은 신선도이고, 버린 것은 그 값입니다.
+
+# %% name="e9-5-answer" tags=["answer"]
+def keep(stamps_s, now_s, max_age_s, max_size):
+    """Return which messages stay, oldest first, and how many go."""
+    # BEGIN SOLUTION
+    young = sorted(stamp for stamp in stamps_s if 0.0 <= now_s - stamp <= max_age_s)
+    kept = young[-max_size:]
+    return {"kept": kept, "lost": len(stamps_s) - len(kept)}
+    # END SOLUTION
+
+# %% name="e9-5-check" tags=["check"]
+check("E9.5", keep)
+
+# %% [markdown] lang="en" name="e9-6"
+# ## E9.6 · Where may I wait? (2 points)
+#
+# Transforms arrive 0.1 s late, unless it says otherwise. For each line: `"works"`, `"waits in vain"` (and gives up), or `"waits for ever"`.
+#
+# - a: in a subscription's callback, `timeout=0.3 s`; the node runs in `rclpy.spin(node)`.
+# - b: the same, but `rclpy.spin(node, executor=MultiThreadedExecutor())`.
+# - c: in a *timer's* callback, `timeout=0.3 s`; the node runs in `rclpy.spin(node)`.
+# - d: in a subscription's callback, `wait_for_transform_async`; the node runs in `rclpy.spin(node)`.
+# - e: as d, but the stamp is older than everything in the buffer.
+# - f: as b, but the laser's clock is 2 s fast.
+# - g: in `main()`, `timeout=0.3 s`, after the node and its listener were made and before anything spins.
+# - h: in `main()`, `timeout=0.3 s`, with `TransformListener(buffer, node, spin_thread=True)`.
+
+# %% [markdown] lang="ko" name="e9-6"
+# ## E9.6 · 어디서 기다려도 될까요? (2점)
+#
+# 따로 말이 없으면 변환은 0.1 s 늦게 도착합니다. 줄마다 `"works"`(통한다), `"waits in vain"`(헛되이 기다리다 포기한다), `"waits for ever"`(영원히 기다린다) 가운데 고르십시오.
+#
+# - a: 구독 콜백 안에서 `timeout=0.3 s`. 노드는 `rclpy.spin(node)`으로 돕니다.
+# - b: a와 같지만 `rclpy.spin(node, executor=MultiThreadedExecutor())`입니다.
+# - c: *타이머* 콜백 안에서 `timeout=0.3 s`. 노드는 `rclpy.spin(node)`으로 돕니다.
+# - d: 구독 콜백 안에서 `wait_for_transform_async`. 노드는 `rclpy.spin(node)`으로 돕니다.
+# - e: d와 같지만 시각이 버퍼의 모든 것보다 오래됐습니다.
+# - f: b와 같지만 라이다 시계가 2 s 빠릅니다.
+# - g: `main()`에서 `timeout=0.3 s`. 노드와 리스너는 만들었고, 아직 아무것도 spin하지 않습니다.
+# - h: `main()`에서 `timeout=0.3 s`. 리스너는 `TransformListener(buffer, node, spin_thread=True)`입니다.
+
+# %% name="e9-6-answer" tags=["answer"]
+outcomes = {
+    # BEGIN SOLUTION
+    "a": "waits in vain",  # the only thread waits
+    "b": "works",
+    "c": "waits in vain",  # the same thread again
+    "d": "works",
+    "e": "waits for ever",  # old data does not come back, and a promise does not expire
+    "f": "waits in vain",  # 0.3 s do not bridge 2 s
+    "g": "waits in vain",  # nobody takes anything in
+    "h": "works",
+    # END SOLUTION
+}
+
+# %% name="e9-6-check" tags=["check"]
+check("E9.6", outcomes)
+
+# %% [markdown] lang="en" name="e9-7"
+# ## E9.7 · The smallest wait that always succeeds (2 points)
+#
+# `map → odom` comes from `localization`, `odom → base_footprint` from `wheel_odometry`: each with a rate, a delay, and up to `jitter_s` more.
+# A scan reaches you `scan_delay_s` after its stamp. All clocks are right, no message is lost.
+#
+# How long must you wait at most, reckoned from the scan's *arrival*, so that the lookup at its stamp always succeeds? [s]
+
+# %% [markdown] lang="ko" name="e9-7"
+# ## E9.7 · 언제나 성공하는 가장 짧은 기다림 (2점)
+#
+# `map → odom`은 `localization`이, `odom → base_footprint`는 `wheel_odometry`가 보냅니다. 각각 주파수와 지연이 있고, 최대 `jitter_s`만큼 더 늦을 수 있습니다.
+# 스캔은 측정 시각에서 `scan_delay_s` 뒤에 도착합니다. 시계는 모두 맞고, 잃는 메시지는 없습니다.
+#
+# 스캔이 *도착한 때부터* 최대 얼마나 기다려야 그 시각의 조회가 언제나 성공합니까? [s]
+
+# %% name="e9-7-given"
+e9_7 = task("E9.7")
+
+# %% name="e9-7-answer" tags=["answer"]
+# BEGIN SOLUTION
+sources = (e9_7.localization, e9_7.wheel_odometry)
+latest_arrival_s = max(1 / one["rate_hz"] + one["delay_s"] + one["jitter_s"] for one in sources)
+wait_s = latest_arrival_s - e9_7.scan_delay_s  # [s], from the scan's arrival
+# END SOLUTION
+
+# %% name="e9-7-check" tags=["check"]
+check("E9.7", wait_s)
