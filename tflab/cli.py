@@ -33,7 +33,8 @@ class Subcommand(NamedTuple):
 BY_CTRL_C, BY_A_CLOSED_PIPE = 130, 141
 
 SUBCOMMANDS = {
-    "build": Subcommand("run the pages and write them as HTML that works from a disk", "tflab.workbook.build", "build"),
+    "build": Subcommand("make the pages' notebooks, or HTML, of their sources", "tflab.workbook.build", "build"),
+    "slides": Subcommand("write a page as a deck that works from a disk", "tflab.workbook.slides", "main"),
     "grade": Subcommand("grade what a class handed in", "tflab.grading.grade", "main"),
     "lab": Subcommand("open your own copy of the workbook in JupyterLab, offline", "tflab.workbook.lab", "lab"),
     "progress": Subcommand("say which checks you have passed", "tflab.workbook.progress_page", "progress"),
