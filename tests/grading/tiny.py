@@ -101,7 +101,7 @@ TASKS = (
     Task("E3.2", "F", 4, Words("Length", "길이"), "length", Number(), HINTS, inputs=legs, variants=3,
          twins=(Twin("added", lambda x, y: x + y, Words("You added the legs.", "두 변을 더했습니다."), "M1"),)),
     Task("E3.3", "M", 2, Words("Frames", "좌표계"), "frames", Parts({"target": FRAMES, "source": FRAMES}), HINTS,
-         twins=(Twin("swapped", {"target": "laser_frame", "source": "map"}, Words("Swapped.", "바뀌었습니다."), "M1"),)),
+         twins=(Twin("swapped", {"target": "laser_frame", "source": "map"}, Words("Swapped.", "바뀜."), "M1"),)),
 )
 """
 

@@ -1,4 +1,4 @@
-"""What is in this zip?  Names that stay inside it, and files no larger than they may be; the rest is refused, a line each.
+"""What is in this zip?  Names that stay inside it, files no larger than they may be; a line for the rest.
 
     kim_1_2_03.ipynb          a file
     ../../etc/passwd          refused: it leads out of the archive

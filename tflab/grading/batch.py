@@ -25,9 +25,10 @@ from tflab import __version__
 from tflab.workbook.whole_files import write_whole
 
 from .attempt import NotRun
+from .gradebook import file_name
 from .kernels import KernelError
 from .limits import Limits
-from .one import File, Job, graded, record_with
+from .one import File, Job, RunCells, graded, record_with
 from .pack import Pack
 from .plan import PlannedCell
 from .progress_bar import ProgressBar
@@ -36,7 +37,7 @@ from .running import Cell, Run, run_cells
 from .sandbox import Sandbox
 from .submissions import Collection, Submission
 
-__all__ = ["RECORDS", "Batch", "grade_batch"]
+__all__ = ["RECORDS", "Batch", "grade_batch", "grade_job", "job_of", "run_behind"]
 
 RECORDS = "submissions"
 RECORD_FORMAT = 1
@@ -65,7 +66,7 @@ def grade_batch(collection: Collection, pack: Pack, out: Path, batch: Batch) -> 
     def jobs() -> Iterator[Job]:
         for submission in collection.submissions:
             job = job_of(submission, pack, batch.limits)
-            path = out / RECORDS / f"{_file_name(job.learner)}-{_key(job, pack, batch)[:16]}.json"
+            path = out / RECORDS / f"{file_name(job.learner)}-{_key(job, pack, batch)[:16]}.json"
             paths.add(path)
             there = _record_at(path, job.learner)
             if there is not None:
@@ -135,7 +136,7 @@ def job_of(submission: Submission, pack: Pack, limits: Limits) -> Job:
 def grade_job(job: Job, *, sandbox: Sandbox) -> dict[str, Any]:
     """Do one job, in whichever process this is; whatever happens, there is a record of it."""
     try:
-        return graded(job, partial(_run, sandbox=sandbox)) | {"sandbox": sandbox.level}
+        return graded(job, run_behind(sandbox)) | {"sandbox": sandbox.level}
     except Exception as error:  # a fault of ours; it must not cost the others
         text = (
             f"tflab itself failed here ({type(error).__name__}: {str(error)[:200]}); please report it, and grade again"
@@ -146,6 +147,11 @@ def grade_job(job: Job, *, sandbox: Sandbox) -> dict[str, Any]:
 
 def _nothing_runs(cells: Sequence[PlannedCell], limits: Limits) -> Run:
     raise NotRun("nothing runs here")
+
+
+def run_behind(sandbox: Sandbox) -> RunCells:
+    """Return what runs planned cells behind a wall."""
+    return partial(_run, sandbox=sandbox)
 
 
 def _run(cells: Sequence[PlannedCell], limits: Limits, sandbox: Sandbox) -> Run:
@@ -198,10 +204,6 @@ def _key(job: Job, pack: Pack, batch: Batch) -> str:
     return content.hexdigest()
 
 
-def _file_name(learner: str) -> str:
-    return "".join(letter if letter.isalnum() or letter in "._@-" else "_" for letter in learner)[:64]
-
-
 def _record_at(path: Path, learner: str) -> dict[str, Any] | None:
     try:
         record = json.loads(path.read_text(encoding="utf-8"))
@@ -216,7 +218,7 @@ def _write_record(path: Path, record: dict[str, Any]) -> None:
 
 def _remove_old(folder: Path, learners: set[str], paths: set[Path]) -> None:
     """Remove the records of what these learners handed in before; those of others stay."""
-    names = {_file_name(learner) for learner in learners}
+    names = {file_name(learner) for learner in learners}
     for path in folder.glob("*.json"):
         if path not in paths and path.name.rpartition("-")[0] in names:
             path.unlink(missing_ok=True)

@@ -19,14 +19,15 @@ from typing import Any
 from tflab import __version__
 from tflab.workbook.whole_files import write_whole
 
-from .gradebook import LMS, grades_csv, results_json
+from .class_page import class_page
+from .feedback import LEVELS, feedback_page
+from .gradebook import LMS, file_name, grades_csv, results_json
 from .pack import Pack, PackError, read_pack
 from .reader import Unreadable
 from .submissions import Collection, collect
 
-__all__ = ["FEEDBACK", "main"]
+__all__ = ["main"]
 
-FEEDBACK = ("none", "score", "named", "full")
 BY_CTRL_C = 130
 NEEDS_LINUX = (
     "grading runs what learners wrote behind a wall that only Linux has; use Linux, WSL or a container. "
@@ -100,8 +101,25 @@ def _write_reports(
     _write_pages(records, collection, pack, out, options, wall)
 
 
-def _write_pages(records, collection, pack, out, options, wall) -> None:
-    pass
+def _write_pages(
+    records: list[dict[str, Any]],
+    collection: Collection,
+    pack: Pack,
+    out: Path,
+    options: argparse.Namespace,
+    wall: tuple[str, ...],
+) -> None:
+    pages = out / "feedback"
+    if pages.is_dir():  # of an earlier run, perhaps on another level
+        for path in pages.glob("*.html"):
+            path.unlink()
+    if options.feedback != "none":
+        for record in records:
+            write_whole(
+                pages / f"{file_name(record['learner'])}.html", feedback_page(record, pack.cases, options.feedback)
+            )
+    shown = class_page(records, pack.cases, language=pack.language, wall=wall, remarks=collection.remarks)
+    write_whole(out / "class.html", shown)
 
 
 def _say(records: list[dict[str, Any]], collection: Collection, out: Path, wall: tuple[str, ...]) -> None:
@@ -130,12 +148,10 @@ def _options(words: Sequence[str]) -> argparse.Namespace:
     parser.add_argument("--pack", required=True, metavar="DIR", help="the instructor's folder of the release")
     parser.add_argument("--out", default="results", metavar="DIR", help="where the results go; %(default)s if left out")
     parser.add_argument("--jobs", type=int, default=1, metavar="N", help="how many at once; 0: one for each processor")
-    parser.add_argument(
-        "--scheduler", metavar="tcp://...", help="of a Dask cluster that you trust: it sees hidden cases"
-    )
+    parser.add_argument("--scheduler", metavar="tcp://...", help="of Dask workers that may see hidden cases")
     parser.add_argument("--lms", choices=sorted(LMS), help="the columns of grades.csv")
     parser.add_argument("--assignment", default="tflab", metavar="NAME", help="its column in Canvas; %(default)s")
-    parser.add_argument("--feedback", choices=FEEDBACK, default="named", help="what learners see; %(default)s")
+    parser.add_argument("--feedback", choices=LEVELS, default="named", help="what learners see; %(default)s")
     parser.add_argument("--seconds", type=float, default=10.0, metavar="S", help="for one cell; %(default)s")
     parser.add_argument("--quiet", action="store_true", help="no progress bar")
     return parser.parse_args(list(words))

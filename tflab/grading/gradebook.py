@@ -11,6 +11,7 @@ submissions give the same grades.csv to the byte.  Read `feedback.py` next.
 from __future__ import annotations
 
 import csv
+import hashlib
 import io
 import json
 from collections.abc import Callable, Mapping, Sequence
@@ -18,7 +19,7 @@ from typing import Any
 
 from .remarks import Remark
 
-__all__ = ["LMS", "grades_csv", "results_json", "tasks_of"]
+__all__ = ["LMS", "file_name", "grades_csv", "remarks_of", "results_json", "tasks_of", "verdicts_of"]
 
 FORMULA = ("=", "+", "-", "@", "\t", "\r", "\n", "|", "%")
 Record = Mapping[str, Any]
@@ -55,6 +56,12 @@ def remarks_of(record: Record) -> list[Remark]:
     """Return what there is to say about a submission, but for what stands with its tasks."""
     plain = [*record["remarks"], *(remark for chapter in record["chapters"].values() for remark in chapter["remarks"])]
     return [Remark.from_plain(remark) for remark in plain]
+
+
+def file_name(learner: str) -> str:
+    """Return a learner's id as the name of a file; if it cannot be one, a part of its digest beside it."""
+    letters = "".join(letter if letter.isalnum() or letter in "._@-" else "_" for letter in learner)[:64].strip(".")
+    return letters if letters == learner else f"{letters}~{hashlib.sha256(learner.encode()).hexdigest()[:6]}"
 
 
 def _plain_rows(records: Sequence[Record]) -> list[list[Any]]:

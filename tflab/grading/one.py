@@ -12,10 +12,9 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from .attempt import Attempt, NotRun, Ran, attempt
-from .limits import Limits
 from .plan import PlannedCell
 from .reader import SubmittedNotebook, Unreadable, read_notebook
 from .remarks import Remark
@@ -24,7 +23,10 @@ from .verdicts import Verdict, judged
 
 __all__ = ["File", "Job", "RunCells", "graded", "record_with"]
 
-RunCells = Callable[[Sequence[PlannedCell], Limits], Ran]
+if TYPE_CHECKING:
+    from .limits import Limits  # which needs Linux
+
+RunCells = Callable[[Sequence[PlannedCell], "Limits"], Ran]
 ANSWER = re.compile(r"(e\d{1,3}-\d{1,3})-answer")
 WORTH_A_LINE = re.compile(r"(^|/)(notebooks|solutions)/")
 

@@ -91,6 +91,8 @@ def chapter_cases(stem: str, seed: str, solutions: Path) -> tuple[dict[str, Any]
     """Return a chapter's cases for the learners (open) and for grading."""
     learners = make_cases(stem, _derived(seed, "learners"), solutions=solutions)
     hidden = make_cases(stem, _derived(seed, "hidden"), solutions=solutions, fewest_inputs=HIDDEN_INPUTS)
+    # As they will be read: a file has its keys sorted, and what is sealed keeps to the order of the parts.
+    learners, hidden = (json.loads(cases_json(cases)) for cases in (learners, hidden))
     graded = {
         task_id: hidden["tasks"][task_id] if task["is_function"] else task
         for task_id, task in learners["tasks"].items()

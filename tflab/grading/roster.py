@@ -1,4 +1,4 @@
-"""Who is in the class?  A CSV file with one learner a row becomes a roster, with one clear line for each row that is wrong.
+"""Who is in the class?  A CSV file, one learner a row, and one clear line for each row that is wrong.
 
     id,name,language
     s101,Kim Minji,ko
@@ -55,7 +55,7 @@ def is_learner_id(text: str) -> bool:
 
 def read_roster(data: bytes, language: str = "en") -> Roster:
     """Return the class in a CSV file; `language` is for those whose row names none."""
-    rows = [row for row in csv.reader(io.StringIO(_decoded(data), newline=""), dialect=_dialect(data))]
+    rows = list(csv.reader(io.StringIO(_decoded(data), newline=""), dialect=_dialect(data)))
     if not rows:
         return Roster(faults=("the roster is empty; its first row names the columns: id,name,language",))
     columns = _columns(rows[0])

@@ -1,0 +1,175 @@
+"""What will grading see?  `tflab check NOTEBOOK`, for a learner who is about to hand it in.
+
+    E3.1  ✓ 4/4
+    E3.2  ✗ 0/2   You swapped target and source.
+    E3.4  – not answered
+
+It goes the way that grading goes: only the answers are taken, they run in a fresh
+kernel from the top, and what grading would ignore is said.  Its cases are the public
+ones.  Read `plain_kernel.py` next.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from tflab import __version__
+from tflab.workbook import places
+from tflab.workbook.cases import CasesError, read_cases
+from tflab.workbook.places import Workbook, WorkbookError, read_workbook, workbook_data, workbook_root
+from tflab.workbook.tasks import variant_of
+from tflab.workbook.words import Words
+
+from .feedback import STATUS, WRONG
+from .one import File, Job, graded
+from .reader import Unreadable, read_bytes, read_notebook
+from .remarks import Remark
+from .transplant import master_of
+
+__all__ = ["Checked", "check_notebook", "main"]
+
+PRISTINE = Path(".tflab", "pristine")
+CELL_S = 20.0
+SUM = Words("{points} of {most} points on the public cases.", "공개 문제 기준 {most}점 만점에 {points}점입니다.")
+LATER = Words(
+    "Grading asks functions for inputs that are not here.",
+    "채점할 때는 여기에 없는 입력으로도 함수를 시험합니다.",
+)
+IGNORED = Words("What grading would do with this notebook:", "이 노트북을 채점할 때 달라지는 점:")
+PLAIN = Words(
+    "Checked in an ordinary kernel ({why}).",
+    "일반 커널에서 확인했습니다({why}).",
+)
+
+
+class Checked(NamedTuple):
+    """What a check found: the record of a submission, its chapter, and what ran it."""
+
+    record: dict[str, Any]
+    stem: str
+    tasks: Mapping[str, Any]
+    language: str
+    note: str
+
+
+def main(words: Sequence[str]) -> int:
+    """Check a notebook; return 0 if all of it is right, 1 if something is not, 2 if it cannot be checked."""
+    parser = argparse.ArgumentParser(prog="tflab check", description="See your notebook as grading will.")
+    parser.add_argument("notebook", metavar="NOTEBOOK", help="an exercise that you have answered")
+    parser.add_argument("--plain", action="store_true", help="in an ordinary kernel, without a sandbox")
+    options = parser.parse_args(list(words))
+    try:
+        checked = check_notebook(Path(options.notebook), plainly=options.plain)
+    except (Unreadable, WorkbookError, CasesError) as error:
+        print(f"tflab check: {options.notebook}: {error}", file=sys.stderr)
+        return 2
+    lines, all_right = report(checked)
+    print("\n".join(lines))
+    return 0 if all_right else 1
+
+
+def check_notebook(path: Path, *, plainly: bool = False) -> Checked:
+    """Return what grading would make of a notebook, with the public cases.
+
+    Raises:
+        Unreadable: not a notebook, or of no chapter that is here.
+        WorkbookError, CasesError: the copy of the workbook that it is in is damaged.
+    """
+    data = read_bytes(path.resolve())
+    stamp = read_notebook(data).stamp
+    root = workbook_root(path.resolve().parent)
+    workbook = read_workbook(root)
+    run_cells, limits, note = _runner(plainly, workbook.language)
+    job = Job(
+        learner=workbook.learner or path.stem,
+        name="",
+        language=workbook.language,
+        release=stamp.get("release", ""),
+        version=__version__,
+        files=(File(path.name, data),),
+        chapters={stem: _chapter(root, workbook, stem) for stem in places.chapters(root)},
+        limits=limits,
+        has_roster=workbook.learner is not None,
+    )
+    record = graded(job, run_cells)
+    found = [stem for stem, chapter in record["chapters"].items() if chapter["file"]]
+    if not found:
+        there = ", ".join(job.chapters) or "nothing"
+        raise Unreadable(f"none of its cells belongs to a chapter with exercises; in {root} there is {there}")
+    return Checked(record, found[0], job.chapters[found[0]]["tasks"], workbook.language, note)
+
+
+def report(checked: Checked) -> tuple[list[str], bool]:
+    """Return what to print, and whether all is right and nothing will be ignored."""
+    language, chapter = checked.language, checked.record["chapters"][checked.stem]
+    lines = [checked.note] if checked.note else []
+    rows = chapter["tasks"]
+    for task_id, row in rows.items():
+        lines.append(_line(task_id, row, checked.tasks[task_id], language))
+    remarks = [Remark.from_plain(remark).say(language) for remark in (*checked.record["remarks"], *chapter["remarks"])]
+    remarks = list(dict.fromkeys(remarks))
+    if remarks:
+        lines += ["", IGNORED.say(language), *(f"  {line}" for line in remarks)]
+    got, most = (sum(row[name] for row in rows.values()) for name in ("points", "most"))
+    lines += ["", f"{SUM.say(language, points=f'{got:g}', most=f'{most:g}')} {LATER.say(language)}"]
+    return lines, got == most and not remarks
+
+
+def _line(task_id: str, row: Mapping[str, Any], task: Mapping[str, Any], language: str) -> str:
+    sign, status = STATUS[row["status"]]
+    if row["status"] == "right":
+        return f"{task_id}  ✓ {row['passed']}/{row['of']}"
+    said = [Words(**task["twins"][row["twin"]]["reply"]).say(language)] if row["twin"] else []
+    said += [Remark.from_plain(remark).say(language, with_task=False) for remark in row["remarks"]]
+    said = said or [WRONG.say(language)]
+    count = status.say(language) if row["status"] == "unanswered" else f"{row['passed']}/{row['of']}"
+    return f"{task_id}  {sign} {count}" + ("" if row["status"] == "unanswered" else f"   {' '.join(said)}")
+
+
+def _chapter(root: Path, workbook: Workbook, stem: str) -> dict[str, Any]:
+    """Return a chapter as it is graded, from what a learner has: the public cases, and the exercise as it came."""
+    cases = read_cases(root / places.CASES / f"{stem}.json")
+    tasks = {}
+    for task_id, task in cases["tasks"].items():
+        variant = task["variants"][variant_of(workbook.learner, task_id, len(task["variants"]))]
+        tasks[task_id] = {name: held for name, held in task.items() if name != "variants"} | variant
+    name = Path("exercises", workbook.language, f"{stem}.ipynb")
+    pristine = next((path for path in (root / PRISTINE / name, workbook_data() / name) if path.is_file()), None)
+    if pristine is None:
+        raise WorkbookError(f"the exercise {stem} as it was handed out is not there; `tflab lab --update` brings it")
+    master = master_of(json.loads(pristine.read_text(encoding="utf-8")), stem, tasks)
+    return {"master": [[cell.name, cell.source, cell.task, cell.role] for cell in master.cells], "tasks": tasks}
+
+
+class PlainLimits(NamedTuple):
+    """How long a cell may take where nothing else is limited."""
+
+    cell_s: float = CELL_S
+    notebook_s: float = 6 * CELL_S
+
+    def times(self, factor: float) -> PlainLimits:
+        """Return `factor` times as long."""
+        return PlainLimits(self.cell_s * factor, self.notebook_s * factor)
+
+
+def _runner(plainly: bool, language: str) -> tuple[Callable, Any, str]:
+    """Return what runs cells here, its limits, and a line about it if it is not what grading uses."""
+    why = "--plain" if plainly else f"this is {sys.platform}, grading is on Linux"
+    if not plainly and sys.platform == "linux":
+        from .batch import run_behind
+        from .kernels import KernelError, choose
+        from .limits import Limits
+
+        try:
+            sandbox = choose()
+            return run_behind(sandbox), Limits(cell_s=CELL_S, notebook_s=6 * CELL_S), ""
+        except (KernelError, OSError) as error:
+            why = str(error)
+    from .plain_kernel import run_plainly
+
+    return lambda cells, limits: run_plainly(cells, limits.cell_s), PlainLimits(), PLAIN.say(language, why=why)
