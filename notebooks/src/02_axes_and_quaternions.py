@@ -35,24 +35,30 @@
 # %% [markdown] lang="en" name="needed" slide="skip"
 # ## What you need for this chapter
 #
-# You need Python. If you have not read chapter 1, these five lines are enough:
+# You need Python. If you have not read chapter 1, these lines are enough:
 #
 # - A [[frame]] is an origin and three directions, with a name: `base_link`, `camera_link`.
 # - A point is a value, a frame and a time. `(2, 0, 0)` alone is a rumour.
 # - A message says its frame in `header.frame_id`.
 # - A [[transform]] says where one frame, the [[child frame|child]], sits in another, the [[parent frame|parent]]. It has two parts: a step (metres) and a turn. **This chapter is about the turn.**
 # - Our robot carries a camera: `camera_link` sits at (0.10, 0, 0.30) in `base_link`, 10 cm ahead of the robot's middle and 30 cm up.
+#
+# In code, names say both frames, target first: `base_T_camera` carries numbers from the camera to the base, `base_p_mug` is a point in the base.
+# `base_T_camera.apply(camera_p_mug)` moves a point, and `@` puts two transforms in a row. Chapter 3 is about that; here you only need to read it.
 
 # %% [markdown] lang="ko" name="needed" slide="skip"
 # ## 이 장에 필요한 것
 #
-# 파이썬만 알면 됩니다. 1장을 아직 읽지 않았다면 다음 다섯 줄이면 충분합니다.
+# 파이썬만 알면 됩니다. 1장을 아직 읽지 않았다면 다음 내용이면 충분합니다.
 #
 # - [[frame|프레임(frame, 좌표계)]]은 원점과 세 방향에 이름을 붙인 것입니다. `base_link`, `camera_link`처럼 씁니다.
 # - 점은 값, 프레임, 시각이 모두 있어야 점입니다. `(2, 0, 0)`만으로는 소문일 뿐입니다.
 # - 메시지는 자신의 프레임을 `header.frame_id`에 적습니다.
 # - [[transform|변환(transform)]]은 한 프레임([[child frame|자식]])이 다른 프레임([[parent frame|부모]]) 안에서 어디에 있는지 나타냅니다. 이동(미터)과 회전, 두 부분으로 이루어집니다. **이 장에서는 회전을 다룹니다.**
 # - 우리 로봇에는 카메라가 달려 있습니다. `camera_link`는 `base_link` 기준 (0.10, 0, 0.30), 곧 로봇 중심에서 앞으로 10 cm, 위로 30 cm인 곳에 있습니다.
+#
+# 코드에서는 이름에 두 프레임을 모두 적되 목표를 먼저 씁니다. `base_T_camera`는 카메라 기준 숫자를 base 기준으로 옮기고, `base_p_mug`는 base 기준의 점입니다.
+# `base_T_camera.apply(camera_p_mug)`는 점을 옮기고, `@`는 변환 둘을 잇습니다. 자세한 이야기는 3장에서 합니다. 여기서는 읽을 수만 있으면 됩니다.
 
 # %% name="load"
 # %load_ext tflab
@@ -83,8 +89,8 @@ from tflab.views.style import fmt, fmt_all
 # ## Half a day, lost in a contest
 #
 # A robot contest, in simulation. Cameras look at a bench, a detector finds the parts, an arm picks them up.
-# One team took an object detector off the shelf, one that thousands of robots use.
-# It found every part. And it put every part in the wrong place.
+# One team took an object detector off the shelf, as one should.
+# It found the parts. And it put every one of them in the wrong place.
 #
 # The mathematics was right. The detector was right. The camera was right.
 # The images were stamped with the frame of the camera's **body**, and the detector's numbers were those of the camera's **picture**.
@@ -97,8 +103,8 @@ from tflab.views.style import fmt, fmt_all
 # ## 대회에서 날린 반나절
 #
 # 시뮬레이션으로 치르는 로봇 대회입니다. 카메라가 작업대를 보고, 검출기가 부품을 찾고, 로봇 팔이 집습니다.
-# 한 팀은 수많은 로봇이 쓰는 공개 검출기를 그대로 가져다 썼습니다.
-# 검출기는 모든 부품을 찾았습니다. 그리고 모든 부품을 엉뚱한 곳에 놓았습니다.
+# 한 팀은 이미 나와 있는 검출기를 가져다 썼습니다. 잘한 일입니다.
+# 검출기는 부품을 찾아냈습니다. 그리고 하나도 빠짐없이 엉뚱한 곳에 놓았습니다.
 #
 # 수학은 맞았습니다. 검출기도 맞았습니다. 카메라도 맞았습니다.
 # 다만 영상에는 카메라 **몸체**의 프레임이 적혀 있었고, 검출기의 숫자는 카메라 **영상** 기준이었습니다.
@@ -365,7 +371,7 @@ one = Transform.from_rpy(roll=0.0, pitch=math.pi / 2, yaw=0.5).rotation
 other = Transform.from_rpy(roll=1.2, pitch=math.pi / 2, yaw=1.7).rotation
 print("one   (x, y, z, w):", fmt_all(one, ""))
 print("other (x, y, z, w):", fmt_all(other, ""))
-print("apart:", fmt(angle(one, other), "rad"))
+print("from one to the other, a turn of", fmt(angle(one, other), "rad"))
 
 # %% [markdown] lang="en" name="gimbal-after"
 # Not at all: they are the same. With the nose down, roll and yaw turn about the same line, and one of the three angles has nothing left to say.
@@ -554,7 +560,7 @@ axes.draw_cameras((2.0, 0.5, 0.3))
 camera_T_optical = Transform.from_rpy(roll=-math.pi / 2, yaw=-math.pi / 2)
 print("quaternion (x, y, z, w):", fmt_all(camera_T_optical.rotation, ""))
 for axis, direction in {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1)}.items():
-    print(f"optical {axis} points, in camera_link, along", fmt_all(camera_T_optical.apply(direction), "", 0))
+    print(f"optical {axis}, in camera_link:", fmt_all(camera_T_optical.apply(direction), "", 0))
 
 # %% [markdown] lang="en" name="two-turns-after"
 # Read the three lines aloud: optical x points to minus y, that is, right. Optical y points to minus z: down. Optical z points to plus x: forward.
@@ -675,10 +681,18 @@ print("camera_link:", fmt_all(camera_T_optical.apply((right, down, forward))))
 # 두 번째 명령을 눈여겨보십시오. 대회에 빠져 있던 바로 그 명령입니다.
 
 # %% name="mount-camera"
-# %ros2 run tf2_ros static_transform_publisher --x 0.10 --z 0.30 --frame-id base_link --child-frame-id camera_link --ros-args -r __node:=camera_mount
+# %ros2 run tf2_ros static_transform_publisher --x 0.10 --z 0.30 --frame-id base_link --child-frame-id camera_link
 
 # %% name="mount-optical"
-# %ros2 run tf2_ros static_transform_publisher --roll -1.5707963 --yaw -1.5707963 --frame-id camera_link --child-frame-id camera_optical_frame --ros-args -r __node:=optical_mount
+# %ros2 run tf2_ros static_transform_publisher --roll -1.5707963 --yaw -1.5707963 --frame-id camera_link --child-frame-id camera_optical_frame
+
+# %% [markdown] lang="en" name="asker-before"
+# Next, a program that asks. Its [[listener]] hears every transform and keeps it in a [[buffer]]; `buffer.transform(message, "base_link")` then moves a message from the frame in its header to the one you want.
+# Chapter 8 opens that box. Time on this page stands still, except while `graph.run` lets some of it pass.
+
+# %% [markdown] lang="ko" name="asker-before"
+# 다음은 물어보는 프로그램입니다. [[listener|리스너(listener)]]가 들리는 변환을 모두 [[buffer|버퍼(buffer)]]에 모아 둡니다. 그러면 `buffer.transform(message, "base_link")`가 메시지를 헤더에 적힌 프레임에서 원하는 프레임으로 옮깁니다.
+# 그 속은 8장에서 열어 봅니다. 이 페이지의 시간은 멈춰 있으며, `graph.run`을 부르는 동안에만 흐릅니다.
 
 # %% name="asker"
 rclpy.init()
@@ -863,10 +877,14 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # %ros2 topic echo /camera/points --field header.frame_id --once
 
 # %% [markdown] lang="en" name="cloud-others"
-# This does not happen to beginners only. Clouds that stare at the sky or lie at 90° fill the issue lists of a mapping package ([introlab/rtabmap_ros 383](https://github.com/introlab/rtabmap_ros/issues/383)), of the simulator of an underground robot race ([osrf/subt 369](https://github.com/osrf/subt/issues/369)) and of the simulator that half of all ROS robots grew up in ([gazebo_ros_pkgs 1329](https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1329)).
+# Run the RViz cell above once more: the wall stands where it should.
+#
+# This does not happen to beginners only. Clouds that stare at the sky or lie at 90° fill the issue lists of a mapping package ([introlab/rtabmap_ros 383](https://github.com/introlab/rtabmap_ros/issues/383)), of the simulator of an underground robot race ([osrf/subt 369](https://github.com/osrf/subt/issues/369)) and of a simulator that very many ROS robots grew up in ([gazebo_ros_pkgs 1329](https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1329)).
 # The cure has one shape: keep two frames, and stamp the data with the optical one.
 
 # %% [markdown] lang="ko" name="cloud-others"
+# 위의 RViz 셀을 다시 실행해 보십시오. 벽이 제자리에 서 있습니다.
+#
 # 초보자만 겪는 일이 아닙니다. 하늘을 바라보거나 90° 누운 클라우드는 지도 작성 패키지([introlab/rtabmap_ros 383](https://github.com/introlab/rtabmap_ros/issues/383)), 지하 탐사 로봇 대회의 시뮬레이터([osrf/subt 369](https://github.com/osrf/subt/issues/369)), 수많은 ROS 로봇이 거쳐 간 시뮬레이터([gazebo_ros_pkgs 1329](https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1329))의 이슈 목록에도 올라와 있습니다.
 # 해결책의 모양은 한결같습니다. 프레임을 둘 다 두고, 데이터에는 optical 쪽을 적습니다.
 
@@ -965,6 +983,8 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 #
 # Write π/2 with all its digits (xacro: `${pi/2}`). TurtleBot3's description writes `-1.57`, and so do the many robots that copied from it: at 10 m you can measure it. How much, you compute in the exercise.
 #
+# Old tutorials pass six bare numbers to `static_transform_publisher`. Their order is x y z **yaw pitch roll**: the angles are the other way round. The named options of this page cannot be mixed up; `--help` lists them.
+#
 # In a node, a yaw needs no library, only the two lines of the lecture's broadcaster:
 #
 # ```python
@@ -993,6 +1013,8 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # ```
 #
 # π/2는 모든 자릿수를 적으십시오(xacro에서는 `${pi/2}`). TurtleBot3의 로봇 기술 파일에는 `-1.57`이라고 적혀 있고, 이를 베껴 쓴 수많은 로봇도 그렇습니다. 10 m 앞에서는 잴 수 있을 만큼 어긋납니다. 얼마나 어긋나는지는 연습 문제에서 계산합니다.
+#
+# 오래된 예제는 `static_transform_publisher`에 숫자 여섯 개만 나열합니다. 그 순서는 x y z **yaw pitch roll**로, 각도가 거꾸로입니다. 이 페이지처럼 이름이 있는 옵션을 쓰면 뒤섞일 일이 없습니다. 옵션 목록은 `--help`로 볼 수 있습니다.
 #
 # 노드에서 yaw를 쓸 때는 라이브러리가 필요 없습니다. 강의의 브로드캐스터에 나오는 두 줄이면 됩니다.
 #
