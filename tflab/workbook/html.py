@@ -6,7 +6,7 @@ Each notebook is run in a folder of its own, so nothing is written beside the
 source; then `tflab.views.export` makes a page of it that works from a disk, with
 no kernel and no network: 3D turns, and every view keeps one scrubber.
 
-Read `lab.py` next.
+Read `slides.py` next.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from tempfile import TemporaryDirectory
 
 from .places import workbook_data
 
-__all__ = ["CellFailed", "html_from_notebook", "write_html"]
+__all__ = ["CellFailed", "html_from_notebook", "run_with_films", "write_html"]
 
 SECONDS_FOR_A_CELL = 120
 
@@ -71,22 +71,36 @@ def html_from_notebook(notebook: Path, out_dir: Path) -> Path:
     Raises:
         CellFailed: a cell raised an error.
     """
+    from tflab.views.export import export_html
+
+    with TemporaryDirectory() as folder:
+        executed = run_with_films(notebook, Path(folder))
+        exported = export_html(executed, Path(folder) / "pages")
+        shutil.copytree(exported.parent, out_dir, dirs_exist_ok=True)
+        return out_dir / exported.name
+
+
+def run_with_films(notebook: Path, folder: Path) -> Path:
+    """Run a copy of `notebook` in `folder`, with its sliders filmed; return the copy's path.
+
+    Raises:
+        CellFailed: a cell raised an error.
+    """
     import nbformat
     from nbclient import NotebookClient
     from nbclient.exceptions import CellExecutionError
 
-    from tflab.views.export import export_html
-
     page = nbformat.read(notebook, as_version=4)
-    with TemporaryDirectory() as folder:
-        client = NotebookClient(page, timeout=SECONDS_FOR_A_CELL, resources={"metadata": {"path": folder}})
-        try:
-            # A kernel's own remarks on how it is connected are nothing to whoever waits for a page.
-            client.execute(env={**os.environ, "TFLAB_FILMS": "1"}, stderr=subprocess.DEVNULL)
-        except CellExecutionError as error:
-            raise CellFailed(f"{notebook.name}: {error}") from None
-        executed = Path(folder) / notebook.name
-        nbformat.write(page, executed)
-        exported = export_html(executed, Path(folder) / "pages")
-        shutil.copytree(exported.parent, out_dir, dirs_exist_ok=True)
-        return out_dir / exported.name
+    client = NotebookClient(page, timeout=SECONDS_FOR_A_CELL, resources={"metadata": {"path": str(folder)}})
+    try:
+        # A kernel's own remarks on how it is connected are nothing to whoever waits for a page.
+        client.execute(env={**os.environ, "TFLAB_FILMS": "1"}, stderr=subprocess.DEVNULL)
+    except CellExecutionError as error:
+        raise CellFailed(f"{notebook.name}: {error}") from None
+    for cell in page.cells:
+        for output in cell.get("outputs", ()):
+            if output.output_type == "error":  # one that is meant: a reader needs its text, not where Python was
+                output.traceback = [f"{output.ename}: {output.evalue}"]
+    executed = folder / notebook.name
+    nbformat.write(page, executed)
+    return executed

@@ -1,0 +1,167 @@
+"""`tflab slides`: a page as a deck that works from a disk, with its views, its steps and what the speaker says."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+from making_pages import TITLE, code, text, written
+
+from tflab.workbook.build import build
+from tflab.workbook.slides import main, slides_of
+
+SCENE = "from meshcat.geometry import Box\nfrom tflab.views.scene import Scene\nscene = Scene()\n"
+SCENE += "scene['crate'].set_object(Box([1.0, 1.0, 1.0]))\nscene"
+DRAW = "from tflab.views.picture import Picture\npicture = Picture()\npicture.text = 'a crate'\npicture"
+PAGE = (
+    TITLE.replace('name="title"', 'name="title" slide="slide"').replace('name="load"', 'name="load" slide="skip"'),
+    text("title-notes", "Wait until *all* sit.", "모두 앉을 때까지 기다립니다.", ' slide="notes"'),
+    text("why", "## Why?", "## 왜?", ' slide="slide"'),
+    text("because", "Because.", "그래서입니다.", ' slide="fragment"'),
+    code("crate", SCENE, ' tags=["interactive"] slide="subslide"'),
+    code("still", DRAW),
+    code("fails", "1 / 0", ' tags=["raises-exception"] slide="slide"'),
+)
+
+
+@pytest.fixture(scope="module")
+def workbook(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    root = tmp_path_factory.mktemp("lectured")
+    written(root, *PAGE)
+    assert build(["--root", str(root)]) == 0
+    return root
+
+
+@pytest.fixture(scope="module")
+def deck(workbook: Path) -> Path:
+    assert main([str(workbook / "notebooks" / "en" / "03_x.ipynb"), "--out", str(workbook / "decks")]) == 0
+    return workbook / "decks" / "03_x.html"
+
+
+def cell(name: str, kind: str = "-", source: str = "text", notes: str = "") -> dict:
+    metadata = {"slideshow": {"slide_type": kind}, "tflab": {"notes": notes} if notes else {}}
+    return {"id": name, "cell_type": "markdown", "metadata": metadata, "source": [source]}
+
+
+def test_cells_are_grouped_into_slides_and_steps() -> None:
+    page = {
+        "cells": [
+            cell("a", source="# `Title`"),
+            cell("b", "slide", "## Frames", notes="Say *this*."),
+            cell("c", "fragment"),
+            cell("d"),
+            cell("e", "skip"),
+            cell("f", "subslide", notes="And that."),
+        ]
+    }
+    slides = slides_of(page)
+    assert [slide.steps for slide in slides] == [(("a",),), (("b",), ("c", "d")), (("f",),)]
+    assert [slide.title for slide in slides] == ["Title", "Frames", "Frames"]
+    assert slides[1].notes == "<p>Say <em>this</em>.</p>"
+    assert [slide.notes for slide in slides_of(page, notes=False)] == ["", "", ""]
+
+
+def test_a_deck_loads_nothing_from_the_network(deck: Path) -> None:
+    page = deck.read_text(encoding="utf-8")
+    assert not re.search(r"<(script|link|img)[^>]+(src|href)=\"https?:", page)
+    assert "reveal" not in page
+    assert "ZeroDivisionError: division by zero" in page
+    assert "Traceback" not in page
+
+
+def test_a_page_is_asked_for_by_its_number_in_a_language(workbook: Path, monkeypatch, tmp_path: Path, capsys) -> None:
+    monkeypatch.setenv("TFLAB_WORKBOOK", str(workbook))
+    monkeypatch.chdir(tmp_path)
+    assert main(["03", "--lang", "ko", "--no-notes", "--single-file"]) == 0
+    page = (tmp_path / "slides" / "03_x.html").read_text(encoding="utf-8")
+    assert 'lang="ko"' in page
+    assert "발표자 창" in page
+    assert "기다립니다" not in page.partition('id="tflab-deck"')[2]
+    assert not (tmp_path / "slides" / "assets").exists()
+    assert main(["07"]) == 2
+    assert 'there is no page "07"; there is 03_x' in capsys.readouterr().err
+
+
+def shown(page) -> str:
+    return page.inner_text(".deck-current")
+
+
+@pytest.mark.browser
+def test_keys_go_through_the_slides_step_by_step(deck: Path, page) -> None:
+    page.goto(deck.as_uri())
+    assert "A page" in shown(page)
+    assert page.inner_text("#deck-place") == "1 / 4"
+    assert "load_ext" not in page.inner_text("main")
+    page.keyboard.press("ArrowRight")
+    assert "Why?" in shown(page)
+    assert not page.get_by_text("Because.").is_visible()
+    page.keyboard.press("Space")
+    assert page.get_by_text("Because.").is_visible()
+    page.keyboard.press("PageDown")
+    assert page.url.endswith("#crate")
+    page.keyboard.press("ArrowLeft")
+    assert page.get_by_text("Because.").is_visible()
+    page.keyboard.press("End")
+    assert "division by zero" in shown(page)
+    page.keyboard.press("ArrowRight")
+    assert page.inner_text("#deck-place") == "4 / 4"
+    page.keyboard.press("Home")
+    assert page.inner_text("#deck-place") == "1 / 4"
+
+
+@pytest.mark.browser
+def test_a_view_is_drawn_when_its_slide_is_shown(deck: Path, page) -> None:
+    page.goto(f"{deck.as_uri()}#crate")
+    page.wait_for_selector(".deck-current canvas")
+    page.wait_for_function(
+        "() => { const c = document.querySelector('.deck-current canvas');"
+        " return c.width > 300 && c.getContext('2d').getImageData(0, 0, c.width, c.height).data.some((v) => v); }"
+    )
+    assert page.locator(".deck-current img[alt]").count() + page.locator(".deck-current canvas").count() >= 2
+
+
+@pytest.mark.browser
+def test_the_speaker_has_notes_in_the_page_and_in_a_window_that_follows(deck: Path, page) -> None:
+    page.goto(deck.as_uri())
+    assert not page.locator("#deck-notes").is_visible()
+    page.keyboard.press("n")
+    assert page.inner_text("#deck-notes").strip() == "Wait until all sit."
+    page.keyboard.press("n")
+    with page.expect_popup() as opened:
+        page.keyboard.press("s")
+    speaker = opened.value
+    assert "Wait until all sit." in speaker.inner_text("#notes")
+    assert speaker.inner_text("#next") == "next: Why?"
+    speaker.keyboard.press("ArrowRight")
+    assert speaker.inner_text("#title") == "Why?"
+    assert "Why?" in shown(page)
+
+
+@pytest.mark.browser
+def test_all_slides_are_seen_at_a_glance_and_one_is_picked(deck: Path, page) -> None:
+    page.goto(deck.as_uri())
+    page.keyboard.press("o")
+    assert page.locator(".deck-slide").nth(3).is_visible()
+    page.locator(".deck-slide").nth(3).click()
+    assert page.inner_text("#deck-place") == "4 / 4"
+    assert not page.locator(".deck-slide").nth(0).is_visible()
+
+
+@pytest.mark.browser
+def test_the_theme_follows_the_machine_and_a_key(deck: Path, page) -> None:
+    page.emulate_media(color_scheme="dark")
+    page.goto(deck.as_uri())
+    ground = "getComputedStyle(document.body).backgroundColor"
+    assert page.evaluate(ground) == "rgb(17, 17, 17)"
+    page.keyboard.press("t")
+    assert page.evaluate(ground) in ("rgb(255, 255, 255)", "white")
+
+
+@pytest.mark.browser
+def test_printed_every_slide_and_step_is_there(deck: Path, page) -> None:
+    page.goto(deck.as_uri())
+    page.emulate_media(media="print")
+    assert page.get_by_text("Because.").is_visible()
+    assert page.get_by_text("division by zero").first.is_visible()
+    assert not page.locator("#deck-bar").is_visible()
