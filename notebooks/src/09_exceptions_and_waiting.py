@@ -179,7 +179,7 @@ for i in range(19):
     store(base, 'wheel_odometry')
 for parent, child, step in (
     ('base_footprint', 'base_link', (0.0, 0.0, 0.05)), ('base_link', 'laser_frame', (0.20, 0.0, 0.15)),
-):  # fmt: skip
+):
     store(StampedTransform(parent, child, 0, Transform(step)), 'urdf', is_static=True)
 
 # %% name="windows" slide="-"
@@ -561,7 +561,7 @@ def answer_or_advice(target, source, stamp):
 for target, source, second in (
     ('map', 'laser_frame', 12.3), ('map', 'laser_fame', 12.3), ('map', 'camera_link', 12.3),
     ('map', 'laser_frame', 14.3), ('map', 'laser_frame', 10.6), ('/map', 'laser_frame', 12.3),
-):  # fmt: skip
+):
     advice = answer_or_advice(target, source, Time(seconds=second))
     print(f'{target:>5} <- {source:<12} at {second}: {advice}')
 
@@ -673,8 +673,8 @@ graph.run(seconds=4)
 
 # %% name="two-gaps-first" slide="-"
 def gap_curve(name, node, until_s):
-    seen = [(time, gap) for time, gap in zip(node.times, node.gaps) if time <= until_s]
-    return Curve(name, *zip(*seen))
+    seen = [(time, gap) for time, gap in zip(node.times, node.gaps, strict=True) if time <= until_s]
+    return Curve(name, *zip(*seen, strict=True))
 
 
 robot_a, robot_b = nodes
@@ -963,7 +963,7 @@ def draw_lanes(node, start_s=1.0, end_s=3.0):
         [Work('/tf sent', moments_ns=sent_ns), Work('on_scan', tuple(node.busy)),
          Work('/tf stored', moments_ns=tuple(node.buffer.stored_ns))],
         seconds(start_s), seconds(end_s),
-    )  # fmt: skip
+    )
 
 
 draw_lanes(patient)

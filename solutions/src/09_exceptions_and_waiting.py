@@ -34,8 +34,8 @@ from tf2_ros import LookupException, TransformException
 # Eight lines, all from one robot, and what its buffer held at that time.
 #
 # - `"a"` to `"h"`: which kind is it? `"lookup"`, `"connectivity"`, `"future"`, `"past"`, `"one sample"`, `"invalid argument"` or `"not a TransformException"`.
-# - `"c edge"`, `"d edge"`, `"e edge"`: which edge stopped the walk? Give its child frame.
-# - `"a check"`, `"b check"`, `"f check"`, `"h check"`: what do you look at first? `"spelling and publisher"`, `"roots of the tree"`, `"use_sim_time"`, `"the line of code"` or `"a longer timeout"`.
+# - `"c edge"`, `"d edge"`: which edge stopped the walk? Give its child frame.
+# - `"h check"`: what do you look at first? `"spelling and publisher"`, `"roots of the tree"`, `"use_sim_time"`, `"the line of code"` or `"a longer timeout"`.
 
 # %% [markdown] lang="ko" name="e9-1"
 # ## E9.1 · 로그 속 여덟 줄 (4점)
@@ -43,8 +43,8 @@ from tf2_ros import LookupException, TransformException
 # 모두 한 로봇에서 나온 여덟 줄과, 그때 버퍼에 들어 있던 내용입니다.
 #
 # - `"a"`~`"h"`: 어떤 종류입니까? `"lookup"`, `"connectivity"`, `"future"`, `"past"`, `"one sample"`, `"invalid argument"`, `"not a TransformException"` 가운데 하나입니다.
-# - `"c edge"`, `"d edge"`, `"e edge"`: 어느 연결에서 막혔습니까? 그 연결의 자식 좌표계를 쓰십시오.
-# - `"a check"`, `"b check"`, `"f check"`, `"h check"`: 무엇부터 확인합니까? `"spelling and publisher"`(철자와 발행자), `"roots of the tree"`(트리의 루트), `"use_sim_time"`, `"the line of code"`(그 코드 줄), `"a longer timeout"`(더 긴 timeout) 가운데 하나입니다.
+# - `"c edge"`, `"d edge"`: 어느 연결에서 막혔습니까? 그 연결의 자식 좌표계를 쓰십시오.
+# - `"h check"`: 무엇부터 확인합니까? `"spelling and publisher"`(철자와 발행자), `"roots of the tree"`(트리의 루트), `"use_sim_time"`, `"the line of code"`(그 코드 줄), `"a longer timeout"`(더 긴 timeout) 가운데 하나입니다.
 
 # %% name="e9-1-given"
 e9_1 = task("E9.1")
@@ -52,13 +52,19 @@ e9_1 = task("E9.1")
 # %% name="e9-1-answer" tags=["answer"]
 lines = {
     # BEGIN SOLUTION
-    "a": "lookup", "b": "connectivity", "c": "future", "d": "past",
-    "e": "one sample", "f": "invalid argument", "g": "not a TransformException", "h": "future",
-    "c edge": "odom", "d edge": "base_footprint", "e edge": "arm_link",
-    "a check": "spelling and publisher", "b check": "roots of the tree",
-    "f check": "the line of code", "h check": "use_sim_time",
+    "a": "lookup",
+    "b": "connectivity",
+    "c": "future",
+    "d": "past",
+    "e": "one sample",
+    "f": "invalid argument",
+    "g": "not a TransformException",
+    "h": "future",
+    "c edge": "odom",
+    "d edge": "base_footprint",
+    "h check": "use_sim_time",
     # END SOLUTION
-}  # fmt: skip
+}
 
 # %% name="e9-1-check" tags=["check"]
 check("E9.1", lines)
@@ -155,7 +161,7 @@ check("E9.3", decide)
 # ## E9.4 · Late, or wrong? (3 points)
 #
 # Three robots have the same warning in their logs: extrapolation into the future, by about a third of a second.
-# Ten messages of `/scan` and of `/odom` were noted on each; a row is (stamp, heard) in seconds, heard by the clock of the computer that listens.
+# Six messages of `/scan` and of `/odom` were noted on each; a row is (stamp, heard) in seconds, heard by the clock of the computer that listens.
 # A healthy `/scan` is heard about 0.105 s after its stamp, a healthy `/odom` about 0.005 s.
 #
 # - `"a"`, `"b"`, `"c"`: what is it on robot a, b, c? `"transforms arrive late"`, `"laser clock is fast"` or `"cannot be told from this"`.
@@ -167,7 +173,7 @@ check("E9.3", decide)
 # ## E9.4 · 늦은 것인가, 틀린 것인가? (3점)
 #
 # 로봇 세 대의 로그에 똑같은 경고가 있습니다. 약 3분의 1초만큼의 미래 외삽입니다.
-# 로봇마다 `/scan`과 `/odom` 메시지를 열 개씩 적었습니다. 한 행은 (측정 시각, 들은 시각)[s]이고, 들은 시각은 듣는 컴퓨터의 시계로 적었습니다.
+# 로봇마다 `/scan`과 `/odom` 메시지를 여섯 개씩 적었습니다. 한 행은 (측정 시각, 들은 시각)[s]이고, 들은 시각은 듣는 컴퓨터의 시계로 적었습니다.
 # 건강한 `/scan`은 측정 후 약 0.105 s, 건강한 `/odom`은 약 0.005 s 뒤에 들립니다.
 #
 # - `"a"`, `"b"`, `"c"`: 로봇 a, b, c의 원인은 무엇입니까? `"transforms arrive late"`(변환이 늦게 옴), `"laser clock is fast"`(라이다 시계가 빠름), `"cannot be told from this"`(이것만으로는 알 수 없음) 가운데 하나입니다.
@@ -255,13 +261,13 @@ check("E9.5", keep)
 # %% name="e9-6-answer" tags=["answer"]
 outcomes = {
     # BEGIN SOLUTION
-    "a": "waits in vain",  # the only thread waits
+    "a": "waits in vain",
     "b": "works",
-    "c": "waits in vain",  # the same thread again
+    "c": "waits in vain",
     "d": "works",
-    "e": "waits for ever",  # old data does not come back, and a promise does not expire
-    "f": "waits in vain",  # 0.3 s do not bridge 2 s
-    "g": "waits in vain",  # nobody takes anything in
+    "e": "waits for ever",
+    "f": "waits in vain",
+    "g": "waits in vain",
     "h": "works",
     # END SOLUTION
 }
