@@ -58,10 +58,10 @@
 #
 # 오늘은 로봇이 서 있으므로 시간은 신경 쓰지 않습니다. 시간은 08장에서 다시 나옵니다.
 
-# %% name="load"
+# %% name="load" slide="skip"
 # %load_ext tflab
 
-# %% name="imports"
+# %% name="imports" slide="skip"
 import math
 
 import rclpy
@@ -69,9 +69,9 @@ import tf2_geometry_msgs  # lets the buffer transform a PointStamped
 from geometry_msgs.msg import PointStamped
 from rclpy.node import Node
 from rclpy.time import Time
-from tf2_ros import Buffer, TransformListener
+from tf2_ros import Buffer, TransformException, TransformListener
 
-# %% name="imports-of-the-workbook"
+# %% name="imports-of-the-workbook" slide="skip"
 from tflab.core import LATEST, Transform
 from tflab.tools.buffers import draw_buffer, draw_question
 from tflab.views.dominoes import draw_dominoes
@@ -91,7 +91,7 @@ from tflab.views.style import ACCENT, fmt_all
 # ROS 2 came, and with it ros2/geometry2 #470 (2021); then the documentation, ros2/ros2_documentation #4239 (2024).
 # A maintainer of the most used EKF package wrote that they frequently get it backwards themselves (robot_localization #437).
 #
-# Now the strange part: nobody was wrong, and the tool was right all along.
+# Now the strange part: nobody was wrong, and the numbers were right all along.
 # Everybody had asked for the transform **"from A to B"**, and that phrase is two questions.
 
 # %% [markdown] lang="ko" name="ten-years" slide="slide"
@@ -102,11 +102,12 @@ from tflab.views.style import ACCENT, fmt_all
 # ROS 2가 나오자 ros2/geometry2 #470(2021)이, 이어서 공식 문서에도 ros2/ros2_documentation #4239(2024)가 올라왔습니다.
 # 가장 널리 쓰이는 EKF 패키지의 관리자도 자신도 자주 거꾸로 쓴다고 적었습니다(robot_localization #437).
 #
-# 이상한 점은 따로 있습니다. 틀린 사람은 아무도 없었고, 도구도 처음부터 맞았습니다.
+# 이상한 점은 따로 있습니다. 틀린 사람은 아무도 없었고, 찍힌 숫자도 처음부터 맞았습니다.
 # 모두가 **"A에서 B로 가는 변환"** 을 물었는데, 이 말 안에 질문이 두 개 들어 있었습니다.
 
-# %% name="two-readings"
-draw_readings("base_link", "laser_frame", Transform.from_rpy(yaw=math.pi / 2, translation=(0.20, 0.0, 0.15)))
+# %% name="two-readings" slide="fragment"
+mount = Transform.from_rpy(yaw=math.pi / 2, translation=(0.20, 0.0, 0.15))
+draw_readings('base_link', 'laser_frame', mount)
 
 # %% [markdown] lang="en" name="two-readings-seen"
 # Left, an engineer who mounts sensors: where does the laser *sit*, looking from the robot?
@@ -121,7 +122,7 @@ draw_readings("base_link", "laser_frame", Transform.from_rpy(yaw=math.pi / 2, tr
 # 오른쪽은 데이터를 옮기는 사람의 말입니다. 로봇 기준 숫자가 있는데, 레이저 기준으로 *보고 싶다*.
 # 둘 다 "base_link에서 laser_frame으로"라고 말하지만, 필요한 변환은 서로 반대입니다.
 #
-# 해결책은 "에서 … 로"가 없는 문장 하나입니다.
+# 해결책은 "…에서 …(으)로"라고 말하지 않는 문장 하나입니다.
 # 10분 뒤면 그 문장을 갖게 됩니다. 그 전에 먼저 한번 데어 봅시다.
 
 # %% [markdown] lang="en" name="two-readings-seen-notes" slide="notes"
@@ -154,16 +155,24 @@ draw_readings("base_link", "laser_frame", Transform.from_rpy(yaw=math.pi / 2, tr
 # `base_link`에서 모서리는 어디에 있습니까?
 # 다음 셀에 예측을 적고 넘어가십시오. 틀린 예측이 예측하지 않은 것보다 낫습니다.
 
-# %% name="my-guess"
+# %% [markdown] lang="en" name="predict-notes" slide="notes"
+# Give them a full minute, with paper, and let them show hands: ahead, left, right, behind.
+# Keep the count on the board; it comes back after the run. Do not comment on it.
+
+# %% [markdown] lang="ko" name="predict-notes" slide="notes"
+# 종이를 주고 1분을 기다린 뒤 손을 들게 합니다. 앞, 왼쪽, 오른쪽, 뒤.
+# 인원수를 칠판에 남겨 두었다가 실행한 뒤에 다시 봅니다. 지금은 평하지 않습니다.
+
+# %% name="my-guess" slide="skip"
 my_guess = (0.0, 0.0, 0.0)  # your guess: (x, y, z) in base_link [m]
 
-# %% [markdown] lang="en" name="run-it"
+# %% [markdown] lang="en" name="run-it" slide="subslide"
 # ## Run it
 #
 # The mount, with ROS 2's own tool, and then a node with a buffer: what you would write on a robot.
 # `spin_thread=True` lets the listener hear in a thread of its own, while you type.
 
-# %% [markdown] lang="ko" name="run-it"
+# %% [markdown] lang="ko" name="run-it" slide="subslide"
 # ## 실행해 보기
 #
 # 먼저 ROS 2 도구로 레이저를 달고, 이어서 버퍼를 가진 노드를 만듭니다. 로봇에서도 똑같이 씁니다.
@@ -253,7 +262,7 @@ print('your guess was off by', f'{math.dist(my_guess, base_p_corner):.2f} m')
 # They take a point that is written in the **child** and give the same point in the **parent**.
 # So the arrow that is usually drawn, parent → child, shows the family; the data runs against it, child → parent.
 #
-# Call it by both names, target first: `base_T_laser`, and say "laser, expressed in base".
+# Call it by both names, the parent first: `base_T_laser`, and say "laser, expressed in base".
 
 # %% [markdown] lang="ko" name="one-transform" slide="slide"
 # ## 변환 하나, 두 가지 읽기
@@ -271,9 +280,9 @@ print('your guess was off by', f'{math.dist(my_guess, base_p_corner):.2f} m')
 # **자식**에서 쓴 점을 받아, 같은 점을 **부모**에서 쓴 값으로 돌려줍니다.
 # 그래서 흔히 그리는 부모 → 자식 화살표는 가족 관계이고, 데이터는 그 반대인 자식 → 부모로 흐릅니다.
 #
-# 두 이름으로 부르되 목표를 앞에 둡니다. `base_T_laser`라고 쓰고 "base에서 표현한 laser"라고 읽습니다.
+# 두 이름으로 부르되 부모를 앞에 둡니다. `base_T_laser`라고 쓰고 "base에서 표현한 laser"라고 읽습니다.
 
-# %% name="one-transform-in-numbers"
+# %% name="one-transform-in-numbers" slide="subslide"
 base_T_laser = buffer.core.lookup_transform('base_link', 'laser_frame', LATEST).transform
 
 print('where the laser sits    ', fmt_all(base_T_laser.translation))
@@ -282,34 +291,38 @@ print('the corner, moved       ', fmt_all(base_T_laser.apply((2.0, 0.0, 0.0))))
 
 # %% [markdown] lang="en" name="one-transform-numbers-seen"
 # `buffer.core` is the engine itself: its answers are plain values, which you can multiply and apply.
+# (`Transform.from_rpy(yaw=…, translation=…)` makes such a value by hand; the order of the two names in the call is the next section.)
+#
 # Look at the first two lines: they must be the same, and that settles which way a transform works.
 # The laser's origin is (0, 0, 0) in the laser, and the transform moves it to where the laser sits.
 # Child data goes in, parent data comes out.
 
 # %% [markdown] lang="ko" name="one-transform-numbers-seen"
 # `buffer.core`는 엔진 자체입니다. 답이 평범한 값이라 곱하고 적용할 수 있습니다.
+# (이런 값은 `Transform.from_rpy(yaw=…, translation=…)`로 직접 만들 수도 있습니다. 호출에서 두 이름의 순서는 다음 절에서 다룹니다.)
+#
 # 처음 두 줄을 보십시오. 두 값은 같을 수밖에 없고, 이것으로 변환의 방향이 정해집니다.
 # 레이저의 원점은 레이저에서 (0, 0, 0)이고, 변환은 그것을 레이저가 달린 자리로 옮깁니다.
 # 자식의 데이터가 들어가서 부모의 데이터가 나옵니다.
 
-# %% [markdown] lang="en" name="in-3d"
+# %% [markdown] lang="en" name="in-3d" slide="subslide"
 # Now in 3D: drag to turn it, and move the scrubber to turn the mount.
-# The grey, hatched one is the wrong answer: target and source swapped.
+# The grey, hatched one is the opposite transform, with the corner where it would put it.
 
-# %% [markdown] lang="ko" name="in-3d"
+# %% [markdown] lang="ko" name="in-3d" slide="subslide"
 # 이번에는 3D입니다. 끌어서 돌려 보고, 스크러버를 움직여 레이저를 돌려 보십시오.
-# 빗금 친 회색이 틀린 답, 즉 target과 source를 바꿔 쓴 경우입니다.
+# 빗금 친 회색은 반대 변환이고, 그 변환이 말하는 모서리가 거기에 있습니다.
 
 # %% name="in-3d-scene" tags=["interactive"]
 scene = Scene(height_px=380)
-draw_frame(scene, 'base_link', Transform())
+draw_frame(scene, 'base_link', Transform(), length_m=0.3)
 
 
 def turn_the_mount(yaw):
     mount = Transform.from_rpy(yaw=yaw, translation=(0.20, 0.0, 0.15))
     places = seen_from(mount, (2.0, 0.0, 0.0))
-    draw_frame(scene, 'laser_frame', mount, parent='base_link')
-    draw_frame(scene, 'swapped', mount.inverse(), ghost=True)
+    draw_frame(scene, 'laser_frame', mount, parent='base_link', length_m=0.3)
+    draw_frame(scene, 'swapped', mount.inverse(), length_m=0.3, ghost=True)
     draw_arrow(scene, 'beam', mount.translation, places['corner'], 'corner', ACCENT)
     draw_path(scene, 'wrong beam', [mount.inverse().translation, places['swapped']], ghost=True)
 
@@ -317,7 +330,7 @@ def turn_the_mount(yaw):
 scene.sweep('yaw', [math.radians(a) for a in range(-180, 181, 15)], turn_the_mount, unit='rad', start=18)
 scene
 
-# %% name="in-3d-still"
+# %% name="in-3d-still" slide="skip"
 draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'corner': (0.2, 2.0, 0.15)},
            ghost_points={'swapped': (0.0, -1.8, -0.15)}, fixed_frame='base_link', length_m=0.5)
 
@@ -379,11 +392,11 @@ draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'corner': (
 # 일본어로 올라온 어느 풀 리퀘스트도 같은 문장에 이르렀습니다.
 # 누가 "어디에서 어디로"라고 말하면 멈추고 웃어 줍니다.
 
-# %% [markdown] lang="en" name="the-sentence-panel-why"
+# %% [markdown] lang="en" name="the-sentence-panel-why" slide="subslide"
 # Choose in any line; the others follow.
 # Find a pair for which the matrix and its opposite differ in only one sign.
 
-# %% [markdown] lang="ko" name="the-sentence-panel-why"
+# %% [markdown] lang="ko" name="the-sentence-panel-why" slide="subslide"
 # 아무 줄에서나 골라 보십시오. 나머지가 따라옵니다.
 # 행렬과 그 반대 행렬이 부호 하나만 다른 쌍을 찾아보십시오.
 
@@ -398,8 +411,26 @@ sentence_panel(
     'laser_frame',
 )
 
-# %% name="the-sentence-still"
+# %% name="the-sentence-still" slide="skip"
 draw_question(buffer, 'base_link', 'laser_frame')
+
+# %% [markdown] lang="en" name="the-sentence-panel-answer"
+# <details><summary>A pair with only one sign of difference</summary>
+#
+# `base_link` and `rear_laser`: a laser at the back, turned by half a turn.
+# Its matrix and the opposite one differ in the sign of z alone.
+# Remember this laser; it will fool a whole team further down.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="the-sentence-panel-answer"
+# <details><summary>부호 하나만 다른 쌍</summary>
+#
+# `base_link`와 `rear_laser`입니다. 뒤쪽에 반 바퀴 돌려 단 레이저입니다.
+# 그 행렬과 반대 행렬은 z의 부호만 다릅니다.
+# 이 레이저를 기억해 두십시오. 뒤에서 팀 하나를 통째로 속입니다.
+#
+# </details>
 
 # %% [markdown] lang="en" name="dominoes" slide="slide"
 # ## Dominoes
@@ -413,7 +444,7 @@ draw_question(buffer, 'base_link', 'laser_frame')
 # 레이저는 로봇에 달려 있고, 로봇은 `odom`에 서 있고, `odom`은 `map` 안에 있습니다.
 # 나머지를 이어 봅시다. 오늘은 로봇이 서 있으므로 모든 연결이 정적이어도 됩니다.
 
-# %% name="the-rest-of-the-robot"
+# %% name="the-rest-of-the-robot" slide="fragment"
 # %ros2 run tf2_ros static_transform_publisher --x 4 --y 1 --yaw 1.5707963 --frame-id map --child-frame-id odom
 # %ros2 run tf2_ros static_transform_publisher --x 2 --frame-id odom --child-frame-id base_footprint
 # %ros2 run tf2_ros static_transform_publisher --z 0.10 --frame-id base_footprint --child-frame-id base_link
@@ -435,16 +466,24 @@ draw_buffer(buffer)
 # 변환을 곱하는 것은 도미노를 놓는 것과 같습니다. 앞 조각의 오른쪽 칸과 다음 조각의 왼쪽 칸이 같아야 합니다.
 # 맞는 것은 지워지고 양 끝만 남습니다.
 
+# %% [markdown] lang="en" name="dominoes-fit-notes" slide="notes"
+# Bring real dominoes, or six paper cards with frame names on both halves.
+# Let somebody lay map to laser, then hand over one card turned round: that is an inverse.
+
+# %% [markdown] lang="ko" name="dominoes-fit-notes" slide="notes"
+# 진짜 도미노나, 양쪽 칸에 좌표계 이름을 적은 종이 카드 여섯 장을 준비합니다.
+# 한 사람에게 map에서 laser까지 놓게 한 다음, 카드 한 장을 뒤집어 건넵니다. 그것이 역변환입니다.
+
 # %% name="dominoes-that-fit"
 draw_dominoes(('map', 'odom'), ('odom', 'base_link'), ('base_link', 'laser_frame'))
 
-# %% [markdown] lang="en" name="worked-example"
+# %% [markdown] lang="en" name="worked-example" slide="subslide"
 # ### A worked example
 #
 # The corner once more: written in `laser_frame`, wanted in `map`.
 # First by hand, one domino after the other; then what `lookup_transform` says.
 
-# %% [markdown] lang="ko" name="worked-example"
+# %% [markdown] lang="ko" name="worked-example" slide="subslide"
 # ### 풀이 예제
 #
 # 다시 그 모서리입니다. `laser_frame`에서 쓴 것을 `map`에서 보고 싶습니다.
@@ -483,7 +522,7 @@ print('one lookup    ', fmt_all(asked.apply(laser_p_corner)))
 # %% name="dominoes-that-do-not-fit"
 draw_dominoes(('map', 'odom'), ('base_link', 'laser_frame'), ('odom', 'base_link'))
 
-# %% name="wrong-order-in-numbers"
+# %% name="wrong-order-in-numbers" slide="fragment"
 nonsense = map_T_odom @ base_T_laser @ odom_T_base
 print('the corner, says Python', fmt_all(nonsense.apply(laser_p_corner)))
 
@@ -498,7 +537,7 @@ print('the corner, says Python', fmt_all(nonsense.apply(laser_p_corner)))
 # 변수 이름에 두 좌표계를 모두 적는 이유가 이것입니다. `map_T_odom @ base_T_laser`는 틀려 *보이지만*, `T1 @ T3`는 절대 틀려 보이지 않습니다.
 
 # %% [markdown] lang="en" name="up-up-down" slide="slide"
-# ## Up, up, down
+# ## Up, then down
 #
 # Nobody has published where the laser is in the camera.
 # They are siblings: both sit on `base_link`.
@@ -506,7 +545,7 @@ print('the corner, says Python', fmt_all(nonsense.apply(laser_p_corner)))
 # Up is a transform as it was published; down is one turned round.
 
 # %% [markdown] lang="ko" name="up-up-down" slide="slide"
-# ## 위로, 위로, 아래로
+# ## 위로, 그리고 아래로
 #
 # 카메라에서 본 레이저의 자리를 발행한 사람은 없습니다.
 # 둘은 형제입니다. 모두 `base_link` 위에 있습니다.
@@ -534,13 +573,13 @@ draw_dominoes(('camera_link', 'base_link'), ('base_link', 'laser_frame'))
 # 조각 `camera_link | base_link`는 발행된 `base_link | camera_link`를 뒤집은 것입니다.
 # 조각을 뒤집는 것이 `inverse()`입니다. 뒤집으면 무엇이 달라지는지 이제 봅시다.
 
-# %% [markdown] lang="en" name="faded" slide="-"
+# %% [markdown] lang="en" name="faded" slide="subslide"
 # ### Your turn, with two blanks
 #
 # A goal is written in `map` at (4, 1, 0), and the robot wants to know where that is as it stands there: ahead, behind, left, right?
 # Fill both blanks, and run.
 
-# %% [markdown] lang="ko" name="faded" slide="-"
+# %% [markdown] lang="ko" name="faded" slide="subslide"
 # ### 빈칸 두 개를 채워 보기
 #
 # 목표점이 `map`에서 (4, 1, 0)에 있습니다. 서 있는 로봇에서 보면 앞입니까, 뒤입니까, 왼쪽입니까, 오른쪽입니까?
@@ -610,7 +649,7 @@ if ... not in (wanted_in, written_in):
 #
 # 부호만 바꾸는 것은 회전이 없을 때만 맞습니다.
 
-# %% name="inverse-in-numbers"
+# %% name="inverse-in-numbers" slide="subslide"
 laser_T_base = base_T_laser.inverse()
 x, y, z = base_T_laser.translation
 flipped = Transform((-x, -y, -z), laser_T_base.rotation)  # the minus sign alone
@@ -620,7 +659,7 @@ print('there and "flipped" ', fmt_all(flipped.apply(base_p_corner)))
 
 # %% name="inverse-seen-from-the-laser"
 draw_scene({'laser_frame': Transform(), 'base_link': laser_T_base}, ghosts={'sign flipped': flipped},
-           eye=FROM_ABOVE, fixed_frame='laser_frame', length_m=0.12)
+           eye=FROM_ABOVE, fixed_frame='laser_frame', length_m=0.075)
 
 # %% [markdown] lang="en" name="inverse-seen"
 # There and back must end where it began: at (2, 0, 0).
@@ -663,7 +702,7 @@ draw_scene({'laser_frame': Transform(), 'base_link': laser_T_base}, ghosts={'sig
 # %% name="try-it-panel" tags=["interactive"]
 mount_panel()
 
-# %% name="try-it-still"
+# %% name="try-it-still" slide="skip"
 draw_mount(math.pi / 2)
 
 # %% [markdown] lang="en" name="try-it-answers"
@@ -713,22 +752,22 @@ draw_mount(math.pi / 2)
 # 10년 치 신고 뒤에 있던 글이 이것입니다.
 # 한 번 웃고, 문장을 믿으십시오. **echo 보고-싶은-곳 쓰인-곳** 순서입니다.
 
-# %% [markdown] lang="en" name="echo-predict"
+# %% [markdown] lang="en" name="echo-predict" slide="subslide"
 # ### Predict the second from the first
 #
 # Here is `tf2_echo base_link laser_frame`.
 # Before you run the cell after it: what will the Translation of `tf2_echo laser_frame base_link` be?
 
-# %% [markdown] lang="ko" name="echo-predict"
+# %% [markdown] lang="ko" name="echo-predict" slide="subslide"
 # ### 첫 출력에서 둘째 출력 예측하기
 #
 # 아래는 `tf2_echo base_link laser_frame`입니다.
 # 그다음 셀을 실행하기 전에, `tf2_echo laser_frame base_link`의 Translation이 무엇일지 적어 보십시오.
 
-# %% name="echo-one-way"
+# %% name="echo-one-way" slide="-"
 # %ros2 --for 1.5 run tf2_ros tf2_echo base_link laser_frame
 
-# %% name="echo-the-other-way"
+# %% name="echo-the-other-way" slide="fragment"
 # %ros2 --for 1.5 run tf2_ros tf2_echo laser_frame base_link
 
 # %% [markdown] lang="en" name="echo-seen"
@@ -753,7 +792,15 @@ draw_mount(math.pi / 2)
 # 그 로봇에는 뒤를 보는 레이저가 하나, 중심에서 20 cm 뒤에 180° 돌려 달려 있습니다.
 # 2 m 뒤, 0.7 m 옆에 있는 모서리로 평면에서 시험하니 모두 맞습니다.
 
-# %% name="swap-at-the-back"
+# %% [markdown] lang="en" name="break-it-notes" slide="notes"
+# Ask before running: will the numbers differ? Almost everybody says yes.
+# Then: what would your own test have been? A symmetric test cannot find a swapped answer.
+
+# %% [markdown] lang="ko" name="break-it-notes" slide="notes"
+# 실행 전에 묻습니다. 두 숫자가 다르겠습니까? 거의 모두 다르다고 답합니다.
+# 그다음 묻습니다. 여러분이라면 무엇으로 시험했겠습니까? 대칭인 시험으로는 바꿔 쓴 답을 찾지 못합니다.
+
+# %% name="swap-at-the-back" slide="fragment"
 rear = Transform.from_rpy(yaw=math.pi, translation=(-0.20, 0.0, 0.0))
 seen_at = (2.0, 0.7, 0.0)
 
@@ -768,7 +815,7 @@ print('swapped', fmt_all(rear.inverse().apply(seen_at)))
 # 똑같습니다. 반 바퀴는 한 번 더 돌면 제자리이기 때문입니다.
 # 코드는 검토를 통과해 병합되고, 레이저가 왼쪽을 보는 다음 로봇으로 복사됩니다.
 
-# %% name="swap-on-the-side"
+# %% name="swap-on-the-side" slide="subslide"
 answer = buffer.core.lookup_transform('laser_frame', 'base_link', LATEST).transform  # swapped
 print('right  ', fmt_all(base_T_laser.apply(seen_at)))
 print('swapped', fmt_all(answer.apply(seen_at)))
@@ -781,6 +828,7 @@ print('swapped', fmt_all(answer.apply(seen_at)))
 # The shelf is on the left; the robot keeps clear of its right, and drives into the shelf.
 #
 # What *does* raise is a name that nobody knows, and then the text tells you in which role you used it.
+# (`%xmode Minimal` shows an error by its last line, which is the one to read; `%xmode Context` brings the rest back.)
 
 # %% [markdown] lang="ko" name="no-error" slide="subslide"
 # ### 오류 메시지는 어디에 있습니까?
@@ -790,6 +838,10 @@ print('swapped', fmt_all(answer.apply(seen_at)))
 # 선반은 왼쪽에 있는데 로봇은 오른쪽을 조심하면서 선반으로 들어갑니다.
 #
 # 오류가 *나는* 것은 아무도 모르는 이름을 썼을 때입니다. 그때는 그 이름을 어떤 역할로 썼는지 메시지가 말해 줍니다.
+# (`%xmode Minimal`은 오류에서 꼭 읽어야 할 마지막 줄만 보여 줍니다. `%xmode Context`로 되돌립니다.)
+
+# %% name="errors-in-one-line"
+# %xmode Minimal
 
 # %% name="unknown-name" tags=["raises-exception"]
 buffer.lookup_transform('laser_fame', 'base_link', Time())
@@ -889,19 +941,29 @@ buffer.lookup_transform('/base_link', 'laser_frame', Time())
 #
 # </details>
 
+# %% [markdown] lang="en" name="checkpoint-notes" slide="notes"
+# Vote on all four before opening any reply; let a voter for 1 and a voter for 3 convince each other.
+# Option 2 is the one to wait for: the order is right, and the apple is still in the wrong place.
+
+# %% [markdown] lang="ko" name="checkpoint-notes" slide="notes"
+# 답을 펼치기 전에 네 가지 모두 손을 들게 하고, 1번과 3번을 고른 사람이 서로 설득하게 합니다.
+# 기다려야 할 것은 2번입니다. 순서는 맞는데 사과는 여전히 엉뚱한 자리에 있습니다.
+
 # %% [markdown] lang="en" name="on-the-robot" slide="slide"
 # ## On a real robot
 #
 # Nothing changes.
-# Save this as a file, and `python3` runs it beside a real ROS 2; the buffer, the listener and the lookup are the ones that you used above.
+# Put the imports of ROS 2 on top and `main()` at the end of a file, and `python3` runs it on a robot; the buffer, the listener and the lookup are the ones that you used above.
+# Right after its start a listener has heard nothing, so a real node expects to be told "not yet"; chapter 09 is about that.
 
 # %% [markdown] lang="ko" name="on-the-robot" slide="slide"
 # ## 실제 로봇에서
 #
 # 바뀌는 것이 없습니다.
-# 아래를 파일로 저장해 실제 ROS 2에서 `python3`로 실행하면 됩니다. 버퍼도 리스너도 조회도 위에서 쓴 그대로입니다.
+# 파일 맨 위에 ROS 2의 import를, 맨 아래에 `main()`을 넣으면 로봇에서 `python3`로 실행됩니다. 버퍼도 리스너도 조회도 위에서 쓴 그대로입니다.
+# 막 시작한 리스너는 아직 들은 것이 없습니다. 그래서 실제 노드는 "아직 없음"이라는 답도 예상해야 합니다. 이것은 09장의 주제입니다.
 
-# %% name="on-the-robot-node"
+# %% name="on-the-robot-node" slide="subslide"
 class WhereIsTheLaser(Node):
     def __init__(self):
         super().__init__('where_is_the_laser')
@@ -910,7 +972,11 @@ class WhereIsTheLaser(Node):
         self.create_timer(1.0, self.tell)
 
     def tell(self):
-        t = self.tf_buffer.lookup_transform('map', 'laser_frame', Time())  # wanted in, written in
+        try:
+            t = self.tf_buffer.lookup_transform('map', 'laser_frame', Time())  # wanted in, written in
+        except TransformException as error:
+            self.get_logger().warning(f'not yet: {error}')
+            return
         p = t.transform.translation
         self.get_logger().info(f'laser in {t.header.frame_id}: ({p.x:.2f}, {p.y:.2f}, {p.z:.2f})')
 
@@ -923,7 +989,7 @@ def main():
 graph.start(main, name='where_is_the_laser')
 graph.run(seconds=2.5)
 
-# %% [markdown] lang="en" name="on-the-robot-commands" slide="-"
+# %% [markdown] lang="en" name="on-the-robot-commands" slide="subslide"
 # In the answer, `header.frame_id` is the target and `child_frame_id` the source: an answer is the same kind of thing as what was published.
 #
 # Three commands to type on any robot, each with its sentence:
@@ -936,7 +1002,7 @@ graph.run(seconds=2.5)
 #
 # The first argument is the target, the second the source, whatever the help says.
 
-# %% [markdown] lang="ko" name="on-the-robot-commands" slide="-"
+# %% [markdown] lang="ko" name="on-the-robot-commands" slide="subslide"
 # 답에서 `header.frame_id`는 목표이고 `child_frame_id`는 원본입니다. 답도 발행된 것과 같은 종류의 메시지입니다.
 #
 # 어느 로봇에서나 입력해 볼 명령 세 개와 그 뜻입니다.
@@ -949,10 +1015,10 @@ graph.run(seconds=2.5)
 #
 # 도움말이 뭐라고 하든 첫 인자가 목표, 둘째 인자가 원본입니다.
 
-# %% name="echo-on-the-map"
+# %% name="echo-on-the-map" slide="skip"
 # %ros2 --for 1.5 run tf2_ros tf2_echo map base_link
 
-# %% name="stop"
+# %% name="stop" slide="skip"
 graph.stop()
 node.destroy_node()
 rclpy.shutdown()
@@ -1007,7 +1073,7 @@ rclpy.shutdown()
 #
 # </details>
 
-# %% [markdown] lang="en" name="practice" slide="-"
+# %% [markdown] lang="en" name="practice" slide="subslide"
 # ### Practice question 3
 #
 # Explain the parent and the child of a transform, and what `lookup_transform(target, source, time)` means.
@@ -1026,7 +1092,7 @@ rclpy.shutdown()
 #
 # </details>
 
-# %% [markdown] lang="ko" name="practice" slide="-"
+# %% [markdown] lang="ko" name="practice" slide="subslide"
 # ### 연습 문제 3
 #
 # Transform의 부모와 자식, 그리고 `lookup_transform(target, source, time)`의 의미를 설명하십시오.

@@ -225,7 +225,7 @@ TASKS = (
                 signs(OPTICAL_RIGHT, OPTICAL_UP),
                 Words(
                     en="You read the optical frame with the body's habits. A picture counts to the right and down.",
-                    ko="optical 프레임을 몸체의 습관으로 읽었습니다. 영상은 오른쪽과 아래로 셉니다.",
+                    ko="광학 좌표계를 몸체의 습관으로 읽었습니다. 영상은 오른쪽과 아래로 셉니다.",
                 ),
                 misconception="M4",
             ),
@@ -315,11 +315,11 @@ TASKS = (
             ),
             Words(
                 en="You need the rotation that carries optical numbers to camera_link: the one to remember, as rpy.",
-                ko="optical 숫자를 camera_link로 옮기는 회전이 필요합니다. 외워 둔 바로 그 rpy입니다.",
+                ko="광학 좌표계의 숫자를 camera_link로 옮기는 회전이 필요합니다. 외워 둔 바로 그 rpy입니다.",
             ),
             Words(
                 en="Transform.from_rpy(roll=-math.pi / 2, yaw=-math.pi / 2) is camera_T_optical; .apply() moves a point from optical to camera_link.",
-                ko="Transform.from_rpy(roll=-math.pi / 2, yaw=-math.pi / 2)가 camera_T_optical입니다. .apply()로 점을 optical에서 camera_link로 옮깁니다.",
+                ko="Transform.from_rpy(roll=-math.pi / 2, yaw=-math.pi / 2)가 camera_T_optical입니다. .apply()로 점을 광학 좌표계에서 camera_link로 옮깁니다.",
             ),
         ),
         cures=("M4",),
@@ -576,7 +576,7 @@ TASKS = (
                 at_the_wrong_end,
                 Words(
                     en="You blame a line that is as it should be. Take the three lines of evidence one by one: a depth cloud's header names the optical frame; camera_link looks ahead, 0 0 0; the optical frame is turned -90 0 -90 in it. Which one differs?",
-                    ko="멀쩡한 것을 의심하고 있습니다. 증거 세 줄을 하나씩 보십시오. 깊이 클라우드의 헤더에는 optical 프레임이 적힙니다. camera_link는 앞을 보므로 0 0 0입니다. optical 프레임은 그 안에서 -90 0 -90만큼 돌아가 있습니다. 어느 것이 다릅니까?",
+                    ko="멀쩡한 것을 의심하고 있습니다. 증거 세 줄을 하나씩 보십시오. 깊이 클라우드의 헤더에는 광학 좌표계가 적힙니다. camera_link는 앞을 보므로 0 0 0입니다. 광학 좌표계는 그 안에서 -90 0 -90만큼 돌아가 있습니다. 어느 것이 다릅니까?",
                 ),
                 misconception="M4",
             ),
@@ -602,8 +602,8 @@ TASKS = (
                 "quaternion",
                 lambda given: {"wall_appears": wall_appears(given), "fault": "quaternion", "change": "URDF"},
                 Words(
-                    en="A broken quaternion would not turn the cloud: the transform would be refused and nothing drawn. Look at the three lines of evidence.",
-                    ko="쿼터니언이 망가졌다면 클라우드가 돌아가는 것이 아니라 변환이 거절되어 아무것도 그려지지 않습니다. 증거 세 줄을 보십시오.",
+                    en="A quaternion of zeros would not turn the cloud: the transform would be refused and nothing drawn. One with w first would show in the angles. Look at the three lines of evidence.",
+                    ko="모두 0인 쿼터니언이라면 변환이 거절되어 아무것도 그려지지 않습니다. w를 먼저 썼다면 각도에 드러납니다. 증거 세 줄을 보십시오.",
                 ),
                 misconception="M5",
             ),
@@ -611,7 +611,7 @@ TASKS = (
         hints=(
             Words(
                 en="Write down the chain from the data to base_link: header, then the optical mount, then the camera's mount. How often does the turn by -90 0 -90 occur? It should be once.",
-                ko="데이터에서 base_link까지의 길을 적으십시오. 헤더, optical 장착, 카메라 장착 순서입니다. -90 0 -90 회전이 몇 번 나옵니까? 한 번이어야 합니다.",
+                ko="데이터에서 base_link까지의 길을 적으십시오. 헤더, 광학 좌표계 장착, 카메라 장착 순서입니다. -90 0 -90 회전이 몇 번 나옵니까? 한 번이어야 합니다.",
             ),
             Words(
                 en="Never: the wall's depth (z) is read as height. Twice: what is ahead ends at the side. Which is it here, and which line makes it so?",

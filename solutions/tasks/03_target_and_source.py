@@ -202,6 +202,11 @@ def echo_same_yaw(given) -> dict[str, object]:
     return echo_answer(mount.translation, mount.inverse().translation, yaw)
 
 
+def echo_yaw_in_degrees(given) -> dict[str, object]:
+    mount, yaw = echoed(given)
+    return echo_answer(mount.translation, mount.inverse().translation, round(math.degrees(-yaw)))
+
+
 # -- E3.6 ---------------------------------------------------------------------
 
 
@@ -448,12 +453,12 @@ TASKS = (
                 ko="가는 길은 yaw만큼 돌고 (x, y)만큼 옮기는 것입니다. 돌아갈 때는 나중에 한 것부터 되돌립니다.",
             ),
             Words(
-                en="Turn the vector (−x, −y) by −yaw; the new yaw is −yaw.",
-                ko="벡터 (−x, −y)를 −yaw만큼 돌리십시오. 새 yaw는 −yaw입니다.",
+                en="(−x, −y) takes the step off, along a's axes. Along b's axes it looks different: b is turned.",
+                ko="(−x, −y)는 a의 축을 따라 이동을 되돌립니다. b는 돌아가 있으므로 b의 축을 따르면 값이 달라집니다.",
             ),
             Words(
-                en="Turning (u, v) by an angle a gives (u cos a − v sin a, u sin a + v cos a).",
-                ko="(u, v)를 각도 a만큼 돌리면 (u cos a − v sin a, u sin a + v cos a)입니다.",
+                en="Turn (−x, −y) by −yaw. Turning (u, v) by an angle a gives (u cos a − v sin a, u sin a + v cos a).",
+                ko="(−x, −y)를 −yaw만큼 돌리십시오. (u, v)를 각도 a만큼 돌리면 (u cos a − v sin a, u sin a + v cos a)입니다.",
             ),
         ),
         cures=("M3",),
@@ -513,12 +518,14 @@ TASKS = (
                 ko="c의 원점은 b에서 어디입니까? 그 점을 E3.2처럼 a로 옮기십시오.",
             ),
             Words(
-                en="Turn b's step (x, y) by the yaw of a_pose_b, then add a's step. The yaws add up.",
-                ko="둘째 이동 (x, y)를 a_pose_b의 yaw로 돌린 뒤 첫째 이동을 더합니다. yaw는 서로 더합니다.",
+                en="The second step is measured along b's axes. Which of the two yaws says how far these are turned in a?",
+                ko="둘째 이동은 b의 축을 따라 잰 값입니다. 그 축이 a 안에서 돌아간 각도는 두 yaw 가운데 어느 것입니까?",
             ),
             Words(
-                en="Check yourself: compose(p, invert(p)) is nothing at all, {x: 0, y: 0, yaw: 0}.",
-                ko="스스로 확인해 보십시오. compose(p, invert(p))는 아무것도 하지 않는 {x: 0, y: 0, yaw: 0}입니다.",
+                en="Turn the second step by a_pose_b's yaw and add the first step; the yaws add up. "
+                "Then compose(p, invert(p)) must be nothing at all: all zeros.",
+                ko="둘째 이동을 a_pose_b의 yaw로 돌려 첫째 이동에 더하고, yaw는 서로 더합니다. "
+                "그러면 compose(p, invert(p))는 모두 0이어야 합니다.",
             ),
         ),
         cures=("M1", "M3"),
@@ -568,6 +575,17 @@ TASKS = (
                     en="for the way back the step was turned, but by yaw instead of by minus yaw.",
                     ko="돌아가는 쪽의 이동을 돌렸지만, −yaw가 아니라 yaw로 돌렸습니다.",
                 ),
+            ),
+            Twin(
+                "yaw_in_degrees",
+                echo_yaw_in_degrees,
+                Words(
+                    en="both places are right, and the yaw is in degrees. It is asked for in radians: the tool prints "
+                    "both, one line above the other.",
+                    ko="두 위치는 맞고, yaw가 도(degree)로 되어 있습니다. 라디안으로 답해야 합니다. 도구는 두 단위를 위아래 "
+                    "두 줄로 찍습니다.",
+                ),
+                "M5",
             ),
             Twin(
                 "same_yaw",

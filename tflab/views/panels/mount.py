@@ -18,7 +18,7 @@ def mount_panel(
 ) -> Panel:
     """Return a panel that turns a laser on its robot by yaw [rad], and shows a corner and two wrong answers."""
     half_turn = round(math.pi, 2)
-    yaw = slider("yaw of the mount", round(yaw_rad, 2), -half_turn, half_turn, 0.01, "rad")
+    yaw = slider("mount yaw", round(yaw_rad, 2), -half_turn, half_turn, 0.01, "rad")
     picture = MountPicture(laser_p, laser_at)
 
     def move() -> None:
