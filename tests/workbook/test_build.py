@@ -123,7 +123,7 @@ def test_what_is_stale_is_said_with_the_cell_and_what_to_run(tmp_path: Path, wor
     before = bytes_below(tmp_path)
     assert build(["--root", str(tmp_path), "--check"]) == 1
     said = capsys.readouterr().out.splitlines()
-    assert said[0].startswith("notebooks/en/03_x.ipynb: cell \"look\": prints '43\\n', and would be '42\\n'")
+    assert said[0].startswith("notebooks/en/03_x.ipynb: cell \"look\": prints '43\\n' and would be '42\\n'")
     assert said[0].endswith("run: tflab build 03_x")
     assert said[1] == "notebooks/ko/03_x.ipynb: is not there; run: tflab build 03_x"
     assert said[2] == "notebooks/en/04_old.ipynb: has no source any more; delete it"
@@ -221,6 +221,11 @@ def test_a_chapter_without_tasks_says_where_they_belong(tmp_path: Path, capsys) 
         ('{"cells": [{"id": "a"}, {"id": "b"}]}', '{"cells": [{"id": "b"}, {"id": "a"}]}', "in another order"),
         ('{"tasks": {"E3.1": {"points": 1}}}', '{"tasks": {"E3.1": {"points": 2}}}', "tasks.E3.1.points is 1"),
         ('{"cells": [], "metadata": {"x": 1}}', '{"cells": [], "metadata": {"x": 2}}', "metadata.x is 1"),
+        (
+            json.dumps({"cells": [{"id": "a", "source": ["x" * 99 + "1"]}]}),
+            json.dumps({"cells": [{"id": "a", "source": ["x" * 99 + "2"]}]}),
+            "xxx1' and would be '...xxx",
+        ),
         ("<<<<", '{"cells": []}', "cannot be read"),
         ('{"a":1}', '{"a": 1}', "written in another way"),
     ],

@@ -1,7 +1,6 @@
 """Is what was built still what would be built?  Compare the two, and say where they part.
 
-    notebooks/en/03_target_and_source.ipynb: cell "lookup": prints '1.500 m', and would print '1.600 m';
-        run: tflab build 03_target_and_source
+    notebooks/en/03_target_and_source.ipynb: cell "lookup": prints '1.5 m' and would be '1.6 m'; run: tflab build 03_...
 
 Read `build.py` next.
 """
@@ -68,7 +67,7 @@ def _cells(old: dict, new: dict) -> str:
             return f"prints {_parting(*said)}"
         return "draws another picture"
     key = next(key for key in sorted({*old, *new}) if old.get(key) != new.get(key))
-    return f"its {key} is {_short(old.get(key))}, and would be {_short(new.get(key))}"
+    return f"its {key} is {_short(old.get(key))} and would be {_short(new.get(key))}"
 
 
 def _text(output: dict) -> list[str]:
@@ -82,7 +81,7 @@ def _parting(old: list[str], new: list[str]) -> str:
     """Say which is the first line that differs."""
     for was, is_now in zip([*old, ""], [*new, ""], strict=False):
         if was != is_now:
-            return f"{_short(was)}, and would be {_short(is_now)}"
+            return _both(was, is_now)
     return "other lines"
 
 
@@ -98,7 +97,14 @@ def _values(old: Any, new: Any, where: str) -> str:
                 return _values(was, is_now, f"{where}[{number}]")
     if old == new:
         return "is written in another way"
-    return f"{where} is {_short(old)}, and would be {_short(new)}"
+    return f"{where} is {_short(old)} and would be {_short(new)}"
+
+
+def _both(old: str, new: str) -> str:
+    """Show two lines, from a little before the letter in which they differ."""
+    same = next((i for i, (one, other) in enumerate(zip(old, new, strict=False)) if one != other), 0)
+    begin = max(0, same - SHOWN // 3)
+    return " and would be ".join(_short(("..." if begin else "") + text[begin:]) for text in (old, new))
 
 
 def _short(value: Any) -> str:
