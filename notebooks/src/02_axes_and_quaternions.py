@@ -51,13 +51,13 @@
 #
 # 파이썬만 알면 됩니다. 1장을 아직 읽지 않았다면 다음 내용이면 충분합니다.
 #
-# - [[frame|프레임(frame, 좌표계)]]은 원점과 세 방향에 이름을 붙인 것입니다. `base_link`, `camera_link`처럼 씁니다.
-# - 점은 값, 프레임, 시각이 모두 있어야 점입니다. `(2, 0, 0)`만으로는 소문일 뿐입니다.
-# - 메시지는 자신의 프레임을 `header.frame_id`에 적습니다.
-# - [[transform|변환(transform)]]은 한 프레임([[child frame|자식]])이 다른 프레임([[parent frame|부모]]) 안에서 어디에 있는지 나타냅니다. 이동(미터)과 회전, 두 부분으로 이루어집니다. **이 장에서는 회전을 다룹니다.**
+# - [[frame|좌표계(frame)]]는 원점과 세 방향에 이름을 붙인 것입니다. `base_link`, `camera_link`처럼 씁니다.
+# - 점은 값, 좌표계, 시각이 모두 있어야 점입니다. `(2, 0, 0)`만으로는 소문일 뿐입니다.
+# - 메시지는 자신의 좌표계를 `header.frame_id`에 적습니다.
+# - [[transform|변환(transform)]]은 한 좌표계([[child frame|자식]])가 다른 좌표계([[parent frame|부모]]) 안에서 어디에 있는지 나타냅니다. 이동(미터)과 회전, 두 부분으로 이루어집니다. **이 장에서는 회전을 다룹니다.**
 # - 우리 로봇에는 카메라가 달려 있습니다. `camera_link`는 `base_link` 기준 (0.10, 0, 0.30), 곧 로봇 중심에서 앞으로 10 cm, 위로 30 cm인 곳에 있습니다.
 #
-# 코드에서는 이름에 두 프레임을 모두 적되 목표를 먼저 씁니다. `base_T_camera`는 카메라 기준 숫자를 base 기준으로 옮기고, `base_p_mug`는 base 기준의 점입니다.
+# 코드에서는 이름에 두 좌표계를 모두 적되 목표를 먼저 씁니다. `base_T_camera`는 카메라 기준 숫자를 base 기준으로 옮기고, `base_p_mug`는 base 기준의 점입니다.
 # `base_T_camera.apply(camera_p_mug)`는 점을 옮기고, `@`는 변환 둘을 잇습니다. 자세한 이야기는 3장에서 합니다. 여기서는 읽을 수만 있으면 됩니다.
 
 # %% name="load"
@@ -107,9 +107,9 @@ from tflab.views.style import fmt, fmt_all
 # 검출기는 부품을 찾아냈습니다. 그리고 하나도 빠짐없이 엉뚱한 곳에 놓았습니다.
 #
 # 수학은 맞았습니다. 검출기도 맞았습니다. 카메라도 맞았습니다.
-# 다만 영상에는 카메라 **몸체**의 프레임이 적혀 있었고, 검출기의 숫자는 카메라 **영상** 기준이었습니다.
+# 다만 영상에는 카메라 **몸체**의 좌표계가 적혀 있었고, 검출기의 숫자는 카메라 **영상** 기준이었습니다.
 # 팀이 적어 둔 대가는 이렇습니다. 대회 도중 약 반나절.
-# ([usnistgov/ARIAC, 이슈 345](https://github.com/usnistgov/ARIAC/issues/345). 주최 측은 이후 빠져 있던 프레임을 추가했습니다.)
+# ([usnistgov/ARIAC, 이슈 345](https://github.com/usnistgov/ARIAC/issues/345). 주최 측은 이후 빠져 있던 좌표계를 추가했습니다.)
 #
 # 우리 로봇이 본 그 작업대는 이렇습니다.
 
@@ -131,7 +131,7 @@ frames.draw_scene(
 
 # %% [markdown] lang="ko" name="story-after"
 # 회색 원이 팔이 향한 곳입니다. 카메라보다 위쪽, 허공입니다.
-# 오류는 하나도 나지 않았습니다. TF는 아무렇지 않게 계산했습니다. 수학에게는 어느 프레임이든 똑같은 프레임일 뿐입니다.
+# 오류는 하나도 나지 않았습니다. TF는 아무렇지 않게 계산했습니다. 수학의 눈에는 어느 좌표계든 똑같은 좌표계일 뿐입니다.
 # 이 장을 마칠 때쯤이면 여러분은 이 결함을 명령 하나로, 1분 안에 찾아낼 것입니다.
 
 # %% [markdown] lang="en" name="story-notes" slide="notes"
@@ -192,7 +192,7 @@ print("in camera_optical_frame ", fmt_all(axes.optical_from_body(camera_p_mug)))
 #
 # <details><summary>똑같이 (2, 0, 0)</summary>
 #
-# 대회에서 일어난 바로 그 실수입니다. 점은 하나지만 프레임은 둘입니다. 축이 다르므로 숫자도 달라야 합니다.
+# 대회에서 일어난 바로 그 실수입니다. 점은 하나지만 좌표계는 둘입니다. 축이 다르므로 숫자도 달라야 합니다.
 #
 # </details>
 # <details><summary>(0, 0, −2)</summary>
@@ -210,6 +210,12 @@ print("in camera_optical_frame ", fmt_all(axes.optical_from_body(camera_p_mug)))
 # 맞습니다. 종이는 버리지 마십시오. 마지막에 *왜* 그런지 말해야 합니다.
 #
 # </details>
+
+# %% [markdown] lang="en" name="predict-notes" slide="notes"
+# Collect the answers on the board before you run the cell, with a count for each. Leave them there: they come back at the end.
+
+# %% [markdown] lang="ko" name="predict-notes" slide="notes"
+# 셀을 실행하기 전에 답을 칠판에 모으고 각각 몇 명인지 적습니다. 지우지 마십시오. 마지막에 다시 봅니다.
 
 # %% [markdown] lang="en" name="body-axes" slide="slide"
 # ## The body: x forward, y left, z up
@@ -308,6 +314,32 @@ rotation_panel(roll_rad=0.0, pitch_rad=0.0, yaw_rad=0.5)
 # %% name="rpy-figure"
 axes.draw_rotation(roll_rad=0.0, pitch_rad=0.0, yaw_rad=0.5)
 
+# %% [markdown] lang="en" name="rpy-try"
+# **Try it.** Which sliders make
+#
+# - the robot look at the ceiling?
+# - the quaternion (0, 0, 1, 0)?
+# - the quaternion (1, 0, 0, 0)? Would you want to be that robot?
+#
+# <details><summary>Solution</summary>
+#
+# Pitch −1.57: minus, for plus puts the nose down. Yaw 3.14: half a turn. Roll 3.14: on its back.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="rpy-try"
+# **직접 해 보십시오.** 슬라이더를 어떻게 놓으면 다음과 같이 됩니까?
+#
+# - 로봇이 천장을 봅니다.
+# - 쿼터니언이 (0, 0, 1, 0)이 됩니다.
+# - 쿼터니언이 (1, 0, 0, 0)이 됩니다. 여러분이 그 로봇이라면 어떻겠습니까?
+#
+# <details><summary>풀이</summary>
+#
+# pitch −1.57입니다. 양수이면 기수가 내려가므로 음수여야 합니다. 다음은 yaw 3.14, 반 바퀴입니다. 마지막은 roll 3.14, 뒤집혀 눕습니다.
+#
+# </details>
+
 # %% [markdown] lang="en" name="order-predict" slide="subslide"
 # ### Does the order matter?
 #
@@ -354,6 +386,12 @@ print("first yaw, then roll:", fmt_all((roll @ yaw).apply(nose), ""))
 # > 같은 곱을 왼쪽부터 읽을 수도 있습니다. 이때는 축이 함께 돕니다. 먼저 yaw, 다음에 *새로운* y축으로 pitch, 다음에 *새로운* x축으로 roll입니다.
 # > 두 방식 모두 쓰입니다. 누가 각도 세 개를 건네면 꼭 물어보십시오. 순서는 무엇이고, 축은 고정입니까, 함께 돕니까?
 
+# %% [markdown] lang="en" name="order-notes" slide="notes"
+# Do it with a book in front of the class, both orders, and let somebody else call the turns. Nobody forgets a book that ends up on its spine.
+
+# %% [markdown] lang="ko" name="order-notes" slide="notes"
+# 책 한 권을 들고 두 순서를 모두 보여 주되, 회전은 다른 사람이 부르게 합니다. 책등으로 서는 책은 아무도 잊지 못합니다.
+
 # %% [markdown] lang="en" name="gimbal" slide="slide"
 # ## Why not stay with three angles?
 #
@@ -386,6 +424,12 @@ print("from one to the other, a turn of", fmt(angle(one, other), "rad"))
 #
 # [[quaternion|쿼터니언(quaternion, 사원수)]]에는 그런 자리가 없습니다. 숫자 넷 중 하나는 여유분이고, 값이 갑자기 뛰지 않습니다.
 # 그래서 ROS는 쿼터니언으로 **저장하고 전송하며**, 각도는 사람에게 보여 줄 때만 씁니다.
+
+# %% [markdown] lang="en" name="gimbal-notes" slide="notes"
+# Say what it means on a real machine: an arm whose wrist points straight down is there all day long.
+
+# %% [markdown] lang="ko" name="gimbal-notes" slide="notes"
+# 실제 기계에서 어떤 뜻인지 말해 줍니다. 손목이 똑바로 아래를 향하는 로봇 팔은 하루 종일 이 자리에 있습니다.
 
 # %% [markdown] lang="en" name="recipe" slide="slide"
 # ## How to write one: half the angle
@@ -512,6 +556,12 @@ for name, q in (("taken as it came", from_mujoco), ("put in order", xyzw_from_wx
 # 작은 회전이 거의 반 바퀴 roll로 바뀝니다. RViz에서 로봇이 거꾸로 서 있다면 w를 먼저 쓴 흔적입니다.
 # 변환은 경계에서 한 번만, 이름만 보아도 뜻이 드러나는 함수로 하십시오. `xyzw_from_wxyz`가 그런 이름입니다.
 
+# %% [markdown] lang="en" name="w-first-notes" slide="notes"
+# Ask who has seen a robot on its back in RViz. Then ask how long it took to find out why. The median is longer than this lecture.
+
+# %% [markdown] lang="ko" name="w-first-notes" slide="notes"
+# RViz에서 뒤집힌 로봇을 본 사람이 있는지 묻습니다. 이유를 찾는 데 얼마나 걸렸는지도 묻습니다. 대개 이 강의보다 깁니다.
+
 # %% [markdown] lang="en" name="optical" slide="slide"
 # ## The picture: z forward, x right, y down
 #
@@ -526,7 +576,7 @@ for name, q in (("taken as it came", from_mujoco), ("put in order", xyzw_from_wx
 #
 # 영상에는 영상의 습관이 있습니다. 픽셀은 왼쪽 위 모서리에서 **오른쪽**과 **아래**로 셉니다.
 # 영상을 다루는 사람들은 공간에서도 이 습관을 지킵니다. x가 오른쪽, y가 아래이면, 오른손 법칙에 따라 z는 장면 속으로 들어가는 **앞**입니다.
-# ROS에서는 이런 프레임을 [[optical frame|optical frame(광학 좌표계)]]이라고 부르고, 이름을 `_optical_frame`으로 끝냅니다.
+# ROS에서는 이런 좌표계를 [[optical frame|광학 좌표계(optical frame)]]라고 부르고, 이름을 `_optical_frame`으로 끝냅니다.
 #
 # 머그컵을 움직여 보십시오. 같은 점이 두 가지로 적히는 모습을 보십시오.
 
@@ -535,6 +585,12 @@ cameras_panel(forward_m=2.0, left_m=0.5, up_m=0.3)
 
 # %% name="optical-figure"
 axes.draw_cameras((2.0, 0.5, 0.3))
+
+# %% [markdown] lang="en" name="optical-notes" slide="notes"
+# Two volunteers: one is the robot's body, one is the camera's picture. The same mug, both read out their three numbers at once.
+
+# %% [markdown] lang="ko" name="optical-notes" slide="notes"
+# 두 사람이 나옵니다. 한 사람은 로봇 몸체, 한 사람은 카메라 영상입니다. 같은 머그컵의 세 숫자를 동시에 읽게 합니다.
 
 # %% [markdown] lang="en" name="two-turns" slide="slide"
 # ## Two quarter turns
@@ -569,7 +625,7 @@ for axis, direction in {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1)}.items():
 # So a point of the picture, (right, down, forward), is in the camera's body (forward, −right, −down).
 
 # %% [markdown] lang="ko" name="two-turns-after"
-# 세 줄을 소리 내어 읽어 보십시오. optical의 x는 −y, 곧 오른쪽을 향합니다. optical의 y는 −z, 곧 아래를 향합니다. optical의 z는 +x, 곧 앞을 향합니다.
+# 세 줄을 소리 내어 읽어 보십시오. 광학 좌표계의 x는 −y, 곧 오른쪽을 향합니다. 광학 좌표계의 y는 −z, 곧 아래를 향합니다. 광학 좌표계의 z는 +x, 곧 앞을 향합니다.
 # 이 세 줄이 회전 행렬의 세 **열**입니다. 회전 행렬은 그 이상도 이하도 아닙니다. 자식의 축이 부모 안에서 어디를 향하는지 적은 것입니다.
 #
 # 그러므로 영상의 점 (오른쪽, 아래, 앞)은 카메라 몸체에서 (앞, −오른쪽, −아래)입니다.
@@ -588,7 +644,7 @@ for axis, direction in {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1)}.items():
 #
 # 검출기가 말합니다. 영상 중심에서 오른쪽으로 0.40 m, **위로** 0.20 m, 깊이 1.50 m. `base_link` 기준으로 어디입니까?
 #
-# 1. optical 프레임에서 위는 아래의 음수입니다. (0.40, −0.20, 1.50).
+# 1. 광학 좌표계에서 위는 아래의 음수입니다. (0.40, −0.20, 1.50).
 # 2. `camera_link`에서는 (앞, −오른쪽, −아래) = (1.50, −0.40, 0.20)입니다. 손으로 확인하십시오. 앞쪽, 오른쪽, 위쪽. 맞습니다.
 # 3. 카메라는 (0.10, 0, 0.30)에 있고 돌아가 있지 않으므로 더합니다. (1.60, −0.40, 0.50).
 
@@ -598,6 +654,12 @@ camera_p_mug = camera_T_optical.apply(optical_p_mug)
 base_p_mug = base_T_camera.apply(camera_p_mug)
 print("camera_link:", fmt_all(camera_p_mug))
 print("base_link:  ", fmt_all(base_p_mug))
+
+# %% [markdown] lang="en" name="worked-notes" slide="notes"
+# Insist on the hand check in step 2. A sign that was checked with a hand is right; a sign that was derived is right most of the time.
+
+# %% [markdown] lang="ko" name="worked-notes" slide="notes"
+# 2단계의 손 확인을 꼭 시킵니다. 손으로 확인한 부호는 맞고, 유도한 부호는 대개 맞습니다.
 
 # %% [markdown] lang="en" name="why-two" slide="slide"
 # ## Why two frames, and which one goes into the header?
@@ -609,13 +671,13 @@ print("base_link:  ", fmt_all(base_p_mug))
 # The driver stamps its data with the **optical** one. Then nobody has to convert anything: TF does.
 
 # %% [markdown] lang="ko" name="why-two" slide="slide"
-# ## 왜 프레임이 둘이며, 헤더에는 어느 쪽을 씁니까?
+# ## 왜 좌표계가 둘이며, 헤더에는 어느 쪽을 씁니까?
 #
 # - `camera_link`는 카메라가 **장착된** 자리입니다. 기구 설계, URDF, 자로 재는 치수의 세계이며, 로봇의 다른 부분처럼 x가 앞입니다.
 # - `camera_optical_frame`은 카메라 **데이터**의 기준입니다. 영상, 검출 결과, 깊이 포인트 클라우드가 여기에 속합니다.
 #
 # 둘은 같은 자리에 있고, 그 사이에는 회전만 있습니다.
-# 드라이버는 데이터에 **optical** 쪽을 적습니다. 그러면 아무도 손으로 변환할 필요가 없습니다. TF가 합니다.
+# 드라이버는 데이터에 **광학 좌표계**를 적습니다. 그러면 아무도 손으로 변환할 필요가 없습니다. TF가 합니다.
 
 # %% name="scene-3d" tags=["interactive"]
 view = scene.Scene(height_px=380, grid_m=0.5)
@@ -654,7 +716,7 @@ frames.draw_scene(
 #
 # 숫자를 바꾸어 다시 실행해 보십시오. 다음을 찾을 수 있습니까?
 #
-# - 두 프레임에서 세 숫자가 **똑같은** 점
+# - 두 좌표계에서 세 숫자가 **똑같은** 점
 # - `camera_link`에서 (1, 1, 1)이 되는 점
 #
 # <details><summary>풀이</summary>
@@ -677,7 +739,7 @@ print("camera_link:", fmt_all(camera_T_optical.apply((right, down, forward))))
 # %% [markdown] lang="ko" name="break-zero" slide="slide"
 # ## 일부러 고장 내기 1: 모두 0
 #
-# 이제 ROS 2로 해 봅니다. 먼저 올바른 카메라부터 만듭니다. 카메라를 장착하고, 그 자리에 optical 프레임을 둡니다.
+# 이제 ROS 2로 해 봅니다. 먼저 올바른 카메라부터 만듭니다. 카메라를 장착하고, 그 자리에 광학 좌표계를 둡니다.
 # 두 번째 명령을 눈여겨보십시오. 대회에 빠져 있던 바로 그 명령입니다.
 
 # %% name="mount-camera"
@@ -691,7 +753,7 @@ print("camera_link:", fmt_all(camera_T_optical.apply((right, down, forward))))
 # Chapter 8 opens that box. Time on this page stands still, except while `graph.run` lets some of it pass.
 
 # %% [markdown] lang="ko" name="asker-before"
-# 다음은 물어보는 프로그램입니다. [[listener|리스너(listener)]]가 들리는 변환을 모두 [[buffer|버퍼(buffer)]]에 모아 둡니다. 그러면 `buffer.transform(message, "base_link")`가 메시지를 헤더에 적힌 프레임에서 원하는 프레임으로 옮깁니다.
+# 다음은 물어보는 프로그램입니다. [[listener|리스너(listener)]]가 들리는 변환을 모두 [[buffer|버퍼(buffer)]]에 모아 둡니다. 그러면 `buffer.transform(message, "base_link")`가 메시지를 헤더에 적힌 좌표계에서 원하는 좌표계로 옮깁니다.
 # 그 속은 8장에서 열어 봅니다. 이 페이지의 시간은 멈춰 있으며, `graph.run`을 부르는 동안에만 흐릅니다.
 
 # %% name="asker"
@@ -731,11 +793,16 @@ print("sent")
 
 # %% [markdown] lang="en" name="zero-sent-after"
 # The broadcaster is content. Let half a second pass, and the listener hears it:
+#
+# (`%xmode Minimal` shows an error by its last line, the one to read; `%xmode Context` brings the rest back.)
 
 # %% [markdown] lang="ko" name="zero-sent-after"
 # 브로드캐스터는 아무 불만이 없습니다. 0.5초가 지나면 리스너가 받습니다.
+#
+# (`%xmode Minimal`은 오류에서 꼭 읽어야 할 마지막 줄만 보여 줍니다. `%xmode Context`로 되돌립니다.)
 
 # %% name="zero-heard"
+# %xmode Minimal
 graph.run(seconds=0.5)
 
 # %% name="zero-asked" tags=["raises-exception"]
@@ -758,10 +825,10 @@ buffer.lookup_transform("base_link", "rear_camera_link", Time())
 #
 # 1. **보낸 쪽**은 아무 말도 하지 않았습니다.
 # 2. **리스너마다** 자기 로그에 거절을 남겼고, 그 내용은 `nan`에 관한 것입니다. 행렬로 바꾸려면 길이로 나누어야 하는데, 0/0은 "숫자가 아님(not a number)"입니다.
-# 3. **여러분**이 읽은 것은 프레임이 *존재하지 않는다*는 말입니다. 그래서 오타를 찾고, launch 파일을 뒤지고, 멀쩡히 발행 중인 드라이버를 다시 시작합니다.
+# 3. **여러분**이 읽은 것은 좌표계가 *존재하지 않는다*는 말입니다. 그래서 오타를 찾고, launch 파일을 뒤지고, 멀쩡히 발행 중인 드라이버를 다시 시작합니다.
 #
-# 오류와 원인이 프로그램 두 개만큼 떨어져 있습니다.
-# 그러니 발행자가 돌고 있는데도 프레임이 "does not exist"라고 하면, **리스너**의 로그에서 `TF_NAN_INPUT`이나 `TF_DENORMALIZED_QUATERNION`을 찾으십시오.
+# 오류가 보이는 곳과 원인이 있는 곳이 프로그램 두 개만큼 떨어져 있습니다.
+# 그러니 발행자가 돌고 있는데도 좌표계가 "does not exist"라고 하면, **리스너**의 로그에서 `TF_NAN_INPUT`이나 `TF_DENORMALIZED_QUATERNION`을 찾으십시오.
 #
 # ROS 2의 새 메시지에는 이미 w = 1이 들어 있습니다. 0은 다른 곳에서 옵니다. 설정 파일, `zeros(4)`로 만든 배열, C 구조체, 브리지, ROS 1 같은 곳입니다.
 
@@ -795,7 +862,7 @@ print(misread.describe_extent({"wall": wall, "floor": floor}, "the optical frame
 # And its driver. Somebody set the parameter `frame_id` to the frame that the camera is bolted to. It sounds so sensible.
 
 # %% [markdown] lang="ko" name="cloud-node"
-# 드라이버는 다음과 같습니다. 누군가 `frame_id` 파라미터에 카메라가 장착된 프레임을 적었습니다. 참 그럴듯하게 들립니다.
+# 드라이버는 다음과 같습니다. 누군가 `frame_id` 파라미터에 카메라가 장착된 좌표계를 적었습니다. 참 그럴듯하게 들립니다.
 
 # %% name="cloud-driver"
 def depth_camera():
@@ -886,7 +953,13 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # 위의 RViz 셀을 다시 실행해 보십시오. 벽이 제자리에 서 있습니다.
 #
 # 초보자만 겪는 일이 아닙니다. 하늘을 바라보거나 90° 누운 클라우드는 지도 작성 패키지([introlab/rtabmap_ros 383](https://github.com/introlab/rtabmap_ros/issues/383)), 지하 탐사 로봇 대회의 시뮬레이터([osrf/subt 369](https://github.com/osrf/subt/issues/369)), 수많은 ROS 로봇이 거쳐 간 시뮬레이터([gazebo_ros_pkgs 1329](https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1329))의 이슈 목록에도 올라와 있습니다.
-# 해결책의 모양은 한결같습니다. 프레임을 둘 다 두고, 데이터에는 optical 쪽을 적습니다.
+# 해결책의 모양은 한결같습니다. 좌표계를 둘 다 두고, 데이터에는 광학 좌표계를 적습니다.
+
+# %% [markdown] lang="en" name="cloud-notes" slide="notes"
+# Let the zero stand on the screen for a moment. Then ask who of the three programs should have noticed: camera, TF, or planner. (None of them could.)
+
+# %% [markdown] lang="ko" name="cloud-notes" slide="notes"
+# 화면의 0을 잠시 그대로 둡니다. 그러고 나서 카메라, TF, 경로 계획기 중 누가 알아챘어야 하는지 묻습니다. (아무도 알 수 없었습니다.)
 
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
 # ## Checkpoint
@@ -913,8 +986,8 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # </details>
 # <details><summary>D. I look for the broken quaternion</summary>
 #
-# A broken quaternion would not turn the cloud: the transform would be refused, and nothing at all would be drawn.
-# And tf2_echo has just shown a good one.
+# A quaternion of zeros would not turn the cloud: the transform would be refused, and nothing at all would be drawn.
+# One with w first would turn it, and you would see it in tf2_echo, which has just shown a good one.
 #
 # </details>
 
@@ -933,20 +1006,26 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # <details><summary>B. URDF에서 camera_link를 −90°, 0, −90°만큼 돌립니다</summary>
 #
 # 클라우드는 제자리에 놓입니다. 하지만 모델 속 카메라는 로봇의 오른쪽을 보게 되고, 그 아래 달린 `camera_optical_frame`은 **두 번** 돌아갑니다.
-# optical 프레임을 제대로 쓰는 다음 사람이 틀리게 됩니다.
+# 광학 좌표계를 제대로 쓰는 다음 사람이 틀리게 됩니다.
 #
 # </details>
 # <details><summary>C. 드라이버에서 frame_id를 camera_optical_frame으로 바꿉니다</summary>
 #
-# 맞습니다. 숫자는 optical 기준이고, 이제 이름표도 그렇게 말합니다. 장착 변환은 옳습니다. 방금 tf2_echo가 보여 주었습니다.
+# 맞습니다. 숫자는 광학 좌표계 기준이고, 이제 이름표도 그렇게 말합니다. 장착 변환은 옳습니다. 방금 tf2_echo가 보여 주었습니다.
 #
 # </details>
 # <details><summary>D. 망가진 쿼터니언을 찾습니다</summary>
 #
-# 쿼터니언이 망가졌다면 클라우드가 돌아가는 것이 아니라 변환 자체가 거절되어 아무것도 그려지지 않습니다.
-# 그리고 방금 tf2_echo가 올바른 값을 보여 주었습니다.
+# 모두 0인 쿼터니언이라면 클라우드가 돌아가는 것이 아니라 변환 자체가 거절되어 아무것도 그려지지 않습니다.
+# w를 먼저 쓴 쿼터니언이라면 돌아가겠지만 tf2_echo에 드러납니다. 방금 tf2_echo는 올바른 값을 보여 주었습니다.
 #
 # </details>
+
+# %% [markdown] lang="en" name="checkpoint-notes" slide="notes"
+# Vote by hands for A to D before opening any. B is the interesting one: it works today.
+
+# %% [markdown] lang="ko" name="checkpoint-notes" slide="notes"
+# 열어 보기 전에 A부터 D까지 손을 들게 합니다. B가 흥미롭습니다. 오늘은 되니까요.
 
 # %% [markdown] lang="en" name="robot" slide="slide"
 # ## The same on a real robot
@@ -981,7 +1060,7 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # </joint>
 # ```
 #
-# Write π/2 with all its digits (xacro: `${pi/2}`). TurtleBot3's description writes `-1.57`, and so do the many robots that copied from it: at 10 m you can measure it. How much, you compute in the exercise.
+# Write π/2 with all its digits (xacro: `${pi/2}`). TurtleBot3's URDF writes `-1.57`, and so do the many robots that copied from it: at 10 m you can measure it. How much, you compute in the exercise.
 #
 # Old tutorials pass six bare numbers to `static_transform_publisher`. Their order is x y z **yaw pitch roll**: the angles are the other way round. The named options of this page cannot be mixed up; `--help` lists them.
 #
@@ -1012,7 +1091,7 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # </joint>
 # ```
 #
-# π/2는 모든 자릿수를 적으십시오(xacro에서는 `${pi/2}`). TurtleBot3의 로봇 기술 파일에는 `-1.57`이라고 적혀 있고, 이를 베껴 쓴 수많은 로봇도 그렇습니다. 10 m 앞에서는 잴 수 있을 만큼 어긋납니다. 얼마나 어긋나는지는 연습 문제에서 계산합니다.
+# π/2는 모든 자릿수를 적으십시오(xacro에서는 `${pi/2}`). TurtleBot3의 URDF에는 `-1.57`이라고 적혀 있고, 이를 베껴 쓴 수많은 로봇도 그렇습니다. 10 m 앞에서는 잴 수 있을 만큼 어긋납니다. 얼마나 어긋나는지는 연습 문제에서 계산합니다.
 #
 # 오래된 예제는 `static_transform_publisher`에 숫자 여섯 개만 나열합니다. 그 순서는 x y z **yaw pitch roll**로, 각도가 거꾸로입니다. 이 페이지처럼 이름이 있는 옵션을 쓰면 뒤섞일 일이 없습니다. 옵션 목록은 `--help`로 볼 수 있습니다.
 #
@@ -1043,8 +1122,8 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 #
 # | 증상 | 가능성이 큰 원인 | 첫 확인 |
 # |---|---|---|
-# | 깊이 클라우드가 천장처럼 로봇 위에 뜬다 | optical 데이터에 몸체 프레임을 적음 | `ros2 topic echo /camera/points --field header.frame_id --once` |
-# | 앞에 있는 것이 로봇 오른쪽에 나타난다 | optical 회전을 두 번 적용했거나 몸체에도 적용함 | `ros2 run tf2_ros tf2_echo base_link camera_link`, URDF의 `rpy` |
+# | 깊이 클라우드가 천장처럼 로봇 위에 뜬다 | 광학 좌표계의 데이터에 몸체 좌표계를 적음 | `ros2 topic echo /camera/points --field header.frame_id --once` |
+# | 앞에 있는 것이 로봇 오른쪽에 나타난다 | 광학 회전을 두 번 적용했거나 몸체에도 적용함 | `ros2 run tf2_ros tf2_echo base_link camera_link`, URDF의 `rpy` |
 # | 로봇이 뒤집혀 누워 있다 | 쿼터니언의 w를 맨 앞에 씀 | 값이 들어오는 곳에서 출력해 보기 |
 # | 발행자가 돌고 있는데 "frame does not exist" | 모두 0이거나 NaN | **리스너**의 로그 |
 # | 센서가 아무도 정한 적 없는 각도로 돌아가 있다 | 라디안 자리에 도(degree)를 씀 | URDF의 `rpy`에 3.2보다 큰 수가 있는지 |
@@ -1072,7 +1151,7 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # - 양의 yaw는 왼쪽으로 돌고, 양의 pitch는 기수를 내리고, 양의 roll은 왼쪽을 들어 올립니다.
 # - rpy는 고정축을 중심으로 roll부터 돌리며, 순서가 중요합니다.
 # - 쿼터니언 (x, y, z, w)에는 각도의 절반이 들어갑니다. (0, 0, 0, 1)은 회전 없음, (0, 0, 0, 0)은 회전이 아니며, q와 −q는 같습니다.
-# - 몸체에서 optical까지는 rpy (−π/2, 0, −π/2). 데이터에는 optical 프레임을 적습니다.
+# - 몸체에서 광학 좌표계까지는 rpy (−π/2, 0, −π/2). 데이터에는 광학 좌표계를 적습니다.
 # - 90° 돌아가 있다면 이름표나 장착 변환을 고치고, 데이터는 절대 고치지 않습니다.
 #
 # 카드를 인쇄하여 작업대에 붙여 두십시오.
@@ -1108,12 +1187,12 @@ card.draw_card()
 #
 # <details><summary>1. 좌표에는 값 말고 무엇이 더 필요합니까?</summary>
 #
-# 프레임과 시각입니다. 어느 축을 기준으로 적었는지, 언제 측정했는지입니다.
+# 좌표계와 시각입니다. 어느 축을 기준으로 적었는지, 언제 측정했는지입니다.
 #
 # </details>
 # <details><summary>2. 로봇은 계속 달리고 기둥은 서 있습니다. map 기준과 laser_frame 기준 중 어느 쪽의 기둥 좌표가 바뀝니까?</summary>
 #
-# `laser_frame` 기준입니다. 프레임이 로봇과 함께 움직이기 때문입니다. `map`에서 기둥은 가만히 있습니다.
+# `laser_frame` 기준입니다. 좌표계가 로봇과 함께 움직이기 때문입니다. `map`에서 기둥은 가만히 있습니다.
 #
 # </details>
 # <details><summary>3. 레이저는 base_link 기준 (0.20, 0, 0.15)에 회전 없이 달려 있습니다. 레이저가 모서리를 (2, 0, 0)에서 보았습니다. base_link에서는 어디입니까?</summary>
@@ -1153,12 +1232,12 @@ card.draw_card()
 #
 # 두세 문장씩 적은 다음, 채점 기준을 열어 스스로 정직하게 채점하십시오. 한 가지 생각에 1점입니다.
 #
-# **Q2.** 로봇 몸체의 좌표축과 카메라 optical 프레임의 좌표축을 비교하십시오.
+# **Q2.** 로봇 몸체의 좌표축과 카메라 광학 좌표계의 좌표축을 비교하십시오.
 #
 # <details><summary>채점 기준 (4점)</summary>
 #
 # - 몸체: x 앞, y 왼쪽, z 위.
-# - Optical: z 앞, x 오른쪽, y 아래.
+# - 광학: z 앞, x 오른쪽, y 아래.
 # - 둘 다 오른손 좌표계이고 단위는 미터입니다. 둘 사이에는 이동 없이 회전 rpy (−π/2, 0, −π/2)만 있습니다.
 # - 헤더에 다른 쪽 이름이 적히면 TF는 오류 없이 계산하고, 포인트 클라우드와 검출 결과는 돌아가거나 뒤집혀 나타납니다.
 #
@@ -1169,8 +1248,8 @@ card.draw_card()
 # <details><summary>채점 기준 (3점)</summary>
 #
 # - (0, 0, 0, 1)은 항등 회전입니다. 길이가 1이고 아무것도 돌리지 않습니다.
-# - (0, 0, 0, 0)은 길이가 0이고 회전이 아닙니다. 크기를 조절해도 회전이 되지 않습니다.
-# - 보내는 쪽은 불평하지 않습니다. 리스너마다 로그를 남기고 변환을 거절하며, 나중에 조회하는 쪽은 프레임이 존재하지 않는다는 말을 읽게 됩니다.
+# - (0, 0, 0, 0)은 길이가 0이고 회전이 아닙니다. 수를 곱해 길이를 맞추려 해도 회전이 되지 않습니다.
+# - 보내는 쪽은 불평하지 않습니다. 리스너마다 로그를 남기고 변환을 거절하며, 나중에 조회하는 쪽은 좌표계가 존재하지 않는다는 말을 읽게 됩니다.
 #
 # </details>
 
@@ -1192,8 +1271,8 @@ card.draw_card()
 #
 # 종이에 한 문장씩 적으십시오.
 #
-# 1. 머그컵은 optical 프레임에서 왜 (0, 0, 2)에 있습니까? 공식 말고 손으로 설명하십시오.
-# 2. 누가 "TF가 오류를 내지 않았으니 프레임은 맞다"고 합니다. 뭐라고 답하겠습니까?
+# 1. 머그컵은 광학 좌표계에서 왜 (0, 0, 2)에 있습니까? 공식 말고 손으로 설명하십시오.
+# 2. 누가 "TF가 오류를 내지 않았으니 좌표계는 맞다"고 합니다. 뭐라고 답하겠습니까?
 # 3. 아직 흐릿한 것은 무엇입니까? 다음 시간에 가져오십시오.
 #
 # 이제 [이 장의 연습 문제](../../exercises/ko/02_axes_and_quaternions.ipynb)를 푸십시오. `check`는 맞고 틀림뿐 아니라 *어떤* 실수인지도 알려 줍니다.
