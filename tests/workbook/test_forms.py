@@ -154,3 +154,15 @@ MADE_UP = [
 @pytest.mark.parametrize(("form", "answer", "expected"), SAME[::3])
 def test_made_up_json_is_merely_wrong(form, answer, expected, hostile):
     assert form.judge(hostile, to_plain(expected)) == [False]
+
+
+def test_a_message_in_a_message_is_the_same_in_whichever_order_its_fields_were_written() -> None:
+    form = Message("geometry_msgs/msg/PointStamped", fields=("header.stamp",))
+
+    def point(stamp: dict) -> dict:
+        header = {"stamp": {"message": ["builtin_interfaces/msg/Time", stamp]}, "frame_id": "map"}
+        fields = {"header": {"message": ["std_msgs/msg/Header", header]}}
+        return {"message": ["geometry_msgs/msg/PointStamped", fields]}
+
+    assert form.same(point({"sec": 4, "nanosec": 5}), point({"nanosec": 5, "sec": 4}))
+    assert not form.same(point({"sec": 4, "nanosec": 5}), point({"nanosec": 6, "sec": 4}))

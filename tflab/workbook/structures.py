@@ -11,6 +11,7 @@ Read `forms.py` next: all of them together.
 
 from __future__ import annotations
 
+import json
 from dataclasses import dataclass
 from itertools import islice, product
 
@@ -148,4 +149,5 @@ def _as_one(probes: list[Probe] | None) -> Probe:
 
 
 def _text(plain: Plain) -> str:
-    return repr(plain)
+    """Return a value as one word; in which order its keys were written says nothing."""
+    return json.dumps(plain, sort_keys=True)
