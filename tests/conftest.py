@@ -10,7 +10,6 @@ say how to get one; where CI=true they fail instead.
 
 from __future__ import annotations
 
-import json
 import os
 import shutil
 import socket
@@ -27,6 +26,8 @@ from urllib.parse import urlsplit
 
 import pytest
 from hypothesis import settings
+
+from tflab.workbook.lab import QUIET_OPTIONS, quiet_environment
 
 # Where a change has to pass, the same examples every time; on a developer's machine, new ones every time.
 settings.register_profile("ci", derandomize=True, deadline=None)
@@ -135,10 +136,6 @@ def running_lab(home: Path) -> Iterator[Lab]:
     folder = home / "notebooks"
     folder.mkdir()
     port = _free_port()
-    settings = home / "settings" / "@jupyterlab" / "apputils-extension"
-    settings.mkdir(parents=True)
-    silent = {"fetchNews": "false", "checkForUpdates": False}
-    (settings / "notification.jupyterlab-settings").write_text(json.dumps(silent))
     own_folders = {
         "JUPYTER_CONFIG_DIR": str(home / "config"),
         "JUPYTER_RUNTIME_DIR": str(home / "runtime"),
@@ -154,14 +151,12 @@ def running_lab(home: Path) -> Iterator[Lab]:
         "--ServerApp.port_retries=0",
         f"--IdentityProvider.token={TOKEN}",
         "--LabApp.expose_app_in_browser=True",
-        "--LabApp.extension_manager=readonly",
-        "--LabApp.news_url=",
-        "--LabApp.check_for_updates_class=jupyterlab.NeverCheckForUpdate",
+        *QUIET_OPTIONS,
     ]
     with (home / "log").open("w") as log:
         server = subprocess.Popen(
             [sys.executable, "-m", "jupyterlab", *arguments],
-            env=os.environ | own_folders, stdout=subprocess.DEVNULL, stderr=log,
+            env=os.environ | own_folders | quiet_environment(os.environ), stdout=subprocess.DEVNULL, stderr=log,
         )  # fmt: skip
         url = f"http://127.0.0.1:{port}"
         try:

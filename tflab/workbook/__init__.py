@@ -10,8 +10,11 @@ The rooms within the room, in reading order:
     measures, structures, forms       what an answer looks like, and when two are the same
     tasks, reference, cases, sealed   a task, its right answer, its wrong ones; what an answer is tried on
     verdict, replies, checks          what became of an answer, and how it is said
-    places, learner, lab, progress    where the workbook is, a learner's copy, JupyterLab on it, what was passed
-    course, glossary                  chapters, objectives, checklist; terms
+    places, learner, merge, lab       where the workbook is, a learner's copy, JupyterLab on it
+    whole_files, progress             files that are written whole; what was tried and what was passed
+    course, standing, progress_page   chapters, objectives, checklist; what a learner has shown of them
+    glossary, contents, course_map    terms, and what of the pages is made from files
+    environment                       whether this machine has what the pages need
     source, rules, editions, build    from a page's source to its notebooks in two languages
     slides, html                      the same pages for lecturing and for reading
 

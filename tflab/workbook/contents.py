@@ -43,7 +43,7 @@ GLOSSARY_CHAPTER = Words(en="## Chapter {number} · {title}", ko="## {number}장
 
 def chapter_table(language: str, root: Path) -> str:
     """Return the chapters as a markdown table, with links to those that have a page."""
-    lines = [HEAD.say(language), "|---|---|---|---|---|"]
+    lines = [HEAD.say(language), "|--:|:--|:--|:--|:--|"]
     for chapter in read_course().chapters[1:]:
         title = chapter.title.say(language)
         exercise = ""

@@ -24,13 +24,14 @@ from .learner import Change, has_language, lay_out, update
 from .places import MARK, WorkbookError, read_workbook
 from .words import LANGUAGES, Words
 
-__all__ = ["COPY", "FIRST_PAGE", "QUIET_OPTIONS", "lab", "language_of"]
+__all__ = ["COPY", "FIRST_PAGE", "QUIET_OPTIONS", "lab", "language_of", "quiet_environment"]
 
 QUIET_OPTIONS = (
     "--LabApp.news_url=None",
     "--LabApp.check_for_updates_class=jupyterlab.NeverCheckForUpdate",
     "--LabApp.extension_manager=readonly",
 )
+QUIET_SETTINGS = Path(__file__).with_name("jupyter")  # it would ask whether to look for news
 FIRST_PAGE = "00_start.ipynb"
 COPY = "tflab_workbook"
 
@@ -109,7 +110,14 @@ def start_jupyterlab(options: Sequence[str]) -> None:
     """Run JupyterLab in this very process, so that whatever ends this one ends it too."""
     from jupyterlab.labapp import main
 
+    os.environ.update(quiet_environment(os.environ))
     main(list(options))
+
+
+def quiet_environment(environment: Mapping[str, str]) -> dict[str, str]:
+    """Return what to add to an environment so that JupyterLab does not ask whether it may look for news."""
+    paths = [str(QUIET_SETTINGS), *filter(None, [environment.get("JUPYTER_CONFIG_PATH")])]
+    return {"JUPYTER_CONFIG_PATH": os.pathsep.join(paths)}
 
 
 def _parser() -> argparse.ArgumentParser:

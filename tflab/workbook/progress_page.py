@@ -45,16 +45,17 @@ PASSED, TRIED, UNTRIED = "■", "◧", "□"
 STATES = {"passed": "✓", "open": "○", "later": "·"}
 
 STYLE = """
-.tflab-progress table {border-collapse: collapse; margin: 0.4em 0 1.2em; font-size: 1em}
-.tflab-progress td {border: 0; border-bottom: 1px solid color-mix(in srgb, currentColor 22%, transparent);
-  padding: 0.35em 0.9em 0.35em 0; text-align: left; vertical-align: top; background: none; white-space: normal}
-.tflab-progress tr {background: none !important}
-.tflab-progress td.mark {text-align: center; font-weight: bold; padding: 0.35em 0.7em 0.35em 0.1em; white-space: nowrap}
-.tflab-progress td.tasks {letter-spacing: 0.25em; white-space: nowrap; font-size: 1.15em}
-.tflab-progress td.count {white-space: nowrap}
-.tflab-progress tr.later {opacity: 0.62}
-.tflab-progress h3 {margin: 0.8em 0 0.2em}
-.tflab-progress code {background: none; white-space: pre-wrap; overflow-wrap: anywhere}
+.tflab-progress > table {border-collapse: collapse; margin: 0.4em 0 1.2em; font-size: 1em}
+.tflab-progress > table td {border: 0; border-bottom: 1px solid color-mix(in srgb, currentColor 22%, transparent);
+  padding: 0.35em 0.9em 0.35em 0; text-align: left !important; vertical-align: top; background: none;
+  white-space: normal}
+.tflab-progress > table tr {background: none !important}
+.tflab-progress > table td.mark {font-weight: bold; padding-left: 0.1em; padding-right: 0.7em; white-space: nowrap}
+.tflab-progress > table td.tasks {letter-spacing: 0.25em; white-space: nowrap; font-size: 1.15em}
+.tflab-progress > table td.count {white-space: nowrap}
+.tflab-progress > table tr.later {opacity: 0.62}
+div.tflab-progress > h3 {margin: 0.8em 0 0.2em}
+.tflab-progress > table code {background: none; padding: 0; white-space: pre-wrap; overflow-wrap: anywhere}
 .tflab-progress small {opacity: 0.85}
 """
 

@@ -1,0 +1,146 @@
+"""The course covers the lecture, its files agree with the pages, and every word of the glossary is explained twice."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from tflab.workbook.cases import read_cases
+from tflab.workbook.contents import GLOSSARY_PAGE, START_PAGE, chapter_table, glossary_page, start_page
+from tflab.workbook.course import read_course
+from tflab.workbook.course_map import draw_course
+from tflab.workbook.glossary import UnknownTerm, expand, read_glossary
+from tflab.workbook.places import CASES, chapters, workbook_data
+from tflab.workbook.tasks import chapter_of
+
+# The lecture: 31 sections, 15 questions, 14 things to have done, 8 objectives; which chapter has which.
+CHAPTERS = [
+    "00_start", "01_value_frame_stamp", "02_axes_and_quaternions", "03_target_and_source", "04_frame_tree",
+    "05_map_odom_base_link", "06_static_and_dynamic", "07_urdf_and_sensors", "08_buffer_and_measurement_time",
+    "09_exceptions_and_waiting", "10_clocks_and_bags", "11_tools_and_rviz", "12_owners_and_diagnosis",
+]  # fmt: skip
+SECTIONS = {
+    1: {1, 31}, 2: {2, 8, 25, 28, 29}, 3: {3, 13}, 4: {4, 12, 26}, 5: {5, 6}, 6: {7, 8, 9, 10, 29}, 7: {11, 25},
+    8: {16, 17, 18}, 9: {19, 20, 21}, 10: {22}, 11: {12, 13, 14, 15}, 12: {23, 24, 27, 28, 29, 30, 31},
+}  # fmt: skip
+PRACTICE = {
+    1: {1}, 2: {2}, 3: {3}, 4: {4, 12}, 5: {5}, 6: {5}, 7: {6}, 8: {2}, 9: {11}, 10: {8}, 11: {9}, 12: {9},
+    13: {10}, 14: {7, 12}, 15: {12},
+}  # fmt: skip
+CHECKLIST = {
+    1: {2}, 2: {3}, 3: {6}, 4: {6}, 5: {4, 11}, 6: {11}, 7: {11}, 8: {8}, 9: {8}, 10: {9}, 11: {10}, 12: {10},
+    13: {4, 12}, 14: {12},
+}  # fmt: skip
+OBJECTIVES = {1: {1, 2}, 2: {3, 4}, 3: {5}, 4: {6}, 5: {8}, 6: {11}, 7: {9, 12}, 8: {7, 12}}
+ON_THE_SCREEN = [1]  # of the checklist: what needs no robot
+HANGUL = re.compile("[가-힣]")
+
+
+def test_the_chapters_have_their_names_and_build_only_on_earlier_ones() -> None:
+    course = read_course()
+    assert [chapter.stem for chapter in course.chapters] == CHAPTERS
+    for chapter in course.chapters[1:]:
+        assert chapter.builds_on
+        assert all(before < chapter.number for before in chapter.builds_on)
+        assert 45 <= chapter.minutes <= 60
+
+
+def test_every_section_of_the_lecture_has_its_chapter() -> None:
+    found = {chapter.number: set(chapter.sections) for chapter in read_course().chapters[1:]}
+    assert found == SECTIONS
+    assert set().union(*found.values()) == set(range(1, 32))
+
+
+def test_every_practice_question_has_its_chapter() -> None:
+    course = read_course()
+    assert len(course.questions) == 15
+    found = {
+        number: {chapter.number for chapter in course.chapters if number in chapter.practice} for number in range(1, 16)
+    }
+    assert found == PRACTICE
+
+
+def test_objectives_and_checklist_are_shown_by_tasks_of_their_chapters() -> None:
+    course = read_course()
+    for goals, wanted in ((course.objectives, OBJECTIVES), (course.checklist, CHECKLIST)):
+        found = {number: {chapter_of(task) for task in goal.tasks} for number, goal in enumerate(goals, start=1)}
+        assert found == wanted
+
+
+def test_what_is_done_on_a_robot_comes_with_what_to_type_there() -> None:
+    for number, goal in enumerate(read_course().checklist, start=1):
+        assert bool(goal.robot) == (number not in ON_THE_SCREEN)
+        assert all(re.match(r"(ros2 |rviz2$|python3 )", command) for command in goal.robot)
+
+
+@pytest.mark.parametrize("stem", chapters())
+def test_a_goal_names_only_tasks_that_its_chapter_has(stem: str) -> None:
+    course = read_course()
+    there = set(read_cases(workbook_data() / CASES / f"{stem}.json")["tasks"])
+    named = {task for goal in (*course.objectives, *course.checklist) for task in goal.tasks}
+    assert {task for task in named if chapter_of(task) == int(stem[:2])} <= there
+
+
+def test_the_course_says_everything_in_both_languages() -> None:
+    course = read_course()
+    words = [chapter.question for chapter in course.chapters]
+    words += [goal.words for goal in (*course.objectives, *course.checklist)] + list(course.questions)
+    for said in words:
+        assert HANGUL.search(said.ko)
+        assert not HANGUL.search(said.en)
+
+
+def test_the_map_draws_each_chapter_behind_those_that_it_builds_on() -> None:
+    picture = draw_course()
+    assert "12. Owners and diagnosis, builds on 7 and 10 and 11" in picture.text
+    assert "3. Target and source, builds on 2" in picture.text  # and so on 1, which is not said again
+    assert len(picture.text.splitlines()) == 12
+    assert len(picture.png()) < 60_000
+
+
+def test_pages_that_are_made_from_files_are_in_step_with_them() -> None:
+    root = workbook_data()
+    remedy = "run: python -m tflab.workbook.contents, then: tflab build 00 90"
+    assert (root / START_PAGE).read_text(encoding="utf-8") == start_page(root), remedy
+    assert (root / GLOSSARY_PAGE).read_text(encoding="utf-8") == glossary_page(), remedy
+
+
+def test_the_table_links_what_is_there_and_says_what_is_to_come(tmp_path: Path) -> None:
+    (tmp_path / "notebooks/src").mkdir(parents=True)
+    (tmp_path / "notebooks/src/03_target_and_source.py").write_text("")
+    lines = chapter_table("ko", tmp_path).splitlines()
+    assert "**[목표와 원본](03_target_and_source.ipynb)**" in lines[4]
+    assert "준비 중" in lines[5]
+
+
+def test_the_glossary_has_the_twenty_words_of_the_lecture_and_explains_each_in_both_languages() -> None:
+    glossary = read_glossary()
+    assert sum(term.lecture for term in glossary.values()) == 20
+    for key, term in glossary.items():
+        assert key == term.key.lower()
+        assert term.chapter in CHAPTERS
+        assert HANGUL.search(term.definition.ko)
+        assert not HANGUL.search(term.definition.en)
+        assert term.definition.en.endswith(".")
+        assert term.definition.ko.endswith("니다.")
+
+
+def test_a_marked_word_explains_itself_and_code_stays_as_it_is() -> None:
+    text = "A [[target frame]], `[[x]]`, [[frame|place]].\n\n```\n[[no]]\n```\n"
+    shown = expand(text, "en")
+    assert '<abbr title="The frame in which you want the data: the first argument of lookup_transform.">' in shown
+    assert ">target frame</abbr>, `[[x]]`, <abbr" in shown
+    assert ">place</abbr>.\n\n```\n[[no]]\n```\n" in shown
+
+
+def test_in_korean_a_bare_word_shows_both() -> None:
+    assert ">목표 좌표계(target frame)</abbr>" in expand("[[target frame]]", "ko")
+    assert ">tf2_echo(변환 확인 도구)</abbr>" in expand("[[tf2_echo]]", "ko")
+    assert ">좌표계</abbr>" in expand("[[frame|좌표계]]", "ko")
+
+
+def test_a_word_that_is_not_there_is_said_with_the_nearest() -> None:
+    with pytest.raises(UnknownTerm, match='no "taget frame"; did you mean "target frame"'):
+        expand("[[taget frame]]", "en")

@@ -1,0 +1,57 @@
+"""Files that are written whole, and what the first page says of the machine."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tflab.workbook import environment
+from tflab.workbook.places import chapters, workbook_data
+from tflab.workbook.whole_files import write_whole
+
+from .conftest import HandedOut
+
+
+def test_a_file_is_there_as_it_was_if_writing_it_fails(tmp_path: Path, monkeypatch) -> None:
+    path = tmp_path / "progress.json"
+    write_whole(path, "as it was")
+
+    def fail(*_: object) -> None:
+        raise OSError("no space left")
+
+    monkeypatch.setattr("os.replace", fail)
+    with pytest.raises(OSError, match="no space"):
+        write_whole(path, "as it will be")
+    assert path.read_text() == "as it was"
+    assert [found.name for found in tmp_path.iterdir()] == ["progress.json"]
+
+
+def test_the_workbook_of_an_editable_install_is_the_repository(monkeypatch) -> None:
+    monkeypatch.delenv("TFLAB_WORKBOOK", raising=False)
+    assert (workbook_data() / "pyproject.toml").is_file()
+
+
+def test_installed_from_a_wheel_the_workbook_is_inside_the_package(monkeypatch, tmp_path: Path) -> None:
+    from tflab.workbook import places
+
+    inside = tmp_path / "tflab" / "_workbook"
+    inside.mkdir(parents=True)
+    monkeypatch.delenv("TFLAB_WORKBOOK", raising=False)
+    monkeypatch.setattr(places, "__file__", str(tmp_path / "tflab" / "workbook" / "places.py"))
+    assert workbook_data() == inside
+
+
+def test_chapters_are_those_with_tasks(handed_out: HandedOut) -> None:
+    assert chapters() == ["03_small"]
+
+
+def test_what_is_missing_is_named_with_what_to_type(monkeypatch, capsys) -> None:
+    environment.check_environment()
+    assert "✗" not in capsys.readouterr().out
+    monkeypatch.setattr(environment, "LEAST_PYTHON", (99, 0))
+    monkeypatch.setitem(environment.NEEDED, "widgets and 3D", ("no_such_package",))
+    environment.check_environment()
+    said = capsys.readouterr().out
+    assert "install a later one" in said
+    assert "no_such_package is missing: pip install no_such_package" in said

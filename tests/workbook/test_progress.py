@@ -1,0 +1,136 @@
+"""What was tried is written down, by two notebooks at once, and nothing of it is ever lost."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tflab.workbook import progress
+from tflab.workbook.learner import lay_out
+from tflab.workbook.progress import Attempts, attempts, record_hint, record_try
+from tflab.workbook.progress_page import ProgressPage
+from tflab.workbook.progress_page import progress as progress_command
+from tflab.workbook.standing import standing
+
+from .conftest import HandedOut
+
+
+@pytest.fixture
+def copy(handed_out: HandedOut, tmp_path: Path) -> Path:
+    return lay_out(tmp_path / "copy", "en")
+
+
+def give_tasks(copy: Path, stem: str, *names: str) -> None:
+    tasks = {name: {"title": {"en": "Which?", "ko": "어느 것?"}, "points": 2} for name in names}
+    cases = {"format": 1, "chapter": stem, "tasks": tasks}
+    (copy / "exercises" / "cases" / f"{stem}.json").write_text(json.dumps(cases))
+
+
+def test_tries_hints_and_mistakes_are_counted_and_a_pass_stays(copy: Path) -> None:
+    record_try(copy, "E3.2", 1, 6, "swapped")
+    record_try(copy, "E3.2", 6, 6)
+    record_try(copy, "E3.2", 0, 6, "swapped")
+    assert [record_hint(copy, "E3.2"), record_hint(copy, "E3.2"), record_hint(copy, "E3.3")] == [1, 2, 1]
+    assert attempts(copy, "E3.2") == Attempts(tries=3, hints=2, passed=True, best=6, of=6, twins={"swapped": 2})
+    assert attempts(copy, "E3.4") == Attempts()
+
+
+def test_nothing_is_kept_where_there_is_no_copy(tmp_path: Path) -> None:
+    record_try(tmp_path, "E3.2", 6, 6)
+    assert record_hint(tmp_path, "E3.2") == 0
+    assert attempts(tmp_path, "E3.2") == Attempts()
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_notebooks_that_write_at_once_lose_nothing(copy: Path) -> None:
+    program = (
+        "import sys; from pathlib import Path; from tflab.workbook.progress import record_try\n"
+        "for _ in range(40): record_try(Path(sys.argv[1]), 'E3.2', 0, 6, sys.argv[2]); "
+        "record_try(Path(sys.argv[1]), sys.argv[3], 0, 6)"
+    )
+    arguments = [("left", "E3.3"), ("right", "E3.4")]
+    running = [subprocess.Popen([sys.executable, "-c", program, str(copy), *words]) for words in arguments]
+    assert [process.wait(timeout=60) for process in running] == [0, 0]
+    assert attempts(copy, "E3.2").twins == {"left": 40, "right": 40}
+    assert [attempts(copy, name).tries for name in ("E3.2", "E3.3", "E3.4")] == [80, 40, 40]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        '{"format": 1, "tasks": {"E3',
+        "[]",
+        '{"format": 99, "tasks": {}}',
+        '{"format": 1, "tasks": {"E3.2": {"stars": 5}}}',
+        '{"format": 1, "tasks": {"E3.2": 5}}',
+    ],
+)
+def test_a_file_that_cannot_be_read_is_kept_aside_and_said(text: str, copy: Path, capsys) -> None:
+    (copy / "progress.json").write_text(text)
+    (copy / "progress.kept-1.json").write_text("an earlier one")
+    record_try(copy, "E3.2", 6, 6)
+    assert (copy / "progress.kept-2.json").read_text() == text
+    assert (copy / "progress.kept-1.json").read_text() == "an earlier one"
+    assert attempts(copy, "E3.2").passed
+    assert "It is kept as progress.kept-2.json" in capsys.readouterr().err
+
+
+def test_a_place_that_cannot_be_written_to_is_said_and_check_goes_on(copy: Path, capsys, monkeypatch) -> None:
+    def refuse(path: Path, text: str) -> None:
+        raise PermissionError("read-only")
+
+    monkeypatch.setattr(progress, "write_whole", refuse)
+    record_try(copy, "E3.2", 6, 6)
+    assert "could not be written" in capsys.readouterr().err
+
+
+def test_only_passed_checks_tick_and_what_is_not_here_is_later(copy: Path) -> None:
+    give_tasks(copy, "03_target_and_source", "E3.1", "E3.2", "E3.5", "E3.10")
+    record_try(copy, "E3.1", 4, 4)
+    record_try(copy, "E3.5", 3, 4)
+    stands = standing(copy)
+    chapter = stands.chapters[3]
+    assert [task.id for task in chapter.tasks] == ["E3.1", "E3.2", "E3.5", "E3.10"]
+    assert chapter.passed == 1
+    echo = stands.checklist[1]
+    assert (echo.state, echo.passed, echo.here) == ("open", 1, ["E3.1", "E3.5"])
+    assert stands.checklist[0].state == "later"
+    record_try(copy, "E3.5", 4, 4)
+    assert standing(copy).checklist[1].state == "passed"
+    assert standing(copy).objectives[1].state == "open"  # its tasks of chapter 4 are not here
+
+
+def test_the_page_says_what_is_left_and_what_to_type_on_a_robot(copy: Path) -> None:
+    give_tasks(copy, "03_target_and_source", "E3.1", "E3.5")
+    record_try(copy, "E3.1", 4, 4)
+    text = ProgressPage(standing(copy)).text
+    assert "Your progress: 1 of 2 tasks passed" in text
+    assert "03  ■ □   1/2   Target and source" in text
+    assert "1 of 2; to pass: E3.5" in text
+    assert "$ ros2 run tf2_ros tf2_echo base_link laser_frame" in text
+    assert "ros2 bag record" not in text  # later
+    assert 'title="E3.1 · Which? · 1 tries, 0 hints"' in ProgressPage(standing(copy)).html
+
+
+def test_the_page_is_in_the_language_of_the_copy(handed_out: HandedOut, tmp_path: Path) -> None:
+    copy = lay_out(tmp_path / "copy", "ko")
+    text = ProgressPage(standing(copy)).text
+    assert "학습 현황" in text
+    assert "What you can do" not in text
+
+
+def test_tflab_progress_finds_the_copy_below_the_folder_it_is_called_in(
+    handed_out: HandedOut, tmp_path: Path, monkeypatch, capsys
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert progress_command([]) == 0
+    assert "Nothing is kept here" in capsys.readouterr().out
+    lay_out(tmp_path / "tflab_workbook", "en")
+    assert progress_command([]) == 0
+    assert "Only a passed check ticks" in capsys.readouterr().out
+    assert progress_command([str(tmp_path)]) == 2
+    assert "tflab lab makes one" in capsys.readouterr().err
