@@ -81,7 +81,7 @@ from tflab.views.mount import draw_mount, seen_from
 from tflab.views.panels import mount_panel, sentence_panel
 from tflab.views.readings import draw_readings
 from tflab.views.scene import Scene, draw_arrow, draw_frame, draw_path
-from tflab.views.style import ACCENT, fmt_all
+from tflab.views.style import ACCENT, fmt_all  # fmt_all writes a point with its unit
 
 # %% [markdown] lang="en" name="ten-years" slide="slide"
 # ## Ten years of "reversed"
@@ -171,12 +171,14 @@ my_guess = (0.0, 0.0, 0.0)  # your guess: (x, y, z) in base_link [m]
 #
 # The mount, with ROS 2's own tool, and then a node with a buffer: what you would write on a robot.
 # `spin_thread=True` lets the listener hear in a thread of its own, while you type.
+# Time is virtual here and stands still until `graph.run(…)` lets it pass.
 
 # %% [markdown] lang="ko" name="run-it" slide="subslide"
 # ## 실행해 보기
 #
 # 먼저 ROS 2 도구로 레이저를 달고, 이어서 버퍼를 가진 노드를 만듭니다. 로봇에서도 똑같이 씁니다.
 # `spin_thread=True`를 주면, 여러분이 입력하는 동안에도 리스너가 자기 스레드에서 듣습니다.
+# 여기서 시간은 가상이며, `graph.run(…)`이 흐르게 할 때만 흐릅니다.
 
 # %% name="mount-the-laser"
 # %ros2 run tf2_ros static_transform_publisher --x 0.20 --z 0.15 --yaw 1.5707963 --frame-id base_link --child-frame-id laser_frame
@@ -392,15 +394,15 @@ draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'corner': (
 # 일본어로 올라온 어느 풀 리퀘스트도 같은 문장에 이르렀습니다.
 # 누가 "어디에서 어디로"라고 말하면 멈추고 웃어 줍니다.
 
-# %% [markdown] lang="en" name="the-sentence-panel-why" slide="subslide"
+# %% [markdown] lang="en" name="the-sentence-panel-why" slide="skip"
 # Choose in any line; the others follow.
 # Find a pair for which the matrix and its opposite differ in only one sign.
 
-# %% [markdown] lang="ko" name="the-sentence-panel-why" slide="subslide"
+# %% [markdown] lang="ko" name="the-sentence-panel-why" slide="skip"
 # 아무 줄에서나 골라 보십시오. 나머지가 따라옵니다.
 # 행렬과 그 반대 행렬이 부호 하나만 다른 쌍을 찾아보십시오.
 
-# %% name="the-sentence-panel" tags=["interactive"]
+# %% name="the-sentence-panel" tags=["interactive"] slide="skip"
 sentence_panel(
     {
         'base_link': Transform(),
@@ -411,10 +413,10 @@ sentence_panel(
     'laser_frame',
 )
 
-# %% name="the-sentence-still" slide="skip"
+# %% name="the-sentence-still" slide="subslide"
 draw_question(buffer, 'base_link', 'laser_frame')
 
-# %% [markdown] lang="en" name="the-sentence-panel-answer"
+# %% [markdown] lang="en" name="the-sentence-panel-answer" slide="skip"
 # <details><summary>A pair with only one sign of difference</summary>
 #
 # `base_link` and `rear_laser`: a laser at the back, turned by half a turn.
@@ -423,7 +425,7 @@ draw_question(buffer, 'base_link', 'laser_frame')
 #
 # </details>
 
-# %% [markdown] lang="ko" name="the-sentence-panel-answer"
+# %% [markdown] lang="ko" name="the-sentence-panel-answer" slide="skip"
 # <details><summary>부호 하나만 다른 쌍</summary>
 #
 # `base_link`와 `rear_laser`입니다. 뒤쪽에 반 바퀴 돌려 단 레이저입니다.
@@ -444,7 +446,7 @@ draw_question(buffer, 'base_link', 'laser_frame')
 # 레이저는 로봇에 달려 있고, 로봇은 `odom`에 서 있고, `odom`은 `map` 안에 있습니다.
 # 나머지를 이어 봅시다. 오늘은 로봇이 서 있으므로 모든 연결이 정적이어도 됩니다.
 
-# %% name="the-rest-of-the-robot" slide="fragment"
+# %% name="the-rest-of-the-robot" slide="skip"
 # %ros2 run tf2_ros static_transform_publisher --x 4 --y 1 --yaw 1.5707963 --frame-id map --child-frame-id odom
 # %ros2 run tf2_ros static_transform_publisher --x 2 --frame-id odom --child-frame-id base_footprint
 # %ros2 run tf2_ros static_transform_publisher --z 0.10 --frame-id base_footprint --child-frame-id base_link
@@ -457,7 +459,7 @@ draw_buffer(buffer)
 # %% [markdown] lang="en" name="dominoes-fit" slide="subslide"
 # ### Neighbours must match
 #
-# Transforms multiply like dominoes lie: the right half of one must be the left half of the next.
+# Transforms multiply the way dominoes lie: the right half of one must be the left half of the next.
 # What matches cancels; the two ends remain.
 
 # %% [markdown] lang="ko" name="dominoes-fit" slide="subslide"
@@ -527,12 +529,12 @@ nonsense = map_T_odom @ base_T_laser @ odom_T_base
 print('the corner, says Python', fmt_all(nonsense.apply(laser_p_corner)))
 
 # %% [markdown] lang="en" name="wrong-order-seen"
-# Python does not object: four by four times four by four is always fine.
+# Python does not object: any two transforms can be multiplied.
 # The corner has moved by metres, and no error was raised.
 # That is why both frames stand in the name of a variable: `map_T_odom @ base_T_laser` *looks* wrong, and `T1 @ T3` never will.
 
 # %% [markdown] lang="ko" name="wrong-order-seen"
-# 파이썬은 항의하지 않습니다. 4×4 곱하기 4×4는 언제나 계산됩니다.
+# 파이썬은 항의하지 않습니다. 변환은 어떤 둘이든 곱할 수 있기 때문입니다.
 # 모서리가 몇 미터나 옮겨 갔는데 오류는 나지 않았습니다.
 # 변수 이름에 두 좌표계를 모두 적는 이유가 이것입니다. `map_T_odom @ base_T_laser`는 틀려 *보이지만*, `T1 @ T3`는 절대 틀려 보이지 않습니다.
 
@@ -620,7 +622,7 @@ if ... not in (wanted_in, written_in):
 # The robot's front is to your right now, so its middle, which lies behind the mount, is on your **left**: +y, not −x.
 # A flipped sign would have said "20 cm behind you", and that is the door.
 #
-# A transform is "turn, then step"; to undo it, take the step off, then turn back.
+# A transform is "turn, then step": a turn R and a step t. To undo it, take the step off, then turn back.
 # Written as "turn, then step" again, the step comes out turned, too:
 #
 # ```
@@ -639,7 +641,7 @@ if ... not in (wanted_in, written_in):
 # 이제 로봇의 앞은 여러분의 오른쪽입니다. 중심은 레이저가 달린 자리보다 뒤에 있으므로 여러분의 **왼쪽**, 즉 −x가 아니라 +y입니다.
 # 부호만 뒤집었다면 "등 뒤 20 cm"라고 했을 텐데, 거기에는 문이 있을 뿐입니다.
 #
-# 변환은 "돌린 다음 옮기기"입니다. 되돌리려면 옮긴 것을 먼저 빼고, 그다음 반대로 돌립니다.
+# 변환은 "돌린 다음 옮기기", 곧 회전 R과 이동 t입니다. 되돌리려면 옮긴 것을 먼저 빼고, 그다음 반대로 돌립니다.
 # 이것을 다시 "돌린 다음 옮기기"로 쓰면 이동도 함께 돌아갑니다.
 #
 # ```
@@ -808,11 +810,11 @@ print('right  ', fmt_all(rear.apply(seen_at)))
 print('swapped', fmt_all(rear.inverse().apply(seen_at)))
 
 # %% [markdown] lang="en" name="swap-at-the-back-seen"
-# Identical: half a turn undoes itself.
+# Identical: after half a turn, another half turn brings you home, so this mount is its own inverse.
 # The code is reviewed, merged, and copied to the next robot, whose laser looks to the left.
 
 # %% [markdown] lang="ko" name="swap-at-the-back-seen"
-# 똑같습니다. 반 바퀴는 한 번 더 돌면 제자리이기 때문입니다.
+# 똑같습니다. 반 바퀴는 한 번 더 돌면 제자리이므로, 이렇게 단 센서의 변환은 자기 자신이 역변환입니다.
 # 코드는 검토를 통과해 병합되고, 레이저가 왼쪽을 보는 다음 로봇으로 복사됩니다.
 
 # %% name="swap-on-the-side" slide="subslide"
