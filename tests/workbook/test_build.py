@@ -206,6 +206,13 @@ def test_a_twin_that_is_the_answer_is_a_fault_with_file_and_line(tmp_path: Path,
     assert bytes_below(tmp_path) == {}
 
 
+def test_a_solution_that_its_own_check_refuses_is_a_fault(tmp_path: Path, capsys) -> None:
+    wrong = HALF.replace("half = e3_1.length / 2", "half = float(len(globals()) > 20) + e3_1.length / 2")
+    exercise(tmp_path, TITLE, LOAD, wrong, THIRD)  # where cases are made there are few names, in a kernel many
+    assert build(["--root", str(tmp_path)]) == 1
+    assert 'cell "e3-1-check": the solution does not pass: E3.1 ✗' in capsys.readouterr().err
+
+
 def test_a_chapter_without_tasks_says_where_they_belong(tmp_path: Path, capsys) -> None:
     exercise(tmp_path)
     (tmp_path / "solutions" / "tasks" / "03_x.py").unlink()

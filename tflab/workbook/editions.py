@@ -20,7 +20,7 @@ from .blank import blank
 from .glossary import MARKED, UnknownTerm, expand
 from .source import Cell, Page
 
-__all__ = ["exercise_notebook", "lecture_notebook", "slug", "task_of", "text_of"]
+__all__ = ["Outputs", "exercise_notebook", "lecture_notebook", "slug", "task_of", "text_of"]
 
 KERNEL = {"display_name": "Python 3", "language": "python", "name": "python3"}
 ROLES = ("given", "answer", "check")

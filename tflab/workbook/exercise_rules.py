@@ -11,15 +11,15 @@ Read `blank.py` next.
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from difflib import get_close_matches
 
 from .blank import BlankError, blank, regions
-from .editions import slug, task_of
+from .editions import Outputs, slug, task_of
 from .source import LANGUAGES, Cell, Fault, Page
 from .tasks import Task
 
-__all__ = ["exercise_faults"]
+__all__ = ["exercise_faults", "score_faults"]
 
 CALLS = ("check", "hint", "solution", "task")
 
@@ -31,6 +31,19 @@ def exercise_faults(page: Page, tasks: Sequence[Task]) -> list[Fault]:
     for cell in page.code:
         found += _cell(page, cell, ids)
     return sorted(set(found), key=lambda fault: (fault.line, fault.wrong))
+
+
+def score_faults(page: Page, tasks: Iterable[str], outputs: Outputs) -> list[Fault]:
+    """Return a fault for each task that its own solution, as it was run, does not pass."""
+    found = []
+    for task in tasks:
+        check = _find(page, f"{slug(task)}-check", None)
+        if check is not None:
+            printed = "".join(line for output in outputs.get(check.name, ()) for line in output.get("text", ()))
+            if not printed.startswith(f"{task} ✓"):
+                wrong = f"the solution does not pass: {' '.join(printed.split())[:300]}"
+                found.append(page.fault(check, wrong, f"mend the answer, or {task} in solutions/tasks/{page.stem}.py"))
+    return found
 
 
 def _task(page: Page, task: Task) -> Iterator[Fault]:
