@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 import pytest
-from making_pages import TITLE, code, page, text
+from making_pages import TITLE, code, exercise, page, text
 
 from tflab.workbook.rules import page_faults
 
@@ -35,7 +35,8 @@ BROKEN = {
     "a heading less": (text("why", "## Why\ntext\n## And", "## 왜"), r"depths \[2\], those of the English \[2, 2\]"),
     "a depth left out": (text("why", "### Why", "### 왜"), "a heading of depth 3 comes after one of depth 1"),
     "two titles": (text("why", "# Why", "# 왜"), "this is a second title"),
-    "an image without alt text": (text("why", "![](a.png)", "![그림](a.png)"), "an image has no alt text"),
+    "an image without alt text": (text("why", "![](data:,)", "![그림](data:,)"), "an image has no alt text"),
+    "an image of the network": (text("why", "![a](https://a.b/c.png)", "그림"), "an image comes from the network"),
     "an img without alt text": (text("why", '<img src="a.png">', '<img src="a" alt="a">'), "an image has no alt text"),
     "a term nobody knows": (text("why", "[[wheel]]", "[[wheel]]"), '"wheel" is not in the glossary'),
     "a term in one language only": (text("why", "[[frame]]", "좌표계"), "only one language marks frame"),
@@ -45,9 +46,14 @@ BROKEN = {
     "code as speaker's notes": (code("look", "1", ' slide="notes"'), "notes are code"),
     "nothing after an interactive cell": (code("turn", "1", ' tags=["interactive"]'), "no figure follows"),
     "a link into the other language": (
-        text("why", "[go](../../exercises/ko/03_x.ipynb)", "[가기](../../exercises/ko/03_x.ipynb)"),
+        text("why", "[go](../ko/03_x.ipynb)", "[가기](03_x.ipynb#why)"),
         "is in the other language",
     ),
+    "a link to a page that is not there": (
+        text("why", "[go](../../exercises/en/03_x.ipynb)", "[가기](../../exercises/ko/03_x.ipynb)"),
+        "which will not be there",
+    ),
+    "a link to a file of the repository": (text("why", "[go](../../README.md)", "갑니다."), "which will not be there"),
 }  # fmt: skip
 
 
@@ -71,14 +77,21 @@ def test_a_good_page_has_no_faults(tmp_path: Path) -> None:
     good = page(
         tmp_path,
         TITLE,
-        text("why", "## Why\n[[frame]] ![alt](a.png)", "## 왜\n[[frame|그 좌표계]] ![설명](a.png)", ' slide="slide"'),
+        text(
+            "why",
+            "## Why\n[[frame]] ![alt](data:,)",
+            "## 왜\n[[frame|그 좌표계]] ![설명](data:,)",
+            ' slide="slide"',
+        ),
         text("why-notes", "Wait.", "기다립니다.", ' slide="notes"'),
         text("code", "```bash\n# no heading\n[[ -f x ]]\n```\n`[[x]]`", "```bash\n# no heading\n```", ""),
         code("long", "\n".join(["x = 1"] * 15)),
         code("turn", "x", ' tags=["interactive"]'),
         code("still", "x"),
         text("go", "[go](../../exercises/en/03_x.ipynb)", "[가기](../../exercises/ko/03_x.ipynb)"),
+        text("rep", "[[frame]] [REP](https://ros.org/reps) [up](#why)", "[REP](https://ros.org/reps) [[frame|틀]](, )"),
     )
+    exercise(tmp_path)
     assert page_faults(good, {"frame"}) == []
 
 

@@ -14,6 +14,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Collection, Iterator
+from posixpath import normpath
 
 from .source import LANGUAGES, Cell, Fault, Page, code_lines
 
@@ -28,7 +29,9 @@ CALLED = {"en": "English", "ko": "Korean"}
 HEADING = re.compile(r"(#{1,6})\s+\S")
 IMAGE = re.compile(r"!\[([^\]]*)\]\(|<img\b([^>]*)>")
 TERM = re.compile(r"\[\[([^\[\]|]+)(?:\|[^\[\]]*)?\]\]")
-LINK = re.compile(r"\]\(([^)\s#]+\.ipynb)")
+LINK = re.compile(r"(?<!\])\]\(([^)\s]+)")  # but a term in brackets before a bracket is none
+ELSEWHERE = re.compile(r"[a-z]+:|#")
+PAGE = re.compile(r"(notebooks|solutions|exercises)/(en|ko)/([^/]+)\.ipynb")
 
 
 def page_faults(page: Page, terms: Collection[str] | None = None) -> list[Fault]:
@@ -134,6 +137,8 @@ def _pictures(page: Page) -> Iterator[Fault]:
             alt = found[1] if found[2] is None else "".join(re.findall(r'alt="([^"]*)"', found[2]))
             if not alt.strip():
                 yield page.fault(cell, "an image has no alt text", "say in words what it shows")
+        if re.search(r"!\[[^\]]*\]\(\s*https?:|<img\b[^>]*https?:", text):
+            yield page.fault(cell, "an image comes from the network", "draw it: nothing leaves a learner's machine")
 
 
 def _terms(page: Page, terms: Collection[str]) -> Iterator[Fault]:
@@ -160,11 +165,19 @@ def _interactive(page: Page) -> Iterator[Fault]:
 
 
 def _links(page: Page) -> Iterator[Fault]:
-    """Find links that lead out of the reader's language."""
+    """Find links to what is not in a learner's copy, or is in the other language."""
+    root, room = page.path.parents[2], page.path.parents[1].name
     for cell, text in _prose(page):
         for target in LINK.findall(text):
-            other = next(lang for lang in LANGUAGES if lang != cell.lang)
-            if f"/{other}/" in f"/{target}":
+            if ELSEWHERE.match(target):
+                continue
+            path = normpath(f"{room}/{cell.lang}/{target.partition('#')[0]}")
+            found = PAGE.fullmatch(path)
+            source = "notebooks" if found and found[1] == "notebooks" else "solutions"
+            if not found or not (root / source / "src" / f"{found[3]}.py").is_file():
+                remedy = "link to a page that has a source, as ../../exercises/en/03_....ipynb"
+                yield page.fault(cell, f"links to {target}, which will not be there", remedy)
+            elif found[2] != cell.lang:
                 yield page.fault(cell, f"{target} is in the other language", f"link to the one below {cell.lang}/")
 
 
