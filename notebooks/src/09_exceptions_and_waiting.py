@@ -14,7 +14,7 @@
 # %% [markdown] lang="ko" name="title" slide="slide"
 # # 09 · 답을 얻지 못하는 네 가지 길
 #
-# 60분 · 03장(타깃과 소스)과 08장(버퍼와 측정 시각)에 이어집니다
+# 60분 · 03장(target과 source)과 08장(버퍼와 측정 시각)에 이어집니다
 #
 # 이 장을 마치면 다음을 할 수 있습니다.
 #
@@ -25,12 +25,12 @@
 # - 얼마나 기다릴지, 몇 개까지 쌓아 둘지, 얼마나 오래된 데이터부터 로봇을 움직이는 데 쓰지 않을지 정책을 세웁니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
-# Ask who has ever cured a TF warning by raising a timeout. Most hands go up.
-# Keep that question open; it is answered in the second half, and most of those hands will want to come down.
+# Ask for a show of hands: who has cured a TF warning by raising a timeout?
+# Keep that question open; it is answered in the second half, and some of those hands will want to come down.
 
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
-# TF 경고를 timeout을 늘려서 없애 본 적이 있는지 물어보십시오. 대부분 손을 듭니다.
-# 그 질문은 그대로 두십시오. 답은 후반부에 나오고, 그때는 손을 내리고 싶어질 것입니다.
+# timeout을 늘려서 TF 경고를 없애 본 사람은 손을 들어 보라고 하십시오.
+# 그 질문은 그대로 두십시오. 답은 후반부에 나오고, 그때는 손을 내리고 싶은 사람이 생길 것입니다.
 
 # %% [markdown] lang="en" name="what-you-need" slide="-"
 # ## What you need from chapters that are not here yet
@@ -163,7 +163,7 @@ draw_journeys([
 # %% [markdown] lang="ko" name="predict-windows" slide="slide"
 # ## 예측: 어느 질문에 답이 나올까요?
 #
-# 이 [[buffer|버퍼(Buffer)]]에는 `map`에서 `laser_frame`까지의 체인이 들어 있습니다.
+# 이 [[buffer|버퍼(buffer)]]에는 `map`에서 `laser_frame`까지의 체인이 들어 있습니다.
 # `map → odom`은 1초에 두 번 오고, 마지막 샘플은 14.0 s의 것입니다.
 # `odom → base_footprint`는 1초에 다섯 번 옵니다. 오도메트리 노드가 11.0 s에 늦게 켜졌고, 마지막 샘플은 14.6 s의 것입니다.
 # 나머지 두 연결은 볼트로 고정되어 있습니다.
@@ -205,7 +205,7 @@ draw_history(buffer, 'map', 'laser_frame', seconds(12.3))
 #
 # <details><summary>힌트가 필요하면 여십시오</summary>
 #
-# 레인들은 같은 시각에 끝나지 않습니다. 경로를 따라가려면 같은 시각에 모든 레인이 있어야 합니다.
+# 차선들은 같은 시각에 끝나지 않습니다. 경로를 따라가려면 같은 시각에 모든 차선이 있어야 합니다.
 #
 # </details>
 
@@ -248,7 +248,7 @@ for second in (12.3, 14.3, 10.6):
 # 체인의 구간은 가장 게으른 발행자가 끝나는 곳에서 끝납니다.
 
 # %% [markdown] lang="en" name="family" slide="slide"
-# ## The idea in a sentence: three questions, always in this order
+# ## The idea in a sentence: name, path, moment
 #
 # tf2 asks itself three questions about your question, and the first "no" becomes the exception.
 #
@@ -261,21 +261,23 @@ for second in (12.3, 14.3, 10.6):
 #
 # All of them are a [[transform exception|TransformException]], which is their common base class.
 # Name, path, moment: if you can say which of the three is missing, you are half done.
+# (The family has one more member, TimeoutException: a buffer in *another* process did not answer. You will not meet it here.)
 
 # %% [markdown] lang="ko" name="family" slide="slide"
-# ## 한 문장으로: 늘 같은 순서의 세 질문
+# ## 한 문장으로: 이름, 경로, 시각
 #
 # tf2는 여러분의 질문을 두고 스스로 세 가지를 묻습니다. 처음 나온 "아니요"가 예외가 됩니다.
 #
 # | tf2가 스스로 묻는 것 | "아니요"의 이름 | 의미 | 먼저 볼 곳 |
 # | --- | --- | --- | --- |
-# | 질문이 말이 됩니까? | [[invalid argument exception|InvalidArgumentException(인수 예외)]] | 좌표계 이름이 비었거나 `/`로 시작합니다 | 질문하는 코드, `header.frame_id` |
+# | 질문이 말이 됩니까? | [[invalid argument exception|InvalidArgumentException(잘못된 인자 예외)]] | 좌표계 이름이 비었거나 `/`로 시작합니다 | 질문하는 코드, `header.frame_id` |
 # | 두 **이름**을 들어 본 적이 있습니까? | [[lookup exception|LookupException(프레임 조회 예외)]] | 이 버퍼가 모르는 이름입니다 | 철자, 발행 노드가 켜져 있는지 |
 # | **경로**가 있습니까? | [[connectivity exception|ConnectivityException(연결 예외)]] | 두 이름은 알지만 서로 다른 트리에 있습니다 | `view_frames`: 루트가 둘 |
 # | 그 **시각**의 값이 있습니까? | [[extrapolation exception|ExtrapolationException(시간 외삽 예외)]] | 경로는 있지만 그중 한 연결에 그때의 값이 없습니다 | 시각(stamp)과 시계 |
 #
 # 이들의 공통 부모 클래스가 [[transform exception|TransformException]]입니다.
 # 이름, 경로, 시각. 셋 중 무엇이 빠졌는지 말할 수 있으면 절반은 끝난 것입니다.
+# (식구가 하나 더 있습니다. TimeoutException은 *다른* 프로세스에 있는 버퍼가 제때 답하지 않을 때 나옵니다. 이 장에서는 만나지 않습니다.)
 
 # %% [markdown] lang="en" name="numbers" slide="subslide"
 # ### The same in numbers
@@ -301,15 +303,16 @@ for second in (14.3, 10.6):
 # ## A worked example: reading one line
 #
 # ```text
-# Lookup would require extrapolation into the future.  Requested time 14.300000 but the latest data is at
-# time 14.000000, when looking up transform from frame [laser_frame] to frame [map]
+# Lookup would require extrapolation into the future.  Requested time 14.300000
+# but the latest data is at time 14.000000,
+# when looking up transform from frame [laser_frame] to frame [map]
 # ```
 #
 # 1. **Which kind?** "into the future": the moment asked for is newer than something.
 # 2. **Whose moment?** "Requested time 14.300000" is the stamp that the *asker* brought: usually `header.stamp` of a message.
 # 3. **How far outside?** 14.3 − 14.0 = 0.3 s.
 # 4. **Which data, wanted where?** "from frame [laser_frame] to frame [map]": data expressed in `laser_frame`, wanted in `map`. That is the sentence of chapter 03, and neither name is accused.
-# 5. **Which edge?** The one on the way whose *newest* sample is from 14.000000. Look for that number: `map → odom`.
+# 5. **Which edge?** The one on the way whose *newest* sample is from 14.000000. Look for that number: `map → odom`. (If several edges end too early, the text tells of the one met first on the way up from the source. There may be a lazier one behind it.)
 #
 # Five questions, one line. With a little practice it takes ten seconds.
 
@@ -317,15 +320,16 @@ for second in (14.3, 10.6):
 # ## 예제: 오류문 한 줄 읽기
 #
 # ```text
-# Lookup would require extrapolation into the future.  Requested time 14.300000 but the latest data is at
-# time 14.000000, when looking up transform from frame [laser_frame] to frame [map]
+# Lookup would require extrapolation into the future.  Requested time 14.300000
+# but the latest data is at time 14.000000,
+# when looking up transform from frame [laser_frame] to frame [map]
 # ```
 #
 # 1. **어떤 종류입니까?** "into the future": 물어본 시각이 무언가보다 새롭습니다.
 # 2. **누구의 시각입니까?** "Requested time 14.300000"은 *질문한 쪽*이 가져온 시각입니다. 대개 메시지의 `header.stamp`입니다.
 # 3. **얼마나 벗어났습니까?** 14.3 − 14.0 = 0.3 s입니다.
 # 4. **어떤 데이터를 어디에서 보려 합니까?** "from frame [laser_frame] to frame [map]": `laser_frame`으로 표현된 데이터를 `map`에서 보려 합니다. 03장의 그 문장이며, 어느 이름도 범인으로 지목된 것이 아닙니다.
-# 5. **어느 연결입니까?** 경로 위에서 *최신* 샘플이 14.000000인 연결입니다. 그 숫자를 찾으면 `map → odom`입니다.
+# 5. **어느 연결입니까?** 경로 위에서 *최신* 샘플이 14.000000인 연결입니다. 그 숫자를 찾으면 `map → odom`입니다. (여러 연결이 일찍 끝났다면 오류문은 source에서 올라가며 처음 만난 연결만 말합니다. 그 뒤에 더 게으른 연결이 있을 수 있습니다.)
 #
 # 한 줄에 다섯 질문입니다. 조금만 연습하면 10초면 됩니다.
 
@@ -387,6 +391,7 @@ for stamp_ns in (14_000_000_000, 14_000_000_001):
 # ## Break it, one by one
 #
 # Now meet each "no" on purpose, while nothing is at stake. The red texts are those of a robot, to the letter.
+# When you run these cells yourself, the red block is longer: it also shows the way there. Read the **last** line first.
 #
 # ### A name that nobody has said
 
@@ -394,6 +399,7 @@ for stamp_ns in (14_000_000_000, 14_000_000_001):
 # ## 하나씩 일부러 망가뜨리기
 #
 # 잃을 것이 없는 지금, "아니요"를 하나씩 일부러 만나 봅시다. 빨간 글은 실제 로봇의 것과 글자까지 같습니다.
+# 직접 실행하면 거기까지 온 경로도 나오므로 빨간 글이 더 깁니다. **마지막** 줄부터 읽으십시오.
 #
 # ### 아무도 말한 적 없는 이름
 
@@ -409,7 +415,7 @@ buffer.lookup_transform('map', 'laser_fame', Time())
 # ### A name that you never typed
 
 # %% [markdown] lang="ko" name="lookup-read" slide="-"
-# 어느 인수의 어느 이름인지 알려 줍니다. 버퍼가 그러듯이 이름을 한 글자씩 읽으십시오. (frame에서 r이 빠지면 fame, 명성이 됩니다.)
+# 어느 인자의 어느 이름인지 알려 줍니다. 버퍼가 그러듯이 이름을 한 글자씩 읽으십시오. (frame에서 r이 빠지면 fame, 명성이 됩니다.)
 #
 # 노드를 켠 뒤 처음 1초 동안에도 같은 예외가 나옵니다. 이름은 맞지만 발행자가 아직 말을 꺼내지 않은 것입니다.
 # 그래서 [[lookup exception|LookupException(프레임 조회 예외)]]은 오타*이거나* 너무 이른 질문입니다.
@@ -434,8 +440,8 @@ buffer.transform(corner, 'map')
 # Somebody mounts a camera, and writes `base_lnk`.
 
 # %% [markdown] lang="ko" name="header-read" slide="-"
-# 여러분이 입력한 것은 `map`뿐입니다. 다른 이름은 메시지를 타고 왔습니다. `transform()`은 소스와 시각을 헤더에서 가져옵니다.
-# **묻지 않은 좌표계가 예외에 나온다면, 무언가가 대신 물은 것입니다.** 메시지 헤더, RViz의 Fixed Frame, 코스트맵 매개변수가 그렇습니다.
+# 여러분이 입력한 것은 `map`뿐입니다. 다른 이름은 메시지를 타고 왔습니다. `transform()`은 source와 시각을 헤더에서 가져옵니다.
+# **묻지 않은 좌표계가 예외에 나온다면, 무언가가 대신 물은 것입니다.** 메시지 헤더, RViz의 Fixed Frame, 코스트맵 파라미터가 그렇습니다.
 # 이름은 글자 단위로 비교하므로 `Laser_frame`은 아무도 아닙니다.
 #
 # ### 트리 한가운데의 오타
@@ -522,7 +528,7 @@ for when in (Time(seconds=99), Time()):
 
 # %% [markdown] lang="ko" name="order-read" slide="-"
 # 앞의 표는 조금 지나치게 깔끔했습니다. tf2는 이름을 먼저 확인하지만, 경로와 시각은 **걸어가면서** 확인합니다.
-# 소스에서 올라가다 99 s의 값이 없는 `map → odom`을 만나 그 사실을 기억해 둡니다. 반대쪽이 다른 곳에서 끝난다는 것은 그다음에야 알게 됩니다.
+# source 쪽에서 올라가다 99 s의 값이 없는 `map → odom`을 만나 그 사실을 기억해 둡니다. 반대쪽이 다른 곳에서 끝난다는 것은 그다음에야 알게 됩니다.
 # 그래서 먼저 찾은 시각 문제를 보고합니다.
 #
 # 외삽 예외가 이해되지 않으면 최신을 뜻하는 `Time()`으로 한 번 더 물어보십시오. *그때* "not part of the same tree"가 나오면 엉뚱한 결함을 쫓고 있던 것입니다.
@@ -691,6 +697,7 @@ draw_ages([gap_curve('robot A', robot_a, 7.0), gap_curve('robot B', robot_b, 7.0
 
 # %% [markdown] lang="en" name="two-gaps-read" slide="-"
 # A comes back. B never does: a clock that is wrong stays wrong, and each new scan brings the same gap along.
+# (The small hook in B's line at 3.1 s is real, too: when a clock jumps ahead, its timer rings early.)
 #
 # - **Lateness passes, and it trembles** (look at A's wobble). Waiting bridges it.
 # - **A [[clock offset]] stays, and it is smooth.** Waiting does not shrink it.
@@ -699,9 +706,10 @@ draw_ages([gap_curve('robot A', robot_a, 7.0), gap_curve('robot B', robot_b, 7.0
 
 # %% [markdown] lang="ko" name="two-gaps-read" slide="-"
 # A는 돌아옵니다. B는 끝내 돌아오지 않습니다. 틀린 시계는 계속 틀리고, 새 스캔마다 같은 간격을 달고 옵니다.
+# (3.1 s에서 B의 선이 살짝 꺾인 것도 실제로 일어나는 일입니다. 시계가 앞으로 뛰면 타이머도 일찍 울립니다.)
 #
 # - **늦음은 지나가고, 떨립니다**(A의 흔들림을 보십시오). 기다리면 건널 수 있습니다.
-# - **[[clock offset|시계 오프셋(clock offset)]]은 머무르고, 매끈합니다.** 기다려도 줄지 않습니다.
+# - **[[clock offset|시계 차이(clock offset)]]는 머무르고, 매끈합니다.** 기다려도 줄지 않습니다.
 #
 # 하지만 두고 볼 필요도 없습니다. 도구 하나로 바로 가려집니다. `ros2 topic delay`는 *내가 들은 시각*에서 *그 안에 적힌 시각*을 뺀 값을 보여 줍니다. 아직 달리고 있는 로봇 B입니다.
 
@@ -729,12 +737,18 @@ draw_ages([gap_curve('robot A', robot_a, 7.0), gap_curve('robot B', robot_b, 7.0
 # %% [markdown] lang="ko" name="delay-odom-read" slide="-"
 # 0.004 s입니다. 변환 쪽은 제때 오고, 우리와 같은 시계를 씁니다. 그러니 범인은 라이다의 시계입니다.
 
+# %% [markdown] lang="en" name="late-notes" slide="notes"
+# Show the first second only, and let them argue. There is no right answer yet, and that is the point.
+
+# %% [markdown] lang="ko" name="late-notes" slide="notes"
+# 처음 1초만 보여 주고 토론하게 하십시오. 아직 정답이 없다는 것이 요점입니다.
+
 # %% [markdown] lang="en" name="honest-limit" slide="subslide"
 # ### What this cannot tell you
 #
 # A delay of +0.3 s that never trembles may be a slow network, or a publisher whose clock is 0.3 s *slow*.
 # From one-way times alone, **nobody** can separate the two: both add the same number to every message.
-# It takes a message that goes there *and back*. That is what `chrony` and NTP do for a living, so on two computers ask them:
+# It takes a message that goes there *and back*. That is what `chrony` and NTP do for a living, so on two computers ask them. For example:
 #
 # ```text
 # $ chronyc tracking
@@ -749,7 +763,7 @@ draw_ages([gap_curve('robot A', robot_a, 7.0), gap_curve('robot B', robot_b, 7.0
 #
 # 떨림 없이 늘 +0.3 s인 지연은 느린 네트워크일 수도 있고, 시계가 0.3 s *느린* 발행자일 수도 있습니다.
 # 한 방향의 시각만으로는 **누구도** 둘을 가를 수 없습니다. 둘 다 모든 메시지에 같은 숫자를 더하기 때문입니다.
-# 갔다가 *되돌아오는* 메시지가 있어야 합니다. 그것이 `chrony`와 NTP의 본업이니, 컴퓨터가 두 대라면 이들에게 물으십시오.
+# 갔다가 *되돌아오는* 메시지가 있어야 합니다. 그것이 `chrony`와 NTP의 본업이니, 컴퓨터가 두 대라면 이들에게 물으십시오. 예를 들면 이렇습니다.
 #
 # ```text
 # $ chronyc tracking
@@ -849,6 +863,14 @@ draw_placed(
 # 왼쪽에서도 점들이 벽에 정확히 놓이지는 않습니다. 라이다가 한 바퀴 훑는 동안 로봇이 돌기 때문이며, 08장에서 다룬 이야기입니다.
 #
 # 시계가 2 s 빨랐다면 어땠을까요? 그때는 반창고마저 떨어집니다. 1초씩 기다리다가 매번 시간이 다 되고, 로봇이 달리는 내내 스캔마다 그렇게 됩니다.
+
+# %% [markdown] lang="en" name="plaster-notes" slide="notes"
+# Before the picture, take a vote: is the map right or wrong? The log is green, so most will say right.
+# After it, come back to the hands of the beginning.
+
+# %% [markdown] lang="ko" name="plaster-notes" slide="notes"
+# 그림을 보여 주기 전에 손을 들게 하십시오. 지도는 맞습니까, 틀립니까? 로그가 초록색이라 대부분 맞다고 합니다.
+# 그림을 본 다음, 처음에 손을 들었던 사람들에게 돌아가십시오.
 
 # %% [markdown] lang="en" name="plaster-3d" slide="subslide"
 # ### The same in 3D
@@ -972,13 +994,13 @@ draw_lanes(patient)
 # `rclpy.spin(node)` has one thread, and between two callbacks it gets round to a single message. While `on_scan` waits *in* it, nobody calls the listener, and the transform lies at the door, unread.
 # The callback waits for the mail, and it is also the postman.
 #
-# A public report of just this is ros2/geometry2 #327. In C++ tf2 refuses such a wait at once, with a sentence that ends in `setUsingDedicatedThread(true)`. In Python it lets you wait.
+# A public report of just this is ros2/geometry2 #327. In C++ tf2 refuses such a wait at once, with a long sentence that asks for a thread of its own (`setUsingDedicatedThread`). In Python it lets you wait.
 
 # %% [markdown] lang="ko" name="lanes-why" slide="-"
 # `rclpy.spin(node)`에는 스레드가 하나뿐이고, 두 콜백 사이에 겨우 메시지 하나를 처리합니다. `on_scan`이 그 *안에서* 기다리는 동안 아무도 리스너를 부르지 않고, 변환은 문 앞에 읽히지 않은 채 쌓입니다.
 # 편지를 기다리는 사람이 바로 집배원인 셈입니다.
 #
-# 바로 이 문제를 다룬 공개 이슈가 ros2/geometry2 #327입니다. C++의 tf2는 이런 기다림을 `setUsingDedicatedThread(true)`로 끝나는 문장과 함께 곧바로 거절합니다. Python은 그냥 기다리게 둡니다.
+# 바로 이 문제를 다룬 공개 이슈가 ros2/geometry2 #327입니다. C++의 tf2는 전용 스레드를 두라(`setUsingDedicatedThread`)는 긴 문장과 함께 이런 기다림을 곧바로 거절합니다. Python은 그냥 기다리게 둡니다.
 
 # %% [markdown] lang="en" name="lanes-notes" slide="notes"
 # Play it: one student is the executor, a second one hands over mail. The executor must answer "where is the robot?" and may not touch the mail while thinking.
@@ -1057,7 +1079,7 @@ draw_lanes(called)
 
 # %% [markdown] lang="ko" name="cures-compared" slide="-"
 # 30개 가운데 27개입니다. 첫 스캔은 답이 있을 수 없어서 뒤에 셋이 기다리자 놓아 주었고, 마지막 둘은 아직 기다리는 중입니다.
-# 콜백의 레인도 보십시오. 1초에 열 번 스칠 뿐 한 번도 바쁘지 않습니다. 스레드를 쓸 때는 내내 바빴습니다.
+# 콜백의 차선도 보십시오. 1초에 열 번 스칠 뿐 한 번도 바쁘지 않습니다. 스레드를 쓸 때는 내내 바빴습니다.
 #
 # | 기다리는 곳 | 알맞은 경우 |
 # | --- | --- |
@@ -1119,7 +1141,7 @@ draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 # Four seconds. At half a metre a second, the robot brakes for what it saw two metres ago, and nothing in the log is red.
 # It *lost no message at all*. That is the trouble.
 #
-# With room for two, a third of the scans is dropped, and every decision is younger than 0.3 s.
+# With room for two, a third of the scans is dropped, and no decision is made on data older than 0.3 s.
 # **For moving a robot, new beats complete.** (For building a map afterwards, it may be the other way round.)
 #
 # A policy in one line each, for this robot: wait at most 0.1 s; then drop; keep two, the oldest goes; nothing older than 0.5 s moves a wheel.
@@ -1128,7 +1150,7 @@ draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 # 4초입니다. 초속 0.5 m라면 로봇은 2미터 전에 본 것을 두고 브레이크를 밟습니다. 그런데도 로그에 빨간 줄은 하나도 없습니다.
 # 메시지를 *하나도 잃지 않았습니다*. 바로 그것이 문제입니다.
 #
-# 두 개만 두면 스캔의 3분의 1을 버리는 대신, 모든 결정이 0.3 s보다 새로운 데이터로 이루어집니다.
+# 두 개만 두면 스캔의 3분의 1을 버리는 대신, 0.3 s보다 오래된 데이터로 내리는 결정은 하나도 없습니다.
 # **로봇을 움직일 때는 빠짐없는 것보다 새로운 것이 낫습니다.** (나중에 지도를 만들 때는 반대일 수 있습니다.)
 #
 # 이 로봇의 정책을 한 줄씩 적으면 이렇습니다. 최대 0.1 s 기다린다. 그다음에는 버린다. 두 개만 두고, 넘치면 가장 오래된 것을 버린다. 0.5 s보다 오래된 데이터로는 바퀴를 돌리지 않는다.
@@ -1151,7 +1173,7 @@ draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 # - The scan was itself under way for a while: that time has already passed.
 #
 # `wait = period + delay + jitter − the scan's own delay`, for the worst edge on the way. For robot C: 0.1 + (0.010 + 0.15) + 0 − 0.105 = 0.155 s.
-# Longer than this only helps against clocks. That is, it does not.
+# If you find that a longer wait helps, do not be glad: look at the clocks.
 
 # %% [markdown] lang="ko" name="how-long" slide="subslide"
 # ### "조금"은 얼마일까요?
@@ -1163,7 +1185,7 @@ draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 # - 스캔도 오는 데 시간이 걸렸습니다. 그 시간은 이미 지나갔습니다.
 #
 # 경로 위 최악의 연결을 두고 `기다림 = 주기 + 지연 + 지터 − 스캔 자신의 지연`입니다. 로봇 C라면 0.1 + (0.010 + 0.15) + 0 − 0.105 = 0.155 s입니다.
-# 이보다 길게 기다리는 것은 시계가 틀렸을 때나 도움이 됩니다. 곧, 도움이 되지 않습니다.
+# 이보다 오래 기다려야 통한다면 기뻐하지 말고 시계를 보십시오.
 
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
 # ## Checkpoint
@@ -1226,6 +1248,12 @@ draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 # 맞습니다. 한 시간째 일정하고, 거의 떨림이 없고, 지연이 음수입니다. 그것은 시계이고, 시계는 틀린 곳에서 바로잡습니다.
 #
 # </details>
+
+# %% [markdown] lang="en" name="checkpoint-notes" slide="notes"
+# Let everybody show one to four fingers at the same time. Ask a 2 and a 3 to convince each other before you open the replies.
+
+# %% [markdown] lang="ko" name="checkpoint-notes" slide="notes"
+# 모두 동시에 손가락 하나에서 넷을 펴게 하십시오. 답을 열기 전에 2번과 3번을 고른 사람이 서로를 설득해 보게 하십시오.
 
 # %% [markdown] lang="en" name="on-the-robot" slide="slide"
 # ## The same on a real robot
@@ -1334,7 +1362,7 @@ graph.run(seconds=4)
 # - 하나뿐인 스레드에서는 절대 기다리지 마십시오. 스레드를 늘리거나 약속(퓨처)을 쓰십시오.
 # - 얼마나 오래, 몇 개까지, 얼마나 오래된 것까지. 달리기 전에 정하십시오.
 #
-# 이 장의 용어: [[lookup exception|LookupException]], [[connectivity exception|ConnectivityException]], [[extrapolation exception|ExtrapolationException]], [[invalid argument exception|InvalidArgumentException]], [[transform exception|TransformException]], [[clock offset|시계 오프셋]], [[jitter|지터]], [[message filter|메시지 필터]].
+# 이 장의 용어: [[lookup exception|LookupException]], [[connectivity exception|ConnectivityException]], [[extrapolation exception|ExtrapolationException]], [[invalid argument exception|InvalidArgumentException]], [[transform exception|TransformException]], [[clock offset|시계 차이]], [[jitter|지터]], [[message filter|메시지 필터]].
 
 # %% [markdown] lang="en" name="from-earlier" slide="-"
 # ## Three questions from earlier chapters

@@ -295,14 +295,14 @@ def queues(rng: np.random.Generator) -> list[tuple]:
 
 
 def kept(
-    stamps_s, now_s, max_age_s, max_size, *, oldest=False, ages=True, sizes=True, future=False, by_place=False
+    stamps_s, now_s, max_age_s, max_size, *, oldest=False, ages=True, sizes=True, future=False, by_place=False, backwards=False
 ) -> dict:
     """Return what a policy keeps; the options are the mistakes."""
     young = [s for s in stamps_s if not ages or (now_s - s <= max_age_s and (future or s <= now_s))]
     young = young if by_place else sorted(young)
     if sizes:
         young = young[:max_size] if oldest else young[-max_size:]
-    return {"kept": young, "lost": len(stamps_s) - len(young)}
+    return {"kept": young[::-1] if backwards else young, "lost": len(stamps_s) - len(young)}
 
 
 # E9.6: where may I wait ------------------------------------------------------------
@@ -531,6 +531,10 @@ TASKS = (
                  reply=Words(
                      en="a message from the future has a negative age, which is younger than any limit. It comes from a clock that is wrong: do not keep it.",
                      ko="미래에서 온 메시지는 나이가 음수라서 어떤 한계보다도 젊습니다. 틀린 시계에서 온 것이니 두지 마십시오.")),
+            Twin("newest first", lambda *a: kept(*a, backwards=True),
+                 reply=Words(
+                     en="the right messages, in the other order: asked for is oldest first.",
+                     ko="메시지는 맞게 골랐지만 순서가 반대입니다. 오래된 것부터 써야 합니다.")),
             Twin("by place", lambda *a: kept(*a, by_place=True),
                  reply=Words(
                      en="you go by the order of arrival. Messages may overtake each other: age is a matter of the stamp.",
