@@ -60,10 +60,10 @@
 # 코드에서는 이름에 두 좌표계를 모두 적되 목표를 먼저 씁니다. `base_T_camera`는 카메라 기준 숫자를 base 기준으로 옮기고, `base_p_mug`는 base 기준의 점입니다.
 # `base_T_camera.apply(camera_p_mug)`는 점을 옮기고, `@`는 변환 둘을 잇습니다. 자세한 이야기는 3장에서 합니다. 여기서는 읽을 수만 있으면 됩니다.
 
-# %% name="load"
+# %% name="load" slide="skip"
 # %load_ext tflab
 
-# %% name="imports"
+# %% name="imports" slide="skip"
 import math
 
 import numpy as np
@@ -78,7 +78,7 @@ from sensor_msgs_py.point_cloud2 import create_cloud_xyz32, read_points_numpy
 from std_msgs.msg import Header
 from tf2_ros import Buffer, StaticTransformBroadcaster, TransformListener
 
-# %% name="imports-of-the-workbook"
+# %% name="imports-of-the-workbook" slide="skip"
 from tflab.core import Transform
 from tflab.core.quaternions import angle, xyzw_from_wxyz
 from tflab.views import axes, card, frames, misread, scene, turns
@@ -113,7 +113,7 @@ from tflab.views.style import fmt, fmt_all
 #
 # 우리 로봇이 본 그 작업대는 이렇습니다.
 
-# %% name="story-picture"
+# %% name="story-picture" slide="subslide"
 base_T_camera = Transform((0.10, 0.0, 0.30))
 base_T_optical = base_T_camera @ axes.BODY_T_OPTICAL
 detected = (0.25, 0.15, 1.2)  # what the detector said [m]
@@ -158,12 +158,12 @@ frames.draw_scene(
 #
 # 찍어도 좋습니다. 다만 반드시 적으십시오. 머릿속에만 둔 예측은 정답을 보는 순간 슬그머니 정답에 맞춰집니다.
 
-# %% name="predict-run"
+# %% name="predict-run" slide="fragment"
 camera_p_mug = (2.0, 0.0, 0.0)
 print("in camera_link          ", fmt_all(camera_p_mug))
 print("in camera_optical_frame ", fmt_all(axes.optical_from_body(camera_p_mug)))
 
-# %% [markdown] lang="en" name="predict-replies"
+# %% [markdown] lang="en" name="predict-replies" slide="fragment"
 # What did you write for the second one?
 #
 # <details><summary>(2, 0, 0) again</summary>
@@ -187,7 +187,7 @@ print("in camera_optical_frame ", fmt_all(axes.optical_from_body(camera_p_mug)))
 #
 # </details>
 
-# %% [markdown] lang="ko" name="predict-replies"
+# %% [markdown] lang="ko" name="predict-replies" slide="fragment"
 # 두 번째 좌표를 무엇이라고 적었습니까?
 #
 # <details><summary>똑같이 (2, 0, 0)</summary>
@@ -238,11 +238,11 @@ print("in camera_optical_frame ", fmt_all(axes.optical_from_body(camera_p_mug)))
 # %% name="body-axes-figure"
 axes.draw_body_axes()
 
-# %% [markdown] lang="en" name="body-axes-colours"
+# %% [markdown] lang="en" name="body-axes-colours" slide="skip"
 # In every figure of this book x is a solid line, y is dashed, z is dotted; the letters stand at the tips.
 # The colours are RViz's idea (red, green, blue for x, y, z), in shades that colour-blind people can tell apart.
 
-# %% [markdown] lang="ko" name="body-axes-colours"
+# %% [markdown] lang="ko" name="body-axes-colours" slide="skip"
 # 이 책의 모든 그림에서 x는 실선, y는 파선, z는 점선이며, 끝에 글자가 붙어 있습니다.
 # 색은 RViz의 관례(x, y, z가 빨강, 초록, 파랑)를 따르되, 색을 구별하기 어려운 사람도 알아볼 수 있는 색조로 골랐습니다.
 
@@ -262,13 +262,13 @@ axes.draw_body_axes()
 # **예측.** 로봇에 `linear.x = 0.5`, `angular.z = -0.5`를 보냅니다. 왼쪽으로 갑니까, 오른쪽으로 갑니까?
 # 비행기 문제도 하나 드립니다. pitch가 *양수*이면 기수는 올라갑니까, 내려갑니까?
 
-# %% name="signs-drive"
+# %% name="signs-drive" slide="fragment"
 turns.draw_drives({"angular.z = +0.5": 0.5, "angular.z = 0": 0.0, "angular.z = -0.5": -0.5})
 
-# %% name="signs-hand"
+# %% name="signs-hand" slide="subslide"
 axes.draw_right_hand()
 
-# %% [markdown] lang="en" name="signs-after"
+# %% [markdown] lang="en" name="signs-after" slide="fragment"
 # Positive yaw turns **left**: from x towards y. So −0.5 goes right.
 #
 # Positive pitch puts the **nose down**. Pilots shake their heads: in an aeroplane's frame z points down, so there plus is up.
@@ -276,7 +276,7 @@ axes.draw_right_hand()
 #
 # Positive roll lifts the left side.
 
-# %% [markdown] lang="ko" name="signs-after"
+# %% [markdown] lang="ko" name="signs-after" slide="fragment"
 # 양의 yaw는 **왼쪽**으로 돕니다. x에서 y 쪽으로 도는 방향입니다. 그러므로 −0.5는 오른쪽입니다.
 #
 # 양의 pitch는 **기수를 내립니다**. 조종사라면 고개를 저을 것입니다. 비행기 좌표계에서는 z가 아래를 향하므로 양수일 때 기수가 올라갑니다.
@@ -311,10 +311,10 @@ axes.draw_right_hand()
 # %% name="rpy-panel" tags=["interactive"]
 rotation_panel(roll_rad=0.0, pitch_rad=0.0, yaw_rad=0.5)
 
-# %% name="rpy-figure"
+# %% name="rpy-figure" slide="skip"
 axes.draw_rotation(roll_rad=0.0, pitch_rad=0.0, yaw_rad=0.5)
 
-# %% [markdown] lang="en" name="rpy-try"
+# %% [markdown] lang="en" name="rpy-try" slide="fragment"
 # **Try it.** Which sliders make
 #
 # - the robot look at the ceiling?
@@ -327,7 +327,7 @@ axes.draw_rotation(roll_rad=0.0, pitch_rad=0.0, yaw_rad=0.5)
 #
 # </details>
 
-# %% [markdown] lang="ko" name="rpy-try"
+# %% [markdown] lang="ko" name="rpy-try" slide="fragment"
 # **직접 해 보십시오.** 슬라이더를 어떻게 놓으면 다음과 같이 됩니까?
 #
 # - 로봇이 천장을 봅니다.
@@ -358,17 +358,17 @@ axes.draw_rotation(roll_rad=0.0, pitch_rad=0.0, yaw_rad=0.5)
 #
 # **예측:** 결과가 같습니까?
 
-# %% name="order-figure"
+# %% name="order-figure" slide="fragment"
 turns.draw_orders(("roll", math.pi / 2), ("yaw", math.pi / 2))
 
-# %% name="order-numbers"
+# %% name="order-numbers" slide="subslide"
 roll = Transform.from_rpy(roll=math.pi / 2)
 yaw = Transform.from_rpy(yaw=math.pi / 2)
 nose = (1.0, 0.0, 0.0)
 print("first roll, then yaw:", fmt_all((yaw @ roll).apply(nose), ""))
 print("first yaw, then roll:", fmt_all((roll @ yaw).apply(nose), ""))
 
-# %% [markdown] lang="en" name="order-after"
+# %% [markdown] lang="en" name="order-after" slide="fragment"
 # One robot looks to the left. The other looks at the ceiling.
 #
 # In code, the turn that happens **first** stands on the **right**, next to the point: `yaw @ roll` is "roll, then yaw".
@@ -377,7 +377,7 @@ print("first yaw, then roll:", fmt_all((roll @ yaw).apply(nose), ""))
 # > The same product can be read from left to right with axes that turn along: yaw first, then pitch about the *new* y, then roll about the *new* x.
 # > Both readings are in use. If somebody hands you three angles, ask: which order, and fixed axes or turning ones?
 
-# %% [markdown] lang="ko" name="order-after"
+# %% [markdown] lang="ko" name="order-after" slide="fragment"
 # 한 로봇은 왼쪽을 보고, 다른 로봇은 천장을 봅니다.
 #
 # 코드에서 **먼저** 일어나는 회전은 점과 가까운 **오른쪽**에 씁니다. `yaw @ roll`은 "roll 하고 나서 yaw"입니다.
@@ -404,21 +404,21 @@ print("first yaw, then roll:", fmt_all((roll @ yaw).apply(nose), ""))
 # 기수를 똑바로 아래로 내립니다. pitch가 90°입니다. 이제 roll과 yaw가 전혀 다른 두 조합을 비교합니다.
 # **예측:** 두 로봇의 자세는 얼마나 다릅니까?
 
-# %% name="gimbal-run"
+# %% name="gimbal-run" slide="fragment"
 one = Transform.from_rpy(roll=0.0, pitch=math.pi / 2, yaw=0.5).rotation
 other = Transform.from_rpy(roll=1.2, pitch=math.pi / 2, yaw=1.7).rotation
 print("one   (x, y, z, w):", fmt_all(one, ""))
 print("other (x, y, z, w):", fmt_all(other, ""))
 print("from one to the other, a turn of", fmt(angle(one, other), "rad"))
 
-# %% [markdown] lang="en" name="gimbal-after"
+# %% [markdown] lang="en" name="gimbal-after" slide="fragment"
 # Not at all: they are the same. With the nose down, roll and yaw turn about the same line, and one of the three angles has nothing left to say.
 # That is [[gimbal lock]]. Near it, a tiny real motion makes the angles leap, so a filter or a controller that computes with angles goes wild.
 #
 # A [[quaternion]] has no such place. Four numbers, one of them to spare, and they never leap.
 # So ROS **stores and sends** quaternions, and shows angles only to people.
 
-# %% [markdown] lang="ko" name="gimbal-after"
+# %% [markdown] lang="ko" name="gimbal-after" slide="fragment"
 # 전혀 다르지 않습니다. 같은 자세입니다. 기수가 아래를 향하면 roll과 yaw가 같은 직선을 축으로 돌게 되어, 세 각도 중 하나가 할 일을 잃습니다.
 # 이것을 [[gimbal lock|짐벌 락(gimbal lock)]]이라고 합니다. 이 근처에서는 실제로 아주 조금만 움직여도 각도가 훌쩍 뜁니다. 각도로 계산하는 필터나 제어기는 여기서 날뜁니다.
 #
@@ -459,16 +459,16 @@ print("from one to the other, a turn of", fmt(angle(one, other), "rad"))
 # 90°의 절반은 45°이고 sin 45° = cos 45° = 0.707입니다.
 # 따라서 (x, y, z, w) = (0, 0, 0.707, 0.707)입니다.
 
-# %% name="recipe-run"
+# %% name="recipe-run" slide="fragment"
 a = math.radians(90)
 left_90 = (0.0, 0.0, math.sin(a / 2), math.cos(a / 2))
 print("quaternion:", fmt_all(left_90, ""))
 print("the nose, after it:", fmt_all(Transform(rotation=left_90).apply((1.0, 0.0, 0.0)), ""))
 
-# %% [markdown] lang="en" name="faded"
+# %% [markdown] lang="en" name="faded" slide="subslide"
 # **Your turn, with two blanks.** Turn *right* by 40°. Replace the two `...` and run the cell again.
 
-# %% [markdown] lang="ko" name="faded"
+# %% [markdown] lang="ko" name="faded" slide="subslide"
 # **빈칸 두 개를 채워 보십시오.** *오른쪽*으로 40° 돕니다. `...` 두 개를 바꾸고 셀을 다시 실행하십시오.
 
 # %% name="faded-run"
@@ -527,31 +527,62 @@ else:
 # 마지막 줄은 누군가 **w를 맨 앞에** 써 보낸 "회전 없음"의 모습입니다.
 # Eigen의 생성자, MuJoCo, 여러 논문이 w를 먼저 씁니다. ROS, RViz, SciPy는 w를 마지막에 씁니다.
 
-# %% name="four-facts-run"
+# %% name="four-facts-run" slide="fragment"
 minus = tuple(-part for part in left_90)
 point = (1.0, 0.0, 0.0)
 print(" q turns it to", fmt_all(Transform(rotation=left_90).apply(point), ""))
 print("-q turns it to", fmt_all(Transform(rotation=minus).apply(point), ""))
 
-# %% [markdown] lang="en" name="w-first"
+# %% [markdown] lang="en" name="length" slide="subslide"
+# ### How long is it?
+#
+# A rotation has length one: x² + y² + z² + w² = 1. Such a quaternion is called a [[unit quaternion]].
+# If the length is off, TF scales it back without a word. Other programs trust you, and stretch the robot.
+# Rounded numbers are fine, so nobody asks for *exactly* one.
+#
+# And there is NaN, "not a number", the child of 0/0. **Predict:** is NaN close to 1, or far from it?
+
+# %% [markdown] lang="ko" name="length" slide="subslide"
+# ### 길이는 얼마입니까?
+#
+# 회전의 길이는 1입니다. x² + y² + z² + w² = 1인 쿼터니언을 [[unit quaternion]]이라고 합니다.
+# 길이가 어긋나면 TF는 말없이 맞추어 놓습니다. 다른 프로그램은 여러분을 믿고 로봇을 늘여 버립니다.
+# 반올림한 숫자는 괜찮습니다. 그래서 *정확히* 1인지는 아무도 따지지 않습니다.
+#
+# 그리고 0/0에서 태어나는 NaN(숫자가 아님)이 있습니다. **예측:** NaN은 1에 가깝습니까, 1에서 멉니까?
+
+# %% name="length-run" slide="fragment"
+for q in (left_90, (0.0, 0.0, 0.707, 0.707), (0.0, 0.0, 1.4, 1.4), (0.0, 0.0, math.nan, 1.0)):
+    length = math.hypot(*q)
+    print(f"length {length:.4f}:  close to 1? {abs(length - 1) < 0.01}   far from 1? {abs(length - 1) > 0.01}")
+
+# %% [markdown] lang="en" name="length-after" slide="fragment"
+# Neither. Every comparison with NaN says False, so it walks through any check that asks "is it bad?".
+# Ask `math.isfinite` first.
+
+# %% [markdown] lang="ko" name="length-after" slide="fragment"
+# 둘 다 아닙니다. NaN과의 비교는 모두 False이므로 "나쁜 값입니까?"라고 묻는 검사는 유유히 통과합니다.
+# `math.isfinite`로 먼저 물어보십시오.
+
+# %% [markdown] lang="en" name="w-first" slide="subslide"
 # And the w-first accident, with a gentle turn to the left of 20°. **Predict** what the robot does.
 
-# %% [markdown] lang="ko" name="w-first"
+# %% [markdown] lang="ko" name="w-first" slide="subslide"
 # 이번에는 w를 먼저 쓰는 사고입니다. 왼쪽으로 살짝 20° 도는 회전입니다. 로봇이 어떻게 될지 **예측**해 보십시오.
 
-# %% name="w-first-run"
+# %% name="w-first-run" slide="fragment"
 a = math.radians(20)
 from_mujoco = (math.cos(a / 2), 0.0, 0.0, math.sin(a / 2))  # (w, x, y, z)
 for name, q in (("taken as it came", from_mujoco), ("put in order", xyzw_from_wxyz(from_mujoco))):
     angles = (math.degrees(part) for part in Transform(rotation=q).rpy())
     print(f"{name}: roll, pitch, yaw", fmt_all(tuple(angles), "degrees", 1))
 
-# %% [markdown] lang="en" name="w-first-after"
+# %% [markdown] lang="en" name="w-first-after" slide="fragment"
 # Roll 160°: upside down, wheels in the air.
 # Small turns become half rolls, so a robot that stands on its head in RViz is the signature of w-first.
 # Convert at the border, once, in a function whose name says it: `xyzw_from_wxyz`.
 
-# %% [markdown] lang="ko" name="w-first-after"
+# %% [markdown] lang="ko" name="w-first-after" slide="fragment"
 # roll이 160°입니다. 바퀴를 하늘로 하고 뒤집혔습니다.
 # 작은 회전이 거의 반 바퀴 roll로 바뀝니다. RViz에서 로봇이 거꾸로 서 있다면 w를 먼저 쓴 흔적입니다.
 # 변환은 경계에서 한 번만, 이름만 보아도 뜻이 드러나는 함수로 하십시오. `xyzw_from_wxyz`가 그런 이름입니다.
@@ -583,7 +614,7 @@ for name, q in (("taken as it came", from_mujoco), ("put in order", xyzw_from_wx
 # %% name="optical-panel" tags=["interactive"]
 cameras_panel(forward_m=2.0, left_m=0.5, up_m=0.3)
 
-# %% name="optical-figure"
+# %% name="optical-figure" slide="skip"
 axes.draw_cameras((2.0, 0.5, 0.3))
 
 # %% [markdown] lang="en" name="optical-notes" slide="notes"
@@ -612,19 +643,19 @@ axes.draw_cameras((2.0, 0.5, 0.3))
 #
 # 외워 둘 회전은 **rpy (−π/2, 0, −π/2)** 입니다. 쿼터니언으로 쓰면 동전을 던져 정한 듯한 모습입니다. **(−0.5, 0.5, −0.5, 0.5)**.
 
-# %% name="two-turns-run"
+# %% name="two-turns-run" slide="fragment"
 camera_T_optical = Transform.from_rpy(roll=-math.pi / 2, yaw=-math.pi / 2)
 print("quaternion (x, y, z, w):", fmt_all(camera_T_optical.rotation, ""))
 for axis, direction in {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1)}.items():
     print(f"optical {axis}, in camera_link:", fmt_all(camera_T_optical.apply(direction), "", 0))
 
-# %% [markdown] lang="en" name="two-turns-after"
+# %% [markdown] lang="en" name="two-turns-after" slide="fragment"
 # Read the three lines aloud: optical x points to minus y, that is, right. Optical y points to minus z: down. Optical z points to plus x: forward.
 # These three lines are the three **columns** of the rotation matrix. A rotation matrix is nothing more: where do the child's axes point, in the parent?
 #
 # So a point of the picture, (right, down, forward), is in the camera's body (forward, −right, −down).
 
-# %% [markdown] lang="ko" name="two-turns-after"
+# %% [markdown] lang="ko" name="two-turns-after" slide="fragment"
 # 세 줄을 소리 내어 읽어 보십시오. 광학 좌표계의 x는 −y, 곧 오른쪽을 향합니다. 광학 좌표계의 y는 −z, 곧 아래를 향합니다. 광학 좌표계의 z는 +x, 곧 앞을 향합니다.
 # 이 세 줄이 회전 행렬의 세 **열**입니다. 회전 행렬은 그 이상도 이하도 아닙니다. 자식의 축이 부모 안에서 어디를 향하는지 적은 것입니다.
 #
@@ -648,7 +679,7 @@ for axis, direction in {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1)}.items():
 # 2. `camera_link`에서는 (앞, −오른쪽, −아래) = (1.50, −0.40, 0.20)입니다. 손으로 확인하십시오. 앞쪽, 오른쪽, 위쪽. 맞습니다.
 # 3. 카메라는 (0.10, 0, 0.30)에 있고 돌아가 있지 않으므로 더합니다. (1.60, −0.40, 0.50).
 
-# %% name="worked-run"
+# %% name="worked-run" slide="fragment"
 optical_p_mug = (0.40, -0.20, 1.50)
 camera_p_mug = camera_T_optical.apply(optical_p_mug)
 base_p_mug = base_T_camera.apply(camera_p_mug)
@@ -679,7 +710,7 @@ print("base_link:  ", fmt_all(base_p_mug))
 # 둘은 같은 자리에 있고, 그 사이에는 회전만 있습니다.
 # 드라이버는 데이터에 **광학 좌표계**를 적습니다. 그러면 아무도 손으로 변환할 필요가 없습니다. TF가 합니다.
 
-# %% name="scene-3d" tags=["interactive"]
+# %% name="scene-3d" tags=["interactive"] slide="subslide"
 view = scene.Scene(height_px=380, grid_m=0.5)
 scene.draw_frame(view, "base_link", Transform(), length_m=0.3)
 scene.draw_frame(view, "camera_link", base_T_camera, "base_link", length_m=0.3)
@@ -688,7 +719,7 @@ scene.draw_camera(view, "camera", base_T_optical, depth_m=1.5, pixels=np.array([
 scene.draw_arrow(view, "ray", base_T_optical.translation, base_p_mug, name="mug")
 view
 
-# %% name="scene-figure"
+# %% name="scene-figure" slide="skip"
 frames.draw_scene(
     {"base_link": Transform(), "camera_link": base_T_camera, "camera_optical_frame": base_T_optical},
     points={"mug": base_p_mug},
@@ -748,11 +779,11 @@ print("camera_link:", fmt_all(camera_T_optical.apply((right, down, forward))))
 # %% name="mount-optical"
 # %ros2 run tf2_ros static_transform_publisher --roll -1.5707963 --yaw -1.5707963 --frame-id camera_link --child-frame-id camera_optical_frame
 
-# %% [markdown] lang="en" name="asker-before"
+# %% [markdown] lang="en" name="asker-before" slide="subslide"
 # Next, a program that asks. Its [[listener]] hears every transform and keeps it in a [[buffer]]; `buffer.transform(message, "base_link")` then moves a message from the frame in its header to the one you want.
 # Chapter 8 opens that box. Time on this page stands still, except while `graph.run` lets some of it pass.
 
-# %% [markdown] lang="ko" name="asker-before"
+# %% [markdown] lang="ko" name="asker-before" slide="subslide"
 # 다음은 물어보는 프로그램입니다. [[listener|리스너(listener)]]가 들리는 변환을 모두 [[buffer|버퍼(buffer)]]에 모아 둡니다. 그러면 `buffer.transform(message, "base_link")`가 메시지를 헤더에 적힌 좌표계에서 원하는 좌표계로 옮깁니다.
 # 그 속은 8장에서 열어 봅니다. 이 페이지의 시간은 멈춰 있으며, `graph.run`을 부르는 동안에만 흐릅니다.
 
@@ -769,17 +800,17 @@ seen.point.x, seen.point.y, seen.point.z = optical_p_mug
 p = buffer.transform(seen, "base_link").point
 print("in base_link:", fmt_all((p.x, p.y, p.z)))
 
-# %% [markdown] lang="en" name="asker-after"
+# %% [markdown] lang="en" name="asker-after" slide="subslide"
 # The worked example, by TF. Now a colleague adds a second camera, whose quaternion comes from a configuration file. The file says `0, 0, 0, 0`: "no rotation, of course".
 #
 # **Predict:** who complains? The broadcaster, the listener, or whoever asks? And with which words?
 
-# %% [markdown] lang="ko" name="asker-after"
+# %% [markdown] lang="ko" name="asker-after" slide="subslide"
 # 풀이 예제를 TF가 계산했습니다. 이번에는 동료가 두 번째 카메라를 추가합니다. 쿼터니언은 설정 파일에서 읽어 옵니다. 파일에는 `0, 0, 0, 0`이라고 적혀 있습니다. "당연히 회전 없음이지요."
 #
 # **예측:** 누가 불평합니까? 브로드캐스터입니까, 리스너입니까, 조회하는 쪽입니까? 그리고 뭐라고 합니까?
 
-# %% name="zero-sent"
+# %% name="zero-sent" slide="fragment"
 t = TransformStamped()
 t.header.frame_id, t.child_frame_id = "base_link", "rear_camera_link"
 r = t.transform.rotation
@@ -791,24 +822,24 @@ broadcaster = StaticTransformBroadcaster(driver)
 broadcaster.sendTransform(t)
 print("sent")
 
-# %% [markdown] lang="en" name="zero-sent-after"
+# %% [markdown] lang="en" name="zero-sent-after" slide="subslide"
 # The broadcaster is content. Let half a second pass, and the listener hears it:
 #
 # (`%xmode Minimal` shows an error by its last line, the one to read; `%xmode Context` brings the rest back.)
 
-# %% [markdown] lang="ko" name="zero-sent-after"
+# %% [markdown] lang="ko" name="zero-sent-after" slide="subslide"
 # 브로드캐스터는 아무 불만이 없습니다. 0.5초가 지나면 리스너가 받습니다.
 #
 # (`%xmode Minimal`은 오류에서 꼭 읽어야 할 마지막 줄만 보여 줍니다. `%xmode Context`로 되돌립니다.)
 
-# %% name="zero-heard"
+# %% name="zero-heard" slide="fragment"
 # %xmode Minimal
 graph.run(seconds=0.5)
 
-# %% name="zero-asked" tags=["raises-exception"]
+# %% name="zero-asked" tags=["raises-exception"] slide="fragment"
 buffer.lookup_transform("base_link", "rear_camera_link", Time())
 
-# %% [markdown] lang="en" name="zero-after"
+# %% [markdown] lang="en" name="zero-after" slide="subslide"
 # Look at what happened, and where.
 #
 # 1. The **sender** said nothing.
@@ -820,7 +851,7 @@ buffer.lookup_transform("base_link", "rear_camera_link", Time())
 #
 # A new message in ROS 2 has w = 1 already. The zeros come from elsewhere: files, arrays made by `zeros(4)`, C structs, bridges, ROS 1.
 
-# %% [markdown] lang="ko" name="zero-after"
+# %% [markdown] lang="ko" name="zero-after" slide="subslide"
 # 무슨 일이 어디에서 일어났는지 보십시오.
 #
 # 1. **보낸 쪽**은 아무 말도 하지 않았습니다.
@@ -832,7 +863,7 @@ buffer.lookup_transform("base_link", "rear_camera_link", Time())
 #
 # ROS 2의 새 메시지에는 이미 w = 1이 들어 있습니다. 0은 다른 곳에서 옵니다. 설정 파일, `zeros(4)`로 만든 배열, C 구조체, 브리지, ROS 1 같은 곳입니다.
 
-# %% name="zero-gone"
+# %% name="zero-gone" slide="skip"
 driver.destroy_node()  # the rear camera goes home
 
 # %% [markdown] lang="en" name="zero-notes" slide="notes"
@@ -858,10 +889,10 @@ across, deep = np.meshgrid(np.linspace(-1.0, 1.0, 21), np.linspace(0.8, 1.9, 12)
 floor = np.column_stack([across.ravel(), np.full(across.size, 0.4), deep.ravel()])
 print(misread.describe_extent({"wall": wall, "floor": floor}, "the optical frame"))
 
-# %% [markdown] lang="en" name="cloud-node"
+# %% [markdown] lang="en" name="cloud-node" slide="subslide"
 # And its driver. Somebody set the parameter `frame_id` to the frame that the camera is bolted to. It sounds so sensible.
 
-# %% [markdown] lang="ko" name="cloud-node"
+# %% [markdown] lang="ko" name="cloud-node" slide="subslide"
 # 드라이버는 다음과 같습니다. 누군가 `frame_id` 파라미터에 카메라가 장착된 좌표계를 적었습니다. 참 그럴듯하게 들립니다.
 
 # %% name="cloud-driver"
@@ -879,22 +910,22 @@ def depth_camera():
     node.create_timer(0.2, publish)
     rclpy.spin(node)
 
-# %% name="cloud-start"
+# %% name="cloud-start" slide="skip"
 graph.start(depth_camera, name="depth_camera")
 graph.run(seconds=1.0)
 
-# %% [markdown] lang="en" name="cloud-predict"
+# %% [markdown] lang="en" name="cloud-predict" slide="subslide"
 # **Predict.** Where does RViz draw the wall? Where is the floor?
 # Take your pistol hand: right becomes *forward*, down becomes *left*, forward becomes *up*.
 
-# %% [markdown] lang="ko" name="cloud-predict"
+# %% [markdown] lang="ko" name="cloud-predict" slide="subslide"
 # **예측.** RViz는 벽을 어디에 그립니까? 바닥은 어디에 있습니까?
 # 오른손을 드십시오. 오른쪽이 *앞*이 되고, 아래가 *왼쪽*이 되고, 앞이 *위*가 됩니다.
 
-# %% name="cloud-rviz" tags=["interactive"]
+# %% name="cloud-rviz" tags=["interactive"] slide="fragment"
 # %rviz2 -f base_link
 
-# %% name="cloud-figure"
+# %% name="cloud-figure" slide="subslide"
 misread.draw_misread(
     {"wall": base_T_optical.apply(wall), "floor": base_T_optical.apply(floor)},
     {"wall": base_T_camera.apply(wall), "floor": base_T_camera.apply(floor)},
@@ -913,7 +944,7 @@ misread.draw_misread(
 #
 # 이제 이 클라우드를 읽고 로봇 높이의 장애물을 찾는 경로 계획기를 생각해 보십시오.
 
-# %% name="cloud-obstacles"
+# %% name="cloud-obstacles" slide="subslide"
 def obstacles_ahead(frame_id):
     cloud = create_cloud_xyz32(Header(frame_id=frame_id), np.vstack([wall, floor]))
     x, y, z = read_points_numpy(buffer.transform(cloud, "base_link")).T
@@ -924,17 +955,17 @@ def obstacles_ahead(frame_id):
 print("stamped camera_optical_frame:", obstacles_ahead("camera_optical_frame"), "points in the way")
 print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points in the way")
 
-# %% [markdown] lang="en" name="cloud-obstacles-after"
+# %% [markdown] lang="en" name="cloud-obstacles-after" slide="fragment"
 # No obstacle at all. The road is clear, says the planner, and the robot drives into the wall that its own camera is looking at.
 #
 # The cure is **one word in the header**, not mathematics in your node. Find it, change it, look again. On a real robot you would type the same.
 
-# %% [markdown] lang="ko" name="cloud-obstacles-after"
+# %% [markdown] lang="ko" name="cloud-obstacles-after" slide="fragment"
 # 장애물이 하나도 없습니다. 경로 계획기는 길이 비었다고 하고, 로봇은 자기 카메라가 보고 있는 바로 그 벽으로 달려갑니다.
 #
 # 고칠 것은 노드 안의 수식이 아니라 **헤더의 단어 하나**입니다. 찾고, 바꾸고, 다시 확인하십시오. 실제 로봇에서도 똑같이 입력합니다.
 
-# %% name="cloud-find"
+# %% name="cloud-find" slide="subslide"
 # %ros2 topic echo /camera/points --field header.frame_id --once
 
 # %% name="cloud-mend"
@@ -943,13 +974,13 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # %% name="cloud-again"
 # %ros2 topic echo /camera/points --field header.frame_id --once
 
-# %% [markdown] lang="en" name="cloud-others"
+# %% [markdown] lang="en" name="cloud-others" slide="fragment"
 # Run the RViz cell above once more: the wall stands where it should.
 #
 # This does not happen to beginners only. Clouds that stare at the sky or lie at 90° fill the issue lists of a mapping package ([introlab/rtabmap_ros 383](https://github.com/introlab/rtabmap_ros/issues/383)), of the simulator of an underground robot race ([osrf/subt 369](https://github.com/osrf/subt/issues/369)) and of a simulator that very many ROS robots grew up in ([gazebo_ros_pkgs 1329](https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1329)).
 # The cure has one shape: keep two frames, and stamp the data with the optical one.
 
-# %% [markdown] lang="ko" name="cloud-others"
+# %% [markdown] lang="ko" name="cloud-others" slide="fragment"
 # 위의 RViz 셀을 다시 실행해 보십시오. 벽이 제자리에 서 있습니다.
 #
 # 초보자만 겪는 일이 아닙니다. 하늘을 바라보거나 90° 누운 클라우드는 지도 작성 패키지([introlab/rtabmap_ros 383](https://github.com/introlab/rtabmap_ros/issues/383)), 지하 탐사 로봇 대회의 시뮬레이터([osrf/subt 369](https://github.com/osrf/subt/issues/369)), 수많은 ROS 로봇이 거쳐 간 시뮬레이터([gazebo_ros_pkgs 1329](https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1329))의 이슈 목록에도 올라와 있습니다.
@@ -1040,7 +1071,7 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # %% name="robot-echo"
 # %ros2 --for 1 run tf2_ros tf2_echo camera_link camera_optical_frame
 
-# %% [markdown] lang="en" name="robot-urdf"
+# %% [markdown] lang="en" name="robot-urdf" slide="subslide"
 # `tf2_echo` prints the first line, "Waiting", because it asks before it has heard anything. That is normal.
 #
 # On a robot, mounts belong into the URDF, and `robot_state_publisher` publishes them. These are the lines to have in every camera's description:
@@ -1071,7 +1102,7 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # transform.transform.rotation.w = math.cos(self.theta / 2.0)
 # ```
 
-# %% [markdown] lang="ko" name="robot-urdf"
+# %% [markdown] lang="ko" name="robot-urdf" slide="subslide"
 # `tf2_echo`의 첫 줄에 "Waiting"이 나오는 것은 아직 아무것도 듣지 못한 채 물어보기 때문입니다. 정상입니다.
 #
 # 로봇에서는 장착 위치를 URDF에 적고 `robot_state_publisher`가 발행하게 합니다. 카메라라면 반드시 있어야 할 줄은 다음과 같습니다.
@@ -1138,11 +1169,11 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # - Body: x forward, y left, z up. Picture: x right, y down, z forward. Both are right-handed.
 # - Positive yaw turns left, positive pitch puts the nose down, positive roll lifts the left side.
 # - rpy turns about fixed axes, roll first; the order matters.
-# - A quaternion (x, y, z, w) holds half the angle. (0, 0, 0, 1) is no rotation, (0, 0, 0, 0) is none at all, q and −q are one.
+# - A quaternion (x, y, z, w) holds half the angle and has length one. (0, 0, 0, 1) is no rotation, (0, 0, 0, 0) is none at all, q and −q are one.
 # - Body to optical: rpy (−π/2, 0, −π/2). Data is stamped with the optical frame.
 # - If it is turned by 90°, change the label or the mount, never the data.
 #
-# Print the card and put it where you solder.
+# Save the card (Shift and a right click on the picture), print it, and put it where you solder.
 
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
@@ -1150,16 +1181,16 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # - 몸체: x 앞, y 왼쪽, z 위. 영상: x 오른쪽, y 아래, z 앞. 둘 다 오른손 좌표계입니다.
 # - 양의 yaw는 왼쪽으로 돌고, 양의 pitch는 기수를 내리고, 양의 roll은 왼쪽을 들어 올립니다.
 # - rpy는 고정축을 중심으로 roll부터 돌리며, 순서가 중요합니다.
-# - 쿼터니언 (x, y, z, w)에는 각도의 절반이 들어갑니다. (0, 0, 0, 1)은 회전 없음, (0, 0, 0, 0)은 회전이 아니며, q와 −q는 같습니다.
+# - 쿼터니언 (x, y, z, w)에는 각도의 절반이 들어가며 길이는 1입니다. (0, 0, 0, 1)은 회전 없음, (0, 0, 0, 0)은 회전이 아니며, q와 −q는 같습니다.
 # - 몸체에서 광학 좌표계까지는 rpy (−π/2, 0, −π/2). 데이터에는 광학 좌표계를 적습니다.
 # - 90° 돌아가 있다면 이름표나 장착 변환을 고치고, 데이터는 절대 고치지 않습니다.
 #
-# 카드를 인쇄하여 작업대에 붙여 두십시오.
+# 카드를 저장하여(그림 위에서 Shift를 누른 채 오른쪽 클릭) 인쇄한 다음 작업대에 붙여 두십시오.
 
-# %% name="recap-card"
+# %% name="recap-card" slide="subslide"
 card.draw_card()
 
-# %% [markdown] lang="en" name="words"
+# %% [markdown] lang="en" name="words" slide="subslide"
 # **Words of this chapter:** [[rep-103]] · [[roll pitch yaw]] · [[quaternion]] · [[gimbal lock]] · [[optical frame]] · [[static transform]]
 #
 # ### Three questions from before
@@ -1180,7 +1211,7 @@ card.draw_card()
 #
 # </details>
 
-# %% [markdown] lang="ko" name="words"
+# %% [markdown] lang="ko" name="words" slide="subslide"
 # **이 장의 용어:** [[rep-103]] · [[roll pitch yaw]] · [[quaternion]] · [[gimbal lock]] · [[optical frame]] · [[static transform]]
 #
 # ### 앞 장에서 온 질문 셋
