@@ -58,7 +58,10 @@
   function on() {
     const section = sections[index];
     if (below(section) > 8) section.scrollBy({ top: 0.8 * section.clientHeight, behavior: "smooth" });
-    else if (step + 1 < slides[index].steps.length) go(index, step + 1);
+    else if (step + 1 < slides[index].steps.length) {
+      go(index, step + 1);
+      section.querySelectorAll(".deck-step")[step].scrollIntoView({ block: "nearest", behavior: "smooth" });
+    }
     else if (index + 1 < slides.length) { go(index + 1, 0); sections[index].scrollTop = 0; }
   }
 
@@ -71,12 +74,14 @@
 
   const below = (section) => section.scrollHeight - section.clientHeight - section.scrollTop;
 
-  function fit() { // as large as the window allows, and a little smaller if that shows the whole slide
+  function fit() { // as large as the window allows, and a little smaller if that shows all steps of the slide
     const section = sections[index], content = section.firstChild;
+    section.classList.add("deck-measured");
     const largest = Math.max(0.7, Math.min(2.4, innerWidth / 1120, innerHeight / 640));
     content.style.zoom = largest;
     const room = (section.clientHeight - 40) / section.scrollHeight;
-    if (room < 1) content.style.zoom = Math.max(0.75 * largest, largest * room);
+    if (room < 1) content.style.zoom = largest * (room > 0.75 ? room : 0.85);
+    section.classList.remove("deck-measured");
     sayMore();
   }
 
