@@ -224,7 +224,7 @@ class _CameraSide:
         space = clear_paper(figure.add_axes((left + 0.02, 0.42, 0.46, 0.55)))
         words = BODY_WORDS if pose == Transform() else OPTICAL_WORDS
         write_caption(space, f"{name}: {', '.join(' '.join(pair) for pair in words.items())}")
-        _draw_frustum(space)
+        draw_frustum(space)
         draw_frames({"": pose}, space, SLANTING, length_m=0.75)
         (self.sight,) = space.plot([], [], color=style.ACCENT, linewidth=1.2, zorder=30, marker="o", markersize=5,
                                    markerfacecolor=style.PAPER, markevery=[0])  # fmt: skip
@@ -262,7 +262,7 @@ def draw_cameras(body_p: Sequence[float] = (2.0, 0.0, 0.0)) -> CamerasPicture:
     return CamerasPicture().show(body_p)
 
 
-def _draw_frustum(ax) -> None:
+def draw_frustum(ax) -> None:
     """Draw what a camera sees: the edges of its picture, one metre ahead, and lines to its corners."""
     corners = [(1.0, HALF_WIDTH * y, HALF_HEIGHT * z) for y, z in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
     on_paper = SLANTING.on_paper(corners)

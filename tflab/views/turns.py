@@ -21,14 +21,22 @@ import numpy as np
 from tflab.core import Transform, seconds
 
 from . import style
-from .axes import TURNS
+from .axes import TURNS, draw_frustum
 from .bodies import RobotArtists
 from .eye import FROM_ABOVE, SLANTING
 from .frames import clear_paper, draw_frames, write_caption
 from .latency import drive
 from .picture import Picture
 
-__all__ = ["describe_drives", "describe_orders", "draw_drives", "draw_orders", "turn"]
+__all__ = [
+    "describe_drives",
+    "describe_orders",
+    "describe_turns",
+    "draw_drives",
+    "draw_orders",
+    "draw_turns",
+    "turn",
+]
 
 NOSE = (1.0, 0.0, 0.0)
 WAYS = ((NOSE, "forward"), ((-1, 0, 0), "backward"), ((0, 1, 0), "left"), ((0, -1, 0), "right"), ((0, 0, 1), "up"),
@@ -104,6 +112,38 @@ def draw_orders(first: tuple[str, float], second: tuple[str, float]) -> Picture:
                 write_caption(ax, caption)
     picture.text = describe_orders(first, second)
     return picture
+
+
+def describe_turns(*turns: tuple[str, float]) -> str:
+    """Return in words where x, y and z point at the start and after each turn (name, angle [rad])."""
+    lines = ["A frame on a camera, turned about the fixed axes:"]
+    for caption, pose in zip(_captions(turns), _after(turns), strict=True):
+        ways = (f"{axis} {_way(pose, way)}" for axis, way in zip(style.AXES, np.eye(3), strict=True))
+        lines.append(f"  {caption}: {', '.join(ways)}")
+    return "\n".join(lines)
+
+
+def draw_turns(*turns: tuple[str, float]) -> Picture:
+    """Draw a frame on a camera that stands still: at the start, and after each turn (name, angle [rad])."""
+    picture = Picture((style.WIDE[0], 2.6))
+    columns = len(turns) + 1
+    with style.our_settings():
+        for column, (caption, pose) in enumerate(zip(_captions(turns), _after(turns), strict=True)):
+            ax = clear_paper(picture.figure.add_axes((0.02 + 0.96 / columns * column, 0.03, 0.93 / columns, 0.94)))
+            draw_frustum(ax)
+            draw_frames({"": pose}, ax, SLANTING, length_m=0.75)
+            ax.set_xlim(-1.0, 1.35)
+            ax.set_ylim(-1.05, 1.3)
+            write_caption(ax, caption)
+    picture.text = describe_turns(*turns)
+    return picture
+
+
+def _captions(turns: tuple[tuple[str, float], ...]) -> list[str]:
+    """Return what has just happened, at the start and after each turn."""
+    words = ("first", *("then" for _ in turns[1:]))
+    said = (f"{word} {name} {style.fmt(angle, 'rad')}" for word, (name, angle) in zip(words, turns, strict=True))
+    return ["start", *said]
 
 
 def _after(turns: tuple[tuple[str, float], ...]) -> list[Transform]:
