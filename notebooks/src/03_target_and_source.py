@@ -11,7 +11,7 @@
 # - go back: invert a transform that turns, and read `tf2_echo` both ways.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
-# # Target과 source: …에서 쓴 데이터를, …에서 보고 싶다
+# # Target과 source: … 기준 데이터를 … 기준으로 보고 싶다
 #
 # **50분.** 01장(값, 좌표계, 시각)과 02장(축과 쿼터니언)에 이어집니다.
 #
@@ -28,7 +28,7 @@
 # Most hands go up. That is the chapter.
 
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
-# 이 장은 한 문장입니다. "source에서 쓴 데이터를 target에서 보고 싶다."
+# 이 장은 한 문장입니다. "source 기준 데이터를 target 기준으로 보고 싶다."
 # 먼저 물어봅니다. 그림이 맞아 보일 때까지 두 인자를 바꿔 가며 고친 적이 있는 사람?
 # 대부분 손을 듭니다. 그것이 오늘의 주제입니다.
 
@@ -50,7 +50,7 @@
 #
 # 앞 장에서 온 다섯 가지입니다. 처음 보는 것이 있다면 한 시간만 믿어 두십시오.
 #
-# - 위치는 **어떤 [[frame|좌표계(frame)]]에서** 읽은 값입니다. `(2, 0, 0)`만으로는 아무 뜻이 없고, `laser_frame`의 `(2, 0, 0)`이라야 뜻이 있습니다.
+# - 위치는 **어떤 [[frame|좌표계(frame)]]를 기준으로** 읽은 값입니다. `(2, 0, 0)`만으로는 아무 뜻이 없고, `laser_frame` 기준 `(2, 0, 0)`이라야 뜻이 있습니다.
 # - x는 앞, y는 왼쪽, z는 위입니다. 양의 yaw는 왼쪽으로 돕니다.
 # - 회전은 쿼터니언 (x, y, z, w)이고, "회전 없음"은 (0, 0, 0, 1)입니다.
 # - 센서를 단 자리는 변하지 않으므로 정적 변환으로 한 번만 발행합니다.
@@ -86,24 +86,32 @@ from tflab.views.style import ACCENT, fmt_all  # fmt_all writes a point with its
 # %% [markdown] lang="en" name="ten-years" slide="slide"
 # ## Ten years of "reversed"
 #
-# In 2015 somebody reported to ros/geometry that `tf_echo` prints the transform the wrong way round (#108).
-# Somebody else did in #192, and again in #226.
-# ROS 2 came, and with it ros2/geometry2 #470 (2021); then the documentation, ros2/ros2_documentation #4239 (2024).
-# A maintainer of the most used EKF package wrote that they frequently get it backwards themselves (robot_localization #437).
+# A robot had its IMU mounted turned, and somewhere a transform seemed reversed.
+# So its team published a *wrong* mount, and the numbers came out right.
+# Later they proposed to swap two frames in the filter instead, and heard: the target comes first, and it already does (ros-planning/navigation #239).
 #
-# Now the strange part: nobody was wrong, and the numbers were right all along.
-# Everybody had asked for the transform **"from A to B"**, and that phrase is two questions.
+# They are in good company.
+# In 2015 somebody asked ros/geometry whether the frames in `tf_echo` are reversed (#108).
+# Others did in #111, #192 and #226; ROS 2 came, and with it ros2/geometry2 #470 (2021), then ros2/ros2_documentation #4239 (2024).
+# A maintainer of the most used EKF package wrote that they frequently get these backwards (robot_localization #437).
+#
+# Now the strange part: the tool's numbers were right all along, and most people's question was a good one.
+# They had asked for the transform **"from A to B"**, and that phrase is two questions.
 
 # %% [markdown] lang="ko" name="ten-years" slide="slide"
 # ## "거꾸로 나와요" 10년
 #
-# 2015년, 누군가 `tf_echo`가 변환을 반대로 찍는다고 ros/geometry에 알렸습니다(#108).
-# 같은 이야기가 #192에, 다시 #226에 올라왔습니다.
-# ROS 2가 나오자 ros2/geometry2 #470(2021)이, 이어서 공식 문서에도 ros2/ros2_documentation #4239(2024)가 올라왔습니다.
-# 가장 널리 쓰이는 EKF 패키지의 관리자도 자신도 자주 거꾸로 쓴다고 적었습니다(robot_localization #437).
+# IMU를 돌려 단 로봇이 있었는데, 어딘가에서 변환이 거꾸로인 것 같았습니다.
+# 그래서 팀은 장착 자세를 *틀리게* 발행했고, 그러자 숫자가 맞았습니다.
+# 나중에는 필터 안의 두 좌표계를 맞바꾸자고 제안했다가 이런 답을 들었습니다. 목표가 먼저이고, 이미 그렇게 되어 있다고(ros-planning/navigation #239).
 #
-# 이상한 점은 따로 있습니다. 틀린 사람은 아무도 없었고, 찍힌 숫자도 처음부터 맞았습니다.
-# 모두가 **"A에서 B로 가는 변환"** 을 물었는데, 이 말 안에 질문이 두 개 들어 있었습니다.
+# 이 팀만 헷갈린 것이 아닙니다.
+# 2015년, 누군가 `tf_echo`의 좌표계 순서가 거꾸로 아니냐고 ros/geometry에 물었습니다(#108).
+# 같은 질문이 #111, #192, #226에 이어졌고, ROS 2에서도 ros2/geometry2 #470(2021), ros2/ros2_documentation #4239(2024)로 올라왔습니다.
+# 가장 널리 쓰이는 EKF 패키지의 관리자도 자주 거꾸로 쓴다고 적었습니다(robot_localization #437).
+#
+# 이상한 점은 따로 있습니다. 도구가 찍은 숫자는 처음부터 맞았고, 사람들의 질문도 대부분 틀리지 않았습니다.
+# 모두 **"A에서 B로 가는 변환"** 을 물었는데, 이 말 안에 질문이 두 개 들어 있었습니다.
 
 # %% name="two-readings" slide="fragment"
 mount = Transform.from_rpy(yaw=math.pi / 2, translation=(0.20, 0.0, 0.15))
@@ -150,9 +158,9 @@ draw_readings('base_link', 'laser_frame', mount)
 #
 # 레이저는 로봇 중심에서 앞으로 20 cm, 위로 15 cm 자리에 달려 있습니다.
 # 누군가 왼쪽 선반을 보도록 레이저를 +90° 돌려 달았습니다.
-# 레이저는 정면에서 선반 모서리를 봅니다. **`laser_frame`에서 (2, 0, 0)** 입니다.
+# 레이저는 정면에서 선반 모서리를 봅니다. **`laser_frame` 기준 (2, 0, 0)** 입니다.
 #
-# `base_link`에서 모서리는 어디에 있습니까?
+# `base_link` 기준으로 모서리는 어디에 있습니까?
 # 다음 셀에 예측을 적고 넘어가십시오. 틀린 예측이 예측하지 않은 것보다 낫습니다.
 
 # %% [markdown] lang="en" name="predict-notes" slide="notes"
@@ -279,10 +287,10 @@ print('your guess was off by', f'{math.dist(my_guess, base_p_corner):.2f} m')
 # ```
 #
 # 같은 숫자 일곱 개가 일을 하나 더 합니다.
-# **자식**에서 쓴 점을 받아, 같은 점을 **부모**에서 쓴 값으로 돌려줍니다.
+# **자식** 기준으로 표현된 점을 받아, 같은 점을 **부모** 기준 값으로 돌려줍니다.
 # 그래서 흔히 그리는 부모 → 자식 화살표는 가족 관계이고, 데이터는 그 반대인 자식 → 부모로 흐릅니다.
 #
-# 두 이름으로 부르되 부모를 앞에 둡니다. `base_T_laser`라고 쓰고 "base에서 표현한 laser"라고 읽습니다.
+# 두 이름으로 부르되 부모를 앞에 둡니다. `base_T_laser`라고 쓰고 "base 기준 laser"라고 읽습니다.
 
 # %% name="one-transform-in-numbers" slide="subslide"
 base_T_laser = buffer.core.lookup_transform('base_link', 'laser_frame', LATEST).transform
@@ -351,6 +359,7 @@ draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'corner': (
 #
 # The answer is `base_T_laser`: same order, same words.
 # There is no "from" and no "to" in it, so there is nothing to turn round.
+# (In 2020 a pull request to jsk-ros-pkg/jsk_roseus, #650, set out to turn one comment round, noticed that "from A to B" can be read both ways, and wrote this sentence instead.)
 #
 # | you want | target | source |
 # |---|---|---|
@@ -363,10 +372,10 @@ draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'corner': (
 # %% [markdown] lang="ko" name="the-sentence" slide="slide"
 # ## 문장 하나
 #
-# > `laser_frame`**에서 쓴** 데이터를 `base_link`**에서 보고 싶다**.
+# > `laser_frame` **기준으로 표현된** 데이터를 `base_link` **기준으로 보고 싶다**.
 #
 # 이것이 전부입니다.
-# 데이터가 쓰인 좌표계가 [[source frame|원본(source)]]이고, 보고 싶은 좌표계가 [[target frame|목표(target)]]입니다.
+# 데이터가 지금 표현된 기준이 [[source frame|원본(source)]]이고, 보고 싶은 기준이 [[target frame|목표(target)]]입니다.
 # 모든 호출에서 목표가 먼저 옵니다.
 #
 # ```python
@@ -375,6 +384,7 @@ draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'corner': (
 #
 # 답은 `base_T_laser`입니다. 순서도 말도 그대로입니다.
 # 이 문장에는 "여기서 저기로"라는 말이 없으므로 뒤집힐 것도 없습니다.
+# (2020년 jsk-ros-pkg/jsk_roseus #650에서도 주석의 방향을 고치다가, "from A to B"를 두 가지로 읽을 수 있음을 알아채고 바로 이 문장으로 바꾸었습니다.)
 #
 # | 하고 싶은 일 | target | source |
 # |---|---|---|
@@ -382,16 +392,16 @@ draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'corner': (
 # | 로봇이 지도 어디에 있는지 알기 | `map` | `base_link` |
 # | 지도의 목표점을 로봇에서 보기 | `base_link` | `map` |
 #
-# 둘째 줄은 첫째 줄과 같은 이야기입니다. "로봇이 어디 있는가"는 `base_link`에서 쓴 로봇의 원점을 `map`에서 보고 싶다는 뜻입니다.
+# 둘째 줄은 첫째 줄과 같은 이야기입니다. "로봇이 어디 있는가"는 `base_link` 기준인 로봇의 원점을 `map` 기준으로 보고 싶다는 뜻입니다.
 
 # %% [markdown] lang="en" name="the-sentence-notes" slide="notes"
 # Have everybody say it aloud three times with other frames: camera and map, tool and base, goal and robot.
-# The lecture's sentence in Korean is the same one; a pull request in Japanese found it independently.
+# If the board is free, write both readings of "from A to B" beside it once more, and strike them out.
 # If somebody says "from", stop and smile.
 
 # %% [markdown] lang="ko" name="the-sentence-notes" slide="notes"
 # 다른 좌표계로 세 번 소리 내어 말하게 합니다. 카메라와 지도, 공구와 베이스, 목표점과 로봇.
-# 일본어로 올라온 어느 풀 리퀘스트도 같은 문장에 이르렀습니다.
+# 칠판에 "A에서 B로"의 두 가지 읽기를 다시 쓰고, 줄을 그어 지웁니다.
 # 누가 "어디에서 어디로"라고 말하면 멈추고 웃어 줍니다.
 
 # %% [markdown] lang="en" name="the-sentence-panel-why" slide="skip"
@@ -488,7 +498,7 @@ draw_dominoes(('map', 'odom'), ('odom', 'base_link'), ('base_link', 'laser_frame
 # %% [markdown] lang="ko" name="worked-example" slide="subslide"
 # ### 풀이 예제
 #
-# 다시 그 모서리입니다. `laser_frame`에서 쓴 것을 `map`에서 보고 싶습니다.
+# 다시 그 모서리입니다. `laser_frame` 기준 좌표를 `map` 기준으로 보고 싶습니다.
 # 먼저 도미노를 하나씩 놓아 손으로 구하고, 그다음 `lookup_transform`의 답과 견줍니다.
 
 # %% name="worked-example-by-hand"
@@ -551,7 +561,7 @@ print('the corner, says Python', fmt_all(nonsense.apply(laser_p_corner)))
 #
 # 카메라에서 본 레이저의 자리를 발행한 사람은 없습니다.
 # 둘은 형제입니다. 모두 `base_link` 위에 있습니다.
-# 그래도 물을 수 있습니다. 조회(lookup)가 트리를 걷기 때문입니다. 원본에서 둘이 만나는 좌표계까지 **올라가고**, 거기서 목표까지 **내려갑니다**.
+# 그래도 물을 수 있습니다. 조회(lookup)가 트리를 따라가기 때문입니다. 원본에서 둘이 만나는 좌표계까지 **올라가고**, 거기서 목표까지 **내려갑니다**.
 # 올라갈 때는 발행된 변환을 그대로 쓰고, 내려갈 때는 뒤집어 씁니다.
 
 # %% name="siblings"
@@ -584,7 +594,7 @@ draw_dominoes(('camera_link', 'base_link'), ('base_link', 'laser_frame'))
 # %% [markdown] lang="ko" name="faded" slide="subslide"
 # ### 빈칸 두 개를 채워 보기
 #
-# 목표점이 `map`에서 (4, 1, 0)에 있습니다. 서 있는 로봇에서 보면 앞입니까, 뒤입니까, 왼쪽입니까, 오른쪽입니까?
+# 목표점이 `map` 기준 (4, 1, 0)에 있습니다. 서 있는 로봇에서 보면 앞입니까, 뒤입니까, 왼쪽입니까, 오른쪽입니까?
 # 빈칸 두 개를 채우고 실행하십시오.
 
 # %% name="faded-blanks"
@@ -607,7 +617,7 @@ if ... not in (wanted_in, written_in):
 # %% [markdown] lang="ko" name="faded-answer"
 # <details><summary>맞춰 보기</summary>
 #
-# `map`에서 쓴 것을 `base_link`에서 보고 싶으므로 `lookup_transform('base_link', 'map', …)`이고, 목표점은 (−2, 0, −0.1)입니다.
+# `map` 기준 좌표를 `base_link` 기준으로 보고 싶으므로 `lookup_transform('base_link', 'map', …)`이고, 목표점은 (−2, 0, −0.1)입니다.
 # 로봇 뒤 2 m, 로봇 중심보다 10 cm 아래인 바닥입니다.
 # (3, 7, 0.1)이 나왔다면 두 이름이 바뀐 것이고, 로봇은 엉뚱한 곳으로 떠납니다.
 #
@@ -752,7 +762,7 @@ draw_mount(math.pi / 2)
 # 첫 인자는 조회의 *목표*인데, 도움말은 그것을 `source_frame`이라고 부릅니다.
 # 첫 문장은 "어디에서 어디로"라고 하고, 두 줄 아래에서는 데이터가 반대로 간다고 (맞게) 적었습니다.
 # 10년 치 신고 뒤에 있던 글이 이것입니다.
-# 한 번 웃고, 문장을 믿으십시오. **echo 보고-싶은-곳 쓰인-곳** 순서입니다.
+# 한 번 웃고, 문장을 믿으십시오. **`tf2_echo 목표 원본`** 순서입니다.
 
 # %% [markdown] lang="en" name="echo-predict" slide="subslide"
 # ### Predict the second from the first
@@ -921,19 +931,19 @@ buffer.lookup_transform('/base_link', 'laser_frame', Time())
 #
 # <details><summary>1번을 골랐습니다</summary>
 #
-# 문장으로 말해 보십시오. `camera_optical_frame`에서 쓴 데이터를 `base_link`에서 보고 싶습니다. 보고 싶은 쪽이 먼저입니다.
+# 문장으로 말해 보십시오. `camera_optical_frame` 기준 데이터를 `base_link` 기준으로 보고 싶습니다. 보고 싶은 쪽이 먼저입니다.
 # 고른 줄은 로봇의 데이터를 카메라로 옮깁니다. "카메라에서 베이스로"라는 말에 걸려들었습니다.
 #
 # </details>
 # <details><summary>2번을 골랐습니다</summary>
 #
-# 순서는 맞지만 원본이 다릅니다. 사과는 축 방향이 다른 *광학* 좌표계에서 쓰였습니다(02장).
+# 순서는 맞지만 원본이 다릅니다. 사과는 축 방향이 다른 *광학* 좌표계 기준입니다(02장).
 # 원본은 손에 잡히는 부품이 아니라 `header.frame_id`에 적힌 이름입니다.
 #
 # </details>
 # <details><summary>3번을 골랐습니다</summary>
 #
-# 맞습니다. `camera_optical_frame`에서 쓰였고 `base_link`에서 보고 싶습니다. 호출의 이름이 문장의 이름과 같습니다.
+# 맞습니다. `camera_optical_frame` 기준 데이터를 `base_link` 기준으로 보고 싶습니다. 호출의 이름이 문장의 이름과 같습니다.
 #
 # </details>
 # <details><summary>4번을 골랐습니다</summary>
@@ -1039,11 +1049,11 @@ rclpy.shutdown()
 # ## 기억할 것
 #
 # - [[transform|변환]] `parent_T_child`는 자식이 어디에 있는지 말하고, 자식의 데이터를 부모로 옮깁니다.
-# - "어디에서 어디로" 대신 이렇게 말합니다. **[[source frame|원본]]에서 쓴 데이터를 [[target frame|목표]]에서 보고 싶다.** 호출에서는 보고 싶은 쪽이 먼저입니다.
+# - "어디에서 어디로" 대신 이렇게 말합니다. **[[source frame|원본]] 기준 데이터를 [[target frame|목표]] 기준으로 보고 싶다.** 호출에서는 보고 싶은 쪽이 먼저입니다.
 # - 이웃끼리 맞춥니다. `map_T_laser = map_T_odom @ odom_T_base @ base_T_laser`.
 # - 돌아가는 길은 역변환입니다. 반대로 돌리고, 이동도 돌려야 합니다. 부호만으로는 모자랍니다.
 # - 바꿔 써도 오류는 나지 않습니다. 반 바퀴에서는 숨고, 4분의 1바퀴에서는 드러납니다.
-# - `tf2_echo A B`는 A에서 본 B를 찍습니다.
+# - `tf2_echo A B`는 A 기준으로 B를 찍습니다.
 
 # %% [markdown] lang="en" name="from-before" slide="subslide"
 # ### Three questions from earlier chapters
@@ -1104,8 +1114,8 @@ rclpy.shutdown()
 #
 # - [ ] 변환은 부모에서 잰 자식 좌표축의 위치와 회전이다.
 # - [ ] 메시지에서 부모는 `header.frame_id`, 자식은 `child_frame_id`이다.
-# - [ ] 조회는 *source*에서 쓴 데이터를 *target*에서 쓴 같은 데이터로 옮기는 변환을 돌려준다.
-# - [ ] target과 source가 꼭 부모와 자식일 필요는 없다. 한 트리 안의 어떤 두 좌표계라도 되고, 조회가 그 사이를 걷는다.
+# - [ ] 조회는 *source* 기준 데이터를 *target* 기준의 같은 데이터로 옮기는 변환을 돌려준다.
+# - [ ] target과 source가 꼭 부모와 자식일 필요는 없다. 한 트리 안의 어떤 두 좌표계라도 되고, 조회가 그 사이를 따라간다.
 # - [ ] `time`은 어느 시각인지를 말한다. `Time()`은 경로의 모든 연결이 함께 가진 가장 최근 시각이다.
 # - [ ] 둘을 바꿔 쓰면 역변환이 나올 뿐 오류는 나지 않는다. 회전이 있으면 부호만 다른 것이 아니다.
 #
@@ -1135,7 +1145,7 @@ rclpy.shutdown()
 #
 # 찾아보지 말고 빈칸을 채우십시오.
 #
-# > "`goal`은 `map`에서 쓰였다. 제어기는 `base_link`에서 일한다."
+# > "`goal`은 `map` 기준이다. 제어기는 `base_link` 기준으로 움직인다."
 # > `lookup_transform('____', '____', Time())`, 그리고 이것을 만드는 곱: `base_T_map = ______ @ ______`
 #
 # <details><summary>맞춰 보기</summary>

@@ -305,15 +305,15 @@ TASKS = (
         hints=(
             Words(
                 en='Turn each one into "data written in …, wanted in …".',
-                ko='하나씩 "…에서 쓴 데이터를 …에서 보고 싶다"로 바꿔 보십시오.',
+                ko='하나씩 "… 기준 데이터를 … 기준으로 보고 싶다"로 바꿔 보십시오.',
             ),
             Words(
                 en="`lookup_transform(target, source, time)`: wanted in first, written in second.",
-                ko="`lookup_transform(target, source, time)`입니다. 보고 싶은 쪽이 먼저, 쓰인 쪽이 다음입니다.",
+                ko="`lookup_transform(target, source, time)`입니다. 보고 싶은 기준이 먼저, 지금 기준이 다음입니다.",
             ),
             Words(
                 en='"Where is X, seen from Y?" asks for X\'s own origin: written in X, wanted in Y.',
-                ko='"Y에서 볼 때 X는 어디인가?"는 X의 원점을 묻습니다. X에서 쓴 것을 Y에서 보고 싶은 것입니다.',
+                ko='"Y에서 볼 때 X는 어디인가?"는 X의 원점을 묻습니다. X 기준인 점을 Y 기준으로 보고 싶은 것입니다.',
             ),
         ),
         cures=("M1", "M2"),
@@ -375,7 +375,7 @@ TASKS = (
                 Words(
                     en="the first is right. For `map` you applied `map_T_base` to a point that is written in the "
                     "laser: one domino is missing.",
-                    ko="첫째는 맞습니다. `map`을 구할 때는 레이저에서 쓴 점에 `map_T_base`를 적용했습니다. 도미노 하나가 "
+                    ko="첫째는 맞습니다. `map`을 구할 때는 레이저 기준 점에 `map_T_base`를 적용했습니다. 도미노 하나가 "
                     "빠졌습니다.",
                 ),
             ),
@@ -383,11 +383,11 @@ TASKS = (
         hints=(
             Words(
                 en="Two questions, two sentences: written in laser, wanted in base; written in laser, wanted in map.",
-                ko="질문이 두 개이니 문장도 두 개입니다. 레이저에서 쓴 것을 베이스에서, 레이저에서 쓴 것을 지도에서.",
+                ko="질문이 두 개이니 문장도 두 개입니다. 레이저 기준을 베이스 기준으로, 레이저 기준을 지도 기준으로.",
             ),
             Words(
                 en="A transform `a_T_b` has `.apply(point)` for a point written in b, and `@` joins two that match.",
-                ko="변환 `a_T_b`는 b에서 쓴 점을 받는 `.apply(점)`이 있고, 이웃이 맞는 둘은 `@`로 잇습니다.",
+                ko="변환 `a_T_b`에는 b 기준 점을 받는 `.apply(점)`이 있고, 이웃이 맞는 둘은 `@`로 잇습니다.",
             ),
             Words(
                 en="Lay the dominoes: [map|base][base|laser], and the point of the laser at the right end.",
@@ -708,8 +708,8 @@ TASKS = (
                 Words(
                     en="node_c has the same line as node_b, and it is not the line that is wrong. The robot's own "
                     "origin is written in `base_link`; node_c wants it in `map`. What does node_b hold, and want?",
-                    ko="node_c는 node_b와 같은 줄을 썼고, 줄 자체가 틀린 것은 아닙니다. 로봇의 원점은 `base_link`에서 쓴 "
-                    "것이고 node_c는 그것을 `map`에서 보고 싶어 합니다. node_b는 무엇을 가졌고, 무엇을 원합니까?",
+                    ko="node_c는 node_b와 같은 줄을 썼고, 줄 자체가 틀린 것은 아닙니다. 로봇의 원점은 `base_link` "
+                    "기준이고 node_c는 그것을 `map` 기준으로 보고 싶어 합니다. node_b는 무엇을 가졌고, 무엇을 원합니까?",
                 ),
                 "M2",
             ),
@@ -719,7 +719,7 @@ TASKS = (
                 Words(
                     en="node_a is right: written in the scan's frame, wanted in `base_link`. Parent → child is the "
                     "family; data runs the other way.",
-                    ko="node_a는 맞습니다. 스캔의 좌표계에서 쓴 것을 `base_link`에서 보고 싶습니다. 부모 → 자식은 가족 "
+                    ko="node_a는 맞습니다. 스캔의 좌표계 기준인 점을 `base_link` 기준으로 보고 싶습니다. 부모 → 자식은 가족 "
                     "관계이고, 데이터는 그 반대로 흐릅니다.",
                 ),
                 "M2",
@@ -750,11 +750,11 @@ TASKS = (
         hints=(
             Words(
                 en="Each comment says in which frame the data is written. Say the three sentences.",
-                ko="주석마다 데이터가 어느 좌표계에서 쓰였는지 적혀 있습니다. 문장 세 개로 말해 보십시오.",
+                ko="주석마다 데이터가 어느 좌표계 기준인지 적혀 있습니다. 문장 세 개로 말해 보십시오.",
             ),
             Words(
                 en="The frame that the data is written in must be the second argument.",
-                ko="데이터가 쓰인 좌표계가 둘째 인자여야 합니다.",
+                ko="데이터의 기준 좌표계가 둘째 인자여야 합니다.",
             ),
             Words(
                 en="Nothing stops: TF2 answers the opposite question. The numbers that come out belong somewhere else.",
