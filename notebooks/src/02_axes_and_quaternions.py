@@ -643,7 +643,10 @@ axes.draw_cameras((2.0, 0.5, 0.3))
 #
 # 외워 둘 회전은 **rpy (−π/2, 0, −π/2)** 입니다. 쿼터니언으로 쓰면 동전을 던져 정한 듯한 모습입니다. **(−0.5, 0.5, −0.5, 0.5)**.
 
-# %% name="two-turns-run" slide="fragment"
+# %% name="two-turns-figure"
+turns.draw_turns(("roll", -math.pi / 2), ("yaw", -math.pi / 2))
+
+# %% name="two-turns-run" slide="subslide"
 camera_T_optical = Transform.from_rpy(roll=-math.pi / 2, yaw=-math.pi / 2)
 print("quaternion (x, y, z, w):", fmt_all(camera_T_optical.rotation, ""))
 for axis, direction in {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1)}.items():
