@@ -1,0 +1,71 @@
+"""Installed from a wheel, in an empty folder, a learner gets the same workbook as from the repository."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import pytest
+
+from tflab.workbook.learner import lay_out
+from tflab.workbook.places import chapters, workbook_data
+
+pytestmark = pytest.mark.slow
+
+
+@pytest.fixture(scope="module")
+def installed(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with what the wheel installs."""
+    pytest.importorskip("hatchling", reason="no hatchling: pip install 'tflab[dev]'")
+    folder = tmp_path_factory.mktemp("wheel")
+    build = ["-m", "hatchling", "build", "--target", "wheel", "--directory", str(folder)]
+    subprocess.run([sys.executable, *build], cwd=workbook_data(), check=True, capture_output=True)
+    (wheel,) = folder.glob("*.whl")
+    zipfile.ZipFile(wheel).extractall(folder / "installed")
+    return folder / "installed"
+
+
+def run(installed: Path, folder: Path, *words: str) -> str:
+    """Run `tflab` as installed, in an empty folder; JupyterLab itself is not started."""
+    program = (
+        "import sys, tflab; from tflab.workbook import lab; from tflab.cli import main;"
+        "lab.start_jupyterlab = lambda options: print('opens', *options);"
+        "assert tflab.__file__.startswith(sys.argv[1]); sys.exit(main(sys.argv[2:]))"
+    )
+    answer = subprocess.run(
+        [sys.executable, "-c", program, str(installed), *words],
+        cwd=folder, env=os.environ | {"PYTHONPATH": str(installed), "LANG": "ko_KR.UTF-8", "LC_ALL": ""},
+        capture_output=True, text=True, check=True,
+    )  # fmt: skip
+    return answer.stdout
+
+
+def contents(folder: Path) -> dict[str, bytes]:
+    return {p.relative_to(folder).as_posix(): p.read_bytes() for p in sorted(folder.rglob("*")) if p.is_file()}
+
+
+def test_a_copy_from_the_wheel_is_the_copy_from_the_repository(installed: Path, tmp_path: Path) -> None:
+    (tmp_path / "empty").mkdir()
+    said = run(installed, tmp_path / "empty", "lab", "--", "--no-browser")
+    assert "/lab/tree/notebooks/ko/00_start.ipynb" in said
+    from_the_wheel = contents(tmp_path / "empty" / "tflab_workbook")
+    assert from_the_wheel == contents(lay_out(tmp_path / "from_the_repository", "ko"))
+    assert {f"exercises/cases/{stem}.json" for stem in chapters()} <= set(from_the_wheel)
+
+
+def test_the_wheel_has_the_solutions_that_a_pass_opens_and_no_page_sources(installed: Path) -> None:
+    inside = installed / "tflab" / "_workbook"
+    for stem in chapters():
+        for language in ("en", "ko"):
+            assert (inside / "solutions" / language / f"{stem}.ipynb").is_file()
+        assert (inside / "solutions" / "tasks" / f"{stem}.py").is_file()
+    assert not (inside / "notebooks" / "src").exists()
+    assert not list(installed.rglob("__pycache__"))
+
+
+def test_progress_is_shown_from_the_folder_that_holds_the_copy(installed: Path, tmp_path: Path) -> None:
+    run(installed, tmp_path, "lab")
+    assert "check를 통과해야만" in run(installed, tmp_path, "progress")
