@@ -21,6 +21,7 @@ import argparse
 import asyncio
 import sys
 from collections.abc import Callable, Iterable, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -109,7 +110,13 @@ def sources(root: Path, wanted: Iterable[str] = ()) -> list[Path]:
 
 def build_pages(root: Path, chosen: Sequence[Path], *, jobs: int = 2, progress: Progress = lambda line: None) -> Built:
     """Build these sources in memory, `jobs` kernels at a time; nothing is written."""
-    return asyncio.run(_build_all(root, chosen, jobs, progress))
+    work = _build_all(root, chosen, jobs, progress)
+    try:
+        asyncio.get_running_loop()
+    except RuntimeError:
+        return asyncio.run(work)
+    with ThreadPoolExecutor(1) as thread:  # somebody else's loop runs here: Jupyter's, or a browser's
+        return thread.submit(asyncio.run, work).result()
 
 
 def write_files(root: Path, files: dict[str, str]) -> list[str]:
