@@ -415,15 +415,15 @@ print("from one to the other, a turn of", fmt(angle(one, other), "rad"))
 # Not at all: they are the same. With the nose down, roll and yaw turn about the same line, and one of the three angles has nothing left to say.
 # That is [[gimbal lock]]. Near it, a tiny real motion makes the angles leap, so a filter or a controller that computes with angles goes wild.
 #
-# A [[quaternion]] has no such place. Four numbers, one of them to spare, and they never leap.
-# So ROS **stores and sends** quaternions, and shows angles only to people.
+# A [[quaternion]] has no such place. It is four numbers, one of them to spare, and wherever you are a small motion is a small change.
+# So ROS **stores and sends** quaternions. Angles are for people: URDF takes them from you, tools show them to you.
 
 # %% [markdown] lang="ko" name="gimbal-after" slide="fragment"
 # 전혀 다르지 않습니다. 같은 자세입니다. 기수가 아래를 향하면 roll과 yaw가 같은 직선을 축으로 돌게 되어, 세 각도 중 하나가 할 일을 잃습니다.
 # 이것을 [[gimbal lock|짐벌 락(gimbal lock)]]이라고 합니다. 이 근처에서는 실제로 아주 조금만 움직여도 각도가 훌쩍 뜁니다. 각도로 계산하는 필터나 제어기는 여기서 날뜁니다.
 #
-# [[quaternion|쿼터니언(quaternion, 사원수)]]에는 그런 자리가 없습니다. 숫자 넷 중 하나는 여유분이고, 값이 갑자기 뛰지 않습니다.
-# 그래서 ROS는 쿼터니언으로 **저장하고 전송하며**, 각도는 사람에게 보여 줄 때만 씁니다.
+# [[quaternion|쿼터니언(quaternion, 사원수)]]에는 그런 자리가 없습니다. 숫자 넷 중 하나는 여유분이고, 어디에서나 작은 움직임은 작은 변화로 나타납니다.
+# 그래서 ROS는 쿼터니언으로 **저장하고 전송합니다**. 각도는 사람을 위한 것입니다. URDF에는 사람이 각도로 적고, 도구는 사람에게 각도로 보여 줍니다.
 
 # %% [markdown] lang="en" name="gimbal-notes" slide="notes"
 # Say what it means on a real machine: an arm whose wrist points straight down is there all day long.
