@@ -105,9 +105,12 @@ def silence() -> None:
 
 
 def serve(kernel: Any, wire: socket.socket) -> None:
+    import numpy
+
     from . import shell
 
     random.seed(0)  # whatever an answer draws, it draws the same every time
+    numpy.random.seed(0)
     os.umask(0o022)
     os.closerange(3, wire.fileno())
     os.closerange(wire.fileno() + 1, 256)

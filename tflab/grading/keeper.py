@@ -132,7 +132,7 @@ START: dict[str, Callable[[Order], int]] = {
 
 
 def gets_a_user() -> bool:
-    """Return whether a kernel that sees all files can still be a user of its own: everybody must be able to read Python."""
+    """Return whether a kernel that sees all files can be a user of its own: everybody must be able to read Python."""
     places = {Path(place).resolve() for place in (sys.prefix, sys.base_prefix, __file__)}
     folders = {folder for place in places for folder in (place, *place.parents) if folder.is_dir()}
     return os.getuid() == 0 and all(folder.stat().st_mode & 0o5 == 0o5 for folder in folders)

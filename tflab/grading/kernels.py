@@ -84,12 +84,20 @@ class Kernels:
         """Return a kernel that serves; it is the caller's to close."""
         with self._lock:
             kernel = next((kernel for made_for, kernel in self._ready if made_for == limits), None)
+            self._ready = [(made_for, other) for made_for, other in self._ready if other is not kernel]
+            fresh = kernel is None
             if kernel is None:
                 kernel = self._order(limits)
-            self._ready = [(made_for, other) for made_for, other in self._ready if other is not kernel]
             while len(self._ready) < self.ahead:
                 self._ready.append((limits, self._order(limits)))
-        kernel.await_ready()
+        try:
+            kernel.await_ready()
+        except KernelError:
+            if fresh:
+                raise
+            with self._lock:  # it had been waiting, and its forkserver may be gone
+                kernel = self._order(limits)
+            kernel.await_ready()
         return kernel
 
     def _order(self, limits: Limits) -> Kernel:
@@ -102,12 +110,11 @@ class Kernels:
         }
         wire, wire_end = socket.socketpair()
         leash, leash_end = socket.socketpair()
+        ends = [wire_end.fileno(), leash_end.fileno()]
         try:
             for attempt in (1, 2):
                 try:
-                    socket.send_fds(
-                        self._server_socket(), [json.dumps(order).encode()], [wire_end.fileno(), leash_end.fileno()]
-                    )
+                    socket.send_fds(self._server_socket(), [json.dumps(order).encode()], ends)
                     break
                 except OSError:  # it has died, of memory perhaps
                     self._stop_server()
@@ -175,14 +182,12 @@ def choose(hide: tuple[str, ...] = ()) -> Sandbox:
     reasons = []
     for level in LEVELS:
         sandbox = Sandbox(level, hide)
-        kernels = Kernels(sandbox, ahead=0)
         try:
-            kernels.take(Limits()).close()
+            for_this_process(sandbox).take(Limits()).close()
             return sandbox
         except (KernelError, OSError) as fault:
             reasons.append(f"{level}: {fault}")
-        finally:
-            kernels.close()
+            forget(sandbox)
     raise KernelError("no kernel can be started here; " + "; ".join(reasons))
 
 
@@ -193,16 +198,19 @@ _lock = threading.Lock()
 def for_this_process(sandbox: Sandbox) -> Kernels:
     """Return the kernels of this process; a forked process gets its own."""
     with _lock:
-        key = (os.getpid(), sandbox)
-        if key not in _of_this_process:
-            _of_this_process[key] = Kernels(sandbox)
-        return _of_this_process[key]
+        return _of_this_process.setdefault((os.getpid(), sandbox), Kernels(sandbox))
+
+
+def forget(sandbox: Sandbox) -> None:
+    """End what this process has started in this kind of sandbox."""
+    with _lock:
+        kernels = _of_this_process.pop((os.getpid(), sandbox), None)
+    if kernels is not None:
+        kernels.close()
 
 
 @atexit.register
-def close_all() -> None:
-    """End what this process has started."""
-    for (pid, _), kernels in list(_of_this_process.items()):
+def forget_all() -> None:
+    for pid, sandbox in list(_of_this_process):
         if pid == os.getpid():
-            kernels.close()
-            del _of_this_process[pid, kernels.sandbox]
+            forget(sandbox)

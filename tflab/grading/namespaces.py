@@ -54,8 +54,8 @@ def check(result: int, what: str) -> None:
 
 
 def leave() -> None:
-    """Leave the machine's mounts, network, names and users; the next child also leaves its processes."""
-    apart = NEWNS | NEWUTS | NEWIPC | NEWPID | NEWNET
+    """Leave the machine's network, names and users; the next child leaves its processes, too."""
+    apart = NEWUTS | NEWIPC | NEWPID | NEWNET
     uid, gid = os.getuid(), os.getgid()
     if uid == 0 and libc.unshare(apart) == 0:
         return
@@ -67,6 +67,7 @@ def leave() -> None:
 
 def furnish(shown: Sequence[str], hidden: Sequence[str], file_bytes: int, uid: int) -> None:
     """Give this process, the first of its namespace, a file system with only `shown` in it, read only."""
+    check(libc.unshare(NEWNS), "unshare")  # not before: its keeper goes on seeing the machine's processes
     mount(None, "/", None, REC | PRIVATE)
     root = "/tmp"
     mount("tmpfs", root, "tmpfs", NOSUID | NODEV, "size=4m,nr_inodes=4k,mode=755")

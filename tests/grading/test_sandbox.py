@@ -1,0 +1,502 @@
+"""Can code in a submission see, harm or outlive anything?  Each protection is attacked, behind each wall of ours."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import psutil
+import pytest
+
+from tflab.grading.kernels import Kernel, KernelError, Kernels, choose
+from tflab.grading.limits import Limits
+from tflab.grading.sandbox import LEVELS, Sandbox
+from tflab.grading.shell import PROBE_MIME
+
+SAY = f"""
+import os, sys
+from IPython.display import display
+def say(value):
+    display({{{PROBE_MIME!r}: {{"id": "", "v": value}}}}, raw=True)
+"""
+TRY = """
+def attempt(what):
+    try:
+        return repr(what())
+    except BaseException as error:
+        return type(error).__name__
+"""
+WALLS = ("namespaces", "bubblewrap")  # the third one says itself that it is none
+
+
+class Inside:
+    """A kernel to attack from within: `inside("2 + 2")` is 4."""
+
+    def __init__(self, kernel: Kernel) -> None:
+        self.kernel = kernel
+        self.run(SAY + TRY)
+
+    def __call__(self, expression: str, before: str = "") -> object:
+        said = self.run(f"{before}\nsay({expression})")
+        values = [one["data"][PROBE_MIME]["v"] for one in said if "data" in one]
+        assert len(values) == 1, said
+        return values[0]
+
+    def run(self, code: str) -> list[dict]:
+        """Run a cell; return what it said."""
+        self.kernel.wire.send({"msg_id": "1", "code": code})
+        said = []
+        while True:
+            message = self.kernel.wire.receive(20.0)
+            assert message is not None, "no answer from the kernel"
+            if message["msg_type"] == "status":
+                return said
+            said.append(message["content"])
+
+
+@pytest.fixture(scope="module")
+def secret(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
+    folder = tmp_path_factory.mktemp("instructor")
+    (folder / "pack.json").write_text('{"expected": 42}', encoding="utf-8")
+    folder.chmod(0o755)
+    yield folder
+
+
+@pytest.fixture(scope="module", params=LEVELS)
+def kernels(request: pytest.FixtureRequest, secret: Path) -> Iterator[Kernels]:
+    pool = Kernels(Sandbox(request.param, hide=(str(secret),)), ahead=0)
+    try:
+        pool.take(Limits()).close()
+    except KernelError as fault:
+        pool.close()
+        if os.environ.get("CI") == "true":
+            raise
+        pytest.skip(f"{request.param}: {fault}")
+    yield pool
+    pool.close()
+
+
+@pytest.fixture(scope="module")
+def shared(kernels: Kernels) -> Iterator[Inside]:
+    """One kernel for attacks that leave nothing behind."""
+    kernel = kernels.take(Limits())
+    yield Inside(kernel)
+    kernel.close()
+
+
+@pytest.fixture
+def inside(shared: Inside, kernels: Kernels) -> Inside:
+    """The same behind a real wall."""
+    if kernels.sandbox.level not in WALLS:
+        pytest.skip("this level does not promise it, and says so")
+    return shared
+
+
+@pytest.fixture
+def fresh(kernels: Kernels) -> Iterator[Inside]:
+    kernel = kernels.take(Limits(memory_bytes=300 << 20, processes=40, file_bytes=16 << 20))
+    yield Inside(kernel)
+    kernel.close()
+
+
+# What an answer may need works.
+
+
+def test_python_numpy_and_tflab_are_there(shared: Inside) -> None:
+    assert shared("int(np.arange(4).sum())", "import numpy as np") == 6
+    assert shared("rclpy.ok()", "%load_ext tflab\nimport rclpy") is False
+
+
+def test_modules_that_nobody_has_loaded_yet_can_be_imported(shared: Inside) -> None:
+    assert shared("colorsys.__name__ + wave.__name__", "import colorsys, wave") == "colorsyswave"
+
+
+def test_the_folder_of_a_kernel_is_empty_and_can_be_written(shared: Inside) -> None:
+    assert shared("open('a.txt').read()", "open('a.txt', 'w').write('hello')") == "hello"
+    assert shared("os.path.exists(tempfile.mkstemp()[1])", "import tempfile") is True
+
+
+def test_commands_of_the_system_can_be_called(shared: Inside) -> None:
+    assert shared("open('b.txt').read()", "!echo hi > b.txt") == "hi\n"
+    assert shared("subprocess.run(['echo', 'x'], capture_output=True, text=True).stdout", "import subprocess") == "x\n"
+
+
+def test_a_figure_can_be_drawn(shared: Inside) -> None:
+    assert shared("len(plt.get_fignums())", "import matplotlib.pyplot as plt\nplt.plot([1, 2])\nplt.show()") == 1
+    shared.run("%matplotlib inline")
+    assert shared("len(plt.get_fignums())") == 1
+
+
+def test_a_cell_may_wait_for_a_coroutine_and_leave_a_task_running(shared: Inside) -> None:
+    before = """
+import asyncio
+ticks = []
+async def tick():
+    while True:
+        ticks.append(1)
+        await asyncio.sleep(0.001)
+task = asyncio.get_event_loop().create_task(tick())
+await asyncio.sleep(0.01)
+"""
+    assert shared("len(ticks) > 1", before) is True
+    assert shared("task.cancel()") is True
+
+
+def test_widgets_threads_and_processes_work(shared: Inside) -> None:
+    assert shared("w.IntSlider(value=3).value", "import ipywidgets as w") == 3
+    threads = "from concurrent.futures import ThreadPoolExecutor as Pool"
+    assert shared("list(Pool(3).map(abs, [-1, 2]))", threads) == [1, 2]
+    assert shared("list(multiprocessing.Pool(2).map(abs, [-1, 2]))", "import multiprocessing") == [1, 2]
+
+
+STOP = "import asyncio\nasyncio.get_event_loop().stop()"
+
+
+@pytest.mark.parametrize(
+    "cell", ["exit", "quit()", "import sys; sys.exit(0)", "raise SystemExit", "%%time\nexit()", STOP]
+)
+def test_leaving_in_a_cell_ends_the_cell_and_nothing_else(shared: Inside, cell: str) -> None:
+    shared.run(cell)
+    shared("asyncio.sleep and 1", "import asyncio\nawait asyncio.sleep(0.12)")
+    assert shared("1 + 1") == 2
+
+
+def test_asking_for_input_is_an_error_and_not_a_wait(shared: Inside) -> None:
+    assert shared("attempt(lambda: input('?'))") == "StdinNotImplementedError"
+
+
+def test_what_is_random_is_the_same_every_time(kernels: Kernels) -> None:
+    draws = []
+    for _ in range(2):
+        kernel = kernels.take(Limits())
+        draws.append(
+            Inside(kernel)("[random.random(), np.random.rand(), hash('a')]", "import random\nimport numpy as np")
+        )
+        kernel.close()
+    assert draws[0] == draws[1]
+
+
+# Nothing can be seen.
+
+
+def test_the_pack_cannot_be_seen(inside: Inside, secret: Path) -> None:
+    assert inside(f"attempt(lambda: open({str(secret / 'pack.json')!r}).read())") == "FileNotFoundError"
+    assert inside(f"os.path.exists({str(secret)!r})") is False
+
+
+def test_what_is_hidden_is_covered_even_beside_what_is_shown(tmp_path: Path) -> None:
+    import tflab
+
+    in_a_shown_folder = Path(tflab.__file__).parent / "grading" / "limits.py"
+    pool = Kernels(Sandbox("namespaces", hide=(str(in_a_shown_folder), str(in_a_shown_folder.parent))), ahead=0)
+    try:
+        kernel = pool.take(Limits())
+        inside = Inside(kernel)
+        assert inside(f"attempt(lambda: os.listdir({str(in_a_shown_folder.parent)!r}))") == "PermissionError"
+        kernel.close()
+    finally:
+        pool.close()
+
+
+def test_solutions_cases_and_the_history_of_the_repository_cannot_be_seen(inside: Inside) -> None:
+    from tflab.workbook.places import workbook_data
+
+    for name in ("solutions", "exercises", "exercises/cases", ".git", "tests"):
+        assert inside(f"attempt(lambda: os.listdir({str(workbook_data() / name)!r}))") in (
+            "FileNotFoundError",
+            "PermissionError",
+            "[]",
+        )
+
+
+def test_there_is_no_home_but_an_empty_one(inside: Inside) -> None:
+    assert inside("os.listdir('/home')") == ["learner"]
+    assert inside("[os.environ['HOME'], os.getcwd()]") == ["/home/learner", "/home/learner"]
+    if os.path.isdir("/root"):
+        assert inside("set(os.listdir('/root')) <= {'.pyenv'} if os.path.exists('/root') else True") is True
+
+
+def test_no_process_of_the_grader_can_be_seen_or_signalled(inside: Inside) -> None:
+    pids = inside("sorted(int(name) for name in os.listdir('/proc') if name.isdigit())")
+    assert len(pids) <= 4
+    assert inside(f"attempt(lambda: os.kill({os.getpid()}, 0))") == "ProcessLookupError"
+
+
+def test_the_environment_of_the_grader_does_not_come_along(kernels: Kernels, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("GRADER_TOKEN", "do-not-tell")
+    pool = Kernels(kernels.sandbox, ahead=0)
+    kernel = pool.take(Limits())
+    try:
+        inside = Inside(kernel)
+        assert inside("'GRADER_TOKEN' in os.environ") is False
+        seen = inside("attempt(lambda: open('/proc/self/environ').read() + open('/proc/1/environ').read())")
+        assert "do-not-tell" not in seen
+    finally:
+        kernel.close()
+        pool.close()
+
+
+def test_a_kernel_holds_no_file_of_the_grader(fresh: Inside) -> None:
+    held = fresh("sorted(os.readlink(f'/proc/self/fd/{n}').split(':')[0] for n in os.listdir('/proc/self/fd')[:-1])")
+    assert set(held) <= {"/dev/null", "socket", "anon_inode"}
+
+
+def test_there_is_no_network(inside: Inside) -> None:
+    listening = "import socket\nserver = socket.socket()\nserver.settimeout(1)"
+    assert inside("attempt(lambda: server.connect(('127.0.0.1', 22)))", listening) == "OSError"
+    assert inside("[name for _, name in socket.if_nameindex()]", "import socket") == ["lo"]
+
+
+# Nothing can be changed.
+
+
+@pytest.mark.parametrize("path", ["/", "/usr", "/etc", "/proc/sys/kernel/hostname", "/dev", "TFLAB"])
+def test_the_system_is_read_only(inside: Inside, path: str) -> None:
+    import tflab
+
+    path = path.replace("TFLAB", str(Path(tflab.__file__).parent))
+    outcome = inside(
+        f"attempt(lambda: open({path!r} if os.path.isfile({path!r}) else {path!r} + '/x', 'w').write('x'))"
+    )
+    assert outcome in ("OSError", "PermissionError")
+
+
+def test_a_kernel_has_no_rights_and_can_get_none(shared: Inside) -> None:
+    status = shared("open('/proc/self/status').read()")
+    fields = dict(line.split(":\t", 1) for line in status.splitlines() if ":\t" in line)
+    assert {fields[name] for name in ("CapInh", "CapPrm", "CapEff", "CapBnd", "CapAmb")} == {"0" * 16}
+    assert fields["NoNewPrivs"] == "1"
+
+
+def test_behind_a_wall_nobody_is_root(inside: Inside) -> None:
+    assert inside("os.getuid() != 0 and os.geteuid() != 0") is True
+    assert inside("attempt(lambda: os.setuid(0))") == "PermissionError"
+
+
+CALLS = {
+    "unshare": "libc.unshare(0x10000000)",
+    "a new namespace by clone": "libc.syscall(56, 0x10000011, 0, 0, 0, 0)",
+    "mount": "libc.mount(b'none', b'/tmp', b'tmpfs', 0, None)",
+    "ptrace": "libc.ptrace(16, 1, 0, 0)",
+    "chroot": "libc.chroot(b'/tmp')",
+    "bpf": "libc.syscall(321, 0, 0, 0)",
+    "keyctl": "libc.syscall(250, 0, 0, 0)",
+    "io_uring": "libc.syscall(425, 1, 0)",
+    "userfaultfd": "libc.syscall(323, 0)",
+    "a virtual machine's socket": "libc.socket(40, 1, 0)",
+    "a socket of the kernel's cryptography": "libc.socket(38, 5, 0)",
+}
+
+
+@pytest.mark.skipif(os.uname().machine != "x86_64", reason="these are x86-64's numbers")
+@pytest.mark.parametrize("call", CALLS)
+def test_dangerous_system_calls_are_refused(shared: Inside, call: str) -> None:
+    before = "import ctypes\nlibc = ctypes.CDLL(None, use_errno=True)"
+    result, number = shared(f"[{CALLS[call]}, ctypes.get_errno()]", before)
+    assert result == -1
+    assert number in (1, 97)  # EPERM, EAFNOSUPPORT: refused, not tried
+
+
+# Nothing can be used up.
+
+
+def test_memory_is_limited(fresh: Inside) -> None:
+    assert fresh("attempt(lambda: bytearray(4 << 30))") == "MemoryError"
+
+
+def test_the_memory_of_all_processes_together_is_limited(kernels: Kernels) -> None:
+    kernel = kernels.take(Limits(memory_bytes=200 << 20))
+    six = """
+import os, time
+for _ in range(6):
+    if os.fork() == 0:
+        x = b"x" * (60 << 20)
+        time.sleep(60)
+time.sleep(60)
+"""
+    kernel.wire.send({"msg_id": "1", "code": six})
+    deadline = time.monotonic() + 20
+    with pytest.raises(Exception, match=r"hung up|reset"):
+        while time.monotonic() < deadline:
+            kernel.wire.receive(1.0)
+    assert kernel.close() == "memory limit"
+
+
+def test_processes_are_limited(fresh: Inside, kernels: Kernels) -> None:
+    if kernels.sandbox.level == "limits" and fresh("os.getuid()") in (0, os.getuid()):
+        pytest.skip("the limit is for all processes of a user here, and this user is the grader's")
+    bomb = """
+children = []
+def bomb():
+    while len(children) < 500:
+        child = os.fork()
+        if child == 0:
+            os.pause() if hasattr(os, "pause") else __import__("signal").pause()
+        children.append(child)
+"""
+    assert fresh("[attempt(bomb), len(children) < 60]", bomb) == ["BlockingIOError", True]
+
+
+def test_files_are_limited(fresh: Inside, kernels: Kernels) -> None:
+    def fill(count: int) -> str:
+        return f"attempt(lambda: [open(f'f{{n}}', 'wb').write(bytes(5 << 20)) for n in range({count})])"
+
+    if kernels.sandbox.level in WALLS:
+        assert fresh(fill(9)) == "OSError"
+    before = "import signal\nsignal.signal(signal.SIGXFSZ, signal.SIG_IGN)"
+    assert fresh("attempt(lambda: open('g', 'wb').write(bytes(20 << 20)))", before) == "OSError"
+
+
+# Nothing outlives.
+
+
+def descendants_of_the_forkserver(kernels: Kernels) -> set[psutil.Process]:
+    assert kernels._server is not None
+    family = psutil.Process(kernels._server.pid).children(recursive=True)
+    return {process for process in family if process.status() != psutil.STATUS_ZOMBIE}
+
+
+SURVIVORS = {
+    "a child": """
+import subprocess
+subprocess.Popen(["sleep", "300"])
+""",
+    "a session of its own": """
+import subprocess
+subprocess.Popen(["sleep", "300"], start_new_session=True)
+""",
+    "nohup": """
+import os
+os.system("nohup sleep 300 >/dev/null 2>&1 &")
+""",
+    "a daemon": """
+import os, time
+if os.fork() == 0:
+    os.setsid()
+    if os.fork() == 0:
+        time.sleep(300)
+    os._exit(0)
+""",
+    "one that ignores signals": """
+import os, signal
+if os.fork() == 0:
+    os.setsid()
+    for number in set(range(1, 32)) - {signal.SIGKILL, signal.SIGSTOP}:
+        signal.signal(number, signal.SIG_IGN)
+    while True:
+        pass
+""",
+    "one that does not want to be told of deaths": """
+import ctypes
+ctypes.CDLL(None).prctl(1, 0)
+while True:
+    pass
+""",
+    "a thread": """
+import threading, time
+threading.Thread(target=time.sleep, args=(300,)).start()
+""",
+    "many": """
+import os, time
+for _ in range(4):
+    os.fork()
+time.sleep(300)
+""",
+}
+
+
+@pytest.mark.parametrize("survivor", SURVIVORS)
+def test_nothing_outlives_its_kernel(kernels: Kernels, survivor: str) -> None:
+    before = descendants_of_the_forkserver(kernels)
+    kernel = kernels.take(Limits())
+    kernel.wire.send({"msg_id": "1", "code": SURVIVORS[survivor]})
+    kernel.wire.receive(0.3)
+    assert descendants_of_the_forkserver(kernels) > before
+    kernel.close()
+    end = time.monotonic() + 5.0  # its keeper has said its last word, and ends now
+    while (left := descendants_of_the_forkserver(kernels) - before) and time.monotonic() < end:
+        time.sleep(0.01)
+    assert not left
+
+
+def test_nothing_is_left_in_the_folder_for_temporary_files(kernels: Kernels) -> None:
+    before = set(Path("/tmp").glob("*"))
+    kernel = kernels.take(Limits())
+    Inside(kernel).run("import tempfile\nopen('x', 'w').write('x')\ntempfile.mkdtemp()")
+    kernel.close()
+    left = {path.name for path in set(Path("/tmp").glob("*")) - before}
+    assert not [name for name in left if name.startswith(("tflab-kernel", "x"))]
+
+
+def test_a_kernel_ends_with_the_grader_even_if_that_is_killed(tmp_path: Path, kernels: Kernels) -> None:
+    script = tmp_path / "grader.py"
+    script.write_text(
+        "from tflab.grading.kernels import Kernels\n"
+        "from tflab.grading.limits import Limits\n"
+        "from tflab.grading.sandbox import Sandbox\n"
+        f"kernels = Kernels(Sandbox({kernels.sandbox.level!r}), ahead=0)\n"
+        "kernel = kernels.take(Limits())\n"
+        "code = 'import ctypes\\nctypes.CDLL(None).prctl(1, 0)\\nwhile True: pass'\n"
+        "kernel.wire.send({'msg_id': '1', 'code': code})\n"
+        "print(kernels._server.pid, flush=True)\n"
+        "input()\n",
+        encoding="utf-8",
+    )
+    grader = subprocess.Popen([sys.executable, script], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+    assert grader.stdout is not None
+    server = psutil.Process(int(grader.stdout.readline()))
+    family = [server, *server.children(recursive=True)]
+    assert len(family) >= 3
+    grader.kill()
+    grader.communicate()
+    _, alive = psutil.wait_procs(family, timeout=10)
+    assert not [process for process in alive if process.is_running() and process.status() != psutil.STATUS_ZOMBIE]
+
+
+# Which wall.
+
+
+def test_the_best_wall_that_works_is_taken() -> None:
+    levels = {}
+    for level in LEVELS:
+        pool = Kernels(Sandbox(level), ahead=0)
+        try:
+            pool.take(Limits()).close()
+            levels[level] = True
+        except (KernelError, OSError):
+            levels[level] = False
+        finally:
+            pool.close()
+    assert choose().level == next(level for level in LEVELS if levels[level])
+
+
+def test_a_fallback_says_what_it_does_not_protect_from() -> None:
+    assert Sandbox("namespaces").announce() == "Sandbox: namespaces."
+    assert "several times as long" in Sandbox("bubblewrap").announce()
+    announced = Sandbox("limits").announce()
+    assert "hidden answers are only advisory" in announced
+    assert "network" in announced
+
+
+def test_a_wall_that_does_not_exist_is_refused_with_those_that_do() -> None:
+    with pytest.raises(ValueError, match="no sandbox 'docker'; there are namespaces, bubblewrap, limits"):
+        Sandbox("docker")
+
+
+@pytest.mark.skipif(os.getuid() != 0, reason="somebody who is not root runs all of these as such already")
+def test_somebody_who_is_not_root_has_the_same_walls() -> None:
+    code = (
+        "import os; assert os.getuid() == 1000\n"
+        "from tflab.grading.kernels import Kernels, choose\n"
+        "from tflab.grading.limits import Limits\n"
+        "print(choose().level)\n"
+    )
+    words = ["unshare", "--user", "--map-user=1000", "--map-group=1000", sys.executable, "-c", code]
+    done = subprocess.run(words, capture_output=True, text=True)
+    if "Operation not permitted" in done.stderr and os.environ.get("CI") != "true":
+        pytest.skip("this machine gives no namespace of users")
+    assert done.stdout == "namespaces\n", done.stderr
