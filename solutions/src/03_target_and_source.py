@@ -154,6 +154,7 @@ check("E3.4", compose)
 #
 # This is what `ros2 run tf2_ros tf2_echo base_link laser_frame` printed on some robot.
 # Read it, and say what the other way round would print.
+# The first lines of the answer cell read the numbers for you, into `x`, `y`, `z` and `yaw`; typing them yourself is as good.
 #
 # - `laser_in_base`: where the laser sits in `base_link`, (x, y, z) [m]
 # - `base_in_laser`: where `base_link` sits in the laser, (x, y, z) [m]
@@ -164,6 +165,7 @@ check("E3.4", compose)
 #
 # 어느 로봇에서 `ros2 run tf2_ros tf2_echo base_link laser_frame`이 찍은 출력입니다.
 # 이것을 읽고, 거꾸로 물으면 무엇이 찍힐지 답하십시오.
+# 답 셀의 처음 몇 줄이 숫자를 읽어 `x`, `y`, `z`, `yaw`에 넣어 줍니다. 직접 옮겨 적어도 됩니다.
 #
 # - `laser_in_base`: `base_link`에서 레이저가 있는 자리, (x, y, z) [m]
 # - `base_in_laser`: 레이저에서 `base_link`가 있는 자리, (x, y, z) [m]
@@ -173,9 +175,9 @@ check("E3.4", compose)
 e3_5 = task("E3.5")
 
 # %% name="e3-5-answer" tags=["answer"]
-rows = [line.split('[')[-1].strip(']').split(', ') for line in e3_5.echo.splitlines()]
-x, y, z = map(float, rows[1])  # from the line "Translation"
-yaw = float(rows[3][2])  # from the line "RPY (radian)"
+lines = [line.rstrip(']').split('[')[-1] for line in e3_5.echo.splitlines()]
+x, y, z = map(float, lines[1].split(', '))  # Translation
+roll, pitch, yaw = map(float, lines[3].split(', '))  # RPY (radian)
 both_ways = {
     # BEGIN SOLUTION
     'laser_in_base': (x, y, z),
@@ -223,7 +225,7 @@ check("E3.6", camera_mount)
 # One of three nodes has target and source the wrong way round. No error was ever logged.
 #
 # ```python
-# # node_a: stops for obstacles; the scan point carries its own frame, the bumper lives in base_link
+# # node_a: stops for obstacles; the bumper is known in base_link
 # t = buffer.lookup_transform('base_link', point.header.frame_id, point.header.stamp)
 # near = do_transform_point(point, t).point
 #
@@ -246,7 +248,7 @@ check("E3.6", camera_mount)
 # 세 노드 가운데 하나가 목표와 원본을 바꿔 썼습니다. 로그에는 오류가 하나도 없습니다.
 #
 # ```python
-# # node_a: stops for obstacles; the scan point carries its own frame, the bumper lives in base_link
+# # node_a: stops for obstacles; the bumper is known in base_link
 # t = buffer.lookup_transform('base_link', point.header.frame_id, point.header.stamp)
 # near = do_transform_point(point, t).point
 #
