@@ -14,6 +14,7 @@ Read `keeper.py` next: where this runs.
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import json
 import logging
 import os
@@ -114,7 +115,12 @@ def what_grading_reads(message: dict[str, Any]) -> bytes | None:
 
 def serve(kernel: Any, end: socket.socket) -> None:
     """Run what comes over the wire, cell by cell, until the grader hangs up."""
-    asyncio.run(_serve(kernel, Wire(end, longest=LONGEST_CODE)))
+    loop = asyncio.new_event_loop()
+    asyncio.set_event_loop(loop)
+    serving = loop.create_task(_serve(kernel, Wire(end, longest=LONGEST_CODE)))
+    while not serving.done():
+        with contextlib.suppress(RuntimeError):  # an answer stopped the loop: on it goes
+            loop.run_until_complete(serving)
 
 
 async def _serve(kernel: Any, wire: Wire) -> None:
