@@ -273,7 +273,7 @@ for second in (12.3, 14.3, 10.6):
 # | 질문이 말이 됩니까? | [[invalid argument exception|InvalidArgumentException(잘못된 인자 예외)]] | 좌표계 이름이 비었거나 `/`로 시작합니다 | 질문하는 코드, `header.frame_id` |
 # | 두 **이름**을 들어 본 적이 있습니까? | [[lookup exception|LookupException(프레임 조회 예외)]] | 이 버퍼가 모르는 이름입니다 | 철자, 발행 노드가 켜져 있는지 |
 # | **경로**가 있습니까? | [[connectivity exception|ConnectivityException(연결 예외)]] | 두 이름은 알지만 서로 다른 트리에 있습니다 | `view_frames`: 루트가 둘 |
-# | 그 **시각**의 값이 있습니까? | [[extrapolation exception|ExtrapolationException(시간 외삽 예외)]] | 경로는 있지만 그중 한 연결에 그때의 값이 없습니다 | 시각(stamp)과 시계 |
+# | 그 **시각**의 값이 있습니까? | [[extrapolation exception|ExtrapolationException(시간 외삽 예외)]] | 경로는 있지만 그중 한 연결에 그때의 값이 없습니다 | 측정 시각(stamp)과 시계 |
 #
 # 이들의 공통 부모 클래스가 [[transform exception|TransformException]]입니다.
 # 이름, 경로, 시각. 셋 중 무엇이 빠졌는지 말할 수 있으면 절반은 끝난 것입니다.
@@ -391,16 +391,21 @@ for stamp_ns in (14_000_000_000, 14_000_000_001):
 # ## Break it, one by one
 #
 # Now meet each "no" on purpose, while nothing is at stake. The red texts are those of a robot, to the letter.
-# When you run these cells yourself, the red block is longer: it also shows the way there. Read the **last** line first.
-#
-# ### A name that nobody has said
+# (On a robot a traceback stands above them. The next line leaves it out: what counts is the **last** line.)
 
 # %% [markdown] lang="ko" name="break-it" slide="slide"
 # ## 하나씩 일부러 망가뜨리기
 #
 # 잃을 것이 없는 지금, "아니요"를 하나씩 일부러 만나 봅시다. 빨간 글은 실제 로봇의 것과 글자까지 같습니다.
-# 직접 실행하면 거기까지 온 경로도 나오므로 빨간 글이 더 깁니다. **마지막** 줄부터 읽으십시오.
-#
+# (로봇에서는 그 위에 traceback이 길게 나옵니다. 아래 줄은 그것을 생략합니다. 중요한 것은 **마지막** 줄입니다.)
+
+# %% name="short-errors" slide="-"
+# %xmode Minimal
+
+# %% [markdown] lang="en" name="break-lookup-why" slide="-"
+# ### A name that nobody has said
+
+# %% [markdown] lang="ko" name="break-lookup-why" slide="-"
 # ### 아무도 말한 적 없는 이름
 
 # %% name="break-lookup" tags=["raises-exception"] slide="-"
@@ -686,6 +691,12 @@ def gap_curve(name, node, until_s):
 robot_a, robot_b = nodes
 draw_ages([gap_curve('robot A', robot_a, 4.0), gap_curve('robot B', robot_b, 4.0)], 'gap', limit_s=0.1)
 
+# %% [markdown] lang="en" name="late-notes" slide="notes"
+# Show the first second only, and let them argue. There is no right answer yet, and that is the point.
+
+# %% [markdown] lang="ko" name="late-notes" slide="notes"
+# 처음 1초만 보여 주고 토론하게 하십시오. 아직 정답이 없다는 것이 요점입니다.
+
 # %% [markdown] lang="en" name="whole-story" slide="fragment"
 # For a second they look alike: both ask about 0.3 s ahead of what TF knows. Now the whole story.
 
@@ -736,12 +747,6 @@ draw_ages([gap_curve('robot A', robot_a, 7.0), gap_curve('robot B', robot_b, 7.0
 
 # %% [markdown] lang="ko" name="delay-odom-read" slide="-"
 # 0.004 s입니다. 변환 쪽은 제때 오고, 우리와 같은 시계를 씁니다. 그러니 범인은 라이다의 시계입니다.
-
-# %% [markdown] lang="en" name="late-notes" slide="notes"
-# Show the first second only, and let them argue. There is no right answer yet, and that is the point.
-
-# %% [markdown] lang="ko" name="late-notes" slide="notes"
-# 처음 1초만 보여 주고 토론하게 하십시오. 아직 정답이 없다는 것이 요점입니다.
 
 # %% [markdown] lang="en" name="honest-limit" slide="subslide"
 # ### What this cannot tell you
@@ -884,14 +889,15 @@ draw_placed(
 
 # %% name="walls-walk" tags=["interactive"] slide="-"
 scene, stamp_ns = Scene(), seconds(8.8)
+scene.look(eye=(3.0, -8.0, 9.0), target=(3.0, 0.0, 0.0))
 scan = robot.laser.scan_at(stamp_ns)
 for i, wall in enumerate(ROOM.walls):
-    draw_path(scene, f'walls/{i}', np.array([(*end, 0.2) for end in wall]), ghost=True)
+    draw_path(scene, f'walls/{i}', np.array([(*end, 0.2) for end in wall]), colour='#808890', radius_m=0.04)
 
 
 def draw(clock_error_s):
     pose = robot.truth_at(stamp_ns + seconds(clock_error_s))['laser_frame']
-    draw_frame(scene, 'laser_frame', pose)
+    draw_frame(scene, 'laser_frame', pose, length_m=0.6)
     draw_scan(scene, 'scan', pose, scan.ranges, scan.angle_min, scan.angle_increment)
 
 
