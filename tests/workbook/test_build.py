@@ -201,9 +201,29 @@ def test_a_twin_that_is_the_answer_is_a_fault_with_file_and_line(tmp_path: Path,
     exercise(tmp_path, tasks=TASKS.replace("given.length * 2", "given.length / 2"))
     assert build(["--root", str(tmp_path)]) == 1
     said = capsys.readouterr().err
-    assert 'solutions/src/03_x.py:20: cell "e3-1-answer": E3.1' in said
+    assert "solutions/tasks/03_x.py:7: E3.1" in said
     assert 'the twin "double" is the right answer' in said
     assert bytes_below(tmp_path) == {}
+
+
+@pytest.mark.parametrize(
+    "tasks, half, said",
+    [
+        (TASKS.replace("rng.uniform(1.0, 9.0))", "rng.nothing())"), HALF, "solutions/tasks/03_x.py:7: E3.1"),
+        (
+            TASKS,
+            HALF.replace("e3_1.length / 2", "e3_1.width / 2"),
+            'solutions/src/03_x.py:20: cell "e3-1-answer": 03_x',
+        ),
+    ],
+    ids=["a generator", "an answer"],
+)
+def test_what_fails_while_cases_are_made_has_its_place(
+    tmp_path: Path, capsys, tasks: str, half: str, said: str
+) -> None:
+    exercise(tmp_path, TITLE, LOAD, half, THIRD, tasks=tasks)
+    assert build(["--root", str(tmp_path)]) == 1
+    assert said in capsys.readouterr().err
 
 
 def test_a_solution_that_its_own_check_refuses_is_a_fault(tmp_path: Path, capsys) -> None:

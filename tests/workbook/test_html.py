@@ -46,3 +46,15 @@ def test_a_failing_cell_is_named_and_does_not_stop_the_other_pages(tmp_path: Pat
 def test_a_notebook_that_is_not_there_is_said(tmp_path: Path, capsys) -> None:
     assert build(["--html", str(tmp_path / "nowhere.ipynb")]) == 2
     assert "nowhere.ipynb" in capsys.readouterr().err
+
+
+def test_a_link_to_the_next_page_leads_to_its_html(tmp_path: Path) -> None:
+    page = nbformat.v4.new_notebook(
+        cells=[nbformat.v4.new_markdown_cell("[on](04_y.ipynb#why) [do](../../exercises/en/03_x.ipynb)")],
+        metadata={"tflab": {"language": "ko"}},
+    )
+    nbformat.write(page, tmp_path / "03_x.ipynb")
+    assert build(["--html", str(tmp_path / "03_x.ipynb"), "--out", str(tmp_path / "out")]) == 0
+    text = (tmp_path / "out" / "03_x.html").read_text(encoding="utf-8")
+    assert 'href="04_y.html#why"' in text
+    assert 'lang="ko"' in text

@@ -19,6 +19,7 @@ from __future__ import annotations
 
 import argparse
 import asyncio
+import re
 import sys
 from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -62,7 +63,7 @@ def build(words: Sequence[str]) -> int:
     if options.html:
         from .html import write_html
 
-        return write_html(options.pages, Path(options.out))
+        return write_html(options.pages, Path(options.out), options.lang)
     root = Path(options.root) if options.root else workbook_data()
     try:
         chosen = sources(root, options.pages)
@@ -204,11 +205,12 @@ def _solution_files(
 def _cases(root: Path, page: Page) -> tuple[dict[str, Any] | None, list[Fault]]:
     """Return the public cases of a solution, and what is wrong with its tasks."""
     from .cases import FORMAT, PUBLIC_SEED, task_cases
-    from .reference import CodeCell, Solution, answer_cell_name, in_process_ros
+    from .reference import CodeCell, Solution, in_process_ros
     from .tasks import TaskError, read_tasks
 
+    tasks_file = root / "solutions" / "tasks" / f"{page.stem}.py"
     try:
-        tasks = read_tasks(root / "solutions" / "tasks" / f"{page.stem}.py")
+        tasks = read_tasks(tasks_file)
     except TaskError as error:
         return None, [page.fault(None, str(error), "mend the chapter's tasks")]
     faults = exercise_faults(page, tasks)
@@ -219,12 +221,23 @@ def _cases(root: Path, page: Page) -> tuple[dict[str, Any] | None, list[Fault]]:
             try:
                 made[task.id] = task_cases(task, PUBLIC_SEED, solution)
             except Exception as error:  # a generator or a twin may fail in any way
-                text = str(error) if isinstance(error, TaskError) else f"{task.id}: {type(error).__name__}: {error}"
-                cell = next((c for c in page.code if c.name == answer_cell_name(task.id)), None)
-                faults.append(
-                    page.fault(cell, text, f"mend {task.id} in solutions/tasks/{page.stem}.py, or its answer")
-                )
+                faults.append(_task_fault(page, tasks_file, task.id, error))
     return {"format": FORMAT, "chapter": page.stem, "tasks": made}, faults
+
+
+def _task_fault(page: Page, tasks_file: Path, task: str, error: Exception) -> Fault:
+    """Return what is wrong with a task: at its answer's cell if that fails, else in the chapter's tasks."""
+    from .cases import CasesError
+    from .reference import answer_cell_name
+    from .tasks import TaskError
+
+    if isinstance(error, TaskError) and not isinstance(error, CasesError):
+        cell = next((cell for cell in page.code if cell.name == answer_cell_name(task)), None)
+        return page.fault(cell, str(error), "mend the answer, or what is given")
+    lines = tasks_file.read_text(encoding="utf-8").splitlines()
+    line = next((n for n, text in enumerate(lines, start=1) if re.search(rf"\bid\s*=\s*[\"']{task}[\"']", text)), 1)
+    wrong = str(error) if isinstance(error, TaskError) else f"{task}: {type(error).__name__}: {error}"
+    return Fault("/".join(tasks_file.parts[-3:]), line, "", wrong, f"mend {task}")
 
 
 def _cases_text(cases: dict[str, Any]) -> str:
@@ -259,6 +272,7 @@ def _options(words: Sequence[str]) -> argparse.Namespace:
     parser.add_argument("--root", metavar="DIR", help="the folder with notebooks/src, instead of tflab's own")
     parser.add_argument("--html", action="store_true", help="write built notebooks as pages that work from a disk")
     parser.add_argument("--out", default="html", metavar="DIR", help="where --html writes (%(default)s)")
+    parser.add_argument("--lang", choices=LANGUAGES, default="en", help="of the pages that --html writes (%(default)s)")
     return parser.parse_args(list(words))
 
 

@@ -11,7 +11,9 @@ Read `slides.py` next.
 
 from __future__ import annotations
 
+import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -21,18 +23,19 @@ from tempfile import TemporaryDirectory
 
 from .places import workbook_data
 
-__all__ = ["CellFailed", "html_from_notebook", "run_with_films", "write_html"]
+__all__ = ["CellFailed", "html_from_notebook", "language_of", "run_with_films", "write_html"]
 
 SECONDS_FOR_A_CELL = 120
+PAGE_BESIDE = re.compile(r'href="([\w-]+)\.ipynb')  # a link to another page of the same room
 
 
-def write_html(names: Sequence[str], out_dir: Path) -> int:
+def write_html(names: Sequence[str], out_dir: Path, language: str = "en") -> int:
     """Write notebooks as HTML, the built pages if none is named; return 0, 1 if a cell failed, 2 if there is nothing.
 
     Args:
         names: paths of notebooks, or stems and numbers of built pages.
     """
-    notebooks, missing = _notebooks(names)
+    notebooks, missing = _notebooks(names, language)
     if missing or not notebooks:
         print(f"tflab build: there is no notebook {', '.join(missing) or 'to build'}", file=sys.stderr)
         return 2
@@ -47,9 +50,9 @@ def write_html(names: Sequence[str], out_dir: Path) -> int:
     return 1 if failed else 0
 
 
-def _notebooks(names: Sequence[str]) -> tuple[list[Path], list[str]]:
+def _notebooks(names: Sequence[str], language: str) -> tuple[list[Path], list[str]]:
     """Return the notebooks that are meant, and the names that mean none."""
-    built = sorted((workbook_data() / "notebooks" / "en").glob("*.ipynb"))
+    built = sorted((workbook_data() / "notebooks" / language).glob("*.ipynb"))
     found: list[Path] = []
     missing = []
     for name in names:
@@ -75,9 +78,16 @@ def html_from_notebook(notebook: Path, out_dir: Path) -> Path:
 
     with TemporaryDirectory() as folder:
         executed = run_with_films(notebook, Path(folder))
-        exported = export_html(executed, Path(folder) / "pages")
+        exported = export_html(executed, Path(folder) / "pages", language=language_of(executed))
+        text = exported.read_text(encoding="utf-8")
+        exported.write_text(PAGE_BESIDE.sub(r'href="\1.html', text), encoding="utf-8")
         shutil.copytree(exported.parent, out_dir, dirs_exist_ok=True)
         return out_dir / exported.name
+
+
+def language_of(notebook: Path) -> str:
+    """Return the language that a page was built in."""
+    return json.loads(notebook.read_text(encoding="utf-8"))["metadata"].get("tflab", {}).get("language", "en")
 
 
 def run_with_films(notebook: Path, folder: Path) -> Path:

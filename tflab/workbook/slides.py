@@ -25,7 +25,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from .html import CellFailed, run_with_films
+from .html import CellFailed, language_of, run_with_films
 from .places import WorkbookError, read_workbook, workbook_root
 from .words import LANGUAGES, Words
 
@@ -117,7 +117,7 @@ def deck_from_notebook(notebook: Path, out_dir: Path, *, notes: bool = True, sin
     from tflab.views.export import export_html
 
     written = json.loads(notebook.read_text(encoding="utf-8"))
-    language = written["metadata"].get("tflab", {}).get("language", "en")
+    language = language_of(notebook)
     slides = slides_of(written, notes=notes)
     with TemporaryDirectory() as folder:
         executed = run_with_films(notebook, Path(folder))
