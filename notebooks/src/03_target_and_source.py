@@ -1,7 +1,7 @@
 # %% [markdown] lang="en" name="title" slide="slide"
 # # Target and source: data in …, wanted in …
 #
-# **50 minutes.** Builds on chapters 01 (value, frame, stamp) and 02 (axes and quaternions).
+# **60 minutes.** Builds on chapters 01 (value, frame, stamp) and 02 (axes and quaternions).
 #
 # After this chapter you can
 #
@@ -13,7 +13,7 @@
 # %% [markdown] lang="ko" name="title" slide="slide"
 # # Target과 source: … 기준 데이터를 … 기준으로 보고 싶다
 #
-# **50분.** 01장(값, 좌표계, 시각)과 02장(축과 쿼터니언)에 이어집니다.
+# **60분.** 01장(값, 좌표계, 시각)과 02장(축과 쿼터니언)에 이어집니다.
 #
 # 이 장을 마치면 다음을 할 수 있습니다.
 #
@@ -81,6 +81,7 @@ from tflab.views.mount import draw_mount, seen_from
 from tflab.views.panels import mount_panel, sentence_panel
 from tflab.views.readings import draw_readings
 from tflab.views.scene import Scene, draw_arrow, draw_frame, draw_path
+from tflab.views.sentence import draw_sentence
 from tflab.views.style import ACCENT, fmt_all  # fmt_all writes a point with its unit
 
 # %% [markdown] lang="en" name="ten-years" slide="slide"
@@ -404,6 +405,42 @@ draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'corner': (
 # 칠판에 "A에서 B로"의 두 가지 읽기를 다시 쓰고, 줄을 그어 지웁니다.
 # 누가 "어디에서 어디로"라고 말하면 멈추고 웃어 줍니다.
 
+# %% [markdown] lang="en" name="one-edge" slide="subslide"
+# ### One edge, two questions
+#
+# Somebody publishes `base_link → camera_link` with the translation (0.10, 0, 0.30).
+#
+# 1. In which frame were 0.10 and 0.30 measured?
+# 2. A point is written in `camera_link`. Which call brings it to `base_link`?
+#
+# <details><summary>Answers, and the trap</summary>
+#
+# 1. In `base_link`, the parent: 10 cm ahead of it and 30 cm above it sits the camera.
+# 2. `lookup_transform('base_link', 'camera_link', t)`: wanted in, written in. The answer is the published transform itself.
+#
+# The trap is the arrow: it points from parent to child, and says who holds whom.
+# If you read it as the way the data goes, you write the second call the other way round.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="one-edge" slide="subslide"
+# ### 연결 하나, 질문 두 개
+#
+# 누군가 `base_link → camera_link`를 이동 (0.10, 0, 0.30)으로 발행합니다.
+#
+# 1. 0.10과 0.30은 어느 좌표계 기준으로 잰 값입니까?
+# 2. `camera_link` 기준인 점이 있습니다. 어떤 호출이 그 점을 `base_link` 기준으로 옮깁니까?
+#
+# <details><summary>답과 함정</summary>
+#
+# 1. 부모인 `base_link`입니다. 거기서 앞으로 10 cm, 위로 30 cm 자리에 카메라가 있습니다.
+# 2. `lookup_transform('base_link', 'camera_link', t)`입니다. 보고 싶은 기준이 먼저, 지금 기준이 다음입니다. 답은 발행된 변환 그대로입니다.
+#
+# 함정은 화살표입니다. 화살표는 부모에서 자식을 가리키며, 누가 누구에게 달려 있는지를 말합니다.
+# 이것을 데이터가 흐르는 방향으로 읽으면 호출을 거꾸로 쓰게 됩니다.
+#
+# </details>
+
 # %% [markdown] lang="en" name="the-sentence-panel-why" slide="skip"
 # Choose in any line; the others follow.
 # Find a pair for which the matrix and its opposite differ in only one sign.
@@ -567,13 +604,16 @@ print('the corner, says Python', fmt_all(nonsense.apply(laser_p_corner)))
 # %% name="siblings"
 base_T_camera = buffer.core.lookup_transform('base_link', 'camera_link', LATEST).transform
 camera_T_laser = base_T_camera.inverse() @ base_T_laser
-asked = buffer.core.lookup_transform('camera_link', 'laser_frame', LATEST).transform
+asked = buffer.core.lookup_transform('camera_link', 'laser_frame', LATEST)
 
 print('down after up ', fmt_all(camera_T_laser.translation))
-print('one lookup    ', fmt_all(asked.translation))
+print('one lookup    ', fmt_all(asked.transform.translation))
 
 # %% name="siblings-as-dominoes"
 draw_dominoes(('camera_link', 'base_link'), ('base_link', 'laser_frame'))
+
+# %% name="siblings-in-space" slide="subslide"
+draw_sentence({'base_link': Transform(), 'camera_link': base_T_camera, 'laser_frame': base_T_laser}, asked)
 
 # %% [markdown] lang="en" name="siblings-seen"
 # 10 cm ahead of the camera and 15 cm below it: check that with the numbers of both mounts.
@@ -1059,14 +1099,14 @@ rclpy.shutdown()
 # ### Three questions from earlier chapters
 #
 # 1. A message says `(2.0, 0.0, 0.0)` and has an empty `frame_id`. May you use it?
-# 2. A wheel robot turns to its right. Is its yaw rate positive or negative?
+# 2. A wheeled robot turns to its right. Is its yaw rate positive or negative?
 # 3. Which quaternion (x, y, z, w) means "no rotation", and what does TF2 do with (0, 0, 0, 0)?
 #
 # <details><summary>Answers</summary>
 #
 # 1. No: a value without a frame is a rumour. Refuse it, and say so in the log.
 # 2. Negative: z points up, and by the right hand a positive turn goes to the left.
-# 3. (0, 0, 0, 1). All zeros is no rotation at all in the other sense: each listener refuses it, and the frame never appears.
+# 3. (0, 0, 0, 1). All zeros is not a rotation but nothing at all: each listener refuses it, and the frame never appears.
 #
 # </details>
 
@@ -1074,7 +1114,7 @@ rclpy.shutdown()
 # ### 앞 장에서 온 질문 세 개
 #
 # 1. 어떤 메시지에 `(2.0, 0.0, 0.0)`이 들어 있고 `frame_id`는 비어 있습니다. 써도 됩니까?
-# 2. 바퀴 로봇이 오른쪽으로 돕니다. yaw 속도는 양수입니까, 음수입니까?
+# 2. 바퀴 달린 로봇이 오른쪽으로 돕니다. yaw 속도는 양수입니까, 음수입니까?
 # 3. "회전 없음"을 뜻하는 쿼터니언(x, y, z, w)은 무엇이고, (0, 0, 0, 0)을 받으면 TF2는 어떻게 합니까?
 #
 # <details><summary>답</summary>
@@ -1126,7 +1166,7 @@ rclpy.shutdown()
 # %% [markdown] lang="en" name="exit-ticket" slide="slide"
 # ## Exit ticket
 #
-# Without looking up: fill the blanks.
+# Fill the blanks without looking anything up.
 #
 # > "`goal` is written in `map`. The controller works in `base_link`."
 # > `lookup_transform('____', '____', Time())`, and the product that gives it: `base_T_map = ______ @ ______`

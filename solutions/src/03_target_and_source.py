@@ -1,7 +1,7 @@
 # %% [markdown] lang="en" name="title" slide="slide"
 # # Exercises 03: target and source
 #
-# Seven tasks, 26 points, about 60 minutes.
+# Seven tasks, 26 points, about 45 minutes.
 # The page they belong to: [03 Target and source](../../notebooks/en/03_target_and_source.ipynb).
 #
 # Write your answer where the dots are, run the cell, then run the check below it.
@@ -11,7 +11,7 @@
 # %% [markdown] lang="ko" name="title" slide="slide"
 # # 연습 문제 03: target과 source
 #
-# 문제 일곱 개, 26점, 60분쯤 걸립니다.
+# 문제 일곱 개, 26점, 45분쯤 걸립니다.
 # 본문은 여기에 있습니다: [03 Target과 source](../../notebooks/ko/03_target_and_source.ipynb).
 #
 # 점 세 개가 있는 자리에 답을 쓰고 그 셀을 실행한 다음, 아래의 확인 셀을 실행하십시오.
