@@ -32,7 +32,7 @@
 # timeout을 늘려서 TF 경고를 없애 본 사람은 손을 들어 보라고 하십시오.
 # 그 질문은 그대로 두십시오. 답은 후반부에 나오고, 그때는 손을 내리고 싶은 사람이 생길 것입니다.
 
-# %% [markdown] lang="en" name="what-you-need" slide="-"
+# %% [markdown] lang="en" name="what-you-need" slide="subslide"
 # ## What you need from chapters that are not here yet
 #
 # The chapters between 03 and 08 are still being written. This much of them is used here.
@@ -42,7 +42,7 @@
 # - **Static and dynamic (06).** What is bolted on is sent once on `/tf_static` and is good for any time. What moves is sent again and again on `/tf`, each time with a stamp.
 # - **A node (any ROS 2 introduction).** A node has *callbacks*: functions that run when a message comes or a timer rings. An *executor* calls them. `rclpy.spin(node)` is an executor with one thread: one callback at a time.
 
-# %% [markdown] lang="ko" name="what-you-need" slide="-"
+# %% [markdown] lang="ko" name="what-you-need" slide="subslide"
 # ## 아직 나오지 않은 장에서 필요한 내용
 #
 # 03장과 08장 사이는 아직 집필 중입니다. 이 장에서는 거기서 다음 내용만 가져다 씁니다.
@@ -52,10 +52,10 @@
 # - **정적과 동적(06).** 볼트로 고정된 것은 `/tf_static`으로 한 번만 보내며 어느 시각에나 유효합니다. 움직이는 것은 `/tf`로 계속 보내고, 보낼 때마다 시각을 붙입니다.
 # - **노드(ROS 2 입문).** 노드에는 메시지가 오거나 타이머가 울릴 때 실행되는 *콜백*이 있습니다. 콜백을 부르는 것은 *실행기(executor)*입니다. `rclpy.spin(node)`는 스레드가 하나인 실행기라서 콜백을 한 번에 하나만 실행합니다.
 
-# %% name="load"
+# %% name="load" slide="skip"
 # %load_ext tflab
 
-# %% name="imports"
+# %% name="imports" slide="skip"
 from collections import deque
 
 import rclpy
@@ -75,7 +75,7 @@ from tf2_ros import LookupException, TransformException, TransformListener
 # %% [markdown] lang="ko" name="helpers-why" slide="skip"
 # 위는 ROS 2의 모듈입니다. 아래는 이 워크북의 모듈로, 관찰할 로봇과 그림을 제공합니다.
 
-# %% name="helpers"
+# %% name="helpers" slide="skip"
 import numpy as np
 
 from tflab.core import StampedTransform, Transform, seconds
@@ -92,7 +92,7 @@ from tflab.tools.buffers import draw_history
 # %% [markdown] lang="ko" name="pictures-why" slide="skip"
 # 아래는 그림을 그리는 모듈입니다.
 
-# %% name="pictures"
+# %% name="pictures" slide="skip"
 from tflab.views.ages import Curve, draw_ages
 from tflab.views.journey import Journey, draw_journeys
 from tflab.views.panels import timeline_panel
@@ -182,7 +182,7 @@ for parent, child, step in (
 ):
     store(StampedTransform(parent, child, 0, Transform(step)), 'urdf', is_static=True)
 
-# %% name="windows" slide="-"
+# %% name="windows" slide="subslide"
 draw_history(buffer, 'map', 'laser_frame', seconds(12.3))
 
 # %% [markdown] lang="en" name="predict-question" slide="fragment"
@@ -369,20 +369,20 @@ else:
 lanes = draw_history(buffer, 'map', 'laser_frame').timeline.lanes
 timeline_panel('map', 'laser_frame', lanes, buffer.core.lookup_transform)
 
-# %% name="slider-still" slide="-"
+# %% name="slider-still" slide="skip"
 draw_history(buffer, 'map', 'laser_frame', seconds(14.3))
 
-# %% [markdown] lang="en" name="try-edge" slide="-"
+# %% [markdown] lang="en" name="try-edge" slide="skip"
 # ### Try it
 #
 # Ask for exactly 14.0 s, and then for one nanosecond more. The boundary is sharp: there is no "about".
 
-# %% [markdown] lang="ko" name="try-edge" slide="-"
+# %% [markdown] lang="ko" name="try-edge" slide="skip"
 # ### 해 보기
 #
 # 정확히 14.0 s를 묻고, 이어서 1나노초 뒤를 물어보십시오. 경계는 칼같습니다. "대략"은 없습니다.
 
-# %% name="one-nanosecond" slide="-"
+# %% name="one-nanosecond" slide="skip"
 for stamp_ns in (14_000_000_000, 14_000_000_001):
     answered = buffer.can_transform('map', 'laser_frame', Time(nanoseconds=stamp_ns))
     print(stamp_ns, 'an answer' if answered else 'no answer')
@@ -402,10 +402,10 @@ for stamp_ns in (14_000_000_000, 14_000_000_001):
 # %% name="short-errors" slide="-"
 # %xmode Minimal
 
-# %% [markdown] lang="en" name="break-lookup-why" slide="-"
+# %% [markdown] lang="en" name="break-lookup-why" slide="subslide"
 # ### A name that nobody has said
 
-# %% [markdown] lang="ko" name="break-lookup-why" slide="-"
+# %% [markdown] lang="ko" name="break-lookup-why" slide="subslide"
 # ### 아무도 말한 적 없는 이름
 
 # %% name="break-lookup" tags=["raises-exception"] slide="-"
@@ -416,15 +416,17 @@ buffer.lookup_transform('map', 'laser_fame', Time())
 #
 # The same exception comes in the first second after every start: the name is right, and its publisher has not spoken yet.
 # So a [[lookup exception|LookupException]] is a typo *or* a question that came too early.
-#
-# ### A name that you never typed
 
 # %% [markdown] lang="ko" name="lookup-read" slide="-"
 # 어느 인자의 어느 이름인지 알려 줍니다. 버퍼가 그러듯이 이름을 한 글자씩 읽으십시오. (frame에서 r이 빠지면 fame, 명성이 됩니다.)
 #
 # 노드를 켠 뒤 처음 1초 동안에도 같은 예외가 나옵니다. 이름은 맞지만 발행자가 아직 말을 꺼내지 않은 것입니다.
 # 그래서 [[lookup exception|LookupException(프레임 조회 예외)]]은 오타*이거나* 너무 이른 질문입니다.
-#
+
+# %% [markdown] lang="en" name="header-why" slide="subslide"
+# ### A name that you never typed
+
+# %% [markdown] lang="ko" name="header-why" slide="subslide"
 # ### 한 번도 입력한 적 없는 이름
 
 # %% name="break-header" tags=["raises-exception"] slide="-"
@@ -439,16 +441,18 @@ buffer.transform(corner, 'map')
 # You typed `map` only. The other name came with the message: `transform()` takes source and stamp from its header.
 # **An exception may name a frame that you never asked about, because something asked for you**: a header, RViz's Fixed Frame, a costmap's parameter.
 # Names are compared letter by letter, so `Laser_frame` is nobody.
-#
-# ### A typo in the middle of the tree
-#
-# Somebody mounts a camera, and writes `base_lnk`.
 
 # %% [markdown] lang="ko" name="header-read" slide="-"
 # 여러분이 입력한 것은 `map`뿐입니다. 다른 이름은 메시지를 타고 왔습니다. `transform()`은 source와 시각을 헤더에서 가져옵니다.
 # **묻지 않은 좌표계가 예외에 나온다면, 무언가가 대신 물은 것입니다.** 메시지 헤더, RViz의 Fixed Frame, 코스트맵 파라미터가 그렇습니다.
 # 이름은 글자 단위로 비교하므로 `Laser_frame`은 아무도 아닙니다.
+
+# %% [markdown] lang="en" name="connectivity-why" slide="subslide"
+# ### A typo in the middle of the tree
 #
+# Somebody mounts a camera, and writes `base_lnk`.
+
+# %% [markdown] lang="ko" name="connectivity-why" slide="subslide"
 # ### 트리 한가운데의 오타
 #
 # 누군가 카메라를 달면서 `base_lnk`라고 적었습니다.
@@ -486,12 +490,14 @@ buffer.lookup_transform('base_link', 'tool0', Time(seconds=12.3))
 
 # %% [markdown] lang="en" name="statics" slide="-"
 # And `base_link → laser_frame`, whose stamp is 0? It answers for any time. **An old stamp on a static edge is not a fault**, and people have hunted it for days.
-#
-# ### A question that is none
 
 # %% [markdown] lang="ko" name="statics" slide="-"
 # 그렇다면 시각이 0인 `base_link → laser_frame`은 어떨까요? 어느 시각에나 답합니다. **정적 연결의 오래된 시각은 결함이 아닙니다.** 그것을 며칠씩 쫓은 사람도 있습니다.
-#
+
+# %% [markdown] lang="en" name="argument-why" slide="subslide"
+# ### A question that is none
+
+# %% [markdown] lang="ko" name="argument-why" slide="subslide"
 # ### 질문이 아닌 질문
 
 # %% name="break-argument" tags=["raises-exception"] slide="-"
@@ -568,7 +574,7 @@ def answer_or_advice(target, source, stamp):
     except TransformException:  # the base class comes last
         return 'fix the question'
 
-# %% name="handler-run" slide="-"
+# %% name="handler-run" slide="subslide"
 for target, source, second in (
     ('map', 'laser_frame', 12.3), ('map', 'laser_fame', 12.3), ('map', 'camera_link', 12.3),
     ('map', 'laser_frame', 14.3), ('map', 'laser_frame', 10.6), ('/map', 'laser_frame', 12.3),
@@ -630,7 +636,7 @@ for target, source, second in (
 # 아래 노드는 숫자 하나를 지켜봅니다. **간격(gap)**, 곧 스캔의 시각에서 TF가 답할 수 있는 최신 시각을 뺀 값입니다.
 # 간격이 양수이면 미래 외삽입니다.
 
-# %% name="gap-node" slide="-"
+# %% name="gap-node" slide="subslide"
 class GapWatcher(Node):
     def __init__(self):
         super().__init__('gap_watcher')
@@ -654,7 +660,7 @@ def watch(node_class, executor_class=None):
 
 nodes = []  # so that we can look at them from outside
 
-# %% name="robot-a" slide="-"
+# %% name="robot-a" slide="subslide"
 graph = new_graph()  # a fresh robot; its clock stands at 1 s
 launch(graph)
 graph.start(watch, GapWatcher)
@@ -697,16 +703,16 @@ draw_ages([gap_curve('robot A', robot_a, 4.0), gap_curve('robot B', robot_b, 4.0
 # %% [markdown] lang="ko" name="late-notes" slide="notes"
 # 처음 1초만 보여 주고 토론하게 하십시오. 아직 정답이 없다는 것이 요점입니다.
 
-# %% [markdown] lang="en" name="whole-story" slide="fragment"
+# %% [markdown] lang="en" name="whole-story" slide="subslide"
 # For a second they look alike: both ask about 0.3 s ahead of what TF knows. Now the whole story.
 
-# %% [markdown] lang="ko" name="whole-story" slide="fragment"
+# %% [markdown] lang="ko" name="whole-story" slide="subslide"
 # 처음 1초 동안은 똑같아 보입니다. 둘 다 TF가 아는 것보다 약 0.3 s 앞을 묻습니다. 이제 전체를 봅시다.
 
 # %% name="two-gaps" slide="-"
 draw_ages([gap_curve('robot A', robot_a, 7.0), gap_curve('robot B', robot_b, 7.0)], 'gap', limit_s=0.1)
 
-# %% [markdown] lang="en" name="two-gaps-read" slide="-"
+# %% [markdown] lang="en" name="two-gaps-read" slide="subslide"
 # A comes back. B never does: a clock that is wrong stays wrong, and each new scan brings the same gap along.
 # (The small hook in B's line at 3.1 s is real, too: when a clock jumps ahead, its timer rings early.)
 #
@@ -715,7 +721,7 @@ draw_ages([gap_curve('robot A', robot_a, 7.0), gap_curve('robot B', robot_b, 7.0
 #
 # But you need not wait and see. One tool tells them apart at once. `ros2 topic delay` prints *when I heard it* minus *the stamp in it*. This is robot B, still running:
 
-# %% [markdown] lang="ko" name="two-gaps-read" slide="-"
+# %% [markdown] lang="ko" name="two-gaps-read" slide="subslide"
 # A는 돌아옵니다. B는 끝내 돌아오지 않습니다. 틀린 시계는 계속 틀리고, 새 스캔마다 같은 간격을 달고 옵니다.
 # (3.1 s에서 B의 선이 살짝 꺾인 것도 실제로 일어나는 일입니다. 시계가 앞으로 뛰면 타이머도 일찍 울립니다.)
 #
@@ -796,7 +802,7 @@ draw_ages([gap_curve('robot A', robot_a, 7.0), gap_curve('robot B', robot_b, 7.0
 #
 # **예측해 보십시오.** 경고가 사라질까요? 벽은 제자리에 있을까요?
 
-# %% name="placer" slide="-"
+# %% name="placer" slide="subslide"
 class ScanPlacer(Node):
     def __init__(self):
         super().__init__('scan_placer')
@@ -823,11 +829,11 @@ graph.run(seconds=9)  # 1 s standing, 6 s straight on, then the bend
 placer = nodes[-1]
 print(f'{len(placer.placed)} scans placed, {placer.failures} failed')
 
-# %% [markdown] lang="en" name="plaster-green" slide="fragment"
+# %% [markdown] lang="en" name="plaster-green" slide="subslide"
 # Not one warning. The log is green, and the forum was right.
 # Now draw where the points of the bend went, beside where they belong.
 
-# %% [markdown] lang="ko" name="plaster-green" slide="fragment"
+# %% [markdown] lang="ko" name="plaster-green" slide="subslide"
 # 경고가 하나도 없습니다. 로그는 초록색이고, 게시판 말이 맞았습니다.
 # 이제 굽이에서 얻은 점들이 어디에 찍혔는지, 원래 있어야 할 자리 옆에 그려 봅시다.
 
@@ -849,7 +855,7 @@ draw_placed(
     {'as measured': points_of(bend, 0.3), 'with the wait that "works"': points_of(bend, 0.0)}, walls=ROOM.walls
 )
 
-# %% [markdown] lang="en" name="plaster-read" slide="-"
+# %% [markdown] lang="en" name="plaster-read" slide="subslide"
 # The wait ended each time, because after a while TF caught up with the *wrong* stamp.
 # Then the lookup gave a perfectly good answer to a perfectly wrong question: where was the laser 0.3 s **after** it measured?
 #
@@ -859,7 +865,7 @@ draw_placed(
 #
 # What if the clock were 2 s fast? Then even the plaster would fall off: each wait of one second would expire, scan after scan, for as long as the robot runs.
 
-# %% [markdown] lang="ko" name="plaster-read" slide="-"
+# %% [markdown] lang="ko" name="plaster-read" slide="subslide"
 # 기다림은 매번 끝났습니다. 잠시 뒤 TF가 *틀린* 시각을 따라잡았기 때문입니다.
 # 그리고 완전히 틀린 질문에 더없이 좋은 답을 주었습니다. 라이다는 측정하고 0.3 s **뒤에** 어디에 있었는가?
 #
@@ -904,7 +910,7 @@ def draw(clock_error_s):
 scene.sweep('clock error', [0.0, 0.1, 0.2, 0.3, 0.4, 0.5], draw, unit='s')
 scene
 
-# %% name="walls-walk-still" slide="-"
+# %% name="walls-walk-still" slide="skip"
 one_scan = [(message, stamp) for message, stamp in placer.placed if stamp.nanoseconds >= seconds(9.0)][:1]
 draw_placed({f'clock error {0.3 - shift:.1f} s': points_of(one_scan, shift) for shift in (0.3, 0.1, 0.0)}, ROOM.walls)
 
@@ -928,7 +934,7 @@ draw_placed({f'clock error {0.3 - shift:.1f} s': points_of(one_scan, shift) for 
 #
 # **예측해 보십시오.** 로봇은 3초 동안 달리고 스캔은 1초에 열 번 옵니다. 몇 개의 스캔이 변환을 얻을까요?
 
-# %% name="noting-buffer" slide="-"
+# %% name="noting-buffer" slide="subslide"
 class NotingBuffer(Buffer):
     def __init__(self):
         super().__init__()
@@ -956,7 +962,7 @@ class Patient(Node):
         self.answers.append(answer)
         self.busy.append((began, graph.now_ns))
 
-# %% name="robot-c" slide="-"
+# %% name="robot-c" slide="subslide"
 def on_robot_c(node_class, executor_class=None, delay_s=0.0):
     global graph
     graph = new_graph()
@@ -984,7 +990,7 @@ print(*patient.answers, sep='\n')
 # 그런데 왜 회복하지 못할까요? 숫자를 보십시오. 마지막에는 2.595 s를 묻는데, 변환이 1초에 스무 개씩 도착했는데도 아는 최신 변환은 1.146 s의 것입니다.
 # 기다릴수록 아는 것이 줄어듭니다. 이유는 이렇습니다.
 
-# %% name="lanes-picture" slide="-"
+# %% name="lanes-picture" slide="subslide"
 def draw_lanes(node, start_s=1.0, end_s=3.0):
     sent_ns = tuple(range(seconds(start_s), seconds(end_s), seconds(0.05)))  # odometry, 20 times a second
     return draw_work(
@@ -1047,7 +1053,7 @@ draw_lanes(patient)
 # 두 가지를 조심하십시오. 이 약속은 **포기하지 않습니다.** 끝내 답이 없는 것은 영원히 기다립니다. 그러니 퓨처를 보관하고 오래된 것은 취소하십시오.
 # 그리고 약속은 확인해야 합니다. `future.result()`는 변환을 주거나, 무엇이 잘못됐는지 예외로 알려 줍니다.
 
-# %% name="called-node" slide="-"
+# %% name="called-node" slide="subslide"
 class Called(Patient):
     def on_scan(self, scan):
         began, stamp = graph.now_ns, Time.from_msg(scan.header.stamp)
@@ -1069,7 +1075,7 @@ called = on_robot_c(Called, delay_s=0.15)  # one thread
 print(len(called.busy), 'scans,', len(called.answers), 'answered')
 draw_lanes(called)
 
-# %% [markdown] lang="en" name="cures-compared" slide="-"
+# %% [markdown] lang="en" name="cures-compared" slide="subslide"
 # 27 of 30: the first scan can never be answered, and was let go when three younger ones were waiting; the last two are still on their way.
 # And look at the lane of the callback: it is touched ten times a second, and never busy. With threads it was busy all the time.
 #
@@ -1083,7 +1089,7 @@ draw_lanes(called)
 # | a [[message filter]] (`tf2_ros::MessageFilter`, C++) | the same, ready made: your callback runs only when the transform is there; its queue has a size |
 # | in a plain callback with one thread | **never** |
 
-# %% [markdown] lang="ko" name="cures-compared" slide="-"
+# %% [markdown] lang="ko" name="cures-compared" slide="subslide"
 # 30개 가운데 27개입니다. 첫 스캔은 답이 있을 수 없어서 뒤에 셋이 기다리자 놓아 주었고, 마지막 둘은 아직 기다리는 중입니다.
 # 콜백의 차선도 보십시오. 1초에 열 번 스칠 뿐 한 번도 바쁘지 않습니다. 스레드를 쓸 때는 내내 바빴습니다.
 #
@@ -1138,12 +1144,12 @@ def ages_of_decisions(queue, until_ms=12_000):
         ages_s.append((now_ms - stamp_ms) / 1000)
     return times_s, ages_s
 
-# %% name="queues" slide="-"
+# %% name="queues" slide="subslide"
 endless = Curve('no limit', *ages_of_decisions(deque()))
 bounded = Curve('two at most', *ages_of_decisions(deque(maxlen=2)))  # a full deque drops its oldest
 draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 
-# %% [markdown] lang="en" name="queues-read" slide="-"
+# %% [markdown] lang="en" name="queues-read" slide="subslide"
 # Four seconds. At half a metre a second, the robot brakes for what it saw two metres ago, and nothing in the log is red.
 # It *lost no message at all*. That is the trouble.
 #
@@ -1152,7 +1158,7 @@ draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 #
 # A policy in one line each, for this robot: wait at most 0.1 s; then drop; keep two, the oldest goes; nothing older than 0.5 s moves a wheel.
 
-# %% [markdown] lang="ko" name="queues-read" slide="-"
+# %% [markdown] lang="ko" name="queues-read" slide="subslide"
 # 4초입니다. 초속 0.5 m라면 로봇은 2미터 전에 본 것을 두고 브레이크를 밟습니다. 그런데도 로그에 빨간 줄은 하나도 없습니다.
 # 메시지를 *하나도 잃지 않았습니다*. 바로 그것이 문제입니다.
 #
@@ -1288,7 +1294,7 @@ class Careful(Node):
         if len(self.promises) > 3:  # the oldest goes
             self.promises.popleft().cancel()
 
-# %% name="robot-handler" slide="-"
+# %% name="robot-handler" slide="subslide"
 class Handling(Careful):
     def on_transform(self, message):
         stamp = Time.from_msg(message.header.stamp)
@@ -1304,7 +1310,7 @@ class Handling(Careful):
         except ExtrapolationException as error:
             self.get_logger().warning(f'check stamp, clock and delay: {error}')
 
-# %% name="robot-run" slide="-"
+# %% name="robot-run" slide="subslide"
 class OnRobot(Handling):
     def use(self, message, transform):
         where = transform.transform.translation
