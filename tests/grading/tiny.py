@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
 
 from tflab.workbook.cases import PUBLIC_SEED, cases_json, make_cases
@@ -110,6 +111,23 @@ RIGHT = {
     "e3-2-answer": "def length(x, y):\n    return math.hypot(x, y)",
     "e3-3-answer": 'frames = {"target": "map", "source": "laser_frame"}',
 }
+
+
+@dataclass(frozen=True)
+class Course:
+    """A tiny workbook, and a release of it to two learners: s101 (Korean) and s102."""
+
+    workbook: Path
+    release: Path
+
+    @property
+    def pack(self) -> Path:
+        """The instructor's folder."""
+        return self.release / "instructor"
+
+    def exercise(self, learner: str = "s102") -> dict:
+        """Return the exercise as a learner got it."""
+        return exercise(self.release / "learners" / learner, "ko" if learner == "s101" else "en")
 
 
 def write_tiny_workbook(root: Path) -> Path:

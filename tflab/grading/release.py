@@ -83,8 +83,9 @@ def release(
         if not master.is_file():
             raise PackError(f"{stem} has no exercise; `tflab build {stem}` makes it")
         handed_out[stem], graded = chapter_cases(stem, pack.seed, data / "solutions")
-        if stem not in pack.cases:
-            pack.cases[stem] = graded
+        if pack.cases.setdefault(stem, graded) != graded:
+            raise PackError(f"the tasks of {stem} have changed since {folder} was released; release to another folder")
+        if not (folder / INSTRUCTOR / "cases" / f"{stem}.json").exists():
             write_chapter(folder / INSTRUCTOR, stem, graded, master.read_bytes())
     write_pack(folder / INSTRUCTOR, pack)
     everybody: Iterable[Learner | None] = [None] if pack.roster is None else pack.roster.values()
@@ -93,7 +94,7 @@ def release(
         _lay_out_for(folder / LEARNERS, learner, pack, handed_out, language)
         bar.step(learner.id if learner else ONE_FOR_ALL)
     bar.close()
-    return pack
+    return read_pack(folder / INSTRUCTOR)
 
 
 def _pack_to_fill(folder: Path, learners: Sequence[Learner] | None, language: str, add: bool) -> Pack:

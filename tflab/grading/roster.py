@@ -18,7 +18,7 @@ from dataclasses import dataclass, field
 __all__ = ["LANGUAGES", "Learner", "Roster", "is_learner_id", "read_roster"]
 
 LANGUAGES = ("en", "ko")
-ENCODINGS = ("utf-8-sig", "utf-16", "cp949")
+ENCODINGS = ("utf-8-sig", "cp949")
 COLUMNS = {
     "id": ("id", "learner", "learner id", "student id", "id number", "sis user id", "sis login id", "username"),
     "name": ("name", "full name", "student", "first name", "이름"),

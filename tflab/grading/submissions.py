@@ -72,12 +72,23 @@ def collect(place: Path, roster: Mapping[str, Learner] | None, chapters: Sequenc
     for member in members:
         groups.setdefault(_group(member.parts, chapters), []).append(member)
     found: dict[str, Submission] = {}
-    for key in sorted(groups):
-        one = _submission(key, groups[key], roster, chapters)
+    by_path = {key: _of_path(key, roster) if roster else None for key in groups}
+    for key in sorted(groups, key=lambda key: (by_path[key] is None, key)):
+        learner, strange = by_path[key], ()
+        if roster and learner is None:
+            learner = _of_stamps(groups[key], roster)
+            if learner in found:  # a stamp is easily copied: it never adds to what somebody handed in themselves
+                strange = (f'stamped for "{learner}", who handed in elsewhere; not graded for them',)
+                learner = None
+            elif learner is None:
+                strange = (f'"{_printable(key)}" is nobody on the roster, and neither is the stamp in the notebook',)
+        one = _submission(learner or _printable(key), groups[key], strange, roster is None or learner is not None)
         there = found.get(one.learner)
         if there is not None:
-            together = f"handed in at several places: {key}"
-            one = Submission(one.learner, there.notebooks + one.notebooks, (*there.remarks, *one.remarks, together))
+            together = f"handed in at several places: {_printable(key)}"
+            one = replace(
+                one, notebooks=there.notebooks + one.notebooks, remarks=(*there.remarks, *one.remarks, together)
+            )
         found[one.learner] = one
     for learner in sorted(set(roster or ()) - set(found)):
         found[learner] = Submission(learner, (), ("nothing was handed in",))
@@ -173,23 +184,19 @@ def _group(parts: tuple[str, ...], chapters: Sequence[str]) -> str:
     return stem.strip(" _-.") or parts[0]
 
 
-def _submission(
-    key: str, members: list[Member], roster: Mapping[str, Learner] | None, chapters: Sequence[str]
-) -> Submission:
-    notebooks = tuple(member for member in members if member.parts[-1].lower().endswith(NOTEBOOKS))
+def _submission(learner: str, members: list[Member], strange: tuple[str, ...], known: bool) -> Submission:
+    notebooks = tuple(member for member in members if _is_notebook(member))
     others = sorted({member.parts[-1] for member in members} - {member.parts[-1] for member in notebooks} - {""})
-    remarks = []
+    remarks = list(strange)
     if not notebooks:
         remarks.append(f"no notebook; there is {_few(others)}" if others else "an empty folder")
     if len(notebooks) > MAX_NOTEBOOKS:
         remarks.append(f"{len(notebooks)} notebooks; the first {MAX_NOTEBOOKS} are looked at")
-    notebooks = notebooks[:MAX_NOTEBOOKS]
-    if roster is None:
-        return Submission(_printable(key), notebooks, tuple(remarks))
-    learner = _of_path(key, roster) or _of_stamps(notebooks, roster)
-    if learner is None:
-        remarks.insert(0, f'"{_printable(key)}" is nobody on the roster, and neither is the stamp in the notebook')
-    return Submission(learner or _printable(key), notebooks, tuple(remarks), learner is not None)
+    return Submission(learner, notebooks[:MAX_NOTEBOOKS], tuple(remarks), known)
+
+
+def _is_notebook(member: Member) -> bool:
+    return member.parts[-1].lower().endswith(NOTEBOOKS)
 
 
 def _of_path(key: str, roster: Mapping[str, Learner]) -> str | None:
@@ -215,7 +222,7 @@ def _letters(text: str) -> str:
 
 def _of_stamps(notebooks: Sequence[Member], roster: Mapping[str, Learner]) -> str | None:
     stamps = set()
-    for member in notebooks:
+    for member in filter(_is_notebook, notebooks):
         try:
             stamps.add(read_notebook(member.read()).stamp.get("learner"))
         except Unreadable:

@@ -1,0 +1,42 @@
+"""What do tests of grading need?  A tiny chapter handed out once, and the pages next door that make submissions.
+
+The test folders are no packages, so those pages are loaded by their paths.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import os
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+for _name in ("tiny", "hostile"):
+    _path = Path(__file__).with_name(f"{_name}.py")
+    if _path.exists() and _name not in sys.modules:
+        _spec = importlib.util.spec_from_file_location(_name, _path)
+        sys.modules[_name] = importlib.util.module_from_spec(_spec)
+        _spec.loader.exec_module(sys.modules[_name])
+
+import tiny  # noqa: E402
+
+
+@pytest.fixture(scope="session")
+def course(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tiny.Course]:
+    """The tiny course, released; tests only read it."""
+    from tflab.grading.release import release
+    from tflab.grading.roster import Learner
+
+    folder = tmp_path_factory.mktemp("course")
+    workbook = tiny.write_tiny_workbook(folder / "workbook")
+    before = os.environ.get("TFLAB_WORKBOOK")
+    os.environ["TFLAB_WORKBOOK"] = str(workbook)
+    try:
+        release(folder / "release", [tiny.STEM], [Learner("s101", "Kim Minji", "ko"), Learner("s102", "Ada Byron")])
+        yield tiny.Course(workbook, folder / "release")
+    finally:
+        os.environ.pop("TFLAB_WORKBOOK")
+        if before is not None:
+            os.environ["TFLAB_WORKBOOK"] = before

@@ -1,0 +1,207 @@
+"""Does what hangs, dies or shouts cost its own points only?  A runner in this process stands in for the kernel."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Sequence
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+
+from tflab.grading import inside
+from tflab.grading.attempt import Attempt, NotRun, attempt
+from tflab.grading.plan import PlannedCell, plan
+from tflab.grading.transplant import Piece, Transplant
+from tflab.workbook.values import raised, to_plain
+
+TASKS = {
+    "E1.1": {"answer": "a", "is_function": False, "given": {"b": 2}, "cases": [{"args": None}]},
+    "E1.2": {"answer": "f", "is_function": True, "given": None, "cases": [{"args": [1]}, {"args": [2]}, {"args": [3]}]},
+    "E1.3": {"answer": "c", "is_function": False, "given": None, "cases": [{"args": None}]},
+}
+
+
+def pieces(**sources: str) -> Transplant:
+    """Return a transplant of three answers, with own cells where a name says so."""
+    made = [Piece("ours", "load", "loaded = True")]
+    for number, task in ((1, "E1.1"), (2, "E1.2"), (3, "E1.3")):
+        slug = f"e1_{number}"
+        if f"own_{slug}" in sources:
+            made.append(Piece("own", f"{slug}-given+1", sources[f"own_{slug}"], task))
+        made.append(Piece("answer", f"{slug}-answer", sources.get(slug, "a = c = 1\ndef f(x): return x"), task))
+        made.append(Piece("probe", f"{slug}-check", task=task))
+        if f"after_{slug}" in sources:
+            made.append(Piece("own", f"{slug}-check+1", sources[f"after_{slug}"], task))
+            made.append(Piece("probe", f"{slug}-check-again", task=task))
+    return Transplant(tuple(made), tuple(TASKS))
+
+
+class Stop(BaseException):
+    """What a cell of these tests raises where a real one would hang, die or shout."""
+
+
+class Here:
+    """Runs cells in this process; HANG, DIE and SHOUT in a cell stop the run."""
+
+    def __init__(self) -> None:
+        self.runs: list[list[str]] = []
+
+    def __call__(self, cells: Sequence[PlannedCell]) -> SimpleNamespace:
+        self.runs.append([cell.piece.name for cell in cells])
+        space: dict[str, Any] = {"hang": self._stop("timed out"), "die": self._stop("kernel died")}
+        space["shout"] = self._stop("output limit")
+        outcomes, stopped = [], None
+        for cell in cells:
+            value = trouble = None
+            try:
+                if cell.probe is None:
+                    exec(cell.source, space)
+                else:
+                    value = self._probed(cell, space)
+            except Stop as stop:
+                stopped = trouble = str(stop)
+            except Exception as error:
+                trouble = f"error: {type(error).__name__}: {error}"
+            outcomes.append(SimpleNamespace(value=value, trouble=trouble))
+            if stopped:
+                break
+        return SimpleNamespace(outcomes=outcomes, seconds=0.1, stopped=stopped)
+
+    def _stop(self, why: str) -> Callable[[], None]:
+        def stop() -> None:
+            raise Stop(why)
+
+        return stop
+
+    def _probed(self, cell: PlannedCell, space: dict[str, Any]) -> list:
+        said: list[Any] = []
+        keep = inside._send
+        inside._send = lambda _, plain: said.append(plain)
+        try:
+            exec(cell.source, space)
+        finally:
+            inside._send = keep
+        return said[0]
+
+
+@pytest.fixture(autouse=True)
+def quiet_prepare(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(inside, "prepare", lambda givens_json: json.loads(givens_json))
+
+
+def tried(here: Here, done: Transplant, **options: Any) -> Attempt:
+    options = {"wanted": list(TASKS), "cell_s": 1.0, "notebook_s": 6.0} | options
+    return attempt(done, TASKS, here, **options)
+
+
+def kinds(made: Attempt, task: str) -> list[str]:
+    return [remark.kind for remark in made.trouble.get(task, [])]
+
+
+def test_honest_answers_are_heard_in_one_run() -> None:
+    here = Here()
+    made = tried(here, pieces())
+    assert made.outcomes == {"E1.1": {0: 1}, "E1.2": {0: 1, 1: 2, 2: 3, 3: 1}, "E1.3": {0: 1}}
+    assert len(here.runs) == 1
+    assert not made.set_aside and not made.trouble
+
+
+@pytest.mark.parametrize(("stop", "kind"), [("hang", "timed out"), ("die", "died"), ("shout", "flood")])
+def test_an_answer_that_stops_the_run_is_set_aside_and_the_others_run_without_it(stop: str, kind: str) -> None:
+    made = tried(Here(), pieces(e1_2=f"{stop}()"))
+    assert made.set_aside == ["E1.2"]
+    assert kinds(made, "E1.2") == [kind]
+    assert made.outcomes["E1.1"] == made.outcomes["E1.3"] == {0: 1}
+
+
+def test_a_function_that_hangs_when_it_is_asked_is_set_aside_too() -> None:
+    made = tried(Here(), pieces(e1_2="def f(x):\n    hang()"))
+    assert made.set_aside == ["E1.2"]
+    assert made.outcomes["E1.3"] == {0: 1}
+
+
+def test_looked_at_closely_only_the_case_that_hangs_is_lost() -> None:
+    made = tried(Here(), pieces(e1_2="def f(x):\n    return hang() if x == 2 else x"), wanted=["E1.2"], closely=True)
+    assert made.outcomes["E1.2"] == {0: 1, 2: 3, 3: 1}
+    assert kinds(made, "E1.2") == ["timed out"]
+
+
+def test_two_cases_that_hang_are_enough() -> None:
+    here = Here()
+    made = tried(here, pieces(e1_2="def f(x):\n    hang()"), wanted=["E1.2"], closely=True)
+    assert len(here.runs) == 2
+    assert made.outcomes.get("E1.2", {}) == {}
+
+
+def test_every_answer_may_hang_and_it_ends() -> None:
+    here = Here()
+    made = tried(here, pieces(e1_1="hang()", e1_2="hang()", e1_3="hang()"))
+    assert sorted(made.set_aside) == list(TASKS)
+    assert len(here.runs) == 3
+
+
+def test_an_own_cell_that_hangs_is_left_out_and_all_is_tried_again_alone() -> None:
+    made = tried(Here(), pieces(own_e1_2="hang()"))
+    assert made.outcomes["E1.2"] and made.outcomes["E1.3"]
+    assert made.set_aside == list(TASKS)
+    assert [remark.kind for remark in made.remarks] == ["left out"]
+
+
+def test_an_answer_that_raises_names_the_error_and_no_more() -> None:
+    made = tried(Here(), pieces(e1_1="secret = 5\nraise ValueError(f'hidden {secret}')"))
+    (remark,) = made.trouble["E1.1"]
+    assert (remark.kind, remark.words["error"]) == ("raised", "ValueError")
+
+
+def test_an_error_of_ones_own_is_not_named_for_its_name_could_carry_anything() -> None:
+    made = tried(Here(), pieces(e1_1="raise type('hidden_3_14', (Exception,), {})()"))
+    assert made.trouble["E1.1"][0].words["error"] == "an error of its own"
+
+
+def test_an_answer_behind_the_check_is_heard_there_if_there_was_none_before() -> None:
+    made = tried(Here(), pieces(e1_3="c = ...", after_e1_3="c = 5"))
+    assert made.outcomes["E1.3"] == {0: 5}
+    assert [(remark.kind, remark.task) for remark in made.remarks] == [("elsewhere", "E1.3")]
+
+
+def test_trying_things_out_behind_the_check_does_not_spoil_the_answer() -> None:
+    made = tried(Here(), pieces(e1_3="c = 5", after_e1_3="c = 6"))
+    assert made.outcomes["E1.3"] == {0: 5}
+    assert made.remarks == []
+
+
+def test_our_own_cells_failing_is_not_the_learners_fault() -> None:
+    with pytest.raises(NotRun):
+        attempt(
+            Transplant((Piece("ours", "load", "die()"), *pieces().pieces[1:]), tuple(TASKS)),
+            TASKS, Here(), wanted=list(TASKS), cell_s=1.0, notebook_s=6.0,
+        )  # fmt: skip
+
+
+def test_only_the_cells_that_the_wanted_tasks_need_are_planned() -> None:
+    planned = plan(pieces(), TASKS, ["E1.1"])
+    assert [cell.piece.name for cell in planned.cells] == ["ours", "e1_1-answer", "e1_1-check"]
+
+
+def test_a_plan_holds_no_expected_value() -> None:
+    tasks = {
+        task: {**held, "cases": [{**case, "expected": "SECRET"} for case in held["cases"]]}
+        for task, held in TASKS.items()
+    }
+    assert "SECRET" not in str(plan(pieces(), tasks, list(tasks)))
+
+
+def test_probes_have_other_names_every_time() -> None:
+    one, other = (set(plan(pieces(), TASKS, list(TASKS)).asked) for _ in range(2))
+    assert not one & other
+
+
+def test_what_a_function_raises_is_an_outcome() -> None:
+    made = tried(Here(), pieces(e1_2="def f(x):\n    raise LookupError('no')"))
+    assert made.outcomes["E1.2"][0] == raised(LookupError("no"))
+
+
+def test_what_no_json_can_hold_is_named_as_an_object() -> None:
+    made = tried(Here(), pieces(e1_1="a = object()"))
+    assert made.outcomes["E1.1"][0] == to_plain(object())

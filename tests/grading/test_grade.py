@@ -1,0 +1,259 @@
+"""Is a class graded as it should be, from a folder of files to the pages that are read?"""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Mapping
+from pathlib import Path
+
+import pytest
+import tiny
+
+from tflab.grading import batch, grade
+from tflab.grading.one import Job
+from tflab.grading.pack import read_pack
+from tflab.grading.sandbox import Sandbox
+
+ADDED = "def length(x, y):\n    return x + y"
+HANG = "def length(x, y):\n    while True: pass"
+HANG_ONCE = """
+calls = []
+def length(x, y):
+    calls.append(x)
+    while len(calls) == 4: pass
+    return math.hypot(x, y)
+"""
+
+
+def graded(course: tiny.Course, submissions: Path, out: Path, *words: str) -> dict[str, dict]:
+    """Grade, and return the records by learner."""
+    code = grade.main([str(submissions), "--pack", str(course.pack), "--out", str(out), "--quiet", *words])
+    assert code == 0
+    held = json.loads((out / "results.json").read_text(encoding="utf-8"))
+    return {record["learner"]: record for record in held["submissions"]}
+
+
+def points(record: Mapping) -> dict[str, float]:
+    return {task: row["points"] for task, row in record["chapters"][tiny.STEM]["tasks"].items()}
+
+
+def remarks(record: Mapping) -> list[str]:
+    chapters = [remark for chapter in record["chapters"].values() for remark in chapter["remarks"]]
+    return [remark["kind"] for remark in (*record["remarks"], *chapters)]
+
+
+def hand_in(course: tiny.Course, folder: Path, learner: str, answers: Mapping[str, str] = tiny.RIGHT) -> dict:
+    notebook = tiny.answered(course.exercise(learner), answers)
+    tiny.hand_in(folder, learner, notebook)
+    return notebook
+
+
+@pytest.fixture(scope="module")
+def results(course: tiny.Course, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, dict[str, dict]]:
+    """s101 answered rightly; s102 made a mistake, left a task, and has cells and files that are odd."""
+    folder = tmp_path_factory.mktemp("class")
+    hand_in(course, folder / "in", "s101")
+    notebook = hand_in(course, folder / "in", "s102", {"e3-2-answer": ADDED, "e3-1-answer": "total = 1 / 0"})
+    notebook["cells"][tiny.index_of(notebook, "e3-1-given")]["source"] = "e3_1 = None"
+    tiny.hand_in(folder / "in", "s102", notebook)
+    tiny.hand_in(folder / "in", "s102", b"no notebook", "notes.ipynb")
+    tiny.hand_in(folder / "in", "=cmd|'C calc'!A0", tiny.answered(tiny.exercise(course.workbook)), "03_<b>tiny.ipynb")
+    return folder / "out", graded(course, folder / "in", folder / "out", "--feedback", "full")
+
+
+def test_honest_work_gets_all_points(results: tuple[Path, dict]) -> None:
+    assert results[1]["s101"]["points"] == results[1]["s101"]["most"] == 8.0
+
+
+def test_a_mistake_is_named_and_an_error_said(results: tuple[Path, dict]) -> None:
+    tasks = results[1]["s102"]["chapters"][tiny.STEM]["tasks"]
+    assert (tasks["E3.2"]["twin"], tasks["E3.2"]["points"]) == ("added", 0.0)
+    assert [remark["words"]["error"] for remark in tasks["E3.1"]["remarks"]] == ["ZeroDivisionError"]
+    assert tasks["E3.3"]["status"] == "unanswered"
+
+
+def test_what_is_malformed_is_a_line_and_stops_nothing(results: tuple[Path, dict]) -> None:
+    assert "unreadable" in remarks(results[1]["s102"])
+    assert "plain" in remarks(results[1]["=cmd_'C calc'!A0"])  # nobody on the roster
+
+
+def test_the_table_has_a_row_for_each_learner_and_no_formula(results: tuple[Path, dict]) -> None:
+    text = (results[0] / "grades.csv").read_text(encoding="utf-8-sig")
+    rows = {row["learner"]: row for row in csv.DictReader(io.StringIO(text))}
+    assert (rows["s101"]["name"], rows["s101"]["total"], rows["s101"]["E3.2"]) == ("Kim Minji", "8", "4")
+    assert "'=cmd_'C calc'!A0" in rows
+    cells = [cell for row in csv.reader(io.StringIO(text)) for cell in row]
+    assert not [cell for cell in cells if cell[:1] in tuple("=+-@\t")]
+
+
+def test_each_learner_has_a_page_in_their_language(results: tuple[Path, dict]) -> None:
+    korean = (results[0] / "feedback" / "s101.html").read_text(encoding="utf-8")
+    english = (results[0] / "feedback" / "s102.html").read_text(encoding="utf-8")
+    assert '<html lang="ko">' in korean and "정답" in korean
+    assert "You added the legs." in english
+    assert "ZeroDivisionError" in english
+
+
+def test_pages_hold_no_input_no_expected_value_and_no_reference(
+    course: tiny.Course, results: tuple[Path, dict]
+) -> None:
+    pages = "".join(path.read_text(encoding="utf-8") for path in results[0].rglob("*.html"))
+    pages += (results[0] / "grades.csv").read_text(encoding="utf-8")
+    cases = read_pack(course.pack).cases[tiny.STEM]["tasks"]
+    for task in ("E3.1", "E3.2"):
+        for variant in cases[task]["variants"]:
+            for case in variant["cases"]:
+                assert str(case["expected"])[:8] not in pages
+                assert all(str(arg)[:8] not in pages for arg in case["args"] or ())
+    assert "hypot" not in pages
+
+
+def test_what_a_submission_holds_is_text_in_a_page(results: tuple[Path, dict]) -> None:
+    pages = "".join(path.read_text(encoding="utf-8") for path in results[0].rglob("*.html"))
+    assert "<b>tiny" not in pages
+    assert "<script" not in pages
+
+
+def test_the_class_page_says_the_same_in_pictures_and_in_words(results: tuple[Path, dict]) -> None:
+    page = (results[0] / "class.html").read_text(encoding="utf-8")
+    assert page.count('<img src="data:image/png;base64,') == 3
+    assert page.count("<details>") == 3
+    assert "E3.2 added (M1): 1" in page
+    assert "http" not in page.replace("http-equiv", "")
+
+
+@pytest.mark.parametrize(
+    ("level", "seen", "unseen"),
+    [("none", [], []), ("score", ["of 8 points"], ["added the legs"]), ("named", ["added the legs"], ["checks right"])],
+)
+def test_the_instructor_decides_what_learners_see(
+    course: tiny.Course, tmp_path: Path, level: str, seen: list[str], unseen: list[str]
+) -> None:
+    hand_in(course, tmp_path / "in", "s102", {**tiny.RIGHT, "e3-2-answer": ADDED})
+    graded(course, tmp_path / "in", tmp_path / "out", "--feedback", level)
+    page = tmp_path / "out" / "feedback" / "s102.html"
+    assert page.exists() == (level != "none")
+    text = page.read_text(encoding="utf-8") if page.exists() else ""
+    assert all(words in text for words in seen)
+    assert not any(words in text for words in unseen)
+
+
+def test_a_second_run_grades_only_what_changed(
+    course: tiny.Course, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    done: list[str] = []
+    really = batch.grade_job
+
+    def counted(job: Job, sandbox: Sandbox) -> dict:
+        done.append(job.learner)
+        return really(job, sandbox=sandbox)
+
+    monkeypatch.setattr(batch, "grade_job", counted)
+    for learner in ("s101", "s102"):
+        hand_in(course, tmp_path / "in", learner)
+    first = graded(course, tmp_path / "in", tmp_path / "out")
+    table = (tmp_path / "out" / "grades.csv").read_bytes()
+    assert graded(course, tmp_path / "in", tmp_path / "out") == first
+    assert sorted(done) == ["s101", "s102"]
+    assert (tmp_path / "out" / "grades.csv").read_bytes() == table
+    hand_in(course, tmp_path / "in", "s102", {"e3-3-answer": tiny.RIGHT["e3-3-answer"]})
+    again = graded(course, tmp_path / "in", tmp_path / "out")
+    assert sorted(done) == ["s101", "s102", "s102"]
+    assert again["s102"]["points"] == 2.0
+    assert len(list((tmp_path / "out" / "submissions").iterdir())) == 2
+
+
+def test_what_does_not_end_is_tried_once_more_alone_and_costs_its_own_points(
+    course: tiny.Course, tmp_path: Path
+) -> None:
+    hand_in(course, tmp_path / "in", "s101", {**tiny.RIGHT, "e3-2-answer": HANG})
+    hand_in(course, tmp_path / "in", "s102", {**tiny.RIGHT, "e3-2-answer": HANG_ONCE})
+    records = graded(course, tmp_path / "in", tmp_path / "out", "--seconds", "0.7")
+    assert points(records["s101"]) == {"E3.1": 2.0, "E3.2": 0.0, "E3.3": 2.0}
+    assert records["s101"]["tried_alone"] == {tiny.STEM: ["E3.2"]}
+    got = points(records["s102"])
+    assert got["E3.1"] == got["E3.3"] == 2.0
+    assert 0.0 < got["E3.2"] < 4.0
+
+
+@pytest.mark.parametrize("lms", ["canvas", "moodle"])
+def test_a_learning_system_gets_its_own_columns(course: tiny.Course, tmp_path: Path, lms: str) -> None:
+    hand_in(course, tmp_path / "in", "s102")
+    graded(course, tmp_path / "in", tmp_path / "out", "--lms", lms, "--assignment", "TF2")
+    rows = list(csv.reader(io.StringIO((tmp_path / "out" / "grades.csv").read_text(encoding="utf-8-sig"))))
+    wanted = {
+        "canvas": (["Student", "ID", "SIS User ID", "SIS Login ID", "Section", "TF2"], "Ada Byron"),
+        "moodle": (["ID number", "Full name", "Grade", "Maximum Grade", "Feedback comments"], "s102"),
+    }
+    assert (rows[0], rows[-1][0]) == wanted[lms]
+
+
+@pytest.mark.slow
+def test_two_processes_give_what_one_gives(course: tiny.Course, tmp_path: Path) -> None:
+    for learner in ("s101", "s102"):
+        hand_in(course, tmp_path / "in", learner, {**tiny.RIGHT, "e3-2-answer": ADDED})
+    graded(course, tmp_path / "in", tmp_path / "one")
+    graded(course, tmp_path / "in", tmp_path / "two", "--jobs", "2")
+    assert (tmp_path / "one" / "grades.csv").read_bytes() == (tmp_path / "two" / "grades.csv").read_bytes()
+
+
+@pytest.mark.slow
+def test_a_cluster_gives_what_one_process_gives(course: tiny.Course, tmp_path: Path) -> None:
+    from dask.distributed import LocalCluster
+
+    for learner in ("s101", "s102"):
+        hand_in(course, tmp_path / "in", learner, {**tiny.RIGHT, "e3-2-answer": ADDED})
+    graded(course, tmp_path / "in", tmp_path / "one")
+    with LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=None, processes=True) as cluster:
+        graded(course, tmp_path / "in", tmp_path / "two", "--scheduler", cluster.scheduler_address)
+    assert (tmp_path / "one" / "grades.csv").read_bytes() == (tmp_path / "two" / "grades.csv").read_bytes()
+
+
+def test_ctrl_c_keeps_what_is_done_and_the_same_command_goes_on(course: tiny.Course, tmp_path: Path) -> None:
+    hand_in(course, tmp_path / "in", "s101")
+    hand_in(course, tmp_path / "in", "s102", {"e3-1-answer": "while True: pass"})
+    command = [sys.executable, "-c", "import sys; from tflab.cli import main; sys.exit(main())", "grade"]
+    process = subprocess.Popen(
+        [*command, str(tmp_path / "in"), "--pack", str(course.pack), "--out", str(tmp_path / "out"), "--seconds", "60"],
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env={**os.environ},
+    )  # fmt: skip
+    while process.poll() is None and not list((tmp_path / "out" / "submissions").glob("s101-*.json")):
+        time.sleep(0.05)
+    process.send_signal(signal.SIGINT)
+    _, said = process.communicate(timeout=60)
+    assert process.returncode == 130
+    assert "the same command goes on from there" in said
+    hand_in(course, tmp_path / "in", "s102")
+    assert graded(course, tmp_path / "in", tmp_path / "out", "--seconds", "60")["s102"]["points"] == 8.0
+
+
+def test_submissions_that_are_not_there_are_one_line(
+    course: tiny.Course, tmp_path: Path, capsys: pytest.CaptureFixture
+) -> None:
+    assert grade.main([str(tmp_path / "nowhere"), "--pack", str(course.pack)]) == 2
+    said = capsys.readouterr().err
+    assert "there is no" in said and said.count("\n") == 1
+
+
+def test_an_empty_folder_is_a_class_that_handed_in_nothing(course: tiny.Course, tmp_path: Path) -> None:
+    (tmp_path / "in").mkdir()
+    records = graded(course, tmp_path / "in", tmp_path / "out")
+    assert [(record["points"], remarks(record)) for record in records.values()] == [(0.0, ["plain"])] * 2
+
+
+def test_no_pack_is_one_line(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
+    assert grade.main([str(tmp_path), "--pack", str(tmp_path)]) == 2
+    assert "there is no pack in" in capsys.readouterr().err
+
+
+def test_elsewhere_than_on_linux_it_says_so(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture) -> None:
+    monkeypatch.setattr(sys, "platform", "win32")
+    assert grade.main(["in", "--pack", "pack"]) == 2
+    assert "Linux" in capsys.readouterr().err

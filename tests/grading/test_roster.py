@@ -1,0 +1,81 @@
+"""Does a CSV file become a class, with one clear line for each row that is wrong?"""
+
+from __future__ import annotations
+
+import pytest
+
+from tflab.grading.roster import Learner, is_learner_id, read_roster
+
+
+def test_a_row_is_a_learner() -> None:
+    roster = read_roster("id,name,language\ns101,김민지,ko\ns102,Ada Byron,\n".encode())
+    assert roster.learners == {"s101": Learner("s101", "김민지", "ko"), "s102": Learner("s102", "Ada Byron", "en")}
+    assert roster.faults == ()
+
+
+def test_whose_row_names_no_language_has_the_courses() -> None:
+    assert read_roster(b"id\ns101\n", "ko").learners["s101"].language == "ko"
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "cp949"])
+def test_a_spreadsheet_may_write_it_in_any_encoding(encoding: str) -> None:
+    assert read_roster("id,name\ns101,김민지\n".encode(encoding)).learners["s101"].name == "김민지"
+
+
+@pytest.mark.parametrize("delimiter", [",", ";", "\t"])
+def test_columns_may_be_divided_as_the_spreadsheet_likes(delimiter: str) -> None:
+    text = "name,id\nAda,s102\n".replace(",", delimiter)
+    assert read_roster(text.encode()).learners == {"s102": Learner("s102", "Ada", "en")}
+
+
+def test_the_columns_of_learning_systems_are_known() -> None:
+    moodle = read_roster(b'"Full name","ID number","Email address"\n"Ada Byron",s102,a@b.c\n')
+    canvas = read_roster(b'Student,ID,SIS User ID\n"Byron, Ada",77,s102\n')
+    assert list(moodle.learners) == ["s102"]
+    assert moodle.learners["s102"].name == "Ada Byron"
+    assert canvas.learners
+
+
+@pytest.mark.parametrize(
+    ("row", "fault"),
+    [
+        ("a/b,x,en", 'row 2: "a/b" cannot be an id'),
+        ("..,x,en", 'row 2: ".." cannot be an id'),
+        ("=cmd(),x,en", 'row 2: "=cmd()" cannot be an id'),
+        ("con,x,en", 'row 2: "con" cannot be an id'),
+        (",x,en", "row 2: no id"),
+        ("s101,x,de", 'row 2: the language "de" is not there; there is en and ko'),
+    ],
+)
+def test_a_wrong_row_is_one_line_and_costs_nobody_else(row: str, fault: str) -> None:
+    roster = read_roster(f"id,name,language\n{row}\ns102,Ada,en\n".encode())
+    assert len(roster.faults) == 1
+    assert roster.faults[0].startswith(fault)
+    assert list(roster.learners) == ["s102"]
+
+
+def test_an_id_that_is_there_twice_is_taken_once() -> None:
+    roster = read_roster(b"id,name\ns101,A\nS101,B\n")
+    assert roster.learners == {"s101": Learner("s101", "A", "en")}
+    assert "twice" in roster.faults[0]
+
+
+@pytest.mark.parametrize("data", [b"", b"name\nAda\n", b"\0\xff\xfe"])
+def test_what_is_no_roster_is_one_line(data: bytes) -> None:
+    roster = read_roster(data)
+    assert not roster.learners
+    assert len(roster.faults) == 1
+
+
+def test_empty_rows_are_nothing() -> None:
+    assert read_roster(b"id,name\n\n , \ns101,A\n").faults == ()
+
+
+@pytest.mark.parametrize("text", ["s101", "20231234", "a.b-c_d@e.f"])
+def test_an_id_is_letters_digits_and_a_few_signs(text: str) -> None:
+    assert is_learner_id(text)
+
+
+@pytest.mark.parametrize("text", ["", "a b", "-a", ".a", "a.", "a..b", "nul", "NUL.txt", "a" * 65, "a\nb", "../x"])
+def test_an_id_is_the_name_of_a_folder_anywhere(text: str) -> None:
+    assert not is_learner_id(text)

@@ -1,0 +1,237 @@
+"""Is what a learning system gives sorted out: who handed in what, and what is refused?"""
+
+from __future__ import annotations
+
+import io
+import stat
+import zipfile
+from contextlib import suppress
+from pathlib import Path
+
+import pytest
+
+from tflab.grading import archives
+from tflab.grading.archives import archive_members, safe_parts
+from tflab.grading.reader import Unreadable
+from tflab.grading.roster import Learner
+from tflab.grading.submissions import Collection, collect
+
+CHAPTERS = ["02_axes", "03_tiny"]
+ROSTER = {"s101": Learner("s101", "Kim Minji", "ko"), "s102": Learner("s102", "Ada Byron"), "7": Learner("7", "Lee")}
+
+
+def put(folder: Path, *names: str, data: bytes = b"{}") -> Path:
+    for name in names:
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(data)
+    return folder
+
+
+def zipped(path: Path, files: dict[str, bytes]) -> Path:
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, data in files.items():
+            archive.writestr(name, data)
+    return path
+
+
+def who(collection: Collection) -> dict[str, list[str]]:
+    return {one.learner: ["/".join(member.parts) for member in one.notebooks] for one in collection.submissions}
+
+
+def remarks_of(collection: Collection, learner: str) -> tuple[str, ...]:
+    return next(one.remarks for one in collection.submissions if one.learner == learner)
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "s101/03_tiny.ipynb",
+        "s101/exercises/en/03_tiny.ipynb",
+        "submitted/s101/hw1/03_tiny.ipynb",
+        "submitted/S101/03_tiny.ipynb",
+        "Kim Minji_4711_assignsubmission_file_/03_tiny.ipynb",
+        "Minji Kim_4711_assignsubmission_file/03_tiny.ipynb",
+        "kimminji_4711_98765_03_tiny.ipynb",
+        "kimminji_LATE_4711_98765_03_tiny-1.ipynb",
+        "s101.ipynb",
+        "s101_03_tiny.ipynb",
+        "03_tiny_s101.ipynb",
+        "03_tiny (s101).ipynb",
+    ],
+)
+def test_a_learner_is_known_by_where_the_file_is(tmp_path: Path, name: str) -> None:
+    put(tmp_path, name, "s102/03_tiny.ipynb" if "submitted" not in name else "submitted/s102/03_tiny.ipynb")
+    found = who(collect(tmp_path, ROSTER, CHAPTERS))
+    assert len(found["s101"]) == len(found["s102"]) == 1
+
+
+def test_several_chapters_of_one_learner_are_one_submission(tmp_path: Path) -> None:
+    put(tmp_path, "kimminji_1_22_02_axes.ipynb", "kimminji_1_23_03_tiny.ipynb")
+    assert len(who(collect(tmp_path, ROSTER, CHAPTERS))["s101"]) == 2
+
+
+def test_a_path_that_says_nothing_is_settled_by_the_stamp(tmp_path: Path) -> None:
+    put(tmp_path, "upload/03_tiny.ipynb", data=b'{"metadata": {"tflab": {"learner": "s102"}}, "cells": []}')
+    assert who(collect(tmp_path, ROSTER, CHAPTERS))["s102"] == ["upload/03_tiny.ipynb"]
+
+
+def test_who_is_nobody_on_the_roster_is_graded_and_remarked(tmp_path: Path) -> None:
+    put(tmp_path, "stranger/03_tiny.ipynb")
+    collection = collect(tmp_path, ROSTER, CHAPTERS)
+    assert "nobody on the roster" in remarks_of(collection, "stranger")[0]
+    assert not next(one for one in collection.submissions if one.learner == "stranger").known
+
+
+def test_who_handed_in_nothing_is_on_the_list(tmp_path: Path) -> None:
+    put(tmp_path, "s101/03_tiny.ipynb")
+    assert remarks_of(collect(tmp_path, ROSTER, CHAPTERS), "s102") == ("nothing was handed in",)
+
+
+def test_without_a_roster_learners_go_by_their_folders_and_files(tmp_path: Path) -> None:
+    put(tmp_path, "ada/03_tiny.ipynb", "bob.ipynb", "03_tiny_eve.ipynb")
+    assert sorted(who(collect(tmp_path, None, CHAPTERS))) == ["ada", "bob", "eve"]
+
+
+def test_one_notebook_is_a_submission(tmp_path: Path) -> None:
+    put(tmp_path, "03_tiny.ipynb")
+    assert who(collect(tmp_path / "03_tiny.ipynb", None, CHAPTERS)) == {"03_tiny": ["03_tiny.ipynb"]}
+
+
+def test_an_empty_folder_and_one_without_a_notebook_are_a_line_each(tmp_path: Path) -> None:
+    (tmp_path / "s101").mkdir()
+    put(tmp_path, "s102/answers.docx", "s102/a.pdf")
+    collection = collect(tmp_path, ROSTER, CHAPTERS)
+    assert remarks_of(collection, "s101") == ("an empty folder",)
+    assert remarks_of(collection, "s102") == ("no notebook; there is a.pdf, answers.docx",)
+
+
+def test_what_browsers_add_to_a_name_is_no_matter(tmp_path: Path) -> None:
+    put(tmp_path, "s101/03_tiny.ipynb.txt", "s102/03_tiny.IPYNB")
+    found = who(collect(tmp_path, ROSTER, CHAPTERS))
+    assert found["s101"] and found["s102"]
+
+
+def test_checkpoints_and_pristine_copies_are_not_the_learners_work(tmp_path: Path) -> None:
+    put(tmp_path, "s101/03_tiny.ipynb", "s101/.ipynb_checkpoints/03_tiny-checkpoint.ipynb")
+    put(tmp_path, "s101/.tflab/pristine/03_tiny.ipynb", "__MACOSX/s101/._03_tiny.ipynb")
+    assert who(collect(tmp_path, ROSTER, CHAPTERS))["s101"] == ["s101/03_tiny.ipynb"]
+
+
+def test_a_link_to_a_folder_is_not_entered(tmp_path: Path) -> None:
+    put(tmp_path / "elsewhere", "03_tiny.ipynb")
+    put(tmp_path / "in", "s101/03_tiny.ipynb")
+    (tmp_path / "in" / "s102").symlink_to(tmp_path / "elsewhere")
+    collection = collect(tmp_path / "in", ROSTER, CHAPTERS)
+    assert who(collection)["s102"] == []
+    assert collection.remarks == ("s102: a link to another folder; left out",)
+
+
+def test_a_place_that_is_not_there_is_one_line(tmp_path: Path) -> None:
+    with pytest.raises(Unreadable, match="there is no"):
+        collect(tmp_path / "nowhere", ROSTER, CHAPTERS)
+
+
+def test_a_zip_is_read_as_the_folder_it_was(tmp_path: Path) -> None:
+    path = zipped(tmp_path / "all.zip", {"kimminji_1_2_03_tiny.ipynb": b"{}", "s102/03_tiny.ipynb": b"[]"})
+    collection = collect(path, ROSTER, CHAPTERS)
+    assert who(collection)["s101"] and who(collection)["s102"]
+    assert [one.notebooks[0].read() for one in collection.submissions if one.learner == "s102"] == [b"[]"]
+
+
+def test_a_zip_that_wraps_all_in_a_folder_is_unwrapped(tmp_path: Path) -> None:
+    path = zipped(tmp_path / "all.zip", {"hw1/s101/03_tiny.ipynb": b"{}", "hw1/s102/03_tiny.ipynb": b"{}"})
+    found = who(collect(path, ROSTER, CHAPTERS))
+    assert found["s101"] and found["s102"]
+
+
+def test_a_learners_own_zip_is_opened(tmp_path: Path) -> None:
+    (tmp_path / "in" / "Kim Minji_1_assignsubmission_file_").mkdir(parents=True)
+    zipped(tmp_path / "in" / "Kim Minji_1_assignsubmission_file_" / "my work.zip", {"exercises/03_tiny.ipynb": b"{}"})
+    zipped(tmp_path / "in" / "s102.zip", {"03_tiny.ipynb": b"{}"})
+    found = who(collect(tmp_path / "in", ROSTER, CHAPTERS))
+    assert found["s101"] and found["s102"]
+
+
+def test_a_broken_zip_costs_its_learner_only(tmp_path: Path) -> None:
+    put(tmp_path, "s101.zip", "s102/03_tiny.ipynb", data=b"PK nonsense")
+    collection = collect(tmp_path, ROSTER, CHAPTERS)
+    assert collection.remarks[0].startswith("s101.zip: not a zip file")
+    assert who(collection)["s102"]
+
+
+@pytest.mark.parametrize("name", ["../out.ipynb", "a/../../out.ipynb", "/etc/x.ipynb", "C:\\x.ipynb", "..\\x.ipynb"])
+def test_a_name_that_leads_out_is_refused(tmp_path: Path, name: str) -> None:
+    path = zipped(tmp_path / "all.zip", {name: b"{}", "s102/03_tiny.ipynb": b"{}"})
+    collection = collect(path, ROSTER, CHAPTERS)
+    assert len(collection.remarks) == 1
+    assert "leads out of the archive; refused" in collection.remarks[0]
+    assert [found for found in who(collection).values() if found] == [["s102/03_tiny.ipynb"]]
+
+
+def test_a_link_in_a_zip_is_refused(tmp_path: Path) -> None:
+    with zipfile.ZipFile(tmp_path / "all.zip", "w") as archive:
+        link = zipfile.ZipInfo("s101/03_tiny.ipynb")
+        link.create_system, link.external_attr = 3, (stat.S_IFLNK | 0o777) << 16
+        archive.writestr(link, "/etc/passwd")
+    members, refused = archive_members(tmp_path / "all.zip")
+    assert members == []
+    assert refused == ["s101/03_tiny.ipynb: a link to another file; refused"]
+
+
+def test_a_bomb_is_not_blown_up(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(archives, "MAX_BYTES", 1000)
+    members, _ = archive_members(zipped(tmp_path / "all.zip", {"s101.ipynb": bytes(10_000_000)}))
+    with pytest.raises(Unreadable, match="MB"):
+        members[0].read()
+
+
+def test_a_size_that_lies_is_found_when_it_is_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = zipped(tmp_path / "all.zip", {"s101.ipynb": bytes(10_000)})
+    data = path.read_bytes()
+    at = data.rindex(b"PK\x01\x02") + 24  # the size in the directory
+    path.write_bytes(data[:at] + (10).to_bytes(4, "little") + data[at + 4 :])
+    monkeypatch.setattr(archives, "MAX_BYTES", 1000)
+    (member,) = archive_members(path)[0]
+    with suppress(Unreadable):
+        assert len(member.read()) <= 1000
+
+
+def test_a_damaged_member_costs_itself_only(tmp_path: Path) -> None:
+    path = zipped(tmp_path / "all.zip", {"s101.ipynb": b"x" * 5000, "s102.ipynb": b"{}"})
+    data = bytearray(path.read_bytes())
+    data[45:60] = bytes(15)
+    path.write_bytes(data)
+    first, second = archive_members(path)[0]
+    with pytest.raises(Unreadable, match="damaged"):
+        first.read()
+    assert second.read() == b"{}"
+
+
+@pytest.mark.parametrize("encoding", ["cp949", "utf-8"])
+def test_korean_names_are_read_as_they_were_written(tmp_path: Path, encoding: str) -> None:
+    name = "김민지.ipynb".encode(encoding)
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w") as archive:
+        archive.writestr("X" * len(name), b"{}")
+    path = tmp_path / "all.zip"
+    path.write_bytes(buffer.getvalue().replace(b"X" * len(name), name))
+    assert archive_members(path)[0][0].parts == ("김민지.ipynb",)
+
+
+@pytest.mark.parametrize(("name", "parts"), [("a/./b", ("a", "b")), ("a\\b", ("a", "b")), ("a//b", ("a", "b"))])
+def test_a_harmless_name_is_its_parts(name: str, parts: tuple[str, ...]) -> None:
+    assert safe_parts(name) == parts
+
+
+@pytest.mark.parametrize("name", ["", "/", ".", "a\0b"])
+def test_a_name_of_nothing_is_none(name: str) -> None:
+    assert safe_parts(name) is None
+
+
+def test_a_stamp_never_adds_to_what_somebody_handed_in_themselves(tmp_path: Path) -> None:
+    put(tmp_path, "s102/03_tiny.ipynb")
+    put(tmp_path, "stranger/03_tiny.ipynb", data=b'{"metadata": {"tflab": {"learner": "s102"}}, "cells": []}')
+    collection = collect(tmp_path, ROSTER, CHAPTERS)
+    assert who(collection)["s102"] == ["s102/03_tiny.ipynb"]
+    assert remarks_of(collection, "stranger") == ('stamped for "s102", who handed in elsewhere; not graded for them',)

@@ -1,0 +1,176 @@
+"""Do only answers pass from a notebook into the master, and honest ones always?"""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+import tiny
+
+from tflab.grading.pack import read_pack
+from tflab.grading.reader import read_notebook
+from tflab.grading.transplant import Master, Transplant, transplant
+
+
+@pytest.fixture(scope="module")
+def master(course: tiny.Course) -> Master:
+    return read_pack(course.pack).masters[tiny.STEM]
+
+
+@pytest.fixture
+def notebook(course: tiny.Course) -> dict:
+    """The exercise with every task answered."""
+    return tiny.answered(course.exercise())
+
+
+def transplanted(master: Master, notebook: dict) -> Transplant:
+    return transplant(master, read_notebook(json.dumps(notebook).encode()))
+
+
+def kinds(done: Transplant) -> list[str]:
+    return [f"{piece.kind} {piece.name}" for piece in done.pieces]
+
+
+def source(done: Transplant, name: str) -> str:
+    return next(piece.source for piece in done.pieces if piece.name == name)
+
+
+def said(done: Transplant) -> list[str]:
+    return [f"{remark.kind} {remark.task}".strip() for remark in done.remarks]
+
+
+def cell(notebook: dict, name: str) -> dict:
+    return notebook["cells"][tiny.index_of(notebook, name)]
+
+
+def insert(notebook: dict, behind: str, *sources: str) -> None:
+    place = tiny.index_of(notebook, behind) + 1
+    notebook["cells"][place:place] = [tiny.own_cell(text, f"own-{n}") for n, text in enumerate(sources)]
+
+
+def test_answers_stand_in_the_master_with_a_probe_where_a_check_stood(master: Master, notebook: dict) -> None:
+    done = transplanted(master, notebook)
+    assert kinds(done) == [
+        "ours load", "ours imports",
+        "ours e3-1-given", "answer e3-1-answer", "probe e3-1-check",
+        "answer e3-2-answer", "probe e3-2-check",
+        "answer e3-3-answer", "probe e3-3-check",
+    ]  # fmt: skip
+    assert source(done, "e3-2-answer") == tiny.RIGHT["e3-2-answer"]
+    assert done.answered == ("E3.1", "E3.2", "E3.3")
+    assert said(done) == []
+
+
+def test_an_untouched_exercise_has_no_answer(master: Master, course: tiny.Course) -> None:
+    assert transplanted(master, course.exercise()).answered == ()
+
+
+@pytest.mark.parametrize("language", ["s101", "s102"])
+def test_the_language_of_the_page_is_no_matter(master: Master, course: tiny.Course, language: str) -> None:
+    assert transplanted(master, tiny.answered(course.exercise(language))).answered == ("E3.1", "E3.2", "E3.3")
+
+
+def test_what_is_given_is_never_the_learners(master: Master, notebook: dict) -> None:
+    cell(notebook, "e3-1-given")["source"] = "e3_1 = easier"
+    done = transplanted(master, notebook)
+    assert source(done, "e3-1-given") == 'e3_1 = task("E3.1")'
+    assert "easier" not in str(done.pieces)
+    assert said(done) == ["changed E3.1"]
+
+
+def test_an_answer_in_the_check_cell_is_looked_for_there(master: Master, notebook: dict) -> None:
+    cell(notebook, "e3-1-answer")["source"] = "total = ..."
+    cell(notebook, "e3-1-check")["source"] = "total = 3\ncheck('E3.1', total)"
+    done = transplanted(master, notebook)
+    order = [name for name in kinds(done) if "e3-1" in name]
+    assert order[-3:] == ["probe e3-1-check", "own e3-1-check+1", "probe e3-1-check-again"]
+
+
+def test_more_imports_in_our_cell_run_behind_ours(master: Master, notebook: dict) -> None:
+    cell(notebook, "imports")["source"] = "import math\nimport cmath"
+    done = transplanted(master, notebook)
+    assert kinds(done)[1:3] == ["ours imports", "own imports+1"]
+    assert said(done) == []
+
+
+def test_cells_of_ones_own_stay_where_they_were_put(master: Master, notebook: dict) -> None:
+    insert(notebook, "imports", "import cmath", "helper = 1")
+    insert(notebook, "e3-2-answer", "other = 2")
+    notebook["cells"].insert(0, tiny.own_cell("first = 0", "first"))
+    done = transplanted(master, notebook)
+    assert kinds(done)[0] == "own top+1"
+    assert kinds(done)[2:5] == ["ours imports", "own imports+1", "own imports+2"]
+    assert kinds(done)[9:11] == ["own e3-2-answer+1", "probe e3-2-check"]
+
+
+def test_text_of_ones_own_does_not_run(master: Master, notebook: dict) -> None:
+    notebook["cells"].insert(3, tiny.own_cell("# thoughts", "thoughts", kind="markdown"))
+    assert not any(piece.kind == "own" for piece in transplanted(master, notebook).pieces)
+
+
+def test_cells_in_another_order_run_in_the_masters(master: Master, notebook: dict) -> None:
+    notebook["cells"].reverse()
+    assert [name for name in kinds(transplanted(master, notebook)) if "answer" in name] == [
+        "answer e3-1-answer", "answer e3-2-answer", "answer e3-3-answer",
+    ]  # fmt: skip
+
+
+def test_two_different_cells_of_one_name_void_that_answer_only(master: Master, notebook: dict) -> None:
+    twin = cell(notebook, "e3-2-answer") | {"source": "def length(x, y): return 7", "id": "other"}
+    notebook["cells"].append(twin)
+    done = transplanted(master, notebook)
+    assert said(done) == ["twice E3.2"]
+    assert done.answered == ("E3.1", "E3.3")
+    assert "probe e3-2-check" not in kinds(done)
+
+
+def test_a_copy_that_is_the_same_or_was_left_empty_is_no_second_answer(master: Master, notebook: dict) -> None:
+    same = cell(notebook, "e3-2-answer")
+    stub = same | {"source": 'def length(x, y):\n    raise NotImplementedError("your turn")', "id": "stub"}
+    notebook["cells"] += [same | {"id": "copy"}, stub | {"source": ""}, stub]
+    done = transplanted(master, notebook)
+    assert said(done) == []
+    assert source(done, "e3-2-answer") == tiny.RIGHT["e3-2-answer"]
+
+
+def test_metadata_says_more_than_the_id(master: Master, notebook: dict) -> None:
+    answer = cell(notebook, "e3-2-answer")
+    answer["id"] = "4f2a"  # as some editors do
+    assert source(transplanted(master, notebook), "e3-2-answer") == tiny.RIGHT["e3-2-answer"]
+
+
+def test_without_metadata_the_id_serves(master: Master, notebook: dict) -> None:
+    for one in notebook["cells"]:
+        one["metadata"] = {}
+    assert transplanted(master, notebook).answered == ("E3.1", "E3.2", "E3.3")
+
+
+def test_without_both_our_cells_are_known_by_their_text_and_the_answers_lie_between(
+    master: Master, notebook: dict
+) -> None:
+    for number, one in enumerate(notebook["cells"]):
+        one["metadata"], one["id"] = {}, str(number)
+    done = transplanted(master, notebook)
+    assert done.answered == ("E3.1", "E3.2", "E3.3")
+    assert [piece.source for piece in done.pieces if piece.kind == "own"] == list(tiny.RIGHT.values())
+
+
+def test_an_answer_turned_into_text_does_not_run_and_is_said(master: Master, notebook: dict) -> None:
+    cell(notebook, "e3-3-answer")["cell_type"] = "markdown"
+    done = transplanted(master, notebook)
+    assert said(done) == ["no code E3.3"]
+    assert "E3.3" not in done.answered
+
+
+def test_a_lost_answer_cell_is_said(master: Master, notebook: dict) -> None:
+    del notebook["cells"][tiny.index_of(notebook, "e3-3-answer")]
+    assert said(transplanted(master, notebook)) == ["missing E3.3"]
+
+
+def test_blanks_at_the_ends_of_lines_are_no_change(master: Master, course: tiny.Course) -> None:
+    notebook = course.exercise()
+    for one in notebook["cells"]:
+        one["source"] = "".join(one["source"]).replace("\n", "  \r\n") + "\n\n"
+    done = transplanted(master, notebook)
+    assert done.answered == ()
+    assert said(done) == []

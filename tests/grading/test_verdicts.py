@@ -1,0 +1,157 @@
+"""Are outcomes worth what they should be, and is what went wrong said without giving anything away?"""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import pytest
+import tiny
+
+from tflab.grading.pack import read_pack
+from tflab.grading.remarks import KINDS, Remark
+from tflab.grading.verdicts import Verdict, judged, safe_error_name
+
+
+@pytest.fixture(scope="module")
+def tasks(course: tiny.Course) -> dict[str, Any]:
+    return read_pack(course.pack).for_learner("s102")[tiny.STEM]["tasks"]
+
+
+def expected(task: dict[str, Any]) -> dict[int, Any]:
+    outcomes = {number: case["expected"] for number, case in enumerate(task["cases"])}
+    return outcomes | ({len(outcomes): outcomes[0]} if task["is_function"] else {})
+
+
+def twin(task: dict[str, Any], name: str) -> dict[int, Any]:
+    return {number: case["twins"][name] for number, case in enumerate(task["cases"])}
+
+
+def said(verdict: Verdict) -> list[str]:
+    return [remark.kind for remark in verdict.remarks]
+
+
+@pytest.mark.parametrize("task_id", ["E3.1", "E3.2", "E3.3"])
+def test_what_the_solution_gives_gets_all_points(tasks: dict, task_id: str) -> None:
+    verdict = judged(task_id, tasks[task_id], expected(tasks[task_id]))
+    assert (verdict.status, verdict.points, verdict.remarks) == ("right", tasks[task_id]["points"], ())
+
+
+@pytest.mark.parametrize(("task_id", "name"), [("E3.1", "subtracted"), ("E3.2", "added"), ("E3.3", "swapped")])
+def test_a_mistake_is_named(tasks: dict, task_id: str, name: str) -> None:
+    verdict = judged(task_id, tasks[task_id], twin(tasks[task_id], name))
+    assert (verdict.status, verdict.points, verdict.twin) == ("wrong", 0.0, name)
+
+
+def test_points_are_for_each_probe(tasks: dict) -> None:
+    task = tasks["E3.2"]
+    outcomes = expected(task) | {1: -1.0, 2: -1.0}
+    verdict = judged("E3.2", task, outcomes)
+    count = len(task["cases"])
+    assert (verdict.status, verdict.passed, verdict.of) == ("partly", count - 2, count)
+    assert verdict.points == pytest.approx(4 * (count - 2) / count, abs=1e-3)
+
+
+def test_half_of_the_parts_is_half_of_the_points(tasks: dict) -> None:
+    verdict = judged("E3.3", tasks["E3.3"], {0: {"dict": {"target": "map", "source": "map"}}})
+    assert (verdict.status, verdict.points) == ("partly", 1.0)
+
+
+def test_a_function_that_changes_its_mind_loses_that_case(tasks: dict) -> None:
+    task = tasks["E3.2"]
+    verdict = judged("E3.2", task, expected(task) | {len(task["cases"]): 0.0})
+    assert (verdict.passed, said(verdict)) == (len(task["cases"]) - 1, ["unstable"])
+
+
+@pytest.mark.parametrize(
+    "answer",
+    [
+        None, True, "440", [], {}, {"dict": {}}, {"object": "Everything"}, {"float": "nan"}, {"float": "x"},
+        {"raises": 3}, {"raises": "Secret"}, {"tuple": None}, {"message": []}, {"Transform": 3}, {3: 4}, 10**400,
+        {"array": [[1], [1, 2]]}, {"unanswered": False}, {"dict": {"target": {"dict": {}}}}, {"sealed": {}},
+    ],
+)  # fmt: skip
+@pytest.mark.parametrize("task_id", ["E3.1", "E3.2", "E3.3"])
+def test_whatever_comes_back_is_judged_and_gets_nothing(tasks: dict, task_id: str, answer: Any) -> None:
+    task = tasks[task_id]
+    verdict = judged(task_id, task, dict.fromkeys(range(len(task["cases"]) + 1), answer))
+    assert verdict.points == 0.0
+    json.dumps(verdict.plain())
+
+
+def test_a_case_of_nonsense_costs_that_case_only(tasks: dict) -> None:
+    task = tasks["E3.2"]
+    verdict = judged("E3.2", task, expected(task) | {1: {"message": []}})
+    assert verdict.passed == len(task["cases"]) - 1
+
+
+def test_true_is_not_one(tasks: dict) -> None:
+    task = json.loads(json.dumps(tasks["E3.1"]))
+    task["cases"][0]["expected"] = 1.0
+    assert judged("E3.1", task, {0: True}).points == 0.0
+    assert judged("E3.1", task, {0: 1}).points == 2.0
+
+
+def test_no_answer_is_no_answer(tasks: dict) -> None:
+    unanswered = {"unanswered": True}
+    your_turn = {"raises": "NotImplementedError", "text": "your turn"}
+    assert judged("E3.1", tasks["E3.1"], {0: unanswered}).status == "unanswered"
+    cases = range(len(tasks["E3.2"]["cases"]))
+    assert judged("E3.2", tasks["E3.2"], dict.fromkeys(cases, your_turn)).status == "unanswered"
+
+
+def test_a_value_that_never_came_is_said(tasks: dict) -> None:
+    assert said(judged("E3.1", tasks["E3.1"], {})) == ["no result"]
+
+
+def test_an_exception_is_said_by_its_class_only(tasks: dict) -> None:
+    outcome = {"raises": "ValueError", "text": "hidden 3.14"}
+    verdict = judged("E3.2", tasks["E3.2"], dict.fromkeys(range(8), outcome))
+    assert said(verdict) == ["raises"]
+    assert "ValueError" in verdict.remarks[0].say("en")
+    assert "3.14" not in json.dumps(verdict.plain())
+
+
+def test_the_name_of_an_unknown_exception_is_not_repeated() -> None:
+    assert safe_error_name("ExtrapolationException") == "ExtrapolationException"
+    assert safe_error_name("hidden_3_14") == safe_error_name(None) == "an error of its own"
+
+
+def test_trouble_of_the_run_is_forgotten_if_all_is_right_nevertheless(tasks: dict) -> None:
+    trouble = [Remark("raised", "E3.1", error="NameError")]
+    assert judged("E3.1", tasks["E3.1"], expected(tasks["E3.1"]), trouble).remarks == ()
+    assert judged("E3.1", tasks["E3.1"], {0: 1e9}, trouble).status == "trouble"
+
+
+def test_what_a_sealed_check_accepts_at_the_rim_is_accepted(tasks: dict) -> None:
+    task = tasks["E3.1"]
+    tolerance = task["form"]["tolerance"]
+    near = task["cases"][0]["expected"] + 1.2 * tolerance
+    step = round(near / tolerance) - round(task["cases"][0]["expected"] / tolerance)
+    assert judged("E3.1", task, {0: near}).points == (2.0 if abs(step) <= 1 else 0.0)
+    assert judged("E3.1", task, {0: near + 2 * tolerance}).points == 0.0
+
+
+@pytest.mark.parametrize("kind", sorted(KINDS))
+def test_every_remark_can_be_said_in_both_languages(kind: str) -> None:
+    gaps = (
+        "cell",
+        "seconds",
+        "error",
+        "of_cases",
+        "wanted",
+        "wanted_ko",
+        "file",
+        "why",
+        "chapter",
+        "stamp",
+        "ours",
+        "text",
+    )
+    remark = Remark(kind, "E3.2", unit="mm", parts="a, b", **dict.fromkeys(gaps, "X"))
+    assert Remark.from_plain(json.loads(json.dumps(remark.plain()))) == remark
+    for language in ("en", "ko"):
+        text = remark.say(language)
+        assert text.startswith("E3.2: ")
+        assert "{" not in text and "\n" not in text
+    assert remark.say("en") != remark.say("ko") or kind == "file" or kind == "plain"
