@@ -149,6 +149,17 @@ def test_all_slides_are_seen_at_a_glance_and_one_is_picked(deck: Path, page) -> 
 
 
 @pytest.mark.browser
+def test_the_code_can_be_put_away_and_what_it_drew_stays(deck: Path, page) -> None:
+    page.goto(f"{deck.as_uri()}#crate")
+    assert "picture.text" in shown(page)
+    page.keyboard.press("c")
+    assert "picture.text" not in shown(page)
+    assert page.locator(".deck-current img[alt]").count() == 1
+    page.keyboard.press("c")
+    assert "picture.text" in shown(page)
+
+
+@pytest.mark.browser
 def test_the_theme_follows_the_machine_and_a_key(deck: Path, page) -> None:
     page.emulate_media(color_scheme="dark")
     page.goto(deck.as_uri())

@@ -42,6 +42,7 @@ KEYS = (
     ("o Esc", Words(en="all slides at a glance", ko="모든 슬라이드 보기")),
     ("s", Words(en="a window for the speaker", ko="발표자 창")),
     ("n", Words(en="the speaker's notes, here", ko="발표자 노트 보기")),
+    ("c", Words(en="with or without code", ko="코드 보이기, 숨기기")),
     ("f", Words(en="the whole screen", ko="전체 화면")),
     ("t", Words(en="light or dark", ko="밝게, 어둡게")),
     ("b", Words(en="a black screen", ko="검은 화면")),

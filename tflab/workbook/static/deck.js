@@ -136,7 +136,7 @@
   const keys = {
     ArrowRight: on, PageDown: on, " ": on, Enter: on, ArrowLeft: back, PageUp: back, Backspace: back,
     Home: () => go(0, 0), End: () => go(slides.length - 1, 0),
-    o: toggle("deck-overview"), n: toggle("deck-with-notes"), b: toggle("deck-black"), "?": toggle("deck-with-help"),
+    o: toggle("deck-overview"), n: toggle("deck-with-notes"), c: toggle("deck-without-code"), b: toggle("deck-black"), "?": toggle("deck-with-help"),
     t: () => setTheme(body.dataset.deck === "dark" ? "light" : "dark"),
     s: openSpeaker,
     f: () => (document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen()),
