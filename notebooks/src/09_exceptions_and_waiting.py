@@ -19,7 +19,7 @@
 # 이 장을 마치면 다음을 할 수 있습니다.
 #
 # - tf2의 예외를 의미로 구분하고, 각각 무엇부터 확인할지 말합니다.
-# - 외삽 오류문을 읽습니다. 어느 시각을 물었고, 어느 연결에서 막혔으며, 얼마나 벗어났는지 찾아냅니다.
+# - 외삽(extrapolation) 오류문을 읽습니다. 어느 시각을 물었고, 어느 연결에서 막혔으며, 얼마나 벗어났는지 찾아냅니다.
 # - 데이터가 늦은 것인지 시계가 틀린 것인지 가려냅니다.
 # - 답을 가져올 바로 그 스레드를 멈추지 않으면서 기다립니다.
 # - 얼마나 기다릴지, 몇 개까지 쌓아 둘지, 얼마나 오래된 데이터부터 로봇을 움직이는 데 쓰지 않을지 정책을 세웁니다.
@@ -35,7 +35,7 @@
 # %% [markdown] lang="en" name="what-you-need" slide="subslide"
 # ## What you need from chapters that are not here yet
 #
-# The chapters between 03 and 08 are still being written. This much of them is used here.
+# Chapters 04 to 07 are still being written. This page uses no more of them than this.
 #
 # - **The tree (04).** Every frame has at most one parent. A frame without a parent is a root. Two frames are connected if the way up from both ends at the same root.
 # - **The usual chain (05).** `map → odom → base_footprint → base_link → laser_frame`. A localiser publishes `map → odom`, the wheels' odometry publishes `odom → base_footprint`. So every lookup from `map` to a sensor needs news from *two* nodes.
@@ -45,12 +45,12 @@
 # %% [markdown] lang="ko" name="what-you-need" slide="subslide"
 # ## 아직 나오지 않은 장에서 필요한 내용
 #
-# 03장과 08장 사이는 아직 집필 중입니다. 이 장에서는 거기서 다음 내용만 가져다 씁니다.
+# 04장부터 07장까지는 아직 집필 중입니다. 이 장에서는 다음 내용만 알면 됩니다.
 #
 # - **트리(04).** 모든 좌표계는 부모를 최대 하나 가집니다. 부모가 없는 좌표계가 루트입니다. 두 좌표계에서 위로 올라가 같은 루트에 닿으면 서로 연결된 것입니다.
 # - **흔히 쓰는 체인(05).** `map → odom → base_footprint → base_link → laser_frame`. `map → odom`은 위치 추정 노드가, `odom → base_footprint`는 바퀴 오도메트리가 발행합니다. 따라서 `map`에서 센서까지 조회하려면 *두* 노드의 소식이 모두 필요합니다.
 # - **정적과 동적(06).** 볼트로 고정된 것은 `/tf_static`으로 한 번만 보내며 어느 시각에나 유효합니다. 움직이는 것은 `/tf`로 계속 보내고, 보낼 때마다 시각을 붙입니다.
-# - **노드(ROS 2 입문).** 노드에는 메시지가 오거나 타이머가 울릴 때 실행되는 *콜백*이 있습니다. 콜백을 부르는 것은 *실행기(executor)*입니다. `rclpy.spin(node)`는 스레드가 하나인 실행기라서 콜백을 한 번에 하나만 실행합니다.
+# - **노드(ROS 2 입문).** 노드에는 메시지가 오거나 타이머가 울릴 때 실행되는 *콜백(callback)*이 있습니다. 콜백을 부르는 것은 *실행기(executor)*입니다. `rclpy.spin(node)`는 스레드(thread)가 하나인 실행기라서 콜백을 한 번에 하나만 실행합니다.
 
 # %% name="load" slide="skip"
 # %load_ext tflab
@@ -421,7 +421,7 @@ buffer.lookup_transform('map', 'laser_fame', Time())
 # 어느 인자의 어느 이름인지 알려 줍니다. 버퍼가 그러듯이 이름을 한 글자씩 읽으십시오. (frame에서 r이 빠지면 fame, 명성이 됩니다.)
 #
 # 노드를 켠 뒤 처음 1초 동안에도 같은 예외가 나옵니다. 이름은 맞지만 발행자가 아직 말을 꺼내지 않은 것입니다.
-# 그래서 [[lookup exception|LookupException(프레임 조회 예외)]]은 오타*이거나* 너무 이른 질문입니다.
+# 그래서 [[lookup exception|LookupException(프레임 조회 예외)]]은 오타일 수도 있고, 너무 이른 질문일 수도 있습니다.
 
 # %% [markdown] lang="en" name="header-why" slide="subslide"
 # ### A name that you never typed
@@ -521,7 +521,7 @@ buffer.lookup_transform('/map', 'laser_frame', Time())
 # ### 예측: 두 결함이 한꺼번에
 #
 # `camera_link`는 여전히 별도의 트리에 매달려 있습니다(오타가 그대로 있습니다). 이제 최신 샘플보다 한참 뒤인 99 s에 `camera_link ← odom`을 묻습니다.
-# 경로도 *없고* 데이터도 없습니다. 어떤 예외가 나올까요?
+# 경로도 없고 데이터도 없습니다. 어떤 예외가 나올까요?
 
 # %% name="two-faults" slide="-"
 for when in (Time(seconds=99), Time()):
@@ -601,6 +601,13 @@ for target, source, second in (
 # %% [markdown] lang="en" name="future-past" slide="slide"
 # ## Future and past: what is behind them
 #
+# ```text
+# the buffer holds            [--------------]
+# asked for the past      x   [--------------]         past extrapolation
+# an answer                   [------x-------]
+# asked for the future        [--------------]   x     future extrapolation
+# ```
+#
 # | | asked for a moment … | ordinary causes | causes that no waiting cures |
 # | --- | --- | --- | --- |
 # | **future** | newer than the newest sample | the transform is on its way; its publisher is slow (10 Hz means up to 100 ms) | the sensor's clock is fast; the publisher's clock is slow; the publisher has died |
@@ -611,6 +618,13 @@ for target, source, second in (
 
 # %% [markdown] lang="ko" name="future-past" slide="slide"
 # ## 미래와 과거: 그 뒤에 있는 원인
+#
+# ```text
+# the buffer holds            [--------------]
+# asked for the past      x   [--------------]         past extrapolation
+# an answer                   [------x-------]
+# asked for the future        [--------------]   x     future extrapolation
+# ```
 #
 # | | 물어본 시각이 … | 흔한 원인 | 기다려도 낫지 않는 원인 |
 # | --- | --- | --- | --- |
@@ -1096,7 +1110,7 @@ draw_lanes(called)
 # | 기다리는 곳 | 알맞은 경우 |
 # | --- | --- |
 # | 기다리지 않음: 묻고, 실패하면 버립니다 | 빠른 센서. 어차피 0.1 s 뒤에 다음 스캔이 옵니다 |
-# | 콜백 안, 단 `MultiThreadedExecutor`*와 함께* | 1초에 몇 개뿐인 메시지, 짧은 timeout |
+# | 콜백 안. 단, `MultiThreadedExecutor`로 돌릴 때만 | 1초에 몇 개뿐인 메시지, 짧은 timeout |
 # | `TransformListener(buffer, node, spin_thread=True)` | 따로 spin하지 않을 때. 그 스레드가 노드 *전체*의 콜백을 실행합니다 |
 # | 퓨처(`wait_for_transform_async`) | 메시지가 많고 스레드가 하나일 때. 약속의 수를 제한하십시오 |
 # | `await buffer.lookup_transform_async(...)` | 같은 일을 *재진입* 그룹의 `async` 콜백에서 합니다. 다른 그룹이라면 지켜지지 않는 약속 하나가 그룹 전체를 영영 막습니다 |
@@ -1156,7 +1170,7 @@ draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 # With room for two, a third of the scans is dropped, and no decision is made on data older than 0.3 s.
 # **For moving a robot, new beats complete.** (For building a map afterwards, it may be the other way round.)
 #
-# A policy in one line each, for this robot: wait at most 0.1 s; then drop; keep two, the oldest goes; nothing older than 0.5 s moves a wheel.
+# A policy for a robot like this, in one line: wait at most 0.1 s; then drop; keep two, the oldest goes; nothing older than 0.5 s moves a wheel.
 
 # %% [markdown] lang="ko" name="queues-read" slide="subslide"
 # 4초입니다. 초속 0.5 m라면 로봇은 2미터 전에 본 것을 두고 브레이크를 밟습니다. 그런데도 로그에 빨간 줄은 하나도 없습니다.
@@ -1165,7 +1179,7 @@ draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 # 두 개만 두면 스캔의 3분의 1을 버리는 대신, 0.3 s보다 오래된 데이터로 내리는 결정은 하나도 없습니다.
 # **로봇을 움직일 때는 빠짐없는 것보다 새로운 것이 낫습니다.** (나중에 지도를 만들 때는 반대일 수 있습니다.)
 #
-# 이 로봇의 정책을 한 줄씩 적으면 이렇습니다. 최대 0.1 s 기다린다. 그다음에는 버린다. 두 개만 두고, 넘치면 가장 오래된 것을 버린다. 0.5 s보다 오래된 데이터로는 바퀴를 돌리지 않는다.
+# 이런 로봇의 정책을 적으면 이렇습니다. 최대 0.1 s 기다린다. 그다음에는 버린다. 두 개만 두고, 넘치면 가장 오래된 것을 버린다. 0.5 s보다 오래된 데이터로는 바퀴를 돌리지 않는다.
 
 # %% [markdown] lang="en" name="policy-notes" slide="notes"
 # Let them say a number before you run it; most say 0.15 s or 0.3 s.
@@ -1376,7 +1390,7 @@ graph.run(seconds=4)
 #
 # 이 장의 용어: [[lookup exception|LookupException]], [[connectivity exception|ConnectivityException]], [[extrapolation exception|ExtrapolationException]], [[invalid argument exception|InvalidArgumentException]], [[transform exception|TransformException]], [[clock offset|시계 차이]], [[jitter|지터]], [[message filter|메시지 필터]].
 
-# %% [markdown] lang="en" name="from-earlier" slide="-"
+# %% [markdown] lang="en" name="from-earlier" slide="subslide"
 # ## Three questions from earlier chapters
 #
 # **From 03.** The text says *from frame [laser_frame] to frame [map]*. Write the call that was made.
@@ -1387,7 +1401,7 @@ graph.run(seconds=4)
 #
 # </details>
 #
-# **From 08.** What does `Time()` ask for, and why did it get an answer at 14.0 s although the odometry had news until 14.6 s?
+# **From 08.** What does `Time()` ask for, and why is its answer in this page's buffer one for 14.0 s, although the odometry had news until 14.6 s?
 #
 # <details><summary>Answer</summary>
 #
@@ -1403,7 +1417,7 @@ graph.run(seconds=4)
 #
 # </details>
 
-# %% [markdown] lang="ko" name="from-earlier" slide="-"
+# %% [markdown] lang="ko" name="from-earlier" slide="subslide"
 # ## 앞 장에서 세 문제
 #
 # **03장에서.** 오류문에 *from frame [laser_frame] to frame [map]*이라고 나왔습니다. 어떤 호출이었는지 적으십시오.
@@ -1414,7 +1428,7 @@ graph.run(seconds=4)
 #
 # </details>
 #
-# **08장에서.** `Time()`은 무엇을 묻습니까? 오도메트리 소식은 14.6 s까지 있는데 왜 14.0 s의 답이 나왔을까요?
+# **08장에서.** `Time()`은 무엇을 묻습니까? 이 장의 버퍼에는 오도메트리 소식이 14.6 s까지 있는데, 왜 14.0 s의 답이 나올까요?
 #
 # <details><summary>답</summary>
 #
@@ -1430,7 +1444,7 @@ graph.run(seconds=4)
 #
 # </details>
 
-# %% [markdown] lang="en" name="practice" slide="-"
+# %% [markdown] lang="en" name="practice" slide="subslide"
 # ## Practice questions
 #
 # Answer on paper, then open the list and mark yourself: one point for each idea that is there.
@@ -1459,7 +1473,7 @@ graph.run(seconds=4)
 #
 # </details>
 
-# %% [markdown] lang="ko" name="practice" slide="-"
+# %% [markdown] lang="ko" name="practice" slide="subslide"
 # ## 연습 문제
 #
 # 종이에 답한 뒤 목록을 열어 스스로 채점하십시오. 담긴 내용 하나에 1점입니다.
