@@ -19,6 +19,7 @@
     journey    what happened to a message on its way
     latency    where was I when I saw it
     placed     how far off does a map put what was seen
+    moments    where is it now, if I saw it then
     work       who was busy, and what had to wait
     ages       how far behind, as time goes by
     panels     the same, with sliders
