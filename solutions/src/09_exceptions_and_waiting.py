@@ -42,7 +42,7 @@ from tf2_ros import LookupException, TransformException
 #
 # 모두 한 로봇에서 나온 여덟 줄과, 그때 버퍼에 들어 있던 내용입니다.
 #
-# - `"a"`~`"h"`: 어떤 종류입니까? `"lookup"`, `"connectivity"`, `"future"`, `"past"`, `"one sample"`, `"invalid argument"`, `"not a TransformException"` 가운데 하나입니다.
+# - `"a"`부터 `"h"`까지: 어떤 종류입니까? `"lookup"`, `"connectivity"`, `"future"`, `"past"`, `"one sample"`, `"invalid argument"`, `"not a TransformException"` 가운데 하나입니다.
 # - `"c edge"`, `"d edge"`: 어느 연결에서 막혔습니까? 그 연결의 자식 좌표계를 쓰십시오.
 # - `"h check"`: 무엇부터 확인합니까? `"spelling and publisher"`(철자와 발행자), `"roots of the tree"`(트리의 루트), `"use_sim_time"`, `"the line of code"`(그 코드 줄), `"a longer timeout"`(더 긴 timeout) 가운데 하나입니다.
 
@@ -186,7 +186,7 @@ e9_4 = task("E9.4")
 
 # %% name="e9-4-answer" tags=["answer"]
 # BEGIN SOLUTION
-causes = {}
+causes = {}  # {"a": the cause, "a do": what you do, "b": ..., "b do": ..., "c": ..., "c do": ...}
 for name, robot in (("a", e9_4.robot_a), ("b", e9_4.robot_b), ("c", e9_4.robot_c)):
     scan_s, odom_s = (np.diff(robot[topic], axis=1).ravel() for topic in ("scan", "odom"))
     if scan_s.min() < 0.0:  # heard before it was measured: no network does that
