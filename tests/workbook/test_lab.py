@@ -138,6 +138,7 @@ def test_a_copy_of_another_version_opens_as_it_is_and_update_is_offered(started:
     mark = json.loads((copy / "workbook.json").read_text())
     (copy / "workbook.json").write_text(json.dumps({**mark, "tflab": "0.0.1"}))
     handed_out.write("notebooks/en/00_start.ipynb", hello="print('new')")
+    handed_out.write("notebooks/en/04_more.ipynb", hello="print('more')")
     lab.os.chdir(copy.parent)
     capsys.readouterr()
     assert lab.lab(["mine"]) == 0
@@ -146,7 +147,9 @@ def test_a_copy_of_another_version_opens_as_it_is_and_update_is_offered(started:
 
     lab.os.chdir(copy.parent)
     assert lab.lab(["mine", "--update"]) == 0
-    assert "notebooks/en/00_start.ipynb: replaced by the new version" in capsys.readouterr().out
+    said = capsys.readouterr().out
+    assert "notebooks/en/00_start.ipynb: replaced by the new version" in said
+    assert "notebooks/en/04_more.ipynb: new\n" in said
     assert "new" in (copy / "notebooks/en/00_start.ipynb").read_text()
     assert read_workbook(copy).tflab == lab.__version__
 

@@ -69,3 +69,13 @@ def test_the_wheel_has_the_solutions_that_a_pass_opens_and_no_page_sources(insta
 def test_progress_is_shown_from_the_folder_that_holds_the_copy(installed: Path, tmp_path: Path) -> None:
     run(installed, tmp_path, "lab")
     assert "check를 통과해야만" in run(installed, tmp_path, "progress")
+
+
+def test_an_editable_install_is_the_repository(tmp_path: Path) -> None:
+    pytest.importorskip("hatchling", reason="no hatchling: pip install 'tflab[dev]'")
+    program = "import sys; from hatchling.build import build_editable; print(build_editable(sys.argv[1]))"
+    subprocess.run([sys.executable, "-c", program, str(tmp_path)], cwd=workbook_data(), check=True, capture_output=True)
+    (wheel,) = tmp_path.glob("*.whl")
+    with zipfile.ZipFile(wheel) as found:
+        (path,) = [name for name in found.namelist() if name.endswith(".pth")]
+        assert found.read(path).decode().strip() == str(workbook_data())

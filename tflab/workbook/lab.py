@@ -158,7 +158,7 @@ def _open(folder: Path, language: str | None, bring_in: bool) -> str:
     found = read_workbook(folder)
     language = language or found.language
     print(OPENED.say(language, folder=folder))
-    if found.tflab == __version__ or bring_in or language != found.language:
+    if language != found.language or (found.tflab == __version__ and not bring_in):
         lay_out(folder, language)  # what is missing
     if bring_in:
         _tell(update(folder), folder, language)
