@@ -41,13 +41,15 @@ def command(shown: Sequence[str], hidden: Sequence[str], file_bytes: int, enviro
         words += ["--cap-drop", "ALL", "--cap-add", "CAP_SETUID", "--cap-add", "CAP_SETGID"]
     else:
         words += ["--unshare-user", "--uid", str(LEARNER_UID), "--gid", str(LEARNER_UID)]
-    for folder in sorted({str(above) for path in shown for above in Path(path).parents} - {"/", *shown}):
+    words += ["--dir", "/home"]
+    for folder in ("/tmp", LEARNER_HOME):
+        words += ["--perms", "1777", "--size", str(file_bytes), "--tmpfs", folder]
+    above = {str(folder) for path in shown for folder in Path(path).parents}
+    for folder in sorted(above - {"/", "/tmp", "/home", *shown}):
         words += ["--perms", "0755", "--dir", folder]
     for path in shown:
         words += ["--symlink", os.readlink(path), path] if os.path.islink(path) else ["--ro-bind", path, path]
-    words += ["--proc", "/proc", "--dev", "/dev", "--dir", "/home"]
-    for folder in ("/tmp", LEARNER_HOME):
-        words += ["--perms", "1777", "--size", str(file_bytes), "--tmpfs", folder]
+    words += ["--proc", "/proc", "--dev", "/dev"]
     for path in hidden:
         if any(path.startswith(f"{folder}/") for folder in shown):
             words += ["--tmpfs", path] if os.path.isdir(path) else ["--ro-bind", "/dev/null", path]

@@ -179,14 +179,14 @@ def environment_of_the_server() -> dict[str, str]:
 
 def choose(hide: tuple[str, ...] = ()) -> Sandbox:
     """Return the best sandbox that works on this machine, tried out."""
-    reasons = []
+    reasons: list[str] = []
     for level in LEVELS:
-        sandbox = Sandbox(level, hide)
+        sandbox = Sandbox(level, hide, refused=tuple(reasons))
         try:
             for_this_process(sandbox).take(Limits()).close()
             return sandbox
         except (KernelError, OSError) as fault:
-            reasons.append(f"{level}: {fault}")
+            reasons.append(f"no {level}: {fault}")
             forget(sandbox)
     raise KernelError("no kernel can be started here; " + "; ".join(reasons))
 

@@ -74,7 +74,8 @@ def furnish(shown: Sequence[str], hidden: Sequence[str], file_bytes: int, uid: i
     os.mkdir(f"{root}/.old")
     check(libc.pivot_root(root.encode(), f"{root}/.old".encode()), "pivot_root")
     os.chdir("/")
-    for path in shown:
+    furnish_home(file_bytes)
+    for path in shown:  # some Pythons live in /tmp or /home
         show(path)
     furnish_proc()
     furnish_dev()
@@ -82,15 +83,6 @@ def furnish(shown: Sequence[str], hidden: Sequence[str], file_bytes: int, uid: i
     Path("/etc/passwd").write_text(f"learner:x:{uid}:{uid}::{LEARNER_HOME}:/bin/sh\n")
     Path("/etc/group").write_text(f"learner:x:{uid}:\n")
     Path("/etc/hosts").write_text("127.0.0.1 localhost\n")
-    size = f"size={file_bytes},nr_inodes=4k,mode=1777"
-    os.makedirs(LEARNER_HOME)
-    mount("tmpfs", LEARNER_HOME, "tmpfs", NOSUID | NODEV, size)
-    os.makedirs(f"{LEARNER_HOME}/.tmp")
-    os.chmod(f"{LEARNER_HOME}/.tmp", 0o1777)
-    os.makedirs("/tmp", exist_ok=True)
-    mount(f"{LEARNER_HOME}/.tmp", "/tmp", None, BIND)  # one room, two doors: one limit for both
-    os.makedirs("/dev/shm")
-    mount(f"{LEARNER_HOME}/.tmp", "/dev/shm", None, BIND)
     check(libc.umount2(b"/.old", DETACH), "umount /.old")
     os.rmdir("/.old")
     for path in hidden:
@@ -98,6 +90,17 @@ def furnish(shown: Sequence[str], hidden: Sequence[str], file_bytes: int, uid: i
     mount(None, "/", None, REMOUNT | BIND | RDONLY | NOSUID | NODEV)
     libc.sethostname(b"grader", 6)
     os.chdir(LEARNER_HOME)
+
+
+def furnish_home(file_bytes: int) -> None:
+    """A home and folders for temporary files: one room with three doors, so one limit for all of them."""
+    os.makedirs(LEARNER_HOME)
+    mount("tmpfs", LEARNER_HOME, "tmpfs", NOSUID | NODEV, f"size={file_bytes},nr_inodes=4k,mode=1777")
+    os.makedirs(f"{LEARNER_HOME}/.tmp")
+    os.chmod(f"{LEARNER_HOME}/.tmp", 0o1777)
+    for door in ("/tmp", "/dev/shm"):
+        os.makedirs(door, exist_ok=True)
+        mount(f"{LEARNER_HOME}/.tmp", door, None, BIND)
 
 
 def mount(source: str | None, target: str, kind: str | None, flags: int, data: str | None = None) -> None:

@@ -13,7 +13,7 @@ Read `namespaces.py` next.
 from __future__ import annotations
 
 import sys
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import tflab
@@ -45,6 +45,7 @@ class Sandbox:
 
     level: str = "namespaces"
     hide: tuple[str, ...] = ()
+    refused: tuple[str, ...] = field(default=(), compare=False)  # better ones that this machine has not, and why
 
     def __post_init__(self) -> None:
         if self.level not in GAPS:
@@ -59,7 +60,8 @@ class Sandbox:
         """Return one line for the report."""
         if not self.gaps:
             return f"Sandbox: {self.level}."
-        return f"Sandbox: {self.level}. Mind: {'; '.join(self.gaps)}."
+        why = f" ({'; '.join(self.refused)})" if self.refused else ""
+        return f"Sandbox: {self.level}{why}. Mind: {'; '.join(self.gaps)}."
 
     def shown(self) -> tuple[str, ...]:
         """Return the folders and files of this machine that a kernel may read: the system and Python, no home."""
