@@ -233,6 +233,18 @@ def test_a_solution_that_its_own_check_refuses_is_a_fault(tmp_path: Path, capsys
     assert 'cell "e3-1-check": the solution does not pass: E3.1 ✗' in capsys.readouterr().err
 
 
+def test_an_exercise_that_stops_or_passes_untouched_is_a_fault(tmp_path: Path, capsys) -> None:
+    stops = THIRD.replace("# END SOLUTION", "# END SOLUTION\n\n\nthird(3.0)")
+    passes = HALF.replace("# BEGIN", "half = e3_1.length / 2\n# BEGIN").replace(
+        "half = e3_1.length / 2  # [m]", "x = 1"
+    )
+    exercise(tmp_path, TITLE, LOAD, passes, stops)
+    assert build(["--root", str(tmp_path)]) == 1
+    said = capsys.readouterr().err
+    assert 'cell "e3-1-check": untouched, the exercise passes' in said
+    assert 'cell "e3-2-answer": untouched, the exercise raises NotImplementedError: your turn' in said
+
+
 def test_a_chapter_without_tasks_says_where_they_belong(tmp_path: Path, capsys) -> None:
     exercise(tmp_path)
     (tmp_path / "solutions" / "tasks" / "03_x.py").unlink()

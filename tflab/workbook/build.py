@@ -29,7 +29,7 @@ from typing import Any
 
 from .editions import exercise_notebook, lecture_notebook, text_of
 from .execute import Outputs, run_page
-from .exercise_rules import exercise_faults, score_faults
+from .exercise_rules import exercise_faults, score_faults, untouched, untouched_faults
 from .places import workbook_data
 from .rules import page_faults
 from .source import LANGUAGES, Fault, Page, PageError, read_page
@@ -172,6 +172,9 @@ async def _build_page(
             outputs, more = await run_page(page, f"{path.parent.parent.name}/{LANGUAGES[0]}", public)
             faults += more
             faults += score_faults(page, cases["tasks"] if cases else (), outputs)
+            if solved and not faults:
+                blanked, _ = await run_page(untouched(page), f"exercises/{LANGUAGES[0]}", public)
+                faults += untouched_faults(page, blanked)
             files = _solution_files(page, outputs, cases, public, faults) if solved else _lecture_files(page, outputs)
         except PageError as error:
             files, faults = {}, list(error.faults)

@@ -27,7 +27,7 @@ from .source import Cell, Fault, Page
 
 __all__ = ["LARGEST_PNG", "Outputs", "run_page"]
 
-SECONDS_FOR_A_CELL = 60
+SECONDS_FOR_A_CELL = 120
 LARGEST_PNG = 60_000
 ADDRESS = re.compile(r"\b0x[0-9a-fA-F]{6,}\b")
 WIDGET = "application/vnd.jupyter.widget-view+json"

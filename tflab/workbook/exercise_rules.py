@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 from difflib import get_close_matches
 
 from .blank import BlankError, blank, regions
@@ -19,7 +20,7 @@ from .editions import Outputs, slug, task_of
 from .source import LANGUAGES, Cell, Fault, Page
 from .tasks import Task
 
-__all__ = ["exercise_faults", "score_faults"]
+__all__ = ["exercise_faults", "score_faults", "untouched", "untouched_faults"]
 
 CALLS = ("check", "hint", "solution", "task")
 
@@ -43,6 +44,25 @@ def score_faults(page: Page, tasks: Iterable[str], outputs: Outputs) -> list[Fau
             if not printed.startswith(f"{task} ✓"):
                 wrong = f"the solution does not pass: {' '.join(printed.split())[:300]}"
                 found.append(page.fault(check, wrong, f"mend the answer, or {task} in solutions/tasks/{page.stem}.py"))
+    return found
+
+
+def untouched(page: Page) -> Page:
+    """Return a solution's page as a learner's kernel gets it: its regions blanked."""
+    cells = (replace(cell, source=blank(cell.source)) if cell.kind == "code" else cell for cell in page.cells)
+    return replace(page, cells=tuple(cells))
+
+
+def untouched_faults(page: Page, outputs: Outputs) -> list[Fault]:
+    """Return what is wrong with an exercise that was run untouched: it must reach its end, and pass nothing."""
+    found = []
+    for cell in page.code:
+        for output in outputs.get(cell.name, ()):
+            if output["output_type"] == "error" and "raises-exception" not in cell.tags:
+                wrong = f"untouched, the exercise raises {output['ename']}: {output['evalue']}"
+                found.append(page.fault(cell, wrong, "call nothing that is not answered yet"))
+            if "check" in cell.tags and "✓" in "".join(output.get("text", ())):
+                found.append(page.fault(cell, "untouched, the exercise passes", "take more of the answer out"))
     return found
 
 
