@@ -85,7 +85,7 @@
 # - **inverse (역변환)**: The transform that undoes another one: it turns back, and its translation is turned too.
 
 # %% [markdown] lang="ko" name="chapter-3" slide="skip"
-# ## 3장 · 목표와 원본
+# ## 3장 · Target과 source
 #
 # - **좌표 변환 (transform)**: 부모 좌표계에서 본 자식 좌표계의 위치와 방향, 곧 이동과 회전입니다.
 # - **부모 좌표계 (parent frame)**: 자식 좌표계의 위치와 방향을 적을 때 기준이 되는 좌표계이며, 메시지에서는 header.frame_id입니다.
@@ -180,7 +180,7 @@
 # - **motion distortion (움직임 왜곡)**: What a sensor's own motion does to data that takes time to measure: the rays of one sweep belong to different moments, and drawn with one pose they bend the walls.
 
 # %% [markdown] lang="ko" name="chapter-8" slide="skip"
-# ## 8장 · 버퍼와 측정 시각
+# ## 8장 · Buffer와 측정 시각
 #
 # - **변환 수신기 (listener)**: /tf와 /tf_static을 구독해 버퍼를 채우는 객체, TransformListener입니다.
 # - **변환 버퍼 (buffer)**: 최근의 변환을 연결마다 시간 순서로 담아 두고, 어느 시각에 한 좌표계가 다른 좌표계의 어디에 있었는지 답하는 저장소입니다.

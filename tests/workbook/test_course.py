@@ -13,6 +13,7 @@ from tflab.workbook.course import read_course
 from tflab.workbook.course_map import draw_course
 from tflab.workbook.glossary import UnknownTerm, expand, read_glossary
 from tflab.workbook.places import CASES, chapters, workbook_data
+from tflab.workbook.source import read_page
 from tflab.workbook.tasks import chapter_of
 
 # The lecture: 31 sections, 15 questions, 14 things to have done, 8 objectives; which chapter has which.
@@ -60,6 +61,14 @@ def test_every_practice_question_has_its_chapter() -> None:
         number: {chapter.number for chapter in course.chapters if number in chapter.practice} for number in range(1, 16)
     }
     assert found == PRACTICE
+
+
+@pytest.mark.parametrize("stem", chapters())
+def test_a_chapter_ends_with_its_practice_questions_and_a_rubric_for_each(stem: str) -> None:
+    page = read_page(workbook_data() / "notebooks" / "src" / f"{stem}.py")
+    questions = next(chapter.practice for chapter in read_course().chapters if chapter.stem == stem)
+    texts = [cell.source for cell in page.cells if cell.name == "practice"]
+    assert [text.count("<details>") for text in texts] == [len(questions)] * 2  # English and Korean
 
 
 def test_objectives_and_checklist_are_shown_by_tasks_of_their_chapters() -> None:
@@ -111,7 +120,7 @@ def test_the_table_links_what_is_there_and_says_what_is_to_come(tmp_path: Path) 
     (tmp_path / "notebooks/src").mkdir(parents=True)
     (tmp_path / "notebooks/src/03_target_and_source.py").write_text("")
     lines = chapter_table("ko", tmp_path).splitlines()
-    assert "**[목표와 원본](03_target_and_source.ipynb)**" in lines[4]
+    assert "**[Target과 source](03_target_and_source.ipynb)**" in lines[4]
     assert "준비 중" in lines[5]
 
 

@@ -67,6 +67,7 @@ def test_notebooks_that_write_at_once_lose_nothing(copy: Path) -> None:
         '{"format": 99, "tasks": {}}',
         '{"format": 1, "tasks": {"E3.2": {"stars": 5}}}',
         '{"format": 1, "tasks": {"E3.2": 5}}',
+        '{"format": 1, "tasks": {"E3.2": {"tries": "many"}}}',
     ],
 )
 def test_a_file_that_cannot_be_read_is_kept_aside_and_said(text: str, copy: Path, capsys) -> None:

@@ -104,7 +104,15 @@ def _change(root: Path, task_id: str, change) -> Attempts:
 def _tasks(found: dict) -> dict[str, Attempts]:
     if found["format"] != FORMAT:
         raise ValueError(f"it has format {found['format']}, and this tflab knows format {FORMAT}")
-    return {name: Attempts(**line) for name, line in found["tasks"].items()}
+    return {name: _attempts(line) for name, line in found["tasks"].items()}
+
+
+def _attempts(line: dict) -> Attempts:
+    read = Attempts(**line)
+    for name, value in asdict(Attempts()).items():
+        if type(getattr(read, name)) is not type(value):
+            raise ValueError(f'"{name}" is {getattr(read, name)!r}')
+    return read
 
 
 def _keep_aside(path: Path, error: Exception) -> None:
