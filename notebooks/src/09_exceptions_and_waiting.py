@@ -391,13 +391,13 @@ for stamp_ns in (14_000_000_000, 14_000_000_001):
 # ## Break it, one by one
 #
 # Now meet each "no" on purpose, while nothing is at stake. The red texts are those of a robot, to the letter.
-# (On a robot a traceback stands above them. The next line leaves it out: what counts is the **last** line.)
+# (On a robot a traceback stands above them. The next line leaves it out: what counts is the **last** line. `%xmode Context` brings it back.)
 
 # %% [markdown] lang="ko" name="break-it" slide="slide"
 # ## 하나씩 일부러 망가뜨리기
 #
 # 잃을 것이 없는 지금, "아니요"를 하나씩 일부러 만나 봅시다. 빨간 글은 실제 로봇의 것과 글자까지 같습니다.
-# (로봇에서는 그 위에 traceback이 길게 나옵니다. 아래 줄은 그것을 생략합니다. 중요한 것은 **마지막** 줄입니다.)
+# (로봇에서는 그 위에 traceback이 길게 나옵니다. 아래 줄은 그것을 생략합니다. 중요한 것은 **마지막** 줄입니다. `%xmode Context`라고 쓰면 다시 나옵니다.)
 
 # %% name="short-errors" slide="-"
 # %xmode Minimal
@@ -634,6 +634,34 @@ for target, source, second in (
 # 과거라면 기다림은 정의상 소용이 없습니다. 지나간 데이터는 돌아오지 않습니다.
 # 미래라면 기다림이 도움이 될 *수도* 있습니다. 이 장의 나머지는 그 "수도"에 관한 이야기입니다.
 
+# %% [markdown] lang="en" name="short-memory" slide="subslide"
+# ### A past that was there, and is gone
+#
+# A detector needs four seconds for each picture. Its buffer remembers two. The transform it asks for *was* there, when the picture was taken.
+
+# %% [markdown] lang="ko" name="short-memory" slide="subslide"
+# ### 있었지만 사라진 과거
+#
+# 검출기가 영상 한 장을 처리하는 데 4초가 걸립니다. 버퍼는 2초를 기억합니다. 영상을 찍었을 때는 필요한 변환이 분명히 *있었습니다*.
+
+# %% name="two-seconds" slide="-"
+forgetful = Buffer(cache_time=Duration(seconds=2))
+for tenth in range(100, 161):  # 10.0 ... 16.0 s
+    base = StampedTransform('odom', 'base_footprint', seconds(tenth / 10), Transform((tenth / 100, 0.0, 0.0)))
+    forgetful.core.set_transform(base, 'wheel_odometry')
+try:
+    forgetful.lookup_transform('odom', 'base_footprint', Time(seconds=12.0))
+except ExtrapolationException as error:
+    print(error)
+
+# %% [markdown] lang="en" name="short-memory-read" slide="-"
+# The cure is in the constructor: `Buffer(cache_time=Duration(seconds=20))`. Ten seconds is what you get if you say nothing.
+# But ask first whether a robot should act on a picture that is four seconds old. We come back to that.
+
+# %% [markdown] lang="ko" name="short-memory-read" slide="-"
+# 치료는 생성자에 있습니다. `Buffer(cache_time=Duration(seconds=20))`입니다. 아무 말도 하지 않으면 10초입니다.
+# 다만 4초 전의 영상을 보고 로봇이 움직여도 되는지부터 물으십시오. 이 이야기는 뒤에서 다시 합니다.
+
 # %% [markdown] lang="en" name="late-or-wrong" slide="slide"
 # ## Late, or wrong?
 #
@@ -851,6 +879,14 @@ print(f'{len(placer.placed)} scans placed, {placer.failures} failed')
 # 경고가 하나도 없습니다. 로그는 초록색이고, 게시판 말이 맞았습니다.
 # 이제 굽이에서 얻은 점들이 어디에 찍혔는지, 원래 있어야 할 자리 옆에 그려 봅시다.
 
+# %% [markdown] lang="en" name="plaster-notes" slide="notes"
+# Before the picture, take a vote: is the map right or wrong? The log is green, so most will say right.
+# After it, come back to the hands of the beginning.
+
+# %% [markdown] lang="ko" name="plaster-notes" slide="notes"
+# 그림을 보여 주기 전에 손을 들게 하십시오. 지도는 맞습니까, 틀립니까? 로그가 초록색이라 대부분 맞다고 합니다.
+# 그림을 본 다음, 처음에 손을 들었던 사람들에게 돌아가십시오.
+
 # %% name="plaster-points" slide="-"
 def points_of(placed, clock_error_s):
     clouds = []
@@ -877,7 +913,7 @@ draw_placed(
 # **Waiting cures lateness. It does not cure a clock: it hides it.** (And each scan is now used 0.2 s later than it need be.)
 # Even on the left the points do not lie on the walls exactly: the robot turns while the laser sweeps, which is a story of chapter 08.
 #
-# What if the clock were 2 s fast? Then even the plaster would fall off: each wait of one second would expire, scan after scan, for as long as the robot runs.
+# And what if the clock is 2 s fast? Then even the plaster falls off.
 
 # %% [markdown] lang="ko" name="plaster-read" slide="subslide"
 # 기다림은 매번 끝났습니다. 잠시 뒤 TF가 *틀린* 시각을 따라잡았기 때문입니다.
@@ -887,15 +923,21 @@ draw_placed(
 # **기다림은 늦음을 고칩니다. 시계는 고치지 못하고 숨길 뿐입니다.** (게다가 이제 스캔마다 쓸데없이 0.2 s 늦게 씁니다.)
 # 왼쪽에서도 점들이 벽에 정확히 놓이지는 않습니다. 라이다가 한 바퀴 훑는 동안 로봇이 돌기 때문이며, 08장에서 다룬 이야기입니다.
 #
-# 시계가 2 s 빨랐다면 어땠을까요? 그때는 반창고마저 떨어집니다. 1초씩 기다리다가 매번 시간이 다 되고, 로봇이 달리는 내내 스캔마다 그렇게 됩니다.
+# 시계가 2 s 빠르면 어떨까요? 그때는 반창고마저 떨어집니다.
 
-# %% [markdown] lang="en" name="plaster-notes" slide="notes"
-# Before the picture, take a vote: is the map right or wrong? The log is green, so most will say right.
-# After it, come back to the hands of the beginning.
+# %% name="plaster-off" slide="-"
+graph = new_graph()
+graph.set_clock_offset('laser_driver', 2.0)
+launch(graph)
+graph.start(watch, ScanPlacer, MultiThreadedExecutor)
+graph.run(seconds=9)
+print(f'{len(nodes[-1].placed)} scans placed, {nodes[-1].failures} failed')
 
-# %% [markdown] lang="ko" name="plaster-notes" slide="notes"
-# 그림을 보여 주기 전에 손을 들게 하십시오. 지도는 맞습니까, 틀립니까? 로그가 초록색이라 대부분 맞다고 합니다.
-# 그림을 본 다음, 처음에 손을 들었던 사람들에게 돌아가십시오.
+# %% [markdown] lang="en" name="plaster-off-read" slide="-"
+# Every single wait expires, after its full second, for as long as the robot runs. Nothing that is on its way takes that long *every* time.
+
+# %% [markdown] lang="ko" name="plaster-off-read" slide="-"
+# 1초를 꽉 채워 기다리다 매번 시간이 다 되고, 로봇이 달리는 내내 그렇습니다. 오는 중인 데이터라면 *매번* 그렇게 오래 걸리지는 않습니다.
 
 # %% [markdown] lang="en" name="plaster-3d" slide="subslide"
 # ### The same in 3D

@@ -20,7 +20,7 @@
 
 # %% name="load"
 # %load_ext tflab
-from tflab.workbook import check, hint, task
+from tflab.workbook import check, hint, solution, task
 
 # %% name="imports"
 import numpy as np

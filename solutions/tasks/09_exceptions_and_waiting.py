@@ -272,6 +272,15 @@ def no_sign(given) -> dict:
     return guess(given, lambda scan, odom: LATE if np.ptp(odom) > 0.1 else UNKNOWN)
 
 
+def long_timeout(given) -> dict:
+    def cause_of(scan, odom) -> str:
+        return FAST if scan.min() < 0 else LATE if np.ptp(odom) > 0.1 else UNKNOWN
+
+    answer = guess(given, cause_of)
+    late = next(name for name in "abc" if answer[name] == LATE)
+    return {**answer, f"{late} do": "set a timeout of 10 s"}
+
+
 # E9.5: a queue ---------------------------------------------------------------------
 
 
@@ -295,7 +304,17 @@ def queues(rng: np.random.Generator) -> list[tuple]:
 
 
 def kept(
-    stamps_s, now_s, max_age_s, max_size, *, oldest=False, ages=True, sizes=True, future=False, by_place=False, backwards=False
+    stamps_s,
+    now_s,
+    max_age_s,
+    max_size,
+    *,
+    oldest=False,
+    ages=True,
+    sizes=True,
+    future=False,
+    by_place=False,
+    backwards=False,
 ) -> dict:
     """Return what a policy keeps; the options are the mistakes."""
     young = [s for s in stamps_s if not ages or (now_s - s <= max_age_s and (future or s <= now_s))]
@@ -485,6 +504,10 @@ TASKS = (
                  reply=Words(
                      en="not all three are late. Subtract stamp from heard for each message first, and look at the sign and at how much the numbers tremble.",
                      ko="셋 다 늦은 것은 아닙니다. 먼저 메시지마다 들은 시각에서 측정 시각을 빼고, 부호와 떨림을 보십시오.")),
+            Twin("ten seconds for the late one", long_timeout, misconception="M10",
+                 reply=Words(
+                     en="the causes are right. But the late robot is late by about a third of a second: whoever may wait ten will one day decide on data that is ten seconds old.",
+                     ko="원인은 맞았습니다. 하지만 늦은 로봇도 겨우 3분의 1초 늦습니다. 10초를 기다려도 되는 로봇은 언젠가 10초 묵은 데이터로 결정합니다.")),
             Twin("tremble overlooked", no_tremble, misconception="M10",
                  reply=Words(
                      en="the robot with the negative delay is right. Of the other two, one trembles and one is smooth as glass: can a smooth delay only be a slow network?",
