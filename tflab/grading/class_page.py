@@ -1,10 +1,11 @@
 """What does the class misunderstand?  One page for the instructor: mistakes by count, hardest tasks, distribution.
 
+    what is misunderstood     M1 target and source swapped  ##########  57
     which mistakes            E3.2 swapped (M1)      ################  31 of 180
     how hard the tasks are    E3.4                   #######......     52 %
     how the class did         0 .. 100 %             ..:|||::.
 
-Each picture stands beside the same in words.  Read `class_figures.py` next.
+Each picture stands beside the same in words.  Read `misconceptions.py` next.
 """
 
 from __future__ import annotations
@@ -18,7 +19,8 @@ from tflab.workbook.words import Words
 from .class_figures import bars, histogram
 from .feedback import STATUS
 from .gradebook import remarks_of, tasks_of, verdicts_of
-from .html import figure, page, points, rows, text
+from .html import figure, page, points, prose, rows, text
+from .misconceptions import MISCONCEPTIONS
 
 __all__ = ["Mistake", "class_page", "mistakes"]
 
@@ -26,6 +28,7 @@ MOST_BARS = 14
 TITLE = Words("The class", "반 전체 결과")
 COUNTED = Words("{graded} graded, {empty} with nothing to grade.", "{graded}명 채점, {empty}명은 채점할 것이 없습니다.")
 TOOK = Words("Running them took {seconds} s in all.", "실행에 모두 {seconds}초가 걸렸습니다.")
+MISUNDERSTOOD = Words("What is misunderstood", "무엇을 잘못 알고 있는가")
 MISTAKES = Words("Which mistakes", "어떤 실수를 하였는가")
 NO_MISTAKES = Words("No answer was one of the named mistakes.", "이름 붙은 실수와 일치한 답이 없습니다.")
 HARDEST = Words("How hard the tasks were", "과제의 난이도")
@@ -83,7 +86,9 @@ def class_page(
     took = TOOK.say(language, seconds=f"{sum(record['seconds'] for record in records):.1f}")
     body = [f"<h1>{text(TITLE.say(language))}</h1>", f"<p>{text(counted)} {text(took)}</p>"]
     if graded:
-        body += _mistakes(graded, cases, language)
+        found = mistakes(graded, cases)
+        body += _misunderstood(found, language)
+        body += _mistakes(found, len(graded), language)
         body += _hardest(graded, language)
         body += _distribution(graded, language)
     body += [f"<h2>{text(EVERYBODY.say(language))}</h2>", _everybody(records, language)]
@@ -94,29 +99,46 @@ def class_page(
     return page(TITLE.say(language), language, body)
 
 
-def _mistakes(graded: Sequence[Mapping[str, Any]], cases: Mapping[str, Any], language: str) -> list[str]:
-    found = mistakes(graded, cases)
+def _misunderstood(found: Sequence[Mistake], language: str) -> list[str]:
+    """Return the thoughts behind the mistakes, by how many answers they spoilt."""
+    counts: Counter[str] = Counter()
+    for one in found:
+        if one.misconception in MISCONCEPTIONS:
+            counts[one.misconception] += one.count
+    if not counts:
+        return []
+    order = sorted(counts, key=lambda name: (-counts[name], int(name[1:])))
+    named = [(f"{MISCONCEPTIONS[name].en} ({name})", counts[name]) for name in order]
+    picture = bars(named, "answers", most=max(counts.values()), title="misconceptions by the answers they spoilt")
+    body = [f"<h2>{text(MISUNDERSTOOD.say(language))}</h2>"]
+    body.append(figure(picture.png(), picture.text, picture.size_px[0], IN_WORDS.say(language)))
+    if language != "en":  # figures are in English
+        body.append(
+            f"<p>{text(', '.join(f'{MISCONCEPTIONS[name].say(language)} {counts[name]}' for name in order))}</p>"
+        )
+    return body
+
+
+def _mistakes(found: Sequence[Mistake], graded: int, language: str) -> list[str]:
     body = [f"<h2>{text(MISTAKES.say(language))}</h2>"]
     if not found:
         return [*body, f"<p>{text(NO_MISTAKES.say(language))}</p>"]
-    by_misconception = Counter({one.misconception: 0 for one in found if one.misconception})
-    for one in found:
-        by_misconception[one.misconception] += one.count if one.misconception else 0
     named = [(_label(one), one.count) for one in found[:MOST_BARS]]
-    picture = bars(named, "learners", most=len(graded), title="named mistakes")
+    picture = bars(named, "learners", most=graded, title="named mistakes")
     cells = [
-        (f"{one.count} / {len(graded)}", text(one.task), text(_label(one, task=False)), text(one.reply.say(language)))
+        (f"{one.count} / {graded}", text(one.task), text(_label(one, task=False)), prose(one.reply.say(language)))
         for one in found
     ]
-    sums = ", ".join(f"{name} {count}" for name, count in by_misconception.most_common() if count)
-    body += [figure(picture.png(), picture.text, picture.size_px[0], IN_WORDS.say(language))]
-    body += [f'<p class="quiet">{text(sums)}</p>'] if sums else []
-    return [*body, rows([head.say(language) for head in MISTAKE_HEADS], cells, numbers=(0,))]
+    return [
+        *body,
+        figure(picture.png(), picture.text, picture.size_px[0], IN_WORDS.say(language)),
+        rows([head.say(language) for head in MISTAKE_HEADS], cells, numbers=(0,), widths=(10, 8, 24, 58)),
+    ]
 
 
 def _label(one: Mistake, task: bool = True) -> str:
     misconception = f" ({one.misconception})" if one.misconception else ""
-    return f"{one.task + ' ' if task else ''}{one.name}{misconception}"
+    return f"{one.task + ' ' if task else ''}{one.name.replace('_', ' ')}{misconception}"
 
 
 def _hardest(graded: Sequence[Mapping[str, Any]], language: str) -> list[str]:
@@ -150,4 +172,4 @@ def _everybody(records: Sequence[Mapping[str, Any]], language: str) -> str:
         signs = " ".join(f"{task}&nbsp;{STATUS[row['status']][0]}" for task, row in verdicts_of(record).items())
         lines = [remark.say(language) for remark in remarks_of(record)]
         cells.append((name, got, signs, "<br>".join(text(line) for line in dict.fromkeys(lines))))
-    return rows([head.say(language) for head in HEADS], cells, numbers=(1,))
+    return rows([head.say(language) for head in HEADS], cells, numbers=(1,), widths=(20, 12, 38, 30))

@@ -13,11 +13,13 @@ Read `html.py` next.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import lru_cache
 from typing import Any
 
+from tflab.workbook.course import read_course
 from tflab.workbook.words import Words
 
-from .html import page, points, rows, text
+from .html import page, points, prose, rows, text
 from .remarks import Remark
 
 __all__ = ["LEVELS", "STATUS", "feedback_page"]
@@ -77,7 +79,8 @@ def feedback_page(record: Mapping[str, Any], cases: Mapping[str, Any], level: st
 def _chapter(stem: str, chapter: Mapping[str, Any], tasks: Mapping[str, Any], level: str, language: str) -> list[str]:
     of_chapter = chapter["tasks"].values()
     got, most = (points(sum(row[name] for row in of_chapter)) for name in ("points", "most"))
-    heading = f"{stem[:2]} · {stem[3:].replace('_', ' ')}"
+    title = _titles().get(stem)
+    heading = f"{stem[:2]} · {title.say(language) if title else stem[3:].replace('_', ' ')}"
     score = OF.say(language, points=got, most=most)
     body = [f"<h2>{text(heading)}</h2>", f"<p>{text(score)}</p>"]
     if level == "score":
@@ -86,7 +89,7 @@ def _chapter(stem: str, chapter: Mapping[str, Any], tasks: Mapping[str, Any], le
         return [*body, f"<p>{text(NOT_HANDED_IN.say(language))}</p>"]
     cells = [_task(task_id, row, tasks[task_id], level, language) for task_id, row in chapter["tasks"].items()]
     lines = [Remark.from_plain(remark).say(language) for remark in chapter["remarks"]]
-    table = rows([head.say(language) for head in HEADS], cells, numbers=(2,))
+    table = rows([head.say(language) for head in HEADS], cells, numbers=(2,), widths=(28, 17, 11, 44))
     return [*body, table, *_about(ABOUT_CHAPTER.say(language), lines)]
 
 
@@ -99,7 +102,7 @@ def _task(
         said.append(Words(**task["twins"][row["twin"]]["reply"]).say(language))
     remarks = [Remark.from_plain(remark) for remark in row["remarks"]]
     shown = [remark for remark in remarks if level == "full" or remark.kind not in ONLY_FULL]
-    said += [_upper(remark.say(language, with_task=False)) for remark in shown]
+    said += [remark.say(language, with_task=False) for remark in shown]
     if row["status"] in ("wrong", "partly") and not said:
         said.append(WRONG.say(language))
     if level == "full" and row["status"] in ("partly", "wrong", "right") and row["of"] > 1:
@@ -109,14 +112,15 @@ def _task(
         f"<b>{text(task_id)}</b> {text(title)}",
         f"{sign}&nbsp;{text(status.say(language))}",
         f"{points(row['points'])} / {points(row['most'])}",
-        "<br>".join(text(line) for line in said),
+        "<br>".join(map(prose, said)),
     )
 
 
+@lru_cache(maxsize=1)
+def _titles() -> dict[str, Words]:
+    return {chapter.stem: chapter.title for chapter in read_course().chapters}
+
+
 def _about(heading: str, lines: list[str]) -> list[str]:
-    items = "".join(f"<li>{text(_upper(line))}</li>" for line in dict.fromkeys(lines))
+    items = "".join(f"<li>{prose(line)}</li>" for line in dict.fromkeys(lines))
     return [f'<div class="card"><b>{text(heading)}</b><ul>{items}</ul></div>'] if items else []
-
-
-def _upper(line: str) -> str:
-    return line[:1].upper() + line[1:]

@@ -3,8 +3,9 @@
     submissions (folder, zip)  --collect-->  jobs  --batch-->  records  -->  grades.csv, results.json,
                                                                              feedback/s101.html, class.html
 
-What is missing or malformed is a line in the report and stops nothing.  Read
-`submissions.py` next, then `batch.py`.
+What is missing or malformed is a line in the report and stops nothing.
+
+Read `submissions.py` next.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ from tflab.workbook.whole_files import write_whole
 
 from .class_page import class_page
 from .feedback import LEVELS, feedback_page
-from .gradebook import LMS, file_name, grades_csv, results_json
+from .gradebook import LMS, file_name, grades_csv, remarks_of, results_json
 from .pack import Pack, PackError, read_pack
 from .reader import Unreadable
 from .submissions import Collection, collect
@@ -127,11 +128,8 @@ def _say(records: list[dict[str, Any]], collection: Collection, out: Path, wall:
         print(line)
     for record in records:
         if not record["handed_in"]:
-            from .gradebook import remarks_of
-
-            print(
-                f"{record['learner']}: {'; '.join(remark.say('en') for remark in remarks_of(record)) or 'nothing to grade'}"
-            )
+            why = "; ".join(remark.say("en") for remark in remarks_of(record)) or "nothing to grade"
+            print(f"{record['learner']}: {why}")
     handed_in = [record for record in records if record["handed_in"]]
     print(f"{len(handed_in)} graded, {len(records) - len(handed_in)} with nothing to grade. {' '.join(wall)}")
     print(f"{out / 'grades.csv'}  {out / 'results.json'}  {out / 'class.html'}")

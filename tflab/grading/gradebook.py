@@ -61,7 +61,9 @@ def remarks_of(record: Record) -> list[Remark]:
 def file_name(learner: str) -> str:
     """Return a learner's id as the name of a file; if it cannot be one, a part of its digest beside it."""
     letters = "".join(letter if letter.isalnum() or letter in "._@-" else "_" for letter in learner)[:64].strip(".")
-    return letters if letters == learner else f"{letters}~{hashlib.sha256(learner.encode()).hexdigest()[:6]}"
+    return (
+        letters if letters and letters == learner else f"{letters}~{hashlib.sha256(learner.encode()).hexdigest()[:6]}"
+    )
 
 
 def _plain_rows(records: Sequence[Record]) -> list[list[Any]]:
@@ -124,12 +126,4 @@ def _number(value: float) -> str:
 def _safe(cell: Any) -> Any:
     """Return a cell that no spreadsheet computes."""
     text = str(cell).replace("\0", "")
-    return f"'{text}" if text.lstrip(" ").startswith(FORMULA) and not _is_number(text) else text
-
-
-def _is_number(text: str) -> bool:
-    try:
-        float(text)
-    except ValueError:
-        return False
-    return True
+    return f"'{text}" if text.lstrip(" ").startswith(FORMULA) else text

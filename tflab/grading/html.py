@@ -7,11 +7,12 @@ nothing else.  Read `class_page.py` next.
 from __future__ import annotations
 
 import html
+import re
 from base64 import b64encode
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-__all__ = ["figure", "page", "points", "rows", "text"]
+__all__ = ["figure", "page", "points", "prose", "rows", "text"]
 
 STYLE = """
 :root { color-scheme: light dark; --ink: #1f2328; --paper: #fdfdfb; --quiet: #5b6168;
@@ -23,13 +24,16 @@ body { font: 16px/1.55 system-ui, "Apple SD Gothic Neo", "Malgun Gothic", "Noto 
   color: var(--ink); background: var(--paper); max-width: 56rem; margin: 2.5rem auto; padding: 0 1.2rem; }
 h1 { font-size: 1.6rem; margin: 0 0 .3rem; } h2 { font-size: 1.2rem; margin: 2.2rem 0 .6rem; }
 p { margin: .4rem 0; } .quiet { color: var(--quiet); }
-table { border-collapse: collapse; width: 100%; margin: .6rem 0; }
+table { border-collapse: collapse; width: 100%; margin: .6rem 0; table-layout: fixed;
+  overflow-wrap: anywhere; }
 th, td { text-align: left; vertical-align: top; padding: .45rem .7rem .45rem 0; border-bottom: 1px solid var(--line); }
 th { font-weight: 600; color: var(--quiet); font-size: .88rem; }
 td.number, th.number { text-align: right; white-space: nowrap; font-variant-numeric: tabular-nums; }
 td.mark { white-space: nowrap; font-weight: 600; }
 figure { margin: .8rem 0; } img { max-width: 100%; height: auto; }
-details { color: var(--quiet); } summary { cursor: pointer; } pre { white-space: pre-wrap; font-size: .88rem; }
+details { color: var(--quiet); } summary { cursor: pointer; }
+code { font-size: .92em; background: var(--card); padding: 0 .2em; border-radius: .2em; }
+pre { white-space: pre-wrap; font-size: .88rem; }
 .total { font-size: 2rem; font-weight: 650; font-variant-numeric: tabular-nums; }
 .card { background: var(--card); border-radius: .6rem; padding: .8rem 1.1rem; margin: .8rem 0; }
 @media print { body { margin: 0; max-width: none; } details { display: none; } }
@@ -67,15 +71,27 @@ def figure(png: bytes, words: str, width_px: int, in_words: str) -> str:
     )
 
 
-def rows(heads: Sequence[str], cells: Iterable[Sequence[str]], numbers: Sequence[int] = ()) -> str:
-    """Return a table; cells are HTML already, `numbers` are the columns that are set right."""
+def prose(words: str) -> str:
+    """Return a text of ours, with `code` and *stress* in it, as HTML; a word it begins with has a capital."""
+    if re.match(r"[a-z]+\s", words):
+        words = words[0].upper() + words[1:]
+    marked = re.sub(r"`([^`]+)`", r"<code>\1</code>", text(words))
+    return re.sub(r"(?<![\w*])\*([^*\s][^*]*)\*(?![\w*])", r"<em>\1</em>", marked)
+
+
+def rows(
+    heads: Sequence[str], cells: Iterable[Sequence[str]], *, numbers: Sequence[int] = (), widths: Sequence[int] = ()
+) -> str:
+    """Return a table; cells are HTML already, `numbers` are the columns set right, `widths` are shares [%]."""
 
     def kind(column: int) -> str:
         return ' class="number"' if column in numbers else ""
 
+    columns = "".join(f'<col style="width:{width}%">' for width in widths)
     head = "".join(f"<th{kind(column)}>{text(name)}</th>" for column, name in enumerate(heads))
     body = ("".join(f"<td{kind(column)}>{cell}</td>" for column, cell in enumerate(row)) for row in cells)
-    return f"<table><thead><tr>{head}</tr></thead><tbody>{''.join(f'<tr>{row}</tr>' for row in body)}</tbody></table>"
+    rows_of_body = "".join(f"<tr>{row}</tr>" for row in body)
+    return f"<table>{columns}<thead><tr>{head}</tr></thead><tbody>{rows_of_body}</tbody></table>"
 
 
 def points(value: float) -> str:

@@ -4,7 +4,7 @@
 
 A job is plain data and holds all that is needed, so it can be done in any process,
 here or elsewhere.  Nothing that a submission does ends a job: every fault becomes a
-line in the record.  Read `reader.py` next.
+line in the record.  Read `batch.py` next.
 """
 
 from __future__ import annotations

@@ -8,7 +8,7 @@
 What a learner gets is made from one seed, what is graded from another, and both
 from the secret one: knowing the first does not help to find the second.  Of a task
 whose answer is a value, what is graded is what the learner was given; of a
-function, inputs that nobody has seen.  Read `release.py` next.
+function, inputs that nobody has seen.  Read `roster.py` next.
 """
 
 from __future__ import annotations

@@ -8,7 +8,7 @@
 Normally a task is probed in one cell.  Looked at closely, after trouble, each case
 has a cell of its own, so that one that does not end leaves the others their credit.
 The first case of a function is asked once more at the end.  Expected values are
-nowhere in here.  Read `attempt.py` next.
+nowhere in here.  Read `inside.py` next.
 """
 
 from __future__ import annotations

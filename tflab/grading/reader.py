@@ -6,7 +6,7 @@ Nothing of the file is believed, and nothing of it is run: it is opened without
 following links and without waiting for a pipe, read up to a limit, and parsed as
 plain JSON.  Whatever is not of the type it should be is left out.  What honest
 machines do to notebooks is undone: a byte order mark, UTF-16, Korean code page
-949, the third format of 2012.  Read `transplant.py` next.
+949, the third format of 2012.  Read `remarks.py` next.
 """
 
 from __future__ import annotations
@@ -70,16 +70,18 @@ def read_bytes(path: Path, at_most: int = MAX_BYTES) -> bytes:
         descriptor = os.open(path, flags)
     except (OSError, ValueError) as error:
         raise Unreadable(f"cannot be opened ({getattr(error, 'strerror', None) or error})") from None
-    with os.fdopen(descriptor, "rb") as file:
+    try:
         status = os.fstat(descriptor)
         if not stat.S_ISREG(status.st_mode):
             raise Unreadable("not a regular file")
         if status.st_size > at_most:
             raise Unreadable(too_large(status.st_size, at_most))
-        try:
+        with os.fdopen(descriptor, "rb", closefd=False) as file:
             data = file.read(at_most + 1)
-        except OSError as error:
-            raise Unreadable(f"cannot be read ({error.strerror})") from None
+    except OSError as error:
+        raise Unreadable(f"cannot be read ({error.strerror})") from None
+    finally:
+        os.close(descriptor)
     if len(data) > at_most:
         raise Unreadable(too_large(len(data), at_most))
     return data

@@ -4,7 +4,7 @@
     -> 'E3.2: two different cells are called "e3-2-answer", so neither counts. ...'
 
 A remark never repeats what a learner's code printed or raised: that could carry
-hidden inputs out.  Read `verdicts.py` next.
+hidden inputs out.  Read `transplant.py` next.
 """
 
 from __future__ import annotations

@@ -7,8 +7,9 @@
     s101.ipynb, s101_03_target_and_source.ipynb         a folder of notebooks
 
 Files are only listed here, and read when their turn comes.  Whose they are is
-said first by where they were found, then by the stamp in the notebook.  Read
-`roster.py` next.
+said first by where they were found, then by the stamp in the notebook.
+
+Read `archives.py` next.
 """
 
 from __future__ import annotations

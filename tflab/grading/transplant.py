@@ -10,8 +10,9 @@
 A cell is known by the task that its metadata names, then by its id, then by its
 text.  Two different cells that claim one name void that answer and no other.
 Own cells stay behind the cell of ours that they were put behind.  An answer that
-only a cell behind the check completes is seen by a second probe there.  Read
-`plan.py` next.
+only a cell behind the check completes is seen by a second probe there.
+
+Read `plan.py` next.
 """
 
 from __future__ import annotations

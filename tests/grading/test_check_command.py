@@ -1,0 +1,102 @@
+"""Does `tflab check` show a learner what grading will see, before it does?"""
+
+from __future__ import annotations
+
+import json
+import shutil
+from pathlib import Path
+
+import pytest
+import tiny
+
+from tflab.grading import check_command
+from tflab.grading.check_command import main
+
+
+@pytest.fixture
+def copy(course: tiny.Course, tmp_path: Path) -> Path:
+    """A learner's own copy of what was handed out to s102."""
+    return Path(shutil.copytree(course.release / "learners" / "s102", tmp_path / "copy"))
+
+
+def answer(copy: Path, answers: dict[str, str], name: str = tiny.STEM) -> Path:
+    path = copy / "exercises" / "en" / f"{name}.ipynb"
+    path.write_text(json.dumps(tiny.answered(tiny.exercise(copy), answers)), encoding="utf-8")
+    return path
+
+
+def test_what_is_right_is_right(copy: Path, capsys: pytest.CaptureFixture) -> None:
+    assert main([str(answer(copy, tiny.RIGHT))]) == 0
+    said = capsys.readouterr().out
+    assert said.startswith("E3.1  ✓ 1/1\nE3.2  ✓ 4/4\nE3.3  ✓ 2/2\n")
+    assert "8 of 8 points on the public cases" in said
+
+
+def test_a_mistake_is_named_and_what_is_open_is_said(copy: Path, capsys: pytest.CaptureFixture) -> None:
+    assert main([str(answer(copy, {"e3-1-answer": "total = e3_1.a - e3_1.b"}))]) == 1
+    said = capsys.readouterr().out
+    assert "E3.1  ✗ 0/1   You subtracted." in said
+    assert "E3.2  – not answered" in said
+
+
+def test_what_grading_would_ignore_is_said(copy: Path, capsys: pytest.CaptureFixture) -> None:
+    path = answer(copy, {**tiny.RIGHT, "e3-1-given": "e3_1 = 3"})
+    assert main([str(path)]) == 1
+    assert 'E3.1: the cell "e3-1-given" was changed; grading uses its own.' in capsys.readouterr().out
+
+
+def test_two_cells_of_one_name_are_said_before_it_is_too_late(copy: Path, capsys: pytest.CaptureFixture) -> None:
+    notebook = tiny.answered(tiny.exercise(copy))
+    twin = notebook["cells"][tiny.index_of(notebook, "e3-2-answer")]
+    notebook["cells"].append(twin | {"id": "copy", "source": "def length(x, y): return 3"})
+    path = tiny.hand_in(copy / "exercises", "en", notebook)
+    assert main([str(path)]) == 1
+    assert 'E3.2: two different cells are called "e3-2-answer"' in capsys.readouterr().out
+
+
+def test_a_learner_is_answered_in_their_language(
+    course: tiny.Course, tmp_path: Path, capsys: pytest.CaptureFixture
+) -> None:
+    copy = shutil.copytree(course.release / "learners" / "s101", tmp_path / "copy")
+    path = tiny.hand_in(copy / "exercises", "ko", tiny.answered(tiny.exercise(copy, "ko")))
+    assert main([str(path)]) == 0
+    assert "공개 문제 기준 8점 만점에 8점" in capsys.readouterr().out
+
+
+def test_without_a_sandbox_an_ordinary_kernel_does_and_says_so(copy: Path, capsys: pytest.CaptureFixture) -> None:
+    path = answer(copy, {**tiny.RIGHT, "e3-3-answer": "frames = 1 / 0"})
+    assert main([str(path), "--plain"]) == 1
+    said = capsys.readouterr().out
+    assert said.startswith("Checked in an ordinary kernel (--plain).\nE3.1  ✓ 1/1\nE3.2  ✓ 4/4\n")
+    assert "the answer cell stops with ZeroDivisionError." in said
+
+
+def test_in_an_ordinary_kernel_too_what_does_not_end_is_ended(
+    copy: Path, capsys: pytest.CaptureFixture, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    limits = check_command.PlainLimits(5.0, 30.0)
+    monkeypatch.setattr(check_command, "PlainLimits", lambda: limits)
+    assert main([str(answer(copy, {**tiny.RIGHT, "e3-1-answer": "while True: pass"})), "--plain"]) == 1
+    said = capsys.readouterr().out
+    assert "E3.1  ! 0/1" in said
+    assert "E3.2  ✓ 4/4\nE3.3  ✓ 2/2" in said
+
+
+@pytest.mark.parametrize("name", ["nowhere.ipynb", "workbook.json", "."])
+def test_what_is_no_notebook_is_one_line(copy: Path, name: str, capsys: pytest.CaptureFixture) -> None:
+    assert main([str(copy / name)]) == 2
+    said = capsys.readouterr().err
+    assert said.startswith("tflab check: ") and said.count("\n") == 1
+
+
+def test_a_notebook_of_no_chapter_that_is_here_is_one_line(copy: Path, capsys: pytest.CaptureFixture) -> None:
+    (copy / "mine.ipynb").write_text(json.dumps({"cells": [tiny.own_cell("x = 1")]}))
+    assert main([str(copy / "mine.ipynb")]) == 2
+    assert f"there is {tiny.STEM}" in capsys.readouterr().err
+
+
+def test_a_damaged_copy_is_said_as_it_is_elsewhere(copy: Path, capsys: pytest.CaptureFixture) -> None:
+    path = answer(copy, tiny.RIGHT)
+    (copy / "workbook.json").write_text("{")
+    assert main([str(path)]) == 2
+    assert "workbook.json cannot be read" in capsys.readouterr().err

@@ -1,0 +1,107 @@
+"""Do the table and the pages say what the records hold, and never more than they may?"""
+
+from __future__ import annotations
+
+import csv
+import io
+from typing import Any
+
+import pytest
+import tiny
+
+from tflab.grading.class_figures import bars, histogram
+from tflab.grading.class_page import class_page, mistakes
+from tflab.grading.feedback import LEVELS, feedback_page
+from tflab.grading.gradebook import file_name, grades_csv
+from tflab.grading.html import prose, text
+from tflab.grading.misconceptions import MISCONCEPTIONS
+from tflab.grading.pack import read_pack
+from tflab.grading.progress_bar import ProgressBar
+from tflab.grading.remarks import Remark
+
+
+@pytest.fixture(scope="module")
+def cases(course: tiny.Course) -> dict[str, Any]:
+    return read_pack(course.pack).cases
+
+
+def record(learner: str = "s101", twin: str = "", language: str = "en", **more: Any) -> dict[str, Any]:
+    row = {"status": "wrong" if twin else "right", "passed": 0 if twin else 8, "of": 8, "most": 4.0, "remarks": []}
+    tasks = {"E3.2": row | {"points": 0.0 if twin else 4.0, "twin": twin}}
+    return {
+        "learner": learner, "name": "", "language": language, "handed_in": True, "remarks": [], "seconds": 0.1,
+        "chapters": {tiny.STEM: {"file": "a.ipynb", "tasks": tasks, "remarks": []}},
+        "points": tasks["E3.2"]["points"], "most": 4.0,
+    } | more  # fmt: skip
+
+
+def test_mistakes_are_counted_the_most_frequent_first(cases: dict) -> None:
+    (one,) = mistakes([record(twin="added"), record(), record(twin="added")], cases)
+    assert (one.task, one.name, one.misconception, one.count) == ("E3.2", "added", "M1", 2)
+
+
+def test_the_class_page_groups_mistakes_by_what_is_misunderstood(cases: dict) -> None:
+    page = class_page([record(twin="added")] * 3, cases)
+    assert "target and source swapped (M1): 3" in page
+    korean = class_page([record(twin="added")], cases, language="ko")
+    assert f"{MISCONCEPTIONS['M1'].ko} 1" in korean
+
+
+def test_a_class_of_nobody_has_a_page(cases: dict) -> None:
+    assert "0 graded" in class_page([], cases)
+    assert "1 with nothing to grade" in class_page([record(handed_in=False)], cases)
+
+
+@pytest.mark.parametrize("level", LEVELS[1:])
+@pytest.mark.parametrize("language", ["en", "ko"])
+def test_what_learners_bring_along_is_escaped(cases: dict, level: str, language: str) -> None:
+    evil = "<script>alert(1)</script>\"'&\x00\u202e"
+    remark = Remark("unreadable", file=evil, why=evil).plain()
+    page = feedback_page(record(evil, name=evil, language=language, remarks=[remark]), cases, level)
+    page += class_page([record(evil, name=evil, remarks=[remark])], cases)
+    assert "<script" not in page
+    assert "\x00" not in page and "\u202e" not in page
+
+
+def test_text_is_text_and_prose_knows_code_and_stress_only() -> None:
+    assert text("<b>") == "&lt;b&gt;"
+    assert prose("is `a<b` *really* 2*3*4 so?") == "Is <code>a&lt;b</code> <em>really</em> 2*3*4 so?"
+    assert prose("node_a is right") == "node_a is right"
+
+
+@pytest.mark.parametrize("name", ["=1+1", "+1", "-1+1", "@x", "\t=1", "  =1", "|x", "%x"])
+def test_no_spreadsheet_computes_a_name(name: str) -> None:
+    rows = list(csv.reader(io.StringIO(grades_csv([record(name)]).removeprefix("\ufeff"))))
+    assert rows[1][0] == f"'{name}"
+
+
+def test_the_table_does_not_depend_on_how_long_it_took() -> None:
+    assert grades_csv([record()]) == grades_csv([record(seconds=9.0)])
+
+
+def test_a_name_that_cannot_be_a_files_gets_one_of_its_own() -> None:
+    assert file_name("s101") == "s101"
+    assert file_name("김민지") == "김민지"
+    odd = {file_name(name) for name in ("a b", "a_b", "a/b", "..", "", ".", "a" * 65, "a" * 66)}
+    assert len(odd) == 8
+    assert not any("/" in name or name in ("", ".", "..") for name in odd)
+
+
+def test_bars_say_their_numbers_in_words() -> None:
+    picture = bars([("E3.2 added", 3), ("E3.1 swapped", 1)], "learners", most=5, title="named mistakes")
+    assert picture.text == "named mistakes, learners:\n  E3.2 added: 3\n  E3.1 swapped: 1"
+    assert picture.png().startswith(b"\x89PNG")
+
+
+def test_a_histogram_says_its_numbers_in_words() -> None:
+    picture = histogram([0, 5, 55, 100], "points [%]", "learners")
+    assert "4 learners, points [%]: mean 40" in picture.text
+    assert "  0 to 10: 2" in picture.text
+    assert "  90 to 100: 1" in picture.text
+    assert histogram([], "points [%]", "learners").png()
+
+
+def test_the_bar_says_how_far_it_is_and_what_is_left() -> None:
+    bar = ProgressBar(4, "graded", quiet=True)
+    bar.step()
+    assert bar.line("s101\x1b[2J", 3.0) == "graded  [======                  ]  1/4   0:09 left   s101[2J"
