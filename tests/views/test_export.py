@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import nbformat
 import pytest
 
@@ -126,3 +128,15 @@ def test_the_command_prints_where_the_page_is_and_says_what_is_missing(tmp_path,
     assert capsys.readouterr().out == f"{tmp_path / 'site' / 'page.html'}\n"
     assert main([str(tmp_path / "other.ipynb"), "--out", str(tmp_path)]) == 2
     assert "there is no notebook" in capsys.readouterr().err
+
+
+def test_a_picture_brings_its_words_along_and_keeps_its_size(tmp_path):
+    data = {"image/png": "AAAA", "text/plain": 'two frames: "map" & odom'}
+    output = nbformat.v4.new_output("display_data", data, metadata={"image/png": {"width": 76, "height": 38}})
+    cell = nbformat.v4.new_code_cell("picture", outputs=[output], execution_count=1, id="a")
+    nbformat.write(nbformat.v4.new_notebook(cells=[cell]), tmp_path / "page.ipynb")
+    text = export_html(tmp_path / "page.ipynb", tmp_path / "out").read_text(encoding="utf-8")
+    (image,) = re.findall(r"<img[^>]*>", text)
+    assert 'alt="two frames: &quot;map&quot; &amp; odom"' in image or "alt='two frames: \"map\" &amp; odom'" in image
+    assert 'width="76"' in image
+    assert 'height="38"' in image

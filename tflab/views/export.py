@@ -33,12 +33,22 @@ STATIC = Path(__file__).parent / "static"
 STATE = "application/vnd.jupyter.widget-state+json"
 LARGE_STYLE = 10_000  # characters; smaller styles stay in the page
 
-# nbconvert's page, without what it would fetch from elsewhere.
+# nbconvert's page, without what it would fetch from elsewhere, and with pictures that say what they show.
 TEMPLATE = """{%- extends 'lab/index.html.j2' -%}
 {%- block html_head_js -%}{%- endblock -%}
 {%- block html_head_js_mathjax -%}{%- endblock -%}
 {%- block html_head_js_mermaidjs -%}{%- endblock -%}
 {%- block jupyter_widgets -%}{%- endblock -%}
+{% block data_png scoped %}
+{%- set size = output.metadata.get('image/png', {}) -%}
+<div class="jp-RenderedImage jp-OutputArea-output {{ extra_class }}">
+<img src="data:image/png;base64,{{ output.data['image/png'] | escape_html }}"
+{%- if size.width %} width="{{ size.width | escape_html }}"{% endif -%}
+{%- if size.height %} height="{{ size.height | escape_html }}"{% endif -%}
+{%- if output.data['text/plain'] %} alt="{{ output.data['text/plain'] | escape_html }}"{% endif -%}
+>
+</div>
+{%- endblock data_png %}
 """
 OUR_STYLE = """
 .tflab-live pre { white-space: pre-wrap; }
