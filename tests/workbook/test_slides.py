@@ -110,14 +110,46 @@ def test_keys_go_through_the_slides_step_by_step(deck: Path, page) -> None:
     assert page.inner_text("#deck-place") == "1 / 4"
 
 
+DRAWN = """() => [...document.querySelectorAll('.deck-slide canvas')].every((c) => c.width > 300
+  && c.getContext('2d').getImageData(0, 0, c.width, c.height).data.some((v) => v))"""
+
+
+@pytest.mark.browser
+def test_before_it_is_printed_every_view_is_drawn_once(deck: Path, page) -> None:
+    page.goto(deck.as_uri())
+    page.wait_for_selector(".deck-slide canvas", state="attached")
+    page.evaluate("window.print = () => { window.printed = document.body.className; }")
+    page.keyboard.press("p")
+    page.wait_for_function("window.printed?.includes('deck-printing')")
+    assert page.evaluate(DRAWN)
+    assert page.inner_text("#deck-place") == "1 / 4"
+
+
+@pytest.mark.slow
+@pytest.mark.browser
+def test_the_deck_of_a_chapter_shows_every_slide_and_draws_every_view(tmp_path: Path, page) -> None:
+    assert main(["03", "--lang", "en", "--out", str(tmp_path)]) == 0
+    wrong = []
+    page.on("pageerror", lambda error: wrong.append(error))
+    page.goto((tmp_path / "03_target_and_source.html").as_uri())
+    assert page.title() == page.inner_text(".deck-current h1").removesuffix("¶")
+    last = page.locator(".deck-slide").count()
+    for _ in range(500):
+        page.keyboard.press("ArrowRight")
+        page.wait_for_timeout(30)  # a long slide is scrolled before it is left
+        if page.inner_text("#deck-place") == f"{last} / {last}":
+            break
+    assert page.inner_text("#deck-place") == f"{last} / {last}"
+    assert page.locator(".deck-slide canvas").count() >= 1
+    assert page.evaluate(DRAWN)
+    assert wrong == []
+
+
 @pytest.mark.browser
 def test_a_view_is_drawn_when_its_slide_is_shown(deck: Path, page) -> None:
     page.goto(f"{deck.as_uri()}#crate")
     page.wait_for_selector(".deck-current canvas")
-    page.wait_for_function(
-        "() => { const c = document.querySelector('.deck-current canvas');"
-        " return c.width > 300 && c.getContext('2d').getImageData(0, 0, c.width, c.height).data.some((v) => v); }"
-    )
+    page.wait_for_function(DRAWN)
     assert page.locator(".deck-current img[alt]").count() + page.locator(".deck-current canvas").count() >= 2
 
 

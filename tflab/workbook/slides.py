@@ -21,6 +21,7 @@ import shutil
 import sys
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
+from html import escape
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -45,6 +46,7 @@ KEYS = (
     ("c", Words(en="with or without code", ko="코드 보이기, 숨기기")),
     ("f", Words(en="the whole screen", ko="전체 화면")),
     ("t", Words(en="light or dark", ko="밝게, 어둡게")),
+    ("p", Words(en="print, or save as PDF", ko="인쇄, PDF로 저장")),
     ("b", Words(en="a black screen", ko="검은 화면")),
     ("?", Words(en="this list", ko="이 목록")),
 )
@@ -172,6 +174,7 @@ def _as_deck(page: str, slides: list[Slide], language: str) -> str:
     state = json.dumps({"slides": [asdict(slide) for slide in slides], "words": words}, ensure_ascii=False)
     state = state.replace("</", "<\\/")  # so that no text of ours ends the script
     style, script = ((STATIC / f"deck.{kind}").read_text(encoding="utf-8") for kind in ("css", "js"))
+    page = re.sub(r"<title>.*?</title>", lambda _: f"<title>{escape(slides[0].title)}</title>", page, count=1)
     page = page.replace("</head>", f"<style>{style}</style>\n</head>", 1)
     content, end, rest = page.rpartition("</body>")
     deck = f'<script type="application/json" id="tflab-deck">{state}</script>\n'

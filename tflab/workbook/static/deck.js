@@ -125,6 +125,19 @@
     speaker.document.getElementById("clock").textContent = `${two(Math.floor(seconds / 60))}:${two(seconds % 60)}`;
   }
 
+  // ---- on paper
+
+  async function print() { // a view draws itself when it is seen, so all are seen once
+    body.classList.add("deck-printing");
+    for (const section of sections) {
+      section.scrollIntoView();
+      if (section.querySelector(".tflab-live")) await new Promise((done) => setTimeout(done, 200));
+    }
+    window.print();
+    body.classList.remove("deck-printing");
+    go(index, step);
+  }
+
   // ---- keys
 
   function setTheme(theme) {
@@ -138,7 +151,7 @@
     Home: () => go(0, 0), End: () => go(slides.length - 1, 0),
     o: toggle("deck-overview"), n: toggle("deck-with-notes"), c: toggle("deck-without-code"), b: toggle("deck-black"), "?": toggle("deck-with-help"),
     t: () => setTheme(body.dataset.deck === "dark" ? "light" : "dark"),
-    s: openSpeaker,
+    s: openSpeaker, p: print,
     f: () => (document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen()),
     Escape: () => {
       const open = ["deck-with-help", "deck-black"].filter((name) => body.classList.contains(name));
