@@ -114,3 +114,6 @@ def test_unanswered_is_the_dots_or_your_turn():
     assert is_unanswered(raised(NotImplementedError("your turn")))
     assert not is_unanswered(raised(NotImplementedError("later")))
     assert not is_unanswered(to_plain(None))
+    assert is_unanswered(to_plain({"a": ..., "b": ...}))
+    assert not is_unanswered(to_plain({"a": ..., "b": "past"}))
+    assert not is_unanswered(to_plain({}))

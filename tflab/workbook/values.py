@@ -72,9 +72,12 @@ def raised(error: BaseException) -> Plain:
 
 
 def is_unanswered(plain: Plain) -> bool:
-    """Return whether this is `...`, or a call that raised NotImplementedError("your turn")."""
+    """Return whether this is `...`, a dict of nothing else, or a call that raised NotImplementedError("your turn")."""
     if not isinstance(plain, dict):
         return False
+    parts = plain.get("dict")
+    if isinstance(parts, dict) and parts:
+        return all(part == UNANSWERED for part in parts.values())
     return plain == UNANSWERED or (plain.get("raises") == "NotImplementedError" and plain.get("text") == "your turn")
 
 
