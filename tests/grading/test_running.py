@@ -318,9 +318,11 @@ def test_threads_of_one_process_may_run_cells_at_the_same_time(sandbox: Sandbox)
 
 def test_no_descriptor_is_left_open(sandbox: Sandbox) -> None:
     run(sandbox, "1")
+    for_this_process(sandbox).settle()
     before = len(os.listdir("/proc/self/fd"))
     for source in ("1", "1 / 0", "import os; os._exit(0)", "get_ipython().kernel.session.wire.send_bytes(b'[')"):
         run(sandbox, source)
+    for_this_process(sandbox).settle()
     assert len(os.listdir("/proc/self/fd")) == before
 
 

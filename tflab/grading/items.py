@@ -13,6 +13,7 @@ Read `running.py` next.
 from __future__ import annotations
 
 import secrets
+import sys
 import time
 from collections import defaultdict, deque
 from collections.abc import Callable, Iterator, Sequence
@@ -20,16 +21,23 @@ from dataclasses import dataclass
 from typing import Any
 
 import pytest
-from nbformat.v4 import new_code_cell
-from nbval.kernel import RunningKernel
-from nbval.plugin import IPyNbCell, IPyNbFile, NbCellError
 
 from .kernels import Kernel
 from .limits import Limits
 from .shell import PROBE_MIME
 from .wire import WireClosed, WireFault
 
-__all__ = ["AnswerCell", "AnswerFile", "Cell", "Stopped", "WiredKernel"]
+# nbval imports nbformat, that jsonschema, and that 38 grammars of addresses, which take two seconds
+# and which nobody asks for here: jsonschema does without what it cannot import.
+sys.modules.setdefault("rfc3987_syntax", None)  # type: ignore[arg-type]
+from nbformat.v4 import new_code_cell  # noqa: E402
+from nbval.kernel import RunningKernel  # noqa: E402
+from nbval.plugin import IPyNbCell, IPyNbFile, NbCellError  # noqa: E402
+
+if sys.modules["rfc3987_syntax"] is None:
+    del sys.modules["rfc3987_syntax"]
+
+__all__ = ["AnswerCell", "AnswerFile", "Cell", "NbCellError", "Stopped", "WiredKernel"]
 
 LIVENESS_S = 0.2
 LONGEST_TROUBLE = 300
@@ -111,7 +119,7 @@ class WiredKernel(RunningKernel):
     def stop(self) -> None:
         if self.stopped is None:
             self.stopped = "closed"
-            self.kernel.close()
+            self.kernel.hang_up()
 
 
 def well_formed(message: dict[str, Any]) -> dict[str, Any] | None:

@@ -29,6 +29,7 @@ from .wire import Wire, WireClosed, WireFault
 __all__ = ["Kernel", "KernelError", "Kernels", "choose", "for_this_process"]
 
 START_S = 60.0
+MOST_ENDING = 3  # kernels that were hung up on and may not be quite gone
 PASSED_ON = ("TFLAB_ROS_DISTRO",)  # of the grader's environment
 
 
@@ -36,12 +37,13 @@ class KernelError(RuntimeError):
     """There is no kernel to be had this way."""
 
 
-@dataclass
+@dataclass(eq=False)
 class Kernel:
     """A kernel that runs: say something on its wire; drop its leash and it is gone."""
 
     wire: Wire
     leash: socket.socket
+    hung_up: bool = False
 
     def await_ready(self, timeout: float = START_S) -> None:
         """Return when it serves; raise KernelError with the reason if it never will."""
@@ -54,11 +56,19 @@ class Kernel:
             reason = "it took too long" if hello is None else hello.get("fault", "it talks nonsense")
             raise KernelError(f"the kernel did not start: {reason}")
 
+    def hang_up(self) -> None:
+        """Have it ended, and all it started; do not wait until all are gone."""
+        if not self.hung_up:
+            self.hung_up = True
+            with contextlib.suppress(OSError):
+                self.leash.shutdown(socket.SHUT_WR)
+            self.wire.close()
+
     def close(self) -> str | None:
-        """End it and all it started; return what its keeper has to say about the end, once all are gone."""
-        with contextlib.suppress(OSError):
-            self.leash.shutdown(socket.SHUT_WR)
-        self.wire.close()
+        """Have it ended, and all it started; return what its keeper says about the end, once all are gone."""
+        if self.leash.fileno() == -1:
+            return None
+        self.hang_up()
         said = b""
         with contextlib.suppress(OSError):
             self.leash.settimeout(START_S)
@@ -75,6 +85,7 @@ class Kernels:
         self.sandbox = sandbox
         self.ahead = ahead
         self._ready: list[tuple[Limits, Kernel]] = []
+        self._ending: list[Kernel] = []
         self._lock = threading.Lock()
         self._shown, self._hidden = sandbox.shown(), sandbox.hidden()
         self._server: subprocess.Popen[bytes] | None = None
@@ -90,6 +101,11 @@ class Kernels:
                 kernel = self._order(limits)
             while len(self._ready) < self.ahead:
                 self._ready.append((limits, self._order(limits)))
+            self._ending.append(kernel)
+            ended = [other for other in self._ending[:-MOST_ENDING] if other.hung_up]
+            self._ending = [other for other in self._ending if other not in ended]
+        for other in ended:
+            other.close()
         try:
             kernel.await_ready()
         except KernelError:
@@ -97,6 +113,7 @@ class Kernels:
                 raise
             with self._lock:  # it had been waiting, and its forkserver may be gone
                 kernel = self._order(limits)
+                self._ending.append(kernel)
             kernel.await_ready()
         return kernel
 
@@ -161,8 +178,17 @@ class Kernels:
                 self._server.wait()
             self._server = None
 
+    def settle(self) -> None:
+        """Wait until all kernels that were hung up on are gone."""
+        with self._lock:
+            ended = [kernel for kernel in self._ending if kernel.hung_up]
+            self._ending = [kernel for kernel in self._ending if not kernel.hung_up]
+        for kernel in ended:
+            kernel.close()
+
     def close(self) -> None:
         """End the kernels that were forked ahead, and the forkserver."""
+        self.settle()
         with self._lock:
             for _, kernel in self._ready:
                 kernel.close()

@@ -23,9 +23,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from nbval.plugin import NbCellError
 
-from .items import AnswerCell, AnswerFile, Cell
+from .items import AnswerCell, AnswerFile, Cell, NbCellError
 from .kernels import for_this_process
 from .limits import Limits
 from .sandbox import Sandbox
