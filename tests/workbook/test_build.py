@@ -52,7 +52,7 @@ def test_a_chapter_becomes_seven_files(workbook: Path) -> None:
 
 def test_two_builds_are_the_same_bytes_and_nothing_is_stale(workbook: Path, capsys) -> None:
     before = bytes_below(workbook)
-    again = build_pages(workbook, sources(workbook), jobs=1)
+    again = build_pages(sources(workbook), jobs=1)
     assert {name: text.encode() for name, text in again.files.items()} == before
     assert build(["--root", str(workbook), "--check"]) == 0
     assert "nothing is stale" in capsys.readouterr().out

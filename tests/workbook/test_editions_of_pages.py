@@ -93,6 +93,6 @@ def test_an_exercise_holds_nothing_of_its_solution(stem: str) -> None:
 
 @pytest.mark.slow
 def test_what_is_committed_is_what_the_sources_make() -> None:
-    built = build_pages(ROOT, sources(ROOT))
+    built = build_pages(sources(ROOT))
     assert [str(fault) for fault in built.faults] == []
     assert stale(ROOT, built.files) == []

@@ -1,8 +1,4 @@
-"""How do pages become notebooks?  `tflab build`: read, look for faults, run once, write every edition.
-
-    notebooks/src/03_x.py                     --run-->  notebooks/{en,ko}/03_x.ipynb
-    solutions/src/03_x.py                     --run-->  solutions/{en,ko}/03_x.ipynb
-        + solutions/tasks/03_x.py             -------->  exercises/{en,ko}/03_x.ipynb, exercises/cases/03_x.json
+"""How does the workbook become notebooks?  `tflab build`: every page (`one_page.py`), two at a time.
 
     tflab build            everything
     tflab build 03         what has this number, or stem
@@ -19,22 +15,19 @@ from __future__ import annotations
 
 import argparse
 import asyncio
-import re
 import sys
 from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
 
-from .editions import exercise_notebook, lecture_notebook, text_of
-from .execute import Outputs, run_page
-from .exercise_rules import exercise_faults, score_faults, untouched, untouched_faults
+from .html import write_html
+from .one_page import Made, make_page
 from .places import workbook_data
-from .rules import page_faults
-from .source import LANGUAGES, Fault, Page, PageError, read_page
+from .source import Fault
 from .stale import stale
 from .whole_files import write_whole
+from .words import LANGUAGES
 
 __all__ = ["Built", "build", "build_pages", "sources", "write_files"]
 
@@ -61,8 +54,6 @@ def build(words: Sequence[str]) -> int:
     """Build pages; return 0, 1 if a page has a fault or is stale, 2 if there is nothing to build."""
     options = _options(words)
     if options.html:
-        from .html import write_html
-
         return write_html(options.pages, Path(options.out), options.lang)
     root = Path(options.root) if options.root else workbook_data()
     try:
@@ -70,7 +61,7 @@ def build(words: Sequence[str]) -> int:
     except LookupError as nothing:
         print(f"tflab build: {nothing}", file=sys.stderr)
         return 2
-    built = build_pages(root, chosen, jobs=options.jobs, progress=_shown_progress(len(chosen)))
+    built = build_pages(chosen, jobs=options.jobs, progress=_shown_progress(len(chosen)))
     for fault in built.faults:
         print(fault, file=sys.stderr)
     if options.check:
@@ -109,9 +100,9 @@ def sources(root: Path, wanted: Iterable[str] = ()) -> list[Path]:
     return chosen or there
 
 
-def build_pages(root: Path, chosen: Sequence[Path], *, jobs: int = 2, progress: Progress = lambda line: None) -> Built:
+def build_pages(chosen: Sequence[Path], *, jobs: int = 2, progress: Progress = lambda line: None) -> Built:
     """Build these sources in memory, `jobs` kernels at a time; nothing is written."""
-    work = _build_all(root, chosen, jobs, progress)
+    work = _build_all(chosen, jobs, progress)
     try:
         asyncio.get_running_loop()
     except RuntimeError:
@@ -133,126 +124,24 @@ def write_files(root: Path, files: dict[str, str]) -> list[str]:
     return written
 
 
-async def _build_all(root: Path, chosen: Sequence[Path], jobs: int, progress: Progress) -> Built:
-    terms = _terms()
+async def _build_all(chosen: Sequence[Path], jobs: int, progress: Progress) -> Built:
     turn, cases_turn = asyncio.Semaphore(max(1, jobs)), asyncio.Lock()
-    tasks = []
+
+    async def build_one(path: Path) -> Made:
+        async with turn:
+            made = await make_page(path, cases_turn)
+        name = f"{path.parents[1].name}/{path.stem}"
+        progress(f"{name}: {_count(len(made.faults), 'fault', 'faults')}" if made.faults else name)
+        return made
+
     async with asyncio.TaskGroup() as group:
-        for path in chosen:
-            tasks.append(group.create_task(_build_page(root, path, terms, turn, cases_turn, progress)))
+        tasks = [group.create_task(build_one(path)) for path in chosen]
     built = Built()
     for task in tasks:
-        files, faults = task.result()
-        (built.faulty if faults else built.files).update(files)
-        built.faults += faults
+        made = task.result()
+        (built.faulty if made.faults else built.files).update(made.files)
+        built.faults += made.faults
     return built
-
-
-async def _build_page(
-    root: Path,
-    path: Path,
-    terms: set[str] | None,
-    turn: asyncio.Semaphore,
-    cases_turn: asyncio.Lock,
-    progress: Progress,
-) -> tuple[dict[str, str], list[Fault]]:
-    """Return the files that come from one source, and its faults."""
-    async with turn:
-        name = f"{path.parent.parent.name}/{path.stem}"
-        try:
-            page = read_page(path)
-            faults = page_faults(page, terms)
-            solved = path.parent.parent.name == "solutions"
-            cases: dict[str, Any] | None = None
-            if solved:
-                async with cases_turn:  # it puts tflab's rclpy in place for its time
-                    cases, more = await asyncio.to_thread(_cases, root, page)
-                faults += more
-            public = {page.stem: _cases_text(cases)} if cases else {}
-            outputs, more = await run_page(page, f"{path.parent.parent.name}/{LANGUAGES[0]}", public)
-            faults += more
-            faults += score_faults(page, cases["tasks"] if cases else (), outputs)
-            if solved and not faults:
-                blanked, _ = await run_page(untouched(page), f"exercises/{LANGUAGES[0]}", public)
-                faults += untouched_faults(page, blanked)
-            files = _solution_files(page, outputs, cases, public, faults) if solved else _lecture_files(page, outputs)
-        except PageError as error:
-            files, faults = {}, list(error.faults)
-        progress(f"{name}: {_count(len(faults), 'fault', 'faults')}" if faults else name)
-        return files, faults
-
-
-def _lecture_files(page: Page, outputs: Outputs) -> dict[str, str]:
-    return {
-        f"notebooks/{language}/{page.stem}.ipynb": text_of(lecture_notebook(page, language, outputs))
-        for language in LANGUAGES
-    }
-
-
-def _solution_files(
-    page: Page, outputs: Outputs, cases: dict[str, Any] | None, public: dict[str, str], faults: list[Fault]
-) -> dict[str, str]:
-    from .blank import BlankError
-
-    tasks = cases["tasks"] if cases else {}
-    files = {f"exercises/cases/{stem}.json": text for stem, text in public.items()}
-    for language in LANGUAGES:
-        files[f"solutions/{language}/{page.stem}.ipynb"] = text_of(lecture_notebook(page, language, outputs, tasks))
-        try:
-            files[f"exercises/{language}/{page.stem}.ipynb"] = text_of(exercise_notebook(page, language, tasks))
-        except BlankError:  # which is a fault already
-            assert faults
-    return files
-
-
-def _cases(root: Path, page: Page) -> tuple[dict[str, Any] | None, list[Fault]]:
-    """Return the public cases of a solution, and what is wrong with its tasks."""
-    from .cases import FORMAT, PUBLIC_SEED, task_cases
-    from .reference import CodeCell, Solution, in_process_ros
-    from .tasks import TaskError, read_tasks
-
-    tasks_file = root / "solutions" / "tasks" / f"{page.stem}.py"
-    try:
-        tasks = read_tasks(tasks_file)
-    except TaskError as error:
-        return None, [page.fault(None, str(error), "mend the chapter's tasks")]
-    faults = exercise_faults(page, tasks)
-    solution = Solution(page.stem, [CodeCell(cell.name, cell.source) for cell in page.code])
-    made = {}
-    with in_process_ros():
-        for task in tasks:
-            try:
-                made[task.id] = task_cases(task, PUBLIC_SEED, solution)
-            except Exception as error:  # a generator or a twin may fail in any way
-                faults.append(_task_fault(page, tasks_file, task.id, error))
-    return {"format": FORMAT, "chapter": page.stem, "tasks": made}, faults
-
-
-def _task_fault(page: Page, tasks_file: Path, task: str, error: Exception) -> Fault:
-    """Return what is wrong with a task: at its answer's cell if that fails, else in the chapter's tasks."""
-    from .cases import CasesError
-    from .reference import answer_cell_name
-    from .tasks import TaskError
-
-    if isinstance(error, TaskError) and not isinstance(error, CasesError):
-        cell = next((cell for cell in page.code if cell.name == answer_cell_name(task)), None)
-        return page.fault(cell, str(error), "mend the answer, or what is given")
-    lines = tasks_file.read_text(encoding="utf-8").splitlines()
-    line = next((n for n, text in enumerate(lines, start=1) if re.search(rf"\bid\s*=\s*[\"']{task}[\"']", text)), 1)
-    wrong = str(error) if isinstance(error, TaskError) else f"{task}: {type(error).__name__}: {error}"
-    return Fault("/".join(tasks_file.parts[-3:]), line, "", wrong, f"mend {task}")
-
-
-def _cases_text(cases: dict[str, Any]) -> str:
-    from .cases import cases_json
-
-    return cases_json(cases)
-
-
-def _terms() -> set[str] | None:
-    from .glossary import GLOSSARY, read_glossary
-
-    return set(read_glossary()) if GLOSSARY.is_file() else None
 
 
 def _without_source(root: Path) -> list[str]:

@@ -7,7 +7,7 @@
 The kernel starts in a temporary workbook that passes for tflab's own, so a page sees its
 public cases as they are being built; no option of the author's shell reaches it.
 
-Read `stale.py` next.
+Read `one_page.py` next.
 """
 
 from __future__ import annotations

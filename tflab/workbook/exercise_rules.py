@@ -17,8 +17,9 @@ from difflib import get_close_matches
 
 from .blank import BlankError, blank, regions
 from .editions import Outputs, slug, task_of
-from .source import LANGUAGES, Cell, Fault, Page
+from .source import Cell, Fault, Page
 from .tasks import Task
+from .words import LANGUAGES
 
 __all__ = ["exercise_faults", "score_faults", "untouched", "untouched_faults"]
 

@@ -16,7 +16,8 @@ from collections import Counter
 from collections.abc import Collection, Iterator
 from posixpath import normpath
 
-from .source import LANGUAGES, Cell, Fault, Page, code_lines
+from .source import Cell, Fault, Page, code_lines
+from .words import LANGUAGES
 
 __all__ = ["MOST_LINES", "SLIDES", "TAGS", "page_faults"]
 

@@ -3,7 +3,7 @@
     # %% [markdown] lang="en" name="why-frames" slide="slide"     prose, English first
     # %% [markdown] lang="ko" name="why-frames" slide="slide"     the same cell in Korean
     # %% name="load"                                              code, for both
-    # %% name="why-frames-notes" lang="en" slide="notes" ...      what the speaker says
+    # %% [markdown] lang="en" name="why-notes" slide="notes"        what the speaker says
 
 The format is jupytext's percent format.  This module reads it and says nothing about
 what is right: a page's faults are looked for in `rules.py`.
@@ -18,9 +18,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-__all__ = ["LANGUAGES", "Cell", "Fault", "Page", "PageError", "code_lines", "read_page"]
+__all__ = ["Cell", "Fault", "Page", "PageError", "code_lines", "read_page"]
 
-LANGUAGES = ("en", "ko")
 MARKER = re.compile(r"#\s*%%%*(\s.*)?$")
 OPTIONS = {"lang", "name", "slide", "tags"}
 
