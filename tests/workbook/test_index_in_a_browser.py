@@ -1,0 +1,46 @@
+"""The first page in a real browser: it runs to its end, 3D is there, words explain themselves, links lead on."""
+
+from __future__ import annotations
+
+import pytest
+
+from tflab.workbook.learner import lay_out
+from tflab.workbook.progress import record_try
+
+pytestmark = pytest.mark.browser
+
+CELLS = "jupyterapp.shell.currentWidget.content.model.cells"
+# A page of this length is drawn only where one looks: what has run is asked of its cells, not of their pictures.
+HAVE_RUN = f"[...Array({CELLS}.length).keys()].every((i) => {CELLS}.get(i).executionCount !== null)"
+SHOW = f"""(name) => {{
+  const place = [...Array({CELLS}.length).keys()].find((i) => {CELLS}.get(i).getMetadata("name") === name);
+  return jupyterapp.shell.currentWidget.content.scrollToItem(place, "start");
+}}"""
+
+
+@pytest.mark.parametrize("language", ["en", "ko"])
+def test_the_first_page_runs_and_shows_what_has_been_passed(language: str, lab, page) -> None:
+    copy = lay_out(lab.folder / f"copy_{language}", language)
+    record_try(copy, "E3.1", 4, 4)
+    lab.open(page, f"{copy.name}/notebooks/{language}/00_start.ipynb")
+    assert page.get_by_text("Jupyter news").count() == 0
+    page.evaluate("void jupyterapp.commands.execute('notebook:run-all-cells')")
+    page.wait_for_function(HAVE_RUN, timeout=60_000)
+    page.evaluate(SHOW, "rviz")
+    page.wait_for_selector(".jp-OutputArea-output canvas", timeout=60_000)
+    page.evaluate(SHOW, "progress")
+    page.wait_for_selector('.tflab-progress [title^="E3.1"]', state="attached", timeout=60_000)
+    assert page.locator('.tflab-progress [title^="E3.1"]').text_content() == "■"
+    assert page.locator('.tflab-progress [title^="E3.2"]').text_content() == "□"
+    assert page.locator('.jp-OutputArea-output[data-mime-type*="error"]').count() == 0
+    assert page.locator("abbr[title]").count() >= 3
+
+
+def test_a_link_on_the_first_page_opens_the_exercise_in_the_same_copy(lab, page) -> None:
+    copy = lay_out(lab.folder / "copy_of_links", "en")
+    lab.open(page, f"{copy.name}/notebooks/en/00_start.ipynb")
+    page.locator(".jp-RenderedMarkdown a", has_text="E3").click()
+    page.wait_for_function(
+        "jupyterapp.shell.currentWidget?.context?.path === 'copy_of_links/exercises/en/03_target_and_source.ipynb'",
+        timeout=60_000,
+    )
