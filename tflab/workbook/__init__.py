@@ -7,16 +7,19 @@ In an exercise one calls four functions:
 The rooms within the room, in reading order:
 
     words, values                     what a person reads, twice; what an answer may be, as plain JSON
-    measures, structures, forms       what an answer looks like, and when two are the same
+    measures, structures,
+    command_lines, forms              what an answer looks like, and when two are the same
     tasks, reference, cases, sealed   a task, its right answer, its wrong ones; what an answer is tried on
-    verdict, replies, checks          what became of an answer, and how it is said
+    verdict, showing, comparison,
+    replies, checks                   what became of an answer, how it is said, drawn and shown
     places, learner, merge, lab       where the workbook is, a learner's copy, JupyterLab on it
     whole_files, progress             files that are written whole; what was tried and what was passed
     course, standing, progress_page   chapters, objectives, checklist; what a learner has shown of them
     glossary, contents, course_map    terms, and what of the pages is made from files
     environment                       whether this machine has what the pages need
-    source, rules, editions, build    from a page's source to its notebooks in two languages
-    slides, html                      the same pages for lecturing and for reading
+    source, rules, editions,
+    one_page, build                   from a page's source to its notebooks in two languages
+    html, slides                      the same pages for reading and for lecturing
 
 Start with `words.py`.
 """
