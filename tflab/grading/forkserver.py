@@ -109,6 +109,7 @@ def serve(kernel: Any, wire: socket.socket) -> None:
 
     from . import shell
 
+    gc.set_threshold(50_000, 20, 20)  # a kernel lives for moments
     random.seed(0)  # whatever an answer draws, it draws the same every time
     numpy.random.seed(0)
     os.umask(0o022)

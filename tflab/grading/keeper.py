@@ -48,6 +48,9 @@ ENVIRONMENT = {
     "OMP_NUM_THREADS": "1",
     "MKL_NUM_THREADS": "1",
     "USER": "learner",
+    "PIP_NO_INDEX": "1",  # `!pip install` fails at once: there is no network to wait for
+    "PIP_RETRIES": "0",
+    "PIP_DISABLE_PIP_VERSION_CHECK": "1",
 }
 
 
