@@ -41,7 +41,7 @@
 # - **좌표계 (frame)**: 위치와 방향을 숫자로 적을 때 기준이 되는 원점과 X·Y·Z 축입니다.
 # - **로봇 본체 좌표계 (base_link)**: 로봇 본체에 고정되어 함께 움직이며 센서 장착 위치의 기준이 되는 좌표계입니다.
 # - **자세 (pose)**: 한 좌표계에서 본 위치와 방향을 함께 이르는 말입니다.
-# - **측정 시각 (stamp)**: 값을 보내거나 받은 때가 아니라 잰 때를 뜻하며, header.stamp에 들어 있습니다.
+# - **측정 시각 (stamp)**: 값을 보내거나 받은 때가 아니라 잰 때를 뜻하며, `header.stamp`에 들어 있습니다.
 # - **헤더 (header)**: 메시지의 값이 어느 좌표계에서, 어느 시각에 맞는지를 적은 부분입니다.
 
 # %% [markdown] lang="en" name="chapter-2" slide="skip"
@@ -88,11 +88,11 @@
 # ## 3장 · Target과 source
 #
 # - **좌표 변환 (transform)**: 부모 좌표계에서 본 자식 좌표계의 위치와 방향, 곧 이동과 회전입니다.
-# - **부모 좌표계 (parent frame)**: 자식 좌표계의 위치와 방향을 적을 때 기준이 되는 좌표계이며, 메시지에서는 header.frame_id입니다.
-# - **자식 좌표계 (child frame)**: 변환이 그 위치를 알려 주는 좌표계로 부모는 하나뿐이며, 메시지에서는 child_frame_id입니다.
-# - **변환 확인 도구 (tf2_echo)**: 두 좌표계 사이의 최신 변환을 계속 출력하는 도구로, tf2_echo A B는 A에서 본 B의 자세를 보여 줍니다.
-# - **목표 좌표계 (target frame)**: 데이터를 표현하고 싶은 좌표계로, lookup_transform의 첫째 인자입니다.
-# - **원본 좌표계 (source frame)**: 데이터가 지금 표현되어 있는 좌표계로, lookup_transform의 둘째 인자입니다.
+# - **부모 좌표계 (parent frame)**: 자식 좌표계의 위치와 방향을 적을 때 기준이 되는 좌표계이며, 메시지에서는 `header.frame_id`입니다.
+# - **자식 좌표계 (child frame)**: 변환이 그 위치를 알려 주는 좌표계로 부모는 하나뿐이며, 메시지에서는 `child_frame_id`입니다.
+# - **변환 확인 도구 (tf2_echo)**: 두 좌표계 사이의 최신 변환을 계속 출력하는 도구로, `tf2_echo A B`는 A에서 본 B의 자세를 보여 줍니다.
+# - **목표 좌표계 (target frame)**: 데이터를 표현하고 싶은 좌표계로, `lookup_transform`의 첫째 인자입니다.
+# - **원본 좌표계 (source frame)**: 데이터가 지금 표현되어 있는 좌표계로, `lookup_transform`의 둘째 인자입니다.
 # - **이동 (translation)**: 부모 좌표계에서 자식 원점이 어디 있는지를 미터로 적은, 변환의 한 부분입니다.
 # - **역변환 (inverse)**: 다른 변환을 되돌리는 변환으로, 회전을 되돌리면서 이동도 함께 돌려야 합니다.
 
@@ -146,11 +146,11 @@
 # %% [markdown] lang="ko" name="chapter-6" slide="skip"
 # ## 6장 · 정적 변환과 동적 변환
 #
-# - **정적 좌표 변환 (static transform)**: 센서 장착 위치처럼 변하지 않아 /tf_static으로 한 번 보내며, 늦게 온 수신기도 받는 변환입니다.
-# - **동적 좌표 변환 (dynamic transform)**: 로봇 자세나 관절처럼 변하므로 시각을 붙여 /tf로 계속 보내는 변환입니다.
-# - **변환 발행기 (broadcaster)**: 노드가 아는 변환을 모두에게 알리는 객체로, TransformBroadcaster와 StaticTransformBroadcaster가 있습니다.
+# - **정적 좌표 변환 (static transform)**: 센서 장착 위치처럼 변하지 않아 `/tf_static`으로 한 번 보내며, 늦게 온 수신기도 받는 변환입니다.
+# - **동적 좌표 변환 (dynamic transform)**: 로봇 자세나 관절처럼 변하므로 시각을 붙여 `/tf`로 계속 보내는 변환입니다.
+# - **변환 발행기 (broadcaster)**: 노드가 아는 변환을 모두에게 알리는 객체로, `TransformBroadcaster`와 `StaticTransformBroadcaster`가 있습니다.
 # - **서비스 품질 (QoS)**: 토픽을 전하는 조건으로 신뢰성, 보관 개수, 지속성을 정합니다.
-# - **전송 후 보존 (transient local)**: 늦게 온 구독자도 이미 보낸 메시지를 받게 하는 지속성 설정이며, /tf_static이 사용합니다.
+# - **전송 후 보존 (transient local)**: 늦게 온 구독자도 이미 보낸 메시지를 받게 하는 지속성 설정이며, `/tf_static`이 사용합니다.
 
 # %% [markdown] lang="en" name="chapter-7" slide="skip"
 # ## Chapter 7 · URDF and sensors
@@ -182,7 +182,7 @@
 # %% [markdown] lang="ko" name="chapter-8" slide="skip"
 # ## 8장 · Buffer와 측정 시각
 #
-# - **변환 수신기 (listener)**: /tf와 /tf_static을 구독해 버퍼를 채우는 객체, TransformListener입니다.
+# - **변환 수신기 (listener)**: `/tf`와 `/tf_static`을 구독해 버퍼를 채우는 객체, `TransformListener`입니다.
 # - **변환 버퍼 (buffer)**: 최근의 변환을 연결마다 시간 순서로 담아 두고, 어느 시각에 한 좌표계가 다른 좌표계의 어디에 있었는지 답하는 저장소입니다.
 # - **고정 좌표계 (fixed frame)**: 움직이지 않는다고 보는 좌표계로, RViz는 모든 것을 이 좌표계에 그리고 인자 여섯 개짜리 조회는 이 좌표계에서 시간을 건너갑니다.
 # - **최신 공통 시각 (latest common time)**: 경로의 모든 연결에 값이 있는 가장 늦은 시각으로, 연결마다 가장 늦은 시각 중 가장 이른 것이며 정적 변환은 세지 않습니다.
@@ -191,7 +191,7 @@
 # - **보관 시간 (cache time)**: 버퍼가 얼마나 먼 과거까지 기억하는지를 이르며, 정하지 않으면 10초입니다.
 # - **지연 (latency)**: 무언가를 잰 때부터 그 값을 쓰는 때까지 걸린 시간입니다.
 # - **번짐 (smear)**: 다른 순간의 자세로 스캔을 놓아 벽이 두껍게 또는 겹쳐 그려지는 현상입니다.
-# - **형식 예외 (TypeException)**: transform()이 그 메시지를 바꾸는 법을 배우지 못했을 때 내는 예외이며, TransformException이 아닙니다.
+# - **형식 예외 (TypeException)**: `transform()`이 그 메시지를 바꾸는 법을 배우지 못했을 때 내는 예외이며, TransformException이 아닙니다.
 # - **움직임 왜곡 (motion distortion)**: 측정에 시간이 걸리는 동안 센서 자신이 움직여 생기는 왜곡입니다. 한 바퀴의 광선은 저마다 잰 순간이 달라, 자세 하나로 그리면 벽이 휘어 보입니다.
 
 # %% [markdown] lang="en" name="chapter-9" slide="skip"
@@ -220,7 +220,7 @@
 # - **시간 외삽 예외 (ExtrapolationException)**: 길은 있지만 물어본 시각의 값이 없을 때 나는 TF2 오류입니다.
 # - **잘못된 인자 예외 (InvalidArgumentException)**: 빈 이름이나 슬래시로 시작하는 이름처럼 질문 자체가 잘못되었을 때 나는 TF2 오류입니다.
 # - **시간 초과 예외 (TimeoutException)**: 정한 시간 안에 답이 오지 않았을 때 나는 TF2 오류입니다.
-# - **변환 예외 (TransformException)**: TF2 오류의 공통 부모로, except TransformException이 모두 잡습니다.
+# - **변환 예외 (TransformException)**: TF2 오류의 공통 부모로, `except TransformException`이 모두 잡습니다.
 # - **대기 한도 (timeout)**: 변환이 올 때까지 조회가 기다려도 되는 가장 긴 시간입니다.
 # - **콜백 (callback)**: 메시지가 도착하거나 타이머 시각이 되면 ROS 2가 불러 주는 함수입니다.
 # - **실행기 (executor)**: 기다리는 콜백을 꺼내 하나씩 또는 여러 스레드에서 실행하는 것입니다.
@@ -239,7 +239,7 @@
 # %% [markdown] lang="ko" name="chapter-10" slide="skip"
 # ## 10장 · 시계와 백
 #
-# - **시뮬레이션 시간 (simulation time)**: use_sim_time을 켠 노드가 컴퓨터 시계 대신 /clock에서 받는 시간입니다.
+# - **시뮬레이션 시간 (simulation time)**: `use_sim_time`을 켠 노드가 컴퓨터 시계 대신 `/clock`에서 받는 시간입니다.
 # - **백 (bag)**: 토픽을 기록해 두었다가 다시 재생할 수 있는 파일입니다.
 
 # %% [markdown] lang="en" name="chapter-11" slide="skip"
