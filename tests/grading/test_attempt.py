@@ -47,7 +47,7 @@ class Here:
     def __init__(self) -> None:
         self.runs: list[list[str]] = []
 
-    def __call__(self, cells: Sequence[PlannedCell]) -> SimpleNamespace:
+    def __call__(self, cells: Sequence[PlannedCell], patiently: bool = False) -> SimpleNamespace:
         self.runs.append([cell.piece.name for cell in cells])
         space: dict[str, Any] = {"hang": self._stop("timed out"), "die": self._stop("kernel died")}
         space["shout"] = self._stop("output limit")

@@ -123,8 +123,8 @@ def test_what_a_submission_holds_is_text_in_a_page(results: tuple[Path, dict]) -
 
 def test_the_class_page_says_the_same_in_pictures_and_in_words(results: tuple[Path, dict]) -> None:
     page = (results[0] / "class.html").read_text(encoding="utf-8")
-    assert page.count('<img src="data:image/png;base64,') == 3
-    assert page.count("<details>") == 3
+    assert page.count('<img src="data:image/png;base64,') == 4
+    assert page.count("<details>") == 4
     assert "E3.2 added (M1): 1" in page
     assert "http" not in page.replace("http-equiv", "")
 
@@ -257,3 +257,14 @@ def test_elsewhere_than_on_linux_it_says_so(monkeypatch: pytest.MonkeyPatch, cap
     monkeypatch.setattr(sys, "platform", "win32")
     assert grade.main(["in", "--pack", "pack"]) == 2
     assert "Linux" in capsys.readouterr().err
+
+
+def test_an_answer_that_gets_in_the_way_of_the_others_costs_only_its_own_points(
+    course: tiny.Course, tmp_path: Path
+) -> None:
+    patched = "import IPython.display\nIPython.display.display = lambda *_, **__: None\ntotal = None"
+    hand_in(course, tmp_path / "in", "s101", {**tiny.RIGHT, "e3-1-answer": patched})
+    hand_in(course, tmp_path / "in", "s102", {**tiny.RIGHT, "e3-1-answer": "math = 3\ntotal = None"})
+    for record in graded(course, tmp_path / "in", tmp_path / "out").values():
+        assert points(record) == {"E3.1": 0.0, "E3.2": 4.0, "E3.3": 2.0}
+        assert "apart" in remarks(record)

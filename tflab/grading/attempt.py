@@ -51,7 +51,7 @@ class Ran(Protocol):
     stopped: str | None  # why the last of them was the last
 
 
-Runner = Callable[[Sequence[PlannedCell]], Ran]
+Runner = Callable[[Sequence[PlannedCell], bool], Ran]  # patiently, or with the usual limits
 
 
 @dataclass
@@ -81,14 +81,22 @@ def attempt(
     cell_s: float,
     notebook_s: float,
     closely: bool = False,
+    leave_out: Collection[str] = (),
 ) -> Attempt:
     """Run a notebook as often as it takes to hear of each task in `wanted`, or of what is wrong with it.
+
+    Args:
+        cell_s: what a cell may take, for what is said.
+        notebook_s: what all cells together may take.
+        closely: patiently, and each case in a cell of its own.
+        leave_out: tasks whose answers do not run.
 
     Raises:
         NotRun: our own cells did not run.
     """
     made = Attempt()
-    left, without = list(wanted), set()
+    left = list(wanted)
+    without = {piece.name for piece in transplanted.pieces if piece.kind == "answer" and piece.task in leave_out}
     cases_left: dict[str, set[int]] = {}
     heard_again: dict[str, dict[int, Any]] = {}
     own_that_hang: set[str] = set()
@@ -97,7 +105,7 @@ def attempt(
         if not left or made.seconds > notebook_s * MOST_TIMES_THE_NOTEBOOK:
             break
         planned = plan(transplanted, tasks, left, without=without, closely=closely, cases_left=cases_left)
-        ran = run(planned.cells)
+        ran = run(planned.cells, closely and not hung)
         made.seconds += ran.seconds
         stopped = _listen(planned, ran, made, heard_again)
         if stopped is None:

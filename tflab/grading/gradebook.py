@@ -59,7 +59,7 @@ def remarks_of(record: Record) -> list[Remark]:
 
 
 def file_name(learner: str) -> str:
-    """Return a learner's id as the name of a file; if it cannot be one, a part of its digest beside it."""
+    """Return a learner's id as the name of a file; if it cannot be one, with a part of its digest."""
     letters = "".join(letter if letter.isalnum() or letter in "._@-" else "_" for letter in learner)[:64].strip(".")
     return (
         letters if letters and letters == learner else f"{letters}~{hashlib.sha256(learner.encode()).hexdigest()[:6]}"

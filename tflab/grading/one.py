@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from .limits import Limits  # which needs Linux
 
 RunCells = Callable[[Sequence[PlannedCell], "Limits"], Ran]
+ODD = {"raised", "raises", "unfit", "no result", "unstable"}  # more than a wrong number
 ANSWER = re.compile(r"(e\d{1,3}-\d{1,3})-answer")
 WORTH_A_LINE = re.compile(r"(^|/)(notebooks|solutions)/")
 
@@ -92,9 +93,10 @@ def graded(job: Job, run_cells: RunCells) -> dict[str, Any]:
         if job.only is not None:
             wanted = [task for task in wanted if task in job.only.get(stem, ())]
         made = _attempted(one.transplanted, held["tasks"], wanted, job, run_cells)
-        seconds += made.seconds
         verdicts = _verdicts(one.transplanted, held["tasks"], made, job.only.get(stem, ()) if job.only else None)
-        lines = [*one.remarks, *one.transplanted.remarks, *made.remarks]
+        apart = _apart(one.transplanted, held["tasks"], verdicts, made, job, run_cells)
+        seconds += made.seconds
+        lines = [*one.remarks, *one.transplanted.remarks, *made.remarks, *apart]
         chapters[stem] = {
             "file": one.file.name,
             "tasks": {verdict.task: verdict.plain() for verdict in verdicts},
@@ -204,21 +206,58 @@ def _stamp_remarks(job: Job, name: str, notebook: SubmittedNotebook) -> list[Rem
 
 
 def _attempted(
-    transplanted: Transplant, tasks: Mapping[str, Any], wanted: Sequence[str], job: Job, run_cells: RunCells
+    transplanted: Transplant,
+    tasks: Mapping[str, Any],
+    wanted: Sequence[str],
+    job: Job,
+    run_cells: RunCells,
+    leave_out: Sequence[str] = (),
 ) -> Attempt:
-    alone = job.only is not None
-    limits = job.limits.times(3) if alone else job.limits
+    alone = job.only is not None and not leave_out
+    patient = job.limits.times(3)
+
+    def run(cells: Sequence[PlannedCell], patiently: bool) -> Ran:
+        return run_cells(cells, patient if patiently else job.limits)
+
     for last_time in (False, True):
         try:
             return attempt(
-                transplanted, tasks, lambda cells: run_cells(cells, limits), wanted=wanted,
-                cell_s=job.limits.cell_s, notebook_s=limits.notebook_s, closely=alone,
+                transplanted, tasks, run, wanted=wanted, cell_s=job.limits.cell_s,
+                notebook_s=(patient if alone else job.limits).notebook_s, closely=alone, leave_out=leave_out,
             )  # fmt: skip
         except NotRun as error:
             if last_time:
                 line = Remark("not run", why=error)
                 return Attempt(trouble={task: [line] for task in wanted}, set_aside=list(wanted), remarks=[line])
     raise AssertionError("unreachable")
+
+
+def _apart(
+    transplanted: Transplant,
+    tasks: Mapping[str, Any],
+    verdicts: list[Verdict],
+    made: Attempt,
+    job: Job,
+    run_cells: RunCells,
+) -> list[Remark]:
+    """Run what failed oddly once more, without the other answers: one of them may have got in its way.
+
+    An answer that took another name's place (`math = 3`, a patched function) spoils what follows; what is better
+    counts, and is put into `verdicts`.
+    """
+    remarks = []
+    for number, verdict in enumerate(verdicts):
+        others = [task for task in transplanted.answered if task != verdict.task]
+        odd = verdict.points < verdict.most and ODD & {remark.kind for remark in verdict.remarks}
+        if not odd or not others or verdict.task not in transplanted.answered or verdict.task in made.set_aside:
+            continue
+        alone = _attempted(transplanted, tasks, [verdict.task], job, run_cells, leave_out=others)
+        made.seconds += alone.seconds
+        better = _verdicts(transplanted, tasks, alone, [verdict.task])[0]
+        if better.points > verdict.points and not alone.set_aside:
+            verdicts[number] = better
+            remarks.append(Remark("apart", verdict.task))
+    return remarks
 
 
 def _verdicts(

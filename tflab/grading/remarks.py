@@ -38,6 +38,10 @@ KINDS = {
         en='the answer stands in a cell of your own, not in "{cell}". It counts; next time write it there.',
         ko='답이 "{cell}"이 아니라 직접 만든 셀에 있습니다. 이번에는 인정하지만 다음에는 제자리에 쓰십시오.',
     ),
+    "apart": Words(
+        en="right only by itself: another of the answers gets in its way. It counts.",
+        ko="다른 답이 방해하여 따로 실행했을 때만 맞습니다. 점수는 인정합니다.",
+    ),
     "left out": Words(
         en='your own cell behind "{cell}" did not end; it was left out.',
         ko='"{cell}" 뒤에 직접 만든 셀이 끝나지 않아서 빼고 채점했습니다.',
