@@ -152,6 +152,12 @@ def test_a_page_is_asked_for_by_its_number_and_one_that_is_not_there_is_said(wor
     assert 'there is no page "99"; there is 03_x' in capsys.readouterr().err
 
 
+def test_without_jupytext_it_says_what_to_install(workbook: Path, monkeypatch, capsys) -> None:
+    monkeypatch.setattr("tflab.workbook.build.find_spec", lambda name: None)
+    assert build(["--root", str(workbook)]) == 2
+    assert "pip install 'tflab[dev]'" in capsys.readouterr().err
+
+
 def test_where_there_are_only_built_pages_it_says_so(tmp_path: Path, capsys) -> None:
     assert build(["--root", str(tmp_path)]) == 2
     assert "a wheel holds only what was built" in capsys.readouterr().err

@@ -19,6 +19,7 @@ import sys
 from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
+from importlib.util import find_spec
 from pathlib import Path
 
 from .html import write_html
@@ -56,6 +57,9 @@ def build(words: Sequence[str]) -> int:
     if options.html:
         return write_html(options.pages, Path(options.out), options.lang)
     root = Path(options.root) if options.root else workbook_data()
+    if find_spec("jupytext") is None:
+        print("tflab build: sources are read with jupytext; run: pip install 'tflab[dev]'", file=sys.stderr)
+        return 2
     try:
         chosen = sources(root, options.pages)
     except LookupError as nothing:
@@ -134,11 +138,12 @@ async def _build_all(chosen: Sequence[Path], jobs: int, progress: Progress) -> B
         progress(f"{name}: {_count(len(made.faults), 'fault', 'faults')}" if made.faults else name)
         return made
 
+    longest_first = sorted(chosen, key=lambda path: path.parents[1].name != "solutions")
     async with asyncio.TaskGroup() as group:
-        tasks = [group.create_task(build_one(path)) for path in chosen]
+        tasks = {path: group.create_task(build_one(path)) for path in longest_first}
     built = Built()
-    for task in tasks:
-        made = task.result()
+    for path in chosen:
+        made = tasks[path].result()
         (built.faulty if made.faults else built.files).update(made.files)
         built.faults += made.faults
     return built

@@ -109,12 +109,9 @@ def read_page(path: str | Path) -> Page:
     Raises:
         FileNotFoundError: there is none at `path`.
         PageError: it is not in the percent format.
-        ImportError: jupytext is not installed.
     """
-    try:
-        import jupytext
-    except ModuleNotFoundError as missing:
-        raise ImportError("pages are read with jupytext: pip install 'tflab[dev]'") from missing
+    import jupytext  # which only whoever builds pages has
+
     path = Path(path)
     text = path.read_text(encoding="utf-8")
     lines = [number for number, line in enumerate(text.splitlines(), start=1) if MARKER.match(line)]
