@@ -1,0 +1,96 @@
+"""How does one see tasks as tests?  `pytest --tflab-grade DIR/instructor NOTEBOOK ...`: an item for each task.
+
+    s101_03_target_and_source.ipynb::E3.1 PASSED
+    s101_03_target_and_source.ipynb::E3.2 FAILED     E3.2: 2 of 4 points. ...
+
+pytest finds this page by its entry point.  Without the option it does nothing and imports nothing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+__all__ = ["TaskItem", "TasksFile"]
+
+PACK: pytest.StashKey[Any] = pytest.StashKey()
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """Offer --tflab-grade."""
+    group = parser.getgroup("tflab", "tflab: graded notebooks")
+    group.addoption("--tflab-grade", metavar="PACK", help="grade notebooks with the pack in this folder")
+
+
+def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> pytest.Collector | None:
+    """Take notebooks, if asked to."""
+    if file_path.suffix == ".ipynb" and parent.config.getoption("--tflab-grade"):
+        return TasksFile.from_parent(parent, path=file_path)
+    return None
+
+
+class TasksFile(pytest.File):
+    """A notebook that was handed in; it is graded once, when its first task is asked for."""
+
+    _record: dict[str, Any] | None = None
+
+    def collect(self) -> Iterator[TaskItem]:
+        """Yield the tasks of the chapter that the notebook is of, or of every one if it does not tell."""
+        chapters = self.read_pack().cases
+        of_its_name = [stem for stem in chapters if stem in self.path.name]
+        for stem in of_its_name or chapters:
+            for task_id in chapters[stem]["tasks"]:
+                yield TaskItem.from_parent(self, name=task_id, chapter=stem)
+
+    def read_pack(self) -> Any:
+        """Return the pack, read once for each run of pytest."""
+        from .pack import PackError, read_pack
+
+        if PACK not in self.config.stash:
+            folder = Path(self.config.getoption("--tflab-grade"))
+            try:
+                self.config.stash[PACK] = read_pack(folder)
+            except PackError as error:
+                raise pytest.UsageError(f"--tflab-grade {folder}: {error}") from None
+        return self.config.stash[PACK]
+
+    def record(self) -> dict[str, Any]:
+        """Return what came of grading."""
+        if self._record is None:
+            from .batch import grade_job, job_of
+            from .kernels import choose
+            from .limits import Limits
+            from .submissions import collect
+
+            pack = self.read_pack()
+            found = collect(self.path, pack.roster, list(pack.cases)).submissions
+            submission = next(one for one in found if one.notebooks)
+            hide = (str(Path(self.config.getoption("--tflab-grade")).resolve()),)
+            self._record = grade_job(job_of(submission, pack, Limits()), sandbox=choose(hide))
+        return self._record
+
+
+class TaskItem(pytest.Item):
+    """A task: passed if all of it is right."""
+
+    def __init__(self, *, chapter: str, **of_pytest: Any) -> None:
+        super().__init__(**of_pytest)
+        self.chapter = chapter
+
+    def runtest(self) -> None:
+        from .remarks import Remark
+
+        record = self.parent.record()
+        row = record["chapters"][self.chapter]["tasks"][self.name]
+        self.user_properties += [(name, row[name]) for name in ("points", "most", "status")]
+        if row["status"] != "right":
+            said = [Remark.from_plain(remark).say("en") for remark in row["remarks"]]
+            mistake = [f"As the mistake {row['twin']!r} would have it."] if row["twin"] else []
+            worth = f"{self.name}: {row['points']:g} of {row['most']:g} points, {row['status']}."
+            pytest.fail(" ".join([worth, *mistake, *said]), pytrace=False)
+
+    def reportinfo(self) -> tuple[Path, int, str]:
+        return self.path, 0, self.name
