@@ -178,7 +178,8 @@ BROKEN = {
         HALF.replace('check("E3.1", half)', 'check("E3.1", 1)'),
         "does not hold the check alone",
     ),
-    "a task nobody knows": (HALF + code("more", 'hint("E3.7")'), 'hint names the task "E3.7"'),
+    "a task nobody knows": (HALF + code("more", 'task("E3.7")'), 'task names the task "E3.7"'),
+    "a hint on the page": (HALF + code("more", 'hint("E3.1")'), "hint prints in one language"),
     "an answer of no task": (
         HALF + code("x", "# BEGIN SOLUTION\nx = 1\n# END SOLUTION", ' tags=["answer"]'),
         "no task",

@@ -119,6 +119,8 @@ def _cell(page: Page, cell: Cell, ids: Sequence[str]) -> Iterator[Fault]:
     except BlankError as error:
         yield page.fault(cell, error.wrong, error.remedy)
     for call, asked in _calls(cell):
+        if call in ("hint", "solution"):
+            yield page.fault(cell, f"{call} prints in one language", "let the learner type it; name it in the text")
         if asked not in ids:
             close = get_close_matches(asked, ids, n=1)
             remedy = f"there is {', '.join(ids)}" + (f'. Did you mean "{close[0]}"?' if close else "")
