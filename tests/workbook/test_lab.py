@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from tflab.workbook import lab
+from tflab.workbook.learner import lay_out
 from tflab.workbook.places import read_workbook
 
 
@@ -88,6 +89,16 @@ def test_a_second_language_is_added_and_switched_to_and_stays(started: list, cap
     lab.lab(["mine"])
     assert "--LabApp.default_url=/lab/tree/notebooks/ko/00_start.ipynb" in started[2][0]
     assert "내 워크북을 엽니다" in capsys.readouterr().out
+
+
+def test_a_class_copy_in_another_language_keeps_the_exercises_that_were_handed_out(started: list, capsys) -> None:
+    lay_out(Path("mine"), "en", edition="class", cases={"03_small": {"chapter": "03_small"}})
+    assert lab.lab(["mine", "--lang", "ko"]) == 0
+    assert "나눠 준 언어 그대로" in capsys.readouterr().out
+    assert {name for name in files(started[0][1]) if name.startswith("exercises/")} == {
+        "exercises/en/03_small.ipynb",
+        "exercises/cases/03_small.json",
+    }
 
 
 def test_a_folder_of_something_else_is_left_as_it_is_and_said(started: list, tmp_path: Path, capsys) -> None:

@@ -53,6 +53,10 @@ UP_TO_DATE = Words(
     en="Nothing to bring in: everything is as in tflab {version}.",
     ko="받을 내용이 없습니다. 모두 tflab {version}과 같습니다.",
 )
+INSTRUCTORS = Words(
+    en="The exercises stay in the language in which your instructor handed them out.",
+    ko="연습 문제는 강사가 나눠 준 언어 그대로입니다.",
+)
 CHANGES = {
     "new": Words(en="new", ko="새 파일"),
     "replaced": Words(
@@ -160,6 +164,8 @@ def _open(folder: Path, language: str | None, bring_in: bool) -> str:
     print(OPENED.say(language, folder=folder))
     if language != found.language or (found.tflab == __version__ and not bring_in):
         lay_out(folder, language)  # what is missing
+    if found.edition == "class" and not (folder / "exercises" / language).is_dir():
+        print(INSTRUCTORS.say(language))
     if bring_in:
         _tell(update(folder), folder, language)
     elif found.tflab != __version__:

@@ -29,7 +29,7 @@ def write_whole(path: Path, text: str | bytes) -> None:
             new.flush()
             os.fsync(new.fileno())
         os.chmod(name, path.stat().st_mode if path.exists() else 0o644)
-        os.replace(name, path)
+        _replace(name, path)
     except BaseException:
         with suppress(OSError):
             os.unlink(name)
@@ -50,6 +50,14 @@ if os.name == "nt":
     import msvcrt
     import time
 
+    def _replace(new: str, path: Path) -> None:
+        for _ in range(100):  # Windows refuses while somebody reads the old one
+            try:
+                return os.replace(new, path)
+            except PermissionError:
+                time.sleep(0.02)
+        return os.replace(new, path)
+
     def _hold(handle: int) -> None:
         while True:
             try:
@@ -60,6 +68,9 @@ if os.name == "nt":
 
 else:
     import fcntl
+
+    def _replace(new: str, path: Path) -> None:
+        os.replace(new, path)
 
     def _hold(handle: int) -> None:
         fcntl.flock(handle, fcntl.LOCK_EX)
