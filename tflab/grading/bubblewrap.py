@@ -49,7 +49,7 @@ def command(shown: Sequence[str], hidden: Sequence[str], file_bytes: int, enviro
         words += ["--perms", "0755", "--dir", folder]
     for path in shown:
         words += ["--symlink", os.readlink(path), path] if os.path.islink(path) else ["--ro-bind", path, path]
-    words += ["--proc", "/proc", "--dev", "/dev"]
+    words += ["--proc", "/proc", "--dev", "/dev", "--perms", "1777", "--size", str(file_bytes), "--tmpfs", "/dev/shm"]
     for path in hidden:
         if any(path.startswith(f"{folder}/") for folder in shown):
             words += ["--tmpfs", path] if os.path.isdir(path) else ["--ro-bind", "/dev/null", path]

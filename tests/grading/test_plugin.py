@@ -1,0 +1,66 @@
+"""Does pytest show tasks as test items, and nothing where nobody asked?"""
+
+from __future__ import annotations
+
+import importlib.metadata
+import os
+import re
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import pytest
+import tiny
+
+PLUGIN = "tflab.grading.plugin"
+
+
+def run_pytest(*words: object, workbook: Path) -> str:
+    command = [sys.executable, "-m", "pytest", "-p", PLUGIN, "-p", "no:cacheprovider", "-c", os.devnull, "-v", *words]
+    environment = os.environ | {"TFLAB_WORKBOOK": str(workbook), "PYTEST_ADDOPTS": "", "COLUMNS": "200"}
+    done = subprocess.run([str(word) for word in command], capture_output=True, text=True, env=environment, cwd="/")
+    return done.stdout + done.stderr
+
+
+def test_each_task_is_an_item_that_says_what_it_is_worth(course: tiny.Course, tmp_path: Path) -> None:
+    answers = {**tiny.RIGHT, "e3-2-answer": "def length(x, y):\n    return x + y"}
+    path = tiny.hand_in(tmp_path, "s101", tiny.answered(course.exercise("s101"), answers))
+    said = run_pytest("--tflab-grade", course.pack, path, workbook=course.workbook)
+    outcomes = dict(re.findall(r"(E3.{1,2}\d) (PASSED|FAILED)", said))
+    assert len(outcomes) == 3, said
+    assert sorted(outcomes.values()) == ["FAILED", "PASSED", "PASSED"]
+    assert re.search(r"E3\.2: \d.* points, (partly|wrong)\.", said)
+    assert "return x + y" not in said
+
+
+def test_without_the_option_notebooks_are_left_alone(course: tiny.Course, tmp_path: Path) -> None:
+    path = tiny.hand_in(tmp_path, "s101", course.exercise("s101"))
+    said = run_pytest(path.parent, workbook=course.workbook)
+    assert "no tests ran" in said
+    assert "E3.1" not in said
+
+
+def test_a_folder_that_is_no_pack_is_refused_in_one_line(course: tiny.Course, tmp_path: Path) -> None:
+    path = tiny.hand_in(tmp_path, "s101", course.exercise("s101"))
+    said = run_pytest("--tflab-grade", tmp_path, path, workbook=course.workbook)
+    assert "--tflab-grade" in said
+    assert "Traceback" not in said
+
+
+def test_pytest_finds_the_plugin_and_pays_nothing_for_it() -> None:
+    project = tomllib.loads((Path(__file__).parents[2] / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    assert project["entry-points"]["pytest11"] == {PLUGIN: PLUGIN}
+    code = f"import sys, {PLUGIN}; print(*sys.modules)"
+    loaded = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
+    assert not {"numpy", "nbval", "IPython", "nbformat", "matplotlib"} & set(loaded)
+
+
+@pytest.mark.skipif(
+    not any(one.name == PLUGIN for one in importlib.metadata.entry_points(group="pytest11")),
+    reason="tflab was installed here before it had the entry point; install it again",
+)
+def test_the_option_is_there_once_tflab_is_installed() -> None:
+    words = [sys.executable, "-m", "pytest", "--help"]
+    done = subprocess.run(words, capture_output=True, text=True, check=True)
+    assert "--tflab-grade=PACK" in done.stdout
