@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from pathlib import Path
 
@@ -142,6 +143,19 @@ def test_a_marked_word_explains_itself_and_code_stays_as_it_is() -> None:
     assert '<abbr title="The frame in which you want the data: the first argument of lookup_transform.">' in shown
     assert ">target frame</abbr>, `[[x]]`, <abbr" in shown
     assert ">place</abbr>.\n\n```\n[[no]]\n```\n" in shown
+
+
+def test_a_word_may_be_shown_as_code() -> None:
+    assert expand("in [[odom|`odom`]], `[[odom]]`", "en").endswith(">`odom`</abbr>, `[[odom]]`")
+    assert expand("```\n[[odom]]\n```\n[[odom|it]] and ```", "en").startswith("```\n[[odom]]\n```\n<abbr")
+
+
+@pytest.mark.parametrize("language", ["en", "ko"])
+def test_no_mark_is_left_in_a_page(language: str) -> None:
+    for path in sorted((workbook_data() / "notebooks" / language).glob("*.ipynb")):
+        cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
+        prose = "\n\n".join("".join(cell["source"]) for cell in cells if cell["cell_type"] == "markdown")
+        assert not re.search(r"\[\[[a-z_ -]+(\||\]\])", re.sub(r"(?s)```.*?```", "", prose)), path.name
 
 
 def test_in_korean_a_bare_word_shows_both() -> None:

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import html
 import re
-from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 from typing import NamedTuple
@@ -22,8 +21,10 @@ from .words import Words
 __all__ = ["GLOSSARY", "MARKED", "Term", "UnknownTerm", "expand", "read_glossary"]
 
 GLOSSARY = Path(__file__).with_name("glossary.yaml")
-MARKED = re.compile(r"\[\[([^\[\]|]+)(?:\|([^\[\]]*))?\]\]")
-CODE = re.compile(r"(?ms)^\s*(```+|~~~+).*?^\s*\1[`~]*\s*$|(`+)(?!`)(?:(?!\n\s*\n).)+?(?<!`)\2(?!`)")
+MARKED = re.compile(r"\[\[(?P<key>[^\[\]|]+)(?:\|(?P<shown>[^\[\]]*))?\]\]")
+FENCED = r"(?ms:^[ ]*(?P<fence>```+|~~~+).*?^[ ]*(?P=fence)[`~]*[ ]*$)"
+INLINE = r"(?s:(?P<ticks>`+)(?!`)(?:(?!\n\s*\n).)+?(?<!`)(?P=ticks)(?!`))"
+CODE_OR_MARKED = re.compile(f"{FENCED}|{MARKED.pattern}|{INLINE}")  # whichever begins first
 
 
 class Term(NamedTuple):
@@ -81,11 +82,13 @@ def expand(text: str, language: str) -> str:
     """
 
     def tooltip(found: re.Match) -> str:
-        term = _term(found[1].strip())
-        shown = found[2] or term.shown(language)
+        if found["key"] is None:
+            return found[0]  # code
+        term = _term(found["key"].strip())
+        shown = found["shown"] or term.shown(language)
         return f'<abbr title="{html.escape(term.definition.say(language).replace("`", ""))}">{shown}</abbr>'
 
-    return _outside_code(text, lambda prose: MARKED.sub(tooltip, prose))
+    return CODE_OR_MARKED.sub(tooltip, text)
 
 
 def _term(key: str) -> Term:
@@ -97,11 +100,3 @@ def _term(key: str) -> Term:
         hint = f'did you mean "{close[0]}"?' if close else "add it to tflab/workbook/glossary.yaml"
         raise UnknownTerm(f'the glossary has no "{key}"; {hint}')
     return glossary[key]
-
-
-def _outside_code(text: str, change: Callable[[str], str]) -> str:
-    parts, end = [], 0
-    for code in CODE.finditer(text):
-        parts += [change(text[end : code.start()]), code[0]]
-        end = code.end()
-    return "".join([*parts, change(text[end:])])
