@@ -114,7 +114,7 @@ def test_the_page_says_what_is_left_and_what_to_type_on_a_robot(copy: Path) -> N
     assert "1 of 2; to pass: E3.5" in text
     assert "$ ros2 run tf2_ros tf2_echo base_link laser_frame" in text
     assert "ros2 bag record" not in text  # later
-    assert 'title="E3.1 · Which? · 1 tries, 0 hints"' in ProgressPage(standing(copy)).html
+    assert 'title="E3.1 · Which? · tries: 1, hints: 0"' in ProgressPage(standing(copy)).html
 
 
 def test_the_page_is_in_the_language_of_the_copy(handed_out: HandedOut, tmp_path: Path) -> None:

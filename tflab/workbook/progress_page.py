@@ -32,7 +32,7 @@ REST_LATER = Words(en="{count} later", ko="{count}개는 나중에")
 TO_PASS = Words(en="to pass", ko="남은 과제")
 ON_A_ROBOT = Words(en="simulated here; on the robot", ko="여기서는 시뮬레이션으로 했습니다. 로봇에서는")
 WILL_ROBOT = Words(en="on the robot", ko="로봇에서는")
-TRIES = Words(en="{tries} tries, {hints} hints", ko="시도 {tries}번, 힌트 {hints}번")
+TRIES = Words(en="tries: {tries}, hints: {hints}", ko="시도 {tries}번, 힌트 {hints}번")
 ONLY_CHECKS = Words(
     en="Only a passed check ticks anything here.",
     ko="check를 통과해야만 표시됩니다.",
