@@ -235,3 +235,9 @@ def test_a_stamp_never_adds_to_what_somebody_handed_in_themselves(tmp_path: Path
     collection = collect(tmp_path, ROSTER, CHAPTERS)
     assert who(collection)["s102"] == ["s102/03_tiny.ipynb"]
     assert remarks_of(collection, "stranger") == ('stamped for "s102", who handed in elsewhere; not graded for them',)
+
+
+def test_the_results_and_the_pack_are_no_submissions_wherever_they_are(tmp_path: Path) -> None:
+    put(tmp_path, "s101/03_tiny.ipynb", "results/feedback/x.ipynb", "pack/masters/03_tiny.ipynb")
+    collection = collect(tmp_path, None, CHAPTERS, [tmp_path / "results", tmp_path / "pack"])
+    assert list(who(collection)) == ["s101"]

@@ -11,9 +11,12 @@ Read `submissions.py` next.
 from __future__ import annotations
 
 import argparse
+import json
+import math
 import os
 import sys
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -46,7 +49,10 @@ def main(words: Sequence[str]) -> int:
 
     try:
         pack = read_pack(Path(options.pack))
-        collection = collect(Path(options.submissions), pack.roster, list(pack.cases))
+        collection = collect(Path(options.submissions), pack.roster, list(pack.cases), (out, Path(options.pack)))
+        if pack.version != __version__:
+            line = f"released by tflab {pack.version}, graded by tflab {__version__}"
+            collection = replace(collection, remarks=(*collection.remarks, line))
         if not collection.submissions:
             raise Unreadable(f"there is no submission in {options.submissions}")
         (out / "submissions").mkdir(parents=True, exist_ok=True)
@@ -97,9 +103,10 @@ def _write_reports(
         "wall": list(wall),
         "remarks": list(collection.remarks),
     }
+    before = _learners_in(out / "results.json")
     write_whole(out / "grades.csv", grades_csv(records, options.lms, options.assignment))
     write_whole(out / "results.json", results_json(records, about))
-    _write_pages(records, collection, pack, out, options, wall)
+    _write_pages(records, collection, pack, out, options, wall, before)
 
 
 def _write_pages(
@@ -109,11 +116,11 @@ def _write_pages(
     out: Path,
     options: argparse.Namespace,
     wall: tuple[str, ...],
+    before: list[str],
 ) -> None:
     pages = out / "feedback"
-    if pages.is_dir():  # of an earlier run, perhaps on another level
-        for path in pages.glob("*.html"):
-            path.unlink()
+    for learner in before:  # of an earlier run, perhaps on another level
+        (pages / f"{file_name(learner)}.html").unlink(missing_ok=True)
     if options.feedback != "none":
         for record in records:
             write_whole(
@@ -121,6 +128,14 @@ def _write_pages(
             )
     shown = class_page(records, pack.cases, language=pack.language, wall=wall, remarks=collection.remarks)
     write_whole(out / "class.html", shown)
+
+
+def _learners_in(results: Path) -> list[str]:
+    """Return who is in the results of an earlier run."""
+    try:
+        return [str(record["learner"]) for record in json.loads(results.read_text(encoding="utf-8"))["submissions"]]
+    except (OSError, ValueError, TypeError, KeyError):
+        return []
 
 
 def _say(records: list[dict[str, Any]], collection: Collection, out: Path, wall: tuple[str, ...]) -> None:
@@ -140,6 +155,13 @@ def _refuse(why: str) -> int:
     return 2
 
 
+def _seconds(word: str) -> float:
+    value = float(word)
+    if not 0 < value < math.inf:
+        raise ValueError(word)
+    return value
+
+
 def _options(words: Sequence[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="tflab grade", description="Grade what a class handed in.")
     parser.add_argument("submissions", metavar="SUBMISSIONS", help="a folder of notebooks or of folders, or a zip")
@@ -150,6 +172,6 @@ def _options(words: Sequence[str]) -> argparse.Namespace:
     parser.add_argument("--lms", choices=sorted(LMS), help="the columns of grades.csv")
     parser.add_argument("--assignment", default="tflab", metavar="NAME", help="its column in Canvas; %(default)s")
     parser.add_argument("--feedback", choices=LEVELS, default="named", help="what learners see; %(default)s")
-    parser.add_argument("--seconds", type=float, default=10.0, metavar="S", help="for one cell; %(default)s")
+    parser.add_argument("--seconds", type=_seconds, default=10.0, metavar="S", help="for one cell; %(default)s")
     parser.add_argument("--quiet", action="store_true", help="no progress bar")
     return parser.parse_args(list(words))

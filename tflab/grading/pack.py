@@ -93,8 +93,10 @@ def chapter_cases(stem: str, seed: str, solutions: Path) -> tuple[dict[str, Any]
     hidden = make_cases(stem, _derived(seed, "hidden"), solutions=solutions, fewest_inputs=HIDDEN_INPUTS)
     # As they will be read: a file has its keys sorted, and what is sealed keeps to the order of the parts.
     learners, hidden = (json.loads(cases_json(cases)) for cases in (learners, hidden))
+    # What a learner was shown is part of the question: then the inputs that go with it are, too.
+    shown = {task_id: any(one["given"] for one in task["variants"]) for task_id, task in learners["tasks"].items()}
     graded = {
-        task_id: hidden["tasks"][task_id] if task["is_function"] else task
+        task_id: hidden["tasks"][task_id] if task["is_function"] and not shown[task_id] else task
         for task_id, task in learners["tasks"].items()
     }
     return learners, learners | {"tasks": graded}

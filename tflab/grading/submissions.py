@@ -61,13 +61,18 @@ class Collection:
     remarks: tuple[str, ...] = ()
 
 
-def collect(place: Path, roster: Mapping[str, Learner] | None, chapters: Sequence[str]) -> Collection:
+def collect(
+    place: Path, roster: Mapping[str, Learner] | None, chapters: Sequence[str], leave_out: Sequence[Path] = ()
+) -> Collection:
     """Return what there is in a folder, a zip or a notebook; with a roster, one submission for each who is on it.
+
+    Args:
+        leave_out: folders that are no submissions, wherever they are: the results, the pack.
 
     Raises:
         Unreadable: there is no such thing, or it cannot be listed.
     """
-    members, remarks = _listed(place)
+    members, remarks = _listed(place, {path.resolve() for path in leave_out})
     members = _unwrapped(members, roster or {})
     groups: dict[str, list[Member]] = {}
     for member in members:
@@ -96,10 +101,10 @@ def collect(place: Path, roster: Mapping[str, Learner] | None, chapters: Sequenc
     return Collection(tuple(found[learner] for learner in sorted(found)), tuple(remarks))
 
 
-def _listed(place: Path) -> tuple[list[Member], list[str]]:
+def _listed(place: Path, leave_out: set[Path]) -> tuple[list[Member], list[str]]:
     """Return all files, those in zips included."""
     if place.is_dir():
-        return _walked(place)
+        return _walked(place, leave_out)
     if not place.exists():
         raise Unreadable(f"there is no {place}; name a folder, a zip or a notebook")
     if is_zip_name(place.name):
@@ -107,13 +112,16 @@ def _listed(place: Path) -> tuple[list[Member], list[str]]:
     return [Member((place.name,), lambda: read_bytes(place))], []
 
 
-def _walked(place: Path) -> tuple[list[Member], list[str]]:
+def _walked(place: Path, leave_out: set[Path]) -> tuple[list[Member], list[str]]:
     members, remarks = [], []
     for folder, folders, files in os.walk(place):
         parts = Path(folder).relative_to(place).parts
         for name in [name for name in folders if os.path.islink(os.path.join(folder, name))]:
             remarks.append(f"{'/'.join((*parts, name))}: a link to another folder; left out")
-        folders[:] = sorted(name for name in folders if not _is_skipped(name)) if len(parts) < MAX_DEPTH else []
+        entered = [
+            name for name in folders if not _is_skipped(name) and (Path(folder) / name).resolve() not in leave_out
+        ]
+        folders[:] = sorted(entered) if len(parts) < MAX_DEPTH else []
         if not files and not folders and parts:
             members.append(Member((*parts, ""), bytes))  # so that who handed in an empty folder is heard of
         for name in sorted(files):
