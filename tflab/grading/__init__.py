@@ -18,6 +18,7 @@ grader nor another.
     gradebook, feedback, html,        CSV and JSON; what a learner reads, and what the instructor does
       class_page, misconceptions, class_figures
     check_command, plain_kernel       the same path for a learner, with the public cases
+    plugin                            tasks as test items: `pytest --tflab-grade PACK NOTEBOOK`
 
 `docs/grading.md` is the instructor's page.  Start with `release.py`.
 """
