@@ -281,12 +281,18 @@ def test_where_two_files_part_is_said(there: str, new: str, said: str) -> None:
 
 
 @pytest.mark.skipif(os.name == "nt", reason="Windows has no SIGINT to send to one process")
-def test_ctrl_c_ends_the_kernels_and_leaves_no_half_of_a_file(tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    "command", ["build --root {root}", "slides {page} --out {out}", "build --html {page} --out {out}"]
+)
+def test_ctrl_c_ends_the_kernels_and_leaves_no_half_of_a_file(command: str, tmp_path: Path) -> None:
     mark = tmp_path / "running"
     wait = f"import os, time\nopen({str(mark)!r}, 'w').write(str(os.getpid()))\ntime.sleep(100)"
     written(tmp_path, TITLE, code("waits", wait))
-    command = [sys.executable, "-c", "import sys, tflab.cli; sys.exit(tflab.cli.main(sys.argv[1:]))"]
-    process = subprocess.Popen([*command, "build", "--root", str(tmp_path)], stderr=subprocess.PIPE)
+    page, out = tmp_path / "page.ipynb", tmp_path / "out" / "out"
+    page.write_text(json.dumps({"cells": [cell_of(wait)], "metadata": {}, "nbformat": 4, "nbformat_minor": 5}))
+    tflab = [sys.executable, "-c", "import sys, tflab.cli; sys.exit(tflab.cli.main(sys.argv[1:]))"]
+    words = command.format(root=tmp_path, page=page, out=out).split()
+    process = subprocess.Popen([*tflab, *words], stderr=subprocess.PIPE)
     while not (mark.exists() and mark.read_text()):
         assert process.poll() is None, process.communicate()
         time.sleep(0.05)
@@ -295,3 +301,8 @@ def test_ctrl_c_ends_the_kernels_and_leaves_no_half_of_a_file(tmp_path: Path) ->
     with pytest.raises(ProcessLookupError):
         os.kill(int(mark.read_text()), 0)
     assert bytes_below(tmp_path) == {}
+    assert not out.exists()
+
+
+def cell_of(source: str) -> dict:
+    return {"cell_type": "code", "id": "a", "metadata": {}, "execution_count": None, "outputs": [], "source": source}

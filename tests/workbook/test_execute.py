@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import asyncio
 import re
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from making_pages import TITLE, code, page
 
 from tflab.workbook.execute import Outputs, run_page
+from tflab.workbook.kernel import wait_for
 from tflab.workbook.source import Fault
 
 DRAW = "from tflab.views.picture import Picture\npicture = Picture()\npicture.text = 'nothing yet'\npicture"
@@ -17,9 +16,7 @@ WIDGET = "import ipywidgets\nipywidgets.IntSlider()"
 
 
 def run(root: Path, *parts: str) -> tuple[Outputs, list[Fault]]:
-    work = run_page(page(root, TITLE, *parts), "notebooks/en", {"03_x": '{"format": 1}\n'})
-    with ThreadPoolExecutor(1) as thread:  # a browser of other tests may keep a loop in this one
-        return thread.submit(asyncio.run, work).result()
+    return wait_for(run_page(page(root, TITLE, *parts), "notebooks/en", {"03_x": '{"format": 1}\n'}))
 
 
 def test_a_page_stores_what_is_the_same_every_time(tmp_path: Path, monkeypatch) -> None:

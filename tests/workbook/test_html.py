@@ -43,6 +43,12 @@ def test_a_failing_cell_is_named_and_does_not_stop_the_other_pages(tmp_path: Pat
     assert not (tmp_path / "out" / "bad.html").exists()
 
 
+def test_a_kernel_that_dies_is_said_too(tmp_path: Path, capsys) -> None:
+    ends = notebook(tmp_path / "ends.ipynb", "import os\nos._exit(1)")
+    assert build(["--html", str(ends), "--out", str(tmp_path / "out")]) == 1
+    assert "ends.ipynb: Kernel died" in capsys.readouterr().err
+
+
 def test_a_notebook_that_is_not_there_is_said(tmp_path: Path, capsys) -> None:
     assert build(["--html", str(tmp_path / "nowhere.ipynb")]) == 2
     assert "nowhere.ipynb" in capsys.readouterr().err

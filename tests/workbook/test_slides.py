@@ -137,6 +137,7 @@ def test_the_deck_of_a_chapter_shows_every_slide_and_draws_every_view(tmp_path: 
     for _ in range(500):
         page.keyboard.press("ArrowRight")
         page.wait_for_timeout(30)  # a long slide is scrolled before it is left
+        page.wait_for_function(DRAWN.replace(".deck-slide canvas", ".deck-current .deck-shown canvas"))
         if page.inner_text("#deck-place") == f"{last} / {last}":
             break
     assert page.inner_text("#deck-place") == f"{last} / {last}"

@@ -17,12 +17,12 @@ import argparse
 import asyncio
 import sys
 from collections.abc import Callable, Iterable, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from importlib.util import find_spec
 from pathlib import Path
 
 from .html import write_html
+from .kernel import wait_for
 from .one_page import Made, make_page
 from .places import workbook_data
 from .source import Fault
@@ -106,13 +106,7 @@ def sources(root: Path, wanted: Iterable[str] = ()) -> list[Path]:
 
 def build_pages(chosen: Sequence[Path], *, jobs: int = 2, progress: Progress = lambda line: None) -> Built:
     """Build these sources in memory, `jobs` kernels at a time; nothing is written."""
-    work = _build_all(chosen, jobs, progress)
-    try:
-        asyncio.get_running_loop()
-    except RuntimeError:
-        return asyncio.run(work)
-    with ThreadPoolExecutor(1) as thread:  # somebody else's loop runs here: Jupyter's, or a browser's
-        return thread.submit(asyncio.run, work).result()
+    return wait_for(_build_all(chosen, jobs, progress))
 
 
 def write_files(root: Path, files: dict[str, str]) -> list[str]:

@@ -12,17 +12,18 @@ Read `one_page.py` next.
 
 from __future__ import annotations
 
+import asyncio
 import base64
 import json
 import os
 import re
-import subprocess
 from collections.abc import Callable, Iterable, Iterator
 from itertools import pairwise
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
+from .kernel import running_kernel
 from .source import Cell, Fault, Page
 
 __all__ = ["LARGEST_PNG", "Outputs", "run_page"]
@@ -77,17 +78,8 @@ async def _run(page: Page, root: Path, folder: str, each: Callable[[Cell], None]
     )
     env = {name: value for name, value in os.environ.items() if not name.startswith("TFLAB_")}
     env |= {"TFLAB_WORKBOOK": str(root), "IPYTHONDIR": str(root / "ipython"), "PYTHONHASHSEED": "0"}
-    kernel = client.create_kernel_manager()
-    try:  # not client.async_setup_kernel(): that takes Ctrl-C for itself, and stumbles over it
-        await client.async_start_new_kernel(env=env, stderr=subprocess.DEVNULL)
-        await client.async_start_new_kernel_client()
+    async with running_kernel(client, env):
         await _run_cells(client, zip(cells, page.code, strict=True), each)
-    finally:
-        if client.kc is not None:
-            client.kc.stop_channels()
-        if kernel.has_kernel:
-            await kernel.shutdown_kernel(now=True)
-        await kernel.cleanup_resources()
     return {written.name: list(cell.outputs) for cell, written in zip(cells, page.code, strict=True)}
 
 
@@ -102,6 +94,8 @@ async def _run_cells(client: Any, cells: Iterable[tuple[Any, Cell]], each: Calla
             cell.outputs.append(_error("TimeoutError", f"not done after {SECONDS_FOR_A_CELL} s"))
             return
         except DeadKernelError:
+            if asyncio.current_task().cancelling():
+                raise
             cell.outputs.append(_error("DeadKernelError", "the kernel died"))
             return
 

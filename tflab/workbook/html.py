@@ -15,12 +15,13 @@ import json
 import os
 import re
 import shutil
-import subprocess
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import Any
 
+from .kernel import running_kernel, wait_for
 from .places import workbook_data
 
 __all__ = ["CellFailed", "html_from_notebook", "language_of", "run_with_films", "write_html"]
@@ -85,6 +86,14 @@ def html_from_notebook(notebook: Path, out_dir: Path) -> Path:
         return out_dir / exported.name
 
 
+async def _run(client: Any, env: Mapping[str, str]) -> None:
+    """Run all cells of a client's notebook, and keep the state of its widgets."""
+    async with running_kernel(client, env):
+        for number, cell in enumerate(client.nb.cells):
+            await client.async_execute_cell(cell, number)
+        client.set_widgets_metadata()
+
+
 def language_of(notebook: Path) -> str:
     """Return the language that a page was built in."""
     return json.loads(notebook.read_text(encoding="utf-8"))["metadata"].get("tflab", {}).get("language", "en")
@@ -98,14 +107,13 @@ def run_with_films(notebook: Path, folder: Path) -> Path:
     """
     import nbformat
     from nbclient import NotebookClient
-    from nbclient.exceptions import CellExecutionError
+    from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
 
     page = nbformat.read(notebook, as_version=4)
     client = NotebookClient(page, timeout=SECONDS_FOR_A_CELL, resources={"metadata": {"path": str(folder)}})
     try:
-        # A kernel's own remarks on how it is connected are nothing to whoever waits for a page.
-        client.execute(env={**os.environ, "TFLAB_FILMS": "1"}, stderr=subprocess.DEVNULL)
-    except CellExecutionError as error:
+        wait_for(_run(client, {**os.environ, "TFLAB_FILMS": "1"}))
+    except (CellExecutionError, CellTimeoutError, DeadKernelError) as error:
         raise CellFailed(f"{notebook.name}: {error}") from None
     for cell in page.cells:
         for output in cell.get("outputs", ()):
