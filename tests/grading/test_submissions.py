@@ -200,7 +200,7 @@ def test_a_size_that_lies_is_found_when_it_is_read(tmp_path: Path, monkeypatch: 
 def test_a_damaged_member_costs_itself_only(tmp_path: Path) -> None:
     path = zipped(tmp_path / "all.zip", {"s101.ipynb": b"x" * 5000, "s102.ipynb": b"{}"})
     data = bytearray(path.read_bytes())
-    data[45:60] = bytes(15)
+    data[45:60] = bytes(15)  # in the middle of the first
     path.write_bytes(data)
     first, second = archive_members(path)[0]
     with pytest.raises(Unreadable, match="damaged"):
@@ -241,3 +241,33 @@ def test_the_results_and_the_pack_are_no_submissions_wherever_they_are(tmp_path:
     put(tmp_path, "s101/03_tiny.ipynb", "results/feedback/x.ipynb", "pack/masters/03_tiny.ipynb")
     collection = collect(tmp_path, None, CHAPTERS, [tmp_path / "results", tmp_path / "pack"])
     assert list(who(collection)) == ["s101"]
+
+
+def test_the_masses_beside_somebodys_notebook_cost_nobody_else(tmp_path: Path) -> None:
+    put(tmp_path, "s102/03_tiny.ipynb", "s101/03_tiny.ipynb", *(f"s101/node_modules/{n}.js" for n in range(300)))
+    put(tmp_path, *(f"s101/copies/{n}.ipynb" for n in range(100)))
+    collection = collect(tmp_path, ROSTER, CHAPTERS)
+    assert len(who(collection)["s101"]) == 60
+    assert "the first 60 are looked at" in remarks_of(collection, "s101")[0]
+    assert who(collection)["s102"] == ["s102/03_tiny.ipynb"]
+
+
+def test_a_name_that_is_no_text_is_made_one(tmp_path: Path) -> None:
+    folder = bytes(tmp_path) + b"/s101\xff\n\x1b[2J"
+    Path(folder.decode("utf-8", "surrogateescape")).mkdir()
+    put(tmp_path, "s102/03_tiny.ipynb")
+    (one,) = [learner for learner in who(collect(tmp_path, None, CHAPTERS)) if learner != "s102"]
+    assert one.isprintable()
+    assert one.encode("utf-8")
+
+
+def test_a_pipe_that_calls_itself_a_zip_is_not_waited_for(tmp_path: Path) -> None:
+    import os
+
+    os.mkfifo(tmp_path / "s101.zip")
+    assert "not a file" in collect(tmp_path, ROSTER, CHAPTERS).remarks[0]
+
+
+def test_a_large_class_below_one_folder_is_a_large_class(tmp_path: Path) -> None:
+    put(tmp_path, *(f"submitted/x{n}/hw1/03_tiny.ipynb" for n in range(150)))
+    assert len(who(collect(tmp_path, None, CHAPTERS))) == 150

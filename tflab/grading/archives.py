@@ -17,16 +17,18 @@ import stat
 import struct
 import zipfile
 import zlib
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
 from .reader import MAX_BYTES, Unreadable, too_large
+from .remarks import printable
 
 __all__ = ["Member", "archive_members", "is_zip_name", "safe_parts"]
 
-MAX_MEMBERS = 50_000
-MAX_ARCHIVE = 200 * 1024 * 1024  # of a zip inside a zip, which is held in memory
+MAX_MEMBERS = 200_000
+MAX_ARCHIVE = 64 * 1024 * 1024  # of a zip inside a zip, which is held in memory while it is read
 UTF8_NAME, ENCRYPTED = 0x800, 0x1
 BROKEN = (zipfile.BadZipFile, zlib.error, lzma.LZMAError, EOFError, OSError, NotImplementedError, RuntimeError,
           struct.error, ValueError)  # fmt: skip
@@ -34,10 +36,11 @@ BROKEN = (zipfile.BadZipFile, zlib.error, lzma.LZMAError, EOFError, OSError, Not
 
 @dataclass(frozen=True)
 class Member:
-    """One file: where it is, and how to read it; reading raises Unreadable."""
+    """One file: where it is, and how to read it; reading raises Unreadable. `path` is that of a file on the disk."""
 
     parts: tuple[str, ...]
     read: Callable[[], bytes]
+    path: Path | None = None
 
 
 def is_zip_name(name: str) -> bool:
@@ -45,17 +48,16 @@ def is_zip_name(name: str) -> bool:
     return name.lower().endswith(".zip")
 
 
-def archive_members(file: Path | bytes) -> tuple[list[Member], list[str]]:
-    """Return the files in a zip, and one line for each that is refused.
+def archive_members(source: Path | Callable[[], bytes]) -> tuple[list[Member], list[str]]:
+    """Return the files in a zip on the disk, or in one whose bytes can be had, and one line for each that is refused.
+
+    The zip is opened anew for each file that is read, so a thousand of them cost neither memory nor handles.
 
     Raises:
         Unreadable: no zip.
     """
-    try:
-        archive = zipfile.ZipFile(file if isinstance(file, Path) else io.BytesIO(file))
+    with _opened(source) as archive:
         entries = archive.infolist()
-    except BROKEN as error:
-        raise Unreadable(f"not a zip file that can be read ({type(error).__name__})") from None
     if len(entries) > MAX_MEMBERS:
         raise Unreadable(f"{len(entries)} files in it, more than {MAX_MEMBERS}")
     members, refused = [], []
@@ -71,7 +73,7 @@ def archive_members(file: Path | bytes) -> tuple[list[Member], list[str]]:
         elif entry.flag_bits & ENCRYPTED:
             refused.append(f"{_short(name)}: it is locked with a password; refused")
         else:
-            members.append(Member(parts, _reader(archive, entry)))
+            members.append(Member(parts, _reader(source, entry)))
     return members, refused
 
 
@@ -85,14 +87,30 @@ def safe_parts(name: str) -> tuple[str, ...] | None:
     return parts
 
 
-def _reader(archive: zipfile.ZipFile, entry: zipfile.ZipInfo) -> Callable[[], bytes]:
+@contextmanager
+def _opened(source: Path | Callable[[], bytes]) -> Iterator[zipfile.ZipFile]:
+    if isinstance(source, Path):
+        try:
+            if not stat.S_ISREG(source.lstat().st_mode):
+                raise Unreadable("a link, a pipe or a device, not a file")
+        except OSError as error:
+            raise Unreadable(f"cannot be opened ({error.strerror})") from None
+    try:
+        archive = zipfile.ZipFile(source if isinstance(source, Path) else io.BytesIO(source()))
+    except BROKEN as error:
+        raise Unreadable(f"not a zip file that can be read ({type(error).__name__})") from None
+    with archive:
+        yield archive
+
+
+def _reader(source: Path | Callable[[], bytes], entry: zipfile.ZipInfo) -> Callable[[], bytes]:
     limit = MAX_ARCHIVE if is_zip_name(entry.filename) else MAX_BYTES
 
     def read() -> bytes:
         if entry.file_size > limit:
             raise Unreadable(too_large(entry.file_size, limit))
         try:
-            with archive.open(entry) as file:
+            with _opened(source) as archive, archive.open(entry) as file:
                 data = file.read(limit + 1)
         except BROKEN as error:
             raise Unreadable(f"damaged in the archive ({type(error).__name__})") from None
@@ -120,5 +138,5 @@ def _name(entry: zipfile.ZipInfo) -> str:
 
 
 def _short(name: str) -> str:
-    printable = "".join(letter if letter.isprintable() else "?" for letter in name)
-    return printable if len(printable) <= 80 else f"{printable[:77]}..."
+    shown = printable(name)
+    return shown if len(shown) <= 80 else f"{shown[:77]}..."

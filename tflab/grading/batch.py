@@ -33,6 +33,7 @@ from .pack import Pack
 from .plan import PlannedCell
 from .progress_bar import ProgressBar
 from .reader import Unreadable
+from .remarks import printable
 from .running import Cell, Run, run_cells
 from .sandbox import Sandbox
 from .submissions import Collection, Submission
@@ -41,6 +42,7 @@ __all__ = ["RECORDS", "Batch", "grade_batch", "grade_job", "job_of", "run_behind
 
 RECORDS = "submissions"
 RECORD_FORMAT = 1
+MOST_BYTES = 64 * 1024 * 1024  # of all the notebooks of one learner
 
 
 @dataclass(frozen=True)
@@ -110,13 +112,15 @@ def grade_batch(collection: Collection, pack: Pack, out: Path, batch: Batch) -> 
 
 def job_of(submission: Submission, pack: Pack, limits: Limits) -> Job:
     """Return the job for a submission; its files are read now, within the reader's limits."""
-    files = []
+    files, room = [], MOST_BYTES
     for member in submission.notebooks:
-        name = "/".join("".join(letter if letter.isprintable() else "?" for letter in part) for part in member.parts)
+        name = printable("/".join(member.parts))[-200:]
         try:
-            files.append(File(name[-200:], member.read()))
+            data = member.read() if room > 0 else b""
+            files.append(File(name, data) if room > 0 else File(name, fault="more than 64 MB were handed in"))
+            room -= len(data)
         except Unreadable as error:
-            files.append(File(name[-200:], fault=str(error)))
+            files.append(File(name, fault=str(error)))
     known = (pack.roster or {}).get(submission.learner)
     return Job(
         learner=submission.learner,

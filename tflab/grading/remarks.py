@@ -14,7 +14,7 @@ from typing import Any
 
 from tflab.workbook.words import Words
 
-__all__ = ["KINDS", "Remark"]
+__all__ = ["KINDS", "Remark", "printable"]
 
 KINDS = {
     # about cells
@@ -134,7 +134,7 @@ class Remark:
     def __init__(self, kind: str, task: str = "", **words: Any) -> None:
         object.__setattr__(self, "kind", kind)
         object.__setattr__(self, "task", task)
-        object.__setattr__(self, "words", {name: str(value) for name, value in words.items()})
+        object.__setattr__(self, "words", {name: printable(str(value)) for name, value in words.items()})
 
     def say(self, language: str, *, with_task: bool = True) -> str:
         """Return the remark as one line."""
@@ -149,3 +149,8 @@ class Remark:
     def from_plain(cls, plain: dict[str, Any]) -> Remark:
         """Return the remark that `plain` wrote."""
         return cls(plain["kind"], plain["task"], **plain["words"])
+
+
+def printable(text: str) -> str:
+    """Return a text for one line: no line ends, no terminal's commands, no letters that cannot be written."""
+    return "".join(letter if letter.isprintable() else "?" for letter in text)

@@ -17,12 +17,15 @@ from __future__ import annotations
 import os
 import re
 import unicodedata
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 
-from .archives import MAX_ARCHIVE, Member, archive_members, is_zip_name
+from .archives import Member, archive_members, is_zip_name
 from .reader import Unreadable, read_bytes, read_notebook
+from .remarks import printable
 from .roster import Learner
 
 __all__ = ["Collection", "Submission", "collect"]
@@ -30,7 +33,6 @@ __all__ = ["Collection", "Submission", "collect"]
 NOTEBOOKS = (".ipynb", ".ipynb.txt", ".ipynb.json")  # a browser adds the last ones
 SKIPPED = {"__MACOSX", "__pycache__"}
 WRAPPERS = {"submitted", "submissions", "submission", "exercises"}
-MAX_FILES = 50_000
 MAX_NOTEBOOKS = 60  # of one learner
 MAX_DEPTH = 12
 MOODLE = re.compile(r"(?P<name>.+?)_(?P<number>\d+)_assignsubmission_\w+?_?")
@@ -73,7 +75,7 @@ def collect(
         Unreadable: there is no such thing, or it cannot be listed.
     """
     members, remarks = _listed(place, {path.resolve() for path in leave_out})
-    members = _unwrapped(members, roster or {})
+    members = _few_of_each(_unwrapped(members, roster or {}))
     groups: dict[str, list[Member]] = {}
     for member in members:
         groups.setdefault(_group(member.parts, chapters), []).append(member)
@@ -104,12 +106,18 @@ def collect(
 def _listed(place: Path, leave_out: set[Path]) -> tuple[list[Member], list[str]]:
     """Return all files, those in zips included."""
     if place.is_dir():
-        return _walked(place, leave_out)
-    if not place.exists():
+        members, remarks = _walked(place, leave_out)
+    elif not place.exists():
         raise Unreadable(f"there is no {place}; name a folder, a zip or a notebook")
-    if is_zip_name(place.name):
-        return _opened(archive_members(place))
-    return [Member((place.name,), lambda: read_bytes(place))], []
+    elif is_zip_name(place.name):
+        members, remarks = archive_members(place.resolve())
+    else:
+        return [Member((place.name,), lambda: read_bytes(place))], []
+    listed: list[Member] = []
+    for member in members:
+        if not any(_is_skipped(part) for part in member.parts):
+            listed += _inside(member, remarks) if is_zip_name(member.parts[-1]) else [member]
+    return listed, remarks
 
 
 def _walked(place: Path, leave_out: set[Path]) -> tuple[list[Member], list[str]]:
@@ -117,42 +125,42 @@ def _walked(place: Path, leave_out: set[Path]) -> tuple[list[Member], list[str]]
     for folder, folders, files in os.walk(place):
         parts = Path(folder).relative_to(place).parts
         for name in [name for name in folders if os.path.islink(os.path.join(folder, name))]:
-            remarks.append(f"{'/'.join((*parts, name))}: a link to another folder; left out")
-        entered = [
-            name for name in folders if not _is_skipped(name) and (Path(folder) / name).resolve() not in leave_out
-        ]
+            remarks.append(f"{printable('/'.join((*parts, name)))}: a link to another folder; left out")
+        entered = [name for name in folders if not _is_skipped(name)]
+        entered = [name for name in entered if (Path(folder) / name).resolve() not in leave_out]
         folders[:] = sorted(entered) if len(parts) < MAX_DEPTH else []
         if not files and not folders and parts:
             members.append(Member((*parts, ""), bytes))  # so that who handed in an empty folder is heard of
         for name in sorted(files):
             path = Path(folder) / name
-            limit = {"at_most": MAX_ARCHIVE} if is_zip_name(name) else {}
-            members.append(Member((*parts, name), lambda path=path, limit=limit: read_bytes(path, **limit)))
-            if len(members) > MAX_FILES:
-                raise Unreadable(f"more than {MAX_FILES} files in {place}; is it the right folder?")
-    return _opened((members, remarks))
-
-
-def _opened(listed: tuple[list[Member], list[str]]) -> tuple[list[Member], list[str]]:
-    """Return the members, with a zip among them replaced by what is in it."""
-    members, remarks = [], list(listed[1])
-    for member in listed[0]:
-        if any(_is_skipped(part) for part in member.parts):
-            continue
-        if not is_zip_name(member.parts[-1]):
-            members.append(member)
-            continue
-        folder = member.parts if len(member.parts) == 1 else member.parts[:-1]
-        folder = (*folder[:-1], folder[-1][:-4]) if is_zip_name(folder[-1]) else folder
-        try:
-            inner, refused = archive_members(member.read())
-        except Unreadable as error:
-            remarks.append(f"{'/'.join(member.parts)}: {error}")
-            inner, refused = [], []
-            members.append(Member((*folder, ""), bytes))
-        remarks += [f"{'/'.join(member.parts)}: {line}" for line in refused]
-        members += [replace(one, parts=(*folder, *one.parts)) for one in inner if not any(map(_is_skipped, one.parts))]
+            members.append(Member((*parts, name), partial(read_bytes, path), path))
     return members, remarks
+
+
+def _inside(member: Member, remarks: list[str]) -> list[Member]:
+    """Return what is in a learner's zip, as if it had been unpacked where it is."""
+    name = printable("/".join(member.parts))
+    folder = member.parts if len(member.parts) == 1 else member.parts[:-1]
+    folder = (*folder[:-1], folder[-1][:-4]) if is_zip_name(folder[-1]) else folder
+    try:
+        members, refused = archive_members(member.path or member.read)
+    except Unreadable as error:
+        remarks.append(f"{name}: {error}")
+        return [Member((*folder, member.parts[-1]), bytes)]
+    remarks += [f"{name}: {line}" for line in refused]
+    return [replace(one, parts=(*folder, *one.parts)) for one in members if not any(map(_is_skipped, one.parts))]
+
+
+def _few_of_each(members: list[Member]) -> list[Member]:
+    """Return the members without the masses that somebody may have put beside their notebooks."""
+    counts: Counter[tuple[str, bool]] = Counter()
+    kept = []
+    for member in members:
+        kind = (member.parts[0] if len(member.parts) > 1 else "", _is_notebook(member))
+        counts[kind] += 1
+        if not kind[0] or counts[kind] <= MAX_NOTEBOOKS + 1:
+            kept.append(member)
+    return kept
 
 
 def _is_skipped(name: str) -> bool:
