@@ -130,6 +130,14 @@ def test_the_command_prints_where_the_page_is_and_says_what_is_missing(tmp_path,
     assert "there is no notebook" in capsys.readouterr().err
 
 
+def test_a_drawing_brings_its_words_along(tmp_path):
+    data = {"image/svg+xml": "<svg xmlns='http://www.w3.org/2000/svg'/>", "text/plain": "a tree of two"}
+    cell = nbformat.v4.new_code_cell("tree", outputs=[nbformat.v4.new_output("display_data", data)], id="a")
+    nbformat.write(nbformat.v4.new_notebook(cells=[cell]), tmp_path / "page.ipynb")
+    text = export_html(tmp_path / "page.ipynb", tmp_path / "out").read_text(encoding="utf-8")
+    assert 'alt="a tree of two"' in re.findall(r"<img[^>]*>", text)[0]
+
+
 def test_a_picture_brings_its_words_along_and_keeps_its_size(tmp_path):
     data = {"image/png": "AAAA", "text/plain": 'two frames: "map" & odom'}
     output = nbformat.v4.new_output("display_data", data, metadata={"image/png": {"width": 76, "height": 38}})

@@ -6,6 +6,7 @@ import struct
 
 import pytest
 
+from tflab.core import Transform
 from tflab.views import panels
 from tflab.views.film import Film
 
@@ -39,6 +40,16 @@ def test_a_panels_film_goes_along_its_first_slider_and_leaves_the_panel_as_it_wa
     assert len(set(pictures_of(film))) == 4
     assert [control.description for control in others] == ["yaw rate [rad/s]", "range [m]", "delay [s]"]
     assert panel.controls["speed [m/s]"].value == before
+
+
+def test_a_panel_without_a_slider_is_filmed_along_its_longest_menu():
+    poses = {"map": Transform(), "base_link": Transform((1.0, 0.0, 0.0)), "laser_frame": Transform((2.0, 0.0, 0.0))}
+    panel = panels.sentence_panel(poses, "map", "laser_frame")
+    words = panel.text
+    (film,) = panel.film().children
+    assert len(film.texts) == len(set(pictures_of(film))) == 6  # each frame in each other one
+    assert all(text.startswith("Python: ") for text in film.texts)
+    assert film.words[int(film.position)] == panel.text == words
 
 
 def test_a_page_that_is_built_for_export_shows_panels_as_films(monkeypatch):

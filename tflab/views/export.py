@@ -49,6 +49,13 @@ TEMPLATE = """{%- extends 'lab/index.html.j2' -%}
 >
 </div>
 {%- endblock data_png %}
+{% block data_svg scoped %}
+<div class="jp-RenderedSVG jp-OutputArea-output {{ extra_class }}" data-mime-type="image/svg+xml">
+<img src="data:image/svg+xml;base64,{{ output.data['image/svg+xml'] | text_base64 | escape_html }}"
+{%- if output.data['text/plain'] %} alt="{{ output.data['text/plain'] | escape_html }}"{% endif -%}
+>
+</div>
+{%- endblock data_svg %}
 """
 OUR_STYLE = """
 .tflab-live pre { white-space: pre-wrap; }

@@ -85,22 +85,29 @@ class Panel:
             self._words.value = f"<pre>{escape(self.text)}</pre>"
 
     def film(self, steps: int = FILM_STEPS) -> widgets.VBox | None:
-        """Return the panel as it lives on without a kernel, or None if it has no slider to go along."""
-        slider = next((c for c in self.controls.values() if isinstance(c, widgets.FloatSlider)), None)
-        if slider is None:
+        """Return the panel as it lives on without a kernel: along its slider, or its longest menu; None without one."""
+        controls = self.controls.values()
+        along = next((control for control in controls if isinstance(control, widgets.FloatSlider)), None)
+        menus = [control for control in controls if isinstance(control, widgets.Dropdown)]
+        if along is not None:
+            values = np.unique([*np.linspace(along.min, along.max, steps), along.value]).tolist()
+            named = [(format(value, along.readout_format), value) for value in values]
+            others = [control for control in controls if control is not along]
+        elif menus:
+            along = max(menus, key=lambda menu: len(menu.options))
+            named, others = list(along.options), []  # what the other menus say goes along with it
+        else:
             return None
-        before = slider.value
-        values = np.unique([*np.linspace(slider.min, slider.max, steps), before]).tolist()
+        before = along.value
         pictures, texts, words = [], [], []
-        for value in values:
-            slider.value = value
+        for name, value in named:
+            along.value = value
             pictures.append(self.picture.live_png())
-            texts.append(f"{slider.description}: {format(slider.value, slider.readout_format)}")
+            texts.append(f"{along.description}: {name}")
             words.append(self.text)
-        slider.value = before
-        film = Film(pictures, texts, words, self.picture.size_px, start=values.index(before))
-        others = [control for control in self.controls.values() if control is not slider]
-        return widgets.VBox([*others, film])
+        along.value = before
+        start = [value for _, value in named].index(before)
+        return widgets.VBox([*others, Film(pictures, texts, words, self.picture.size_px, start=start)])
 
     def close(self) -> None:
         """Take the panel off the page and free its picture."""
