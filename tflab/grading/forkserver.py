@@ -28,7 +28,8 @@ __all__ = ["main"]
 # What answers and probes use, and what IPython would load at its first cell.
 PRELOADED = (
     "asyncio", "concurrent.futures.thread", "ctypes.util", "multiprocessing", "numpy", "matplotlib.pyplot",
-    "IPython.core.magics", "IPython.core.completer", "IPython.core.pylabtools", "IPython.display", "pexpect",
+    "IPython.core.magics", "IPython.core.magics.execution", "IPython.core.magics.extension", "IPython.core.magics.osm",
+    "IPython.core.completer", "IPython.core.pylabtools", "IPython.display", "pexpect",
     "ipywidgets", "comm", "tornado.platform.asyncio", "pygments.styles", "pygments.formatters",
     "tflab.core", "tflab.ros", "tflab.ros.notebook", "tflab.tools.magic", "tflab.workbook", "tflab.workbook.checks",
     "tflab.workbook.forms", "tflab.workbook.tasks", "tflab.workbook.values", "tflab.grading.inside",
@@ -45,10 +46,11 @@ def main(arguments: list[str]) -> None:
 
 
 def take_orders(orders: socket.socket) -> None:
-    from . import keeper  # ctypes and tempfile before the first fork
+    from . import keeper, shell  # all that is needed is here before the first fork
 
     kernel = prepare()
     silence()
+    shell.warm_up(kernel)
     signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # nobody waits for keepers: the leash tells
     gc.collect()
     gc.freeze()  # what is here now is never moved or looked at again, so it stays shared

@@ -25,11 +25,17 @@ from typing import Any
 
 from .wire import Wire
 
-__all__ = ["PROBE_MIME", "build", "serve"]
+__all__ = ["PROBE_MIME", "build", "serve", "warm_up"]
 
 PROBE_MIME = "application/vnd.tflab.probe+json"
 LONGEST_TEXT = 2000
 LONGEST_CODE = 64 << 20
+WARMING = (
+    "x = {'a': [1, 2.5], 'b': (None, True)}\nprint(x)",
+    "import math\ndef f(x, y):\n    \"\"\"Return something.\"\"\"\n    return math.hypot(x, y)  # [m]\nf(3, 4)",
+    f"from IPython.display import display\ndisplay({{{PROBE_MIME!r}: {{'id': '', 'v': [x]}}}}, raw=True)",
+    "1 / 0",
+)
 
 
 def build() -> Any:
@@ -51,7 +57,7 @@ def build() -> Any:
             if not isinstance(message, dict):  # a type, and what belongs to it
                 message = as_message(message, parent or {}, content)
             said = what_grading_reads(message)
-            if said is not None and self.wire is not None:
+            if said is not None and self.wire is not None:  # there is none before `serve`
                 self.wire.send_bytes(said)
             return message
 
@@ -88,6 +94,23 @@ def build() -> Any:
     )
     kernel.shell_channel_thread = SimpleNamespace(parent_thread=threading.main_thread())
     return kernel
+
+
+def warm_up(kernel: Any) -> None:
+    """Run a few cells before the fork: what Python learns from them, every kernel knows."""
+    shell = kernel.shell
+    before = set(shell.user_ns)
+
+    async def run() -> None:
+        for _ in range(12):  # an interpreter adapts to code that it has seen eight times
+            for code in WARMING:
+                kernel.set_parent([], {"header": {"msg_id": "", "session": "grader"}})
+                await kernel.do_execute(code, silent=False, store_history=False, allow_stdin=False)
+
+    asyncio.run(run())
+    for name in set(shell.user_ns) - before:
+        del shell.user_ns[name]
+    shell.execution_count = 1
 
 
 def as_message(kind: str, parent: dict[str, Any], content: Any) -> dict[str, Any]:
