@@ -268,3 +268,16 @@ def test_an_answer_that_gets_in_the_way_of_the_others_costs_only_its_own_points(
     for record in graded(course, tmp_path / "in", tmp_path / "out").values():
         assert points(record) == {"E3.1": 0.0, "E3.2": 4.0, "E3.3": 2.0}
         assert "apart" in remarks(record)
+
+
+def test_honest_work_that_was_saved_or_written_oddly_keeps_its_points(course: tiny.Course, tmp_path: Path) -> None:
+    bare = tiny.answered(tiny.exercise(course.workbook))
+    for number, cell in enumerate(bare["cells"]):  # an editor that knows neither ids nor metadata
+        cell["metadata"], cell["id"] = {}, f"c{number}"
+    tiny.hand_in(tmp_path / "in", "s101", bare)
+    elsewhere = tiny.exercise(course.workbook)
+    for name, where in (("e3-3-answer", "e3-3-check"), ("e3-2-answer", "e3-1-check"), ("e3-1-answer", "e3-1-given")):
+        elsewhere["cells"].insert(tiny.index_of(elsewhere, where) + 1, tiny.own_cell(tiny.RIGHT[name], f"own-{name}"))
+    tiny.hand_in(tmp_path / "in", "s102", elsewhere)
+    records = graded(course, tmp_path / "in", tmp_path / "out")
+    assert {learner: record["points"] for learner, record in records.items()} == {"s101": 8.0, "s102": 8.0}

@@ -83,6 +83,7 @@ def test_an_answer_in_the_check_cell_is_looked_for_there(master: Master, noteboo
     cell(notebook, "e3-1-check")["source"] = "total = 3\ncheck('E3.1', total)"
     done = transplanted(master, notebook)
     order = [name for name in kinds(done) if "e3-1" in name]
+    assert order[:2] == ["ours e3-1-given", "stub e3-1-answer-stub"]
     assert order[-3:] == ["probe e3-1-check", "own e3-1-check+1", "probe e3-1-check-again"]
 
 
@@ -174,3 +175,48 @@ def test_blanks_at_the_ends_of_lines_are_no_change(master: Master, course: tiny.
     done = transplanted(master, notebook)
     assert done.answered == ()
     assert said(done) == []
+
+
+def test_an_answer_in_front_of_a_cell_that_was_left_as_it_was_is_not_undone_by_it(
+    master: Master, course: tiny.Course
+) -> None:
+    notebook = course.exercise()
+    insert(notebook, "e3-1-given", "total = e3_1.a + e3_1.b")
+    insert(notebook, "e3-1-check", "def length(x, y): return math.hypot(x, y)")
+    order = kinds(transplanted(master, notebook))
+    assert order.index("stub e3-1-answer-stub") < order.index("own e3-1-given+1") < order.index("probe e3-1-check")
+    assert order.index("stub e3-2-answer-stub") < order.index("own e3-1-check+1") < order.index("probe e3-2-check")
+
+
+@pytest.mark.parametrize(
+    "halves",
+    [
+        ("leg = math.hypot", "def length(x, y):\n    return leg(x, y)"),
+        ("def length(x, y):\n    return leg(x, y)", "leg = math.hypot"),
+        ("def length(x, y):", "    return math.hypot(x, y)"),
+        ("def leg(x):\n    return x", "def other(x):\n    return x", "def length(x, y):\n    return math.hypot(x, y)"),
+    ],
+)
+def test_an_answer_that_was_split_over_cells_is_one_answer(
+    master: Master, notebook: dict, halves: tuple[str, ...]
+) -> None:
+    place = tiny.index_of(notebook, "e3-2-answer")
+    first = notebook["cells"][place]
+    notebook["cells"][place : place + 1] = [first | {"source": half, "id": f"x{n}"} for n, half in enumerate(halves)]
+    done = transplanted(master, notebook)
+    assert said(done) == []
+    assert source(done, "e3-2-answer") == "\n".join(halves)
+
+
+def test_two_answers_beside_each_other_are_not_one(master: Master, notebook: dict) -> None:
+    place = tiny.index_of(notebook, "e3-2-answer")
+    notebook["cells"].insert(place, notebook["cells"][place] | {"source": "def length(x, y): return 7", "id": "x"})
+    assert said(transplanted(master, notebook)) == ["twice E3.2"]
+
+
+def test_a_copy_of_an_answer_kept_as_text_is_no_second_answer(master: Master, notebook: dict) -> None:
+    copy = cell(notebook, "e3-2-answer") | {"cell_type": "markdown", "source": "my first try", "id": "x"}
+    notebook["cells"].append(copy)
+    done = transplanted(master, notebook)
+    assert said(done) == []
+    assert source(done, "e3-2-answer") == tiny.RIGHT["e3-2-answer"]

@@ -20,6 +20,7 @@ from typing import Any, Protocol
 from tflab.workbook.values import is_unanswered
 
 from .plan import Plan, PlannedCell, plan
+from .reader import task_slug
 from .remarks import Remark
 from .transplant import Transplant
 from .verdicts import safe_error_name
@@ -136,7 +137,7 @@ def attempt(
     if own_that_hang:
         made.set_aside = list(wanted)  # they may have needed it
         made.remarks += [Remark("left out", cell=name.rpartition("+")[0]) for name in sorted(own_that_hang)]
-    _prefer_what_was_answered_later(made, heard_again, transplanted)
+    _prefer_what_was_answered_later(made, heard_again)
     return made
 
 
@@ -163,16 +164,13 @@ def _is_heard(
     return set(cases) <= set(made.outcomes.get(task, ()))
 
 
-def _prefer_what_was_answered_later(
-    made: Attempt, heard_again: dict[str, dict[int, Any]], transplanted: Transplant
-) -> None:
+def _prefer_what_was_answered_later(made: Attempt, heard_again: dict[str, dict[int, Any]]) -> None:
     """Take the outcomes from behind the learner's own cells where there were none at the check."""
     for task, later in heard_again.items():
         if _is_nothing(made.outcomes.get(task, {})) and not _is_nothing(later):
             made.outcomes[task] = later
             made.trouble.pop(task, None)
-            cell = next(piece.name for piece in transplanted.pieces if piece.kind == "answer" and piece.task == task)
-            made.remarks.append(Remark("elsewhere", task, cell=cell))
+            made.remarks.append(Remark("elsewhere", task, cell=f"{task_slug(task)}-answer"))
 
 
 def _is_nothing(outcomes: Mapping[int, Any]) -> bool:

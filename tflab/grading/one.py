@@ -96,7 +96,7 @@ def graded(job: Job, run_cells: RunCells) -> dict[str, Any]:
         verdicts = _verdicts(one.transplanted, held["tasks"], made, job.only.get(stem, ()) if job.only else None)
         apart = _apart(one.transplanted, held["tasks"], verdicts, made, job, run_cells)
         seconds += made.seconds
-        lines = [*one.remarks, *one.transplanted.remarks, *made.remarks, *apart]
+        lines = [*one.remarks, *_about_cells(one.transplanted, verdicts), *made.remarks, *apart]
         chapters[stem] = {
             "file": one.file.name,
             "tasks": {verdict.task: verdict.plain() for verdict in verdicts},
@@ -230,6 +230,17 @@ def _attempted(
                 line = Remark("not run", why=error)
                 return Attempt(trouble={task: [line] for task in wanted}, set_aside=list(wanted), remarks=[line])
     raise AssertionError("unreachable")
+
+
+def _about_cells(transplanted: Transplant, verdicts: Sequence[Verdict]) -> list[Remark]:
+    """Return the remarks on cells; of a lost cell whose answer was found elsewhere, that it was."""
+    found = {verdict.task for verdict in verdicts if verdict.points}
+    return [
+        Remark("elsewhere", remark.task, **remark.words)
+        if remark.kind == "missing" and remark.task in found
+        else remark
+        for remark in transplanted.remarks
+    ]
 
 
 def _apart(

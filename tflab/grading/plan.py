@@ -87,10 +87,10 @@ def plan(
             continue
         if piece.kind == "ours":
             ours.append(piece.source)
-        elif piece.kind in ("own", "answer"):
+        elif piece.kind in ("own", "answer") or (piece.kind == "stub" and piece.task in wanted):
             flush()
             cells.append(PlannedCell(piece, piece.source))
-        elif piece.task in wanted and piece.task in tasks:
+        elif piece.kind == "probe" and piece.task in wanted and piece.task in tasks:
             flush()
             again = piece.name.endswith("-again")
             for cases in _groups(tasks[piece.task], closely, (cases_left or {}).get(piece.task)):

@@ -17,8 +17,11 @@ Read `plan.py` next.
 
 from __future__ import annotations
 
+import ast
+import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 from .reader import SubmittedCell, SubmittedNotebook, task_slug
 from .remarks import Remark
@@ -56,7 +59,7 @@ class Piece:
     """One thing to run, or the place of a probe.
 
     Attributes:
-        kind: "ours", "own" (the learner's helper cell), "answer", or "probe".
+        kind: "ours", "own" (the learner's helper cell), "answer", "stub" (an answer cell left as it was), or "probe".
         name: the cell's name; an own cell has one of ours with a number.
     """
 
@@ -76,12 +79,19 @@ class Transplant:
     known_cells: int = 0
 
 
+class _Text(NamedTuple):
+    """What a cell that claims one of our names holds, and which cell of the notebook it is."""
+
+    source: str
+    is_code: bool
+    place: int
+
+
 @dataclass
 class _Found:
     """What was found in a notebook: for each of our names its texts, and the own cells behind it."""
 
-    texts: dict[str, list[str]] = field(default_factory=dict)
-    kinds: dict[str, set[str]] = field(default_factory=dict)
+    texts: dict[str, list[_Text]] = field(default_factory=dict)
     own: dict[str, list[str]] = field(default_factory=dict)
 
 
@@ -99,45 +109,61 @@ def master_of(notebook: Mapping, chapter: str, tasks: Iterable[str]) -> Master:
 def transplant(master: Master, handed_in: SubmittedNotebook) -> Transplant:
     """Return what runs of a notebook in the place of the master's answers."""
     found = _find(master, handed_in.cells)
-    remarks: list[Remark] = []
+    # With cells of their own, an answer may stand anywhere: look at every task then.
+    wrote_elsewhere = bool(found.own) or any(_kept_texts(cell, found) for cell in master.cells)
+    sources = {cell.name: _source(cell, found) for cell in master.cells}
+    answers = [cell for cell in master.cells if cell.role == "answer"]
+    stubs = {cell.task: cell for cell in answers if _same(sources[cell.name][0], cell.source)}
+    before_tasks = [cell.name for cell in master.cells[: _first_task(master)]]
+    with_given = {cell.task for cell in master.cells if cell.role == "given"}
     pieces: list[Piece] = [_own("", number, text) for number, text in enumerate(found.own.get("", ()))]
     answered = []
     for cell in master.cells:
-        source, complaint = _source(cell, found)
-        if complaint:
-            remarks.append(complaint)
-        texts = _kept_texts(cell, found) + found.own.get(cell.name, [])
-        if cell.role == "answer":
-            pieces.append(Piece("answer", cell.name, source, cell.task))
-        elif cell.role != "check":
+        source, complaint = sources[cell.name]
+        if cell.role in ("", "given"):
             pieces.append(Piece("ours", cell.name, cell.source, cell.task))
+        # What was left as it was comes first, so that it undoes no answer that stands in a cell of the learner's.
+        if cell.role == "given" and cell.task in stubs:
+            pieces.append(_stub(stubs[cell.task]))
+        if before_tasks and cell.name == before_tasks[-1]:
+            pieces += [_stub(stub) for task, stub in stubs.items() if task not in with_given]
+        if cell.role == "answer" and cell.task not in stubs:
+            pieces.append(Piece("answer", cell.name, source, cell.task))
+        if cell.role == "answer" and (wrote_elsewhere or cell.task not in stubs) and not _is_void(complaint):
+            answered.append(cell.task)
+        texts = _kept_texts(cell, found) + found.own.get(cell.name, [])
         own = [_own(cell.name, number, text, cell.task) for number, text in enumerate(texts)]
         probe = [Piece("probe", cell.name, task=cell.task)] if cell.role == "check" else []
-        # An answer cell that was left as it was may be completed behind the check: then look again there.
+        # It may also be completed behind the check: look again there.
         again = [Piece("probe", f"{cell.name}-again", task=cell.task)] if probe and own else []
         pieces += [*probe, *own, *again]
-        # With cells of their own, an answer may stand anywhere: look at every task then.
-        wrote_elsewhere = bool(found.own) or any(_kept_texts(other, found) for other in master.cells)
-        if cell.role == "answer" and (wrote_elsewhere or not _same(source, cell.source)) and not _void(complaint):
-            answered.append(cell.task)
-    void = {remark.task for remark in remarks if _void(remark)}
+    remarks = tuple(complaint for _, complaint in sources.values() if complaint)
+    void = {remark.task for remark in remarks if _is_void(remark)}
     kept = tuple(piece for piece in pieces if piece.kind != "probe" or piece.task not in void)
-    return Transplant(kept, tuple(answered), tuple(remarks), len(found.texts))
+    return Transplant(kept, tuple(answered), remarks, len(found.texts))
+
+
+def _first_task(master: Master) -> int:
+    return next((number for number, cell in enumerate(master.cells) if cell.task), len(master.cells))
+
+
+def _stub(cell: MasterCell) -> Piece:
+    return Piece("stub", f"{cell.name}-stub", cell.source, cell.task)
 
 
 def _find(master: Master, cells: Iterable[SubmittedCell]) -> _Found:
     names = {cell.name for cell in master.cells}
     texts = {_bare(cell.source): cell.name for cell in master.cells}
+    cells = tuple(cells)
     claimed = {claim for cell in cells for claim in cell.claims if claim in names}
     found, last = _Found(), ""
-    for cell in cells:
+    for number, cell in enumerate(cells):
         name = next((claim for claim in cell.claims if claim in names), None)
         if name is None and cell.kind == "code":
             by_text = texts.get(_bare(cell.source))
             name = by_text if by_text not in claimed else None
         if name is not None:
-            found.texts.setdefault(name, []).append(cell.source)
-            found.kinds.setdefault(name, set()).add(cell.kind)
+            found.texts.setdefault(name, []).append(_Text(cell.source, cell.kind == "code", number))
             last = name
         elif cell.kind == "code" and cell.source.strip():
             found.own.setdefault(last, []).append(cell.source)
@@ -146,20 +172,46 @@ def _find(master: Master, cells: Iterable[SubmittedCell]) -> _Found:
 
 def _source(cell: MasterCell, found: _Found) -> tuple[str, Remark | None]:
     """Return the text of one of our cells as it is to run, and what there is to say about it."""
-    texts = list(dict.fromkeys(_bare(text) for text in found.texts.get(cell.name, ())))
-    changed = [text for text in texts if text and text != _bare(cell.source)]
+    there = found.texts.get(cell.name, [])
+    code = {_bare(text.source): text for text in there if text.is_code}
+    changed = [text for bare, text in code.items() if bare and bare != _bare(cell.source)]
     if cell.role != "answer":
         return cell.source, Remark("changed", cell.task, cell=cell.name) if changed and cell.task else None
-    if len(changed) > 1:
+    if len(changed) > 1 and not _is_split(cell, changed):
         return cell.source, Remark("twice", cell.task, cell=cell.name)
-    if "code" not in found.kinds.get(cell.name, {"code"}):
+    if there and not code:
         return cell.source, Remark("no code", cell.task, cell=cell.name)
-    if not texts:
+    if not there:
         return cell.source, Remark("missing", cell.task, cell=cell.name)
-    return changed[0] if changed else cell.source, None
+    return "\n".join(text.source for text in changed) if changed else cell.source, None
 
 
-def _void(remark: Remark | None) -> bool:
+def _is_split(cell: MasterCell, texts: list[_Text]) -> bool:
+    """Return whether these are one answer that was split over neighbouring cells, not several answers.
+
+    An editor that splits a cell gives both halves its name. Then only one of them defines what is asked for.
+    """
+    places = [text.place for text in texts]
+    if places != list(range(places[0], places[0] + len(places))):
+        return False
+    asked = _defined(cell.source)
+    return sum(bool(_defined(text.source) & asked) for text in texts) == 1
+
+
+def _defined(source: str) -> set[str]:
+    """Return the names that a cell defines at its top level; what cannot be parsed may define any."""
+    lines = (line for line in source.splitlines() if not line.startswith(("%", "!")))
+    try:
+        body = ast.parse("\n".join(lines)).body
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return set(re.findall(r"^(?:(?:async )?def |class )?(\w+)", source, flags=re.MULTILINE))
+    names = {node.name for node in body if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef)}
+    lines_of_code = [line for line in body if not hasattr(line, "name")]
+    stored = [node for line in lines_of_code for node in ast.walk(line) if isinstance(node, ast.Name)]
+    return names | {node.id for node in stored if isinstance(node.ctx, ast.Store)}
+
+
+def _is_void(remark: Remark | None) -> bool:
     return remark is not None and remark.kind in ("twice", "no code")
 
 
@@ -170,7 +222,7 @@ def _kept_texts(cell: MasterCell, found: _Found) -> list[str]:
     """
     if cell.role in ("answer", "given"):
         return []
-    texts = dict.fromkeys(found.texts.get(cell.name, ()))
+    texts = dict.fromkeys(text.source for text in found.texts.get(cell.name, ()) if text.is_code)
     return [text for text in texts if text.strip() and not _same(text, cell.source)][:1]
 
 
