@@ -83,7 +83,7 @@ from tflab.robots.teaching import Source, TeachingRobot
 from tflab.robots.world import BALL, ROOM
 from tflab.tools.buffers import draw_history
 from tflab.views import latency, scene_helpers
-from tflab.views.frames import draw_scene
+from tflab.views.moments import draw_moments
 from tflab.views.panels import latency_panel, timeline_panel
 from tflab.views.placed import draw_placed
 from tflab.views.scene import Scene
@@ -102,6 +102,9 @@ from tflab.views.timeline import lane_from_history
 # Let us build it.
 # A robot weaves through a room at walking pace.
 # Its camera looks for one ball, and finding it takes 0.2 s of computing.
+#
+# The next cell starts the robot; you need not understand its words.
+# A `Leg` is a piece of the drive: how many seconds, how fast forwards, how fast it turns.
 
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 오십 년, 그리고 손 한 뼘
@@ -116,12 +119,16 @@ from tflab.views.timeline import lane_from_history
 # 직접 만들어 봅시다.
 # Robot 한 대가 방 안을 좌우로 흔들며 걷는 속도로 나아갑니다.
 # Camera는 공 하나를 찾고, 찾는 계산에 0.2초가 걸립니다.
+#
+# 다음 셀은 Robot을 출발시킵니다. 낱말을 모두 알 필요는 없습니다.
+# `Leg`는 주행의 한 토막입니다. 몇 초 동안, 얼마나 빠르게 앞으로, 얼마나 빠르게 도는지를 적습니다.
 
 # %% name="start-the-robot"
-weave = [Leg(1.0), *3 * [Leg(1.0, 0.5, 0.5), Leg(2.0, 0.5, -0.5), Leg(1.0, 0.5, 0.5)]]  # seconds, m/s, rad/s
+weave = [Leg(1.0), *3 * [Leg(1.0, 0.5, 0.5), Leg(2.0, 0.5, -0.5), Leg(1.0, 0.5, 0.5)]]
 plan = Drive(weave, PlanarPose(-1.0, -1.5, 0.0), start_ns=graph.now_ns)
-robot = TeachingRobot(plan, bias=0.0, slip=0.0005)  # good wheels: what you will see is time, not drift
-nodes = launch(graph, robot, only=["robot_state_publisher", "wheel_odometry", "localization", "object_detector"])
+robot = TeachingRobot(plan, bias=0.0, slip=0.0005)  # good wheels: what you will see is time
+parts = ["robot_state_publisher", "wheel_odometry", "localization", "object_detector"]
+nodes = launch(graph, robot, only=parts)
 
 # %% [markdown] lang="en" name="finder-intro" slide="subslide"
 # Here is the node that puts the ball on the map.
@@ -130,6 +137,8 @@ nodes = launch(graph, robot, only=["robot_state_publisher", "wheel_odometry", "l
 # - The [[listener]] hears `/tf` and `/tf_static`, and fills the [[buffer]].
 # - `on_point` is called with each sighting. It asks the buffer for `map_T_camera`, and moves the point.
 # - It asks with `Time()`. The author thought: "the newest pose is surely the best one".
+#
+# The cell after it lets twelve seconds pass. `spin_once` waits for one message and calls its callback; time here is virtual, so this takes a moment only.
 
 # %% [markdown] lang="ko" name="finder-intro" slide="subslide"
 # 공을 지도에 올리는 Node입니다.
@@ -138,6 +147,8 @@ nodes = launch(graph, robot, only=["robot_state_publisher", "wheel_odometry", "l
 # - [[listener|Listener(변환 수신기)]]는 `/tf`와 `/tf_static`을 듣고 [[buffer|Buffer]]를 채웁니다.
 # - 공을 볼 때마다 `on_point`가 불립니다. Buffer에 `map_T_camera`를 묻고, 점을 옮깁니다.
 # - 물을 때는 `Time()`을 씁니다. 작성자는 "가장 새로운 Pose가 당연히 가장 좋겠지"라고 생각했습니다.
+#
+# 그다음 셀은 12초를 보냅니다. `spin_once`는 Message 하나를 기다려 callback을 부릅니다. 이곳의 시간은 가상이라 금방 끝납니다.
 
 
 # %% name="finder"
@@ -176,7 +187,7 @@ print(len(finder.balls), "sightings, no error, no warning")
 # 다음 셀을 실행하기 전에 생각해 보십시오. 지도는 어떤 모습일까요? 공이 몇 개라고 말하겠습니까?
 
 # %% name="one-ball"
-draw_placed({"balls on the map": np.array(finder.balls)}, things=[BALL], shown_m=(5.2, -2.0, 7.8, -1.0))
+draw_placed({"balls on the map": np.array(finder.balls)}, things=[BALL], shown_m=(5.6, -1.9, 7.5, -1.1))
 
 # %% [markdown] lang="en" name="many-balls" slide="subslide"
 # The ring is the ball. The dots are where the map says it is.
@@ -295,16 +306,19 @@ for name, sight in (("straight", straight), ("turning", turning)):
 # **3D로:** 아래입니다. 실선 축은 Stamp 때의 Robot, 점선 축은 지금의 Robot입니다.
 # 지연을 끌어 보며 공이 달아나는 모습을 보십시오.
 
-# %% name="scene-of-the-delay" tags=["interactive"] slide="subslide"
+# %% name="empty-scene"
 scene = Scene()
+scene.look((-2.5, -3.0, 3.0), (2.8, 0.3, 0.0))
 
 
+# %% name="scene-of-the-delay" tags=["interactive"] slide="subslide"
 def draw(delay_s):
     then_T_now = latency.drive(1.0, 0.5, seconds(delay_s))
     drawn_at = then_T_now.apply((5.0, 0.0, 0.3))
     scene_helpers.draw_frame(scene, "robot at the stamp", Transform())
     scene_helpers.draw_frame(scene, "robot now", then_T_now, ghost=True)
-    scene_helpers.draw_points(scene, "ball", np.array([(5.0, 0.0, 0.3)]), size_m=0.3, words="ball")
+    scene_helpers.draw_arrow(scene, "ball", (5.0, 0.0, 0.0), (5.0, 0.0, 0.3), "ball", radius_m=0.02)
+    scene_helpers.draw_path(scene, "sight", np.array([then_T_now.translation, drawn_at]), ghost=True)
     scene_helpers.draw_arrow(scene, "error", (5.0, 0.0, 0.3), drawn_at, "error", radius_m=0.03)
 
 
@@ -386,12 +400,13 @@ latency.draw_latency(latency.Sight(speed_mps=0.0, yaw_rate_radps=0.5, range_m=5.
 
 # %% name="small-buffer"
 small = BufferCore()
-mount = Transform((0.20, 0.0, 0.15))
-small.set_transform(StampedTransform("base_link", "laser_frame", seconds(1.0), mount), is_static=True)
+mount = StampedTransform("base_link", "laser_frame", seconds(1.0), Transform((0.20, 0.0, 0.15)))
+small.set_transform(mount, is_static=True)
 for i in range(3):  # map -> odom, once a second
     small.set_transform(StampedTransform("map", "odom", seconds(2.0 + i), Transform()))
 for i in range(14):  # odom -> base_link, four times a second, at 1 m/s
-    small.set_transform(StampedTransform("odom", "base_link", seconds(1.5 + 0.25 * i), Transform((0.25 * i, 0.0, 0.0))))
+    pose = Transform((0.25 * i, 0.0, 0.0))
+    small.set_transform(StampedTransform("odom", "base_link", seconds(1.5 + 0.25 * i), pose))
 
 # %% name="three-lanes" slide="subslide"
 draw_history(small, "map", "laser_frame", seconds(3.4))
@@ -475,6 +490,7 @@ print(small.latest_common_time_ns("base_link", "laser_frame") / 1e9, "s  base_li
 #
 # From `odom` the slow lane is not on the path, so 4.75 s.
 # A path of static edges only has no latest time; tf2 says 0.
+# (On a robot: `buffer.get_latest_common_time("map", "laser_frame")`.)
 #
 # Our live robot, a moment after its last sighting:
 
@@ -487,6 +503,7 @@ print(small.latest_common_time_ns("base_link", "laser_frame") / 1e9, "s  base_li
 #
 # `odom`에서 물으면 느린 차선을 지나지 않으므로 4.75초입니다.
 # Static edge로만 이어진 길에는 최신 시각이 없고, tf2는 0이라고 답합니다.
+# (Robot에서는 `buffer.get_latest_common_time("map", "laser_frame")`입니다.)
 #
 # 마지막으로 공을 본 직후의 우리 Robot입니다.
 
@@ -555,7 +572,7 @@ draw_history(small, "map", "laser_frame", seconds(4.4))
 
 # %% name="worked-by-hand"
 message = finder.messages[12]
-stamp = Time.from_msg(message.header.stamp)
+stamp = Time.from_msg(message.header.stamp)  # the message's stamp, as lookups take it
 map_T_camera = finder.buffer.lookup_transform("map", message.header.frame_id, stamp)
 by_hand = do_transform_point(message, map_T_camera)
 print(f"at {stamp.nanoseconds / 1e9} s: ({by_hand.point.x:.2f}, {by_hand.point.y:.2f}, {by_hand.point.z:.2f})")
@@ -655,30 +672,41 @@ else:
 # Message를 받아 걸러 낸 뒤, "어쨌든 지금 발행하니까"라며 새 Stamp를 찍어 내보냅니다.
 
 # %% name="overwritten" tags=["raises-exception"]
-late = copy.deepcopy(finder.messages[-1])
+measured = finder.messages[-1]
+late = copy.deepcopy(measured)
 late.header.stamp = finder.get_clock().now().to_msg()  # measured 0.2 s ago, and now it says "now"
 finder.buffer.transform(late, "map")
 
 # %% [markdown] lang="en" name="overwritten-read" slide="subslide"
-# Read it to the end. It asked for 13.000 s; the latest data is at 12.946 s.
-# The future was 54 ms away, so a "cure" is near: wait 0.1 s and ask again.
-#
-# The error goes. The ball is wrong by half a metre again, and now nothing will ever tell you.
+# Read the last line. It asked for 13.000 s; the latest data is at 12.946 s.
+# The future was 54 ms away, so a "cure" is near: wait 0.2 s and ask again.
+
+# %% [markdown] lang="ko" name="overwritten-read" slide="subslide"
+# 마지막 줄을 읽어 보십시오. 13.000초를 물었는데 가장 새로운 Data가 12.946초입니다.
+# 미래까지 고작 54 ms이니 "치료법"이 가까워 보입니다. 0.2초 기다렸다 다시 물으면 됩니다.
+
+# %% name="the-cure"
+while graph.now_ns < seconds(13.2):
+    rclpy.spin_once(finder)
+for name, sight in (("overwritten", late), ("as measured", measured)):
+    point = finder.buffer.transform(sight, "map").point
+    print(f"{name}: ({point.x:.2f}, {point.y:.2f}), off by {math.dist((point.x, point.y), BALL[:2]):.2f} m")
+
+# %% [markdown] lang="en" name="the-cure-read" slide="subslide"
+# The error is gone, and the ball is wrong. Now nothing will ever tell you.
 # **The stamp says when it was measured, not when it arrived.** Overwrite it, and the error does not go away; it hides.
 #
 # What does that look like to a laser? Here a filter holds each scan for 0.3 s. The walls are placed twice: once at the stamp that the laser gave, once at a fresh one.
 
-# %% [markdown] lang="ko" name="overwritten-read" slide="subslide"
-# 끝까지 읽어 보십시오. 13.000초를 물었는데 가장 새로운 Data가 12.946초입니다.
-# 미래까지 고작 54 ms이니 "치료법"이 가까워 보입니다. 0.1초 기다렸다 다시 물으면 됩니다.
-#
-# 오류는 사라집니다. 공은 다시 반 미터쯤 틀리고, 이제는 아무도 알려 주지 않습니다.
+# %% [markdown] lang="ko" name="the-cure-read" slide="subslide"
+# 오류는 사라졌고 공의 위치는 틀렸습니다. 이제는 아무도 알려 주지 않습니다.
 # **Stamp는 도착한 시각이 아니라 측정한 시각입니다.** 덮어쓰면 오차가 없어지는 것이 아니라 숨습니다.
 #
 # Laser에서는 어떻게 보일까요? 필터가 Scan을 0.3초 붙잡아 둡니다. 벽을 두 번 놓아 봅니다. 한 번은 Laser가 찍은 Stamp로, 한 번은 새로 찍은 Stamp로.
 
 # %% name="scans"
-held = TeachingRobot(plan, bias=0.0, slip=0.0005, sources={"laser": Source("laser_driver", 10.0, 0.3, 0.004)})
+filtered = {"laser": Source("laser_driver", 10.0, 0.3, 0.004)}  # 10 Hz, 0.3 s late
+held = TeachingRobot(plan, bias=0.0, slip=0.0005, sources=filtered)
 poses = held.buffer(until_s=14.0, cache_time_s=30.0)
 scans = [heard for heard in held.readings(until_s=13.0) if heard.topic == "/scan"][2:58:4]
 
@@ -720,11 +748,12 @@ for heard in scans:
     for ray_stamp_ns, point in zip(heard.value.ray_stamps_ns, heard.value.points(), strict=True):
         map_T_laser = poses.lookup_transform("map", "laser_frame", int(ray_stamp_ns)).transform
         rays.append(map_T_laser.apply(np.array([point])))
-draw_placed({"one stamp a scan": ways["the laser's stamp"], "one stamp a ray": np.vstack(rays)}, walls=ROOM.walls)
+ways = {"one stamp a scan": ways["the laser's stamp"], "one stamp a ray": np.vstack(rays)}
+draw_placed(ways, walls=ROOM.walls)
 
 # %% [markdown] lang="en" name="ray-by-ray-notes" slide="notes"
 # This is the slide for the engineers in the room: laser_geometry does the same in C++ when it is given a TF buffer.
-# Say that a sweep at 10 Hz and a robot at 0.5 rad/s already give 5 cm at 1 m of range per second of care you do not take.
+# With a sweep of 0.1 s a robot at 0.5 rad/s turns by 0.05 rad from the first ray to the last: 25 cm at 5 m.
 # Then go back: most of the smear in practice comes from stamps, and costs nothing to mend.
 
 # %% [markdown] lang="ko" name="ray-by-ray-notes" slide="notes"
@@ -747,7 +776,8 @@ draw_placed({"one stamp a scan": ways["the laser's stamp"], "one stamp a ray": n
 # **예측해 보십시오.** 마흔 번쯤 되는 관측 가운데 몇 개를 도착하자마자 자기 Stamp로 놓을 수 있을까요?
 
 # %% name="slow-odometry"
-slow = TeachingRobot(plan, bias=0.0, slip=0.0005, sources={"odometry": Source("wheel_odometry", 1.0, 0.004, 0.002)})
+slow_wheels = {"odometry": Source("wheel_odometry", 1.0, 0.004, 0.002)}  # 1 Hz
+slow = TeachingRobot(plan, bias=0.0, slip=0.0005, sources=slow_wheels)
 answered, refusals = 0, []
 for heard in slow.readings(until_s=13.0):
     if heard.topic == "/detected_point":
@@ -868,6 +898,7 @@ forgetful.lookup_transform("map", "camera_optical_frame", seconds(11.0))
 #
 # One stamp cannot say that. What stands still between the two moments can: the [[fixed frame]], here `odom`.
 # `lookup_transform_full` walks from the camera **then** up to `odom`, waits there for a second, and walks down to base_link **now**.
+# Its arguments are two frames, each with its own time behind it, and the frame that stands still.
 
 # %% [markdown] lang="ko" name="two-moments" slide="slide"
 # ## 한 걸음 더: 두 순간을 한 번에
@@ -877,29 +908,26 @@ forgetful.lookup_transform("map", "camera_optical_frame", seconds(11.0))
 #
 # Stamp 하나로는 말할 수 없습니다. 두 순간 사이에 가만히 있는 것, 곧 [[fixed frame|고정 Frame]]이 이어 줍니다. 여기서는 `odom`입니다.
 # `lookup_transform_full`은 **그때**의 Camera에서 `odom`까지 올라가고, 거기서 1초를 기다렸다가, **지금**의 base_link로 내려옵니다.
+# 인자는 저마다 시각이 뒤따르는 Frame 둘과 가만히 있는 Frame 하나입니다.
 
 # %% name="six-arguments"
 message = finder.messages[12]
 stamp, now = Time.from_msg(message.header.stamp), Time(nanoseconds=8_400_000_000)
-old = finder.buffer.transform(message, "base_link").point
 now_T_then = finder.buffer.lookup_transform_full("base_link", now, message.header.frame_id, stamp, "odom")
+old = finder.buffer.transform(message, "base_link").point
 fresh = do_transform_point(message, now_T_then).point
 truth = robot.truth_at(now.nanoseconds)["base_link"].inverse().apply(BALL)
 print(f"base_link then: ({old.x:.2f}, {old.y:.2f})   base_link now: ({fresh.x:.2f}, {fresh.y:.2f})")
 print(f"the truth now:  ({truth[0]:.2f}, {truth[1]:.2f})")
 
-# %% name="picture-of-two-moments"
+# %% name="picture-of-two-moments" slide="subslide"
+ball = finder.buffer.transform(message, "odom").point
 moments = {"base_link, 7.4 s": stamp, "base_link, 8.4 s": now}
-engine = finder.buffer.core
-ball = engine.lookup_transform("odom", "camera_optical_frame", stamp.nanoseconds).transform.apply(
-    (message.point.x, message.point.y, message.point.z)
-)
-draw_scene(
-    {name: engine.lookup_transform("odom", "base_link", at.nanoseconds).transform for name, at in moments.items()},
-    points={"ball": ball},
-    fixed_frame="odom",
-    length_m=0.6,
-)
+poses = {
+    name: finder.buffer.core.lookup_transform("odom", "base_link", moment.nanoseconds).transform
+    for name, moment in moments.items()
+}
+draw_moments(poses, (ball.x, ball.y, ball.z), "ball")
 
 # %% [markdown] lang="en" name="two-moments-read" slide="subslide"
 # A second ago the ball was 1.6 m to the **right**. Now it is 0.7 m to the **left**.
