@@ -323,7 +323,7 @@ def test_no_descriptor_is_left_open(sandbox: Sandbox) -> None:
     for source in ("1", "1 / 0", "import os; os._exit(0)", "get_ipython().kernel.session.wire.send_bytes(b'[')"):
         run(sandbox, source)
     for_this_process(sandbox).settle()
-    assert len(os.listdir("/proc/self/fd")) == before
+    assert len(os.listdir("/proc/self/fd")) <= before
 
 
 def test_a_forkserver_that_died_is_replaced(sandbox: Sandbox) -> None:

@@ -85,7 +85,7 @@ class Kernels:
         self.sandbox = sandbox
         self.ahead = ahead
         self._ready: list[tuple[Limits, Kernel]] = []
-        self._ending: list[Kernel] = []
+        self._ending: list[Kernel] = []  # given away, and not known to be gone
         self._lock = threading.Lock()
         self._shown, self._hidden = sandbox.shown(), sandbox.hidden()
         self._server: subprocess.Popen[bytes] | None = None
@@ -99,9 +99,10 @@ class Kernels:
             fresh = kernel is None
             if kernel is None:
                 kernel = self._order(limits)
-            while len(self._ready) < self.ahead:
-                self._ready.append((limits, self._order(limits)))
             self._ending.append(kernel)
+            in_use = sum(not other.hung_up for other in self._ending)  # by so many threads
+            while len(self._ready) < self.ahead * in_use:
+                self._ready.append((limits, self._order(limits)))
             ended = [other for other in self._ending[:-MOST_ENDING] if other.hung_up]
             self._ending = [other for other in self._ending if other not in ended]
         for other in ended:
