@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import shutil
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -100,3 +102,9 @@ def test_a_damaged_copy_is_said_as_it_is_elsewhere(copy: Path, capsys: pytest.Ca
     (copy / "workbook.json").write_text("{")
     assert main([str(path)]) == 2
     assert "workbook.json cannot be read" in capsys.readouterr().err
+
+
+def test_what_learners_and_releases_need_is_there_where_linux_is_not() -> None:
+    gone = "import sys; sys.modules.update(dict.fromkeys(('resource', 'fcntl', 'pwd', 'grp')))"
+    rooms = "import tflab.grading.check_command, tflab.grading.release, tflab.grading.grade, tflab.grading.plain_kernel"
+    subprocess.run([sys.executable, "-c", f"{gone}; {rooms}"], check=True)
