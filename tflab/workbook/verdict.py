@@ -187,17 +187,19 @@ def _twin(
     best, most = "", 0
     for name in task["twins"]:
         rows = [_judge_twin(form, outcome, case["twins"][name]) for case, outcome in zip(cases, outcomes, strict=True)]
-        wrong_alike = all(
-            twin
-            for row, right in zip(rows, rights, strict=True)
-            for twin, good in zip(row, right, strict=True)
-            if not good
-        )
+        wrong_alike = all(_is_wrong_alike(row, right) for row, right in zip(rows, rights, strict=True))
         alike = sum(map(sum, rows))
         whole = alike == sum(map(len, rows))
         if wrong_alike and (whole or isinstance(form, Parts)) and alike > most:
             best, most = name, alike
     return best
+
+
+def _is_wrong_alike(row: list[bool], right: list[bool]) -> bool:
+    """Return whether the twin explains all that is wrong in one case; where one of the two raises, as a whole."""
+    if len(row) != len(right):
+        return all(row) or all(right)
+    return all(twin for twin, good in zip(row, right, strict=True) if not good)
 
 
 def _judge_twin(form: Form, outcome: Plain, twin: Plain) -> list[bool]:
