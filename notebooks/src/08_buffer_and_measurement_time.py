@@ -450,7 +450,7 @@ for stamp_s in (1.0, 1.25, 1.5, 1.75, 2.0):
 # %% [markdown] lang="ko" name="shortest-arc-read"
 # 180°입니다. 여느 Robot처럼 등 뒤쪽을 지나 20°만 돌았습니다.
 # 두 숫자를 평균하면 0°가 되고, Robot이 한순간 반대쪽을 봅니다.
-# 세상의 모든 언어로 누군가 손수 만들어 본 버그입니다. 연습문제에서 안전하게 한 번 더 만들어 볼 수 있습니다.
+# 세상의 모든 언어로 누군가 손수 만들어 본 버그입니다. 연습 문제에서 안전하게 한 번 더 만들어 볼 수 있습니다.
 
 # %% [markdown] lang="en" name="latest-common" slide="slide"
 # ### How fresh is "latest"?
@@ -1308,7 +1308,7 @@ node.stop()
 #
 # 이 장의 용어: [[buffer|Buffer]], [[listener|Listener]], [[stamp|Stamp]], [[interpolation|보간]], [[latest common time|최신 공통 시각]], [[extrapolation|외삽]], [[cache time|보관 시간]], [[latency|지연(latency)]], [[motion distortion|움직임 왜곡]], [[fixed frame|고정 Frame]].
 #
-# 강의의 실습 체크리스트: *Buffer와 Listener로 최신 Transform을 조회했다*(C8), *`PointStamped`를 측정 Timestamp 기준으로 변환했다*(C9). 연습문제를 풀면 둘 다 표시됩니다.
+# 강의의 실습 체크리스트: *Buffer와 Listener로 최신 Transform을 조회했다*(C8), *`PointStamped`를 측정 Timestamp 기준으로 변환했다*(C9). 연습 문제를 풀면 둘 다 표시됩니다.
 
 # %% [markdown] lang="en" name="from-before" slide="slide"
 # ## Three questions from earlier chapters
@@ -1410,4 +1410,4 @@ node.stop()
 #
 # </details>
 #
-# 이제 연습문제로 갑니다: [08 · Buffer와 측정 시각](../../exercises/ko/08_buffer_and_measurement_time.ipynb)
+# 이제 연습 문제로 갑니다: [08 · Buffer와 측정 시각](../../exercises/ko/08_buffer_and_measurement_time.ipynb)

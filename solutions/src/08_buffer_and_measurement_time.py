@@ -1,5 +1,5 @@
 # %% [markdown] lang="en" name="title"
-# # Exercise 08 · Buffer and measurement time
+# # Exercises 08 · Buffer and measurement time
 #
 # Seven tasks, 22 points, about an hour. The page they belong to: [08 · Where was I when I saw it?](../../notebooks/en/08_buffer_and_measurement_time.ipynb)
 #
@@ -8,7 +8,7 @@
 # Your numbers come from `task(...)` and may differ from your neighbour's, so answer with an expression, such as `e8_1.clock_s - 1.0`, and not with a number that you worked out elsewhere.
 
 # %% [markdown] lang="ko" name="title"
-# # 연습문제 08 · Buffer와 측정 시각
+# # 연습 문제 08 · Buffer와 측정 시각
 #
 # 문제 일곱 개, 22점, 한 시간쯤 걸립니다. 함께 보는 페이지: [08 · 그것을 보았을 때 나는 어디에 있었나?](../../notebooks/ko/08_buffer_and_measurement_time.ipynb)
 #
@@ -18,7 +18,7 @@
 
 # %% name="load"
 # %load_ext tflab
-from tflab.workbook import check, hint, task
+from tflab.workbook import check, hint, solution, task
 
 # %% name="imports"
 import math
@@ -92,7 +92,7 @@ def interpolate(stamp_s, before, after):
 check("E8.2", interpolate)
 
 # %% [markdown] lang="en" name="e8-3"
-# ## E8.3 · PointToMap (4 points)
+# ## E8.3 · PointToMap: a point onto the map (4 points)
 #
 # The heart of the lecture's node, as a function. It gets a `tf2_ros.Buffer`, a `PointStamped`, and `now`, the time at which the message arrived.
 # Return the point in `map`, as a `PointStamped` that still says when it was measured.
@@ -101,7 +101,7 @@ check("E8.2", interpolate)
 # One of the three arguments is there to tempt you.
 
 # %% [markdown] lang="ko" name="e8-3"
-# ## E8.3 · PointToMap (4점)
+# ## E8.3 · PointToMap: 점을 지도 위로 (4점)
 #
 # 강의 Node의 핵심을 함수로 작성합니다. `tf2_ros.Buffer`, `PointStamped`, 그리고 Message가 도착한 시각 `now`를 받습니다.
 # `map`에서 표현한 점을 `PointStamped`로 반환하되, 언제 측정했는지가 그대로 남아 있어야 합니다.

@@ -168,6 +168,15 @@ def falls_back(buffer, message, now):
         return latest(buffer, message, now)
 
 
+def swallows(buffer, message, now):
+    from tflab.core import TransformException
+
+    try:
+        return _moved(message, buffer.lookup_transform("map", message.header.frame_id, message.header.stamp))
+    except TransformException:
+        return None
+
+
 def swapped(buffer, message, now):
     moved = _moved(message, buffer.lookup_transform(message.header.frame_id, "map", message.header.stamp))
     moved.header.frame_id = "map"
@@ -404,7 +413,7 @@ TASKS = (
         id="E8.3",
         kind="F",
         points=4,
-        title=Words(en="PointToMap", ko="PointToMap"),
+        title=Words(en="PointToMap: a point onto the map", ko="PointToMap: 점을 지도 위로"),
         answer="point_to_map",
         form=Message("geometry_msgs/msg/PointStamped", ("point", "header.stamp"), tolerance=0.002),
         inputs=sightings,
@@ -436,6 +445,15 @@ TASKS = (
                     ko="Buffer가 거절하면 최신 변환으로 물러섭니다. 정직한 거절을 틀린 점으로 바꾸는 일입니다. 예외를 그대로 내보내십시오.",
                 ),
                 "M9",
+            ),
+            Twin(
+                "swallows the refusal",
+                swallows,
+                Words(
+                    en="Where the buffer refuses, you return nothing, and nobody learns why. Let the exception through: whoever calls you decides what to do.",
+                    ko="Buffer가 거절하면 아무것도 반환하지 않아 아무도 이유를 알지 못합니다. 예외를 그대로 내보내십시오. 어떻게 할지는 부른 쪽이 정합니다.",
+                ),
+                "M11",
             ),
             Twin(
                 "swapped",
