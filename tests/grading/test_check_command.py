@@ -11,8 +11,10 @@ from pathlib import Path
 import pytest
 import tiny
 
-from tflab.grading import check_command
 from tflab.grading.check_command import main
+from tflab.grading.plain_kernel import run_plainly
+from tflab.grading.plan import PlannedCell
+from tflab.grading.transplant import Piece
 
 
 @pytest.fixture
@@ -73,15 +75,19 @@ def test_without_a_sandbox_an_ordinary_kernel_does_and_says_so(copy: Path, capsy
     assert "the answer cell stops with ZeroDivisionError." in said
 
 
-def test_in_an_ordinary_kernel_too_what_does_not_end_is_ended(
-    copy: Path, capsys: pytest.CaptureFixture, monkeypatch: pytest.MonkeyPatch
+def test_in_an_ordinary_kernel_too_an_answer_that_ends_python_costs_its_own_points(
+    copy: Path, capsys: pytest.CaptureFixture
 ) -> None:
-    limits = check_command.PlainLimits(5.0, 30.0)
-    monkeypatch.setattr(check_command, "PlainLimits", lambda: limits)
-    assert main([str(answer(copy, {**tiny.RIGHT, "e3-1-answer": "while True: pass"})), "--plain"]) == 1
+    path = answer(copy, {**tiny.RIGHT, "e3-1-answer": "import os\nos._exit(3)"})
+    assert main([str(path), "--plain"]) == 1
     said = capsys.readouterr().out
     assert "E3.1  ! 0/1" in said
     assert "E3.2  ✓ 4/4\nE3.3  ✓ 2/2" in said
+
+
+def test_in_an_ordinary_kernel_what_does_not_end_is_ended() -> None:
+    ran = run_plainly([PlannedCell(Piece("answer", "endless"), "while True: pass")], cell_s=1.0)
+    assert ran.stopped == "timed out"
 
 
 @pytest.mark.parametrize("name", ["nowhere.ipynb", "workbook.json", "."])
@@ -105,6 +111,6 @@ def test_a_damaged_copy_is_said_as_it_is_elsewhere(copy: Path, capsys: pytest.Ca
 
 
 def test_what_learners_and_releases_need_is_there_where_linux_is_not() -> None:
-    gone = "import sys; sys.modules.update(dict.fromkeys(('resource', 'fcntl', 'pwd', 'grp')))"
+    gone = "import sys; sys.modules.update(dict.fromkeys(('resource', 'pwd', 'grp')))"
     rooms = "import tflab.grading.check_command, tflab.grading.release, tflab.grading.grade, tflab.grading.plain_kernel"
     subprocess.run([sys.executable, "-c", f"{gone}; {rooms}"], check=True)

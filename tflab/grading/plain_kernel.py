@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import subprocess
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from queue import Empty
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from jupyter_client.blocking import BlockingKernelClient
 
 __all__ = ["run_plainly"]
+
+LOOK_S = 0.5  # between two looks whether the kernel is alive
 
 
 class _Cell(NamedTuple):
@@ -47,7 +49,7 @@ def run_plainly(cells: Sequence[PlannedCell], cell_s: float) -> _Run:
     try:
         for cell in cells:
             try:
-                outcomes.append(_run(client, cell, cell_s))
+                outcomes.append(_run(client, cell, cell_s, manager.is_alive))
             except Empty:
                 stopped = "timed out" if manager.is_alive() else "kernel died"
                 outcomes.append(_Cell(trouble=stopped))
@@ -58,13 +60,18 @@ def run_plainly(cells: Sequence[PlannedCell], cell_s: float) -> _Run:
     return _Run(outcomes, time.monotonic() - began, stopped)
 
 
-def _run(client: BlockingKernelClient, cell: PlannedCell, cell_s: float) -> _Cell:
-    """Run one cell; raises Empty if it does not end within its time."""
+def _run(client: BlockingKernelClient, cell: PlannedCell, cell_s: float, is_alive: Callable[[], bool]) -> _Cell:
+    """Run one cell; raises Empty if it does not end within its time, or if the kernel dies."""
     end = time.monotonic() + cell_s
     asked = client.execute(cell.source, store_history=False, stop_on_error=False)
     value, trouble = None, None
     while True:
-        message = client.get_iopub_msg(timeout=max(0.0, end - time.monotonic()))
+        try:
+            message = client.get_iopub_msg(timeout=min(LOOK_S, max(0.0, end - time.monotonic())))
+        except Empty:
+            if time.monotonic() < end and is_alive():
+                continue
+            raise
         if message["parent_header"].get("msg_id") != asked:
             continue
         kind, content = message["msg_type"], message["content"]
