@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any
 
@@ -11,8 +12,11 @@ import pytest
 
 from tflab.grading import inside
 from tflab.grading.attempt import Attempt, NotRun, attempt
+from tflab.grading.limits import Limits
+from tflab.grading.one import File, Job, graded, record_with
 from tflab.grading.plan import PlannedCell, plan
 from tflab.grading.transplant import Piece, Transplant
+from tflab.workbook.forms import Number
 from tflab.workbook.values import raised, to_plain
 
 TASKS = {
@@ -205,3 +209,26 @@ def test_what_a_function_raises_is_an_outcome() -> None:
 def test_what_no_json_can_hold_is_named_as_an_object() -> None:
     made = tried(Here(), pieces(e1_1="a = object()"))
     assert made.outcomes["E1.1"][0] == to_plain(object())
+
+
+def test_a_machine_too_busy_even_for_our_cells_costs_nobody() -> None:
+    task = {"form": Number().plain(), "points": 2, "twins": {}, "cases": [{"args": None, "expected": 1}]}
+    tasks = {"E1.1": {**TASKS["E1.1"], **task}}
+    master = [["e1-1-answer", "a = ...", "E1.1", "answer"], ["e1-1-check", "check", "E1.1", "check"]]
+    cells = [{"id": "e1-1-answer", "cell_type": "code", "source": "a = 1"}]
+    job = Job(
+        "s1", "", "en", "r", "v", (File("a.ipynb", json.dumps({"cells": cells}).encode()),),
+        {"01_x": {"master": master, "tasks": tasks}}, Limits(cell_s=1, notebook_s=6),
+    )  # fmt: skip
+    busy = Here()
+
+    def slow_at_first(cells: Sequence[PlannedCell], limits: Limits) -> SimpleNamespace:
+        if limits.cell_s > 1:
+            return busy(cells)
+        return SimpleNamespace(outcomes=[SimpleNamespace(value=None, trouble=None)], seconds=1.0, stopped="timed out")
+
+    first = graded(job, slow_at_first)
+    assert (first["points"], first["set_aside"]) == (0.0, {"01_x": ["E1.1"]})
+    both = record_with(first, graded(replace(job, only=first["set_aside"]), slow_at_first))
+    assert both["points"] == 2.0
+    assert "not_run" not in both

@@ -127,7 +127,9 @@ def record_with(record: dict[str, Any], alone: dict[str, Any]) -> dict[str, Any]
             chapters[stem] = chapter | {"tasks": chapters[stem]["tasks"] | chapter["tasks"]}
     seconds = round(record["seconds"] + alone["seconds"], 3)
     tried = {stem: list(tasks) for stem, tasks in record["set_aside"].items()}
-    return record | {"chapters": chapters, "seconds": seconds, "set_aside": {}, "tried_alone": tried} | _sums(chapters)
+    kept = {name: held for name, held in record.items() if name != "not_run"}
+    kept |= {"chapters": chapters, "seconds": seconds, "set_aside": {}, "tried_alone": tried} | _sums(chapters)
+    return kept | ({"not_run": True} if alone.get("not_run") else {})
 
 
 def _master(stem: str, cells: Iterable[Sequence[str]]) -> Master:
