@@ -12,6 +12,7 @@ from pathlib import Path
 import psutil
 import pytest
 
+from tflab.grading import landlock
 from tflab.grading.kernels import Kernel, KernelError, Kernels, choose
 from tflab.grading.limits import Limits
 from tflab.grading.sandbox import LEVELS, Sandbox
@@ -93,6 +94,16 @@ def inside(shared: Inside, kernels: Kernels) -> Inside:
     """The same behind a real wall."""
     if kernels.sandbox.level not in WALLS:
         pytest.skip("this level does not promise it, and says so")
+    return shared
+
+
+@pytest.fixture
+def confined(shared: Inside, kernels: Kernels) -> Inside:
+    """The same where only Landlock confines it."""
+    if kernels.sandbox.level != "limits":
+        pytest.skip("this level has a file system of its own")
+    if landlock.abi() < landlock.CONFINES:
+        pytest.skip("this machine's Landlock is too old, and the report says what follows")
     return shared
 
 
@@ -253,6 +264,31 @@ def test_there_is_no_network(inside: Inside) -> None:
     assert inside("[name for _, name in socket.if_nameindex()]", "import socket") == ["lo"]
 
 
+def test_without_a_wall_landlock_keeps_the_pack_from_being_read(confined: Inside, secret: Path) -> None:
+    assert confined(f"attempt(lambda: open({str(secret / 'pack.json')!r}).read())") == "PermissionError"
+    assert confined(f"attempt(lambda: os.listdir({str(secret)!r}))") == "PermissionError"
+    assert confined("attempt(lambda: open('/etc/passwd').read())") == "PermissionError"
+
+
+def test_without_a_wall_landlock_keeps_the_grader_from_being_ended_or_read(confined: Inside) -> None:
+    assert confined(f"attempt(lambda: os.kill({os.getpid()}, 0))") == "PermissionError"
+    assert confined(f"attempt(lambda: open('/proc/{os.getpid()}/environ').read())") == "PermissionError"
+    assert confined(f"attempt(lambda: open('/proc/{os.getpid()}/mem', 'rb').read(1))") == "PermissionError"
+    connect = "import socket\nserver = socket.socket()\nserver.settimeout(1)"
+    assert confined("attempt(lambda: server.connect(('127.0.0.1', 22)))", connect) == "PermissionError"
+
+
+def test_landlock_hides_what_lies_in_a_folder_that_is_shown(tmp_path: Path) -> None:
+    (tmp_path / "a" / "b").mkdir(parents=True)
+    (tmp_path / "a" / "c.py").touch()
+    rules = dict(landlock.readable(tmp_path, (tmp_path / "a" / "b",)))
+    assert rules == {
+        str(tmp_path): landlock.LIST,
+        str(tmp_path / "a"): landlock.LIST,
+        str(tmp_path / "a" / "c.py"): landlock.EXECUTE | landlock.READ | landlock.LIST,
+    }
+
+
 # Nothing can be changed.
 
 
@@ -289,6 +325,9 @@ CALLS = {
     "keyctl": "libc.syscall(250, 0, 0, 0)",
     "io_uring": "libc.syscall(425, 1, 0)",
     "userfaultfd": "libc.syscall(323, 0)",
+    "memory in no process": "libc.syscall(319, b'x', 0)",
+    "shared memory in no process": "libc.shmget(1, 4096, 0o1600)",
+    "a signal to everybody": "libc.kill(-1, 0)",
     "a virtual machine's socket": "libc.socket(40, 1, 0)",
     "a socket of the kernel's cryptography": "libc.socket(38, 5, 0)",
 }
@@ -476,7 +515,11 @@ def test_the_best_wall_that_works_is_taken() -> None:
     assert choose().level == next(level for level in LEVELS if levels[level])
 
 
-def test_a_fallback_says_what_it_does_not_protect_from() -> None:
+def test_a_fallback_says_what_it_does_not_protect_from(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(landlock, "abi", lambda: landlock.CONFINES)
+    assert "which other processes run" in Sandbox("limits").announce()
+    assert "advisory" not in Sandbox("limits").announce()
+    monkeypatch.setattr(landlock, "abi", lambda: 0)
     assert Sandbox("namespaces").announce() == "Sandbox: namespaces."
     assert "several times as long" in Sandbox("bubblewrap").announce()
     announced = Sandbox("limits").announce()

@@ -9,7 +9,7 @@ grader nor another.
     reader, remarks, transplant       a stranger's file as strings; what is said of it; only its answers go on
     plan, inside                      which cells run; the one page of ours that runs among them
     limits, sandbox, namespaces,      how much a submission may take, and what stands between it and us
-      seccomp, bubblewrap
+      seccomp, bubblewrap, landlock
     wire, shell, keeper, forkserver,  kernels that are there before they are asked for, and gone without a trace
       kernels
     items, running                    cells on nbval, each within its limits

@@ -27,7 +27,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from . import bubblewrap, namespaces, seccomp
+from . import bubblewrap, landlock, namespaces, seccomp
 from .limits import Limits
 from .wire import Wire
 
@@ -121,8 +121,10 @@ def in_limits(order: Order) -> int:
             os.chown(order.folder, uid, uid)
         os.chdir(order.folder)
         os.environ.update(HOME=order.folder, TMPDIR=order.folder, MPLCONFIGDIR=order.folder)
+        tempfile.tempdir = None
         order.limits.apply()
         namespaces.become_nobody(uid)
+        landlock.confine(order.shown, order.hidden, order.folder)
 
     return os.fork() or become_kernel(order, enter)
 
@@ -147,6 +149,7 @@ def become_kernel(order: Order, enter: Callable[[], None]) -> int:
         order.leash.close()
         namespaces.libc.prctl(PR_SET_PDEATHSIG, signal.SIGKILL, 0, 0, 0)
         os.setsid()
+        os.nice(5)  # the keeper and the grader come first
         os.environ.clear()
         os.environ.update(order.environment)
         try:

@@ -2,7 +2,8 @@
 
     namespaces    its own processes, files, network, users: nothing outside can be seen or signalled
     bubblewrap    the same by the program `bwrap`, which some machines allow more; slower
-    limits        only time, memory and files are bounded: hidden answers are advisory
+    limits        only time, memory and what it writes are bounded, and, by Landlock, if the machine has that,
+                  which files it can read; without it, hidden answers are advisory
 
 `kernels.choose` tries them in this order.  What must not be seen (the pack, the other
 submissions) goes into `hide`, although the first two walls show only what Python needs.
@@ -19,8 +20,14 @@ from pathlib import Path
 import tflab
 from tflab.workbook import places
 
+from . import landlock
+
 __all__ = ["LEVELS", "Sandbox"]
 
+ONLY_FILES = (
+    "code in a submission can see which other processes run",
+    "code in a submission can send UDP to the network",
+)
 GAPS = {
     "namespaces": (),
     "bubblewrap": ("every kernel starts from nothing, so grading takes several times as long",),
@@ -54,6 +61,8 @@ class Sandbox:
     @property
     def gaps(self) -> tuple[str, ...]:
         """Return what this wall does not protect from, one sentence each; nothing for the best one."""
+        if self.level == "limits" and landlock.abi() >= landlock.CONFINES:
+            return ONLY_FILES
         return GAPS[self.level]
 
     def announce(self) -> str:

@@ -1,6 +1,8 @@
 """Which system calls are refused to a kernel?  Those that no answer needs and that attacks begin with.
 
     mount, unshare, ptrace, bpf, ...     EPERM
+    memfd_create, shmget, msgget         EPERM (memory that is in no process, and so in nobody's limit)
+    kill(-1)                             EPERM (that is everybody)
     clone with a new namespace           EPERM
     clone3                               ENOSYS (its flags cannot be seen; libc then uses clone)
     socket of an unusual family          EAFNOSUPPORT
@@ -29,6 +31,7 @@ ANYWHERE = {
     "mount_setattr": 442, "quotactl_fd": 443, "memfd_secret": 447,
 }  # fmt: skip
 X86_64 = {
+    "shmget": 29, "msgget": 68, "memfd_create": 319,
     "ptrace": 101, "pivot_root": 155, "chroot": 161, "acct": 163, "settimeofday": 164, "mount": 165, "umount2": 166,
     "swapon": 167, "swapoff": 168, "reboot": 169, "init_module": 175, "delete_module": 176, "quotactl": 179,
     "clock_settime": 227, "kexec_load": 246, "add_key": 248, "request_key": 249, "keyctl": 250, "unshare": 272,
@@ -36,16 +39,17 @@ X86_64 = {
     "process_vm_writev": 311, "finit_module": 313, "kexec_file_load": 320, "bpf": 321, "userfaultfd": 323,
 }  # fmt: skip
 AARCH64 = {
+    "msgget": 186, "shmget": 194, "memfd_create": 279,
     "umount2": 39, "mount": 40, "pivot_root": 41, "chroot": 51, "quotactl": 60, "acct": 89, "unshare": 97,
     "kexec_load": 104, "init_module": 105, "delete_module": 106, "clock_settime": 112, "ptrace": 117, "reboot": 142,
     "settimeofday": 170, "add_key": 217, "request_key": 218, "keyctl": 219, "swapon": 224, "swapoff": 225,
     "perf_event_open": 241, "name_to_handle_at": 264, "open_by_handle_at": 265, "setns": 268, "process_vm_readv": 270,
     "process_vm_writev": 271, "finit_module": 273, "bpf": 280, "userfaultfd": 282, "kexec_file_load": 294,
 }  # fmt: skip
-# machine -> (how the kernel names it, refused calls, number of clone, number of socket)
-MACHINES: dict[str, tuple[int, Mapping[str, int], int, int]] = {
-    "x86_64": (0xC000003E, {**X86_64, **ANYWHERE}, 56, 41),
-    "aarch64": (0xC00000B7, {**AARCH64, **ANYWHERE}, 220, 198),
+# machine -> (how the kernel names it, refused calls, numbers of clone, socket and kill)
+MACHINES: dict[str, tuple[int, Mapping[str, int], int, int, int]] = {
+    "x86_64": (0xC000003E, {**X86_64, **ANYWHERE}, 56, 41, 62),
+    "aarch64": (0xC00000B7, {**AARCH64, **ANYWHERE}, 220, 198, 129),
 }
 CLONE3 = 435
 NEW_NAMESPACES = 0x7E020000  # CLONE_NEWNS, NEWCGROUP, NEWUTS, NEWIPC, NEWUSER, NEWPID, NEWNET
@@ -69,7 +73,7 @@ def refuse_dangerous_calls() -> bool:
     return True
 
 
-def program(machine: int, refused: Mapping[str, int], clone: int, socket: int) -> bytes:
+def program(machine: int, refused: Mapping[str, int], clone: int, socket: int, kill: int) -> bytes:
     """Return the filter: one instruction is (code, jump if true, jump if false, number)."""
     steps = [
         (LOAD, 0, 0, AT_MACHINE),
@@ -84,6 +88,11 @@ def program(machine: int, refused: Mapping[str, int], clone: int, socket: int) -
     for number in sorted(refused.values()):
         steps += [(EQUAL, 0, 1, number), (RETURN, 0, 0, REFUSE | errno.EPERM)]
     steps += [
+        (EQUAL, 0, 4, kill),
+        (LOAD, 0, 0, AT_FIRST_ARGUMENT),
+        (EQUAL, 0, 1, 0xFFFFFFFF),
+        (RETURN, 0, 0, REFUSE | errno.EPERM),
+        (RETURN, 0, 0, ALLOW),
         (EQUAL, 0, 4, clone),
         (LOAD, 0, 0, AT_FIRST_ARGUMENT),
         (ANY_OF, 0, 1, NEW_NAMESPACES),
