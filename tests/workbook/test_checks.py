@@ -3,12 +3,18 @@
 from __future__ import annotations
 
 import json
+import math
 
 import pytest
 
 from tflab.core import Transform
 from tflab.workbook import check, checks, hint, solution, task
+from tflab.workbook.forms import Angle, Parts, Vector
 from tflab.workbook.places import WorkbookError
+from tflab.workbook.sealed import seal
+from tflab.workbook.showing import show_in_a_line
+from tflab.workbook.values import to_plain
+from tflab.workbook.verdict import judge_outcomes
 
 from . import small_chapter as chapter
 
@@ -203,3 +209,32 @@ def test_a_damaged_cases_file_is_said_in_one_line(copy, capsys):
     (copy.root / "exercises" / "cases" / f"{chapter.STEM}.json").write_text("{")
     text = said(capsys, "E3.1", 1)
     assert "damaged" in text and "tflab lab --update" in text
+
+
+@pytest.mark.parametrize("is_sealed", [False, True])
+def test_units_inside_parts_are_recognised(is_sealed):
+    form = Parts({"place": Vector(3), "yaw": Angle()})
+    one = {"form": form.plain(), "twins": {}}
+    expected = to_plain({"place": (1.0, 2.0, 3.0), "yaw": 0.5})
+    wanted = seal(form, expected, "salt") if is_sealed else expected
+    variant = {"cases": [{"expected": wanted, "twins": {}}]}
+    for answer, part, unit in (
+        ({"place": (1000.0, 2000.0, 3000.0), "yaw": 0.5}, "place", "mm"),
+        ({"place": (1.0, 2.0, 3.0), "yaw": math.degrees(0.5)}, "yaw", "degrees"),
+    ):
+        verdict = judge_outcomes(one, variant, [to_plain(answer)])
+        assert (verdict.kind, verdict.detail["part"], verdict.detail["unit"]) == ("unit", part, unit)
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        ({"x": -3.87, "kept": ["a", 1]}, '{x: -3.870, kept: ["a", 1]}'),
+        (-1.03e-13, "0.000"),
+        (0.00012, "0.00012"),
+        (Transform(), "translation (0.000, 0.000, 0.000), rotation xyzw (0.000, 0.000, 0.000, 1.000)"),
+        ("two\nlines", "two …"),
+    ],
+)
+def test_a_value_is_shown_in_a_line(value, text):
+    assert show_in_a_line(value) == text

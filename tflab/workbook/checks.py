@@ -31,7 +31,7 @@ from .forms import form_from_plain
 from .places import CASES, Workbook, WorkbookError, read_workbook, workbook_data, workbook_root
 from .reference import answer_cell_name
 from .replies import LATER, REPLIES
-from .showing import show, show_all
+from .showing import show_all, show_in_a_line
 from .tasks import TaskError, chapter_of, variant_of
 from .values import Plain, from_plain, is_unanswered, raised, to_plain
 from .verdict import Verdict, judge_outcomes, kind_of
@@ -248,8 +248,7 @@ def _wanted(one: _Task, verdict: Verdict) -> str:
 
 def _call(one: _Task, case: int) -> str:
     """Return the call as it was made, short enough to read."""
-    texts = [show(from_plain(arg)).splitlines() for arg in one.variant["cases"][case]["args"]]
-    arguments = ", ".join(lines[0] + (" …" if len(lines) > 1 else "") if lines else "()" for lines in texts)
+    arguments = ", ".join(show_in_a_line(from_plain(arg)) for arg in one.variant["cases"][case]["args"])
     return f"{one.plain['answer']}({arguments})"
 
 
@@ -257,10 +256,9 @@ def _shown(outcome: Plain) -> str:
     if isinstance(outcome, dict) and "raises" in outcome:
         return outcome["raises"]
     try:
-        text = show(from_plain(outcome))
+        return show_in_a_line(from_plain(outcome))
     except ValueError:
         return kind_of(outcome)
-    return text if "\n" not in text else kind_of(outcome)
 
 
 def _show_both(one: _Task, verdict: Verdict, outcomes: list[Plain]) -> None:

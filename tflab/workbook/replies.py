@@ -60,8 +60,8 @@ REPLIES = {
         ko="같은 인자로 두 번 불렀더니 결과가 다릅니다. 함수가 이전 호출을 기억하면 안 됩니다.",
     ),
     "unit": Words(
-        en="right, if it were in {unit}; {wanted_unit} is asked for (REP-103).",
-        ko="단위가 {unit}이라면 맞습니다. 여기서는 {wanted_unit}(으)로 답해야 합니다(REP-103).",
+        en="right, if it were in {unit}; {wanted_unit} is asked for.",
+        ko="단위가 {unit}이라면 맞습니다. 여기서는 {wanted_unit}(으)로 답해야 합니다.",
     ),
     "parts": Words(
         en="look again at {wrong}.",

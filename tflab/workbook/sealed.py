@@ -17,10 +17,10 @@ import hashlib
 from typing import Any
 
 from .forms import Form
-from .measures import Mark, Probe, Row
+from .measures import Mark, Probe, Row, inside
 from .values import Plain
 
-__all__ = ["is_sealed", "judge", "seal"]
+__all__ = ["is_sealed", "judge", "part_of", "seal"]
 
 ROUNDS = 300
 NEIGHBOURS = (0, -1, 1)
@@ -58,6 +58,14 @@ def judge(form: Form, answer: Plain, expected: Plain) -> list[bool]:
     if given is None or len(given) != len(wanted):
         return [False] * len(wanted)
     return [_any_fits(rows, right, salt) for rows, right in zip(given, wanted, strict=True)]
+
+
+def part_of(expected: Plain, number: int, name: str) -> Plain:
+    """Return what is expected of one part of a dict, the `number`th, as open or as sealed as the whole."""
+    if not is_sealed(expected):
+        return inside(expected).get(name)
+    whole = expected["sealed"]
+    return {"sealed": {**whole, "probes": [whole["probes"][number]]}}
 
 
 def _any_fits(rows: Probe, right: list[list[Any]], salt: str) -> bool:

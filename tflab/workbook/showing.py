@@ -18,7 +18,7 @@ from tflab.ros import tf2_buffer
 from tflab.ros.messages.base import Message
 from tflab.ros.messages.text import message_to_yaml
 
-__all__ = ["show", "show_all"]
+__all__ = ["show", "show_all", "show_in_a_line"]
 
 NS_PER_S = 1_000_000_000
 
@@ -62,6 +62,19 @@ def show(value: Any) -> str:
     return str(value)
 
 
+def show_in_a_line(value: Any, at_most: int = 200) -> str:
+    """Return a value in one line, dicts as {x: 1.000, y: 2.000}, cut where it gets long."""
+    if isinstance(value, Mapping):
+        text = "{" + ", ".join(f"{key}: {show_in_a_line(inner, at_most)}" for key, inner in value.items()) + "}"
+    elif isinstance(value, list | tuple):
+        left, right = "[]" if isinstance(value, list) else "()"
+        text = left + ", ".join(show_in_a_line(member, at_most) for member in value) + right
+    else:
+        lines = show(value).splitlines() or ['""']
+        text = lines[0] if len(lines) == 1 else f"{lines[0]} …"
+    return text if len(text) <= at_most else text[:at_most] + " …"
+
+
 def _row(members: list | tuple) -> str:
     texts = [show(member) for member in members]
     if sum(map(len, texts)) > 90 or any("\n" in text for text in texts):
@@ -87,7 +100,8 @@ def _buffer(buffer: BufferCore) -> str:
 
 
 def _number(value: float) -> str:
-    return f"{round(value, 3) + 0.0:.3f}" if 0.001 <= abs(value) < 1e6 or value == 0.0 else f"{value:.6g}"
+    plain = 0.001 <= abs(value) < 1e6 or abs(value) < 1e-9  # below that it is rounding, not a value
+    return f"{round(value, 3) + 0.0:.3f}" if plain else f"{value:.6g}"
 
 
 def _seconds(stamp_ns: int) -> str:

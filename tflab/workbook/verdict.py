@@ -131,10 +131,9 @@ def _mistake(
     coarse = _coarse(form, outcome)
     if coarse is not None:
         return coarse[0], "", {"got": kind_of(outcome), **coarse[1]}
-    for unit, factor in OTHER_UNITS.get(_unit(form), {}).items():
-        pairs = zip(outcomes, cases, strict=True)
-        if all(_fits_in_unit(form, out, one["expected"], factor) for out, one in pairs):
-            return "unit", "", {"unit": unit, "wanted_unit": _unit(form)}
+    unit = _other_unit(form, [(out, one["expected"]) for out, one in zip(outcomes, cases, strict=True)])
+    if unit is not None:
+        return "unit", "", unit
     if isinstance(form, Parts | Message):
         names = list(form.parts) if isinstance(form, Parts) else list(form.fields)
         return "parts", "", {"wrong": [name for name, good in zip(names, rights[case], strict=False) if not good]}
@@ -211,7 +210,30 @@ def _judge_twin(form: Form, outcome: Plain, twin: Plain) -> list[bool]:
         return [outcome == twin]
 
 
+def _other_unit(form: Form, pairs: Sequence[tuple[Plain, Plain]]) -> dict[str, Any] | None:
+    """Return the unit in which every answer would be right, or None; of parts, the first that is right so."""
+    if isinstance(form, Parts):
+        return _other_unit_of_part(form, pairs)
+    for unit, factor in OTHER_UNITS.get(_unit(form), {}).items():
+        if all(_fits_in_unit(form, outcome, expected, factor) for outcome, expected in pairs):
+            return {"unit": unit, "wanted_unit": _unit(form)}
+    return None
+
+
+def _other_unit_of_part(form: Parts, pairs: Sequence[tuple[Plain, Plain]]) -> dict[str, Any] | None:
+    for number, (name, part) in enumerate(form.parts.items()):
+        inner = [(inside(outcome).get(name), sealed.part_of(expected, number, name)) for outcome, expected in pairs]
+        if all(all(sealed.judge(part, answer, expected)) for answer, expected in inner):
+            continue
+        found = _other_unit(part, inner)
+        if found is not None:
+            return {**found, "part": name}
+    return None
+
+
 def _fits_in_unit(form: Form, outcome: Plain, expected: Plain, factor: float) -> bool:
+    if isinstance(expected, dict) and "raises" in expected:
+        return False
     size = form.size if isinstance(form, Vector) else None
     row = numbers_of(outcome, size)
     if row is None:
