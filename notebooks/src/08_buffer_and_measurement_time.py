@@ -308,7 +308,7 @@ for name, sight in (("straight", straight), ("turning", turning)):
 
 # %% name="empty-scene"
 scene = Scene()
-scene.look((1.8, -3.6, 2.4), (2.9, 0.4, 0.0))
+scene.look((1.4, -4.6, 3.0), (2.5, 0.4, 0.0))
 
 
 # %% name="scene-of-the-delay" tags=["interactive"] slide="subslide"
@@ -318,7 +318,7 @@ def draw(delay_s):
     scene_helpers.draw_frame(scene, "robot at the stamp", Transform())
     scene_helpers.draw_frame(scene, "robot now", then_T_now, ghost=True)
     scene_helpers.draw_arrow(scene, "ball", (5.0, 0.0, 0.0), (5.0, 0.0, 0.3), "ball", radius_m=0.02)
-    scene_helpers.draw_path(scene, "sight", np.array([then_T_now.translation, drawn_at]), ghost=True)
+    scene_helpers.draw_arrow(scene, "sight", then_T_now.translation, drawn_at, radius_m=0.01)
     ends = ((5.0, 0.0, 0.3), drawn_at)
     scene_helpers.draw_arrow(scene, "error", *ends, "error", scene_helpers.ACCENT, radius_m=0.04)
 
