@@ -42,6 +42,7 @@ __all__ = ["RECORDS", "Batch", "grade_batch", "grade_job", "job_of", "run_behind
 
 RECORDS = "submissions"
 RECORD_FORMAT = 1
+MOST_THREADS = 8
 MOST_BYTES = 64 * 1024 * 1024  # of all the notebooks of one learner
 
 
@@ -179,13 +180,17 @@ def _on_processes(jobs: Iterator[Job], do: Callable[[Job], dict[str, Any]], batc
             work = Parallel(n_jobs=workers, return_as="generator_unordered", pre_dispatch=2 * workers, batch_size=1)
             yield from work(delayed(do)(job) for job in jobs)
         return
-    work = Parallel(n_jobs=batch.jobs, return_as="generator_unordered", pre_dispatch="2*n_jobs", batch_size=1)
+    # The kernels are processes anyway: a few threads keep them busy, and have nothing to import.
+    kind = "threads" if batch.jobs <= MOST_THREADS else "processes"
+    how = {"return_as": "generator_unordered", "pre_dispatch": "2*n_jobs", "batch_size": 1}
+    work = Parallel(n_jobs=batch.jobs, prefer=kind, **how)
     try:
         yield from work(delayed(do)(job) for job in jobs)
     except BaseException:
-        from joblib.externals.loky import get_reusable_executor
+        if kind == "processes":
+            from joblib.externals.loky import get_reusable_executor
 
-        get_reusable_executor().shutdown(wait=True, kill_workers=True)
+            get_reusable_executor().shutdown(wait=True, kill_workers=True)
         raise
 
 
