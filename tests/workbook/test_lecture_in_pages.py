@@ -1,0 +1,29 @@
+"""The lecture's nodes stand in the pages as they are run in the tests, in both languages."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+
+from tflab.workbook.places import workbook_data
+
+LECTURE = Path(__file__).parents[1] / "ros" / "lecture"
+FENCE = re.compile(r"```python\n(.*?)```", re.DOTALL)
+
+
+@pytest.mark.parametrize("language", ["en", "ko"])
+@pytest.mark.parametrize(("stem", "node"), [("08_buffer_and_measurement_time", "point_to_map.py")])
+def test_a_node_of_the_lecture_is_shown_unchanged(stem, node, language):
+    page = json.loads((workbook_data() / "notebooks" / language / f"{stem}.ipynb").read_text(encoding="utf-8"))
+    prose = ["".join(cell["source"]) for cell in page["cells"] if cell["cell_type"] == "markdown"]
+    shown = [lines(block) for text in prose for block in FENCE.findall(text)]
+    assert lines((LECTURE / node).read_text(encoding="utf-8")) in shown
+
+
+def lines(text: str) -> list[str]:
+    """Return the lines that are code, without the comments of either."""
+    without = (re.sub(r"\s*#.*", "", line) for line in text.splitlines())
+    return [line for line in without if line.strip()]
