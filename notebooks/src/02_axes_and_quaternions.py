@@ -21,7 +21,7 @@
 # - 눈을 감고도 로봇의 x, y, z축을 손으로 가리키고, 로봇이 돌기 전에 회전의 부호를 말합니다.
 # - roll, pitch, yaw를 읽고, 순서가 왜 중요한지 설명합니다.
 # - 회전을 쿼터니언으로 쓰고, 올바른 쿼터니언과 네 가지 잘못된 쿼터니언을 가려냅니다.
-# - 카메라 영상의 점을 카메라 몸체 기준으로 옮기고, 거꾸로도 옮깁니다.
+# - 카메라 영상의 점을 카메라 본체 기준으로 옮기고, 거꾸로도 옮깁니다.
 # - 90° 누워 있는 포인트 클라우드를 보고, 고쳐야 할 단 한 줄을 짚어냅니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
@@ -107,7 +107,7 @@ from tflab.views.style import fmt, fmt_all
 # 검출기는 부품을 찾아냈습니다. 그리고 하나도 빠짐없이 엉뚱한 곳에 놓았습니다.
 #
 # 수학은 맞았습니다. 검출기도 맞았습니다. 카메라도 맞았습니다.
-# 다만 영상에는 카메라 **몸체**의 좌표계가 적혀 있었고, 검출기의 숫자는 카메라 **영상** 기준이었습니다.
+# 다만 영상에는 카메라 **본체**의 좌표계가 적혀 있었고, 검출기의 숫자는 카메라 **영상** 기준이었습니다.
 # 팀이 적어 둔 대가는 이렇습니다. 대회 도중 약 반나절.
 # ([usnistgov/ARIAC, 이슈 345](https://github.com/usnistgov/ARIAC/issues/345). 주최 측은 이후 빠져 있던 좌표계를 추가했습니다.)
 #
@@ -202,7 +202,7 @@ print("in camera_optical_frame ", fmt_all(axes.optical_from_body(camera_p_mug)))
 # </details>
 # <details><summary>(0, −2, 0)</summary>
 #
-# 회전은 맞지만 방향이 거꾸로입니다. 영상에서 몸체로 옮겼습니다. 여기서는 몸체에서 영상으로 옮겨야 합니다. 이 실수를 뿌리 뽑는 문장은 3장에서 배웁니다.
+# 회전은 맞지만 방향이 거꾸로입니다. 영상에서 본체로 옮겼습니다. 여기서는 본체에서 영상으로 옮겨야 합니다. 이 실수를 뿌리 뽑는 문장은 3장에서 배웁니다.
 #
 # </details>
 # <details><summary>(0, 0, 2)</summary>
@@ -227,7 +227,7 @@ print("in camera_optical_frame ", fmt_all(axes.optical_from_body(camera_p_mug)))
 # With the left hand it points right. That is why the hand matters.
 
 # %% [markdown] lang="ko" name="body-axes" slide="slide"
-# ## 몸체: x는 앞, y는 왼쪽, z는 위
+# ## 본체: x는 앞, y는 왼쪽, z는 위
 #
 # 모든 ROS 로봇이 이 약속을 따릅니다. 규칙의 이름은 [[rep-103]]입니다.
 # 길이는 미터, 각도는 라디안을 씁니다.
@@ -621,7 +621,7 @@ axes.draw_cameras((2.0, 0.5, 0.3))
 # Two volunteers: one is the robot's body, one is the camera's picture. The same mug, both read out their three numbers at once.
 
 # %% [markdown] lang="ko" name="optical-notes" slide="notes"
-# 두 사람이 나옵니다. 한 사람은 로봇 몸체, 한 사람은 카메라 영상입니다. 같은 머그컵의 세 숫자를 동시에 읽게 합니다.
+# 두 사람이 나옵니다. 한 사람은 로봇 본체, 한 사람은 카메라 영상입니다. 같은 머그컵의 세 숫자를 동시에 읽게 합니다.
 
 # %% [markdown] lang="en" name="two-turns" slide="slide"
 # ## Two quarter turns
@@ -636,7 +636,7 @@ axes.draw_cameras((2.0, 0.5, 0.3))
 # %% [markdown] lang="ko" name="two-turns" slide="slide"
 # ## 90° 회전 두 번
 #
-# 한쪽에서 다른 쪽으로 어떻게 갑니까? 카메라 몸체의 축에서 시작하여 고정축을 중심으로 돌립니다.
+# 한쪽에서 다른 쪽으로 어떻게 갑니까? 카메라 본체의 축에서 시작하여 고정축을 중심으로 돌립니다.
 #
 # 1. roll −90°: y(왼쪽)가 아래로 갑니다. 이제 x는 앞, **y는 아래**, z는 왼쪽입니다.
 # 2. yaw −90°: x(앞)가 오른쪽으로, z(왼쪽)가 앞으로 갑니다. 이제 **x는 오른쪽, y는 아래, z는 앞**입니다.
@@ -662,7 +662,7 @@ for axis, direction in {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1)}.items():
 # 세 줄을 소리 내어 읽어 보십시오. 광학 좌표계의 x는 −y, 곧 오른쪽을 향합니다. 광학 좌표계의 y는 −z, 곧 아래를 향합니다. 광학 좌표계의 z는 +x, 곧 앞을 향합니다.
 # 이 세 줄이 회전 행렬의 세 **열**입니다. 회전 행렬은 그 이상도 이하도 아닙니다. 자식의 축이 부모 안에서 어디를 향하는지 적은 것입니다.
 #
-# 그러므로 영상의 점 (오른쪽, 아래, 앞)은 카메라 몸체에서 (앞, −오른쪽, −아래)입니다.
+# 그러므로 영상의 점 (오른쪽, 아래, 앞)은 카메라 본체에서 (앞, −오른쪽, −아래)입니다.
 
 # %% [markdown] lang="en" name="worked" slide="subslide"
 # ### Worked example: from a detection to the robot
@@ -756,7 +756,7 @@ frames.draw_scene(
 # <details><summary>풀이</summary>
 #
 # (x, y, z) = (z, −x, −y)를 풀면 y = −x, z = x, z = −y이므로 (a, −a, a) 꼴이면 됩니다. 이 점들은 모두 한 직선 위에 있습니다. 바로 이 회전의 회전축입니다.
-# 몸체에서 (1, 1, 1)이 되려면 오른쪽은 −1, 아래는 −1, 앞은 1입니다.
+# 본체에서 (1, 1, 1)이 되려면 오른쪽은 −1, 아래는 −1, 앞은 1입니다.
 #
 # </details>
 
@@ -787,7 +787,7 @@ print("camera_link:", fmt_all(camera_T_optical.apply((right, down, forward))))
 # Chapter 8 opens that box. Time on this page stands still, except while `graph.run` lets some of it pass.
 
 # %% [markdown] lang="ko" name="asker-before" slide="subslide"
-# 다음은 물어보는 프로그램입니다. [[listener|리스너(listener)]]가 들리는 변환을 모두 [[buffer|버퍼(buffer)]]에 모아 둡니다. 그러면 `buffer.transform(message, "base_link")`가 메시지를 헤더에 적힌 좌표계에서 원하는 좌표계로 옮깁니다.
+# 다음은 물어보는 프로그램입니다. [[listener|변환 수신기(listener)]]가 들리는 변환을 모두 [[buffer|변환 버퍼(buffer)]]에 모아 둡니다. 그러면 `buffer.transform(message, "base_link")`가 메시지를 헤더에 적힌 좌표계에서 원하는 좌표계로 옮깁니다.
 # 그 속은 8장에서 열어 봅니다. 이 페이지의 시간은 멈춰 있으며, `graph.run`을 부르는 동안에만 흐릅니다.
 
 # %% name="asker"
@@ -811,7 +811,7 @@ print("in base_link:", fmt_all((p.x, p.y, p.z)))
 # %% [markdown] lang="ko" name="asker-after" slide="subslide"
 # 풀이 예제를 TF가 계산했습니다. 이번에는 동료가 두 번째 카메라를 추가합니다. 쿼터니언은 설정 파일에서 읽어 옵니다. 파일에는 `0, 0, 0, 0`이라고 적혀 있습니다. "당연히 회전 없음이지요."
 #
-# **예측:** 누가 불평합니까? 브로드캐스터입니까, 리스너입니까, 조회하는 쪽입니까? 그리고 뭐라고 합니까?
+# **예측:** 누가 불평합니까? 발행기입니까, 수신기입니까, 조회하는 쪽입니까? 그리고 뭐라고 합니까?
 
 # %% name="zero-sent" slide="fragment"
 t = TransformStamped()
@@ -831,7 +831,7 @@ print("sent")
 # (`%xmode Minimal` shows an error by its last line, the one to read; `%xmode Context` brings the rest back.)
 
 # %% [markdown] lang="ko" name="zero-sent-after" slide="subslide"
-# 브로드캐스터는 아무 불만이 없습니다. 0.5초가 지나면 리스너가 받습니다.
+# 발행기는 아무 불만이 없습니다. 0.5초가 지나면 수신기가 받습니다.
 #
 # (`%xmode Minimal`은 오류에서 꼭 읽어야 할 마지막 줄만 보여 줍니다. `%xmode Context`로 되돌립니다.)
 
@@ -858,11 +858,11 @@ buffer.lookup_transform("base_link", "rear_camera_link", Time())
 # 무슨 일이 어디에서 일어났는지 보십시오.
 #
 # 1. **보낸 쪽**은 아무 말도 하지 않았습니다.
-# 2. **리스너마다** 자기 로그에 거절을 남겼고, 그 내용은 `nan`에 관한 것입니다. 행렬로 바꾸려면 길이로 나누어야 하는데, 0/0은 "숫자가 아님(not a number)"입니다.
+# 2. **수신기마다** 자기 로그에 거절을 남겼고, 그 내용은 `nan`에 관한 것입니다. 행렬로 바꾸려면 길이로 나누어야 하는데, 0/0은 "숫자가 아님(not a number)"입니다.
 # 3. **여러분**이 읽은 것은 좌표계가 *존재하지 않는다*는 말입니다. 그래서 오타를 찾고, launch 파일을 뒤지고, 멀쩡히 발행 중인 드라이버를 다시 시작합니다.
 #
 # 오류가 보이는 곳과 원인이 있는 곳이 프로그램 두 개만큼 떨어져 있습니다.
-# 그러니 발행자가 돌고 있는데도 좌표계가 "does not exist"라고 하면, **리스너**의 로그에서 `TF_NAN_INPUT`이나 `TF_DENORMALIZED_QUATERNION`을 찾으십시오.
+# 그러니 발행자가 돌고 있는데도 좌표계가 "does not exist"라고 하면, **수신기**의 로그에서 `TF_NAN_INPUT`이나 `TF_DENORMALIZED_QUATERNION`을 찾으십시오.
 #
 # ROS 2의 새 메시지에는 이미 w = 1이 들어 있습니다. 0은 다른 곳에서 옵니다. 설정 파일, `zeros(4)`로 만든 배열, C 구조체, 브리지, ROS 1 같은 곳입니다.
 
@@ -922,7 +922,7 @@ graph.run(seconds=1.0)
 # Take your pistol hand: right becomes *forward*, down becomes *left*, forward becomes *up*.
 
 # %% [markdown] lang="ko" name="cloud-predict" slide="subslide"
-# **예측.** RViz는 벽을 어디에 그립니까? 바닥은 어디에 있습니까?
+# **예측.** RViz는 벽을 어디에 그립니까? 바닥은 어디에 그립니까?
 # 오른손을 드십시오. 오른쪽이 *앞*이 되고, 아래가 *왼쪽*이 되고, 앞이 *위*가 됩니다.
 
 # %% name="cloud-rviz" tags=["interactive"] slide="fragment"
@@ -1026,7 +1026,7 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # </details>
 
 # %% [markdown] lang="ko" name="checkpoint" slide="slide"
-# ## 점검 문제
+# ## 확인 문제
 #
 # 새 카메라가 도착했습니다. RViz에서 클라우드 전체가 천장처럼 납작하게 로봇 위 허공에 떠 있습니다.
 # `tf2_echo camera_link camera_optical_frame`은 −90, 0, −90도를 출력합니다. 무엇을 바꾸겠습니까?
@@ -1129,7 +1129,7 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 #
 # 오래된 예제는 `static_transform_publisher`에 숫자 여섯 개만 나열합니다. 그 순서는 x y z **yaw pitch roll**로, 각도가 거꾸로입니다. 이 페이지처럼 이름이 있는 옵션을 쓰면 뒤섞일 일이 없습니다. 옵션 목록은 `--help`로 볼 수 있습니다.
 #
-# 노드에서 yaw를 쓸 때는 라이브러리가 필요 없습니다. 강의의 브로드캐스터에 나오는 두 줄이면 됩니다.
+# 노드에서 yaw를 쓸 때는 라이브러리가 필요 없습니다. 강의의 발행기에 나오는 두 줄이면 됩니다.
 #
 # ```python
 # transform.transform.rotation.z = math.sin(self.theta / 2.0)
@@ -1156,10 +1156,10 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 #
 # | 증상 | 가능성이 큰 원인 | 첫 확인 |
 # |---|---|---|
-# | 깊이 클라우드가 천장처럼 로봇 위에 뜬다 | 광학 좌표계의 데이터에 몸체 좌표계를 적음 | `ros2 topic echo /camera/points --field header.frame_id --once` |
-# | 앞에 있는 것이 로봇 오른쪽에 나타난다 | 광학 회전을 두 번 적용했거나 몸체에도 적용함 | `ros2 run tf2_ros tf2_echo base_link camera_link`, URDF의 `rpy` |
+# | 깊이 클라우드가 천장처럼 로봇 위에 뜬다 | 광학 좌표계의 데이터에 본체 좌표계를 적음 | `ros2 topic echo /camera/points --field header.frame_id --once` |
+# | 앞에 있는 것이 로봇 오른쪽에 나타난다 | 광학 회전을 두 번 적용했거나 본체에도 적용함 | `ros2 run tf2_ros tf2_echo base_link camera_link`, URDF의 `rpy` |
 # | 로봇이 뒤집혀 누워 있다 | 쿼터니언의 w를 맨 앞에 씀 | 값이 들어오는 곳에서 출력해 보기 |
-# | 발행자가 돌고 있는데 "frame does not exist" | 모두 0이거나 NaN | **리스너**의 로그 |
+# | 발행자가 돌고 있는데 "frame does not exist" | 모두 0이거나 NaN | **수신기**의 로그 |
 # | 센서가 아무도 정한 적 없는 각도로 돌아가 있다 | 라디안 자리에 도(degree)를 씀 | URDF의 `rpy`에 3.2보다 큰 수가 있는지 |
 # | IMU의 중력이 엉뚱한 축에 나타난다 | `imu_link`가 실제 칩 방향대로 돌아가 있지 않음 | 수평으로 정지한 채 `ros2 topic echo /imu --field linear_acceleration`: z가 약 **+9.8**이어야 함 |
 #
@@ -1181,11 +1181,11 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
 #
-# - 몸체: x 앞, y 왼쪽, z 위. 영상: x 오른쪽, y 아래, z 앞. 둘 다 오른손 좌표계입니다.
+# - 본체: x 앞, y 왼쪽, z 위. 영상: x 오른쪽, y 아래, z 앞. 둘 다 오른손 좌표계입니다.
 # - 양의 yaw는 왼쪽으로 돌고, 양의 pitch는 기수를 내리고, 양의 roll은 왼쪽을 들어 올립니다.
 # - rpy는 고정축을 중심으로 roll부터 돌리며, 순서가 중요합니다.
 # - 쿼터니언 (x, y, z, w)에는 각도의 절반이 들어가며 길이는 1입니다. (0, 0, 0, 1)은 회전 없음, (0, 0, 0, 0)은 회전이 아니며, q와 −q는 같습니다.
-# - 몸체에서 광학 좌표계까지는 rpy (−π/2, 0, −π/2). 데이터에는 광학 좌표계를 적습니다.
+# - 본체에서 광학 좌표계까지는 rpy (−π/2, 0, −π/2). 데이터에는 광학 좌표계를 적습니다.
 # - 90° 돌아가 있다면 이름표나 장착 변환을 고치고, 데이터는 절대 고치지 않습니다.
 #
 # 카드를 저장하여(그림 위에서 Shift를 누른 채 오른쪽 클릭) 인쇄한 다음 작업대에 붙여 두십시오.
@@ -1262,15 +1262,15 @@ card.draw_card()
 # </details>
 
 # %% [markdown] lang="ko" name="practice" slide="subslide"
-# ### 연습 질문
+# ### 서술형 문제
 #
-# 두세 문장씩 적은 다음, 채점 기준을 열어 스스로 정직하게 채점하십시오. 한 가지 생각에 1점입니다.
+# 두세 문장씩 적은 다음, 채점 기준을 열어 스스로 정직하게 채점하십시오. 들어 있는 내용 하나에 1점입니다.
 #
-# **Q2.** 로봇 몸체의 좌표축과 카메라 광학 좌표계의 좌표축을 비교하십시오.
+# **Q2.** 로봇 본체의 좌표축과 카메라 광학 좌표계의 좌표축을 비교하십시오.
 #
 # <details><summary>채점 기준 (4점)</summary>
 #
-# - 몸체: x 앞, y 왼쪽, z 위.
+# - 본체: x 앞, y 왼쪽, z 위.
 # - 광학: z 앞, x 오른쪽, y 아래.
 # - 둘 다 오른손 좌표계이고 단위는 미터입니다. 둘 사이에는 이동 없이 회전 rpy (−π/2, 0, −π/2)만 있습니다.
 # - 헤더에 다른 쪽 이름이 적히면 TF는 오류 없이 계산하고, 포인트 클라우드와 검출 결과는 돌아가거나 뒤집혀 나타납니다.
@@ -1283,7 +1283,7 @@ card.draw_card()
 #
 # - (0, 0, 0, 1)은 항등 회전입니다. 길이가 1이고 아무것도 돌리지 않습니다.
 # - (0, 0, 0, 0)은 길이가 0이고 회전이 아닙니다. 수를 곱해 길이를 맞추려 해도 회전이 되지 않습니다.
-# - 보내는 쪽은 불평하지 않습니다. 리스너마다 로그를 남기고 변환을 거절하며, 나중에 조회하는 쪽은 좌표계가 존재하지 않는다는 말을 읽게 됩니다.
+# - 보내는 쪽은 불평하지 않습니다. 수신기마다 로그를 남기고 변환을 거절하며, 나중에 조회하는 쪽은 좌표계가 존재하지 않는다는 말을 읽게 됩니다.
 #
 # </details>
 

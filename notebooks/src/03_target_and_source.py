@@ -11,7 +11,7 @@
 # - go back: invert a transform that turns, and read `tf2_echo` both ways.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
-# # Target과 source: … 기준 데이터를 … 기준으로 보고 싶다
+# # 목표와 원본: … 기준 데이터를 … 기준으로 보고 싶다
 #
 # **60분.** 01장(값, 좌표계, 시각)과 02장(축과 쿼터니언)에 이어집니다.
 #
@@ -28,7 +28,7 @@
 # Most hands go up. That is the chapter.
 
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
-# 이 장은 한 문장입니다. "source 기준 데이터를 target 기준으로 보고 싶다."
+# 이 장은 한 문장입니다. "원본 기준 데이터를 목표 기준으로 보고 싶다."
 # 먼저 물어봅니다. 그림이 맞아 보일 때까지 두 인자를 바꿔 가며 고친 적이 있는 사람?
 # 대부분 손을 듭니다. 그것이 오늘의 주제입니다.
 
@@ -111,7 +111,7 @@ from tflab.views.style import ACCENT, fmt_all  # fmt_all writes a point with its
 # 같은 질문이 #111, #192, #226에 이어졌고, ROS 2에서도 ros2/geometry2 #470(2021), ros2/ros2_documentation #4239(2024)로 올라왔습니다.
 # 가장 널리 쓰이는 EKF 패키지의 관리자도 자주 거꾸로 쓴다고 적었습니다(robot_localization #437).
 #
-# 이상한 점은 따로 있습니다. 도구가 찍은 숫자는 처음부터 맞았고, 사람들의 질문도 대부분 틀리지 않았습니다.
+# 이상한 점은 따로 있습니다. 도구가 출력한 숫자는 처음부터 맞았고, 사람들의 질문도 대부분 틀리지 않았습니다.
 # 모두 **"A에서 B로 가는 변환"** 을 물었는데, 이 말 안에 질문이 두 개 들어 있었습니다.
 
 # %% name="two-readings" slide="fragment"
@@ -142,7 +142,7 @@ draw_readings('base_link', 'laser_frame', mount)
 # %% [markdown] lang="ko" name="two-readings-seen-notes" slide="notes"
 # 두 사람에게 시켜 봅니다. 한 명은 base_link, 한 명은 laser_frame이고, 물체 하나를 사이에 둡니다.
 # "A에서 B로 가세요"는 사람이 움직이고, "이 숫자를 A에서 B로 옮기세요"는 쪽지가 움직입니다. 말은 같습니다.
-# 아직 target과 source라는 말은 꺼내지 않습니다.
+# 아직 목표와 원본이라는 말은 꺼내지 않습니다.
 
 # %% [markdown] lang="en" name="predict" slide="slide"
 # ## Predict
@@ -186,7 +186,7 @@ my_guess = (0.0, 0.0, 0.0)  # your guess: (x, y, z) in base_link [m]
 # ## 실행해 보기
 #
 # 먼저 ROS 2 도구로 레이저를 달고, 이어서 버퍼를 가진 노드를 만듭니다. 로봇에서도 똑같이 씁니다.
-# `spin_thread=True`를 주면, 여러분이 입력하는 동안에도 리스너가 자기 스레드에서 듣습니다.
+# `spin_thread=True`를 주면, 여러분이 입력하는 동안에도 수신기가 자기 스레드에서 듣습니다.
 # 여기서 시간은 가상이며, `graph.run(…)`이 흐르게 할 때만 흐릅니다.
 
 # %% name="mount-the-laser"
@@ -321,7 +321,7 @@ print('the corner, moved       ', fmt_all(base_T_laser.apply((2.0, 0.0, 0.0))))
 # The grey, hatched one is the opposite transform, with the corner where it would put it.
 
 # %% [markdown] lang="ko" name="in-3d" slide="subslide"
-# 이번에는 3D입니다. 끌어서 돌려 보고, 스크러버를 움직여 레이저를 돌려 보십시오.
+# 이번에는 3D입니다. 끌어서 돌려 보고, 아래 슬라이더를 움직여 레이저를 돌려 보십시오.
 # 빗금 친 회색은 반대 변환이고, 그 변환이 말하는 모서리가 거기에 있습니다.
 
 # %% name="in-3d-scene" tags=["interactive"]
@@ -376,7 +376,7 @@ draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'corner': (
 # > `laser_frame` **기준으로 표현된** 데이터를 `base_link` **기준으로 보고 싶다**.
 #
 # 이것이 전부입니다.
-# 데이터가 지금 표현된 기준이 [[source frame|원본(source)]]이고, 보고 싶은 기준이 [[target frame|목표(target)]]입니다.
+# 데이터가 지금 표현된 기준이 [[source frame|원본 좌표계(source frame)]]이고, 보고 싶은 기준이 [[target frame|목표 좌표계(target frame)]]입니다. 줄여서 원본, 목표라고 부릅니다.
 # 모든 호출에서 목표가 먼저 옵니다.
 #
 # ```python
@@ -387,7 +387,7 @@ draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'corner': (
 # 이 문장에는 "여기서 저기로"라는 말이 없으므로 뒤집힐 것도 없습니다.
 # (2020년 jsk-ros-pkg/jsk_roseus #650에서도 주석의 방향을 고치다가, "from A to B"를 두 가지로 읽을 수 있음을 알아채고 바로 이 문장으로 바꾸었습니다.)
 #
-# | 하고 싶은 일 | target | source |
+# | 하고 싶은 일 | 목표 | 원본 |
 # |---|---|---|
 # | 레이저 점을 지도에 찍기 | `map` | `laser_frame` |
 # | 로봇이 지도 어디에 있는지 알기 | `map` | `base_link` |
@@ -785,7 +785,7 @@ draw_mount(math.pi / 2)
 # %% [markdown] lang="ko" name="echo-help" slide="slide"
 # ## 이 모든 일의 시작이 된 도구
 #
-# `tf2_echo A B`는 B가 A 안 어디에 있는지 찍습니다.
+# `tf2_echo A B`는 B가 A 안 어디에 있는지 출력합니다.
 # 그러므로 A가 보고 싶은 쪽인 목표이고 B가 원본입니다. `lookup_transform`과 같은 순서입니다.
 # 이제 도구의 도움말을 직접 읽어 봅시다.
 
@@ -828,7 +828,7 @@ draw_mount(math.pi / 2)
 
 # %% [markdown] lang="ko" name="echo-seen"
 # 부호만 뒤집으면 (−0.20, 0, −0.15)이지만, 도구는 (0, 0.20, −0.15)라고 합니다. 일어서서 본 대로 레이저의 왼쪽입니다.
-# 첫 줄은 도구가 무언가 들을 때까지 기다린다는 뜻이고, `-0.000`은 수평인 자세를 찍는 이 도구의 버릇입니다.
+# 첫 줄은 도구가 무언가 들을 때까지 기다린다는 뜻이고, `-0.000`은 수평인 자세를 출력할 때 나오는 이 도구의 버릇입니다.
 
 # %% [markdown] lang="en" name="break-it" slide="slide"
 # ## Break it: the swap that passed every test
@@ -1012,8 +1012,8 @@ buffer.lookup_transform('/base_link', 'laser_frame', Time())
 # ## 실제 로봇에서
 #
 # 바뀌는 것이 없습니다.
-# 파일 맨 위에 ROS 2의 import를, 맨 아래에 `main()`을 넣으면 로봇에서 `python3`로 실행됩니다. 버퍼도 리스너도 조회도 위에서 쓴 그대로입니다.
-# 막 시작한 리스너는 아직 들은 것이 없습니다. 그래서 실제 노드는 "아직 없음"이라는 답도 예상해야 합니다. 이것은 09장의 주제입니다.
+# 파일 맨 위에 ROS 2의 import를, 맨 아래에 `main()`을 넣으면 로봇에서 `python3`로 실행됩니다. 버퍼도 수신기도 조회도 위에서 쓴 그대로입니다.
+# 막 시작한 수신기는 아직 들은 것이 없습니다. 그래서 실제 노드는 "아직 없음"이라는 답도 예상해야 합니다. 이것은 09장의 주제입니다.
 
 # %% name="on-the-robot-node" slide="subslide"
 class WhereIsTheLaser(Node):
@@ -1093,7 +1093,7 @@ rclpy.shutdown()
 # - 이웃끼리 맞춥니다. `map_T_laser = map_T_odom @ odom_T_base @ base_T_laser`.
 # - 돌아가는 길은 역변환입니다. 반대로 돌리고, 이동도 돌려야 합니다. 부호만으로는 모자랍니다.
 # - 바꿔 써도 오류는 나지 않습니다. 반 바퀴에서는 숨고, 4분의 1바퀴에서는 드러납니다.
-# - `tf2_echo A B`는 A 기준으로 B를 찍습니다.
+# - `tf2_echo A B`는 A 기준으로 본 B를 출력합니다.
 
 # %% [markdown] lang="en" name="from-before" slide="subslide"
 # ### Three questions from earlier chapters
@@ -1121,7 +1121,7 @@ rclpy.shutdown()
 #
 # 1. 안 됩니다. 좌표계 없는 값은 소문일 뿐입니다. 거절하고 로그에 남깁니다.
 # 2. 음수입니다. z가 위를 향하므로 오른손 법칙에 따라 양의 회전은 왼쪽입니다.
-# 3. (0, 0, 0, 1)입니다. 모두 0인 것은 회전이 아닙니다. 리스너마다 거절하고, 그 좌표계는 끝내 나타나지 않습니다.
+# 3. (0, 0, 0, 1)입니다. 모두 0인 것은 회전이 아닙니다. 수신기마다 거절하고, 그 좌표계는 끝내 나타나지 않습니다.
 #
 # </details>
 
@@ -1145,17 +1145,17 @@ rclpy.shutdown()
 # </details>
 
 # %% [markdown] lang="ko" name="practice" slide="subslide"
-# ### 연습 문제 3
+# ### 서술형 문제 3
 #
-# Transform의 부모와 자식, 그리고 `lookup_transform(target, source, time)`의 의미를 설명하십시오.
+# 변환의 부모와 자식, 그리고 `lookup_transform(target, source, time)`의 의미를 설명하십시오.
 # 네다섯 문장으로 쓴 다음, 목록을 펼쳐 들어 있는 내용마다 1점씩 매기십시오.
 #
 # <details><summary>완전한 답에 들어 있는 것</summary>
 #
 # - [ ] 변환은 부모에서 잰 자식 좌표축의 위치와 회전이다.
 # - [ ] 메시지에서 부모는 `header.frame_id`, 자식은 `child_frame_id`이다.
-# - [ ] 조회는 *source* 기준 데이터를 *target* 기준의 같은 데이터로 옮기는 변환을 돌려준다.
-# - [ ] target과 source가 꼭 부모와 자식일 필요는 없다. 한 트리 안의 어떤 두 좌표계라도 되고, 조회가 그 사이를 따라간다.
+# - [ ] 조회는 *원본* 기준 데이터를 *목표* 기준의 같은 데이터로 옮기는 변환을 돌려준다.
+# - [ ] 목표와 원본이 꼭 부모와 자식일 필요는 없다. 한 트리 안의 어떤 두 좌표계라도 되고, 조회가 그 사이를 따라간다.
 # - [ ] `time`은 어느 시각인지를 말한다. `Time()`은 경로의 모든 연결이 함께 가진 가장 최근 시각이다.
 # - [ ] 둘을 바꿔 쓰면 역변환이 나올 뿐 오류는 나지 않는다. 회전이 있으면 부호만 다른 것이 아니다.
 #
@@ -1185,7 +1185,7 @@ rclpy.shutdown()
 #
 # 찾아보지 말고 빈칸을 채우십시오.
 #
-# > "`goal`은 `map` 기준이다. 제어기는 `base_link` 기준으로 움직인다."
+# > "`goal`은 `map` 기준이다. 제어기는 `base_link`를 기준으로 움직인다."
 # > `lookup_transform('____', '____', Time())`, 그리고 이것을 만드는 곱: `base_T_map = ______ @ ______`
 #
 # <details><summary>맞춰 보기</summary>
@@ -1194,8 +1194,8 @@ rclpy.shutdown()
 #
 # </details>
 #
-# 이제 연습 문제를 푸십시오: [03 Target과 source](../../exercises/ko/03_target_and_source.ipynb).
-# 실제 로봇에서는 이 장으로 체크리스트 한 줄을 채웁니다. *Target·Source 순서로 `tf2_echo`를 실행했다.*
+# 이제 연습 문제를 푸십시오: [03 목표 좌표계와 원본 좌표계](../../exercises/ko/03_target_and_source.ipynb).
+# 실제 로봇에서는 이 장으로 체크리스트 한 줄을 채웁니다. *목표와 원본의 순서를 지켜 tf2_echo를 실행했습니다.*
 
 # %% [markdown] lang="en" name="exit-ticket-notes" slide="notes"
 # Collect the tickets. A wrong order here is the one thing to come back to at the start of the next lecture.

@@ -14,12 +14,12 @@
 # %% [markdown] lang="ko" name="title" slide="slide"
 # # 09 · 답을 얻지 못하는 네 가지 길
 #
-# 60분 · 03장(target과 source)과 08장(버퍼와 측정 시각)에 이어집니다
+# 60분 · 03장(목표와 원본)과 08장(버퍼와 측정 시각)에 이어집니다
 #
 # 이 장을 마치면 다음을 할 수 있습니다.
 #
 # - tf2의 예외를 의미로 구분하고, 각각 무엇부터 확인할지 말합니다.
-# - 외삽(extrapolation) 오류문을 읽습니다. 어느 시각을 물었고, 어느 연결에서 막혔으며, 얼마나 벗어났는지 찾아냅니다.
+# - 외삽(extrapolation) 오류문을 읽습니다. 어느 시각을 물었고, 어느 연결에서 막혔으며, 그 시각이 얼마나 벗어났는지 찾아냅니다.
 # - 데이터가 늦은 것인지 시계가 틀린 것인지 가려냅니다.
 # - 답을 가져올 바로 그 스레드를 멈추지 않으면서 기다립니다.
 # - 얼마나 기다릴지, 몇 개까지 쌓아 둘지, 얼마나 오래된 데이터부터 로봇을 움직이는 데 쓰지 않을지 정책을 세웁니다.
@@ -50,7 +50,7 @@
 # - **트리(04).** 모든 좌표계는 부모를 최대 하나 가집니다. 부모가 없는 좌표계가 루트입니다. 두 좌표계에서 위로 올라가 같은 루트에 닿으면 서로 연결된 것입니다.
 # - **흔히 쓰는 체인(05).** `map → odom → base_footprint → base_link → laser_frame`. `map → odom`은 위치 추정 노드가, `odom → base_footprint`는 바퀴 오도메트리가 발행합니다. 따라서 `map`에서 센서까지 조회하려면 *두* 노드의 소식이 모두 필요합니다.
 # - **정적과 동적(06).** 볼트로 고정된 것은 `/tf_static`으로 한 번만 보내며 어느 시각에나 유효합니다. 움직이는 것은 `/tf`로 계속 보내고, 보낼 때마다 시각을 붙입니다.
-# - **노드(ROS 2 입문).** 노드에는 메시지가 오거나 타이머가 울릴 때 실행되는 *콜백(callback)*이 있습니다. 콜백을 부르는 것은 *실행기(executor)*입니다. `rclpy.spin(node)`는 스레드(thread)가 하나인 실행기라서 콜백을 한 번에 하나만 실행합니다.
+# - **노드(ROS 2 입문).** 노드에는 메시지가 오거나 타이머가 울릴 때 실행되는 *콜백*(callback)이 있습니다. 콜백을 부르는 것은 *실행기*(executor)입니다. `rclpy.spin(node)`는 스레드(thread)가 하나인 실행기라서 콜백을 한 번에 하나만 실행합니다.
 
 # %% name="load" slide="skip"
 # %load_ext tflab
@@ -124,7 +124,7 @@ from tflab.views.work import Work, draw_work
 # 고장 난 것은 없었습니다. 컴퓨터가 두 대였고, 시계도 두 개였을 뿐입니다.
 #
 # 같은 문장을 본 다른 사람들은 timeout을 1초로 늘렸고, 경고는 사라졌습니다(stella_vslam_ros #21, perception_pcl #416).
-# 누군가에게는 그것이 치료였고, 누군가에게는 상처 위에 붙인 반창고였습니다.
+# 누군가에게는 그것이 치료였고, 누군가에게는 상처를 가린 반창고였습니다.
 # **어느 쪽인지 어떻게 알 수 있을까요?** 그것이 이 장의 주제입니다.
 #
 # 두 시계가 어긋나면 밖에서는 이렇게 보입니다. 세 스캔의 측정과 송신은 로봇의 시계로, 수신은 데스크톱의 시계로 적었습니다. (숫자는 예시입니다.)
@@ -163,9 +163,9 @@ draw_journeys([
 # %% [markdown] lang="ko" name="predict-windows" slide="slide"
 # ## 예측: 어느 질문에 답이 나올까요?
 #
-# 이 [[buffer|버퍼(buffer)]]에는 `map`에서 `laser_frame`까지의 체인이 들어 있습니다.
-# `map → odom`은 1초에 두 번 오고, 마지막 샘플은 14.0 s의 것입니다.
-# `odom → base_footprint`는 1초에 다섯 번 옵니다. 오도메트리 노드가 11.0 s에 늦게 켜졌고, 마지막 샘플은 14.6 s의 것입니다.
+# 이 [[buffer|변환 버퍼(buffer)]]에는 `map`에서 `laser_frame`까지의 체인이 들어 있습니다.
+# `map → odom`은 1초에 두 번 오고, 마지막 표본은 14.0 s의 것입니다.
+# `odom → base_footprint`는 1초에 다섯 번 옵니다. 오도메트리 노드가 11.0 s에 늦게 켜졌고, 마지막 표본은 14.6 s의 것입니다.
 # 나머지 두 연결은 볼트로 고정되어 있습니다.
 
 # %% name="four-edges" slide="-"
@@ -198,7 +198,7 @@ draw_history(buffer, 'map', 'laser_frame', seconds(12.3))
 # </details>
 
 # %% [markdown] lang="ko" name="predict-question" slide="fragment"
-# 12.3 s에는 답이 있습니다. 그것도 두 샘플 사이에 있는 시각입니다.
+# 12.3 s에는 답이 있습니다. 그것도 두 표본 사이에 있는 시각입니다.
 #
 # **넘어가기 전에 적어 보십시오.** 누군가 `map ← laser_frame`을 **14.3 s**에, 그리고 **10.6 s**에 묻습니다.
 # 각각 답이 나올까요, 예외가 나올까요? 어떤 예외일까요? 어느 연결 때문일까요?
@@ -231,13 +231,13 @@ for second in (12.3, 14.3, 10.6):
 # %% [markdown] lang="ko" name="compare-three" slide="-"
 # 적어 둔 것과 비교해 보십시오.
 #
-# 둘 다 [[extrapolation exception|ExtrapolationException(시간 외삽 예외)]]입니다. 경로는 있지만 그 시각의 값이 없고, tf2는 샘플 바깥을 절대 추측하지 않습니다.
+# 둘 다 [[extrapolation exception|ExtrapolationException(시간 외삽 예외)]]입니다. 경로는 있지만 그 시각의 값이 없고, tf2는 표본 바깥을 절대 짐작하지 않습니다.
 # 14.3 s에서는 `map → odom`이 너무 일찍 끝났습니다. 오도메트리에는 14.6 s까지 소식이 있었으니, 막은 것은 *위치 추정 노드*입니다.
 # 10.6 s에서는 `odom → base_footprint`가 너무 늦게 시작했습니다.
 #
 # 이제 오류문을 다시 보십시오. `laser_frame`과 `map`은 있지만 `odom`도 `base_footprint`도 없습니다.
 # **오류문은 질문의 양 끝을 말할 뿐, 실패한 연결을 말하지 않습니다.**
-# 그래서 현장에서는 "laser_frame"을 읽고 라이다 케이블부터 바꿉니다.
+# 그래서 현장에서는 "laser_frame"을 읽고 레이저 케이블부터 바꿉니다.
 
 # %% [markdown] lang="en" name="compare-three-notes" slide="notes"
 # Ask who blamed the odometry for 14.3 s. That is the common guess: it is the one that moves.
@@ -329,7 +329,7 @@ for second in (14.3, 10.6):
 # 2. **누구의 시각입니까?** "Requested time 14.300000"은 *질문한 쪽*이 가져온 시각입니다. 대개 메시지의 `header.stamp`입니다.
 # 3. **얼마나 벗어났습니까?** 14.3 − 14.0 = 0.3 s입니다.
 # 4. **어떤 데이터를 어디에서 보려 합니까?** "from frame [laser_frame] to frame [map]": `laser_frame`으로 표현된 데이터를 `map`에서 보려 합니다. 03장의 그 문장이며, 어느 이름도 범인으로 지목된 것이 아닙니다.
-# 5. **어느 연결입니까?** 경로 위에서 *최신* 샘플이 14.000000인 연결입니다. 그 숫자를 찾으면 `map → odom`입니다. (여러 연결이 일찍 끝났다면 오류문은 source에서 올라가며 처음 만난 연결만 말합니다. 그 뒤에 더 게으른 연결이 있을 수 있습니다.)
+# 5. **어느 연결입니까?** 경로 위에서 *최신* 표본이 14.000000인 연결입니다. 그 숫자를 찾으면 `map → odom`입니다. (여러 연결이 일찍 끝났다면 오류문은 원본에서 올라가며 처음 만난 연결만 말합니다. 그 뒤에 더 게으른 연결이 있을 수 있습니다.)
 #
 # 한 줄에 다섯 질문입니다. 조금만 연습하면 10초면 됩니다.
 
@@ -443,7 +443,7 @@ buffer.transform(corner, 'map')
 # Names are compared letter by letter, so `Laser_frame` is nobody.
 
 # %% [markdown] lang="ko" name="header-read" slide="-"
-# 여러분이 입력한 것은 `map`뿐입니다. 다른 이름은 메시지를 타고 왔습니다. `transform()`은 source와 시각을 헤더에서 가져옵니다.
+# 여러분이 입력한 것은 `map`뿐입니다. 다른 이름은 메시지를 타고 왔습니다. `transform()`은 원본과 시각을 헤더에서 가져옵니다.
 # **묻지 않은 좌표계가 예외에 나온다면, 무언가가 대신 물은 것입니다.** 메시지 헤더, RViz의 Fixed Frame, 코스트맵 파라미터가 그렇습니다.
 # 이름은 글자 단위로 비교하므로 `Laser_frame`은 아무도 아닙니다.
 
@@ -479,9 +479,9 @@ print(buffer.core.snapshot().roots)
 # It comes after a restart, for a joint that was published once, or for a static edge that went to `/tf` by mistake.
 
 # %% [markdown] lang="ko" name="one-sample" slide="subslide"
-# ### 샘플 하나로는 모자랍니다
+# ### 표본 하나로는 모자랍니다
 #
-# [[extrapolation exception|ExtrapolationException(시간 외삽 예외)]]의 오류문은 세 가지입니다. "future"와 "past"는 이미 보았습니다. 세 번째는 지금까지 딱 한 번 들은 연결에서 나옵니다.
+# [[extrapolation exception|ExtrapolationException(시간 외삽 예외)]]의 오류문은 세 가지입니다. "future"와 "past"는 이미 보았습니다. 세 번째는 변환을 딱 한 번만 들은 연결에서 나옵니다.
 # 재시작 직후이거나, 관절 값을 한 번만 발행했거나, 정적 연결을 실수로 `/tf`에 보냈을 때 나옵니다.
 
 # %% name="break-one-sample" tags=["raises-exception"] slide="-"
@@ -520,7 +520,7 @@ buffer.lookup_transform('/map', 'laser_frame', Time())
 # %% [markdown] lang="ko" name="order" slide="subslide"
 # ### 예측: 두 결함이 한꺼번에
 #
-# `camera_link`는 여전히 별도의 트리에 매달려 있습니다(오타가 그대로 있습니다). 이제 최신 샘플보다 한참 뒤인 99 s에 `camera_link ← odom`을 묻습니다.
+# `camera_link`는 여전히 별도의 트리에 매달려 있습니다(오타가 그대로 있습니다). 이제 최신 표본보다 한참 뒤인 99 s에 `camera_link ← odom`을 묻습니다.
 # 경로도 없고 데이터도 없습니다. 어떤 예외가 나올까요?
 
 # %% name="two-faults" slide="-"
@@ -539,7 +539,7 @@ for when in (Time(seconds=99), Time()):
 
 # %% [markdown] lang="ko" name="order-read" slide="-"
 # 앞의 표는 조금 지나치게 깔끔했습니다. tf2는 이름을 먼저 확인하지만, 경로와 시각은 **걸어가면서** 확인합니다.
-# source 쪽에서 올라가다 99 s의 값이 없는 `map → odom`을 만나 그 사실을 기억해 둡니다. 반대쪽이 다른 곳에서 끝난다는 것은 그다음에야 알게 됩니다.
+# 원본 쪽에서 올라가다 99 s의 값이 없는 `map → odom`을 만나 그 사실을 기억해 둡니다. 반대쪽이 다른 곳에서 끝난다는 것은 그다음에야 알게 됩니다.
 # 그래서 먼저 찾은 시각 문제를 보고합니다.
 #
 # 외삽 예외가 이해되지 않으면 최신을 뜻하는 `Time()`으로 한 번 더 물어보십시오. *그때* "not part of the same tree"가 나오면 엉뚱한 결함을 쫓고 있던 것입니다.
@@ -595,7 +595,7 @@ for target, source, second in (
 #
 # 함정이 두 가지 있습니다.
 #
-# - **부모 클래스를 먼저 쓰는 것.** `except TransformException`을 맨 위에 두면 나머지에는 영영 도달하지 못합니다. Python은 맞는 첫 분기를 택합니다.
+# - **부모 클래스를 먼저 쓰는 것.** `except TransformException`을 맨 위에 두면 나머지에는 영영 도달하지 못합니다. 파이썬은 맞는 첫 분기를 택합니다.
 # - **모두가 `TransformException`은 아닙니다.** `import tf2_geometry_msgs`를 빠뜨리면 `transform()`은 `TypeException`을 일으키고, 이것은 위의 모든 분기를 지나쳐 갑니다(08장). 그것이 맞습니다. 로봇이 아니라 프로그램의 결함이기 때문입니다.
 
 # %% [markdown] lang="en" name="future-past" slide="slide"
@@ -628,8 +628,8 @@ for target, source, second in (
 #
 # | | 물어본 시각이 … | 흔한 원인 | 기다려도 낫지 않는 원인 |
 # | --- | --- | --- | --- |
-# | **미래** | 최신 샘플보다 새롭습니다 | 변환이 오는 중입니다. 발행이 느립니다(10 Hz면 최대 100 ms) | 센서 시계가 빠릅니다. 발행자 시계가 느립니다. 발행자가 죽었습니다 |
-# | **과거** | 가장 오래된 샘플보다 오래됐습니다 | TF가 시작되기 전의 메시지입니다. 처리 시간이 버퍼의 기억보다 깁니다 | 센서 시계가 느립니다. 백의 옛 시각을 오늘의 TF에 물었습니다 |
+# | **미래** | 최신 표본보다 새롭습니다 | 변환이 오는 중입니다. 발행이 느립니다(10 Hz면 최대 100 ms) | 센서 시계가 빠릅니다. 발행자 시계가 느립니다. 발행자가 죽었습니다 |
+# | **과거** | 가장 오래된 표본보다 오래됐습니다 | TF가 시작되기 전의 메시지입니다. 처리 시간이 버퍼의 기억보다 깁니다 | 센서 시계가 느립니다. 백의 옛 시각을 오늘의 TF에 물었습니다 |
 #
 # 과거라면 기다림은 정의상 소용이 없습니다. 지나간 데이터는 돌아오지 않습니다.
 # 미래라면 기다림이 도움이 될 *수도* 있습니다. 이 장의 나머지는 그 "수도"에 관한 이야기입니다.
@@ -673,7 +673,7 @@ except ExtrapolationException as error:
 # %% [markdown] lang="ko" name="late-or-wrong" slide="slide"
 # ## 늦은 것일까요, 틀린 것일까요?
 #
-# 로봇이 두 대 있습니다. 로봇 A에서는 3 s에 Wi-Fi가 딸꾹질을 해서 변환이 도착하는 데 0.2~0.4 s가 걸립니다. 로봇 B에서는 3 s에 라이다 컴퓨터의 시계가 0.3 s 빠르게 맞춰집니다.
+# 로봇이 두 대 있습니다. 로봇 A에서는 3 s에 Wi-Fi가 딸꾹질을 해서 변환이 도착하는 데 0.2~0.4 s가 걸립니다. 로봇 B에서는 3 s에 레이저 컴퓨터의 시계가 0.3 s 빠르게 맞춰집니다.
 #
 # 아래 노드는 숫자 하나를 지켜봅니다. **간격(gap)**, 곧 스캔의 시각에서 TF가 답할 수 있는 최신 시각을 뺀 값입니다.
 # 간격이 양수이면 미래 외삽입니다.
@@ -783,7 +783,7 @@ draw_ages([gap_curve('robot A', robot_a, 7.0), gap_curve('robot B', robot_b, 7.0
 
 # %% [markdown] lang="ko" name="delay-read" slide="-"
 # 지연이 음수입니다. 스캔을 *측정하기도 전에* 0.195 s 먼저 들었습니다. 메시지는 그럴 수 없지만 시계는 그럴 수 있습니다.
-# (건강한 라이다라면 +0.105 s가 나옵니다. 한 바퀴 도는 데 0.1 s가 걸리므로 0.105 − 0.3 = −0.195입니다.)
+# (건강한 레이저라면 +0.105 s가 나옵니다. 한 바퀴 도는 데 0.1 s가 걸리므로 0.105 − 0.3 = −0.195입니다.)
 #
 # 변환 쪽은 어떨까요? `/tf`에는 자체 헤더가 없어서 도구가 *msg does not have header*라고 답합니다. 하지만 오도메트리 노드는 같은 시계로 시각을 찍은 `/odom`도 보냅니다.
 
@@ -794,7 +794,7 @@ draw_ages([gap_curve('robot A', robot_a, 7.0), gap_curve('robot B', robot_b, 7.0
 # 0.004 s: the transform's side is prompt, and by the same clock as ours. So it is the laser's clock.
 
 # %% [markdown] lang="ko" name="delay-odom-read" slide="-"
-# 0.004 s입니다. 변환 쪽은 제때 오고, 우리와 같은 시계를 씁니다. 그러니 범인은 라이다의 시계입니다.
+# 0.004 s입니다. 변환 쪽은 제때 오고, 우리와 같은 시계를 씁니다. 그러니 범인은 레이저의 시계입니다.
 
 # %% [markdown] lang="en" name="honest-limit" slide="subslide"
 # ### What this cannot tell you
@@ -917,11 +917,11 @@ draw_placed(
 
 # %% [markdown] lang="ko" name="plaster-read" slide="subslide"
 # 기다림은 매번 끝났습니다. 잠시 뒤 TF가 *틀린* 시각을 따라잡았기 때문입니다.
-# 그리고 완전히 틀린 질문에 더없이 좋은 답을 주었습니다. 라이다는 측정하고 0.3 s **뒤에** 어디에 있었는가?
+# 그리고 완전히 틀린 질문에 더없이 좋은 답을 주었습니다. 레이저는 측정하고 0.3 s **뒤에** 어디에 있었는가?
 #
 # timeout은 "왔습니까?"라고 물을 뿐, "맞습니까?"라고 묻지 않습니다.
 # **기다림은 늦음을 고칩니다. 시계는 고치지 못하고 숨길 뿐입니다.** (게다가 이제 스캔마다 쓸데없이 0.2 s 늦게 씁니다.)
-# 왼쪽에서도 점들이 벽에 정확히 놓이지는 않습니다. 라이다가 한 바퀴 훑는 동안 로봇이 돌기 때문이며, 08장에서 다룬 이야기입니다.
+# 왼쪽에서도 점들이 벽에 정확히 놓이지는 않습니다. 레이저가 한 바퀴 훑는 동안 로봇이 돌기 때문이며, 08장에서 다룬 이야기입니다.
 #
 # 시계가 2 s 빠르면 어떨까요? 그때는 반창고마저 떨어집니다.
 
@@ -947,7 +947,7 @@ print(f'{len(nodes[-1].placed)} scans placed, {nodes[-1].failures} failed')
 # %% [markdown] lang="ko" name="plaster-3d" slide="subslide"
 # ### 3D로
 #
-# 굽이 한가운데서 얻은 스캔 하나입니다. 눈금을 끌어 보십시오. 라이다 시계의 오차입니다. 회색 선이 실제 벽입니다.
+# 굽이 한가운데서 얻은 스캔 하나입니다. 슬라이더를 끌어 보십시오. 슬라이더의 값은 레이저 시계의 오차입니다. 회색 선이 실제 벽입니다.
 
 # %% name="walls-walk" tags=["interactive"] slide="-"
 scene, stamp_ns = Scene(), seconds(8.8)
@@ -1065,10 +1065,10 @@ draw_lanes(patient)
 # A public report of just this is ros2/geometry2 #327. In C++ tf2 refuses such a wait at once, with a long sentence that asks for a thread of its own (`setUsingDedicatedThread`). In Python it lets you wait.
 
 # %% [markdown] lang="ko" name="lanes-why" slide="-"
-# `rclpy.spin(node)`에는 스레드가 하나뿐이고, 두 콜백 사이에 겨우 메시지 하나를 처리합니다. `on_scan`이 그 *안에서* 기다리는 동안 아무도 리스너를 부르지 않고, 변환은 문 앞에 읽히지 않은 채 쌓입니다.
+# `rclpy.spin(node)`에는 스레드가 하나뿐이고, 두 콜백 사이에 겨우 메시지 하나를 처리합니다. `on_scan`이 그 *안에서* 기다리는 동안 아무도 수신기를 부르지 않고, 변환은 문 앞에 읽히지 않은 채 쌓입니다.
 # 편지를 기다리는 사람이 바로 집배원인 셈입니다.
 #
-# 바로 이 문제를 다룬 공개 이슈가 ros2/geometry2 #327입니다. C++의 tf2는 전용 스레드를 두라(`setUsingDedicatedThread`)는 긴 문장과 함께 이런 기다림을 곧바로 거절합니다. Python은 그냥 기다리게 둡니다.
+# 바로 이 문제를 다룬 공개 이슈가 ros2/geometry2 #327입니다. C++의 tf2는 전용 스레드를 두라는 긴 문장(`setUsingDedicatedThread`)과 함께 이런 기다림을 곧바로 거절합니다. 파이썬은 그냥 기다리게 둡니다.
 
 # %% [markdown] lang="en" name="lanes-notes" slide="notes"
 # Play it: one student is the executor, a second one hands over mail. The executor must answer "where is the robot?" and may not touch the mail while thinking.
@@ -1085,7 +1085,7 @@ draw_lanes(patient)
 # %% [markdown] lang="ko" name="cure-threads" slide="subslide"
 # ### 치료 하나: 편지는 다른 사람이 가져옵니다
 #
-# 리스너의 구독은 따로 마련된 *재진입(reentrant)* 콜백 그룹에 있습니다. 그래서 스레드가 여럿인 실행기는 여러분의 콜백이 기다리는 동안에도 리스너를 부를 수 있습니다. 단어 하나만 바뀝니다.
+# 수신기의 구독은 따로 마련된 *재진입(reentrant)* 콜백 그룹에 있습니다. 그래서 스레드가 여럿인 실행기는 여러분의 콜백이 기다리는 동안에도 수신기를 부를 수 있습니다. 단어 하나만 바뀝니다.
 # 더 어렵게, 이제 변환마다 도착하는 데 0.15 s가 걸립니다.
 
 # %% name="cure-threads-run" slide="-"
@@ -1104,7 +1104,7 @@ draw_lanes(patient)
 # %% [markdown] lang="ko" name="cure-async" slide="subslide"
 # ### 치료 둘: 기다리지 말고 불러 달라고 하십시오
 #
-# `wait_for_transform_async`는 *퓨처(future)*를 바로 돌려줍니다. 변환이 오면 지켜지는 약속입니다. 콜백은 순식간에 끝나고 스레드는 하나면 됩니다.
+# `wait_for_transform_async`는 *퓨처*(future)를 바로 돌려줍니다. 변환이 오면 지켜지는 약속입니다. 콜백은 순식간에 끝나고 스레드는 하나면 됩니다.
 #
 # 두 가지를 조심하십시오. 이 약속은 **포기하지 않습니다.** 끝내 답이 없는 것은 영원히 기다립니다. 그러니 퓨처를 보관하고 오래된 것은 취소하십시오.
 # 그리고 약속은 확인해야 합니다. `future.result()`는 변환을 주거나, 무엇이 잘못됐는지 예외로 알려 줍니다.
@@ -1298,7 +1298,7 @@ draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 #
 # <details><summary>1번</summary>
 #
-# 경고는 사라지고, 모든 스캔은 측정 0.4 s 뒤의 라이다 위치에 찍힙니다. 그 그림은 이미 보았습니다. 기다림은 "왔습니까?"라고 물을 뿐 "맞습니까?"라고 묻지 않습니다.
+# 경고는 사라지고, 모든 스캔은 측정 0.4 s 뒤의 레이저 위치에 찍힙니다. 그 그림은 이미 보았습니다. 기다림은 "왔습니까?"라고 물을 뿐 "맞습니까?"라고 묻지 않습니다.
 #
 # </details>
 # <details><summary>2번</summary>
@@ -1308,7 +1308,7 @@ draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 # </details>
 # <details><summary>3번</summary>
 #
-# 그러면 stamp는 메시지를 *들은* 시각이 됩니다. 예외는 사라지지만 스캔 시간과 전송 시간이 stamp 속에 숨고, 뒤에서 이 데이터를 쓰는 누구도 그것을 알아낼 수 없습니다.
+# 그러면 `header.stamp`는 메시지를 *들은* 시각이 됩니다. 예외는 사라지지만 스캔 시간과 전송 시간이 그 속에 숨고, 뒤에서 이 데이터를 쓰는 누구도 그것을 알아낼 수 없습니다.
 #
 # </details>
 # <details><summary>4번</summary>
@@ -1460,9 +1460,9 @@ graph.run(seconds=4)
 # </details>
 
 # %% [markdown] lang="ko" name="from-earlier" slide="subslide"
-# ## 앞 장에서 세 문제
+# ## 앞 장에서 온 질문 셋
 #
-# **03장에서.** 오류문에 *from frame [laser_frame] to frame [map]*이라고 나왔습니다. 어떤 호출이었는지 적으십시오.
+# **03장에서.** 오류문에 "from frame [laser_frame] to frame [map]"이라고 나왔습니다. 어떤 호출이었는지 적으십시오.
 #
 # <details><summary>답</summary>
 #
@@ -1474,7 +1474,7 @@ graph.run(seconds=4)
 #
 # <details><summary>답</summary>
 #
-# 최신 *공통* 시각을 묻습니다. 경로 위 모든 동적 연결의 최신 샘플 가운데 가장 이른 것입니다. 정적 연결은 세지 않습니다.
+# 최신 *공통* 시각을 묻습니다. 경로 위 모든 동적 연결의 최신 표본 가운데 가장 이른 것입니다. 정적 연결은 세지 않습니다.
 #
 # </details>
 #
@@ -1482,7 +1482,7 @@ graph.run(seconds=4)
 #
 # <details><summary>답</summary>
 #
-# 범인과 멀리 떨어진 여러분의 조회에서 LookupException을 만납니다. 리스너가 그 변환을 거절하고 로그에만 남기므로, 그 좌표계는 한 번도 들은 적 없는 이름이 됩니다.
+# 범인과 멀리 떨어진 여러분의 조회에서 LookupException을 만납니다. 수신기가 그 변환을 거절하고 로그에만 남기므로, 그 좌표계는 한 번도 들은 적 없는 이름이 됩니다.
 #
 # </details>
 
@@ -1516,23 +1516,23 @@ graph.run(seconds=4)
 # </details>
 
 # %% [markdown] lang="ko" name="practice" slide="subslide"
-# ## 연습 문제
+# ## 서술형 문제
 #
 # 종이에 답한 뒤 목록을 열어 스스로 채점하십시오. 담긴 내용 하나에 1점입니다.
 #
-# **Q11.** LookupException, ConnectivityException과 ExtrapolationException의 차이는 무엇인가요?
+# **Q11.** LookupException, ConnectivityException, ExtrapolationException은 어떻게 다릅니까?
 #
 # <details><summary>좋은 답에 담긴 내용</summary>
 #
 # - Lookup: 버퍼가 *이름*을 모릅니다(오타, 발행자가 꺼져 있음, *아직* 듣지 못함).
 # - Connectivity: 두 이름은 알지만 *경로*가 없습니다. 트리가 여러 조각이고 루트가 둘입니다.
-# - Extrapolation: 경로는 있지만 그중 한 연결에 그 *시각*의 값이 없고, tf2는 추측하지 않습니다.
+# - Extrapolation: 경로는 있지만 그중 한 연결에 그 *시각*의 값이 없고, tf2는 짐작하지 않습니다.
 # - 먼저 확인할 것이 서로 다릅니다. 이름, 트리, 시각과 시계입니다.
 # - 하나 더: 결함이 둘이면 시각 문제가 먼저 보고될 수 있습니다.
 #
 # </details>
 #
-# **Q12.** Future Extrapolation과 Past Extrapolation의 원인을 각각 두 가지씩 쓰세요.
+# **Q12.** 미래 외삽과 과거 외삽의 원인을 각각 두 가지씩 쓰십시오.
 #
 # <details><summary>좋은 답에 담긴 내용</summary>
 #
@@ -1559,8 +1559,8 @@ graph.run(seconds=4)
 # 보지 않고 답해 보십시오. 로그에 *extrapolation into the future*가 나왔습니다. 이것이 뜻할 수 있는 **두** 가지와, 둘을 가려내는 **한** 가지 명령을 말하십시오.
 # timeout을 늘리자는 동료에게 건넬 한 문장을 적어 보십시오.
 #
-# 그다음은 연습입니다. [09장, 일곱 과제](../../exercises/ko/09_exceptions_and_waiting.ipynb).
-# 실습 체크리스트에서 이 장은 **C10**입니다. 이제 Lookup·Connectivity·Extrapolation 오류를 모두 재현했습니다. 여기서는 시뮬레이션이었으니, 로봇에서도 한 번 해 보십시오.
+# 이제 연습 문제를 푸십시오. [09장, 과제 일곱 개](../../exercises/ko/09_exceptions_and_waiting.ipynb).
+# 실습 체크리스트에서 이 장은 **C10**입니다. 이제 조회·연결·외삽 오류를 모두 직접 만들어 보았습니다. 여기서는 시뮬레이션이었으니, 로봇에서도 한 번 해 보십시오.
 
 # %% name="stop"
 graph.stop()

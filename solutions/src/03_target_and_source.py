@@ -9,10 +9,10 @@
 # Stuck? `hint("E3.1")` gives one hint at a time, three in all.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
-# # 연습 문제 03: target과 source
+# # 연습 문제 03: 목표 좌표계와 원본 좌표계
 #
 # 문제 일곱 개, 26점, 45분쯤 걸립니다.
-# 본문은 여기에 있습니다: [03 Target과 source](../../notebooks/ko/03_target_and_source.ipynb).
+# 본문은 여기에 있습니다: [03 목표 좌표계와 원본 좌표계](../../notebooks/ko/03_target_and_source.ipynb).
 #
 # 점 세 개가 있는 자리에 답을 쓰고 그 셀을 실행한 다음, 아래의 확인 셀을 실행하십시오.
 # 틀려도 벌점은 없습니다. 어떤 실수인지 알려 주므로 고쳐서 다시 하면 됩니다.
@@ -45,7 +45,7 @@ from tflab.core import Transform
 # 각각 `lookup_transform(…, …, time)`에 들어갈 두 좌표계를 호출 순서대로 쓰십시오.
 #
 # - **a** 레이저가 찾은 장애물을 지도에 칠합니다.
-# - **b** 목표점은 지도에서 주어지고, 제어기는 `base_link`에서 일합니다.
+# - **b** 목표점은 지도에서 주어지고, 제어기는 `base_link`를 기준으로 움직입니다.
 # - **c** `base_link`에서 볼 때 `camera_link`는 로봇 어디에 있습니까?
 # - **d** `laser_frame`에 그린 레이저 그림에 로봇의 중심을 표시합니다.
 
@@ -163,13 +163,13 @@ check("E3.4", compose)
 # %% [markdown] lang="ko" name="e3-5" slide="slide"
 # ## E3.5 · tf2_echo 양쪽으로 읽기 (3점)
 #
-# 어느 로봇에서 `ros2 run tf2_ros tf2_echo base_link laser_frame`이 찍은 출력입니다.
-# 이것을 읽고, 거꾸로 물으면 무엇이 찍힐지 답하십시오.
+# 어느 로봇에서 `ros2 run tf2_ros tf2_echo base_link laser_frame`의 출력입니다.
+# 이것을 읽고, 거꾸로 물으면 무엇이 나올지 답하십시오.
 # 답 셀의 처음 몇 줄이 숫자를 읽어 `x`, `y`, `z`, `yaw`에 넣어 줍니다. 직접 옮겨 적어도 됩니다.
 #
 # - `laser_in_base`: `base_link`에서 레이저가 있는 자리, (x, y, z) [m]
 # - `base_in_laser`: 레이저에서 `base_link`가 있는 자리, (x, y, z) [m]
-# - `yaw_back`: `tf2_echo laser_frame base_link`가 찍을 yaw [rad]
+# - `yaw_back`: `tf2_echo laser_frame base_link`가 출력할 yaw [rad]
 
 # %% name="e3-5-given"
 e3_5 = task("E3.5")
@@ -199,7 +199,7 @@ check("E3.5", both_ways)
 # ## E3.6 · 카메라 달기 (4점)
 #
 # `camera_link`를 `base_link`에 답니다. 중심에서 앞으로 `ahead_m`, 위로 `up_m`이고, 왼쪽으로 `yaw_deg`**도** 돌려 답니다.
-# 정적 브로드캐스터가 보낼 메시지를 채우십시오. 시각(stamp)은 그대로 둡니다.
+# 정적 발행기가 보낼 메시지를 채우십시오. 시각(stamp)은 그대로 둡니다.
 
 # %% name="e3-6-answer" tags=["answer"]
 def camera_mount(ahead_m, up_m, yaw_deg):

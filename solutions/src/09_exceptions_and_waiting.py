@@ -176,10 +176,10 @@ check("E9.3", decide)
 # 로봇마다 `/scan`과 `/odom` 메시지를 여섯 개씩 적었습니다. 한 행은 (측정 시각, 들은 시각)[s]이고, 들은 시각은 듣는 컴퓨터의 시계로 적었습니다.
 # 건강한 `/scan`은 측정 후 약 0.105 s, 건강한 `/odom`은 약 0.005 s 뒤에 들립니다.
 #
-# - `"a"`, `"b"`, `"c"`: 로봇 a, b, c의 원인은 무엇입니까? `"transforms arrive late"`(변환이 늦게 옴), `"laser clock is fast"`(라이다 시계가 빠름), `"cannot be told from this"`(이것만으로는 알 수 없음) 가운데 하나입니다.
-# - `"a do"`, `"b do"`, `"c do"`: 어떻게 합니까? `"wait a little"`(조금 기다린다), `"set the laser's clock"`(라이다의 시계를 맞춘다), `"ask chrony on both computers"`(두 컴퓨터에서 chrony에 묻는다), `"set a timeout of 10 s"`(timeout을 10초로 한다) 가운데 하나입니다.
+# - `"a"`, `"b"`, `"c"`: 로봇 a, b, c의 원인은 무엇입니까? `"transforms arrive late"`(변환이 늦게 옴), `"laser clock is fast"`(레이저 시계가 빠름), `"cannot be told from this"`(이것만으로는 알 수 없음) 가운데 하나입니다.
+# - `"a do"`, `"b do"`, `"c do"`: 어떻게 합니까? `"wait a little"`(조금 기다린다), `"set the laser's clock"`(레이저의 시계를 맞춘다), `"ask chrony on both computers"`(두 컴퓨터에서 chrony에 묻는다), `"set a timeout of 10 s"`(timeout을 10초로 한다) 가운데 하나입니다.
 #
-# 눈으로 보고 적어도 되고, Python으로 찾아도 됩니다.
+# 눈으로 보고 적어도 되고, 파이썬으로 찾아도 됩니다.
 
 # %% name="e9-4-given"
 e9_4 = task("E9.4")
@@ -254,9 +254,9 @@ check("E9.5", keep)
 # - c: *타이머* 콜백 안에서 `timeout=0.3 s`. 노드는 `rclpy.spin(node)`으로 돕니다.
 # - d: 구독 콜백 안에서 `wait_for_transform_async`. 노드는 `rclpy.spin(node)`으로 돕니다.
 # - e: d와 같지만 시각이 버퍼의 모든 것보다 오래됐습니다.
-# - f: b와 같지만 라이다 시계가 2 s 빠릅니다.
-# - g: `main()`에서 `timeout=0.3 s`. 노드와 리스너는 만들었고, 아직 아무것도 spin하지 않습니다.
-# - h: `main()`에서 `timeout=0.3 s`. 리스너는 `TransformListener(buffer, node, spin_thread=True)`입니다.
+# - f: b와 같지만 레이저 시계가 2 s 빠릅니다.
+# - g: `main()`에서 `timeout=0.3 s`. 노드와 수신기는 만들었고, 아직 아무것도 spin하지 않습니다.
+# - h: `main()`에서 `timeout=0.3 s`. 수신기는 `TransformListener(buffer, node, spin_thread=True)`입니다.
 
 # %% name="e9-6-answer" tags=["answer"]
 outcomes = {

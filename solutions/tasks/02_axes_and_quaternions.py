@@ -217,7 +217,7 @@ TASKS = (
                 signs("y_right_in_base_link"),
                 Words(
                     en="On paper, right is plus. On a robot's body, look where y points: hold up the pistol hand.",
-                    ko="종이 위에서는 오른쪽이 양수입니다. 로봇 몸체에서는 y가 어디를 가리킵니까? 오른손을 권총 모양으로 들어 보십시오.",
+                    ko="종이 위에서는 오른쪽이 양수입니다. 로봇 본체에서는 y가 어디를 가리킵니까? 오른손을 권총 모양으로 들어 보십시오.",
                 ),
             ),
             Twin(
@@ -225,7 +225,7 @@ TASKS = (
                 signs(OPTICAL_RIGHT, OPTICAL_UP),
                 Words(
                     en="You read the optical frame with the body's habits. A picture counts to the right and down.",
-                    ko="광학 좌표계를 몸체의 습관으로 읽었습니다. 영상은 오른쪽과 아래로 셉니다.",
+                    ko="광학 좌표계를 본체의 습관으로 읽었습니다. 영상은 오른쪽과 아래로 셉니다.",
                 ),
                 misconception="M4",
             ),
@@ -247,7 +247,7 @@ TASKS = (
             ),
             Words(
                 en="Body: x forward, y left, z up. Picture: x right, y down, z forward. Pitch turns z towards x.",
-                ko="몸체는 x 앞, y 왼쪽, z 위입니다. 영상은 x 오른쪽, y 아래, z 앞입니다. pitch는 z를 x 쪽으로 돌립니다.",
+                ko="본체는 x 앞, y 왼쪽, z 위입니다. 영상은 x 오른쪽, y 아래, z 앞입니다. pitch는 z를 x 쪽으로 돌립니다.",
             ),
         ),
         cures=("M4",),
@@ -276,7 +276,7 @@ TASKS = (
                 lambda given: picked(*given.optical_p_part)["backwards"],
                 Words(
                     en="You went the other way, from the body to the picture (or turned twice: this rotation is a third of a full turn, so twice forward is once back). The part must end up in front: is your x the depth?",
-                    ko="거꾸로 몸체에서 영상 쪽으로 옮겼습니다. 두 번 돌려도 같은 값이 됩니다. 이 회전은 한 바퀴의 3분의 1이라서 앞으로 두 번 돌리면 뒤로 한 번 돌린 것과 같습니다. 부품은 앞에 있어야 합니다. x가 깊이와 같습니까?",
+                    ko="거꾸로 본체에서 영상 쪽으로 옮겼습니다. 두 번 돌려도 같은 값이 됩니다. 이 회전은 한 바퀴의 3분의 1이라서 앞으로 두 번 돌리면 뒤로 한 번 돌린 것과 같습니다. 부품은 앞에 있어야 합니다. x가 깊이와 같습니까?",
                 ),
                 misconception="M4",
             ),
@@ -294,7 +294,7 @@ TASKS = (
                 lambda given: picked(*given.optical_p_part)["up and down"],
                 Words(
                     en="Depth and side are right. Above and below changed places: the picture's y counts down, the body's z counts up.",
-                    ko="깊이와 좌우는 맞습니다. 위아래가 바뀌었습니다. 영상의 y는 아래로, 몸체의 z는 위로 셉니다.",
+                    ko="깊이와 좌우는 맞습니다. 위아래가 바뀌었습니다. 영상의 y는 아래로, 본체의 z는 위로 셉니다.",
                 ),
                 misconception="M4",
             ),
@@ -303,7 +303,7 @@ TASKS = (
                 lambda given: picked(*given.optical_p_part)["left and right"],
                 Words(
                     en="Depth and height are right. Left and right changed places: the picture's x counts to the right, the body's y to the left.",
-                    ko="깊이와 높이는 맞습니다. 좌우가 바뀌었습니다. 영상의 x는 오른쪽으로, 몸체의 y는 왼쪽으로 셉니다.",
+                    ko="깊이와 높이는 맞습니다. 좌우가 바뀌었습니다. 영상의 x는 오른쪽으로, 본체의 y는 왼쪽으로 셉니다.",
                 ),
                 misconception="M4",
             ),

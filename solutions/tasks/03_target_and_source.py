@@ -553,7 +553,7 @@ TASKS = (
                     en="the two places are exchanged. `tf2_echo base_link laser_frame` prints where the second sits in "
                     "the first, whatever the tool's help calls them.",
                     ko="두 위치가 서로 바뀌었습니다. `tf2_echo base_link laser_frame`은 둘째가 첫째 안 어디에 있는지 "
-                    "찍습니다. 도움말이 무엇이라 부르든 그렇습니다.",
+                    "출력합니다. 도움말이 무엇이라 부르든 그렇습니다.",
                 ),
                 "M1",
             ),
@@ -583,7 +583,7 @@ TASKS = (
                     en="both places are right, and the yaw is in degrees. It is asked for in radians: the tool prints "
                     "both, one line above the other.",
                     ko="두 위치는 맞고, yaw가 도(degree)로 되어 있습니다. 라디안으로 답해야 합니다. 도구는 두 단위를 위아래 "
-                    "두 줄로 찍습니다.",
+                    "두 줄로 출력합니다.",
                 ),
                 "M5",
             ),
@@ -672,7 +672,7 @@ TASKS = (
                 Words(
                     en="the rotation is all zeros. That is no rotation at all: every listener refuses the message, and "
                     "camera_link never appears.",
-                    ko="회전이 모두 0입니다. 이것은 회전이 아니므로 모든 리스너가 메시지를 거절하고, camera_link는 끝내 "
+                    ko="회전이 모두 0입니다. 이것은 회전이 아니므로 모든 수신기가 메시지를 거절하고, camera_link는 끝내 "
                     "나타나지 않습니다.",
                 ),
                 "M5",

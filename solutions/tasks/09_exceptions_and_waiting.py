@@ -388,7 +388,7 @@ TASKS = (
             Twin("third text missed", {**RIGHT, "e": "past"}, misconception="M11",
                  reply=Words(
                      en="one of these extrapolations says neither future nor past. Read it again: how many samples does that edge have?",
-                     ko="외삽 오류 가운데 하나는 미래도 과거도 아닙니다. 다시 읽어 보십시오. 그 연결에는 샘플이 몇 개 있습니까?")),
+                     ko="외삽 오류 가운데 하나는 미래도 과거도 아닙니다. 다시 읽어 보십시오. 그 연결에는 표본이 몇 개 있습니까?")),
             Twin("name and path swapped", {**RIGHT, "a": "connectivity", "b": "lookup"}, misconception="M11",
                  reply=Words(
                      en='"does not exist" and "not part of the same tree" are two different noes: one is about a name, the other about a path.',
@@ -398,7 +398,7 @@ TASKS = (
                      en="one of these lines is not from tf2's family at all, and `except TransformException` does not catch it. "
                         "Which one speaks of a Python type?",
                      ko="이 가운데 한 줄은 tf2 예외 가족이 아니어서 `except TransformException`에 잡히지 않습니다. "
-                        "Python 타입을 말하는 줄은 어느 것입니까?")),
+                        "파이썬 타입을 말하는 줄은 어느 것입니까?")),
             Twin("wait for a clock", {**RIGHT, "h check": "a longer timeout"}, misconception="M10",
                  reply=Words(
                      en="compare the two times in line h: they are about 56 years apart. Which timeout would bridge that? Two kinds of clock are at work.",
@@ -410,7 +410,7 @@ TASKS = (
             Words(en='For an edge, take the last number of the line ("… data is at time …"), and look for it among the windows of the buffer.',
                   ko='연결을 찾으려면 줄의 마지막 숫자("… data is at time …")를 버퍼의 구간들 가운데서 찾으십시오.'),
             Words(en="Line e names no direction, line g names a Python type, and the times of line h come from two different worlds: seconds since 1970, and seconds since the start.",
-                  ko="e에는 방향이 없고, g에는 Python 타입이 있으며, h의 두 시각은 서로 다른 세계의 것입니다. 하나는 1970년부터, 하나는 시작부터 센 초입니다."),
+                  ko="e에는 방향이 없고, g에는 파이썬 타입이 있으며, h의 두 시각은 서로 다른 세계의 것입니다. 하나는 1970년부터, 하나는 시작부터 센 초입니다."),
         ),
         cures=("M10", "M11"),
     ),
@@ -436,7 +436,7 @@ TASKS = (
             Twin("base class first", base_first, misconception="M11",
                  reply=Words(
                      en="every refusal ends in the same branch. Python takes the first `except` that fits, and the base class fits everything: let it come last.",
-                     ko="모든 거절이 같은 분기로 들어갑니다. Python은 맞는 첫 `except`를 택하고, 부모 클래스는 무엇에나 맞습니다. 맨 뒤로 보내십시오.")),
+                     ko="모든 거절이 같은 분기로 들어갑니다. 파이썬은 맞는 첫 `except`를 택하고, 부모 클래스는 무엇에나 맞습니다. 맨 뒤로 보내십시오.")),
             Twin("future and past swapped", turned_round, misconception="M10",
                  reply=Words(
                      en="future and past have changed places. The words are about the moment asked for: newer than all the data is the future.",
@@ -446,7 +446,7 @@ TASKS = (
             Words(en="Do not examine the buffer. Ask it, and sort what it raises.",
                   ko="버퍼를 들여다보지 말고 물어본 다음, 일으킨 예외를 분류하십시오."),
             Words(en="One `try`, four `except`. Python has one ExtrapolationException; which of the three it is stands in `str(error)`.",
-                  ko="`try` 하나에 `except` 넷입니다. Python의 ExtrapolationException은 하나이고, 셋 중 무엇인지는 `str(error)`에 있습니다."),
+                  ko="`try` 하나에 `except` 넷입니다. 파이썬의 ExtrapolationException은 하나이고, 셋 중 무엇인지는 `str(error)`에 있습니다."),
             Words(en='Look in the text for "into the future" and "into the past"; an extrapolation that says neither is the third. InvalidArgumentException is what is left of TransformException.',
                   ko='오류문에서 "into the future"와 "into the past"를 찾으십시오. 둘 다 없으면 세 번째입니다. 나머지 TransformException이 InvalidArgumentException입니다.'),
         ),
@@ -515,7 +515,7 @@ TASKS = (
             Twin("smooth means laser", smooth_is_laser, misconception="M10",
                  reply=Words(
                      en="one robot's delay is smooth, but it is on /odom, and positive. Nothing is wrong with that laser's numbers.",
-                     ko="한 로봇의 지연은 매끈하지만 /odom 쪽이고 양수입니다. 그 라이다의 숫자에는 이상이 없습니다.")),
+                     ko="한 로봇의 지연은 매끈하지만 /odom 쪽이고 양수입니다. 그 레이저의 숫자에는 이상이 없습니다.")),
             Twin("sign overlooked", no_sign, misconception="M10",
                  reply=Words(
                      en="one robot hears its scans before they are measured. That much *can* be told from the numbers: look at the sign.",
@@ -589,7 +589,7 @@ TASKS = (
             Twin("threads cannot help", waits(b="waits in vain", h="waits in vain"), misconception="M10",
                  reply=Words(
                      en="waiting in a callback is not bad as such. Where another thread may call the listener meanwhile, it works.",
-                     ko="콜백에서 기다리는 것 자체가 나쁜 것은 아닙니다. 그동안 다른 스레드가 리스너를 부를 수 있으면 통합니다.")),
+                     ko="콜백에서 기다리는 것 자체가 나쁜 것은 아닙니다. 그동안 다른 스레드가 수신기를 부를 수 있으면 통합니다.")),
             Twin("promises expire", waits(e="waits in vain"), misconception="M10",
                  reply=Words(
                      en="a promise of `wait_for_transform_async` has no timeout. What becomes of one that can never be kept?",
@@ -639,7 +639,7 @@ TASKS = (
         ),
         hints=(
             Words(en="Work out for each edge when, at the latest, the first sample at or after the scan's stamp has arrived.",
-                  ko="연결마다 스캔 시각과 같거나 뒤인 첫 샘플이 늦어도 언제 도착하는지 계산하십시오."),
+                  ko="연결마다 스캔 시각과 같거나 뒤인 첫 표본이 늦어도 언제 도착하는지 계산하십시오."),
             Words(en="Period, delay and jitter each make it later. What makes your wait shorter?",
                   ko="주기, 지연, 지터는 모두 늦어지게 합니다. 기다림을 줄여 주는 것은 무엇입니까?"),
             Words(en="(1 / rate + delay + jitter) for each edge; the later of the two counts; the scan's own delay has already passed.",

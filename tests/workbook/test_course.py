@@ -121,7 +121,7 @@ def test_the_table_links_what_is_there_and_says_what_is_to_come(tmp_path: Path) 
     (tmp_path / "notebooks/src").mkdir(parents=True)
     (tmp_path / "notebooks/src/03_target_and_source.py").write_text("")
     lines = chapter_table("ko", tmp_path).splitlines()
-    assert "**[Target과 source](03_target_and_source.ipynb)**" in lines[4]
+    assert "**[목표 좌표계와 원본 좌표계](03_target_and_source.ipynb)**" in lines[4]
     assert "준비 중" in lines[5]
 
 

@@ -47,7 +47,7 @@ OTHER_VERSION = Words(
     en="This copy was made by tflab {theirs}; you have tflab {ours}. It opens as it is.\n"
     "To bring in what is new: tflab lab {folder} --update (what you wrote stays).",
     ko="이 워크북은 tflab {theirs}로 만들었고, 지금 설치된 것은 tflab {ours}입니다. 일단 그대로 엽니다.\n"
-    "새 내용을 받으려면 tflab lab {folder} --update를 실행하세요. 직접 쓰신 내용은 그대로 남습니다.",
+    "새 내용을 받으려면 tflab lab {folder} --update를 실행하십시오. 직접 쓴 내용은 그대로 남습니다.",
 )
 UP_TO_DATE = Words(
     en="Nothing to bring in: everything is as in tflab {version}.",
@@ -60,10 +60,10 @@ INSTRUCTORS = Words(
 CHANGES = {
     "new": Words(en="new", ko="새 파일"),
     "replaced": Words(
-        en="replaced by the new version; nothing in it was yours", ko="새 버전으로 바꿈(직접 쓰신 내용 없음)"
+        en="replaced by the new version; nothing in it was yours", ko="새 버전으로 바꿈(직접 쓴 내용 없음)"
     ),
     "merged": Words(
-        en="new version, with {kept} of your cells kept", ko="새 버전으로 바꾸고 직접 쓰신 셀 {kept}개를 남김"
+        en="new version, with {kept} of your cells kept", ko="새 버전으로 바꾸고 직접 쓴 셀 {kept}개를 남김"
     ),
     "kept": Words(
         en="yours is no notebook that tflab can read; it stays, and the new one is beside it",
@@ -72,7 +72,7 @@ CHANGES = {
 }
 BESIDE = Words(
     en='; {beside} changed on both sides, look for "New in tflab"',
-    ko=". {beside}개는 양쪽에서 바뀌었으니 “바뀐 내용입니다”를 찾아보세요",
+    ko=". {beside}개는 양쪽에서 바뀌었으니 “바뀐 내용입니다”를 찾아보십시오",
 )
 BACKUP = Words(
     en="What was there before is in {folder}.",

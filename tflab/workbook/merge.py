@@ -24,7 +24,7 @@ Cell = dict[str, Any]
 
 BESIDE = Words(
     en="**New in tflab {version}.** You changed the cell above, and so did we. Yours stays; this is ours:",
-    ko="**tflab {version}에서 바뀐 내용입니다.** 위 셀은 직접 고치신 것이라 그대로 두었습니다. 새 셀입니다.",
+    ko="**tflab {version}에서 바뀐 내용입니다.** 위 셀은 직접 고친 것이라 그대로 두었고, 이것이 새 셀입니다.",
 )
 
 

@@ -39,7 +39,7 @@ ONLY_CHECKS = Words(
 )
 NO_COPY = Words(
     en="Nothing is kept here: these are tflab's own pages. Make your copy with: tflab lab",
-    ko="여기는 tflab에 들어 있는 원본이라 기록을 남기지 않습니다. tflab lab으로 내 워크북을 만드세요.",
+    ko="여기는 tflab에 들어 있는 원본이라 기록을 남기지 않습니다. tflab lab으로 내 워크북을 만드십시오.",
 )
 PASSED, TRIED, UNTRIED = "■", "◧", "□"
 STATES = {"passed": "✓", "open": "○", "later": "·"}

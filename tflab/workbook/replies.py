@@ -25,7 +25,7 @@ REPLIES = {
     ),
     "not_a_function": Words(
         en="{answer} should be a function, and it is not ({got}). Hand over the function itself, without calling it.",
-        ko="{answer}은(는) 함수여야 하는데 그렇지 않습니다({got}). 호출하지 말고 함수 자체를 넘기십시오.",
+        ko="{answer}에는 함수가 있어야 하는데 다른 것이 있습니다({got}). 호출하지 말고 함수 자체를 넘기십시오.",
     ),
     "a_function": Words(
         en="this is a function, and its result is asked for: {wanted}. Did you forget the brackets of the call?",
@@ -37,19 +37,19 @@ REPLIES = {
     ),
     "option": Words(
         en='"{answer}" is not among the answers to choose from: {wanted}.',
-        ko='"{answer}"은(는) 보기에 없습니다: {wanted}.',
+        ko='보기에 없는 답입니다: "{answer}". 필요한 것: {wanted}.',
     ),
     "missing": Words(
         en="there is no answer yet for {parts}.",
-        ko="{parts}의 답이 아직 없습니다.",
+        ko="아직 답이 없는 곳: {parts}.",
     ),
     "frame": Words(
         en='this says that it is expressed in "{frame}", and "{wanted_frame}" is asked for.',
-        ko='이 값은 "{frame}" 기준이라고 되어 있는데, 필요한 것은 "{wanted_frame}" 기준입니다.',
+        ko='이 값은 "{frame}" 기준이라고 적혀 있는데, 필요한 것은 "{wanted_frame}" 기준입니다.',
     ),
     "raised": Words(
         en="your function stopped with {error}: {text}",
-        ko="함수가 {error}(으)로 멈췄습니다: {text}",
+        ko="함수가 예외를 내고 멈췄습니다. {error}: {text}",
     ),
     "interrupted": Words(
         en="you stopped it. Does a loop in your function never end?",
@@ -61,11 +61,11 @@ REPLIES = {
     ),
     "unit": Words(
         en="right, if it were in {unit}; {wanted_unit} is asked for.",
-        ko="단위가 {unit}이라면 맞습니다. 여기서는 {wanted_unit}(으)로 답해야 합니다.",
+        ko="단위가 {unit}이라면 맞습니다. 여기서 필요한 단위는 {wanted_unit}입니다.",
     ),
     "parts": Words(
         en="look again at {wrong}.",
-        ko="{wrong}을(를) 다시 보십시오.",
+        ko="다시 볼 곳: {wrong}.",
     ),
     "value": Words(
         en="the form is right, the value is not.",
@@ -73,14 +73,14 @@ REPLIES = {
     ),
     "case": Words(
         en="It was called as {call}, and gave {got}.",
-        ko="{call}(으)로 불렀더니 {got}이(가) 나왔습니다.",
+        ko="이렇게 불렀습니다: {call}. 나온 결과: {got}.",
     ),
     "hint": Words(
         en='hint("{id}") helps, one step at a time.',
         ko='hint("{id}")를 실행하면 한 단계씩 도움을 받을 수 있습니다.',
     ),
     "hint_number": Words(en="hint {number} of 3", ko="힌트 {number}/3"),
-    "last_hint": Words(en="that was the last hint, once more", ko="마지막 힌트입니다"),
+    "last_hint": Words(en="that was the last hint, once more", ko="마지막 힌트를 다시 보여 드립니다"),
     "solution": Words(
         en='Three tries: if you like, read the solution with solution("{id}").',
         ko='세 번 시도했습니다. 원하면 solution("{id}")로 풀이를 볼 수 있습니다.',
@@ -97,7 +97,7 @@ REPLIES = {
         en="there is no such task here; there is {known}.{close}",
         ko="그런 과제가 없습니다. 있는 과제: {known}.{close}",
     ),
-    "did_you_mean": Words(en=' Did you mean "{name}"?', ko=' 혹시 "{name}"입니까?'),
+    "did_you_mean": Words(en=' Did you mean "{name}"?', ko=' 혹시 "{name}" 아닙니까?'),
     "no_cases": Words(
         en="cannot be checked: {why}. `tflab lab --update` brings back what is missing, and keeps what you wrote.",
         ko="검사할 수 없습니다: {why}. `tflab lab --update`를 실행하면 빠진 것이 복구되고 작성한 것은 그대로 남습니다.",
