@@ -234,12 +234,12 @@ graph.stop()
 # |--:|:--|:--|:--|:--|
 # | 1 | 값과 좌표계와 측정 시각 | 숫자 세 개는 언제 위치가 됩니까? |  | 준비 중 |
 # | 2 | **[좌표축과 쿼터니언](02_axes_and_quaternions.ipynb)** | 어느 쪽이 앞입니까? | 1 | [E2](../../exercises/ko/02_axes_and_quaternions.ipynb) |
-# | 3 | **[Target과 source](03_target_and_source.ipynb)** | 어느 좌표계의 데이터를 어느 좌표계에서 보려 합니까? | 1, 2 | [E3](../../exercises/ko/03_target_and_source.ipynb) |
+# | 3 | **[목표 좌표계와 원본 좌표계](03_target_and_source.ipynb)** | 어느 좌표계의 데이터를 어느 좌표계에서 보려 합니까? | 1, 2 | [E3](../../exercises/ko/03_target_and_source.ipynb) |
 # | 4 | 좌표계 트리 | 한 좌표계에서 다른 좌표계로 어떻게 갑니까? | 3 | 준비 중 |
 # | 5 | map, odom, base_link | 고정 좌표계가 왜 둘이나 필요합니까? | 3, 4 | 준비 중 |
 # | 6 | 정적 변환과 동적 변환 | 누가, 얼마나 자주 위치를 알려 줍니까? | 3, 4 | 준비 중 |
 # | 7 | URDF와 센서 | 로봇의 부품은 어디에 붙어 있습니까? | 2, 6 | 준비 중 |
-# | 8 | **[Buffer와 측정 시각](08_buffer_and_measurement_time.ipynb)** | 그것을 보았을 때 나는 어디에 있었습니까? | 3, 6 | [E8](../../exercises/ko/08_buffer_and_measurement_time.ipynb) |
+# | 8 | **[버퍼와 측정 시각](08_buffer_and_measurement_time.ipynb)** | 그것을 보았을 때 나는 어디에 있었습니까? | 3, 6 | [E8](../../exercises/ko/08_buffer_and_measurement_time.ipynb) |
 # | 9 | **[예외와 기다림](09_exceptions_and_waiting.ipynb)** | 왜 답이 없습니까? 기다리면 됩니까? | 4, 8 | [E9](../../exercises/ko/09_exceptions_and_waiting.ipynb) |
 # | 10 | 시계와 백 | 누구의 시간입니까? | 8, 9 | 준비 중 |
 # | 11 | 도구와 RViz | 어떤 질문에 어떤 도구를 씁니까? | 4, 5, 8 | 준비 중 |

@@ -85,7 +85,7 @@
 # - **inverse (역변환)**: The transform that undoes another one: it turns back, and its translation is turned too.
 
 # %% [markdown] lang="ko" name="chapter-3" slide="skip"
-# ## 3장 · Target과 source
+# ## 3장 · 목표 좌표계와 원본 좌표계
 #
 # - **좌표 변환 (transform)**: 부모 좌표계에서 본 자식 좌표계의 위치와 방향, 곧 이동과 회전입니다.
 # - **부모 좌표계 (parent frame)**: 자식 좌표계의 위치와 방향을 적을 때 기준이 되는 좌표계이며, 메시지에서는 `header.frame_id`입니다.
@@ -128,8 +128,8 @@
 #
 # - **지도 좌표계 (map)**: 오래 지나도 세계와 맞지만, 위치 추정이 보정될 때 값이 뛸 수 있는 고정 좌표계입니다.
 # - **오도메트리 좌표계 (odom)**: 로봇이 끊김 없이 움직이지만 오차가 조금씩 쌓여 실제 위치와 멀어지는 고정 좌표계입니다.
-# - **지면 투영 좌표계 (base_footprint)**: 로봇 본체를 바닥에 내려놓은 좌표계로, 높이와 롤·피치 없이 x·y·요만 가집니다.
-# - **REP-105**: 이동 로봇의 좌표계 map, odom, base_link의 뜻과 관계를 정한 ROS의 규약입니다.
+# - **지면 투영 좌표계 (base_footprint)**: 로봇 본체를 바닥에 내려놓은 좌표계로, 높이와 roll, pitch 없이 x, y, yaw만 가집니다.
+# - **REP-105**: 이동 로봇의 좌표계 map, odom, base_link의 뜻과, 각 변환을 누가 맡는지를 정한 ROS의 규약입니다.
 # - **오도메트리 (odometry)**: 바퀴, IMU, 카메라로 잰 움직임을 조금씩 더해 얻은 이동량입니다.
 # - **위치 추정 (localisation)**: 지도에서 로봇의 위치를 찾아 오도메트리의 오차를 바로잡는 일입니다.
 # - **드리프트 (drift)**: 작은 오차가 계속 더해져 천천히 커지는 오차입니다.
@@ -180,14 +180,14 @@
 # - **motion distortion (움직임 왜곡)**: What a sensor's own motion does to data that takes time to measure: the rays of one sweep belong to different moments, and drawn with one pose they bend the walls.
 
 # %% [markdown] lang="ko" name="chapter-8" slide="skip"
-# ## 8장 · Buffer와 측정 시각
+# ## 8장 · 버퍼와 측정 시각
 #
 # - **변환 수신기 (listener)**: `/tf`와 `/tf_static`을 구독해 버퍼를 채우는 객체, `TransformListener`입니다.
 # - **변환 버퍼 (buffer)**: 최근의 변환을 연결마다 시간 순서로 담아 두고, 어느 시각에 한 좌표계가 다른 좌표계의 어디에 있었는지 답하는 저장소입니다.
 # - **고정 좌표계 (fixed frame)**: 움직이지 않는다고 보는 좌표계로, RViz는 모든 것을 이 좌표계에 그리고 인자 여섯 개짜리 조회는 이 좌표계에서 시간을 건너갑니다.
 # - **최신 공통 시각 (latest common time)**: 경로의 모든 연결에 값이 있는 가장 늦은 시각으로, 연결마다 가장 늦은 시각 중 가장 이른 것이며 정적 변환은 세지 않습니다.
 # - **보간 (interpolation)**: 두 표본 사이의 값을 구하는 일로, 이동은 직선으로 회전은 가장 짧은 호로 잇습니다.
-# - **외삽 (extrapolation)**: 표본 바깥의 값을 짐작하는 일이며, tf2는 이를 거부합니다.
+# - **외삽 (extrapolation)**: 표본 바깥의 값을 짐작하는 일이며, tf2는 거절합니다.
 # - **보관 시간 (cache time)**: 버퍼가 얼마나 먼 과거까지 기억하는지를 이르며, 정하지 않으면 10초입니다.
 # - **지연 (latency)**: 무언가를 잰 때부터 그 값을 쓰는 때까지 걸린 시간입니다.
 # - **번짐 (smear)**: 다른 순간의 자세로 스캔을 놓아 벽이 두껍게 또는 겹쳐 그려지는 현상입니다.
