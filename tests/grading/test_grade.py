@@ -81,7 +81,7 @@ def test_a_mistake_is_named_and_an_error_said(results: tuple[Path, dict]) -> Non
 
 def test_what_is_malformed_is_a_line_and_stops_nothing(results: tuple[Path, dict]) -> None:
     assert "unreadable" in remarks(results[1]["s102"])
-    assert "plain" in remarks(results[1]["=cmd_'C calc'!A0"])  # nobody on the roster
+    assert "nobody" in remarks(results[1]["=cmd_'C calc'!A0"])
 
 
 def test_the_table_has_a_row_for_each_learner_and_no_formula(results: tuple[Path, dict]) -> None:
@@ -245,7 +245,7 @@ def test_submissions_that_are_not_there_are_one_line(
 def test_an_empty_folder_is_a_class_that_handed_in_nothing(course: tiny.Course, tmp_path: Path) -> None:
     (tmp_path / "in").mkdir()
     records = graded(course, tmp_path / "in", tmp_path / "out")
-    assert [(record["points"], remarks(record)) for record in records.values()] == [(0.0, ["plain"])] * 2
+    assert [(record["points"], remarks(record)) for record in records.values()] == [(0.0, ["no file"])] * 2
 
 
 def test_no_pack_is_one_line(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:

@@ -40,7 +40,8 @@ def who(collection: Collection) -> dict[str, list[str]]:
 
 
 def remarks_of(collection: Collection, learner: str) -> tuple[str, ...]:
-    return next(one.remarks for one in collection.submissions if one.learner == learner)
+    remarks = next(one.remarks for one in collection.submissions if one.learner == learner)
+    return tuple(remark.say("en").rstrip(".") for remark in remarks)
 
 
 @pytest.mark.parametrize(

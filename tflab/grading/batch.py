@@ -33,7 +33,7 @@ from .pack import Pack
 from .plan import PlannedCell
 from .progress_bar import ProgressBar
 from .reader import Unreadable
-from .remarks import printable
+from .remarks import Remark, printable
 from .running import Cell, Run, run_cells
 from .sandbox import Sandbox
 from .submissions import Collection, Submission
@@ -146,7 +146,7 @@ def grade_job(job: Job, *, sandbox: Sandbox) -> dict[str, Any]:
         text = (
             f"tflab itself failed here ({type(error).__name__}: {str(error)[:200]}); please report it, and grade again"
         )
-        record = graded(replace(job, files=(), remarks=(*job.remarks, text)), _nothing_runs)
+        record = graded(replace(job, files=(), remarks=(*job.remarks, Remark("plain", text=text))), _nothing_runs)
         return record | {"sandbox": sandbox.level, "not_run": True}
 
 
@@ -206,7 +206,7 @@ def _key(job: Job, pack: Pack, batch: Batch) -> str:
     """Return a name for all that decides a record: the files, the pack, the limits, the wall, and tflab itself."""
     content = hashlib.sha256()
     rest = [RECORD_FORMAT, __version__, pack.digest, repr(batch.limits), batch.sandbox.level]
-    rest += [job.learner, job.name, job.language, job.remarks, job.on_roster]
+    rest += [job.learner, job.name, job.language, [remark.plain() for remark in job.remarks], job.on_roster]
     content.update(json.dumps(rest, ensure_ascii=False).encode("utf-8", "replace"))
     for file in job.files:
         content.update(repr((file.name, file.fault, hashlib.sha256(file.data).hexdigest())).encode())

@@ -59,7 +59,7 @@ class Job:
     files: tuple[File, ...]
     chapters: Mapping[str, Mapping[str, Any]]
     limits: Limits
-    remarks: tuple[str, ...] = ()
+    remarks: tuple[Remark, ...] = ()
     on_roster: bool = True
     has_roster: bool = False
     only: Mapping[str, Sequence[str]] | None = None
@@ -77,7 +77,7 @@ class _Chapter:
 
 def graded(job: Job, run_cells: RunCells) -> dict[str, Any]:
     """Return the record of a submission, as JSON has it."""
-    remarks = [Remark("plain", text=text) for text in job.remarks]
+    remarks = list(job.remarks)
     masters = {stem: _master(stem, chapter["master"]) for stem, chapter in job.chapters.items()}
     found = _by_chapter(job, masters, remarks)
     chapters: dict[str, Any] = {}

@@ -118,6 +118,23 @@ KINDS = {
         en="{file} has a task {stamp} that is not in this release.",
         ko="{file}에 이번 배포본에 없는 과제 {stamp}이 있습니다.",
     ),
+    # about what was handed in
+    "no file": Words(en="nothing was handed in.", ko="제출한 것이 없습니다."),
+    "empty": Words(en="an empty folder.", ko="빈 폴더입니다."),
+    "no notebook": Words(en="no notebook; there is {stamp}.", ko="노트북이 없습니다. 있는 것: {stamp}."),
+    "many": Words(
+        en="{stamp} notebooks; the first {ours} are looked at.",
+        ko="노트북이 {stamp}개라서 앞의 {ours}개만 보았습니다.",
+    ),
+    "nobody": Words(
+        en='"{stamp}" is nobody on the roster, and neither is the stamp in the notebook.',
+        ko='"{stamp}"은 명단에 없고, 노트북에 적힌 이름도 명단에 없습니다.',
+    ),
+    "stamped": Words(
+        en='stamped for "{stamp}", who handed in elsewhere; not graded for them.',
+        ko='"{stamp}"에게 배포된 것이지만 그 사람은 따로 제출했으므로 그의 것으로 채점하지 않았습니다.',
+    ),
+    "places": Words(en="handed in at several places: {stamp}.", ko="여러 곳에 제출되었습니다: {stamp}."),
     "file": Words(en="{file}: {why}.", ko="{file}: {why}."),
     "plain": Words(en="{text}.", ko="{text}."),
 }

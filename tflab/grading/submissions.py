@@ -25,7 +25,7 @@ from pathlib import Path
 
 from .archives import Member, archive_members, is_zip_name
 from .reader import Unreadable, read_bytes, read_notebook
-from .remarks import printable
+from .remarks import Remark, printable
 from .roster import Learner
 
 __all__ = ["Collection", "Submission", "collect"]
@@ -51,7 +51,7 @@ class Submission:
 
     learner: str
     notebooks: tuple[Member, ...]
-    remarks: tuple[str, ...] = ()
+    remarks: tuple[Remark, ...] = ()
     known: bool = True
 
 
@@ -86,20 +86,20 @@ def collect(
         if roster and learner is None:
             learner = _of_stamps(groups[key], roster)
             if learner in found:  # a stamp is easily copied: it never adds to what somebody handed in themselves
-                strange = (f'stamped for "{learner}", who handed in elsewhere; not graded for them',)
+                strange = (Remark("stamped", stamp=learner),)
                 learner = None
             elif learner is None:
-                strange = (f'"{_printable(key)}" is nobody on the roster, and neither is the stamp in the notebook',)
+                strange = (Remark("nobody", stamp=_printable(key)),)
         one = _submission(learner or _printable(key), groups[key], strange, roster is None or learner is not None)
         there = found.get(one.learner)
         if there is not None:
-            together = f"handed in at several places: {_printable(key)}"
+            together = Remark("places", stamp=_printable(key))
             one = replace(
                 one, notebooks=there.notebooks + one.notebooks, remarks=(*there.remarks, *one.remarks, together)
             )
         found[one.learner] = one
     for learner in sorted(set(roster or ()) - set(found)):
-        found[learner] = Submission(learner, (), ("nothing was handed in",))
+        found[learner] = Submission(learner, (), (Remark("no file"),))
     return Collection(tuple(found[learner] for learner in sorted(found)), tuple(remarks))
 
 
@@ -201,14 +201,14 @@ def _group(parts: tuple[str, ...], chapters: Sequence[str]) -> str:
     return stem.strip(" _-.") or parts[0]
 
 
-def _submission(learner: str, members: list[Member], strange: tuple[str, ...], known: bool) -> Submission:
+def _submission(learner: str, members: list[Member], strange: tuple[Remark, ...], known: bool) -> Submission:
     notebooks = tuple(member for member in members if _is_notebook(member))
     others = sorted({member.parts[-1] for member in members} - {member.parts[-1] for member in notebooks} - {""})
     remarks = list(strange)
     if not notebooks:
-        remarks.append(f"no notebook; there is {_few(others)}" if others else "an empty folder")
+        remarks.append(Remark("no notebook", stamp=_few(others)) if others else Remark("empty"))
     if len(notebooks) > MAX_NOTEBOOKS:
-        remarks.append(f"{len(notebooks)} notebooks; the first {MAX_NOTEBOOKS} are looked at")
+        remarks.append(Remark("many", stamp=len(notebooks), ours=MAX_NOTEBOOKS))
     return Submission(learner, notebooks[:MAX_NOTEBOOKS], tuple(remarks), known)
 
 
