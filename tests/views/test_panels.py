@@ -163,7 +163,7 @@ def test_choosing_the_frame_that_the_other_menu_has_swaps_the_two():
 def test_the_sentence_is_there_in_korean():
     panel = sentence_panel(POSES, "map", "laser_frame", language="ko")
     labels = [child.value for child in panel.widget.children[0].children if not child.description]
-    assert labels == ["", "에서 표현된 Data를", "에서 표현하고 싶습니다."]
+    assert labels == ["", "기준으로 표현된 데이터를", "기준으로 보고 싶습니다."]
 
 
 def test_a_sentence_between_frames_is_target_T_source():

@@ -15,7 +15,7 @@ LASER_IN_BASE = StampedTransform("base_link", "laser_frame", 0, BASE_T_LASER)
 def test_one_question_in_five_ways():
     said = sentence(LASER_IN_BASE)
     assert said.english == "data expressed in [laser_frame], wanted in [base_link]"
-    assert said.korean == "[laser_frame]에서 표현된 Data를 [base_link]에서 표현하고 싶습니다."
+    assert said.korean == "[laser_frame] 기준으로 표현된 데이터를 [base_link] 기준으로 보고 싶습니다."
     assert said.call == "lookup_transform('base_link', 'laser_frame', Time())"
     assert said.arrow == "laser_frame o--------> base_link"
     assert said.matrix == (

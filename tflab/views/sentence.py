@@ -71,7 +71,7 @@ def sentence(stamped: StampedTransform, asked_ns: int = LATEST) -> Sentence:
     when = "Time()" if asked_ns == LATEST else f"Time(nanoseconds={asked_ns:_})"
     return Sentence(
         english=f"data expressed in [{source}], wanted in [{target}]",
-        korean=f"[{source}]에서 표현된 Data를 [{target}]에서 표현하고 싶습니다.",
+        korean=f"[{source}] 기준으로 표현된 데이터를 [{target}] 기준으로 보고 싶습니다.",
         call=f"lookup_transform('{target}', '{source}', {when})",
         arrow=f"{source} o--------> {target}",
         matrix=matrix_rows(stamped.transform),

@@ -25,7 +25,10 @@ from .panel import Panel
 
 Pair = tuple[str, str]  # target, source
 
-WORDS = {"en": ("data expressed in", ", wanted in", ""), "ko": ("", "에서 표현된 Data를", "에서 표현하고 싶습니다.")}
+WORDS = {
+    "en": ("data expressed in", ", wanted in", ""),
+    "ko": ("", "기준으로 표현된 데이터를", "기준으로 보고 싶습니다."),
+}
 
 
 class SentencePanel(Panel):
