@@ -516,15 +516,24 @@ def test_the_best_wall_that_works_is_taken() -> None:
 
 
 def test_a_fallback_says_what_it_does_not_protect_from(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert Sandbox("namespaces").gaps == ()
+    assert "several times as long" in " ".join(Sandbox("bubblewrap").gaps)
     monkeypatch.setattr(landlock, "abi", lambda: landlock.CONFINES)
-    assert "which other processes run" in Sandbox("limits").announce()
-    assert "advisory" not in Sandbox("limits").announce()
+    with_landlock = " ".join(Sandbox("limits").gaps)
+    assert "which other processes run" in with_landlock
+    assert "advisory" not in with_landlock
     monkeypatch.setattr(landlock, "abi", lambda: 0)
+    without = " ".join(Sandbox("limits").gaps)
+    assert "hidden answers are only advisory" in without
+    assert "network" in without
+
+
+def test_a_fallback_says_why_nothing_better_was_to_be_had() -> None:
     assert Sandbox("namespaces").announce() == "Sandbox: namespaces."
-    assert "several times as long" in Sandbox("bubblewrap").announce()
-    announced = Sandbox("limits").announce()
-    assert "hidden answers are only advisory" in announced
-    assert "network" in announced
+    fallback = Sandbox("limits", refused=("no namespaces: not permitted", "no bubblewrap: there is no program bwrap"))
+    why = "no namespaces: not permitted; no bubblewrap: there is no program bwrap"
+    assert fallback.announce() == f"Sandbox: limits ({why})."
+    assert fallback == Sandbox("limits")
 
 
 def test_a_wall_that_does_not_exist_is_refused_with_those_that_do() -> None:

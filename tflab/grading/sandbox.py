@@ -25,17 +25,17 @@ from . import landlock
 __all__ = ["LEVELS", "Sandbox"]
 
 ONLY_FILES = (
-    "code in a submission can see which other processes run",
-    "code in a submission can send UDP to the network",
+    "Code in a submission can see which other processes run.",
+    "Code in a submission can send UDP to the network.",
 )
 GAPS = {
     "namespaces": (),
-    "bubblewrap": ("every kernel starts from nothing, so grading takes several times as long",),
+    "bubblewrap": ("Every kernel starts from nothing, so grading takes several times as long.",),
     "limits": (
-        "code in a submission can read files that the instructor can read, the pack among them, "
-        "so hidden answers are only advisory",
-        "code in a submission can reach the network",
-        "code in a submission can end the grader; the run has to be started again then",
+        "Code in a submission can read files that the instructor can read, the pack among them, "
+        "so hidden answers are only advisory.",
+        "Code in a submission can reach the network.",
+        "Code in a submission can end the grader; the run has to be started again then.",
     ),
 }
 LEVELS = tuple(GAPS)
@@ -66,11 +66,9 @@ class Sandbox:
         return GAPS[self.level]
 
     def announce(self) -> str:
-        """Return one line for the report."""
-        if not self.gaps:
-            return f"Sandbox: {self.level}."
+        """Return one line for the report: which wall, and why no better one; `gaps` are the lines after it."""
         why = f" ({'; '.join(self.refused)})" if self.refused else ""
-        return f"Sandbox: {self.level}{why}. Mind: {'; '.join(self.gaps)}."
+        return f"Sandbox: {self.level}{why}."
 
     def shown(self) -> tuple[str, ...]:
         """Return the folders and files of this machine that a kernel may read: the system and Python, no home."""
