@@ -14,14 +14,14 @@
 # %% [markdown] lang="ko" name="title" slide="slide"
 # # 08 · 그것을 보았을 때 나는 어디에 있었나?
 #
-# **Buffer와 측정 시각** · 약 55분 · 01, 03, 04, 05, 06장을 바탕으로 합니다
+# **버퍼와 측정 시각** · 약 55분 · 01, 03, 04, 05, 06장을 바탕으로 합니다
 #
 # 이 장을 마치면 다음을 할 수 있습니다.
 #
-# - [[buffer|Buffer(변환 버퍼)]]를 Tree의 edge마다 하나씩 있는 시간 축으로 설명합니다.
-# - 두 표본 사이에서 Buffer가 무엇을 답하고, 그 바깥에서는 무엇을 거절하는지 말합니다.
+# - [[buffer|변환 버퍼(buffer)]]를 트리의 연결마다 하나씩 있는 시간 차선으로 설명합니다.
+# - 두 표본 사이에서 버퍼가 무엇을 답하고, 그 바깥에서는 무엇을 거절하는지 말합니다.
 # - 경로의 [[latest common time|최신 공통 시각]]을 찾고, `Time()`이 무엇을 묻는지 말합니다.
-# - Message를 측정된 순간을 기준으로 다른 Frame으로 옮깁니다.
+# - 메시지를 측정한 순간의 변환으로 다른 좌표계에 옮깁니다.
 # - 그렇게 하지 않으면 얼마나 빗나가는지 어림합니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
@@ -51,12 +51,12 @@
 #
 # 앞 장을 마쳤다면 건너뛰어도 됩니다.
 #
-# - **점**(01)은 값, Frame, 측정된 순간, 이 세 가지입니다. ROS 2에서 뒤의 둘은 `header.frame_id`와 `header.stamp`입니다.
-# - **질문**(03)의 순서는 정해져 있습니다. `lookup_transform(target, source, time)`: source에서 표현된 Data를 target에서 표현하고 싶습니다.
-# - **Tree**(04)에서 각 Frame의 부모는 하나입니다. 두 Frame 사이에는 edge로 이어진 길이 하나 있습니다.
-# - **우리 Robot**(05)에는 `map → odom → base_footprint → base_link`가 있습니다. `map → odom`은 Localization이 보정하고, `odom → base_footprint`는 바퀴가 초마다 여러 번 셉니다.
-# - **두 종류의 edge**(06): Camera 장착 위치 같은 Static edge는 한 번 보내면 언제나 유효합니다. Dynamic edge는 매번 [[stamp|Stamp(측정 시각)]]와 함께 계속 보냅니다.
-# - **Node**는 Program입니다. *Topic*을 구독하면, Message가 도착할 때마다 ROS 2가 그 Node의 함수, 곧 *callback*을 부릅니다. *spin*은 Message를 기다리며 callback을 부르는 일입니다.
+# - **점**(01)은 값, 좌표계, 측정된 순간, 이 세 가지입니다. ROS 2에서 뒤의 둘은 `header.frame_id`와 `header.stamp`입니다.
+# - **질문**(03)의 순서는 정해져 있습니다. `lookup_transform(target, source, time)`: 원본(source) 기준 데이터를 목표(target) 기준으로 보고 싶습니다.
+# - **트리**(04)에서 각 좌표계의 부모는 하나입니다. 두 좌표계 사이에는 연결(edge)로 이어진 길이 하나 있습니다.
+# - **우리 로봇**(05)에는 `map → odom → base_footprint → base_link`가 있습니다. `map → odom`은 위치 추정 노드가 보정하고, `odom → base_footprint`는 바퀴가 1초에 여러 번 잽니다.
+# - **두 종류의 연결**(06): 카메라 장착 위치 같은 정적 연결은 한 번 보내면 언제나 유효합니다. 동적 연결은 매번 [[stamp|측정 시각(stamp)]]과 함께 계속 보냅니다.
+# - **노드**는 프로그램입니다. *토픽*(topic)을 구독하면, 메시지가 도착할 때마다 ROS 2가 그 노드의 함수, 곧 *콜백*(callback)을 부릅니다. *spin*은 메시지를 기다리며 콜백을 부르는 일입니다.
 
 # %% name="load"
 # %load_ext tflab
@@ -109,18 +109,18 @@ from tflab.views.timeline import lane_from_history
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 오십 년, 그리고 손 한 뼘
 #
-# 어느 지도 작성 Node가 TF에 1574652168.59초의 Pose를 물었습니다.
+# 어느 지도 작성 노드가 TF에 1574652168.59초의 자세를 물었습니다.
 # 그때 TF는 3.235초에 있었습니다.
-# 한쪽은 2019년을, 다른 쪽은 방금 켜진 Simulation을 살고 있었으니 둘은 거의 오십 년 떨어져 있었습니다(ANYbotics/elevation_mapping 122번 보고).
+# 한쪽은 2019년을, 다른 쪽은 방금 켜진 시뮬레이션을 살고 있었으니 둘은 거의 오십 년 떨어져 있었습니다(ANYbotics/elevation_mapping 122번 보고).
 #
 # 이 고장은 쉽습니다. 아무것도 동작하지 않고, 오류가 이유를 말해 줍니다.
 #
 # 더 어려운 고장은 이것입니다. 모든 것이 동작하고 오류도 없는데, 장애물마다 실제 위치에서 손 한 뼘쯤 떨어져 있습니다.
 # 직접 만들어 봅시다.
-# Robot 한 대가 방 안을 좌우로 흔들며 걷는 속도로 나아갑니다.
-# Camera는 공 하나를 찾고, 찾는 계산에 0.2초가 걸립니다.
+# 로봇 한 대가 방 안을 좌우로 굽이치며 사람이 걷는 속도로 나아갑니다.
+# 카메라는 공 하나를 찾고, 찾는 계산에 0.2초가 걸립니다.
 #
-# 다음 셀은 Robot을 출발시킵니다. 낱말을 모두 알 필요는 없습니다.
+# 다음 셀은 로봇을 출발시킵니다. 코드를 모두 이해할 필요는 없습니다.
 # `Leg`는 주행의 한 토막입니다. 몇 초 동안, 얼마나 빠르게 앞으로, 얼마나 빠르게 도는지를 적습니다.
 
 # %% name="start-the-robot"
@@ -141,14 +141,14 @@ nodes = launch(graph, robot, only=parts)
 # The cell after it lets twelve seconds pass. `spin_once` waits for one message and calls its callback; time here is virtual, so this takes a moment only.
 
 # %% [markdown] lang="ko" name="finder-intro" slide="subslide"
-# 공을 지도에 올리는 Node입니다.
-# 천천히 읽어 보십시오. 유명세에 비해 짧습니다.
+# 공을 지도에 올리는 노드입니다.
+# 천천히 읽어 보십시오. 유명한 코드치고는 짧습니다.
 #
-# - [[listener|Listener(변환 수신기)]]는 `/tf`와 `/tf_static`을 듣고 [[buffer|Buffer]]를 채웁니다.
-# - 공을 볼 때마다 `on_point`가 불립니다. Buffer에 `map_T_camera`를 묻고, 점을 옮깁니다.
-# - 물을 때는 `Time()`을 씁니다. 작성자는 "가장 새로운 Pose가 당연히 가장 좋겠지"라고 생각했습니다.
+# - [[listener|변환 수신기(listener)]]는 `/tf`와 `/tf_static`을 듣고 [[buffer|버퍼]]를 채웁니다.
+# - 공을 볼 때마다 `on_point`가 불립니다. 버퍼에 `map_T_camera`를 묻고, 점을 옮깁니다.
+# - 물을 때는 `Time()`을 씁니다. 작성자는 "가장 새로운 자세가 당연히 가장 좋겠지"라고 생각했습니다.
 #
-# 그다음 셀은 12초를 보냅니다. `spin_once`는 Message 하나를 기다려 callback을 부릅니다. 이곳의 시간은 가상이라 금방 끝납니다.
+# 그다음 셀에서는 12초가 흐릅니다. `spin_once`는 메시지 하나를 기다려 콜백을 부릅니다. 이 페이지의 시간은 가상이라 금방 끝납니다.
 
 
 # %% name="finder"
@@ -204,10 +204,10 @@ draw_placed({"balls on the map": np.array(finder.balls)}, things=[BALL], shown_m
 #
 # 고리 안에 든 점은 하나도 없습니다.
 # 지도에는 공이 네다섯 개, 진짜 공의 왼쪽과 오른쪽에 두 무리로 나타납니다. 평균 0.18 m, 최대 0.31 m 빗나갔습니다.
-# Gripper라면 자신 있게 허공을 움켜쥐었을 것입니다.
+# 그리퍼라면 자신 있게 허공을 움켜쥐었을 것입니다.
 #
-# 수학도 Tree도 맞았습니다.
-# 틀린 것은 질문입니다. Camera가 *그때* 본 것을 두고 Camera가 *지금* 어디 있는지를 물었습니다.
+# 수학도 트리도 맞았습니다.
+# 틀린 것은 질문입니다. 카메라가 *그때* 본 것을 두고 카메라가 *지금* 어디 있는지를 물었습니다.
 
 # %% [markdown] lang="en" name="many-balls-notes" slide="notes"
 # Let them count. Wait for the laugh, then ask why there are two gangs and not one cloud.
@@ -216,8 +216,8 @@ draw_placed({"balls on the map": np.array(finder.balls)}, things=[BALL], shown_m
 
 # %% [markdown] lang="ko" name="many-balls-notes" slide="notes"
 # 직접 세어 보게 하십시오. 웃음이 지나가면, 왜 구름 하나가 아니라 두 무리인지 물어보십시오.
-# Robot은 왼쪽으로 돌고 있었거나 오른쪽으로 돌고 있었습니다. 곧게 가는 순간은 거의 없었습니다.
-# 실제 수치도 있습니다. 기록된 Nav2 주행에서 map → base_link를 Localization의 Stamp가 아니라 "지금"으로 물으면 중앙값 3 cm, 최대 15 cm만큼 Robot이 옮겨졌습니다.
+# 로봇은 왼쪽으로 돌고 있었거나 오른쪽으로 돌고 있었습니다. 곧게 가는 순간은 거의 없었습니다.
+# 실제 수치도 있습니다. 기록된 Nav2 주행에서 map → base_link를 위치 추정의 측정 시각이 아니라 "지금" 시각으로 물으면 중앙값 3 cm, 최대 15 cm만큼 로봇이 옮겨졌습니다.
 
 # %% [markdown] lang="en" name="predict-error" slide="slide"
 # ## How far off, with a pencil
@@ -234,8 +234,8 @@ draw_placed({"balls on the map": np.array(finder.balls)}, things=[BALL], shown_m
 #
 # ### 예측해 보십시오
 #
-# 1. Robot이 1 m/s로 곧게 달립니다. 5 m 앞의 물체를 보고, 200 ms 뒤에 *지금*의 Pose로 그 관측을 씁니다. 물체는 얼마나 빗나가 그려집니까?
-# 2. 같은 조건에서 Robot이 0.5 rad/s로 왼쪽으로 돌기도 합니다. 이제 얼마나 빗나갑니까? 비슷합니까, 두 배입니까, 두 배보다 큽니까?
+# 1. 로봇이 1 m/s로 곧게 달립니다. 5 m 앞의 물체를 보고, 200 ms 뒤에 *지금*의 자세로 그 관측을 씁니다. 물체는 얼마나 빗나가 그려집니까?
+# 2. 같은 조건에서 로봇이 0.5 rad/s로 왼쪽으로 돌기도 합니다. 이제 얼마나 빗나갑니까? 비슷합니까, 두 배입니까, 두 배보다 큽니까?
 #
 # 두 숫자를 적어 두고 실행하십시오.
 
@@ -272,16 +272,16 @@ for name, sight in (("straight", straight), ("turning", turning)):
 # 오차는 서로 직각인 두 조각으로 이루어집니다.
 #
 # - **앞뒤 방향**: 속도 × 지연 = 1.0 × 0.2 = 0.2 m
-# - **좌우 방향**: 거리 × Yaw 각속도 × 지연 = 5 × 0.5 × 0.2 = 0.5 m
+# - **좌우 방향**: 거리 × yaw 각속도 × 지연 = 5 × 0.5 × 0.2 = 0.5 m
 #
-# 첫 조각인 `속도 × 지연`만 적은 글이 많습니다. 회전하는 Robot에서는 그쪽이 작은 조각입니다.
+# 첫 조각인 `속도 × 지연`만 적은 글이 많습니다. 회전하는 로봇에서는 그쪽이 작은 조각입니다.
 # 둘째 조각은 거리에 비례합니다. 멀리 있는 것일수록 멀리 빗나갑니다.
 #
 # <details><summary>다르게 예측했다면</summary>
 #
-# - *두 번 다 0.2 m*: 회전을 빠뜨렸습니다. 지금의 Pose는 0.1 rad 더 돌아가 있고, 5 m 앞에서는 그것이 0.5 m입니다.
+# - *두 번 다 0.2 m*: 회전을 빠뜨렸습니다. 지금의 자세는 0.1 rad 더 돌아가 있고, 5 m 앞에서는 그것이 0.5 m입니다.
 # - *0.7 m*: 두 조각을 더했습니다. 서로 직각이므로 √(0.2² + 0.5²)입니다.
-# - *오른쪽으로 빗나간다*: 옛 관측은 Robot의 정면에 있습니다. 지금 Robot은 더 왼쪽을 보고 있으니 관측도 왼쪽으로 끌려갑니다.
+# - *오른쪽으로 빗나간다*: 옛 관측은 로봇의 정면에 있습니다. 지금 로봇은 더 왼쪽을 보고 있으니 관측도 왼쪽으로 끌려갑니다.
 # - *수백 m, 또는 몇 mm*: 라디안을 쓰는 식에 도 단위 각속도를 넣었거나 그 반대입니다.
 #
 # </details>
@@ -299,11 +299,11 @@ for name, sight in (("straight", straight), ("turning", turning)):
 # %% [markdown] lang="ko" name="the-sentence" slide="slide"
 # ## 같은 생각을 세 번
 #
-# **한 문장으로:** 계산이 끝난 지금 Sensor가 어디 있는지가 아니라, 빛이 들어온 그때 Sensor가 어디 있었는지를 묻습니다.
+# **한 문장으로:** 계산이 끝난 지금 센서가 어디 있는지가 아니라, 빛이 들어온 그때 센서가 어디 있었는지를 묻습니다.
 #
 # **숫자로:** 바로 위의 셀입니다.
 #
-# **3D로:** 아래입니다. 실선 축은 Stamp 때의 Robot, 점선 축은 지금의 Robot입니다.
+# **3D로:** 아래입니다. 실선 축은 측정 시각의 로봇, 파선 축은 지금의 로봇입니다.
 # 지연을 끌어 보며 공이 달아나는 모습을 보십시오.
 
 # %% name="empty-scene"
@@ -340,10 +340,10 @@ latency.draw_latency(turning)
 # %% [markdown] lang="ko" name="slider-intro" slide="slide"
 # ### 직접 움직여 보십시오
 #
-# Slider가 네 개 있습니다. 움직이기 전에 먼저 소리 내어 답해 보십시오.
+# 슬라이더가 네 개 있습니다. 움직이기 전에 먼저 소리 내어 답해 보십시오.
 #
-# - 속도, Yaw 각속도, 거리, 지연 가운데 혼자서 오차를 0으로 만들 수 있는 것은 무엇입니까?
-# - 5 m 앞에서 0.1 m까지 허용되고 Robot이 0.5 rad/s로 돕니다. 관측은 몇 초까지 늙어도 됩니까?
+# - 속도, yaw 각속도, 거리, 지연 가운데 혼자서 오차를 0으로 만들 수 있는 것은 무엇입니까?
+# - 5 m 앞에서 0.1 m까지 허용되고 로봇이 0.5 rad/s로 돕니다. 관측은 몇 초 전의 것까지 써도 됩니까?
 
 # %% name="slider" tags=["interactive"] slide="subslide"
 latency_panel(turning)
@@ -368,7 +368,7 @@ latency.draw_latency(latency.Sight(speed_mps=0.0, yaw_rate_radps=0.5, range_m=5.
 # 지연뿐입니다. 그래서 이 장은 시간에 관한 장입니다.
 # 속도가 0이어도 회전이 남고, 각속도가 0이어도 주행이 남습니다.
 #
-# 0.1 m = 5 m × 0.5 rad/s × 지연이므로, 제자리에서 도는 Robot이라도 0.04초, 30 Hz Camera로 사진 한 장 남짓입니다.
+# 0.1 m = 5 m × 0.5 rad/s × 지연이므로, 제자리에서 도는 로봇이라도 0.04초, 30 Hz 카메라로 사진 한 장 남짓입니다.
 # 그렇게 빠른 검출기는 없습니다. 빨라지는 것으로는 이길 수 없고, 올바른 순간을 물어야 이깁니다.
 #
 # </details>
@@ -387,17 +387,17 @@ latency.draw_latency(latency.Sight(speed_mps=0.0, yaw_rate_radps=0.5, range_m=5.
 # (`BufferCore` is the engine inside `tf2_ros.Buffer`. Filling it ourselves saves us three nodes.)
 
 # %% [markdown] lang="ko" name="the-lanes" slide="slide"
-# ## Buffer가 기억하는 것
+# ## 버퍼가 기억하는 것
 #
 # *그때*를 물으려면 누군가 *그때*를 간직하고 있어야 합니다.
-# Buffer가 하는 일이 바로 그것입니다.
+# 버퍼가 하는 일이 바로 그것입니다.
 #
-# Tree의 edge마다 자기 차선이 하나씩 있습니다.
-# 차선에는 들은 표본이 Stamp 자리에, 최근 몇 초 동안 남아 있습니다.
-# Static edge에는 값이 하나뿐이고, 어느 시각에나 유효합니다.
+# 트리의 연결마다 자기 차선이 하나씩 있습니다.
+# 차선에는 최근 몇 초 동안 들은 표본이 저마다 측정 시각 자리에 놓여 있습니다.
+# 정적 연결에는 값이 하나뿐이고, 어느 시각에나 유효합니다.
 #
-# 표본을 셀 수 있도록 작은 Buffer를 손으로 만들었습니다.
-# (`BufferCore`는 `tf2_ros.Buffer` 안에 있는 엔진입니다. 직접 채우면 Node 세 개를 아낄 수 있습니다.)
+# 표본을 셀 수 있도록 작은 버퍼를 손으로 만들었습니다.
+# (`BufferCore`는 `tf2_ros.Buffer` 안에 있는 엔진입니다. 직접 채우면 노드 세 개를 아낄 수 있습니다.)
 
 # %% name="small-buffer"
 small = BufferCore()
@@ -427,12 +427,12 @@ draw_history(small, "map", "laser_frame", seconds(3.4))
 # ### 두 표본 사이
 #
 # 3.4초에는 아무도 보내지 않았는데 답이 있습니다. x = 2.1 m입니다.
-# `odom → base_link`의 이웃 표본은 3.25초(1.75 m)와 3.5초(2.00 m)입니다. 3.4초는 그 사이의 0.6 지점이므로 1.90 m이고, Laser까지 0.20 m를 더합니다.
+# `odom → base_link`의 이웃 표본은 3.25초(1.75 m)와 3.5초(2.00 m)입니다. 3.4초는 그 사이의 0.6 지점이므로 1.90 m이고, 레이저까지 0.20 m를 더합니다.
 # 이것이 [[interpolation|보간(interpolation)]]입니다. 위치는 직선을, 회전은 가장 짧은 호를 따라갑니다.
 #
-# 차선 안에서는 Buffer가 빈틈을 메웁니다. 바깥에서는 결코 짐작하지 않습니다.
+# 차선 안에서는 버퍼가 빈틈을 메웁니다. 바깥에서는 결코 짐작하지 않습니다.
 #
-# **예측해 보십시오.** 1.0초에 Yaw가 170°, 2.0초에 −170°입니다. 1.5초에는 0°입니까, 180°입니까?
+# **예측해 보십시오.** 1.0초에 yaw가 170°, 2.0초에 −170°입니다. 1.5초에는 0°입니까, 180°입니까?
 
 # %% name="shortest-arc"
 turn = BufferCore()
@@ -449,8 +449,8 @@ for stamp_s in (1.0, 1.25, 1.5, 1.75, 2.0):
 # That bug has been written by hand in every language there is; the exercise lets you write it once more, safely.
 
 # %% [markdown] lang="ko" name="shortest-arc-read"
-# 180°입니다. 여느 Robot처럼 등 뒤쪽을 지나 20°만 돌았습니다.
-# 두 숫자를 평균하면 0°가 되고, Robot이 한순간 반대쪽을 봅니다.
+# 180°입니다. 여느 로봇처럼 등 뒤쪽을 지나 20°만 돌았습니다.
+# 두 숫자를 평균하면 0°가 되고, 로봇이 한순간 반대쪽을 봅니다.
 # 세상의 모든 언어로 누군가 손수 만들어 본 버그입니다. 연습 문제에서 안전하게 한 번 더 만들어 볼 수 있습니다.
 
 # %% [markdown] lang="en" name="latest-common" slide="slide"
@@ -468,13 +468,13 @@ for stamp_s in (1.0, 1.25, 1.5, 1.75, 2.0):
 # %% [markdown] lang="ko" name="latest-common" slide="slide"
 # ### "최신"은 얼마나 새로운가?
 #
-# 조회 하나가 여러 차선을 지나고, 차선 *하나하나*가 그 시각을 덮어야 합니다.
-# 그림에서 칠해진 띠가 모두가 덮는 구간입니다.
+# 조회 하나가 여러 차선을 지나고, 차선 *하나하나*에 그 시각의 값이 있어야 합니다.
+# 그림에서 칠해진 띠가 모든 차선에 값이 있는 구간입니다.
 #
 # `Time()`은 "시각 0"이고, tf2는 이것을 그 경로의 [[latest common time|최신 공통 시각]]으로 읽습니다.
 # "지금"이라는 뜻이 **아닙니다**.
 #
-# 그림을 보고 **예측해 보십시오.** `map → odom`은 4.00초에, `odom → base_link`는 4.75초에 끝나고, Static 장착은 1.00초에 보냈으며, 벽시계는 4.80초입니다.
+# 그림을 보고 **예측해 보십시오.** `map → odom`은 4.00초에, `odom → base_link`는 4.75초에 끝나고, 정적인 장착 변환은 1.00초에 보냈으며, 벽시계는 4.80초입니다.
 # `Time()`은 어느 시각을 얻습니까?
 
 # %% name="latest-common-run"
@@ -499,14 +499,14 @@ print(small.latest_common_time_ns("base_link", "laser_frame") / 1e9, "s  base_li
 # 4.00초, 곧 **마지막 시각들 가운데 가장 이른 것**입니다. 느린 차선 하나가 모두를 붙잡습니다.
 #
 # - 4.75초라면 `map → odom`이 아직 아무 말도 하지 않은 곳을 물어야 합니다.
-# - 1.00초는 Static edge까지 센 것입니다. Static은 언제나 유효하므로 아무도 붙잡지 않습니다.
-# - 4.80초는 지금이고, Buffer 안에 그만큼 새로운 것은 없습니다.
+# - 1.00초는 정적 연결까지 센 것입니다. 정적 연결은 언제나 유효하므로 아무도 붙잡지 않습니다.
+# - 4.80초는 지금이고, 버퍼 안에 그만큼 새로운 것은 없습니다.
 #
 # `odom`에서 물으면 느린 차선을 지나지 않으므로 4.75초입니다.
-# Static edge로만 이어진 길에는 최신 시각이 없고, tf2는 0이라고 답합니다.
-# (Robot에서는 `buffer.get_latest_common_time("map", "laser_frame")`입니다.)
+# 정적 연결로만 이어진 길에는 최신 시각이 없고, tf2는 0이라고 답합니다.
+# (로봇에서는 `buffer.get_latest_common_time("map", "laser_frame")`입니다.)
 #
-# 마지막으로 공을 본 직후의 우리 Robot입니다.
+# 마지막으로 공을 본 직후의 우리 로봇입니다.
 
 # %% name="latest-live"
 newest = finder.buffer.lookup_transform("map", "camera_optical_frame", Time())
@@ -524,9 +524,9 @@ print("the picture is from", Time.from_msg(finder.messages[-1].header.stamp).nan
 # %% [markdown] lang="ko" name="latest-live-read"
 # 순간이 셋입니다. 지금 13.00초, "최신" 12.89초, 사진을 찍은 12.80초입니다.
 # `Time()`은 지금도 아니고 사진을 찍은 때도 아닙니다. 가장 느린 차선이 내놓을 수 있는 시각일 뿐입니다.
-# 답에는 Stamp가 붙어 있습니다. 한 번 출력해 보면 다시는 "지금"이라고 부르지 않게 됩니다.
+# 답에는 측정 시각이 붙어 있습니다. 한 번 출력해 보면 다시는 "지금"이라고 부르지 않게 됩니다.
 #
-# 이제 작은 Buffer 위에서 조회 시각을 끌어 양쪽 끝을 넘어가 보십시오.
+# 이제 작은 버퍼 위에서 조회 시각을 끌어 양쪽 끝을 넘어가 보십시오.
 
 # %% name="drag-the-query" tags=["interactive"] slide="subslide"
 lanes = [lane_from_history(small.history(child)) for child in ("odom", "base_link", "laser_frame")]
@@ -563,13 +563,13 @@ draw_history(small, "map", "laser_frame", seconds(4.4))
 # 3. **time**: `message.header.stamp`.
 
 # %% [markdown] lang="ko" name="worked" slide="slide"
-# ## 풀어 본 예제: 값, Frame, Stamp
+# ## 풀이 예제: 값, 좌표계, 측정 시각
 #
-# Message가 셋을 모두 들고 옵니다. 그러니 올바른 질문에 필요한 것은 이미 손에 있습니다.
+# 메시지가 셋을 모두 들고 옵니다. 그러니 올바른 질문에 필요한 것은 이미 손에 있습니다.
 #
-# 1. **target**: 표현하고 싶은 Frame, `"map"`
-# 2. **source**: `message.header.frame_id`
-# 3. **time**: `message.header.stamp`
+# 1. **목표**(target): 데이터를 보고 싶은 좌표계, `"map"`
+# 2. **원본**(source): `message.header.frame_id`
+# 3. **시각**(time): `message.header.stamp`
 
 # %% name="worked-by-hand"
 message = finder.messages[12]
@@ -588,7 +588,7 @@ print(f"at {stamp.nanoseconds / 1e9} s: ({by_hand.point.x:.2f}, {by_hand.point.y
 # 공의 실제 위치는 (6.50, -1.50, 0.30)입니다.
 #
 # 워낙 자주 쓰는 코드라 tf2에는 한 줄짜리가 있습니다.
-# `buffer.transform(message, "map")`은 Frame과 Stamp를 Message에서 직접 읽습니다. 틀릴 데가 남지 않습니다.
+# `buffer.transform(message, "map")`은 좌표계와 측정 시각을 메시지에서 직접 읽습니다. 틀릴 데가 남지 않습니다.
 
 # %% name="transform-in-one-line"
 at_stamp = [finder.buffer.transform(message, "map").point for message in finder.messages]
@@ -603,8 +603,8 @@ draw_placed(ways, things=[BALL], shown_m=(5.8, -2.0, 7.2, -1.0))
 # What is left, 2.5 cm on average, is the camera's noise and the localiser's.
 
 # %% [markdown] lang="ko" name="one-ball-again"
-# 공이 하나입니다. 같은 Message 마흔 개, 같은 Buffer, 같은 Robot이고, 바뀐 것은 셋째 인자뿐입니다.
-# 남은 평균 2.5 cm는 Camera와 Localization의 잡음입니다.
+# 공이 하나입니다. 같은 메시지 마흔 개, 같은 버퍼, 같은 로봇이고, 바뀐 것은 셋째 인자뿐입니다.
+# 남은 오차 평균 2.5 cm는 카메라와 위치 추정의 잡음입니다.
 
 # %% [markdown] lang="en" name="faded" slide="slide"
 # ## Your turn, with two blanks
@@ -614,7 +614,7 @@ draw_placed(ways, things=[BALL], shown_m=(5.8, -2.0, 7.2, -1.0))
 # %% [markdown] lang="ko" name="faded" slide="slide"
 # ## 빈칸 두 개를 채워 보십시오
 #
-# 같은 점을 이번에는 `odom`에서 표현하고 싶습니다. `...` 두 곳을 바꾸고 실행하십시오.
+# 같은 점을 이번에는 `odom` 기준으로 보고 싶습니다. `...` 두 곳을 바꾸고 실행하십시오.
 
 # %% name="faded-example"
 message = finder.messages[20]
@@ -652,8 +652,8 @@ else:
 # %% [markdown] lang="ko" name="try-it" slide="slide"
 # ### 해 보십시오
 #
-# - 위 셀에서 대신 `Time()`을 물어보십시오. 공이 얼마나 움직입니까? Message 12, 25, 30번으로도 해 보십시오. 왼쪽입니까, 오른쪽입니까?
-# - Stamp보다 100 ms 앞을 물어보십시오. 100 ms 뒤를 묻는 것보다 낫습니까, 나쁩니까?
+# - 위 셀에서 대신 `Time()`을 물어보십시오. 공이 얼마나 움직입니까? 메시지 12, 25, 30번으로도 해 보십시오. 왼쪽입니까, 오른쪽입니까?
+# - 측정 시각보다 100 ms 이른 시각을 물어보십시오. 100 ms 늦은 시각을 묻는 것보다 낫습니까, 나쁩니까?
 # - `start-the-robot`에서 각속도를 모두 0으로 바꾸고 *Restart Kernel and Run All*을 고른 뒤 공을 다시 세어 보십시오. 작은 조각인 속도 × 지연만 남습니다.
 
 # %% [markdown] lang="en" name="break-stamp" slide="slide"
@@ -667,10 +667,10 @@ else:
 # %% [markdown] lang="ko" name="break-stamp" slide="slide"
 # ## 일부러 망가뜨리기
 #
-# ### 하나: Stamp 덮어쓰기
+# ### 하나: 측정 시각 덮어쓰기
 #
-# 지금 이 순간에도 어딘가의 Node가 이렇게 하고 있습니다.
-# Message를 받아 걸러 낸 뒤, "어쨌든 지금 발행하니까"라며 새 Stamp를 찍어 내보냅니다.
+# 지금 이 순간에도 어딘가의 노드가 이렇게 하고 있습니다.
+# 메시지를 받아 걸러 낸 뒤, "어쨌든 지금 발행하니까"라며 지금 시각을 새로 찍어 내보냅니다.
 
 # %% name="overwritten" tags=["raises-exception"]
 measured = finder.messages[-1]
@@ -683,7 +683,7 @@ finder.buffer.transform(late, "map")
 # The future was 54 ms away, so a "cure" is near: wait 0.2 s and ask again.
 
 # %% [markdown] lang="ko" name="overwritten-read" slide="subslide"
-# 마지막 줄을 읽어 보십시오. 13.000초를 물었는데 가장 새로운 Data가 12.946초입니다.
+# 마지막 줄을 읽어 보십시오. 13.000초를 물었는데 가장 새로운 데이터가 12.946초입니다.
 # 미래까지 고작 54 ms이니 "치료법"이 가까워 보입니다. 0.2초 기다렸다 다시 물으면 됩니다.
 
 # %% name="the-cure"
@@ -701,9 +701,9 @@ for name, sight in (("overwritten", late), ("as measured", measured)):
 
 # %% [markdown] lang="ko" name="the-cure-read" slide="subslide"
 # 오류는 사라졌고 공의 위치는 틀렸습니다. 이제는 아무도 알려 주지 않습니다.
-# **Stamp는 도착한 시각이 아니라 측정한 시각입니다.** 덮어쓰면 오차가 없어지는 것이 아니라 숨습니다.
+# **`header.stamp`는 도착한 시각이 아니라 측정한 시각입니다.** 덮어쓰면 오차가 없어지는 것이 아니라 숨습니다.
 #
-# Laser에서는 어떻게 보일까요? 필터가 Scan을 0.3초 붙잡아 둡니다. 벽을 두 번 놓아 봅니다. 한 번은 Laser가 찍은 Stamp로, 한 번은 새로 찍은 Stamp로.
+# 레이저에서는 어떻게 보일까요? 필터가 스캔을 0.3초 붙잡아 둡니다. 벽을 두 번 놓아 봅니다. 한 번은 레이저가 찍은 시각으로, 한 번은 새로 찍은 시각으로 놓습니다.
 
 # %% name="scans"
 filtered = {"laser": Source("laser_driver", 10.0, 0.3, 0.004)}  # 10 Hz, 0.3 s late
@@ -736,11 +736,11 @@ draw_placed(ways, walls=ROOM.walls)
 # That is [[motion distortion]], and you know the cure by now: ask for each ray at its own moment.
 
 # %% [markdown] lang="ko" name="smear-read" slide="subslide"
-# RViz에서 흔히 "Scan이 벽에 번진다"고 말하는 증상입니다. 그러고는 고장 난 Laser부터 찾기 시작합니다.
-# 먼 벽일수록 크게 흔들립니다. 이번에도 거리 × Yaw 각속도 × 지연입니다.
+# RViz에서 흔히 "스캔이 벽에 번진다"고 말하는 증상입니다. 그러고는 고장 난 레이저부터 찾기 시작합니다.
+# 먼 벽일수록 크게 흔들립니다. 이번에도 거리 × yaw 각속도 × 지연입니다.
 #
 # 왼쪽 그림도 완벽하지는 않습니다. 평균 4 cm, 최대 26 cm 어긋납니다.
-# 한 바퀴 훑는 데 0.1초가 걸리고, header의 Stamp는 *첫* 광선의 시각입니다. 마지막 광선은 0.1초 더 젊습니다.
+# 한 바퀴 훑는 데 0.1초가 걸리고, 헤더의 측정 시각은 *첫* 광선의 시각입니다. 마지막 광선은 0.1초 뒤에 쟀습니다.
 # 이것이 [[motion distortion|움직임 왜곡(motion distortion)]]이고, 치료법은 이미 압니다. 광선마다 자기 시각으로 물으면 됩니다.
 
 # %% name="ray-by-ray"
@@ -758,9 +758,9 @@ draw_placed(ways, walls=ROOM.walls)
 # Then go back: most of the smear in practice comes from stamps, and costs nothing to mend.
 
 # %% [markdown] lang="ko" name="ray-by-ray-notes" slide="notes"
-# 현업 엔지니어를 위한 Slide입니다. C++의 laser_geometry도 TF Buffer를 주면 같은 일을 합니다.
-# 10 Hz로 훑는 Laser와 0.5 rad/s로 도는 Robot이면, 한 바퀴 사이에 0.05 rad가 돌아가고 5 m 앞에서 25 cm가 된다고 말해 주십시오.
-# 그리고 다시 돌아오십시오. 실제 번짐의 대부분은 Stamp에서 오고, 고치는 데 돈이 들지 않습니다.
+# 현업 엔지니어를 위한 슬라이드입니다. C++의 laser_geometry도 TF 버퍼를 주면 같은 일을 합니다.
+# 10 Hz로 훑는 레이저와 0.5 rad/s로 도는 로봇이면, 한 바퀴 사이에 0.05 rad가 돌아가고 5 m 앞에서 25 cm가 된다고 말해 주십시오.
+# 그리고 다시 돌아오십시오. 실제 번짐의 대부분은 측정 시각에서 오고, 고치는 데 돈이 들지 않습니다.
 
 # %% [markdown] lang="en" name="break-slow" slide="slide"
 # ### Two: odometry once a second
@@ -770,11 +770,11 @@ draw_placed(ways, walls=ROOM.walls)
 # **Predict:** of about forty sightings, how many can be placed at their stamp the moment they arrive?
 
 # %% [markdown] lang="ko" name="break-slow" slide="slide"
-# ### 둘: 초당 한 번뿐인 Odometry
+# ### 둘: 초당 한 번뿐인 오도메트리
 #
-# 바퀴가 이제 20 Hz가 아니라 1 Hz로 말합니다. Camera는 여전히 초마다 다섯 번 공을 보고, 관측은 Stamp보다 0.2초 늦게 도착합니다.
+# 바퀴가 이제 20 Hz가 아니라 1 Hz로 말합니다. 카메라는 여전히 초마다 다섯 번 공을 보고, 관측은 측정 시각보다 0.2초 늦게 도착합니다.
 #
-# **예측해 보십시오.** 마흔 번쯤 되는 관측 가운데 몇 개를 도착하자마자 자기 Stamp로 놓을 수 있을까요?
+# **예측해 보십시오.** 마흔 번쯤 되는 관측 가운데 몇 개를 도착하자마자 자기 측정 시각으로 놓을 수 있을까요?
 
 # %% name="slow-odometry"
 slow_wheels = {"odometry": Source("wheel_odometry", 1.0, 0.004, 0.002)}  # 1 Hz
@@ -800,10 +800,10 @@ print(refusals[0])
 
 # %% [markdown] lang="ko" name="slow-odometry-read"
 # 셋 중 하나도 되지 않습니다.
-# *모든* 차선에 관측보다 젊은 표본이 하나씩 있어야 답이 나오는데, 1초 가운데 0.8초 동안은 가장 새로운 Odometry가 관측보다 늙었습니다.
+# *모든* 차선에 관측과 측정 시각이 같거나 더 새로운 표본이 하나씩 있어야 답이 나옵니다. 그런데 1초 가운데 0.8초 동안은 가장 새로운 오도메트리도 관측보다 오래된 것입니다.
 #
-# 빠져나갈 길은 셋이고 순서도 이렇습니다. Odometry를 더 자주 발행합니다. 차선이 따라올 때까지 Message를 기다리게 합니다(09장). 아니면 버립니다.
-# `Time()`은 여기에 없습니다. 언제나 답해 주지만, 최대 1초 늙은 Pose로 답합니다.
+# 빠져나갈 길은 셋이고 순서도 이렇습니다. 오도메트리를 더 자주 발행합니다. 차선이 따라올 때까지 메시지를 기다리게 합니다(09장). 아니면 버립니다.
+# `Time()`은 여기에 없습니다. 언제나 답해 주지만, 최대 1초 묵은 자세로 답합니다.
 
 # %% [markdown] lang="en" name="break-type" slide="slide"
 # ### Three: a forgotten import
@@ -819,7 +819,7 @@ print(refusals[0])
 # `transform()`은 `PointStamped`를 어떻게 다루는지 어디서 배웠을까요?
 # `tf2_geometry_msgs`를 import할 때 배웠습니다. 쓰이지 않는 import처럼 보이므로, 어느 날 깔끔한 동료가 지웁니다.
 #
-# 이 페이지는 점을 가르치는 package만 import했고, Cloud를 가르치는 `tf2_sensor_msgs`는 import하지 않았습니다.
+# 이 페이지는 점을 가르치는 패키지만 import했고, 포인트 클라우드를 가르치는 `tf2_sensor_msgs`는 import하지 않았습니다.
 
 # %% name="forgotten-import" tags=["raises-exception"]
 try:
@@ -834,8 +834,8 @@ except TransformException as error:
 
 # %% [markdown] lang="ko" name="forgotten-import-read"
 # `except TransformException`을 그대로 지나쳤습니다. `TypeException`은 `TransformException`이 **아니기** 때문입니다.
-# TF는 죄가 없습니다. 없는 Frame도 틀린 시각도 없고, Python이 그 자료형을 배우지 못했을 뿐입니다.
-# 고치는 법: 점, Pose, Vector에는 `import tf2_geometry_msgs`, Cloud에는 `import tf2_sensor_msgs`. 왜 필요한지 주석을 옆에 달아 두십시오.
+# TF는 죄가 없습니다. 없는 좌표계도 틀린 시각도 없고, 파이썬이 그 자료형을 배우지 못했을 뿐입니다.
+# 고치는 법: 점, 자세, 벡터에는 `import tf2_geometry_msgs`, 포인트 클라우드에는 `import tf2_sensor_msgs`. 왜 필요한지 주석을 옆에 달아 두십시오.
 
 # %% [markdown] lang="en" name="break-years" slide="slide"
 # ### Four: fifty years
@@ -845,7 +845,7 @@ except TransformException as error:
 # %% [markdown] lang="ko" name="break-years" slide="slide"
 # ### 넷: 오십 년
 #
-# 처음의 이야기를 그때의 숫자 그대로 재현합니다. TF는 Simulation의 시계를, Node는 벽시계를 봅니다.
+# 처음의 이야기를 그때의 숫자 그대로 재현합니다. TF는 시뮬레이션의 시계를, 노드는 벽시계를 봅니다.
 
 # %% name="fifty-years" tags=["raises-exception"]
 simulation = BufferCore()
@@ -857,7 +857,7 @@ simulation.lookup_transform("map", "base_link", seconds(1574652168.59))
 # Two numbers so far apart are never a slow network. They are two clocks: set `use_sim_time` on every node, or on none (chapter 10).
 
 # %% [markdown] lang="ko" name="fifty-years-read"
-# 두 숫자가 이렇게 멀면 결코 느린 Network 탓이 아닙니다. 시계가 둘입니다. `use_sim_time`을 모든 Node에 켜거나 모두 끄십시오(10장).
+# 두 숫자가 이렇게 멀면 결코 느린 네트워크 탓이 아닙니다. 시계가 둘입니다. `use_sim_time`을 모든 노드에 켜거나 모두 끄십시오(10장).
 
 # %% [markdown] lang="en" name="how-long" slide="slide"
 # ## How long must the buffer remember?
@@ -866,10 +866,10 @@ simulation.lookup_transform("map", "base_link", seconds(1574652168.59))
 # Whoever computes longer than that comes home to an empty house:
 
 # %% [markdown] lang="ko" name="how-long" slide="slide"
-# ## Buffer는 얼마나 오래 기억해야 하나?
+# ## 버퍼는 얼마나 오래 기억해야 하나?
 #
-# Buffer는 잊습니다. 차선마다 가장 새로운 표본에서 거꾸로 세어 [[cache time|보관 시간(cache time)]]만큼만 간직합니다. 따로 정하지 않으면 10초입니다.
-# 그보다 오래 계산하고 돌아오면 빈집입니다.
+# 버퍼는 잊습니다. 차선마다 가장 새로운 표본에서 거꾸로 세어 [[cache time|보관 시간(cache time)]]만큼만 간직합니다. 따로 정하지 않으면 10초입니다.
+# 그보다 오래 계산하고 돌아오면 버퍼는 텅 비어 있습니다.
 
 # %% name="short-memory" tags=["raises-exception"]
 forgetful = robot.buffer(until_s=13.0, cache_time_s=1.0)
@@ -884,12 +884,12 @@ forgetful.lookup_transform("map", "camera_optical_frame", seconds(11.0))
 # A detector that needs 2 s, on a path with an edge of 4 Hz: 2.25 s at least. Take more; memory is cheap.
 
 # %% [markdown] lang="ko" name="short-memory-read"
-# 관측을 쓸 때 그 Stamp는 *지연*만큼 과거에 있습니다. 거기서 보간하려면 Stamp *바로 앞*의 표본이 차선에 남아 있어야 하고, 그 표본은 한 주기만큼 더 늙었을 수 있습니다.
+# 관측을 쓸 때 그 측정 시각은 *지연*만큼 과거에 있습니다. 거기서 보간하려면 측정 시각 *바로 앞*의 표본이 차선에 남아 있어야 하고, 그 표본은 한 주기만큼 더 오래된 것일 수 있습니다.
 # 그러므로 경로에서 가장 느린 차선을 두고 다음이 성립해야 합니다.
 #
 # > 보관 시간 ≥ 지연 + 한 주기
 #
-# 2초 걸리는 검출기와 4 Hz edge가 있는 경로라면 적어도 2.25초입니다. 넉넉히 잡으십시오. Memory는 쌉니다.
+# 2초 걸리는 검출기와 4 Hz 연결이 있는 경로라면 적어도 2.25초입니다. 넉넉히 잡으십시오. 메모리는 쌉니다.
 
 # %% [markdown] lang="en" name="two-moments" slide="slide"
 # ## One more question: two moments at once
@@ -904,12 +904,12 @@ forgetful.lookup_transform("map", "camera_optical_frame", seconds(11.0))
 # %% [markdown] lang="ko" name="two-moments" slide="slide"
 # ## 한 걸음 더: 두 순간을 한 번에
 #
-# Planner가 7.4초에 본 공을 두고 1초 동안 생각합니다. 이제 8.4초, 조향하려고 합니다.
-# 그러니 *그때*의 공을 *지금*의 base_link에서 표현해야 합니다.
+# 경로 계획기가 7.4초에 본 공을 두고 1초 동안 생각합니다. 이제 8.4초, 조향하려고 합니다.
+# 그러니 *그때*의 공을 *지금*의 base_link 기준으로 알아야 합니다.
 #
-# Stamp 하나로는 말할 수 없습니다. 두 순간 사이에 가만히 있는 것, 곧 [[fixed frame|고정 Frame]]이 이어 줍니다. 여기서는 `odom`입니다.
-# `lookup_transform_full`은 **그때**의 Camera에서 `odom`까지 올라가고, 거기서 1초를 기다렸다가, **지금**의 base_link로 내려옵니다.
-# 인자는 저마다 시각이 뒤따르는 Frame 둘과 가만히 있는 Frame 하나입니다.
+# 시각 하나로는 이것을 물을 수 없습니다. 두 순간 사이에 가만히 있는 것, 곧 [[fixed frame|고정 좌표계(fixed frame)]]가 둘을 이어 줍니다. 여기서는 `odom`입니다.
+# `lookup_transform_full`은 **그때**의 카메라에서 `odom`까지 올라가고, 거기서 1초를 기다렸다가, **지금**의 base_link로 내려옵니다.
+# 인자는 좌표계 둘과 가만히 있는 좌표계 하나이며, 앞의 두 좌표계에는 저마다 시각이 뒤따릅니다.
 
 # %% name="six-arguments"
 message = finder.messages[12]
@@ -938,9 +938,9 @@ draw_moments(poses, (ball.x, ball.y, ball.z), "ball")
 
 # %% [markdown] lang="ko" name="two-moments-read" slide="subslide"
 # 1초 전에 공은 **오른쪽** 1.6 m에 있었습니다. 지금은 **왼쪽** 0.7 m에 있습니다.
-# 옛 답은 옛 질문에 대한 옳은 답이었습니다. 그대로 조향했다면 Robot은 공에게서 돌아섰을 것입니다.
+# 옛 답은 옛 질문에 대한 옳은 답이었습니다. 그대로 조향했다면 로봇은 공에게서 돌아섰을 것입니다.
 #
-# 왜 `map`이 아니라 `odom`일까요? 공은 어느 쪽에서나 가만히 있습니다. 하지만 그사이 Localization이 보정하면 `map`은 뛸 수 있고, 공도 함께 뜁니다(05장).
+# 왜 `map`이 아니라 `odom`일까요? 공은 어느 쪽에서나 가만히 있습니다. 하지만 그사이 위치 추정이 보정하면 `map`은 뛸 수 있고, 공도 함께 뜁니다(05장).
 
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
 # ## Checkpoint
@@ -975,22 +975,22 @@ draw_moments(poses, (ball.x, ball.y, ball.z), "ball")
 # %% [markdown] lang="ko" name="checkpoint" slide="slide"
 # ## 확인 문제
 #
-# 여러분의 Node는 `header.stamp`로 묻습니다. 몇 번에 한 번씩 40 ms 모자라다며 "extrapolation into the future"가 나옵니다.
+# 여러분의 노드는 `header.stamp`로 묻습니다. 몇 번에 한 번씩 40 ms 모자라다며 "extrapolation into the future"가 나옵니다.
 # 동료 넷이 수정안 넷을 내놓았습니다. 하나를 고른 뒤 답을 펼쳐 보십시오.
 #
-# <details><summary>A. Stamp 대신 <code>Time()</code>으로 묻는다.</summary>
+# <details><summary>A. 측정 시각 대신 <code>Time()</code>으로 묻는다.</summary>
 #
-# 오류는 사라지고, 이제 점마다 다른 순간의 Pose로 옮겨집니다. 우리 방에서 도는 Robot은 그렇게 18 cm를 틀렸습니다. 시끄러운 오류를 조용한 오차와 맞바꾼 셈입니다.
+# 오류는 사라지고, 이제 점마다 다른 순간의 자세로 옮겨집니다. 우리 방에서 도는 로봇은 그렇게 18 cm를 틀렸습니다. 시끄러운 오류를 조용한 오차와 맞바꾼 셈입니다.
 #
 # </details>
 #
 # <details><summary>B. 묻기 전에 <code>header.stamp</code>를 지금으로 바꾼다.</summary>
 #
-# 더 늦은 순간을 묻게 되어 거절이 늘고, 성공한 답은 지연 전체만큼 틀립니다. 게다가 그 Message를 뒤에 읽을 모두에게 거짓말을 했습니다.
+# 더 늦은 순간을 묻게 되어 거절이 늘고, 성공한 답은 지연 전체만큼 틀립니다. 게다가 그 메시지를 뒤에 읽을 모두에게 거짓말을 했습니다.
 #
 # </details>
 #
-# <details><summary>C. Stamp는 두고, 변환이 올 때까지 잠깐 기다리게 하고, 너무 늙으면 버린다.</summary>
+# <details><summary>C. 측정 시각은 두고, 변환이 올 때까지 잠깐 기다리게 하고, 너무 오래되면 버린다.</summary>
 #
 # 맞습니다. 40 ms 모자라다는 것은 변환이 오는 중이라는 뜻입니다. 물은 순간은 옳았고 서둘렀을 뿐입니다. 막지 않고 기다리는 법과 기다릴 시간은 09장에서 다룹니다.
 #
@@ -998,7 +998,7 @@ draw_moments(poses, (ball.x, ball.y, ball.z), "ball")
 #
 # <details><summary>D. <code>cache_time</code>을 늘린다.</summary>
 #
-# 보관 시간은 Buffer가 얼마나 *옛날*까지 기억하는지를 정합니다. 여러분이 묻는 것은 아직 도착하지 않았습니다. 아무리 긴 기억으로도 소용없습니다.
+# 보관 시간은 버퍼가 얼마나 *옛날*까지 기억하는지를 정합니다. 여러분이 묻는 것은 아직 도착하지 않았습니다. 아무리 긴 기억으로도 소용없습니다.
 #
 # </details>
 
@@ -1063,10 +1063,10 @@ draw_moments(poses, (ball.x, ball.y, ball.z), "ball")
 # Here is its heart, running on our robot:
 
 # %% [markdown] lang="ko" name="on-a-robot" slide="slide"
-# ## 실제 Robot에서도 똑같이
+# ## 실제 로봇에서도 똑같이
 #
-# 강의의 Node 전체입니다. `tf_lab_py/point_to_map.py`에 그대로 저장하면 됩니다.
-# 앞의 finder가 어른이 된 모습입니다. Frame 없는 점은 거절하고, 점 자신의 Stamp를 쓰고, TF가 답하지 못하면 그렇다고 알립니다.
+# 강의의 노드 전체입니다. `tf_lab_py/point_to_map.py`에 그대로 저장하면 됩니다.
+# 앞의 `Finder`를 어엿하게 키운 모습입니다. 좌표계 없는 점은 거절하고, 점 자신의 측정 시각을 쓰고, TF가 답하지 못하면 그렇다고 알립니다.
 #
 # ```python
 # # tf_lab_py/point_to_map.py
@@ -1120,7 +1120,7 @@ draw_moments(poses, (ball.x, ball.y, ball.z), "ball")
 #     main()
 # ```
 #
-# 핵심 부분을 우리 Robot에서 돌려 봅니다.
+# 핵심 부분을 우리 로봇에서 돌려 봅니다.
 
 
 # %% name="point-to-map"
@@ -1146,9 +1146,9 @@ class PointToMap(Node):
 # **Predict:** the first point was measured before the node began to listen, so it must be refused. The second one, 0.2 s later: placed or refused?
 
 # %% [markdown] lang="ko" name="point-to-map-predict" slide="subslide"
-# Robot은 12초째 달리고 있고, Node는 그 한가운데서 시작합니다.
+# 로봇은 12초째 달리고 있고, 노드는 그 한가운데서 시작합니다.
 #
-# **예측해 보십시오.** 첫 점은 Node가 듣기 전에 측정된 것이니 거절될 수밖에 없습니다. 0.2초 뒤의 둘째 점은 놓일까요, 거절될까요?
+# **예측해 보십시오.** 첫 점은 노드가 듣기 전에 측정된 것이니 거절될 수밖에 없습니다. 0.2초 뒤의 둘째 점은 지도에 놓일까요, 거절될까요?
 
 
 # %% name="with-a-timeout"
@@ -1175,13 +1175,13 @@ node.stop()
 
 # %% [markdown] lang="ko" name="with-a-timeout-read" slide="subslide"
 # 모든 점이 거절되었습니다. 그리고 줄마다 두 시각을 비교해 보십시오. 차이가 점점 *벌어집니다*.
-# Robot은 전과 똑같이 말하고 있습니다. 듣기를 멈춘 쪽은 Node입니다.
+# 로봇은 전과 똑같이 말하고 있습니다. 듣기를 멈춘 쪽은 노드입니다.
 #
-# Thread 하나로 spin하는 Node는 한 번에 한 가지 일만 합니다.
-# 첫 점이 실패하자 callback이 변환을 기다리며 0.2초를 쉬고, 그동안 아무도 `/tf`를 읽지 않습니다.
+# 스레드 하나로 spin하는 노드는 한 번에 한 가지 일만 합니다.
+# 첫 점이 실패하자 콜백이 변환을 기다리며 0.2초를 쉬고, 그동안 아무도 `/tf`를 읽지 않습니다.
 # 그러면 다음 점이 와서 또 0.2초를 기다립니다.
-# 변환들은 문 앞에 줄을 서 있고, Node는 한 번 졸 때마다 하나씩만 읽습니다.
-# 도우려던 timeout이, 단 한 번의 실패 뒤에, Node의 귀를 막았습니다.
+# 변환들은 문 앞에 줄을 서 있고, 노드는 한 번 졸 때마다 하나씩만 읽습니다.
+# 도우려고 넣은 timeout이 단 한 번의 실패로 노드의 귀를 막았습니다.
 #
 # timeout 없이 해 봅니다.
 
@@ -1200,8 +1200,8 @@ node.stop()
 # %% [markdown] lang="ko" name="point-to-map-read" slide="subslide"
 # 한 번 거절한 뒤에는, 공이 있는 자리에 공을 거듭 놓습니다.
 #
-# 첫 점은 Node가 들은 모든 것보다 늙었습니다. 그 점은 버려지고, 그것이 옳습니다.
-# 어느 지도 작성 Node는 바로 이 때문에 시작하자마자 죽었습니다. Scan이 첫 변환보다 41 ms 늙어 있었습니다(SteveMacenski/slam_toolbox 775번 보고).
+# 첫 점은 노드가 들은 어떤 변환보다도 오래되었습니다. 그 점은 버려지고, 그것이 옳습니다.
+# 어느 지도 작성 노드는 바로 이 때문에 시작하자마자 죽었습니다. 스캔이 첫 변환보다 41 ms 오래된 것이었습니다(SteveMacenski/slam_toolbox 775번 보고).
 # 그때 제안된 수정은 최신 변환을 대신 묻는 것이었습니다. 그것이 무엇을 숨겼을지 이제 여러분은 압니다.
 
 # %% [markdown] lang="en" name="point-to-map-notes" slide="notes"
@@ -1210,9 +1210,9 @@ node.stop()
 # Chapter 09 shows how to wait: a listener with its own thread, wait_for_transform_async, or a message filter.
 
 # %% [markdown] lang="ko" name="point-to-map-notes" slide="notes"
-# 강의의 Node는 묻는 내용이 모두 옳습니다. 변환이 한 번도 늦지 않는 한 잘 동작하지만, 한 번 놓치면 귀가 막힙니다.
+# 강의의 노드는 묻는 내용이 모두 옳습니다. 변환이 한 번도 늦지 않는 한 잘 동작하지만, 한 번 놓치면 귀가 막힙니다.
 # 검출기가 더 느렸다면(1 Hz) 회복했을 것입니다. 1초에 0.2초만 자면 들을 시간이 남습니다. 왜 그런지 물어보십시오.
-# 기다리는 법은 09장에서 다룹니다. 자기 Thread를 가진 Listener, wait_for_transform_async, Message Filter입니다.
+# 기다리는 법은 09장에서 다룹니다. 자기 스레드를 가진 수신기, wait_for_transform_async, 메시지 필터입니다.
 
 # %% [markdown] lang="en" name="robot-care" slide="subslide"
 # So, before you type it on a robot:
@@ -1236,9 +1236,9 @@ node.stop()
 # Is your robot's data old? Ask it. `ros2 topic delay` prints arrival minus stamp:
 
 # %% [markdown] lang="ko" name="robot-care" slide="subslide"
-# 그러니 Robot에 입력하기 전에 다음을 알아 두십시오.
+# 그러니 로봇에 입력하기 전에 다음을 알아 두십시오.
 #
-# - callback에서는 `timeout=`을 빼거나, Listener에 자기 Thread를 주십시오. 기다리는 법은 09장에서 봅니다.
+# - 콜백에서는 `timeout=`을 빼거나, 수신기에 자기 스레드를 주십시오. 기다리는 법은 09장에서 봅니다.
 # - ROS 2 Humble부터 Ctrl-C는 context를 스스로 닫으므로, 마지막 `rclpy.shutdown()`이 `RCLError`를 일으킵니다. 요즘은 `except (KeyboardInterrupt, ExternalShutdownException): pass`와 `rclpy.try_shutdown()`을 씁니다.
 #
 # 변환 자체가 필요할 때는 강의처럼 직접 조회합니다.
@@ -1254,7 +1254,7 @@ node.stop()
 # )
 # ```
 #
-# 여러분 Robot의 Data는 얼마나 늙었습니까? 물어보십시오. `ros2 topic delay`는 도착 시각에서 Stamp를 뺀 값을 출력합니다.
+# 여러분 로봇의 데이터는 얼마나 묵었습니까? 물어보십시오. `ros2 topic delay`는 도착 시각에서 측정 시각을 뺀 값을 출력합니다.
 
 # %% name="topic-delay"
 # %ros2 --for 2 topic delay /detected_point
@@ -1272,16 +1272,16 @@ node.stop()
 # | off by the same amount, standing or moving | static mount is wrong | `tf2_echo base_link laser_frame` |
 
 # %% [markdown] lang="ko" name="topic-delay-read"
-# 0.200초입니다. Stamp가 정직하므로 검출기의 계산 시간이 누구에게나 보입니다.
-# 누군가 Stamp를 덮어썼다면 0.000초로, 눈부시게 좋아 보였을 것입니다.
+# 0.200초입니다. 측정 시각이 정직하므로 검출기의 계산 시간이 누구에게나 보입니다.
+# 누군가 측정 시각을 덮어썼다면 0.000초로, 눈부시게 좋아 보였을 것입니다.
 #
 # | 증상 | 가능성이 큰 원인 | 첫 확인 |
 # |---|---|---|
-# | 회전할 때 Scan이 벽에 번짐 | Stamp 덮어쓰기, 또는 늦은 Odometry | `ros2 topic delay`, 다음에 `tf2_monitor` |
-# | 번지는데 delay는 0.000초 | 도중에 Stamp를 덮어씀 | 누가 그 Topic을 다시 발행하는가? |
+# | 회전할 때 스캔이 벽에 번짐 | 측정 시각 덮어쓰기, 또는 늦은 오도메트리 | `ros2 topic delay`, 다음에 `tf2_monitor` |
+# | 번지는데 delay는 0.000초 | 도중에 측정 시각을 덮어씀 | 누가 그 토픽을 다시 발행하는가? |
 # | 몇 ms짜리 "extrapolation into the future" | 변환이 아직 오는 중 | 조금 기다림(09장) |
-# | "extrapolation into the past" | 긴 계산, 또는 짧은 보관 시간 | Data의 나이, `cache_time` |
-# | 서 있으나 움직이나 똑같이 어긋남 | Static 장착값 오류 | `tf2_echo base_link laser_frame` |
+# | "extrapolation into the past" | 긴 계산, 또는 짧은 보관 시간 | 데이터의 나이, `cache_time` |
+# | 서 있으나 움직이나 똑같이 어긋남 | 정적 장착 변환의 오류 | `tf2_echo base_link laser_frame` |
 
 # %% [markdown] lang="en" name="recap" slide="slide"
 # ## Recap
@@ -1300,16 +1300,16 @@ node.stop()
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
 #
-# - Buffer는 edge마다 시간 차선을 하나씩 간직합니다. 표본 사이는 보간하고, 바깥은 거절합니다.
-# - `Time()`은 최신 공통 시각입니다. 마지막 시각들 가운데 가장 이른 것이고 Static은 세지 않습니다. 지금이 아닙니다.
-# - 값 + Frame + Stamp. `buffer.transform()`은 셋을 모두 씁니다. 여러분도 그래야 합니다.
-# - 순간이 틀리면 위치가 틀립니다. 앞뒤로 속도 × 지연, 좌우로 거리 × Yaw 각속도 × 지연.
-# - Stamp는 측정한 시각입니다. 덮어쓰면 오차가 숨습니다.
-# - 두 순간을 이을 때는 가만히 있는 Frame을 거치는 `lookup_transform_full`.
+# - 버퍼는 연결마다 시간 차선을 하나씩 간직합니다. 표본 사이는 보간하고, 바깥은 거절합니다.
+# - `Time()`은 최신 공통 시각입니다. 마지막 시각들 가운데 가장 이른 것이고 정적 연결은 세지 않습니다. 지금이 아닙니다.
+# - 값 + 좌표계 + 측정 시각. `buffer.transform()`은 셋을 모두 씁니다. 여러분도 그래야 합니다.
+# - 순간이 틀리면 위치가 틀립니다. 앞뒤로 속도 × 지연, 좌우로 거리 × yaw 각속도 × 지연.
+# - `header.stamp`는 측정한 시각입니다. 덮어쓰면 오차가 숨습니다.
+# - 두 순간을 이을 때는 가만히 있는 좌표계를 거치는 `lookup_transform_full`.
 #
-# 이 장의 용어: [[buffer|Buffer]], [[listener|Listener]], [[stamp|Stamp]], [[interpolation|보간]], [[latest common time|최신 공통 시각]], [[extrapolation|외삽]], [[cache time|보관 시간]], [[latency|지연(latency)]], [[motion distortion|움직임 왜곡]], [[fixed frame|고정 Frame]].
+# 이 장의 용어: [[buffer|버퍼]], [[listener|수신기]], [[stamp|측정 시각]], [[interpolation|보간]], [[latest common time|최신 공통 시각]], [[extrapolation|외삽]], [[cache time|보관 시간]], [[latency|지연(latency)]], [[motion distortion|움직임 왜곡]], [[fixed frame|고정 좌표계]].
 #
-# 강의의 실습 체크리스트: *Buffer와 Listener로 최신 Transform을 조회했다*(C8), *`PointStamped`를 측정 Timestamp 기준으로 변환했다*(C9). 연습 문제를 풀면 둘 다 표시됩니다.
+# 강의의 실습 체크리스트: *버퍼와 수신기로 최신 변환을 조회했습니다*(C8), *PointStamped를 측정 시각 기준으로 변환했습니다*(C9). 연습 문제를 풀면 둘 다 표시됩니다.
 
 # %% [markdown] lang="en" name="from-before" slide="slide"
 # ## Three questions from earlier chapters
@@ -1333,23 +1333,23 @@ node.stop()
 # </details>
 
 # %% [markdown] lang="ko" name="from-before" slide="slide"
-# ## 앞 장의 문제 셋
+# ## 앞 장에서 온 질문 셋
 #
-# <details><summary>01. Message에 (2.0, 0.0, 0.0)이 있습니다. 쓰기 전에 알아야 할 두 가지는 무엇입니까?</summary>
+# <details><summary>01. 메시지에 (2.0, 0.0, 0.0)이 있습니다. 쓰기 전에 알아야 할 두 가지는 무엇입니까?</summary>
 #
-# Frame과 Stamp입니다. 누구의 x 방향으로 2 m인지, 그리고 언제인지입니다.
-#
-# </details>
-#
-# <details><summary>03. <code>camera_optical_frame</code>의 점을 <code>base_link</code>에서 표현하고 싶습니다. 인자를 어떤 순서로 씁니까?</summary>
-#
-# `lookup_transform("base_link", "camera_optical_frame", stamp)`입니다. target이 먼저, source가 다음입니다. "camera_optical_frame에서 표현된 Data를 base_link에서 표현하고 싶다."
+# 좌표계와 측정 시각입니다. 누구의 x 방향으로 2 m인지, 그리고 언제인지입니다.
 #
 # </details>
 #
-# <details><summary>06. Camera 장착 위치는 왜 최신 공통 시각을 정하는 데 끼지 않습니까?</summary>
+# <details><summary>03. <code>camera_optical_frame</code>의 점을 <code>base_link</code> 기준으로 보고 싶습니다. 인자를 어떤 순서로 씁니까?</summary>
 #
-# Static이기 때문입니다. `/tf_static`으로 한 번 보내면 어느 시각에나 유효합니다. 끝이 없는 차선이 먼저 끝날 수는 없습니다.
+# `lookup_transform("base_link", "camera_optical_frame", stamp)`입니다. 목표가 먼저, 원본이 다음입니다. "camera_optical_frame 기준 데이터를 base_link 기준으로 보고 싶다."
+#
+# </details>
+#
+# <details><summary>06. 카메라 장착 위치는 왜 최신 공통 시각을 정하는 데 끼지 않습니까?</summary>
+#
+# 정적 연결이기 때문입니다. `/tf_static`으로 한 번 보내면 어느 시각에나 유효합니다. 끝이 없는 차선이 먼저 끝날 수는 없습니다.
 #
 # </details>
 
@@ -1371,19 +1371,19 @@ node.stop()
 # </details>
 
 # %% [markdown] lang="ko" name="practice" slide="slide"
-# ## 연습 문제
+# ## 서술형 문제
 #
-# **Q10.** Sensor Message를 최신 Transform이 아니라 측정 Stamp로 변환해야 하는 이유는 무엇인가요? 다섯 줄로 쓴 뒤 채점 기준을 펼쳐 스스로 채점하십시오.
+# **Q10.** 센서 메시지를 최신 변환이 아니라 측정 시각의 변환으로 바꾸어야 하는 이유는 무엇입니까? 다섯 줄로 쓴 뒤 채점 기준을 펼쳐 스스로 채점하십시오.
 #
 # <details><summary>채점 기준: 글에 들어 있는 생각 하나에 1점</summary>
 #
-# 1. Message는 Stamp 때 Sensor가 본 것을 말하고, 처리와 Network를 거치는 동안 늙습니다.
-# 2. 그사이 Robot이 움직이므로 최신 Pose는 측정 순간의 Sensor Pose가 아닙니다.
-# 3. 오차에는 크기가 있습니다. 속도 × 지연쯤이고, 회전하면 거리 × Yaw 각속도 × 지연이 더해집니다.
-# 4. 예외가 알려 주지 않습니다. 최신 Transform은 언제나 있으니까요. 벽이 번지고 장애물이 뒤따라옵니다.
-# 5. Buffer는 이 일을 위해 과거를 간직합니다. `header.stamp`로 조회하거나 `transform()`을 쓰고, Stamp를 덮어쓰지 않습니다.
+# 1. 메시지는 측정 시각에 센서가 본 것을 말하며, 처리와 네트워크를 거쳐 쓰일 때는 이미 오래된 것입니다.
+# 2. 그사이 로봇이 움직이므로 최신 자세는 측정 순간의 센서 자세가 아닙니다.
+# 3. 오차에는 크기가 있습니다. 속도 × 지연쯤이고, 회전하면 거리 × yaw 각속도 × 지연이 더해집니다.
+# 4. 예외가 알려 주지 않습니다. 최신 변환은 언제나 있기 때문입니다. 벽이 번지고 장애물이 뒤따라옵니다.
+# 5. 버퍼는 이 일을 위해 과거를 간직합니다. `header.stamp`로 조회하거나 `transform()`을 쓰고, 측정 시각을 덮어쓰지 않습니다.
 #
-# 4–5점: 충분합니다. 2–3점: "연필로 어림하는 오차"를 다시 읽으십시오. 그 아래: Slider부터 움직여 보십시오.
+# 4–5점: 충분합니다. 2–3점: "연필로 어림하는 오차"를 다시 읽으십시오. 그 아래: 슬라이더부터 움직여 보십시오.
 #
 # </details>
 
@@ -1403,12 +1403,12 @@ node.stop()
 # %% [markdown] lang="ko" name="exit-ticket" slide="slide"
 # ## 나가기 전에
 #
-# 보지 않고 문장을 완성해 보십시오. *"나는 Transform을 …로 조회한다. 왜냐하면 … 때문이다. 아직 없다면 나는 …"*
+# 보지 않고 문장을 완성해 보십시오. *"나는 변환을 …로 조회한다. 왜냐하면 … 때문이다. 아직 없다면 나는 …"*
 #
 # <details><summary>좋은 답의 한 예</summary>
 #
-# "나는 Transform을 Message 자신의 Stamp로 조회한다. 왜냐하면 그때 Sensor가 그 자리에 있었기 때문이다. 아직 없다면 나는 정해 둔 시간만큼만 기다리고, 그다음에는 그 Message를 버린다."
+# "나는 변환을 메시지 자신의 측정 시각으로 조회한다. 왜냐하면 그때 센서가 그 자리에 있었기 때문이다. 아직 없다면 나는 정해 둔 시간만큼만 기다리고, 그다음에는 그 메시지를 버린다."
 #
 # </details>
 #
-# 이제 연습 문제로 갑니다: [08 · Buffer와 측정 시각](../../exercises/ko/08_buffer_and_measurement_time.ipynb)
+# 이제 연습 문제를 푸십시오: [08 · 버퍼와 측정 시각](../../exercises/ko/08_buffer_and_measurement_time.ipynb)

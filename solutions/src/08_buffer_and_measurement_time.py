@@ -8,12 +8,12 @@
 # Your numbers come from `task(...)` and may differ from your neighbour's, so answer with an expression, such as `e8_1.clock_s - 1.0`, and not with a number that you worked out elsewhere.
 
 # %% [markdown] lang="ko" name="title"
-# # 연습 문제 08 · Buffer와 측정 시각
+# # 연습 문제 08 · 버퍼와 측정 시각
 #
-# 문제 일곱 개, 22점, 한 시간쯤 걸립니다. 함께 보는 페이지: [08 · 그것을 보았을 때 나는 어디에 있었나?](../../notebooks/ko/08_buffer_and_measurement_time.ipynb)
+# 과제 일곱 개, 22점, 한 시간쯤 걸립니다. 함께 보는 페이지: [08 · 그것을 보았을 때 나는 어디에 있었나?](../../notebooks/ko/08_buffer_and_measurement_time.ipynb)
 #
 # `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 셀을 실행한 다음, 아래의 check를 실행하십시오.
-# 틀린 답에는 어떤 실수처럼 보이는지 알려 줍니다. `hint("E8.1")`은 세 힌트 가운데 첫 번째를 보여 줍니다.
+# 틀린 답을 내면 어떤 실수로 보이는지 알려 줍니다. `hint("E8.1")`은 세 힌트 가운데 첫 번째를 보여 줍니다.
 # 숫자는 `task(...)`가 주며 옆 사람과 다를 수 있습니다. 그러니 따로 계산한 숫자가 아니라 `e8_1.clock_s - 1.0` 같은 식으로 답하십시오.
 
 # %% name="load"
@@ -40,7 +40,7 @@ from tf2_ros import Buffer, ExtrapolationException, TransformException
 # %% [markdown] lang="ko" name="e8-1"
 # ## E8.1 · 최신은 얼마나 새로운가? (2점)
 #
-# Buffer에 아래의 차선들이 있습니다. `oldest_s`와 `newest_s`는 Dynamic edge마다 첫 표본과 마지막 표본의 Stamp이고, `static`에 있는 edge는 오래전에 한 번 보낸 것입니다.
+# 버퍼에 아래의 차선들이 있습니다. `oldest_s`와 `newest_s`는 동적 연결마다 첫 표본과 마지막 표본의 측정 시각이고, `static`에 있는 연결은 오래전에 한 번 보낸 것입니다.
 # 벽시계는 `clock_s`를 가리킵니다.
 #
 # 누군가 `lookup_transform('map', 'laser_frame', Time())`를 부릅니다. 답은 어느 시각[s]의 것입니까?
@@ -68,11 +68,11 @@ check("E8.1", latest_common_s)
 # %% [markdown] lang="ko" name="e8-2"
 # ## E8.2 · 두 표본 사이 (4점)
 #
-# Buffer가 한 edge의 두 표본 사이에서 하는 일을 바닥 위의 2차원으로 작성하십시오.
+# 버퍼가 한 연결의 두 표본 사이에서 하는 일을 바닥 위의 2차원으로 작성하십시오.
 # 표본은 `(stamp_s, x, y, yaw)` tuple이고 단위는 초, m, rad입니다.
 #
 # dict를 반환합니다. `"position"`은 직선 위의 `(x, y)`, `"yaw"`는 가장 짧은 호 위의 각도입니다.
-# `stamp_s`가 첫 표본보다 앞이거나 둘째 표본보다 뒤이면 `ExtrapolationException`을 일으키십시오. Buffer는 결코 짐작하지 않습니다.
+# `stamp_s`가 첫 표본보다 앞이거나 둘째 표본보다 뒤이면 `ExtrapolationException`을 일으키십시오. 버퍼는 결코 짐작하지 않습니다.
 
 
 # %% name="e8-2-answer" tags=["answer"]
@@ -103,9 +103,9 @@ check("E8.2", interpolate)
 # %% [markdown] lang="ko" name="e8-3"
 # ## E8.3 · PointToMap: 점을 지도 위로 (4점)
 #
-# 강의 Node의 핵심을 함수로 작성합니다. `tf2_ros.Buffer`, `PointStamped`, 그리고 Message가 도착한 시각 `now`를 받습니다.
-# `map`에서 표현한 점을 `PointStamped`로 반환하되, 언제 측정했는지가 그대로 남아 있어야 합니다.
-# Buffer가 그 순간을 답할 수 없으면 예외를 그대로 내보내십시오. 어떻게 할지는 부른 쪽이 정합니다.
+# 강의 노드의 핵심을 함수로 작성합니다. `tf2_ros.Buffer`, `PointStamped`, 그리고 메시지가 도착한 시각 `now`를 받습니다.
+# `map` 기준의 점을 `PointStamped`로 반환하되, 언제 측정했는지가 그대로 남아 있어야 합니다.
+# 버퍼가 그 순간을 답할 수 없으면 예외를 그대로 내보내십시오. 어떻게 할지는 부른 쪽이 정합니다.
 #
 # 세 인자 가운데 하나는 유혹하려고 넣었습니다.
 
@@ -133,10 +133,10 @@ check("E8.3", point_to_map)
 # %% [markdown] lang="ko" name="e8-4"
 # ## E8.4 · 얼마나 빗나가나? (3점)
 #
-# Robot이 아래처럼 달리고 돌면서 정면 `range_m` 앞의 물체를 봅니다.
-# `delay_ms` 뒤에 누군가 *지금*의 Pose로 그 관측을 옮깁니다. (단위에 주의하십시오. Data sheet를 쓴 사람이 저마다 다릅니다.)
+# 로봇이 아래처럼 달리고 돌면서 정면 `range_m` 앞의 물체를 봅니다.
+# `delay_ms` 뒤에 누군가 *지금*의 자세로 그 관측을 옮깁니다. (단위에 주의하십시오. 데이터시트를 쓴 사람이 저마다 다릅니다.)
 #
-# 본문의 두 곱으로 오차를 어림하십시오. Stamp 때의 Robot에서 보아 x는 앞, y는 왼쪽입니다.
+# 본문의 두 곱으로 오차를 어림하십시오. 측정 시각의 로봇에서 보아 x는 앞, y는 왼쪽입니다.
 # `"forwards_m"`과 `"left_m"`은 부호를 붙여서, `"together_m"`은 둘을 합친 길이로 답합니다.
 
 # %% name="e8-4-given"
@@ -172,12 +172,12 @@ check("E8.4", late_error)
 # 증상마다 가장 그럴듯한 원인을 고르십시오. 원인은 다음과 같습니다.
 # `"stamp overwritten"`, `"odometry slow"`, `"static mount wrong"`, `"two clocks"`, `"cache too short"`, `"import missing"`.
 #
-# - **a** Robot이 도는 동안 벽이 흔들립니다. 서 있으면 멀쩡합니다. 앞단의 필터가 0.3초 걸리는데도 `ros2 topic delay /scan`은 0.000초를 출력합니다.
-# - **b** 달리든 서 있든 Scan이 벽에서 5 cm 옆에, 언제나 Robot의 같은 쪽에 그려집니다.
+# - **a** 로봇이 도는 동안 벽이 흔들립니다. 서 있으면 멀쩡합니다. 앞단의 필터가 0.3초 걸리는데도 `ros2 topic delay /scan`은 0.000초를 출력합니다.
+# - **b** 달리든 서 있든 스캔이 벽에서 5 cm 옆에, 언제나 로봇의 같은 쪽에 그려집니다.
 # - **c** `Lookup would require extrapolation into the future.  Requested time 1763000012.400000 but the latest data is at time 12.350000, …`
 # - **d** 12초 동안 계산하는 검출기에서 `Lookup would require extrapolation into the past.  Requested time 41.300000 but the earliest data is at time 42.900000, …`
-# - **e** 점 넷 가운데 셋쯤이 `… into the future …`로 거절되며, 모자라는 시간은 언제나 1초 미만입니다. `ros2 topic hz`는 어느 edge의 발행자에 1.0을, Camera에 30을 보여 줍니다.
-# - **f** 조회가 모두 `try … except TransformException` 안에 있는데도 Node가 traceback을 남기고 멈춥니다.
+# - **e** 점 넷 가운데 셋쯤이 `… into the future …`로 거절되며, 모자라는 시간은 언제나 1초 미만입니다. `ros2 topic hz`는 어느 연결의 발행자에 1.0을, 카메라에 30을 보여 줍니다.
+# - **f** 조회가 모두 `try … except TransformException` 안에 있는데도 노드가 traceback을 남기고 멈춥니다.
 
 # %% name="e8-5-answer" tags=["answer"]
 # BEGIN SOLUTION
@@ -204,9 +204,9 @@ check("E8.5", causes)
 # %% [markdown] lang="ko" name="e8-6"
 # ## E8.6 · 얼마나 오래 기억해야 하나? (2점)
 #
-# 검출기는 `thinking_s` 동안 계산한 뒤 사진의 Stamp로 변환을 묻습니다.
-# 경로의 edge는 각각 `rate_hz`로, 재자마자 말합니다.
-# Stamp가 두 표본 사이 어디에 놓이더라도 모든 사진에 충분한 가장 작은 `cache_time`[s]은 얼마입니까?
+# 검출기는 `thinking_s` 동안 계산한 뒤 사진의 측정 시각으로 변환을 묻습니다.
+# 경로의 연결은 각각 `rate_hz`로 발행되며, 재자마자 보냅니다.
+# 측정 시각이 두 표본 사이 어디에 놓이더라도 모든 사진에 충분한 가장 작은 `cache_time`[s]은 얼마입니까?
 
 # %% name="e8-6-given"
 e8_6 = task("E8.6")
@@ -228,8 +228,8 @@ check("E8.6", cache_time_s)
 # %% [markdown] lang="ko" name="e8-7"
 # ## E8.7 · 지금은 어디에 있나? (4점)
 #
-# Message는 물체가 Stamp 때 어느 Sensor의 Frame에서 어디에 보였는지 말합니다. 물체는 가만히 있고 Robot은 계속 달렸습니다.
-# 물체의 좌표 `(x, y, z)`를 `now` 때의 `base_link`에서 표현해 반환하십시오. 가만히 있는 Frame은 `odom`입니다.
+# 메시지는 물체가 측정 시각에 어느 센서의 좌표계에서 어디에 보였는지 말합니다. 물체는 가만히 있고 로봇은 계속 달렸습니다.
+# `now` 시각의 `base_link` 기준으로 물체의 좌표 `(x, y, z)`를 반환하십시오. 가만히 있는 좌표계는 `odom`입니다.
 
 
 # %% name="e8-7-answer" tags=["answer"]
@@ -253,7 +253,7 @@ check("E8.7", object_now)
 # On a robot, do C8 and C9 of the lecture's checklist once more: run `point_to_map.py`, and look at `ros2 topic delay` of each sensor you trust.
 
 # %% [markdown] lang="ko" name="after"
-# ## 여기까지 보인 것
+# ## 여기까지 해낸 것
 #
 # 이곳의 check는 여러분의 숫자로 확인했습니다. 채점은 같은 질문을 다른 숫자로 묻습니다.
-# Robot에서 강의 체크리스트 C8과 C9를 한 번 더 해 보십시오. `point_to_map.py`를 실행하고, 믿고 쓰는 Sensor마다 `ros2 topic delay`를 확인하십시오.
+# 로봇에서 강의 체크리스트 C8과 C9를 한 번 더 해 보십시오. `point_to_map.py`를 실행하고, 믿고 쓰는 센서마다 `ros2 topic delay`를 확인하십시오.

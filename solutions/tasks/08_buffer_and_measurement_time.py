@@ -282,7 +282,7 @@ TASKS = (
                 lambda g: g.clock_s,
                 Words(
                     en="That is the clock on the wall. `Time()` does not mean now; nothing in the buffer is that fresh.",
-                    ko="벽시계의 시각입니다. `Time()`은 지금이 아닙니다. Buffer 안에 그만큼 새로운 것은 없습니다.",
+                    ko="벽시계의 시각입니다. `Time()`은 지금이 아닙니다. 버퍼 안에 그만큼 새로운 것은 없습니다.",
                 ),
                 "M9",
             ),
@@ -291,7 +291,7 @@ TASKS = (
                 0.5,
                 Words(
                     en="You let the static edge limit the answer. It is good for any time, however long ago it was sent.",
-                    ko="Static edge가 답을 붙잡게 했습니다. 아무리 오래전에 보냈어도 Static은 어느 시각에나 유효합니다.",
+                    ko="정적 연결이 답을 붙잡게 했습니다. 아무리 오래전에 보냈어도 정적 연결은 어느 시각에나 유효합니다.",
                 ),
             ),
             Twin(
@@ -299,7 +299,7 @@ TASKS = (
                 lambda g: g.newest_s["base_link -> arm_link"],
                 Words(
                     en="You counted an edge that the lookup does not walk. Which edges lie between map and laser_frame?",
-                    ko="조회가 지나지 않는 edge까지 세었습니다. map과 laser_frame 사이에 있는 edge는 무엇입니까?",
+                    ko="조회가 지나지 않는 연결까지 세었습니다. map과 laser_frame 사이에 있는 연결은 무엇입니까?",
                 ),
             ),
             Twin(
@@ -322,11 +322,11 @@ TASKS = (
         hints=(
             Words(
                 en="Draw one lane for each edge between map and laser_frame, and shade where all of them have data.",
-                ko="map과 laser_frame 사이의 edge마다 차선을 하나씩 그리고, 모두 Data가 있는 구간을 칠해 보십시오.",
+                ko="map과 laser_frame 사이의 연결마다 차선을 하나씩 그리고, 모두 데이터가 있는 구간을 칠해 보십시오.",
             ),
             Words(
                 en="Static lanes have no end, and lanes off the path do not matter. What is left?",
-                ko="Static 차선에는 끝이 없고, 경로 밖의 차선은 상관없습니다. 무엇이 남습니까?",
+                ko="정적 연결의 차선에는 끝이 없고, 경로 밖의 차선은 상관없습니다. 무엇이 남습니까?",
             ),
             Words(
                 en="It is the earliest of the latest ones: `min(...)` of the two `newest_s` on the path.",
@@ -350,7 +350,7 @@ TASKS = (
                 long_way,
                 Words(
                     en="Your yaw goes the long way round when it crosses ±π: between 170° and −170° your robot looks to the front, where the real one turned 20° at the back.",
-                    ko="±π를 넘을 때 Yaw가 먼 길로 돌아갑니다. 170°와 −170° 사이에서 여러분의 Robot은 앞을 보지만, 진짜 Robot은 뒤쪽에서 20°만 돌았습니다.",
+                    ko="±π를 넘을 때 yaw가 먼 길로 돌아갑니다. 170°와 −170° 사이에서 여러분의 로봇은 앞을 보지만, 진짜 로봇은 뒤쪽에서 20°만 돌았습니다.",
                 ),
             ),
             Twin(
@@ -358,7 +358,7 @@ TASKS = (
                 nearest,
                 Words(
                     en="You return the nearer of the two samples. The buffer goes along the line between them, so that a robot does not hop.",
-                    ko="두 표본 가운데 가까운 쪽을 반환합니다. Buffer는 둘을 잇는 선 위로 갑니다. 그래야 Robot이 껑충 뛰지 않습니다.",
+                    ko="두 표본 가운데 가까운 쪽을 반환합니다. 버퍼는 둘을 잇는 선 위로 갑니다. 그래야 로봇이 껑충 뛰지 않습니다.",
                 ),
             ),
             Twin(
@@ -366,7 +366,7 @@ TASKS = (
                 guesses,
                 Words(
                     en="Inside all is well, but outside your function goes on along the line. A buffer never guesses: raise `ExtrapolationException`.",
-                    ko="안쪽은 모두 맞지만, 바깥에서도 선을 따라 계속 갑니다. Buffer는 결코 짐작하지 않습니다. `ExtrapolationException`을 일으키십시오.",
+                    ko="안쪽은 모두 맞지만, 바깥에서도 선을 따라 계속 갑니다. 버퍼는 결코 짐작하지 않습니다. `ExtrapolationException`을 일으키십시오.",
                 ),
             ),
             Twin(
@@ -390,18 +390,18 @@ TASKS = (
                 long_way_and_guesses,
                 Words(
                     en="Two things: yaw goes the long way round at ±π, and outside the two samples nothing is refused.",
-                    ko="두 가지입니다. ±π에서 Yaw가 먼 길로 돌고, 두 표본 바깥에서도 거절하지 않습니다.",
+                    ko="두 가지입니다. ±π에서 yaw가 먼 길로 돌고, 두 표본 바깥에서도 거절하지 않습니다.",
                 ),
             ),
         ),
         hints=(
             Words(
                 en="First the refusal, then a ratio between 0 and 1: how far along from the first stamp to the second is `stamp_s`?",
-                ko="먼저 거절, 다음에 0과 1 사이의 비율입니다. `stamp_s`는 첫 Stamp에서 둘째 Stamp까지의 어디쯤입니까?",
+                ko="먼저 거절, 다음에 0과 1 사이의 비율입니다. `stamp_s`는 첫 측정 시각에서 둘째 측정 시각까지의 어디쯤입니까?",
             ),
             Words(
                 en="Position: start + ratio × difference. For yaw the difference must be brought into −π to π before it is scaled.",
-                ko="위치는 시작 + 비율 × 차이입니다. Yaw는 비율을 곱하기 전에 차이를 −π에서 π 사이로 가져와야 합니다.",
+                ko="위치는 시작 + 비율 × 차이입니다. yaw는 비율을 곱하기 전에 차이를 −π에서 π 사이로 가져와야 합니다.",
             ),
             Words(
                 en="`math.remainder(yaw1 - yaw0, math.tau)` is the short way round. Then `yaw0 + ratio * turn`; a full turn more or less does not matter.",
@@ -424,7 +424,7 @@ TASKS = (
                 latest,
                 Words(
                     en="You asked for `Time()`, the latest common time, and the point was moved with a pose from another moment. No error came, did it? Use the message's own stamp.",
-                    ko="최신 공통 시각인 `Time()`으로 물어서, 점이 다른 순간의 Pose로 옮겨졌습니다. 오류는 나지 않았지요? Message 자신의 Stamp를 쓰십시오.",
+                    ko="최신 공통 시각인 `Time()`으로 물어서, 점이 다른 순간의 자세로 옮겨졌습니다. 오류는 나지 않았습니다. 메시지 자신의 측정 시각을 쓰십시오.",
                 ),
                 "M9",
             ),
@@ -433,7 +433,7 @@ TASKS = (
                 fresh_stamp,
                 Words(
                     en="You asked for `now`, the moment of arrival. The buffer refuses, for nothing in it is that fresh; and if it did answer, it would be for the wrong moment.",
-                    ko="도착한 순간인 `now`로 물었습니다. Buffer에 그만큼 새로운 것이 없어 거절합니다. 설령 답하더라도 틀린 순간의 답입니다.",
+                    ko="도착한 순간인 `now`로 물었습니다. 버퍼에 그만큼 새로운 것이 없어 거절합니다. 설령 답하더라도 틀린 순간의 답입니다.",
                 ),
                 "M9",
             ),
@@ -442,7 +442,7 @@ TASKS = (
                 falls_back,
                 Words(
                     en="Where the buffer refuses, you fall back on the latest transform. That turns an honest refusal into a wrong point: let the exception through.",
-                    ko="Buffer가 거절하면 최신 변환으로 물러섭니다. 정직한 거절을 틀린 점으로 바꾸는 일입니다. 예외를 그대로 내보내십시오.",
+                    ko="버퍼가 거절하면 최신 변환으로 물러섭니다. 정직한 거절을 틀린 점으로 바꾸는 일입니다. 예외를 그대로 내보내십시오.",
                 ),
                 "M9",
             ),
@@ -451,7 +451,7 @@ TASKS = (
                 swallows,
                 Words(
                     en="Where the buffer refuses, you return nothing, and nobody learns why. Let the exception through: whoever calls you decides what to do.",
-                    ko="Buffer가 거절하면 아무것도 반환하지 않아 아무도 이유를 알지 못합니다. 예외를 그대로 내보내십시오. 어떻게 할지는 부른 쪽이 정합니다.",
+                    ko="버퍼가 거절하면 아무것도 반환하지 않아 아무도 이유를 알지 못합니다. 예외를 그대로 내보내십시오. 어떻게 할지는 부른 쪽이 정합니다.",
                 ),
                 "M11",
             ),
@@ -460,7 +460,7 @@ TASKS = (
                 swapped,
                 Words(
                     en="Target and source are swapped. Say it: data expressed in the message's frame, wanted in map. The wanted one comes first.",
-                    ko="target과 source가 뒤바뀌었습니다. 말해 보십시오. Message의 Frame에서 표현된 Data를 map에서 표현하고 싶다. 원하는 쪽이 먼저입니다.",
+                    ko="목표와 원본이 뒤바뀌었습니다. 소리 내어 말해 보십시오. “메시지의 좌표계 기준 데이터를 map 기준으로 보고 싶다.” 보고 싶은 쪽이 먼저입니다.",
                 ),
                 "M1",
             ),
@@ -477,15 +477,15 @@ TASKS = (
         hints=(
             Words(
                 en="Value, frame, stamp: all three stand in the message. Which two does the lookup need besides the target?",
-                ko="값, Frame, Stamp가 모두 Message에 있습니다. 조회에는 target 말고 어느 둘이 필요합니까?",
+                ko="값, 좌표계, 측정 시각이 모두 메시지에 있습니다. 조회에는 목표 말고 어느 둘이 필요합니까?",
             ),
             Words(
                 en="tf2 has a method of the buffer that reads frame and stamp off the message itself.",
-                ko="tf2의 Buffer에는 Frame과 Stamp를 Message에서 직접 읽는 method가 있습니다.",
+                ko="tf2의 버퍼에는 좌표계와 측정 시각을 메시지에서 직접 읽는 메서드가 있습니다.",
             ),
             Words(
                 en="`buffer.transform(message, ...)` takes the message and the target frame, and keeps the stamp. No try, no now.",
-                ko="`buffer.transform(message, ...)`은 Message와 target frame을 받고 Stamp를 지킵니다. try도 now도 필요 없습니다.",
+                ko="`buffer.transform(message, ...)`은 메시지와 목표 좌표계를 받고 측정 시각을 지킵니다. try도 now도 필요 없습니다.",
             ),
         ),
         cures=("M9", "M1"),
@@ -507,7 +507,7 @@ TASKS = (
                 lambda g: _late(g, left=0.0),
                 Words(
                     en="You left out the turn. The pose of now looks another way, and drags the object along sideways: the more, the farther it is.",
-                    ko="회전을 빠뜨렸습니다. 지금의 Pose는 다른 쪽을 보고 있어 물체를 옆으로 끌고 갑니다. 멀리 있을수록 더 그렇습니다.",
+                    ko="회전을 빠뜨렸습니다. 지금의 자세는 다른 쪽을 보고 있어 물체를 옆으로 끌고 갑니다. 멀리 있을수록 더 그렇습니다.",
                 ),
                 "M9",
             ),
@@ -525,7 +525,7 @@ TASKS = (
                 lambda g: _late(g, left=-1.0),
                 Words(
                     en="The wrong side. If the robot has turned left meanwhile, its straight ahead points further left, and so does the old sight.",
-                    ko="반대쪽입니다. 그사이 Robot이 왼쪽으로 돌았다면 정면이 더 왼쪽을 가리키고, 옛 관측도 왼쪽으로 갑니다.",
+                    ko="반대쪽입니다. 그사이 로봇이 왼쪽으로 돌았다면 정면이 더 왼쪽을 가리키고, 옛 관측도 왼쪽으로 갑니다.",
                 ),
             ),
             Twin(
@@ -560,7 +560,7 @@ TASKS = (
             ),
             Words(
                 en="Forwards comes from driving, left from turning. Positive yaw turns to the left.",
-                ko="앞뒤는 주행에서, 좌우는 회전에서 옵니다. 양의 Yaw는 왼쪽으로 도는 것입니다.",
+                ko="앞뒤는 주행에서, 좌우는 회전에서 옵니다. 양의 yaw는 왼쪽으로 도는 것입니다.",
             ),
             Words(
                 en="speed × delay, range × yaw rate × delay, and `math.hypot` of the two.",
@@ -591,7 +591,7 @@ TASKS = (
                 {**RIGHT, "a": "odometry slow"},
                 Words(
                     en="a: late odometry can smear walls, but it does not make the delay of a filtered scan read zero. Whose clock wrote that stamp?",
-                    ko="a: 늦은 Odometry도 벽을 번지게 하지만, 거른 Scan의 delay를 0으로 만들지는 않습니다. 그 Stamp는 누가 찍었습니까?",
+                    ko="a: 늦은 오도메트리도 벽을 번지게 하지만, 거른 스캔의 delay를 0으로 만들지는 않습니다. 그 시각은 누구의 시계로 찍었습니까?",
                 ),
                 "M9",
             ),
@@ -600,7 +600,7 @@ TASKS = (
                 {**RIGHT, "b": "stamp overwritten"},
                 Words(
                     en="b: an error of time needs motion. This one stays when the robot stands.",
-                    ko="b: 시간의 오차는 움직여야 나타납니다. 이것은 Robot이 서 있어도 남습니다.",
+                    ko="b: 시간의 오차는 움직여야 나타납니다. 이것은 로봇이 서 있어도 남습니다.",
                 ),
                 "M15",
             ),
@@ -609,7 +609,7 @@ TASKS = (
                 {**RIGHT, "c": "odometry slow"},
                 Words(
                     en="c: look at the size of the gap. No network and no publisher is that late.",
-                    ko="c: 차이의 크기를 보십시오. 어떤 Network도 어떤 발행자도 그렇게 늦지 않습니다.",
+                    ko="c: 차이의 크기를 보십시오. 어떤 네트워크도 어떤 발행자도 그렇게 늦지 않습니다.",
                 ),
                 "M10",
             ),
@@ -618,7 +618,7 @@ TASKS = (
                 {**RIGHT, "d": "two clocks"},
                 Words(
                     en="d: the past is 1.6 s out of reach, and somebody thinks for 12 s. How long does a buffer remember if you say nothing?",
-                    ko="d: 1.6초 차이로 과거에 닿지 못했고, 누군가는 12초를 계산합니다. 따로 정하지 않으면 Buffer는 얼마나 기억합니까?",
+                    ko="d: 1.6초 차이로 과거에 닿지 못했고, 누군가는 12초를 계산합니다. 따로 정하지 않으면 버퍼는 얼마나 기억합니까?",
                 ),
                 "M11",
             ),
@@ -636,7 +636,7 @@ TASKS = (
                 {**RIGHT, "e": "two clocks"},
                 Words(
                     en="e: two clocks that disagree do so for every message alike. Here one in four gets through, and one publisher speaks once a second.",
-                    ko="e: 시계가 서로 다르면 모든 Message가 똑같이 어긋납니다. 여기서는 넷 중 하나가 통과하고, 한 발행자는 초당 한 번 말합니다.",
+                    ko="e: 시계가 서로 다르면 모든 메시지가 똑같이 어긋납니다. 여기서는 넷 중 하나가 통과하고, 한 발행자는 초당 한 번 말합니다.",
                 ),
                 "M10",
             ),
@@ -644,7 +644,7 @@ TASKS = (
         hints=(
             Words(
                 en="Ask of each symptom first: does it stay when the robot stands still?",
-                ko="증상마다 먼저 물으십시오. Robot이 서 있어도 남아 있습니까?",
+                ko="증상마다 먼저 물으십시오. 로봇이 서 있어도 남아 있습니까?",
             ),
             Words(
                 en="For the three texts: into the past or into the future, and by how much? Milliseconds, seconds or years?",
@@ -672,7 +672,7 @@ TASKS = (
                 lambda g: g.thinking_s,
                 Words(
                     en="Then the sample just before the stamp may be gone already, and without it there is nothing to interpolate from.",
-                    ko="그러면 Stamp 바로 앞의 표본이 이미 사라졌을 수 있고, 그것이 없으면 보간할 수 없습니다.",
+                    ko="그러면 측정 시각 바로 앞의 표본이 이미 사라졌을 수 있고, 그것이 없으면 보간할 수 없습니다.",
                 ),
             ),
             Twin(
@@ -680,7 +680,7 @@ TASKS = (
                 lambda g: g.thinking_s + 1.0 / max(g.rate_hz.values()),
                 Words(
                     en="You counted with the fast edge. Every edge of the path must still hold the sample before the stamp, the slow one too.",
-                    ko="빠른 edge로 셈했습니다. 경로의 모든 edge가 Stamp 앞의 표본을 갖고 있어야 하고, 느린 edge도 마찬가지입니다.",
+                    ko="빠른 연결로 계산했습니다. 경로의 모든 연결이 측정 시각 앞의 표본을 갖고 있어야 하고, 느린 연결도 마찬가지입니다.",
                 ),
             ),
             Twin(
@@ -688,7 +688,7 @@ TASKS = (
                 lambda g: g.thinking_s + sum(1.0 / rate for rate in g.rate_hz.values()),
                 Words(
                     en="You added the periods of both edges. Each lane needs only its own, so the longest one is enough.",
-                    ko="두 edge의 주기를 더했습니다. 차선마다 자기 주기만 필요하므로 가장 긴 것이면 충분합니다.",
+                    ko="두 연결의 주기를 더했습니다. 차선마다 자기 주기만 필요하므로 가장 긴 것이면 충분합니다.",
                 ),
             ),
             Twin(
@@ -711,15 +711,15 @@ TASKS = (
         hints=(
             Words(
                 en="When the question comes, how far back does the picture's stamp lie?",
-                ko="물어보는 순간, 사진의 Stamp는 얼마나 과거에 있습니까?",
+                ko="물어보는 순간, 사진의 측정 시각은 얼마나 과거에 있습니까?",
             ),
             Words(
                 en="To interpolate at the stamp, a lane needs a sample before it. How much older than the stamp can that one be?",
-                ko="Stamp에서 보간하려면 그 앞의 표본이 필요합니다. 그 표본은 Stamp보다 얼마나 더 늙었을 수 있습니까?",
+                ko="측정 시각에서 보간하려면 그 앞의 표본이 필요합니다. 그 표본은 측정 시각보다 얼마나 더 오래된 것일 수 있습니까?",
             ),
             Words(
                 en="Thinking time plus one period of the slowest edge on the path.",
-                ko="계산 시간에 경로에서 가장 느린 edge의 한 주기를 더합니다.",
+                ko="계산 시간에 경로에서 가장 느린 연결의 한 주기를 더합니다.",
             ),
         ),
     ),
@@ -738,7 +738,7 @@ TASKS = (
                 lambda buffer, message, now: _at(buffer, message, _stamp(message), _stamp(message)),
                 Words(
                     en="That is the object in the base_link of one single moment, as if the robot had stood still between the sighting and now. It has driven on.",
-                    ko="한 순간의 base_link에서만 본 물체입니다. 본 때와 지금 사이에 Robot이 서 있었던 것처럼 계산했지만, Robot은 계속 달렸습니다.",
+                    ko="어느 한 순간의 base_link 기준으로만 구한 위치입니다. 본 때와 지금 사이에 로봇이 서 있었던 것처럼 계산했지만, 로봇은 계속 달렸습니다.",
                 ),
                 "M9",
             ),
@@ -747,7 +747,7 @@ TASKS = (
                 lambda buffer, message, now: _at(buffer, message, Time(), _stamp(message)),
                 Words(
                     en="The moment of the sighting is right. But for base_link you took `Time()`, the newest pose in the buffer, and `now` is asked for.",
-                    ko="본 순간은 맞습니다. 그런데 base_link에는 Buffer의 가장 새로운 Pose인 `Time()`을 썼습니다. 묻는 것은 `now`입니다.",
+                    ko="본 순간은 맞습니다. 그런데 base_link에는 버퍼의 가장 새로운 자세를 뜻하는 `Time()`을 썼습니다. 필요한 것은 `now`입니다.",
                 ),
                 "M9",
             ),
@@ -756,7 +756,7 @@ TASKS = (
                 lambda buffer, message, now: _at(buffer, message, _stamp(message), now),
                 Words(
                     en="The two times are swapped: you moved a sighting of now into the base_link of then. Each frame is followed by its own time.",
-                    ko="두 시각이 뒤바뀌었습니다. 지금 본 것을 그때의 base_link로 옮겼습니다. Frame마다 바로 뒤에 자기 시각이 옵니다.",
+                    ko="두 시각이 뒤바뀌었습니다. 지금 본 것을 그때의 base_link로 옮겼습니다. 좌표계마다 바로 뒤에 자기 시각이 옵니다.",
                 ),
             ),
             Twin(
@@ -764,7 +764,7 @@ TASKS = (
                 lambda buffer, message, now: _at(buffer, message, now, _stamp(message), "map"),
                 Words(
                     en="You went through map. Between the two moments the localiser corrected itself, map jumped, and the object jumped with it; odom runs on smoothly.",
-                    ko="map을 거쳐 갔습니다. 두 순간 사이에 Localization이 보정하면서 map이 뛰었고 물체도 함께 뛰었습니다. odom은 매끄럽게 이어집니다.",
+                    ko="map을 거쳐 갔습니다. 두 순간 사이에 위치 추정이 보정하면서 map이 뛰었고 물체도 함께 뛰었습니다. odom은 매끄럽게 이어집니다.",
                 ),
                 "M8",
             ),
@@ -772,15 +772,15 @@ TASKS = (
         hints=(
             Words(
                 en="Two moments, so one stamp is not enough. Which lookup takes two times?",
-                ko="순간이 둘이므로 Stamp 하나로는 모자랍니다. 시각을 둘 받는 조회는 무엇입니까?",
+                ko="순간이 둘이므로 측정 시각 하나로는 모자랍니다. 시각을 둘 받는 조회는 무엇입니까?",
             ),
             Words(
                 en="`lookup_transform_full(target, its time, source, its time, fixed)`. Which of your moments belongs to the target?",
-                ko="`lookup_transform_full(target, 그 시각, source, 그 시각, fixed)`입니다. 두 순간 가운데 어느 것이 target의 시각입니까?",
+                ko="`lookup_transform_full(target, 그 시각, source, 그 시각, fixed)`입니다. 두 순간 가운데 어느 것이 목표의 시각입니까?",
             ),
             Words(
                 en="base_link at `now`, the message's frame at its stamp, fixed in odom; then `do_transform_point(message, ...)`, and its `.point`.",
-                ko="base_link는 `now`, Message의 Frame은 그 Stamp, 고정은 odom입니다. 그다음 `do_transform_point(message, ...)`의 `.point`입니다.",
+                ko="base_link는 `now`, 메시지의 좌표계는 그 측정 시각, 고정은 odom입니다. 그다음 `do_transform_point(message, ...)`의 `.point`입니다.",
             ),
         ),
         cures=("M9", "M8"),
