@@ -641,7 +641,7 @@ def _changed_check(notebook: Notebook, honest: Honest) -> None:
 def _changed_given(notebook: Notebook, honest: Honest) -> None:
     name = honest.value_task.lower().replace(".", "_")
     honest.cell(notebook, honest.value_task, "given")["source"] = (
-        f"from types import SimpleNamespace\n{name} = SimpleNamespace(easy={'base_link': (1.0, 2.0, 3.0), 'map': (3.0, 2.0, 1.0)})"
+        f"from types import SimpleNamespace\n{name} = SimpleNamespace(easy={{'base_link': (1.0, 2.0, 3.0), 'map': (3.0, 2.0, 1.0)}})"
     )
     honest.cell(notebook, honest.value_task)["source"] = f"{honest.value} = {name}.easy"
 
