@@ -456,7 +456,7 @@ def test_nothing_outlives_its_kernel(kernels: Kernels, survivor: str) -> None:
     kernel = kernels.take(Limits())
     kernel.wire.send({"msg_id": "1", "code": SURVIVORS[survivor]})
     kernel.wire.receive(0.3)
-    assert descendants_of_the_forkserver(kernels) > before
+    assert descendants_of_the_forkserver(kernels) - before
     kernel.close()
     end = time.monotonic() + 5.0  # its keeper has said its last word, and ends now
     while (left := descendants_of_the_forkserver(kernels) - before) and time.monotonic() < end:
@@ -499,6 +499,22 @@ def test_a_kernel_ends_with_the_grader_even_if_that_is_killed(tmp_path: Path, ke
 
 
 # Which wall.
+
+
+def test_without_landlock_the_memory_of_the_grader_is_closed_at_least() -> None:
+    code = """
+import ctypes
+from tflab.grading import kernels, landlock
+from tflab.grading.sandbox import Sandbox
+dumpable = lambda: ctypes.CDLL(None).prctl(3, 0, 0, 0, 0)
+kernels.Kernels(Sandbox("limits"))
+with_landlock = dumpable()
+landlock.abi = lambda: 0
+kernels.Kernels(Sandbox("limits"))
+print(landlock.CONFINES, with_landlock, dumpable())
+"""
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.split()[-1] == "0"
 
 
 def test_the_best_wall_that_works_is_taken() -> None:
