@@ -1,7 +1,7 @@
 # %% [markdown] lang="en" name="title" slide="slide"
-# # Which way is forward?
+# # 02 · Which way is forward?
 #
-# **Chapter 2 · Axes and quaternions · about 55 minutes**
+# **Axes and quaternions** · about 60 minutes · builds on 01
 #
 # After this chapter you can
 #
@@ -12,9 +12,9 @@
 # - look at a point cloud that lies at 90° and name the one line to change.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
-# # 어느 쪽이 앞입니까?
+# # 02 · 어느 쪽이 앞입니까?
 #
-# **2장 · 좌표축과 쿼터니언 · 약 55분**
+# **좌표축과 쿼터니언** · 약 60분 · 01장을 바탕으로 합니다
 #
 # 이 장을 마치면 다음을 할 수 있습니다.
 #
@@ -41,6 +41,8 @@
 # - A point is a value, a frame and a time. `(2, 0, 0)` alone is a rumour.
 # - A message says its frame in `header.frame_id`.
 # - A [[transform]] says where one frame, the [[child frame|child]], sits in another, the [[parent frame|parent]]. It has two parts: a step (metres) and a turn. **This chapter is about the turn.**
+# - [[tf2|TF2]], TF for short, is the part of ROS 2 that keeps all transforms and does this arithmetic for you. RViz is the window in which ROS draws them.
+# - A [[urdf]] is the file that says where a robot's parts are bolted on.
 # - Our robot carries a camera: `camera_link` sits at (0.10, 0, 0.30) in `base_link`, 10 cm ahead of the robot's middle and 30 cm up.
 #
 # In code, names say both frames, target first: `base_T_camera` carries numbers from the camera to the base, `base_p_mug` is a point in the base.
@@ -55,6 +57,8 @@
 # - 점은 값, 좌표계, 시각이 모두 있어야 점입니다. `(2, 0, 0)`만으로는 소문일 뿐입니다.
 # - 메시지는 자신의 좌표계를 `header.frame_id`에 적습니다.
 # - [[transform|변환(transform)]]은 한 좌표계([[child frame|자식]])가 다른 좌표계([[parent frame|부모]]) 안에서 어디에 있는지 나타냅니다. 이동(미터)과 회전, 두 부분으로 이루어집니다. **이 장에서는 회전을 다룹니다.**
+# - [[tf2|TF2]](줄여서 TF)는 변환을 모두 모아 두고 이런 계산을 대신해 주는 ROS 2의 부품입니다. RViz는 ROS가 변환을 그려 보여 주는 창입니다.
+# - [[urdf]]는 로봇의 부품이 어디에 달려 있는지 적은 파일입니다.
 # - 우리 로봇에는 카메라가 달려 있습니다. `camera_link`는 `base_link` 기준 (0.10, 0, 0.30), 곧 로봇 중심에서 앞으로 10 cm, 위로 30 cm인 곳에 있습니다.
 #
 # 코드에서는 이름에 두 좌표계를 모두 적되 목표를 먼저 씁니다. `base_T_camera`는 카메라 기준 숫자를 base 기준으로 옮기고, `base_p_mug`는 base 기준의 점입니다.
@@ -90,7 +94,7 @@ from tflab.views.style import fmt, fmt_all
 #
 # A robot contest, in simulation. Cameras look at a bench, a detector finds the parts, an arm picks them up.
 # One team took an object detector off the shelf, as one should.
-# It found the parts. And it put every one of them in the wrong place.
+# It found the parts, and their places were wrong.
 #
 # The mathematics was right. The detector was right. The camera was right.
 # The images were stamped with the frame of the camera's **body**, and the detector's numbers were those of the camera's **picture**.
@@ -104,7 +108,7 @@ from tflab.views.style import fmt, fmt_all
 #
 # 시뮬레이션으로 치르는 로봇 대회입니다. 카메라가 작업대를 보고, 검출기가 부품을 찾고, 로봇 팔이 집습니다.
 # 한 팀은 이미 나와 있는 검출기를 가져다 썼습니다. 잘한 일입니다.
-# 검출기는 부품을 찾아냈습니다. 그리고 하나도 빠짐없이 엉뚱한 곳에 놓았습니다.
+# 검출기는 부품을 찾아냈습니다. 그런데 위치가 모두 틀렸습니다.
 #
 # 수학은 맞았습니다. 검출기도 맞았습니다. 카메라도 맞았습니다.
 # 다만 영상에는 카메라 **본체**의 좌표계가 적혀 있었고, 검출기의 숫자는 카메라 **영상** 기준이었습니다.
@@ -125,12 +129,12 @@ frames.draw_scene(
 )
 
 # %% [markdown] lang="en" name="story-after"
-# The grey circle is where the arm went: up, above the camera, into the air.
+# The grey circle is where such an arm goes: up, above the camera, into the air.
 # No error was raised. TF computed happily: to the mathematics, one frame is as good as another.
 # By the end of this page you will find this fault in one minute, with one command.
 
 # %% [markdown] lang="ko" name="story-after"
-# 회색 원이 팔이 향한 곳입니다. 카메라보다 위쪽, 허공입니다.
+# 회색 원이 이런 팔이 향하게 될 곳입니다. 카메라보다 위쪽, 허공입니다.
 # 오류는 하나도 나지 않았습니다. TF는 아무렇지 않게 계산했습니다. 수학의 눈에는 어느 좌표계든 똑같은 좌표계일 뿐입니다.
 # 이 장을 마칠 때쯤이면 여러분은 이 결함을 명령 하나로, 1분 안에 찾아낼 것입니다.
 
@@ -251,16 +255,16 @@ axes.draw_body_axes()
 #
 # Now the thumb of the right hand shows the axis, and the fingers curl the **positive** way.
 #
-# **Predict.** You send a robot `linear.x = 0.5` and `angular.z = -0.5`. Does it go left or right?
-# And an aeroplane question: with a *positive* pitch, does the nose go up or down?
+# **Predict.** You send a robot `linear.x = 0.5` (half a metre per second ahead) and `angular.z = -0.5` (half a radian per second about z). Does it go left or right?
+# And an aeroplane question: pitch is the turn about y. With a *positive* pitch, does the nose go up or down?
 
 # %% [markdown] lang="ko" name="signs-predict" slide="slide"
 # ## 움직이기 전에 부호를 말하십시오
 #
 # 이번에는 오른손 엄지가 축입니다. 나머지 손가락을 감아쥐는 방향이 **양(+)** 의 회전입니다.
 #
-# **예측.** 로봇에 `linear.x = 0.5`, `angular.z = -0.5`를 보냅니다. 왼쪽으로 갑니까, 오른쪽으로 갑니까?
-# 비행기 문제도 하나 드립니다. pitch가 *양수*이면 기수는 올라갑니까, 내려갑니까?
+# **예측.** 로봇에 `linear.x = 0.5`(앞으로 초속 0.5미터)와 `angular.z = -0.5`(z축 중심으로 초당 0.5라디안)를 보냅니다. 왼쪽으로 갑니까, 오른쪽으로 갑니까?
+# 비행기 문제도 하나 드립니다. y축을 중심으로 도는 것을 pitch라고 합니다. pitch가 *양수*이면 기수는 올라갑니까, 내려갑니까?
 
 # %% name="signs-drive" slide="fragment"
 turns.draw_drives({"angular.z = +0.5": 0.5, "angular.z = 0": 0.0, "angular.z = -0.5": -0.5})
@@ -298,6 +302,7 @@ axes.draw_right_hand()
 # URDF's `rpy="..."` and the `--roll --pitch --yaw` of ROS 2's tools mean exactly this.
 #
 # Move one slider at a time, and say aloud what will happen before you let go.
+# The panel also writes the same turn in two other ways: as a *quaternion*, four numbers, and as a *matrix*, nine. Both come further down; for now, watch them change.
 
 # %% [markdown] lang="ko" name="rpy" slide="slide"
 # ## Roll, pitch, yaw
@@ -307,6 +312,7 @@ axes.draw_right_hand()
 # URDF의 `rpy="..."`와 ROS 2 도구의 `--roll --pitch --yaw`가 정확히 이 뜻입니다.
 #
 # 슬라이더를 하나씩만 움직이되, 놓기 전에 무슨 일이 일어날지 소리 내어 말해 보십시오.
+# 패널은 같은 회전을 두 가지로 더 적어 보여 줍니다. 숫자 넷인 *quaternion*과 숫자 아홉인 *matrix*입니다. 둘 다 아래에서 설명하니, 지금은 바뀌는 모습만 보십시오.
 
 # %% name="rpy-panel" tags=["interactive"]
 rotation_panel(roll_rad=0.0, pitch_rad=0.0, yaw_rad=0.5)
@@ -654,13 +660,13 @@ for axis, direction in {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1)}.items():
 
 # %% [markdown] lang="en" name="two-turns-after" slide="fragment"
 # Read the three lines aloud: optical x points to minus y, that is, right. Optical y points to minus z: down. Optical z points to plus x: forward.
-# These three lines are the three **columns** of the rotation matrix. A rotation matrix is nothing more: where do the child's axes point, in the parent?
+# These three lines are the three **columns** of the rotation matrix, the nine numbers of the panel above. A rotation matrix is nothing more: where do the child's axes point, in the parent?
 #
 # So a point of the picture, (right, down, forward), is in the camera's body (forward, −right, −down).
 
 # %% [markdown] lang="ko" name="two-turns-after" slide="fragment"
 # 세 줄을 소리 내어 읽어 보십시오. 광학 좌표계의 x는 −y, 곧 오른쪽을 향합니다. 광학 좌표계의 y는 −z, 곧 아래를 향합니다. 광학 좌표계의 z는 +x, 곧 앞을 향합니다.
-# 이 세 줄이 회전 행렬의 세 **열**입니다. 회전 행렬은 그 이상도 이하도 아닙니다. 자식의 축이 부모 안에서 어디를 향하는지 적은 것입니다.
+# 이 세 줄이 회전 행렬(위 패널의 숫자 아홉)의 세 **열**입니다. 회전 행렬은 그 이상도 이하도 아닙니다. 자식의 축이 부모 안에서 어디를 향하는지 적은 것입니다.
 #
 # 그러므로 영상의 점 (오른쪽, 아래, 앞)은 카메라 본체에서 (앞, −오른쪽, −아래)입니다.
 
@@ -703,6 +709,8 @@ print("base_link:  ", fmt_all(base_p_mug))
 #
 # Both sit at the same place; only the turn is between them.
 # The driver stamps its data with the **optical** one. Then nobody has to convert anything: TF does.
+#
+# Here are all three frames. The pyramid is what the camera sees; *u* counts its pixels to the right, *v* counts them down.
 
 # %% [markdown] lang="ko" name="why-two" slide="slide"
 # ## 왜 좌표계가 둘이며, 헤더에는 어느 쪽을 씁니까?
@@ -712,6 +720,8 @@ print("base_link:  ", fmt_all(base_p_mug))
 #
 # 둘은 같은 자리에 있고, 그 사이에는 회전만 있습니다.
 # 드라이버는 데이터에 **광학 좌표계**를 적습니다. 그러면 아무도 손으로 변환할 필요가 없습니다. TF가 합니다.
+#
+# 세 좌표계를 모두 그려 보았습니다. 피라미드는 카메라가 보는 범위이고, 화소를 *u*는 오른쪽으로, *v*는 아래로 셉니다.
 
 # %% name="scene-3d" tags=["interactive"] slide="subslide"
 view = scene.Scene(height_px=380, grid_m=0.5)
@@ -727,7 +737,7 @@ frames.draw_scene(
     {"base_link": Transform(), "camera_link": base_T_camera, "camera_optical_frame": base_T_optical},
     points={"mug": base_p_mug},
     fixed_frame="base_link",
-    length_m=0.35,
+    length_m=0.25,
 )
 
 # %% [markdown] lang="en" name="try-it" slide="subslide"
@@ -767,13 +777,15 @@ print("camera_link:", fmt_all(camera_T_optical.apply((right, down, forward))))
 # %% [markdown] lang="en" name="break-zero" slide="slide"
 # ## Break it on purpose, 1: all zeros
 #
-# Now on ROS 2. First, the robot's camera as it should be: bolted on, and its optical frame beside it.
+# Now on ROS 2. A line that begins with `%ros2` is a command of ROS 2: here it runs in the page, on a robot you type it in a terminal.
+# First, the robot's camera as it should be: bolted on, and its optical frame beside it.
 # Note the second command. It is the one that the contest lacked.
 
 # %% [markdown] lang="ko" name="break-zero" slide="slide"
 # ## 일부러 고장 내기 1: 모두 0
 #
-# 이제 ROS 2로 해 봅니다. 먼저 올바른 카메라부터 만듭니다. 카메라를 장착하고, 그 자리에 광학 좌표계를 둡니다.
+# 이제 ROS 2로 해 봅니다. `%ros2`로 시작하는 줄은 ROS 2 명령입니다. 여기서는 페이지 안에서 실행되고, 로봇에서는 터미널에 입력합니다.
+# 먼저 올바른 카메라부터 만듭니다. 카메라를 장착하고, 그 자리에 광학 좌표계를 둡니다.
 # 두 번째 명령을 눈여겨보십시오. 대회에 빠져 있던 바로 그 명령입니다.
 
 # %% name="mount-camera"
@@ -784,11 +796,11 @@ print("camera_link:", fmt_all(camera_T_optical.apply((right, down, forward))))
 
 # %% [markdown] lang="en" name="asker-before" slide="subslide"
 # Next, a program that asks. Its [[listener]] hears every transform and keeps it in a [[buffer]]; `buffer.transform(message, "base_link")` then moves a message from the frame in its header to the one you want.
-# Chapter 8 opens that box. Time on this page stands still, except while `graph.run` lets some of it pass.
+# Chapter 8 opens that box. Time on this page stands still, except while `graph.run` lets some of it pass. (`graph` came with `%load_ext tflab`; a robot needs no such thing, its time passes by itself.)
 
 # %% [markdown] lang="ko" name="asker-before" slide="subslide"
 # 다음은 물어보는 프로그램입니다. [[listener|변환 수신기(listener)]]가 들리는 변환을 모두 [[buffer|변환 버퍼(buffer)]]에 모아 둡니다. 그러면 `buffer.transform(message, "base_link")`가 메시지를 헤더에 적힌 좌표계에서 원하는 좌표계로 옮깁니다.
-# 그 속은 8장에서 열어 봅니다. 이 페이지의 시간은 멈춰 있으며, `graph.run`을 부르는 동안에만 흐릅니다.
+# 그 속은 8장에서 열어 봅니다. 이 페이지의 시간은 멈춰 있으며, `graph.run`을 부르는 동안에만 흐릅니다. (`graph`는 `%load_ext tflab`과 함께 생깁니다. 로봇의 시간은 저절로 흐르므로 이런 것이 필요 없습니다.)
 
 # %% name="asker"
 rclpy.init()
@@ -893,10 +905,10 @@ floor = np.column_stack([across.ravel(), np.full(across.size, 0.4), deep.ravel()
 print(misread.describe_extent({"wall": wall, "floor": floor}, "the optical frame"))
 
 # %% [markdown] lang="en" name="cloud-node" slide="subslide"
-# And its driver. Somebody set the parameter `frame_id` to the frame that the camera is bolted to. It sounds so sensible.
+# And its driver: a [[node]] that publishes the cloud on the [[topic]] `/camera/points`, five times a second. Somebody set the parameter `frame_id` to the frame that the camera is bolted to. It sounds so sensible.
 
 # %% [markdown] lang="ko" name="cloud-node" slide="subslide"
-# 드라이버는 다음과 같습니다. 누군가 `frame_id` 파라미터에 카메라가 장착된 좌표계를 적었습니다. 참 그럴듯하게 들립니다.
+# 드라이버는 다음과 같습니다. 1초에 다섯 번 `/camera/points` [[topic]]에 클라우드를 발행하는 [[node]]입니다. 누군가 `frame_id` 파라미터에 카메라가 장착된 좌표계를 적었습니다. 참 그럴듯하게 들립니다.
 
 # %% name="cloud-driver"
 def depth_camera():
@@ -1065,11 +1077,13 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # ## The same on a real robot
 #
 # Everything above runs there unchanged; without the `%`, the commands are what you type in a terminal. Check the turn with your own eyes:
+# (`--for 1` belongs to the page: it stops the tool after one second. In a terminal you leave it out, and press Ctrl-C.)
 
 # %% [markdown] lang="ko" name="robot" slide="slide"
 # ## 실제 로봇에서도 똑같이
 #
 # 위의 모든 것이 실제 로봇에서 그대로 돌아갑니다. `%`만 빼면 터미널에 입력하는 명령입니다. 회전은 눈으로 직접 확인하십시오.
+# (`--for 1`은 이 페이지에만 있는 것으로, 1초 뒤에 도구를 멈춥니다. 터미널에서는 빼고 입력한 다음 Ctrl-C로 멈춥니다.)
 
 # %% name="robot-echo"
 # %ros2 --for 1 run tf2_ros tf2_echo camera_link camera_optical_frame
@@ -1315,3 +1329,5 @@ card.draw_card()
 
 # %% name="stop"
 graph.stop()
+asker.destroy_node()
+rclpy.shutdown()

@@ -1,7 +1,7 @@
 # %% [markdown] lang="en" name="title" slide="slide"
-# # Target and source: data in …, wanted in …
+# # 03 · Data in …, wanted in …
 #
-# **60 minutes.** Builds on chapters 01 (value, frame, stamp) and 02 (axes and quaternions).
+# **Target and source** · about 60 minutes · builds on 01 and 02
 #
 # After this chapter you can
 #
@@ -11,9 +11,9 @@
 # - go back: invert a transform that turns, and read `tf2_echo` both ways.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
-# # 목표와 원본: … 기준 데이터를 … 기준으로 보고 싶다
+# # 03 · … 기준 데이터를 … 기준으로 보고 싶다
 #
-# **60분.** 01장(값, 좌표계, 시각)과 02장(축과 쿼터니언)에 이어집니다.
+# **목표 좌표계와 원본 좌표계** · 약 60분 · 01, 02장을 바탕으로 합니다
 #
 # 이 장을 마치면 다음을 할 수 있습니다.
 #
@@ -87,14 +87,14 @@ from tflab.views.style import ACCENT, fmt_all  # fmt_all writes a point with its
 # %% [markdown] lang="en" name="ten-years" slide="slide"
 # ## Ten years of "reversed"
 #
-# A robot had its IMU mounted turned, and somewhere a transform seemed reversed.
+# A robot had its IMU, the sensor that feels turning and gravity, mounted turned, and somewhere a transform seemed reversed.
 # So its team published a *wrong* mount, and the numbers came out right.
-# Later they proposed to swap two frames in the filter instead, and heard: the target comes first, and it already does (ros-planning/navigation #239).
+# Later they proposed to swap two frames in the program that uses the IMU instead, and heard: the target comes first, and it already does (ros-planning/navigation #239).
 #
 # They are in good company.
-# In 2015 somebody asked ros/geometry whether the frames in `tf_echo` are reversed (#108).
+# In 2015 somebody asked ros/geometry whether the frames in `tf_echo`, the tool that prints a transform, are reversed (#108).
 # Others did in #111, #192 and #226; ROS 2 came, and with it ros2/geometry2 #470 (2021), then ros2/ros2_documentation #4239 (2024).
-# A maintainer of the most used EKF package wrote that they frequently get these backwards (robot_localization #437).
+# The maintainer of a package that very many robots estimate their place with wrote: I frequently get these backwards (robot_localization #437).
 #
 # Now the strange part: the tool's numbers were right all along, and most people's question was a good one.
 # They had asked for the transform **"from A to B"**, and that phrase is two questions.
@@ -102,20 +102,20 @@ from tflab.views.style import ACCENT, fmt_all  # fmt_all writes a point with its
 # %% [markdown] lang="ko" name="ten-years" slide="slide"
 # ## "거꾸로 나와요" 10년
 #
-# IMU를 돌려 단 로봇이 있었는데, 어딘가에서 변환이 거꾸로인 것 같았습니다.
+# IMU(회전과 중력을 느끼는 센서)를 돌려 단 로봇이 있었는데, 어딘가에서 변환이 거꾸로인 것 같았습니다.
 # 그래서 팀은 장착 자세를 *틀리게* 발행했고, 그러자 숫자가 맞았습니다.
-# 나중에는 필터 안의 두 좌표계를 맞바꾸자고 제안했다가 이런 답을 들었습니다. 목표가 먼저이고, 이미 그렇게 되어 있다고(ros-planning/navigation #239).
+# 나중에는 IMU를 쓰는 프로그램 안의 두 좌표계를 맞바꾸자고 제안했다가 이런 답을 들었습니다. 목표가 먼저이고, 이미 그렇게 되어 있다고(ros-planning/navigation #239).
 #
 # 이 팀만 헷갈린 것이 아닙니다.
-# 2015년, 누군가 `tf_echo`의 좌표계 순서가 거꾸로 아니냐고 ros/geometry에 물었습니다(#108).
+# 2015년, 누군가 변환을 출력하는 도구인 `tf_echo`의 좌표계 순서가 거꾸로 아니냐고 ros/geometry에 물었습니다(#108).
 # 같은 질문이 #111, #192, #226에 이어졌고, ROS 2에서도 ros2/geometry2 #470(2021), ros2/ros2_documentation #4239(2024)로 올라왔습니다.
-# 가장 널리 쓰이는 EKF 패키지의 관리자도 자주 거꾸로 쓴다고 적었습니다(robot_localization #437).
+# 수많은 로봇이 위치를 추정하는 데 쓰는 패키지의 관리자도 자신이 자주 거꾸로 쓴다고 적었습니다(robot_localization #437).
 #
 # 이상한 점은 따로 있습니다. 도구가 출력한 숫자는 처음부터 맞았고, 사람들의 질문도 대부분 틀리지 않았습니다.
 # 모두 **"A에서 B로 가는 변환"** 을 물었는데, 이 말 안에 질문이 두 개 들어 있었습니다.
 
 # %% name="two-readings" slide="fragment"
-mount = Transform.from_rpy(yaw=math.pi / 2, translation=(0.20, 0.0, 0.15))
+mount = Transform.from_rpy(yaw=math.pi / 2, translation=(0.20, 0.0, 0.15))  # turned left, ahead, above
 draw_readings('base_link', 'laser_frame', mount)
 
 # %% [markdown] lang="en" name="two-readings-seen"
@@ -180,14 +180,14 @@ my_guess = (0.0, 0.0, 0.0)  # your guess: (x, y, z) in base_link [m]
 #
 # The mount, with ROS 2's own tool, and then a node with a buffer: what you would write on a robot.
 # `spin_thread=True` lets the listener hear in a thread of its own, while you type.
-# Time is virtual here and stands still until `graph.run(…)` lets it pass.
+# Time is virtual here and stands still until `graph.run(…)` lets it pass; `graph` came with `%load_ext tflab`.
 
 # %% [markdown] lang="ko" name="run-it" slide="subslide"
 # ## 실행해 보기
 #
 # 먼저 ROS 2 도구로 레이저를 달고, 이어서 버퍼를 가진 노드를 만듭니다. 로봇에서도 똑같이 씁니다.
 # `spin_thread=True`를 주면, 여러분이 입력하는 동안에도 수신기가 자기 스레드에서 듣습니다.
-# 여기서 시간은 가상이며, `graph.run(…)`이 흐르게 할 때만 흐릅니다.
+# 여기서 시간은 가상이며, `graph.run(…)`이 흐르게 할 때만 흐릅니다. `graph`는 `%load_ext tflab`과 함께 생깁니다.
 
 # %% name="mount-the-laser"
 # %ros2 run tf2_ros static_transform_publisher --x 0.20 --z 0.15 --yaw 1.5707963 --frame-id base_link --child-frame-id laser_frame
@@ -360,7 +360,7 @@ draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'corner': (
 #
 # The answer is `base_T_laser`: same order, same words.
 # There is no "from" and no "to" in it, so there is nothing to turn round.
-# (In 2020 a pull request to jsk-ros-pkg/jsk_roseus, #650, set out to turn one comment round, noticed that "from A to B" can be read both ways, and wrote this sentence instead.)
+# (In 2020 a pull request to jsk-ros-pkg/jsk_roseus, #650, set out to turn one comment round, noticed that "from A to B" can be read both ways, and wrote "source, expressed in target" instead.)
 #
 # | you want | target | source |
 # |---|---|---|
@@ -385,7 +385,7 @@ draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'corner': (
 #
 # 답은 `base_T_laser`입니다. 순서도 말도 그대로입니다.
 # 이 문장에는 "여기서 저기로"라는 말이 없으므로 뒤집힐 것도 없습니다.
-# (2020년 jsk-ros-pkg/jsk_roseus #650에서도 주석의 방향을 고치다가, "from A to B"를 두 가지로 읽을 수 있음을 알아채고 바로 이 문장으로 바꾸었습니다.)
+# (2020년 jsk-ros-pkg/jsk_roseus #650에서도 주석의 방향을 고치다가, "from A to B"를 두 가지로 읽을 수 있음을 알아채고 "target에서 표현한 source"라는 말로 바꾸었습니다.)
 #
 # | 하고 싶은 일 | 목표 | 원본 |
 # |---|---|---|
@@ -443,11 +443,13 @@ draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'corner': (
 
 # %% [markdown] lang="en" name="the-sentence-panel-why" slide="skip"
 # Choose in any line; the others follow.
-# Find a pair for which the matrix and its opposite differ in only one sign.
+# On the right is the same transform as a table, a matrix: the first three columns say how it turns, the last one is the step.
+# Find a pair for which the matrix and its opposite (target and source exchanged) differ in only one sign.
 
 # %% [markdown] lang="ko" name="the-sentence-panel-why" slide="skip"
 # 아무 줄에서나 골라 보십시오. 나머지가 따라옵니다.
-# 행렬과 그 반대 행렬이 부호 하나만 다른 쌍을 찾아보십시오.
+# 오른쪽은 같은 변환을 표로 적은 행렬입니다. 앞의 세 열은 회전이고, 마지막 열은 이동입니다.
+# 행렬과 그 반대 행렬(목표와 원본을 맞바꾼 것)이 부호 하나만 다른 쌍을 찾아보십시오.
 
 # %% name="the-sentence-panel" tags=["interactive"] slide="skip"
 sentence_panel(
@@ -484,14 +486,18 @@ draw_question(buffer, 'base_link', 'laser_frame')
 # %% [markdown] lang="en" name="dominoes" slide="slide"
 # ## Dominoes
 #
-# The laser sits on the robot, the robot stands in `odom`, `odom` lies in `map`.
-# Let us bolt the rest together; the robot stands still today, so every edge may be static.
+# The laser sits on the robot, the robot stands in [[odom|`odom`]] (where its wheels think it is), and `odom` lies in [[map|`map`]] (the building).
+# [[base_footprint|`base_footprint`]] is the robot's place on the floor, right under it.
+# Let us bolt the rest together; the robot stands still today, so every edge, that is, every pair of parent and child, may be static: an **S** in the picture.
+# (ROS 2 does not pass on who published an edge, so the last column says `default_authority` everywhere.)
 
 # %% [markdown] lang="ko" name="dominoes" slide="slide"
 # ## 도미노
 #
-# 레이저는 로봇에 달려 있고, 로봇은 `odom`에 서 있고, `odom`은 `map` 안에 있습니다.
-# 나머지를 이어 봅시다. 오늘은 로봇이 서 있으므로 모든 연결이 정적이어도 됩니다.
+# 레이저는 로봇에 달려 있고, 로봇은 [[odom|`odom`]](바퀴가 짐작하는 위치의 기준)에 서 있고, `odom`은 [[map|`map`]](건물) 안에 있습니다.
+# [[base_footprint|`base_footprint`]]는 로봇 바로 아래 바닥에 있는 자리입니다.
+# 나머지를 이어 봅시다. 오늘은 로봇이 서 있으므로 모든 연결(부모와 자식의 쌍)이 정적이어도 됩니다. 그림에는 **S**로 표시됩니다.
+# (ROS 2는 누가 발행한 연결인지 전해 주지 않으므로 마지막 열은 모두 `default_authority`입니다.)
 
 # %% name="the-rest-of-the-robot" slide="skip"
 # %ros2 run tf2_ros static_transform_publisher --x 4 --y 1 --yaw 1.5707963 --frame-id map --child-frame-id odom
@@ -667,10 +673,14 @@ if ... not in (wanted_in, written_in):
 # ## The way back
 #
 # Stand up. You are the laser: face left, with the robot's middle 20 cm away from you.
-# Where is the robot's middle, **as you see it**?
+# Where is the robot's middle, **as you see it**? Point at it before you read on.
+#
+# <details><summary>Sit down again</summary>
 #
 # The robot's front is to your right now, so its middle, which lies behind the mount, is on your **left**: +y, not −x.
 # A flipped sign would have said "20 cm behind you", and that is the door.
+#
+# </details>
 #
 # A transform is "turn, then step": a turn R and a step t. To undo it, take the step off, then turn back.
 # Written as "turn, then step" again, the step comes out turned, too:
@@ -686,10 +696,14 @@ if ... not in (wanted_in, written_in):
 # ## 돌아가는 길
 #
 # 자리에서 일어나 보십시오. 여러분이 레이저입니다. 왼쪽을 보고 섭니다. 로봇의 중심은 20 cm 떨어져 있습니다.
-# **여러분이 볼 때** 로봇의 중심은 어느 쪽입니까?
+# **여러분이 볼 때** 로봇의 중심은 어느 쪽입니까? 손으로 가리킨 다음 아래를 여십시오.
+#
+# <details><summary>다시 앉으십시오</summary>
 #
 # 이제 로봇의 앞은 여러분의 오른쪽입니다. 중심은 레이저가 달린 자리보다 뒤에 있으므로 여러분의 **왼쪽**, 즉 −x가 아니라 +y입니다.
 # 부호만 뒤집었다면 "등 뒤 20 cm"라고 했을 텐데, 거기에는 문이 있을 뿐입니다.
+#
+# </details>
 #
 # 변환은 "돌린 다음 옮기기", 곧 회전 R과 이동 t입니다. 되돌리려면 옮긴 것을 먼저 빼고, 그다음 반대로 돌립니다.
 # 이것을 다시 "돌린 다음 옮기기"로 쓰면 이동도 함께 돌아갑니다.
@@ -809,12 +823,14 @@ draw_mount(math.pi / 2)
 #
 # Here is `tf2_echo base_link laser_frame`.
 # Before you run the cell after it: what will the Translation of `tf2_echo laser_frame base_link` be?
+# (`--for 1.5` belongs to the page: it stops the tool after a second and a half. In a terminal you leave it out, and press Ctrl-C.)
 
 # %% [markdown] lang="ko" name="echo-predict" slide="subslide"
 # ### 첫 출력에서 둘째 출력 예측하기
 #
 # 아래는 `tf2_echo base_link laser_frame`입니다.
 # 그다음 셀을 실행하기 전에, `tf2_echo laser_frame base_link`의 Translation이 무엇일지 적어 보십시오.
+# (`--for 1.5`는 이 페이지에만 있는 것으로, 1.5초 뒤에 도구를 멈춥니다. 터미널에서는 빼고 입력한 다음 Ctrl-C로 멈춥니다.)
 
 # %% name="echo-one-way" slide="-"
 # %ros2 --for 1.5 run tf2_ros tf2_echo base_link laser_frame
