@@ -7,12 +7,14 @@ import math
 
 import pytest
 
-from tflab.core import Transform
+from tflab.core import BufferCore, Transform
+from tflab.ros.messages import geometry_msgs
+from tflab.ros.time import Time
 from tflab.workbook import check, checks, hint, solution, task
 from tflab.workbook.forms import Angle, Parts, Vector
 from tflab.workbook.places import WorkbookError
 from tflab.workbook.sealed import seal
-from tflab.workbook.showing import show_in_a_line
+from tflab.workbook.showing import show, show_in_a_line
 from tflab.workbook.values import to_plain
 from tflab.workbook.verdict import judge_outcomes
 
@@ -226,6 +228,10 @@ def test_units_inside_parts_are_recognised(is_sealed):
         assert (verdict.kind, verdict.detail["part"], verdict.detail["unit"]) == ("unit", part, unit)
 
 
+a_point = geometry_msgs.PointStamped()
+a_point.header.frame_id, a_point.header.stamp = "laser_frame", Time(nanoseconds=2_500_000_000).to_msg()
+
+
 @pytest.mark.parametrize(
     ("value", "text"),
     [
@@ -234,7 +240,14 @@ def test_units_inside_parts_are_recognised(is_sealed):
         (0.00012, "0.00012"),
         (Transform(), "translation (0.000, 0.000, 0.000), rotation xyzw (0.000, 0.000, 0.000, 1.000)"),
         ("two\nlines", "two …"),
+        (a_point, 'PointStamped in "laser_frame" at 2.500000000 s'),
+        (BufferCore(), "buffer with 0 frames"),
     ],
 )
 def test_a_value_is_shown_in_a_line(value, text):
     assert show_in_a_line(value) == text
+
+
+def test_rows_of_numbers_stand_below_their_name_and_in_line():
+    rows = [[20.0 + i, 20.1 + i] for i in range(6)]
+    assert show({"scan": rows}).splitlines()[:2] == ["scan:", "    [20.000, 20.100]"]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from collections import deque
 
 import numpy as np
 import pytest
@@ -55,6 +56,10 @@ json_like = st.recursive(
 def test_whatever_is_made_of_lists_tuples_and_dicts_comes_back(value):
     plain = to_plain(value)
     assert to_plain(from_plain(json.loads(json.dumps(plain, allow_nan=False)))) == plain
+
+
+def test_a_queue_is_an_answer_as_a_list_is():
+    assert to_plain(deque([1.0, 2.0], maxlen=2)) == [1.0, 2.0]
 
 
 def test_a_nan_is_kept_as_a_nan():

@@ -50,11 +50,11 @@ def show(value: Any) -> str:
         head = f"{value.frame_id} -> {value.child_frame_id} at {_seconds(value.stamp_ns)}"
         return f"{head}: {show(value.transform)}"
     if isinstance(value, BufferCore | tf2_buffer.BufferCore):
-        return _buffer(value if isinstance(value, BufferCore) else value.core)
+        return _buffer(_buffer_of(value))
     if isinstance(value, Message):
         return f"{value.ROS_TYPE}\n{message_to_yaml(value)}".rstrip()
     if isinstance(value, Mapping):
-        return "\n".join(f"{key}: {show(inner)}" for key, inner in value.items())
+        return "\n".join(_named(str(key), show(inner)) for key, inner in value.items())
     if isinstance(value, np.ndarray):
         value = value.tolist()
     if isinstance(value, list | tuple):
@@ -69,10 +69,22 @@ def show_in_a_line(value: Any, at_most: int = 200) -> str:
     elif isinstance(value, list | tuple):
         left, right = "[]" if isinstance(value, list) else "()"
         text = left + ", ".join(show_in_a_line(member, at_most) for member in value) + right
+    elif isinstance(value, BufferCore | tf2_buffer.BufferCore):
+        text = f"buffer with {len(_buffer_of(value).frame_names())} frames"
+    elif isinstance(value, Message) and hasattr(value, "header"):
+        header = value.header
+        stamp = _seconds(header.stamp.sec * NS_PER_S + header.stamp.nanosec)
+        text = f'{value.ROS_TYPE.rpartition("/")[2]} in "{header.frame_id}" at {stamp}'
     else:
         lines = show(value).splitlines() or ['""']
         text = lines[0] if len(lines) == 1 else f"{lines[0]} …"
     return text if len(text) <= at_most else text[:at_most] + " …"
+
+
+def _named(name: str, text: str) -> str:
+    if "\n" not in text:
+        return f"{name}: {text}"
+    return "\n".join((f"{name}:", *(f"    {line}" for line in text.splitlines())))
 
 
 def _row(members: list | tuple) -> str:
@@ -81,6 +93,10 @@ def _row(members: list | tuple) -> str:
         return "\n".join(texts)
     left, right = "[]" if isinstance(members, list) else "()"
     return left + ", ".join(texts) + right
+
+
+def _buffer_of(value: BufferCore | tf2_buffer.BufferCore) -> BufferCore:
+    return value if isinstance(value, BufferCore) else value.core
 
 
 def _buffer(buffer: BufferCore) -> str:
@@ -95,7 +111,9 @@ def _buffer(buffer: BufferCore) -> str:
             lines.append(f"{edge}  static")
         else:
             first, last = map(_seconds, (history.stamps_ns[0], history.stamps_ns[-1]))
-            lines.append(f"{edge}  {len(history.stamps_ns)} samples from {first} to {last}")
+            count = len(history.stamps_ns)
+            when = f"{count} samples from {first} to {last}" if count > 1 else f"1 sample at {first}"
+            lines.append(f"{edge}  {when}")
     return "\n".join(lines)
 
 

@@ -19,6 +19,7 @@ from __future__ import annotations
 
 import math
 from array import array
+from collections import deque
 from collections.abc import Callable, Mapping
 from types import SimpleNamespace
 from typing import Any
@@ -112,7 +113,7 @@ class _Writer:
             return dict(UNANSWERED)
         if isinstance(value, np.ndarray) and value.dtype.kind in "bifu":
             return {"array": self.plain(value.tolist(), depth + 1)}
-        if isinstance(value, array | bytes):
+        if isinstance(value, array | bytes | deque):
             return self.plain(list(value), depth)
         if isinstance(value, Transform):
             return {"Transform": _rows(value)}
