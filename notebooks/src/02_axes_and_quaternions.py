@@ -782,7 +782,7 @@ print("camera_link:", fmt_all(camera_T_optical.apply((right, down, forward))))
 # Note the second command. It is the one that the contest lacked.
 
 # %% [markdown] lang="ko" name="break-zero" slide="slide"
-# ## 일부러 고장 내기 1: 모두 0
+# ## 일부러 망가뜨리기 1: 모두 0
 #
 # 이제 ROS 2로 해 봅니다. `%ros2`로 시작하는 줄은 ROS 2 명령입니다. 여기서는 페이지 안에서 실행되고, 로봇에서는 터미널에 입력합니다.
 # 먼저 올바른 카메라부터 만듭니다. 카메라를 장착하고, 그 자리에 광학 좌표계를 둡니다.
@@ -893,7 +893,7 @@ driver.destroy_node()  # the rear camera goes home
 # A depth camera looks at a wall 2 m ahead, and at the floor before it. Here is what it measures, in its own axes: right, down, forward.
 
 # %% [markdown] lang="ko" name="break-cloud" slide="slide"
-# ## 일부러 고장 내기 2: 헤더의 단어 하나
+# ## 일부러 망가뜨리기 2: 헤더의 단어 하나
 #
 # 깊이 카메라가 2 m 앞의 벽과 그 앞의 바닥을 보고 있습니다. 카메라 자신의 축(오른쪽, 아래, 앞)으로 잰 값은 이렇습니다.
 

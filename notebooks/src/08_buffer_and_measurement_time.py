@@ -12,7 +12,7 @@
 # - estimate how far off you are if you do not.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
-# # 08 · 그것을 보았을 때 나는 어디에 있었나?
+# # 08 · 그것을 보았을 때 나는 어디에 있었습니까?
 #
 # **버퍼와 측정 시각** · 약 55분 · 01, 03, 04, 05, 06장을 바탕으로 합니다
 #
@@ -466,7 +466,7 @@ for stamp_s in (1.0, 1.25, 1.5, 1.75, 2.0):
 # What does `Time()` get?
 
 # %% [markdown] lang="ko" name="latest-common" slide="slide"
-# ### "최신"은 얼마나 새로운가?
+# ### "최신"은 얼마나 새롭습니까?
 #
 # 조회 하나가 여러 차선을 지나고, 차선 *하나하나*에 그 시각의 값이 있어야 합니다.
 # 그림에서 칠해진 띠가 모든 차선에 값이 있는 구간입니다.
@@ -741,7 +741,7 @@ draw_placed(ways, walls=ROOM.walls)
 #
 # 왼쪽 그림도 완벽하지는 않습니다. 평균 4 cm, 최대 26 cm 어긋납니다.
 # 한 바퀴 훑는 데 0.1초가 걸리고, 헤더의 측정 시각은 *첫* 광선의 시각입니다. 마지막 광선은 0.1초 뒤에 쟀습니다.
-# 이것이 [[motion distortion|움직임 왜곡(motion distortion)]]이고, 치료법은 이미 압니다. 광선마다 자기 시각으로 물으면 됩니다.
+# 이것이 [[motion distortion|움직임 왜곡(motion distortion)]]이고, 해결책은 이미 압니다. 광선마다 자기 시각으로 물으면 됩니다.
 
 # %% name="ray-by-ray"
 rays = []
@@ -866,7 +866,7 @@ simulation.lookup_transform("map", "base_link", seconds(1574652168.59))
 # Whoever computes longer than that comes home to an empty house:
 
 # %% [markdown] lang="ko" name="how-long" slide="slide"
-# ## 버퍼는 얼마나 오래 기억해야 하나?
+# ## 버퍼는 얼마나 오래 기억해야 합니까?
 #
 # 버퍼는 잊습니다. 차선마다 가장 새로운 표본에서 거꾸로 세어 [[cache time|보관 시간(cache time)]]만큼만 간직합니다. 따로 정하지 않으면 10초입니다.
 # 그보다 오래 계산하고 돌아오면 버퍼는 텅 비어 있습니다.
@@ -978,25 +978,25 @@ draw_moments(poses, (ball.x, ball.y, ball.z), "ball")
 # 여러분의 노드는 `header.stamp`로 묻습니다. 몇 번에 한 번씩 40 ms 모자라다며 "extrapolation into the future"가 나옵니다.
 # 동료 넷이 수정안 넷을 내놓았습니다. 하나를 고른 뒤 답을 펼쳐 보십시오.
 #
-# <details><summary>A. 측정 시각 대신 <code>Time()</code>으로 묻는다.</summary>
+# <details><summary>A. 측정 시각 대신 <code>Time()</code>으로 묻습니다.</summary>
 #
 # 오류는 사라지고, 이제 점마다 다른 순간의 자세로 옮겨집니다. 우리 방에서 도는 로봇은 그렇게 18 cm를 틀렸습니다. 시끄러운 오류를 조용한 오차와 맞바꾼 셈입니다.
 #
 # </details>
 #
-# <details><summary>B. 묻기 전에 <code>header.stamp</code>를 지금으로 바꾼다.</summary>
+# <details><summary>B. 묻기 전에 <code>header.stamp</code>를 지금으로 바꿉니다.</summary>
 #
 # 더 늦은 순간을 묻게 되어 거절이 늘고, 성공한 답은 지연 전체만큼 틀립니다. 게다가 그 메시지를 뒤에 읽을 모두에게 거짓말을 했습니다.
 #
 # </details>
 #
-# <details><summary>C. 측정 시각은 두고, 변환이 올 때까지 잠깐 기다리게 하고, 너무 오래되면 버린다.</summary>
+# <details><summary>C. 측정 시각은 두고, 변환이 올 때까지 잠깐 기다리게 하고, 너무 오래되면 버립니다.</summary>
 #
 # 맞습니다. 40 ms 모자라다는 것은 변환이 오는 중이라는 뜻입니다. 물은 순간은 옳았고 서둘렀을 뿐입니다. 막지 않고 기다리는 법과 기다릴 시간은 09장에서 다룹니다.
 #
 # </details>
 #
-# <details><summary>D. <code>cache_time</code>을 늘린다.</summary>
+# <details><summary>D. <code>cache_time</code>을 늘립니다.</summary>
 #
 # 보관 시간은 버퍼가 얼마나 *옛날*까지 기억하는지를 정합니다. 여러분이 묻는 것은 아직 도착하지 않았습니다. 아무리 긴 기억으로도 소용없습니다.
 #
@@ -1278,7 +1278,7 @@ node.stop()
 # | 증상 | 가능성이 큰 원인 | 첫 확인 |
 # |---|---|---|
 # | 회전할 때 스캔이 벽에 번짐 | 측정 시각 덮어쓰기, 또는 늦은 오도메트리 | `ros2 topic delay`, 다음에 `tf2_monitor` |
-# | 번지는데 delay는 0.000초 | 도중에 측정 시각을 덮어씀 | 누가 그 토픽을 다시 발행하는가? |
+# | 번지는데 delay는 0.000초 | 도중에 측정 시각을 덮어씀 | 그 토픽을 다시 발행하는 노드 |
 # | 몇 ms짜리 "extrapolation into the future" | 변환이 아직 오는 중 | 조금 기다림(09장) |
 # | "extrapolation into the past" | 긴 계산, 또는 짧은 보관 시간 | 데이터의 나이, `cache_time` |
 # | 서 있으나 움직이나 똑같이 어긋남 | 정적 장착 변환의 오류 | `tf2_echo base_link laser_frame` |
@@ -1375,7 +1375,7 @@ node.stop()
 #
 # **Q10.** 센서 메시지를 최신 변환이 아니라 측정 시각의 변환으로 바꾸어야 하는 이유는 무엇입니까? 다섯 줄로 쓴 뒤 채점 기준을 펼쳐 스스로 채점하십시오.
 #
-# <details><summary>채점 기준: 글에 들어 있는 생각 하나에 1점</summary>
+# <details><summary>채점 기준: 글에 들어 있는 내용 하나에 1점</summary>
 #
 # 1. 메시지는 측정 시각에 센서가 본 것을 말하며, 처리와 네트워크를 거쳐 쓰일 때는 이미 오래된 것입니다.
 # 2. 그사이 로봇이 움직이므로 최신 자세는 측정 순간의 센서 자세가 아닙니다.

@@ -317,7 +317,7 @@ for second in (14.3, 10.6):
 # Five questions, one line. With a little practice it takes ten seconds.
 
 # %% [markdown] lang="ko" name="worked" slide="slide"
-# ## 예제: 오류문 한 줄 읽기
+# ## 풀이 예제: 오류문 한 줄 읽기
 #
 # ```text
 # Lookup would require extrapolation into the future.  Requested time 14.300000
@@ -339,9 +339,9 @@ for second in (14.3, 10.6):
 # Here is the other line. Fill in the two blanks, and run the cell.
 
 # %% [markdown] lang="ko" name="faded" slide="subslide"
-# ## 두 칸을 채워 보십시오
+# ## 빈칸 두 개를 채워 보십시오
 #
-# 이번에는 다른 줄입니다. 두 칸을 채우고 셀을 실행하십시오.
+# 이번에는 다른 줄입니다. 빈칸 두 개를 채우고 셀을 실행하십시오.
 
 # %% name="two-blanks" slide="-"
 # ... into the past.  Requested time 10.600000 but the earliest data is at time 11.000000,
@@ -538,7 +538,7 @@ for when in (Time(seconds=99), Time()):
 # So when an extrapolation puzzles you, ask once more with `Time()`, the latest. If *that* says "not part of the same tree", you have been chasing the wrong fault.
 
 # %% [markdown] lang="ko" name="order-read" slide="-"
-# 앞의 표는 조금 지나치게 깔끔했습니다. tf2는 이름을 먼저 확인하지만, 경로와 시각은 **걸어가면서** 확인합니다.
+# 앞의 표는 조금 지나치게 깔끔했습니다. tf2는 이름을 먼저 확인하지만, 경로와 시각은 **경로를 따라가면서** 확인합니다.
 # 원본 쪽에서 올라가다 99 s의 값이 없는 `map → odom`을 만나 그 사실을 기억해 둡니다. 반대쪽이 다른 곳에서 끝난다는 것은 그다음에야 알게 됩니다.
 # 그래서 먼저 찾은 시각 문제를 보고합니다.
 #
@@ -626,7 +626,7 @@ for target, source, second in (
 # asked for the future        [--------------]   x     future extrapolation
 # ```
 #
-# | | 물어본 시각이 … | 흔한 원인 | 기다려도 낫지 않는 원인 |
+# | | 물어본 시각이 … | 흔한 원인 | 기다려도 해결되지 않는 원인 |
 # | --- | --- | --- | --- |
 # | **미래** | 최신 표본보다 새롭습니다 | 변환이 오는 중입니다. 발행이 느립니다(10 Hz면 최대 100 ms) | 센서 시계가 빠릅니다. 발행자 시계가 느립니다. 발행자가 죽었습니다 |
 # | **과거** | 가장 오래된 표본보다 오래됐습니다 | TF가 시작되기 전의 메시지입니다. 처리 시간이 버퍼의 기억보다 깁니다 | 센서 시계가 느립니다. 백의 옛 시각을 오늘의 TF에 물었습니다 |
@@ -659,7 +659,7 @@ except ExtrapolationException as error:
 # But ask first whether a robot should act on a picture that is four seconds old. We come back to that.
 
 # %% [markdown] lang="ko" name="short-memory-read" slide="-"
-# 치료는 생성자에 있습니다. `Buffer(cache_time=Duration(seconds=20))`입니다. 아무 말도 하지 않으면 10초입니다.
+# 고칠 곳은 생성자입니다. `Buffer(cache_time=Duration(seconds=20))`이라고 씁니다. 아무 말도 하지 않으면 10초입니다.
 # 다만 4초 전의 영상을 보고 로봇이 움직여도 되는지부터 물으십시오. 이 이야기는 뒤에서 다시 합니다.
 
 # %% [markdown] lang="en" name="late-or-wrong" slide="slide"
@@ -673,7 +673,7 @@ except ExtrapolationException as error:
 # %% [markdown] lang="ko" name="late-or-wrong" slide="slide"
 # ## 늦은 것일까요, 틀린 것일까요?
 #
-# 로봇이 두 대 있습니다. 로봇 A에서는 3 s에 Wi-Fi가 딸꾹질을 해서 변환이 도착하는 데 0.2~0.4 s가 걸립니다. 로봇 B에서는 3 s에 레이저 컴퓨터의 시계가 0.3 s 빠르게 맞춰집니다.
+# 로봇이 두 대 있습니다. 로봇 A에서는 3 s에 Wi-Fi가 잠시 버벅거려 변환이 도착하는 데 0.2~0.4 s가 걸립니다. 로봇 B에서는 3 s에 레이저 컴퓨터의 시계가 0.3 s 빠르게 맞춰집니다.
 #
 # 아래 노드는 숫자 하나를 지켜봅니다. **간격(gap)**, 곧 스캔의 시각에서 TF가 답할 수 있는 최신 시각을 뺀 값입니다.
 # 간격이 양수이면 미래 외삽입니다.
@@ -768,7 +768,7 @@ draw_ages([gap_curve('robot A', robot_a, 7.0), gap_curve('robot B', robot_b, 7.0
 # (3.1 s에서 B의 선이 살짝 꺾인 것도 실제로 일어나는 일입니다. 시계가 앞으로 뛰면 타이머도 일찍 울립니다.)
 #
 # - **늦음은 지나가고, 떨립니다**(A의 흔들림을 보십시오). 기다리면 건널 수 있습니다.
-# - **[[clock offset|시계 차이(clock offset)]]는 머무르고, 매끈합니다.** 기다려도 줄지 않습니다.
+# - **[[clock offset|시계 차이(clock offset)]]는 사라지지 않고, 매끈합니다.** 기다려도 줄지 않습니다.
 #
 # 하지만 두고 볼 필요도 없습니다. 도구 하나로 바로 가려집니다. `ros2 topic delay`는 *내가 들은 시각*에서 *그 안에 적힌 시각*을 뺀 값을 보여 줍니다. 아직 달리고 있는 로봇 B입니다.
 
@@ -783,7 +783,7 @@ draw_ages([gap_curve('robot A', robot_a, 7.0), gap_curve('robot B', robot_b, 7.0
 
 # %% [markdown] lang="ko" name="delay-read" slide="-"
 # 지연이 음수입니다. 스캔을 *측정하기도 전에* 0.195 s 먼저 들었습니다. 메시지는 그럴 수 없지만 시계는 그럴 수 있습니다.
-# (건강한 레이저라면 +0.105 s가 나옵니다. 한 바퀴 도는 데 0.1 s가 걸리므로 0.105 − 0.3 = −0.195입니다.)
+# (정상인 레이저라면 +0.105 s가 나옵니다. 한 바퀴 도는 데 0.1 s가 걸리므로 0.105 − 0.3 = −0.195입니다.)
 #
 # 변환 쪽은 어떨까요? `/tf`에는 자체 헤더가 없어서 도구가 *msg does not have header*라고 답합니다. 하지만 오도메트리 노드는 같은 시계로 시각을 찍은 `/odom`도 보냅니다.
 
@@ -1083,7 +1083,7 @@ draw_lanes(patient)
 # To make it harder, every transform now takes 0.15 s to arrive.
 
 # %% [markdown] lang="ko" name="cure-threads" slide="subslide"
-# ### 치료 하나: 편지는 다른 사람이 가져옵니다
+# ### 해결책 하나: 편지는 다른 사람이 가져옵니다
 #
 # 수신기의 구독은 따로 마련된 *재진입(reentrant)* 콜백 그룹에 있습니다. 그래서 스레드가 여럿인 실행기는 여러분의 콜백이 기다리는 동안에도 수신기를 부를 수 있습니다. 단어 하나만 바뀝니다.
 # 더 어렵게, 이제 변환마다 도착하는 데 0.15 s가 걸립니다.
@@ -1102,7 +1102,7 @@ draw_lanes(patient)
 # And a promise must be looked at: `future.result()` gives the transform, or raises what went wrong.
 
 # %% [markdown] lang="ko" name="cure-async" slide="subslide"
-# ### 치료 둘: 기다리지 말고 불러 달라고 하십시오
+# ### 해결책 둘: 기다리지 말고 불러 달라고 하십시오
 #
 # `wait_for_transform_async`는 *퓨처*(future)를 바로 돌려줍니다. 변환이 오면 지켜지는 약속입니다. 콜백은 순식간에 끝나고 스레드는 하나면 됩니다.
 #
@@ -1176,7 +1176,7 @@ draw_lanes(called)
 # %% [markdown] lang="ko" name="policy" slide="slide"
 # ## 얼마나 오래, 몇 개까지, 얼마나 오래된 것까지?
 #
-# 기다림에는 값이 따릅니다. 기다리면 줄이 생깁니다. 로봇에는 달리기 *전에* 네 가지 답이 필요하며, 답은 tf2가 아니라 여러분이 정합니다.
+# 기다림에는 대가가 따릅니다. 기다리면 줄이 생깁니다. 로봇에는 달리기 *전에* 네 가지 답이 필요하며, 답은 tf2가 아니라 여러분이 정합니다.
 #
 # 1. TF가 늦으면 얼마나 기다릴까요?
 # 2. 시간 안에 못 온 것은 버릴까요, 둘까요?
@@ -1291,10 +1291,10 @@ draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 #
 # 로봇에 컴퓨터가 두 대 있습니다. 한 시간째 모든 스캔이 *extrapolation into the future*로 실패합니다. 언제나 0.40 s이고 오차는 2 ms 남짓입니다. `ros2 topic delay /scan`은 −0.31을 보여 줍니다. 어떻게 하겠습니까?
 #
-# 1. `timeout=Duration(seconds=1)`을 넣는다
-# 2. 측정 시각 대신 최신을 뜻하는 `Time()`으로 묻는다
-# 3. `header.stamp`에 도착한 시각을 써 넣는다
-# 4. 두 컴퓨터에서 `chronyc tracking`을 실행하고 시계를 바로잡는다
+# 1. `timeout=Duration(seconds=1)`을 넣습니다
+# 2. 측정 시각 대신 최신을 뜻하는 `Time()`으로 묻습니다
+# 3. `header.stamp`에 도착한 시각을 써 넣습니다
+# 4. 두 컴퓨터에서 `chronyc tracking`을 실행하고 시계를 바로잡습니다
 #
 # <details><summary>1번</summary>
 #
@@ -1518,7 +1518,7 @@ graph.run(seconds=4)
 # %% [markdown] lang="ko" name="practice" slide="subslide"
 # ## 서술형 문제
 #
-# 종이에 답한 뒤 목록을 열어 스스로 채점하십시오. 담긴 내용 하나에 1점입니다.
+# 종이에 답한 뒤 목록을 열어 스스로 채점하십시오. 들어 있는 내용 하나에 1점입니다.
 #
 # **Q11.** LookupException, ConnectivityException, ExtrapolationException은 어떻게 다릅니까?
 #

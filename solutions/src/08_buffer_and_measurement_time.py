@@ -10,9 +10,9 @@
 # %% [markdown] lang="ko" name="title"
 # # 연습 문제 08 · 버퍼와 측정 시각
 #
-# 과제 일곱 개, 22점, 한 시간쯤 걸립니다. 함께 보는 페이지: [08 · 그것을 보았을 때 나는 어디에 있었나?](../../notebooks/ko/08_buffer_and_measurement_time.ipynb)
+# 과제 일곱 개, 22점, 한 시간쯤 걸립니다. 함께 보는 페이지: [08 · 그것을 보았을 때 나는 어디에 있었습니까?](../../notebooks/ko/08_buffer_and_measurement_time.ipynb)
 #
-# `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 셀을 실행한 다음, 아래의 check를 실행하십시오.
+# `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 셀을 실행한 다음, 아래의 확인 셀을 실행하십시오.
 # 틀린 답을 내면 어떤 실수로 보이는지 알려 줍니다. `hint("E8.1")`은 세 힌트 가운데 첫 번째를 보여 줍니다.
 # 숫자는 `task(...)`가 주며 옆 사람과 다를 수 있습니다. 그러니 따로 계산한 숫자가 아니라 `e8_1.clock_s - 1.0` 같은 식으로 답하십시오.
 
@@ -38,7 +38,7 @@ from tf2_ros import Buffer, ExtrapolationException, TransformException
 # Somebody calls `lookup_transform('map', 'laser_frame', Time())`. At which time [s] is the answer?
 
 # %% [markdown] lang="ko" name="e8-1"
-# ## E8.1 · 최신은 얼마나 새로운가? (2점)
+# ## E8.1 · 최신은 얼마나 새롭습니까? (2점)
 #
 # 버퍼에 아래의 차선들이 있습니다. `oldest_s`와 `newest_s`는 동적 연결마다 첫 표본과 마지막 표본의 측정 시각이고, `static`에 있는 연결은 오래전에 한 번 보낸 것입니다.
 # 벽시계는 `clock_s`를 가리킵니다.
@@ -131,7 +131,7 @@ check("E8.3", point_to_map)
 # `"forwards_m"` and `"left_m"`, with their signs, and `"together_m"`, their length.
 
 # %% [markdown] lang="ko" name="e8-4"
-# ## E8.4 · 얼마나 빗나가나? (3점)
+# ## E8.4 · 얼마나 빗나갑니까? (3점)
 #
 # 로봇이 아래처럼 달리고 돌면서 정면 `range_m` 앞의 물체를 봅니다.
 # `delay_ms` 뒤에 누군가 *지금*의 자세로 그 관측을 옮깁니다. (단위에 주의하십시오. 데이터시트를 쓴 사람이 저마다 다릅니다.)
@@ -202,7 +202,7 @@ check("E8.5", causes)
 # Which `cache_time` [s] is the smallest that is enough for every picture, wherever its stamp falls between two samples?
 
 # %% [markdown] lang="ko" name="e8-6"
-# ## E8.6 · 얼마나 오래 기억해야 하나? (2점)
+# ## E8.6 · 얼마나 오래 기억해야 합니까? (2점)
 #
 # 검출기는 `thinking_s` 동안 계산한 뒤 사진의 측정 시각으로 변환을 묻습니다.
 # 경로의 연결은 각각 `rate_hz`로 발행되며, 재자마자 보냅니다.
@@ -226,7 +226,7 @@ check("E8.6", cache_time_s)
 # Return its coordinates `(x, y, z)` in `base_link` as base_link is at `now`, with `odom` as the frame that stands still.
 
 # %% [markdown] lang="ko" name="e8-7"
-# ## E8.7 · 지금은 어디에 있나? (4점)
+# ## E8.7 · 지금은 어디에 있습니까? (4점)
 #
 # 메시지는 물체가 측정 시각에 어느 센서의 좌표계에서 어디에 보였는지 말합니다. 물체는 가만히 있고 로봇은 계속 달렸습니다.
 # `now` 시각의 `base_link` 기준으로 물체의 좌표 `(x, y, z)`를 반환하십시오. 가만히 있는 좌표계는 `odom`입니다.

@@ -13,7 +13,7 @@
 #
 # 과제는 일곱, 22점, 약 45분입니다. 이 장의 본문은 [여기](../../notebooks/ko/09_exceptions_and_waiting.ipynb)에 있습니다.
 #
-# `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고, 그 셀을 실행한 다음, 바로 아래의 check 셀을 실행하십시오.
+# `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고, 그 셀을 실행한 다음, 바로 아래의 확인 셀을 실행하십시오.
 # `check`는 어떤 실수인지 알려 주고, `hint("E9.2")`는 한 단계씩 도와줍니다.
 #
 # E9.2, E9.3, E9.5에서 쓴 코드는 로봇에서 그대로 실행됩니다.
@@ -170,11 +170,11 @@ check("E9.3", decide)
 # Write down what you see, or have Python find it: both count.
 
 # %% [markdown] lang="ko" name="e9-4"
-# ## E9.4 · 늦은 것인가, 틀린 것인가? (3점)
+# ## E9.4 · 늦은 것입니까, 틀린 것입니까? (3점)
 #
 # 로봇 세 대의 로그에 똑같은 경고가 있습니다. 약 3분의 1초만큼의 미래 외삽입니다.
 # 로봇마다 `/scan`과 `/odom` 메시지를 여섯 개씩 적었습니다. 한 행은 (측정 시각, 들은 시각)[s]이고, 들은 시각은 듣는 컴퓨터의 시계로 적었습니다.
-# 건강한 `/scan`은 측정 후 약 0.105 s, 건강한 `/odom`은 약 0.005 s 뒤에 들립니다.
+# 정상인 `/scan`은 측정 후 약 0.105 s, 정상인 `/odom`은 약 0.005 s 뒤에 들립니다.
 #
 # - `"a"`, `"b"`, `"c"`: 로봇 a, b, c의 원인은 무엇입니까? `"transforms arrive late"`(변환이 늦게 옴), `"laser clock is fast"`(레이저 시계가 빠름), `"cannot be told from this"`(이것만으로는 알 수 없음) 가운데 하나입니다.
 # - `"a do"`, `"b do"`, `"c do"`: 어떻게 합니까? `"wait a little"`(조금 기다린다), `"set the laser's clock"`(레이저의 시계를 맞춘다), `"ask chrony on both computers"`(두 컴퓨터에서 chrony에 묻는다), `"set a timeout of 10 s"`(timeout을 10초로 한다) 가운데 하나입니다.
@@ -216,7 +216,7 @@ check("E9.4", causes)
 # 결정에 쓸 만한 것만 남기십시오. `max_age_s`보다 오래된 것은 버리고, 미래에서 온 것도 버리고, 가장 새로운 것부터 `max_size`개까지만 남깁니다.
 #
 # `{"kept": [...], "lost": n}`을 반환하십시오. 남는 시각을 오래된 것부터, 그리고 버린 개수입니다.
-# 둘 다 채점합니다. 남긴 것은 신선도이고, 버린 것은 그 값입니다.
+# 둘 다 채점합니다. 남긴 것은 신선함이고, 버린 것은 그 대가입니다.
 
 # %% name="e9-5-answer" tags=["answer"]
 def keep(stamps_s, now_s, max_age_s, max_size):

@@ -428,7 +428,7 @@ TASKS = (
             Twin("path before moment", path_first, misconception="M11",
                  reply=Words(
                      en="where a question has no path and no data either, tf2 reports what it finds first while it walks. Ask tf2 once, with the stamp, and believe it; do not check the path yourself beforehand.",
-                     ko="경로도 없고 데이터도 없는 질문이라면 tf2는 걸어가며 먼저 찾은 것을 보고합니다. 경로를 미리 따로 확인하지 말고, 주어진 시각으로 한 번만 묻고 그 답을 믿으십시오.")),
+                     ko="경로도 없고 데이터도 없는 질문이라면 tf2는 경로를 따라가며 먼저 찾은 것을 보고합니다. 경로를 미리 따로 확인하지 말고, 주어진 시각으로 한 번만 묻고 그 답을 믿으십시오.")),
             Twin("two texts", two_texts, misconception="M11",
                  reply=Words(
                      en="extrapolation has three texts, and your function knows two. What does tf2 say of an edge that has been heard exactly once?",
@@ -462,7 +462,7 @@ TASKS = (
             Twin("waits however far", lambda b, m: action(b, m, limit_s=1e6), misconception="M10",
                  reply=Words(
                      en="your function waits for any future, however far off. A gap of more than 0.2 s is not data on its way: no wait cures it.",
-                     ko="아무리 먼 미래라도 기다립니다. 0.2 s를 넘는 간격은 오는 중인 데이터가 아닙니다. 기다려도 낫지 않습니다.")),
+                     ko="아무리 먼 미래라도 기다립니다. 0.2 s를 넘는 간격은 오는 중인 데이터가 아닙니다. 기다려도 해결되지 않습니다.")),
             Twin("gap from the text", lambda b, m: action(b, m, by_text=True), misconception="M11",
                  reply=Words(
                      en="the time in the text is that of the first edge that failed, not of the slowest. A wait must last until *every* edge on the way is there: reckon from the latest common time.",
@@ -492,7 +492,7 @@ TASKS = (
     ),
     Task(
         id="E9.4", kind="D", points=3,
-        title=Words(en="Late, or wrong?", ko="늦은 것인가, 틀린 것인가?"),
+        title=Words(en="Late, or wrong?", ko="늦은 것입니까, 틀린 것입니까?"),
         answer="causes",
         form=Parts({
             **{name: Choice(CAUSES) for name in "abc"},
@@ -525,7 +525,7 @@ TASKS = (
             Words(en="For each topic: heard minus stamp. Then look at three things: sign, size, tremble.",
                   ko="토픽마다 들은 시각에서 측정 시각을 빼십시오. 그리고 부호, 크기, 떨림 세 가지를 보십시오."),
             Words(en="A healthy /scan is about 0.105 s, a healthy /odom about 0.005 s. Which topic of each robot is not healthy?",
-                  ko="건강한 /scan은 약 0.105 s, 건강한 /odom은 약 0.005 s입니다. 로봇마다 어느 토픽이 건강하지 않습니까?"),
+                  ko="정상인 /scan은 약 0.105 s, 정상인 /odom은 약 0.005 s입니다. 로봇마다 어느 토픽이 정상이 아닙니까?"),
             Words(en="Negative: a clock, and you can say whose. Positive and trembling: the network. Positive and smooth: either, and one-way times cannot tell.",
                   ko="음수면 시계이고, 누구의 시계인지 말할 수 있습니다. 양수이고 떨리면 네트워크입니다. 양수이고 매끈하면 둘 중 어느 쪽인지 한 방향 시각만으로는 알 수 없습니다."),
         ),
@@ -541,7 +541,7 @@ TASKS = (
             Twin("keeps the oldest", lambda *a: kept(*a, oldest=True),
                  reply=Words(
                      en="when the queue is full, yours turns the new ones away. Then the robot decides on the oldest data it has. Let the oldest go.",
-                     ko="큐가 꽉 차면 새 메시지를 돌려보내고 있습니다. 그러면 로봇은 가진 것 중 가장 오래된 데이터로 결정합니다. 가장 오래된 것을 보내십시오.")),
+                     ko="큐가 꽉 차면 새 메시지를 돌려보내고 있습니다. 그러면 로봇은 가진 것 중 가장 오래된 데이터로 결정합니다. 가장 오래된 것부터 버리십시오.")),
             Twin("age ignored", lambda *a: kept(*a, ages=False),
                  reply=Words(
                      en="there are messages in your queue that are older than the limit. A queue that is not full may still be stale.",
@@ -565,10 +565,10 @@ TASKS = (
         ),
         hints=(
             Words(en="Three sieves, one after the other: from the future, too old, too many.",
-                  ko="체 세 개를 차례로 거치십시오. 미래에서 온 것, 너무 오래된 것, 너무 많은 것입니다."),
+                  ko="차례로 세 번 거르십시오. 미래에서 온 것, 너무 오래된 것, 너무 많은 것입니다."),
             Words(en="Sort by stamp before you count from the end.", ko="뒤에서부터 세기 전에 시각 순으로 정렬하십시오."),
             Words(en="`0 <= now_s - stamp <= max_age_s` for the first two; a slice from the end for the third. Lost is what came minus what stayed.",
-                  ko="앞의 둘은 `0 <= now_s - stamp <= max_age_s`, 셋째는 끝에서 자르기입니다. 잃은 수는 들어온 수에서 남은 수를 뺀 것입니다."),
+                  ko="앞의 둘은 `0 <= now_s - stamp <= max_age_s`, 셋째는 끝에서 자르기입니다. 버린 수는 들어온 수에서 남은 수를 뺀 것입니다."),
         ),
         cures=("M10",),
     ),
