@@ -32,7 +32,7 @@ LONGEST_TEXT = 2000
 LONGEST_CODE = 64 << 20
 WARMING = (
     "x = {'a': [1, 2.5], 'b': (None, True)}\nprint(x)",
-    "import math\ndef f(x, y):\n    \"\"\"Return something.\"\"\"\n    return math.hypot(x, y)  # [m]\nf(3, 4)",
+    'import math\ndef f(x, y):\n    """Return something."""\n    return math.hypot(x, y)  # [m]\nf(3, 4)',
     f"from IPython.display import display\ndisplay({{{PROBE_MIME!r}: {{'id': '', 'v': [x]}}}}, raw=True)",
     "1 / 0",
 )
