@@ -1,7 +1,7 @@
 # %% [markdown] lang="en" name="title" slide="slide"
 # # 09 · Four ways to not get an answer
 #
-# 60 minutes · builds on 03 (target and source) and 08 (the buffer, and measurement time)
+# **Exceptions and waiting** · about 60 minutes · builds on 03 (target and source) and 08 (the buffer, and measurement time)
 #
 # When you have worked through this page, you can
 #
@@ -14,7 +14,7 @@
 # %% [markdown] lang="ko" name="title" slide="slide"
 # # 09 · 답을 얻지 못하는 네 가지 길
 #
-# 60분 · 03장(목표와 원본)과 08장(버퍼와 측정 시각)에 이어집니다
+# **예외와 기다림** · 60분쯤 · 03장(목표와 원본)과 08장(버퍼와 측정 시각)에 이어집니다
 #
 # 이 장을 마치면 다음을 할 수 있습니다.
 #
@@ -113,7 +113,7 @@ from tflab.views.work import Work, draw_work
 # For some of them that was the cure. For others it was a plaster over a wound.
 # **How can you tell which?** That is what this chapter is about.
 #
-# Here is how two clocks look from the outside. The three scans are stamped and sent by the robot's clock, and received by the desktop's. (The numbers are ours.)
+# Here is how two clocks look from the outside. The three scans are stamped and sent by the robot's clock, and received by the desktop's. (The numbers are ours. "Dropped": the desktop found no transform for it.)
 
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 43밀리초 뒤의 미래
@@ -127,7 +127,7 @@ from tflab.views.work import Work, draw_work
 # 누군가에게는 그것이 치료였고, 누군가에게는 상처를 가린 반창고였습니다.
 # **어느 쪽인지 어떻게 알 수 있을까요?** 그것이 이 장의 주제입니다.
 #
-# 두 시계가 어긋나면 밖에서는 이렇게 보입니다. 세 스캔의 측정과 송신은 로봇의 시계로, 수신은 데스크톱의 시계로 적었습니다. (숫자는 예시입니다.)
+# 두 시계가 어긋나면 밖에서는 이렇게 보입니다. 세 스캔의 측정과 송신은 로봇의 시계로, 수신은 데스크톱의 시계로 적었습니다. (숫자는 예시입니다. "dropped"는 데스크톱이 그 스캔의 변환을 찾지 못해 버렸다는 뜻입니다.)
 
 # %% name="story-picture" slide="-"
 draw_journeys([
@@ -312,7 +312,7 @@ for second in (14.3, 10.6):
 # 2. **Whose moment?** "Requested time 14.300000" is the stamp that the *asker* brought: usually `header.stamp` of a message.
 # 3. **How far outside?** 14.3 − 14.0 = 0.3 s.
 # 4. **Which data, wanted where?** "from frame [laser_frame] to frame [map]": data expressed in `laser_frame`, wanted in `map`. That is the sentence of chapter 03, and neither name is accused.
-# 5. **Which edge?** The one on the way whose *newest* sample is from 14.000000. Look for that number: `map → odom`. (If several edges end too early, the text tells of the one met first on the way up from the source. There may be a lazier one behind it.)
+# 5. **Which edge?** The one on the way whose *newest* sample is from 14.000000. Look for that number: `map → odom`. (If several edges end too early, the text tells of only one: in a question to the root, such as `map`, the one met first on the way up from the source. There may be a lazier one behind it.)
 #
 # Five questions, one line. With a little practice it takes ten seconds.
 
@@ -329,7 +329,7 @@ for second in (14.3, 10.6):
 # 2. **누구의 시각입니까?** "Requested time 14.300000"은 *질문한 쪽*이 가져온 시각입니다. 대개 메시지의 `header.stamp`입니다.
 # 3. **얼마나 벗어났습니까?** 14.3 − 14.0 = 0.3 s입니다.
 # 4. **어떤 데이터를 어디에서 보려 합니까?** "from frame [laser_frame] to frame [map]": `laser_frame`으로 표현된 데이터를 `map`에서 보려 합니다. 03장의 그 문장이며, 어느 이름도 범인으로 지목된 것이 아닙니다.
-# 5. **어느 연결입니까?** 경로 위에서 *최신* 표본이 14.000000인 연결입니다. 그 숫자를 찾으면 `map → odom`입니다. (여러 연결이 일찍 끝났다면 오류문은 원본에서 올라가며 처음 만난 연결만 말합니다. 그 뒤에 더 게으른 연결이 있을 수 있습니다.)
+# 5. **어느 연결입니까?** 경로 위에서 *최신* 표본이 14.000000인 연결입니다. 그 숫자를 찾으면 `map → odom`입니다. (여러 연결이 일찍 끝났어도 오류문은 하나만 말합니다. `map` 같은 루트로 물었다면 원본에서 올라가며 처음 만난 연결입니다. 그 뒤에 더 게으른 연결이 있을 수 있습니다.)
 #
 # 한 줄에 다섯 질문입니다. 조금만 연습하면 10초면 됩니다.
 
@@ -412,13 +412,13 @@ for stamp_ns in (14_000_000_000, 14_000_000_001):
 buffer.lookup_transform('map', 'laser_fame', Time())
 
 # %% [markdown] lang="en" name="lookup-read" slide="-"
-# It says which argument, and which name. Read the name letter by letter, as the buffer does. (We wanted fame, and got a typo.)
+# It says which argument, and which name. Read the name letter by letter, as the buffer does. (Here the r of frame is missing.)
 #
 # The same exception comes in the first second after every start: the name is right, and its publisher has not spoken yet.
 # So a [[lookup exception|LookupException]] is a typo *or* a question that came too early.
 
 # %% [markdown] lang="ko" name="lookup-read" slide="-"
-# 어느 인자의 어느 이름인지 알려 줍니다. 버퍼가 그러듯이 이름을 한 글자씩 읽으십시오. (frame에서 r이 빠지면 fame, 명성이 됩니다.)
+# 어느 인자의 어느 이름인지 알려 줍니다. 버퍼가 그러듯이 이름을 한 글자씩 읽으십시오. (여기서는 frame의 r이 빠졌습니다.)
 #
 # 노드를 켠 뒤 처음 1초 동안에도 같은 예외가 나옵니다. 이름은 맞지만 발행자가 아직 말을 꺼내지 않은 것입니다.
 # 그래서 [[lookup exception|LookupException(프레임 조회 예외)]]은 오타일 수도 있고, 너무 이른 질문일 수도 있습니다.
@@ -538,7 +538,7 @@ for when in (Time(seconds=99), Time()):
 # So when an extrapolation puzzles you, ask once more with `Time()`, the latest. If *that* says "not part of the same tree", you have been chasing the wrong fault.
 
 # %% [markdown] lang="ko" name="order-read" slide="-"
-# 앞의 표는 조금 지나치게 깔끔했습니다. tf2는 이름을 먼저 확인하지만, 경로와 시각은 **경로를 따라가면서** 확인합니다.
+# 앞의 표는 조금 지나치게 깔끔했습니다. tf2는 이름을 먼저 확인하지만, 경로와 시각은 **트리를 따라가면서** 확인합니다.
 # 원본 쪽에서 올라가다 99 s의 값이 없는 `map → odom`을 만나 그 사실을 기억해 둡니다. 반대쪽이 다른 곳에서 끝난다는 것은 그다음에야 알게 됩니다.
 # 그래서 먼저 찾은 시각 문제를 보고합니다.
 #
@@ -613,6 +613,9 @@ for target, source, second in (
 # | **future** | newer than the newest sample | the transform is on its way; its publisher is slow (10 Hz means up to 100 ms) | the sensor's clock is fast; the publisher's clock is slow; the publisher has died |
 # | **past** | older than the oldest sample | the message comes from before the start of TF; processing took longer than the cache remembers | the sensor's clock is slow; a bag's old stamps against today's TF |
 #
+# Before you think about networks, subtract the two times of the text.
+# If 1763690412 s stands against 30 s, nothing is slow: one node counts from 1970, the other from the start of a simulation or a bag. The parameter `use_sim_time` decides which, and it must be the same for all nodes.
+#
 # For the past, waiting is useless by definition: old data does not come back.
 # For the future, waiting *may* help. The rest of this page is about that "may".
 
@@ -630,6 +633,9 @@ for target, source, second in (
 # | --- | --- | --- | --- |
 # | **미래** | 최신 표본보다 새롭습니다 | 변환이 오는 중입니다. 발행이 느립니다(10 Hz면 최대 100 ms) | 센서 시계가 빠릅니다. 발행자 시계가 느립니다. 발행자가 죽었습니다 |
 # | **과거** | 가장 오래된 표본보다 오래됐습니다 | TF가 시작되기 전의 메시지입니다. 처리 시간이 버퍼의 기억보다 깁니다 | 센서 시계가 느립니다. 백의 옛 시각을 오늘의 TF에 물었습니다 |
+#
+# 네트워크를 떠올리기 전에 오류문의 두 시각부터 빼 보십시오.
+# 1763690412 s와 30 s가 맞서 있다면 느린 것은 없습니다. 한 노드는 1970년부터, 다른 노드는 시뮬레이션이나 백의 시작부터 셉니다. 어느 쪽인지는 파라미터 `use_sim_time`이 정하고, 모든 노드에서 같아야 합니다.
 #
 # 과거라면 기다림은 정의상 소용이 없습니다. 지나간 데이터는 돌아오지 않습니다.
 # 미래라면 기다림이 도움이 될 *수도* 있습니다. 이 장의 나머지는 그 "수도"에 관한 이야기입니다.
@@ -1212,7 +1218,7 @@ draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 # With room for two, a third of the scans is dropped, and no decision is made on data older than 0.3 s.
 # **For moving a robot, new beats complete.** (For building a map afterwards, it may be the other way round.)
 #
-# A policy for a robot like this, in one line: wait at most 0.1 s; then drop; keep two, the oldest goes; nothing older than 0.5 s moves a wheel.
+# A policy for a robot like this, in one line: wait at most 0.2 s (where such a number comes from, you see next); then drop; keep two, the oldest goes; nothing older than 0.5 s moves a wheel.
 
 # %% [markdown] lang="ko" name="queues-read" slide="subslide"
 # 4초입니다. 초속 0.5 m라면 로봇은 2미터 전에 본 것을 두고 브레이크를 밟습니다. 그런데도 로그에 빨간 줄은 하나도 없습니다.
@@ -1221,7 +1227,7 @@ draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 # 두 개만 두면 스캔의 3분의 1을 버리는 대신, 0.3 s보다 오래된 데이터로 내리는 결정은 하나도 없습니다.
 # **로봇을 움직일 때는 빠짐없는 것보다 새로운 것이 낫습니다.** (나중에 지도를 만들 때는 반대일 수 있습니다.)
 #
-# 이런 로봇의 정책을 적으면 이렇습니다. 최대 0.1 s 기다린다. 그다음에는 버린다. 두 개만 두고, 넘치면 가장 오래된 것을 버린다. 0.5 s보다 오래된 데이터로는 바퀴를 돌리지 않는다.
+# 이런 로봇의 정책을 적으면 이렇습니다. 최대 0.2 s 기다린다(이런 숫자를 어떻게 구하는지는 바로 다음에 나옵니다). 그다음에는 버린다. 두 개만 두고, 넘치면 가장 오래된 것을 버린다. 0.5 s보다 오래된 데이터로는 바퀴를 돌리지 않는다.
 
 # %% [markdown] lang="en" name="policy-notes" slide="notes"
 # Let them say a number before you run it; most say 0.15 s or 0.3 s.
@@ -1240,7 +1246,7 @@ draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 # - and it takes its **delay**, and at worst its whole **[[jitter]]**, to arrive.
 # - The scan was itself under way for a while: that time has already passed.
 #
-# `wait = period + delay + jitter − the scan's own delay`, for the worst edge on the way. For robot C: 0.1 + (0.010 + 0.15) + 0 − 0.105 = 0.155 s.
+# `wait = period + delay + jitter − the scan's own delay`, for the worst edge on the way. For robot C, with its 0.15 s on the way: 0.1 + (0.010 + 0.15) + 0 − 0.105 = 0.155 s.
 # If you find that a longer wait helps, do not be glad: look at the clocks.
 
 # %% [markdown] lang="ko" name="how-long" slide="subslide"
@@ -1252,7 +1258,7 @@ draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 # - 그것이 도착하는 데 **지연**만큼, 최악에는 **[[jitter|지터(jitter)]]** 전부만큼 더 걸립니다.
 # - 스캔도 오는 데 시간이 걸렸습니다. 그 시간은 이미 지나갔습니다.
 #
-# 경로 위 최악의 연결을 두고 `기다림 = 주기 + 지연 + 지터 − 스캔 자신의 지연`입니다. 로봇 C라면 0.1 + (0.010 + 0.15) + 0 − 0.105 = 0.155 s입니다.
+# 경로 위 최악의 연결을 두고 `기다림 = 주기 + 지연 + 지터 − 스캔 자신의 지연`입니다. 변환이 오는 데 0.15 s가 더 걸린 로봇 C라면 0.1 + (0.010 + 0.15) + 0 − 0.105 = 0.155 s입니다.
 # 이보다 오래 기다려야 통한다면 기뻐하지 말고 시계를 보십시오.
 
 # %% [markdown] lang="en" name="checkpoint" slide="slide"

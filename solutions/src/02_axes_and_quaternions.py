@@ -1,5 +1,5 @@
 # %% [markdown] lang="en" name="title"
-# # Exercises 2: which way is forward?
+# # Exercises 02 · Which way is forward?
 #
 # Seven tasks, 21 points, about 40 minutes. The page of this chapter is [here](../../notebooks/en/02_axes_and_quaternions.ipynb).
 #
@@ -9,7 +9,7 @@
 # Have your right hand ready.
 
 # %% [markdown] lang="ko" name="title"
-# # 연습 문제 2: 어느 쪽이 앞입니까?
+# # 연습 문제 02 · 어느 쪽이 앞입니까?
 #
 # 과제는 일곱, 21점, 약 40분입니다. 이 장의 본문은 [여기](../../notebooks/ko/02_axes_and_quaternions.ipynb)에 있습니다.
 #
@@ -228,13 +228,13 @@ check("E2.6", diagnosis)
 # ## E2.7 · A few digits too few (2 points)
 #
 # A URDF should turn a camera's mount by π/2 of yaw, and somebody wrote it with too few digits.
-# How far off sideways is a point at this range [mm], as a number without a sign?
+# How far off sideways is a point at this range [mm], to the nearest millimetre or finer, as a number without a sign?
 
 # %% [markdown] lang="ko" name="e2-7"
 # ## E2.7 · 모자란 숫자 몇 자리 (2점)
 #
 # URDF에서 카메라를 yaw로 π/2만큼 돌려야 하는데, 누군가 자릿수를 줄여 적었습니다.
-# 이 거리에 있는 점은 옆으로 얼마나 어긋납니까 [mm]? 부호 없이 답하십시오.
+# 이 거리에 있는 점은 옆으로 얼마나 어긋납니까 [mm]? 1 mm 또는 그보다 정밀하게, 부호 없이 답하십시오.
 
 # %% name="e2-7-given"
 e2_7 = task("E2.7")

@@ -1,7 +1,7 @@
 # %% [markdown] lang="en" name="title"
-# # Exercises 9: four ways to not get an answer
+# # Exercises 09 · Four ways to not get an answer
 #
-# Seven tasks, 22 points, about 45 minutes. The page of this chapter is [here](../../notebooks/en/09_exceptions_and_waiting.ipynb).
+# Seven tasks, 22 points, about 45 minutes. The page they belong to: [09 · Four ways to not get an answer](../../notebooks/en/09_exceptions_and_waiting.ipynb).
 #
 # Write your answer where it says `...` or `your turn`, run that cell, then run the check below it.
 # `check` tells you which mistake it was; `hint("E9.2")` helps, one step at a time.
@@ -9,9 +9,9 @@
 # What you write in E9.2, E9.3 and E9.5 runs unchanged on a robot.
 
 # %% [markdown] lang="ko" name="title"
-# # 연습 문제 9: 답을 얻지 못하는 네 가지 길
+# # 연습 문제 09 · 답을 얻지 못하는 네 가지 길
 #
-# 과제는 일곱, 22점, 약 45분입니다. 이 장의 본문은 [여기](../../notebooks/ko/09_exceptions_and_waiting.ipynb)에 있습니다.
+# 과제는 일곱, 22점, 약 45분입니다. 함께 보는 페이지: [09 · 답을 얻지 못하는 네 가지 길](../../notebooks/ko/09_exceptions_and_waiting.ipynb)
 #
 # `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고, 그 셀을 실행한 다음, 바로 아래의 확인 셀을 실행하십시오.
 # `check`는 어떤 실수인지 알려 주고, `hint("E9.2")`는 한 단계씩 도와줍니다.
@@ -167,6 +167,7 @@ check("E9.3", decide)
 # - `"a"`, `"b"`, `"c"`: what is it on robot a, b, c? `"transforms arrive late"`, `"laser clock is fast"` or `"cannot be told from this"`.
 # - `"a do"`, `"b do"`, `"c do"`: what do you do? `"wait a little"`, `"set the laser's clock"`, `"ask chrony on both computers"` or `"set a timeout of 10 s"`.
 #
+# Set a clock only where these numbers show which one is wrong; where they leave it open, ask chrony.
 # Write down what you see, or have Python find it: both count.
 
 # %% [markdown] lang="ko" name="e9-4"
@@ -179,6 +180,7 @@ check("E9.3", decide)
 # - `"a"`, `"b"`, `"c"`: 로봇 a, b, c의 원인은 무엇입니까? `"transforms arrive late"`(변환이 늦게 옴), `"laser clock is fast"`(레이저 시계가 빠름), `"cannot be told from this"`(이것만으로는 알 수 없음) 가운데 하나입니다.
 # - `"a do"`, `"b do"`, `"c do"`: 어떻게 합니까? `"wait a little"`(조금 기다린다), `"set the laser's clock"`(레이저의 시계를 맞춘다), `"ask chrony on both computers"`(두 컴퓨터에서 chrony에 묻는다), `"set a timeout of 10 s"`(timeout을 10초로 한다) 가운데 하나입니다.
 #
+# 이 숫자만으로 어느 시계가 틀렸는지 보일 때만 시계를 맞추십시오. 알 수 없다면 chrony에 묻습니다.
 # 눈으로 보고 적어도 되고, 파이썬으로 찾아도 됩니다.
 
 # %% name="e9-4-given"
@@ -204,7 +206,7 @@ check("E9.4", causes)
 # ## E9.5 · A queue that stays fresh (3 points)
 #
 # Messages wait with the stamps `stamps_s` [s], in the order in which they arrived. It is `now_s`.
-# Keep only what is worth deciding on: nothing older than `max_age_s`, nothing from the future, and at most `max_size` of the newest.
+# Keep only what is worth deciding on: nothing older than `max_age_s`, nothing from the future, and of what is left at most the `max_size` newest.
 #
 # Return `{"kept": [...], "lost": n}`: the stamps that stay, oldest first, and how many messages went.
 # You are scored on both: what you kept is your freshness, what you lost is its price.
@@ -213,7 +215,7 @@ check("E9.4", causes)
 # ## E9.5 · 늘 신선한 큐 (3점)
 #
 # 시각이 `stamps_s`[s]인 메시지들이 도착한 순서대로 기다립니다. 지금은 `now_s`입니다.
-# 결정에 쓸 만한 것만 남기십시오. `max_age_s`보다 오래된 것은 버리고, 미래에서 온 것도 버리고, 가장 새로운 것부터 `max_size`개까지만 남깁니다.
+# 결정에 쓸 만한 것만 남기십시오. `max_age_s`보다 오래된 것은 버리고, 미래에서 온 것도 버리고, 나머지 가운데 가장 새로운 것부터 `max_size`개까지만 남깁니다.
 #
 # `{"kept": [...], "lost": n}`을 반환하십시오. 남는 시각을 오래된 것부터, 그리고 버린 개수입니다.
 # 둘 다 채점합니다. 남긴 것은 신선함이고, 버린 것은 그 대가입니다.

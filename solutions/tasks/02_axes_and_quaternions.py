@@ -50,6 +50,9 @@ def picked(x: float, y: float, z: float) -> dict[str, tuple[float, float, float]
         "no signs": (z, x, y),
         "up and down": (z, -x, y),
         "left and right": (z, x, -y),
+        "in base_link": (z + 0.10, -x, -y + 0.30),
+        "other order": (y, z, x),
+        "degrees": Transform.from_rpy(roll=-90.0, yaw=-90.0).apply((x, y, z)),
     }
 
 
@@ -80,6 +83,8 @@ def quaternions(rng: np.random.Generator) -> list[tuple[tuple[float, float, floa
         good,
         tuple(-part for part in negative),
         (0.0, 0.0, 1.0, 0.0),
+        (0.0, 0.0, -math.sqrt(0.5), math.sqrt(0.5)),
+        tuple(1.008 * part for part in good),
         tuple(math.floor(1000.0 * part) / 1000.0 for part in rough),
         (0.0, 0.0, 0.0, 0.0),
         (0.0, 0.0, math.nan, 1.0),
@@ -87,6 +92,8 @@ def quaternions(rng: np.random.Generator) -> list[tuple[tuple[float, float, floa
         tuple(length * part for part in good),
         (0.0, 0.0, share, round(1.0 - share, 2)),
         wxyz_from_xyzw(yawed(0.3, 1.2)),
+        tuple(-part for part in wxyz_from_xyzw(yawed(0.3, 1.2))),
+        tuple(length * part for part in wxyz_from_xyzw(yawed(0.3, 1.2))),
     ]
     return [(q,) for q in drawn]
 
@@ -106,6 +113,29 @@ def judged(q: tuple, *, nan=True, zero=True, tolerance=0.01, norm=2, last_sign=F
     return "ok"
 
 
+def w_first_before_length(q: tuple) -> str:
+    """Ask whether w is first before asking how long the quaternion is."""
+    early = all(math.isfinite(part) for part in q) and max(abs(q[0]), abs(q[1])) > 0.1
+    return "w first" if early else judged(q)
+
+
+def zero_by_sum(q: tuple) -> str:
+    """Add the four numbers up, signs and all, to see whether there is any length."""
+    return "zero" if abs(sum(q)) < 1e-6 else judged(q)
+
+
+def judged_by_square(q: tuple) -> str:
+    """Forget the root of the length."""
+    verdict = judged(q)
+    return "not unit" if verdict in ("ok", "w first") and abs(math.hypot(*q) ** 2 - 1.0) > 0.01 else verdict
+
+
+def judged_without_sign(q: tuple) -> str:
+    """Look for a large x or y, but not for one that is largely negative."""
+    verdict = judged(q)
+    return "ok" if verdict == "w first" and max(q[:2]) <= 0.1 else verdict
+
+
 # E2.5: two turns -------------------------------------------------------------------
 
 
@@ -119,6 +149,11 @@ def two_turns(rng: np.random.Generator) -> dict:
 def turned(given, unit: float = 1.0) -> Transform:
     """Return first the yaw, then the pitch, about the fixed axes."""
     return Transform.from_rpy(pitch=unit * given.then_pitch_rad) @ Transform.from_rpy(yaw=unit * given.first_yaw_rad)
+
+
+def rolled_for_pitched(given) -> Transform:
+    """Return first the yaw, then a turn about x where y was asked for."""
+    return Transform.from_rpy(roll=given.then_pitch_rad) @ Transform.from_rpy(yaw=given.first_yaw_rad)
 
 
 # E2.6: a cloud at ninety degrees ---------------------------------------------------
@@ -168,6 +203,13 @@ def at_the_wrong_end(given) -> dict:
     return {"wall_appears": wall_appears(given), "fault": "header", "change": "driver"}
 
 
+def mended_elsewhere(given) -> dict:
+    """Find the fault, and mend a header in the URDF or a mount in the driver."""
+    found = named(given)
+    change = "URDF" if found["change"] == "driver" else "driver"
+    return {"wall_appears": wall_appears(given), "fault": found["fault"], "change": change}
+
+
 def the_other_mount(given) -> dict:
     """Blame camera_link whatever the evidence, or the optical frame if camera_link it is."""
     blamed = "camera_link" if wall_appears(given) == "above" else "camera_optical_frame"
@@ -179,7 +221,7 @@ def the_other_mount(given) -> dict:
 
 def few_digits(rng: np.random.Generator) -> dict:
     """Draw how pi/2 was written in a URDF, and how far away one looks."""
-    written = float(rng.choice((1.56, 1.57, 1.571, 1.58)))
+    written = float(rng.choice((1.56, 1.57, 1.58)))
     return {"written_yaw_rad": written, "range_m": round(float(rng.uniform(6.0, 30.0)), 1)}
 
 
@@ -307,6 +349,31 @@ TASKS = (
                 ),
                 misconception="M4",
             ),
+            Twin(
+                "in base_link",
+                lambda given: picked(*given.optical_p_part)["in base_link"],
+                Words(
+                    en="You went one frame too far: these are the numbers in base_link, with the camera's mount of the page added. Asked for is camera_link.",
+                    ko="한 좌표계를 더 갔습니다. 본문의 카메라 장착 위치까지 더한 base_link 기준 값입니다. 문제는 camera_link 기준을 묻습니다.",
+                ),
+            ),
+            Twin(
+                "other order",
+                lambda given: picked(*given.optical_p_part)["other order"],
+                Words(
+                    en="These are the two right turns in the other order. The roll happens first, so it stands on the right of the product: next to the point.",
+                    ko="두 회전은 맞지만 순서가 반대입니다. roll을 먼저 하므로 곱에서는 오른쪽, 곧 점 바로 옆에 와야 합니다.",
+                ),
+            ),
+            Twin(
+                "degrees",
+                lambda given: picked(*given.optical_p_part)["degrees"],
+                Words(
+                    en="You gave 90 to a turn that counts in radians: that is fourteen full turns and a bit. A quarter turn is math.pi / 2.",
+                    ko="라디안으로 받는 자리에 90을 넣었습니다. 열네 바퀴가 넘는 회전입니다. 4분의 1바퀴는 math.pi / 2입니다.",
+                ),
+                misconception="M5",
+            ),
         ),
         hints=(
             Words(
@@ -386,6 +453,23 @@ TASKS = (
                     ko="이것은 roll입니다. sin이 x 자리에 있습니다. yaw는 어느 축을 중심으로 돕니까?",
                 ),
             ),
+            Twin(
+                "about y",
+                lambda yaw: (0.0, math.sin(yaw / 2), 0.0, math.cos(yaw / 2)),
+                Words(
+                    en="This is a pitch: the sine stands in y, and your robot nods. Which axis does a yaw turn about?",
+                    ko="이것은 pitch입니다. sin이 y 자리에 있어서 로봇이 고개를 끄덕입니다. yaw는 어느 축을 중심으로 돕니까?",
+                ),
+            ),
+            Twin(
+                "halved outside",
+                lambda yaw: (0.0, 0.0, math.sin(yaw) / 2, math.cos(yaw) / 2),
+                Words(
+                    en="You halved the sine, not the angle. The half belongs inside the brackets; look at the length of what you return.",
+                    ko="각도가 아니라 sin을 절반으로 나누었습니다. 절반은 괄호 안에서 나누어야 합니다. 반환한 값의 길이를 보십시오.",
+                ),
+                misconception="M5",
+            ),
         ),
         hints=(
             Words(
@@ -419,6 +503,49 @@ TASKS = (
                 Words(
                     en="NaN slips through: every comparison with it is False, so no 'if' catches it. Ask for it first, with math.isfinite.",
                     ko="NaN이 빠져나갔습니다. NaN과의 비교는 모두 False여서 어떤 if에도 걸리지 않습니다. math.isfinite로 맨 먼저 확인하십시오.",
+                ),
+                misconception="M5",
+            ),
+            Twin(
+                "infinity slips through",
+                lambda q: judged(q, nan=any(math.isnan(part) for part in q)),
+                Words(
+                    en="You catch NaN, but not infinity, which is no number to compute with either. math.isfinite asks for both at once.",
+                    ko="NaN은 잡았지만 무한대가 빠져나갔습니다. 무한대로도 계산할 수 없습니다. math.isfinite는 둘을 한꺼번에 확인합니다.",
+                ),
+                misconception="M5",
+            ),
+            Twin(
+                "w first before length",
+                w_first_before_length,
+                Words(
+                    en="A quaternion can have two faults at once, and the task says which to name: you ask about x and y before you ask about the length.",
+                    ko="한 쿼터니언에 결함이 둘일 수도 있고, 무엇을 먼저 말할지는 문제에 적혀 있습니다. 길이를 보기 전에 x와 y부터 보았습니다.",
+                ),
+            ),
+            Twin(
+                "zero by sum",
+                zero_by_sum,
+                Words(
+                    en="You add the four numbers, and a quarter turn to the right adds up to zero. The length is the root of the sum of squares: math.hypot.",
+                    ko="네 수를 그냥 더했습니다. 오른쪽으로 4분의 1바퀴 도는 회전은 더하면 0이 됩니다. 길이는 제곱의 합의 제곱근입니다. math.hypot을 쓰십시오.",
+                ),
+                misconception="M5",
+            ),
+            Twin(
+                "square for length",
+                judged_by_square,
+                Words(
+                    en="That is the square of the length, and it strays from 1 twice as fast as the length does. Take the root: math.sqrt, or math.hypot at once.",
+                    ko="그것은 길이의 제곱이어서 길이보다 두 배 빨리 1에서 벗어납니다. math.sqrt로 제곱근을 구하거나 처음부터 math.hypot을 쓰십시오.",
+                ),
+            ),
+            Twin(
+                "negative x or y passes",
+                judged_without_sign,
+                Words(
+                    en="You look only for a large positive x or y. q and -q are the same rotation, so a w that came first may also be -0.9: compare abs().",
+                    ko="x나 y가 양수로 큰 경우만 보았습니다. q와 -q는 같은 회전이므로 맨 앞에 온 w가 -0.9일 수도 있습니다. abs()로 비교하십시오.",
                 ),
                 misconception="M5",
             ),
@@ -506,6 +633,14 @@ TASKS = (
                 Words(
                     en="That is first the pitch, then the yaw: the order that rpy always has. Here the yaw comes first, and both axes stand still.",
                     ko="먼저 pitch, 다음에 yaw를 한 결과입니다. rpy는 언제나 그 순서입니다. 여기서는 yaw가 먼저이고 두 축 모두 고정되어 있습니다.",
+                ),
+            ),
+            Twin(
+                "roll for pitch",
+                lambda given: rolled_for_pitched(given).rotation,
+                Words(
+                    en="Your second turn is a roll, about x. A pitch turns about y.",
+                    ko="둘째 회전이 x축을 중심으로 도는 roll입니다. pitch는 y축을 중심으로 돕니다.",
                 ),
             ),
             Twin(
@@ -599,6 +734,15 @@ TASKS = (
                 misconception="M4",
             ),
             Twin(
+                "mended elsewhere",
+                mended_elsewhere,
+                Words(
+                    en="You have found the fault, but you would mend it in the wrong file. Who writes a header: the program that sends the data, or the robot's description? And who says where a camera is bolted on?",
+                    ko="결함은 찾았지만 엉뚱한 곳을 고치려 합니다. 헤더는 데이터를 보내는 프로그램이 씁니까, 로봇 모델이 씁니까? 카메라가 어디에 달려 있는지는 어디에 적습니까?",
+                ),
+                misconception="M4",
+            ),
+            Twin(
                 "quaternion",
                 lambda given: {"wall_appears": wall_appears(given), "fault": "quaternion", "change": "URDF"},
                 Words(
@@ -630,7 +774,7 @@ TASKS = (
         points=2,
         title=Words(en="A few digits too few", ko="모자란 숫자 몇 자리"),
         answer="off_mm",
-        form=Number(unit="mm", tolerance=0.05),
+        form=Number(unit="mm", tolerance=0.5),
         given=few_digits,
         variants=5,
         twins=(

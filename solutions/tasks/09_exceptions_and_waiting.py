@@ -78,7 +78,7 @@ def eight_lines(_rng: np.random.Generator) -> dict:
         "e": line_of(buffer, "base_link", "tool0", 30.0),
         "f": line_of(buffer, "/map", "laser_frame", 25.0),
         "g": "Type <class 'geometry_msgs.msg._point_stamped.PointStamped'> is not loaded or supported",
-        "h": line_of(buffer, "odom", "laser_frame", 1763690412.3),
+        "h": line_of(buffer, "map", "laser_frame", 1763690412.3),
     }
     return {"buffer": buffer, "lines": lines}
 
@@ -100,7 +100,7 @@ def robot_buffer(t: float) -> Buffer:
 
 
 def questions(rng: np.random.Generator) -> list[tuple]:
-    """Draw one question of each kind, and two that have several faults at once."""
+    """Draw one question of each kind, and three that have several faults at once."""
     t = round(float(rng.uniform(20.0, 60.0)), 1)
 
     def at(low: float, high: float) -> Time:
@@ -117,6 +117,7 @@ def questions(rng: np.random.Generator) -> list[tuple]:
         ("map", "laser_frame", Time()),
         ("camera_link", "odom", at(20.0, 40.0)),  # no path either
         ("map", "gripper", at(20.0, 40.0)),  # an unknown name, and too late
+        ("gripper", "/laser_frame", at(1.1, 3.9)),  # two names that are wrong, each in its way
     ]
     return [(robot_buffer(t), *question) for question in drawn]
 
@@ -157,6 +158,10 @@ def base_first(buffer: Buffer, target: str, source: str, stamp: Time) -> str:
     return "ok" if refusal(buffer, target, source, stamp) is None else "invalid argument"
 
 
+def ends_swapped(buffer: Buffer, target: str, source: str, stamp: Time) -> str:
+    return kind_of(refusal(buffer, source, target, stamp))
+
+
 def turned_round(buffer: Buffer, target: str, source: str, stamp: Time) -> str:
     kind = kind_of(refusal(buffer, target, source, stamp))
     return {"past": "future", "future": "past"}.get(kind, kind)
@@ -178,11 +183,13 @@ def point_in(frame: str, time_s: float) -> geometry_msgs.PointStamped:
 
 
 def messages(rng: np.random.Generator) -> list[tuple]:
-    """Draw one message for each action, and one whose gap is longer than its text says."""
+    """Draw messages for each action, gaps on both sides of the limit, and one gap longer than its text says."""
     t = round(float(rng.uniform(20.0, 60.0)), 1)
     drawn = [
         ("laser_frame", rng.uniform(1.2, 3.8)),
         ("laser_frame", 4.0 + rng.uniform(0.05, 0.15)),
+        ("laser_frame", 4.0 + rng.uniform(0.17, 0.195)),
+        ("laser_frame", 4.0 + rng.uniform(0.22, 0.35)),
         ("laser_frame", 4.0 + rng.uniform(1.2, 2.0)),
         ("laser_frame", 4.5 + rng.uniform(0.02, 0.12)),  # 0.5 s more for map -> odom
         ("laser_frame", rng.uniform(0.2, 0.8)),
@@ -258,6 +265,10 @@ def guess(given, cause_of) -> dict:
 
 def always_late(given) -> dict:
     return guess(given, lambda scan, odom: LATE)
+
+
+def always_fast(given) -> dict:
+    return guess(given, lambda scan, odom: FAST)
 
 
 def no_tremble(given) -> dict:
@@ -347,7 +358,7 @@ def two_edges(rng: np.random.Generator) -> dict:
             "jitter_s": round(float(rng.uniform(0.020, 0.040)), 3),
         },
         "wheel_odometry": {
-            "rate_hz": float(rng.choice((20.0, 25.0, 40.0))),
+            "rate_hz": float(rng.choice((25.0, 40.0, 50.0))),
             "delay_s": round(float(rng.uniform(0.004, 0.015)), 3),
             "jitter_s": round(float(rng.uniform(0.006, 0.012)), 3),
         },
@@ -389,6 +400,14 @@ TASKS = (
                  reply=Words(
                      en="one of these extrapolations says neither future nor past. Read it again: how many samples does that edge have?",
                      ko="외삽 오류 가운데 하나는 미래도 과거도 아닙니다. 다시 읽어 보십시오. 그 연결에는 표본이 몇 개 있습니까?")),
+            Twin("third text taken for the future", {**RIGHT, "e": "future"}, misconception="M11",
+                 reply=Words(
+                     en="line e is newer than the only sample, but its text does not say \"future\". With a single sample tf2 has a text of its own.",
+                     ko="e는 하나뿐인 샘플보다 새롭지만 오류문은 \"future\"라고 하지 않습니다. 샘플이 하나뿐일 때 tf2는 다른 오류문을 씁니다.")),
+            Twin("slash taken for a name", {**RIGHT, "f": "lookup"}, misconception="M11",
+                 reply=Words(
+                     en="line f never got as far as looking a name up. Read its first two words.",
+                     ko="f는 이름을 찾아보는 데까지 가지도 못했습니다. 첫 두 단어를 읽어 보십시오.")),
             Twin("name and path swapped", {**RIGHT, "a": "connectivity", "b": "lookup"}, misconception="M11",
                  reply=Words(
                      en='"does not exist" and "not part of the same tree" are two different noes: one is about a name, the other about a path.',
@@ -441,6 +460,10 @@ TASKS = (
                  reply=Words(
                      en="future and past have changed places. The words are about the moment asked for: newer than all the data is the future.",
                      ko="미래와 과거가 뒤바뀌었습니다. 물어본 시각을 기준으로 한 말입니다. 모든 데이터보다 새로우면 미래입니다.")),
+            Twin("ends swapped", ends_swapped, misconception="M1",
+                 reply=Words(
+                     en="where both names are wrong, tf2 complains of the target first. Your function seems to hand over source and target in the other order: wanted comes first.",
+                     ko="두 이름이 모두 틀리면 tf2는 target부터 탓합니다. 이 함수는 source와 target을 거꾸로 넘기는 것 같습니다. 보려는 쪽이 먼저입니다.")),
         ),
         hints=(
             Words(en="Do not examine the buffer. Ask it, and sort what it raises.",
@@ -516,6 +539,10 @@ TASKS = (
                  reply=Words(
                      en="one robot's delay is smooth, but it is on /odom, and positive. Nothing is wrong with that laser's numbers.",
                      ko="한 로봇의 지연은 매끈하지만 /odom 쪽이고 양수입니다. 그 레이저의 숫자에는 이상이 없습니다.")),
+            Twin("always a clock", always_fast, misconception="M10",
+                 reply=Words(
+                     en="not every gap is the laser's clock. A fast laser clock makes the delay of /scan too small: look at /scan of each robot first.",
+                     ko="모든 간격이 라이다 시계 탓은 아닙니다. 라이다 시계가 빠르면 /scan의 지연이 너무 작아집니다. 로봇마다 /scan부터 보십시오.")),
             Twin("sign overlooked", no_sign, misconception="M10",
                  reply=Words(
                      en="one robot hears its scans before they are measured. That much *can* be told from the numbers: look at the sign.",
@@ -578,10 +605,10 @@ TASKS = (
         answer="outcomes",
         form=Parts({name: Choice(OUTCOMES) for name in "abcdefgh"}),
         twins=(
-            Twin("a timeout always helps", waits(a="works", c="works", f="works", g="works"), misconception="M10",
+            Twin("a timeout always helps", waits(a="works", c="works", e="works", f="works", g="works"), misconception="M10",
                  reply=Words(
-                     en="you trust the timeout too much. For each line ask: while it waits, who takes the transform off the network? And is it ever going to come?",
-                     ko="timeout을 너무 믿고 있습니다. 줄마다 물어보십시오. 기다리는 동안 변환은 누가 받습니까? 그리고 오기는 합니까?")),
+                     en="you trust waiting too much. For each line ask: while it waits, who takes the transform off the network? And is it ever going to come?",
+                     ko="기다림을 너무 믿고 있습니다. 줄마다 물어보십시오. 기다리는 동안 변환은 누가 받습니까? 그리고 오기는 합니까?")),
             Twin("only subscriptions block", waits(c="works"), misconception="M10",
                  reply=Words(
                      en="a timer's callback runs in the same thread as every other callback.",
@@ -590,6 +617,14 @@ TASKS = (
                  reply=Words(
                      en="waiting in a callback is not bad as such. Where another thread may call the listener meanwhile, it works.",
                      ko="콜백에서 기다리는 것 자체가 나쁜 것은 아닙니다. 그동안 다른 스레드가 수신기를 부를 수 있으면 통합니다.")),
+            Twin("a timeout never ends", waits(**dict.fromkeys("acfg", "waits for ever")), misconception="M10",
+                 reply=Words(
+                     en="a wait with `timeout=0.3 s` is over after 0.3 s, whatever happens. Which line has no timeout at all?",
+                     ko="`timeout=0.3 s`인 기다림은 무슨 일이 있어도 0.3 s 뒤에 끝납니다. timeout이 아예 없는 줄은 어느 것입니까?")),
+            Twin("a promise blocks", waits(d="waits in vain"), misconception="M10",
+                 reply=Words(
+                     en="`wait_for_transform_async` returns at once, so the one thread is free again to take in the transform.",
+                     ko="`wait_for_transform_async`는 바로 돌아오므로, 하나뿐인 스레드도 다시 변환을 받을 수 있습니다.")),
             Twin("promises expire", waits(e="waits in vain"), misconception="M10",
                  reply=Words(
                      en="a promise of `wait_for_transform_async` has no timeout. What becomes of one that can never be kept?",
@@ -628,6 +663,10 @@ TASKS = (
                  reply=Words(
                      en="your wait is longer than it need be. While the scan was under way, time had already passed.",
                      ko="필요보다 길게 기다립니다. 스캔이 오는 동안 이미 시간이 흘렀습니다.")),
+            Twin("scan's delay added", lambda g: wait_of(g, scan=-1.0),
+                 reply=Words(
+                     en="the wait is reckoned from the scan's arrival. Does the time that the scan was under way make it longer, or shorter?",
+                     ko="기다림은 스캔이 도착한 때부터 잽니다. 스캔이 오는 데 걸린 시간은 기다림을 늘립니까, 줄입니까?")),
             Twin("quick edge", lambda g: wait_of(g, combine=min),
                  reply=Words(
                      en="that is the edge that comes first. A lookup needs all of them.",
