@@ -494,7 +494,7 @@ draw_question(buffer, 'base_link', 'laser_frame')
 # %% [markdown] lang="ko" name="dominoes" slide="slide"
 # ## 도미노
 #
-# 레이저는 로봇에 달려 있고, 로봇은 [[odom|`odom`]](바퀴가 짐작하는 위치의 기준)에 서 있고, `odom`은 [[map|`map`]](건물) 안에 있습니다.
+# 레이저는 로봇에 달려 있고, 로봇은 [[odom|`odom`]](바퀴로 잰 위치의 기준)에 서 있고, `odom`은 [[map|`map`]](건물) 안에 있습니다.
 # [[base_footprint|`base_footprint`]]는 로봇 바로 아래 바닥에 있는 자리입니다.
 # 나머지를 이어 봅시다. 오늘은 로봇이 서 있으므로 모든 연결(부모와 자식의 쌍)이 정적이어도 됩니다. 그림에는 **S**로 표시됩니다.
 # (ROS 2는 누가 발행한 연결인지 전해 주지 않으므로 마지막 열은 모두 `default_authority`입니다.)
