@@ -696,7 +696,7 @@ TASKS = (
                 lambda g: g.thinking_s - 1.0 / min(g.rate_hz.values()),
                 Words(
                     en="A period less than the thinking time: then even the moment of the picture is forgotten.",
-                    ko="계산 시간보다 한 주기 짧습니다. 그러면 사진을 찍은 순간조차 잊습니다.",
+                    ko="계산 시간보다 한 주기 짧습니다. 그러면 영상을 찍은 순간조차 잊습니다.",
                 ),
             ),
             Twin(
@@ -711,7 +711,7 @@ TASKS = (
         hints=(
             Words(
                 en="When the question comes, how far back does the picture's stamp lie?",
-                ko="물어보는 순간, 사진의 측정 시각은 얼마나 과거에 있습니까?",
+                ko="물어보는 순간, 영상의 측정 시각은 얼마나 과거에 있습니까?",
             ),
             Words(
                 en="To interpolate at the stamp, a lane needs a sample before it. How much older than the stamp can that one be?",
