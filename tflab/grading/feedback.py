@@ -27,7 +27,7 @@ __all__ = ["LEVELS", "STATUS", "feedback_page"]
 LEVELS = ("none", "score", "named", "full")
 ONLY_FULL = {"parts", "missing parts", "unit", "frame"}
 
-TITLE = Words("Your exercises", "실습 결과")
+TITLE = Words("Your exercises", "연습 문제 결과")
 OF = Words("{points} of {most} points", "{most}점 만점에 {points}점")
 FOR = Words("for {name}", "{name}")
 HEADS = (Words("Task", "과제"), Words("", ""), Words("Points", "점수"), Words("What there is to say", "의견"))

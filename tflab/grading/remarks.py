@@ -28,7 +28,7 @@ KINDS = {
     ),
     "missing": Words(
         en='the cell "{cell}" is not there. Put the answer into the cell that came with the exercise.',
-        ko='"{cell}" 셀이 없습니다. 실습에 들어 있던 셀에 답을 쓰십시오.',
+        ko='"{cell}" 셀이 없습니다. 연습 문제에 들어 있던 셀에 답을 쓰십시오.',
     ),
     "no code": Words(
         en='the cell "{cell}" is text, not code, so it does not run. Turn it back into a code cell (Y).',
@@ -99,24 +99,24 @@ KINDS = {
     ),
     "several": Words(
         en="{chapter} was handed in more than once; {file} was graded, it has the most answers.",
-        ko="{chapter} 장이 여러 번 제출되었습니다. 답이 가장 많은 {file}을 채점했습니다.",
+        ko="{chapter} 장이 여러 번 제출되었습니다. 답이 가장 많은 것을 채점했습니다: {file}.",
     ),
     "nothing": Words(en="{chapter} was not handed in.", ko="{chapter} 장은 제출되지 않았습니다."),
     "other release": Words(
         en="{file} comes from another release ({stamp}); it was graded as this one ({ours}).",
-        ko="{file}은 다른 배포본({stamp})에서 나왔습니다. 이번 배포본({ours}) 기준으로 채점했습니다.",
+        ko="{file}: 다른 배포본({stamp})에서 나온 파일이라 이번 배포본({ours}) 기준으로 채점했습니다.",
     ),
     "other version": Words(
         en="{file} is stamped tflab {stamp}, the release tflab {ours}.",
-        ko="{file}에는 tflab {stamp}이라고 적혀 있는데 배포본은 tflab {ours}입니다.",
+        ko="{file}: 적혀 있는 버전은 tflab {stamp}, 배포본은 tflab {ours}입니다.",
     ),
     "other learner": Words(
         en="{file} was handed out to {stamp}, and handed in for {ours}.",
-        ko="{file}은 {stamp}에게 배포된 것인데 {ours}의 이름으로 제출되었습니다.",
+        ko="{file}: {stamp}에게 배포된 것인데 {ours}의 이름으로 제출되었습니다.",
     ),
     "unknown task": Words(
         en="{file} has a task {stamp} that is not in this release.",
-        ko="{file}에 이번 배포본에 없는 과제 {stamp}이 있습니다.",
+        ko="{file}: 이번 배포본에 없는 과제가 들어 있습니다({stamp}).",
     ),
     # about what was handed in
     "no file": Words(en="nothing was handed in.", ko="제출한 것이 없습니다."),
@@ -128,7 +128,7 @@ KINDS = {
     ),
     "nobody": Words(
         en='"{stamp}" is nobody on the roster, and neither is the stamp in the notebook.',
-        ko='"{stamp}"은 명단에 없고, 노트북에 적힌 이름도 명단에 없습니다.',
+        ko='명단에 없는 이름입니다: "{stamp}". 노트북에 적힌 이름도 명단에 없습니다.',
     ),
     "stamped": Words(
         en='stamped for "{stamp}", who handed in elsewhere; not graded for them.',
