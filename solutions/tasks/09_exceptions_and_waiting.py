@@ -358,11 +358,11 @@ def two_edges(rng: np.random.Generator) -> dict:
             "jitter_s": round(float(rng.uniform(0.020, 0.040)), 3),
         },
         "wheel_odometry": {
-            "rate_hz": float(rng.choice((25.0, 40.0, 50.0))),
+            "rate_hz": float(rng.choice((20.0, 25.0))),
             "delay_s": round(float(rng.uniform(0.004, 0.015)), 3),
             "jitter_s": round(float(rng.uniform(0.006, 0.012)), 3),
         },
-        "scan_delay_s": round(float(rng.uniform(0.010, 0.025)), 3),
+        "scan_delay_s": round(float(rng.uniform(0.010, 0.022)), 3),
     }
 
 
