@@ -604,7 +604,7 @@ draw_placed(ways, things=[BALL], shown_m=(5.8, -2.0, 7.2, -1.0))
 
 # %% [markdown] lang="ko" name="one-ball-again"
 # 공이 하나입니다. 같은 메시지 마흔 개, 같은 버퍼, 같은 로봇이고, 바뀐 것은 셋째 인자뿐입니다.
-# 남은 오차 평균 2.5 cm는 카메라와 위치 추정의 잡음입니다.
+# 남은 오차(평균 2.5 cm)는 카메라와 위치 추정의 잡음입니다.
 
 # %% [markdown] lang="en" name="faded" slide="slide"
 # ## Your turn, with two blanks
@@ -869,7 +869,7 @@ simulation.lookup_transform("map", "base_link", seconds(1574652168.59))
 # ## 버퍼는 얼마나 오래 기억해야 합니까?
 #
 # 버퍼는 잊습니다. 차선마다 가장 새로운 표본에서 거꾸로 세어 [[cache time|보관 시간(cache time)]]만큼만 간직합니다. 따로 정하지 않으면 10초입니다.
-# 그보다 오래 계산하고 돌아오면 버퍼는 텅 비어 있습니다.
+# 그보다 오래 계산하고 돌아오면, 찾는 표본은 이미 지워지고 없습니다.
 
 # %% name="short-memory" tags=["raises-exception"]
 forgetful = robot.buffer(until_s=13.0, cache_time_s=1.0)
