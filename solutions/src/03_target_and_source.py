@@ -1,18 +1,18 @@
 # %% [markdown] lang="en" name="title" slide="slide"
-# # Exercises 03: target and source
+# # Exercises 03 · Data in …, wanted in …
 #
 # Seven tasks, 26 points, about 45 minutes.
-# The page they belong to: [03 Target and source](../../notebooks/en/03_target_and_source.ipynb).
+# The page they belong to: [03 · Data in …, wanted in …](../../notebooks/en/03_target_and_source.ipynb).
 #
 # Write your answer where the dots are, run the cell, then run the check below it.
 # A check never punishes: it names the mistake, and you try again.
 # Stuck? `hint("E3.1")` gives one hint at a time, three in all.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
-# # 연습 문제 03: 목표 좌표계와 원본 좌표계
+# # 연습 문제 03 · … 기준 데이터를 … 기준으로 보고 싶다
 #
 # 문제 일곱 개, 26점, 45분쯤 걸립니다.
-# 본문은 여기에 있습니다: [03 목표 좌표계와 원본 좌표계](../../notebooks/ko/03_target_and_source.ipynb).
+# 본문은 여기에 있습니다: [03 · … 기준 데이터를 … 기준으로 보고 싶다](../../notebooks/ko/03_target_and_source.ipynb).
 #
 # 점 세 개가 있는 자리에 답을 쓰고 그 셀을 실행한 다음, 아래의 확인 셀을 실행하십시오.
 # 틀려도 벌점은 없습니다. 어떤 실수인지 알려 주므로 고쳐서 다시 하면 됩니다.
@@ -100,6 +100,8 @@ check("E3.2", corner)
 # In the plane, a pose is three numbers: where b sits in a (`x`, `y`), and how far it is turned (`yaw`).
 # Return where **a sits in b**, in the same form.
 # Use paper, `math.cos` and `math.sin`; no library needed.
+#
+# One formula is all you need: (u, v), turned by an angle α, is (u·cos α − v·sin α, u·sin α + v·cos α).
 
 # %% [markdown] lang="ko" name="e3-3" slide="slide"
 # ## E3.3 · 돌아가는 길 (4점)
@@ -107,6 +109,8 @@ check("E3.2", corner)
 # 평면에서 자세는 숫자 세 개입니다. b가 a 안 어디에 있고(`x`, `y`) 얼마나 돌아가 있는지(`yaw`)입니다.
 # 같은 꼴로 **a가 b 안 어디에 있는지** 돌려주십시오.
 # 종이와 `math.cos`, `math.sin`이면 됩니다. 라이브러리는 필요 없습니다.
+#
+# 필요한 공식은 하나입니다. (u, v)를 각도 α만큼 돌리면 (u·cos α − v·sin α, u·sin α + v·cos α)입니다.
 
 # %% name="e3-3-answer" tags=["answer"]
 def invert(a_pose_b):
@@ -126,12 +130,14 @@ check("E3.3", invert)
 #
 # `[a|b][b|c]` is `[a|c]`.
 # Given where b sits in a, and where c sits in b, return where c sits in a.
+# Poses and the formula are those of E3.3.
 
 # %% [markdown] lang="ko" name="e3-4" slide="slide"
 # ## E3.4 · 도미노 둘을 하나로 (4점)
 #
 # `[a|b][b|c]`는 `[a|c]`입니다.
 # b가 a 안 어디에 있는지, c가 b 안 어디에 있는지 알 때, c가 a 안 어디에 있는지 돌려주십시오.
+# 자세의 꼴과 공식은 E3.3과 같습니다.
 
 # %% name="e3-4-answer" tags=["answer"]
 def compose(a_pose_b, b_pose_c):

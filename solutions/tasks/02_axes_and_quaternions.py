@@ -151,11 +151,6 @@ def turned(given, unit: float = 1.0) -> Transform:
     return Transform.from_rpy(pitch=unit * given.then_pitch_rad) @ Transform.from_rpy(yaw=unit * given.first_yaw_rad)
 
 
-def rolled_for_pitched(given) -> Transform:
-    """Return first the yaw, then a turn about x where y was asked for."""
-    return Transform.from_rpy(roll=given.then_pitch_rad) @ Transform.from_rpy(yaw=given.first_yaw_rad)
-
-
 # E2.6: a cloud at ninety degrees ---------------------------------------------------
 
 OPTICAL_RPY_DEG = (-90.0, 0.0, -90.0)
@@ -633,14 +628,6 @@ TASKS = (
                 Words(
                     en="That is first the pitch, then the yaw: the order that rpy always has. Here the yaw comes first, and both axes stand still.",
                     ko="먼저 pitch, 다음에 yaw를 한 결과입니다. rpy는 언제나 그 순서입니다. 여기서는 yaw가 먼저이고 두 축 모두 고정되어 있습니다.",
-                ),
-            ),
-            Twin(
-                "roll for pitch",
-                lambda given: rolled_for_pitched(given).rotation,
-                Words(
-                    en="Your second turn is a roll, about x. A pitch turns about y.",
-                    ko="둘째 회전이 x축을 중심으로 도는 roll입니다. pitch는 y축을 중심으로 돕니다.",
                 ),
             ),
             Twin(

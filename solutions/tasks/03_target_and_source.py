@@ -97,6 +97,16 @@ def corner_skips_the_laser(given) -> dict[str, tuple]:
     return {"base_link": given.base_T_laser.apply(point), "map": given.map_T_base.apply(point)}
 
 
+def corner_inverse_carried_on(given) -> dict[str, tuple]:
+    base_p = given.base_T_laser.inverse().apply(given.laser_p_corner)
+    return {"base_link": base_p, "map": given.map_T_base.apply(base_p)}
+
+
+def corner_leaves_the_map(given) -> dict[str, tuple]:
+    base_p = given.base_T_laser.apply(given.laser_p_corner)
+    return {"base_link": base_p, "map": given.map_T_base.inverse().apply(base_p)}
+
+
 def turned(transform: Transform, point) -> tuple[float, ...]:
     """Return a point turned by a transform's rotation alone."""
     return Transform(rotation=transform.rotation).apply(point)
@@ -124,6 +134,21 @@ def sign_only(a_pose_b: dict) -> dict[str, float]:
 
 def sign_and_same_turn(a_pose_b: dict) -> dict[str, float]:
     return {"x": -a_pose_b["x"], "y": -a_pose_b["y"], "yaw": a_pose_b["yaw"]}
+
+
+def turn_kept(a_pose_b: dict) -> dict[str, float]:
+    return moved(a_pose_b, -a_pose_b["x"], -a_pose_b["y"], -a_pose_b["yaw"])
+
+
+def x_overwritten(a_pose_b: dict) -> dict[str, float]:
+    yaw, x, y = -a_pose_b["yaw"], -a_pose_b["x"], -a_pose_b["y"]
+    x = math.cos(yaw) * x - math.sin(yaw) * y
+    y = math.sin(yaw) * x + math.cos(yaw) * y
+    return {"x": x, "y": y, "yaw": yaw}
+
+
+def radians_twice(a_pose_b: dict) -> dict[str, float]:
+    return moved({"yaw": -a_pose_b["yaw"]}, -a_pose_b["x"], -a_pose_b["y"], -math.radians(a_pose_b["yaw"]))
 
 
 def turned_on(a_pose_b: dict) -> dict[str, float]:
@@ -160,6 +185,19 @@ def turned_the_other_way(a_pose_b: dict, b_pose_c: dict) -> dict[str, float]:
     return composed(a_pose_b, b_pose_c, -a_pose_b["yaw"])
 
 
+def turned_by_both(a_pose_b: dict, b_pose_c: dict) -> dict[str, float]:
+    return composed(a_pose_b, b_pose_c, a_pose_b["yaw"] + b_pose_c["yaw"])
+
+
+def added_then_turned(a_pose_b: dict, b_pose_c: dict) -> dict[str, float]:
+    step = moved(a_pose_b, a_pose_b["x"] + b_pose_c["x"], a_pose_b["y"] + b_pose_c["y"], a_pose_b["yaw"])
+    return step | {"yaw": a_pose_b["yaw"] + b_pose_c["yaw"]}
+
+
+def yaws_not_added(a_pose_b: dict, b_pose_c: dict) -> dict[str, float]:
+    return composed(a_pose_b, b_pose_c, a_pose_b["yaw"]) | {"yaw": b_pose_c["yaw"]}
+
+
 def turned_by_the_second(a_pose_b: dict, b_pose_c: dict) -> dict[str, float]:
     return composed(a_pose_b, b_pose_c, b_pose_c["yaw"])
 
@@ -184,7 +222,7 @@ def echo_answer(laser_in_base, base_in_laser, yaw_back) -> dict[str, object]:
 
 def echo_swapped(given) -> dict[str, object]:
     mount, yaw = echoed(given)
-    return echo_answer(mount.inverse().translation, mount.translation, -yaw)
+    return echo_answer(mount.inverse().translation, mount.translation, yaw)
 
 
 def echo_sign_only(given) -> dict[str, object]:
@@ -200,6 +238,12 @@ def echo_turned_on(given) -> dict[str, object]:
 def echo_same_yaw(given) -> dict[str, object]:
     mount, yaw = echoed(given)
     return echo_answer(mount.translation, mount.inverse().translation, yaw)
+
+
+def echo_height_kept(given) -> dict[str, object]:
+    mount, yaw = echoed(given)
+    back = mount.inverse().translation
+    return echo_answer(mount.translation, (back[0], back[1], -back[2]), -yaw)
 
 
 def echo_yaw_in_degrees(given) -> dict[str, object]:
@@ -248,6 +292,15 @@ def w_first(ahead_m, up_m, yaw_deg):
     return camera_message("base_link", "camera_link", ahead_m, up_m, (w, 0, 0, z))
 
 
+def to_the_right(ahead_m, up_m, yaw_deg):
+    z, w = half_turn(-math.radians(yaw_deg))
+    return camera_message("base_link", "camera_link", ahead_m, up_m, (0, 0, z, w))
+
+
+def not_turned(ahead_m, up_m, yaw_deg):
+    return camera_message("base_link", "camera_link", ahead_m, up_m, (0, 0, 0, 1))
+
+
 def zero_quaternion(ahead_m, up_m, yaw_deg):
     return camera_message("base_link", "camera_link", ahead_m, up_m, (0, 0, 0, 0))
 
@@ -283,10 +336,21 @@ TASKS = (
                 "swapped",
                 {key: pair[::-1] for key, pair in SENTENCES.items()},
                 Words(
-                    en="all four are the wrong way round. You wrote [source, target]. In the call, the frame in which "
-                    "you *want* the data comes first.",
-                    ko="네 개 모두 뒤집혔습니다. [원본, 목표] 순서로 썼습니다. 호출에서는 데이터를 *보고 싶은* 좌표계가 "
+                    en="what is wrong is the wrong way round: you wrote [source, target]. In the call, the frame in "
+                    "which you *want* the data comes first.",
+                    ko="틀린 것은 순서가 뒤집혔습니다. [원본, 목표] 순서로 썼습니다. 호출에서는 데이터를 *보고 싶은* 좌표계가 "
                     "먼저 옵니다.",
+                ),
+                "M1",
+            ),
+            Twin(
+                "where_is_it",
+                SENTENCES | {"c": SENTENCES["c"][::-1]},
+                Words(
+                    en='only c is the wrong way round. "Where is it?" asks for its own origin, which is written in '
+                    "`camera_link`; in which frame do you want it?",
+                    ko='c만 순서가 뒤집혔습니다. "어디에 있습니까?"는 그 원점을 묻는 말이고, 원점은 `camera_link` 기준입니다. '
+                    "그것을 어느 좌표계 기준으로 보고 싶습니까?",
                 ),
                 "M1",
             ),
@@ -294,9 +358,9 @@ TASKS = (
                 "parent_first",
                 PARENT_FIRST,
                 Words(
-                    en="you put the parent first everywhere. Target and source have nothing to do with who is whose "
+                    en="in what is wrong you put the parent first. Target and source have nothing to do with who is whose "
                     "parent: in b and d the data is wanted farther down the tree. Say each sentence aloud.",
-                    ko="어디서나 부모를 앞에 두었습니다. 목표와 원본은 누가 누구의 부모인지와 상관없습니다. b와 d는 트리 "
+                    ko="틀린 곳에서는 부모를 앞에 두었습니다. 목표와 원본은 누가 누구의 부모인지와 상관없습니다. b와 d는 트리 "
                     "아래쪽에서 데이터를 보고 싶은 경우입니다. 문장을 하나씩 소리 내어 읽어 보십시오.",
                 ),
                 "M2",
@@ -379,6 +443,28 @@ TASKS = (
                     "빠졌습니다.",
                 ),
             ),
+            Twin(
+                "inverse_carried_on",
+                corner_inverse_carried_on,
+                Words(
+                    en="the second step is right, the first is not: you took the inverse of `base_T_laser`, and went on "
+                    "from there. Which frame's points does `base_T_laser` itself take in?",
+                    ko="둘째 단계는 맞지만 첫 단계가 틀립니다. `base_T_laser`의 역변환을 쓰고 거기서부터 이어 갔습니다. "
+                    "`base_T_laser`는 어느 좌표계 기준인 점을 받습니까?",
+                ),
+                "M1",
+            ),
+            Twin(
+                "out_of_the_map",
+                corner_leaves_the_map,
+                Words(
+                    en="the first is right. For `map` you used the inverse of `map_T_base`, which takes points out of "
+                    "the map; you want the corner in it.",
+                    ko="첫째는 맞습니다. `map`을 구할 때는 `map_T_base`의 역변환을 썼는데, 그것은 map 기준인 점을 로봇 기준으로 "
+                    "옮깁니다. 원하는 것은 map 기준인 모서리입니다.",
+                ),
+                "M1",
+            ),
         ),
         hints=(
             Words(
@@ -446,6 +532,34 @@ TASKS = (
                     ko="회전은 맞지만 이동의 부호가 그대로입니다. b에서 보면 a의 원점은 반대쪽에 있습니다.",
                 ),
             ),
+            Twin(
+                "turn_kept",
+                turn_kept,
+                Words(
+                    en="`x` and `y` are right. The yaw has not changed: going back, one turns back.",
+                    ko="`x`와 `y`는 맞습니다. yaw가 그대로입니다. 돌아갈 때는 반대로 돌려야 합니다.",
+                ),
+                "M3",
+            ),
+            Twin(
+                "x_overwritten",
+                x_overwritten,
+                Words(
+                    en="`x` is right. For `y` you used the new `x`, which had just been overwritten; both need the old "
+                    "ones. Give the results other names.",
+                    ko="`x`는 맞습니다. `y`를 구할 때 방금 덮어쓴 새 `x`를 썼습니다. 둘 다 원래 값으로 계산해야 합니다. 결과에는 "
+                    "다른 이름을 붙이십시오.",
+                ),
+            ),
+            Twin(
+                "radians_twice",
+                radians_twice,
+                Words(
+                    en="the step has hardly turned: the yaw comes in radians already, and you converted it once more.",
+                    ko="이동이 거의 돌지 않았습니다. yaw는 이미 라디안인데 한 번 더 바꾸었습니다.",
+                ),
+                "M5",
+            ),
         ),
         hints=(
             Words(
@@ -457,8 +571,8 @@ TASKS = (
                 ko="(−x, −y)는 a의 축을 따라 이동을 되돌립니다. b는 돌아가 있으므로 b의 축을 따르면 값이 달라집니다.",
             ),
             Words(
-                en="Turn (−x, −y) by −yaw. Turning (u, v) by an angle a gives (u cos a − v sin a, u sin a + v cos a).",
-                ko="(−x, −y)를 −yaw만큼 돌리십시오. (u, v)를 각도 a만큼 돌리면 (u cos a − v sin a, u sin a + v cos a)입니다.",
+                en="Turn (−x, −y) by −yaw: in the formula, u is −x, v is −y, and the angle is −yaw.",
+                ko="(−x, −y)를 −yaw만큼 돌리십시오. 공식에서 u는 −x, v는 −y, 각도는 −yaw입니다.",
             ),
         ),
         cures=("M3",),
@@ -511,6 +625,33 @@ TASKS = (
                     "어느 것입니까?",
                 ),
             ),
+            Twin(
+                "turned_by_both",
+                turned_by_both,
+                Words(
+                    en="you turned the second step by both yaws. It is measured along b's axes; c's own yaw turns what "
+                    "comes after c.",
+                    ko="둘째 이동을 두 yaw의 합만큼 돌렸습니다. 둘째 이동은 b의 축을 따라 잰 값입니다. c의 yaw는 c 다음에 오는 "
+                    "것을 돌립니다.",
+                ),
+            ),
+            Twin(
+                "added_then_turned",
+                added_then_turned,
+                Words(
+                    en="you added the steps and then turned the sum. The first step is measured in a already, so "
+                    "nobody turns it.",
+                    ko="이동을 더한 다음 합을 돌렸습니다. 첫째 이동은 이미 a에서 잰 값이므로 돌리지 않습니다.",
+                ),
+            ),
+            Twin(
+                "yaws_not_added",
+                yaws_not_added,
+                Words(
+                    en="`x` and `y` are right. The yaw is that of c in b: in a, b's own turn comes on top.",
+                    ko="`x`와 `y`는 맞습니다. yaw는 b에서 본 c의 값입니다. a에서 보면 b가 돌아간 만큼 더해집니다.",
+                ),
+            ),
         ),
         hints=(
             Words(
@@ -550,9 +691,9 @@ TASKS = (
                 "swapped",
                 echo_swapped,
                 Words(
-                    en="the two places are exchanged. `tf2_echo base_link laser_frame` prints where the second sits in "
-                    "the first, whatever the tool's help calls them.",
-                    ko="두 위치가 서로 바뀌었습니다. `tf2_echo base_link laser_frame`은 둘째가 첫째 안 어디에 있는지 "
+                    en="what is wrong stands at the other's place. `tf2_echo base_link laser_frame` prints where the "
+                    "second sits in the first, whatever the tool's help calls them.",
+                    ko="틀린 값은 서로의 자리에 놓여 있습니다. `tf2_echo base_link laser_frame`은 둘째가 첫째 안 어디에 있는지 "
                     "출력합니다. 도움말이 무엇이라 부르든 그렇습니다.",
                 ),
                 "M1",
@@ -574,6 +715,14 @@ TASKS = (
                 Words(
                     en="for the way back the step was turned, but by yaw instead of by minus yaw.",
                     ko="돌아가는 쪽의 이동을 돌렸지만, −yaw가 아니라 yaw로 돌렸습니다.",
+                ),
+            ),
+            Twin(
+                "height_kept",
+                echo_height_kept,
+                Words(
+                    en="all but one number is right: from the laser, is the robot's middle above or below?",
+                    ko="숫자 하나만 빼고 모두 맞습니다. 레이저에서 보면 로봇 중심은 위에 있습니까, 아래에 있습니까?",
                 ),
             ),
             Twin(
@@ -667,6 +816,23 @@ TASKS = (
                 "M5",
             ),
             Twin(
+                "to_the_right",
+                to_the_right,
+                Words(
+                    en="your camera turns to the right. A turn to the left is positive: check the sign of the angle.",
+                    ko="카메라가 오른쪽으로 돌아갑니다. 왼쪽으로 도는 회전이 양수입니다. 각도의 부호를 확인하십시오.",
+                ),
+            ),
+            Twin(
+                "not_turned",
+                not_turned,
+                Words(
+                    en="the camera is in its place, but it looks straight ahead: the rotation is still the one that a "
+                    "new message has.",
+                    ko="카메라가 제자리에 있지만 똑바로 앞을 봅니다. 회전이 새 메시지의 값 그대로입니다.",
+                ),
+            ),
+            Twin(
                 "zero_quaternion",
                 zero_quaternion,
                 Words(
@@ -717,9 +883,9 @@ TASKS = (
                 "against_the_arrow",
                 blamed("node_a", ROBOTS[0]),
                 Words(
-                    en="node_a is right: written in the scan's frame, wanted in `base_link`. Parent → child is the "
+                    en="node_a is right: written in the point's frame, wanted in `base_link`. Parent → child is the "
                     "family; data runs the other way.",
-                    ko="node_a는 맞습니다. 스캔의 좌표계 기준인 점을 `base_link` 기준으로 보고 싶습니다. 부모 → 자식은 가족 "
+                    ko="node_a는 맞습니다. 점은 자기 헤더의 좌표계 기준이고, 그것을 `base_link` 기준으로 보고 싶습니다. 부모 → 자식은 가족 "
                     "관계이고, 데이터는 그 반대로 흐릅니다.",
                 ),
                 "M2",
@@ -742,6 +908,17 @@ TASKS = (
                     en="node and robot are right. Standing still does not help: a wrong transform is wrong at rest, "
                     "too. For which transform is the inverse the same?",
                     ko="노드와 로봇은 맞습니다. 서 있다고 해서 맞지는 않습니다. 틀린 변환은 서 있을 때도 틀립니다. 역변환이 "
+                    "자기 자신과 같은 변환은 어떤 것입니까?",
+                ),
+                "M3",
+            ),
+            Twin(
+                "far_away",
+                blamed("node_b", ROBOTS[1], HIDDEN[2]),
+                Words(
+                    en="node and robot are right. A far goal does not help: the farther away it is, the farther off a "
+                    "wrong turn throws it. For which transform is the inverse the same?",
+                    ko="노드와 로봇은 맞습니다. 목표가 멀어도 드러납니다. 멀수록 틀린 회전 때문에 더 크게 어긋납니다. 역변환이 "
                     "자기 자신과 같은 변환은 어떤 것입니까?",
                 ),
                 "M3",
