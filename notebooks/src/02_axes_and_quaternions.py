@@ -51,18 +51,18 @@
 # %% [markdown] lang="ko" name="needed" slide="skip"
 # ## 이 장에 필요한 것
 #
-# 파이썬만 알면 됩니다. 1장을 아직 읽지 않았다면 다음 내용이면 충분합니다.
+# 파이썬만 알면 됩니다. 01장을 아직 읽지 않았다면 다음 내용이면 충분합니다.
 #
 # - [[frame|좌표계(frame)]]는 원점과 세 방향에 이름을 붙인 것입니다. `base_link`, `camera_link`처럼 씁니다.
 # - 점은 값, 좌표계, 시각이 모두 있어야 점입니다. `(2, 0, 0)`만으로는 소문일 뿐입니다.
 # - 메시지는 자신의 좌표계를 `header.frame_id`에 적습니다.
-# - [[transform|변환(transform)]]은 한 좌표계([[child frame|자식]])가 다른 좌표계([[parent frame|부모]]) 안에서 어디에 있는지 나타냅니다. 이동(미터)과 회전, 두 부분으로 이루어집니다. **이 장에서는 회전을 다룹니다.**
+# - [[transform|좌표 변환(transform)]]은 한 좌표계([[child frame|자식]])가 다른 좌표계([[parent frame|부모]]) 안에서 어디에 있는지 나타냅니다. 이동(미터)과 회전, 두 부분으로 이루어집니다. **이 장에서는 회전을 다룹니다.**
 # - [[tf2|TF2]](줄여서 TF)는 변환을 모두 모아 두고 이런 계산을 대신해 주는 ROS 2의 부품입니다. RViz는 변환을 그림으로 보여 주는 ROS의 창입니다.
 # - [[urdf]]는 로봇의 부품이 어디에 달려 있는지 적은 파일입니다.
 # - 우리 로봇에는 카메라가 달려 있습니다. `camera_link`는 `base_link` 기준 (0.10, 0, 0.30), 곧 로봇 중심에서 앞으로 10 cm, 위로 30 cm인 곳에 있습니다.
 #
 # 코드에서는 이름에 두 좌표계를 모두 적되 목표를 먼저 씁니다. `base_T_camera`는 카메라 기준 숫자를 base 기준으로 옮기고, `base_p_mug`는 base 기준의 점입니다.
-# `base_T_camera.apply(camera_p_mug)`는 점을 옮기고, `@`는 변환 둘을 잇습니다. 자세한 이야기는 3장에서 합니다. 여기서는 읽을 수만 있으면 됩니다.
+# `base_T_camera.apply(camera_p_mug)`는 점을 옮기고, `@`는 변환 둘을 잇습니다. 자세한 이야기는 03장에서 합니다. 여기서는 읽을 수만 있으면 됩니다.
 
 # %% name="load" slide="skip"
 # %load_ext tflab
@@ -206,7 +206,7 @@ print("in camera_optical_frame ", fmt_all(axes.optical_from_body(camera_p_mug)))
 # </details>
 # <details><summary>(0, −2, 0)</summary>
 #
-# 회전은 맞지만 방향이 거꾸로입니다. 영상에서 본체로 옮겼습니다. 여기서는 본체에서 영상으로 옮겨야 합니다. 이 실수를 뿌리 뽑는 문장은 3장에서 배웁니다.
+# 회전은 맞지만 방향이 거꾸로입니다. 영상에서 본체로 옮겼습니다. 여기서는 본체에서 영상으로 옮겨야 합니다. 이 실수를 뿌리 뽑는 문장은 03장에서 배웁니다.
 #
 # </details>
 # <details><summary>(0, 0, 2)</summary>
@@ -800,7 +800,7 @@ print("camera_link:", fmt_all(camera_T_optical.apply((right, down, forward))))
 
 # %% [markdown] lang="ko" name="asker-before" slide="subslide"
 # 다음은 물어보는 프로그램입니다. [[listener|변환 수신기(listener)]]가 들리는 변환을 모두 [[buffer|변환 버퍼(buffer)]]에 모아 둡니다. 그러면 `buffer.transform(message, "base_link")`가 메시지를 헤더에 적힌 좌표계에서 원하는 좌표계로 옮깁니다.
-# 그 속은 8장에서 열어 봅니다. 이 페이지의 시간은 멈춰 있으며, `graph.run`을 부르는 동안에만 흐릅니다. (`graph`는 `%load_ext tflab`과 함께 생깁니다. 로봇의 시간은 저절로 흐르므로 이런 것이 필요 없습니다.)
+# 그 속은 08장에서 열어 봅니다. 이 페이지의 시간은 멈춰 있으며, `graph.run`을 부르는 동안에만 흐릅니다. (`graph`는 `%load_ext tflab`과 함께 생깁니다. 로봇의 시간은 저절로 흐르므로 이런 것이 필요 없습니다.)
 
 # %% name="asker"
 rclpy.init()

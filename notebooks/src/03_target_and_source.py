@@ -278,7 +278,7 @@ print('your guess was off by', f'{math.dist(my_guess, base_p_corner):.2f} m')
 # %% [markdown] lang="ko" name="one-transform" slide="slide"
 # ## 변환 하나, 두 가지 읽기
 #
-# 방금 발행한 것이 [[transform|변환(transform)]]입니다. [[child frame|자식 좌표계(child frame)]]가 [[parent frame|부모 좌표계(parent frame)]] 안 어디에 있는지 말합니다.
+# 방금 발행한 것이 [[transform|좌표 변환(transform)]]입니다. [[child frame|자식 좌표계(child frame)]]가 [[parent frame|부모 좌표계(parent frame)]] 안 어디에 있는지 말합니다.
 #
 # ```
 # header.frame_id = base_link      # parent
