@@ -328,7 +328,7 @@ for second in (14.3, 10.6):
 # 1. **어떤 종류입니까?** "into the future": 물어본 시각이 무언가보다 새롭습니다.
 # 2. **누구의 시각입니까?** "Requested time 14.300000"은 *질문한 쪽*이 가져온 시각입니다. 대개 메시지의 `header.stamp`입니다.
 # 3. **얼마나 벗어났습니까?** 14.3 − 14.0 = 0.3 s입니다.
-# 4. **어떤 데이터를 어디에서 보려 합니까?** "from frame [laser_frame] to frame [map]": `laser_frame`으로 표현된 데이터를 `map`에서 보려 합니다. 03장의 그 문장이며, 어느 이름도 범인으로 지목된 것이 아닙니다.
+# 4. **어떤 데이터를 어느 좌표계에서 보려 합니까?** "from frame [laser_frame] to frame [map]": `laser_frame` 기준 데이터를 `map` 기준으로 보려 합니다. 03장의 그 문장이며, 어느 이름도 범인으로 지목된 것이 아닙니다.
 # 5. **어느 연결입니까?** 경로 위에서 *최신* 표본이 14.000000인 연결입니다. 그 숫자를 찾으면 `map → odom`입니다. (여러 연결이 일찍 끝났어도 오류문은 하나만 말합니다. `map` 같은 루트로 물었다면 원본에서 올라가며 처음 만난 연결입니다. 그 뒤에 더 게으른 연결이 있을 수 있습니다.)
 #
 # 한 줄에 다섯 질문입니다. 조금만 연습하면 10초면 됩니다.
@@ -1299,7 +1299,7 @@ draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 #
 # 1. `timeout=Duration(seconds=1)`을 넣습니다
 # 2. 측정 시각 대신 최신을 뜻하는 `Time()`으로 묻습니다
-# 3. `header.stamp`에 도착한 시각을 써 넣습니다
+# 3. `header.stamp`에 도착한 시각을 써넣습니다
 # 4. 두 컴퓨터에서 `chronyc tracking`을 실행하고 시계를 바로잡습니다
 #
 # <details><summary>1번</summary>
@@ -1472,7 +1472,7 @@ graph.run(seconds=4)
 #
 # <details><summary>답</summary>
 #
-# `lookup_transform('map', 'laser_frame', stamp)`입니다. `laser_frame`으로 표현된 데이터를 `map`에서 보려 한 것이고, 보려는 쪽이 먼저입니다.
+# `lookup_transform('map', 'laser_frame', stamp)`입니다. `laser_frame` 기준 데이터를 `map` 기준으로 보려 한 것이고, 보려는 쪽이 먼저입니다.
 #
 # </details>
 #

@@ -11,7 +11,7 @@
 # %% [markdown] lang="ko" name="title"
 # # 연습 문제 02 · 어느 쪽이 앞입니까?
 #
-# 과제는 일곱, 21점, 약 40분입니다. 이 장의 본문은 [여기](../../notebooks/ko/02_axes_and_quaternions.ipynb)에 있습니다.
+# 과제 일곱 개, 21점, 약 40분입니다. 이 장의 본문은 [여기](../../notebooks/ko/02_axes_and_quaternions.ipynb)에 있습니다.
 #
 # `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고, 그 셀을 실행한 다음, 바로 아래의 확인 셀을 실행하십시오.
 # `check`는 어떤 실수인지 알려 주고, `hint("E2.2")`는 한 단계씩 도와줍니다. 둘 다 몇 번이든 써도 됩니다.

@@ -11,7 +11,7 @@
 # %% [markdown] lang="ko" name="title"
 # # 연습 문제 09 · 답을 얻지 못하는 네 가지 길
 #
-# 과제는 일곱, 22점, 약 45분입니다. 함께 보는 페이지: [09 · 답을 얻지 못하는 네 가지 길](../../notebooks/ko/09_exceptions_and_waiting.ipynb)
+# 과제 일곱 개, 22점, 약 45분입니다. 함께 보는 페이지: [09 · 답을 얻지 못하는 네 가지 길](../../notebooks/ko/09_exceptions_and_waiting.ipynb)
 #
 # `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고, 그 셀을 실행한 다음, 바로 아래의 확인 셀을 실행하십시오.
 # `check`는 어떤 실수인지 알려 주고, `hint("E9.2")`는 한 단계씩 도와줍니다.

@@ -338,7 +338,7 @@ TASKS = (
                 Words(
                     en="what is wrong is the wrong way round: you wrote [source, target]. In the call, the frame in "
                     "which you *want* the data comes first.",
-                    ko="틀린 것은 순서가 뒤집혔습니다. [원본, 목표] 순서로 썼습니다. 호출에서는 데이터를 *보고 싶은* 좌표계가 "
+                    ko="틀린 답은 순서가 뒤집혔습니다. [원본, 목표] 순서로 썼습니다. 호출에서는 데이터를 *보고 싶은* 좌표계가 "
                     "먼저 옵니다.",
                 ),
                 "M1",
