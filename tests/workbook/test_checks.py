@@ -7,15 +7,15 @@ import math
 
 import pytest
 
-from tflab.core import BufferCore, Transform
+from tflab.core import BufferCore, LookupException, Transform
 from tflab.ros.messages import geometry_msgs
 from tflab.ros.time import Time
 from tflab.workbook import check, checks, hint, solution, task
-from tflab.workbook.forms import Angle, Parts, Vector
+from tflab.workbook.forms import Angle, Number, Parts, Vector
 from tflab.workbook.places import WorkbookError
 from tflab.workbook.sealed import seal
 from tflab.workbook.showing import show, show_in_a_line
-from tflab.workbook.values import to_plain
+from tflab.workbook.values import raised, to_plain
 from tflab.workbook.verdict import judge_outcomes
 
 from . import small_chapter as chapter
@@ -251,3 +251,16 @@ def test_a_value_is_shown_in_a_line(value, text):
 def test_rows_of_numbers_stand_below_their_name_and_in_line():
     rows = [[20.0 + i, 20.1 + i] for i in range(6)]
     assert show({"scan": rows}).splitlines()[:2] == ["scan:", "    [20.000, 20.100]"]
+
+
+def test_an_exception_that_is_asked_for_has_to_be_raised_and_the_right_one():
+    one = {"form": Number("m", 0.01).plain(), "twins": {}, "is_function": True}
+    variant = {"cases": [{"args": [], "expected": {"raises": "LookupException", "text": ""}, "twins": {}}]}
+
+    def verdict(outcome):
+        return judge_outcomes(one, variant, [outcome])
+
+    assert verdict(raised(LookupException("no such frame"))).kind == "passed"
+    assert verdict(to_plain(LookupException("no such frame"))).kind == "no refusal"
+    assert verdict(to_plain(None)).kind == "no refusal"
+    assert verdict(raised(ValueError("no such frame"))).detail["is_meant"]

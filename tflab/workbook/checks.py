@@ -34,7 +34,7 @@ from .replies import LATER, REPLIES
 from .showing import show_all, show_in_a_line
 from .tasks import TaskError, chapter_of, variant_of
 from .values import Plain, from_plain, is_unanswered, raised, to_plain
-from .verdict import Verdict, judge_outcomes, kind_of
+from .verdict import ANY_BUG, Verdict, judge_outcomes, kind_of
 from .words import Words
 
 __all__ = ["check", "hint", "judge", "solution", "task"]
@@ -232,6 +232,8 @@ def _reply(one: _Task, verdict: Verdict, outcomes: list[Plain]) -> str:
     kind = verdict.kind
     if kind == "type" and names.get("got") == "function":
         kind = "a_function"
+    if kind == "raised" and names.get("is_meant") and names["error"] not in ANY_BUG - {"ValueError"}:
+        kind = "another exception"
     if kind in REPLIES and "{answer}" in REPLIES[kind].en and "answer" in names:
         text = REPLIES[kind].say(one.workbook.language, wanted=_wanted(one, verdict), **names)
     else:

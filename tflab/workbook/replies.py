@@ -51,6 +51,14 @@ REPLIES = {
         en="your function stopped with {error}: {text}",
         ko="함수가 예외를 내고 멈췄습니다. {error}: {text}",
     ),
+    "another exception": Words(
+        en="to raise an exception is right here, but {error} is not the one that is asked for. (It says: {text})",
+        ko="여기서 예외를 일으키는 것은 맞지만, 필요한 예외는 {error}가 아닙니다. (내용: {text})",
+    ),
+    "no refusal": Words(
+        en="for this call an exception has to be raised, and your function returned something.",
+        ko="이렇게 부르면 예외를 일으켜야 하는데, 함수가 무언가를 반환했습니다.",
+    ),
     "interrupted": Words(
         en="you stopped it. Does a loop in your function never end?",
         ko="실행을 멈췄습니다. 함수 안에 끝나지 않는 반복이 있지 않습니까?",

@@ -132,7 +132,7 @@ class _Writer:
         if isinstance(value, tf2_buffer.BufferCore):
             return {"Buffer": _plain_buffer(value.core)}
         if isinstance(value, BaseException):
-            return raised(value)
+            return {"object": f"{type(value).__name__}, returned and not raised"}
         return {"object": type(value).__name__}
 
 

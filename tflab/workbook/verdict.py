@@ -47,7 +47,7 @@ class Verdict:
         passed: probes that are right.
         of: how many there are.
         kind: "passed", "unanswered", "type", "shape", "option", "missing", "frame", "raised", "unsteady", "unit",
-            "twin", "parts" or "value".
+            "no refusal" (an exception was asked for), "twin", "parts" or "value".
         twin: the mistake's name, if it is one of the task's.
         case: the first case that failed, from 0.
         right: for each probe, in the order of the cases, whether it is right.
@@ -125,9 +125,9 @@ def _mistake(
         return "twin", twin, {}
     raises = expected.get("raises") if isinstance(expected, dict) else None
     if isinstance(outcome, dict) and "raises" in outcome:
-        return "raised", "", {"error": outcome["raises"], "text": outcome.get("text", "")}
+        return "raised", "", {"error": outcome["raises"], "text": outcome.get("text", ""), "is_meant": bool(raises)}
     if raises:
-        return "value", "", {}
+        return "no refusal", "", {}
     coarse = _coarse(form, outcome)
     if coarse is not None:
         return coarse[0], "", {"got": kind_of(outcome), **coarse[1]}
