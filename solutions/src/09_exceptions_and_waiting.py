@@ -251,10 +251,10 @@ check("E9.5", keep)
 #
 # 따로 말이 없으면 변환은 0.1 s 늦게 도착합니다. 줄마다 `"works"`(통한다), `"waits in vain"`(헛되이 기다리다 포기한다), `"waits for ever"`(영원히 기다린다) 가운데 고르십시오.
 #
-# - a: 구독 콜백 안에서 `timeout=0.3 s`. 노드는 `rclpy.spin(node)`으로 돕니다.
+# - a: 구독 콜백 안에서 `timeout=0.3 s`. 노드는 `rclpy.spin(node)`로 돕니다.
 # - b: a와 같지만 `rclpy.spin(node, executor=MultiThreadedExecutor())`입니다.
-# - c: *타이머* 콜백 안에서 `timeout=0.3 s`. 노드는 `rclpy.spin(node)`으로 돕니다.
-# - d: 구독 콜백 안에서 `wait_for_transform_async`. 노드는 `rclpy.spin(node)`으로 돕니다.
+# - c: *타이머* 콜백 안에서 `timeout=0.3 s`. 노드는 `rclpy.spin(node)`로 돕니다.
+# - d: 구독 콜백 안에서 `wait_for_transform_async`. 노드는 `rclpy.spin(node)`로 돕니다.
 # - e: d와 같지만 시각이 버퍼의 모든 것보다 오래됐습니다.
 # - f: b와 같지만 레이저 시계가 2 s 빠릅니다.
 # - g: `main()`에서 `timeout=0.3 s`. 노드와 수신기는 만들었고, 아직 아무것도 spin하지 않습니다.
