@@ -396,10 +396,11 @@ TASKS = (
                 "swapped",
                 corner_swapped,
                 Words(
-                    en="target and source are swapped: you used the inverse. `base_T_laser` already takes laser data "
-                    "to the base; check it with the laser's own origin, (0, 0, 0).",
-                    ko="목표와 원본이 바뀌었습니다. 역변환을 썼습니다. `base_T_laser`가 이미 레이저 데이터를 베이스로 "
-                    "옮깁니다. 레이저의 원점 (0, 0, 0)을 넣어 확인해 보십시오.",
+                    en="target and source are swapped: you used an inverse. `base_T_laser` already takes laser data to "
+                    "the base, and a row of dominoes that match needs no inverse either; check it with the laser's own "
+                    "origin, (0, 0, 0).",
+                    ko="목표와 원본이 바뀌었습니다. 역변환을 썼습니다. `base_T_laser`가 이미 레이저 데이터를 베이스로 옮기고, "
+                    "이웃이 맞는 도미노에도 역변환은 필요 없습니다. 레이저의 원점 (0, 0, 0)을 넣어 확인해 보십시오.",
                 ),
                 "M1",
             ),
@@ -447,10 +448,10 @@ TASKS = (
                 "inverse_carried_on",
                 corner_inverse_carried_on,
                 Words(
-                    en="the second step is right, the first is not: you took the inverse of `base_T_laser`, and went on "
-                    "from there. Which frame's points does `base_T_laser` itself take in?",
-                    ko="둘째 단계는 맞지만 첫 단계가 틀립니다. `base_T_laser`의 역변환을 쓰고 거기서부터 이어 갔습니다. "
-                    "`base_T_laser`는 어느 좌표계 기준인 점을 받습니까?",
+                    en="the way on to `map` is right, the way to `base_link` is not: you took the inverse of "
+                    "`base_T_laser`. Which frame's points does it take in, as it stands?",
+                    ko="`map`으로 이어 가는 방법은 맞지만 `base_link`로 가는 방법이 틀립니다. `base_T_laser`의 역변환을 썼습니다. "
+                    "`base_T_laser`는 그대로 둘 때 어느 좌표계 기준인 점을 받습니까?",
                 ),
                 "M1",
             ),
