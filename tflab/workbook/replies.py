@@ -53,11 +53,11 @@ REPLIES = {
     ),
     "another exception": Words(
         en="to raise an exception is right here, but {error} is not the one that is asked for. (It says: {text})",
-        ko="여기서 예외를 일으키는 것은 맞지만, 필요한 예외는 {error}가 아닙니다. (내용: {text})",
+        ko="여기서 예외를 일으키는 것은 맞지만, 다른 예외가 필요합니다. 함수가 낸 예외는 다음과 같습니다. {error}: {text}",
     ),
     "no refusal": Words(
         en="for this call an exception has to be raised, and your function returned something.",
-        ko="이렇게 부르면 예외를 일으켜야 하는데, 함수가 무언가를 반환했습니다.",
+        ko="이렇게 부르면 예외를 일으켜야 하는데, 함수가 값을 반환했습니다.",
     ),
     "interrupted": Words(
         en="you stopped it. Does a loop in your function never end?",
@@ -69,7 +69,7 @@ REPLIES = {
     ),
     "unit": Words(
         en="right, if it were in {unit}; {wanted_unit} is asked for.",
-        ko="단위가 {unit}이라면 맞습니다. 여기서 필요한 단위는 {wanted_unit}입니다.",
+        ko="{unit} 단위라면 맞습니다. 여기서 필요한 단위는 {wanted_unit}입니다.",
     ),
     "parts": Words(
         en="look again at {wrong}.",
