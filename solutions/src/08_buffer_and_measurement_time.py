@@ -199,14 +199,14 @@ check("E8.5", causes)
 #
 # A detector thinks for `thinking_s` before it asks for the transform at the picture's stamp.
 # The edges on the path speak at `rate_hz`, each as soon as it has measured.
-# Which `cache_time` [s] is the smallest that is enough for every picture, wherever its stamp falls between two samples?
+# By the rule of the page, which `cache_time` [s] is enough for every picture, wherever its stamp falls between two samples, and not longer than it need be?
 
 # %% [markdown] lang="ko" name="e8-6"
 # ## E8.6 · 얼마나 오래 기억해야 합니까? (2점)
 #
 # 검출기는 `thinking_s` 동안 계산한 뒤 영상의 측정 시각으로 변환을 묻습니다.
 # 경로의 연결은 각각 `rate_hz`로 발행되며, 재자마자 보냅니다.
-# 측정 시각이 두 표본 사이 어디에 놓이더라도 모든 영상에 충분한 가장 작은 `cache_time`[s]은 얼마입니까?
+# 본문의 규칙을 쓰십시오. 측정 시각이 두 표본 사이 어디에 놓이더라도 모든 영상에 충분하면서 필요 이상으로 길지 않은 `cache_time`[s]은 얼마입니까?
 
 # %% name="e8-6-given"
 e8_6 = task("E8.6")

@@ -178,9 +178,7 @@ def swallows(buffer, message, now):
 
 
 def swapped(buffer, message, now):
-    moved = _moved(message, buffer.lookup_transform(message.header.frame_id, "map", message.header.stamp))
-    moved.header.frame_id = "map"
-    return moved
+    return _moved(message, buffer.lookup_transform(message.header.frame_id, "map", message.header.stamp))
 
 
 def restamped(buffer, message, now):
@@ -243,6 +241,17 @@ def _at(buffer, message, target_time, source_time, fixed="odom"):
 
 def _stamp(message):
     return Time.from_msg(message.header.stamp)
+
+
+def _left_in_odom(buffer, message):
+    point = _moved(message, buffer.lookup_transform("odom", message.header.frame_id, _stamp(message))).point
+    return (point.x, point.y, point.z)
+
+
+def _the_wrong_way(buffer, message, now):
+    then_T_now = buffer.lookup_transform_full(message.header.frame_id, _stamp(message), "base_link", now, "odom")
+    point = _moved(message, then_T_now).point
+    return (point.x, point.y, point.z)
 
 
 SYMPTOMS = ("a", "b", "c", "d", "e", "f")
@@ -415,7 +424,7 @@ TASKS = (
         points=4,
         title=Words(en="PointToMap: a point onto the map", ko="PointToMap: 점을 지도 위로"),
         answer="point_to_map",
-        form=Message("geometry_msgs/msg/PointStamped", ("point", "header.stamp"), tolerance=0.002),
+        form=Message("geometry_msgs/msg/PointStamped", ("point", "header.frame_id", "header.stamp"), tolerance=0.002),
         inputs=sightings,
         variants=3,
         twins=(
@@ -758,6 +767,23 @@ TASKS = (
                     en="The two times are swapped: you moved a sighting of now into the base_link of then. Each frame is followed by its own time.",
                     ko="두 시각이 뒤바뀌었습니다. 지금 본 것을 그때의 base_link로 옮겼습니다. 좌표계마다 바로 뒤에 자기 시각이 옵니다.",
                 ),
+            ),
+            Twin(
+                "left in odom",
+                lambda buffer, message, now: _left_in_odom(buffer, message),
+                Words(
+                    en="These are the coordinates in odom, where the two moments meet. Asked for is base_link, as it is at `now`: one more step.",
+                    ko="두 순간이 만나는 odom 기준의 좌표입니다. 필요한 것은 `now` 시각의 base_link 기준입니다. 한 걸음 더 가십시오.",
+                ),
+            ),
+            Twin(
+                "the wrong way",
+                lambda buffer, message, now: _the_wrong_way(buffer, message, now),
+                Words(
+                    en="Target and source are swapped. The target with its time comes first: base_link, now.",
+                    ko="목표와 원본이 뒤바뀌었습니다. 목표와 그 시각이 먼저입니다. base_link와 now입니다.",
+                ),
+                "M1",
             ),
             Twin(
                 "through map",
