@@ -463,7 +463,7 @@ TASKS = (
             Twin("ends swapped", ends_swapped, misconception="M1",
                  reply=Words(
                      en="where both names are wrong, tf2 complains of the target first. Your function seems to hand over source and target in the other order: wanted comes first.",
-                     ko="두 이름이 모두 틀리면 tf2는 target부터 탓합니다. 이 함수는 source와 target을 거꾸로 넘기는 것 같습니다. 보려는 쪽이 먼저입니다.")),
+                     ko="두 이름이 모두 틀리면 tf2는 목표(target_frame)부터 탓합니다. 이 함수는 원본과 목표를 거꾸로 넘기는 것 같습니다. 보려는 쪽이 먼저입니다.")),
         ),
         hints=(
             Words(en="Do not examine the buffer. Ask it, and sort what it raises.",
@@ -542,7 +542,7 @@ TASKS = (
             Twin("always a clock", always_fast, misconception="M10",
                  reply=Words(
                      en="not every gap is the laser's clock. A fast laser clock makes the delay of /scan too small: look at /scan of each robot first.",
-                     ko="모든 간격이 라이다 시계 탓은 아닙니다. 라이다 시계가 빠르면 /scan의 지연이 너무 작아집니다. 로봇마다 /scan부터 보십시오.")),
+                     ko="모든 간격이 레이저 시계 탓은 아닙니다. 레이저 시계가 빠르면 /scan의 지연이 너무 작아집니다. 로봇마다 /scan부터 보십시오.")),
             Twin("sign overlooked", no_sign, misconception="M10",
                  reply=Words(
                      en="one robot hears its scans before they are measured. That much *can* be told from the numbers: look at the sign.",
