@@ -105,6 +105,7 @@ from tflab.views.timeline import lane_from_history
 #
 # The next cell starts the robot; you need not understand its words.
 # A `Leg` is a piece of the drive: how many seconds, how fast forwards, how fast it turns.
+# `graph` is the little ROS 2 world that `%load_ext tflab` has made, and `graph.now_ns` is what its clock says.
 
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 오십 년, 그리고 손 한 뼘
@@ -122,6 +123,7 @@ from tflab.views.timeline import lane_from_history
 #
 # 다음 셀은 로봇을 출발시킵니다. 코드를 모두 이해할 필요는 없습니다.
 # `Leg`는 주행의 한 토막입니다. 몇 초 동안, 얼마나 빠르게 앞으로, 얼마나 빠르게 도는지를 적습니다.
+# `graph`는 `%load_ext tflab`이 만들어 둔 작은 ROS 2 세계이고, `graph.now_ns`는 그 시계의 지금 시각입니다.
 
 # %% name="start-the-robot"
 weave = [Leg(1.0), *3 * [Leg(1.0, 0.5, 0.5), Leg(2.0, 0.5, -0.5), Leg(1.0, 0.5, 0.5)]]
@@ -193,7 +195,7 @@ draw_placed({"balls on the map": np.array(finder.balls)}, things=[BALL], shown_m
 # The ring is the ball. The dots are where the map says it is.
 #
 # Not one dot lies in the ring.
-# The map shows four or five balls, in two gangs, left and right of the real one: 0.18 m off on average, 0.31 m at worst.
+# The map shows four or five balls, in two gangs, one on either side of the real one: 0.18 m off on average, 0.31 m at worst.
 # A gripper would close on air, with great confidence.
 #
 # The mathematics was right, and so was the tree.
@@ -203,7 +205,7 @@ draw_placed({"balls on the map": np.array(finder.balls)}, things=[BALL], shown_m
 # 고리가 실제 공이고, 점은 지도가 말하는 공의 위치입니다.
 #
 # 고리 안에 든 점은 하나도 없습니다.
-# 지도에는 공이 네다섯 개, 진짜 공의 왼쪽과 오른쪽에 두 무리로 나타납니다. 평균 0.18 m, 최대 0.31 m 빗나갔습니다.
+# 지도에는 공이 네다섯 개, 진짜 공의 양쪽에 두 무리로 나타납니다. 평균 0.18 m, 최대 0.31 m 빗나갔습니다.
 # 그리퍼라면 자신 있게 허공을 움켜쥐었을 것입니다.
 #
 # 수학도 트리도 맞았습니다.
@@ -663,6 +665,7 @@ else:
 #
 # Somewhere in the world a node does this at this very moment:
 # it receives a message, filters it, and sends it on with a fresh stamp, because "it is published now, after all".
+# (A traceback would stand above the error. The next line leaves it out: what counts is the last line.)
 
 # %% [markdown] lang="ko" name="break-stamp" slide="slide"
 # ## 일부러 망가뜨리기
@@ -671,6 +674,10 @@ else:
 #
 # 지금 이 순간에도 어딘가의 노드가 이렇게 하고 있습니다.
 # 메시지를 받아 걸러 낸 뒤, "어쨌든 지금 발행하니까"라며 지금 시각을 새로 찍어 내보냅니다.
+# (오류 위에는 원래 traceback이 길게 나옵니다. 아래 줄은 그것을 생략합니다. 중요한 것은 마지막 줄입니다.)
+
+# %% name="short-errors"
+# %xmode Minimal
 
 # %% name="overwritten" tags=["raises-exception"]
 measured = finder.messages[-1]
@@ -793,14 +800,14 @@ print(refusals[0])
 
 # %% [markdown] lang="en" name="slow-odometry-read"
 # Fewer than one in three.
-# A sighting is answered only if a sample of *each* lane is at least as young as it is, and for 0.8 of each second the newest odometry is older.
+# A sighting is answered only if a sample of *each* lane is at least as young as it is, and for most of each second the newest odometry is older.
 #
 # Three ways out, in this order: publish odometry faster; let the message wait until the lane has caught up (chapter 09); or drop it.
 # `Time()` is not among them. It always answers, with a pose that is up to a second old.
 
 # %% [markdown] lang="ko" name="slow-odometry-read"
 # 셋 중 하나도 되지 않습니다.
-# *모든* 차선에 관측과 측정 시각이 같거나 더 새로운 표본이 하나씩 있어야 답이 나옵니다. 그런데 1초 가운데 0.8초 동안은 가장 새로운 오도메트리도 관측보다 오래된 것입니다.
+# *모든* 차선에 관측과 측정 시각이 같거나 더 새로운 표본이 하나씩 있어야 답이 나옵니다. 그런데 1초 중 대부분의 시간에는 가장 새로운 오도메트리조차 관측보다 오래된 것입니다.
 #
 # 빠져나갈 길은 셋이고 순서도 이렇습니다. 오도메트리를 더 자주 발행합니다. 차선이 따라올 때까지 메시지를 기다리게 합니다(09장). 아니면 버립니다.
 # `Time()`은 여기에 없습니다. 언제나 답해 주지만, 최대 1초 묵은 자세로 답합니다.
@@ -881,7 +888,7 @@ forgetful.lookup_transform("map", "camera_optical_frame", seconds(11.0))
 #
 # > cache time ≥ delay + one period
 #
-# A detector that needs 2 s, on a path with an edge of 4 Hz: 2.25 s at least. Take more; memory is cheap.
+# A detector that needs 2 s, on a path with an edge of 4 Hz: 2.25 s. Take more; memory is cheap.
 
 # %% [markdown] lang="ko" name="short-memory-read"
 # 관측을 쓸 때 그 측정 시각은 *지연*만큼 과거에 있습니다. 거기서 보간하려면 측정 시각 *바로 앞*의 표본이 차선에 남아 있어야 하고, 그 표본은 한 주기만큼 더 오래된 것일 수 있습니다.
@@ -889,7 +896,7 @@ forgetful.lookup_transform("map", "camera_optical_frame", seconds(11.0))
 #
 # > 보관 시간 ≥ 지연 + 한 주기
 #
-# 2초 걸리는 검출기와 4 Hz 연결이 있는 경로라면 적어도 2.25초입니다. 넉넉히 잡으십시오. 메모리는 쌉니다.
+# 2초 걸리는 검출기와 4 Hz 연결이 있는 경로라면 2.25초입니다. 넉넉히 잡으십시오. 메모리는 비싸지 않습니다.
 
 # %% [markdown] lang="en" name="two-moments" slide="slide"
 # ## One more question: two moments at once

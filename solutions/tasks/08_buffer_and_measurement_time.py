@@ -773,7 +773,7 @@ TASKS = (
                 lambda buffer, message, now: _left_in_odom(buffer, message),
                 Words(
                     en="These are the coordinates in odom, where the two moments meet. Asked for is base_link, as it is at `now`: one more step.",
-                    ko="두 순간이 만나는 odom 기준의 좌표입니다. 필요한 것은 `now` 시각의 base_link 기준입니다. 한 걸음 더 가십시오.",
+                    ko="두 순간이 만나는 odom 기준의 좌표입니다. 필요한 것은 `now` 시각의 base_link 기준 좌표입니다. 한 걸음 더 가십시오.",
                 ),
             ),
             Twin(
