@@ -23,9 +23,9 @@ for _name in ("tiny", "hostile"):
 import tiny  # noqa: E402
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def course(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tiny.Course]:
-    """The tiny course, released; tests only read it."""
+    """The tiny course, released; tests only read it, and tests of other folders never see it."""
     from tflab.grading.release import release
     from tflab.grading.roster import Learner
 
