@@ -204,7 +204,7 @@ check("E3.5", both_ways)
 # %% [markdown] lang="ko" name="e3-6" slide="slide"
 # ## E3.6 · 카메라 달기 (4점)
 #
-# `camera_link`를 `base_link`에 답니다. 중심에서 앞으로 `ahead_m`, 위로 `up_m`이고, 왼쪽으로 `yaw_deg`**도** 돌려 답니다.
+# `camera_link`를 `base_link`에 답니다. 중심에서 앞으로 `ahead_m`, 위로 `up_m`이고, 왼쪽으로 `yaw_deg`만큼 돌려 답니다. 각도의 단위는 **도**(degree)입니다.
 # 정적 발행기가 보낼 메시지를 채우십시오. 시각(stamp)은 그대로 둡니다.
 
 # %% name="e3-6-answer" tags=["answer"]
