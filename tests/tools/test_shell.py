@@ -228,14 +228,15 @@ def test_a_full_disk_is_one_line_and_a_failure(bag):
 
 
 def test_a_node_that_sits_in_a_call_that_nothing_interrupts_does_not_keep_the_shell(tmp_path):
-    (tmp_path / "ask.py").write_text("input()\n")
+    (tmp_path / "ask.py").write_text("print('asking', flush=True)\ninput()\n")
     process = tflab("run", "ask.py", stdin=subprocess.PIPE, cwd=tmp_path)
-    time.sleep(1.0)
+    while "asking" not in process.stdout.readline():
+        assert process.poll() is None
     for _ in range(2):  # the second one ends the patience
         process.send_signal(signal.SIGINT)
         time.sleep(1.0)
     error = process.stderr.read()
-    assert error.splitlines()[-1] == 'participant "ask" went on after it was interrupted, at ask.py:1 in <module>.'
+    assert error.splitlines()[-1] == 'participant "ask" went on after it was interrupted, at ask.py:2 in <module>.'
     assert process.wait(timeout=30) == 1
 
 
