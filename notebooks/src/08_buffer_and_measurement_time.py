@@ -81,6 +81,7 @@ from tflab.robots.motion import Drive, Leg, PlanarPose
 from tflab.robots.nodes import launch
 from tflab.robots.teaching import Source, TeachingRobot
 from tflab.robots.world import BALL, ROOM
+from tflab.ros import new_graph
 from tflab.tools.buffers import draw_history
 from tflab.views import latency, scene_helpers
 from tflab.views.moments import draw_moments
@@ -105,7 +106,7 @@ from tflab.views.timeline import lane_from_history
 #
 # The next cell starts the robot; you need not understand its words.
 # A `Leg` is a piece of the drive: how many seconds, how fast forwards, how fast it turns.
-# `graph` is the little ROS 2 world that `%load_ext tflab` has made, and `graph.now_ns` is what its clock says.
+# `graph` is a little ROS 2 world, made afresh whenever you run the cell; `graph.now_ns` is what its clock says.
 
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 오십 년, 그리고 손 한 뼘
@@ -123,9 +124,10 @@ from tflab.views.timeline import lane_from_history
 #
 # 다음 셀은 로봇을 출발시킵니다. 코드를 모두 이해할 필요는 없습니다.
 # `Leg`는 주행의 한 토막입니다. 몇 초 동안, 얼마나 빠르게 앞으로, 얼마나 빠르게 도는지를 적습니다.
-# `graph`는 `%load_ext tflab`이 만들어 둔 작은 ROS 2 세계이고, `graph.now_ns`는 그 시계의 지금 시각입니다.
+# `graph`는 셀을 실행할 때마다 새로 만드는 작은 ROS 2 세계이고, `graph.now_ns`는 그 시계의 지금 시각입니다.
 
 # %% name="start-the-robot"
+graph = new_graph()
 weave = [Leg(1.0), *3 * [Leg(1.0, 0.5, 0.5), Leg(2.0, 0.5, -0.5), Leg(1.0, 0.5, 0.5)]]
 plan = Drive(weave, PlanarPose(-1.0, -1.5, 0.0), start_ns=graph.now_ns)
 robot = TeachingRobot(plan, bias=0.0, slip=0.0005)  # good wheels: what you will see is time
