@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import io
+import os
 import stat
+import unicodedata
 import zipfile
 from contextlib import suppress
 from pathlib import Path
@@ -272,3 +274,43 @@ def test_a_pipe_that_calls_itself_a_zip_is_not_waited_for(tmp_path: Path) -> Non
 def test_a_large_class_below_one_folder_is_a_large_class(tmp_path: Path) -> None:
     put(tmp_path, *(f"submitted/x{n}/hw1/03_tiny.ipynb" for n in range(150)))
     assert len(who(collect(tmp_path, None, CHAPTERS))) == 150
+
+
+def test_a_folder_for_each_chapter_is_nobodys(tmp_path: Path) -> None:
+    put(tmp_path, "02_axes/s101.ipynb", "03_tiny/s101.ipynb", "03_tiny/s102/work.ipynb")
+    found = who(collect(tmp_path, ROSTER, CHAPTERS))
+    assert {learner: len(files) for learner, files in found.items()} == {"s101": 2, "s102": 1, "7": 0}
+
+
+def test_a_folder_for_each_assignment_is_nobodys(tmp_path: Path) -> None:
+    put(tmp_path, "week 1/s101.ipynb", "week 2/s101.ipynb", "week 2/s102/work.ipynb")
+    found = who(collect(tmp_path, ROSTER, CHAPTERS))
+    assert {learner: len(files) for learner, files in found.items()} == {"s101": 2, "s102": 1, "7": 0}
+
+
+def test_a_strange_folder_hands_in_for_nobody_else(tmp_path: Path) -> None:
+    put(tmp_path, "s101/03_tiny.ipynb", "submission_9/s101.ipynb", "submission_9/other.ipynb")
+    assert who(collect(tmp_path, ROSTER, CHAPTERS))["s101"] == ["s101/03_tiny.ipynb"]
+
+
+def test_hangul_that_a_mac_took_apart_is_the_same_name(tmp_path: Path) -> None:
+    roster = {"김민지": Learner("김민지"), "s102": Learner("s102", "이 준")}
+    put(tmp_path, *(unicodedata.normalize("NFD", name) for name in ("김민지/03_tiny.ipynb", "이 준/03_tiny.ipynb")))
+    assert all(who(collect(tmp_path, roster, CHAPTERS)).values())
+
+
+def test_a_zip_in_a_learners_zip_is_looked_into(tmp_path: Path) -> None:
+    inner = zipped(tmp_path / "b.zip", {"03_tiny.ipynb": b"{}"}).read_bytes()
+    outer = zipped(tmp_path / "a.zip", {"b.zip": inner}).read_bytes()
+    found = who(collect(zipped(tmp_path / "all.zip", {"s101/a.zip": outer}), ROSTER, CHAPTERS))
+    assert len(found["s101"]) == 1
+
+
+@pytest.mark.skipif(os.geteuid() == 0, reason="root may open everything")
+def test_a_folder_that_cannot_be_opened_is_said(tmp_path: Path) -> None:
+    put(tmp_path, "s101/03_tiny.ipynb")
+    (tmp_path / "s101").chmod(0)
+    try:
+        assert "cannot be opened" in collect(tmp_path, ROSTER, CHAPTERS).remarks[0]
+    finally:
+        (tmp_path / "s101").chmod(0o700)

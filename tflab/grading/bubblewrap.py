@@ -50,6 +50,7 @@ def command(shown: Sequence[str], hidden: Sequence[str], file_bytes: int, enviro
     for path in shown:
         words += ["--symlink", os.readlink(path), path] if os.path.islink(path) else ["--ro-bind", path, path]
     words += ["--proc", "/proc", "--dev", "/dev", "--perms", "1777", "--size", str(file_bytes), "--tmpfs", "/dev/shm"]
+    words += ["--ro-bind", "/dev/null", "/dev/zero"]  # mapped, it is memory in no process's limit
     for path in hidden:
         if any(path.startswith(f"{folder}/") for folder in shown):
             words += ["--tmpfs", path] if os.path.isdir(path) else ["--ro-bind", "/dev/null", path]

@@ -34,6 +34,8 @@ from .wire import Wire
 __all__ = ["keep"]
 
 TICK_S = 0.2
+SHARED = "/dev/zero (deleted)"  # how maps call memory that forks share
+FREE_DESCRIPTORS, BYTES_OF_A_SOCKET = 32, 400 << 10
 PR_SET_PDEATHSIG, PR_SET_CHILD_SUBREAPER = 1, 36
 FIRST_UID, UIDS = 61000, 4000  # above people and services, below what systemd gives away
 ENVIRONMENT = {
@@ -220,19 +222,43 @@ def descendants(pid: int) -> list[int]:
 
 
 def memory_of_all(pid: int) -> int:
-    """Return what a process and its descendants hold for themselves [bytes]."""
-    return sum(map(memory_of, (pid, *descendants(pid))))
+    """Return what a process and its descendants hold, in their own tables and outside of them [bytes]."""
+    processes = (pid, *descendants(pid))
+    shared: dict[str, int] = {}
+    for process in processes:
+        shared |= shared_memory_of(process)
+    return sum(map(memory_of, processes)) + sum(map(behind_descriptors, processes)) + sum(shared.values())
 
 
 def memory_of(pid: int) -> int:
+    """Return what a process holds for itself [bytes]."""
     try:
-        for line in Path(f"/proc/{pid}/smaps_rollup").read_text().splitlines():
-            if line.startswith("Pss_Anon:"):
-                return int(line.split()[1]) * 1024
+        lines = Path(f"/proc/{pid}/smaps_rollup").read_text().splitlines()
+        return sum(int(line.split()[1]) * 1024 for line in lines if line.startswith("Pss_Anon:"))
     except OSError:
         pass
     try:
-        _, resident, shared, *_ = Path(f"/proc/{pid}/statm").read_text().split()
+        return int(Path(f"/proc/{pid}/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
     except (OSError, ValueError):
         return 0
-    return (int(resident) - int(shared)) * os.sysconf("SC_PAGE_SIZE")
+
+
+def shared_memory_of(pid: int) -> dict[str, int]:
+    """Return the sizes of memory that forks share, by its inode: pages dropped from all tables are kept, too."""
+    sizes: dict[str, int] = {}
+    with contextlib.suppress(OSError):
+        maps = Path(f"/proc/{pid}/maps").read_text(errors="replace")
+        for line in maps.splitlines() if SHARED in maps else ():
+            if line.endswith(SHARED):
+                span, _, offset, _, inode, *_ = line.split()
+                begin, end = (int(number, 16) for number in span.split("-"))
+                sizes[f"{inode}:{offset}"] = max(end - begin, sizes.get(f"{inode}:{offset}", 0))
+    return sizes
+
+
+def behind_descriptors(pid: int) -> int:
+    """Return the most that the kernel of the system may hold in the buffers of a process's sockets [bytes]."""
+    try:
+        return max(0, len(os.listdir(f"/proc/{pid}/fd")) - FREE_DESCRIPTORS) * BYTES_OF_A_SOCKET
+    except OSError:
+        return 0

@@ -37,7 +37,7 @@ LOCKED = {
     2048: 2048,
     4096: 1 << 21,
 }
-DEVICES = ("null", "zero", "full", "random", "urandom")
+DEVICES = ("null", "full", "random", "urandom")  # no zero: mapped, it is memory in no process's limit
 NOT_FOR_READING = ("acpi", "kcore", "keys", "kallsyms", "latency_stats", "sched_debug", "scsi", "timer_list")
 NOT_FOR_WRITING = ("bus", "fs", "irq", "sys", "sysrq-trigger")
 

@@ -29,6 +29,7 @@ if TYPE_CHECKING:
 RunCells = Callable[[Sequence[PlannedCell], "Limits"], Ran]
 ODD = {"raised", "raises", "unfit", "no result", "unstable"}  # more than a wrong number
 ANSWER = re.compile(r"(e\d{1,3}-\d{1,3})-answer")
+COPY = re.compile(r"-Copy\d+$|^Copy of |/Copy of |checkpoint$")
 WORTH_A_LINE = re.compile(r"(^|/)(notebooks|solutions)/")
 
 
@@ -159,7 +160,7 @@ def _by_chapter(job: Job, masters: Mapping[str, Master], remarks: list[Remark]) 
             remarks.append(Remark("no exercise", file=name))
     chosen = {}
     for stem, several in candidates.items():
-        best = max(several, key=lambda one: len(one.transplanted.answered))
+        best = max(several, key=lambda one: (len(one.transplanted.answered), _age(one.file.name)))
         others = [one for one in several if one is not best and one.transplanted.answered]
         if any(_texts(one) != _texts(best) for one in others):
             best.remarks.append(Remark("several", chapter=stem, file=best.file.name))
@@ -172,6 +173,13 @@ def _by_chapter(job: Job, masters: Mapping[str, Master], remarks: list[Remark]) 
             Remark("unknown task", file=one.file.name, stamp=task.upper().replace("-", ".")) for task in tasks[:5]
         )
     return chosen
+
+
+def _age(name: str) -> tuple[bool, list[tuple[int, str]]]:
+    """Return what sorts a later attempt behind an earlier one, by its name; an editor's copies come first."""
+    stem = name.rpartition(".")[0]
+    runs = re.findall(r"\d+|\D+", stem)
+    return not COPY.search(stem), [(int(run[:18]), "") if run.isdecimal() else (-1, run) for run in runs]
 
 
 def _read(file: File) -> SubmittedNotebook:

@@ -98,8 +98,8 @@ KINDS = {
         ko="{file}: 채점하는 장의 셀이 하나도 없습니다.",
     ),
     "several": Words(
-        en="{chapter} was handed in more than once; {file} was graded, it has the most answers.",
-        ko="{chapter} 장이 여러 번 제출되었습니다. 답이 가장 많은 것을 채점했습니다: {file}.",
+        en="{chapter} was handed in more than once; {file} was graded: the one with most answers, or the later one.",
+        ko="{chapter} 장이 여러 번 제출되었습니다. 답이 가장 많은 것을, 같으면 나중 것을 채점했습니다: {file}.",
     ),
     "nothing": Words(en="{chapter} was not handed in.", ko="{chapter} 장은 제출되지 않았습니다."),
     "other release": Words(

@@ -1,14 +1,15 @@
 """Which system calls are refused to a kernel?  Those that no answer needs and that attacks begin with.
 
     mount, unshare, ptrace, bpf, ...     EPERM
-    memfd_create, shmget, msgget         EPERM (memory that is in no process, and so in nobody's limit)
+    memfd_create, vmsplice, shmget, ...  EPERM (memory that is in no process, and so in nobody's limit)
+    mmap that forks share, of no file    EPERM (the same)
     kill(-1)                             EPERM (that is everybody)
     clone with a new namespace           EPERM
     clone3                               ENOSYS (its flags cannot be seen; libc then uses clone)
     socket of an unusual family          EAFNOSUPPORT
 
 The filter is a small program in the kernel's own language (BPF): it looks at the number of a
-call and at its first argument.  A machine of another architecture goes without.
+call and at one of its arguments.  A machine of another architecture goes without.
 
 Read `shell.py` next: what is run behind all this.
 """
@@ -31,7 +32,8 @@ ANYWHERE = {
     "mount_setattr": 442, "quotactl_fd": 443, "memfd_secret": 447,
 }  # fmt: skip
 X86_64 = {
-    "shmget": 29, "msgget": 68, "memfd_create": 319,
+    "shmget": 29, "msgget": 68, "vmsplice": 278,
+    "memfd_create": 319,
     "ptrace": 101, "pivot_root": 155, "chroot": 161, "acct": 163, "settimeofday": 164, "mount": 165, "umount2": 166,
     "swapon": 167, "swapoff": 168, "reboot": 169, "init_module": 175, "delete_module": 176, "quotactl": 179,
     "clock_settime": 227, "kexec_load": 246, "add_key": 248, "request_key": 249, "keyctl": 250, "unshare": 272,
@@ -39,26 +41,28 @@ X86_64 = {
     "process_vm_writev": 311, "finit_module": 313, "kexec_file_load": 320, "bpf": 321, "userfaultfd": 323,
 }  # fmt: skip
 AARCH64 = {
-    "msgget": 186, "shmget": 194, "memfd_create": 279,
+    "msgget": 186, "shmget": 194, "memfd_create": 279, "vmsplice": 75,
     "umount2": 39, "mount": 40, "pivot_root": 41, "chroot": 51, "quotactl": 60, "acct": 89, "unshare": 97,
     "kexec_load": 104, "init_module": 105, "delete_module": 106, "clock_settime": 112, "ptrace": 117, "reboot": 142,
     "settimeofday": 170, "add_key": 217, "request_key": 218, "keyctl": 219, "swapon": 224, "swapoff": 225,
     "perf_event_open": 241, "name_to_handle_at": 264, "open_by_handle_at": 265, "setns": 268, "process_vm_readv": 270,
     "process_vm_writev": 271, "finit_module": 273, "bpf": 280, "userfaultfd": 282, "kexec_file_load": 294,
 }  # fmt: skip
-# machine -> (how the kernel names it, refused calls, numbers of clone, socket and kill)
-MACHINES: dict[str, tuple[int, Mapping[str, int], int, int, int]] = {
-    "x86_64": (0xC000003E, {**X86_64, **ANYWHERE}, 56, 41, 62),
-    "aarch64": (0xC00000B7, {**AARCH64, **ANYWHERE}, 220, 198, 129),
+# machine -> (how the kernel names it, refused calls, numbers of clone, socket, kill and mmap)
+MACHINES: dict[str, tuple[int, Mapping[str, int], int, int, int, int]] = {
+    "x86_64": (0xC000003E, {**X86_64, **ANYWHERE}, 56, 41, 62, 9),
+    "aarch64": (0xC00000B7, {**AARCH64, **ANYWHERE}, 220, 198, 129, 222),
 }
 CLONE3 = 435
 NEW_NAMESPACES = 0x7E020000  # CLONE_NEWNS, NEWCGROUP, NEWUTS, NEWIPC, NEWUSER, NEWPID, NEWNET
 FAMILIES = (1, 2, 10, 16)  # AF_UNIX, AF_INET, AF_INET6, AF_NETLINK
 X32 = 0x40000000
 
-LOAD, EQUAL, AT_LEAST, ANY_OF, RETURN = 0x20, 0x15, 0x35, 0x45, 0x06
+SHARED_WITH_FORKS = 0x21  # MAP_SHARED and MAP_ANONYMOUS
+
+LOAD, AND, EQUAL, AT_LEAST, ANY_OF, RETURN = 0x20, 0x54, 0x15, 0x35, 0x45, 0x06
 ALLOW, KILL, REFUSE = 0x7FFF0000, 0x80000000, 0x00050000
-AT_NUMBER, AT_MACHINE, AT_FIRST_ARGUMENT = 0, 4, 16
+AT_NUMBER, AT_MACHINE, AT_FIRST_ARGUMENT, AT_FOURTH_ARGUMENT = 0, 4, 16, 40
 PR_SET_SECCOMP, MODE_FILTER = 22, 2
 
 
@@ -73,7 +77,7 @@ def refuse_dangerous_calls() -> bool:
     return True
 
 
-def program(machine: int, refused: Mapping[str, int], clone: int, socket: int, kill: int) -> bytes:
+def program(machine: int, refused: Mapping[str, int], clone: int, socket: int, kill: int, mmap: int) -> bytes:
     """Return the filter: one instruction is (code, jump if true, jump if false, number)."""
     steps = [
         (LOAD, 0, 0, AT_MACHINE),
@@ -88,6 +92,12 @@ def program(machine: int, refused: Mapping[str, int], clone: int, socket: int, k
     for number in sorted(refused.values()):
         steps += [(EQUAL, 0, 1, number), (RETURN, 0, 0, REFUSE | errno.EPERM)]
     steps += [
+        (EQUAL, 0, 5, mmap),
+        (LOAD, 0, 0, AT_FOURTH_ARGUMENT),
+        (AND, 0, 0, SHARED_WITH_FORKS),
+        (EQUAL, 0, 1, SHARED_WITH_FORKS),
+        (RETURN, 0, 0, REFUSE | errno.EPERM),
+        (RETURN, 0, 0, ALLOW),
         (EQUAL, 0, 4, kill),
         (LOAD, 0, 0, AT_FIRST_ARGUMENT),
         (EQUAL, 0, 1, 0xFFFFFFFF),

@@ -5,6 +5,7 @@
     Kim Minji_4711_assignsubmission_file_/03.ipynb      as Moodle gives it
     kimminji_4711_98765_03.ipynb                        as Canvas gives it
     s101.ipynb, s101_03_target_and_source.ipynb         a folder of notebooks
+    03_target_and_source/s101.ipynb                     a folder for each chapter
 
 Files are only listed here, and read when their turn comes.  Whose they are is
 said first by where they were found, then by the stamp in the notebook.
@@ -35,6 +36,7 @@ SKIPPED = {"__MACOSX", "__pycache__"}
 WRAPPERS = {"submitted", "submissions", "submission", "exercises"}
 MAX_NOTEBOOKS = 60  # of one learner
 MAX_DEPTH = 12
+MOST_ZIPS = 2  # in each other, in a learner's folder
 MOODLE = re.compile(r"(?P<name>.+?)_(?P<number>\d+)_assignsubmission_\w+?_?")
 CANVAS = re.compile(r"(?P<name>[^_]+)_(?:LATE_)?(?P<user>\d+)_(?P<file>\d+)_(?P<rest>.+)")
 
@@ -75,7 +77,7 @@ def collect(
         Unreadable: there is no such thing, or it cannot be listed.
     """
     members, remarks = _listed(place, {path.resolve() for path in leave_out})
-    members = _few_of_each(_unwrapped(members, roster or {}))
+    members = _few_of_each(_by_learner(_unwrapped(members, roster or {}), roster or {}, chapters))
     groups: dict[str, list[Member]] = {}
     for member in members:
         groups.setdefault(_group(member.parts, chapters), []).append(member)
@@ -122,7 +124,13 @@ def _listed(place: Path, leave_out: set[Path]) -> tuple[list[Member], list[str]]
 
 def _walked(place: Path, leave_out: set[Path]) -> tuple[list[Member], list[str]]:
     members, remarks = [], []
-    for folder, folders, files in os.walk(place):
+
+    def closed(error: OSError) -> None:
+        parts = Path(error.filename).relative_to(place).parts
+        remarks.append(f"{printable('/'.join(parts))}: cannot be opened ({error.strerror})")
+        members.append(Member((*parts, ""), bytes))
+
+    for folder, folders, files in os.walk(place, onerror=closed):
         parts = Path(folder).relative_to(place).parts
         for name in [name for name in folders if os.path.islink(os.path.join(folder, name))]:
             remarks.append(f"{printable('/'.join((*parts, name)))}: a link to another folder; left out")
@@ -137,8 +145,8 @@ def _walked(place: Path, leave_out: set[Path]) -> tuple[list[Member], list[str]]
     return members, remarks
 
 
-def _inside(member: Member, remarks: list[str]) -> list[Member]:
-    """Return what is in a learner's zip, as if it had been unpacked where it is."""
+def _inside(member: Member, remarks: list[str], deeper: int = MOST_ZIPS) -> list[Member]:
+    """Return what is in a learner's zip, and in zips in it, as if it had been unpacked where it is."""
     name = printable("/".join(member.parts))
     folder = member.parts if len(member.parts) == 1 else member.parts[:-1]
     folder = (*folder[:-1], folder[-1][:-4]) if is_zip_name(folder[-1]) else folder
@@ -148,7 +156,10 @@ def _inside(member: Member, remarks: list[str]) -> list[Member]:
         remarks.append(f"{name}: {error}")
         return [Member((*folder, member.parts[-1]), bytes)]
     remarks += [f"{name}: {line}" for line in refused]
-    return [replace(one, parts=(*folder, *one.parts)) for one in members if not any(map(_is_skipped, one.parts))]
+    listed: list[Member] = []
+    for one in [replace(one, parts=(*folder, *one.parts)) for one in members if not any(map(_is_skipped, one.parts))]:
+        listed += _inside(one, remarks, deeper - 1) if deeper > 1 and is_zip_name(one.parts[-1]) else [one]
+    return listed
 
 
 def _few_of_each(members: list[Member]) -> list[Member]:
@@ -180,6 +191,21 @@ def _unwrapped(members: list[Member], roster: Mapping[str, Learner]) -> list[Mem
             return members
         members = [replace(member, parts=member.parts[1:]) for member in members]
     return members
+
+
+def _by_learner(members: list[Member], roster: Mapping[str, Learner], chapters: Sequence[str]) -> list[Member]:
+    """Return the members without the folders above the learners', one for each chapter or each assignment."""
+    folders = {member.parts[0] for member in members if len(member.parts) > 1}
+    below = {member.parts[1] for member in members if len(member.parts) > 1}
+    strange = {folder for folder in folders if not (roster and _of_path(folder, roster))}
+    strip = {folder for folder in strange if any(chapter in folder for chapter in chapters)}
+    everybody = roster and all(_of_path(_group((name,), chapters), roster) for name in below)
+    if everybody and strange == folders:  # nobody's folders, and somebody's in each
+        strip = folders
+    return [
+        replace(member, parts=member.parts[1:]) if len(member.parts) > 1 and member.parts[0] in strip else member
+        for member in members
+    ]
 
 
 def _group(parts: tuple[str, ...], chapters: Sequence[str]) -> str:
@@ -218,7 +244,8 @@ def _is_notebook(member: Member) -> bool:
 
 def _of_path(key: str, roster: Mapping[str, Learner]) -> str | None:
     """Return whose name a folder or a file has: an id, a part of it that is one, or a name."""
-    by_lower = {learner.lower(): learner for learner in roster}
+    key = unicodedata.normalize("NFC", key)  # a Mac takes Hangul apart
+    by_lower = {unicodedata.normalize("NFC", learner).lower(): learner for learner in roster}
     for word in [key, *re.split(r"[\s_,()+]+", key)]:
         if word.lower() in by_lower:
             return by_lower[word.lower()]

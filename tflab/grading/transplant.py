@@ -137,6 +137,9 @@ def transplant(master: Master, handed_in: SubmittedNotebook) -> Transplant:
         # It may also be completed behind the check: look again there.
         again = [Piece("probe", f"{cell.name}-again", task=cell.task)] if probe and own else []
         pieces += [*probe, *own, *again]
+    if found.own:  # one of them may answer what was left as it was, wherever it stands
+        checks = [cell for cell in master.cells if cell.role == "check" and cell.task in stubs]
+        pieces += [Piece("probe", f"{cell.name}-again", task=cell.task) for cell in checks]
     remarks = tuple(complaint for _, complaint in sources.values() if complaint)
     void = {remark.task for remark in remarks if _is_void(remark)}
     kept = tuple(piece for piece in pieces if piece.kind != "probe" or piece.task not in void)
