@@ -11,7 +11,7 @@ from tflab.core import BufferCore, LookupException, Transform
 from tflab.ros.messages import geometry_msgs
 from tflab.ros.time import Time
 from tflab.workbook import check, checks, hint, solution, task
-from tflab.workbook.forms import Angle, Number, Parts, Vector
+from tflab.workbook.forms import Angle, Choice, Parts, Sequence, Vector
 from tflab.workbook.places import WorkbookError
 from tflab.workbook.sealed import seal
 from tflab.workbook.showing import show, show_in_a_line
@@ -211,6 +211,13 @@ def test_a_damaged_cases_file_is_said_in_one_line(copy, capsys):
     (copy.root / "exercises" / "cases" / f"{chapter.STEM}.json").write_text("{")
     text = said(capsys, "E3.1", 1)
     assert "damaged" in text and "tflab lab --update" in text
+
+
+def test_a_name_that_is_no_option_is_said_inside_lists_of_parts():
+    form = Parts({"a": Sequence(Choice(("map", "laser_frame")))})
+    variant = {"cases": [{"expected": to_plain({"a": ["map", "laser_frame"]}), "twins": {}}]}
+    verdict = judge_outcomes({"form": form.plain(), "twins": {}}, variant, [to_plain({"a": ["map", "laser"]})])
+    assert (verdict.kind, verdict.detail["answer"], verdict.detail["part"]) == ("option", "laser", "a")
 
 
 @pytest.mark.parametrize("is_sealed", [False, True])

@@ -27,7 +27,7 @@ from typing import Any, NamedTuple
 
 from . import progress
 from .cases import CasesError, read_cases
-from .forms import form_from_plain
+from .forms import Sequence, form_from_plain
 from .places import CASES, Workbook, WorkbookError, read_workbook, workbook_data, workbook_root
 from .reference import answer_cell_name
 from .replies import LATER, REPLIES
@@ -245,6 +245,8 @@ def _wanted(one: _Task, verdict: Verdict) -> str:
     form = form_from_plain(one.plain["form"])
     part = verdict.detail.get("part")
     form = form.parts[part] if part else form
+    if verdict.kind == "option" and isinstance(form, Sequence):
+        form = form.of
     return form.wanted().say(one.workbook.language)
 
 

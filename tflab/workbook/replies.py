@@ -53,7 +53,7 @@ REPLIES = {
     ),
     "another exception": Words(
         en="to raise an exception is right here, but {error} is not the one that is asked for. (It says: {text})",
-        ko="여기서 예외를 일으키는 것은 맞지만, 다른 예외가 필요합니다. 함수가 낸 예외는 다음과 같습니다. {error}: {text}",
+        ko="여기서 예외를 일으키는 것은 맞지만, 다른 예외가 필요합니다. 함수가 낸 예외: {error}: {text}",
     ),
     "no refusal": Words(
         en="for this call an exception has to be raised, and your function returned something.",

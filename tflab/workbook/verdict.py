@@ -17,7 +17,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from . import sealed
+from . import forms, sealed
 from .forms import Angle, Choice, Form, Message, Number, Parts, Vector, form_from_plain
 from .measures import inside, member, numbers_of
 from .values import Plain, is_unanswered
@@ -144,6 +144,8 @@ def _coarse(form: Form, outcome: Plain) -> tuple[str, dict[str, Any]] | None:
     """Return what is wrong with the answer before its value is looked at, or None."""
     if isinstance(form, Parts):
         return _coarse_of_parts(form, outcome)
+    if isinstance(form, forms.Sequence) and isinstance(inside(outcome), list):
+        return next(filter(None, (_coarse(form.of, one) for one in inside(outcome))), None)
     if form.read(outcome) is not None:
         return None
     if isinstance(form, Choice) and isinstance(outcome, str):
