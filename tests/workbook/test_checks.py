@@ -11,7 +11,7 @@ from tflab.core import BufferCore, LookupException, Transform
 from tflab.ros.messages import geometry_msgs
 from tflab.ros.time import Time
 from tflab.workbook import check, checks, hint, solution, task
-from tflab.workbook.forms import Angle, Choice, Parts, Sequence, Vector
+from tflab.workbook.forms import Angle, Choice, Number, Parts, Sequence, Vector
 from tflab.workbook.places import WorkbookError
 from tflab.workbook.sealed import seal
 from tflab.workbook.showing import show, show_in_a_line
