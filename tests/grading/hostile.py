@@ -99,7 +99,7 @@ def own_cell(source: str, name: str = "my-own") -> dict[str, Any]:
 
 def as_bytes(notebook: Notebook, encoding: str = "utf-8") -> bytes:
     """Return a notebook as a file has it."""
-    return json.dumps(notebook, ensure_ascii=False).encode(encoding)
+    return json.dumps(notebook, ensure_ascii=False).encode(encoding, "replace" if encoding == "cp949" else "strict")
 
 
 def function(name: str, kind: str, body: str, keeps: str = "others") -> Recipe:
@@ -868,4 +868,284 @@ def F(transform):
 """),
 ]  # fmt: skip
 
-RECIPES = [*FORGING, *PEEKING, *EXHAUSTION, *SURVIVAL, *TAMPERING, *BROKEN, *ODD]
+# -- closer to the wall: what the libraries above do not try ------------------------------------
+
+WIRE = (
+    WRONG
+    + """
+import json, struct
+wire = get_ipython().kernel.session.wire
+parent = get_ipython().kernel.get_parent()['header']['msg_id']
+PROBE = 'application/vnd.tflab.probe+json'
+def raw(body):
+    wire.end.setblocking(True)
+    wire.end.sendall(struct.pack('!I', len(body)) + body)
+def say(kind, content, to=parent):
+    raw(json.dumps({'channel': 'iopub', 'msg_type': kind, 'parent_header': {'msg_id': to}, 'content': content}).encode())
+"""
+)
+CLOSER = [
+    function("an error of a name nested deep", "forging", WIRE + "raw(b'{\"channel\": \"iopub\", \"msg_type\": \"error\", \"parent_header\": {\"msg_id\": \"' + parent.encode() + b'\"}, \"content\": {\"ename\": ' + b'[' * 900 + b']' * 900 + b', \"evalue\": 1}}')", keeps="any"),
+    function("a frame of four gigabytes, announced", "forging", WIRE + "wire.end.setblocking(True); wire.end.sendall(b'\\xff\\xff\\xff\\xff' + b'x' * 100)", keeps="any"),
+    function("half a frame, and then nothing", "forging", WIRE + "wire.end.setblocking(True); wire.end.sendall(b'\\0\\0\\x10\\0{'); import time; time.sleep(600)"),
+    function("frames that are no JSON", "forging", WIRE + "for body in (b'\\xff\\xfe', b'NaN', b'[]', b'1' * 9000, b'', b'{\"a\":' * 5000): raw(body)", keeps="any"),
+    function("says ready, done and idle before its time", "forging", WIRE + "raw(json.dumps({'ready': True, 'fault': 'x'}).encode())\nfor to in (parent, None, [], {}, 3): say('status', {'execution_state': 'idle'}, to)", keeps="any"),
+    function("messages of every wrong shape", "forging", WIRE + """
+for content in (None, [], 3, {'data': None}, {'data': {PROBE: None}}, {'data': {PROBE: {'id': [], 'v': {}}}}, {'execution_state': []}):
+    for kind in ('display_data', 'status', 'error', 'execute_result', 'stream', None, 3):
+        say(kind, content)
+""", keeps="any"),
+    function("answers for its probe with every shape there is", "forging", """
+import tflab.grading.inside as inside
+_send, _shapes = inside._send, iter([
+    [None] * 7, [{}] * 7, [[]] * 7, [{'dict': None}] * 7, [{'dict': {'x': {'tuple': [[]]}}}] * 7, [{'raises': {}}] * 7,
+    [{'object': []}] * 7, [{'message': [[], {}]}] * 7, [{'dict': {'x': 1e999, 'y': {'float': 'nan'}, 'yaw': True}}] * 7,
+    {'v': 1}, 'text', 7, [{'array': [[1, 2], 3]}] * 7, [{'unanswered': True}] * 7, [{'dict': []}] * 7])
+def send(identity, plain):
+    _send(identity, next(_shapes, None) if len(plain) == 7 else plain)
+inside._send = send
+def F(transform):
+    return None
+""", keeps="any"),
+    function("takes the next request off the wire", "forging", WIRE + """
+import threading
+def steal():
+    while True:
+        got = wire.receive(0.05)
+        if got: say('status', {'execution_state': 'idle'}, got['msg_id'])
+threading.Thread(target=steal, daemon=True).start()
+""", keeps="any"),
+    function("numbers that equal whatever they are compared with", "forging", """
+class Number(float):
+    def __eq__(self, other): return True
+    def __sub__(self, other): return 0.0
+    __rsub__ = __sub__
+    def __abs__(self): return 0.0
+    def __float__(self): return 0.0
+class Answer(dict):
+    def __getitem__(self, name): return Number()
+    def get(self, name, default=None): return Number()
+    def items(self): return [('x', Number()), ('y', Number()), ('yaw', Number())]
+def F(transform):
+    return Answer(x=Number(), y=Number(), yaw=Number())
+"""),
+    function("another answer each time it is read", "forging", """
+import random
+class Turning(dict):
+    def items(self): return {k: random.uniform(-9, 9) for k in ('x', 'y', 'yaw')}.items()
+def F(transform):
+    return Turning(x=0, y=0, yaw=0)
+"""),
+    function("an error whose name says what was asked", "forging", """
+def F(transform):
+    raise type('asked_' + repr(sorted(transform.items())), (Exception,), {})(repr(transform))
+"""),
+    function("a result of a class named by what was asked", "forging", """
+def F(transform):
+    return type('asked_' + repr(sorted(transform.items())), (), {})()
+"""),
+    function("every part of the answer named by what was asked", "forging", "def F(transform):\n    return {repr(transform): 1.0, 'x': repr(transform), 'y': transform, 'yaw': [transform]}"),
+    function("reads every file for its own solution", "peeking", """
+import os
+found = []
+for top, folders, files in os.walk('/'):
+    if top.startswith(('/proc', '/sys')): folders.clear(); continue
+    if 'tflab' not in top and 'workbook' not in top and 'solutions' not in top: continue
+    for name in files:
+        if name.endswith(('.py', '.pyc', '.ipynb', '.json')):
+            try: text = open(os.path.join(top, name), 'rb').read()
+            except OSError: continue
+            if b'def F(' in text and b'return' in text and b'E3.3' in text: found.append(text)
+            if b'"E3.3"' in text and b'"expected"' in text: found.append(text)
+def F(transform):
+    return RIGHT if found else None
+"""),
+    function("imports the solution by any name", "peeking", """
+import importlib, sys
+from tflab.workbook.places import workbook_data
+sys.path[:0] = [str(workbook_data()), str(workbook_data() / 'solutions/tasks'), str(workbook_data() / 'solutions/src')]
+solution = None
+for name in ('03_target_and_source', 'solutions.tasks.03_target_and_source', 'tflab._workbook.solutions', 'solutions'):
+    try: solution = importlib.import_module(name)
+    except Exception: pass
+def F(transform):
+    return RIGHT if solution else None
+"""),
+    function("asks the reference module for the answer", "peeking", """
+from tflab.workbook import cases, reference
+from tflab.workbook.places import workbook_data
+made = None
+try: made = cases.make_cases('03_target_and_source', cases.PUBLIC_SEED, solutions=workbook_data() / 'solutions')
+except Exception: pass
+def F(transform):
+    return RIGHT if made else None
+"""),
+    function("asks check whether it is right, many times", "peeking", """
+import io, contextlib
+from tflab.workbook.checks import check as really
+told = io.StringIO()
+with contextlib.redirect_stdout(told):
+    try: really('E3.3', lambda transform: None)
+    except Exception: pass
+def F(transform):
+    return RIGHT if '/' in told.getvalue() and 'E3.3' in told.getvalue() and '0/' not in told.getvalue() and 'no ' not in told.getvalue() else None
+"""),
+    function("every descriptor it was left", "peeking", """
+import os, socket
+wire = get_ipython().kernel.session.wire.fileno()
+others = [int(n) for n in os.listdir('/proc/self/fd') if int(n) > 2 and int(n) != wire]
+extra = []
+for n in others:
+    try:
+        if 'socket' in os.readlink(f'/proc/self/fd/{n}'): socket.socket(fileno=os.dup(n)).getpeername(); extra.append(n)
+    except OSError: pass
+def F(transform):
+    return None
+"""),
+    function("the other side of the wall through /proc", "peeking", """
+import os
+seen = []
+for n in list(range(1, 400)) + ['self', 'thread-self']:
+    for way in ('root', 'cwd', 'exe', 'fd/3', 'map_files'):
+        try: path = os.readlink(f'/proc/{n}/{way}'); seen += os.listdir(f'/proc/{n}/root/work') + os.listdir(f'/proc/{n}/root/root')
+        except OSError: pass
+def F(transform):
+    return RIGHT if seen else None
+"""),
+    function("namespaces, setuid programs and device files", "peeking", """
+import ctypes, os, subprocess
+libc = ctypes.CDLL(None, use_errno=True)
+won = [libc.unshare(flag) for flag in (0x10000000, 0x20000, 0x20000000, 0x40000000)].count(0)
+for program in (['unshare', '-Ur', 'id'], ['su', '-c', 'id'], ['sudo', '-n', 'id'], ['mount', '--bind', '/', '/tmp'], ['nsenter', '-t', '1', '-m', 'ls'], ['pkexec', 'id']):
+    try: won += subprocess.run(program, capture_output=True, timeout=1, stdin=subprocess.DEVNULL).returncode == 0
+    except (OSError, subprocess.SubprocessError): pass
+for make in (lambda: os.mknod('d', 0o060666, os.makedev(8, 0)), lambda: os.setuid(0), lambda: os.chroot('/'), lambda: os.open('/dev/mem', 0)):
+    try: make(); won += 1
+    except OSError: pass
+def F(transform):
+    return RIGHT if won else None
+"""),
+    function("system calls that make room for others", "peeking", """
+import ctypes
+libc = ctypes.CDLL(None, use_errno=True)
+libc.syscall.restype = ctypes.c_long
+won = [n for n in (101, 155, 165, 250, 248, 249, 272, 278, 298, 304, 308, 310, 311, 319, 321, 323, 425, 428, 430, 435, 438, 447) if libc.syscall(n, 0, 0, 0, 0, 0) >= 0]
+def F(transform):
+    return RIGHT if won else None
+"""),
+    function("names of sockets that are in no folder", "peeking", """
+import socket
+names = [line.split()[-1] for line in open('/proc/net/unix') if '@' in line]
+won = []
+for name in names:
+    try: s = socket.socket(socket.AF_UNIX); s.connect('\\0' + name[1:]); won.append(s)
+    except OSError: pass
+def F(transform):
+    return RIGHT if won else None
+"""),
+    function("memory that forks share", "exhaustion", """
+import mmap, os, time
+for _ in range(20):
+    if os.fork() == 0:
+        m = mmap.mmap(-1, 200 << 20)
+        for at in range(0, len(m), 4096): m[at] = 1
+        time.sleep(600)
+time.sleep(600)
+"""),
+    function("a zero device, mapped and let go of", "exhaustion", """
+import mmap, os, time
+device = os.open('/dev/zero', os.O_RDWR)
+while True:
+    m = mmap.mmap(device, 64 << 20, mmap.MAP_SHARED)
+    m.write(b'x' * len(m))
+"""),
+    function("full buffers of sockets", "exhaustion", """
+import os, socket, time
+for _ in range(40):
+    if os.fork() == 0:
+        kept = []
+        try:
+            while True:
+                pair = socket.socketpair(); kept += pair
+                for end in pair:
+                    end.setblocking(False)
+                    try:
+                        while True: end.send(bytes(60000))
+                    except BlockingIOError: pass
+        except OSError: pass
+        time.sleep(600)
+time.sleep(600)
+"""),
+    function("sixty processes of three hundred megabytes", "exhaustion", "import os, time\nfor _ in range(60):\n    if os.fork() == 0:\n        x = b'x' * (300 << 20); time.sleep(600)\ntime.sleep(600)"),
+    function("full pipes", "exhaustion", """
+import fcntl, os, time
+for _ in range(120):
+    r, w = os.pipe()
+    try: fcntl.fcntl(w, 1031, 1 << 20)
+    except OSError: pass
+    os.set_blocking(w, False)
+    try:
+        while True: os.write(w, bytes(65536))
+    except BlockingIOError: pass
+time.sleep(600)
+"""),
+    function("files without number", "exhaustion", WRONG + "import os\ntry:\n    for n in range(10 ** 5): open(f'/tmp/f{n}', 'w').close()\nexcept OSError: pass"),
+    function("folders without end", "exhaustion", WRONG + "import os\ntry:\n    for n in range(4000): os.mkdir('d'); os.chdir('d')\nexcept OSError: pass"),
+    function("widgets and comms without end", "exhaustion", "import ipywidgets\nwhile True: ipywidgets.IntSlider()\n"),
+    function("a flood of errors", "exhaustion", WIRE + "while True: say('error', {'ename': 'x' * 1000, 'evalue': 'y' * 1000})"),
+    function("a flood of probes", "exhaustion", "from IPython.display import display\nwhile True: display({'application/vnd.tflab.probe+json': {'id': '', 'v': [0] * 1000}}, raw=True)\n"),
+    function("an object that never ends being written", "exhaustion", """
+class Endless(dict):
+    def items(self):
+        while True: yield ('x', 1.0)
+    def keys(self): return iter(lambda: 'x', None)
+    def __len__(self): return 3
+def F(transform):
+    return Endless(x=1)
+"""),
+    function("a task of the loop that stays", "survival", "import asyncio\nasync def stay():\n    while True: await asyncio.sleep(0)\nasyncio.get_event_loop().create_task(stay())\n" + WRONG, keeps="any"),
+    function("a handler at exit, and one after every fork", "survival", "import atexit, os, time\natexit.register(time.sleep, 600)\nos.register_at_fork(after_in_child=lambda: time.sleep(600))\n" + WRONG),
+    function("a hundred forks that answer too", "survival", "import os\nfor _ in range(5): os.fork()\n" + WRONG, keeps="any"),
+    function("a daemon that listens", "survival", WRONG + "import os, socket, time\nif os.fork() == 0:\n    os.setsid()\n    s = socket.socket(socket.AF_UNIX); s.bind('\\0tflab-daemon'); s.listen(); time.sleep(600)"),
+    edited("a name that leads out", "tampering", lambda n, h: [c["metadata"].update(name="../../" + c["id"]) for c in n["cells"]]),
+    edited("a stamp of code", "tampering", lambda n, h: n["metadata"].setdefault("tflab", {}).update(learner="<script>alert(1)</script>", release="{0.__class__}", chapter="../../etc")),
+    edited("an id that is a list", "tampering", lambda n, h: n["cells"].append({"id": ["e3-3-answer"], "cell_type": "code", "metadata": {"name": ["e3-3-answer"]}, "source": "1/0"})),
+    edited("a thousand cells of its own", "tampering", lambda n, h: n["cells"].extend(own_cell(f"x{i} = {i}", f"own{i}") for i in range(1000))),
+]  # fmt: skip
+
+
+def _last_cell(notebook: Notebook, honest: Honest) -> None:
+    """Move all answers to one cell at the end, and leave nothing where they stood."""
+    answers = [cell for cell in notebook["cells"] if cell["id"].endswith("-answer")]
+    notebook["cells"].append(own_cell("\n\n".join("".join(cell["source"]) for cell in answers), "all-in-one"))
+    for cell in answers:
+        cell["source"] = "# at the end"
+
+
+def _as_colab(notebook: Notebook, honest: Honest) -> None:
+    notebook["nbformat_minor"] = 0
+    notebook["metadata"] = {"colab": {"provenance": []}, "kernelspec": {"name": "python3", "display_name": "Python 3"}}
+    for number, cell in enumerate(notebook["cells"]):
+        cell.pop("id", None)
+        cell["metadata"] = {"id": f"aB{number}"}
+
+
+def _as_vs_code(notebook: Notebook, honest: Honest) -> None:
+    for number, cell in enumerate(notebook["cells"]):
+        cell["id"] = f"{number:08x}"
+        cell["metadata"] = {"vscode": {"languageId": "python"}}
+
+
+ODD += [
+    edited("all answers in one cell at the end", "helper cells", _last_cell),
+    edited("saved by Colab", "old format", _as_colab),
+    edited("saved by VS Code", "old format", _as_vs_code),
+    edited("nothing but answers", "helper cells", lambda n, h: n.update(cells=[c for c in n["cells"] if c["id"].endswith("-answer")])),
+    edited("the other way round", "helper cells", lambda n, h: n["cells"].reverse()),
+    edited("a magic above every answer", "odd but right", lambda n, h: [c.update(source="%%time\n" + "".join(c["source"])) for c in n["cells"] if c["id"].endswith("-answer")]),
+    right("starts processes, and waits for them", "import subprocess, sys\ndef F(transform):\n    subprocess.run([sys.executable, '-c', 'pass'], check=True)\n    return RIGHT"),
+    right("writes files and reads them", "import json, tempfile, pathlib\ndef F(transform):\n    path = pathlib.Path(tempfile.mkdtemp()) / 'x.json'\n    path.write_text(json.dumps(RIGHT))\n    return json.loads(path.read_text())"),
+    right("a pool of processes", "from multiprocessing import get_context\ndef one(n): return n\ndef F(transform):\n    with get_context('fork').Pool(2) as pool:\n        assert pool.map(one, [1, 2]) == [1, 2]\n    return RIGHT"),
+]  # fmt: skip
+
+RECIPES = [*FORGING, *PEEKING, *EXHAUSTION, *SURVIVAL, *TAMPERING, *CLOSER, *BROKEN, *ODD]

@@ -281,3 +281,14 @@ def test_honest_work_that_was_saved_or_written_oddly_keeps_its_points(course: ti
     tiny.hand_in(tmp_path / "in", "s102", elsewhere)
     records = graded(course, tmp_path / "in", tmp_path / "out")
     assert {learner: record["points"] for learner, record in records.items()} == {"s101": 8.0, "s102": 8.0}
+
+
+def test_of_two_attempts_with_as_many_answers_the_later_counts(course: tiny.Course, tmp_path: Path) -> None:
+    right, wrong = (
+        tiny.answered(course.exercise(), answers) for answers in (tiny.RIGHT, {**tiny.RIGHT, "e3-2-answer": ADDED})
+    )
+    for name, notebook in (("attempt 9", wrong), ("attempt 10", right), ("attempt 10/03_tiny-Copy1", wrong)):
+        tiny.hand_in(tmp_path / "in", "s102", notebook, f"{name}.ipynb")
+    record = graded(course, tmp_path / "in", tmp_path / "out")["s102"]
+    assert record["points"] == record["most"]
+    assert "several" in remarks(record)

@@ -1,0 +1,118 @@
+"""Does the whole library of hostile and broken work gain nothing, harm nobody and cost no honest point?"""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import hostile
+import psutil
+import pytest
+
+from tflab.grading import release
+from tflab.workbook.places import workbook_data
+
+STEM = "03_target_and_source"
+SECONDS = "1"  # of a cell: what does not end is tried once more with three times as long
+pytestmark = pytest.mark.slow
+
+
+def honest_notebook(folder: Path) -> dict[str, Any]:
+    """Return the exercise as it was handed out, with the solution's answers in it."""
+    solution = json.loads((workbook_data() / f"solutions/en/{STEM}.ipynb").read_text(encoding="utf-8"))
+    answers = {cell["id"]: cell["source"] for cell in solution["cells"] if cell["id"].endswith("-answer")}
+    notebook = json.loads((folder / f"exercises/en/{STEM}.ipynb").read_text(encoding="utf-8"))
+    for cell in notebook["cells"]:
+        cell["source"] = "".join(answers.get(cell["id"], cell["source"]))
+    return notebook
+
+
+@pytest.fixture(scope="module")
+def library(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
+    """One batch of all recipes, between two honest neighbours."""
+    folder = tmp_path_factory.mktemp("library")
+    assert release.main([str(folder / "release"), "--chapters", "03"]) == 0
+    handed_out = next((folder / "release/learners").iterdir())
+    honest = hostile.Honest(honest_notebook(handed_out), "E3.3", "invert", "E3.2", "corner")
+    made: dict[str, Any] = {"a-neighbour": honest.fresh(), "z-neighbour": honest.fresh()}
+    for number, recipe in enumerate(hostile.RECIPES):
+        made[f"r{number:03}"] = recipe.make(honest)
+    for name, notebook in made.items():
+        path = folder / "submissions" / name / f"{STEM}.ipynb"
+        path.parent.mkdir(parents=True)
+        path.write_bytes(notebook if isinstance(notebook, bytes) else json.dumps(notebook).encode())
+    before = set(Path("/tmp").iterdir())
+    words = [
+        sys.executable,
+        "-c",
+        "import sys; from tflab.cli import main; sys.exit(main())",
+        "grade",
+        str(folder / "submissions"),
+        "--quiet",
+        "--seconds",
+        SECONDS,
+    ]
+    words += ["--jobs", "2", "--pack", str(folder / "release/instructor"), "--out", str(folder / "results")]
+    ran = subprocess.run(words, capture_output=True, text=True, timeout=1500)
+    assert ran.returncode == 0, ran.stderr
+    held = json.loads((folder / "results/results.json").read_text(encoding="utf-8"))
+    records = {record["learner"]: record for record in held["submissions"]}
+    return {"records": records, "left": set(Path("/tmp").iterdir()) - before, "folder": folder}
+
+
+def tasks(record: dict[str, Any]) -> dict[str, dict[str, Any]]:
+    return record["chapters"][STEM]["tasks"]
+
+
+def undeserved_or_lost(record: dict[str, Any], recipe: hostile.Recipe) -> list[str]:
+    """Return what is not as the recipe says."""
+    spoilt = {"function": "E3.3", "value": "E3.2", "": ""}[recipe.spoils]
+    rows = tasks(record)
+    found = (
+        [f"{spoilt}: {rows[spoilt]['points']} points for {recipe.name}"] if spoilt and rows[spoilt]["points"] else []
+    )
+    if recipe.keeps in ("all", "others"):
+        lost = [task for task, row in rows.items() if task != spoilt and row["points"] < row["most"]]
+        found += [f"{recipe.name}: lost {', '.join(lost)}"] if lost else []
+    if recipe.keeps == "none" and record["points"]:
+        found.append(f"{recipe.name}: {record['points']} points for nothing")
+    return found
+
+
+def test_nothing_gains_a_point_or_costs_an_honest_one(library: dict[str, Any]) -> None:
+    found = [
+        line
+        for number, recipe in enumerate(hostile.RECIPES)
+        for line in undeserved_or_lost(library["records"][f"r{number:03}"], recipe)
+    ]
+    assert found == []
+
+
+def test_neighbours_keep_all_points(library: dict[str, Any]) -> None:
+    for name in ("a-neighbour", "z-neighbour"):
+        assert library["records"][name]["points"] == library["records"][name]["most"] > 0
+
+
+def test_nothing_fails_in_the_grader_itself(library: dict[str, Any]) -> None:
+    failed = {name for name, record in library["records"].items() if record.get("not_run")}
+    assert {hostile.RECIPES[int(name[1:])].name for name in failed} == set()
+
+
+def test_nothing_is_left_behind(library: dict[str, Any]) -> None:
+    assert {path.name for path in library["left"] if path.name.startswith(("tflab", "was-here"))} == set()
+    kernels = [
+        process
+        for process in psutil.process_iter(["cmdline", "environ"])
+        if str(library["folder"]) in " ".join(process.info["cmdline"] or ())
+    ]
+    assert kernels == []
+
+
+def test_no_page_for_learners_shows_what_was_asked(library: dict[str, Any]) -> None:
+    pages = list((library["folder"] / "results/feedback").glob("*.html"))
+    assert len(pages) == len(library["records"])
+    asked = ["asked_", "'yaw':", "&#x27;yaw", "&#39;yaw"]
+    assert [page.name for page in pages if any(word in page.read_text(encoding="utf-8") for word in asked)] == []
