@@ -88,7 +88,7 @@ def test_nothing_gains_a_point_or_costs_an_honest_one(library: dict[str, Any]) -
         for number, recipe in enumerate(hostile.RECIPES)
         for line in undeserved_or_lost(library["records"][f"r{number:03}"], recipe)
     ]
-    assert found == []
+    assert not found, "\n".join(found)
 
 
 def test_neighbours_keep_all_points(library: dict[str, Any]) -> None:

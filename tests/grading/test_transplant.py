@@ -222,7 +222,9 @@ def test_a_copy_of_an_answer_kept_as_text_is_no_second_answer(master: Master, no
     assert source(done, "e3-2-answer") == tiny.RIGHT["e3-2-answer"]
 
 
-def test_a_last_cell_that_answers_everything_is_asked_for_all_that_was_left(master: Master, course: tiny.Course) -> None:
+def test_a_last_cell_that_answers_everything_is_asked_for_all_that_was_left(
+    master: Master, course: tiny.Course
+) -> None:
     notebook = course.exercise()
     notebook["cells"].append(tiny.own_cell("\n".join(tiny.RIGHT.values()), "all"))
     probes = ["probe e3-1-check-again", "probe e3-2-check-again", "probe e3-3-check-again"]

@@ -138,7 +138,8 @@ def transplant(master: Master, handed_in: SubmittedNotebook) -> Transplant:
         again = [Piece("probe", f"{cell.name}-again", task=cell.task)] if probe and own else []
         pieces += [*probe, *own, *again]
     if found.own:  # one of them may answer what was left as it was, wherever it stands
-        checks = [cell for cell in master.cells if cell.role == "check" and cell.task in stubs]
+        open_ = {cell.task for cell in answers if not _defined(sources[cell.name][0]) & _defined(cell.source)}
+        checks = [cell for cell in master.cells if cell.role == "check" and cell.task in open_ | set(stubs)]
         pieces += [Piece("probe", f"{cell.name}-again", task=cell.task) for cell in checks]
     remarks = tuple(complaint for _, complaint in sources.values() if complaint)
     void = {remark.task for remark in remarks if _is_void(remark)}
