@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from decimal import Decimal
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -46,7 +48,8 @@ ECHO = "ros2 run tf2_ros tf2_echo map base_link"
 STATIC = "ros2 run tf2_ros static_transform_publisher"
 SAME = [
     (Number(), 1.0, 1.0004), (Number(tolerance=0), 5, 5), (Number(), np.float64(2.0), 2),
-    (Number(), np.array(2.0), 2.0),
+    (Number(), np.array(2.0), 2.0), (Number(), np.array([2.0]), 2.0), (Number(), Decimal("2.0"), Fraction(2, 1)),
+    (Vector(3), np.array([[1.0], [2.0], [3.0]]), (1, 2, 3)), (Vector(3), np.array([[1.0, 2.0, 3.0]]), (1, 2, 3)),
     (Angle(), math.pi, -math.pi), (Angle(), 0.1 + 4 * math.pi, 0.1),
     (Vector(3), np.array([1.0, 2.0, 3.0]), (1, 2, 3)), (Vector(3, frame="map"), point("map"), (1.0, 2.0, 3.0)),
     (Vector(3), {"x": 1, "y": 2, "z": 3}, (1, 2, 3)), (Vector(2), [1, 2], (1, 2)),
@@ -65,6 +68,7 @@ SAME = [
 DIFFERENT = [
     (Number(), 1.0, 1.002), (Number(), True, 1.0), (Number(), "1.0", 1.0), (Number(), math.nan, 1.0),
     (Number(), [1.0], 1.0),
+    (Number(), np.array([1.0, 1.0]), 1.0), (Vector(3), np.eye(3), (1, 0, 0)), (Vector(3), [[1], [2], [3]], (1, 2, 3)),
     (Angle(), 0.0, math.pi), (Vector(3), (1, 2), (1, 2, 3)), (Vector(3, frame="map"), point("odom"), (1, 2, 3)),
     (Vector(3), (1, 2, math.inf), (1, 2, 3)), (Vector(3), (1, True, 3), (1, 1, 3)), (Vector(3), None, (1, 2, 3)),
     (Quaternion(), (1, 0, 0, 0), (0, 0, 0, 1)), (Pose(), LEFT.inverse(), LEFT), (Pose(frames=True), LEFT, STAMPED),

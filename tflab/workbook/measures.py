@@ -205,7 +205,13 @@ class Pose(Form):
 
 
 def numbers_of(plain: Plain, size: int | None) -> tuple[float, ...] | None:
-    """Return `size` finite numbers, or one if `size` is None; None if there are not exactly these."""
+    """Return `size` finite numbers, or one if `size` is None; None if there are not exactly these.
+
+    An array may have any shape that holds them: a column, a row, one number in brackets.
+    """
+    if isinstance(plain, dict) and "array" in plain:
+        plain = _flat(plain["array"])
+        plain = plain[0] if size is None and len(plain) == 1 else plain
     plain = inside(plain)
     if size is None:
         return (plain,) if _is_number(plain) else None
@@ -274,6 +280,10 @@ def inside(plain: Plain) -> Plain:
         if isinstance(named, list) and len(named) == 2 and isinstance(named[1], dict):
             return named[1]
     return plain
+
+
+def _flat(rows: Plain) -> list[Plain]:
+    return [number for row in rows for number in _flat(row)] if isinstance(rows, list) else [rows]
 
 
 def _is_number(plain: Plain) -> bool:

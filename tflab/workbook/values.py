@@ -21,6 +21,8 @@ import math
 from array import array
 from collections import deque
 from collections.abc import Callable, Mapping
+from decimal import Decimal
+from fractions import Fraction
 from types import SimpleNamespace
 from typing import Any
 
@@ -98,7 +100,7 @@ class _Writer:
             return bool(value)
         if isinstance(value, int | np.integer):
             return int(value)
-        if isinstance(value, float | np.floating):
+        if isinstance(value, float | np.floating | Decimal | Fraction):
             return _plain_float(float(value))
         if isinstance(value, list | tuple):
             members = [self.plain(member, depth + 1) for member in value]
