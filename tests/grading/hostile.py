@@ -313,7 +313,7 @@ for name in ('results.json', 'grades.csv', '../results.json', '../../results.jso
 FIND_FILES = """
 import glob, os, json
 found = []
-for root in ('/', os.path.expanduser('~'), os.getcwd(), '..', '/tmp', '/root', '/home', '/work', '/mnt', '/srv'):
+for root in ('/', os.path.expanduser('~'), os.getcwd(), '..', '/tmp', '/root', '/home', '/mnt', '/srv'):
     for pattern in ('pack.json', '*/pack.json', '*/*/pack.json', '*/*/*/pack.json', '*/instructor/*', '*/hidden/*.json'):
         found += glob.glob(os.path.join(root, pattern))
 """
