@@ -32,6 +32,8 @@ def bars(rows: Sequence[tuple[str, float]], unit: str, *, most: float, title: st
         ax.set_xlim(0, most * 1.08)
         ax.set_ylim(len(rows) - 0.5, -0.5)
         ax.set_xlabel(unit)
+        if digits == 0:  # what is counted comes in ones
+            ax.xaxis.get_major_locator().set_params(integer=True)
         ax.tick_params(length=0)
         for side in ("top", "right"):
             ax.spines[side].set_visible(False)
