@@ -9,9 +9,9 @@ from pathlib import Path
 import pytest
 
 from tflab.workbook.build import build_pages, sources
-from tflab.workbook.editions import slug
 from tflab.workbook.places import chapters, workbook_data
 from tflab.workbook.stale import stale
+from tflab.workbook.tasks import slug
 
 ROOT = workbook_data()
 CHAPTERS = chapters()

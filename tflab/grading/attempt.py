@@ -17,10 +17,10 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Protocol
 
+from tflab.workbook.tasks import slug
 from tflab.workbook.values import is_unanswered
 
 from .plan import Plan, PlannedCell, plan
-from .reader import task_slug
 from .remarks import Remark
 from .transplant import Transplant
 from .verdicts import safe_error_name
@@ -170,7 +170,7 @@ def _prefer_what_was_answered_later(made: Attempt, heard_again: dict[str, dict[i
         if _is_nothing(made.outcomes.get(task, {})) and not _is_nothing(later):
             made.outcomes[task] = later
             made.trouble.pop(task, None)
-            made.remarks.append(Remark("elsewhere", task, cell=f"{task_slug(task)}-answer"))
+            made.remarks.append(Remark("elsewhere", task, cell=f"{slug(task)}-answer"))
 
 
 def _is_nothing(outcomes: Mapping[int, Any]) -> bool:

@@ -18,6 +18,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from tflab.workbook.tasks import slug
+
 __all__ = [
     "MAX_BYTES",
     "SubmittedCell",
@@ -177,14 +179,9 @@ def _claims(cell: dict) -> list[str]:
     tags = metadata.get("tags")
     roles = [tag for tag in tags if isinstance(tag, str)] if isinstance(tags, list) else []
     task = ours.get("task")
-    in_task = [f"{task_slug(task)}-{role}" for role in roles] if isinstance(task, str) else []
+    in_task = [f"{slug(task)}-{role}" for role in roles] if isinstance(task, str) else []
     claims = [metadata.get("name"), *in_task, nbgrader.get("grade_id"), cell.get("id")]
     return list(dict.fromkeys(claim for claim in claims if isinstance(claim, str) and 0 < len(claim) <= 100))
-
-
-def task_slug(task: str) -> str:
-    """Return how cells of a task are called: `E3.2` is `e3-2`."""
-    return task.lower().replace(".", "-")
 
 
 def _stamp(page: dict) -> dict[str, str]:

@@ -27,11 +27,12 @@ from tflab.workbook.learner import lay_out
 from tflab.workbook.places import WorkbookError
 from tflab.workbook.tasks import TaskError
 from tflab.workbook.whole_files import write_whole
+from tflab.workbook.words import LANGUAGES
 
 from .pack import Pack, PackError, chapter_cases, learners_cases, read_pack, write_chapter, write_pack
 from .progress_bar import ProgressBar
 from .reader import Unreadable, read_bytes
-from .roster import LANGUAGES, Learner, Roster, read_roster
+from .roster import Learner, Roster, read_roster
 
 __all__ = ["main", "release"]
 

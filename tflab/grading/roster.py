@@ -15,9 +15,10 @@ import io
 import re
 from dataclasses import dataclass, field
 
-__all__ = ["LANGUAGES", "Learner", "Roster", "is_learner_id", "read_roster"]
+from tflab.workbook.words import LANGUAGES
 
-LANGUAGES = ("en", "ko")
+__all__ = ["Learner", "Roster", "is_learner_id", "read_roster"]
+
 ENCODINGS = ("utf-8-sig", "cp949")
 COLUMNS = {
     "id": ("id", "learner", "learner id", "student id", "id number", "sis user id", "sis login id", "username"),

@@ -23,7 +23,9 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from .reader import SubmittedCell, SubmittedNotebook, task_slug
+from tflab.workbook.tasks import slug
+
+from .reader import SubmittedCell, SubmittedNotebook
 from .remarks import Remark
 
 __all__ = ["Master", "MasterCell", "Piece", "Transplant", "master_of", "transplant"]
@@ -97,7 +99,7 @@ class _Found:
 
 def master_of(notebook: Mapping, chapter: str, tasks: Iterable[str]) -> Master:
     """Return the master that an exercise notebook is; `notebook` is one of ours."""
-    by_name = {f"{task_slug(task)}-{role}": (task, role) for task in tasks for role in ROLES}
+    by_name = {f"{slug(task)}-{role}": (task, role) for task in tasks for role in ROLES}
     cells = [
         MasterCell(cell["id"], "".join(cell["source"]), *by_name.get(cell["id"], ("", "")))
         for cell in notebook["cells"]

@@ -37,7 +37,7 @@ from .values import Plain, from_plain, is_unanswered, raised, to_plain
 from .verdict import ANY_BUG, Verdict, judge_outcomes, kind_of
 from .words import Words
 
-__all__ = ["check", "hint", "judge", "solution", "task"]
+__all__ = ["check", "hint", "solution", "task"]
 
 NOTHING = object()
 TRIES_BEFORE_SOLUTION = 3
@@ -101,15 +101,6 @@ def check(task_id: str, answer: Any = NOTHING) -> float | None:
     if os.environ.get("NBGRADER_EXECUTION"):
         return round(one.plain["points"] * verdict.passed / verdict.of, 4)
     return None
-
-
-def judge(task_id: str, answer: Any) -> Verdict:
-    """Return what became of an answer, without a word and without keeping count.
-
-    Raises:
-        WorkbookError: there is no such task.
-    """
-    return _tried(_find(task_id), answer)[0]
 
 
 def hint(task_id: str) -> None:

@@ -19,8 +19,9 @@ from typing import Any
 from .blank import blank
 from .glossary import MARKED, UnknownTerm, expand
 from .source import Cell, Page
+from .tasks import slug
 
-__all__ = ["Outputs", "exercise_notebook", "lecture_notebook", "slug", "task_of", "text_of"]
+__all__ = ["Outputs", "exercise_notebook", "lecture_notebook", "task_of", "text_of"]
 
 KERNEL = {"display_name": "Python 3", "language": "python", "name": "python3"}
 ROLES = ("given", "answer", "check")
@@ -69,11 +70,6 @@ def exercise_notebook(page: Page, language: str, tasks: Mapping[str, Mapping[str
                 made["metadata"] |= _task_metadata(cell.name, task, tasks[task]["points"])
         cells.append(made)
     return _notebook(page, language, cells)
-
-
-def slug(task: str) -> str:
-    """Return a task's id as cells are named after it: "e3-2" for "E3.2"."""
-    return task.lower().replace(".", "-")
 
 
 def task_of(name: str, tasks) -> str | None:

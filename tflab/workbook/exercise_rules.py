@@ -16,9 +16,9 @@ from dataclasses import replace
 from difflib import get_close_matches
 
 from .blank import BlankError, blank, regions
-from .editions import Outputs, slug, task_of
+from .editions import Outputs, task_of
 from .source import Cell, Fault, Page
-from .tasks import Task
+from .tasks import Task, slug
 from .words import LANGUAGES
 
 __all__ = ["exercise_faults", "score_faults", "untouched", "untouched_faults"]

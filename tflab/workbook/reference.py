@@ -20,7 +20,7 @@ from typing import Any, NamedTuple
 from tflab.ros import activation
 from tflab.ros.messages import checks
 
-from .tasks import Task, TaskError
+from .tasks import Task, TaskError, slug
 
 __all__ = ["CodeCell", "Solution", "answer_cell_name", "given_name", "in_process_ros", "solution_in_notebook"]
 
@@ -81,7 +81,7 @@ class Solution:
 
 def answer_cell_name(task_id: str) -> str:
     """Return the name of the cell that answers: "e3-2-answer" of "E3.2"."""
-    return f"{task_id.lower().replace('.', '-')}-answer"
+    return f"{slug(task_id)}-answer"
 
 
 def given_name(task_id: str) -> str:

@@ -28,16 +28,16 @@ import numpy as np
 from .forms import Form
 from .words import Words
 
-__all__ = ["KINDS", "Task", "TaskError", "Twin", "Words", "chapter_of", "read_tasks", "variant_of"]
+__all__ = ["KINDS", "Task", "TaskError", "Twin", "Words", "chapter_of", "read_tasks", "slug", "variant_of"]
 
 KINDS = {
-    "N": Words(en="a number", ko="숫자"),
-    "F": Words(en="a function", ko="함수"),
-    "T": Words(en="a tree", ko="트리"),
-    "D": Words(en="a diagnosis", ko="진단"),
-    "O": Words(en="an owner table", ko="담당표"),
-    "M": Words(en="a choice", ko="선택"),
-    "C": Words(en="a command or a message", ko="명령이나 메시지"),
+    "N": "a number",
+    "F": "a function",
+    "T": "a tree",
+    "D": "a diagnosis",
+    "O": "an owner table",
+    "M": "a choice",
+    "C": "a command or a message",
 }
 TASK_ID = re.compile(r"E(\d{1,2})\.(\d{1,2})")
 
@@ -119,6 +119,11 @@ def chapter_of(task_id: str) -> int:
     if match is None:
         raise TaskError(f'{task_id!r} is no task id; it should look like "E3.2"')
     return int(match[1])
+
+
+def slug(task_id: str) -> str:
+    """Return a task's id as cells are named after it: "e3-2" for "E3.2"."""
+    return task_id.lower().replace(".", "-")
 
 
 def variant_of(learner_id: str | None, task_id: str, count: int) -> int:
