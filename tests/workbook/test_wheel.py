@@ -37,7 +37,7 @@ def run(installed: Path, folder: Path, *words: str) -> str:
     )
     answer = subprocess.run(
         [sys.executable, "-c", program, str(installed), *words],
-        cwd=folder, env=os.environ | {"PYTHONPATH": str(installed), "LANG": "ko_KR.UTF-8", "LC_ALL": ""},
+        cwd=folder, env=os.environ | {"PYTHONDONTWRITEBYTECODE": "1", "PYTHONPATH": str(installed), "LANG": "ko_KR.UTF-8", "LC_ALL": ""},
         capture_output=True, text=True, check=True,
     )  # fmt: skip
     return answer.stdout

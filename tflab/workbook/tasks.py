@@ -145,7 +145,8 @@ def read_tasks(path: Path) -> tuple[Task, ...]:
     spec = importlib.util.spec_from_file_location(f"tflab_tasks_{path.stem}", path)
     module = importlib.util.module_from_spec(spec)
     try:
-        spec.loader.exec_module(module)
+        # Not through the loader: its cached bytecode may be of the text a moment ago.
+        exec(compile(path.read_text(encoding="utf-8"), str(path), "exec"), module.__dict__)
     except TaskError:
         raise
     except Exception as error:
