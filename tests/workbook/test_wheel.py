@@ -14,6 +14,7 @@ from tflab.workbook.learner import lay_out
 from tflab.workbook.places import chapters, workbook_data
 
 pytestmark = pytest.mark.slow
+KOREAN = {"LANG": "ko_KR.UTF-8", "LC_ALL": ""}
 
 
 @pytest.fixture(scope="module")
@@ -37,7 +38,7 @@ def run(installed: Path, folder: Path, *words: str) -> str:
     )
     answer = subprocess.run(
         [sys.executable, "-c", program, str(installed), *words],
-        cwd=folder, env=os.environ | {"PYTHONDONTWRITEBYTECODE": "1", "PYTHONPATH": str(installed), "LANG": "ko_KR.UTF-8", "LC_ALL": ""},
+        cwd=folder, env=os.environ | {"PYTHONDONTWRITEBYTECODE": "1", "PYTHONPATH": str(installed), **KOREAN},
         capture_output=True, text=True, check=True,
     )  # fmt: skip
     return answer.stdout
