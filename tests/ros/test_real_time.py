@@ -1,5 +1,6 @@
 """The same nodes in real time: scripts, files run together, Ctrl-C."""
 
+import os
 import signal
 import subprocess
 import sys
@@ -93,6 +94,27 @@ def test_a_file_that_ends_well_is_a_success(tmp_path, capfd):
     (tmp_path / "helper.py").write_text("WORD = 'neighbour'\n")
     assert run_files([str(path)]) == 0
     assert capfd.readouterr().out == "neighbour __main__\n"
+
+
+def test_ctrl_c_while_the_files_are_still_being_started_interrupts_all_of_them(capfd):
+    from tflab.ros import client_library as rclpy
+    from tflab.ros.node import Node
+
+    ended = []
+
+    def press():
+        os.kill(os.getpid(), signal.SIGINT)
+
+    def stay():
+        rclpy.init()
+        try:
+            rclpy.spin(Node("stay"))
+        finally:
+            ended.append(True)
+
+    run_files([], beside=[("press", press), *((f"stay{number}", stay) for number in range(20))])
+    assert len(ended) == 20
+    assert "went on" not in capfd.readouterr().err
 
 
 def test_ctrl_c_in_a_script_shuts_the_context_down_first():

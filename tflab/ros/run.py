@@ -14,14 +14,16 @@ from __future__ import annotations
 
 import contextlib
 import os
+import signal
 import sys
+import threading
 import time
 import tokenize
 from collections.abc import Callable, Iterator, Sequence
 from types import ModuleType
 
 from .activation import activate
-from .graph import Graph, Participant, new_graph
+from .graph import Participant, new_graph
 from .virtual import place_of, raise_in
 
 __all__ = ["run_files", "runner_of"]
@@ -53,15 +55,14 @@ def run_files(
             raise FileNotFoundError(f"no such node file: {path}")
     activate("in-process")
     graph = new_graph(virtual=False)
-    with _importing_beside(paths):
+    with _importing_beside(paths), _counting_ctrl_c() as pressed:
         files = [
             graph.start(runner_of(path), name=os.path.splitext(os.path.basename(path))[0], argv=[path, *args])
             for path in paths
         ]
         others = [graph.start(main, name=name) for name, main in beside]
-        with contextlib.suppress(KeyboardInterrupt):
-            _wait_for(files or others, seconds)
-        _interrupt(graph, [each for each in graph.participants if each.is_running])
+        _wait_for(files or others, seconds, pressed)
+        _interrupt([each for each in graph.participants if each.is_running], pressed)
     return int(any(_has_failed(each) for each in graph.participants))
 
 
@@ -102,28 +103,47 @@ def _importing_beside(paths: Sequence[str]) -> Iterator[None]:
             sys.path.remove(folder)
 
 
-def _wait_for(participants: Sequence[Participant], seconds: float | None) -> None:
+@contextlib.contextmanager
+def _counting_ctrl_c() -> Iterator[list[int]]:
+    """Yield a list that grows by one for each Ctrl-C, instead of an exception that may come between any two lines."""
+    pressed: list[int] = []
+    is_ours = (
+        threading.current_thread() is threading.main_thread() and signal.getsignal(signal.SIGINT) != signal.SIG_IGN
+    )
+    if not is_ours:  # another thread hears it, or, in the background of a shell, nobody
+        yield pressed
+        return
+    before = signal.signal(signal.SIGINT, lambda number, frame: pressed.append(number))
+    try:
+        yield pressed
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
+def _wait_for(participants: Sequence[Participant], seconds: float | None, pressed: list[int], presses: int = 1) -> None:
+    """Wait until all have ended, the time is over, or Ctrl-C was pressed as often as `presses`."""
     until_s = None if seconds is None else time.monotonic() + seconds
-    while any(each.is_running for each in participants):
+    while any(each.is_running for each in participants) and len(pressed) < presses:
         if until_s is not None and time.monotonic() >= until_s:
             return
         time.sleep(0.05)
 
 
-def _interrupt(graph: Graph, participants: Sequence[Participant]) -> None:
+def _interrupt(participants: Sequence[Participant], pressed: list[int]) -> None:
     """Do what Ctrl-C does to each, and name whoever goes on regardless."""
+    again = len(pressed) + 1  # one more Ctrl-C ends the patience
     for each in participants:
         each.interrupt(shut_down_contexts=True)
-    with contextlib.suppress(KeyboardInterrupt):  # a second Ctrl-C ends the patience
-        _wait_for(participants, HEARING_S)
-        for each in participants:
-            if each.is_running and each.take_interrupt():  # busy: Python interrupts in the middle of a loop, too
-                print(
-                    f'participant "{each.name}" neither slept nor spun: interrupted at {place_of(each.main_thread)}.',
-                    file=sys.stderr,
-                )
-                raise_in(each.main_thread, KeyboardInterrupt)
-        _wait_for(participants, GRACE_S)
+    _wait_for(participants, HEARING_S, pressed, again)
+    for each in participants:
+        if len(pressed) < again and each.is_running and each.take_interrupt():
+            # Busy: Python interrupts in the middle of a loop, too.
+            print(
+                f'participant "{each.name}" neither slept nor spun: interrupted at {place_of(each.main_thread)}.',
+                file=sys.stderr,
+            )
+            raise_in(each.main_thread, KeyboardInterrupt)
+    _wait_for(participants, GRACE_S, pressed, again)
     for each in participants:
         if each.is_running:
             print(
