@@ -46,6 +46,20 @@ def test_every_twin_gets_its_own_reply_and_the_solution_full_marks(stem, task):
 
 
 @each_task
+def test_a_function_that_does_not_look_at_its_input_earns_nothing(stem, task):
+    solution = solution_in_notebook(SOLUTIONS / "en" / f"{stem}.ipynb")
+    with in_process_ros():
+        made = task_cases(task, "habits", solution, variants=1)
+    cases = made["variants"][0]["cases"]
+    if not made["is_function"]:
+        return
+    constants = [[case["expected"]] * len(cases) for case in cases]
+    echoes = [[case["args"][place] for case in cases] for place in range(min(len(case["args"]) for case in cases))]
+    for outcomes in constants + echoes:
+        assert judge_outcomes(made, made["variants"][0], outcomes).passed == 0
+
+
+@each_task
 def test_a_task_says_everything_twice_and_does_not_tell_the_answer(stem, task):
     said = [task.title, *task.hints, *(twin.reply for twin in task.twins)]
     for words in said:

@@ -85,6 +85,14 @@ KINDS = {
         en="the function gives another result when it is called a second time with the same input.",
         ko="같은 입력으로 두 번째 부르면 함수의 결과가 달라집니다.",
     ),
+    "constant": Words(
+        en="the function gives the same result whatever it is asked.",
+        ko="무엇을 넣어도 함수의 결과가 같습니다.",
+    ),
+    "echo": Words(
+        en="the function hands back what it was given, unchanged.",
+        ko="함수가 받은 값을 그대로 돌려줍니다.",
+    ),
     "unanswered": Words(en="not answered yet.", ko="아직 답하지 않았습니다."),
     "no result": Words(en="no result came back.", ko="결과가 돌아오지 않았습니다."),
     "not run": Words(

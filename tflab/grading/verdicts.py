@@ -147,6 +147,8 @@ def _what_went_wrong(
         return [Remark("frame", task_id, wanted=found.detail["wanted_frame"])]
     if found.kind == "parts":
         return [Remark("parts", task_id, parts=", ".join(found.detail["wrong"]))]
+    if found.kind in ("constant", "echo"):
+        return [Remark(found.kind, task_id)]
     if found.kind == "missing":
         return [Remark("missing parts", task_id, parts=", ".join(found.detail["parts"]))]
     return []

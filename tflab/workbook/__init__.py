@@ -10,8 +10,8 @@ The rooms within the room, in reading order:
     measures, structures,
     command_lines, forms              what an answer looks like, and when two are the same
     tasks, reference, cases, sealed   a task, its right answer, its wrong ones; what an answer is tried on
-    verdict, showing, comparison,
-    replies, checks                   what became of an answer, how it is said, drawn and shown
+    evidence, verdict, replies,
+    showing, comparison, checks       what became of an answer, how it is said, drawn and shown
     places, learner, merge, lab       where the workbook is, a learner's copy, JupyterLab on it
     whole_files, progress             files that are written whole; what was tried and what was passed
     course, standing, progress_page   chapters, objectives, checklist; what a learner has shown of them

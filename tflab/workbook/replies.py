@@ -1,7 +1,7 @@
 """What does one say to a wrong answer?  What is wrong with it, how to see it, and never the right one.
 
 One sentence or two for each kind of verdict, in English and in Korean; what a
-task says of its own twins stands with the task.  Read `checks.py` next.
+task says of its own twins stands with the task.  Read `showing.py` next.
 """
 
 from __future__ import annotations
@@ -70,6 +70,14 @@ REPLIES = {
     "unit": Words(
         en="right, if it were in {unit}; {wanted_unit} is asked for.",
         ko="{unit} 단위라면 맞습니다. 여기서 필요한 단위는 {wanted_unit}입니다.",
+    ),
+    "constant": Words(
+        en="your function gives the same result whatever it is asked. Does it use its arguments?",
+        ko="무엇을 넣어도 함수의 결과가 같습니다. 함수가 인자를 사용하고 있습니까?",
+    ),
+    "echo": Words(
+        en="your function hands back what it was given, unchanged.",
+        ko="함수가 받은 값을 바꾸지 않고 그대로 돌려줍니다.",
     ),
     "parts": Words(
         en="look again at {wrong}.",

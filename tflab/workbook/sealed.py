@@ -8,7 +8,7 @@ reading the file does not spare the exercise.  It is a curtain, not a vault:
 whoever tries all numbers finds it, and would have been faster thinking.  Hidden
 cases are not sealed: they never leave the instructor.
 
-Read `checks.py` next.
+Read `evidence.py` next.
 """
 
 from __future__ import annotations

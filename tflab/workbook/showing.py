@@ -3,7 +3,7 @@
     base_T_laser    translation (0.200, 0.000, 0.150), rotation xyzw (0.000, 0.000, 0.707, 0.707)
     laser_p_corner  (2.000, 0.000, 0.000)
 
-Read `checks.py` next.
+Read `comparison.py` next.
 """
 
 from __future__ import annotations

@@ -17,7 +17,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from . import forms, sealed
+from . import evidence, forms, sealed
 from .forms import Angle, Choice, Form, Message, Number, Parts, Vector, form_from_plain
 from .measures import inside, member, numbers_of
 from .values import Plain, is_unanswered
@@ -44,13 +44,13 @@ class Verdict:
     """What became of an answer.
 
     Attributes:
-        passed: probes that are right.
+        passed: probes that earn credit; of a function's, those that show something (see evidence.py).
         of: how many there are.
         kind: "passed", "unanswered", "type", "shape", "option", "missing", "frame", "raised", "unsteady", "unit",
-            "no refusal" (an exception was asked for), "twin", "parts" or "value".
+            "no refusal" (an exception was asked for), "twin", "constant", "echo", "parts" or "value".
         twin: the mistake's name, if it is one of the task's.
         case: the first case that failed, from 0.
-        right: for each probe, in the order of the cases, whether it is right.
+        right: for each probe, in the order of the cases, whether it earns credit.
         detail: what a reply fills in.
     """
 
@@ -74,7 +74,8 @@ def judge_outcomes(task: dict[str, Any], variant: dict[str, Any], outcomes: Sequ
     form = form_from_plain(task["form"])
     cases = variant["cases"]
     rights = [sealed.judge(form, outcome, case["expected"]) for case, outcome in zip(cases, outcomes, strict=True)]
-    right = tuple(one for row in rights for one in row)
+    counted = evidence.credited(form, cases, outcomes, rights) if task.get("is_function") else rights
+    right = tuple(one for row in counted for one in row)
     passed, of = sum(right), len(right)
     if passed == of:
         return Verdict(passed, of, "passed", right=right)
@@ -134,6 +135,8 @@ def _mistake(
     unit = _other_unit(form, [(out, one["expected"]) for out, one in zip(outcomes, cases, strict=True)])
     if unit is not None:
         return "unit", "", unit
+    if task.get("is_function") and (habit := evidence.habit(form, cases, outcomes)):
+        return habit, "", {}
     if isinstance(form, Parts | Message):
         names = list(form.parts) if isinstance(form, Parts) else list(form.fields)
         return "parts", "", {"wrong": [name for name, good in zip(names, rights[case], strict=False) if not good]}

@@ -1,0 +1,93 @@
+"""Which right results earn credit: those that show something."""
+
+from __future__ import annotations
+
+import pytest
+
+from tflab.core import LookupException
+from tflab.workbook.evidence import credited, habit
+from tflab.workbook.forms import Angle, Choice, Number, Parts
+from tflab.workbook.values import raised, to_plain
+from tflab.workbook.verdict import judge_outcomes
+
+PLANAR = Parts({"x": Number("m"), "yaw": Angle()})
+POSES = [(1.0, 0.5), (2.0, -1.0), (0.0, 2.0), (3.0, 0.0)]
+
+
+def planar(x, yaw):
+    return to_plain({"x": x, "yaw": yaw})
+
+
+def judged(form, asked, function, twins=None):
+    """Return the verdict on a function, where `asked` is a list of (argument, expected)."""
+    cases = [{"args": [to_plain(given)], "expected": expected, "twins": {}} for given, expected in asked]
+    return judge_outcomes(
+        {"form": form.plain(), "twins": {}, "is_function": True},
+        {"cases": cases},
+        [to_plain_or_raised(function, given) for given, _ in asked],
+    )
+
+
+def to_plain_or_raised(function, given):
+    try:
+        return to_plain(function(given))
+    except Exception as error:
+        return raised(error)
+
+
+NEGATED = [({"x": x, "yaw": yaw}, planar(-x, -yaw)) for x, yaw in POSES]
+
+
+@pytest.mark.parametrize(
+    ("function", "passed", "kind"),
+    [
+        (lambda pose: {"x": -pose["x"], "yaw": -pose["yaw"]}, 8, "passed"),
+        (lambda pose: {"x": 0.0, "yaw": 0.0}, 0, "constant"),
+        (lambda pose: dict(pose), 0, "echo"),
+        (lambda pose: {"x": -pose["x"], "yaw": 0.0}, 4, "parts"),  # the x is understood
+        (lambda pose: {"x": pose["x"] ** 2, "yaw": -pose["yaw"]}, 4, "parts"),  # 0 ** 2 shows nothing
+        (lambda pose: {"x": -pose["x"], "yaw": pose["yaw"]}, 4, "parts"),  # neither does a yaw of 0
+        (lambda pose: {"x": -pose["x"] if pose["x"] < 2 else 9.0, "yaw": 9.0}, 2, "parts"),  # two different ones do
+        (lambda pose: 1 / 0, 0, "raised"),
+        (lambda pose: "?", 0, "type"),
+    ],
+)
+def test_a_part_earns_credit_for_two_different_results(function, passed, kind):
+    verdict = judged(PLANAR, NEGATED, function)
+    assert (verdict.passed, verdict.of, verdict.kind) == (passed, 8, kind)
+    assert sum(verdict.right) == passed
+
+
+def test_always_yes_is_right_now_and_then_and_worth_nothing():
+    asked = [(stamp, "yes" if stamp < 2 else "no") for stamp in range(5)]
+    assert judged(Choice(("yes", "no")), asked, lambda stamp: "yes").kind == "constant"
+    assert judged(Choice(("yes", "no")), asked, lambda stamp: "yes").passed == 0
+    assert judged(Choice(("yes", "no")), asked, lambda stamp: "yes" if stamp < 3 else "no").passed == 4
+
+
+def test_a_result_that_is_always_the_same_may_be_a_constant():
+    asked = [(stamp, 7.0) for stamp in range(3)]
+    assert judged(Number(), asked, lambda stamp: 7.0).kind == "passed"
+    assert judged(Number(), asked, lambda stamp: 7.0 if stamp else 8.0).passed == 2
+
+
+REFUSING = [(1.0, 1.0), (2.0, 2.5), (-1.0, {"raises": "LookupException", "text": ""})]
+
+
+def refuse(stamp):
+    raise LookupException("no")
+
+
+def refuse_below_zero(stamp):
+    return refuse(stamp) if stamp < 0 else 9.0
+
+
+def test_who_always_raises_has_refused_nothing():
+    assert judged(Number(), REFUSING, refuse).passed == 0
+    assert judged(Number(), REFUSING, refuse_below_zero).passed == 1
+
+
+def test_one_case_is_judged_by_itself():
+    case = {"args": [to_plain(1.0)], "expected": 2.0, "twins": {}}
+    assert credited(Number(), [case], [2.0], [[True]]) == [[True]]
+    assert habit(Number(), [case], [1.0]) == ""
