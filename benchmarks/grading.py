@@ -38,7 +38,7 @@ def main() -> int:
     parser.add_argument("--chapter", default="03_target_and_source")
     parser.add_argument("--memory", type=int, metavar="N", help="only: grade N submissions and watch the memory")
     options = parser.parse_args()
-    print(choose().announce(), *choose().gaps)
+    print(*(line.en for line in (choose().announce(), *choose().gaps)))
     with tempfile.TemporaryDirectory(prefix="tflab-bench-") as folder:
         if options.memory:
             return memory(Path(folder), options.chapter, options.memory)

@@ -160,7 +160,7 @@ def test_an_answer_that_raises_names_the_error_and_no_more() -> None:
 
 def test_an_error_of_ones_own_is_not_named_for_its_name_could_carry_anything() -> None:
     made = tried(Here(), pieces(e1_1="raise type('hidden_3_14', (Exception,), {})()"))
-    assert made.trouble["E1.1"][0].words["error"] == "an error of its own"
+    assert made.trouble["E1.1"][0].words["error"].say("en") == "an error of its own"
 
 
 def test_an_answer_behind_the_check_is_heard_there_if_there_was_none_before() -> None:

@@ -34,7 +34,8 @@ def test_a_notebook_is_read_in_the_encodings_that_editors_write(encoding: str) -
 
 def test_another_encoding_than_utf_8_is_remarked() -> None:
     assert read_notebook(as_bytes(notebook())).remarks == ()
-    assert "cp949" in read_notebook(as_bytes(notebook(), "cp949")).remarks[0]
+    (remark,) = read_notebook(as_bytes(notebook(), "cp949")).remarks
+    assert "cp949" in remark.say("en") and "cp949" in remark.say("ko")
 
 
 def test_letters_of_no_encoding_cost_those_letters_only() -> None:
@@ -94,7 +95,7 @@ def test_an_id_that_is_none_is_no_claim(identity: object) -> None:
 def test_what_is_no_cell_is_left_out_and_remarked() -> None:
     read = read_notebook(as_bytes(notebook(ANSWER, 3, None, "x")))
     assert len(read.cells) == 1
-    assert read.remarks == ("3 of its cells are no cells, and are left out",)
+    assert [one.say("en") for one in read.remarks] == ["3 of its cells are no cells, and are left out"]
 
 
 def test_of_a_key_that_is_there_twice_the_last_counts_as_jupyter_has_it() -> None:
@@ -126,6 +127,7 @@ def test_what_is_no_notebook_is_one_line(data: bytes, why: str) -> None:
     with pytest.raises(Unreadable, match=why) as caught:
         read_notebook(data)
     assert "\n" not in str(caught.value)
+    assert caught.value.remark.say("ko") != caught.value.remark.say("en") == str(caught.value)
 
 
 def test_the_stamp_is_text_only() -> None:

@@ -568,24 +568,28 @@ def test_the_best_wall_that_works_is_taken() -> None:
     assert choose().level == next(level for level in LEVELS if levels[level])
 
 
+def in_english(sandbox: Sandbox) -> str:
+    return " ".join(gap.en for gap in sandbox.gaps)
+
+
 def test_a_fallback_says_what_it_does_not_protect_from(monkeypatch: pytest.MonkeyPatch) -> None:
     assert Sandbox("namespaces").gaps == ()
-    assert "several times as long" in " ".join(Sandbox("bubblewrap").gaps)
+    assert "several times as long" in in_english(Sandbox("bubblewrap"))
     monkeypatch.setattr(landlock, "abi", lambda: landlock.CONFINES)
-    with_landlock = " ".join(Sandbox("limits").gaps)
+    with_landlock = in_english(Sandbox("limits"))
     assert "which other processes run" in with_landlock
     assert "advisory" not in with_landlock
     monkeypatch.setattr(landlock, "abi", lambda: 0)
-    without = " ".join(Sandbox("limits").gaps)
+    without = in_english(Sandbox("limits"))
     assert "hidden answers are only advisory" in without
     assert "network" in without
 
 
 def test_a_fallback_says_why_nothing_better_was_to_be_had() -> None:
-    assert Sandbox("namespaces").announce() == "Sandbox: namespaces."
+    assert Sandbox("namespaces").announce() == ("Sandbox: namespaces.", "샌드박스: namespaces.")
     fallback = Sandbox("limits", refused=("no namespaces: not permitted", "no bubblewrap: there is no program bwrap"))
     why = "no namespaces: not permitted; no bubblewrap: there is no program bwrap"
-    assert fallback.announce() == f"Sandbox: limits ({why})."
+    assert fallback.announce().en == f"Sandbox: limits ({why})."
     assert fallback == Sandbox("limits")
 
 

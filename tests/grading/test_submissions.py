@@ -127,7 +127,7 @@ def test_a_link_to_a_folder_is_not_entered(tmp_path: Path) -> None:
     (tmp_path / "in" / "s102").symlink_to(tmp_path / "elsewhere")
     collection = collect(tmp_path / "in", ROSTER, CHAPTERS)
     assert who(collection)["s102"] == []
-    assert collection.remarks == ("s102: a link to another folder; left out",)
+    assert [remark.say("en") for remark in collection.remarks] == ["s102: a link to another folder; left out."]
 
 
 def test_a_place_that_is_not_there_is_one_line(tmp_path: Path) -> None:
@@ -159,7 +159,7 @@ def test_a_learners_own_zip_is_opened(tmp_path: Path) -> None:
 def test_a_broken_zip_costs_its_learner_only(tmp_path: Path) -> None:
     put(tmp_path, "s101.zip", "s102/03_tiny.ipynb", data=b"PK nonsense")
     collection = collect(tmp_path, ROSTER, CHAPTERS)
-    assert collection.remarks[0].startswith("s101.zip: not a zip file")
+    assert collection.remarks[0].say("en").startswith("s101.zip: not a zip file")
     assert who(collection)["s102"]
 
 
@@ -168,7 +168,7 @@ def test_a_name_that_leads_out_is_refused(tmp_path: Path, name: str) -> None:
     path = zipped(tmp_path / "all.zip", {name: b"{}", "s102/03_tiny.ipynb": b"{}"})
     collection = collect(path, ROSTER, CHAPTERS)
     assert len(collection.remarks) == 1
-    assert "leads out of the archive; refused" in collection.remarks[0]
+    assert "leads out of the archive; refused" in collection.remarks[0].say("en")
     assert [found for found in who(collection).values() if found] == [["s102/03_tiny.ipynb"]]
 
 
@@ -179,7 +179,7 @@ def test_a_link_in_a_zip_is_refused(tmp_path: Path) -> None:
         archive.writestr(link, "/etc/passwd")
     members, refused = archive_members(tmp_path / "all.zip")
     assert members == []
-    assert refused == ["s101/03_tiny.ipynb: a link to another file; refused"]
+    assert [remark.say("en") for remark in refused] == ["s101/03_tiny.ipynb: a link to another file; refused."]
 
 
 def test_a_bomb_is_not_blown_up(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -268,7 +268,7 @@ def test_a_pipe_that_calls_itself_a_zip_is_not_waited_for(tmp_path: Path) -> Non
     import os
 
     os.mkfifo(tmp_path / "s101.zip")
-    assert "not a file" in collect(tmp_path, ROSTER, CHAPTERS).remarks[0]
+    assert "not a file" in collect(tmp_path, ROSTER, CHAPTERS).remarks[0].say("en")
 
 
 def test_a_large_class_below_one_folder_is_a_large_class(tmp_path: Path) -> None:
@@ -311,6 +311,6 @@ def test_a_folder_that_cannot_be_opened_is_said(tmp_path: Path) -> None:
     put(tmp_path, "s101/03_tiny.ipynb")
     (tmp_path / "s101").chmod(0)
     try:
-        assert "cannot be opened" in collect(tmp_path, ROSTER, CHAPTERS).remarks[0]
+        assert "cannot be opened" in collect(tmp_path, ROSTER, CHAPTERS).remarks[0].say("en")
     finally:
         (tmp_path / "s101").chmod(0o700)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import string
 from typing import Any
 
 import pytest
@@ -114,7 +115,7 @@ def test_an_exception_is_said_by_its_class_only(tasks: dict) -> None:
 
 def test_the_name_of_an_unknown_exception_is_not_repeated() -> None:
     assert safe_error_name("ExtrapolationException") == "ExtrapolationException"
-    assert safe_error_name("hidden_3_14") == safe_error_name(None) == "an error of its own"
+    assert safe_error_name("hidden_3_14") == safe_error_name(None) == Remark("own error")
 
 
 def test_trouble_of_the_run_is_forgotten_if_all_is_right_nevertheless(tasks: dict) -> None:
@@ -134,24 +135,19 @@ def test_what_a_sealed_check_accepts_at_the_rim_is_accepted(tasks: dict) -> None
 
 @pytest.mark.parametrize("kind", sorted(KINDS))
 def test_every_remark_can_be_said_in_both_languages(kind: str) -> None:
-    gaps = (
-        "cell",
-        "seconds",
-        "error",
-        "of_cases",
-        "wanted",
-        "wanted_ko",
-        "file",
-        "why",
-        "chapter",
-        "stamp",
-        "ours",
-        "text",
-    )
-    remark = Remark(kind, "E3.2", unit="mm", parts="a, b", **dict.fromkeys(gaps, "X"))
+    gaps = {gap for text in KINDS[kind] for _, gap, _, _ in string.Formatter().parse(text) if gap}
+    remark = Remark(kind, "E3.2", **dict.fromkeys(gaps, "X"))
     assert Remark.from_plain(json.loads(json.dumps(remark.plain()))) == remark
     for language in ("en", "ko"):
         text = remark.say(language)
         assert text.startswith("E3.2: ")
         assert "{" not in text and "\n" not in text
-    assert remark.say("en") != remark.say("ko") or kind == "file" or kind == "plain"
+    assert remark.say("en") != remark.say("ko") or kind in ("file", "unreadable")
+
+
+def test_a_remark_inside_a_remark_is_said_in_the_same_language() -> None:
+    remark = Remark("unreadable", file="a.ipynb", why=Remark("no JSON", line=3))
+    assert remark.say("en") == "a.ipynb: not a notebook: no valid JSON, line 3."
+    assert remark.say("ko").startswith("a.ipynb: 노트북이 아닙니다.")
+    assert remark.plain()["words"]["why"]["kind"] == "no JSON"
+    assert Remark.from_plain(json.loads(json.dumps(remark.plain()))) == remark

@@ -23,7 +23,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from .reader import MAX_BYTES, Unreadable, too_large
-from .remarks import printable
+from .remarks import Remark, printable
 
 __all__ = ["Member", "archive_members", "is_zip_name", "safe_parts"]
 
@@ -48,10 +48,11 @@ def is_zip_name(name: str) -> bool:
     return name.lower().endswith(".zip")
 
 
-def archive_members(source: Path | Callable[[], bytes]) -> tuple[list[Member], list[str]]:
-    """Return the files in a zip on the disk, or in one whose bytes can be had, and one line for each that is refused.
+def archive_members(source: Path | Callable[[], bytes], name: str = "") -> tuple[list[Member], list[Remark]]:
+    """Return the files in a zip on the disk, or in one whose bytes can be had, and a remark on each that is refused.
 
-    The zip is opened anew for each file that is read, so a thousand of them cost neither memory nor handles.
+    `name` is the zip's, if it is to stand before theirs.  The zip is opened anew for each file that is read, so a
+    thousand of them cost neither memory nor handles.
 
     Raises:
         Unreadable: no zip.
@@ -59,22 +60,29 @@ def archive_members(source: Path | Callable[[], bytes]) -> tuple[list[Member], l
     with _opened(source) as archive:
         entries = archive.infolist()
     if len(entries) > MAX_MEMBERS:
-        raise Unreadable(f"{len(entries)} files in it, more than {MAX_MEMBERS}")
+        raise Unreadable("many files", count=len(entries), most=MAX_MEMBERS)
     members, refused = [], []
+    before = f"{name}: " if name else ""
     for entry in entries:
         if entry.is_dir():
             continue
-        name = _name(entry)
-        parts = safe_parts(name)
-        if parts is None:
-            refused.append(f"{_short(name)}: it leads out of the archive; refused")
-        elif stat.S_ISLNK(entry.external_attr >> 16):
-            refused.append(f"{_short(name)}: a link to another file; refused")
-        elif entry.flag_bits & ENCRYPTED:
-            refused.append(f"{_short(name)}: it is locked with a password; refused")
-        else:
+        called = _name(entry)
+        parts = safe_parts(called)
+        reason = _reason_to_refuse(entry, parts)
+        if reason:
+            refused.append(Remark("file", file=f"{before}{_short(called)}", why=Remark(reason)))
+        elif parts is not None:
             members.append(Member(parts, _reader(source, entry)))
     return members, refused
+
+
+def _reason_to_refuse(entry: zipfile.ZipInfo, parts: tuple[str, ...] | None) -> str:
+    """Return a kind of remark, or "" for a file that may be read."""
+    if parts is None:
+        return "leads out"
+    if stat.S_ISLNK(entry.external_attr >> 16):
+        return "link in a zip"
+    return "locked" if entry.flag_bits & ENCRYPTED else ""
 
 
 def safe_parts(name: str) -> tuple[str, ...] | None:
@@ -92,13 +100,13 @@ def _opened(source: Path | Callable[[], bytes]) -> Iterator[zipfile.ZipFile]:
     if isinstance(source, Path):
         try:
             if not stat.S_ISREG(source.lstat().st_mode):
-                raise Unreadable("a link, a pipe or a device, not a file")
+                raise Unreadable("pipe")
         except OSError as error:
-            raise Unreadable(f"cannot be opened ({error.strerror})") from None
+            raise Unreadable("closed", error=error.strerror) from None
     try:
         archive = zipfile.ZipFile(source if isinstance(source, Path) else io.BytesIO(source()))
     except BROKEN as error:
-        raise Unreadable(f"not a zip file that can be read ({type(error).__name__})") from None
+        raise Unreadable("no zip", error=type(error).__name__) from None
     with archive:
         yield archive
 
@@ -108,14 +116,14 @@ def _reader(source: Path | Callable[[], bytes], entry: zipfile.ZipInfo) -> Calla
 
     def read() -> bytes:
         if entry.file_size > limit:
-            raise Unreadable(too_large(entry.file_size, limit))
+            raise too_large(entry.file_size, limit)
         try:
             with _opened(source) as archive, archive.open(entry) as file:
                 data = file.read(limit + 1)
         except BROKEN as error:
-            raise Unreadable(f"damaged in the archive ({type(error).__name__})") from None
+            raise Unreadable("damaged", error=type(error).__name__) from None
         if len(data) > limit:
-            raise Unreadable(too_large(len(data), limit))
+            raise too_large(len(data), limit)
         return data
 
     return read

@@ -118,10 +118,10 @@ def job_of(submission: Submission, pack: Pack, limits: Limits) -> Job:
         name = printable("/".join(member.parts))[-200:]
         try:
             data = member.read() if room > 0 else b""
-            files.append(File(name, data) if room > 0 else File(name, fault="more than 64 MB were handed in"))
+            files.append(File(name, data) if room > 0 else File(name, fault=Remark("too much", most=MOST_BYTES >> 20)))
             room -= len(data)
         except Unreadable as error:
-            files.append(File(name, fault=str(error)))
+            files.append(File(name, fault=error.remark))
     known = (pack.roster or {}).get(submission.learner)
     return Job(
         learner=submission.learner,
@@ -143,10 +143,8 @@ def grade_job(job: Job, *, sandbox: Sandbox) -> dict[str, Any]:
     try:
         return graded(job, run_behind(sandbox)) | {"sandbox": sandbox.level}
     except Exception as error:  # a fault of ours; it must not cost the others
-        text = (
-            f"tflab itself failed here ({type(error).__name__}: {str(error)[:200]}); please report it, and grade again"
-        )
-        record = graded(replace(job, files=(), remarks=(*job.remarks, Remark("plain", text=text))), _nothing_runs)
+        said = Remark("failed", error=f"{type(error).__name__}: {str(error)[:200]}")
+        record = graded(replace(job, files=(), remarks=(*job.remarks, said)), _nothing_runs)
         return record | {"sandbox": sandbox.level, "not_run": True}
 
 
@@ -209,7 +207,8 @@ def _key(job: Job, pack: Pack, batch: Batch) -> str:
     rest += [job.learner, job.name, job.language, [remark.plain() for remark in job.remarks], job.on_roster]
     content.update(json.dumps(rest, ensure_ascii=False).encode("utf-8", "replace"))
     for file in job.files:
-        content.update(repr((file.name, file.fault, hashlib.sha256(file.data).hexdigest())).encode())
+        fault = file.fault.plain() if file.fault else None
+        content.update(repr((file.name, fault, hashlib.sha256(file.data).hexdigest())).encode())
     return content.hexdigest()
 
 

@@ -45,6 +45,7 @@ PLAIN = Words(
     "Checked in an ordinary kernel ({why}).",
     "일반 커널에서 확인했습니다({why}).",
 )
+NOT_LINUX = Words("this is {platform}, grading is on Linux", "이 컴퓨터는 {platform}, 채점은 Linux")
 
 
 class Checked(NamedTuple):
@@ -66,11 +67,20 @@ def main(words: Sequence[str]) -> int:
     try:
         checked = check_notebook(Path(options.notebook), plainly=options.plain)
     except (Unreadable, WorkbookError, CasesError) as error:
-        print(f"tflab check: {options.notebook}: {error}", file=sys.stderr)
+        said = error.remark.say(_language_at(Path(options.notebook))) if isinstance(error, Unreadable) else error
+        print(f"tflab check: {options.notebook}: {said}", file=sys.stderr)
         return 2
     lines, all_right = report(checked)
     print("\n".join(lines))
     return 0 if all_right else 1
+
+
+def _language_at(path: Path) -> str:
+    """Return the language of the workbook that a file is in; English if there is none."""
+    try:
+        return read_workbook(workbook_root(path.resolve().parent)).language
+    except WorkbookError:
+        return "en"
 
 
 def check_notebook(path: Path, *, plainly: bool = False) -> Checked:
@@ -99,8 +109,8 @@ def check_notebook(path: Path, *, plainly: bool = False) -> Checked:
     record = graded(job, run_cells)
     found = [stem for stem, chapter in record["chapters"].items() if chapter["file"]]
     if not found:
-        there = ", ".join(job.chapters) or "nothing"
-        raise Unreadable(f"none of its cells belongs to a chapter with exercises; in {root} there is {there}")
+        there = ", ".join(job.chapters) or "-"
+        raise Unreadable("no chapter", root=root, there=there)
     return Checked(record, found[0], job.chapters[found[0]]["tasks"], workbook.language, note)
 
 
@@ -159,7 +169,7 @@ class PlainLimits(NamedTuple):
 
 def _runner(plainly: bool, language: str) -> tuple[Callable, Any, str]:
     """Return what runs cells here, its limits, and a line about it if it is not what grading uses."""
-    why = "--plain" if plainly else f"this is {sys.platform}, grading is on Linux"
+    why = "--plain" if plainly else NOT_LINUX.say(language, platform=sys.platform)
     if not plainly and sys.platform == "linux":
         from .batch import run_behind
         from .kernels import KernelError, choose

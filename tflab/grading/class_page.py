@@ -21,6 +21,7 @@ from .feedback import STATUS
 from .gradebook import remarks_of, tasks_of, verdicts_of
 from .html import figure, page, points, prose, rows, text
 from .misconceptions import MISCONCEPTIONS
+from .remarks import Remark
 
 __all__ = ["Mistake", "class_page", "mistakes"]
 
@@ -77,8 +78,8 @@ def class_page(
     cases: Mapping[str, Any],
     *,
     language: str = "en",
-    wall: Sequence[str] = (),
-    remarks: Sequence[str] = (),
+    wall: Sequence[Words] = (),
+    remarks: Sequence[Remark] = (),
 ) -> str:
     """Return the instructor's page as HTML."""
     graded = [record for record in records if record["handed_in"]]
@@ -94,7 +95,7 @@ def class_page(
     body += [f"<h2>{text(EVERYBODY.say(language))}</h2>", _everybody(records, language)]
     for heading, lines in ((ABOUT, remarks), (ON_THE_WALL, wall)):
         if lines:
-            items = "".join(f"<li>{text(line)}</li>" for line in lines)
+            items = "".join(f"<li>{text(line.say(language))}</li>" for line in lines)
             body.append(f'<div class="card"><b>{text(heading.say(language))}</b><ul>{items}</ul></div>')
     return page(TITLE.say(language), language, body)
 

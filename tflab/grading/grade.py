@@ -22,12 +22,14 @@ from typing import Any
 
 from tflab import __version__
 from tflab.workbook.whole_files import write_whole
+from tflab.workbook.words import Words
 
 from .class_page import class_page
 from .feedback import LEVELS, feedback_page
 from .gradebook import LMS, file_name, grades_csv, remarks_of, results_json
 from .pack import Pack, PackError, read_pack
 from .reader import Unreadable
+from .remarks import Remark
 from .submissions import Collection, collect
 
 __all__ = ["main"]
@@ -51,10 +53,10 @@ def main(words: Sequence[str]) -> int:
         pack = read_pack(Path(options.pack))
         collection = collect(Path(options.submissions), pack.roster, list(pack.cases), (out, Path(options.pack)))
         if pack.version != __version__:
-            line = f"released by tflab {pack.version}, graded by tflab {__version__}"
-            collection = replace(collection, remarks=(*collection.remarks, line))
+            other = Remark("other tflab", stamp=pack.version, ours=__version__)
+            collection = replace(collection, remarks=(*collection.remarks, other))
         if not collection.submissions:
-            raise Unreadable(f"there is no submission in {options.submissions}")
+            return _refuse(f"there is no submission in {options.submissions}")
         (out / "submissions").mkdir(parents=True, exist_ok=True)
         records, wall = _graded(collection, pack, out, options)
         _write_reports(records, collection, pack, out, options, wall)
@@ -74,7 +76,7 @@ def main(words: Sequence[str]) -> int:
 
 def _graded(
     collection: Collection, pack: Pack, out: Path, options: argparse.Namespace
-) -> tuple[list[dict], tuple[str, ...]]:
+) -> tuple[list[dict], tuple[Words, ...]]:
     from .batch import Batch, grade_batch
     from .kernels import choose
     from .limits import Limits
@@ -94,14 +96,14 @@ def _write_reports(
     pack: Pack,
     out: Path,
     options: argparse.Namespace,
-    wall: tuple[str, ...],
+    wall: tuple[Words, ...],
 ) -> None:
     about = {
         "tflab": __version__,
         "release": pack.release,
         "chapters": list(pack.cases),
-        "wall": list(wall),
-        "remarks": list(collection.remarks),
+        "wall": [line.en for line in wall],
+        "remarks": [remark.plain() for remark in collection.remarks],
     }
     before = _learners_in(out / "results.json")
     write_whole(out / "grades.csv", grades_csv(records, options.lms, options.assignment))
@@ -115,7 +117,7 @@ def _write_pages(
     pack: Pack,
     out: Path,
     options: argparse.Namespace,
-    wall: tuple[str, ...],
+    wall: tuple[Words, ...],
     before: list[str],
 ) -> None:
     pages = out / "feedback"
@@ -138,15 +140,16 @@ def _learners_in(results: Path) -> list[str]:
         return []
 
 
-def _say(records: list[dict[str, Any]], collection: Collection, out: Path, wall: tuple[str, ...]) -> None:
-    for line in collection.remarks:
-        print(line)
+def _say(records: list[dict[str, Any]], collection: Collection, out: Path, wall: tuple[Words, ...]) -> None:
+    for remark in collection.remarks:
+        print(remark.say("en"))
     for record in records:
         if not record["handed_in"]:
             why = "; ".join(remark.say("en") for remark in remarks_of(record)) or "nothing to grade"
             print(f"{record['learner']}: {why}")
     handed_in = [record for record in records if record["handed_in"]]
-    print(f"{len(handed_in)} graded, {len(records) - len(handed_in)} with nothing to grade. {' '.join(wall)}")
+    counted = f"{len(handed_in)} graded, {len(records) - len(handed_in)} with nothing to grade."
+    print(counted, *(line.en for line in wall))
     print(f"{out / 'grades.csv'}  {out / 'results.json'}  {out / 'class.html'}")
 
 

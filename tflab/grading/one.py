@@ -39,7 +39,7 @@ class File:
 
     name: str
     data: bytes = b""
-    fault: str = ""
+    fault: Remark | None = None
 
 
 @dataclass(frozen=True)
@@ -142,10 +142,13 @@ def _by_chapter(job: Job, masters: Mapping[str, Master], remarks: list[Remark]) 
     candidates: dict[str, list[_Chapter]] = {}
     strangers = []
     for file in job.files:
+        if file.fault is not None:
+            remarks.append(Remark("unreadable", file=file.name, why=file.fault))
+            continue
         try:
-            notebook = _read(file)
+            notebook = read_notebook(file.data)
         except Unreadable as error:
-            remarks.append(Remark("unreadable", file=file.name, why=error))
+            remarks.append(Remark("unreadable", file=file.name, why=error.remark))
             continue
         stem = _chapter_of(notebook, masters)
         if stem is None:
@@ -180,12 +183,6 @@ def _age(name: str) -> tuple[bool, list[tuple[int, str]]]:
     stem = name.rpartition(".")[0]
     runs = re.findall(r"\d+|\D+", stem)
     return not COPY.search(stem), [(int(run[:18]), "") if run.isdecimal() else (-1, run) for run in runs]
-
-
-def _read(file: File) -> SubmittedNotebook:
-    if file.fault:
-        raise Unreadable(file.fault)
-    return read_notebook(file.data)
 
 
 def _texts(one: _Chapter) -> list[tuple[str, str]]:

@@ -6,7 +6,7 @@ Nothing of the file is believed, and nothing of it is run: it is opened without
 following links and without waiting for a pipe, read up to a limit, and parsed as
 plain JSON.  Whatever is not of the type it should be is left out.  What honest
 machines do to notebooks is undone: a byte order mark, UTF-16, Korean code page
-949, the third format of 2012.  Read `remarks.py` next.
+949, the third format of 2012.  Read `reasons.py` next.
 """
 
 from __future__ import annotations
@@ -19,6 +19,8 @@ from pathlib import Path
 from typing import Any
 
 from tflab.workbook.tasks import slug
+
+from .remarks import Remark
 
 __all__ = [
     "MAX_BYTES",
@@ -38,7 +40,11 @@ LONGEST_INT = 300  # digits; Python refuses the very long ones, and no notebook 
 
 
 class Unreadable(Exception):
-    """This is no notebook that can be graded; the text is one line for a person."""
+    """This is no notebook that can be graded; `remark` says why, in each language, and the text does in English."""
+
+    def __init__(self, kind: str, **words: object) -> None:
+        self.remark = Remark(kind, **words)
+        super().__init__(self.remark.say("en"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,7 +62,7 @@ class SubmittedNotebook:
 
     cells: tuple[SubmittedCell, ...]
     stamp: dict[str, str] = field(default_factory=dict)
-    remarks: tuple[str, ...] = ()
+    remarks: tuple[Remark, ...] = ()
 
 
 def read_bytes(path: Path, at_most: int = MAX_BYTES) -> bytes:
@@ -67,32 +73,32 @@ def read_bytes(path: Path, at_most: int = MAX_BYTES) -> bytes:
     """
     try:
         if stat.S_ISLNK(os.lstat(path).st_mode):
-            raise Unreadable("a link to another file, not a file")
+            raise Unreadable("link")
         flags = os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
         descriptor = os.open(path, flags)
     except (OSError, ValueError) as error:
-        raise Unreadable(f"cannot be opened ({getattr(error, 'strerror', None) or error})") from None
+        raise Unreadable("closed", error=getattr(error, "strerror", None) or error) from None
     try:
         status = os.fstat(descriptor)
         if not stat.S_ISREG(status.st_mode):
-            raise Unreadable("not a regular file")
+            raise Unreadable("no file there")
         if status.st_size > at_most:
-            raise Unreadable(too_large(status.st_size, at_most))
+            raise too_large(status.st_size, at_most)
         with os.fdopen(descriptor, "rb", closefd=False) as file:
             data = file.read(at_most + 1)
     except OSError as error:
-        raise Unreadable(f"cannot be read ({error.strerror})") from None
+        raise Unreadable("not read", error=error.strerror) from None
     finally:
         os.close(descriptor)
     if len(data) > at_most:
-        raise Unreadable(too_large(len(data), at_most))
+        raise too_large(len(data), at_most)
     return data
 
 
-def too_large(size: int, at_most: int) -> str:
-    """Return the line for a file above the limit."""
+def too_large(size: int, at_most: int) -> Unreadable:
+    """Return what to raise for a file above the limit; both are bytes."""
     megabytes = 1024 * 1024
-    return f"{size / megabytes:.0f} MB, more than {at_most // megabytes} MB: clear the outputs and hand it in again"
+    return Unreadable("too large", size=f"{size / megabytes:.0f}", most=at_most // megabytes)
 
 
 def read_notebook(data: bytes) -> SubmittedNotebook:
@@ -104,42 +110,41 @@ def read_notebook(data: bytes) -> SubmittedNotebook:
     text, remarks = _decoded(data)
     page = _parsed(text)
     if not isinstance(page, dict):
-        raise Unreadable("not a notebook: no cells in it")
+        raise Unreadable("no cells")
     cells = _cells_of(page)
     if len(cells) > MAX_CELLS:
-        raise Unreadable(f"{len(cells)} cells, more than {MAX_CELLS}")
+        raise Unreadable("many cells", count=len(cells), most=MAX_CELLS)
     read = tuple(_cell(cell) for cell in cells if isinstance(cell, dict))
     if len(read) < len(cells):
-        remarks.append(f"{len(cells) - len(read)} of its cells are no cells, and are left out")
+        remarks.append(Remark("no cell", count=len(cells) - len(read)))
     return SubmittedNotebook(read, _stamp(page), tuple(remarks))
 
 
-def _decoded(data: bytes) -> tuple[str, list[str]]:
+def _decoded(data: bytes) -> tuple[str, list[Remark]]:
     if not data.strip(b"\0 \t\r\n"):
-        raise Unreadable("an empty file")
+        raise Unreadable("empty file")
     if data[:2] == b"PK":
-        raise Unreadable("a zip file, not a notebook: unpack it, or hand over the zip itself")
+        raise Unreadable("zip")
     if max(data.count(b"["), data.count(b"{")) > MAX_CONTAINERS:
-        raise Unreadable("not a notebook: millions of lists in it")
+        raise Unreadable("many lists")
     wide = json.detect_encoding(data)  # by a byte order mark, or by where the zeros are
     for encoding in (wide, *ENCODINGS):
         try:
             text = data.decode(encoding)
         except (UnicodeDecodeError, LookupError):
             continue
-        remarks = [f"it is written in {encoding}, not in UTF-8"] if encoding not in ("utf-8", "utf-8-sig") else []
+        remarks = [Remark("encoding", encoding=encoding)] if encoding not in ("utf-8", "utf-8-sig") else []
         return text.removeprefix("\ufeff"), remarks
-    return data.decode("utf-8", errors="replace"), ["some of its letters are in no known encoding"]
+    return data.decode("utf-8", errors="replace"), [Remark("letters")]
 
 
 def _parsed(text: str) -> Any:
     try:
         return json.loads(text, parse_int=_short_int, strict=False)
     except RecursionError:
-        raise Unreadable("not a notebook: its lists are nested too deep") from None
+        raise Unreadable("too deep") from None
     except ValueError as error:
-        where = f", line {error.lineno}" if isinstance(error, json.JSONDecodeError) else ""
-        raise Unreadable(f"not a notebook: no valid JSON{where}") from None
+        raise Unreadable("no JSON", line=getattr(error, "lineno", 1)) from None
 
 
 def _short_int(digits: str) -> int:
@@ -152,7 +157,7 @@ def _cells_of(page: dict) -> list:
         return cells
     sheets = page.get("worksheets")  # the third format
     if not isinstance(sheets, list):
-        raise Unreadable("not a notebook: no cells in it")
+        raise Unreadable("no cells")
     lists = [sheet["cells"] for sheet in sheets if isinstance(sheet, dict) and isinstance(sheet.get("cells"), list)]
     return [cell for cells in lists for cell in cells]
 

@@ -52,7 +52,7 @@ def main(words: Sequence[str]) -> int:
             raise PackError("no learner on the roster")
         learners = list(roster.learners.values()) if roster else None
         release(folder, stems, learners, language=options.lang, add=options.add, quiet=options.quiet)
-    except (PackError, TaskError, WorkbookError, Unreadable) as error:
+    except (PackError, TaskError, WorkbookError) as error:
         print(f"tflab release: {error}", file=sys.stderr)
         return 2
     who = f"{len(learners)} learners" if learners is not None else "everybody, the same folder"
@@ -143,15 +143,11 @@ def _chapters(words: str | None, there: Sequence[str]) -> list[str]:
     """Return the stems that "02,03" names; all if there are no words."""
     if not there:
         raise PackError("there is no chapter with an exercise; `tflab build` makes them")
-    chosen = []
-    for word in (words or "").replace(" ", ",").split(","):
-        if not word:
-            continue
-        stems = [stem for stem in there if stem == word or stem.split("_")[0] == word.zfill(2)]
-        if not stems:
-            raise PackError(f'there is no chapter "{word}" with an exercise; there is {", ".join(there)}')
-        chosen += stems
-    return list(dict.fromkeys(chosen)) or list(there)
+    try:
+        chosen = places.stems_called((words or "").replace(",", " ").split(), there, what="exercise")
+    except LookupError as nothing:
+        raise PackError(f"{nothing}") from None
+    return chosen or list(there)
 
 
 def _roster(path: str | None, language: str) -> Roster | None:
@@ -160,7 +156,7 @@ def _roster(path: str | None, language: str) -> Roster | None:
     try:
         return read_roster(read_bytes(Path(path).resolve()), language)
     except Unreadable as error:
-        raise Unreadable(f"the roster {path} {error}") from None
+        raise PackError(f"the roster {path}: {error}") from None
 
 
 def _options(words: Sequence[str]) -> argparse.Namespace:

@@ -4,7 +4,8 @@
     -> 'E3.2: two different cells are called "e3-2-answer", so neither counts. ...'
 
 A remark never repeats what a learner's code printed or raised: that could carry
-hidden inputs out.  Read `transplant.py` next.
+hidden inputs out.  Why a file cannot be read is a remark inside a remark: the
+kinds in `reasons.py`.  Read `transplant.py` next.
 """
 
 from __future__ import annotations
@@ -13,6 +14,8 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from tflab.workbook.words import Words
+
+from .reasons import REASONS
 
 __all__ = ["KINDS", "Remark", "printable"]
 
@@ -100,7 +103,7 @@ KINDS = {
         ko="이 컴퓨터에서 실행하지 못했습니다({why}). 다시 채점해야 합니다.",
     ),
     # about files
-    "unreadable": Words(en="{file}: {why}.", ko="{file}: 읽을 수 없습니다({why})."),
+    "unreadable": Words(en="{file}: {why}.", ko="{file}: {why}."),
     "no exercise": Words(
         en="{file}: none of its cells belongs to a chapter that is graded.",
         ko="{file}: 채점하는 장의 셀이 하나도 없습니다.",
@@ -144,36 +147,50 @@ KINDS = {
     ),
     "places": Words(en="handed in at several places: {stamp}.", ko="여러 곳에 제출되었습니다: {stamp}."),
     "file": Words(en="{file}: {why}.", ko="{file}: {why}."),
-    "plain": Words(en="{text}.", ko="{text}."),
+    # about the whole batch
+    "other tflab": Words(
+        en="released by tflab {stamp}, graded by tflab {ours}.",
+        ko="tflab {stamp}에서 배포하고 tflab {ours}에서 채점했습니다.",
+    ),
+    "failed": Words(
+        en="tflab itself failed here ({error}); please report it, and grade again.",
+        ko="tflab 자체의 오류로 채점하지 못했습니다({error}). 오류를 알리고 다시 채점해야 합니다.",
+    ),
+    "own error": Words(en="an error of its own", ko="직접 정의한"),  # inside another remark
+    **REASONS,
 }
 
 
 @dataclass(frozen=True)
 class Remark:
-    """One thing to say; `words` fill the gaps of its text."""
+    """One thing to say; `words` fill the gaps of its text, and may be remarks themselves."""
 
     kind: str
     task: str = ""
-    words: dict[str, str] = field(default_factory=dict)
+    words: dict[str, str | Remark] = field(default_factory=dict)
 
     def __init__(self, kind: str, task: str = "", **words: Any) -> None:
         object.__setattr__(self, "kind", kind)
         object.__setattr__(self, "task", task)
-        object.__setattr__(self, "words", {name: printable(str(value)) for name, value in words.items()})
+        said = {name: one if isinstance(one, Remark) else printable(str(one)) for name, one in words.items()}
+        object.__setattr__(self, "words", said)
 
     def say(self, language: str, *, with_task: bool = True) -> str:
         """Return the remark as one line."""
-        text = KINDS[self.kind].say(language).format(**self.words)
+        words = {name: one.say(language) if isinstance(one, Remark) else one for name, one in self.words.items()}
+        text = KINDS[self.kind].say(language).format(**words)
         return f"{self.task}: {text}" if self.task and with_task else text
 
     def plain(self) -> dict[str, Any]:
         """Return the remark as JSON has it."""
-        return {"kind": self.kind, "task": self.task, "words": self.words}
+        words = {name: one.plain() if isinstance(one, Remark) else one for name, one in self.words.items()}
+        return {"kind": self.kind, "task": self.task, "words": words}
 
     @classmethod
     def from_plain(cls, plain: dict[str, Any]) -> Remark:
         """Return the remark that `plain` wrote."""
-        return cls(plain["kind"], plain["task"], **plain["words"])
+        words = {name: cls.from_plain(one) if isinstance(one, dict) else one for name, one in plain["words"].items()}
+        return cls(plain["kind"], plain["task"], **words)
 
 
 def printable(text: str) -> str:

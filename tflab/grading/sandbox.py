@@ -19,23 +19,45 @@ from pathlib import Path
 
 import tflab
 from tflab.workbook import places
+from tflab.workbook.words import Words
 
 from . import landlock
 
 __all__ = ["LEVELS", "Sandbox"]
 
 ONLY_FILES = (
-    "Code in a submission can see which other processes run.",
-    "Code in a submission can send UDP to the network.",
+    Words(
+        en="Code in a submission can see which other processes run.",
+        ko="제출된 코드가 다른 프로세스의 목록을 볼 수 있습니다.",
+    ),
+    Words(
+        en="Code in a submission can send UDP to the network.",
+        ko="제출된 코드가 네트워크로 UDP를 보낼 수 있습니다.",
+    ),
 )
 GAPS = {
     "namespaces": (),
-    "bubblewrap": ("Every kernel starts from nothing, so grading takes several times as long.",),
+    "bubblewrap": (
+        Words(
+            en="Every kernel starts from nothing, so grading takes several times as long.",
+            ko="커널을 매번 처음부터 시작하므로 채점이 몇 배 오래 걸립니다.",
+        ),
+    ),
     "limits": (
-        "Code in a submission can read files that the instructor can read, the pack among them, "
-        "so hidden answers are only advisory.",
-        "Code in a submission can reach the network.",
-        "Code in a submission can end the grader; the run has to be started again then.",
+        Words(
+            en="Code in a submission can read files that the instructor can read, the pack among them, "
+            "so hidden answers are only advisory.",
+            ko="제출된 코드가 교수자의 파일을 읽을 수 있고, 채점용 팩도 읽을 수 있습니다. "
+            "따라서 숨긴 문제의 점수는 참고용일 뿐입니다.",
+        ),
+        Words(
+            en="Code in a submission can reach the network.",
+            ko="제출된 코드가 네트워크에 접속할 수 있습니다.",
+        ),
+        Words(
+            en="Code in a submission can end the grader; the run has to be started again then.",
+            ko="제출된 코드가 채점 프로그램을 끝낼 수 있습니다. 그러면 채점을 다시 시작해야 합니다.",
+        ),
     ),
 }
 LEVELS = tuple(GAPS)
@@ -59,16 +81,16 @@ class Sandbox:
             raise ValueError(f"there is no sandbox {self.level!r}; there are {', '.join(LEVELS)}")
 
     @property
-    def gaps(self) -> tuple[str, ...]:
+    def gaps(self) -> tuple[Words, ...]:
         """Return what this wall does not protect from, one sentence each; nothing for the best one."""
         if self.level == "limits" and landlock.abi() >= landlock.CONFINES:
             return ONLY_FILES
         return GAPS[self.level]
 
-    def announce(self) -> str:
+    def announce(self) -> Words:
         """Return one line for the report: which wall, and why no better one; `gaps` are the lines after it."""
         why = f" ({'; '.join(self.refused)})" if self.refused else ""
-        return f"Sandbox: {self.level}{why}."
+        return Words(f"Sandbox: {self.level}{why}.", f"샌드박스: {self.level}{why}.")
 
     def shown(self) -> tuple[str, ...]:
         """Return the folders and files of this machine that a kernel may read: the system and Python, no home."""

@@ -59,10 +59,10 @@ class Submission:
 
 @dataclass(frozen=True)
 class Collection:
-    """Every submission, by learner's id, and lines on what belongs to nobody."""
+    """Every submission, by learner's id, and remarks on what belongs to nobody."""
 
     submissions: tuple[Submission, ...]
-    remarks: tuple[str, ...] = ()
+    remarks: tuple[Remark, ...] = ()
 
 
 def collect(
@@ -105,12 +105,12 @@ def collect(
     return Collection(tuple(found[learner] for learner in sorted(found)), tuple(remarks))
 
 
-def _listed(place: Path, leave_out: set[Path]) -> tuple[list[Member], list[str]]:
+def _listed(place: Path, leave_out: set[Path]) -> tuple[list[Member], list[Remark]]:
     """Return all files, those in zips included."""
     if place.is_dir():
         members, remarks = _walked(place, leave_out)
     elif not place.exists():
-        raise Unreadable(f"there is no {place}; name a folder, a zip or a notebook")
+        raise Unreadable("nowhere", place=place)
     elif is_zip_name(place.name):
         members, remarks = archive_members(place.resolve())
     else:
@@ -122,18 +122,18 @@ def _listed(place: Path, leave_out: set[Path]) -> tuple[list[Member], list[str]]
     return listed, remarks
 
 
-def _walked(place: Path, leave_out: set[Path]) -> tuple[list[Member], list[str]]:
+def _walked(place: Path, leave_out: set[Path]) -> tuple[list[Member], list[Remark]]:
     members, remarks = [], []
 
     def closed(error: OSError) -> None:
         parts = Path(error.filename).relative_to(place).parts
-        remarks.append(f"{printable('/'.join(parts))}: cannot be opened ({error.strerror})")
+        remarks.append(Remark("file", file="/".join(parts), why=Remark("closed", error=error.strerror)))
         members.append(Member((*parts, ""), bytes))
 
     for folder, folders, files in os.walk(place, onerror=closed):
         parts = Path(folder).relative_to(place).parts
         for name in [name for name in folders if os.path.islink(os.path.join(folder, name))]:
-            remarks.append(f"{printable('/'.join((*parts, name)))}: a link to another folder; left out")
+            remarks.append(Remark("file", file="/".join((*parts, name)), why=Remark("linked folder")))
         entered = [name for name in folders if not _is_skipped(name)]
         entered = [name for name in entered if (Path(folder) / name).resolve() not in leave_out]
         folders[:] = sorted(entered) if len(parts) < MAX_DEPTH else []
@@ -145,17 +145,17 @@ def _walked(place: Path, leave_out: set[Path]) -> tuple[list[Member], list[str]]
     return members, remarks
 
 
-def _inside(member: Member, remarks: list[str], deeper: int = MOST_ZIPS) -> list[Member]:
+def _inside(member: Member, remarks: list[Remark], deeper: int = MOST_ZIPS) -> list[Member]:
     """Return what is in a learner's zip, and in zips in it, as if it had been unpacked where it is."""
     name = printable("/".join(member.parts))
     folder = member.parts if len(member.parts) == 1 else member.parts[:-1]
     folder = (*folder[:-1], folder[-1][:-4]) if is_zip_name(folder[-1]) else folder
     try:
-        members, refused = archive_members(member.path or member.read)
+        members, refused = archive_members(member.path or member.read, name)
     except Unreadable as error:
-        remarks.append(f"{name}: {error}")
+        remarks.append(Remark("unreadable", file=name, why=error.remark))
         return [Member((*folder, member.parts[-1]), bytes)]
-    remarks += [f"{name}: {line}" for line in refused]
+    remarks += refused
     listed: list[Member] = []
     for one in [replace(one, parts=(*folder, *one.parts)) for one in members if not any(map(_is_skipped, one.parts))]:
         listed += _inside(one, remarks, deeper - 1) if deeper > 1 and is_zip_name(one.parts[-1]) else [one]
@@ -286,6 +286,6 @@ def _printable(key: str) -> str:
     )
 
 
-def _few(names: list[str]) -> str:
+def _few(names: list[str]) -> str | Remark:
     shown = ", ".join(_printable(name) for name in names[:3])
-    return shown if len(names) <= 3 else f"{shown} and {len(names) - 3} more"
+    return shown if len(names) <= 3 else Remark("and more", names=shown, count=len(names) - 3)

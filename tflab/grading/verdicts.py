@@ -88,9 +88,9 @@ def judged(
     return Verdict(task_id, status, found.passed, found.of, points, float(task["points"]), found.twin, tuple(remarks))
 
 
-def safe_error_name(name: Any) -> str:
+def safe_error_name(name: Any) -> str | Remark:
     """Return an exception's name if it is one that Python or tf2 has: a name of one's own could carry anything."""
-    return name if isinstance(name, str) and name in KNOWN_ERRORS else "an error of its own"
+    return name if isinstance(name, str) and name in KNOWN_ERRORS else Remark("own error")
 
 
 def _judge(form: Form, task: Mapping[str, Any], got: list[Any]) -> workbook_verdict.Verdict:

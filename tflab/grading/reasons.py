@@ -1,0 +1,87 @@
+"""Why can a file not be graded, or not as it is?  Each reason once, in both languages.
+
+    Unreadable("no JSON", line=3)    03.ipynb: not a notebook: no valid JSON, line 3.
+                                     03.ipynb: 노트북이 아닙니다. 3번째 줄이 올바른 JSON이 아닙니다.
+
+They are kinds of remarks, and stand inside another one that names the file.  What an
+operating system or Python says of a fault is in English everywhere.  Read `remarks.py` next.
+"""
+
+from __future__ import annotations
+
+from tflab.workbook.words import Words
+
+__all__ = ["REASONS"]
+
+REASONS = {
+    # files
+    "nowhere": Words(
+        en="there is no {place}; name a folder, a zip or a notebook",
+        ko="없는 곳입니다: {place}. 폴더나 zip 파일, 노트북을 지정하십시오",
+    ),
+    "link": Words(en="a link to another file, not a file", ko="파일이 아니라 다른 파일을 가리키는 링크입니다"),
+    "no file there": Words(en="not a regular file", ko="일반 파일이 아닙니다"),
+    "closed": Words(en="cannot be opened ({error})", ko="열 수 없습니다({error})"),
+    "not read": Words(en="cannot be read ({error})", ko="읽을 수 없습니다({error})"),
+    "too large": Words(
+        en="{size} MB, more than {most} MB: clear the outputs and hand it in again",
+        ko="{size} MB로 한도 {most} MB를 넘습니다. 출력을 지우고 다시 제출하십시오",
+    ),
+    "too much": Words(en="more than {most} MB were handed in", ko="제출한 파일이 모두 합해 {most} MB를 넘습니다"),
+    "linked folder": Words(
+        en="a link to another folder; left out",
+        ko="다른 폴더를 가리키는 링크라서 뺐습니다",
+    ),
+    "and more": Words(en="{names} and {count} more", ko="{names} 외 {count}개"),
+    # zips
+    "no zip": Words(en="not a zip file that can be read ({error})", ko="읽을 수 있는 zip 파일이 아닙니다({error})"),
+    "pipe": Words(en="a link, a pipe or a device, not a file", ko="파일이 아니라 링크나 파이프, 장치입니다"),
+    "many files": Words(en="{count} files in it, more than {most}", ko="파일이 {count}개로 한도 {most}개를 넘습니다"),
+    "leads out": Words(
+        en="it leads out of the archive; refused",
+        ko="압축 파일 밖을 가리키는 이름이라서 받지 않았습니다",
+    ),
+    "link in a zip": Words(
+        en="a link to another file; refused",
+        ko="다른 파일을 가리키는 링크라서 받지 않았습니다",
+    ),
+    "locked": Words(en="it is locked with a password; refused", ko="암호가 걸려 있어서 받지 않았습니다"),
+    "damaged": Words(en="damaged in the archive ({error})", ko="압축 파일 안에서 손상되었습니다({error})"),
+    # notebooks
+    "empty file": Words(en="an empty file", ko="빈 파일입니다"),
+    "zip": Words(
+        en="a zip file, not a notebook: unpack it, or hand over the zip itself",
+        ko="노트북이 아니라 zip 파일입니다. 압축을 풀어 제출하거나 이름을 .zip으로 되돌려 제출하십시오",
+    ),
+    "no JSON": Words(
+        en="not a notebook: no valid JSON, line {line}",
+        ko="노트북이 아닙니다. {line}번째 줄이 올바른 JSON이 아닙니다",
+    ),
+    "too deep": Words(
+        en="not a notebook: its lists are nested too deep",
+        ko="노트북이 아닙니다. 리스트가 너무 깊이 겹쳐 있습니다",
+    ),
+    "many lists": Words(
+        en="not a notebook: millions of lists in it",
+        ko="노트북이 아닙니다. 리스트가 수백만 개 들어 있습니다",
+    ),
+    "no cells": Words(en="not a notebook: no cells in it", ko="노트북이 아닙니다. 셀이 없습니다"),
+    "many cells": Words(en="{count} cells, more than {most}", ko="셀이 {count}개로 한도 {most}개를 넘습니다"),
+    "no chapter": Words(
+        en="none of its cells belongs to a chapter with exercises; in {root} there is {there}",
+        ko="연습 문제가 있는 장의 셀이 하나도 없습니다. {root}에 있는 장: {there}",
+    ),
+    # notebooks that can be read
+    "encoding": Words(
+        en="it is written in {encoding}, not in UTF-8",
+        ko="UTF-8이 아닌 인코딩({encoding})으로 저장되어 있습니다",
+    ),
+    "letters": Words(
+        en="some of its letters are in no known encoding",
+        ko="어느 인코딩으로도 읽을 수 없는 글자가 있습니다",
+    ),
+    "no cell": Words(
+        en="{count} of its cells are no cells, and are left out",
+        ko="셀의 형식이 아닌 것이 {count}개 있어서 뺐습니다",
+    ),
+}
