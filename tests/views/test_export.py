@@ -130,6 +130,15 @@ def test_the_command_prints_where_the_page_is_and_says_what_is_missing(tmp_path,
     assert "there is no notebook" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize("text", ["hi", "[1, 2]", '{"nbformat": 4}', "\udc80"])
+def test_a_file_that_is_no_notebook_is_said(tmp_path, capsys, text):
+    path = tmp_path / "none.ipynb"
+    path.write_bytes(text.encode(errors="surrogateescape"))
+    assert main([str(path), "--out", str(tmp_path / "site")]) == 2
+    assert capsys.readouterr().err == f"tflab export: {path}: this is no notebook, or a damaged one\n"
+    assert not (tmp_path / "site").exists()
+
+
 def test_a_drawing_brings_its_words_along(tmp_path):
     data = {"image/svg+xml": "<svg xmlns='http://www.w3.org/2000/svg'/>", "text/plain": "a tree of two"}
     cell = nbformat.v4.new_code_cell("tree", outputs=[nbformat.v4.new_output("display_data", data)], id="a")

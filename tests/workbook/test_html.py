@@ -54,6 +54,15 @@ def test_a_notebook_that_is_not_there_is_said(tmp_path: Path, capsys) -> None:
     assert "nowhere.ipynb" in capsys.readouterr().err
 
 
+def test_a_file_that_is_no_notebook_is_said_and_does_not_stop_the_other_pages(tmp_path: Path, capsys) -> None:
+    none = tmp_path / "none.ipynb"
+    none.write_text("[1, 2]")
+    good = notebook(tmp_path / "good.ipynb", "print('fine')")
+    assert build(["--html", str(none), str(good), "--out", str(tmp_path / "out")]) == 1
+    assert f"{none}: this is no notebook, or a damaged one" in capsys.readouterr().err
+    assert [path.name for path in (tmp_path / "out").glob("*.html")] == ["good.html"]
+
+
 def test_a_link_to_the_next_page_leads_to_its_html(tmp_path: Path) -> None:
     page = nbformat.v4.new_notebook(
         cells=[nbformat.v4.new_markdown_cell("[on](04_y.ipynb#why) [do](../../exercises/en/03_x.ipynb)")],

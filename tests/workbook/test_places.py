@@ -1,4 +1,4 @@
-"""Files that are written whole, and what the first page says of the machine."""
+"""Files that are written whole, pages that are named, and what the first page says of the machine."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from tflab.workbook import environment
-from tflab.workbook.places import chapters, workbook_data
+from tflab.workbook.places import chapters, stems_called, workbook_data
 from tflab.workbook.whole_files import write_whole
 
 from .conftest import HandedOut
@@ -44,6 +44,16 @@ def test_installed_from_a_wheel_the_workbook_is_inside_the_package(monkeypatch, 
 
 def test_chapters_are_those_with_tasks(handed_out: HandedOut) -> None:
     assert chapters() == ["03_small"]
+
+
+def test_a_page_is_named_by_its_stem_or_its_number_and_stands_once() -> None:
+    there = ["03_target", "08_buffer"]
+    assert stems_called(["8", "03_target", "03"], there) == ["08_buffer", "03_target"]
+    assert stems_called([], there) == []
+    with pytest.raises(LookupError, match='there is no exercise "4"; there is 03_target, 08_buffer'):
+        stems_called(["4"], there, what="exercise")
+    with pytest.raises(LookupError, match='there is no page ""; there is none'):
+        stems_called([""], [])
 
 
 def test_what_is_missing_is_named_with_what_to_type(monkeypatch, capsys) -> None:

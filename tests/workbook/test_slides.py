@@ -83,6 +83,14 @@ def test_a_page_is_asked_for_by_its_number_in_a_language(workbook: Path, monkeyp
     assert 'there is no page "07"; there is 03_x' in capsys.readouterr().err
 
 
+def test_a_page_without_a_slide_is_said(tmp_path: Path, monkeypatch, capsys) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("blank.ipynb").write_text('{"cells": [], "metadata": {}, "nbformat": 4, "nbformat_minor": 5}')
+    assert main(["blank.ipynb"]) == 1
+    assert capsys.readouterr().err == "blank.ipynb: no cell of it is shown on a slide\n"
+    assert not Path("slides").exists()
+
+
 def shown(page) -> str:
     return page.inner_text(".deck-current")
 

@@ -27,7 +27,7 @@ from typing import Any
 from .export_widgets import WIDGET_VIEW, LiveView, live_view, outputs_from_widget
 from .scene import viewer_file
 
-__all__ = ["export_html", "main"]
+__all__ = ["NotANotebook", "export_html", "main", "read_notebook"]
 
 STATIC = Path(__file__).parent / "static"
 STATE = "application/vnd.jupyter.widget-state+json"
@@ -63,6 +63,25 @@ OUR_STYLE = """
 """
 
 
+class NotANotebook(ValueError):
+    """A file that Jupyter could not open; the text names it."""
+
+
+def read_notebook(path: str | Path) -> Any:
+    """Return a notebook as nbformat's node, version 4.
+
+    Raises:
+        FileNotFoundError: there is no such notebook.
+        NotANotebook: the file is something else.
+    """
+    import nbformat
+
+    try:
+        return nbformat.reads(Path(path).read_text(encoding="utf-8"), as_version=4)
+    except (ValueError, AttributeError, nbformat.ValidationError):
+        raise NotANotebook(f"{path}: this is no notebook, or a damaged one") from None
+
+
 def export_html(
     notebook_path: str | Path, out_dir: str | Path, single_file: bool = False, language: str = "en"
 ) -> Path:
@@ -70,11 +89,10 @@ def export_html(
 
     Raises:
         FileNotFoundError: there is no such notebook.
+        NotANotebook: the file is something else.
     """
-    import nbformat
-
     notebook_path, out_dir = Path(notebook_path), Path(out_dir)
-    notebook = nbformat.read(notebook_path, as_version=4)
+    notebook = read_notebook(notebook_path)
     views = _without_widgets(notebook)
     page = _page(notebook, notebook_path.stem, language)
     assets = _assets(views)
@@ -94,14 +112,19 @@ def export_html(
 def main(words: Sequence[str]) -> int:
     """Run `tflab export NOTEBOOK --out DIR`; return the exit code."""
     parser = argparse.ArgumentParser(prog="tflab export", description="Write an executed notebook as HTML.")
-    parser.add_argument("notebook", type=Path, help="a notebook that has been run, with its widgets' state")
-    parser.add_argument("--out", type=Path, required=True, help="the folder to write into")
+    parser.add_argument(
+        "notebook", type=Path, metavar="NOTEBOOK", help="a notebook that has been run, with its widgets' state"
+    )
+    parser.add_argument("--out", type=Path, required=True, metavar="DIR", help="the folder to write into")
     parser.add_argument("--single-file", action="store_true", help="put everything into one file that can be mailed")
     asked = parser.parse_args(words)
     try:
         print(export_html(asked.notebook, asked.out, asked.single_file))
     except FileNotFoundError:
         print(f'tflab export: there is no notebook "{asked.notebook}"', file=sys.stderr)
+        return 2
+    except NotANotebook as fault:
+        print(f"tflab export: {fault}", file=sys.stderr)
         return 2
     return 0
 

@@ -24,7 +24,7 @@ from pathlib import Path
 from .html import write_html
 from .kernel import wait_for
 from .one_page import Made, make_page
-from .places import workbook_data
+from .places import stems_called, workbook_data
 from .source import Fault
 from .stale import stale
 from .whole_files import write_whole
@@ -94,14 +94,8 @@ def sources(root: Path, wanted: Iterable[str] = ()) -> list[Path]:
     there = [path for folder in FOLDERS for path in sorted((root / folder / "src").glob("*.py"))]
     if not there:
         raise LookupError(f"there are no pages in {root / 'notebooks' / 'src'}; a wheel holds only what was built")
-    chosen: list[Path] = []
-    for word in wanted:
-        found = [path for path in there if word in (path.stem, path.stem.partition("_")[0])]
-        if not found:
-            stems = sorted({path.stem for path in there})
-            raise LookupError(f'there is no page "{word}"; there is {", ".join(stems)}')
-        chosen += [path for path in found if path not in chosen]
-    return chosen or there
+    called = stems_called(wanted, sorted({path.stem for path in there}))
+    return [path for stem in called for path in there if path.stem == stem] or there
 
 
 def build_pages(chosen: Sequence[Path], *, jobs: int = 2, progress: Progress = lambda line: None) -> Built:

@@ -22,58 +22,63 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from .kernel import running_kernel, wait_for
-from .places import workbook_data
+from .places import stems_called, workbook_data
 
-__all__ = ["CellFailed", "html_from_notebook", "language_of", "run_with_films", "write_html"]
+__all__ = ["PageFailed", "html_from_notebook", "language_of", "notebooks_called", "run_with_films", "write_html"]
 
 SECONDS_FOR_A_CELL = 120
 PAGE_BESIDE = re.compile(r'href="([\w-]+)\.ipynb')  # a link to another page of the same room
 
 
 def write_html(names: Sequence[str], out_dir: Path, language: str = "en") -> int:
-    """Write notebooks as HTML, the built pages if none is named; return 0, 1 if a cell failed, 2 if there is nothing.
+    """Write notebooks as HTML, the built pages if none is named; return 0, 1 if one failed, 2 if there is nothing.
 
     Args:
         names: paths of notebooks, or stems and numbers of built pages.
     """
-    notebooks, missing = _notebooks(names, language)
-    if missing or not notebooks:
-        print(f"tflab build: there is no notebook {', '.join(missing) or 'to build'}", file=sys.stderr)
+    built = workbook_data() / "notebooks" / language
+    try:
+        notebooks = notebooks_called(names, built) if names else sorted(built.glob("*.ipynb"))
+    except LookupError as nothing:
+        print(f"tflab build: {nothing}", file=sys.stderr)
+        return 2
+    if not notebooks:
+        print(f"tflab build: there is no notebook in {built}", file=sys.stderr)
         return 2
     failed = 0
     for number, notebook in enumerate(notebooks, start=1):
         print(f"[{number}/{len(notebooks)}] {notebook.name}", end=" ", flush=True)
         try:
             print(html_from_notebook(notebook, out_dir))
-        except CellFailed as failure:
+        except PageFailed as failure:
             print(f"failed\n{failure}", file=sys.stderr)
             failed += 1
     return 1 if failed else 0
 
 
-def _notebooks(names: Sequence[str], language: str) -> tuple[list[Path], list[str]]:
-    """Return the notebooks that are meant, and the names that mean none."""
-    built = sorted((workbook_data() / "notebooks" / language).glob("*.ipynb"))
-    found: list[Path] = []
-    missing = []
-    for name in names:
-        meant = [path for path in built if name in (path.stem, path.stem.partition("_")[0])]
-        if Path(name).is_file():
-            meant = [Path(name)]
-        found += meant
-        missing += [] if meant else [name]
-    return found if names else built, missing
+def notebooks_called(words: Sequence[str], folder: Path) -> list[Path]:
+    """Return the notebooks that words name: by path, or those in `folder` by stem or number.
+
+    Raises:
+        LookupError: a word names none.
+    """
+    there = sorted(path.stem for path in folder.glob("*.ipynb"))
+    called: list[Path] = []
+    for word in words:
+        is_path = Path(word).is_file()
+        called += [Path(word)] if is_path else [folder / f"{stem}.ipynb" for stem in stems_called([word], there)]
+    return called
 
 
-class CellFailed(Exception):
-    """A cell of a page raised an error; the text says which, and what."""
+class PageFailed(Exception):
+    """A file is no notebook, or one of its cells raised an error; the text says which, and what."""
 
 
 def html_from_notebook(notebook: Path, out_dir: Path) -> Path:
     """Run a copy of `notebook` and write it as HTML into `out_dir`; return the page's path.
 
     Raises:
-        CellFailed: a cell raised an error.
+        PageFailed: it is no notebook, or a cell raised an error.
     """
     from tflab.views.export import export_html
 
@@ -103,18 +108,23 @@ def run_with_films(notebook: Path, folder: Path) -> Path:
     """Run a copy of `notebook` in `folder`, with its sliders filmed; return the copy's path.
 
     Raises:
-        CellFailed: a cell raised an error.
+        PageFailed: it is no notebook, or a cell raised an error.
     """
     import nbformat
     from nbclient import NotebookClient
     from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
 
-    page = nbformat.read(notebook, as_version=4)
+    from tflab.views.export import NotANotebook, read_notebook
+
+    try:
+        page = read_notebook(notebook)
+    except NotANotebook as fault:
+        raise PageFailed(f"{fault}") from None
     client = NotebookClient(page, timeout=SECONDS_FOR_A_CELL, resources={"metadata": {"path": str(folder)}})
     try:
         wait_for(_run(client, {**os.environ, "TFLAB_FILMS": "1"}))
     except (CellExecutionError, CellTimeoutError, DeadKernelError) as error:
-        raise CellFailed(f"{notebook.name}: {error}") from None
+        raise PageFailed(f"{notebook.name}: {error}") from None
     for cell in page.cells:
         for output in cell.get("outputs", ()):
             if output.output_type == "error":  # one that is meant: a reader needs its text, not where Python was

@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import json
 import os
+from collections.abc import Iterable, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
@@ -30,6 +31,7 @@ __all__ = [
     "WorkbookError",
     "chapters",
     "read_workbook",
+    "stems_called",
     "workbook_data",
     "workbook_root",
     "write_workbook",
@@ -113,6 +115,21 @@ def write_workbook(root: Path, workbook: Workbook) -> None:
 def chapters(root: str | Path | None = None) -> list[str]:
     """Return the stems of the chapters that have tasks, in order; those of tflab's own workbook if `root` is None."""
     return sorted(path.stem for path in (Path(root or workbook_data()) / CASES).glob("*.json"))
+
+
+def stems_called(words: Iterable[str], there: Sequence[str], *, what: str = "page") -> list[str]:
+    """Return the stems, of those there, that words name whole or by number ("03", "3"), each once.
+
+    Raises:
+        LookupError: a word names none of them; the text says so of a `what`.
+    """
+    chosen: list[str] = []
+    for word in words:
+        found = [stem for stem in there if word == stem or word.zfill(2) == stem.partition("_")[0]]
+        if not found:
+            raise LookupError(f'there is no {what} "{word}"; there is {", ".join(there) or "none"}')
+        chosen += found
+    return list(dict.fromkeys(chosen))
 
 
 def _remedy(path: Path) -> str:

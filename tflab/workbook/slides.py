@@ -26,7 +26,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from .html import CellFailed, language_of, run_with_films
+from .html import PageFailed, language_of, notebooks_called, run_with_films
 from .places import WorkbookError, read_workbook, workbook_root
 from .words import LANGUAGES, Words
 
@@ -81,31 +81,22 @@ class Slide:
 
 
 def main(words: Sequence[str]) -> int:
-    """Write decks; return 0, 1 if a cell of one failed, 2 if there is no such page."""
+    """Write decks; return 0, 1 if one failed, 2 if there is no such page."""
     options = _options(words)
     root = workbook_root()
     try:
         language = options.lang or read_workbook(root).language
-    except WorkbookError as error:
+        chosen = notebooks_called(options.pages, root / "notebooks" / language)
+    except (WorkbookError, LookupError) as error:
         print(f"tflab slides: {error}", file=sys.stderr)
         return 2
-    pages = sorted((root / "notebooks" / language).glob("*.ipynb"))
-    chosen: list[Path] = []
-    for word in options.pages:
-        found = [page for page in pages if word in (page.stem, page.stem.partition("_")[0])]
-        found = found or ([Path(word)] if Path(word).is_file() else [])
-        if not found:
-            there = ", ".join(page.stem for page in pages) or "none"
-            print(f'tflab slides: there is no page "{word}"; there is {there}', file=sys.stderr)
-            return 2
-        chosen += found
     failed = 0
     for page in chosen:
         try:
             print(
                 deck_from_notebook(page, Path(options.out), notes=not options.no_notes, single_file=options.single_file)
             )
-        except CellFailed as failure:
+        except PageFailed as failure:
             print(failure, file=sys.stderr)
             failed += 1
     return 1 if failed else 0
@@ -115,15 +106,16 @@ def deck_from_notebook(notebook: Path, out_dir: Path, *, notes: bool = True, sin
     """Run a copy of `notebook` and write it as a deck into `out_dir`; return the deck's path.
 
     Raises:
-        CellFailed: a cell raised an error.
+        PageFailed: it is no notebook, a cell raised an error, or there is nothing on it to show.
     """
     from tflab.views.export import export_html
 
-    written = json.loads(notebook.read_text(encoding="utf-8"))
-    language = language_of(notebook)
-    slides = slides_of(written, notes=notes)
     with TemporaryDirectory() as folder:
         executed = run_with_films(notebook, Path(folder))
+        language = language_of(executed)
+        slides = slides_of(json.loads(executed.read_text(encoding="utf-8")), notes=notes)
+        if not slides:
+            raise PageFailed(f"{notebook.name}: no cell of it is shown on a slide")
         page = export_html(executed, Path(folder) / "deck", single_file=single_file, language=language)
         page.write_text(_as_deck(page.read_text(encoding="utf-8"), slides, language), encoding="utf-8")
         shutil.copytree(page.parent, out_dir, dirs_exist_ok=True)
