@@ -146,6 +146,67 @@ def test_outputs_of_an_exercise_stay_where_its_cell_is_the_same(handed_out: Hand
     assert "E3.1 ✓ 6/6" in (copy / PAGE).read_text()
 
 
+START = "notebooks/en/00_start.ipynb"
+SAID = {"output_type": "stream", "name": "stdout", "text": "hello\n"}
+
+
+def ask_to_predict(handed_out: HandedOut, name: str, **sources: str) -> None:
+    """Write a page that has been run, and whose cell `name` a text asks to predict."""
+    handed_out.write(START, **sources)
+    page = json.loads((handed_out.root / START).read_text())
+    for cell in page["cells"]:
+        if cell["cell_type"] == "code":
+            cell |= {"execution_count": 3, "outputs": [SAID]}
+        if cell["id"] == name:
+            cell["metadata"]["tags"] = ["predicted", "raises-exception"]
+    (handed_out.root / START).write_text(json.dumps(page))
+
+
+def outputs(path: Path) -> dict[str, list]:
+    return {cell["id"]: cell.get("outputs", []) for cell in json.loads(path.read_text())["cells"]}
+
+
+def test_what_a_text_asks_to_predict_is_not_there_before_it_is_run(handed_out: HandedOut, tmp_path: Path) -> None:
+    ask_to_predict(handed_out, "guess", title="# Start", hello="print('hello')", guess="print('hello')")
+    copy = lay_out(tmp_path / "copy", "en")
+    assert outputs(copy / START) == {"title": [], "hello": [SAID], "guess": []}
+    assert outputs(handed_out.root / START)["guess"] == [SAID]
+    guess = json.loads((copy / START).read_text())["cells"][2]
+    assert (guess["execution_count"], guess["metadata"]["tags"]) == (None, ["predicted", "raises-exception"])
+    assert update(copy) == []
+
+
+def test_a_prediction_that_was_run_keeps_its_output_where_the_page_around_it_is_new(
+    handed_out: HandedOut, tmp_path: Path
+) -> None:
+    ask_to_predict(handed_out, "guess", title="# Start", guess="print('hello')", other="print('hello')")
+    copy = lay_out(tmp_path / "copy", "en")
+    page = json.loads((copy / START).read_text())
+    page["cells"][1] |= {"execution_count": 1, "outputs": [{**SAID, "text": "mine\n"}]}
+    page["cells"][2]["source"] = "print('changed')"
+    (copy / START).write_text(json.dumps(page))
+    ask_to_predict(handed_out, "guess", title="# Start, better", guess="print('hello')", other="print('hello')")
+    assert update(copy) == [Change(START, "merged", kept=1)]
+    assert outputs(copy / START)["guess"] == [{**SAID, "text": "mine\n"}]
+    ask_to_predict(handed_out, "guess", title="# Start, better", guess="print('new')", other="print('hello')")
+    update(copy)
+    assert outputs(copy / START)["guess"] == []  # another question, to be predicted again
+
+
+def test_an_older_copy_loses_the_outputs_that_gave_predictions_away_unless_they_are_the_learners(
+    handed_out: HandedOut, tmp_path: Path
+) -> None:
+    sources = {"title": "# Start", "guess": "print('hello')", "run": "print('hello')"}
+    ask_to_predict(handed_out, "none", **sources)
+    copy = lay_out(tmp_path / "copy", "en")
+    page = json.loads((copy / START).read_text())
+    page["cells"][2]["outputs"] = [{**SAID, "text": "mine\n"}]
+    (copy / START).write_text(json.dumps(page))
+    ask_to_predict(handed_out, "guess", **sources)
+    update(copy)
+    assert outputs(copy / START) == {"title": [], "guess": [], "run": [SAID]}
+
+
 def test_a_page_that_is_no_notebook_any_more_stays_and_the_new_one_is_put_beside(
     handed_out: HandedOut, tmp_path: Path
 ) -> None:

@@ -3,6 +3,8 @@
     lay_out(folder, "en")    writes what is not there yet, and nothing else
     update(folder)           brings in new material around what the learner wrote (see `merge.py`)
 
+    outputs_hidden(page)     what a prediction is about is not there before the learner has run it
+
     .tflab/pristine/...      each file as it was handed out: what tells the learner's hand from ours
     .tflab/backups/1/...     each file as it was before an update
 
@@ -18,15 +20,17 @@ from pathlib import Path, PurePosixPath
 
 from tflab import __version__
 
+from .editions import text_of
 from .merge import Merged, merge_notebooks
 from .places import MARK, Workbook, WorkbookError, read_workbook, workbook_data, write_workbook
 from .whole_files import locked, write_whole
 
-__all__ = ["Change", "has_language", "is_free", "lay_out", "material", "update"]
+__all__ = ["Change", "has_language", "is_free", "lay_out", "material", "outputs_hidden", "update"]
 
 HIDDEN = Path(".tflab")
 PRISTINE = HIDDEN / "pristine"
 BACKUPS = HIDDEN / "backups"
+PREDICTED = "predicted"  # the tag of a cell whose output a text asks to predict
 
 
 @dataclass(frozen=True)
@@ -126,12 +130,25 @@ def material(
         folders.append(Path("solutions", language))
     for folder in folders:
         for path in sorted((data / folder).glob("*.json" if folder.name == "cases" else "*.ipynb")):
-            if cases is None or folder.parts[0] == "notebooks":
+            if folder.parts[0] == "notebooks":
+                yield PurePosixPath(folder, path.name).as_posix(), outputs_hidden(path.read_bytes())
+            elif cases is None:
                 yield PurePosixPath(folder, path.name).as_posix(), path.read_bytes()
             elif path.stem in cases:
                 given = folder.name == "cases"
                 content = _json(cases[path.stem]) if given else path.read_bytes()
                 yield PurePosixPath(folder, path.name).as_posix(), content
+
+
+def outputs_hidden(page: bytes) -> bytes:
+    """Return a notebook without the outputs that a text of it asks to predict; any other file as it is."""
+    if f'"{PREDICTED}"'.encode() not in page:
+        return page
+    notebook = json.loads(page)
+    for cell in notebook["cells"]:
+        if PREDICTED in cell["metadata"].get("tags", ()):
+            cell.update(execution_count=None, outputs=[])
+    return text_of(notebook).encode()
 
 
 def is_free(folder: Path) -> bool:

@@ -78,7 +78,8 @@ class _Merge:
         metadata = {**mine.get("metadata", {}), **new.get("metadata", {})}
         yours = {**mine, "metadata": metadata}
         if _text(mine) == _text(new):
-            return [new if new.get("outputs") else yours]  # what `check` said stays in sight
+            not_run = mine.get("outputs") and mine["outputs"] == (base or {}).get("outputs")
+            return [new if new.get("outputs") or not_run else yours]  # what `check` said stays in sight
         if _text(mine) == _text(base):
             return [new]
         self.kept += 1
