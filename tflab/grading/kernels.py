@@ -228,8 +228,11 @@ _lock = threading.Lock()
 
 def for_this_process(sandbox: Sandbox) -> Kernels:
     """Return the kernels of this process; a forked process gets its own."""
+    here = (os.getpid(), sandbox)
     with _lock:
-        return _of_this_process.setdefault((os.getpid(), sandbox), Kernels(sandbox))
+        if here not in _of_this_process:
+            _of_this_process[here] = Kernels(sandbox)
+        return _of_this_process[here]
 
 
 def forget(sandbox: Sandbox) -> None:
