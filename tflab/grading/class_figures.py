@@ -5,6 +5,7 @@ Read `check_command.py` next.
 
 from __future__ import annotations
 
+import statistics
 from collections.abc import Sequence
 
 from tflab.views import style
@@ -63,8 +64,7 @@ def histogram(values: Sequence[float], unit: str, what: str) -> Picture:
         ax.set_ylabel(what)
         for side in ("top", "right"):
             ax.spines[side].set_visible(False)
-    mean = sum(values) / len(values) if values else 0.0
-    middle = sorted(values)[len(values) // 2] if values else 0.0
+    mean, middle = (statistics.mean(values), statistics.median(values)) if values else (0.0, 0.0)
     picture.text = "\n".join(
         [
             f"{len(values)} {what}, {unit}: mean {mean:.0f}, median {middle:.0f}",
