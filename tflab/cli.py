@@ -31,6 +31,7 @@ class Subcommand(NamedTuple):
 
 # What a shell says of a program that a signal has ended.
 BY_CTRL_C, BY_A_CLOSED_PIPE = 130, 141
+UNUSABLE = 2
 
 SUBCOMMANDS = {
     "build": Subcommand("make the pages' notebooks, or HTML, of their sources", "tflab.workbook.build", "build"),
@@ -51,19 +52,39 @@ def main(words: Sequence[str] | None = None) -> int:
     """Run `tflab` with these words, those of the command line if None; return the exit code.
 
     Ctrl-C ends it without a word, and so does a reader that has gone, as in `tflab ... | head -1`.
+    A disk that is full, or a place where one may not write, is one line.
     """
+    words = list(sys.argv[1:] if words is None else words)
     if isinstance(sys.stdout, TextIOWrapper):
         sys.stdout.reconfigure(errors="backslashreplace")  # a terminal that lacks a letter shows its number
     try:
-        code = _run(list(sys.argv[1:] if words is None else words))
+        code = _run(words)
         if sys.stdout is not None:
             sys.stdout.flush()
     except KeyboardInterrupt:
         return BY_CTRL_C
     except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # so that nothing is left to fail at the exit
+        _leave_nothing_to_flush()
         return BY_A_CLOSED_PIPE
+    except OSError as error:
+        print(f"{' '.join(['tflab', *words[:1]])}: {_reason(error)}", file=sys.stderr)
+        _leave_nothing_to_flush()
+        return UNUSABLE
     return code
+
+
+def _leave_nothing_to_flush() -> None:
+    """Send what is still unwritten nowhere, where it cannot be written, so that it does not fail at the exit."""
+    try:
+        sys.stdout.flush()
+    except OSError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def _reason(error: OSError) -> str:
+    """Return what went wrong, and with which file."""
+    reason = error.strerror or str(error)
+    return f"{error.filename}: {reason}" if error.filename else reason
 
 
 def _run(words: list[str]) -> int:

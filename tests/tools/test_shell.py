@@ -227,6 +227,17 @@ def test_a_full_disk_is_one_line_and_a_failure(bag):
     assert ended.returncode != 0
 
 
+def test_where_one_may_not_write_is_one_line(tmp_path, capsys):
+    (tmp_path / "page.ipynb").write_text('{"cells": [], "metadata": {}, "nbformat": 4, "nbformat_minor": 5}')
+    (tmp_path / "file").touch()
+    assert main(["export", str(tmp_path / "page.ipynb"), "--out", str(tmp_path / "file" / "site")]) == 2
+    assert capsys.readouterr().err.startswith(f"tflab export: {tmp_path / 'file'}")
+    with open("/dev/full", "w") as full:
+        code = "import sys; from tflab.cli import main; sys.exit(main())"
+        ended = subprocess.run([sys.executable, "-c", code, "-h"], stdout=full, stderr=subprocess.PIPE, text=True)
+    assert (ended.returncode, ended.stderr) == (2, "tflab -h: No space left on device\n")
+
+
 def test_a_node_that_sits_in_a_call_that_nothing_interrupts_does_not_keep_the_shell(tmp_path):
     (tmp_path / "ask.py").write_text("print('asking', flush=True)\ninput()\n")
     process = tflab("run", "ask.py", stdin=subprocess.PIPE, cwd=tmp_path)

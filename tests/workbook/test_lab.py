@@ -169,6 +169,33 @@ def test_a_copy_of_another_version_opens_as_it_is_and_update_is_offered(started:
     assert "Nothing to bring in" in capsys.readouterr().out
 
 
+@pytest.mark.parametrize(("tflab", "typed"), [("/usr/bin/tflab", "tflab"), (None, "'my venv/bin/tflab'")])
+def test_root_is_told_what_to_type(started: list, monkeypatch, capsys, tflab: str | None, typed: str) -> None:
+    def refuses(options: list) -> None:
+        raise SystemExit(1)
+
+    monkeypatch.setattr(lab, "start_jupyterlab", refuses)
+    monkeypatch.setattr(lab, "which", lambda name: tflab)
+    monkeypatch.setattr(sys, "argv", ["my venv/bin/tflab"])
+    monkeypatch.setattr(lab, "_is_root", lambda: True)
+    assert lab.lab([]) == 2
+    assert capsys.readouterr().err.endswith(f"unless it is told to: {typed} lab -- --allow-root\n")
+    monkeypatch.setattr(lab, "_is_root", lambda: False)
+    with pytest.raises(SystemExit):
+        lab.lab([])
+    assert capsys.readouterr().err == ""
+
+
+def test_its_terminals_find_tflab(monkeypatch) -> None:
+    from jupyterlab import labapp
+
+    monkeypatch.setattr(labapp, "main", lambda options: None)
+    for name in ("PATH", "JUPYTER_CONFIG_PATH"):  # put back afterwards
+        monkeypatch.setenv(name, "elsewhere")
+    lab.start_jupyterlab([])
+    assert lab.os.environ["PATH"].split(lab.os.pathsep) == [str(Path(sys.executable).parent), "elsewhere"]
+
+
 def test_jupyterlab_understands_the_options_that_keep_it_quiet() -> None:
     probe = (
         "import json, sys; from jupyterlab.labapp import LabApp;"

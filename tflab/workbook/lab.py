@@ -7,7 +7,7 @@
     tflab lab -- ...          what stands after -- goes to JupyterLab itself: --no-browser, --port 9000
 
 JupyterLab would look for news, for updates and for extensions on the network;
-here it does none of that.  Read `course.py` next.
+here it does none of that.  Its terminals know the command `tflab`.  Read `course.py` next.
 """
 
 from __future__ import annotations
@@ -17,6 +17,8 @@ import os
 import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from shlex import quote
+from shutil import which
 
 from tflab import __version__
 
@@ -74,6 +76,10 @@ BESIDE = Words(
     en='; {beside} changed on both sides, look for "New in tflab"',
     ko=". {beside}개는 양쪽에서 바뀌었으니 “바뀐 내용입니다”를 찾아보십시오",
 )
+ROOT = Words(
+    en="JupyterLab does not run as root unless it is told to: {tflab} lab -- --allow-root",
+    ko="JupyterLab은 root 계정에서는 따로 허락해야 열립니다: {tflab} lab -- --allow-root",
+)
 BACKUP = Words(
     en="What was there before is in {folder}.",
     ko="바뀌기 전의 파일은 {folder}에 있습니다.",
@@ -85,7 +91,7 @@ def lab(words: Sequence[str]) -> int:
     words, own_options = _split(words)
     options = _parser().parse_args(words)
     if options.as_is:
-        folder = Path(options.folder or ".").resolve()
+        folder, language = Path(options.folder or ".").resolve(), language_of(os.environ)
         if not folder.is_dir():
             return _refuse(f"there is no folder {folder}")
         pages = [FIRST_PAGE]
@@ -98,7 +104,14 @@ def lab(words: Sequence[str]) -> int:
         pages = [f"notebooks/{language}/{FIRST_PAGE}"]
     first_page = [f"--LabApp.default_url=/lab/tree/{page}" for page in pages if (folder / page).exists()]
     os.chdir(folder)
-    start_jupyterlab([*QUIET_OPTIONS, *first_page, *own_options])
+    sys.stdout.flush()  # JupyterLab's own lines come after ours, also in a file
+    tflab = "tflab" if which("tflab") else quote(sys.argv[0])  # as this shell knows it
+    try:
+        start_jupyterlab([*QUIET_OPTIONS, *first_page, *own_options])
+    except SystemExit as stop:
+        if stop.code == 1 and _is_root() and "--allow-root" not in own_options:
+            return _refuse(ROOT.say(language, tflab=tflab))
+        raise
     return 0
 
 
@@ -114,6 +127,8 @@ def start_jupyterlab(options: Sequence[str]) -> None:
     """Run JupyterLab in this very process, so that whatever ends this one ends it too."""
     from jupyterlab.labapp import main
 
+    commands = os.path.dirname(sys.executable)  # where `tflab` is, for the terminals and for `!tflab`
+    os.environ["PATH"] = os.pathsep.join(filter(None, [commands, os.environ.get("PATH")]))
     os.environ.update(quiet_environment(os.environ))
     main(list(options))
 
@@ -183,6 +198,10 @@ def _tell(changes: Sequence[Change], folder: Path, language: str) -> None:
     backups = sorted((folder / ".tflab" / "backups").glob("*"), key=lambda path: path.name.zfill(9))
     if backups and any(change.what in ("replaced", "merged") for change in changes):
         print(BACKUP.say(language, folder=backups[-1]))
+
+
+def _is_root() -> bool:
+    return hasattr(os, "geteuid") and os.geteuid() == 0
 
 
 def _refuse(reason: str) -> int:
