@@ -14,7 +14,7 @@ from tflab.grading import inside
 from tflab.grading.attempt import Attempt, NotRun, attempt
 from tflab.grading.limits import Limits
 from tflab.grading.one import File, Job, graded, record_with
-from tflab.grading.plan import PlannedCell, plan
+from tflab.grading.plan import BRIEFLY, PlannedCell, plan
 from tflab.grading.transplant import Piece, Transplant
 from tflab.workbook.forms import Number
 from tflab.workbook.values import raised, to_plain
@@ -136,6 +136,26 @@ def test_two_cases_that_hang_are_enough() -> None:
     made = tried(here, pieces(e1_2="def f(x):\n    hang()"), wanted=["E1.2"], closely=True)
     assert len(here.runs) == 2
     assert made.outcomes.get("E1.2", {}) == {}
+
+
+def test_tried_alone_each_task_has_three_times_the_time_and_what_is_left_then_is_asked_briefly() -> None:
+    here, heard = Here(), []
+
+    def run(cells: Sequence[PlannedCell], patiently: bool) -> SimpleNamespace:
+        asked = [(cell.piece.task, cell.part, cell.shared) for cell in cells if cell.probe]
+        heard.append((patiently, {task: part for task, part, _ in asked}))
+        assert len({shared for _, _, shared in asked}) == len({task for task, _, _ in asked})
+        return here(cells)
+
+    attempt(
+        pieces(e1_2="def f(x):\n    hang()"), TASKS, run, wanted=["E1.2", "E1.3"], cell_s=1.0, notebook_s=6.0,
+        closely=True,
+    )  # fmt: skip
+    assert heard == [
+        (True, {"E1.2": 1.0, "E1.3": 1.0}),
+        (True, {"E1.2": BRIEFLY, "E1.3": 1.0}),
+        (True, {"E1.3": 1.0}),
+    ]
 
 
 def test_every_answer_may_hang_and_it_ends() -> None:

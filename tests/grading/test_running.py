@@ -5,9 +5,11 @@ from __future__ import annotations
 import os
 import threading
 import time
+from types import SimpleNamespace
 
 import pytest
 
+from tflab.grading import items
 from tflab.grading.kernels import KernelError, Kernels, choose, for_this_process
 from tflab.grading.limits import Limits
 from tflab.grading.running import Cell, Run, run_cells
@@ -103,6 +105,24 @@ def test_a_cell_that_does_not_end_is_ended_at_its_deadline(sandbox: Sandbox, sou
     assert time.monotonic() - begin < 20
     assert [one.trouble for one in done.outcomes] == ["timed out"]
     assert done.deadline_hit
+
+
+def test_cells_that_share_their_time_have_one_deadline(monkeypatch: pytest.MonkeyPatch) -> None:
+    now = [100.0]
+    monkeypatch.setattr(items, "time", SimpleNamespace(monotonic=lambda: now[0]))
+    kernel = items.WiredKernel(SimpleNamespace(), Limits(cell_s=10.0, notebook_s=60.0))
+    ends = []
+    for later, cell in (
+        (0.0, Cell("a", "", shared="1")),
+        (4.0, Cell("b", "", shared="1")),
+        (1.0, Cell("c", "", shared="2", part=0.1)),
+        (1.0, Cell("d", "")),
+        (50.0, Cell("e", "")),
+    ):
+        now[0] += later
+        kernel.start_clock(cell)
+        ends.append(kernel._cell_end)
+    assert ends == [110.0, 110.0, 106.0, 116.0, 160.0]
 
 
 def test_many_slow_cells_are_ended_at_the_deadline_of_all(sandbox: Sandbox) -> None:

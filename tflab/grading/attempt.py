@@ -7,6 +7,8 @@
 Those that were set aside are tried once more when nothing else runs on the machine,
 with three times the time, each case in a cell of its own (`closely`).  So one endless
 function costs its own points, not its neighbours', and a busy machine costs nobody.
+Three times is for all cases of a task; once they have not ended within that, those
+that are left are asked once more, briefly, for they may be right.
 Read `verdicts.py` next.
 """
 
@@ -106,7 +108,7 @@ def attempt(
         if not left or made.seconds > notebook_s * MOST_TIMES_THE_NOTEBOOK:
             break
         planned = plan(transplanted, tasks, left, without=without, closely=closely, cases_left=cases_left)
-        ran = run(planned.cells, closely and not hung)
+        ran = run(planned.cells, closely)
         made.seconds += ran.seconds
         stopped = _listen(planned, ran, made, heard_again)
         if stopped is None:

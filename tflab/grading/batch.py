@@ -41,7 +41,7 @@ from .submissions import Collection, Submission
 __all__ = ["RECORDS", "Batch", "grade_batch", "grade_job", "job_of", "run_behind"]
 
 RECORDS = "submissions"
-RECORD_FORMAT = 1
+RECORD_FORMAT = 2
 MOST_THREADS = 8
 MOST_BYTES = 64 * 1024 * 1024  # of all the notebooks of one learner
 
@@ -158,7 +158,10 @@ def run_behind(sandbox: Sandbox) -> RunCells:
 
 
 def _run(cells: Sequence[PlannedCell], limits: Limits, sandbox: Sandbox) -> Run:
-    named = [Cell(f"{number}-{cell.piece.name}", cell.source, cell.probe) for number, cell in enumerate(cells, start=1)]
+    named = [
+        Cell(f"{number}-{cell.piece.name}", cell.source, cell.probe, cell.shared, cell.part)
+        for number, cell in enumerate(cells, start=1)
+    ]
     try:
         return run_cells(named, limits=limits, sandbox=sandbox)
     except (KernelError, OSError) as error:

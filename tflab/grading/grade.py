@@ -175,6 +175,6 @@ def _options(words: Sequence[str]) -> argparse.Namespace:
     parser.add_argument("--lms", choices=sorted(LMS), help="the columns of grades.csv")
     parser.add_argument("--assignment", default="tflab", metavar="NAME", help="its column in Canvas; %(default)s")
     parser.add_argument("--feedback", choices=LEVELS, default="named", help="what learners see; %(default)s")
-    parser.add_argument("--seconds", type=_seconds, default=10.0, metavar="S", help="for one cell; %(default)s")
+    parser.add_argument("--seconds", type=_seconds, default=5.0, metavar="S", help="for one cell; %(default)s")
     parser.add_argument("--quiet", action="store_true", help="no progress bar")
     return parser.parse_args(list(words))

@@ -45,11 +45,16 @@ LONGEST_TROUBLE = 300
 
 @dataclass(frozen=True)
 class Cell:
-    """One cell to run; a probe is a cell of ours that sends one message with this id."""
+    """One cell to run; a probe is a cell of ours that sends one message with this id.
+
+    Cells with the same `shared` take the time of one together, and of that no more than `part`.
+    """
 
     name: str
     source: str
     probe: str | None = None
+    shared: str = ""
+    part: float = 1.0
 
 
 class Stopped(Exception):
@@ -64,11 +69,18 @@ class WiredKernel(RunningKernel):
         self.limits = limits
         self.stopped: str | None = None
         self._end = self._cell_end = time.monotonic() + limits.notebook_s
+        self._ends: dict[str, float] = {}  # of cells that share their time
         self._queues: dict[str, deque[dict[str, Any]]] = {"iopub": deque(), "shell": deque()}
         self._messages = self._bytes = 0
 
+    def start_clock(self, cell: Cell) -> None:
+        """Set the deadline of the cell that comes next."""
+        end = time.monotonic() + cell.part * self.limits.cell_s
+        if cell.shared:
+            end = self._ends.setdefault(cell.shared, end)
+        self._cell_end = min(self._end, end)
+
     def execute_cell_input(self, cell_input: str, allow_stdin: bool | None = None) -> str:
-        self._cell_end = min(self._end, time.monotonic() + self.limits.cell_s)
         self._messages, self._bytes = 0, self.kernel.wire.taken
         for queue in self._queues.values():
             queue.clear()
@@ -193,6 +205,7 @@ class AnswerCell(IPyNbCell):
         if kernel.stopped:
             self.trouble = kernel.stopped
             pytest.fail(self.trouble, pytrace=False)
+        kernel.start_clock(self.known)
         try:
             super().runtest()
         except NbCellError as fault:

@@ -24,8 +24,8 @@ MIB = 1 << 20
 class Limits:
     """What one run of a notebook may take."""
 
-    cell_s: float = 10.0  # wall clock, each cell
-    notebook_s: float = 60.0  # wall clock, all cells together
+    cell_s: float = 5.0  # wall clock, each cell; the slowest of a course takes a fifth of a second
+    notebook_s: float = 30.0  # wall clock, all cells together
     memory_bytes: int = 1024 * MIB  # all processes of the run together
     output_bytes: int = 4 * MIB  # of one cell, on the way to the grader
     messages: int = 1000  # of one cell

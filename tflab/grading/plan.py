@@ -6,7 +6,8 @@
     e3-3-given ...
 
 Normally a task is probed in one cell.  Looked at closely, after trouble, each case
-has a cell of its own, so that one that does not end leaves the others their credit.
+has a cell of its own, so that one that does not end leaves the others their credit;
+the time of one cell is for all of them, and for what is left then, a tenth of it.
 The first case of a function is asked once more at the end.  Expected values are
 nowhere in here.  Read `inside.py` next.
 """
@@ -21,7 +22,9 @@ from typing import Any
 
 from .transplant import Piece, Transplant
 
-__all__ = ["Asked", "Plan", "PlannedCell", "plan"]
+__all__ = ["BRIEFLY", "Asked", "Plan", "PlannedCell", "plan"]
+
+BRIEFLY = 0.1  # of the time, for what is left of a task
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,11 +38,19 @@ class Asked:
 
 @dataclass(frozen=True, slots=True)
 class PlannedCell:
-    """A cell to run, and the piece it came from; `probe` is the id of the probe in it, if any."""
+    """A cell to run, and the piece it came from.
+
+    Attributes:
+        probe: the id of the probe in it, if any.
+        shared: cells with the same word take the time of one cell together, ...
+        part: ... and of that no more than this.
+    """
 
     piece: Piece
     source: str
     probe: str | None = None
+    shared: str = ""
+    part: float = 1.0
 
 
 @dataclass(frozen=True)
@@ -65,7 +76,7 @@ def plan(
         tasks: by id, each with its "answer", "is_function", "given" and "cases".
         without: names of pieces that are left out.
         closely: a cell for each case.
-        cases_left: of some tasks, only these cases.
+        cases_left: of some tasks, one case of which did not end, only these cases, and briefly.
     """
     wanted = set(wanted)
     givens = {task: held["given"] for task, held in tasks.items()}
@@ -82,7 +93,7 @@ def plan(
             cells.append(PlannedCell(Piece("ours", "ours"), "\n".join(ours)))
         ours.clear()
 
-    for piece in transplanted.pieces[: last + 1]:
+    for place, piece in enumerate(transplanted.pieces[: last + 1]):
         if piece.name in without:
             continue
         if piece.kind == "ours":
@@ -93,10 +104,13 @@ def plan(
         elif piece.kind == "probe" and piece.task in wanted and piece.task in tasks:
             flush()
             again = piece.name.endswith("-again")
-            for cases in _groups(tasks[piece.task], closely, (cases_left or {}).get(piece.task)):
+            left = (cases_left or {}).get(piece.task)
+            part = 1.0 if left is None else BRIEFLY
+            for cases in _groups(tasks[piece.task], closely, left):
                 identity = secrets.token_hex(8)
                 asked[identity] = Asked(piece.task, cases, again)
-                cells.append(PlannedCell(piece, _probe(identity, tasks[piece.task], cases), identity))
+                source = _probe(identity, tasks[piece.task], cases)
+                cells.append(PlannedCell(piece, source, identity, str(place), part))
     return Plan(tuple(cells), asked)
 
 
