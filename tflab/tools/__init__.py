@@ -8,6 +8,7 @@
     view_frames                   what does the tree look like?
     trees                         the tree of a graph, with its real publishers
     buffers                       what does this buffer look like?
+    discovery                     what is there to name?
     topic  topic_echo  topic_rates    who talks about what, what, and how often?
     node  param                   who is there, and how is it set?
     bag                           what was said, kept and said again?

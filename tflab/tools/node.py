@@ -9,8 +9,8 @@ import argparse
 import sys
 from collections.abc import Sequence
 
+from .discovery import add_discovery_options, visible
 from .session import cli_node
-from .topic import add_discovery_options, visible
 
 __all__ = ["add_verbs", "duplicates_warning", "full_names", "info_text"]
 

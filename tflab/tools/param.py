@@ -17,9 +17,9 @@ import yaml
 
 from tflab.ros.node import Node
 
+from .discovery import add_discovery_options
 from .node import full_names
 from .session import cli_node, spin_until_done
-from .topic import add_discovery_options
 
 __all__ = ["add_verbs", "python_value", "value_text"]
 

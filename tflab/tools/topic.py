@@ -14,9 +14,11 @@ import argparse
 from collections.abc import Sequence
 
 from tflab.ros import distro
-from tflab.ros.node import Node
 
+from .discovery import add_discovery_options, types_of, visible
 from .session import cli_node
+from .topic_echo import add_echo
+from .topic_rates import add_delay, add_hz
 
 __all__ = ["add_verbs", "endpoint_text", "info_text", "list_text"]
 
@@ -28,13 +30,11 @@ RESOLVED = {"reliability": "RELIABLE", "history": "KEEP_LAST", "durability": "VO
 
 def add_verbs(verbs: argparse._SubParsersAction) -> None:
     """Add the verbs of `ros2 topic` to a parser."""
-    from . import topic_echo, topic_rates
-
-    topic_rates.add_delay(verbs)
-    topic_echo.add_echo(verbs)
+    add_delay(verbs)
+    add_echo(verbs)
     _add(verbs, "find", "Output a list of available topics of a given type", find, "topic_type",
          "Name of the ROS topic type to filter for (e.g. 'std_msg/msg/String')", hidden=True, count=True)  # fmt: skip
-    topic_rates.add_hz(verbs)
+    add_hz(verbs)
     info_parser = _add(verbs, "info", "Print information about a topic", info, "topic_name",
                        "Name of the ROS topic to get info (e.g. '/chatter')")  # fmt: skip
     info_parser.add_argument(
@@ -62,16 +62,6 @@ def _add(verbs, name, what, run, argument="", argument_help="", hidden=False, co
     if hidden:
         verb.add_argument("-a", "--include-hidden-topics", action="store_true", help="Consider hidden topics as well")
     return verb
-
-
-def add_discovery_options(parser: argparse.ArgumentParser) -> None:
-    """Add the options about discovery, which here is immediate: they are taken, and change nothing."""
-    parser.add_argument(
-        "--spin-time", type=float,
-        help="Spin time in seconds to wait for discovery (only applies when not using an already running daemon)",
-    )  # fmt: skip
-    parser.add_argument("-s", "--use-sim-time", action="store_true", help="Enable ROS simulation time")
-    parser.add_argument("--no-daemon", action="store_true", help="Do not spawn nor use an already running daemon")
 
 
 # -- what they print ------------------------------------------------------
@@ -141,16 +131,6 @@ def _duration_text(duration) -> str:
 
 
 # -- the verbs ------------------------------------------------------------
-
-
-def visible(names_and_types: Sequence[tuple[str, Sequence[str]]], hidden: bool = False) -> list[tuple[str, list[str]]]:
-    """Return those topics or services that are not hidden (no part of their name begins with "_"), by name."""
-    return sorted((name, list(types)) for name, types in names_and_types if hidden or "/_" not in name)
-
-
-def types_of(node: Node, topic_name: str) -> list[str] | None:
-    """Return the types of a topic, None if there is no such topic."""
-    return dict(node.get_topic_names_and_types()).get(topic_name)
 
 
 def list_topics(options: argparse.Namespace) -> str | None:

@@ -14,20 +14,18 @@ import argparse
 from collections.abc import Sequence
 from typing import Any
 
-from tflab.ros.exceptions import InvalidTopicNameException
 from tflab.ros.node import Node
 
+from .discovery import add_discovery_options, topic_class
 from .session import cli_node, spin, spin_until_done
 
-__all__ = ["add_echo", "field_of", "matching_policy", "message_class"]
+__all__ = ["add_echo", "field_of", "matching_policy"]
 
 TRUNCATE_LENGTH = 128
 
 
 def add_echo(verbs: argparse._SubParsersAction) -> None:
     """Add the verb to `ros2 topic`."""
-    from .topic import add_discovery_options
-
     echo_parser = verbs.add_parser(
         "echo", help="Output messages from a topic", description="Output messages from a topic"
     )
@@ -75,44 +73,6 @@ def matching_policy(offers: Sequence[Any], strict: Any, lenient: Any) -> tuple[A
         f"Some, but not all, publishers are offering {kind}.{strict.name}. "
         f"Falling back to {kind}.{lenient.name} as it will connect to all publishers"
     )
-
-
-def message_class(type_name: str) -> type:
-    """Return the class of a message type.
-
-    Raises:
-        RuntimeError: there is none of that name; upstream's text.
-    """
-    from tflab.ros.messages import type_named
-
-    package, _, name = type_name.rpartition("/")
-    try:
-        return type_named(type_name if "/" in package else f"{package}/msg/{name}")
-    except KeyError:
-        raise RuntimeError(f"The message type '{type_name}' is invalid") from None
-
-
-def topic_class(node: Node, topic_name: str, type_name: str | None = None) -> type | None:
-    """Return the class of a topic's messages, None, with upstream's warning, if nobody knows the topic.
-
-    Raises:
-        RuntimeError: it has several types, or one that is not known here, or its name is malformed.
-    """
-    from .topic import types_of
-
-    try:
-        full_name = node.resolve_topic_name(topic_name)
-    except InvalidTopicNameException as fault:
-        raise RuntimeError(str(fault)) from None
-    if type_name is not None:
-        return message_class(type_name)
-    types = types_of(node, full_name)
-    if types is None:
-        print(f"WARNING: topic [{full_name}] does not appear to be published yet", flush=True)
-        return None
-    if len(types) > 1:
-        raise RuntimeError(f"Cannot echo topic '{full_name}', as it contains more than one type: [{', '.join(types)}]")
-    return message_class(types[0])
 
 
 def field_of(message: Any, path: str) -> Any:

@@ -17,6 +17,7 @@ from collections.abc import Sequence
 from tflab.core import NSEC_PER_SEC
 from tflab.ros.node import Node
 
+from .discovery import add_discovery_options, topic_class, types_of
 from .session import cli_node, spin, spin_for
 
 __all__ = ["Intervals", "add_delay", "add_hz", "statistics_text"]
@@ -47,8 +48,6 @@ def add_delay(verbs: argparse._SubParsersAction) -> None:
 
 
 def _add_options(verb: argparse.ArgumentParser) -> None:
-    from .topic import add_discovery_options
-
     add_discovery_options(verb)
     verb.add_argument(
         "--window", "-w", type=positive_int, default=WINDOW, metavar="WINDOW",
@@ -156,9 +155,6 @@ def delay(options: argparse.Namespace) -> str | None:
 
 def _published_type(node: Node, topic_name: str) -> type:
     """Return the class of a topic's messages; wait for the topic if need be."""
-    from .topic import types_of
-    from .topic_echo import topic_class
-
     message_type = topic_class(node, topic_name)
     while message_type is None:
         spin_for(node, 0.1)

@@ -1,0 +1,72 @@
+"""What is there to name?  Topics and types that a graph knows, and the options about finding them.
+
+    /tf --types_of--> ["tf2_msgs/msg/TFMessage"] --message_class--> TFMessage
+
+The verbs of `ros2 topic`, `node` and `param` share it.
+upstream: ros2cli/ros2cli/node/strategy.py, ros2topic/api.  Read `topic.py` next.
+"""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Sequence
+
+from tflab.ros.exceptions import InvalidTopicNameException
+from tflab.ros.messages import type_named
+from tflab.ros.node import Node
+
+__all__ = ["add_discovery_options", "message_class", "topic_class", "types_of", "visible"]
+
+
+def add_discovery_options(parser: argparse.ArgumentParser) -> None:
+    """Add the options about discovery, which here is immediate: they are taken, and change nothing."""
+    parser.add_argument(
+        "--spin-time", type=float,
+        help="Spin time in seconds to wait for discovery (only applies when not using an already running daemon)",
+    )  # fmt: skip
+    parser.add_argument("-s", "--use-sim-time", action="store_true", help="Enable ROS simulation time")
+    parser.add_argument("--no-daemon", action="store_true", help="Do not spawn nor use an already running daemon")
+
+
+def visible(names_and_types: Sequence[tuple[str, Sequence[str]]], hidden: bool = False) -> list[tuple[str, list[str]]]:
+    """Return those topics or services that are not hidden (no part of their name begins with "_"), by name."""
+    return sorted((name, list(types)) for name, types in names_and_types if hidden or "/_" not in name)
+
+
+def types_of(node: Node, topic_name: str) -> list[str] | None:
+    """Return the types of a topic, None if there is no such topic."""
+    return dict(node.get_topic_names_and_types()).get(topic_name)
+
+
+def message_class(type_name: str) -> type:
+    """Return the class of a message type.
+
+    Raises:
+        RuntimeError: there is none of that name; upstream's text.
+    """
+    package, _, name = type_name.rpartition("/")
+    try:
+        return type_named(type_name if "/" in package else f"{package}/msg/{name}")
+    except KeyError:
+        raise RuntimeError(f"The message type '{type_name}' is invalid") from None
+
+
+def topic_class(node: Node, topic_name: str, type_name: str | None = None) -> type | None:
+    """Return the class of a topic's messages, None, with upstream's warning, if nobody knows the topic.
+
+    Raises:
+        RuntimeError: it has several types, or one that is not known here, or its name is malformed.
+    """
+    try:
+        full_name = node.resolve_topic_name(topic_name)
+    except InvalidTopicNameException as fault:
+        raise RuntimeError(str(fault)) from None
+    if type_name is not None:
+        return message_class(type_name)
+    types = types_of(node, full_name)
+    if types is None:
+        print(f"WARNING: topic [{full_name}] does not appear to be published yet", flush=True)
+        return None
+    if len(types) > 1:
+        raise RuntimeError(f"Cannot echo topic '{full_name}', as it contains more than one type: [{', '.join(types)}]")
+    return message_class(types[0])
