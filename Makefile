@@ -19,7 +19,7 @@ test: $(VENV)/developer check
 	$(BIN)/python -m pytest -n $(WORKERS) --dist loadscope --nbval notebooks/en solutions/en
 
 test-fast: $(VENV)/developer
-	$(BIN)/python -m pytest -m "not browser and not slow" -x -q
+	$(BIN)/python -m pytest -n $(WORKERS) --dist loadscope -m "not browser and not slow" -x -q
 
 check: $(VENV)/developer
 	$(BIN)/ruff check .
