@@ -35,9 +35,9 @@
 # 이 장 전체는 그 숫자 하나를 tf2 안에서 끝까지 따라가는 이야기입니다.
 
 # %% [markdown] lang="en" name="needed" slide="slide"
-# ## What you need from chapters that come before
+# ## What you need from other chapters
 #
-# Skip this if you have done them.
+# Chapters 01 and 04 to 06 are still being written. This page uses no more of them than this; if you have done 03, skip its line.
 #
 # - **A point** (01) is three things: a value, a frame, and the moment it was measured. In ROS 2 the last two are `header.frame_id` and `header.stamp`.
 # - **The question** (03) has a fixed order: `lookup_transform(target, source, time)`. Data is expressed in the source, and wanted in the target.
@@ -47,9 +47,9 @@
 # - **A node** is a program. It subscribes to a *topic*, and ROS 2 calls one of its functions, a *callback*, with each message that arrives. *Spinning* is waiting for messages and calling callbacks.
 
 # %% [markdown] lang="ko" name="needed" slide="slide"
-# ## 앞 장에서 가져올 것
+# ## 다른 장에서 가져올 것
 #
-# 앞 장을 마쳤다면 건너뛰어도 됩니다.
+# 01장과 04장부터 06장까지는 아직 집필 중입니다. 이 장에서는 다음 내용만 알면 됩니다. 03장을 마쳤다면 그 줄은 건너뛰어도 됩니다.
 #
 # - **점**(01)은 값, 좌표계, 측정된 순간, 이 세 가지입니다. ROS 2에서 뒤의 둘은 `header.frame_id`와 `header.stamp`입니다.
 # - **질문**(03)의 순서는 정해져 있습니다. `lookup_transform(target, source, time)`: 원본(source) 기준 데이터를 목표(target) 기준으로 보고 싶습니다.
@@ -58,10 +58,10 @@
 # - **두 종류의 연결**(06): 카메라 장착 위치 같은 정적 연결은 한 번 보내면 언제나 유효합니다. 동적 연결은 매번 [[stamp|측정 시각(stamp)]]과 함께 계속 보냅니다.
 # - **노드**는 프로그램입니다. *토픽*(topic)을 구독하면, 메시지가 도착할 때마다 ROS 2가 그 노드의 함수, 곧 *콜백*(callback)을 부릅니다. *spin*은 메시지를 기다리며 콜백을 부르는 일입니다.
 
-# %% name="load"
+# %% name="load" slide="skip"
 # %load_ext tflab
 
-# %% name="imports-ros"
+# %% name="imports-ros" slide="skip"
 import copy
 import math
 
@@ -75,7 +75,7 @@ from sensor_msgs.msg import PointCloud2
 from tf2_geometry_msgs import do_transform_point
 from tf2_ros import Buffer, TransformException, TransformListener
 
-# %% name="imports-lab"
+# %% name="imports-lab" slide="skip"
 from tflab.core import BufferCore, StampedTransform, Transform, seconds
 from tflab.robots.motion import Drive, Leg, PlanarPose
 from tflab.robots.nodes import launch
@@ -190,7 +190,7 @@ print(len(finder.balls), "sightings, no error, no warning")
 # 공은 하나, 움직이지 않고, 마흔 번 보았습니다.
 # 다음 셀을 실행하기 전에 생각해 보십시오. 지도는 어떤 모습일까요? 공이 몇 개라고 말하겠습니까?
 
-# %% name="one-ball"
+# %% name="one-ball" slide="fragment"
 draw_placed({"balls on the map": np.array(finder.balls)}, things=[BALL], shown_m=(5.6, -1.9, 7.5, -1.1))
 
 # %% [markdown] lang="en" name="many-balls" slide="subslide"
@@ -243,7 +243,7 @@ draw_placed({"balls on the map": np.array(finder.balls)}, things=[BALL], shown_m
 #
 # 두 숫자를 적어 두고 실행하십시오.
 
-# %% name="run-error"
+# %% name="run-error" slide="fragment"
 straight = latency.Sight(speed_mps=1.0, yaw_rate_radps=0.0, range_m=5.0, delay_ns=seconds(0.2))
 turning = latency.Sight(speed_mps=1.0, yaw_rate_radps=0.5, range_m=5.0, delay_ns=seconds(0.2))
 for name, sight in (("straight", straight), ("turning", turning)):
@@ -290,6 +290,14 @@ for name, sight in (("straight", straight), ("turning", turning)):
 #
 # </details>
 
+# %% [markdown] lang="en" name="two-pieces-notes" slide="notes"
+# Collect the numbers for the second question before you go on; most say 0.2 or 0.3 m.
+# Then turn on the spot by a few degrees with an arm stretched out: the body hardly moves, the hand does.
+
+# %% [markdown] lang="ko" name="two-pieces-notes" slide="notes"
+# 다음으로 넘어가기 전에 둘째 문제의 답을 모으십시오. 대개 0.2 m나 0.3 m라고 합니다.
+# 그런 다음 팔을 뻗고 제자리에서 몇 도만 돌아 보이십시오. 몸은 거의 움직이지 않는데 손은 크게 움직입니다.
+
 # %% [markdown] lang="en" name="the-sentence" slide="slide"
 # ## The idea, three times
 #
@@ -312,7 +320,7 @@ for name, sight in (("straight", straight), ("turning", turning)):
 
 # %% name="empty-scene"
 scene = Scene()
-scene.look((1.4, -4.6, 3.0), (2.5, 0.4, 0.0))
+scene.look((1.0, -5.2, 3.2), (2.1, 0.4, 0.0))
 
 
 # %% name="scene-of-the-delay" tags=["interactive"] slide="subslide"
@@ -330,7 +338,7 @@ def draw(delay_s):
 scene.sweep("delay", [0.05 * i for i in range(11)], draw, "s", start=4)
 scene
 
-# %% name="picture-of-the-delay"
+# %% name="picture-of-the-delay" slide="skip"
 latency.draw_latency(turning)
 
 # %% [markdown] lang="en" name="slider-intro" slide="slide"
@@ -347,15 +355,15 @@ latency.draw_latency(turning)
 # 슬라이더가 네 개 있습니다. 움직이기 전에 먼저 소리 내어 답해 보십시오.
 #
 # - 속도, yaw 각속도, 거리, 지연 가운데 혼자서 오차를 0으로 만들 수 있는 것은 무엇입니까?
-# - 5 m 앞에서 0.1 m까지 허용되고 로봇이 0.5 rad/s로 돕니다. 관측은 몇 초 전의 것까지 써도 됩니까?
+# - 5 m 앞에서 오차가 0.1 m까지 허용되고 로봇은 0.5 rad/s로 돕니다. 관측은 몇 초 전의 것까지 써도 됩니까?
 
 # %% name="slider" tags=["interactive"] slide="subslide"
 latency_panel(turning)
 
-# %% name="slider-still"
+# %% name="slider-still" slide="skip"
 latency.draw_latency(latency.Sight(speed_mps=0.0, yaw_rate_radps=0.5, range_m=5.0, delay_ns=seconds(0.04)))
 
-# %% [markdown] lang="en" name="slider-answer"
+# %% [markdown] lang="en" name="slider-answer" slide="fragment"
 # <details><summary>Answers</summary>
 #
 # Only the delay, and that is why this chapter is about time.
@@ -366,7 +374,7 @@ latency.draw_latency(latency.Sight(speed_mps=0.0, yaw_rate_radps=0.5, range_m=5.
 #
 # </details>
 
-# %% [markdown] lang="ko" name="slider-answer"
+# %% [markdown] lang="ko" name="slider-answer" slide="fragment"
 # <details><summary>답</summary>
 #
 # 지연뿐입니다. 그래서 이 장은 시간에 관한 장입니다.
@@ -438,7 +446,7 @@ draw_history(small, "map", "laser_frame", seconds(3.4))
 #
 # **예측해 보십시오.** 1.0초에 yaw가 170°, 2.0초에 −170°입니다. 1.5초에는 0°입니까, 180°입니까?
 
-# %% name="shortest-arc"
+# %% name="shortest-arc" slide="fragment"
 turn = BufferCore()
 for stamp_s, yaw_deg in ((1.0, 170.0), (2.0, -170.0)):
     pose = Transform.from_rpy(yaw=math.radians(yaw_deg))
@@ -481,12 +489,12 @@ for stamp_s in (1.0, 1.25, 1.5, 1.75, 2.0):
 # 그림을 보고 **예측해 보십시오.** `map → odom`은 4.00초에, `odom → base_link`는 4.75초에 끝나고, 정적인 장착 변환은 1.00초에 보냈으며, 벽시계는 4.80초입니다.
 # `Time()`은 어느 시각을 얻습니까?
 
-# %% name="latest-common-run"
+# %% name="latest-common-run" slide="fragment"
 print(small.latest_common_time_ns("map", "laser_frame") / 1e9, "s  map <- laser_frame")
 print(small.latest_common_time_ns("odom", "laser_frame") / 1e9, "s  odom <- laser_frame")
 print(small.latest_common_time_ns("base_link", "laser_frame") / 1e9, "s  base_link <- laser_frame, all static")
 
-# %% [markdown] lang="en" name="latest-common-read"
+# %% [markdown] lang="en" name="latest-common-read" slide="subslide"
 # 4.00 s: **the earliest of the latest ones**. One slow lane holds everybody back.
 #
 # - 4.75 would need `map → odom` where it has nothing to say yet.
@@ -499,7 +507,7 @@ print(small.latest_common_time_ns("base_link", "laser_frame") / 1e9, "s  base_li
 #
 # Our live robot, a moment after its last sighting:
 
-# %% [markdown] lang="ko" name="latest-common-read"
+# %% [markdown] lang="ko" name="latest-common-read" slide="subslide"
 # 4.00초, 곧 **마지막 시각들 가운데 가장 이른 것**입니다. 느린 차선 하나가 모두를 붙잡습니다.
 #
 # - 4.75초라면 `map → odom`이 아직 아무 말도 하지 않은 곳을 물어야 합니다.
@@ -536,7 +544,7 @@ print("the picture is from", Time.from_msg(finder.messages[-1].header.stamp).nan
 lanes = [lane_from_history(small.history(child)) for child in ("odom", "base_link", "laser_frame")]
 timeline_panel("map", "laser_frame", lanes, small.lookup_transform, seconds(3.4))
 
-# %% name="past-the-end"
+# %% name="past-the-end" slide="subslide"
 draw_history(small, "map", "laser_frame", seconds(4.4))
 
 # %% [markdown] lang="en" name="past-the-end-read"
@@ -582,13 +590,13 @@ map_T_camera = finder.buffer.lookup_transform("map", message.header.frame_id, st
 by_hand = do_transform_point(message, map_T_camera)
 print(f"at {stamp.nanoseconds / 1e9} s: ({by_hand.point.x:.2f}, {by_hand.point.y:.2f}, {by_hand.point.z:.2f})")
 
-# %% [markdown] lang="en" name="worked-one-line"
+# %% [markdown] lang="en" name="worked-one-line" slide="subslide"
 # The ball truly lies at (6.50, -1.50, 0.30).
 #
 # These lines are so usual that tf2 has one for them.
 # `buffer.transform(message, "map")` reads frame and stamp off the message itself, and there is nothing left to get wrong:
 
-# %% [markdown] lang="ko" name="worked-one-line"
+# %% [markdown] lang="ko" name="worked-one-line" slide="subslide"
 # 공의 실제 위치는 (6.50, -1.50, 0.30)입니다.
 #
 # 워낙 자주 쓰는 코드라 tf2에는 한 줄짜리가 있습니다.
@@ -651,14 +659,14 @@ else:
 #
 # - In the cell above, ask for `Time()` instead. By how much does the ball move? Then try messages 12, 25 and 30: left, right, left?
 # - Ask for 100 ms before the stamp. Is that better or worse than 100 ms after it?
-# - In `start-the-robot`, set all yaw rates to 0, choose *Restart Kernel and Run All*, and count the balls again. What remains is the small piece, speed × delay.
+# - In the cell that starts the robot, where the `Leg`s are, set every yaw rate (the third number of a `Leg`) to 0, choose *Restart Kernel and Run All*, and count the balls again. What remains is the small piece, speed × delay.
 
 # %% [markdown] lang="ko" name="try-it" slide="slide"
 # ### 해 보십시오
 #
 # - 위 셀에서 대신 `Time()`을 물어보십시오. 공이 얼마나 움직입니까? 메시지 12, 25, 30번으로도 해 보십시오. 왼쪽입니까, 오른쪽입니까?
 # - 측정 시각보다 100 ms 이른 시각을 물어보십시오. 100 ms 늦은 시각을 묻는 것보다 낫습니까, 나쁩니까?
-# - `start-the-robot`에서 각속도를 모두 0으로 바꾸고 *Restart Kernel and Run All*을 고른 뒤 공을 다시 세어 보십시오. 작은 조각인 속도 × 지연만 남습니다.
+# - 로봇을 출발시킨 셀로 올라가 `Leg`의 셋째 수인 각속도를 모두 0으로 바꾸고 *Restart Kernel and Run All*을 고른 뒤 공을 다시 세어 보십시오. 작은 조각인 속도 × 지연만 남습니다.
 
 # %% [markdown] lang="en" name="break-stamp" slide="slide"
 # ## Break it on purpose
@@ -695,7 +703,7 @@ finder.buffer.transform(late, "map")
 # 마지막 줄을 읽어 보십시오. 13.000초를 물었는데 가장 새로운 데이터가 12.946초입니다.
 # 미래까지 고작 54 ms이니 "치료법"이 가까워 보입니다. 0.2초 기다렸다 다시 물으면 됩니다.
 
-# %% name="the-cure"
+# %% name="the-cure" slide="fragment"
 while graph.now_ns < seconds(13.2):
     rclpy.spin_once(finder)
 for name, sight in (("overwritten", late), ("as measured", measured)):
@@ -785,7 +793,7 @@ draw_placed(ways, walls=ROOM.walls)
 #
 # **예측해 보십시오.** 마흔 번쯤 되는 관측 가운데 몇 개를 도착하자마자 자기 측정 시각으로 놓을 수 있을까요?
 
-# %% name="slow-odometry"
+# %% name="slow-odometry" slide="fragment"
 slow_wheels = {"odometry": Source("wheel_odometry", 1.0, 0.004, 0.002)}  # 1 Hz
 slow = TeachingRobot(plan, bias=0.0, slip=0.0005, sources=slow_wheels)
 answered, refusals = 0, []
@@ -800,14 +808,14 @@ for heard in slow.readings(until_s=13.0):
 print(answered, "answered,", len(refusals), "refused. The first refusal:")
 print(refusals[0])
 
-# %% [markdown] lang="en" name="slow-odometry-read"
+# %% [markdown] lang="en" name="slow-odometry-read" slide="subslide"
 # Fewer than one in three.
 # A sighting is answered only if a sample of *each* lane is at least as young as it is, and for most of each second the newest odometry is older.
 #
 # Three ways out, in this order: publish odometry faster; let the message wait until the lane has caught up (chapter 09); or drop it.
 # `Time()` is not among them. It always answers, with a pose that is up to a second old.
 
-# %% [markdown] lang="ko" name="slow-odometry-read"
+# %% [markdown] lang="ko" name="slow-odometry-read" slide="subslide"
 # 셋 중 하나도 되지 않습니다.
 # *모든* 차선에 관측과 측정 시각이 같거나 더 새로운 표본이 하나씩 있어야 답이 나옵니다. 그런데 1초 중 대부분의 시간에는 가장 새로운 오도메트리조차 관측보다 오래된 것입니다.
 #
@@ -845,6 +853,12 @@ except TransformException as error:
 # `except TransformException`을 그대로 지나쳤습니다. `TypeException`은 `TransformException`이 **아니기** 때문입니다.
 # TF는 죄가 없습니다. 없는 좌표계도 틀린 시각도 없고, 파이썬이 그 자료형을 배우지 못했을 뿐입니다.
 # 고치는 법: 점, 자세, 벡터에는 `import tf2_geometry_msgs`, 포인트 클라우드에는 `import tf2_sensor_msgs`. 왜 필요한지 주석을 옆에 달아 두십시오.
+
+# %% [markdown] lang="en" name="forgotten-import-notes" slide="notes"
+# Ask who has a linter that deletes unused imports. This one has to stay, and the comment beside it is what saves it.
+
+# %% [markdown] lang="ko" name="forgotten-import-notes" slide="notes"
+# 쓰지 않는 import를 지우는 린터를 쓰는 사람이 있는지 물어보십시오. 이 import는 남아야 하고, 옆에 단 주석이 그것을 지킵니다.
 
 # %% [markdown] lang="en" name="break-years" slide="slide"
 # ### Four: fifty years
@@ -939,17 +953,25 @@ poses = {
 }
 draw_moments(poses, (ball.x, ball.y, ball.z), "ball")
 
-# %% [markdown] lang="en" name="two-moments-read" slide="subslide"
+# %% [markdown] lang="en" name="two-moments-read"
 # A second ago the ball was 1.6 m to the **right**. Now it is 0.7 m to the **left**.
 # The old answer was a true answer to an old question; steering by it would have turned the robot away.
 #
 # Why `odom` and not `map`? The ball rests in both. But `map` may jump when the localiser corrects itself in between, and the ball would jump with it (chapter 05).
 
-# %% [markdown] lang="ko" name="two-moments-read" slide="subslide"
+# %% [markdown] lang="ko" name="two-moments-read"
 # 1초 전에 공은 **오른쪽** 1.6 m에 있었습니다. 지금은 **왼쪽** 0.7 m에 있습니다.
 # 옛 답은 옛 질문에 대한 옳은 답이었습니다. 그대로 조향했다면 로봇은 공에게서 돌아섰을 것입니다.
 #
 # 왜 `map`이 아니라 `odom`일까요? 공은 어느 쪽에서나 가만히 있습니다. 하지만 그사이 위치 추정이 보정하면 `map`은 뛸 수 있고, 공도 함께 뜁니다(05장).
+
+# %% [markdown] lang="en" name="two-moments-notes" slide="notes"
+# Walk it: one student is the ball, you are the robot. Say where the ball is, close your eyes, take three steps and turn, and point to where you said it was.
+# The floor did not move. That is what odom is for.
+
+# %% [markdown] lang="ko" name="two-moments-notes" slide="notes"
+# 직접 걸어 보이십시오. 학생 한 명이 공이고 강사가 로봇입니다. 공의 위치를 말하고 눈을 감은 채 세 걸음 걷고 돈 다음, 말한 곳을 가리키십시오.
+# 바닥은 움직이지 않았습니다. odom이 하는 일이 바로 그것입니다.
 
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
 # ## Checkpoint
@@ -1011,72 +1033,78 @@ draw_moments(poses, (ball.x, ball.y, ball.z), "ball")
 #
 # </details>
 
+# %% [markdown] lang="en" name="checkpoint-notes" slide="notes"
+# Everybody writes a letter down before anybody speaks. Let an A and a C argue: both get rid of the error, and only one of them places the ball.
+
+# %% [markdown] lang="ko" name="checkpoint-notes" slide="notes"
+# 누구든 입을 열기 전에 모두 글자 하나를 적게 하십시오. A와 C를 고른 사람이 서로 설득하게 하십시오. 둘 다 오류는 없애지만, 공을 제자리에 놓는 것은 하나뿐입니다.
+
 # %% [markdown] lang="en" name="on-a-robot" slide="slide"
 # ## The same on a real robot
 #
 # This is the lecture's node, whole, as you would save it in `tf_lab_py/point_to_map.py`.
 # It is our finder, grown up: it refuses a point without a frame, uses the point's own stamp, and says so when TF cannot answer.
-#
-# ```python
-# # tf_lab_py/point_to_map.py
-# import rclpy
-# from geometry_msgs.msg import PointStamped
-# from rclpy.duration import Duration
-# from rclpy.node import Node
-# from tf2_ros import Buffer, TransformListener, TransformException
-# import tf2_geometry_msgs  # Geometry Message 변환 등록
-#
-#
-# class PointToMap(Node):
-#     def __init__(self):
-#         super().__init__('point_to_map')
-#         self.buffer = Buffer(cache_time=Duration(seconds=20.0))
-#         self.listener = TransformListener(self.buffer, self)
-#         self.subscription = self.create_subscription(
-#             PointStamped, 'detected_point', self.on_point, 10)
-#
-#     def on_point(self, message):
-#         if not message.header.frame_id:
-#             self.get_logger().warning('frame_id가 없는 Point 거절')
-#             return
-#         try:
-#             transformed = self.buffer.transform(
-#                 message,
-#                 'map',
-#                 timeout=Duration(seconds=0.2),
-#             )
-#             self.get_logger().info(
-#                 f'map point=({transformed.point.x:.2f}, '
-#                 f'{transformed.point.y:.2f}, '
-#                 f'{transformed.point.z:.2f})')
-#         except TransformException as error:
-#             self.get_logger().warning(f'TF 변환 실패: {error}')
-#
-#
-# def main(args=None):
-#     rclpy.init(args=args)
-#     node = PointToMap()
-#     try:
-#         rclpy.spin(node)
-#     except KeyboardInterrupt:
-#         pass
-#     finally:
-#         node.destroy_node()
-#         rclpy.shutdown()
-#
-#
-# if __name__ == '__main__':
-#     main()
-# ```
-#
-# Here is its heart, running on our robot:
 
 # %% [markdown] lang="ko" name="on-a-robot" slide="slide"
 # ## 실제 로봇에서도 똑같이
 #
 # 강의의 노드 전체입니다. `tf_lab_py/point_to_map.py`에 그대로 저장하면 됩니다.
 # 앞의 `Finder`를 어엿하게 키운 모습입니다. 좌표계 없는 점은 거절하고, 점 자신의 측정 시각을 쓰고, TF가 답하지 못하면 그렇다고 알립니다.
+
+# %% [markdown] lang="en" name="the-file" slide="skip"
+# ```python
+# # tf_lab_py/point_to_map.py
+# import rclpy
+# from geometry_msgs.msg import PointStamped
+# from rclpy.duration import Duration
+# from rclpy.node import Node
+# from tf2_ros import Buffer, TransformListener, TransformException
+# import tf2_geometry_msgs  # teaches transform() about points
 #
+#
+# class PointToMap(Node):
+#     def __init__(self):
+#         super().__init__('point_to_map')
+#         self.buffer = Buffer(cache_time=Duration(seconds=20.0))
+#         self.listener = TransformListener(self.buffer, self)
+#         self.subscription = self.create_subscription(
+#             PointStamped, 'detected_point', self.on_point, 10)
+#
+#     def on_point(self, message):
+#         if not message.header.frame_id:
+#             self.get_logger().warning('refused: a point without a frame_id')
+#             return
+#         try:
+#             transformed = self.buffer.transform(
+#                 message,
+#                 'map',
+#                 timeout=Duration(seconds=0.2),
+#             )
+#             self.get_logger().info(
+#                 f'map point=({transformed.point.x:.2f}, '
+#                 f'{transformed.point.y:.2f}, '
+#                 f'{transformed.point.z:.2f})')
+#         except TransformException as error:
+#             self.get_logger().warning(f'no transform: {error}')
+#
+#
+# def main(args=None):
+#     rclpy.init(args=args)
+#     node = PointToMap()
+#     try:
+#         rclpy.spin(node)
+#     except KeyboardInterrupt:
+#         pass
+#     finally:
+#         node.destroy_node()
+#         rclpy.shutdown()
+#
+#
+# if __name__ == '__main__':
+#     main()
+# ```
+
+# %% [markdown] lang="ko" name="the-file" slide="skip"
 # ```python
 # # tf_lab_py/point_to_map.py
 # import rclpy
@@ -1128,7 +1156,11 @@ draw_moments(poses, (ball.x, ball.y, ball.z), "ball")
 # if __name__ == '__main__':
 #     main()
 # ```
-#
+
+# %% [markdown] lang="en" name="its-heart" slide="-"
+# Here is its heart, running on our robot:
+
+# %% [markdown] lang="ko" name="its-heart" slide="-"
 # 핵심 부분을 우리 로봇에서 돌려 봅니다.
 
 
@@ -1160,7 +1192,7 @@ class PointToMap(Node):
 # **예측해 보십시오.** 첫 점은 노드가 듣기 전에 측정된 것이니 거절될 수밖에 없습니다. 0.2초 뒤의 둘째 점은 지도에 놓일까요, 거절될까요?
 
 
-# %% name="with-a-timeout"
+# %% name="with-a-timeout" slide="fragment"
 def main(timeout):
     rclpy.init()
     rclpy.spin(PointToMap(timeout))
@@ -1241,8 +1273,6 @@ node.stop()
 #     timeout=Duration(seconds=0.2),
 # )
 # ```
-#
-# Is your robot's data old? Ask it. `ros2 topic delay` prints arrival minus stamp:
 
 # %% [markdown] lang="ko" name="robot-care" slide="subslide"
 # 그러니 로봇에 입력하기 전에 다음을 알아 두십시오.
@@ -1262,7 +1292,11 @@ node.stop()
 #     timeout=Duration(seconds=0.2),
 # )
 # ```
-#
+
+# %% [markdown] lang="en" name="topic-delay-why" slide="subslide"
+# Is your robot's data old? Ask it. `ros2 topic delay` prints arrival minus stamp:
+
+# %% [markdown] lang="ko" name="topic-delay-why" slide="subslide"
 # 여러분 로봇의 데이터는 얼마나 묵었습니까? 물어보십시오. `ros2 topic delay`는 도착 시각에서 측정 시각을 뺀 값을 출력합니다.
 
 # %% name="topic-delay"

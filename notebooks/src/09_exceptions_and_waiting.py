@@ -105,11 +105,11 @@ from tflab.views.work import Work, draw_work
 # ## 43 milliseconds into the future
 #
 # A small robot, a fresh install, the first drive.
-# It moved in jerks, and RViz filled its log with one sentence: *extrapolation into the future*.
+# It moved in jerks, and RViz complained in its log: *extrapolation into the future*.
 # RViz had asked for a moment 43 ms later than the newest transform it had (ROBOTIS-GIT/turtlebot3 #618).
-# Nothing was broken. There were two computers, and each had a clock.
+# The makers of the robot asked back: are its clock and the desktop's in step? There were two computers, and each had a clock.
 #
-# Others had the same sentence in their logs, set a timeout of one second, and the warnings went away (stella_vslam_ros #21, perception_pcl #416).
+# Others had the same sentence in their logs, set a timeout (of a whole second, in one case), and the errors went away (stella_vslam_ros #21, perception_pcl #416).
 # For some of them that was the cure. For others it was a plaster over a wound.
 # **How can you tell which?** That is what this chapter is about.
 #
@@ -119,17 +119,17 @@ from tflab.views.work import Work, draw_work
 # ## 43밀리초 뒤의 미래
 #
 # 작은 로봇에 막 소프트웨어를 설치하고 처음 주행하는 날이었습니다.
-# 로봇은 뚝뚝 끊기며 움직였고, RViz 로그는 한 문장으로 가득 찼습니다. *extrapolation into the future.*
+# 로봇은 뚝뚝 끊기며 움직였고, RViz 로그에는 이런 문장이 찍혔습니다. *extrapolation into the future.*
 # RViz는 자신이 가진 최신 변환보다 43 ms 뒤의 시각을 묻고 있었습니다(ROBOTIS-GIT/turtlebot3 #618).
-# 고장 난 것은 없었습니다. 컴퓨터가 두 대였고, 시계도 두 개였을 뿐입니다.
+# 로봇 제조사는 이렇게 되물었습니다. 로봇과 데스크톱의 시계가 맞습니까? 컴퓨터가 두 대였고, 시계도 두 개였습니다.
 #
-# 같은 문장을 본 다른 사람들은 timeout을 1초로 늘렸고, 경고는 사라졌습니다(stella_vslam_ros #21, perception_pcl #416).
+# 같은 문장을 본 다른 사람들은 timeout을 넣었고(한 곳은 무려 1초), 오류는 사라졌습니다(stella_vslam_ros #21, perception_pcl #416).
 # 누군가에게는 그것이 치료였고, 누군가에게는 상처를 가린 반창고였습니다.
 # **어느 쪽인지 어떻게 알 수 있을까요?** 그것이 이 장의 주제입니다.
 #
 # 두 시계가 어긋나면 밖에서는 이렇게 보입니다. 세 스캔의 측정과 송신은 로봇의 시계로, 수신은 데스크톱의 시계로 적었습니다. (숫자는 예시입니다. "dropped"는 데스크톱이 그 스캔의 변환을 찾지 못해 버렸다는 뜻입니다.)
 
-# %% name="story-picture" slide="-"
+# %% name="story-picture" slide="subslide"
 draw_journeys([
     Journey('scan 1', seconds(10.000), seconds(10.105), seconds(10.062)),
     Journey('scan 2', seconds(10.100), seconds(10.205), seconds(10.163)),
@@ -164,8 +164,8 @@ draw_journeys([
 # ## 예측: 어느 질문에 답이 나올까요?
 #
 # 이 [[buffer|변환 버퍼(buffer)]]에는 `map`에서 `laser_frame`까지의 체인이 들어 있습니다.
-# `map → odom`은 1초에 두 번 오고, 마지막 표본은 14.0 s의 것입니다.
-# `odom → base_footprint`는 1초에 다섯 번 옵니다. 오도메트리 노드가 11.0 s에 늦게 켜졌고, 마지막 표본은 14.6 s의 것입니다.
+# `map → odom`은 1초에 두 번 오고, 마지막 표본은 14.0초의 것입니다.
+# `odom → base_footprint`는 1초에 다섯 번 옵니다. 오도메트리 노드가 11.0초에 늦게 켜졌고, 마지막 표본은 14.6초의 것입니다.
 # 나머지 두 연결은 볼트로 고정되어 있습니다.
 
 # %% name="four-edges" slide="-"
@@ -198,9 +198,9 @@ draw_history(buffer, 'map', 'laser_frame', seconds(12.3))
 # </details>
 
 # %% [markdown] lang="ko" name="predict-question" slide="fragment"
-# 12.3 s에는 답이 있습니다. 그것도 두 표본 사이에 있는 시각입니다.
+# 12.3초에는 답이 있습니다. 그것도 두 표본 사이에 있는 시각입니다.
 #
-# **넘어가기 전에 적어 보십시오.** 누군가 `map ← laser_frame`을 **14.3 s**에, 그리고 **10.6 s**에 묻습니다.
+# **넘어가기 전에 적어 보십시오.** 누군가 `map ← laser_frame`을 **14.3초**에, 그리고 **10.6초**에 묻습니다.
 # 각각 답이 나올까요, 예외가 나올까요? 어떤 예외일까요? 어느 연결 때문일까요?
 #
 # <details><summary>힌트가 필요하면 여십시오</summary>
@@ -232,8 +232,8 @@ for second in (12.3, 14.3, 10.6):
 # 적어 둔 것과 비교해 보십시오.
 #
 # 둘 다 [[extrapolation exception|ExtrapolationException(시간 외삽 예외)]]입니다. 경로는 있지만 그 시각의 값이 없고, tf2는 표본 바깥을 절대 짐작하지 않습니다.
-# 14.3 s에서는 `map → odom`이 너무 일찍 끝났습니다. 오도메트리에는 14.6 s까지 소식이 있었으니, 막은 것은 *위치 추정 노드*입니다.
-# 10.6 s에서는 `odom → base_footprint`가 너무 늦게 시작했습니다.
+# 14.3초에서는 `map → odom`이 너무 일찍 끝났습니다. 오도메트리에는 14.6초까지 소식이 있었으니, 막은 것은 *위치 추정 노드*입니다.
+# 10.6초에서는 `odom → base_footprint`가 너무 늦게 시작했습니다.
 #
 # 이제 오류문을 다시 보십시오. `laser_frame`과 `map`은 있지만 `odom`도 `base_footprint`도 없습니다.
 # **오류문은 질문의 양 끝을 말할 뿐, 실패한 연결을 말하지 않습니다.**
@@ -244,7 +244,7 @@ for second in (12.3, 14.3, 10.6):
 # The window of a chain ends where its laziest publisher ends.
 
 # %% [markdown] lang="ko" name="compare-three-notes" slide="notes"
-# 14.3 s에서 오도메트리를 탓한 사람이 있는지 물어보십시오. 움직이는 것이 오도메트리라서 흔히 그렇게 추측합니다.
+# 14.3초에서 오도메트리를 탓한 사람이 있는지 물어보십시오. 움직이는 것이 오도메트리라서 흔히 그렇게 추측합니다.
 # 체인의 구간은 가장 게으른 발행자가 끝나는 곳에서 끝납니다.
 
 # %% [markdown] lang="en" name="family" slide="slide"
@@ -308,7 +308,7 @@ for second in (14.3, 10.6):
 # when looking up transform from frame [laser_frame] to frame [map]
 # ```
 #
-# 1. **Which kind?** "into the future": the moment asked for is newer than something.
+# 1. **Which kind?** "into the future": the moment asked for is newer than everything that one of the edges has.
 # 2. **Whose moment?** "Requested time 14.300000" is the stamp that the *asker* brought: usually `header.stamp` of a message.
 # 3. **How far outside?** 14.3 − 14.0 = 0.3 s.
 # 4. **Which data, wanted where?** "from frame [laser_frame] to frame [map]": data expressed in `laser_frame`, wanted in `map`. That is the sentence of chapter 03, and neither name is accused.
@@ -325,9 +325,9 @@ for second in (14.3, 10.6):
 # when looking up transform from frame [laser_frame] to frame [map]
 # ```
 #
-# 1. **어떤 종류입니까?** "into the future": 물어본 시각이 무언가보다 새롭습니다.
+# 1. **어떤 종류입니까?** "into the future": 물어본 시각이 어느 연결이 가진 모든 표본보다 뒤입니다.
 # 2. **누구의 시각입니까?** "Requested time 14.300000"은 *질문한 쪽*이 가져온 시각입니다. 대개 메시지의 `header.stamp`입니다.
-# 3. **얼마나 벗어났습니까?** 14.3 − 14.0 = 0.3 s입니다.
+# 3. **얼마나 벗어났습니까?** 14.3 − 14.0 = 0.3초입니다.
 # 4. **어떤 데이터를 어느 좌표계에서 보려 합니까?** "from frame [laser_frame] to frame [map]": `laser_frame` 기준 데이터를 `map` 기준으로 보려 합니다. 03장의 그 문장이며, 어느 이름도 범인으로 지목된 것이 아닙니다.
 # 5. **어느 연결입니까?** 경로 위에서 *최신* 표본이 14.000000인 연결입니다. 그 숫자를 찾으면 `map → odom`입니다. (여러 연결이 일찍 끝났어도 오류문은 하나만 말합니다. `map` 같은 루트로 물었다면 원본에서 올라가며 처음 만난 연결입니다. 그 뒤에 더 게으른 연결이 있을 수 있습니다.)
 #
@@ -380,7 +380,7 @@ draw_history(buffer, 'map', 'laser_frame', seconds(14.3))
 # %% [markdown] lang="ko" name="try-edge" slide="skip"
 # ### 해 보기
 #
-# 정확히 14.0 s를 묻고, 이어서 1나노초 뒤를 물어보십시오. 경계는 칼같습니다. "대략"은 없습니다.
+# 정확히 14.0초를 묻고, 이어서 1나노초 뒤를 물어보십시오. 경계는 칼같습니다. "대략"은 없습니다.
 
 # %% name="one-nanosecond" slide="skip"
 for stamp_ns in (14_000_000_000, 14_000_000_001):
@@ -520,26 +520,26 @@ buffer.lookup_transform('/map', 'laser_frame', Time())
 # %% [markdown] lang="ko" name="order" slide="subslide"
 # ### 예측: 두 결함이 한꺼번에
 #
-# `camera_link`는 여전히 별도의 트리에 매달려 있습니다(오타가 그대로 있습니다). 이제 최신 표본보다 한참 뒤인 99 s에 `camera_link ← odom`을 묻습니다.
+# `camera_link`는 여전히 별도의 트리에 매달려 있습니다(오타가 그대로 있습니다). 이제 최신 표본보다 한참 뒤인 99초에 `camera_link ← odom`을 묻습니다.
 # 경로도 없고 데이터도 없습니다. 어떤 예외가 나올까요?
 
-# %% name="two-faults" slide="-"
+# %% name="two-faults" slide="fragment"
 for when in (Time(seconds=99), Time()):
     try:
         buffer.lookup_transform('camera_link', 'odom', when)
     except TransformException as error:
         print(f'{when.nanoseconds / 1e9:.0f} s: {type(error).__name__}\n      {error}')
 
-# %% [markdown] lang="en" name="order-read" slide="-"
+# %% [markdown] lang="en" name="order-read" slide="fragment"
 # The table was a little too tidy. tf2 checks the names first, but path and moment are checked **while walking**:
 # it climbs from the source, meets `map → odom`, which has nothing for 99 s, and remembers that. Only then does it notice that the other side ends elsewhere.
 # The time fault, found first, is the one it reports.
 #
 # So when an extrapolation puzzles you, ask once more with `Time()`, the latest. If *that* says "not part of the same tree", you have been chasing the wrong fault.
 
-# %% [markdown] lang="ko" name="order-read" slide="-"
+# %% [markdown] lang="ko" name="order-read" slide="fragment"
 # 앞의 표는 조금 지나치게 깔끔했습니다. tf2는 이름을 먼저 확인하지만, 경로와 시각은 **트리를 따라가면서** 확인합니다.
-# 원본 쪽에서 올라가다 99 s의 값이 없는 `map → odom`을 만나 그 사실을 기억해 둡니다. 반대쪽이 다른 곳에서 끝난다는 것은 그다음에야 알게 됩니다.
+# 원본 쪽에서 올라가다 99초의 값이 없는 `map → odom`을 만나 그 사실을 기억해 둡니다. 반대쪽이 다른 곳에서 끝난다는 것은 그다음에야 알게 됩니다.
 # 그래서 먼저 찾은 시각 문제를 보고합니다.
 #
 # 외삽 예외가 이해되지 않으면 최신을 뜻하는 `Time()`으로 한 번 더 물어보십시오. *그때* "not part of the same tree"가 나오면 엉뚱한 결함을 쫓고 있던 것입니다.
@@ -591,7 +591,7 @@ for target, source, second in (
 # - **Not everything is a `TransformException`.** Forget `import tf2_geometry_msgs`, and `transform()` raises a `TypeException`, which walks past every branch above (chapter 08). That is right: it is a fault of the program, not of the robot.
 
 # %% [markdown] lang="ko" name="handler-traps" slide="-"
-# 잠깐, `map ← camera_link`는 *경로가 없고*, 데이터가 있는 12.3 s에 물었습니다. 그래서 이번에는 경로 문제가 보고됩니다. 좋습니다.
+# 잠깐, `map ← camera_link`는 *경로가 없고*, 데이터가 있는 12.3초에 물었습니다. 그래서 이번에는 경로 문제가 보고됩니다. 좋습니다.
 #
 # 함정이 두 가지 있습니다.
 #
@@ -602,16 +602,16 @@ for target, source, second in (
 # ## Future and past: what is behind them
 #
 # ```text
-# the buffer holds            [--------------]
-# asked for the past      x   [--------------]         past extrapolation
-# an answer                   [------x-------]
-# asked for the future        [--------------]   x     future extrapolation
+#        [--------------]        what the buffer holds
+#   x    [--------------]        past extrapolation
+#        [------x-------]        an answer
+#        [--------------]   x    future extrapolation
 # ```
 #
-# | | asked for a moment … | ordinary causes | causes that no waiting cures |
-# | --- | --- | --- | --- |
-# | **future** | newer than the newest sample | the transform is on its way; its publisher is slow (10 Hz means up to 100 ms) | the sensor's clock is fast; the publisher's clock is slow; the publisher has died |
-# | **past** | older than the oldest sample | the message comes from before the start of TF; processing took longer than the cache remembers | the sensor's clock is slow; a bag's old stamps against today's TF |
+# | x: the moment asked for | ordinary causes | causes that no waiting cures |
+# | --- | --- | --- |
+# | **future**: newer than the newest sample | the transform is on its way; its publisher is slow (10 Hz means up to 100 ms) | the sensor's clock is fast; the publisher's clock is slow; the publisher has died |
+# | **past**: older than the oldest sample | the message comes from before the start of TF; processing took longer than the cache remembers | the sensor's clock is slow; a bag's old stamps against today's TF |
 #
 # Before you think about networks, subtract the two times of the text.
 # If 1763690412 s stands against 30 s, nothing is slow: one node counts from 1970, the other from the start of a simulation or a bag. The parameter `use_sim_time` decides which, and it must be the same for all nodes.
@@ -623,19 +623,19 @@ for target, source, second in (
 # ## 미래와 과거: 그 뒤에 있는 원인
 #
 # ```text
-# the buffer holds            [--------------]
-# asked for the past      x   [--------------]         past extrapolation
-# an answer                   [------x-------]
-# asked for the future        [--------------]   x     future extrapolation
+#        [--------------]        버퍼가 가진 구간
+#   x    [--------------]        과거 외삽
+#        [------x-------]        답
+#        [--------------]   x    미래 외삽
 # ```
 #
-# | | 물어본 시각이 … | 흔한 원인 | 기다려도 해결되지 않는 원인 |
-# | --- | --- | --- | --- |
-# | **미래** | 최신 표본보다 새롭습니다 | 변환이 오는 중입니다. 발행이 느립니다(10 Hz면 최대 100 ms) | 센서 시계가 빠릅니다. 발행자 시계가 느립니다. 발행자가 죽었습니다 |
-# | **과거** | 가장 오래된 표본보다 오래됐습니다 | TF가 시작되기 전의 메시지입니다. 처리 시간이 버퍼의 기억보다 깁니다 | 센서 시계가 느립니다. 백의 옛 시각을 오늘의 TF에 물었습니다 |
+# | x: 물어본 시각 | 흔한 원인 | 기다려도 해결되지 않는 원인 |
+# | --- | --- | --- |
+# | **미래**: 최신 표본보다 뒤 | 변환이 오는 중입니다. 발행이 느립니다(10 Hz면 최대 100 ms) | 센서 시계가 빠릅니다. 발행자 시계가 느립니다. 발행자가 죽었습니다 |
+# | **과거**: 가장 오래된 표본보다 앞 | TF가 시작되기 전의 메시지입니다. 처리 시간이 버퍼의 기억보다 깁니다 | 센서 시계가 느립니다. 백의 옛 시각을 오늘의 TF에 물었습니다 |
 #
 # 네트워크를 떠올리기 전에 오류문의 두 시각부터 빼 보십시오.
-# 1763690412 s와 30 s가 맞서 있다면 느린 것은 없습니다. 한 노드는 1970년부터, 다른 노드는 시뮬레이션이나 백의 시작부터 셉니다. 어느 쪽인지는 파라미터 `use_sim_time`이 정하고, 모든 노드에서 같아야 합니다.
+# 1763690412초와 30초가 맞서 있다면 느린 것은 없습니다. 한 노드는 1970년부터, 다른 노드는 시뮬레이션이나 백의 시작부터 셉니다. 어느 쪽인지는 파라미터 `use_sim_time`이 정하고, 모든 노드에서 같아야 합니다.
 #
 # 과거라면 기다림은 정의상 소용이 없습니다. 지나간 데이터는 돌아오지 않습니다.
 # 미래라면 기다림이 도움이 될 *수도* 있습니다. 이 장의 나머지는 그 "수도"에 관한 이야기입니다.
@@ -643,28 +643,14 @@ for target, source, second in (
 # %% [markdown] lang="en" name="short-memory" slide="subslide"
 # ### A past that was there, and is gone
 #
-# A detector needs four seconds for each picture. Its buffer remembers two. The transform it asks for *was* there, when the picture was taken.
+# You met it in chapter 08: a detector thinks for four seconds, its buffer remembers two. The transform it asks for *was* there, when the picture was taken.
+# The cure is in the constructor: `Buffer(cache_time=Duration(seconds=20))`. Ten seconds is what you get if you say nothing.
+# But ask first whether a robot should act on a picture that is four seconds old. We come back to that.
 
 # %% [markdown] lang="ko" name="short-memory" slide="subslide"
 # ### 있었지만 사라진 과거
 #
-# 검출기가 영상 한 장을 처리하는 데 4초가 걸립니다. 버퍼는 2초를 기억합니다. 영상을 찍었을 때는 필요한 변환이 분명히 *있었습니다*.
-
-# %% name="two-seconds" slide="-"
-forgetful = Buffer(cache_time=Duration(seconds=2))
-for tenth in range(100, 161):  # 10.0 ... 16.0 s
-    base = StampedTransform('odom', 'base_footprint', seconds(tenth / 10), Transform((tenth / 100, 0.0, 0.0)))
-    forgetful.core.set_transform(base, 'wheel_odometry')
-try:
-    forgetful.lookup_transform('odom', 'base_footprint', Time(seconds=12.0))
-except ExtrapolationException as error:
-    print(error)
-
-# %% [markdown] lang="en" name="short-memory-read" slide="-"
-# The cure is in the constructor: `Buffer(cache_time=Duration(seconds=20))`. Ten seconds is what you get if you say nothing.
-# But ask first whether a robot should act on a picture that is four seconds old. We come back to that.
-
-# %% [markdown] lang="ko" name="short-memory-read" slide="-"
+# 08장에서 만난 일입니다. 검출기는 4초 동안 계산하는데 버퍼는 2초를 기억합니다. 영상을 찍었을 때는 필요한 변환이 분명히 *있었습니다*.
 # 고칠 곳은 생성자입니다. `Buffer(cache_time=Duration(seconds=20))`이라고 씁니다. 아무 말도 하지 않으면 10초입니다.
 # 다만 4초 전의 영상을 보고 로봇이 움직여도 되는지부터 물으십시오. 이 이야기는 뒤에서 다시 합니다.
 
@@ -679,7 +665,7 @@ except ExtrapolationException as error:
 # %% [markdown] lang="ko" name="late-or-wrong" slide="slide"
 # ## 늦은 것일까요, 틀린 것일까요?
 #
-# 로봇이 두 대 있습니다. 로봇 A에서는 3 s에 Wi-Fi가 잠시 버벅거려 변환이 도착하는 데 0.2~0.4 s가 걸립니다. 로봇 B에서는 3 s에 레이저 컴퓨터의 시계가 0.3 s 빠르게 맞춰집니다.
+# 로봇이 두 대 있습니다. 로봇 A에서는 3초에 Wi-Fi가 잠시 버벅거려 변환이 도착하는 데 0.2~0.4초가 걸립니다. 로봇 B에서는 3초에 레이저 컴퓨터의 시계가 0.3초 빠르게 맞춰집니다.
 #
 # 아래 노드는 숫자 하나를 지켜봅니다. **간격(gap)**, 곧 스캔의 시각에서 TF가 답할 수 있는 최신 시각을 뺀 값입니다.
 # 간격이 양수이면 미래 외삽입니다.
@@ -734,7 +720,7 @@ graph.run(seconds=4)
 # %% [markdown] lang="ko" name="first-second" slide="subslide"
 # 두 로봇을 나란히 그렸습니다. 다만 문제가 생긴 뒤 1초까지만입니다.
 #
-# **예측해 보십시오.** 여러분의 노드는 최대 0.1 s를 기다립니다. 둘 중 어느 로봇이 저절로 나아질까요? 이 그림만 가지고 알 수 있을까요?
+# **예측해 보십시오.** 여러분의 노드는 최대 0.1초를 기다립니다. 둘 중 어느 로봇이 저절로 나아질까요? 이 그림만 가지고 알 수 있을까요?
 
 # %% name="two-gaps-first" slide="-"
 def gap_curve(name, node, until_s):
@@ -755,7 +741,7 @@ draw_ages([gap_curve('robot A', robot_a, 4.0), gap_curve('robot B', robot_b, 4.0
 # For a second they look alike: both ask about 0.3 s ahead of what TF knows. Now the whole story.
 
 # %% [markdown] lang="ko" name="whole-story" slide="subslide"
-# 처음 1초 동안은 똑같아 보입니다. 둘 다 TF가 아는 것보다 약 0.3 s 앞을 묻습니다. 이제 전체를 봅시다.
+# 처음 1초 동안은 똑같아 보입니다. 둘 다 TF가 아는 것보다 약 0.3초 앞을 묻습니다. 이제 전체를 봅시다.
 
 # %% name="two-gaps" slide="-"
 draw_ages([gap_curve('robot A', robot_a, 7.0), gap_curve('robot B', robot_b, 7.0)], 'gap', limit_s=0.1)
@@ -771,7 +757,7 @@ draw_ages([gap_curve('robot A', robot_a, 7.0), gap_curve('robot B', robot_b, 7.0
 
 # %% [markdown] lang="ko" name="two-gaps-read" slide="subslide"
 # A는 돌아옵니다. B는 끝내 돌아오지 않습니다. 틀린 시계는 계속 틀리고, 새 스캔마다 같은 간격을 달고 옵니다.
-# (3.1 s에서 B의 선이 살짝 꺾인 것도 실제로 일어나는 일입니다. 시계가 앞으로 뛰면 타이머도 일찍 울립니다.)
+# (3.1초에서 B의 선이 살짝 꺾인 것도 실제로 일어나는 일입니다. 시계가 앞으로 뛰면 타이머도 일찍 울립니다.)
 #
 # - **늦음은 지나가고, 떨립니다**(A의 흔들림을 보십시오). 기다리면 건널 수 있습니다.
 # - **[[clock offset|시계 차이(clock offset)]]는 사라지지 않고, 매끈합니다.** 기다려도 줄지 않습니다.
@@ -788,8 +774,8 @@ draw_ages([gap_curve('robot A', robot_a, 7.0), gap_curve('robot B', robot_b, 7.0
 # What about the transforms? `/tf` has no header of its own, and the tool would say so: *msg does not have header*. But the odometry node also sends `/odom`, stamped by the same clock.
 
 # %% [markdown] lang="ko" name="delay-read" slide="-"
-# 지연이 음수입니다. 스캔을 *측정하기도 전에* 0.195 s 먼저 들었습니다. 메시지는 그럴 수 없지만 시계는 그럴 수 있습니다.
-# (정상인 레이저라면 +0.105 s가 나옵니다. 한 바퀴 도는 데 0.1 s가 걸리므로 0.105 − 0.3 = −0.195입니다.)
+# 지연이 음수입니다. 스캔을 *측정하기도 전에* 0.195초 먼저 들었습니다. 메시지는 그럴 수 없지만 시계는 그럴 수 있습니다.
+# (정상인 레이저라면 +0.105초가 나옵니다. 한 바퀴 도는 데 0.1초가 걸리므로 0.105 − 0.3 = −0.195입니다.)
 #
 # 변환 쪽은 어떨까요? `/tf`에는 자체 헤더가 없어서 도구가 *msg does not have header*라고 답합니다. 하지만 오도메트리 노드는 같은 시계로 시각을 찍은 `/odom`도 보냅니다.
 
@@ -800,7 +786,7 @@ draw_ages([gap_curve('robot A', robot_a, 7.0), gap_curve('robot B', robot_b, 7.0
 # 0.004 s: the transform's side is prompt, and by the same clock as ours. So it is the laser's clock.
 
 # %% [markdown] lang="ko" name="delay-odom-read" slide="-"
-# 0.004 s입니다. 변환 쪽은 제때 오고, 우리와 같은 시계를 씁니다. 그러니 범인은 레이저의 시계입니다.
+# 0.004초입니다. 변환 쪽은 제때 오고, 우리와 같은 시계를 씁니다. 그러니 범인은 레이저의 시계입니다.
 
 # %% [markdown] lang="en" name="honest-limit" slide="subslide"
 # ### What this cannot tell you
@@ -820,7 +806,7 @@ draw_ages([gap_curve('robot A', robot_a, 7.0), gap_curve('robot B', robot_b, 7.0
 # %% [markdown] lang="ko" name="honest-limit" slide="subslide"
 # ### 이것으로 알 수 없는 것
 #
-# 떨림 없이 늘 +0.3 s인 지연은 느린 네트워크일 수도 있고, 시계가 0.3 s *느린* 발행자일 수도 있습니다.
+# 떨림 없이 늘 +0.3초인 지연은 느린 네트워크일 수도 있고, 시계가 0.3초 *느린* 발행자일 수도 있습니다.
 # 한 방향의 시각만으로는 **누구도** 둘을 가를 수 없습니다. 둘 다 모든 메시지에 같은 숫자를 더하기 때문입니다.
 # 갔다가 *되돌아오는* 메시지가 있어야 합니다. 그것이 `chrony`와 NTP의 본업이니, 컴퓨터가 두 대라면 이들에게 물으십시오. 예를 들면 이렇습니다.
 #
@@ -844,7 +830,7 @@ draw_ages([gap_curve('robot A', robot_a, 7.0), gap_curve('robot B', robot_b, 7.0
 # %% [markdown] lang="ko" name="plaster" slide="slide"
 # ## 망가뜨리기: 반창고
 #
-# 다시 시계가 0.3 s 빠른 로봇 B입니다. 누군가 게시판에서 본 대로 `timeout=Duration(seconds=1)`을 넣었습니다.
+# 다시 시계가 0.3초 빠른 로봇 B입니다. 누군가 게시판에서 본 대로 `timeout=Duration(seconds=1)`을 넣었습니다.
 # (그리고 기다림이 통하도록 스레드 여러 개로 spin합니다. 이유는 잠시 뒤에 나옵니다.)
 # 로봇은 초속 0.5 m로 첫 굽이를 돕니다.
 #
@@ -905,7 +891,7 @@ def points_of(placed, clock_error_s):
         clouds.append(pose.apply(laser_p[::6]))
     return np.vstack(clouds)
 
-# %% name="plaster-picture" slide="-"
+# %% name="plaster-picture" slide="subslide"
 bend = placer.placed[-10:]
 draw_placed(
     {'as measured': points_of(bend, 0.3), 'with the wait that "works"': points_of(bend, 0.0)}, walls=ROOM.walls
@@ -923,13 +909,13 @@ draw_placed(
 
 # %% [markdown] lang="ko" name="plaster-read" slide="subslide"
 # 기다림은 매번 끝났습니다. 잠시 뒤 TF가 *틀린* 시각을 따라잡았기 때문입니다.
-# 그리고 완전히 틀린 질문에 더없이 좋은 답을 주었습니다. 레이저는 측정하고 0.3 s **뒤에** 어디에 있었는가?
+# 그리고 완전히 틀린 질문에 더없이 좋은 답을 주었습니다. 레이저는 측정하고 0.3초 **뒤에** 어디에 있었는가?
 #
 # timeout은 "왔습니까?"라고 물을 뿐, "맞습니까?"라고 묻지 않습니다.
-# **기다림은 늦음을 고칩니다. 시계는 고치지 못하고 숨길 뿐입니다.** (게다가 이제 스캔마다 쓸데없이 0.2 s 늦게 씁니다.)
+# **기다림은 늦음을 고칩니다. 시계는 고치지 못하고 숨길 뿐입니다.** (게다가 이제 스캔마다 쓸데없이 0.2초 늦게 씁니다.)
 # 왼쪽에서도 점들이 벽에 정확히 놓이지는 않습니다. 레이저가 한 바퀴 훑는 동안 로봇이 돌기 때문이며, 08장에서 다룬 이야기입니다.
 #
-# 시계가 2 s 빠르면 어떨까요? 그때는 반창고마저 떨어집니다.
+# 시계가 2초 빠르면 어떨까요? 그때는 반창고마저 떨어집니다.
 
 # %% name="plaster-off" slide="-"
 graph = new_graph()
@@ -955,7 +941,7 @@ print(f'{len(nodes[-1].placed)} scans placed, {nodes[-1].failures} failed')
 #
 # 굽이 한가운데서 얻은 스캔 하나입니다. 슬라이더를 끌어 보십시오. 슬라이더의 값은 레이저 시계의 오차입니다. 회색 선이 실제 벽입니다.
 
-# %% name="walls-walk" tags=["interactive"] slide="-"
+# %% name="walls-walk" tags=["interactive"] slide="subslide"
 scene, stamp_ns = Scene(), seconds(8.8)
 scene.look(eye=(3.0, -8.0, 9.0), target=(3.0, 0.0, 0.0))
 scan = robot.laser.scan_at(stamp_ns)
@@ -1049,7 +1035,7 @@ print(*patient.answers, sep='\n')
 # 하나도 없습니다. 단 하나도 얻지 못했습니다.
 #
 # 시작은 불운이었습니다. 첫 스캔이 첫 변환보다 51 ms 오래되어 답이 있을 수 없었고, 콜백은 0.5초를 헛되이 기다렸습니다. (바로 이런 41 ms 때문에 시작하자마자 죽은 지도 작성 노드도 있습니다: SteveMacenski/slam_toolbox #775.)
-# 그런데 왜 회복하지 못할까요? 숫자를 보십시오. 마지막에는 2.595 s를 묻는데, 변환이 1초에 스무 개씩 도착했는데도 아는 최신 변환은 1.146 s의 것입니다.
+# 그런데 왜 회복하지 못할까요? 숫자를 보십시오. 마지막에는 2.595초를 묻는데, 변환이 1초에 스무 개씩 도착했는데도 아는 최신 변환은 1.146초의 것입니다.
 # 기다릴수록 아는 것이 줄어듭니다. 이유는 이렇습니다.
 
 # %% name="lanes-picture" slide="subslide"
@@ -1092,12 +1078,18 @@ draw_lanes(patient)
 # ### 해결책 하나: 편지는 다른 사람이 가져옵니다
 #
 # 수신기의 구독은 따로 마련된 *재진입(reentrant)* 콜백 그룹에 있습니다. 그래서 스레드가 여럿인 실행기는 여러분의 콜백이 기다리는 동안에도 수신기를 부를 수 있습니다. 단어 하나만 바뀝니다.
-# 더 어렵게, 이제 변환마다 도착하는 데 0.15 s가 걸립니다.
+# 더 어렵게, 이제 변환마다 도착하는 데 0.15초가 걸립니다.
 
 # %% name="cure-threads-run" slide="-"
 patient = on_robot_c(Patient, MultiThreadedExecutor, delay_s=0.15)
 print(len(patient.answers), 'scans,', patient.answers.count('ok'), 'answered')
 draw_lanes(patient)
+
+# %% [markdown] lang="en" name="cure-threads-read" slide="-"
+# 27 of 28. Only the first scan is lost, the one that is older than every transform. One thread waits, another takes in the mail: `/tf stored` keeps pace with `/tf sent`.
+
+# %% [markdown] lang="ko" name="cure-threads-read" slide="-"
+# 28개 가운데 27개입니다. 잃은 것은 모든 변환보다 오래된 첫 스캔뿐입니다. 한 스레드가 기다리는 동안 다른 스레드가 편지를 받으므로, `/tf stored`가 `/tf sent`를 따라갑니다.
 
 # %% [markdown] lang="en" name="cure-async" slide="subslide"
 # ### Cure two: do not wait, be called
@@ -1157,7 +1149,7 @@ draw_lanes(called)
 #
 # | 기다리는 곳 | 알맞은 경우 |
 # | --- | --- |
-# | 기다리지 않음: 묻고, 실패하면 버립니다 | 빠른 센서. 어차피 0.1 s 뒤에 다음 스캔이 옵니다 |
+# | 기다리지 않음: 묻고, 실패하면 버립니다 | 빠른 센서. 어차피 0.1초 뒤에 다음 스캔이 옵니다 |
 # | 콜백 안. 단, `MultiThreadedExecutor`로 돌릴 때만 | 1초에 몇 개뿐인 메시지, 짧은 timeout |
 # | `TransformListener(buffer, node, spin_thread=True)` | 따로 spin하지 않을 때. 그 스레드가 노드 *전체*의 콜백을 실행합니다 |
 # | 퓨처(`wait_for_transform_async`) | 메시지가 많고 스레드가 하나일 때. 약속의 수를 제한하십시오 |
@@ -1193,7 +1185,7 @@ draw_lanes(called)
 #
 # **예측해 보십시오.** 12초 뒤에 로봇은 얼마나 오래된 데이터로 결정하고 있을까요?
 
-# %% name="decide" slide="-"
+# %% name="decide" slide="subslide"
 def ages_of_decisions(queue, until_ms=12_000):
     now_ms, next_scan_ms, times_s, ages_s = 0, 0, [], []
     while now_ms < until_ms:
@@ -1224,17 +1216,17 @@ draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 # 4초입니다. 초속 0.5 m라면 로봇은 2미터 전에 본 것을 두고 브레이크를 밟습니다. 그런데도 로그에 빨간 줄은 하나도 없습니다.
 # 메시지를 *하나도 잃지 않았습니다*. 바로 그것이 문제입니다.
 #
-# 두 개만 두면 스캔의 3분의 1을 버리는 대신, 0.3 s보다 오래된 데이터로 내리는 결정은 하나도 없습니다.
+# 두 개만 두면 스캔의 3분의 1을 버리는 대신, 0.3초보다 오래된 데이터로 내리는 결정은 하나도 없습니다.
 # **로봇을 움직일 때는 빠짐없는 것보다 새로운 것이 낫습니다.** (나중에 지도를 만들 때는 반대일 수 있습니다.)
 #
-# 이런 로봇의 정책을 적으면 이렇습니다. 최대 0.2 s 기다린다(이런 숫자를 어떻게 구하는지는 바로 다음에 나옵니다). 그다음에는 버린다. 두 개만 두고, 넘치면 가장 오래된 것을 버린다. 0.5 s보다 오래된 데이터로는 바퀴를 돌리지 않는다.
+# 이런 로봇의 정책을 적으면 이렇습니다. 최대 0.2초 기다린다(이런 숫자를 어떻게 구하는지는 바로 다음에 나옵니다). 그다음에는 버린다. 두 개만 두고, 넘치면 가장 오래된 것을 버린다. 0.5초보다 오래된 데이터로는 바퀴를 돌리지 않는다.
 
 # %% [markdown] lang="en" name="policy-notes" slide="notes"
 # Let them say a number before you run it; most say 0.15 s or 0.3 s.
 # Then ask what the curve looks like after an hour.
 
 # %% [markdown] lang="ko" name="policy-notes" slide="notes"
-# 실행하기 전에 숫자를 말하게 하십시오. 대부분 0.15 s나 0.3 s라고 합니다.
+# 실행하기 전에 숫자를 말하게 하십시오. 대부분 0.15초나 0.3초라고 합니다.
 # 그러고 나서 한 시간 뒤에는 곡선이 어떻게 될지 물어보십시오.
 
 # %% [markdown] lang="en" name="how-long" slide="subslide"
@@ -1254,39 +1246,37 @@ draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 #
 # 취향이 아니라 계산할 수 있는 값입니다. 스캔은 자신과 *같거나 뒤인* 시각의 첫 변환을 기다립니다.
 #
-# - 최악의 경우 그 변환의 시각은 한 **주기**만큼 뒤입니다(10 Hz면 0.1 s).
+# - 최악의 경우 그 변환의 시각은 한 **주기**만큼 뒤입니다(10 Hz면 0.1초).
 # - 그것이 도착하는 데 **지연**만큼, 최악에는 **[[jitter|지터(jitter)]]** 전부만큼 더 걸립니다.
 # - 스캔도 오는 데 시간이 걸렸습니다. 그 시간은 이미 지나갔습니다.
 #
-# 경로 위 최악의 연결을 두고 `기다림 = 주기 + 지연 + 지터 − 스캔 자신의 지연`입니다. 변환이 오는 데 0.15 s가 더 걸린 로봇 C라면 0.1 + (0.010 + 0.15) + 0 − 0.105 = 0.155 s입니다.
+# 경로 위 최악의 연결을 두고 `기다림 = 주기 + 지연 + 지터 − 스캔 자신의 지연`입니다. 변환이 오는 데 0.15초가 더 걸린 로봇 C라면 0.1 + (0.010 + 0.15) + 0 − 0.105 = 0.155초입니다.
 # 이보다 오래 기다려야 통한다면 기뻐하지 말고 시계를 보십시오.
 
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
 # ## Checkpoint
 #
-# Your robot has two computers. For an hour, every scan has failed with *extrapolation into the future*, always by 0.40 s, give or take 2 ms. `ros2 topic delay /scan` prints −0.31. What do you do?
+# Your robot has two computers. For an hour, every scan has failed with *extrapolation into the future*, always by 0.40 s, give or take 2 ms. `ros2 topic delay /scan` prints −0.31. What do you do? Choose one, then open its reply.
 #
-# 1. `timeout=Duration(seconds=1)`
-# 2. Ask with `Time()`, the latest, instead of the stamp
-# 3. Write the time of arrival into `header.stamp`
-# 4. `chronyc tracking` on both computers, and set the clock right
-#
-# <details><summary>1</summary>
+# <details><summary>1. <code>timeout=Duration(seconds=1)</code></summary>
 #
 # The warnings will go away, and each scan will be placed where the laser was 0.4 s after it measured. You have seen that picture. The wait asks "is it there?", not "is it true?".
 #
 # </details>
-# <details><summary>2</summary>
+#
+# <details><summary>2. Ask with <code>Time()</code>, the latest, instead of the stamp</summary>
 #
 # `Time()` always gets an answer, and throws away the only thing that the stamp is for: when it was measured. While the robot stands still nobody notices. When it turns, the walls smear (chapter 08).
 #
 # </details>
-# <details><summary>3</summary>
+#
+# <details><summary>3. Write the time of arrival into <code>header.stamp</code></summary>
 #
 # Then the stamp says when the message was *heard*. The exception is gone, the sweep time and the transport are hidden in the stamp, and nobody downstream can ever find out.
 #
 # </details>
-# <details><summary>4</summary>
+#
+# <details><summary>4. <code>chronyc tracking</code> on both computers, and set the clock right</summary>
 #
 # Yes. Constant for an hour, hardly any tremble, and a negative delay: that is a clock, and a clock is set right where it is wrong.
 #
@@ -1295,29 +1285,27 @@ draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 # %% [markdown] lang="ko" name="checkpoint" slide="slide"
 # ## 확인 문제
 #
-# 로봇에 컴퓨터가 두 대 있습니다. 한 시간째 모든 스캔이 *extrapolation into the future*로 실패합니다. 언제나 0.40 s이고 오차는 2 ms 남짓입니다. `ros2 topic delay /scan`은 −0.31을 보여 줍니다. 어떻게 하겠습니까?
+# 로봇에 컴퓨터가 두 대 있습니다. 한 시간째 모든 스캔이 *extrapolation into the future*로 실패합니다. 언제나 0.40초이고 오차는 2 ms 남짓입니다. `ros2 topic delay /scan`은 −0.31을 보여 줍니다. 어떻게 하겠습니까? 하나를 고른 뒤 답을 펼쳐 보십시오.
 #
-# 1. `timeout=Duration(seconds=1)`을 넣습니다
-# 2. 측정 시각 대신 최신을 뜻하는 `Time()`으로 묻습니다
-# 3. `header.stamp`에 도착한 시각을 써넣습니다
-# 4. 두 컴퓨터에서 `chronyc tracking`을 실행하고 시계를 바로잡습니다
+# <details><summary>1. <code>timeout=Duration(seconds=1)</code>을 넣습니다</summary>
 #
-# <details><summary>1번</summary>
-#
-# 경고는 사라지고, 모든 스캔은 측정 0.4 s 뒤의 레이저 위치에 찍힙니다. 그 그림은 이미 보았습니다. 기다림은 "왔습니까?"라고 물을 뿐 "맞습니까?"라고 묻지 않습니다.
+# 경고는 사라지고, 모든 스캔은 측정 0.4초 뒤의 레이저 위치에 찍힙니다. 그 그림은 이미 보았습니다. 기다림은 "왔습니까?"라고 물을 뿐 "맞습니까?"라고 묻지 않습니다.
 #
 # </details>
-# <details><summary>2번</summary>
+#
+# <details><summary>2. 측정 시각 대신 최신을 뜻하는 <code>Time()</code>으로 묻습니다</summary>
 #
 # `Time()`은 언제나 답을 얻지만, 시각이 존재하는 단 하나의 이유인 '언제 측정했는가'를 버립니다. 로봇이 서 있으면 아무도 모릅니다. 돌기 시작하면 벽이 번집니다(08장).
 #
 # </details>
-# <details><summary>3번</summary>
+#
+# <details><summary>3. <code>header.stamp</code>에 도착한 시각을 써넣습니다</summary>
 #
 # 그러면 `header.stamp`는 메시지를 *들은* 시각이 됩니다. 예외는 사라지지만 스캔 시간과 전송 시간이 그 속에 숨고, 뒤에서 이 데이터를 쓰는 누구도 그것을 알아낼 수 없습니다.
 #
 # </details>
-# <details><summary>4번</summary>
+#
+# <details><summary>4. 두 컴퓨터에서 <code>chronyc tracking</code>을 실행하고 시계를 바로잡습니다</summary>
 #
 # 맞습니다. 한 시간째 일정하고, 거의 떨림이 없고, 지연이 음수입니다. 그것은 시계이고, 시계는 틀린 곳에서 바로잡습니다.
 #
@@ -1390,11 +1378,11 @@ graph.run(seconds=4)
 # What to type when it happens, in this order. All but the last also run here; that one needs two real computers.
 #
 # ```bash
-# ros2 topic delay /scan                       # negative? two clocks
-# ros2 topic delay /odom                       # the transform's side, by the same clock
-# ros2 param get /careful use_sim_time         # one node on another time than the rest?
-# ros2 run tf2_ros tf2_monitor map laser_frame # which edge is late, and how late
-# chronyc tracking                             # on each computer
+# ros2 topic delay /scan                        # negative? two clocks
+# ros2 topic delay /odom                        # the transforms' side
+# ros2 param get /careful use_sim_time          # another time than the rest?
+# ros2 run tf2_ros tf2_monitor map laser_frame  # which edge is late
+# chronyc tracking                              # on each computer
 # ```
 
 # %% [markdown] lang="ko" name="robot-commands" slide="subslide"
@@ -1476,7 +1464,7 @@ graph.run(seconds=4)
 #
 # </details>
 #
-# **08장에서.** `Time()`은 무엇을 묻습니까? 이 장의 버퍼에는 오도메트리 소식이 14.6 s까지 있는데, 왜 14.0 s의 답이 나올까요?
+# **08장에서.** `Time()`은 무엇을 묻습니까? 이 장의 버퍼에는 오도메트리 소식이 14.6초까지 있는데, 왜 14.0초의 답이 나올까요?
 #
 # <details><summary>답</summary>
 #
@@ -1556,6 +1544,13 @@ graph.run(seconds=4)
 # Without looking: your log says *extrapolation into the future*. Name the **two** things it can mean, and the **one** command that tells them apart.
 # Write one sentence for the colleague who wants to raise the timeout.
 #
+# <details><summary>One good ending</summary>
+#
+# The transform is late, or a clock is wrong. `ros2 topic delay`: data that is late shows a delay above the healthy one, and it trembles; below zero it is a clock.
+# "If it is late, a short wait is enough; if it is a clock, a long one only hides it: let us look at the delay first."
+#
+# </details>
+#
 # Then go to the exercises: [09, seven tasks](../../exercises/en/09_exceptions_and_waiting.ipynb).
 # On your checklist this chapter is **C10**: you have now reproduced the lookup, the connectivity and the extrapolation error. Here it was simulated; do it once on the robot.
 
@@ -1564,6 +1559,13 @@ graph.run(seconds=4)
 #
 # 보지 않고 답해 보십시오. 로그에 *extrapolation into the future*가 나왔습니다. 이것이 뜻할 수 있는 **두** 가지와, 둘을 가려내는 **한** 가지 명령을 말하십시오.
 # timeout을 늘리자는 동료에게 건넬 한 문장을 적어 보십시오.
+#
+# <details><summary>좋은 답의 한 예</summary>
+#
+# 변환이 늦거나, 시계가 틀렸습니다. `ros2 topic delay`를 봅니다. 데이터가 늦으면 지연이 정상보다 크고 떨립니다. 0보다 작으면 시계입니다.
+# "늦은 것이라면 조금만 기다려도 되고, 시계라면 오래 기다려 봐야 가려질 뿐이니, 먼저 지연부터 봅시다."
+#
+# </details>
 #
 # 이제 연습 문제를 푸십시오. [09장, 과제 일곱 개](../../exercises/ko/09_exceptions_and_waiting.ipynb).
 # 실습 체크리스트에서 이 장은 **C10**입니다. 이제 조회·연결·외삽 오류를 모두 직접 만들어 보았습니다. 여기서는 시뮬레이션이었으니, 로봇에서도 한 번 해 보십시오.

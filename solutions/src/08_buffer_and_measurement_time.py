@@ -1,5 +1,5 @@
 # %% [markdown] lang="en" name="title"
-# # Exercises 08 · Buffer and measurement time
+# # Exercises 08 · Where was I when I saw it?
 #
 # Seven tasks, 22 points, about an hour. The page they belong to: [08 · Where was I when I saw it?](../../notebooks/en/08_buffer_and_measurement_time.ipynb)
 #
@@ -8,7 +8,7 @@
 # Your numbers come from `task(...)` and may differ from your neighbour's, so answer with an expression, such as `e8_1.clock_s - 1.0`, and not with a number that you worked out elsewhere.
 
 # %% [markdown] lang="ko" name="title"
-# # 연습 문제 08 · 버퍼와 측정 시각
+# # 연습 문제 08 · 그것을 보았을 때 나는 어디에 있었습니까?
 #
 # 과제 일곱 개, 22점, 한 시간쯤 걸립니다. 함께 보는 페이지: [08 · 그것을 보았을 때 나는 어디에 있었습니까?](../../notebooks/ko/08_buffer_and_measurement_time.ipynb)
 #
