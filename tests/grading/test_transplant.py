@@ -9,7 +9,7 @@ import tiny
 
 from tflab.grading.pack import read_pack
 from tflab.grading.reader import read_notebook
-from tflab.grading.transplant import Master, Transplant, transplant
+from tflab.grading.transplant import Master, Transplant, answers_any, transplant
 
 
 @pytest.fixture(scope="module")
@@ -227,5 +227,59 @@ def test_a_last_cell_that_answers_everything_is_asked_for_all_that_was_left(
 ) -> None:
     notebook = course.exercise()
     notebook["cells"].append(tiny.own_cell("\n".join(tiny.RIGHT.values()), "all"))
-    probes = ["probe e3-1-check-again", "probe e3-2-check-again", "probe e3-3-check-again"]
-    assert kinds(transplanted(master, notebook))[-4:] == [probes[2], *probes]
+    probes = ["probe e3-3-check-again", "probe e3-1-check-again", "probe e3-2-check-again"]
+    assert kinds(transplanted(master, notebook))[-4:] == ["own e3-3-check+1", *probes]
+
+
+@pytest.mark.parametrize(
+    ("merged", "into"),
+    [
+        (("e3-1-given", "e3-1-answer"), "e3-1-given"),
+        (("e3-1-answer", "e3-1-check"), "e3-1-check"),
+        (("e3-1-given", "e3-1-answer", "e3-1-check"), "e3-1-given"),
+        (("imports", "e3-2-answer"), "imports"),
+        (("e3-2-answer", "e3-2-check", "e3-3-answer"), "e3-2-answer"),
+    ],
+)
+def test_cells_that_were_merged_lose_no_answer(
+    master: Master, notebook: dict, merged: tuple[str, ...], into: str
+) -> None:
+    cell(notebook, into)["source"] = "\n".join("".join(cell(notebook, name)["source"]) for name in merged)
+    notebook["cells"] = [one for one in notebook["cells"] if one["id"] == into or one["id"] not in merged]
+    done = transplanted(master, notebook)
+    assert done.answered == ("E3.1", "E3.2", "E3.3")
+    ran = "\n".join(piece.source for piece in done.pieces if piece.kind in ("own", "answer"))
+    assert all(text in ran for name, text in tiny.RIGHT.items())
+
+
+def test_a_place_is_not_filled_where_a_merged_cell_has_answered(master: Master, notebook: dict) -> None:
+    cell(notebook, "e3-1-answer")["source"] += "\n" + tiny.RIGHT["e3-2-answer"]
+    del notebook["cells"][tiny.index_of(notebook, "e3-2-answer")]
+    stub = source(transplanted(master, notebook), "e3-2-answer-stub")
+    kept = {"length": 7}
+    exec(stub, kept)
+    assert kept["length"] == 7
+    empty: dict = {}
+    exec(stub, empty)
+    assert callable(empty["length"])
+
+
+@pytest.mark.parametrize("place", [0, 3, -1])
+@pytest.mark.parametrize("text", ["length(3, 4)", "# an idea", "print(length(1, 1))\n1 / 0"])
+def test_a_copy_that_answers_nothing_is_a_cell_of_ones_own(
+    master: Master, notebook: dict, place: int, text: str
+) -> None:
+    notebook["cells"].insert(place, cell(notebook, "e3-2-answer") | {"source": text, "id": "scratch"})
+    done = transplanted(master, notebook)
+    assert said(done) == []
+    assert source(done, "e3-2-answer") == tiny.RIGHT["e3-2-answer"]
+    assert text in [piece.source for piece in done.pieces if piece.kind == "own"]
+
+
+def test_a_notebook_without_our_cells_may_answer_all_the_same(master: Master, notebook: dict) -> None:
+    def answers(text: str) -> bool:
+        cells = {"cells": [tiny.own_cell(text, "all")], "metadata": notebook["metadata"], "nbformat": 4}
+        return answers_any(master, read_notebook(json.dumps(cells).encode()))
+
+    assert answers("\n".join(tiny.RIGHT.values()))
+    assert not answers("print('a page to read')")

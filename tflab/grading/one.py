@@ -18,7 +18,7 @@ from .attempt import Attempt, NotRun, Ran, attempt
 from .plan import PlannedCell
 from .reader import SubmittedNotebook, Unreadable, read_notebook
 from .remarks import Remark
-from .transplant import Master, MasterCell, Transplant, transplant
+from .transplant import Master, MasterCell, Transplant, answers_any, transplant
 from .verdicts import Verdict, judged
 
 __all__ = ["File", "Job", "RunCells", "graded", "record_with"]
@@ -141,6 +141,13 @@ def _by_chapter(job: Job, masters: Mapping[str, Master], remarks: list[Remark]) 
     """Return for each chapter the notebook that counts, with what is to be said of the others."""
     candidates: dict[str, list[_Chapter]] = {}
     strangers = []
+
+    def add(stem: str, file: File, notebook: SubmittedNotebook) -> None:
+        lines = [Remark("file", file=file.name, why=why) for why in notebook.remarks]
+        lines += _stamp_remarks(job, file.name, notebook)
+        transplanted = transplant(masters[stem], notebook)
+        candidates.setdefault(stem, []).append(_Chapter(file, notebook, transplanted, lines))
+
     for file in job.files:
         if file.fault is not None:
             remarks.append(Remark("unreadable", file=file.name, why=file.fault))
@@ -152,13 +159,15 @@ def _by_chapter(job: Job, masters: Mapping[str, Master], remarks: list[Remark]) 
             continue
         stem = _chapter_of(notebook, masters)
         if stem is None:
-            strangers.append(file.name)
-            continue
-        lines = [Remark("file", file=file.name, why=why) for why in notebook.remarks]
-        lines += _stamp_remarks(job, file.name, notebook)
-        transplanted = transplant(masters[stem], notebook)
-        candidates.setdefault(stem, []).append(_Chapter(file, notebook, transplanted, lines))
-    for name in strangers:
+            strangers.append((file, notebook))
+        else:
+            add(stem, file, notebook)
+    for file, notebook in strangers:  # all in one cell of their own, perhaps
+        stem = notebook.stamp.get("chapter")
+        if stem in masters and stem not in candidates and answers_any(masters[stem], notebook):
+            add(stem, file, notebook)
+    taken = {one.file.name for several in candidates.values() for one in several}
+    for name in [file.name for file, _ in strangers if file.name not in taken]:
         if not candidates or (any(stem in name for stem in masters) and not WORTH_A_LINE.search(name)):
             remarks.append(Remark("no exercise", file=name))
     chosen = {}

@@ -8,9 +8,10 @@
     e3-2-check                e3-2-check                <probe E3.2>
 
 A cell is known by the task that its metadata names, then by its id, then by its
-text.  Two different cells that claim one name void that answer and no other.
-Own cells stay behind the cell of ours that they were put behind.  An answer that
-only a cell behind the check completes is seen by a second probe there.
+text.  Two different cells that answer under one name void that answer and no other;
+a copy that answers nothing is a cell of the learner's own.  Own cells stay behind the
+cell of ours that they were put behind.  An answer that only a cell behind the check
+completes is seen by a second probe there.
 
 Read `plan.py` next.
 """
@@ -19,7 +20,7 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -28,7 +29,7 @@ from tflab.workbook.tasks import slug
 from .reader import SubmittedCell, SubmittedNotebook
 from .remarks import Remark
 
-__all__ = ["Master", "MasterCell", "Piece", "Transplant", "master_of", "transplant"]
+__all__ = ["Master", "MasterCell", "Piece", "Transplant", "answers_any", "master_of", "transplant"]
 
 ROLES = ("given", "answer", "check")
 
@@ -54,6 +55,12 @@ class Master:
     def tasks(self) -> tuple[str, ...]:
         """The tasks in the order of the page."""
         return tuple(dict.fromkeys(cell.task for cell in self.cells if cell.task))
+
+    def asked(self) -> dict[str, set[str]]:
+        """Return for each task the names that its check asks for: of what its answer defines, what the check says."""
+        checks = {cell.task: set(re.findall(r"\w+", cell.source)) for cell in self.cells if cell.role == "check"}
+        defined = {cell.task: _defined(cell.source) for cell in self.cells if cell.role == "answer"}
+        return {task: names & checks.get(task, names) or names for task, names in defined.items()}
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,14 +115,24 @@ def master_of(notebook: Mapping, chapter: str, tasks: Iterable[str]) -> Master:
     return Master(chapter, tuple(cells))
 
 
+def answers_any(master: Master, handed_in: SubmittedNotebook) -> bool:
+    """Return whether a notebook in which none of our cells is left answers a task all the same."""
+    wanted = set().union(*master.asked().values())
+    return any(_defined(cell.source) & wanted for cell in handed_in.cells if cell.kind == "code")
+
+
 def transplant(master: Master, handed_in: SubmittedNotebook) -> Transplant:
     """Return what runs of a notebook in the place of the master's answers."""
-    found = _find(master, handed_in.cells)
-    # With cells of their own, an answer may stand anywhere: look at every task then.
-    wrote_elsewhere = bool(found.own) or any(_kept_texts(cell, found) for cell in master.cells)
-    sources = {cell.name: _source(cell, found) for cell in master.cells}
+    asked = master.asked()
+    found = _find(master, handed_in.cells, asked)
     answers = [cell for cell in master.cells if cell.role == "answer"]
+    lost = {cell.task for cell in answers if cell.name not in found.texts}
+    kept_texts = {cell.name: _kept_texts(cell, found, asked, lost) for cell in master.cells}
+    # With cells of their own, or an answer in another's cell, one may stand anywhere: look at every task then.
+    wrote_elsewhere = bool(found.own) or any(kept_texts.values()) or _holds(found, asked, lost)
+    sources = {cell.name: _source(cell, found, asked) for cell in master.cells}
     stubs = {cell.task: cell for cell in answers if _same(sources[cell.name][0], cell.source)}
+    to_fill = {task: _stub(cell, asked[task] if task in lost else ()) for task, cell in stubs.items()}
     before_tasks = [cell.name for cell in master.cells[: _first_task(master)]]
     with_given = {cell.task for cell in master.cells if cell.role == "given"}
     pieces: list[Piece] = [_own("", number, text) for number, text in enumerate(found.own.get("", ()))]
@@ -126,23 +143,27 @@ def transplant(master: Master, handed_in: SubmittedNotebook) -> Transplant:
             pieces.append(Piece("ours", cell.name, cell.source, cell.task))
         # What was left as it was comes first, so that it undoes no answer that stands in a cell of the learner's.
         if cell.role == "given" and cell.task in stubs:
-            pieces.append(_stub(stubs[cell.task]))
+            pieces.append(to_fill[cell.task])
         if before_tasks and cell.name == before_tasks[-1]:
-            pieces += [_stub(stub) for task, stub in stubs.items() if task not in with_given]
+            pieces += [stub for task, stub in to_fill.items() if task not in with_given]
         if cell.role == "answer" and cell.task not in stubs:
             pieces.append(Piece("answer", cell.name, source, cell.task))
         if cell.role == "answer" and (wrote_elsewhere or cell.task not in stubs) and not _is_void(complaint):
             answered.append(cell.task)
-        texts = _kept_texts(cell, found) + found.own.get(cell.name, [])
+        texts = kept_texts[cell.name] + found.own.get(cell.name, [])
         own = [_own(cell.name, number, text, cell.task) for number, text in enumerate(texts)]
         probe = [Piece("probe", cell.name, task=cell.task)] if cell.role == "check" else []
         # It may also be completed behind the check: look again there.
         again = [Piece("probe", f"{cell.name}-again", task=cell.task)] if probe and own else []
         pieces += [*probe, *own, *again]
-    if found.own:  # one of them may answer what was left as it was, wherever it stands
+    if wrote_elsewhere:  # what was left as it was may be answered there, wherever it stands
         open_ = {cell.task for cell in answers if not _defined(sources[cell.name][0]) & _defined(cell.source)}
         checks = [cell for cell in master.cells if cell.role == "check" and cell.task in open_ | set(stubs)]
-        pieces += [Piece("probe", f"{cell.name}-again", task=cell.task) for cell in checks]
+        pieces += [
+            Piece("probe", f"{cell.name}-again", task=cell.task)
+            for cell in checks
+            if _is_written_behind(pieces, cell, lost)
+        ]
     remarks = tuple(complaint for _, complaint in sources.values() if complaint)
     void = {remark.task for remark in remarks if _is_void(remark)}
     kept = tuple(piece for piece in pieces if piece.kind != "probe" or piece.task not in void)
@@ -153,21 +174,30 @@ def _first_task(master: Master) -> int:
     return next((number for number, cell in enumerate(master.cells) if cell.task), len(master.cells))
 
 
-def _stub(cell: MasterCell) -> Piece:
-    return Piece("stub", f"{cell.name}-stub", cell.source, cell.task)
+def _is_written_behind(pieces: Sequence[Piece], check: MasterCell, lost: set[str]) -> bool:
+    """Return whether there is a cell behind the last probe of a task that may answer it."""
+    kinds = ("own", "answer") if check.task in lost else ("own",)
+    last = max(number for number, piece in enumerate(pieces) if (piece.kind, piece.task) == ("probe", check.task))
+    return any(piece.kind in kinds for piece in pieces[last:])
 
 
-def _find(master: Master, cells: Iterable[SubmittedCell]) -> _Found:
-    names = {cell.name for cell in master.cells}
-    texts = {_bare(cell.source): cell.name for cell in master.cells}
+def _stub(cell: MasterCell, unless: Iterable[str]) -> Piece:
+    """Return what fills the place of an answer; if its cell is gone, unless another cell has answered already."""
+    names = ", ".join(map(repr, sorted(unless)))
+    source = f"if not {{{names}}} & set(globals()): exec({cell.source!r})" if names else cell.source
+    return Piece("stub", f"{cell.name}-stub", source, cell.task)
+
+
+def _find(master: Master, cells: Iterable[SubmittedCell], asked: Mapping[str, set[str]]) -> _Found:
     cells = tuple(cells)
-    claimed = {claim for cell in cells for claim in cell.claims if claim in names}
+    names = _names(master, cells)
+    for cell in master.cells:
+        if cell.role == "answer":
+            for number in _scratch(cell, cells, names, asked[cell.task]):
+                del names[number]
     found, last = _Found(), ""
     for number, cell in enumerate(cells):
-        name = next((claim for claim in cell.claims if claim in names), None)
-        if name is None and cell.kind == "code":
-            by_text = texts.get(_bare(cell.source))
-            name = by_text if by_text not in claimed else None
+        name = names.get(number)
         if name is not None:
             found.texts.setdefault(name, []).append(_Text(cell.source, cell.kind == "code", number))
             last = name
@@ -176,14 +206,51 @@ def _find(master: Master, cells: Iterable[SubmittedCell]) -> _Found:
     return found
 
 
-def _source(cell: MasterCell, found: _Found) -> tuple[str, Remark | None]:
+def _names(master: Master, cells: Sequence[SubmittedCell]) -> dict[int, str]:
+    """Return which cells are which of ours."""
+    known = {cell.name for cell in master.cells}
+    texts = {_bare(cell.source): cell.name for cell in master.cells}
+    claimed = {claim for cell in cells for claim in cell.claims if claim in known}
+    names = {}
+    for number, cell in enumerate(cells):
+        name = next((claim for claim in cell.claims if claim in known), None)
+        if name is None and cell.kind == "code":
+            by_text = texts.get(_bare(cell.source))
+            name = by_text if by_text not in claimed else None
+        if name is not None:
+            names[number] = name
+    return names
+
+
+def _scratch(
+    answer: MasterCell, cells: Sequence[SubmittedCell], names: Mapping[int, str], asked: set[str]
+) -> list[int]:
+    """Return the cells that only have an answer's name: copies to try something in, while one other cell answers."""
+    mine = [number for number, name in names.items() if name == answer.name and cells[number].kind == "code"]
+    changed = {number: text for number in mine if (text := _bare(cells[number].source)) != _bare(answer.source)}
+    answering = {number for number, text in changed.items() if _defined(text) & asked}
+    halves = list(changed) == list(range(min(changed, default=0), min(changed, default=0) + len(changed)))
+    if halves or len({changed[number] for number in answering}) != 1:
+        return []
+    return [number for number in changed if number not in answering]
+
+
+def _holds(found: _Found, asked: Mapping[str, set[str]], lost: set[str]) -> bool:
+    """Return whether a task whose cell is gone is answered in a cell of another."""
+    wanted = set().union(*(asked[task] for task in lost))
+    return bool(wanted) and any(
+        _defined(text.source) & wanted for texts in found.texts.values() for text in texts if text.is_code
+    )
+
+
+def _source(cell: MasterCell, found: _Found, asked: Mapping[str, set[str]]) -> tuple[str, Remark | None]:
     """Return the text of one of our cells as it is to run, and what there is to say about it."""
     there = found.texts.get(cell.name, [])
     code = {_bare(text.source): text for text in there if text.is_code}
     changed = [text for bare, text in code.items() if bare and bare != _bare(cell.source)]
     if cell.role != "answer":
         return cell.source, Remark("changed", cell.task, cell=cell.name) if changed and cell.task else None
-    if len(changed) > 1 and not _is_split(cell, changed):
+    if len(changed) > 1 and not _is_split(changed, asked[cell.task]):
         return cell.source, Remark("twice", cell.task, cell=cell.name)
     if there and not code:
         return cell.source, Remark("no code", cell.task, cell=cell.name)
@@ -192,7 +259,7 @@ def _source(cell: MasterCell, found: _Found) -> tuple[str, Remark | None]:
     return "\n".join(text.source for text in changed) if changed else cell.source, None
 
 
-def _is_split(cell: MasterCell, texts: list[_Text]) -> bool:
+def _is_split(texts: list[_Text], asked: set[str]) -> bool:
     """Return whether these are one answer that was split over neighbouring cells, not several answers.
 
     An editor that splits a cell gives both halves its name. Then only one of them defines what is asked for.
@@ -200,7 +267,6 @@ def _is_split(cell: MasterCell, texts: list[_Text]) -> bool:
     places = [text.place for text in texts]
     if places != list(range(places[0], places[0] + len(places))):
         return False
-    asked = _defined(cell.source)
     return sum(bool(_defined(text.source) & asked) for text in texts) == 1
 
 
@@ -221,15 +287,17 @@ def _is_void(remark: Remark | None) -> bool:
     return remark is not None and remark.kind in ("twice", "no code")
 
 
-def _kept_texts(cell: MasterCell, found: _Found) -> list[str]:
+def _kept_texts(cell: MasterCell, found: _Found, asked: Mapping[str, set[str]], lost: set[str]) -> list[str]:
     """Return what the learner wrote into a cell of ours that is not theirs, where it can still serve.
 
-    More imports in the imports, or the answer in the check; never what is given.
+    More imports in the imports, or the answer in the check; what is given only where the answer's cell was merged
+    into it.
     """
-    if cell.role in ("answer", "given"):
+    if cell.role == "answer" or (cell.role == "given" and cell.task not in lost):
         return []
     texts = dict.fromkeys(text.source for text in found.texts.get(cell.name, ()) if text.is_code)
-    return [text for text in texts if text.strip() and not _same(text, cell.source)][:1]
+    kept = [text for text in texts if text.strip() and not _same(text, cell.source)][:1]
+    return kept if cell.role != "given" or any(_defined(text) & asked[cell.task] for text in kept) else []
 
 
 def _own(behind: str, number: int, text: str, task: str = "") -> Piece:
