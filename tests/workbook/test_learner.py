@@ -42,9 +42,8 @@ def test_a_class_copy_has_the_exercises_that_it_is_given_cases_for_and_those_cas
     assert not (copy / "solutions").exists()
 
 
-def test_solutions_are_laid_out_only_if_asked_for(handed_out: HandedOut, tmp_path: Path) -> None:
-    assert not (lay_out(tmp_path / "one", "en") / "solutions").exists()
-    assert (lay_out(tmp_path / "two", "en", with_solutions=True) / "solutions/en/03_small.ipynb").exists()
+def test_no_solution_is_laid_out(handed_out: HandedOut, tmp_path: Path) -> None:
+    assert not (lay_out(tmp_path / "copy", "en") / "solutions").exists()
 
 
 def test_what_was_deleted_comes_back_and_what_was_written_stays(handed_out: HandedOut, tmp_path: Path) -> None:

@@ -129,7 +129,6 @@ class Evidence:
     Attributes:
         moving, statics: what came on /tf and on /tf_static, in the order of first mention.
         has_arrival: whether times of receipt and the order of arrival are known.
-        has_raw: whether refused transforms are there too, and numbers and names as sent.
         raw_names: every (parent, child, topic), as sent, in the order of first mention.
     """
 
@@ -139,7 +138,6 @@ class Evidence:
     statics: list[Edge]
     raw_names: list[tuple[str, str, str]]
     has_arrival: bool
-    has_raw: bool
     begin_ns: int = 0
     end_ns: int = 0
     headers: tuple[Headers, ...] = ()
@@ -208,7 +206,6 @@ def evidence_from_recording(recording: Recording, namespace: str = "") -> Eviden
             if is_mine
         ],
         has_arrival=True,
-        has_raw=True,
         begin_ns=recording.begin_ns,
         end_ns=recording.end_ns,
         headers=headers,
@@ -244,7 +241,6 @@ def evidence_from_buffer(buffer: BufferCore, subject: str = "buffer") -> Evidenc
         statics=[edge for edge in edges if edge.is_static],
         raw_names=raw_names,
         has_arrival=False,
-        has_raw=False,
         begin_ns=min((int(edge.stamp_ns[0]) for edge in moving), default=0),
         end_ns=max((int(edge.stamp_ns[-1]) for edge in moving), default=0),
     )

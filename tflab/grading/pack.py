@@ -17,7 +17,7 @@ import hashlib
 import hmac
 import json
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -138,8 +138,8 @@ def write_chapter(folder: Path, stem: str, graded: Mapping[str, Any], master: by
     write_whole(folder / "masters" / f"{stem}.ipynb", master)
 
 
-def read_pack(folder: Path, chapters: Sequence[str] | None = None) -> Pack:
-    """Return the pack in a folder; with `chapters`, only those.
+def read_pack(folder: Path) -> Pack:
+    """Return the pack in a folder.
 
     Raises:
         PackError: there is none, or it is damaged, or of another format.
@@ -155,9 +155,8 @@ def read_pack(folder: Path, chapters: Sequence[str] | None = None) -> Pack:
         raise PackError(f"{path} was made by another version of tflab; grade with the version that made it")
     try:
         roster = None if held["roster"] is None else {row[0]: Learner(*row) for row in held["roster"]}
-        stems = [stem for stem in held["chapters"] if chapters is None or stem in chapters]
-        cases = {stem: read_cases(path.parent / "cases" / f"{stem}.json") for stem in stems}
-        masters = {stem: _read_master(path.parent, stem, cases[stem]) for stem in stems}
+        cases = {stem: read_cases(path.parent / "cases" / f"{stem}.json") for stem in held["chapters"]}
+        masters = {stem: _read_master(path.parent, stem, cases[stem]) for stem in cases}
         return Pack(held["release"], held["seed"], held["version"], held["language"], roster, cases, masters)
     except (KeyError, TypeError, ValueError, OSError, CasesError) as error:
         raise PackError(f"{path.parent} is damaged: {type(error).__name__}: {error}") from None

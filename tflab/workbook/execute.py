@@ -17,7 +17,7 @@ import base64
 import json
 import os
 import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -35,20 +35,17 @@ WIDGET = "application/vnd.jupyter.widget-view+json"
 Outputs = dict[str, list[dict]]
 
 
-async def run_page(
-    page: Page, folder: str, cases: dict[str, str], each: Callable[[Cell], None] = lambda cell: None
-) -> tuple[Outputs, list[Fault]]:
+async def run_page(page: Page, folder: str, cases: dict[str, str]) -> tuple[Outputs, list[Fault]]:
     """Run a page's code once; return what its cells store, and what is wrong with that.
 
     Args:
         folder: where the page stands in a workbook, such as "notebooks/en".
         cases: the public cases to put beside it, text by stem.
-        each: is called before each cell.
     """
     with TemporaryDirectory(prefix="tflab-page-", ignore_cleanup_errors=True) as name:
         root = Path(name).resolve()
         _lay_workbook(root, folder, cases)
-        ran = await _run(page, root, folder, each)
+        ran = await _run(page, root, folder)
     outputs = {cell: [_storable(output) for output in _merged(made)] for cell, made in ran.items()}
     found = [fault for cell in page.code for fault in _output_faults(page, cell, outputs[cell.name], str(root))]
     found += _figures(page, outputs)
@@ -65,7 +62,7 @@ def _lay_workbook(root: Path, folder: str, cases: dict[str, str]) -> None:
         (root / "exercises" / "cases" / f"{stem}.json").write_text(text, encoding="utf-8")
 
 
-async def _run(page: Page, root: Path, folder: str, each: Callable[[Cell], None]) -> Outputs:
+async def _run(page: Page, root: Path, folder: str) -> Outputs:
     """Run the code cells in a fresh kernel, which ends with this call, however it ends."""
     import nbformat
     from nbclient import NotebookClient
@@ -79,15 +76,14 @@ async def _run(page: Page, root: Path, folder: str, each: Callable[[Cell], None]
     env = {name: value for name, value in os.environ.items() if not name.startswith("TFLAB_")}
     env |= {"TFLAB_WORKBOOK": str(root), "IPYTHONDIR": str(root / "ipython"), "PYTHONHASHSEED": "0"}
     async with running_kernel(client, env):
-        await _run_cells(client, zip(cells, page.code, strict=True), each)
+        await _run_cells(client, cells)
     return {written.name: list(cell.outputs) for cell, written in zip(cells, page.code, strict=True)}
 
 
-async def _run_cells(client: Any, cells: Iterable[tuple[Any, Cell]], each: Callable[[Cell], None]) -> None:
+async def _run_cells(client: Any, cells: Sequence[Any]) -> None:
     from nbclient.exceptions import CellTimeoutError, DeadKernelError
 
-    for number, (cell, written) in enumerate(cells):
-        each(written)
+    for number, cell in enumerate(cells):
         try:
             await client.async_execute_cell(cell, number)
         except CellTimeoutError:

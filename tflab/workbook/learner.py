@@ -57,7 +57,6 @@ def lay_out(
     edition: str = "self-study",
     learner: str | None = None,
     cases: Mapping[str, dict] | None = None,
-    with_solutions: bool = False,
 ) -> Path:
     """Write a copy of the workbook into `target`, or add to one what it lacks; nothing there is overwritten.
 
@@ -78,7 +77,7 @@ def lay_out(
     workbook = Workbook(__version__, edition, language, learner)
     if (target / MARK).is_file():
         workbook = replace(read_workbook(target), language=language)
-    files = dict(material(language, edition=workbook.edition, cases=cases, with_solutions=with_solutions))
+    files = dict(material(language, edition=workbook.edition, cases=cases))
     target.mkdir(parents=True, exist_ok=True)
     with locked(target):
         write_workbook(target, workbook)  # first, so that a copy that was cut short is known for one
@@ -103,7 +102,7 @@ def update(root: Path) -> list[Change]:
     with locked(root):
         backup = _next_backup(root)
         for language in [language for language in ("en", "ko") if has_language(root, language)]:
-            for name, content in material(language, edition=workbook.edition, with_solutions=_has_solutions(root)):
+            for name, content in material(language, edition=workbook.edition):
                 change = _update_file(root, name, content, backup, workbook.language)
                 if change is not None:
                     changes.append(change)
@@ -116,7 +115,6 @@ def material(
     *,
     edition: str = "self-study",
     cases: Mapping[str, dict] | None = None,
-    with_solutions: bool = False,
 ) -> Iterator[tuple[str, bytes]]:
     """Yield each file of a fresh copy: its path from the copy's folder on, and what is in it.
 
@@ -126,8 +124,6 @@ def material(
     folders = [Path("notebooks", language)]
     if edition != "class" or cases is not None:
         folders += [Path("exercises", language), Path("exercises", "cases")]
-    if with_solutions:
-        folders.append(Path("solutions", language))
     for folder in folders:
         for path in sorted((data / folder).glob("*.json" if folder.name == "cases" else "*.ipynb")):
             if folder.parts[0] == "notebooks":
@@ -196,10 +192,6 @@ def _next_backup(root: Path) -> Path:
     while (root / BACKUPS / str(number)).exists():
         number += 1
     return BACKUPS / str(number)
-
-
-def _has_solutions(root: Path) -> bool:
-    return any(root.glob("solutions/*/*.ipynb"))
 
 
 def _json(cases: dict) -> bytes:

@@ -5,10 +5,9 @@
       progress.json           what has been tried (see `progress.py`)
       notebooks/en/           pages to read
       exercises/en/           pages to answer;  exercises/cases/  what `check` asks
-      solutions/en/           self-study edition only
 
-The same folders, in every language and with their sources, are in the repository
-and in the wheel.  Read `learner.py` next.
+The same folders, in every language, are in the repository and in the wheel, and with
+them the solutions, of which `solution` shows one task at a time.  Read `learner.py` next.
 """
 
 from __future__ import annotations
