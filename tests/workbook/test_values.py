@@ -5,6 +5,9 @@ from __future__ import annotations
 import json
 import math
 from collections import deque
+from dataclasses import dataclass
+from enum import Enum
+from itertools import count
 
 import numpy as np
 import pytest
@@ -122,3 +125,42 @@ def test_unanswered_is_the_dots_or_your_turn():
     assert is_unanswered(to_plain({"a": ..., "b": ...}))
     assert not is_unanswered(to_plain({"a": ..., "b": "past"}))
     assert not is_unanswered(to_plain({}))
+
+
+class Frame(str, Enum):  # noqa: UP042  # as most still write it; it prints as Frame.MAP
+    MAP = "map"
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    x: float
+    y: object
+
+
+@pytest.mark.parametrize(
+    ("value", "same"),
+    [
+        (Frame.MAP, "map"),
+        ({Frame.MAP: np.str_("odom")}, {"map": "odom"}),
+        (np.array(["map", "odom"]), ["map", "odom"]),
+        (np.array([1.0, None], dtype=object), [1.0, None]),
+        (np.array({"x": 1}, dtype=object), {"x": 1}),
+        (Place(1.0, Place(2, [3])), {"x": 1.0, "y": {"x": 2, "y": [3]}}),
+        (range(3), [0, 1, 2]),
+        ({"a": 1, "b": 2}.values(), [1, 2]),
+        (map(float, "12"), [1.0, 2.0]),
+        ((n for n in (1, 2)), [1, 2]),
+    ],
+)
+def test_what_says_the_same_is_the_same(value, same):
+    assert to_plain(value) == to_plain(same)
+
+
+@pytest.mark.parametrize("value", [count(), range(10**15), iter([0] * 300_000)])
+def test_what_does_not_end_is_refused(value):
+    with pytest.raises(ValueError, match="too long"):
+        to_plain(value)
+
+
+def test_a_class_is_not_what_its_members_are():
+    assert to_plain(Place) == {"object": "type"}

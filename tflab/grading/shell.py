@@ -19,6 +19,7 @@ import json
 import logging
 import os
 import socket
+import sys
 import threading
 from types import SimpleNamespace
 from typing import Any
@@ -40,6 +41,7 @@ WARMING = (
 
 def build() -> Any:
     """Make the kernel, once per process; it talks to nobody before `serve`."""
+    import IPython
     from ipykernel.ipkernel import IPythonKernel
     from ipykernel.zmqshell import ZMQInteractiveShell
     from IPython.core.profiledir import ProfileDir
@@ -80,6 +82,7 @@ def build() -> Any:
         def _location_changed(self, change: Any) -> None:
             """Make no folder in anybody's home."""
 
+    IPython.embed = nobody_is_there
     config = Config()
     config.HistoryManager.enabled = False
     config.InteractiveShell.xmode = "Minimal"  # nobody reads the traceback, and a full one takes long
@@ -111,6 +114,11 @@ def warm_up(kernel: Any) -> None:
     for name in set(shell.user_ns) - before:
         del shell.user_ns[name]
     shell.execution_count = 1
+
+
+def nobody_is_there(*_: Any, **__: Any) -> None:
+    """Stand in for IPython's shell in a shell, which would take this one's place and wait for a keyboard."""
+    raise RuntimeError("there is no keyboard here")
 
 
 def as_message(kind: str, parent: dict[str, Any], content: Any) -> dict[str, Any]:
@@ -155,6 +163,8 @@ async def _serve(kernel: Any, wire: Wire) -> None:
     wire.send({"ready": True})
     while True:
         request = await _next(wire)
+        if any(stream is None or getattr(stream, "closed", False) for stream in (sys.stdout, sys.stderr)):
+            sys.stdout = sys.stderr = open(os.devnull, "w")  # noqa: SIM115  # an answer closed it: none could run then
         parent = {"header": {"msg_id": request["msg_id"], "session": "grader", "msg_type": "execute_request"}}
         kernel.set_parent([], parent)
         try:

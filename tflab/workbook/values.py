@@ -12,17 +12,20 @@ itself; everything else is an object with one key, its kind.
     an array            {"array": [[...], ...]}       a message    {"message": ["geometry_msgs/msg/Point", {...}]}
     an exception        {"raises": "LookupException", "text": "..."}
 
-Anything else is {"object": its class}: it can be named, not judged.  Read `measures.py` next.
+What says the same is the same: a dataclass is a dict of its fields, a range or an
+iterator a list.  Anything else is {"object": its class}: it can be named, not judged.  Read `measures.py` next.
 """
 
 from __future__ import annotations
 
+import dataclasses
 import math
 from array import array
 from collections import deque
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping, ValuesView
 from decimal import Decimal
 from fractions import Fraction
+from itertools import islice
 from types import SimpleNamespace
 from typing import Any
 
@@ -94,8 +97,10 @@ class _Writer:
         self.members += 1
         if depth > MAX_DEPTH or self.members > MAX_MEMBERS:
             raise ValueError("too deep or too long to be an answer")
-        if value is None or isinstance(value, bool | str):
-            return value if type(value) in (type(None), bool, str) else str(value)
+        if value is None or isinstance(value, bool):
+            return value
+        if isinstance(value, str):
+            return _text(value)
         if isinstance(value, np.bool_):
             return bool(value)
         if isinstance(value, int | np.integer):
@@ -107,7 +112,7 @@ class _Writer:
             return members if isinstance(value, list) else {"tuple": members}
         if isinstance(value, Mapping | SimpleNamespace):
             items = dict(value if isinstance(value, Mapping) else vars(value)).items()
-            return {"dict": {str(key): self.plain(member, depth + 1) for key, member in items}}
+            return {"dict": {_text(key): self.plain(member, depth + 1) for key, member in items}}
         return self._special(value, depth)
 
     def _special(self, value: object, depth: int) -> Plain:
@@ -115,8 +120,10 @@ class _Writer:
             return dict(UNANSWERED)
         if isinstance(value, np.ndarray) and value.dtype.kind in "bifu":
             return {"array": self.plain(value.tolist(), depth + 1)}
-        if isinstance(value, array | bytes | deque):
-            return self.plain(list(value), depth)
+        if isinstance(value, np.ndarray) and value.dtype.kind in "UO":
+            return self.plain(value.tolist(), depth + 1)
+        if isinstance(value, array | bytes | deque | range | ValuesView | Iterator):
+            return self.plain(list(islice(value, MAX_MEMBERS + 1)), depth)
         if isinstance(value, Transform):
             return {"Transform": _rows(value)}
         if isinstance(value, StampedTransform):
@@ -135,7 +142,15 @@ class _Writer:
             return {"Buffer": _plain_buffer(value.core)}
         if isinstance(value, BaseException):
             return {"object": f"{type(value).__name__}, returned and not raised"}
+        if dataclasses.is_dataclass(value) and not isinstance(value, type):
+            items = {field.name: getattr(value, field.name) for field in dataclasses.fields(value)}
+            return self.plain(items, depth)
         return {"object": type(value).__name__}
+
+
+def _text(value: object) -> str:
+    """Return a text as it is, whatever its class prints: a member of an Enum of texts prints its name."""
+    return str.__str__(value) if isinstance(value, str) else str(value)
 
 
 def _plain_float(value: float) -> Plain:
