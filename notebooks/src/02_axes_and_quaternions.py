@@ -35,7 +35,7 @@
 # %% [markdown] lang="en" name="needed" slide="skip"
 # ## What you need for this chapter
 #
-# You need Python. If you have not read chapter 1, these lines are enough:
+# You need Python. Chapter 1 is still being written; these lines are all that you need of it:
 #
 # - A [[frame]] is an origin and three directions, with a name: `base_link`, `camera_link`.
 # - A point is a value, a frame and a time. `(2, 0, 0)` alone is a rumour.
@@ -51,7 +51,7 @@
 # %% [markdown] lang="ko" name="needed" slide="skip"
 # ## 이 장에 필요한 것
 #
-# 파이썬만 알면 됩니다. 01장을 아직 읽지 않았다면 다음 내용이면 충분합니다.
+# 파이썬만 알면 됩니다. 01장은 아직 집필 중이므로, 거기서 필요한 내용을 여기에 적어 둡니다.
 #
 # - [[frame|좌표계(frame)]]는 원점과 세 방향에 이름을 붙인 것입니다. `base_link`, `camera_link`처럼 씁니다.
 # - 점은 값, 좌표계, 시각이 모두 있어야 점입니다. `(2, 0, 0)`만으로는 소문일 뿐입니다.
@@ -126,6 +126,7 @@ frames.draw_scene(
     points={"the part": base_T_optical.apply(detected)},
     ghost_points={"where the arm goes": base_T_camera.apply(detected)},
     fixed_frame="base_link",
+    length_m=0.2,
 )
 
 # %% [markdown] lang="en" name="story-after"
@@ -152,6 +153,7 @@ frames.draw_scene(
 # **Write down two triples on paper, now:** where is the mug in `camera_link`, and where is it in `camera_optical_frame`?
 #
 # Guessing is allowed. Not writing is not: a guess in the head bends itself to fit the answer.
+# Then run the next cell. In your own copy, a cell that answers a prediction shows nothing until you run it.
 
 # %% [markdown] lang="ko" name="predict" slide="slide"
 # ## 예측해 보십시오
@@ -161,11 +163,12 @@ frames.draw_scene(
 # **지금 종이에 좌표를 두 개 적어 보십시오.** 머그컵은 `camera_link` 기준으로 어디에 있습니까? `camera_optical_frame` 기준으로는 어디에 있습니까?
 #
 # 찍어도 좋습니다. 다만 반드시 적으십시오. 머릿속에만 둔 예측은 정답을 보는 순간 슬그머니 정답에 맞춰집니다.
+# 적었으면 다음 셀을 실행하십시오. 내 워크북에서는 예측의 답을 보여 주는 셀이 실행하기 전까지 비어 있습니다.
 
-# %% name="predict-run" slide="fragment"
-camera_p_mug = (2.0, 0.0, 0.0)
-print("in camera_link          ", fmt_all(camera_p_mug))
-print("in camera_optical_frame ", fmt_all(axes.optical_from_body(camera_p_mug)))
+# %% name="predict-run" tags=["predicted"] slide="fragment"
+mug = axes.straight_ahead(2.0)
+print("in camera_link          ", fmt_all(mug))
+print("in camera_optical_frame ", fmt_all(axes.optical_from_body(mug)))
 
 # %% [markdown] lang="en" name="predict-replies" slide="fragment"
 # What did you write for the second one?
@@ -266,10 +269,10 @@ axes.draw_body_axes()
 # **예측.** 로봇에 `linear.x = 0.5`(앞으로 초속 0.5미터)와 `angular.z = -0.5`(z축 중심으로 초당 0.5라디안)를 보냅니다. 왼쪽으로 갑니까, 오른쪽으로 갑니까?
 # 비행기 문제도 하나 드립니다. y축을 중심으로 도는 것을 pitch라고 합니다. pitch가 *양수*이면 기수는 올라갑니까, 내려갑니까?
 
-# %% name="signs-drive" slide="fragment"
+# %% name="signs-drive" tags=["predicted"] slide="fragment"
 turns.draw_drives({"angular.z = +0.5": 0.5, "angular.z = 0": 0.0, "angular.z = -0.5": -0.5})
 
-# %% name="signs-hand" slide="subslide"
+# %% name="signs-hand" tags=["predicted"] slide="subslide"
 axes.draw_right_hand()
 
 # %% [markdown] lang="en" name="signs-after" slide="fragment"
@@ -364,10 +367,10 @@ axes.draw_rotation(roll_rad=0.0, pitch_rad=0.0, yaw_rad=0.5)
 #
 # **예측:** 결과가 같습니까?
 
-# %% name="order-figure" slide="fragment"
+# %% name="order-figure" tags=["predicted"] slide="fragment"
 turns.draw_orders(("roll", math.pi / 2), ("yaw", math.pi / 2))
 
-# %% name="order-numbers" slide="subslide"
+# %% name="order-numbers" tags=["predicted"] slide="subslide"
 roll = Transform.from_rpy(roll=math.pi / 2)
 yaw = Transform.from_rpy(yaw=math.pi / 2)
 nose = (1.0, 0.0, 0.0)
@@ -410,7 +413,7 @@ print("first yaw, then roll:", fmt_all((roll @ yaw).apply(nose), ""))
 # 기수를 똑바로 아래로 내립니다. pitch가 90°입니다. 이제 roll과 yaw가 전혀 다른 두 조합을 비교합니다.
 # **예측:** 두 로봇의 자세는 얼마나 다릅니까?
 
-# %% name="gimbal-run" slide="fragment"
+# %% name="gimbal-run" tags=["predicted"] slide="fragment"
 one = Transform.from_rpy(roll=0.0, pitch=math.pi / 2, yaw=0.5).rotation
 other = Transform.from_rpy(roll=1.2, pitch=math.pi / 2, yaw=1.7).rotation
 print("one   (x, y, z, w):", fmt_all(one, ""))
@@ -557,10 +560,11 @@ print("-q turns it to", fmt_all(Transform(rotation=minus).apply(point), ""))
 #
 # 그리고 0/0에서 태어나는 NaN(숫자가 아님)이 있습니다. **예측:** NaN은 1에 가깝습니까, 1에서 멉니까?
 
-# %% name="length-run" slide="fragment"
+# %% name="length-run" tags=["predicted"] slide="fragment"
 for q in (left_90, (0.0, 0.0, 0.707, 0.707), (0.0, 0.0, 1.4, 1.4), (0.0, 0.0, math.nan, 1.0)):
     length = math.hypot(*q)
-    print(f"length {length:.4f}:  close to 1? {abs(length - 1) < 0.01}   far from 1? {abs(length - 1) > 0.01}")
+    off = abs(length - 1)
+    print(f"length {length:.4f}:  close to 1? {off < 0.01}   far from 1? {off > 0.01}")
 
 # %% [markdown] lang="en" name="length-after" slide="fragment"
 # Neither. Every comparison with NaN says False, so it walks through any check that asks "is it bad?".
@@ -576,7 +580,7 @@ for q in (left_90, (0.0, 0.0, 0.707, 0.707), (0.0, 0.0, 1.4, 1.4), (0.0, 0.0, ma
 # %% [markdown] lang="ko" name="w-first" slide="subslide"
 # 이번에는 w를 먼저 쓰는 사고입니다. 왼쪽으로 살짝 20° 도는 회전입니다. 로봇이 어떻게 될지 **예측**해 보십시오.
 
-# %% name="w-first-run" slide="fragment"
+# %% name="w-first-run" tags=["predicted"] slide="fragment"
 a = math.radians(20)
 from_mujoco = (math.cos(a / 2), 0.0, 0.0, math.sin(a / 2))  # (w, x, y, z)
 for name, q in (("taken as it came", from_mujoco), ("put in order", xyzw_from_wxyz(from_mujoco))):
@@ -789,10 +793,12 @@ print("camera_link:", fmt_all(camera_T_optical.apply((right, down, forward))))
 # 두 번째 명령을 눈여겨보십시오. 대회에 빠져 있던 바로 그 명령입니다.
 
 # %% name="mount-camera"
-# %ros2 run tf2_ros static_transform_publisher --x 0.10 --z 0.30 --frame-id base_link --child-frame-id camera_link
+# %ros2 run tf2_ros static_transform_publisher --x 0.10 --z 0.30 \
+#     --frame-id base_link --child-frame-id camera_link
 
 # %% name="mount-optical"
-# %ros2 run tf2_ros static_transform_publisher --roll -1.5707963 --yaw -1.5707963 --frame-id camera_link --child-frame-id camera_optical_frame
+# %ros2 run tf2_ros static_transform_publisher --roll -1.5707963 --yaw -1.5707963 \
+#     --frame-id camera_link --child-frame-id camera_optical_frame
 
 # %% [markdown] lang="en" name="asker-before" slide="subslide"
 # Next, a program that asks. Its [[listener]] hears every transform and keeps it in a [[buffer]]; `buffer.transform(message, "base_link")` then moves a message from the frame in its header to the one you want.
@@ -825,7 +831,7 @@ print("in base_link:", fmt_all((p.x, p.y, p.z)))
 #
 # **예측:** 누가 불평합니까? 발행기입니까, 수신기입니까, 조회하는 쪽입니까? 그리고 뭐라고 합니까?
 
-# %% name="zero-sent" slide="fragment"
+# %% name="zero-sent" tags=["predicted"] slide="fragment"
 t = TransformStamped()
 t.header.frame_id, t.child_frame_id = "base_link", "rear_camera_link"
 r = t.transform.rotation
@@ -847,11 +853,11 @@ print("sent")
 #
 # (`%xmode Minimal`은 오류에서 꼭 읽어야 할 마지막 줄만 보여 줍니다. `%xmode Context`로 되돌립니다.)
 
-# %% name="zero-heard" slide="fragment"
+# %% name="zero-heard" tags=["predicted"] slide="fragment"
 # %xmode Minimal
 graph.run(seconds=0.5)
 
-# %% name="zero-asked" tags=["raises-exception"] slide="fragment"
+# %% name="zero-asked" tags=["predicted", "raises-exception"] slide="fragment"
 buffer.lookup_transform("base_link", "rear_camera_link", Time())
 
 # %% [markdown] lang="en" name="zero-after" slide="subslide"
@@ -859,24 +865,24 @@ buffer.lookup_transform("base_link", "rear_camera_link", Time())
 #
 # 1. The **sender** said nothing.
 # 2. **Each listener** refused the transform, in its own log, in words about `nan`: to turn the zeros into a matrix it divides by their length, and 0/0 is "not a number".
-# 3. **You** read that the frame *does not exist*. You look for a typo. You look at the launch file. You restart the driver, which is sending away happily.
+# 3. **You** read that the frame *does not exist*. You look for a typo. You read the launch file, which starts the programs. You restart the driver, which is sending away happily.
 #
 # The error and its cause are two programs apart.
 # So: when a frame "does not exist" and its publisher runs, read the **listener's** log for `TF_NAN_INPUT` or `TF_DENORMALIZED_QUATERNION`.
 #
-# A new message in ROS 2 has w = 1 already. The zeros come from elsewhere: files, arrays made by `zeros(4)`, C structs, bridges, ROS 1.
+# A new message in ROS 2 has w = 1 already. The zeros come from elsewhere: files, arrays made by `zeros(4)`, programs in C, ROS 1.
 
 # %% [markdown] lang="ko" name="zero-after" slide="subslide"
 # 무슨 일이 어디에서 일어났는지 보십시오.
 #
 # 1. **보낸 쪽**은 아무 말도 하지 않았습니다.
 # 2. **수신기마다** 자기 로그에 거절을 남겼고, 그 내용은 `nan`에 관한 것입니다. 행렬로 바꾸려면 길이로 나누어야 하는데, 0/0은 "숫자가 아님(not a number)"입니다.
-# 3. **여러분**이 읽은 것은 좌표계가 *존재하지 않는다*는 말입니다. 그래서 오타를 찾고, launch 파일을 뒤지고, 멀쩡히 발행 중인 드라이버를 다시 시작합니다.
+# 3. **여러분**이 읽은 것은 좌표계가 *존재하지 않는다*는 말입니다. 그래서 오타를 찾고, 프로그램을 띄우는 launch 파일을 뒤지고, 멀쩡히 발행 중인 드라이버를 다시 시작합니다.
 #
 # 오류가 보이는 곳과 원인이 있는 곳이 프로그램 두 개만큼 떨어져 있습니다.
 # 그러니 발행자가 돌고 있는데도 좌표계가 "does not exist"라고 하면, **수신기**의 로그에서 `TF_NAN_INPUT`이나 `TF_DENORMALIZED_QUATERNION`을 찾으십시오.
 #
-# ROS 2의 새 메시지에는 이미 w = 1이 들어 있습니다. 0은 다른 곳에서 옵니다. 설정 파일, `zeros(4)`로 만든 배열, C 구조체, 브리지, ROS 1 같은 곳입니다.
+# ROS 2의 새 메시지에는 이미 w = 1이 들어 있습니다. 0은 다른 곳에서 옵니다. 설정 파일, `zeros(4)`로 만든 배열, C 프로그램, ROS 1 같은 곳입니다.
 
 # %% name="zero-gone" slide="skip"
 driver.destroy_node()  # the rear camera goes home
@@ -940,7 +946,7 @@ graph.run(seconds=1.0)
 # %% name="cloud-rviz" tags=["interactive"] slide="fragment"
 # %rviz2 -f base_link
 
-# %% name="cloud-figure" slide="subslide"
+# %% name="cloud-figure" tags=["predicted"] slide="subslide"
 misread.draw_misread(
     {"wall": base_T_optical.apply(wall), "floor": base_T_optical.apply(floor)},
     {"wall": base_T_camera.apply(wall), "floor": base_T_camera.apply(floor)},
@@ -1091,7 +1097,7 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # %% [markdown] lang="en" name="robot-urdf" slide="subslide"
 # `tf2_echo` prints the first line, "Waiting", because it asks before it has heard anything. That is normal.
 #
-# On a robot, mounts belong into the URDF, and `robot_state_publisher` publishes them. These are the lines to have in every camera's description:
+# On a robot, mounts belong into the URDF, and `robot_state_publisher`, a node that comes with ROS 2, reads it and publishes them. These are the lines to have in every camera's description:
 #
 # ```xml
 # <link name="camera_link"/>
@@ -1108,11 +1114,11 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # </joint>
 # ```
 #
-# Write π/2 with all its digits (xacro: `${pi/2}`). TurtleBot3's URDF writes `-1.57`, and so do the many robots that copied from it: at 10 m you can measure it. How much, you compute in the exercise.
+# Write π/2 with all its digits (in xacro, a URDF that can compute: `${pi/2}`). TurtleBot3's URDF writes `-1.57`, and so do the many robots that copied from it: at 10 m you can measure it. How much, you compute in the exercise.
 #
 # Old tutorials pass six bare numbers to `static_transform_publisher`. Their order is x y z **yaw pitch roll**: the angles are the other way round. The named options of this page cannot be mixed up; `--help` lists them.
 #
-# In a node, a yaw needs no library, only the two lines of the lecture's broadcaster:
+# In a node, a yaw needs no library, only two lines where the message is filled:
 #
 # ```python
 # transform.transform.rotation.z = math.sin(self.theta / 2.0)
@@ -1122,7 +1128,7 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # %% [markdown] lang="ko" name="robot-urdf" slide="subslide"
 # `tf2_echo`의 첫 줄에 "Waiting"이 나오는 것은 아직 아무것도 듣지 못한 채 물어보기 때문입니다. 정상입니다.
 #
-# 로봇에서는 장착 위치를 URDF에 적고 `robot_state_publisher`가 발행하게 합니다. 카메라라면 반드시 있어야 할 줄은 다음과 같습니다.
+# 로봇에서는 장착 위치를 URDF에 적습니다. 그러면 ROS 2에 들어 있는 노드 `robot_state_publisher`가 읽어서 발행합니다. 카메라라면 반드시 있어야 할 줄은 다음과 같습니다.
 #
 # ```xml
 # <link name="camera_link"/>
@@ -1139,11 +1145,11 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # </joint>
 # ```
 #
-# π/2는 모든 자릿수를 적으십시오(xacro에서는 `${pi/2}`). TurtleBot3의 URDF에는 `-1.57`이라고 적혀 있고, 이를 베껴 쓴 수많은 로봇도 그렇습니다. 10 m 앞에서는 잴 수 있을 만큼 어긋납니다. 얼마나 어긋나는지는 연습 문제에서 계산합니다.
+# π/2는 모든 자릿수를 적으십시오(계산식을 쓸 수 있는 URDF인 xacro에서는 `${pi/2}`). TurtleBot3의 URDF에는 `-1.57`이라고 적혀 있고, 이를 베껴 쓴 수많은 로봇도 그렇습니다. 10 m 앞에서는 잴 수 있을 만큼 어긋납니다. 얼마나 어긋나는지는 연습 문제에서 계산합니다.
 #
 # 오래된 예제는 `static_transform_publisher`에 숫자 여섯 개만 나열합니다. 그 순서는 x y z **yaw pitch roll**로, 각도가 거꾸로입니다. 이 페이지처럼 이름이 있는 옵션을 쓰면 뒤섞일 일이 없습니다. 옵션 목록은 `--help`로 볼 수 있습니다.
 #
-# 노드에서 yaw를 쓸 때는 라이브러리가 필요 없습니다. 강의의 발행기에 나오는 두 줄이면 됩니다.
+# 노드에서 yaw를 쓸 때는 라이브러리가 필요 없습니다. 메시지를 채울 때 두 줄이면 됩니다.
 #
 # ```python
 # transform.transform.rotation.z = math.sin(self.theta / 2.0)
@@ -1162,7 +1168,7 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # | a sensor turned by an angle that nobody chose | degrees written where radians belong | URDF `rpy`: is any number larger than 3.2? |
 # | IMU: gravity appears on the wrong axis | `imu_link` not turned as the chip is | at rest, level, `ros2 topic echo /imu --field linear_acceleration`: z must read about **+9.8** |
 #
-# An IMU at rest feels the table push it *up*: with z up, it reads plus 9.8. Minus 9.8 means it is upside down; 9.8 on x or y, that it is on its side.
+# An IMU is the chip that feels turning and acceleration. At rest it feels the table push it *up*: with z up, it reads plus 9.8. Minus 9.8 means it is upside down; 9.8 on x or y, that it is on its side.
 # Then correct the mount (the `rpy` of `imu_link`), not the numbers.
 
 # %% [markdown] lang="ko" name="robot-table" slide="subslide"
@@ -1177,7 +1183,7 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # | 센서가 아무도 정한 적 없는 각도로 돌아가 있다 | 라디안 자리에 도(degree)를 씀 | URDF의 `rpy`에 3.2보다 큰 수가 있는지 |
 # | IMU의 중력이 엉뚱한 축에 나타난다 | `imu_link`가 실제 칩 방향대로 돌아가 있지 않음 | 수평으로 정지한 채 `ros2 topic echo /imu --field linear_acceleration`: z가 약 **+9.8**이어야 함 |
 #
-# 정지한 IMU는 책상이 자신을 *위로* 미는 힘을 느낍니다. z가 위라면 +9.8이 나옵니다. −9.8이면 뒤집힌 것이고, x나 y에 9.8이 나오면 옆으로 누운 것입니다.
+# IMU는 회전과 가속도를 느끼는 칩입니다. 정지한 IMU는 책상이 자신을 *위로* 미는 힘을 느낍니다. z가 위라면 +9.8이 나옵니다. −9.8이면 뒤집힌 것이고, x나 y에 9.8이 나오면 옆으로 누운 것입니다.
 # 이때 고칠 것은 숫자가 아니라 장착 변환(`imu_link`의 `rpy`)입니다.
 
 # %% [markdown] lang="en" name="recap" slide="slide"
@@ -1245,7 +1251,7 @@ card.draw_card()
 # </details>
 # <details><summary>3. 레이저는 base_link 기준 (0.20, 0, 0.15)에 회전 없이 달려 있습니다. 레이저가 모서리를 (2, 0, 0)에서 보았습니다. base_link에서는 어디입니까?</summary>
 #
-# (2.20, 0, 0.15)입니다. 회전이 없으면 더하면 됩니다. 회전이 있으면 그렇지 않습니다. 그 이야기가 3장입니다.
+# (2.20, 0, 0.15)입니다. 회전이 없으면 더하면 됩니다. 회전이 있으면 그렇지 않습니다. 그 이야기를 03장에서 합니다.
 #
 # </details>
 
@@ -1256,18 +1262,19 @@ card.draw_card()
 #
 # **Q2.** Compare the axes of a robot's body with those of a camera's optical frame.
 #
-# <details><summary>Rubric (4 points)</summary>
+# **Q8.** What is the difference between the quaternion of "no rotation" and one that is all zeros?
+#
+# (The numbers are those of the course's fifteen questions.)
+#
+# <details><summary>Rubric of Q2 (4 points)</summary>
 #
 # - Body: x forward, y left, z up.
 # - Optical: z forward, x right, y down.
 # - Both are right-handed, in metres; between them lies a rotation, rpy (−π/2, 0, −π/2), and no step.
-# - If a header names the wrong one, TF computes without an error, and clouds and detections come out turned or mirrored.
+# - If a header names the wrong one, TF computes without an error, and clouds and detections come out turned.
 #
 # </details>
-#
-# **Q8.** What is the difference between the quaternion of "no rotation" and one that is all zeros?
-#
-# <details><summary>Rubric (3 points)</summary>
+# <details><summary>Rubric of Q8 (3 points)</summary>
 #
 # - (0, 0, 0, 1) is the identity: length one, turns nothing.
 # - (0, 0, 0, 0) has length zero and is no rotation; it cannot be made one by scaling.
@@ -1282,18 +1289,19 @@ card.draw_card()
 #
 # **Q2.** 로봇 본체의 좌표축과 카메라 광학 좌표계의 좌표축을 비교하십시오.
 #
-# <details><summary>채점 기준 (4점)</summary>
+# **Q8.** "회전 없음" 쿼터니언과 모두 0인 쿼터니언은 어떻게 다릅니까?
+#
+# (번호는 강의 전체의 서술형 문제 열다섯 개에서 붙인 것입니다.)
+#
+# <details><summary>Q2 채점 기준 (4점)</summary>
 #
 # - 본체: x 앞, y 왼쪽, z 위.
 # - 광학: z 앞, x 오른쪽, y 아래.
 # - 둘 다 오른손 좌표계이고 단위는 미터입니다. 둘 사이에는 이동 없이 회전 rpy (−π/2, 0, −π/2)만 있습니다.
-# - 헤더에 다른 쪽 이름이 적히면 TF는 오류 없이 계산하고, 포인트 클라우드와 검출 결과는 돌아가거나 뒤집혀 나타납니다.
+# - 헤더에 다른 쪽 이름이 적히면 TF는 오류 없이 계산하고, 포인트 클라우드와 검출 결과는 돌아간 채 나타납니다.
 #
 # </details>
-#
-# **Q8.** "회전 없음" 쿼터니언과 모두 0인 쿼터니언은 어떻게 다릅니까?
-#
-# <details><summary>채점 기준 (3점)</summary>
+# <details><summary>Q8 채점 기준 (3점)</summary>
 #
 # - (0, 0, 0, 1)은 항등 회전입니다. 길이가 1이고 아무것도 돌리지 않습니다.
 # - (0, 0, 0, 0)은 길이가 0이고 회전이 아닙니다. 수를 곱해 길이를 맞추려 해도 회전이 되지 않습니다.

@@ -66,10 +66,10 @@ import math
 
 import rclpy
 import tf2_geometry_msgs  # lets the buffer transform a PointStamped
-from geometry_msgs.msg import PointStamped
+from geometry_msgs.msg import PointStamped, TransformStamped
 from rclpy.node import Node
 from rclpy.time import Time
-from tf2_ros import Buffer, TransformException, TransformListener
+from tf2_ros import Buffer, StaticTransformBroadcaster, TransformException, TransformListener
 
 # %% name="imports-of-the-workbook" slide="skip"
 from tflab.core import LATEST, Transform
@@ -87,32 +87,36 @@ from tflab.views.style import ACCENT, fmt_all  # fmt_all writes a point with its
 # %% [markdown] lang="en" name="ten-years" slide="slide"
 # ## Ten years of "reversed"
 #
-# A robot had its IMU, the sensor that feels turning and gravity, mounted turned, and somewhere a transform seemed reversed.
+# A robot carried its IMU, the sensor that feels turning and gravity, turned on its mount, and somewhere a transform seemed reversed.
 # So its team published a *wrong* mount, and the numbers came out right.
-# Later they proposed to swap two frames in the program that uses the IMU instead, and heard: the target comes first, and it already does (ros-planning/navigation #239).
+# Later they proposed to swap two frames in the program that uses the IMU, and heard: the target comes first, and it already does.
 #
 # They are in good company.
-# In 2015 somebody asked ros/geometry whether the frames in `tf_echo`, the tool that prints a transform, are reversed (#108).
-# Others did in #111, #192 and #226; ROS 2 came, and with it ros2/geometry2 #470 (2021), then ros2/ros2_documentation #4239 (2024).
-# The maintainer of a package that very many robots estimate their place with wrote: I frequently get these backwards (robot_localization #437).
+# In 2015 somebody asked whether the frames in `tf_echo`, the tool that prints a transform, are reversed.
+# Three more asked the same. ROS 2 came with a new `tf2_echo`, and the question came along: in 2021, and again in 2024.
+# The maintainer of a package with which very many robots estimate their place wrote: I frequently get these backwards.
 #
 # Now the strange part: the tool's numbers were right all along, and most people's question was a good one.
 # They had asked for the transform **"from A to B"**, and that phrase is two questions.
+#
+# *Read them:* navigation [239](https://github.com/ros-planning/navigation/issues/239); geometry [108](https://github.com/ros/geometry/issues/108), [111](https://github.com/ros/geometry/issues/111), [192](https://github.com/ros/geometry/issues/192), [226](https://github.com/ros/geometry/issues/226); geometry2 [470](https://github.com/ros2/geometry2/issues/470); ros2_documentation [4239](https://github.com/ros2/ros2_documentation/issues/4239); robot_localization [437](https://github.com/cra-ros-pkg/robot_localization/issues/437).
 
 # %% [markdown] lang="ko" name="ten-years" slide="slide"
 # ## "거꾸로 나와요" 10년
 #
 # IMU(회전과 중력을 느끼는 센서)를 돌려 단 로봇이 있었는데, 어딘가에서 변환이 거꾸로인 것 같았습니다.
 # 그래서 팀은 장착 자세를 *틀리게* 발행했고, 그러자 숫자가 맞았습니다.
-# 나중에는 IMU를 쓰는 프로그램 안의 두 좌표계를 맞바꾸자고 제안했다가 이런 답을 들었습니다. 목표가 먼저이고, 이미 그렇게 되어 있다고(ros-planning/navigation #239).
+# 나중에는 IMU를 쓰는 프로그램 안의 두 좌표계를 맞바꾸자고 제안했다가 이런 답을 들었습니다. 목표가 먼저이고, 이미 그렇게 되어 있다고.
 #
 # 이 팀만 헷갈린 것이 아닙니다.
-# 2015년, 누군가 변환을 출력하는 도구인 `tf_echo`의 좌표계 순서가 거꾸로 아니냐고 ros/geometry에 물었습니다(#108).
-# 같은 질문이 #111, #192, #226에 이어졌고, ROS 2에서도 ros2/geometry2 #470(2021), ros2/ros2_documentation #4239(2024)로 올라왔습니다.
-# 수많은 로봇이 위치를 추정하는 데 쓰는 패키지의 관리자도 자신이 자주 거꾸로 쓴다고 적었습니다(robot_localization #437).
+# 2015년, 누군가 변환을 출력하는 도구인 `tf_echo`의 좌표계 순서가 거꾸로 아니냐고 물었습니다.
+# 같은 질문이 세 번 더 이어졌습니다. ROS 2에서 `tf2_echo`로 바뀐 뒤에도 2021년에 한 번, 2024년에 또 한 번 올라왔습니다.
+# 수많은 로봇이 위치를 추정하는 데 쓰는 패키지의 관리자도 자신이 자주 거꾸로 쓴다고 적었습니다.
 #
 # 이상한 점은 따로 있습니다. 도구가 출력한 숫자는 처음부터 맞았고, 사람들의 질문도 대부분 틀리지 않았습니다.
 # 모두 **"A에서 B로 가는 변환"** 을 물었는데, 이 말 안에 질문이 두 개 들어 있었습니다.
+#
+# *직접 읽어 보기:* navigation [239](https://github.com/ros-planning/navigation/issues/239), geometry [108](https://github.com/ros/geometry/issues/108), [111](https://github.com/ros/geometry/issues/111), [192](https://github.com/ros/geometry/issues/192), [226](https://github.com/ros/geometry/issues/226), geometry2 [470](https://github.com/ros2/geometry2/issues/470), ros2_documentation [4239](https://github.com/ros2/ros2_documentation/issues/4239), robot_localization [437](https://github.com/cra-ros-pkg/robot_localization/issues/437).
 
 # %% name="two-readings" slide="fragment"
 mount = Transform.from_rpy(yaw=math.pi / 2, translation=(0.20, 0.0, 0.15))  # turned left, ahead, above
@@ -190,7 +194,8 @@ my_guess = (0.0, 0.0, 0.0)  # your guess: (x, y, z) in base_link [m]
 # 여기서 시간은 가상이며, `graph.run(…)`이 흐르게 할 때만 흐릅니다. `graph`는 `%load_ext tflab`과 함께 생깁니다.
 
 # %% name="mount-the-laser"
-# %ros2 run tf2_ros static_transform_publisher --x 0.20 --z 0.15 --yaw 1.5707963 --frame-id base_link --child-frame-id laser_frame
+# %ros2 run tf2_ros static_transform_publisher --x 0.20 --z 0.15 --yaw 1.5707963 \
+#     --frame-id base_link --child-frame-id laser_frame
 
 # %% name="listen"
 rclpy.init()
@@ -199,7 +204,7 @@ buffer = Buffer()
 listener = TransformListener(buffer, node, spin_thread=True)
 graph.run(seconds=0.5)
 
-# %% name="the-corner"
+# %% name="the-corner" tags=["predicted"]
 seen = PointStamped()
 seen.header.frame_id = 'laser_frame'
 seen.point.x = 2.0
@@ -488,22 +493,49 @@ draw_question(buffer, 'base_link', 'laser_frame')
 #
 # The laser sits on the robot, the robot stands in [[odom|`odom`]] (where its wheels think it is), and `odom` lies in [[map|`map`]] (the building).
 # [[base_footprint|`base_footprint`]] is the robot's place on the floor, right under it.
-# Let us bolt the rest together; the robot stands still today, so every edge, that is, every pair of parent and child, may be static: an **S** in the picture.
-# (ROS 2 does not pass on who published an edge, so the last column says `default_authority` everywhere.)
+#
+# Let us bolt the rest together, this time from Python: one message for each edge, that is, for each pair of parent and child.
+# Read it as the list above: who is the parent, who is the child, where does the child sit, how is it turned.
 
 # %% [markdown] lang="ko" name="dominoes" slide="slide"
 # ## 도미노
 #
 # 레이저는 로봇에 달려 있고, 로봇은 [[odom|`odom`]](바퀴로 잰 위치의 기준)에 서 있고, `odom`은 [[map|`map`]](건물) 안에 있습니다.
 # [[base_footprint|`base_footprint`]]는 로봇 바로 아래 바닥에 있는 자리입니다.
-# 나머지를 이어 봅시다. 오늘은 로봇이 서 있으므로 모든 연결(부모와 자식의 쌍)이 정적이어도 됩니다. 그림에는 **S**로 표시됩니다.
-# (ROS 2는 누가 발행한 연결인지 전해 주지 않으므로 마지막 열은 모두 `default_authority`입니다.)
+#
+# 나머지를 이어 봅시다. 이번에는 파이썬으로 합니다. 연결(부모와 자식의 쌍) 하나에 메시지가 하나입니다.
+# 앞에서 본 목록처럼 읽으십시오. 누가 부모이고, 누가 자식이며, 자식이 어디에 있고, 얼마나 돌아가 있습니까?
 
-# %% name="the-rest-of-the-robot" slide="skip"
-# %ros2 run tf2_ros static_transform_publisher --x 4 --y 1 --yaw 1.5707963 --frame-id map --child-frame-id odom
-# %ros2 run tf2_ros static_transform_publisher --x 2 --frame-id odom --child-frame-id base_footprint
-# %ros2 run tf2_ros static_transform_publisher --z 0.10 --frame-id base_footprint --child-frame-id base_link
-# %ros2 run tf2_ros static_transform_publisher --x 0.10 --z 0.30 --frame-id base_link --child-frame-id camera_link
+# %% name="an-edge" slide="subslide"
+def edge(parent, child, x=0.0, y=0.0, z=0.0, yaw=0.0):
+    t = TransformStamped()
+    t.header.frame_id = parent
+    t.child_frame_id = child
+    t.transform.translation.x = x
+    t.transform.translation.y = y
+    t.transform.translation.z = z
+    t.transform.rotation.z = math.sin(yaw / 2)
+    t.transform.rotation.w = math.cos(yaw / 2)
+    return t
+
+# %% name="the-rest-of-the-robot"
+broadcaster = StaticTransformBroadcaster(node)
+broadcaster.sendTransform(
+    [
+        edge('map', 'odom', x=4.0, y=1.0, yaw=math.pi / 2),
+        edge('odom', 'base_footprint', x=2.0),
+        edge('base_footprint', 'base_link', z=0.10),
+        edge('base_link', 'camera_link', x=0.10, z=0.30),
+    ]
+)
+
+# %% [markdown] lang="en" name="the-tree-why" slide="subslide"
+# The robot stands still today, so every edge may be static: an **S** in the picture.
+# (ROS 2 does not pass on who published an edge, so the last column says `default_authority` everywhere.)
+
+# %% [markdown] lang="ko" name="the-tree-why" slide="subslide"
+# 오늘은 로봇이 서 있으므로 모든 연결이 정적이어도 됩니다. 그림에는 **S**로 표시됩니다.
+# (ROS 2는 누가 발행한 연결인지 전해 주지 않으므로 마지막 열은 모두 `default_authority`입니다.)
 
 # %% name="the-tree"
 graph.run(seconds=0.5)
@@ -619,7 +651,8 @@ print('one lookup    ', fmt_all(asked.transform.translation))
 draw_dominoes(('camera_link', 'base_link'), ('base_link', 'laser_frame'))
 
 # %% name="siblings-in-space" slide="subslide"
-draw_sentence({'base_link': Transform(), 'camera_link': base_T_camera, 'laser_frame': base_T_laser}, asked)
+places = {'base_link': Transform(), 'camera_link': base_T_camera, 'laser_frame': base_T_laser}
+draw_sentence(places, asked)
 
 # %% [markdown] lang="en" name="siblings-seen"
 # 10 cm ahead of the camera and 15 cm below it: check that with the numbers of both mounts.
@@ -681,16 +714,6 @@ if ... not in (wanted_in, written_in):
 # A flipped sign would have said "20 cm behind you", and that is the door.
 #
 # </details>
-#
-# A transform is "turn, then step": a turn R and a step t. To undo it, take the step off, then turn back.
-# Written as "turn, then step" again, the step comes out turned, too:
-#
-# ```
-# base_T_laser:  R      then  t
-# laser_T_base:  R⁻¹    then  −R⁻¹ t
-# ```
-#
-# The minus sign alone is right only where nothing turns.
 
 # %% [markdown] lang="ko" name="inverse" slide="slide"
 # ## 돌아가는 길
@@ -704,7 +727,19 @@ if ... not in (wanted_in, written_in):
 # 부호만 뒤집었다면 "등 뒤 20 cm"라고 했을 텐데, 거기에는 문이 있을 뿐입니다.
 #
 # </details>
+
+# %% [markdown] lang="en" name="inverse-why" slide="fragment"
+# A transform is "turn, then step": a turn R and a step t. To undo it, take the step off, then turn back.
+# Written as "turn, then step" again, the step comes out turned, too:
 #
+# ```
+# base_T_laser:  R      then  t
+# laser_T_base:  R⁻¹    then  −R⁻¹ t
+# ```
+#
+# The minus sign alone is right only where nothing turns.
+
+# %% [markdown] lang="ko" name="inverse-why" slide="fragment"
 # 변환은 "돌린 다음 옮기기", 곧 회전 R과 이동 t입니다. 되돌리려면 옮긴 것을 먼저 빼고, 그다음 반대로 돌립니다.
 # 이것을 다시 "돌린 다음 옮기기"로 쓰면 이동도 함께 돌아갑니다.
 #
@@ -835,7 +870,7 @@ draw_mount(math.pi / 2)
 # %% name="echo-one-way" slide="-"
 # %ros2 --for 1.5 run tf2_ros tf2_echo base_link laser_frame
 
-# %% name="echo-the-other-way" slide="fragment"
+# %% name="echo-the-other-way" tags=["predicted"] slide="fragment"
 # %ros2 --for 1.5 run tf2_ros tf2_echo laser_frame base_link
 
 # %% [markdown] lang="en" name="echo-seen"
@@ -847,18 +882,22 @@ draw_mount(math.pi / 2)
 # 첫 줄은 도구가 무언가 들을 때까지 기다린다는 뜻이고, `-0.000`은 수평인 자세를 출력할 때 나오는 이 도구의 버릇입니다.
 
 # %% [markdown] lang="en" name="break-it" slide="slide"
-# ## Break it: the swap that passed every test
+# ## Break it: a swap goes through the tests
 #
 # A team swaps the arguments.
 # Their robot has one laser, at the back, looking backwards: 20 cm behind the middle, turned by 180°.
-# They test with a corner 2 m behind and 0.7 m aside, in the plane, and everything fits.
+# They test with a corner 2 m behind the laser and 0.7 m aside, all in one plane.
+#
+# **Predict:** how far is the swapped answer from the right one? A centimetre, half a metre, four metres?
 
 # %% [markdown] lang="ko" name="break-it" slide="slide"
-# ## 망가뜨리기: 모든 시험을 통과한 실수
+# ## 망가뜨리기: 시험대에 오른 실수
 #
 # 어느 팀이 인자를 바꿔 썼습니다.
 # 그 로봇에는 뒤를 보는 레이저가 하나, 중심에서 20 cm 뒤에 180° 돌려 달려 있습니다.
-# 2 m 뒤, 0.7 m 옆에 있는 모서리로 평면에서 시험하니 모두 맞습니다.
+# 팀은 레이저보다 2 m 뒤, 0.7 m 옆에 있는 모서리로 시험합니다. 모두 한 평면 위에 있습니다.
+#
+# **예측:** 바꿔 쓴 답은 올바른 답에서 얼마나 떨어져 있습니까? 1 cm입니까, 0.5 m입니까, 4 m입니까?
 
 # %% [markdown] lang="en" name="break-it-notes" slide="notes"
 # Ask before running: will the numbers differ? Almost everybody says yes.
@@ -868,25 +907,30 @@ draw_mount(math.pi / 2)
 # 실행 전에 묻습니다. 두 숫자가 다르겠습니까? 거의 모두 다르다고 답합니다.
 # 그다음 묻습니다. 여러분이라면 무엇으로 시험했겠습니까? 대칭인 시험으로는 바꿔 쓴 답을 찾지 못합니다.
 
-# %% name="swap-at-the-back" slide="fragment"
+# %% name="swap-at-the-back" tags=["predicted"] slide="fragment"
 rear = Transform.from_rpy(yaw=math.pi, translation=(-0.20, 0.0, 0.0))
 seen_at = (2.0, 0.7, 0.0)
 
 print('right  ', fmt_all(rear.apply(seen_at)))
 print('swapped', fmt_all(rear.inverse().apply(seen_at)))
 
-# %% [markdown] lang="en" name="swap-at-the-back-seen"
+# %% [markdown] lang="en" name="swap-at-the-back-seen" slide="subslide"
 # Identical: after half a turn, another half turn brings you home, so this mount is its own inverse.
-# The code is reviewed, merged, and copied to the next robot, whose laser looks to the left.
+# Every test passes. The code is reviewed, merged, and copied to the next robot, whose laser looks to the left.
+#
+# **Predict** once more: how far off now?
 
-# %% [markdown] lang="ko" name="swap-at-the-back-seen"
+# %% [markdown] lang="ko" name="swap-at-the-back-seen" slide="subslide"
 # 똑같습니다. 반 바퀴는 한 번 더 돌면 제자리이므로, 이렇게 단 센서의 변환은 자기 자신이 역변환입니다.
-# 코드는 검토를 통과해 병합되고, 레이저가 왼쪽을 보는 다음 로봇으로 복사됩니다.
+# 시험은 모두 통과합니다. 코드는 검토를 거쳐 병합되고, 레이저가 왼쪽을 보는 다음 로봇으로 복사됩니다.
+#
+# 다시 **예측**해 보십시오. 이번에는 얼마나 어긋납니까?
 
-# %% name="swap-on-the-side" slide="subslide"
+# %% name="swap-on-the-side" tags=["predicted"] slide="fragment"
 answer = buffer.core.lookup_transform('laser_frame', 'base_link', LATEST).transform  # swapped
-print('right  ', fmt_all(base_T_laser.apply(seen_at)))
-print('swapped', fmt_all(answer.apply(seen_at)))
+right, swapped = base_T_laser.apply(seen_at), answer.apply(seen_at)
+print('right  ', fmt_all(right))
+print('swapped', fmt_all(swapped), f'off by {math.dist(right, swapped):.2f} m')
 
 # %% [markdown] lang="en" name="no-error" slide="subslide"
 # ### Where is the error message?
@@ -1192,9 +1236,6 @@ rclpy.shutdown()
 # `lookup_transform('base_link', 'map', Time())`; `base_T_map = base_T_odom @ odom_T_map`, two published tiles, both turned round.
 #
 # </details>
-#
-# Then do the exercises: [03 Target and source](../../exercises/en/03_target_and_source.ipynb).
-# On a robot this chapter ticks one line of your checklist: *I ran `tf2_echo` with target and source in the right order.*
 
 # %% [markdown] lang="ko" name="exit-ticket" slide="slide"
 # ## 나가기 전에
@@ -1209,12 +1250,17 @@ rclpy.shutdown()
 # `lookup_transform('base_link', 'map', Time())`이고, `base_T_map = base_T_odom @ odom_T_map`입니다. 발행된 두 조각을 모두 뒤집은 것입니다.
 #
 # </details>
-#
-# 이제 연습 문제를 푸십시오: [03 목표 좌표계와 원본 좌표계](../../exercises/ko/03_target_and_source.ipynb).
-# 실제 로봇에서는 이 장으로 체크리스트 한 줄을 채웁니다. *목표와 원본의 순서를 지켜 tf2_echo를 실행했습니다.*
 
 # %% [markdown] lang="en" name="exit-ticket-notes" slide="notes"
 # Collect the tickets. A wrong order here is the one thing to come back to at the start of the next lecture.
 
 # %% [markdown] lang="ko" name="exit-ticket-notes" slide="notes"
 # 쪽지를 걷습니다. 순서가 틀린 사람이 있으면 다음 강의를 그 이야기로 시작합니다.
+
+# %% [markdown] lang="en" name="next" slide="skip"
+# Then do the exercises: [03 Target and source](../../exercises/en/03_target_and_source.ipynb).
+# On a robot this chapter ticks one line of your checklist: *I ran `tf2_echo` with target and source in the right order.*
+
+# %% [markdown] lang="ko" name="next" slide="skip"
+# 이제 연습 문제를 푸십시오: [03 목표 좌표계와 원본 좌표계](../../exercises/ko/03_target_and_source.ipynb).
+# 실제 로봇에서는 이 장으로 체크리스트 한 줄을 채웁니다. *목표와 원본의 순서를 지켜 tf2_echo를 실행했습니다.*

@@ -32,7 +32,7 @@ from tflab.core import Transform
 # %% [markdown] lang="en" name="e3-1" slide="slide"
 # ## E3.1 · Four sentences, four calls (4 points)
 #
-# Write the two frames of `lookup_transform(…, …, time)` for each, in the order of the call.
+# Write the two frames of `lookup_transform(…, …, time)` for each, in the order of the call, as a pair of names: `['odom', 'map']`, say.
 #
 # - **a** Obstacles come from the laser; paint them on the map.
 # - **b** The goal is given in the map; the controller works in `base_link`.
@@ -42,7 +42,7 @@ from tflab.core import Transform
 # %% [markdown] lang="ko" name="e3-1" slide="slide"
 # ## E3.1 · 문장 네 개, 호출 네 개 (4점)
 #
-# 각각 `lookup_transform(…, …, time)`에 들어갈 두 좌표계를 호출 순서대로 쓰십시오.
+# 각각 `lookup_transform(…, …, time)`에 들어갈 두 좌표계를 호출 순서대로, `['odom', 'map']`처럼 이름 한 쌍으로 쓰십시오.
 #
 # - **a** 레이저가 찾은 장애물을 지도에 칠합니다.
 # - **b** 목표점은 지도에서 주어지고, 제어기는 `base_link`를 기준으로 움직입니다.

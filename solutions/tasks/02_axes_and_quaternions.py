@@ -49,6 +49,8 @@ def picked(x: float, y: float, z: float) -> dict[str, tuple[float, float, float]
         "backwards": (-y, -z, x),
         "no signs": (z, x, y),
         "up and down": (z, -x, y),
+        "side and height": (z, -y, -x),
+        "behind": (-z, -x, -y),
         "left and right": (z, x, -y),
         "in base_link": (z + 0.10, -x, -y + 0.30),
         "other order": (y, z, x),
@@ -94,6 +96,7 @@ def quaternions(rng: np.random.Generator) -> list[tuple[tuple[float, float, floa
         wxyz_from_xyzw(yawed(0.3, 1.2)),
         tuple(-part for part in wxyz_from_xyzw(yawed(0.3, 1.2))),
         tuple(length * part for part in wxyz_from_xyzw(yawed(0.3, 1.2))),
+        Transform.from_rpy(pitch=float(rng.uniform(0.4, 1.2))).rotation,
     ]
     return [(q,) for q in drawn]
 
@@ -134,6 +137,18 @@ def judged_without_sign(q: tuple) -> str:
     """Look for a large x or y, but not for one that is largely negative."""
     verdict = judged(q)
     return "ok" if verdict == "w first" and max(q[:2]) <= 0.1 else verdict
+
+
+def judged_by_x(q: tuple) -> str:
+    """Look at x alone, where a w that came first would land."""
+    verdict = judged(q)
+    return "ok" if verdict == "w first" and abs(q[0]) <= 0.1 else verdict
+
+
+def short_passes(q: tuple) -> str:
+    """Refuse what is too long, but not what is too short."""
+    verdict = judged(q)
+    return "ok" if verdict == "not unit" and math.hypot(*q) < 1.0 else verdict
 
 
 # E2.5: two turns -------------------------------------------------------------------
@@ -345,6 +360,24 @@ TASKS = (
                 misconception="M4",
             ),
             Twin(
+                "side and height",
+                lambda given: picked(*given.optical_p_part)["side and height"],
+                Words(
+                    en="The depth is right. Sideways and upwards changed places: in the picture x counts sideways and y downwards; on the body y is the side and z the height.",
+                    ko="깊이는 맞습니다. 옆 방향과 높이의 자리가 바뀌었습니다. 영상에서는 x가 옆, y가 아래이고, 본체에서는 y가 옆, z가 높이입니다.",
+                ),
+                misconception="M4",
+            ),
+            Twin(
+                "behind",
+                lambda given: picked(*given.optical_p_part)["behind"],
+                Words(
+                    en="Side and height are right, but this part lies behind the camera. Depth counts forward in the picture, and x counts forward on the body.",
+                    ko="옆 방향과 높이는 맞지만 부품이 카메라 뒤에 있습니다. 영상의 깊이도 앞으로 세고, 본체의 x도 앞으로 셉니다.",
+                ),
+                misconception="M4",
+            ),
+            Twin(
                 "in base_link",
                 lambda given: picked(*given.optical_p_part)["in base_link"],
                 Words(
@@ -457,6 +490,15 @@ TASKS = (
                 ),
             ),
             Twin(
+                "angle in z",
+                lambda yaw: (0.0, 0.0, yaw, 1.0),
+                Words(
+                    en="You wrote the angle itself into z. A quaternion holds no angle: z takes the sine of half of it, w the cosine.",
+                    ko="z에 각도를 그대로 넣었습니다. 쿼터니언에는 각도가 직접 들어가지 않습니다. z에는 각도 절반의 sin, w에는 cos을 넣으십시오.",
+                ),
+                misconception="M5",
+            ),
+            Twin(
                 "halved outside",
                 lambda yaw: (0.0, 0.0, math.sin(yaw) / 2, math.cos(yaw) / 2),
                 Words(
@@ -543,6 +585,22 @@ TASKS = (
                     ko="x나 y가 양수로 큰 경우만 보았습니다. q와 -q는 같은 회전이므로 맨 앞에 온 w가 -0.9일 수도 있습니다. abs()로 비교하십시오.",
                 ),
                 misconception="M5",
+            ),
+            Twin(
+                "only x",
+                judged_by_x,
+                Words(
+                    en="You look at x alone. The task says x or y: a large y would tip the robot over just the same.",
+                    ko="x만 보았습니다. 문제에는 x나 y라고 적혀 있습니다. y가 커도 로봇은 똑같이 넘어집니다.",
+                ),
+            ),
+            Twin(
+                "too short passes",
+                short_passes,
+                Words(
+                    en="You refuse a length above 1, but not one below. It differs to both sides: compare abs(length - 1).",
+                    ko="길이가 1보다 큰 것만 걸러 냈고 1보다 작은 것은 통과시켰습니다. 양쪽으로 모두 벗어날 수 있으니 abs(length - 1)을 비교하십시오.",
+                ),
             ),
             Twin(
                 "zero if w is zero",

@@ -107,6 +107,16 @@ def corner_leaves_the_map(given) -> dict[str, tuple]:
     return {"base_link": base_p, "map": given.map_T_base.inverse().apply(base_p)}
 
 
+def corner_both_inverted(given) -> dict[str, tuple]:
+    base_p = given.base_T_laser.inverse().apply(given.laser_p_corner)
+    return {"base_link": base_p, "map": given.map_T_base.inverse().apply(base_p)}
+
+
+def corner_is_the_laser(given) -> dict[str, tuple]:
+    map_T_laser = given.map_T_base @ given.base_T_laser
+    return {"base_link": given.base_T_laser.translation, "map": map_T_laser.translation}
+
+
 def turned(transform: Transform, point) -> tuple[float, ...]:
     """Return a point turned by a transform's rotation alone."""
     return Transform(rotation=transform.rotation).apply(point)
@@ -202,6 +212,11 @@ def turned_by_the_second(a_pose_b: dict, b_pose_c: dict) -> dict[str, float]:
     return composed(a_pose_b, b_pose_c, b_pose_c["yaw"])
 
 
+def first_step_lost(a_pose_b: dict, b_pose_c: dict) -> dict[str, float]:
+    step = moved(a_pose_b, b_pose_c["x"], b_pose_c["y"], a_pose_b["yaw"])
+    return step | {"yaw": a_pose_b["yaw"] + b_pose_c["yaw"]}
+
+
 # -- E3.5 ---------------------------------------------------------------------
 
 
@@ -233,6 +248,11 @@ def echo_sign_only(given) -> dict[str, object]:
 def echo_turned_on(given) -> dict[str, object]:
     mount, yaw = echoed(given)
     return echo_answer(mount.translation, turned(mount, tuple(-value for value in mount.translation)), -yaw)
+
+
+def echo_not_taken_off(given) -> dict[str, object]:
+    mount, yaw = echoed(given)
+    return echo_answer(mount.translation, turned(mount.inverse(), mount.translation), -yaw)
 
 
 def echo_same_yaw(given) -> dict[str, object]:
@@ -301,6 +321,25 @@ def not_turned(ahead_m, up_m, yaw_deg):
     return camera_message("base_link", "camera_link", ahead_m, up_m, (0, 0, 0, 1))
 
 
+def rolled(ahead_m, up_m, yaw_deg):
+    x, w = half_turn(math.radians(yaw_deg))
+    return camera_message("base_link", "camera_link", ahead_m, up_m, (x, 0, 0, w))
+
+
+def angle_in_z(ahead_m, up_m, yaw_deg):
+    return camera_message("base_link", "camera_link", ahead_m, up_m, (0, 0, math.radians(yaw_deg), 1))
+
+
+def w_still_one(ahead_m, up_m, yaw_deg):
+    z, _ = half_turn(math.radians(yaw_deg))
+    return camera_message("base_link", "camera_link", ahead_m, up_m, (0, 0, z, 1))
+
+
+def ahead_and_up_swapped(ahead_m, up_m, yaw_deg):
+    z, w = half_turn(math.radians(yaw_deg))
+    return camera_message("base_link", "camera_link", up_m, ahead_m, (0, 0, z, w))
+
+
 def zero_quaternion(ahead_m, up_m, yaw_deg):
     return camera_message("base_link", "camera_link", ahead_m, up_m, (0, 0, 0, 0))
 
@@ -336,8 +375,8 @@ TASKS = (
                 "swapped",
                 {key: pair[::-1] for key, pair in SENTENCES.items()},
                 Words(
-                    en="what is wrong is the wrong way round: you wrote [source, target]. In the call, the frame in "
-                    "which you *want* the data comes first.",
+                    en="where it is wrong, you wrote [source, target]. In the call, the frame in which you *want* the "
+                    "data comes first.",
                     ko="틀린 답은 순서가 뒤집혔습니다. [원본, 목표] 순서로 썼습니다. 호출에서는 데이터를 *보고 싶은* 좌표계가 "
                     "먼저 옵니다.",
                 ),
@@ -358,7 +397,7 @@ TASKS = (
                 "parent_first",
                 PARENT_FIRST,
                 Words(
-                    en="in what is wrong you put the parent first. Target and source have nothing to do with who is whose "
+                    en="where it is wrong, you put the parent first. Target and source have nothing to do with who is whose "
                     "parent: in b and d the data is wanted farther down the tree. Say each sentence aloud.",
                     ko="틀린 곳에서는 부모를 앞에 두었습니다. 목표와 원본은 누가 누구의 부모인지와 상관없습니다. b와 d는 트리 "
                     "아래쪽에서 데이터를 보고 싶은 경우입니다. 문장을 하나씩 소리 내어 읽어 보십시오.",
@@ -403,6 +442,27 @@ TASKS = (
                     "이웃이 맞는 도미노에도 역변환은 필요 없습니다. 레이저의 원점 (0, 0, 0)을 넣어 확인해 보십시오.",
                 ),
                 "M1",
+            ),
+            Twin(
+                "both_inverted",
+                corner_both_inverted,
+                Words(
+                    en="you inverted both transforms, one after the other. As they stand, `base_T_laser` takes laser "
+                    "data to the base and `map_T_base` takes it on to the map: read each name from right to left.",
+                    ko="두 변환을 모두 뒤집어 차례로 적용했습니다. 그대로 두면 `base_T_laser`는 레이저 데이터를 베이스로, "
+                    "`map_T_base`는 그것을 지도로 옮깁니다. 이름을 오른쪽에서 왼쪽으로 읽어 보십시오.",
+                ),
+                "M1",
+            ),
+            Twin(
+                "the_laser_itself",
+                corner_is_the_laser,
+                Words(
+                    en="that is where the laser sits; the corner has not come into it yet. Give `laser_p_corner` to "
+                    "`.apply(...)`.",
+                    ko="그것은 레이저가 달린 자리입니다. 모서리가 아직 들어가지 않았습니다. `.apply(...)`에 `laser_p_corner`를 "
+                    "넣으십시오.",
+                ),
             ),
             Twin(
                 "turn_ignored",
@@ -646,6 +706,15 @@ TASKS = (
                 ),
             ),
             Twin(
+                "first_step_lost",
+                first_step_lost,
+                Words(
+                    en="you turned the second step rightly and forgot to add the first: b itself does not lie at a's "
+                    "origin.",
+                    ko="둘째 이동은 바르게 돌렸지만 첫째 이동을 더하지 않았습니다. b는 a의 원점에 있지 않습니다.",
+                ),
+            ),
+            Twin(
                 "yaws_not_added",
                 yaws_not_added,
                 Words(
@@ -692,8 +761,8 @@ TASKS = (
                 "swapped",
                 echo_swapped,
                 Words(
-                    en="what is wrong stands at the other's place. `tf2_echo base_link laser_frame` prints where the "
-                    "second sits in the first, whatever the tool's help calls them.",
+                    en="where it is wrong stands the answer to the other question. `tf2_echo base_link laser_frame` "
+                    "prints where the second sits in the first, whatever the tool's help calls them.",
                     ko="틀린 값은 서로의 자리에 놓여 있습니다. `tf2_echo base_link laser_frame`은 둘째가 첫째 안 어디에 있는지 "
                     "출력합니다. 도움말이 무엇이라 부르든 그렇습니다.",
                 ),
@@ -716,6 +785,15 @@ TASKS = (
                 Words(
                     en="for the way back the step was turned, but by yaw instead of by minus yaw.",
                     ko="돌아가는 쪽의 이동을 돌렸지만, −yaw가 아니라 yaw로 돌렸습니다.",
+                ),
+            ),
+            Twin(
+                "not_taken_off",
+                echo_not_taken_off,
+                Words(
+                    en="for the way back you turned the step rightly and kept its sign. From the laser, the robot's "
+                    "middle lies on the other side.",
+                    ko="돌아가는 쪽의 이동을 바르게 돌렸지만 부호가 그대로입니다. 레이저에서 보면 로봇 중심은 반대쪽에 있습니다.",
                 ),
             ),
             Twin(
@@ -825,6 +903,43 @@ TASKS = (
                 ),
             ),
             Twin(
+                "rolled",
+                rolled,
+                Words(
+                    en="the camera is rolled onto its side: the sine stands in x. Which axis does a turn to the left "
+                    "go about?",
+                    ko="카메라가 옆으로 기울었습니다. sin이 x 자리에 있습니다. 왼쪽으로 도는 회전의 축은 무엇입니까?",
+                ),
+            ),
+            Twin(
+                "angle_in_z",
+                angle_in_z,
+                Words(
+                    en="you wrote the angle itself into z. A quaternion holds no angle: z takes the sine of half of it, "
+                    "w the cosine.",
+                    ko="z에 각도를 그대로 넣었습니다. 쿼터니언에는 각도가 직접 들어가지 않습니다. z에는 각도 절반의 sin, w에는 "
+                    "cos을 넣으십시오.",
+                ),
+                "M5",
+            ),
+            Twin(
+                "w_still_one",
+                w_still_one,
+                Words(
+                    en="z is right, and w is still the 1 of a new message: it takes the cosine of half the angle.",
+                    ko="z는 맞지만 w가 새 메시지의 값 1 그대로입니다. w에는 각도 절반의 cos을 넣으십시오.",
+                ),
+                "M5",
+            ),
+            Twin(
+                "ahead_and_up_swapped",
+                ahead_and_up_swapped,
+                Words(
+                    en="the two steps have changed places. Which axis of the body points ahead, and which one up?",
+                    ko="두 이동의 자리가 바뀌었습니다. 본체의 어느 축이 앞을, 어느 축이 위를 향합니까?",
+                ),
+            ),
+            Twin(
                 "not_turned",
                 not_turned,
                 Words(
@@ -923,6 +1038,28 @@ TASKS = (
                     "자기 자신과 같은 변환은 어떤 것입니까?",
                 ),
                 "M3",
+            ),
+            Twin(
+                "node_a_at_rest",
+                blamed("node_a", ROBOTS[0], HIDDEN[0]),
+                Words(
+                    en="node_a asks rightly: its point is written in the point's own frame, and wanted in `base_link`. "
+                    "And a wrong transform would be wrong at rest, too. Say the sentences of the other two nodes.",
+                    ko="node_a는 바르게 물었습니다. 점은 자기 헤더의 좌표계 기준이고, 그것을 `base_link` 기준으로 보고 싶습니다. 그리고 틀린 변환은 "
+                    "서 있을 때도 틀립니다. 나머지 두 노드를 문장으로 말해 보십시오.",
+                ),
+                "M2",
+            ),
+            Twin(
+                "node_c_at_rest",
+                blamed("node_c", ROBOTS[2], HIDDEN[0]),
+                Words(
+                    en="node_c asks rightly: the robot's origin is written in `base_link`, and wanted in `map`. And a wrong "
+                    "transform would be wrong at rest, too. Which node has a goal of the map, and wants it in `base_link`?",
+                    ko="node_c는 바르게 물었습니다. 로봇의 원점은 `base_link` 기준이고, 그것을 `map` 기준으로 보고 싶습니다. 그리고 틀린 변환은 "
+                    "서 있을 때도 틀립니다. 지도 기준 목표점을 `base_link` 기준으로 보고 싶은 노드는 어느 것입니까?",
+                ),
+                "M2",
             ),
         ),
         hints=(

@@ -14,6 +14,7 @@ from tflab.views.axes import (
     draw_rotation,
     optical_from_body,
     pixel_from_optical,
+    straight_ahead,
 )
 
 
@@ -35,6 +36,7 @@ def test_optical_axes_are_right_down_forward(body_p, optical_p):
 
 def test_what_is_ahead_is_in_the_middle_of_the_picture():
     assert pixel_from_optical((0.0, 0.0, 2.0)) == (0.0, 0.0)
+    assert optical_from_body(straight_ahead(2.0)) == pytest.approx((0.0, 0.0, 2.0))
 
 
 def test_what_is_right_and_below_is_right_and_below_in_the_picture():

@@ -48,6 +48,13 @@ def test_an_arrow_points_along_its_axis_and_its_letter_stands_beyond_its_tip(ax)
     assert place(drawn.axes["x"].letter) == pytest.approx((1.0, 3.15))
 
 
+def test_letters_of_two_axes_that_point_the_same_way_stand_one_behind_the_other(ax):
+    turned = Transform.from_rpy(roll=math.pi / 2)  # x stays, and y points out of the paper
+    one, other = draw_frames({"one": Transform(), "other": turned}, ax, FROM_ABOVE, length_m=1.0).values()
+    assert place(one.axes["x"].letter) == pytest.approx((1.15, 0.0))
+    assert place(other.axes["x"].letter) == pytest.approx((1.35, 0.0))
+
+
 def test_an_axis_seen_end_on_is_a_dot_if_it_comes_out_of_the_paper_and_a_cross_if_it_goes_in(ax):
     up, down = Transform(), Transform.from_rpy(roll=math.pi)
     drawn = draw_frames({"up": up, "down": down}, ax, FROM_ABOVE)

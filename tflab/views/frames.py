@@ -37,6 +37,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.path import Path as MarkerPath
 
+LETTERS_Z = 45  # above every shaft, below arrows, points and names
 FLAT = 0.2  # an axis shorter than this part of its length is seen end-on
 HEAD_LENGTH, HEAD_WIDTH = 0.16, 0.1  # parts of an axis's length
 LETTER_PT = 11.0
@@ -48,6 +49,7 @@ class AxisArtists:
     def __init__(self, axis: str, ax: Axes, is_ghost: bool) -> None:
         from matplotlib.lines import Line2D
         from matplotlib.patches import Polygon
+        from matplotlib.patheffects import withStroke
 
         colour = style.GREY if is_ghost else style.AXIS_COLOURS[axis]
         width = 1.1 if is_ghost else 2.2
@@ -59,7 +61,9 @@ class AxisArtists:
                            markeredgewidth=1.4, linestyle="none")  # fmt: skip
         self.sign = Line2D([], [], color=colour, markersize=3.5, markeredgewidth=1.4, linestyle="none")
         self.letter = Line2D([], [], color=colour, marker=_letter(axis), markersize=_height_pt(axis),
-                             markeredgewidth=0.0, linestyle="none", gid=axis)  # fmt: skip
+                             markeredgewidth=0.0, linestyle="none", gid=axis,
+                             path_effects=[withStroke(linewidth=2.0, foreground=style.PAPER)])  # fmt: skip
+        self._along = np.zeros(2)  # where it points on paper, if it is seen from the side
         self.artists = [self.shaft, self.head, self.ring, self.sign, self.letter]
         for artist in self.artists:
             ax.add_artist(artist)
@@ -76,13 +80,15 @@ class AxisArtists:
         height = 10 + 4 * nearness / (1 + abs(nearness))  # between the ground and the names, however far
         for rank, artist in enumerate(self.artists):
             artist.set_zorder(height + (5 if is_flat else 0) + 0.001 * rank)
+        self.letter.set_zorder(LETTERS_Z + 0.01 * height)
+        self._along = np.zeros(2) if is_flat else step / seen
         if is_flat:
             self.ring.set_data([origin[0]], [origin[1]])
             self.sign.set_data([origin[0]], [origin[1]])
             self.sign.set_marker("o" if towards_eye else "x")
             self._write(origin - 0.28 * length_m)
             return
-        along = step / seen
+        along = self._along
         across = np.array((-along[1], along[0]))
         neck = tip - HEAD_LENGTH * length_m * along
         wing = 0.5 * HEAD_WIDTH * length_m * across
@@ -94,6 +100,13 @@ class AxisArtists:
     def letter_place(self) -> tuple[float, float]:
         """Where the letter stands on paper [m]."""
         return (self.letter.get_xdata()[0], self.letter.get_ydata()[0])
+
+    def step_aside(self, taken: Sequence[tuple[float, float]], length_m: float) -> None:
+        """Move the letter farther out along its arrow where another one stands already: two axes in one line."""
+        place, along = np.array(self.letter_place), self._along
+        while any(np.hypot(*(place - other)) < 0.1 * length_m for other in taken) and along.any():
+            place = place + 0.2 * length_m * along
+        self._write(place)
 
     def _write(self, place: np.ndarray) -> None:
         self.letter.set_data([place[0]], [place[1]])
@@ -182,6 +195,10 @@ def draw_frames(
     for name, pose in poses.items():
         drawn[name] = FrameArtists(name, ax, eye, length_m, is_ghost)
         drawn[name].move(pose)
+    taken: list[tuple[float, float]] = []
+    for axis in (axis for frame in drawn.values() for axis in frame.axes.values()):
+        axis.step_aside(taken, length_m)
+        taken.append(axis.letter_place)
     place_labels([frame.label for frame in drawn.values()])
     return drawn
 

@@ -66,7 +66,7 @@ def _draw_side(ax, clouds: Mapping[str, np.ndarray], colour: str, everything: np
     draw_frames({"": Transform()}, ax, eye, length_m=0.6)
     for (name, points), mark in zip(clouds.items(), MARKS, strict=False):
         on_paper = eye.on_paper(points)
-        ax.plot(*on_paper.T, linestyle="none", marker=mark, markersize=2.6, color=colour, zorder=20)
+        ax.plot(*on_paper.T, linestyle="none", marker=mark, markersize=2.6, color=colour, zorder=5)
         ax.text(*on_paper.mean(axis=0), name, ha="center", va="center", color=colour, zorder=70,
                 bbox={"facecolor": style.PAPER, "edgecolor": "none", "pad": 1.5})  # fmt: skip
     show_all(ax, eye.on_paper(everything), margin_m=0.5 * REACH_M)

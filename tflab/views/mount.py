@@ -21,7 +21,7 @@ from tflab.core import Transform
 from tflab.core.quaternions import Vector3
 
 from . import style
-from .bodies import RobotArtists
+from .bodies import OUTLINE, RobotArtists
 from .eye import FROM_ABOVE
 from .frames import FrameArtists, PointArtists, clear_paper, draw_ground, write_caption
 from .labels import place_labels
@@ -30,6 +30,7 @@ from .picture import Picture
 __all__ = ["LASER_AT", "MountPicture", "describe_mount", "draw_mount", "seen_from"]
 
 LASER_AT: Vector3 = (0.20, 0.0, 0.15)  # of laser_frame in base_link [m]
+BODY_SCALE = 1.2
 READINGS = ("corner", "swapped", "turn forgotten")
 
 
@@ -71,9 +72,11 @@ class MountPicture(Picture):
         with style.our_settings():
             ax = clear_paper(self.figure.add_axes((0.01, 0.02, 0.53, 0.96)))
             draw_ground(ax, FROM_ABOVE, (-reach, reach), (-reach, reach), 0.5)
-            RobotArtists(ax, FROM_ABOVE, style.GREY, scale=1.2).move(Transform())
+            RobotArtists(ax, FROM_ABOVE, style.GREY, scale=BODY_SCALE).move(Transform())
             self.base = FrameArtists("base_link", ax, FROM_ABOVE, 0.55, is_ghost=False)
             self.base.move(Transform())
+            outline = [(x, y) for x, y in BODY_SCALE * OUTLINE]
+            self.base.label.keep_off += zip(outline, [*outline[1:], outline[0]], strict=True)
             self.laser = FrameArtists("laser_frame", ax, FROM_ABOVE, 0.55, is_ghost=False)
             (self.beam,) = ax.plot([], [], color=style.ACCENT, linewidth=1.2, zorder=8)
             self.points = {name: PointArtists(name, ax, FROM_ABOVE, name != "corner") for name in READINGS}
@@ -81,6 +84,7 @@ class MountPicture(Picture):
                 self.points[name].mark.set(markersize=13, zorder=55)
             ax.set_xlim(-reach, reach)
             ax.set_ylim(-reach, reach)
+            ax.apply_aspect()  # now, not at the first drawing: names look for their places before
             write_caption(ax, "from above, grid of 0.5 m")
             self.numbers = TypedBlock(self.figure, 0.565, 0.9)
         parts = [*self.points.values(), self.laser]
