@@ -21,26 +21,20 @@ from tflab.bags.errors import BagError
 
 __all__ = ["main"]
 
-FOUND_ERRORS, UNUSABLE, STOPPED = 1, 2, 130
+FOUND_ERRORS, UNUSABLE = 1, 2
 
 
 def main(words: Sequence[str]) -> int:
     """Run `tflab doctor` with these words; return the exit status."""
     parser = argparse.ArgumentParser(prog="tflab doctor", description="Say what is wrong with the TF of a recording.")
-    parser.add_argument("bag", help="a rosbag2 directory, an .mcap or .db3 file, or a .bag of ROS 1")
+    parser.add_argument("bag", metavar="BAG", help="a rosbag2 directory, an .mcap or .db3 file, or a .bag of ROS 1")
     parser.add_argument("--json", action="store_true", help="print the report as JSON")
     parser.add_argument("--html", metavar="FILE", help="also write the report, with pictures, as a page of its own")
-    try:
-        options = parser.parse_args(list(words))
-        return run(options.bag, options.json, options.html)
-    except SystemExit as stop:  # argparse's way to end
-        return stop.code or 0
-    except KeyboardInterrupt:
-        print("stopped", file=sys.stderr)
-        return STOPPED
+    options = parser.parse_args(list(words))
+    return _diagnose(options.bag, options.json, options.html)
 
 
-def run(bag: str, as_json: bool, html: str | None) -> int:
+def _diagnose(bag: str, as_json: bool, html: str | None) -> int:
     """Diagnose a bag, print the report, and return the exit status."""
     from tflab.bags.reader import read_bag
 
@@ -48,21 +42,18 @@ def run(bag: str, as_json: bool, html: str | None) -> int:
     from .report_text import data_from_report, text_from_report
 
     if html is not None and Path(html).exists():
-        print(f"{html}: exists already; nothing is overwritten", file=sys.stderr)
-        return UNUSABLE
+        return _refuse(f"{html}: exists already; nothing is overwritten")
     try:
         recording = read_bag(bag)
     except BagError as error:
-        print(error, file=sys.stderr)
-        return UNUSABLE
+        return _refuse(f"{error}")
     report = diagnose_recording(recording)
     print(json.dumps(data_from_report(report), indent=2) if as_json else text_from_report(report))
     if html is not None:
         try:
             _write_html(html, report, recording)
         except OSError as error:
-            print(f"{html}: cannot be written ({error.strerror})", file=sys.stderr)
-            return UNUSABLE
+            return _refuse(f"{html}: cannot be written ({error.strerror})")
     return FOUND_ERRORS if report.has_errors else 0
 
 
@@ -77,3 +68,8 @@ def _write_html(path: str, report, recording) -> None:
         refusals.disabled = was_disabled
     with Path(path).open("x", encoding="utf-8") as file:
         file.write(page)
+
+
+def _refuse(reason: str) -> int:
+    print(f"tflab doctor: {reason}", file=sys.stderr)
+    return UNUSABLE

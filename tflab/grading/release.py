@@ -36,7 +36,7 @@ from .roster import Learner, Roster, read_roster
 
 __all__ = ["main", "release"]
 
-INSTRUCTOR, LEARNERS, ONE_FOR_ALL = "instructor", "learners", "tflab_workbook"
+INSTRUCTOR, LEARNERS = "instructor", "learners"
 
 
 def main(words: Sequence[str]) -> int:
@@ -93,7 +93,7 @@ def release(
     bar = ProgressBar(len(list(everybody)), "released", quiet=quiet)
     for learner in everybody:
         _lay_out_for(folder / LEARNERS, learner, pack, handed_out, language)
-        bar.step(learner.id if learner else ONE_FOR_ALL)
+        bar.step(learner.id if learner else places.COPY)
     bar.close()
     return read_pack(folder / INSTRUCTOR)
 
@@ -121,7 +121,7 @@ def _lay_out_for(
 ) -> None:
     identity = learner.id if learner else None
     spoken = learner.language if learner else language
-    target = place / (identity or ONE_FOR_ALL)
+    target = place / (identity or places.COPY)
     cases = {stem: learners_cases(one, pack.roster, identity) for stem, one in handed_out.items()}
     fresh = [stem for stem in cases if not (target / "exercises" / spoken / f"{stem}.ipynb").exists()]
     lay_out(target, spoken, edition="class", learner=identity, cases=cases)

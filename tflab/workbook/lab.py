@@ -23,10 +23,10 @@ from shutil import which
 from tflab import __version__
 
 from .learner import Change, has_language, lay_out, update
-from .places import MARK, WorkbookError, read_workbook
+from .places import COPY, MARK, WorkbookError, read_workbook
 from .words import LANGUAGES, Words
 
-__all__ = ["COPY", "FIRST_PAGE", "QUIET_OPTIONS", "lab", "language_of", "quiet_environment"]
+__all__ = ["FIRST_PAGE", "QUIET_OPTIONS", "lab", "language_of", "quiet_environment"]
 
 QUIET_OPTIONS = (
     "--LabApp.news_url=None",
@@ -35,7 +35,6 @@ QUIET_OPTIONS = (
 )
 QUIET_SETTINGS = Path(__file__).with_name("jupyter")  # it would ask whether to look for news
 FIRST_PAGE = "00_start.ipynb"
-COPY = "tflab_workbook"
 
 MADE = Words(
     en="tflab lab: your own copy of the workbook is in {folder}.",

@@ -24,6 +24,7 @@ from .words import LANGUAGES
 
 __all__ = [
     "CASES",
+    "COPY",
     "EDITIONS",
     "MARK",
     "Workbook",
@@ -37,6 +38,7 @@ __all__ = [
 ]
 
 MARK = "workbook.json"
+COPY = "tflab_workbook"  # what a copy is called if nobody names it
 CASES = Path("exercises", "cases")
 EDITIONS = ("self-study", "class")
 

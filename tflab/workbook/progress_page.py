@@ -14,7 +14,7 @@ import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from .places import MARK, WorkbookError, workbook_root
+from .places import COPY, MARK, WorkbookError, workbook_root
 from .standing import GoalStanding, Standing, TaskStanding, standing
 from .words import Words
 
@@ -164,12 +164,11 @@ def show_progress() -> ProgressPage:
 def progress(words: Sequence[str]) -> int:
     """Print where one stands, and return 0; 2 if the workbook cannot be read."""
     parser = argparse.ArgumentParser(prog="tflab progress", description="Say which checks have been passed.")
-    parser.add_argument("folder", nargs="?", metavar="DIR", help="your copy; the nearest, or ./tflab_workbook")
+    parser.add_argument("folder", nargs="?", metavar="DIR", help=f"your copy; the nearest, or ./{COPY}, if left out")
     folder = parser.parse_args(list(words)).folder
-    root = Path(folder) if folder else workbook_root()
-    beside = Path.cwd() / "tflab_workbook"
-    if not folder and not (root / MARK).is_file() and (beside / MARK).is_file():
-        root = beside
+    root = Path(folder or workbook_root())
+    if not folder and not (root / MARK).is_file() and Path(COPY, MARK).is_file():
+        root = Path(COPY)
     if folder and not (root / MARK).is_file():
         print(f"tflab progress: {root} is no copy of the workbook; tflab lab makes one", file=sys.stderr)
         return 2
