@@ -170,3 +170,8 @@ def test_a_message_in_a_message_is_the_same_in_whichever_order_its_fields_were_w
 
     assert form.same(point({"sec": 4, "nanosec": 5}), point({"nanosec": 5, "sec": 4}))
     assert not form.same(point({"sec": 4, "nanosec": 5}), point({"nanosec": 6, "sec": 4}))
+
+
+@pytest.mark.parametrize(("form", "expected"), [(Choice(), "map"), (Command(), ECHO)])
+def test_half_a_pair_of_a_letter_is_merely_wrong_even_where_it_is_sealed(form, expected):
+    assert sealed.judge(form, f"{expected}\ud800", sealed.seal(form, expected, "salt")) == [False]

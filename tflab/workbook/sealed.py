@@ -91,4 +91,4 @@ def _step(mark: Mark, by: int) -> str:
 
 
 def _digest(salt: str, place: int, text: str) -> str:
-    return hashlib.pbkdf2_hmac("sha256", text.encode(), f"{salt}/{place}".encode(), ROUNDS).hex()[:24]
+    return hashlib.pbkdf2_hmac("sha256", text.encode("utf-8", "surrogatepass"), f"{salt}/{place}".encode(), ROUNDS).hex()[:24]
