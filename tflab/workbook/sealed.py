@@ -91,4 +91,5 @@ def _step(mark: Mark, by: int) -> str:
 
 
 def _digest(salt: str, place: int, text: str) -> str:
-    return hashlib.pbkdf2_hmac("sha256", text.encode("utf-8", "surrogatepass"), f"{salt}/{place}".encode(), ROUNDS).hex()[:24]
+    letters = text.encode("utf-8", "surrogatepass")
+    return hashlib.pbkdf2_hmac("sha256", letters, f"{salt}/{place}".encode(), ROUNDS).hex()[:24]
