@@ -6,6 +6,8 @@
 # Write your answer where it says `...` or `your turn`, run that cell, then run the check below it.
 # `check` tells you which mistake it was; `hint("E9.2")` helps, one step at a time.
 #
+# The numbers of E9.4 and E9.7 come from `task(...)` and may differ from your neighbour's: in E9.7 answer with an expression.
+#
 # What you write in E9.2, E9.3 and E9.5 runs unchanged on a robot.
 
 # %% [markdown] lang="ko" name="title"
@@ -15,6 +17,8 @@
 #
 # `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고, 그 셀을 실행한 다음, 바로 아래의 확인 셀을 실행하십시오.
 # `check`는 어떤 실수인지 알려 주고, `hint("E9.2")`는 한 단계씩 도와줍니다.
+#
+# E9.4와 E9.7의 숫자는 `task(...)`가 주며 옆 사람과 다를 수 있습니다. E9.7에는 계산한 숫자가 아니라 식으로 답하십시오.
 #
 # E9.2, E9.3, E9.5에서 쓴 코드는 로봇에서 그대로 실행됩니다.
 
@@ -119,6 +123,7 @@ check("E9.2", classify)
 # | no question at all | `"fix message"` |
 #
 # "TF is behind" means: the whole chain. A wait must last until its *slowest* edge is there.
+# Where two things are wrong at once, tf2 decides which one it says.
 
 # %% [markdown] lang="ko" name="e9-3"
 # ## E9.3 · 예외에서 행동으로 (4점)
@@ -128,7 +133,7 @@ check("E9.2", classify)
 # | tf2의 답 | 행동 |
 # | --- | --- |
 # | 답이 있음 | `"use"` |
-# | 미래, TF가 0.2 s 이하로 뒤처짐 | `"wait"` |
+# | 미래, TF가 0.2초 이하로 뒤처짐 | `"wait"` |
 # | 미래, TF가 그보다 더 뒤처짐 | `"check clocks"` |
 # | 그 밖의 외삽 | `"drop"` |
 # | 모르는 이름 | `"check names"` |
@@ -136,6 +141,7 @@ check("E9.2", classify)
 # | 질문이 말이 안 됨 | `"fix message"` |
 #
 # "TF가 뒤처진다"는 체인 전체를 두고 하는 말입니다. *가장 느린* 연결이 올 때까지 기다려야 합니다.
+# 두 가지가 한꺼번에 틀렸다면 무엇을 말할지는 tf2가 정합니다.
 
 # %% name="e9-3-answer" tags=["answer"]
 def decide(buffer, message):
@@ -175,7 +181,7 @@ check("E9.3", decide)
 #
 # 로봇 세 대의 로그에 똑같은 경고가 있습니다. 약 3분의 1초만큼의 미래 외삽입니다.
 # 로봇마다 `/scan`과 `/odom` 메시지를 여섯 개씩 적었습니다. 한 행은 (측정 시각, 들은 시각)[s]이고, 들은 시각은 듣는 컴퓨터의 시계로 적었습니다.
-# 정상인 `/scan`은 측정 후 약 0.105 s, 정상인 `/odom`은 약 0.005 s 뒤에 들립니다.
+# 정상인 `/scan`은 측정 후 약 0.105초, 정상인 `/odom`은 약 0.005초 뒤에 들립니다.
 #
 # - `"a"`, `"b"`, `"c"`: 로봇 a, b, c의 원인은 무엇입니까? `"transforms arrive late"`(변환이 늦게 옴), `"laser clock is fast"`(레이저 시계가 빠름), `"cannot be told from this"`(이것만으로는 알 수 없음) 가운데 하나입니다.
 # - `"a do"`, `"b do"`, `"c do"`: 어떻게 합니까? `"wait a little"`(조금 기다린다), `"set the laser's clock"`(레이저의 시계를 맞춘다), `"ask chrony on both computers"`(두 컴퓨터에서 chrony에 묻는다), `"set a timeout of 10 s"`(timeout을 10초로 한다) 가운데 하나입니다.
@@ -249,14 +255,14 @@ check("E9.5", keep)
 # %% [markdown] lang="ko" name="e9-6"
 # ## E9.6 · 어디서 기다려도 될까요? (2점)
 #
-# 따로 말이 없으면 변환은 0.1 s 늦게 도착합니다. 줄마다 `"works"`(통한다), `"waits in vain"`(헛되이 기다리다 포기한다), `"waits for ever"`(영원히 기다린다) 가운데 고르십시오.
+# 따로 말이 없으면 변환은 0.1초 늦게 도착합니다. 줄마다 `"works"`(통한다), `"waits in vain"`(헛되이 기다리다 포기한다), `"waits for ever"`(영원히 기다린다) 가운데 고르십시오.
 #
 # - a: 구독 콜백 안에서 `timeout=0.3 s`. 노드는 `rclpy.spin(node)`로 돕니다.
 # - b: a와 같지만 `rclpy.spin(node, executor=MultiThreadedExecutor())`입니다.
 # - c: *타이머* 콜백 안에서 `timeout=0.3 s`. 노드는 `rclpy.spin(node)`로 돕니다.
 # - d: 구독 콜백 안에서 `wait_for_transform_async`. 노드는 `rclpy.spin(node)`로 돕니다.
 # - e: d와 같지만 시각이 버퍼의 모든 것보다 오래됐습니다.
-# - f: b와 같지만 레이저 시계가 2 s 빠릅니다.
+# - f: b와 같지만 레이저 시계가 2초 빠릅니다.
 # - g: `main()`에서 `timeout=0.3 s`. 노드와 수신기는 만들었고, 아직 아무것도 spin하지 않습니다.
 # - h: `main()`에서 `timeout=0.3 s`. 수신기는 `TransformListener(buffer, node, spin_thread=True)`입니다.
 

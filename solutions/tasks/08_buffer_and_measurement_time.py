@@ -34,9 +34,9 @@ PATH = ("map -> odom", "odom -> base_link")
 
 
 def two_samples(rng):
-    """Turns to the left, to the right, both across the back; and a moment outside on either side."""
+    """Turns to the left, to the right, both across the back; a moment at each sample, and one outside on either side."""
     rows = []
-    for way, share in ((1, 0.25), (-1, 0.7), (0, 0.35), (0, 0.85), (1, -0.3), (-1, 1.4)):
+    for way, share in ((1, 0.25), (-1, 0.7), (0, 0.35), (0, 0.85), (0, 0.0), (0, 1.0), (1, -0.3), (-1, 1.4)):
         t0, gap = float(rng.uniform(1.0, 9.0)), float(rng.uniform(0.2, 1.0))
         x0, y0, x1, y1 = rng.uniform(-3.0, 3.0, 4).tolist()
         size = float(rng.uniform(0.4, 1.2))
@@ -81,6 +81,25 @@ def guesses(stamp_s, before, after):
 
 def clamps(stamp_s, before, after):
     return guesses(min(max(stamp_s, before[0]), after[0]), before, after)
+
+
+def middle(stamp_s, before, after):
+    _refuse(stamp_s, before, after)
+    return guesses((before[0] + after[0]) / 2, before, after)
+
+
+def earlier(stamp_s, before, after):
+    _refuse(stamp_s, before, after)
+    return {"position": before[1:3], "yaw": before[3]}
+
+
+def shy(stamp_s, before, after):
+    from tflab.core import ExtrapolationException
+
+    if stamp_s in (before[0], after[0]):
+        raise ExtrapolationException("at a sample")
+    _refuse(stamp_s, before, after)
+    return guesses(stamp_s, before, after)
 
 
 def backwards(stamp_s, before, after):
@@ -187,15 +206,29 @@ def restamped(buffer, message, now):
     return moved
 
 
+def relabelled(buffer, message, now):
+    header = std_msgs.Header(stamp=message.header.stamp, frame_id="map")
+    return geometry_msgs.PointStamped(header=header, point=message.point)
+
+
+def only_odom(buffer, message, now):
+    return _moved(message, buffer.lookup_transform("odom", message.header.frame_id, message.header.stamp))
+
+
 # -- E8.4: how far off ----------------------------------------------------------------
 
 
 def motion(rng):
     way = float(rng.choice([-1.0, 1.0]))
+    speed_mps = float(rng.uniform(0.6, 1.8))
+    yaw_rate_degps = way * float(rng.uniform(15.0, 40.0))
+    range_m = float(rng.uniform(3.0, 8.0))
+    if abs(speed_mps - range_m * math.radians(abs(yaw_rate_degps))) < 0.15:  # the two pieces must not look alike
+        speed_mps += 0.3
     return {
-        "speed_mps": round(float(rng.uniform(0.6, 1.8)), 2),
-        "yaw_rate_degps": round(way * float(rng.uniform(15.0, 40.0)), 1),
-        "range_m": round(float(rng.uniform(3.0, 8.0)), 1),
+        "speed_mps": round(speed_mps, 2),
+        "yaw_rate_degps": round(yaw_rate_degps, 1),
+        "range_m": round(range_m, 1),
         "delay_ms": float(rng.integers(8, 25) * 10),
     }
 
@@ -207,6 +240,11 @@ def _late(given, forwards=1.0, left=1.0, together=None, degrees=False, delay=1e-
     left_m = left * given.range_m * yaw_rate * delay_s
     length = math.hypot(forwards_m, left_m) if together is None else together(forwards_m, left_m)
     return {"forwards_m": forwards_m, "left_m": left_m, "together_m": length}
+
+
+def _crosswise(given):
+    right = _late(given)
+    return {**right, "forwards_m": right["left_m"], "left_m": right["forwards_m"]}
 
 
 # -- E8.6: how long must it remember --------------------------------------------------
@@ -327,6 +365,15 @@ TASKS = (
                     ko="경로에서 가장 오래된 표본의 시각입니다. `Time()`은 될 수 있는 대로 새로운 것을 묻습니다.",
                 ),
             ),
+            Twin(
+                "time zero",
+                0.0,
+                Words(
+                    en="Zero is how the question is written: `Time()` is time zero, and tf2 reads it as a wish for the latest. The answer has a stamp of its own. Which?",
+                    ko="0은 질문을 적는 방법입니다. `Time()`은 시각 0이고 tf2는 이것을 최신을 달라는 말로 읽습니다. 답에는 자기 시각이 붙어 있습니다. 몇 초입니까?",
+                ),
+                "M9",
+            ),
         ),
         hints=(
             Words(
@@ -400,6 +447,30 @@ TASKS = (
                 Words(
                     en="Two things: yaw goes the long way round at ±π, and outside the two samples nothing is refused.",
                     ko="두 가지입니다. ±π에서 yaw가 먼 길로 돌고, 두 표본 바깥에서도 거절하지 않습니다.",
+                ),
+            ),
+            Twin(
+                "always the middle",
+                middle,
+                Words(
+                    en="Wherever `stamp_s` lies, you answer with the middle of the two samples. How far along is it? Near the first sample the answer must be near the first.",
+                    ko="`stamp_s`가 어디에 있든 두 표본의 한가운데를 답합니다. 얼마나 간 곳입니까? 첫 표본 가까이에서는 답도 첫 표본에 가까워야 합니다.",
+                ),
+            ),
+            Twin(
+                "the earlier sample",
+                earlier,
+                Words(
+                    en="You return the earlier sample as it is. The robot has moved since: go along the line to the second one, as far as `stamp_s` says.",
+                    ko="앞쪽 표본을 그대로 반환합니다. 그 뒤로 로봇은 움직였습니다. `stamp_s`가 말하는 만큼 둘째 표본 쪽으로 선을 따라가십시오.",
+                ),
+            ),
+            Twin(
+                "refuses at a sample",
+                shy,
+                Words(
+                    en="Between the samples all is well, but exactly at a sample you refuse. There the buffer knows the answer best of all: only before the first and after the second is outside.",
+                    ko="표본 사이는 모두 맞지만, 표본의 시각을 그대로 물으면 거절합니다. 버퍼가 가장 잘 아는 순간입니다. 첫 표본 앞과 둘째 표본 뒤만 바깥입니다.",
                 ),
             ),
         ),
@@ -482,6 +553,22 @@ TASKS = (
                 ),
                 "M9",
             ),
+            Twin(
+                "only the label",
+                relabelled,
+                Words(
+                    en="You wrote map on the label, and left the numbers as the sensor gave them. A frame is not a name to be changed: the point itself has to be moved.",
+                    ko="꼬리표만 map으로 바꾸고 숫자는 센서가 준 그대로 두었습니다. 좌표계는 이름만 바꾼다고 바뀌지 않습니다. 점의 숫자를 옮겨야 합니다.",
+                ),
+            ),
+            Twin(
+                "left in odom",
+                only_odom,
+                Words(
+                    en="You stopped in odom. The moment is right, but asked for is map: one edge further up.",
+                    ko="odom에서 멈추었습니다. 순간은 맞지만 필요한 것은 map입니다. 한 연결 더 올라가야 합니다.",
+                ),
+            ),
         ),
         hints=(
             Words(
@@ -559,6 +646,14 @@ TASKS = (
                 Words(
                     en="Yaw rate × delay is the angle only. How long is the arc that it cuts off at the object's distance?",
                     ko="각속도 × 지연은 각도일 뿐입니다. 물체까지의 거리에서 그 각도는 얼마나 긴 호가 됩니까?",
+                ),
+            ),
+            Twin(
+                "crosswise",
+                _crosswise,
+                Words(
+                    en="The two pieces have changed places. Driving pushes the point forwards, turning drags it to the side.",
+                    ko="두 조각이 자리를 바꾸었습니다. 주행은 점을 앞으로 밀고, 회전은 옆으로 끌고 갑니다.",
                 ),
             ),
         ),
@@ -649,6 +744,24 @@ TASKS = (
                 ),
                 "M10",
             ),
+            Twin(
+                "slow for a short cache",
+                {**RIGHT, "d": "odometry slow"},
+                Words(
+                    en="d: this one is about the *earliest* data. A slow lane ends too early; which fault makes a lane begin too late?",
+                    ko="d: 이 오류는 *가장 오래된* 데이터를 말합니다. 느린 차선은 너무 일찍 끝납니다. 차선이 너무 늦게 시작하게 만드는 것은 무엇입니까?",
+                ),
+                "M11",
+            ),
+            Twin(
+                "a cause of time for the traceback",
+                {**RIGHT, "f": "two clocks"},
+                Words(
+                    en="f: whatever is wrong with time or frames raises a TransformException, and every one of those is caught here. So this error is of another family.",
+                    ko="f: 시각이나 좌표계에 문제가 있으면 TransformException이 나오고, 여기서는 그것을 모두 잡습니다. 그러니 이 오류는 다른 집안의 것입니다.",
+                ),
+                "M11",
+            ),
         ),
         hints=(
             Words(
@@ -714,6 +827,14 @@ TASKS = (
                 Words(
                     en="Did you add a rate to a time? A period is one over the rate.",
                     ko="시간에 Hz를 더하지 않았습니까? 주기는 Hz의 역수입니다.",
+                ),
+            ),
+            Twin(
+                "what one gets",
+                10.0,
+                Words(
+                    en="Ten seconds is what you get if you say nothing. It is enough here, but not the least that is enough.",
+                    ko="10초는 따로 정하지 않을 때의 값입니다. 여기서는 충분하지만, 충분한 값 가운데 가장 작은 것은 아닙니다.",
                 ),
             ),
         ),

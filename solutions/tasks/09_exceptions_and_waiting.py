@@ -86,11 +86,11 @@ def eight_lines(_rng: np.random.Generator) -> dict:
 # E9.2: classify --------------------------------------------------------------------
 
 
-def robot_buffer(t: float) -> Buffer:
-    """Return a buffer that is good for map <- laser_frame from `t` + 1 to `t` + 4 [s]."""
+def robot_buffer(t: float, *, is_localized: bool = True) -> Buffer:
+    """Return a buffer that is good for map <- laser_frame from `t` + 1 to `t` + 4 [s], or has never heard of map."""
     return filled(
         Buffer(Duration(seconds=20)),
-        edge("map", "odom", t, t + 2.0, t + 4.0),
+        edge("map", "odom", t, t + 2.0, t + 4.0) if is_localized else [],
         edge("odom", "base_footprint", t + 1.0, t + 2.5, t + 4.5),
         edge("base_footprint", "base_link"),
         edge("base_link", "laser_frame", x=0.2),
@@ -158,6 +158,10 @@ def base_first(buffer: Buffer, target: str, source: str, stamp: Time) -> str:
     return "ok" if refusal(buffer, target, source, stamp) is None else "invalid argument"
 
 
+def one_word(buffer: Buffer, target: str, source: str, stamp: Time) -> str:
+    return "ok" if refusal(buffer, target, source, stamp) is None else "lookup"
+
+
 def ends_swapped(buffer: Buffer, target: str, source: str, stamp: Time) -> str:
     return kind_of(refusal(buffer, source, target, stamp))
 
@@ -183,7 +187,9 @@ def point_in(frame: str, time_s: float) -> geometry_msgs.PointStamped:
 
 
 def messages(rng: np.random.Generator) -> list[tuple]:
-    """Draw messages for each action, gaps on both sides of the limit, and one gap longer than its text says."""
+    """Draw messages for each action, gaps on both sides of the limit, one gap longer than its text says, and one
+    frame that is no name for a robot that has no map yet: tf2 speaks of its target first.
+    """
     t = round(float(rng.uniform(20.0, 60.0)), 1)
     drawn = [
         ("laser_frame", rng.uniform(1.2, 3.8)),
@@ -199,7 +205,9 @@ def messages(rng: np.random.Generator) -> list[tuple]:
         ("/laser_frame", rng.uniform(1.2, 3.8)),
         ("", rng.uniform(1.2, 3.8)),
     ]
-    return [(robot_buffer(t), point_in(frame, round(t + float(later), 3))) for frame, later in drawn]
+    rows = [(robot_buffer(t), point_in(frame, round(t + float(later), 3))) for frame, later in drawn]
+    lost = point_in("/laser_frame", round(t + float(rng.uniform(1.2, 3.8)), 3))
+    return [*rows, (robot_buffer(t, is_localized=False), lost)]
 
 
 def action(
@@ -210,11 +218,16 @@ def action(
     by_text: bool = False,
     latest: bool = False,
     wait_for_past: bool = False,
+    swapped: bool = False,
+    two_texts: bool = False,
 ) -> str:
     """Decide as the task asks; the options are the mistakes."""
     stamp = Time() if latest else Time.from_msg(message.header.stamp)
-    error = refusal(buffer, "map", message.header.frame_id, stamp)
+    ends = ("map", message.header.frame_id)
+    error = refusal(buffer, *(reversed(ends) if swapped else ends), stamp)
     kind = kind_of(error)
+    if two_texts and kind == "one sample":
+        return "check clocks"
     if kind == "future":
         newest_ns = buffer.get_latest_common_time("map", message.header.frame_id).nanoseconds
         gap_ns = stamp.nanoseconds - (error.bound_ns if by_text else newest_ns)
@@ -223,6 +236,10 @@ def action(
     if wait_for_past and kind in ("past", "one sample"):
         return "wait"
     return words.get(kind, "fix message")
+
+
+def use_or_drop(buffer: Buffer, message: geometry_msgs.PointStamped) -> str:
+    return "use" if action(buffer, message) == "use" else "drop"
 
 
 # E9.4: late or wrong ---------------------------------------------------------------
@@ -283,6 +300,10 @@ def no_sign(given) -> dict:
     return guess(given, lambda scan, odom: LATE if np.ptp(odom) > 0.1 else UNKNOWN)
 
 
+def tremble_not_trusted(given) -> dict:
+    return guess(given, lambda scan, odom: FAST if scan.min() < 0 else UNKNOWN)
+
+
 def long_timeout(given) -> dict:
     def cause_of(scan, odom) -> str:
         return FAST if scan.min() < 0 else LATE if np.ptp(odom) > 0.1 else UNKNOWN
@@ -326,13 +347,21 @@ def kept(
     future=False,
     by_place=False,
     backwards=False,
+    cut_first=False,
 ) -> dict:
     """Return what a policy keeps; the options are the mistakes."""
+    came = len(stamps_s)
+    stamps_s = sorted(stamps_s)[-max_size:] if cut_first else stamps_s
     young = [s for s in stamps_s if not ages or (now_s - s <= max_age_s and (future or s <= now_s))]
     young = young if by_place else sorted(young)
     if sizes:
         young = young[:max_size] if oldest else young[-max_size:]
-    return {"kept": young[::-1] if backwards else young, "lost": len(stamps_s) - len(young)}
+    return {"kept": young[::-1] if backwards else young, "lost": came - len(young)}
+
+
+def counted_wrongly(*arguments) -> dict:
+    right = kept(*arguments)
+    return {**right, "lost": len(right["kept"])}
 
 
 # E9.6: where may I wait ------------------------------------------------------------
@@ -422,6 +451,18 @@ TASKS = (
                  reply=Words(
                      en="compare the two times in line h: they are about 56 years apart. Which timeout would bridge that? Two kinds of clock are at work.",
                      ko="h의 두 시각을 비교해 보십시오. 약 56년 차이가 납니다. 어떤 timeout이 그것을 건널 수 있겠습니까? 종류가 다른 두 시계가 돌고 있습니다.")),
+            Twin("direction of h turned round", {**RIGHT, "h": "past"}, misconception="M11",
+                 reply=Words(
+                     en="line h says itself which way it goes. The moment asked for counts: is it before or after all that the buffer has?",
+                     ko="h는 방향을 스스로 말하고 있습니다. 물어본 시각을 기준으로 합니다. 버퍼가 가진 모든 것보다 앞입니까, 뒤입니까?")),
+            Twin("names for a clock", {**RIGHT, "h check": "spelling and publisher"}, misconception="M11",
+                 reply=Words(
+                     en="line h: tf2 got as far as the moment, so both names are known and there is a path. Look at the two times.",
+                     ko="h: tf2가 시각까지 따졌으니 두 이름은 알려져 있고 경로도 있습니다. 두 시각을 보십시오.")),
+            Twin("roots for a clock", {**RIGHT, "h check": "roots of the tree"}, misconception="M11",
+                 reply=Words(
+                     en="line h: tf2 got as far as the moment, so there is a path between the two. Look at the two times.",
+                     ko="h: tf2가 시각까지 따졌으니 둘 사이에 경로는 있습니다. 두 시각을 보십시오.")),
         ),
         hints=(
             Words(en="Ask in this order: was it a question at all? the names? the path? the moment?",
@@ -464,6 +505,10 @@ TASKS = (
                  reply=Words(
                      en="where both names are wrong, tf2 complains of the target first. Your function seems to hand over source and target in the other order: wanted comes first.",
                      ko="두 이름이 모두 틀리면 tf2는 목표(target_frame)부터 탓합니다. 이 함수는 원본과 목표를 거꾸로 넘기는 것 같습니다. 보려는 쪽이 먼저입니다.")),
+            Twin("one word for every no", one_word, misconception="M11",
+                 reply=Words(
+                     en="every refusal gets the same word. An `except TransformException` that stands first takes them all, and `can_transform` says only yes or no: give each class a branch of its own, and let the base class come last.",
+                     ko="모든 거절에 같은 단어를 돌려줍니다. 맨 앞에 둔 `except TransformException`은 모두를 가져가고, `can_transform`은 예, 아니요만 말합니다. 클래스마다 분기를 두고 부모 클래스는 맨 뒤에 두십시오.")),
         ),
         hints=(
             Words(en="Do not examine the buffer. Ask it, and sort what it raises.",
@@ -485,7 +530,7 @@ TASKS = (
             Twin("waits however far", lambda b, m: action(b, m, limit_s=1e6), misconception="M10",
                  reply=Words(
                      en="your function waits for any future, however far off. A gap of more than 0.2 s is not data on its way: no wait cures it.",
-                     ko="아무리 먼 미래라도 기다립니다. 0.2 s를 넘는 간격은 오는 중인 데이터가 아닙니다. 기다려도 해결되지 않습니다.")),
+                     ko="아무리 먼 미래라도 기다립니다. 0.2초를 넘는 간격은 오는 중인 데이터가 아닙니다. 기다려도 해결되지 않습니다.")),
             Twin("gap from the text", lambda b, m: action(b, m, by_text=True), misconception="M11",
                  reply=Words(
                      en="the time in the text is that of the first edge that failed, not of the slowest. A wait must last until *every* edge on the way is there: reckon from the latest common time.",
@@ -502,6 +547,22 @@ TASKS = (
                  reply=Words(
                      en="your function waits for data that is older than everything in the buffer. Old data does not come back: what does a robot do with such a message?",
                      ko="버퍼의 모든 것보다 오래된 데이터를 기다리고 있습니다. 지나간 데이터는 돌아오지 않습니다. 그런 메시지는 어떻게 해야 합니까?")),
+            Twin("ends swapped", lambda b, m: action(b, m, swapped=True), misconception="M1",
+                 reply=Words(
+                     en="where map is unknown and the message's frame is no name at all, tf2 complains of its *target* first. Your function asks for the other direction, or looks at the frame before tf2 does: data in the message's frame, wanted in map, and map comes first.",
+                     ko="map을 모르고 메시지의 좌표계도 이름이 될 수 없을 때, tf2는 *목표*부터 탓합니다. 이 함수는 방향을 거꾸로 묻거나, tf2보다 먼저 좌표계 이름을 따지고 있습니다. 메시지의 좌표계 기준 데이터를 map 기준으로 보려 하니 map이 먼저입니다.")),
+            Twin("waits for every extrapolation", lambda b, m: action(b, m, limit_s=1e6, wait_for_past=True), misconception="M10",
+                 reply=Words(
+                     en="every extrapolation is a wait for you. Three kinds are in this class: a little into the future may wait, far into the future is a clock, and what is past does not come back. The text tells them apart.",
+                     ko="외삽이면 무조건 기다립니다. 이 클래스에는 세 가지가 있습니다. 조금 앞선 미래는 기다릴 만하고, 한참 앞선 미래는 시계 문제이며, 과거는 돌아오지 않습니다. 오류문이 셋을 가려 줍니다.")),
+            Twin("third text taken for the future", lambda b, m: action(b, m, two_texts=True), misconception="M11",
+                 reply=Words(
+                     en='what is not "past" is not yet "future". An edge that has been heard exactly once gives a third text: any other extrapolation is a "drop".',
+                     ko='"past"가 아니라고 해서 "future"인 것은 아닙니다. 딱 한 번 들은 연결은 세 번째 오류문을 냅니다. 그 밖의 외삽은 "drop"입니다.')),
+            Twin("one action for every no", use_or_drop, misconception="M11",
+                 reply=Words(
+                     en='every refusal is a "drop" for you. Then a transform that is 0.1 s late costs a message each time, and a typo is never found: one branch for each class.',
+                     ko='거절이면 무조건 "drop"입니다. 그러면 변환이 0.1초만 늦어도 매번 메시지를 잃고, 오타는 영영 찾지 못합니다. 클래스마다 분기를 하나씩 두십시오.')),
         ),
         hints=(
             Words(en="It is E9.2 with other words, and one comparison more.",
@@ -547,12 +608,16 @@ TASKS = (
                  reply=Words(
                      en="one robot hears its scans before they are measured. That much *can* be told from the numbers: look at the sign.",
                      ko="한 로봇은 스캔을 측정하기도 전에 듣습니다. 그것만은 숫자로 *알 수 있습니다*. 부호를 보십시오.")),
+            Twin("tremble not trusted", tremble_not_trusted, misconception="M10",
+                 reply=Words(
+                     en="one robot's /odom trembles by a quarter of a second from message to message. A clock does not do that, a network does: so much can be told.",
+                     ko="한 로봇의 /odom은 메시지마다 4분의 1초씩 떨립니다. 시계는 그러지 않지만 네트워크는 그럽니다. 그만큼은 알 수 있습니다.")),
         ),
         hints=(
             Words(en="For each topic: heard minus stamp. Then look at three things: sign, size, tremble.",
                   ko="토픽마다 들은 시각에서 측정 시각을 빼십시오. 그리고 부호, 크기, 떨림 세 가지를 보십시오."),
             Words(en="A healthy /scan is about 0.105 s, a healthy /odom about 0.005 s. Which topic of each robot is not healthy?",
-                  ko="정상인 /scan은 약 0.105 s, 정상인 /odom은 약 0.005 s입니다. 로봇마다 어느 토픽이 정상이 아닙니까?"),
+                  ko="정상인 /scan은 약 0.105초, 정상인 /odom은 약 0.005초입니다. 로봇마다 어느 토픽이 정상이 아닙니까?"),
             Words(en="Negative: a clock, and you can say whose. Positive and trembling: the network. Positive and smooth: either, and one-way times cannot tell.",
                   ko="음수면 시계이고, 누구의 시계인지 말할 수 있습니다. 양수이고 떨리면 네트워크입니다. 양수이고 매끈하면 둘 중 어느 쪽인지 한 방향 시각만으로는 알 수 없습니다."),
         ),
@@ -589,6 +654,22 @@ TASKS = (
                  reply=Words(
                      en="you go by the order of arrival. Messages may overtake each other: age is a matter of the stamp.",
                      ko="도착 순서를 따르고 있습니다. 메시지는 서로 앞지를 수 있습니다. 나이는 측정 시각으로 정합니다.")),
+            Twin("cut before sieving", lambda *a: kept(*a, cut_first=True),
+                 reply=Words(
+                     en="you cut to size first and sieve afterwards. Then a message from the future takes the place of a good one: sieve first, and cut what is left.",
+                     ko="먼저 개수를 자르고 나중에 거르고 있습니다. 그러면 미래에서 온 메시지가 멀쩡한 메시지의 자리를 차지합니다. 먼저 거르고, 남은 것을 자르십시오.")),
+            Twin("everything kept", lambda *a: {"kept": list(a[0]), "lost": 0},
+                 reply=Words(
+                     en="nothing is ever lost in your queue. That is the queue of the page that decides on data four seconds old.",
+                     ko="이 큐는 아무것도 버리지 않습니다. 4초 묵은 데이터로 결정하던 그 큐입니다.")),
+            Twin("neither sorted nor cut", lambda *a: kept(*a, by_place=True, sizes=False),
+                 reply=Words(
+                     en="two things: nobody is turned away when the queue is full, and the messages stand in the order of arrival, not of their stamps.",
+                     ko="두 가지입니다. 큐가 꽉 차도 아무것도 버리지 않고, 메시지가 측정 시각이 아니라 도착 순서로 서 있습니다.")),
+            Twin("counted what stayed", counted_wrongly,
+                 reply=Words(
+                     en='"lost" counts the messages that went, not those that stayed.',
+                     ko='"lost"는 남은 메시지가 아니라 버린 메시지의 수입니다.')),
         ),
         hints=(
             Words(en="Three sieves, one after the other: from the future, too old, too many.",
@@ -620,7 +701,7 @@ TASKS = (
             Twin("a timeout never ends", waits(**dict.fromkeys("acfg", "waits for ever")), misconception="M10",
                  reply=Words(
                      en="a wait with `timeout=0.3 s` is over after 0.3 s, whatever happens. Which line has no timeout at all?",
-                     ko="`timeout=0.3 s`인 기다림은 무슨 일이 있어도 0.3 s 뒤에 끝납니다. timeout이 아예 없는 줄은 어느 것입니까?")),
+                     ko="`timeout=0.3 s`인 기다림은 무슨 일이 있어도 0.3초 뒤에 끝납니다. timeout이 아예 없는 줄은 어느 것입니까?")),
             Twin("a promise blocks", waits(d="waits in vain"), misconception="M10",
                  reply=Words(
                      en="`wait_for_transform_async` returns at once, so the one thread is free again to take in the transform.",
@@ -675,6 +756,10 @@ TASKS = (
                  reply=Words(
                      en="the two edges do not wait for one another: their messages travel at the same time.",
                      ko="두 연결은 서로를 기다리지 않습니다. 메시지는 동시에 옵니다.")),
+            Twin("a round second", 1.0, misconception="M10",
+                 reply=Words(
+                     en="one second is a habit, not a result: it is longer than any of these numbers asks for, and it hides a clock that is wrong. Work it out.",
+                     ko="1초는 습관이지 계산한 값이 아닙니다. 이 숫자들에 필요한 것보다 길고, 틀린 시계를 가립니다. 계산해 보십시오.")),
         ),
         hints=(
             Words(en="Work out for each edge when, at the latest, the first sample at or after the scan's stamp has arrived.",
