@@ -1,4 +1,19 @@
-"""tflab: a book that runs.  It teaches ROS 2 TF2 to someone who has only Python."""
+"""tflab: a book that runs.  It teaches ROS 2 TF2 to someone who has only Python.
+
+    core       where is A as seen from B, at t?  the engine, a textbook of its own
+    views      how does it look?
+    ros        what would ROS 2 do?  nodes, topics, clocks and `tf2_ros` in one process
+    robots     a robot to learn on, and what can go wrong with one
+    bags       what was recorded?
+    doctor     what is wrong with this TF?
+    tools      what would one type?
+    workbook   which mistake is this?  pages, exercises, checks
+    grading    what did the class hand in?
+    cli        `tflab lab`, and what else a shell can ask
+
+A room imports only from rooms above it, and importing `tflab` loads none of them.
+Each begins with a page that says what is in it.  Start with `core/__init__.py`.
+"""
 
 __version__ = "0.1.0"
 

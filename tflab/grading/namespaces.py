@@ -144,30 +144,23 @@ def mounted_below(path: str) -> list[str]:
     return points
 
 
-def cover(path: str) -> None:
-    """Make what is shown at `path` unreadable, if it is shown at all."""
+def cover(path: str, nothing: str = "/dev/null") -> None:
+    """Make what is shown at `path` unreadable, if it is shown at all; `nothing` is the null device."""
     if os.path.isdir(path):
         mount("tmpfs", path, "tmpfs", RDONLY | NOSUID | NODEV, "size=4k,mode=0")
     elif os.path.exists(path):
-        mount("/dev/null", path, None, BIND)
+        mount(nothing, path, None, BIND)
 
 
 def furnish_proc() -> None:
     os.mkdir("/proc")
     mount("proc", "/proc", "proc", NOSUID | NODEV | NOEXEC)
     for name in NOT_FOR_READING:
-        cover_in_proc(f"/proc/{name}")
+        cover(f"/proc/{name}", nothing="/.old/dev/null")  # /dev is not furnished yet
     for name in NOT_FOR_WRITING:
         if os.path.exists(f"/proc/{name}"):
             mount(f"/proc/{name}", f"/proc/{name}", None, BIND | REC)
             mount(None, f"/proc/{name}", None, REMOUNT | BIND | RDONLY | NOSUID | NODEV | NOEXEC)
-
-
-def cover_in_proc(path: str) -> None:
-    if os.path.isdir(path):
-        mount("tmpfs", path, "tmpfs", RDONLY | NOSUID | NODEV, "size=4k,mode=0")
-    elif os.path.exists(path):
-        mount("/.old/dev/null", path, None, BIND)
 
 
 def furnish_dev() -> None:

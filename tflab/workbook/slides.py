@@ -26,7 +26,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from .html import PageFailed, language_of, notebooks_called, run_with_films
+from .html import PageFailed, notebooks_called, page_language, run_with_films
 from .places import WorkbookError, read_workbook, workbook_root
 from .words import LANGUAGES, Words
 
@@ -112,7 +112,7 @@ def deck_from_notebook(notebook: Path, out_dir: Path, *, notes: bool = True, sin
 
     with TemporaryDirectory() as folder:
         executed = run_with_films(notebook, Path(folder))
-        language = language_of(executed)
+        language = page_language(executed)
         slides = slides_of(json.loads(executed.read_text(encoding="utf-8")), notes=notes)
         if not slides:
             raise PageFailed(f"{notebook.name}: no cell of it is shown on a slide")
