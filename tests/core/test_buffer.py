@@ -142,6 +142,10 @@ def test_a_stamp_in_seconds_is_refused_with_the_remedy() -> None:
             buffer.set_transform(StampedTransform("odom", child, 6.5, Transform()))
         with pytest.raises(ValueError, match="64 bits"):
             buffer.set_transform(StampedTransform("odom", child, 2**63, Transform()))
+    with pytest.raises(TypeError, match=r"a stamp is an int of nanoseconds, not 6\.5"):
+        buffer.lookup_transform("odom", "base_link", 6.5)
+    with pytest.raises(TypeError, match=r"cache_time_ns is an int of nanoseconds, not 10\.0; seconds"):
+        BufferCore(10.0)
     assert not buffer.frame_exists("newcomer")
     assert buffer.set_transform(StampedTransform("odom", "base_link", seconds(6.5), Transform()))
 

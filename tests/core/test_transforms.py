@@ -90,6 +90,7 @@ def test_what_cannot_be_a_transform_is_refused_with_what_was_expected(make, erro
         make()
 
 
-def test_a_transform_is_not_multiplied_with_a_point() -> None:
-    with pytest.raises(TypeError):
-        Transform() @ (1, 2, 3)
+@pytest.mark.parametrize("point", [(1, 2, 3), [1, 2, 3], np.array([1.0, 2.0, 3.0])])
+def test_a_transform_is_not_multiplied_with_a_point(point) -> None:
+    with pytest.raises(TypeError, match=r"a_p = a_T_b\.apply\(b_p\)"):
+        Transform() @ point

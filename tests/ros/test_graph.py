@@ -301,6 +301,15 @@ def test_threads_of_a_participant_take_turns_with_everybody_else(graph):
     assert seen == [("worker", seconds(1.5)), ("main", seconds(1.5))]
 
 
+def test_what_was_called_instead_of_passed_is_refused_with_the_remedy(graph):
+    def main():
+        pass
+
+    with pytest.raises(TypeError, match="takes a function, not None: pass main itself, without calling it"):
+        graph.start(main())
+    assert graph.participants == []
+
+
 @pytest.mark.filterwarnings("ignore::pytest.PytestUnhandledThreadExceptionWarning")  # as in rclpy
 def test_a_thread_that_spins_may_be_started_from_the_cell(graph):
     rclpy.init()

@@ -86,6 +86,8 @@ def test_something_may_run_beside_the_files_and_see_them(capfd):
 def test_a_missing_file_is_named_and_nothing_is_started(tmp_path):
     with pytest.raises(FileNotFoundError, match=r"no such node file: .*nobody\.py"):
         run_files([*NODES, str(tmp_path / "nobody.py")])
+    with pytest.raises(TypeError, match=r"run_files\(\['nobody\.py'\]\)"):
+        run_files("nobody.py")
 
 
 def test_a_file_that_ends_well_is_a_success(tmp_path, capfd):

@@ -22,7 +22,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import isinf
-from operator import index
 from threading import RLock
 
 import numpy as np
@@ -65,7 +64,7 @@ class BufferCore(Inspection):
     """
 
     def __init__(self, cache_time_ns: int = DEFAULT_CACHE_TIME_NS, refuse_repeated_stamps: bool = False) -> None:
-        cache_time_ns = index(cache_time_ns)
+        cache_time_ns = checks.whole_nanoseconds(cache_time_ns, "cache_time_ns")
         if cache_time_ns < 0:
             raise ValueError(f"cache_time_ns must not be negative: {cache_time_ns}")
         super().__init__(Tree(cache_time_ns, refuse_repeated_stamps), RLock())
@@ -391,7 +390,7 @@ class BufferCore(Inspection):
 
     def _lookup_from_scratch(self, target_frame: str, source_frame: str, stamp_ns: int) -> StampedTransform:
         """Look up the long way, as tf2 does, and try to make the next time shorter."""
-        stamp_ns = index(stamp_ns)
+        stamp_ns = checks.whole_nanoseconds(stamp_ns)
         if target_frame == source_frame:
             cache = self._tree.caches[self._tree.numbers.get(source_frame, 0)]
             newest_ns = cache.newest_ns if cache is not None else 0

@@ -31,6 +31,7 @@ __all__ = [
     "number_in_question",
     "stamp_in_range",
     "unknown_frame",
+    "whole_nanoseconds",
     "without_slash",
 ]
 
@@ -90,17 +91,26 @@ def is_acceptable(parent: str, child: str, numbers: tuple[float, ...], authority
     return not faults
 
 
+def whole_nanoseconds(value: int, what: str = "a stamp") -> int:
+    """Return a time as a plain int [ns].
+
+    Raises:
+        TypeError: not an integer: seconds, perhaps?
+    """
+    try:
+        return index(value)
+    except TypeError:
+        raise TypeError(f"{what} is an int of nanoseconds, not {value!r}; seconds(1.5) makes one") from None
+
+
 def stamp_in_range(stamp_ns: int) -> int:
     """Return a stamp that a history can hold.
 
     Raises:
-        TypeError: not an integer: seconds, perhaps?
+        TypeError: not an integer.
         ValueError: not within 64 bits.
     """
-    try:
-        stamp_ns = index(stamp_ns)
-    except TypeError:
-        raise TypeError(f"a stamp is an int of nanoseconds, not {stamp_ns!r}; seconds(1.5) makes one") from None
+    stamp_ns = whole_nanoseconds(stamp_ns)
     if not -(2**63) <= stamp_ns < 2**63:
         raise ValueError(f"a stamp must fit in 64 bits, {stamp_ns} ns does not")
     return stamp_ns

@@ -100,6 +100,8 @@ class Transform:
 
     def __matmul__(self, other: Transform) -> Transform:
         """Return `a_T_c = a_T_b @ b_T_c`."""
+        if isinstance(other, tuple | list | np.ndarray):
+            raise TypeError("@ joins two transforms; a point is moved by apply: a_p = a_T_b.apply(b_p)")
         if not isinstance(other, Transform):
             return NotImplemented
         return transform_from_pose(compose(pose_from_transform(self), pose_from_transform(other)))

@@ -130,7 +130,12 @@ class Graph:
         Args:
             name: for reports; the function's own if None, with a number if that is taken.
             argv: what `rclpy.init()` finds on the command line.
+
+        Raises:
+            TypeError: `main` is no function.
         """
+        if not callable(main):
+            raise TypeError(f"start() takes a function, not {main!r}: pass main itself, without calling it")
         name = self._free_name(name or getattr(main, "__name__", "participant"))
         participant = Participant(name, self, main, args, argv or [name])
         self.participants.append(participant)

@@ -49,7 +49,10 @@ def run_files(
 
     Raises:
         FileNotFoundError: one of them does not exist; none has been started then.
+        TypeError: a single path, outside of a list.
     """
+    if isinstance(paths, str | os.PathLike):
+        raise TypeError(f"run_files takes a list of files: run_files([{str(paths)!r}])")
     for path in paths:
         if not os.path.isfile(path):
             raise FileNotFoundError(f"no such node file: {path}")
