@@ -296,5 +296,5 @@ def test_what_cannot_be_broken_says_what_is_missing():
 
 
 def test_an_unknown_fault_is_refused():
-    with pytest.raises(ValueError, match="'gremlins' is not a valid Fault"):
+    with pytest.raises(ValueError, match="'gremlins' is not a valid Fault; there is reparented, second-owner, "):
         inject(CLEAN, "gremlins")

@@ -194,6 +194,18 @@ def test_the_solution_opens_after_three_tries(copy, capsys):
     assert "solution(" in said(capsys, "E3.4", 7.0)
 
 
+def test_a_solution_is_shown_without_the_marks_of_its_regions(copy, capsys, monkeypatch, tmp_path):
+    cell = {"id": "e3-4-answer", "source": ["# BEGIN SOLUTION\n", "angle = 1.57\n", "# END SOLUTION"]}
+    path = tmp_path / "solutions" / "en" / f"{chapter.STEM}.ipynb"
+    path.parent.mkdir(parents=True)
+    path.write_text(json.dumps({"cells": [cell]}))
+    monkeypatch.setattr(checks, "workbook_data", lambda: tmp_path)
+    for _ in range(3):
+        said(capsys, "E3.4", 7.0)
+    solution("E3.4")
+    assert capsys.readouterr().out == "angle = 1.57\n"
+
+
 def test_a_class_has_no_solutions(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(chapter.copy_of_workbook(tmp_path, edition="class").root)
     solution("E3.4")

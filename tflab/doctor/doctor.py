@@ -10,6 +10,7 @@ nodes.  Read `command.py` next.
 from __future__ import annotations
 
 from dataclasses import replace
+from os import PathLike
 
 from tflab.bags.listen import recording_from_graph
 from tflab.bags.recording import Recording
@@ -41,7 +42,10 @@ def doctor(patient: Recording | Graph | BufferCore, seconds: float = 5.0) -> Rep
     core = getattr(patient, "core", patient)
     if isinstance(core, BufferCore):
         return diagnose_buffer(core)
-    raise TypeError(f"the doctor looks at a Recording, a Graph or a BufferCore, not at {type(patient).__name__}")
+    remedy = "; tflab.bags.reader.read_bag(path) makes a Recording" if isinstance(patient, str | PathLike) else ""
+    raise TypeError(
+        f"the doctor looks at a Recording, a Graph or a BufferCore, not at {type(patient).__name__}{remedy}"
+    )
 
 
 def _diagnose_graph(graph: Graph, seconds: float) -> Report:

@@ -43,6 +43,10 @@ class Fault(StrEnum):
     LATE_STAMPS = "late-stamps"
     EARLY_STAMPS = "early-stamps"
 
+    @classmethod
+    def _missing_(cls, value: object) -> None:
+        raise ValueError(f"{value!r} is not a valid Fault; there is {', '.join(cls)}")
+
 
 class FaultKind(NamedTuple):
     """What a fault is, what it looks like in a recording, and what a robot does about it.

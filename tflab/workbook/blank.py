@@ -22,7 +22,7 @@ import io
 import textwrap
 import tokenize
 
-__all__ = ["BlankError", "blank", "regions"]
+__all__ = ["BlankError", "blank", "regions", "without_marks"]
 
 BEGIN, END = "# BEGIN SOLUTION", "# END SOLUTION"
 YOUR_TURN = 'raise NotImplementedError("your turn")'
@@ -34,6 +34,11 @@ class BlankError(Exception):
     def __init__(self, wrong: str, remedy: str) -> None:
         super().__init__(f"{wrong}; {remedy}")
         self.wrong, self.remedy = wrong, remedy
+
+
+def without_marks(source: str) -> str:
+    """Return a solution's cell for reading: without the lines that mark its regions."""
+    return "".join(line for line in source.splitlines(keepends=True) if line.strip() not in (BEGIN, END))
 
 
 def regions(source: str) -> list[tuple[int, int]]:

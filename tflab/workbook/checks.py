@@ -26,6 +26,7 @@ from types import SimpleNamespace
 from typing import Any, NamedTuple
 
 from . import progress
+from .blank import without_marks
 from .cases import CasesError, read_cases
 from .forms import Sequence, form_from_plain
 from .places import CASES, Workbook, WorkbookError, read_workbook, workbook_data, workbook_root
@@ -138,7 +139,8 @@ def solution(task_id: str) -> None:
     except OSError as error:
         print(f"{one.id}: {one.say('no_cases', why=error)}")
         return
-    print("".join(line for cell in cells if cell["id"] == answer_cell_name(one.id) for line in cell["source"]))
+    answers = [cell["source"] for cell in cells if cell["id"] == answer_cell_name(one.id)]
+    print(without_marks("".join(line for lines in answers for line in lines)).rstrip())
 
 
 # -- trying ---------------------------------------------------------------------------
