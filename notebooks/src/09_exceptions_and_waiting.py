@@ -489,9 +489,13 @@ store(StampedTransform('base_link', 'tool0', seconds(12.0), Transform((0.3, 0.0,
 buffer.lookup_transform('base_link', 'tool0', Time(seconds=12.3))
 
 # %% [markdown] lang="en" name="statics" slide="-"
+# For `Time()`, and for its very own stamp, one sample is enough. So `tf2_echo`, which asks with `Time()`, shows it as if all were well, and your node fails.
+#
 # And `base_link → laser_frame`, whose stamp is 0? It answers for any time. **An old stamp on a static edge is not a fault**, and people have hunted it for days.
 
 # %% [markdown] lang="ko" name="statics" slide="-"
+# `Time()`으로 묻거나 그 표본의 시각을 그대로 물으면 하나로도 답합니다. 그래서 `Time()`으로 묻는 `tf2_echo`에서는 멀쩡해 보이고, 여러분의 노드에서는 실패합니다.
+#
 # 그렇다면 시각이 0인 `base_link → laser_frame`은 어떨까요? 어느 시각에나 답합니다. **정적 연결의 오래된 시각은 결함이 아닙니다.** 그것을 며칠씩 쫓은 사람도 있습니다.
 
 # %% [markdown] lang="en" name="argument-why" slide="subslide"
@@ -1393,7 +1397,7 @@ graph.run(seconds=4)
 # ```bash
 # ros2 topic delay /scan                       # 음수? 시계가 둘
 # ros2 topic delay /odom                       # 같은 시계를 쓰는 변환 쪽
-# ros2 param get /careful use_sim_time         # 혼자 다른 시간을 쓰는 노드?
+# ros2 param get /careful use_sim_time         # 다른 시간을 쓰는 노드?
 # ros2 run tf2_ros tf2_monitor map laser_frame # 어느 연결이 얼마나 늦는지
 # chronyc tracking                             # 컴퓨터마다
 # ```
@@ -1429,25 +1433,19 @@ graph.run(seconds=4)
 # %% [markdown] lang="en" name="from-earlier" slide="subslide"
 # ## Three questions from earlier chapters
 #
-# **From 03.** The text says *from frame [laser_frame] to frame [map]*. Write the call that was made.
-#
-# <details><summary>Answer</summary>
+# <details><summary>From 03. The text says <em>from frame [laser_frame] to frame [map]</em>. Write the call that was made.</summary>
 #
 # `lookup_transform('map', 'laser_frame', stamp)`: data expressed in `laser_frame`, wanted in `map`; wanted comes first.
 #
 # </details>
 #
-# **From 08.** What does `Time()` ask for, and why is its answer in this page's buffer one for 14.0 s, although the odometry had news until 14.6 s?
-#
-# <details><summary>Answer</summary>
+# <details><summary>From 08. What does <code>Time()</code> ask for, and why is its answer in this page's buffer one for 14.0 s, although the odometry had news until 14.6 s?</summary>
 #
 # The latest *common* time: the earliest of the newest samples of all dynamic edges on the way. Statics do not count.
 #
 # </details>
 #
-# **From 02.** Somebody publishes a transform whose quaternion is (0, 0, 0, 0). Which exception will *you* get, and where?
-#
-# <details><summary>Answer</summary>
+# <details><summary>From 02. Somebody publishes a transform whose quaternion is (0, 0, 0, 0). Which exception will <em>you</em> get, and where?</summary>
 #
 # A LookupException, at your own lookup, far away from the culprit: the listener refuses the transform and says so in its log, so the frame is never heard of.
 #
@@ -1456,25 +1454,19 @@ graph.run(seconds=4)
 # %% [markdown] lang="ko" name="from-earlier" slide="subslide"
 # ## 앞 장에서 온 질문 셋
 #
-# **03장에서.** 오류문에 "from frame [laser_frame] to frame [map]"이라고 나왔습니다. 어떤 호출이었는지 적으십시오.
-#
-# <details><summary>답</summary>
+# <details><summary>03장에서. 오류문에 "from frame [laser_frame] to frame [map]"이라고 나왔습니다. 어떤 호출이었는지 적으십시오.</summary>
 #
 # `lookup_transform('map', 'laser_frame', stamp)`입니다. `laser_frame` 기준 데이터를 `map` 기준으로 보려 한 것이고, 보려는 쪽이 먼저입니다.
 #
 # </details>
 #
-# **08장에서.** `Time()`은 무엇을 묻습니까? 이 장의 버퍼에는 오도메트리 소식이 14.6초까지 있는데, 왜 14.0초의 답이 나올까요?
-#
-# <details><summary>답</summary>
+# <details><summary>08장에서. <code>Time()</code>은 무엇을 묻습니까? 이 장의 버퍼에는 오도메트리 소식이 14.6초까지 있는데, 왜 14.0초의 답이 나올까요?</summary>
 #
 # 최신 *공통* 시각을 묻습니다. 경로 위 모든 동적 연결의 최신 표본 가운데 가장 이른 것입니다. 정적 연결은 세지 않습니다.
 #
 # </details>
 #
-# **02장에서.** 누군가 쿼터니언이 (0, 0, 0, 0)인 변환을 발행합니다. *여러분*은 어디서 어떤 예외를 만나게 될까요?
-#
-# <details><summary>답</summary>
+# <details><summary>02장에서. 누군가 쿼터니언이 (0, 0, 0, 0)인 변환을 발행합니다. <em>여러분</em>은 어디서 어떤 예외를 만나게 될까요?</summary>
 #
 # 범인과 멀리 떨어진 여러분의 조회에서 LookupException을 만납니다. 수신기가 그 변환을 거절하고 로그에만 남기므로, 그 좌표계는 한 번도 들은 적 없는 이름이 됩니다.
 #
