@@ -69,6 +69,13 @@ def test_a_learner_is_known_by_where_the_file_is(tmp_path: Path, name: str) -> N
     assert len(found["s101"]) == len(found["s102"]) == 1
 
 
+def test_everybody_on_the_roster_has_one_place_in_its_order_and_strangers_come_after_them(tmp_path: Path) -> None:
+    put(tmp_path, "a-stranger/03_tiny.ipynb", "s102/03_tiny.ipynb")
+    collection = collect(tmp_path, ROSTER, CHAPTERS)
+    assert list(who(collection)) == ["s101", "s102", "7", "a-stranger"]
+    assert remarks_of(collection, "7") == ("nothing was handed in",)
+
+
 def test_several_chapters_of_one_learner_are_one_submission(tmp_path: Path) -> None:
     put(tmp_path, "kimminji_1_22_02_axes.ipynb", "kimminji_1_23_03_tiny.ipynb")
     assert len(who(collect(tmp_path, ROSTER, CHAPTERS))["s101"]) == 2

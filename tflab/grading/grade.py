@@ -145,7 +145,7 @@ def _say(records: list[dict[str, Any]], collection: Collection, out: Path, wall:
         print(remark.say("en"))
     for record in records:
         if not record["handed_in"]:
-            why = "; ".join(remark.say("en") for remark in remarks_of(record)) or "nothing to grade"
+            why = " ".join(remark.say("en") for remark in remarks_of(record)) or "nothing to grade."
             print(f"{record['learner']}: {why}")
     handed_in = [record for record in records if record["handed_in"]]
     counted = f"{len(handed_in)} graded, {len(records) - len(handed_in)} with nothing to grade."

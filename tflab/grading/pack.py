@@ -19,6 +19,7 @@ import json
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -63,7 +64,7 @@ class Pack:
     cases: dict[str, dict[str, Any]] = field(default_factory=dict)
     masters: dict[str, Master] = field(default_factory=dict)
 
-    @property
+    @cached_property
     def digest(self) -> str:
         """A name for exactly this pack, so that results of another are not taken for its own."""
         held = json.dumps([self.release, self.seed, self.version, self.cases], sort_keys=True)

@@ -59,7 +59,7 @@ class Submission:
 
 @dataclass(frozen=True)
 class Collection:
-    """Every submission, by learner's id, and remarks on what belongs to nobody."""
+    """Every submission, in the order of the roster, then by name, and remarks on what belongs to nobody."""
 
     submissions: tuple[Submission, ...]
     remarks: tuple[Remark, ...] = ()
@@ -100,9 +100,8 @@ def collect(
                 one, notebooks=there.notebooks + one.notebooks, remarks=(*there.remarks, *one.remarks, together)
             )
         found[one.learner] = one
-    for learner in sorted(set(roster or ()) - set(found)):
-        found[learner] = Submission(learner, (), (Remark("no file"),))
-    return Collection(tuple(found[learner] for learner in sorted(found)), tuple(remarks))
+    on_roster = [found.pop(learner, Submission(learner, (), (Remark("no file"),))) for learner in roster or ()]
+    return Collection((*on_roster, *(found[learner] for learner in sorted(found))), tuple(remarks))
 
 
 def _listed(place: Path, leave_out: set[Path]) -> tuple[list[Member], list[Remark]]:
