@@ -57,6 +57,14 @@ def remarks_of(collection: Collection, learner: str) -> tuple[str, ...]:
         "Minji Kim_4711_assignsubmission_file/03_tiny.ipynb",
         "kimminji_4711_98765_03_tiny.ipynb",
         "kimminji_LATE_4711_98765_03_tiny-1.ipynb",
+        "Kim Minji_4711_assignsubmission_file_03_tiny.ipynb",
+        "12345-4711 - Minji Kim - Nov 20, 2026 1012 AM/03_tiny.ipynb",
+        "Kim Minji - homework 3.ipynb",
+        "HW1_s101_attempt_2026-11-20-10-00-00_03_tiny.ipynb",
+        "[s101] 김민지/과제/03_tiny.ipynb",
+        "s101김민지_과제3.ipynb",
+        "s101_03_tiny/03_tiny.ipynb",
+        "week 3: 03_tiny/s101.ipynb",
         "s101.ipynb",
         "s101_03_tiny.ipynb",
         "03_tiny_s101.ipynb",
@@ -321,3 +329,27 @@ def test_a_folder_that_cannot_be_opened_is_said(tmp_path: Path) -> None:
         assert "cannot be opened" in collect(tmp_path, ROSTER, CHAPTERS).remarks[0].say("en")
     finally:
         (tmp_path / "s101").chmod(0o700)
+
+
+@pytest.mark.parametrize("inside", ["03_tiny.ipynb", "03_tiny/03_tiny.ipynb", "s102.ipynb"])
+@pytest.mark.parametrize("roster", [ROSTER, None])
+def test_a_zip_that_a_system_named_by_person_and_chapter_is_that_persons(
+    tmp_path: Path, roster: dict[str, Learner] | None, inside: str
+) -> None:
+    for name in ("kimminji_4711_98765_03_tiny.zip", "adabyron_4712_98766_03_tiny.zip"):
+        zipped(tmp_path / name, {inside: b"{}"})
+    found = who(collect(tmp_path, roster, CHAPTERS))
+    names = ("s101", "s102") if roster else ("kimminji_4711", "adabyron_4712")
+    assert [len(found[name]) for name in names] == [1, 1]
+
+
+def test_folders_named_by_person_and_chapter_are_the_persons_and_one_for_all_is_nobodys(tmp_path: Path) -> None:
+    put(tmp_path, "ada_03_tiny/03_tiny.ipynb", "ada_02_axes/02_axes.ipynb", "kim_03_tiny/work.ipynb")
+    put(tmp_path, "week 3, 03_tiny/lee.ipynb", "week 3, 03_tiny/park.ipynb")
+    found = {learner: len(files) for learner, files in who(collect(tmp_path, None, CHAPTERS)).items()}
+    assert found == {"ada": 2, "kim": 1, "lee": 1, "park": 1}
+
+
+def test_what_a_system_puts_beside_a_notebook_is_not_worth_a_line(tmp_path: Path) -> None:
+    put(tmp_path, "HW1_s101_attempt_1_03_tiny.ipynb", "HW1_s101_attempt_1.txt", "s101/desktop.ini")
+    assert remarks_of(collect(tmp_path, ROSTER, CHAPTERS), "s101") == ()

@@ -32,12 +32,12 @@ from .roster import Learner
 __all__ = ["Collection", "Submission", "collect"]
 
 NOTEBOOKS = (".ipynb", ".ipynb.txt", ".ipynb.json")  # a browser adds the last ones
-SKIPPED = {"__MACOSX", "__pycache__"}
+SKIPPED = {"__MACOSX", "__pycache__", "Thumbs.db", "desktop.ini"}
 WRAPPERS = {"submitted", "submissions", "submission", "exercises"}
 MAX_NOTEBOOKS = 60  # of one learner
 MAX_DEPTH = 12
 MOST_ZIPS = 2  # in each other, in a learner's folder
-MOODLE = re.compile(r"(?P<name>.+?)_(?P<number>\d+)_assignsubmission_\w+?_?")
+MOODLE = re.compile(r"(?P<name>.+?)_(?P<number>\d+)_assignsubmission_")
 CANVAS = re.compile(r"(?P<name>[^_]+)_(?:LATE_)?(?P<user>\d+)_(?P<file>\d+)_(?P<rest>.+)")
 
 
@@ -93,15 +93,17 @@ def collect(
             elif learner is None:
                 strange = (Remark("nobody", stamp=_printable(key)),)
         one = _submission(learner or _printable(key), groups[key], strange, roster is None or learner is not None)
-        there = found.get(one.learner)
-        if there is not None:
-            together = Remark("places", stamp=_printable(key))
-            one = replace(
-                one, notebooks=there.notebooks + one.notebooks, remarks=(*there.remarks, *one.remarks, together)
-            )
-        found[one.learner] = one
+        found[one.learner] = _together(found[one.learner], one, key) if one.learner in found else one
     on_roster = [found.pop(learner, Submission(learner, (), (Remark("no file"),))) for learner in roster or ()]
     return Collection((*on_roster, *(found[learner] for learner in sorted(found))), tuple(remarks))
+
+
+def _together(there: Submission, one: Submission, key: str) -> Submission:
+    """Return as one what a learner handed in at two places; what lies beside a notebook is not worth a line."""
+    if bool(there.notebooks) != bool(one.notebooks):
+        return there if there.notebooks else one
+    remarks = (*there.remarks, *one.remarks, Remark("places", stamp=_printable(key)))
+    return replace(one, notebooks=there.notebooks + one.notebooks, remarks=remarks)
 
 
 def _listed(place: Path, leave_out: set[Path]) -> tuple[list[Member], list[Remark]]:
@@ -196,8 +198,8 @@ def _by_learner(members: list[Member], roster: Mapping[str, Learner], chapters: 
     """Return the members without the folders above the learners', one for each chapter or each assignment."""
     folders = {member.parts[0] for member in members if len(member.parts) > 1}
     below = {member.parts[1] for member in members if len(member.parts) > 1}
-    strange = {folder for folder in folders if not (roster and _of_path(folder, roster))}
-    strip = {folder for folder in strange if any(chapter in folder for chapter in chapters)}
+    strange = {folder for folder in folders if not _is_somebodys(folder, roster)}
+    strip = {folder for folder in strange if _is_a_chapters(folder, members, roster, chapters)}
     everybody = roster and all(_of_path(_group((name,), chapters), roster) for name in below)
     if everybody and strange == folders:  # nobody's folders, and somebody's in each
         strip = folders
@@ -207,16 +209,32 @@ def _by_learner(members: list[Member], roster: Mapping[str, Learner], chapters: 
     ]
 
 
+def _is_somebodys(folder: str, roster: Mapping[str, Learner]) -> bool:
+    return bool(CANVAS.fullmatch(folder) or MOODLE.match(folder) or (roster and _of_path(folder, roster)))
+
+
+def _is_a_chapters(
+    folder: str, members: Sequence[Member], roster: Mapping[str, Learner], chapters: Sequence[str]
+) -> bool:
+    """Return whether a folder that has a chapter's name holds learners, and is not a learner's own."""
+    if folder in chapters or not any(chapter in folder for chapter in chapters):
+        return folder in chapters
+    inside = {_group(member.parts[1:2], chapters) for member in members if member.parts[0] == folder}
+    if roster:
+        return all(_of_path(name, roster) for name in inside)
+    return len(inside) > 1 and not inside & set(chapters)
+
+
 def _group(parts: tuple[str, ...], chapters: Sequence[str]) -> str:
     """Return by what name a file's learner goes: the folder's, or the file's without the chapter in it."""
     canvas = CANVAS.fullmatch(parts[0])
     if canvas:
         return f"{canvas['name']}_{canvas['user']}"
-    if len(parts) > 1:
-        moodle = MOODLE.fullmatch(parts[0])
-        return moodle["name"] if moodle else parts[0]
+    moodle = MOODLE.match(parts[0])
+    if moodle:
+        return moodle["name"]
     stem = parts[0]
-    for ending in sorted(NOTEBOOKS, key=len, reverse=True):
+    for ending in sorted(NOTEBOOKS, key=len, reverse=True) if len(parts) == 1 else ():
         if stem.lower().endswith(ending):
             stem = stem[: -len(ending)]
             break
@@ -245,11 +263,11 @@ def _of_path(key: str, roster: Mapping[str, Learner]) -> str | None:
     """Return whose name a folder or a file has: an id, a part of it that is one, or a name."""
     key = unicodedata.normalize("NFC", key)  # a Mac takes Hangul apart
     by_lower = {unicodedata.normalize("NFC", learner).lower(): learner for learner in roster}
-    for word in [key, *re.split(r"[\s_,()+]+", key)]:
+    for word in [key, *re.split(r"[\s_,()+]+", key), *re.split(r"[^A-Za-z0-9.@-]+", key)]:
         if word.lower() in by_lower:
             return by_lower[word.lower()]
-    letters = _letters(re.sub(r"_\d+$", "", key))
-    named = [learner.id for learner in roster.values() if letters and letters in _ways(learner.name)]
+    pieces = {_letters(re.sub(r"_\d+$", "", piece)) for piece in (key, *key.split(" - "))} - {""}
+    named = [learner.id for learner in roster.values() if pieces & _ways(learner.name)]
     return named[0] if len(named) == 1 else None
 
 
