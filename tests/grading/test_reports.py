@@ -10,7 +10,7 @@ import pytest
 import tiny
 
 from tflab.grading.class_figures import bars, histogram
-from tflab.grading.class_page import class_page, mistakes
+from tflab.grading.class_page import LEARNERS, NAMED, class_page, mistakes
 from tflab.grading.feedback import LEVELS, feedback_page
 from tflab.grading.gradebook import file_name, grades_csv
 from tflab.grading.html import prose, text
@@ -18,6 +18,7 @@ from tflab.grading.misconceptions import MISCONCEPTIONS
 from tflab.grading.pack import read_pack
 from tflab.grading.progress_bar import ProgressBar
 from tflab.grading.remarks import Remark
+from tflab.workbook.words import Words
 
 
 @pytest.fixture(scope="module")
@@ -88,17 +89,19 @@ def test_a_name_that_cannot_be_a_files_gets_one_of_its_own() -> None:
 
 
 def test_bars_say_their_numbers_in_words() -> None:
-    picture = bars([("E3.2 added", 3), ("E3.1 swapped", 1)], "learners", most=5, title="named mistakes")
-    assert picture.text == "named mistakes, learners:\n  E3.2 added: 3\n  E3.1 swapped: 1"
+    picture = bars([(Words("added", "더함"), 3), (Words("E3.1", "E3.1"), 1)], LEARNERS, most=5, title=NAMED)
+    assert picture.text == "named mistakes, learners:\n  added: 3\n  E3.1: 1"
     assert picture.png().startswith(b"\x89PNG")
+    korean = bars([(Words("added", "더함"), 3)], LEARNERS, most=5, title=NAMED, language="ko")
+    assert korean.text == "이름 붙은 실수, 명:\n  더함: 3"
 
 
 def test_a_histogram_says_its_numbers_in_words() -> None:
-    picture = histogram([0, 5, 55, 100], "points [%]", "learners")
+    picture = histogram([0, 5, 55, 100])
     assert "4 learners, points [%]: mean 40" in picture.text
     assert "  0 to 10: 2" in picture.text
     assert "  90 to 100: 1" in picture.text
-    assert histogram([], "points [%]", "learners").png()
+    assert histogram([], "ko").png()
 
 
 def test_the_bar_says_how_far_it_is_and_what_is_left() -> None:

@@ -1,5 +1,7 @@
 """How do a class's numbers look?  Bars with their numbers on them, in ink and grey, and the same in words.
 
+What is drawn is in English; the words are in the reader's language.
+
 Read `check_command.py` next.
 """
 
@@ -10,40 +12,54 @@ from collections.abc import Sequence
 
 from tflab.views import style
 from tflab.views.picture import Picture
+from tflab.workbook.words import Words
 
 __all__ = ["bars", "histogram"]
 
 BINS = 10
 ROW_INCH = 0.3
+SUMMARY = Words(
+    "{count} learners, points [%]: mean {mean}, median {middle}", "{count}명의 점수[%]: 평균 {mean}, 중앙값 {middle}"
+)
+BIN = Words("  {low} to {high}: {count}", "  {low}~{high}: {count}명")
 
 
-def bars(rows: Sequence[tuple[str, float]], unit: str, *, most: float, title: str, digits: int = 0) -> Picture:
+def bars(
+    rows: Sequence[tuple[Words, float]],
+    unit: Words,
+    *,
+    most: float,
+    title: Words,
+    digits: int = 0,
+    language: str = "en",
+) -> Picture:
     """Draw a bar for each named number, the first at the top; the text says the same."""
     width, _ = style.WIDE
     picture = Picture((width, 0.95 + ROW_INCH * len(rows)))
     height = picture.figure.get_size_inches()[1]
     with style.our_settings():
-        left = style.room_px((name for name, _ in rows), 110) / (style.SCREEN_DPI * width)
+        left = style.room_px((name.en for name, _ in rows), 110) / (style.SCREEN_DPI * width)
         ax = picture.figure.add_axes((left, 0.55 / height, 0.92 - left, 1 - 0.9 / height))
         values = [value for _, value in rows]
         ax.barh(range(len(rows)), values, height=0.62, color=style.SHADE, edgecolor=style.INK, linewidth=0.8)
         for place, value in enumerate(values):
             ax.text(value + 0.01 * most, place, f"{value:.{digits}f}", va="center", fontsize=style.SMALL_PT)
-        ax.set_yticks(range(len(rows)), [name for name, _ in rows])
+        ax.set_yticks(range(len(rows)), [name.en for name, _ in rows])
         ax.set_xlim(0, most * 1.08)
         ax.set_ylim(len(rows) - 0.5, -0.5)
-        ax.set_xlabel(unit)
+        ax.set_xlabel(unit.en)
         if digits == 0:  # what is counted comes in ones
             ax.xaxis.get_major_locator().set_params(integer=True)
         ax.tick_params(length=0)
         for side in ("top", "right"):
             ax.spines[side].set_visible(False)
-    picture.text = "\n".join([f"{title}, {unit}:", *(f"  {name}: {value:.{digits}f}" for name, value in rows)])
+    named = (f"  {name.say(language)}: {value:.{digits}f}" for name, value in rows)
+    picture.text = "\n".join([f"{title.say(language)}, {unit.say(language)}:", *named])
     return picture
 
 
-def histogram(values: Sequence[float], unit: str, what: str) -> Picture:
-    """Draw how many values lie in each tenth of 0 to 100; 100 is in the last."""
+def histogram(values: Sequence[float], language: str = "en") -> Picture:
+    """Draw how many learners have how many points, in tenths of 0 to 100 %; 100 is in the last."""
     counts = [0] * BINS
     for value in values:
         counts[min(BINS - 1, int(value // (100 / BINS)))] += 1
@@ -60,15 +76,15 @@ def histogram(values: Sequence[float], unit: str, what: str) -> Picture:
         ax.set_ylim(0, max(counts, default=1) * 1.15 or 1)
         ax.set_xticks(range(0, 101, 10))
         ax.yaxis.get_major_locator().set_params(integer=True)
-        ax.set_xlabel(unit)
-        ax.set_ylabel(what)
+        ax.set_xlabel("points [%]")
+        ax.set_ylabel("learners")
         for side in ("top", "right"):
             ax.spines[side].set_visible(False)
     mean, middle = (statistics.mean(values), statistics.median(values)) if values else (0.0, 0.0)
     picture.text = "\n".join(
         [
-            f"{len(values)} {what}, {unit}: mean {mean:.0f}, median {middle:.0f}",
-            *(f"  {10 * place} to {10 * place + 10}: {count}" for place, count in enumerate(counts)),
+            SUMMARY.say(language, count=len(values), mean=f"{mean:.0f}", middle=f"{middle:.0f}"),
+            *(BIN.say(language, low=10 * n, high=10 * n + 10, count=count) for n, count in enumerate(counts)),
         ]
     )
     return picture

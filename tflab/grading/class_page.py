@@ -36,6 +36,12 @@ HARDEST = Words("How hard the tasks were", "과제의 난이도")
 DISTRIBUTION = Words("How the class did", "점수 분포")
 EVERYBODY = Words("Everybody", "전체 명단")
 IN_WORDS = Words("the same in words", "글로 보기")
+SPOILT = Words("misconceptions by the answers they spoilt", "잘못 알고 있는 점과 그 때문에 틀린 답")
+ANSWERS = Words("answers", "개")
+NAMED = Words("named mistakes", "이름 붙은 실수")
+LEARNERS = Words("learners", "명")
+HARDEST_FIRST = Words("the hardest tasks first", "어려운 과제부터")
+MEAN = Words("mean points [%]", "평균 점수[%]")
 ON_THE_WALL = Words("What stood between the submissions and this machine", "제출물과 이 컴퓨터를 나눈 벽")
 ABOUT = Words("What was odd about the files", "파일에 대한 알림")
 MISTAKE_HEADS = (
@@ -109,8 +115,8 @@ def _misunderstood(found: Sequence[Mistake], language: str) -> list[str]:
     if not counts:
         return []
     order = sorted(counts, key=lambda name: (-counts[name], int(name[1:])))
-    named = [(f"{MISCONCEPTIONS[name].en} ({name})", counts[name]) for name in order]
-    picture = bars(named, "answers", most=max(counts.values()), title="misconceptions by the answers they spoilt")
+    named = [(Words(*(f"{one} ({name})" for one in MISCONCEPTIONS[name])), counts[name]) for name in order]
+    picture = bars(named, ANSWERS, most=max(counts.values()), title=SPOILT, language=language)
     body = [f"<h2>{text(MISUNDERSTOOD.say(language))}</h2>"]
     body.append(figure(picture.png(), picture.text, picture.size_px[0], IN_WORDS.say(language)))
     if language != "en":  # figures are in English
@@ -124,8 +130,8 @@ def _mistakes(found: Sequence[Mistake], graded: int, language: str) -> list[str]
     body = [f"<h2>{text(MISTAKES.say(language))}</h2>"]
     if not found:
         return [*body, f"<p>{text(NO_MISTAKES.say(language))}</p>"]
-    named = [(_label(one), one.count) for one in found[:MOST_BARS]]
-    picture = bars(named, "learners", most=graded, title="named mistakes")
+    named = [(Words(_label(one), _label(one)), one.count) for one in found[:MOST_BARS]]
+    picture = bars(named, LEARNERS, most=graded, title=NAMED, language=language)
     cells = [
         (f"{one.count} / {graded}", text(one.task), text(_label(one, task=False)), prose(one.reply.say(language)))
         for one in found
@@ -148,8 +154,8 @@ def _hardest(graded: Sequence[Mapping[str, Any]], language: str) -> list[str]:
         got = [verdicts_of(record)[task] for record in graded if task in verdicts_of(record)]
         share[task] = 100 * sum(row["points"] for row in got) / sum(row["most"] for row in got)
     hardest = sorted(share.items(), key=lambda pair: (pair[1], pair[0]))
-    named = [(task, value) for task, value in hardest[:MOST_BARS]]
-    picture = bars(named, "mean points [%]", most=100, title="the hardest tasks first", digits=0)
+    named = [(Words(task, task), value) for task, value in hardest[:MOST_BARS]]
+    picture = bars(named, MEAN, most=100, title=HARDEST_FIRST, language=language)
     return [
         f"<h2>{text(HARDEST.say(language))}</h2>",
         figure(picture.png(), picture.text, picture.size_px[0], IN_WORDS.say(language)),
@@ -158,7 +164,7 @@ def _hardest(graded: Sequence[Mapping[str, Any]], language: str) -> list[str]:
 
 def _distribution(graded: Sequence[Mapping[str, Any]], language: str) -> list[str]:
     percents = [100 * record["points"] / record["most"] if record["most"] else 0.0 for record in graded]
-    picture = histogram(percents, "points [%]", "learners")
+    picture = histogram(percents, language)
     return [
         f"<h2>{text(DISTRIBUTION.say(language))}</h2>",
         figure(picture.png(), picture.text, picture.size_px[0], IN_WORDS.say(language)),
