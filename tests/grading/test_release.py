@@ -133,6 +133,34 @@ def test_a_release_is_not_overwritten(course: tiny.Course, tmp_path: Path, capsy
     assert texts_below(tmp_path / "r") == before
 
 
+def test_what_was_interrupted_before_the_pack_was_whole_is_released_anew(course, tmp_path, monkeypatch) -> None:
+    def stop(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as patch, pytest.raises(KeyboardInterrupt):
+        patch.setattr(releasing, "write_pack", stop)
+        releasing.main([str(tmp_path / "r"), "--quiet"])
+    assert releasing.main([str(tmp_path / "r"), "--quiet"]) == 0
+    pack = read_pack(tmp_path / "r" / "instructor")
+    assert pack.cases[tiny.STEM] == chapter_cases(tiny.STEM, pack.seed, course.workbook / "solutions")[1]
+
+
+def test_what_was_interrupted_while_learners_got_theirs_is_finished_by_adding(course, tmp_path, monkeypatch) -> None:
+    def stop(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    roster = tmp_path / "class.csv"
+    roster.write_text("id\ns101\ns102\n")
+    command = [str(tmp_path / "r"), "--roster", str(roster), "--quiet"]
+    with monkeypatch.context() as patch, pytest.raises(KeyboardInterrupt):
+        patch.setattr(releasing, "_stamp", stop)
+        releasing.main(command)
+    assert releasing.main([*command, "--add"]) == 0
+    for learner in ("s101", "s102"):
+        exercise = tmp_path / "r" / "learners" / learner / "exercises" / "en" / f"{tiny.STEM}.ipynb"
+        assert json.loads(exercise.read_text())["metadata"]["tflab"]["learner"] == learner
+
+
 def test_learners_can_be_added_and_nobody_elses_cases_change(course: tiny.Course, tmp_path: Path) -> None:
     first = releasing.release(tmp_path / "r", [tiny.STEM], [Learner("a")])
     (tmp_path / "r" / "learners" / "a" / "exercises" / "en" / f"{tiny.STEM}.ipynb").write_text("mine")

@@ -7,7 +7,7 @@
 
 Each learner on the roster gets variants of their own.  Nothing under learners/ says
 what is graded.  A pack is never overwritten: `--add` brings in more learners and
-chapters, with the seed it has.  Read `pack.py` next.
+chapters, with the seed it has, and finishes what was interrupted.  Read `pack.py` next.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from tflab.workbook.tasks import TaskError
 from tflab.workbook.whole_files import write_whole
 from tflab.workbook.words import LANGUAGES
 
-from .pack import Pack, PackError, chapter_cases, learners_cases, read_pack, write_chapter, write_pack
+from .pack import PACK, Pack, PackError, chapter_cases, learners_cases, read_pack, write_chapter, write_pack
 from .progress_bar import ProgressBar
 from .reader import Unreadable, read_bytes
 from .roster import Learner, Roster, read_roster
@@ -86,7 +86,7 @@ def release(
         handed_out[stem], graded = chapter_cases(stem, pack.seed, data / "solutions")
         if pack.cases.setdefault(stem, graded) != graded:
             raise PackError(f"the tasks of {stem} have changed since {folder} was released; release to another folder")
-        if not (folder / INSTRUCTOR / "cases" / f"{stem}.json").exists():
+        if not add or not (folder / INSTRUCTOR / "cases" / f"{stem}.json").exists():
             write_chapter(folder / INSTRUCTOR, stem, graded, master.read_bytes())
     write_pack(folder / INSTRUCTOR, pack)
     everybody: Iterable[Learner | None] = [None] if pack.roster is None else pack.roster.values()
@@ -99,13 +99,14 @@ def release(
 
 
 def _pack_to_fill(folder: Path, learners: Sequence[Learner] | None, language: str, add: bool) -> Pack:
-    there = (folder / INSTRUCTOR).exists() or (folder / LEARNERS).exists()
+    there = (folder / INSTRUCTOR / PACK).exists() or (folder / LEARNERS).exists()
     roster = {learner.id: learner for learner in learners} if learners is not None else None
     if not add:
         if there:
             raise PackError(
                 f"{folder} holds a release already, and nothing in it is changed. "
-                "Name another folder, or add chapters and learners to this one with --add."
+                "Name another folder, or add chapters and learners to this one with --add, "
+                "which also finishes what was interrupted."
             )
         return Pack(secrets.token_hex(4), secrets.token_hex(32), language=language, roster=roster)
     pack = read_pack(folder / INSTRUCTOR)
@@ -123,19 +124,25 @@ def _lay_out_for(
     spoken = learner.language if learner else language
     target = place / (identity or places.COPY)
     cases = {stem: learners_cases(one, pack.roster, identity) for stem, one in handed_out.items()}
-    fresh = [stem for stem in cases if not (target / "exercises" / spoken / f"{stem}.ipynb").exists()]
     lay_out(target, spoken, edition="class", learner=identity, cases=cases)
     stamp = {"release": pack.release, "version": pack.version} | ({"learner": identity} if identity else {})
-    for stem in fresh:
+    for stem in cases:
         for root in (target, target / ".tflab" / "pristine"):
             path = root / "exercises" / spoken / f"{stem}.ipynb"
             if path.is_file():
-                _write_stamped(path, stamp | {"chapter": stem, "language": spoken})
+                _stamp(path, stamp | {"chapter": stem, "language": spoken})
 
 
-def _write_stamped(path: Path, stamp: Mapping[str, str]) -> None:
-    notebook = json.loads(path.read_text(encoding="utf-8"))
-    notebook["metadata"]["tflab"] = {**notebook["metadata"].get("tflab", {}), **stamp}
+def _stamp(path: Path, stamp: Mapping[str, str]) -> None:
+    """Write into an exercise whose it is, if that is not there yet; what else somebody put there stays."""
+    try:
+        notebook = json.loads(path.read_text(encoding="utf-8"))
+        metadata = notebook["metadata"].setdefault("tflab", {})
+    except (ValueError, TypeError, KeyError):
+        return
+    if "release" in metadata:
+        return
+    metadata.update(stamp)
     write_whole(path, json.dumps(notebook, sort_keys=True, indent=1, ensure_ascii=False) + "\n")
 
 
