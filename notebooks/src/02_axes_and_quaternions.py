@@ -153,7 +153,6 @@ frames.draw_scene(
 # **Write down two triples on paper, now:** where is the mug in `camera_link`, and where is it in `camera_optical_frame`?
 #
 # Guessing is allowed. Not writing is not: a guess in the head bends itself to fit the answer.
-# Then run the next cell. In your own copy, a cell that answers a prediction shows nothing until you run it.
 
 # %% [markdown] lang="ko" name="predict" slide="slide"
 # ## 예측해 보십시오
@@ -163,6 +162,11 @@ frames.draw_scene(
 # **지금 종이에 좌표를 두 개 적어 보십시오.** 머그컵은 `camera_link` 기준으로 어디에 있습니까? `camera_optical_frame` 기준으로는 어디에 있습니까?
 #
 # 찍어도 좋습니다. 다만 반드시 적으십시오. 머릿속에만 둔 예측은 정답을 보는 순간 슬그머니 정답에 맞춰집니다.
+
+# %% [markdown] lang="en" name="predict-how" slide="skip"
+# Written? Then run the next cell. In your own copy, a cell that answers a prediction shows nothing until you run it.
+
+# %% [markdown] lang="ko" name="predict-how" slide="skip"
 # 적었으면 다음 셀을 실행하십시오. 내 워크북에서는 예측의 답을 보여 주는 셀이 실행하기 전까지 비어 있습니다.
 
 # %% name="predict-run" tags=["predicted"] slide="fragment"
@@ -245,6 +249,14 @@ print("in camera_optical_frame ", fmt_all(axes.optical_from_body(mug)))
 # %% name="body-axes-figure"
 axes.draw_body_axes()
 
+# %% [markdown] lang="en" name="body-axes-notes" slide="notes"
+# Every hand is up before the figure appears. Walk round: in each row somebody holds up the left one.
+# Ask that person which way y points, and let the neighbours find out why.
+
+# %% [markdown] lang="ko" name="body-axes-notes" slide="notes"
+# 그림을 보여 주기 전에 모두 손을 들게 하고 한 바퀴 돌아봅니다. 줄마다 왼손을 든 사람이 있습니다.
+# 그 사람에게 y가 어느 쪽인지 묻고, 왜 다른지는 옆 사람들이 찾게 합니다.
+
 # %% [markdown] lang="en" name="body-axes-colours" slide="skip"
 # In every figure of this book x is a solid line, y is dashed, z is dotted; the letters stand at the tips.
 # The colours are RViz's idea (red, green, blue for x, y, z), in shades that colour-blind people can tell apart.
@@ -317,7 +329,7 @@ axes.draw_right_hand()
 # 슬라이더를 하나씩만 움직이되, 놓기 전에 무슨 일이 일어날지 소리 내어 말해 보십시오.
 # 패널은 같은 회전을 두 가지로 더 적어 보여 줍니다. 숫자 넷인 *quaternion*과 숫자 아홉인 *matrix*입니다. 둘 다 아래에서 설명하니, 지금은 바뀌는 모습만 보십시오.
 
-# %% name="rpy-panel" tags=["interactive"]
+# %% name="rpy-panel" tags=["interactive"] slide="subslide"
 rotation_panel(roll_rad=0.0, pitch_rad=0.0, yaw_rad=0.5)
 
 # %% name="rpy-figure" slide="skip"
@@ -348,6 +360,14 @@ axes.draw_rotation(roll_rad=0.0, pitch_rad=0.0, yaw_rad=0.5)
 # pitch −1.57입니다. 양수이면 기수가 내려가므로 음수여야 합니다. 다음은 yaw 3.14, 반 바퀴입니다. 마지막은 roll 3.14, 뒤집혀 눕습니다.
 #
 # </details>
+
+# %% [markdown] lang="en" name="rpy-notes" slide="notes"
+# Ask for the ceiling first, before anybody touches a slider. Most say plus, and the nose goes down.
+# One person moves, the others predict: nobody may do both.
+
+# %% [markdown] lang="ko" name="rpy-notes" slide="notes"
+# 슬라이더를 만지기 전에 천장부터 묻습니다. 대부분 양수라고 답하고, 기수는 내려갑니다.
+# 한 사람은 움직이고 나머지는 예측합니다. 한 사람이 둘 다 하지 않게 합니다.
 
 # %% [markdown] lang="en" name="order-predict" slide="subslide"
 # ### Does the order matter?
@@ -474,6 +494,14 @@ left_90 = (0.0, 0.0, math.sin(a / 2), math.cos(a / 2))
 print("quaternion:", fmt_all(left_90, ""))
 print("the nose, after it:", fmt_all(Transform(rotation=left_90).apply((1.0, 0.0, 0.0)), ""))
 
+# %% [markdown] lang="en" name="recipe-notes" slide="notes"
+# Somebody will ask: why half? An honest short answer: the formula that turns a point uses the quaternion twice, once on each side of the point.
+# Leave the two lines on the board until the end.
+
+# %% [markdown] lang="ko" name="recipe-notes" slide="notes"
+# 왜 절반이냐는 질문이 꼭 나옵니다. 짧고 정직한 답은 이렇습니다. 점을 돌리는 식에서 쿼터니언은 점의 양쪽에 한 번씩, 모두 두 번 쓰입니다.
+# 공식 두 줄은 끝날 때까지 칠판에 남겨 둡니다.
+
 # %% [markdown] lang="en" name="faded" slide="subslide"
 # **Your turn, with two blanks.** Turn *right* by 40°. Replace the two `...` and run the cell again.
 
@@ -541,6 +569,12 @@ minus = tuple(-part for part in left_90)
 point = (1.0, 0.0, 0.0)
 print(" q turns it to", fmt_all(Transform(rotation=left_90).apply(point), ""))
 print("-q turns it to", fmt_all(Transform(rotation=minus).apply(point), ""))
+
+# %% [markdown] lang="en" name="four-facts-notes" slide="notes"
+# Cover the right column and let the room fill it, line by line. The second line splits the room; leave it open, it comes back as an accident.
+
+# %% [markdown] lang="ko" name="four-facts-notes" slide="notes"
+# 표의 오른쪽 열을 가리고 한 줄씩 채우게 합니다. 둘째 줄에서 의견이 갈립니다. 답하지 말고 두십시오. 뒤에서 사고로 다시 만납니다.
 
 # %% [markdown] lang="en" name="length" slide="subslide"
 # ### How long is it?
@@ -621,7 +655,7 @@ for name, q in (("taken as it came", from_mujoco), ("put in order", xyzw_from_wx
 #
 # 머그컵을 움직여 보십시오. 같은 점이 두 가지로 적히는 모습을 보십시오.
 
-# %% name="optical-panel" tags=["interactive"]
+# %% name="optical-panel" tags=["interactive"] slide="subslide"
 cameras_panel(forward_m=2.0, left_m=0.5, up_m=0.3)
 
 # %% name="optical-figure" slide="skip"
@@ -726,6 +760,12 @@ print("base_link:  ", fmt_all(base_p_mug))
 # 드라이버는 데이터에 **광학 좌표계**를 적습니다. 그러면 아무도 손으로 변환할 필요가 없습니다. TF가 합니다.
 #
 # 세 좌표계를 모두 그려 보았습니다. 피라미드는 카메라가 보는 범위이고, 픽셀은 *u*를 오른쪽으로, *v*를 아래로 셉니다.
+
+# %% [markdown] lang="en" name="why-two-notes" slide="notes"
+# Before this slide, ask: you write the driver, what do you put into the header? Count the hands for each frame.
+
+# %% [markdown] lang="ko" name="why-two-notes" slide="notes"
+# 이 슬라이드를 보여 주기 전에 묻습니다. 여러분이 드라이버를 만든다면 헤더에 무엇을 적겠습니까? 좌표계마다 손을 세어 봅니다.
 
 # %% name="scene-3d" tags=["interactive"] slide="subslide"
 view = scene.Scene(height_px=380, grid_m=0.5)
@@ -1186,6 +1226,12 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # IMU는 회전과 가속도를 느끼는 칩입니다. 정지한 IMU는 책상이 자신을 *위로* 미는 힘을 느낍니다. z가 위라면 +9.8이 나옵니다. −9.8이면 뒤집힌 것이고, x나 y에 9.8이 나오면 옆으로 누운 것입니다.
 # 이때 고칠 것은 숫자가 아니라 장착 변환(`imu_link`의 `rpy`)입니다.
 
+# %% [markdown] lang="en" name="robot-table-notes" slide="notes"
+# Read only the left column aloud, and let the room name the cause. Whoever has met one tells how long it took.
+
+# %% [markdown] lang="ko" name="robot-table-notes" slide="notes"
+# 왼쪽 열만 읽어 주고 원인은 청중이 말하게 합니다. 겪어 본 사람이 있으면 얼마나 걸렸는지 들려 달라고 합니다.
+
 # %% [markdown] lang="en" name="recap" slide="slide"
 # ## Recap
 #
@@ -1319,8 +1365,6 @@ card.draw_card()
 # 3. What is still foggy? Bring it to the next lesson.
 #
 # Then do the [exercises of this chapter](../../exercises/en/02_axes_and_quaternions.ipynb). `check` tells you not only whether, but *which* mistake.
-#
-# The next cell stops the robot's programs, as Ctrl-C would.
 
 # %% [markdown] lang="ko" name="exit" slide="slide"
 # ## 나가기 전에
@@ -1332,10 +1376,14 @@ card.draw_card()
 # 3. 아직 흐릿한 것은 무엇입니까? 다음 시간에 가져오십시오.
 #
 # 이제 [이 장의 연습 문제](../../exercises/ko/02_axes_and_quaternions.ipynb)를 푸십시오. `check`는 맞고 틀림뿐 아니라 *어떤* 실수인지도 알려 줍니다.
-#
-# 다음 셀은 Ctrl-C처럼 로봇의 프로그램을 모두 멈춥니다.
 
-# %% name="stop"
+# %% [markdown] lang="en" name="stop-why" slide="skip"
+# The last cell stops the robot's programs, as Ctrl-C would.
+
+# %% [markdown] lang="ko" name="stop-why" slide="skip"
+# 마지막 셀은 Ctrl-C처럼 로봇의 프로그램을 모두 멈춥니다.
+
+# %% name="stop" slide="skip"
 graph.stop()
 asker.destroy_node()
 rclpy.shutdown()

@@ -98,8 +98,6 @@ from tflab.views.style import ACCENT, fmt_all  # fmt_all writes a point with its
 #
 # Now the strange part: the tool's numbers were right all along, and most people's question was a good one.
 # They had asked for the transform **"from A to B"**, and that phrase is two questions.
-#
-# *Read them:* navigation [239](https://github.com/ros-planning/navigation/issues/239); geometry [108](https://github.com/ros/geometry/issues/108), [111](https://github.com/ros/geometry/issues/111), [192](https://github.com/ros/geometry/issues/192), [226](https://github.com/ros/geometry/issues/226); geometry2 [470](https://github.com/ros2/geometry2/issues/470); ros2_documentation [4239](https://github.com/ros2/ros2_documentation/issues/4239); robot_localization [437](https://github.com/cra-ros-pkg/robot_localization/issues/437).
 
 # %% [markdown] lang="ko" name="ten-years" slide="slide"
 # ## "거꾸로 나와요" 10년
@@ -115,10 +113,14 @@ from tflab.views.style import ACCENT, fmt_all  # fmt_all writes a point with its
 #
 # 이상한 점은 따로 있습니다. 도구가 출력한 숫자는 처음부터 맞았고, 사람들의 질문도 대부분 틀리지 않았습니다.
 # 모두 **"A에서 B로 가는 변환"** 을 물었는데, 이 말 안에 질문이 두 개 들어 있었습니다.
-#
+
+# %% [markdown] lang="en" name="ten-years-sources" slide="skip"
+# *Read them:* navigation [239](https://github.com/ros-planning/navigation/issues/239); geometry [108](https://github.com/ros/geometry/issues/108), [111](https://github.com/ros/geometry/issues/111), [192](https://github.com/ros/geometry/issues/192), [226](https://github.com/ros/geometry/issues/226); geometry2 [470](https://github.com/ros2/geometry2/issues/470); ros2_documentation [4239](https://github.com/ros2/ros2_documentation/issues/4239); robot_localization [437](https://github.com/cra-ros-pkg/robot_localization/issues/437).
+
+# %% [markdown] lang="ko" name="ten-years-sources" slide="skip"
 # *직접 읽어 보기:* navigation [239](https://github.com/ros-planning/navigation/issues/239), geometry [108](https://github.com/ros/geometry/issues/108), [111](https://github.com/ros/geometry/issues/111), [192](https://github.com/ros/geometry/issues/192), [226](https://github.com/ros/geometry/issues/226), geometry2 [470](https://github.com/ros2/geometry2/issues/470), ros2_documentation [4239](https://github.com/ros2/ros2_documentation/issues/4239), robot_localization [437](https://github.com/cra-ros-pkg/robot_localization/issues/437).
 
-# %% name="two-readings" slide="fragment"
+# %% name="two-readings" slide="subslide"
 mount = Transform.from_rpy(yaw=math.pi / 2, translation=(0.20, 0.0, 0.15))  # turned left, ahead, above
 draw_readings('base_link', 'laser_frame', mount)
 
@@ -204,7 +206,7 @@ buffer = Buffer()
 listener = TransformListener(buffer, node, spin_thread=True)
 graph.run(seconds=0.5)
 
-# %% name="the-corner" tags=["predicted"]
+# %% name="the-corner" tags=["predicted"] slide="fragment"
 seen = PointStamped()
 seen.header.frame_id = 'laser_frame'
 seen.point.x = 2.0
@@ -321,6 +323,12 @@ print('the corner, moved       ', fmt_all(base_T_laser.apply((2.0, 0.0, 0.0))))
 # 레이저의 원점은 레이저에서 (0, 0, 0)이고, 변환은 그것을 레이저가 달린 자리로 옮깁니다.
 # 자식의 데이터가 들어가서 부모의 데이터가 나옵니다.
 
+# %% [markdown] lang="en" name="one-transform-notes" slide="notes"
+# The origin settles every quarrel of this chapter: where does (0, 0, 0) go? Make them ask it aloud each time somebody hesitates.
+
+# %% [markdown] lang="ko" name="one-transform-notes" slide="notes"
+# 이 장의 모든 다툼은 원점이 해결합니다. (0, 0, 0)은 어디로 갑니까? 누가 머뭇거릴 때마다 소리 내어 묻게 합니다.
+
 # %% [markdown] lang="en" name="in-3d" slide="subslide"
 # Now in 3D: drag to turn it, and move the scrubber to turn the mount.
 # The grey, hatched one is the opposite transform, with the corner where it would put it.
@@ -329,7 +337,7 @@ print('the corner, moved       ', fmt_all(base_T_laser.apply((2.0, 0.0, 0.0))))
 # 이번에는 3D입니다. 끌어서 돌려 보고, 아래 슬라이더를 움직여 레이저를 돌려 보십시오.
 # 빗금 친 회색은 반대 변환이고, 그 변환이 말하는 모서리가 거기에 있습니다.
 
-# %% name="in-3d-scene" tags=["interactive"]
+# %% name="in-3d-function" slide="skip"
 scene = Scene(height_px=380)
 draw_frame(scene, 'base_link', Transform(), length_m=0.3)
 
@@ -342,8 +350,9 @@ def turn_the_mount(yaw):
     draw_arrow(scene, 'beam', mount.translation, places['corner'], 'corner', ACCENT)
     draw_path(scene, 'wrong beam', [mount.inverse().translation, places['swapped']], ghost=True)
 
-
-scene.sweep('yaw', [math.radians(a) for a in range(-180, 181, 15)], turn_the_mount, unit='rad', start=18)
+# %% name="in-3d-scene" tags=["interactive"]
+yaws = [math.radians(degrees) for degrees in range(-180, 181, 15)]
+scene.sweep('yaw', yaws, turn_the_mount, unit='rad', start=18)
 scene
 
 # %% name="in-3d-still" slide="skip"
@@ -623,6 +632,12 @@ print('the corner, says Python', fmt_all(nonsense.apply(laser_p_corner)))
 # 모서리가 몇 미터나 옮겨 갔는데 오류는 나지 않았습니다.
 # 변수 이름에 두 좌표계를 모두 적는 이유가 이것입니다. `map_T_odom @ base_T_laser`는 틀려 *보이지만*, `T1 @ T3`는 절대 틀려 보이지 않습니다.
 
+# %% [markdown] lang="en" name="wrong-order-notes" slide="notes"
+# Write T1 @ T3 @ T2 on the board and ask who would stop it in a review. Then write the same line with its real names.
+
+# %% [markdown] lang="ko" name="wrong-order-notes" slide="notes"
+# 칠판에 T1 @ T3 @ T2라고 쓰고, 코드 검토에서 누가 막을 수 있겠는지 묻습니다. 그다음 같은 줄을 제 이름으로 다시 씁니다.
+
 # %% [markdown] lang="en" name="up-up-down" slide="slide"
 # ## Up, then down
 #
@@ -649,6 +664,12 @@ print('one lookup    ', fmt_all(asked.transform.translation))
 
 # %% name="siblings-as-dominoes"
 draw_dominoes(('camera_link', 'base_link'), ('base_link', 'laser_frame'))
+
+# %% [markdown] lang="en" name="up-up-down-notes" slide="notes"
+# Walk the tree with a finger: going up say "as published", going down say "turned round". Then ask for map in laser_frame: how many are turned round? All of them.
+
+# %% [markdown] lang="ko" name="up-up-down-notes" slide="notes"
+# 손가락으로 트리를 따라갑니다. 올라갈 때는 "발행된 그대로", 내려갈 때는 "뒤집어서"라고 말합니다. 그다음 laser_frame에서 본 map을 묻습니다. 몇 개를 뒤집습니까? 전부입니다.
 
 # %% name="siblings-in-space" slide="subslide"
 places = {'base_link': Transform(), 'camera_link': base_T_camera, 'laser_frame': base_T_laser}
@@ -824,6 +845,12 @@ draw_mount(math.pi / 2)
 #
 # </details>
 
+# %% [markdown] lang="en" name="try-it-notes" slide="notes"
+# Somebody else moves the slider, the room calls "stop" when a ghost hides behind the truth. Then ask what a test at that angle would have found.
+
+# %% [markdown] lang="ko" name="try-it-notes" slide="notes"
+# 다른 사람이 슬라이더를 움직이고, 잘못된 답이 정답 뒤에 숨는 순간 모두가 "멈춰"라고 외칩니다. 그 각도에서 시험했다면 무엇을 찾았겠는지 묻습니다.
+
 # %% [markdown] lang="en" name="echo-help" slide="slide"
 # ## The tool that caused it all
 #
@@ -853,6 +880,12 @@ draw_mount(math.pi / 2)
 # 10년 치 신고 뒤에 있던 글이 이것입니다.
 # 한 번 웃고, 문장을 믿으십시오. **`tf2_echo 목표 원본`** 순서입니다.
 
+# %% [markdown] lang="en" name="echo-help-notes" slide="notes"
+# Read the help aloud, slowly and with a straight face. Let the room find the contradiction before you name it.
+
+# %% [markdown] lang="ko" name="echo-help-notes" slide="notes"
+# 도움말을 진지한 얼굴로 천천히 읽습니다. 모순은 먼저 말하지 말고 청중이 찾게 합니다.
+
 # %% [markdown] lang="en" name="echo-predict" slide="subslide"
 # ### Predict the second from the first
 #
@@ -870,7 +903,7 @@ draw_mount(math.pi / 2)
 # %% name="echo-one-way" slide="-"
 # %ros2 --for 1.5 run tf2_ros tf2_echo base_link laser_frame
 
-# %% name="echo-the-other-way" tags=["predicted"] slide="fragment"
+# %% name="echo-the-other-way" tags=["predicted"] slide="subslide"
 # %ros2 --for 1.5 run tf2_ros tf2_echo laser_frame base_link
 
 # %% [markdown] lang="en" name="echo-seen"
@@ -1107,9 +1140,9 @@ graph.run(seconds=2.5)
 # Three commands to type on any robot, each with its sentence:
 #
 # ```
-# ros2 run tf2_ros tf2_echo base_link laser_frame    # where the laser sits on the robot
-# ros2 run tf2_ros tf2_echo odom base_link           # where the robot is, by its wheels
-# ros2 run tf2_ros tf2_echo map base_link            # where the robot is, on the map
+# ros2 run tf2_ros tf2_echo base_link laser_frame   # the laser, on the robot
+# ros2 run tf2_ros tf2_echo odom base_link          # the robot, by its wheels
+# ros2 run tf2_ros tf2_echo map base_link           # the robot, on the map
 # ```
 #
 # The first argument is the target, the second the source, whatever the help says.
@@ -1120,9 +1153,9 @@ graph.run(seconds=2.5)
 # 어느 로봇에서나 입력해 볼 명령 세 개와 그 뜻입니다.
 #
 # ```
-# ros2 run tf2_ros tf2_echo base_link laser_frame    # where the laser sits on the robot
-# ros2 run tf2_ros tf2_echo odom base_link           # where the robot is, by its wheels
-# ros2 run tf2_ros tf2_echo map base_link            # where the robot is, on the map
+# ros2 run tf2_ros tf2_echo base_link laser_frame   # the laser, on the robot
+# ros2 run tf2_ros tf2_echo odom base_link          # the robot, by its wheels
+# ros2 run tf2_ros tf2_echo map base_link           # the robot, on the map
 # ```
 #
 # 도움말이 뭐라고 하든 첫 인자가 목표, 둘째 인자가 원본입니다.
