@@ -83,7 +83,6 @@ def grade_batch(collection: Collection, pack: Pack, out: Path, batch: Batch) -> 
         records[record["learner"]] = record
         if not record.get("not_run"):  # what could not be run is tried again the next time
             _write_record(path, record)
-        bar.step(record["learner"])
 
     def take(record: dict[str, Any]) -> None:
         submission, path = waiting.pop(record["learner"])
@@ -92,6 +91,7 @@ def grade_batch(collection: Collection, pack: Pack, out: Path, batch: Batch) -> 
             set_aside.append((submission, path))
         else:
             keep(record, path)
+        bar.step(record["learner"])
 
     source = jobs()
     try:
@@ -102,10 +102,13 @@ def grade_batch(collection: Collection, pack: Pack, out: Path, batch: Batch) -> 
             take(do(job_of(submission, pack, batch.limits)))
         for job in source:
             take(do(job))
+    bar.close()
+    bar = ProgressBar(len(set_aside), "once more, alone", quiet=batch.quiet)
     for submission, path in sorted(set_aside, key=lambda pair: pair[0].learner):
         record = records[submission.learner]
         job = replace(job_of(submission, pack, batch.limits), only=record["set_aside"])
         keep(record_with(record, do(job)), path)
+        bar.step(submission.learner)
     bar.close()
     _remove_old(out / RECORDS, set(records), paths)
     return [records[submission.learner] for submission in collection.submissions]
