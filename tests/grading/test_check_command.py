@@ -36,6 +36,17 @@ def test_what_is_right_is_right(copy: Path, capsys: pytest.CaptureFixture) -> No
     assert "8 of 8 points on the public cases" in said
 
 
+@pytest.mark.parametrize("below", ["", "..", "exercises"])
+def test_an_exercise_is_called_by_its_number_too(copy: Path, below: str, monkeypatch, capsys) -> None:
+    answer(copy, tiny.RIGHT)
+    copy = copy.rename(copy.with_name("tflab_workbook"))
+    monkeypatch.chdir(copy / below)
+    assert main(["3"]) == 0
+    assert "8 of 8 points" in capsys.readouterr().out
+    assert main(["4"]) == 2
+    assert capsys.readouterr().err.startswith("tflab check: 4: ")
+
+
 def test_a_mistake_is_named_and_what_is_open_is_said(copy: Path, capsys: pytest.CaptureFixture) -> None:
     assert main([str(answer(copy, {"e3-1-answer": "total = e3_1.a - e3_1.b"}))]) == 1
     said = capsys.readouterr().out

@@ -61,18 +61,32 @@ class Checked(NamedTuple):
 def main(words: Sequence[str]) -> int:
     """Check a notebook; return 0 if all of it is right, 1 if something is not, 2 if it cannot be checked."""
     parser = argparse.ArgumentParser(prog="tflab check", description="See your notebook as grading will.")
-    parser.add_argument("notebook", metavar="NOTEBOOK", help="an exercise that you have answered")
+    parser.add_argument("notebook", metavar="NOTEBOOK", help="an exercise that you have answered, or its number: 03")
     parser.add_argument("--plain", action="store_true", help="in an ordinary kernel, without a sandbox")
     options = parser.parse_args(list(words))
+    notebook = Path(options.notebook)
     try:
-        checked = check_notebook(Path(options.notebook), plainly=options.plain)
+        notebook = _called(options.notebook)
+        checked = check_notebook(notebook, plainly=options.plain)
     except (Unreadable, WorkbookError, CasesError) as error:
-        said = error.remark.say(_language_at(Path(options.notebook))) if isinstance(error, Unreadable) else error
-        print(f"tflab check: {options.notebook}: {said}", file=sys.stderr)
+        said = error.remark.say(_language_at(notebook)) if isinstance(error, Unreadable) else error
+        print(f"tflab check: {notebook}: {said}", file=sys.stderr)
         return 2
     lines, all_right = report(checked)
     print("\n".join(lines))
     return 0 if all_right else 1
+
+
+def _called(word: str) -> Path:
+    """Return the notebook that a word means: its path, else the stem or number of an exercise in the copy at hand."""
+    root = places.copy_at_hand()
+    if root is None or Path(word).exists():
+        return Path(word)
+    try:
+        (stem,) = places.stems_called([word], places.chapters(root))
+    except LookupError:
+        return Path(word)
+    return root / "exercises" / read_workbook(root).language / f"{stem}.ipynb"
 
 
 def _language_at(path: Path) -> str:

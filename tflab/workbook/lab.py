@@ -23,7 +23,7 @@ from shutil import which
 from tflab import __version__
 
 from .learner import Change, has_language, lay_out, update
-from .places import COPY, MARK, WorkbookError, read_workbook
+from .places import COPY, MARK, WorkbookError, copy_at_hand, read_workbook
 from .words import LANGUAGES, Words
 
 __all__ = ["FIRST_PAGE", "QUIET_OPTIONS", "lab", "language_of", "quiet_environment"]
@@ -151,10 +151,7 @@ def _parser() -> argparse.ArgumentParser:
 
 def _folder(named: str | None) -> Path:
     """Return the copy to open: the named one, the one that we are in, or the one below this folder."""
-    if named:
-        return Path(named)
-    here = Path.cwd()
-    return next((folder for folder in (here, *here.parents) if (folder / MARK).is_file()), here / COPY)
+    return Path(named) if named else copy_at_hand() or Path.cwd() / COPY
 
 
 def _prepare(folder: Path, language: str | None, bring_in: bool) -> str:

@@ -30,6 +30,7 @@ __all__ = [
     "Workbook",
     "WorkbookError",
     "chapters",
+    "copy_at_hand",
     "read_workbook",
     "stems_called",
     "workbook_data",
@@ -80,6 +81,11 @@ def workbook_root(start: str | Path | None = None) -> Path:
     """Return the nearest folder, from `start` (here) upwards, that is a copy of the workbook; else tflab's own."""
     here = Path(start or Path.cwd()).resolve()
     return next((folder for folder in (here, *here.parents) if (folder / MARK).is_file()), workbook_data())
+
+
+def copy_at_hand() -> Path | None:
+    """Return the copy that a command means to which none is named: the one we are in, or the one below; else None."""
+    return next((root for root in (workbook_root(), Path.cwd() / COPY) if (root / MARK).is_file()), None)
 
 
 def read_workbook(root: str | Path | None = None) -> Workbook:

@@ -14,7 +14,7 @@ import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from .places import COPY, MARK, WorkbookError, workbook_root
+from .places import COPY, MARK, WorkbookError, copy_at_hand, workbook_root
 from .standing import GoalStanding, Standing, TaskStanding, standing
 from .words import Words
 
@@ -166,9 +166,7 @@ def progress(words: Sequence[str]) -> int:
     parser = argparse.ArgumentParser(prog="tflab progress", description="Say which checks have been passed.")
     parser.add_argument("folder", nargs="?", metavar="DIR", help=f"your copy; the nearest, or ./{COPY}, if left out")
     folder = parser.parse_args(list(words)).folder
-    root = Path(folder or workbook_root())
-    if not folder and not (root / MARK).is_file() and Path(COPY, MARK).is_file():
-        root = Path(COPY)
+    root = Path(folder) if folder else copy_at_hand() or workbook_root()
     if folder and not (root / MARK).is_file():
         print(f"tflab progress: {root} is no copy of the workbook; tflab lab makes one", file=sys.stderr)
         return 2
