@@ -44,6 +44,7 @@ def test_the_columns_of_learning_systems_are_known() -> None:
         ("=cmd(),x,en", 'row 2: "=cmd()" cannot be an id'),
         ("con,x,en", 'row 2: "con" cannot be an id'),
         (",x,en", "row 2: no id"),
+        ('s101,"x\ny",en', "row 2: a quotation mark is not closed in its line"),
         ("s101,x,de", 'row 2: the language "de" is not there; there is en and ko'),
     ],
 )
@@ -60,7 +61,7 @@ def test_an_id_that_is_there_twice_is_taken_once() -> None:
     assert "twice" in roster.faults[0]
 
 
-@pytest.mark.parametrize("data", [b"", b"name\nAda\n", b"\0\xff\xfe"])
+@pytest.mark.parametrize("data", [b"", b"name\nAda\n", b"\0\xff\xfe", b"PK\x03\x04xl/workbook.xml", b"id\x1b[2J\n"])
 def test_what_is_no_roster_is_one_line(data: bytes) -> None:
     roster = read_roster(data)
     assert not roster.learners
@@ -79,3 +80,24 @@ def test_an_id_is_letters_digits_and_a_few_signs(text: str) -> None:
 @pytest.mark.parametrize("text", ["", "a b", "-a", ".a", "a.", "a..b", "nul", "NUL.txt", "a" * 65, "a\nb", "../x"])
 def test_an_id_is_the_name_of_a_folder_anywhere(text: str) -> None:
     assert not is_learner_id(text)
+
+
+@pytest.mark.parametrize("rest", ["s102,b\n", "s102,b\n" * 40_000])
+def test_a_quotation_mark_that_is_not_closed_is_said(rest: str) -> None:
+    roster = read_roster(f'id,name\ns101,a\ns1,"x\n{rest}'.encode())
+    assert list(roster.learners) == ["s101"]
+    assert roster.faults == ("row 3: a quotation mark is not closed; nothing behind it is read",)
+
+
+def test_what_stands_in_other_columns_may_have_lines() -> None:
+    roster = read_roster(b'id,note,name\ns101,"one\ntwo",Ada\ns102,x,Bo\n')
+    assert list(roster.learners) == ["s101", "s102"]
+
+
+def test_what_a_spreadsheet_puts_on_top_is_no_row() -> None:
+    assert list(read_roster(b"sep=;\n\nid;name\ns101;Ada\n").learners) == ["s101"]
+
+
+@pytest.mark.parametrize(("spoken", "language"), [("KO", "ko"), ("한국어", "ko"), ("en-US", "en"), ("English", "en")])
+def test_a_language_may_be_called_by_its_name(spoken: str, language: str) -> None:
+    assert read_roster(f"학번,성명,언어\ns101,김민지,{spoken}\n".encode()).learners["s101"].language == language

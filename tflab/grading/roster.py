@@ -17,17 +17,21 @@ from dataclasses import dataclass, field
 
 from tflab.workbook.words import LANGUAGES
 
+from .remarks import printable
+
 __all__ = ["Learner", "Roster", "is_learner_id", "read_roster"]
 
 ENCODINGS = ("utf-8-sig", "cp949")
 COLUMNS = {
-    "id": ("id", "learner", "learner id", "student id", "id number", "sis user id", "sis login id", "username"),
-    "name": ("name", "full name", "student", "first name", "이름"),
+    "id": ("id", "learner", "learner id", "student id", "id number", "sis user id", "sis login id", "username", "학번"),
+    "name": ("name", "full name", "student", "first name", "이름", "성명"),
     "language": ("language", "lang", "언어"),
 }
 ID = re.compile(r"[A-Za-z0-9][A-Za-z0-9._@-]{0,63}")
 RESERVED = {"con", "prn", "aux", "nul", *(f"{port}{n}" for port in ("com", "lpt") for n in range(1, 10))}
 MAX_NAME = 120
+UNCLOSED = "a quotation mark is not closed; nothing behind it is read"
+SPOKEN = {"korean": "ko", "kr": "ko", "한국어": "ko", "english": "en", "영어": "en"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,18 +60,18 @@ def is_learner_id(text: str) -> bool:
 
 def read_roster(data: bytes, language: str = "en") -> Roster:
     """Return the class in a CSV file; `language` is for those whose row names none."""
-    rows = list(csv.reader(io.StringIO(_decoded(data), newline=""), dialect=_dialect(data)))
+    if data[:2] == b"PK":
+        return Roster(faults=("it is a zip or an Excel file; save it as CSV",))
+    rows, faults = _rows(data)
     if not rows:
-        return Roster(faults=("the roster is empty; its first row names the columns: id,name,language",))
-    columns = _columns(rows[0])
+        return Roster(faults=(*faults, "it is empty; its first row names the columns: id,name,language"))
+    first, header = rows[0]
+    columns = _columns(header)
     if "id" not in columns:
-        there = ", ".join(f'"{name}"' for name in rows[0]) or "nothing"
-        return Roster(faults=(f'row 1: no column "id"; there is {there}',))
+        there = ", ".join(f'"{printable(name[:40])}"' for name in header[:12])
+        return Roster(faults=(*faults, f'row {first}: no column "id"; there is {there}'))
     learners: dict[str, Learner] = {}
-    faults = []
-    for number, row in enumerate(rows[1:], start=2):
-        if not any(word.strip() for word in row):
-            continue
+    for number, row in rows[1:]:
         learner, fault = _learner(row, columns, language)
         if learner is not None and learner.id.lower() in {other.lower() for other in learners}:
             fault = f'the id "{learner.id}" is there twice; the first row is taken'
@@ -76,6 +80,23 @@ def read_roster(data: bytes, language: str = "en") -> Roster:
         elif learner is not None:
             learners[learner.id] = learner
     return Roster(learners, tuple(faults))
+
+
+def _rows(data: bytes) -> tuple[list[tuple[int, list[str]]], list[str]]:
+    """Return the rows in which anything stands, with their numbers, and what is wrong with the file."""
+    rows: list[tuple[int, list[str]]] = []
+    lines = csv.reader(io.StringIO(_decoded(data), newline=""), dialect=_dialect(data))
+    while True:
+        number = lines.line_num + 1
+        try:
+            row = next(lines, None)
+        except csv.Error:  # a field as long as that
+            return rows, [f"row {number}: {UNCLOSED}"]
+        if row is None:
+            open_end = rows and len(rows[-1][1][-1].splitlines()) > 1  # it took in all that was left
+            return (rows[:-1], [f"row {rows[-1][0]}: {UNCLOSED}"]) if open_end else (rows, [])
+        if any(word.strip() for word in row) and not (number == 1 and row[0].startswith("sep=")):
+            rows.append((number, row))
 
 
 def _decoded(data: bytes) -> str:
@@ -89,7 +110,7 @@ def _decoded(data: bytes) -> str:
 
 def _dialect(data: bytes) -> type[csv.Dialect]:
     class Dialect(csv.excel):
-        delimiter = max(",;\t", key=_decoded(data).split("\n")[0].count)
+        delimiter = max(",;\t", key=_decoded(data).lstrip().split("\n")[0].count)
 
     return Dialect
 
@@ -108,10 +129,13 @@ def _columns(header: list[str]) -> dict[str, int]:
 def _learner(row: list[str], columns: dict[str, int], language: str) -> tuple[Learner | None, str]:
     words = {column: row[place].strip() if place < len(row) else "" for column, place in columns.items()}
     identity, spoken = words["id"], words.get("language", "").lower() or language
+    spoken = SPOKEN.get(spoken, re.split("[-_]", spoken)[0])  # en-US is English
     if not identity:
         return None, "no id"
+    if len(words.get("name", "").splitlines()) > 1:
+        return None, "a quotation mark is not closed in its line"
     if not is_learner_id(identity):
-        return None, f'"{identity[:64]}" cannot be an id; use letters, digits and . _ @ -, as in s101'
+        return None, f'"{printable(identity[:64])}" cannot be an id; use letters, digits and . _ @ -, as in s101'
     if spoken not in LANGUAGES:
-        return None, f'the language "{spoken[:20]}" is not there; there is {" and ".join(LANGUAGES)}'
-    return Learner(identity, words.get("name", "")[:MAX_NAME], spoken), ""
+        return None, f'the language "{printable(spoken[:20])}" is not there; there is {" and ".join(LANGUAGES)}'
+    return Learner(identity, printable(words.get("name", "")[:MAX_NAME]), spoken), ""
