@@ -147,8 +147,9 @@ e8_4 = task("E8.4")
 delay_s = e8_4.delay_ms / 1000.0
 forwards_m = e8_4.speed_mps * delay_s
 left_m = e8_4.range_m * math.radians(e8_4.yaw_rate_degps) * delay_s
-late_error = {"forwards_m": forwards_m, "left_m": left_m, "together_m": math.hypot(forwards_m, left_m)}
+together_m = math.hypot(forwards_m, left_m)
 # END SOLUTION
+late_error = {"forwards_m": forwards_m, "left_m": left_m, "together_m": together_m}
 
 # %% name="e8-4-check" tags=["check"]
 check("E8.4", late_error)
@@ -180,16 +181,16 @@ check("E8.4", late_error)
 # - **f** 조회가 모두 `try … except TransformException` 안에 있는데도 노드가 traceback을 남기고 멈춥니다.
 
 # %% name="e8-5-answer" tags=["answer"]
-# BEGIN SOLUTION
 causes = {
+    # BEGIN SOLUTION
     "a": "stamp overwritten",
     "b": "static mount wrong",
     "c": "two clocks",
     "d": "cache too short",
     "e": "odometry slow",
     "f": "import missing",
+    # END SOLUTION
 }
-# END SOLUTION
 
 # %% name="e8-5-check" tags=["check"]
 check("E8.5", causes)

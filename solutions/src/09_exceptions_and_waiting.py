@@ -304,8 +304,10 @@ e9_7 = task("E9.7")
 
 # %% name="e9-7-answer" tags=["answer"]
 # BEGIN SOLUTION
-sources = (e9_7.localization, e9_7.wheel_odometry)
-latest_arrival_s = max(1 / one["rate_hz"] + one["delay_s"] + one["jitter_s"] for one in sources)
+sources = (e9_7.localization, e9_7.wheel_odometry)  # both edges
+latest_arrival_s = max(  # [s], after the scan's stamp: when both are there, at the latest
+    1 / one["rate_hz"] + one["delay_s"] + one["jitter_s"] for one in sources
+)
 wait_s = latest_arrival_s - e9_7.scan_delay_s  # [s], from the scan's arrival
 # END SOLUTION
 

@@ -748,8 +748,8 @@ TASKS = (
                 "slow for a short cache",
                 {**RIGHT, "d": "odometry slow"},
                 Words(
-                    en="d: this one is about the *earliest* data. A slow lane ends too early; which fault makes a lane begin too late?",
-                    ko="d: 이 오류는 *가장 오래된* 데이터를 말합니다. 느린 차선은 너무 일찍 끝납니다. 차선이 너무 늦게 시작하게 만드는 것은 무엇입니까?",
+                    en="d: this one is about the earliest data. A slow lane ends too early; which fault makes a lane begin too late?",
+                    ko="d: 이 오류는 가장 오래된 데이터를 말합니다. 느린 차선은 너무 일찍 끝납니다. 차선이 너무 늦게 시작하게 만드는 것은 무엇입니까?",
                 ),
                 "M11",
             ),

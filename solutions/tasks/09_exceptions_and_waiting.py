@@ -549,8 +549,8 @@ TASKS = (
                      ko="버퍼의 모든 것보다 오래된 데이터를 기다리고 있습니다. 지나간 데이터는 돌아오지 않습니다. 그런 메시지는 어떻게 해야 합니까?")),
             Twin("ends swapped", lambda b, m: action(b, m, swapped=True), misconception="M1",
                  reply=Words(
-                     en="where map is unknown and the message's frame is no name at all, tf2 complains of its *target* first. Your function asks for the other direction, or looks at the frame before tf2 does: data in the message's frame, wanted in map, and map comes first.",
-                     ko="map을 모르고 메시지의 좌표계도 이름이 될 수 없을 때, tf2는 *목표*부터 탓합니다. 이 함수는 방향을 거꾸로 묻거나, tf2보다 먼저 좌표계 이름을 따지고 있습니다. 메시지의 좌표계 기준 데이터를 map 기준으로 보려 하니 map이 먼저입니다.")),
+                     en="where map is unknown and the message's frame is no name at all, tf2 complains of its target first. Your function asks for the other direction, or looks at the frame before tf2 does: data in the message's frame, wanted in map, and map comes first.",
+                     ko="map을 모르고 메시지의 좌표계도 이름이 될 수 없을 때, tf2는 목표부터 탓합니다. 이 함수는 방향을 거꾸로 묻거나, tf2보다 먼저 좌표계 이름을 따지고 있습니다. 메시지의 좌표계 기준 데이터를 map 기준으로 보려 하니 map이 먼저입니다.")),
             Twin("waits for every extrapolation", lambda b, m: action(b, m, limit_s=1e6, wait_for_past=True), misconception="M10",
                  reply=Words(
                      en="every extrapolation is a wait for you. Three kinds are in this class: a little into the future may wait, far into the future is a clock, and what is past does not come back. The text tells them apart.",
