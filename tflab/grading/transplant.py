@@ -85,7 +85,6 @@ class Transplant:
     pieces: tuple[Piece, ...]
     answered: tuple[str, ...]
     remarks: tuple[Remark, ...] = ()
-    known_cells: int = 0
 
 
 class _Text(NamedTuple):
