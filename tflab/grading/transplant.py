@@ -166,7 +166,7 @@ def transplant(master: Master, handed_in: SubmittedNotebook) -> Transplant:
     remarks = tuple(complaint for _, complaint in sources.values() if complaint)
     void = {remark.task for remark in remarks if _is_void(remark)}
     kept = tuple(piece for piece in pieces if piece.kind != "probe" or piece.task not in void)
-    return Transplant(kept, tuple(answered), remarks, len(found.texts))
+    return Transplant(kept, tuple(answered), remarks)
 
 
 def _first_task(master: Master) -> int:
