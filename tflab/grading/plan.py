@@ -7,7 +7,7 @@
 
 Normally a task is probed in one cell.  Looked at closely, after trouble, each case
 has a cell of its own, so that one that does not end leaves the others their credit;
-the time of one cell is for all of them, and for what is left then, a tenth of it.
+the time of one cell is for all of them, and for what is left then, a fifth of it.
 The first case of a function is asked once more at the end.  Expected values are
 nowhere in here.  Read `inside.py` next.
 """
@@ -24,7 +24,7 @@ from .transplant import Piece, Transplant
 
 __all__ = ["BRIEFLY", "Asked", "Plan", "PlannedCell", "plan"]
 
-BRIEFLY = 0.1  # of the time, for what is left of a task
+BRIEFLY = 0.2  # of the time, for what is left of a task
 
 
 @dataclass(frozen=True, slots=True)
