@@ -55,12 +55,14 @@ def main(words: Sequence[str] | None = None) -> int:
     A disk that is full, or a place where one may not write, is one line.
     """
     words = list(sys.argv[1:] if words is None else words)
+    for name in ("stdout", "stderr"):
+        if getattr(sys, name) is None:  # closed by whoever called, as by `>&-`
+            setattr(sys, name, open(os.devnull, "w"))  # noqa: SIM115
     if isinstance(sys.stdout, TextIOWrapper):
         sys.stdout.reconfigure(errors="backslashreplace")  # a terminal that lacks a letter shows its number
     try:
         code = _run(words)
-        if sys.stdout is not None:
-            sys.stdout.flush()
+        sys.stdout.flush()
     except KeyboardInterrupt:
         return BY_CTRL_C
     except BrokenPipeError:

@@ -238,6 +238,11 @@ def test_where_one_may_not_write_is_one_line(tmp_path, capsys):
     assert (ended.returncode, ended.stderr) == (2, "tflab -h: No space left on device\n")
 
 
+def test_closed_outputs_are_no_fault():
+    code = "import sys; from tflab.cli import main; sys.exit(main(['-h']) or main(['nothing']))"
+    assert subprocess.run(["sh", "-c", 'exec "$0" -c "$1" >&- 2>&-', sys.executable, code]).returncode == 2
+
+
 def test_a_node_that_sits_in_a_call_that_nothing_interrupts_does_not_keep_the_shell(tmp_path):
     (tmp_path / "ask.py").write_text("print('asking', flush=True)\ninput()\n")
     process = tflab("run", "ask.py", stdin=subprocess.PIPE, cwd=tmp_path)
