@@ -1044,6 +1044,7 @@ draw_moments(poses, (ball.x, ball.y, ball.z), "ball")
 #
 # This is the lecture's node, whole, as you would save it in `tf_lab_py/point_to_map.py`.
 # It is our finder, grown up: it refuses a point without a frame, uses the point's own stamp, and says so when TF cannot answer.
+# (The lecture is given in Korean, and so are the three texts in it: *registers the geometry messages*, *refused: a point without a frame_id*, *no transform*.)
 
 # %% [markdown] lang="ko" name="on-a-robot" slide="slide"
 # ## 실제 로봇에서도 똑같이
@@ -1059,7 +1060,7 @@ draw_moments(poses, (ball.x, ball.y, ball.z), "ball")
 # from rclpy.duration import Duration
 # from rclpy.node import Node
 # from tf2_ros import Buffer, TransformListener, TransformException
-# import tf2_geometry_msgs  # teaches transform() about points
+# import tf2_geometry_msgs  # Geometry Message 변환 등록
 #
 #
 # class PointToMap(Node):
@@ -1072,7 +1073,7 @@ draw_moments(poses, (ball.x, ball.y, ball.z), "ball")
 #
 #     def on_point(self, message):
 #         if not message.header.frame_id:
-#             self.get_logger().warning('refused: a point without a frame_id')
+#             self.get_logger().warning('frame_id가 없는 Point 거절')
 #             return
 #         try:
 #             transformed = self.buffer.transform(
@@ -1085,7 +1086,7 @@ draw_moments(poses, (ball.x, ball.y, ball.z), "ball")
 #                 f'{transformed.point.y:.2f}, '
 #                 f'{transformed.point.z:.2f})')
 #         except TransformException as error:
-#             self.get_logger().warning(f'no transform: {error}')
+#             self.get_logger().warning(f'TF 변환 실패: {error}')
 #
 #
 # def main(args=None):
