@@ -113,8 +113,12 @@ def test_what_a_view_stores_cannot_end_the_script_it_stands_in(tmp_path):
 
 
 def test_the_page_says_its_language(tmp_path):
-    page = export_html(notebook_at(tmp_path / "ko.ipynb", {}, ()), tmp_path, language="ko").read_text()
-    assert '<html lang="ko">' in page
+    path = notebook_at(tmp_path / "page.ipynb", {}, ())
+    assert '<html lang="en">' in export_html(path, tmp_path).read_text()
+    notebook = nbformat.read(path, as_version=4)
+    notebook.metadata["tflab"] = {"language": "ko"}
+    nbformat.write(notebook, path)
+    assert '<html lang="ko">' in export_html(path, tmp_path).read_text()
 
 
 def test_a_notebook_that_is_not_there_is_an_error(tmp_path):

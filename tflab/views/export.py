@@ -20,14 +20,14 @@ import hashlib
 import json
 import re
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from .export_widgets import WIDGET_VIEW, LiveView, live_view, outputs_from_widget
 from .scene import viewer_file
 
-__all__ = ["NotANotebook", "export_html", "main", "read_notebook"]
+__all__ = ["NotANotebook", "export_html", "main", "page_language", "read_notebook"]
 
 STATIC = Path(__file__).parent / "static"
 STATE = "application/vnd.jupyter.widget-state+json"
@@ -82,9 +82,12 @@ def read_notebook(path: str | Path) -> Any:
         raise NotANotebook(f"{path}: this is no notebook, or a damaged one") from None
 
 
-def export_html(
-    notebook_path: str | Path, out_dir: str | Path, single_file: bool = False, language: str = "en"
-) -> Path:
+def page_language(notebook: Mapping[str, Any]) -> str:
+    """Return the language that a page was built in; English if it does not say."""
+    return notebook["metadata"].get("tflab", {}).get("language", "en")
+
+
+def export_html(notebook_path: str | Path, out_dir: str | Path, single_file: bool = False) -> Path:
     """Write an executed notebook as HTML into `out_dir`; return the page's path.
 
     Raises:
@@ -94,7 +97,7 @@ def export_html(
     notebook_path, out_dir = Path(notebook_path), Path(out_dir)
     notebook = read_notebook(notebook_path)
     views = _without_widgets(notebook)
-    page = _page(notebook, notebook_path.stem, language)
+    page = _page(notebook, notebook_path.stem, page_language(notebook))
     assets = _assets(views)
     if not single_file:
         page, styles = _styles_apart(page)

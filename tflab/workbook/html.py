@@ -11,7 +11,6 @@ Read `slides.py` next.
 
 from __future__ import annotations
 
-import json
 import os
 import re
 import shutil
@@ -24,7 +23,7 @@ from typing import Any
 from .kernel import running_kernel, wait_for
 from .places import stems_called, workbook_data
 
-__all__ = ["PageFailed", "html_from_notebook", "notebooks_called", "page_language", "run_with_films", "write_html"]
+__all__ = ["PageFailed", "html_from_notebook", "notebooks_called", "run_with_films", "write_html"]
 
 SECONDS_FOR_A_CELL = 120
 PAGE_BESIDE = re.compile(r'href="([\w-]+)\.ipynb')  # a link to another page of the same room
@@ -84,7 +83,7 @@ def html_from_notebook(notebook: Path, out_dir: Path) -> Path:
 
     with TemporaryDirectory() as folder:
         executed = run_with_films(notebook, Path(folder))
-        exported = export_html(executed, Path(folder) / "pages", language=page_language(executed))
+        exported = export_html(executed, Path(folder) / "pages")
         text = exported.read_text(encoding="utf-8")
         exported.write_text(PAGE_BESIDE.sub(r'href="\1.html', text), encoding="utf-8")
         shutil.copytree(exported.parent, out_dir, dirs_exist_ok=True)
@@ -97,11 +96,6 @@ async def _run(client: Any, env: Mapping[str, str]) -> None:
         for number, cell in enumerate(client.nb.cells):
             await client.async_execute_cell(cell, number)
         client.set_widgets_metadata()
-
-
-def page_language(notebook: Path) -> str:
-    """Return the language that a page was built in."""
-    return json.loads(notebook.read_text(encoding="utf-8"))["metadata"].get("tflab", {}).get("language", "en")
 
 
 def run_with_films(notebook: Path, folder: Path) -> Path:

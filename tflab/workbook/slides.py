@@ -26,7 +26,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from .html import PageFailed, notebooks_called, page_language, run_with_films
+from .html import PageFailed, notebooks_called, run_with_films
 from .places import WorkbookError, read_workbook, workbook_root
 from .words import LANGUAGES, Words
 
@@ -108,15 +108,15 @@ def deck_from_notebook(notebook: Path, out_dir: Path, *, notes: bool = True, sin
     Raises:
         PageFailed: it is no notebook, a cell raised an error, or there is nothing on it to show.
     """
-    from tflab.views.export import export_html
+    from tflab.views.export import export_html, page_language
 
     with TemporaryDirectory() as folder:
         executed = run_with_films(notebook, Path(folder))
-        language = page_language(executed)
-        slides = slides_of(json.loads(executed.read_text(encoding="utf-8")), notes=notes)
+        ran = json.loads(executed.read_text(encoding="utf-8"))
+        language, slides = page_language(ran), slides_of(ran, notes=notes)
         if not slides:
             raise PageFailed(f"{notebook.name}: no cell of it is shown on a slide")
-        page = export_html(executed, Path(folder) / "deck", single_file=single_file, language=language)
+        page = export_html(executed, Path(folder) / "deck", single_file=single_file)
         page.write_text(_as_deck(page.read_text(encoding="utf-8"), slides, language), encoding="utf-8")
         shutil.copytree(page.parent, out_dir, dirs_exist_ok=True)
         return out_dir / page.name
