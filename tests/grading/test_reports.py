@@ -17,7 +17,9 @@ from tflab.grading.html import prose, text
 from tflab.grading.misconceptions import MISCONCEPTIONS
 from tflab.grading.pack import read_pack
 from tflab.grading.progress_bar import ProgressBar
+from tflab.grading.reasons import REASONS
 from tflab.grading.remarks import Remark
+from tflab.grading.sandbox import Sandbox
 from tflab.workbook.words import Words
 
 
@@ -46,6 +48,14 @@ def test_the_class_page_groups_mistakes_by_what_is_misunderstood(cases: dict) ->
     assert "target and source swapped (M1): 3" in page
     korean = class_page([record(twin="added")], cases, language="ko")
     assert f"{MISCONCEPTIONS['M1'].ko} 1" in korean
+
+
+def test_a_korean_class_page_says_in_korean_what_was_refused_and_what_the_wall_leaves_open(cases: dict) -> None:
+    refused = Remark("file", file="a.zip: ../x", why=Remark("leads out"))
+    wall = (Sandbox("bubblewrap").announce(), *Sandbox("bubblewrap").gaps)
+    page = class_page([], cases, language="ko", wall=wall, remarks=[refused])
+    assert REASONS["leads out"].ko in page and REASONS["leads out"].en not in page
+    assert all(line.ko in page and line.en not in page for line in wall)
 
 
 def test_a_class_of_nobody_has_a_page(cases: dict) -> None:
