@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 
 import nbformat
 import pytest
@@ -126,8 +127,11 @@ def test_a_notebook_that_is_not_there_is_an_error(tmp_path):
         export_html(tmp_path / "missing.ipynb", tmp_path)
 
 
-def test_the_command_prints_where_the_page_is_and_says_what_is_missing(tmp_path, capsys):
+def test_the_command_prints_where_the_page_is_and_says_what_is_missing(tmp_path, capsys, monkeypatch):
     notebook = notebook_at(tmp_path / "page.ipynb", {}, ())
+    monkeypatch.chdir(tmp_path)
+    assert main(["page.ipynb"]) == 0
+    assert capsys.readouterr().out.split() == [str(Path("html", "page.html"))]
     assert main([str(notebook), "--out", str(tmp_path / "site")]) == 0
     assert capsys.readouterr().out == f"{tmp_path / 'site' / 'page.html'}\n"
     assert main([str(tmp_path / "other.ipynb"), "--out", str(tmp_path)]) == 2

@@ -113,12 +113,12 @@ def export_html(notebook_path: str | Path, out_dir: str | Path, single_file: boo
 
 
 def main(words: Sequence[str]) -> int:
-    """Run `tflab export NOTEBOOK --out DIR`; return the exit code."""
+    """Run `tflab export NOTEBOOK`; return the exit code."""
     parser = argparse.ArgumentParser(prog="tflab export", description="Write an executed notebook as HTML.")
     parser.add_argument(
         "notebook", type=Path, metavar="NOTEBOOK", help="a notebook that has been run, with its widgets' state"
     )
-    parser.add_argument("--out", type=Path, required=True, metavar="DIR", help="the folder to write into")
+    parser.add_argument("--out", type=Path, default="html", metavar="DIR", help="where to; %(default)s if left out")
     parser.add_argument("--single-file", action="store_true", help="put everything into one file that can be mailed")
     asked = parser.parse_args(words)
     try:
