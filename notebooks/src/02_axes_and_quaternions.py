@@ -552,7 +552,7 @@ else:
 # Eigen's constructor, MuJoCo and many papers do. ROS, RViz and SciPy write w last.
 
 # %% [markdown] lang="ko" name="four-facts" slide="slide"
-# ## 오후 하나씩을 아껴 주는 네 가지 사실
+# ## 알아 두면 반나절씩 버는 네 가지 사실
 #
 # | 쿼터니언 (x, y, z, w) | 뜻 |
 # |---|---|
@@ -1045,7 +1045,7 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # 위의 RViz 셀을 다시 실행해 보십시오. 벽이 제자리에 서 있습니다.
 #
 # 초보자만 겪는 일이 아닙니다. 하늘을 바라보거나 90° 누운 클라우드는 지도 작성 패키지([introlab/rtabmap_ros 383](https://github.com/introlab/rtabmap_ros/issues/383)), 지하 탐사 로봇 대회의 시뮬레이터([osrf/subt 369](https://github.com/osrf/subt/issues/369)), 수많은 ROS 로봇이 거쳐 간 시뮬레이터([gazebo_ros_pkgs 1329](https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1329))의 이슈 목록에도 올라와 있습니다.
-# 해결책의 모양은 한결같습니다. 좌표계를 둘 다 두고, 데이터에는 광학 좌표계를 적습니다.
+# 해결책은 언제나 같습니다. 좌표계를 둘 다 두고, 데이터에는 광학 좌표계를 적습니다.
 
 # %% [markdown] lang="en" name="cloud-notes" slide="notes"
 # Let the zero stand on the screen for a moment. Then ask who of the three programs should have noticed: camera, TF, or planner. (None of them could.)

@@ -335,7 +335,7 @@ print('the corner, moved       ', fmt_all(base_T_laser.apply((2.0, 0.0, 0.0))))
 
 # %% [markdown] lang="ko" name="in-3d" slide="subslide"
 # 이번에는 3D입니다. 끌어서 돌려 보고, 아래 슬라이더를 움직여 레이저를 돌려 보십시오.
-# 빗금 친 회색은 반대 변환이고, 그 변환이 말하는 모서리가 거기에 있습니다.
+# 빗금 친 회색은 반대 변환이며, 그 변환대로라면 모서리가 있을 자리도 함께 그렸습니다.
 
 # %% name="in-3d-function" slide="skip"
 scene = Scene(height_px=380)
@@ -877,7 +877,7 @@ draw_mount(math.pi / 2)
 # %% [markdown] lang="ko" name="echo-help-seen"
 # 첫 인자는 조회의 *목표*인데, 도움말은 그것을 `source_frame`이라고 부릅니다.
 # 첫 문장은 "어디에서 어디로"라고 하고, 두 줄 아래에서는 데이터가 반대로 간다고 (맞게) 적었습니다.
-# 10년 치 신고 뒤에 있던 글이 이것입니다.
+# 10년 동안 이어진 질문은 바로 이 글에서 나왔습니다.
 # 한 번 웃고, 문장을 믿으십시오. **`tf2_echo 목표 원본`** 순서입니다.
 
 # %% [markdown] lang="en" name="echo-help-notes" slide="notes"

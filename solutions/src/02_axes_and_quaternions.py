@@ -48,7 +48,7 @@ from tflab.core import Transform
 # 2. 기수가 아래를 보는 로봇의 pitch
 # 3. 로봇 오른쪽에 있는 기둥의 y, `base_link` 기준
 # 4. 같은 기둥의 x, `camera_optical_frame` 기준. 카메라는 앞을 봅니다.
-# 5. 카메라보다 높이 달린 등의 y, `camera_optical_frame` 기준
+# 5. 카메라보다 높이 달린 전등의 y, `camera_optical_frame` 기준
 
 # %% name="e2-1-answer" tags=["answer"]
 signs = {
@@ -130,7 +130,7 @@ check("E2.3", quaternion_from_yaw)
 # %% [markdown] lang="ko" name="e2-4"
 # ## E2.4 · 쿼터니언 검문소 (4점)
 #
-# TF는 잘못된 쿼터니언을 만든 곳에서 프로그램 두 개만큼 떨어진 곳에서야 거절합니다. 여러분은 국경에서 바로 가려냅니다.
+# TF가 잘못된 쿼터니언을 거절하는 곳은 그것을 만든 곳에서 프로그램 두 개만큼 떨어져 있습니다. 여러분은 들어오는 길목에서 바로 가려내십시오.
 # 로봇은 평평한 바닥을 달리므로 올바른 쿼터니언은 z축으로만 돕니다.
 # 다음 순서로 보아 처음 해당하는 판정을 반환하십시오.
 #

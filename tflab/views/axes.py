@@ -64,7 +64,7 @@ def pixel_from_optical(optical_p: Sequence[float]) -> tuple[float, float] | None
 
 def draw_body_axes() -> Picture:
     """Draw a robot with REP-103's body axes: x forward, y left, z up."""
-    picture = Picture(style.SQUARE)
+    picture = Picture((5.4, 3.6))
     with style.our_settings():
         ax = clear_paper(picture.figure.add_axes((0.03, 0.03, 0.94, 0.94)))
         draw_ground(ax, SLANTING, (-1.0, 1.5), (-1.0, 1.5), 0.5)
@@ -72,8 +72,8 @@ def draw_body_axes() -> Picture:
         frame = draw_frames({"base_link": Transform()}, ax, SLANTING, length_m=0.9)["base_link"]
         frame.label.stand((0.0, -44.0))
         _write_words(ax, frame, BODY_WORDS)
-        ax.set_xlim(-1.35, 1.35)
-        ax.set_ylim(-1.05, 1.65)
+        ax.set_xlim(-1.75, 1.75)
+        ax.set_ylim(-0.8, 1.5)
     picture.text = "base_link, body axes (REP-103): x forward, y left, z up"
     return picture
 

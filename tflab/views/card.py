@@ -48,17 +48,17 @@ SENTENCES = (
 
 def draw_card() -> Picture:
     """Draw the card: both conventions of axes, the positive turns, and what to know of a quaternion."""
-    picture = Picture(style.TALL)
+    picture = Picture((style.WIDE[0], 4.3))
     sides = {"base_link, camera_link": (Transform(), BODY_WORDS), "..._optical_frame": (BODY_T_OPTICAL, OPTICAL_WORDS)}
     with style.our_settings():
         for column, (caption, (pose, words)) in enumerate(sides.items()):
-            ax = clear_paper(picture.figure.add_axes((0.01 + 0.305 * column, 0.42, 0.30, 0.55)))
+            ax = clear_paper(picture.figure.add_axes((0.01 + 0.305 * column, 0.43, 0.30, 0.55)))
             if column == 0:
                 RobotArtists(ax, SLANTING, style.GREY, scale=1.4).move(Transform())
             _write_beyond(ax, draw_frames({"": pose}, ax, SLANTING, length_m=1.0)[""], words)
             _limits(ax, caption)
         for column, (name, axis) in enumerate(TURNS.items()):
-            ax = clear_paper(picture.figure.add_axes((0.01 + 0.2 * column, 0.03, 0.19, 0.38)))
+            ax = clear_paper(picture.figure.add_axes((0.01 + 0.2 * column, 0.02, 0.19, 0.38)))
             draw_frames({"": Transform()}, ax, FROM_FRONT, length_m=1.0)
             draw_turn(ax, axis)
             _limits(ax, f"+ {name}")
@@ -82,5 +82,5 @@ def _write_beyond(ax, frame: FrameArtists, words: dict[str, str]) -> None:
 
 def _limits(ax, caption: str) -> None:
     ax.set_xlim(-1.5, 1.5)
-    ax.set_ylim(-1.35, 1.65)
+    ax.set_ylim(-1.15, 1.6)
     write_caption(ax, caption)
