@@ -312,9 +312,12 @@ for second in (14.3, 10.6):
 # 2. **Whose moment?** "Requested time 14.300000" is the stamp that the *asker* brought: usually `header.stamp` of a message.
 # 3. **How far outside?** 14.3 − 14.0 = 0.3 s.
 # 4. **Which data, wanted where?** "from frame [laser_frame] to frame [map]": data expressed in `laser_frame`, wanted in `map`. That is the sentence of chapter 03, and neither name is accused.
-# 5. **Which edge?** The one on the way whose *newest* sample is from 14.000000. Look for that number: `map → odom`. (If several edges end too early, the text tells of only one: in a question to the root, such as `map`, the one met first on the way up from the source. There may be a lazier one behind it.)
+# 5. **Which edge?** The one on the way whose *newest* sample is from 14.000000. Look for that number: `map → odom`.
 #
 # Five questions, one line. With a little practice it takes ten seconds.
+#
+# And two cautions. If several edges end too early, the text tells of only one: in a question to the root, such as `map`, the one met first on the way up from the source. There may be a lazier one behind it.
+# In a question below the root, such as `odom ← base_footprint`, tf2 may even climb past the goal, and give the time of `map → odom`, which is not on the way at all. The releases of March 2026 mend that (ros2/geometry2 #832); tflab answers as those before.
 
 # %% [markdown] lang="ko" name="worked" slide="slide"
 # ## 풀이 예제: 오류문 한 줄 읽기
@@ -329,9 +332,12 @@ for second in (14.3, 10.6):
 # 2. **누구의 시각입니까?** "Requested time 14.300000"은 *질문한 쪽*이 가져온 시각입니다. 대개 메시지의 `header.stamp`입니다.
 # 3. **얼마나 벗어났습니까?** 14.3 − 14.0 = 0.3초입니다.
 # 4. **어떤 데이터를 어느 좌표계에서 보려 합니까?** "from frame [laser_frame] to frame [map]": `laser_frame` 기준 데이터를 `map` 기준으로 보려 합니다. 03장의 그 문장이며, 어느 이름도 범인으로 지목된 것이 아닙니다.
-# 5. **어느 연결입니까?** 경로 위에서 *최신* 표본이 14.000000인 연결입니다. 그 숫자를 찾으면 `map → odom`입니다. (여러 연결이 일찍 끝났어도 오류문은 하나만 말합니다. `map` 같은 루트로 물었다면 원본에서 올라가며 처음 만난 연결입니다. 그 뒤에 더 게으른 연결이 있을 수 있습니다.)
+# 5. **어느 연결입니까?** 경로 위에서 *최신* 표본이 14.000000인 연결입니다. 그 숫자를 찾으면 `map → odom`입니다.
 #
 # 한 줄에 다섯 질문입니다. 조금만 연습하면 10초면 됩니다.
+#
+# 두 가지를 조심하십시오. 여러 연결이 일찍 끝났어도 오류문은 하나만 말합니다. `map` 같은 루트로 물었다면 원본에서 올라가며 처음 만난 연결입니다. 그 뒤에 더 게으른 연결이 있을 수 있습니다.
+# `odom ← base_footprint`처럼 루트 아래에서 물으면 tf2가 목표를 지나쳐 더 올라가, 경로에 있지도 않은 `map → odom`의 시각을 말하기도 합니다. 2026년 3월 릴리스에서 고쳐졌고(ros2/geometry2 #832), tflab은 그 이전처럼 답합니다.
 
 # %% [markdown] lang="en" name="faded" slide="subslide"
 # ## Your turn, with two blanks
