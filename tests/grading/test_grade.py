@@ -292,3 +292,26 @@ def test_of_two_attempts_with_as_many_answers_the_later_counts(course: tiny.Cour
     record = graded(course, tmp_path / "in", tmp_path / "out")["s102"]
     assert record["points"] == record["most"]
     assert "several" in remarks(record)
+
+
+def test_results_among_the_submissions_are_refused(
+    course: tiny.Course, tmp_path: Path, capsys: pytest.CaptureFixture
+) -> None:
+    assert grade.main([str(tmp_path), "--pack", str(course.pack), "--out", str(tmp_path)]) == 2
+    assert "would be taken for submissions" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("name", ["all.tar.gz", "all.7z", "03.py", "03.html"])
+def test_what_is_no_folder_zip_or_notebook_is_one_line(
+    course: tiny.Course, tmp_path: Path, capsys: pytest.CaptureFixture, name: str
+) -> None:
+    (tmp_path / name).write_bytes(b"x")
+    assert grade.main([str(tmp_path / name), "--pack", str(course.pack), "--out", str(tmp_path / "out")]) == 2
+    assert capsys.readouterr().err == f"tflab grade: no notebook; there is {name}.\n"
+
+
+@pytest.mark.parametrize("words", [["--seconds", "0"], ["--seconds", "x"], ["--scheduler", "here"]])
+def test_an_option_that_cannot_be_is_said(words: list[str], capsys: pytest.CaptureFixture) -> None:
+    with pytest.raises(SystemExit):
+        grade.main(["x", "--pack", "y", *words])
+    assert " is no " in capsys.readouterr().err

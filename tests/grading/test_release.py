@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 import stat
 from pathlib import Path
 
@@ -221,3 +222,15 @@ def test_a_chapter_whose_tasks_have_changed_is_not_added_to(
     tasks.write_text(tasks.read_text(encoding="utf-8").replace("uniform(1, 5)", "uniform(1, 4)"), encoding="utf-8")
     with pytest.raises(PackError, match="have changed"):
         releasing.release(tmp_path / "r", [tiny.STEM], [Learner("b")], add=True)
+
+
+@pytest.mark.parametrize("gone", ["form", "twins", "variants", "answer", "points"])
+def test_a_pack_in_which_something_is_missing_is_one_line(course: tiny.Course, tmp_path: Path, gone: str) -> None:
+    pack = shutil.copytree(course.pack, tmp_path / "pack")
+    path = pack / "cases" / f"{tiny.STEM}.json"
+    cases = json.loads(path.read_text(encoding="utf-8"))
+    for task in cases["tasks"].values():
+        del task[gone]
+    path.write_text(json.dumps(cases), encoding="utf-8")
+    with pytest.raises(PackError, match="damaged"):
+        read_pack(pack)

@@ -223,7 +223,8 @@ def _record_at(path: Path, learner: str) -> dict[str, Any] | None:
         record = json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError):
         return None
-    return record if isinstance(record, dict) and record.get("learner") == learner else None
+    is_ours = isinstance(record, dict) and record.get("learner") == learner and "chapters" in record
+    return record if is_ours else None
 
 
 def _write_record(path: Path, record: dict[str, Any]) -> None:

@@ -11,9 +11,11 @@ Read `submissions.py` next.
 from __future__ import annotations
 
 import argparse
+import contextlib
 import json
 import math
 import os
+import re
 import sys
 from collections.abc import Sequence
 from dataclasses import replace
@@ -51,6 +53,8 @@ def main(words: Sequence[str]) -> int:
 
     try:
         pack = read_pack(Path(options.pack))
+        if out.resolve() == Path(options.submissions).resolve():
+            return _refuse("the results would be taken for submissions; name another folder with --out")
         collection = collect(Path(options.submissions), pack.roster, list(pack.cases), (out, Path(options.pack)))
         if pack.version != __version__:
             other = Remark("other tflab", stamp=pack.version, ours=__version__)
@@ -63,7 +67,7 @@ def main(words: Sequence[str]) -> int:
     except (PackError, Unreadable, KernelError, ImportError) as error:
         return _refuse(str(error))
     except OSError as error:
-        return _refuse(f"{error.filename}: {error.strerror}")
+        return _refuse(f"{error.filename}: {error.strerror}" if error.filename else str(error))
     except KeyboardInterrupt:
         done = len(list((out / "submissions").glob("*.json")))
         print(
@@ -159,10 +163,16 @@ def _refuse(why: str) -> int:
 
 
 def _seconds(word: str) -> float:
-    value = float(word)
-    if not 0 < value < math.inf:
-        raise ValueError(word)
-    return value
+    with contextlib.suppress(ValueError):
+        if 0 < float(word) < math.inf:
+            return float(word)
+    raise argparse.ArgumentTypeError(f"{word!r} is no number of seconds above 0")
+
+
+def _address(word: str) -> str:
+    if not re.fullmatch(r"[a-z]+://\S+:\d+", word):
+        raise argparse.ArgumentTypeError(f"{word!r} is no address; a scheduler has one like tcp://10.0.0.7:8786")
+    return word
 
 
 def _options(words: Sequence[str]) -> argparse.Namespace:
@@ -171,7 +181,9 @@ def _options(words: Sequence[str]) -> argparse.Namespace:
     parser.add_argument("--pack", required=True, metavar="DIR", help="the instructor's folder of the release")
     parser.add_argument("--out", default="results", metavar="DIR", help="where the results go; %(default)s if left out")
     parser.add_argument("--jobs", type=int, default=1, metavar="N", help="how many at once; 0: one for each processor")
-    parser.add_argument("--scheduler", metavar="tcp://...", help="of Dask workers that may see hidden cases")
+    parser.add_argument(
+        "--scheduler", type=_address, metavar="tcp://...", help="of Dask workers that may see hidden cases"
+    )
     parser.add_argument("--lms", choices=sorted(LMS), help="the columns of grades.csv")
     parser.add_argument("--assignment", default="tflab", metavar="NAME", help="its column in Canvas; %(default)s")
     parser.add_argument("--feedback", choices=LEVELS, default="named", help="what learners see; %(default)s")

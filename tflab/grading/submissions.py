@@ -115,7 +115,10 @@ def _listed(place: Path, leave_out: set[Path]) -> tuple[list[Member], list[Remar
     elif is_zip_name(place.name):
         members, remarks = archive_members(place.resolve())
     else:
-        return [Member((place.name,), lambda: read_bytes(place))], []
+        one = Member((place.name,), lambda: read_bytes(place))
+        if not _is_notebook(one):
+            raise Unreadable("no notebook", stamp=_few([place.name]))
+        return [one], []
     listed: list[Member] = []
     for member in members:
         if not any(_is_skipped(part) for part in member.parts):
