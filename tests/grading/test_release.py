@@ -173,6 +173,15 @@ def test_learners_can_be_added_and_nobody_elses_cases_change(course: tiny.Course
     assert tiny.exercise(tmp_path / "r" / "learners" / "b")["metadata"]["tflab"]["learner"] == "b"
 
 
+def test_adding_learners_adds_no_chapter(course: tiny.Course, tmp_path: Path, monkeypatch, capsys) -> None:
+    releasing.release(tmp_path / "r", [tiny.STEM], [Learner("a")])
+    (tmp_path / "more.csv").write_text("id\nb\n")
+    monkeypatch.setattr(releasing.places, "chapters", lambda: [tiny.STEM, "09_later"])
+    assert releasing.main([str(tmp_path / "r"), "--add", "--roster", str(tmp_path / "more.csv"), "--quiet"]) == 0
+    assert f"for 2 learners: {tiny.STEM}\n" in capsys.readouterr().out
+    assert list(read_pack(tmp_path / "r" / "instructor").cases) == [tiny.STEM]
+
+
 def test_adding_to_nothing_is_one_line(tmp_path: Path) -> None:
     with pytest.raises(PackError, match="there is no pack"):
         releasing.release(tmp_path / "r", [tiny.STEM], None, add=True)

@@ -44,19 +44,20 @@ def main(words: Sequence[str]) -> int:
     options = _options(words)
     folder = Path(options.folder)
     try:
-        stems = _chapters(options.chapters, places.chapters())
+        adds_no_chapter = options.add and not options.chapters
+        stems = [] if adds_no_chapter else _chapters(options.chapters, places.chapters())
         roster = _roster(options.roster, options.lang)
         for fault in roster.faults if roster else ():
             print(f"tflab release: {options.roster}, {fault}; left out", file=sys.stderr)
         if roster is not None and not roster.learners:
             raise PackError("no learner on the roster")
         learners = list(roster.learners.values()) if roster else None
-        release(folder, stems, learners, language=options.lang, add=options.add, quiet=options.quiet)
+        pack = release(folder, stems, learners, language=options.lang, add=options.add, quiet=options.quiet)
     except (PackError, TaskError, WorkbookError) as error:
         print(f"tflab release: {error}", file=sys.stderr)
         return 2
-    who = f"{len(learners)} learners" if learners is not None else "everybody, the same folder"
-    print(f"{folder / LEARNERS}: for {who}: {', '.join(stems)}")
+    who = f"{len(pack.roster)} learners" if pack.roster is not None else "everybody, the same folder"
+    print(f"{folder / LEARNERS}: for {who}: {', '.join(pack.cases)}")
     print(f"{folder / INSTRUCTOR}: your pack. Keep it to yourself; grading needs it.")
     return 1 if roster and roster.faults else 0
 
@@ -170,7 +171,7 @@ def _options(words: Sequence[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="tflab release", description="Hand out exercises, and keep what grades them.")
     parser.add_argument("folder", metavar="DIR", help="a new folder: DIR/learners to give away, DIR/instructor to keep")
     parser.add_argument("--roster", metavar="CSV", help="the class, a learner a row: id,name,language")
-    parser.add_argument("--chapters", metavar="02,03", help="all that have exercises if left out")
+    parser.add_argument("--chapters", metavar="02,03", help="all that have exercises if left out; with --add, no more")
     parser.add_argument("--lang", choices=LANGUAGES, default="en", help="for whom the roster names none; %(default)s")
     parser.add_argument("--add", action="store_true", help="add chapters or learners to a release that is there")
     parser.add_argument("--quiet", action="store_true", help="no progress bar")
