@@ -287,7 +287,7 @@ turns.draw_drives({"angular.z = +0.5": 0.5, "angular.z = 0": 0.0, "angular.z = -
 # %% name="signs-hand" tags=["predicted"] slide="subslide"
 axes.draw_right_hand()
 
-# %% [markdown] lang="en" name="signs-after" slide="fragment"
+# %% [markdown] lang="en" name="signs-after" tags=["predicted"] slide="fragment"
 # Positive yaw turns **left**: from x towards y. So −0.5 goes right.
 #
 # Positive pitch puts the **nose down**. Pilots shake their heads: in an aeroplane's frame z points down, so there plus is up.
@@ -295,7 +295,7 @@ axes.draw_right_hand()
 #
 # Positive roll lifts the left side.
 
-# %% [markdown] lang="ko" name="signs-after" slide="fragment"
+# %% [markdown] lang="ko" name="signs-after" tags=["predicted"] slide="fragment"
 # 양의 yaw는 **왼쪽**으로 돕니다. x에서 y 쪽으로 도는 방향입니다. 그러므로 −0.5는 오른쪽입니다.
 #
 # 양의 pitch는 **기수를 내립니다**. 조종사라면 고개를 저을 것입니다. 비행기 좌표계에서는 z가 아래를 향하므로 양수일 때 기수가 올라갑니다.
@@ -397,7 +397,7 @@ nose = (1.0, 0.0, 0.0)
 print("first roll, then yaw:", fmt_all((yaw @ roll).apply(nose), ""))
 print("first yaw, then roll:", fmt_all((roll @ yaw).apply(nose), ""))
 
-# %% [markdown] lang="en" name="order-after" slide="fragment"
+# %% [markdown] lang="en" name="order-after" tags=["predicted"] slide="fragment"
 # One robot looks to the left. The other looks at the ceiling.
 #
 # In code, the turn that happens **first** stands on the **right**, next to the point: `yaw @ roll` is "roll, then yaw".
@@ -406,7 +406,7 @@ print("first yaw, then roll:", fmt_all((roll @ yaw).apply(nose), ""))
 # > The same product can be read from left to right with axes that turn along: yaw first, then pitch about the *new* y, then roll about the *new* x.
 # > Both readings are in use. If somebody hands you three angles, ask: which order, and fixed axes or turning ones?
 
-# %% [markdown] lang="ko" name="order-after" slide="fragment"
+# %% [markdown] lang="ko" name="order-after" tags=["predicted"] slide="fragment"
 # 한 로봇은 왼쪽을 보고, 다른 로봇은 천장을 봅니다.
 #
 # 코드에서 **먼저** 일어나는 회전은 점과 가까운 **오른쪽**에 씁니다. `yaw @ roll`은 "roll 하고 나서 yaw"입니다.
@@ -440,14 +440,14 @@ print("one   (x, y, z, w):", fmt_all(one, ""))
 print("other (x, y, z, w):", fmt_all(other, ""))
 print("from one to the other, a turn of", fmt(angle(one, other), "rad"))
 
-# %% [markdown] lang="en" name="gimbal-after" slide="fragment"
+# %% [markdown] lang="en" name="gimbal-after" tags=["predicted"] slide="fragment"
 # Not at all: they are the same. With the nose down, roll and yaw turn about the same line, and one of the three angles has nothing left to say.
 # That is [[gimbal lock]]. Near it, a tiny real motion makes the angles leap, so a filter or a controller that computes with angles goes wild.
 #
 # A [[quaternion]] has no such place. It is four numbers, one of them to spare, and wherever you are a small motion is a small change.
 # So ROS **stores and sends** quaternions. Angles are for people: URDF takes them from you, tools show them to you.
 
-# %% [markdown] lang="ko" name="gimbal-after" slide="fragment"
+# %% [markdown] lang="ko" name="gimbal-after" tags=["predicted"] slide="fragment"
 # 전혀 다르지 않습니다. 같은 자세입니다. 기수가 아래를 향하면 roll과 yaw가 같은 직선을 축으로 돌게 되어, 세 각도 중 하나가 할 일을 잃습니다.
 # 이것을 [[gimbal lock|짐벌 락(gimbal lock)]]이라고 합니다. 이 근처에서는 실제로 아주 조금만 움직여도 각도가 훌쩍 뜁니다. 각도로 계산하는 필터나 제어기는 여기서 날뜁니다.
 #
@@ -600,11 +600,11 @@ for q in (left_90, (0.0, 0.0, 0.707, 0.707), (0.0, 0.0, 1.4, 1.4), (0.0, 0.0, ma
     off = abs(length - 1)
     print(f"length {length:.4f}:  close to 1? {off < 0.01}   far from 1? {off > 0.01}")
 
-# %% [markdown] lang="en" name="length-after" slide="fragment"
+# %% [markdown] lang="en" name="length-after" tags=["predicted"] slide="fragment"
 # Neither. Every comparison with NaN says False, so it walks through any check that asks "is it bad?".
 # Ask `math.isfinite` first.
 
-# %% [markdown] lang="ko" name="length-after" slide="fragment"
+# %% [markdown] lang="ko" name="length-after" tags=["predicted"] slide="fragment"
 # 둘 다 아닙니다. NaN과의 비교는 모두 False이므로 "나쁜 값입니까?"라고 묻는 검사는 유유히 통과합니다.
 # `math.isfinite`로 먼저 물어보십시오.
 
@@ -621,12 +621,12 @@ for name, q in (("taken as it came", from_mujoco), ("put in order", xyzw_from_wx
     angles = (math.degrees(part) for part in Transform(rotation=q).rpy())
     print(f"{name}: roll, pitch, yaw", fmt_all(tuple(angles), "degrees", 1))
 
-# %% [markdown] lang="en" name="w-first-after" slide="fragment"
+# %% [markdown] lang="en" name="w-first-after" tags=["predicted"] slide="fragment"
 # Roll 160°: upside down, wheels in the air.
 # Small turns become half rolls, so a robot that stands on its head in RViz is the signature of w-first.
 # Convert at the border, once, in a function whose name says it: `xyzw_from_wxyz`.
 
-# %% [markdown] lang="ko" name="w-first-after" slide="fragment"
+# %% [markdown] lang="ko" name="w-first-after" tags=["predicted"] slide="fragment"
 # roll이 160°입니다. 바퀴를 하늘로 하고 뒤집혔습니다.
 # 작은 회전이 거의 반 바퀴 roll로 바뀝니다. RViz에서 로봇이 거꾸로 서 있다면 w를 먼저 쓴 흔적입니다.
 # 변환은 경계에서 한 번만, 이름만 보아도 뜻이 드러나는 함수로 하십시오. `xyzw_from_wxyz`가 그런 이름입니다.
@@ -993,19 +993,21 @@ misread.draw_misread(
     titles=("frame_id: camera_optical_frame", "frame_id: camera_link"),
 )
 
-# %% [markdown] lang="en" name="cloud-after"
+# %% [markdown] lang="en" name="cloud-after" tags=["predicted"]
 # The wall hangs above the robot as a ceiling, and the floor stands at its left, in the air.
 # TF raised nothing. It was asked to move points from `camera_link` to `base_link`, and it did.
-#
-# Now think of the planner that reads this cloud and looks for obstacles at the robot's height.
 
-# %% [markdown] lang="ko" name="cloud-after"
+# %% [markdown] lang="ko" name="cloud-after" tags=["predicted"]
 # 벽은 천장이 되어 로봇 위에 떠 있고, 바닥은 왼쪽 공중에 서 있습니다.
 # TF는 아무 오류도 내지 않았습니다. `camera_link`의 점을 `base_link`로 옮겨 달라는 요청을 받았고, 그대로 했습니다.
-#
+
+# %% [markdown] lang="en" name="cloud-planner" slide="subslide"
+# Now think of the planner that reads this cloud and looks for obstacles at the robot's height.
+
+# %% [markdown] lang="ko" name="cloud-planner" slide="subslide"
 # 이제 이 클라우드를 읽고 로봇 높이의 장애물을 찾는 경로 계획기를 생각해 보십시오.
 
-# %% name="cloud-obstacles" slide="subslide"
+# %% name="cloud-obstacles"
 def obstacles_ahead(frame_id):
     cloud = create_cloud_xyz32(Header(frame_id=frame_id), np.vstack([wall, floor]))
     x, y, z = read_points_numpy(buffer.transform(cloud, "base_link")).T

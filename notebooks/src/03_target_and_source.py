@@ -216,10 +216,14 @@ base_p_corner = (corner.point.x, corner.point.y, corner.point.z)
 print(corner.header.frame_id, fmt_all(base_p_corner))
 print('your guess was off by', f'{math.dist(my_guess, base_p_corner):.2f} m')
 
+# %% [markdown] lang="en" name="the-corner-seen" tags=["predicted"] slide="fragment"
+# The laser looks to the left, so its "ahead" is the robot's "left": 2 m of y, counted from where the laser sits.
+
+# %% [markdown] lang="ko" name="the-corner-seen" tags=["predicted"] slide="fragment"
+# 레이저가 왼쪽을 보므로, 레이저의 "앞"은 로봇의 "왼쪽"입니다. 레이저가 달린 자리에서 y로 2 m입니다.
+
 # %% [markdown] lang="en" name="compare" slide="subslide"
 # ### How was your guess?
-#
-# The laser looks to the left, so its "ahead" is the robot's "left": 2 m of y, counted from where the laser sits.
 #
 # <details><summary>I said (2.2, 0, 0.15)</summary>
 #
@@ -242,8 +246,6 @@ print('your guess was off by', f'{math.dist(my_guess, base_p_corner):.2f} m')
 
 # %% [markdown] lang="ko" name="compare" slide="subslide"
 # ### 예측은 어땠습니까?
-#
-# 레이저가 왼쪽을 보므로, 레이저의 "앞"은 로봇의 "왼쪽"입니다. 레이저가 달린 자리에서 y로 2 m입니다.
 #
 # <details><summary>(2.2, 0, 0.15)라고 했습니다</summary>
 #
@@ -906,11 +908,11 @@ draw_mount(math.pi / 2)
 # %% name="echo-the-other-way" tags=["predicted"] slide="subslide"
 # %ros2 --for 1.5 run tf2_ros tf2_echo laser_frame base_link
 
-# %% [markdown] lang="en" name="echo-seen"
+# %% [markdown] lang="en" name="echo-seen" tags=["predicted"]
 # (−0.20, 0, −0.15) would be the sign flipped; the tool says (0, 0.20, −0.15): to the laser's left, as you saw when you stood up.
 # The first line of each is the tool waiting until it has heard something, and `-0.000` is its way to print a level pose.
 
-# %% [markdown] lang="ko" name="echo-seen"
+# %% [markdown] lang="ko" name="echo-seen" tags=["predicted"]
 # 부호만 뒤집으면 (−0.20, 0, −0.15)이지만, 도구는 (0, 0.20, −0.15)라고 합니다. 일어서서 본 대로 레이저의 왼쪽입니다.
 # 첫 줄은 도구가 무언가 들을 때까지 기다린다는 뜻이고, `-0.000`은 수평인 자세를 출력할 때 나오는 이 도구의 버릇입니다.
 
@@ -947,15 +949,21 @@ seen_at = (2.0, 0.7, 0.0)
 print('right  ', fmt_all(rear.apply(seen_at)))
 print('swapped', fmt_all(rear.inverse().apply(seen_at)))
 
-# %% [markdown] lang="en" name="swap-at-the-back-seen" slide="subslide"
+# %% [markdown] lang="en" name="swap-at-the-back-seen" tags=["predicted"] slide="subslide"
 # Identical: after half a turn, another half turn brings you home, so this mount is its own inverse.
-# Every test passes. The code is reviewed, merged, and copied to the next robot, whose laser looks to the left.
+# Every test passes.
+
+# %% [markdown] lang="ko" name="swap-at-the-back-seen" tags=["predicted"] slide="subslide"
+# 똑같습니다. 반 바퀴는 한 번 더 돌면 제자리이므로, 이렇게 단 센서의 변환은 자기 자신이 역변환입니다.
+# 시험은 모두 통과합니다.
+
+# %% [markdown] lang="en" name="swap-once-more"
+# The code is reviewed, merged, and copied to the next robot, whose laser looks to the left.
 #
 # **Predict** once more: how far off now?
 
-# %% [markdown] lang="ko" name="swap-at-the-back-seen" slide="subslide"
-# 똑같습니다. 반 바퀴는 한 번 더 돌면 제자리이므로, 이렇게 단 센서의 변환은 자기 자신이 역변환입니다.
-# 시험은 모두 통과합니다. 코드는 검토를 거쳐 병합되고, 레이저가 왼쪽을 보는 다음 로봇으로 복사됩니다.
+# %% [markdown] lang="ko" name="swap-once-more"
+# 코드는 검토를 거쳐 병합되고, 레이저가 왼쪽을 보는 다음 로봇으로 복사됩니다.
 #
 # 다시 **예측**해 보십시오. 이번에는 얼마나 어긋납니까?
 

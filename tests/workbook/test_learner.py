@@ -156,7 +156,7 @@ def ask_to_predict(handed_out: HandedOut, name: str, **sources: str) -> None:
     for cell in page["cells"]:
         if cell["cell_type"] == "code":
             cell |= {"execution_count": 3, "outputs": [SAID]}
-        if cell["id"] == name:
+        if cell["id"] in (name, f"{name}-told"):
             cell["metadata"]["tags"] = ["predicted", "raises-exception"]
     (handed_out.root / START).write_text(json.dumps(page))
 
@@ -173,6 +173,20 @@ def test_what_a_text_asks_to_predict_is_not_there_before_it_is_run(handed_out: H
     guess = json.loads((copy / START).read_text())["cells"][2]
     assert (guess["execution_count"], guess["metadata"]["tags"]) == (None, ["predicted", "raises-exception"])
     assert update(copy) == []
+
+
+def test_a_text_that_tells_what_was_to_be_predicted_is_folded_under_its_heading(
+    handed_out: HandedOut, tmp_path: Path
+) -> None:
+    ask_to_predict(handed_out, "guess", guess="print('hello')", guess_told="## So it is\n\nIt says hello.\n\nTwice.")
+    copy = lay_out(tmp_path / "copy", "en")
+    summary = "<details><summary>Run it first, then open this</summary>"
+    told = f"## So it is\n\n{summary}\n\nIt says hello.\n\nTwice.\n\n</details>"
+    assert cells(copy / START)["guess-told"] == told
+    assert cells(handed_out.root / START)["guess-told"] == "## So it is\n\nIt says hello.\n\nTwice."
+    ask_to_predict(handed_out, "guess", guess="print('hello')", guess_told="## So it is\n\nIt says it.")
+    assert update(copy) == [Change(START, "replaced")]
+    assert "\n\nIt says it.\n\n</details>" in cells(copy / START)["guess-told"]
 
 
 def test_a_prediction_that_was_run_keeps_its_output_where_the_page_around_it_is_new(

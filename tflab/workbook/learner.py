@@ -3,7 +3,7 @@
     lay_out(folder, "en")    writes what is not there yet, and nothing else
     update(folder)           brings in new material around what the learner wrote (see `merge.py`)
 
-    outputs_hidden(page)     what a prediction is about is not there before the learner has run it
+    answers_hidden(page)     what a text asks to predict is not in sight before the learner has run it
 
     .tflab/pristine/...      each file as it was handed out: what tells the learner's hand from ours
     .tflab/backups/1/...     each file as it was before an update
@@ -14,6 +14,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path, PurePosixPath
@@ -24,13 +25,15 @@ from .editions import text_of
 from .merge import Merged, merge_notebooks
 from .places import MARK, Workbook, WorkbookError, read_workbook, workbook_data, write_workbook
 from .whole_files import locked, write_whole
+from .words import Words
 
-__all__ = ["Change", "has_language", "is_free", "lay_out", "material", "outputs_hidden", "update"]
+__all__ = ["Change", "answers_hidden", "has_language", "is_free", "lay_out", "material", "update"]
 
 HIDDEN = Path(".tflab")
 PRISTINE = HIDDEN / "pristine"
 BACKUPS = HIDDEN / "backups"
-PREDICTED = "predicted"  # the tag of a cell whose output a text asks to predict
+PREDICTED = "predicted"  # the tag of code whose output a text asks to predict, and of a text that tells it
+UNFOLD = Words(en="Run it first, then open this", ko="먼저 실행한 다음 펼치십시오")
 
 
 @dataclass(frozen=True)
@@ -127,7 +130,7 @@ def material(
     for folder in folders:
         for path in sorted((data / folder).glob("*.json" if folder.name == "cases" else "*.ipynb")):
             if folder.parts[0] == "notebooks":
-                yield PurePosixPath(folder, path.name).as_posix(), outputs_hidden(path.read_bytes())
+                yield PurePosixPath(folder, path.name).as_posix(), answers_hidden(path.read_bytes())
             elif cases is None:
                 yield PurePosixPath(folder, path.name).as_posix(), path.read_bytes()
             elif path.stem in cases:
@@ -136,15 +139,29 @@ def material(
                 yield PurePosixPath(folder, path.name).as_posix(), content
 
 
-def outputs_hidden(page: bytes) -> bytes:
-    """Return a notebook without the outputs that a text of it asks to predict; any other file as it is."""
+def answers_hidden(page: bytes) -> bytes:
+    """Return a page without the outputs that it asks to predict, and with the texts that tell them folded.
+
+    A page without predictions is returned as it is.
+    """
     if f'"{PREDICTED}"'.encode() not in page:
         return page
     notebook = json.loads(page)
+    language = notebook["metadata"].get("tflab", {}).get("language", "en")
     for cell in notebook["cells"]:
-        if PREDICTED in cell["metadata"].get("tags", ()):
+        if PREDICTED not in cell["metadata"].get("tags", ()):
+            continue
+        if cell["cell_type"] == "code":
             cell.update(execution_count=None, outputs=[])
+        else:
+            cell["source"] = _folded("".join(cell["source"]), UNFOLD.say(language)).splitlines(keepends=True)
     return text_of(notebook).encode()
+
+
+def _folded(text: str, summary: str) -> str:
+    """Return a text to be opened with a click; its heading stays in sight."""
+    heading, rest = re.match(r"((?:#[^\n]*\n+)?)(.*)", text, re.DOTALL).groups()
+    return f"{heading}<details><summary>{summary}</summary>\n\n{rest}\n\n</details>"
 
 
 def is_free(folder: Path) -> bool:
