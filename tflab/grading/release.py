@@ -56,7 +56,9 @@ def main(words: Sequence[str]) -> int:
     except (PackError, TaskError, WorkbookError) as error:
         print(f"tflab release: {error}", file=sys.stderr)
         return 2
-    who = f"{len(pack.roster)} learners" if pack.roster is not None else "everybody, the same folder"
+    who = "everybody, the same folder"
+    if pack.roster is not None:
+        who = f"{len(pack.roster)} learner{'' if len(pack.roster) == 1 else 's'}"
     print(f"{folder / LEARNERS}: for {who}: {', '.join(pack.cases)}")
     print(f"{folder / INSTRUCTOR}: your pack. Keep it to yourself; grading needs it.")
     return 1 if roster and roster.faults else 0
