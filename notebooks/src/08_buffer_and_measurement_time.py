@@ -190,10 +190,10 @@ print(len(finder.balls), "sightings, no error, no warning")
 # 공은 하나, 움직이지 않고, 마흔 번 보았습니다.
 # 다음 셀을 실행하기 전에 생각해 보십시오. 지도는 어떤 모습일까요? 공이 몇 개라고 말하겠습니까?
 
-# %% name="one-ball" slide="fragment"
+# %% name="one-ball" tags=["predicted"] slide="fragment"
 draw_placed({"balls on the map": np.array(finder.balls)}, things=[BALL], shown_m=(5.6, -1.9, 7.5, -1.1))
 
-# %% [markdown] lang="en" name="many-balls" slide="subslide"
+# %% [markdown] lang="en" name="many-balls" tags=["predicted"] slide="subslide"
 # The ring is the ball. The dots are where the map says it is.
 #
 # Not one dot lies in the ring.
@@ -203,7 +203,7 @@ draw_placed({"balls on the map": np.array(finder.balls)}, things=[BALL], shown_m
 # The mathematics was right, and so was the tree.
 # The question was wrong: it asked where the camera is *now* for something the camera saw *then*.
 
-# %% [markdown] lang="ko" name="many-balls" slide="subslide"
+# %% [markdown] lang="ko" name="many-balls" tags=["predicted"] slide="subslide"
 # 고리가 실제 공이고, 점은 지도가 말하는 공의 위치입니다.
 #
 # 고리 안에 든 점은 하나도 없습니다.
@@ -243,14 +243,14 @@ draw_placed({"balls on the map": np.array(finder.balls)}, things=[BALL], shown_m
 #
 # 두 숫자를 적어 두고 실행하십시오.
 
-# %% name="run-error" slide="fragment"
+# %% name="run-error" tags=["predicted"] slide="fragment"
 straight = latency.Sight(speed_mps=1.0, yaw_rate_radps=0.0, range_m=5.0, delay_ns=seconds(0.2))
 turning = latency.Sight(speed_mps=1.0, yaw_rate_radps=0.5, range_m=5.0, delay_ns=seconds(0.2))
 for name, sight in (("straight", straight), ("turning", turning)):
     error = latency.latency_error(sight)
     print(f"{name}: {error.exact_m:.3f} m off, at ({error.drawn_at[0]:.3f}, {error.drawn_at[1]:.3f})")
 
-# %% [markdown] lang="en" name="two-pieces" slide="subslide"
+# %% [markdown] lang="en" name="two-pieces" tags=["predicted"] slide="subslide"
 # Straight: 0.2 m. Turning: 0.54 m, nearly three times as much, from a turn that you would hardly notice.
 #
 # Two pieces make the error, at right angles to each other:
@@ -270,7 +270,7 @@ for name, sight in (("straight", straight), ("turning", turning)):
 #
 # </details>
 
-# %% [markdown] lang="ko" name="two-pieces" slide="subslide"
+# %% [markdown] lang="ko" name="two-pieces" tags=["predicted"] slide="subslide"
 # 곧게 갈 때 0.2 m, 돌 때 0.54 m입니다. 거의 느끼지도 못할 회전 때문에 오차가 세 배 가까이 커졌습니다.
 #
 # 오차는 서로 직각인 두 조각으로 이루어집니다.
@@ -446,7 +446,7 @@ draw_history(small, "map", "laser_frame", seconds(3.4))
 #
 # **예측해 보십시오.** 1.0초에 yaw가 170°, 2.0초에 −170°입니다. 1.5초에는 0°입니까, 180°입니까?
 
-# %% name="shortest-arc" slide="fragment"
+# %% name="shortest-arc" tags=["predicted"] slide="fragment"
 turn = BufferCore()
 for stamp_s, yaw_deg in ((1.0, 170.0), (2.0, -170.0)):
     pose = Transform.from_rpy(yaw=math.radians(yaw_deg))
@@ -455,12 +455,12 @@ for stamp_s in (1.0, 1.25, 1.5, 1.75, 2.0):
     yaw = turn.lookup_transform("odom", "base_link", seconds(stamp_s)).transform.rpy()[2]
     print(f"{stamp_s:.2f} s: yaw {math.degrees(yaw):7.2f} degrees")
 
-# %% [markdown] lang="en" name="shortest-arc-read"
+# %% [markdown] lang="en" name="shortest-arc-read" tags=["predicted"]
 # 180°. The robot turned by 20°, through the back, as any robot would.
 # Whoever averages the two numbers gets 0°, and a robot that looks the other way for one frame.
 # That bug has been written by hand in every language there is; the exercise lets you write it once more, safely.
 
-# %% [markdown] lang="ko" name="shortest-arc-read"
+# %% [markdown] lang="ko" name="shortest-arc-read" tags=["predicted"]
 # 180°입니다. 여느 로봇처럼 등 뒤쪽을 지나 20°만 돌았습니다.
 # 두 숫자를 평균하면 0°가 되고, 로봇이 한순간 반대쪽을 봅니다.
 # 세상의 모든 언어로 누군가 손수 만들어 본 버그입니다. 연습 문제에서 안전하게 한 번 더 만들어 볼 수 있습니다.
@@ -489,12 +489,12 @@ for stamp_s in (1.0, 1.25, 1.5, 1.75, 2.0):
 # 그림을 보고 **예측해 보십시오.** `map → odom`은 4.00초에, `odom → base_link`는 4.75초에 끝나고, 정적인 장착 변환은 1.00초에 보냈으며, 벽시계는 4.80초입니다.
 # `Time()`은 어느 시각을 얻습니까?
 
-# %% name="latest-common-run" slide="fragment"
+# %% name="latest-common-run" tags=["predicted"] slide="fragment"
 print(small.latest_common_time_ns("map", "laser_frame") / 1e9, "s  map <- laser_frame")
 print(small.latest_common_time_ns("odom", "laser_frame") / 1e9, "s  odom <- laser_frame")
 print(small.latest_common_time_ns("base_link", "laser_frame") / 1e9, "s  base_link <- laser_frame, all static")
 
-# %% [markdown] lang="en" name="latest-common-read" slide="subslide"
+# %% [markdown] lang="en" name="latest-common-read" tags=["predicted"] slide="subslide"
 # 4.00 s: **the earliest of the latest ones**. One slow lane holds everybody back.
 #
 # - 4.75 would need `map → odom` where it has nothing to say yet.
@@ -507,7 +507,7 @@ print(small.latest_common_time_ns("base_link", "laser_frame") / 1e9, "s  base_li
 #
 # Our live robot, a moment after its last sighting:
 
-# %% [markdown] lang="ko" name="latest-common-read" slide="subslide"
+# %% [markdown] lang="ko" name="latest-common-read" tags=["predicted"] slide="subslide"
 # 4.00초, 곧 **마지막 시각들 가운데 가장 이른 것**입니다. 느린 차선 하나가 모두를 붙잡습니다.
 #
 # - 4.75초라면 `map → odom`이 아직 아무 말도 하지 않은 곳을 물어야 합니다.
@@ -793,7 +793,7 @@ draw_placed(ways, walls=ROOM.walls)
 #
 # **예측해 보십시오.** 마흔 번쯤 되는 관측 가운데 몇 개를 도착하자마자 자기 측정 시각으로 놓을 수 있을까요?
 
-# %% name="slow-odometry" slide="fragment"
+# %% name="slow-odometry" tags=["predicted"] slide="fragment"
 slow_wheels = {"odometry": Source("wheel_odometry", 1.0, 0.004, 0.002)}  # 1 Hz
 slow = TeachingRobot(plan, bias=0.0, slip=0.0005, sources=slow_wheels)
 answered, refusals = 0, []
@@ -808,14 +808,14 @@ for heard in slow.readings(until_s=13.0):
 print(answered, "answered,", len(refusals), "refused. The first refusal:")
 print(refusals[0])
 
-# %% [markdown] lang="en" name="slow-odometry-read" slide="subslide"
+# %% [markdown] lang="en" name="slow-odometry-read" tags=["predicted"] slide="subslide"
 # Fewer than one in three.
 # A sighting is answered only if a sample of *each* lane is at least as young as it is, and for most of each second the newest odometry is older.
 #
 # Three ways out, in this order: publish odometry faster; let the message wait until the lane has caught up (chapter 09); or drop it.
 # `Time()` is not among them. It always answers, with a pose that is up to a second old.
 
-# %% [markdown] lang="ko" name="slow-odometry-read" slide="subslide"
+# %% [markdown] lang="ko" name="slow-odometry-read" tags=["predicted"] slide="subslide"
 # 셋 중 하나도 되지 않습니다.
 # *모든* 차선에 관측과 측정 시각이 같거나 더 새로운 표본이 하나씩 있어야 답이 나옵니다. 그런데 1초 중 대부분의 시간에는 가장 새로운 오도메트리조차 관측보다 오래된 것입니다.
 #
@@ -1193,7 +1193,7 @@ class PointToMap(Node):
 # **예측해 보십시오.** 첫 점은 노드가 듣기 전에 측정된 것이니 거절될 수밖에 없습니다. 0.2초 뒤의 둘째 점은 지도에 놓일까요, 거절될까요?
 
 
-# %% name="with-a-timeout" slide="fragment"
+# %% name="with-a-timeout" tags=["predicted"] slide="fragment"
 def main(timeout):
     rclpy.init()
     rclpy.spin(PointToMap(timeout))
@@ -1203,7 +1203,7 @@ node = graph.start(main, Duration(seconds=0.2))
 graph.run(seconds=1.3)
 node.stop()
 
-# %% [markdown] lang="en" name="with-a-timeout-read" slide="subslide"
+# %% [markdown] lang="en" name="with-a-timeout-read" tags=["predicted"] slide="subslide"
 # Every point is refused, and look at the two times of each line: the gap *grows*.
 # The robot speaks as before. It is the node that has stopped listening.
 #
@@ -1215,7 +1215,7 @@ node.stop()
 #
 # Without it:
 
-# %% [markdown] lang="ko" name="with-a-timeout-read" slide="subslide"
+# %% [markdown] lang="ko" name="with-a-timeout-read" tags=["predicted"] slide="subslide"
 # 모든 점이 거절되었습니다. 그리고 줄마다 두 시각을 비교해 보십시오. 차이가 점점 *벌어집니다*.
 # 로봇은 전과 똑같이 말하고 있습니다. 듣기를 멈춘 쪽은 노드입니다.
 #

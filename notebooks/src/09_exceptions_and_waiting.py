@@ -209,7 +209,7 @@ draw_history(buffer, 'map', 'laser_frame', seconds(12.3))
 #
 # </details>
 
-# %% name="ask-three" slide="subslide"
+# %% name="ask-three" tags=["predicted"] slide="subslide"
 for second in (12.3, 14.3, 10.6):
     try:
         buffer.lookup_transform('map', 'laser_frame', Time(seconds=second))
@@ -217,7 +217,7 @@ for second in (12.3, 14.3, 10.6):
     except TransformException as error:
         print(f'{second}: {type(error).__name__}\n      {error}')
 
-# %% [markdown] lang="en" name="compare-three" slide="-"
+# %% [markdown] lang="en" name="compare-three" tags=["predicted"] slide="-"
 # Compare with what you wrote.
 #
 # Both are an [[extrapolation exception|ExtrapolationException]]: the path is there, but not for that moment, and tf2 never guesses beyond its samples.
@@ -228,7 +228,7 @@ for second in (12.3, 14.3, 10.6):
 # **The text names the two ends of the question. It does not name the edge that failed.**
 # On a robot, people read "laser_frame", and replace the laser's cable.
 
-# %% [markdown] lang="ko" name="compare-three" slide="-"
+# %% [markdown] lang="ko" name="compare-three" tags=["predicted"] slide="-"
 # 적어 둔 것과 비교해 보십시오.
 #
 # 둘 다 [[extrapolation exception|ExtrapolationException(시간 외삽 예외)]]입니다. 경로는 있지만 그 시각의 값이 없고, tf2는 표본 바깥을 절대 짐작하지 않습니다.
@@ -533,21 +533,21 @@ buffer.lookup_transform('/map', 'laser_frame', Time())
 # `camera_link`는 여전히 별도의 트리에 매달려 있습니다(오타가 그대로 있습니다). 이제 최신 표본보다 한참 뒤인 99초에 `camera_link ← odom`을 묻습니다.
 # 경로도 없고 데이터도 없습니다. 어떤 예외가 나올까요?
 
-# %% name="two-faults" slide="fragment"
+# %% name="two-faults" tags=["predicted"] slide="fragment"
 for when in (Time(seconds=99), Time()):
     try:
         buffer.lookup_transform('camera_link', 'odom', when)
     except TransformException as error:
         print(f'{when.nanoseconds / 1e9:.0f} s: {type(error).__name__}\n      {error}')
 
-# %% [markdown] lang="en" name="order-read" slide="fragment"
+# %% [markdown] lang="en" name="order-read" tags=["predicted"] slide="fragment"
 # The table was a little too tidy. tf2 checks the names first, but path and moment are checked **while walking**:
 # it climbs from the source, meets `map → odom`, which has nothing for 99 s, and remembers that. Only then does it notice that the other side ends elsewhere.
 # The time fault, found first, is the one it reports.
 #
 # So when an extrapolation puzzles you, ask once more with `Time()`, the latest. If *that* says "not part of the same tree", you have been chasing the wrong fault.
 
-# %% [markdown] lang="ko" name="order-read" slide="fragment"
+# %% [markdown] lang="ko" name="order-read" tags=["predicted"] slide="fragment"
 # 앞의 표는 조금 지나치게 깔끔했습니다. tf2는 이름을 먼저 확인하지만, 경로와 시각은 **트리를 따라가면서** 확인합니다.
 # 원본 쪽에서 올라가다 99초의 값이 없는 `map → odom`을 만나 그 사실을 기억해 둡니다. 반대쪽이 다른 곳에서 끝난다는 것은 그다음에야 알게 됩니다.
 # 그래서 먼저 찾은 시각 문제를 보고합니다.
@@ -753,10 +753,10 @@ draw_ages([gap_curve('robot A', robot_a, 4.0), gap_curve('robot B', robot_b, 4.0
 # %% [markdown] lang="ko" name="whole-story" slide="subslide"
 # 처음 1초 동안은 똑같아 보입니다. 둘 다 TF가 아는 것보다 약 0.3초 앞을 묻습니다. 이제 전체를 봅시다.
 
-# %% name="two-gaps" slide="-"
+# %% name="two-gaps" tags=["predicted"] slide="-"
 draw_ages([gap_curve('robot A', robot_a, 7.0), gap_curve('robot B', robot_b, 7.0)], 'gap', limit_s=0.1)
 
-# %% [markdown] lang="en" name="two-gaps-read" slide="subslide"
+# %% [markdown] lang="en" name="two-gaps-read" tags=["predicted"] slide="subslide"
 # A comes back. B never does: a clock that is wrong stays wrong, and each new scan brings the same gap along.
 # (The small hook in B's line at 3.1 s is real, too: when a clock jumps ahead, its timer rings early.)
 #
@@ -765,7 +765,7 @@ draw_ages([gap_curve('robot A', robot_a, 7.0), gap_curve('robot B', robot_b, 7.0
 #
 # But you need not wait and see. One tool tells them apart at once. `ros2 topic delay` prints *when I heard it* minus *the stamp in it*. This is robot B, still running:
 
-# %% [markdown] lang="ko" name="two-gaps-read" slide="subslide"
+# %% [markdown] lang="ko" name="two-gaps-read" tags=["predicted"] slide="subslide"
 # A는 돌아옵니다. B는 끝내 돌아오지 않습니다. 틀린 시계는 계속 틀리고, 새 스캔마다 같은 간격을 달고 옵니다.
 # (3.1초에서 B의 선이 살짝 꺾인 것도 실제로 일어나는 일입니다. 시계가 앞으로 뛰면 타이머도 일찍 울립니다.)
 #
@@ -863,7 +863,7 @@ class ScanPlacer(Node):
         except TransformException:
             self.failures += 1
 
-# %% name="plaster-run" slide="-"
+# %% name="plaster-run" tags=["predicted"] slide="-"
 graph = new_graph()
 robot = TeachingRobot(Drive(start_ns=graph.now_ns))
 graph.set_clock_offset('laser_driver', 0.3)
@@ -873,11 +873,11 @@ graph.run(seconds=9)  # 1 s standing, 6 s straight on, then the bend
 placer = nodes[-1]
 print(f'{len(placer.placed)} scans placed, {placer.failures} failed')
 
-# %% [markdown] lang="en" name="plaster-green" slide="subslide"
+# %% [markdown] lang="en" name="plaster-green" tags=["predicted"] slide="subslide"
 # Not one warning. The log is green, and the forum was right.
 # Now draw where the points of the bend went, beside where they belong.
 
-# %% [markdown] lang="ko" name="plaster-green" slide="subslide"
+# %% [markdown] lang="ko" name="plaster-green" tags=["predicted"] slide="subslide"
 # 경고가 하나도 없습니다. 로그는 초록색이고, 게시판 말이 맞았습니다.
 # 이제 굽이에서 얻은 점들이 어디에 찍혔는지, 원래 있어야 할 자리 옆에 그려 봅시다.
 
@@ -901,13 +901,13 @@ def points_of(placed, clock_error_s):
         clouds.append(pose.apply(laser_p[::6]))
     return np.vstack(clouds)
 
-# %% name="plaster-picture" slide="subslide"
+# %% name="plaster-picture" tags=["predicted"] slide="subslide"
 bend = placer.placed[-10:]
 draw_placed(
     {'as measured': points_of(bend, 0.3), 'with the wait that "works"': points_of(bend, 0.0)}, walls=ROOM.walls
 )
 
-# %% [markdown] lang="en" name="plaster-read" slide="subslide"
+# %% [markdown] lang="en" name="plaster-read" tags=["predicted"] slide="subslide"
 # The wait ended each time, because after a while TF caught up with the *wrong* stamp.
 # Then the lookup gave a perfectly good answer to a perfectly wrong question: where was the laser 0.3 s **after** it measured?
 #
@@ -917,7 +917,7 @@ draw_placed(
 #
 # And what if the clock is 2 s fast? Then even the plaster falls off.
 
-# %% [markdown] lang="ko" name="plaster-read" slide="subslide"
+# %% [markdown] lang="ko" name="plaster-read" tags=["predicted"] slide="subslide"
 # 기다림은 매번 끝났습니다. 잠시 뒤 TF가 *틀린* 시각을 따라잡았기 때문입니다.
 # 그리고 완전히 틀린 질문에 더없이 좋은 답을 주었습니다. 레이저는 측정하고 0.3초 **뒤에** 어디에 있었는가?
 #
@@ -1020,7 +1020,7 @@ class Patient(Node):
         self.answers.append(answer)
         self.busy.append((began, graph.now_ns))
 
-# %% name="robot-c" slide="subslide"
+# %% name="robot-c" tags=["predicted"] slide="subslide"
 def on_robot_c(node_class, executor_class=None, delay_s=0.0):
     global graph
     graph = new_graph()
@@ -1034,14 +1034,14 @@ def on_robot_c(node_class, executor_class=None, delay_s=0.0):
 patient = on_robot_c(Patient)
 print(*patient.answers, sep='\n')
 
-# %% [markdown] lang="en" name="lanes-read" slide="-"
+# %% [markdown] lang="en" name="lanes-read" tags=["predicted"] slide="-"
 # None. Not one.
 #
 # It begins with bad luck: the first scan is 51 ms older than the first transform, so it can never be answered, and the callback waits its half second for nothing. (A mapper crashed at start-up over just such 41 ms: SteveMacenski/slam_toolbox #775.)
 # But why does it not recover? Look at the numbers: at the end it asks for 2.595 s, and the newest transform that it knows is from 1.146 s, although twenty a second have arrived.
 # The longer it waits, the less it knows. Here is why.
 
-# %% [markdown] lang="ko" name="lanes-read" slide="-"
+# %% [markdown] lang="ko" name="lanes-read" tags=["predicted"] slide="-"
 # 하나도 없습니다. 단 하나도 얻지 못했습니다.
 #
 # 시작은 불운이었습니다. 첫 스캔이 첫 변환보다 51 ms 오래되어 답이 있을 수 없었고, 콜백은 0.5초를 헛되이 기다렸습니다. (바로 이런 41 ms 때문에 시작하자마자 죽은 지도 작성 노드도 있습니다: SteveMacenski/slam_toolbox #775.)
@@ -1208,12 +1208,12 @@ def ages_of_decisions(queue, until_ms=12_000):
         ages_s.append((now_ms - stamp_ms) / 1000)
     return times_s, ages_s
 
-# %% name="queues" slide="subslide"
+# %% name="queues" tags=["predicted"] slide="subslide"
 endless = Curve('no limit', *ages_of_decisions(deque()))
 bounded = Curve('two at most', *ages_of_decisions(deque(maxlen=2)))  # a full deque drops its oldest
 draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 
-# %% [markdown] lang="en" name="queues-read" slide="subslide"
+# %% [markdown] lang="en" name="queues-read" tags=["predicted"] slide="subslide"
 # Four seconds. At half a metre a second, the robot brakes for what it saw two metres ago, and nothing in the log is red.
 # It *lost no message at all*. That is the trouble.
 #
@@ -1222,7 +1222,7 @@ draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 #
 # A policy for a robot like this, in one line: wait at most 0.2 s (where such a number comes from, you see next); then drop; keep two, the oldest goes; nothing older than 0.5 s moves a wheel.
 
-# %% [markdown] lang="ko" name="queues-read" slide="subslide"
+# %% [markdown] lang="ko" name="queues-read" tags=["predicted"] slide="subslide"
 # 4초입니다. 초속 0.5 m라면 로봇은 2미터 전에 본 것을 두고 브레이크를 밟습니다. 그런데도 로그에 빨간 줄은 하나도 없습니다.
 # 메시지를 *하나도 잃지 않았습니다*. 바로 그것이 문제입니다.
 #
