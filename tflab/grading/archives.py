@@ -17,9 +17,9 @@ import stat
 import struct
 import zipfile
 import zlib
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 
 from .reader import MAX_BYTES, Unreadable, too_large
@@ -51,14 +51,13 @@ def is_zip_name(name: str) -> bool:
 def archive_members(source: Path | Callable[[], bytes], name: str = "") -> tuple[list[Member], list[Remark]]:
     """Return the files in a zip on the disk, or in one whose bytes can be had, and a remark on each that is refused.
 
-    `name` is the zip's, if it is to stand before theirs.  The zip is opened anew for each file that is read, so a
-    thousand of them cost neither memory nor handles.
+    `name` is the zip's, if it is to stand before theirs.  Only the last two zips stay open, so a thousand
+    of them cost neither memory nor handles, and one with a long list costs no time.
 
     Raises:
         Unreadable: no zip.
     """
-    with _opened(source) as archive:
-        entries = archive.infolist()
+    entries = _opened(source).infolist()
     if len(entries) > MAX_MEMBERS:
         raise Unreadable("many files", count=len(entries), most=MAX_MEMBERS)
     members, refused = [], []
@@ -95,20 +94,25 @@ def safe_parts(name: str) -> tuple[str, ...] | None:
     return parts
 
 
-@contextmanager
-def _opened(source: Path | Callable[[], bytes]) -> Iterator[zipfile.ZipFile]:
-    if isinstance(source, Path):
-        try:
-            if not stat.S_ISREG(source.lstat().st_mode):
-                raise Unreadable("pipe")
-        except OSError as error:
-            raise Unreadable("closed", error=error.strerror) from None
+def _opened(source: Path | Callable[[], bytes]) -> zipfile.ZipFile:
+    if not isinstance(source, Path):
+        return _kept_open(source)
     try:
-        archive = zipfile.ZipFile(source if isinstance(source, Path) else io.BytesIO(source()))
+        status = source.lstat()
+    except OSError as error:
+        raise Unreadable("closed", error=error.strerror) from None
+    if not stat.S_ISREG(status.st_mode):
+        raise Unreadable("pipe")
+    return _kept_open(source, (status.st_ino, status.st_mtime_ns, status.st_size))
+
+
+@lru_cache(maxsize=2)
+def _kept_open(source: Path | Callable[[], bytes], _state: tuple[int, ...] = ()) -> zipfile.ZipFile:
+    """Open an archive; its files are read one after the other, and its list may be long."""
+    try:
+        return zipfile.ZipFile(source if isinstance(source, Path) else io.BytesIO(source()))
     except BROKEN as error:
         raise Unreadable("no zip", error=type(error).__name__) from None
-    with archive:
-        yield archive
 
 
 def _reader(source: Path | Callable[[], bytes], entry: zipfile.ZipInfo) -> Callable[[], bytes]:
@@ -118,7 +122,7 @@ def _reader(source: Path | Callable[[], bytes], entry: zipfile.ZipInfo) -> Calla
         if entry.file_size > limit:
             raise too_large(entry.file_size, limit)
         try:
-            with _opened(source) as archive, archive.open(entry) as file:
+            with _opened(source).open(entry) as file:
                 data = file.read(limit + 1)
         except BROKEN as error:
             raise Unreadable("damaged", error=type(error).__name__) from None
