@@ -41,7 +41,6 @@ SHADE = "#EAECE8"  # a quiet area on the card
 
 WIDE = (7.6, 3.8)  # [inch], 100 screen pixels each
 TALL = (7.6, 5.2)
-SQUARE = (4.8, 4.8)
 
 TEXT_PT = 9.5
 SMALL_PT = 8.5
