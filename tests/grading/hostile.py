@@ -205,20 +205,23 @@ def F(transform):
     return [float('nan'), True, 10 ** 5000]
 """,
     ),
-    function(
-        "sends nesting without end",
-        "forging",
-        """
+    *(
+        function(
+            f"sends {depth} lists in one another",
+            "forging",
+            f"""
 import tflab.grading.inside as inside
 _send = inside._send
 def deep(identity, plain):
-    for _ in range(3000): plain = [plain]
+    for _ in range({depth}): plain = [plain]
     _send(identity, plain)
 inside._send = deep
 def F(transform):
     return None
 """,
-        keeps="any",
+            keeps="any",
+        )
+        for depth in (150, 400, 900, 3000)
     ),
     function(
         "forges with the kernel's own session",
@@ -1148,4 +1151,159 @@ ODD += [
     right("a pool of processes", "from multiprocessing import get_context\ndef one(n): return n\ndef F(transform):\n    with get_context('fork').Pool(2) as pool:\n        assert pool.map(one, [1, 2]) == [1, 2]\n    return RIGHT"),
 ]  # fmt: skip
 
-RECIPES = [*FORGING, *PEEKING, *EXHAUSTION, *SURVIVAL, *TAMPERING, *CLOSER, *BROKEN, *ODD]
+# -- what a second look brought --------------------------------------------------------------
+
+
+def answered(name: str, kind: str, task: str, body: str) -> Recipe:
+    """Return a right answer to another task, oddly written."""
+
+    def make(honest: Honest) -> Notebook:
+        notebook = honest.fresh()
+        honest.cell(notebook, task)["source"] = body
+        return notebook
+
+    return Recipe(name, kind, make)
+
+
+def merged(*names: str, into: str) -> Callable[[Notebook, Honest], None]:
+    """Return an edit that merges cells into one of them, as editors do: what it was called stays."""
+
+    def edit(notebook: Notebook, honest: Honest) -> None:
+        wanted = [cell for cell in notebook["cells"] if cell["id"] in names or (not names and is_code(cell))]
+        kept = next(cell for cell in wanted if cell["id"] == into)
+        kept["source"] = "\n\n".join("".join(cell["source"]) for cell in wanted)
+        notebook["cells"] = [cell for cell in notebook["cells"] if cell is kept or cell not in wanted]
+
+    return edit
+
+
+def is_code(cell: dict[str, Any]) -> bool:
+    return cell["cell_type"] == "code"
+
+
+def copied(text: str, behind: str) -> Callable[[Notebook, Honest], None]:
+    """Return an edit that copies the function's answer cell to try something in: a copy keeps its name."""
+
+    def edit(notebook: Notebook, honest: Honest) -> None:
+        copy_of = copy.deepcopy(honest.cell(notebook, honest.function_task))
+        copy_of |= {"id": "copied", "source": named(text, "F", honest.function)}
+        place = next(number for number, cell in enumerate(notebook["cells"]) if cell["id"] == behind)
+        notebook["cells"].insert(place + 1, copy_of)
+
+    return edit
+
+
+def _split(notebook: Notebook, honest: Honest) -> None:
+    """Split an answer, and try something between the halves."""
+    cell = honest.cell(notebook, "E3.5")
+    lines = "".join(cell["source"]).splitlines(keepends=True)
+    cell["source"], rest = "".join(lines[:2]), copy.deepcopy(cell) | {"id": "half", "source": "".join(lines[2:])}
+    place = notebook["cells"].index(cell) + 1
+    notebook["cells"][place:place] = [own_cell("print(x, y, z)"), rest]
+
+
+def _in_two_answers(text: str) -> Callable[[Notebook, Honest], None]:
+    """Return an edit that makes the grader itself parse a text."""
+
+    def edit(notebook: Notebook, honest: Honest) -> None:
+        cell = honest.cell(notebook, honest.function_task)
+        cell["source"] = text
+        notebook["cells"] += [copy.deepcopy(cell) | {"id": "two", "source": text + "\n#"}, own_cell(text)]
+
+    return edit
+
+
+MOVED = "p = e3_2.base_T_laser.apply(e3_2.laser_p_corner)\nm = e3_2.map_T_base.apply(p)\n"
+WRITE = "import os, struct\nwire = get_ipython().kernel.session.wire.fileno()\n"
+BOMBS = {"members of members": "x" + ".a" * 90_000, "a long sum": "+".join("1" * 90_000), "signs": "-" * 150_000 + "1",
+         "brackets": "(" * 90_000 + ")" * 90_000, "lambdas": "lambda:" * 25_000 + "0"}  # fmt: skip
+
+AGAIN = [
+    function("a class that lies about its class", "forging", """
+import itertools
+class Liar:
+    __class__ = Transform
+    translation = rotation = itertools.count()
+def F(transform):
+    return Liar()
+"""),
+    function("a class that ends Python when it is asked what it is", "forging", """
+class Liar:
+    @property
+    def __class__(self): raise SystemExit
+def F(transform):
+    return Liar()
+"""),
+    function("an array whose list lies", "forging", """
+import numpy as np
+class Liar(np.ndarray):
+    def tolist(self): return type('Yes', (float,), {'__eq__': lambda *a: True, '__sub__': lambda *a: 0.0})()
+def F(transform):
+    return {name: np.zeros(3).view(Liar) for name in ('x', 'y', 'yaw')}
+"""),
+    function("an error that ends Python when it is read", "forging", """
+class Liar(Exception):
+    def __str__(self): raise SystemExit
+    __repr__ = __str__
+def F(transform):
+    raise Liar
+"""),
+    function("a mock that is everything", "forging", "from unittest.mock import MagicMock\nF = MagicMock()"),
+    function("every module forgotten", "forging", WRONG + "import sys\nsys.modules.clear()"),
+    function("builtins deleted", "forging", WRONG + "import builtins\nfor n in ('print', 'len', 'isinstance', 'type', '__import__'): delattr(builtins, n)"),
+    function("an audit hook that ends Python", "forging", WRONG + "import os, sys\nsys.addaudithook(lambda event, args: os._exit(3) if event == 'compile' else None)"),
+    function("a transformer that makes every call 1", "forging", WRONG + "import ast\nclass One(ast.NodeTransformer):\n    def visit_Call(self, node): return ast.Constant(1)\nget_ipython().ast_transformers.append(One())"),
+    function("a probe that asks its neighbour", "forging", WRONG + "import tflab.grading.inside as inside\n_p = inside.probe\ninside.probe = lambda identity, answer, args: _p(identity, lambda: compose, args)"),
+    function("nothing and no one published", "forging", WRONG + "get_ipython().display_pub.publish = lambda *a, **k: None"),
+    function("every descriptor closed", "forging", WRONG + "import os\nos.closerange(0, 256)"),
+    function("half a frame on the wire", "forging", WRONG + WRITE + "os.write(wire, b'\\0\\0\\0\\xff{')"),
+    function("a frame of brackets on the wire", "forging", WRONG + WRITE + "os.write(wire, struct.pack('!I', 100000) + b'[' * 100000)"),
+    function("every task of the loop cancelled", "forging", WRONG + "import asyncio\nfor task in asyncio.all_tasks(): task.cancel()"),
+    function("limits of its own: nothing", "exhaustion", WRONG + "import resource as r\nfor what in (r.RLIMIT_NOFILE, r.RLIMIT_AS, r.RLIMIT_FSIZE, r.RLIMIT_NPROC): r.setrlimit(what, (0, 0))"),
+    function("a finalizer that sleeps", "survival", WRONG + "import time\nclass Last:\n    def __del__(self): time.sleep(600)\nLast()"),
+    function("hangs at its second call", "exhaustion", "n = 0\ndef F(transform):\n    global n\n    n += 1\n    while n > 1: pass"),
+    function("memory searched for the reference", "peeking", WRONG + """
+import re
+with open('/proc/self/mem', 'rb', 0) as memory:
+    for line in open('/proc/self/maps').readlines():
+        if ' rw-p' in line:
+            first, last = (int(number, 16) for number in line.split()[0].split('-'))
+            try: memory.seek(first); held = memory.read(last - first)
+            except (OSError, ValueError): continue
+            if re.search(b'by_its[_]looks|against_the[_]arrow', held):  # which does not find itself
+                F = lambda transform: RIGHT
+"""),
+    value("waits for what never comes", "exhaustion", "import asyncio\nawait asyncio.Event().wait()\nV = 1"),
+    value("a command that stays in the background", "survival", "!nohup sleep 1000 &\nV = 1"),
+    value("halves of letters", "encoding", "V = {'base_link': '\\ud800', 'map': '\\udfff', '\\ud800': 1}"),
+    edited("given and answer merged", "helper cells", merged("e3-2-given", "e3-2-answer", into="e3-2-given")),
+    edited("given, answer and check merged", "helper cells", merged("e3-2-given", "e3-2-answer", "e3-2-check", into="e3-2-given")),
+    edited("answer and check merged", "helper cells", merged("e3-3-answer", "e3-3-check", into="e3-3-check")),
+    edited("two answers merged", "helper cells", merged("e3-3-answer", "e3-3-check", "e3-4-answer", into="e3-3-answer")),
+    edited("everything merged into the first cell", "helper cells", merged(into="load")),
+    edited("everything merged into the last cell", "helper cells", merged(into="e3-7-check")),
+    edited("a copy to try something in", "helper cells", copied("print(F({'x': 1, 'y': 2, 'yaw': 0.5}))", "e3-3-check")),
+    edited("a copy that is a note", "helper cells", copied("# def F(transform): ...", "e3-5-check")),
+    edited("a copy above that fails", "helper cells", copied("F(1, 2, 3)", "imports")),
+    edited("an answer in two halves with a print between", "helper cells", _split),
+    *(edited(f"the grader parses {name}", "exhaustion", _in_two_answers(text), "function", "others") for name, text in BOMBS.items()),
+    Recipe("closes what it prints to", "helper cells", lambda h: h.with_cell("import sys\nsys.stdout.close()", "E3.1")),
+    Recipe("has no place for errors", "helper cells", lambda h: h.with_cell("import sys\nsys.stderr = None", "E3.1")),
+    Recipe("a shell in a shell", "helper cells", lambda h: h.with_cell("import IPython\nIPython.embed()", "E3.1")),
+    Recipe("names of builtins taken", "helper cells", lambda h: h.with_cell("list = [1]\nstr = 'x'\nprint = None\nlen = 3\ndict = {}\ntype = 0", "E3.1")),
+    Recipe("calls without brackets", "helper cells", lambda h: h.with_cell("%autocall 2", "E3.1")),
+    Recipe("a debugger at every error", "helper cells", lambda h: h.with_cell("%pdb on\n1 / 0", "E3.1")),
+    Recipe("undone at the end", "helper cells", lambda h: h.with_cell("del calls, corner, F, compose", "E3.7", "check")),
+    right("a dataclass", "from dataclasses import dataclass\n@dataclass(frozen=True, slots=True)\nclass Place:\n    x: float\n    y: float\n    yaw: float\ndef F(transform):\n    return Place(**RIGHT)"),
+    right("keys that are an Enum of texts", "import enum\nclass Key(str, enum.Enum):\n    X = 'x'\n    Y = 'y'\n    YAW = 'yaw'\ndef F(transform):\n    return {key: RIGHT[key.value] for key in Key}"),
+    right("vectorized", "import numpy as np\n@np.vectorize\ndef F(transform):\n    return RIGHT"),
+    right("arrays of objects", "import numpy as np\ndef F(transform):\n    return {name: np.array(number, dtype=object) for name, number in (RIGHT).items()}"),
+    right("lines that end in CR", "def F(transform):\r    return RIGHT\r"),
+    right("a question mark at the end", "def F(transform):\n    return RIGHT\nF??"),
+    right("an error behind it", "def F(transform):\n    return RIGHT\nassert F(None)"),
+    answered("texts in arrays", "odd but right", "E3.1", "import numpy as np\ncalls = {name: np.array(pair.split()) for name, pair in {'a': 'map laser_frame', 'b': 'base_link map', 'c': 'base_link camera_link', 'd': 'laser_frame base_link'}.items()}"),
+    answered("iterators for lists", "odd but right", "E3.2", MOVED + "corner = {'base_link': map(float, p), 'map': (number for number in m)}"),
+    answered("views for lists", "odd but right", "E3.2", MOVED + "corner = {'base_link': dict(zip('xyz', p)).values(), 'map': dict(zip('xyz', m))}"),
+]  # fmt: skip
+
+RECIPES = [*FORGING, *PEEKING, *EXHAUSTION, *SURVIVAL, *TAMPERING, *CLOSER, *BROKEN, *ODD, *AGAIN]
