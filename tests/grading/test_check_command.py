@@ -121,6 +121,25 @@ def test_a_damaged_copy_is_said_as_it_is_elsewhere(copy: Path, capsys: pytest.Ca
     assert "workbook.json cannot be read" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize("text", ["{", "[]", "{}", '{"cells": [1]}'])
+def test_a_damaged_master_is_one_line(copy: Path, capsys: pytest.CaptureFixture, text: str) -> None:
+    path = answer(copy, tiny.RIGHT)
+    master = next((copy / ".tflab").rglob(f"{tiny.STEM}.ipynb"))
+    master.write_text(text)
+    assert main([str(path)]) == 2
+    said = capsys.readouterr().err
+    assert "is damaged" in said and said.count("\n") == 1
+
+
+def test_damaged_cases_are_one_line(copy: Path, capsys: pytest.CaptureFixture) -> None:
+    path = answer(copy, tiny.RIGHT)
+    cases = copy / "exercises" / "cases" / f"{tiny.STEM}.json"
+    cases.write_text(cases.read_text(encoding="utf-8").replace('"form"', '"shape"'), encoding="utf-8")
+    assert main([str(path)]) == 2
+    said = capsys.readouterr().err
+    assert "are damaged" in said and said.count("\n") == 1
+
+
 def test_what_learners_and_releases_need_is_there_where_linux_is_not() -> None:
     gone = "import sys; sys.modules.update(dict.fromkeys(('resource', 'pwd', 'grp')))"
     rooms = "import tflab.grading.check_command, tflab.grading.release, tflab.grading.grade, tflab.grading.plain_kernel"

@@ -9,7 +9,7 @@ import tiny
 
 from tflab.grading.pack import read_pack
 from tflab.grading.reader import read_notebook
-from tflab.grading.transplant import Master, Transplant, answers_any, transplant
+from tflab.grading.transplant import Master, Transplant, answers_most, transplant
 
 
 @pytest.fixture(scope="module")
@@ -279,7 +279,7 @@ def test_a_copy_that_answers_nothing_is_a_cell_of_ones_own(
 def test_a_notebook_without_our_cells_may_answer_all_the_same(master: Master, notebook: dict) -> None:
     def answers(text: str) -> bool:
         cells = {"cells": [tiny.own_cell(text, "all")], "metadata": notebook["metadata"], "nbformat": 4}
-        return answers_any(master, read_notebook(json.dumps(cells).encode()))
+        return answers_most(master, read_notebook(json.dumps(cells).encode()))
 
     assert answers("\n".join(tiny.RIGHT.values()))
-    assert not answers("print('a page to read')")
+    assert not answers("print('a page to read')\ntotal = 3")

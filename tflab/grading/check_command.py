@@ -27,6 +27,7 @@ from tflab.workbook.words import Words
 
 from .feedback import STATUS, WRONG
 from .one import File, Job, graded
+from .pack import check_tasks
 from .reader import Unreadable, read_bytes, read_notebook
 from .remarks import Remark
 from .transplant import master_of
@@ -35,6 +36,8 @@ __all__ = ["Checked", "check_notebook", "main"]
 
 PRISTINE = Path(".tflab", "pristine")
 CELL_S = 20.0
+DAMAGE = (KeyError, TypeError, ValueError, IndexError, AttributeError)
+MENDS = "`tflab lab --update` brings it"
 SUM = Words("{points} of {most} points on the public cases.", "공개 문제 기준 {most}점 만점에 {points}점입니다.")
 LATER = Words(
     "Grading asks functions for inputs that are not here.",
@@ -158,6 +161,10 @@ def _line(task_id: str, row: Mapping[str, Any], task: Mapping[str, Any], languag
 def _chapter(root: Path, workbook: Workbook, stem: str) -> dict[str, Any]:
     """Return a chapter as it is graded, from what a learner has: the public cases, and the exercise as it came."""
     cases = read_cases(root / places.CASES / f"{stem}.json")
+    try:
+        check_tasks(cases["tasks"])
+    except DAMAGE as error:
+        raise CasesError(f"the cases of {stem} are damaged ({type(error).__name__}); {MENDS}") from None
     tasks = {}
     for task_id, task in cases["tasks"].items():
         variant = task["variants"][variant_of(workbook.learner, task_id, len(task["variants"]))]
@@ -165,8 +172,11 @@ def _chapter(root: Path, workbook: Workbook, stem: str) -> dict[str, Any]:
     name = Path("exercises", workbook.language, f"{stem}.ipynb")
     pristine = next((path for path in (root / PRISTINE / name, workbook_data() / name) if path.is_file()), None)
     if pristine is None:
-        raise WorkbookError(f"the exercise {stem} as it was handed out is not there; `tflab lab --update` brings it")
-    master = master_of(json.loads(pristine.read_text(encoding="utf-8")), stem, tasks)
+        raise WorkbookError(f"the exercise {stem} as it was handed out is not there; {MENDS}")
+    try:
+        master = master_of(json.loads(pristine.read_text(encoding="utf-8")), stem, tasks)
+    except DAMAGE as error:
+        raise WorkbookError(f"{pristine} is damaged ({type(error).__name__}); {MENDS}") from None
     return {"master": [[cell.name, cell.source, cell.task, cell.role] for cell in master.cells], "tasks": tasks}
 
 

@@ -18,7 +18,7 @@ from .attempt import Attempt, NotRun, Ran, attempt
 from .plan import PlannedCell
 from .reader import SubmittedNotebook, Unreadable, read_notebook
 from .remarks import Remark
-from .transplant import Master, MasterCell, Transplant, answers_any, transplant
+from .transplant import Master, MasterCell, Transplant, answers_most, transplant
 from .verdicts import Verdict, judged
 
 __all__ = ["File", "Job", "RunCells", "graded", "record_with"]
@@ -164,7 +164,7 @@ def _by_chapter(job: Job, masters: Mapping[str, Master], remarks: list[Remark]) 
             add(stem, file, notebook)
     for file, notebook in strangers:  # all in one cell of their own, perhaps
         stem = notebook.stamp.get("chapter")
-        if stem in masters and stem not in candidates and answers_any(masters[stem], notebook):
+        if stem in masters and stem not in candidates and answers_most(masters[stem], notebook):
             add(stem, file, notebook)
     taken = {one.file.name for several in candidates.values() for one in several}
     for name in [file.name for file, _ in strangers if file.name not in taken]:

@@ -157,19 +157,25 @@ def read_pack(folder: Path) -> Pack:
     try:
         roster = None if held["roster"] is None else {row[0]: Learner(*row) for row in held["roster"]}
         cases = {stem: read_cases(path.parent / "cases" / f"{stem}.json") for stem in held["chapters"]}
-        _check(roster or {}, cases)
+        check_roster(roster or {})
+        for held_cases in cases.values():
+            check_tasks(held_cases["tasks"])
         masters = {stem: _read_master(path.parent, stem, cases[stem]) for stem in cases}
         return Pack(held["release"], held["seed"], held["version"], held["language"], roster, cases, masters)
     except (KeyError, TypeError, ValueError, AttributeError, OSError, CasesError) as error:
         raise PackError(f"{path.parent} is damaged: {type(error).__name__}: {error}") from None
 
 
-def _check(roster: Mapping[str, Learner], cases: Mapping[str, Any]) -> None:
-    """Raise one of the errors of damage if what grading will look at is not there, or of another kind."""
+def check_roster(roster: Mapping[str, Learner]) -> None:
+    """Raise TypeError if a learner is not made of texts."""
     words = [word for one in roster.values() for word in (one.id, one.name, one.language)]
     if not all(isinstance(word, str) for word in words):
         raise TypeError("the roster holds something else than texts")
-    for task_id, task in ((task_id, task) for held in cases.values() for task_id, task in held["tasks"].items()):
+
+
+def check_tasks(tasks: Mapping[str, Any]) -> None:
+    """Raise KeyError, TypeError or ValueError if what grading will look at is not there, or of another kind."""
+    for task_id, task in tasks.items():
         form_from_plain(task["form"])
         if not (task["variants"] and all(one["cases"] for one in task["variants"])):
             raise ValueError(f"{task_id} has no cases")
