@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import json
 import os
+import socket
+import struct
 from pathlib import Path
 
 import pytest
 
 from tflab.grading import reader
 from tflab.grading.reader import Unreadable, read_bytes, read_notebook
+from tflab.grading.wire import Wire, WireFault
 
 ANSWER = {"cell_type": "code", "id": "e3-2-answer", "metadata": {}, "source": "x = '좌표계'"}
 
@@ -165,3 +168,34 @@ def test_a_pipe_is_not_waited_for(tmp_path: Path) -> None:
 def test_devices_folders_and_nothing_are_no_files(path: str) -> None:
     with pytest.raises(Unreadable):
         read_bytes(Path(path))
+
+
+def nested(depth: int) -> bytes:
+    """Return a notebook with so many lists in one another."""
+    return as_bytes(notebook()).replace(
+        b'"metadata": {}', b'"metadata": {"x": ' + b"[" * depth + b"]" * depth + b"}", 1
+    )
+
+
+@pytest.mark.parametrize("depth", [201, 900, 5000, 100_000])
+def test_what_is_nested_deeper_than_any_notebook_is_refused(depth):
+    with pytest.raises(Unreadable, match="nested too deep"):
+        read_notebook(nested(depth))
+
+
+def test_what_is_nested_as_deep_as_a_picture_is_read():
+    assert len(read_notebook(nested(60)).cells) == 1
+
+
+@pytest.mark.parametrize(("depth", "is_read"), [(100, True), (201, False), (900, False), (20_000, False)])
+def test_a_message_that_is_nested_too_deep_is_none(depth, is_read):
+    ours, theirs = socket.socketpair()
+    wire = Wire(ours, longest=1_000_000)
+    body = b'{"content": ' + b"[" * depth + b"]" * depth + b"}"
+    with ours, theirs:
+        theirs.sendall(struct.pack("!I", len(body)) + body)
+        if is_read:
+            assert "content" in wire.receive(5.0)
+        else:
+            with pytest.raises(WireFault, match="TooDeep"):
+                wire.receive(5.0)

@@ -6,7 +6,8 @@ grader nor another.
 
     release, pack, roster             a folder to give away, and one to keep: seed, hidden cases, masters
     grade, submissions, archives      who handed in what: folders, zips, as a learning system gives them
-    reader, reasons, remarks          a stranger's file as strings; what is said of it
+    shallow_json, reader,             a stranger's file as strings; what is said of it
+      reasons, remarks
     transplant                        only its answers go on
     plan, inside                      which cells run; the one page of ours that runs among them
     limits, sandbox, namespaces,      how much a submission may take, and what stands between it and us

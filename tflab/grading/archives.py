@@ -6,7 +6,7 @@
     zeros.ipynb  42 kB -> 4 GB    refused when it is read: too large
 
 Nothing is ever unpacked to a disk.  Names that Windows wrote in Korean are read
-as it meant them.  Read `reader.py` next.
+as it meant them.  Read `shallow_json.py` next.
 """
 
 from __future__ import annotations

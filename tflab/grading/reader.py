@@ -20,6 +20,7 @@ from typing import Any
 
 from tflab.workbook.tasks import slug
 
+from . import shallow_json
 from .remarks import Remark
 
 __all__ = [
@@ -140,8 +141,8 @@ def _decoded(data: bytes) -> tuple[str, list[Remark]]:
 
 def _parsed(text: str) -> Any:
     try:
-        return json.loads(text, parse_int=_short_int, strict=False)
-    except RecursionError:
+        return shallow_json.read(text, parse_int=_short_int, strict=False)
+    except shallow_json.TooDeep:
         raise Unreadable("too deep") from None
     except ValueError as error:
         raise Unreadable("no JSON", line=getattr(error, "lineno", 1)) from None

@@ -20,6 +20,8 @@ import struct
 import time
 from typing import Any
 
+from . import shallow_json
+
 __all__ = ["Wire", "WireClosed", "WireFault"]
 
 HEAD = struct.Struct("!I")
@@ -101,8 +103,8 @@ class Wire:
         body = bytes(self._got[HEAD.size : HEAD.size + length])
         del self._got[: HEAD.size + length]
         try:
-            message = json.loads(body)
-        except (ValueError, RecursionError) as fault:  # UnicodeDecodeError is a ValueError
+            message = shallow_json.read(body)
+        except ValueError as fault:  # UnicodeDecodeError is one, too
             raise WireFault(f"a message that is not JSON ({type(fault).__name__})") from None
         if not isinstance(message, dict):
             raise WireFault("a message that is not an object")
