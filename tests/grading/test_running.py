@@ -55,7 +55,7 @@ def test_the_comparison_is_made_on_this_side(sandbox: Sandbox) -> None:
 
 
 def test_an_error_is_told_in_short_and_stops_nothing(sandbox: Sandbox) -> None:
-    done = run(sandbox, "1 / 0", "x = (", "y = 2", probe("y"))
+    done = run(sandbox, "1 / 0", "x = 1 +* 2", "y = 2", probe("y"))
     troubles = [one.trouble for one in done.outcomes]
     assert troubles[0] == "error: ZeroDivisionError: division by zero"
     assert troubles[1].startswith("error: SyntaxError: ")

@@ -116,6 +116,7 @@ def test_an_exception_is_said_by_its_class_only(tasks: dict) -> None:
 def test_the_name_of_an_unknown_exception_is_not_repeated() -> None:
     assert safe_error_name("ExtrapolationException") == "ExtrapolationException"
     assert safe_error_name("hidden_3_14") == safe_error_name(None) == Remark("own error")
+    assert safe_error_name("_IncompleteInputError") == "SyntaxError"  # Python 3.13
 
 
 def test_trouble_of_the_run_is_forgotten_if_all_is_right_nevertheless(tasks: dict) -> None:

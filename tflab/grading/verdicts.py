@@ -90,6 +90,8 @@ def judged(
 
 def safe_error_name(name: Any) -> str | Remark:
     """Return an exception's name if it is one that Python or tf2 has: a name of one's own could carry anything."""
+    if name == "_IncompleteInputError":  # what Python 3.13 calls a SyntaxError at the end of the text
+        return "SyntaxError"
     return name if isinstance(name, str) and name in KNOWN_ERRORS else Remark("own error")
 
 
