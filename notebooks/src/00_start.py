@@ -150,12 +150,18 @@ graph.run(seconds=1.0)
 #
 # Read it aloud: *data expressed in* `laser_frame`, *wanted in* `odom`.
 # Wanted comes first.
+#
+# The tool's first line complains about a frame: it asks at once, before it has heard anything.
+# Answers follow as soon as the robot speaks. On a robot it is the same.
 
 # %% [markdown] lang="ko" name="echo-why" slide="slide"
 # ## `odom`에서 보면 레이저는 어디에 있습니까?
 #
 # 소리 내어 읽어 보십시오. “`odom`에서 보고 싶다, `laser_frame`의 데이터를.”
 # 보고 싶은 쪽을 먼저 씁니다.
+#
+# 도구는 아직 아무것도 듣지 못한 채로 먼저 묻기 때문에, 첫 줄에서 좌표계가 없다고 불평합니다.
+# 로봇이 위치를 알리면 곧 답이 나옵니다. 실제 로봇에서도 똑같습니다.
 
 # %% name="echo"
 # %ros2 --for 2 run tf2_ros tf2_echo odom laser_frame

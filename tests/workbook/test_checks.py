@@ -219,6 +219,18 @@ def test_nbgrader_gets_the_points_for_partial_credit(copy, capsys, monkeypatch):
     assert check("E3.9", 1) == 0.0
 
 
+def test_a_function_that_prints_instead_of_returning_is_told_so_and_heard_once(copy, capsys):
+    text = said(capsys, "E3.2", lambda transform: print("heard"))
+    assert "Did you forget `return`?" in text
+    assert text.count("heard") == 4
+
+
+def test_after_a_pass_one_hears_what_was_looked_at(copy, capsys):
+    _, right = right_corner(capsys)
+    assert "numbers given to you" in said(capsys, "E3.1", right)
+    assert "compared with the right one" in said(capsys, "E3.4", math.pi / 2)
+
+
 def test_a_damaged_cases_file_is_said_in_one_line(copy, capsys):
     (copy.root / "exercises" / "cases" / f"{chapter.STEM}.json").write_text("{")
     text = said(capsys, "E3.1", 1)

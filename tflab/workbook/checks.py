@@ -20,7 +20,9 @@ import difflib
 import json
 import os
 from collections.abc import Callable
+from contextlib import redirect_stdout
 from functools import lru_cache
+from io import StringIO
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any, NamedTuple
@@ -159,7 +161,9 @@ def _tried(one: _Task, answer: Any) -> tuple[Verdict, list[Plain]]:
     outcomes = []
     for number, case in enumerate(cases):
         try:
-            first, again = _outcome(answer, case["args"]), _outcome(answer, case["args"])
+            first = _outcome(answer, case["args"])
+            with redirect_stdout(StringIO()):  # what it prints has been read once
+                again = _outcome(answer, case["args"])
         except KeyboardInterrupt:
             return Verdict(0, len(cases), "interrupted", case=number), []
         if first != again:
@@ -196,8 +200,7 @@ def _print_verdict(one: _Task, verdict: Verdict, outcomes: list[Plain]) -> None:
     if verdict.kind == "passed":
         print(score)
         if one.root != workbook_data():
-            later = LATER["function" if one.plain["is_function"] else "value"]
-            print(later.say(one.workbook.language, of=verdict.of))
+            print(LATER[_what_was_tried(one)].say(one.workbook.language, of=verdict.of))
         return
     if verdict.kind == "unanswered":
         print(f"{one.id}: {one.say('unanswered')}")
@@ -215,6 +218,12 @@ def _print_verdict(one: _Task, verdict: Verdict, outcomes: list[Plain]) -> None:
     _show_both(one, verdict, outcomes)
 
 
+def _what_was_tried(one: _Task) -> str:
+    if one.plain["is_function"]:
+        return "function"
+    return "value" if one.variant["given"] else "same for all"
+
+
 def _reply(one: _Task, verdict: Verdict, outcomes: list[Plain]) -> str:
     if verdict.kind == "twin":
         return one.words(one.plain["twins"][verdict.twin]["reply"])
@@ -225,6 +234,8 @@ def _reply(one: _Task, verdict: Verdict, outcomes: list[Plain]) -> str:
     kind = verdict.kind
     if kind == "type" and names.get("got") == "function":
         kind = "a_function"
+    if one.plain["is_function"] and outcomes and outcomes[verdict.case] is None:
+        kind = "nothing_returned"
     if kind == "raised" and names.get("is_meant") and names["error"] not in ANY_BUG - {"ValueError"}:
         kind = "another exception"
     if kind in REPLIES and "{answer}" in REPLIES[kind].en and "answer" in names:

@@ -27,6 +27,10 @@ REPLIES = {
         en="{answer} should be a function, and it is not ({got}). Hand over the function itself, without calling it.",
         ko="{answer}에는 함수가 있어야 하는데 다른 것이 있습니다({got}). 호출하지 말고 함수 자체를 넘기십시오.",
     ),
+    "nothing_returned": Words(
+        en="your function returned nothing (None). Did you forget `return`? What it prints is not looked at.",
+        ko="함수가 아무것도 돌려주지 않았습니다(None). `return`을 빠뜨리지 않았습니까? 출력한 내용은 검사하지 않습니다.",
+    ),
     "a_function": Words(
         en="this is a function, and its result is asked for: {wanted}. Did you forget the brackets of the call?",
         ko="함수가 아니라 그 결과가 필요합니다: {wanted}. 호출 괄호를 빠뜨리지 않았습니까?",
@@ -125,6 +129,10 @@ LATER = {
     "function": Words(
         en="Your function was called with {of} public inputs. Grading calls it with others.",
         ko="공개된 입력 {of}개로 함수를 불러 보았습니다. 채점에서는 다른 입력으로 부릅니다.",
+    ),
+    "same for all": Words(
+        en="Your answer was compared with the right one, and grading does just that.",
+        ko="답을 정답과 비교했습니다. 채점에서도 똑같이 비교합니다.",
     ),
     "value": Words(
         en="Your answer was compared for the numbers given to you. Grading runs your cell again and compares.",
