@@ -94,3 +94,17 @@ def test_whatever_is_handed_in_and_whatever_comes_out_there_is_a_record(
     assert grades_csv([record]).encode("utf-8")
     if seed % 20 == 0:
         assert class_page([record], pack.cases).encode("utf-8")
+
+
+def test_a_slow_notebook_is_not_run_again_for_each_of_its_tasks(course: tiny.Course, pack: Pack) -> None:
+    runs = []
+
+    def run(cells: Sequence[PlannedCell], limits: Limits) -> SimpleNamespace:
+        runs.append(limits)
+        nothing = [SimpleNamespace(value=None, trouble="no answer came") for _ in cells]
+        return SimpleNamespace(outcomes=nothing, seconds=0.9 * limits.notebook_s, stopped=None)
+
+    data = json.dumps(tiny.answered(course.exercise())).encode()
+    file = File("a.ipynb", data)
+    graded(Job("s102", "", "en", pack.release, pack.version, (file,), pack.for_learner("s102"), Limits()), run)
+    assert len(runs) == 3

@@ -618,3 +618,14 @@ def test_somebody_who_is_not_root_has_the_same_walls() -> None:
     if "Operation not permitted" in done.stderr and os.environ.get("CI") != "true":
         pytest.skip("this machine gives no namespace of users")
     assert done.stdout == "namespaces\n", done.stderr
+
+
+def test_solutions_are_hidden_wherever_else_the_workbook_is_said_to_be(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    elsewhere, package = tmp_path / "elsewhere", tmp_path / "tflab"
+    for folder in (elsewhere / "solutions", package / "_workbook" / "solutions"):
+        folder.mkdir(parents=True)
+    monkeypatch.setenv("TFLAB_WORKBOOK", str(elsewhere))
+    monkeypatch.setattr("tflab.grading.sandbox.tflab.__file__", str(package / "__init__.py"))
+    assert Sandbox().hidden() == (str(elsewhere / "solutions"), str(package / "_workbook" / "solutions"))

@@ -273,7 +273,10 @@ def _apart(
     counts, and is put into `verdicts`.
     """
     remarks = []
+    enough = made.seconds + job.limits.notebook_s  # a slow notebook is not run again for each of its tasks
     for number, verdict in enumerate(verdicts):
+        if made.seconds > enough:
+            break
         others = [task for task in transplanted.answered if task != verdict.task]
         odd = verdict.points < verdict.most and ODD & {remark.kind for remark in verdict.remarks}
         if not odd or not others or verdict.task not in transplanted.answered or verdict.task in made.set_aside:

@@ -106,8 +106,8 @@ class Sandbox:
 
     def hidden(self) -> tuple[str, ...]:
         """Return what is covered even where it lies in a folder that is shown."""
-        book = places.workbook_data()
-        secrets = [book / "solutions", book / "exercises", *map(Path, self.hide)]
+        books = {places.workbook_data(), Path(tflab.__file__).parent / "_workbook"}  # TFLAB_WORKBOOK may name another
+        secrets = [book / part for book in books for part in ("solutions", "exercises")] + [*map(Path, self.hide)]
         return tuple(sorted({str(path.resolve()) for path in secrets if path.exists()}))
 
 
