@@ -225,12 +225,13 @@ def _what_was_tried(one: _Task) -> str:
 
 
 def _reply(one: _Task, verdict: Verdict, outcomes: list[Plain]) -> str:
-    if verdict.kind == "twin":
-        return one.words(one.plain["twins"][verdict.twin]["reply"])
     names = dict(verdict.detail)
     for several in ("parts", "wrong"):
         if several in names:
             names[several] = ", ".join(f'"{name}"' for name in names[several])
+    if verdict.kind == "twin":
+        reply = one.words(one.plain["twins"][verdict.twin]["reply"])
+        return f"{names['wrong']}: {reply}" if "wrong" in names else reply
     kind = verdict.kind
     if kind == "type" and names.get("got") == "function":
         kind = "a_function"

@@ -29,7 +29,7 @@ REPLIES = {
     ),
     "nothing_returned": Words(
         en="your function returned nothing (None). Did you forget `return`? What it prints is not looked at.",
-        ko="함수가 아무것도 돌려주지 않았습니다(None). `return`을 빠뜨리지 않았습니까? 출력한 내용은 검사하지 않습니다.",
+        ko="함수가 아무것도 돌려주지 않았습니다(None). `return`을 빠뜨리지 않았습니까? 출력한 것은 검사하지 않습니다.",
     ),
     "a_function": Words(
         en="this is a function, and its result is asked for: {wanted}. Did you forget the brackets of the call?",

@@ -123,7 +123,7 @@ def _mistake(
         return "unanswered", "", {}
     twin = _twin(task, form, cases, outcomes, rights)
     if twin:
-        return "twin", twin, {}
+        return "twin", twin, _slipped_parts(task, form, rights[case])
     raises = expected.get("raises") if isinstance(expected, dict) else None
     if isinstance(outcome, dict) and "raises" in outcome:
         return "raised", "", {"error": outcome["raises"], "text": outcome.get("text", ""), "is_meant": bool(raises)}
@@ -138,9 +138,20 @@ def _mistake(
     if task.get("is_function") and (habit := evidence.habit(form, cases, outcomes)):
         return habit, "", {}
     if isinstance(form, Parts | Message):
-        names = list(form.parts) if isinstance(form, Parts) else list(form.fields)
-        return "parts", "", {"wrong": [name for name, good in zip(names, rights[case], strict=False) if not good]}
+        return "parts", "", {"wrong": _wrong_names(form, rights[case])}
     return "value", "", {}
+
+
+def _slipped_parts(task: dict[str, Any], form: Form, rights: list[bool]) -> dict[str, Any]:
+    """Return which of several answers a mistake was made in, where it was not made in all of them."""
+    if task.get("is_function") or not isinstance(form, Parts) or not any(rights):
+        return {}
+    return {"wrong": _wrong_names(form, rights)}
+
+
+def _wrong_names(form: Parts | Message, rights: list[bool]) -> list[str]:
+    names = list(form.parts) if isinstance(form, Parts) else list(form.fields)
+    return [name for name, good in zip(names, rights, strict=False) if not good]
 
 
 def _coarse(form: Form, outcome: Plain) -> tuple[str, dict[str, Any]] | None:
