@@ -9,9 +9,12 @@ import subprocess
 import sys
 import tomllib
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 import tiny
+
+from tflab.grading.pack import read_pack
 
 PLUGIN = "tflab.grading.plugin"
 
@@ -39,6 +42,30 @@ def test_without_the_option_notebooks_are_left_alone(course: tiny.Course, tmp_pa
     said = run_pytest(path.parent, workbook=course.workbook)
     assert "no tests ran" in said
     assert "E3.1" not in said
+
+
+def test_what_cannot_be_read_is_said_with_its_tasks(course: tiny.Course, tmp_path: Path) -> None:
+    path = tmp_path / "s101.ipynb"
+    path.write_text("{}")
+    said = run_pytest("--tflab-grade", course.pack, path, workbook=course.workbook)
+    assert "missing. s101.ipynb: not a notebook: no cells in it." in said
+
+
+def test_what_does_not_end_is_tried_once_more(
+    course: tiny.Course, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    from tflab.grading import batch, one, plugin
+
+    asked = []
+    monkeypatch.setattr(
+        batch, "grade_job", lambda job, **_: asked.append(job.only) or {"set_aside": {tiny.STEM: ["E3.1"]}}
+    )
+    monkeypatch.setattr(one, "record_with", lambda record, alone: {"both": [record, alone]})
+    path = tiny.hand_in(tmp_path, "s101", course.exercise("s101"))
+    folder = SimpleNamespace(config=SimpleNamespace(getoption=lambda _: course.pack), path=path, _record=None)
+    folder.read_pack = lambda: read_pack(course.pack)
+    assert "both" in plugin.TasksFile.record(folder)
+    assert asked == [None, {tiny.STEM: ["E3.1"]}]
 
 
 def test_a_folder_that_is_no_pack_is_refused_in_one_line(course: tiny.Course, tmp_path: Path) -> None:
