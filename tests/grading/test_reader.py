@@ -199,3 +199,8 @@ def test_a_message_that_is_nested_too_deep_is_none(depth, is_read):
         else:
             with pytest.raises(WireFault, match="TooDeep"):
                 wire.receive(5.0)
+
+
+@pytest.mark.parametrize("end", [b"\0", b"\0" * 500, b"\x1a", b"\n\x1a"])
+def test_what_old_machines_put_behind_a_file_is_no_matter(end: bytes) -> None:
+    assert read_notebook(b'{"cells": [], "nbformat": 4}' + end).cells == ()

@@ -135,7 +135,7 @@ def _decoded(data: bytes) -> tuple[str, list[Remark]]:
         except (UnicodeDecodeError, LookupError):
             continue
         remarks = [Remark("encoding", encoding=encoding)] if encoding not in ("utf-8", "utf-8-sig") else []
-        return text.removeprefix("\ufeff"), remarks
+        return text.removeprefix("\ufeff").rstrip("\0\x1a"), remarks
     return data.decode("utf-8", errors="replace"), [Remark("letters")]
 
 
