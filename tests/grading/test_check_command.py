@@ -6,12 +6,14 @@ import json
 import shutil
 import subprocess
 import sys
+from functools import partial
 from pathlib import Path
 
 import pytest
 import tiny
 
 from tflab.grading.check_command import main
+from tflab.grading.limits import Limits
 from tflab.grading.plain_kernel import run_plainly
 from tflab.grading.plan import PlannedCell
 from tflab.grading.transplant import Piece
@@ -84,6 +86,16 @@ def test_without_a_sandbox_an_ordinary_kernel_does_and_says_so(copy: Path, capsy
     said = capsys.readouterr().out
     assert said.startswith("Checked in an ordinary kernel (--plain).\nE3.1  ✓ 1/1\nE3.2  ✓ 4/4\n")
     assert "the answer cell stops with ZeroDivisionError." in said
+
+
+def test_what_is_slow_has_its_second_chance_here_too(copy: Path, capsys: pytest.CaptureFixture, monkeypatch) -> None:
+    monkeypatch.setattr("tflab.grading.limits.Limits", partial(Limits, cell_s=2.0, notebook_s=12.0))
+    slow = "import time\ntime.sleep(3)\n" + tiny.RIGHT["e3-1-answer"]
+    path = answer(copy, {**tiny.RIGHT, "e3-1-answer": slow, "e3-3-answer": "while True: pass"})
+    assert main([str(path)]) == 1
+    said = capsys.readouterr().out
+    assert said.startswith("E3.1  ✓ 1/1\nE3.2  ✓ 4/4\n")
+    assert "did not end within 2 s, and not in a second run with three times as long either" in said
 
 
 def test_in_an_ordinary_kernel_too_an_answer_that_ends_python_costs_its_own_points(

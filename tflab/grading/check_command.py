@@ -15,6 +15,7 @@ import argparse
 import json
 import sys
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -26,7 +27,7 @@ from tflab.workbook.tasks import variant_of
 from tflab.workbook.words import Words
 
 from .feedback import STATUS, WRONG
-from .one import File, Job, graded
+from .one import File, Job, graded, graded_twice
 from .pack import check_tasks
 from .reader import Unreadable, read_bytes, read_notebook
 from .remarks import Remark
@@ -35,7 +36,7 @@ from .transplant import master_of
 __all__ = ["Checked", "check_notebook", "main"]
 
 PRISTINE = Path(".tflab", "pristine")
-CELL_S = 20.0
+CELL_S = 20.0  # without a wall: of a kernel that may be the first of the day on a slow disk
 DAMAGE = (KeyError, TypeError, ValueError, IndexError, AttributeError)
 MENDS = "`tflab lab --update` brings it"
 SUM = Words("{points} of {most} points on the public cases.", "공개 문제 기준 {most}점 만점에 {points}점입니다.")
@@ -123,7 +124,7 @@ def check_notebook(path: Path, *, plainly: bool = False) -> Checked:
         limits=limits,
         has_roster=workbook.learner is not None,
     )
-    record = graded(job, run_cells)
+    record = graded_twice(job, partial(graded, run_cells=run_cells))
     found = [stem for stem, chapter in record["chapters"].items() if chapter["file"]]
     if not found:
         there = ", ".join(job.chapters) or "-"
@@ -201,7 +202,7 @@ def _runner(plainly: bool, language: str) -> tuple[Callable, Any, str]:
 
         try:
             sandbox = choose()
-            return run_behind(sandbox), Limits(cell_s=CELL_S, notebook_s=6 * CELL_S), ""
+            return run_behind(sandbox), Limits(), ""
         except (KernelError, OSError) as error:
             why = str(error)
     from .plain_kernel import run_plainly

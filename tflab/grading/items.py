@@ -30,7 +30,7 @@ from .wire import WireClosed, WireFault
 # nbval imports nbformat, that jsonschema, and that 38 grammars of addresses, which take two seconds
 # and which nobody asks for here: jsonschema does without what it cannot import.
 sys.modules.setdefault("rfc3987_syntax", None)  # type: ignore[arg-type]
-from nbformat.v4 import new_code_cell  # noqa: E402
+from nbformat.notebooknode import from_dict  # noqa: E402
 from nbval.kernel import RunningKernel  # noqa: E402
 from nbval.plugin import IPyNbCell, IPyNbFile, NbCellError  # noqa: E402
 
@@ -39,6 +39,8 @@ if sys.modules["rfc3987_syntax"] is None:
 
 __all__ = ["AnswerCell", "AnswerFile", "Cell", "NbCellError", "Stopped", "WiredKernel"]
 
+# A cell before its source is in it; without a count nbval compares nothing.
+EMPTY = {"cell_type": "code", "execution_count": 1, "metadata": {}, "outputs": []}
 LIVENESS_S = 0.2
 LONGEST_TROUBLE = 300
 
@@ -165,21 +167,19 @@ class AnswerFile(IPyNbFile):
         cells: Sequence[Cell],
         take_kernel: Callable[[Limits], Kernel],
         limits: Limits,
-        judges: dict[str, Callable[[Any], bool]] | None = None,
         **of_pytest: Any,
     ) -> None:
         super().__init__(**of_pytest)
         self.cells = cells
         self.take_kernel = take_kernel
         self.limits = limits
-        self.judges = judges or {}
 
     def setup(self) -> None:
         self.kernel = WiredKernel(self.take_kernel(self.limits), self.limits)
 
     def collect(self) -> Iterator[AnswerCell]:
         for number, cell in enumerate(self.cells):
-            node = new_code_cell(cell.source, execution_count=1)  # without a count nbval compares nothing
+            node = from_dict(EMPTY | {"source": cell.source})  # not validated: it is ours
             options = defaultdict(bool, check=cell.probe is not None)
             yield AnswerCell.from_parent(self, name=cell.name, cell_num=number, cell=node, options=options, known=cell)
 
@@ -189,7 +189,7 @@ class AnswerFile(IPyNbFile):
 
 
 class AnswerCell(IPyNbCell):
-    """A cell that is run; if it is a probe, its one value is kept, and compared if there is a judge."""
+    """A cell that is run; if it is a probe, its one value is kept."""
 
     def __init__(self, *, known: Cell, **of_nbval: Any) -> None:
         super().__init__(**of_nbval)
@@ -232,11 +232,7 @@ class AnswerCell(IPyNbCell):
             self.trouble = "no answer came" if not said else "something else than one answer came"
             return False
         self.value = mine[0]["v"]
-        judge = self.parent.judges.get(self.known.probe)
-        if judge is None or judge(self.value):
-            return True
-        self.trouble = "wrong"
-        return False
+        return True
 
     def repr_failure(self, excinfo: Any) -> str:
         """Say what went wrong, but neither source nor values: hidden inputs are in them."""

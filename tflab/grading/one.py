@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 from .attempt import Attempt, NotRun, Ran, attempt
@@ -21,7 +21,7 @@ from .remarks import Remark
 from .transplant import Master, MasterCell, Transplant, answers_most, transplant
 from .verdicts import Verdict, judged
 
-__all__ = ["File", "Job", "RunCells", "graded", "record_with"]
+__all__ = ["File", "Job", "RunCells", "graded", "graded_twice", "record_with"]
 
 if TYPE_CHECKING:
     from .limits import Limits  # which needs Linux
@@ -118,6 +118,14 @@ def graded(job: Job, run_cells: RunCells) -> dict[str, Any]:
     }
     not_run = any(remark["kind"] == "not run" for chapter in chapters.values() for remark in chapter["remarks"])
     return record | _sums(chapters) | ({"not_run": True} if not_run else {})
+
+
+def graded_twice(job: Job, grade: Callable[[Job], dict[str, Any]]) -> dict[str, Any]:
+    """Return a job's record by `grade`; what does not end has its second chance, alone, right behind the first."""
+    record = grade(job)
+    if not record["set_aside"]:
+        return record
+    return record_with(record, grade(replace(job, only=record["set_aside"])))
 
 
 def record_with(record: dict[str, Any], alone: dict[str, Any]) -> dict[str, Any]:

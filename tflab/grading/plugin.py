@@ -9,7 +9,7 @@ pytest finds this page by its entry point.  Without the option it does nothing a
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -64,7 +64,7 @@ class TasksFile(pytest.File):
             from .batch import grade_job, job_of
             from .kernels import choose
             from .limits import Limits
-            from .one import record_with
+            from .one import graded_twice
             from .submissions import collect
 
             pack = self.read_pack()
@@ -72,10 +72,7 @@ class TasksFile(pytest.File):
             submission = next(one for one in found if one.notebooks)
             hide = (str(Path(self.config.getoption("--tflab-grade")).resolve()),)
             job, sandbox = job_of(submission, pack, Limits()), choose(hide)
-            record = grade_job(job, sandbox=sandbox)
-            if record["set_aside"]:  # what does not end has three times its time, alone
-                record = record_with(record, grade_job(replace(job, only=record["set_aside"]), sandbox=sandbox))
-            self._record = record
+            self._record = graded_twice(job, partial(grade_job, sandbox=sandbox))
         return self._record
 
 

@@ -1,6 +1,6 @@
 """What came of these cells?  They are run on nbval, behind the sandbox, each within its limits.
 
-    cells in order  ->  run_cells  ->  Run(outcomes, seconds, sandbox level, deadline hit?)
+    cells in order  ->  run_cells  ->  Run(outcomes, seconds, why it stopped)
 
     Outcome(cell="e3-2-answer", trouble="error: NameError: name 'tf' is not defined")
     Outcome(cell="e3-2-probe", probe="7f3a", value=[[1.0, 2.0, 0.0]])
@@ -17,7 +17,7 @@ import contextlib
 import os
 import threading
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -40,7 +40,6 @@ class Outcome:
     probe: str | None = None
     value: Any = None  # of a probe: plain JSON, from a hostile place
     trouble: str | None = None
-    right: bool | None = None  # if there was a judge for it
 
 
 @dataclass(frozen=True)
@@ -49,19 +48,11 @@ class Run:
 
     outcomes: tuple[Outcome, ...]
     seconds: float
-    sandbox_level: str
-    deadline_hit: bool
     stopped: str | None = None  # why the last cell of `outcomes` was the last one
 
 
-def run_cells(
-    cells: Sequence[Cell],
-    *,
-    limits: Limits,
-    sandbox: Sandbox,
-    judges: Mapping[str, Callable[[Any], bool]] | None = None,
-) -> Run:
-    """Run cells in a fresh kernel; `judges` says of a probe's value whether it is right.
+def run_cells(cells: Sequence[Cell], *, limits: Limits, sandbox: Sandbox) -> Run:
+    """Run cells in a fresh kernel.
 
     Raises:
         KernelError: no kernel could be started.
@@ -72,7 +63,6 @@ def run_cells(
         cells=cells,
         take_kernel=for_this_process(sandbox).take,
         limits=limits,
-        judges=dict(judges or {}),
     )
     file.setup()
     begin = time.monotonic()
@@ -86,16 +76,14 @@ def run_cells(
     finally:
         file.teardown()
     seconds = time.monotonic() - begin
-    return Run(tuple(outcomes), seconds, sandbox.level, stopped == "timed out", stopped)
+    return Run(tuple(outcomes), seconds, stopped)
 
 
 def outcome_of(item: AnswerCell) -> Outcome:
     """Run one cell as nbval does, and say what came of it."""
     with contextlib.suppress(NbCellError, pytest.fail.Exception):  # it is in item.trouble
         item.runtest()
-    judged = item.value is not None and item.known.probe in item.parent.judges
-    right = item.trouble is None if judged else None
-    return Outcome(item.known.name, item.known.probe, item.value, item.trouble, right)
+    return Outcome(item.known.name, item.known.probe, item.value, item.trouble)
 
 
 class OnlyASession:
