@@ -375,9 +375,9 @@ TASKS = (
                 "swapped",
                 {key: pair[::-1] for key, pair in SENTENCES.items()},
                 Words(
-                    en="where it is wrong, you wrote [source, target]. In the call, the frame in which you *want* the "
+                    en="where it is wrong, you wrote [source, target]. In the call, the frame in which you want the "
                     "data comes first.",
-                    ko="틀린 답은 순서가 뒤집혔습니다. [원본, 목표] 순서로 썼습니다. 호출에서는 데이터를 *보고 싶은* 좌표계가 "
+                    ko="틀린 답은 순서가 뒤집혔습니다. [원본, 목표] 순서로 썼습니다. 호출에서는 데이터를 보고 싶은 좌표계가 "
                     "먼저 옵니다.",
                 ),
                 "M1",
@@ -879,9 +879,9 @@ TASKS = (
                 "whole_angle",
                 without_the_half,
                 Words(
-                    en="the camera is turned twice as far as asked: a quaternion holds the sine and cosine of *half* "
+                    en="the camera is turned twice as far as asked: a quaternion holds the sine and cosine of half "
                     "the angle.",
-                    ko="카메라가 두 배로 돌아갔습니다. 쿼터니언에는 각도의 *절반*에 대한 sin과 cos을 넣습니다.",
+                    ko="카메라가 두 배로 돌아갔습니다. 쿼터니언에는 각도의 절반에 대한 sin과 cos을 넣습니다.",
                 ),
                 "M5",
             ),

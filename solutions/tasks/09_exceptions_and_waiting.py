@@ -533,8 +533,8 @@ TASKS = (
                      ko="아무리 먼 미래라도 기다립니다. 0.2초를 넘는 간격은 오는 중인 데이터가 아닙니다. 기다려도 해결되지 않습니다.")),
             Twin("gap from the text", lambda b, m: action(b, m, by_text=True), misconception="M11",
                  reply=Words(
-                     en="the time in the text is that of the first edge that failed, not of the slowest. A wait must last until *every* edge on the way is there: reckon from the latest common time.",
-                     ko="오류문의 시각은 처음 실패한 연결의 것이지, 가장 느린 연결의 것이 아닙니다. 경로의 *모든* 연결이 올 때까지 기다려야 하므로 최신 공통 시각에서 계산하십시오.")),
+                     en="the time in the text is that of the first edge that failed, not of the slowest. A wait must last until every edge on the way is there: reckon from the latest common time.",
+                     ko="오류문의 시각은 처음 실패한 연결의 것이지, 가장 느린 연결의 것이 아닙니다. 경로의 모든 연결이 올 때까지 기다려야 하므로 최신 공통 시각에서 계산하십시오.")),
             Twin("never waits", lambda b, m: action(b, m, limit_s=-1.0), misconception="M10",
                  reply=Words(
                      en="a small gap into the future is ordinary: the transform is on its way. Your function suspects the clocks even then.",
@@ -606,8 +606,8 @@ TASKS = (
                      ko="모든 간격이 레이저 시계 탓은 아닙니다. 레이저 시계가 빠르면 /scan의 지연이 너무 작아집니다. 로봇마다 /scan부터 보십시오.")),
             Twin("sign overlooked", no_sign, misconception="M10",
                  reply=Words(
-                     en="one robot hears its scans before they are measured. That much *can* be told from the numbers: look at the sign.",
-                     ko="한 로봇은 스캔을 측정하기도 전에 듣습니다. 그것만은 숫자로 *알 수 있습니다*. 부호를 보십시오.")),
+                     en="one robot hears its scans before they are measured. That much can be told from the numbers: look at the sign.",
+                     ko="한 로봇은 스캔을 측정하기도 전에 듣습니다. 그것만은 숫자로 알 수 있습니다. 부호를 보십시오.")),
             Twin("tremble not trusted", tremble_not_trusted, misconception="M10",
                  reply=Words(
                      en="one robot's /odom trembles by a quarter of a second from message to message. A clock does not do that, a network does: so much can be told.",
