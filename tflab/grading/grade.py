@@ -19,6 +19,7 @@ import re
 import sys
 from collections.abc import Sequence
 from dataclasses import replace
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -81,17 +82,29 @@ def main(words: Sequence[str]) -> int:
 def _graded(
     collection: Collection, pack: Pack, out: Path, options: argparse.Namespace
 ) -> tuple[list[dict], tuple[Words, ...]]:
-    from .batch import Batch, grade_batch
     from .kernels import choose
     from .limits import Limits
 
     hidden = (Path(options.pack), Path(options.submissions), out)
-    sandbox = choose(hide=tuple(str(path.resolve()) for path in hidden))
+    sandbox = choose(hide=tuple(str(path.resolve()) for path in hidden), meanwhile=_load_the_rest)
+    from .batch import Batch, grade_batch
+
     limits = Limits(cell_s=options.seconds, notebook_s=6 * options.seconds)
     jobs = options.jobs if options.jobs > 0 else os.cpu_count() or 1
     batch = Batch(limits, sandbox, jobs, options.scheduler, options.quiet)
     wall = (sandbox.announce(), *sandbox.gaps)
     return grade_batch(collection, pack, out, batch), wall
+
+
+def _load_the_rest() -> None:
+    """Import what running and drawing need: a second's work, while another process imports for the kernels."""
+    from tflab.views import style
+
+    from .running import nbval_session
+
+    import_module(".batch", __package__)
+    nbval_session()
+    style.figure()
 
 
 def _write_reports(

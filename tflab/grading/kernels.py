@@ -20,7 +20,9 @@ import subprocess
 import sys
 import tempfile
 import threading
+from collections.abc import Callable
 from dataclasses import asdict, dataclass
+from typing import IO
 
 from . import landlock, namespaces
 from .limits import Limits
@@ -93,6 +95,7 @@ class Kernels:
         if sandbox.level == "limits" and landlock.abi() < landlock.CONFINES:
             namespaces.libc.prctl(PR_SET_DUMPABLE, 0, 0, 0, 0)  # at least nobody reads this process's memory
         self._server: subprocess.Popen[bytes] | None = None
+        self._begun: tuple[socket.socket, IO[bytes]] | None = None  # its orders and its last words, until it is ready
         self._orders: socket.socket | None = None
 
     def take(self, limits: Limits) -> Kernel:
@@ -147,10 +150,13 @@ class Kernels:
             leash_end.close()
         return Kernel(Wire(wire, longest=limits.output_bytes), leash)
 
-    def _server_socket(self) -> socket.socket:
-        if self._orders is None:
-            words = tempfile.TemporaryFile()  # noqa: SIM115  # it may have warnings; they matter only if it fails
-            ours, its = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+    def begin(self) -> None:
+        """Start the forkserver if there is none, and do not wait for it: it takes a second."""
+        if self._orders is not None or self._begun is not None:
+            return
+        words = tempfile.TemporaryFile()  # noqa: SIM115  # it may have warnings; they matter only if it fails
+        ours, its = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+        with its:
             self._server = subprocess.Popen(
                 [sys.executable, "-P", "-m", "tflab.grading.forkserver", str(its.fileno())],
                 pass_fds=[its.fileno()],
@@ -161,17 +167,25 @@ class Kernels:
                 cwd="/",
                 env=environment_of_the_server(),
             )
-            its.close()
+        self._begun = ours, words
+
+    def _server_socket(self) -> socket.socket:
+        if self._orders is None:
+            self.begin()
+            ours, words = self._begun
             ours.settimeout(START_S)
             if ours.recv(16) != b"ready":
                 self._stop_server()
                 words.seek(0)
                 last = words.read().decode(errors="replace").strip().splitlines()[-1:]
                 raise KernelError(f"the forkserver did not start: {' '.join(last)}")
-            self._orders = ours
+            self._orders, self._begun = ours, None
         return self._orders
 
     def _stop_server(self) -> None:
+        if self._begun is not None:
+            self._begun[0].close()
+            self._begun = None
         if self._orders is not None:
             self._orders.close()
             self._orders = None
@@ -208,13 +222,17 @@ def environment_of_the_server() -> dict[str, str]:
     return kept | one_thread | {"LANG": "C.UTF-8", "PATH": os.defpath, "PYTHONHASHSEED": "0", "MPLBACKEND": "agg"}
 
 
-def choose(hide: tuple[str, ...] = ()) -> Sandbox:
-    """Return the best sandbox that works on this machine, tried out."""
+def choose(hide: tuple[str, ...] = (), meanwhile: Callable[[], None] = lambda: None) -> Sandbox:
+    """Return the best sandbox that works on this machine, tried out; `meanwhile` is done while the first one starts."""
     reasons: list[str] = []
     for level in LEVELS:
         sandbox = Sandbox(level, hide, refused=tuple(reasons))
         try:
-            for_this_process(sandbox).take(Limits()).close()
+            kernels = for_this_process(sandbox)
+            kernels.begin()
+            if not reasons:
+                meanwhile()
+            kernels.take(Limits()).close()
             return sandbox
         except (KernelError, OSError) as fault:
             reasons.append(f"no {level}: {fault}")
