@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import socket
 import threading
 import time
 from types import SimpleNamespace
@@ -10,11 +11,12 @@ from types import SimpleNamespace
 import pytest
 
 from tflab.grading import items
-from tflab.grading.kernels import KernelError, Kernels, choose, for_this_process
+from tflab.grading.kernels import Kernel, KernelError, Kernels, choose, for_this_process
 from tflab.grading.limits import Limits
 from tflab.grading.running import Cell, Run, run_cells
 from tflab.grading.sandbox import Sandbox
 from tflab.grading.shell import PROBE_MIME
+from tflab.grading.wire import Wire
 
 SHORT = Limits(cell_s=1.0, notebook_s=5.0)
 LONG = Limits(cell_s=30.0, notebook_s=60.0)
@@ -348,6 +350,27 @@ def test_a_forkserver_that_died_is_replaced(sandbox: Sandbox) -> None:
     kernels._server.wait()
     assert run(sandbox, probe("5")).outcomes[0].value == 5
     assert run(sandbox, probe("6")).outcomes[0].value == 6
+
+
+def test_a_kernel_for_which_there_was_no_room_is_ordered_again(sandbox: Sandbox) -> None:
+    kernels = Kernels(sandbox, ahead=0)
+    order, orders = kernels._order, []
+
+    def without_room(limits: Limits) -> Kernel:
+        orders.append(limits)
+        if len(orders) > 1:
+            return order(limits)
+        (wire, its_wire), (leash, its_leash) = socket.socketpair(), socket.socketpair()
+        its_wire.close()
+        its_leash.close()
+        return Kernel(Wire(wire, longest=1000), leash)
+
+    kernels._order = without_room
+    try:
+        kernels.take(Limits()).close()
+    finally:
+        kernels.close()
+    assert len(orders) == 2
 
 
 def test_a_kernel_that_cannot_start_says_why(monkeypatch: pytest.MonkeyPatch) -> None:

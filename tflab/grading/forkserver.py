@@ -60,7 +60,7 @@ def take_orders(orders: socket.socket) -> None:
         if not said:
             return
         wire, leash = (socket.socket(fileno=end) for end in ends)
-        if os.fork() == 0:
+        if fork_or_none() == 0:
             with contextlib.suppress(BaseException):
                 orders.close()
                 os.setsid()
@@ -68,6 +68,14 @@ def take_orders(orders: socket.socket) -> None:
             os._exit(0)
         wire.close()
         leash.close()
+
+
+def fork_or_none() -> int | None:
+    """Fork, or return None where the machine has no room for one more: who ordered it sees its wire closed."""
+    try:
+        return os.fork()
+    except OSError:
+        return None
 
 
 def be_one(wire: socket.socket, order: dict[str, Any]) -> None:

@@ -103,7 +103,6 @@ class Kernels:
         with self._lock:
             kernel = next((kernel for made_for, kernel in self._ready if made_for == limits), None)
             self._ready = [(made_for, other) for made_for, other in self._ready if other is not kernel]
-            fresh = kernel is None
             if kernel is None:
                 kernel = self._order(limits)
             self._ending.append(kernel)
@@ -116,10 +115,8 @@ class Kernels:
             other.close()
         try:
             kernel.await_ready()
-        except KernelError:
-            if fresh:
-                raise
-            with self._lock:  # it had been waiting, and its forkserver may be gone
+        except KernelError:  # its forkserver may be gone, or the machine was out of room for a moment
+            with self._lock:
                 kernel = self._order(limits)
                 self._ending.append(kernel)
             kernel.await_ready()
