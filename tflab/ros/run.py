@@ -16,7 +16,6 @@ import contextlib
 import os
 import signal
 import sys
-import threading
 import time
 import tokenize
 from collections.abc import Callable, Iterator, Sequence
@@ -24,7 +23,7 @@ from types import ModuleType
 
 from .activation import activate
 from .graph import Participant, new_graph
-from .virtual import place_of, raise_in
+from .virtual import counting_ctrl_c, place_of, raise_in
 
 __all__ = ["run_files", "runner_of"]
 
@@ -58,7 +57,8 @@ def run_files(
             raise FileNotFoundError(f"no such node file: {path}")
     activate("in-process")
     graph = new_graph(virtual=False)
-    with _importing_beside(paths), _counting_ctrl_c() as pressed:
+    is_ignored = signal.getsignal(signal.SIGINT) == signal.SIG_IGN  # in the background of a shell nobody hears it
+    with _importing_beside(paths), contextlib.nullcontext([]) if is_ignored else counting_ctrl_c() as pressed:
         files = [
             graph.start(runner_of(path), name=os.path.splitext(os.path.basename(path))[0], argv=[path, *args])
             for path in paths
@@ -104,23 +104,6 @@ def _importing_beside(paths: Sequence[str]) -> Iterator[None]:
     finally:
         for folder in folders:
             sys.path.remove(folder)
-
-
-@contextlib.contextmanager
-def _counting_ctrl_c() -> Iterator[list[int]]:
-    """Yield a list that grows by one for each Ctrl-C, instead of an exception that may come between any two lines."""
-    pressed: list[int] = []
-    is_ours = (
-        threading.current_thread() is threading.main_thread() and signal.getsignal(signal.SIGINT) != signal.SIG_IGN
-    )
-    if not is_ours:  # another thread hears it, or, in the background of a shell, nobody
-        yield pressed
-        return
-    before = signal.signal(signal.SIGINT, lambda number, frame: pressed.append(number))
-    try:
-        yield pressed
-    finally:
-        signal.signal(signal.SIGINT, before)
 
 
 def _wait_for(participants: Sequence[Participant], seconds: float | None, pressed: list[int], presses: int = 1) -> None:

@@ -28,10 +28,9 @@ import traceback
 from collections import deque
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from types import FrameType
 from typing import Any
 
-__all__ = ["START_NS", "EndlessLoop", "VirtualTime", "place_of", "raise_in"]
+__all__ = ["START_NS", "EndlessLoop", "VirtualTime", "counting_ctrl_c", "place_of", "raise_in"]
 
 START_NS = 1_000_000_000  # one second: readable stamps, and never 0, which tf2 takes for "latest"
 
@@ -126,7 +125,7 @@ class VirtualTime:
         self._ready: deque[Strand] = deque()
         self._strands: dict[int, Strand] = {}
         self._in_callback = 0
-        self._is_interrupted = False
+        self._presses: list[int] = []  # of Ctrl-C, while turns are handed out
         self._pace_ns: int | None = None  # what to add to virtual time for the time it is to have in reality
 
     def now_ns(self) -> int:
@@ -251,7 +250,7 @@ class VirtualTime:
         turns = 0
         with self._noting_interrupts():
             while not done():
-                if self._is_interrupted:
+                if self._presses:
                     return False
                 if self._ready and turns < TURNS_PER_INSTANT:
                     self._turn(self._ready.popleft())
@@ -270,7 +269,7 @@ class VirtualTime:
 
     def _pass_time(self, until_ns: int) -> None:
         """Set the clock; while something spins without end at home, wait until reality is there, too."""
-        while self._pace_ns is not None and not self._is_interrupted:
+        while self._pace_ns is not None and not self._presses:
             left_ns = until_ns + self._pace_ns - time.monotonic_ns()
             if left_ns <= 0:
                 break
@@ -280,20 +279,9 @@ class VirtualTime:
     @contextmanager
     def _noting_interrupts(self) -> Iterator[None]:
         """Only note Ctrl-C, or the stop button, meanwhile: between two turns is the moment for it."""
-        self._is_interrupted = False
-        if threading.current_thread() is not threading.main_thread():
-            yield  # only the main thread hears of it
-            return
-
-        def note(number: int, frame: FrameType | None) -> None:
-            self._is_interrupted = True
-
-        before = signal.signal(signal.SIGINT, note)
-        try:
+        with counting_ctrl_c() as self._presses:
             yield
-        finally:
-            signal.signal(signal.SIGINT, before)
-        if self._is_interrupted:
+        if self._presses:
             raise KeyboardInterrupt
 
     def _turn(self, strand: Strand) -> None:
@@ -303,7 +291,7 @@ class VirtualTime:
         waited_s = 0.0
         while not strand.has_given_back(SLICE_S):
             waited_s += SLICE_S
-            if self._is_interrupted:  # it hears of it, too, in the middle of what it does
+            if self._presses:  # it hears of it, too, in the middle of what it does
                 raise_in(strand.thread, KeyboardInterrupt)
                 self._wait_for_turn_of(strand)
                 return
@@ -339,6 +327,20 @@ class VirtualTime:
                 "time pass. Start what should run beside it with graph.start(function); inside a participant, spin "
                 "or sleep."
             )
+
+
+@contextmanager
+def counting_ctrl_c() -> Iterator[list[int]]:
+    """Yield a list that grows by one for each Ctrl-C, instead of an exception that may come between any two lines."""
+    pressed: list[int] = []
+    if threading.current_thread() is not threading.main_thread():
+        yield pressed  # only the main thread hears of it
+        return
+    before = signal.signal(signal.SIGINT, lambda number, frame: pressed.append(number))
+    try:
+        yield pressed
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
 def raise_in(thread: threading.Thread, exception: type[BaseException]) -> None:
