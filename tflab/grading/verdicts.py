@@ -18,6 +18,7 @@ from typing import Any
 from tflab.workbook import verdict as workbook_verdict
 from tflab.workbook.forms import Form, form_from_plain
 from tflab.workbook.sealed import is_sealed, seal
+from tflab.workbook.values import is_raised
 from tflab.workbook.verdict import judge_outcomes
 
 from .remarks import Remark
@@ -134,7 +135,7 @@ def _what_went_wrong(
     if all(answer is MISSING for answer in got):
         return [Remark("no result", task_id)]
     if found.kind == "raised":
-        errors = [answer for answer in got if isinstance(answer, dict) and "raises" in answer]
+        errors = [answer for answer in got if is_raised(answer)]
         name = safe_error_name(found.detail.get("error"))
         return [
             Remark(

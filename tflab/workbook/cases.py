@@ -23,10 +23,9 @@ from typing import Any
 
 import numpy as np
 
-from .forms import Form
 from .reference import Solution, in_process_ros, solution_in_notebook
 from .tasks import Task, TaskError, Twin, read_tasks
-from .values import Plain, from_plain, to_plain
+from .values import Plain, from_plain, is_raised, to_plain
 
 __all__ = [
     "FORMAT",
@@ -163,25 +162,18 @@ def _twin_value(twin: Twin, given: dict[str, Any]) -> Any:
 def _refuse_look_alikes(task: Task, variant: int, cases: list[dict[str, Any]]) -> None:
     for case in cases:
         expected = case["expected"]
-        if "raises" not in (expected if isinstance(expected, dict) else {}) and task.form.probes(expected) is None:
+        if not is_raised(expected) and task.form.probes(expected) is None:
             raise CasesError(f"{task.id}: the solution's answer is not {task.form.wanted().en}: {expected!r}")
     names = ["", *(twin.name for twin in task.twins)]  # "" is the right answer
     for number, one in enumerate(names):
         for other in names[number + 1 :]:
-            if all(_same(task.form, _of(case, one), _of(case, other)) for case in cases):
+            if all(task.form.alike(_of(case, one), _of(case, other)) for case in cases):
                 both = f'the twins "{one}" and "{other}" coincide' if one else f'the twin "{other}" is the right answer'
                 raise CasesError(f"{task.id}, variant {variant}: {both}; draw from inputs that tell them apart")
 
 
 def _of(case: dict[str, Any], name: str) -> Plain:
     return case["twins"][name] if name else case["expected"]
-
-
-def _same(form: Form, one: Plain, other: Plain) -> bool:
-    try:
-        return form.same(one, other)
-    except ValueError:  # a wrong answer need not even be of the form
-        return one == other
 
 
 def _rng(seed: str | bytes, *what: object) -> np.random.Generator:

@@ -36,7 +36,7 @@ from .reference import answer_cell_name
 from .replies import LATER, REPLIES
 from .showing import show_all, show_in_a_line
 from .tasks import TaskError, chapter_of, variant_of
-from .values import Plain, from_plain, is_unanswered, raised, to_plain
+from .values import Plain, from_plain, is_raised, is_unanswered, raised, to_plain
 from .verdict import ANY_BUG, Verdict, judge_outcomes, kind_of
 from .words import Words
 
@@ -262,7 +262,7 @@ def _call(one: _Task, case: int) -> str:
 
 
 def _shown(outcome: Plain) -> str:
-    if isinstance(outcome, dict) and "raises" in outcome:
+    if is_raised(outcome):
         return outcome["raises"]
     try:
         return show_in_a_line(from_plain(outcome))

@@ -17,7 +17,7 @@ from itertools import combinations
 from typing import Any
 
 from .forms import Form
-from .values import Plain
+from .values import Plain, is_raised
 
 __all__ = ["credited", "habit"]
 
@@ -38,7 +38,7 @@ def credited(
     if habit(form, cases, outcomes):
         return [[False] * len(row) for row in rights]
     kept = [list(row) for row in rights]
-    values = [number for number, case in enumerate(cases) if not _raises(case["expected"])]
+    values = [number for number, case in enumerate(cases) if not is_raised(case["expected"])]
     for place in range(min((len(rights[number]) for number in values), default=0)):
         expected = [cases[number]["expected"] for number in values]
         right = [cases[number]["expected"] for number in values if rights[number][place]]
@@ -51,13 +51,13 @@ def credited(
 def habit(form: Form, cases: Sequence[dict[str, Any]], outcomes: Sequence[Plain]) -> str:
     """Return what a function does whatever it is asked: "constant", "echo", or "" if neither."""
     expected = [case["expected"] for case in cases]
-    if len(cases) < 2 or all(_alike(form, one, expected[0]) for one in expected[1:]):
+    if len(cases) < 2 or all(form.alike(one, expected[0]) for one in expected[1:]):
         return ""
-    if all(_alike(form, one, outcomes[0]) for one in outcomes[1:]):
+    if all(form.alike(one, outcomes[0]) for one in outcomes[1:]):
         return "constant"
     count = min(len(case["args"] or ()) for case in cases)
     for place in range(count):
-        if all(_alike(form, out, case["args"][place]) for out, case in zip(outcomes, cases, strict=True)):
+        if all(form.alike(out, case["args"][place]) for out, case in zip(outcomes, cases, strict=True)):
             return "echo"
     return ""
 
@@ -65,16 +65,3 @@ def habit(form: Form, cases: Sequence[dict[str, Any]], outcomes: Sequence[Plain]
 def _differ(form: Form, values: Iterable[Plain], place: int) -> bool:
     """Return whether two of these values have different probes at `place`."""
     return any(not form.judge(one, other)[place] for one, other in combinations(values, 2))
-
-
-def _alike(form: Form, one: Plain, other: Plain) -> bool:
-    if _raises(one) or _raises(other):
-        return _raises(one) and _raises(other) and one["raises"] == other["raises"]
-    try:
-        return form.same(one, other)
-    except Exception:  # what came out need not be of the form at all
-        return False
-
-
-def _raises(plain: Plain) -> bool:
-    return isinstance(plain, dict) and "raises" in plain

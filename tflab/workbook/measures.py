@@ -23,7 +23,7 @@ from typing import Any, NamedTuple
 
 from tflab.core import Transform
 
-from .values import Plain, from_plain
+from .values import Plain, from_plain, is_raised
 from .words import Words
 
 __all__ = [
@@ -81,19 +81,23 @@ class Form:
 
     def judge(self, answer: Plain, expected: Plain) -> list[bool]:
         """Return for each probe of `expected` whether `answer` has it."""
-        if isinstance(expected, dict) and "raises" in expected:
+        if is_raised(expected):
             return [isinstance(answer, dict) and answer.get("raises") == expected["raises"]]
         wanted = self.probes(expected)
         if wanted is None:
             raise ValueError(f"the expected value is not a {type(self).__name__}: {expected!r}")
-        given = self.read(answer)
-        if given is None or len(given) != len(wanted):
-            return [False] * len(wanted)
-        return [any(_fits(row, right[0]) for row in rows) for rows, right in zip(given, wanted, strict=True)]
+        return _compared(self.read(answer), wanted)
 
     def same(self, answer: Plain, expected: Plain) -> bool:
         """Return whether `answer` has every probe of `expected`."""
         return all(self.judge(answer, expected))
+
+    def alike(self, one: Plain, other: Plain) -> bool:
+        """Return whether two answers are the same; neither need be of this form."""
+        if is_raised(other):
+            return self.same(one, other)
+        wanted = self.read(other)
+        return one == other if wanted is None else all(_compared(self.read(one), wanted))
 
     def plain(self) -> dict[str, Any]:
         """Return the form as JSON has it: its class and its fields."""
@@ -294,6 +298,13 @@ def _is_number(plain: Plain) -> bool:
 
 def _both_signs(before: Row, rotation: tuple[float, ...], tolerance: float) -> Probe:
     return [before + tuple(Mark(sign * number, tolerance) for number in rotation) for sign in (1.0, -1.0)]
+
+
+def _compared(given: list[Probe] | None, wanted: list[Probe]) -> list[bool]:
+    """Return for each probe that is wanted whether it is given."""
+    if given is None or len(given) != len(wanted):
+        return [False] * len(wanted)
+    return [any(_fits(row, right[0]) for row in rows) for rows, right in zip(given, wanted, strict=True)]
 
 
 def _fits(row: Row, other: Row) -> bool:

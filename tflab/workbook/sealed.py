@@ -18,7 +18,7 @@ from typing import Any
 
 from .forms import Form
 from .measures import Mark, Probe, Row, inside
-from .values import Plain
+from .values import Plain, is_raised
 
 __all__ = ["is_sealed", "judge", "part_of", "seal"]
 
@@ -32,7 +32,7 @@ def seal(form: Form, expected: Plain, salt: str) -> Plain:
     Raises:
         ValueError: `expected` is not of the form.
     """
-    if isinstance(expected, dict) and "raises" in expected:
+    if is_raised(expected):
         return expected
     probes = form.probes(expected)
     if probes is None:

@@ -77,6 +77,11 @@ def raised(error: BaseException) -> Plain:
     return {"raises": type(error).__name__, "text": str(error)[:500]}
 
 
+def is_raised(plain: Plain) -> bool:
+    """Return whether this is what `raised` writes: an exception, as the outcome of a call."""
+    return isinstance(plain, dict) and "raises" in plain
+
+
 def is_unanswered(plain: Plain) -> bool:
     """Return whether this is `...`, a dict of nothing else, or a call that raised NotImplementedError("your turn")."""
     if not isinstance(plain, dict):

@@ -20,7 +20,7 @@ from typing import Any
 from . import evidence, forms, sealed
 from .forms import Angle, Choice, Form, Message, Number, Parts, Vector, form_from_plain
 from .measures import inside, member, numbers_of
-from .values import Plain, is_unanswered
+from .values import Plain, is_raised, is_unanswered
 
 __all__ = ["Verdict", "judge_outcomes", "kind_of"]
 
@@ -125,7 +125,7 @@ def _mistake(
     if twin:
         return "twin", twin, _slipped_parts(task, form, rights[case])
     raises = expected.get("raises") if isinstance(expected, dict) else None
-    if isinstance(outcome, dict) and "raises" in outcome:
+    if is_raised(outcome):
         return "raised", "", {"error": outcome["raises"], "text": outcome.get("text", ""), "is_meant": bool(raises)}
     if raises:
         return "no refusal", "", {}
@@ -248,7 +248,7 @@ def _other_unit_of_part(form: Parts, pairs: Sequence[tuple[Plain, Plain]]) -> di
 
 
 def _fits_in_unit(form: Form, outcome: Plain, expected: Plain, factor: float) -> bool:
-    if isinstance(expected, dict) and "raises" in expected:
+    if is_raised(expected):
         return False
     size = form.size if isinstance(form, Vector) else None
     row = numbers_of(outcome, size)
