@@ -22,22 +22,21 @@ from typing import Any, NamedTuple
 from tflab import __version__
 from tflab.workbook import places
 from tflab.workbook.cases import CasesError, read_cases
+from tflab.workbook.learner import PRISTINE
 from tflab.workbook.places import Workbook, WorkbookError, read_workbook, workbook_data, workbook_root
 from tflab.workbook.tasks import variant_of
 from tflab.workbook.words import Words
 
 from .feedback import STATUS, WRONG
 from .one import File, Job, graded, graded_twice
-from .pack import check_tasks
+from .pack import DAMAGE, check_tasks
 from .reader import Unreadable, read_bytes, read_notebook
 from .remarks import Remark
 from .transplant import master_of
 
 __all__ = ["Checked", "check_notebook", "main"]
 
-PRISTINE = Path(".tflab", "pristine")
 CELL_S = 20.0  # without a wall: of a kernel that may be the first of the day on a slow disk
-DAMAGE = (KeyError, TypeError, ValueError, IndexError, AttributeError)
 MENDS = "`tflab lab --update` brings it"
 SUM = Words("{points} of {most} points on the public cases.", "공개 문제 기준 {most}점 만점에 {points}점입니다.")
 LATER = Words(

@@ -67,8 +67,6 @@ def main(words: Sequence[str]) -> int:
         _write_reports(records, collection, pack, out, options, wall)
     except (PackError, Unreadable, KernelError, ImportError) as error:
         return _refuse(str(error))
-    except OSError as error:
-        return _refuse(f"{error.filename}: {error.strerror}" if error.filename else str(error))
     except KeyboardInterrupt:
         done = len(list((out / "submissions").glob("*.json")))
         print(

@@ -33,11 +33,12 @@ from tflab.workbook.whole_files import write_whole
 from .roster import Learner
 from .transplant import Master, master_of
 
-__all__ = ["Pack", "PackError", "chapter_cases", "read_pack", "write_chapter", "write_pack"]
+__all__ = ["DAMAGE", "Pack", "PackError", "chapter_cases", "read_pack", "write_chapter", "write_pack"]
 
 FORMAT = 1
 HIDDEN_INPUTS = 8  # at least, for each function
 PACK = "pack.json"
+DAMAGE = (KeyError, TypeError, ValueError, IndexError, AttributeError)  # what reading JSON that is not ours raises
 
 
 class PackError(Exception):
@@ -162,7 +163,7 @@ def read_pack(folder: Path) -> Pack:
             check_tasks(held_cases["tasks"])
         masters = {stem: _read_master(path.parent, stem, cases[stem]) for stem in cases}
         return Pack(held["release"], held["seed"], held["version"], held["language"], roster, cases, masters)
-    except (KeyError, TypeError, ValueError, AttributeError, OSError, CasesError) as error:
+    except (*DAMAGE, OSError, CasesError) as error:
         raise PackError(f"{path.parent} is damaged: {type(error).__name__}: {error}") from None
 
 

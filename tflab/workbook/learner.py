@@ -3,7 +3,7 @@
     lay_out(folder, "en")    writes what is not there yet, and nothing else
     update(folder)           brings in new material around what the learner wrote (see `merge.py`)
 
-    answers_hidden(page)     what a text asks to predict is not in sight before the learner has run it
+    answers_hidden(page, "en")    what a text asks to predict is not in sight before the learner has run it
 
     .tflab/pristine/...      each file as it was handed out: what tells the learner's hand from ours
     .tflab/backups/1/...     each file as it was before an update
@@ -130,7 +130,7 @@ def material(
     for folder in folders:
         for path in sorted((data / folder).glob("*.json" if folder.name == "cases" else "*.ipynb")):
             if folder.parts[0] == "notebooks":
-                yield PurePosixPath(folder, path.name).as_posix(), answers_hidden(path.read_bytes())
+                yield PurePosixPath(folder, path.name).as_posix(), answers_hidden(path.read_bytes(), language)
             elif cases is None:
                 yield PurePosixPath(folder, path.name).as_posix(), path.read_bytes()
             elif path.stem in cases:
@@ -139,7 +139,7 @@ def material(
                 yield PurePosixPath(folder, path.name).as_posix(), content
 
 
-def answers_hidden(page: bytes) -> bytes:
+def answers_hidden(page: bytes, language: str) -> bytes:
     """Return a page without the outputs that it asks to predict, and with the texts that tell them folded.
 
     A page without predictions is returned as it is.
@@ -147,7 +147,6 @@ def answers_hidden(page: bytes) -> bytes:
     if f'"{PREDICTED}"'.encode() not in page:
         return page
     notebook = json.loads(page)
-    language = notebook["metadata"].get("tflab", {}).get("language", "en")
     for cell in notebook["cells"]:
         if PREDICTED not in cell["metadata"].get("tags", ()):
             continue
