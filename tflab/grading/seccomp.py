@@ -65,6 +65,8 @@ ALLOW, KILL, REFUSE = 0x7FFF0000, 0x80000000, 0x00050000
 AT_NUMBER, AT_MACHINE, AT_FIRST_ARGUMENT, AT_FOURTH_ARGUMENT = 0, 4, 16, 40
 PR_SET_SECCOMP, MODE_FILTER = 22, 2
 
+Step = tuple[int, int, int, int]  # code, jump if true, jump if false, number
+
 
 def refuse_dangerous_calls() -> bool:
     """Install the filter for this process and all that it starts; return whether this machine has one."""
@@ -78,7 +80,7 @@ def refuse_dangerous_calls() -> bool:
 
 
 def program(machine: int, refused: Mapping[str, int], clone: int, socket: int, kill: int, mmap: int) -> bytes:
-    """Return the filter: one instruction is (code, jump if true, jump if false, number)."""
+    """Return the filter."""
     steps = [
         (LOAD, 0, 0, AT_MACHINE),
         (EQUAL, 1, 0, machine),
@@ -91,27 +93,23 @@ def program(machine: int, refused: Mapping[str, int], clone: int, socket: int, k
     ]
     for number in sorted(refused.values()):
         steps += [(EQUAL, 0, 1, number), (RETURN, 0, 0, REFUSE | errno.EPERM)]
+    families = [(EQUAL, len(FAMILIES) - i, 0, family) for i, family in enumerate(FAMILIES)]
     steps += [
-        (EQUAL, 0, 5, mmap),
-        (LOAD, 0, 0, AT_FOURTH_ARGUMENT),
-        (AND, 0, 0, SHARED_WITH_FORKS),
-        (EQUAL, 0, 1, SHARED_WITH_FORKS),
-        (RETURN, 0, 0, REFUSE | errno.EPERM),
-        (RETURN, 0, 0, ALLOW),
-        (EQUAL, 0, 4, kill),
-        (LOAD, 0, 0, AT_FIRST_ARGUMENT),
-        (EQUAL, 0, 1, 0xFFFFFFFF),
-        (RETURN, 0, 0, REFUSE | errno.EPERM),
-        (RETURN, 0, 0, ALLOW),
-        (EQUAL, 0, 4, clone),
-        (LOAD, 0, 0, AT_FIRST_ARGUMENT),
-        (ANY_OF, 0, 1, NEW_NAMESPACES),
-        (RETURN, 0, 0, REFUSE | errno.EPERM),
-        (RETURN, 0, 0, ALLOW),
-        (EQUAL, 0, len(FAMILIES) + 2, socket),
-        (LOAD, 0, 0, AT_FIRST_ARGUMENT),
-        *((EQUAL, len(FAMILIES) - i, 0, family) for i, family in enumerate(FAMILIES)),
-        (RETURN, 0, 0, REFUSE | errno.EAFNOSUPPORT),
+        *refuse_if(mmap, AT_FOURTH_ARGUMENT, (AND, 0, 0, SHARED_WITH_FORKS), (EQUAL, 0, 1, SHARED_WITH_FORKS)),
+        *refuse_if(kill, AT_FIRST_ARGUMENT, (EQUAL, 0, 1, 0xFFFFFFFF)),
+        *refuse_if(clone, AT_FIRST_ARGUMENT, (ANY_OF, 0, 1, NEW_NAMESPACES)),
+        *refuse_if(socket, AT_FIRST_ARGUMENT, *families, error=errno.EAFNOSUPPORT),
         (RETURN, 0, 0, ALLOW),
     ]
     return b"".join(struct.pack("HBBI", *step) for step in steps)
+
+
+def refuse_if(call: int, argument: int, *tests: Step, error: int = errno.EPERM) -> list[Step]:
+    """Return the steps that refuse a call by one of its arguments; a test that jumps over the refusal allows it."""
+    return [
+        (EQUAL, 0, len(tests) + 3, call),
+        (LOAD, 0, 0, argument),
+        *tests,
+        (RETURN, 0, 0, REFUSE | error),
+        (RETURN, 0, 0, ALLOW),
+    ]
