@@ -25,10 +25,10 @@ from tflab.bags.progress import Progress
 from tflab.bags.reader import read_bag
 from tflab.bags.recording import recording_from_records
 from tflab.core.records import TransformRecord
-from tflab.doctor.catalogue import faults_of_code
 from tflab.doctor.diagnose import diagnose_recording
-from tflab.robots.faults import Fault
-from tflab.robots.injectors import CannotInject, inject
+from tflab.doctor.report.faults import faults_of_code
+from tflab.robots.faults.catalogue import Fault
+from tflab.robots.faults.inject import CannotInject, inject
 from tflab.robots.teaching import TeachingRobot
 
 LEAST = 0.95  # of recall and of precision

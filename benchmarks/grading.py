@@ -24,7 +24,7 @@ from pathlib import Path
 
 import psutil
 
-from tflab.grading.kernels import choose
+from tflab.grading.kernels.take import choose
 from tflab.workbook.places import workbook_data
 
 BIN = Path(sys.executable).parent

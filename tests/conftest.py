@@ -28,7 +28,7 @@ from urllib.parse import urlsplit
 import pytest
 from hypothesis import settings
 
-from tflab.workbook.lab import QUIET_OPTIONS, quiet_environment
+from tflab.workbook.copy.lab import QUIET_OPTIONS, quiet_environment
 
 # Where a change has to pass, the same examples every time; on a developer's machine, new ones every time.
 settings.register_profile("ci", derandomize=True, deadline=None)

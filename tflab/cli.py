@@ -34,11 +34,11 @@ BY_CTRL_C, BY_A_CLOSED_PIPE = 130, 141
 UNUSABLE = 2
 
 SUBCOMMANDS = {
-    "build": Subcommand("make the pages' notebooks, or HTML, of their sources", "tflab.workbook.build", "build"),
-    "slides": Subcommand("write a page as a deck that works from a disk", "tflab.workbook.slides", "main"),
+    "build": Subcommand("make the pages' notebooks, or HTML, of their sources", "tflab.workbook.pages.build", "build"),
+    "slides": Subcommand("write a page as a deck that works from a disk", "tflab.workbook.pages.slides", "main"),
     "grade": Subcommand("grade what a class handed in", "tflab.grading.grade", "main"),
-    "lab": Subcommand("open your own copy of the workbook in JupyterLab, offline", "tflab.workbook.lab", "lab"),
-    "progress": Subcommand("say which checks you have passed", "tflab.workbook.progress_page", "progress"),
+    "lab": Subcommand("open your own copy of the workbook in JupyterLab, offline", "tflab.workbook.copy.lab", "lab"),
+    "progress": Subcommand("say which checks you have passed", "tflab.workbook.course.progress_page", "progress"),
     "check": Subcommand("see your notebook as grading will", "tflab.grading.check_command", "main"),
     "doctor": Subcommand("say what is wrong with the TF of a recording", "tflab.doctor.command", "main"),
     "export": Subcommand("write an executed notebook as HTML that works from a disk", "tflab.views.export", "main"),

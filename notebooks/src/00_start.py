@@ -62,9 +62,9 @@ from tf2_ros import TransformBroadcaster
 from tflab.core import LATEST
 from tflab.tools.rviz import look
 from tflab.views import frames
-from tflab.workbook.course_map import draw_course
-from tflab.workbook.environment import check_environment
-from tflab.workbook.progress_page import show_progress
+from tflab.workbook.course.course_map import draw_course
+from tflab.workbook.copy.environment import check_environment
+from tflab.workbook.course.progress_page import show_progress
 
 # %% [markdown] lang="en" name="environment-why" slide="skip"
 # ## Is everything there?

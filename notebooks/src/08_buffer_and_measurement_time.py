@@ -83,11 +83,11 @@ from tflab.robots.teaching import Source, TeachingRobot
 from tflab.robots.world import BALL, ROOM
 from tflab.ros import new_graph
 from tflab.tools.buffers import draw_history
-from tflab.views import latency, scene_helpers
+from tflab.views import latency
 from tflab.views.moments import draw_moments
 from tflab.views.panels import latency_panel, timeline_panel
 from tflab.views.placed import draw_placed
-from tflab.views.scene import Scene
+from tflab.views.scene import Scene, drawing
 from tflab.views.timeline import lane_from_history
 
 # %% [markdown] lang="en" name="story" slide="slide"
@@ -327,12 +327,12 @@ scene.look((1.0, -5.2, 3.2), (2.1, 0.4, 0.0))
 def draw(delay_s):
     then_T_now = latency.drive(1.0, 0.5, seconds(delay_s))
     drawn_at = then_T_now.apply((5.0, 0.0, 0.3))
-    scene_helpers.draw_frame(scene, "robot at the stamp", Transform())
-    scene_helpers.draw_frame(scene, "robot now", then_T_now, ghost=True)
-    scene_helpers.draw_arrow(scene, "ball", (5.0, 0.0, 0.0), (5.0, 0.0, 0.3), "ball", radius_m=0.02)
-    scene_helpers.draw_arrow(scene, "sight", then_T_now.translation, drawn_at, radius_m=0.01)
+    drawing.draw_frame(scene, "robot at the stamp", Transform())
+    drawing.draw_frame(scene, "robot now", then_T_now, ghost=True)
+    drawing.draw_arrow(scene, "ball", (5.0, 0.0, 0.0), (5.0, 0.0, 0.3), "ball", radius_m=0.02)
+    drawing.draw_arrow(scene, "sight", then_T_now.translation, drawn_at, radius_m=0.01)
     ends = ((5.0, 0.0, 0.3), drawn_at)
-    scene_helpers.draw_arrow(scene, "error", *ends, "error", scene_helpers.ACCENT, radius_m=0.04)
+    drawing.draw_arrow(scene, "error", *ends, "error", drawing.ACCENT, radius_m=0.04)
 
 
 scene.sweep("delay", [0.05 * i for i in range(11)], draw, "s", start=4)

@@ -97,8 +97,7 @@ from tflab.views.ages import Curve, draw_ages
 from tflab.views.journey import Journey, draw_journeys
 from tflab.views.panels import timeline_panel
 from tflab.views.placed import draw_placed
-from tflab.views.scene import Scene
-from tflab.views.scene_helpers import draw_frame, draw_path, draw_scan
+from tflab.views.scene import Scene, draw_frame, draw_path, draw_scan
 from tflab.views.work import Work, draw_work
 
 # %% [markdown] lang="en" name="story" slide="slide"

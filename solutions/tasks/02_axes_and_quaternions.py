@@ -12,8 +12,8 @@ import numpy as np
 
 from tflab.core import Transform
 from tflab.core.quaternions import wxyz_from_xyzw
-from tflab.workbook.forms import Choice, Number, Parts, Quaternion, Vector
-from tflab.workbook.tasks import Task, Twin, Words
+from tflab.workbook.answers.forms import Choice, Number, Parts, Quaternion, Vector
+from tflab.workbook.tasks.task import Task, Twin, Words
 
 SIGN = Choice(("positive", "negative"))
 SIGNS = {

@@ -13,8 +13,8 @@ import numpy as np
 from tflab.core import LATEST, StampedTransform, Transform
 from tflab.ros.messages import geometry_msgs
 from tflab.views.sentence import echo_text
-from tflab.workbook.forms import Angle, Choice, Message, Number, Parts, Sequence, Vector
-from tflab.workbook.tasks import Task, Twin, Words
+from tflab.workbook.answers.forms import Angle, Choice, Message, Number, Parts, Sequence, Vector
+from tflab.workbook.tasks.task import Task, Twin, Words
 
 FRAMES = ("map", "odom", "base_link", "laser_frame", "camera_link", "camera_optical_frame")
 PLANAR = Parts({"x": Number("m"), "y": Number("m"), "yaw": Angle()})

@@ -5,10 +5,10 @@ import math
 from tflab.core import StampedTransform, Transform, seconds
 from tflab.ros.convert import msg_from_stamp, msg_from_stamped
 from tflab.ros.messages import geometry_msgs, std_msgs
-from tflab.ros.tf2_buffer import Buffer
+from tflab.ros.tf2.buffer import Buffer
 from tflab.ros.time import Time
-from tflab.workbook.forms import Angle, Choice, Message, Number, Parts, Vector
-from tflab.workbook.tasks import Task, Twin, Words
+from tflab.workbook.answers.forms import Angle, Choice, Message, Number, Parts, Vector
+from tflab.workbook.tasks.task import Task, Twin, Words
 
 # -- E8.1: the latest common time -----------------------------------------------------
 
@@ -165,7 +165,7 @@ def sightings(rng):
 
 
 def _moved(message, transform):
-    from tflab.ros.geometry import do_transform_point
+    from tflab.ros.tf2.geometry import do_transform_point
 
     return do_transform_point(message, transform)
 

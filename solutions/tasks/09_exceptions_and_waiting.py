@@ -12,10 +12,10 @@ import numpy as np
 from tflab.core import BufferCore, StampedTransform, Transform, TransformException, seconds
 from tflab.ros.duration import Duration
 from tflab.ros.messages import geometry_msgs
-from tflab.ros.tf2_buffer import Buffer
+from tflab.ros.tf2.buffer import Buffer
 from tflab.ros.time import Time
-from tflab.workbook.forms import Choice, Number, Parts, Sequence
-from tflab.workbook.tasks import Task, Twin, Words
+from tflab.workbook.answers.forms import Choice, Number, Parts, Sequence
+from tflab.workbook.tasks.task import Task, Twin, Words
 
 # E9.1: eight lines -----------------------------------------------------------------
 

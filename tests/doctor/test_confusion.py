@@ -6,11 +6,11 @@ benchmarks/doctor.py has the same matrix with more seeds, and for given bags.
 import pytest
 
 from tflab.bags.recording import recording_from_records
-from tflab.doctor.catalogue import CODES_OF_FAULT, faults_of_code
 from tflab.doctor.diagnose import diagnose_recording
-from tflab.doctor.texts import TEXTS
-from tflab.robots.faults import Fault
-from tflab.robots.injectors import inject, inject_all
+from tflab.doctor.report.faults import CODES_OF_FAULT, faults_of_code
+from tflab.doctor.report.texts import TEXTS
+from tflab.robots.faults.catalogue import Fault
+from tflab.robots.faults.inject import inject, inject_all
 from tflab.robots.teaching import TeachingRobot
 
 SEEDS = (0, 1, 2)

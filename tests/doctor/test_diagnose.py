@@ -11,7 +11,7 @@ from tflab.core import BufferCore, StampedTransform, Transform
 from tflab.core.records import TransformRecord
 from tflab.doctor.diagnose import diagnose_buffer, diagnose_recording
 from tflab.doctor.doctor import doctor
-from tflab.doctor.texts import sentences
+from tflab.doctor.report.texts import sentences
 from tflab.robots.nodes import launch
 from tflab.ros.graph import new_graph
 from tflab.tools import ros2

@@ -12,8 +12,8 @@ from tflab.bags.recording import recording_from_records
 from tflab.cli import main
 from tflab.core import Transform
 from tflab.doctor.diagnose import diagnose_recording
-from tflab.doctor.report_html import html_from_report
-from tflab.robots.injectors import inject
+from tflab.doctor.report.html import html_from_report
+from tflab.robots.faults.inject import inject
 from tflab.robots.teaching import TeachingRobot
 from tflab.ros.convert import msg_from_stamped
 from tflab.ros.messages.tf2_msgs import TFMessage

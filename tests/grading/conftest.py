@@ -27,7 +27,7 @@ import tiny  # noqa: E402
 def course(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tiny.Course]:
     """The tiny course, released; tests only read it, and tests of other folders never see it."""
     from tflab.grading.release import release
-    from tflab.grading.roster import Learner
+    from tflab.grading.submissions.roster import Learner
 
     folder = tmp_path_factory.mktemp("course")
     workbook = tiny.write_tiny_workbook(folder / "workbook")

@@ -138,8 +138,8 @@ FORGING = [
         WRONG
         + """
 import tflab.workbook.measures, tflab.workbook.verdict, tflab.workbook.sealed
-tflab.workbook.measures.Form.judge = lambda *a: [True] * 6
-tflab.workbook.sealed.judge = lambda *a: [True] * 6
+tflab.workbook.answers.form.Form.judge = lambda *a: [True] * 6
+tflab.workbook.answers.sealed.judge = lambda *a: [True] * 6
 """,
     ),
     function(
@@ -1253,7 +1253,7 @@ def F(transform):
     function("builtins deleted", "forging", WRONG + "import builtins\nfor n in ('print', 'len', 'isinstance', 'type', '__import__'): delattr(builtins, n)"),
     function("an audit hook that ends Python", "forging", WRONG + "import os, sys\nsys.addaudithook(lambda event, args: os._exit(3) if event == 'compile' else None)"),
     function("a transformer that makes every call 1", "forging", WRONG + "import ast\nclass One(ast.NodeTransformer):\n    def visit_Call(self, node): return ast.Constant(1)\nget_ipython().ast_transformers.append(One())"),
-    function("a probe that asks its neighbour", "forging", WRONG + "import tflab.grading.inside as inside\n_p = inside.probe\ninside.probe = lambda identity, answer, args: _p(identity, lambda: compose, args)"),
+    function("a probe that asks its neighbour", "forging", WRONG + "import tflab.grading.kernels.probe as inside\n_p = inside.probe\ninside.probe = lambda identity, answer, args: _p(identity, lambda: compose, args)"),
     function("nothing and no one published", "forging", WRONG + "get_ipython().display_pub.publish = lambda *a, **k: None"),
     function("every descriptor closed", "forging", WRONG + "import os\nos.closerange(0, 256)"),
     function("half a frame on the wire", "forging", WRONG + WRITE + "os.write(wire, b'\\0\\0\\0\\xff{')"),

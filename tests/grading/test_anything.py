@@ -13,13 +13,13 @@ from typing import Any
 import pytest
 import tiny
 
-from tflab.grading.class_page import class_page
-from tflab.grading.feedback import feedback_page
-from tflab.grading.gradebook import grades_csv
-from tflab.grading.limits import Limits
-from tflab.grading.one import File, Job, graded, record_with
-from tflab.grading.pack import Pack, read_pack
-from tflab.grading.plan import PlannedCell
+from tflab.grading.judging.pack import Pack, read_pack
+from tflab.grading.judging.plan import PlannedCell
+from tflab.grading.judging.submission import File, Job, graded, record_with
+from tflab.grading.kernels.limits import Limits
+from tflab.grading.reports.class_page import class_page
+from tflab.grading.reports.feedback import feedback_page
+from tflab.grading.reports.gradebook import grades_csv
 
 ANYTHING = (
     None, True, 0, -1, 1e308, float("nan"), "", "e3-2-answer", "E3.2", "\ud800", "\x00", "x" * 300, [], {}, [[]],

@@ -10,14 +10,14 @@ from typing import Any
 
 import pytest
 
-from tflab.grading import inside
-from tflab.grading.attempt import Attempt, NotRun, attempt
-from tflab.grading.limits import Limits
-from tflab.grading.one import File, Job, graded, record_with
-from tflab.grading.plan import BRIEFLY, PlannedCell, plan
-from tflab.grading.transplant import Piece, Transplant
-from tflab.workbook.forms import Number
-from tflab.workbook.values import raised, to_plain
+from tflab.grading.judging.attempt import Attempt, NotRun, attempt
+from tflab.grading.judging.plan import BRIEFLY, PlannedCell, plan
+from tflab.grading.judging.submission import File, Job, graded, record_with
+from tflab.grading.judging.transplant import Piece, Transplant
+from tflab.grading.kernels import probe as inside
+from tflab.grading.kernels.limits import Limits
+from tflab.workbook.answers.forms import Number
+from tflab.workbook.answers.values import raised, to_plain
 
 TASKS = {
     "E1.1": {"answer": "a", "is_function": False, "given": {"b": 2}, "cases": [{"args": None}]},

@@ -13,10 +13,10 @@ import pytest
 import tiny
 
 from tflab.grading.check_command import main
-from tflab.grading.limits import Limits
-from tflab.grading.plain_kernel import run_plainly
-from tflab.grading.plan import PlannedCell
-from tflab.grading.transplant import Piece
+from tflab.grading.judging.plain_kernel import run_plainly
+from tflab.grading.judging.plan import PlannedCell
+from tflab.grading.judging.transplant import Piece
+from tflab.grading.kernels.limits import Limits
 
 
 @pytest.fixture
@@ -89,7 +89,7 @@ def test_without_a_sandbox_an_ordinary_kernel_does_and_says_so(copy: Path, capsy
 
 
 def test_what_is_slow_has_its_second_chance_here_too(copy: Path, capsys: pytest.CaptureFixture, monkeypatch) -> None:
-    monkeypatch.setattr("tflab.grading.limits.Limits", partial(Limits, cell_s=2.0, notebook_s=12.0))
+    monkeypatch.setattr("tflab.grading.kernels.limits.Limits", partial(Limits, cell_s=2.0, notebook_s=12.0))
     slow = "import time\ntime.sleep(3)\n" + tiny.RIGHT["e3-1-answer"]
     path = answer(copy, {**tiny.RIGHT, "e3-1-answer": slow, "e3-3-answer": "while True: pass"})
     assert main([str(path)]) == 1
@@ -154,5 +154,6 @@ def test_damaged_cases_are_one_line(copy: Path, capsys: pytest.CaptureFixture) -
 
 def test_what_learners_and_releases_need_is_there_where_linux_is_not() -> None:
     gone = "import sys; sys.modules.update(dict.fromkeys(('resource', 'pwd', 'grp')))"
-    rooms = "import tflab.grading.check_command, tflab.grading.release, tflab.grading.grade, tflab.grading.plain_kernel"
-    subprocess.run([sys.executable, "-c", f"{gone}; {rooms}"], check=True)
+    rooms = "check_command", "release", "grade", "judging.plain_kernel"
+    imports = "; ".join(f"import tflab.grading.{room}" for room in rooms)
+    subprocess.run([sys.executable, "-c", f"{gone}; {imports}"], check=True)

@@ -17,9 +17,9 @@ import pytest
 import tiny
 
 from tflab.grading import batch, grade
-from tflab.grading.one import Job
-from tflab.grading.pack import read_pack
-from tflab.grading.sandbox import Sandbox
+from tflab.grading.judging.pack import read_pack
+from tflab.grading.judging.submission import Job
+from tflab.grading.kernels.sandbox import Sandbox
 
 ADDED = "def length(x, y):\n    return x + y"
 HANG = "def length(x, y):\n    while True: pass"

@@ -14,7 +14,7 @@ from types import SimpleNamespace
 import pytest
 import tiny
 
-from tflab.grading.pack import read_pack
+from tflab.grading.judging.pack import read_pack
 
 PLUGIN = "tflab.grading.plugin"
 
@@ -54,7 +54,8 @@ def test_what_cannot_be_read_is_said_with_its_tasks(course: tiny.Course, tmp_pat
 def test_what_does_not_end_is_tried_once_more(
     course: tiny.Course, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    from tflab.grading import batch, one, plugin
+    from tflab.grading import batch, plugin
+    from tflab.grading.judging import submission as one
 
     asked = []
     monkeypatch.setattr(

@@ -10,9 +10,9 @@ from pathlib import Path
 
 import pytest
 
-from tflab.grading import reader
-from tflab.grading.reader import Unreadable, read_bytes, read_notebook
-from tflab.grading.wire import Wire, WireFault
+from tflab.grading.kernels.wire import Wire, WireFault
+from tflab.grading.submissions import reader
+from tflab.grading.submissions.reader import Unreadable, read_bytes, read_notebook
 
 ANSWER = {"cell_type": "code", "id": "e3-2-answer", "metadata": {}, "source": "x = '좌표계'"}
 

@@ -11,10 +11,10 @@ import pytest
 import tiny
 
 from tflab.grading import release as releasing
-from tflab.grading.pack import PackError, chapter_cases, learners_cases, read_pack
-from tflab.grading.roster import Learner
+from tflab.grading.judging.pack import PackError, chapter_cases, learners_cases, read_pack
+from tflab.grading.submissions.roster import Learner
+from tflab.workbook.answers.sealed import is_sealed
 from tflab.workbook.places import read_workbook
-from tflab.workbook.sealed import is_sealed
 
 
 def texts_below(folder: Path) -> str:

@@ -9,17 +9,17 @@ from typing import Any
 import pytest
 import tiny
 
-from tflab.grading.class_figures import bars, histogram
-from tflab.grading.class_page import LEARNERS, NAMED, class_page, mistakes
-from tflab.grading.feedback import LEVELS, feedback_page
-from tflab.grading.gradebook import file_name, grades_csv
-from tflab.grading.html import prose, text
-from tflab.grading.misconceptions import MISCONCEPTIONS
-from tflab.grading.pack import read_pack
+from tflab.grading.judging.pack import read_pack
+from tflab.grading.kernels.sandbox import Sandbox
 from tflab.grading.progress_bar import ProgressBar
-from tflab.grading.reasons import REASONS
-from tflab.grading.remarks import Remark
-from tflab.grading.sandbox import Sandbox
+from tflab.grading.reports.class_figures import bars, histogram
+from tflab.grading.reports.class_page import LEARNERS, NAMED, class_page, mistakes
+from tflab.grading.reports.feedback import LEVELS, feedback_page
+from tflab.grading.reports.gradebook import file_name, grades_csv
+from tflab.grading.reports.html import prose, text
+from tflab.grading.reports.misconceptions import MISCONCEPTIONS
+from tflab.grading.submissions.reasons import REASONS
+from tflab.grading.submissions.remarks import Remark
 from tflab.workbook.words import Words
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tflab.grading.roster import Learner, is_learner_id, read_roster
+from tflab.grading.submissions.roster import Learner, is_learner_id, read_roster
 
 
 def test_a_row_is_a_learner() -> None:

@@ -10,13 +10,13 @@ from types import SimpleNamespace
 
 import pytest
 
-from tflab.grading import items
-from tflab.grading.kernels import Kernel, KernelError, Kernels, choose, for_this_process
-from tflab.grading.limits import Limits
-from tflab.grading.running import Cell, Run, run_cells
-from tflab.grading.sandbox import Sandbox
-from tflab.grading.shell import PROBE_MIME
-from tflab.grading.wire import Wire
+from tflab.grading.judging import nbval_items as items
+from tflab.grading.judging.nbval_run import Cell, Run, run_cells
+from tflab.grading.kernels.ipython import PROBE_MIME
+from tflab.grading.kernels.limits import Limits
+from tflab.grading.kernels.sandbox import Sandbox
+from tflab.grading.kernels.take import Kernel, KernelError, Kernels, choose, for_this_process
+from tflab.grading.kernels.wire import Wire
 
 SHORT = Limits(cell_s=1.0, notebook_s=5.0)
 LONG = Limits(cell_s=30.0, notebook_s=60.0)

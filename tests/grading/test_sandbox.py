@@ -12,11 +12,11 @@ from pathlib import Path
 import psutil
 import pytest
 
-from tflab.grading import landlock
-from tflab.grading.kernels import Kernel, KernelError, Kernels, choose
-from tflab.grading.limits import Limits
-from tflab.grading.sandbox import LEVELS, Sandbox
-from tflab.grading.shell import PROBE_MIME
+from tflab.grading.kernels import landlock
+from tflab.grading.kernels.ipython import PROBE_MIME
+from tflab.grading.kernels.limits import Limits
+from tflab.grading.kernels.sandbox import LEVELS, Sandbox
+from tflab.grading.kernels.take import Kernel, KernelError, Kernels, choose
 
 SAY = f"""
 import os, sys
@@ -520,9 +520,9 @@ def test_nothing_is_left_in_the_folder_for_temporary_files(kernels: Kernels) -> 
 def test_a_kernel_ends_with_the_grader_even_if_that_is_killed(tmp_path: Path, kernels: Kernels) -> None:
     script = tmp_path / "grader.py"
     script.write_text(
-        "from tflab.grading.kernels import Kernels\n"
-        "from tflab.grading.limits import Limits\n"
-        "from tflab.grading.sandbox import Sandbox\n"
+        "from tflab.grading.kernels.take import Kernels\n"
+        "from tflab.grading.kernels.limits import Limits\n"
+        "from tflab.grading.kernels.sandbox import Sandbox\n"
         f"kernels = Kernels(Sandbox({kernels.sandbox.level!r}), ahead=0)\n"
         "kernel = kernels.take(Limits())\n"
         "code = 'import ctypes\\nctypes.CDLL(None).prctl(1, 0)\\nwhile True: pass'\n"
@@ -609,8 +609,8 @@ def test_a_wall_that_does_not_exist_is_refused_with_those_that_do() -> None:
 def test_somebody_who_is_not_root_has_the_same_walls() -> None:
     code = (
         "import os; assert os.getuid() == 1000\n"
-        "from tflab.grading.kernels import Kernels, choose\n"
-        "from tflab.grading.limits import Limits\n"
+        "from tflab.grading.kernels.take import Kernels, choose\n"
+        "from tflab.grading.kernels.limits import Limits\n"
         "print(choose().level)\n"
     )
     words = ["unshare", "--user", "--map-user=1000", "--map-group=1000", sys.executable, "-c", code]
@@ -627,5 +627,5 @@ def test_solutions_are_hidden_wherever_else_the_workbook_is_said_to_be(
     for folder in (elsewhere / "solutions", package / "_workbook" / "solutions"):
         folder.mkdir(parents=True)
     monkeypatch.setenv("TFLAB_WORKBOOK", str(elsewhere))
-    monkeypatch.setattr("tflab.grading.sandbox.tflab.__file__", str(package / "__init__.py"))
+    monkeypatch.setattr("tflab.grading.kernels.sandbox.tflab.__file__", str(package / "__init__.py"))
     assert Sandbox().hidden() == (str(elsewhere / "solutions"), str(package / "_workbook" / "solutions"))

@@ -12,11 +12,11 @@ from pathlib import Path
 
 import pytest
 
-from tflab.grading import archives
-from tflab.grading.archives import archive_members, safe_parts
-from tflab.grading.reader import Unreadable
-from tflab.grading.roster import Learner
-from tflab.grading.submissions import Collection, collect
+from tflab.grading.submissions import archives
+from tflab.grading.submissions.archives import archive_members, safe_parts
+from tflab.grading.submissions.collect import Collection, collect
+from tflab.grading.submissions.reader import Unreadable
+from tflab.grading.submissions.roster import Learner
 
 CHAPTERS = ["02_axes", "03_tiny"]
 ROSTER = {"s101": Learner("s101", "Kim Minji", "ko"), "s102": Learner("s102", "Ada Byron"), "7": Learner("7", "Lee")}

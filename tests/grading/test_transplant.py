@@ -7,9 +7,9 @@ import json
 import pytest
 import tiny
 
-from tflab.grading.pack import read_pack
-from tflab.grading.reader import read_notebook
-from tflab.grading.transplant import Master, Transplant, answers_most, transplant
+from tflab.grading.judging.pack import read_pack
+from tflab.grading.judging.transplant import Master, Transplant, answers_most, transplant
+from tflab.grading.submissions.reader import read_notebook
 
 
 @pytest.fixture(scope="module")

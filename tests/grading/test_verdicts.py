@@ -9,9 +9,9 @@ from typing import Any
 import pytest
 import tiny
 
-from tflab.grading.pack import read_pack
-from tflab.grading.remarks import KINDS, Remark
-from tflab.grading.verdicts import Verdict, judged, safe_error_name
+from tflab.grading.judging.marks import Verdict, judged, safe_error_name
+from tflab.grading.judging.pack import read_pack
+from tflab.grading.submissions.remarks import KINDS, Remark
 
 
 @pytest.fixture(scope="module")

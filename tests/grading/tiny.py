@@ -7,10 +7,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from tflab.workbook.cases import PUBLIC_SEED, cases_json, make_cases
-from tflab.workbook.editions import exercise_notebook, lecture_notebook, text_of
-from tflab.workbook.reference import CodeCell, Solution
-from tflab.workbook.source import read_page
+from tflab.workbook.pages.editions import exercise_notebook, lecture_notebook, text_of
+from tflab.workbook.pages.source import read_page
+from tflab.workbook.tasks.cases import PUBLIC_SEED, cases_json, make_cases
+from tflab.workbook.tasks.reference import CodeCell, Solution
 
 STEM = "03_tiny"
 

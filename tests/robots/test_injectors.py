@@ -10,9 +10,9 @@ import pytest
 
 from tflab.core import LATEST, BufferCore, ConnectivityException, LookupException, StampedTransform, Transform, seconds
 from tflab.core.records import TransformRecord
-from tflab.robots.faults import CATALOGUE, Fault
-from tflab.robots.injectors import INJECTORS, CannotInject, inject, inject_all, possible_faults
-from tflab.robots.streams import edges_of
+from tflab.robots.faults.catalogue import CATALOGUE, Fault
+from tflab.robots.faults.inject import INJECTORS, CannotInject, inject, inject_all, possible_faults
+from tflab.robots.faults.streams import edges_of
 from tflab.robots.teaching import TeachingRobot
 
 CLEAN = TeachingRobot().records(until_s=21.0)

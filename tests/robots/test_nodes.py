@@ -15,8 +15,8 @@ from tflab.ros.messages import geometry_msgs, nav_msgs, sensor_msgs, tf2_msgs
 from tflab.ros.node import Node
 from tflab.ros.parameter import Parameter
 from tflab.ros.qos import qos_profile_sensor_data
-from tflab.ros.tf2_buffer import Buffer
-from tflab.ros.tf2_listener import TransformListener
+from tflab.ros.tf2.buffer import Buffer
+from tflab.ros.tf2.listener import TransformListener
 
 
 class Audience:

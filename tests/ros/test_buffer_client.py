@@ -20,8 +20,8 @@ from tflab.ros.messages.geometry_msgs import TransformStamped
 from tflab.ros.messages.tf2_msgs import LookupTransform, TF2Error
 from tflab.ros.node import Node
 from tflab.ros.task import Future
-from tflab.ros.tf2_buffer import Buffer
-from tflab.ros.tf2_client import BufferClient
+from tflab.ros.tf2.buffer import Buffer
+from tflab.ros.tf2.client import BufferClient
 from tflab.ros.time import Time
 
 NUMBERS = {

@@ -5,7 +5,11 @@ import math
 import numpy as np
 import pytest
 
-from tflab.ros.clouds import (
+from tflab.ros.messages import copy_message
+from tflab.ros.messages.geometry_msgs import Quaternion, Transform, TransformStamped, Vector3
+from tflab.ros.messages.sensor_msgs import PointCloud2, PointField
+from tflab.ros.messages.std_msgs import Header
+from tflab.ros.tf2.clouds import (
     create_cloud,
     create_cloud_xyz32,
     do_transform_cloud,
@@ -15,10 +19,6 @@ from tflab.ros.clouds import (
     read_points_numpy,
     transform_points,
 )
-from tflab.ros.messages import copy_message
-from tflab.ros.messages.geometry_msgs import Quaternion, Transform, TransformStamped, Vector3
-from tflab.ros.messages.sensor_msgs import PointCloud2, PointField
-from tflab.ros.messages.std_msgs import Header
 
 POINTS = [(1.0, 2.0, 3.0), (-1.0, 0.0, 0.5)]
 HALF = math.sqrt(0.5)

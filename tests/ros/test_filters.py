@@ -2,9 +2,9 @@
 
 import pytest
 
-from tflab.ros.filters import ApproximateTimeSynchronizer, Cache, SimpleFilter, Subscriber, TimeSynchronizer
 from tflab.ros.messages.geometry_msgs import PointStamped
 from tflab.ros.messages.std_msgs import String
+from tflab.ros.tf2.filters import ApproximateTimeSynchronizer, Cache, SimpleFilter, Subscriber, TimeSynchronizer
 from tflab.ros.time import Time
 
 MS = 1_000_000

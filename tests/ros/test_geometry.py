@@ -8,17 +8,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tflab.core import quaternions
-from tflab.ros import geometry
-from tflab.ros.geometry import (
-    TRANSFORMS,
-    do_transform_point,
-    do_transform_polygon_stamped,
-    do_transform_pose,
-    do_transform_pose_stamped,
-    do_transform_pose_with_covariance_stamped,
-    do_transform_vector3,
-    transform_covariance,
-)
 from tflab.ros.messages import copy_message
 from tflab.ros.messages.geometry_msgs import (
     Point,
@@ -32,6 +21,17 @@ from tflab.ros.messages.geometry_msgs import (
     TransformStamped,
     Vector3,
     Vector3Stamped,
+)
+from tflab.ros.tf2 import geometry
+from tflab.ros.tf2.geometry import (
+    TRANSFORMS,
+    do_transform_point,
+    do_transform_polygon_stamped,
+    do_transform_pose,
+    do_transform_pose_stamped,
+    do_transform_pose_with_covariance_stamped,
+    do_transform_vector3,
+    transform_covariance,
 )
 
 HALF = math.sqrt(0.5)

@@ -13,9 +13,9 @@ from tflab.ros.messages import geometry_msgs, rcl_interfaces
 from tflab.ros.node import Node
 from tflab.ros.parameter import Parameter
 from tflab.ros.qos import HistoryPolicy, QoSProfile
-from tflab.ros.tf2_broadcaster import TransformBroadcaster
-from tflab.ros.tf2_buffer import Buffer
-from tflab.ros.tf2_listener import TransformListener
+from tflab.ros.tf2.broadcaster import TransformBroadcaster
+from tflab.ros.tf2.buffer import Buffer
+from tflab.ros.tf2.listener import TransformListener
 from tflab.ros.time import Time
 from tflab.ros.timer import TimerInfo
 

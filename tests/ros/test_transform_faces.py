@@ -5,7 +5,8 @@ import importlib
 import pytest
 
 import tflab.ros
-from tflab.ros import clouds, filters, geometry, messages
+from tflab.ros import messages
+from tflab.ros.tf2 import clouds, filters, geometry
 
 
 @pytest.fixture(autouse=True)

@@ -3,7 +3,7 @@
 import pytest
 
 from tflab.core import BufferCore, LookupException, StampedTransform, Transform, seconds
-from tflab.ros.tf2_buffer import Buffer
+from tflab.ros.tf2.buffer import Buffer
 from tflab.tools.buffers import draw_buffer, draw_history, draw_question, edges_between
 
 

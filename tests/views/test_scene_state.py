@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tflab.core import Transform
-from tflab.views.scene_state import SceneState, pack, plain, with_stable_ids
+from tflab.views.scene.state import SceneState, pack, plain, with_stable_ids
 
 
 def heard(*commands: dict) -> SceneState:

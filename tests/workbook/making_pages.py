@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from tflab.workbook.source import Page, read_page
+from tflab.workbook.pages.source import Page, read_page
 
 TITLE = (
     '# %% [markdown] lang="en" name="title"\n# # A page\n\n# %% [markdown] lang="ko" name="title"\n# # 한 쪽\n\n'
@@ -38,7 +38,7 @@ def page(root: Path, *parts: str, **where: str) -> Page:
     return read_page(written(root, *parts, **where))
 
 
-TASKS = """from tflab.workbook.forms import Number
+TASKS = """from tflab.workbook.answers.forms import Number
 from tflab.workbook.tasks import Task, Twin, Words
 
 LOOK = Words(en="Look.", ko="보십시오.")

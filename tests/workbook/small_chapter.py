@@ -6,7 +6,7 @@ import json
 from pathlib import Path
 from types import SimpleNamespace
 
-from tflab.workbook import cases
+from tflab.workbook.tasks import cases
 
 STEM = "03_small"
 TASKS = """

@@ -13,8 +13,8 @@ from pathlib import Path
 import pytest
 from making_pages import HALF, LOAD, TASKS, THIRD, TITLE, code, exercise, text, written
 
-from tflab.workbook.build import build, build_pages, sources
-from tflab.workbook.stale import difference
+from tflab.workbook.pages.build import build, build_pages, sources
+from tflab.workbook.pages.stale import difference
 
 LECTURE = (
     TITLE,
@@ -153,7 +153,7 @@ def test_a_page_is_asked_for_by_its_number_and_one_that_is_not_there_is_said(wor
 
 
 def test_without_jupytext_it_says_what_to_install(workbook: Path, monkeypatch, capsys) -> None:
-    monkeypatch.setattr("tflab.workbook.build.find_spec", lambda name: None)
+    monkeypatch.setattr("tflab.workbook.pages.build.find_spec", lambda name: None)
     assert build(["--root", str(workbook)]) == 2
     assert "pip install 'tflab[dev]'" in capsys.readouterr().err
 
@@ -193,9 +193,9 @@ BROKEN = {
 
 @pytest.mark.parametrize("half, wrong", BROKEN.values(), ids=BROKEN.keys())
 def test_a_fault_of_an_exercise_is_found_before_it_is_run(tmp_path: Path, half: str, wrong: str) -> None:
-    from tflab.workbook.exercise_rules import exercise_faults
-    from tflab.workbook.source import read_page
-    from tflab.workbook.tasks import read_tasks
+    from tflab.workbook.pages.exercise_rules import exercise_faults
+    from tflab.workbook.pages.source import read_page
+    from tflab.workbook.tasks.task import read_tasks
 
     page = read_page(exercise(tmp_path, TITLE, LOAD, half, THIRD))
     found = exercise_faults(page, read_tasks(tmp_path / "solutions" / "tasks" / "03_x.py"))

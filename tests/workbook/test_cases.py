@@ -8,9 +8,9 @@ import sys
 import pytest
 
 from tflab.core import Transform
-from tflab.workbook import cases
-from tflab.workbook.tasks import TaskError, variant_of
-from tflab.workbook.values import from_plain
+from tflab.workbook.answers.values import from_plain
+from tflab.workbook.tasks import cases
+from tflab.workbook.tasks.task import TaskError, variant_of
 
 from . import small_chapter as chapter
 

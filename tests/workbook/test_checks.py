@@ -11,12 +11,12 @@ from tflab.core import BufferCore, LookupException, Transform
 from tflab.ros.messages import geometry_msgs
 from tflab.ros.time import Time
 from tflab.workbook import check, checks, hint, solution, task
-from tflab.workbook.forms import Angle, Choice, Number, Parts, Sequence, Vector
+from tflab.workbook.answers.forms import Angle, Choice, Number, Parts, Sequence, Vector
+from tflab.workbook.answers.sealed import seal
+from tflab.workbook.answers.showing import show, show_in_a_line
+from tflab.workbook.answers.values import raised, to_plain
 from tflab.workbook.places import WorkbookError
-from tflab.workbook.sealed import seal
-from tflab.workbook.showing import show, show_in_a_line
-from tflab.workbook.values import raised, to_plain
-from tflab.workbook.verdict import judge_outcomes
+from tflab.workbook.tasks.verdict import judge_outcomes
 
 from . import small_chapter as chapter
 

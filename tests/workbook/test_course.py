@@ -8,14 +8,14 @@ from pathlib import Path
 
 import pytest
 
-from tflab.workbook.cases import read_cases
-from tflab.workbook.contents import GLOSSARY_PAGE, START_PAGE, chapter_table, glossary_page, start_page
-from tflab.workbook.course import read_course
-from tflab.workbook.course_map import draw_course
-from tflab.workbook.glossary import UnknownTerm, expand, read_glossary
+from tflab.workbook.course.contents import GLOSSARY_PAGE, START_PAGE, chapter_table, glossary_page, start_page
+from tflab.workbook.course.course import read_course
+from tflab.workbook.course.course_map import draw_course
+from tflab.workbook.course.glossary import UnknownTerm, expand, read_glossary
+from tflab.workbook.pages.source import read_page
 from tflab.workbook.places import CASES, chapters, workbook_data
-from tflab.workbook.source import read_page
-from tflab.workbook.tasks import chapter_of
+from tflab.workbook.tasks.cases import read_cases
+from tflab.workbook.tasks.task import chapter_of
 
 # The lecture: 31 sections, 15 questions, 14 things to have done, 8 objectives; which chapter has which.
 CHAPTERS = [
@@ -112,7 +112,7 @@ def test_the_map_draws_each_chapter_behind_those_that_it_builds_on() -> None:
 
 def test_pages_that_are_made_from_files_are_in_step_with_them() -> None:
     root = workbook_data()
-    remedy = "run: python -m tflab.workbook.contents, then: tflab build 00 90"
+    remedy = "run: python -m tflab.workbook.course.contents, then: tflab build 00 90"
     assert (root / START_PAGE).read_text(encoding="utf-8") == start_page(root), remedy
     assert (root / GLOSSARY_PAGE).read_text(encoding="utf-8") == glossary_page(), remedy
 

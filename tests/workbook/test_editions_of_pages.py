@@ -8,10 +8,10 @@ from pathlib import Path
 
 import pytest
 
-from tflab.workbook.build import build_pages, sources
+from tflab.workbook.pages.build import build_pages, sources
+from tflab.workbook.pages.stale import stale
 from tflab.workbook.places import chapters, workbook_data
-from tflab.workbook.stale import stale
-from tflab.workbook.tasks import slug
+from tflab.workbook.tasks.task import slug
 
 ROOT = workbook_data()
 CHAPTERS = chapters()
@@ -51,7 +51,7 @@ def test_an_untouched_exercise_runs_to_its_last_cell_and_scores_zero(stem: str, 
     import nbformat
     from nbclient import NotebookClient
 
-    from tflab.workbook.learner import lay_out
+    from tflab.workbook.copy.lay_out import lay_out
     from tflab.workbook.progress import attempts
 
     root = lay_out(tmp_path / "copy", language)

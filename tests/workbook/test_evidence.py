@@ -5,10 +5,10 @@ from __future__ import annotations
 import pytest
 
 from tflab.core import LookupException
-from tflab.workbook.evidence import credited, habit
-from tflab.workbook.forms import Angle, Choice, Number, Parts
-from tflab.workbook.values import raised, to_plain
-from tflab.workbook.verdict import judge_outcomes
+from tflab.workbook.answers.forms import Angle, Choice, Number, Parts
+from tflab.workbook.answers.values import raised, to_plain
+from tflab.workbook.tasks.evidence import credited, habit
+from tflab.workbook.tasks.verdict import judge_outcomes
 
 PLANAR = Parts({"x": Number("m"), "yaw": Angle()})
 POSES = [(1.0, 0.5), (2.0, -1.0), (0.0, 2.0), (3.0, 0.0)]

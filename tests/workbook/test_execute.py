@@ -7,9 +7,9 @@ from pathlib import Path
 
 from making_pages import TITLE, code, page
 
-from tflab.workbook.execute import Outputs, run_page
-from tflab.workbook.kernel import wait_for
-from tflab.workbook.source import Fault
+from tflab.workbook.pages.execute import Outputs, run_page
+from tflab.workbook.pages.kernel import wait_for
+from tflab.workbook.pages.source import Fault
 
 DRAW = "from tflab.views.picture import Picture\npicture = Picture()\npicture.text = 'nothing yet'\npicture"
 WIDGET = "import ipywidgets\nipywidgets.IntSlider()"

@@ -11,8 +11,8 @@ import pytest
 
 from tflab.core import BufferCore, StampedTransform, Transform
 from tflab.ros.messages import geometry_msgs, std_msgs
-from tflab.workbook import sealed
-from tflab.workbook.forms import (
+from tflab.workbook.answers import sealed
+from tflab.workbook.answers.forms import (
     Angle,
     Choice,
     Command,
@@ -26,7 +26,7 @@ from tflab.workbook.forms import (
     Vector,
     form_from_plain,
 )
-from tflab.workbook.values import to_plain
+from tflab.workbook.answers.values import to_plain
 
 LEFT = Transform.from_rpy(yaw=math.pi / 2, translation=(1.0, 0.0, 0.0))
 STAMPED = StampedTransform("map", "base", 7, LEFT)

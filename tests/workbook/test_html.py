@@ -7,7 +7,7 @@ from pathlib import Path
 
 import nbformat
 
-from tflab.workbook.build import build
+from tflab.workbook.pages.build import build
 
 
 def notebook(path: Path, *sources: str) -> Path:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tflab.workbook.learner import lay_out
+from tflab.workbook.copy.lay_out import lay_out
 from tflab.workbook.progress import record_try
 
 pytestmark = pytest.mark.browser

@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from tflab.workbook import lab
-from tflab.workbook.learner import lay_out
+from tflab.workbook.copy import lab
+from tflab.workbook.copy.lay_out import lay_out
 from tflab.workbook.places import read_workbook
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from tflab.workbook.learner import Change, lay_out, update
+from tflab.workbook.copy.lay_out import Change, lay_out, update
 from tflab.workbook.places import Workbook, WorkbookError, read_workbook, workbook_data, workbook_root
 
 from .conftest import HandedOut

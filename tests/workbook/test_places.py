@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tflab.workbook import environment
+from tflab.workbook.copy import environment
 from tflab.workbook.places import chapters, stems_called, workbook_data
 from tflab.workbook.whole_files import write_whole
 

@@ -10,11 +10,11 @@ from pathlib import Path
 import pytest
 
 from tflab.workbook import progress
-from tflab.workbook.learner import lay_out
+from tflab.workbook.copy.lay_out import lay_out
+from tflab.workbook.course.progress_page import ProgressPage
+from tflab.workbook.course.progress_page import progress as progress_command
+from tflab.workbook.course.standing import standing
 from tflab.workbook.progress import Attempts, attempts, record_hint, record_try
-from tflab.workbook.progress_page import ProgressPage
-from tflab.workbook.progress_page import progress as progress_command
-from tflab.workbook.standing import standing
 
 from .conftest import HandedOut
 

@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 from making_pages import TITLE, code, text, written
 
-from tflab.workbook.build import build
-from tflab.workbook.slides import main, slides_of
+from tflab.workbook.pages.build import build
+from tflab.workbook.pages.slides import main, slides_of
 
 SCENE = "from meshcat.geometry import Box\nfrom tflab.views.scene import Scene\nscene = Scene()\n"
 SCENE += "scene['crate'].set_object(Box([1.0, 1.0, 1.0]))\nscene"

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from making_pages import TITLE, code, page, text, written
 
-from tflab.workbook.source import PageError, code_lines, read_page
+from tflab.workbook.pages.source import PageError, code_lines, read_page
 
 
 def test_a_cell_has_its_name_its_language_its_tags_and_its_line(tmp_path: Path) -> None:

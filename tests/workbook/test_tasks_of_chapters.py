@@ -6,12 +6,12 @@ import re
 
 import pytest
 
-from tflab.workbook.cases import make_cases, task_cases
-from tflab.workbook.forms import form_from_plain
+from tflab.workbook.answers.forms import form_from_plain
 from tflab.workbook.places import workbook_data
-from tflab.workbook.reference import in_process_ros, solution_in_notebook
-from tflab.workbook.tasks import read_tasks
-from tflab.workbook.verdict import judge_outcomes
+from tflab.workbook.tasks.cases import make_cases, task_cases
+from tflab.workbook.tasks.reference import in_process_ros, solution_in_notebook
+from tflab.workbook.tasks.task import read_tasks
+from tflab.workbook.tasks.verdict import judge_outcomes
 
 SOLUTIONS = workbook_data() / "solutions"
 STEMS = sorted(path.stem for path in (SOLUTIONS / "tasks").glob("[0-9]*.py"))

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from tflab.workbook.learner import lay_out
+from tflab.workbook.copy.lay_out import lay_out
 from tflab.workbook.places import chapters, workbook_data
 
 pytestmark = pytest.mark.slow

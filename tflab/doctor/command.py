@@ -39,7 +39,7 @@ def _diagnose(bag: str, as_json: bool, html: str | None) -> int:
     from tflab.bags.reader import read_bag
 
     from .diagnose import diagnose_recording
-    from .report_text import data_from_report, text_from_report
+    from .report.text import data_from_report, text_from_report
 
     if html is not None and Path(html).exists():
         return _refuse(f"{html}: exists already; nothing is overwritten")
@@ -58,7 +58,7 @@ def _diagnose(bag: str, as_json: bool, html: str | None) -> int:
 
 
 def _write_html(path: str, report, recording) -> None:
-    from .report_html import html_from_report
+    from .report.html import html_from_report
 
     refusals = logging.getLogger("tflab.tf2")  # what the buffer for the tree refuses is in the report already
     was_disabled, refusals.disabled = refusals.disabled, True

@@ -6,7 +6,7 @@
     one cause has many effects: a misspelt name also makes two trees,
     two owners also bring stamps out of order.  Only the cause is told.
 
-Read `texts.py` next.
+Read `report/` next.
 """
 
 from __future__ import annotations
@@ -17,10 +17,10 @@ from typing import NamedTuple
 from tflab.bags.recording import Recording
 from tflab.core import BufferCore
 
-from . import clocks, names, owners, statics, timing, tree, values
+from .checks import clocks, names, owners, statics, timing, tree, values
 from .evidence import Evidence, evidence_from_buffer, evidence_from_recording
 from .findings import SEVERITIES, Finding, NotMade, Report
-from .texts import CHECK_TEXTS
+from .report.texts import CHECK_TEXTS
 
 __all__ = ["CHECKS", "Check", "diagnose_buffer", "diagnose_recording"]
 

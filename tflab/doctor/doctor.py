@@ -18,9 +18,9 @@ from tflab.core import BufferCore
 from tflab.ros.graph import Graph
 from tflab.ros.snapshot import snapshot
 
+from .checks.time_sources import mixed_time_sources
 from .diagnose import diagnose_buffer, diagnose_recording, worst_first
 from .findings import Report
-from .time_sources import mixed_time_sources
 
 __all__ = ["doctor"]
 

@@ -6,7 +6,7 @@
           |     |                    a message that was late, or overtaken: the old level again
           |_____|____________
 
-Read `motion.py` next.
+Read `checks/` next.
 """
 
 from __future__ import annotations

@@ -7,7 +7,7 @@
     what hit a deadline  <-------------------+   once more at the end, alone, with three times the time
 
 A second run takes the records that are there and grades only what changed, in the
-submission, the pack or tflab.  Ctrl-C loses nothing that was done.  Read `gradebook.py` next.
+submission, the pack or tflab.  Ctrl-C loses nothing that was done.  Read `progress_bar.py` next.
 """
 
 from __future__ import annotations
@@ -24,19 +24,19 @@ from typing import Any
 from tflab import __version__
 from tflab.workbook.whole_files import write_whole
 
-from .attempt import NotRun
-from .gradebook import file_name
-from .kernels import KernelError
-from .limits import Limits
-from .one import File, Job, RunCells, graded, record_with
-from .pack import Pack
-from .plan import PlannedCell
+from .judging.attempt import NotRun
+from .judging.nbval_run import Cell, Run, run_cells
+from .judging.pack import Pack
+from .judging.plan import PlannedCell
+from .judging.submission import File, Job, RunCells, graded, record_with
+from .kernels.limits import Limits
+from .kernels.sandbox import Sandbox
+from .kernels.take import KernelError
 from .progress_bar import ProgressBar
-from .reader import Unreadable
-from .remarks import Remark, printable
-from .running import Cell, Run, run_cells
-from .sandbox import Sandbox
-from .submissions import Collection, Submission
+from .reports.gradebook import file_name
+from .submissions.collect import Collection, Submission
+from .submissions.reader import Unreadable
+from .submissions.remarks import Remark, printable
 
 __all__ = ["RECORDS", "Batch", "grade_batch", "grade_job", "job_of", "run_behind"]
 

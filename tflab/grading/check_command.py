@@ -6,7 +6,7 @@
 
 It goes the way that grading goes: only the answers are taken, they run in a fresh
 kernel from the top, and what grading would ignore is said.  Its cases are the public
-ones.  Read `plain_kernel.py` next.
+ones.  Read `plugin.py` next.
 """
 
 from __future__ import annotations
@@ -21,18 +21,18 @@ from typing import Any, NamedTuple
 
 from tflab import __version__
 from tflab.workbook import places
-from tflab.workbook.cases import CasesError, read_cases
-from tflab.workbook.learner import PRISTINE
+from tflab.workbook.copy.lay_out import PRISTINE
 from tflab.workbook.places import Workbook, WorkbookError, read_workbook, workbook_data, workbook_root
-from tflab.workbook.tasks import variant_of
+from tflab.workbook.tasks.cases import CasesError, read_cases
+from tflab.workbook.tasks.task import variant_of
 from tflab.workbook.words import Words
 
-from .feedback import STATUS, WRONG
-from .one import File, Job, graded, graded_twice
-from .pack import DAMAGE, check_tasks
-from .reader import Unreadable, read_bytes, read_notebook
-from .remarks import Remark
-from .transplant import master_of
+from .judging.pack import DAMAGE, check_tasks
+from .judging.submission import File, Job, graded, graded_twice
+from .judging.transplant import master_of
+from .reports.feedback import STATUS, WRONG
+from .submissions.reader import Unreadable, read_bytes, read_notebook
+from .submissions.remarks import Remark
 
 __all__ = ["Checked", "check_notebook", "main"]
 
@@ -196,14 +196,14 @@ def _runner(plainly: bool, language: str) -> tuple[Callable, Any, str]:
     why = "--plain" if plainly else NOT_LINUX.say(language, platform=sys.platform)
     if not plainly and sys.platform == "linux":
         from .batch import run_behind
-        from .kernels import KernelError, choose
-        from .limits import Limits
+        from .kernels.limits import Limits
+        from .kernels.take import KernelError, choose
 
         try:
             sandbox = choose()
             return run_behind(sandbox), Limits(), ""
         except (KernelError, OSError) as error:
             why = str(error)
-    from .plain_kernel import run_plainly
+    from .judging.plain_kernel import run_plainly
 
     return lambda cells, limits: run_plainly(cells, limits.cell_s), PlainLimits(), PLAIN.say(language, why=why)

@@ -5,7 +5,7 @@
 
 What is missing or malformed is a line in the report and stops nothing.
 
-Read `submissions.py` next.
+Read `batch.py` next.
 """
 
 from __future__ import annotations
@@ -27,13 +27,13 @@ from tflab import __version__
 from tflab.workbook.whole_files import write_whole
 from tflab.workbook.words import Words
 
-from .class_page import class_page
-from .feedback import LEVELS, feedback_page
-from .gradebook import LMS, file_name, grades_csv, remarks_of, results_json
-from .pack import Pack, PackError, read_pack
-from .reader import Unreadable
-from .remarks import Remark
-from .submissions import Collection, collect
+from .judging.pack import Pack, PackError, read_pack
+from .reports.class_page import class_page
+from .reports.feedback import LEVELS, feedback_page
+from .reports.gradebook import LMS, file_name, grades_csv, remarks_of, results_json
+from .submissions.collect import Collection, collect
+from .submissions.reader import Unreadable
+from .submissions.remarks import Remark
 
 __all__ = ["main"]
 
@@ -50,7 +50,7 @@ def main(words: Sequence[str]) -> int:
     out = Path(options.out)
     if sys.platform != "linux":
         return _refuse(NEEDS_LINUX)
-    from .kernels import KernelError  # from here on it is Linux
+    from .kernels.take import KernelError  # from here on it is Linux
 
     try:
         pack = read_pack(Path(options.pack))
@@ -80,8 +80,8 @@ def main(words: Sequence[str]) -> int:
 def _graded(
     collection: Collection, pack: Pack, out: Path, options: argparse.Namespace
 ) -> tuple[list[dict], tuple[Words, ...]]:
-    from .kernels import choose
-    from .limits import Limits
+    from .kernels.limits import Limits
+    from .kernels.take import choose
 
     hidden = (Path(options.pack), Path(options.submissions), out)
     sandbox = choose(hide=tuple(str(path.resolve()) for path in hidden), meanwhile=_load_the_rest)
@@ -98,7 +98,7 @@ def _load_the_rest() -> None:
     """Import what running and drawing need: a second's work, while another process imports for the kernels."""
     from tflab.views import style
 
-    from .running import nbval_session
+    from .judging.nbval_run import nbval_session
 
     import_module(".batch", __package__)
     nbval_session()

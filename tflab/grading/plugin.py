@@ -48,7 +48,7 @@ class TasksFile(pytest.File):
 
     def read_pack(self) -> Any:
         """Return the pack, read once for each run of pytest."""
-        from .pack import PackError, read_pack
+        from .judging.pack import PackError, read_pack
 
         if PACK not in self.config.stash:
             folder = Path(self.config.getoption("--tflab-grade"))
@@ -62,10 +62,10 @@ class TasksFile(pytest.File):
         """Return what came of grading."""
         if self._record is None:
             from .batch import grade_job, job_of
-            from .kernels import choose
-            from .limits import Limits
-            from .one import graded_twice
-            from .submissions import collect
+            from .judging.submission import graded_twice
+            from .kernels.limits import Limits
+            from .kernels.take import choose
+            from .submissions.collect import collect
 
             pack = self.read_pack()
             found = collect(self.path, pack.roster, list(pack.cases)).submissions
@@ -84,7 +84,7 @@ class TaskItem(pytest.Item):
         self.chapter = chapter
 
     def runtest(self) -> None:
-        from .remarks import Remark
+        from .submissions.remarks import Remark
 
         record = self.parent.record()
         row = record["chapters"][self.chapter]["tasks"][self.name]

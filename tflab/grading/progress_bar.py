@@ -2,7 +2,7 @@
 
     graded  [=============>        ]  131/200   0:41 left   s131
 
-Read `batch.py` next.
+Read `submissions/` next.
 """
 
 from __future__ import annotations

@@ -7,7 +7,7 @@
 
 Each learner on the roster gets variants of their own.  Nothing under learners/ says
 what is graded.  A pack is never overwritten: `--add` brings in more learners and
-chapters, with the seed it has, and finishes what was interrupted.  Read `pack.py` next.
+chapters, with the seed it has, and finishes what was interrupted.  Read `grade.py` next.
 """
 
 from __future__ import annotations
@@ -23,16 +23,16 @@ from typing import Any
 
 from tflab import __version__
 from tflab.workbook import places
-from tflab.workbook.learner import lay_out
+from tflab.workbook.copy.lay_out import lay_out
 from tflab.workbook.places import WorkbookError
-from tflab.workbook.tasks import TaskError
+from tflab.workbook.tasks.task import TaskError
 from tflab.workbook.whole_files import write_whole
 from tflab.workbook.words import LANGUAGES
 
-from .pack import PACK, Pack, PackError, chapter_cases, learners_cases, read_pack, write_chapter, write_pack
+from .judging.pack import PACK, Pack, PackError, chapter_cases, learners_cases, read_pack, write_chapter, write_pack
 from .progress_bar import ProgressBar
-from .reader import Unreadable, read_bytes
-from .roster import Learner, Roster, read_roster
+from .submissions.reader import Unreadable, read_bytes
+from .submissions.roster import Learner, Roster, read_roster
 
 __all__ = ["main", "release"]
 

@@ -13,7 +13,7 @@ looks along the radius, outwards, and slides to its own left: nothing that tf2
 could complain about, and wrong all the same.  `body_velocity` shows it.
 
 The lecture's node is `main`; `main_forward` is the same with the right heading.
-Read `faults.py` next.
+Read `faults/` next.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from tflab.ros import client_library as rclpy
 from tflab.ros.convert import msg_from_stamped
 from tflab.ros.executors import ExternalShutdownException
 from tflab.ros.node import Node
-from tflab.ros.tf2_broadcaster import TransformBroadcaster
+from tflab.ros.tf2.broadcaster import TransformBroadcaster
 
 __all__ = ["FORWARD", "SIDEWAYS", "CircleBroadcaster", "body_velocity", "buffer", "main", "main_forward", "pose"]
 

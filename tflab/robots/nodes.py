@@ -33,7 +33,7 @@ from tflab.ros.messages import geometry_msgs, nav_msgs, sensor_msgs
 from tflab.ros.node import Node
 from tflab.ros.parameter import Parameter
 from tflab.ros.qos import qos_profile_sensor_data
-from tflab.ros.tf2_broadcaster import TransformBroadcaster
+from tflab.ros.tf2.broadcaster import TransformBroadcaster
 
 from .motion import Drive
 from .reading_messages import imu_msg, joint_state_msg, laser_scan_msg, odometry_msg, point_msg

@@ -4,7 +4,7 @@
     client -- get_result -> server     ... answered when the goal is done
 
 Two services of a hidden name each, as far as tf2's BufferClient needs them: there
-is no feedback, and a goal cannot be cancelled.  Read `tf2_client.py` next.
+is no feedback, and a goal cannot be cancelled.  Read `callback_groups.py` next.
 """
 
 from __future__ import annotations

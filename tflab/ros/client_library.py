@@ -5,7 +5,7 @@
     rclpy.spin(node)          its callbacks run, until Ctrl-C
     rclpy.shutdown()          the context ends
 
-Read `tf2_buffer.py` next.
+Read `wait_for_message.py` next.
 """
 
 from __future__ import annotations

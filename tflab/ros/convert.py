@@ -3,7 +3,7 @@
     geometry_msgs/TransformStamped  <->  StampedTransform
     rclpy Time, builtin Time, ...    ->  integer nanoseconds
 
-Read `tf2_core.py` next.
+Read `tf2/` next.
 """
 
 from __future__ import annotations

@@ -2,6 +2,8 @@
 
 Given to create_publisher or create_subscription as `event_callbacks`, in place
 of the warning in the log.
+
+Read `names.py` next.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """What can go wrong with names, contexts and parameters?  rclpy's exceptions, with its texts.
 
-Read `names.py` next.
+Read `arguments.py` next.
 """
 
 from __future__ import annotations

@@ -8,7 +8,7 @@ node follows /clock.  Lines go to stderr, or to stdout with
 RCUTILS_LOGGING_USE_STDOUT=1.  The engine's refusals (TF_OLD_DATA ...) appear
 here as well, from the nameless logger `[]`, as on a robot.
 
-Read `callback_groups.py` next.
+Read `entity.py` next.
 """
 
 from __future__ import annotations

@@ -8,7 +8,7 @@ so in their logs.  Publishing makes one copy; each receiver's callback gets its
 own, except tf2's listeners, which share one decoded message because they only
 read it.
 
-Read `entity.py` next.
+Read `graph.py` next.
 """
 
 from __future__ import annotations

@@ -5,7 +5,7 @@
       |-- parameters (node_parameters.py), and the services that reach them
       `-- clock (ROS time; follows /clock if use_sim_time), logger
 
-Read `client_library.py` next.
+Read `node_entities.py` next.
 """
 
 from __future__ import annotations

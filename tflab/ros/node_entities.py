@@ -1,6 +1,6 @@
 """What does a node own?  Publishers, subscriptions, timers, services, clients: made, listed and destroyed.
 
-Read `client_library.py` next.
+Read `graph_queries.py` next.
 """
 
 from __future__ import annotations

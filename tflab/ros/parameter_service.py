@@ -2,7 +2,7 @@
 
     /node/get_parameters, set_parameters, list_parameters, ...    as `ros2 param` calls them
 
-Read `tf2_core.py` next.
+Read `clock.py` next.
 """
 
 from __future__ import annotations

@@ -8,7 +8,7 @@ A thread belongs to the process of whoever started it, so `rclpy.init()`,
 `rclpy.ok()` and `rclpy.spin(node)` need not be told.  A process can be
 interrupted, which is what Ctrl-C does, and it ends when its main function does.
 
-Read `virtual.py` next.
+Read `threads.py` next.
 """
 
 from __future__ import annotations

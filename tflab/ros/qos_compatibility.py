@@ -2,7 +2,7 @@
 
 If it is less, the two are not connected, and both say so in their logs.
 
-Read `network.py` next.
+Read `event_handler.py` next.
 """
 
 from __future__ import annotations

@@ -3,7 +3,7 @@
 A call blocks until the answer has come, so somebody else must spin the client's
 node meanwhile; `call_async` returns a Future instead.
 
-Read `parameter.py` next.
+Read `action.py` next.
 """
 
 from __future__ import annotations

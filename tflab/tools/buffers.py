@@ -13,7 +13,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from tflab.core import LATEST, BufferCore, Snapshot, Transform, TransformException
-from tflab.ros.tf2_core import BufferCore as RosBuffer
+from tflab.ros.tf2.core import BufferCore as RosBuffer
 from tflab.views.tree import TreePicture, draw_tree
 
 if TYPE_CHECKING:

@@ -70,8 +70,8 @@ def look(graph: Graph | None = None, seconds: float = 1.0, decay_s: float = 0.0)
 
 
 def _watch(seconds: float, decay_s: float) -> Look:
-    from tflab.ros.tf2_buffer import Buffer
-    from tflab.ros.tf2_listener import TransformListener
+    from tflab.ros.tf2.buffer import Buffer
+    from tflab.ros.tf2.listener import TransformListener
 
     with tool_node("rviz", start_parameter_services=False) as node:
         buffer = Buffer()
@@ -150,7 +150,7 @@ def _value(message: Any) -> Any:
             ranges[(ranges < message.range_min) | (ranges > message.range_max)] = math.inf  # RViz leaves them out
             return LaserScan(*head, ranges, message.angle_min, message.angle_increment)
         case sensor_msgs.PointCloud2():
-            from tflab.ros.clouds import read_points_numpy
+            from tflab.ros.tf2.clouds import read_points_numpy
 
             return PointCloud2(*head, read_points_numpy(message, ["x", "y", "z"], skip_nans=True))
         case nav_msgs.Path():
@@ -183,7 +183,7 @@ def _links(urdf: str) -> dict[str, tuple[Any, ...]]:
 
 def _part(shape: Any) -> Any:
     from tflab.robots.model import Box, Cylinder, Sphere
-    from tflab.views.scene_helpers import Part
+    from tflab.views.scene.drawing import Part
 
     colour = {"rgba": shape.material.rgba} if shape.material is not None and shape.material.rgba else {}
     match shape.geometry:

@@ -136,8 +136,8 @@ def spin_until_done(node: Node, future: Future) -> None:
 @contextmanager
 def cpp_listener(node: Node) -> Iterator[BufferCore]:
     """Listen to the transforms as rclcpp's listener does: with a node of its own, which `ros2 node list` shows."""
-    from tflab.ros.tf2_buffer import Buffer
-    from tflab.ros.tf2_listener import TransformListener
+    from tflab.ros.tf2.buffer import Buffer
+    from tflab.ros.tf2.listener import TransformListener
 
     name = unused_name("transform_listener_impl_", [node.get_name()], digits=string.hexdigits[:16], length=12)
     hidden = Node(name, start_parameter_services=False)

@@ -51,8 +51,8 @@ def _with_publishers(frame: FrameSnapshot, edges: Sequence[EdgeSnapshot]) -> Fra
 
 
 def _listen(seconds: float) -> Snapshot:
-    from tflab.ros.tf2_buffer import Buffer
-    from tflab.ros.tf2_listener import TransformListener
+    from tflab.ros.tf2.buffer import Buffer
+    from tflab.ros.tf2.listener import TransformListener
 
     with tool_node("frame_tree", start_parameter_services=False) as node:
         buffer = Buffer()

@@ -6,7 +6,7 @@
 
 Nothing fails: to the mathematics, one frame is as good as another.
 
-Read `sentence.py` next.
+Read `mount.py` next.
 """
 
 from __future__ import annotations

@@ -44,16 +44,7 @@ from .rviz_status import (
     statuses_as_text,
 )
 from .scene import Scene
-from .scene_helpers import (
-    draw_arrow,
-    draw_frame,
-    draw_path,
-    draw_points,
-    draw_robot,
-    draw_scan,
-    edge_path,
-    frame_path,
-)
+from .scene.drawing import draw_arrow, draw_frame, draw_path, draw_points, draw_robot, draw_scan, edge_path, frame_path
 
 __all__ = [
     "Display",

@@ -24,7 +24,7 @@ import numpy as np
 
 from tflab.core import LATEST, Transform, TransformException
 
-from .scene_helpers import Part
+from .scene.drawing import Part
 
 __all__ = [
     "Ask",

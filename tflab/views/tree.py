@@ -12,7 +12,7 @@ sentence: several roots, a loop, two publishers of one child, two parents.
 
 The same picture as `view_frames` gives, except that here the publishers are real:
 who calls decides what `authorities` holds.  `marks.py` writes the SVG and the PDF.
-Read `scene_state.py` next.
+Read `scene/` next.
 """
 
 from __future__ import annotations

@@ -11,7 +11,7 @@ it is right on these cases, and what grading will add.
 
     cases (cases.py)  +  answer  -->  outcomes  -->  verdict (verdict.py)  -->  words (replies.py)
 
-Read `places.py` next.
+Read `progress.py` next.
 """
 
 from __future__ import annotations
@@ -28,16 +28,16 @@ from types import SimpleNamespace
 from typing import Any, NamedTuple
 
 from . import progress
-from .blank import without_marks
-from .cases import CasesError, read_cases
-from .forms import Sequence, form_from_plain
+from .answers.forms import Sequence, form_from_plain
+from .answers.showing import show_all, show_in_a_line
+from .answers.values import Plain, from_plain, is_raised, is_unanswered, raised, to_plain
 from .places import CASES, Workbook, WorkbookError, read_workbook, workbook_data, workbook_root
-from .reference import answer_cell_name
-from .replies import LATER, REPLIES
-from .showing import show_all, show_in_a_line
-from .tasks import TaskError, chapter_of, variant_of
-from .values import Plain, from_plain, is_raised, is_unanswered, raised, to_plain
-from .verdict import ANY_BUG, Verdict, judge_outcomes, kind_of
+from .tasks.blank import without_marks
+from .tasks.cases import CasesError, read_cases
+from .tasks.reference import answer_cell_name
+from .tasks.replies import LATER, REPLIES
+from .tasks.task import TaskError, chapter_of, variant_of
+from .tasks.verdict import ANY_BUG, Verdict, judge_outcomes, kind_of
 from .words import Words
 
 __all__ = ["check", "hint", "solution", "task"]
@@ -272,7 +272,7 @@ def _shown(outcome: Plain) -> str:
 
 def _show_both(one: _Task, verdict: Verdict, outcomes: list[Plain]) -> None:
     """Draw the answer beside the right one, where both are in space: a function's, or a value after three tries."""
-    from .comparison import picture_of
+    from .tasks.comparison import picture_of
 
     tries = progress.attempts(one.root, one.id).tries
     if not outcomes or verdict.kind not in ("twin", "value", "unit"):

@@ -7,7 +7,7 @@
       exercises/en/           pages to answer;  exercises/cases/  what `check` asks
 
 The same folders, in every language, are in the repository and in the wheel, and with
-them the solutions, of which `solution` shows one task at a time.  Read `learner.py` next.
+them the solutions, of which `solution` shows one task at a time.  Read `answers/` next.
 """
 
 from __future__ import annotations

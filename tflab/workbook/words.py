@@ -2,7 +2,7 @@
 
     Words(en="Not answered yet.", ko="아직 답하지 않았습니다.").say("ko")
 
-Names, code and numbers are the same in both.  Read `values.py` next.
+Names, code and numbers are the same in both.  Read `whole_files.py` next.
 """
 
 from __future__ import annotations

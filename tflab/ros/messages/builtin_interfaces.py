@@ -1,4 +1,7 @@
-"""builtin_interfaces: when, and for how long."""
+"""builtin_interfaces: when, and for how long.
+
+Read `std_msgs.py` next.
+"""
 
 from .base import message
 

@@ -1,4 +1,7 @@
-"""nav_msgs: where a robot is, was, and may go."""
+"""nav_msgs: where a robot is, was, and may go.
+
+Read `tf2_msgs.py` next.
+"""
 
 from .base import message
 

@@ -1,4 +1,7 @@
-"""rcl_interfaces: parameters and logs, as nodes speak of them."""
+"""rcl_interfaces: parameters and logs, as nodes speak of them.
+
+Read `unique_identifier_msgs.py` next.
+"""
 
 from .base import message, service
 

@@ -1,4 +1,7 @@
-"""rosgraph_msgs: the time that everybody follows under `use_sim_time`."""
+"""rosgraph_msgs: the time that everybody follows under `use_sim_time`.
+
+Read `rcl_interfaces.py` next.
+"""
 
 from .base import message
 

@@ -1,4 +1,7 @@
-"""sensor_msgs: what a robot's sensors say, each in the frame of its header."""
+"""sensor_msgs: what a robot's sensors say, each in the frame of its header.
+
+Read `nav_msgs.py` next.
+"""
 
 from .base import message
 

@@ -1,4 +1,7 @@
-"""std_msgs: one value, and the header that says when and in which frame."""
+"""std_msgs: one value, and the header that says when and in which frame.
+
+Read `geometry_msgs.py` next.
+"""
 
 from .base import message
 

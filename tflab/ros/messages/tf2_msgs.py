@@ -1,4 +1,7 @@
-"""tf2_msgs: what travels on /tf and /tf_static, and what a buffer can be asked from afar."""
+"""tf2_msgs: what travels on /tf and /tf_static, and what a buffer can be asked from afar.
+
+Read `rosgraph_msgs.py` next.
+"""
 
 from .base import action, message, service
 

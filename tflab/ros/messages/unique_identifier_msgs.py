@@ -1,4 +1,7 @@
-"""unique_identifier_msgs: which one."""
+"""unique_identifier_msgs: which one.
+
+Read `text.py` next.
+"""
 
 from .base import message
 

@@ -2,6 +2,8 @@
 
 The pure function behind it is `tflab.views.latency.latency_error`.  This is the
 last of the panels.
+
+Read `marks.py` next.
 """
 
 from __future__ import annotations

@@ -1,5 +1,5 @@
-"""message_filters, in process: see tflab.ros.filters."""
+"""message_filters, in process: see tflab.ros.tf2.filters."""
 
-from tflab.ros.filters import ApproximateTimeSynchronizer, Cache, SimpleFilter, Subscriber, TimeSynchronizer
+from tflab.ros.tf2.filters import ApproximateTimeSynchronizer, Cache, SimpleFilter, Subscriber, TimeSynchronizer
 
 __all__ = ["ApproximateTimeSynchronizer", "Cache", "SimpleFilter", "Subscriber", "TimeSynchronizer"]

@@ -1,6 +1,6 @@
-"""Points of a PointCloud2, in process: see tflab.ros.clouds."""
+"""Points of a PointCloud2, in process: see tflab.ros.tf2.clouds."""
 
-from tflab.ros.clouds import (
+from tflab.ros.tf2.clouds import (
     create_cloud,
     create_cloud_xyz32,
     dtype_from_fields,

@@ -1,8 +1,17 @@
-"""tf2_geometry_msgs' one module: see tflab.ros.geometry."""
+"""tf2_geometry_msgs' one module: see tflab.ros.tf2.geometry."""
 
 from tf2_ros import ConvertRegistration, TransformRegistration
 
-from tflab.ros.geometry import (
+from tflab.ros.messages.geometry_msgs import (
+    PointStamped,
+    PolygonStamped,
+    Pose,
+    PoseStamped,
+    PoseWithCovarianceStamped,
+    TransformStamped,
+    Vector3Stamped,
+)
+from tflab.ros.tf2.geometry import (
     TRANSFORMS,
     _build_affine,
     _decompose_affine,
@@ -18,15 +27,6 @@ from tflab.ros.geometry import (
     from_msg_msg,
     to_msg_msg,
     transform_covariance,
-)
-from tflab.ros.messages.geometry_msgs import (
-    PointStamped,
-    PolygonStamped,
-    Pose,
-    PoseStamped,
-    PoseWithCovarianceStamped,
-    TransformStamped,
-    Vector3Stamped,
 )
 
 __all__ = [

@@ -1,4 +1,4 @@
-"""tf2_py: the engine for Python.  See tflab.ros.tf2_core."""
+"""tf2_py: the engine for Python.  See tflab.ros.tf2.core."""
 
 from tflab.core import (
     ConnectivityException,
@@ -8,7 +8,7 @@ from tflab.core import (
     TimeoutException,
     TransformException,
 )
-from tflab.ros.tf2_core import BufferCore
+from tflab.ros.tf2.core import BufferCore
 
 __all__ = [
     "BufferCore",

@@ -1,4 +1,4 @@
-"""tf2_ros: buffers, listeners and broadcasters.  See tflab.ros.tf2_buffer."""
+"""tf2_ros: buffers, listeners and broadcasters.  See tflab.ros.tf2.buffer."""
 
 from tf2_py import (
     BufferCore,

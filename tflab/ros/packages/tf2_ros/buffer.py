@@ -1,6 +1,6 @@
 """tf2_ros.buffer"""
 
-from tflab.ros.tf2_buffer import Buffer
+from tflab.ros.tf2.buffer import Buffer
 
 __all__ = [
     "Buffer",

@@ -1,6 +1,6 @@
 """tf2_ros.buffer_client"""
 
-from tflab.ros.tf2_client import BufferClient
+from tflab.ros.tf2.client import BufferClient
 
 __all__ = [
     "BufferClient",

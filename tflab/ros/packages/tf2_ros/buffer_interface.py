@@ -1,6 +1,6 @@
 """tf2_ros.buffer_interface"""
 
-from tflab.ros.tf2_interface import (
+from tflab.ros.tf2.interface import (
     BufferInterface,
     ConvertRegistration,
     NotImplementedException,

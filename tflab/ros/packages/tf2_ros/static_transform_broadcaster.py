@@ -1,6 +1,6 @@
 """tf2_ros.static_transform_broadcaster"""
 
-from tflab.ros.tf2_broadcaster import StaticTransformBroadcaster
+from tflab.ros.tf2.broadcaster import StaticTransformBroadcaster
 
 __all__ = [
     "StaticTransformBroadcaster",

@@ -1,6 +1,6 @@
 """tf2_ros.transform_broadcaster"""
 
-from tflab.ros.tf2_broadcaster import TransformBroadcaster
+from tflab.ros.tf2.broadcaster import TransformBroadcaster
 
 __all__ = [
     "TransformBroadcaster",

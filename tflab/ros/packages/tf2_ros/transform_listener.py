@@ -1,6 +1,6 @@
 """tf2_ros.transform_listener"""
 
-from tflab.ros.tf2_listener import DEFAULT_STATIC_TF_TOPIC, DEFAULT_TF_TOPIC, TransformListener
+from tflab.ros.tf2.listener import DEFAULT_STATIC_TF_TOPIC, DEFAULT_TF_TOPIC, TransformListener
 
 __all__ = [
     "DEFAULT_STATIC_TF_TOPIC",

@@ -1,9 +1,9 @@
-"""tf2_sensor_msgs' one module: see tflab.ros.clouds."""
+"""tf2_sensor_msgs' one module: see tflab.ros.tf2.clouds."""
 
 from tf2_ros import ConvertRegistration, TransformRegistration
 
-from tflab.ros.clouds import do_transform_cloud, from_msg_msg, to_msg_msg, transform_points
 from tflab.ros.messages.sensor_msgs import PointCloud2
+from tflab.ros.tf2.clouds import do_transform_cloud, from_msg_msg, to_msg_msg, transform_points
 
 __all__ = ["do_transform_cloud", "from_msg_msg", "to_msg_msg", "transform_points"]
 

@@ -1,0 +1,138 @@
+"""Whose clock is it?  Step 5 of the lecture's order: stamps and receipt must tell the same story.
+
+    receipt   |----|----|----|----|----|
+    stamps    |----|----|  |----|----|        the clock was set back: a bag in a loop, a simulator
+                          back                that was reset, NTP after the start
+
+All publishers together: it is the time source.  One of them: it is that computer.
+Read `owners.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from tflab.bags.recording import Headers
+from tflab.core import NSEC_PER_SEC
+
+from ..evidence import Edge, Evidence, is_stamped
+from ..findings import Finding
+from ..jumps import Jump
+
+__all__ = ["JumpEvent", "clock_offset", "jump_events", "jumping_clocks", "other_time_source", "settled_delays_s"]
+
+TOGETHER_NS = 2 * NSEC_PER_SEC  # jumps this close to each other are one event
+OFFSET_S = 0.1
+FEWEST_SAMPLES = 8
+
+
+class JumpEvent(NamedTuple):
+    """Clocks that were set at the same moment by the same amount: one time source, or one computer.
+
+    Attributes:
+        moment_ns: of receipt [ns].
+        size_s: negative if back.
+        edges: with the sample from which on each has the new time.
+    """
+
+    moment_ns: int
+    size_s: float
+    edges: tuple[tuple[Edge, int], ...]
+
+
+def jump_events(evidence: Evidence) -> list[JumpEvent]:
+    """Return each moment at which a clock was set.
+
+    One edge alone that leaps ahead is not among them: it may as well have begun to
+    stamp ahead, and that is told as such (see timing.odd_delays).
+    """
+    jumps = sorted(
+        ((int(edge.receive_ns[jump.index]), edge, jump) for edge in evidence.moving for jump in edge.jumps),
+        key=lambda entry: entry[0],
+    )
+    groups: list[list[tuple[int, Edge, Jump]]] = []
+    for entry in jumps:
+        if groups and entry[0] - groups[-1][0][0] < TOGETHER_NS and _same_way(entry[2], groups[-1][0][2]):
+            groups[-1].append(entry)
+        else:
+            groups.append([entry])
+    events = [
+        JumpEvent(
+            group[0][0],
+            float(np.median([jump.size_s for *_, jump in group])),
+            tuple((edge, jump.index) for _, edge, jump in group),
+        )
+        for group in groups
+    ]
+    return [event for event in events if event.size_s < 0 or len(event.edges) > 1]
+
+
+def settled_delays_s(evidence: Evidence) -> list[np.ndarray]:
+    """Return how late each sample of each moving edge was received, as if no clock had been set meanwhile [s]."""
+    delays_s = [evidence.delay_s(edge) for edge in evidence.moving]
+    if evidence.clock.source != "same":  # then the difference of the clocks, taken off, holds the jumps already
+        return delays_s
+    places = {edge.child: place for place, edge in enumerate(evidence.moving)}
+    for event in jump_events(evidence):
+        for edge, index in event.edges:
+            delays_s[places[edge.child]][index:] += event.size_s
+    return delays_s
+
+
+def jumping_clocks(evidence: Evidence) -> Iterator[Finding]:
+    """Yield a finding for the edges whose clock was set together, back or forward; a loop sets it again and again."""
+    alike: dict[tuple[bool, str], list[JumpEvent]] = {}
+    for event in jump_events(evidence):
+        names = sorted({f"{edge.usual_parent} -> {edge.child}" for edge, _ in event.edges})
+        alike.setdefault((event.size_s < 0, ", ".join(names)), []).append(event)
+    for (is_back, names), events in alike.items():
+        largest_s = max(abs(event.size_s) for event in events)
+        facts = {"size": f"{largest_s:.3f}", "edges": names, "count": len(events)}
+        edges = {edge.child: edge for edge, _ in events[0].edges}
+        edge = next(iter(edges.values()))
+        parent, child = (edge.usual_parent, edge.child) if len(edges) == 1 else ("", "")
+        code, severity = ("clock-jump-back", "error") if is_back else ("clock-jump-forward", "warning")
+        span = (events[0].moment_ns, events[-1].moment_ns)
+        yield Finding(code, severity, parent, child, edge.topic, *span, facts)
+
+
+def other_time_source(evidence: Evidence) -> Iterator[Finding]:
+    """Yield a note if stamps come from another clock than the times of receipt, as in simulation."""
+    if evidence.clock.source != "same":
+        difference_s = evidence.clock.difference_s
+        drift_ms = 1e3 * float(difference_s[-1] - difference_s[0])
+        facts = {
+            "source": evidence.clock.source,
+            "difference": f"{np.median(difference_s):.3f}",
+            "drift": f"{drift_ms:.0f}",
+        }
+        yield Finding("other-clock", "info", facts=facts)
+
+
+def clock_offset(evidence: Evidence) -> Iterator[Finding]:
+    """Yield a finding if everything is stamped early, or late, by the same amount."""
+    if evidence.clock.source != "same":
+        return
+    settled = zip(evidence.moving, settled_delays_s(evidence), strict=True)
+    delays = [delay_s for edge, delay_s in settled if _has_stamps(edge)]
+    delays += [evidence.delay_s(header) for header in evidence.headers if _has_stamps(header)]
+    usual_s = np.array([float(np.median(delay_s)) for delay_s in delays])
+    if len(usual_s) < 2:  # one source alone: nothing to compare it with, see timing.odd_delays
+        return
+    common_s = float(np.median(usual_s))
+    near = np.abs(usual_s - common_s) < max(0.05, 0.1 * abs(common_s))
+    if abs(common_s) > OFFSET_S and near.all():
+        way = "after" if common_s > 0 else "before"
+        facts = {"offset": f"{abs(common_s):.3f}", "way": way, "count": len(usual_s)}
+        yield Finding("clock-offset", "warning", facts=facts)
+
+
+def _has_stamps(source: Edge | Headers) -> bool:
+    return len(source.stamp_ns) >= FEWEST_SAMPLES and is_stamped(source)
+
+
+def _same_way(a: Jump, b: Jump) -> bool:
+    return abs(a.size_s - b.size_s) < 0.2 * max(abs(a.size_s), abs(b.size_s)) + 0.05

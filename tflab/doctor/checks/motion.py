@@ -1,0 +1,123 @@
+"""How does it move?  Steps, and two stories told at once.
+
+    one owner      o--o--o--o--o--o          steps of one size
+    two owners     o     o     o             back and forth, again and again:
+                      x     x     x          each story is smooth, the mixture is not
+
+Values are compared as poses: metres, plus the turn in radians as it moves a point
+at arm's length.  Everything is measured against the edge's own habits, so a drone
+and a gripper need no settings.
+
+Read `names.py` next.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ..evidence import Edge
+
+__all__ = ["Stories", "distances", "is_constant", "two_stories"]
+
+ARM_M = 0.3  # a turn counts as far as it moves a point at this distance
+LEAST_DIFFERENCE_M = 0.01  # values closer than this do not contradict each other
+LOOK_BACK = 12  # samples: a second owner may be this many times slower
+MOST_SAMPLES = 5_000  # of an edge that are looked at for a second owner
+CONSTANT = 1e-9
+
+
+class Stories(NamedTuple):
+    """Two smooth sequences of values that were told alternately.
+
+    Attributes:
+        apart_m: how far apart they are, where they take turns.
+        returns: how often the first came back after the second.
+        first, last: samples between which both were told.
+    """
+
+    apart_m: float
+    returns: int
+    first: int
+    last: int
+
+
+def distances(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """Return how far poses are from each other [m]: shape (n,), of two arrays of shape (n, 7) of unit rotations."""
+    step = np.linalg.norm(a[:, :3] - b[:, :3], axis=1)
+    dot = np.clip(np.abs(np.einsum("ij,ij->i", a[:, 3:], b[:, 3:])), 0.0, 1.0)
+    # 2 acos(dot) is blind to turns below 1e-8; the chord is not
+    chord = np.minimum(np.linalg.norm(a[:, 3:] - b[:, 3:], axis=1), np.linalg.norm(a[:, 3:] + b[:, 3:], axis=1))
+    turn = np.where(dot > 0.99, 2.0 * chord, 2.0 * np.arccos(dot))
+    return step + ARM_M * turn
+
+
+def unit(numbers: np.ndarray) -> np.ndarray:
+    """Return poses with rotations of length one, shape (n, 7)."""
+    scaled = numbers.copy()
+    scaled[:, 3:] /= np.linalg.norm(numbers[:, 3:], axis=1)[:, None]
+    return scaled
+
+
+def is_constant(edge: Edge) -> bool:
+    """Return whether an edge has the same value throughout."""
+    poses = unit(edge.numbers[edge.is_usable])
+    return len(poses) > 0 and bool((distances(poses, np.broadcast_to(poses[0], poses.shape)) < CONSTANT).all())
+
+
+def two_stories(edge: Edge) -> Stories | None:
+    """Return the two stories that an edge tells alternately, or None if it tells one.
+
+    Samples are followed in the order of their stamps, so that one who merely came
+    late is no second owner; if the clock was set, that order means nothing, and
+    they are followed as they arrived.
+    """
+    rows = np.arange(len(edge)) if edge.jumps else np.argsort(edge.stamp_ns, kind="stable")
+    rows = rows[edge.is_usable[rows]][:MOST_SAMPLES]
+    if len(rows) < 6:
+        return None
+    poses = unit(edge.numbers[rows])
+    look_back = _less_than_half_a_turn(poses)
+    if look_back < 2:
+        return None
+    nearest = np.full(len(poses) - 1, np.inf)  # of each sample but the first: to any of the few before it
+    for lag in range(1, min(look_back, len(poses) - 1) + 1):
+        nearest[lag - 1 :] = np.minimum(nearest[lag - 1 :], distances(poses[lag:], poses[:-lag]))
+    apart_m = max(LEAST_DIFFERENCE_M, 3.0 * float(np.percentile(nearest, 90)))
+    step = distances(poses[1:], poses[:-1])
+    if np.count_nonzero(step > apart_m) < 4:
+        return None
+    return _told_alternately(poses, rows, apart_m, look_back)
+
+
+def _less_than_half_a_turn(poses: np.ndarray) -> int:
+    """Return how many samples to look back: a wheel, which only turns, is back where it was after each turn."""
+    if np.ptp(poses[:, :3], axis=0).max() > LEAST_DIFFERENCE_M:
+        return LOOK_BACK
+    dot = np.abs(np.einsum("ij,ij->i", poses[1:, 3:], poses[:-1, 3:]))
+    turn_rad = 2.0 * float(np.percentile(np.arccos(np.clip(dot, 0.0, 1.0)), 90))
+    return LOOK_BACK if turn_rad * LOOK_BACK < np.pi else int(0.5 * np.pi / turn_rad)
+
+
+def _told_alternately(poses: np.ndarray, rows: np.ndarray, apart_m: float, look_back: int) -> Stories | None:
+    """Follow two stories through the samples: each sample continues the nearer one, or begins another."""
+    last_of: list[int] = [0]  # the newest sample of each story, the story told last at the end
+    returns = []
+    apart = []
+    for i in range(1, len(poses)):
+        here = poses[i : i + 1]
+        gaps = [float(distances(here, poses[j : j + 1])[0]) for j in last_of]
+        story = int(np.argmin(gaps))
+        if gaps[story] > apart_m:
+            last_of.append(i)
+            del last_of[:-2]
+            continue
+        if story != len(last_of) - 1 and i - last_of[story] <= look_back + 1:
+            returns.append(i)
+            apart.append(gaps[-1])
+        last_of.append(last_of.pop(story))
+        last_of[-1] = i
+    if len(returns) < 4 or len(returns) < 0.08 * (returns[-1] - returns[0]):
+        return None
+    return Stories(float(np.median(apart)), len(returns), int(rows[returns[0]]), int(rows[returns[-1]]))

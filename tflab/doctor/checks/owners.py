@@ -1,0 +1,83 @@
+"""Who says so?  Step 6 of the lecture's order: each transform has one owner.
+
+    /wheel_odometry  --o---o---o---.
+                                    >-- odom -> base_link    o x o x o x   the robot trembles in RViz
+    /ekf             ----x---x---x-'
+
+A rosbag2 does not record who published a message.  Then two owners show in the
+values: each of them is smooth, but they take turns.  Read `statics.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import pairwise
+
+import numpy as np
+
+from ..evidence import Edge, Evidence
+from ..findings import Finding
+from .motion import LEAST_DIFFERENCE_M, distances, two_stories, unit
+
+__all__ = ["owners_of_both_kinds", "several_owners", "several_static_owners"]
+
+MOST_SHOWN = 3
+
+
+def several_owners(evidence: Evidence) -> Iterator[Finding]:
+    """Yield a finding for each moving child that several publish, by their names or by their values."""
+    for edge in evidence.moving:
+        named = _publishers_at_once(edge)
+        if named:
+            facts = {"evidence": f"published by {', '.join(named)}", "apart": "", "count": len(edge)}
+            span = (int(edge.receive_ns[0]), int(edge.receive_ns[-1]))
+            yield Finding("two-owners", "error", edge.usual_parent, edge.child, edge.topic, *span, facts)
+            continue
+        stories = two_stories(edge) if evidence.has_arrival else None
+        if stories:
+            told = f"two sequences of values, {stories.apart_m:.3f} m apart, that took turns {stories.returns} times"
+            span = (int(edge.receive_ns[stories.first]), int(edge.receive_ns[stories.last]))
+            facts = {"evidence": told, "apart": f"{stories.apart_m:.3f}", "count": stories.returns}
+            yield Finding("two-owners", "error", edge.usual_parent, edge.child, edge.topic, *span, facts)
+
+
+def several_static_owners(evidence: Evidence) -> Iterator[Finding]:
+    """Yield a finding for each static child of which two publishers tell different values."""
+    for edge in evidence.statics:
+        if len(set(edge.publisher[edge.is_usable].tolist())) < 2:
+            continue
+        poses = unit(edge.numbers[edge.is_usable])
+        apart_m = distances(poses, np.broadcast_to(poses[0], poses.shape))
+        if apart_m.max() > LEAST_DIFFERENCE_M / 10:
+            facts = {"evidence": f"published by {', '.join(sorted(edge.publishers))}", "apart": f"{apart_m.max():.3f}",
+                     "count": len(edge)}  # fmt: skip
+            yield Finding("two-owners", "error", edge.usual_parent, edge.child, edge.topic, facts=facts)
+
+
+def owners_of_both_kinds(evidence: Evidence) -> Iterator[Finding]:
+    """Yield a finding for each child that is published as moving and as static, unless both say the same."""
+    statics = {edge.child: edge for edge in evidence.statics}
+    for edge in evidence.moving:
+        static = statics.get(edge.child)
+        if static is not None and not _say_the_same(edge, static):
+            facts = {"count": len(edge), "static_count": len(static)}
+            yield Finding("moving-and-static", "error", edge.usual_parent, edge.child, edge.topic, facts=facts)
+
+
+def _say_the_same(a: Edge, b: Edge) -> bool:
+    """Return whether all values of two edges are one: a mount that is repeated as if it moved."""
+    poses = unit(np.concatenate([a.numbers[a.is_usable], b.numbers[b.is_usable]]))
+    return len(poses) == 0 or bool((distances(poses, np.broadcast_to(poses[0], poses.shape)) < 1e-6).all())
+
+
+def _publishers_at_once(edge: Edge) -> list[str]:
+    """Return who published an edge, if several known nodes did so during the same time."""
+    if len(edge.publishers) < 2:
+        return []
+    spans = []
+    for number, name in enumerate(edge.publishers):
+        mine = edge.receive_ns[edge.publisher == number]
+        spans.append((int(mine.min()), int(mine.max()), name))
+    spans.sort()
+    overlap = any(later[0] < earlier[1] for earlier, later in pairwise(spans))
+    return sorted(name or "(unknown)" for *_, name in spans)[:MOST_SHOWN] if overlap else []

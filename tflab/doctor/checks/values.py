@@ -1,0 +1,57 @@
+"""Are the numbers transforms at all?  Step 3 of the lecture's order.
+
+    rotation (0, 0, 0, 0)     no direction: tf2 refuses it, and the frame "does not exist"
+    rotation of length 0.9    tf2 of ROS 2 scales it, ROS 1 refuses it: somebody forgot to normalise
+    NaN, inf                  a division by zero upstream
+    optical frame, not turned z must look ahead and x to the right (REP-103)
+
+Read `timing.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from ..evidence import Edge, Evidence
+from ..findings import Finding
+
+__all__ = ["bad_rotations", "not_numbers", "unturned_optical_frames"]
+
+LENGTH_TOLERANCE = 1e-3  # of a quaternion: rounding to float32 gives 1e-7, careless drivers 1e-4
+TURN_TOLERANCE_RAD = 0.02
+
+
+def not_numbers(evidence: Evidence) -> Iterator[Finding]:
+    """Yield a finding for each edge with NaN or infinity in it."""
+    for edge in evidence.edges():
+        yield from _finding_where(edge, ~edge.is_finite, "not-a-number", "error")
+
+
+def bad_rotations(evidence: Evidence) -> Iterator[Finding]:
+    """Yield a finding for each edge with rotations that have no direction, or not length one."""
+    for edge in evidence.edges():
+        yield from _finding_where(edge, edge.is_finite & (edge.norm < 1e-9), "zero-quaternion", "error")
+        off = edge.is_finite & (edge.norm >= 1e-9) & (np.abs(edge.norm - 1.0) > LENGTH_TOLERANCE)
+        lengths = edge.norm[off]
+        facts = {"shortest": f"{lengths.min():.4f}", "longest": f"{lengths.max():.4f}"} if len(lengths) else {}
+        yield from _finding_where(edge, off, "not-unit-quaternion", "warning", facts)
+
+
+def unturned_optical_frames(evidence: Evidence) -> Iterator[Finding]:
+    """Yield a finding for each optical frame that has the same axes as a parent that is none."""
+    for edge in evidence.edges():
+        if "optical" not in edge.child or "optical" in edge.usual_parent or not edge.is_usable.any():
+            continue
+        turn_rad = 2.0 * np.arccos(np.clip(np.abs(edge.numbers[:, 6]) / np.maximum(edge.norm, 1e-12), 0.0, 1.0))
+        yield from _finding_where(edge, edge.is_usable & (turn_rad < TURN_TOLERANCE_RAD), "optical-unturned", "warning")
+
+
+def _finding_where(edge: Edge, is_bad: np.ndarray, code: str, severity, facts: dict | None = None) -> Iterator[Finding]:
+    """Yield one finding about the samples of an edge that are marked, if any."""
+    bad = np.flatnonzero(is_bad)
+    if len(bad):
+        begin_ns, end_ns = int(edge.receive_ns[bad[0]]), int(edge.receive_ns[bad[-1]])
+        facts = {"count": len(bad), "total": len(edge), **(facts or {})}
+        yield Finding(code, severity, edge.usual_parent, edge.child, edge.topic, begin_ns, end_ns, facts)

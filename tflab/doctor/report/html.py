@@ -1,0 +1,127 @@
+"""How does a report look in a browser?  One file that needs nothing else, in light and in dark.
+
+    headline
+    findings      a card each, worst first: what, evidence, why, what to type next
+    timeline      when each edge was heard, and how late
+    tree          who is whose child
+    checks        made, and not made
+
+No network, no scripts: the pictures are in the file.  Read `doctor.py` next.
+"""
+
+from __future__ import annotations
+
+from base64 import b64encode
+from collections.abc import Mapping
+from html import escape
+
+from tflab.bags.recording import Recording, namespace_of
+from tflab.core import Snapshot, snapshot
+from tflab.views.tree import draw_tree
+
+from ..evidence import evidence_from_recording
+from ..findings import Finding, Report
+from .history import draw_history
+from .text import headline, moments_text
+from .texts import TEXTS, Text, sentences
+
+__all__ = ["html_from_report"]
+
+SIGNS = {"error": "✕", "warning": "!", "info": "i"}
+
+CSS = """
+:root { color-scheme: light dark; --page: #f6f6f3; --card: #fdfdfb; --ink: #1f2328; --grey: #5b6168; --hair: #e0e2de;
+  --code: #eff0ec; --error: #b3261e; --warning: #8a5a00; --info: #0b5c8f; }
+@media (prefers-color-scheme: dark) { :root { --page: #16181b; --card: #1f2226; --ink: #e8e9e6; --grey: #a4a9ae;
+  --hair: #33373c; --code: #2a2e33; --error: #ff8a80; --warning: #f2c060; --info: #7cc4f4; } }
+* { box-sizing: border-box; }
+body { margin: 0; background: var(--page); color: var(--ink); font: 16px/1.55 system-ui, sans-serif; }
+main { max-width: 62rem; margin: 0 auto; padding: 2.5rem 1.25rem 4rem; }
+h1 { font-size: 1.7rem; margin: 0; line-height: 1.25; overflow-wrap: anywhere; }
+h2 { font-size: 1.15rem; margin: 2.5rem 0 .75rem; }
+.outcome { color: var(--grey); margin: .35rem 0 0; }
+article { background: var(--card); border: 1px solid var(--hair); border-left: 5px solid var(--tone);
+  border-radius: 9px; padding: 1rem 1.25rem; margin: .75rem 0; }
+.error { --tone: var(--error); } .warning { --tone: var(--warning); } .info { --tone: var(--info); }
+article h3 { margin: 0; font-size: 1.05rem; overflow-wrap: anywhere; }
+.kind { color: var(--tone); font-weight: 650; font-size: .85rem; letter-spacing: .02em; display: flex; gap: .5rem;
+  align-items: center; margin-bottom: .2rem; flex-wrap: wrap; }
+.sign { width: 1.25rem; height: 1.25rem; border-radius: 50%; border: 1.5px solid var(--tone); display: inline-grid;
+  place-items: center; font-size: .78rem; }
+.when { color: var(--grey); font-weight: 400; margin-left: auto; font-variant-numeric: tabular-nums; }
+article p { margin: .45rem 0 0; overflow-wrap: anywhere; } .why { color: var(--grey); }
+code { background: var(--code); border-radius: 6px; padding: .3rem .6rem; font: .9rem ui-monospace, monospace;
+  display: inline-block; overflow-wrap: anywhere; }
+figure { margin: 0; overflow-x: auto; } figure img, figure svg { max-width: 100%; height: auto; display: block; }
+ul { padding-left: 1.2rem; color: var(--grey); }
+details { margin-top: .5rem; } summary { cursor: pointer; }
+"""
+
+
+def html_from_report(report: Report, recording: Recording, texts: Mapping[str, Text] = TEXTS) -> str:
+    """Return a report as a page of its own, with the pictures of the recording it is about."""
+    findings = "\n".join(_card(report, finding, texts) for finding in report.findings)
+    pictures = "\n".join(_pictures(report, recording, namespace) for namespace in recording.namespaces())
+    subject = escape(report.subject)
+    outcome = escape(headline(report).removeprefix(f"{report.subject}: "))
+    return f"""<!DOCTYPE html>
+<html lang="en">
+<head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
+<title>{subject}: TF report</title><style>{CSS}</style></head>
+<body><main>
+<h1>{subject}</h1>
+<p class="outcome">{outcome}</p>
+{findings}
+{pictures}
+<h2>Checks</h2>
+{_checks(report)}
+</main></body></html>
+"""
+
+
+def _card(report: Report, finding: Finding, texts: Mapping[str, Text]) -> str:
+    said = sentences(finding, texts)
+    when = moments_text(report, finding)
+    command = f"<p><code>{escape(said.command)}</code></p>" if said.command else ""
+    return f"""<article class="{finding.severity}">
+<div class="kind"><span class="sign" aria-hidden="true">{SIGNS[finding.severity]}</span>{finding.severity}
+<span class="when">{escape(when)}</span></div>
+<h3>{escape(said.title)}</h3>
+<p>{escape(said.evidence)}</p>
+<p class="why">{escape(said.cause)}</p>
+{command}
+</article>"""
+
+
+def _pictures(report: Report, recording: Recording, namespace: str) -> str:
+    """Return the timeline and the tree of one namespace."""
+    evidence = evidence_from_recording(recording, namespace)
+    of = f" of {escape(namespace)}" if namespace else ""
+    history = draw_history(evidence, report.findings)
+    png = b64encode(history.png()).decode()
+    tree = draw_tree(_tree_of(recording, namespace), title="")
+    return f"""<h2>Timeline{of}</h2>
+<figure><img src="data:image/png;base64,{png}" width="{history.size_px[0]}" alt="{escape(history.text, quote=True)}">
+</figure>
+<h2>Tree{of}</h2>
+<figure>{tree.svg}</figure>"""
+
+
+def _tree_of(recording: Recording, namespace: str) -> Snapshot:
+    """Return the tree with everybody who published an edge; a buffer forgets the earlier of two statics."""
+    tree = snapshot(recording.buffer(namespace=namespace))
+    publishers: dict[str, set[str]] = {}
+    for label in recording.transforms.labels:
+        if label.publisher and namespace_of(label.topic) == namespace:
+            publishers.setdefault(label.child.removeprefix("/"), set()).add(label.publisher)
+    frames = (frame._replace(authorities=tuple(sorted(publishers.get(frame.name, ())))) for frame in tree.frames)
+    return tree._replace(frames=tuple(frames))
+
+
+def _checks(report: Report) -> str:
+    made = "".join(f"<li>{escape(name)}</li>" for name in report.checks_made)
+    missing = "".join(f"<li>{escape(c.check)}: needs {escape(c.needs)}</li>" for c in report.checks_not_made)
+    text = f"<details><summary>{len(report.checks_made)} made</summary><ul>{made}</ul></details>"
+    if missing:
+        text += f"<details><summary>{len(report.checks_not_made)} not made</summary><ul>{missing}</ul></details>"
+    return text

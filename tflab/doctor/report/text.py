@@ -1,0 +1,100 @@
+"""How does a report read in a terminal, and to a program?
+
+    drive: 1 error, 1 warning
+
+    ERROR    odom -> base_link has two owners                      12.3 s to 40.0 s
+             two sequences of values, 0.300 m apart ...
+             Why   Two nodes publish the same transform ...
+             Next  ros2 topic info /tf --verbose
+
+Read `history.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from textwrap import wrap
+
+from tflab.core import NSEC_PER_SEC
+
+from ..findings import SEVERITIES, Finding, Report
+from .faults import faults_of_code
+from .texts import TEXTS, Text, sentences
+
+__all__ = ["data_from_report", "headline", "moments_text", "text_from_report"]
+
+WIDTH = 100
+INDENT = " " * 9
+
+
+def text_from_report(report: Report, texts: Mapping[str, Text] = TEXTS) -> str:
+    """Return a report for a terminal."""
+    lines = [headline(report), ""]
+    for finding in report.findings:
+        lines += [*_finding_lines(report, finding, texts), ""]
+    lines.append(f"{len(report.checks_made)} checks made.")
+    for needs in dict.fromkeys(check.needs for check in report.checks_not_made):
+        names = ", ".join(check.check for check in report.checks_not_made if check.needs == needs)
+        lines += wrap(f"Not made, for want of {needs}: {names}.", WIDTH)
+    return "\n".join(lines)
+
+
+def data_from_report(report: Report, texts: Mapping[str, Text] = TEXTS) -> dict:
+    """Return a report as plain data, for JSON."""
+    return {
+        "subject": report.subject,
+        "begin_ns": report.begin_ns,
+        "findings": [
+            {
+                "code": finding.code,
+                "faults": [str(fault) for fault in faults_of_code(finding.code)],
+                "severity": finding.severity,
+                "parent": finding.parent,
+                "child": finding.child,
+                "topic": finding.topic,
+                "begin_ns": finding.begin_ns,
+                "end_ns": finding.end_ns,
+                "facts": finding.facts,
+                **sentences(finding, texts)._asdict(),
+            }
+            for finding in report.findings
+        ],
+        "checks_made": list(report.checks_made),
+        "checks_not_made": [check._asdict() for check in report.checks_not_made],
+    }
+
+
+def headline(report: Report) -> str:
+    """Return the outcome in one line."""
+    counts = [(severity, len(report.of_severity(severity))) for severity in SEVERITIES]
+    if not report.findings:
+        return f"{report.subject}: nothing is wrong" if report.checks_made else f"{report.subject}: nothing to check"
+    names = {"error": "error", "warning": "warning", "info": "note"}
+    said = [f"{n} {names[severity]}{'s' if n > 1 else ''}" for severity, n in counts if n]
+    return f"{report.subject}: {', '.join(said)}"
+
+
+def moments_text(report: Report, finding: Finding) -> str:
+    """Return from when to when, in seconds from the beginning; "" if always."""
+    if not finding.begin_ns:
+        return ""
+    begin_s = (finding.begin_ns - report.begin_ns) / NSEC_PER_SEC
+    end_s = (max(finding.end_ns, finding.begin_ns) - report.begin_ns) / NSEC_PER_SEC
+    return f"{begin_s:.2f} s" if end_s - begin_s < 0.005 else f"{begin_s:.2f} s to {end_s:.2f} s"
+
+
+def _finding_lines(report: Report, finding: Finding, texts: Mapping[str, Text]) -> list[str]:
+    said = sentences(finding, texts)
+    when = moments_text(report, finding)
+    title = said.title + (f"   [{when}]" if when else "")
+    lines = wrap(title, WIDTH, initial_indent=f"{finding.severity.upper():<9}", subsequent_indent=INDENT)
+    lines += _indented(said.evidence, "")
+    lines += _indented(said.cause, "Why   ")
+    if said.command:
+        lines += [f"{INDENT}Next  {said.command}"]
+    return lines
+
+
+def _indented(text: str, label: str) -> list[str]:
+    rest = INDENT + " " * len(label)
+    return wrap(text, WIDTH, initial_indent=INDENT + label, subsequent_indent=rest, break_on_hyphens=False)

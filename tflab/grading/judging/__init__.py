@@ -1,0 +1,14 @@
+"""From a notebook that was read to marks: only its answers go on, and the verdict is made outside their process.
+
+    pack          what the instructor keeps: seed, hidden cases, masters
+    transplant    its answers, between our cells
+    plan          which cells run, in which order
+    nbval_items   cells as nbval's test items
+    nbval_run     nbval, on such a kernel, within limits
+    attempt       what hangs is tried again, alone
+    marks         points, mistakes, words
+    submission    all of it, for one submission
+    plain_kernel  the same for a learner's own work, without a wall
+
+Start with `pack.py`; each page names the next.
+"""

@@ -1,0 +1,209 @@
+"""What does only the instructor have?  A secret seed, the hidden cases it makes, and the master notebooks.
+
+    DIR/instructor/
+      pack.json                  seed, roster, chapters, version: keep it to yourself
+      cases/03_....json          what is graded; same shape as a learner's cases, other inputs
+      masters/03_....ipynb       the exercise as it was handed out
+
+What a learner gets is made from one seed, what is graded from another, and both
+from the secret one: knowing the first does not help to find the second.  Of a task
+whose answer is a value, what is graded is what the learner was given; of a
+function, inputs that nobody has seen.  Read `transplant.py` next.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import hmac
+import json
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from tflab import __version__
+from tflab.workbook.answers.forms import form_from_plain
+from tflab.workbook.answers.sealed import seal
+from tflab.workbook.tasks.cases import CasesError, cases_json, make_cases, read_cases
+from tflab.workbook.tasks.task import variant_of
+from tflab.workbook.whole_files import write_whole
+
+from ..submissions.roster import Learner
+from .transplant import Master, master_of
+
+__all__ = ["DAMAGE", "Pack", "PackError", "chapter_cases", "read_pack", "write_chapter", "write_pack"]
+
+FORMAT = 1
+HIDDEN_INPUTS = 8  # at least, for each function
+PACK = "pack.json"
+DAMAGE = (KeyError, TypeError, ValueError, IndexError, AttributeError)  # what reading JSON that is not ours raises
+
+
+class PackError(Exception):
+    """A folder that is no pack; the text says what is wrong, and what to do."""
+
+
+@dataclass(frozen=True)
+class Pack:
+    """An instructor's pack.
+
+    Attributes:
+        release: a short name that stands in every notebook handed out; it says nothing about the seed.
+        seed: 256 secret bits, as hex.
+        roster: the learners by id, or None if everybody got the same folder.
+        cases: what is graded, by chapter.
+        masters: the exercises as they were handed out, by chapter.
+    """
+
+    release: str
+    seed: str
+    version: str = __version__
+    language: str = "en"
+    roster: dict[str, Learner] | None = None
+    cases: dict[str, dict[str, Any]] = field(default_factory=dict)
+    masters: dict[str, Master] = field(default_factory=dict)
+
+    @cached_property
+    def digest(self) -> str:
+        """A name for exactly this pack, so that results of another are not taken for its own."""
+        held = json.dumps([self.release, self.seed, self.version, self.cases], sort_keys=True)
+        return hashlib.sha256(held.encode()).hexdigest()
+
+    def for_learner(self, learner: str) -> dict[str, dict[str, Any]]:
+        """Return what one learner is graded on: the master cells and tasks of each chapter, plain data."""
+        chapters = {}
+        for stem, cases in self.cases.items():
+            cells = [[cell.name, cell.source, cell.task, cell.role] for cell in self.masters[stem].cells]
+            tasks = {}
+            for task_id, task in cases["tasks"].items():
+                variant = task["variants"][variant_for(self.roster, learner, task_id, task)]
+                tasks[task_id] = {name: held for name, held in task.items() if name != "variants"} | variant
+            chapters[stem] = {"master": cells, "tasks": tasks}
+        return chapters
+
+
+def variant_for(roster: Mapping[str, Learner] | None, learner: str, task_id: str, task: Mapping[str, Any]) -> int:
+    """Return which variant of a task a learner has; without a roster everybody has the first."""
+    return variant_of(learner, task_id, len(task["variants"])) if roster is not None and learner in roster else 0
+
+
+def chapter_cases(stem: str, seed: str, solutions: Path) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Return a chapter's cases for the learners (open) and for grading."""
+    learners = make_cases(stem, _derived(seed, "learners"), solutions=solutions)
+    hidden = make_cases(stem, _derived(seed, "hidden"), solutions=solutions, fewest_inputs=HIDDEN_INPUTS)
+    # As they will be read: a file has its keys sorted, and what is sealed keeps to the order of the parts.
+    learners, hidden = (json.loads(cases_json(cases)) for cases in (learners, hidden))
+    # What a learner was shown is part of the question: then the inputs that go with it are, too.
+    shown = {task_id: any(one["given"] for one in task["variants"]) for task_id, task in learners["tasks"].items()}
+    graded = {
+        task_id: hidden["tasks"][task_id] if task["is_function"] and not shown[task_id] else task
+        for task_id, task in learners["tasks"].items()
+    }
+    return learners, learners | {"tasks": graded}
+
+
+def learners_cases(
+    cases: Mapping[str, Any], roster: Mapping[str, Learner] | None, learner: str | None
+) -> dict[str, Any]:
+    """Return a chapter's cases as one learner gets them: only their variant, values sealed."""
+    tasks = {}
+    for task_id, task in cases["tasks"].items():
+        variant = task["variants"][variant_for(roster, learner or "", task_id, task)]
+        tasks[task_id] = task | {"variants": [variant if task["is_function"] else _sealed(task, variant, learner)]}
+    return dict(cases) | {"tasks": tasks}
+
+
+def write_pack(folder: Path, pack: Pack) -> None:
+    """Write `pack.json`, readable by its owner only; the chapters have files of their own."""
+    folder.mkdir(parents=True, exist_ok=True)
+    roster = None if pack.roster is None else [[one.id, one.name, one.language] for one in pack.roster.values()]
+    held = {
+        "format": FORMAT,
+        "what": "The instructor's pack: whoever has it has the hidden cases. Keep it to yourself.",
+        "release": pack.release,
+        "seed": pack.seed,
+        "version": pack.version,
+        "language": pack.language,
+        "roster": roster,
+        "chapters": sorted(pack.cases),
+    }
+    write_whole(folder / PACK, json.dumps(held, indent=1, ensure_ascii=False) + "\n")
+    for path, mode in ((folder, 0o700), (folder / PACK, 0o600)):
+        os.chmod(path, mode)
+
+
+def write_chapter(folder: Path, stem: str, graded: Mapping[str, Any], master: bytes) -> None:
+    """Write what a chapter is graded on, and its master notebook."""
+    write_whole(folder / "cases" / f"{stem}.json", cases_json(dict(graded)))
+    write_whole(folder / "masters" / f"{stem}.ipynb", master)
+
+
+def read_pack(folder: Path) -> Pack:
+    """Return the pack in a folder.
+
+    Raises:
+        PackError: there is none, or it is damaged, or of another format.
+    """
+    path = folder / PACK if folder.is_dir() else folder
+    try:
+        held = json.loads(path.read_text(encoding="utf-8"))
+    except OSError:
+        raise PackError(f"there is no pack in {folder}; `tflab release DIR` writes one to DIR/instructor") from None
+    except ValueError as error:
+        raise PackError(f"{path} is damaged: {error}") from None
+    if not isinstance(held, dict) or held.get("format") != FORMAT:
+        raise PackError(f"{path} was made by another version of tflab; grade with the version that made it")
+    try:
+        roster = None if held["roster"] is None else {row[0]: Learner(*row) for row in held["roster"]}
+        cases = {stem: read_cases(path.parent / "cases" / f"{stem}.json") for stem in held["chapters"]}
+        check_roster(roster or {})
+        for held_cases in cases.values():
+            check_tasks(held_cases["tasks"])
+        masters = {stem: _read_master(path.parent, stem, cases[stem]) for stem in cases}
+        return Pack(held["release"], held["seed"], held["version"], held["language"], roster, cases, masters)
+    except (*DAMAGE, OSError, CasesError) as error:
+        raise PackError(f"{path.parent} is damaged: {type(error).__name__}: {error}") from None
+
+
+def check_roster(roster: Mapping[str, Learner]) -> None:
+    """Raise TypeError if a learner is not made of texts."""
+    words = [word for one in roster.values() for word in (one.id, one.name, one.language)]
+    if not all(isinstance(word, str) for word in words):
+        raise TypeError("the roster holds something else than texts")
+
+
+def check_tasks(tasks: Mapping[str, Any]) -> None:
+    """Raise KeyError, TypeError or ValueError if what grading will look at is not there, or of another kind."""
+    for task_id, task in tasks.items():
+        form_from_plain(task["form"])
+        if not (task["variants"] and all(one["cases"] for one in task["variants"])):
+            raise ValueError(f"{task_id} has no cases")
+        if not (float(task["points"]) >= 0 and isinstance(task["answer"], str) and isinstance(task["twins"], dict)):
+            raise ValueError(f"{task_id} has no points, or no answer to look for")
+
+
+def _read_master(folder: Path, stem: str, cases: Mapping[str, Any]) -> Master:
+    notebook = json.loads((folder / "masters" / f"{stem}.ipynb").read_text(encoding="utf-8"))
+    return master_of(notebook, stem, cases["tasks"])
+
+
+def _derived(seed: str, purpose: str) -> bytes:
+    return hmac.new(bytes.fromhex(seed), purpose.encode(), "sha256").digest()
+
+
+def _sealed(task: Mapping[str, Any], variant: Mapping[str, Any], learner: str | None) -> dict[str, Any]:
+    """Return a variant whose expected values, and the mistakes beside them, cannot be read off."""
+    form = form_from_plain(task["form"])
+    cases = []
+    for number, case in enumerate(variant["cases"]):
+        salt = hashlib.sha256(f"{learner}/{number}/{json.dumps(variant['given'])}".encode()).hexdigest()[:16]
+        twins = {}
+        for name, value in case["twins"].items():
+            try:
+                twins[name] = seal(form, value, salt)
+            except (ValueError, TypeError, KeyError):  # a mistake of another form: nothing of the answer is in it
+                twins[name] = value
+        cases.append(case | {"expected": seal(form, case["expected"], salt), "twins": twins})
+    return dict(variant) | {"cases": cases}

@@ -1,0 +1,69 @@
+"""What of ours runs in the learner's process?  This page and no other: what is given goes in, plain values come out.
+
+    prepare(givens)                 task("E3.2") returns what the pack gives; check and hint are silent
+    probe("7f3a", lambda: answer, "null")           one message {"id": "7f3a", "v": [the answer as plain JSON]}
+    probe("7f3b", lambda: f, "[[args], [args]]")    the same for what f gives for fresh copies of each case's arguments
+
+Whoever owns this process can change every line of it.  That is why no expected
+value ever comes here: forging a message, a learner can say only what they could
+have answered.  Read `keeper.py` next.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from types import SimpleNamespace
+from typing import Any
+
+__all__ = ["PROBE_TYPE", "prepare", "probe"]
+
+PROBE_TYPE = "application/vnd.tflab.probe+json"
+
+
+def prepare(givens_json: str) -> None:
+    """Let `task(...)` return what this learner is given, and `check`, `hint` and `solution` do nothing."""
+    from tflab import workbook
+    from tflab.workbook.answers.values import from_plain
+
+    givens = json.loads(givens_json)
+
+    def task(task_id: str) -> SimpleNamespace:
+        given = givens.get(task_id) or {}
+        return SimpleNamespace(**{name: from_plain(value) for name, value in given.items()})
+
+    workbook.task = task
+    workbook.check = workbook.hint = workbook.solution = _nothing
+
+
+def probe(identity: str, answer: Callable[[], Any], args_json: str) -> None:
+    """Send one outcome for each case, as plain JSON; what a function raises is an outcome, too."""
+    from tflab.workbook.answers.values import from_plain
+
+    cases = json.loads(args_json)
+    if cases is None:
+        outcomes = [_plain_outcome(answer)]
+    else:
+        outcomes = [_plain_outcome(lambda args=args: answer()(*[from_plain(arg) for arg in args])) for args in cases]
+    _send(identity, outcomes)
+
+
+def _plain_outcome(give: Callable[[], Any]) -> Any:
+    from tflab.workbook.answers.values import raised, to_plain
+
+    try:
+        plain = to_plain(give())
+        json.dumps(plain, allow_nan=False)
+    except Exception as error:
+        return raised(error)
+    return plain
+
+
+def _send(identity: str, plain: Any) -> None:
+    from IPython.display import display
+
+    display({PROBE_TYPE: {"id": identity, "v": plain}}, raw=True)
+
+
+def _nothing(*_: object, **__: object) -> None:
+    """Do nothing: whether an answer is right is not decided here."""

@@ -1,0 +1,115 @@
+"""Which system calls are refused to a kernel?  Those that no answer needs and that attacks begin with.
+
+    mount, unshare, ptrace, bpf, ...     EPERM
+    memfd_create, vmsplice, shmget, ...  EPERM (memory that is in no process, and so in nobody's limit)
+    mmap that forks share, of no file    EPERM (the same)
+    kill(-1)                             EPERM (that is everybody)
+    clone with a new namespace           EPERM
+    clone3                               ENOSYS (its flags cannot be seen; libc then uses clone)
+    socket of an unusual family          EAFNOSUPPORT
+
+The filter is a small program in the kernel's own language (BPF): it looks at the number of a
+call and at one of its arguments.  A machine of another architecture goes without.
+
+Read `landlock.py` next.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import errno
+import platform
+import struct
+from collections.abc import Mapping
+
+from .namespaces import check, libc
+
+__all__ = ["refuse_dangerous_calls"]
+
+ANYWHERE = {
+    "io_uring_setup": 425, "io_uring_enter": 426, "io_uring_register": 427, "open_tree": 428, "move_mount": 429,
+    "fsopen": 430, "fsconfig": 431, "fsmount": 432, "fspick": 433, "pidfd_getfd": 438, "process_madvise": 440,
+    "mount_setattr": 442, "quotactl_fd": 443, "memfd_secret": 447,
+}  # fmt: skip
+X86_64 = {
+    "shmget": 29, "msgget": 68, "vmsplice": 278,
+    "memfd_create": 319,
+    "ptrace": 101, "pivot_root": 155, "chroot": 161, "acct": 163, "settimeofday": 164, "mount": 165, "umount2": 166,
+    "swapon": 167, "swapoff": 168, "reboot": 169, "init_module": 175, "delete_module": 176, "quotactl": 179,
+    "clock_settime": 227, "kexec_load": 246, "add_key": 248, "request_key": 249, "keyctl": 250, "unshare": 272,
+    "perf_event_open": 298, "name_to_handle_at": 303, "open_by_handle_at": 304, "setns": 308, "process_vm_readv": 310,
+    "process_vm_writev": 311, "finit_module": 313, "kexec_file_load": 320, "bpf": 321, "userfaultfd": 323,
+}  # fmt: skip
+AARCH64 = {
+    "msgget": 186, "shmget": 194, "memfd_create": 279, "vmsplice": 75,
+    "umount2": 39, "mount": 40, "pivot_root": 41, "chroot": 51, "quotactl": 60, "acct": 89, "unshare": 97,
+    "kexec_load": 104, "init_module": 105, "delete_module": 106, "clock_settime": 112, "ptrace": 117, "reboot": 142,
+    "settimeofday": 170, "add_key": 217, "request_key": 218, "keyctl": 219, "swapon": 224, "swapoff": 225,
+    "perf_event_open": 241, "name_to_handle_at": 264, "open_by_handle_at": 265, "setns": 268, "process_vm_readv": 270,
+    "process_vm_writev": 271, "finit_module": 273, "bpf": 280, "userfaultfd": 282, "kexec_file_load": 294,
+}  # fmt: skip
+# machine -> (how the kernel names it, refused calls, numbers of clone, socket, kill and mmap)
+MACHINES: dict[str, tuple[int, Mapping[str, int], int, int, int, int]] = {
+    "x86_64": (0xC000003E, {**X86_64, **ANYWHERE}, 56, 41, 62, 9),
+    "aarch64": (0xC00000B7, {**AARCH64, **ANYWHERE}, 220, 198, 129, 222),
+}
+CLONE3 = 435
+NEW_NAMESPACES = 0x7E020000  # CLONE_NEWNS, NEWCGROUP, NEWUTS, NEWIPC, NEWUSER, NEWPID, NEWNET
+FAMILIES = (1, 2, 10, 16)  # AF_UNIX, AF_INET, AF_INET6, AF_NETLINK
+X32 = 0x40000000
+
+SHARED_WITH_FORKS = 0x21  # MAP_SHARED and MAP_ANONYMOUS
+
+LOAD, AND, EQUAL, AT_LEAST, ANY_OF, RETURN = 0x20, 0x54, 0x15, 0x35, 0x45, 0x06
+ALLOW, KILL, REFUSE = 0x7FFF0000, 0x80000000, 0x00050000
+AT_NUMBER, AT_MACHINE, AT_FIRST_ARGUMENT, AT_FOURTH_ARGUMENT = 0, 4, 16, 40
+PR_SET_SECCOMP, MODE_FILTER = 22, 2
+
+Step = tuple[int, int, int, int]  # code, jump if true, jump if false, number
+
+
+def refuse_dangerous_calls() -> bool:
+    """Install the filter for this process and all that it starts; return whether this machine has one."""
+    if platform.machine() not in MACHINES:
+        return False
+    code = program(*MACHINES[platform.machine()])
+    buffer = ctypes.create_string_buffer(code, len(code))
+    filter_ = struct.pack("HxxxxxxP", len(code) // 8, ctypes.addressof(buffer))
+    check(libc.prctl(PR_SET_SECCOMP, MODE_FILTER, ctypes.create_string_buffer(filter_), 0, 0), "seccomp")
+    return True
+
+
+def program(machine: int, refused: Mapping[str, int], clone: int, socket: int, kill: int, mmap: int) -> bytes:
+    """Return the filter."""
+    steps = [
+        (LOAD, 0, 0, AT_MACHINE),
+        (EQUAL, 1, 0, machine),
+        (RETURN, 0, 0, KILL),
+        (LOAD, 0, 0, AT_NUMBER),
+        (AT_LEAST, 0, 1, X32),
+        (RETURN, 0, 0, REFUSE | errno.ENOSYS),
+        (EQUAL, 0, 1, CLONE3),
+        (RETURN, 0, 0, REFUSE | errno.ENOSYS),
+    ]
+    for number in sorted(refused.values()):
+        steps += [(EQUAL, 0, 1, number), (RETURN, 0, 0, REFUSE | errno.EPERM)]
+    families = [(EQUAL, len(FAMILIES) - i, 0, family) for i, family in enumerate(FAMILIES)]
+    steps += [
+        *refuse_if(mmap, AT_FOURTH_ARGUMENT, (AND, 0, 0, SHARED_WITH_FORKS), (EQUAL, 0, 1, SHARED_WITH_FORKS)),
+        *refuse_if(kill, AT_FIRST_ARGUMENT, (EQUAL, 0, 1, 0xFFFFFFFF)),
+        *refuse_if(clone, AT_FIRST_ARGUMENT, (ANY_OF, 0, 1, NEW_NAMESPACES)),
+        *refuse_if(socket, AT_FIRST_ARGUMENT, *families, error=errno.EAFNOSUPPORT),
+        (RETURN, 0, 0, ALLOW),
+    ]
+    return b"".join(struct.pack("HBBI", *step) for step in steps)
+
+
+def refuse_if(call: int, argument: int, *tests: Step, error: int = errno.EPERM) -> list[Step]:
+    """Return the steps that refuse a call by one of its arguments; a test that jumps over the refusal allows it."""
+    return [
+        (EQUAL, 0, len(tests) + 3, call),
+        (LOAD, 0, 0, argument),
+        *tests,
+        (RETURN, 0, 0, REFUSE | error),
+        (RETURN, 0, 0, ALLOW),
+    ]

@@ -1,0 +1,182 @@
+"""What does the class misunderstand?  One page for the instructor: mistakes by count, hardest tasks, distribution.
+
+    what is misunderstood     M1 target and source swapped  ##########  57
+    which mistakes            E3.2 swapped (M1)      ################  31 of 180
+    how hard the tasks are    E3.4                   #######......     52 %
+    how the class did         0 .. 100 %             ..:|||::.
+
+Each picture stands beside the same in words.  Read `check_command.py` next.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple
+
+from tflab.workbook.words import Words
+
+from ..submissions.remarks import Remark
+from .class_figures import bars, histogram
+from .feedback import STATUS
+from .gradebook import remarks_of, tasks_of, verdicts_of
+from .html import figure, page, points, prose, rows, text
+from .misconceptions import MISCONCEPTIONS
+
+__all__ = ["Mistake", "class_page", "mistakes"]
+
+MOST_BARS = 14
+TITLE = Words("The class", "반 전체 결과")
+COUNTED = Words("{graded} graded, {empty} with nothing to grade.", "{graded}명 채점, {empty}명은 채점할 것이 없습니다.")
+TOOK = Words("Running them took {seconds} s in all.", "실행에 모두 {seconds}초가 걸렸습니다.")
+MISUNDERSTOOD = Words("What is misunderstood", "무엇을 잘못 알고 있는가")
+MISTAKES = Words("Which mistakes", "어떤 실수를 하였는가")
+NO_MISTAKES = Words("No answer was one of the named mistakes.", "이름 붙은 실수와 일치한 답이 없습니다.")
+HARDEST = Words("How hard the tasks were", "과제의 난이도")
+DISTRIBUTION = Words("How the class did", "점수 분포")
+EVERYBODY = Words("Everybody", "전체 명단")
+IN_WORDS = Words("the same in words", "글로 보기")
+SPOILT = Words("misconceptions by the answers they spoilt", "잘못 알고 있는 점과 그 때문에 틀린 답")
+ANSWERS = Words("answers", "개")
+NAMED = Words("named mistakes", "이름 붙은 실수")
+LEARNERS = Words("learners", "명")
+HARDEST_FIRST = Words("the hardest tasks first", "어려운 과제부터")
+MEAN = Words("mean points [%]", "평균 점수[%]")
+ON_THE_WALL = Words("What stood between the submissions and this machine", "제출물과 이 컴퓨터를 나눈 벽")
+ABOUT = Words("What was odd about the files", "파일에 대한 알림")
+MISTAKE_HEADS = (
+    Words("Learners", "인원"),
+    Words("Task", "과제"),
+    Words("Mistake", "실수"),
+    Words("What they are told", "안내"),
+)
+HEADS = (Words("Learner", "학습자"), Words("Points", "점수"), Words("Tasks", "과제"), Words("Remarks", "비고"))
+
+
+class Mistake(NamedTuple):
+    """One named mistake, and how many made it."""
+
+    task: str
+    name: str
+    misconception: str
+    reply: Words
+    count: int
+
+
+def mistakes(records: Sequence[Mapping[str, Any]], cases: Mapping[str, Any]) -> list[Mistake]:
+    """Return the mistakes that were made, the most frequent first."""
+    counts = Counter(
+        (stem, task, row["twin"])
+        for record in records
+        for stem, chapter in record["chapters"].items()
+        for task, row in chapter["tasks"].items()
+        if row["twin"]
+    )
+    found = []
+    for (stem, task, name), count in counts.items():
+        twin = cases[stem]["tasks"][task]["twins"][name]
+        found.append(Mistake(task, name, twin["misconception"], Words(**twin["reply"]), count))
+    return sorted(found, key=lambda one: (-one.count, one.task, one.name))
+
+
+def class_page(
+    records: Sequence[Mapping[str, Any]],
+    cases: Mapping[str, Any],
+    *,
+    language: str = "en",
+    wall: Sequence[Words] = (),
+    remarks: Sequence[Remark] = (),
+) -> str:
+    """Return the instructor's page as HTML."""
+    graded = [record for record in records if record["handed_in"]]
+    counted = COUNTED.say(language, graded=len(graded), empty=len(records) - len(graded))
+    took = TOOK.say(language, seconds=f"{sum(record['seconds'] for record in records):.1f}")
+    body = [f"<h1>{text(TITLE.say(language))}</h1>", f"<p>{text(counted)} {text(took)}</p>"]
+    if graded:
+        found = mistakes(graded, cases)
+        body += _misunderstood(found, language)
+        body += _mistakes(found, len(graded), language)
+        body += _hardest(graded, language)
+        body += _distribution(graded, language)
+    body += [f"<h2>{text(EVERYBODY.say(language))}</h2>", _everybody(records, language)]
+    for heading, lines in ((ABOUT, remarks), (ON_THE_WALL, wall)):
+        if lines:
+            items = "".join(f"<li>{text(line.say(language))}</li>" for line in lines)
+            body.append(f'<div class="card"><b>{text(heading.say(language))}</b><ul>{items}</ul></div>')
+    return page(TITLE.say(language), language, body)
+
+
+def _misunderstood(found: Sequence[Mistake], language: str) -> list[str]:
+    """Return the thoughts behind the mistakes, by how many answers they spoilt."""
+    counts: Counter[str] = Counter()
+    for one in found:
+        if one.misconception in MISCONCEPTIONS:
+            counts[one.misconception] += one.count
+    if not counts:
+        return []
+    order = sorted(counts, key=lambda name: (-counts[name], int(name[1:])))
+    named = [(Words(*(f"{one} ({name})" for one in MISCONCEPTIONS[name])), counts[name]) for name in order]
+    picture = bars(named, ANSWERS, most=max(counts.values()), title=SPOILT, language=language)
+    body = [f"<h2>{text(MISUNDERSTOOD.say(language))}</h2>"]
+    body.append(figure(picture.png(), picture.text, picture.size_px[0], IN_WORDS.say(language)))
+    if language != "en":  # figures are in English
+        body.append(
+            f"<p>{text(', '.join(f'{MISCONCEPTIONS[name].say(language)} {counts[name]}' for name in order))}</p>"
+        )
+    return body
+
+
+def _mistakes(found: Sequence[Mistake], graded: int, language: str) -> list[str]:
+    body = [f"<h2>{text(MISTAKES.say(language))}</h2>"]
+    if not found:
+        return [*body, f"<p>{text(NO_MISTAKES.say(language))}</p>"]
+    named = [(Words(_label(one), _label(one)), one.count) for one in found[:MOST_BARS]]
+    picture = bars(named, LEARNERS, most=graded, title=NAMED, language=language)
+    cells = [
+        (f"{one.count} / {graded}", text(one.task), text(_label(one, task=False)), prose(one.reply.say(language)))
+        for one in found
+    ]
+    return [
+        *body,
+        figure(picture.png(), picture.text, picture.size_px[0], IN_WORDS.say(language)),
+        rows([head.say(language) for head in MISTAKE_HEADS], cells, numbers=(0,), widths=(10, 8, 24, 58)),
+    ]
+
+
+def _label(one: Mistake, task: bool = True) -> str:
+    misconception = f" ({one.misconception})" if one.misconception else ""
+    return f"{one.task + ' ' if task else ''}{one.name.replace('_', ' ')}{misconception}"
+
+
+def _hardest(graded: Sequence[Mapping[str, Any]], language: str) -> list[str]:
+    share = {}
+    for task in tasks_of(graded):
+        got = [verdicts_of(record)[task] for record in graded if task in verdicts_of(record)]
+        share[task] = 100 * sum(row["points"] for row in got) / sum(row["most"] for row in got)
+    hardest = sorted(share.items(), key=lambda pair: (pair[1], pair[0]))
+    named = [(Words(task, task), value) for task, value in hardest[:MOST_BARS]]
+    picture = bars(named, MEAN, most=100, title=HARDEST_FIRST, language=language)
+    return [
+        f"<h2>{text(HARDEST.say(language))}</h2>",
+        figure(picture.png(), picture.text, picture.size_px[0], IN_WORDS.say(language)),
+    ]
+
+
+def _distribution(graded: Sequence[Mapping[str, Any]], language: str) -> list[str]:
+    percents = [100 * record["points"] / record["most"] if record["most"] else 0.0 for record in graded]
+    picture = histogram(percents, language)
+    return [
+        f"<h2>{text(DISTRIBUTION.say(language))}</h2>",
+        figure(picture.png(), picture.text, picture.size_px[0], IN_WORDS.say(language)),
+    ]
+
+
+def _everybody(records: Sequence[Mapping[str, Any]], language: str) -> str:
+    cells = []
+    for record in records:
+        name = f"<b>{text(record['learner'])}</b> {text(record['name'])}"
+        got = f"{points(record['points'])} / {points(record['most'])}"
+        signs = " ".join(f"{task}&nbsp;{STATUS[row['status']][0]}" for task, row in verdicts_of(record).items())
+        lines = [remark.say(language) for remark in remarks_of(record)]
+        cells.append((name, got, signs, "<br>".join(text(line) for line in dict.fromkeys(lines))))
+    return rows([head.say(language) for head in HEADS], cells, numbers=(1,), widths=(20, 12, 38, 30))

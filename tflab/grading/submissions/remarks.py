@@ -1,0 +1,198 @@
+"""What is there to say about a notebook, in plain words?  A kind of remark, the task it is about, and its words twice.
+
+    Remark("twice", "E3.2", cell="e3-2-answer").say("en")
+    -> 'E3.2: two different cells are called "e3-2-answer", so neither counts. ...'
+
+A remark never repeats what a learner's code printed or raised: that could carry
+hidden inputs out.  Why a file cannot be read is a remark inside a remark: the
+kinds in `reasons.py`.  Read `kernels/` next.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+from tflab.workbook.words import Words
+
+from .reasons import REASONS
+
+__all__ = ["KINDS", "Remark", "printable"]
+
+KINDS = {
+    # about cells
+    "changed": Words(
+        en='the cell "{cell}" was changed; grading uses its own.',
+        ko='"{cell}" 셀이 바뀌었습니다. 채점에는 원래 셀을 씁니다.',
+    ),
+    "twice": Words(
+        en='two different cells are called "{cell}", so neither counts. Keep one and delete the other.',
+        ko='"{cell}"이라는 이름의 서로 다른 셀이 두 개라서 어느 쪽도 채점하지 않았습니다. 하나만 남기고 지우십시오.',
+    ),
+    "missing": Words(
+        en='the cell "{cell}" is not there. Put the answer into the cell that came with the exercise.',
+        ko='"{cell}" 셀이 없습니다. 연습 문제에 들어 있던 셀에 답을 쓰십시오.',
+    ),
+    "no code": Words(
+        en='the cell "{cell}" is text, not code, so it does not run. Turn it back into a code cell (Y).',
+        ko='"{cell}" 셀이 코드가 아니라 텍스트라서 실행되지 않습니다. 코드 셀로 되돌리십시오(Y 키).',
+    ),
+    "elsewhere": Words(
+        en='the answer stands in a cell of your own, not in "{cell}". It counts; next time write it there.',
+        ko='답이 "{cell}"이 아니라 직접 만든 셀에 있습니다. 이번에는 인정하지만 다음에는 제자리에 쓰십시오.',
+    ),
+    "apart": Words(
+        en="right only by itself: another of the answers gets in its way. It counts.",
+        ko="다른 답이 방해하여 따로 실행했을 때만 맞습니다. 점수는 인정합니다.",
+    ),
+    "left out": Words(
+        en='your own cell behind "{cell}" did not end; it was left out.',
+        ko='"{cell}" 뒤에 직접 만든 셀이 끝나지 않아서 빼고 채점했습니다.',
+    ),
+    # about what happened
+    "timed out": Words(
+        en="it did not end within {seconds} s, and not in a second run with three times as long either.",
+        ko="{seconds}초 안에 끝나지 않았고, 세 배의 시간을 준 두 번째 실행에서도 끝나지 않았습니다.",
+    ),
+    "died": Words(
+        en="it ended Python itself, or used up its memory; twice.",
+        ko="파이썬 자체가 종료되었거나 메모리를 모두 썼습니다. 두 번 모두 그랬습니다.",
+    ),
+    "flood": Words(
+        en="it wrote without end.",
+        ko="출력이 끝없이 이어졌습니다.",
+    ),
+    "raised": Words(
+        en="the answer cell stops with {error}.",
+        ko="답안 셀이 {error} 오류로 멈춥니다.",
+    ),
+    "raises": Words(
+        en="the function raises {error} where it should return a value ({of_cases}).",
+        ko="함수가 값을 돌려주어야 할 곳에서 {error} 예외를 냅니다({of_cases}).",
+    ),
+    "unfit": Words(
+        en="the answer is of another form; wanted: {wanted}.",
+        ko="답의 형식이 다릅니다. 필요한 것: {wanted_ko}.",
+    ),
+    "unit": Words(
+        en="the number would fit in {unit}; wanted: {wanted}.",
+        ko="{unit} 단위라면 맞는 값입니다. 필요한 단위: {wanted}.",
+    ),
+    "frame": Words(
+        en="the answer is in another frame; wanted: {wanted}.",
+        ko="답의 좌표계가 다릅니다. 필요한 좌표계: {wanted}.",
+    ),
+    "parts": Words(en="not right yet: {parts}.", ko="아직 틀린 부분: {parts}."),
+    "missing parts": Words(en="not answered: {parts}.", ko="답하지 않은 부분: {parts}."),
+    "unstable": Words(
+        en="the function gives another result when it is called a second time with the same input.",
+        ko="같은 입력으로 두 번째 부르면 함수의 결과가 달라집니다.",
+    ),
+    "constant": Words(
+        en="the function gives the same result whatever it is asked.",
+        ko="무엇을 넣어도 함수의 결과가 같습니다.",
+    ),
+    "echo": Words(
+        en="the function hands back what it was given, unchanged.",
+        ko="함수가 받은 값을 그대로 돌려줍니다.",
+    ),
+    "unanswered": Words(en="not answered yet.", ko="아직 답하지 않았습니다."),
+    "no result": Words(en="no result came back.", ko="결과가 돌아오지 않았습니다."),
+    "not run": Words(
+        en="it could not be run on this machine ({why}); grade it again.",
+        ko="이 컴퓨터에서 실행하지 못했습니다({why}). 다시 채점해야 합니다.",
+    ),
+    # about files
+    "unreadable": Words(en="{file}: {why}.", ko="{file}: {why}."),
+    "no exercise": Words(
+        en="{file}: none of its cells belongs to a chapter that is graded.",
+        ko="{file}: 채점하는 장의 셀이 하나도 없습니다.",
+    ),
+    "several": Words(
+        en="{chapter} was handed in more than once; {file} was graded: the one with most answers, or the later one.",
+        ko="{chapter} 장이 여러 번 제출되었습니다. 답이 가장 많은 것을, 같으면 나중 것을 채점했습니다: {file}.",
+    ),
+    "nothing": Words(en="{chapter} was not handed in.", ko="{chapter} 장은 제출되지 않았습니다."),
+    "other release": Words(
+        en="{file} comes from another release ({stamp}); it was graded as this one ({ours}).",
+        ko="{file}: 다른 배포본({stamp})에서 나온 파일이라 이번 배포본({ours}) 기준으로 채점했습니다.",
+    ),
+    "other version": Words(
+        en="{file} is stamped tflab {stamp}, the release tflab {ours}.",
+        ko="{file}: 적혀 있는 버전은 tflab {stamp}, 배포본은 tflab {ours}입니다.",
+    ),
+    "other learner": Words(
+        en="{file} was handed out to {stamp}, and handed in for {ours}.",
+        ko="{file}: {stamp}에게 배포된 것인데 {ours}의 이름으로 제출되었습니다.",
+    ),
+    "unknown task": Words(
+        en="{file} has a task {stamp} that is not in this release.",
+        ko="{file}: 이번 배포본에 없는 과제가 들어 있습니다({stamp}).",
+    ),
+    # about what was handed in
+    "no file": Words(en="nothing was handed in.", ko="제출한 것이 없습니다."),
+    "empty": Words(en="an empty folder.", ko="빈 폴더입니다."),
+    "no notebook": Words(en="no notebook; there is {stamp}.", ko="노트북이 없습니다. 있는 것: {stamp}."),
+    "many": Words(
+        en="{stamp} notebooks; the first {ours} are looked at.",
+        ko="노트북이 {stamp}개라서 앞의 {ours}개만 보았습니다.",
+    ),
+    "nobody": Words(
+        en='"{stamp}" is nobody on the roster, and neither is the stamp in the notebook.',
+        ko='명단에 없는 이름입니다: "{stamp}". 노트북에 적힌 이름도 명단에 없습니다.',
+    ),
+    "stamped": Words(
+        en='stamped for "{stamp}", who handed in elsewhere; not graded for them.',
+        ko='"{stamp}"에게 배포된 것이지만 그 사람은 따로 제출했으므로 그의 것으로 채점하지 않았습니다.',
+    ),
+    "places": Words(en="handed in at several places: {stamp}.", ko="여러 곳에 제출되었습니다: {stamp}."),
+    "file": Words(en="{file}: {why}.", ko="{file}: {why}."),
+    # about the whole batch
+    "other tflab": Words(
+        en="released by tflab {stamp}, graded by tflab {ours}.",
+        ko="tflab {stamp}에서 배포하고 tflab {ours}에서 채점했습니다.",
+    ),
+    "failed": Words(
+        en="tflab itself failed here ({error}); please report it, and grade again.",
+        ko="tflab 자체의 오류로 채점하지 못했습니다({error}). 오류를 알리고 다시 채점해야 합니다.",
+    ),
+    "own error": Words(en="an error of its own", ko="직접 정의한"),  # inside another remark
+    **REASONS,
+}
+
+
+@dataclass(frozen=True)
+class Remark:
+    """One thing to say; `words` fill the gaps of its text, and may be remarks themselves."""
+
+    kind: str
+    task: str = ""
+    words: dict[str, str | Remark] = field(default_factory=dict)
+
+    def __init__(self, kind: str, task: str = "", **words: Any) -> None:
+        object.__setattr__(self, "kind", kind)
+        object.__setattr__(self, "task", task)
+        said = {name: one if isinstance(one, Remark) else printable(str(one)) for name, one in words.items()}
+        object.__setattr__(self, "words", said)
+
+    def say(self, language: str, *, with_task: bool = True) -> str:
+        """Return the remark as one line."""
+        words = {name: one.say(language) if isinstance(one, Remark) else one for name, one in self.words.items()}
+        text = KINDS[self.kind].say(language).format(**words)
+        return f"{self.task}: {text}" if self.task and with_task else text
+
+    def plain(self) -> dict[str, Any]:
+        """Return the remark as JSON has it."""
+        words = {name: one.plain() if isinstance(one, Remark) else one for name, one in self.words.items()}
+        return {"kind": self.kind, "task": self.task, "words": words}
+
+    @classmethod
+    def from_plain(cls, plain: dict[str, Any]) -> Remark:
+        """Return the remark that `plain` wrote."""
+        words = {name: cls.from_plain(one) if isinstance(one, dict) else one for name, one in plain["words"].items()}
+        return cls(plain["kind"], plain["task"], **words)
+
+
+def printable(text: str) -> str:
+    """Return a text for one line: no line ends, no terminal's commands, no letters that cannot be written."""
+    return "".join(letter if letter.isprintable() else "?" for letter in text)

@@ -1,0 +1,86 @@
+"""How is each fault made?  A recording in, a broken recording and the truth about it out.
+
+    inject(records, Fault.GAP, seed=3)  ->  Injection(records, diagnosis)
+    inject_all(records, [Fault.GAP, Fault.LOOP], seed=3)  ->  (records, [diagnosis, diagnosis])
+
+The records that come in are not touched.  The seed decides which edge, when and
+how much; the same seed makes the same fault.  Not every stream can have every
+fault: without an optical frame there is none to leave unturned.  Then the error
+says so, and `possible_faults` lists what a stream can have.
+
+The faults themselves are made in `broken_tree.py`, `broken_values.py` and
+`broken_time.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+
+import numpy as np
+
+from tflab.core.records import TransformRecord
+
+from . import broken_time, broken_tree, broken_values
+from .catalogue import Diagnosis, Fault
+from .patient import CannotInject, Injection, Scene
+from .streams import Stream, edges_of
+
+__all__ = ["INJECTORS", "CannotInject", "Injection", "inject", "inject_all", "possible_faults"]
+
+INJECTORS: dict[Fault, Callable[[Scene], Injection]] = {
+    Fault.REPARENTED: broken_tree.reparent,
+    Fault.SECOND_OWNER: broken_tree.second_owner,
+    Fault.DUPLICATE_STAMPS: broken_time.duplicate_stamps,
+    Fault.OUT_OF_ORDER: broken_time.out_of_order,
+    Fault.ZERO_QUATERNION: broken_values.zero_quaternion,
+    Fault.NAN: broken_values.nan,
+    Fault.NON_UNIT_QUATERNION: broken_values.non_unit_quaternion,
+    Fault.MISSING_EDGE: broken_tree.remove_edge,
+    Fault.LOOP: broken_tree.close_loop,
+    Fault.LEADING_SLASH: broken_tree.leading_slash,
+    Fault.CLOCK_JUMPED_BACK: broken_time.clock_back,
+    Fault.CLOCK_OFFSET: broken_time.clock_offset,
+    Fault.STATIC_ON_TF: broken_tree.static_on_tf,
+    Fault.MOVING_ON_TF_STATIC: broken_tree.moving_on_tf_static,
+    Fault.NO_TF_STATIC: broken_tree.no_tf_static,
+    Fault.GAP: broken_time.gap,
+    Fault.WRONG_NAME: broken_tree.wrong_name,
+    Fault.OPTICAL_IDENTITY: broken_values.optical_identity,
+    Fault.LATE_STAMPS: broken_time.late,
+    Fault.EARLY_STAMPS: broken_time.early,
+}
+
+
+def inject(records: Sequence[TransformRecord], fault: Fault | str, seed: int = 0) -> Injection:
+    """Return `records` with one fault more.
+
+    Raises:
+        CannotInject: nothing in the stream can have this fault.
+        ValueError: no such fault.
+    """
+    fault = Fault(fault)
+    scene = Scene(list(records), edges_of(records), np.random.default_rng([seed, list(Fault).index(fault)]))
+    return INJECTORS[fault](scene)
+
+
+def inject_all(
+    records: Sequence[TransformRecord], faults: Iterable[Fault | str], seed: int = 0
+) -> tuple[Stream, list[Diagnosis]]:
+    """Return `records` with several faults, put in one after the other, and all their diagnoses."""
+    stream, diagnoses = list(records), []
+    for fault in faults:
+        stream, diagnosis = inject(stream, fault, seed)
+        diagnoses.append(diagnosis)
+    return stream, diagnoses
+
+
+def possible_faults(records: Sequence[TransformRecord]) -> list[Fault]:
+    """Return the faults that this stream can have, in the order of the catalogue."""
+    possible = []
+    for fault in Fault:
+        try:
+            inject(records, fault)
+        except CannotInject:
+            continue
+        possible.append(fault)
+    return possible

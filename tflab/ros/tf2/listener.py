@@ -1,0 +1,175 @@
+"""How do transforms get into a buffer?  A listener subscribes, and stores.  tf2_ros.TransformListener.
+
+    /tf         reliable, depth 100                    -->  set_transform          as "default_authority"
+    /tf_static  reliable, depth 100, transient local   -->  set_transform_static
+
+Who published a transform is not on the wire, so tf2 cannot know: the authority is
+always the same.  Read `broadcaster.py` next.
+"""
+
+from __future__ import annotations
+
+import threading
+import weakref
+from typing import Any
+
+from ..callback_groups import ReentrantCallbackGroup
+from ..executors import ExternalShutdownException, SingleThreadedExecutor
+from ..messages import copy_message, tf2_msgs
+from ..network import Sample
+from ..qos import DurabilityPolicy, HistoryPolicy, QoSProfile
+from ..subscription import Subscription
+from .buffer import Buffer
+
+__all__ = ["DEFAULT_STATIC_TF_TOPIC", "DEFAULT_TF_TOPIC", "StaticTransformListener", "TransformListener"]
+
+DEFAULT_TF_TOPIC = "/tf"
+DEFAULT_STATIC_TF_TOPIC = "/tf_static"
+AUTHORITY = "default_authority"
+
+
+class _TFSubscription(Subscription):
+    """Hands a sample over as it is: listeners read one decoded message together."""
+
+    def call(self, sample: Sample, received_ns: int) -> None:
+        self.callback(sample)
+
+
+class TransformListener:
+    """Fills a buffer with what is published.
+
+    Args:
+        spin_thread: whether a thread of its own runs the callbacks of the *whole* node.
+        qos, static_qos: profiles, or depths, instead of those above.
+    """
+
+    def __init__(
+        self,
+        buffer: Buffer,
+        node: Any,
+        *,
+        spin_thread: bool = False,
+        qos: QoSProfile | int | None = None,
+        static_qos: QoSProfile | int | None = None,
+        tf_topic: str = DEFAULT_TF_TOPIC,
+        tf_static_topic: str = DEFAULT_STATIC_TF_TOPIC,
+    ) -> None:
+        self._begin(buffer, node)
+        self.tf_sub = self._subscribe(tf_topic, _profile() if qos is None else qos, is_static=False)
+        self._subscribe_static(tf_static_topic, static_qos)
+        if spin_thread:
+            self._spin_in_thread()
+
+    def _begin(self, buffer: Buffer, node: Any) -> None:
+        self.buffer = buffer
+        self.node = node
+        # Reentrant, so that transforms arrive while a callback of the node waits for one.
+        self.group = ReentrantCallbackGroup()
+        self.executor: SingleThreadedExecutor | None = None
+        self.tf_sub: Subscription | None = None
+
+    def _subscribe_static(self, topic: str, qos: QoSProfile | int | None) -> None:
+        latched = _profile(DurabilityPolicy.TRANSIENT_LOCAL)
+        self.tf_static_sub = self._subscribe(topic, latched if qos is None else qos, is_static=True)
+
+    def _subscribe(self, topic: str, qos: QoSProfile | int, is_static: bool) -> Subscription:
+        # The node must not keep a listener alive that nobody holds any more.
+        reference = weakref.ref(self)
+
+        def take(sample: Sample) -> None:
+            listener = reference()
+            if listener is not None:
+                listener._take(sample, is_static)
+
+        return self.node.create_subscription(
+            tf2_msgs.TFMessage, topic, take, qos, callback_group=self.group, subscription_class=_TFSubscription
+        )
+
+    def _take(self, sample: Sample, is_static: bool) -> None:
+        buffer = self.buffer
+        if _is_plain(self, buffer) and not buffer.has_waiting():
+            store = buffer.core.set_transform
+            for stamped in sample.stampeds:
+                store(stamped, AUTHORITY, is_static)
+        elif is_static:
+            self.static_callback(copy_message(sample.message))
+        else:
+            self.callback(copy_message(sample.message))
+
+    def callback(self, data: tf2_msgs.TFMessage) -> None:
+        """Store what came on /tf."""
+        for transform in data.transforms:
+            self.buffer.set_transform(transform, AUTHORITY)
+
+    def static_callback(self, data: tf2_msgs.TFMessage) -> None:
+        """Store what came on /tf_static."""
+        for transform in data.transforms:
+            self.buffer.set_transform_static(transform, AUTHORITY)
+
+    def unregister(self) -> None:
+        """Listen no more."""
+        if self.tf_sub is not None:
+            self.node.destroy_subscription(self.tf_sub)
+        self.node.destroy_subscription(self.tf_static_sub)
+
+    def __del__(self) -> None:
+        if not hasattr(self, "tf_static_sub"):
+            return  # it was never complete
+        if self.executor is not None:
+            self.executor.shutdown()
+        self.unregister()
+
+    def _spin_in_thread(self) -> None:
+        self.executor = SingleThreadedExecutor(context=self.node.context)
+        self.dedicated_listener_thread = threading.Thread(
+            target=_spin, args=(self.executor, self.node), name="tf_listener", daemon=True
+        )
+        self.dedicated_listener_thread.start()
+
+
+class StaticTransformListener(TransformListener):
+    """Fills a buffer with what is published on /tf_static only."""
+
+    def __init__(
+        self,
+        buffer: Buffer,
+        node: Any,
+        *,
+        spin_thread: bool = False,
+        static_qos: QoSProfile | int | None = None,
+        tf_static_topic: str = DEFAULT_STATIC_TF_TOPIC,
+    ) -> None:
+        self._begin(buffer, node)
+        self._subscribe_static(tf_static_topic, static_qos)
+        if spin_thread:
+            self._spin_in_thread()
+
+
+_PLAIN = (
+    TransformListener.callback,
+    TransformListener.static_callback,
+    Buffer.set_transform,
+    Buffer.set_transform_static,
+)
+
+
+def _is_plain(listener: TransformListener, buffer: Any) -> bool:
+    """Return whether nobody has overridden, or replaced, what stores a transform."""
+    if type(buffer) is not Buffer:
+        return False
+    methods = (listener.callback, listener.static_callback, buffer.set_transform, buffer.set_transform_static)
+    return tuple(getattr(method, "__func__", None) for method in methods) == _PLAIN
+
+
+def _profile(durability: DurabilityPolicy = DurabilityPolicy.VOLATILE) -> QoSProfile:
+    return QoSProfile(depth=100, durability=durability, history=HistoryPolicy.KEEP_LAST)
+
+
+def _spin(executor: SingleThreadedExecutor, node: Any) -> None:
+    executor.add_node(node)
+    try:
+        executor.spin()
+    except ExternalShutdownException:
+        pass
+    finally:
+        executor.remove_node(node)

@@ -1,0 +1,127 @@
+"""What are arrows and axes made of?  Triangles: bars, cones, and dashes of both.
+
+    bar      o=========o          a prism of eight sides
+    cone     |>                   its base first, then its tip
+    dashes   o==  ==  ==o         several bars
+    axes     x solid, y dashed, z dotted, each ending in a cone
+
+Browsers draw every line one pixel wide, so whatever must be seen from afar is a
+mesh.  All functions here are arithmetic on arrays: points in, triangles out.
+
+Read `meshes.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from .. import style
+
+__all__ = ["Mesh", "across", "arrow", "axes", "bar", "frustum", "joined", "polyline", "rgb"]
+
+SIDES = 8
+DASHES = {"solid": 1, "dashed": 4, "dotted": 8}
+FILLED = {"solid": 1.0, "dashed": 0.66, "dotted": 0.42}  # part of each dash's length that is there
+LINES = {"x": "solid", "y": "dashed", "z": "dotted"}
+
+
+class Mesh(NamedTuple):
+    """Triangles: points, shape (n, 3) [m]; faces, shape (m, 3), indices into them; a colour for each point, (n, 3)."""
+
+    points: np.ndarray
+    faces: np.ndarray
+    colours: np.ndarray
+
+
+def rgb(colour: str) -> tuple[float, float, float]:
+    """Return red, green, blue in [0, 1] of a colour written "#RRGGBB"."""
+    return tuple(int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5))
+
+
+def joined(meshes: Sequence[Mesh]) -> Mesh:
+    """Return several meshes as one."""
+    starts = np.cumsum([0] + [len(mesh.points) for mesh in meshes[:-1]])
+    return Mesh(
+        np.vstack([mesh.points for mesh in meshes]),
+        np.vstack([mesh.faces + start for mesh, start in zip(meshes, starts, strict=True)]),
+        np.vstack([mesh.colours for mesh in meshes]),
+    )
+
+
+def across(direction: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return two directions of length one, at right angles to `direction` and to each other."""
+    length = np.linalg.norm(direction)
+    along = direction / length if length else np.array((0.0, 0.0, 1.0))
+    helper = np.array((1.0, 0.0, 0.0)) if abs(along[0]) < 0.9 else np.array((0.0, 1.0, 0.0))
+    side = np.cross(along, helper)
+    side /= np.linalg.norm(side)
+    return side, np.cross(along, side)
+
+
+def bar(start: Sequence[float], end: Sequence[float], radius_m: float, colour: str, end_radius_m: float = -1.0) -> Mesh:
+    """Return a straight bar; with another radius at its end (0 gives a cone)."""
+    start, end = np.asarray(start, dtype=float), np.asarray(end, dtype=float)
+    end_radius_m = radius_m if end_radius_m < 0.0 else end_radius_m
+    side, up = across(end - start)
+    angle = np.linspace(0.0, 2.0 * np.pi, SIDES, endpoint=False)[:, None]
+    ring = np.cos(angle) * side + np.sin(angle) * up
+    points = np.vstack([start + radius_m * ring, end + end_radius_m * ring, start, end])
+    first, second = 2 * SIDES, 2 * SIDES + 1  # the middles of both ends
+    faces = []
+    for i in range(SIDES):
+        j = (i + 1) % SIDES
+        faces += [(i, j, SIDES + i), (j, SIDES + j, SIDES + i), (first, j, i), (second, SIDES + i, SIDES + j)]
+    return Mesh(points, np.array(faces), np.tile(rgb(colour), (len(points), 1)))
+
+
+def line(start: Sequence[float], end: Sequence[float], radius_m: float, colour: str, style_name: str = "solid") -> Mesh:
+    """Return a straight line, "solid", "dashed" or "dotted"."""
+    start, end = np.asarray(start, dtype=float), np.asarray(end, dtype=float)
+    count, filled = DASHES[style_name], FILLED[style_name]
+    steps = [(i / count, (i + filled) / count) for i in range(count)]
+    return joined([bar(start + a * (end - start), start + b * (end - start), radius_m, colour) for a, b in steps])
+
+
+def arrow(
+    start: Sequence[float], end: Sequence[float], radius_m: float, colour: str, style_name: str = "solid"
+) -> Mesh:
+    """Return a line that ends in a cone."""
+    start, end = np.asarray(start, dtype=float), np.asarray(end, dtype=float)
+    length_m = float(np.linalg.norm(end - start))
+    head_m = min(7.0 * radius_m, 0.5 * length_m)
+    neck = end - (head_m / length_m if length_m else 0.0) * (end - start)
+    return joined([line(start, neck, radius_m, colour, style_name), bar(neck, end, 2.6 * radius_m, colour, 0.0)])
+
+
+def axes(length_m: float, ghost: bool = False) -> Mesh:
+    """Return the three axes of a frame: told apart by colour and by line; a ghost's by line alone."""
+    radius_m = 0.026 * length_m
+    ends = {"x": (length_m, 0.0, 0.0), "y": (0.0, length_m, 0.0), "z": (0.0, 0.0, length_m)}
+    colours = {axis: style.GREY if ghost else style.AXIS_COLOURS[axis] for axis in style.AXES}
+    return joined([arrow((0.0, 0.0, 0.0), ends[a], radius_m, colours[a], LINES[a]) for a in style.AXES])
+
+
+def polyline(points: np.ndarray, radius_m: float, colour: str, dashed: bool = False) -> Mesh:
+    """Return a line through `points`, shape (n, 3); dashed leaves out every other part of it."""
+    points = np.asarray(points, dtype=float)
+    pieces = list(pairwise(points))
+    if dashed:
+        pieces = [(a, a + 0.5 * (b - a)) for a, b in pieces]
+    return joined([bar(a, b, radius_m, colour) for a, b in pieces])
+
+
+def frustum(half_width_m: float, half_height_m: float, depth_m: float, radius_m: float, colour: str) -> Mesh:
+    """Return the four edges of what a camera sees, and the rim of its image plane.
+
+    The camera looks along z, x is to the right in the image and y down (REP-103's
+    suffix `_optical`).
+    """
+    w, h, d = half_width_m, half_height_m, depth_m
+    corners = np.array([(-w, -h, d), (w, -h, d), (w, h, d), (-w, h, d)])
+    edges = [bar((0.0, 0.0, 0.0), corner, radius_m, colour) for corner in corners]
+    rim = [bar(corners[i], corners[(i + 1) % 4], radius_m, colour) for i in range(4)]
+    return joined(edges + rim)

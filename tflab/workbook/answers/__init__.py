@@ -1,0 +1,12 @@
+"""What an answer may be, what it looks like, and when two are the same.
+
+    values         an answer as plain JSON
+    form           what an answer looks like: numbers, words, units
+    structures     messages and trees
+    command_lines  what one would type
+    forms          all of them together
+    sealed         a right answer that cannot be read: a salted hash
+    showing        an answer in words
+
+Start with `values.py`; each page names the next.
+"""

@@ -1,0 +1,321 @@
+"""What does an answer look like, and when are two of them the same?
+
+    Vector(3, unit="m", tolerance=0.005)       (2.2, 0.0, 0.15) == array([2.2001, 0, 0.15])
+    Quaternion()                               q == -q
+    Parts({"a": Choice(("map", "odom")), ...})    judged part by part
+
+A form reads an answer, as plain JSON, into *probes*: what earns credit on its own.
+A probe is a row of marks, numbers with a tolerance or words.  Where an answer can
+be written in several equal ways (a quaternion and its negative) there are several
+rows, and one that fits is enough.  Nothing here runs a stranger's code.
+
+    answer --probes--> [[row, row'], [row]]   against   expected --probes--> ...
+
+This page holds what all forms share, and numbers in space; choices, commands,
+messages and trees are next: read `structures.py`.
+
+Read `structures.py` next.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, fields
+from typing import Any, NamedTuple
+
+from tflab.core import Transform
+
+from ..words import Words
+from .values import Plain, from_plain, is_raised
+
+__all__ = [
+    "Angle",
+    "Form",
+    "Mark",
+    "Number",
+    "Pose",
+    "Probe",
+    "Quaternion",
+    "Row",
+    "Vector",
+    "inside",
+    "member",
+    "numbers_of",
+    "pose_of",
+]
+
+
+class Mark(NamedTuple):
+    """One thing to compare: a number within a tolerance, or a word."""
+
+    value: float | str
+    tolerance: float = 0.0
+
+    def fits(self, other: Mark) -> bool:
+        """Return whether two marks are the same, within the larger tolerance."""
+        if isinstance(self.value, str) or isinstance(other.value, str):
+            return type(self.value) is type(other.value) and self.value == other.value
+        return abs(self.value - other.value) <= max(self.tolerance, other.tolerance) + 1e-12 * abs(other.value)
+
+
+Row = tuple[Mark, ...]
+Probe = list[Row]  # equal ways to write the same
+
+
+@dataclass(frozen=True)
+class Form:
+    """What all forms share."""
+
+    def probes(self, plain: Plain) -> list[Probe] | None:
+        """Return what earns credit in an answer, or None if it is not of this form at all."""
+        raise NotImplementedError
+
+    def wanted(self) -> Words:
+        """Return in words what is wanted."""
+        raise NotImplementedError
+
+    def read(self, answer: Plain) -> list[Probe] | None:
+        """Return the probes of an answer that may be anything at all, even JSON that somebody made up."""
+        try:
+            return self.probes(answer)
+        except Exception:  # whatever it is, it is not of this form
+            return None
+
+    def judge(self, answer: Plain, expected: Plain) -> list[bool]:
+        """Return for each probe of `expected` whether `answer` has it."""
+        if is_raised(expected):
+            return [isinstance(answer, dict) and answer.get("raises") == expected["raises"]]
+        wanted = self.probes(expected)
+        if wanted is None:
+            raise ValueError(f"the expected value is not a {type(self).__name__}: {expected!r}")
+        return _compared(self.read(answer), wanted)
+
+    def same(self, answer: Plain, expected: Plain) -> bool:
+        """Return whether `answer` has every probe of `expected`."""
+        return all(self.judge(answer, expected))
+
+    def alike(self, one: Plain, other: Plain) -> bool:
+        """Return whether two answers are the same; neither need be of this form."""
+        if is_raised(other):
+            return self.same(one, other)
+        wanted = self.read(other)
+        return one == other if wanted is None else all(_compared(self.read(one), wanted))
+
+    def plain(self) -> dict[str, Any]:
+        """Return the form as JSON has it: its class and its fields."""
+        row = {field.name: getattr(self, field.name) for field in fields(self)}
+        return {"form": type(self).__name__, **{name: _plain_field(value) for name, value in row.items()}}
+
+
+@dataclass(frozen=True)
+class Number(Form):
+    """One number [unit]."""
+
+    unit: str = ""
+    tolerance: float = 1e-3
+
+    def probes(self, plain: Plain) -> list[Probe] | None:
+        row = numbers_of(plain, None)
+        return None if row is None else [[(Mark(row[0], self.tolerance),)]]
+
+    def wanted(self) -> Words:
+        unit = f" [{self.unit}]" if self.unit else ""
+        return Words(en=f"one number{unit}", ko=f"숫자 하나{unit}")
+
+
+@dataclass(frozen=True)
+class Angle(Form):
+    """An angle [rad]; a full turn more or less is the same."""
+
+    tolerance: float = 1e-3
+
+    def probes(self, plain: Plain) -> list[Probe] | None:
+        row = numbers_of(plain, None)
+        if row is None:
+            return None
+        angle = math.remainder(row[0], math.tau)
+        return [[(Mark(angle + turn, self.tolerance),) for turn in (0.0, math.tau, -math.tau)]]
+
+    def wanted(self) -> Words:
+        return Words(en="one angle [rad]", ko="각도 하나 [rad]")
+
+
+@dataclass(frozen=True)
+class Vector(Form):
+    """`size` numbers [unit], expressed in `frame`; a message with x, y, z will do, and its frame is looked at."""
+
+    size: int = 3
+    unit: str = "m"
+    frame: str = ""
+    tolerance: float = 1e-3
+
+    def probes(self, plain: Plain) -> list[Probe] | None:
+        frame = member(plain, "header", "frame_id")
+        if frame is not None and self.frame and frame != self.frame:
+            return None
+        row = numbers_of(plain, self.size)
+        return None if row is None else [[tuple(Mark(number, self.tolerance) for number in row)]]
+
+    def wanted(self) -> Words:
+        unit = f" [{self.unit}]" if self.unit else ""
+        where = f" in {self.frame}" if self.frame else ""
+        names = " (x, y, z)" if self.size == 3 else ""
+        return Words(
+            en=f"{self.size} numbers{names}{unit}{where}",
+            ko=f"{self.frame + ' 기준 ' if self.frame else ''}숫자 {self.size}개{names}{unit}",
+        )
+
+
+@dataclass(frozen=True)
+class Quaternion(Form):
+    """A rotation (x, y, z, w); q and -q are the same."""
+
+    tolerance: float = 1e-3
+
+    def probes(self, plain: Plain) -> list[Probe] | None:
+        row = numbers_of(plain, 4)
+        return None if row is None else [_both_signs((), row, self.tolerance)]
+
+    def wanted(self) -> Words:
+        return Words(en="a quaternion: 4 numbers (x, y, z, w)", ko="쿼터니언: 숫자 4개 (x, y, z, w)")
+
+
+@dataclass(frozen=True)
+class Pose(Form):
+    """A transform: a Transform, a StampedTransform, a message of either, or a 4x4 matrix.
+
+    Where the expected value names frames, so must the answer; with `stamp`, its time counts too.
+    """
+
+    tolerance_m: float = 1e-3
+    tolerance_rad: float = 1e-3
+    stamp: bool = False
+    frames: bool = False
+
+    def probes(self, plain: Plain) -> list[Probe] | None:
+        parts = pose_of(plain)
+        if parts is None:
+            return None
+        names, stamp_ns, translation, rotation = parts
+        if self.frames and names is None:
+            return None
+        row = tuple(Mark(name) for name in names or ()) if self.frames else ()
+        row += (Mark(str(stamp_ns)),) if self.stamp else ()
+        row += tuple(Mark(number, self.tolerance_m) for number in translation)
+        return [_both_signs(row, rotation, self.tolerance_rad / 2.0)]
+
+    def wanted(self) -> Words:
+        if self.frames:
+            return Words(en="a transform with its two frames", ko="두 좌표계 이름이 있는 변환(Transform)")
+        return Words(en="a transform: translation and rotation", ko="변환(Transform): 이동과 회전")
+
+
+def numbers_of(plain: Plain, size: int | None) -> tuple[float, ...] | None:
+    """Return `size` finite numbers, or one if `size` is None; None if there are not exactly these.
+
+    An array may have any shape that holds them: a column, a row, one number in brackets.
+    """
+    if isinstance(plain, dict) and "array" in plain:
+        plain = _flat(plain["array"])
+        plain = plain[0] if size is None and len(plain) == 1 else plain
+    plain = inside(plain)
+    if size is None:
+        return (plain,) if _is_number(plain) else None
+    if isinstance(plain, dict):  # a message, or a dict, of x, y, z (and w)
+        plain = [plain.get(name) for name in ("x", "y", "z", "w")[:size]] if len(plain) == size else None
+    if isinstance(plain, list) and len(plain) == size and all(map(_is_number, plain)):
+        return tuple(plain)
+    return None
+
+
+def member(plain: Plain, *names: str) -> Plain:
+    """Return what a message holds under these names, one inside the other; None if it has no such field."""
+    for name in names:
+        fields_of = plain.get("message") if isinstance(plain, dict) else None
+        if not (isinstance(fields_of, list) and len(fields_of) == 2 and isinstance(fields_of[1], dict)):
+            return None
+        plain = fields_of[1].get(name)
+    return plain
+
+
+def pose_of(plain: Plain) -> tuple[tuple[str, str] | None, int | None, tuple[float, ...], tuple[float, ...]] | None:
+    """Return (parent, child), stamp [ns], translation and rotation of anything that is a transform, or None."""
+    kind, body = next(iter(plain.items())) if isinstance(plain, dict) and len(plain) == 1 else (None, plain)
+    names, stamp_ns = None, None
+    if kind == "StampedTransform" and isinstance(body, list) and len(body) == 5:
+        parent, child, stamp_ns, *rows = body
+        names = (str(parent), str(child))
+    elif kind == "Transform" and isinstance(body, list) and len(body) == 2:
+        rows = body
+    elif kind == "message":
+        if (inner := member(plain, "transform")) is not None:
+            names = (str(member(plain, "header", "frame_id")), str(member(plain, "child_frame_id")))
+            sec, nanosec = member(plain, "header", "stamp", "sec"), member(plain, "header", "stamp", "nanosec")
+            stamp_ns = sec * 1_000_000_000 + nanosec if isinstance(sec, int) and isinstance(nanosec, int) else None
+            plain = inner
+        rows = [member(plain, "translation"), member(plain, "rotation")]
+    else:
+        rows = _rows_of_matrix(body)
+    translation, rotation = (numbers_of(rows[0], 3), numbers_of(rows[1], 4)) if rows else (None, None)
+    if translation is None or rotation is None:
+        return None
+    return names, stamp_ns, translation, rotation
+
+
+def _rows_of_matrix(rows: Plain) -> list | None:
+    """Return translation and rotation of a 4x4 matrix."""
+    if not (isinstance(rows, list) and len(rows) == 4 and all(numbers_of(row, 4) for row in rows)):
+        return None
+    try:
+        transform = Transform.from_matrix(from_plain([inside(row) for row in rows]))
+    except ValueError:
+        return None
+    return [list(transform.translation), list(transform.rotation)]
+
+
+def inside(plain: Plain) -> Plain:
+    """Return the list or the dict inside {"tuple": ...}, {"array": ...}, {"dict": ...} or a message of x, y, z."""
+    if isinstance(plain, dict):
+        for kind in ("tuple", "array", "dict"):
+            if kind in plain:
+                return plain[kind]
+        for inner in ("point", "vector", "quaternion"):
+            if (held := member(plain, inner)) is not None:
+                return inside(held)
+        named = plain.get("message")
+        if isinstance(named, list) and len(named) == 2 and isinstance(named[1], dict):
+            return named[1]
+    return plain
+
+
+def _flat(rows: Plain) -> list[Plain]:
+    return [number for row in rows for number in _flat(row)] if isinstance(rows, list) else [rows]
+
+
+def _is_number(plain: Plain) -> bool:
+    if isinstance(plain, bool) or not isinstance(plain, int | float):
+        return False
+    return abs(plain) < 10**30 and math.isfinite(plain)
+
+
+def _both_signs(before: Row, rotation: tuple[float, ...], tolerance: float) -> Probe:
+    return [before + tuple(Mark(sign * number, tolerance) for number in rotation) for sign in (1.0, -1.0)]
+
+
+def _compared(given: list[Probe] | None, wanted: list[Probe]) -> list[bool]:
+    """Return for each probe that is wanted whether it is given."""
+    if given is None or len(given) != len(wanted):
+        return [False] * len(wanted)
+    return [any(_fits(row, right[0]) for row in rows) for rows, right in zip(given, wanted, strict=True)]
+
+
+def _fits(row: Row, other: Row) -> bool:
+    return len(row) == len(other) and all(map(Mark.fits, row, other))
+
+
+def _plain_field(value: object) -> object:
+    if isinstance(value, Form):
+        return value.plain()
+    if isinstance(value, dict):
+        return {name: _plain_field(inner) for name, inner in value.items()}
+    return list(value) if isinstance(value, tuple) else value

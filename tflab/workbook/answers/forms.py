@@ -1,0 +1,51 @@
+"""Which forms of answers are there?  All of them, by one name, and the way back from JSON.
+
+    form_from_plain(Vector(3, unit="m").plain()) == Vector(3, unit="m")
+
+Read `sealed.py` next.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from .form import Angle, Form, Number, Pose, Quaternion, Vector
+from .structures import Choice, Command, Message, Parts, Sequence, Tree
+
+__all__ = [
+    "Angle",
+    "Choice",
+    "Command",
+    "Form",
+    "Message",
+    "Number",
+    "Parts",
+    "Pose",
+    "Quaternion",
+    "Sequence",
+    "Tree",
+    "Vector",
+    "form_from_plain",
+]
+
+_CLASSES = {
+    cls.__name__: cls
+    for cls in (Angle, Choice, Command, Message, Number, Parts, Pose, Quaternion, Sequence, Tree, Vector)
+}
+
+
+def form_from_plain(plain: dict[str, Any]) -> Form:
+    """Return the form that `Form.plain()` wrote.
+
+    Raises:
+        ValueError: not a form of ours.
+    """
+    cls = _CLASSES.get(plain.get("form"))
+    if cls is None:
+        raise ValueError(f"there is no form {plain.get('form')!r}; there is {', '.join(sorted(_CLASSES))}")
+    row = {name: value for name, value in plain.items() if name != "form"}
+    if cls is Parts:
+        return Parts({name: form_from_plain(inner) for name, inner in row["parts"].items()})
+    if cls is Sequence:
+        return Sequence(form_from_plain(row["of"]))
+    return cls(**{name: tuple(value) if isinstance(value, list) else value for name, value in row.items()})

@@ -1,0 +1,153 @@
+"""Choices, lists, trees, messages and command lines: the forms of answers that are more than a number.
+
+    Choice(("past", "future"))     a word of these
+    Parts({"a": ..., "b": ...})    a dict, credit for each part
+    Message("geometry_msgs/msg/TransformStamped", ("header.frame_id", "transform.rotation"))
+    Tree()                         {"odom": "map", "base_link": "odom"}: child -> parent
+    Command()                      a line for a terminal, see `command_lines.py`
+
+Read `command_lines.py` next.
+"""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from itertools import islice, product
+
+from ..words import Words
+from . import command_lines
+from .form import Form, Mark, Probe, Quaternion, Vector, inside, member, numbers_of, pose_of
+from .values import Plain
+
+__all__ = ["Choice", "Command", "Message", "Parts", "Sequence", "Tree"]
+
+MOST_WAYS = 64  # to write one sequence; beyond these, the plainest
+
+
+@dataclass(frozen=True)
+class Choice(Form):
+    """One of `options`."""
+
+    options: tuple[str, ...] = ()
+
+    def probes(self, plain: Plain) -> list[Probe] | None:
+        if isinstance(plain, bool):
+            plain = str(plain)
+        if not isinstance(plain, str) or (self.options and plain.strip() not in self.options):
+            return None
+        return [[(Mark(plain.strip()),)]]
+
+    def wanted(self) -> Words:
+        options = ", ".join(f'"{option}"' for option in self.options)
+        return Words(en=f"one of {options}", ko=f"{options} 가운데 하나")
+
+
+@dataclass(frozen=True)
+class Parts(Form):
+    """A dict of named parts, each of its own form, and each with credit of its own."""
+
+    parts: dict[str, Form]
+
+    def probes(self, plain: Plain) -> list[Probe] | None:
+        answers = inside(plain)
+        if not isinstance(plain, dict) or not isinstance(answers, dict):
+            return None
+        return [_as_one(form.probes(answers.get(name))) for name, form in self.parts.items()]
+
+    def wanted(self) -> Words:
+        names = ", ".join(f'"{name}"' for name in self.parts)
+        return Words(en=f"a dict with {names}", ko=f"{names} 키를 가진 dict")
+
+
+@dataclass(frozen=True)
+class Sequence(Form):
+    """A list of any length, all members of one form."""
+
+    of: Form
+
+    def probes(self, plain: Plain) -> list[Probe] | None:
+        members = inside(plain)
+        if not isinstance(members, list):
+            return None
+        probes = [_as_one(self.of.probes(item)) for item in members]
+        length: Probe = [(Mark(f"{len(members)} members"),)]
+        return [_as_one([length, *probes])]
+
+    def wanted(self) -> Words:
+        each = self.of.wanted()
+        return Words(en=f"a list, each member {each.en}", ko=f"리스트(각 원소는 {each.ko})")
+
+
+@dataclass(frozen=True)
+class Message(Form):
+    """A ROS message of a type; `fields`, written with dots, are compared, each with credit of its own."""
+
+    type: str
+    fields: tuple[str, ...]
+    tolerance: float = 1e-3
+
+    def probes(self, plain: Plain) -> list[Probe] | None:
+        if not isinstance(plain, dict) or not isinstance(plain.get("message"), list) or not plain["message"]:
+            return None
+        if plain["message"][0] != self.type:
+            return None
+        return [self._field(member(plain, *path.split("."))) for path in self.fields]
+
+    def wanted(self) -> Words:
+        return Words(en=f"a message {self.type}", ko=f"{self.type} 메시지")
+
+    def _field(self, plain: Plain) -> Probe:
+        for size in (4, 3):
+            if (row := numbers_of(plain, size)) is not None:
+                return (Quaternion(self.tolerance) if size == 4 else Vector(3, "", "", self.tolerance)).probes(plain)[0]
+        if (row := numbers_of(plain, None)) is not None:
+            return [(Mark(row[0], self.tolerance),)]
+        return [(Mark(_text(plain)),)]
+
+
+@dataclass(frozen=True)
+class Tree(Form):
+    """Who is whose parent: a dict child -> parent, or the transforms that say so."""
+
+    def probes(self, plain: Plain) -> list[Probe] | None:
+        edges = self._edges(plain)
+        return None if edges is None else [[(Mark(_text(sorted(edges.items()))),)]]
+
+    def wanted(self) -> Words:
+        return Words(en="a dict child -> parent", ko="자식 → 부모로 된 dict")
+
+    def _edges(self, plain: Plain) -> dict[str, str] | None:
+        held = inside(plain)
+        if isinstance(plain, dict) and "dict" in plain and all(isinstance(parent, str) for parent in held.values()):
+            return dict(held)
+        if isinstance(plain, dict) and (body := plain.get("BufferCore") or plain.get("Buffer")):
+            return {child: parent for _, _, parent, child, *_ in body["samples"]}
+        if isinstance(held, list) and all((pose_of(item) or (None,))[0] for item in held):
+            return {child: parent for parent, child in (pose_of(item)[0] for item in held)}
+        return None
+
+
+@dataclass(frozen=True)
+class Command(Form):
+    """One line for a terminal, compared by what it does."""
+
+    def probes(self, plain: Plain) -> list[Probe] | None:
+        rows = command_lines.rows(plain) if isinstance(plain, str) else None
+        return None if rows is None else [[tuple(Mark(*mark) for mark in row) for row in rows]]
+
+    def wanted(self) -> Words:
+        return Words(en="a command line, as a str", ko="명령 한 줄(str)")
+
+
+def _as_one(probes: list[Probe] | None) -> Probe:
+    """Return several probes as one that wants them all; what could not be read fits nothing."""
+    if probes is None:
+        return []
+    ways = islice(product(*probes), MOST_WAYS)
+    return [tuple(mark for row in rows for mark in row) for rows in ways]
+
+
+def _text(plain: Plain) -> str:
+    """Return a value as one word; in which order its keys were written says nothing."""
+    return json.dumps(plain, sort_keys=True)

@@ -1,0 +1,225 @@
+"""What may an answer be?  Numbers, arrays, transforms, messages, buffers: each of them as plain JSON, and back.
+
+    Transform((1, 0, 0), (0, 0, 0, 1))   --to_plain-->    {"Transform": [[1.0, 0.0, 0.0], [0.0, 0.0, 0.0, 1.0]]}
+                                         <-from_plain--
+
+Cases are kept in this form, answers travel in it, and forms compare it: whoever
+judges an answer never touches an object that a stranger made.  What JSON has is
+itself; everything else is an object with one key, its kind.
+
+    (1, 2)              {"tuple": [1, 2]}             nan          {"float": "nan"}
+    {"map": "odom"}     {"dict": {"map": "odom"}}     `...`        {"unanswered": true}
+    an array            {"array": [[...], ...]}       a message    {"message": ["geometry_msgs/msg/Point", {...}]}
+    an exception        {"raises": "LookupException", "text": "..."}
+
+What says the same is the same: a dataclass is a dict of its fields, a range or an
+iterator a list.  Anything else is {"object": its class}: it can be named, not judged.  Read `form.py` next.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from array import array
+from collections import deque
+from collections.abc import Callable, Iterator, Mapping, ValuesView
+from decimal import Decimal
+from fractions import Fraction
+from itertools import islice
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+
+from tflab.core import BufferCore, StampedTransform, Transform
+from tflab.ros.clock_type import ClockType
+from tflab.ros.convert import msg_from_stamped
+from tflab.ros.duration import Duration
+from tflab.ros.messages.base import Message, type_named
+from tflab.ros.tf2 import buffer as tf2_buffer
+from tflab.ros.time import Time
+
+__all__ = ["Plain", "from_plain", "is_unanswered", "raised", "to_plain"]
+
+Plain = Any  # what json.loads may return
+MAX_DEPTH = 30
+MAX_MEMBERS = 200_000
+UNANSWERED = {"unanswered": True}
+
+
+def to_plain(value: object) -> Plain:
+    """Return `value` as JSON has it.
+
+    Raises:
+        ValueError: it is nested too deep, or has too many members.
+    """
+    return _Writer().plain(value, 0)
+
+
+def from_plain(plain: Plain) -> Any:
+    """Return the value that `to_plain` wrote; what was a message or a buffer is a new one each time.
+
+    Raises:
+        ValueError: not what `to_plain` writes.
+    """
+    if isinstance(plain, list):
+        return [from_plain(member) for member in plain]
+    if not isinstance(plain, dict):
+        return plain
+    kind = next(iter(plain), None)
+    if kind not in _READERS:
+        raise ValueError(f"a value of unknown kind: {kind!r}")
+    return _READERS[kind](plain[kind])
+
+
+def raised(error: BaseException) -> Plain:
+    """Return an exception as the outcome of a call: by its class, the text beside it."""
+    return {"raises": type(error).__name__, "text": str(error)[:500]}
+
+
+def is_raised(plain: Plain) -> bool:
+    """Return whether this is what `raised` writes: an exception, as the outcome of a call."""
+    return isinstance(plain, dict) and "raises" in plain
+
+
+def is_unanswered(plain: Plain) -> bool:
+    """Return whether this is `...`, a dict of nothing else, or a call that raised NotImplementedError("your turn")."""
+    if not isinstance(plain, dict):
+        return False
+    parts = plain.get("dict")
+    if isinstance(parts, dict) and parts:
+        return all(part == UNANSWERED for part in parts.values())
+    return plain == UNANSWERED or (plain.get("raises") == "NotImplementedError" and plain.get("text") == "your turn")
+
+
+class _Writer:
+    """Counts what it writes, so that an endless answer ends."""
+
+    def __init__(self) -> None:
+        self.members = 0
+
+    def plain(self, value: object, depth: int) -> Plain:
+        self.members += 1
+        if depth > MAX_DEPTH or self.members > MAX_MEMBERS:
+            raise ValueError("too deep or too long to be an answer")
+        if value is None or isinstance(value, bool):
+            return value
+        if isinstance(value, str):
+            return _text(value)
+        if isinstance(value, np.bool_):
+            return bool(value)
+        if isinstance(value, int | np.integer):
+            return int(value)
+        if isinstance(value, float | np.floating | Decimal | Fraction):
+            return _plain_float(float(value))
+        if isinstance(value, list | tuple):
+            members = [self.plain(member, depth + 1) for member in value]
+            return members if isinstance(value, list) else {"tuple": members}
+        if isinstance(value, Mapping | SimpleNamespace):
+            items = dict(value if isinstance(value, Mapping) else vars(value)).items()
+            return {"dict": {_text(key): self.plain(member, depth + 1) for key, member in items}}
+        return self._special(value, depth)
+
+    def _special(self, value: object, depth: int) -> Plain:
+        if value is ...:
+            return dict(UNANSWERED)
+        if isinstance(value, np.ndarray) and value.dtype.kind in "bifu":
+            return {"array": self.plain(value.tolist(), depth + 1)}
+        if isinstance(value, np.ndarray) and value.dtype.kind in "UO":
+            return self.plain(value.tolist(), depth + 1)
+        if isinstance(value, array | bytes | deque | range | ValuesView | Iterator):
+            return self.plain(list(islice(value, MAX_MEMBERS + 1)), depth)
+        if isinstance(value, Transform):
+            return {"Transform": _rows(value)}
+        if isinstance(value, StampedTransform):
+            row = [value.frame_id, value.child_frame_id, value.stamp_ns]
+            return {"StampedTransform": [*row, *_rows(value.transform)]}
+        if isinstance(value, Message):
+            fields = {name: self.plain(getattr(value, name), depth + 1) for name in value.get_fields_and_field_types()}
+            return {"message": [value.ROS_TYPE, fields]}
+        if isinstance(value, Time):
+            return {"Time": [value.nanoseconds, int(value.clock_type.value)]}
+        if isinstance(value, Duration):
+            return {"Duration": value.nanoseconds}
+        if isinstance(value, BufferCore):
+            return {"BufferCore": _plain_buffer(value)}
+        if isinstance(value, tf2_buffer.BufferCore):
+            return {"Buffer": _plain_buffer(value.core)}
+        if isinstance(value, BaseException):
+            return {"object": f"{type(value).__name__}, returned and not raised"}
+        if dataclasses.is_dataclass(value) and not isinstance(value, type):
+            items = {field.name: getattr(value, field.name) for field in dataclasses.fields(value)}
+            return self.plain(items, depth)
+        return {"object": type(value).__name__}
+
+
+def _text(value: object) -> str:
+    """Return a text as it is, whatever its class prints: a member of an Enum of texts prints its name."""
+    return str.__str__(value) if isinstance(value, str) else str(value)
+
+
+def _plain_float(value: float) -> Plain:
+    return value if math.isfinite(value) else {"float": str(value)}
+
+
+def _rows(transform: Transform) -> list[list[Plain]]:
+    return [[_plain_float(number) for number in row] for row in (transform.translation, transform.rotation)]
+
+
+def _plain_buffer(buffer: BufferCore) -> Plain:
+    edges = [buffer.history(frame) for frame in buffer.frame_names()]
+    samples = [
+        [history.is_static, authority, parent, history.frame, stamp_ns, *_rows(transform)]
+        for history in edges
+        for stamp_ns, parent, authority, transform in zip(
+            history.stamps_ns, history.parents, history.authorities, history.transforms, strict=True
+        )
+    ]
+    return {"cache_time_ns": buffer.cache_time_ns, "samples": samples}
+
+
+def _transform(rows: list) -> Transform:
+    translation, rotation = from_plain(rows)
+    return Transform(tuple(translation), tuple(rotation))
+
+
+def _stamped(row: list) -> StampedTransform:
+    frame_id, child_frame_id, stamp_ns, *rows = row
+    return StampedTransform(frame_id, child_frame_id, stamp_ns, _transform(rows))
+
+
+def _message(named: list) -> Message:
+    ros_type, fields = named
+    cls = type_named(ros_type)
+    return cls(**{name: from_plain(value) for name, value in fields.items()})
+
+
+def _buffer_core(plain: dict) -> BufferCore:
+    buffer = BufferCore(plain["cache_time_ns"])
+    for is_static, authority, *row in plain["samples"]:
+        buffer.set_transform(_stamped(row), authority, is_static=is_static)
+    return buffer
+
+
+def _buffer(plain: dict) -> tf2_buffer.Buffer:
+    buffer = tf2_buffer.Buffer(Duration(nanoseconds=plain["cache_time_ns"]))
+    for is_static, authority, *row in plain["samples"]:
+        store = buffer.set_transform_static if is_static else buffer.set_transform
+        store(msg_from_stamped(_stamped(row)), authority)
+    return buffer
+
+
+_READERS: dict[str, Callable[[Any], Any]] = {
+    "float": float,
+    "tuple": lambda members: tuple(map(from_plain, members)),
+    "dict": lambda items: {key: from_plain(value) for key, value in items.items()},
+    "array": lambda rows: np.array(from_plain(rows)),
+    "unanswered": lambda _: ...,
+    "Transform": _transform,
+    "StampedTransform": _stamped,
+    "message": _message,
+    "Time": lambda pair: Time(nanoseconds=pair[0], clock_type=ClockType(pair[1])),
+    "Duration": lambda nanoseconds: Duration(nanoseconds=nanoseconds),
+    "BufferCore": _buffer_core,
+    "Buffer": _buffer,
+}

@@ -1,0 +1,213 @@
+"""How is the workbook opened?  `tflab lab [DIR]`: a copy of your own, in a JupyterLab that talks to nobody else.
+
+    tflab lab                 your copy in ./tflab_workbook, made the first time, opened every time
+    tflab lab DIR --lang ko   another place, another language
+    tflab lab --update        brings in new material; what you wrote stays
+    tflab lab DIR --as-is     any folder of notebooks; nothing is written there
+    tflab lab -- ...          what stands after -- goes to JupyterLab itself: --no-browser, --port 9000
+
+JupyterLab would look for news, for updates and for extensions on the network;
+here it does none of that.  Its terminals know the command `tflab`.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from shlex import quote
+from shutil import which
+
+from tflab import __version__
+
+from ..places import COPY, MARK, WorkbookError, copy_at_hand, read_workbook
+from ..words import LANGUAGES, Words
+from .lay_out import Change, has_language, lay_out, update
+
+__all__ = ["FIRST_PAGE", "QUIET_OPTIONS", "lab", "language_of", "quiet_environment"]
+
+QUIET_OPTIONS = (
+    "--LabApp.news_url=None",
+    "--LabApp.check_for_updates_class=jupyterlab.NeverCheckForUpdate",
+    "--LabApp.extension_manager=readonly",
+)
+QUIET_SETTINGS = Path(__file__).with_name("jupyter")  # it would ask whether to look for news
+FIRST_PAGE = "00_start.ipynb"
+
+MADE = Words(
+    en="tflab lab: your own copy of the workbook is in {folder}.",
+    ko="tflab lab: 내 워크북을 {folder}에 만들었습니다.",
+)
+OPENED = Words(
+    en="tflab lab: opening your copy in {folder}.",
+    ko="tflab lab: {folder}에 있는 내 워크북을 엽니다.",
+)
+OTHER_VERSION = Words(
+    en="This copy was made by tflab {theirs}; you have tflab {ours}. It opens as it is.\n"
+    "To bring in what is new: tflab lab {folder} --update (what you wrote stays).",
+    ko="이 워크북은 tflab {theirs}로 만들었고, 지금 설치된 것은 tflab {ours}입니다. 일단 그대로 엽니다.\n"
+    "새 내용을 받으려면 tflab lab {folder} --update를 실행하십시오. 직접 쓴 내용은 그대로 남습니다.",
+)
+UP_TO_DATE = Words(
+    en="Nothing to bring in: everything is as in tflab {version}.",
+    ko="받을 내용이 없습니다. 모두 tflab {version}과 같습니다.",
+)
+INSTRUCTORS = Words(
+    en="The exercises stay in the language in which your instructor handed them out.",
+    ko="연습 문제는 강사가 나눠 준 언어 그대로입니다.",
+)
+CHANGES = {
+    "new": Words(en="new", ko="새 파일"),
+    "replaced": Words(
+        en="replaced by the new version; nothing in it was yours", ko="새 버전으로 바꿈(직접 쓴 내용 없음)"
+    ),
+    "merged": Words(
+        en="new version, with {kept} of your cells kept", ko="새 버전으로 바꾸고 직접 쓴 셀 {kept}개를 남김"
+    ),
+    "kept": Words(
+        en="yours is no notebook that tflab can read; it stays, and the new one is beside it",
+        ko="읽을 수 없는 노트북이라 그대로 두고, 새 버전을 옆에 따로 저장함",
+    ),
+}
+BESIDE = Words(
+    en='; {beside} changed on both sides, look for "New in tflab"',
+    ko=". {beside}개는 양쪽에서 바뀌었으니 “바뀐 내용입니다”를 찾아보십시오",
+)
+ROOT = Words(
+    en="JupyterLab does not run as root unless it is told to: {tflab} lab -- --allow-root",
+    ko="JupyterLab은 root 계정에서는 따로 허락해야 열립니다: {tflab} lab -- --allow-root",
+)
+BACKUP = Words(
+    en="What was there before is in {folder}.",
+    ko="바뀌기 전의 파일은 {folder}에 있습니다.",
+)
+
+
+def lab(words: Sequence[str]) -> int:
+    """Open JupyterLab on a copy of the workbook, or on any folder as it is; return when it has ended."""
+    words, own_options = _split(words)
+    options = _parser().parse_args(words)
+    if options.as_is:
+        folder, language = Path(options.folder or ".").resolve(), language_of(os.environ)
+        if not folder.is_dir():
+            return _refuse(f"there is no folder {folder}")
+        pages = [FIRST_PAGE]
+    else:
+        folder = _folder(options.folder).resolve()
+        try:
+            language = _prepare(folder, options.lang, options.update)
+        except (WorkbookError, OSError) as error:
+            return _refuse(f"{error}")
+        pages = [f"notebooks/{language}/{FIRST_PAGE}"]
+    first_page = [f"--LabApp.default_url=/lab/tree/{page}" for page in pages if (folder / page).exists()]
+    os.chdir(folder)
+    sys.stdout.flush()  # JupyterLab's own lines come after ours, also in a file
+    tflab = "tflab" if which("tflab") else quote(sys.argv[0])  # as this shell knows it
+    try:
+        start_jupyterlab([*QUIET_OPTIONS, *first_page, *own_options])
+    except SystemExit as stop:
+        if stop.code == 1 and _is_root() and "--allow-root" not in own_options:
+            return _refuse(ROOT.say(language, tflab=tflab))
+        raise
+    return 0
+
+
+def language_of(environment: Mapping[str, str]) -> str:
+    """Return "ko" where the locale is Korean, else "en"."""
+    for name in ("LC_ALL", "LC_MESSAGES", "LANG"):
+        if environment.get(name):
+            return "ko" if environment[name].lower().startswith("ko") else "en"
+    return "en"
+
+
+def start_jupyterlab(options: Sequence[str]) -> None:
+    """Run JupyterLab in this very process, so that whatever ends this one ends it too."""
+    from jupyterlab.labapp import main
+
+    commands = os.path.dirname(sys.executable)  # where `tflab` is, for the terminals and for `!tflab`
+    os.environ["PATH"] = os.pathsep.join(filter(None, [commands, os.environ.get("PATH")]))
+    os.environ.update(quiet_environment(os.environ))
+    main(list(options))
+
+
+def quiet_environment(environment: Mapping[str, str]) -> dict[str, str]:
+    """Return what to add to an environment so that JupyterLab does not ask whether it may look for news."""
+    paths = [str(QUIET_SETTINGS), *filter(None, [environment.get("JUPYTER_CONFIG_PATH")])]
+    return {"JUPYTER_CONFIG_PATH": os.pathsep.join(paths)}
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(prog="tflab lab", description="Open your copy of the workbook, offline.")
+    parser.add_argument(
+        "folder", nargs="?", metavar="DIR", help=f"where your copy is, or will be; ./{COPY} if left out"
+    )
+    parser.add_argument("--lang", choices=LANGUAGES, help="of the pages; that of the locale for a new copy")
+    parser.add_argument("--update", action="store_true", help="bring in new material; what you wrote stays")
+    parser.add_argument("--as-is", action="store_true", help="open DIR as any folder of notebooks, and write nothing")
+    return parser
+
+
+def _folder(named: str | None) -> Path:
+    """Return the copy to open: the named one, the one that we are in, or the one below this folder."""
+    return Path(named) if named else copy_at_hand() or Path.cwd() / COPY
+
+
+def _prepare(folder: Path, language: str | None, bring_in: bool) -> str:
+    """Make or open the copy, say so, and return its language."""
+    if not folder.parent.is_dir():
+        raise WorkbookError(f"there is no folder {folder.parent} to put a copy into")
+    if (folder / MARK).is_file():
+        return _open(folder, language, bring_in)
+    language = language or language_of(os.environ)
+    try:
+        lay_out(folder, language)
+    except WorkbookError as error:
+        raise WorkbookError(f'{error}\nTo open it as it is: tflab lab "{folder}" --as-is') from None
+    print(MADE.say(language, folder=folder))
+    return language
+
+
+def _open(folder: Path, language: str | None, bring_in: bool) -> str:
+    found = read_workbook(folder)
+    language = language or found.language
+    print(OPENED.say(language, folder=folder))
+    if language != found.language or (found.tflab == __version__ and not bring_in):
+        lay_out(folder, language)  # what is missing
+    if found.edition == "class" and not (folder / "exercises" / language).is_dir():
+        print(INSTRUCTORS.say(language))
+    if bring_in:
+        _tell(update(folder), folder, language)
+    elif found.tflab != __version__:
+        print(OTHER_VERSION.say(language, theirs=found.tflab, ours=__version__, folder=folder))
+    return language if has_language(folder, language) else found.language
+
+
+def _tell(changes: Sequence[Change], folder: Path, language: str) -> None:
+    if not changes:
+        print(UP_TO_DATE.say(language, version=__version__))
+        return
+    for change in changes:
+        said = CHANGES[change.what].say(language, kept=change.kept)
+        print(f"  {change.path}: {said}{BESIDE.say(language, beside=change.beside) if change.beside else ''}")
+    backups = sorted((folder / ".tflab" / "backups").glob("*"), key=lambda path: path.name.zfill(9))
+    if backups and any(change.what in ("replaced", "merged") for change in changes):
+        print(BACKUP.say(language, folder=backups[-1]))
+
+
+def _is_root() -> bool:
+    return hasattr(os, "geteuid") and os.geteuid() == 0
+
+
+def _refuse(reason: str) -> int:
+    print(f"tflab lab: {reason}", file=sys.stderr)
+    return 2
+
+
+def _split(words: Sequence[str]) -> tuple[list[str], list[str]]:
+    """Return the words before the first `--`, and those after it."""
+    words = list(words)
+    if "--" not in words:
+        return words, []
+    return words[: words.index("--")], words[words.index("--") + 1 :]

@@ -1,0 +1,214 @@
+"""How does a learner get a copy of their own, and how does it stay theirs?
+
+    lay_out(folder, "en")    writes what is not there yet, and nothing else
+    update(folder)           brings in new material around what the learner wrote (see `merge.py`)
+
+    answers_hidden(page, "en")    what a text asks to predict is not in sight before the learner has run it
+
+    .tflab/pristine/...      each file as it was handed out: what tells the learner's hand from ours
+    .tflab/backups/1/...     each file as it was before an update
+
+`tflab lab` and `tflab release` make copies with the same function.  Read `merge.py` next.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path, PurePosixPath
+
+from tflab import __version__
+
+from ..pages.editions import text_of
+from ..places import MARK, Workbook, WorkbookError, read_workbook, workbook_data, write_workbook
+from ..whole_files import locked, write_whole
+from ..words import Words
+from .merge import Merged, merge_notebooks
+
+__all__ = ["Change", "answers_hidden", "has_language", "is_free", "lay_out", "material", "update"]
+
+HIDDEN = Path(".tflab")
+PRISTINE = HIDDEN / "pristine"
+BACKUPS = HIDDEN / "backups"
+PREDICTED = "predicted"  # the tag of code whose output a text asks to predict, and of a text that tells it
+UNFOLD = Words(en="Run it first, then open this", ko="먼저 실행한 다음 펼치십시오")
+
+
+@dataclass(frozen=True)
+class Change:
+    """What an update did to one file.
+
+    Attributes:
+        path: of the file, from the copy's folder on.
+        what: "new", "replaced", "merged", or "kept" where the learner's file cannot be read as a notebook.
+        kept: how many cells of the learner's stand in it as they were.
+        beside: how many cells changed on both sides, and have the new version beside them.
+    """
+
+    path: str
+    what: str
+    kept: int = 0
+    beside: int = 0
+
+
+def lay_out(
+    target: Path,
+    language: str,
+    *,
+    edition: str = "self-study",
+    learner: str | None = None,
+    cases: Mapping[str, dict] | None = None,
+) -> Path:
+    """Write a copy of the workbook into `target`, or add to one what it lacks; nothing there is overwritten.
+
+    Args:
+        edition: "self-study", or "class", whose tasks come from an instructor.
+        learner: an id, which picks variants.
+        cases: the chapters with exercises, each with what `check` asks; tflab's own if left out.
+
+    Raises:
+        WorkbookError: the folder holds something else, or its `workbook.json` cannot be read.
+    """
+    target = Path(target)
+    if not (target / MARK).is_file() and not is_free(target):
+        raise WorkbookError(
+            f"{target} holds files that are not a copy of the workbook, and nothing was written there.\n"
+            "Name a new or an empty folder for the copy."
+        )
+    workbook = Workbook(__version__, edition, language, learner)
+    if (target / MARK).is_file():
+        workbook = replace(read_workbook(target), language=language)
+    files = dict(material(language, edition=workbook.edition, cases=cases))
+    target.mkdir(parents=True, exist_ok=True)
+    with locked(target):
+        write_workbook(target, workbook)  # first, so that a copy that was cut short is known for one
+        for name, content in files.items():
+            if not (target / name).exists():
+                write_whole(target / name, content)
+                write_whole(target / PRISTINE / name, content)
+    return target
+
+
+def update(root: Path) -> list[Change]:
+    """Bring a copy's material up to this version, around what the learner wrote; return what changed.
+
+    What an instructor handed out (the exercises of a class edition) stays as it is.
+
+    Raises:
+        WorkbookError: its `workbook.json` cannot be read.
+    """
+    root = Path(root)
+    workbook = read_workbook(root)
+    changes = []
+    with locked(root):
+        backup = _next_backup(root)
+        for language in [language for language in ("en", "ko") if has_language(root, language)]:
+            for name, content in material(language, edition=workbook.edition):
+                change = _update_file(root, name, content, backup, workbook.language)
+                if change is not None:
+                    changes.append(change)
+        write_workbook(root, replace(workbook, tflab=__version__))
+    return changes
+
+
+def material(
+    language: str,
+    *,
+    edition: str = "self-study",
+    cases: Mapping[str, dict] | None = None,
+) -> Iterator[tuple[str, bytes]]:
+    """Yield each file of a fresh copy: its path from the copy's folder on, and what is in it.
+
+    A class edition without `cases` has pages only: its exercises are the instructor's.
+    """
+    data = workbook_data()
+    folders = [Path("notebooks", language)]
+    if edition != "class" or cases is not None:
+        folders += [Path("exercises", language), Path("exercises", "cases")]
+    for folder in folders:
+        for path in sorted((data / folder).glob("*.json" if folder.name == "cases" else "*.ipynb")):
+            if folder.parts[0] == "notebooks":
+                yield PurePosixPath(folder, path.name).as_posix(), answers_hidden(path.read_bytes(), language)
+            elif cases is None:
+                yield PurePosixPath(folder, path.name).as_posix(), path.read_bytes()
+            elif path.stem in cases:
+                given = folder.name == "cases"
+                content = _json(cases[path.stem]) if given else path.read_bytes()
+                yield PurePosixPath(folder, path.name).as_posix(), content
+
+
+def answers_hidden(page: bytes, language: str) -> bytes:
+    """Return a page without the outputs that it asks to predict, and with the texts that tell them folded.
+
+    A page without predictions is returned as it is.
+    """
+    if f'"{PREDICTED}"'.encode() not in page:
+        return page
+    notebook = json.loads(page)
+    for cell in notebook["cells"]:
+        if PREDICTED not in cell["metadata"].get("tags", ()):
+            continue
+        if cell["cell_type"] == "code":
+            cell.update(execution_count=None, outputs=[])
+        else:
+            cell["source"] = _folded("".join(cell["source"]), UNFOLD.say(language)).splitlines(keepends=True)
+    return text_of(notebook).encode()
+
+
+def _folded(text: str, summary: str) -> str:
+    """Return a text to be opened with a click; its heading stays in sight."""
+    heading, rest = re.match(r"((?:#[^\n]*\n+)?)(.*)", text, re.DOTALL).groups()
+    return f"{heading}<details><summary>{summary}</summary>\n\n{rest}\n\n</details>"
+
+
+def is_free(folder: Path) -> bool:
+    """Return whether a copy may be laid out in a folder: it is not there yet, or holds nothing but hidden files."""
+    if not folder.exists():
+        return True
+    return folder.is_dir() and all(path.name.startswith(".") for path in folder.iterdir())
+
+
+def has_language(root: Path, language: str) -> bool:
+    """Return whether a copy has pages in a language."""
+    return any((root / "notebooks" / language).glob("*.ipynb"))
+
+
+def _update_file(root: Path, name: str, content: bytes, backup: Path, language: str) -> Change | None:
+    """Bring one file up to date; None if nothing had to change."""
+    path, pristine = root / name, root / PRISTINE / name
+    if not path.exists():
+        write_whole(path, content)
+        write_whole(pristine, content)
+        return Change(name, "new")
+    mine = path.read_bytes()
+    base = pristine.read_bytes() if pristine.exists() else None
+    if mine == content or base == content:  # the same already, or nothing new
+        if base != content:
+            write_whole(pristine, content)
+        return None
+    merged: Merged | None = Merged(content)
+    if mine != base and path.suffix == ".ipynb":
+        merged = merge_notebooks(base, mine, content, language=language, version=__version__)
+    if merged is None:
+        beside = path.with_name(f"{path.stem}.new-{__version__}.ipynb")
+        write_whole(beside, content)
+    elif merged.content != mine:
+        write_whole(root / backup / name, mine)
+        write_whole(path, merged.content)
+    write_whole(pristine, content)
+    if merged is None:
+        return Change(name, "kept")
+    return Change(name, "merged" if merged.kept or merged.beside else "replaced", merged.kept, merged.beside)
+
+
+def _next_backup(root: Path) -> Path:
+    number = 1
+    while (root / BACKUPS / str(number)).exists():
+        number += 1
+    return BACKUPS / str(number)
+
+
+def _json(cases: dict) -> bytes:
+    return (json.dumps(cases, ensure_ascii=False, sort_keys=True) + "\n").encode()  # indented: ten times as slow

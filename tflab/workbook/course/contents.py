@@ -1,0 +1,122 @@
+"""Which texts of the pages are made from files?  The table of chapters, and the glossary as a page.
+
+    course.yaml     ->  notebooks/src/00_start.py     the cells "chapters-table"
+    glossary.yaml   ->  notebooks/src/90_glossary.py  the whole page
+
+`python -m tflab.workbook.course.contents` writes them; a test holds them in step.
+Read `course_map.py` next.
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+from pathlib import Path
+
+from ..places import workbook_data
+from ..whole_files import write_whole
+from ..words import LANGUAGES, Words
+from .course import Chapter, read_course
+from .glossary import Term, read_glossary
+
+__all__ = ["GLOSSARY_PAGE", "START_PAGE", "chapter_table", "glossary_page", "start_page", "write_contents"]
+
+SOURCES = Path("notebooks", "src")
+START_PAGE = SOURCES / "00_start.py"
+GLOSSARY_PAGE = SOURCES / "90_glossary.py"
+
+HEAD = Words(
+    en="| | chapter | its question | builds on | exercise |",
+    ko="| | 장 | 장의 질문 | 먼저 볼 장 | 연습 |",
+)
+TO_COME = Words(en="to come", ko="준비 중")
+GLOSSARY_TITLE = Words(
+    en="# Glossary\n\n"
+    "Every term of the course, in the order in which the chapters need them.\n"
+    "On the pages, rest the pointer on a dotted word to read the same sentence.",
+    ko="# 용어집\n\n"
+    "이 강의에 나오는 용어를 장의 순서대로 모았습니다.\n"
+    "본문에서 점선이 그어진 낱말에 마우스를 올리면 같은 설명이 나타납니다.",
+)
+GLOSSARY_CHAPTER = Words(en="## Chapter {number} · {title}", ko="## {number}장 · {title}")
+
+
+def chapter_table(language: str, root: Path) -> str:
+    """Return the chapters as a markdown table, with links to those that have a page."""
+    lines = [HEAD.say(language), "|--:|:--|:--|:--|:--|"]
+    for chapter in read_course().chapters[1:]:
+        title = chapter.title.say(language)
+        exercise = ""
+        if (root / SOURCES / f"{chapter.stem}.py").is_file():
+            title = f"**[{title}]({chapter.stem}.ipynb)**"
+        else:
+            exercise = TO_COME.say(language)
+        if (root / "solutions" / "src" / f"{chapter.stem}.py").is_file():
+            exercise = f"[E{chapter.number}](../../exercises/{language}/{chapter.stem}.ipynb)"
+        before = ", ".join(str(number) for number in chapter.builds_on if number)
+        lines.append(f"| {chapter.number} | {title} | {chapter.question.say(language)} | {before} | {exercise} |")
+    return "\n".join(lines)
+
+
+def start_page(root: Path) -> str:
+    """Return the source of the start page with its table of chapters as it should be."""
+    text = (root / START_PAGE).read_text(encoding="utf-8")
+    for language in LANGUAGES:
+        cell = re.compile(rf'(?m)^# %% \[markdown\] lang="{language}" name="chapters-table".*\n(?:#.*\n)+')
+        found = cell.search(text)
+        if found is None:
+            raise LookupError(f'{START_PAGE} has no cell "chapters-table" in {language}')
+        first = found[0].splitlines()[0]
+        text = text.replace(found[0], f"{first}\n{_commented(chapter_table(language, root))}\n")
+    return text
+
+
+def glossary_page() -> str:
+    """Return the source of the glossary as a page."""
+    terms = read_glossary().values()
+    cells = [_cells("title", GLOSSARY_TITLE, "slide")]
+    for chapter in read_course().chapters:
+        own = [term for term in terms if term.chapter == chapter.stem]
+        if own:
+            text = Words(*(_terms(chapter, own, language) for language in LANGUAGES))
+            cells.append(_cells(f"chapter-{chapter.number}", text, "skip"))
+    return "\n".join(cells)
+
+
+def write_contents(root: Path) -> list[Path]:
+    """Write the texts that are made from files; return the pages that changed."""
+    changed = []
+    for page, text in ((START_PAGE, start_page(root)), (GLOSSARY_PAGE, glossary_page())):
+        path = root / page
+        if not path.is_file() or path.read_text(encoding="utf-8") != text:
+            write_whole(path, text)
+            changed.append(page)
+    return changed
+
+
+def _terms(chapter: Chapter, terms: list[Term], language: str) -> str:
+    head = GLOSSARY_CHAPTER.say(language, number=chapter.number, title=chapter.title.say(language))
+    lines = [f"- **{_shown(term, language)}**: {term.definition.say(language)}" for term in terms]
+    return "\n".join([head, "", *lines])
+
+
+def _shown(term: Term, language: str) -> str:
+    if term.word.ko == term.word.en:
+        return term.word.en
+    return f"{term.word.en} ({term.word.ko})" if language == "en" else f"{term.word.ko} ({term.word.en})"
+
+
+def _cells(name: str, text: Words, slide: str) -> str:
+    return "\n".join(
+        f'# %% [markdown] lang="{language}" name="{name}" slide="{slide}"\n{_commented(text.say(language))}\n'
+        for language in LANGUAGES
+    )
+
+
+def _commented(text: str) -> str:
+    return "\n".join(f"# {line}".rstrip() for line in text.splitlines())
+
+
+if __name__ == "__main__":
+    for page in write_contents(workbook_data()):
+        print(page, file=sys.stdout)

@@ -1,0 +1,80 @@
+"""What does the course hold?  Thirteen chapters, eight objectives, fourteen things to have done, fifteen questions.
+
+    chapters    stem, title, the one question, what it builds on
+    objectives  each with the tasks that show it
+    checklist   each with the tasks that tick it, and what to type on a robot
+    practice    the questions at the chapters' ends
+
+All of it stands in `course.yaml`; the index page and the progress page show it.
+Read `standing.py` next.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+from typing import NamedTuple
+
+import yaml
+
+from ..words import Words
+
+__all__ = ["COURSE", "Chapter", "Course", "Goal", "read_course"]
+
+COURSE = Path(__file__).with_name("course.yaml")
+
+
+class Chapter(NamedTuple):
+    """One chapter; `builds_on` holds chapter numbers, the rest counts as the lecture does."""
+
+    stem: str
+    title: Words
+    question: Words
+    minutes: int
+    builds_on: tuple[int, ...]
+    sections: tuple[int, ...]
+    objectives: tuple[int, ...]
+    practice: tuple[int, ...]
+
+    @property
+    def number(self) -> int:
+        """Return 3 of "03_target_and_source"."""
+        return int(self.stem[:2])
+
+
+class Goal(NamedTuple):
+    """An objective or an item of the checklist: what it says, what shows it, what to type on a robot."""
+
+    words: Words
+    tasks: tuple[str, ...]
+    robot: tuple[str, ...] = ()
+
+
+class Course(NamedTuple):
+    """The whole course, in order."""
+
+    chapters: tuple[Chapter, ...]
+    objectives: tuple[Goal, ...]
+    checklist: tuple[Goal, ...]
+    questions: tuple[Words, ...]
+
+
+@cache
+def read_course() -> Course:
+    """Return the course as `course.yaml` has it."""
+    found = yaml.safe_load(COURSE.read_text(encoding="utf-8"))
+    return Course(
+        tuple(_chapter(line) for line in found["chapters"]),
+        tuple(_goal(line) for line in found["objectives"]),
+        tuple(_goal(line) for line in found["checklist"]),
+        tuple(Words(line["en"], line["ko"]) for line in found["practice"]),
+    )
+
+
+def _chapter(line: dict) -> Chapter:
+    numbers = [tuple(line[name]) for name in ("builds_on", "sections", "objectives", "practice")]
+    return Chapter(line["stem"], Words(**line["title"]), Words(**line["question"]), line["minutes"], *numbers)
+
+
+def _goal(line: dict) -> Goal:
+    return Goal(Words(line["en"], line["ko"]), tuple(line["tasks"]), tuple(line.get("robot", ())))

@@ -1,0 +1,182 @@
+"""Where do I stand?  `tflab progress` in a terminal, `show_progress()` on a page.
+
+    03  Target and source        ■ ■ ■ □ ◧ □ □   3/7
+    04  The tree of frames       later
+
+What is ticked is what a check has passed; see `standing.py`.  Read `pages/` next.
+"""
+
+from __future__ import annotations
+
+import argparse
+import html
+import sys
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from ..places import COPY, MARK, WorkbookError, copy_at_hand, workbook_root
+from ..words import Words
+from .standing import GoalStanding, Standing, TaskStanding, standing
+
+__all__ = ["ProgressPage", "progress", "show_progress"]
+
+TITLE = Words(en="Your progress", ko="학습 현황")
+CHAPTERS = Words(en="Chapters", ko="장")
+OBJECTIVES = Words(en="What you can do", ko="학습 목표")
+CHECKLIST = Words(en="What you have done", ko="실습 체크리스트")
+LATER = Words(en="later", ko="나중에")
+NO_TASKS = Words(en="to read", ko="읽을거리")
+TASKS_PASSED = Words(en="{passed} of {of} tasks passed", ko="과제 {of}개 중 {passed}개 통과")
+PASSED_OF = Words(en="{passed} of {of}", ko="{of}개 중 {passed}개")
+REST_LATER = Words(en="{count} later", ko="{count}개는 나중에")
+TO_PASS = Words(en="to pass", ko="남은 과제")
+ON_A_ROBOT = Words(en="simulated here; on the robot", ko="여기서는 시뮬레이션으로 했습니다. 로봇에서는")
+WILL_ROBOT = Words(en="on the robot", ko="로봇에서는")
+TRIES = Words(en="tries: {tries}, hints: {hints}", ko="시도 {tries}번, 힌트 {hints}번")
+ONLY_CHECKS = Words(
+    en="Only a passed check ticks anything here.",
+    ko="check를 통과해야만 표시됩니다.",
+)
+NO_COPY = Words(
+    en="Nothing is kept here: these are tflab's own pages. Make your copy with: tflab lab",
+    ko="여기는 tflab에 들어 있는 원본이라 기록을 남기지 않습니다. tflab lab으로 내 워크북을 만드십시오.",
+)
+PASSED, TRIED, UNTRIED = "■", "◧", "□"
+STATES = {"passed": "✓", "open": "○", "later": "·"}
+
+STYLE = """
+.tflab-progress > table {border-collapse: collapse; margin: 0.4em 0 1.2em; font-size: 1em}
+.tflab-progress > table td {border: 0; border-bottom: 1px solid color-mix(in srgb, currentColor 22%, transparent);
+  padding: 0.35em 0.9em 0.35em 0; text-align: left !important; vertical-align: top; background: none;
+  white-space: normal}
+.tflab-progress > table tr {background: none !important}
+.tflab-progress > table td.mark {font-weight: bold; padding-left: 0.1em; padding-right: 0.7em; white-space: nowrap}
+.tflab-progress > table td.tasks {letter-spacing: 0.25em; white-space: nowrap; font-size: 1.15em}
+.tflab-progress > table td.count {white-space: nowrap}
+.tflab-progress > table tr.later {opacity: 0.62}
+div.tflab-progress > h3 {margin: 0.8em 0 0.2em}
+.tflab-progress > table code {background: none; padding: 0; white-space: pre-wrap; overflow-wrap: anywhere}
+.tflab-progress small {opacity: 0.85}
+"""
+
+
+class ProgressPage:
+    """A standing that can be shown: as HTML on a page, as text in a terminal."""
+
+    def __init__(self, shown: Standing, kept: bool = True) -> None:
+        self._standing, self._kept = shown, kept
+        self._language = shown.language
+
+    def _repr_mimebundle_(self, include=None, exclude=None) -> dict[str, str]:
+        return {"text/html": self.html, "text/plain": self.text}
+
+    @property
+    def text(self) -> str:
+        """Return it as a terminal shows it."""
+        lines = [self._say(TITLE) + ": " + self._sum(), self._note(), "", self._say(CHAPTERS)]
+        for stands in self._standing.chapters:
+            head = f"  {stands.chapter.stem[:2]}  "
+            marks = " ".join(_mark(task) for task in stands.tasks) or self._without_tasks(stands.chapter.number)
+            count = f"   {stands.passed}/{len(stands.tasks)}" if stands.tasks else ""
+            lines.append(f"{head}{marks}{count}   {stands.chapter.title.say(self._language)}")
+        for title, goals in ((OBJECTIVES, self._standing.objectives), (CHECKLIST, self._standing.checklist)):
+            lines += ["", self._say(title)]
+            for number, stands in enumerate(goals, start=1):
+                lines.append(f"  {STATES[stands.state]} {number:>2}  {stands.goal.words.say(self._language)}")
+                lines += [f"        {line}" for line in self._details(stands)]
+        return "\n".join(lines)
+
+    @property
+    def html(self) -> str:
+        """Return it as a page shows it, in the page's own colours."""
+        rows = [
+            f'<style>{STYLE}</style><div class="tflab-progress"><p><b>{self._say(TITLE)}:</b> {self._sum()}. '
+            f"<small>{html.escape(self._note())}</small></p>",
+            f"<h3>{self._say(CHAPTERS)}</h3><table>",
+        ]
+        for stands in self._standing.chapters:
+            marks = "".join(self._square(task) for task in stands.tasks)
+            kind = "" if stands.tasks or stands.chapter.number == 0 else ' class="later"'
+            count = f"{stands.passed}/{len(stands.tasks)}" if marks else self._without_tasks(stands.chapter.number)
+            title = html.escape(stands.chapter.title.say(self._language))
+            rows.append(
+                f'<tr{kind}><td class="mark">{stands.chapter.stem[:2]}</td><td>{title}</td>'
+                f'<td class="tasks">{marks}</td><td class="count">{count}</td></tr>'
+            )
+        for title, goals in ((OBJECTIVES, self._standing.objectives), (CHECKLIST, self._standing.checklist)):
+            rows.append(f"</table><h3>{self._say(title)}</h3><table>")
+            rows += [self._row(number, stands) for number, stands in enumerate(goals, start=1)]
+        return "".join([*rows, "</table></div>"])
+
+    def _row(self, number: int, stands: GoalStanding) -> str:
+        details = "<br>".join(
+            f"<code>{html.escape(line[2:])}</code>" if line.startswith("$ ") else f"<small>{html.escape(line)}</small>"
+            for line in self._details(stands)
+        )
+        words = html.escape(stands.goal.words.say(self._language))
+        return (
+            f'<tr class="{stands.state}"><td class="mark" title="{stands.state}">{STATES[stands.state]}</td>'
+            f"<td>{number}</td><td>{words}{'<br>' if details else ''}{details}</td></tr>"
+        )
+
+    def _details(self, stands: GoalStanding) -> Iterator[str]:
+        """Yield what is left to pass, and what to type on a robot."""
+        absent = len(stands.tasks) - len(stands.here)
+        if stands.state == "open":
+            left = [name for name in stands.here if not stands.tasks[name]]
+            rest = f" ({REST_LATER.say(self._language, count=absent)})" if absent else ""
+            passed = PASSED_OF.say(self._language, passed=stands.passed, of=len(stands.tasks))
+            yield f"{passed}; {self._say(TO_PASS)}: {' '.join(left)}{rest}"
+        elif stands.state == "later":
+            chapters = ", ".join(sorted({f"{int(name[1:].split('.')[0]):02}" for name in stands.tasks}))
+            yield f"{self._say(LATER)} ({chapters})"
+        if stands.goal.robot and stands.state != "later":
+            yield f"{self._say(ON_A_ROBOT if stands.state == 'passed' else WILL_ROBOT)}:"
+            yield from (f"$ {command}" for command in stands.goal.robot)
+
+    def _square(self, task: TaskStanding) -> str:
+        title = f"{task.id} · {task.title.say(self._language)}"
+        if task.attempts.tries or task.attempts.hints:
+            title += " · " + TRIES.say(self._language, tries=task.attempts.tries, hints=task.attempts.hints)
+        return f'<span title="{html.escape(title)}">{_mark(task)}</span>'
+
+    def _without_tasks(self, number: int) -> str:
+        return self._say(LATER if number else NO_TASKS)
+
+    def _sum(self) -> str:
+        tasks = self._standing.tasks
+        passed = sum(task.attempts.passed for task in tasks)
+        return TASKS_PASSED.say(self._language, passed=passed, of=len(tasks))
+
+    def _note(self) -> str:
+        return self._say(ONLY_CHECKS if self._kept else NO_COPY)
+
+    def _say(self, words: Words) -> str:
+        return words.say(self._language)
+
+
+def show_progress() -> ProgressPage:
+    """Return where you stand in the nearest workbook, to be shown as the last value of a cell."""
+    root = workbook_root()
+    return ProgressPage(standing(root), kept=(root / MARK).is_file())
+
+
+def progress(words: Sequence[str]) -> int:
+    """Print where one stands, and return 0; 2 if the workbook cannot be read."""
+    parser = argparse.ArgumentParser(prog="tflab progress", description="Say which checks have been passed.")
+    parser.add_argument("folder", nargs="?", metavar="DIR", help=f"your copy; the nearest, or ./{COPY}, if left out")
+    folder = parser.parse_args(list(words)).folder
+    root = Path(folder) if folder else copy_at_hand() or workbook_root()
+    if folder and not (root / MARK).is_file():
+        print(f"tflab progress: {root} is no copy of the workbook; tflab lab makes one", file=sys.stderr)
+        return 2
+    try:
+        print(ProgressPage(standing(root), kept=(root / MARK).is_file()).text)
+    except WorkbookError as error:
+        print(f"tflab progress: {error}", file=sys.stderr)
+        return 2
+    return 0
+
+
+def _mark(task: TaskStanding) -> str:
+    return PASSED if task.attempts.passed else TRIED if task.attempts.tries else UNTRIED

@@ -1,0 +1,176 @@
+"""How does the workbook become notebooks?  `tflab build`: every page (`one_page.py`), two at a time.
+
+    tflab build            everything
+    tflab build 03         what has this number, or stem
+    tflab build --check    write nothing; say what is stale, and why
+    tflab build --html     the built notebooks as HTML (`html.py`)
+
+The result depends on the sources and on tflab, and on nothing else: two builds are
+the same bytes.  A page with a fault is not written, and all faults are said at once.
+
+Read `html.py` next.
+"""
+
+from __future__ import annotations
+
+import argparse
+import asyncio
+import sys
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, field
+from importlib.util import find_spec
+from pathlib import Path
+
+from ..places import stems_called, workbook_data
+from ..whole_files import write_whole
+from ..words import LANGUAGES
+from .html import write_html
+from .kernel import wait_for
+from .one_page import Made, make_page
+from .source import Fault
+from .stale import stale
+
+__all__ = ["Built", "build", "build_pages", "sources", "write_files"]
+
+FOLDERS = ("notebooks", "solutions")
+Progress = Callable[[str], None]
+
+
+@dataclass
+class Built:
+    """What came of a build.
+
+    Attributes:
+        files: the text of each file, by its path in the workbook.
+        faults: what is wrong with the sources.
+        faulty: the files of pages with faults, where there is enough of them to look at.
+    """
+
+    files: dict[str, str] = field(default_factory=dict)
+    faults: list[Fault] = field(default_factory=list)
+    faulty: dict[str, str] = field(default_factory=dict)
+
+
+def build(words: Sequence[str]) -> int:
+    """Build pages; return 0, 1 if a page has a fault or is stale, 2 if there is nothing to build."""
+    options = _options(words)
+    if options.html:
+        return write_html(options.pages, Path(options.out), options.lang)
+    root = Path(options.root) if options.root else workbook_data()
+    if find_spec("jupytext") is None:
+        print("tflab build: sources are read with jupytext; run: pip install 'tflab[dev]'", file=sys.stderr)
+        return 2
+    try:
+        chosen = sources(root, options.pages)
+    except LookupError as nothing:
+        print(f"tflab build: {nothing}", file=sys.stderr)
+        return 2
+    built = build_pages(chosen, jobs=options.jobs, progress=_shown_progress(len(chosen)))
+    for fault in built.faults:
+        print(fault, file=sys.stderr)
+    if options.check:
+        lines = [*stale(root, built.files), *(_without_source(root) if not options.pages else ())]
+        for line in lines:
+            print(line)
+        print(_count(len(lines), "file is stale", "files are stale") if lines else "nothing is stale")
+        return 1 if lines or built.faults else 0
+    files = built.files | (built.faulty if options.draft else {})
+    written = write_files(root, files)
+    print(f"{_count(len(written), 'file', 'files')} written, {len(files) - len(written)} as they were")
+    for line in _without_source(root):
+        print(line)
+    if built.faults:
+        left = "written all the same" if options.draft else "not written; --draft writes them all the same"
+        print(f"{_count(len(built.faults), 'fault', 'faults')}; the pages that have them are {left}", file=sys.stderr)
+    return 1 if built.faults else 0
+
+
+def sources(root: Path, wanted: Iterable[str] = ()) -> list[Path]:
+    """Return the sources below `root` with these stems or numbers, all if there are none.
+
+    Raises:
+        LookupError: there are none.
+    """
+    there = [path for folder in FOLDERS for path in sorted((root / folder / "src").glob("*.py"))]
+    if not there:
+        raise LookupError(f"there are no pages in {root / 'notebooks' / 'src'}; a wheel holds only what was built")
+    called = stems_called(wanted, sorted({path.stem for path in there}))
+    return [path for stem in called for path in there if path.stem == stem] or there
+
+
+def build_pages(chosen: Sequence[Path], *, jobs: int = 2, progress: Progress = lambda line: None) -> Built:
+    """Build these sources in memory, `jobs` kernels at a time; nothing is written."""
+    return wait_for(_build_all(chosen, jobs, progress))
+
+
+def write_files(root: Path, files: dict[str, str]) -> list[str]:
+    """Write what is different, each file whole or not at all; return what was written."""
+    written = []
+    for name, text in sorted(files.items()):
+        path = root / name
+        data = text.encode("utf-8")
+        if path.is_file() and path.read_bytes() == data:
+            continue
+        write_whole(path, data)
+        written.append(name)
+    return written
+
+
+async def _build_all(chosen: Sequence[Path], jobs: int, progress: Progress) -> Built:
+    turn, cases_turn = asyncio.Semaphore(max(1, jobs)), asyncio.Lock()
+
+    async def build_one(path: Path) -> Made:
+        async with turn:
+            made = await make_page(path, cases_turn)
+        name = f"{path.parents[1].name}/{path.stem}"
+        progress(f"{name}: {_count(len(made.faults), 'fault', 'faults')}" if made.faults else name)
+        return made
+
+    longest_first = sorted(chosen, key=lambda path: path.parents[1].name != "solutions")
+    async with asyncio.TaskGroup() as group:
+        tasks = {path: group.create_task(build_one(path)) for path in longest_first}
+    built = Built()
+    for path in chosen:
+        made = tasks[path].result()
+        (built.faulty if made.faults else built.files).update(made.files)
+        built.faults += made.faults
+    return built
+
+
+def _without_source(root: Path) -> list[str]:
+    """Return a line for each built file that nothing builds any more."""
+    lines = []
+    for folder, source in (("notebooks", "notebooks"), ("solutions", "solutions"), ("exercises", "solutions")):
+        stems = {path.stem for path in (root / source / "src").glob("*.py")}
+        for path in sorted([*(root / folder).glob("*/*.ipynb"), *(root / folder).glob("cases/*.json")]):
+            if path.stem not in stems:
+                lines.append(f"{path.relative_to(root).as_posix()}: has no source any more; delete it")
+    return lines
+
+
+def _options(words: Sequence[str]) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(prog="tflab build", description="Run the pages, and write their notebooks.")
+    parser.add_argument("pages", nargs="*", metavar="STEM", help="such as 03; every page if left out")
+    parser.add_argument("--check", action="store_true", help="write nothing: say what is stale, and why")
+    parser.add_argument("--draft", action="store_true", help="write pages that have faults, too")
+    parser.add_argument("--jobs", type=int, default=2, metavar="N", help="kernels at a time (%(default)s)")
+    parser.add_argument("--root", metavar="DIR", help="the folder with notebooks/src, instead of tflab's own")
+    parser.add_argument("--html", action="store_true", help="write built notebooks as pages that work from a disk")
+    parser.add_argument("--out", default="html", metavar="DIR", help="where --html writes (%(default)s)")
+    parser.add_argument("--lang", choices=LANGUAGES, default="en", help="of the pages that --html writes (%(default)s)")
+    return parser.parse_args(list(words))
+
+
+def _shown_progress(total: int) -> Progress:
+    done = 0
+
+    def show(line: str) -> None:
+        nonlocal done
+        done += 1
+        print(f"[{done}/{total}] {line}", file=sys.stderr, flush=True)
+
+    return show
+
+
+def _count(number: int, one: str, many: str) -> str:
+    return f"{number} {one if number == 1 else many}"

@@ -1,0 +1,152 @@
+"""Which notebooks come from one page?  Lecture or solution, English or Korean, and the exercise.
+
+    page --run once--+--> lecture_notebook(page, "en", outputs)     notebooks/en, solutions/en
+      |              +--> lecture_notebook(page, "ko", outputs)     the same code, the same outputs
+      +--blank----------> exercise_notebook(page, "en", tasks)      exercises/en: nothing run
+
+A notebook is a plain dict in the shape of nbformat 4.5, and `text_of` writes it the
+same way every time: ids are names, counts are 1 to N, nothing says when or where.
+
+Read `kernel.py` next.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from typing import Any
+
+from ..course.glossary import MARKED, UnknownTerm, expand
+from ..tasks.blank import blank
+from ..tasks.task import slug
+from .source import Cell, Page
+
+__all__ = ["Outputs", "exercise_notebook", "lecture_notebook", "task_of", "text_of"]
+
+KERNEL = {"display_name": "Python 3", "language": "python", "name": "python3"}
+ROLES = ("given", "answer", "check")
+Notebook = dict[str, Any]
+Outputs = Mapping[str, list[dict]]  # cell name -> its outputs
+
+
+def lecture_notebook(page: Page, language: str, outputs: Outputs, tasks: Mapping[str, Any] | None = None) -> Notebook:
+    """Return a page as it was run; a solution's tasks are marked if it has `tasks`."""
+    cells: list[dict] = []
+    count = 0
+    for cell in page.in_language(language):
+        if _is_note(cell):
+            _add_note(cells, cell, language)
+            continue
+        made = _cell(cell, language)
+        task = task_of(cell.name, tasks or ())
+        if task:
+            made["metadata"]["tflab"] = {"task": task}
+        if cell.kind == "code" and "interactive" not in cell.tags:
+            count += 1
+            made["execution_count"] = count
+            made["outputs"] = [_counted(output, count) for output in outputs.get(cell.name, [])]
+        cells.append(made)
+    return _notebook(page, language, cells)
+
+
+def exercise_notebook(page: Page, language: str, tasks: Mapping[str, Mapping[str, Any]]) -> Notebook:
+    """Return a solution's page as a learner gets it: regions blanked, nothing run.
+
+    Args:
+        tasks: by id, each with its "points", as in the public cases.
+
+    Raises:
+        BlankError: a region cannot be taken out.
+    """
+    cells = []
+    for cell in page.in_language(language):
+        if _is_note(cell):
+            continue
+        made = _cell(cell, language)
+        if cell.kind == "code":
+            made["source"] = _lines(blank(cell.source))
+            task = task_of(cell.name, tasks)
+            if task:
+                made["metadata"] |= _task_metadata(cell.name, task, tasks[task]["points"])
+        cells.append(made)
+    return _notebook(page, language, cells)
+
+
+def task_of(name: str, tasks) -> str | None:
+    """Return the task whose given, answer or check the cell of this name is; None for any other cell."""
+    by_name = {f"{slug(task)}-{role}": task for task in tasks for role in ROLES}
+    return by_name.get(name)
+
+
+def text_of(notebook: Notebook) -> str:
+    """Return a notebook as the text of its file, the same every time."""
+    return json.dumps(notebook, sort_keys=True, indent=1, ensure_ascii=False) + "\n"
+
+
+def _notebook(page: Page, language: str, cells: list[dict]) -> Notebook:
+    metadata = {
+        "kernelspec": KERNEL,
+        "language_info": {"name": "python"},
+        "tflab": {"chapter": page.stem, "language": language},
+    }
+    return {"cells": cells, "metadata": metadata, "nbformat": 4, "nbformat_minor": 5}
+
+
+def _cell(cell: Cell, language: str) -> dict:
+    metadata: dict[str, Any] = {"name": cell.name}
+    if cell.tags:
+        metadata["tags"] = list(cell.tags)
+    if cell.slide != "-":
+        metadata["slideshow"] = {"slide_type": cell.slide}
+    made = {"cell_type": cell.kind, "id": cell.name, "metadata": metadata}
+    if cell.kind == "code":
+        return made | {"execution_count": None, "outputs": [], "source": _lines(cell.source)}
+    return made | {"source": _lines(_with_terms(cell.source, language))}
+
+
+def _with_terms(text: str, language: str) -> str:
+    """Return a text with its [[terms]] explained by the glossary."""
+    try:
+        return expand(text, language)
+    except (UnknownTerm, FileNotFoundError):  # which is a fault already: see rules.py
+        return MARKED.sub(lambda found: found[2] or found[1], text)
+
+
+def _is_note(cell: Cell) -> bool:
+    return cell.kind == "markdown" and cell.slide == "notes"
+
+
+def _add_note(cells: list[dict], note: Cell, language: str) -> None:
+    """Keep what the speaker says with the cell before: a reader does not see it, the deck shows it."""
+    if not cells:
+        return
+    ours = cells[-1]["metadata"].setdefault("tflab", {})
+    ours["notes"] = "\n\n".join([*([ours["notes"]] if "notes" in ours else []), _with_terms(note.source, language)])
+
+
+def _task_metadata(name: str, task: str, points: float) -> dict:
+    """Return what nbgrader, JupyterLab and our own grading read from a cell of a task."""
+    role = name.rpartition("-")[2]
+    nbgrader = {
+        "cell_type": "code",
+        "grade": role == "check",
+        "grade_id": name,
+        "locked": role != "answer",
+        "schema_version": 3,
+        "solution": role == "answer",
+        "task": False,
+    }
+    if role == "check":
+        nbgrader["points"] = points
+    made: dict[str, Any] = {"deletable": False, "nbgrader": nbgrader, "tflab": {"task": task}}
+    if role != "answer":
+        made["editable"] = False
+    return made
+
+
+def _counted(output: dict, count: int) -> dict:
+    return output | {"execution_count": count} if output["output_type"] == "execute_result" else output
+
+
+def _lines(text: str) -> list[str]:
+    return text.splitlines(keepends=True)

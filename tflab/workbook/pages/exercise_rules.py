@@ -1,0 +1,149 @@
+"""What must hold for an exercise before anything is run?  Each task has its text, its given, its answer, its check.
+
+    ## E3.2 · A corner seen by a turned laser      "e3-2", in both languages
+    e3_2 = task("E3.2")                            "e3-2-given", if something is given
+    # BEGIN SOLUTION ... # END SOLUTION            "e3-2-answer", tagged "answer"
+    check("E3.2", base_p_corner)                   "e3-2-check", tagged "check"
+
+Read `editions.py` next.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+from difflib import get_close_matches
+
+from ..tasks.blank import BlankError, blank, regions
+from ..tasks.task import Task, slug
+from ..words import LANGUAGES
+from .editions import Outputs, task_of
+from .source import Cell, Fault, Page
+
+__all__ = ["exercise_faults", "score_faults", "untouched", "untouched_faults"]
+
+CALLS = ("check", "hint", "solution", "task")
+
+
+def exercise_faults(page: Page, tasks: Sequence[Task]) -> list[Fault]:
+    """Return what is wrong with a solution's page, given the tasks of its chapter."""
+    found = [fault for task in tasks for fault in _task(page, task)]
+    ids = [task.id for task in tasks]
+    for cell in page.code:
+        found += _cell(page, cell, ids)
+    return sorted(set(found), key=lambda fault: (fault.line, fault.wrong))
+
+
+def score_faults(page: Page, tasks: Iterable[str], outputs: Outputs) -> list[Fault]:
+    """Return a fault for each task that its own solution, as it was run, does not pass."""
+    found = []
+    for task in tasks:
+        check = _find(page, f"{slug(task)}-check", None)
+        if check is not None:
+            printed = "".join(line for output in outputs.get(check.name, ()) for line in output.get("text", ()))
+            if not printed.startswith(f"{task} ✓"):
+                wrong = f"the solution does not pass: {' '.join(printed.split())[:300]}"
+                found.append(page.fault(check, wrong, f"mend the answer, or {task} in solutions/tasks/{page.stem}.py"))
+    return found
+
+
+def untouched(page: Page) -> Page:
+    """Return a solution's page as a learner's kernel gets it: its regions blanked."""
+    cells = (replace(cell, source=blank(cell.source)) if cell.kind == "code" else cell for cell in page.cells)
+    return replace(page, cells=tuple(cells))
+
+
+def untouched_faults(page: Page, outputs: Outputs) -> list[Fault]:
+    """Return what is wrong with an exercise that was run untouched: it must reach its end, and pass nothing."""
+    found = []
+    for cell in page.code:
+        for output in outputs.get(cell.name, ()):
+            if output["output_type"] == "error" and "raises-exception" not in cell.tags:
+                wrong = f"untouched, the exercise raises {output['ename']}: {output['evalue']}"
+                found.append(page.fault(cell, wrong, "call nothing that is not answered yet"))
+            if "check" in cell.tags and "✓" in "".join(output.get("text", ())):
+                found.append(page.fault(cell, "untouched, the exercise passes", "take more of the answer out"))
+    return found
+
+
+def _task(page: Page, task: Task) -> Iterator[Fault]:
+    """Find what a task lacks."""
+    name = slug(task.id)
+    for language in LANGUAGES:
+        text = _find(page, name, language)
+        if text is not None and task.id not in text.source.partition("\n")[0]:
+            yield page.fault(text, f"its heading does not name {task.id}", f'write "## {task.id} · ..."')
+    text = _find(page, name, "en")
+    if text is None:
+        yield page.fault(None, f"{task.id} has no text", f'write one named "{name}" in both languages')
+    cells = [_find(page, f"{name}-{role}", None) for role in ("given", "answer", "check")]
+    given, answer, check = cells
+    if task.given is not None and given is None:
+        yield page.fault(
+            text, f"{task.id} has no given", f'add a cell "{name}-given": {name.replace("-", "_")} = task(...)'
+        )
+    if given is not None and ("task", task.id) not in _calls(given):
+        yield page.fault(given, "it does not call for its task", f'write ... = task("{task.id}")')
+    if answer is None:
+        yield page.fault(text, f"{task.id} has no answer", f'add a code cell "{name}-answer" tags=["answer"]')
+    elif "answer" not in answer.tags:
+        yield page.fault(answer, "it is not tagged", 'add tags=["answer"]')
+    if check is None:
+        yield page.fault(text, f"{task.id} has no check", f'add a code cell "{name}-check" tags=["check"]')
+    else:
+        if "check" not in check.tags:
+            yield page.fault(check, "it is not tagged", 'add tags=["check"]')
+        call = f'check("{task.id}", {task.answer})'
+        if check.source.strip() != call:
+            yield page.fault(check, "it does not hold the check alone", f"write {call}")
+    in_order = [cell.line for cell in (text, *cells) if cell is not None]
+    if in_order != sorted(in_order):
+        yield page.fault(text, f"the cells of {task.id} are not in order", "text, given, answer, check")
+
+
+def _cell(page: Page, cell: Cell, ids: Sequence[str]) -> Iterator[Fault]:
+    """Find regions that cannot be blanked, and tasks that nobody knows."""
+    answers = "answer" in cell.tags
+    if (answers or "check" in cell.tags) and task_of(cell.name, ids) is None:
+        yield page.fault(
+            cell, "it is of no task", f"there is {', '.join(ids)}; name it after one, as {slug(ids[0])}-answer"
+        )
+    try:
+        marked = regions(cell.source)
+        if answers and not marked:
+            yield page.fault(cell, "nothing is marked as the solution", "add # BEGIN SOLUTION and # END SOLUTION")
+        if marked and not answers:
+            yield page.fault(cell, "a solution stands in a cell that is no answer", 'add tags=["answer"]')
+        blank(cell.source)
+    except BlankError as error:
+        yield page.fault(cell, error.wrong, error.remedy)
+    for call, asked in _calls(cell):
+        if call in ("hint", "solution"):
+            yield page.fault(cell, f"{call} prints in one language", "let the learner type it; name it in the text")
+        if asked not in ids:
+            close = get_close_matches(asked, ids, n=1)
+            remedy = f"there is {', '.join(ids)}" + (f'. Did you mean "{close[0]}"?' if close else "")
+            yield page.fault(cell, f'{call} names the task "{asked}", which is not in solutions/tasks', remedy)
+
+
+def _find(page: Page, name: str, language: str | None) -> Cell | None:
+    return next((cell for cell in page.cells if (cell.name, cell.lang) == (name, language)), None)
+
+
+def _calls(cell: Cell) -> list[tuple[str, str]]:
+    """Return the calls of task, check, hint and solution in a cell: what, and which task."""
+    try:
+        tree = ast.parse(cell.source)
+    except SyntaxError:  # magics
+        return []
+    return [
+        (node.func.id, node.args[0].value)
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Call)
+        and isinstance(node.func, ast.Name)
+        and node.func.id in CALLS
+        and node.args
+        and isinstance(node.args[0], ast.Constant)
+        and isinstance(node.args[0].value, str)
+    ]

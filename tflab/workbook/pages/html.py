@@ -1,0 +1,128 @@
+"""How do pages become something one can read without Python?  `tflab build --html`.
+
+    notebook  --run in a kernel, pictures filmed-->  executed  --export-->  page.html + assets/
+
+Each notebook is run in a folder of its own, so nothing is written beside the
+source; then `tflab.views.export` makes a page of it that works from a disk, with
+no kernel and no network: 3D turns, and every view keeps one scrubber.
+
+Read `slides.py` next.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import sys
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+from ..places import stems_called, workbook_data
+from .kernel import running_kernel, wait_for
+
+__all__ = ["PageFailed", "html_from_notebook", "notebooks_called", "run_with_films", "write_html"]
+
+SECONDS_FOR_A_CELL = 120
+PAGE_BESIDE = re.compile(r'href="([\w-]+)\.ipynb')  # a link to another page of the same room
+
+
+def write_html(names: Sequence[str], out_dir: Path, language: str = "en") -> int:
+    """Write notebooks as HTML, the built pages if none is named; return 0, 1 if one failed, 2 if there is nothing.
+
+    Args:
+        names: paths of notebooks, or stems and numbers of built pages.
+    """
+    built = workbook_data() / "notebooks" / language
+    try:
+        notebooks = notebooks_called(names, built) if names else sorted(built.glob("*.ipynb"))
+    except LookupError as nothing:
+        print(f"tflab build: {nothing}", file=sys.stderr)
+        return 2
+    if not notebooks:
+        print(f"tflab build: there is no notebook in {built}", file=sys.stderr)
+        return 2
+    failed = 0
+    for number, notebook in enumerate(notebooks, start=1):
+        print(f"[{number}/{len(notebooks)}] {notebook.name}", end=" ", flush=True)
+        try:
+            print(html_from_notebook(notebook, out_dir))
+        except PageFailed as failure:
+            print(f"failed\n{failure}", file=sys.stderr)
+            failed += 1
+    return 1 if failed else 0
+
+
+def notebooks_called(words: Sequence[str], folder: Path) -> list[Path]:
+    """Return the notebooks that words name: by path, or those in `folder` by stem or number.
+
+    Raises:
+        LookupError: a word names none.
+    """
+    there = sorted(path.stem for path in folder.glob("*.ipynb"))
+    called: list[Path] = []
+    for word in words:
+        is_path = Path(word).is_file()
+        called += [Path(word)] if is_path else [folder / f"{stem}.ipynb" for stem in stems_called([word], there)]
+    return called
+
+
+class PageFailed(Exception):
+    """A file is no notebook, or one of its cells raised an error; the text says which, and what."""
+
+
+def html_from_notebook(notebook: Path, out_dir: Path) -> Path:
+    """Run a copy of `notebook` and write it as HTML into `out_dir`; return the page's path.
+
+    Raises:
+        PageFailed: it is no notebook, or a cell raised an error.
+    """
+    from tflab.views.export import export_html
+
+    with TemporaryDirectory() as folder:
+        executed = run_with_films(notebook, Path(folder))
+        exported = export_html(executed, Path(folder) / "pages")
+        text = exported.read_text(encoding="utf-8")
+        exported.write_text(PAGE_BESIDE.sub(r'href="\1.html', text), encoding="utf-8")
+        shutil.copytree(exported.parent, out_dir, dirs_exist_ok=True)
+        return out_dir / exported.name
+
+
+async def _run(client: Any, env: Mapping[str, str]) -> None:
+    """Run all cells of a client's notebook, and keep the state of its widgets."""
+    async with running_kernel(client, env):
+        for number, cell in enumerate(client.nb.cells):
+            await client.async_execute_cell(cell, number)
+        client.set_widgets_metadata()
+
+
+def run_with_films(notebook: Path, folder: Path) -> Path:
+    """Run a copy of `notebook` in `folder`, with its sliders filmed; return the copy's path.
+
+    Raises:
+        PageFailed: it is no notebook, or a cell raised an error.
+    """
+    import nbformat
+    from nbclient import NotebookClient
+    from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
+
+    from tflab.views.export import NotANotebook, read_notebook
+
+    try:
+        page = read_notebook(notebook)
+    except NotANotebook as fault:
+        raise PageFailed(f"{fault}") from None
+    client = NotebookClient(page, timeout=SECONDS_FOR_A_CELL, resources={"metadata": {"path": str(folder)}})
+    try:
+        wait_for(_run(client, {**os.environ, "TFLAB_FILMS": "1"}))
+    except (CellExecutionError, CellTimeoutError, DeadKernelError) as error:
+        raise PageFailed(f"{notebook.name}: {error}") from None
+    for cell in page.cells:
+        for output in cell.get("outputs", ()):
+            if output.output_type == "error":  # one that is meant: a reader needs its text, not where Python was
+                output.traceback = [f"{output.ename}: {output.evalue}"]
+    executed = folder / notebook.name
+    nbformat.write(page, executed)
+    return executed

@@ -1,0 +1,113 @@
+"""What comes of one source?  It is read, looked over for faults, run once, and made into every edition.
+
+    notebooks/src/03_x.py                --run-->  notebooks/{en,ko}/03_x.ipynb
+    solutions/src/03_x.py                --run-->  solutions/{en,ko}/03_x.ipynb
+        + solutions/tasks/03_x.py       -------->  exercises/{en,ko}/03_x.ipynb, exercises/cases/03_x.json
+
+The public cases are made before the solution is run, because its checks ask for
+them.  An exercise is run, too, untouched: it must reach its end and pass nothing.
+
+Read `stale.py` next.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import re
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from ..course.glossary import read_glossary
+from ..tasks.blank import BlankError
+from ..tasks.cases import FORMAT, PUBLIC_SEED, CasesError, cases_json, task_cases
+from ..tasks.reference import CodeCell, Solution, answer_cell_name, in_process_ros
+from ..tasks.task import TaskError, read_tasks
+from ..words import LANGUAGES
+from .editions import exercise_notebook, lecture_notebook, text_of
+from .execute import Outputs, run_page
+from .exercise_rules import exercise_faults, score_faults, untouched, untouched_faults
+from .rules import page_faults
+from .source import Fault, Page, PageError, read_page
+
+__all__ = ["Made", "make_page"]
+
+
+class Made(NamedTuple):
+    """The text of each file that comes of a source, by its path in the workbook, and what is wrong with the source."""
+
+    files: dict[str, str]
+    faults: list[Fault]
+
+
+async def make_page(path: Path, cases_turn: asyncio.Lock) -> Made:
+    """Make everything that comes of the source at `path`; a faulty one as far as it goes.
+
+    Args:
+        cases_turn: held while cases are made, which put tflab's rclpy in place for that time.
+    """
+    try:
+        page = read_page(path)
+        faults = page_faults(page, read_glossary())
+        if path.parents[1].name == "solutions":
+            return await _solution(page, faults, cases_turn)
+        outputs, more = await run_page(page, f"notebooks/{LANGUAGES[0]}", {})
+        return Made(_in_each_language(page, "notebooks", outputs), faults + more)
+    except PageError as error:
+        return Made({}, list(error.faults))
+
+
+async def _solution(page: Page, faults: list[Fault], cases_turn: asyncio.Lock) -> Made:
+    async with cases_turn:
+        tasks, more = await asyncio.to_thread(_cases, page)
+    faults += more
+    public = {page.stem: cases_json({"format": FORMAT, "chapter": page.stem, "tasks": tasks})}
+    outputs, more = await run_page(page, f"solutions/{LANGUAGES[0]}", public)
+    faults += more + score_faults(page, tasks, outputs)
+    if not faults:
+        blanked, _ = await run_page(untouched(page), f"exercises/{LANGUAGES[0]}", public)
+        faults += untouched_faults(page, blanked)
+    files = {f"exercises/cases/{page.stem}.json": public[page.stem]}
+    files |= _in_each_language(page, "solutions", outputs, tasks)
+    for language in LANGUAGES:
+        try:
+            files[f"exercises/{language}/{page.stem}.ipynb"] = text_of(exercise_notebook(page, language, tasks))
+        except BlankError:  # which is a fault already
+            assert faults
+    return Made(files, faults)
+
+
+def _in_each_language(page: Page, room: str, outputs: Outputs, tasks: dict[str, Any] | None = None) -> dict[str, str]:
+    return {
+        f"{room}/{language}/{page.stem}.ipynb": text_of(lecture_notebook(page, language, outputs, tasks))
+        for language in LANGUAGES
+    }
+
+
+def _cases(page: Page) -> tuple[dict[str, Any], list[Fault]]:
+    """Return the public cases of a solution's tasks, by id, and what is wrong with them."""
+    path = page.path.parents[1] / "tasks" / page.path.name
+    try:
+        tasks = read_tasks(path)
+    except TaskError as error:
+        return {}, [page.fault(None, str(error), "mend the chapter's tasks")]
+    faults = exercise_faults(page, tasks)
+    solution = Solution(page.stem, [CodeCell(cell.name, cell.source) for cell in page.code])
+    made = {}
+    with in_process_ros():
+        for task in tasks:
+            try:
+                made[task.id] = task_cases(task, PUBLIC_SEED, solution)
+            except Exception as error:  # a generator or a twin may fail in any way
+                faults.append(_task_fault(page, path, task.id, error))
+    return made, faults
+
+
+def _task_fault(page: Page, path: Path, task: str, error: Exception) -> Fault:
+    """Return what is wrong with a task: at its answer's cell if that fails, else in the chapter's tasks."""
+    if isinstance(error, TaskError) and not isinstance(error, CasesError):
+        cell = next((cell for cell in page.code if cell.name == answer_cell_name(task)), None)
+        return page.fault(cell, str(error), "mend the answer, or what is given")
+    lines = path.read_text(encoding="utf-8").splitlines()
+    line = next((n for n, text in enumerate(lines, start=1) if re.search(rf"\bid\s*=\s*[\"']{task}[\"']", text)), 1)
+    wrong = str(error) if isinstance(error, TaskError) else f"{task}: {type(error).__name__}: {error}"
+    return Fault("/".join(path.parts[-3:]), line, "", wrong, f"mend {task}")

@@ -1,0 +1,117 @@
+"""What is right?  Whatever the solution's own answer cell gives.
+
+    imports + given + answer cell  --run-->  the value, or the function, that the cell defines
+
+There is no second reference: the cell that a reader of the solution sees is the
+one that makes the expected values.  It is run in this process, so only on
+solutions of one's own.  Read `cases.py` next.
+"""
+
+from __future__ import annotations
+
+import ast
+import json
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from types import CodeType, SimpleNamespace
+from typing import Any, NamedTuple
+
+from tflab.ros import activation
+from tflab.ros.messages import checks
+
+from .task import Task, TaskError, slug
+
+__all__ = ["CodeCell", "Solution", "answer_cell_name", "given_name", "in_process_ros", "solution_in_notebook"]
+
+
+class CodeCell(NamedTuple):
+    """A code cell: its name, and its text."""
+
+    name: str
+    source: str
+
+
+class Solution:
+    """The code cells of a solution, ready to answer with any given."""
+
+    def __init__(self, stem: str, cells: Iterable[CodeCell]) -> None:
+        self.stem = stem
+        self._cells = {cell.name: cell.source for cell in cells}
+        self._compiled: dict[str, CodeType] = {}
+
+    def answer(self, task: Task, given: dict[str, Any] | None) -> Any:
+        """Return what the task's answer cell defines, a value or a function, for these givens.
+
+        Raises:
+            TaskError: there is no such cell, it raises, or it does not define the answer.
+        """
+        space: dict[str, Any] = {"__name__": "solution"}
+        name = answer_cell_name(task.id)
+        if name not in self._cells:
+            raise TaskError(f'{self.stem}: {task.id} has no answer cell "{name}" in the solution')
+        try:
+            exec(self._code("imports", self._imports), space)
+            if given is not None:
+                space[given_name(task.id)] = SimpleNamespace(**given)
+            exec(self._code(name, lambda: self._cells[name]), space)
+        except Exception as error:
+            raise TaskError(f'{self.stem}: the answer cell "{name}" fails: {type(error).__name__}: {error}') from error
+        if task.answer not in space or space[task.answer] is ...:
+            raise TaskError(f'{self.stem}: the answer cell "{name}" does not define {task.answer}')
+        return space[task.answer]
+
+    def _code(self, name: str, text: Any) -> CodeType:
+        if name not in self._compiled:
+            self._compiled[name] = compile(text(), f"<{self.stem}: {name}>", "exec")
+        return self._compiled[name]
+
+    def _imports(self) -> str:
+        """Return every import that stands in a cell of its own right, before or between the tasks."""
+        lines = []
+        for name, source in self._cells.items():
+            if name.endswith(("-given", "-answer", "-check")):
+                continue
+            plain = "\n".join(line for line in source.splitlines() if not line.lstrip().startswith(("%", "!")))
+            lines += [
+                ast.unparse(node) for node in ast.parse(plain).body if isinstance(node, ast.Import | ast.ImportFrom)
+            ]
+        return "\n".join(lines)
+
+
+def answer_cell_name(task_id: str) -> str:
+    """Return the name of the cell that answers: "e3-2-answer" of "E3.2"."""
+    return f"{slug(task_id)}-answer"
+
+
+def given_name(task_id: str) -> str:
+    """Return the variable that holds what is given: "e3_2" of "E3.2"."""
+    return task_id.lower().replace(".", "_")
+
+
+def solution_in_notebook(path: Path) -> Solution:
+    """Return the solution in a built notebook.
+
+    Raises:
+        TaskError: there is no such notebook.
+    """
+    try:
+        notebook = json.loads(path.read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        raise TaskError(f"there is no solution {path}; `tflab build` makes it") from None
+    cells = (cell for cell in notebook["cells"] if cell["cell_type"] == "code")
+    return Solution(path.stem, [CodeCell(cell["id"], "".join(cell["source"])) for cell in cells])
+
+
+@contextmanager
+def in_process_ros() -> Iterator[None]:
+    """Let `import rclpy` and the like find tflab's own, with message fields checked, until the block ends."""
+    was_active, were_on = activation.is_active(), checks.on
+    activation.activate("in-process")
+    checks.on = True
+    try:
+        yield
+    finally:
+        checks.on = were_on
+        if not was_active:
+            activation.deactivate()

@@ -1,0 +1,163 @@
+"""What is a task?  A question, how its answer is judged, and the mistakes that people make in it.
+
+    Task(id="E3.2", kind="N", points=3, answer="base_p_corner", form=Vector(3, frame="base_link"), ...)
+
+The right answer is not in here: it is what the solution's own answer cell gives,
+so the two cannot disagree.  What is in here is the wrong ones, on purpose: each
+*twin* is the answer that one misconception would give, with what to say about it.
+What varies comes from `given` (values that the learner is shown) and `inputs`
+(arguments for a function), both drawn with a random generator: the same draw
+makes the public variants, and with a secret seed the hidden ones.
+
+Task files stand in `solutions/tasks/`, one for each chapter, and each holds TASKS.
+Read `reference.py` next.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import importlib.util
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ..answers.forms import Form
+from ..words import Words
+
+__all__ = ["KINDS", "Task", "TaskError", "Twin", "Words", "chapter_of", "read_tasks", "slug", "variant_of"]
+
+KINDS = {
+    "N": "a number",
+    "F": "a function",
+    "T": "a tree",
+    "D": "a diagnosis",
+    "O": "an owner table",
+    "M": "a choice",
+    "C": "a command or a message",
+}
+TASK_ID = re.compile(r"E(\d{1,2})\.(\d{1,2})")
+
+
+class TaskError(Exception):
+    """A task is written wrongly; the text says which one, and what about it."""
+
+
+@dataclass(frozen=True)
+class Twin:
+    """The answer that one misconception gives.
+
+    Attributes:
+        name: in a word or two, "swapped".
+        answer: of the given (values), of the arguments (functions), or simply the value.
+        reply: what to say to whoever gave it; never the right answer.
+        misconception: "M1" ... "M15", if it is one of the course's.
+    """
+
+    name: str
+    answer: Callable[..., Any] | Any
+    reply: Words
+    misconception: str = ""
+
+
+@dataclass(frozen=True)
+class Task:
+    """One exercise.
+
+    Attributes:
+        id: "E3.2": chapter 3, second task.
+        kind: a letter of KINDS.
+        points: what it is worth.
+        title: of the task.
+        answer: the name that the answer cell defines.
+        form: of the value, or of the function's result.
+        hints: three, coarse to fine.
+        given: draws what the learner is shown: rng -> {name: value}; None if nothing varies.
+        inputs: draws arguments: rng -> list of tuples; if set, the answer is a function.
+        variants: how many public ones are drawn.
+        twins: the mistakes that are named.
+        cures: misconceptions that it looks for.
+    """
+
+    id: str
+    kind: str
+    points: int
+    title: Words
+    answer: str
+    form: Form
+    hints: tuple[Words, Words, Words]
+    given: Callable[[np.random.Generator], dict[str, Any]] | None = None
+    inputs: Callable[[np.random.Generator], list[tuple]] | None = None
+    variants: int = 1
+    twins: tuple[Twin, ...] = ()
+    cures: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        if not TASK_ID.fullmatch(self.id):
+            raise TaskError(f'"{self.id}" is no task id; it should look like "E3.2"')
+        if self.kind not in KINDS:
+            raise TaskError(f'{self.id}: there is no kind "{self.kind}"; there is {", ".join(KINDS)}')
+        if len(self.hints) != 3:
+            raise TaskError(f"{self.id}: three hints, coarse to fine, not {len(self.hints)}")
+        if self.points < 1 or self.variants < 1 or not self.answer.isidentifier():
+            raise TaskError(f"{self.id}: points and variants count from 1, and `answer` is a name")
+        names = [twin.name for twin in self.twins]
+        if len(set(names)) < len(names):
+            raise TaskError(f"{self.id}: two twins have one name: {', '.join(names)}")
+
+
+def chapter_of(task_id: str) -> int:
+    """Return the chapter's number: 3 of "E3.2".
+
+    Raises:
+        TaskError: not a task id.
+    """
+    match = TASK_ID.fullmatch(task_id) if isinstance(task_id, str) else None
+    if match is None:
+        raise TaskError(f'{task_id!r} is no task id; it should look like "E3.2"')
+    return int(match[1])
+
+
+def slug(task_id: str) -> str:
+    """Return a task's id as cells are named after it: "e3-2" for "E3.2"."""
+    return task_id.lower().replace(".", "-")
+
+
+def variant_of(learner_id: str | None, task_id: str, count: int) -> int:
+    """Return which of `count` variants is a learner's, spread evenly by their id; 0 without one."""
+    if not learner_id or count < 2:
+        return 0
+    digest = hashlib.sha256(f"{learner_id}\0{task_id}".encode()).digest()
+    return int.from_bytes(digest[:8], "big") % count
+
+
+def read_tasks(path: Path) -> tuple[Task, ...]:
+    """Return the tasks of a chapter's task file, in order.
+
+    Raises:
+        TaskError: the file is not there, cannot be run, or its tasks have ids of another chapter or twice the same.
+    """
+    if not path.is_file():
+        raise TaskError(f"there is no task file {path}")
+    spec = importlib.util.spec_from_file_location(f"tflab_tasks_{path.stem}", path)
+    module = importlib.util.module_from_spec(spec)
+    try:
+        # Not through the loader: its cached bytecode may be of the text a moment ago.
+        exec(compile(path.read_text(encoding="utf-8"), str(path), "exec"), module.__dict__)
+    except TaskError:
+        raise
+    except Exception as error:
+        raise TaskError(f"{path.name} cannot be run: {type(error).__name__}: {error}") from error
+    tasks = tuple(getattr(module, "TASKS", ()))
+    if not tasks or not all(isinstance(task, Task) for task in tasks):
+        raise TaskError(f"{path.name} should hold TASKS, a tuple of Task")
+    ids = [task.id for task in tasks]
+    if len(set(ids)) < len(ids):
+        raise TaskError(f"{path.name}: a task id twice: {', '.join(ids)}")
+    foreign = [task_id for task_id in ids if chapter_of(task_id) != int(path.stem[:2])]
+    if foreign:
+        raise TaskError(f"{path.name}: {', '.join(foreign)} belongs to another chapter")
+    return tasks
