@@ -1,4 +1,9 @@
-"""Is the house in order?  Imports point one way, modules are short and name the next, `import tflab` is light."""
+"""Is the house in order?  Imports point one way, pages are short and lead through the house, one name is one thing.
+
+rooms     core <- views, ros <- robots, bags <- doctor <- tools <- workbook <- grading
+folders   the same, inside a room
+the tour  from a room's "Start with", following "next": every page exactly once
+"""
 
 from __future__ import annotations
 
@@ -7,15 +12,20 @@ import importlib
 import re
 import subprocess
 import sys
+from collections import defaultdict
+from functools import lru_cache
+from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
 import pytest
+from radon.complexity import cc_visit
 
 import tflab
 
 ROOT = Path(tflab.__file__).parent
+PROJECT = ROOT.parent
 
-# A room may import from the rooms named after it, and from itself.
+# A room may import from the rooms named after it, and from itself; they stand in the order in which one reads them.
 ROOMS = {
     "core": set(),
     "views": {"core"},
@@ -27,7 +37,53 @@ ROOMS = {
     "workbook": {"core", "views", "ros", "robots", "bags", "doctor", "tools"},
     "grading": {"core", "views", "workbook"},
 }
-ABOUT_400_LINES = 475
+
+# A folder may import from the folders named after it, from itself, and from the room's own pages where "." is named.
+FOLDERS = {
+    "views/scene": {"."},
+    "views/panels": {".", "scene"},
+    "ros/messages": {"."},
+    "ros/tf2": {".", "messages"},
+    "robots/faults": {"."},
+    "doctor/checks": {"."},
+    "doctor/report": {".", "checks"},
+    "workbook/answers": {"."},
+    "workbook/tasks": {".", "answers"},
+    "workbook/course": {".", "answers", "tasks"},
+    "workbook/pages": {".", "answers", "tasks", "course"},
+    "workbook/copy": {".", "answers", "tasks", "course", "pages"},
+    "grading/submissions": set(),
+    "grading/kernels": {"submissions"},
+    "grading/judging": {"submissions", "kernels"},
+    "grading/reports": {"submissions"},
+}
+
+# One name for two classes, each for its reason.
+SHARED_NAMES = {
+    "BufferCore": "tf2_py's face of the engine's class, under its name",
+    "Clock": "rclpy's class, and the clock of a recording",
+    "Service": "rclpy's class, and what a service is made of",
+    "Task": "rclpy's class, and a task of the workbook",
+    "TimeoutException": "rclpy's class, and tf2's",
+}
+NOT_YET_UNIQUE = {
+    "Batch", "Box", "Cell", "Command", "Edge", "Fault", "Kernel", "Label", "Link", "Mesh", "Message", "Outcome",
+    "PageError", "Path", "Plan", "Sample", "Scene", "Tree", "Verdict",
+}  # fmt: skip
+NOT_YET_SIMPLE = {
+    "_by_chapter", "_by_learner", "_cells", "_draw_lanes", "_new_round", "_output_faults", "_pairs", "_reply",
+    "_source", "_special", "_task", "attempt", "build", "collect", "credited", "declare_parameter",
+    "find_path", "graded", "plan", "pose_of", "slides_of", "transplant",
+}  # fmt: skip
+NOT_YET_SHORT = {"tflab.core.buffer"}
+NOT_YET_APART = {
+    "tflab.core.batch", "tflab.core.buffer", "tflab.core.inspection", "tflab.core.snapshot", "tflab.core.velocity",
+    "tflab.ros.graph", "tflab.ros.process", "tflab.ros.threads", "tflab.ros.node", "tflab.ros.time_source",
+}  # fmt: skip
+
+LONGEST_PAGE = 400  # lines
+BROKEN_WORD = r"\w+[a-z]-\n\s*[a-z]\w+"
+MOST_COMPLEX = 15  # McCabe's number, as radon counts it
 HEAVY = {
     "matplotlib",
     "ipywidgets",
@@ -41,75 +97,190 @@ HEAVY = {
     "yaml",
 }
 
-MODULES = sorted(path for path in ROOT.rglob("*.py"))
+
+def name_of(path: Path) -> str:
+    return ".".join(path.relative_to(PROJECT).with_suffix("").parts).removesuffix(".__init__")
+
+
+# What stands in `packages` is laid out as ROS's own, and goes by ROS's names: see test_transform_faces.py.
+PAGES = {name_of(path): path for path in sorted(ROOT.rglob("*.py")) if "packages" not in path.parts}
+ALL_FILES = sorted(ROOT.rglob("*.py"))
+
+
+@lru_cache
+def tree_of(path: Path) -> ast.Module:
+    return ast.parse(path.read_text(encoding="utf-8"))
+
+
+def docstring_of(path: Path) -> str:
+    return ast.get_docstring(tree_of(path)) or ""
+
+
+@lru_cache
+def imported_by(path: Path) -> frozenset[str]:
+    """Return what of tflab a page imports, wherever in it the import stands: in a function, for type checking."""
+    package = ["tflab", *path.relative_to(ROOT).parts[:-1]]
+    names = set()
+    for node in ast.walk(tree_of(path)):
+        if isinstance(node, ast.Import):
+            names |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            base = package[: len(package) - node.level + 1] if node.level else []
+            module = ".".join([*base, node.module] if node.module else base)
+            pages = {f"{module}.{alias.name}" for alias in node.names}
+            names |= {page if page in PAGES else module for page in pages}
+    return frozenset(name for name in names if name.split(".")[0] == "tflab")
+
+
+# -- walls ----------------------------------------------------------------
 
 
 def room_of(path: Path) -> str:
     return path.relative_to(ROOT).parts[0]
 
 
-def tflab_rooms_imported(path: Path) -> set[str]:
-    """Return the rooms that a module imports, wherever in it the import stands."""
-    package = ["tflab", *path.relative_to(ROOT).parts[:-1]]
-    rooms = set()
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-        if isinstance(node, ast.Import):
-            names = [alias.name for alias in node.names]
-        elif isinstance(node, ast.ImportFrom):
-            base = package[: len(package) - node.level + 1] if node.level else []
-            module = ".".join([*base, node.module] if node.module else base)
-            names = [f"{module}.{alias.name}" for alias in node.names]
+def folder_of(name: str) -> str:
+    """Return the folder of a page below its room: "scene" of tflab.views.scene.state, "." of tflab.views.style."""
+    parts = PAGES[name].relative_to(ROOT).parts
+    return parts[1] if len(parts) > 2 else "."
+
+
+@pytest.mark.parametrize("room", sorted(ROOMS))
+def test_a_room_imports_only_from_the_rooms_above_it(room: str) -> None:
+    for path in (ROOT / room).rglob("*.py"):
+        rooms = {name.split(".")[1] for name in imported_by(path) if "." in name} & set(ROOMS)
+        assert rooms <= ROOMS[room] | {room}, path
+
+
+@pytest.mark.parametrize("folder", sorted(FOLDERS))
+def test_a_folder_imports_only_from_those_it_may(folder: str) -> None:
+    room, own = folder.split("/")
+    pages = [name for name, path in PAGES.items() if room_of(path) == room and folder_of(name) == own]
+    assert pages, "there is no such folder"
+    for name in pages:
+        neighbours = {other for other in imported_by(PAGES[name]) if other.startswith(f"tflab.{room}")}
+        assert {folder_of(other) for other in neighbours} <= FOLDERS[folder] | {own}, name
+
+
+def test_every_room_and_every_folder_that_exists_has_its_rule() -> None:
+    folders = {path.parent.relative_to(ROOT) for path in PAGES.values()} - {Path()}
+    assert {str(folder) for folder in folders if len(folder.parts) == 1} == set(ROOMS)
+    assert {folder.as_posix() for folder in folders if len(folder.parts) == 2} == set(FOLDERS)
+    assert not [folder for folder in folders if len(folder.parts) > 2]
+
+
+def test_no_imports_run_in_a_circle() -> None:
+    graph = {name: imported_by(path) & set(PAGES) - {name} for name, path in PAGES.items()}
+    while True:
+        try:
+            TopologicalSorter(graph).prepare()
+        except CycleError as error:
+            circle = error.args[1]
+            assert set(circle) <= NOT_YET_APART, " -> ".join(circle)
+            graph[circle[1]] = graph[circle[1]] - {circle[0]}
         else:
-            continue
-        rooms |= {name.split(".")[1] for name in names if name.startswith("tflab.") and name.count(".") >= 1}
-    return rooms & set(ROOMS)
+            return
 
 
-@pytest.mark.parametrize("path", [p for p in MODULES if room_of(p) in ROOMS], ids=lambda p: str(p.relative_to(ROOT)))
-def test_a_room_imports_only_from_the_rooms_above_it(path: Path) -> None:
-    room = room_of(path)
-    assert tflab_rooms_imported(path) <= ROOMS[room] | {room}
+# -- pages ----------------------------------------------------------------
 
 
-def test_every_room_that_exists_has_its_rule() -> None:
-    folders = {path.name for path in ROOT.iterdir() if (path / "__init__.py").exists()}
-    assert folders <= set(ROOMS)
+def test_a_page_is_short_and_says_what_it_is() -> None:
+    lines = {path: path.read_text(encoding="utf-8").count("\n") for path in ALL_FILES}
+    assert {name_of(path): n for path, n in lines.items() if n > LONGEST_PAGE}.keys() <= NOT_YET_SHORT
+    assert [path for path, n in lines.items() if n and not docstring_of(path)] == []
 
 
-@pytest.mark.parametrize("path", MODULES, ids=lambda p: str(p.relative_to(ROOT)))
-def test_a_module_is_short_and_says_what_it_is(path: Path) -> None:
-    text = path.read_text(encoding="utf-8")
-    assert text.count("\n") <= ABOUT_400_LINES
-    assert ast.get_docstring(ast.parse(text)) or not text.strip()
+def test_no_function_has_more_branches_than_a_reader_can_hold() -> None:
+    hard = {}
+    for name, path in PAGES.items():
+        blocks = cc_visit(path.read_text(encoding="utf-8"))
+        functions = [inner for block in blocks for inner in (block, *getattr(block, "methods", ()))]
+        hard |= {f"{name}.{f.name}": f.complexity for f in functions if f.letter != "C" and f.complexity > MOST_COMPLEX}
+    assert {function for function in hard if function.rpartition(".")[2] not in NOT_YET_SIMPLE} == set(), hard
 
 
-@pytest.mark.parametrize("path", MODULES, ids=lambda p: str(p.relative_to(ROOT)))
-def test_the_page_to_read_next_is_there(path: Path) -> None:
-    docstring = ast.get_docstring(ast.parse(path.read_text(encoding="utf-8"))) or ""
-    for page in pages_to_read_next(docstring):
-        assert (path.parent / page).is_file(), f"there is no {page} beside {path}"
-        assert path.parent / page != path
+def test_no_docstring_breaks_a_word_over_a_line() -> None:
+    documented = (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)
+    broken = {}
+    for name, path in PAGES.items():
+        for node in ast.walk(tree_of(path)):
+            words = isinstance(node, documented) and re.findall(BROKEN_WORD, ast.get_docstring(node) or "")
+            broken |= {name: words} if words else {}
+    assert broken == {}
 
 
-def folders_of_pages() -> list[Path]:
-    folders = {path.parent for path in MODULES} - {ROOT}
-    return sorted(folder for folder in folders if "packages" not in folder.parts)  # those are laid out as ROS's own
+def test_a_class_name_stands_for_one_thing() -> None:
+    where = defaultdict(set)
+    for name, path in PAGES.items():
+        for node in ast.walk(tree_of(path)):
+            if isinstance(node, ast.ClassDef):
+                where[node.name].add(name)
+    shared = {word: sorted(pages) for word, pages in where.items() if len(pages) > 1}
+    assert set(shared) - NOT_YET_UNIQUE == set(SHARED_NAMES), shared
 
 
-@pytest.mark.parametrize("room", folders_of_pages(), ids=lambda p: str(p.relative_to(ROOT)))
-def test_every_page_is_named_by_its_room_or_by_the_page_before_it(room: Path) -> None:
-    docstrings = {
-        page: ast.get_docstring(ast.parse(page.read_text(encoding="utf-8"))) or "" for page in room.glob("*.py")
-    }
-    named = set(re.findall(r"\w+", docstrings.pop(room / "__init__.py")))
-    for docstring in docstrings.values():
-        named |= {Path(page).stem for page in pages_to_read_next(docstring)}
-    assert {page.stem for page in docstrings} <= named
+# -- the tour -------------------------------------------------------------
 
 
 def pages_to_read_next(docstring: str) -> list[str]:
-    """Return the pages that a docstring sends its reader to: "Read `cache.py` next"."""
-    return re.findall(r"[Rr]ead\s+`([\w/]+\.py)`\s+next", docstring)
+    """Return where a docstring sends its reader: "Read `cache.py` next", "Read `scene/` next"."""
+    return re.findall(r"[Rr]ead\s+`([\w/]+(?:\.py|/))`\s+next", docstring)
+
+
+def beside(path: Path, label: str) -> Path:
+    """Return the page that is meant by a name, seen from another: in its folder, or in the room around that."""
+    page = f"{label}__init__.py" if label.endswith("/") else label
+    return next((place / page for place in (path.parent, path.parent.parent) if (place / page).is_file()), Path(page))
+
+
+def tour(face: Path) -> list[Path]:
+    """Return the pages that a reader meets who starts where a face says and then reads what is next."""
+    walked, at = [], face
+    while at is not None:
+        docstring = docstring_of(at)
+        if at.name == "__init__.py":
+            (label,) = re.findall(r"[Ss]tart with\s+`([\w/]+(?:\.py|/))`", docstring) or [None]
+        else:
+            label = next(iter(pages_to_read_next(docstring)), None)
+        at = None if label is None else beside(at, label)
+        assert at is None or at.is_file(), f"{walked[-1] if walked else face} names {label}, which is not there"
+        if at in walked:
+            raise AssertionError(f"the tour comes twice to {at}")
+        walked += [at] if at else []
+    return walked
+
+
+@pytest.mark.parametrize("room", sorted(ROOMS))
+def test_the_tour_of_a_room_meets_every_page_exactly_once(room: str) -> None:
+    pages = {path for path in PAGES.values() if room_of(path) == room} - {ROOT / room / "__init__.py"}
+    walked = tour(ROOT / room / "__init__.py")
+    assert set(walked) == pages, sorted(path.relative_to(ROOT) for path in pages ^ set(walked))
+
+
+def test_a_page_names_one_page_to_read_next_at_the_most() -> None:
+    assert [name for name, path in PAGES.items() if len(pages_to_read_next(docstring_of(path))) > 1] == []
+
+
+@pytest.mark.parametrize("folder", sorted([*ROOMS, *FOLDERS]))
+def test_the_face_of_a_folder_names_each_of_its_pages(folder: str) -> None:
+    named = set(re.findall(r"\w+", docstring_of(ROOT / folder / "__init__.py")))
+    pages = {path.stem for path in (ROOT / folder).glob("*.py")} - {"__init__"}
+    folders = {path.parent.name for path in (ROOT / folder).glob("*/__init__.py")} - {"packages"}
+    assert pages | folders <= named, (pages | folders) - named
+
+
+def test_the_rooms_stand_in_one_order_wherever_they_are_listed() -> None:
+    rooms = "|".join(ROOMS)
+    package = re.findall(rf"^    ({rooms}) ", docstring_of(ROOT / "__init__.py"), re.MULTILINE)
+    readme = re.findall(
+        rf"^\| \[`tflab\.({rooms})`\]", (PROJECT / "README.md").read_text(encoding="utf-8"), re.MULTILINE
+    )
+    working = re.findall(rf"^({rooms})  ", (PROJECT / "CONTRIBUTING.md").read_text(encoding="utf-8"), re.MULTILINE)
+    assert package == readme == working == list(ROOMS)
+
+
+# -- what it costs to come in ---------------------------------------------
 
 
 @pytest.mark.parametrize("code", ["import tflab", "import tflab.core", "import tflab.cli"])
@@ -121,16 +292,7 @@ def test_importing_the_engine_loads_nothing_heavy(code: str) -> None:
     assert not loaded & HEAVY
 
 
-def importable_modules() -> list[str]:
-    names = []
-    for path in MODULES:
-        parts = path.relative_to(ROOT.parent).with_suffix("").parts
-        if "packages" not in parts:  # those go by their ROS names: see test_transform_faces.py
-            names.append(".".join(parts[:-1] if parts[-1] == "__init__" else parts))
-    return names
-
-
-@pytest.mark.parametrize("name", importable_modules())
+@pytest.mark.parametrize("name", sorted(PAGES))
 def test_everything_a_module_promises_is_there(name: str) -> None:
     module = importlib.import_module(name)
     for promised in getattr(module, "__all__", ()):

@@ -83,8 +83,8 @@ class BufferCore(Inspection):
         One leading slash of a name is dropped.  A rotation of any length is
         scaled to one.  Refused are, with a line in the log for each fault: a frame
         that is its own parent, an empty name, NaN, a quaternion without direction,
-        and a stamp older than the newest by more than the cache time.  Then wait-
-        ing requests are judged.
+        and a stamp older than the newest by more than the cache time.  Then the
+        requests that wait are judged.
         """
         transform = stamped.transform
         numbers = transform.translation + transform.rotation

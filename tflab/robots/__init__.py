@@ -17,13 +17,7 @@
     nodes             the same robot on ROS, one node for each source
     circle            the lecture's circle, as written and as meant
 
-    faults            what goes wrong: the catalogue
-    streams           which edges are in a stream of transforms
-    scene             where a fault could happen
-    broken_tree       two parents, two owners, a hole, a loop, a wrong name or topic
-    broken_values     quaternions and numbers that are none
-    broken_time       stamps that repeat, step back, lag, lead or stop
-    injectors         a clean recording -> a broken one, and the truth about it
+    faults/           what goes wrong, and how to make it go wrong
 
 Start with `model.py`; each page names the next.
 """

@@ -35,7 +35,7 @@ leaves the graph in the variable `graph`):
 also init, create nodes and spin, and time passes while it does.
 `snapshot(graph)` says what is going on, in plain values.
 
-Read in this order; each page names the next:
+In reading order:
 
     activation  distro                                   modules put in place
     messages/                                            what nodes send each other
@@ -46,9 +46,10 @@ Read in this order; each page names the next:
     callback_groups  task  executors  signals
     parameter  node_parameters  parameter_service  clock  time_source
     node  node_entities  graph_queries  client_library  wait_for_message  serialization
-    convert  tf2_core  tf2_interface  tf2_buffer  tf2_listener  tf2_broadcaster  tf2_client
-    geometry  clouds  filters  message_filter            transforms of messages, and waiting for them
+    convert  tf2/                                        engine values and messages; tf2_ros
     snapshot  notebook  run                              looking at a graph, pages, scripts
+
+Start with `activation.py`; each page names the next.
 """
 
 from .activation import activate, deactivate, is_active

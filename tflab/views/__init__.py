@@ -22,15 +22,15 @@
     moments    where is it now, if I saw it then
     work       who was busy, and what had to wait
     ages       how far behind, as time goes by
-    panels     the same, with sliders
+    panels/    the same, with sliders
     marks      lines, boxes and words as SVG and PDF
     tree       who is whose child
-    scene      in three dimensions, inside the page
-    rviz       a small RViz
+    scene/     in three dimensions, inside the page
+    rviz_status, rviz         what RViz says of what it cannot show; a small RViz
     film       a picture for each place of a slider
-    export     pages that live on without a kernel
+    export_widgets, export    pages that live on without a kernel
 
 A view receives values and, where it must ask, a function
 `ask(target_frame, source_frame, stamp_ns)`; it never holds a buffer or a graph.
-It returns what it drew, with the same in words.  Start with `style.py`.
+It returns what it drew, with the same in words.  Start with `style.py`; each page names the next.
 """

@@ -4,24 +4,18 @@ In an exercise one calls four functions:
 
     from tflab.workbook import check, hint, task, solution
 
-The rooms within the room, in reading order:
+    words         what a person reads, in English and in Korean
+    whole_files   files that are written whole or not at all: atomic writes
+    places        where the workbook is
+    answers/      what an answer may be, and when two are the same
+    tasks/        a task, its right answer, its wrong ones; what is said of each
+    checks        check, hint, solution, task
+    progress      what was tried, and what was passed
+    course/       chapters, objectives, checklist, terms; where a learner stands
+    pages/        from a page's source to notebooks in two languages, HTML, a deck
+    copy/         a learner's own copy, and JupyterLab on it
 
-    words, values                     what a person reads, twice; what an answer may be, as plain JSON
-    measures, structures,
-    command_lines, forms              what an answer looks like, and when two are the same
-    tasks, reference, cases, sealed   a task, its right answer, its wrong ones; what an answer is tried on
-    evidence, verdict, replies,
-    showing, comparison, checks       what became of an answer, how it is said, drawn and shown
-    places, learner, merge, lab       where the workbook is, a learner's copy, JupyterLab on it
-    whole_files, progress             files that are written whole; what was tried and what was passed
-    course, standing, progress_page   chapters, objectives, checklist; what a learner has shown of them
-    glossary, contents, course_map    terms, and what of the pages is made from files
-    environment                       whether this machine has what the pages need
-    source, rules, editions,
-    one_page, build                   from a page's source to its notebooks in two languages
-    html, slides                      the same pages for reading and for lecturing
-
-Start with `words.py`.
+Start with `words.py`; each page names the next.
 """
 
 from __future__ import annotations

@@ -1,17 +1,19 @@
 """Messages: what nodes send each other.  One table of definitions for each ROS package.
 
-from tflab.ros.messages import geometry_msgs      # ours, always
-from geometry_msgs.msg import TransformStamped    # the same class, after activate()
+    from tflab.ros.messages import geometry_msgs      # ours, always
+    from geometry_msgs.msg import TransformStamped    # the same class, after activate()
 
-checks        are field types checked?
-definition    what is in a message
-fields        what a field may hold
-base          the classes
-builtin_interfaces, std_msgs, geometry_msgs, sensor_msgs, nav_msgs,
-tf2_msgs, rosgraph_msgs, rcl_interfaces,
-unique_identifier_msgs      the tables
-text          as `ros2 topic echo` prints them
-values        to plain values and back: for bags
+    checks        are field types checked?
+    definition    what is in a message
+    fields        what a field may hold
+    base          the classes
+    builtin_interfaces, std_msgs, geometry_msgs, sensor_msgs, nav_msgs,
+    tf2_msgs, rosgraph_msgs, rcl_interfaces, unique_identifier_msgs
+                  the tables
+    text          as `ros2 topic echo` prints them
+    values        to plain values and back: for bags
+
+Start with `checks.py`; each page names the next.
 """
 
 from .base import copy_message, type_named
