@@ -9,8 +9,8 @@ import pytest
 from tflab.bags.recording import Headers, JointStates, recording_from_records
 from tflab.core import BufferCore, StampedTransform, Transform
 from tflab.core.records import TransformRecord
+from tflab.doctor import examine
 from tflab.doctor.diagnose import diagnose_buffer, diagnose_recording
-from tflab.doctor.doctor import doctor
 from tflab.doctor.report.texts import sentences
 from tflab.robots.nodes import launch
 from tflab.ros.graph import new_graph
@@ -233,7 +233,7 @@ def test_all_names_with_a_slash_on_a_topic_are_one_finding():
 
 def test_of_a_buffer_only_some_checks_are_made_and_the_others_listed():
     buffer = recording(*HEALTHY, edge("island", "rock")).buffer()
-    report = doctor(buffer)
+    report = examine(buffer)
     assert [finding.code for finding in report.findings] == ["two-trees"]
     assert "one tree" in report.checks_made
     assert {check.check for check in report.checks_not_made} >= {"order of stamps", "leading slashes", "delays"}
@@ -248,7 +248,7 @@ def test_a_living_graph_is_listened_to_and_owners_have_names():
     graph = new_graph()
     launch(graph)
     launch(graph, only=["wheel_odometry"])
-    report = doctor(graph, seconds=3.0)
+    report = examine(graph, seconds=3.0)
     graph.stop()
     new_graph()
     assert {f.code for f in report.of_severity("error", "warning")} <= {"two-owners", "repeated-stamps"}
@@ -260,7 +260,7 @@ def test_nodes_that_do_not_follow_the_same_clock_are_named():
     launch(graph, only=["wheel_odometry"])
     words = ["run", "tf2_ros", "static_transform_publisher", "--frame-id", "base_link", "--child-frame-id", "laser"]
     graph.start(ros2.main, [*words, "--ros-args", "-p", "use_sim_time:=true"])
-    report = doctor(graph, seconds=2.0)
+    report = examine(graph, seconds=2.0)
     graph.stop()
     new_graph()
     (finding,) = [finding for finding in report.findings if finding.code == "mixed-time"]
@@ -269,7 +269,7 @@ def test_nodes_that_do_not_follow_the_same_clock_are_named():
 
 def test_something_else_is_refused():
     with pytest.raises(TypeError, match=r"not at str; .*read_bag"):
-        doctor("drive")
+        examine("drive")
 
 
 def test_every_finding_can_be_told():

@@ -1,8 +1,8 @@
-"""What is wrong with this TF?  Every check in the lecture's order, and then the causes apart from their effects.
+"""What is wrong with this TF?  Every check, and then the causes apart from their effects.
 
-    names -> tree -> values -> time -> owners -> clocks -> statics
-                       |
-                       v
+    checks/ in their order -> findings
+                                 |
+                                 v
     one cause has many effects: a misspelt name also makes two trees,
     two owners also bring stamps out of order.  Only the cause is told.
 
@@ -51,12 +51,12 @@ CHECKS = (
     Check("gaps", timing.gaps),
     Check("delays", timing.odd_delays, "arrival"),
     Check("delays of other messages", timing.odd_message_delays, "recording"),
-    Check("one owner for each transform", owners.several_owners),
-    Check("one owner for each static transform", owners.several_static_owners, "arrival"),
-    Check("moving or static, not both", owners.owners_of_both_kinds, "raw"),
     Check("jumps of a clock", clocks.jumping_clocks, "arrival"),
     Check("source of time", clocks.other_time_source, "recording"),
     Check("agreement of clocks", clocks.clock_offset, "arrival"),
+    Check("one owner for each transform", owners.several_owners),
+    Check("one owner for each static transform", owners.several_static_owners, "arrival"),
+    Check("moving or static, not both", owners.owners_of_both_kinds, "raw"),
     Check("static transforms are there", statics.missing_statics, "recording"),
     Check("mounts repeated on /tf", statics.constant_on_tf),
     Check("motions on /tf_static", statics.moving_on_static, "arrival"),
@@ -124,7 +124,7 @@ def told_causes(findings: list[Finding]) -> list[Finding]:
 
 
 def worst_first(findings: list[Finding]) -> tuple[Finding, ...]:
-    """Return findings by severity; among equals the lecture's order stays."""
+    """Return findings by severity; among equals the order of the checks stays."""
     return tuple(sorted(findings, key=lambda finding: SEVERITIES.index(finding.severity)))
 
 

@@ -59,7 +59,7 @@ class Report:
     Attributes:
         subject: what was looked at, for people.
         begin_ns: when it began, by the recorder's clock [ns]; times are told from here.
-        findings: worst first, and then in the lecture's order: names, tree, values, time, owners, clocks, statics.
+        findings: worst first, and then in the order of the checks.
         checks_made: names of the checks.
         checks_not_made: the others, and what each would need.
     """

@@ -1,4 +1,4 @@
-"""The lecture's questions, one page each: what could be wrong, and what the evidence says of it.
+"""Seven questions in this order, one page each: what could be wrong, and what the evidence says of it.
 
     motion        steps, and two stories told at once: what the others measure with
     names         1  are the names right?

@@ -1,4 +1,4 @@
-"""Whose clock is it?  Step 5 of the lecture's order: stamps and receipt must tell the same story.
+"""Whose clock is it?  Question 5: stamps and receipt must tell the same story.
 
     receipt   |----|----|----|----|----|
     stamps    |----|----|  |----|----|        the clock was set back: a bag in a loop, a simulator

@@ -1,4 +1,4 @@
-"""Are the names right?  Step 1 of the lecture's order: a name that nobody else uses is usually misspelt.
+"""Are the names right?  Question 1: a name that nobody else uses is usually misspelt.
 
     /laser            tf2 has no leading slashes
     Base_link         somebody else says base_link

@@ -1,4 +1,4 @@
-"""Who says so?  Step 6 of the lecture's order: each transform has one owner.
+"""Who says so?  Question 6: each transform has one owner.
 
     /wheel_odometry  --o---o---o---.
                                     >-- odom -> base_link    o x o x o x   the robot trembles in RViz

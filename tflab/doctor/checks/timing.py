@@ -1,4 +1,4 @@
-"""Is it there in time?  Step 4 of the lecture's order: stamps in order, no gaps, no delay.
+"""Is it there in time?  Question 4: stamps in order, no gaps, no delay.
 
     o--o--o--o--o--o          as it should be
     o--o--o        o--o       a gap: no lookup in there, and a straight line across

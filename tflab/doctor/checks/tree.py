@@ -1,4 +1,4 @@
-"""Is it one tree?  Step 2 of the lecture's order: one parent for each child, one root, no circle.
+"""Is it one tree?  Question 2: one parent for each child, one root, no circle.
 
       map            map   odm          map <-.
        |              |     |            |     |

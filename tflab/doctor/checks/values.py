@@ -1,4 +1,4 @@
-"""Are the numbers transforms at all?  Step 3 of the lecture's order.
+"""Are the numbers transforms at all?  Question 3: finite, of length one, and turned as the name says.
 
     rotation (0, 0, 0, 0)     no direction: tf2 refuses it, and the frame "does not exist"
     rotation of length 0.9    tf2 of ROS 2 scales it, ROS 1 refuses it: somebody forgot to normalise

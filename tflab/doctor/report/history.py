@@ -58,24 +58,8 @@ def draw_history(evidence: Evidence, findings: Sequence[Finding] = ()) -> Pictur
 
 def _draw_lanes(axes, evidence: Evidence, edges: list[Edge], findings: Sequence[Finding]) -> None:
     begin_ns, length_s = _span(evidence, edges)
-    bounds = np.linspace(0.0, length_s, BINS + 1)
     for row, edge in enumerate(edges):
-        heard_s = (edge.receive_ns - begin_ns) / NSEC_PER_SEC
-        spoke, _ = np.histogram(heard_s, bounds)
-        expected = max(np.median(spoke[spoke > 0]), 1) if spoke.any() else 1
-        if edge.period_ns / NSEC_PER_SEC < length_s / BINS:
-            shade = np.clip(spoke / expected, 0.0, 1.0)[None, :] * 0.75
-            axes.imshow(_grey(shade), extent=(0.0, length_s, row + 0.32, row - 0.32), aspect="auto", zorder=2)
-        else:
-            axes.vlines(heard_s, row - 0.3, row + 0.3, color=style.GREY, linewidth=0.9, zorder=2)
-        marked = [f for f in findings if f.child == edge.child and f.begin_ns and f.severity != "info"]
-        for finding in marked:
-            begin_s = (finding.begin_ns - begin_ns) / NSEC_PER_SEC
-            end_s = max((finding.end_ns - begin_ns) / NSEC_PER_SEC, begin_s + 0.004 * length_s)
-            axes.plot([begin_s, end_s], [row + 0.42] * 2, color=style.ACCENT, linewidth=2.4, zorder=4)
-        rate = f"{NSEC_PER_SEC / edge.period_ns:.1f} Hz" if edge.period_ns else ""
-        axes.text(1.01, row, rate, transform=axes.get_yaxis_transform(), va="center", color=style.GREY,
-                  fontsize=style.SMALL_PT)  # fmt: skip
+        _draw_lane(axes, edge, row, (begin_ns, length_s), [f for f in findings if f.child == edge.child])
     for finding in findings:
         if not finding.child and finding.begin_ns and finding.severity != "info":
             begin_s, end_s = ((moment - begin_ns) / NSEC_PER_SEC for moment in (finding.begin_ns, finding.end_ns))
@@ -87,6 +71,27 @@ def _draw_lanes(axes, evidence: Evidence, edges: list[Edge], findings: Sequence[
     axes.set_title("heard", loc="left", color=style.INK)
     for side in ("left", "right", "top"):
         axes.spines[side].set_visible(False)
+
+
+def _draw_lane(axes, edge: Edge, row: int, span: tuple[int, float], findings: list[Finding]) -> None:
+    """Draw when one edge was heard, and what was found of it."""
+    begin_ns, length_s = span
+    heard_s = (edge.receive_ns - begin_ns) / NSEC_PER_SEC
+    spoke, _ = np.histogram(heard_s, np.linspace(0.0, length_s, BINS + 1))
+    expected = max(np.median(spoke[spoke > 0]), 1) if spoke.any() else 1
+    if edge.period_ns / NSEC_PER_SEC < length_s / BINS:
+        shade = np.clip(spoke / expected, 0.0, 1.0)[None, :] * 0.75
+        axes.imshow(_grey(shade), extent=(0.0, length_s, row + 0.32, row - 0.32), aspect="auto", zorder=2)
+    else:
+        axes.vlines(heard_s, row - 0.3, row + 0.3, color=style.GREY, linewidth=0.9, zorder=2)
+    marked = [f for f in findings if f.begin_ns and f.severity != "info"]
+    for finding in marked:
+        begin_s = (finding.begin_ns - begin_ns) / NSEC_PER_SEC
+        end_s = max((finding.end_ns - begin_ns) / NSEC_PER_SEC, begin_s + 0.004 * length_s)
+        axes.plot([begin_s, end_s], [row + 0.42] * 2, color=style.ACCENT, linewidth=2.4, zorder=4)
+    rate = f"{NSEC_PER_SEC / edge.period_ns:.1f} Hz" if edge.period_ns else ""
+    axes.text(1.01, row, rate, transform=axes.get_yaxis_transform(), va="center", color=style.GREY,
+              fontsize=style.SMALL_PT)  # fmt: skip
 
 
 def _draw_delays(axes, evidence: Evidence, edges: list[Edge]) -> None:

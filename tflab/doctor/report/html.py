@@ -6,7 +6,7 @@
     tree          who is whose child
     checks        made, and not made
 
-No network, no scripts: the pictures are in the file.  Read `doctor.py` next.
+No network, no scripts: the pictures are in the file.  Read `examination.py` next.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from ..evidence import evidence_from_recording
 from ..findings import Finding, Report
 from .history import draw_history
 from .text import headline, moments_text
-from .texts import TEXTS, Text, sentences
+from .texts import TEXTS, Sentences, sentences
 
 __all__ = ["html_from_report"]
 
@@ -58,7 +58,7 @@ details { margin-top: .5rem; } summary { cursor: pointer; }
 """
 
 
-def html_from_report(report: Report, recording: Recording, texts: Mapping[str, Text] = TEXTS) -> str:
+def html_from_report(report: Report, recording: Recording, texts: Mapping[str, Sentences] = TEXTS) -> str:
     """Return a report as a page of its own, with the pictures of the recording it is about."""
     findings = "\n".join(_card(report, finding, texts) for finding in report.findings)
     pictures = "\n".join(_pictures(report, recording, namespace) for namespace in recording.namespaces())
@@ -79,7 +79,7 @@ def html_from_report(report: Report, recording: Recording, texts: Mapping[str, T
 """
 
 
-def _card(report: Report, finding: Finding, texts: Mapping[str, Text]) -> str:
+def _card(report: Report, finding: Finding, texts: Mapping[str, Sentences]) -> str:
     said = sentences(finding, texts)
     when = moments_text(report, finding)
     command = f"<p><code>{escape(said.command)}</code></p>" if said.command else ""

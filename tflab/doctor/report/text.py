@@ -19,7 +19,7 @@ from tflab.core import NSEC_PER_SEC
 
 from ..findings import SEVERITIES, Finding, Report
 from .faults import faults_of_code
-from .texts import TEXTS, Text, sentences
+from .texts import TEXTS, Sentences, sentences
 
 __all__ = ["data_from_report", "headline", "moments_text", "text_from_report"]
 
@@ -27,7 +27,7 @@ WIDTH = 100
 INDENT = " " * 9
 
 
-def text_from_report(report: Report, texts: Mapping[str, Text] = TEXTS) -> str:
+def text_from_report(report: Report, texts: Mapping[str, Sentences] = TEXTS) -> str:
     """Return a report for a terminal."""
     lines = [headline(report), ""]
     for finding in report.findings:
@@ -39,7 +39,7 @@ def text_from_report(report: Report, texts: Mapping[str, Text] = TEXTS) -> str:
     return "\n".join(lines)
 
 
-def data_from_report(report: Report, texts: Mapping[str, Text] = TEXTS) -> dict:
+def data_from_report(report: Report, texts: Mapping[str, Sentences] = TEXTS) -> dict:
     """Return a report as plain data, for JSON."""
     return {
         "subject": report.subject,
@@ -83,7 +83,7 @@ def moments_text(report: Report, finding: Finding) -> str:
     return f"{begin_s:.2f} s" if end_s - begin_s < 0.005 else f"{begin_s:.2f} s to {end_s:.2f} s"
 
 
-def _finding_lines(report: Report, finding: Finding, texts: Mapping[str, Text]) -> list[str]:
+def _finding_lines(report: Report, finding: Finding, texts: Mapping[str, Sentences]) -> list[str]:
     said = sentences(finding, texts)
     when = moments_text(report, finding)
     title = said.title + (f"   [{when}]" if when else "")

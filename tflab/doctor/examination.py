@@ -1,7 +1,7 @@
-"""Where does one knock?  `doctor(recording | graph | buffer)`, and a report comes out.
+"""Where does one knock?  `examine(recording | graph | buffer)`, and a report comes out.
 
-    from tflab.doctor.doctor import doctor
-    print(doctor(buffer))
+    from tflab.doctor import examine
+    print(examine(buffer))
 
 A graph is listened to for some seconds, as view_frames does, and asked for its
 nodes.  Read `command.py` next.
@@ -22,10 +22,10 @@ from .checks.time_sources import mixed_time_sources
 from .diagnose import diagnose_buffer, diagnose_recording, worst_first
 from .findings import Report
 
-__all__ = ["doctor"]
+__all__ = ["examine"]
 
 
-def doctor(patient: Recording | Graph | BufferCore, seconds: float = 5.0) -> Report:
+def examine(patient: Recording | Graph | BufferCore, seconds: float = 5.0) -> Report:
     """Return what is wrong with the transforms of a recording, a graph or a buffer.
 
     Args:
