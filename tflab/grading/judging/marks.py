@@ -18,12 +18,11 @@ from typing import Any
 from tflab.workbook.answers.forms import Form, form_from_plain
 from tflab.workbook.answers.sealed import is_sealed, seal
 from tflab.workbook.answers.values import is_raised
-from tflab.workbook.tasks import verdict as workbook_verdict
-from tflab.workbook.tasks.verdict import judge_outcomes
+from tflab.workbook.tasks.verdict import Verdict, judge_outcomes
 
 from ..submissions.remarks import Remark
 
-__all__ = ["MISSING", "Verdict", "judged", "safe_error_name"]
+__all__ = ["MISSING", "TaskMark", "judged", "safe_error_name"]
 
 MISSING = {"object": "nothing"}  # an outcome that never came, or that nobody can read; it is of no form
 KNOWN_ERRORS = {name for name, value in vars(builtins).items() if isinstance(value, type)} | {
@@ -35,7 +34,7 @@ DIGITS = 3  # of points
 
 
 @dataclass(frozen=True)
-class Verdict:
+class TaskMark:
     """What one task got.
 
     Attributes:
@@ -54,15 +53,15 @@ class Verdict:
     remarks: tuple[Remark, ...] = ()
 
     def plain(self) -> dict[str, Any]:
-        """Return the verdict as JSON has it."""
+        """Return the mark as JSON has it."""
         row = {"status": self.status, "passed": self.passed, "of": self.of, "points": self.points, "most": self.most}
         return row | {"twin": self.twin, "remarks": [remark.plain() for remark in self.remarks]}
 
 
 def judged(
     task_id: str, task: Mapping[str, Any], outcomes: Mapping[int, Any], trouble: Sequence[Remark] = ()
-) -> Verdict:
-    """Return the verdict on a task.
+) -> TaskMark:
+    """Return the mark of a task.
 
     Args:
         task: with its "form", "points", "twins" and "cases".
@@ -86,7 +85,7 @@ def judged(
         status = "partly" if found.passed else "trouble" if trouble else "wrong"
     if not remarks and status != "right" and not found.twin:
         remarks += _what_went_wrong(task_id, task, form, got, found)
-    return Verdict(task_id, status, found.passed, found.of, points, float(task["points"]), found.twin, tuple(remarks))
+    return TaskMark(task_id, status, found.passed, found.of, points, float(task["points"]), found.twin, tuple(remarks))
 
 
 def safe_error_name(name: Any) -> str | Remark:
@@ -96,7 +95,7 @@ def safe_error_name(name: Any) -> str | Remark:
     return name if isinstance(name, str) and name in KNOWN_ERRORS else Remark("own error")
 
 
-def _judge(form: Form, task: Mapping[str, Any], got: list[Any]) -> workbook_verdict.Verdict:
+def _judge(form: Form, task: Mapping[str, Any], got: list[Any]) -> Verdict:
     """Judge as a learner's copy does, whose values are sealed: what `check` accepts at the rim is accepted here."""
     found = judge_outcomes(dict(task), {"cases": task["cases"]}, got)
     if found.kind == "passed" or task["is_function"] or any(is_sealed(case["expected"]) for case in task["cases"]):
@@ -125,9 +124,7 @@ def _is_unsteady(form: Form, case: Mapping[str, Any], first: Any, once_more: Any
     return not all(form.judge(_readable(form, once_more), case["expected"]))
 
 
-def _what_went_wrong(
-    task_id: str, task: Mapping[str, Any], form: Form, got: list[Any], found: workbook_verdict.Verdict
-) -> list[Remark]:
+def _what_went_wrong(task_id: str, task: Mapping[str, Any], form: Form, got: list[Any], found: Verdict) -> list[Remark]:
     """Return what can be said without repeating anything that the learner's code made."""
     wanted = {"wanted": form.wanted().en, "wanted_ko": form.wanted().ko}
     if found.kind == "unanswered":

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 from ..submissions.reader import SubmittedNotebook, Unreadable, read_notebook
 from ..submissions.remarks import Remark
 from .attempt import Attempt, NotRun, Ran, attempt
-from .marks import Verdict, judged
+from .marks import TaskMark, judged
 from .plan import PlannedCell
 from .transplant import Master, MasterCell, Transplant, answers_most, transplant
 
@@ -256,7 +256,7 @@ def _attempted(
     raise AssertionError("unreachable")
 
 
-def _about_cells(transplanted: Transplant, verdicts: Sequence[Verdict]) -> list[Remark]:
+def _about_cells(transplanted: Transplant, verdicts: Sequence[TaskMark]) -> list[Remark]:
     """Return the remarks on cells; of a lost cell whose answer was found elsewhere, that it was."""
     found = {verdict.task for verdict in verdicts if verdict.points}
     return [
@@ -270,7 +270,7 @@ def _about_cells(transplanted: Transplant, verdicts: Sequence[Verdict]) -> list[
 def _apart(
     transplanted: Transplant,
     tasks: Mapping[str, Any],
-    verdicts: list[Verdict],
+    verdicts: list[TaskMark],
     made: Attempt,
     job: Job,
     run_cells: RunCells,
@@ -300,7 +300,7 @@ def _apart(
 
 def _verdicts(
     transplanted: Transplant, tasks: Mapping[str, Any], made: Attempt, only: Sequence[str] | None
-) -> list[Verdict]:
+) -> list[TaskMark]:
     verdicts = []
     for task_id, task in tasks.items():
         if only is not None and task_id not in only:

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 import tiny
 
-from tflab.grading.judging.marks import Verdict, judged, safe_error_name
+from tflab.grading.judging.marks import TaskMark, judged, safe_error_name
 from tflab.grading.judging.pack import read_pack
 from tflab.grading.submissions.remarks import KINDS, Remark
 
@@ -28,40 +28,40 @@ def twin(task: dict[str, Any], name: str) -> dict[int, Any]:
     return {number: case["twins"][name] for number, case in enumerate(task["cases"])}
 
 
-def said(verdict: Verdict) -> list[str]:
-    return [remark.kind for remark in verdict.remarks]
+def said(mark: TaskMark) -> list[str]:
+    return [remark.kind for remark in mark.remarks]
 
 
 @pytest.mark.parametrize("task_id", ["E3.1", "E3.2", "E3.3"])
 def test_what_the_solution_gives_gets_all_points(tasks: dict, task_id: str) -> None:
-    verdict = judged(task_id, tasks[task_id], expected(tasks[task_id]))
-    assert (verdict.status, verdict.points, verdict.remarks) == ("right", tasks[task_id]["points"], ())
+    mark = judged(task_id, tasks[task_id], expected(tasks[task_id]))
+    assert (mark.status, mark.points, mark.remarks) == ("right", tasks[task_id]["points"], ())
 
 
 @pytest.mark.parametrize(("task_id", "name"), [("E3.1", "subtracted"), ("E3.2", "added"), ("E3.3", "swapped")])
 def test_a_mistake_is_named(tasks: dict, task_id: str, name: str) -> None:
-    verdict = judged(task_id, tasks[task_id], twin(tasks[task_id], name))
-    assert (verdict.status, verdict.points, verdict.twin) == ("wrong", 0.0, name)
+    mark = judged(task_id, tasks[task_id], twin(tasks[task_id], name))
+    assert (mark.status, mark.points, mark.twin) == ("wrong", 0.0, name)
 
 
 def test_points_are_for_each_probe(tasks: dict) -> None:
     task = tasks["E3.2"]
     outcomes = expected(task) | {1: -1.0, 2: -1.0}
-    verdict = judged("E3.2", task, outcomes)
+    mark = judged("E3.2", task, outcomes)
     count = len(task["cases"])
-    assert (verdict.status, verdict.passed, verdict.of) == ("partly", count - 2, count)
-    assert verdict.points == pytest.approx(4 * (count - 2) / count, abs=1e-3)
+    assert (mark.status, mark.passed, mark.of) == ("partly", count - 2, count)
+    assert mark.points == pytest.approx(4 * (count - 2) / count, abs=1e-3)
 
 
 def test_half_of_the_parts_is_half_of_the_points(tasks: dict) -> None:
-    verdict = judged("E3.3", tasks["E3.3"], {0: {"dict": {"target": "map", "source": "map"}}})
-    assert (verdict.status, verdict.points) == ("partly", 1.0)
+    mark = judged("E3.3", tasks["E3.3"], {0: {"dict": {"target": "map", "source": "map"}}})
+    assert (mark.status, mark.points) == ("partly", 1.0)
 
 
 def test_a_function_that_changes_its_mind_loses_that_case(tasks: dict) -> None:
     task = tasks["E3.2"]
-    verdict = judged("E3.2", task, expected(task) | {len(task["cases"]): 0.0})
-    assert (verdict.passed, said(verdict)) == (len(task["cases"]) - 1, ["unstable"])
+    mark = judged("E3.2", task, expected(task) | {len(task["cases"]): 0.0})
+    assert (mark.passed, said(mark)) == (len(task["cases"]) - 1, ["unstable"])
 
 
 @pytest.mark.parametrize(
@@ -75,15 +75,15 @@ def test_a_function_that_changes_its_mind_loses_that_case(tasks: dict) -> None:
 @pytest.mark.parametrize("task_id", ["E3.1", "E3.2", "E3.3"])
 def test_whatever_comes_back_is_judged_and_gets_nothing(tasks: dict, task_id: str, answer: Any) -> None:
     task = tasks[task_id]
-    verdict = judged(task_id, task, dict.fromkeys(range(len(task["cases"]) + 1), answer))
-    assert verdict.points == 0.0
-    json.dumps(verdict.plain())
+    mark = judged(task_id, task, dict.fromkeys(range(len(task["cases"]) + 1), answer))
+    assert mark.points == 0.0
+    json.dumps(mark.plain())
 
 
 def test_a_case_of_nonsense_costs_that_case_only(tasks: dict) -> None:
     task = tasks["E3.2"]
-    verdict = judged("E3.2", task, expected(task) | {1: {"message": []}})
-    assert verdict.passed == len(task["cases"]) - 1
+    mark = judged("E3.2", task, expected(task) | {1: {"message": []}})
+    assert mark.passed == len(task["cases"]) - 1
 
 
 def test_true_is_not_one(tasks: dict) -> None:
@@ -107,10 +107,10 @@ def test_a_value_that_never_came_is_said(tasks: dict) -> None:
 
 def test_an_exception_is_said_by_its_class_only(tasks: dict) -> None:
     outcome = {"raises": "ValueError", "text": "hidden 3.14"}
-    verdict = judged("E3.2", tasks["E3.2"], dict.fromkeys(range(8), outcome))
-    assert said(verdict) == ["raises"]
-    assert "ValueError" in verdict.remarks[0].say("en")
-    assert "3.14" not in json.dumps(verdict.plain())
+    mark = judged("E3.2", tasks["E3.2"], dict.fromkeys(range(8), outcome))
+    assert said(mark) == ["raises"]
+    assert "ValueError" in mark.remarks[0].say("en")
+    assert "3.14" not in json.dumps(mark.plain())
 
 
 def test_the_name_of_an_unknown_exception_is_not_repeated() -> None:
