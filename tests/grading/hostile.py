@@ -137,7 +137,7 @@ FORGING = [
         "forging",
         WRONG
         + """
-import tflab.workbook.measures, tflab.workbook.verdict, tflab.workbook.sealed
+import tflab.workbook.answers.form, tflab.workbook.answers.sealed
 tflab.workbook.answers.form.Form.judge = lambda *a: [True] * 6
 tflab.workbook.answers.sealed.judge = lambda *a: [True] * 6
 """,

@@ -7,15 +7,15 @@ import json
 import random
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from types import SimpleNamespace
 from typing import Any
 
 import pytest
 import tiny
 
+from tflab.grading.judging.job import HandedIn, Job
 from tflab.grading.judging.pack import Pack, read_pack
-from tflab.grading.judging.plan import PlannedCell
-from tflab.grading.judging.submission import File, Job, graded, record_with
+from tflab.grading.judging.run import CellOutcome, Run, RunCell
+from tflab.grading.judging.submission import graded, record_with
 from tflab.grading.kernels.limits import Limits
 from tflab.grading.reports.class_page import class_page
 from tflab.grading.reports.feedback import feedback_page
@@ -69,18 +69,18 @@ def test_whatever_is_handed_in_and_whatever_comes_out_there_is_a_record(
 ) -> None:
     dice = random.Random(seed)
 
-    def run(cells: Sequence[PlannedCell], limits: Limits) -> SimpleNamespace:
+    def run(cells: Sequence[RunCell], limits: Limits) -> Run:
         outcomes, stopped = [], None
         for number, cell in enumerate(cells):
-            outcomes.append(SimpleNamespace(value=outcome(dice), trouble=dice.choice((None, "error: X: y", "wrong"))))
-            if number and cell.piece.kind != "ours" and dice.random() < 0.05:
+            outcomes.append(CellOutcome(outcome(dice), dice.choice((None, "error: X: y", "wrong"))))
+            if number and cell.kind != "ours" and dice.random() < 0.05:
                 stopped = dice.choice(ENDS)
                 break
-        return SimpleNamespace(outcomes=outcomes, seconds=0.01, stopped=stopped)
+        return Run(outcomes, 0.01, stopped)
 
     data = spoilt(tiny.answered(course.exercise()), dice)
     job = Job(
-        "s102", "Ada", dice.choice(("en", "ko")), pack.release, pack.version, (File("a.ipynb", data),),
+        "s102", "Ada", dice.choice(("en", "ko")), pack.release, pack.version, (HandedIn("a.ipynb", data),),
         pack.for_learner("s102"), Limits(), has_roster=True,
     )  # fmt: skip
     record = graded(job, run)
@@ -99,12 +99,12 @@ def test_whatever_is_handed_in_and_whatever_comes_out_there_is_a_record(
 def test_a_slow_notebook_is_not_run_again_for_each_of_its_tasks(course: tiny.Course, pack: Pack) -> None:
     runs = []
 
-    def run(cells: Sequence[PlannedCell], limits: Limits) -> SimpleNamespace:
+    def run(cells: Sequence[RunCell], limits: Limits) -> Run:
         runs.append(limits)
-        nothing = [SimpleNamespace(value=None, trouble="no answer came") for _ in cells]
-        return SimpleNamespace(outcomes=nothing, seconds=0.9 * limits.notebook_s, stopped=None)
+        nothing = [CellOutcome(None, "no answer came") for _ in cells]
+        return Run(nothing, 0.9 * limits.notebook_s)
 
     data = json.dumps(tiny.answered(course.exercise())).encode()
-    file = File("a.ipynb", data)
+    file = HandedIn("a.ipynb", data)
     graded(Job("s102", "", "en", pack.release, pack.version, (file,), pack.for_learner("s102"), Limits()), run)
     assert len(runs) == 3

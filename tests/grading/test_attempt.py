@@ -10,10 +10,12 @@ from typing import Any
 
 import pytest
 
-from tflab.grading.judging.attempt import Attempt, NotRun, attempt
-from tflab.grading.judging.plan import BRIEFLY, PlannedCell, plan
-from tflab.grading.judging.submission import File, Job, graded, record_with
-from tflab.grading.judging.transplant import Piece, Transplant
+from tflab.grading.judging.attempt import Attempt, attempt
+from tflab.grading.judging.job import HandedIn, Job
+from tflab.grading.judging.plan import BRIEFLY, plan
+from tflab.grading.judging.run import CellOutcome, NotRun, Run, RunCell
+from tflab.grading.judging.submission import graded, record_with
+from tflab.grading.judging.transplant import Transplant
 from tflab.grading.kernels import probe as inside
 from tflab.grading.kernels.limits import Limits
 from tflab.workbook.answers.forms import Number
@@ -28,16 +30,16 @@ TASKS = {
 
 def pieces(**sources: str) -> Transplant:
     """Return a transplant of three answers, with own cells where a name says so."""
-    made = [Piece("ours", "load", "loaded = True")]
+    made = [RunCell("ours", "load", "loaded = True")]
     for number, task in ((1, "E1.1"), (2, "E1.2"), (3, "E1.3")):
         slug = f"e1_{number}"
         if f"own_{slug}" in sources:
-            made.append(Piece("own", f"{slug}-given+1", sources[f"own_{slug}"], task))
-        made.append(Piece("answer", f"{slug}-answer", sources.get(slug, "a = c = 1\ndef f(x): return x"), task))
-        made.append(Piece("probe", f"{slug}-check", task=task))
+            made.append(RunCell("own", f"{slug}-given+1", sources[f"own_{slug}"], task))
+        made.append(RunCell("answer", f"{slug}-answer", sources.get(slug, "a = c = 1\ndef f(x): return x"), task))
+        made.append(RunCell("probe", f"{slug}-check", task=task))
         if f"after_{slug}" in sources:
-            made.append(Piece("own", f"{slug}-check+1", sources[f"after_{slug}"], task))
-            made.append(Piece("probe", f"{slug}-check-again", task=task))
+            made.append(RunCell("own", f"{slug}-check+1", sources[f"after_{slug}"], task))
+            made.append(RunCell("probe", f"{slug}-check-again", task=task))
     return Transplant(tuple(made), tuple(TASKS))
 
 
@@ -51,8 +53,8 @@ class Here:
     def __init__(self) -> None:
         self.runs: list[list[str]] = []
 
-    def __call__(self, cells: Sequence[PlannedCell], patiently: bool = False) -> SimpleNamespace:
-        self.runs.append([cell.piece.name for cell in cells])
+    def __call__(self, cells: Sequence[RunCell], patiently: bool = False) -> Run:
+        self.runs.append([cell.name for cell in cells])
         space: dict[str, Any] = {"hang": self._stop("timed out"), "die": self._stop("kernel died")}
         space["shout"] = self._stop("output limit")
         outcomes, stopped = [], None
@@ -67,10 +69,10 @@ class Here:
                 stopped = trouble = str(stop)
             except Exception as error:
                 trouble = f"error: {type(error).__name__}: {error}"
-            outcomes.append(SimpleNamespace(value=value, trouble=trouble))
+            outcomes.append(CellOutcome(value, trouble))
             if stopped:
                 break
-        return SimpleNamespace(outcomes=outcomes, seconds=0.1, stopped=stopped)
+        return Run(outcomes, 0.1, stopped)
 
     def _stop(self, why: str) -> Callable[[], None]:
         def stop() -> None:
@@ -78,7 +80,7 @@ class Here:
 
         return stop
 
-    def _probed(self, cell: PlannedCell, space: dict[str, Any]) -> list:
+    def _probed(self, cell: RunCell, space: dict[str, Any]) -> list:
         said: list[Any] = []
         keep = inside._send
         inside._send = lambda _, plain: said.append(plain)
@@ -141,8 +143,8 @@ def test_two_cases_that_hang_are_enough() -> None:
 def test_tried_alone_each_task_has_three_times_the_time_and_what_is_left_then_is_asked_briefly() -> None:
     here, heard = Here(), []
 
-    def run(cells: Sequence[PlannedCell], patiently: bool) -> SimpleNamespace:
-        asked = [(cell.piece.task, cell.part, cell.shared) for cell in cells if cell.probe]
+    def run(cells: Sequence[RunCell], patiently: bool) -> Run:
+        asked = [(cell.task, cell.part, cell.shared) for cell in cells if cell.probe]
         heard.append((patiently, {task: part for task, part, _ in asked}))
         assert len({shared for _, _, shared in asked}) == len({task for task, _, _ in asked})
         return here(cells)
@@ -198,14 +200,14 @@ def test_trying_things_out_behind_the_check_does_not_spoil_the_answer() -> None:
 def test_our_own_cells_failing_is_not_the_learners_fault() -> None:
     with pytest.raises(NotRun):
         attempt(
-            Transplant((Piece("ours", "load", "die()"), *pieces().pieces[1:]), tuple(TASKS)),
+            Transplant((RunCell("ours", "load", "die()"), *pieces().cells[1:]), tuple(TASKS)),
             TASKS, Here(), wanted=list(TASKS), cell_s=1.0, notebook_s=6.0,
         )  # fmt: skip
 
 
 def test_only_the_cells_that_the_wanted_tasks_need_are_planned() -> None:
     planned = plan(pieces(), TASKS, ["E1.1"])
-    assert [cell.piece.name for cell in planned.cells] == ["ours", "e1_1-answer", "e1_1-check"]
+    assert [cell.name for cell in planned.cells] == ["ours", "e1_1-answer", "e1_1-check"]
 
 
 def test_a_plan_holds_no_expected_value() -> None:
@@ -237,12 +239,12 @@ def test_a_machine_too_busy_even_for_our_cells_costs_nobody() -> None:
     master = [["e1-1-answer", "a = ...", "E1.1", "answer"], ["e1-1-check", "check", "E1.1", "check"]]
     cells = [{"id": "e1-1-answer", "cell_type": "code", "source": "a = 1"}]
     job = Job(
-        "s1", "", "en", "r", "v", (File("a.ipynb", json.dumps({"cells": cells}).encode()),),
+        "s1", "", "en", "r", "v", (HandedIn("a.ipynb", json.dumps({"cells": cells}).encode()),),
         {"01_x": {"master": master, "tasks": tasks}}, Limits(cell_s=1, notebook_s=6),
     )  # fmt: skip
     busy = Here()
 
-    def slow_at_first(cells: Sequence[PlannedCell], limits: Limits) -> SimpleNamespace:
+    def slow_at_first(cells: Sequence[RunCell], limits: Limits) -> Run:
         if limits.cell_s > 1:
             return busy(cells)
         return SimpleNamespace(outcomes=[SimpleNamespace(value=None, trouble=None)], seconds=1.0, stopped="timed out")

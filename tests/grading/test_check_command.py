@@ -14,8 +14,7 @@ import tiny
 
 from tflab.grading.check_command import main
 from tflab.grading.judging.plain_kernel import run_plainly
-from tflab.grading.judging.plan import PlannedCell
-from tflab.grading.judging.transplant import Piece
+from tflab.grading.judging.run import RunCell
 from tflab.grading.kernels.limits import Limits
 
 
@@ -89,7 +88,7 @@ def test_without_a_sandbox_an_ordinary_kernel_does_and_says_so(copy: Path, capsy
 
 
 def test_what_is_slow_has_its_second_chance_here_too(copy: Path, capsys: pytest.CaptureFixture, monkeypatch) -> None:
-    monkeypatch.setattr("tflab.grading.kernels.limits.Limits", partial(Limits, cell_s=2.0, notebook_s=12.0))
+    monkeypatch.setattr("tflab.grading.check_command.Limits", partial(Limits, cell_s=2.0, notebook_s=12.0))
     slow = "import time\ntime.sleep(3)\n" + tiny.RIGHT["e3-1-answer"]
     path = answer(copy, {**tiny.RIGHT, "e3-1-answer": slow, "e3-3-answer": "while True: pass"})
     assert main([str(path)]) == 1
@@ -109,7 +108,7 @@ def test_in_an_ordinary_kernel_too_an_answer_that_ends_python_costs_its_own_poin
 
 
 def test_in_an_ordinary_kernel_what_does_not_end_is_ended() -> None:
-    ran = run_plainly([PlannedCell(Piece("answer", "endless"), "while True: pass")], cell_s=1.0)
+    ran = run_plainly([RunCell("answer", "endless", "while True: pass")], Limits(cell_s=1.0))
     assert ran.stopped == "timed out"
 
 

@@ -17,8 +17,8 @@ import pytest
 import tiny
 
 from tflab.grading import batch, grade
+from tflab.grading.judging.job import Job
 from tflab.grading.judging.pack import read_pack
-from tflab.grading.judging.submission import Job
 from tflab.grading.kernels.sandbox import Sandbox
 
 ADDED = "def length(x, y):\n    return x + y"

@@ -11,9 +11,10 @@ from types import SimpleNamespace
 import pytest
 
 from tflab.grading.judging import nbval_items as items
-from tflab.grading.judging.nbval_run import Cell, Run, run_cells
-from tflab.grading.kernels.ipython import PROBE_MIME
+from tflab.grading.judging.nbval_run import run_cells
+from tflab.grading.judging.run import CellOutcome, Run, RunCell
 from tflab.grading.kernels.limits import Limits
+from tflab.grading.kernels.probe import PROBE_TYPE
 from tflab.grading.kernels.sandbox import Sandbox
 from tflab.grading.kernels.take import Kernel, KernelError, Kernels, choose, for_this_process
 from tflab.grading.kernels.wire import Wire
@@ -27,39 +28,36 @@ def sandbox() -> Sandbox:
     return choose()
 
 
-def probe(value: str, name: str = "p", *, times: int = 1) -> Cell:
+def probe(value: str, name: str = "p", *, times: int = 1) -> RunCell:
     show = f"""
 from IPython.display import display
 for _ in range({times}):
-    display({{{PROBE_MIME!r}: {{"id": {name!r}, "v": {value}}}}}, raw=True)
+    display({{{PROBE_TYPE!r}: {{"id": {name!r}, "v": {value}}}}}, raw=True)
 """
-    return Cell(f"probe-{name}", show, name)
+    return RunCell("probe", f"probe-{name}", show, probe=name)
 
 
-def run(sandbox: Sandbox, *sources: str | Cell, limits: Limits = LONG) -> Run:
-    cells = [Cell(f"c{n}", one) if isinstance(one, str) else one for n, one in enumerate(sources)]
+def run(sandbox: Sandbox, *sources: str | RunCell, limits: Limits = LONG) -> Run:
+    cells = [RunCell("answer", f"c{n}", text) if isinstance(text, str) else text for n, text in enumerate(sources)]
     return run_cells(cells, limits=limits, sandbox=sandbox)
 
 
 def test_a_probe_brings_back_the_value_of_an_answer(sandbox: Sandbox) -> None:
     done = run(sandbox, "x = [1.5, True, None]", probe("{'x': x}"))
-    assert [(one.cell, one.probe, one.value, one.trouble) for one in done.outcomes] == [
-        ("c0", None, None, None),
-        ("probe-p", "p", {"x": [1.5, True, None]}, None),
-    ]
+    assert done.outcomes == (CellOutcome(), CellOutcome({"x": [1.5, True, None]}))
     assert done.stopped is None
 
 
 def test_an_error_is_told_in_short_and_stops_nothing(sandbox: Sandbox) -> None:
     done = run(sandbox, "1 / 0", "x = 1 +* 2", "y = 2", probe("y"))
-    troubles = [one.trouble for one in done.outcomes]
+    troubles = [outcome.trouble for outcome in done.outcomes]
     assert troubles[0] == "error: ZeroDivisionError: division by zero"
     assert troubles[1].startswith("error: SyntaxError: ")
     assert troubles[2:] == [None, None]
 
 
 def test_of_an_error_in_a_probe_only_the_kind_is_told(sandbox: Sandbox) -> None:
-    done = run(sandbox, Cell("p", "raise ValueError('the hidden input is 42')", "p"))
+    done = run(sandbox, RunCell("probe", "p", "raise ValueError('the hidden input is 42')", probe="p"))
     assert done.outcomes[0].trouble == "error: ValueError"
 
 
@@ -67,7 +65,7 @@ def test_a_talkative_answer_costs_nothing(sandbox: Sandbox) -> None:
     chatter = "import sys, warnings\nfor _ in range(20000):\n    print('x' * 1000)\n    sys.stderr.write('y' * 1000)"
     figures = "import matplotlib.pyplot as plt\nfor _ in range(3):\n    plt.figure(); plt.plot([1, 2])\nplt.show()"
     done = run(sandbox, chatter, figures, "warnings.warn('careful')\n'a result'", probe("3"))
-    assert [one.trouble for one in done.outcomes] == [None] * 4
+    assert [outcome.trouble for outcome in done.outcomes] == [None] * 4
     assert done.outcomes[-1].value == 3
 
 
@@ -99,7 +97,7 @@ def test_a_cell_that_does_not_end_is_ended_at_its_deadline(sandbox: Sandbox, sou
     begin = time.monotonic()
     done = run(sandbox, source, probe("1"), limits=SHORT)
     assert time.monotonic() - begin < 20
-    assert [one.trouble for one in done.outcomes] == ["timed out"]
+    assert [outcome.trouble for outcome in done.outcomes] == ["timed out"]
     assert done.stopped == "timed out"
 
 
@@ -109,11 +107,11 @@ def test_cells_that_share_their_time_have_one_deadline(monkeypatch: pytest.Monke
     kernel = items.WiredKernel(SimpleNamespace(), Limits(cell_s=10.0, notebook_s=60.0))
     ends = []
     for later, cell in (
-        (0.0, Cell("a", "", shared="1")),
-        (4.0, Cell("b", "", shared="1")),
-        (1.0, Cell("c", "", shared="2", part=0.1)),
-        (1.0, Cell("d", "")),
-        (50.0, Cell("e", "")),
+        (0.0, RunCell("answer", "a", shared="1")),
+        (4.0, RunCell("answer", "b", shared="1")),
+        (1.0, RunCell("answer", "c", shared="2", part=0.1)),
+        (1.0, RunCell("answer", "d")),
+        (50.0, RunCell("answer", "e")),
     ):
         now[0] += later
         kernel.start_clock(cell)
@@ -161,15 +159,18 @@ def test_too_much_output_of_the_kind_that_is_read_ends_the_run(sandbox: Sandbox)
 @pytest.mark.parametrize(
     ("cell", "trouble"),
     [
-        (Cell("p", "1", "p"), "no answer came"),
-        (Cell("p", 'print(\'{"id": "p", "v": 1}\')', "p"), "no answer came"),
+        (RunCell("probe", "p", "1", probe="p"), "no answer came"),
+        (RunCell("probe", "p", 'print(\'{"id": "p", "v": 1}\')', probe="p"), "no answer came"),
         (probe("1", times=2), "something else than one answer came"),
-        (Cell("p", probe("1", "q").source, "p"), "something else than one answer came"),
-        (Cell("p", probe("1", "q").source + probe("1", "p").source, "p"), "something else than one answer came"),
+        (RunCell("probe", "p", probe("1", "q").source, probe="p"), "something else than one answer came"),
+        (
+            RunCell("probe", "p", probe("1", "q").source + probe("1", "p").source, probe="p"),
+            "something else than one answer came",
+        ),
     ],
     ids=["nothing", "a print", "two", "another id", "one of each"],
 )
-def test_exactly_one_answer_with_the_right_id_counts(sandbox: Sandbox, cell: Cell, trouble: str) -> None:
+def test_exactly_one_answer_with_the_right_id_counts(sandbox: Sandbox, cell: RunCell, trouble: str) -> None:
     done = run(sandbox, cell)
     assert (done.outcomes[0].value, done.outcomes[0].trouble) == (None, trouble)
 
@@ -179,8 +180,8 @@ def test_exactly_one_answer_with_the_right_id_counts(sandbox: Sandbox, cell: Cel
     ["'p'", "None", "[1]", "{'id': 'p'}", "{'v': 1}", "{'id': ['p'], 'v': 1}", "{'id': None, 'v': 1}", "1.5"],
 )
 def test_an_answer_of_another_shape_is_none(sandbox: Sandbox, shape: str) -> None:
-    show = f"from IPython.display import display\ndisplay({{{PROBE_MIME!r}: {shape}}}, raw=True)"
-    done = run(sandbox, Cell("p", show, "p"))
+    show = f"from IPython.display import display\ndisplay({{{PROBE_TYPE!r}: {shape}}}, raw=True)"
+    done = run(sandbox, RunCell("probe", "p", show, probe="p"))
     assert done.outcomes[0].trouble == "something else than one answer came"
     assert done.stopped is None
 
@@ -277,7 +278,7 @@ def test_answers_sent_before_the_question_are_ignored(sandbox: Sandbox) -> None:
     ahead = f"""
 wire = get_ipython().kernel.session.wire
 for name in ("p", "q"):
-    said = {{"data": {{{PROBE_MIME!r}: {{"id": name, "v": 1}}}}, "metadata": {{}}}}
+    said = {{"data": {{{PROBE_TYPE!r}: {{"id": name, "v": 1}}}}, "metadata": {{}}}}
     for header in ({{}}, {{"msg_id": name}}, {HEADER}):
         wire.send({{"channel": "iopub", "msg_type": "display_data", "parent_header": header, "content": said}})
 """

@@ -13,8 +13,8 @@ import psutil
 import pytest
 
 from tflab.grading.kernels import landlock
-from tflab.grading.kernels.ipython import PROBE_MIME
 from tflab.grading.kernels.limits import Limits
+from tflab.grading.kernels.probe import PROBE_TYPE
 from tflab.grading.kernels.sandbox import LEVELS, Sandbox
 from tflab.grading.kernels.take import Kernel, KernelError, Kernels, choose
 
@@ -22,7 +22,7 @@ SAY = f"""
 import os, sys
 from IPython.display import display
 def say(value):
-    display({{{PROBE_MIME!r}: {{"id": "", "v": value}}}}, raw=True)
+    display({{{PROBE_TYPE!r}: {{"id": "", "v": value}}}}, raw=True)
 """
 TRY = """
 def attempt(what):
@@ -43,7 +43,7 @@ class Inside:
 
     def __call__(self, expression: str, before: str = "") -> object:
         said = self.run(f"{before}\nsay({expression})")
-        values = [one["data"][PROBE_MIME]["v"] for one in said if "data" in one]
+        values = [one["data"][PROBE_TYPE]["v"] for one in said if "data" in one]
         assert len(values) == 1, said
         return values[0]
 
@@ -548,13 +548,14 @@ def test_a_kernel_ends_with_the_grader_even_if_that_is_killed(tmp_path: Path, ke
 def test_without_landlock_the_memory_of_the_grader_is_closed_at_least() -> None:
     code = """
 import ctypes
-from tflab.grading import kernels, landlock
-from tflab.grading.sandbox import Sandbox
+from tflab.grading.kernels import landlock
+from tflab.grading.kernels.sandbox import Sandbox
+from tflab.grading.kernels.take import Kernels
 dumpable = lambda: ctypes.CDLL(None).prctl(3, 0, 0, 0, 0)
-kernels.Kernels(Sandbox("limits"))
+Kernels(Sandbox("limits"))
 with_landlock = dumpable()
 landlock.abi = lambda: 0
-kernels.Kernels(Sandbox("limits"))
+Kernels(Sandbox("limits"))
 print(landlock.CONFINES, with_landlock, dumpable())
 """
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

@@ -7,8 +7,9 @@ import json
 import pytest
 import tiny
 
+from tflab.grading.judging.cells import Master, answers_most
 from tflab.grading.judging.pack import read_pack
-from tflab.grading.judging.transplant import Master, Transplant, answers_most, transplant
+from tflab.grading.judging.transplant import Transplant, transplant
 from tflab.grading.submissions.reader import read_notebook
 
 
@@ -28,11 +29,11 @@ def transplanted(master: Master, notebook: dict) -> Transplant:
 
 
 def kinds(done: Transplant) -> list[str]:
-    return [f"{piece.kind} {piece.name}" for piece in done.pieces]
+    return [f"{placed.kind} {placed.name}" for placed in done.cells]
 
 
 def source(done: Transplant, name: str) -> str:
-    return next(piece.source for piece in done.pieces if piece.name == name)
+    return next(placed.source for placed in done.cells if placed.name == name)
 
 
 def said(done: Transplant) -> list[str]:
@@ -74,7 +75,7 @@ def test_what_is_given_is_never_the_learners(master: Master, notebook: dict) -> 
     cell(notebook, "e3-1-given")["source"] = "e3_1 = easier"
     done = transplanted(master, notebook)
     assert source(done, "e3-1-given") == 'e3_1 = task("E3.1")'
-    assert "easier" not in str(done.pieces)
+    assert "easier" not in str(done.cells)
     assert said(done) == ["changed E3.1"]
 
 
@@ -106,7 +107,7 @@ def test_cells_of_ones_own_stay_where_they_were_put(master: Master, notebook: di
 
 def test_text_of_ones_own_does_not_run(master: Master, notebook: dict) -> None:
     notebook["cells"].insert(3, tiny.own_cell("# thoughts", "thoughts", kind="markdown"))
-    assert not any(piece.kind == "own" for piece in transplanted(master, notebook).pieces)
+    assert not any(placed.kind == "own" for placed in transplanted(master, notebook).cells)
 
 
 def test_cells_in_another_order_run_in_the_masters(master: Master, notebook: dict) -> None:
@@ -153,7 +154,7 @@ def test_without_both_our_cells_are_known_by_their_text_and_the_answers_lie_betw
         one["metadata"], one["id"] = {}, str(number)
     done = transplanted(master, notebook)
     assert done.answered == ("E3.1", "E3.2", "E3.3")
-    assert [piece.source for piece in done.pieces if piece.kind == "own"] == list(tiny.RIGHT.values())
+    assert [placed.source for placed in done.cells if placed.kind == "own"] == list(tiny.RIGHT.values())
 
 
 def test_an_answer_turned_into_text_does_not_run_and_is_said(master: Master, notebook: dict) -> None:
@@ -248,7 +249,7 @@ def test_cells_that_were_merged_lose_no_answer(
     notebook["cells"] = [one for one in notebook["cells"] if one["id"] == into or one["id"] not in merged]
     done = transplanted(master, notebook)
     assert done.answered == ("E3.1", "E3.2", "E3.3")
-    ran = "\n".join(piece.source for piece in done.pieces if piece.kind in ("own", "answer"))
+    ran = "\n".join(placed.source for placed in done.cells if placed.kind in ("own", "answer"))
     assert all(text in ran for name, text in tiny.RIGHT.items())
 
 
@@ -273,7 +274,7 @@ def test_a_copy_that_answers_nothing_is_a_cell_of_ones_own(
     done = transplanted(master, notebook)
     assert said(done) == []
     assert source(done, "e3-2-answer") == tiny.RIGHT["e3-2-answer"]
-    assert text in [piece.source for piece in done.pieces if piece.kind == "own"]
+    assert text in [placed.source for placed in done.cells if placed.kind == "own"]
 
 
 def test_a_notebook_without_our_cells_may_answer_all_the_same(master: Master, notebook: dict) -> None:

@@ -81,8 +81,8 @@ check("E3.3", frames)
 TASKS = """\
 import math
 
-from tflab.workbook.forms import Choice, Number, Parts
-from tflab.workbook.tasks import Task, Twin, Words
+from tflab.workbook.answers.forms import Choice, Number, Parts
+from tflab.workbook.tasks.task import Task, Twin, Words
 
 HINTS = (Words("a", "가"), Words("b", "나"), Words("c", "다"))
 FRAMES = Choice(options=("map", "laser_frame"))

@@ -24,11 +24,11 @@ from typing import Any
 from tflab import __version__
 from tflab.workbook.whole_files import write_whole
 
-from .judging.attempt import NotRun
-from .judging.nbval_run import Cell, Run, run_cells
+from .judging.job import HandedIn, Job
+from .judging.nbval_run import run_cells
 from .judging.pack import Pack
-from .judging.plan import PlannedCell
-from .judging.submission import File, Job, RunCells, graded, record_with
+from .judging.run import NotRun, Run, RunCell, RunCells
+from .judging.submission import graded, record_with
 from .kernels.limits import Limits
 from .kernels.sandbox import Sandbox
 from .kernels.take import KernelError
@@ -38,7 +38,7 @@ from .submissions.collect import Collection, Submission
 from .submissions.reader import Unreadable
 from .submissions.remarks import Remark, printable
 
-__all__ = ["RECORDS", "Batch", "grade_batch", "grade_job", "job_of", "run_behind"]
+__all__ = ["RECORDS", "HowToGrade", "grade_batch", "grade_job", "job_of", "run_behind"]
 
 RECORDS = "submissions"
 RECORD_FORMAT = 2
@@ -47,8 +47,8 @@ MOST_BYTES = 64 * 1024 * 1024  # of all the notebooks of one learner
 
 
 @dataclass(frozen=True)
-class Batch:
-    """How a batch is graded: within which limits, behind which wall, by how many, where."""
+class HowToGrade:
+    """Within which limits, behind which wall, by how many, and where."""
 
     limits: Limits
     sandbox: Sandbox
@@ -57,19 +57,19 @@ class Batch:
     quiet: bool = True
 
 
-def grade_batch(collection: Collection, pack: Pack, out: Path, batch: Batch) -> list[dict[str, Any]]:
+def grade_batch(collection: Collection, pack: Pack, out: Path, how: HowToGrade) -> list[dict[str, Any]]:
     """Return a record for each submission, in their order; each is also in `out`."""
     records: dict[str, dict[str, Any]] = {}
     waiting: dict[str, tuple[Submission, Path]] = {}
     set_aside: list[tuple[Submission, Path]] = []
     paths: set[Path] = set()
-    do = partial(grade_job, sandbox=batch.sandbox)
-    bar = ProgressBar(len(collection.submissions), "graded", quiet=batch.quiet)
+    do = partial(grade_job, sandbox=how.sandbox)
+    bar = ProgressBar(len(collection.submissions), "graded", quiet=how.quiet)
 
     def jobs() -> Iterator[Job]:
         for submission in collection.submissions:
-            job = job_of(submission, pack, batch.limits)
-            path = out / RECORDS / f"{file_name(job.learner)}-{_key(job, pack, batch)[:16]}.json"
+            job = job_of(submission, pack, how.limits)
+            path = out / RECORDS / f"{file_name(job.learner)}-{_key(job, pack, how)[:16]}.json"
             paths.add(path)
             there = _record_at(path, job.learner)
             if there is not None:
@@ -95,18 +95,18 @@ def grade_batch(collection: Collection, pack: Pack, out: Path, batch: Batch) -> 
 
     source = jobs()
     try:
-        for record in _on_processes(source, do, batch):
+        for record in _on_processes(source, do, how):
             take(record)
     except BrokenExecutor:  # a process was killed, for want of memory perhaps: here, one by one
         for submission, _ in list(waiting.values()):
-            take(do(job_of(submission, pack, batch.limits)))
+            take(do(job_of(submission, pack, how.limits)))
         for job in source:
             take(do(job))
     bar.close()
-    bar = ProgressBar(len(set_aside), "once more, alone", quiet=batch.quiet)
+    bar = ProgressBar(len(set_aside), "once more, alone", quiet=how.quiet)
     for submission, path in sorted(set_aside, key=lambda pair: pair[0].learner):
         record = records[submission.learner]
-        job = replace(job_of(submission, pack, batch.limits), only=record["set_aside"])
+        job = replace(job_of(submission, pack, how.limits), only=record["set_aside"])
         keep(record_with(record, do(job)), path)
         bar.step(submission.learner)
     bar.close()
@@ -121,10 +121,12 @@ def job_of(submission: Submission, pack: Pack, limits: Limits) -> Job:
         name = printable("/".join(member.parts))[-200:]
         try:
             data = member.read() if room > 0 else b""
-            files.append(File(name, data) if room > 0 else File(name, fault=Remark("too much", most=MOST_BYTES >> 20)))
+            files.append(
+                HandedIn(name, data) if room > 0 else HandedIn(name, fault=Remark("too much", most=MOST_BYTES >> 20))
+            )
             room -= len(data)
         except Unreadable as error:
-            files.append(File(name, fault=error.remark))
+            files.append(HandedIn(name, fault=error.remark))
     known = (pack.roster or {}).get(submission.learner)
     return Job(
         learner=submission.learner,
@@ -151,7 +153,7 @@ def grade_job(job: Job, *, sandbox: Sandbox) -> dict[str, Any]:
         return record | {"sandbox": sandbox.level, "not_run": True}
 
 
-def _nothing_runs(cells: Sequence[PlannedCell], limits: Limits) -> Run:
+def _nothing_runs(cells: Sequence[RunCell], limits: Limits) -> Run:
     raise NotRun("nothing runs here")
 
 
@@ -160,34 +162,32 @@ def run_behind(sandbox: Sandbox) -> RunCells:
     return partial(_run, sandbox=sandbox)
 
 
-def _run(cells: Sequence[PlannedCell], limits: Limits, sandbox: Sandbox) -> Run:
-    named = [
-        Cell(f"{number}-{cell.piece.name}", cell.source, cell.probe, cell.shared, cell.part)
-        for number, cell in enumerate(cells, start=1)
-    ]
+def _run(cells: Sequence[RunCell], limits: Limits, sandbox: Sandbox) -> Run:
     try:
-        return run_cells(named, limits=limits, sandbox=sandbox)
+        return run_cells(cells, limits=limits, sandbox=sandbox)
     except (KernelError, OSError) as error:
         raise NotRun(str(error)[:200]) from None
 
 
-def _on_processes(jobs: Iterator[Job], do: Callable[[Job], dict[str, Any]], batch: Batch) -> Iterator[dict[str, Any]]:
+def _on_processes(
+    jobs: Iterator[Job], do: Callable[[Job], dict[str, Any]], how: HowToGrade
+) -> Iterator[dict[str, Any]]:
     """Do jobs as they come, and yield records as they are done; only as many jobs wait as there are processes."""
     from joblib import Parallel, delayed, parallel_config
 
-    if batch.scheduler is None and batch.jobs == 1:
+    if how.scheduler is None and how.jobs == 1:
         yield from map(do, jobs)
         return
-    if batch.scheduler is not None:
-        with _dask_client(batch.scheduler) as client, parallel_config(backend="dask", wait_for_workers_timeout=60):
+    if how.scheduler is not None:
+        with _dask_client(how.scheduler) as client, parallel_config(backend="dask", wait_for_workers_timeout=60):
             workers = max(1, sum(client.nthreads().values()))
             work = Parallel(n_jobs=workers, return_as="generator_unordered", pre_dispatch=2 * workers, batch_size=1)
             yield from work(delayed(do)(job) for job in jobs)
         return
     # The kernels are processes anyway: a few threads keep them busy, and have nothing to import.
-    kind = "threads" if batch.jobs <= MOST_THREADS else "processes"
+    kind = "threads" if how.jobs <= MOST_THREADS else "processes"
     how = {"return_as": "generator_unordered", "pre_dispatch": "2*n_jobs", "batch_size": 1}
-    work = Parallel(n_jobs=batch.jobs, prefer=kind, **how)
+    work = Parallel(n_jobs=how.jobs, prefer=kind, **how)
     try:
         yield from work(delayed(do)(job) for job in jobs)
     except BaseException:
@@ -206,10 +206,10 @@ def _dask_client(scheduler: str) -> Any:
     return Client(scheduler, set_as_default=True)
 
 
-def _key(job: Job, pack: Pack, batch: Batch) -> str:
+def _key(job: Job, pack: Pack, how: HowToGrade) -> str:
     """Return a name for all that decides a record: the files, the pack, the limits, the wall, and tflab itself."""
     content = hashlib.sha256()
-    rest = [RECORD_FORMAT, __version__, pack.digest, repr(batch.limits), batch.sandbox.level]
+    rest = [RECORD_FORMAT, __version__, pack.digest, repr(how.limits), how.sandbox.level]
     rest += [job.learner, job.name, job.language, [remark.plain() for remark in job.remarks], job.on_roster]
     content.update(json.dumps(rest, ensure_ascii=False).encode("utf-8", "replace"))
     for file in job.files:

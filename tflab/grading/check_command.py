@@ -14,7 +14,7 @@ from __future__ import annotations
 import argparse
 import json
 import sys
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -27,16 +27,19 @@ from tflab.workbook.tasks.cases import CasesError, read_cases
 from tflab.workbook.tasks.task import variant_of
 from tflab.workbook.words import Words
 
+from .judging.cells import master_of
+from .judging.job import HandedIn, Job
 from .judging.pack import DAMAGE, check_tasks
-from .judging.submission import File, Job, graded, graded_twice
-from .judging.transplant import master_of
+from .judging.run import RunCells
+from .judging.submission import graded, graded_twice
+from .kernels.limits import Limits
 from .reports.feedback import STATUS, WRONG
 from .submissions.reader import Unreadable, read_bytes, read_notebook
 from .submissions.remarks import Remark
 
 __all__ = ["Checked", "check_notebook", "main"]
 
-CELL_S = 20.0  # without a wall: of a kernel that may be the first of the day on a slow disk
+PLAIN_LIMITS = Limits(cell_s=20.0, notebook_s=120.0)  # a kernel may be the first of the day on a slow disk
 MENDS = "`tflab lab --update` brings it"
 SUM = Words("{points} of {most} points on the public cases.", "공개 문제 기준 {most}점 만점에 {points}점입니다.")
 LATER = Words(
@@ -118,7 +121,7 @@ def check_notebook(path: Path, *, plainly: bool = False) -> Checked:
         language=workbook.language,
         release=stamp.get("release", ""),
         version=__version__,
-        files=(File(path.name, data),),
+        files=(HandedIn(path.name, data),),
         chapters={stem: _chapter(root, workbook, stem) for stem in places.chapters(root)},
         limits=limits,
         has_roster=workbook.learner is not None,
@@ -180,23 +183,11 @@ def _chapter(root: Path, workbook: Workbook, stem: str) -> dict[str, Any]:
     return {"master": [[cell.name, cell.source, cell.task, cell.role] for cell in master.cells], "tasks": tasks}
 
 
-class PlainLimits(NamedTuple):
-    """How long a cell may take where nothing else is limited."""
-
-    cell_s: float = CELL_S
-    notebook_s: float = 6 * CELL_S
-
-    def times(self, factor: float) -> PlainLimits:
-        """Return `factor` times as long."""
-        return PlainLimits(self.cell_s * factor, self.notebook_s * factor)
-
-
-def _runner(plainly: bool, language: str) -> tuple[Callable, Any, str]:
+def _runner(plainly: bool, language: str) -> tuple[RunCells, Limits, str]:
     """Return what runs cells here, its limits, and a line about it if it is not what grading uses."""
     why = "--plain" if plainly else NOT_LINUX.say(language, platform=sys.platform)
     if not plainly and sys.platform == "linux":
         from .batch import run_behind
-        from .kernels.limits import Limits
         from .kernels.take import KernelError, choose
 
         try:
@@ -206,4 +197,4 @@ def _runner(plainly: bool, language: str) -> tuple[Callable, Any, str]:
             why = str(error)
     from .judging.plain_kernel import run_plainly
 
-    return lambda cells, limits: run_plainly(cells, limits.cell_s), PlainLimits(), PLAIN.say(language, why=why)
+    return run_plainly, PLAIN_LIMITS, PLAIN.say(language, why=why)

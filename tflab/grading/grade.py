@@ -85,13 +85,13 @@ def _graded(
 
     hidden = (Path(options.pack), Path(options.submissions), out)
     sandbox = choose(hide=tuple(str(path.resolve()) for path in hidden), meanwhile=_load_the_rest)
-    from .batch import Batch, grade_batch
+    from .batch import HowToGrade, grade_batch
 
     limits = Limits(cell_s=options.seconds, notebook_s=6 * options.seconds)
     jobs = options.jobs if options.jobs > 0 else os.cpu_count() or 1
-    batch = Batch(limits, sandbox, jobs, options.scheduler, options.quiet)
+    how = HowToGrade(limits, sandbox, jobs, options.scheduler, options.quiet)
     wall = (sandbox.announce(), *sandbox.gaps)
-    return grade_batch(collection, pack, out, batch), wall
+    return grade_batch(collection, pack, out, how), wall
 
 
 def _load_the_rest() -> None:

@@ -17,47 +17,28 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Protocol
+from typing import Any
 
 from tflab.workbook.answers.values import is_unanswered
 from tflab.workbook.tasks.task import slug
 
 from ..submissions.remarks import Remark
 from .marks import safe_error_name
-from .plan import Plan, PlannedCell, plan
+from .plan import Asked, RunPlan, plan
+from .run import NotRun, Run, RunCell
 from .transplant import Transplant
 
-__all__ = ["Attempt", "NotRun", "Ran", "RanCell", "Runner", "attempt"]
+__all__ = ["Attempt", "Runner", "attempt"]
 
 MOST_RUNS = 20
 ENOUGH_TO_KNOW = 2  # cases of one task that do not end
 MOST_TIMES_THE_NOTEBOOK = 2.0
 REMARK_OF = {"timed out": "timed out", "output limit": "flood", "unreadable output": "flood"}  # else it died
 
-
-class NotRun(Exception):
-    """The kernel did not even run our own cells: no fault of the learner's."""
+Runner = Callable[[Sequence[RunCell], bool], Run]  # patiently, or with the usual limits
 
 
-class RanCell(Protocol):
-    """What became of one cell."""
-
-    value: Any
-    trouble: str | None
-
-
-class Ran(Protocol):
-    """What became of the cells, as far as they ran."""
-
-    outcomes: Sequence[RanCell]
-    seconds: float
-    stopped: str | None  # why the last of them was the last
-
-
-Runner = Callable[[Sequence[PlannedCell], bool], Ran]  # patiently, or with the usual limits
-
-
-@dataclass
+@dataclass(frozen=True)
 class Attempt:
     """What came out.
 
@@ -68,10 +49,10 @@ class Attempt:
         remarks: on the notebook as a whole.
     """
 
-    outcomes: dict[str, dict[int, Any]] = field(default_factory=dict)
-    trouble: dict[str, list[Remark]] = field(default_factory=dict)
-    set_aside: list[str] = field(default_factory=list)
-    remarks: list[Remark] = field(default_factory=list)
+    outcomes: Mapping[str, Mapping[int, Any]] = field(default_factory=dict)
+    trouble: Mapping[str, Sequence[Remark]] = field(default_factory=dict)
+    set_aside: Sequence[str] = ()
+    remarks: Sequence[Remark] = ()
     seconds: float = 0.0
 
 
@@ -86,7 +67,7 @@ def attempt(
     closely: bool = False,
     leave_out: Collection[str] = (),
 ) -> Attempt:
-    """Run a notebook as often as it takes to hear of each task in `wanted`, or of what is wrong with it.
+    """Run a notebook until every task in `wanted` has an outcome, or a reason why not.
 
     Args:
         cell_s: what a cell may take, for what is said.
@@ -97,82 +78,114 @@ def attempt(
     Raises:
         NotRun: our own cells did not run.
     """
-    made = Attempt()
-    left = list(wanted)
-    without = {piece.name for piece in transplanted.pieces if piece.kind == "answer" and piece.task in leave_out}
-    cases_left: dict[str, set[int]] = {}
-    heard_again: dict[str, dict[int, Any]] = {}
-    own_that_hang: set[str] = set()
-    hung: Counter[str] = Counter()
+    tally = Tally(transplanted, tasks, wanted, closely)
+    for task in leave_out:
+        tally.leave_out(task)
     for _ in range(MOST_RUNS):
-        if not left or made.seconds > notebook_s * MOST_TIMES_THE_NOTEBOOK:
+        if not tally.left or tally.seconds > notebook_s * MOST_TIMES_THE_NOTEBOOK:
             break
-        planned = plan(transplanted, tasks, left, without=without, closely=closely, cases_left=cases_left)
-        ran = run(planned.cells, closely)
-        made.seconds += ran.seconds
-        stopped = _listen(planned, ran, made, heard_again)
-        if stopped is None:
-            left = []
-            break
-        cell, trouble = stopped
-        piece = cell.piece
-        if piece.kind == "ours":
-            raise NotRun(trouble)
-        remark = Remark(REMARK_OF.get(trouble, "died"), piece.task, seconds=f"{cell_s:g}")
-        if piece.kind == "own":
-            own_that_hang.add(piece.name)
-            without.add(piece.name)
-            continue
-        made.trouble[piece.task] = [remark]
-        asked = planned.asked.get(cell.probe or "")
-        hung[piece.task] += 1
-        if closely and asked is not None and hung[piece.task] < ENOUGH_TO_KNOW:
-            cases = cases_left.setdefault(piece.task, set(range(len(tasks[piece.task]["cases"]) + 1)))
-            cases -= {*asked.cases, *made.outcomes.get(piece.task, {})}
+        without, cases_left = tally.without, tally.cases_left
+        planned = plan(transplanted, tasks, tally.left, without=without, closely=closely, cases_left=cases_left)
+        tally.take(planned, run(planned.cells, closely), cell_s)
+    return tally.attempt(notebook_s)
+
+
+class Tally:
+    """What is known after some runs, and what the next one is to ask.
+
+    Attributes:
+        left: tasks that are still to be heard of.
+        without: cells that the next run leaves out.
+        cases_left: of a task one case of which did not end, those that have not been asked.
+    """
+
+    def __init__(
+        self, transplanted: Transplant, tasks: Mapping[str, Mapping[str, Any]], wanted: Sequence[str], closely: bool
+    ) -> None:
+        self.left = list(wanted)
+        self.without: set[str] = set()
+        self.cases_left: dict[str, set[int]] = {}
+        self.seconds = 0.0
+        self._transplanted, self._tasks, self._wanted, self._closely = transplanted, tasks, tuple(wanted), closely
+        self._outcomes: dict[str, dict[int, Any]] = {}
+        self._outcomes_again: dict[str, dict[int, Any]] = {}  # behind the learner's own cells
+        self._trouble: dict[str, list[Remark]] = {}
+        self._set_aside: list[str] = []
+        self._own_that_hang: set[str] = set()
+        self._hung: Counter[str] = Counter()
+
+    def take(self, planned: RunPlan, ran: Run, cell_s: float) -> None:
+        """Take in what came of a run.
+
+        Raises:
+            NotRun: it stopped in a cell of ours.
+        """
+        self.seconds += ran.seconds
+        for cell, outcome in zip(planned.cells, ran.outcomes, strict=False):
+            self._hear(cell, outcome.value, outcome.trouble or "", planned.asked.get(cell.probe or ""))
+        if ran.stopped is None:
+            self.left = []
+            return
+        cell = planned.cells[len(ran.outcomes) - 1]
+        if cell.kind == "ours":
+            raise NotRun(ran.stopped)
+        if cell.kind == "own":
+            self._own_that_hang.add(cell.name)
+            self.without.add(cell.name)
+            return
+        self._trouble[cell.task] = [Remark(REMARK_OF.get(ran.stopped, "died"), cell.task, seconds=f"{cell_s:g}")]
+        self._stopped(cell.task, planned.asked.get(cell.probe or ""))
+        self.left = [task for task in self.left if task not in self._set_aside and not self._is_heard(task)]
+
+    def leave_out(self, task: str) -> None:
+        """Run a task's answer no more."""
+        self.without |= {cell.name for cell in self._transplanted.cells if (cell.kind, cell.task) == ("answer", task)}
+
+    def attempt(self, notebook_s: float) -> Attempt:
+        """Return what came out in the end."""
+        for task in self.left:  # the time for all was over
+            self._set_aside.append(task)
+            self._trouble[task] = [Remark("timed out", task, seconds=f"{notebook_s:g}")]
+        remarks = [Remark("left out", cell=name.rpartition("+")[0]) for name in sorted(self._own_that_hang)]
+        # An answer may have needed an own cell that did not end.
+        set_aside = list(self._wanted) if self._own_that_hang else self._set_aside
+        later = [task for task in self._outcomes_again if self._was_answered_later(task)]
+        remarks += [Remark("elsewhere", task, cell=f"{slug(task)}-answer") for task in later]
+        return Attempt(
+            outcomes=self._outcomes | {task: self._outcomes_again[task] for task in later},
+            trouble={task: said for task, said in self._trouble.items() if task not in later},
+            set_aside=set_aside,
+            remarks=remarks,
+            seconds=self.seconds,
+        )
+
+    def _hear(self, cell: RunCell, value: Any, trouble: str, asked: Asked | None) -> None:
+        """Take in what came of one cell: a probe's outcomes, or an answer's error."""
+        if asked is not None and isinstance(value, list) and len(value) == len(asked.cases):
+            heard = self._outcomes_again if asked.again else self._outcomes
+            heard.setdefault(asked.task, {}).update(zip(asked.cases, value, strict=True))
+        elif trouble.startswith("error: ") and cell.kind == "answer":
+            name = trouble.removeprefix("error: ").partition(":")[0]
+            self._trouble[cell.task] = [Remark("raised", cell.task, error=safe_error_name(name))]
+
+    def _stopped(self, task: str, asked: Asked | None) -> None:
+        """Draw the lesson of a run that stopped in a task: ask its other cases, or set it aside."""
+        self._hung[task] += 1
+        if self._closely and asked is not None and self._hung[task] < ENOUGH_TO_KNOW:
+            left = self.cases_left.setdefault(task, set(range(len(self._tasks[task]["cases"]) + 1)))
+            left -= {*asked.cases, *self._outcomes.get(task, {})}
         else:
-            made.set_aside.append(piece.task)
-            without |= {cell.name for cell in transplanted.pieces if (cell.kind, cell.task) == ("answer", piece.task)}
-        left = [task for task in left if task not in made.set_aside and not _is_heard(task, tasks, made, cases_left)]
-    for task in left:
-        made.set_aside.append(task)
-        made.trouble[task] = [Remark("timed out", task, seconds=f"{notebook_s:g}")]
-    if own_that_hang:
-        made.set_aside = list(wanted)  # they may have needed it
-        made.remarks += [Remark("left out", cell=name.rpartition("+")[0]) for name in sorted(own_that_hang)]
-    _prefer_what_was_answered_later(made, heard_again)
-    return made
+            self._set_aside.append(task)
+            self.leave_out(task)
 
+    def _is_heard(self, task: str) -> bool:
+        """Return whether every case that can be asked has answered."""
+        cases = self.cases_left.get(task, set(range(len(self._tasks[task]["cases"]))))
+        return cases <= set(self._outcomes.get(task, ()))
 
-def _listen(
-    planned: Plan, ran: Ran, made: Attempt, heard_again: dict[str, dict[int, Any]]
-) -> tuple[PlannedCell, str] | None:
-    """Take in what came out; return the cell at which the run was stopped, and why, if it was."""
-    for cell, became in zip(planned.cells, ran.outcomes, strict=False):
-        asked = planned.asked.get(cell.probe or "")
-        if asked is not None and isinstance(became.value, list) and len(became.value) == len(asked.cases):
-            heard = heard_again if asked.again else made.outcomes
-            heard.setdefault(asked.task, {}).update(zip(asked.cases, became.value, strict=True))
-        elif (became.trouble or "").startswith("error: ") and cell.piece.kind == "answer":
-            name = became.trouble.removeprefix("error: ").partition(":")[0]
-            made.trouble[cell.piece.task] = [Remark("raised", cell.piece.task, error=safe_error_name(name))]
-    return (planned.cells[len(ran.outcomes) - 1], ran.stopped) if ran.stopped else None
-
-
-def _is_heard(
-    task: str, tasks: Mapping[str, Mapping[str, Any]], made: Attempt, cases_left: Mapping[str, Collection[int]]
-) -> bool:
-    """Return whether every case that can be asked has answered."""
-    cases = cases_left.get(task, set(range(len(tasks[task]["cases"]))))
-    return set(cases) <= set(made.outcomes.get(task, ()))
-
-
-def _prefer_what_was_answered_later(made: Attempt, heard_again: dict[str, dict[int, Any]]) -> None:
-    """Take the outcomes from behind the learner's own cells where there were none at the check."""
-    for task, later in heard_again.items():
-        if _is_nothing(made.outcomes.get(task, {})) and not _is_nothing(later):
-            made.outcomes[task] = later
-            made.trouble.pop(task, None)
-            made.remarks.append(Remark("elsewhere", task, cell=f"{slug(task)}-answer"))
+    def _was_answered_later(self, task: str) -> bool:
+        """Return whether there was nothing at the check, and something behind the learner's own cells."""
+        return _is_nothing(self._outcomes.get(task, {})) and not _is_nothing(self._outcomes_again[task])
 
 
 def _is_nothing(outcomes: Mapping[int, Any]) -> bool:

@@ -17,15 +17,15 @@ import sys
 import time
 from collections import defaultdict, deque
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import pytest
 
-from ..kernels.ipython import PROBE_MIME
 from ..kernels.limits import Limits
+from ..kernels.probe import PROBE_TYPE
 from ..kernels.take import Kernel
 from ..kernels.wire import WireClosed, WireFault
+from .run import RunCell
 
 # nbval imports nbformat, that jsonschema, and that 38 grammars of addresses, which take two seconds
 # and which nobody asks for here: jsonschema does without what it cannot import.
@@ -37,26 +37,12 @@ from nbval.plugin import IPyNbCell, IPyNbFile, NbCellError  # noqa: E402
 if sys.modules["rfc3987_syntax"] is None:
     del sys.modules["rfc3987_syntax"]
 
-__all__ = ["AnswerCell", "AnswerFile", "Cell", "NbCellError", "Stopped", "WiredKernel"]
+__all__ = ["AnswerCell", "AnswerFile", "NbCellError", "Stopped", "WiredKernel"]
 
 # A cell before its source is in it; without a count nbval compares nothing.
 EMPTY = {"cell_type": "code", "execution_count": 1, "metadata": {}, "outputs": []}
 LIVENESS_S = 0.2
 LONGEST_TROUBLE = 300
-
-
-@dataclass(frozen=True)
-class Cell:
-    """One cell to run; a probe is a cell of ours that sends one message with this id.
-
-    Cells with the same `shared` take the time of one together, and of that no more than `part`.
-    """
-
-    name: str
-    source: str
-    probe: str | None = None
-    shared: str = ""
-    part: float = 1.0
 
 
 class Stopped(Exception):
@@ -75,7 +61,7 @@ class WiredKernel(RunningKernel):
         self._queues: dict[str, deque[dict[str, Any]]] = {"iopub": deque(), "shell": deque()}
         self._messages = self._bytes = 0
 
-    def start_clock(self, cell: Cell) -> None:
+    def start_clock(self, cell: RunCell) -> None:
         """Set the deadline of the cell that comes next."""
         end = time.monotonic() + cell.part * self.limits.cell_s
         if cell.shared:
@@ -164,7 +150,7 @@ class AnswerFile(IPyNbFile):
     def __init__(
         self,
         *,
-        cells: Sequence[Cell],
+        cells: Sequence[RunCell],
         take_kernel: Callable[[Limits], Kernel],
         limits: Limits,
         **of_pytest: Any,
@@ -181,7 +167,8 @@ class AnswerFile(IPyNbFile):
         for number, cell in enumerate(self.cells):
             node = from_dict(EMPTY | {"source": cell.source})  # not validated: it is ours
             options = defaultdict(bool, check=cell.probe is not None)
-            yield AnswerCell.from_parent(self, name=cell.name, cell_num=number, cell=node, options=options, known=cell)
+            name = f"{number + 1}-{cell.name}"
+            yield AnswerCell.from_parent(self, name=name, cell_num=number, cell=node, options=options, known=cell)
 
     def teardown(self) -> None:
         if self.kernel is not None:
@@ -191,7 +178,7 @@ class AnswerFile(IPyNbFile):
 class AnswerCell(IPyNbCell):
     """A cell that is run; if it is a probe, its one value is kept."""
 
-    def __init__(self, *, known: Cell, **of_nbval: Any) -> None:
+    def __init__(self, *, known: RunCell, **of_nbval: Any) -> None:
         super().__init__(**of_nbval)
         self.known = known
         self.value: Any = None
@@ -226,8 +213,8 @@ class AnswerCell(IPyNbCell):
     def compare_outputs(self, test: Any, ref: Any, skip_compare: Any = None) -> bool:
         """Take the value of the one message with the right id; there is no stored output to compare with."""
         self.comparison_traceback = []  # what nbval would show
-        said = [output["data"][PROBE_MIME] for output in test if PROBE_MIME in output.get("data", ())]
-        mine = [one for one in said if isinstance(one, dict) and one.get("id") == self.known.probe]
+        said = [output["data"][PROBE_TYPE] for output in test if PROBE_TYPE in output.get("data", ())]
+        mine = [message for message in said if isinstance(message, dict) and message.get("id") == self.known.probe]
         if len(said) != 1 or len(mine) != 1 or "v" not in mine[0]:
             self.trouble = "no answer came" if not said else "something else than one answer came"
             return False
@@ -236,7 +223,7 @@ class AnswerCell(IPyNbCell):
 
     def repr_failure(self, excinfo: Any) -> str:
         """Say what went wrong, but neither source nor values: hidden inputs are in them."""
-        return f"{self.known.name}: {self.trouble or excinfo.typename}"
+        return f"{self.name}: {self.trouble or excinfo.typename}"
 
     def reportinfo(self) -> tuple[Any, int, str]:
-        return self.path, 0, self.known.name
+        return self.path, 0, self.name

@@ -2,9 +2,6 @@
 
     cells in order  ->  run_cells  ->  Run(outcomes, seconds, why it stopped)
 
-    Outcome(cell="e3-2-answer", trouble="error: NameError: name 'tf' is not defined")
-    Outcome(cell="e3-2-probe", probe="7f3a", value=[[1.0, 2.0, 0.0]])
-
 An error in a cell stops nothing.  A cell past its deadline, too much output or the
 death of the kernel stops the run: the outcomes end with that cell.
 
@@ -18,7 +15,6 @@ import os
 import threading
 import time
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -27,31 +23,13 @@ import pytest
 from ..kernels.limits import Limits
 from ..kernels.sandbox import Sandbox
 from ..kernels.take import for_this_process
-from .nbval_items import AnswerCell, AnswerFile, Cell, NbCellError
+from .nbval_items import AnswerCell, AnswerFile, NbCellError
+from .run import CellOutcome, Run, RunCell
 
-__all__ = ["Cell", "Outcome", "Run", "run_cells"]
-
-
-@dataclass(frozen=True)
-class Outcome:
-    """What came of one cell."""
-
-    cell: str
-    probe: str | None = None
-    value: Any = None  # of a probe: plain JSON, from a hostile place
-    trouble: str | None = None
+__all__ = ["nbval_session", "run_cells"]
 
 
-@dataclass(frozen=True)
-class Run:
-    """What came of all of them."""
-
-    outcomes: tuple[Outcome, ...]
-    seconds: float
-    stopped: str | None = None  # why the last cell of `outcomes` was the last one
-
-
-def run_cells(cells: Sequence[Cell], *, limits: Limits, sandbox: Sandbox) -> Run:
+def run_cells(cells: Sequence[RunCell], *, limits: Limits, sandbox: Sandbox) -> Run:
     """Run cells in a fresh kernel.
 
     Raises:
@@ -79,11 +57,11 @@ def run_cells(cells: Sequence[Cell], *, limits: Limits, sandbox: Sandbox) -> Run
     return Run(tuple(outcomes), seconds, stopped)
 
 
-def outcome_of(item: AnswerCell) -> Outcome:
+def outcome_of(item: AnswerCell) -> CellOutcome:
     """Run one cell as nbval does, and say what came of it."""
     with contextlib.suppress(NbCellError, pytest.fail.Exception):  # it is in item.trouble
         item.runtest()
-    return Outcome(item.known.name, item.known.probe, item.value, item.trouble)
+    return CellOutcome(item.value, item.trouble)
 
 
 class OnlyASession:

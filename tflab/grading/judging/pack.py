@@ -8,7 +8,7 @@
 What a learner gets is made from one seed, what is graded from another, and both
 from the secret one: knowing the first does not help to find the second.  Of a task
 whose answer is a value, what is graded is what the learner was given; of a
-function, inputs that nobody has seen.  Read `transplant.py` next.
+function, inputs that nobody has seen.  Read `run.py` next.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from tflab.workbook.tasks.task import variant_of
 from tflab.workbook.whole_files import write_whole
 
 from ..submissions.roster import Learner
-from .transplant import Master, master_of
+from .cells import Master, master_of
 
 __all__ = ["DAMAGE", "Pack", "PackError", "chapter_cases", "read_pack", "write_chapter", "write_pack"]
 

@@ -12,10 +12,11 @@ import subprocess
 import time
 from collections.abc import Callable, Sequence
 from queue import Empty
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING
 
+from ..kernels.limits import Limits
 from ..kernels.probe import PROBE_TYPE
-from .plan import PlannedCell
+from .run import CellOutcome, Run, RunCell
 
 if TYPE_CHECKING:
     from jupyter_client.blocking import BlockingKernelClient
@@ -25,44 +26,29 @@ __all__ = ["run_plainly"]
 LOOK_S = 0.5  # between two looks whether the kernel is alive
 
 
-class _Cell(NamedTuple):
-    """What became of a cell."""
-
-    value: Any = None
-    trouble: str | None = None
-
-
-class _Run(NamedTuple):
-    """What became of all of them."""
-
-    outcomes: list[_Cell]
-    seconds: float
-    stopped: str | None
-
-
-def run_plainly(cells: Sequence[PlannedCell], cell_s: float) -> _Run:
+def run_plainly(cells: Sequence[RunCell], limits: Limits) -> Run:
     """Run cells in a kernel of Jupyter's; one that does not end within its time is the last."""
     from jupyter_client.manager import start_new_kernel
 
     manager, client = start_new_kernel(kernel_name="python3", stderr=subprocess.DEVNULL)
     began = time.monotonic()
-    outcomes: list[_Cell] = []
+    outcomes: list[CellOutcome] = []
     stopped = None
     try:
         for cell in cells:
             try:
-                outcomes.append(_run(client, cell, cell_s, manager.is_alive))
+                outcomes.append(_run(client, cell, limits.cell_s, manager.is_alive))
             except Empty:
                 stopped = "timed out" if manager.is_alive() else "kernel died"
-                outcomes.append(_Cell(trouble=stopped))
+                outcomes.append(CellOutcome(trouble=stopped))
                 break
     finally:
         client.stop_channels()
         manager.shutdown_kernel(now=True)
-    return _Run(outcomes, time.monotonic() - began, stopped)
+    return Run(outcomes, time.monotonic() - began, stopped)
 
 
-def _run(client: BlockingKernelClient, cell: PlannedCell, cell_s: float, is_alive: Callable[[], bool]) -> _Cell:
+def _run(client: BlockingKernelClient, cell: RunCell, cell_s: float, is_alive: Callable[[], bool]) -> CellOutcome:
     """Run one cell; raises Empty if it does not end within its time, or if the kernel dies."""
     end = time.monotonic() + cell_s
     asked = client.execute(cell.source, store_history=False, stop_on_error=False)
@@ -83,4 +69,4 @@ def _run(client: BlockingKernelClient, cell: PlannedCell, cell_s: float, is_aliv
             said = content["data"][PROBE_TYPE]
             value = said.get("v") if isinstance(said, dict) and said.get("id") == cell.probe else value
         if kind == "status" and content["execution_state"] == "idle":
-            return _Cell(value, trouble)
+            return CellOutcome(value, trouble)

@@ -16,13 +16,14 @@ from __future__ import annotations
 
 import json
 import secrets
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from .transplant import Piece, Transplant
+from .run import RunCell
+from .transplant import Transplant
 
-__all__ = ["BRIEFLY", "Asked", "Plan", "PlannedCell", "plan"]
+__all__ = ["BRIEFLY", "Asked", "RunPlan", "plan"]
 
 BRIEFLY = 0.2  # of the time, for what is left of a task
 
@@ -36,28 +37,11 @@ class Asked:
     again: bool = False  # behind the learner's own cells that follow the check
 
 
-@dataclass(frozen=True, slots=True)
-class PlannedCell:
-    """A cell to run, and the piece it came from.
-
-    Attributes:
-        probe: the id of the probe in it, if any.
-        shared: cells with the same word take the time of one cell together, ...
-        part: ... and of that no more than this.
-    """
-
-    piece: Piece
-    source: str
-    probe: str | None = None
-    shared: str = ""
-    part: float = 1.0
-
-
 @dataclass(frozen=True)
-class Plan:
+class RunPlan:
     """The cells in order, and what each probe asks."""
 
-    cells: tuple[PlannedCell, ...]
+    cells: tuple[RunCell, ...]
     asked: dict[str, Asked]
 
 
@@ -69,49 +53,65 @@ def plan(
     without: Collection[str] = (),
     closely: bool = False,
     cases_left: Mapping[str, Collection[int]] | None = None,
-) -> Plan:
+) -> RunPlan:
     """Return what to run to hear of the tasks in `wanted`.
 
     Args:
         tasks: by id, each with its "answer", "is_function", "given" and "cases".
-        without: names of pieces that are left out.
+        without: names of cells that are left out.
         closely: a cell for each case.
         cases_left: of some tasks, one case of which did not end, only these cases, and briefly.
     """
-    wanted = set(wanted)
-    givens = {task: held["given"] for task, held in tasks.items()}
-    ours = [f"from tflab.grading.kernels.probe import prepare as _prepare; _prepare({json.dumps(givens)!r})"]
-    cells: list[PlannedCell] = []
+    cells = [_preparation(tasks)]
     asked: dict[str, Asked] = {}
-    last = max((number for number, piece in enumerate(transplanted.pieces) if piece.task in wanted), default=-1)
-
-    def flush() -> None:
-        if ours and cells and cells[-1].probe:  # a cell less is a millisecond less
-            before = cells.pop()
-            cells.append(replace(before, source="\n".join([before.source, *ours])))
-        elif ours:
-            cells.append(PlannedCell(Piece("ours", "ours"), "\n".join(ours)))
-        ours.clear()
-
-    for place, piece in enumerate(transplanted.pieces[: last + 1]):
-        if piece.name in without:
-            continue
-        if piece.kind == "ours":
-            ours.append(piece.source)
-        elif piece.kind in ("own", "answer") or (piece.kind == "stub" and piece.task in wanted):
-            flush()
-            cells.append(PlannedCell(piece, piece.source))
-        elif piece.kind == "probe" and piece.task in wanted and piece.task in tasks:
-            flush()
-            again = piece.name.endswith("-again")
-            left = (cases_left or {}).get(piece.task)
-            part = 1.0 if left is None else BRIEFLY
-            for cases in _groups(tasks[piece.task], closely, left):
+    for place, cell in enumerate(_up_to_the_last(transplanted.cells, set(wanted))):
+        if cell.kind == "probe" and cell.task in wanted and cell.task in tasks:
+            left = (cases_left or {}).get(cell.task)
+            for cases in _groups(tasks[cell.task], closely, left):
                 identity = secrets.token_hex(8)
-                asked[identity] = Asked(piece.task, cases, again)
-                source = _probe(identity, tasks[piece.task], cases)
-                cells.append(PlannedCell(piece, source, identity, str(place), part))
-    return Plan(tuple(cells), asked)
+                asked[identity] = Asked(cell.task, cases, cell.name.endswith("-again"))
+                source = _probe(identity, tasks[cell.task], cases)
+                part = 1.0 if left is None else BRIEFLY
+                cells.append(replace(cell, source=source, probe=identity, shared=str(place), part=part))
+        elif cell.name not in without and _runs(cell, wanted):
+            cells.append(cell)
+    return RunPlan(tuple(_joined(cells)), asked)
+
+
+def _preparation(tasks: Mapping[str, Mapping[str, Any]]) -> RunCell:
+    givens = {task: held["given"] for task, held in tasks.items()}
+    say = "from tflab.grading.kernels.probe import prepare as _prepare; "
+    return RunCell("ours", "ours", f"{say}_prepare({json.dumps(givens)!r})")
+
+
+def _up_to_the_last(cells: Sequence[RunCell], wanted: Collection[str]) -> Sequence[RunCell]:
+    """Return the cells up to the last that has to do with a task that is wanted."""
+    last = max((number for number, cell in enumerate(cells) if cell.task in wanted), default=-1)
+    return cells[: last + 1]
+
+
+def _runs(cell: RunCell, wanted: Collection[str]) -> bool:
+    return cell.kind in ("ours", "own", "answer") or (cell.kind == "stub" and cell.task in wanted)
+
+
+def _joined(cells: Sequence[RunCell]) -> list[RunCell]:
+    """Return the cells with ours in one, behind the probe before them if there is one.
+
+    A cell less is a millisecond less.  What stands behind the last cell that is not ours is not needed.
+    """
+    joined: list[RunCell] = []
+    ours: list[str] = []
+    for cell in cells:
+        if cell.kind == "ours":
+            ours.append(cell.source)
+            continue
+        if ours and joined and joined[-1].probe:
+            joined[-1] = replace(joined[-1], source="\n".join([joined[-1].source, *ours]))
+        elif ours:
+            joined.append(RunCell("ours", "ours", "\n".join(ours)))
+        ours = []
+        joined.append(cell)
+    return joined
 
 
 def _groups(task: Mapping[str, Any], closely: bool, left: Collection[int] | None) -> list[tuple[int, ...]]:

@@ -1,123 +1,62 @@
 """How is one submission graded?  Its files become notebooks, each chapter's answers run, and a record comes out.
 
-    Job(learner, files, chapters)  --read, transplant, attempt, judge-->  {"points": 11.5, "chapters": {...}}
+    Job(learner, files, chapters)  --choose, transplant, attempt, mark-->  {"points": 11.5, "chapters": {...}}
 
-A job is plain data and holds all that is needed, so it can be done in any process,
-here or elsewhere.  Nothing that a submission does ends a job: every fault becomes a
-line in the record.  Read `plain_kernel.py` next.
+Nothing that a submission does ends a job: every fault becomes a line in the record.
+Read `plain_kernel.py` next.
 """
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
 
-from ..submissions.reader import SubmittedNotebook, Unreadable, read_notebook
 from ..submissions.remarks import Remark
-from .attempt import Attempt, NotRun, Ran, attempt
+from .attempt import Attempt, attempt
+from .cells import VOID
+from .choose import Candidate, choose
+from .job import Job
 from .marks import TaskMark, judged
-from .plan import PlannedCell
-from .transplant import Master, MasterCell, Transplant, answers_most, transplant
+from .run import NotRun, Run, RunCell, RunCells
+from .transplant import Transplant
 
-__all__ = ["File", "Job", "RunCells", "graded", "graded_twice", "record_with"]
+__all__ = ["graded", "graded_twice", "record_with"]
 
-if TYPE_CHECKING:
-    from ..kernels.limits import Limits  # which needs Linux
-
-RunCells = Callable[[Sequence[PlannedCell], "Limits"], Ran]
 ODD = {"raised", "raises", "unfit", "no result", "unstable"}  # more than a wrong number
-ANSWER = re.compile(r"(e\d{1,3}-\d{1,3})-answer")
-COPY = re.compile(r"-Copy\d+$|^Copy of |/Copy of |checkpoint$")
-WORTH_A_LINE = re.compile(r"(^|/)(notebooks|solutions)/")
 
 
 @dataclass(frozen=True)
-class File:
-    """A notebook as it was handed in: its bytes, or why there are none."""
+class GradedChapter:
+    """What came of one chapter: its part of the record, the tasks to be tried alone, and the time it took."""
 
-    name: str
-    data: bytes = b""
-    fault: Remark | None = None
-
-
-@dataclass(frozen=True)
-class Job:
-    """All that is needed to grade one submission.
-
-    Attributes:
-        chapters: by stem: "master" (name, source, task, role of each code cell) and "tasks" (as in the cases, with
-            this learner's "given" and hidden "cases").
-        only: by stem, the tasks to look at closely, alone; None for a first look at everything.
-    """
-
-    learner: str
-    name: str
-    language: str
-    release: str
-    version: str
-    files: tuple[File, ...]
-    chapters: Mapping[str, Mapping[str, Any]]
-    limits: Limits
-    remarks: tuple[Remark, ...] = ()
-    on_roster: bool = True
-    has_roster: bool = False
-    only: Mapping[str, Sequence[str]] | None = None
-
-
-@dataclass
-class _Chapter:
-    """The notebook that is graded for a chapter, and its transplant."""
-
-    file: File
-    notebook: SubmittedNotebook
-    transplanted: Transplant
-    remarks: list[Remark] = field(default_factory=list)
+    plain: Mapping[str, Any]
+    set_aside: Sequence[str] = ()
+    seconds: float = 0.0
 
 
 def graded(job: Job, run_cells: RunCells) -> dict[str, Any]:
     """Return the record of a submission, as JSON has it."""
-    remarks = list(job.remarks)
-    masters = {stem: _master(stem, chapter["master"]) for stem, chapter in job.chapters.items()}
-    found = _by_chapter(job, masters, remarks)
-    chapters: dict[str, Any] = {}
-    set_aside: dict[str, list[str]] = {}
-    seconds = 0.0
-    for stem, held in job.chapters.items():
-        if stem not in found:
-            if found or not job.only:
-                chapters[stem] = _not_handed_in(stem, held["tasks"], any_file=bool(job.files))
-            continue
-        one = found[stem]
-        wanted = [task for task in one.transplanted.answered if task in held["tasks"]]
-        if job.only is not None:
-            wanted = [task for task in wanted if task in job.only.get(stem, ())]
-        made = _attempted(one.transplanted, held["tasks"], wanted, job, run_cells)
-        verdicts = _verdicts(one.transplanted, held["tasks"], made, job.only.get(stem, ()) if job.only else None)
-        apart = _apart(one.transplanted, held["tasks"], verdicts, made, job, run_cells)
-        seconds += made.seconds
-        lines = [*one.remarks, *_about_cells(one.transplanted, verdicts), *made.remarks, *apart]
-        chapters[stem] = {
-            "file": one.file.name,
-            "tasks": {verdict.task: verdict.plain() for verdict in verdicts},
-            "remarks": [remark.plain() for remark in lines],
-        }
-        if made.set_aside and job.only is None:
-            set_aside[stem] = made.set_aside
-    record = {
+    chosen, on_files = choose(job)
+    chapters = {
+        stem: _graded_chapter(job, stem, chosen[stem], run_cells) if stem in chosen else _not_handed_in(job, stem)
+        for stem in job.chapters
+        if stem in chosen or chosen or not job.only
+    }
+    plain = {stem: chapter.plain for stem, chapter in chapters.items()}
+    return {
         "learner": job.learner,
         "name": job.name,
         "language": job.language,
         "on_roster": job.on_roster,
-        "handed_in": bool(found),
-        "chapters": chapters,
-        "remarks": [remark.plain() for remark in remarks],
-        "seconds": round(seconds, 3),
-        "set_aside": set_aside,
+        "handed_in": bool(chosen),
+        "chapters": plain,
+        "remarks": [remark.plain() for remark in (*job.remarks, *on_files)],
+        "seconds": round(sum(chapter.seconds for chapter in chapters.values()), 3),
+        "set_aside": {stem: list(chapter.set_aside) for stem, chapter in chapters.items() if chapter.set_aside},
+        **_sums(plain),
+        **_not_run(plain),
     }
-    not_run = any(remark["kind"] == "not run" for chapter in chapters.values() for remark in chapter["remarks"])
-    return record | _sums(chapters) | ({"not_run": True} if not_run else {})
 
 
 def graded_twice(job: Job, grade: Callable[[Job], dict[str, Any]]) -> dict[str, Any]:
@@ -129,7 +68,7 @@ def graded_twice(job: Job, grade: Callable[[Job], dict[str, Any]]) -> dict[str, 
 
 
 def record_with(record: dict[str, Any], alone: dict[str, Any]) -> dict[str, Any]:
-    """Return a record in which the tasks that were tried alone have their new verdicts."""
+    """Return a record in which the tasks that were tried alone have their new marks."""
     chapters = {stem: dict(chapter) for stem, chapter in record["chapters"].items()}
     for stem, chapter in alone["chapters"].items():
         if stem in record["set_aside"]:
@@ -141,124 +80,117 @@ def record_with(record: dict[str, Any], alone: dict[str, Any]) -> dict[str, Any]
     return kept | ({"not_run": True} if alone.get("not_run") else {})
 
 
-def _master(stem: str, cells: Iterable[Sequence[str]]) -> Master:
-    return Master(stem, tuple(MasterCell(*cell) for cell in cells))
+# -- one chapter ---------------------------------------------------------------------------
 
 
-def _by_chapter(job: Job, masters: Mapping[str, Master], remarks: list[Remark]) -> dict[str, _Chapter]:
-    """Return for each chapter the notebook that counts, with what is to be said of the others."""
-    candidates: dict[str, list[_Chapter]] = {}
-    strangers = []
-
-    def add(stem: str, file: File, notebook: SubmittedNotebook) -> None:
-        lines = [Remark("file", file=file.name, why=why) for why in notebook.remarks]
-        lines += _stamp_remarks(job, file.name, notebook)
-        transplanted = transplant(masters[stem], notebook)
-        candidates.setdefault(stem, []).append(_Chapter(file, notebook, transplanted, lines))
-
-    for file in job.files:
-        if file.fault is not None:
-            remarks.append(Remark("unreadable", file=file.name, why=file.fault))
-            continue
-        try:
-            notebook = read_notebook(file.data)
-        except Unreadable as error:
-            remarks.append(Remark("unreadable", file=file.name, why=error.remark))
-            continue
-        stem = _chapter_of(notebook, masters)
-        if stem is None:
-            strangers.append((file, notebook))
-        else:
-            add(stem, file, notebook)
-    for file, notebook in strangers:  # all in one cell of their own, perhaps
-        stem = notebook.stamp.get("chapter")
-        if stem in masters and stem not in candidates and answers_most(masters[stem], notebook):
-            add(stem, file, notebook)
-    taken = {one.file.name for several in candidates.values() for one in several}
-    for name in [file.name for file, _ in strangers if file.name not in taken]:
-        if not candidates or (any(stem in name for stem in masters) and not WORTH_A_LINE.search(name)):
-            remarks.append(Remark("no exercise", file=name))
-    chosen = {}
-    for stem, several in candidates.items():
-        best = max(several, key=lambda one: (len(one.transplanted.answered), _age(one.file.name)))
-        others = [one for one in several if one is not best and one.transplanted.answered]
-        if any(_texts(one) != _texts(best) for one in others):
-            best.remarks.append(Remark("several", chapter=stem, file=best.file.name))
-        chosen[stem] = best
-    known = {cell.name for master in masters.values() for cell in master.cells}
-    for stem, one in chosen.items():
-        claims = {claim for cell in one.notebook.cells for claim in cell.claims[:1]} - known
-        tasks = sorted(match[1] for match in map(ANSWER.fullmatch, claims) if match)
-        chosen[stem].remarks.extend(
-            Remark("unknown task", file=one.file.name, stamp=task.upper().replace("-", ".")) for task in tasks[:5]
-        )
-    return chosen
-
-
-def _age(name: str) -> tuple[bool, list[tuple[int, str]]]:
-    """Return what sorts a later attempt behind an earlier one, by its name; an editor's copies come first."""
-    stem = name.rpartition(".")[0]
-    runs = re.findall(r"\d+|\D+", stem)
-    return not COPY.search(stem), [(int(run[:18]), "") if run.isdecimal() else (-1, run) for run in runs]
-
-
-def _texts(one: _Chapter) -> list[tuple[str, str]]:
-    return [(piece.name, piece.source) for piece in one.transplanted.pieces]
-
-
-def _chapter_of(notebook: SubmittedNotebook, masters: Mapping[str, Master]) -> str | None:
-    """Return the chapter most of whose task cells are in a notebook, whatever the file says it is."""
-    claims = {claim for cell in notebook.cells for claim in cell.claims}
-    texts = {cell.source.strip() for cell in notebook.cells if cell.kind == "code"}
-    share = {
-        stem: sum(cell.name in claims or cell.source.strip() in texts for cell in master.cells if cell.task)
-        for stem, master in masters.items()
+def _graded_chapter(job: Job, stem: str, candidate: Candidate, run_cells: RunCells) -> GradedChapter:
+    """Return what came of the notebook that counts for a chapter."""
+    grader = ChapterGrader(job, job.chapters[stem]["tasks"], candidate.transplanted, run_cells)
+    only = job.only.get(stem, ()) if job.only is not None else None
+    wanted = [task for task in grader.answered if only is None or task in only]
+    first = grader.attempt(wanted, alone=job.only is not None)
+    marks = grader.marks(first, only if job.only else None)
+    better = dict(grader.better_apart(marks, first))
+    marks = [better[mark.task].mark if mark.task in better else mark for mark in marks]
+    remarks = [*candidate.remarks, *_about_cells(candidate.transplanted, marks), *first.remarks]
+    remarks += [Remark("apart", task) for task, tried in better.items() if tried.counts]
+    plain = {
+        "file": candidate.file,
+        "tasks": {mark.task: mark.plain() for mark in marks},
+        "remarks": [remark.plain() for remark in remarks],
     }
-    best = max(share, key=lambda stem: share[stem], default=None)
-    return best if best is not None and share[best] else None
+    seconds = first.seconds + sum(tried.seconds for tried in better.values())
+    return GradedChapter(plain, first.set_aside if job.only is None else (), seconds)
 
 
-def _stamp_remarks(job: Job, name: str, notebook: SubmittedNotebook) -> list[Remark]:
-    stamp, lines = notebook.stamp, []
-    if stamp.get("release") and stamp["release"] != job.release:
-        lines.append(Remark("other release", file=name, stamp=stamp["release"][:16], ours=job.release))
-    elif stamp.get("version") and stamp["version"] != job.version:
-        lines.append(Remark("other version", file=name, stamp=stamp["version"][:16], ours=job.version))
-    if job.has_roster and stamp.get("learner") and stamp["learner"] != job.learner:
-        lines.append(Remark("other learner", file=name, stamp=stamp["learner"][:64], ours=job.learner))
-    return lines
+@dataclass(frozen=True)
+class TriedApart:
+    """What a task got without the other answers around it, or before; and whether that is better."""
+
+    mark: TaskMark
+    seconds: float
+    counts: bool
 
 
-def _attempted(
-    transplanted: Transplant,
-    tasks: Mapping[str, Any],
-    wanted: Sequence[str],
-    job: Job,
-    run_cells: RunCells,
-    leave_out: Sequence[str] = (),
-) -> Attempt:
-    alone = job.only is not None and not leave_out
-    patient = job.limits.times(3)
+@dataclass(frozen=True)
+class ChapterGrader:
+    """Runs a chapter's answers, together or apart, and marks what comes out."""
 
-    def run(cells: Sequence[PlannedCell], patiently: bool) -> Ran:
-        return run_cells(cells, patient if patiently else job.limits)
+    job: Job
+    tasks: Mapping[str, Any]
+    transplanted: Transplant
+    run_cells: RunCells
 
-    for last_time in (False, True):
-        try:
+    @property
+    def answered(self) -> list[str]:
+        """The tasks that are worth a look."""
+        return [task for task in self.transplanted.answered if task in self.tasks]
+
+    def attempt(self, wanted: Sequence[str], *, alone: bool = False, leave_out: Sequence[str] = ()) -> Attempt:
+        """Run what it takes to hear of some tasks; if our own cells do not run, once more."""
+        usual = self.job.limits
+        patient = usual.times(3)
+
+        def run(cells: Sequence[RunCell], patiently: bool) -> Run:
+            return self.run_cells(cells, patient if patiently else usual)
+
+        def once() -> Attempt:
             return attempt(
-                transplanted, tasks, run, wanted=wanted, cell_s=job.limits.cell_s,
-                notebook_s=(patient if alone else job.limits).notebook_s, closely=alone, leave_out=leave_out,
+                self.transplanted, self.tasks, run, wanted=wanted, cell_s=usual.cell_s,
+                notebook_s=(patient if alone else usual).notebook_s, closely=alone, leave_out=leave_out,
             )  # fmt: skip
+
+        try:
+            return once()
+        except NotRun:
+            pass
+        try:
+            return once()
         except NotRun as error:
-            if last_time:
-                line = Remark("not run", why=error)
-                return Attempt(trouble={task: [line] for task in wanted}, set_aside=list(wanted), remarks=[line])
-    raise AssertionError("unreachable")
+            line = Remark("not run", why=error)
+            return Attempt(trouble={task: [line] for task in wanted}, set_aside=list(wanted), remarks=[line])
+
+    def marks(self, made: Attempt, only: Sequence[str] | None = None) -> list[TaskMark]:
+        """Return what the tasks got."""
+        return [self._mark(task_id, made) for task_id in self.tasks if only is None or task_id in only]
+
+    def _mark(self, task_id: str, made: Attempt) -> TaskMark:
+        task = self.tasks[task_id]
+        void = [remark for remark in self.transplanted.remarks if remark.task == task_id and remark.kind in VOID]
+        trouble = void or made.trouble.get(task_id, [])
+        if task_id not in self.transplanted.answered and not trouble:
+            return judged(task_id, task, _nothing(task))
+        return judged(task_id, task, made.outcomes.get(task_id, {}), trouble)
+
+    def better_apart(self, marks: Sequence[TaskMark], first: Attempt) -> Iterator[tuple[str, TriedApart]]:
+        """Run what failed oddly once more, without the other answers: one of these may have got in its way.
+
+        An answer that took another name's place (`math = 3`, a patched function) spoils what follows. A slow
+        notebook is not run again for each of its tasks.
+        """
+        seconds, enough = first.seconds, first.seconds + self.job.limits.notebook_s
+        for mark in marks:
+            if seconds > enough:
+                return
+            if not self._failed_oddly(mark) or mark.task in first.set_aside:
+                continue
+            others = [task for task in self.transplanted.answered if task != mark.task]
+            if not others:
+                continue
+            alone = self.attempt([mark.task], leave_out=others)
+            seconds += alone.seconds
+            again = self.marks(alone, [mark.task])[0]
+            counts = again.points > mark.points and not alone.set_aside
+            yield mark.task, TriedApart(again if counts else mark, alone.seconds, counts)
+
+    def _failed_oddly(self, mark: TaskMark) -> bool:
+        odd = ODD & {remark.kind for remark in mark.remarks}
+        return bool(odd) and mark.points < mark.most and mark.task in self.transplanted.answered
 
 
-def _about_cells(transplanted: Transplant, verdicts: Sequence[TaskMark]) -> list[Remark]:
+def _about_cells(transplanted: Transplant, marks: Sequence[TaskMark]) -> list[Remark]:
     """Return the remarks on cells; of a lost cell whose answer was found elsewhere, that it was."""
-    found = {verdict.task for verdict in verdicts if verdict.points}
+    found = {mark.task for mark in marks if mark.points}
     return [
         Remark("elsewhere", remark.task, **remark.words)
         if remark.kind == "missing" and remark.task in found
@@ -267,65 +199,26 @@ def _about_cells(transplanted: Transplant, verdicts: Sequence[TaskMark]) -> list
     ]
 
 
-def _apart(
-    transplanted: Transplant,
-    tasks: Mapping[str, Any],
-    verdicts: list[TaskMark],
-    made: Attempt,
-    job: Job,
-    run_cells: RunCells,
-) -> list[Remark]:
-    """Run what failed oddly once more, without the other answers: one of them may have got in its way.
-
-    An answer that took another name's place (`math = 3`, a patched function) spoils what follows; what is better
-    counts, and is put into `verdicts`.
-    """
-    remarks = []
-    enough = made.seconds + job.limits.notebook_s  # a slow notebook is not run again for each of its tasks
-    for number, verdict in enumerate(verdicts):
-        if made.seconds > enough:
-            break
-        others = [task for task in transplanted.answered if task != verdict.task]
-        odd = verdict.points < verdict.most and ODD & {remark.kind for remark in verdict.remarks}
-        if not odd or not others or verdict.task not in transplanted.answered or verdict.task in made.set_aside:
-            continue
-        alone = _attempted(transplanted, tasks, [verdict.task], job, run_cells, leave_out=others)
-        made.seconds += alone.seconds
-        better = _verdicts(transplanted, tasks, alone, [verdict.task])[0]
-        if better.points > verdict.points and not alone.set_aside:
-            verdicts[number] = better
-            remarks.append(Remark("apart", verdict.task))
-    return remarks
+def _not_handed_in(job: Job, stem: str) -> GradedChapter:
+    tasks = job.chapters[stem]["tasks"]
+    rows = {
+        task_id: judged(task_id, task, _nothing(task)).plain() | {"status": "missing", "remarks": []}
+        for task_id, task in tasks.items()
+    }
+    remarks = [Remark("nothing", chapter=stem).plain()] if job.files else []
+    return GradedChapter({"file": "", "tasks": rows, "remarks": remarks})
 
 
-def _verdicts(
-    transplanted: Transplant, tasks: Mapping[str, Any], made: Attempt, only: Sequence[str] | None
-) -> list[TaskMark]:
-    verdicts = []
-    for task_id, task in tasks.items():
-        if only is not None and task_id not in only:
-            continue
-        trouble = [
-            remark for remark in transplanted.remarks if remark.task == task_id and remark.kind in ("twice", "no code")
-        ]
-        trouble = trouble or made.trouble.get(task_id, [])
-        if task_id not in transplanted.answered and not trouble:
-            outcomes: Mapping[int, Any] = {number: {"unanswered": True} for number in range(len(task["cases"]))}
-        else:
-            outcomes = made.outcomes.get(task_id, {})
-        verdicts.append(judged(task_id, task, outcomes, trouble))
-    return verdicts
-
-
-def _not_handed_in(stem: str, tasks: Mapping[str, Any], any_file: bool) -> dict[str, Any]:
-    rows = {}
-    for task_id, task in tasks.items():
-        nothing = {number: {"unanswered": True} for number in range(len(task["cases"]))}
-        rows[task_id] = judged(task_id, task, nothing).plain() | {"status": "missing", "remarks": []}
-    remarks = [Remark("nothing", chapter=stem).plain()] if any_file else []
-    return {"file": "", "tasks": rows, "remarks": remarks}
+def _nothing(task: Mapping[str, Any]) -> dict[int, Any]:
+    """Return the outcomes of a task that nobody answered."""
+    return {number: {"unanswered": True} for number in range(len(task["cases"]))}
 
 
 def _sums(chapters: Mapping[str, Any]) -> dict[str, float]:
     rows = [row for chapter in chapters.values() for row in chapter["tasks"].values()]
     return {name: round(sum(row[name] for row in rows), 3) + 0.0 for name in ("points", "most")}
+
+
+def _not_run(chapters: Mapping[str, Any]) -> dict[str, bool]:
+    kinds = {remark["kind"] for chapter in chapters.values() for remark in chapter["remarks"]}
+    return {"not_run": True} if "not run" in kinds else {}

@@ -1,6 +1,7 @@
 """Kernels that are there before they are asked for, behind a wall, and gone without a trace.
 
     limits       how much a submission may take
+    rlimits      which of that the operating system enforces
     sandbox      which wall this machine has
     namespaces   the first: a process that sees nothing
     seccomp      which system calls are refused

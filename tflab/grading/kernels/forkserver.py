@@ -81,12 +81,12 @@ def fork_or_none() -> int | None:
 
 
 def be_one(wire: socket.socket, order: dict[str, Any]) -> None:
-    from . import namespaces, seccomp
+    from . import namespaces, rlimits, seccomp
     from .limits import Limits
 
     kernel = prepare()
     silence()
-    Limits(**order["limits"]).apply()
+    rlimits.apply(Limits(**order["limits"]))
     namespaces.become_nobody(order["uid"])
     seccomp.refuse_dangerous_calls()
     serve(kernel, wire)

@@ -24,17 +24,17 @@ import threading
 from types import SimpleNamespace
 from typing import Any
 
+from .probe import PROBE_TYPE
 from .wire import Wire
 
-__all__ = ["PROBE_MIME", "build", "serve", "warm_up"]
+__all__ = ["build", "serve", "warm_up"]
 
-PROBE_MIME = "application/vnd.tflab.probe+json"
 LONGEST_TEXT = 2000
 LONGEST_CODE = 64 << 20
 WARMING = (
     "x = {'a': [1, 2.5], 'b': (None, True)}\nprint(x)",
     'import math\ndef f(x, y):\n    """Return something."""\n    return math.hypot(x, y)  # [m]\nf(3, 4)',
-    f"from IPython.display import display\ndisplay({{{PROBE_MIME!r}: {{'id': '', 'v': [x]}}}}, raw=True)",
+    f"from IPython.display import display\ndisplay({{{PROBE_TYPE!r}: {{'id': '', 'v': [x]}}}}, raw=True)",
     "1 / 0",
 )
 
@@ -133,9 +133,9 @@ def what_grading_reads(message: dict[str, Any]) -> bytes | None:
         content = words | {"traceback": []}
     elif kind in ("display_data", "execute_result"):
         data = content.get("data") or {}
-        if PROBE_MIME not in data:
+        if PROBE_TYPE not in data:
             return None
-        content = {"data": {PROBE_MIME: data[PROBE_MIME]}, "metadata": {}}
+        content = {"data": {PROBE_TYPE: data[PROBE_TYPE]}, "metadata": {}}
         kind = "display_data"
     else:
         return None

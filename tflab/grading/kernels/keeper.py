@@ -27,7 +27,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from . import bubblewrap, landlock, namespaces, seccomp
+from . import bubblewrap, landlock, namespaces, rlimits, seccomp
 from .limits import Limits
 from .wire import Wire
 
@@ -102,7 +102,7 @@ def in_namespaces(order: Order) -> int:
     def enter() -> None:
         uid = order.uid if os.getuid() == 0 else namespaces.LEARNER_UID
         namespaces.furnish(order.shown, order.hidden, order.limits.file_bytes, uid)
-        order.limits.apply()
+        rlimits.apply(order.limits)
         namespaces.become_nobody(order.uid)
 
     namespaces.leave()
@@ -124,7 +124,7 @@ def in_limits(order: Order) -> int:
         os.chdir(order.folder)
         os.environ.update(HOME=order.folder, TMPDIR=order.folder, MPLCONFIGDIR=order.folder)
         tempfile.tempdir = None
-        order.limits.apply()
+        rlimits.apply(order.limits)
         namespaces.become_nobody(uid)
         landlock.confine(order.shown, order.hidden, order.folder)
 

@@ -4,15 +4,14 @@
     Limits().times(3)         the second chance after a deadline: three times the time
 
 Time is enforced by the grader, by its own clock; memory by the keeper of the kernel, which
-looks at all its processes together; the rest by the kernel of the operating system
-(`setrlimit`), as a second net also for time and memory.
+looks at all its processes together; the rest by the kernel of the operating system.
+Where there is no wall (`tflab check` on another system) only the time is limited.
 
-Read `sandbox.py` next.
+Read `rlimits.py` next.
 """
 
 from __future__ import annotations
 
-import resource
 from dataclasses import asdict, dataclass, replace
 
 __all__ = ["Limits"]
@@ -40,27 +39,3 @@ class Limits:
     def times(self, factor: float) -> Limits:
         """Return the same limits with `factor` times the time."""
         return replace(self, cell_s=self.cell_s * factor, notebook_s=self.notebook_s * factor)
-
-    def apply(self) -> None:
-        """Limit this process and those it will start, for good."""
-        cpu_s = int(self.notebook_s) + 5  # a second net below the grader's clock
-        hard = {
-            resource.RLIMIT_AS: virtual_memory() + 2 * self.memory_bytes,
-            resource.RLIMIT_CPU: cpu_s,
-            resource.RLIMIT_FSIZE: self.file_bytes,
-            resource.RLIMIT_NOFILE: 256,
-            resource.RLIMIT_NPROC: self.processes,
-            resource.RLIMIT_CORE: 0,
-            resource.RLIMIT_MSGQUEUE: 0,
-            resource.RLIMIT_MEMLOCK: MIB,
-        }
-        for limit, value in hard.items():
-            _, most = resource.getrlimit(limit)
-            value = value if most == resource.RLIM_INFINITY else min(value, most)
-            resource.setrlimit(limit, (value, value))
-
-
-def virtual_memory() -> int:
-    """Return the size of this process's address space [bytes]."""
-    with open("/proc/self/statm", encoding="ascii") as statm:
-        return int(statm.read().split()[0]) * resource.getpagesize()

@@ -1,0 +1,38 @@
+"""Which limits does the operating system enforce?  What `setrlimit` knows, for a process and all that it starts.
+
+The grader's clock and the keeper's look at memory come first; this is a second net below
+them.  `setrlimit(2)` says more.  Read `sandbox.py` next.
+"""
+
+from __future__ import annotations
+
+import resource
+
+from .limits import MIB, Limits
+
+__all__ = ["apply"]
+
+
+def apply(limits: Limits) -> None:
+    """Limit this process and those it will start, for good."""
+    cpu_s = int(limits.notebook_s) + 5  # above the grader's clock
+    hard = {
+        resource.RLIMIT_AS: virtual_memory() + 2 * limits.memory_bytes,
+        resource.RLIMIT_CPU: cpu_s,
+        resource.RLIMIT_FSIZE: limits.file_bytes,
+        resource.RLIMIT_NOFILE: 256,
+        resource.RLIMIT_NPROC: limits.processes,
+        resource.RLIMIT_CORE: 0,
+        resource.RLIMIT_MSGQUEUE: 0,
+        resource.RLIMIT_MEMLOCK: MIB,
+    }
+    for limit, value in hard.items():
+        _, most = resource.getrlimit(limit)
+        value = value if most == resource.RLIM_INFINITY else min(value, most)
+        resource.setrlimit(limit, (value, value))
+
+
+def virtual_memory() -> int:
+    """Return the size of this process's address space [bytes]."""
+    with open("/proc/self/statm", encoding="ascii") as statm:
+        return int(statm.read().split()[0]) * resource.getpagesize()
