@@ -67,13 +67,13 @@ SHARED_NAMES = {
     "TimeoutException": "rclpy's class, and tf2's",
 }
 NOT_YET_UNIQUE = {
-    "Batch", "Box", "Cell", "Command", "Edge", "Fault", "Kernel", "Label", "Link", "Mesh", "Message", "Outcome",
-    "PageError", "Path", "Plan", "Sample", "Scene", "Tree", "Verdict",
+    "Box", "Command", "Edge", "Fault", "Kernel", "Label", "Link", "Mesh", "Message",
+    "PageError", "Path", "Sample", "Scene", "Tree",
 }  # fmt: skip
 NOT_YET_SIMPLE = {
-    "_by_chapter", "_by_learner", "_cells", "_draw_lanes", "_new_round", "_output_faults", "_pairs", "_reply",
-    "_source", "_special", "_task", "attempt", "build", "collect", "credited", "declare_parameter",
-    "find_path", "graded", "plan", "pose_of", "slides_of", "transplant",
+    "_by_learner", "_cells", "_draw_lanes", "_new_round", "_output_faults", "_pairs", "_reply",
+    "_source", "_special", "_task", "build", "collect", "credited", "declare_parameter",
+    "find_path", "plan", "pose_of", "slides_of",
 }  # fmt: skip
 NOT_YET_SHORT = {"tflab.core.buffer"}
 NOT_YET_APART = {

@@ -29,7 +29,7 @@ WORTH_A_LINE = re.compile(r"(^|/)(notebooks|solutions)/")
 MOST_UNKNOWN_TASKS = 5
 
 
-class Page(NamedTuple):
+class ReadFile(NamedTuple):
     """A file that could be read."""
 
     file: HandedIn
@@ -40,7 +40,7 @@ class Page(NamedTuple):
 class Candidate:
     """A notebook that may be graded for a chapter, and what is to be said about it."""
 
-    page: Page
+    page: ReadFile
     transplanted: Transplant
     remarks: tuple[Remark, ...] = ()
 
@@ -62,14 +62,14 @@ def choose(job: Job) -> tuple[dict[str, Candidate], tuple[Remark, ...]]:
     return chosen, (*unreadable, *_remarks_on_the_rest(rest, masters, nothing_found=not found))
 
 
-def _pages(files: Sequence[HandedIn]) -> tuple[list[Page], list[Remark]]:
+def _pages(files: Sequence[HandedIn]) -> tuple[list[ReadFile], list[Remark]]:
     """Return the files that are notebooks, and why the others are not."""
     pages, remarks = [], []
     for file in files:
         fault = file.fault
         if fault is None:
             try:
-                pages.append(Page(file, read_notebook(file.data)))
+                pages.append(ReadFile(file, read_notebook(file.data)))
             except Unreadable as error:
                 fault = error.remark
         if fault is not None:
@@ -77,7 +77,7 @@ def _pages(files: Sequence[HandedIn]) -> tuple[list[Page], list[Remark]]:
     return pages, remarks
 
 
-def _candidates(pages: Sequence[Page], masters: Mapping[str, Master], job: Job) -> dict[str, list[Candidate]]:
+def _candidates(pages: Sequence[ReadFile], masters: Mapping[str, Master], job: Job) -> dict[str, list[Candidate]]:
     """Return the notebooks of each chapter; of one nobody handed in, those that say they are and answer most of it."""
     found: dict[str, list[Candidate]] = {}
     strangers = []
@@ -94,7 +94,7 @@ def _candidates(pages: Sequence[Page], masters: Mapping[str, Master], job: Job) 
     return found
 
 
-def _candidate(page: Page, master: Master, job: Job) -> Candidate:
+def _candidate(page: ReadFile, master: Master, job: Job) -> Candidate:
     remarks = [Remark("file", file=page.file.name, why=why) for why in page.notebook.remarks]
     return Candidate(page, transplant(master, page.notebook), (*remarks, *_remarks_on_the_stamp(page, job)))
 
@@ -139,7 +139,7 @@ def _with_unknown_tasks(candidate: Candidate, known: set[str]) -> Candidate:
     return replace(candidate, remarks=(*candidate.remarks, *lines))
 
 
-def _remarks_on_the_stamp(page: Page, job: Job) -> list[Remark]:
+def _remarks_on_the_stamp(page: ReadFile, job: Job) -> list[Remark]:
     stamp, name, lines = page.notebook.stamp, page.file.name, []
     if stamp.get("release") and stamp["release"] != job.release:
         lines.append(Remark("other release", file=name, stamp=stamp["release"][:16], ours=job.release))
@@ -150,7 +150,9 @@ def _remarks_on_the_stamp(page: Page, job: Job) -> list[Remark]:
     return lines
 
 
-def _remarks_on_the_rest(rest: Sequence[Page], masters: Mapping[str, Master], *, nothing_found: bool) -> list[Remark]:
+def _remarks_on_the_rest(
+    rest: Sequence[ReadFile], masters: Mapping[str, Master], *, nothing_found: bool
+) -> list[Remark]:
     """Return a line for each notebook of no chapter that calls itself one, or for all if there is no other."""
     names = [page.file.name for page in rest]
     calls_itself_one = [any(stem in name for stem in masters) and not WORTH_A_LINE.search(name) for name in names]
