@@ -197,7 +197,7 @@ draw_placed({"balls on the map": np.array(finder.balls)}, things=[BALL], shown_m
 # The ring is the ball. The dots are where the map says it is.
 #
 # Not one dot lies in the ring.
-# The map shows four or five balls, in two gangs, one on either side of the real one: 0.18 m off on average, 0.31 m at worst.
+# The map shows four or five balls, in two gangs, one on either side of the real one: 0.20 m off on average, 0.28 m at worst.
 # A gripper would close on air, with great confidence.
 #
 # The mathematics was right, and so was the tree.
@@ -207,7 +207,7 @@ draw_placed({"balls on the map": np.array(finder.balls)}, things=[BALL], shown_m
 # 고리가 실제 공이고, 점은 지도가 말하는 공의 위치입니다.
 #
 # 고리 안에 든 점은 하나도 없습니다.
-# 지도에는 공이 네다섯 개, 진짜 공의 양쪽에 두 무리로 나타납니다. 평균 0.18 m, 최대 0.31 m 빗나갔습니다.
+# 지도에는 공이 네다섯 개, 진짜 공의 양쪽에 두 무리로 나타납니다. 평균 0.20 m, 최대 0.28 m 빗나갔습니다.
 # 그리퍼라면 자신 있게 허공을 움켜쥐었을 것입니다.
 #
 # 수학도 트리도 맞았습니다.
@@ -612,11 +612,11 @@ draw_placed(ways, things=[BALL], shown_m=(5.8, -2.0, 7.2, -1.0))
 
 # %% [markdown] lang="en" name="one-ball-again"
 # One ball. Same forty messages, same buffer, same robot; only the third argument changed.
-# What is left, 2.5 cm on average, is the camera's noise and the localiser's.
+# What is left, 2 cm on average, is the camera's noise and the localiser's.
 
 # %% [markdown] lang="ko" name="one-ball-again"
 # 공이 하나입니다. 같은 메시지 마흔 개, 같은 버퍼, 같은 로봇이고, 바뀐 것은 셋째 인자뿐입니다.
-# 남은 오차(평균 2.5 cm)는 카메라와 위치 추정의 잡음입니다.
+# 남은 오차(평균 2 cm)는 카메라와 위치 추정의 잡음입니다.
 
 # %% [markdown] lang="en" name="faded" slide="slide"
 # ## Your turn, with two blanks
@@ -748,7 +748,7 @@ draw_placed(ways, walls=ROOM.walls)
 # In RViz people call this "the walls are smeared", and begin to look for a broken laser.
 # Far walls swing most: that is range × yaw rate × delay again.
 #
-# The left picture is not perfect either: 4 cm on average, up to 26 cm.
+# The left picture is not perfect either: 4 cm on average, up to 27 cm.
 # A sweep takes 0.1 s, and the header's stamp is that of its *first* ray. The last one is 0.1 s younger.
 # That is [[motion distortion]], and you know the cure by now: ask for each ray at its own moment.
 
@@ -756,7 +756,7 @@ draw_placed(ways, walls=ROOM.walls)
 # RViz에서 흔히 "스캔이 벽에 번진다"고 말하는 증상입니다. 그러고는 고장 난 레이저부터 찾기 시작합니다.
 # 먼 벽일수록 크게 흔들립니다. 이번에도 거리 × yaw 각속도 × 지연입니다.
 #
-# 왼쪽 그림도 완벽하지는 않습니다. 평균 4 cm, 최대 26 cm 어긋납니다.
+# 왼쪽 그림도 완벽하지는 않습니다. 평균 4 cm, 최대 27 cm 어긋납니다.
 # 한 바퀴 훑는 데 0.1초가 걸리고, 헤더의 측정 시각은 *첫* 광선의 시각입니다. 마지막 광선은 0.1초 뒤에 쟀습니다.
 # 이것이 [[motion distortion|움직임 왜곡(motion distortion)]]이고, 해결책은 이미 압니다. 광선마다 자기 시각으로 물으면 됩니다.
 
@@ -809,14 +809,14 @@ print(answered, "answered,", len(refusals), "refused. The first refusal:")
 print(refusals[0])
 
 # %% [markdown] lang="en" name="slow-odometry-read" tags=["predicted"] slide="subslide"
-# Fewer than one in three.
+# One in three.
 # A sighting is answered only if a sample of *each* lane is at least as young as it is, and for most of each second the newest odometry is older.
 #
 # Three ways out, in this order: publish odometry faster; let the message wait until the lane has caught up (chapter 09); or drop it.
 # `Time()` is not among them. It always answers, with a pose that is up to a second old.
 
 # %% [markdown] lang="ko" name="slow-odometry-read" tags=["predicted"] slide="subslide"
-# 셋 중 하나도 되지 않습니다.
+# 셋 중 하나뿐입니다.
 # *모든* 차선에 관측과 측정 시각이 같거나 더 새로운 표본이 하나씩 있어야 답이 나옵니다. 그런데 1초 중 대부분의 시간에는 가장 새로운 오도메트리조차 관측보다 오래된 것입니다.
 #
 # 빠져나갈 길은 셋이고 순서도 이렇습니다. 오도메트리를 더 자주 발행합니다. 차선이 따라올 때까지 메시지를 기다리게 합니다(09장). 아니면 버립니다.
@@ -981,7 +981,7 @@ draw_moments(poses, (ball.x, ball.y, ball.z), "ball")
 #
 # <details><summary>A. Ask for <code>Time()</code> instead of the stamp.</summary>
 #
-# The error goes, and each point is now moved with a pose of another moment. On a turning robot that was 18 cm in our room. You traded a loud error for a silent one.
+# The error goes, and each point is now moved with a pose of another moment. On a turning robot that was 20 cm in our room. You traded a loud error for a silent one.
 #
 # </details>
 #
@@ -1011,7 +1011,7 @@ draw_moments(poses, (ball.x, ball.y, ball.z), "ball")
 #
 # <details><summary>A. 측정 시각 대신 <code>Time()</code>으로 묻습니다.</summary>
 #
-# 오류는 사라지고, 이제 점마다 다른 순간의 자세로 옮겨집니다. 우리 방에서 도는 로봇은 그렇게 18 cm를 틀렸습니다. 시끄러운 오류를 조용한 오차와 맞바꾼 셈입니다.
+# 오류는 사라지고, 이제 점마다 다른 순간의 자세로 옮겨집니다. 우리 방에서 도는 로봇은 그렇게 20 cm를 틀렸습니다. 시끄러운 오류를 조용한 오차와 맞바꾼 셈입니다.
 #
 # </details>
 #

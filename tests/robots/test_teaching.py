@@ -7,6 +7,7 @@ import pytest
 import yaml
 
 from tflab.core import LATEST, seconds
+from tflab.robots import teaching
 from tflab.robots.kinematics import link_transform
 from tflab.robots.motion import Drive, Leg
 from tflab.robots.readings import Detection, JointReading, OdometryReading, Scan
@@ -174,3 +175,19 @@ def test_the_urdf_survives_a_command_line_where_parameters_are_yaml():
     # As on a robot, a ": " or " #" in -p robot_description:="$(cat tf_lab_robot.urdf)" would break it.
     on_one_line = parse_urdf(yaml.safe_load(teaching_urdf())).joint("base_to_laser")
     assert replace(on_one_line, line=0) == replace(TeachingRobot().model.joint("base_to_laser"), line=0)
+
+
+def test_a_source_added_before_all_others_changes_nothing_of_what_they_say(monkeypatch):
+    before = TeachingRobot().records(until_s=3.0), TeachingRobot().readings(until_s=3.0)
+    monkeypatch.setattr(teaching, "SOURCES", {"sonar": Source("sonar_driver", 5.0, 0.010, 0.002), **SOURCES})
+    assert (TeachingRobot().records(until_s=3.0), TeachingRobot().readings(until_s=3.0)) == before
+
+
+def test_sensors_that_measure_at_one_moment_do_not_share_their_chance():
+    robot = TeachingRobot()
+    laser, imu = robot.laser.scan_at(seconds(2.0)), robot.imu.reading_at(seconds(2.0))
+    quiet = replace(robot.laser, sigma_m=0.0).scan_at(seconds(2.0))
+    still = replace(robot.imu, sigma_radps=0.0).reading_at(seconds(2.0))
+    of_laser = (laser.ranges[0] - quiet.ranges[0]) / robot.laser.sigma_m
+    of_imu = (imu.angular_velocity[0] - still.angular_velocity[0]) / robot.imu.sigma_radps
+    assert of_laser != pytest.approx(of_imu)

@@ -18,6 +18,7 @@ import numpy as np
 
 from tflab.core import seconds
 
+from .chance import chance
 from .motion import Drive, PlanarPose
 from .odometry import WheelOdometry
 
@@ -63,5 +64,5 @@ class Localizer:
         truth = self._drive.pose_at(scan_ns)
         if scan_ns <= self._drive.start_ns:
             return truth
-        error = np.random.default_rng([self._seed, scan_ns]).standard_normal(3) * self._sigmas
+        error = chance(self._seed, "localization", scan_ns).standard_normal(3) * self._sigmas
         return PlanarPose(*(np.array(truth) + error).tolist())

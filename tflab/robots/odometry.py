@@ -20,6 +20,7 @@ import numpy as np
 
 from tflab.core import NSEC_PER_SEC
 
+from .chance import chance
 from .motion import Drive, PlanarPose
 
 __all__ = ["STEP_NS", "TRACK_M", "WHEEL_RADIUS_M", "WheelOdometry"]
@@ -45,9 +46,9 @@ class WheelOdometry:
         steps = -(-(drive.end_ns - drive.start_ns) // STEP_NS)
         way, turned = np.diff(drive.rolled_at(drive.start_ns + STEP_NS * np.arange(steps + 1)), axis=0).T
         left, right = way - turned * TRACK_M / 2.0, way + turned * TRACK_M / 2.0
-        chance = np.random.default_rng(seed).standard_normal((2, steps))
-        left = left * (1.0 - bias) + slip * np.sqrt(np.abs(left)) * chance[0]
-        right = right * (1.0 + bias) + slip * np.sqrt(np.abs(right)) * chance[1]
+        slipped = chance(seed, "odometry").standard_normal((2, steps))
+        left = left * (1.0 - bias) + slip * np.sqrt(np.abs(left)) * slipped[0]
+        right = right * (1.0 + bias) + slip * np.sqrt(np.abs(right)) * slipped[1]
         self._rolled = np.cumsum(np.pad(np.stack([left, right], axis=1), ((1, 0), (0, 0))), axis=0)
         forward, turn = (left + right) / 2.0, (right - left) / TRACK_M
         yaw = np.cumsum(turn)

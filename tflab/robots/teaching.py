@@ -22,12 +22,11 @@ from collections.abc import Iterator, Mapping
 from importlib.resources import files
 from typing import NamedTuple
 
-import numpy as np
-
 from tflab.core import NSEC_PER_SEC, BufferCore, StampedTransform, Transform, seconds
 from tflab.core.quaternions import Vector3
 from tflab.core.records import TransformRecord
 
+from .chance import chance
 from .kinematics import joint_transform, link_poses
 from .localization import Localizer
 from .motion import Drive
@@ -236,10 +235,10 @@ class TeachingRobot:
         """Yield (stamp_ns, receive_ns) of each message of a source that is heard before `until_s`."""
         source = self.sources[key]
         period_ns, until_ns = seconds(1.0 / source.rate_hz), seconds(until_s)
-        chance = np.random.default_rng([self.seed, list(SOURCES).index(key)])
+        rng = chance(self.seed, key)
         stamp_ns = self.drive.start_ns
         while True:
-            heard_ns = stamp_ns + seconds(source.delay_s + source.jitter_s * chance.random())
+            heard_ns = stamp_ns + seconds(source.delay_s + source.jitter_s * rng.random())
             if heard_ns >= until_ns:
                 return
             yield stamp_ns, heard_ns

@@ -16,10 +16,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 
-import numpy as np
-
 from tflab.core.records import TransformRecord
 
+from ..chance import chance
 from . import broken_time, broken_tree, broken_values
 from .catalogue import Diagnosis, Fault
 from .patient import CannotInject, Injection, Scene
@@ -59,7 +58,7 @@ def inject(records: Sequence[TransformRecord], fault: Fault | str, seed: int = 0
         ValueError: no such fault.
     """
     fault = Fault(fault)
-    scene = Scene(list(records), edges_of(records), np.random.default_rng([seed, list(Fault).index(fault)]))
+    scene = Scene(list(records), edges_of(records), chance(seed, fault))
     return INJECTORS[fault](scene)
 
 
