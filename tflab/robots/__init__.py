@@ -6,6 +6,7 @@
     kinematics        joint positions -> where every link is
     state_publisher   robot_state_publisher: a model and joint states -> /tf, /tf_static
 
+    chance            what is drawn, from a seed and a name
     motion            where the teaching robot truly is
     odometry          what its wheels make of that: slip and drift
     localization      map -> odom, corrected now and then
