@@ -22,6 +22,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from tflab.bags.progress import Progress
+
 from tflab.bags.reader import read_bag
 from tflab.bags.recording import recording_from_records
 from tflab.core.records import TransformRecord

@@ -13,10 +13,9 @@ from pathlib import Path
 
 import pytest
 
-for _name in ("tiny", "hostile"):
-    _path = Path(__file__).with_name(f"{_name}.py")
-    if _path.exists() and _name not in sys.modules:
-        _spec = importlib.util.spec_from_file_location(_name, _path)
+for _name, _page in (("tiny", "tiny.py"), ("hostile", "hostile/__init__.py")):
+    if _name not in sys.modules:
+        _spec = importlib.util.spec_from_file_location(_name, Path(__file__).parent / _page)
         sys.modules[_name] = importlib.util.module_from_spec(_spec)
         _spec.loader.exec_module(sys.modules[_name])
 

@@ -11,7 +11,6 @@ import tiny
 
 from tflab.grading.judging.pack import read_pack
 from tflab.grading.kernels.sandbox import Sandbox
-from tflab.grading.progress_bar import ProgressBar
 from tflab.grading.reports.class_figures import bars, histogram
 from tflab.grading.reports.class_page import LEARNERS, NAMED, class_page, mistakes
 from tflab.grading.reports.feedback import LEVELS, feedback_page
@@ -20,6 +19,7 @@ from tflab.grading.reports.html import prose, text
 from tflab.grading.reports.misconceptions import MISCONCEPTIONS
 from tflab.grading.submissions.reasons import REASONS
 from tflab.grading.submissions.remarks import Remark
+from tflab.progress_bar import ProgressBar
 from tflab.workbook.words import Words
 
 

@@ -4,7 +4,6 @@
     recording   a recording as columns, and from there a buffer
     messages    the bytes of a TFMessage, and of a header
     reader      from a bag, of ROS 2 or ROS 1, to a recording
-    progress    how far along long work is
     wire        messages and qualities of service, as a bag holds them
     record      `ros2 bag record`: from the graph to a bag
     listen      from the graph to a recording, without a file

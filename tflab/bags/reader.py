@@ -12,7 +12,7 @@ The definitions that a bag may or may not carry are not needed: the few types
 that matter for transforms are the same in every distribution.  All topics whose
 messages begin with a header give their stamps and frames.
 
-Read `progress.py` next.
+Read `wire.py` next.
 """
 
 from __future__ import annotations
@@ -27,6 +27,7 @@ from pathlib import Path
 import numpy as np
 
 from tflab.core.stamps import NSEC_PER_SEC
+from tflab.progress_bar import ProgressBar
 
 from .errors import BagError
 from .messages import (
@@ -40,7 +41,6 @@ from .messages import (
     transforms_in_cdr,
     transforms_in_ros1,
 )
-from .progress import Progress
 from .recording import (
     Clock,
     Connection,
@@ -78,7 +78,7 @@ def read_bag(path: str | Path, show_progress: bool = True) -> Recording:
         counts = {c.topic: c.msgcount for c in reader.connections}
         wanted = [c for c in reader.connections if collector.wants(c)]
         total = sum(connection.msgcount for connection in wanted)
-        with Progress(f"reading {Path(path).name}", total if show_progress else 0) as progress:
+        with ProgressBar(total, f"reading {Path(path).name}", quiet=not show_progress) as progress:
             messages = reader.messages(connections=wanted) if wanted else ()
             for done, (connection, receive_ns, data) in enumerate(messages):
                 collector.add(connection, receive_ns, data)

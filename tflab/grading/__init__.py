@@ -6,7 +6,7 @@ grader nor another.
 
     release       a folder to give away, and one to keep
     grade         `tflab grade`: submissions in, results out
-    batch, progress_bar    two hundred submissions, on one core or on many
+    batch         two hundred submissions, on one core or on many
     submissions/  what came in: whose it is, and what can be read of it
     kernels/      where it runs: behind a wall, gone without a trace
     judging/      only its answers go on; points, mistakes, words

@@ -7,7 +7,7 @@
     what hit a deadline  <-------------------+   once more at the end, alone, with three times the time
 
 A second run takes the records that are there and grades only what changed, in the
-submission, the pack or tflab.  Ctrl-C loses nothing that was done.  Read `progress_bar.py` next.
+submission, the pack or tflab.  Ctrl-C loses nothing that was done.  Read `submissions/` next.
 """
 
 from __future__ import annotations
@@ -22,6 +22,7 @@ from pathlib import Path
 from typing import Any
 
 from tflab import __version__
+from tflab.progress_bar import ProgressBar
 from tflab.workbook.whole_files import write_whole
 
 from .judging.job import HandedIn, Job
@@ -32,7 +33,6 @@ from .judging.submission import graded, record_with
 from .kernels.limits import Limits
 from .kernels.sandbox import Sandbox
 from .kernels.take import KernelError
-from .progress_bar import ProgressBar
 from .reports.gradebook import file_name
 from .submissions.collect import Collection, Submission
 from .submissions.reader import Unreadable
@@ -59,59 +59,81 @@ class HowToGrade:
 
 def grade_batch(collection: Collection, pack: Pack, out: Path, how: HowToGrade) -> list[dict[str, Any]]:
     """Return a record for each submission, in their order; each is also in `out`."""
-    records: dict[str, dict[str, Any]] = {}
-    waiting: dict[str, tuple[Submission, Path]] = {}
-    set_aside: list[tuple[Submission, Path]] = []
-    paths: set[Path] = set()
+    ledger = Ledger(collection, pack, out / RECORDS, how)
     do = partial(grade_job, sandbox=how.sandbox)
-    bar = ProgressBar(len(collection.submissions), "graded", quiet=how.quiet)
+    with ProgressBar(len(collection.submissions), "graded", quiet=how.quiet) as bar:
+        for record in _done(ledger, do, how):
+            ledger.take(record)
+            bar.at(len(ledger.records), record["learner"])
+    with ProgressBar(len(ledger.set_aside), "once more, alone", quiet=how.quiet) as bar:
+        for submission in sorted(ledger.set_aside, key=lambda submission: submission.learner):
+            record = ledger.records[submission.learner]
+            job = replace(job_of(submission, pack, how.limits), only=record["set_aside"])
+            ledger.keep(record_with(record, do(job)))
+            bar.step(submission.learner)
+    ledger.remove_old()
+    return [ledger.records[submission.learner] for submission in collection.submissions]
 
-    def jobs() -> Iterator[Job]:
-        for submission in collection.submissions:
-            job = job_of(submission, pack, how.limits)
-            path = out / RECORDS / f"{file_name(job.learner)}-{_key(job, pack, how)[:16]}.json"
-            paths.add(path)
+
+def _done(ledger: Ledger, do: Callable[[Job], dict[str, Any]], how: HowToGrade) -> Iterator[dict[str, Any]]:
+    """Yield the record of each job as it is done."""
+    jobs = ledger.jobs()
+    try:
+        yield from _on_processes(jobs, do, how)
+    except BrokenExecutor:  # a process was killed, for want of memory perhaps: here, one by one
+        yield from map(do, ledger.jobs_waiting())
+        yield from map(do, jobs)
+
+
+class Ledger:
+    """The records of a run: those that are on the disk already, those that come in, those to be tried once more."""
+
+    def __init__(self, collection: Collection, pack: Pack, folder: Path, how: HowToGrade) -> None:
+        self.records: dict[str, dict[str, Any]] = {}
+        self.set_aside: list[Submission] = []
+        self._collection, self._pack, self._folder, self._how = collection, pack, folder, how
+        self._waiting: dict[str, Submission] = {}
+        self._paths: dict[str, Path] = {}
+
+    def jobs(self) -> Iterator[Job]:
+        """Yield a job for each submission of which there is no record yet, made when its turn comes."""
+        for submission in self._collection.submissions:
+            job = job_of(submission, self._pack, self._how.limits)
+            path = self._folder / f"{file_name(job.learner)}-{_key(job, self._pack, self._how)[:16]}.json"
+            self._paths[job.learner] = path
             there = _record_at(path, job.learner)
             if there is not None:
-                records[job.learner] = there
-                bar.step(job.learner)
+                self.records[job.learner] = there
             else:
-                waiting[job.learner] = (submission, path)
+                self._waiting[job.learner] = submission
                 yield job
 
-    def keep(record: dict[str, Any], path: Path) -> None:
-        records[record["learner"]] = record
-        if not record.get("not_run"):  # what could not be run is tried again the next time
-            _write_record(path, record)
+    def jobs_waiting(self) -> list[Job]:
+        """Return the jobs that were given out and of which no record came."""
+        return [job_of(submission, self._pack, self._how.limits) for submission in self._waiting.values()]
 
-    def take(record: dict[str, Any]) -> None:
-        submission, path = waiting.pop(record["learner"])
+    def take(self, record: dict[str, Any]) -> None:
+        """Take in a record; what hit a deadline waits for its second chance."""
+        submission = self._waiting.pop(record["learner"])
         if record["set_aside"]:
-            records[record["learner"]] = record
-            set_aside.append((submission, path))
+            self.records[submission.learner] = record
+            self.set_aside.append(submission)
         else:
-            keep(record, path)
-        bar.step(record["learner"])
+            self.keep(record)
 
-    source = jobs()
-    try:
-        for record in _on_processes(source, do, how):
-            take(record)
-    except BrokenExecutor:  # a process was killed, for want of memory perhaps: here, one by one
-        for submission, _ in list(waiting.values()):
-            take(do(job_of(submission, pack, how.limits)))
-        for job in source:
-            take(do(job))
-    bar.close()
-    bar = ProgressBar(len(set_aside), "once more, alone", quiet=how.quiet)
-    for submission, path in sorted(set_aside, key=lambda pair: pair[0].learner):
-        record = records[submission.learner]
-        job = replace(job_of(submission, pack, how.limits), only=record["set_aside"])
-        keep(record_with(record, do(job)), path)
-        bar.step(submission.learner)
-    bar.close()
-    _remove_old(out / RECORDS, set(records), paths)
-    return [records[submission.learner] for submission in collection.submissions]
+    def keep(self, record: dict[str, Any]) -> None:
+        """Keep a record, on the disk too; what could not be run is tried again the next time."""
+        self.records[record["learner"]] = record
+        if not record.get("not_run"):
+            path = self._paths[record["learner"]]
+            write_whole(path, json.dumps(record, ensure_ascii=False, sort_keys=True, indent=1) + "\n")
+
+    def remove_old(self) -> None:
+        """Remove the records of what these learners handed in before; those of others stay."""
+        names = {file_name(learner) for learner in self.records}
+        for path in self._folder.glob("*.json"):
+            if path not in self._paths.values() and path.name.rpartition("-")[0] in names:
+                path.unlink(missing_ok=True)
 
 
 def job_of(submission: Submission, pack: Pack, limits: Limits) -> Job:
@@ -186,8 +208,9 @@ def _on_processes(
         return
     # The kernels are processes anyway: a few threads keep them busy, and have nothing to import.
     kind = "threads" if how.jobs <= MOST_THREADS else "processes"
-    how = {"return_as": "generator_unordered", "pre_dispatch": "2*n_jobs", "batch_size": 1}
-    work = Parallel(n_jobs=how.jobs, prefer=kind, **how)
+    work = Parallel(
+        n_jobs=how.jobs, prefer=kind, return_as="generator_unordered", pre_dispatch="2*n_jobs", batch_size=1
+    )
     try:
         yield from work(delayed(do)(job) for job in jobs)
     except BaseException:
@@ -225,15 +248,3 @@ def _record_at(path: Path, learner: str) -> dict[str, Any] | None:
         return None
     is_ours = isinstance(record, dict) and record.get("learner") == learner and "chapters" in record
     return record if is_ours else None
-
-
-def _write_record(path: Path, record: dict[str, Any]) -> None:
-    write_whole(path, json.dumps(record, ensure_ascii=False, sort_keys=True, indent=1) + "\n")
-
-
-def _remove_old(folder: Path, learners: set[str], paths: set[Path]) -> None:
-    """Remove the records of what these learners handed in before; those of others stay."""
-    names = {file_name(learner) for learner in learners}
-    for path in folder.glob("*.json"):
-        if path not in paths and path.name.rpartition("-")[0] in names:
-            path.unlink(missing_ok=True)

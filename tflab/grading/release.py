@@ -22,6 +22,7 @@ from pathlib import Path
 from typing import Any
 
 from tflab import __version__
+from tflab.progress_bar import ProgressBar
 from tflab.workbook import places
 from tflab.workbook.copy.lay_out import lay_out
 from tflab.workbook.places import WorkbookError
@@ -30,7 +31,6 @@ from tflab.workbook.whole_files import write_whole
 from tflab.workbook.words import LANGUAGES
 
 from .judging.pack import PACK, Pack, PackError, chapter_cases, learners_cases, read_pack, write_chapter, write_pack
-from .progress_bar import ProgressBar
 from .submissions.reader import Unreadable, read_bytes
 from .submissions.roster import Learner, Roster, read_roster
 
@@ -93,11 +93,10 @@ def release(
             write_chapter(folder / INSTRUCTOR, stem, graded, master.read_bytes())
     write_pack(folder / INSTRUCTOR, pack)
     everybody: Iterable[Learner | None] = [None] if pack.roster is None else pack.roster.values()
-    bar = ProgressBar(len(list(everybody)), "released", quiet=quiet)
-    for learner in everybody:
-        _lay_out_for(folder / LEARNERS, learner, pack, handed_out, language)
-        bar.step(learner.id if learner else places.COPY)
-    bar.close()
+    with ProgressBar(len(list(everybody)), "released", quiet=quiet) as bar:
+        for learner in everybody:
+            _lay_out_for(folder / LEARNERS, learner, pack, handed_out, language)
+            bar.step(learner.id if learner else places.COPY)
     return read_pack(folder / INSTRUCTOR)
 
 

@@ -1,0 +1,28 @@
+"""A library of what people hand in: hostile, broken, and odd but right.
+
+    recipe       what a recipe is, and what they are made of
+    forging      points claimed                    tampering  another notebook than was handed out
+    peeking      what was asked, or expected       files      no notebook, an old one, another encoding
+    exhaustion   time and memory                   helpers    honest cells of one's own
+    survival     what is left for others           odd        right, oddly written
+
+Each entry is a recipe: an honest notebook of chapter 03 goes in, what is handed in
+comes out.  `spoils` names the task whose answer the recipe replaces by an attack
+("function", "value", or "" for none): it must get nothing.  `keeps` says which
+honest points have to survive: "all" of them, the "others" (all but the spoilt
+task's), or "none" where there is nothing left to read.
+"""
+
+from .exhaustion import EXHAUSTION
+from .files import FILES
+from .forging import FORGING
+from .helpers import HELPERS
+from .odd import ODD
+from .peeking import PEEKING
+from .recipe import Honest, Recipe
+from .survival import SURVIVAL
+from .tampering import TAMPERING
+
+__all__ = ["RECIPES", "Honest", "Recipe"]
+
+RECIPES = [*FORGING, *PEEKING, *EXHAUSTION, *SURVIVAL, *TAMPERING, *FILES, *HELPERS, *ODD]

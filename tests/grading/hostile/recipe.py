@@ -1,0 +1,159 @@
+"""How is a submission made that is hostile, broken, or odd but right?  A recipe: honest work in, what is handed in out."""
+
+from __future__ import annotations
+
+import copy
+import json
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+Notebook = dict[str, Any]
+
+
+@dataclass(frozen=True)
+class Honest:
+    """An honest notebook, and the names of what can be attacked in it.
+
+    Attributes:
+        notebook: every task answered rightly.
+        function_task, function: a task whose answer is a function that turns a pose round, and its name.
+        value_task, value: a task whose answer is a dict of points, and its name.
+    """
+
+    notebook: Notebook
+    function_task: str
+    function: str
+    value_task: str
+    value: str
+
+    def fresh(self) -> Notebook:
+        """Return a copy to spoil."""
+        return copy.deepcopy(self.notebook)
+
+    def cell(self, notebook: Notebook, task: str, role: str = "answer") -> dict[str, Any]:
+        """Return a task's cell in a notebook."""
+        name = f"{task.lower().replace('.', '-')}-{role}"
+        return next(cell for cell in notebook["cells"] if cell["id"] == name)
+
+    def with_function(self, body: str) -> Notebook:
+        """Return the notebook with the function's answer cell replaced; `F` is the function's name."""
+        notebook = self.fresh()
+        self.cell(notebook, self.function_task)["source"] = named(body, "F", self.function)
+        return notebook
+
+    def with_value(self, body: str) -> Notebook:
+        """Return the notebook with the value's answer cell replaced; `V` is the value's name."""
+        notebook = self.fresh()
+        self.cell(notebook, self.value_task)["source"] = named(body, "V", self.value)
+        return notebook
+
+    def with_cell(self, source: str, before: str, role: str = "answer") -> Notebook:
+        """Return the notebook with a cell of the learner's own put before a task's cell."""
+        notebook = self.fresh()
+        place = notebook["cells"].index(self.cell(notebook, before, role))
+        notebook["cells"].insert(place, own_cell(named(source, "F", self.function)))
+        return notebook
+
+
+@dataclass(frozen=True)
+class Recipe:
+    """How to make one submission: see the top of this page."""
+
+    name: str
+    kind: str
+    make: Callable[[Honest], Notebook | bytes]
+    spoils: str = ""
+    keeps: str = "all"
+
+
+RIGHT = """{
+        'x': -(math.cos(transform['yaw']) * transform['x'] + math.sin(transform['yaw']) * transform['y']),
+        'y': math.sin(transform['yaw']) * transform['x'] - math.cos(transform['yaw']) * transform['y'],
+        'yaw': -transform['yaw'],
+    }"""
+
+
+def named(body: str, letter: str, name: str) -> str:
+    """Return a recipe's code with the answer's real name in place of its letter, and what is right in place of RIGHT."""
+    return re.sub(rf"\b{letter}\b", name, body).replace("RIGHT", RIGHT)
+
+
+def own_cell(source: str, name: str = "my-own") -> dict[str, Any]:
+    """Return a code cell as JupyterLab would add it."""
+    return {
+        "cell_type": "code", "execution_count": None, "id": name, "metadata": {}, "outputs": [], "source": source,
+    }  # fmt: skip
+
+
+def as_bytes(notebook: Notebook, encoding: str = "utf-8") -> bytes:
+    """Return a notebook as a file has it."""
+    return json.dumps(notebook, ensure_ascii=False).encode(encoding, "replace" if encoding == "cp949" else "strict")
+
+
+def function(name: str, kind: str, body: str, keeps: str = "others") -> Recipe:
+    """Return an attack that stands where a function should."""
+    return Recipe(name, kind, lambda honest: honest.with_function(body), "function", keeps)
+
+
+def value(name: str, kind: str, body: str, keeps: str = "others") -> Recipe:
+    """Return an attack that stands where three numbers should."""
+    return Recipe(name, kind, lambda honest: honest.with_value(body), "value", keeps)
+
+
+def edited(
+    name: str, kind: str, edit: Callable[[Notebook, Honest], Any], spoils: str = "", keeps: str = "all"
+) -> Recipe:
+    """Return a recipe that changes a notebook in place."""
+
+    def make(honest: Honest) -> Notebook:
+        notebook = honest.fresh()
+        edit(notebook, honest)
+        return notebook
+
+    return Recipe(name, kind, make, spoils, keeps)
+
+
+WRONG = "def F(transform):\n    return None\n"
+
+
+def raw(name: str, kind: str, make: Callable[[Honest], bytes], keeps: str = "none") -> Recipe:
+    """Return a recipe of bytes."""
+    return Recipe(name, kind, make, "", keeps)
+
+
+def right(name: str, body: str, kind: str = "odd but right") -> Recipe:
+    """Return a right answer, oddly written, where a function should stand."""
+    return Recipe(name, kind, lambda honest: honest.with_function(body))
+
+
+WIRE = (
+    WRONG
+    + """
+import json, struct
+wire = get_ipython().kernel.session.wire
+parent = get_ipython().kernel.get_parent()['header']['msg_id']
+PROBE = 'application/vnd.tflab.probe+json'
+def raw(body):
+    wire.end.setblocking(True)
+    wire.end.sendall(struct.pack('!I', len(body)) + body)
+def say(kind, content, to=parent):
+    raw(json.dumps({'channel': 'iopub', 'msg_type': kind, 'parent_header': {'msg_id': to}, 'content': content}).encode())
+"""
+)
+
+
+def answered(name: str, kind: str, task: str, body: str) -> Recipe:
+    """Return a right answer to another task, oddly written."""
+
+    def make(honest: Honest) -> Notebook:
+        notebook = honest.fresh()
+        honest.cell(notebook, task)["source"] = body
+        return notebook
+
+    return Recipe(name, kind, make)
+
+
+def is_code(cell: dict[str, Any]) -> bool:
+    return cell["cell_type"] == "code"
