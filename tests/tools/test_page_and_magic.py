@@ -8,7 +8,7 @@ from tools_robot import fixed, moving
 from tflab.ros.logging import RcutilsLogger
 from tflab.tools import magic, ros2
 from tflab.tools.completion import Known, complete, known_in
-from tflab.tools.page import PageError, run_words, split_line
+from tflab.tools.page import LineError, run_words, split_line
 
 KNOWN = Known(
     frames=["base_link", "map", "odom"],
@@ -37,12 +37,12 @@ def test_a_line_is_a_time_and_words(line, seconds, words):
 
 @pytest.mark.parametrize("line", ["--for", "--for x topic hz /tf", "--for -1 topic hz /tf", "--for inf topic list"])
 def test_a_time_that_is_none_is_explained(line):
-    with pytest.raises(PageError, match="--for needs a time in seconds, such as `%ros2 --for 3 topic hz /tf`"):
+    with pytest.raises(LineError, match="--for needs a time in seconds, such as `%ros2 --for 3 topic hz /tf`"):
         split_line(line)
 
 
 def test_a_forgotten_quote_is_explained():
-    with pytest.raises(PageError, match="No closing quotation"):
+    with pytest.raises(LineError, match="No closing quotation"):
         split_line("param set /node name 'two words")
 
 
@@ -200,7 +200,7 @@ def test_the_logger_in_a_page_writes_to_standard_output(graph, capsys):
 
 
 def test_a_time_behind_the_tool_is_put_right():
-    with pytest.raises(PageError, match="--for stands first, before the tool"):
+    with pytest.raises(LineError, match="--for stands first, before the tool"):
         split_line("topic hz /tf --for 3")
 
 

@@ -3,7 +3,7 @@
 import pytest
 
 from tflab.views import style
-from tflab.views.labels import Label, place_labels
+from tflab.views.labels import FloatingLabel, place_labels
 
 
 @pytest.fixture(name="ax")
@@ -14,7 +14,7 @@ def ax_fixture():
 
 
 def label_at(ax, x, y, name="name"):
-    label = Label(ax, name)
+    label = FloatingLabel(ax, name)
     label.anchor = (x, y)
     return label
 

@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tflab.core import BufferCore, FrameSnapshot, Snapshot, StampedTransform, Transform, seconds, snapshot
-from tflab.views.marks import Box, Label, Line, text_width
+from tflab.views.marks import BoxMark, LineMark, TextMark, text_width
 from tflab.views.tree import draw_tree, rows_of, text_from_tree, tree_faults
 
 AHEAD = Transform((1.0, 0.0, 0.0))
@@ -112,13 +112,13 @@ def test_the_order_of_arrival_does_not_show():
 def test_static_and_dynamic_edges_differ_in_line_and_letter():
     svg = draw_tree(ROBOT).svg
     marks = draw_tree(ROBOT).sheet.marks
-    arrows = [mark.style for mark in marks if isinstance(mark, Line) and mark.arrow]
+    arrows = [mark.style for mark in marks if isinstance(mark, LineMark) and mark.arrow]
     assert arrows == ["solid", "solid", "dashed", "dashed"]
     assert re.findall(r">([DS])</text>", svg) == ["D", "D", "S", "S"]
 
 
 def test_two_publishers_are_a_doubled_line():
-    lines = [mark for mark in draw_tree(forest(edge("a", "b", ["/1", "/2"]))).sheet.marks if isinstance(mark, Line)]
+    lines = [mark for mark in draw_tree(forest(edge("a", "b", ["/1", "/2"]))).sheet.marks if isinstance(mark, LineMark)]
     heights = {line.points[1][1] for line in lines if line.points[0][1] == line.points[1][1]}
     assert len(heights) == 2
 
@@ -152,7 +152,7 @@ def test_a_snapshot_of_the_engine_can_be_drawn():
 
 def room_of(mark):
     """The rectangle a label or a box takes: left, top, right, bottom."""
-    if isinstance(mark, Box):
+    if isinstance(mark, BoxMark):
         return (mark.x, mark.y, mark.x + mark.width, mark.y + mark.height)
     width = text_width(mark.text, mark.size)
     left = mark.x - width / 2 if mark.centred else mark.x
@@ -175,7 +175,7 @@ def test_no_label_touches_another_or_leaves_the_paper(names, data):
         owners = data.draw(st.sampled_from([["/one"], ["/one", "/another_with_a_long_name"]]))
         edges.append(edge(sorted(parents)[0], name, owners, static=bool(number % 3), parents=sorted(parents)))
     sheet = draw_tree(forest(*edges, roots=names[:1]), now_ns=seconds(3)).sheet
-    rooms = [room_of(mark) for mark in sheet.marks if isinstance(mark, Label)]
+    rooms = [room_of(mark) for mark in sheet.marks if isinstance(mark, TextMark)]
     assert not any(overlap(a, b) for a, b in combinations(rooms, 2))
     assert all(room[0] >= 0 and room[2] <= sheet.width and room[3] <= sheet.height for room in rooms)
 

@@ -9,13 +9,13 @@ from making_pages import TITLE, code, page
 
 from tflab.workbook.pages.execute import Outputs, run_page
 from tflab.workbook.pages.kernel import wait_for
-from tflab.workbook.pages.source import Fault
+from tflab.workbook.pages.source import PageFault
 
 DRAW = "from tflab.views.picture import Picture\npicture = Picture()\npicture.text = 'nothing yet'\npicture"
 WIDGET = "import ipywidgets\nipywidgets.IntSlider()"
 
 
-def run(root: Path, *parts: str) -> tuple[Outputs, list[Fault]]:
+def run(root: Path, *parts: str) -> tuple[Outputs, list[PageFault]]:
     return wait_for(run_page(page(root, TITLE, *parts), "notebooks/en", {"03_x": '{"format": 1}\n'}))
 
 

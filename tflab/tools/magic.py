@@ -17,7 +17,7 @@ from tflab.ros.graph import current_graph
 
 from . import rviz2
 from .completion import complete, known_in
-from .page import PageError, run_words, split_line
+from .page import LineError, run_words, split_line
 
 __all__ = ["complete_line", "register", "ros2_line"]
 
@@ -34,7 +34,7 @@ def ros2_line(line: str) -> None:
     """Run what stands after `%ros2`, and show the pictures it has."""
     try:
         seconds, words = split_line(line)
-    except PageError as fault:
+    except LineError as fault:
         print(fault)
         return
     _run(words, seconds)
@@ -44,7 +44,7 @@ def rviz2_line(line: str) -> None:
     """Show a small RViz of the current graph; `line` is what stands after `%rviz2`."""
     try:
         seconds, arguments = split_line(line)
-    except PageError as fault:
+    except LineError as fault:
         print(fault)
         return
     _run(["run", "rviz2", "rviz2", *arguments], seconds)

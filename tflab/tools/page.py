@@ -19,17 +19,17 @@ from tflab.ros.graph import Graph
 
 from . import ros2
 
-__all__ = ["Outcome", "PageError", "run_words", "split_line"]
+__all__ = ["LineError", "ToolResult", "run_words", "split_line"]
 
 LIMIT_S = 60.0  # of the graph's time, for a tool that ends by itself
 STEP_S = 0.05
 
 
-class PageError(Exception):
+class LineError(Exception):
     """The line cannot be run; the text says why, and what to type instead."""
 
 
-class Outcome(NamedTuple):
+class ToolResult(NamedTuple):
     """What came of a tool: its exit code, None if it runs on or was stopped, and the pictures it has for the page."""
 
     exit_code: int | None
@@ -40,15 +40,15 @@ def split_line(line: str) -> tuple[float | None, list[str]]:
     """Return how long to run [s], None if that is not said, and the words after `ros2`.
 
     Raises:
-        PageError: unbalanced quotes, or `--for` without a time.
+        LineError: unbalanced quotes, or `--for` without a time.
     """
     try:
         words = shlex.split(line, comments=True)
     except ValueError as fault:
-        raise PageError(f"cannot read the line: {fault}") from None
+        raise LineError(f"cannot read the line: {fault}") from None
     words = words[1:] if words[:1] == ["ros2"] else words
     if "--for" in words[1:]:
-        raise PageError("--for stands first, before the tool: %ros2 --for 3 topic hz /tf")
+        raise LineError("--for stands first, before the tool: %ros2 --for 3 topic hz /tf")
     seconds = None
     if words and words[0].partition("=")[0] == "--for":
         first = words.pop(0)
@@ -63,13 +63,13 @@ def _seconds(text: str) -> float:
     except ValueError:
         seconds = -1.0
     if not 0 <= seconds < float("inf"):
-        raise PageError(f"--for needs a time in seconds, such as `%ros2 --for 3 topic hz /tf`, not {text!r}")
+        raise LineError(f"--for needs a time in seconds, such as `%ros2 --for 3 topic hz /tf`, not {text!r}")
     return seconds
 
 
 def run_words(
     graph: Graph, words: Sequence[str], seconds: float | None = None, ros_args: Sequence[str] = ()
-) -> Outcome:
+) -> ToolResult:
     """Run `ros2` with these words on the graph; for `seconds` [s] of its time, as long as suits the tool if None.
 
     `ros_args` are for the tool's nodes, such as ["--ros-args", "-p", "use_sim_time:=true"].
@@ -77,13 +77,13 @@ def run_words(
     try:
         plan = ros2.plan(words)
     except SystemExit as stop:  # help, or a wrong option, which argparse has explained
-        return Outcome(stop.code or 0)
+        return ToolResult(stop.code or 0)
     pictures: list[Any] = []
     codes: list[int] = []
     name = f"ros2 {' '.join(words)}"
     participant = graph.start(lambda: codes.append(plan.run(pictures)), name=name, argv=[name, *ros_args])
     if plan.stays and seconds is None:
-        return Outcome(codes[0] if codes else None)
+        return ToolResult(codes[0] if codes else None)
     span_s = seconds if seconds is not None else plan.page_s
     left_s = LIMIT_S if span_s is None else span_s
     try:
@@ -101,4 +101,4 @@ def run_words(
                 "Is the node that it waits for running, and spinning?  `%ros2 --for SECONDS ...` gives it longer."
             )
     failed = None if isinstance(participant.exception, (KeyboardInterrupt, type(None))) else 1
-    return Outcome(codes[0] if codes else failed, tuple(pictures))
+    return ToolResult(codes[0] if codes else failed, tuple(pictures))

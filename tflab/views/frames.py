@@ -29,7 +29,7 @@ from tflab.core.quaternions import Vector3
 
 from . import style
 from .eye import SLANTING, Eye
-from .labels import Label, place_labels
+from .labels import FloatingLabel, place_labels
 from .picture import Picture
 
 if TYPE_CHECKING:
@@ -118,7 +118,7 @@ class FrameArtists:
     def __init__(self, name: str, ax: Axes, eye: Eye, length_m: float, is_ghost: bool) -> None:
         self.name, self._eye, self._length_m = name, eye, length_m
         self.axes = {axis: AxisArtists(axis, ax, is_ghost) for axis in style.AXES}
-        self.label = Label(ax, name, colour=style.GREY if is_ghost else style.INK, is_italic=is_ghost)
+        self.label = FloatingLabel(ax, name, colour=style.GREY if is_ghost else style.INK, is_italic=is_ghost)
 
     @property
     def artists(self) -> list[Artist]:
@@ -148,7 +148,7 @@ class PointArtists:
         (self.mark,) = ax.plot([], [], linestyle="none", marker="o", markersize=8, color=colour,
                                markerfacecolor=style.PAPER if is_ghost else colour, markeredgewidth=1.4,
                                zorder=60)  # fmt: skip
-        self.label = Label(ax, name, colour=colour, is_italic=is_ghost)
+        self.label = FloatingLabel(ax, name, colour=colour, is_italic=is_ghost)
         self.artists = [self.mark, *self.label.artists]
 
     def move(self, point: Sequence[float]) -> None:
@@ -169,7 +169,7 @@ class ArrowArtists:
                                      mutation_scale=14, color=colour, linewidth=1.6, linestyle=line, zorder=50,
                                      shrinkA=4, shrinkB=4, connectionstyle=f"arc3,rad={curve}")  # fmt: skip
         ax.add_patch(self.arrow)
-        self.label = Label(ax, label, colour=colour)
+        self.label = FloatingLabel(ax, label, colour=colour)
         self.artists = [self.arrow, *self.label.artists]
 
     def move(self, tail: Sequence[float], head: Sequence[float]) -> None:

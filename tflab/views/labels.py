@@ -31,7 +31,7 @@ WAYS = np.array([(1, -1), (-1, -1), (1, 1), (-1, 1), (1.4, 0), (-1.4, 0), (0, -1
 
 
 @dataclass(eq=False)
-class Label:
+class FloatingLabel:
     """A name that has yet to find its place.
 
     Attributes:
@@ -85,7 +85,7 @@ class Label:
             self.leader.set_data(*zip(self.anchor, end, strict=True))
 
 
-def place_labels(labels: Sequence[Label]) -> None:
+def place_labels(labels: Sequence[FloatingLabel]) -> None:
     """Find a place for each label of one axes, so that none covers a line, a mark or another name."""
     if not labels:
         return

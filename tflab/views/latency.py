@@ -32,7 +32,7 @@ from . import style
 from .bodies import OUTLINE, PostArtists, RobotArtists
 from .eye import FROM_ABOVE, Eye, eye_at
 from .frames import clear_paper, draw_ground, show_all, write_caption
-from .labels import Label, place_labels
+from .labels import FloatingLabel, place_labels
 from .picture import Picture
 
 DASHES = (0, (3.0, 2.0))
@@ -182,7 +182,7 @@ class _Field:
             "object": style.INK,
             "drawn with the pose of now": style.ACCENT,
         }
-        self.labels = [Label(ax, name, colour) for name, colour in names.items()] if has_names else []
+        self.labels = [FloatingLabel(ax, name, colour) for name, colour in names.items()] if has_names else []
 
     @property
     def artists(self) -> list:

@@ -1,6 +1,6 @@
 """How does one drawing become an SVG for a page and a PDF for a file?
 
-    Line, Box, Label  -->  Sheet  -->  svg_from_sheet   text, the same bytes every time
+    LineMark, BoxMark, TextMark  -->  Sheet  -->  svg_from_sheet   text, the same bytes every time
                                   -->  pdf_from_sheet   bytes, the same every time
 
 A view that is made of lines, boxes and words lists them as marks, in points, with
@@ -22,7 +22,7 @@ from xml.sax.saxutils import escape
 
 from . import style
 
-__all__ = ["Box", "Label", "Line", "Sheet", "pdf_from_sheet", "svg_from_sheet", "text_width"]
+__all__ = ["BoxMark", "LineMark", "Sheet", "TextMark", "pdf_from_sheet", "svg_from_sheet", "text_width"]
 
 FONT_SIZE = 13.0
 LETTER_WIDTH = 0.602  # of the font's size; the widest of the common monospaced fonts (DejaVu Sans Mono)
@@ -33,7 +33,7 @@ LineStyle = Literal["solid", "dashed", "dotted"]
 
 
 @dataclass(frozen=True, slots=True)
-class Line:
+class LineMark:
     """A line through `points`, with an arrowhead at its end if `arrow`."""
 
     points: tuple[tuple[float, float], ...]
@@ -44,7 +44,7 @@ class Line:
 
 
 @dataclass(frozen=True, slots=True)
-class Box:
+class BoxMark:
     """A box with round corners, its top left corner at (x, y)."""
 
     x: float
@@ -58,7 +58,7 @@ class Box:
 
 
 @dataclass(frozen=True, slots=True)
-class Label:
+class TextMark:
     """A word that begins at x (or is centred on it), its middle at the height y."""
 
     x: float
@@ -70,7 +70,7 @@ class Label:
     centred: bool = False
 
 
-Mark = Line | Box | Label
+Mark = LineMark | BoxMark | TextMark
 
 
 @dataclass(frozen=True, slots=True)
@@ -128,7 +128,7 @@ def pdf_from_sheet(sheet: Sheet) -> bytes:
 
 
 def _svg(mark: Mark) -> str:
-    if isinstance(mark, Label):
+    if isinstance(mark, TextMark):
         weight = ' font-weight="bold"' if mark.bold else ""
         anchor = ' text-anchor="middle"' if mark.centred else ""
         baseline = _number(mark.y + 0.35 * mark.size)
@@ -138,7 +138,7 @@ def _svg(mark: Mark) -> str:
         )
     dashes = " ".join(_number(length) for length in DASHES[mark.style])
     dash = f' stroke-dasharray="{dashes}"' if dashes else ""
-    if isinstance(mark, Box):
+    if isinstance(mark, BoxMark):
         return (
             f'<rect x="{_number(mark.x)}" y="{_number(mark.y)}" width="{_number(mark.width)}"'
             f' height="{_number(mark.height)}" rx="{_number(mark.corner)}" fill="{mark.fill}"'
@@ -155,7 +155,7 @@ def _artists(mark: Mark) -> list:
     from matplotlib.patches import FancyBboxPatch, Polygon
     from matplotlib.text import Text
 
-    if isinstance(mark, Label):
+    if isinstance(mark, TextMark):
         return [
             Text(
                 mark.x, mark.y, mark.text,
@@ -165,7 +165,7 @@ def _artists(mark: Mark) -> list:
             )
         ]  # fmt: skip
     dash = (0, DASHES[mark.style]) if DASHES[mark.style] else "solid"
-    if isinstance(mark, Box):
+    if isinstance(mark, BoxMark):
         shape = f"round,pad=0,rounding_size={mark.corner}"
         return [
             FancyBboxPatch(
@@ -180,7 +180,7 @@ def _artists(mark: Mark) -> list:
     return artists
 
 
-def _arrowhead(line: Line, length: float = 7.0, half_width: float = 3.5) -> Sequence[tuple[float, float]]:
+def _arrowhead(line: LineMark, length: float = 7.0, half_width: float = 3.5) -> Sequence[tuple[float, float]]:
     """Return the corners of the head of a line whose last piece is horizontal or vertical."""
     (x0, y0), (x1, y1) = line.points[-2:]
     if y0 == y1:

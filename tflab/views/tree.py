@@ -24,9 +24,9 @@ from typing import Any, Literal
 from tflab.core import FrameSnapshot, Snapshot, format_stamp
 
 from . import style
-from .marks import FONT_SIZE, Box, Label, Line, Mark, Sheet, pdf_from_sheet, svg_from_sheet, text_width
+from .marks import FONT_SIZE, BoxMark, LineMark, Mark, Sheet, TextMark, pdf_from_sheet, svg_from_sheet, text_width
 
-__all__ = ["Fault", "Row", "TreePicture", "draw_tree", "rows_of", "text_from_tree", "tree_faults"]
+__all__ = ["Row", "TreeFault", "TreePicture", "draw_tree", "rows_of", "text_from_tree", "tree_faults"]
 
 QUIET, ALARM, WASH = style.GREY, style.ACCENT, "#F8EDF6"
 MARGIN, TRUNK, ROW, PILL = 18.0, 14.0, 34.0, 24.0  # [pt] rim, stem from the left, height of a row and of a box
@@ -35,7 +35,7 @@ LEGEND = "D dynamic: solid line, valid at its stamps    S static: dashed line, v
 
 
 @dataclass(frozen=True, slots=True)
-class Fault:
+class TreeFault:
     """Something that a healthy tree does not have: what kind, which frames, and a sentence about it."""
 
     kind: Literal["roots", "loop", "owners", "parents"]
@@ -66,7 +66,7 @@ class TreePicture:
 
     text: str
     svg: str
-    faults: tuple[Fault, ...]
+    faults: tuple[TreeFault, ...]
     sheet: Sheet
 
     def pdf(self) -> bytes:
@@ -119,28 +119,28 @@ def rows_of(snapshot: Snapshot) -> tuple[Row, ...]:
     return tuple(rows)
 
 
-def tree_faults(snapshot: Snapshot) -> tuple[Fault, ...]:
+def tree_faults(snapshot: Snapshot) -> tuple[TreeFault, ...]:
     """Return what a healthy tree does not have, the worst first."""
     return tuple(_faults(snapshot))
 
 
-def _faults(snapshot: Snapshot) -> Iterator[Fault]:
+def _faults(snapshot: Snapshot) -> Iterator[TreeFault]:
     loops, roots = _loops(snapshot), _roots(snapshot)
     for loop in loops:
         way = " -> ".join((*loop, loop[0]))
-        yield Fault("loop", loop, f"loop: {way}. A lookup that enters it fails (LookupException).")
+        yield TreeFault("loop", loop, f"loop: {way}. A lookup that enters it fails (LookupException).")
     if len(roots) + len(loops) > 1:
         tops = (*roots, *(loop[0] for loop in loops))
         trees = f"{len(tops)} separate trees, from {', '.join(tops)}."
-        yield Fault("roots", tops, f"{trees} No lookup crosses from one to another (ConnectivityException).")
+        yield TreeFault("roots", tops, f"{trees} No lookup crosses from one to another (ConnectivityException).")
     for edge in sorted(snapshot.frames):
         if len(edge.authorities) > 1:
             who = f"{len(edge.authorities)} publishers: {', '.join(edge.authorities)}."
             what = "The one heard last counts." if edge.is_static else "Lookups land between their values."
-            yield Fault("owners", (edge.name,), f"{edge.parent} -> {edge.name} has {who} {what}")
+            yield TreeFault("owners", (edge.name,), f"{edge.parent} -> {edge.name} has {who} {what}")
         if len(edge.parents) > 1:
             who = f"{len(edge.parents)} parents in its history: {', '.join(edge.parents)}."
-            yield Fault("parents", (edge.name,), f"{edge.name} has {who} It jumps between them.")
+            yield TreeFault("parents", (edge.name,), f"{edge.name} has {who} It jumps between them.")
 
 
 def _children(snapshot: Snapshot) -> dict[str, list[str]]:
@@ -244,7 +244,7 @@ class _Layout:
         return MARGIN + 32 + number * ROW
 
 
-def _layout(rows: tuple[Row, ...], faults: tuple[Fault, ...], now_ns: int | None) -> _Layout:
+def _layout(rows: tuple[Row, ...], faults: tuple[TreeFault, ...], now_ns: int | None) -> _Layout:
     cells = tuple(_cells(row, now_ns) for row in rows)
     depths = _depths(rows)
     step = min(STEP, max(NARROWEST_STEP, WIDEST_INDENT / (max(depths) or 1)))
@@ -254,12 +254,12 @@ def _layout(rows: tuple[Row, ...], faults: tuple[Fault, ...], now_ns: int | None
     return _Layout(rows, cells, faulty, depths, step, columns)
 
 
-def _sheet(rows: tuple[Row, ...], faults: tuple[Fault, ...], now_ns: int | None, title: str, text: str) -> Sheet:
+def _sheet(rows: tuple[Row, ...], faults: tuple[TreeFault, ...], now_ns: int | None, title: str, text: str) -> Sheet:
     if not rows:
-        return Sheet(260, 60, (Label(130, 30, "no frames yet", QUIET, centred=True),), title, text)
+        return Sheet(260, 60, (TextMark(130, 30, "no frames yet", QUIET, centred=True),), title, text)
     layout = _layout(rows, faults, now_ns)
     marks: list[Mark] = [
-        Label(x, MARGIN + 4, heading, QUIET, size=11)
+        TextMark(x, MARGIN + 4, heading, QUIET, size=11)
         for column, (x, heading) in enumerate(zip(layout.columns, _headings(now_ns), strict=True))
         if any(cell[column] for cell in layout.cells)
     ]
@@ -272,7 +272,7 @@ def _sheet(rows: tuple[Row, ...], faults: tuple[Fault, ...], now_ns: int | None,
     sentences = [*(f"! {fault.text}" for fault in faults), LEGEND]
     for number, sentence in enumerate(sentences):
         colour = QUIET if sentence == LEGEND else ALARM
-        marks.append(Label(MARGIN, foot + 20 * number, sentence, colour, size=11))
+        marks.append(TextMark(MARGIN, foot + 20 * number, sentence, colour, size=11))
     owners = max(text_width(_headings(now_ns)[3], 11), *(text_width(cell[3]) for cell in layout.cells))
     right = layout.columns[3] + owners
     width = max(right, *(MARGIN + text_width(sentence, 11) for sentence in sentences)) + MARGIN
@@ -284,7 +284,7 @@ def _trunks(layout: _Layout) -> Iterator[Mark]:
     last_child = {row.parent_row: number for number, row in enumerate(layout.rows) if row.parent_row is not None}
     for parent, last in last_child.items():
         x = layout.left(layout.depths[parent]) + TRUNK
-        yield Line(((x, layout.y(parent) + PILL / 2), (x, layout.y(last))), QUIET, width=1.2)
+        yield LineMark(((x, layout.y(parent) + PILL / 2), (x, layout.y(last))), QUIET, width=1.2)
 
 
 def _branch_marks(layout: _Layout, number: int) -> Iterator[Mark]:
@@ -298,7 +298,7 @@ def _branch_marks(layout: _Layout, number: int) -> Iterator[Mark]:
     colour = ALARM if is_repeated or has_two_owners else style.INK
     for shift in (-2.5, 2.5) if has_two_owners else (0,):
         start, end = layout.left(depth - 1) + TRUNK, layout.left(depth)
-        yield Line(((start, y + shift), (end, y + shift)), colour, style=line_style, arrow=shift == 0)
+        yield LineMark(((start, y + shift), (end, y + shift)), colour, style=line_style, arrow=shift == 0)
 
 
 def _frame_marks(layout: _Layout, number: int) -> Iterator[Mark]:
@@ -308,8 +308,8 @@ def _frame_marks(layout: _Layout, number: int) -> Iterator[Mark]:
     is_faulty = any((kind, row.frame) in layout.faulty for kind in ("loop", "parents"))
     is_alarming = is_repeated or is_faulty or (is_root and ("roots", row.frame) in layout.faulty)
     colour, fill = (ALARM, WASH) if is_alarming else (style.INK, style.PAPER)
-    yield Box(x, y - PILL / 2, _pill_width(row), PILL, colour, fill, "dotted" if is_repeated else "solid")
-    yield Label(x + 10, y, _name(row), colour, bold=is_root)
+    yield BoxMark(x, y - PILL / 2, _pill_width(row), PILL, colour, fill, "dotted" if is_repeated else "solid")
+    yield TextMark(x + 10, y, _name(row), colour, bold=is_root)
 
 
 def _figure_marks(layout: _Layout, number: int) -> Iterator[Mark]:
@@ -317,12 +317,12 @@ def _figure_marks(layout: _Layout, number: int) -> Iterator[Mark]:
     y, (x_kind, x_rate, x_age, x_owners) = layout.y(number), layout.columns
     kind, rate, age, owners = layout.cells[number]
     if kind:
-        yield Box(x_kind, y - 9, 18, 18, QUIET, style.PAPER, "dashed" if kind == "S" else "solid", corner=9)
-        yield Label(x_kind + 9, y, kind, style.INK, size=11, bold=True, centred=True)
-    yield from (Label(x, y, cell, style.INK) for x, cell in ((x_rate, rate), (x_age, age)) if cell)
+        yield BoxMark(x_kind, y - 9, 18, 18, QUIET, style.PAPER, "dashed" if kind == "S" else "solid", corner=9)
+        yield TextMark(x_kind + 9, y, kind, style.INK, size=11, bold=True, centred=True)
+    yield from (TextMark(x, y, cell, style.INK) for x, cell in ((x_rate, rate), (x_age, age)) if cell)
     if owners:
         has_two = _has_two_owners(layout, number)
-        yield Label(x_owners, y, owners, ALARM if has_two else style.INK, bold=has_two)
+        yield TextMark(x_owners, y, owners, ALARM if has_two else style.INK, bold=has_two)
 
 
 def _has_two_owners(layout: _Layout, number: int) -> bool:

@@ -1,6 +1,6 @@
 """How does a tree break?  Two parents, two owners, a hole, a loop, a wrong name, a wrong topic.
 
-Each function takes a Scene and returns a stream that has this fault, with its
+Each function takes a Patient and returns a stream that has this fault, with its
 diagnosis.  Read `broken_values.py` next.
 """
 
@@ -12,8 +12,8 @@ from tflab.core import NSEC_PER_SEC, StampedTransform, Transform
 from tflab.core.records import TransformRecord
 
 from .catalogue import Fault
-from .patient import FEWEST_SAMPLES, CannotInject, Injection, Scene
-from .streams import Edge, Stream, restamped
+from .patient import FEWEST_SAMPLES, CannotInject, Injection, Patient
+from .streams import Stream, StreamEdge, restamped
 
 __all__ = [
     "close_loop",
@@ -28,45 +28,49 @@ __all__ = [
 ]
 
 
-def reparent(scene: Scene) -> Injection:
+def reparent(patient: Patient) -> Injection:
     """A frame gets another parent: from some moment on, or in turns with the first."""
     choices = {}
-    for edge in scene.edges.values():
-        others = [name for name in scene.frames() if name != edge.parent and name not in scene.below(edge.child)]
+    for edge in patient.edges.values():
+        others = [name for name in patient.frames() if name != edge.parent and name not in patient.below(edge.child)]
         if others and (edge.is_static or len(edge.places) >= FEWEST_SAMPLES):
             choices[edge.child] = others
-    edge = scene.pick((scene.edges[child] for child in choices), "an edge, and a frame that could be another parent")
-    parent = choices[edge.child][int(scene.rng.integers(len(choices[edge.child])))]
+    edge = patient.pick(
+        (patient.edges[child] for child in choices), "an edge, and a frame that could be another parent"
+    )
+    parent = choices[edge.child][int(patient.rng.integers(len(choices[edge.child])))]
     if edge.is_static:
-        places = (len(scene.records) // 2,)
-        middle_ns = scene.records[places[0]].receive_ns
-        again = restamped(scene.records[edge.places[-1]], frame_id=parent)._replace(receive_ns=middle_ns)
-        records, how = [*scene.records, again], "moves"
+        places = (len(patient.records) // 2,)
+        middle_ns = patient.records[places[0]].receive_ns
+        again = restamped(patient.records[edge.places[-1]], frame_id=parent)._replace(receive_ns=middle_ns)
+        records, how = [*patient.records, again], "moves"
     else:
-        places = scene.tail(edge)
-        others = {place: restamped(scene.records[place], frame_id=parent) for place in places}
-        if scene.rng.random() < 0.6:
-            records, how = scene.changed(others), "moves"
+        places = patient.tail(edge)
+        others = {place: restamped(patient.records[place], frame_id=parent) for place in places}
+        if patient.rng.random() < 0.6:
+            records, how = patient.changed(others), "moves"
         else:
-            records, how = [*scene.records, *_between_the_samples(scene, edge, others.values())], "moves to and fro"
+            records, how = [*patient.records, *_between_the_samples(patient, edge, others.values())], "moves to and fro"
     detail = f"{edge.child} {how} from under {edge.parent} to under {parent}"
-    return scene.done(records, Fault.REPARENTED, [edge], places[0], detail)
+    return patient.done(records, Fault.REPARENTED, [edge], places[0], detail)
 
 
-def second_owner(scene: Scene) -> Injection:
+def second_owner(patient: Patient) -> Injection:
     """Another node publishes the same edge, with other values."""
-    edge = scene.pick([*scene.moving(), *scene.static()], "an edge that moves, or a static one")
-    off = Transform.from_rpy(yaw=scene.between(0.3, 1.0), translation=(scene.between(0.3, 1.0), 0.2, 0.0))
-    places = scene.sound(scene.tail(edge))
-    lies = [restamped(scene.records[place], transform=scene.records[place].stamped.transform @ off) for place in places]
-    lies = _again_later(scene, edge, lies) if edge.is_static else _between_the_samples(scene, edge, lies)
+    edge = patient.pick([*patient.moving(), *patient.static()], "an edge that moves, or a static one")
+    off = Transform.from_rpy(yaw=patient.between(0.3, 1.0), translation=(patient.between(0.3, 1.0), 0.2, 0.0))
+    places = patient.sound(patient.tail(edge))
+    lies = [
+        restamped(patient.records[place], transform=patient.records[place].stamped.transform @ off) for place in places
+    ]
+    lies = _again_later(patient, edge, lies) if edge.is_static else _between_the_samples(patient, edge, lies)
     detail = f"a second publisher of {edge.parent} -> {edge.child} says {off.translation[0]:.2f} m further"
-    return scene.done([*scene.records, *lies], Fault.SECOND_OWNER, [edge], places[0], detail)
+    return patient.done([*patient.records, *lies], Fault.SECOND_OWNER, [edge], places[0], detail)
 
 
-def _between_the_samples(scene: Scene, edge: Edge, records: Iterable[TransformRecord]) -> Stream:
+def _between_the_samples(patient: Patient, edge: StreamEdge, records: Iterable[TransformRecord]) -> Stream:
     """Return samples as another publisher sends them: half a period after those of the first."""
-    half_ns = scene.period_ns(edge) // 2
+    half_ns = patient.period_ns(edge) // 2
     return [
         restamped(record, stamp_ns=record.stamped.stamp_ns + half_ns)._replace(
             receive_ns=record.receive_ns + half_ns, publisher=_another(record.publisher)
@@ -75,9 +79,9 @@ def _between_the_samples(scene: Scene, edge: Edge, records: Iterable[TransformRe
     ]
 
 
-def _again_later(scene: Scene, edge: Edge, records: Iterable[TransformRecord]) -> Stream:
+def _again_later(patient: Patient, edge: StreamEdge, records: Iterable[TransformRecord]) -> Stream:
     """Return static samples as another publisher sends them, which starts a little later."""
-    later_ns = round(scene.between(0.1, 1.0) * NSEC_PER_SEC)
+    later_ns = round(patient.between(0.1, 1.0) * NSEC_PER_SEC)
     return [
         restamped(record, stamp_ns=record.stamped.stamp_ns + later_ns)._replace(
             receive_ns=record.receive_ns + later_ns, publisher=_another(record.publisher)
@@ -90,116 +94,117 @@ def _another(publisher: str) -> str:
     return f"{publisher}_2" if publisher else ""
 
 
-def remove_edge(scene: Scene) -> Injection:
+def remove_edge(patient: Patient) -> Injection:
     """An edge inside the tree is not there, so the tree falls in two."""
-    parents = {edge.parent for edge in scene.edges.values()}
-    mentions = [name for edge in scene.edges.values() for name in (edge.parent, edge.child)]
-    edge = scene.pick(
-        (e for e in scene.edges.values() if e.child in parents and mentions.count(e.parent) > 1),
+    parents = {edge.parent for edge in patient.edges.values()}
+    mentions = [name for edge in patient.edges.values() for name in (edge.parent, edge.child)]
+    edge = patient.pick(
+        (e for e in patient.edges.values() if e.child in parents and mentions.count(e.parent) > 1),
         "an edge with others above and below it",
     )
-    left = [record for record in scene.records if record.stamped.child_frame_id != edge.child]
+    left = [record for record in patient.records if record.stamped.child_frame_id != edge.child]
     detail = f"nobody publishes {edge.parent} -> {edge.child}"
-    return scene.done(left, Fault.MISSING_EDGE, [edge], 0, detail)
+    return patient.done(left, Fault.MISSING_EDGE, [edge], 0, detail)
 
 
-def close_loop(scene: Scene) -> Injection:
+def close_loop(patient: Patient) -> Injection:
     """Somebody publishes the root as the child of one of its own descendants."""
-    roots = [name for name in scene.frames() if name not in scene.edges and len(scene.below(name)) > 1]
-    edge = scene.pick(
-        (e for e in scene.moving() if any(e.child in scene.below(root) for root in roots)), "a moving edge under a root"
+    roots = [name for name in patient.frames() if name not in patient.edges and len(patient.below(name)) > 1]
+    edge = patient.pick(
+        (e for e in patient.moving() if any(e.child in patient.below(root) for root in roots)),
+        "a moving edge under a root",
     )
-    root = next(root for root in roots if edge.child in scene.below(root))
-    places = scene.sound(scene.tail(edge))
-    topic = scene.records[places[0]].topic
+    root = next(root for root in roots if edge.child in patient.below(root))
+    places = patient.sound(patient.tail(edge))
+    topic = patient.records[places[0]].topic
     backwards = []
     for place in places:
-        record = scene.records[place]
+        record = patient.records[place]
         stamped = StampedTransform(edge.child, root, record.stamped.stamp_ns, record.stamped.transform.inverse())
         backwards.append(
             TransformRecord(topic, record.receive_ns, "/backwards" if record.publisher else "", stamped, False)
         )
     detail = f"{root} is published as a child of {edge.child}, which hangs below it"
-    return scene.done([*scene.records, *backwards], Fault.LOOP, [edge], places[0], detail)
+    return patient.done([*patient.records, *backwards], Fault.LOOP, [edge], places[0], detail)
 
 
-def leading_slash(scene: Scene) -> Injection:
+def leading_slash(patient: Patient) -> Injection:
     """One publisher writes its frame names with a slash, as in ROS 1."""
-    edge = scene.pick(
-        (e for e in scene.edges.values() if not (e.parent.startswith("/") or e.child.startswith("/"))),
+    edge = patient.pick(
+        (e for e in patient.edges.values() if not (e.parent.startswith("/") or e.child.startswith("/"))),
         "a name without one",
     )
     parent, child = f"/{edge.parent}", f"/{edge.child}"
-    changes = {place: restamped(scene.records[place], frame_id=parent, child_frame_id=child) for place in edge.places}
+    changes = {place: restamped(patient.records[place], frame_id=parent, child_frame_id=child) for place in edge.places}
     detail = f"{edge.parent} -> {edge.child} is published as {parent} -> {child}"
-    return scene.done(scene.changed(changes), Fault.LEADING_SLASH, [edge], edge.places[0], detail)
+    return patient.done(patient.changed(changes), Fault.LEADING_SLASH, [edge], edge.places[0], detail)
 
 
-def wrong_name(scene: Scene) -> Injection:
+def wrong_name(patient: Patient) -> Injection:
     """One publisher spells a frame differently from all others."""
-    parents = {edge.parent for edge in scene.edges.values()}
+    parents = {edge.parent for edge in patient.edges.values()}
     known_elsewhere = [
         (edge, role)
-        for edge in scene.edges.values()
+        for edge in patient.edges.values()
         for role in ("parent", "child")
         if (role == "child" and edge.child in parents)
-        or (role == "parent" and (edge.parent in scene.edges or _is_shared(edge, scene)))
+        or (role == "parent" and (edge.parent in patient.edges or _is_shared(edge, patient)))
     ]
     if not known_elsewhere:
         raise CannotInject("this stream cannot have the fault: it needs a frame that two edges name")
-    edge, role = known_elsewhere[int(scene.rng.integers(len(known_elsewhere)))]
+    edge, role = known_elsewhere[int(patient.rng.integers(len(known_elsewhere)))]
     name = edge.parent if role == "parent" else edge.child
     spellings = {
         "case": name.title() if name.title() != name else name.lower(),
         "prefix": f"robot1/{name}",
         "letter": name[: len(name) // 2] + name[len(name) // 2 + 1 :] if len(name) > 2 else name + "s",
     }
-    kind = list(spellings)[int(scene.rng.integers(len(spellings)))]
+    kind = list(spellings)[int(patient.rng.integers(len(spellings)))]
     wrong = spellings[kind]
     field = "frame_id" if role == "parent" else "child_frame_id"
-    changes = {place: restamped(scene.records[place], **{field: wrong}) for place in edge.places}
+    changes = {place: restamped(patient.records[place], **{field: wrong}) for place in edge.places}
     detail = f"wrong {kind}: {edge.parent} -> {edge.child} is published with {wrong} for {name}"
-    return scene.done(scene.changed(changes), Fault.WRONG_NAME, [edge], edge.places[0], detail)
+    return patient.done(patient.changed(changes), Fault.WRONG_NAME, [edge], edge.places[0], detail)
 
 
-def _is_shared(edge: Edge, scene: Scene) -> bool:
-    return any(other.parent == edge.parent for other in scene.edges.values() if other is not edge)
+def _is_shared(edge: StreamEdge, patient: Patient) -> bool:
+    return any(other.parent == edge.parent for other in patient.edges.values() if other is not edge)
 
 
-def static_on_tf(scene: Scene) -> Injection:
+def static_on_tf(patient: Patient) -> Injection:
     """The fixed mounts are sent on /tf, ten times a second, and not on /tf_static."""
-    edges = scene.static()
+    edges = patient.static()
     if not edges:
         raise CannotInject("this stream cannot have the fault: it needs static transforms")
-    begin_ns, end_ns = scene.records[0].receive_ns, scene.records[-1].receive_ns
-    clock = scene.pick(scene.moving(), "a moving edge, for the stamps")
-    first = scene.records[clock.places[0]]
+    begin_ns, end_ns = patient.records[0].receive_ns, patient.records[-1].receive_ns
+    clock = patient.pick(patient.moving(), "a moving edge, for the stamps")
+    first = patient.records[clock.places[0]]
     lag_ns = first.receive_ns - first.stamped.stamp_ns
-    sent = [record for record in scene.records if not record.is_static]
+    sent = [record for record in patient.records if not record.is_static]
     for heard_ns in range(begin_ns, end_ns, NSEC_PER_SEC // 10):
         for edge in edges:
-            record = restamped(scene.records[edge.places[-1]], stamp_ns=heard_ns - lag_ns)
+            record = restamped(patient.records[edge.places[-1]], stamp_ns=heard_ns - lag_ns)
             sent.append(record._replace(topic=first.topic, receive_ns=heard_ns, is_static=False))
     detail = f"{len(edges)} fixed edges are sent on {first.topic} at 10 Hz"
-    return scene.done(sent, Fault.STATIC_ON_TF, edges, edges[0].places[0], detail)
+    return patient.done(sent, Fault.STATIC_ON_TF, edges, edges[0].places[0], detail)
 
 
-def moving_on_tf_static(scene: Scene) -> Injection:
+def moving_on_tf_static(patient: Patient) -> Injection:
     """A moving edge is sent on /tf_static."""
-    edge = scene.pick_moving()
+    edge = patient.pick_moving()
     changes = {}
     for place in edge.places:
-        record = scene.records[place]
+        record = patient.records[place]
         changes[place] = record._replace(topic=f"{record.topic}_static", is_static=True)
     detail = f"{edge.parent} -> {edge.child}, which moves, is sent on {changes[edge.places[0]].topic}"
-    return scene.done(scene.changed(changes), Fault.MOVING_ON_TF_STATIC, [edge], edge.places[0], detail)
+    return patient.done(patient.changed(changes), Fault.MOVING_ON_TF_STATIC, [edge], edge.places[0], detail)
 
 
-def no_tf_static(scene: Scene) -> Injection:
+def no_tf_static(patient: Patient) -> Injection:
     """Nothing of /tf_static was recorded."""
-    edges = scene.static()
+    edges = patient.static()
     if not edges:
         raise CannotInject("this stream cannot have the fault: it has no static transforms to lose")
-    left = [record for record in scene.records if not record.is_static]
+    left = [record for record in patient.records if not record.is_static]
     detail = f"{len(edges)} static edges were not recorded"
-    return scene.done(left, Fault.NO_TF_STATIC, edges, 0, detail)
+    return patient.done(left, Fault.NO_TF_STATIC, edges, 0, detail)

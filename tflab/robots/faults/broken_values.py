@@ -1,6 +1,6 @@
 """How do numbers break?  No rotation, not a number, no unit length, no turn where one belongs.
 
-Each function takes a Scene and returns a stream that has this fault, with its
+Each function takes a Patient and returns a stream that has this fault, with its
 diagnosis.  Read `broken_time.py` next.
 """
 
@@ -12,66 +12,66 @@ from collections.abc import Callable
 from tflab.core import Transform, quaternions
 
 from .catalogue import Fault
-from .patient import Injection, Scene
-from .streams import Edge, restamped
+from .patient import Injection, Patient
+from .streams import StreamEdge, restamped
 
 __all__ = ["nan", "non_unit_quaternion", "optical_identity", "zero_quaternion"]
 
 
-def _spoil(scene: Scene, fault: Fault, spoilt: Callable[[Transform], Transform], words: str) -> Injection:
+def _spoil(patient: Patient, fault: Fault, spoilt: Callable[[Transform], Transform], words: str) -> Injection:
     """Change the numbers of most samples of one edge."""
-    edge = scene.pick(scene.edges.values(), "a transform")
-    places = scene.tail(edge)
-    share = 1.0 if edge.is_static else scene.between(0.3, 1.0)
-    hit = [place for place in places if scene.rng.random() < share] or [places[0]]
+    edge = patient.pick(patient.edges.values(), "a transform")
+    places = patient.tail(edge)
+    share = 1.0 if edge.is_static else patient.between(0.3, 1.0)
+    hit = [place for place in places if patient.rng.random() < share] or [places[0]]
     changes = {
-        place: restamped(scene.records[place], transform=spoilt(scene.records[place].stamped.transform))
+        place: restamped(patient.records[place], transform=spoilt(patient.records[place].stamped.transform))
         for place in hit
     }
     detail = f"{len(hit)} of {len(edge.places)} samples of {edge.parent} -> {edge.child} {words}"
-    return scene.done(scene.changed(changes), fault, [edge], hit[0], detail)
+    return patient.done(patient.changed(changes), fault, [edge], hit[0], detail)
 
 
-def zero_quaternion(scene: Scene) -> Injection:
+def zero_quaternion(patient: Patient) -> Injection:
     def spoilt(transform: Transform) -> Transform:
         return Transform(transform.translation, (0.0, 0.0, 0.0, 0.0))
 
-    return _spoil(scene, Fault.ZERO_QUATERNION, spoilt, "have the rotation (0, 0, 0, 0)")
+    return _spoil(patient, Fault.ZERO_QUATERNION, spoilt, "have the rotation (0, 0, 0, 0)")
 
 
-def nan(scene: Scene) -> Injection:
-    number = int(scene.rng.integers(7))
+def nan(patient: Patient) -> Injection:
+    number = int(patient.rng.integers(7))
 
     def spoilt(transform: Transform) -> Transform:
         numbers = [*transform.translation, *transform.rotation]
         numbers[number] = math.nan
         return Transform(numbers[:3], numbers[3:])
 
-    return _spoil(scene, Fault.NAN, spoilt, f"have NaN for {('x', 'y', 'z', 'qx', 'qy', 'qz', 'qw')[number]}")
+    return _spoil(patient, Fault.NAN, spoilt, f"have NaN for {('x', 'y', 'z', 'qx', 'qy', 'qz', 'qw')[number]}")
 
 
-def non_unit_quaternion(scene: Scene) -> Injection:
-    length = scene.between(1.2, 2.5) if scene.rng.random() < 0.5 else scene.between(0.3, 0.85)
+def non_unit_quaternion(patient: Patient) -> Injection:
+    length = patient.between(1.2, 2.5) if patient.rng.random() < 0.5 else patient.between(0.3, 0.85)
 
     def spoilt(transform: Transform) -> Transform:
         return Transform(transform.translation, tuple(length * part for part in transform.rotation))
 
-    return _spoil(scene, Fault.NON_UNIT_QUATERNION, spoilt, f"have a quaternion of length {length:.2f}")
+    return _spoil(patient, Fault.NON_UNIT_QUATERNION, spoilt, f"have a quaternion of length {length:.2f}")
 
 
-def optical_identity(scene: Scene) -> Injection:
+def optical_identity(patient: Patient) -> Injection:
     """The turn from a camera to its optical frame is left out."""
 
-    def is_turned(edge: Edge) -> bool:
-        rotation = scene.records[edge.places[0]].stamped.transform.rotation
+    def is_turned(edge: StreamEdge) -> bool:
+        rotation = patient.records[edge.places[0]].stamped.transform.rotation
         return abs(abs(rotation[3]) - 1.0) > 1e-6
 
-    edge = scene.pick(
-        (e for e in scene.edges.values() if "optical" in e.child.lower() and is_turned(e)), "a frame called optical"
+    edge = patient.pick(
+        (e for e in patient.edges.values() if "optical" in e.child.lower() and is_turned(e)), "a frame called optical"
     )
     changes = {}
     for place in edge.places:
-        flat = Transform(scene.records[place].stamped.transform.translation, quaternions.IDENTITY)
-        changes[place] = restamped(scene.records[place], transform=flat)
+        flat = Transform(patient.records[place].stamped.transform.translation, quaternions.IDENTITY)
+        changes[place] = restamped(patient.records[place], transform=flat)
     detail = f"{edge.child} has the axes of {edge.parent}"
-    return scene.done(scene.changed(changes), Fault.OPTICAL_IDENTITY, [edge], edge.places[0], detail)
+    return patient.done(patient.changed(changes), Fault.OPTICAL_IDENTITY, [edge], edge.places[0], detail)

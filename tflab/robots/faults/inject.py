@@ -21,12 +21,12 @@ from tflab.core.records import TransformRecord
 from ..chance import chance
 from . import broken_time, broken_tree, broken_values
 from .catalogue import Diagnosis, Fault
-from .patient import CannotInject, Injection, Scene
+from .patient import CannotInject, Injection, Patient
 from .streams import Stream, edges_of
 
 __all__ = ["INJECTORS", "CannotInject", "Injection", "inject", "inject_all", "possible_faults"]
 
-INJECTORS: dict[Fault, Callable[[Scene], Injection]] = {
+INJECTORS: dict[Fault, Callable[[Patient], Injection]] = {
     Fault.REPARENTED: broken_tree.reparent,
     Fault.SECOND_OWNER: broken_tree.second_owner,
     Fault.DUPLICATE_STAMPS: broken_time.duplicate_stamps,
@@ -58,8 +58,8 @@ def inject(records: Sequence[TransformRecord], fault: Fault | str, seed: int = 0
         ValueError: no such fault.
     """
     fault = Fault(fault)
-    scene = Scene(list(records), edges_of(records), chance(seed, fault))
-    return INJECTORS[fault](scene)
+    patient = Patient(list(records), edges_of(records), chance(seed, fault))
+    return INJECTORS[fault](patient)
 
 
 def inject_all(

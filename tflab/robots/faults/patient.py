@@ -1,11 +1,11 @@
 """Where could a fault happen?  A stream to break, its edges, and chance.
 
-    Scene(records, edges, rng)
+    Patient(records, edges, rng)
         .pick_moving()    one edge that moves, by chance
         .tail(edge)       its samples from some moment in the middle on
         .done(...)        the broken stream and its diagnosis
 
-Each injector is a function from a Scene to an Injection.  Read `broken_tree.py` next.
+Each injector is a function from a Patient to an Injection.  Read `broken_tree.py` next.
 """
 
 from __future__ import annotations
@@ -20,9 +20,9 @@ from tflab.core import Transform
 from tflab.core.records import TransformRecord
 
 from .catalogue import Diagnosis, Fault
-from .streams import Edge, Stream, in_order
+from .streams import Stream, StreamEdge, in_order
 
-__all__ = ["CannotInject", "Injection", "Scene"]
+__all__ = ["CannotInject", "Injection", "Patient"]
 
 FEWEST_SAMPLES = 20  # with fewer, a change halfway is hardly to be seen
 
@@ -38,29 +38,29 @@ class Injection(NamedTuple):
     diagnosis: Diagnosis
 
 
-class Scene(NamedTuple):
+class Patient(NamedTuple):
     """What an injector works with: the stream, its edges, and chance."""
 
     records: Stream
-    edges: dict[str, Edge]
+    edges: dict[str, StreamEdge]
     rng: np.random.Generator
 
-    def pick(self, edges: Iterable[Edge], otherwise: str) -> Edge:
+    def pick(self, edges: Iterable[StreamEdge], otherwise: str) -> StreamEdge:
         """Return one of `edges` by chance, or raise CannotInject saying what is missing."""
         choice = list(edges)
         if not choice:
             raise CannotInject(f"this stream cannot have the fault: it needs {otherwise}")
         return choice[int(self.rng.integers(len(choice)))]
 
-    def moving(self) -> list[Edge]:
+    def moving(self) -> list[StreamEdge]:
         """Return the edges whose numbers change, and often enough to show a fault."""
         return [e for e in self.edges.values() if not e.is_static and e.varies and len(e.places) >= FEWEST_SAMPLES]
 
-    def static(self) -> list[Edge]:
+    def static(self) -> list[StreamEdge]:
         """Return the edges that came as static ones."""
         return [edge for edge in self.edges.values() if edge.is_static]
 
-    def pick_moving(self) -> Edge:
+    def pick_moving(self) -> StreamEdge:
         """Return one moving edge by chance."""
         return self.pick(self.moving(), f"a moving edge of at least {FEWEST_SAMPLES} samples")
 
@@ -68,7 +68,7 @@ class Scene(NamedTuple):
         """Return a number by chance, in [low, high)."""
         return float(self.rng.uniform(low, high))
 
-    def tail(self, edge: Edge) -> tuple[int, ...]:
+    def tail(self, edge: StreamEdge) -> tuple[int, ...]:
         """Return the places of an edge from some moment in the middle on; of a static one, all."""
         return edge.places if edge.is_static else edge.places[int(len(edge.places) * self.between(0.25, 0.6)) :]
 
@@ -79,7 +79,7 @@ class Scene(NamedTuple):
             raise CannotInject("this stream cannot have the fault: it needs transforms that are not broken already")
         return sound
 
-    def period_ns(self, edge: Edge) -> int:
+    def period_ns(self, edge: StreamEdge) -> int:
         """Return the usual time between two samples of an edge, as they arrive."""
         heard = np.array([self.records[place].receive_ns for place in edge.places])
         return int(np.median(np.diff(heard)))
@@ -102,7 +102,7 @@ class Scene(NamedTuple):
         return [changes.get(place, record) for place, record in enumerate(self.records)]
 
     def done(
-        self, records: Sequence[TransformRecord], fault: Fault, edges: Iterable[Edge], at: int, detail: str
+        self, records: Sequence[TransformRecord], fault: Fault, edges: Iterable[StreamEdge], at: int, detail: str
     ) -> Injection:
         """Return the result; `at` is the place of the first record at fault."""
         frames = tuple(edge.child for edge in edges)

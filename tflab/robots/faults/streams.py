@@ -2,7 +2,7 @@
 
     records: odom->base  base->laser  odom->base  map->odom  odom->base ...
                 |                         |                      |
-    Edge(child="base", parent="odom", places=(0, 2, 4, ...))
+    StreamEdge(child="base", parent="odom", places=(0, 2, 4, ...))
 
 Places are positions in the stream, so that a change to an edge is a change to the
 records at its places.  Read `patient.py` next.
@@ -17,13 +17,13 @@ from dataclasses import dataclass, replace
 from tflab.core import StampedTransform, Transform
 from tflab.core.records import TransformRecord
 
-__all__ = ["Edge", "Stream", "edges_of", "in_order", "restamped"]
+__all__ = ["Stream", "StreamEdge", "edges_of", "in_order", "restamped"]
 
 Stream = list[TransformRecord]
 
 
 @dataclass(frozen=True, slots=True)
-class Edge:
+class StreamEdge:
     """One child and its samples.
 
     Attributes:
@@ -43,7 +43,7 @@ class Edge:
     varies: bool
 
 
-def edges_of(records: Sequence[TransformRecord]) -> dict[str, Edge]:
+def edges_of(records: Sequence[TransformRecord]) -> dict[str, StreamEdge]:
     """Return the edges of a stream by child, in the order of the names."""
     places: dict[str, list[int]] = {}
     for place, record in enumerate(records):
@@ -52,7 +52,7 @@ def edges_of(records: Sequence[TransformRecord]) -> dict[str, Edge]:
     for child, where in sorted(places.items()):
         samples = [records[place] for place in where]
         first = samples[0].stamped.transform
-        edges[child] = Edge(
+        edges[child] = StreamEdge(
             child,
             _usual([sample.stamped.frame_id for sample in samples]),
             _usual([sample.is_static for sample in samples]),

@@ -255,12 +255,12 @@ def _geometry(part: Part) -> tuple[Any, np.ndarray]:
 
 
 @lru_cache(16)
-def _axes(length_m: float, ghost: bool) -> shapes.Mesh:
+def _axes(length_m: float, ghost: bool) -> shapes.Triangles:
     return shapes.axes(length_m, ghost)
 
 
 @lru_cache(256)
-def _arrow_along_x(length_m: float, radius_m: float, colour: str) -> shapes.Mesh:
+def _arrow_along_x(length_m: float, radius_m: float, colour: str) -> shapes.Triangles:
     """Return an arrow in a frame of its own, so that one that only moves need not be sent again."""
     return shapes.arrow((0.0, 0.0, 0.0), (length_m, 0.0, 0.0), radius_m, colour)
 
@@ -274,18 +274,18 @@ def _x_along(start: np.ndarray, end: np.ndarray) -> np.ndarray:
     return pose
 
 
-def _fan(points: np.ndarray, hit: np.ndarray, colour: str) -> shapes.Mesh:
+def _fan(points: np.ndarray, hit: np.ndarray, colour: str) -> shapes.Triangles:
     """Return the triangles between the sensor and each two neighbouring hits."""
     both = np.flatnonzero(hit[:-1] & hit[1:]) + 1
     corners = np.vstack([np.zeros((1, 3)), np.where(hit[:, None], points, 0.0)])
     faces = np.column_stack([np.zeros_like(both), both, both + 1])
-    return shapes.Mesh(corners, faces, np.tile(shapes.rgb(colour), (len(corners), 1)))
+    return shapes.Triangles(corners, faces, np.tile(shapes.rgb(colour), (len(corners), 1)))
 
 
-def _image_plane(half_w: float, half_h: float, depth: float, colour: str) -> shapes.Mesh:
+def _image_plane(half_w: float, half_h: float, depth: float, colour: str) -> shapes.Triangles:
     signs = np.array([(-1, -1, 1), (1, -1, 1), (1, 1, 1), (-1, 1, 1)])
     corners = signs * (half_w, half_h, depth)
-    return shapes.Mesh(corners, np.array([(0, 1, 2), (0, 2, 3)]), np.tile(shapes.rgb(colour), (4, 1)))
+    return shapes.Triangles(corners, np.array([(0, 1, 2), (0, 2, 3)]), np.tile(shapes.rgb(colour), (4, 1)))
 
 
 def _axis_letters(length_m: float, ghost: bool) -> list[dict]:

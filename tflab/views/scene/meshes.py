@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from .shapes import Mesh
+from .shapes import Triangles
 
 __all__ = ["grid", "triangles"]
 
@@ -20,7 +20,7 @@ GRID_COLOUR = "#8C9196"
 GRID_OPACITY = 0.45
 
 
-def triangles(mesh: Mesh, opacity: float = 1.0) -> tuple[Any, Any]:
+def triangles(mesh: Triangles, opacity: float = 1.0) -> tuple[Any, Any]:
     """Return a mesh as meshcat wants it: its geometry, and a material without shading."""
     from meshcat.geometry import MeshBasicMaterial, TriangularMeshGeometry
 

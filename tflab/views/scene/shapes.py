@@ -21,7 +21,7 @@ import numpy as np
 
 from .. import style
 
-__all__ = ["Mesh", "across", "arrow", "axes", "bar", "frustum", "joined", "polyline", "rgb"]
+__all__ = ["Triangles", "across", "arrow", "axes", "bar", "frustum", "joined", "polyline", "rgb"]
 
 SIDES = 8
 DASHES = {"solid": 1, "dashed": 4, "dotted": 8}
@@ -29,7 +29,7 @@ FILLED = {"solid": 1.0, "dashed": 0.66, "dotted": 0.42}  # part of each dash's l
 LINES = {"x": "solid", "y": "dashed", "z": "dotted"}
 
 
-class Mesh(NamedTuple):
+class Triangles(NamedTuple):
     """Triangles: points, shape (n, 3) [m]; faces, shape (m, 3), indices into them; a colour for each point, (n, 3)."""
 
     points: np.ndarray
@@ -42,10 +42,10 @@ def rgb(colour: str) -> tuple[float, float, float]:
     return tuple(int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5))
 
 
-def joined(meshes: Sequence[Mesh]) -> Mesh:
+def joined(meshes: Sequence[Triangles]) -> Triangles:
     """Return several meshes as one."""
     starts = np.cumsum([0] + [len(mesh.points) for mesh in meshes[:-1]])
-    return Mesh(
+    return Triangles(
         np.vstack([mesh.points for mesh in meshes]),
         np.vstack([mesh.faces + start for mesh, start in zip(meshes, starts, strict=True)]),
         np.vstack([mesh.colours for mesh in meshes]),
@@ -62,7 +62,9 @@ def across(direction: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return side, np.cross(along, side)
 
 
-def bar(start: Sequence[float], end: Sequence[float], radius_m: float, colour: str, end_radius_m: float = -1.0) -> Mesh:
+def bar(
+    start: Sequence[float], end: Sequence[float], radius_m: float, colour: str, end_radius_m: float = -1.0
+) -> Triangles:
     """Return a straight bar; with another radius at its end (0 gives a cone)."""
     start, end = np.asarray(start, dtype=float), np.asarray(end, dtype=float)
     end_radius_m = radius_m if end_radius_m < 0.0 else end_radius_m
@@ -75,10 +77,12 @@ def bar(start: Sequence[float], end: Sequence[float], radius_m: float, colour: s
     for i in range(SIDES):
         j = (i + 1) % SIDES
         faces += [(i, j, SIDES + i), (j, SIDES + j, SIDES + i), (first, j, i), (second, SIDES + i, SIDES + j)]
-    return Mesh(points, np.array(faces), np.tile(rgb(colour), (len(points), 1)))
+    return Triangles(points, np.array(faces), np.tile(rgb(colour), (len(points), 1)))
 
 
-def line(start: Sequence[float], end: Sequence[float], radius_m: float, colour: str, style_name: str = "solid") -> Mesh:
+def line(
+    start: Sequence[float], end: Sequence[float], radius_m: float, colour: str, style_name: str = "solid"
+) -> Triangles:
     """Return a straight line, "solid", "dashed" or "dotted"."""
     start, end = np.asarray(start, dtype=float), np.asarray(end, dtype=float)
     count, filled = DASHES[style_name], FILLED[style_name]
@@ -88,7 +92,7 @@ def line(start: Sequence[float], end: Sequence[float], radius_m: float, colour: 
 
 def arrow(
     start: Sequence[float], end: Sequence[float], radius_m: float, colour: str, style_name: str = "solid"
-) -> Mesh:
+) -> Triangles:
     """Return a line that ends in a cone."""
     start, end = np.asarray(start, dtype=float), np.asarray(end, dtype=float)
     length_m = float(np.linalg.norm(end - start))
@@ -97,7 +101,7 @@ def arrow(
     return joined([line(start, neck, radius_m, colour, style_name), bar(neck, end, 2.6 * radius_m, colour, 0.0)])
 
 
-def axes(length_m: float, ghost: bool = False) -> Mesh:
+def axes(length_m: float, ghost: bool = False) -> Triangles:
     """Return the three axes of a frame: told apart by colour and by line; a ghost's by line alone."""
     radius_m = 0.026 * length_m
     ends = {"x": (length_m, 0.0, 0.0), "y": (0.0, length_m, 0.0), "z": (0.0, 0.0, length_m)}
@@ -105,7 +109,7 @@ def axes(length_m: float, ghost: bool = False) -> Mesh:
     return joined([arrow((0.0, 0.0, 0.0), ends[a], radius_m, colours[a], LINES[a]) for a in style.AXES])
 
 
-def polyline(points: np.ndarray, radius_m: float, colour: str, dashed: bool = False) -> Mesh:
+def polyline(points: np.ndarray, radius_m: float, colour: str, dashed: bool = False) -> Triangles:
     """Return a line through `points`, shape (n, 3); dashed leaves out every other part of it."""
     points = np.asarray(points, dtype=float)
     pieces = list(pairwise(points))
@@ -114,7 +118,7 @@ def polyline(points: np.ndarray, radius_m: float, colour: str, dashed: bool = Fa
     return joined([bar(a, b, radius_m, colour) for a, b in pieces])
 
 
-def frustum(half_width_m: float, half_height_m: float, depth_m: float, radius_m: float, colour: str) -> Mesh:
+def frustum(half_width_m: float, half_height_m: float, depth_m: float, radius_m: float, colour: str) -> Triangles:
     """Return the four edges of what a camera sees, and the rim of its image plane.
 
     The camera looks along z, x is to the right in the image and y down (REP-103's

@@ -27,7 +27,7 @@ from ..words import LANGUAGES
 from .html import write_html
 from .kernel import wait_for
 from .one_page import Made, make_page
-from .source import Fault
+from .source import PageFault
 from .stale import stale
 
 __all__ = ["Built", "build", "build_pages", "sources", "write_files"]
@@ -47,7 +47,7 @@ class Built:
     """
 
     files: dict[str, str] = field(default_factory=dict)
-    faults: list[Fault] = field(default_factory=list)
+    faults: list[PageFault] = field(default_factory=list)
     faulty: dict[str, str] = field(default_factory=dict)
 
 

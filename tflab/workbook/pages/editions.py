@@ -19,7 +19,7 @@ from typing import Any
 from ..course.glossary import MARKED, UnknownTerm, expand
 from ..tasks.blank import blank
 from ..tasks.task import slug
-from .source import Cell, Page
+from .source import Page, SourceCell
 
 __all__ = ["Outputs", "exercise_notebook", "lecture_notebook", "task_of", "text_of"]
 
@@ -92,7 +92,7 @@ def _notebook(page: Page, language: str, cells: list[dict]) -> Notebook:
     return {"cells": cells, "metadata": metadata, "nbformat": 4, "nbformat_minor": 5}
 
 
-def _cell(cell: Cell, language: str) -> dict:
+def _cell(cell: SourceCell, language: str) -> dict:
     metadata: dict[str, Any] = {"name": cell.name}
     if cell.tags:
         metadata["tags"] = list(cell.tags)
@@ -112,11 +112,11 @@ def _with_terms(text: str, language: str) -> str:
         return MARKED.sub(lambda found: found[2] or found[1], text)
 
 
-def _is_note(cell: Cell) -> bool:
+def _is_note(cell: SourceCell) -> bool:
     return cell.kind == "markdown" and cell.slide == "notes"
 
 
-def _add_note(cells: list[dict], note: Cell, language: str) -> None:
+def _add_note(cells: list[dict], note: SourceCell, language: str) -> None:
     """Keep what the speaker says with the cell before: a reader does not see it, the deck shows it."""
     if not cells:
         return

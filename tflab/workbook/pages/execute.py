@@ -24,7 +24,7 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from .kernel import running_kernel
-from .source import Cell, Fault, Page
+from .source import Page, PageFault, SourceCell
 
 __all__ = ["LARGEST_PNG", "Outputs", "run_page"]
 
@@ -35,7 +35,7 @@ WIDGET = "application/vnd.jupyter.widget-view+json"
 Outputs = dict[str, list[dict]]
 
 
-async def run_page(page: Page, folder: str, cases: dict[str, str]) -> tuple[Outputs, list[Fault]]:
+async def run_page(page: Page, folder: str, cases: dict[str, str]) -> tuple[Outputs, list[PageFault]]:
     """Run a page's code once; return what its cells store, and what is wrong with that.
 
     Args:
@@ -128,7 +128,7 @@ def _storable(output: dict) -> dict:
     return {"data": data, "metadata": json.loads(json.dumps(output["metadata"])), "output_type": kind}
 
 
-def _output_faults(page: Page, cell: Cell, outputs: list[dict], root: str) -> Iterator[Fault]:
+def _output_faults(page: Page, cell: SourceCell, outputs: list[dict], root: str) -> Iterator[PageFault]:
     """Find what a cell must not have put out."""
     raised = [output for output in outputs if output["output_type"] == "error"]
     meant = "raises-exception" in cell.tags
@@ -161,7 +161,7 @@ def _output_faults(page: Page, cell: Cell, outputs: list[dict], root: str) -> It
             yield page.fault(cell, wrong, f"at most {LARGEST_PNG // 1000} kB: draw less of it")
 
 
-def _figures(page: Page, outputs: Outputs) -> Iterator[Fault]:
+def _figures(page: Page, outputs: Outputs) -> Iterator[PageFault]:
     """Find interactive cells whose next cell draws nothing."""
     for cell, following in pairwise(page.code):
         if "interactive" in cell.tags and "interactive" not in following.tags:

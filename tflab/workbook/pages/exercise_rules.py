@@ -19,14 +19,14 @@ from ..tasks.blank import BlankError, blank, regions
 from ..tasks.task import Task, slug
 from ..words import LANGUAGES
 from .editions import Outputs, task_of
-from .source import Cell, Fault, Page
+from .source import Page, PageFault, SourceCell
 
 __all__ = ["exercise_faults", "score_faults", "untouched", "untouched_faults"]
 
 CALLS = ("check", "hint", "solution", "task")
 
 
-def exercise_faults(page: Page, tasks: Sequence[Task]) -> list[Fault]:
+def exercise_faults(page: Page, tasks: Sequence[Task]) -> list[PageFault]:
     """Return what is wrong with a solution's page, given the tasks of its chapter."""
     found = [fault for task in tasks for fault in _task(page, task)]
     ids = [task.id for task in tasks]
@@ -35,7 +35,7 @@ def exercise_faults(page: Page, tasks: Sequence[Task]) -> list[Fault]:
     return sorted(set(found), key=lambda fault: (fault.line, fault.wrong))
 
 
-def score_faults(page: Page, tasks: Iterable[str], outputs: Outputs) -> list[Fault]:
+def score_faults(page: Page, tasks: Iterable[str], outputs: Outputs) -> list[PageFault]:
     """Return a fault for each task that its own solution, as it was run, does not pass."""
     found = []
     for task in tasks:
@@ -54,7 +54,7 @@ def untouched(page: Page) -> Page:
     return replace(page, cells=tuple(cells))
 
 
-def untouched_faults(page: Page, outputs: Outputs) -> list[Fault]:
+def untouched_faults(page: Page, outputs: Outputs) -> list[PageFault]:
     """Return what is wrong with an exercise that was run untouched: it must reach its end, and pass nothing."""
     found = []
     for cell in page.code:
@@ -67,7 +67,7 @@ def untouched_faults(page: Page, outputs: Outputs) -> list[Fault]:
     return found
 
 
-def _task(page: Page, task: Task) -> Iterator[Fault]:
+def _task(page: Page, task: Task) -> Iterator[PageFault]:
     """Find what a task lacks."""
     name = slug(task.id)
     for language in LANGUAGES:
@@ -102,7 +102,7 @@ def _task(page: Page, task: Task) -> Iterator[Fault]:
         yield page.fault(text, f"the cells of {task.id} are not in order", "text, given, answer, check")
 
 
-def _cell(page: Page, cell: Cell, ids: Sequence[str]) -> Iterator[Fault]:
+def _cell(page: Page, cell: SourceCell, ids: Sequence[str]) -> Iterator[PageFault]:
     """Find regions that cannot be blanked, and tasks that nobody knows."""
     answers = "answer" in cell.tags
     if (answers or "check" in cell.tags) and task_of(cell.name, ids) is None:
@@ -127,11 +127,11 @@ def _cell(page: Page, cell: Cell, ids: Sequence[str]) -> Iterator[Fault]:
             yield page.fault(cell, f'{call} names the task "{asked}", which is not in solutions/tasks', remedy)
 
 
-def _find(page: Page, name: str, language: str | None) -> Cell | None:
+def _find(page: Page, name: str, language: str | None) -> SourceCell | None:
     return next((cell for cell in page.cells if (cell.name, cell.lang) == (name, language)), None)
 
 
-def _calls(cell: Cell) -> list[tuple[str, str]]:
+def _calls(cell: SourceCell) -> list[tuple[str, str]]:
     """Return the calls of task, check, hint and solution in a cell: what, and which task."""
     try:
         tree = ast.parse(cell.source)

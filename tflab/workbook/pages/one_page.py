@@ -27,7 +27,7 @@ from .editions import exercise_notebook, lecture_notebook, text_of
 from .execute import Outputs, run_page
 from .exercise_rules import exercise_faults, score_faults, untouched, untouched_faults
 from .rules import page_faults
-from .source import Fault, Page, PageError, read_page
+from .source import Page, PageError, PageFault, read_page
 
 __all__ = ["Made", "make_page"]
 
@@ -36,7 +36,7 @@ class Made(NamedTuple):
     """The text of each file that comes of a source, by its path in the workbook, and what is wrong with the source."""
 
     files: dict[str, str]
-    faults: list[Fault]
+    faults: list[PageFault]
 
 
 async def make_page(path: Path, cases_turn: asyncio.Lock) -> Made:
@@ -56,7 +56,7 @@ async def make_page(path: Path, cases_turn: asyncio.Lock) -> Made:
         return Made({}, list(error.faults))
 
 
-async def _solution(page: Page, faults: list[Fault], cases_turn: asyncio.Lock) -> Made:
+async def _solution(page: Page, faults: list[PageFault], cases_turn: asyncio.Lock) -> Made:
     async with cases_turn:
         tasks, more = await asyncio.to_thread(_cases, page)
     faults += more
@@ -83,7 +83,7 @@ def _in_each_language(page: Page, room: str, outputs: Outputs, tasks: dict[str, 
     }
 
 
-def _cases(page: Page) -> tuple[dict[str, Any], list[Fault]]:
+def _cases(page: Page) -> tuple[dict[str, Any], list[PageFault]]:
     """Return the public cases of a solution's tasks, by id, and what is wrong with them."""
     path = page.path.parents[1] / "tasks" / page.path.name
     try:
@@ -102,7 +102,7 @@ def _cases(page: Page) -> tuple[dict[str, Any], list[Fault]]:
     return made, faults
 
 
-def _task_fault(page: Page, path: Path, task: str, error: Exception) -> Fault:
+def _task_fault(page: Page, path: Path, task: str, error: Exception) -> PageFault:
     """Return what is wrong with a task: at its answer's cell if that fails, else in the chapter's tasks."""
     if isinstance(error, TaskError) and not isinstance(error, CasesError):
         cell = next((cell for cell in page.code if cell.name == answer_cell_name(task)), None)
@@ -110,4 +110,4 @@ def _task_fault(page: Page, path: Path, task: str, error: Exception) -> Fault:
     lines = path.read_text(encoding="utf-8").splitlines()
     line = next((n for n, text in enumerate(lines, start=1) if re.search(rf"\bid\s*=\s*[\"']{task}[\"']", text)), 1)
     wrong = str(error) if isinstance(error, TaskError) else f"{task}: {type(error).__name__}: {error}"
-    return Fault("/".join(path.parts[-3:]), line, "", wrong, f"mend {task}")
+    return PageFault("/".join(path.parts[-3:]), line, "", wrong, f"mend {task}")

@@ -17,7 +17,7 @@ from collections.abc import Collection, Iterator
 from posixpath import normpath
 
 from ..words import LANGUAGES
-from .source import Cell, Fault, Page, code_lines
+from .source import Page, PageFault, SourceCell, code_lines
 
 __all__ = ["MOST_LINES", "SLIDES", "TAGS", "page_faults"]
 
@@ -35,7 +35,7 @@ ELSEWHERE = re.compile(r"[a-z]+:|#")
 PAGE = re.compile(r"(notebooks|solutions|exercises)/(en|ko)/([^/]+)\.ipynb")
 
 
-def page_faults(page: Page, terms: Collection[str] | None = None) -> list[Fault]:
+def page_faults(page: Page, terms: Collection[str] | None = None) -> list[PageFault]:
     """Return what is wrong with a page as it is written; `terms` are the glossary's keys, None if there is none."""
     found = [*_cells(page), *_pairs(page), *_headings(page), *_pictures(page), *_interactive(page), *_links(page)]
     if terms is not None:
@@ -43,7 +43,7 @@ def page_faults(page: Page, terms: Collection[str] | None = None) -> list[Fault]
     return sorted(set(found), key=lambda fault: (fault.line, fault.wrong))
 
 
-def _cells(page: Page) -> Iterator[Fault]:
+def _cells(page: Page) -> Iterator[PageFault]:
     """Find cells without a proper name, with options that mean nothing, or too long."""
     for cell in page.cells:
         if not cell.name:
@@ -70,7 +70,7 @@ def _cells(page: Page) -> Iterator[Fault]:
             yield page.fault(cell, f"this text is in no language ({cell.lang})", 'add lang="en" or lang="ko"')
 
 
-def _pairs(page: Page) -> Iterator[Fault]:
+def _pairs(page: Page) -> Iterator[PageFault]:
     """Find names that stand for two cells, and texts without the other language next to them."""
     for name, times in Counter((cell.name, cell.lang) for cell in page.cells if cell.name).items():
         if times > 1:
@@ -94,7 +94,7 @@ def _pairs(page: Page) -> Iterator[Fault]:
             yield from _pair(page, cell, there[0])
 
 
-def _pair(page: Page, en: Cell, ko: Cell) -> Iterator[Fault]:
+def _pair(page: Page, en: SourceCell, ko: SourceCell) -> Iterator[PageFault]:
     """Find where two texts of one cell are not of one shape."""
     depths = [[depth for _, depth in _depths(cell)] for cell in (en, ko)]
     if depths[0] != depths[1]:
@@ -106,14 +106,14 @@ def _pair(page: Page, en: Cell, ko: Cell) -> Iterator[Fault]:
         yield page.fault(en if not en.source.strip() else ko, "there is no text", "write it")
 
 
-def _depths(cell: Cell) -> list[tuple[int, int]]:
+def _depths(cell: SourceCell) -> list[tuple[int, int]]:
     """Return the headings of a text: line from 0, and depth."""
     code = code_lines(cell.source)
     lines = enumerate(cell.source.splitlines())
     return [(n, len(found[1])) for n, line in lines if n not in code and (found := HEADING.match(line))]
 
 
-def _headings(page: Page) -> Iterator[Fault]:
+def _headings(page: Page) -> Iterator[PageFault]:
     """Find headings that leave a depth out, and a page with no title or two."""
     for language in LANGUAGES:
         before, titles = 0, 0
@@ -132,7 +132,7 @@ def _headings(page: Page) -> Iterator[Fault]:
             yield page.fault(None, f"there is no title in {CALLED[language]}", 'begin with a heading "# ..."')
 
 
-def _pictures(page: Page) -> Iterator[Fault]:
+def _pictures(page: Page) -> Iterator[PageFault]:
     for cell, text in _prose(page):
         for found in IMAGE.finditer(text):
             alt = found[1] if found[2] is None else "".join(re.findall(r'alt="([^"]*)"', found[2]))
@@ -142,7 +142,7 @@ def _pictures(page: Page) -> Iterator[Fault]:
             yield page.fault(cell, "an image comes from the network", "draw it: nothing leaves a learner's machine")
 
 
-def _terms(page: Page, terms: Collection[str]) -> Iterator[Fault]:
+def _terms(page: Page, terms: Collection[str]) -> Iterator[PageFault]:
     marked: dict[tuple[str, str | None], Counter] = {}
     for cell, text in _prose(page):
         found = [key.strip() for key in TERM.findall(text)]
@@ -157,7 +157,7 @@ def _terms(page: Page, terms: Collection[str]) -> Iterator[Fault]:
             yield page.fault(cell, f"only one language marks {different}", "mark the same terms in both")
 
 
-def _interactive(page: Page) -> Iterator[Fault]:
+def _interactive(page: Page) -> Iterator[PageFault]:
     code = page.code
     for i, cell in enumerate(code):
         if "interactive" in cell.tags and (i + 1 == len(code) or "interactive" in code[i + 1].tags):
@@ -165,7 +165,7 @@ def _interactive(page: Page) -> Iterator[Fault]:
             yield page.fault(cell, "no figure follows this interactive cell", remedy)
 
 
-def _links(page: Page) -> Iterator[Fault]:
+def _links(page: Page) -> Iterator[PageFault]:
     """Find links to what is not in a learner's copy, or is in the other language."""
     root, room = page.path.parents[2], page.path.parents[1].name
     for cell, text in _prose(page):
@@ -182,7 +182,7 @@ def _links(page: Page) -> Iterator[Fault]:
                 yield page.fault(cell, f"{target} is in the other language", f"link to the one below {cell.lang}/")
 
 
-def _prose(page: Page) -> Iterator[tuple[Cell, str]]:
+def _prose(page: Page) -> Iterator[tuple[SourceCell, str]]:
     """Yield each text with its code taken out."""
     for cell in page.cells:
         if cell.kind == "markdown" and cell.lang in LANGUAGES:

@@ -18,14 +18,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-__all__ = ["Cell", "Fault", "Page", "PageError", "code_lines", "read_page"]
+__all__ = ["Page", "PageError", "PageFault", "SourceCell", "code_lines", "read_page"]
 
 MARKER = re.compile(r"#\s*%%%*(\s.*)?$")
 OPTIONS = {"lang", "name", "slide", "tags"}
 
 
 @dataclass(frozen=True, slots=True)
-class Cell:
+class SourceCell:
     """One cell as it was written.
 
     Attributes:
@@ -48,7 +48,7 @@ class Cell:
 
 
 @dataclass(frozen=True, slots=True)
-class Fault:
+class PageFault:
     """What is wrong with a page, where, and what to do about it."""
 
     path: str
@@ -65,7 +65,7 @@ class Fault:
 class PageError(Exception):
     """Pages that cannot be built as they are; `faults` says why, each with its place."""
 
-    def __init__(self, *faults: Fault) -> None:
+    def __init__(self, *faults: PageFault) -> None:
         super().__init__("\n".join(str(fault) for fault in faults))
         self.faults = faults
 
@@ -75,7 +75,7 @@ class Page:
     """A page as it was written: its cells in order, both languages."""
 
     path: Path
-    cells: tuple[Cell, ...]
+    cells: tuple[SourceCell, ...]
 
     @property
     def stem(self) -> str:
@@ -88,19 +88,19 @@ class Page:
         return "/".join(self.path.parts[-3:])
 
     @property
-    def code(self) -> tuple[Cell, ...]:
+    def code(self) -> tuple[SourceCell, ...]:
         """Return the code cells."""
         return tuple(cell for cell in self.cells if cell.kind == "code")
 
-    def in_language(self, language: str) -> Iterator[Cell]:
+    def in_language(self, language: str) -> Iterator[SourceCell]:
         """Yield the cells that a reader of `language` sees, and the speaker's notes among them."""
         return (cell for cell in self.cells if cell.lang in (None, language))
 
-    def fault(self, cell: Cell | None, wrong: str, remedy: str) -> Fault:
+    def fault(self, cell: SourceCell | None, wrong: str, remedy: str) -> PageFault:
         """Return a fault of this page, at `cell` or at its top."""
         if cell is None:
-            return Fault(self.shown_path, 1, "", wrong, remedy)
-        return Fault(self.shown_path, cell.line, cell.name, wrong, remedy)
+            return PageFault(self.shown_path, 1, "", wrong, remedy)
+        return PageFault(self.shown_path, cell.line, cell.name, wrong, remedy)
 
 
 def read_page(path: str | Path) -> Page:
@@ -140,12 +140,12 @@ def code_lines(text: str) -> set[int]:
     return inside
 
 
-def _cell(read, line: int) -> Cell:
+def _cell(read, line: int) -> SourceCell:
     options = dict(read.metadata)
     options.pop("lines_to_next_cell", None)
     options.pop("lines_to_end_of_cell_marker", None)
     tags = options.get("tags", [])
-    return Cell(
+    return SourceCell(
         name=str(options.get("name", "")),
         kind=read.cell_type,
         lang=options.get("lang"),
