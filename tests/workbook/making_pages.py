@@ -39,7 +39,7 @@ def page(root: Path, *parts: str, **where: str) -> Page:
 
 
 TASKS = """from tflab.workbook.answers.forms import Number
-from tflab.workbook.tasks import Task, Twin, Words
+from tflab.workbook.tasks.task import Task, Twin, Words
 
 LOOK = Words(en="Look.", ko="보십시오.")
 TASKS = (

@@ -12,8 +12,8 @@ STEM = "03_small"
 TASKS = """
 import math
 from tflab.core import Transform
-from tflab.workbook.forms import Choice, Number, Parts, Pose, Vector
-from tflab.workbook.tasks import Task, Twin, Words
+from tflab.workbook.answers.forms import Choice, Number, Parts, Pose, Vector
+from tflab.workbook.tasks.task import Task, Twin, Words
 
 HINTS = tuple(Words(en=f"hint {n}", ko=f"힌트 {n}") for n in (1, 2, 3))
 

@@ -32,7 +32,7 @@ def installed(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def run(installed: Path, folder: Path, *words: str) -> str:
     """Run `tflab` as installed, in an empty folder; JupyterLab itself is not started."""
     program = (
-        "import sys, tflab; from tflab.workbook import lab; from tflab.cli import main;"
+        "import sys, tflab; from tflab.workbook.copy import lab; from tflab.cli import main;"
         "lab.start_jupyterlab = lambda options: print('opens', *options);"
         "assert tflab.__file__.startswith(sys.argv[1]); sys.exit(main(sys.argv[2:]))"
     )
