@@ -60,8 +60,8 @@ def test_what_is_missing_is_named_with_what_to_type(monkeypatch, capsys) -> None
     environment.check_environment()
     assert "✗" not in capsys.readouterr().out
     monkeypatch.setattr(environment, "LEAST_PYTHON", (99, 0))
-    monkeypatch.setitem(environment.NEEDED, "widgets and 3D", ("no_such_package",))
+    monkeypatch.setitem(environment.NEEDED, "widgets and 3D", ("tflab[lab]", ("no_such_package",)))
     environment.check_environment()
     said = capsys.readouterr().out
     assert "install a later one" in said
-    assert "no_such_package is missing: pip install no_such_package" in said
+    assert 'no_such_package is missing: pip install "tflab[lab]"' in said

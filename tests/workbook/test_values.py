@@ -127,7 +127,7 @@ def test_unanswered_is_the_dots_or_your_turn():
     assert not is_unanswered(to_plain({}))
 
 
-class Frame(str, Enum):  # noqa: UP042  # as most still write it; it prints as Frame.MAP
+class Frame(str, Enum):  # as most still write it; it prints as Frame.MAP
     MAP = "map"
 
 

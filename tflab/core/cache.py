@@ -41,8 +41,8 @@ _seven_doubles = Struct("=7d").pack  # an array takes bytes twice as fast as a t
 
 SEGMENTS_REMEMBERED = 1024  # for each edge: ten seconds at 100 Hz
 
-# start [ns], 1 / duration [1/ns], both positions [m], rotation, its perpendicular, angle [rad]
-Segment = tuple[int, *tuple[float, ...]]
+# start [ns, an int], 1 / duration [1/ns], both positions [m], rotation, its perpendicular, angle [rad]
+Segment = tuple[float, ...]
 
 
 class Gap(NamedTuple):

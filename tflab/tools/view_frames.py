@@ -17,7 +17,7 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Mapping, Sequence
-from datetime import UTC, datetime
+from datetime import datetime, timezone
 from pathlib import Path
 from typing import Any
 
@@ -119,5 +119,5 @@ def _view(node: Node, options: argparse.Namespace, pictures: list[Any]) -> int:
 
 def _dated_name(driver) -> str:
     """Return the name with date and time: local time on a wall clock, since 1970 on a virtual one."""
-    zone = UTC if driver.is_virtual else None
+    zone = timezone.utc if driver.is_virtual else None
     return datetime.fromtimestamp(driver.now_ns() / 1e9, zone).strftime("frames_%Y-%m-%d_%H.%M.%S")

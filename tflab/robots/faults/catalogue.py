@@ -13,13 +13,13 @@ Read `streams.py` next; faults are put in by `inject.py`, at the end of the row.
 
 from __future__ import annotations
 
-from enum import StrEnum
+from enum import Enum
 from typing import NamedTuple
 
 __all__ = ["Diagnosis", "Fault"]
 
 
-class Fault(StrEnum):
+class Fault(str, Enum):
     """The cause, as one searchable word."""
 
     REPARENTED = "reparented"  # a frame is published under another parent than before
@@ -42,6 +42,8 @@ class Fault(StrEnum):
     OPTICAL_IDENTITY = "optical-identity"  # the turn from camera_link to its optical frame was left out
     LATE_STAMPS = "late-stamps"  # slow processing or a slow network
     EARLY_STAMPS = "early-stamps"  # a publisher stamps its transforms ahead
+
+    __str__ = str.__str__  # StrEnum does the same, from Python 3.11 on
 
     @classmethod
     def _missing_(cls, value: object) -> None:

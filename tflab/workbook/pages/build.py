@@ -127,11 +127,10 @@ async def _build_all(chosen: Sequence[Path], jobs: int, progress: Progress) -> B
         return made
 
     longest_first = sorted(chosen, key=lambda path: path.parents[1].name != "solutions")
-    async with asyncio.TaskGroup() as group:
-        tasks = {path: group.create_task(build_one(path)) for path in longest_first}
+    pages = dict(zip(longest_first, await asyncio.gather(*map(build_one, longest_first)), strict=True))
     built = Built()
     for path in chosen:
-        made = tasks[path].result()
+        made = pages[path]
         (built.faulty if made.faults else built.files).update(made.files)
         built.faults += made.faults
     return built

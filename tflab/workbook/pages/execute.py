@@ -12,7 +12,6 @@ Read `one_page.py` next.
 
 from __future__ import annotations
 
-import asyncio
 import base64
 import json
 import os
@@ -23,10 +22,10 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from .kernel import running_kernel
+from .kernel import being_cancelled, running_kernel
 from .source import Page, PageFault, SourceCell
 
-__all__ = ["LARGEST_PNG", "Outputs", "run_page"]
+__all__ = ["LARGEST_PNG", "Outputs", "merged_streams", "run_page"]
 
 SECONDS_FOR_A_CELL = 120
 LARGEST_PNG = 60_000
@@ -46,7 +45,7 @@ async def run_page(page: Page, folder: str, cases: dict[str, str]) -> tuple[Outp
         root = Path(name).resolve()
         _lay_workbook(root, folder, cases)
         ran = await _run(page, root, folder)
-    outputs = {cell: [_storable(output) for output in _merged(made)] for cell, made in ran.items()}
+    outputs = {cell: [_storable(output) for output in merged_streams(made)] for cell, made in ran.items()}
     found = [fault for cell in page.code for fault in _output_faults(page, cell, outputs[cell.name], str(root))]
     found += _figures(page, outputs)
     for cell in page.code:
@@ -90,7 +89,7 @@ async def _run_cells(client: Any, cells: Sequence[Any]) -> None:
             cell.outputs.append(_error("TimeoutError", f"not done after {SECONDS_FOR_A_CELL} s"))
             return
         except DeadKernelError:
-            if asyncio.current_task().cancelling():
+            if being_cancelled():
                 raise
             cell.outputs.append(_error("DeadKernelError", "the kernel died"))
             return
@@ -100,7 +99,7 @@ def _error(name: str, text: str) -> dict:
     return {"output_type": "error", "ename": name, "evalue": text, "traceback": []}
 
 
-def _merged(outputs: list[dict]) -> Iterator[dict]:
+def merged_streams(outputs: list[dict]) -> Iterator[dict]:
     """Yield outputs with the chunks of one stream joined."""
     before: dict | None = None
     for output in outputs:

@@ -17,7 +17,7 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import asynccontextmanager
 from typing import Any
 
-__all__ = ["running_kernel", "wait_for"]
+__all__ = ["being_cancelled", "running_kernel", "wait_for"]
 
 
 @asynccontextmanager
@@ -32,7 +32,7 @@ async def running_kernel(client: Any, env: Mapping[str, str]) -> AsyncIterator[N
         await client.async_start_new_kernel_client()
         yield
     except DeadKernelError:
-        if asyncio.current_task().cancelling():  # nbclient takes that for the kernel's death
+        if being_cancelled():  # nbclient takes that for the kernel's death
             raise asyncio.CancelledError from None
         raise
     finally:
@@ -41,6 +41,12 @@ async def running_kernel(client: Any, env: Mapping[str, str]) -> AsyncIterator[N
         if kernel.has_kernel:
             await kernel.shutdown_kernel(now=True)
         await kernel.cleanup_resources()
+
+
+def being_cancelled() -> bool:
+    """Return whether this task is being cancelled; Python 3.10 does not tell, and reports the kernel's death."""
+    task = asyncio.current_task()
+    return hasattr(task, "cancelling") and task.cancelling() > 0
 
 
 def wait_for(work: Coroutine) -> Any:
