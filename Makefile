@@ -1,47 +1,74 @@
-# Two commands do everything on a machine with only Python >= 3.11:
-#   make lab     open the workbook in JupyterLab
+# Two commands do everything on a machine with only Python >= 3.10:
+#   make lab     open the workbook in JupyterLab;  make lab ARGS="--no-browser", ARGS="--lang ko"
 #   make test    install what is missing and run every test
 # and for whoever writes pages:
-#   make build   make the notebooks of their sources
+#   make build     make the notebooks of their sources
+#   make site      the book as a web site, in site/
+#   make pictures  the pictures of the README and the site, of the pages
 
-PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 WORKERS ?= 2
+ARGS ?=
 
-.PHONY: lab test test-fast check build bench clean
+NEW_ENOUGH := import sys; sys.exit(sys.version_info < (3, 10))
+SAY_VERSION := import sys; print("%d.%d" % sys.version_info[:2])
+# The Python that was named (make lab PYTHON=python3.12), else the one that .venv has, else the first that will do.
+ifeq ($(origin PYTHON),undefined)
+  PYTHON := $(shell for python in $(BIN)/python python3 python3.14 python3.13 python3.12 python3.11 python3.10; do \
+    $$python -c '$(NEW_ENOUGH)' 2>/dev/null && echo $$python && break; done)
+  PYTHON := $(or $(PYTHON),python3)
+endif
+VERSION := $(shell $(PYTHON) -c '$(SAY_VERSION)' 2>/dev/null)
+LEARNER := $(VENV)/learner-$(VERSION)
+DEVELOPER := $(VENV)/developer-$(VERSION)
 
-lab: $(VENV)/learner
-	$(BIN)/tflab lab
+.PHONY: lab test test-fast check build site pictures bench clean
 
-test: $(VENV)/developer check
+lab: $(LEARNER)
+	$(BIN)/tflab lab $(ARGS)
+
+test: $(DEVELOPER) check
 	$(BIN)/python -m pytest -n $(WORKERS) --dist loadscope
-	$(BIN)/python -m pytest -n $(WORKERS) --dist loadscope --nbval notebooks/en solutions/en
+	$(BIN)/python -m pytest -n $(WORKERS) --dist loadscope -p nbval --nbval notebooks/en solutions/en
 
-test-fast: $(VENV)/developer
+test-fast: $(DEVELOPER)
 	$(BIN)/python -m pytest -n $(WORKERS) --dist loadscope -m "not browser and not slow" -x -q
 
-check: $(VENV)/developer
+check: $(DEVELOPER)
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 
-build: $(VENV)/developer
+build: $(DEVELOPER)
 	$(BIN)/tflab build
 
-bench: $(VENV)/developer
-	$(BIN)/pip install --quiet --constraint constraints.txt --editable ".[bench]"
+bench: $(DEVELOPER)
+	$(BIN)/python -m pip install --quiet --constraint constraints.txt --editable ".[bench]"
 	for script in benchmarks/[a-z]*.py; do \
 	  case $$script in *_peer.py) ;; *) echo "== $$script"; $(BIN)/python $$script || exit 1;; esac; done
 
-$(VENV)/learner: pyproject.toml constraints.txt
-	test -x $(BIN)/pip || $(PYTHON) -m venv $(VENV)
-	$(BIN)/pip install --quiet --constraint constraints.txt --editable .
-	touch $@
+define virtual_environment
+@$(PYTHON) -c '$(NEW_ENOUGH)' 2>/dev/null || { \
+  echo "tflab needs Python 3.10 or newer; here, $(PYTHON) is: $$($(PYTHON) -V 2>&1 || true)"; \
+  echo "Install one (Debian, Ubuntu: apt-get install python3 python3-venv), or name one that is there: make lab PYTHON=python3.12"; \
+  exit 1; }
+@if test -e $(VENV) && test "$$($(BIN)/python -c '$(SAY_VERSION)' 2>/dev/null)" != "$(VERSION)"; then \
+  echo "$(VENV) was made by another Python: making it anew, with $(VERSION)"; rm -rf $(VENV); fi
+@test -x $(BIN)/python || $(PYTHON) -m venv $(VENV) || { rm -rf $(VENV); \
+  echo "No virtual environment could be made. Debian, Ubuntu: apt-get install python3-venv"; exit 1; }
+@$(BIN)/python -m pip --version >/dev/null 2>&1 || $(BIN)/python -m ensurepip
+@echo "Installing what tflab needs into $(VENV): once, and some minutes on a slow line."
+endef
 
-$(VENV)/developer: pyproject.toml constraints.txt
-	test -x $(BIN)/pip || $(PYTHON) -m venv $(VENV)
-	$(BIN)/pip install --quiet --constraint constraints.txt --editable ".[dev]"
-	touch $@ $(VENV)/learner
+$(LEARNER): pyproject.toml constraints.txt
+	$(virtual_environment)
+	$(BIN)/python -m pip install --disable-pip-version-check --constraint constraints.txt --editable ".[all]"
+	@touch $@
+
+$(DEVELOPER): pyproject.toml constraints.txt
+	$(virtual_environment)
+	$(BIN)/python -m pip install --disable-pip-version-check --constraint constraints.txt --editable ".[dev]"
+	@touch $@ $(LEARNER)
 
 clean:
-	rm -rf $(VENV) build dist *.egg-info .pytest_cache .ruff_cache .hypothesis
+	rm -rf $(VENV) build dist site *.egg-info .pytest_cache .ruff_cache .hypothesis

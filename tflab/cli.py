@@ -1,6 +1,6 @@
 """Which room?  `tflab <subcommand> ...`: a table, and nothing is imported before it is asked for.
 
-    tflab run node.py --with 'ros2 topic hz /tf'    SUBCOMMANDS["run"] -> tflab.tools.shell.run
+    tflab run node.py --with "ros2 topic hz /tf"    SUBCOMMANDS["run"] -> tflab.tools.shell.run
 
 A room adds itself with one line; its function takes the words after its name and
 returns the exit code.
@@ -33,6 +33,13 @@ class Subcommand(NamedTuple):
 BY_CTRL_C, BY_A_CLOSED_PIPE = 130, 141
 UNUSABLE = 2
 
+# What brings a library that `pip install tflab` leaves out, as pyproject.toml has it.
+EXTRA_OF = {
+    "ipykernel": "lab", "jupyter_client": "lab", "jupyter_server": "lab", "jupyterlab": "lab", "latex2mathml": "lab",
+    "nbclient": "lab", "nbconvert": "lab", "nbformat": "lab", "rosbags": "bags", "joblib": "grade", "nbval": "grade",
+    "pytest": "grade", "pdoc": "site", "dask": "cluster", "distributed": "cluster",
+}  # fmt: skip
+
 SUBCOMMANDS = {
     "build": Subcommand("make the pages' notebooks, or HTML, of their sources", "tflab.workbook.pages.build", "build"),
     "slides": Subcommand("write a page as a deck that works from a disk", "tflab.workbook.pages.slides", "main"),
@@ -52,8 +59,10 @@ def main(words: Sequence[str] | None = None) -> int:
     """Run `tflab` with these words, those of the command line if None; return the exit code.
 
     Ctrl-C ends it without a word, and so does a reader that has gone, as in `tflab ... | head -1`.
-    A disk that is full, or a place where one may not write, is one line.
+    A disk that is full, a place where one may not write, or a part that is not installed is one line.
     """
+    # Pages run in this very Python, also where its user has told Jupyter of another one called "python3".
+    os.environ.setdefault("JUPYTER_PREFER_ENV_PATH", "1")
     words = list(sys.argv[1:] if words is None else words)
     for name in ("stdout", "stderr"):
         if getattr(sys, name) is None:  # closed by whoever called, as by `>&-`
@@ -68,8 +77,11 @@ def main(words: Sequence[str] | None = None) -> int:
     except BrokenPipeError:
         _leave_nothing_to_flush()
         return BY_A_CLOSED_PIPE
-    except OSError as error:
-        print(f"{' '.join(['tflab', *words[:1]])}: {_reason(error)}", file=sys.stderr)
+    except (ModuleNotFoundError, OSError, RuntimeError) as error:
+        reason = _reason(error)
+        if reason is None:
+            raise
+        print(f"{' '.join(['tflab', *words[:1]])}: {reason}", file=sys.stderr)
         _leave_nothing_to_flush()
         return UNUSABLE
     return code
@@ -83,8 +95,13 @@ def _leave_nothing_to_flush() -> None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
-def _reason(error: OSError) -> str:
-    """Return what went wrong, and with which file."""
+def _reason(error: Exception) -> str | None:
+    """Return what went wrong and with what, if it is the machine's doing; None if it is a fault of ours."""
+    if isinstance(error, ModuleNotFoundError):
+        extra = EXTRA_OF.get((error.name or "").partition(".")[0])
+        return extra and f'{error.name} is not installed here; it comes with: pip install "tflab[{extra}]"'
+    if isinstance(error, RuntimeError):
+        return f"{error} Set HOME to a folder of yours." if "home directory" in str(error) else None
     reason = error.strerror or str(error)
     return f"{error.filename}: {reason}" if error.filename else reason
 

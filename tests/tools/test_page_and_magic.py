@@ -8,7 +8,7 @@ from tools_robot import fixed, moving
 from tflab.ros.logging import RcutilsLogger
 from tflab.tools import magic, ros2
 from tflab.tools.completion import Known, complete, known_in
-from tflab.tools.page import LineError, run_words, split_line
+from tflab.tools.page import LineError, run_words, split_line, words_of_line
 
 KNOWN = Known(
     frames=["base_link", "map", "odom"],
@@ -214,3 +214,10 @@ def test_the_stop_button_between_two_steps_stops_everything(graph, monkeypatch):
     with pytest.raises(KeyboardInterrupt):
         run_words(graph, ["run", "tf2_ros", "tf2_echo", "odom", "base_link"])
     assert [each.name for each in graph.participants if each.is_running] == []
+
+
+def test_on_windows_a_backslash_is_part_of_a_path():
+    line = r'ros2 bag info "C:\Users\kim\my drive" -o D:\tmp\new'
+    words = words_of_line(line, backslash_escapes=False)
+    assert words == ["ros2", "bag", "info", r"C:\Users\kim\my drive", "-o", r"D:\tmp\new"]
+    assert words_of_line(r"echo a\ b  # said", comments="#", backslash_escapes=True) == ["echo", "a b"]

@@ -275,7 +275,7 @@ def test_a_tool_without_its_quotes_is_put_right(capsys):
     assert main(["run", "x.py", "--with", "ros2", "topic", "hz", "/tf"]) == 2
     assert capsys.readouterr().err.splitlines()[-1] == (
         "tflab run: error: unrecognized arguments: topic hz /tf; "
-        "the line of a tool stands in quotes: --with 'ros2 topic hz /tf'"
+        'the line of a tool stands in quotes: --with "ros2 topic hz /tf"'
     )
 
 

@@ -11,6 +11,7 @@ comes is stopped, and that is said.  Read `completion.py` next.
 
 from __future__ import annotations
 
+import os
 import shlex
 from collections.abc import Sequence
 from typing import Any, NamedTuple
@@ -19,7 +20,7 @@ from tflab.ros.graph import Graph
 
 from . import ros2
 
-__all__ = ["LineError", "ToolResult", "run_words", "split_line"]
+__all__ = ["LineError", "ToolResult", "run_words", "split_line", "words_of_line"]
 
 LIMIT_S = 60.0  # of the graph's time, for a tool that ends by itself
 STEP_S = 0.05
@@ -36,6 +37,19 @@ class ToolResult(NamedTuple):
     pictures: tuple[Any, ...] = ()
 
 
+def words_of_line(line: str, *, comments: str = "", backslash_escapes: bool = os.name != "nt") -> list[str]:
+    """Return the words of a line as a shell has them; on Windows a backslash is part of a path.
+
+    Raises:
+        ValueError: unbalanced quotes.
+    """
+    reader = shlex.shlex(line, posix=True)
+    reader.whitespace_split = True
+    reader.commenters = comments
+    reader.escape = "\\" if backslash_escapes else ""
+    return list(reader)
+
+
 def split_line(line: str) -> tuple[float | None, list[str]]:
     """Return how long to run [s], None if that is not said, and the words after `ros2`.
 
@@ -43,7 +57,7 @@ def split_line(line: str) -> tuple[float | None, list[str]]:
         LineError: unbalanced quotes, or `--for` without a time.
     """
     try:
-        words = shlex.split(line, comments=True)
+        words = words_of_line(line, comments="#")
     except ValueError as fault:
         raise LineError(f"cannot read the line: {fault}") from None
     words = words[1:] if words[:1] == ["ros2"] else words

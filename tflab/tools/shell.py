@@ -1,6 +1,6 @@
 """How does one run things in a shell?  `tflab run` for node files, `tflab ros2` for the tools.
 
-    tflab run robot.py ekf.py --with 'ros2 topic hz /tf' --for 10
+    tflab run robot.py ekf.py --with "ros2 topic hz /tf" --for 10
     tflab ros2 --bag drive run tf2_ros tf2_echo map base_link
     tflab ros2 run tf2_ros static_transform_publisher --frame-id map --child-frame-id odom
 
@@ -15,12 +15,12 @@ from __future__ import annotations
 
 import argparse
 import os
-import shlex
 import sys
 from collections.abc import Callable, Sequence
 from typing import Any
 
 from . import ros2 as ros2_words
+from .page import words_of_line
 
 __all__ = ["ros2", "run"]
 
@@ -138,7 +138,7 @@ def _run_options(words: Sequence[str]) -> argparse.Namespace:
     parser = _run_parser()
     options, rest = parser.parse_known_args(list(words))
     if rest:
-        quotes = "; the line of a tool stands in quotes: --with 'ros2 topic hz /tf'" if options.tools else ""
+        quotes = '; the line of a tool stands in quotes: --with "ros2 topic hz /tf"' if options.tools else ""
         parser.error(f"unrecognized arguments: {' '.join(rest)}{quotes}")
     return options
 
@@ -166,7 +166,7 @@ def _words_of(line: str) -> list[str]:
     Raises:
         ValueError: it is not a tool that there is.
     """
-    words = shlex.split(line)
+    words = words_of_line(line)
     if words[:1] == ["ros2"]:
         return words[1:]
     if words[:1] == ["rviz2"]:

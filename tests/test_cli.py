@@ -1,0 +1,62 @@
+"""The command `tflab`: it starts at once, and what the machine lacks is one line."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+
+import pytest
+
+from tflab import cli
+
+
+def test_python_m_tflab_is_the_command() -> None:
+    done = subprocess.run([sys.executable, "-m", "tflab", "--version"], capture_output=True, text=True, check=True)
+    assert done.stdout.startswith("tflab ")
+
+
+@pytest.mark.parametrize(
+    ("library", "words", "extra"),
+    [
+        ("jupyterlab", ["lab", "mine"], "lab"),
+        ("nbconvert", ["export", "page.ipynb"], "lab"),
+        ("rosbags", ["doctor", "drive.mcap"], "bags"),
+        ("nbval", ["check", "--plain", "03"], "grade"),
+    ],
+)
+def test_a_part_that_is_not_installed_is_named_with_what_brings_it(
+    library: str, words: list[str], extra: str, monkeypatch: pytest.MonkeyPatch, capsys
+) -> None:
+    def function(rest: list[str]) -> int:
+        raise ModuleNotFoundError(f"No module named '{library}.part'", name=f"{library}.part")
+
+    monkeypatch.setattr(cli, "_function", lambda subcommand: function)
+    assert cli.main(words) == 2
+    assert capsys.readouterr().err == (
+        f'tflab {words[0]}: {library}.part is not installed here; it comes with: pip install "tflab[{extra}]"\n'
+    )
+
+
+def test_a_missing_module_of_somebody_elses_is_no_part_of_ours(monkeypatch: pytest.MonkeyPatch) -> None:
+    def function(rest: list[str]) -> int:
+        raise ModuleNotFoundError("No module named 'their_package'", name="their_package")
+
+    monkeypatch.setattr(cli, "_function", lambda subcommand: function)
+    with pytest.raises(ModuleNotFoundError):
+        cli.main(["run", "node.py"])
+
+
+def test_a_user_without_a_home_is_told_so(monkeypatch: pytest.MonkeyPatch, capsys) -> None:
+    def function(rest: list[str]) -> int:
+        raise RuntimeError("Could not determine home directory.")
+
+    monkeypatch.setattr(cli, "_function", lambda subcommand: function)
+    assert cli.main(["lab"]) == 2
+    assert "Set HOME to a folder of yours." in capsys.readouterr().err
+
+
+def test_pages_run_in_this_python_even_if_the_user_has_a_kernel_of_the_same_name(monkeypatch, capsys) -> None:
+    monkeypatch.delenv("JUPYTER_PREFER_ENV_PATH", raising=False)
+    cli.main(["--version"])
+    assert os.environ["JUPYTER_PREFER_ENV_PATH"] == "1"
