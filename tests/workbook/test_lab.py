@@ -206,3 +206,29 @@ def test_jupyterlab_understands_the_options_that_keep_it_quiet() -> None:
         [sys.executable, "-c", probe, *lab.QUIET_OPTIONS], capture_output=True, text=True, check=True
     )
     assert json.loads(answer.stdout) == [None, "NeverCheckForUpdate", "readonly"]
+
+
+def test_the_root_is_the_copy_whatever_the_users_own_settings_say(started: list) -> None:
+    lab.lab(["mine", "--", "--port", "9000"])
+    options, folder = started[0]
+    assert f"--ServerApp.root_dir={folder}" in options
+    assert options[-2:] == ["--port", "9000"]
+
+
+def test_a_copy_is_made_without_starting_anything(started: list, capsys) -> None:
+    assert lab.lab(["mine", "--copy-only"]) == 0
+    assert started == []
+    page = Path("mine", "notebooks", "en", "00_start.ipynb").resolve()
+    assert capsys.readouterr().out.splitlines()[-1] == str(page)
+    assert page.is_file()
+
+
+def test_no_browser_is_an_option_of_its_own(started: list) -> None:
+    lab.lab(["mine", "--no-browser"])
+    assert "--no-browser" in started[0][0]
+
+
+def test_without_a_terminal_the_shells_inside_keep_the_path(started: list, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("SHELL", "/bin/bash")
+    lab.lab(["mine"])
+    assert "--ServerApp.terminado_settings={'shell_command': ['/bin/bash']}" in started[0][0]

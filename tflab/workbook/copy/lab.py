@@ -4,7 +4,9 @@
     tflab lab DIR --lang ko   another place, another language
     tflab lab --update        brings in new material; what you wrote stays
     tflab lab DIR --as-is     any folder of notebooks; nothing is written there
-    tflab lab -- ...          what stands after -- goes to JupyterLab itself: --no-browser, --port 9000
+    tflab lab --copy-only     makes the copy and starts nothing, for a JupyterLab that runs already
+    tflab lab --no-browser    says where it is to be seen, instead of opening a browser
+    tflab lab -- ...          what stands after -- goes to JupyterLab itself: --port 9000
 
 JupyterLab would look for news, for updates and for extensions on the network;
 here it does none of that.  Its terminals know the command `tflab`.
@@ -35,6 +37,7 @@ QUIET_OPTIONS = (
 )
 QUIET_SETTINGS = Path(__file__).with_name("jupyter")  # it would ask whether to look for news
 FIRST_PAGE = "00_start.ipynb"
+PRIMARY_LANGUAGE, KOREAN = 0x3FF, 0x12  # of a Windows language identifier
 
 MADE = Words(
     en="tflab lab: your own copy of the workbook is in {folder}.",
@@ -101,12 +104,17 @@ def lab(words: Sequence[str]) -> int:
         except (WorkbookError, OSError) as error:
             return _refuse(f"{error}")
         pages = [f"notebooks/{language}/{FIRST_PAGE}"]
+        if options.copy_only:
+            print(folder / pages[0])
+            return 0
+    root = f"--ServerApp.root_dir={folder}"  # whatever the user's own settings say
     first_page = [f"--LabApp.default_url=/lab/tree/{page}" for page in pages if (folder / page).exists()]
+    own_options = [*(["--no-browser"] if options.no_browser else []), *own_options]
     os.chdir(folder)
     sys.stdout.flush()  # JupyterLab's own lines come after ours, also in a file
     tflab = "tflab" if which("tflab") else quote(sys.argv[0])  # as this shell knows it
     try:
-        start_jupyterlab([*QUIET_OPTIONS, *first_page, *own_options])
+        start_jupyterlab([*QUIET_OPTIONS, root, *_terminal(), *first_page, *own_options])
     except SystemExit as stop:
         if stop.code == 1 and _is_root() and "--allow-root" not in own_options:
             return _refuse(ROOT.say(language, tflab=tflab))
@@ -119,7 +127,23 @@ def language_of(environment: Mapping[str, str]) -> str:
     for name in ("LC_ALL", "LC_MESSAGES", "LANG"):
         if environment.get(name):
             return "ko" if environment[name].lower().startswith("ko") else "en"
-    return "en"
+    return "ko" if _windows_speaks_korean() else "en"
+
+
+def _windows_speaks_korean() -> bool:
+    """Return whether the language of Windows is Korean; it says so in no variable."""
+    if os.name != "nt":
+        return False
+    import ctypes
+
+    return ctypes.windll.kernel32.GetUserDefaultUILanguage() & PRIMARY_LANGUAGE == KOREAN
+
+
+def _terminal() -> list[str]:
+    """Return the option for a shell that keeps our PATH: without a terminal of its own Jupyter starts a login shell."""
+    if os.name != "posix" or sys.stdout.isatty():
+        return []
+    return [f"--ServerApp.terminado_settings={{'shell_command': ['{os.environ.get('SHELL') or 'sh'}']}}"]
 
 
 def start_jupyterlab(options: Sequence[str]) -> None:
@@ -139,13 +163,20 @@ def quiet_environment(environment: Mapping[str, str]) -> dict[str, str]:
 
 
 def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(prog="tflab lab", description="Open your copy of the workbook, offline.")
+    parser = argparse.ArgumentParser(
+        prog="tflab lab",
+        usage="tflab lab [DIR] [option ...] [-- option of JupyterLab ...]",
+        description="Open your copy of the workbook, offline.",
+        epilog="What stands after -- goes to JupyterLab itself: tflab lab -- --port 9000 --ip 0.0.0.0",
+    )
     parser.add_argument(
         "folder", nargs="?", metavar="DIR", help=f"where your copy is, or will be; ./{COPY} if left out"
     )
     parser.add_argument("--lang", choices=LANGUAGES, help="of the pages; that of the locale for a new copy")
     parser.add_argument("--update", action="store_true", help="bring in new material; what you wrote stays")
     parser.add_argument("--as-is", action="store_true", help="open DIR as any folder of notebooks, and write nothing")
+    parser.add_argument("--copy-only", action="store_true", help="make the copy, say where its first page is, and end")
+    parser.add_argument("--no-browser", action="store_true", help="print the address instead of opening a browser")
     return parser
 
 
