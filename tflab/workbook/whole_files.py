@@ -10,6 +10,7 @@ Read `places.py` next.
 
 from __future__ import annotations
 
+import errno
 import os
 import tempfile
 from collections.abc import Iterator
@@ -19,6 +20,7 @@ from pathlib import Path
 __all__ = ["locked", "write_whole"]
 
 LOCK = Path(".tflab", "lock")
+NO_LOCKS_HERE = (errno.ENOLCK, errno.ENOSYS, errno.EOPNOTSUPP)
 
 
 def write_whole(path: Path, text: str | bytes) -> None:
@@ -30,7 +32,8 @@ def write_whole(path: Path, text: str | bytes) -> None:
             new.write(text.encode() if isinstance(text, str) else text)
             new.flush()
             os.fsync(new.fileno())
-        os.chmod(name, path.stat().st_mode if path.exists() else 0o644)
+        with suppress(OSError):  # a share may have no such rights
+            os.chmod(name, path.stat().st_mode if path.exists() else 0o644)
         _replace(name, path)
     except BaseException:
         with suppress(OSError):
@@ -40,7 +43,10 @@ def write_whole(path: Path, text: str | bytes) -> None:
 
 @contextmanager
 def locked(folder: Path) -> Iterator[None]:
-    """Wait until no other process holds the folder, and hold it for as long as the context lasts."""
+    """Wait until no other process holds the folder, and hold it for as long as the context lasts.
+
+    Where the file system has no locks, as some shares have none, it goes on without.
+    """
     path = folder / LOCK
     path.parent.mkdir(exist_ok=True)
     with path.open("a+b") as file:
@@ -61,12 +67,13 @@ if os.name == "nt":
         return os.replace(new, path)
 
     def _hold(handle: int) -> None:
-        while True:
+        for _ in range(600):  # half a minute: a share without locks refuses for ever
             try:
                 os.lseek(handle, 0, os.SEEK_SET)
                 return msvcrt.locking(handle, msvcrt.LK_NBLCK, 1)
             except OSError:
                 time.sleep(0.05)
+        return None
 
 else:
     import fcntl
@@ -75,4 +82,8 @@ else:
         os.replace(new, path)
 
     def _hold(handle: int) -> None:
-        fcntl.flock(handle, fcntl.LOCK_EX)
+        try:
+            fcntl.flock(handle, fcntl.LOCK_EX)
+        except OSError as error:
+            if error.errno not in NO_LOCKS_HERE:
+                raise
