@@ -92,6 +92,15 @@ def test_pages_share_their_assets_and_fetch_nothing(tmp_path):
     assert assets == ["live", "meshcat", "meshcat.LICENSE.txt", "module", "style"]
 
 
+def test_the_viewers_licences_go_along_with_their_texts(tmp_path):
+    notebook = notebook_at(tmp_path / "one.ipynb", {"m": live(description="one")}, ("m",))
+    export_html(notebook, tmp_path / "site")
+    beside = (tmp_path / "site" / "assets" / "meshcat.LICENSE.txt").read_text(encoding="utf-8")
+    for word in ("Robin Deits", "three", "dat.gui", "Permission is hereby granted", "Apache License"):
+        assert word in beside
+    assert beside in export_html(notebook, tmp_path / "mail", single_file=True).read_text(encoding="utf-8")
+
+
 def test_a_page_without_live_views_has_no_script(tmp_path):
     page = export_html(notebook_at(tmp_path / "plain.ipynb", {}, ()), tmp_path / "site").read_text()
     assert "<script" not in page

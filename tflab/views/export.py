@@ -31,6 +31,7 @@ __all__ = ["NotANotebook", "export_html", "main", "page_language", "read_noteboo
 
 STATIC = Path(__file__).parent / "static"
 STATE = "application/vnd.jupyter.widget-state+json"
+VIEWER_LICENCES = "meshcat.LICENSE.txt"
 LARGE_STYLE = 10_000  # characters; smaller styles stay in the page
 
 # nbconvert's page, without what it would fetch from elsewhere, and with pictures that say what they show.
@@ -194,9 +195,20 @@ def _write_assets(assets: dict[str, str], folder: Path) -> None:
     for name, text in assets.items():
         if not (folder / name).exists():
             (folder / name).write_text(text, encoding="utf-8")
-    if any(name.startswith("meshcat-") for name in assets):
-        licence = viewer_file().with_suffix(".js.LICENSE.txt")
-        (folder / "meshcat.LICENSE.txt").write_bytes(licence.read_bytes())
+    if _has_viewer(assets):
+        (folder / VIEWER_LICENCES).write_text(_licences(), encoding="utf-8")
+
+
+def _has_viewer(assets: Mapping[str, str]) -> bool:
+    return any(name.startswith("meshcat-") for name in assets)
+
+
+def _licences() -> str:
+    """Return the licences of meshcat's viewer and of all that its file holds, with their texts."""
+    parts = json.loads(viewer_file().with_suffix(".js.THIRD_PARTY_LICENSES.json").read_text(encoding="utf-8"))
+    texts = [(viewer_file().parents[1] / "LICENSE").read_text(encoding="utf-8")]
+    texts += [f"{part['name']} {part['version']}\n\n{part['licenseText']}" for part in parts]
+    return f"\n\n{'-' * 72}\n\n".join(text.strip() for text in texts) + "\n"
 
 
 def _head(assets: dict[str, str], views: list[LiveView], single_file: bool) -> str:
@@ -204,6 +216,8 @@ def _head(assets: dict[str, str], views: list[LiveView], single_file: bool) -> s
     scripts = sorted((name for name in assets if name.endswith(".js")), key=_live_last)
     if single_file:
         tags = [_inline_script(assets[name], wait=name.startswith("live-")) for name in scripts]
+        if _has_viewer(assets):
+            tags.append(f'<script type="text/plain" id="{VIEWER_LICENCES}">\n{_licences()}</script>\n')
     else:
         tags = [f'<script defer src="assets/{name}"></script>\n' for name in scripts]
     return f"<style>{style}</style>\n" + "".join(tags)

@@ -21,6 +21,7 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from ..places import stems_called, workbook_data
+from .execute import merged_streams
 from .kernel import running_kernel, wait_for
 
 __all__ = ["PageFailed", "html_from_notebook", "notebooks_called", "run_with_films", "write_html"]
@@ -120,6 +121,8 @@ def run_with_films(notebook: Path, folder: Path) -> Path:
     except (CellExecutionError, CellTimeoutError, DeadKernelError) as error:
         raise PageFailed(f"{notebook.name}: {error}") from None
     for cell in page.cells:
+        if cell.cell_type == "code":  # a stream comes in pieces, cut somewhere else every time
+            cell.outputs = [nbformat.from_dict(output) for output in merged_streams(cell.outputs)]
         for output in cell.get("outputs", ()):
             if output.output_type == "error":  # one that is meant: a reader needs its text, not where Python was
                 output.traceback = [f"{output.ename}: {output.evalue}"]
