@@ -1,5 +1,7 @@
 """ros2 bag: what the graph said is in the file, and what is in the file is said again."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from making_bags import circle, write_rosbag1
@@ -293,3 +295,13 @@ def test_closing_twice_is_no_harm_and_what_comes_later_is_not_stored(tmp_path):
 
 def test_the_robot_of_the_recording_is_the_teaching_robot(drive):
     assert read_bag(drive).robot_description == TeachingRobot().urdf
+
+
+def test_a_name_in_korean_is_read_where_the_system_writes_another_encoding(graph, tmp_path, monkeypatch):
+    launch(graph)
+    path = record(graph, tmp_path / "주행", 2.0, "/tf", "/tf_static")
+    before = read_bag(path)
+    real = Path.read_text
+    monkeypatch.setattr("tflab.bags.reader.getpreferredencoding", lambda do_setlocale: "cp949")
+    monkeypatch.setattr(Path, "read_text", lambda file, encoding=None: real(file, encoding or "cp949", "replace"))
+    assert read_bag(path).transforms.numbers.tolist() == before.transforms.numbers.tolist()

@@ -22,6 +22,7 @@ import struct
 from array import array
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from locale import getpreferredencoding
 from pathlib import Path
 
 import numpy as np
@@ -103,7 +104,7 @@ def open_bag(path: str | Path) -> Iterator[tuple]:
     path = Path(path)
     kind = _kind_of(path)
     try:
-        with (Reader1 if kind == ".bag" else Reader2)(path) as reader:
+        with (Reader1 if kind == ".bag" else Reader2)(_as_rosbags_reads_it(path, kind)) as reader:
             yield reader, kind == ".bag"
     except (BagError, KeyboardInterrupt, GeneratorExit):
         raise
@@ -112,6 +113,17 @@ def open_bag(path: str | Path) -> Iterator[tuple]:
     except Exception as error:
         reason = " ".join(str(error).split()) or type(error).__name__
         raise BagError(f"{path}: cannot be read, it seems to be broken or cut short ({reason})") from error
+
+
+def _as_rosbags_reads_it(path: Path, kind: str) -> Path:
+    """Return what to open: rosbags reads metadata.yaml in the system's encoding, which spoils names that are not ASCII.
+
+    Where that is not UTF-8, as on a Korean Windows, and there is one storage file, that file is opened itself.
+    """
+    if kind != "directory" or getpreferredencoding(False).lower().replace("-", "") == "utf8":
+        return path
+    files = [*path.glob("*.mcap"), *path.glob("*.db3")]
+    return path if len(files) != 1 or (path / "metadata.yaml").read_bytes().isascii() else files[0]
 
 
 def _kind_of(path: Path) -> str:

@@ -51,6 +51,7 @@ PLAIN = Words(
     "Checked in an ordinary kernel ({why}).",
     "일반 커널에서 확인했습니다({why}).",
 )
+SYSTEMS = {"win32": "Windows", "darwin": "macOS"}
 NOT_LINUX = Words("this is {platform}, grading is on Linux", "이 컴퓨터는 {platform}, 채점은 Linux")
 
 
@@ -185,7 +186,7 @@ def _chapter(root: Path, workbook: Workbook, stem: str) -> dict[str, Any]:
 
 def _runner(plainly: bool, language: str) -> tuple[RunCells, Limits, str]:
     """Return what runs cells here, its limits, and a line about it if it is not what grading uses."""
-    why = "--plain" if plainly else NOT_LINUX.say(language, platform=sys.platform)
+    why = "--plain" if plainly else NOT_LINUX.say(language, platform=SYSTEMS.get(sys.platform, sys.platform))
     if not plainly and sys.platform == "linux":
         from .batch import run_behind
         from .kernels.take import KernelError, choose

@@ -90,6 +90,7 @@ class Node(graph_queries.GraphQueries, NodeEntities, NodeParameters):
         self._is_destroyed = False
         self._default_callback_group = MutuallyExclusiveCallbackGroup()
         self._clock = ROSClock()
+        self._time_source: TimeSource | None = None  # a node whose making fails is taken away, too
         context.process.graph.add_node(self)
         context.track_node(self)
 
@@ -195,7 +196,8 @@ class Node(graph_queries.GraphQueries, NodeEntities, NodeParameters):
         executor = self.executor
         if executor is not None:
             executor.remove_node(self)
-        self._time_source.detach_node()
+        if self._time_source is not None:
+            self._time_source.detach_node()
         self._parameter_event_publisher = None
         self._rosout = None
         self._destroy_entities()
