@@ -227,7 +227,7 @@ def test_a_chapter_whose_tasks_have_changed_is_not_added_to(
     workbook = tiny.write_tiny_workbook(tmp_path / "workbook")
     monkeypatch.setenv("TFLAB_WORKBOOK", str(workbook))
     releasing.release(tmp_path / "r", [tiny.STEM], [Learner("a")])
-    tasks = workbook / "solutions" / "tasks" / f"{tiny.STEM}.py"
+    tasks = workbook / "solutions" / "tasks" / tiny.STEM / "draws.py"
     tasks.write_text(tasks.read_text(encoding="utf-8").replace("uniform(1, 5)", "uniform(1, 4)"), encoding="utf-8")
     with pytest.raises(PackError, match="have changed"):
         releasing.release(tmp_path / "r", [tiny.STEM], [Learner("b")], add=True)

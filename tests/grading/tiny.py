@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -78,11 +79,11 @@ frames = {
 check("E3.3", frames)
 """
 
-TASKS = """\
+TASKS = """
+# -- draws.py
 import math
 
-from tflab.workbook.answers.forms import Choice, Number, Parts
-from tflab.workbook.tasks.task import Task, Twin, Words
+from tflab.workbook.tasks import Choice, Number, Parts, Task, Twin, Words
 
 HINTS = (Words("a", "가"), Words("b", "나"), Words("c", "다"))
 FRAMES = Choice(options=("map", "laser_frame"))
@@ -94,16 +95,21 @@ def two_numbers(rng):
 
 def legs(rng):
     return [tuple(float(leg) for leg in rng.uniform(1, 5, 2)) for _ in range(4)]
+# -- e3_1.py
+from .draws import *
 
+TASK = Task("E3.1", "N", 2, Words("Sum", "합"), "total", Number(unit="m"), HINTS, given=two_numbers, variants=5,
+         twins=(Twin("subtracted", lambda given: given.a - given.b, Words("You subtracted.", "뺐습니다."), "M3"),))
+# -- e3_2.py
+from .draws import *
 
-TASKS = (
-    Task("E3.1", "N", 2, Words("Sum", "합"), "total", Number(unit="m"), HINTS, given=two_numbers, variants=5,
-         twins=(Twin("subtracted", lambda given: given.a - given.b, Words("You subtracted.", "뺐습니다."), "M3"),)),
-    Task("E3.2", "F", 4, Words("Length", "길이"), "length", Number(), HINTS, inputs=legs, variants=3,
-         twins=(Twin("added", lambda x, y: x + y, Words("You added the legs.", "두 변을 더했습니다."), "M1"),)),
-    Task("E3.3", "M", 2, Words("Frames", "좌표계"), "frames", Parts({"target": FRAMES, "source": FRAMES}), HINTS,
-         twins=(Twin("swapped", {"target": "laser_frame", "source": "map"}, Words("Swapped.", "바뀜."), "M1"),)),
-)
+TASK = Task("E3.2", "F", 4, Words("Length", "길이"), "length", Number(), HINTS, inputs=legs, variants=3,
+         twins=(Twin("added", lambda x, y: x + y, Words("You added the legs.", "두 변을 더했습니다."), "M1"),))
+# -- e3_3.py
+from .draws import *
+
+TASK = Task("E3.3", "M", 2, Words("Frames", "좌표계"), "frames", Parts({"target": FRAMES, "source": FRAMES}), HINTS,
+         twins=(Twin("swapped", {"target": "laser_frame", "source": "map"}, Words("Swapped.", "바뀜."), "M1"),))
 """
 
 RIGHT = {
@@ -130,20 +136,28 @@ class Course:
         return exercise(self.release / "learners" / learner, "ko" if learner == "s101" else "en")
 
 
+def write_tasks(folder: Path, text: str) -> Path:
+    """Write a chapter's tasks, each file below a line `# -- e3_1.py`; return the folder."""
+    folder.mkdir(parents=True, exist_ok=True)
+    _, *parts = re.split(r"^# -- (\S+)\n", text, flags=re.MULTILINE)
+    for name, part in zip(parts[::2], parts[1::2], strict=True):
+        (folder / name).write_text(part, encoding="utf-8")
+    return folder
+
+
 def write_tiny_workbook(root: Path) -> Path:
     """Write the chapter as `tflab build` would, without running it; return the root."""
     source = root / "solutions" / "src" / f"{STEM}.py"
-    tasks = root / "solutions" / "tasks" / f"{STEM}.py"
-    for path, text in ((source, SOURCE), (tasks, TASKS)):
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text, encoding="utf-8")
+    source.parent.mkdir(parents=True, exist_ok=True)
+    source.write_text(SOURCE, encoding="utf-8")
+    write_tasks(root / "solutions" / "tasks" / STEM, TASKS)
     page = read_page(source)
     solution = Solution(STEM, [CodeCell(cell.name, cell.source) for cell in page.code])
     cases = make_cases(STEM, PUBLIC_SEED, solutions=root / "solutions", solution=solution)
     files = {f"exercises/cases/{STEM}.json": cases_json(cases)}
     for language in ("en", "ko"):
         files[f"solutions/{language}/{STEM}.ipynb"] = text_of(lecture_notebook(page, language, {}))
-        files[f"exercises/{language}/{STEM}.ipynb"] = text_of(exercise_notebook(page, language, cases["tasks"]))
+        files[f"exercises/{language}/{STEM}.ipynb"] = text_of(exercise_notebook(page, language, cases.tasks))
     for name, text in files.items():
         (root / name).parent.mkdir(parents=True, exist_ok=True)
         (root / name).write_text(text, encoding="utf-8")

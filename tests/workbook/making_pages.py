@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 from tflab.workbook.pages.source import Page, read_page
@@ -38,34 +39,37 @@ def page(root: Path, *parts: str, **where: str) -> Page:
     return read_page(written(root, *parts, **where))
 
 
-TASKS = """from tflab.workbook.answers.forms import Number
-from tflab.workbook.tasks.task import Task, Twin, Words
+TASKS = """
+# -- e3_1.py
+from tflab.workbook.tasks import Number, Task, Twin, Words
 
 LOOK = Words(en="Look.", ko="보십시오.")
-TASKS = (
-    Task(
-        id="E3.1",
-        kind="N",
-        points=2,
-        title=Words(en="Half", ko="절반"),
-        answer="half",
-        form=Number(unit="m", tolerance=1e-6),
-        hints=(LOOK, LOOK, LOOK),
-        given=lambda rng: {"length": float(rng.uniform(1.0, 9.0))},
-        variants=3,
-        twins=(Twin("double", lambda given: given.length * 2, LOOK),),
-    ),
-    Task(
-        id="E3.2",
-        kind="F",
-        points=3,
-        title=Words(en="Third", ko="삼분의 일"),
-        answer="third",
-        form=Number(unit="m", tolerance=1e-6),
-        hints=(LOOK, LOOK, LOOK),
-        inputs=lambda rng: [(float(x),) for x in rng.uniform(1.0, 9.0, 3)],
-        variants=3,
-    ),
+TASK = Task(
+    id="E3.1",
+    kind="N",
+    points=2,
+    title=Words(en="Half", ko="절반"),
+    answer="half",
+    form=Number(unit="m", tolerance=1e-6),
+    hints=(LOOK, LOOK, LOOK),
+    given=lambda rng: {"length": float(rng.uniform(1.0, 9.0))},
+    variants=3,
+    twins=(Twin("double", lambda given: given.length * 2, LOOK),),
+)
+# -- e3_2.py
+from tflab.workbook.tasks import Number, Task, Twin, Words
+
+LOOK = Words(en="Look.", ko="보십시오.")
+TASK = Task(
+    id="E3.2",
+    kind="F",
+    points=3,
+    title=Words(en="Third", ko="삼분의 일"),
+    answer="third",
+    form=Number(unit="m", tolerance=1e-6),
+    hints=(LOOK, LOOK, LOOK),
+    inputs=lambda rng: [(float(x),) for x in rng.uniform(1.0, 9.0, 3)],
+    variants=3,
 )
 """
 
@@ -87,9 +91,16 @@ THIRD = (
 )
 
 
+def write_tasks(folder: Path, text: str) -> Path:
+    """Write a chapter's tasks, each file below a line `# -- e3_1.py`; return the folder."""
+    folder.mkdir(parents=True, exist_ok=True)
+    _, *parts = re.split(r"^# -- (\S+)\n", text, flags=re.MULTILINE)
+    for name, part in zip(parts[::2], parts[1::2], strict=True):
+        (folder / name).write_text(part, encoding="utf-8")
+    return folder
+
+
 def exercise(root: Path, *parts: str, tasks: str = TASKS) -> Path:
     """Write a solution's source and its tasks below `root`; a good one if no parts are given."""
-    path = root / "solutions" / "tasks" / "03_x.py"
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(tasks, encoding="utf-8")
+    write_tasks(root / "solutions" / "tasks" / "03_x", tasks)
     return written(root, *(parts or (TITLE, LOAD, HALF, THIRD)), room="solutions")

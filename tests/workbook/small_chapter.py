@@ -6,14 +6,18 @@ import json
 from pathlib import Path
 from types import SimpleNamespace
 
-from tflab.workbook.tasks import cases
+from making_pages import write_tasks
+
+from tflab.workbook.answers.forms import Form
+from tflab.workbook.tasks import Words, cases
+from tflab.workbook.tasks.case import Case, TaskCases, Variant
 
 STEM = "03_small"
 TASKS = """
+# -- draws.py
 import math
 from tflab.core import Transform
-from tflab.workbook.answers.forms import Choice, Number, Parts, Pose, Vector
-from tflab.workbook.tasks.task import Task, Twin, Words
+from tflab.workbook.tasks import Choice, Number, Parts, Pose, Task, Twin, Vector, Words
 
 HINTS = tuple(Words(en=f"hint {n}", ko=f"힌트 {n}") for n in (1, 2, 3))
 
@@ -40,15 +44,25 @@ def both(en):
 
 
 FRAME = Choice(("map", "laser"))
-TASKS = (
-    Task("E3.1", "N", 3, both("corner"), "base_p_corner", Vector(3, "m", "base_link", 0.005), HINTS,
-         given=mount, variants=3, twins=(Twin("swapped", swapped, both("that is the inverse"), "M1"),)),
-    Task("E3.2", "F", 2, both("invert"), "invert", Pose(), HINTS,
-         inputs=transforms, twins=(Twin("minus", minus, both("only the sign"), "M3"),)),
-    Task("E3.3", "M", 2, both("roles"), "roles", Parts({"target": FRAME, "source": FRAME}), HINTS,
-         twins=(Twin("swapped", {"target": "laser", "source": "map"}, both("turned round"), "M1"),)),
-    Task("E3.4", "N", 1, both("angle"), "angle_rad", Number("rad", 0.01), HINTS),
-)
+# -- e3_1.py
+from .draws import *
+
+TASK = Task("E3.1", "N", 3, both("corner"), "base_p_corner", Vector(3, "m", "base_link", 0.005), HINTS,
+         given=mount, variants=3, twins=(Twin("swapped", swapped, both("that is the inverse"), "M1"),))
+# -- e3_2.py
+from .draws import *
+
+TASK = Task("E3.2", "F", 2, both("invert"), "invert", Pose(), HINTS,
+         inputs=transforms, twins=(Twin("minus", minus, both("only the sign"), "M3"),))
+# -- e3_3.py
+from .draws import *
+
+TASK = Task("E3.3", "M", 2, both("roles"), "roles", Parts({"target": FRAME, "source": FRAME}), HINTS,
+         twins=(Twin("swapped", {"target": "laser", "source": "map"}, both("turned round"), "M1"),))
+# -- e3_4.py
+from .draws import *
+
+TASK = Task("E3.4", "N", 1, both("angle"), "angle_rad", Number("rad", 0.01), HINTS)
 """
 CELLS = {
     "load": "%load_ext tflab\nfrom tflab.workbook import check, hint, task",
@@ -60,11 +74,17 @@ CELLS = {
 }
 
 
+def bare(form: Form, *cases: Case, is_function: bool = False) -> tuple[TaskCases, Variant]:
+    """Return a task that has nothing but a form and these cases, and its only variant."""
+    variant = Variant(None, cases)
+    none = Words("", "")
+    return TaskCases("N", 1, "answer", is_function, none, form, (none,) * 3, (), {}, (variant,)), variant
+
+
 def lay_out(folder: Path, *, tasks: str = TASKS, cells: dict[str, str] = CELLS) -> Path:
     """Write the task file and the solution into `folder`, which stands for `solutions/`."""
-    (folder / "tasks").mkdir(parents=True, exist_ok=True)
+    write_tasks(folder / "tasks" / STEM, tasks)
     (folder / "en").mkdir(exist_ok=True)
-    (folder / "tasks" / f"{STEM}.py").write_text(tasks, encoding="utf-8")
     notebook = {"cells": [{"cell_type": "code", "id": name, "source": [text]} for name, text in cells.items()]}
     (folder / "en" / f"{STEM}.ipynb").write_text(json.dumps(notebook), encoding="utf-8")
     return folder

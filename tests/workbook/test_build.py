@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -198,17 +199,17 @@ def test_a_fault_of_an_exercise_is_found_before_it_is_run(tmp_path: Path, half: 
     from tflab.workbook.tasks.task import read_tasks
 
     page = read_page(exercise(tmp_path, TITLE, LOAD, half, THIRD))
-    found = exercise_faults(page, read_tasks(tmp_path / "solutions" / "tasks" / "03_x.py"))
+    found = exercise_faults(page, read_tasks(tmp_path / "solutions" / "tasks" / "03_x"))
     assert any(wrong in str(fault) for fault in found), [str(fault) for fault in found]
     good = read_page(exercise(tmp_path))
-    assert exercise_faults(good, read_tasks(tmp_path / "solutions" / "tasks" / "03_x.py")) == []
+    assert exercise_faults(good, read_tasks(tmp_path / "solutions" / "tasks" / "03_x")) == []
 
 
 def test_a_twin_that_is_the_answer_is_a_fault_with_file_and_line(tmp_path: Path, capsys) -> None:
     exercise(tmp_path, tasks=TASKS.replace("given.length * 2", "given.length / 2"))
     assert build(["--root", str(tmp_path)]) == 1
     said = capsys.readouterr().err
-    assert "solutions/tasks/03_x.py:7: E3.1" in said
+    assert "solutions/tasks/03_x/e3_1.py:5: E3.1" in said
     assert 'the twin "double" is the right answer' in said
     assert bytes_below(tmp_path) == {}
 
@@ -216,7 +217,7 @@ def test_a_twin_that_is_the_answer_is_a_fault_with_file_and_line(tmp_path: Path,
 @pytest.mark.parametrize(
     "tasks, half, said",
     [
-        (TASKS.replace("rng.uniform(1.0, 9.0))", "rng.nothing())"), HALF, "solutions/tasks/03_x.py:7: E3.1"),
+        (TASKS.replace("rng.uniform(1.0, 9.0))", "rng.nothing())"), HALF, "solutions/tasks/03_x/e3_1.py:5: E3.1"),
         (
             TASKS,
             HALF.replace("e3_1.length / 2", "e3_1.width / 2"),
@@ -254,9 +255,9 @@ def test_an_exercise_that_stops_or_passes_untouched_is_a_fault(tmp_path: Path, c
 
 def test_a_chapter_without_tasks_says_where_they_belong(tmp_path: Path, capsys) -> None:
     exercise(tmp_path)
-    (tmp_path / "solutions" / "tasks" / "03_x.py").unlink()
+    shutil.rmtree(tmp_path / "solutions" / "tasks" / "03_x")
     assert build(["--root", str(tmp_path)]) == 1
-    assert "there is no task file" in capsys.readouterr().err
+    assert "there are no tasks in" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(

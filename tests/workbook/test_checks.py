@@ -16,6 +16,8 @@ from tflab.workbook.answers.sealed import seal
 from tflab.workbook.answers.showing import show, show_in_a_line
 from tflab.workbook.answers.values import raised, to_plain
 from tflab.workbook.places import WorkbookError
+from tflab.workbook.tasks.case import Case
+from tflab.workbook.tasks.mistake import Mistake
 from tflab.workbook.tasks.verdict import judge_outcomes
 
 from . import small_chapter as chapter
@@ -239,24 +241,23 @@ def test_a_damaged_cases_file_is_said_in_one_line(copy, capsys):
 
 def test_a_name_that_is_no_option_is_said_inside_lists_of_parts():
     form = Parts({"a": Sequence(Choice(("map", "laser_frame")))})
-    variant = {"cases": [{"expected": to_plain({"a": ["map", "laser_frame"]}), "twins": {}}]}
-    verdict = judge_outcomes({"form": form.plain(), "twins": {}}, variant, [to_plain({"a": ["map", "laser"]})])
-    assert (verdict.kind, verdict.detail["answer"], verdict.detail["part"]) == ("option", "laser", "a")
+    task, variant = chapter.bare(form, Case(None, to_plain({"a": ["map", "laser_frame"]}), {}))
+    verdict = judge_outcomes(task, variant, [to_plain({"a": ["map", "laser"]})])
+    assert (verdict.mistake, verdict.detail["answer"], verdict.detail["part"]) == ("option", "laser", "a")
 
 
 @pytest.mark.parametrize("is_sealed", [False, True])
 def test_units_inside_parts_are_recognised(is_sealed):
     form = Parts({"place": Vector(3), "yaw": Angle()})
-    one = {"form": form.plain(), "twins": {}}
     expected = to_plain({"place": (1.0, 2.0, 3.0), "yaw": 0.5})
     wanted = seal(form, expected, "salt") if is_sealed else expected
-    variant = {"cases": [{"expected": wanted, "twins": {}}]}
+    task, variant = chapter.bare(form, Case(None, wanted, {}))
     for answer, part, unit in (
         ({"place": (1000.0, 2000.0, 3000.0), "yaw": 0.5}, "place", "mm"),
         ({"place": (1.0, 2.0, 3.0), "yaw": math.degrees(0.5)}, "yaw", "degrees"),
     ):
-        verdict = judge_outcomes(one, variant, [to_plain(answer)])
-        assert (verdict.kind, verdict.detail["part"], verdict.detail["unit"]) == ("unit", part, unit)
+        verdict = judge_outcomes(task, variant, [to_plain(answer)])
+        assert (verdict.mistake, verdict.detail["part"], verdict.detail["unit"]) == ("unit", part, unit)
 
 
 a_point = geometry_msgs.PointStamped()
@@ -285,13 +286,14 @@ def test_rows_of_numbers_stand_below_their_name_and_in_line():
 
 
 def test_an_exception_that_is_asked_for_has_to_be_raised_and_the_right_one():
-    one = {"form": Number("m", 0.01).plain(), "twins": {}, "is_function": True}
-    variant = {"cases": [{"args": [], "expected": {"raises": "LookupException", "text": ""}, "twins": {}}]}
+    case = Case([], {"raises": "LookupException", "text": ""}, {})
+    task, variant = chapter.bare(Number("m", 0.01), case, is_function=True)
 
     def verdict(outcome):
-        return judge_outcomes(one, variant, [outcome])
+        return judge_outcomes(task, variant, [outcome]).mistake
 
-    assert verdict(raised(LookupException("no such frame"))).kind == "passed"
-    assert verdict(to_plain(LookupException("no such frame"))).kind == "no refusal"
-    assert verdict(to_plain(None)).kind == "no refusal"
-    assert verdict(raised(ValueError("no such frame"))).detail["is_meant"]
+    assert verdict(raised(LookupException("no such frame"))) is None
+    assert verdict(to_plain(LookupException("no such frame"))) is Mistake.NO_REFUSAL
+    assert verdict(to_plain(None)) is Mistake.NOTHING_RETURNED
+    assert verdict(raised(ValueError("no such frame"))) is Mistake.OTHER_EXCEPTION
+    assert verdict(raised(KeyError("no such frame"))) is Mistake.RAISES

@@ -7,8 +7,12 @@ import pytest
 from tflab.core import LookupException
 from tflab.workbook.answers.forms import Angle, Choice, Number, Parts
 from tflab.workbook.answers.values import raised, to_plain
+from tflab.workbook.tasks.case import Case
 from tflab.workbook.tasks.evidence import credited, habit
+from tflab.workbook.tasks.mistake import Mistake
 from tflab.workbook.tasks.verdict import judge_outcomes
+
+from .small_chapter import bare
 
 PLANAR = Parts({"x": Number("m"), "yaw": Angle()})
 POSES = [(1.0, 0.5), (2.0, -1.0), (0.0, 2.0), (3.0, 0.0)]
@@ -20,12 +24,9 @@ def planar(x, yaw):
 
 def judged(form, asked, function, twins=None):
     """Return the verdict on a function, where `asked` is a list of (argument, expected)."""
-    cases = [{"args": [to_plain(given)], "expected": expected, "twins": {}} for given, expected in asked]
-    return judge_outcomes(
-        {"form": form.plain(), "twins": {}, "is_function": True},
-        {"cases": cases},
-        [to_plain_or_raised(function, given) for given, _ in asked],
-    )
+    cases = [Case([to_plain(given)], expected, {}) for given, expected in asked]
+    task, variant = bare(form, *cases, is_function=True)
+    return judge_outcomes(task, variant, [to_plain_or_raised(function, given) for given, _ in asked])
 
 
 def to_plain_or_raised(function, given):
@@ -41,33 +42,33 @@ NEGATED = [({"x": x, "yaw": yaw}, planar(-x, -yaw)) for x, yaw in POSES]
 @pytest.mark.parametrize(
     ("function", "passed", "kind"),
     [
-        (lambda pose: {"x": -pose["x"], "yaw": -pose["yaw"]}, 8, "passed"),
+        (lambda pose: {"x": -pose["x"], "yaw": -pose["yaw"]}, 8, None),
         (lambda pose: {"x": 0.0, "yaw": 0.0}, 0, "constant"),
         (lambda pose: dict(pose), 0, "echo"),
         (lambda pose: {"x": -pose["x"], "yaw": 0.0}, 4, "parts"),  # the x is understood
         (lambda pose: {"x": pose["x"] ** 2, "yaw": -pose["yaw"]}, 4, "parts"),  # 0 ** 2 shows nothing
         (lambda pose: {"x": -pose["x"], "yaw": pose["yaw"]}, 4, "parts"),  # neither does a yaw of 0
         (lambda pose: {"x": -pose["x"] if pose["x"] < 2 else 9.0, "yaw": 9.0}, 2, "parts"),  # two different ones do
-        (lambda pose: 1 / 0, 0, "raised"),
+        (lambda pose: 1 / 0, 0, "raises"),
         (lambda pose: "?", 0, "type"),
     ],
 )
 def test_a_part_earns_credit_for_two_different_results(function, passed, kind):
     verdict = judged(PLANAR, NEGATED, function)
-    assert (verdict.passed, verdict.of, verdict.kind) == (passed, 8, kind)
+    assert (verdict.passed, verdict.of, verdict.mistake) == (passed, 8, kind)
     assert sum(verdict.right) == passed
 
 
 def test_always_yes_is_right_now_and_then_and_worth_nothing():
     asked = [(stamp, "yes" if stamp < 2 else "no") for stamp in range(5)]
-    assert judged(Choice(("yes", "no")), asked, lambda stamp: "yes").kind == "constant"
+    assert judged(Choice(("yes", "no")), asked, lambda stamp: "yes").mistake is Mistake.CONSTANT
     assert judged(Choice(("yes", "no")), asked, lambda stamp: "yes").passed == 0
     assert judged(Choice(("yes", "no")), asked, lambda stamp: "yes" if stamp < 3 else "no").passed == 4
 
 
 def test_a_result_that_is_always_the_same_may_be_a_constant():
     asked = [(stamp, 7.0) for stamp in range(3)]
-    assert judged(Number(), asked, lambda stamp: 7.0).kind == "passed"
+    assert judged(Number(), asked, lambda stamp: 7.0).mistake is None
     assert judged(Number(), asked, lambda stamp: 7.0 if stamp else 8.0).passed == 2
 
 
@@ -88,6 +89,6 @@ def test_who_always_raises_has_refused_nothing():
 
 
 def test_one_case_is_judged_by_itself():
-    case = {"args": [to_plain(1.0)], "expected": 2.0, "twins": {}}
+    case = Case([to_plain(1.0)], 2.0, {})
     assert credited(Number(), [case], [2.0], [[True]]) == [[True]]
     assert habit(Number(), [case], [1.0]) == ""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import subprocess
 import sys
 from pathlib import Path
@@ -15,8 +14,12 @@ from tflab.workbook.course.progress_page import ProgressPage
 from tflab.workbook.course.progress_page import progress as progress_command
 from tflab.workbook.course.standing import standing
 from tflab.workbook.progress import Attempts, attempts, record_hint, record_try
+from tflab.workbook.tasks import Number, Words
+from tflab.workbook.tasks.case import ChapterCases
+from tflab.workbook.tasks.cases import cases_json
 
 from .conftest import HandedOut
+from .small_chapter import bare
 
 
 @pytest.fixture
@@ -25,9 +28,10 @@ def copy(handed_out: HandedOut, tmp_path: Path) -> Path:
 
 
 def give_tasks(copy: Path, stem: str, *names: str) -> None:
-    tasks = {name: {"title": {"en": "Which?", "ko": "어느 것?"}, "points": 2} for name in names}
-    cases = {"format": 1, "chapter": stem, "tasks": tasks}
-    (copy / "exercises" / "cases" / f"{stem}.json").write_text(json.dumps(cases))
+    task, _ = bare(Number())
+    task = task._replace(title=Words("Which?", "어느 것?"), points=2)
+    cases = ChapterCases(stem, dict.fromkeys(names, task))
+    (copy / "exercises" / "cases" / f"{stem}.json").write_text(cases_json(cases))
 
 
 def test_tries_hints_and_mistakes_are_counted_and_a_pass_stays(copy: Path) -> None:

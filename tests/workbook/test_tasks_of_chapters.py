@@ -9,13 +9,14 @@ import pytest
 from tflab.workbook.answers.forms import form_from_plain
 from tflab.workbook.places import workbook_data
 from tflab.workbook.tasks.cases import make_cases, task_cases
+from tflab.workbook.tasks.mistake import Mistake
 from tflab.workbook.tasks.reference import in_process_ros, solution_in_notebook
 from tflab.workbook.tasks.task import read_tasks
 from tflab.workbook.tasks.verdict import judge_outcomes
 
 SOLUTIONS = workbook_data() / "solutions"
-STEMS = sorted(path.stem for path in (SOLUTIONS / "tasks").glob("[0-9]*.py"))
-TASKS = [(stem, task) for stem in STEMS for task in read_tasks(SOLUTIONS / "tasks" / f"{stem}.py")]
+STEMS = sorted(path.name for path in (SOLUTIONS / "tasks").glob("[0-9]*"))
+TASKS = [(stem, task) for stem in STEMS for task in read_tasks(SOLUTIONS / "tasks" / stem)]
 SEEDS = 200
 each_task = pytest.mark.parametrize(("stem", "task"), TASKS, ids=[task.id for _, task in TASKS])
 
@@ -37,12 +38,12 @@ def test_every_twin_gets_its_own_reply_and_the_solution_full_marks(stem, task):
     solution = solution_in_notebook(SOLUTIONS / "en" / f"{stem}.ipynb")
     with in_process_ros():
         made = task_cases(task, "replies", solution)
-    for variant in made["variants"]:
-        right = [case["expected"] for case in variant["cases"]]
-        assert judge_outcomes(made, variant, right).kind == "passed"
-        for name in made["twins"]:
-            verdict = judge_outcomes(made, variant, [case["twins"][name] for case in variant["cases"]])
-            assert (verdict.kind, verdict.twin) == ("twin", name)
+    for variant in made.variants:
+        right = [case.expected for case in variant.cases]
+        assert judge_outcomes(made, variant, right).mistake is None
+        for name in made.twins:
+            verdict = judge_outcomes(made, variant, [case.twins[name] for case in variant.cases])
+            assert (verdict.mistake, verdict.twin) == (Mistake.SLIP, name)
 
 
 @each_task
@@ -50,13 +51,13 @@ def test_a_function_that_does_not_look_at_its_input_earns_nothing(stem, task):
     solution = solution_in_notebook(SOLUTIONS / "en" / f"{stem}.ipynb")
     with in_process_ros():
         made = task_cases(task, "habits", solution, variants=1)
-    cases = made["variants"][0]["cases"]
-    if not made["is_function"]:
+    cases = made.variants[0].cases
+    if not made.is_function:
         return
-    constants = [[case["expected"]] * len(cases) for case in cases]
-    echoes = [[case["args"][place] for case in cases] for place in range(min(len(case["args"]) for case in cases))]
+    constants = [[case.expected] * len(cases) for case in cases]
+    echoes = [[case.args[place] for case in cases] for place in range(min(len(case.args) for case in cases))]
     for outcomes in constants + echoes:
-        assert judge_outcomes(made, made["variants"][0], outcomes).passed == 0
+        assert judge_outcomes(made, made.variants[0], outcomes).passed == 0
 
 
 @each_task
@@ -80,15 +81,15 @@ def test_what_may_vary_has_variants_and_mistakes_are_foreseen(stem, task):
 
 @pytest.mark.parametrize("stem", STEMS)
 def test_a_chapter_has_five_to_seven_tasks_in_order(stem):
-    ids = [task.id for task in read_tasks(SOLUTIONS / "tasks" / f"{stem}.py")]
+    ids = [task.id for task in read_tasks(SOLUTIONS / "tasks" / stem)]
     assert 5 <= len(ids) <= 7
     assert ids == [f"E{int(stem[:2])}.{number}" for number in range(1, len(ids) + 1)]
 
 
 @pytest.mark.parametrize("stem", STEMS)
 def test_a_secret_seed_makes_other_cases(stem):
-    public, secret = (make_cases(stem, seed, solutions=SOLUTIONS, variants=1)["tasks"] for seed in ("public", "x"))
+    public, secret = (make_cases(stem, seed, solutions=SOLUTIONS, variants=1).tasks for seed in ("public", "x"))
     for task_id, task in public.items():
-        if task["is_function"]:
-            hidden = [case["args"] for case in secret[task_id]["variants"][0]["cases"]]
-            assert any(args not in hidden for args in (case["args"] for case in task["variants"][0]["cases"]))
+        if task.is_function:
+            hidden = [case.args for case in secret[task_id].variants[0].cases]
+            assert any(case.args not in hidden for case in task.variants[0].cases)

@@ -9,7 +9,7 @@ They work offline, on the public cases that came with the exercises.  `check`
 never raises: it is there for wrong answers.  What it says of a right one is that
 it is right on these cases, and what grading will add.
 
-    cases (cases.py)  +  answer  -->  outcomes  -->  verdict (verdict.py)  -->  words (replies.py)
+    cases (cases.py)  +  answer  -->  outcomes  -->  verdict (verdict.py)  -->  words (mistake.py)
 
 Read `progress.py` next.
 """
@@ -19,7 +19,6 @@ from __future__ import annotations
 import difflib
 import json
 import os
-from collections.abc import Callable
 from contextlib import redirect_stdout
 from functools import lru_cache
 from io import StringIO
@@ -28,16 +27,18 @@ from types import SimpleNamespace
 from typing import Any, NamedTuple
 
 from . import progress
-from .answers.forms import Sequence, form_from_plain
+from .answers.forms import Sequence
 from .answers.showing import show_all, show_in_a_line
-from .answers.values import Plain, from_plain, is_raised, is_unanswered, raised, to_plain
+from .answers.values import Plain, from_plain, is_raised, is_unanswered, outcome_of
 from .places import CASES, Workbook, WorkbookError, read_workbook, workbook_data, workbook_root
 from .tasks.blank import without_marks
-from .tasks.cases import CasesError, read_cases
+from .tasks.case import ChapterCases, TaskCases, Variant
+from .tasks.cases import CasesError, read_chapter
+from .tasks.mistake import REPLIES, Mistake
 from .tasks.reference import answer_cell_name
-from .tasks.replies import LATER, REPLIES
+from .tasks.replies import LATER, PHRASES
 from .tasks.task import TaskError, chapter_of, variant_of
-from .tasks.verdict import ANY_BUG, Verdict, judge_outcomes, kind_of
+from .tasks.verdict import Verdict, judge_outcomes, kind_of
 from .words import Words
 
 __all__ = ["check", "hint", "solution", "task"]
@@ -52,18 +53,18 @@ class _Task(NamedTuple):
 
     id: str
     stem: str
-    plain: dict[str, Any]  # as in the cases file
-    variant: dict[str, Any]
+    cases: TaskCases
+    variant: Variant
     root: Path
     workbook: Workbook
 
-    def say(self, reply: str, **names: object) -> str:
-        """Return one of the replies in the learner's language."""
-        return REPLIES[reply].say(self.workbook.language, id=self.id, answer=self.plain["answer"], **names)
+    def phrase(self, name: str, **names: object) -> str:
+        """Return one of the phrases in the learner's language."""
+        return self.words(PHRASES[name], id=self.id, answer=self.cases.answer, **names)
 
-    def words(self, plain: dict[str, str]) -> str:
-        """Return a text that stands with the task, in the learner's language."""
-        return Words(**plain).say(self.workbook.language)
+    def words(self, words: Words, **names: object) -> str:
+        """Return a text in the learner's language."""
+        return words.say(self.workbook.language, **names)
 
 
 def task(task_id: str) -> SimpleNamespace | None:
@@ -73,8 +74,8 @@ def task(task_id: str) -> SimpleNamespace | None:
         WorkbookError: there is no such task.
     """
     one = _find(task_id)
-    given = one.variant["given"]
-    print(f"{one.id} · {one.plain['points']} {'point' if one.plain['points'] == 1 else 'points'}")
+    given = one.variant.given
+    print(f"{one.id} · {one.cases.points} {'point' if one.cases.points == 1 else 'points'}")
     if given is None:
         return None
     values = {name: from_plain(value) for name, value in given.items()}
@@ -94,15 +95,15 @@ def check(task_id: str, answer: Any = NOTHING) -> float | None:
         print(f"{task_id}: {error}")
         return 0.0 if os.environ.get("NBGRADER_EXECUTION") else None
     if answer is NOTHING:
-        print(f"{one.id}: {one.say('no_answer_given')}")
-        verdict = Verdict(0, 1, "unanswered")
+        print(f"{one.id}: {one.phrase('no_answer_given')}")
+        verdict = Verdict(0, 1, Mistake.UNANSWERED)
     else:
         verdict, outcomes = _tried(one, answer)
-        if verdict.kind != "unanswered":
+        if verdict.mistake is not Mistake.UNANSWERED:
             progress.record_try(one.root, one.id, verdict.passed, verdict.of, verdict.twin or None)
         _print_verdict(one, verdict, outcomes)
     if os.environ.get("NBGRADER_EXECUTION"):
-        return round(one.plain["points"] * verdict.passed / verdict.of, 4)
+        return round(one.cases.points * verdict.passed / verdict.of, 4)
     return None
 
 
@@ -115,8 +116,8 @@ def hint(task_id: str) -> None:
         return
     number = progress.record_hint(one.root, one.id) or _hints_seen.get(one.id, 0) + 1
     _hints_seen[one.id] = number
-    hints = one.plain["hints"]
-    head = one.say("hint_number", number=number) if number <= len(hints) else one.say("last_hint")
+    hints = one.cases.hints
+    head = one.phrase("hint_number", number=number) if number <= len(hints) else one.phrase("last_hint")
     print(f"{one.id} · {head}: {one.words(hints[min(number, len(hints)) - 1])}")
 
 
@@ -128,18 +129,18 @@ def solution(task_id: str) -> None:
         print(f"{task_id}: {error}")
         return
     if one.workbook.edition == "class":
-        print(f"{one.id}: {one.say('solution_of_class')}")
+        print(f"{one.id}: {one.phrase('solution_of_class')}")
         return
     tried = progress.attempts(one.root, one.id)
     is_copy = one.root != workbook_data()
     if is_copy and not tried.passed and tried.tries < TRIES_BEFORE_SOLUTION:
-        print(f"{one.id}: {one.say('solution_later', tries=tried.tries)}")
+        print(f"{one.id}: {one.phrase('solution_later', tries=tried.tries)}")
         return
     path = workbook_data() / "solutions" / one.workbook.language / f"{one.stem}.ipynb"
     try:
         cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
     except OSError as error:
-        print(f"{one.id}: {one.say('no_cases', why=error)}")
+        print(f"{one.id}: {one.phrase('no_cases', why=error)}")
         return
     answers = [cell["source"] for cell in cells if cell["id"] == answer_cell_name(one.id)]
     print(without_marks("".join(line for lines in answers for line in lines)).rstrip())
@@ -150,115 +151,87 @@ def solution(task_id: str) -> None:
 
 def _tried(one: _Task, answer: Any) -> tuple[Verdict, list[Plain]]:
     """Return the verdict, and what came out of each case."""
-    cases = one.variant["cases"]
-    if not one.plain["is_function"]:
-        outcomes = [_plain(answer)]
-        return judge_outcomes(one.plain, one.variant, outcomes), outcomes
+    cases = one.variant.cases
+    if not one.cases.is_function:
+        outcomes = [outcome_of(lambda: answer, ())]
+        return judge_outcomes(one.cases, one.variant, outcomes), outcomes
     if not callable(answer):
-        kind = "unanswered" if answer is ... else "not_a_function"
-        verdict = Verdict(0, len(cases), kind, detail={"got": kind_of(_plain(answer))})
+        mistake = Mistake.UNANSWERED if answer is ... else Mistake.NOT_A_FUNCTION
+        verdict = Verdict(0, len(cases), mistake, detail={"got": kind_of(outcome_of(lambda: answer, ()))})
         return verdict, []
     outcomes = []
     for number, case in enumerate(cases):
         try:
-            first = _outcome(answer, case["args"])
+            first = outcome_of(answer, case.args)
             with redirect_stdout(StringIO()):  # what it prints has been read once
-                again = _outcome(answer, case["args"])
+                again = outcome_of(answer, case.args)
         except KeyboardInterrupt:
-            return Verdict(0, len(cases), "interrupted", case=number), []
+            return Verdict(0, len(cases), Mistake.INTERRUPTED, case=number), []
         if first != again:
-            return Verdict(0, len(cases), "unsteady", case=number), []
+            return Verdict(0, len(cases), Mistake.UNSTEADY, case=number), []
         outcomes.append(first)
         if number == 0 and is_unanswered(first):
-            return Verdict(0, len(cases), "unanswered"), []
-    return judge_outcomes(one.plain, one.variant, outcomes), outcomes
-
-
-def _outcome(function: Callable[..., Any], args: list[Plain]) -> Plain:
-    """Return what a function gives for fresh copies of its arguments."""
-    try:
-        return _plain(function(*map(from_plain, args)))
-    except Exception as error:
-        return raised(error)
-
-
-def _plain(value: Any) -> Plain:
-    if callable(value) and not isinstance(value, type):
-        return {"object": "function"}
-    try:
-        return to_plain(value)
-    except Exception:  # an object with surprises in it, or one without end
-        return {"object": type(value).__name__}
+            return Verdict(0, len(cases), Mistake.UNANSWERED), []
+    return judge_outcomes(one.cases, one.variant, outcomes), outcomes
 
 
 # -- saying ---------------------------------------------------------------------------
 
 
 def _print_verdict(one: _Task, verdict: Verdict, outcomes: list[Plain]) -> None:
-    mark = "✓" if verdict.kind == "passed" else "✗"
-    score = f"{one.id} {mark} {verdict.passed}/{verdict.of}"
-    if verdict.kind == "passed":
+    score = f"{one.id} {'✗' if verdict.mistake else '✓'} {verdict.passed}/{verdict.of}"
+    if verdict.mistake is None:
         print(score)
         if one.root != workbook_data():
-            print(LATER[_what_was_tried(one)].say(one.workbook.language, of=verdict.of))
+            print(one.words(LATER[_what_was_tried(one)], of=verdict.of))
         return
-    if verdict.kind == "unanswered":
-        print(f"{one.id}: {one.say('unanswered')}")
+    if verdict.mistake is Mistake.UNANSWERED:
+        print(f"{one.id}: {one.words(REPLIES[verdict.mistake])}")
         return
-    print(f"{score}: {_reply(one, verdict, outcomes)}")
-    if one.plain["is_function"] and outcomes and verdict.kind != "raised":
-        print(one.say("case", call=_call(one, verdict.case), got=_shown(outcomes[verdict.case])))
-    elif one.plain["is_function"] and outcomes:
-        print(one.say("case", call=_call(one, verdict.case), got=outcomes[verdict.case].get("raises")))
+    print(f"{score}: {_reply(one, verdict)}")
+    if one.cases.is_function and outcomes:
+        print(one.phrase("case", call=_call(one, verdict.case), got=_shown(outcomes[verdict.case])))
     tried = progress.attempts(one.root, one.id)
     if one.workbook.edition == "self-study" and tried.tries >= TRIES_BEFORE_SOLUTION:
-        print(one.say("solution"))
-    elif verdict.kind in ("value", "twin", "parts"):
-        print(one.say("hint"))
+        print(one.phrase("solution"))
+    elif verdict.mistake in (Mistake.VALUE, Mistake.SLIP, Mistake.PARTS):
+        print(one.phrase("hint"))
     _show_both(one, verdict, outcomes)
 
 
 def _what_was_tried(one: _Task) -> str:
-    if one.plain["is_function"]:
+    if one.cases.is_function:
         return "function"
-    return "value" if one.variant["given"] else "same for all"
+    return "value" if one.variant.given else "same for all"
 
 
-def _reply(one: _Task, verdict: Verdict, outcomes: list[Plain]) -> str:
-    names = dict(verdict.detail)
-    for several in ("parts", "wrong"):
-        if several in names:
-            names[several] = ", ".join(f'"{name}"' for name in names[several])
-    if verdict.kind == "twin":
-        reply = one.words(one.plain["twins"][verdict.twin]["reply"])
-        return f"{names['wrong']}: {reply}" if "wrong" in names else reply
-    kind = verdict.kind
-    if kind == "type" and names.get("got") == "function":
-        kind = "a_function"
-    if one.plain["is_function"] and outcomes and outcomes[verdict.case] is None:
-        kind = "nothing_returned"
-    if kind == "raised" and names.get("is_meant") and names["error"] not in ANY_BUG - {"ValueError"}:
-        kind = "another exception"
-    if kind in REPLIES and "{answer}" in REPLIES[kind].en and "answer" in names:
-        text = REPLIES[kind].say(one.workbook.language, wanted=_wanted(one, verdict), **names)
-    else:
-        text = one.say(kind, wanted=_wanted(one, verdict), **names)
+def _reply(one: _Task, verdict: Verdict) -> str:
+    names = {name: _listed(held) if isinstance(held, list) else held for name, held in verdict.detail.items()}
+    if verdict.mistake is Mistake.SLIP:
+        names["said"] = one.words(one.cases.twins[verdict.twin].reply)
+        if "wrong" in names:
+            names["said"] = f"{names['wrong']}: {names['said']}"
+    text = one.words(REPLIES[verdict.mistake], **{"answer": one.cases.answer, "wanted": _wanted(one, verdict)} | names)
     return f'"{names["part"]}": {text}' if "part" in names else text
 
 
+def _listed(names: list[str]) -> str:
+    return ", ".join(f'"{name}"' for name in names)
+
+
 def _wanted(one: _Task, verdict: Verdict) -> str:
-    form = form_from_plain(one.plain["form"])
+    form = one.cases.form
     part = verdict.detail.get("part")
     form = form.parts[part] if part else form
-    if verdict.kind == "option" and isinstance(form, Sequence):
+    if verdict.mistake is Mistake.OPTION and isinstance(form, Sequence):
         form = form.of
     return form.wanted().say(one.workbook.language)
 
 
 def _call(one: _Task, case: int) -> str:
     """Return the call as it was made, short enough to read."""
-    arguments = ", ".join(show_in_a_line(from_plain(arg)) for arg in one.variant["cases"][case]["args"])
-    return f"{one.plain['answer']}({arguments})"
+    arguments = ", ".join(show_in_a_line(from_plain(arg)) for arg in one.variant.cases[case].args)
+    return f"{one.cases.answer}({arguments})"
 
 
 def _shown(outcome: Plain) -> str:
@@ -275,11 +248,11 @@ def _show_both(one: _Task, verdict: Verdict, outcomes: list[Plain]) -> None:
     from .tasks.comparison import picture_of
 
     tries = progress.attempts(one.root, one.id).tries
-    if not outcomes or verdict.kind not in ("twin", "value", "unit"):
+    if not outcomes or verdict.mistake not in (Mistake.SLIP, Mistake.VALUE, Mistake.UNIT):
         return
-    if not one.plain["is_function"] and tries < TRIES_BEFORE_SOLUTION:
+    if not one.cases.is_function and tries < TRIES_BEFORE_SOLUTION:
         return  # the picture would tell the number
-    picture = picture_of(one.plain["form"], outcomes[verdict.case], one.variant["cases"][verdict.case]["expected"])
+    picture = picture_of(one.cases.form, outcomes[verdict.case], one.variant.cases[verdict.case].expected)
     if picture is None:
         return
     from IPython import get_ipython
@@ -310,27 +283,26 @@ def _find(task_id: str) -> _Task:
     try:
         cases = _read(paths[0], paths[0].stat().st_mtime_ns)
     except CasesError as error:
-        raise WorkbookError(REPLIES["no_cases"].say(workbook.language, why=error)) from None
-    if task_id not in cases["tasks"]:
+        raise WorkbookError(PHRASES["no_cases"].say(workbook.language, why=error)) from None
+    if task_id not in cases.tasks:
         raise WorkbookError(_unknown(root, workbook, task_id, paths))
-    plain = cases["tasks"][task_id]
-    variants = plain["variants"]
-    variant = variants[variant_of(workbook.learner, task_id, len(variants))]
-    return _Task(task_id, paths[0].stem, plain, variant, root, workbook)
+    held = cases.tasks[task_id]
+    variant = held.variants[variant_of(workbook.learner, task_id, len(held.variants))]
+    return _Task(task_id, paths[0].stem, held, variant, root, workbook)
 
 
 @lru_cache(maxsize=4)
-def _read(path: Path, _mtime_ns: int) -> dict[str, Any]:
-    return read_cases(path)
+def _read(path: Path, _mtime_ns: int) -> ChapterCases:
+    return read_chapter(path)
 
 
 def _unknown(root: Path, workbook: Workbook, task_id: str, paths: list[Path]) -> str:
     known: list[str] = []
     for path in paths:
         try:
-            known += read_cases(path)["tasks"]
+            known += read_chapter(path).tasks
         except CasesError:
             continue
     close = difflib.get_close_matches(task_id, known, n=1, cutoff=0.5)
-    suggestion = REPLIES["did_you_mean"].say(workbook.language, name=close[0]) if close else ""
-    return REPLIES["unknown_task"].say(workbook.language, known=", ".join(known) or str(root / CASES), close=suggestion)
+    suggestion = PHRASES["did_you_mean"].say(workbook.language, name=close[0]) if close else ""
+    return PHRASES["unknown_task"].say(workbook.language, known=", ".join(known) or str(root / CASES), close=suggestion)

@@ -15,9 +15,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from tflab.workbook.answers.forms import Form, form_from_plain
+from tflab.workbook.answers.forms import Form
 from tflab.workbook.answers.sealed import is_sealed, seal
 from tflab.workbook.answers.values import is_raised
+from tflab.workbook.tasks.case import Case, TaskCases
+from tflab.workbook.tasks.mistake import WITHOUT_THE_ANSWER, Mistake
 from tflab.workbook.tasks.verdict import Verdict, judge_outcomes
 
 from ..submissions.remarks import Remark
@@ -68,24 +70,25 @@ def judged(
         outcomes: by case; a function's first case comes once more under the number of cases.
         trouble: what the run had to say about this task.
     """
-    form, cases = form_from_plain(task["form"]), task["cases"]
+    held = TaskCases.of_a_learner(dict(task))
+    form, cases = held.form, held.variants[0].cases
     got = [_readable(form, outcomes.get(number, MISSING)) for number in range(len(cases))]
     once_more = outcomes.get(len(cases))
     remarks = list(trouble)
-    if task["is_function"] and once_more is not None and _is_unsteady(form, cases[0], got[0], once_more):
+    if held.is_function and once_more is not None and _is_unsteady(form, cases[0], got[0], once_more):
         got[0] = MISSING
-        remarks.append(Remark("unstable", task_id))
-    found = _judge(form, task, got)
-    points = round(task["points"] * found.passed / found.of, DIGITS) if found.of else 0.0
-    if found.kind == "unanswered" and not trouble:
+        remarks.append(Remark(Mistake.UNSTEADY.value, task_id))
+    found = _judge(held, got)
+    points = round(held.points * found.passed / found.of, DIGITS) if found.of else 0.0
+    if found.mistake is Mistake.UNANSWERED and not trouble:
         status = "unanswered"
-    elif found.kind == "passed":
+    elif found.mistake is None:
         status, remarks = "right", []
     else:
         status = "partly" if found.passed else "trouble" if trouble else "wrong"
     if not remarks and status != "right" and not found.twin:
-        remarks += _what_went_wrong(task_id, task, form, got, found)
-    return TaskMark(task_id, status, found.passed, found.of, points, float(task["points"]), found.twin, tuple(remarks))
+        remarks += _what_went_wrong(task_id, held, got, found)
+    return TaskMark(task_id, status, found.passed, found.of, points, float(held.points), found.twin, tuple(remarks))
 
 
 def safe_error_name(name: Any) -> str | Remark:
@@ -95,13 +98,14 @@ def safe_error_name(name: Any) -> str | Remark:
     return name if isinstance(name, str) and name in KNOWN_ERRORS else Remark("own error")
 
 
-def _judge(form: Form, task: Mapping[str, Any], got: list[Any]) -> Verdict:
-    """Judge as a learner's copy does, whose values are sealed: what `check` accepts at the rim is accepted here."""
-    found = judge_outcomes(dict(task), {"cases": task["cases"]}, got)
-    if found.kind == "passed" or task["is_function"] or any(is_sealed(case["expected"]) for case in task["cases"]):
+def _judge(task: TaskCases, got: list[Any]) -> Verdict:
+    """Judge as a learner's copy does, whose values are sealed: what `check` accepts at the edge of its tolerance."""
+    (variant,) = task.variants
+    found = judge_outcomes(task, variant, got)
+    if found.mistake is None or task.is_function or any(is_sealed(case.expected) for case in variant.cases):
         return found
-    sealed = [case | {"expected": seal(form, case["expected"], "grading")} for case in task["cases"]]
-    rounded = judge_outcomes(dict(task), {"cases": sealed}, got)
+    sealed = tuple(case._replace(expected=seal(task.form, case.expected, "grading")) for case in variant.cases)
+    rounded = judge_outcomes(task, variant._replace(cases=sealed), got)
     return rounded if rounded.passed > found.passed else found
 
 
@@ -117,38 +121,27 @@ def _readable(form: Form, answer: Any) -> Any:
     return answer
 
 
-def _is_unsteady(form: Form, case: Mapping[str, Any], first: Any, once_more: Any) -> bool:
+def _is_unsteady(form: Form, case: Case, first: Any, once_more: Any) -> bool:
     """Return whether a function was right at first, and is not when it is asked the same again."""
-    if not all(form.judge(first, case["expected"])):
+    if not all(form.judge(first, case.expected)):
         return False
-    return not all(form.judge(_readable(form, once_more), case["expected"]))
+    return not all(form.judge(_readable(form, once_more), case.expected))
 
 
-def _what_went_wrong(task_id: str, task: Mapping[str, Any], form: Form, got: list[Any], found: Verdict) -> list[Remark]:
+def _what_went_wrong(task_id: str, task: TaskCases, got: list[Any], found: Verdict) -> list[Remark]:
     """Return what can be said without repeating anything that the learner's code made."""
-    wanted = {"wanted": form.wanted().en, "wanted_ko": form.wanted().ko}
-    if found.kind == "unanswered":
-        return [Remark("unanswered", task_id)]
     if all(answer is MISSING for answer in got):
         return [Remark("no result", task_id)]
-    if found.kind == "raised":
-        errors = [answer for answer in got if is_raised(answer)]
-        name = safe_error_name(found.detail.get("error"))
-        return [
-            Remark(
-                "raises" if task["is_function"] else "raised", task_id, error=name, of_cases=f"{len(errors)}/{len(got)}"
-            )
-        ]
-    if found.kind in ("type", "shape", "option"):
-        return [Remark("unfit", task_id, **wanted)]
-    if found.kind == "unit":
-        return [Remark("unit", task_id, unit=found.detail["unit"], wanted=found.detail["wanted_unit"])]
-    if found.kind == "frame":
-        return [Remark("frame", task_id, wanted=found.detail["wanted_frame"])]
-    if found.kind == "parts":
-        return [Remark("parts", task_id, parts=", ".join(found.detail["wrong"]))]
-    if found.kind in ("constant", "echo"):
-        return [Remark(found.kind, task_id)]
-    if found.kind == "missing":
-        return [Remark("missing parts", task_id, parts=", ".join(found.detail["parts"]))]
-    return []
+    if found.mistake is Mistake.RAISES and not task.is_function:  # the cell itself stopped
+        return [Remark("raised", task_id, error=safe_error_name(found.detail["error"]))]
+    wanted = task.form.wanted()
+    names = {name: ", ".join(held) if isinstance(held, list) else held for name, held in found.detail.items()}
+    names |= {
+        "wanted": wanted.en,
+        "wanted_ko": wanted.ko,
+        "error": safe_error_name(found.detail.get("error")),
+        "of_cases": f"{sum(map(is_raised, got))}/{len(got)}",
+    }
+    said = WITHOUT_THE_ANSWER[found.mistake]
+    asked = {name: held for name, held in names.items() if f"{{{name}}}" in said.en + said.ko}
+    return [Remark(found.mistake.value, task_id, **asked)]

@@ -38,25 +38,14 @@ def prepare(givens_json: str) -> None:
 
 def probe(identity: str, answer: Callable[[], Any], args_json: str) -> None:
     """Send one outcome for each case, as plain JSON; what a function raises is an outcome, too."""
-    from tflab.workbook.answers.values import from_plain
+    from tflab.workbook.answers.values import outcome_of
 
     cases = json.loads(args_json)
     if cases is None:
-        outcomes = [_plain_outcome(answer)]
+        outcomes = [outcome_of(answer, ())]
     else:
-        outcomes = [_plain_outcome(lambda args=args: answer()(*[from_plain(arg) for arg in args])) for args in cases]
+        outcomes = [outcome_of(lambda *given: answer()(*given), args) for args in cases]
     _send(identity, outcomes)
-
-
-def _plain_outcome(give: Callable[[], Any]) -> Any:
-    from tflab.workbook.answers.values import raised, to_plain
-
-    try:
-        plain = to_plain(give())
-        json.dumps(plain, allow_nan=False)
-    except Exception as error:
-        return raised(error)
-    return plain
 
 
 def _send(identity: str, plain: Any) -> None:

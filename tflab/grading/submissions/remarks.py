@@ -5,7 +5,8 @@
 
 A remark never repeats what a learner's code printed or raised: that could carry
 hidden inputs out.  Why a file cannot be read is a remark inside a remark: the
-kinds in `reasons.py`.  Read `kernels/` next.
+kinds in `reasons.py`; what is wrong with an answer is said as `mistake.py` of the
+workbook has it.  Read `kernels/` next.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
+from tflab.workbook.tasks.mistake import WITHOUT_THE_ANSWER
 from tflab.workbook.words import Words
 
 from .reasons import REASONS
@@ -66,37 +68,6 @@ KINDS = {
         en="the answer cell stops with {error}.",
         ko="답안 셀이 {error} 오류로 멈춥니다.",
     ),
-    "raises": Words(
-        en="the function raises {error} where it should return a value ({of_cases}).",
-        ko="함수가 값을 돌려주어야 할 곳에서 {error} 예외를 냅니다({of_cases}).",
-    ),
-    "unfit": Words(
-        en="the answer is of another form; wanted: {wanted}.",
-        ko="답의 형식이 다릅니다. 필요한 것: {wanted_ko}.",
-    ),
-    "unit": Words(
-        en="the number would fit in {unit}; wanted: {wanted}.",
-        ko="{unit} 단위라면 맞는 값입니다. 필요한 단위: {wanted}.",
-    ),
-    "frame": Words(
-        en="the answer is in another frame; wanted: {wanted}.",
-        ko="답의 좌표계가 다릅니다. 필요한 좌표계: {wanted}.",
-    ),
-    "parts": Words(en="not right yet: {parts}.", ko="아직 틀린 부분: {parts}."),
-    "missing parts": Words(en="not answered: {parts}.", ko="답하지 않은 부분: {parts}."),
-    "unstable": Words(
-        en="the function gives another result when it is called a second time with the same input.",
-        ko="같은 입력으로 두 번째 부르면 함수의 결과가 달라집니다.",
-    ),
-    "constant": Words(
-        en="the function gives the same result whatever it is asked.",
-        ko="무엇을 넣어도 함수의 결과가 같습니다.",
-    ),
-    "echo": Words(
-        en="the function hands back what it was given, unchanged.",
-        ko="함수가 받은 값을 그대로 돌려줍니다.",
-    ),
-    "unanswered": Words(en="not answered yet.", ko="아직 답하지 않았습니다."),
     "no result": Words(en="no result came back.", ko="결과가 돌아오지 않았습니다."),
     "not run": Words(
         en="it could not be run on this machine ({why}); grade it again.",
@@ -157,6 +128,7 @@ KINDS = {
         ko="tflab 자체의 오류로 채점하지 못했습니다({error}). 오류를 알리고 다시 채점해야 합니다.",
     ),
     "own error": Words(en="an error of its own", ko="직접 정의한"),  # inside another remark
+    **{mistake.value: words for mistake, words in WITHOUT_THE_ANSWER.items()},
     **REASONS,
 }
 

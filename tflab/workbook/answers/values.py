@@ -19,10 +19,11 @@ iterator a list.  Anything else is {"object": its class}: it can be named, not j
 from __future__ import annotations
 
 import dataclasses
+import json
 import math
 from array import array
 from collections import deque
-from collections.abc import Callable, Iterator, Mapping, ValuesView
+from collections.abc import Callable, Iterator, Mapping, Sequence, ValuesView
 from decimal import Decimal
 from fractions import Fraction
 from itertools import islice
@@ -39,7 +40,7 @@ from tflab.ros.messages.base import Message, type_named
 from tflab.ros.tf2 import buffer as tf2_buffer
 from tflab.ros.time import Time
 
-__all__ = ["Plain", "from_plain", "is_unanswered", "raised", "to_plain"]
+__all__ = ["Plain", "from_plain", "is_raised", "is_unanswered", "outcome_of", "raised", "to_plain"]
 
 Plain = Any  # what json.loads may return
 MAX_DEPTH = 30
@@ -75,6 +76,22 @@ def from_plain(plain: Plain) -> Any:
 def raised(error: BaseException) -> Plain:
     """Return an exception as the outcome of a call: by its class, the text beside it."""
     return {"raises": type(error).__name__, "text": str(error)[:500]}
+
+
+def outcome_of(function: Callable[..., Any], args: Sequence[Plain]) -> Plain:
+    """Return what a function gives for fresh copies of its arguments: a value, or what it raises."""
+    try:
+        given = function(*map(from_plain, args))
+    except Exception as error:
+        return raised(error)
+    if callable(given) and not isinstance(given, type):
+        return {"object": "function"}
+    try:
+        plain = to_plain(given)
+        json.dumps(plain, allow_nan=False)
+    except Exception as error:  # an object with surprises in it, or one without end
+        return raised(error)
+    return plain
 
 
 def is_raised(plain: Plain) -> bool:

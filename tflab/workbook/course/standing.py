@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 from ..places import CASES, chapters, read_workbook, workbook_root
 from ..progress import Attempts, read_progress
-from ..tasks.cases import CasesError, read_cases
+from ..tasks.cases import CasesError, read_chapter
 from ..words import Words
 from .course import Chapter, Goal, read_course
 
@@ -108,10 +108,10 @@ def standing(root: Path | None = None) -> Standing:
 
 def _tasks(root: Path, stem: str, attempts: dict[str, Attempts]) -> tuple[TaskStanding, ...]:
     try:
-        found = read_cases(root / CASES / f"{stem}.json")["tasks"]
+        found = read_chapter(root / CASES / f"{stem}.json").tasks
     except CasesError:
         return ()
     return tuple(
-        TaskStanding(name, Words(**task["title"]), task["points"], attempts.get(name, Attempts()))
+        TaskStanding(name, task.title, task.points, attempts.get(name, Attempts()))
         for name, task in sorted(found.items(), key=lambda line: [int(part) for part in line[0][1:].split(".")])
     )

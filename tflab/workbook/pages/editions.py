@@ -53,7 +53,7 @@ def exercise_notebook(page: Page, language: str, tasks: Mapping[str, Mapping[str
     """Return a solution's page as a learner gets it: regions blanked, nothing run.
 
     Args:
-        tasks: by id, each with its "points", as in the public cases.
+        tasks: by id, as in the public cases.
 
     Raises:
         BlankError: a region cannot be taken out.
@@ -67,7 +67,7 @@ def exercise_notebook(page: Page, language: str, tasks: Mapping[str, Mapping[str
             made["source"] = _lines(blank(cell.source))
             task = task_of(cell.name, tasks)
             if task:
-                made["metadata"] |= _task_metadata(cell.name, task, tasks[task]["points"])
+                made["metadata"] |= _task_metadata(cell.name, task, tasks[task].points)
         cells.append(made)
     return _notebook(page, language, cells)
 

@@ -44,7 +44,7 @@ def score_faults(page: Page, tasks: Iterable[str], outputs: Outputs) -> list[Pag
             printed = "".join(line for output in outputs.get(check.name, ()) for line in output.get("text", ()))
             if not printed.startswith(f"{task} ✓"):
                 wrong = f"the solution does not pass: {' '.join(printed.split())[:300]}"
-                found.append(page.fault(check, wrong, f"mend the answer, or {task} in solutions/tasks/{page.stem}.py"))
+                found.append(page.fault(check, wrong, f"mend the answer, or {task} in solutions/tasks/{page.stem}"))
     return found
 
 

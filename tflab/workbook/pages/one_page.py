@@ -2,7 +2,7 @@
 
     notebooks/src/03_x.py                --run-->  notebooks/{en,ko}/03_x.ipynb
     solutions/src/03_x.py                --run-->  solutions/{en,ko}/03_x.ipynb
-        + solutions/tasks/03_x.py       -------->  exercises/{en,ko}/03_x.ipynb, exercises/cases/03_x.json
+        + solutions/tasks/03_x/e3_1.py  -------->  exercises/{en,ko}/03_x.ipynb, exercises/cases/03_x.json
 
 The public cases are made before the solution is run, because its checks ask for
 them.  An exercise is run, too, untouched: it must reach its end and pass nothing.
@@ -15,13 +15,14 @@ from __future__ import annotations
 import asyncio
 import re
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from ..course.glossary import read_glossary
 from ..tasks.blank import BlankError
-from ..tasks.cases import FORMAT, PUBLIC_SEED, CasesError, cases_json, task_cases
+from ..tasks.case import ChapterCases, TaskCases
+from ..tasks.cases import PUBLIC_SEED, CasesError, cases_json, task_cases
 from ..tasks.reference import CodeCell, Solution, answer_cell_name, in_process_ros
-from ..tasks.task import TaskError, read_tasks
+from ..tasks.task import TaskError, read_tasks, task_file
 from ..words import LANGUAGES
 from .editions import exercise_notebook, lecture_notebook, text_of
 from .execute import Outputs, run_page
@@ -60,7 +61,7 @@ async def _solution(page: Page, faults: list[PageFault], cases_turn: asyncio.Loc
     async with cases_turn:
         tasks, more = await asyncio.to_thread(_cases, page)
     faults += more
-    public = {page.stem: cases_json({"format": FORMAT, "chapter": page.stem, "tasks": tasks})}
+    public = {page.stem: cases_json(ChapterCases(page.stem, tasks))}
     outputs, more = await run_page(page, f"solutions/{LANGUAGES[0]}", public)
     faults += more + score_faults(page, tasks, outputs)
     if not faults:
@@ -76,18 +77,20 @@ async def _solution(page: Page, faults: list[PageFault], cases_turn: asyncio.Loc
     return Made(files, faults)
 
 
-def _in_each_language(page: Page, room: str, outputs: Outputs, tasks: dict[str, Any] | None = None) -> dict[str, str]:
+def _in_each_language(
+    page: Page, room: str, outputs: Outputs, tasks: dict[str, TaskCases] | None = None
+) -> dict[str, str]:
     return {
         f"{room}/{language}/{page.stem}.ipynb": text_of(lecture_notebook(page, language, outputs, tasks))
         for language in LANGUAGES
     }
 
 
-def _cases(page: Page) -> tuple[dict[str, Any], list[PageFault]]:
+def _cases(page: Page) -> tuple[dict[str, TaskCases], list[PageFault]]:
     """Return the public cases of a solution's tasks, by id, and what is wrong with them."""
-    path = page.path.parents[1] / "tasks" / page.path.name
+    folder = page.path.parents[1] / "tasks" / page.stem
     try:
-        tasks = read_tasks(path)
+        tasks = read_tasks(folder)
     except TaskError as error:
         return {}, [page.fault(None, str(error), "mend the chapter's tasks")]
     faults = exercise_faults(page, tasks)
@@ -98,16 +101,16 @@ def _cases(page: Page) -> tuple[dict[str, Any], list[PageFault]]:
             try:
                 made[task.id] = task_cases(task, PUBLIC_SEED, solution)
             except Exception as error:  # a generator or a twin may fail in any way
-                faults.append(_task_fault(page, path, task.id, error))
+                faults.append(_task_fault(page, task_file(folder, task.id), task.id, error))
     return made, faults
 
 
 def _task_fault(page: Page, path: Path, task: str, error: Exception) -> PageFault:
-    """Return what is wrong with a task: at its answer's cell if that fails, else in the chapter's tasks."""
+    """Return what is wrong with a task: at its answer's cell if that fails, else in its own file."""
     if isinstance(error, TaskError) and not isinstance(error, CasesError):
         cell = next((cell for cell in page.code if cell.name == answer_cell_name(task)), None)
         return page.fault(cell, str(error), "mend the answer, or what is given")
     lines = path.read_text(encoding="utf-8").splitlines()
     line = next((n for n, text in enumerate(lines, start=1) if re.search(rf"\bid\s*=\s*[\"']{task}[\"']", text)), 1)
     wrong = str(error) if isinstance(error, TaskError) else f"{task}: {type(error).__name__}: {error}"
-    return PageFault("/".join(path.parts[-3:]), line, "", wrong, f"mend {task}")
+    return PageFault("/".join(path.parts[-4:]), line, "", wrong, f"mend {task}")

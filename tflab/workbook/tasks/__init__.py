@@ -2,12 +2,35 @@
 
     task        what a task is
     reference   its right answer comes from its solution; there is no other
+    case        what a file of cases holds
     cases       what an answer is tried on
     evidence    what an answer shows, beyond luck: guess correction
     verdict     what became of an answer
-    replies     how that is said
+    mistake     what may be wrong with it, in two tables of words
+    replies     what `check` says besides
     comparison  the wrong answer drawn beside the right one
     blank       a solution with its answers taken out
 
-Start with `task.py`; each page names the next.
+What a task file imports is here.  Start with `task.py`; each page names the next.
 """
+
+from ..answers.forms import Angle, Choice, Command, Message, Number, Parts, Pose, Quaternion, Sequence, Tree, Vector
+from ..words import Words
+from .task import Task, Twin
+
+__all__ = [
+    "Angle",
+    "Choice",
+    "Command",
+    "Message",
+    "Number",
+    "Parts",
+    "Pose",
+    "Quaternion",
+    "Sequence",
+    "Task",
+    "Tree",
+    "Twin",
+    "Vector",
+    "Words",
+]

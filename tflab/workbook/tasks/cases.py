@@ -1,43 +1,34 @@
 """On what is an answer tried?  Cases: what is given, what is expected, and what each mistake would give.
 
     generators + a seed     -->  given, arguments
-    the solution            -->  expected           {"args": [...], "expected": ..., "twins": {"swapped": ...}}
+    the solution            -->  expected           Case(args, expected, {"swapped": ...})
     each twin               -->  its wrong answer
 
 One function makes them all: with the public seed the cases that ship with the
 exercises, with a secret one those that grading uses.  A case in which a mistake
 gives the right answer, or in which two mistakes look alike, is no case: it is an
-error here, before any learner sees it.  Everything is plain JSON (`values.py`).
-
-Read `evidence.py` next.
+error here, before any learner sees it.  A test-data generator with an oracle and
+its mutants, the field would say.  Read `evidence.py` next.
 """
 
 from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 
-from ..answers.values import Plain, from_plain, is_raised, to_plain
+from ..answers.values import Plain, from_plain, is_raised, outcome_of, to_plain
+from .case import FORMAT, Case, ChapterCases, TaskCases, TwinWords, Variant
 from .reference import Solution, in_process_ros, solution_in_notebook
 from .task import Task, TaskError, Twin, read_tasks
 
-__all__ = [
-    "FORMAT",
-    "PUBLIC_SEED",
-    "CasesError",
-    "cases_json",
-    "make_cases",
-    "read_cases",
-    "task_cases",
-]
+__all__ = ["PUBLIC_SEED", "CasesError", "cases_json", "make_cases", "read_cases", "read_chapter", "task_cases"]
 
-FORMAT = 1
 PUBLIC_SEED = "public"
 DIGITS = 12  # of a float in a case; the last ones differ between machines
 
@@ -54,8 +45,8 @@ def make_cases(
     solution: Solution | None = None,
     variants: int | None = None,
     fewest_inputs: int = 1,
-) -> dict[str, Any]:
-    """Return the cases of a chapter for a seed, as JSON has them.
+) -> ChapterCases:
+    """Return the cases of a chapter for a seed.
 
     Args:
         solutions: the folder that holds `tasks/` and, built, `en/`.
@@ -67,39 +58,40 @@ def make_cases(
         TaskError: the task file is no good, or the solution does not answer a task.
         CasesError: a twin coincides with the answer, or with another twin.
     """
-    tasks = read_tasks(solutions / "tasks" / f"{stem}.py")
+    tasks = read_tasks(solutions / "tasks" / stem)
     solution = solution or solution_in_notebook(solutions / "en" / f"{stem}.ipynb")
     with in_process_ros():
         made = {task.id: task_cases(task, seed, solution, variants, fewest_inputs) for task in tasks}
-    return {"format": FORMAT, "chapter": stem, "tasks": made}
+    return ChapterCases(stem, made)
 
 
 def task_cases(
     task: Task, seed: str | bytes, solution: Solution, variants: int | None = None, fewest_inputs: int = 1
-) -> dict[str, Any]:
+) -> TaskCases:
     """Return one task's cases, its words beside them; to be called inside `in_process_ros()`."""
     count = variants or task.variants
-    return {
-        "kind": task.kind,
-        "points": task.points,
-        "answer": task.answer,
-        "is_function": task.inputs is not None,
-        "title": task.title.plain(),
-        "form": task.form.plain(),
-        "hints": [hint.plain() for hint in task.hints],
-        "cures": list(task.cures),
-        "twins": {twin.name: {"reply": twin.reply.plain(), "misconception": twin.misconception} for twin in task.twins},
-        "variants": [_variant(task, seed, number, solution, fewest_inputs) for number in range(count)],
-    }
+    return TaskCases(
+        kind=task.kind,
+        points=task.points,
+        answer=task.answer,
+        is_function=task.inputs is not None,
+        title=task.title,
+        form=task.form,
+        hints=task.hints,
+        cures=task.cures,
+        twins={twin.name: TwinWords(twin.reply, twin.misconception) for twin in task.twins},
+        variants=tuple(_variant(task, seed, number, solution, fewest_inputs) for number in range(count)),
+    )
 
 
-def cases_json(cases: dict[str, Any]) -> str:
+def cases_json(cases: ChapterCases | dict[str, Any]) -> str:
     """Return cases as text, the same for the same cases."""
-    return json.dumps(cases, ensure_ascii=False, indent=1, sort_keys=True, allow_nan=False) + "\n"
+    plain = cases.plain() if isinstance(cases, ChapterCases) else cases
+    return json.dumps(plain, ensure_ascii=False, indent=1, sort_keys=True, allow_nan=False) + "\n"
 
 
 def read_cases(path: Path) -> dict[str, Any]:
-    """Return the cases in a file.
+    """Return the cases in a file, as JSON has them.
 
     Raises:
         CasesError: the file is not there, not JSON, or of another format.
@@ -115,18 +107,31 @@ def read_cases(path: Path) -> dict[str, Any]:
     return cases
 
 
-def _variant(task: Task, seed: str | bytes, number: int, solution: Solution, fewest_inputs: int) -> dict[str, Any]:
+def read_chapter(path: Path) -> ChapterCases:
+    """Return the cases in a file.
+
+    Raises:
+        CasesError: the file is not there, damaged, or of another format.
+    """
+    plain = read_cases(path)
+    try:
+        return ChapterCases.from_plain(plain)
+    except (KeyError, TypeError, ValueError, AttributeError) as error:
+        raise CasesError(f"{path} is damaged: {type(error).__name__}: {error}") from None
+
+
+def _variant(task: Task, seed: str | bytes, number: int, solution: Solution, fewest_inputs: int) -> Variant:
     rng = _rng(seed, task.id, number)
     given = _rounded(to_plain(task.given(rng))["dict"]) if task.given else None
     held = {name: from_plain(value) for name, value in given.items()} if given is not None else {}
     answer = solution.answer(task, held if given is not None else None)
     if task.inputs is None:
         wrong = {twin.name: _rounded(to_plain(_twin_value(twin, held))) for twin in task.twins}
-        cases = [{"args": None, "expected": _rounded(to_plain(answer)), "twins": wrong}]
+        cases = (Case(None, _rounded(to_plain(answer)), wrong),)
     else:
-        cases = [_function_case(task, answer, args) for args in _inputs(task, rng, fewest_inputs)]
+        cases = tuple(_function_case(task, answer, args) for args in _inputs(task, rng, fewest_inputs))
     _refuse_look_alikes(task, number, cases)
-    return {"given": given, "cases": cases}
+    return Variant(given, cases)
 
 
 def _inputs(task: Task, rng: np.random.Generator, fewest: int) -> Iterator[list[Plain]]:
@@ -140,40 +145,39 @@ def _inputs(task: Task, rng: np.random.Generator, fewest: int) -> Iterator[list[
             yield [_rounded(to_plain(arg)) for arg in args]
 
 
-def _function_case(task: Task, function: Any, args: list[Plain]) -> dict[str, Any]:
+def _function_case(task: Task, function: Any, args: list[Plain]) -> Case:
     if not callable(function):
         raise TaskError(f"{task.id} has inputs, so {task.answer} should be a function, and it is {function!r}")
     twins = {twin.name: _outcome(twin.answer, args) for twin in task.twins}
-    return {"args": args, "expected": _outcome(function, args), "twins": twins}
+    return Case(args, _outcome(function, args), twins)
 
 
 def _outcome(function: Any, args: list[Plain]) -> Plain:
-    """Return what a function gives for fresh copies of its arguments: a value, or what it raises."""
-    try:
-        return _rounded(to_plain(function(*map(from_plain, args))))
-    except Exception as error:
-        return {"raises": type(error).__name__, "text": ""}
+    """Return what a function gives, rounded; of what it raises only the class."""
+    outcome = outcome_of(function, args)
+    return outcome | {"text": ""} if is_raised(outcome) else _rounded(outcome)
 
 
 def _twin_value(twin: Twin, given: dict[str, Any]) -> Any:
     return twin.answer(SimpleNamespace(**given)) if callable(twin.answer) else twin.answer
 
 
-def _refuse_look_alikes(task: Task, variant: int, cases: list[dict[str, Any]]) -> None:
+def _refuse_look_alikes(task: Task, variant: int, cases: Sequence[Case]) -> None:
     for case in cases:
-        expected = case["expected"]
-        if not is_raised(expected) and task.form.probes(expected) is None:
-            raise CasesError(f"{task.id}: the solution's answer is not {task.form.wanted().en}: {expected!r}")
+        if not is_raised(case.expected) and task.form.probes(case.expected) is None:
+            raise CasesError(f"{task.id}: the solution's answer is not {task.form.wanted().en}: {case.expected!r}")
     names = ["", *(twin.name for twin in task.twins)]  # "" is the right answer
-    for number, one in enumerate(names):
+    for number, name in enumerate(names):
         for other in names[number + 1 :]:
-            if all(task.form.alike(_of(case, one), _of(case, other)) for case in cases):
-                both = f'the twins "{one}" and "{other}" coincide' if one else f'the twin "{other}" is the right answer'
+            if all(task.form.alike(_of(case, name), _of(case, other)) for case in cases):
+                both = (
+                    f'the twins "{name}" and "{other}" coincide' if name else f'the twin "{other}" is the right answer'
+                )
                 raise CasesError(f"{task.id}, variant {variant}: {both}; draw from inputs that tell them apart")
 
 
-def _of(case: dict[str, Any], name: str) -> Plain:
-    return case["twins"][name] if name else case["expected"]
+def _of(case: Case, name: str) -> Plain:
+    return case.twins[name] if name else case.expected
 
 
 def _rng(seed: str | bytes, *what: object) -> np.random.Generator:

@@ -14,22 +14,22 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from itertools import combinations
-from typing import Any
 
 from ..answers.forms import Form
 from ..answers.values import Plain, is_raised
+from .case import Case
 
 __all__ = ["credited", "habit"]
 
 
 def credited(
-    form: Form, cases: Sequence[dict[str, Any]], outcomes: Sequence[Plain], rights: Sequence[list[bool]]
+    form: Form, cases: Sequence[Case], outcomes: Sequence[Plain], rights: Sequence[list[bool]]
 ) -> list[list[bool]]:
     """Return for each case which of its probes earn credit: those of `rights` that show something.
 
     Args:
         form: of the function's result.
-        cases: with their "args" and "expected".
+        cases: with their arguments and what is expected.
         outcomes: for each case what came out, as `to_plain` writes it.
         rights: for each case and probe, whether it is right.
     """
@@ -38,26 +38,26 @@ def credited(
     if habit(form, cases, outcomes):
         return [[False] * len(row) for row in rights]
     kept = [list(row) for row in rights]
-    values = [number for number, case in enumerate(cases) if not is_raised(case["expected"])]
+    values = [number for number, case in enumerate(cases) if not is_raised(case.expected)]
     for place in range(min((len(rights[number]) for number in values), default=0)):
-        expected = [cases[number]["expected"] for number in values]
-        right = [cases[number]["expected"] for number in values if rights[number][place]]
+        expected = [cases[number].expected for number in values]
+        right = [cases[number].expected for number in values if rights[number][place]]
         if _differ(form, expected, place) and not _differ(form, right, place):
             for number in values:
                 kept[number][place] = False
     return kept
 
 
-def habit(form: Form, cases: Sequence[dict[str, Any]], outcomes: Sequence[Plain]) -> str:
+def habit(form: Form, cases: Sequence[Case], outcomes: Sequence[Plain]) -> str:
     """Return what a function does whatever it is asked: "constant", "echo", or "" if neither."""
-    expected = [case["expected"] for case in cases]
+    expected = [case.expected for case in cases]
     if len(cases) < 2 or all(form.alike(one, expected[0]) for one in expected[1:]):
         return ""
     if all(form.alike(one, outcomes[0]) for one in outcomes[1:]):
         return "constant"
-    count = min(len(case["args"] or ()) for case in cases)
+    count = min(len(case.args or ()) for case in cases)
     for place in range(count):
-        if all(form.alike(out, case["args"][place]) for out, case in zip(outcomes, cases, strict=True)):
+        if all(form.alike(out, case.args[place]) for out, case in zip(outcomes, cases, strict=True)):
             return "echo"
     return ""
 

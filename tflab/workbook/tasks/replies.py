@@ -1,95 +1,19 @@
-"""What does one say to a wrong answer?  What is wrong with it, how to see it, and never the right one.
+"""What does `check` say besides?  How it was called, where help is, what grading will add: in both languages.
 
-One sentence or two for each kind of verdict, in English and in Korean; what a
-task says of its own twins stands with the task.  Read `comparison.py` next.
+What is wrong with an answer is said in `mistake.py`, once for everybody who says it.
+Read `comparison.py` next.
 """
 
 from __future__ import annotations
 
 from ..words import Words
 
-__all__ = ["LATER", "REPLIES"]
+__all__ = ["LATER", "PHRASES"]
 
-REPLIES = {
-    "unanswered": Words(
-        en="not answered yet. Write your answer in the cell above, then run that cell and this one.",
-        ko="아직 답하지 않았습니다. 위 셀에 답을 쓰고, 그 셀과 이 셀을 차례로 실행하십시오.",
-    ),
+PHRASES = {
     "no_answer_given": Words(
         en='nothing to check: write check("{id}", {answer}).',
         ko='검사할 답이 없습니다. check("{id}", {answer})처럼 쓰십시오.',
-    ),
-    "type": Words(
-        en="your answer is of the wrong kind ({got}). Asked for: {wanted}.",
-        ko="답의 종류가 다릅니다({got}). 필요한 것: {wanted}.",
-    ),
-    "not_a_function": Words(
-        en="{answer} should be a function, and it is not ({got}). Hand over the function itself, without calling it.",
-        ko="{answer}에는 함수가 있어야 하는데 다른 것이 있습니다({got}). 호출하지 말고 함수 자체를 넘기십시오.",
-    ),
-    "nothing_returned": Words(
-        en="your function returned nothing (None). Did you forget `return`? What it prints is not looked at.",
-        ko="함수가 아무것도 돌려주지 않았습니다(None). `return`을 빠뜨리지 않았습니까? 출력한 것은 검사하지 않습니다.",
-    ),
-    "a_function": Words(
-        en="this is a function, and its result is asked for: {wanted}. Did you forget the brackets of the call?",
-        ko="함수가 아니라 그 결과가 필요합니다: {wanted}. 호출 괄호를 빠뜨리지 않았습니까?",
-    ),
-    "shape": Words(
-        en="your answer has the wrong shape ({got}). Asked for: {wanted}.",
-        ko="답의 모양이 다릅니다({got}). 필요한 것: {wanted}.",
-    ),
-    "option": Words(
-        en='"{answer}" is not among the answers to choose from: {wanted}.',
-        ko='보기에 없는 답입니다: "{answer}". 필요한 것: {wanted}.',
-    ),
-    "missing": Words(
-        en="there is no answer yet for {parts}.",
-        ko="아직 답이 없는 곳: {parts}.",
-    ),
-    "frame": Words(
-        en='this says that it is expressed in "{frame}", and "{wanted_frame}" is asked for.',
-        ko='이 값은 "{frame}" 기준이라고 적혀 있는데, 필요한 것은 "{wanted_frame}" 기준입니다.',
-    ),
-    "raised": Words(
-        en="your function stopped with {error}: {text}",
-        ko="함수가 예외를 내고 멈췄습니다. {error}: {text}",
-    ),
-    "another exception": Words(
-        en="to raise an exception is right here, but {error} is not the one that is asked for. (It says: {text})",
-        ko="여기서 예외를 일으키는 것은 맞지만, 다른 예외가 필요합니다. 함수가 낸 예외: {error}: {text}",
-    ),
-    "no refusal": Words(
-        en="for this call an exception has to be raised, and your function returned something.",
-        ko="이렇게 부르면 예외를 일으켜야 하는데, 함수가 값을 반환했습니다.",
-    ),
-    "interrupted": Words(
-        en="you stopped it. Does a loop in your function never end?",
-        ko="실행을 멈췄습니다. 함수 안에 끝나지 않는 반복이 있지 않습니까?",
-    ),
-    "unsteady": Words(
-        en="the same arguments gave two different results. A function may not remember earlier calls.",
-        ko="같은 인자로 두 번 불렀더니 결과가 다릅니다. 함수가 이전 호출을 기억하면 안 됩니다.",
-    ),
-    "unit": Words(
-        en="right, if it were in {unit}; {wanted_unit} is asked for.",
-        ko="{unit} 단위라면 맞습니다. 여기서 필요한 단위는 {wanted_unit}입니다.",
-    ),
-    "constant": Words(
-        en="your function gives the same result whatever it is asked. Does it use its arguments?",
-        ko="무엇을 넣어도 함수의 결과가 같습니다. 함수가 인자를 사용하고 있습니까?",
-    ),
-    "echo": Words(
-        en="your function hands back what it was given, unchanged.",
-        ko="함수가 받은 값을 바꾸지 않고 그대로 돌려줍니다.",
-    ),
-    "parts": Words(
-        en="look again at {wrong}.",
-        ko="다시 볼 곳: {wrong}.",
-    ),
-    "value": Words(
-        en="the form is right, the value is not.",
-        ko="형식은 맞지만 값이 다릅니다.",
     ),
     "case": Words(
         en="It was called as {call}, and gave {got}.",

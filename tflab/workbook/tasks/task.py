@@ -9,18 +9,22 @@ What varies comes from `given` (values that the learner is shown) and `inputs`
 (arguments for a function), both drawn with a random generator: the same draw
 makes the public variants, and with a secret seed the hidden ones.
 
-Task files stand in `solutions/tasks/`, one for each chapter, and each holds TASKS.
+A chapter is a folder in `solutions/tasks/`: `e3_2.py` holds one TASK, each mistake
+beside its function and its reply; what several of them draw is in `draws.py`.
 Read `reference.py` next.
 """
 
 from __future__ import annotations
 
 import hashlib
-import importlib.util
+import importlib
 import re
-from collections.abc import Callable
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -28,7 +32,7 @@ import numpy as np
 from ..answers.forms import Form
 from ..words import Words
 
-__all__ = ["KINDS", "Task", "TaskError", "Twin", "Words", "chapter_of", "read_tasks", "slug", "variant_of"]
+__all__ = ["KINDS", "Task", "TaskError", "Twin", "chapter_of", "read_tasks", "slug", "task_file", "variant_of"]
 
 KINDS = {
     "N": "a number",
@@ -134,30 +138,54 @@ def variant_of(learner_id: str | None, task_id: str, count: int) -> int:
     return int.from_bytes(digest[:8], "big") % count
 
 
-def read_tasks(path: Path) -> tuple[Task, ...]:
-    """Return the tasks of a chapter's task file, in order.
+def task_file(folder: Path, task_id: str) -> Path:
+    """Return the file of a task in its chapter's folder: `e3_2.py` of "E3.2"."""
+    return folder / f"{task_id.lower().replace('.', '_')}.py"
+
+
+def read_tasks(folder: Path) -> tuple[Task, ...]:
+    """Return the tasks in a chapter's folder, in order.
 
     Raises:
-        TaskError: the file is not there, cannot be run, or its tasks have ids of another chapter or twice the same.
+        TaskError: there are none, one cannot be read, or its id is not the one that its file is named after.
     """
-    if not path.is_file():
-        raise TaskError(f"there is no task file {path}")
-    spec = importlib.util.spec_from_file_location(f"tflab_tasks_{path.stem}", path)
-    module = importlib.util.module_from_spec(spec)
+    paths = sorted(folder.glob("e*_*.py"), key=lambda path: [int(part) for part in re.findall(r"\d+", path.stem)])
+    if not paths:
+        raise TaskError(f"there are no tasks in {folder}, such as e{folder.name[:2].lstrip('0') or 0}_1.py")
+    with _as_package(folder) as package:
+        tasks = tuple(_read_task(path, package) for path in paths)
+    foreign = [task.id for task in tasks if chapter_of(task.id) != int(folder.name[:2])]
+    if foreign:
+        raise TaskError(f"{folder.name}: {', '.join(foreign)} belongs to another chapter")
+    return tasks
+
+
+@contextmanager
+def _as_package(folder: Path) -> Iterator[str]:
+    """Let the files of a folder import each other (`from .draws import ...`), as they are now; yield its name."""
+    name = f"tflab_tasks_{folder.name}"
+    package = ModuleType(name)
+    package.__path__ = [str(folder)]
+    wrote_bytecode, sys.dont_write_bytecode = sys.dont_write_bytecode, True  # it may be of the text a moment ago
+    sys.modules[name] = package
+    importlib.invalidate_caches()
     try:
-        # Not through the loader: its cached bytecode may be of the text a moment ago.
-        exec(compile(path.read_text(encoding="utf-8"), str(path), "exec"), module.__dict__)
+        yield name
+    finally:
+        sys.dont_write_bytecode = wrote_bytecode
+        for held in [held for held in sys.modules if held == name or held.startswith(f"{name}.")]:
+            del sys.modules[held]
+
+
+def _read_task(path: Path, package: str) -> Task:
+    try:
+        task = getattr(importlib.import_module(f"{package}.{path.stem}"), "TASK", None)
     except TaskError:
         raise
     except Exception as error:
         raise TaskError(f"{path.name} cannot be run: {type(error).__name__}: {error}") from error
-    tasks = tuple(getattr(module, "TASKS", ()))
-    if not tasks or not all(isinstance(task, Task) for task in tasks):
-        raise TaskError(f"{path.name} should hold TASKS, a tuple of Task")
-    ids = [task.id for task in tasks]
-    if len(set(ids)) < len(ids):
-        raise TaskError(f"{path.name}: a task id twice: {', '.join(ids)}")
-    foreign = [task_id for task_id in ids if chapter_of(task_id) != int(path.stem[:2])]
-    if foreign:
-        raise TaskError(f"{path.name}: {', '.join(foreign)} belongs to another chapter")
-    return tasks
+    if not isinstance(task, Task):
+        raise TaskError(f"{path.name} should hold TASK, a Task")
+    if task_file(path.parent, task.id) != path:
+        raise TaskError(f"{path.name} holds {task.id}; it should be called {task_file(path.parent, task.id).name}")
+    return task

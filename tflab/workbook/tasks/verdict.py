@@ -2,12 +2,12 @@
 
     what came out of each case  +  what was expected, and what each twin gives  -->  Verdict
 
-    Verdict(passed=0, of=6, kind="twin", twin="swapped")       "that is the inverse"
-    Verdict(passed=0, of=6, kind="unit", detail={"unit": "mm"})
-    Verdict(passed=6, of=6, kind="passed")
+    Verdict(passed=0, of=6, mistake=Mistake.SLIP, twin="swapped")       "that is the inverse"
+    Verdict(passed=0, of=6, mistake=Mistake.UNIT, detail={"unit": "mm"})
+    Verdict(passed=6, of=6)
 
 Only JSON is compared, so this serves a learner's `check` and the grader alike.
-Read `replies.py` next.
+Read `mistake.py` next.
 """
 
 from __future__ import annotations
@@ -19,9 +19,11 @@ from typing import Any
 
 from ..answers import forms, sealed
 from ..answers.form import inside, member, numbers_of
-from ..answers.forms import Angle, Choice, Form, Message, Number, Parts, Vector, form_from_plain
+from ..answers.forms import Angle, Choice, Form, Message, Number, Parts, Vector
 from ..answers.values import Plain, is_raised, is_unanswered
 from . import evidence
+from .case import Case, TaskCases, Variant
+from .mistake import Mistake
 
 __all__ = ["Verdict", "judge_outcomes", "kind_of"]
 
@@ -47,8 +49,7 @@ class Verdict:
     Attributes:
         passed: probes that earn credit; of a function's, those that show something (see evidence.py).
         of: how many there are.
-        kind: "passed", "unanswered", "type", "shape", "option", "missing", "frame", "raised", "unsteady", "unit",
-            "no refusal" (an exception was asked for), "twin", "constant", "echo", "parts" or "value".
+        mistake: what is wrong with it; None if all of it is right.
         twin: the mistake's name, if it is one of the task's.
         case: the first case that failed, from 0.
         right: for each probe, in the order of the cases, whether it earns credit.
@@ -57,35 +58,34 @@ class Verdict:
 
     passed: int
     of: int
-    kind: str
+    mistake: Mistake | None = None
     twin: str = ""
     case: int = 0
     right: tuple[bool, ...] = ()
     detail: dict[str, Any] = field(default_factory=dict)
 
 
-def judge_outcomes(task: dict[str, Any], variant: dict[str, Any], outcomes: Sequence[Plain]) -> Verdict:
+def judge_outcomes(task: TaskCases, variant: Variant, outcomes: Sequence[Plain]) -> Verdict:
     """Return what became of an answer.
 
     Args:
-        task: one task of the cases (see cases.py).
+        task: one task of the cases (see case.py).
         variant: the learner's.
         outcomes: for each case what came out, as `to_plain` writes it; of a value task, the one value.
     """
-    form = form_from_plain(task["form"])
-    cases = variant["cases"]
-    rights = [sealed.judge(form, outcome, case["expected"]) for case, outcome in zip(cases, outcomes, strict=True)]
-    counted = evidence.credited(form, cases, outcomes, rights) if task.get("is_function") else rights
+    form, cases = task.form, variant.cases
+    rights = [sealed.judge(form, outcome, case.expected) for case, outcome in zip(cases, outcomes, strict=True)]
+    counted = evidence.credited(form, cases, outcomes, rights) if task.is_function else rights
     right = tuple(one for row in counted for one in row)
     passed, of = sum(right), len(right)
     if passed == of:
-        return Verdict(passed, of, "passed", right=right)
+        return Verdict(passed, of, right=right)
     case = next(number for number, row in enumerate(rights) if not all(row))
     try:
-        kind, twin, detail = _mistake(task, form, cases, outcomes, rights, case)
+        mistake, twin, detail = _mistake(task, cases, outcomes, rights, case)
     except Exception:  # JSON that `to_plain` never wrote: wrong, and there is nothing to say of it
-        kind, twin, detail = "value", "", {}
-    return Verdict(passed, of, kind, twin, case, right, detail)
+        mistake, twin, detail = Mistake.VALUE, "", {}
+    return Verdict(passed, of, mistake, twin, case, right, detail)
 
 
 def kind_of(plain: Plain) -> str:
@@ -111,43 +111,46 @@ def kind_of(plain: Plain) -> str:
 
 
 def _mistake(
-    task: dict[str, Any],
-    form: Form,
-    cases: Sequence[dict[str, Any]],
+    task: TaskCases,
+    cases: Sequence[Case],
     outcomes: Sequence[Plain],
     rights: Sequence[list[bool]],
     case: int,
-) -> tuple[str, str, dict[str, Any]]:
-    """Return the kind, the twin's name and the details of what is wrong, coarse to fine."""
-    outcome, expected = outcomes[case], cases[case]["expected"]
+) -> tuple[Mistake, str, dict[str, Any]]:
+    """Return what is wrong, the twin's name and the details, coarse to fine."""
+    form, outcome, expected = task.form, outcomes[case], cases[case].expected
     if all(map(is_unanswered, outcomes)):
-        return "unanswered", "", {}
-    twin = _twin(task, form, cases, outcomes, rights)
+        return Mistake.UNANSWERED, "", {}
+    twin = _twin(task, cases, outcomes, rights)
     if twin:
-        return "twin", twin, _slipped_parts(task, form, rights[case])
-    raises = expected.get("raises") if isinstance(expected, dict) else None
+        return Mistake.SLIP, twin, _slipped_parts(task, rights[case])
     if is_raised(outcome):
-        return "raised", "", {"error": outcome["raises"], "text": outcome.get("text", ""), "is_meant": bool(raises)}
-    if raises:
-        return "no refusal", "", {}
+        meant = is_raised(expected) and outcome["raises"] not in ANY_BUG - {"ValueError"}
+        detail = {"error": outcome["raises"], "text": outcome.get("text", "")}
+        return Mistake.OTHER_EXCEPTION if meant else Mistake.RAISES, "", detail
+    if task.is_function and outcome is None:
+        always = all(other is None for other in outcomes)
+        return Mistake.NOTHING_RETURNED if always else Mistake.SOMETIMES_NOTHING, "", {}
+    if is_raised(expected):
+        return Mistake.NO_REFUSAL, "", {}
     coarse = _coarse(form, outcome)
     if coarse is not None:
         return coarse[0], "", {"got": kind_of(outcome), **coarse[1]}
-    unit = _other_unit(form, [(out, one["expected"]) for out, one in zip(outcomes, cases, strict=True)])
+    unit = _other_unit(form, [(out, here.expected) for out, here in zip(outcomes, cases, strict=True)])
     if unit is not None:
-        return "unit", "", unit
-    if task.get("is_function") and (habit := evidence.habit(form, cases, outcomes)):
-        return habit, "", {}
+        return Mistake.UNIT, "", unit
+    if task.is_function and (habit := evidence.habit(form, cases, outcomes)):
+        return Mistake(habit), "", {}
     if isinstance(form, Parts | Message):
-        return "parts", "", {"wrong": _wrong_names(form, rights[case])}
-    return "value", "", {}
+        return Mistake.PARTS, "", {"wrong": _wrong_names(form, rights[case])}
+    return Mistake.VALUE, "", {}
 
 
-def _slipped_parts(task: dict[str, Any], form: Form, rights: list[bool]) -> dict[str, Any]:
+def _slipped_parts(task: TaskCases, rights: list[bool]) -> dict[str, Any]:
     """Return which of several answers a mistake was made in, where it was not made in all of them."""
-    if task.get("is_function") or not isinstance(form, Parts) or not any(rights):
+    if task.is_function or not isinstance(task.form, Parts) or not any(rights):
         return {}
-    return {"wrong": _wrong_names(form, rights)}
+    return {"wrong": _wrong_names(task.form, rights)}
 
 
 def _wrong_names(form: Parts | Message, rights: list[bool]) -> list[str]:
@@ -155,7 +158,7 @@ def _wrong_names(form: Parts | Message, rights: list[bool]) -> list[str]:
     return [name for name, good in zip(names, rights, strict=False) if not good]
 
 
-def _coarse(form: Form, outcome: Plain) -> tuple[str, dict[str, Any]] | None:
+def _coarse(form: Form, outcome: Plain) -> tuple[Mistake, dict[str, Any]] | None:
     """Return what is wrong with the answer before its value is looked at, or None."""
     if isinstance(form, Parts):
         return _coarse_of_parts(form, outcome)
@@ -164,23 +167,23 @@ def _coarse(form: Form, outcome: Plain) -> tuple[str, dict[str, Any]] | None:
     if form.read(outcome) is not None:
         return None
     if isinstance(form, Choice) and isinstance(outcome, str):
-        return "option", {"answer": outcome}
+        return Mistake.OPTION, {"answer": outcome}
     frame = member(outcome, "header", "frame_id")
     if isinstance(form, Vector) and form.frame and frame is not None and frame != form.frame:
-        return "frame", {"frame": frame, "wanted_frame": form.frame}
+        return Mistake.FRAME, {"frame": frame, "wanted_frame": form.frame}
     body = inside(outcome)
     if isinstance(body, list | dict) and not isinstance(form, Number | Angle | Choice) and _holds_numbers(body):
-        return "shape", {}
-    return "type", {}
+        return Mistake.SHAPE, {}
+    return Mistake.A_FUNCTION if outcome == {"object": "function"} else Mistake.TYPE, {}
 
 
-def _coarse_of_parts(form: Parts, outcome: Plain) -> tuple[str, dict[str, Any]] | None:
+def _coarse_of_parts(form: Parts, outcome: Plain) -> tuple[Mistake, dict[str, Any]] | None:
     answers = inside(outcome)
     if not (isinstance(outcome, dict) and "dict" in outcome and isinstance(answers, dict)):
-        return "type", {}
+        return Mistake.TYPE, {}
     missing = [name for name in form.parts if name not in answers or is_unanswered(answers[name])]
     if missing:
-        return "missing", {"parts": missing}
+        return Mistake.MISSING_PARTS, {"parts": missing}
     for name, part in form.parts.items():
         fault = _coarse(part, answers[name])
         if fault is not None:
@@ -188,21 +191,16 @@ def _coarse_of_parts(form: Parts, outcome: Plain) -> tuple[str, dict[str, Any]] 
     return None
 
 
-def _twin(
-    task: dict[str, Any],
-    form: Form,
-    cases: Sequence[dict[str, Any]],
-    outcomes: Sequence[Plain],
-    rights: Sequence[list[bool]],
-) -> str:
+def _twin(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], rights: Sequence[list[bool]]) -> str:
     """Return the twin that was wrong in the same way wherever the answer is wrong, or "".
 
     A function has to be the twin in every case; a dict of parts only in those
     parts that are wrong, for one may slip in one of four sentences.
     """
+    form = task.form
     best, most = "", 0
-    for name in task["twins"]:
-        rows = [_judge_twin(form, outcome, case["twins"][name]) for case, outcome in zip(cases, outcomes, strict=True)]
+    for name in task.twins:
+        rows = [_judge_twin(form, outcome, case.twins[name]) for case, outcome in zip(cases, outcomes, strict=True)]
         wrong_alike = all(_is_wrong_alike(row, right) for row, right in zip(rows, rights, strict=True))
         alike = sum(map(sum, rows))
         whole = alike == sum(map(len, rows))

@@ -1,0 +1,106 @@
+"""E2.1: Say the sign."""
+
+from __future__ import annotations
+
+from tflab.workbook.tasks import Choice, Parts, Task, Twin, Words
+
+SIGN = Choice(("positive", "negative"))
+
+
+SIGNS = {
+    "angular_z_turning_left": "positive",
+    "pitch_nose_down": "positive",
+    "y_right_in_base_link": "negative",
+    "x_right_in_optical_frame": "positive",
+    "y_above_in_optical_frame": "negative",
+}
+
+
+BODY_RIGHT, OPTICAL_RIGHT, OPTICAL_UP = list(SIGNS)[2:]
+
+
+def signs(*changed: str) -> dict[str, str]:
+    """Return the right signs, but for those named."""
+    other = {"positive": "negative", "negative": "positive"}
+    return {name: other[sign] if name in changed else sign for name, sign in SIGNS.items()}
+
+
+AEROPLANE = Twin(
+    "aeroplane",
+    signs("pitch_nose_down"),
+    Words(
+        en="That is an aeroplane's pitch, whose z points down. Here z points up: lay the thumb of your right hand along y, to the left, and see where the fingers take the nose.",
+        ko="그것은 z가 아래를 향하는 비행기의 pitch입니다. 여기서는 z가 위를 향합니다. 오른손 엄지를 y, 곧 왼쪽으로 뻗고 나머지 손가락이 기수를 어디로 보내는지 보십시오.",
+    ),
+)
+
+
+COMPASS = Twin(
+    "compass",
+    signs("angular_z_turning_left"),
+    Words(
+        en="A compass counts clockwise; REP-103 does not. Thumb up along z: which way do the fingers curl?",
+        ko="나침반은 시계 방향으로 세지만 REP-103은 그렇지 않습니다. 엄지를 z 방향으로 세우면 나머지 손가락은 어느 쪽으로 감깁니까?",
+    ),
+)
+
+
+RIGHT_IS_PLUS = Twin(
+    "right is plus",
+    signs("y_right_in_base_link"),
+    Words(
+        en="On paper, right is plus. On a robot's body, look where y points: hold up the pistol hand.",
+        ko="종이 위에서는 오른쪽이 양수입니다. 로봇 본체에서는 y가 어디를 가리킵니까? 오른손을 권총 모양으로 들어 보십시오.",
+    ),
+)
+
+
+OPTICAL_AS_BODY = Twin(
+    "optical as body",
+    signs(OPTICAL_RIGHT, OPTICAL_UP),
+    Words(
+        en="You read the optical frame with the body's habits. A picture counts to the right and down.",
+        ko="광학 좌표계를 본체의 습관으로 읽었습니다. 영상은 오른쪽과 아래로 셉니다.",
+    ),
+    misconception="M4",
+)
+
+
+Y_UP_IN_THE_PICTURE = Twin(
+    "y up in the picture",
+    signs(OPTICAL_UP),
+    Words(
+        en="In school, y goes up. In a picture, row 0 is at the top: which way do the rows count?",
+        ko="학교에서 배운 y는 위로 갑니다. 영상에서는 0번 행이 맨 위입니다. 행 번호는 어느 쪽으로 커집니까?",
+    ),
+    misconception="M4",
+)
+
+
+TASK = Task(
+    id="E2.1",
+    kind="M",
+    points=3,
+    title=Words(en="Say the sign", ko="부호를 말하십시오"),
+    answer="signs",
+    form=Parts(dict.fromkeys(SIGNS, SIGN)),
+    twins=(
+        AEROPLANE,
+        COMPASS,
+        RIGHT_IS_PLUS,
+        OPTICAL_AS_BODY,
+        Y_UP_IN_THE_PICTURE,
+    ),
+    hints=(
+        Words(en="Do not calculate. Use your right hand.", ko="계산하지 마십시오. 오른손을 쓰십시오."),
+        Words(
+            en="For a turn: thumb along the axis, fingers curl the positive way. For a place: is it where the axis points, or on the other side?",
+            ko="회전이라면 엄지를 축 방향으로 뻗으십시오. 나머지 손가락이 감기는 쪽이 양수입니다. 위치라면 축이 가리키는 쪽에 있는지 반대쪽에 있는지 보십시오.",
+        ),
+        Words(
+            en="Body: x forward, y left, z up. Picture: x right, y down, z forward. Pitch turns z towards x.",
+            ko="본체는 x 앞, y 왼쪽, z 위입니다. 영상은 x 오른쪽, y 아래, z 앞입니다. pitch는 z를 x 쪽으로 돌립니다.",
+        ),
+    ),
+    cures=("M4",),
+)

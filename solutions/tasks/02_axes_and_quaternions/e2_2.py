@@ -1,0 +1,178 @@
+"""E2.2: From the picture to the camera."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tflab.core import Transform
+from tflab.workbook.tasks import Task, Twin, Vector, Words
+
+
+def detection(rng: np.random.Generator) -> dict:
+    """Draw a detection whose three numbers cannot be mistaken for one another."""
+    right = rng.choice((-1, 1)) * rng.uniform(0.25, 0.45)
+    down = rng.choice((-1, 1)) * rng.uniform(0.55, 0.80)
+    return {"optical_p_part": (round(float(right), 2), round(float(down), 2), round(float(rng.uniform(1.2, 3.0)), 2))}
+
+
+def picked(x: float, y: float, z: float) -> dict[str, tuple[float, float, float]]:
+    """Return what each mistake makes of (right, down, forward)."""
+    return {
+        "forgotten": (x, y, z),
+        "backwards": (-y, -z, x),
+        "no signs": (z, x, y),
+        "up and down": (z, -x, y),
+        "side and height": (z, -y, -x),
+        "behind": (-z, -x, -y),
+        "left and right": (z, x, -y),
+        "in base_link": (z + 0.10, -x, -y + 0.30),
+        "other order": (y, z, x),
+        "degrees": Transform.from_rpy(roll=-90.0, yaw=-90.0).apply((x, y, z)),
+    }
+
+
+FORGOTTEN = Twin(
+    "forgotten",
+    lambda given: picked(*given.optical_p_part)["forgotten"],
+    Words(
+        en="These are the numbers of the picture, unchanged. In camera_link, which of the three says how far ahead?",
+        ko="영상의 숫자를 그대로 썼습니다. camera_link에서는 셋 가운데 무엇이 앞으로의 거리입니까?",
+    ),
+    misconception="M4",
+)
+
+
+BACKWARDS = Twin(
+    "backwards",
+    lambda given: picked(*given.optical_p_part)["backwards"],
+    Words(
+        en="You went the other way, from the body to the picture (or turned twice: this rotation is a third of a full turn, so twice forward is once back). The part must end up in front: is your x the depth?",
+        ko="거꾸로 본체에서 영상 쪽으로 옮겼습니다. 두 번 돌려도 같은 값이 됩니다. 이 회전은 한 바퀴의 3분의 1이라서 앞으로 두 번 돌리면 뒤로 한 번 돌린 것과 같습니다. 부품은 앞에 있어야 합니다. x가 깊이와 같습니까?",
+    ),
+    misconception="M4",
+)
+
+
+NO_SIGNS = Twin(
+    "no signs",
+    lambda given: picked(*given.optical_p_part)["no signs"],
+    Words(
+        en="The axes are in their places, but their directions are not: right is not left, and down is not up.",
+        ko="축의 자리는 맞지만 방향이 틀립니다. 오른쪽은 왼쪽이 아니고, 아래는 위가 아닙니다.",
+    ),
+    misconception="M4",
+)
+
+
+UP_AND_DOWN = Twin(
+    "up and down",
+    lambda given: picked(*given.optical_p_part)["up and down"],
+    Words(
+        en="Depth and side are right. Above and below changed places: the picture's y counts down, the body's z counts up.",
+        ko="깊이와 좌우는 맞습니다. 위아래가 바뀌었습니다. 영상의 y는 아래로, 본체의 z는 위로 셉니다.",
+    ),
+    misconception="M4",
+)
+
+
+LEFT_AND_RIGHT = Twin(
+    "left and right",
+    lambda given: picked(*given.optical_p_part)["left and right"],
+    Words(
+        en="Depth and height are right. Left and right changed places: the picture's x counts to the right, the body's y to the left.",
+        ko="깊이와 높이는 맞습니다. 좌우가 바뀌었습니다. 영상의 x는 오른쪽으로, 본체의 y는 왼쪽으로 셉니다.",
+    ),
+    misconception="M4",
+)
+
+
+SIDE_AND_HEIGHT = Twin(
+    "side and height",
+    lambda given: picked(*given.optical_p_part)["side and height"],
+    Words(
+        en="The depth is right. Sideways and upwards changed places: in the picture x counts sideways and y downwards; on the body y is the side and z the height.",
+        ko="깊이는 맞습니다. 옆 방향과 높이의 자리가 바뀌었습니다. 영상에서는 x가 옆, y가 아래이고, 본체에서는 y가 옆, z가 높이입니다.",
+    ),
+    misconception="M4",
+)
+
+
+BEHIND = Twin(
+    "behind",
+    lambda given: picked(*given.optical_p_part)["behind"],
+    Words(
+        en="Side and height are right, but this part lies behind the camera. Depth counts forward in the picture, and x counts forward on the body.",
+        ko="옆 방향과 높이는 맞지만 부품이 카메라 뒤에 있습니다. 영상의 깊이도 앞으로 세고, 본체의 x도 앞으로 셉니다.",
+    ),
+    misconception="M4",
+)
+
+
+IN_BASE_LINK = Twin(
+    "in base_link",
+    lambda given: picked(*given.optical_p_part)["in base_link"],
+    Words(
+        en="You went one frame too far: these are the numbers in base_link, with the camera's mount of the page added. Asked for is camera_link.",
+        ko="한 좌표계를 더 갔습니다. 본문의 카메라 장착 위치까지 더한 base_link 기준 값입니다. 문제는 camera_link 기준을 묻습니다.",
+    ),
+)
+
+
+OTHER_ORDER = Twin(
+    "other order",
+    lambda given: picked(*given.optical_p_part)["other order"],
+    Words(
+        en="These are the two right turns in the other order. The roll happens first, so it stands on the right of the product: next to the point.",
+        ko="두 회전은 맞지만 순서가 반대입니다. roll을 먼저 하므로 곱에서는 오른쪽, 곧 점 바로 옆에 와야 합니다.",
+    ),
+)
+
+
+DEGREES = Twin(
+    "degrees",
+    lambda given: picked(*given.optical_p_part)["degrees"],
+    Words(
+        en="You gave 90 to a turn that counts in radians: that is fourteen full turns and a bit. A quarter turn is math.pi / 2.",
+        ko="라디안으로 받는 자리에 90을 넣었습니다. 열네 바퀴가 넘는 회전입니다. 4분의 1바퀴는 math.pi / 2입니다.",
+    ),
+    misconception="M5",
+)
+
+
+TASK = Task(
+    id="E2.2",
+    kind="N",
+    points=3,
+    title=Words(en="From the picture to the camera", ko="영상에서 카메라로"),
+    answer="camera_p_part",
+    form=Vector(3, unit="m", frame="camera_link", tolerance=0.005),
+    given=detection,
+    variants=5,
+    twins=(
+        FORGOTTEN,
+        BACKWARDS,
+        NO_SIGNS,
+        UP_AND_DOWN,
+        LEFT_AND_RIGHT,
+        SIDE_AND_HEIGHT,
+        BEHIND,
+        IN_BASE_LINK,
+        OTHER_ORDER,
+        DEGREES,
+    ),
+    hints=(
+        Words(
+            en="Say in words where the part is, seen from the camera: ahead, right or left, above or below.",
+            ko="카메라에서 볼 때 부품이 어디 있는지 먼저 말로 하십시오. 앞인지, 오른쪽인지 왼쪽인지, 위인지 아래인지.",
+        ),
+        Words(
+            en="You need the rotation that carries optical numbers to camera_link: the one to remember, as rpy.",
+            ko="광학 좌표계의 숫자를 camera_link로 옮기는 회전이 필요합니다. 외워 둔 바로 그 rpy입니다.",
+        ),
+        Words(
+            en="Transform.from_rpy(roll=-math.pi / 2, yaw=-math.pi / 2) is camera_T_optical; .apply() moves a point from optical to camera_link.",
+            ko="Transform.from_rpy(roll=-math.pi / 2, yaw=-math.pi / 2)가 camera_T_optical입니다. .apply()로 점을 광학 좌표계에서 camera_link로 옮깁니다.",
+        ),
+    ),
+    cures=("M4",),
+)

@@ -1,0 +1,169 @@
+"""E2.6: A cloud at ninety degrees."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tflab.workbook.tasks import Choice, Parts, Task, Twin, Words
+
+OPTICAL_RPY_DEG = (-90.0, 0.0, -90.0)
+
+
+STRAIGHT_DEG = (0.0, 0.0, 0.0)
+
+
+DIAGNOSIS = Parts(
+    {
+        "wall_appears": Choice(("ahead", "above", "left", "right")),
+        "fault": Choice(("header", "mount of camera_link", "mount of camera_optical_frame", "data", "quaternion")),
+        "change": Choice(("driver", "URDF", "my node")),
+    }
+)
+
+
+def turned_cloud(rng: np.random.Generator) -> dict:
+    """Draw one of three ways to turn a cloud by ninety degrees: the evidence, as one would read it off."""
+    frame_id, body_deg, optical_deg = (
+        ("camera_link", STRAIGHT_DEG, OPTICAL_RPY_DEG),
+        ("camera_optical_frame", STRAIGHT_DEG, STRAIGHT_DEG),
+        ("camera_optical_frame", OPTICAL_RPY_DEG, OPTICAL_RPY_DEG),
+    )[int(rng.integers(3))]
+    return {
+        "header_frame_id": frame_id,
+        "rpy_of_camera_link_in_base_link_deg": body_deg,
+        "rpy_of_camera_optical_frame_in_camera_link_deg": optical_deg,
+        "wall_in_the_cloud_optical_z_m": round(float(rng.uniform(1.5, 3.0)), 1),
+    }
+
+
+def wall_appears(given) -> str:
+    return "above" if given.rpy_of_camera_link_in_base_link_deg == STRAIGHT_DEG else "right"
+
+
+TURN_THE_DATA = Twin(
+    "turn the data",
+    lambda given: {"wall_appears": wall_appears(given), "fault": "data", "change": "my node"},
+    Words(
+        en="Turning the numbers in your node makes your node right and everybody else's wrong, and it breaks on the day the cause is mended. The numbers are what the camera measured; one of the three labels or mounts is not what it should be.",
+        ko="내 노드에서 숫자를 돌리면 내 노드만 맞고 다른 모두는 틀립니다. 게다가 원인이 고쳐지는 날 망가집니다. 숫자는 카메라가 잰 그대로입니다. 이름표와 두 장착 변환 가운데 하나가 잘못되어 있습니다.",
+    ),
+    misconception="M4",
+)
+
+
+QUATERNION = Twin(
+    "quaternion",
+    lambda given: {"wall_appears": wall_appears(given), "fault": "quaternion", "change": "URDF"},
+    Words(
+        en="A quaternion of zeros would not turn the cloud: the transform would be refused and nothing drawn. One with w first would show in the angles. Look at the three lines of evidence.",
+        ko="모두 0인 쿼터니언이라면 변환이 거절되어 아무것도 그려지지 않습니다. w를 먼저 썼다면 각도에 드러납니다. 증거 세 줄을 보십시오.",
+    ),
+    misconception="M5",
+)
+
+
+def named(given) -> dict:
+    """Return what is wrong, and where it is mended."""
+    if given.header_frame_id == "camera_link":
+        return {"fault": "header", "change": "driver"}
+    mount = "camera_optical_frame" if wall_appears(given) == "above" else "camera_link"
+    return {"fault": f"mount of {mount}", "change": "URDF"}
+
+
+WALL_ELSEWHERE = Twin(
+    "wall elsewhere",
+    lambda given: {**named(given), "wall_appears": "above" if wall_appears(given) == "right" else "right"},
+    Words(
+        en="The fault is right, the place is not. Put three fingers on the numbers (right, down, forward) and read them as the fault makes them be read: which one becomes x, which one becomes z?",
+        ko="결함은 맞지만 벽의 위치가 틀립니다. (오른쪽, 아래, 앞) 세 숫자를 손가락으로 짚고, 이 결함에서 각각 무엇으로 읽히는지 따라가 보십시오. 어느 것이 x가 되고 어느 것이 z가 됩니까?",
+    ),
+    misconception="M4",
+)
+
+
+def at_the_wrong_end(given) -> dict:
+    """Blame the mount for a wrong header, and the header for a wrong mount."""
+    if given.header_frame_id == "camera_link":
+        return {"wall_appears": wall_appears(given), "fault": "mount of camera_optical_frame", "change": "URDF"}
+    return {"wall_appears": wall_appears(given), "fault": "header", "change": "driver"}
+
+
+WRONG_END = Twin(
+    "wrong end",
+    at_the_wrong_end,
+    Words(
+        en="You blame a line that is as it should be. Take the three lines of evidence one by one: a depth cloud's header names the optical frame; camera_link looks ahead, 0 0 0; the optical frame is turned -90 0 -90 in it. Which one differs?",
+        ko="멀쩡한 것을 의심하고 있습니다. 증거 세 줄을 하나씩 보십시오. 깊이 클라우드의 헤더에는 광학 좌표계가 적힙니다. camera_link는 앞을 보므로 0 0 0입니다. 광학 좌표계는 그 안에서 -90 0 -90만큼 돌아가 있습니다. 어느 것이 다릅니까?",
+    ),
+    misconception="M4",
+)
+
+
+def mended_elsewhere(given) -> dict:
+    """Find the fault, and mend a header in the URDF or a mount in the driver."""
+    found = named(given)
+    change = "URDF" if found["change"] == "driver" else "driver"
+    return {"wall_appears": wall_appears(given), "fault": found["fault"], "change": change}
+
+
+MENDED_ELSEWHERE = Twin(
+    "mended elsewhere",
+    mended_elsewhere,
+    Words(
+        en="You have found the fault, but you would mend it in the wrong file. Who writes a header: the program that sends the data, or the robot's description? And who says where a camera is bolted on?",
+        ko="결함은 찾았지만 엉뚱한 곳을 고치려 합니다. 헤더는 데이터를 보내는 프로그램이 씁니까, 로봇 모델이 씁니까? 카메라가 어디에 달려 있는지는 어디에 적습니까?",
+    ),
+    misconception="M4",
+)
+
+
+def the_other_mount(given) -> dict:
+    """Blame camera_link whatever the evidence, or the optical frame if camera_link it is."""
+    blamed = "camera_link" if wall_appears(given) == "above" else "camera_optical_frame"
+    return {"wall_appears": wall_appears(given), "fault": f"mount of {blamed}", "change": "URDF"}
+
+
+OTHER_MOUNT = Twin(
+    "other mount",
+    the_other_mount,
+    Words(
+        en="There are two mounts, and you blame the wrong one. The turn by -90 0 -90 belongs exactly once between base_link and the data: between camera_link and camera_optical_frame.",
+        ko="장착 변환은 둘인데 엉뚱한 쪽을 의심하고 있습니다. -90 0 -90 회전은 base_link와 데이터 사이에 딱 한 번, camera_link와 camera_optical_frame 사이에 있어야 합니다.",
+    ),
+    misconception="M4",
+)
+
+
+TASK = Task(
+    id="E2.6",
+    kind="D",
+    points=3,
+    title=Words(en="A cloud at ninety degrees", ko="90° 돌아간 클라우드"),
+    answer="diagnosis",
+    form=DIAGNOSIS,
+    given=turned_cloud,
+    variants=6,
+    twins=(
+        TURN_THE_DATA,
+        WRONG_END,
+        OTHER_MOUNT,
+        WALL_ELSEWHERE,
+        MENDED_ELSEWHERE,
+        QUATERNION,
+    ),
+    hints=(
+        Words(
+            en="Write down the chain from the data to base_link: header, then the optical mount, then the camera's mount. How often does the turn by -90 0 -90 occur? It should be once.",
+            ko="데이터에서 base_link까지의 길을 적으십시오. 헤더, 광학 좌표계 장착, 카메라 장착 순서입니다. -90 0 -90 회전이 몇 번 나옵니까? 한 번이어야 합니다.",
+        ),
+        Words(
+            en="Never: the wall's depth (z) is read as height. Twice: what is ahead ends at the side. Which is it here, and which line makes it so?",
+            ko="한 번도 없으면 벽까지의 깊이(z)가 높이로 읽힙니다. 두 번이면 앞에 있는 것이 옆으로 갑니다. 여기서는 어느 쪽이며, 어느 줄 때문입니까?",
+        ),
+        Words(
+            en="A header is set in the driver, a mount in the URDF. The data stays as it is, always.",
+            ko="헤더는 드라이버에서, 장착 변환은 URDF에서 고칩니다. 데이터는 언제나 그대로 둡니다.",
+        ),
+    ),
+    cures=("M4",),
+)

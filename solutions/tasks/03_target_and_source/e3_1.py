@@ -1,0 +1,92 @@
+"""E3.1: Four sentences, four calls."""
+
+from __future__ import annotations
+
+from tflab.workbook.tasks import Choice, Parts, Sequence, Task, Twin, Words
+
+FRAMES = ("map", "odom", "base_link", "laser_frame", "camera_link", "camera_optical_frame")
+
+
+SENTENCES = {
+    "a": ["map", "laser_frame"],
+    "b": ["base_link", "map"],
+    "c": ["base_link", "camera_link"],
+    "d": ["laser_frame", "base_link"],
+}
+
+
+SWAPPED = Twin(
+    "swapped",
+    {key: pair[::-1] for key, pair in SENTENCES.items()},
+    Words(
+        en="where it is wrong, you wrote [source, target]. In the call, the frame in which you want the "
+        "data comes first.",
+        ko="틀린 답은 순서가 뒤집혔습니다. [원본, 목표] 순서로 썼습니다. 호출에서는 데이터를 보고 싶은 좌표계가 "
+        "먼저 옵니다.",
+    ),
+    "M1",
+)
+
+
+WHERE_IS_IT = Twin(
+    "where_is_it",
+    SENTENCES | {"c": SENTENCES["c"][::-1]},
+    Words(
+        en='only c is the wrong way round. "Where is it?" asks for its own origin, which is written in '
+        "`camera_link`; in which frame do you want it?",
+        ko='c만 순서가 뒤집혔습니다. "어디에 있습니까?"는 그 원점을 묻는 말이고, 원점은 `camera_link` 기준입니다. '
+        "그것을 어느 좌표계 기준으로 보고 싶습니까?",
+    ),
+    "M1",
+)
+
+
+PARENT_FIRST = {
+    "a": ["map", "laser_frame"],
+    "b": ["map", "base_link"],
+    "c": ["base_link", "camera_link"],
+    "d": ["base_link", "laser_frame"],
+}
+
+
+PARENT_FIRST_TWIN = Twin(
+    "parent_first",
+    PARENT_FIRST,
+    Words(
+        en="where it is wrong, you put the parent first. Target and source have nothing to do with who is whose "
+        "parent: in b and d the data is wanted farther down the tree. Say each sentence aloud.",
+        ko="틀린 곳에서는 부모를 앞에 두었습니다. 목표와 원본은 누가 누구의 부모인지와 상관없습니다. b와 d는 트리 "
+        "아래쪽에서 데이터를 보고 싶은 경우입니다. 문장을 하나씩 소리 내어 읽어 보십시오.",
+    ),
+    "M2",
+)
+
+
+TASK = Task(
+    id="E3.1",
+    kind="M",
+    points=4,
+    title=Words(en="Four sentences, four calls", ko="문장 네 개, 호출 네 개"),
+    answer="calls",
+    form=Parts({key: Sequence(Choice(FRAMES)) for key in SENTENCES}),
+    twins=(
+        SWAPPED,
+        WHERE_IS_IT,
+        PARENT_FIRST_TWIN,
+    ),
+    hints=(
+        Words(
+            en='Turn each one into "data written in …, wanted in …".',
+            ko='하나씩 "… 기준 데이터를 … 기준으로 보고 싶다"로 바꿔 보십시오.',
+        ),
+        Words(
+            en="`lookup_transform(target, source, time)`: wanted in first, written in second.",
+            ko="`lookup_transform(target, source, time)`입니다. 보고 싶은 기준이 먼저, 지금 기준이 다음입니다.",
+        ),
+        Words(
+            en='"Where is X, seen from Y?" asks for X\'s own origin: written in X, wanted in Y.',
+            ko='"Y에서 볼 때 X는 어디인가?"는 X의 원점을 묻습니다. X 기준인 점을 Y 기준으로 보고 싶은 것입니다.',
+        ),
+    ),
+    cures=("M1", "M2"),
+)

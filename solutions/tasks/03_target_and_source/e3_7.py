@@ -1,0 +1,147 @@
+"""E3.7: Three nodes, one swap."""
+
+from __future__ import annotations
+
+from tflab.workbook.tasks import Choice, Parts, Task, Twin, Words
+
+NODES = ("node_a", "node_b", "node_c")
+
+
+ROBOTS = (
+    "stops for the wrong things",
+    "drives to another place",
+    "is drawn where it is not",
+    "stops with an exception",
+)
+
+
+HIDDEN = ("it stands still", "it stands on the map's origin, not turned", "the goal is far away")
+
+
+def blamed(node: str, robot: str, hidden_while: str = HIDDEN[1]) -> dict[str, str]:
+    return {"node": node, "robot": robot, "hidden_while": hidden_while}
+
+
+BY_ITS_LOOKS = Twin(
+    "by_its_looks",
+    blamed("node_c", ROBOTS[2]),
+    Words(
+        en="node_c has the same line as node_b, and it is not the line that is wrong. The robot's own "
+        "origin is written in `base_link`; node_c wants it in `map`. What does node_b hold, and want?",
+        ko="node_c는 node_b와 같은 줄을 썼고, 줄 자체가 틀린 것은 아닙니다. 로봇의 원점은 `base_link` "
+        "기준이고 node_c는 그것을 `map` 기준으로 보고 싶어 합니다. node_b는 무엇을 가졌고, 무엇을 원합니까?",
+    ),
+    "M2",
+)
+
+
+AGAINST_THE_ARROW = Twin(
+    "against_the_arrow",
+    blamed("node_a", ROBOTS[0]),
+    Words(
+        en="node_a is right: written in the point's frame, wanted in `base_link`. Parent → child is the "
+        "family; data runs the other way.",
+        ko="node_a는 맞습니다. 점은 자기 헤더의 좌표계 기준이고, 그것을 `base_link` 기준으로 보고 싶습니다. 부모 → 자식은 가족 "
+        "관계이고, 데이터는 그 반대로 흐릅니다.",
+    ),
+    "M2",
+)
+
+
+EXPECTS_AN_EXCEPTION = Twin(
+    "expects_an_exception",
+    blamed("node_b", ROBOTS[3]),
+    Words(
+        en="the node is right. But a swapped lookup raises nothing: both questions have an answer. What "
+        "does a robot do that believes this one?",
+        ko="노드는 맞습니다. 그러나 바꿔 쓴 조회는 예외를 내지 않습니다. 두 질문 모두 답이 있기 때문입니다. 그 "
+        "답을 믿은 로봇은 무엇을 합니까?",
+    ),
+    "M1",
+)
+
+
+STILL_IS_ENOUGH = Twin(
+    "still_is_enough",
+    blamed("node_b", ROBOTS[1], HIDDEN[0]),
+    Words(
+        en="node and robot are right. Standing still does not help: a wrong transform is wrong at rest, "
+        "too. For which transform is the inverse the same?",
+        ko="노드와 로봇은 맞습니다. 서 있다고 해서 맞지는 않습니다. 틀린 변환은 서 있을 때도 틀립니다. 역변환이 "
+        "자기 자신과 같은 변환은 어떤 것입니까?",
+    ),
+    "M3",
+)
+
+
+FAR_AWAY = Twin(
+    "far_away",
+    blamed("node_b", ROBOTS[1], HIDDEN[2]),
+    Words(
+        en="node and robot are right. A far goal does not help: the farther away it is, the farther off a "
+        "wrong turn throws it. For which transform is the inverse the same?",
+        ko="노드와 로봇은 맞습니다. 목표가 멀어도 드러납니다. 멀수록 틀린 회전 때문에 더 크게 어긋납니다. 역변환이 "
+        "자기 자신과 같은 변환은 어떤 것입니까?",
+    ),
+    "M3",
+)
+
+
+NODE_A_AT_REST = Twin(
+    "node_a_at_rest",
+    blamed("node_a", ROBOTS[0], HIDDEN[0]),
+    Words(
+        en="node_a asks rightly: its point is written in the point's own frame, and wanted in `base_link`. "
+        "And a wrong transform would be wrong at rest, too. Say the sentences of the other two nodes.",
+        ko="node_a는 바르게 물었습니다. 점은 자기 헤더의 좌표계 기준이고, 그것을 `base_link` 기준으로 보고 싶습니다. 그리고 틀린 변환은 "
+        "서 있을 때도 틀립니다. 나머지 두 노드를 문장으로 말해 보십시오.",
+    ),
+    "M2",
+)
+
+
+NODE_C_AT_REST = Twin(
+    "node_c_at_rest",
+    blamed("node_c", ROBOTS[2], HIDDEN[0]),
+    Words(
+        en="node_c asks rightly: the robot's origin is written in `base_link`, and wanted in `map`. And a wrong "
+        "transform would be wrong at rest, too. Which node has a goal of the map, and wants it in `base_link`?",
+        ko="node_c는 바르게 물었습니다. 로봇의 원점은 `base_link` 기준이고, 그것을 `map` 기준으로 보고 싶습니다. 그리고 틀린 변환은 "
+        "서 있을 때도 틀립니다. 지도 기준 목표점을 `base_link` 기준으로 보고 싶은 노드는 어느 것입니까?",
+    ),
+    "M2",
+)
+
+
+TASK = Task(
+    id="E3.7",
+    kind="D",
+    points=3,
+    title=Words(en="Three nodes, one swap", ko="노드 셋, 하나는 거꾸로"),
+    answer="verdict",
+    form=Parts({"node": Choice(NODES), "robot": Choice(ROBOTS), "hidden_while": Choice(HIDDEN)}),
+    twins=(
+        BY_ITS_LOOKS,
+        AGAINST_THE_ARROW,
+        EXPECTS_AN_EXCEPTION,
+        STILL_IS_ENOUGH,
+        FAR_AWAY,
+        NODE_A_AT_REST,
+        NODE_C_AT_REST,
+    ),
+    hints=(
+        Words(
+            en="Each comment says in which frame the data is written. Say the three sentences.",
+            ko="주석마다 데이터가 어느 좌표계 기준인지 적혀 있습니다. 문장 세 개로 말해 보십시오.",
+        ),
+        Words(
+            en="The frame that the data is written in must be the second argument.",
+            ko="데이터의 기준 좌표계가 둘째 인자여야 합니다.",
+        ),
+        Words(
+            en="Nothing stops: TF2 answers the opposite question. The numbers that come out belong somewhere else.",
+            ko="아무것도 멈추지 않습니다. TF2는 반대 질문에 답할 뿐이고, 나온 숫자는 다른 곳을 가리킵니다.",
+        ),
+    ),
+    cures=("M1", "M2"),
+)

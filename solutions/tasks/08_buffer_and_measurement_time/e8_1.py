@@ -1,0 +1,132 @@
+"""E8.1: How fresh is latest?"""
+
+from __future__ import annotations
+
+from tflab.workbook.tasks import Number, Task, Twin, Words
+
+
+def lanes(rng):
+    map_s, odom_s = sorted(rng.uniform(6.0, 9.0, 2).round(2).tolist(), key=lambda _: rng.random())
+    if abs(map_s - odom_s) < 0.2:
+        odom_s = round(odom_s + 0.3, 2)
+    arm_s = round(min(map_s, odom_s) - float(rng.uniform(0.3, 1.0)), 2)
+    starts = (1.0 + 0.4 * rng.permutation(4)[:3] + rng.uniform(0.0, 0.1, 3)).round(2).tolist()
+    names = ("map -> odom", "odom -> base_link", "base_link -> arm_link")
+    return {
+        "oldest_s": dict(zip(names, starts, strict=True)),
+        "newest_s": dict(zip(names, (map_s, odom_s, arm_s), strict=True)),
+        "static": ["base_link -> laser_frame, sent at 0.50"],
+        "clock_s": round(max(map_s, odom_s) + 0.17, 2),
+    }
+
+
+PATH = ("map -> odom", "odom -> base_link")
+
+
+NEWEST_OF_ALL = Twin(
+    "newest of all",
+    lambda g: max(g.newest_s[edge] for edge in PATH),
+    Words(
+        en="That is the newest sample on the path. At that moment the other lane has nothing to say yet, and a lookup needs every lane.",
+        ko="경로에서 가장 새로운 표본의 시각입니다. 그 순간 다른 차선은 아직 아무 말도 하지 않았고, 조회에는 모든 차선이 필요합니다.",
+    ),
+    "M9",
+)
+
+
+EARLIEST_START = Twin(
+    "earliest start",
+    lambda g: max(g.oldest_s[edge] for edge in PATH),
+    Words(
+        en="That is where the common interval begins. `Time()` asks for its other end.",
+        ko="공통 구간이 시작되는 시각입니다. `Time()`은 반대쪽 끝을 묻습니다.",
+    ),
+)
+
+
+OLDEST_OF_ALL = Twin(
+    "oldest of all",
+    lambda g: min(g.oldest_s[edge] for edge in PATH),
+    Words(
+        en="That is the oldest sample on the path. `Time()` asks for something as new as possible.",
+        ko="경로에서 가장 오래된 표본의 시각입니다. `Time()`은 될 수 있는 대로 새로운 것을 묻습니다.",
+    ),
+)
+
+
+NOW = Twin(
+    "now",
+    lambda g: g.clock_s,
+    Words(
+        en="That is the clock on the wall. `Time()` does not mean now; nothing in the buffer is that fresh.",
+        ko="벽시계의 시각입니다. `Time()`은 지금이 아닙니다. 버퍼 안에 그만큼 새로운 것은 없습니다.",
+    ),
+    "M9",
+)
+
+
+COUNTING_THE_STATIC = Twin(
+    "counting the static",
+    0.5,
+    Words(
+        en="You let the static edge limit the answer. It is good for any time, however long ago it was sent.",
+        ko="정적 연결이 답을 붙잡게 했습니다. 아무리 오래전에 보냈어도 정적 연결은 어느 시각에나 유효합니다.",
+    ),
+)
+
+
+OFF_THE_PATH = Twin(
+    "off the path",
+    lambda g: g.newest_s["base_link -> arm_link"],
+    Words(
+        en="You counted an edge that the lookup does not walk. Which edges lie between map and laser_frame?",
+        ko="조회가 지나지 않는 연결까지 세었습니다. map과 laser_frame 사이에 있는 연결은 무엇입니까?",
+    ),
+)
+
+
+TIME_ZERO = Twin(
+    "time zero",
+    0.0,
+    Words(
+        en="Zero is how the question is written: `Time()` is time zero, and tf2 reads it as a wish for the latest. The answer has a stamp of its own. Which?",
+        ko="0은 질문을 적는 방법입니다. `Time()`은 시각 0이고 tf2는 이것을 최신을 달라는 말로 읽습니다. 답에는 자기 시각이 붙어 있습니다. 몇 초입니까?",
+    ),
+    "M9",
+)
+
+
+TASK = Task(
+    id="E8.1",
+    kind="N",
+    points=2,
+    title=Words(en="How fresh is latest?", ko="최신은 얼마나 새롭습니까?"),
+    answer="latest_common_s",
+    form=Number(unit="s", tolerance=0.005),
+    given=lanes,
+    variants=6,
+    twins=(
+        NEWEST_OF_ALL,
+        NOW,
+        COUNTING_THE_STATIC,
+        OFF_THE_PATH,
+        EARLIEST_START,
+        OLDEST_OF_ALL,
+        TIME_ZERO,
+    ),
+    hints=(
+        Words(
+            en="Draw one lane for each edge between map and laser_frame, and shade where all of them have data.",
+            ko="map과 laser_frame 사이의 연결마다 차선을 하나씩 그리고, 모두 데이터가 있는 구간을 칠해 보십시오.",
+        ),
+        Words(
+            en="Static lanes have no end, and lanes off the path do not matter. What is left?",
+            ko="정적 연결의 차선에는 끝이 없고, 경로 밖의 차선은 상관없습니다. 무엇이 남습니까?",
+        ),
+        Words(
+            en="It is the earliest of the latest ones: `min(...)` of the two `newest_s` on the path.",
+            ko="마지막 시각들 가운데 가장 이른 것입니다. 경로에 있는 두 `newest_s`의 `min(...)`입니다.",
+        ),
+    ),
+    cures=("M9",),
+)

@@ -1,0 +1,156 @@
+"""E8.5: Six symptoms."""
+
+from __future__ import annotations
+
+from tflab.workbook.tasks import Choice, Parts, Task, Twin, Words
+
+SYMPTOMS = ("a", "b", "c", "d", "e", "f")
+
+
+CAUSES = (
+    "stamp overwritten", "odometry slow", "static mount wrong", "two clocks", "cache too short", "import missing",
+)  # fmt: skip
+
+
+RIGHT = dict(
+    zip(
+        SYMPTOMS,
+        ("stamp overwritten", "static mount wrong", "two clocks", "cache too short", "odometry slow", "import missing"),
+        strict=True,
+    )
+)
+
+
+MOUNT_FOR_A_SMEAR = Twin(
+    "mount for a smear",
+    {**RIGHT, "a": "static mount wrong"},
+    Words(
+        en="a: a wrong mount is wrong standing still, too. What changes only while the robot turns, and why would a delay read zero after 0.3 s of filtering?",
+        ko="a: 장착값이 틀렸다면 서 있을 때도 틀립니다. 회전할 때만 달라지는 것은 무엇이고, 0.3초를 거른 뒤에 delay가 0인 까닭은 무엇입니까?",
+    ),
+    "M9",
+)
+
+
+ODOMETRY_FOR_A_SMEAR = Twin(
+    "odometry for a smear",
+    {**RIGHT, "a": "odometry slow"},
+    Words(
+        en="a: late odometry can smear walls, but it does not make the delay of a filtered scan read zero. Whose clock wrote that stamp?",
+        ko="a: 늦은 오도메트리도 벽을 번지게 하지만, 거른 스캔의 delay를 0으로 만들지는 않습니다. 그 시각은 누구의 시계로 찍었습니까?",
+    ),
+    "M9",
+)
+
+
+STAMPS_FOR_A_MOUNT = Twin(
+    "stamps for a mount",
+    {**RIGHT, "b": "stamp overwritten"},
+    Words(
+        en="b: an error of time needs motion. This one stays when the robot stands.",
+        ko="b: 시간의 오차는 움직여야 나타납니다. 이것은 로봇이 서 있어도 남습니다.",
+    ),
+    "M15",
+)
+
+
+SLOW_FOR_TWO_CLOCKS = Twin(
+    "slow for two clocks",
+    {**RIGHT, "c": "odometry slow"},
+    Words(
+        en="c: look at the size of the gap. No network and no publisher is that late.",
+        ko="c: 차이의 크기를 보십시오. 어떤 네트워크도 어떤 발행자도 그렇게 늦지 않습니다.",
+    ),
+    "M10",
+)
+
+
+CLOCKS_FOR_A_SHORT_CACHE = Twin(
+    "clocks for a short cache",
+    {**RIGHT, "d": "two clocks"},
+    Words(
+        en="d: the past is 1.6 s out of reach, and somebody thinks for 12 s. How long does a buffer remember if you say nothing?",
+        ko="d: 1.6초 차이로 과거에 닿지 못했고, 누군가는 12초를 계산합니다. 따로 정하지 않으면 버퍼는 얼마나 기억합니까?",
+    ),
+    "M11",
+)
+
+
+CACHE_FOR_A_SLOW_LANE = Twin(
+    "cache for a slow lane",
+    {**RIGHT, "e": "cache too short"},
+    Words(
+        en="e: the cache decides how far back you can ask. These requests look forward, past the newest sample.",
+        ko="e: 보관 시간은 얼마나 옛날까지 물을 수 있는지를 정합니다. 이 요청들은 가장 새로운 표본보다 앞을 묻습니다.",
+    ),
+    "M11",
+)
+
+
+CLOCKS_FOR_A_SLOW_LANE = Twin(
+    "clocks for a slow lane",
+    {**RIGHT, "e": "two clocks"},
+    Words(
+        en="e: two clocks that disagree do so for every message alike. Here one in four gets through, and one publisher speaks once a second.",
+        ko="e: 시계가 서로 다르면 모든 메시지가 똑같이 어긋납니다. 여기서는 넷 중 하나가 통과하고, 한 발행자는 초당 한 번 말합니다.",
+    ),
+    "M10",
+)
+
+
+SLOW_FOR_A_SHORT_CACHE = Twin(
+    "slow for a short cache",
+    {**RIGHT, "d": "odometry slow"},
+    Words(
+        en="d: this one is about the earliest data. A slow lane ends too early; which fault makes a lane begin too late?",
+        ko="d: 이 오류는 가장 오래된 데이터를 말합니다. 느린 차선은 너무 일찍 끝납니다. 차선이 너무 늦게 시작하게 만드는 것은 무엇입니까?",
+    ),
+    "M11",
+)
+
+
+A_CAUSE_OF_TIME_FOR_THE_TRACEBACK = Twin(
+    "a cause of time for the traceback",
+    {**RIGHT, "f": "two clocks"},
+    Words(
+        en="f: whatever is wrong with time or frames raises a TransformException, and every one of those is caught here. So this error is of another family.",
+        ko="f: 시각이나 좌표계에 문제가 있으면 TransformException이 나오고, 여기서는 그것을 모두 잡습니다. 그러니 이 오류는 다른 집안의 것입니다.",
+    ),
+    "M11",
+)
+
+
+TASK = Task(
+    id="E8.5",
+    kind="D",
+    points=3,
+    title=Words(en="Six symptoms", ko="여섯 가지 증상"),
+    answer="causes",
+    form=Parts({symptom: Choice(CAUSES) for symptom in SYMPTOMS}),
+    twins=(
+        MOUNT_FOR_A_SMEAR,
+        ODOMETRY_FOR_A_SMEAR,
+        STAMPS_FOR_A_MOUNT,
+        SLOW_FOR_TWO_CLOCKS,
+        CLOCKS_FOR_A_SHORT_CACHE,
+        CACHE_FOR_A_SLOW_LANE,
+        CLOCKS_FOR_A_SLOW_LANE,
+        SLOW_FOR_A_SHORT_CACHE,
+        A_CAUSE_OF_TIME_FOR_THE_TRACEBACK,
+    ),
+    hints=(
+        Words(
+            en="Ask of each symptom first: does it stay when the robot stands still?",
+            ko="증상마다 먼저 물으십시오. 로봇이 서 있어도 남아 있습니까?",
+        ),
+        Words(
+            en="For the three texts: into the past or into the future, and by how much? Milliseconds, seconds or years?",
+            ko="오류 문구에서는 과거인지 미래인지, 그리고 얼마나 모자라는지를 보십시오. 밀리초입니까, 초입니까, 년입니까?",
+        ),
+        Words(
+            en="One of them is no TransformException at all, one has been made to look fresh, one forgot too soon. Each cause is used once.",
+            ko="하나는 TransformException이 아예 아니고, 하나는 새것처럼 꾸며졌으며, 하나는 너무 빨리 잊었습니다. 원인은 한 번씩만 쓰입니다.",
+        ),
+    ),
+    cures=("M9", "M10", "M11", "M15"),
+)

@@ -1,0 +1,238 @@
+"""E9.1: Eight lines from a log."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tflab.core import BufferCore, TransformException, seconds
+from tflab.workbook.tasks import Choice, Parts, Task, Twin, Words
+
+from .draws import edge, filled
+
+KINDS = ("lookup", "connectivity", "future", "past", "one sample", "invalid argument", "not a TransformException")
+
+
+CHECKS = ("spelling and publisher", "roots of the tree", "use_sim_time", "the line of code", "a longer timeout")
+
+
+RIGHT_KINDS = dict(zip("abcdefgh", (*KINDS[:2], "future", "past", "one sample", *KINDS[5:], "future"), strict=True))
+
+
+RIGHT = {
+    **RIGHT_KINDS,
+    "c edge": "odom",
+    "d edge": "base_footprint",
+    "h check": "use_sim_time",
+}
+
+
+ACCUSED_THE_NAMED_FRAME = Twin(
+    "accused the named frame",
+    {**RIGHT, "c edge": "laser_frame", "d edge": "laser_frame"},
+    misconception="M11",
+    reply=Words(
+        en="the frames in the text are the two ends of the question, and the edge at fault is somewhere "
+        "between them. Look in the buffer for the window that ends, or begins, at the second time of the text.",
+        ko="오류문에 나온 좌표계는 질문의 양 끝이고, 문제의 연결은 그 사이 어딘가에 있습니다. "
+        "오류문의 두 번째 시각에서 끝나거나 시작하는 구간을 버퍼에서 찾으십시오.",
+    ),
+)
+
+
+ACCUSED_THE_ONE_THAT_MOVES = Twin(
+    "accused the one that moves",
+    {**RIGHT, "c edge": "base_footprint"},
+    misconception="M11",
+    reply=Words(
+        en="that edge had news until later than line c says. The window of a chain ends where its laziest publisher ends.",
+        ko="그 연결에는 c에 나온 시각보다 뒤까지 소식이 있었습니다. 체인의 구간은 가장 게으른 발행자가 끝나는 곳에서 끝납니다.",
+    ),
+)
+
+
+THIRD_TEXT_MISSED = Twin(
+    "third text missed",
+    {**RIGHT, "e": "past"},
+    misconception="M11",
+    reply=Words(
+        en="one of these extrapolations says neither future nor past. Read it again: how many samples does that edge have?",
+        ko="외삽 오류 가운데 하나는 미래도 과거도 아닙니다. 다시 읽어 보십시오. 그 연결에는 표본이 몇 개 있습니까?",
+    ),
+)
+
+
+THIRD_TEXT_TAKEN_FOR_THE_FUTURE = Twin(
+    "third text taken for the future",
+    {**RIGHT, "e": "future"},
+    misconception="M11",
+    reply=Words(
+        en='line e is newer than the only sample, but its text does not say "future". With a single sample tf2 has a text of its own.',
+        ko='e는 하나뿐인 표본보다 새롭지만 오류문은 "future"라고 하지 않습니다. 표본이 하나뿐일 때 tf2는 다른 오류문을 씁니다.',
+    ),
+)
+
+
+SLASH_TAKEN_FOR_A_NAME = Twin(
+    "slash taken for a name",
+    {**RIGHT, "f": "lookup"},
+    misconception="M11",
+    reply=Words(
+        en="line f never got as far as looking a name up. Read its first two words.",
+        ko="f는 이름을 찾아보는 데까지 가지도 못했습니다. 첫 두 단어를 읽어 보십시오.",
+    ),
+)
+
+
+NAME_AND_PATH_SWAPPED = Twin(
+    "name and path swapped",
+    {**RIGHT, "a": "connectivity", "b": "lookup"},
+    misconception="M11",
+    reply=Words(
+        en='"does not exist" and "not part of the same tree" are two different noes: one is about a name, the other about a path.',
+        ko='"does not exist"와 "not part of the same tree"는 서로 다른 "아니요"입니다. 하나는 이름, 다른 하나는 경로 문제입니다.',
+    ),
+)
+
+
+ALL_IN_ONE_FAMILY = Twin(
+    "all in one family",
+    {**RIGHT, "g": "lookup"},
+    reply=Words(
+        en="one of these lines is not from tf2's family at all, and `except TransformException` does not catch it. "
+        "Which one speaks of a Python type?",
+        ko="이 가운데 한 줄은 tf2 예외 가족이 아니어서 `except TransformException`에 잡히지 않습니다. "
+        "파이썬 타입을 말하는 줄은 어느 것입니까?",
+    ),
+)
+
+
+WAIT_FOR_A_CLOCK = Twin(
+    "wait for a clock",
+    {**RIGHT, "h check": "a longer timeout"},
+    misconception="M10",
+    reply=Words(
+        en="compare the two times in line h: they are about 56 years apart. Which timeout would bridge that? Two kinds of clock are at work.",
+        ko="h의 두 시각을 비교해 보십시오. 약 56년 차이가 납니다. 어떤 timeout이 그것을 건널 수 있겠습니까? 종류가 다른 두 시계가 돌고 있습니다.",
+    ),
+)
+
+
+DIRECTION_OF_H_TURNED_ROUND = Twin(
+    "direction of h turned round",
+    {**RIGHT, "h": "past"},
+    misconception="M11",
+    reply=Words(
+        en="line h says itself which way it goes. The moment asked for counts: is it before or after all that the buffer has?",
+        ko="h는 방향을 스스로 말하고 있습니다. 물어본 시각을 기준으로 합니다. 버퍼가 가진 모든 것보다 앞입니까, 뒤입니까?",
+    ),
+)
+
+
+NAMES_FOR_A_CLOCK = Twin(
+    "names for a clock",
+    {**RIGHT, "h check": "spelling and publisher"},
+    misconception="M11",
+    reply=Words(
+        en="line h: tf2 got as far as the moment, so both names are known and there is a path. Look at the two times.",
+        ko="h: tf2가 시각까지 따졌으니 두 이름은 알려져 있고 경로도 있습니다. 두 시각을 보십시오.",
+    ),
+)
+
+
+ROOTS_FOR_A_CLOCK = Twin(
+    "roots for a clock",
+    {**RIGHT, "h check": "roots of the tree"},
+    misconception="M11",
+    reply=Words(
+        en="line h: tf2 got as far as the moment, so there is a path between the two. Look at the two times.",
+        ko="h: tf2가 시각까지 따졌으니 둘 사이에 경로는 있습니다. 두 시각을 보십시오.",
+    ),
+)
+
+
+EDGES = Choice(("odom", "base_footprint", "base_link", "laser_frame", "arm_link", "tool0"))
+
+
+def robot_of_the_lines() -> BufferCore:
+    """Return the buffer that gave the eight lines."""
+    return filled(
+        BufferCore(seconds(20.0)),
+        edge("map", "odom", 20.5, 25.3, 30.1),
+        edge("odom", "base_footprint", 21.0, 25.7, 30.4),
+        edge("base_footprint", "base_link"),
+        edge("base_link", "laser_frame"),
+        edge("base_link", "arm_link", 29.5),
+        edge("arm_link", "tool0"),
+        edge("base_lnk", "camera_link"),
+    )
+
+
+def line_of(buffer: BufferCore, target: str, source: str, time_s: float) -> str:
+    """Return what tf2 says to a question that has no answer."""
+    try:
+        buffer.lookup_transform(target, source, seconds(time_s))
+    except TransformException as error:
+        return str(error)
+    raise ValueError(f"{target} <- {source} at {time_s} has an answer")
+
+
+def eight_lines(_rng: np.random.Generator) -> dict:
+    """Return the lines; they are the same for everybody."""
+    buffer = robot_of_the_lines()
+    lines = {
+        "a": line_of(buffer, "map", "lazer_frame", 25.0),
+        "b": line_of(buffer, "map", "camera_link", 25.0),
+        "c": line_of(buffer, "map", "laser_frame", 30.312),
+        "d": line_of(buffer, "map", "laser_frame", 20.731),
+        "e": line_of(buffer, "base_link", "tool0", 30.0),
+        "f": line_of(buffer, "/map", "laser_frame", 25.0),
+        "g": "Type <class 'geometry_msgs.msg._point_stamped.PointStamped'> is not loaded or supported",
+        "h": line_of(buffer, "map", "laser_frame", 1763690412.3),
+    }
+    return {"buffer": buffer, "lines": lines}
+
+
+TASK = Task(
+    id="E9.1",
+    kind="M",
+    points=4,
+    title=Words(en="Eight lines from a log", ko="로그 속 여덟 줄"),
+    answer="lines",
+    form=Parts(
+        {
+            **{name: Choice(KINDS) for name in "abcdefgh"},
+            "c edge": EDGES,
+            "d edge": EDGES,
+            "h check": Choice(CHECKS),
+        }
+    ),
+    given=eight_lines,
+    twins=(
+        ACCUSED_THE_NAMED_FRAME,
+        ACCUSED_THE_ONE_THAT_MOVES,
+        THIRD_TEXT_MISSED,
+        THIRD_TEXT_TAKEN_FOR_THE_FUTURE,
+        SLASH_TAKEN_FOR_A_NAME,
+        NAME_AND_PATH_SWAPPED,
+        ALL_IN_ONE_FAMILY,
+        WAIT_FOR_A_CLOCK,
+        DIRECTION_OF_H_TURNED_ROUND,
+        NAMES_FOR_A_CLOCK,
+        ROOTS_FOR_A_CLOCK,
+    ),
+    hints=(
+        Words(
+            en="Ask in this order: was it a question at all? the names? the path? the moment?",
+            ko="이 순서로 물으십시오. 질문이 말이 됩니까? 이름은? 경로는? 시각은?",
+        ),
+        Words(
+            en='For an edge, take the last number of the line ("… data is at time …"), and look for it among the windows of the buffer.',
+            ko='연결을 찾으려면 줄의 마지막 숫자("… data is at time …")를 버퍼의 구간들 가운데서 찾으십시오.',
+        ),
+        Words(
+            en="Line e names no direction, line g names a Python type, and the times of line h come from two different worlds: seconds since 1970, and seconds since the start.",
+            ko="e에는 방향이 없고, g에는 파이썬 타입이 있으며, h의 두 시각은 서로 다른 세계의 것입니다. 하나는 1970년부터, 하나는 시작부터 센 초입니다.",
+        ),
+    ),
+    cures=("M10", "M11"),
+)

@@ -1,0 +1,220 @@
+"""E9.3: From exception to action."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tflab.core import seconds
+from tflab.ros.messages import geometry_msgs
+from tflab.ros.tf2.buffer import Buffer
+from tflab.ros.time import Time
+from tflab.workbook.tasks import Choice, Task, Twin, Words
+
+from .draws import kind_of, refusal, robot_buffer
+
+LIMIT_S = 0.2
+
+
+ACTIONS = ("use", "wait", "check clocks", "drop", "check names", "check tree", "fix message")
+
+
+def point_in(frame: str, time_s: float) -> geometry_msgs.PointStamped:
+    """Return a point with this header."""
+    point = geometry_msgs.PointStamped()
+    point.header.frame_id = frame
+    point.header.stamp = Time(nanoseconds=seconds(time_s)).to_msg()
+    point.point.x = 2.0
+    return point
+
+
+def messages(rng: np.random.Generator) -> list[tuple]:
+    """Draw messages for each action, gaps on both sides of the limit, one gap longer than its text says, and one
+    frame that is no name for a robot that has no map yet: tf2 speaks of its target first.
+    """
+    t = round(float(rng.uniform(20.0, 60.0)), 1)
+    drawn = [
+        ("laser_frame", rng.uniform(1.2, 3.8)),
+        ("laser_frame", 4.0 + rng.uniform(0.05, 0.15)),
+        ("laser_frame", 4.0 + rng.uniform(0.17, 0.195)),
+        ("laser_frame", 4.0 + rng.uniform(0.22, 0.35)),
+        ("laser_frame", 4.0 + rng.uniform(1.2, 2.0)),
+        ("laser_frame", 4.5 + rng.uniform(0.02, 0.12)),  # 0.5 s more for map -> odom
+        ("laser_frame", rng.uniform(0.2, 0.8)),
+        ("tool0", rng.uniform(2.3, 3.5)),
+        ("Laser_frame", rng.uniform(1.2, 3.8)),
+        ("camera_link", rng.uniform(1.2, 3.8)),
+        ("/laser_frame", rng.uniform(1.2, 3.8)),
+        ("", rng.uniform(1.2, 3.8)),
+    ]
+    rows = [(robot_buffer(t), point_in(frame, round(t + float(later), 3))) for frame, later in drawn]
+    lost = point_in("/laser_frame", round(t + float(rng.uniform(1.2, 3.8)), 3))
+    return [*rows, (robot_buffer(t, is_localized=False), lost)]
+
+
+def action(
+    buffer: Buffer,
+    message: geometry_msgs.PointStamped,
+    *,
+    limit_s: float = LIMIT_S,
+    by_text: bool = False,
+    latest: bool = False,
+    wait_for_past: bool = False,
+    swapped: bool = False,
+    two_texts: bool = False,
+) -> str:
+    """Decide as the task asks; the options are the mistakes."""
+    stamp = Time() if latest else Time.from_msg(message.header.stamp)
+    ends = ("map", message.header.frame_id)
+    error = refusal(buffer, *(reversed(ends) if swapped else ends), stamp)
+    kind = kind_of(error)
+    if two_texts and kind == "one sample":
+        return "check clocks"
+    if kind == "future":
+        newest_ns = buffer.get_latest_common_time("map", message.header.frame_id).nanoseconds
+        gap_ns = stamp.nanoseconds - (error.bound_ns if by_text else newest_ns)
+        return "wait" if gap_ns <= seconds(limit_s) else "check clocks"
+    words = {"ok": "use", "past": "drop", "one sample": "drop", "lookup": "check names", "connectivity": "check tree"}
+    if wait_for_past and kind in ("past", "one sample"):
+        return "wait"
+    return words.get(kind, "fix message")
+
+
+WAITS_HOWEVER_FAR = Twin(
+    "waits however far",
+    lambda b, m: action(b, m, limit_s=1e6),
+    misconception="M10",
+    reply=Words(
+        en="your function waits for any future, however far off. A gap of more than 0.2 s is not data on its way: no wait cures it.",
+        ko="아무리 먼 미래라도 기다립니다. 0.2초를 넘는 간격은 오는 중인 데이터가 아닙니다. 기다려도 해결되지 않습니다.",
+    ),
+)
+
+
+GAP_FROM_THE_TEXT = Twin(
+    "gap from the text",
+    lambda b, m: action(b, m, by_text=True),
+    misconception="M11",
+    reply=Words(
+        en="the time in the text is that of the first edge that failed, not of the slowest. A wait must last until every edge on the way is there: reckon from the latest common time.",
+        ko="오류문의 시각은 처음 실패한 연결의 것이지, 가장 느린 연결의 것이 아닙니다. 경로의 모든 연결이 올 때까지 기다려야 하므로 최신 공통 시각에서 계산하십시오.",
+    ),
+)
+
+
+NEVER_WAITS = Twin(
+    "never waits",
+    lambda b, m: action(b, m, limit_s=-1.0),
+    misconception="M10",
+    reply=Words(
+        en="a small gap into the future is ordinary: the transform is on its way. Your function suspects the clocks even then.",
+        ko="작은 미래 간격은 흔한 일이고 변환이 오는 중입니다. 이 함수는 그때도 시계를 의심합니다.",
+    ),
+)
+
+
+LATEST_INSTEAD_OF_THE_STAMP = Twin(
+    "latest instead of the stamp",
+    lambda b, m: action(b, m, latest=True),
+    misconception="M9",
+    reply=Words(
+        en="this asks for the latest transform, whatever the message's stamp. Then nothing is ever too old or too new, and the robot uses poses of another moment.",
+        ko="메시지의 시각과 상관없이 최신 변환을 묻고 있습니다. 그러면 너무 오래되거나 너무 새로운 것이 없어지고, 로봇은 다른 시각의 자세를 쓰게 됩니다.",
+    ),
+)
+
+
+WAITS_FOR_THE_PAST = Twin(
+    "waits for the past",
+    lambda b, m: action(b, m, wait_for_past=True),
+    misconception="M10",
+    reply=Words(
+        en="your function waits for data that is older than everything in the buffer. Old data does not come back: what does a robot do with such a message?",
+        ko="버퍼의 모든 것보다 오래된 데이터를 기다리고 있습니다. 지나간 데이터는 돌아오지 않습니다. 그런 메시지는 어떻게 해야 합니까?",
+    ),
+)
+
+
+ENDS_SWAPPED = Twin(
+    "ends swapped",
+    lambda b, m: action(b, m, swapped=True),
+    misconception="M1",
+    reply=Words(
+        en="where map is unknown and the message's frame is no name at all, tf2 complains of its target first. Your function asks for the other direction, or looks at the frame before tf2 does: data in the message's frame, wanted in map, and map comes first.",
+        ko="map을 모르고 메시지의 좌표계도 이름이 될 수 없을 때, tf2는 목표부터 탓합니다. 이 함수는 방향을 거꾸로 묻거나, tf2보다 먼저 좌표계 이름을 따지고 있습니다. 메시지의 좌표계 기준 데이터를 map 기준으로 보려 하니 map이 먼저입니다.",
+    ),
+)
+
+
+WAITS_FOR_EVERY_EXTRAPOLATION = Twin(
+    "waits for every extrapolation",
+    lambda b, m: action(b, m, limit_s=1e6, wait_for_past=True),
+    misconception="M10",
+    reply=Words(
+        en="every extrapolation is a wait for you. Three kinds are in this class: a little into the future may wait, far into the future is a clock, and what is past does not come back. The text tells them apart.",
+        ko="외삽이면 무조건 기다립니다. 이 클래스에는 세 가지가 있습니다. 조금 앞선 미래는 기다릴 만하고, 한참 앞선 미래는 시계 문제이며, 과거는 돌아오지 않습니다. 오류문이 셋을 가려 줍니다.",
+    ),
+)
+
+
+THIRD_TEXT_TAKEN_FOR_THE_FUTURE = Twin(
+    "third text taken for the future",
+    lambda b, m: action(b, m, two_texts=True),
+    misconception="M11",
+    reply=Words(
+        en='what is not "past" is not yet "future". An edge that has been heard exactly once gives a third text: any other extrapolation is a "drop".',
+        ko='"past"가 아니라고 해서 "future"인 것은 아닙니다. 딱 한 번 들은 연결은 세 번째 오류문을 냅니다. 그 밖의 외삽은 "drop"입니다.',
+    ),
+)
+
+
+def use_or_drop(buffer: Buffer, message: geometry_msgs.PointStamped) -> str:
+    return "use" if action(buffer, message) == "use" else "drop"
+
+
+ONE_ACTION_FOR_EVERY_NO = Twin(
+    "one action for every no",
+    use_or_drop,
+    misconception="M11",
+    reply=Words(
+        en='every refusal is a "drop" for you. Then a transform that is 0.1 s late costs a message each time, and a typo is never found: one branch for each class.',
+        ko='거절이면 무조건 "drop"입니다. 그러면 변환이 0.1초만 늦어도 매번 메시지를 잃고, 오타는 영영 찾지 못합니다. 클래스마다 분기를 하나씩 두십시오.',
+    ),
+)
+
+
+TASK = Task(
+    id="E9.3",
+    kind="F",
+    points=4,
+    title=Words(en="From exception to action", ko="예외에서 행동으로"),
+    answer="decide",
+    form=Choice(ACTIONS),
+    inputs=messages,
+    variants=3,
+    twins=(
+        WAITS_HOWEVER_FAR,
+        GAP_FROM_THE_TEXT,
+        NEVER_WAITS,
+        LATEST_INSTEAD_OF_THE_STAMP,
+        WAITS_FOR_THE_PAST,
+        ENDS_SWAPPED,
+        WAITS_FOR_EVERY_EXTRAPOLATION,
+        THIRD_TEXT_TAKEN_FOR_THE_FUTURE,
+        ONE_ACTION_FOR_EVERY_NO,
+    ),
+    hints=(
+        Words(
+            en="It is E9.2 with other words, and one comparison more.",
+            ko="E9.2와 같되 낱말이 다르고 비교가 하나 더 있습니다.",
+        ),
+        Words(
+            en="For the future, `buffer.get_latest_common_time(target, source)` says how far TF has come. Compare nanoseconds: Times of two clock types cannot be subtracted.",
+            ko="미래라면 `buffer.get_latest_common_time(target, source)`가 TF가 어디까지 왔는지 알려 줍니다. 시계 종류가 다른 Time끼리는 뺄 수 없으니 나노초로 비교하십시오.",
+        ),
+        Words(
+            en='gap = stamp.nanoseconds − newest.nanoseconds; up to 0.2e9 "wait", beyond "check clocks". Every extrapolation that is not into the future is a "drop".',
+            ko='gap = stamp.nanoseconds − newest.nanoseconds이고, 0.2e9까지는 "wait", 넘으면 "check clocks"입니다. 미래가 아닌 외삽은 모두 "drop"입니다.',
+        ),
+    ),
+    cures=("M9", "M10", "M11"),
+)

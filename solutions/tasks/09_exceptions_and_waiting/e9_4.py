@@ -1,0 +1,197 @@
+"""E9.4: Late, or wrong?"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tflab.workbook.tasks import Choice, Parts, Task, Twin, Words
+
+CAUSES = ("transforms arrive late", "laser clock is fast", "cannot be told from this")
+
+
+REMEDIES = ("wait a little", "set the laser's clock", "ask chrony on both computers")
+
+
+LATE, FAST, UNKNOWN = CAUSES
+
+
+def arrivals(rng: np.random.Generator) -> dict:
+    """Draw six seconds of three robots, each with another trouble; rows are (stamp, heard) [s]."""
+    troubles = [CAUSES[i] for i in rng.permutation(3)]
+    return {f"robot_{name}": one_robot(rng, trouble) for name, trouble in zip("abc", troubles, strict=True)}
+
+
+def one_robot(rng: np.random.Generator, trouble: str) -> dict:
+    stamps = round(float(rng.uniform(20.0, 60.0)), 1) + np.arange(6.0)
+    scan = 0.105 + rng.uniform(0.0, 0.004, 6)
+    odom = 0.004 + rng.uniform(0.0, 0.002, 6)
+    if trouble == LATE:
+        odom = odom + rng.uniform(0.18, 0.24) + rng.permutation(np.linspace(0.0, 0.25, 6))
+    elif trouble == FAST:
+        scan = scan - rng.uniform(0.32, 0.48)
+    else:
+        odom = odom + rng.uniform(0.28, 0.42)
+    rows = {"scan": np.column_stack([stamps, stamps + scan]), "odom": np.column_stack([stamps, stamps + odom])}
+    return {name: np.round(row, 3) for name, row in rows.items()}
+
+
+def guess(given, cause_of) -> dict:
+    """Return an answer in which each robot's cause is `cause_of(scan delays, odom delays)`."""
+    answer = {}
+    for name in "abc":
+        heard = getattr(given, f"robot_{name}")
+        scan, odom = (np.asarray(heard[topic])[:, 1] - np.asarray(heard[topic])[:, 0] for topic in ("scan", "odom"))
+        cause = cause_of(scan, odom)
+        answer[name], answer[f"{name} do"] = cause, REMEDIES[CAUSES.index(cause)]
+    return answer
+
+
+def always_late(given) -> dict:
+    return guess(given, lambda scan, odom: LATE)
+
+
+ALWAYS_LATE = Twin(
+    "always late",
+    always_late,
+    misconception="M10",
+    reply=Words(
+        en="not all three are late. Subtract stamp from heard for each message first, and look at the sign and at how much the numbers tremble.",
+        ko="셋 다 늦은 것은 아닙니다. 먼저 메시지마다 들은 시각에서 측정 시각을 빼고, 부호와 떨림을 보십시오.",
+    ),
+)
+
+
+def always_fast(given) -> dict:
+    return guess(given, lambda scan, odom: FAST)
+
+
+ALWAYS_A_CLOCK = Twin(
+    "always a clock",
+    always_fast,
+    misconception="M10",
+    reply=Words(
+        en="not every gap is the laser's clock. A fast laser clock makes the delay of /scan too small: look at /scan of each robot first.",
+        ko="모든 간격이 레이저 시계 탓은 아닙니다. 레이저 시계가 빠르면 /scan의 지연이 너무 작아집니다. 로봇마다 /scan부터 보십시오.",
+    ),
+)
+
+
+def no_tremble(given) -> dict:
+    return guess(given, lambda scan, odom: FAST if scan.min() < 0 else LATE)
+
+
+TREMBLE_OVERLOOKED = Twin(
+    "tremble overlooked",
+    no_tremble,
+    misconception="M10",
+    reply=Words(
+        en="the robot with the negative delay is right. Of the other two, one trembles and one is smooth as glass: can a smooth delay only be a slow network?",
+        ko="지연이 음수인 로봇은 맞았습니다. 나머지 둘 가운데 하나는 떨리고 하나는 유리처럼 매끈합니다. 매끈한 지연이 느린 네트워크에서만 나올까요?",
+    ),
+)
+
+
+def smooth_is_laser(given) -> dict:
+    return guess(given, lambda scan, odom: LATE if np.ptp(odom) > 0.1 else FAST)
+
+
+SMOOTH_MEANS_LASER = Twin(
+    "smooth means laser",
+    smooth_is_laser,
+    misconception="M10",
+    reply=Words(
+        en="one robot's delay is smooth, but it is on /odom, and positive. Nothing is wrong with that laser's numbers.",
+        ko="한 로봇의 지연은 매끈하지만 /odom 쪽이고 양수입니다. 그 레이저의 숫자에는 이상이 없습니다.",
+    ),
+)
+
+
+def no_sign(given) -> dict:
+    return guess(given, lambda scan, odom: LATE if np.ptp(odom) > 0.1 else UNKNOWN)
+
+
+SIGN_OVERLOOKED = Twin(
+    "sign overlooked",
+    no_sign,
+    misconception="M10",
+    reply=Words(
+        en="one robot hears its scans before they are measured. That much can be told from the numbers: look at the sign.",
+        ko="한 로봇은 스캔을 측정하기도 전에 듣습니다. 그것만은 숫자로 알 수 있습니다. 부호를 보십시오.",
+    ),
+)
+
+
+def tremble_not_trusted(given) -> dict:
+    return guess(given, lambda scan, odom: FAST if scan.min() < 0 else UNKNOWN)
+
+
+TREMBLE_NOT_TRUSTED = Twin(
+    "tremble not trusted",
+    tremble_not_trusted,
+    misconception="M10",
+    reply=Words(
+        en="one robot's /odom trembles by a quarter of a second from message to message. A clock does not do that, a network does: so much can be told.",
+        ko="한 로봇의 /odom은 메시지마다 4분의 1초씩 떨립니다. 시계는 그러지 않지만 네트워크는 그럽니다. 그만큼은 알 수 있습니다.",
+    ),
+)
+
+
+def long_timeout(given) -> dict:
+    def cause_of(scan, odom) -> str:
+        return FAST if scan.min() < 0 else LATE if np.ptp(odom) > 0.1 else UNKNOWN
+
+    answer = guess(given, cause_of)
+    late = next(name for name in "abc" if answer[name] == LATE)
+    return {**answer, f"{late} do": "set a timeout of 10 s"}
+
+
+TEN_SECONDS_FOR_THE_LATE_ONE = Twin(
+    "ten seconds for the late one",
+    long_timeout,
+    misconception="M10",
+    reply=Words(
+        en="the causes are right. But the late robot is late by about a third of a second: whoever may wait ten will one day decide on data that is ten seconds old.",
+        ko="원인은 맞았습니다. 하지만 늦은 로봇도 겨우 3분의 1초 늦습니다. 10초를 기다려도 되는 로봇은 언젠가 10초 묵은 데이터로 결정합니다.",
+    ),
+)
+
+
+TASK = Task(
+    id="E9.4",
+    kind="D",
+    points=3,
+    title=Words(en="Late, or wrong?", ko="늦은 것입니까, 틀린 것입니까?"),
+    answer="causes",
+    form=Parts(
+        {
+            **{name: Choice(CAUSES) for name in "abc"},
+            **{f"{name} do": Choice((*REMEDIES, "set a timeout of 10 s")) for name in "abc"},
+        }
+    ),
+    given=arrivals,
+    variants=6,
+    twins=(
+        ALWAYS_LATE,
+        TEN_SECONDS_FOR_THE_LATE_ONE,
+        TREMBLE_OVERLOOKED,
+        SMOOTH_MEANS_LASER,
+        ALWAYS_A_CLOCK,
+        SIGN_OVERLOOKED,
+        TREMBLE_NOT_TRUSTED,
+    ),
+    hints=(
+        Words(
+            en="For each topic: heard minus stamp. Then look at three things: sign, size, tremble.",
+            ko="토픽마다 들은 시각에서 측정 시각을 빼십시오. 그리고 부호, 크기, 떨림 세 가지를 보십시오.",
+        ),
+        Words(
+            en="A healthy /scan is about 0.105 s, a healthy /odom about 0.005 s. Which topic of each robot is not healthy?",
+            ko="정상인 /scan은 약 0.105초, 정상인 /odom은 약 0.005초입니다. 로봇마다 어느 토픽이 정상이 아닙니까?",
+        ),
+        Words(
+            en="Negative: a clock, and you can say whose. Positive and trembling: the network. Positive and smooth: either, and one-way times cannot tell.",
+            ko="음수면 시계이고, 누구의 시계인지 말할 수 있습니다. 양수이고 떨리면 네트워크입니다. 양수이고 매끈하면 둘 중 어느 쪽인지 한 방향 시각만으로는 알 수 없습니다.",
+        ),
+    ),
+    cures=("M10",),
+)

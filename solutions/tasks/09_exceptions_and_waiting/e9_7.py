@@ -1,0 +1,149 @@
+"""E9.7: The smallest wait that always succeeds."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tflab.workbook.tasks import Number, Task, Twin, Words
+
+
+def two_edges(rng: np.random.Generator) -> dict:
+    """Draw two edges of which the slow one decides, and a scan that has been under way for a while."""
+    return {
+        "localization": {
+            "rate_hz": float(rng.choice((4.0, 5.0, 8.0, 10.0))),
+            "delay_s": round(float(rng.uniform(0.070, 0.090)), 3),
+            "jitter_s": round(float(rng.uniform(0.020, 0.040)), 3),
+        },
+        "wheel_odometry": {
+            "rate_hz": float(rng.choice((20.0, 25.0))),
+            "delay_s": round(float(rng.uniform(0.004, 0.015)), 3),
+            "jitter_s": round(float(rng.uniform(0.006, 0.012)), 3),
+        },
+        "scan_delay_s": round(float(rng.uniform(0.010, 0.022)), 3),
+    }
+
+
+def wait_of(given, *, periods=1.0, jitter=1.0, scan=1.0, combine=max) -> float:
+    """Return the wait; the options are the mistakes."""
+    sources = (given.localization, given.wheel_odometry)
+    each = [periods / one["rate_hz"] + one["delay_s"] + jitter * one["jitter_s"] for one in sources]
+    return combine(each) - scan * given.scan_delay_s
+
+
+PERIOD_FORGOTTEN = Twin(
+    "period forgotten",
+    lambda g: wait_of(g, periods=0.0),
+    reply=Words(
+        en="with this wait it succeeds sometimes. In the worst case the transform you need is stamped a whole period after the scan.",
+        ko="이 시간으로는 가끔만 성공합니다. 최악의 경우 필요한 변환의 시각은 스캔보다 한 주기 뒤입니다.",
+    ),
+)
+
+
+HALF_A_PERIOD = Twin(
+    "half a period",
+    lambda g: wait_of(g, periods=0.5),
+    reply=Words(
+        en="half a period is the average. Asked for is a wait that always succeeds.",
+        ko="반 주기는 평균입니다. 필요한 것은 언제나 성공하는 시간입니다.",
+    ),
+)
+
+
+JITTER_FORGOTTEN = Twin(
+    "jitter forgotten",
+    lambda g: wait_of(g, jitter=0.0),
+    reply=Words(
+        en="this is enough on a quiet day. By how much may a transform be later than its delay?",
+        ko="조용한 날에는 충분합니다. 변환은 정해진 지연보다 얼마나 더 늦을 수 있습니까?",
+    ),
+)
+
+
+SCAN_S_DELAY_FORGOTTEN = Twin(
+    "scan's delay forgotten",
+    lambda g: wait_of(g, scan=0.0),
+    reply=Words(
+        en="your wait is longer than it need be. While the scan was under way, time had already passed.",
+        ko="필요보다 길게 기다립니다. 스캔이 오는 동안 이미 시간이 흘렀습니다.",
+    ),
+)
+
+
+SCAN_S_DELAY_ADDED = Twin(
+    "scan's delay added",
+    lambda g: wait_of(g, scan=-1.0),
+    reply=Words(
+        en="the wait is reckoned from the scan's arrival. Does the time that the scan was under way make it longer, or shorter?",
+        ko="기다림은 스캔이 도착한 때부터 잽니다. 스캔이 오는 데 걸린 시간은 기다림을 늘립니까, 줄입니까?",
+    ),
+)
+
+
+QUICK_EDGE = Twin(
+    "quick edge",
+    lambda g: wait_of(g, combine=min),
+    reply=Words(
+        en="that is the edge that comes first. A lookup needs all of them.",
+        ko="먼저 오는 연결로 계산했습니다. 조회에는 모든 연결이 필요합니다.",
+    ),
+)
+
+
+ADDED_UP = Twin(
+    "added up",
+    lambda g: wait_of(g, combine=sum),
+    reply=Words(
+        en="the two edges do not wait for one another: their messages travel at the same time.",
+        ko="두 연결은 서로를 기다리지 않습니다. 메시지는 동시에 옵니다.",
+    ),
+)
+
+
+A_ROUND_SECOND = Twin(
+    "a round second",
+    1.0,
+    misconception="M10",
+    reply=Words(
+        en="one second is a habit, not a result: it is longer than any of these numbers asks for, and it hides a clock that is wrong. Work it out.",
+        ko="1초는 습관이지 계산한 값이 아닙니다. 이 숫자들에 필요한 것보다 길고, 틀린 시계를 가립니다. 계산해 보십시오.",
+    ),
+)
+
+
+TASK = Task(
+    id="E9.7",
+    kind="N",
+    points=2,
+    title=Words(en="The smallest wait that always succeeds", ko="언제나 성공하는 가장 짧은 기다림"),
+    answer="wait_s",
+    form=Number("s", tolerance=0.0005),
+    given=two_edges,
+    variants=5,
+    twins=(
+        PERIOD_FORGOTTEN,
+        HALF_A_PERIOD,
+        JITTER_FORGOTTEN,
+        SCAN_S_DELAY_FORGOTTEN,
+        SCAN_S_DELAY_ADDED,
+        QUICK_EDGE,
+        ADDED_UP,
+        A_ROUND_SECOND,
+    ),
+    hints=(
+        Words(
+            en="Work out for each edge when, at the latest, the first sample at or after the scan's stamp has arrived.",
+            ko="연결마다 스캔 시각과 같거나 뒤인 첫 표본이 늦어도 언제 도착하는지 계산하십시오.",
+        ),
+        Words(
+            en="Period, delay and jitter each make it later. What makes your wait shorter?",
+            ko="주기, 지연, 지터는 모두 늦어지게 합니다. 기다림을 줄여 주는 것은 무엇입니까?",
+        ),
+        Words(
+            en="(1 / rate + delay + jitter) for each edge; the later of the two counts; the scan's own delay has already passed.",
+            ko="연결마다 (1 / 주파수 + 지연 + 지터)를 구하고, 둘 중 늦은 쪽을 씁니다. 스캔 자신의 지연은 이미 지나갔습니다.",
+        ),
+    ),
+    cures=("M10",),
+)

@@ -1,0 +1,57 @@
+"""One vocabulary for what is wrong with an answer: whoever speaks of it knows every word."""
+
+from __future__ import annotations
+
+import string
+
+import pytest
+
+from tflab.workbook.answers.forms import Number
+from tflab.workbook.answers.values import raised
+from tflab.workbook.tasks.case import Case
+from tflab.workbook.tasks.mistake import REPLIES, WITHOUT_THE_ANSWER, Mistake
+from tflab.workbook.tasks.verdict import judge_outcomes
+
+from .small_chapter import bare
+
+
+def gaps(text: str) -> set[str]:
+    return {name for _, name, _, _ in string.Formatter().parse(text) if name}
+
+
+def test_check_and_a_feedback_page_have_a_sentence_for_every_mistake():
+    assert set(REPLIES) == set(WITHOUT_THE_ANSWER) == set(Mistake)
+
+
+@pytest.mark.parametrize("mistake", Mistake)
+def test_a_sentence_says_the_same_in_both_languages(mistake):
+    for words in (REPLIES[mistake], WITHOUT_THE_ANSWER[mistake]):
+        assert {gap.removesuffix("_ko") for gap in gaps(words.ko)} == gaps(words.en)
+
+
+@pytest.mark.parametrize("mistake", Mistake)
+def test_a_feedback_page_repeats_nothing_that_the_learners_code_made(mistake):
+    assert not gaps(WITHOUT_THE_ANSWER[mistake].en) & {"got", "text", "answer", "frame"}
+
+
+@pytest.mark.parametrize(
+    ("outcomes", "mistake"),
+    [
+        ([None, None], Mistake.NOTHING_RETURNED),
+        ([1.0, None], Mistake.SOMETIMES_NOTHING),
+        ([raised(ZeroDivisionError("x")), 2.0], Mistake.RAISES),
+        ([{"object": "function"}, {"object": "function"}], Mistake.A_FUNCTION),
+        (["1.0", "2.0"], Mistake.TYPE),
+        ([1000.0, 2000.0], Mistake.UNIT),
+        ([3.0, 3.0], Mistake.CONSTANT),
+        ([1.0, 9.0], Mistake.VALUE),
+    ],
+)
+def test_what_came_out_is_called_by_its_name(outcomes, mistake):
+    cases = (Case([8.0], 1.0, {}), Case([9.5], 2.0, {}))
+    assert judge_outcomes(*bare(Number("m"), *cases, is_function=True), outcomes).mistake is mistake
+
+
+def test_a_function_that_returns_where_it_should_refuse_is_told_so():
+    cases = (Case([8.0], 1.0, {}), Case([-1.0], raised(ValueError()), {}))
+    assert judge_outcomes(*bare(Number("m"), *cases, is_function=True), [1.0, 5.0]).mistake is Mistake.NO_REFUSAL
