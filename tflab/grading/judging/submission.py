@@ -12,6 +12,8 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+from tflab.workbook.tasks.mistake import Mistake
+
 from ..submissions.remarks import Remark
 from .attempt import Attempt, attempt
 from .cells import VOID
@@ -23,7 +25,10 @@ from .transplant import Transplant
 
 __all__ = ["graded", "graded_twice", "record_with"]
 
-ODD = {"raised", "raises", "unfit", "no result", "unstable"}  # more than a wrong number
+ODD = {  # more than a wrong number
+    "raised", "no result", Mistake.RAISES, Mistake.OTHER_EXCEPTION, Mistake.TYPE, Mistake.SHAPE, Mistake.OPTION,
+    Mistake.A_FUNCTION, Mistake.UNSTEADY,
+}  # fmt: skip
 
 
 @dataclass(frozen=True)

@@ -23,7 +23,7 @@ from .gradebook import remarks_of, tasks_of, verdicts_of
 from .html import figure, page, points, prose, rows, text
 from .misconceptions import MISCONCEPTIONS
 
-__all__ = ["Mistake", "class_page", "mistakes"]
+__all__ = ["CommonMistake", "class_page", "mistakes"]
 
 MOST_BARS = 14
 TITLE = Words("The class", "반 전체 결과")
@@ -47,13 +47,13 @@ ABOUT = Words("What was odd about the files", "파일에 대한 알림")
 MISTAKE_HEADS = (
     Words("Learners", "인원"),
     Words("Task", "과제"),
-    Words("Mistake", "실수"),
+    Words("CommonMistake", "실수"),
     Words("What they are told", "안내"),
 )
 HEADS = (Words("Learner", "학습자"), Words("Points", "점수"), Words("Tasks", "과제"), Words("Remarks", "비고"))
 
 
-class Mistake(NamedTuple):
+class CommonMistake(NamedTuple):
     """One named mistake, and how many made it."""
 
     task: str
@@ -63,7 +63,7 @@ class Mistake(NamedTuple):
     count: int
 
 
-def mistakes(records: Sequence[Mapping[str, Any]], cases: Mapping[str, Any]) -> list[Mistake]:
+def mistakes(records: Sequence[Mapping[str, Any]], cases: Mapping[str, Any]) -> list[CommonMistake]:
     """Return the mistakes that were made, the most frequent first."""
     counts = Counter(
         (stem, task, row["twin"])
@@ -75,7 +75,7 @@ def mistakes(records: Sequence[Mapping[str, Any]], cases: Mapping[str, Any]) -> 
     found = []
     for (stem, task, name), count in counts.items():
         twin = cases[stem]["tasks"][task]["twins"][name]
-        found.append(Mistake(task, name, twin["misconception"], Words(**twin["reply"]), count))
+        found.append(CommonMistake(task, name, twin["misconception"], Words(**twin["reply"]), count))
     return sorted(found, key=lambda one: (-one.count, one.task, one.name))
 
 
@@ -106,7 +106,7 @@ def class_page(
     return page(TITLE.say(language), language, body)
 
 
-def _misunderstood(found: Sequence[Mistake], language: str) -> list[str]:
+def _misunderstood(found: Sequence[CommonMistake], language: str) -> list[str]:
     """Return the thoughts behind the mistakes, by how many answers they spoilt."""
     counts: Counter[str] = Counter()
     for one in found:
@@ -126,7 +126,7 @@ def _misunderstood(found: Sequence[Mistake], language: str) -> list[str]:
     return body
 
 
-def _mistakes(found: Sequence[Mistake], graded: int, language: str) -> list[str]:
+def _mistakes(found: Sequence[CommonMistake], graded: int, language: str) -> list[str]:
     body = [f"<h2>{text(MISTAKES.say(language))}</h2>"]
     if not found:
         return [*body, f"<p>{text(NO_MISTAKES.say(language))}</p>"]
@@ -143,7 +143,7 @@ def _mistakes(found: Sequence[Mistake], graded: int, language: str) -> list[str]
     ]
 
 
-def _label(one: Mistake, task: bool = True) -> str:
+def _label(one: CommonMistake, task: bool = True) -> str:
     misconception = f" ({one.misconception})" if one.misconception else ""
     return f"{one.task + ' ' if task else ''}{one.name.replace('_', ' ')}{misconception}"
 

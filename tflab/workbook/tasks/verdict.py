@@ -124,15 +124,8 @@ def _mistake(
     twin = _twin(task, cases, outcomes, rights)
     if twin:
         return Mistake.SLIP, twin, _slipped_parts(task, rights[case])
-    if is_raised(outcome):
-        meant = is_raised(expected) and outcome["raises"] not in ANY_BUG - {"ValueError"}
-        detail = {"error": outcome["raises"], "text": outcome.get("text", "")}
-        return Mistake.OTHER_EXCEPTION if meant else Mistake.RAISES, "", detail
-    if task.is_function and outcome is None:
-        always = all(other is None for other in outcomes)
-        return Mistake.NOTHING_RETURNED if always else Mistake.SOMETIMES_NOTHING, "", {}
-    if is_raised(expected):
-        return Mistake.NO_REFUSAL, "", {}
+    if (ending := _ending(task, outcomes, outcome, expected)) is not None:
+        return ending[0], "", ending[1]
     coarse = _coarse(form, outcome)
     if coarse is not None:
         return coarse[0], "", {"got": kind_of(outcome), **coarse[1]}
@@ -144,6 +137,20 @@ def _mistake(
     if isinstance(form, Parts | Message):
         return Mistake.PARTS, "", {"wrong": _wrong_names(form, rights[case])}
     return Mistake.VALUE, "", {}
+
+
+def _ending(
+    task: TaskCases, outcomes: Sequence[Plain], outcome: Plain, expected: Plain
+) -> tuple[Mistake, dict[str, Any]] | None:
+    """Return what is wrong with how a call ended: it raised, or gave nothing, or did not refuse; None if nothing."""
+    if is_raised(outcome):
+        meant = is_raised(expected) and outcome["raises"] not in ANY_BUG - {"ValueError"}
+        detail = {"error": outcome["raises"], "text": outcome.get("text", "")}
+        return Mistake.OTHER_EXCEPTION if meant else Mistake.RAISES, detail
+    if task.is_function and outcome is None:
+        always = all(other is None for other in outcomes)
+        return Mistake.NOTHING_RETURNED if always else Mistake.SOMETIMES_NOTHING, {}
+    return (Mistake.NO_REFUSAL, {}) if is_raised(expected) else None
 
 
 def _slipped_parts(task: TaskCases, rights: list[bool]) -> dict[str, Any]:
@@ -166,15 +173,22 @@ def _coarse(form: Form, outcome: Plain) -> tuple[Mistake, dict[str, Any]] | None
         return next(filter(None, (_coarse(form.of, one) for one in inside(outcome))), None)
     if form.read(outcome) is not None:
         return None
+    return _unread(form, outcome)
+
+
+def _unread(form: Form, outcome: Plain) -> tuple[Mistake, dict[str, Any]]:
+    """Return why an answer is not of its form."""
     if isinstance(form, Choice) and isinstance(outcome, str):
         return Mistake.OPTION, {"answer": outcome}
     frame = member(outcome, "header", "frame_id")
     if isinstance(form, Vector) and form.frame and frame is not None and frame != form.frame:
         return Mistake.FRAME, {"frame": frame, "wanted_frame": form.frame}
+    if outcome == {"object": "function"}:
+        return Mistake.A_FUNCTION, {}
     body = inside(outcome)
     if isinstance(body, list | dict) and not isinstance(form, Number | Angle | Choice) and _holds_numbers(body):
         return Mistake.SHAPE, {}
-    return Mistake.A_FUNCTION if outcome == {"object": "function"} else Mistake.TYPE, {}
+    return Mistake.TYPE, {}
 
 
 def _coarse_of_parts(form: Parts, outcome: Plain) -> tuple[Mistake, dict[str, Any]] | None:
