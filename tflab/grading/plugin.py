@@ -59,7 +59,7 @@ class TasksFile(pytest.File):
         return self.config.stash[PACK]
 
     def record(self) -> dict[str, Any]:
-        """Return what came of grading."""
+        """Return the record of grading it."""
         if self._record is None:
             from .batch import grade_job, job_of
             from .judging.submission import graded_twice
@@ -69,7 +69,7 @@ class TasksFile(pytest.File):
 
             pack = self.read_pack()
             found = collect(self.path, pack.roster, list(pack.cases)).submissions
-            submission = next(one for one in found if one.notebooks)
+            submission = next(submission for submission in found if submission.notebooks)
             hide = (str(Path(self.config.getoption("--tflab-grade")).resolve()),)
             job, sandbox = job_of(submission, pack, Limits()), choose(hide)
             self._record = graded_twice(job, partial(grade_job, sandbox=sandbox))

@@ -125,7 +125,7 @@ def _lay_out_for(
     identity = learner.id if learner else None
     spoken = learner.language if learner else language
     target = place / (identity or places.COPY)
-    cases = {stem: learners_cases(one, pack.roster, identity) for stem, one in handed_out.items()}
+    cases = {stem: learners_cases(chapter, pack.roster, identity) for stem, chapter in handed_out.items()}
     lay_out(target, spoken, edition="class", learner=identity, cases=cases)
     stamp = {"release": pack.release, "version": pack.version} | ({"learner": identity} if identity else {})
     for stem in cases:

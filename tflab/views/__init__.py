@@ -29,6 +29,7 @@
     rviz_status, rviz         what RViz says of what it cannot show; a small RViz
     film       a picture for each place of a slider
     export_widgets, export    pages that live on without a kernel
+    report_page    a report in a browser, light or dark
 
 A view receives values and, where it must ask, a function
 `ask(target_frame, source_frame, stamp_ns)`; it never holds a buffer or a graph.

@@ -17,6 +17,7 @@ from html import escape
 
 from tflab.bags.recording import Recording, namespace_of
 from tflab.core import Snapshot, snapshot
+from tflab.views.report_page import report_page
 from tflab.views.tree import draw_tree
 
 from ..evidence import evidence_from_recording
@@ -29,32 +30,23 @@ __all__ = ["html_from_report"]
 
 SIGNS = {"error": "✕", "warning": "!", "info": "i"}
 
-CSS = """
-:root { color-scheme: light dark; --page: #f6f6f3; --card: #fdfdfb; --ink: #1f2328; --grey: #5b6168; --hair: #e0e2de;
-  --code: #eff0ec; --error: #b3261e; --warning: #8a5a00; --info: #0b5c8f; }
-@media (prefers-color-scheme: dark) { :root { --page: #16181b; --card: #1f2226; --ink: #e8e9e6; --grey: #a4a9ae;
-  --hair: #33373c; --code: #2a2e33; --error: #ff8a80; --warning: #f2c060; --info: #7cc4f4; } }
-* { box-sizing: border-box; }
-body { margin: 0; background: var(--page); color: var(--ink); font: 16px/1.55 system-ui, sans-serif; }
-main { max-width: 62rem; margin: 0 auto; padding: 2.5rem 1.25rem 4rem; }
-h1 { font-size: 1.7rem; margin: 0; line-height: 1.25; overflow-wrap: anywhere; }
-h2 { font-size: 1.15rem; margin: 2.5rem 0 .75rem; }
-.outcome { color: var(--grey); margin: .35rem 0 0; }
-article { background: var(--card); border: 1px solid var(--hair); border-left: 5px solid var(--tone);
+STYLE = """
+:root { --error: #b3261e; --warning: #8a5a00; --info: #0b5c8f; }
+@media (prefers-color-scheme: dark) { :root { --error: #ff8a80; --warning: #f2c060; --info: #7cc4f4; } }
+.outcome { color: var(--quiet); margin: .35rem 0 0; }
+article { background: var(--card); border: 1px solid var(--line); border-left: 5px solid var(--tone);
   border-radius: 9px; padding: 1rem 1.25rem; margin: .75rem 0; }
 .error { --tone: var(--error); } .warning { --tone: var(--warning); } .info { --tone: var(--info); }
-article h3 { margin: 0; font-size: 1.05rem; overflow-wrap: anywhere; }
+article h3 { margin: 0; font-size: 1.05rem; }
 .kind { color: var(--tone); font-weight: 650; font-size: .85rem; letter-spacing: .02em; display: flex; gap: .5rem;
   align-items: center; margin-bottom: .2rem; flex-wrap: wrap; }
 .sign { width: 1.25rem; height: 1.25rem; border-radius: 50%; border: 1.5px solid var(--tone); display: inline-grid;
   place-items: center; font-size: .78rem; }
-.when { color: var(--grey); font-weight: 400; margin-left: auto; font-variant-numeric: tabular-nums; }
-article p { margin: .45rem 0 0; overflow-wrap: anywhere; } .why { color: var(--grey); }
+.when { color: var(--quiet); font-weight: 400; margin-left: auto; font-variant-numeric: tabular-nums; }
+article p { margin: .45rem 0 0; } .why { color: var(--quiet); }
 code { background: var(--code); border-radius: 6px; padding: .3rem .6rem; font: .9rem ui-monospace, monospace;
-  display: inline-block; overflow-wrap: anywhere; }
-figure { margin: 0; overflow-x: auto; } figure img, figure svg { max-width: 100%; height: auto; display: block; }
-ul { padding-left: 1.2rem; color: var(--grey); }
-details { margin-top: .5rem; } summary { cursor: pointer; }
+  display: inline-block; }
+figure img, figure svg { display: block; } ul { padding-left: 1.2rem; color: var(--quiet); }
 """
 
 
@@ -64,19 +56,8 @@ def html_from_report(report: Report, recording: Recording, texts: Mapping[str, S
     pictures = "\n".join(_pictures(report, recording, namespace) for namespace in recording.namespaces())
     subject = escape(report.subject)
     outcome = escape(headline(report).removeprefix(f"{report.subject}: "))
-    return f"""<!DOCTYPE html>
-<html lang="en">
-<head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
-<title>{subject}: TF report</title><style>{CSS}</style></head>
-<body><main>
-<h1>{subject}</h1>
-<p class="outcome">{outcome}</p>
-{findings}
-{pictures}
-<h2>Checks</h2>
-{_checks(report)}
-</main></body></html>
-"""
+    body = [f"<h1>{subject}</h1>", f'<p class="outcome">{outcome}</p>', findings, pictures, "<h2>Checks</h2>"]
+    return report_page(f"{report.subject}: TF report", "en", [*body, _checks(report)], STYLE)
 
 
 def _card(report: Report, finding: Finding, texts: Mapping[str, Sentences]) -> str:

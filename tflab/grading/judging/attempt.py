@@ -115,7 +115,7 @@ class Tally:
         self._hung: Counter[str] = Counter()
 
     def take(self, planned: RunPlan, ran: Run, cell_s: float) -> None:
-        """Take in what came of a run.
+        """Take in the results of a run.
 
         Raises:
             NotRun: it stopped in a cell of ours.
@@ -160,7 +160,7 @@ class Tally:
         )
 
     def _hear(self, cell: RunCell, value: Any, trouble: str, asked: Asked | None) -> None:
-        """Take in what came of one cell: a probe's outcomes, or an answer's error."""
+        """Take in the result of one cell: a probe's outcomes, or an answer's error."""
         if asked is not None and isinstance(value, list) and len(value) == len(asked.cases):
             heard = self._outcomes_again if asked.again else self._outcomes
             heard.setdefault(asked.task, {}).update(zip(asked.cases, value, strict=True))

@@ -114,7 +114,7 @@ class WiredKernel(RunningKernel):
         return self.stopped is None
 
     def interrupt(self) -> None:
-        """Nothing to ask of it: past its deadline it is killed."""
+        """Do nothing: past its deadline the kernel is killed."""
 
     def stop(self) -> None:
         if self.stopped is None:

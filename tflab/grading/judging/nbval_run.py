@@ -1,4 +1,4 @@
-"""What came of these cells?  They are run on nbval, behind the sandbox, each within its limits.
+"""What do these cells give?  They are run on nbval, behind the sandbox, each within its limits.
 
     cells in order  ->  run_cells  ->  Run(outcomes, seconds, why it stopped)
 
@@ -58,7 +58,7 @@ def run_cells(cells: Sequence[RunCell], *, limits: Limits, sandbox: Sandbox) -> 
 
 
 def outcome_of(item: AnswerCell) -> CellOutcome:
-    """Run one cell as nbval does, and say what came of it."""
+    """Run one cell as nbval does, and return its outcome."""
     with contextlib.suppress(NbCellError, pytest.fail.Exception):  # it is in item.trouble
         item.runtest()
     return CellOutcome(item.value, item.trouble)

@@ -96,12 +96,16 @@ def chapter_cases(stem: str, seed: str, solutions: Path) -> tuple[dict[str, Any]
     # As they will be read: a file has its keys sorted, and what is sealed keeps to the order of the parts.
     learners, hidden = (json.loads(cases_json(cases)) for cases in (learners, hidden))
     # What a learner was shown is part of the question: then the inputs that go with it are, too.
-    shown = {task_id: any(one["given"] for one in task["variants"]) for task_id, task in learners["tasks"].items()}
     graded = {
-        task_id: hidden["tasks"][task_id] if task["is_function"] and not shown[task_id] else task
+        task_id: hidden["tasks"][task_id] if task["is_function"] and not _shows_values(task) else task
         for task_id, task in learners["tasks"].items()
     }
     return learners, learners | {"tasks": graded}
+
+
+def _shows_values(task: Mapping[str, Any]) -> bool:
+    """Return whether learners are shown what they are to answer about."""
+    return any(variant["given"] for variant in task["variants"])
 
 
 def learners_cases(
@@ -118,7 +122,11 @@ def learners_cases(
 def write_pack(folder: Path, pack: Pack) -> None:
     """Write `pack.json`, readable by its owner only; the chapters have files of their own."""
     folder.mkdir(parents=True, exist_ok=True)
-    roster = None if pack.roster is None else [[one.id, one.name, one.language] for one in pack.roster.values()]
+    roster = (
+        None
+        if pack.roster is None
+        else [[learner.id, learner.name, learner.language] for learner in pack.roster.values()]
+    )
     held = {
         "format": FORMAT,
         "what": "The instructor's pack: whoever has it has the hidden cases. Keep it to yourself.",
@@ -169,7 +177,7 @@ def read_pack(folder: Path) -> Pack:
 
 def check_roster(roster: Mapping[str, Learner]) -> None:
     """Raise TypeError if a learner is not made of texts."""
-    words = [word for one in roster.values() for word in (one.id, one.name, one.language)]
+    words = [word for learner in roster.values() for word in (learner.id, learner.name, learner.language)]
     if not all(isinstance(word, str) for word in words):
         raise TypeError("the roster holds something else than texts")
 
@@ -178,7 +186,7 @@ def check_tasks(tasks: Mapping[str, Any]) -> None:
     """Raise KeyError, TypeError or ValueError if what grading will look at is not there, or of another kind."""
     for task_id, task in tasks.items():
         form_from_plain(task["form"])
-        if not (task["variants"] and all(one["cases"] for one in task["variants"])):
+        if not (task["variants"] and all(variant["cases"] for variant in task["variants"])):
             raise ValueError(f"{task_id} has no cases")
         if not (float(task["points"]) >= 0 and isinstance(task["answer"], str) and isinstance(task["twins"], dict)):
             raise ValueError(f"{task_id} has no points, or no answer to look for")

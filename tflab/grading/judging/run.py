@@ -47,7 +47,7 @@ class RunCell:
 
 @dataclass(frozen=True, slots=True)
 class CellOutcome:
-    """What came of one cell: of a probe a value, plain JSON from a hostile place; of any, what went wrong."""
+    """The result of one cell: of a probe a value, plain JSON from a hostile place; of any, what went wrong."""
 
     value: Any = None
     trouble: str | None = None
@@ -55,7 +55,7 @@ class CellOutcome:
 
 @dataclass(frozen=True, slots=True)
 class Run:
-    """What came of the cells, as far as they ran."""
+    """The results of all cells, as far as they ran."""
 
     outcomes: Sequence[CellOutcome]
     seconds: float

@@ -33,7 +33,7 @@ ODD = {  # more than a wrong number
 
 @dataclass(frozen=True)
 class GradedChapter:
-    """What came of one chapter: its part of the record, the tasks to be tried alone, and the time it took."""
+    """The result for one chapter: its part of the record, the tasks to be tried alone, and the time it took."""
 
     plain: Mapping[str, Any]
     set_aside: Sequence[str] = ()
@@ -89,7 +89,7 @@ def record_with(record: dict[str, Any], alone: dict[str, Any]) -> dict[str, Any]
 
 
 def _graded_chapter(job: Job, stem: str, candidate: Candidate, run_cells: RunCells) -> GradedChapter:
-    """Return what came of the notebook that counts for a chapter."""
+    """Return the result of the notebook that counts for a chapter."""
     grader = ChapterGrader(job, job.chapters[stem]["tasks"], candidate.transplanted, run_cells)
     only = job.only.get(stem, ()) if job.only is not None else None
     wanted = [task for task in grader.answered if only is None or task in only]

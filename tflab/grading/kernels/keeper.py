@@ -1,12 +1,12 @@
-"""Who sees to it that a kernel ends, and everything it started with it?  Its keeper: one small process each.
+"""Who sees to it that a kernel ends, and everything it started with it?  Its keeper: one small supervisor each.
 
     grader ----- wire ------> kernel        what to run, what came of it
        \\----- leash -----> keeper -> kernel   hang up, or die, and all of it is killed
 
-The keeper is outside the sandbox, where the learner's code cannot see it.  It waits for the end of
-the kernel or of the leash, looks five times a second at the memory of all the kernel's
-processes together, and at last says on the leash how it ended.  When the first process of a
-namespace is killed, so are all others in it: no daemon survives.
+The keeper is outside the sandbox, where the learner's code cannot see it.  It adopts what loses its
+parent (a subreaper), waits for the end of the kernel or of the leash, looks five times a second at
+the memory of all the kernel's processes together, and at last says on the leash how it ended.  When
+the first process of a namespace is killed, so are all others in it: no daemon survives.
 
 Read `forkserver.py` next: who makes keepers.
 """

@@ -62,7 +62,7 @@ def allowed(shown: Sequence[str], hidden: Sequence[str], folder: str) -> Iterato
 
 
 def readable(path: Path, hidden: tuple[Path, ...]) -> Iterator[tuple[str, int]]:
-    """Yield rules to read all at and below `path` but what is hidden: a rule cannot be taken back further down."""
+    """Yield rules to read `path` and all below it except what is hidden; a right given above cannot be taken back."""
     if path in hidden:
         return
     if not any(path in secret.parents for secret in hidden):

@@ -76,7 +76,7 @@ def mistakes(records: Sequence[Mapping[str, Any]], cases: Mapping[str, Any]) -> 
     for (stem, task, name), count in counts.items():
         twin = cases[stem]["tasks"][task]["twins"][name]
         found.append(CommonMistake(task, name, twin["misconception"], Words(**twin["reply"]), count))
-    return sorted(found, key=lambda one: (-one.count, one.task, one.name))
+    return sorted(found, key=lambda mistake: (-mistake.count, mistake.task, mistake.name))
 
 
 def class_page(
@@ -109,13 +109,13 @@ def class_page(
 def _misunderstood(found: Sequence[CommonMistake], language: str) -> list[str]:
     """Return the thoughts behind the mistakes, by how many answers they spoilt."""
     counts: Counter[str] = Counter()
-    for one in found:
-        if one.misconception in MISCONCEPTIONS:
-            counts[one.misconception] += one.count
+    for mistake in found:
+        if mistake.misconception in MISCONCEPTIONS:
+            counts[mistake.misconception] += mistake.count
     if not counts:
         return []
     order = sorted(counts, key=lambda name: (-counts[name], int(name[1:])))
-    named = [(Words(*(f"{one} ({name})" for one in MISCONCEPTIONS[name])), counts[name]) for name in order]
+    named = [(Words(*(f"{words} ({name})" for words in MISCONCEPTIONS[name])), counts[name]) for name in order]
     picture = bars(named, ANSWERS, most=max(counts.values()), title=SPOILT, language=language)
     body = [f"<h2>{text(MISUNDERSTOOD.say(language))}</h2>"]
     body.append(figure(picture.png(), picture.text, picture.size_px[0], IN_WORDS.say(language)))
@@ -130,11 +130,16 @@ def _mistakes(found: Sequence[CommonMistake], graded: int, language: str) -> lis
     body = [f"<h2>{text(MISTAKES.say(language))}</h2>"]
     if not found:
         return [*body, f"<p>{text(NO_MISTAKES.say(language))}</p>"]
-    named = [(Words(_label(one), _label(one)), one.count) for one in found[:MOST_BARS]]
+    named = [(Words(_label(mistake), _label(mistake)), mistake.count) for mistake in found[:MOST_BARS]]
     picture = bars(named, LEARNERS, most=graded, title=NAMED, language=language)
     cells = [
-        (f"{one.count} / {graded}", text(one.task), text(_label(one, task=False)), prose(one.reply.say(language)))
-        for one in found
+        (
+            f"{mistake.count} / {graded}",
+            text(mistake.task),
+            text(_label(mistake, with_task=False)),
+            prose(mistake.reply.say(language)),
+        )
+        for mistake in found
     ]
     return [
         *body,
@@ -143,9 +148,9 @@ def _mistakes(found: Sequence[CommonMistake], graded: int, language: str) -> lis
     ]
 
 
-def _label(one: CommonMistake, task: bool = True) -> str:
-    misconception = f" ({one.misconception})" if one.misconception else ""
-    return f"{one.task + ' ' if task else ''}{one.name.replace('_', ' ')}{misconception}"
+def _label(mistake: CommonMistake, *, with_task: bool = True) -> str:
+    misconception = f" ({mistake.misconception})" if mistake.misconception else ""
+    return f"{mistake.task + ' ' if with_task else ''}{mistake.name.replace('_', ' ')}{misconception}"
 
 
 def _hardest(graded: Sequence[Mapping[str, Any]], language: str) -> list[str]:

@@ -53,7 +53,7 @@ def verdicts_of(record: Record) -> dict[str, dict[str, Any]]:
 
 
 def remarks_of(record: Record) -> list[Remark]:
-    """Return what there is to say about a submission, but for what stands with its tasks."""
+    """Return the remarks on a submission, except those on its tasks."""
     plain = [*record["remarks"], *(remark for chapter in record["chapters"].values() for remark in chapter["remarks"])]
     return [Remark.from_plain(remark) for remark in plain]
 

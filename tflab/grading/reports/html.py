@@ -1,4 +1,4 @@
-"""What do our report pages have in common?  One file each, light or dark, nothing from elsewhere.
+"""What are our report pages made of?  Texts, tables, figures; the frame around them is that of all reports.
 
 Whatever comes from a submission or a roster passes `text`, and is a text then and
 nothing else.  Read `class_figures.py` next.
@@ -12,31 +12,21 @@ from base64 import b64encode
 from collections.abc import Iterable, Sequence
 from typing import Any
 
+from tflab.views.report_page import report_page
+
 __all__ = ["figure", "page", "points", "prose", "rows", "text"]
 
 STYLE = """
-:root { color-scheme: light dark; --ink: #1f2328; --paper: #fdfdfb; --quiet: #5b6168;
-  --line: #d5d8dc; --card: #f3f4f2; }
-@media (prefers-color-scheme: dark) {
-  :root { --ink: #e6e8ea; --paper: #17191c; --quiet: #a3a9b0; --line: #3a3f45; --card: #212428; }
-}
-body { font: 16px/1.55 system-ui, "Apple SD Gothic Neo", "Malgun Gothic", "Noto Sans KR", sans-serif;
-  color: var(--ink); background: var(--paper); max-width: 56rem; margin: 2.5rem auto; padding: 0 1.2rem; }
-h1 { font-size: 1.6rem; margin: 0 0 .3rem; } h2 { font-size: 1.2rem; margin: 2.2rem 0 .6rem; }
 p { margin: .4rem 0; } .quiet { color: var(--quiet); }
-table { border-collapse: collapse; width: 100%; margin: .6rem 0; table-layout: fixed;
-  overflow-wrap: anywhere; }
+table { border-collapse: collapse; width: 100%; margin: .6rem 0; table-layout: fixed; }
 th, td { text-align: left; vertical-align: top; padding: .45rem .7rem .45rem 0; border-bottom: 1px solid var(--line); }
 th { font-weight: 600; color: var(--quiet); font-size: .88rem; }
 td.number, th.number { text-align: right; white-space: nowrap; font-variant-numeric: tabular-nums; }
 td.mark { white-space: nowrap; font-weight: 600; }
-figure { margin: .8rem 0; } img { max-width: 100%; height: auto; }
-details { color: var(--quiet); } summary { cursor: pointer; }
 code { font-size: .92em; background: var(--card); padding: 0 .2em; border-radius: .2em; }
 pre { white-space: pre-wrap; font-size: .88rem; }
 .total { font-size: 2rem; font-weight: 650; font-variant-numeric: tabular-nums; }
 .card { background: var(--card); border-radius: .6rem; padding: .8rem 1.1rem; margin: .8rem 0; }
-@media print { body { margin: 0; max-width: none; } details { display: none; } }
 """
 
 
@@ -48,18 +38,7 @@ def text(words: Any) -> str:
 
 def page(title: str, language: str, body: Iterable[str]) -> str:
     """Return a whole page; `body` is HTML already, `title` is not."""
-    policy = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
-    return "\n".join(
-        [
-            "<!DOCTYPE html>",
-            f'<html lang="{text(language)}"><head><meta charset="utf-8">',
-            f'<meta http-equiv="Content-Security-Policy" content="{policy}">',
-            '<meta name="viewport" content="width=device-width, initial-scale=1">',
-            f"<title>{text(title)}</title><style>{STYLE}</style></head><body>",
-            *body,
-            "</body></html>\n",
-        ]
-    )
+    return report_page(title, language, body, STYLE)
 
 
 def figure(png: bytes, words: str, width_px: int, in_words: str) -> str:
