@@ -17,8 +17,8 @@ from typing import Any
 from . import signals
 from .context import Context
 from .executors import Executor, SingleThreadedExecutor
+from .graph import current_process
 from .node import Node
-from .process import current_process
 from .signals import SignalHandlerOptions
 from .task import Future
 

@@ -16,7 +16,7 @@ from typing import Any
 from .clock_type import ClockType
 from .duration import Duration
 from .exceptions import NotInitializedException
-from .process import current_process
+from .graph import current_process
 from .time import Time
 
 __all__ = ["Clock", "ClockChange", "ClockType", "JumpHandle", "JumpThreshold", "ROSClock", "TimeJump"]

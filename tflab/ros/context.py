@@ -15,8 +15,8 @@ from typing import Any
 
 from .arguments import Arguments, parse_arguments
 from .exceptions import RCLError
+from .graph import current_process
 from .logging import set_logger_level
-from .process import current_process
 
 __all__ = ["Context"]
 

@@ -20,7 +20,7 @@ from typing import Any
 
 from .context import Context
 from .entity import Entity, Kind
-from .process import current_process
+from .graph import current_process
 from .task import Future, Task, _executors_with_waiting_tasks
 
 __all__ = [

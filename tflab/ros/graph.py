@@ -27,11 +27,11 @@ from typing import Any
 
 from . import threads
 from .network import Link, Network
-from .process import Process, current_process, use_graph
+from .process import Process, process_here, use_graph
 from .virtual import EndlessLoop, VirtualTime
 from .wall import WallTime
 
-__all__ = ["Graph", "Participant", "current_graph", "new_graph"]
+__all__ = ["Graph", "Participant", "current_graph", "current_process", "new_graph"]
 
 # After Ctrl-C a participant may still tidy up, sleeping if need be, for this long.
 GRACE_NS = 10_000_000_000
@@ -254,6 +254,16 @@ def new_graph(virtual: bool = True) -> Graph:
     graph = Graph(virtual)
     use_graph(graph)
     return graph
+
+
+def current_process() -> Process:
+    """Return the process that this thread belongs to; where nobody lives yet, a graph in real time begins."""
+    process = process_here()
+    if process is None:
+        graph = Graph(virtual=False)
+        use_graph(graph)
+        return graph.main
+    return process
 
 
 def current_graph() -> Graph:

@@ -19,7 +19,7 @@ import sys
 from collections.abc import Callable
 from enum import IntEnum
 
-from .process import current_process
+from .graph import current_process
 
 __all__ = [
     "LoggingSeverity",

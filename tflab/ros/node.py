@@ -21,6 +21,7 @@ from .clock_type import ClockType
 from .context import Context
 from .entity import Entity
 from .exceptions import NotInitializedException
+from .graph import current_process
 from .logging import RcutilsLogger
 from .messages import rcl_interfaces
 from .names import expand_topic_name, full_node_name, validate_namespace, validate_node_name, validate_topic_name
@@ -28,7 +29,6 @@ from .node_entities import NodeEntities
 from .node_parameters import NodeParameters
 from .parameter import Parameter
 from .parameter_service import ParameterService
-from .process import current_process
 from .publisher import Publisher
 from .qos import (
     qos_profile_parameter_events,

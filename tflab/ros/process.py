@@ -16,12 +16,9 @@ from __future__ import annotations
 import sys
 import threading
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-if TYPE_CHECKING:
-    from .graph import Graph
-
-__all__ = ["Process", "current_process", "use_graph"]
+__all__ = ["Process", "process_here", "use_graph"]
 
 
 class Process:
@@ -29,7 +26,7 @@ class Process:
 
     Attributes:
         name: as reports say it.
-        graph: where it lives.
+        graph: the Graph that it lives in.
         argv: what `rclpy.init()` reads if it is given no arguments.
         contexts: those made in it, in order; the rest of ROS 2 hangs on them.
         default_context, global_executor: rclpy's two globals, None until needed.
@@ -37,7 +34,7 @@ class Process:
         loop: where it was found in an endless loop, as "file:line in function".
     """
 
-    def __init__(self, name: str, graph: Graph, argv: list[str] | None = None) -> None:
+    def __init__(self, name: str, graph: Any, argv: list[str] | None = None) -> None:
         self.name = name
         self.graph = graph
         self.argv = argv
@@ -141,23 +138,19 @@ class Process:
             raise KeyboardInterrupt
 
 
-_graph: Graph | None = None
+_graph: Any = None
 
 
-def use_graph(graph: Graph | None) -> Graph | None:
-    """Make `graph` the current one of this Python; return the one before."""
+def use_graph(graph: Any) -> Any:
+    """Make a Graph, or None, the current one of this Python; return the one before."""
     global _graph
     before, _graph = _graph, graph
     return before
 
 
-def current_process() -> Process:
-    """Return the process that this thread belongs to: its starter's, or the current graph's main one."""
+def process_here() -> Process | None:
+    """Return the process that this thread belongs to: its starter's, or the current graph's main one, if any."""
     process = getattr(threading.current_thread(), "tflab_process", None)
-    if process is not None:
-        return process
-    if _graph is None:
-        from .graph import Graph  # the graph is built from processes, so it cannot be imported above
-
-        use_graph(Graph(virtual=False))
-    return _graph.main
+    if process is None and _graph is not None:
+        return _graph.main
+    return process

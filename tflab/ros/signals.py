@@ -15,7 +15,7 @@ from enum import IntEnum
 from types import FrameType
 from typing import Any
 
-from .process import current_process
+from .graph import current_process
 
 __all__ = ["SignalHandlerOptions", "install_signal_handlers", "uninstall_signal_handlers"]
 

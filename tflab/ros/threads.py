@@ -13,7 +13,7 @@ from __future__ import annotations
 import threading
 import time
 
-from .process import current_process
+from .process import process_here
 
 __all__ = ["install", "uninstall"]
 
@@ -36,19 +36,19 @@ def uninstall() -> None:
 
 def sleep(seconds: float) -> None:
     """Sleep [s], on the time of whoever calls."""
-    process = current_process()
-    if process.driver.is_cooperative() or process.main_thread is threading.current_thread():
-        if seconds < 0:
-            raise ValueError("sleep length must be non-negative")
-        process.sleep(round(seconds * 1e9))
-    else:
+    process = process_here()
+    if process is None or not (process.driver.is_cooperative() or process.main_thread is threading.current_thread()):
         _sleep(seconds)
+        return
+    if seconds < 0:
+        raise ValueError("sleep length must be non-negative")
+    process.sleep(round(seconds * 1e9))
 
 
 def start(thread: threading.Thread) -> None:
     """Start a thread in the process of whoever calls."""
-    if not hasattr(thread, "tflab_process"):
-        process = current_process()
+    process = process_here()
+    if process is not None and not hasattr(thread, "tflab_process"):
         thread.tflab_process = process
         if process.driver.is_virtual and (process.driver.is_cooperative() or _spins(thread)):
             process.driver.adopt(thread, process)

@@ -13,6 +13,7 @@ from typing import Any
 from .clock import ROSClock
 from .clock_type import ClockType
 from .messages import rcl_interfaces, rosgraph_msgs
+from .node_parameters import NodeParameters
 from .parameter import Parameter
 from .qos import QoSProfile, ReliabilityPolicy
 from .time import Time
@@ -59,9 +60,7 @@ class TimeSource:
         Raises:
             TypeError: not a node.
         """
-        from .node import Node  # a node makes its time source, so it cannot be imported above
-
-        if not isinstance(node, Node):
+        if not isinstance(node, NodeParameters):
             raise TypeError("Node must be of type rclpy.node.Node")
         if self._node is not None:
             self.detach_node()

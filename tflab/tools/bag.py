@@ -20,8 +20,8 @@ from pathlib import Path
 from tflab.bags.errors import BagError
 from tflab.bags.record import STORAGES
 from tflab.ros import distro
+from tflab.ros.graph import current_process
 from tflab.ros.logging import get_logger
-from tflab.ros.process import current_process
 
 from .session import spin, spin_for, tool_node
 

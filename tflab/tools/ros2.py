@@ -167,7 +167,7 @@ def _plan_executable(words: Sequence[str], options: argparse.Namespace) -> Plan:
 
     def run(pictures: list[Any]) -> int:
         from tflab.ros.arguments import remove_ros_args
-        from tflab.ros.process import current_process
+        from tflab.ros.graph import current_process
 
         process = current_process()
         # rclpy.init() reads the --ros-args there; those that the process was started with come last.

@@ -20,10 +20,9 @@ from tflab.core import BufferCore
 from tflab.ros import client_library
 from tflab.ros.clock import JumpThreshold, TimeJump
 from tflab.ros.duration import Duration
-from tflab.ros.graph import Graph
+from tflab.ros.graph import Graph, current_process
 from tflab.ros.logging import RcutilsLogger
 from tflab.ros.node import Node
-from tflab.ros.process import current_process
 from tflab.ros.task import Future
 
 __all__ = [

@@ -99,7 +99,7 @@ def _on_bag(bag: str, words: Sequence[str], seconds: float | None) -> int:
 def _play(bag: str) -> None:
     """Play a bag without a word, after a moment in which others can begin to listen; then stay."""
     from tflab.bags.play import PlayOptions, play
-    from tflab.ros.process import current_process
+    from tflab.ros.graph import current_process
 
     from .session import spin, spin_for, tool_node
 

@@ -15,9 +15,9 @@ from typing import Any
 
 from ..clock import Clock, JumpThreshold, TimeJump
 from ..duration import Duration
+from ..graph import current_process
 from ..logging import get_logger
 from ..messages import geometry_msgs, tf2_msgs
-from ..process import current_process
 from ..task import Future
 from ..time import Time
 from .core import BufferCore
