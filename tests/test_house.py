@@ -78,7 +78,6 @@ NOT_YET_SIMPLE = {
 NOT_YET_SHORT = {"tflab.core.buffer"}
 NOT_YET_APART = {
     "tflab.core.batch", "tflab.core.buffer", "tflab.core.inspection", "tflab.core.snapshot", "tflab.core.velocity",
-    "tflab.ros.graph", "tflab.ros.process", "tflab.ros.threads", "tflab.ros.node", "tflab.ros.time_source",
 }  # fmt: skip
 
 LONGEST_PAGE = 400  # lines

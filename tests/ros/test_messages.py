@@ -51,7 +51,10 @@ TABLES = (
     tf2_msgs,
 )
 ALL_MESSAGES = [
-    getattr(table, name) for table in TABLES for name in table.__all__ if issubclass(getattr(table, name), Message)
+    value
+    for table in TABLES
+    for value in vars(table).values()
+    if isinstance(value, type) and issubclass(value, Message)
 ]
 
 

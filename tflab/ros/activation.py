@@ -2,8 +2,8 @@
 
     import rclpy  -->  sys.meta_path: [our finder, ...]  -->  tflab/ros/packages/rclpy/
 
-Without ROS 2 the names below belong to nobody, so `activate()` serves them from
-the folder `packages`.  Beside a real ROS 2 it stands aside, unless it is told
+Without ROS 2 the names of its packages belong to nobody, so `activate()` serves
+those that have a folder in `packages`.  Beside a real ROS 2 it stands aside, unless it is told
 otherwise; the choice is one environment variable:
 
     TFLAB_ROS=in-process    always ours
@@ -26,29 +26,13 @@ from . import threads
 
 __all__ = ["PACKAGES", "activate", "deactivate", "is_active"]
 
-PACKAGES = (
-    "builtin_interfaces",
-    "geometry_msgs",
-    "message_filters",
-    "nav_msgs",
-    "rcl_interfaces",
-    "rclpy",
-    "rosgraph_msgs",
-    "sensor_msgs",
-    "sensor_msgs_py",
-    "std_msgs",
-    "tf2_geometry_msgs",
-    "tf2_msgs",
-    "tf2_py",
-    "tf2_ros",
-    "tf2_sensor_msgs",
-)
 FOLDER = Path(__file__).parent / "packages"
+PACKAGES = tuple(sorted(face.parent.name for face in FOLDER.glob("*/__init__.py")))
 VARIABLE = "TFLAB_ROS"
 
 
 class _Finder:
-    """Finds exactly the packages of the table above, in our folder."""
+    """Finds exactly the packages that have a face in our folder."""
 
     def find_spec(self, name: str, path: object = None, target: object = None) -> ModuleSpec | None:
         if path is None and name in PACKAGES:

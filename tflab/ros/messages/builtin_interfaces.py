@@ -5,8 +5,6 @@ Read `std_msgs.py` next.
 
 from .base import message
 
-__all__ = ["Duration", "Time"]
-
 Time = message(
     "builtin_interfaces/msg/Time",
     """

@@ -8,37 +8,6 @@ Read `sensor_msgs.py` next.
 
 from .base import message
 
-__all__ = [
-    "Accel",
-    "AccelStamped",
-    "AccelWithCovariance",
-    "AccelWithCovarianceStamped",
-    "Point",
-    "Point32",
-    "PointStamped",
-    "Polygon",
-    "PolygonStamped",
-    "Pose",
-    "Pose2D",
-    "PoseArray",
-    "PoseStamped",
-    "PoseWithCovariance",
-    "PoseWithCovarianceStamped",
-    "Quaternion",
-    "QuaternionStamped",
-    "Transform",
-    "TransformStamped",
-    "Twist",
-    "TwistStamped",
-    "TwistWithCovariance",
-    "TwistWithCovarianceStamped",
-    "Vector3",
-    "Vector3Stamped",
-    "VelocityStamped",
-    "Wrench",
-    "WrenchStamped",
-]
-
 Vector3 = message(
     "geometry_msgs/msg/Vector3",
     """

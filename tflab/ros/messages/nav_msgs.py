@@ -5,13 +5,6 @@ Read `tf2_msgs.py` next.
 
 from .base import message
 
-__all__ = [
-    "MapMetaData",
-    "OccupancyGrid",
-    "Odometry",
-    "Path",
-]
-
 Odometry = message(
     "nav_msgs/msg/Odometry",
     """

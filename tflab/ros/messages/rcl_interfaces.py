@@ -5,29 +5,6 @@ Read `unique_identifier_msgs.py` next.
 
 from .base import message, service
 
-__all__ = [
-    "DescribeParameters",
-    "FloatingPointRange",
-    "GetLoggerLevels",
-    "GetParameterTypes",
-    "GetParameters",
-    "IntegerRange",
-    "ListParameters",
-    "ListParametersResult",
-    "Log",
-    "LoggerLevel",
-    "Parameter",
-    "ParameterDescriptor",
-    "ParameterEvent",
-    "ParameterType",
-    "ParameterValue",
-    "SetLoggerLevels",
-    "SetLoggerLevelsResult",
-    "SetParameters",
-    "SetParametersAtomically",
-    "SetParametersResult",
-]
-
 ParameterType = message(
     "rcl_interfaces/msg/ParameterType",
     """

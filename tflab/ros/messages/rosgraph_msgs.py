@@ -5,6 +5,4 @@ Read `rcl_interfaces.py` next.
 
 from .base import message
 
-__all__ = ["Clock"]
-
 Clock = message("rosgraph_msgs/msg/Clock", "builtin_interfaces/Time clock")

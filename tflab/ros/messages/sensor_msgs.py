@@ -5,19 +5,6 @@ Read `nav_msgs.py` next.
 
 from .base import message
 
-__all__ = [
-    "CameraInfo",
-    "CompressedImage",
-    "Image",
-    "Imu",
-    "JointState",
-    "LaserScan",
-    "PointCloud2",
-    "PointField",
-    "Range",
-    "RegionOfInterest",
-]
-
 LaserScan = message(
     "sensor_msgs/msg/LaserScan",
     """

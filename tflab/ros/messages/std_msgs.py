@@ -5,26 +5,6 @@ Read `geometry_msgs.py` next.
 
 from .base import message
 
-__all__ = [
-    "Bool",
-    "Byte",
-    "Char",
-    "ColorRGBA",
-    "Empty",
-    "Float32",
-    "Float64",
-    "Header",
-    "Int8",
-    "Int16",
-    "Int32",
-    "Int64",
-    "String",
-    "UInt8",
-    "UInt16",
-    "UInt32",
-    "UInt64",
-]
-
 Header = message(
     "std_msgs/msg/Header",
     """

@@ -5,13 +5,6 @@ Read `rosgraph_msgs.py` next.
 
 from .base import action, message, service
 
-__all__ = [
-    "FrameGraph",
-    "LookupTransform",
-    "TF2Error",
-    "TFMessage",
-]
-
 TFMessage = message("tf2_msgs/msg/TFMessage", "geometry_msgs/TransformStamped[] transforms")
 
 TF2Error = message(

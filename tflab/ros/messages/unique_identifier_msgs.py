@@ -5,6 +5,4 @@ Read `text.py` next.
 
 from .base import message
 
-__all__ = ["UUID"]
-
 UUID = message("unique_identifier_msgs/msg/UUID", "uint8[16] uuid")

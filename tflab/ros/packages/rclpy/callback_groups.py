@@ -1,9 +1,7 @@
 """rclpy.callback_groups"""
 
-from tflab.ros.callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
-
-__all__ = [
-    "CallbackGroup",
-    "MutuallyExclusiveCallbackGroup",
-    "ReentrantCallbackGroup",
-]
+from tflab.ros.callback_groups import (
+    CallbackGroup as CallbackGroup,
+    MutuallyExclusiveCallbackGroup as MutuallyExclusiveCallbackGroup,
+    ReentrantCallbackGroup as ReentrantCallbackGroup,
+)

@@ -1,7 +1,3 @@
 """rclpy.client"""
 
-from tflab.ros.service import Client
-
-__all__ = [
-    "Client",
-]
+from tflab.ros.service import Client as Client

@@ -1,7 +1,3 @@
 """rclpy.clock_type"""
 
-from tflab.ros.clock_type import ClockType
-
-__all__ = [
-    "ClockType",
-]
+from tflab.ros.clock_type import ClockType as ClockType

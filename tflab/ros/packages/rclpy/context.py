@@ -1,7 +1,3 @@
 """rclpy.context"""
 
-from tflab.ros.context import Context
-
-__all__ = [
-    "Context",
-]
+from tflab.ros.context import Context as Context

@@ -1,8 +1,6 @@
 """rclpy.duration"""
 
-from tflab.ros.duration import Duration, Infinite
-
-__all__ = [
-    "Duration",
-    "Infinite",
-]
+from tflab.ros.duration import (
+    Duration as Duration,
+    Infinite as Infinite,
+)

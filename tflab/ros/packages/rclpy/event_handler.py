@@ -1,8 +1,6 @@
 """rclpy.event_handler"""
 
-from tflab.ros.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
-
-__all__ = [
-    "PublisherEventCallbacks",
-    "SubscriptionEventCallbacks",
-]
+from tflab.ros.event_handler import (
+    PublisherEventCallbacks as PublisherEventCallbacks,
+    SubscriptionEventCallbacks as SubscriptionEventCallbacks,
+)

@@ -1,19 +1,10 @@
 """rclpy.executors"""
 
 from tflab.ros.executors import (
-    Executor,
-    ExternalShutdownException,
-    MultiThreadedExecutor,
-    ShutdownException,
-    SingleThreadedExecutor,
-    TimeoutException,
+    Executor as Executor,
+    ExternalShutdownException as ExternalShutdownException,
+    MultiThreadedExecutor as MultiThreadedExecutor,
+    ShutdownException as ShutdownException,
+    SingleThreadedExecutor as SingleThreadedExecutor,
+    TimeoutException as TimeoutException,
 )
-
-__all__ = [
-    "Executor",
-    "ExternalShutdownException",
-    "MultiThreadedExecutor",
-    "ShutdownException",
-    "SingleThreadedExecutor",
-    "TimeoutException",
-]

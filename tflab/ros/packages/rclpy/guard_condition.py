@@ -1,7 +1,3 @@
 """rclpy.guard_condition"""
 
-from tflab.ros.guard_condition import GuardCondition
-
-__all__ = [
-    "GuardCondition",
-]
+from tflab.ros.guard_condition import GuardCondition as GuardCondition

@@ -1,9 +1,4 @@
 """rclpy.node"""
 
-from tflab.ros.node import Node
-from tflab.ros.parameter import Parameter
-
-__all__ = [
-    "Node",
-    "Parameter",
-]
+from tflab.ros.node import Node as Node
+from tflab.ros.parameter import Parameter as Parameter

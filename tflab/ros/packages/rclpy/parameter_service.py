@@ -1,7 +1,3 @@
 """rclpy.parameter_service"""
 
-from tflab.ros.parameter_service import ParameterService
-
-__all__ = [
-    "ParameterService",
-]
+from tflab.ros.parameter_service import ParameterService as ParameterService

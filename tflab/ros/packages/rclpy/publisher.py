@@ -1,7 +1,3 @@
 """rclpy.publisher"""
 
-from tflab.ros.publisher import Publisher
-
-__all__ = [
-    "Publisher",
-]
+from tflab.ros.publisher import Publisher as Publisher

@@ -1,8 +1,6 @@
 """rclpy.serialization"""
 
-from tflab.ros.serialization import deserialize_message, serialize_message
-
-__all__ = [
-    "deserialize_message",
-    "serialize_message",
-]
+from tflab.ros.serialization import (
+    deserialize_message as deserialize_message,
+    serialize_message as serialize_message,
+)

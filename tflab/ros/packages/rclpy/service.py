@@ -1,7 +1,3 @@
 """rclpy.service"""
 
-from tflab.ros.service import Service
-
-__all__ = [
-    "Service",
-]
+from tflab.ros.service import Service as Service

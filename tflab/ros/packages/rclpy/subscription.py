@@ -1,7 +1,3 @@
 """rclpy.subscription"""
 
-from tflab.ros.subscription import Subscription
-
-__all__ = [
-    "Subscription",
-]
+from tflab.ros.subscription import Subscription as Subscription

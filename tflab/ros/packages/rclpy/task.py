@@ -1,8 +1,6 @@
 """rclpy.task"""
 
-from tflab.ros.task import Future, Task
-
-__all__ = [
-    "Future",
-    "Task",
-]
+from tflab.ros.task import (
+    Future as Future,
+    Task as Task,
+)

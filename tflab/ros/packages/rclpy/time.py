@@ -1,8 +1,6 @@
 """rclpy.time"""
 
-from tflab.ros.time import Duration, Time
-
-__all__ = [
-    "Duration",
-    "Time",
-]
+from tflab.ros.time import (
+    Duration as Duration,
+    Time as Time,
+)

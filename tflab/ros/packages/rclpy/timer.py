@@ -1,9 +1,7 @@
 """rclpy.timer"""
 
-from tflab.ros.timer import Rate, Timer, TimerInfo
-
-__all__ = [
-    "Rate",
-    "Timer",
-    "TimerInfo",
-]
+from tflab.ros.timer import (
+    Rate as Rate,
+    Timer as Timer,
+    TimerInfo as TimerInfo,
+)

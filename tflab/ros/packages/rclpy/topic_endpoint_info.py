@@ -1,8 +1,6 @@
 """rclpy.topic_endpoint_info"""
 
-from tflab.ros.graph_queries import TopicEndpointInfo, TopicEndpointTypeEnum
-
-__all__ = [
-    "TopicEndpointInfo",
-    "TopicEndpointTypeEnum",
-]
+from tflab.ros.graph_queries import (
+    TopicEndpointInfo as TopicEndpointInfo,
+    TopicEndpointTypeEnum as TopicEndpointTypeEnum,
+)

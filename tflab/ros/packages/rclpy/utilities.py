@@ -1,12 +1,9 @@
 """rclpy.utilities"""
 
-from tflab.ros.arguments import remove_ros_args
-from tflab.ros.client_library import get_default_context, ok, shutdown, try_shutdown
-
-__all__ = [
-    "get_default_context",
-    "ok",
-    "remove_ros_args",
-    "shutdown",
-    "try_shutdown",
-]
+from tflab.ros.arguments import remove_ros_args as remove_ros_args
+from tflab.ros.client_library import (
+    get_default_context as get_default_context,
+    ok as ok,
+    shutdown as shutdown,
+    try_shutdown as try_shutdown,
+)

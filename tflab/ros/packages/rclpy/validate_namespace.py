@@ -1,7 +1,3 @@
 """rclpy.validate_namespace"""
 
-from tflab.ros.names import validate_namespace
-
-__all__ = [
-    "validate_namespace",
-]
+from tflab.ros.names import validate_namespace as validate_namespace

@@ -1,7 +1,3 @@
 """rclpy.validate_topic_name"""
 
-from tflab.ros.names import validate_topic_name
-
-__all__ = [
-    "validate_topic_name",
-]
+from tflab.ros.names import validate_topic_name as validate_topic_name

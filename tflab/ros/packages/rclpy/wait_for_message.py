@@ -1,7 +1,3 @@
 """rclpy.wait_for_message"""
 
-from tflab.ros.wait_for_message import wait_for_message
-
-__all__ = [
-    "wait_for_message",
-]
+from tflab.ros.wait_for_message import wait_for_message as wait_for_message

@@ -1,7 +1,3 @@
 """tf2_ros.buffer"""
 
-from tflab.ros.tf2.buffer import Buffer
-
-__all__ = [
-    "Buffer",
-]
+from tflab.ros.tf2.buffer import Buffer as Buffer

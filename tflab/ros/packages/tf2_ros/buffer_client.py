@@ -1,7 +1,3 @@
 """tf2_ros.buffer_client"""
 
-from tflab.ros.tf2.client import BufferClient
-
-__all__ = [
-    "BufferClient",
-]
+from tflab.ros.tf2.client import BufferClient as BufferClient

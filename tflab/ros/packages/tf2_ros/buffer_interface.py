@@ -1,21 +1,11 @@
 """tf2_ros.buffer_interface"""
 
 from tflab.ros.tf2.interface import (
-    BufferInterface,
-    ConvertRegistration,
-    NotImplementedException,
-    Stamped,
-    TransformRegistration,
-    TypeException,
-    convert,
+    BufferInterface as BufferInterface,
+    ConvertRegistration as ConvertRegistration,
+    NotImplementedException as NotImplementedException,
+    Stamped as Stamped,
+    TransformRegistration as TransformRegistration,
+    TypeException as TypeException,
+    convert as convert,
 )
-
-__all__ = [
-    "BufferInterface",
-    "ConvertRegistration",
-    "NotImplementedException",
-    "Stamped",
-    "TransformRegistration",
-    "TypeException",
-    "convert",
-]

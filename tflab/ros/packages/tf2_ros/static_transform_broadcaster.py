@@ -1,7 +1,3 @@
 """tf2_ros.static_transform_broadcaster"""
 
-from tflab.ros.tf2.broadcaster import StaticTransformBroadcaster
-
-__all__ = [
-    "StaticTransformBroadcaster",
-]
+from tflab.ros.tf2.broadcaster import StaticTransformBroadcaster as StaticTransformBroadcaster

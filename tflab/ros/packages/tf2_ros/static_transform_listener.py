@@ -1,8 +1,6 @@
 """tf2_ros.static_transform_listener"""
 
-from tflab.ros.tf2.listener import DEFAULT_STATIC_TF_TOPIC, StaticTransformListener
-
-__all__ = [
-    "DEFAULT_STATIC_TF_TOPIC",
-    "StaticTransformListener",
-]
+from tflab.ros.tf2.listener import (
+    DEFAULT_STATIC_TF_TOPIC as DEFAULT_STATIC_TF_TOPIC,
+    StaticTransformListener as StaticTransformListener,
+)

@@ -1,7 +1,3 @@
 """tf2_ros.transform_broadcaster"""
 
-from tflab.ros.tf2.broadcaster import TransformBroadcaster
-
-__all__ = [
-    "TransformBroadcaster",
-]
+from tflab.ros.tf2.broadcaster import TransformBroadcaster as TransformBroadcaster

@@ -1,11 +1,6 @@
 """Messages of builtin_interfaces, in process."""
 
 from tflab.ros.messages.builtin_interfaces import (
-    Duration,
-    Time,
+    Duration as Duration,
+    Time as Time,
 )
-
-__all__ = [
-    "Duration",
-    "Time",
-]

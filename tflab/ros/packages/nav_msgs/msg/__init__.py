@@ -1,15 +1,8 @@
 """Messages of nav_msgs, in process."""
 
 from tflab.ros.messages.nav_msgs import (
-    MapMetaData,
-    OccupancyGrid,
-    Odometry,
-    Path,
+    MapMetaData as MapMetaData,
+    OccupancyGrid as OccupancyGrid,
+    Odometry as Odometry,
+    Path as Path,
 )
-
-__all__ = [
-    "MapMetaData",
-    "OccupancyGrid",
-    "Odometry",
-    "Path",
-]

@@ -1,23 +1,12 @@
 """Services of rcl_interfaces, in process."""
 
 from tflab.ros.messages.rcl_interfaces import (
-    DescribeParameters,
-    GetLoggerLevels,
-    GetParameters,
-    GetParameterTypes,
-    ListParameters,
-    SetLoggerLevels,
-    SetParameters,
-    SetParametersAtomically,
+    DescribeParameters as DescribeParameters,
+    GetLoggerLevels as GetLoggerLevels,
+    GetParameters as GetParameters,
+    GetParameterTypes as GetParameterTypes,
+    ListParameters as ListParameters,
+    SetLoggerLevels as SetLoggerLevels,
+    SetParameters as SetParameters,
+    SetParametersAtomically as SetParametersAtomically,
 )
-
-__all__ = [
-    "DescribeParameters",
-    "GetLoggerLevels",
-    "GetParameterTypes",
-    "GetParameters",
-    "ListParameters",
-    "SetLoggerLevels",
-    "SetParameters",
-    "SetParametersAtomically",
-]

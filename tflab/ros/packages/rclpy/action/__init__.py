@@ -1,6 +1,7 @@
 """rclpy.action: goals and results, in process.  See tflab.ros.action."""
 
-from .client import ActionClient
-from .server import ActionServer, GoalResponse
-
-__all__ = ["ActionClient", "ActionServer", "GoalResponse"]
+from .client import ActionClient as ActionClient
+from .server import (
+    ActionServer as ActionServer,
+    GoalResponse as GoalResponse,
+)

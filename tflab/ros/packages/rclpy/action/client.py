@@ -1,5 +1,6 @@
 """rclpy.action.client"""
 
-from tflab.ros.action import ActionClient, ClientGoalHandle
-
-__all__ = ["ActionClient", "ClientGoalHandle"]
+from tflab.ros.action import (
+    ActionClient as ActionClient,
+    ClientGoalHandle as ClientGoalHandle,
+)

@@ -1,5 +1,7 @@
 """rclpy.action.server"""
 
-from tflab.ros.action import ActionServer, GoalResponse, ServerGoalHandle
-
-__all__ = ["ActionServer", "GoalResponse", "ServerGoalHandle"]
+from tflab.ros.action import (
+    ActionServer as ActionServer,
+    GoalResponse as GoalResponse,
+    ServerGoalHandle as ServerGoalHandle,
+)

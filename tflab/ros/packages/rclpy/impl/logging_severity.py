@@ -1,7 +1,3 @@
 """rclpy.impl.logging_severity"""
 
-from tflab.ros.logging import LoggingSeverity
-
-__all__ = [
-    "LoggingSeverity",
-]
+from tflab.ros.logging import LoggingSeverity as LoggingSeverity

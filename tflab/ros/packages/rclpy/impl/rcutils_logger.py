@@ -1,7 +1,3 @@
 """rclpy.impl.rcutils_logger"""
 
-from tflab.ros.logging import RcutilsLogger
-
-__all__ = [
-    "RcutilsLogger",
-]
+from tflab.ros.logging import RcutilsLogger as RcutilsLogger

@@ -1,9 +1,3 @@
 """Messages of rosgraph_msgs, in process."""
 
-from tflab.ros.messages.rosgraph_msgs import (
-    Clock,
-)
-
-__all__ = [
-    "Clock",
-]
+from tflab.ros.messages.rosgraph_msgs import Clock as Clock

@@ -1,27 +1,14 @@
 """Messages of sensor_msgs, in process."""
 
 from tflab.ros.messages.sensor_msgs import (
-    CameraInfo,
-    CompressedImage,
-    Image,
-    Imu,
-    JointState,
-    LaserScan,
-    PointCloud2,
-    PointField,
-    Range,
-    RegionOfInterest,
+    CameraInfo as CameraInfo,
+    CompressedImage as CompressedImage,
+    Image as Image,
+    Imu as Imu,
+    JointState as JointState,
+    LaserScan as LaserScan,
+    PointCloud2 as PointCloud2,
+    PointField as PointField,
+    Range as Range,
+    RegionOfInterest as RegionOfInterest,
 )
-
-__all__ = [
-    "CameraInfo",
-    "CompressedImage",
-    "Image",
-    "Imu",
-    "JointState",
-    "LaserScan",
-    "PointCloud2",
-    "PointField",
-    "Range",
-    "RegionOfInterest",
-]

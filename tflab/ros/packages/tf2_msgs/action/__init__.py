@@ -1,9 +1,3 @@
 """Actions of tf2_msgs, in process."""
 
-from tflab.ros.messages.tf2_msgs import (
-    LookupTransform,
-)
-
-__all__ = [
-    "LookupTransform",
-]
+from tflab.ros.messages.tf2_msgs import LookupTransform as LookupTransform

@@ -1,9 +1,3 @@
 """Services of tf2_msgs, in process."""
 
-from tflab.ros.messages.tf2_msgs import (
-    FrameGraph,
-)
-
-__all__ = [
-    "FrameGraph",
-]
+from tflab.ros.messages.tf2_msgs import FrameGraph as FrameGraph

@@ -1,0 +1,1 @@
+"""unique_identifier_msgs, in process: see tflab.ros.messages.unique_identifier_msgs."""
