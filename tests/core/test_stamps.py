@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tflab.core import LATEST, format_stamp, sec_nanosec_from_stamp, seconds, stamp_from_sec_nanosec
+from tflab.core.stamps import seconds_typed
 
 
 @given(st.integers(-(10**9), 10**9))
@@ -48,3 +49,10 @@ def test_sec_and_nanosec_come_back_together(stamp_ns: int) -> None:
 )
 def test_stamps_are_printed_as_tf2_prints_them(stamp_ns: int, text: str) -> None:
     assert format_stamp(stamp_ns) == text
+
+
+@pytest.mark.parametrize("text", ["", "x", "0", "-1", "nan", "inf"])
+def test_what_somebody_typed_for_a_time_must_be_one(text: str) -> None:
+    assert seconds_typed("2.5") == 2.5
+    with pytest.raises(ValueError, match="needs a time in seconds"):
+        seconds_typed(text)

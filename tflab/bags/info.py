@@ -15,13 +15,13 @@ from datetime import datetime
 from pathlib import Path
 from typing import NamedTuple
 
+from tflab.core import NSEC_PER_SEC
 from tflab.ros import distro
 
 from .reader import open_bag
 
 __all__ = ["BagFacts", "bag_facts", "info_text"]
 
-NSEC_PER_SEC = 1_000_000_000
 INDENT = " " * len("Topic information: ")
 UNITS = ("B", "KiB", "MiB", "GiB", "TiB")
 

@@ -15,6 +15,7 @@ from heapq import merge
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from tflab.core import NSEC_PER_SEC
 from tflab.ros.messages.base import type_named
 from tflab.ros.messages.builtin_interfaces import Time
 from tflab.ros.messages.rosgraph_msgs import Clock
@@ -29,7 +30,6 @@ if TYPE_CHECKING:
 __all__ = ["Event", "PlayOptions", "events", "play"]
 
 CLOCK_TOPIC = "/clock"
-NSEC_PER_SEC = 1_000_000_000
 
 
 @dataclass(frozen=True, slots=True)

@@ -27,7 +27,7 @@ from pathlib import Path
 
 import numpy as np
 
-from tflab.core.stamps import NSEC_PER_SEC
+from tflab.core import stamp_from_sec_nanosec
 from tflab.progress_bar import ProgressBar
 
 from .errors import BagError
@@ -257,14 +257,14 @@ class _Collector:
     def _add_joints(self, connection, receive_ns: int, data: bytes) -> None:
         self._add_header(connection, receive_ns, data)
         state = self._deserialize(connection, data)
-        stamp_ns = state.header.stamp.sec * NSEC_PER_SEC + state.header.stamp.nanosec
+        stamp_ns = stamp_from_sec_nanosec(state.header.stamp.sec, state.header.stamp.nanosec)
         self._joints.setdefault(connection.topic, []).append((stamp_ns, tuple(state.name), tuple(state.position)))
 
     def _add_odometry(self, connection, receive_ns: int, data: bytes) -> None:
         self._add_header(connection, receive_ns, data)
         odometry = self._deserialize(connection, data)
         p, q = odometry.pose.pose.position, odometry.pose.pose.orientation
-        stamp_ns = odometry.header.stamp.sec * NSEC_PER_SEC + odometry.header.stamp.nanosec
+        stamp_ns = stamp_from_sec_nanosec(odometry.header.stamp.sec, odometry.header.stamp.nanosec)
         row = (odometry.header.frame_id, odometry.child_frame_id, stamp_ns, (p.x, p.y, p.z, q.x, q.y, q.z, q.w))
         self._odometry.setdefault(connection.topic, []).append(row)
 

@@ -12,6 +12,7 @@ from __future__ import annotations
 from functools import cache
 from typing import TYPE_CHECKING
 
+from tflab.core import NSEC_PER_SEC
 from tflab.ros.duration import Duration
 from tflab.ros.messages.values import message_from_object, object_from_message
 from tflab.ros.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoSProfile, ReliabilityPolicy
@@ -22,8 +23,6 @@ if TYPE_CHECKING:
     from tflab.ros.messages.base import Message
 
 __all__ = ["bytes_of", "message_of", "profile_of", "qos_of", "store"]
-
-NSEC_PER_SEC = 1_000_000_000
 
 
 @cache

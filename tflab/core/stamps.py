@@ -21,6 +21,7 @@ __all__ = [
     "format_stamp",
     "sec_nanosec_from_stamp",
     "seconds",
+    "seconds_typed",
     "stamp_from_sec_nanosec",
 ]
 
@@ -38,6 +39,21 @@ def seconds(value: float) -> int:
         raise ValueError(f"seconds({value!r}): a stamp must be a finite number of seconds")
     whole = math.floor(value)
     return int(whole) * NSEC_PER_SEC + round((value - whole) * NSEC_PER_SEC)
+
+
+def seconds_typed(text: str) -> float:
+    """Return the time [s] that somebody typed for how long something may take.
+
+    Raises:
+        ValueError: it is no number, or not one above zero.
+    """
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not 0.0 < value < math.inf:
+        raise ValueError(f"it needs a time in seconds, more than 0, not {text!r}")
+    return value
 
 
 def stamp_from_sec_nanosec(sec: int, nanosec: int) -> int:

@@ -13,7 +13,6 @@ from __future__ import annotations
 import argparse
 import contextlib
 import json
-import math
 import os
 import re
 import sys
@@ -24,6 +23,7 @@ from pathlib import Path
 from typing import Any
 
 from tflab import __version__
+from tflab.core.stamps import seconds_typed
 from tflab.workbook.whole_files import write_whole
 from tflab.workbook.words import Words
 
@@ -175,8 +175,7 @@ def _refuse(why: str) -> int:
 
 def _seconds(word: str) -> float:
     with contextlib.suppress(ValueError):
-        if 0 < float(word) < math.inf:
-            return float(word)
+        return seconds_typed(word)
     raise argparse.ArgumentTypeError(f"{word!r} is no number of seconds above 0")
 
 

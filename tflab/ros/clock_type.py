@@ -7,9 +7,7 @@ from __future__ import annotations
 
 from enum import IntEnum
 
-__all__ = ["NANOSECONDS_PER_SECOND", "ClockType"]
-
-NANOSECONDS_PER_SECOND = 1_000_000_000
+__all__ = ["ClockType"]
 
 
 class ClockType(IntEnum):

@@ -11,7 +11,7 @@ from __future__ import annotations
 import warnings
 from typing import Any
 
-from tflab.core import StampedTransform, Transform, sec_nanosec_from_stamp
+from tflab.core import NSEC_PER_SEC, StampedTransform, Transform, sec_nanosec_from_stamp, stamp_from_sec_nanosec
 from tflab.core.transforms import stamped_from_pose
 
 from .messages import builtin_interfaces, geometry_msgs, std_msgs
@@ -47,7 +47,7 @@ def duration_ns_from(duration: Any) -> int:
 
 def _nanoseconds(value: Any, what: str) -> int:
     try:
-        return value.sec * 1_000_000_000 + value.nanosec
+        return stamp_from_sec_nanosec(value.sec, value.nanosec)
     except AttributeError:
         pass
     try:
@@ -96,10 +96,10 @@ def stampeds_from_plain_msgs(msgs: list) -> list[StampedTransform] | None:
         if (
             tuple(map(type, pose)) != _SEVEN_FLOATS
             or (type(frame_id), type(child_frame_id), type(sec), type(nanosec)) != _NAMES_AND_STAMP
-            or not (0 <= sec < 2**31 and 0 <= nanosec < 1_000_000_000)
+            or not (0 <= sec < 2**31 and 0 <= nanosec < NSEC_PER_SEC)
         ):
             return None
-        stampeds.append(stamped_from_pose(frame_id, child_frame_id, sec * 1_000_000_000 + nanosec, pose))
+        stampeds.append(stamped_from_pose(frame_id, child_frame_id, sec * NSEC_PER_SEC + nanosec, pose))
     return stampeds
 
 

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import math
 
-from .clock_type import NANOSECONDS_PER_SECOND
+from tflab.core import NSEC_PER_SEC
+
 from .messages import builtin_interfaces
 
 __all__ = ["Duration", "Infinite"]
@@ -25,7 +26,7 @@ class Duration:
     __hash__ = None  # as in rclpy, which defines == alone
 
     def __init__(self, *, seconds: float = 0, nanoseconds: int = 0) -> None:
-        total = int(seconds * NANOSECONDS_PER_SECOND) + int(nanoseconds)
+        total = int(seconds * NSEC_PER_SEC) + int(nanoseconds)
         if not INT64_MIN <= total <= INT64_MAX:
             raise OverflowError("Total nanoseconds value is too large to store in C duration.")
         self._nanoseconds = total
@@ -82,7 +83,7 @@ class Duration:
 
     def to_msg(self) -> builtin_interfaces.Duration:
         """Return the message; -0.5 s is sec -1 and nanosec 500000000."""
-        sec, nanosec = divmod(self._nanoseconds, NANOSECONDS_PER_SECOND)
+        sec, nanosec = divmod(self._nanoseconds, NSEC_PER_SEC)
         return builtin_interfaces.Duration(sec=sec, nanosec=nanosec)
 
     @classmethod

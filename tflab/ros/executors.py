@@ -18,6 +18,8 @@ from collections import deque
 from collections.abc import Callable
 from typing import Any
 
+from tflab.core import NSEC_PER_SEC
+
 from .context import Context
 from .entity import Entity, Kind
 from .graph import current_process
@@ -191,7 +193,7 @@ class Executor:
         future.add_done_callback(lambda _: self.wake())
         until_ns = self._until_ns(timeout_sec)
         while self._context.ok() and not future.done() and not self._is_shutdown:
-            left_s = None if until_ns is None else max(0, until_ns - self._driver.steady_ns()) / 1e9
+            left_s = None if until_ns is None else max(0, until_ns - self._driver.steady_ns()) / NSEC_PER_SEC
             self.spin_once_until_future_complete(future, left_s)
             if until_ns is not None and self._driver.steady_ns() >= until_ns:
                 return
@@ -199,7 +201,7 @@ class Executor:
     def _until_ns(self, timeout_sec: float | None) -> int | None:
         if timeout_sec is None or timeout_sec < 0:
             return None
-        return self._driver.steady_ns() + round(timeout_sec * 1e9)
+        return self._driver.steady_ns() + round(timeout_sec * NSEC_PER_SEC)
 
     def _execute(self, handler: Callable[[], None]) -> None:
         raise NotImplementedError

@@ -25,6 +25,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from tflab.core import NSEC_PER_SEC
+
 from . import threads
 from .network import Link, Network
 from .process import Process, process_here, use_graph
@@ -156,9 +158,9 @@ class Graph:
         if not seconds >= 0:
             raise ValueError(f"time cannot run back: seconds={seconds}")
         if self.driver.is_virtual:
-            self._advance(round(seconds * 1e9))
+            self._advance(round(seconds * NSEC_PER_SEC))
         else:
-            self.main.sleep(round(seconds * 1e9))
+            self.main.sleep(round(seconds * NSEC_PER_SEC))
 
     def stop(self, participant: Participant | None = None) -> None:
         """Interrupt one participant, or all, as Ctrl-C does, and wait until they have ended.
@@ -173,7 +175,7 @@ class Graph:
             self._advance(GRACE_NS, lambda: not any(each.is_running for each in concerned), stop=False)
         else:
             for each in concerned:
-                each.main_thread.join(GRACE_NS / 1e9 / len(concerned))
+                each.main_thread.join(GRACE_NS / NSEC_PER_SEC / len(concerned))
         for each in concerned:
             if each.is_running:
                 print(f'participant "{each.name}" went on after it was interrupted, and was ended.', file=sys.stderr)
@@ -201,13 +203,15 @@ class Graph:
             raise ValueError(f'a topic of the graph has an absolute name: "/{topic}", not "{topic}"')
         link = None
         if delay or jitter or loss:
-            link = Link(round(delay * 1e9), round(jitter * 1e9), loss, random.Random(f"{seed} {topic}"))
+            link = Link(
+                round(delay * NSEC_PER_SEC), round(jitter * NSEC_PER_SEC), loss, random.Random(f"{seed} {topic}")
+            )
         self.network.topic(topic).link = link
 
     def set_clock_offset(self, node_name: str, seconds: float) -> None:
         """Set the clock of a node wrong by `seconds` [s], as on a machine whose clock is: now and when it comes."""
         full_name = node_name if node_name.startswith("/") else f"/{node_name}"
-        self._offsets_ns[full_name] = round(seconds * 1e9)
+        self._offsets_ns[full_name] = round(seconds * NSEC_PER_SEC)
         for node in self.network.nodes:
             if node.get_fully_qualified_name() == full_name:
                 node.get_clock().offset_ns = self._offsets_ns[full_name]

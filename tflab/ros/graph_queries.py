@@ -9,6 +9,8 @@ from dataclasses import dataclass
 from enum import IntEnum
 from typing import Any
 
+from tflab.core import NSEC_PER_SEC
+
 from . import distro
 from .arguments import Arguments, parse_arguments
 from .context import Context
@@ -125,7 +127,7 @@ class GraphQueries:
         name = fully_qualified_node_name
         name = name if name.startswith("/") else f"/{name}"
         process = self.context.process
-        until_ns = process.driver.steady_ns() + round(timeout * 1e9)
+        until_ns = process.driver.steady_ns() + round(timeout * NSEC_PER_SEC)
         while name not in self.get_fully_qualified_node_names():
             if process.driver.steady_ns() >= until_ns:
                 return False

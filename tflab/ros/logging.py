@@ -19,6 +19,8 @@ import sys
 from collections.abc import Callable
 from enum import IntEnum
 
+from tflab.core import NSEC_PER_SEC
+
 from .graph import current_process
 
 __all__ = [
@@ -195,7 +197,7 @@ class RcutilsLogger:
         if period_s is not None:
             clock = options.get("throttle_time_source_type")
             now_ns = clock.now().nanoseconds if clock else current_process().driver.now_ns()
-            if "last_ns" in site and now_ns < site["last_ns"] + period_s * 1e9:
+            if "last_ns" in site and now_ns < site["last_ns"] + period_s * NSEC_PER_SEC:
                 return False
             site["last_ns"] = now_ns
         return True
@@ -216,7 +218,7 @@ def _checked(options: dict) -> dict:
 
 def print_line(severity: LoggingSeverity, name: str, message: str, now_ns: int) -> None:
     """Print one line in ROS 2's console format."""
-    sec, nanosec = divmod(now_ns, 1_000_000_000)
+    sec, nanosec = divmod(now_ns, NSEC_PER_SEC)
     to_stdout = _stdout or os.environ.get("RCUTILS_LOGGING_USE_STDOUT") == "1"
     stream = sys.stdout if to_stdout else sys.stderr
     print(f"[{severity.name}] [{sec}.{nanosec:09d}] [{name}]: {message}", file=stream, flush=True)

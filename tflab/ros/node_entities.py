@@ -8,6 +8,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any
 
+from tflab.core import NSEC_PER_SEC
+
 from .callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup
 from .clock import Clock
 from .exceptions import NoTypeSupportImportedException
@@ -128,7 +130,7 @@ class NodeEntities:
         autostart: bool = True,
     ) -> Timer:
         """Return a timer that calls back every `timer_period_sec` [s] of `clock`, the node's own if None."""
-        period_ns = int(float(timer_period_sec) * 1e9)
+        period_ns = int(float(timer_period_sec) * NSEC_PER_SEC)
         if period_ns < 0:
             raise ValueError(f"the period of a timer cannot be negative: {timer_period_sec}")
         group = callback_group or self._default_callback_group

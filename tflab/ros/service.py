@@ -14,6 +14,8 @@ from collections import deque
 from collections.abc import Callable, Coroutine
 from typing import Any
 
+from tflab.core import NSEC_PER_SEC
+
 from .entity import Entity, Kind
 from .messages import copy_message
 from .qos import QoSProfile
@@ -121,7 +123,7 @@ class Client(Entity):
         waiter = process.driver.new_waiter()
         future = self.call_async(request)
         future.add_done_callback(lambda _: waiter.wake())
-        duration_ns = None if timeout_sec is None else round(timeout_sec * 1e9)
+        duration_ns = None if timeout_sec is None else round(timeout_sec * NSEC_PER_SEC)
         if not process.wait_until(future.done, waiter, duration_ns):
             return None
         return future.result()
@@ -155,7 +157,7 @@ class Client(Entity):
     def wait_for_service(self, timeout_sec: float | None = None) -> bool:
         """Block until somebody answers, at most `timeout_sec` [s]; return whether somebody does."""
         process, context = self.node.context.process, self.node.context
-        until_ns = None if timeout_sec is None else process.driver.steady_ns() + round(timeout_sec * 1e9)
+        until_ns = None if timeout_sec is None else process.driver.steady_ns() + round(timeout_sec * NSEC_PER_SEC)
         while context.ok() and not self.service_is_ready():
             if until_ns is not None and process.driver.steady_ns() >= until_ns:
                 return False

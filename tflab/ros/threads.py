@@ -13,6 +13,8 @@ from __future__ import annotations
 import threading
 import time
 
+from tflab.core import NSEC_PER_SEC
+
 from .process import process_here
 
 __all__ = ["install", "uninstall"]
@@ -42,7 +44,7 @@ def sleep(seconds: float) -> None:
         return
     if seconds < 0:
         raise ValueError("sleep length must be non-negative")
-    process.sleep(round(seconds * 1e9))
+    process.sleep(round(seconds * NSEC_PER_SEC))
 
 
 def start(thread: threading.Thread) -> None:
@@ -59,7 +61,7 @@ def join(thread: threading.Thread, timeout: float | None = None) -> None:
     """Wait for a thread, on the time of whoever calls."""
     strand = getattr(thread, "tflab_strand", None)
     if strand is not None and not strand.is_finished:
-        strand.process.driver.join(strand, None if timeout is None else round(timeout * 1e9))
+        strand.process.driver.join(strand, None if timeout is None else round(timeout * NSEC_PER_SEC))
         if not strand.is_finished:
             return  # the timeout is over, in the graph's time
     _join(thread, timeout)

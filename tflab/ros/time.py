@@ -9,7 +9,9 @@ a float of seconds is truncated.  Read `process.py` next.
 
 from __future__ import annotations
 
-from .clock_type import NANOSECONDS_PER_SECOND, ClockType
+from tflab.core import NSEC_PER_SEC
+
+from .clock_type import ClockType
 from .duration import INT64_MAX, Duration
 from .messages import builtin_interfaces
 
@@ -31,7 +33,7 @@ class Time:
             raise ValueError("Seconds value must not be negative")
         if nanoseconds < 0:
             raise ValueError("Nanoseconds value must not be negative")
-        total = int(seconds * NANOSECONDS_PER_SECOND) + int(nanoseconds)
+        total = int(seconds * NSEC_PER_SEC) + int(nanoseconds)
         if total > INT64_MAX:
             raise OverflowError("Total nanoseconds value is too large to store in C time point.")
         self._nanoseconds = total
@@ -49,7 +51,7 @@ class Time:
 
     def seconds_nanoseconds(self) -> tuple[int, int]:
         """Return (whole seconds, remaining nanoseconds)."""
-        return divmod(self._nanoseconds, NANOSECONDS_PER_SECOND)
+        return divmod(self._nanoseconds, NSEC_PER_SEC)
 
     def __repr__(self) -> str:
         return f"Time(nanoseconds={self._nanoseconds}, clock_type={self._clock_type.name})"
@@ -101,7 +103,7 @@ class Time:
 
     def to_msg(self) -> builtin_interfaces.Time:
         """Return the message, as for header.stamp."""
-        sec, nanosec = divmod(self._nanoseconds, NANOSECONDS_PER_SECOND)
+        sec, nanosec = divmod(self._nanoseconds, NSEC_PER_SEC)
         return builtin_interfaces.Time(sec=sec, nanosec=nanosec)
 
     @classmethod

@@ -30,6 +30,8 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
+from tflab.core import NSEC_PER_SEC
+
 __all__ = ["START_NS", "EndlessLoop", "VirtualTime", "counting_ctrl_c", "place_of", "raise_in"]
 
 START_NS = 1_000_000_000  # one second: readable stamps, and never 0, which tf2 takes for "latest"
@@ -273,7 +275,7 @@ class VirtualTime:
             left_ns = until_ns + self._pace_ns - time.monotonic_ns()
             if left_ns <= 0:
                 break
-            time.sleep(min(left_ns / 1e9, SLICE_S))
+            time.sleep(min(left_ns / NSEC_PER_SEC, SLICE_S))
         self._now_ns = max(self._now_ns, until_ns)
 
     @contextmanager

@@ -11,6 +11,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from tflab.core import NSEC_PER_SEC
+
 from .messages import copy_message
 from .messages.base import Message
 from .network import Sample
@@ -50,7 +52,7 @@ def wait_for_message(
         msg_type, topic, lambda message: None, qos_profile, subscription_class=_FirstOnly
     )
     subscription.waiter = process.driver.new_waiter()
-    limit_ns = None if time_to_wait < 0 else round(time_to_wait * 1e9)
+    limit_ns = None if time_to_wait < 0 else round(time_to_wait * NSEC_PER_SEC)
     try:
         process.wait_until(
             lambda: subscription.first is not None or not node.context.ok(), subscription.waiter, limit_ns

@@ -11,6 +11,8 @@ import time
 from collections.abc import Callable
 from contextlib import AbstractContextManager, nullcontext
 
+from tflab.core import NSEC_PER_SEC
+
 __all__ = ["WallTime"]
 
 # Some systems do not see Ctrl-C while a thread waits, so nobody waits for longer than this at a time.
@@ -33,7 +35,7 @@ class WallWaiter:
 
     def wait(self, duration_ns: int | None) -> None:
         """Block until woken, or for `duration_ns` [ns]."""
-        until_s = None if duration_ns is None else time.perf_counter() + duration_ns / 1e9
+        until_s = None if duration_ns is None else time.perf_counter() + duration_ns / NSEC_PER_SEC
         while not self._event.is_set():
             left_s = LONGEST_WAIT_S if until_s is None else until_s - time.perf_counter()
             if left_s <= 0.0:
@@ -66,7 +68,7 @@ class WallTime:
 
     def call_after(self, delay_ns: int, action: Callable[[], None]) -> None:
         """Have `action` called in `delay_ns` [ns], from another thread."""
-        timer = threading.Timer(delay_ns / 1e9, action)
+        timer = threading.Timer(delay_ns / NSEC_PER_SEC, action)
         timer.daemon = True
         timer.start()
 

@@ -19,6 +19,7 @@ from pathlib import Path
 
 from tflab.bags.errors import BagError
 from tflab.bags.record import STORAGES
+from tflab.core import NSEC_PER_SEC
 from tflab.ros import distro
 from tflab.ros.graph import current_process
 from tflab.ros.logging import get_logger
@@ -127,7 +128,7 @@ def play(options: argparse.Namespace) -> str | None:
         def wait_until(after_ns: int) -> None:
             left_ns = begin_ns + after_ns - driver.steady_ns()
             if left_ns > 0:
-                spin_for(node, left_ns / 1e9)
+                spin_for(node, left_ns / NSEC_PER_SEC)
 
         log(f"Set rate to {options.rate:g}")
         log("Adding keyboard callbacks.")
@@ -159,7 +160,7 @@ def _filter(options: argparse.Namespace, topics: list[str]):
 
 
 def _dated_name() -> str:
-    now = datetime.fromtimestamp(current_process().driver.now_ns() / 1e9)
+    now = datetime.fromtimestamp(current_process().driver.now_ns() / NSEC_PER_SEC)
     return f"rosbag2_{now:%Y_%m_%d-%H_%M_%S}"
 
 

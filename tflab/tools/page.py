@@ -16,6 +16,7 @@ import shlex
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
+from tflab.core.stamps import seconds_typed
 from tflab.ros.graph import Graph
 
 from . import ros2
@@ -67,18 +68,13 @@ def split_line(line: str) -> tuple[float | None, list[str]]:
     if words and words[0].partition("=")[0] == "--for":
         first = words.pop(0)
         text = first.partition("=")[2] if "=" in first else words.pop(0) if words else ""
-        seconds = _seconds(text)
+        try:
+            seconds = seconds_typed(text)
+        except ValueError:
+            raise LineError(
+                f"--for needs a time in seconds, such as `%ros2 --for 3 topic hz /tf`, not {text!r}"
+            ) from None
     return seconds, ["run", "rviz2", *words] if words[:1] == ["rviz2"] else words
-
-
-def _seconds(text: str) -> float:
-    try:
-        seconds = float(text)
-    except ValueError:
-        seconds = -1.0
-    if not 0 <= seconds < float("inf"):
-        raise LineError(f"--for needs a time in seconds, such as `%ros2 --for 3 topic hz /tf`, not {text!r}")
-    return seconds
 
 
 def run_words(

@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from tflab.core import BufferCore, Transform
+from tflab.core import NSEC_PER_SEC, BufferCore, Transform, stamp_from_sec_nanosec
 from tflab.ros.graph import Graph, current_graph
 from tflab.ros.messages import geometry_msgs, nav_msgs, sensor_msgs, std_msgs
 from tflab.ros.node import Node
@@ -133,7 +133,7 @@ def _display(topic: str, message_type: type, messages: list[Any], decay_s: float
         return Display("RobotModel", RobotModel(links), topic)
     values = [_value(message) for message in messages]
     newest_ns = max((value.stamp_ns for value in values), default=0)
-    shown = tuple(value for value in values if newest_ns - value.stamp_ns <= decay_s * 1e9)
+    shown = tuple(value for value in values if newest_ns - value.stamp_ns <= decay_s * NSEC_PER_SEC)
     kind = "Map" if message_type is nav_msgs.OccupancyGrid else message_type.__name__
     return Display(kind, shown if decay_s else shown[-1:], topic)
 
@@ -143,7 +143,7 @@ def _value(message: Any) -> Any:
     from tflab.views.rviz_status import LaserScan, MapCells, Path, PointCloud2
 
     stamp = message.header.stamp
-    head = (message.header.frame_id, stamp.sec * 1_000_000_000 + stamp.nanosec)
+    head = (message.header.frame_id, stamp_from_sec_nanosec(stamp.sec, stamp.nanosec))
     match message:
         case sensor_msgs.LaserScan():
             ranges = np.array(message.ranges, dtype=float)

@@ -16,7 +16,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any
 
-from tflab.core import BufferCore
+from tflab.core import NSEC_PER_SEC, BufferCore
 from tflab.ros import client_library
 from tflab.ros.clock import JumpThreshold, TimeJump
 from tflab.ros.duration import Duration
@@ -117,11 +117,11 @@ def spin_for(node: Node, duration_s: float) -> None:
     """
     executor, driver = client_library.get_global_executor(), current_process().driver
     executor.add_node(node)
-    until_ns = driver.steady_ns() + round(duration_s * 1e9)
+    until_ns = driver.steady_ns() + round(duration_s * NSEC_PER_SEC)
     while (left_ns := until_ns - driver.steady_ns()) > 0:
         if not node.context.ok():
             raise KeyboardInterrupt
-        executor.spin_once(timeout_sec=left_ns / 1e9)
+        executor.spin_once(timeout_sec=left_ns / NSEC_PER_SEC)
 
 
 def spin_until_done(node: Node, future: Future) -> None:

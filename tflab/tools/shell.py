@@ -19,6 +19,9 @@ import sys
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from tflab.core import NSEC_PER_SEC
+from tflab.core.stamps import seconds_typed
+
 from . import ros2 as ros2_words
 from .page import words_of_line
 
@@ -79,7 +82,7 @@ def _on_bag(bag: str, words: Sequence[str], seconds: float | None) -> int:
     from .page import run_words
 
     try:
-        bag_s = bag_facts(bag).duration_ns / 1e9
+        bag_s = bag_facts(bag).duration_ns / NSEC_PER_SEC
     except BagError as fault:
         print(f"tflab ros2: {fault}", file=sys.stderr)
         return 2
@@ -105,10 +108,10 @@ def _play(bag: str) -> None:
 
     with tool_node("rosbag2_player") as node:
         driver = current_process().driver
-        begin_ns = driver.steady_ns() + round(HEAD_START_S * 1e9)
+        begin_ns = driver.steady_ns() + round(HEAD_START_S * NSEC_PER_SEC)
 
         def wait_until(after_ns: int) -> None:
-            spin_for(node, (begin_ns + after_ns - driver.steady_ns()) / 1e9)
+            spin_for(node, (begin_ns + after_ns - driver.steady_ns()) / NSEC_PER_SEC)
 
         play(node, bag, PlayOptions(clock_hz=CLOCK_HZ), wait_until)
         spin(node)
@@ -152,12 +155,9 @@ class _WithItsName(argparse.Action):
 
 def _seconds(text: str) -> float:
     try:
-        value = float(text)
-    except ValueError:
-        value = 0.0
-    if not 0 < value < float("inf"):
-        raise argparse.ArgumentTypeError(f"it needs a time in seconds, more than 0, not {text!r}")
-    return value
+        return seconds_typed(text)
+    except ValueError as fault:
+        raise argparse.ArgumentTypeError(str(fault)) from None
 
 
 def _words_of(line: str) -> list[str]:

@@ -16,7 +16,7 @@ import math
 import sys
 from collections.abc import Sequence
 
-from tflab.core import LATEST, StampedTransform, TransformException, sec_nanosec_from_stamp
+from tflab.core import LATEST, NSEC_PER_SEC, StampedTransform, TransformException, sec_nanosec_from_stamp
 from tflab.core.quaternions import to_matrix
 from tflab.ros import distro
 
@@ -117,6 +117,6 @@ def _echo(source: str, target: str, period_s: float) -> int:
                 stamped = core.lookup_transform(source, target, LATEST)
                 print(echo_text(stamped, distro.current().names_quaternion_order), flush=True)
             except TransformException as fault:
-                now_s = node.get_clock().now().nanoseconds / 1e9
+                now_s = node.get_clock().now().nanoseconds / NSEC_PER_SEC
                 print(failure_text(now_s, str(fault), core.all_frames_as_string()), flush=True)
             spin_for(node, period_s)

@@ -20,7 +20,7 @@ from collections import deque
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from tflab.core import LATEST, BufferCore, TransformException
+from tflab.core import LATEST, NSEC_PER_SEC, BufferCore, TransformException
 from tflab.ros.node import Node
 
 from .numbers_as_in_c import general
@@ -129,7 +129,7 @@ def _watch(node: Node, core: BufferCore, frame_a: str = "", frame_b: str = "") -
         for _ in range(LOOKS_PER_REPORT):
             if net is not None:
                 stamp_ns = core.lookup_transform(frame_a, frame_b, LATEST).stamp_ns
-                net.add((node.get_clock().now().nanoseconds - stamp_ns) / 1e9)
+                net.add((node.get_clock().now().nanoseconds - stamp_ns) / NSEC_PER_SEC)
             spin_for(node, LOOK_EVERY_S)
         print(results_heading(chain or (), net), "", "Frames:", *frame_lines(delays, chain), sep="\n", flush=True)
         print("\nAll Broadcasters:", file=sys.stderr, flush=True)
@@ -145,9 +145,9 @@ def _listen(node: Node) -> Delays:
     delays = Delays()
 
     def on_message(message: TFMessage) -> None:
-        now_s = node.get_clock().now().nanoseconds / 1e9
+        now_s = node.get_clock().now().nanoseconds / NSEC_PER_SEC
         headers = [(each.child_frame_id, each.header.stamp) for each in message.transforms]
-        delays.hear(now_s, [(child, stamp.sec + stamp.nanosec / 1e9) for child, stamp in headers])
+        delays.hear(now_s, [(child, stamp.sec + stamp.nanosec / NSEC_PER_SEC) for child, stamp in headers])
 
     node.create_subscription(TFMessage, "/tf", on_message, QoSProfile(depth=100))
     static = QoSProfile(depth=100, durability=DurabilityPolicy.TRANSIENT_LOCAL)

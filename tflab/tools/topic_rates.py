@@ -14,7 +14,7 @@ import math
 from collections import deque
 from collections.abc import Sequence
 
-from tflab.core import NSEC_PER_SEC
+from tflab.core import NSEC_PER_SEC, stamp_from_sec_nanosec
 from tflab.ros.node import Node
 
 from .discovery import add_discovery_options, topic_class, types_of
@@ -137,7 +137,7 @@ def delay(options: argparse.Namespace) -> str | None:
             stamp = message.header.stamp
             heard[0] += 1
             if heard[0] > 1:  # upstream's first message only starts the clock
-                delays_ns.append(node.get_clock().now().nanoseconds - stamp.sec * NSEC_PER_SEC - stamp.nanosec)
+                delays_ns.append(node.get_clock().now().nanoseconds - stamp_from_sec_nanosec(stamp.sec, stamp.nanosec))
 
         def report() -> None:
             if delays_ns and heard[0] == heard[1]:

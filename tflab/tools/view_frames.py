@@ -23,6 +23,7 @@ from typing import Any
 
 import yaml
 
+from tflab.core import NSEC_PER_SEC
 from tflab.ros.node import Node
 from tflab.views.tree import TreePicture, draw_tree
 
@@ -108,7 +109,7 @@ def _view(node: Node, options: argparse.Namespace, pictures: list[Any]) -> int:
     sec, nanosec = now.seconds_nanoseconds()
     picture = draw_tree(buffer.core.snapshot(), now.nanoseconds, title="view_frames Result")
     try:
-        write_pictures(stem, dot_from_frames(yaml.safe_load(answer.frame_yaml), sec + nanosec / 1e9), picture)
+        write_pictures(stem, dot_from_frames(yaml.safe_load(answer.frame_yaml), sec + nanosec / NSEC_PER_SEC), picture)
     except OSError as fault:
         print(f"{fault.filename}: cannot be written ({fault.strerror})", file=sys.stderr)
         return 1
@@ -120,4 +121,4 @@ def _view(node: Node, options: argparse.Namespace, pictures: list[Any]) -> int:
 def _dated_name(driver) -> str:
     """Return the name with date and time: local time on a wall clock, since 1970 on a virtual one."""
     zone = timezone.utc if driver.is_virtual else None
-    return datetime.fromtimestamp(driver.now_ns() / 1e9, zone).strftime("frames_%Y-%m-%d_%H.%M.%S")
+    return datetime.fromtimestamp(driver.now_ns() / NSEC_PER_SEC, zone).strftime("frames_%Y-%m-%d_%H.%M.%S")

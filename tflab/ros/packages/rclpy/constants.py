@@ -1,3 +1,5 @@
 """rclpy.constants"""
 
-S_TO_NS = 1000 * 1000 * 1000
+from tflab.core import NSEC_PER_SEC
+
+S_TO_NS = NSEC_PER_SEC
