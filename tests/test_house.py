@@ -67,12 +67,12 @@ SHARED_NAMES = {
     "TimeoutException": "rclpy's class, and tf2's",
 }
 NOT_YET_UNIQUE = {
-    "Box", "Command", "Edge", "Fault", "Kernel", "Label", "Link", "Mesh", "Message",
-    "PageError", "Path", "Sample", "Scene", "Tree",
+    "Box", "Edge", "Fault", "Kernel", "Label", "Mesh", "Message",
+    "Path", "Scene", "Tree",
 }  # fmt: skip
 NOT_YET_SIMPLE = {
-    "_by_learner", "_cells", "_draw_lanes", "_new_round", "_output_faults", "_pairs", "_reply",
-    "_source", "_special", "_task", "build", "collect", "credited", "declare_parameter",
+    "_by_learner", "_cells", "_draw_lanes", "_output_faults", "_pairs", "_reply",
+    "_source", "_special", "_task", "build", "collect", "credited", 
     "find_path", "plan", "pose_of", "slides_of",
 }  # fmt: skip
 NOT_YET_SHORT = {"tflab.core.buffer"}

@@ -12,7 +12,7 @@ from rosbags.typesys import Stores, get_typestore
 
 from tflab.bags.errors import BagError
 from tflab.bags.reader import read_bag
-from tflab.bags.recording import Label
+from tflab.bags.recording import TransformLabel
 
 
 @pytest.mark.parametrize("storage", ["MCAP", "SQLITE3"])
@@ -21,8 +21,8 @@ def test_a_rosbag2_is_read_as_it_was_written(tmp_path, storage):
     recording = read_bag(write_rosbag2(tmp_path / "drive", rows, storage=storage))
     table = recording.transforms
     assert table.labels == (
-        Label("/tf_static", "", "base_link", "laser_frame", True),
-        Label("/tf", "", "odom", "base_link", False),
+        TransformLabel("/tf_static", "", "base_link", "laser_frame", True),
+        TransformLabel("/tf", "", "odom", "base_link", False),
     )
     assert table.stamp_ns.tolist() == [LASER[0], *(row[0] for row in rows)]
     assert table.receive_ns.tolist() == [START_NS, *(row[0] + DELAY_NS for row in rows)]
@@ -48,7 +48,7 @@ def test_the_recorded_qos_is_there(tmp_path):
 def test_a_ros1_bag_is_read_with_its_publisher_and_also_with_the_old_type(tmp_path, msgtype):
     rows = circle(4)
     table = read_bag(write_rosbag1(tmp_path / "old.bag", rows, msgtype)).transforms
-    assert table.labels == (Label("/tf", "/driver", "odom", "base_link", False),)
+    assert table.labels == (TransformLabel("/tf", "/driver", "odom", "base_link", False),)
     assert table.numbers.tolist() == [list(row[3]) for row in rows]
     assert table.stamp_ns.tolist() == [row[0] for row in rows]
 

@@ -47,10 +47,10 @@ from .recording import (
     Connection,
     Headers,
     JointStates,
-    Label,
     Odometry,
     QosProfile,
     Recording,
+    TransformLabel,
     Transforms,
 )
 
@@ -328,7 +328,7 @@ class _TransformColumns:
             *(np.frombuffer(column, dtype=np.int64) for column in columns),
             np.frombuffer(self._numbers, dtype="<f8").reshape(-1, 7),
             tuple(
-                Label(topic, publisher, _text(parent), _text(child), is_static)
+                TransformLabel(topic, publisher, _text(parent), _text(child), is_static)
                 for (topic, publisher, is_static), parent, child in self._labels
             ),
         )

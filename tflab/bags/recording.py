@@ -28,10 +28,10 @@ __all__ = [
     "Connection",
     "Headers",
     "JointStates",
-    "Label",
     "Odometry",
     "QosProfile",
     "Recording",
+    "TransformLabel",
     "Transforms",
     "namespace_of",
     "recording_from_records",
@@ -65,7 +65,7 @@ class Connection(NamedTuple):
     count: int = 0
 
 
-class Label(NamedTuple):
+class TransformLabel(NamedTuple):
     """What many transforms share: how they came, and between which frames, as sent."""
 
     topic: str
@@ -93,7 +93,7 @@ class Transforms:
     message: np.ndarray
     label: np.ndarray
     numbers: np.ndarray
-    labels: tuple[Label, ...]
+    labels: tuple[TransformLabel, ...]
 
     def __len__(self) -> int:
         return len(self.stamp_ns)
@@ -239,13 +239,15 @@ def namespace_of(topic: str) -> str:
 
 def recording_from_records(records: Sequence[TransformRecord], name: str = "records") -> Recording:
     """Return the recording of a stream of transforms in the order of arrival."""
-    labels: dict[Label, int] = {}
+    labels: dict[TransformLabel, int] = {}
     column = []
     message = []
     previous = None
     for record in records:
         stamped = record.stamped
-        label = Label(record.topic, record.publisher, stamped.frame_id, stamped.child_frame_id, record.is_static)
+        label = TransformLabel(
+            record.topic, record.publisher, stamped.frame_id, stamped.child_frame_id, record.is_static
+        )
         column.append(labels.setdefault(label, len(labels)))
         together = (record.topic, record.publisher, record.receive_ns)
         message.append((message[-1] if message else -1) + (together != previous))

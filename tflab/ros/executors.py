@@ -272,11 +272,7 @@ class Executor:
         for node in self._nodes:
             ready = [timer for timer in node.timer_list if timer.is_ready()]
             if node.pending:
-                for entity in sorted(node.pending, key=lambda entity: entity.rank):
-                    if not entity.is_pending():
-                        del node.pending[entity]
-                    elif entity.kind != Kind.TIMER:
-                        ready.append(entity)
+                ready += _pending(node)
             self._round_entities.extend(entity for entity in ready if entity.callback_group.can_execute(entity))
 
     def _handler(self, entity: Entity) -> Callable[[], None]:
@@ -327,6 +323,17 @@ class Executor:
             del pending[entity]
         if pending:  # perhaps something waited for this group
             self.wake()
+
+
+def _pending(node: Any) -> list[Entity]:
+    """Return what of a node has something to do, timers apart; those that no longer have are forgotten."""
+    pending = []
+    for entity in sorted(node.pending, key=lambda entity: entity.rank):
+        if not entity.is_pending():
+            del node.pending[entity]
+        elif entity.kind != Kind.TIMER:
+            pending.append(entity)
+    return pending
 
 
 class SingleThreadedExecutor(Executor):

@@ -28,7 +28,7 @@ from typing import Any
 from tflab.core import NSEC_PER_SEC
 
 from . import threads
-from .network import Link, Network
+from .network import Disturbance, Network
 from .process import Process, process_here, use_graph
 from .virtual import EndlessLoop, VirtualTime
 from .wall import WallTime
@@ -201,12 +201,12 @@ class Graph:
             )
         if not topic.startswith("/"):
             raise ValueError(f'a topic of the graph has an absolute name: "/{topic}", not "{topic}"')
-        link = None
+        disturbance = None
         if delay or jitter or loss:
-            link = Link(
+            disturbance = Disturbance(
                 round(delay * NSEC_PER_SEC), round(jitter * NSEC_PER_SEC), loss, random.Random(f"{seed} {topic}")
             )
-        self.network.topic(topic).link = link
+        self.network.topic(topic).disturbance = disturbance
 
     def set_clock_offset(self, node_name: str, seconds: float) -> None:
         """Set the clock of a node wrong by `seconds` [s], as on a machine whose clock is: now and when it comes."""

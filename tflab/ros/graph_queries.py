@@ -1,5 +1,7 @@
 """What does a node see of the others?  The questions about the graph that every node can ask.
 
+One of the three mixins that Node is made of; see node.py for the other two.
+
 Read `client_library.py` next.
 """
 
@@ -18,6 +20,7 @@ from .logging import LoggingSeverity, get_logger_level, set_logger_level
 from .messages import rcl_interfaces
 from .messages.base import service
 from .names import full_node_name
+from .network import Network
 from .qos import QoSProfile
 
 __all__ = ["GraphQueries", "TopicEndpointInfo", "TopicEndpointTypeEnum", "endpoint_info"]
@@ -56,7 +59,14 @@ def endpoint_info(endpoint: Any) -> TopicEndpointInfo:
 
 
 class GraphQueries:
-    """The part of Node that looks around."""
+    """The part of Node that looks around.
+
+    Borrows of Node: `network`, where everybody is listed; `context`, for waiting; and `resolve_topic_name()` and
+    `resolve_service_name()`.
+    """
+
+    network: Network
+    context: Context
 
     def get_node_names(self) -> list[str]:
         """Return the names of all nodes, without namespaces."""

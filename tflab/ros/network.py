@@ -1,8 +1,9 @@
 """How does a message get there?  Topics: who publishes, who listens, and what lies between.
 
-    publisher --copy--> [stored samples] --> link: delay, jitter, loss --> subscription's queue
+    publisher --copy--> [stored samples] --> disturbance: delay, jitter, loss --> subscription's queue
 
-A publisher and a subscription are connected when topic and type agree and the
+What travels is an *envelope*: a message, who sent it and when (DDS calls it a
+sample).  A publisher and a subscription are connected when topic and type agree and the
 offered quality of service is not less than the requested one; otherwise both say
 so in their logs.  Publishing makes one copy; each receiver's callback gets its
 own, except tf2's listeners, which share one decoded message because they only
@@ -26,10 +27,10 @@ from .messages import copy_message
 from .messages.tf2_msgs import TFMessage
 from .qos_compatibility import incompatible_policy
 
-__all__ = ["Link", "Network", "Sample", "Topic"]
+__all__ = ["Disturbance", "Envelope", "Network", "Topic"]
 
 
-class Sample:
+class Envelope:
     """One published message on its way.
 
     Attributes:
@@ -63,7 +64,7 @@ class Sample:
 
 
 @dataclass
-class Link:
+class Disturbance:
     """What lies between the publishers and the subscriptions of a topic.
 
     Attributes:
@@ -79,15 +80,15 @@ class Link:
     random: random.Random
     _last_arrival_ns: dict[tuple[int, int], int] = field(default_factory=dict)
 
-    def carry(self, sample: Sample, subscription: Any, driver: Any) -> None:
-        """Deliver a sample, late or never."""
+    def carry(self, envelope: Envelope, subscription: Any, driver: Any) -> None:
+        """Deliver an envelope, late or never."""
         if self.random.random() < self.loss:
             return
-        arrival_ns = sample.sent_ns + self.delay_ns + round(self.random.random() * self.jitter_ns)
-        pair = (id(sample.publisher), id(subscription))
+        arrival_ns = envelope.sent_ns + self.delay_ns + round(self.random.random() * self.jitter_ns)
+        pair = (id(envelope.publisher), id(subscription))
         arrival_ns = max(arrival_ns, self._last_arrival_ns.get(pair, 0))
         self._last_arrival_ns[pair] = arrival_ns
-        driver.call_after(arrival_ns - sample.sent_ns, lambda: subscription.put(sample))
+        driver.call_after(arrival_ns - envelope.sent_ns, lambda: subscription.put(envelope))
 
 
 class Topic:
@@ -97,7 +98,7 @@ class Topic:
         self.name = name
         self.publishers: list[Any] = []
         self.subscriptions: list[Any] = []
-        self.link: Link | None = None
+        self.disturbance: Disturbance | None = None
 
     def add_publisher(self, publisher: Any) -> None:
         """Connect a new publisher to whoever is there."""
@@ -124,12 +125,12 @@ class Topic:
             if subscription in publisher.matched:
                 publisher.matched.remove(subscription)
 
-    def deliver(self, sample: Sample, subscription: Any, driver: Any) -> None:
-        """Send a sample on its way."""
-        if self.link is None:
-            subscription.put(sample)
+    def deliver(self, envelope: Envelope, subscription: Any, driver: Any) -> None:
+        """Send an envelope on its way."""
+        if self.disturbance is None:
+            subscription.put(envelope)
         else:
-            self.link.carry(sample, subscription, driver)
+            self.disturbance.carry(envelope, subscription, driver)
 
     def _connect(self, publisher: Any, subscription: Any) -> None:
         if publisher.msg_type is not subscription.msg_type:
@@ -143,9 +144,9 @@ class Topic:
         publisher.matched.append(subscription)
         subscription.matched_count += 1
         if subscription.qos_profile.is_latched:
-            stored = publisher.stored_samples()
-            for sample in stored[-(subscription.qos_profile.capacity or len(stored)) :]:
-                subscription.put(sample)
+            stored = publisher.stored_envelopes()
+            for envelope in stored[-(subscription.qos_profile.capacity or len(stored)) :]:
+                subscription.put(envelope)
 
 
 class Network:

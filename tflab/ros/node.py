@@ -3,7 +3,10 @@
     Node("point_to_map", namespace="/robot")
       |-- publishers, subscriptions, timers, services, clients, guard conditions (node_entities.py)
       |-- parameters (node_parameters.py), and the services that reach them
+      |-- what it sees of the others (graph_queries.py)
       `-- clock (ROS time; follows /clock if use_sim_time), logger
+
+The first three are mixins over one `self`: each says at its class what it borrows of Node.
 
 Read `node_entities.py` next.
 """

@@ -1,5 +1,7 @@
 """What does a node own?  Publishers, subscriptions, timers, services, clients: made, listed and destroyed.
 
+One of the three mixins that Node is made of; see node.py for the other two.
+
 Read `graph_queries.py` next.
 """
 
@@ -12,6 +14,7 @@ from tflab.core import NSEC_PER_SEC
 
 from .callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup
 from .clock import Clock
+from .context import Context
 from .exceptions import NoTypeSupportImportedException
 from .guard_condition import GuardCondition
 from .messages.base import Message
@@ -26,7 +29,15 @@ __all__ = ["NodeEntities"]
 
 
 class NodeEntities:
-    """The part of Node that makes and destroys what can become ready."""
+    """The part of Node that makes and destroys what can become ready.
+
+    Borrows of Node: `_topic_named(name)`, which completes a name as the node means it; `_clock`, for timers;
+    `_context`, for rates; `_default_callback_group`; and `executor`, to be woken.
+    """
+
+    _clock: Clock
+    _context: Context
+    _default_callback_group: CallbackGroup
 
     def _init_entities(self) -> None:
         self.timer_list: list[Timer] = []

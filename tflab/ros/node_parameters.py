@@ -2,6 +2,8 @@
 
     declare -> [type, descriptor] -> set: pre-set, on-set (may refuse), post-set callbacks -> /parameter_events
 
+One of the three mixins that Node is made of; see node.py for the other two.
+
 Read `parameter_service.py` next.
 """
 
@@ -11,6 +13,7 @@ import warnings
 from collections.abc import Callable, Iterable
 from typing import Any
 
+from .clock import Clock
 from .exceptions import (
     InvalidParameterException,
     InvalidParameterTypeException,
@@ -22,6 +25,7 @@ from .exceptions import (
 )
 from .messages import copy_message, rcl_interfaces
 from .parameter import Parameter, parameter_value_to_python
+from .publisher import Publisher
 
 __all__ = ["NodeParameters"]
 
@@ -35,7 +39,14 @@ WRONG_TYPE = "Wrong parameter type, expected"
 
 
 class NodeParameters:
-    """The part of Node that deals with parameters."""
+    """The part of Node that deals with parameters.
+
+    Borrows of Node: `_clock` and `_parameter_event_publisher` (None before it is made), and
+    `get_fully_qualified_name()`, to announce what changed.
+    """
+
+    _clock: Clock
+    _parameter_event_publisher: Publisher | None
 
     def _init_parameters(self, overrides: dict[str, Parameter], allow_undeclared: bool) -> None:
         self._parameters: dict[str, Parameter] = {}
@@ -75,18 +86,8 @@ class NodeParameters:
             raise InvalidParameterException(name)
         if not isinstance(descriptor, Descriptor | None):
             raise TypeError(f"descriptor must be a ParameterDescriptor, not {descriptor!r}")
-        descriptor = Descriptor() if descriptor is None else copy_message(descriptor)
-        descriptor.name = name
         parameter, kind = self._initial(name, value, ignore_override)
-        if not descriptor.dynamic_typing:
-            if kind is Parameter.Type.NOT_SET and descriptor.type:
-                kind = Parameter.Type(descriptor.type)
-            if kind is Parameter.Type.NOT_SET:
-                raise ValueError(
-                    f"Static typing: cannot declare parameter '{name}' without a value or a type; give one, or a "
-                    "descriptor with dynamic_typing=True"
-                )
-            descriptor.type = kind.value
+        descriptor = _described(name, descriptor, kind)
         if parameter.type_ is not Parameter.Type.NOT_SET:
             result = self._judge([parameter], {name: descriptor}, check_read_only=False)
             if not result.successful and result.reason.startswith(WRONG_TYPE):
@@ -330,6 +331,23 @@ class NodeParameters:
             deleted_parameters=[each.to_parameter_msg() for each in deleted],
         )
         self._parameter_event_publisher.publish(event)
+
+
+def _described(name: str, descriptor: Descriptor | None, kind: Parameter.Type) -> Descriptor:
+    """Return the descriptor of a new parameter: a copy of what was given, with its name and, if fixed, its type."""
+    descriptor = Descriptor() if descriptor is None else copy_message(descriptor)
+    descriptor.name = name
+    if descriptor.dynamic_typing:
+        return descriptor
+    if kind is Parameter.Type.NOT_SET and descriptor.type:
+        kind = Parameter.Type(descriptor.type)
+    if kind is Parameter.Type.NOT_SET:
+        raise ValueError(
+            f"Static typing: cannot declare parameter '{name}' without a value or a type; give one, or a "
+            "descriptor with dynamic_typing=True"
+        )
+    descriptor.type = kind.value
+    return descriptor
 
 
 def _fault(parameter: Parameter, descriptor: Descriptor, check_read_only: bool) -> str:

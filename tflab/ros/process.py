@@ -5,8 +5,10 @@
          `-- process "point_to_map"                    ...
 
 A thread belongs to the process of whoever started it, so `rclpy.init()`,
-`rclpy.ok()` and `rclpy.spin(node)` need not be told.  A process can be
-interrupted, which is what Ctrl-C does, and it ends when its main function does.
+`rclpy.ok()` and `rclpy.spin(node)` need not be told: what a robot's processes have
+as globals hangs here on the thread (thread-local storage).  A process can be
+interrupted, which is what Ctrl-C does (SIGINT), and it ends when its main function
+does.
 
 Read `threads.py` next.
 """

@@ -10,7 +10,7 @@ from typing import Any
 
 from .exceptions import InvalidHandle
 from .messages import tf2_msgs
-from .network import Sample
+from .network import Envelope
 from .qos import QoSProfile
 
 __all__ = ["Publisher"]
@@ -42,7 +42,7 @@ class Publisher:
         self._sends_transforms = msg_type is tf2_msgs.TFMessage
         self._events = event_callbacks
         self._driver = node.context.process.driver
-        self._stored: deque[Sample] | None = deque(maxlen=qos_profile.capacity) if qos_profile.is_latched else None
+        self._stored: deque[Envelope] | None = deque(maxlen=qos_profile.capacity) if qos_profile.is_latched else None
         self._count = 0
         self._is_destroyed = False
         self._topic = node.network.topic(topic)
@@ -60,24 +60,24 @@ class Publisher:
         if not isinstance(msg, self.msg_type):
             raise TypeError(f"Expected {self.msg_type}, got {type(msg)}")
         self._count += 1
-        sample = Sample(msg, self, self._driver.now_ns(), self._count)
+        envelope = Envelope(msg, self, self._driver.now_ns(), self._count)
         if self._sends_transforms:
-            for stamped in sample.stampeds:
+            for stamped in envelope.stampeds:
                 edge = (stamped.frame_id, stamped.child_frame_id)
                 self.edges[edge] = self.edges.get(edge, 0) + 1
         if self._stored is not None:
-            self._stored.append(sample)
+            self._stored.append(envelope)
         deliver, driver = self._topic.deliver, self._driver
         for subscription in tuple(self.matched):
-            deliver(sample, subscription, driver)
+            deliver(envelope, subscription, driver)
 
-    def stored_samples(self) -> list[Sample]:
+    def stored_envelopes(self) -> list[Envelope]:
         """Return what a latecomer gets."""
         if not self._stored:
             return []
         lifespan_ns = self.qos_profile.lifespan.nanoseconds
         now_ns = self._driver.now_ns()
-        return [sample for sample in self._stored if not lifespan_ns or now_ns - sample.sent_ns <= lifespan_ns]
+        return [envelope for envelope in self._stored if not lifespan_ns or now_ns - envelope.sent_ns <= lifespan_ns]
 
     def get_subscription_count(self) -> int:
         """Return how many subscriptions it is connected to."""

@@ -12,7 +12,7 @@ from typing import Any
 
 from .entity import Entity, Kind
 from .messages import copy_message
-from .network import Sample
+from .network import Envelope
 from .qos import QoSProfile
 from .serialization import serialize_message
 
@@ -45,41 +45,41 @@ class Subscription(Entity):
         self._wants_info = _wants_info(callback)
         self._events = event_callbacks
         self._driver = node.context.process.driver
-        self._queue: deque[tuple[Sample, int]] = deque(maxlen=qos_profile.capacity)
+        self._queue: deque[tuple[Envelope, int]] = deque(maxlen=qos_profile.capacity)
         self._received = 0
         self._topic = node.network.topic(topic)
         self._topic.add_subscription(self)
 
-    def put(self, sample: Sample) -> None:
-        """Receive a sample; the oldest one is forgotten if the queue is full."""
+    def put(self, envelope: Envelope) -> None:
+        """Receive an envelope; the oldest one is forgotten if the queue is full."""
         if not self.is_destroyed:
-            self._queue.append((sample, self._driver.now_ns()))
+            self._queue.append((envelope, self._driver.now_ns()))
             self.mark_ready()
 
     def is_pending(self) -> bool:
         return bool(self._queue)
 
     def take(self) -> Callable[[], Any]:
-        sample, received_ns = self._queue.popleft()
+        envelope, received_ns = self._queue.popleft()
         self._received += 1
-        return lambda: self.call(sample, received_ns)
+        return lambda: self.call(envelope, received_ns)
 
-    def call(self, sample: Sample, received_ns: int) -> Any:
+    def call(self, envelope: Envelope, received_ns: int) -> Any:
         """Call back with a message of the receiver's own."""
-        message = self._message_of(sample)
+        message = self._message_of(envelope)
         if not self._wants_info:
             return self.callback(message)
         info = {
-            "source_timestamp": sample.sent_ns,
+            "source_timestamp": envelope.sent_ns,
             "received_timestamp": received_ns,
-            "publication_sequence_number": sample.number,
+            "publication_sequence_number": envelope.number,
             "reception_sequence_number": self._received,
-            "publisher_gid": sample.publisher.gid,
+            "publisher_gid": envelope.publisher.gid,
         }
         return self.callback(message, info)
 
-    def _message_of(self, sample: Sample) -> Any:
-        return copy_message(sample.message)
+    def _message_of(self, envelope: Envelope) -> Any:
+        return copy_message(envelope.message)
 
     def get_publisher_count(self) -> int:
         """Return how many publishers it is connected to."""
@@ -106,8 +106,8 @@ class Subscription(Entity):
 class RawSubscription(Subscription):
     """Calls back with bytes, as they are on the wire."""
 
-    def _message_of(self, sample: Sample) -> bytes:
-        return serialize_message(sample.message)
+    def _message_of(self, envelope: Envelope) -> bytes:
+        return serialize_message(envelope.message)
 
 
 def _wants_info(callback: Callable[..., Any]) -> bool:

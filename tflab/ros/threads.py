@@ -1,4 +1,4 @@
-"""How does code that knows nothing of us get along?  Three calls of Python's, seen by participants.
+"""How does code that knows nothing of us get along?  Three calls of Python's, replaced (monkey patches).
 
     time.sleep(s)        inside a participant: lets the graph's time pass, and hears Ctrl-C
     Thread(...).start()  the new thread belongs to the starter's process

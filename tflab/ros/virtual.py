@@ -8,7 +8,9 @@
 
 Every participant's thread is a *strand*: it only runs while it has the turn, and
 gives it back whenever it would block.  So there are no races, 20 s of robot take
-milliseconds, and the same program prints the same twice.  The thread that made
+milliseconds, and the same program prints the same twice.  This is cooperative
+scheduling of a discrete-event simulation: the turn is a baton that a pair of locks
+hands over, the agenda is the event queue.  The thread that made
 the graph (the notebook's) is no strand: while it runs or waits, it hands out the
 turns.
 
@@ -48,7 +50,7 @@ PATIENCE_AFTER_INTERRUPT_S = 2.0
 
 
 class EndlessLoop(BaseException):
-    """A participant kept its turn for too long; raised into its thread, past every `except Exception`."""
+    """A participant kept its turn for too long (a watchdog's timeout); raised past every `except Exception`."""
 
 
 class VirtualWaiter:
@@ -280,7 +282,7 @@ class VirtualTime:
 
     @contextmanager
     def _noting_interrupts(self) -> Iterator[None]:
-        """Only note Ctrl-C, or the stop button, meanwhile: between two turns is the moment for it."""
+        """Hold Ctrl-C, or the stop button, back until the current turn ends."""
         with counting_ctrl_c() as self._presses:
             yield
         if self._presses:

@@ -15,7 +15,7 @@ from tflab.core import NSEC_PER_SEC
 
 from .messages import copy_message
 from .messages.base import Message
-from .network import Sample
+from .network import Envelope
 from .qos import QoSProfile
 from .subscription import Subscription
 
@@ -23,14 +23,14 @@ __all__ = ["wait_for_message"]
 
 
 class _FirstOnly(Subscription):
-    """Keeps the first sample, and wakes whoever waits for it."""
+    """Keeps the first envelope, and wakes whoever waits for it."""
 
-    first: Sample | None = None
+    first: Envelope | None = None
     waiter: Any = None
 
-    def put(self, sample: Sample) -> None:
+    def put(self, envelope: Envelope) -> None:
         if self.first is None:
-            self.first = sample
+            self.first = envelope
         if self.waiter is not None:
             self.waiter.wake()
 

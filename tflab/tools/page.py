@@ -32,7 +32,7 @@ class LineError(Exception):
 
 
 class ToolResult(NamedTuple):
-    """What came of a tool: its exit code, None if it runs on or was stopped, and the pictures it has for the page."""
+    """How a tool ended: its exit code, None if it runs on or was stopped, and the pictures it has for the page."""
 
     exit_code: int | None
     pictures: tuple[Any, ...] = ()

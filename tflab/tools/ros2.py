@@ -38,7 +38,7 @@ class Executable(NamedTuple):
     shows: bool = False
 
 
-class Command(NamedTuple):
+class Ros2Command(NamedTuple):
     """A command of `ros2`: what its help says, and the module whose `add_verbs(verbs)` adds its verbs."""
 
     help: str
@@ -46,11 +46,11 @@ class Command(NamedTuple):
 
 
 COMMANDS = {
-    "bag": Command("Various rosbag related sub-commands", "tflab.tools.bag"),
-    "node": Command("Various node related sub-commands", "tflab.tools.node"),
-    "param": Command("Various param related sub-commands", "tflab.tools.param"),
-    "run": Command("Run a package specific executable", ""),
-    "topic": Command("Various topic related sub-commands", "tflab.tools.topic"),
+    "bag": Ros2Command("Various rosbag related sub-commands", "tflab.tools.bag"),
+    "node": Ros2Command("Various node related sub-commands", "tflab.tools.node"),
+    "param": Ros2Command("Various param related sub-commands", "tflab.tools.param"),
+    "run": Ros2Command("Run a package specific executable", ""),
+    "topic": Ros2Command("Various topic related sub-commands", "tflab.tools.topic"),
 }
 
 EXECUTABLES = {

@@ -16,7 +16,7 @@ from typing import Any
 from ..callback_groups import ReentrantCallbackGroup
 from ..executors import ExternalShutdownException, SingleThreadedExecutor
 from ..messages import copy_message, tf2_msgs
-from ..network import Sample
+from ..network import Envelope
 from ..qos import DurabilityPolicy, HistoryPolicy, QoSProfile
 from ..subscription import Subscription
 from .buffer import Buffer
@@ -29,10 +29,10 @@ AUTHORITY = "default_authority"
 
 
 class _TFSubscription(Subscription):
-    """Hands a sample over as it is: listeners read one decoded message together."""
+    """Hands an envelope over as it is: listeners read one decoded message together."""
 
-    def call(self, sample: Sample, received_ns: int) -> None:
-        self.callback(sample)
+    def call(self, envelope: Envelope, received_ns: int) -> None:
+        self.callback(envelope)
 
 
 class TransformListener:
@@ -76,25 +76,25 @@ class TransformListener:
         # The node must not keep a listener alive that nobody holds any more.
         reference = weakref.ref(self)
 
-        def take(sample: Sample) -> None:
+        def take(envelope: Envelope) -> None:
             listener = reference()
             if listener is not None:
-                listener._take(sample, is_static)
+                listener._take(envelope, is_static)
 
         return self.node.create_subscription(
             tf2_msgs.TFMessage, topic, take, qos, callback_group=self.group, subscription_class=_TFSubscription
         )
 
-    def _take(self, sample: Sample, is_static: bool) -> None:
+    def _take(self, envelope: Envelope, is_static: bool) -> None:
         buffer = self.buffer
         if _is_plain(self, buffer) and not buffer.has_waiting():
             store = buffer.core.set_transform
-            for stamped in sample.stampeds:
+            for stamped in envelope.stampeds:
                 store(stamped, AUTHORITY, is_static)
         elif is_static:
-            self.static_callback(copy_message(sample.message))
+            self.static_callback(copy_message(envelope.message))
         else:
-            self.callback(copy_message(sample.message))
+            self.callback(copy_message(envelope.message))
 
     def callback(self, data: tf2_msgs.TFMessage) -> None:
         """Store what came on /tf."""
