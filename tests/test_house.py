@@ -72,7 +72,7 @@ NOT_YET_UNIQUE = {
 }  # fmt: skip
 NOT_YET_SIMPLE = {
     "_by_learner", "_cells", "_draw_lanes", "_output_faults", "_pairs", "_reply",
-    "_source", "_special", "_task", "build", "collect", "credited", 
+    "_source", "_special", "_task", "build", "collect", "credited",
     "find_path", "plan", "pose_of", "slides_of",
 }  # fmt: skip
 NOT_YET_SHORT = {"tflab.core.buffer"}
