@@ -69,18 +69,32 @@ def build(words: Sequence[str]) -> int:
     for fault in built.faults:
         print(fault, file=sys.stderr)
     if options.check:
-        lines = [*stale(root, built.files), *(_without_source(root) if not options.pages else ())]
-        for line in lines:
-            print(line)
-        print(_count(len(lines), "file is stale", "files are stale") if lines else "nothing is stale")
-        return 1 if lines or built.faults else 0
-    files = built.files | (built.faulty if options.draft else {})
+        return _say_what_is_stale(root, built, all_of_them=not options.pages)
+    return _write_what_was_built(root, built, options.draft)
+
+
+def _say_what_is_stale(root: Path, built: Built, all_of_them: bool) -> int:
+    lines = [*stale(root, built.files), *(_without_source(root) if all_of_them else ())]
+    for line in lines:
+        print(line)
+    if lines:
+        print(_count(len(lines), "file is stale", "files are stale"))
+    elif not built.faults:
+        print("nothing is stale")
+    if built.faults:
+        found = _count(len(built.faults), "fault", "faults")
+        print(f"{found}; the pages that have them were not compared", file=sys.stderr)
+    return 1 if lines or built.faults else 0
+
+
+def _write_what_was_built(root: Path, built: Built, is_draft: bool) -> int:
+    files = built.files | (built.faulty if is_draft else {})
     written = write_files(root, files)
     print(f"{_count(len(written), 'file', 'files')} written, {len(files) - len(written)} as they were")
     for line in _without_source(root):
         print(line)
     if built.faults:
-        left = "written all the same" if options.draft else "not written; --draft writes them all the same"
+        left = "written all the same" if is_draft else "not written; --draft writes them all the same"
         print(f"{_count(len(built.faults), 'fault', 'faults')}; the pages that have them are {left}", file=sys.stderr)
     return 1 if built.faults else 0
 

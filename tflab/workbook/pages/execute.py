@@ -129,6 +129,17 @@ def _storable(output: dict) -> dict:
 
 def _output_faults(page: Page, cell: SourceCell, outputs: list[dict], root: str) -> Iterator[PageFault]:
     """Find what a cell must not have put out."""
+    yield from _raising_faults(page, cell, outputs)
+    for output in outputs:
+        if output.get("name") == "stderr":
+            wrong = f"wrote to stderr: {''.join(_texts(output)).strip()[:200]}"
+            yield page.fault(cell, wrong, "a page writes no warnings")
+        if "interactive" not in cell.tags:
+            yield from _text_faults(page, cell, "".join(_texts(output)), root)
+            yield from _picture_faults(page, cell, output.get("data", {}))
+
+
+def _raising_faults(page: Page, cell: SourceCell, outputs: list[dict]) -> Iterator[PageFault]:
     raised = [output for output in outputs if output["output_type"] == "error"]
     meant = "raises-exception" in cell.tags
     for output in raised:
@@ -137,27 +148,24 @@ def _output_faults(page: Page, cell: SourceCell, outputs: list[dict], root: str)
             yield page.fault(cell, wrong, 'mend it, or tag the cell "raises-exception" if it is meant')
     if meant and not raised:
         yield page.fault(cell, "raises nothing", 'take the tag "raises-exception" off, or let it fail')
-    for output in outputs:
-        text = "".join(_texts(output))
-        data = output.get("data", {})
-        if output.get("name") == "stderr":
-            yield page.fault(cell, f"wrote to stderr: {text.strip()[:200]}", "a page writes no warnings")
-        if "interactive" in cell.tags:
-            continue
-        if ADDRESS.search(text):
-            yield page.fault(
-                cell, f"prints an address ({ADDRESS.search(text)[0]})", "print what is the same every time"
-            )
-        if root in text:
-            yield page.fault(cell, "prints where it was run", "print no paths")
-        if WIDGET in data:
-            yield page.fault(cell, "shows a widget", 'tag the cell "interactive", and let a figure follow')
-        if any(mime.startswith("image/") for mime in data) and not _words(data):
-            yield page.fault(cell, "shows an image without words", "let the cell end with a Picture: it has a text")
-        size = len(base64.b64decode(data.get("image/png", "")))
-        if size > LARGEST_PNG:
-            wrong = f"shows an image of {size / 1000:.0f} kB"
-            yield page.fault(cell, wrong, f"at most {LARGEST_PNG // 1000} kB: draw less of it")
+
+
+def _text_faults(page: Page, cell: SourceCell, text: str, root: str) -> Iterator[PageFault]:
+    if found := ADDRESS.search(text):
+        yield page.fault(cell, f"prints an address ({found[0]})", "print what is the same every time")
+    if root in text:
+        yield page.fault(cell, "prints where it was run", "print no paths")
+
+
+def _picture_faults(page: Page, cell: SourceCell, data: dict) -> Iterator[PageFault]:
+    if WIDGET in data:
+        yield page.fault(cell, "shows a widget", 'tag the cell "interactive", and let a figure follow')
+    if any(mime.startswith("image/") for mime in data) and not _words(data):
+        yield page.fault(cell, "shows an image without words", "let the cell end with a Picture: it has a text")
+    size = len(base64.b64decode(data.get("image/png", "")))
+    if size > LARGEST_PNG:
+        wrong = f"shows an image of {size / 1000:.0f} kB"
+        yield page.fault(cell, wrong, f"at most {LARGEST_PNG // 1000} kB: draw less of it")
 
 
 def _figures(page: Page, outputs: Outputs) -> Iterator[PageFault]:

@@ -68,38 +68,57 @@ def untouched_faults(page: Page, outputs: Outputs) -> list[PageFault]:
 
 
 def _task(page: Page, task: Task) -> Iterator[PageFault]:
-    """Find what a task lacks."""
+    """Find what a task lacks: each of its four cells, and their order."""
+    name = slug(task.id)
+    text = _find(page, name, "en")
+    cells = [_find(page, f"{name}-{role}", None) for role in ("given", "answer", "check")]
+    given, answer, check = cells
+    yield from _text(page, task)
+    yield from _given(page, task, text, given)
+    yield from _answer(page, task, text, answer)
+    yield from _check(page, task, text, check)
+    in_order = [cell.line for cell in (text, *cells) if cell is not None]
+    if in_order != sorted(in_order):
+        yield page.fault(text, f"the cells of {task.id} are not in order", "text, given, answer, check")
+
+
+def _text(page: Page, task: Task) -> Iterator[PageFault]:
     name = slug(task.id)
     for language in LANGUAGES:
         text = _find(page, name, language)
         if text is not None and task.id not in text.source.partition("\n")[0]:
             yield page.fault(text, f"its heading does not name {task.id}", f'write "## {task.id} · ..."')
-    text = _find(page, name, "en")
-    if text is None:
+    if _find(page, name, "en") is None:
         yield page.fault(None, f"{task.id} has no text", f'write one named "{name}" in both languages')
-    cells = [_find(page, f"{name}-{role}", None) for role in ("given", "answer", "check")]
-    given, answer, check = cells
+
+
+def _given(page: Page, task: Task, text: SourceCell | None, given: SourceCell | None) -> Iterator[PageFault]:
+    name = slug(task.id)
     if task.given is not None and given is None:
-        yield page.fault(
-            text, f"{task.id} has no given", f'add a cell "{name}-given": {name.replace("-", "_")} = task(...)'
-        )
+        remedy = f'add a cell "{name}-given": {name.replace("-", "_")} = task(...)'
+        yield page.fault(text, f"{task.id} has no given", remedy)
     if given is not None and ("task", task.id) not in _calls(given):
         yield page.fault(given, "it does not call for its task", f'write ... = task("{task.id}")')
+
+
+def _answer(page: Page, task: Task, text: SourceCell | None, answer: SourceCell | None) -> Iterator[PageFault]:
     if answer is None:
-        yield page.fault(text, f"{task.id} has no answer", f'add a code cell "{name}-answer" tags=["answer"]')
+        remedy = f'add a code cell "{slug(task.id)}-answer" tags=["answer"]'
+        yield page.fault(text, f"{task.id} has no answer", remedy)
     elif "answer" not in answer.tags:
         yield page.fault(answer, "it is not tagged", 'add tags=["answer"]')
+
+
+def _check(page: Page, task: Task, text: SourceCell | None, check: SourceCell | None) -> Iterator[PageFault]:
     if check is None:
-        yield page.fault(text, f"{task.id} has no check", f'add a code cell "{name}-check" tags=["check"]')
-    else:
-        if "check" not in check.tags:
-            yield page.fault(check, "it is not tagged", 'add tags=["check"]')
-        call = f'check("{task.id}", {task.answer})'
-        if check.source.strip() != call:
-            yield page.fault(check, "it does not hold the check alone", f"write {call}")
-    in_order = [cell.line for cell in (text, *cells) if cell is not None]
-    if in_order != sorted(in_order):
-        yield page.fault(text, f"the cells of {task.id} are not in order", "text, given, answer, check")
+        remedy = f'add a code cell "{slug(task.id)}-check" tags=["check"]'
+        yield page.fault(text, f"{task.id} has no check", remedy)
+        return
+    if "check" not in check.tags:
+        yield page.fault(check, "it is not tagged", 'add tags=["check"]')
+    call = f'check("{task.id}", {task.answer})'
+    if check.source.strip() != call:
+        yield page.fault(check, "it does not hold the check alone", f"write {call}")
 
 
 def _cell(page: Page, cell: SourceCell, ids: Sequence[str]) -> Iterator[PageFault]:

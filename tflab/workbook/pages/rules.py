@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 from posixpath import normpath
 
 from ..words import LANGUAGES
@@ -44,54 +44,77 @@ def page_faults(page: Page, terms: Collection[str] | None = None) -> list[PageFa
 
 
 def _cells(page: Page) -> Iterator[PageFault]:
-    """Find cells without a proper name, with options that mean nothing, or too long."""
+    """Find cells without a proper name, with options that mean nothing, of no kind, or too long."""
     for cell in page.cells:
-        if not cell.name:
-            yield page.fault(cell, "this cell has no name", 'add name="..." to its "# %%" line')
-        elif not NAME.fullmatch(cell.name) or len(cell.name) > LONGEST_NAME:
-            remedy = f"use small letters, digits and single hyphens, at most {LONGEST_NAME}"
-            yield page.fault(cell, "this is no name for a cell", remedy)
-        if cell.unknown:
-            yield page.fault(cell, f"there is no option {', '.join(cell.unknown)}", "there is lang, name, slide, tags")
-        if cell.slide not in SLIDES:
-            yield page.fault(cell, f'there is no slide type "{cell.slide}"', f"there is {', '.join(SLIDES)}")
-        for tag in sorted(set(cell.tags) - set(TAGS)):
-            yield page.fault(cell, f'there is no tag "{tag}"', f"there is {', '.join(TAGS)}")
-        if cell.kind == "code" and len(cell.source.splitlines()) > MOST_LINES:
-            wrong = f"{len(cell.source.splitlines())} lines of code"
-            yield page.fault(cell, wrong, f"at most {MOST_LINES}: split it, or move a helper into tflab")
-        if cell.kind == "code" and cell.lang is not None:
-            yield page.fault(cell, "code has a language", "remove lang: code is the same for both")
-        if cell.kind == "code" and cell.slide == "notes":
-            yield page.fault(cell, "notes are code", 'speaker\'s notes are prose: "# %% [markdown]"')
-        if cell.kind not in ("code", "markdown"):
+        yield from _marker(page, cell)
+        if cell.kind == "code":
+            yield from _code(page, cell)
+        elif cell.kind != "markdown":
             yield page.fault(cell, f"there is no cell of kind {cell.kind}", "a cell is code, or [markdown]")
-        if cell.kind == "markdown" and cell.lang not in LANGUAGES:
+        elif cell.lang not in LANGUAGES:
             yield page.fault(cell, f"this text is in no language ({cell.lang})", 'add lang="en" or lang="ko"')
+
+
+def _marker(page: Page, cell: SourceCell) -> Iterator[PageFault]:
+    """Find what is wrong in the line that a cell begins with: its name and its options."""
+    if not cell.name:
+        yield page.fault(cell, "this cell has no name", 'add name="..." to its "# %%" line')
+    elif not NAME.fullmatch(cell.name) or len(cell.name) > LONGEST_NAME:
+        remedy = f"use small letters, digits and single hyphens, at most {LONGEST_NAME}"
+        yield page.fault(cell, "this is no name for a cell", remedy)
+    if cell.unknown:
+        yield page.fault(cell, f"there is no option {', '.join(cell.unknown)}", "there is lang, name, slide, tags")
+    if cell.slide not in SLIDES:
+        yield page.fault(cell, f'there is no slide type "{cell.slide}"', f"there is {', '.join(SLIDES)}")
+    for tag in sorted(set(cell.tags) - set(TAGS)):
+        yield page.fault(cell, f'there is no tag "{tag}"', f"there is {', '.join(TAGS)}")
+
+
+def _code(page: Page, cell: SourceCell) -> Iterator[PageFault]:
+    """Find code that is too long, or marked as only prose may be."""
+    lines = len(cell.source.splitlines())
+    if lines > MOST_LINES:
+        remedy = f"at most {MOST_LINES}: split it, or move a helper into tflab"
+        yield page.fault(cell, f"{lines} lines of code", remedy)
+    if cell.lang is not None:
+        yield page.fault(cell, "code has a language", "remove lang: code is the same for both")
+    if cell.slide == "notes":
+        yield page.fault(cell, "notes are code", 'speaker\'s notes are prose: "# %% [markdown]"')
 
 
 def _pairs(page: Page) -> Iterator[PageFault]:
     """Find names that stand for two cells, and texts without the other language next to them."""
+    yield from _names_given_twice(page)
+    cells = page.cells
+    texts = [cell for cell in cells if cell.kind == "markdown" and cell.lang in LANGUAGES and cell.name]
+    for ko in texts:
+        if ko.lang == "ko" and _named(texts, ko.name, "en") is None:
+            yield page.fault(ko, "there is no English text", "write it next to the Korean")
+    for en, following in zip(cells, (*cells[1:], None), strict=True):
+        if en.kind != "markdown" or en.lang != "en" or not en.name:
+            continue
+        ko = _named(texts, en.name, "ko")
+        if ko is None:
+            yield page.fault(en, "there is no Korean text", "write it next to the English")
+        elif following is None or (following.name, following.lang) != (en.name, "ko"):
+            yield page.fault(en, "the Korean text stands elsewhere", "put it right after the English")
+        else:
+            yield from _pair(page, en, ko)
+
+
+def _names_given_twice(page: Page) -> Iterator[PageFault]:
     for name, times in Counter((cell.name, cell.lang) for cell in page.cells if cell.name).items():
         if times > 1:
             again = [cell for cell in page.cells if (cell.name, cell.lang) == name][1]
             yield page.fault(again, "there is another cell of this name", "each cell of a page has a name of its own")
     codes = {cell.name for cell in page.code}
-    cells = page.cells
-    for i, cell in enumerate(cells):
-        if cell.kind != "markdown" or cell.lang not in LANGUAGES or not cell.name:
-            continue
-        if cell.name in codes:
+    for cell in page.cells:
+        if cell.kind == "markdown" and cell.lang in LANGUAGES and cell.name in codes - {""}:
             yield page.fault(cell, "a code cell has this name, too", "give the text a name of its own")
-        other = next(lang for lang in LANGUAGES if lang != cell.lang)
-        place = i + 1 if cell.lang == "en" else i - 1
-        there = [c for c in cells if c.name == cell.name and c.lang == other]
-        if not there:
-            yield page.fault(cell, f"there is no {CALLED[other]} text", f"write it next to the {CALLED[cell.lang]}")
-        elif not (0 <= place < len(cells) and cells[place] in there) and cell.lang == "en":
-            yield page.fault(cell, "the Korean text stands elsewhere", "put it right after the English")
-        elif there and cell.lang == "en":
-            yield from _pair(page, cell, there[0])
+
+
+def _named(cells: Sequence[SourceCell], name: str, language: str) -> SourceCell | None:
+    return next((cell for cell in cells if (cell.name, cell.lang) == (name, language)), None)
 
 
 def _pair(page: Page, en: SourceCell, ko: SourceCell) -> Iterator[PageFault]:

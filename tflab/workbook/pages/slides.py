@@ -21,7 +21,7 @@ import json
 import re
 import shutil
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import asdict, dataclass
 from html import escape
 from pathlib import Path
@@ -126,26 +126,41 @@ def deck_from_notebook(notebook: Path, out_dir: Path, *, notes: bool = True, sin
 
 def slides_of(notebook: dict[str, Any], *, notes: bool = True) -> list[Slide]:
     """Return a notebook's cells, grouped into slides by their slide types."""
-    groups: list[list[list[dict]]] = []  # slides, steps, cells
-    said: list[list[str]] = []
-    for cell in notebook["cells"]:
-        kind = cell["metadata"].get("slideshow", {}).get("slide_type", "-")
-        if kind in BEGINS or not groups:
-            groups.append([[]])
-            said.append([])
-        if kind == "fragment":
-            groups[-1].append([])
-        if kind != "skip":
-            groups[-1][-1].append(cell)
-        said[-1].append(cell["metadata"].get("tflab", {}).get("notes", "") if notes else "")
     slides: list[Slide] = []
-    for steps, texts in zip(groups, said, strict=True):
-        names = tuple(tuple(cell["id"] for cell in step) for step in steps if step)
-        if names:
-            titles = [title for step in steps for cell in step if (title := _title(cell))]
-            title = titles[0] if titles else slides[-1].title if slides else ""
-            slides.append(Slide(names[0][0], title, names, _html("\n\n".join(filter(None, texts)))))
+    for cells in _groups(notebook["cells"]):
+        steps = _steps(cells)
+        if steps:
+            title = next(filter(None, (_title(cell) for step in steps for cell in step)), "")
+            said = [cell["metadata"].get("tflab", {}).get("notes", "") for cell in cells] if notes else []
+            names = tuple(tuple(cell["id"] for cell in step) for step in steps)
+            title_before = slides[-1].title if slides else ""
+            slides.append(Slide(names[0][0], title or title_before, names, _html("\n\n".join(filter(None, said)))))
     return slides
+
+
+def _kind(cell: dict) -> str:
+    return cell["metadata"].get("slideshow", {}).get("slide_type", "-")
+
+
+def _groups(cells: Iterable[dict]) -> list[list[dict]]:
+    """Return cells in groups, each of which begins where a slide does."""
+    groups: list[list[dict]] = []
+    for cell in cells:
+        if _kind(cell) in BEGINS or not groups:
+            groups.append([])
+        groups[-1].append(cell)
+    return groups
+
+
+def _steps(cells: Iterable[dict]) -> list[list[dict]]:
+    """Return what a slide shows, in the steps in which it does: each fragment begins one."""
+    steps: list[list[dict]] = [[]]
+    for cell in cells:
+        if _kind(cell) == "fragment":
+            steps.append([])
+        if _kind(cell) != "skip":
+            steps[-1].append(cell)
+    return [step for step in steps if step]
 
 
 def _title(cell: dict) -> str:
