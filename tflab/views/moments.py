@@ -36,9 +36,9 @@ CAPTION_PX, TALL_PX, EDGE_PX, GAP_PX = 58, 190, 16, 18
 
 def beside(point: Sequence[float]) -> str:
     """Return where a point is as the robot sees it: beside((4.64, -1.64)) == "4.64 m ahead, 1.64 m to the right"."""
-    x, y = round(float(point[0]), 2) + 0.0, round(float(point[1]), 2) + 0.0
-    ahead = f"{abs(x):.2f} m {'ahead' if x >= 0 else 'behind'}"
-    return ahead if y == 0.0 else f"{ahead}, {abs(y):.2f} m to the {'left' if y > 0 else 'right'}"
+    x, y = round(float(point[0]), 2), round(float(point[1]), 2)
+    ahead = f"{style.fmt(abs(x), 'm', 2)} {'ahead' if x >= 0 else 'behind'}"
+    return ahead if y == 0.0 else f"{ahead}, {style.fmt(abs(y), 'm', 2)} to the {'left' if y > 0 else 'right'}"
 
 
 def describe_moments(poses: Mapping[str, Transform], point: Sequence[float]) -> str:

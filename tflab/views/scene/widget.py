@@ -36,6 +36,7 @@ import anywidget
 import traitlets
 from ipywidgets import widget_serialization
 
+from .. import style
 from ..film import STATIC, javascript
 from .meshes import grid
 from .state import SceneState, pack, plain, with_stable_ids
@@ -237,7 +238,7 @@ class _Window:
 
 
 def _in_words(value: float | str, digits: int) -> str:
-    return value if isinstance(value, str) else f"{round(value, digits) + 0.0:.{digits}f}"
+    return value if isinstance(value, str) else style.fmt(value, "", digits)
 
 
 def _without_repeats(steps: list[list[dict]]) -> list[list[dict]]:

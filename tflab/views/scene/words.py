@@ -17,6 +17,7 @@ from math import degrees
 
 from tflab.core import Transform
 
+from .. import style
 from .state import SceneState
 
 __all__ = ["describe", "pose_in_words"]
@@ -36,8 +37,8 @@ def describe(state: SceneState) -> str:
 
 def pose_in_words(pose: Transform) -> str:
     """Return a pose as a person reads it: metres, degrees about the fixed axes."""
-    x, y, z = (_fixed(value, 3) for value in pose.translation)
-    roll, pitch, yaw = (_fixed(degrees(angle), 1) for angle in pose.rpy())
+    x, y, z = (style.fmt(value, "") for value in pose.translation)
+    roll, pitch, yaw = (style.fmt(degrees(angle), "", 1) for angle in pose.rpy())
     return f"x {x} m, y {y} m, z {z} m; roll {roll} deg, pitch {pitch} deg, yaw {yaw} deg"
 
 
@@ -54,7 +55,3 @@ def _frame_in_words(state: SceneState, path: str, frame: dict, path_of: dict[str
 
 def _counted(count: int, what: str) -> str:
     return f"{count} {what}" if count == 1 else f"{count} {what}s"
-
-
-def _fixed(value: float, digits: int) -> str:
-    return f"{round(value, digits) + 0.0:.{digits}f}"
