@@ -348,9 +348,9 @@ def turn_the_mount(yaw):
     mount = Transform.from_rpy(yaw=yaw, translation=(0.20, 0.0, 0.15))
     places = seen_from(mount, (2.0, 0.0, 0.0))
     draw_frame(scene, 'laser_frame', mount, parent='base_link', length_m=0.3)
-    draw_frame(scene, 'swapped', mount.inverse(), length_m=0.3, ghost=True)
+    draw_frame(scene, 'swapped', mount.inverse(), length_m=0.3, is_ghost=True)
     draw_arrow(scene, 'beam', mount.translation, places['corner'], 'corner', ACCENT)
-    draw_path(scene, 'wrong beam', [mount.inverse().translation, places['swapped']], ghost=True)
+    draw_path(scene, 'wrong beam', [mount.inverse().translation, places['swapped']], is_ghost=True)
 
 # %% name="in-3d-scene" tags=["interactive"]
 yaws = [math.radians(degrees) for degrees in range(-180, 181, 15)]

@@ -328,7 +328,7 @@ def draw(delay_s):
     then_T_now = latency.drive(1.0, 0.5, seconds(delay_s))
     drawn_at = then_T_now.apply((5.0, 0.0, 0.3))
     drawing.draw_frame(scene, "robot at the stamp", Transform())
-    drawing.draw_frame(scene, "robot now", then_T_now, ghost=True)
+    drawing.draw_frame(scene, "robot now", then_T_now, is_ghost=True)
     drawing.draw_arrow(scene, "ball", (5.0, 0.0, 0.0), (5.0, 0.0, 0.3), "ball", radius_m=0.02)
     drawing.draw_arrow(scene, "sight", then_T_now.translation, drawn_at, radius_m=0.01)
     ends = ((5.0, 0.0, 0.3), drawn_at)

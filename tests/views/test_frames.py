@@ -42,7 +42,7 @@ def test_an_eye_has_three_directions_at_right_angles():
 
 def test_an_arrow_points_along_its_axis_and_its_letter_stands_beyond_its_tip(ax):
     pose = Transform.from_rpy(yaw=math.pi / 2, translation=(1.0, 2.0, 0.0))
-    drawn = draw_frames({"base_link": pose}, ax, FROM_ABOVE, length_m=1.0)["base_link"]
+    drawn = draw_frames(ax, {"base_link": pose}, FROM_ABOVE, length_m=1.0)["base_link"]
     assert drawn.axes["x"].head.get_xy()[1] == pytest.approx((1.0, 3.0))  # the tip: x points up on paper
     assert drawn.axes["y"].head.get_xy()[1] == pytest.approx((0.0, 2.0))  # and y to the left
     assert place(drawn.axes["x"].letter) == pytest.approx((1.0, 3.15))
@@ -50,14 +50,14 @@ def test_an_arrow_points_along_its_axis_and_its_letter_stands_beyond_its_tip(ax)
 
 def test_letters_of_two_axes_that_point_the_same_way_stand_one_behind_the_other(ax):
     turned = Transform.from_rpy(roll=math.pi / 2)  # x stays, and y points out of the paper
-    one, other = draw_frames({"one": Transform(), "other": turned}, ax, FROM_ABOVE, length_m=1.0).values()
+    one, other = draw_frames(ax, {"one": Transform(), "other": turned}, FROM_ABOVE, length_m=1.0).values()
     assert place(one.axes["x"].letter) == pytest.approx((1.15, 0.0))
     assert place(other.axes["x"].letter) == pytest.approx((1.35, 0.0))
 
 
 def test_an_axis_seen_end_on_is_a_dot_if_it_comes_out_of_the_paper_and_a_cross_if_it_goes_in(ax):
     up, down = Transform(), Transform.from_rpy(roll=math.pi)
-    drawn = draw_frames({"up": up, "down": down}, ax, FROM_ABOVE)
+    drawn = draw_frames(ax, {"up": up, "down": down}, FROM_ABOVE)
     assert [drawn[name].axes["z"].sign.get_marker() for name in ("up", "down")] == ["o", "x"]
     for frame in drawn.values():
         assert frame.axes["z"].ring.get_visible() and not frame.axes["z"].shaft.get_visible()
@@ -65,7 +65,7 @@ def test_an_axis_seen_end_on_is_a_dot_if_it_comes_out_of_the_paper_and_a_cross_i
 
 
 def test_axes_are_told_apart_by_letter_colour_and_line(ax):
-    drawn = draw_frames({"base_link": Transform()}, ax, FROM_ABOVE)["base_link"]
+    drawn = draw_frames(ax, {"base_link": Transform()}, FROM_ABOVE)["base_link"]
     shafts = [drawn.axes[axis].shaft for axis in "xyz"]
     assert [shaft.get_color() for shaft in shafts] == ["#D55E00", "#009E73", "#0072B2"]
     assert len({str(shaft._unscaled_dash_pattern) for shaft in shafts}) == 3
@@ -73,13 +73,13 @@ def test_axes_are_told_apart_by_letter_colour_and_line(ax):
 
 
 def test_a_ghost_is_grey_and_hollow(ax):
-    ghost = draw_frames({"wrong": Transform()}, ax, FROM_ABOVE, is_ghost=True)["wrong"]
+    ghost = draw_frames(ax, {"wrong": Transform()}, FROM_ABOVE, is_ghost=True)["wrong"]
     assert {ghost.axes[axis].shaft.get_color() for axis in "xyz"} == {style.GREY}
     assert ghost.label.text.get_fontstyle() == "italic"
 
 
 def test_moving_a_frame_adds_nothing_to_the_axes(ax):
-    drawn = draw_frames({"base_link": Transform()}, ax, FROM_ABOVE)["base_link"]
+    drawn = draw_frames(ax, {"base_link": Transform()}, FROM_ABOVE)["base_link"]
     before = len(ax.get_children())
     drawn.move(Transform((1.0, 1.0, 0.0)))
     assert len(ax.get_children()) == before
@@ -87,7 +87,7 @@ def test_moving_a_frame_adds_nothing_to_the_axes(ax):
 
 
 def test_a_name_stands_beside_its_frame_and_moves_with_it(ax):
-    drawn = draw_frames({"base_link": Transform((1.0, 2.0, 0.0))}, ax, FROM_ABOVE)["base_link"]
+    drawn = draw_frames(ax, {"base_link": Transform((1.0, 2.0, 0.0))}, FROM_ABOVE)["base_link"]
     assert drawn.label.text.xy == (1.0, 2.0)
     drawn.move(Transform((2.0, 0.5, 0.0)))
     assert drawn.label.text.xy == (2.0, 0.5)
@@ -95,21 +95,21 @@ def test_a_name_stands_beside_its_frame_and_moves_with_it(ax):
 
 def test_what_is_nearer_covers_what_is_farther_and_nothing_covers_a_name(ax):
     heights = {"far": -500.0, "middle": 0.0, "near": 500.0}
-    drawn = draw_frames({name: Transform((0.0, 0.0, z)) for name, z in heights.items()}, ax, FROM_ABOVE)
+    drawn = draw_frames(ax, {name: Transform((0.0, 0.0, z)) for name, z in heights.items()}, FROM_ABOVE)
     levels = [drawn[name].axes["x"].shaft.get_zorder() for name in heights]
     assert sorted(levels) == levels
     assert levels[0] > 0 and levels[2] < drawn["far"].label.text.get_zorder()
 
 
 def test_points_and_arrows_return_what_they_drew(ax):
-    points = draw_points({"corner": (2.0, 1.0, 5.0)}, ax, FROM_ABOVE)
+    points = draw_points(ax, {"corner": (2.0, 1.0, 5.0)}, FROM_ABOVE)
     assert place(points["corner"].mark) == (2.0, 1.0)
-    arrow = draw_arrow((0, 0, 0), (2, 0, 0), ax, "step", FROM_ABOVE)
+    arrow = draw_arrow(ax, (0, 0, 0), (2, 0, 0), "step", FROM_ABOVE)
     assert arrow.label.anchor == (1.0, 0.0)
 
 
 def test_names_keep_off_the_curve_that_is_drawn(ax):
-    arrow = draw_arrow((0, 0, 0), (2, 0, 0), ax, "", FROM_ABOVE, curve=-0.5)
+    arrow = draw_arrow(ax, (0, 0, 0), (2, 0, 0), "", FROM_ABOVE, curve=-0.5)
     drawn = arrow.arrow.get_path().cleaned(curves=False).vertices  # the curve as short straight pieces
     corners = np.array([start for start, _ in arrow.label.keep_off])
     assert np.hypot(*(drawn - corners[2]).T).min() < 0.05

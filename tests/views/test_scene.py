@@ -80,7 +80,7 @@ def test_the_words_give_each_frame_in_its_parent(scene):
 
 
 def test_the_words_name_everything_else(scene):
-    draw_frame(scene, "laser", TURNED, ghost=True, label="laser (wrong)")
+    draw_frame(scene, "laser", TURNED, is_ghost=True, label="laser (wrong)")
     draw_scan(scene, "scan", Transform(), [1.0, math.inf, 2.0, math.nan], -0.1, 0.1)
     draw_points(scene, "cloud", np.zeros((7, 3)))
     draw_path(scene, "plan", np.array([(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, 1.0, 0.0)]))

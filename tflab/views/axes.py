@@ -69,7 +69,7 @@ def draw_body_axes() -> Picture:
         ax = clear_paper(picture.figure.add_axes((0.03, 0.03, 0.94, 0.94)))
         draw_ground(ax, SLANTING, (-1.0, 1.5), (-1.0, 1.5), 0.5)
         RobotArtists(ax, SLANTING, style.GREY, scale=1.3).move(Transform())
-        frame = draw_frames({"base_link": Transform()}, ax, SLANTING, length_m=0.9)["base_link"]
+        frame = draw_frames(ax, {"base_link": Transform()}, SLANTING, length_m=0.9)["base_link"]
         frame.label.stand((0.0, -44.0))
         _write_words(ax, frame, BODY_WORDS)
         ax.set_xlim(-1.75, 1.75)
@@ -84,7 +84,7 @@ def draw_right_hand() -> Picture:
     with style.our_settings():
         for column, (turn, axis) in enumerate(TURNS.items()):
             ax = clear_paper(picture.figure.add_axes((0.02 + 0.325 * column, 0.03, 0.31, 0.91)))
-            draw_frames({"": Transform()}, ax, FROM_FRONT, length_m=1.0)
+            draw_frames(ax, {"": Transform()}, FROM_FRONT, length_m=1.0)
             draw_turn(ax, axis)
             write_caption(ax, f"{turn}: about {axis}")
             ax.set_xlim(-1.25, 1.25)
@@ -134,7 +134,7 @@ class RotationPicture(Picture):
         with style.our_settings():
             ax = clear_paper(self.figure.add_axes((0.02, 0.03, 0.5, 0.94)))
             draw_ground(ax, SLANTING, (-1.0, 1.0), (-1.0, 1.0), 0.5)
-            draw_frames({"": Transform()}, ax, SLANTING, length_m=1.0, is_ghost=True)
+            draw_frames(ax, {"": Transform()}, SLANTING, length_m=1.0, is_ghost=True)
             self.robot = RobotArtists(ax, SLANTING, style.GREY, scale=1.2)
             self.frame = FrameArtists("", ax, SLANTING, 0.9, is_ghost=False)
             ax.set_xlim(-1.4, 1.4)
@@ -230,7 +230,7 @@ class _CameraSide:
         words = BODY_WORDS if pose == Transform() else OPTICAL_WORDS
         write_caption(space, f"{name}: {', '.join(' '.join(pair) for pair in words.items())}")
         draw_frustum(space)
-        draw_frames({"": pose}, space, SLANTING, length_m=0.75)
+        draw_frames(space, {"": pose}, SLANTING, length_m=0.75)
         (self.sight,) = space.plot([], [], color=style.ACCENT, linewidth=1.2, zorder=30, marker="o", markersize=5,
                                    markerfacecolor=style.PAPER, markevery=[0])  # fmt: skip
         (self.point,) = space.plot([], [], "o", color=style.ACCENT, markersize=9, zorder=31)
@@ -240,7 +240,7 @@ class _CameraSide:
         image = clear_paper(figure.add_axes((left + 0.1, 0.12, 0.3, 0.3)))
         corners = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1)]) * (HALF_WIDTH, HALF_HEIGHT)
         image.fill(*corners.T, facecolor=style.SHADE, edgecolor=style.FAINT, linewidth=1.0, zorder=-10)
-        draw_frames({"": pose}, image, FROM_BEHIND, length_m=0.3)
+        draw_frames(image, {"": pose}, FROM_BEHIND, length_m=0.3)
         (self.dot,) = image.plot([], [], "o", color=style.ACCENT, markersize=16, markerfacecolor="none",
                                  markeredgewidth=2.0, zorder=60)  # fmt: skip
         image.set_xlim(-0.62, 0.62)

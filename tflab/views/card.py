@@ -55,11 +55,11 @@ def draw_card() -> Picture:
             ax = clear_paper(picture.figure.add_axes((0.01 + 0.305 * column, 0.43, 0.30, 0.55)))
             if column == 0:
                 RobotArtists(ax, SLANTING, style.GREY, scale=1.4).move(Transform())
-            _write_beyond(ax, draw_frames({"": pose}, ax, SLANTING, length_m=1.0)[""], words)
+            _write_beyond(ax, draw_frames(ax, {"": pose}, SLANTING, length_m=1.0)[""], words)
             _limits(ax, caption)
         for column, (name, axis) in enumerate(TURNS.items()):
             ax = clear_paper(picture.figure.add_axes((0.01 + 0.2 * column, 0.02, 0.19, 0.38)))
-            draw_frames({"": Transform()}, ax, FROM_FRONT, length_m=1.0)
+            draw_frames(ax, {"": Transform()}, FROM_FRONT, length_m=1.0)
             draw_turn(ax, axis)
             _limits(ax, f"+ {name}")
         picture.figure.text(0.665, 0.94, "\n".join(SENTENCES), va="top", family="monospace",

@@ -184,8 +184,8 @@ class ArrowArtists:
 
 
 def draw_frames(
-    poses: Mapping[str, Transform],
     ax: Axes,
+    poses: Mapping[str, Transform],
     eye: Eye = SLANTING,
     length_m: float = 0.3,
     is_ghost: bool = False,
@@ -204,7 +204,7 @@ def draw_frames(
 
 
 def draw_points(
-    points: Mapping[str, Sequence[float]], ax: Axes, eye: Eye = SLANTING, is_ghost: bool = False
+    ax: Axes, points: Mapping[str, Sequence[float]], eye: Eye = SLANTING, is_ghost: bool = False
 ) -> dict[str, PointArtists]:
     """Draw named points, each (x, y, z) [m], on `ax` and return the artists of each."""
     drawn = {}
@@ -216,9 +216,9 @@ def draw_points(
 
 
 def draw_arrow(
+    ax: Axes,
     tail: Sequence[float],
     head: Sequence[float],
-    ax: Axes,
     label: str = "",
     eye: Eye = SLANTING,
     colour: str = style.ACCENT,
@@ -297,10 +297,10 @@ def draw_scene(
         low, high = places.min(axis=0) - length_m, places.max(axis=0) + length_m
         draw_ground(ax, eye, (low[0], high[0]), (low[1], high[1]), _round_step(span_m / 5))
         drawn = [
-            *draw_frames(ghosts, ax, eye, length_m, is_ghost=True).values(),
-            *draw_points(ghost_points, ax, eye, is_ghost=True).values(),
-            *draw_frames(poses, ax, eye, length_m).values(),
-            *draw_points(points, ax, eye).values(),
+            *draw_frames(ax, ghosts, eye, length_m, is_ghost=True).values(),
+            *draw_points(ax, ghost_points, eye, is_ghost=True).values(),
+            *draw_frames(ax, poses, eye, length_m).values(),
+            *draw_points(ax, points, eye).values(),
         ]
         place_labels([artists.label for artists in drawn])
     picture.text = describe_scene(poses, points, ghosts, ghost_points, fixed_frame)

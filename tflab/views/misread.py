@@ -63,7 +63,7 @@ def _draw_side(ax, clouds: Mapping[str, np.ndarray], colour: str, everything: np
     low, high = everything.min(axis=0) - REACH_M, everything.max(axis=0) + REACH_M
     draw_ground(ax, eye, (low[0], high[0]), (low[1], high[1]), 0.5)
     RobotArtists(ax, eye, style.GREY).move(Transform())
-    draw_frames({"": Transform()}, ax, eye, length_m=0.6)
+    draw_frames(ax, {"": Transform()}, eye, length_m=0.6)
     for (name, points), mark in zip(clouds.items(), MARKS, strict=False):
         on_paper = eye.on_paper(points)
         ax.plot(*on_paper.T, linestyle="none", marker=mark, markersize=2.6, color=colour, zorder=5)

@@ -49,8 +49,8 @@ def draw_readings(a: str, b: str, a_T_b: Transform) -> Picture:
             reach = length_m * np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (0, 1)])
             show_all(ax, SLANTING.on_paper((places[:, None] + reach).reshape(-1, 3)), margin_m=0.5 * length_m)
             draw_ground(ax, SLANTING, (-span_m, 2 * span_m), (-span_m, span_m), 0.5 * span_m)
-            draw_frames({a: Transform(), b: a_T_b}, ax, SLANTING, length_m)
-            draw_arrow(*places, ax, curve=0.0 if column == 0 else 0.18, line="solid" if column == 0 else DASHES)
+            draw_frames(ax, {a: Transform(), b: a_T_b}, SLANTING, length_m)
+            draw_arrow(ax, *places, curve=0.0 if column == 0 else 0.18, line="solid" if column == 0 else DASHES)
             write_caption(ax, caption.format(a=a, b=b))
             picture.figure.text(0.25 + 0.495 * column, 0.07, name, ha="center", va="center", color=style.ACCENT,
                                 fontsize=style.TITLE_PT, family="monospace")  # fmt: skip

@@ -142,8 +142,8 @@ class SentencePicture(Picture):
             show_all(ax, SLANTING.on_paper(corners), margin_m=0.4 * length_m)
             low, high = places.min(axis=0) - 2 * length_m, places.max(axis=0) + 2 * length_m
             draw_ground(ax, SLANTING, (low[0], high[0]), (low[1], high[1]), 0.5 * span_m)
-            self.frames = draw_frames(self.poses, ax, SLANTING, length_m)
-            self.arrow = draw_arrow((0, 0, 0), (1, 0, 0), ax, "", SLANTING, curve=-0.25)
+            self.frames = draw_frames(ax, self.poses, SLANTING, length_m)
+            self.arrow = draw_arrow(ax, (0, 0, 0), (1, 0, 0), "", SLANTING, curve=-0.25)
             self.words = self.figure.text(0.03, 0.31, "", fontsize=style.TITLE_PT, va="top", color=style.ACCENT)
             self.lines = TypedBlock(self.figure, 0.03, 0.235)
             self.matrix = TypedBlock(self.figure, 0.66, 0.78)

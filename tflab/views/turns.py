@@ -79,7 +79,7 @@ def draw_drives(yaw_rates_radps: Mapping[str, float], speed_mps: float = 0.5, du
             ax.text(x + 0.32 * side, max(y, ahead[1]) + (0.08 if side == 0 else 0.0), name, color=style.INK,
                     ha={0: "center", 1: "left", -1: "right"}[side], va="bottom" if side == 0 else "center")  # fmt: skip
         RobotArtists(ax, FROM_ABOVE, style.FAINT, scale=0.7).move(page_T_start)
-        draw_frames({"": page_T_start}, ax, FROM_ABOVE, length_m=0.55)
+        draw_frames(ax, {"": page_T_start}, FROM_ABOVE, length_m=0.55)
         ax.set_xlim(-2.6, 2.6)
         ax.set_ylim(-0.55, speed_mps * duration_s + 0.5)
     picture.text = describe_drives(yaw_rates_radps, speed_mps, duration_s)
@@ -106,7 +106,7 @@ def draw_orders(first: tuple[str, float], second: tuple[str, float]) -> Picture:
             for column, (pose, caption) in enumerate(zip(_after(turns), captions, strict=True)):
                 ax = clear_paper(picture.figure.add_axes((0.02 + 0.325 * column, 0.51 - 0.48 * row, 0.31, 0.46)))
                 RobotArtists(ax, SLANTING, style.ACCENT if column == 2 else style.GREY, scale=1.6).move(pose)
-                draw_frames({"": pose}, ax, SLANTING, length_m=0.85)
+                draw_frames(ax, {"": pose}, SLANTING, length_m=0.85)
                 ax.set_xlim(-1.15, 1.15)
                 ax.set_ylim(-0.95, 1.15)
                 write_caption(ax, caption)
@@ -131,7 +131,7 @@ def draw_turns(*turns: tuple[str, float]) -> Picture:
         for column, (caption, pose) in enumerate(zip(_captions(turns), _after(turns), strict=True)):
             ax = clear_paper(picture.figure.add_axes((0.02 + 0.96 / columns * column, 0.03, 0.93 / columns, 0.94)))
             draw_frustum(ax)
-            draw_frames({"": pose}, ax, SLANTING, length_m=0.75)
+            draw_frames(ax, {"": pose}, SLANTING, length_m=0.75)
             ax.set_xlim(-1.0, 1.35)
             ax.set_ylim(-1.05, 1.3)
             write_caption(ax, caption)

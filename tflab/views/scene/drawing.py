@@ -5,7 +5,7 @@
     draw_scan, draw_points, draw_path, draw_arrow        what sensors and planners say
     draw_camera                                          what a camera sees, and its image plane
     draw_robot                                           links, from boxes, cylinders, spheres
-    ... ghost=True                                       the wrong answer: grey, translucent, hatched
+    ... is_ghost=True                                    the wrong answer: grey, translucent, hatched
 
 All poses and points are in the scene's own frame; whoever draws decides which frame
 that is.  Drawing the same path again moves what is there.  Each function takes a
@@ -60,15 +60,15 @@ def draw_frame(
     scene_T_frame: Transform,
     parent: str = "",
     length_m: float = 0.4,
-    ghost: bool = False,
+    is_ghost: bool = False,
     label: str | None = None,
 ) -> None:
     """Draw a frame: its axes, their letters, and its name (or `label`, if that says more)."""
-    path = scene[frame_path(name, ghost)]
-    path.set_object(*triangles(_axes(length_m, ghost), GHOST_OPACITY * 2 if ghost else 1.0))
+    path = scene[frame_path(name, is_ghost)]
+    path.set_object(*triangles(_axes(length_m, is_ghost), GHOST_OPACITY * 2 if is_ghost else 1.0))
     path.set_transform(scene_T_frame.matrix())
-    path.set_property("labels", [*_axis_letters(length_m, ghost), _name_label(label or name, ghost)])
-    path.set_property("frame", {"name": name, "parent": parent, "ghost": ghost})
+    path.set_property("labels", [*_axis_letters(length_m, is_ghost), _name_label(label or name, is_ghost)])
+    path.set_property("frame", {"name": name, "parent": parent, "ghost": is_ghost})
 
 
 def draw_frames(
@@ -109,16 +109,16 @@ def draw_arrow(
     scene[path].set_transform(_x_along(start, end))
     if name:
         scene[path].set_property("labels", [_label(name, (0.5 * length_m, 0.0, 0.0), colour)])
-        scene[path].set_property("words", f"arrow from {_point(start)} to {_point(end)}")
+        scene[path].set_property("words", f"arrow from {style.fmt_all(start)} to {style.fmt_all(end)}")
 
 
 def draw_path(
-    scene: Scene, path: str, points: np.ndarray, colour: str = ACCENT, radius_m: float = 0.015, ghost: bool = False
+    scene: Scene, path: str, points: np.ndarray, colour: str = ACCENT, radius_m: float = 0.015, is_ghost: bool = False
 ) -> None:
     """Draw a line through `points`, shape (n, 3) [m]; a ghost is grey and dashed."""
-    mesh = shapes.polyline(points, radius_m, style.GREY if ghost else colour, dashed=ghost)
-    scene[path].set_object(*triangles(mesh, GHOST_OPACITY * 2 if ghost else 1.0))
-    scene[path].set_property("words", f"{'ghost path' if ghost else 'path'}, {len(points)} points")
+    mesh = shapes.polyline(points, radius_m, style.GREY if is_ghost else colour, dashed=is_ghost)
+    scene[path].set_object(*triangles(mesh, GHOST_OPACITY * 2 if is_ghost else 1.0))
+    scene[path].set_property("words", f"{'ghost path' if is_ghost else 'path'}, {len(points)} points")
 
 
 def draw_points(
@@ -148,7 +148,7 @@ def draw_scan(
     angle_increment_rad: float,
     colour: str = ACCENT,
     size_m: float = 0.06,
-    ghost: bool = False,
+    is_ghost: bool = False,
 ) -> None:
     """Draw a laser scan: its points, and faintly what it has swept; rays that hit nothing (inf, nan) are left out."""
     ranges_m = np.asarray(ranges_m, dtype=float)
@@ -156,10 +156,12 @@ def draw_scan(
     hit = np.isfinite(ranges_m)
     reach_m = np.where(hit, ranges_m, 0.0)
     scan_p_hits = np.column_stack([reach_m * np.cos(angles), reach_m * np.sin(angles), np.zeros(len(reach_m))])
-    colour = style.GREY if ghost else colour
+    colour = style.GREY if is_ghost else colour
     with scene.redraw():
         scene[path].set_transform(scene_T_scan.matrix())
-        draw_points(scene, f"{path}/points", scan_p_hits[hit], colour, size_m, "ghost scan" if ghost else "laser scan")
+        draw_points(
+            scene, f"{path}/points", scan_p_hits[hit], colour, size_m, "ghost scan" if is_ghost else "laser scan"
+        )
         scene[f"{path}/swept"].set_object(*triangles(_fan(scan_p_hits, hit, colour), 0.10))
 
 
@@ -200,7 +202,7 @@ def draw_robot(
     path: str,
     links: Mapping[str, Sequence[Part]],
     poses: Mapping[str, Transform],
-    ghost: bool = False,
+    is_ghost: bool = False,
 ) -> None:
     """Draw each link that has a pose, from its parts, and take away each that has none."""
     with scene.redraw():
@@ -211,14 +213,14 @@ def draw_robot(
                 continue
             link.set_transform(poses[name].matrix())
             for i, part in enumerate(parts):
-                _draw_part(link[f"part{i}"], part, ghost)
+                _draw_part(link[f"part{i}"], part, is_ghost)
         drawn = sum(name in poses for name in links)
-        scene[path].set_property("words", f"{'ghost robot' if ghost else 'robot'}, {drawn} of {len(links)} links")
+        scene[path].set_property("words", f"{'ghost robot' if is_ghost else 'robot'}, {drawn} of {len(links)} links")
 
 
-def frame_path(name: str, ghost: bool = False) -> str:
+def frame_path(name: str, is_ghost: bool = False) -> str:
     """Return where a frame is in the scene's tree; frames stand side by side there, whoever is whose parent."""
-    return f"{'ghosts' if ghost else 'frames'}/{_bare(name)}"
+    return f"{'ghosts' if is_ghost else 'frames'}/{_bare(name)}"
 
 
 def edge_path(child: str) -> str:
@@ -226,15 +228,15 @@ def edge_path(child: str) -> str:
     return f"edges/{_bare(child)}"
 
 
-def _draw_part(place: Any, part: Part, ghost: bool) -> None:
+def _draw_part(place: Any, part: Part, is_ghost: bool) -> None:
     from meshcat.geometry import MeshBasicMaterial, MeshLambertMaterial
 
     geometry, part_T_geometry = _geometry(part)
     place.set_transform(part.link_T_part.matrix() @ part_T_geometry)
-    red, green, blue, alpha = (0.5, 0.5, 0.5, GHOST_OPACITY) if ghost else part.rgba
+    red, green, blue, alpha = (0.5, 0.5, 0.5, GHOST_OPACITY) if is_ghost else part.rgba
     colour = (round(255 * red) << 16) + (round(255 * green) << 8) + round(255 * blue)
     place["fill"].set_object(geometry, MeshLambertMaterial(color=colour, opacity=alpha, depthWrite=alpha == 1.0))
-    if ghost:
+    if is_ghost:
         hatch = MeshBasicMaterial(color=0x808080, wireframe=True, opacity=0.5, depthWrite=False)
         place["hatch"].set_object(geometry, hatch)
 
@@ -255,8 +257,8 @@ def _geometry(part: Part) -> tuple[Any, np.ndarray]:
 
 
 @lru_cache(16)
-def _axes(length_m: float, ghost: bool) -> shapes.Triangles:
-    return shapes.axes(length_m, ghost)
+def _axes(length_m: float, is_ghost: bool) -> shapes.Triangles:
+    return shapes.axes(length_m, is_ghost)
 
 
 @lru_cache(256)
@@ -288,15 +290,15 @@ def _image_plane(half_w: float, half_h: float, depth: float, colour: str) -> sha
     return shapes.Triangles(corners, np.array([(0, 1, 2), (0, 2, 3)]), np.tile(shapes.rgb(colour), (4, 1)))
 
 
-def _axis_letters(length_m: float, ghost: bool) -> list[dict]:
+def _axis_letters(length_m: float, is_ghost: bool) -> list[dict]:
     tips = {"x": (1.1, 0.0, 0.0), "y": (0.0, 1.1, 0.0), "z": (0.0, 0.0, 1.1)}
-    colours = {axis: style.GREY if ghost else style.AXIS_COLOURS[axis] for axis in style.AXES}
+    colours = {axis: style.GREY if is_ghost else style.AXIS_COLOURS[axis] for axis in style.AXES}
     return [_label(axis, np.array(tips[axis]) * length_m, colours[axis], small=True) for axis in style.AXES]
 
 
-def _name_label(text: str, ghost: bool) -> dict:
+def _name_label(text: str, is_ghost: bool) -> dict:
     """Return a frame's name; a ghost's is grey and slanted."""
-    return _label(text, (0.0, 0.0, 0.0), style.GREY if ghost else "", name=True, slanted=ghost)
+    return _label(text, (0.0, 0.0, 0.0), style.GREY if is_ghost else "", name=True, slanted=is_ghost)
 
 
 def _label(
@@ -305,10 +307,6 @@ def _label(
     """Return a piece of writing for scene.js; without a colour it has the page's own."""
     at = [float(value) for value in at]
     return {"text": text, "at": at, "colour": colour, "small": small, "name": name, "slanted": slanted}
-
-
-def _point(point: np.ndarray) -> str:
-    return "(" + ", ".join(f"{round(float(value), 3) + 0.0:.3f}" for value in point) + ") m"
 
 
 def _bare(name: str) -> str:

@@ -101,11 +101,11 @@ def arrow(
     return joined([line(start, neck, radius_m, colour, style_name), bar(neck, end, 2.6 * radius_m, colour, 0.0)])
 
 
-def axes(length_m: float, ghost: bool = False) -> Triangles:
+def axes(length_m: float, is_ghost: bool = False) -> Triangles:
     """Return the three axes of a frame: told apart by colour and by line; a ghost's by line alone."""
     radius_m = 0.026 * length_m
     ends = {"x": (length_m, 0.0, 0.0), "y": (0.0, length_m, 0.0), "z": (0.0, 0.0, length_m)}
-    colours = {axis: style.GREY if ghost else style.AXIS_COLOURS[axis] for axis in style.AXES}
+    colours = {axis: style.GREY if is_ghost else style.AXIS_COLOURS[axis] for axis in style.AXES}
     return joined([arrow((0.0, 0.0, 0.0), ends[a], radius_m, colours[a], LINES[a]) for a in style.AXES])
 
 
