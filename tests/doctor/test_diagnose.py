@@ -171,7 +171,7 @@ def test_messages_in_a_frame_that_nobody_publishes_are_named():
     stamps = np.arange(1, 30, dtype=np.int64) * 100 * MS + SECOND
     scan = Headers("/scan", "sensor_msgs/msg/LaserScan", stamps, stamps, np.zeros(29, dtype=np.int64), ("lidar",))
     findings = found(replace(recording(*HEALTHY), headers=(scan,)))
-    assert findings["unknown-frame"].facts == {"name": "lidar", "topic": "/scan", "count": 29}
+    assert findings["unknown-frame"].facts == {"name": "lidar", "topics": "/scan", "count": 29}
 
 
 def test_a_wrong_case_between_a_driver_and_the_tree_is_named():
@@ -276,3 +276,123 @@ def test_every_finding_can_be_told():
     patient = recording(*HEALTHY, edge("base_link", "map", start_ms=1010), edge("odm", "/arm"))
     for finding in diagnose_recording(patient).findings:
         assert all("{" not in part for part in sentences(finding))
+
+
+# -- what a first version did not see ------------------------------------------------------
+
+
+def headers(topic, msgtype, frame, count=60, period_ms=100, delay_ms=5, start_ms=1000):
+    stamps = (start_ms + period_ms * np.arange(count, dtype=np.int64)) * MS
+    return Headers(topic, msgtype, stamps + delay_ms * MS, stamps, np.zeros(count, dtype=np.int64), (frame,))
+
+
+def without(records, begin_s, end_s):
+    return [record for record in records if not begin_s * SECOND < record.receive_ns < end_s * SECOND]
+
+
+def test_an_edge_that_comes_once_a_second_and_moves_far_meanwhile_is_slow():
+    finding = found(recording(HEALTHY[0], edge("odom", "base_link", 10, 1000), HEALTHY[2]))["slow-edge"]
+    assert (finding.child, finding.facts["rate"]) == ("base_link", "1.0")
+
+
+def test_an_edge_that_begins_seconds_after_the_others_is_named():
+    late = edge("odom", "base_link", start_ms=4000)
+    finding = found(recording(edge("map", "odom", 80, 100), late, HEALTHY[2]))["late-start"]
+    assert (finding.child, finding.facts["late"]) == ("base_link", "3.000")
+
+
+def test_a_blocked_node_that_first_sends_what_it_had_in_hand_has_a_gap():
+    samples = edge("odom", "base_link")
+    before, after = samples[:50], samples[90:]  # a hole of 2 s in the stamps ...
+    in_hand = samples[50]._replace(receive_ns=after[0].receive_ns - MS)  # ... heard one sample before it shows
+    finding = found(recording(edge("map", "odom"), [*before, in_hand, *after], HEALTHY[2]))["gap"]
+    assert finding.child == "base_link" and finding.facts["hole"] == "2.000"
+
+
+def test_all_of_tf_silent_while_a_sensor_goes_on_is_the_topic_and_not_its_publishers():
+    silent = [without(edge("map", "odom", 50, 100), 2, 4), without(edge("odom", "base_link"), 2, 4), HEALTHY[2]]
+    scan = headers("/scan", "sensor_msgs/msg/LaserScan", "laser_frame")
+    assert alarming(replace(recording(*silent), headers=(scan,))) == {"tf-silent"}
+
+
+def test_one_stamp_an_hour_ahead_is_told_with_what_it_does():
+    samples = edge("odom", "base_link")
+    ahead = replace(samples[50].stamped, stamp_ns=samples[50].stamped.stamp_ns + 3600 * SECOND)
+    samples[50] = samples[50]._replace(stamped=ahead)
+    findings = found(recording(HEALTHY[0], samples, HEALTHY[2]))
+    assert set(findings) == {"future-stamp"} and findings["future-stamp"].facts["ahead"] == "3600.000"
+
+
+def test_a_queue_that_empties_at_the_start_is_no_clock_that_was_set():
+    samples = edge("odom", "base_link", 160)
+    burst = [record._replace(receive_ns=samples[40].receive_ns + i * MS) for i, record in enumerate(samples[:40])]
+    findings = found(recording(edge("map", "odom", 80, 100), [*burst, *samples[41:]], HEALTHY[2]))
+    assert "clock-jump-forward" not in findings
+
+
+def test_stamps_of_another_day_are_another_time_source_and_not_a_delay():
+    simulated = edge("odom", "base_link", delay_ms=1_700_000_000_000)
+    broken = recording(edge("map", "odom", start_ms=1_700_000_001_000), simulated, HEALTHY[2],
+                       edge("base_link", "arm", start_ms=1_700_000_001_000))  # fmt: skip
+    assert found(broken)["other-time"].child == "base_link"
+
+
+def test_two_arms_are_no_misspelling_of_each_other():
+    arms = [edge("base_link", "rh_p12_rn_l1"), edge("rh_p12_rn_r1", "rh_p12_rn_r2")]
+    assert alarming(recording(*HEALTHY, *arms)) == {"two-trees"}
+
+
+def test_a_prefix_with_an_underscore_that_leaves_a_tree_in_the_air_is_named():
+    broken = recording(edge("map", "odom"), edge("odom", "robot2_base_link"), HEALTHY[2])
+    findings = found(broken)
+    assert set(findings) == {"name-prefix"} and findings["name-prefix"].facts["prefix"] == "robot2_"
+
+
+def test_two_robots_with_underscores_are_two_trees_by_choice():
+    robots = [edge(f"r{n}_odom", f"r{n}_base_link") for n in (1, 2)]
+    mounts = [mount(f"r{n}_base_link", f"r{n}_laser") for n in (1, 2)]
+    assert {f.code: f.severity for f in found(recording(*robots, *mounts)).values()} == {"several-robots": "info"}
+
+
+def test_many_pieces_are_one_finding():
+    islands = [mount(f"island_{i}_a", f"rock_{i}_b") for i in range(50)]
+    trees = [f for f in diagnose_recording(recording(*HEALTHY, *islands)).findings if f.code == "two-trees"]
+    assert [f.facts["count"] for f in trees] == [51]
+
+
+def test_a_tree_that_stands_upside_down_is_named():
+    assert "upside-down" in alarming(recording(edge("base_link", "odom"), edge("odom", "map"), HEALTHY[2]))
+
+
+def test_what_follows_from_a_cause_stands_under_it():
+    (finding,) = diagnose_recording(recording(edge("map", "odom"), edge("odm", "base_link"), HEALTHY[2])).findings
+    assert finding.code == "name-slip" and [effect.code for effect in finding.effects] == ["two-trees"]
+
+
+def test_edges_of_one_node_that_suffer_alike_are_one_finding():
+    late = [edge("base_link", f"joint_{i}", delay_ms=900) for i in range(4)]
+    (finding,) = [f for f in diagnose_recording(recording(*HEALTHY, *late)).findings if f.code == "late-stamps"]
+    assert (finding.child, finding.siblings) == ("joint_0", ("joint_1", "joint_2", "joint_3"))
+
+
+def test_a_single_edge_between_world_and_something_needs_no_statics():
+    assert found(recording(edge("world", "talk", 10, 300)))["statics-missing"].severity == "info"
+
+
+def test_a_mount_that_the_urdf_calls_fixed_is_a_mount_whatever_its_name():
+    urdf = '<robot name="r"><link name="base_link"/><link name="wheel_cover"/><joint name="j" type="fixed">'
+    urdf += '<parent link="base_link"/><child link="wheel_cover"/></joint></robot>'
+    cover = edge("base_link", "wheel_cover", value=lambda i: Transform((0.1, 0.0, 0.0)))
+    patient = recording(*HEALTHY, cover)
+    assert alarming(patient) == set()
+    assert alarming(replace(patient, robot_description=urdf)) == {"constant-on-tf"}
+
+
+def test_messages_that_cannot_be_read_on_tf_are_an_error():
+    patient = replace(recording(*HEALTHY), notes=("7 messages on /tf could not be read and were passed over",))
+    assert found(patient)["unreadable"].severity == "error"
+
+
+def test_no_transforms_at_all_is_a_warning():
+    (finding,) = diagnose_recording(recording()).findings
+    assert (finding.code, finding.severity) == ("no-transforms", "warning")

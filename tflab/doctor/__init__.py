@@ -2,6 +2,7 @@
 
     findings     what the doctor says
     evidence     what there is to judge
+    gather       where the evidence comes from
     jumps        where a clock was set
     checks/      the seven questions, and their order
     diagnose     all of them, and causes apart from effects

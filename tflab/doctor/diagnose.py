@@ -12,14 +12,16 @@ Read `report/` next.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from typing import NamedTuple
 
 from tflab.bags.recording import Recording
-from tflab.core import BufferCore
+from tflab.core import NSEC_PER_SEC, BufferCore
 
-from .checks import clocks, names, owners, statics, timing, tree, values
-from .evidence import Evidence, evidence_from_buffer, evidence_from_recording
+from .checks import clocks, delay, names, owners, silence, statics, timing, tree, values
+from .evidence import Evidence
 from .findings import SEVERITIES, Finding, NotMade, Report
+from .gather import evidence_from_buffer, evidence_from_recording
 from .report.texts import CHECK_TEXTS
 
 __all__ = ["CHECKS", "Check", "diagnose_buffer", "diagnose_recording"]
@@ -42,15 +44,20 @@ CHECKS = (
     Check("loops", tree.loops),
     Check("one parent for each child", tree.several_parents),
     Check("one tree", tree.separate_trees),
+    Check("the right way up", tree.upside_down),
     Check("numbers", values.not_numbers, "raw"),
     Check("rotations", values.bad_rotations, "raw"),
     Check("optical frames", values.unturned_optical_frames),
     Check("stamps that are not set", timing.unset_stamps),
     Check("repeated stamps", timing.repeated_stamps),
     Check("order of stamps", timing.unordered_stamps, "arrival"),
-    Check("gaps", timing.gaps),
-    Check("delays", timing.odd_delays, "arrival"),
-    Check("delays of other messages", timing.odd_message_delays, "recording"),
+    Check("stamps in the future", timing.future_stamps, "arrival"),
+    Check("gaps", silence.gaps),
+    Check("edges that begin late", silence.late_starts, "arrival"),
+    Check("rates", silence.slow_edges),
+    Check("stamps of another day", delay.other_times, "arrival"),
+    Check("delays", delay.odd_delays, "arrival"),
+    Check("delays of other messages", delay.odd_message_delays, "recording"),
     Check("jumps of a clock", clocks.jumping_clocks, "arrival"),
     Check("source of time", clocks.other_time_source, "recording"),
     Check("agreement of clocks", clocks.clock_offset, "arrival"),
@@ -66,40 +73,58 @@ CHECKS = (
 # cause: effects that it brings about on the same child, and anywhere
 EFFECTS_ON_CHILD = {
     "two-owners": ("unordered-stamps", "repeated-stamps", "clock-jump-back", "clock-jump-forward", "late-stamps",
-                   "early-stamps", "static-changed", "moving-on-static"),
+                   "early-stamps", "static-changed", "moving-on-static", "gap", "future-stamp"),
     "two-parents": ("two-owners", "unordered-stamps", "repeated-stamps", "clock-jump-back", "clock-jump-forward"),
-    "re-parented": ("two-owners",),
-    "moving-and-static": ("constant-on-tf", "static-changed", "two-parents"),
+    "re-parented": ("two-owners", "stamped-ahead", "early-stamps"),
+    "moving-and-static": ("constant-on-tf", "static-changed", "two-parents", "early-stamps", "stamped-ahead"),
     "unset-stamps": ("repeated-stamps", "unordered-stamps", "gap", "clock-jump-back", "clock-jump-forward",
-                     "late-stamps", "early-stamps"),
+                     "late-stamps", "early-stamps", "other-time", "future-stamp"),
     "moving-on-static": ("static-changed", "moving-and-static", "went-silent"),
-    "constant-on-tf": ("early-stamps", "stamped-ahead"),  # as ROS 1 sends them: stamped ahead by a period
+    "constant-on-tf": ("late-stamps", "early-stamps", "stamped-ahead", "late-start", "slow-edge"),
+    "repeated-stamps": ("unordered-stamps",),
     "self-transform": ("loop", "two-parents", "re-parented"),
+    "future-stamp": ("unordered-stamps", "clock-jump-back", "clock-jump-forward", "gap", "early-stamps"),
+    "other-time": ("late-stamps", "early-stamps", "gap", "unordered-stamps", "clock-jump-back", "clock-jump-forward"),
+    "clock-jump-back": ("late-stamps", "early-stamps", "unordered-stamps", "gap", "future-stamp"),
+    "clock-jump-forward": ("late-stamps", "early-stamps", "gap", "future-stamp"),
+    "out-of-this-world": ("two-owners", "gap", "odom-jumps"),
+    "late-start": ("gap",),
+    "slow-edge": ("gap", "unordered-stamps"),
 }  # fmt: skip
 EFFECTS_ANYWHERE = {
-    "name-case": ("two-trees", "re-parented", "two-parents", "unknown-frame", "loop"),
-    "name-prefix": ("two-trees", "re-parented", "two-parents", "unknown-frame"),
-    "name-slip": ("two-trees", "re-parented", "two-parents", "unknown-frame"),
+    "name-case": ("two-trees", "re-parented", "two-parents", "unknown-frame", "unknown-world-frame", "loop"),
+    "name-prefix": ("two-trees", "re-parented", "two-parents", "unknown-frame", "unknown-world-frame"),
+    "name-slip": ("two-trees", "re-parented", "two-parents", "unknown-frame", "unknown-world-frame"),
+    "volatile-static": ("statics-missing", "two-trees", "unknown-frame"),
     "statics-missing": ("two-trees", "unknown-frame"),
     "empty-name": ("two-trees",),
-    "loop": ("re-parented", "two-parents", "two-trees"),
-    "re-parented": ("two-trees",),
-    "two-parents": ("two-trees",),
+    "loop": ("re-parented", "two-parents", "two-trees", "constant-on-tf", "early-stamps", "unknown-frame",
+             "unknown-world-frame", "upside-down", "late-start"),
+    "re-parented": ("two-trees", "upside-down"),
+    "two-parents": ("two-trees", "upside-down"),
+    "clock-jump-back": ("messages-late", "messages-early", "unordered-stamps", "clock-offset", "late-stamps",
+                        "early-stamps"),
+    "clock-jump-forward": ("messages-late", "messages-early", "clock-offset"),
     "clock-offset": ("late-stamps", "early-stamps", "messages-early", "messages-late"),
     "stall": ("late-stamps",),
-    "two-trees": ("unknown-frame",),
-}
+    "two-trees": ("unknown-frame", "unknown-world-frame"),
+}  # fmt: skip
+# what all edges of one node have, if one has it
+OF_ONE_NODE = {"constant-on-tf", "late-start", "late-stamps", "early-stamps", "stamped-ahead", "other-time",
+               "slow-edge", "repeated-stamps", "unordered-stamps", "unset-stamps", "not-a-number", "zero-quaternion",
+               "not-unit-quaternion"}  # fmt: skip
+AT_ONCE_NS = NSEC_PER_SEC
 
 
 def diagnose_recording(recording: Recording) -> Report:
     """Return what is wrong with the transforms of a recording, in each of its namespaces."""
+    unreadable = _unreadable(recording)
     if not recording.namespaces():
-        return _report_without_transforms(recording)
-    findings = []
+        return _report_without_transforms(recording, unreadable)
+    findings = list(unreadable)
     for namespace in recording.namespaces():
         evidence = evidence_from_recording(recording, namespace)
         findings += told_causes([finding for check in CHECKS for finding in check.run(evidence)])
-    findings += [Finding("passed-over", "info", facts={"note": note}) for note in recording.notes]
     return Report(recording.name, recording.begin_ns, worst_first(findings), tuple(check.name for check in CHECKS))
 
 
@@ -113,14 +138,54 @@ def diagnose_buffer(buffer: BufferCore, name: str = "buffer") -> Report:
 
 
 def told_causes(findings: list[Finding]) -> list[Finding]:
-    """Return the findings without those that another of them explains."""
-    explained_on: set[tuple[str, str]] = set()
-    explained: set[str] = set()
+    """Return the findings that no other explains, each with those that it explains."""
+    cause_of = {number: _cause_of(finding, findings) for number, finding in enumerate(findings)}
+    effects: dict[int, list[Finding]] = {}
+    for number, finding in enumerate(findings):
+        cause = first = cause_of[number]
+        while cause is not None and cause_of[cause] is not None and cause_of[cause] != first:
+            cause = cause_of[cause]
+        if cause is not None:
+            effects.setdefault(cause, []).append(finding)
+    causes = [number for number in range(len(findings)) if cause_of[number] is None]
+    return _together([replace(findings[number], effects=tuple(effects.get(number, ()))) for number in causes])
+
+
+def _together(findings: list[Finding]) -> list[Finding]:
+    """Return the findings with those as one that say the same of several edges at the same time."""
+    firsts: dict[tuple, int] = {}
+    together: list[Finding] = []
     for finding in findings:
-        if finding.severity != "info":
-            explained_on |= {(code, finding.child) for code in EFFECTS_ON_CHILD.get(finding.code, ())}
-            explained |= set(EFFECTS_ANYWHERE.get(finding.code, ()))
-    return [f for f in findings if f.code not in explained and (f.code, f.child) not in explained_on]
+        key = (finding.code, finding.severity, finding.topic)
+        first = firsts.get(key)
+        if first is not None and _are_at_once(together[first], finding):
+            siblings = (*together[first].siblings, finding.child)
+            effects = (*together[first].effects, *finding.effects)
+            together[first] = replace(together[first], siblings=siblings, effects=effects)
+            continue
+        if finding.code in OF_ONE_NODE:
+            firsts[key] = len(together)
+        together.append(finding)
+    return together
+
+
+def _are_at_once(a: Finding, b: Finding) -> bool:
+    return abs(a.begin_ns - b.begin_ns) < AT_ONCE_NS and abs(a.end_ns - b.end_ns) < AT_ONCE_NS
+
+
+def _explains(cause: Finding, effect: Finding) -> bool:
+    """Return whether a finding brings another about; what is brief explains only what is as brief."""
+    if cause.severity == "info" or cause is effect:
+        return False
+    if cause.code == "stall" and effect.end_ns > cause.end_ns + AT_ONCE_NS:
+        return False
+    on_child = cause.child == effect.child and effect.code in EFFECTS_ON_CHILD.get(cause.code, ())
+    return on_child or effect.code in EFFECTS_ANYWHERE.get(cause.code, ())
+
+
+def _cause_of(effect: Finding, findings: list[Finding]) -> int | None:
+    """Return the number of the first finding that explains another."""
+    return next((number for number, cause in enumerate(findings) if _explains(cause, effect)), None)
 
 
 def worst_first(findings: list[Finding]) -> tuple[Finding, ...]:
@@ -128,8 +193,22 @@ def worst_first(findings: list[Finding]) -> tuple[Finding, ...]:
     return tuple(sorted(findings, key=lambda finding: SEVERITIES.index(finding.severity)))
 
 
-def _report_without_transforms(recording: Recording) -> Report:
-    topics = ", ".join(sorted({connection.topic for connection in recording.connections})) or "nothing"
-    findings = (Finding("no-transforms", "info", facts={"topics": topics}),)
+def _unreadable(recording: Recording) -> list[Finding]:
+    """Return a finding for each topic of which messages could not be read; an error if it should hold transforms."""
+    kinds = {connection.topic: connection.msgtype for connection in recording.connections}
+    findings = []
+    for note in recording.notes:
+        topic = next((topic for topic in kinds if f"on {topic} " in note), "")
+        severity = "error" if kinds.get(topic, "").endswith(("TFMessage", "tfMessage")) else "info"
+        findings.append(Finding("unreadable", severity, topic=topic, facts={"note": note}))
+    return findings
+
+
+def _report_without_transforms(recording: Recording, unreadable: list[Finding]) -> Report:
+    names = sorted({connection.topic for connection in recording.connections})
+    is_there = [name for name in names if name.rpartition("/")[2] in ("tf", "tf_static")]
+    what = f"In {', '.join(is_there)} there are none." if is_there else "/tf and /tf_static were not recorded."
+    facts = {"topics": ", ".join(names) or "nothing", "what": what}
+    findings = worst_first([*unreadable, Finding("no-transforms", "warning", facts=facts)])
     not_made = tuple(NotMade(check.name, "transforms") for check in CHECKS)
     return Report(recording.name, recording.begin_ns, findings, (), not_made)

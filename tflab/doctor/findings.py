@@ -6,7 +6,7 @@
               facts      the numbers that show it
     Report    findings, the checks that were made, and those that could not be
 
-A finding holds no sentences: `texts.py` makes them of its code and facts, so that
+A finding holds no sentences: `report/` makes them of its code and facts, so that
 another language needs another table and nothing else.
 
 Read `evidence.py` next.
@@ -28,11 +28,13 @@ class Finding:
     """One thing that is wrong, or worth knowing.
 
     Attributes:
-        code: which text tells it, a key of `texts.TEXTS`.
+        code: which text tells it, a key of `report.texts.TEXTS`.
         parent, child: the edge it is about, "" if it is about more than one.
         topic: where it was seen, "" if that does not matter.
         begin_ns, end_ns: when it was seen, by the recorder's clock [ns]; 0 if always.
         facts: what fills the blanks of the text.
+        effects: what else is seen because of it, and needs no mending of its own.
+        siblings: other children of which the same is to be said: they come from one node, as a rule.
     """
 
     code: str
@@ -43,6 +45,8 @@ class Finding:
     begin_ns: int = 0
     end_ns: int = 0
     facts: dict[str, object] = field(default_factory=dict)
+    effects: tuple[Finding, ...] = ()
+    siblings: tuple[str, ...] = ()
 
 
 class NotMade(NamedTuple):

@@ -1,10 +1,12 @@
-"""Was the clock set?  Where the stamps of an edge leave the time of receipt for good.
+r"""Was the clock set?  Where the stamps of an edge leave the time of receipt for good.
 
     received minus stamp
           |          ________        a clock that was set back: a new level
           |__________|
           |     |                    a message that was late, or overtaken: the old level again
           |_____|____________
+
+    ''''\____________      a queue that empties, as after a start: no jump, there was no level before
 
 Read `checks/` next.
 """
@@ -23,6 +25,8 @@ LEAST_JUMP_S = 0.05
 LEAST_PERIODS = 3.0  # less can be a message or two that took another way
 LEAST_HABITS = 8.0
 FEWEST_SAMPLES = 4  # on either side
+OVERTAKING = 4  # samples: who is ahead of the old maximum again so soon, was overtaken
+UNSTEADY = 0.5  # of the jump: a level that varies so much is none, but a queue that empties
 LEVEL_SAMPLES = 8  # that tell where a level is, before and after a jump
 
 
@@ -54,8 +58,13 @@ def find_jumps(stamp_ns: np.ndarray, receive_ns: np.ndarray, period_ns: int) -> 
         after = before + 1
         if min(after, len(stamp_ns) - after) < FEWEST_SAMPLES:
             continue
-        level_s = np.median(offset_s[max(0, after - LEVEL_SAMPLES) : after])
-        shift_s = float(np.median(offset_s[after : after + LEVEL_SAMPLES]) - level_s)
+        earlier_s = offset_s[max(0, after - LEVEL_SAMPLES) : after]
+        later_s = offset_s[after : after + LEVEL_SAMPLES]
+        shift_s = float(np.median(later_s) - np.median(earlier_s))
+        is_overtaken = is_back[before] and stamp_ns[after : after + OVERTAKING].max() > stamp_ns[before]
+        is_unsteady = max(np.ptp(earlier_s), np.ptp(later_s)) > UNSTEADY * abs(change_s[before])
+        if is_overtaken or is_unsteady:
+            continue
         if abs(shift_s) > 0.7 * abs(change_s[before]) and shift_s * change_s[before] > 0.0:
             jumps.append(Jump(after, -shift_s))
     return jumps

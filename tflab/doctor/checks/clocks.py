@@ -90,7 +90,8 @@ def jumping_clocks(evidence: Evidence) -> Iterator[Finding]:
         alike.setdefault((event.size_s < 0, ", ".join(names)), []).append(event)
     for (is_back, names), events in alike.items():
         largest_s = max(abs(event.size_s) for event in events)
-        facts = {"size": f"{largest_s:.3f}", "edges": names, "count": len(events)}
+        times = "once" if len(events) == 1 else f"{len(events)} times"
+        facts = {"size": f"{largest_s:.3f}", "edges": names, "times": times}
         edges = {edge.child: edge for edge, _ in events[0].edges}
         edge = next(iter(edges.values()))
         parent, child = (edge.usual_parent, edge.child) if len(edges) == 1 else ("", "")

@@ -6,28 +6,30 @@
     odm               nobody else says odm, but odom hangs in the air
 
 A prefix alone is no fault: two robots have two of everything.  What counts is a
-name that differs from another *and* leaves somebody unconnected.
+name that differs from another *and* leaves somebody unconnected.  How alike two
+names are is their edit distance, as spell checkers use it (`spelling.py`).
 
-Read `tree.py` next.
+Read `spelling.py` next.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from difflib import SequenceMatcher
 
 from ..evidence import Evidence
 from ..findings import Finding
+from .spelling import endings_of, is_slip, letters_of, likeness, prefix_of
 
 __all__ = ["empty_names", "leading_slashes", "misspelt_names", "unknown_frames_in_messages"]
 
-ALIKE = 0.75  # of difflib's measure, for a misspelling
 SPATIAL = re.compile(
     r"LaserScan|PointCloud|Image|CameraInfo|Imu|Range|Odometry|Path|Grid|geometry_msgs|Detection|Marker"
 )
+OF_THE_WORLD = re.compile(r"Odometry|Path|Grid|PoseWithCovariance|PoseArray")
 STANDARD = ("earth", "map", "odom", "base_link", "base_footprint", "world")  # REP-105, and what is usual beside it
 ROBOT_FRAMES = 3  # a prefix that so many frames share, in a tree of their own, is a robot
+MOST_ROOTS = 40  # with more, it is not a slip
 
 
 def leading_slashes(evidence: Evidence) -> Iterator[Finding]:
@@ -50,71 +52,119 @@ def empty_names(evidence: Evidence) -> Iterator[Finding]:
 
 
 def misspelt_names(evidence: Evidence) -> Iterator[Finding]:
-    """Yield a finding for each frame whose name is another's, but for case, prefix or a slip."""
-    frames = sorted(evidence.frames | _alternative_parents(evidence))
-    named_by_messages = _frames_in_messages(evidence)
-    for name in frames:
-        if name not in evidence.frames | _alternative_parents(evidence):
+    """Yield a finding for each frame whose name is another's, but for case, prefix or a slip.
+
+    Frames that got the same wrong prefix are one finding.
+    """
+    said = set()
+    with_prefix: dict[str, list[tuple[str, str]]] = {}
+    for name, other, kind in _pairs_alike(evidence):
+        if name in said or not _is_the_wrong_one(evidence, name, other, kind):
             continue
-        for other in sorted({*frames, *named_by_messages} - {name}):
-            kind = _likeness(evidence, name, other)
-            if kind and _is_the_wrong_one(evidence, name, other, kind):
-                parent, child, topic = next(
-                    raw for raw in evidence.raw_names if name in (raw[0].removeprefix("/"), raw[1].removeprefix("/"))
-                )
-                facts = {"name": name, "other": other}
-                yield Finding(f"name-{kind}", "error", parent, child, topic, facts=facts)
-                break
+        said.add(name)
+        if kind == "prefix":
+            with_prefix.setdefault(prefix_of(name, other), []).append((name, other))
+            continue
+        hanging = name if name not in evidence.parent_of else other
+        yield _finding_of(evidence, f"name-{kind}", name, {"name": name, "other": other, "hanging": hanging})
+    for prefix, pairs in with_prefix.items():
+        name, other = pairs[0]
+        facts = {"name": name, "other": other, "prefix": prefix, "names": ", ".join(name for name, _ in pairs)}
+        yield _finding_of(evidence, "name-prefix", name, facts)
 
 
 def unknown_frames_in_messages(evidence: Evidence) -> Iterator[Finding]:
     """Yield a finding for each frame that messages name and nobody publishes."""
     if not evidence.frames:
         return
+    known = evidence.frames | evidence.all_parents
+    unknown: dict[str, list[tuple[str, str, int]]] = {}
     for header in evidence.headers:
-        for frame in header.frames:
+        for number, frame in enumerate(header.frames):
             bare = frame.removeprefix("/")
-            if frame.startswith("/") and bare in evidence.frames:
+            if frame.startswith("/") and bare in known:
                 facts = {"name": frame, "bare": bare, "topic": header.topic}
                 yield Finding("message-slash", "warning", topic=header.topic, facts=facts)
-            elif bare and bare not in evidence.frames:
-                count = int((header.frame == header.frames.index(frame)).sum())
-                severity = "warning" if SPATIAL.search(header.msgtype) else "info"
-                facts = {"name": frame, "topic": header.topic, "count": count}
-                yield Finding("unknown-frame", severity, topic=header.topic, facts=facts)
+            elif bare and bare not in known:
+                count = int((header.frame == number).sum())
+                unknown.setdefault(frame, []).append((header.topic, header.msgtype, count))
+    for frame, topics in unknown.items():
+        spatial = [topic for topic in topics if SPATIAL.search(topic[1])]
+        code = (
+            "unknown-world-frame" if any(OF_THE_WORLD.search(msgtype) for _, msgtype, _ in topics) else "unknown-frame"
+        )
+        facts = {
+            "name": frame,
+            "topics": ", ".join(topic for topic, _, _ in topics),
+            "count": sum(count for *_, count in topics),
+        }
+        yield Finding(code, "warning" if spatial else "info", topic=(spatial or topics)[0][0], facts=facts)
 
 
-def _likeness(evidence: Evidence, name: str, other: str) -> str:
-    """Return how two names are alike: "case", "prefix", "slip" or ""."""
-    if _folded(name) == _folded(other):
-        return "case"
-    if name.rpartition("/")[2] == other.rpartition("/")[2] and ("/" in name) != ("/" in other):
-        return "prefix"
-    if (
-        name[:1] == other[:1]
-        and _digits(name) == _digits(other)
-        and SequenceMatcher(None, name, other).ratio() >= ALIKE
-    ):
-        return "slip"
-    return ""
+def _pairs_alike(evidence: Evidence) -> Iterator[tuple[str, str, str]]:
+    """Yield (name, other, how they are alike) without comparing everybody with everybody."""
+    frames = sorted(evidence.frames | evidence.all_parents)
+    everybody = sorted({*frames, *evidence.named_by_messages})
+    known = set(everybody)
+    same_letters: dict[str, set[str]] = {}
+    ending_in: dict[str, set[str]] = {}
+    for name in everybody:
+        same_letters.setdefault(letters_of(name), set()).add(name)
+        for ending in endings_of(name):
+            ending_in.setdefault(ending, set()).add(name)
+    for name in frames:
+        others = same_letters[letters_of(name)] | ending_in.get(name, set()) | (known & set(endings_of(name)))
+        yield from ((name, other, kind) for other in sorted(others - {name}) if (kind := likeness(name, other)))
+    yield from _slips(evidence, frames, everybody)
+
+
+def _slips(evidence: Evidence, frames: list[str], everybody: list[str]) -> Iterator[tuple[str, str, str]]:
+    """Yield the names that are a slip away from each other, one of which hangs: in the air, or in messages only."""
+    hanging = {*evidence.roots(), *(evidence.all_parents - evidence.frames)}
+    if len(hanging) > MOST_ROOTS:
+        return
+    strangers = [name for name in everybody if name not in evidence.frames]
+    for name in frames:
+        for other in everybody if name in hanging else sorted({*hanging, *strangers}):
+            if name != other and is_slip(name, other):
+                yield name, other, "slip"
 
 
 def _is_the_wrong_one(evidence: Evidence, name: str, other: str, kind: str) -> bool:
     """Return whether `name` is the one that should be `other`."""
+    if name in evidence.joint_kinds and other in evidence.joint_kinds:
+        return False  # the robot's description knows both
     if kind == "case":
         return _weight(evidence, name) < _weight(evidence, other)
     if kind == "prefix":
+        return _has_a_wrong_prefix(evidence, name, other)
+    # A slip must leave something unconnected: many pairs of honest names are alike.
+    if other not in evidence.frames:
+        return name not in evidence.named_by_messages and _is_leaf(evidence, name)
+    return _fills_a_hole(evidence, name, other) and _weight(evidence, name) < _weight(evidence, other)
+
+
+def _has_a_wrong_prefix(evidence: Evidence, name: str, other: str) -> bool:
+    if "/" in prefix_of(name, other):
         hangs = name not in evidence.parent_of and other in evidence.parent_of  # a whole robot with a wrong prefix
         is_stranger = not _is_a_robot(evidence, name) and not _is_a_robot(evidence, other)
         return hangs or (is_stranger and _weight(evidence, name) < _weight(evidence, other))
-    # A slip must leave something unconnected: many pairs of honest names are alike.
-    if other not in evidence.frames:
-        return name not in _frames_in_messages(evidence) and _is_leaf(evidence, name)
+    alike = [frame for frame in evidence.frames if frame.startswith(prefix_of(name, other))]
+    return alike == [name] and other in evidence.frames and _fills_a_hole(evidence, name, other)
+
+
+def _fills_a_hole(evidence: Evidence, name: str, other: str) -> bool:
+    """Return whether two names are in two pieces, one of which begins with its name: one name would join them."""
     if name in evidence.parent_of and other in evidence.parent_of:
         return False
-    apart = evidence.root_of(name) != evidence.root_of(other) or name not in evidence.frames
-    hangs = name not in evidence.parent_of or other not in evidence.parent_of
-    return apart and hangs and _weight(evidence, name) < _weight(evidence, other)
+    return evidence.root_of(name) != evidence.root_of(other) or name not in evidence.frames
+
+
+def _finding_of(evidence: Evidence, code: str, name: str, facts: dict[str, object]) -> Finding:
+    parent, child, topic = next(
+        raw for raw in evidence.raw_names if name in (raw[0].removeprefix("/"), raw[1].removeprefix("/"))
+    )
+    return Finding(code, "error", parent, child, topic, facts=facts)
 
 
 def _weight(evidence: Evidence, name: str) -> tuple:
@@ -125,10 +175,9 @@ def _weight(evidence: Evidence, name: str) -> tuple:
             if name in (edge.child, parent):
                 links += 1
                 samples += int((edge.parent == number).sum())
-    said = name in _frames_in_messages(evidence)
     neat = name == name.lower()
     return (
-        said,
+        name in evidence.joint_kinds or name in evidence.named_by_messages,
         name.rpartition("/")[2] in STANDARD,
         links,
         neat,
@@ -148,23 +197,5 @@ def _is_a_robot(evidence: Evidence, name: str) -> bool:
     return len(own) >= ROBOT_FRAMES and all(child in own for child in below)
 
 
-def _alternative_parents(evidence: Evidence) -> set[str]:
-    """Return every parent that any sample named, also those that are not the usual ones."""
-    return {parent for edge in evidence.edges() for parent in edge.parents if parent}
-
-
-def _frames_in_messages(evidence: Evidence) -> set[str]:
-    return {frame.removeprefix("/") for header in evidence.headers for frame in header.frames if frame}
-
-
 def _is_leaf(evidence: Evidence, name: str) -> bool:
     return name in evidence.parent_of and name not in evidence.parent_of.values()
-
-
-def _folded(name: str) -> str:
-    """Return a name without case and without the characters that people put between words."""
-    return "".join(letter for letter in name.lower() if letter.isalnum() or letter == "/")
-
-
-def _digits(name: str) -> list[str]:
-    return [letter for letter in name if letter.isdigit()]

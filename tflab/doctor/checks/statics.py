@@ -29,23 +29,27 @@ FEWEST_SAMPLES = 8
 LEAST_TIME_S = 1.0
 LEAST_CHANGE_M = 1e-4
 WORLD_FRAMES = ("map", "world", "earth", "odom")
-MOVABLE = re.compile(r"wheel|caster|steer|joint|shoulder|elbow|wrist|arm|finger|grip|hip|knee|pan_|tilt|link_?\d")
+ROBOT_BODY = re.compile(r"(^|[/_])base_(link|footprint)$")
+FEWEST_MOVING = 20  # samples on /tf_static: so often nobody says what is fixed
+TOGETHER_NS = NSEC_PER_SEC
+MOST_SHOWN = 6
+MOVABLE = re.compile(
+    r"wheel|caster_(rot|swivel)|steer|joint|shoulder|elbow|wrist|(^|_)(fore|upper)?arm(_|\d|$)|finger|grip|hip|knee"
+    r"|(^|_)pan(_|$)|tilt|link_?[1-9]\d*$"
+)
 
 
 def missing_statics(evidence: Evidence) -> Iterator[Finding]:
-    """Yield a finding if there are moving transforms and no static ones."""
+    """Yield a finding if there are moving transforms and no static ones; a warning if anything misses them."""
     if evidence.statics or not evidence.moving:
         return
+    topic = f"{evidence.namespace}/tf_static"
+    hanging = sorted(evidence.named_by_messages - evidence.frames - evidence.all_parents)
+    is_robot = any(ROBOT_BODY.search(frame) for frame in evidence.frames)
     mounts_on_tf = any(_looks_like_a_mount(evidence, edge) for edge in evidence.moving)
-    hanging = sorted(
-        frame.removeprefix("/")
-        for header in evidence.headers
-        for frame in header.frames
-        if frame and frame.removeprefix("/") not in evidence.frames
-    )
-    facts = {"hanging": ", ".join(dict.fromkeys(hanging)) or "none", "trees": len(evidence.roots())}
-    needed = hanging or len(evidence.roots()) > 1 or not mounts_on_tf
-    yield Finding("statics-missing", "warning" if needed else "info", topic="/tf_static", facts=facts)
+    needed = hanging or len(evidence.roots()) > 1 or (is_robot and not mounts_on_tf)
+    facts = {"hanging": ", ".join(hanging) or "none", "trees": len(evidence.roots())}
+    yield Finding("statics-missing", "warning" if needed else "info", topic=topic, facts=facts)
 
 
 def constant_on_tf(evidence: Evidence) -> Iterator[Finding]:
@@ -59,25 +63,41 @@ def constant_on_tf(evidence: Evidence) -> Iterator[Finding]:
 
 
 def moving_on_static(evidence: Evidence) -> Iterator[Finding]:
-    """Yield a finding for each child that changes its value on /tf_static."""
+    """Yield a finding for each child that changes its value on /tf_static, those that changed together as one."""
+    changed_at: dict[int, list[tuple[Edge, float]]] = {}
     for edge in evidence.statics:
-        poses = unit(edge.numbers[edge.is_usable])
+        rows = np.flatnonzero(edge.is_usable)
+        poses = unit(edge.numbers[rows])
         if len(poses) < 2:
             continue
-        is_change = distances(poses[1:], poses[:-1]) > LEAST_CHANGE_M
+        apart_m = float(distances(poses, np.broadcast_to(poses[0], poses.shape)).max())
+        is_change = distances(poses[1:], poses[:-1]) > (LEAST_CHANGE_M if len(poses) < FEWEST_MOVING else 0.0)
         changes = int(is_change.sum())
-        apart_m = distances(poses, np.broadcast_to(poses[0], poses.shape))
-        if not changes:
+        if not changes or apart_m < LEAST_CHANGE_M:
             continue
-        facts = {"changes": changes, "apart": f"{apart_m.max():.3f}", "count": len(edge)}
-        code, severity = "moving-on-static", "error"
         if changes == 1:
-            code, severity = "static-changed", "warning"
-        elif apart_m.max() > LEAST_DIFFERENCE_M and _takes_turns(poses, is_change):
+            moment_ns = int(edge.receive_ns[rows[int(np.argmax(is_change)) + 1]])
+            changed_at.setdefault(moment_ns // TOGETHER_NS, []).append((edge, apart_m))
+            continue
+        facts = {"changes": changes, "apart": f"{apart_m:.3f}", "count": len(edge)}
+        code = "moving-on-static"
+        if apart_m > LEAST_DIFFERENCE_M and _takes_turns(poses, is_change):
             code = "two-owners"
-            facts["evidence"] = f"two values on /tf_static, {apart_m.max():.3f} m apart, that took turns"
+            facts["evidence"] = f"two values on {edge.topic}, {apart_m:.3f} m apart, that took turns"
         span = (int(edge.receive_ns[0]), int(edge.receive_ns[-1]))
-        yield Finding(code, severity, edge.usual_parent, edge.child, edge.topic, *span, facts)
+        yield Finding(code, "error", edge.usual_parent, edge.child, edge.topic, *span, facts)
+    for changed in changed_at.values():
+        yield _finding_of_changes(changed)
+
+
+def _finding_of_changes(changed: list[tuple[Edge, float]]) -> Finding:
+    edge = changed[0][0]
+    names = [f"{other.usual_parent} -> {other.child}" for other, _ in changed]
+    shown = ", ".join(names[:MOST_SHOWN]) + (f" and {len(names) - MOST_SHOWN} more" if len(names) > MOST_SHOWN else "")
+    facts = {"edges": shown, "count": len(changed), "apart": f"{max(apart_m for _, apart_m in changed):.3f}"}
+    parent, child = (edge.usual_parent, edge.child) if len(changed) == 1 else ("", "")
+    span = (int(edge.receive_ns[0]), int(edge.receive_ns[-1]))
+    return Finding("static-changed", "warning", parent, child, edge.topic, *span, facts)
 
 
 def _takes_turns(poses: np.ndarray, is_change: np.ndarray) -> bool:
@@ -89,11 +109,11 @@ def _takes_turns(poses: np.ndarray, is_change: np.ndarray) -> bool:
 def volatile_statics(evidence: Evidence) -> Iterator[Finding]:
     """Yield a finding if /tf_static was offered to those who were there, and not to late listeners."""
     for connection in evidence.connections:
-        if connection.topic.endswith("tf_static") and namespace_of(connection.topic) == evidence.namespace:
-            for qos in connection.qos:
-                if qos.durability == "volatile":
-                    facts = {"publisher": connection.publisher or "a publisher"}
-                    yield Finding("volatile-static", "warning", topic=connection.topic, facts=facts)
+        is_ours = connection.topic.endswith("tf_static") and namespace_of(connection.topic) == evidence.namespace
+        if is_ours and any(qos.durability == "volatile" for qos in connection.qos):
+            heard = "" if evidence.statics else " Nothing was heard on it."
+            facts = {"publisher": connection.publisher or "a publisher", "heard": heard}
+            yield Finding("volatile-static", "warning", topic=connection.topic, facts=facts)
 
 
 def _looks_like_a_mount(evidence: Evidence, edge: Edge) -> bool:
@@ -101,8 +121,11 @@ def _looks_like_a_mount(evidence: Evidence, edge: Edge) -> bool:
     spoken_s = (edge.receive_ns[-1] - edge.receive_ns[0]) / NSEC_PER_SEC
     if len(edge) < FEWEST_SAMPLES or spoken_s < LEAST_TIME_S or not is_constant(edge):
         return False
-    if edge.usual_parent not in evidence.parent_of or edge.usual_parent in WORLD_FRAMES:
+    is_top = edge.usual_parent not in evidence.parent_of
+    if edge.usual_parent in WORLD_FRAMES or (is_top and edge.child in evidence.all_parents):
         return False  # at the top of the tree: a localiser that has had nothing to correct
+    if edge.child in evidence.joint_kinds:
+        return evidence.joint_kinds[edge.child] == "fixed"
     return not _is_a_joint_at_rest(evidence, edge)
 
 

@@ -13,13 +13,19 @@ piece fails.  Read `values.py` next.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import takewhile
 
 import numpy as np
 
 from ..evidence import Evidence
 from ..findings import Finding
 
-__all__ = ["loops", "self_transforms", "separate_trees", "several_parents"]
+__all__ = ["loops", "self_transforms", "separate_trees", "several_parents", "upside_down"]
+
+MOST_SHOWN = 3  # pieces
+MOST_NAMES = 8  # of a piece
+MOST_CHANGES = 20_000  # of parents; where there are more, each arrangement of two frames is looked at once
+RANKS = {"earth": 0, "map": 1, "odom": 2, "base_footprint": 3, "base_link": 3}  # REP-105, from the top
 
 
 def self_transforms(evidence: Evidence) -> Iterator[Finding]:
@@ -32,14 +38,13 @@ def self_transforms(evidence: Evidence) -> Iterator[Finding]:
 def loops(evidence: Evidence) -> Iterator[Finding]:
     """Yield a finding for each circle that the parents form at some moment."""
     reported = set()
-    for moment_ns, parent_of in _arrangements(evidence):
-        for circle in _circles(parent_of):
-            if frozenset(circle) not in reported:
-                reported.add(frozenset(circle))
-                way = " -> ".join([*circle, circle[0]])
-                yield Finding(
-                    "loop", "error", parent_of[circle[0]], circle[0], begin_ns=moment_ns, facts={"circle": way}
-                )
+    for moment_ns, parent_of, child in _arrangements(evidence):
+        circle = _circle_through(parent_of, child)
+        if circle and frozenset(circle) not in reported:
+            reported.add(frozenset(circle))
+            way = " -> ".join([*circle, circle[0]])
+            facts = {"circle": way}
+            yield Finding("loop", "error", parent_of[circle[0]], circle[0], begin_ns=moment_ns, facts=facts)
 
 
 def several_parents(evidence: Evidence) -> Iterator[Finding]:
@@ -72,20 +77,44 @@ def separate_trees(evidence: Evidence) -> Iterator[Finding]:
     roots = evidence.roots()
     if len(roots) < 2:
         return
-    members = {root: sorted(f for f in evidence.frames if evidence.root_of(f) == root) for root in roots}
-    largest = max(roots, key=lambda root: len(members[root]))
-    robots = {root.rpartition("/")[0] for root in roots}
-    if len(robots) == len(roots) and "" not in robots:
-        yield Finding("several-robots", "info", facts={"roots": ", ".join(roots)})
+    if _are_robots(evidence.trees):
+        yield Finding("several-robots", "info", facts={"roots": _shortened(roots)})
         return
-    for root in roots:
-        if root != largest:
-            facts = {"root": root, "frames": ", ".join(members[root]), "largest": largest, "count": len(roots)}
-            yield Finding("two-trees", "error", "", root, facts=facts)
+    largest = max(roots, key=lambda root: len(evidence.trees[root]))
+    others = [root for root in roots if root != largest]
+    pieces = "; ".join(_shortened(evidence.trees[root]) for root in others[:MOST_SHOWN])
+    more = f"; and {len(others) - MOST_SHOWN} more" if len(others) > MOST_SHOWN else ""
+    facts = {"root": others[0], "roots": _shortened(others), "pieces": pieces + more, "largest": largest,
+             "count": len(roots)}  # fmt: skip
+    yield Finding("two-trees", "error", "", others[0], facts=facts)
 
 
-def _arrangements(evidence: Evidence) -> Iterator[tuple[int, dict[str, str]]]:
-    """Yield (moment of receipt [ns], parent of each child) at each new arrangement of children and parents."""
+def upside_down(evidence: Evidence) -> Iterator[Finding]:
+    """Yield a finding for each edge whose parent should be below its child: map -> odom -> base_link (REP-105)."""
+    for edge in evidence.edges():
+        above, below = (RANKS.get(name.rpartition("/")[2]) for name in (edge.usual_parent, edge.child))
+        if above is not None and below is not None and above > below:
+            yield Finding("upside-down", "warning", edge.usual_parent, edge.child, edge.topic)
+
+
+def _are_robots(trees: dict[str, list[str]]) -> bool:
+    """Return whether the frames of each tree begin with a name of its own: robot1/odom, robot2_odom."""
+    prefixes = set()
+    for frames in trees.values():
+        first, last = min(frames), max(frames)  # what these two begin with, all do
+        same = "".join(a for a, b in takewhile(lambda pair: pair[0] == pair[1], zip(first, last, strict=False)))
+        prefixes.add(same[: max(same.rfind("/"), same.rfind("_")) + 1])
+    return "" not in prefixes and len(prefixes) == len(trees) and min(map(len, trees.values())) > 1
+
+
+def _shortened(names: list[str]) -> str:
+    """Return names in a row, the first of many."""
+    more = f" and {len(names) - MOST_NAMES} more" if len(names) > MOST_NAMES else ""
+    return ", ".join(names[:MOST_NAMES]) + more
+
+
+def _arrangements(evidence: Evidence) -> Iterator[tuple[int, dict[str, str], str]]:
+    """Yield (moment of receipt [ns], parent of each child, child that has just got it) at each change."""
     changes = []
     for edge in evidence.edges():
         if len(edge):
@@ -95,24 +124,20 @@ def _arrangements(evidence: Evidence) -> Iterator[tuple[int, dict[str, str]]]:
     seen = set()
     for moment_ns, child, parent in sorted(changes):
         parent_of[child] = parent
-        arrangement = frozenset(parent_of.items())
-        if arrangement not in seen:
-            seen.add(arrangement)
-            yield moment_ns, parent_of
+        if (child, parent) not in seen or len(changes) < MOST_CHANGES:
+            yield moment_ns, parent_of, child
+        seen.add((child, parent))
 
 
-def _circles(parent_of: dict[str, str]) -> Iterator[list[str]]:
-    """Yield each circle of at least two frames once, from child to parent, beginning with the first in the alphabet."""
-    done: set[str] = set()
-    for start in sorted(parent_of):
-        way: list[str] = []
-        frame = start
-        while frame in parent_of and frame not in done and frame not in way:
-            way.append(frame)
-            frame = parent_of[frame]
-        if frame in way:
-            circle = way[way.index(frame) :]
-            first = circle.index(min(circle))
-            if len(circle) > 1:
-                yield circle[first:] + circle[:first]
-        done.update(way)
+def _circle_through(parent_of: dict[str, str], start: str) -> list[str]:
+    """Return the circle of at least two frames that a frame is in, beginning with the first in the alphabet."""
+    way, frame = [start], parent_of[start]
+    seen = {start}
+    while frame in parent_of and frame not in seen:
+        way.append(frame)
+        seen.add(frame)
+        frame = parent_of[frame]
+    if frame != start or len(way) < 2:
+        return []
+    first = way.index(min(way))
+    return way[first:] + way[:first]

@@ -21,19 +21,25 @@ __all__ = ["bad_rotations", "not_numbers", "unturned_optical_frames"]
 
 LENGTH_TOLERANCE = 1e-3  # of a quaternion: rounding to float32 gives 1e-7, careless drivers 1e-4
 TURN_TOLERANCE_RAD = 0.02
+EARTH_M = 1e7  # nothing on the earth is further from its centre
 
 
 def not_numbers(evidence: Evidence) -> Iterator[Finding]:
-    """Yield a finding for each edge with NaN or infinity in it."""
+    """Yield a finding for each edge with NaN or infinity in it, or with a distance that nobody can have meant."""
     for edge in evidence.edges():
         yield from _finding_where(edge, ~edge.is_finite, "not-a-number", "error")
+        furthest_m = np.abs(np.where(edge.is_finite[:, None], edge.numbers[:, :3], 0.0)).max(axis=1)
+        facts = {"furthest": f"{furthest_m.max():.3g}"}
+        yield from _finding_where(edge, edge.is_finite & (furthest_m > EARTH_M), "out-of-this-world", "error", facts)
 
 
 def bad_rotations(evidence: Evidence) -> Iterator[Finding]:
     """Yield a finding for each edge with rotations that have no direction, or not length one."""
     for edge in evidence.edges():
-        yield from _finding_where(edge, edge.is_finite & (edge.norm < 1e-9), "zero-quaternion", "error")
-        off = edge.is_finite & (edge.norm >= 1e-9) & (np.abs(edge.norm - 1.0) > LENGTH_TOLERANCE)
+        is_zero = edge.is_finite & (edge.norm == 0.0)
+        share = "all" if is_zero.all() else "some"
+        yield from _finding_where(edge, is_zero, "zero-quaternion", "error", {"share": share})
+        off = edge.is_finite & (edge.norm > 0.0) & (np.abs(edge.norm - 1.0) > LENGTH_TOLERANCE)
         lengths = edge.norm[off]
         facts = {"shortest": f"{lengths.min():.4f}", "longest": f"{lengths.max():.4f}"} if len(lengths) else {}
         yield from _finding_where(edge, off, "not-unit-quaternion", "warning", facts)

@@ -1,10 +1,14 @@
 """What the doctor says, and how it is written down.
 
-    texts    the sentences
-    faults   which finding names which fault
-    text     the report in a terminal
-    history  each edge through time, as pictures
-    html     the report as a page
+    sentences    what a finding is told with
+    tree_texts   of names, trees, numbers, owners and mounts
+    time_texts   of time
+    texts        all of them, and how the blanks are filled
+    certainty    how sure, and what would settle it
+    faults       which finding names which fault
+    text         the report in a terminal, and as JSON
+    history      each edge through time, as pictures
+    html         the report as a page
 
-Start with `texts.py`; each page names the next.
+Start with `sentences.py`; each page names the next.
 """

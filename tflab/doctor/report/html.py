@@ -20,11 +20,12 @@ from tflab.core import Snapshot, snapshot
 from tflab.views.report_page import report_page
 from tflab.views.tree import draw_tree
 
-from ..evidence import evidence_from_recording
 from ..findings import Finding, Report
+from ..gather import evidence_from_recording
 from .history import draw_history
+from .sentences import Sentences
 from .text import headline, moments_text
-from .texts import TEXTS, Sentences, sentences
+from .texts import TEXTS, sentences
 
 __all__ = ["html_from_report"]
 

@@ -5,6 +5,7 @@
     ERROR    odom -> base_link has two owners                      12.3 s to 40.0 s
              two sequences of values, 0.300 m apart ...
              Why   Two nodes publish the same transform ...
+             Sure  likely; to settle it: stop one of the two ...
              Next  ros2 topic info /tf --verbose
 
 Read `history.py` next.
@@ -18,12 +19,16 @@ from textwrap import wrap
 from tflab.core import NSEC_PER_SEC
 
 from ..findings import SEVERITIES, Finding, Report
+from .certainty import certainty_of, what_settles
 from .faults import faults_of_code
-from .texts import TEXTS, Sentences, sentences
+from .sentences import Sentences
+from .texts import TEXTS, sentences
 
-__all__ = ["data_from_report", "headline", "moments_text", "text_from_report"]
+__all__ = ["data_from_report", "effects_text", "headline", "moments_text", "text_from_report"]
 
 WIDTH = 100
+MOST_EFFECTS = 4  # that are told by name
+SURE = {"likely": "likely", "open": "cannot be told from a recording alone"}
 INDENT = " " * 9
 
 
@@ -42,25 +47,33 @@ def text_from_report(report: Report, texts: Mapping[str, Sentences] = TEXTS) -> 
 def data_from_report(report: Report, texts: Mapping[str, Sentences] = TEXTS) -> dict:
     """Return a report as plain data, for JSON."""
     return {
+        "version": 1,
         "subject": report.subject,
         "begin_ns": report.begin_ns,
-        "findings": [
-            {
-                "code": finding.code,
-                "faults": [str(fault) for fault in faults_of_code(finding.code)],
-                "severity": finding.severity,
-                "parent": finding.parent,
-                "child": finding.child,
-                "topic": finding.topic,
-                "begin_ns": finding.begin_ns,
-                "end_ns": finding.end_ns,
-                "facts": finding.facts,
-                **sentences(finding, texts)._asdict(),
-            }
-            for finding in report.findings
-        ],
+        "findings": [_data_from_finding(finding, texts) for finding in report.findings],
         "checks_made": list(report.checks_made),
         "checks_not_made": [check._asdict() for check in report.checks_not_made],
+    }
+
+
+def _data_from_finding(finding: Finding, texts: Mapping[str, Sentences]) -> dict:
+    return {
+        "code": finding.code,
+        "faults": [str(fault) for fault in faults_of_code(finding.code)],
+        "severity": finding.severity,
+        "certainty": certainty_of(finding.code),
+        "settled_by": what_settles(finding.code),
+        "parent": finding.parent,
+        "child": finding.child,
+        "topic": finding.topic,
+        "begin_ns": finding.begin_ns,
+        "end_ns": finding.end_ns,
+        "facts": finding.facts,
+        **sentences(finding, texts)._asdict(),
+        "effects": [
+            {"code": effect.code, "parent": effect.parent, "child": effect.child, "topic": effect.topic}
+            for effect in finding.effects
+        ],
     }
 
 
@@ -90,9 +103,20 @@ def _finding_lines(report: Report, finding: Finding, texts: Mapping[str, Sentenc
     lines = wrap(title, WIDTH, initial_indent=f"{finding.severity.upper():<9}", subsequent_indent=INDENT)
     lines += _indented(said.evidence, "")
     lines += _indented(said.cause, "Why   ")
+    if finding.effects:
+        lines += _indented(effects_text(finding, texts), "Also  ")
+    if certainty_of(finding.code) != "certain":
+        lines += _indented(f"{SURE[certainty_of(finding.code)]}; to settle it: {what_settles(finding.code)}", "Sure  ")
     if said.command:
         lines += [f"{INDENT}Next  {said.command}"]
     return lines
+
+
+def effects_text(finding: Finding, texts: Mapping[str, Sentences] = TEXTS) -> str:
+    """Return what follows from a finding, in a line."""
+    titles = list(dict.fromkeys(sentences(effect, texts).title for effect in finding.effects))
+    more = f"; and {len(titles) - MOST_EFFECTS} more" if len(titles) > MOST_EFFECTS else ""
+    return f"which explains: {'; '.join(titles[:MOST_EFFECTS])}{more}"
 
 
 def _indented(text: str, label: str) -> list[str]:

@@ -1,0 +1,126 @@
+"""Is it there in time?  Question 4, third part: how long after its stamp is it heard?
+
+    stamp   o    o    o    o    o
+    heard    o    o      o    o    o      late: a slow node, or its clock is behind
+    heard  o    o    o                    early: a clock that is ahead, or a localiser's tolerance
+    heard  ............... years          another source of time: use_sim_time
+
+A localiser stamps map -> odom ahead so that lookups between two of its corrections
+succeed; nobody else may.  Read `clocks.py` next.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator
+
+import numpy as np
+
+from tflab.bags.recording import Headers
+from tflab.core import NSEC_PER_SEC
+
+from ..evidence import SAME_CLOCK_NS, Edge, Evidence, is_stamped
+from ..findings import Finding
+from .clocks import settled_delays_s
+from .names import SPATIAL
+
+__all__ = ["odd_delays", "odd_message_delays", "other_times"]
+
+FEWEST_SAMPLES = 8
+ODD_SHARE = 0.1  # of the samples of an edge
+LATE_S = 0.1  # more than the others: at 1 m/s an error of 10 cm
+EARLY_S = 0.05
+MESSAGE_EARLY_S = 0.1  # a scan may be stamped at its end, a little after it is published
+MESSAGE_LATE_S = 2.0  # finding things in a picture takes time, but a buffer forgets
+QUICK = re.compile(r"LaserScan|Imu|JointState|Odometry|Range|NavSatFix")
+QUICK_LATE_S = 0.5  # nothing is looked for in these
+TOLERANCE_S = 3.0  # how far ahead a localiser may stamp map -> odom (AMCL's transform_tolerance is 1 s)
+OTHER_TIME_S = SAME_CLOCK_NS / NSEC_PER_SEC
+MAP = re.compile(r"(^|[/_])map$")
+
+
+def odd_delays(evidence: Evidence) -> Iterator[Finding]:
+    """Yield a finding for each moving edge that is, or was for a while, much earlier or later than the others."""
+    delays_s = settled_delays_s(evidence)
+    usual_s = [_usual_delay_s(edge, delay_s) for edge, delay_s in zip(evidence.moving, delays_s, strict=True)]
+    of_messages_s = [_usual_delay_s(header, evidence.delay_s(header)) for header in evidence.headers]
+    for place, (edge, delay_s) in enumerate(zip(evidence.moving, delays_s, strict=True)):
+        if len(edge) < FEWEST_SAMPLES or not is_stamped(edge):
+            continue
+        if abs(usual_s[place]) > OTHER_TIME_S:
+            continue  # see other_times
+        # of the other source that has the least; 0 if there is none, or it is ahead
+        others_s = max(0.0, min([*usual_s[:place], *usual_s[place + 1 :], *of_messages_s, math.inf]))
+        others_s = 0.0 if math.isinf(others_s) else others_s
+        late_s = others_s + max(LATE_S, 2.0 * others_s)
+        for code, is_odd in (("early-stamps", delay_s < -EARLY_S), ("late-stamps", delay_s > late_s)):
+            odd = _in_a_row(is_odd)
+            if len(odd) < max(FEWEST_SAMPLES, ODD_SHARE * len(edge)):
+                continue
+            odd_s = float(np.median(delay_s[odd]))
+            spread_s = float(np.percentile(delay_s[odd], 90) - np.percentile(delay_s[odd], 10))
+            facts = {"delay": f"{abs(odd_s):.3f}", "others": f"{others_s:.3f}", "spread": f"{spread_s:.3f}",
+                     "count": len(odd), "total": len(edge)}  # fmt: skip
+            if code == "early-stamps" and _may_be_ahead(evidence, edge) and -odd_s < TOLERANCE_S:
+                yield _finding(edge, "stamped-ahead", "info", int(odd[0]), int(odd[-1]), facts)
+            else:
+                yield _finding(edge, code, "warning", int(odd[0]), int(odd[-1]), facts)
+
+
+def odd_message_delays(evidence: Evidence) -> Iterator[Finding]:
+    """Yield a finding for each topic whose messages are stamped ahead of the transforms, or long before them."""
+    if not evidence.moving:
+        return
+    for header in evidence.headers:
+        if len(header.stamp_ns) < FEWEST_SAMPLES or not is_stamped(header):
+            continue
+        usual_s = float(np.median(evidence.delay_s(header)))
+        late_s = QUICK_LATE_S if QUICK.search(header.msgtype) else MESSAGE_LATE_S
+        if -MESSAGE_EARLY_S <= usual_s <= late_s or abs(usual_s) > OTHER_TIME_S:
+            continue
+        code = "messages-early" if usual_s < 0.0 else "messages-late"
+        facts = {"topic": header.topic, "delay": f"{abs(usual_s):.3f}", "count": len(header.stamp_ns)}
+        span = (int(header.receive_ns[0]), int(header.receive_ns[-1]))
+        yield Finding(code, "warning", "", "", header.topic, *span, facts)
+
+
+def other_times(evidence: Evidence) -> Iterator[Finding]:
+    """Yield a finding for each edge, and each topic, whose stamps are of another day than most."""
+    for edge in evidence.moving:
+        usual_s = _usual_delay_s(edge, evidence.delay_s(edge))
+        if OTHER_TIME_S < abs(usual_s) < math.inf:
+            facts = {"what": f"{edge.usual_parent} -> {edge.child}", "away": f"{abs(usual_s):.0f}", "count": len(edge)}
+            yield _finding(edge, "other-time", "error", 0, -1, facts)
+    for header in evidence.headers:
+        usual_s = _usual_delay_s(header, evidence.delay_s(header))
+        if OTHER_TIME_S < abs(usual_s) < math.inf:
+            facts = {"what": header.topic, "away": f"{abs(usual_s):.0f}", "count": len(header.stamp_ns)}
+            severity = "error" if SPATIAL.search(header.msgtype) else "warning"
+            yield Finding("other-time", severity, topic=header.topic, facts=facts)
+
+
+def _usual_delay_s(source: Edge | Headers, delay_s: np.ndarray) -> float:
+    """Return the usual delay of a source [s]; infinity if it says too little."""
+    return float(np.median(delay_s)) if len(delay_s) >= FEWEST_SAMPLES and is_stamped(source) else math.inf
+
+
+def _in_a_row(is_odd: np.ndarray) -> np.ndarray:
+    """Return the places of odd samples among others like them: one alone was overtaken, or repeats a stamp."""
+    bounds = np.flatnonzero(np.diff(np.concatenate([[False], is_odd, [False]]).astype(int)))
+    runs = [np.arange(a, b) for a, b in bounds.reshape(-1, 2).tolist() if b - a >= FEWEST_SAMPLES]
+    return np.concatenate(runs) if runs else np.zeros(0, dtype=np.int64)
+
+
+def _may_be_ahead(evidence: Evidence, edge: Edge) -> bool:
+    """Return whether an edge is a localiser's: under map, or the one at the top of the tree, above others."""
+    if any(MAP.search(parent) for parent in edge.parents):
+        return True
+    is_top = edge.usual_parent not in evidence.parent_of
+    moving_children = {other.child for other in evidence.moving}
+    return is_top and any(evidence.parent_of[child] == edge.child for child in moving_children)
+
+
+def _finding(edge: Edge, code: str, severity, first: int, last: int, facts: dict) -> Finding:
+    span = (int(edge.receive_ns[first]), int(edge.receive_ns[last]))
+    return Finding(code, severity, edge.usual_parent, edge.child, edge.topic, *span, facts)

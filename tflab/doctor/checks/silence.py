@@ -1,0 +1,215 @@
+"""Is it there in time?  Question 4, second part: who fell silent, who began late, who is too slow?
+
+    o--o--o        o--o       a gap: no lookup in there, and a straight line across
+       o--o--o--o--o          began late
+    o--------o--------o       too slow for how it moves
+
+A node that was blocked first sends the sample that it had in hand, and then leaps:
+the silence is heard a little before the hole in the stamps.  If *every* edge is
+silent at once, it is not the edges: the recorder, the network or the computer
+stood still, and that is one event.  Read `delay.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from tflab.core import NSEC_PER_SEC
+
+from ..evidence import Edge, Evidence, is_stamped
+from ..findings import Finding
+from .motion import distances, is_constant, unit
+
+__all__ = ["gaps", "late_starts", "slow_edges"]
+
+LEAST_GAP_S = 0.25
+GAP_PERIODS = 5.0  # a gap is longer than so many usual steps ...
+GAP_HABITS = 3.0  # ... and than so many of the longer steps of an irregular edge
+FEWEST_SAMPLES = 8
+ALIKE_SHARE = 0.25  # of its length: silences that begin and end within so much of each other are one event
+HOLE_AFTER = 4  # samples after a silence in which its hole may show
+LATE_START_S = 1.0
+LATE_START_PERIODS = 10.0
+SLOW_S = 0.4  # between samples
+SLOWER = 5.0  # than the others
+FAR_M = 0.05  # between two samples of a slow edge
+
+
+class Silence(NamedTuple):
+    """One edge said nothing between two moments of receipt [ns]; it never spoke again if `is_last`.
+
+    Attributes:
+        hole_ns: for how long there are no stamps.
+    """
+
+    edge: Edge
+    begin_ns: int
+    end_ns: int
+    hole_ns: int
+    is_last: bool
+
+
+def gaps(evidence: Evidence) -> Iterator[Finding]:
+    """Yield a finding for each silence: of everything, of all of /tf, of some edges together, or of one."""
+    together: dict[tuple, list[list[Silence]]] = {}
+    for event in _events(evidence):
+        children = tuple(sorted(silence.edge.child for silence in event))
+        together.setdefault((_kind_of(evidence, event), children), []).append(event)
+    for (code, _), events in together.items():
+        yield _finding_of_silences(code, events)
+
+
+def _kind_of(evidence: Evidence, event: list[Silence]) -> str:
+    """Return which finding silences at the same time are."""
+    if event[0].is_last:
+        return "went-silent"
+    edges_spoke = _has_spoken(evidence, event, evidence.moving)
+    topics_spoke = _has_spoken(evidence, event, evidence.headers)
+    if edges_spoke or (topics_spoke and len(event) == 1):
+        return "gap"
+    if topics_spoke:
+        return "tf-silent"
+    return "stall" if len(event) > 1 or edges_spoke is False or topics_spoke is False else "gap"
+
+
+def late_starts(evidence: Evidence) -> Iterator[Finding]:
+    """Yield a finding for each moving edge that begins long after the others."""
+    begun_ns = [int(edge.receive_ns[0]) for edge in evidence.moving]
+    begun_ns += [int(header.receive_ns[0]) for header in evidence.headers if len(header.receive_ns) >= FEWEST_SAMPLES]
+    if len(begun_ns) < 2:
+        return
+    usual_ns = sorted(begun_ns)[(len(begun_ns) - 1) // 3]
+    for edge in evidence.moving:
+        late_ns = int(edge.receive_ns[0]) - usual_ns
+        least_ns = max(LATE_START_S * NSEC_PER_SEC, LATE_START_PERIODS * edge.period_ns)
+        if len(edge) >= FEWEST_SAMPLES and late_ns > least_ns and is_stamped(edge):
+            facts = {"late": f"{late_ns / NSEC_PER_SEC:.3f}"}
+            span = (usual_ns, int(edge.receive_ns[0]))
+            yield Finding("late-start", "warning", edge.usual_parent, edge.child, edge.topic, *span, facts)
+
+
+def slow_edges(evidence: Evidence) -> Iterator[Finding]:
+    """Yield a finding for each moving edge that comes so rarely that it moves far from one sample to the next."""
+    for edge in evidence.moving:
+        period_s = edge.period_ns / NSEC_PER_SEC
+        if len(edge) < FEWEST_SAMPLES or period_s < SLOW_S or is_constant(edge):
+            continue
+        poses = unit(edge.numbers[edge.is_usable])
+        if len(poses) < FEWEST_SAMPLES:
+            continue
+        far_m = float(np.percentile(distances(poses[1:], poses[:-1]), 75))
+        others_s = [
+            other.period_ns / NSEC_PER_SEC for other in evidence.moving if other is not edge and other.period_ns
+        ]
+        is_slower = bool(others_s) and SLOWER * float(np.median(others_s)) <= period_s
+        if far_m < FAR_M and not is_slower:
+            continue
+        facts = {"rate": f"{1.0 / period_s:.1f}", "far": f"{far_m:.3f}",
+                 "others": f"{1.0 / np.median(others_s):.1f} Hz" if others_s else "none"}  # fmt: skip
+        span = (int(edge.receive_ns[0]), int(edge.receive_ns[-1]))
+        yield Finding("slow-edge", "warning", edge.usual_parent, edge.child, edge.topic, *span, facts)
+
+
+def _silences(evidence: Evidence, edge: Edge) -> Iterator[Silence]:
+    """Yield where an edge said nothing for much longer than it usually does, neither by its stamps nor in fact."""
+    if len(edge) < FEWEST_SAMPLES:
+        return
+    order = np.argsort(edge.stamp_ns, kind="stable")
+    stamp_step_s = np.diff(edge.stamp_ns) / NSEC_PER_SEC
+    heard_step_s = np.diff(edge.receive_ns) / NSEC_PER_SEC
+    usual_s = float(np.median(np.diff(edge.stamp_ns[order]))) / NSEC_PER_SEC
+    habit_s = float(np.percentile(heard_step_s, 90))
+    least_s = max(LEAST_GAP_S, GAP_PERIODS * usual_s, GAP_HABITS * habit_s)
+    for hole in np.flatnonzero(stamp_step_s > least_s).tolist():
+        first = max(0, hole - HOLE_AFTER + 1)
+        silent = first + int(np.argmax(heard_step_s[first : hole + 1]))
+        if heard_step_s[silent] > 0.6 * least_s:
+            moments = (int(edge.receive_ns[silent]), int(edge.receive_ns[silent + 1]))
+            yield Silence(edge, *moments, int(edge.stamp_ns[hole + 1] - edge.stamp_ns[hole]), is_last=False)
+    yield from _last_silence(evidence, edge, max(1.0, 2.0 * least_s) * NSEC_PER_SEC)
+
+
+def _last_silence(evidence: Evidence, edge: Edge, least_ns: float) -> Iterator[Silence]:
+    """Yield the silence at the end of an edge, if most of the others went on."""
+    others = [other for other in evidence.moving if other is not edge] or [
+        header for header in evidence.headers if len(header.receive_ns) >= FEWEST_SAMPLES
+    ]
+    heard_longer = [other for other in others if other.receive_ns[-1] - edge.receive_ns[-1] > least_ns]
+    stamped_longer = [other for other in heard_longer if other.stamp_ns.max() - edge.stamp_ns.max() > least_ns]
+    if others and len(stamped_longer) > len(others) / 2:
+        begin_ns, end_ns = int(edge.receive_ns[-1]), max(int(other.receive_ns[-1]) for other in others)
+        yield Silence(edge, begin_ns, end_ns, end_ns - begin_ns, is_last=True)
+
+
+def _events(evidence: Evidence) -> list[list[Silence]]:
+    """Return the silences, those together that began and ended at about the same time."""
+    events: list[list[Silence]] = []
+    silences = [silence for edge in evidence.moving for silence in _silences(evidence, edge)]
+    for silence in sorted(silences, key=lambda s: (s.begin_ns, s.end_ns)):
+        for event in events:
+            first = event[0]
+            slack_ns = ALIKE_SHARE * (first.end_ns - first.begin_ns)
+            begins_alike = abs(silence.begin_ns - first.begin_ns) < slack_ns
+            if begins_alike and abs(silence.end_ns - first.end_ns) < slack_ns and silence.is_last == first.is_last:
+                event.append(silence)
+                break
+        else:
+            events.append([silence])
+    return events
+
+
+def _has_spoken(evidence: Evidence, event: list[Silence], others) -> bool | None:
+    """Return whether, while these edges were silent, another spoke that should have; None if there is none to ask."""
+    begin_ns, end_ns = event[0].begin_ns, event[0].end_ns
+    margin_ns = (end_ns - begin_ns) // 5
+    silent = [silence.edge for silence in event]
+    asked = 0
+    for other in others:
+        if any(other is edge for edge in silent) or len(other.stamp_ns) < FEWEST_SAMPLES:
+            continue
+        spoke = other.receive_ns
+        period_ns = float(np.median(np.diff(np.sort(spoke))))
+        if spoke[0] > begin_ns or spoke[-1] < end_ns or 2.0 * period_ns > end_ns - begin_ns:
+            continue
+        asked += 1
+        if ((spoke > begin_ns + margin_ns) & (spoke < end_ns - margin_ns)).any():
+            return True
+    return False if asked else None
+
+
+def _finding_of_silences(code: str, events: list[list[Silence]]) -> Finding:
+    """Return one finding for all silences of the same edges."""
+    longest = max((silence for event in events for silence in event), key=lambda s: s.end_ns - s.begin_ns)
+    edges = [silence.edge for silence in events[0]]
+    length_s = (longest.end_ns - longest.begin_ns) / NSEC_PER_SEC
+    times = "once" if len(events) == 1 else f"{len(events)} times"
+    moved_m, turned_rad = _moved_across(longest)
+    facts = {
+        "times": times,
+        "edges": ", ".join(dict.fromkeys(f"{edge.usual_parent} -> {edge.child}" for edge in edges)),
+        "longest": f"{length_s:.3f}",
+        "period": f"{longest.edge.period_ns / NSEC_PER_SEC:.3f}",
+        "hole": f"{longest.hole_ns / NSEC_PER_SEC:.3f}",
+        "moved": f"{moved_m:.3f}",
+        "turned": f"{turned_rad:.3f}",
+    }
+    edge = edges[0]
+    parent, child = (
+        (edge.usual_parent, edge.child) if len(edges) == 1 and code not in ("stall", "tf-silent") else ("", "")
+    )
+    return Finding(code, "warning", parent, child, edge.topic, longest.begin_ns, longest.end_ns, facts)
+
+
+def _moved_across(silence: Silence) -> tuple[float, float]:
+    """Return how far an edge moved [m] and turned [rad] while it was silent: what a straight line has to stand for."""
+    edge = silence.edge
+    ends = np.flatnonzero((edge.receive_ns == silence.begin_ns) | (edge.receive_ns == silence.end_ns))
+    ends = ends[edge.is_usable[ends]]
+    if silence.is_last or len(ends) < 2:
+        return 0.0, 0.0
+    (start, *_, end) = unit(edge.numbers[ends])
+    dot = min(1.0, abs(float(np.dot(start[3:], end[3:]))))
+    return float(np.linalg.norm(end[:3] - start[:3])), 2.0 * float(np.arccos(dot))
