@@ -24,7 +24,6 @@ from functools import partial
 from pathlib import Path
 
 from planted import CODES_OF_PLANT, PLANTS, with_records, with_transforms_of_odometry
-
 from tflab.bags.progress import Progress
 
 from tflab.bags.reader import read_bag
