@@ -39,6 +39,7 @@ CHECKS = (
     Check("leading slashes", names.leading_slashes, "raw"),
     Check("empty names", names.empty_names, "raw"),
     Check("misspelt names", names.misspelt_names),
+    Check("slashes in messages", names.slashes_in_messages, "recording"),
     Check("frames that messages name", names.unknown_frames_in_messages, "recording"),
     Check("frames that are their own parent", tree.self_transforms, "raw"),
     Check("loops", tree.loops),

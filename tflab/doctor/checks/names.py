@@ -17,11 +17,13 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from tflab.bags.recording import Headers
+
 from ..evidence import Evidence
 from ..findings import Finding
 from .spelling import endings_of, is_slip, letters_of, likeness, prefix_of
 
-__all__ = ["empty_names", "leading_slashes", "misspelt_names", "unknown_frames_in_messages"]
+__all__ = ["empty_names", "leading_slashes", "misspelt_names", "slashes_in_messages", "unknown_frames_in_messages"]
 
 SPATIAL = re.compile(
     r"LaserScan|PointCloud|Image|CameraInfo|Imu|Range|Odometry|Path|Grid|geometry_msgs|Detection|Marker"
@@ -73,32 +75,36 @@ def misspelt_names(evidence: Evidence) -> Iterator[Finding]:
         yield _finding_of(evidence, "name-prefix", name, facts)
 
 
-def unknown_frames_in_messages(evidence: Evidence) -> Iterator[Finding]:
-    """Yield a finding for each frame that messages name and nobody publishes."""
-    if not evidence.frames:
-        return
-    known = evidence.frames | evidence.all_parents
-    unknown: dict[str, list[tuple[str, str, int]]] = {}
+def slashes_in_messages(evidence: Evidence) -> Iterator[Finding]:
+    """Yield a finding for each frame that messages name with a slash, and the tree has without."""
     for header in evidence.headers:
-        for number, frame in enumerate(header.frames):
+        for frame in header.frames:
             bare = frame.removeprefix("/")
-            if frame.startswith("/") and bare in known:
+            if frame.startswith("/") and bare in evidence.frames | evidence.all_parents:
                 facts = {"name": frame, "bare": bare, "topic": header.topic}
                 yield Finding("message-slash", "warning", topic=header.topic, facts=facts)
-            elif bare and bare not in known:
-                count = int((header.frame == number).sum())
-                unknown.setdefault(frame, []).append((header.topic, header.msgtype, count))
+
+
+def unknown_frames_in_messages(evidence: Evidence) -> Iterator[Finding]:
+    """Yield a finding for each frame that messages name and nobody publishes."""
+    known = evidence.frames | evidence.all_parents
+    unknown: dict[str, list[tuple[Headers, int]]] = {}
+    for header in evidence.headers if known else ():
+        for number, frame in enumerate(header.frames):
+            bare = frame.removeprefix("/")
+            if bare and bare not in known:
+                unknown.setdefault(bare, []).append((header, int((header.frame == number).sum())))
     for frame, topics in unknown.items():
-        spatial = [topic for topic in topics if SPATIAL.search(topic[1])]
-        code = (
-            "unknown-world-frame" if any(OF_THE_WORLD.search(msgtype) for _, msgtype, _ in topics) else "unknown-frame"
-        )
+        spatial = [header for header, _ in topics if SPATIAL.search(header.msgtype)]
+        is_world = any(OF_THE_WORLD.search(header.msgtype) for header in spatial)
         facts = {
             "name": frame,
-            "topics": ", ".join(topic for topic, _, _ in topics),
-            "count": sum(count for *_, count in topics),
+            "topics": ", ".join(header.topic for header, _ in topics),
+            "count": sum(count for _, count in topics),
         }
-        yield Finding(code, "warning" if spatial else "info", topic=(spatial or topics)[0][0], facts=facts)
+        code = "unknown-world-frame" if is_world else "unknown-frame"
+        topic = spatial[0].topic if spatial else topics[0][0].topic
+        yield Finding(code, "warning" if spatial else "info", topic=topic, facts=facts)
 
 
 def _pairs_alike(evidence: Evidence) -> Iterator[tuple[str, str, str]]:
