@@ -4,6 +4,7 @@
     quaternions  which way round: (x, y, z, w), and REP-103's axes
     transforms   where: a turn and a step
     errors       what can go wrong: tf2's family of exceptions
+    plain        the whole of tf2, slowly; the pages after it are fast
     cache        one edge of the tree, through time
     tree         who is whose child
     walk         from one frame to another
