@@ -11,12 +11,11 @@ import hashlib
 import json
 import logging
 import math
-from functools import partial
 from pathlib import Path
 
 import pytest
 
-from tflab.core import BufferCore, StampedTransform, Transform, TransformException
+from tflab.core import BufferCore, StampedTransform, Transform, TransformException, Velocity
 from tflab.core.velocity import lookup_velocity_as_tf2
 
 VECTORS = Path(__file__).parent / "data" / "tf2_vectors.jsonl.gz"
@@ -124,16 +123,19 @@ class Player:
     def op_velocity(self, op: dict) -> None:
         arguments = (op["tracking"], op["observation"], op["ns"], op["avg_ns"])
         if "err" in op:
-            for lookup in (self.buffer.lookup_velocity, partial(lookup_velocity_as_tf2, self.buffer)):
+            for lookup in (self.buffer.lookup_velocity, self.velocity_as_tf2):
                 with pytest.raises(TransformException) as raised:
                     lookup(*arguments)
                 expect_exception(raised.value, op["err"])
             return
-        velocity, out = lookup_velocity_as_tf2(self.buffer, *arguments), op["out"]
+        velocity, out = self.velocity_as_tf2(*arguments), op["out"]
         assert (velocity.frame_id, velocity.body_frame_id) == (out["frame_id"], out["body_frame_id"])
         assert abs(velocity.stamp_ns - out["stamp_ns"]) <= 1  # tf2 reckons in float seconds here
         assert close(velocity.linear, numbers(out["linear"]))
         assert close(velocity.angular, numbers(out["angular"]))
+
+    def velocity_as_tf2(self, *arguments) -> Velocity:
+        return lookup_velocity_as_tf2(self.buffer.lookup_transform, self.buffer.latest_common_time_ns, *arguments)
 
     # -- comparing
 

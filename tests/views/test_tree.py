@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tflab.core import BufferCore, FrameSnapshot, Snapshot, StampedTransform, Transform, seconds, snapshot
+from tflab.core import BufferCore, FrameSnapshot, Snapshot, StampedTransform, Transform, seconds
 from tflab.views.marks import BoxMark, LineMark, TextMark, text_width
 from tflab.views.tree import draw_tree, rows_of, text_from_tree, tree_faults
 
@@ -147,7 +147,7 @@ def test_a_snapshot_of_the_engine_can_be_drawn():
     buffer = BufferCore()
     for stamp_ns, owner in ((seconds(1), "/ekf"), (seconds(2), "/wheels")):
         buffer.set_transform(StampedTransform("odom", "base_link", stamp_ns, AHEAD), owner)
-    assert [fault.kind for fault in draw_tree(snapshot(buffer)).faults] == ["owners"]
+    assert [fault.kind for fault in draw_tree(buffer.snapshot()).faults] == ["owners"]
 
 
 def room_of(mark):

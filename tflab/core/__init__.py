@@ -2,17 +2,22 @@
 
     stamps       when: time is a whole number of nanoseconds
     quaternions  which way round: (x, y, z, w), and REP-103's axes
+    poses        seven numbers: how two transforms make one
     transforms   where: a turn and a step
     errors       what can go wrong: tf2's family of exceptions
-    plain        the whole of tf2, slowly; the pages after it are fast
+    plain        the whole rule on one page; the pages after it are fast
+    segments     between two samples, worked out once
     cache        one edge of the tree, through time
     tree         who is whose child
     walk         from one frame to another
+    failures     why there is no answer, in tf2's words
+    routes       the same way again; what is remembered, and when it is forgotten
     buffer       BufferCore: publish, and ask
     checks       what may come in, and what is refused
     requests     call me when you can
     velocity     how fast does it move
     describe     the tree in tf2's words
+    columns      the arithmetic for many moments at once
     batch        a hundred thousand questions at once
     inspection   what is in there: names, parents, histories
     snapshot     what there is to draw
@@ -35,7 +40,7 @@ from .errors import (
 )
 from .inspection import History, Memory
 from .requests import NEVER, POSSIBLE_NOW
-from .snapshot import FrameSnapshot, Snapshot, snapshot
+from .snapshot import FrameSnapshot, Snapshot
 from .stamps import (
     LATEST,
     NSEC_PER_SEC,
@@ -73,6 +78,5 @@ __all__ = [
     "quaternions",
     "sec_nanosec_from_stamp",
     "seconds",
-    "snapshot",
     "stamp_from_sec_nanosec",
 ]

@@ -22,36 +22,23 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import isinf
-from threading import RLock
 
 import numpy as np
 
-from . import batch, checks, velocity
-from .cache import TimeCache
+from . import batch, checks, columns, velocity
+from .cache import Cache, Gap, TimeCache
 from .errors import TransformException
-from .inspection import Inspection, Memory, memory_of
+from .failures import text_from_failure
+from .inspection import Inspection
+from .poses import IDENTITY_POSE, are_ordinary_numbers, canonical_pose, compose
 from .requests import RequestCallback, RequestQueue
-from .stamps import LATEST, NSEC_PER_SEC
-from .transforms import IDENTITY_POSE, StampedTransform, Transform, canonical_pose, compose, stamped_from_pose
-from .tree import Cache, Tree
-from .walk import (
-    Failure,
-    Path,
-    Route,
-    exception_from_failure,
-    find_path,
-    frames_on_path,
-    latest_common_time,
-    plan_route,
-    pose_on_path,
-    text_from_failure,
-)
+from .stamps import NSEC_PER_SEC
+from .transforms import StampedTransform, Transform, stamped_from_pose
+from .walk import Failure, find_way, latest_common_time, pose_along
 
 __all__ = ["DEFAULT_CACHE_TIME_NS", "BufferCore"]
 
 DEFAULT_CACHE_TIME_NS = 10 * NSEC_PER_SEC
-ROUTES_REMEMBERED = 4096
-ROUTE_BYTES = 500  # each, in CPython on 64 bits
 
 
 class BufferCore(Inspection):
@@ -59,19 +46,15 @@ class BufferCore(Inspection):
 
     Args:
         cache_time_ns: how far each history reaches back from its newest sample [ns].
-        refuse_repeated_stamps: whether a second sample with the same stamp is refused, as in ROS 2
-            Humble; since Jazzy both are kept, and the one that came last answers.
     """
 
-    def __init__(self, cache_time_ns: int = DEFAULT_CACHE_TIME_NS, refuse_repeated_stamps: bool = False) -> None:
+    def __init__(self, cache_time_ns: int = DEFAULT_CACHE_TIME_NS) -> None:
         cache_time_ns = checks.whole_nanoseconds(cache_time_ns, "cache_time_ns")
         if cache_time_ns < 0:
             raise ValueError(f"cache_time_ns must not be negative: {cache_time_ns}")
-        super().__init__(Tree(cache_time_ns, refuse_repeated_stamps), RLock())
-        self._routes: dict[tuple[str, str], Route | None] = {}
+        super().__init__(cache_time_ns)
         self._edges: dict[tuple[str, str, bool], tuple[Cache, int, int]] = {}  # of sound names, as published
         self._requests = RequestQueue(self._tree)
-        self._tables = batch.Tables()
 
     # -- publishing -------------------------------------------------------
 
@@ -85,29 +68,33 @@ class BufferCore(Inspection):
         that is its own parent, an empty name, NaN, a quaternion without direction,
         and a stamp older than the newest by more than the cache time.  Then the
         requests that wait are judged.
+
+        Raises:
+            TypeError: the stamp is not an integer.
+            ValueError: it does not fit in 64 bits.
         """
-        transform = stamped.transform
-        numbers = transform.translation + transform.rotation
+        numbers = stamped.transform.translation + stamped.transform.rotation
+        stamp_ns = stamped.stamp_ns
+        if type(stamp_ns) is not int or not -(2**63) <= stamp_ns < 2**63:
+            stamp_ns = checks.stamp_in_range(stamp_ns)
         self._lock.acquire()  # a `with` would cost twice as much, and this is done for every transform
         try:
             edge = self._edges.get((stamped.frame_id, stamped.child_frame_id, is_static))
-            if edge is not None and edge[0].only_parent == edge[1] and checks.are_ordinary_numbers(numbers):
-                cache, parent_number, child_number = edge
-                accepted = cache.insert(stamped.stamp_ns, numbers, parent_number, authority)
-            else:
-                inserted = self._insert_with_care(stamped, numbers, authority, is_static)
-                if inserted is None:
+            if edge is None or not are_ordinary_numbers(numbers):
+                edge = self._examined_edge(stamped, numbers, authority, is_static)
+                if edge is None:
                     return False
-                cache, child_number, accepted = inserted
-            if not accepted:
-                return self._refused(stamped, cache, authority)
-            self._tree.authorities[child_number] = authority
+            cache, parent, child = edge
+            only_parent = cache.only_parent
+            if not cache.insert(stamp_ns, numbers, parent, authority):
+                checks.log_old_data(self._tree.names[child], stamp_ns, authority)
+                return False
+            if cache.only_parent != only_parent:
+                self._shape_changed()
+            self._tree.authorities[child] = authority
             if self._requests.waiting:
                 self._requests.judge_all()
             return True
-        except (TypeError, OverflowError):
-            checks.stamp_in_range(stamped.stamp_ns)
-            raise
         finally:
             self._lock.release()
 
@@ -130,24 +117,22 @@ class BufferCore(Inspection):
         Raises:
             ValueError: the shapes do not fit together.
         """
-        stamps, numbers = batch.columns_from_arrays(stamps_ns, translations, rotations_xyzw)
+        stamps, numbers = columns.columns_from_arrays(stamps_ns, translations, rotations_xyzw)
         with self._lock:
             cache = self._tree.caches[self._tree.numbers.get(child, 0)]
             newest_ns = cache.newest_ns if isinstance(cache, TimeCache) and len(cache) else None
-            if self._requests.waiting or not batch.is_plain(parent, child, stamps, numbers, newest_ns):
+            if self._requests.waiting or not columns.is_plain(parent, child, stamps, numbers, newest_ns):
                 return sum(
                     self.set_transform(StampedTransform(parent, child, stamp, Transform(row[:3], row[3:])), authority)
                     for stamp, row in zip(stamps.tolist(), numbers.tolist(), strict=True)
                 )
-            if not len(stamps):
-                return 0
-            child_number = self._tree.number_of(child)
-            cache = self._cache_for(child_number, is_static=False)
-            only_parent = cache.only_parent
-            cache.extend(stamps, numbers, self._tree.number_of(parent), authority)
-            if cache.only_parent != only_parent:
-                self._shape_changed()
-            self._tree.authorities[child_number] = authority
+            if len(stamps):
+                cache, parent_number, child_number = self._edge(parent, child, is_static=False)
+                only_parent = cache.only_parent
+                cache.extend(stamps, numbers, parent_number, authority)
+                if cache.only_parent != only_parent:
+                    self._shape_changed()
+                self._tree.authorities[child_number] = authority
         return len(stamps)
 
     def clear(self) -> None:
@@ -172,15 +157,19 @@ class BufferCore(Inspection):
             ConnectivityException: the frames are in different trees.
             ExtrapolationException: a history on the way does not reach `stamp_ns`.
         """
+        if type(stamp_ns) is not int:
+            stamp_ns = checks.whole_nanoseconds(stamp_ns)
         self._lock.acquire()  # a `with` would cost twice as much
         try:
-            route = self._routes.get((target_frame, source_frame))
-            if route is not None:
-                moment_ns = stamp_ns or route.latest_common_time()
-                pose = route.pose_at(moment_ns)
-                if pose is not None:
-                    return stamped_from_pose(target_frame, source_frame, moment_ns, canonical_pose(pose))
-            return self._lookup_from_scratch(target_frame, source_frame, stamp_ns)
+            route = self._routes.known.get((target_frame, source_frame))
+            if route is None:
+                return self._lookup_from_scratch(target_frame, source_frame, stamp_ns)
+            moment_ns = stamp_ns or route.latest_common_time()
+            try:
+                pose = canonical_pose(route.pose_at(moment_ns))
+            except Gap:
+                return self._lookup_from_scratch(target_frame, source_frame, stamp_ns)
+            return stamped_from_pose(target_frame, source_frame, moment_ns, pose)
         finally:
             self._lock.release()
 
@@ -218,10 +207,16 @@ class BufferCore(Inspection):
         `raise_on_failure` the first such failure is raised instead.
         """
         with self._lock:
-            return batch.lookup(
-                self, self._tables, self._route(target_frame, source_frame),
-                target_frame, source_frame, stamps_ns, raise_on_failure,
-            )  # fmt: skip
+            answers = batch.lookup(
+                lambda stamp_ns: self.lookup_transform(target_frame, source_frame, stamp_ns),
+                self.history_ends,
+                self._tables,
+                self._routes.between(target_frame, source_frame),
+                stamps_ns,
+            )
+        if raise_on_failure and len(answers.failures):
+            raise next(iter(answers.failures.values()))
+        return answers
 
     def can_transform(self, target_frame: str, source_frame: str, stamp_ns: int) -> bool:
         """Return whether lookup_transform would answer."""
@@ -241,9 +236,9 @@ class BufferCore(Inspection):
             text = checks.fault_in_question(self._tree, target_frame=target_frame, source_frame=source_frame)
             if text:
                 return False, text
-            path = find_path(self._tree, self._tree.numbers[target_frame], self._tree.numbers[source_frame], stamp_ns)
-            if isinstance(path, Failure):
-                return False, text_from_failure(self._tree, path, target_frame, source_frame)
+            way = find_way(self._tree, self._tree.numbers[target_frame], self._tree.numbers[source_frame], stamp_ns)
+            if isinstance(way, Failure):
+                return False, text_from_failure(self._tree, way, target_frame, source_frame)
             return True, ""
 
     def why_not_full(
@@ -297,7 +292,8 @@ class BufferCore(Inspection):
         """
         with self._lock:
             return velocity.lookup_velocity(
-                self, tracking_frame, observation_frame, stamp_ns, averaging_ns,
+                self.lookup_transform, self.latest_common_time_ns,
+                tracking_frame, observation_frame, stamp_ns, averaging_ns,
                 reference_frame, reference_point, reference_point_frame,
             )  # fmt: skip
 
@@ -320,101 +316,46 @@ class BufferCore(Inspection):
         with self._lock:
             self._requests.cancel(handle)
 
-    # -- looking inside ---------------------------------------------------
-
-    def chain(self, target_frame: str, source_frame: str, stamp_ns: int = LATEST) -> list[str]:
-        """Return the frames on the way, from `source_frame` up and down to `target_frame`, both included.
-
-        Raises:
-            TransformException: as for lookup_transform.
-        """
-        with self._lock:
-            path = self._path(target_frame, source_frame, stamp_ns)
-            frames = frames_on_path(self._tree, path, self._tree.numbers[source_frame])
-            return [self._tree.names[frame] for frame in frames]
-
-    def memory(self) -> Memory:
-        """Return how much is stored, and, apart from it, how much is merely remembered to be fast."""
-        with self._lock:
-            return memory_of(self._tree, ROUTE_BYTES * len(self._routes) + self._tables.nbytes)
-
     # -- inside -----------------------------------------------------------
 
-    def _insert_with_care(
+    def _examined_edge(
         self, stamped: StampedTransform, numbers: tuple[float, ...], authority: str, is_static: bool
-    ) -> tuple[Cache, int, bool] | None:
-        """Insert a transform of an edge that is new or has changed, or one that needs a closer look.
-
-        Return the history, the child's number and whether the history took it; None if it did not get that far.
-        """
-        tree, parent, child = self._tree, stamped.frame_id, stamped.child_frame_id
-        if not (checks.are_ordinary_names(parent, child) and checks.are_ordinary_numbers(numbers)):
+    ) -> tuple[Cache, int, int] | None:
+        """Look closely at a transform that is new or odd; return its edge, or None if it is refused."""
+        parent, child = stamped.frame_id, stamped.child_frame_id
+        if not (checks.are_ordinary_names(parent, child) and are_ordinary_numbers(numbers)):
             parent, child = checks.without_slash(parent), checks.without_slash(child)
             if not checks.is_acceptable(parent, child, numbers, authority):
                 return None
             if any(map(isinf, numbers)):
-                tree.has_infinity = True
+                self._tree.has_infinity = True
                 self._shape_changed()
-        stamp_ns = checks.stamp_in_range(stamped.stamp_ns)
-        child_number = tree.number_of(child)
-        cache = self._cache_for(child_number, is_static)
-        only_parent = cache.only_parent
-        parent_number = tree.number_of(parent)
-        accepted = cache.insert(stamp_ns, numbers, parent_number, authority)
-        if cache.only_parent != only_parent:
-            self._shape_changed()
-        self._edges[parent, child, is_static] = (cache, parent_number, child_number)
-        return cache, child_number, accepted
+            return self._edge(parent, child, is_static)
+        edge = self._edges[parent, child, is_static] = self._edge(parent, child, is_static)
+        return edge
 
-    def _cache_for(self, child_number: int, is_static: bool) -> Cache:
-        """Return the history of a child, an empty one if it is new or changes its kind."""
+    def _edge(self, parent: str, child: str, is_static: bool) -> tuple[Cache, int, int]:
+        """Return the history of a child, an empty one if it is new or changes its kind, and both numbers."""
+        child_number = self._tree.number_of(child)
         before = self._tree.caches[child_number]
         cache = self._tree.cache_for(child_number, is_static)
         if cache is not before:
-            self._edges.clear()
-        return cache
-
-    def _refused(self, stamped: StampedTransform, cache: Cache, authority: str) -> bool:
-        """Log why a history would not take a sample, and return False."""
-        parent, child = checks.without_slash(stamped.frame_id), checks.without_slash(stamped.child_frame_id)
-        if cache.has_stamp(stamped.stamp_ns):
-            checks.log_repeated_data(parent, child, stamped.stamp_ns, authority)
-        else:
-            checks.log_old_data(child, stamped.stamp_ns, authority)
-        return False
+            self._shape_changed()
+        return cache, self._tree.number_of(parent), child_number
 
     def _shape_changed(self) -> None:
-        """Forget every route: some frame got another parent, or lost its history."""
-        self._routes.clear()
+        """Forget every way that was remembered: some frame got another parent, or another history."""
+        self._edges.clear()
+        self._routes.forget()
         self._tables.clear()
 
     def _lookup_from_scratch(self, target_frame: str, source_frame: str, stamp_ns: int) -> StampedTransform:
         """Look up the long way, as tf2 does, and try to make the next time shorter."""
-        stamp_ns = checks.whole_nanoseconds(stamp_ns)
         if target_frame == source_frame:
             cache = self._tree.caches[self._tree.numbers.get(source_frame, 0)]
             newest_ns = cache.newest_ns if cache is not None else 0
             return stamped_from_pose(target_frame, source_frame, stamp_ns or newest_ns, IDENTITY_POSE)
-        path = self._path(target_frame, source_frame, stamp_ns)
-        self._route(target_frame, source_frame)
-        pose = canonical_pose(pose_on_path(self._tree, path))
-        return stamped_from_pose(target_frame, source_frame, path.stamp_ns, pose)
-
-    def _path(self, target_frame: str, source_frame: str, stamp_ns: int) -> Path:
-        """Return tf2's way between two frames at a moment, or raise its reason why there is none."""
-        target = checks.number_in_question(self._tree, "lookupTransform argument target_frame", target_frame)
-        source = checks.number_in_question(self._tree, "lookupTransform argument source_frame", source_frame)
-        path = find_path(self._tree, target, source, stamp_ns)
-        if isinstance(path, Failure):
-            raise exception_from_failure(self._tree, path, target_frame, source_frame)
-        return path
-
-    def _route(self, target_frame: str, source_frame: str) -> Route | None:
-        """Return the route between two frames, remembered until the shape of the tree changes."""
-        names = (target_frame, source_frame)
-        if names not in self._routes:
-            target, source = map(self.frame_number, names)
-            if len(self._routes) >= ROUTES_REMEMBERED:
-                self._routes.clear()
-            self._routes[names] = plan_route(self._tree, target, source) if target and source else None
-        return self._routes[names]
+        way = self._way(target_frame, source_frame, stamp_ns)
+        self._routes.between(target_frame, source_frame)
+        pose = canonical_pose(pose_along(self._tree, way))
+        return stamped_from_pose(target_frame, source_frame, way.stamp_ns, pose)

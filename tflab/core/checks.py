@@ -19,15 +19,13 @@ from operator import index
 from . import quaternions
 from .errors import InvalidArgumentException, LookupException
 from .stamps import format_stamp
-from .tree import Tree
+from .tree import FrameTree
 
 __all__ = [
     "are_ordinary_names",
-    "are_ordinary_numbers",
     "fault_in_question",
     "is_acceptable",
     "log_old_data",
-    "log_repeated_data",
     "number_in_question",
     "stamp_in_range",
     "unknown_frame",
@@ -43,14 +41,6 @@ _log = logging.getLogger("tflab.tf2")
 def without_slash(name: str) -> str:
     """Return a published name without its leading slash, if it has one."""
     return name[1:] if name.startswith("/") else name
-
-
-def are_ordinary_numbers(numbers: tuple[float, ...]) -> bool:
-    """Return whether x, y, z, qx, qy, qz, qw need no closer look: finite, and the quaternion has a direction."""
-    x, y, z, qx, qy, qz, qw = numbers
-    squared_length = qx * qx + qy * qy + qz * qz + qw * qw
-    total = x + y + z + squared_length  # not finite if any of them is not
-    return 1e-300 < squared_length < 1e300 and total - total == 0.0
 
 
 def are_ordinary_names(parent: str, child: str) -> bool:
@@ -116,14 +106,6 @@ def stamp_in_range(stamp_ns: int) -> int:
     return stamp_ns
 
 
-def log_repeated_data(parent: str, child: str, stamp_ns: int, authority: str) -> None:
-    """Log that a sample had the stamp of another (ROS 2 Humble refuses it)."""
-    _log.warning(
-        f"TF_REPEATED_DATA ignoring data with redundant timestamp for frame {child} (parent {parent}) at time "
-        f"{format_stamp(stamp_ns)} according to authority {authority}"
-    )
-
-
 def log_old_data(child: str, stamp_ns: int, authority: str) -> None:
     """Log that a sample came too late to be stored."""
     _log.warning(
@@ -132,7 +114,7 @@ def log_old_data(child: str, stamp_ns: int, authority: str) -> None:
     )
 
 
-def number_in_question(tree: Tree, argument: str, frame: str) -> int:
+def number_in_question(tree: FrameTree, argument: str, frame: str) -> int:
     """Return the number of a frame that somebody asks about; `argument` is tf2's word for its place.
 
     Raises:
@@ -148,13 +130,13 @@ def number_in_question(tree: Tree, argument: str, frame: str) -> int:
     return number
 
 
-def unknown_frame(tree: Tree, argument: str, frame: str) -> LookupException:
+def unknown_frame(tree: FrameTree, argument: str, frame: str) -> LookupException:
     """Return the exception for a name that nobody has published."""
     text = f'"{frame}" passed to {argument} does not exist. '
     return LookupException(text, frame=frame, known_frames=tree.known_names())
 
 
-def fault_in_question(tree: Tree, **frames: str) -> str:
+def fault_in_question(tree: FrameTree, **frames: str) -> str:
     """Return tf2's text for the first bad name of a can_transform; "" if all are known."""
     for argument, frame in frames.items():
         fault = _fault_in_form(frame) or ("" if tree.numbers.get(frame, 0) else "frame does not exist")

@@ -8,7 +8,7 @@ to the letter, their spelling mistake included.  Rates are n / span, not
 that is how tf2 reckons.
 
 tf2: BufferCore::allFramesAsString, allFramesAsYAML, _allFramesAsDot.  Read
-`batch.py` next.
+`columns.py` next.
 """
 
 from __future__ import annotations
@@ -17,14 +17,14 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from .stamps import NSEC_PER_SEC, format_stamp
-from .tree import Tree
+from .tree import FrameTree
 
-__all__ = ["Edge", "all_frames_as_dot", "all_frames_as_string", "all_frames_as_yaml", "edges"]
+__all__ = ["EdgeSummary", "all_frames_as_dot", "all_frames_as_string", "all_frames_as_yaml", "edges"]
 
 SHORTEST_SPAN_NS = 100_000
 
 
-class Edge(NamedTuple):
+class EdgeSummary(NamedTuple):
     """One child with data, and what can be said of its history at a glance."""
 
     parent: str
@@ -39,13 +39,13 @@ class Edge(NamedTuple):
         return self.newest_ns - self.oldest_ns
 
 
-def edges(tree: Tree) -> Iterator[Edge]:
+def edges(tree: FrameTree) -> Iterator[EdgeSummary]:
     """Yield every edge with data, in the order in which the children were first named."""
     for number, cache in enumerate(tree.caches):
         if number == 0 or cache is None or len(cache) == 0:
             continue
         span_ns = max(cache.newest_ns - cache.oldest_ns, SHORTEST_SPAN_NS)
-        yield Edge(
+        yield EdgeSummary(
             parent=tree.names[cache.newest_parent],
             child=tree.names[number],
             authority=tree.authorities.get(number, "no recorded authority"),
@@ -55,7 +55,7 @@ def edges(tree: Tree) -> Iterator[Edge]:
         )
 
 
-def all_frames_as_string(tree: Tree) -> str:
+def all_frames_as_string(tree: FrameTree) -> str:
     """Return one line for each frame that has, or had, a parent."""
     return "".join(
         f"Frame {tree.names[number]} exists with parent {tree.names[cache.newest_parent]}.\n"
@@ -64,7 +64,7 @@ def all_frames_as_string(tree: Tree) -> str:
     )
 
 
-def all_frames_as_yaml(tree: Tree, now_ns: int = 0) -> str:
+def all_frames_as_yaml(tree: FrameTree, now_ns: int = 0) -> str:
     """Return what the service `tf2_frames` answers; with `now_ns`, also how old each edge is."""
     if len(tree.names) == 1:
         return "[]"
@@ -84,7 +84,7 @@ def all_frames_as_yaml(tree: Tree, now_ns: int = 0) -> str:
     return "".join(blocks)
 
 
-def all_frames_as_dot(tree: Tree, now_ns: int = 0) -> str:
+def all_frames_as_dot(tree: FrameTree, now_ns: int = 0) -> str:
     """Return the tree in Graphviz's language; with `now_ns`, also how old each edge is."""
     lines = ["digraph G {"]
     if len(tree.names) == 1:

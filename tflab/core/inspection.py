@@ -16,17 +16,17 @@ from typing import NamedTuple
 import numpy as np
 
 from . import checks, describe
-from .cache import TimeCache
+from .cache import Gap
+from .columns import Tables
+from .failures import exception_from_failure
+from .routes import Routes
 from .snapshot import Snapshot, snapshot_of
 from .stamps import LATEST
 from .transforms import Transform
-from .tree import Tree
+from .tree import FrameTree
+from .walk import Failure, Way, find_way, frames_on_way
 
-__all__ = ["History", "Inspection", "Memory", "history_of", "memory_of"]
-
-# In CPython on 64 bits.
-STATIC_BYTES = 400
-SEGMENT_BYTES = 700
+__all__ = ["History", "Inspection", "Memory"]
 
 
 class History(NamedTuple):
@@ -55,7 +55,7 @@ class Memory(NamedTuple):
     Attributes:
         samples: how many transforms are stored.
         sample_bytes: what they take.
-        memo_bytes: what segments, routes and tables take; bounded, and gone whenever they might be stale.
+        memo_bytes: what segments, routes and tables take; bounded, see `routes.py`.
     """
 
     samples: int
@@ -64,11 +64,13 @@ class Memory(NamedTuple):
 
 
 class Inspection:
-    """What one can read off a tree, under its lock: the silent half of a BufferCore."""
+    """A tree, what is remembered of it, and what one can read off it: the silent half of a BufferCore."""
 
-    def __init__(self, tree: Tree, lock: RLock) -> None:
-        self._tree = tree
-        self._lock = lock
+    def __init__(self, cache_time_ns: int) -> None:
+        self._lock = RLock()  # held by whoever reads or changes anything below
+        self._tree = FrameTree(cache_time_ns)
+        self._routes = Routes(self._tree)
+        self._tables = Tables()
 
     @property
     def cache_time_ns(self) -> int:
@@ -92,8 +94,22 @@ class Inspection:
         """Return the parent of a frame at `stamp_ns`, or None if it has none then."""
         with self._lock:
             cache = self._tree.caches[self.frame_number(frame)]
-            number = cache.parent_at(stamp_ns) if cache is not None else 0
+            try:
+                number = cache.parent_at(stamp_ns) if cache is not None else 0
+            except Gap:
+                return None
             return self._tree.names[number] if number else None
+
+    def chain(self, target_frame: str, source_frame: str, stamp_ns: int = LATEST) -> list[str]:
+        """Return the frames on the way, from `source_frame` up and down to `target_frame`, both included.
+
+        Raises:
+            TransformException: as for BufferCore.lookup_transform.
+        """
+        with self._lock:
+            way = self._way(target_frame, source_frame, checks.whole_nanoseconds(stamp_ns))
+            frames = frames_on_way(self._tree, way, self._tree.numbers[source_frame])
+            return [self._tree.names[frame] for frame in frames]
 
     def history(self, frame: str) -> History:
         """Return every sample of one child; of a root, an empty history.
@@ -104,7 +120,18 @@ class Inspection:
         with self._lock:
             if frame not in self._tree.numbers:
                 raise checks.unknown_frame(self._tree, "history", frame)
-            return history_of(self._tree, self._tree.numbers[frame])
+            return _history_of(self._tree, self._tree.numbers[frame])
+
+    def memory(self) -> Memory:
+        """Return how much is stored, and, apart from it, how much is merely remembered to be fast."""
+        with self._lock:
+            caches = [cache for cache in self._tree.caches if cache is not None]
+            weights = [cache.memory() for cache in caches]
+            return Memory(
+                samples=sum(map(len, caches)),
+                sample_bytes=sum(stored for stored, _ in weights),
+                memo_bytes=sum(memos for _, memos in weights) + self._routes.nbytes + self._tables.nbytes,
+            )
 
     def snapshot(self) -> Snapshot:
         """Return what there is to draw of the tree now."""
@@ -132,8 +159,17 @@ class Inspection:
         with self._lock:
             return describe.all_frames_as_dot(self._tree, now_ns or 0)
 
+    def _way(self, target_frame: str, source_frame: str, stamp_ns: int) -> Way:
+        """Return tf2's way between two frames at a moment, or raise its reason why there is none."""
+        target = checks.number_in_question(self._tree, "lookupTransform argument target_frame", target_frame)
+        source = checks.number_in_question(self._tree, "lookupTransform argument source_frame", source_frame)
+        way = find_way(self._tree, target, source, stamp_ns)
+        if isinstance(way, Failure):
+            raise exception_from_failure(self._tree, way, target_frame, source_frame)
+        return way
 
-def history_of(tree: Tree, number: int) -> History:
+
+def _history_of(tree: FrameTree, number: int) -> History:
     """Return every sample of one frame; of a root, none."""
     cache = tree.caches[number]
     samples = cache.samples() if cache is not None else []
@@ -145,17 +181,3 @@ def history_of(tree: Tree, number: int) -> History:
         authorities=tuple(sample.authority for sample in samples),
         transforms=tuple(Transform(sample.pose[:3], sample.pose[3:]) for sample in samples),
     )
-
-
-def memory_of(tree: Tree, other_memo_bytes: int) -> Memory:
-    """Return the weight of a tree; `other_memo_bytes` is what its owner remembers besides."""
-    samples = sample_bytes = segments = 0
-    for cache in tree.caches:
-        samples += len(cache) if cache is not None else 0
-        if isinstance(cache, TimeCache):
-            column_bytes, remembered = cache.memory()
-            sample_bytes += column_bytes
-            segments += remembered
-        elif cache is not None:
-            sample_bytes += STATIC_BYTES
-    return Memory(samples, sample_bytes, SEGMENT_BYTES * segments + other_memo_bytes)

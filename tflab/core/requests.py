@@ -19,8 +19,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import NamedTuple
 
-from .tree import Tree
-from .walk import Failure, find_path, latest_common_time
+from .tree import FrameTree
+from .walk import Failure, find_way, latest_common_time
 
 __all__ = ["NEVER", "POSSIBLE_NOW", "RequestCallback", "RequestQueue"]
 
@@ -42,7 +42,7 @@ class _Request(NamedTuple):
 class RequestQueue:
     """The requests that wait on one tree."""
 
-    def __init__(self, tree: Tree) -> None:
+    def __init__(self, tree: FrameTree) -> None:
         self._tree = tree
         self.waiting: list[_Request] = []
         self._last_handle = 0
@@ -104,7 +104,7 @@ class RequestQueue:
         source = self._tree.numbers.get(source_frame, 0)
         if not (target and source):
             return False
-        return not isinstance(find_path(self._tree, target, source, stamp_ns), Failure)
+        return not isinstance(find_way(self._tree, target, source, stamp_ns), Failure)
 
     def _is_too_old(self, target_frame: str, source_frame: str, stamp_ns: int) -> bool:
         target = self._tree.numbers.get(target_frame, 0)

@@ -10,16 +10,13 @@ Read `records.py` next.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from .describe import edges
 from .transforms import Transform, transform_from_pose
-from .tree import Tree
+from .tree import FrameTree
 
-if TYPE_CHECKING:
-    from .buffer import BufferCore
-
-__all__ = ["FrameSnapshot", "Snapshot", "snapshot", "snapshot_of"]
+__all__ = ["FrameSnapshot", "Snapshot", "snapshot_of"]
 
 
 class FrameSnapshot(NamedTuple):
@@ -60,12 +57,7 @@ class Snapshot(NamedTuple):
     frames: tuple[FrameSnapshot, ...]
 
 
-def snapshot(buffer: BufferCore) -> Snapshot:
-    """Return what there is to draw of a buffer now."""
-    return buffer.snapshot()
-
-
-def snapshot_of(tree: Tree) -> Snapshot:
+def snapshot_of(tree: FrameTree) -> Snapshot:
     """Return what there is to draw of a tree now."""
     rates_hz = {edge.child: edge.rate_hz for edge in edges(tree)}
     roots, frames = [], []

@@ -17,16 +17,14 @@ tf2 keeps this in BufferCore (frameIDs_, frames_, frame_authority_).  Read
 
 from __future__ import annotations
 
-from .cache import StaticCache, TimeCache
+from .cache import Cache, StaticCache, TimeCache
 
-__all__ = ["NO_PARENT", "Cache", "Tree"]
+__all__ = ["NO_PARENT", "FrameTree"]
 
 NO_PARENT = "NO_PARENT"
 
-Cache = TimeCache | StaticCache
 
-
-class Tree:
+class FrameTree:
     """Every frame ever named; `caches[n]` is the history of frame number n, None for a root.
 
     Attributes:
@@ -37,9 +35,8 @@ class Tree:
         has_infinity: whether any translation ever stored was infinite (tf2 allows it).
     """
 
-    def __init__(self, cache_time_ns: int, refuse_repeated_stamps: bool = False) -> None:
+    def __init__(self, cache_time_ns: int) -> None:
         self.cache_time_ns = cache_time_ns
-        self._refuse_repeated_stamps = refuse_repeated_stamps
         self.names: list[str] = [NO_PARENT]
         self.numbers: dict[str, int] = {NO_PARENT: 0}
         self.caches: list[Cache | None] = [None]
@@ -62,8 +59,7 @@ class Tree:
         """
         cache = self.caches[number]
         if cache is None or cache.is_static != is_static:
-            moving = TimeCache(self.cache_time_ns, self._refuse_repeated_stamps)
-            cache = self.caches[number] = StaticCache() if is_static else moving
+            cache = self.caches[number] = StaticCache() if is_static else TimeCache(self.cache_time_ns)
         return cache
 
     def known_names(self) -> tuple[str, ...]:

@@ -14,25 +14,28 @@ where a cross product is meant: it is right only for frames that are not turned
 against each other.  `lookup_velocity` computes what the names say;
 `lookup_velocity_as_tf2` what a robot answers, for code that has to agree with one.
 
-Read `describe.py` next.
+Neither holds a buffer: they get two of its functions, to ask and for the newest
+moment.  (Finite differences; a twist.)  Read `describe.py` next.
 """
 
 from __future__ import annotations
 
 import math
 import sys
-from collections.abc import Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
 
 from . import quaternions
 from .errors import TransformException
 from .quaternions import Vector3
 from .stamps import NSEC_PER_SEC
-
-if TYPE_CHECKING:
-    from .buffer import BufferCore
+from .transforms import StampedTransform
 
 __all__ = ["Velocity", "lookup_velocity", "lookup_velocity_as_tf2"]
+
+
+Ask = Callable[[str, str, int], StampedTransform]  # BufferCore.lookup_transform
+Newest = Callable[[str, str], int]  # BufferCore.latest_common_time_ns
 
 
 class Velocity(NamedTuple):
@@ -53,25 +56,25 @@ class Velocity(NamedTuple):
     angular: Vector3
 
 
-def _newest_ns(buffer: BufferCore, observation_frame: str, tracking_frame: str) -> int:
-    try:
-        return buffer.latest_common_time_ns(observation_frame, tracking_frame)
-    except TransformException:
-        return 0  # the first lookup will say why
-
-
-def averaging_interval_ns(stamp_ns: int, averaging_ns: int, newest_ns: int) -> tuple[int, int]:
+def averaging_interval_ns(
+    newest: Newest, observation_frame: str, tracking_frame: str, stamp_ns: int, averaging_ns: int
+) -> tuple[int, int]:
     """Return (start, end) [ns] of the interval around a stamp, not newer than the newest data.
 
     It begins at 10 us after zero at the earliest, because zero would mean LATEST.
     """
+    try:
+        newest_ns = newest(observation_frame, tracking_frame)
+    except TransformException:
+        newest_ns = 0  # the first lookup will say why
     end_ns = min(stamp_ns + averaging_ns // 2, newest_ns)
     start_ns = max(10_000 + averaging_ns, end_ns) - averaging_ns
     return start_ns, end_ns
 
 
 def lookup_velocity(
-    buffer: BufferCore,
+    ask: Ask,
+    newest: Newest,
     tracking_frame: str,
     observation_frame: str,
     stamp_ns: int,
@@ -83,10 +86,9 @@ def lookup_velocity(
     """Return the velocity of `tracking_frame` in `observation_frame`: see BufferCore.lookup_velocity."""
     reference_frame = reference_frame or observation_frame
     reference_point_frame = reference_point_frame or tracking_frame
-    newest_ns = _newest_ns(buffer, observation_frame, tracking_frame)
-    start_ns, end_ns = averaging_interval_ns(stamp_ns, averaging_ns, newest_ns)
-    start = buffer.lookup_transform(observation_frame, tracking_frame, start_ns).transform
-    end = buffer.lookup_transform(observation_frame, tracking_frame, end_ns).transform
+    start_ns, end_ns = averaging_interval_ns(newest, observation_frame, tracking_frame, stamp_ns, averaging_ns)
+    start = ask(observation_frame, tracking_frame, start_ns).transform
+    end = ask(observation_frame, tracking_frame, end_ns).transform
     interval_s = (end_ns - start_ns) / NSEC_PER_SEC
     if interval_s <= 0.0:  # as in tf2, where nothing moves in no time
         linear = angular = (0.0, 0.0, 0.0)
@@ -95,13 +97,13 @@ def lookup_velocity(
         angular = _angular(start.rotation, end.rotation, interval_s)
 
     # From the origin of the tracking frame to the reference point: add angular x lever.
-    now = buffer.lookup_transform(observation_frame, tracking_frame, stamp_ns).transform
-    point = buffer.lookup_transform(observation_frame, reference_point_frame, stamp_ns).transform.apply(reference_point)
+    now = ask(observation_frame, tracking_frame, stamp_ns).transform
+    point = ask(observation_frame, reference_point_frame, stamp_ns).transform.apply(reference_point)
     lever = tuple(p - o for p, o in zip(point, now.translation, strict=True))
     linear = tuple(v + w for v, w in zip(linear, _cross(angular, lever), strict=True))
 
     # From the axes of the observation frame to those of the reference frame.
-    turn = buffer.lookup_transform(reference_frame, observation_frame, stamp_ns).transform.rotation
+    turn = ask(reference_frame, observation_frame, stamp_ns).transform.rotation
     return Velocity(
         frame_id=reference_frame,
         body_frame_id=tracking_frame,
@@ -112,7 +114,8 @@ def lookup_velocity(
 
 
 def lookup_velocity_as_tf2(
-    buffer: BufferCore,
+    ask: Ask,
+    newest: Newest,
     tracking_frame: str,
     observation_frame: str,
     stamp_ns: int,
@@ -127,10 +130,9 @@ def lookup_velocity_as_tf2(
         TransformException: as for BufferCore.lookup_transform.
     """
     reference_frame = reference_frame or observation_frame
-    newest_ns = _newest_ns(buffer, observation_frame, tracking_frame)
-    start_ns, end_ns = averaging_interval_ns(stamp_ns, averaging_ns, newest_ns)
-    start = buffer.lookup_transform(observation_frame, tracking_frame, start_ns).transform
-    end = buffer.lookup_transform(observation_frame, tracking_frame, end_ns).transform
+    start_ns, end_ns = averaging_interval_ns(newest, observation_frame, tracking_frame, stamp_ns, averaging_ns)
+    start = ask(observation_frame, tracking_frame, start_ns).transform
+    end = ask(observation_frame, tracking_frame, end_ns).transform
     interval_s = (end_ns - start_ns) / NSEC_PER_SEC or math.nan
 
     x, y, z, w = quaternions.canonical(quaternions.multiply(quaternions.conjugate(start.rotation), end.rotation))
@@ -140,10 +142,10 @@ def lookup_velocity_as_tf2(
     turning = tuple(speed * c for c in quaternions.rotate(start.rotation, axis))
     moving = tuple((b - a) / interval_s for a, b in zip(start.translation, end.translation, strict=True))
 
-    reference_T_tracking = buffer.lookup_transform(reference_frame, tracking_frame, stamp_ns).transform
+    reference_T_tracking = ask(reference_frame, tracking_frame, stamp_ns).transform
     origin, turn = reference_T_tracking.translation, reference_T_tracking.rotation
     point_frame = reference_point_frame or tracking_frame
-    point = buffer.lookup_transform(reference_frame, point_frame, stamp_ns).transform.apply(reference_point)
+    point = ask(reference_frame, point_frame, stamp_ns).transform.apply(reference_point)
     angular = quaternions.rotate(turn, turning)  # the axes were those of the observation frame, not the tracking one
     linear = tuple(
         v + c + w * (p - o)  # here a cross product was meant

@@ -14,37 +14,33 @@ step asks one history who the parent was at t.  A history with no answer ends th
 climb, and that is only an error if the two climbs then miss each other: a stale
 map -> odom does not hurt camera <-> laser.
 
-If no frame on the way ever changed its parent, the shape is the same at all
-times.  Then the way is kept as a `Route`, which ends where the two climbs first
-meet, and a lookup merely reads the histories along it.
+Before that, LATEST is made a moment: the newest at which the whole way is known.
 
-tf2: BufferCore::walkToTopParent, getLatestCommonTime.  Read `buffer.py` next.
+tf2: BufferCore::walkToTopParent, getLatestCommonTime.  (The lowest common
+ancestor of two nodes.)  Read `failures.py` next.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import NamedTuple
 
 from . import quaternions
-from .cache import TimeCache
-from .describe import all_frames_as_string
-from .errors import ConnectivityException, ExtrapolationException, LookupException, TransformException
-from .stamps import LATEST, format_stamp
-from .transforms import IDENTITY_POSE, Pose, compose, invert
-from .tree import Cache, Tree
+from .cache import Cache, Gap
+from .poses import IDENTITY_POSE, Pose, compose, invert
+from .stamps import LATEST
+from .tree import FrameTree
 
 __all__ = [
+    "MAX_DEPTH",
     "Failure",
-    "Path",
-    "Route",
-    "exception_from_failure",
-    "extrapolation_text",
-    "find_path",
-    "frames_on_path",
+    "Way",
+    "chained",
+    "find_way",
+    "frames_on_way",
+    "histories_of",
     "latest_common_time",
-    "plan_route",
-    "pose_on_path",
-    "text_from_failure",
+    "pose_along",
 ]
 
 MAX_DEPTH = 1000  # tf2 takes a longer climb for a loop
@@ -59,7 +55,7 @@ class Failure(NamedTuple):
     bound_ns: int = 0
 
 
-class Path(NamedTuple):
+class Way(NamedTuple):
     """The children whose transforms are chained at one moment, `up` from the source and `down` to the target."""
 
     stamp_ns: int
@@ -68,161 +64,56 @@ class Path(NamedTuple):
     is_direct: bool = False  # one climb came upon the other frame, and stopped there
 
 
-class Route(NamedTuple):
-    """The histories to read, at whatever moment; only for a way whose shape has never changed."""
-
-    up: tuple[Cache, ...]
-    down: tuple[Cache, ...]
-    moving: tuple[TimeCache, ...]  # those of both that are not static
-
-    def latest_common_time(self) -> int:
-        """Return the moment that LATEST means here [ns]; 0 if nothing on the way moves."""
-        return min((cache.newest_ns for cache in self.moving if cache.newest_ns), default=0)
-
-    def pose_at(self, stamp_ns: int) -> Pose | None:
-        """Return source's pose in target, or None if some history does not reach."""
-        up = _chained(self.up, stamp_ns)
-        if up is None or not self.down:
-            return up
-        down = _chained(self.down, stamp_ns)
-        if down is None:
-            return None
-        return compose(invert(down), up) if self.up else invert(down)
+class _Climb(NamedTuple):
+    children: list[int]  # each frame that was climbed from, the lowest first
+    end: int
+    is_direct: bool = False  # it ended because it came upon the other frame
+    failure: Failure | None = None  # it ended because a history does not reach, or because it goes in a circle
 
 
-def plan_route(tree: Tree, target: int, source: int) -> Route | None:
-    """Return the route between two frames, or None if its shape may depend on time."""
-    if tree.has_infinity:  # tf2 adds and takes off the whole trunk, and infinity - infinity is not zero
-        return None
-    if target == source:
-        return None
-    from_source = _fixed_climb(tree, source, until=target)
-    if from_source is None:
-        return None
-    from_target = _fixed_climb(tree, target, until=source)
-    if from_target is None or (from_source[-1] == target and from_target[-1] == source):
-        return None  # each is above the other: a loop
-    met = next((frame for frame in from_target if frame in set(from_source)), None)
-    if met is None:
-        return None
-    up = tuple(tree.caches[frame] for frame in from_source[: from_source.index(met)])
-    down = tuple(tree.caches[frame] for frame in from_target[: from_target.index(met)])
-    return Route(up, down, tuple(cache for cache in up + down if not cache.is_static))
-
-
-def _fixed_climb(tree: Tree, frame: int, until: int) -> list[int] | None:
-    """Return the frames from `frame` to `until` or to the root; None if one of them changed its parent."""
-    climbed = [frame]
-    while frame != until and tree.caches[frame] is not None:
-        frame = tree.caches[frame].only_parent
-        climbed.append(frame)
-        if frame == 0 or len(climbed) > MAX_DEPTH + 1:
-            return None
-    return climbed
-
-
-def _chained(caches: tuple[Cache, ...], stamp_ns: int) -> Pose | None:
-    """Return the first child's pose in the last one's parent."""
-    total = None
-    for cache in caches:
-        pose = cache.at(stamp_ns)
-        if pose is None:
-            return None
-        total = pose if total is None else compose(pose, total)
-    return IDENTITY_POSE if total is None else total
-
-
-def find_path(tree: Tree, target: int, source: int, stamp_ns: int) -> Path | Failure:
+def find_way(tree: FrameTree, target: int, source: int, stamp_ns: int) -> Way | Failure:
     """Return the way from `source` to `target` at `stamp_ns`, as tf2 finds it, or why there is none."""
     if target == source:
-        return Path(stamp_ns, [], [])
+        return Way(stamp_ns, [], [])
     if stamp_ns == LATEST:
         common = latest_common_time(tree, target, source)
         if isinstance(common, Failure):
             return common
         stamp_ns = common
+    up = _climb(tree, source, stamp_ns, other=target)
+    if up.is_direct:
+        return Way(stamp_ns, up.children, [], is_direct=True)
+    if up.failure is not None and up.failure.kind == "loop":
+        return up.failure
+    down = _climb(tree, target, stamp_ns, other=source, top=up.end)
+    if down.is_direct:
+        return Way(stamp_ns, [], down.children, is_direct=True)
+    if down.end == up.end and down.failure is None:
+        return Way(stamp_ns, up.children, down.children)
+    return down.failure or up.failure or Failure("disconnected")  # a gap above the source is only fatal now
 
-    up: list[int] = []
-    source_failure = None  # only fatal if the climb from the target does not come by
-    frame = source
-    while (cache := tree.caches[frame]) is not None:
-        parent = cache.parent_at(stamp_ns)
-        if parent == 0:
-            source_failure = _gap(tree, frame, stamp_ns)
-            break
-        if frame == target:
-            return Path(stamp_ns, up, [], is_direct=True)
-        up.append(frame)
-        frame = parent
-        if len(up) > MAX_DEPTH:
-            return Failure("loop")
-    top = frame
 
-    down: list[int] = []
-    frame = target
+def _climb(tree: FrameTree, frame: int, stamp_ns: int, other: int, top: int = 0) -> _Climb:
+    """Follow the parents at a moment up to `top`, a root or a gap, unless the `other` frame is on the way."""
+    children: list[int] = []
     while frame != top and (cache := tree.caches[frame]) is not None:
-        parent = cache.parent_at(stamp_ns)
-        if parent == 0:
-            target_failure = _gap(tree, frame, stamp_ns)
-            if target_failure is not None:
-                return target_failure
+        try:
+            parent = cache.parent_at(stamp_ns)
+        except Gap as gap:
+            failure = Failure(gap.direction, frame, gap.requested_ns, gap.bound_ns)
+            return _Climb(children, frame, failure=failure)
+        if parent == 0:  # a parent that is called NO_PARENT: tf2 then answers with an identity that means nothing
             break
-        if frame == source:
-            return Path(stamp_ns, [], down, is_direct=True)
-        down.append(frame)
+        if frame == other:
+            return _Climb(children, frame, is_direct=True)
+        children.append(frame)
         frame = parent
-        if len(down) > MAX_DEPTH:
-            return Failure("loop")
-
-    if frame == top:
-        return Path(stamp_ns, up, down)
-    return source_failure or Failure("disconnected")
+        if len(children) > MAX_DEPTH:
+            return _Climb(children, frame, failure=Failure("loop"))
+    return _Climb(children, frame)
 
 
-def pose_on_path(tree: Tree, path: Path) -> Pose:
-    """Return source's pose in target, chained along a path in tf2's order."""
-    chained = _chained_literally if tree.has_infinity else _chained
-    up = chained(tuple(tree.caches[frame] for frame in path.up), path.stamp_ns)
-    if path.is_direct and not path.down:
-        return up
-    down = chained(tuple(tree.caches[frame] for frame in path.down), path.stamp_ns)
-    if tree.has_infinity:
-        back = quaternions.conjugate(down[3:])
-        x, y, z = _turned_literally(back, (-down[0], -down[1], -down[2]))
-        if path.is_direct:
-            return (x, y, z, *back)
-        dx, dy, dz = _turned_literally(back, up[:3])
-        return (dx + x, dy + y, dz + z, *quaternions.multiply(back, up[3:]))
-    return compose(invert(down), up)
-
-
-def _chained_literally(caches: tuple[Cache, ...], stamp_ns: int) -> Pose:
-    """Return what _chained does, but number by number as tf2: formulas differ in what they make of infinity."""
-    total = IDENTITY_POSE
-    for cache in caches:
-        pose = cache.at(stamp_ns)
-        dx, dy, dz = _turned_literally(pose[3:], total[:3])
-        total = (dx + pose[0], dy + pose[1], dz + pose[2], *quaternions.multiply(pose[3:], total[3:]))
-    return total
-
-
-def _turned_literally(q: quaternions.Quaternion, v: quaternions.Vector3) -> quaternions.Vector3:
-    """Return `v` turned by `q` as two products of quaternions: q (v, 0) conj(q)."""
-    return quaternions.multiply(quaternions.multiply(q, (*v, 0.0)), quaternions.conjugate(q))[:3]
-
-
-def frames_on_path(tree: Tree, path: Path, source: int) -> list[int]:
-    """Return the frames on a path, from source to target, without what it climbs above the turning point."""
-    climbed = [source, *(tree.caches[frame].parent_at(path.stamp_ns) for frame in path.up)]
-    way: list[int] = []
-    for frame in [*climbed, *reversed(path.down)]:
-        if frame in way:
-            del way[way.index(frame) :]
-        way.append(frame)
-    return way
-
-
-def latest_common_time(tree: Tree, target: int, source: int) -> int | Failure:
+def latest_common_time(tree: FrameTree, target: int, source: int) -> int | Failure:
     """Return the newest moment at which every frame on the way is known [ns].
 
     It is the earliest of the newest stamps below the frame where both climbs
@@ -232,31 +123,30 @@ def latest_common_time(tree: Tree, target: int, source: int) -> int | Failure:
     if target == source:
         cache = tree.caches[target]
         return cache.newest_ns if cache is not None else 0
-
-    from_source: dict[int, int] = {}  # parent -> earliest newest stamp up to there, 0 for "no limit yet"
-    limit, frame, depth = 0, source, 0
-    while (cache := tree.caches[frame]) is not None and (parent := cache.newest_parent) != 0:
-        limit = _earlier(limit, cache.newest_ns)
-        from_source.setdefault(parent, limit)
-        frame = parent
-        if frame == target:
-            return limit
-        depth += 1
-        if depth > MAX_DEPTH:
+    limits: dict[int, int] = {}  # parent -> earliest newest stamp up to there, 0 for "no limit yet"
+    for depth, (parent, limit_ns) in enumerate(_climb_by_newest(tree, source)):
+        limits.setdefault(parent, limit_ns)
+        if parent == target:
+            return limit_ns
+        if depth >= MAX_DEPTH:
             return Failure("loop")
-
-    limit, frame, depth = 0, target, 0
-    while (cache := tree.caches[frame]) is not None and (parent := cache.newest_parent) != 0:
-        limit = _earlier(limit, cache.newest_ns)
-        if parent in from_source:
-            return _earlier(limit, from_source[parent])
-        frame = parent
-        if frame == source:
-            return limit
-        depth += 1
-        if depth > MAX_DEPTH:
+    for depth, (parent, limit_ns) in enumerate(_climb_by_newest(tree, target)):
+        if parent in limits:
+            return _earlier(limit_ns, limits[parent])
+        if parent == source:
+            return limit_ns
+        if depth >= MAX_DEPTH:
             return Failure("loop")
     return Failure("disconnected")
+
+
+def _climb_by_newest(tree: FrameTree, frame: int) -> Iterator[tuple[int, int]]:
+    """Yield each parent on the way up, and the earliest of the newest stamps below it [ns]."""
+    limit_ns = 0
+    while (cache := tree.caches[frame]) is not None and cache.newest_parent != 0:
+        limit_ns = _earlier(limit_ns, cache.newest_ns)
+        frame = cache.newest_parent
+        yield frame, limit_ns
 
 
 def _earlier(a_ns: int, b_ns: int) -> int:
@@ -264,72 +154,72 @@ def _earlier(a_ns: int, b_ns: int) -> int:
     return min(a_ns, b_ns) if a_ns and b_ns else a_ns or b_ns
 
 
-def _gap(tree: Tree, frame: int, stamp_ns: int) -> Failure | None:
-    """Return why a history named no parent; None if it named NO_PARENT itself, and so is a root.
+def pose_along(tree: FrameTree, way: Way) -> Pose:
+    """Return source's pose in target, chained along a way in tf2's order."""
+    up, down = histories_of(tree, way.up), histories_of(tree, way.down)
+    if tree.has_infinity:
+        return _pose_at_infinity(up, down, way)
+    if not down:
+        return chained(up, way.stamp_ns)
+    return compose(invert(chained(down, way.stamp_ns)), chained(up, way.stamp_ns))
 
-    In that last case tf2 answers with an identity that means nothing.  We do not.
+
+def chained(caches: list[Cache], stamp_ns: int) -> Pose:
+    """Return the first child's pose in the last one's parent.
+
+    Raises:
+        Gap: one of the histories does not reach that far.
     """
-    cache = tree.caches[frame]
-    if cache.at(stamp_ns) is not None:
-        return None
-    gap = cache.gap(stamp_ns)
-    return Failure(gap.direction, frame, gap.requested_ns, gap.bound_ns)
+    if not caches:
+        return IDENTITY_POSE
+    total = caches[0].at(stamp_ns)
+    for cache in caches[1:]:
+        total = compose(cache.at(stamp_ns), total)
+    return total
 
 
-def extrapolation_text(direction: str, requested_ns: int, bound_ns: int, target_frame: str, source_frame: str) -> str:
-    """Return tf2's words for a history that does not reach."""
-    requested, bound = format_stamp(requested_ns), format_stamp(bound_ns)
-    if direction == "no_data":
-        fault = f"at time {requested}, but only time {bound} is in the buffer"
-    else:
-        end = "latest" if direction == "future" else "earliest"
-        fault = f"into the {direction}.  Requested time {requested} but the {end} data is at time {bound}"
-    return (
-        f"Lookup would require extrapolation {fault}, "
-        f"when looking up transform from frame [{source_frame}] to frame [{target_frame}]"
-    )
+def frames_on_way(tree: FrameTree, way: Way, source: int) -> list[int]:
+    """Return the frames on a way, from source to target, without what it climbs above the turning point."""
+    climbed = [source, *(cache.parent_at(way.stamp_ns) for cache in histories_of(tree, way.up))]
+    frames: list[int] = []
+    for frame in [*climbed, *reversed(way.down)]:
+        if frame in frames:
+            del frames[frames.index(frame) :]
+        frames.append(frame)
+    return frames
 
 
-def text_from_failure(tree: Tree, failure: Failure, target_frame: str, source_frame: str) -> str:
-    """Return tf2's words for a failure."""
-    if failure.kind == "loop":
-        return f"The tf tree is invalid because it contains a loop.\n{all_frames_as_string(tree)}\n"
-    if failure.kind == "disconnected":
-        return (
-            f"Could not find a connection between '{target_frame}' and '{source_frame}' because they are "
-            "not part of the same tree.Tf has two or more unconnected trees."
-        )
-    return extrapolation_text(failure.kind, failure.requested_ns, failure.bound_ns, target_frame, source_frame)
+def histories_of(tree: FrameTree, children: list[int]) -> list[Cache]:
+    """Return the histories of some children, in the same order."""
+    return [cache for child in children if (cache := tree.caches[child]) is not None]
 
 
-def exception_from_failure(tree: Tree, failure: Failure, target_frame: str, source_frame: str) -> TransformException:
-    """Return the exception that tf2 raises for a failure, with what we know of the cause beside its text."""
-    text = text_from_failure(tree, failure, target_frame, source_frame)
-    asked = {"target_frame": target_frame, "source_frame": source_frame}
-    if failure.kind == "loop":
-        return LookupException(text, **asked)
-    if failure.kind == "disconnected":
-        return ConnectivityException(
-            text,
-            **asked,
-            target_root=_root_name(tree, target_frame),
-            source_root=_root_name(tree, source_frame),
-        )
-    return ExtrapolationException(
-        text,
-        **asked,
-        direction=failure.kind,
-        frame=tree.names[failure.frame],
-        parent=tree.names[tree.caches[failure.frame].newest_parent] if len(tree.caches[failure.frame]) else "",
-        requested_ns=failure.requested_ns,
-        bound_ns=failure.bound_ns,
-    )
+# -- a robot at infinity: tf2 allows it, and formulas differ in what they make of it ----
 
 
-def _root_name(tree: Tree, name: str) -> str:
-    """Return where today's parents lead from a frame."""
-    frame, seen = tree.numbers[name], set()
-    while frame not in seen and tree.caches[frame] is not None and tree.caches[frame].newest_parent:
-        seen.add(frame)
-        frame = tree.caches[frame].newest_parent
-    return tree.names[frame]
+def _pose_at_infinity(up: list[Cache], down: list[Cache], way: Way) -> Pose:
+    """Return what pose_along does, but number by number as tf2."""
+    above_source = _chained_literally(up, way.stamp_ns)
+    if way.is_direct and not down:
+        return above_source
+    x, y, z, qx, qy, qz, qw = _chained_literally(down, way.stamp_ns)
+    back = quaternions.conjugate((qx, qy, qz, qw))
+    x, y, z = _turned_literally(back, (-x, -y, -z))
+    if way.is_direct:
+        return (x, y, z, *back)
+    dx, dy, dz = _turned_literally(back, above_source[:3])
+    return (dx + x, dy + y, dz + z, *quaternions.multiply(back, above_source[3:]))
+
+
+def _chained_literally(caches: list[Cache], stamp_ns: int) -> Pose:
+    total = IDENTITY_POSE
+    for cache in caches:
+        x, y, z, qx, qy, qz, qw = cache.at(stamp_ns)
+        dx, dy, dz = _turned_literally((qx, qy, qz, qw), total[:3])
+        total = (dx + x, dy + y, dz + z, *quaternions.multiply((qx, qy, qz, qw), total[3:]))
+    return total
+
+
+def _turned_literally(q: quaternions.Quaternion, v: quaternions.Vector3) -> quaternions.Vector3:
+    """Return `v` turned by `q` as two products of quaternions: q (v, 0) conj(q)."""
+    return quaternions.multiply(quaternions.multiply(q, (*v, 0.0)), quaternions.conjugate(q))[:3]

@@ -1,7 +1,7 @@
 """What is going on in a graph?  Nodes, topics, and who publishes which transform, as plain values.
 
 Unlike anything on a robot, this knows the publisher of every transform: in one
-process nothing gets lost on the wire.  `tflab.core.snapshot` shows a buffer.
+process nothing gets lost on the wire.  `BufferCore.snapshot` shows a buffer.
 
 Read `notebook.py` next.
 """

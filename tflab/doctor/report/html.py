@@ -16,7 +16,7 @@ from collections.abc import Mapping
 from html import escape
 
 from tflab.bags.recording import Recording, namespace_of
-from tflab.core import Snapshot, snapshot
+from tflab.core import Snapshot
 from tflab.views.report_page import report_page
 from tflab.views.tree import draw_tree
 
@@ -91,7 +91,7 @@ def _pictures(report: Report, recording: Recording, namespace: str) -> str:
 
 def _tree_of(recording: Recording, namespace: str) -> Snapshot:
     """Return the tree with everybody who published an edge; a buffer forgets the earlier of two statics."""
-    tree = snapshot(recording.buffer(namespace=namespace))
+    tree = recording.buffer(namespace=namespace).snapshot()
     publishers: dict[str, set[str]] = {}
     for label in recording.transforms.labels:
         if label.publisher and namespace_of(label.topic) == namespace:

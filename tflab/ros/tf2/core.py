@@ -13,7 +13,6 @@ from typing import Any
 from tflab import core
 from tflab.core.velocity import lookup_velocity_as_tf2
 
-from .. import distro
 from ..clock_type import ClockType
 from ..convert import duration_ns_from, msg_from_stamped, stamp_ns_from, stamped_from_msg
 from ..logging import show_engine_refusals
@@ -34,7 +33,7 @@ class BufferCore:
 
     def __init__(self, cache_time: Any = None, /) -> None:
         cache_ns = core.DEFAULT_CACHE_TIME_NS if cache_time is None else duration_ns_from(cache_time)
-        self.core = core.BufferCore(cache_ns, refuse_repeated_stamps=distro.current().refuses_repeated_stamps)
+        self.core = core.BufferCore(cache_ns)
         show_engine_refusals(True)
 
     def set_transform(self, transform: TransformStamped, authority: str, /) -> None:
@@ -101,7 +100,12 @@ class BufferCore:
     ) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
         """Return (linear [m/s], angular [rad/s]) velocity of a frame as seen from another."""
         velocity = lookup_velocity_as_tf2(
-            self.core, tracking_frame, observation_frame, stamp_ns_from(time), duration_ns_from(averaging_interval)
+            self.core.lookup_transform,
+            self.core.latest_common_time_ns,
+            tracking_frame,
+            observation_frame,
+            stamp_ns_from(time),
+            duration_ns_from(averaging_interval),
         )
         return velocity.linear, velocity.angular
 
@@ -118,7 +122,8 @@ class BufferCore:
     ) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
         """Return (linear [m/s], angular [rad/s]) velocity of a point, in the axes of a third frame."""
         velocity = lookup_velocity_as_tf2(
-            self.core,
+            self.core.lookup_transform,
+            self.core.latest_common_time_ns,
             tracking_frame,
             observation_frame,
             stamp_ns_from(time),
