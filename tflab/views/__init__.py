@@ -28,7 +28,7 @@
     scene/     in three dimensions, inside the page
     rviz_status, rviz         what RViz says of what it cannot show; a small RViz
     film       a picture for each place of a slider
-    export_widgets, export    pages that live on without a kernel
+    mathml, export_widgets, export    pages that live on without a kernel
     report_page    a report in a browser, light or dark
 
 A view receives values and, where it must ask, a function

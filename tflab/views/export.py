@@ -27,6 +27,7 @@ from pathlib import Path
 from typing import Any
 
 from .export_widgets import WIDGET_VIEW, LiveView, live_view, outputs_from_widget
+from .mathml import with_mathml
 from .scene import viewer_file
 
 __all__ = ["NotANotebook", "export_html", "main", "page_language", "read_notebook"]
@@ -136,12 +137,14 @@ def main(words: Sequence[str]) -> int:
 
 
 def _without_widgets(notebook: Any) -> list[LiveView]:
-    """Replace every widget in the notebook by what is left of it; return its live views."""
+    """Replace every widget in the notebook by what is left of it, and formulas by MathML; return its live views."""
     import nbformat
 
     models = notebook.metadata.pop("widgets", {}).get(STATE, {}).get("state", {})
     names: dict[str, str] = {}
     for cell in notebook.cells:
+        if cell.cell_type == "markdown":
+            cell.source = with_mathml(cell.source)
         if cell.cell_type != "code":
             continue
         outputs = []

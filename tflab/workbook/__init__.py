@@ -12,6 +12,7 @@ In an exercise one calls four functions:
     checks        check, hint, solution, task
     progress      what was tried, and what was passed
     course/       chapters, objectives, checklist, terms; where a learner stands
+    book/         the frame, the front page and the gallery of the pages as a book
     pages/        from a page's source to notebooks in two languages, HTML, a deck
     copy/         a learner's own copy, and JupyterLab on it
 

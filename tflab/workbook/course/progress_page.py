@@ -3,7 +3,7 @@
     03  Target and source        ■ ■ ■ □ ◧ □ □   3/7
     04  The tree of frames       later
 
-What is ticked is what a check has passed; see `standing.py`.  Read `pages/` next.
+What is ticked is what a check has passed; see `standing.py`.  Read `book/` next.
 """
 
 from __future__ import annotations

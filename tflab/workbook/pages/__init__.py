@@ -10,6 +10,7 @@
     stale           what was built of another source
     build           all of this for all pages
     html            pages for reading without Python
+    site            all pages as one book
     slides          a page as a deck
 
 Start with `source.py`; each page names the next.

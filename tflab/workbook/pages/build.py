@@ -3,7 +3,7 @@
     tflab build            everything
     tflab build 03         what has this number, or stem
     tflab build --check    write nothing; say what is stale, and why
-    tflab build --html     the built notebooks as HTML (`html.py`)
+    tflab build --html     the pages as a book (`site.py`); named ones, each by itself (`html.py`)
 
 The result depends on the sources and on tflab, and on nothing else: two builds are
 the same bytes.  A page with a fault is not written, and all faults are said at once.
@@ -27,6 +27,7 @@ from ..words import LANGUAGES
 from .html import write_html
 from .kernel import wait_for
 from .one_page import Made, make_page
+from .site import write_book
 from .source import PageFault
 from .stale import stale
 
@@ -55,7 +56,7 @@ def build(words: Sequence[str]) -> int:
     """Build pages; return 0, 1 if a page has a fault or is stale, 2 if there is nothing to build."""
     options = _options(words)
     if options.html:
-        return write_html(options.pages, Path(options.out), options.lang)
+        return _write_html(options)
     root = Path(options.root) if options.root else workbook_data()
     if find_spec("jupytext") is None:
         print("tflab build: sources are read with jupytext; run: pip install 'tflab[dev]'", file=sys.stderr)
@@ -97,6 +98,13 @@ def _write_what_was_built(root: Path, built: Built, is_draft: bool) -> int:
         left = "written all the same" if is_draft else "not written; --draft writes them all the same"
         print(f"{_count(len(built.faults), 'fault', 'faults')}; the pages that have them are {left}", file=sys.stderr)
     return 1 if built.faults else 0
+
+
+def _write_html(options: argparse.Namespace) -> int:
+    out = Path(options.out)
+    if options.pages:
+        return write_html(options.pages, out, options.lang or LANGUAGES[0])
+    return write_book(out, [options.lang] if options.lang else LANGUAGES, reference=options.reference)
 
 
 def sources(root: Path, wanted: Iterable[str] = ()) -> list[Path]:
@@ -168,9 +176,10 @@ def _options(words: Sequence[str]) -> argparse.Namespace:
     parser.add_argument("--draft", action="store_true", help="write pages that have faults, too")
     parser.add_argument("--jobs", type=int, default=2, metavar="N", help="kernels at a time (%(default)s)")
     parser.add_argument("--root", metavar="DIR", help="the folder with notebooks/src, instead of tflab's own")
-    parser.add_argument("--html", action="store_true", help="write built notebooks as pages that work from a disk")
+    parser.add_argument("--html", action="store_true", help="write the book, or these notebooks, as HTML for a disk")
     parser.add_argument("--out", default="html", metavar="DIR", help="where --html writes (%(default)s)")
-    parser.add_argument("--lang", choices=LANGUAGES, default="en", help="of the pages that --html writes (%(default)s)")
+    parser.add_argument("--lang", choices=LANGUAGES, help="of the pages that --html writes; both if left out")
+    parser.add_argument("--reference", action="store_true", help="with --html: what the docstrings say, too")
     return parser.parse_args(list(words))
 
 

@@ -6,7 +6,7 @@ Each notebook is run in a folder of its own, so nothing is written beside the
 source; then `tflab.views.export` makes a page of it that works from a disk, with
 no kernel and no network: 3D turns, and every view keeps one scrubber.
 
-Read `slides.py` next.
+Read `site.py` next.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from ..places import stems_called, workbook_data
+from ..places import CASES, Workbook, stems_called, workbook_data, write_workbook
 from .execute import merged_streams
 from .kernel import running_kernel, wait_for
 
@@ -109,12 +109,13 @@ def run_with_films(notebook: Path, folder: Path) -> Path:
     from nbclient import NotebookClient
     from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
 
-    from tflab.views.export import NotANotebook, read_notebook
+    from tflab.views.export import NotANotebook, page_language, read_notebook
 
     try:
         page = read_notebook(notebook)
     except NotANotebook as fault:
         raise PageFailed(f"{fault}") from None
+    _as_a_copy(folder, page_language(page))
     client = NotebookClient(page, timeout=SECONDS_FOR_A_CELL, resources={"metadata": {"path": str(folder)}})
     try:
         wait_for(_run(client, {**os.environ, "TFLAB_FILMS": "1"}))
@@ -129,3 +130,9 @@ def run_with_films(notebook: Path, folder: Path) -> Path:
     executed = folder / notebook.name
     nbformat.write(page, executed)
     return executed
+
+
+def _as_a_copy(folder: Path, language: str) -> None:
+    """Let a page find what it finds in a learner's copy: its language, and the cases that `check` asks."""
+    write_workbook(folder, Workbook(language=language))
+    shutil.copytree(workbook_data() / CASES, folder / CASES)

@@ -1,0 +1,191 @@
+"""`tflab build --html`: the pages as one book that works from a disk, in both languages."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from urllib.parse import unquote
+
+import nbformat
+import pytest
+
+from tflab.workbook.book.frame import BookPage, framed, shell
+from tflab.workbook.book.front import conventions_text
+from tflab.workbook.book.gallery import last_line
+from tflab.workbook.book.reading import sections_of
+from tflab.workbook.pages.build import build
+
+TEXTS = {
+    "en": "# 03 · A title\n\nFirst words.\n\n## Predict\n\nWhere is the <b>laser</b>? It turns by $\\pi / 2$.\n\n"
+    "<details><summary>I said 2</summary>\nYou forgot the turn.\n</details>\n\n"
+    "[exercise](../../exercises/en/03_target_and_source.ipynb) [start](00_start.ipynb#cell-id=title)",
+    "ko": "# 03 · 제목\n\n첫 문장.\n\n## 예측\n\n레이저는 어디에 있습니까?",
+}
+FIGURE = (
+    "from IPython.display import SVG\nfrom tflab.workbook.places import read_workbook\n"
+    "print(read_workbook().language)\n"
+    'SVG(\'<svg xmlns="http://www.w3.org/2000/svg" width="40" height="20"><circle r="9"/></svg>\')'
+)
+
+
+def write(path: Path, language: str, *cells: object) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    metadata = {"tflab": {"language": language}}
+    nbformat.write(nbformat.v4.new_notebook(cells=list(cells), metadata=metadata), path)
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
+    """A book of two pages and an exercise."""
+    pytest.importorskip("latex2mathml", reason="no latex2mathml: pip install 'tflab[lab]'")
+    root, out = tmp_path_factory.mktemp("workbook"), tmp_path_factory.mktemp("site")
+    (root / "exercises" / "cases").mkdir(parents=True)
+    markdown, code = nbformat.v4.new_markdown_cell, nbformat.v4.new_code_cell
+    for language, text in TEXTS.items():
+        start = markdown("# Start\n\nWelcome." if language == "en" else "# 시작\n\n환영합니다.", id="title")
+        write(root / "notebooks" / language / "00_start.ipynb", language, start)
+        long, longer = (markdown("word  \n" * 60, id=name) for name in ("long", "longer"))
+        cells = [markdown(text, id="title"), long, code(FIGURE, id="figure"), longer]
+        write(root / "notebooks" / language / "03_target_and_source.ipynb", language, *cells)
+        write(root / "exercises" / language / "03_target_and_source.ipynb", language, markdown("# E3", id="title"))
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("TFLAB_WORKBOOK", str(root))
+        assert build(["--html", "--out", str(out)]) == 0
+    yield out
+
+
+def test_every_link_and_every_file_of_the_book_leads_somewhere(site: Path) -> None:
+    pages = sorted(site.rglob("*.html"))
+    assert len(pages) == 13
+    for page in pages:
+        text = page.read_text(encoding="utf-8")
+        for address in re.findall(r'(?:href|src|data-index)="([^"]+)"', text):
+            if address.startswith("data:"):
+                continue
+            assert not address.startswith(("http:", "https:", "//")), address
+            file, _, place = unquote(address).partition("#")
+            target = (page.parent / file).resolve() if file else page
+            assert target.is_file(), f"{page.name}: {address}"
+            if place and target.suffix == ".html":
+                assert f'id="{place}"' in unquote(target.read_text(encoding="utf-8")), f"{page.name}: {address}"
+
+
+def test_a_page_has_its_title_its_contents_and_the_way_on(site: Path) -> None:
+    text = (site / "en" / "00_start.html").read_text(encoding="utf-8")
+    assert "<title>00 · Start here · tflab</title>" in text
+    assert '<a href="00_start.html" aria-current=page>' in text
+    assert re.search(r'<a rel="next" href="03_target_and_source.html">', text)
+    assert 'rel="prev"' not in text
+    assert '<a href="#Predict">Predict</a>' in (site / "en" / "03_target_and_source.html").read_text(encoding="utf-8")
+
+
+def test_a_page_runs_in_its_own_language(site: Path) -> None:
+    for language in ("en", "ko"):
+        text = (site / language / "03_target_and_source.html").read_text(encoding="utf-8")
+        assert f"<pre>{language}\n</pre>" in text
+        assert f'<html lang="{language}">' in text
+
+
+def test_formulas_are_mathml(site: Path) -> None:
+    text = (site / "en" / "03_target_and_source.html").read_text(encoding="utf-8")
+    assert re.search(r"It turns by <math.*π.*</math>", text)
+    assert "$" not in re.sub(r"<(script|style).*?</\1>", "", text, flags=re.DOTALL)
+
+
+def test_the_gallery_shows_each_figure_with_its_line_and_its_place(site: Path) -> None:
+    text = (site / "en" / "gallery.html").read_text(encoding="utf-8")
+    assert text.count("<figure ") == 1
+    assert "SVG(&#x27;&lt;svg" in text
+    assert 'href="03_target_and_source.html#cell-id=figure"' in text
+
+
+def test_the_index_of_the_search_holds_the_words_below_each_heading(site: Path) -> None:
+    text = (site / "assets" / "search-en.js").read_text(encoding="utf-8")
+    rows = json.loads(text.removeprefix("globalThis.tflabIndex = ").removesuffix(";\n"))
+    (row,) = [row for row in rows if row[3] == "Predict"]
+    assert row[:3] == ["03_target_and_source.html", "03 · Target and source", "Predict"]
+    assert "Where is the laser ?" in row[4].replace("laser?", "laser ?")
+    assert "You forgot the turn." in row[4]
+
+
+def test_the_front_page_has_the_chapters_that_are_there_and_names_those_to_come(site: Path) -> None:
+    text = (site / "ko" / "index.html").read_text(encoding="utf-8")
+    assert '<a class="book-chapter" href="03_target_and_source.html">03 · 목표 좌표계와 원본 좌표계</a>' in text
+    assert "60분" in text
+    assert "준비 중: " in text
+    assert "tflab lab --lang ko" in text
+
+
+def test_a_book_of_one_language_is_asked_for_by_its_name(site: Path) -> None:
+    text = (site / "index.html").read_text(encoding="utf-8")
+    assert 'href="en/index.html"' in text
+    assert 'href="ko/index.html"' in text
+
+
+def test_sections_are_what_stands_between_headings() -> None:
+    first, second = sections_of(
+        '<p>before</p><div id="cell-id=a"><h1 id="T">Ti<b>tle</b><a class="anchor-link" href="#T">¶</a></h1><p>one</p>'
+        '<script>no()</script><p>two</p></div><div id="cell-id=b"><h2 id="S">Sub</h2>three</div>'
+    )
+    assert (first.place, first.level, first.cell, first.title, first.text) == ("T", 1, "cell-id=a", "Title", "one two")
+    assert (second.cell, second.text) == ("cell-id=b", "three")
+
+
+@pytest.mark.parametrize(
+    ("source", "line"),
+    [
+        ("a = 1\ndraw(\n    a,\n)", "draw(\n    a,\n)"),
+        ("%ros2 topic hz /tf\n%rviz2 -d x\n", "%rviz2 -d x"),
+        ("", ""),
+    ],
+)
+def test_the_line_that_draws_is_the_last_statement(source: str, line: str) -> None:
+    assert last_line(source) == line
+
+
+def test_the_conventions_have_the_same_rows_in_both_languages() -> None:
+    counts = {language: conventions_text(language).count("\n|") for language in ("en", "ko")}
+    assert counts["en"] == counts["ko"] > 10
+
+
+def test_a_title_cannot_end_the_page_it_stands_on() -> None:
+    page = BookPage("x.html", "</title><script>", shell("<h1>x</h1>", "en"), is_chapter=False)
+    assert "</title><script>" not in framed(page, [page], "en")
+
+
+@pytest.mark.browser
+def test_in_a_browser_one_finds_changes_the_language_on_the_place_and_prints(site: Path, page) -> None:
+    page.goto(f"file://{site}/en/index.html")
+    page.get_by_role("searchbox").fill("forgot turn")
+    page.locator(".book-found a").first.click()
+    page.wait_for_url("**/03_target_and_source.html#Predict")
+    page.evaluate("document.getElementById('cell-id=figure').scrollIntoView()")
+    page.locator(".book-language").click()
+    page.wait_for_url("**/ko/03_target_and_source.html#cell-id=figure")
+    assert page.evaluate("Math.round(document.getElementById('cell-id=figure').getBoundingClientRect().top) < 200")
+
+    before = page.evaluate("document.documentElement.dataset.theme")
+    page.locator(".book-theme").click()
+    page.reload()
+    assert page.evaluate("document.documentElement.dataset.theme") != before
+
+    page.goto(f"file://{site}/en/03_target_and_source.html")
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    assert page.locator(".book-answers dd").all_text_contents() == ["\nYou forgot the turn.\n"]
+    page.evaluate("dispatchEvent(new Event('afterprint'))")
+    assert page.locator(".book-answers").count() == 0
+
+
+@pytest.mark.browser
+@pytest.mark.parametrize(("width", "scheme"), [(390, "light"), (1366, "dark")])
+def test_a_page_fits_a_telephone_and_a_desk(width: int, scheme: str, site: Path, page) -> None:
+    page.emulate_media(color_scheme=scheme)
+    page.set_viewport_size({"width": width, "height": 768})
+    for name in ("index", "03_target_and_source", "gallery", "conventions"):
+        page.goto(f"file://{site}/en/{name}.html")
+        assert page.evaluate("document.documentElement.scrollWidth") <= width
+        measure = page.evaluate("[...document.querySelectorAll('main p')].map((p) => p.getBoundingClientRect().width)")
+        assert max(measure, default=0) <= 800
+        assert page.evaluate("document.documentElement.dataset.theme") == scheme

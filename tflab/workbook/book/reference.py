@@ -1,0 +1,31 @@
+"""What do the docstrings say, on pages?  pdoc writes them, of every room's own pages.
+
+    tflab/core/*.py --pdoc--> reference/tflab/core/buffer.html
+
+An API reference: nothing of it is written twice.  Modules laid out as ROS's own
+packages only hand on names, so they are left out.  Read `pages/` next.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from warnings import catch_warnings, simplefilter
+
+__all__ = ["HIDDEN", "write_reference"]
+
+HIDDEN = ("tflab.ros.packages", "tflab.__main__", "tflab.grading.kernels", "tflab.grading.plugin")
+
+
+def write_reference(folder: Path) -> Path:
+    """Write the reference into a folder; return its first page.
+
+    Raises:
+        ModuleNotFoundError: pdoc is not installed.
+    """
+    import pdoc
+
+    pdoc.render.configure(docformat="google", show_source=False, footer_text="tflab", search=True)
+    with catch_warnings():  # a name that only a type checker imports stays a word, without a link
+        simplefilter("ignore", UserWarning)
+        pdoc.pdoc("tflab", *(f"!{name}" for name in HIDDEN), output_directory=folder)
+    return folder / "tflab.html"
