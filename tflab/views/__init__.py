@@ -18,6 +18,7 @@
     timeline   what the buffer knew, and when
     journey    what happened to a message on its way
     latency    where was I when I saw it
+    rulers     one thing, measured from each frame
     placed     how far off does a map put what was seen
     moments    where is it now, if I saw it then
     work       who was busy, and what had to wait

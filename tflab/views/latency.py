@@ -14,7 +14,7 @@ Both pieces are approximations, good while the robot turns little during the
 delay; `exact_m` is the truth.  Everything is written in the robot's own
 base_link at the stamp: x forward, y left.
 
-Read `placed.py` next.
+Read `rulers.py` next.
 """
 
 from __future__ import annotations

@@ -4,6 +4,7 @@
                                 `-> panel.text, the same in words
 
     panel          controls, a picture, words: what all of them share
+    rulers         move a robot, and see whose numbers change
     axes           turn a robot; move a point in front of a camera
     mount          turn a sensor; see two mistakes wander
     sentence       choose target and source in any of five ways
@@ -18,6 +19,7 @@ from .axes import cameras_panel, rotation_panel
 from .latency import latency_panel
 from .mount import mount_panel
 from .panel import Panel
+from .rulers import rulers_panel
 from .sentence import SentencePanel, sentence_panel
 from .timeline import timeline_panel
 
@@ -28,6 +30,7 @@ __all__ = [
     "latency_panel",
     "mount_panel",
     "rotation_panel",
+    "rulers_panel",
     "sentence_panel",
     "timeline_panel",
 ]

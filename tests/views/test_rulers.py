@@ -1,0 +1,60 @@
+"""One thing, measured from several frames."""
+
+import math
+
+import numpy as np
+import pytest
+
+from tflab.core import Transform
+from tflab.views.panels import rulers_panel
+from tflab.views.rulers import describe_rulers, draw_rulers, readings_of
+
+# map --(6.2, -1.7, 0.10)--> base_link --(0.20, 0, 0.15)--> laser_frame, and a thing 2 m ahead of the laser
+MAP_T_BASE = Transform(translation=(6.2, -1.7, 0.10))
+POSES = {
+    "map": Transform(),
+    "base_link": MAP_T_BASE,
+    "laser_frame": MAP_T_BASE @ Transform(translation=(0.20, 0, 0.15)),
+}
+THING = (8.4, -1.7, 0.25)
+
+
+def test_each_frame_has_its_own_three_numbers_for_one_thing():
+    readings = readings_of(POSES, THING)
+    assert readings["map"] == pytest.approx((8.4, -1.7, 0.25))
+    assert readings["base_link"] == pytest.approx((2.2, 0.0, 0.15))
+    assert readings["laser_frame"] == pytest.approx((2.0, 0.0, 0.0))
+
+
+def test_a_thing_that_rests_keeps_its_numbers_in_map_alone_when_the_robot_drives():
+    driven = {"map": Transform(), "base_link": Transform(translation=(7.2, -1.7, 0.10))}
+    words = describe_rulers(driven, THING, "ball", before=readings_of(POSES, THING))
+    assert words.splitlines() == [
+        "ball, measured from each frame:",
+        "  map        (8.40, -1.70, 0.25) m  same",
+        "  base_link  (1.20, 0.00, 0.15) m  changed",
+    ]
+
+
+def test_the_two_legs_lie_along_the_frames_own_axes_and_end_at_the_thing():
+    turned = Transform.from_rpy(yaw=math.pi / 2, translation=(1.0, 2.0, 0.0))  # its x is map's y, its y is map's -x
+    picture = draw_rulers({"turned": turned}, (-2.0, 6.0, 0.0))
+    x_leg, y_leg = (line.get_xydata() for line in picture.figure.axes[0].lines if line.get_zorder() == 30)
+    assert np.allclose(x_leg, [(1.0, 2.0), (1.0, 6.0)])
+    assert np.allclose(y_leg, [(1.0, 6.0), (-2.0, 6.0)])
+
+
+def test_a_robot_that_turns_keeps_what_is_on_its_tray():
+    panel = rulers_panel()
+    panel.controls["rests on"].value = "tray"
+    panel.controls["robot yaw [rad]"].value = 1.0
+    panel.controls["robot x [m]"].value = 4.0
+    changes = [line.split()[-1] for line in panel.text.splitlines()[1:]]
+    panel.close()
+    assert changes == ["changed", "same", "same"]
+
+
+def test_the_picture_is_small_and_the_same_bytes_every_time():
+    first, again = (draw_rulers(POSES, THING).png() for _ in range(2))
+    assert first == again
+    assert len(first) < 60_000

@@ -1,0 +1,214 @@
+"""One thing, how many triples?  The same place, measured from each frame with that frame's own ruler.
+
+      map                       base_link                  laser_frame
+         y                         y                          y
+         |        o  thing         |     o                    |    o
+         |        | y leg          |     | y leg              |    |
+         +--------+ -> x           [>----+ -> x               >----+ -> x
+      (8.40, -1.70, 0.25)       (2.20, 0.00, 0.25)         (2.00, 0.00, 0.10)
+
+One map for each frame, all seen from above and laid out alike.  Each shows the way
+to the thing as its frame measures it: so far along its own x, then so far along its
+own y.  Nothing moves from map to map but the place where the ruler begins and the
+way in which it points.
+
+Physics calls this a passive transformation.  Read `placed.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from tflab.core import Transform
+from tflab.core.quaternions import Vector3
+
+from . import style
+from .bodies import RobotArtists
+from .eye import FROM_ABOVE
+from .frames import clear_paper, draw_ground, show_all
+from .picture import Picture
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+__all__ = ["RulersPicture", "describe_rulers", "draw_rulers", "readings_of"]
+
+ROBOT = "base_link"
+ROBOT_SCALE = 1.4
+CAPTION_PX, TALL_PX, EDGE_PX, GAP_PX = 66, 250, 16, 14
+SAME_M = 0.0005  # what prints alike is called the same
+MARGIN_M = 1.3
+SHORT_M = 0.25  # a leg shorter than this has no number beside it
+
+
+def readings_of(poses: Mapping[str, Transform], point: Sequence[float]) -> dict[str, Vector3]:
+    """Return the thing at `point` in each frame's own coordinates (x, y, z) [m].
+
+    Args:
+        poses: where each frame is, `fixed_T_frame`, by its name.
+        point: where the thing is (x, y, z) [m], in the same fixed frame.
+    """
+    return {name: pose.inverse().apply(point) for name, pose in poses.items()}
+
+
+def describe_rulers(
+    poses: Mapping[str, Transform],
+    point: Sequence[float],
+    name: str = "thing",
+    before: Mapping[str, Sequence[float]] | None = None,
+) -> str:
+    """Return the same in words: a line for each frame; with `before`, whether its numbers are still the same."""
+    width = max(map(len, poses))
+    lines = [f"{name}, measured from each frame:"]
+    for frame, reading in readings_of(poses, point).items():
+        lines.append(
+            f"  {frame:<{width}}  {style.fmt_all(reading, digits=2)}  {_change(reading, frame, before)}".rstrip()
+        )
+    return "\n".join(lines)
+
+
+class RulersPicture(Picture):
+    """The maps, one for each frame; `show` moves what is in them."""
+
+    def __init__(self, frames: Sequence[str], name: str = "thing", keep: np.ndarray | None = None) -> None:
+        """Make the maps.
+
+        Args:
+            frames: their names, in the order in which they stand.
+            name: of the thing.
+            keep: places that are always in sight, shape (n, 2) [m], fixed frame; None to follow what is shown.
+        """
+        height_px = CAPTION_PX + TALL_PX + EDGE_PX
+        super().__init__((style.WIDE[0], height_px / style.SCREEN_DPI))
+        self._name, self._keep = name, keep
+        width_px = style.WIDE[0] * style.SCREEN_DPI
+        map_px = (width_px - 2 * EDGE_PX - GAP_PX * (len(frames) - 1)) / len(frames)
+        self._maps: dict[str, _Map] = {}
+        with style.our_settings():
+            for i, frame in enumerate(frames):
+                left_px = EDGE_PX + i * (map_px + GAP_PX)
+                box = (left_px / width_px, EDGE_PX / height_px, map_px / width_px, TALL_PX / height_px)
+                ax = clear_paper(self.figure.add_axes(box))
+                self._maps[frame] = _Map(self, ax, frame, (left_px / width_px, height_px))
+        self.moving = [artist for each in self._maps.values() for artist in each.artists]
+
+    def show(
+        self,
+        poses: Mapping[str, Transform],
+        point: Sequence[float],
+        before: Mapping[str, Sequence[float]] | None = None,
+    ) -> None:
+        """Show the thing at `point` (x, y, z) [m], and each of `poses`, both in the fixed frame.
+
+        Args:
+            before: the readings of another moment, to say which are the same.
+        """
+        places = np.array([point, *(pose.translation for pose in poses.values())])[:, :2]
+        self._look_at(places if self._keep is None else self._keep)
+        for frame, reading in readings_of(poses, point).items():
+            self._maps[frame].move(poses, point, reading, _change(reading, frame, before))
+        self.text = describe_rulers(poses, point, self._name, before)
+
+    def _look_at(self, places: np.ndarray) -> None:
+        """Have all maps show the same piece of ground."""
+        for each in self._maps.values():
+            each.look_at(places)
+
+
+class _Map:
+    """One frame's map: the robot, the frame's ruler, and the thing."""
+
+    def __init__(self, picture: Picture, ax: Axes, frame: str, corner: tuple[float, float]) -> None:
+        left, height_px = corner
+        write = picture.figure.text
+        write(left, 1 - 14 / height_px, frame, va="top", fontsize=style.TITLE_PT, family="monospace")
+        self.numbers = write(left, 1 - 38 / height_px, "", va="top", color=style.ACCENT, fontsize=style.TEXT_PT)
+        self.change = write(left, 1 - 56 / height_px, "", va="top", color=style.GREY, fontsize=style.SMALL_PT)
+        self._frame, self._ax = frame, ax
+        self._seen: tuple[float, ...] = ()
+        self.robot = RobotArtists(ax, FROM_ABOVE, style.GREY, scale=ROBOT_SCALE)
+        self.legs = {axis: _Leg(ax, axis) for axis in ("x", "y")}
+        (self.origin,) = ax.plot([], [], linestyle="none", marker="o", markersize=5, color=style.INK, zorder=40)
+        (self.thing,) = ax.plot([], [], linestyle="none", marker="o", markersize=9, color=style.ACCENT, zorder=41)
+        legs = [artist for leg in self.legs.values() for artist in leg.artists]
+        self.artists = [*self.robot.artists, *legs, self.origin, self.thing, self.numbers, self.change]
+
+    def look_at(self, places: np.ndarray) -> None:
+        """Choose the limits, and draw the ground in them, if they are others than before."""
+        seen = tuple(np.concatenate((places.min(axis=0), places.max(axis=0))))
+        if seen == self._seen:
+            return
+        self._seen = seen
+        for ground in list(self._ax.collections)[1:]:  # the first is the robot
+            ground.remove()
+        show_all(self._ax, places, margin_m=MARGIN_M)
+        draw_ground(self._ax, FROM_ABOVE, self._ax.get_xlim(), self._ax.get_ylim())
+
+    def move(self, poses: Mapping[str, Transform], point: Sequence[float], reading: Vector3, change: str) -> None:
+        """Draw the frame's ruler to the thing."""
+        pose = poses[self._frame]
+        start, foot, end = ((0.0, 0.0, 0.0), (reading[0], 0.0, 0.0), (reading[0], reading[1], 0.0))
+        start, foot, end = (np.array(pose.apply(place))[:2] for place in (start, foot, end))
+        self.legs["x"].move(start, foot, reading[0], end)
+        self.legs["y"].move(foot, end, reading[1], start)
+        self.robot.faces.set_visible(ROBOT in poses)
+        if ROBOT in poses:
+            self.robot.move(poses[ROBOT])
+        self.origin.set_data([start[0]], [start[1]])
+        self.thing.set_data([point[0]], [point[1]])
+        self.numbers.set_text(style.fmt_all(reading, digits=2))
+        self.change.set_text(change)
+        self.change.set_fontweight("bold" if change == "changed" else "normal")
+
+
+class _Leg:
+    """So far along one axis: a line in the axis's own colour and dashes, and its length."""
+
+    def __init__(self, ax: Axes, axis: str) -> None:
+        self._axis = axis
+        colour = style.AXIS_COLOURS[axis]
+        (self.line,) = ax.plot([], [], color=colour, linewidth=2.4, linestyle=style.AXIS_LINES[axis], zorder=30)
+        paper = {"facecolor": style.PAPER, "edgecolor": "none", "pad": 1.0, "alpha": 0.85}
+        self.label = ax.annotate("", (0, 0), (0, 0), textcoords="offset points", ha="center", va="center",
+                                 color=colour, fontsize=style.SMALL_PT, bbox=paper, zorder=35)  # fmt: skip
+        self.artists = [self.line, self.label]
+
+    def move(self, start: np.ndarray, end: np.ndarray, length_m: float, other: np.ndarray) -> None:
+        """Draw from `start` to `end` (x, y) [m]; `length_m` is what the axis says, with its sign.
+
+        Its length stands on the side away from `other`, an end of the other leg.
+        """
+        self.line.set_data(*zip(start, end, strict=True))
+        along = end - start
+        size = float(np.hypot(*along))
+        self.label.set_visible(size >= SHORT_M)
+        if size < SHORT_M:
+            return
+        aside = np.array((along[1], -along[0])) / size
+        if aside @ (other - start) > 1e-9:
+            aside = -aside
+        self.label.xy = tuple((start + end) / 2)
+        self.label.set_position(tuple((11 + 13 * abs(aside[0])) * aside))
+        self.label.set_text(f"{self._axis} {length_m:.2f}")
+
+
+def draw_rulers(
+    poses: Mapping[str, Transform],
+    point: Sequence[float],
+    name: str = "thing",
+    before: Mapping[str, Sequence[float]] | None = None,
+) -> RulersPicture:
+    """Draw one thing as each frame measures it; see `RulersPicture.show`."""
+    picture = RulersPicture(tuple(poses), name)
+    picture.show(poses, point, before)
+    return picture
+
+
+def _change(reading: Vector3, frame: str, before: Mapping[str, Sequence[float]] | None) -> str:
+    """Return whether a reading is what it was: "same", "changed", or "" if there is nothing to compare with."""
+    if before is None:
+        return ""
+    return "same" if np.allclose(reading, before[frame], rtol=0.0, atol=SAME_M) else "changed"
