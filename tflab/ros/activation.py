@@ -84,7 +84,7 @@ def deactivate() -> None:
     if not is_active():
         return
     sys.meta_path.remove(_finder)
-    for name in [name for name in sys.modules if name.partition(".")[0] in PACKAGES]:
+    for name in [name for name in list(sys.modules) if name.partition(".")[0] in PACKAGES]:
         if _is_ours(name):
             del sys.modules[name]
 
