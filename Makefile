@@ -29,8 +29,8 @@ lab: $(LEARNER)
 	$(BIN)/tflab lab $(ARGS)
 
 test: $(DEVELOPER) check
-	$(BIN)/python -m pytest -n $(WORKERS) --dist loadscope
-	$(BIN)/python -m pytest -n $(WORKERS) --dist loadscope -p nbval --nbval notebooks/en solutions/en
+	$(BIN)/python -m pytest -n $(WORKERS) --dist loadscope -p no:nbval
+	$(BIN)/python -m pytest -n $(WORKERS) --dist loadscope --nbval notebooks/en solutions/en
 
 test-fast: $(DEVELOPER)
 	$(BIN)/python -m pytest -n $(WORKERS) --dist loadscope -m "not browser and not slow" -x -q
