@@ -40,7 +40,8 @@ ROBOT = "base_link"
 ROBOT_SCALE = 1.4
 CAPTION_PX, TALL_PX, EDGE_PX, GAP_PX = 66, 250, 16, 14
 SAME_M = 0.0005  # what prints alike is called the same
-MARGIN_M = 1.3
+MARGIN_M = 1.0  # around what is shown, at the least
+ROOM_FOR_LABELS = 0.22  # part of its width
 SHORT_M = 0.25  # a leg shorter than this has no number beside it
 
 
@@ -144,7 +145,7 @@ class _Map:
         self._seen = seen
         for ground in list(self._ax.collections)[1:]:  # the first is the robot
             ground.remove()
-        show_all(self._ax, places, margin_m=MARGIN_M)
+        show_all(self._ax, places, margin_m=max(MARGIN_M, ROOM_FOR_LABELS * float(np.ptp(places[:, 0]))))
         draw_ground(self._ax, FROM_ABOVE, self._ax.get_xlim(), self._ax.get_ylim())
 
     def move(self, poses: Mapping[str, Transform], point: Sequence[float], reading: Vector3, change: str) -> None:
