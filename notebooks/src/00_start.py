@@ -222,7 +222,7 @@ graph.stop()
 # %% [markdown] lang="en" name="chapters-table" slide="-"
 # | | chapter | its question | builds on | exercise |
 # |--:|:--|:--|:--|:--|
-# | 1 | Value, frame and stamp | What makes three numbers a place? |  | to come |
+# | 1 | **[Value, frame and stamp](01_value_frame_stamp.ipynb)** | What makes three numbers a place? |  | [E1](../../exercises/en/01_value_frame_stamp.ipynb) |
 # | 2 | **[Axes and quaternions](02_axes_and_quaternions.ipynb)** | Which way is forward? | 1 | [E2](../../exercises/en/02_axes_and_quaternions.ipynb) |
 # | 3 | **[Target and source](03_target_and_source.ipynb)** | Data in which frame, wanted in which? | 1, 2 | [E3](../../exercises/en/03_target_and_source.ipynb) |
 # | 4 | The tree of frames | How does one frame reach another? | 3 | to come |
@@ -238,7 +238,7 @@ graph.stop()
 # %% [markdown] lang="ko" name="chapters-table" slide="-"
 # | | 장 | 장의 질문 | 먼저 볼 장 | 연습 |
 # |--:|:--|:--|:--|:--|
-# | 1 | 값과 좌표계와 측정 시각 | 숫자 세 개는 언제 위치가 됩니까? |  | 준비 중 |
+# | 1 | **[값과 좌표계와 측정 시각](01_value_frame_stamp.ipynb)** | 숫자 세 개는 언제 위치가 됩니까? |  | [E1](../../exercises/ko/01_value_frame_stamp.ipynb) |
 # | 2 | **[좌표축과 쿼터니언](02_axes_and_quaternions.ipynb)** | 어느 쪽이 앞입니까? | 1 | [E2](../../exercises/ko/02_axes_and_quaternions.ipynb) |
 # | 3 | **[목표 좌표계와 원본 좌표계](03_target_and_source.ipynb)** | 어느 좌표계의 데이터를 어느 좌표계에서 보려 합니까? | 1, 2 | [E3](../../exercises/ko/03_target_and_source.ipynb) |
 # | 4 | 좌표계 트리 | 한 좌표계에서 다른 좌표계로 어떻게 갑니까? | 3 | 준비 중 |

@@ -1,0 +1,867 @@
+# %% [markdown] lang="en" name="title" slide="slide"
+# # 01 · Three numbers are not a place yet
+#
+# **Value, frame and stamp** · about 45 minutes · builds on 00
+#
+# After this chapter you can
+#
+# - name the three parts of a measurement that can be used: value, frame, stamp;
+# - say one place in three frames, and say which of the numbers change when something moves;
+# - read the header of a message, nanoseconds included, and tell how old a measurement is;
+# - refuse data that lacks a part, and say why.
+
+# %% [markdown] lang="ko" name="title" slide="slide"
+# # 01 · 숫자 세 개는 아직 위치가 아닙니다
+#
+# **값, 좌표계, 측정 시각** · 약 45분 · 00장을 바탕으로 합니다
+#
+# 이 장을 마치면 다음을 할 수 있습니다.
+#
+# - 쓸 수 있는 측정값의 세 부분, 곧 값과 좌표계와 측정 시각을 말합니다.
+# - 한 위치를 세 좌표계에서 말하고, 무엇이 움직이면 어느 숫자가 바뀌는지 말합니다.
+# - 메시지의 헤더를 나노초까지 읽고, 측정값이 얼마나 오래되었는지 계산합니다.
+# - 한 부분이라도 빠진 데이터는 거절하고, 이유를 말합니다.
+
+# %% [markdown] lang="en" name="title-notes" slide="notes"
+# One idea: a number without its frame and its moment is a rumour.
+# Ask the room: "I have (2, 0, 0). Where is it?" Wait until somebody answers with a question. That question is the chapter.
+
+# %% [markdown] lang="ko" name="title-notes" slide="notes"
+# 핵심은 하나입니다. 좌표계와 시각이 없는 숫자는 소문입니다.
+# 먼저 물어봅니다. "(2, 0, 0)이 있습니다. 어디입니까?" 누군가 되물을 때까지 기다립니다. 그 되물음이 오늘의 주제입니다.
+
+# %% name="load" slide="skip"
+# %load_ext tflab
+
+# %% [markdown] lang="en" name="story" slide="slide"
+# ## One click, two maps
+#
+# A robot has lost its place, so a person helps: one click on the map, *here you are*.
+# The click is a message. It holds three numbers and a label: these numbers are in the [[frame]] `world`.
+# The mapping program copies the numbers, and never reads the label.
+# It thinks in `map`, and `map` begins five metres from where `world` begins.
+#
+# There is no error and no warning.
+# The program goes on mapping from the wrong place, and now there are two maps of one building, five metres apart (SteveMacenski/slam_toolbox, 2026).
+# The cure was one question: *how do I say this place in `map`?* TF answers it.
+
+# %% [markdown] lang="ko" name="story" slide="slide"
+# ## 클릭 한 번, 지도 두 장
+#
+# 로봇이 제 위치를 잃었습니다. 사람이 지도를 클릭해 알려 줍니다. *너는 여기 있다.*
+# 클릭은 메시지입니다. 숫자 세 개와 함께, 이 숫자는 `world`라는 [[frame|좌표계(frame)]]를 기준으로 한다는 이름표가 들어 있습니다.
+# 지도를 만드는 프로그램은 숫자만 옮기고 이름표는 읽지 않았습니다.
+# 프로그램의 기준은 `map`이었고, `map`의 원점은 `world`의 원점에서 5미터 떨어져 있었습니다.
+#
+# 오류도 경고도 없었습니다.
+# 프로그램은 엉뚱한 위치에서 지도를 계속 그렸고, 한 건물의 지도가 5미터 어긋난 채 두 장이 되었습니다(SteveMacenski/slam_toolbox, 2026년).
+# 고치는 데는 질문 하나면 되었습니다. *이 위치를 `map` 기준으로는 어떻게 말할까?* TF가 그 답을 줍니다.
+
+# %% [markdown] lang="en" name="story-sources" slide="skip"
+# *Read them:* slam_toolbox [863](https://github.com/SteveMacenski/slam_toolbox/issues/863), [872](https://github.com/SteveMacenski/slam_toolbox/pull/872), [876](https://github.com/SteveMacenski/slam_toolbox/pull/876); the writer's side of it: vision_visp [96](https://github.com/lagadic/vision_visp/issues/96).
+
+# %% [markdown] lang="ko" name="story-sources" slide="skip"
+# *직접 읽어 보기:* slam_toolbox [863](https://github.com/SteveMacenski/slam_toolbox/issues/863), [872](https://github.com/SteveMacenski/slam_toolbox/pull/872), [876](https://github.com/SteveMacenski/slam_toolbox/pull/876). 쓰는 쪽에서 생긴 같은 사고: vision_visp [96](https://github.com/lagadic/vision_visp/issues/96).
+
+# %% name="story-picture" slide="subslide"
+from tflab.core import BufferCore, StampedTransform, Transform, seconds
+from tflab.views.frames import draw_scene
+from tflab.views.style import fmt_all  # writes a point with its unit
+
+draw_scene({'world': Transform(), 'map': Transform(translation=(5.0, 0.0, 0.0))}, {'meant': (2.0, 1.5, 0.0)},
+           ghost_points={'understood': (7.0, 1.5, 0.0)}, fixed_frame='world', length_m=0.8)
+
+# %% [markdown] lang="en" name="story-seen"
+# The point *meant* is (2, 1.5) counted from `world`. Read the same numbers from `map`, and you stand at *understood*.
+#
+# The reader forgot the label here. Elsewhere the writer spoilt it: a program saw a code one metre in front of its camera and wrote `/map` over the label.
+# Now the code "was" one metre from the corner of the map, wherever the robot stood.
+# A label must be written *and* read.
+
+# %% [markdown] lang="ko" name="story-seen"
+# *그림 읽기:* meant는 사람이 뜻한 위치, understood는 프로그램이 알아들은 위치입니다.
+# meant는 `world`에서 세어 (2, 1.5)입니다. 같은 숫자를 `map`에서 세면 understood에 서게 됩니다.
+#
+# 여기서는 읽는 쪽이 이름표를 잊었습니다. 쓰는 쪽이 이름표를 망친 일도 있습니다. 어느 프로그램은 카메라 1미터 앞의 코드를 보고는 이름표를 `/map`으로 덮어썼습니다.
+# 그러자 로봇이 어디에 있든 코드는 지도 원점에서 1미터 떨어진 것이 되었습니다.
+# 이름표는 제대로 쓰고 *또한* 읽어야 합니다.
+
+# %% [markdown] lang="en" name="story-notes" slide="notes"
+# Act it: one person writes (2, 1.5) on a note, another walks there from a corner of their own choosing.
+# Nobody did anything wrong on purpose, and nothing complained. That is the kind of bug this course is about.
+
+# %% [markdown] lang="ko" name="story-notes" slide="notes"
+# 직접 해 봅니다. 한 사람이 쪽지에 (2, 1.5)를 적고, 다른 사람은 자기가 고른 모서리에서 세어 걸어갑니다.
+# 아무도 일부러 틀리지 않았고 아무 경고도 없었습니다. 이 강의가 다루는 버그가 바로 이런 것입니다.
+
+# %% [markdown] lang="en" name="predict" slide="slide"
+# ## Predict
+#
+# A robot stands in a room. Its middle, `base_link`, is at **(6.2, −1.7, 0.10)** in `map`, and it looks along the map's x.
+# Its laser, `laser_frame`, sits at **(0.20, 0, 0.15)** in `base_link`: ahead of the middle and above it, and looks the same way.
+# The laser sees a ball at **(2, 0, 0)** in `laser_frame`: two metres straight ahead.
+#
+# Where is the ball in `base_link`, and where in `map`?
+# Write your guesses into the next cell before you go on. A wrong guess is worth more than none.
+
+# %% [markdown] lang="ko" name="predict" slide="slide"
+# ## 예측해 봅시다
+#
+# 로봇이 방 안에 서 있습니다. 로봇의 중심 `base_link`는 `map` 기준 **(6.2, −1.7, 0.10)** 에 있고, 지도의 x 방향을 봅니다.
+# 레이저 `laser_frame`은 `base_link` 기준 **(0.20, 0, 0.15)**, 곧 중심보다 앞쪽 위에 달려 있고 로봇과 같은 방향을 봅니다.
+# 레이저는 `laser_frame` 기준 **(2, 0, 0)**, 곧 정면 2미터에서 공을 봅니다.
+#
+# 공은 `base_link` 기준으로 어디에 있을까요? `map` 기준으로는 어디일까요?
+# 넘어가기 전에 다음 셀에 예측을 적어 보세요. 틀린 예측도 예측하지 않은 것보다 낫습니다.
+
+# %% [markdown] lang="en" name="predict-notes" slide="notes"
+# One minute with paper. Ask for hands: who kept the numbers, who added, who took away? Leave the counts on the board.
+
+# %% [markdown] lang="ko" name="predict-notes" slide="notes"
+# 종이로 1분을 줍니다. 숫자를 그대로 둔 사람, 더한 사람, 뺀 사람의 수를 칠판에 남깁니다.
+
+# %% name="my-guess" slide="skip"
+my_guess = {'base_link': (0.0, 0.0, 0.0), 'map': (0.0, 0.0, 0.0)}  # your guesses: (x, y, z) [m]
+
+# %% [markdown] lang="en" name="run-it" slide="subslide"
+# ## Run it
+#
+# Two lines tell ROS where the robot stands and where the laser is bolted on.
+# Then a [[node]] with a [[buffer]], which remembers what was said, and a [[listener]], which fills it: what you would write on a robot.
+# Time is virtual in these pages: it passes only inside `graph.run(…)`.
+
+# %% [markdown] lang="ko" name="run-it" slide="subslide"
+# ## 실행해 봅시다
+#
+# 두 줄로 로봇이 서 있는 위치와 레이저를 단 위치를 ROS에 알립니다.
+# 이어서 들은 것을 기억하는 [[buffer|버퍼(buffer)]]와 버퍼를 채우는 [[listener|수신기(listener)]]를 가진 [[node|노드(node)]]를 만듭니다. 로봇에서도 똑같이 씁니다.
+# 이 페이지에서 시간은 가상이며 `graph.run(…)` 안에서만 흐릅니다.
+
+# %% name="say-where"
+# %ros2 run tf2_ros static_transform_publisher --x 6.2 --y -1.7 --z 0.10 --frame-id map --child-frame-id base_link
+# %ros2 run tf2_ros static_transform_publisher --x 0.20 --z 0.15 --frame-id base_link --child-frame-id laser_frame
+
+# %% name="listen"
+import rclpy
+import tf2_geometry_msgs  # lets the buffer transform a PointStamped
+from geometry_msgs.msg import PointStamped
+from rclpy.node import Node
+from tf2_ros import Buffer, TransformListener
+
+rclpy.init()
+node = Node('reader')
+buffer = Buffer()
+listener = TransformListener(buffer, node, spin_thread=True)
+graph.run(seconds=0.5)
+
+# %% name="three-answers" tags=["predicted"] slide="fragment"
+ball = PointStamped()
+ball.header.frame_id = 'laser_frame'
+ball.point.x = 2.0
+
+for frame in ('laser_frame', 'base_link', 'map'):
+    point = buffer.transform(ball, frame).point
+    print(f'{frame:<12}', fmt_all((point.x, point.y, point.z), digits=2))
+print('you guessed ', my_guess)
+
+# %% [markdown] lang="en" name="compare" tags=["predicted"] slide="subslide"
+# ### How was your guess?
+#
+# <details><summary>I said (2, 0, 0) each time</summary>
+#
+# You kept the numbers and changed the label. That is the story above: the ball would be two metres from the corner of the map, wherever the robot stands.
+#
+# </details>
+# <details><summary>I said (1.8, 0, −0.15) in base_link</summary>
+#
+# You took the mount away. But the laser sits *ahead* of the middle, so from the middle the way to the ball is longer, not shorter.
+#
+# </details>
+# <details><summary>I said (8.2, −1.7, 0.10) in map</summary>
+#
+# You left out the mount: you went from the laser to the map as if the laser were the robot's middle.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="compare" tags=["predicted"] slide="subslide"
+# ### 예측은 어땠나요?
+#
+# <details><summary>모두 (2, 0, 0)이라고 했습니다</summary>
+#
+# 숫자는 그대로 두고 이름표만 바꾸었습니다. 위의 이야기가 바로 그것입니다. 그러면 로봇이 어디에 있든 공은 지도 원점에서 2미터 떨어진 것이 됩니다.
+#
+# </details>
+# <details><summary>base_link 기준 (1.8, 0, −0.15)라고 했습니다</summary>
+#
+# 레이저를 단 위치를 뺐습니다. 레이저는 중심보다 *앞에* 있으므로, 중심에서 공까지는 더 멉니다.
+#
+# </details>
+# <details><summary>map 기준 (8.2, −1.7, 0.10)이라고 했습니다</summary>
+#
+# 레이저를 단 위치를 건너뛰었습니다. 레이저가 로봇의 중심에 있는 것처럼 바로 지도로 옮겼습니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="three-places" slide="slide"
+# ## The same numbers are three places
+#
+# (2, 0, 0) alone is not a place. Counted from three frames, it is three.
+
+# %% [markdown] lang="ko" name="three-places" slide="slide"
+# ## 같은 숫자, 세 곳의 위치
+#
+# (2, 0, 0)만으로는 위치가 아닙니다. 세 좌표계에서 세면 세 곳이 됩니다.
+
+# %% name="three-places-picture"
+map_T_base = Transform(translation=(6.2, -1.7, 0.10))
+map_T_laser = map_T_base @ Transform(translation=(0.20, 0.0, 0.15))
+poses = {'map': Transform(), 'base_link': map_T_base, 'laser_frame': map_T_laser}
+
+places = {f'2 m in {frame}': pose.apply((2.0, 0.0, 0.0)) for frame, pose in poses.items()}
+draw_scene(poses, places, length_m=0.7)
+
+# %% [markdown] lang="en" name="three-places-seen"
+# A [[frame]] is an origin and three directions with a name: x ahead, y to the left, z up (why so: chapter 02).
+# In the house style of this book a transform carries both names: `map_T_base` says where base is in map, and `@` chains two of them. Chapter 03 is about nothing else.
+
+# %% [markdown] lang="ko" name="three-places-seen"
+# *그림 읽기:* `2 m in …`은 각 좌표계에서 x 방향으로 2미터 떨어진 점입니다.
+# [[frame|좌표계]]는 이름이 붙은 원점 하나와 방향 세 개입니다. x는 앞, y는 왼쪽, z는 위입니다(이유는 02장).
+# 이 책에서 변환은 두 이름을 함께 씁니다. `map_T_base`는 map을 기준으로 base가 어디에 있는지 말하고, `@`는 변환 두 개를 잇습니다. 03장이 이 이야기입니다.
+
+# %% [markdown] lang="en" name="one-place" slide="slide"
+# ## One place has three triples
+#
+# Now the other way round: the ball lies still in one place, and each frame measures the way to it with its own ruler.
+
+# %% [markdown] lang="ko" name="one-place" slide="slide"
+# ## 한 위치, 세 가지 숫자
+#
+# 이번에는 반대입니다. 공은 한 곳에 가만히 있고, 좌표계마다 자기 자로 거기까지 잽니다.
+
+# %% name="one-place-picture"
+from tflab.views.rulers import draw_rulers, readings_of
+
+ball_in_map = map_T_laser.apply((2.0, 0.0, 0.0))
+draw_rulers(poses, ball_in_map, 'ball')
+
+# %% [markdown] lang="en" name="one-place-seen"
+# From above, one map for each frame: so far along the frame's own x, then so far along its own y.
+# All three triples are right. Which one you want depends on who asks: a gripper wants `base_link`, a planner wants `map`.
+
+# %% [markdown] lang="ko" name="one-place-seen"
+# *그림 읽기:* 위에서 본 지도가 좌표계마다 하나씩 있습니다. 그 좌표계의 x를 따라 얼마, 이어서 y를 따라 얼마인지 그렸습니다.
+# 세 가지 모두 맞습니다. 어느 것을 쓸지는 누가 묻는지에 달려 있습니다. 그리퍼에는 `base_link` 기준이, 경로 계획에는 `map` 기준이 필요합니다.
+
+# %% [markdown] lang="en" name="while-nobody-turns" slide="subslide"
+# While nobody is turned, you may simply add: 2 + 0.20 + 6.2.
+# Now the robot turns to its left by 90°, on the spot, and finds another ball straight ahead of its laser.
+#
+# **Predict:** which of the three triples stay what they were?
+
+# %% [markdown] lang="ko" name="while-nobody-turns" slide="subslide"
+# 아무도 돌아 있지 않으면 그냥 더해도 됩니다. 2 + 0.20 + 6.2.
+# 이제 로봇이 제자리에서 왼쪽으로 90° 돌고, 레이저 정면에서 다른 공을 봅니다.
+#
+# **예측해 봅시다.** 세 가지 숫자 가운데 그대로인 것은 무엇일까요?
+
+# %% name="turned" tags=["predicted"] slide="fragment"
+import math
+
+map_T_base = Transform.from_rpy(yaw=math.pi / 2, translation=(6.2, -1.7, 0.10))
+map_T_laser = map_T_base @ Transform(translation=(0.20, 0.0, 0.15))
+turned = {'map': Transform(), 'base_link': map_T_base, 'laser_frame': map_T_laser}
+
+draw_rulers(turned, map_T_laser.apply((2.0, 0.0, 0.0)), 'ball', before=readings_of(poses, ball_in_map))
+
+# %% [markdown] lang="en" name="turned-seen" tags=["predicted"]
+# Ahead is ahead: the laser and the robot say the same numbers as before. Only the map says something else, and no sum of yours gives it.
+# Adding is over as soon as something turns. Chapters 02 and 03 show what takes its place; TF does it for you.
+
+# %% [markdown] lang="ko" name="turned-seen" tags=["predicted"]
+# *그림 읽기:* same은 숫자가 그대로라는 뜻, changed는 바뀌었다는 뜻입니다.
+# 정면은 여전히 정면입니다. 레이저와 로봇의 숫자는 그대로이고 지도의 숫자만 바뀌었습니다. 더하기로는 나오지 않는 값입니다.
+# 무엇이든 돌기 시작하면 더하기는 끝입니다. 무엇이 그 자리를 대신하는지는 02장과 03장에서 다루고, 계산은 TF가 합니다.
+
+# %% name="stop-the-reader" slide="skip"
+graph.stop()
+node.destroy_node()
+rclpy.shutdown()
+
+# %% [markdown] lang="en" name="who-moved" slide="slide"
+# ## Who moved?
+#
+# Now the robot drives straight on, along the map's x, at half a metre a second.
+# A ball lies on the floor ahead of it. A cup stands on the robot's own tray.
+#
+# **Predict:** while the robot drives, whose numbers change, the ball's or the cup's? In `map`? In `base_link`?
+
+# %% [markdown] lang="ko" name="who-moved" slide="slide"
+# ## 누가 움직였을까요?
+#
+# 이제 로봇이 지도의 x 방향으로 곧장, 1초에 0.5미터씩 달립니다.
+# 앞쪽 바닥에 공이 있고, 로봇의 쟁반 위에 컵이 있습니다.
+#
+# **예측해 봅시다.** 로봇이 달리는 동안 공과 컵 가운데 어느 쪽의 숫자가 바뀔까요? `map` 기준으로는? `base_link` 기준으로는?
+
+# %% name="start-the-robot" slide="skip"
+from tflab.robots.motion import Drive, Leg, PlanarPose
+from tflab.robots.nodes import launch
+from tflab.robots.teaching import TeachingRobot
+from tflab.ros import new_graph
+
+graph = new_graph()
+drive = Drive([Leg(20.0, 0.5)], PlanarPose(0.5, -1.5, 0.0), start_ns=graph.now_ns)
+robot = TeachingRobot(drive, bias=0.0, slip=0.0, correction_period_s=60.0)  # perfect wheels: today is about labels
+parts = ['robot_state_publisher', 'wheel_odometry', 'localization', 'object_detector', 'imu_driver']
+nodes = launch(graph, robot, only=parts)
+
+# %% name="ball-and-cup" tags=["predicted"] slide="fragment"
+map_p_ball, base_p_cup = (6.5, -1.5, 0.3), (-0.1, 0.0, 0.2)
+
+poses_at = {t: robot.truth_at(seconds(t))['base_link'] for t in (2, 4, 6)}
+print('           ball in map        ball in base_link   cup in map          cup in base_link')
+for t, pose in poses_at.items():
+    row = (map_p_ball, pose.inverse().apply(map_p_ball), pose.apply(base_p_cup), base_p_cup)
+    print(f'at {t} s    ', '  '.join(fmt_all(point, digits=1) for point in row))
+
+# %% [markdown] lang="en" name="ball-and-cup-seen" tags=["predicted"]
+# The ball never moved, and its numbers in `base_link` shrink. The cup drives along, and its numbers in `base_link` stand still.
+# "It rests, so its numbers stay" is true in one frame only: the one in which it rests.
+
+# %% [markdown] lang="ko" name="ball-and-cup-seen" tags=["predicted"]
+# 공은 움직이지 않았는데 `base_link` 기준 숫자는 줄어듭니다. 컵은 함께 달리는데 `base_link` 기준 숫자는 그대로입니다.
+# "가만히 있으니 숫자도 그대로"라는 말은 그 물체가 가만히 있는 좌표계에서만 맞습니다.
+
+# %% name="moments-picture" slide="subslide"
+from tflab.views.moments import draw_moments
+
+draw_moments({f'{t} s': pose for t, pose in poses_at.items()}, map_p_ball, 'ball')
+
+# %% [markdown] lang="en" name="rulers-try" slide="subslide"
+# ### Try it
+#
+# Move the robot, turn it, move the thing; then let it rest on the tray instead of the floor.
+# *same* and *changed* compare with where everything was at first. Can you change the triple of `laser_frame`, and of no other frame?
+
+# %% [markdown] lang="ko" name="rulers-try" slide="subslide"
+# ### 직접 해 보세요
+#
+# 로봇을 옮기고, 돌리고, 물체를 옮겨 보세요. 그다음 물체를 바닥(floor)이 아니라 쟁반(tray)에 놓아 보세요.
+# same과 changed는 처음 상태와 비교한 결과입니다. `laser_frame`의 숫자만 바꿀 수 있을까요?
+
+# %% name="rulers-panel" tags=["interactive"]
+from tflab.views.panels import rulers_panel
+
+rulers_panel()
+
+# %% name="rulers-still" slide="skip"
+at_first, later = ({'map': Transform(), 'base_link': poses_at[t]} for t in (2, 6))
+draw_rulers(later, map_p_ball, 'ball', before=readings_of(at_first, map_p_ball))
+
+# %% [markdown] lang="en" name="rulers-answer"
+# <details><summary>Can you?</summary>
+#
+# No. The laser is bolted to the robot: what changes for one changes for the other. Their triples differ by a step that never changes, and that is why such a step is sent only once.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="rulers-answer"
+# <details><summary>바꿀 수 있나요?</summary>
+#
+# 없습니다. 레이저는 로봇에 고정되어 있으므로 한쪽에서 바뀌면 다른 쪽에서도 바뀝니다. 두 숫자의 차이는 변하지 않는 이동 하나이고, 그래서 이런 이동은 한 번만 보냅니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="in-3d" slide="subslide"
+# The same in 3D: drag to turn it, and move the scrubber to let the robot drive.
+# The arrow goes from the robot to the ball, and its label is what `base_link` says.
+
+# %% [markdown] lang="ko" name="in-3d" slide="subslide"
+# 같은 장면을 3D로 봅니다. 끌어서 돌리고, 아래 슬라이더를 움직여 로봇을 달리게 해 보세요.
+# 화살표는 로봇에서 공으로 향하고, 화살표의 이름은 `base_link` 기준의 숫자입니다.
+
+# %% name="in-3d-scene" slide="skip"
+from tflab.views.scene import Scene, draw_arrow, draw_frame
+
+scene = Scene(height_px=360)
+scene.look(eye=(2.5, -8.0, 4.5), target=(3.5, -1.0, 0.0))
+draw_frame(scene, 'map', Transform(), length_m=0.8)
+
+
+def at_time(t):
+    pose = robot.truth_at(seconds(t))['base_link']
+    draw_frame(scene, 'base_link', pose, parent='map', length_m=0.5)
+    said = fmt_all(pose.inverse().apply(map_p_ball), digits=1)
+    draw_arrow(scene, 'way to the ball', pose.translation, map_p_ball, said)
+
+# %% name="in-3d-drive" tags=["interactive"]
+scene.sweep('time', [2.0 + 0.25 * i for i in range(25)], at_time, unit='s')
+scene
+
+# %% name="in-3d-still" slide="skip"
+draw_scene({'map': Transform(), 'base_link': poses_at[4]}, {'ball': map_p_ball, 'cup': poses_at[4].apply(base_p_cup)})
+
+# %% [markdown] lang="en" name="header" slide="slide"
+# ## The label that a message carries
+#
+# The robot has a camera, and a node that finds the ball in its pictures. Every message of it begins with a **header**: a frame and a [[stamp]].
+# The stamp says *when it was measured*, on the robot's clock.
+
+# %% [markdown] lang="ko" name="header" slide="slide"
+# ## 메시지에 달린 이름표
+#
+# 로봇에는 카메라가 있고, 영상에서 공을 찾는 노드가 있습니다. 이 노드의 메시지는 모두 **헤더(header)** 로 시작합니다. 헤더에는 좌표계와 [[stamp|측정 시각(stamp)]]이 있습니다.
+# 측정 시각은 로봇의 시계로 *언제 측정했는지* 말합니다.
+
+# %% name="hear-the-ball"
+heard = []  # (arrival [ns], message)
+
+rclpy.init()
+node = Node('reader')
+buffer = Buffer()
+listener = TransformListener(buffer, node, spin_thread=True)
+node.create_subscription(PointStamped, '/detected_point', lambda m: heard.append((graph.now_ns, m)), 10)
+graph.run(seconds=5.05)
+
+# %% name="one-message" slide="-"
+arrived_ns, seen = heard[-1]
+print('frame_id ', seen.header.frame_id)
+print('stamp    ', seen.header.stamp.sec, 's and', seen.header.stamp.nanosec, 'ns')
+print('point    ', fmt_all((seen.point.x, seen.point.y, seen.point.z), digits=1))
+
+# %% [markdown] lang="en" name="one-message-seen"
+# In the camera's own frame the ball is 3.5 m along **z**: for cameras, z is what points forward (chapter 02). Without the label you would have put the ball above the robot.
+#
+# And here are the same two fields of the [[frame|frame]]'s neighbour, the IMU. **Predict:** which second is this?
+
+# %% [markdown] lang="ko" name="one-message-seen"
+# 카메라 자신의 좌표계에서 공은 **z** 방향으로 3.5 m에 있습니다. 카메라에서는 z가 앞을 향합니다(02장). 이름표가 없었다면 공을 로봇 위쪽에 두었을 것입니다.
+#
+# 다음은 이웃 센서인 IMU의 같은 두 항목입니다. [[frame|좌표계]]만 다릅니다. **예측해 봅시다.** 몇 초일까요?
+
+# %% name="imu-header" slide="-"
+# %ros2 topic echo /imu --once --field header
+
+# %% [markdown] lang="en" name="imu-header-seen" tags=["predicted"]
+# <details><summary>Which second?</summary>
+#
+# `nanosec` counts billionths of a second, so 58000000 is 0.058 s: the stamp is **6.058 s**, and not 6.58 s.
+# Written as digits behind a point it needs nine places: 6.058000000.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="imu-header-seen" tags=["predicted"]
+# <details><summary>몇 초인가요?</summary>
+#
+# `nanosec`은 10억분의 1초를 셉니다. 58000000은 0.058초이므로 측정 시각은 6.58초가 아니라 **6.058초**입니다.
+# 소수점 뒤에 쓰려면 아홉 자리가 필요합니다. 6.058000000.
+#
+# </details>
+
+# %% [markdown] lang="en" name="age" slide="slide"
+# ## How old is it?
+#
+# Finding a ball takes the node 0.2 s. The message that you hold is stamped 5.800 and arrived at 6.000.
+# At the stamp the ball was 3.60 m ahead of the robot, which drives at 0.5 m/s.
+#
+# **Predict:** how far ahead is the ball when the message arrives?
+
+# %% [markdown] lang="ko" name="age" slide="slide"
+# ## 얼마나 오래된 것일까요?
+#
+# 공을 찾는 데 0.2초가 걸립니다. 지금 받은 메시지의 측정 시각은 5.800이고 도착한 시각은 6.000입니다.
+# 측정 시각에 공은 로봇 앞 3.60 m에 있었고, 로봇은 0.5 m/s로 달립니다.
+#
+# **예측해 봅시다.** 메시지가 도착했을 때 공은 앞으로 몇 미터에 있을까요?
+
+# %% name="age-in-numbers" tags=["predicted"] slide="fragment"
+from rclpy.time import Time
+
+stamp_ns = Time.from_msg(seen.header.stamp).nanoseconds
+age_s = (arrived_ns - stamp_ns) / 1e9
+ahead_then = buffer.transform(seen, 'base_link').point.x
+ahead_now = robot.truth_at(arrived_ns)['base_link'].inverse().apply(map_p_ball)[0]
+print(f'age {age_s:.3f} s, ahead at the stamp {ahead_then:.2f} m, ahead on arrival {ahead_now:.2f} m')
+
+# %% [markdown] lang="en" name="age-seen" tags=["predicted"]
+# 3.50 m: in 0.2 s the robot drove 0.1 m towards the ball. Who said 3.60 took the moment of arrival for the moment of the picture; who said 3.70 drove backwards.
+
+# %% [markdown] lang="ko" name="age-seen" tags=["predicted"]
+# 3.50 m입니다. 0.2초 동안 로봇이 공 쪽으로 0.1 m 달렸습니다. 3.60이라고 했다면 도착한 시각을 촬영한 시각으로 본 것이고, 3.70이라고 했다면 뒤로 달린 것입니다.
+
+# %% name="topic-delay"
+# %ros2 --for 2.2 topic delay /detected_point
+
+# %% name="journeys" slide="subslide"
+from tflab.views.journey import Journey, draw_journeys
+
+last = heard[-3:]
+draw_journeys([
+    Journey(f'ball {i}', Time.from_msg(m.header.stamp).nanoseconds, at_ns, at_ns, at_ns)
+    for i, (at_ns, m) in enumerate(last, start=1)
+])
+
+# %% [markdown] lang="en" name="milk" slide="subslide"
+# ### Milk and tins
+#
+# A number in `base_link` is milk: 3.60 m was true at 5.8 s, and it is sour on arrival.
+# The same place in `map` is tinned, if the thing rests: (6.5, −1.5) keeps.
+# So put a measurement into a frame in which it keeps, **with the pose of its stamp**, and do it early.
+
+# %% [markdown] lang="ko" name="milk" slide="subslide"
+# ### 우유와 통조림
+#
+# `base_link` 기준의 숫자는 우유입니다. 3.60 m는 5.8초에는 맞았지만 도착했을 때는 이미 상했습니다.
+# 가만히 있는 물체라면, 같은 위치를 `map` 기준으로 적은 (6.5, −1.5)는 통조림입니다. 상하지 않습니다.
+# 그러니 측정값은 오래가는 좌표계로 일찍 옮기되, **측정 시각의 포즈로** 옮기십시오.
+
+# %% name="keeps" slide="fragment"
+point = buffer.transform(seen, 'map').point  # with the pose of the stamp: the message says which
+print('in map', fmt_all((point.x, point.y, point.z), digits=2))
+
+# %% [markdown] lang="en" name="contract" slide="slide"
+# ## The contract
+#
+# > **A measurement is a value, a frame, and a stamp.**
+# > The writer fills in both labels at the moment of measuring. The reader reads both, or refuses and says so.
+#
+# Here is a reader that keeps it. Read it once, aloud.
+
+# %% [markdown] lang="ko" name="contract" slide="slide"
+# ## 약속
+#
+# > **측정값은 값과 좌표계와 측정 시각입니다.**
+# > 쓰는 쪽은 측정하는 순간에 두 이름표를 모두 채웁니다. 읽는 쪽은 둘 다 읽고, 읽을 수 없으면 거절하고 이유를 말합니다.
+#
+# 약속을 지키는 독자입니다. 한 번 소리 내어 읽어 보세요.
+
+# %% name="careful-reader" slide="-"
+def usable(message, now_ns, max_age_s=1.0):
+    header = message.header
+    if not header.frame_id:
+        return 'refused: no frame'
+    if header.stamp.sec == 0 and header.stamp.nanosec == 0:
+        return 'refused: no stamp'
+    age_s = (now_ns - Time.from_msg(header.stamp).nanoseconds) / 1e9
+    if age_s > max_age_s:
+        return f'refused: {age_s:.1f} s old'
+    return 'used'
+
+
+print(usable(seen, arrived_ns), '|', usable(seen, arrived_ns + seconds(3.0)), '|', usable(PointStamped(), arrived_ns))
+
+# %% [markdown] lang="en" name="faded" slide="subslide"
+# ### Now you write
+#
+# Fill both blanks, so that whoever reads this message can use it. A range finder that looks along the x of `laser_frame` measured 1.4 m at `measured`; the program runs this line at `now`, 50 ms later.
+#
+# ```python
+# message.header.frame_id = ____________
+# message.header.stamp = ____________.to_msg()
+# message.point.x = 1.4
+# ```
+#
+# <details><summary>Compare</summary>
+#
+# `'laser_frame'`, because the 1.4 is counted along its x; and `measured`, not `now`. Your message would otherwise claim that the picture is fresher than it is, and nobody who reads it could ever know.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="faded" slide="subslide"
+# ### 이제 직접 써 보세요
+#
+# 이 메시지를 읽는 누구나 쓸 수 있도록 빈칸 두 개를 채워 보세요. `laser_frame`의 x 방향을 보는 거리 센서가 `measured`에 1.4 m를 쟀고, 프로그램은 50 ms 뒤인 `now`에 이 줄을 실행합니다.
+#
+# ```python
+# message.header.frame_id = ____________
+# message.header.stamp = ____________.to_msg()
+# message.point.x = 1.4
+# ```
+#
+# <details><summary>맞춰 보기</summary>
+#
+# `'laser_frame'`입니다. 1.4는 그 좌표계의 x를 따라 센 값입니다. 시각은 `now`가 아니라 `measured`입니다. 그렇지 않으면 실제보다 새로운 측정값이라고 말하게 되고, 읽는 사람은 그것을 알아낼 방법이 없습니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="break-it" slide="slide"
+# ## Break it
+#
+# > Forget the frame, and TF2 shouts. Forget the stamp, and it smiles.
+#
+# Four messages, each with one thing spoilt. (`%xmode Minimal` shows an error by its last line, the one to read.)
+
+# %% [markdown] lang="ko" name="break-it" slide="slide"
+# ## 일부러 고장 내기
+#
+# > 좌표계를 잊으면 TF2가 소리칩니다. 측정 시각을 잊으면 웃고 넘어갑니다.
+#
+# 한 가지씩 망가뜨린 메시지 네 개입니다. (`%xmode Minimal`은 오류에서 꼭 읽어야 할 마지막 줄만 보여 줍니다.)
+
+# %% name="errors-in-one-line" slide="skip"
+# %xmode Minimal
+
+# %% name="no-frame" tags=["raises-exception"]
+from copy import deepcopy
+
+nameless = deepcopy(seen)
+nameless.header.frame_id = ''
+buffer.transform(nameless, 'map')
+
+# %% name="misspelt" tags=["raises-exception"]
+misspelt = deepcopy(seen)
+misspelt.header.frame_id = 'lazer_frame'
+buffer.transform(misspelt, 'map')
+
+# %% [markdown] lang="en" name="shouts"
+# Both shout, and both say which name they mean.
+# Now forget the stamp: a stamp of 0 means "whatever is latest" to TF2.
+#
+# **Predict:** since the picture the robot has driven on, 1.25 m by now. Where does the ball land in `map`, and what does TF2 say?
+
+# %% [markdown] lang="ko" name="shouts"
+# 둘 다 소리치고, 어느 이름이 문제인지 말해 줍니다.
+# 이번에는 측정 시각을 잊어 봅시다. TF2에게 측정 시각 0은 "가장 최근 것이면 된다"는 뜻입니다.
+#
+# **예측해 봅시다.** 촬영한 뒤로 로봇은 1.25 m를 더 달렸습니다. 공은 `map`의 어디에 놓이고, TF2는 뭐라고 할까요?
+
+# %% name="no-stamp" tags=["predicted"]
+from builtin_interfaces.msg import Time as Stamp
+
+timeless = deepcopy(seen)
+timeless.header.stamp = Stamp()
+for frame in ('base_link', 'map'):
+    right, wrong = (buffer.transform(m, frame).point.x for m in (seen, timeless))
+    print(f'x in {frame:<10} with its stamp {right:.2f} m   without {wrong:.2f} m')
+
+# %% [markdown] lang="en" name="no-stamp-seen" tags=["predicted"]
+# Not a word, and a ball that rolled forward with the robot. Into `base_link` nothing changed: between the camera and the robot lies only a mount, and a mount is the same at all times.
+#
+# Last, overwrite the label as the program with the code did:
+
+# %% [markdown] lang="ko" name="no-stamp-seen" tags=["predicted"]
+# 아무 말이 없고, 공은 로봇과 함께 앞으로 굴러갔습니다. `base_link` 기준으로는 달라지지 않았습니다. 카메라와 로봇 사이에는 장착 변환만 있고, 이것은 언제나 같기 때문입니다.
+#
+# 마지막으로, 앞에서 본 프로그램처럼 이름표를 덮어써 봅시다.
+
+# %% name="wrong-label"
+relabelled = deepcopy(seen)
+relabelled.header.frame_id = 'map'
+point = buffer.transform(relabelled, 'map').point
+print('in map', fmt_all((point.x, point.y, point.z), digits=1))
+
+# %% [markdown] lang="en" name="wrong-label-seen"
+# The numbers came back untouched: TF2 was asked to move something from `map` to `map`.
+# The ball now hovers three and a half metres above the corner of the map, and no tool can tell that the label is a lie.
+
+# %% [markdown] lang="ko" name="wrong-label-seen"
+# 숫자가 그대로 돌아왔습니다. TF2가 받은 부탁은 `map`에서 `map`으로 옮기는 것이었습니다.
+# 이제 공은 지도 원점 위 3.5미터에 떠 있고, 이름표가 거짓이라는 것을 알아낼 도구는 없습니다.
+
+# %% [markdown] lang="en" name="break-it-notes" slide="notes"
+# Ask before each cell: will it raise? Two do, two do not, and the two silent ones are the expensive ones.
+
+# %% [markdown] lang="ko" name="break-it-notes" slide="notes"
+# 셀마다 실행 전에 묻습니다. 오류가 날까요? 둘은 나고 둘은 나지 않습니다. 비싼 대가를 치르는 것은 조용한 둘입니다.
+
+# %% [markdown] lang="en" name="checkpoint" slide="slide"
+# ## Checkpoint
+#
+# A message says `frame_id: 'base_link'`, a stamp of half a second ago, and (1.0, 0.0, 0.0): a box one metre ahead.
+# The robot has been driving. You want to mark the box on the map. What do you do?
+#
+# 1. Put it into `map` with the robot's pose of *now*: nothing is fresher.
+# 2. Put it into `map` with the robot's pose of the *stamp*.
+# 3. Refuse it: half a second is too old.
+# 4. Write `map` into its `frame_id`.
+#
+# <details><summary>I chose 1</summary>
+#
+# The box was a metre ahead of where the robot *was*. With the pose of now you push the box forward by what the robot has driven since.
+#
+# </details>
+# <details><summary>I chose 2</summary>
+#
+# Yes: the value, its frame and its moment belong together. `buffer.transform(message, 'map')` does just that.
+#
+# </details>
+# <details><summary>I chose 3</summary>
+#
+# If the box rests, age does not spoil it: the pose of the stamp puts it where it is. Refuse what is older than the buffer remembers, or what moves by itself.
+#
+# </details>
+# <details><summary>I chose 4</summary>
+#
+# That changes the label and leaves the numbers: the box would be a metre from the corner of the map. You have met this one twice today.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="checkpoint" slide="slide"
+# ## 마무리 점검
+#
+# 메시지에 `frame_id: 'base_link'`, 0.5초 전의 측정 시각, 그리고 (1.0, 0.0, 0.0)이 들어 있습니다. 1미터 앞의 상자입니다.
+# 로봇은 그동안 달리고 있었습니다. 상자를 지도에 표시하려면 어떻게 합니까?
+#
+# 1. 로봇의 *지금* 포즈로 `map` 기준으로 옮깁니다. 가장 새로우니까.
+# 2. 로봇의 *측정 시각* 포즈로 `map` 기준으로 옮깁니다.
+# 3. 거절합니다. 0.5초면 너무 오래되었습니다.
+# 4. `frame_id`에 `map`이라고 씁니다.
+#
+# <details><summary>1번을 골랐습니다</summary>
+#
+# 상자는 로봇이 *있던* 곳에서 1미터 앞에 있었습니다. 지금의 포즈를 쓰면 그 뒤로 로봇이 달린 만큼 상자를 앞으로 밀게 됩니다.
+#
+# </details>
+# <details><summary>2번을 골랐습니다</summary>
+#
+# 맞습니다. 값과 좌표계와 시각은 함께 다닙니다. `buffer.transform(message, 'map')`이 바로 이 일을 합니다.
+#
+# </details>
+# <details><summary>3번을 골랐습니다</summary>
+#
+# 상자가 가만히 있다면 오래되어도 상하지 않습니다. 측정 시각의 포즈로 옮기면 제자리에 놓입니다. 거절할 것은 버퍼가 기억하는 것보다 오래된 것, 그리고 스스로 움직이는 것입니다.
+#
+# </details>
+# <details><summary>4번을 골랐습니다</summary>
+#
+# 이름표만 바뀌고 숫자는 그대로입니다. 상자는 지도 원점에서 1미터 떨어진 것이 됩니다. 오늘 두 번 만난 실수입니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="on-the-robot" slide="slide"
+# ## On a real robot
+#
+# The first lines of a callback that can be trusted, and the three commands that show you the labels of any topic:
+#
+# ```python
+# def on_point(self, message):
+#     if not message.header.frame_id:
+#         self.get_logger().warning('no frame_id: refused')
+#         return
+#     age = self.get_clock().now() - Time.from_msg(message.header.stamp)
+# ```
+#
+# ```
+# ros2 topic echo /scan --once --field header
+# ros2 topic delay /scan
+# ros2 topic pub --once /detected_point geometry_msgs/msg/PointStamped "{header: {frame_id: laser_frame}, point: {x: 2.0}}"
+# ```
+#
+# The last one publishes a point by hand, to try a node with. It has no stamp: would yours have noticed?
+
+# %% [markdown] lang="ko" name="on-the-robot" slide="slide"
+# ## 실제 로봇에서
+#
+# 믿을 수 있는 콜백의 첫 몇 줄과, 어느 토픽이든 이름표를 보여 주는 명령 세 개입니다.
+#
+# ```python
+# def on_point(self, message):
+#     if not message.header.frame_id:
+#         self.get_logger().warning('no frame_id: refused')
+#         return
+#     age = self.get_clock().now() - Time.from_msg(message.header.stamp)
+# ```
+#
+# ```
+# ros2 topic echo /scan --once --field header
+# ros2 topic delay /scan
+# ros2 topic pub --once /detected_point geometry_msgs/msg/PointStamped "{header: {frame_id: laser_frame}, point: {x: 2.0}}"
+# ```
+#
+# 마지막 명령은 노드를 시험할 점 하나를 손으로 발행합니다. 측정 시각이 없습니다. 여러분의 노드라면 알아챘을까요?
+
+# %% name="stop" slide="skip"
+graph.stop()
+node.destroy_node()
+rclpy.shutdown()
+
+# %% [markdown] lang="en" name="recap" slide="slide"
+# ## What to keep
+#
+# - Three numbers are a place only with a [[frame]] and a [[stamp]].
+# - One place has a different triple in each frame; adding works only while nothing is turned.
+# - A thing keeps its numbers in the frame in which it rests, and only there.
+# - `nanosec` has nine digits. Age is arrival minus stamp.
+# - TF2 shouts about a missing frame. About a missing stamp, and about a lie, it says nothing.
+
+# %% [markdown] lang="ko" name="recap" slide="slide"
+# ## 정리
+#
+# - 숫자 세 개는 [[frame|좌표계]]와 [[stamp|측정 시각]]이 있어야 위치입니다.
+# - 한 위치의 숫자는 좌표계마다 다릅니다. 더하기는 아무것도 돌아 있지 않을 때만 맞습니다.
+# - 물체의 숫자는 그 물체가 가만히 있는 좌표계에서만 그대로입니다.
+# - `nanosec`은 아홉 자리입니다. 나이는 도착한 시각에서 측정 시각을 뺀 것입니다.
+# - 좌표계가 없으면 TF2가 소리칩니다. 측정 시각이 없거나 이름표가 거짓이면 아무 말도 하지 않습니다.
+
+# %% [markdown] lang="en" name="practice" slide="subslide"
+# ### Practice question 1
+#
+# A node hands you `(2.0, 0.0, 0.0)` and nothing else. What can you do with it, and what do you ask its author to change?
+# Write four or five sentences, then open the list and give yourself a point for each idea.
+#
+# <details><summary>What a full answer holds</summary>
+#
+# - [ ] Alone it is not a place: it may be ahead of the laser, of the robot, or beside the corner of the map.
+# - [ ] A frame is needed (`header.frame_id`): whose origin and whose axes are counted from.
+# - [ ] A stamp is needed (`header.stamp`): the moment of measuring, not of sending or of arriving.
+# - [ ] With both, TF can express it in any connected frame, with the poses of that moment.
+# - [ ] Without them one refuses, and says so; guessing gives a wrong place and no error.
+#
+# Four or five: you could teach it. Two or three: read "The contract" again. Fewer: do the predictions again, with a pencil.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="practice" slide="subslide"
+# ### 서술형 문제 1
+#
+# 어느 노드가 `(2.0, 0.0, 0.0)`만 건네줍니다. 이 숫자로 무엇을 할 수 있고, 만든 사람에게 무엇을 고쳐 달라고 하겠습니까?
+# 네다섯 문장으로 쓴 다음, 목록을 펼쳐 스스로 채점해 보세요. 들어 있는 내용 하나에 1점입니다.
+#
+# <details><summary>완전한 답에 들어 있는 것</summary>
+#
+# - [ ] 숫자만으로는 위치가 아닙니다. 레이저 앞일 수도, 로봇 앞일 수도, 지도 원점 옆일 수도 있습니다.
+# - [ ] 좌표계(`header.frame_id`)가 필요합니다. 누구의 원점과 축에서 센 값인지 말합니다.
+# - [ ] 측정 시각(`header.stamp`)이 필요합니다. 보낸 때나 도착한 때가 아니라 측정한 때입니다.
+# - [ ] 둘이 있으면 TF가 그 시각의 포즈로, 이어진 어느 좌표계 기준으로든 옮길 수 있습니다.
+# - [ ] 없으면 거절하고 이유를 말합니다. 짐작하면 오류 없이 틀린 위치가 나옵니다.
+#
+# 네 개 이상이면 남을 가르칠 수 있습니다. 두세 개면 "약속"을 다시 읽어 보세요. 그보다 적으면 연필을 들고 예측을 다시 해 보세요.
+#
+# </details>
+
+# %% [markdown] lang="en" name="exit-ticket" slide="slide"
+# ## Exit ticket
+#
+# > "The camera saw the ball at (0, 0.1, 3.5)." Write the two questions that you ask before you do anything with it, and say for each what goes wrong if nobody asks.
+#
+# <details><summary>Compare</summary>
+#
+# *In which frame?* Otherwise the ball hovers above the corner of the map. *When?* Otherwise it rolls along with the robot.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="exit-ticket" slide="slide"
+# ## 나가기 전에
+#
+# > "카메라가 (0, 0.1, 3.5)에서 공을 보았습니다." 이 숫자로 무엇을 하기 전에 물어야 할 질문 두 개를 쓰고, 아무도 묻지 않으면 각각 어떤 일이 생기는지 적어 보세요.
+#
+# <details><summary>맞춰 보기</summary>
+#
+# *어느 좌표계 기준인가?* 묻지 않으면 공이 지도 원점 위에 떠 있습니다. *언제인가?* 묻지 않으면 공이 로봇을 따라 굴러갑니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="exit-ticket-notes" slide="notes"
+# Collect the tickets. If the second question is missing on many, begin the next lecture with the cell that smiled.
+
+# %% [markdown] lang="ko" name="exit-ticket-notes" slide="notes"
+# 쪽지를 걷습니다. 둘째 질문이 빠진 것이 많으면 다음 강의를 조용히 틀린 그 셀로 시작합니다.
+
+# %% [markdown] lang="en" name="next" slide="skip"
+# Then do the exercises: [01 Value, frame and stamp](../../exercises/en/01_value_frame_stamp.ipynb).
+# Next comes [02 Axes and quaternions](02_axes_and_quaternions.ipynb): which way is forward?
+
+# %% [markdown] lang="ko" name="next" slide="skip"
+# 이제 연습 문제를 풀어 보세요: [01 값과 좌표계와 측정 시각](../../exercises/ko/01_value_frame_stamp.ipynb).
+# 다음은 [02 좌표축과 쿼터니언](02_axes_and_quaternions.ipynb)입니다. 어느 쪽이 앞일까요?

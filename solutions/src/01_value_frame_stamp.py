@@ -1,0 +1,274 @@
+# %% [markdown] lang="en" name="title"
+# # Exercises 01 · Three numbers are not a place yet
+#
+# Seven tasks, 23 points, about 50 minutes. The page they belong to: [01 · Three numbers are not a place yet](../../notebooks/en/01_value_frame_stamp.ipynb)
+#
+# Write your answer where it says `...` or `your turn`, run the cell, then run the check below it.
+# A wrong answer is told which mistake it looks like. `hint("E1.1")` gives the first of three hints.
+# Your numbers come from `task(...)` and may differ from your neighbour's, so answer with an expression, such as `e1_4.speed_mps * 2.0`, and not with a number that you worked out elsewhere.
+
+# %% [markdown] lang="ko" name="title"
+# # 연습 문제 01 · 숫자 세 개는 아직 위치가 아닙니다
+#
+# 과제 일곱 개, 23점, 50분쯤 걸립니다. 함께 보는 페이지: [01 · 숫자 세 개는 아직 위치가 아닙니다](../../notebooks/ko/01_value_frame_stamp.ipynb)
+#
+# `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 셀을 실행한 다음, 아래의 확인 셀을 실행해 보세요.
+# 틀린 답을 내면 어떤 실수로 보이는지 알려 줍니다. `hint("E1.1")`은 세 힌트 가운데 첫 번째를 보여 줍니다.
+# 숫자는 `task(...)`가 주며 옆 사람과 다를 수 있습니다. 그러니 따로 계산한 숫자가 아니라 `e1_4.speed_mps * 2.0` 같은 식으로 답해 보세요.
+
+# %% name="load"
+# %load_ext tflab
+from tflab.workbook import check, hint, solution, task
+
+# %% name="imports"
+from geometry_msgs.msg import PointStamped
+from rclpy.time import Time
+
+# %% [markdown] lang="en" name="e1-1"
+# ## E1.1 · One place, three triples (4 points)
+#
+# A robot stands at `map_p_base` in `map` and looks along the map's x. Its laser sits at `base_p_laser` in `base_link` and looks the same way.
+# The laser sees a post at `laser_p_post`. Nobody is turned.
+#
+# Where is the post in `base_link`, and where in `map`? Give (x, y, z) for each.
+
+# %% [markdown] lang="ko" name="e1-1"
+# ## E1.1 · 한 위치, 세 가지 숫자 (4점)
+#
+# 로봇은 `map` 기준 `map_p_base`에 서서 지도의 x 방향을 봅니다. 레이저는 `base_link` 기준 `base_p_laser`에 달려 있고 같은 방향을 봅니다.
+# 레이저는 `laser_p_post`에서 기둥을 봅니다. 아무것도 돌아 있지 않습니다.
+#
+# 기둥은 `base_link` 기준으로 어디에 있고, `map` 기준으로는 어디에 있습니까? 각각 (x, y, z)로 답하십시오.
+
+# %% name="e1-1-given"
+e1_1 = task("E1.1")
+
+# %% name="e1-1-answer" tags=["answer"]
+# BEGIN SOLUTION
+base_p_post = [a + b for a, b in zip(e1_1.base_p_laser, e1_1.laser_p_post, strict=True)]
+map_p_post = [a + b for a, b in zip(e1_1.map_p_base, base_p_post, strict=True)]
+# END SOLUTION
+post = {"base_link": base_p_post, "map": map_p_post}
+
+# %% name="e1-1-check" tags=["check"]
+check("E1.1", post)
+
+# %% [markdown] lang="en" name="e1-2"
+# ## E1.2 · Which message can be used? (3 points)
+#
+# The clock says 60.0 s. Six messages have come in; every topic's node is alive, and the robot's frames are `map`, `odom`, `base_link`, `laser_frame`, `camera_link` and `camera_optical_frame`.
+# For each, choose `"usable"`, `"no frame"`, `"no stamp"` or `"label contradicts numbers"`.
+#
+# - **a** `/scan` of the laser: `frame_id: laser_frame`, stamp 59.9, ranges between 0.4 and 9.8
+# - **b** `/detected_point` of the camera's detector: `frame_id: ''`, stamp 59.8, point (0.1, 0.2, 3.1)
+# - **c** `/apple` of the camera's detector: `frame_id: camera_optical_frame`, stamp 0.0, point (0.0, 0.1, 2.2)
+# - **d** `/landmark` of a node that keeps a list of lamps: `frame_id: map`, stamp 31.2, point (7.5, 2.0, 2.6)
+# - **e** `/door` of the camera's detector: `frame_id: map`, stamp 59.8, point (0.0, 0.0, 1.9), the same three numbers wherever the robot stands in front of a door
+# - **f** `/battery_tray` of a mechanic: `frame_id: base_link`, stamp 12.0, point (−0.1, 0.0, 0.2)
+
+# %% [markdown] lang="ko" name="e1-2"
+# ## E1.2 · 어느 메시지를 쓸 수 있습니까? (3점)
+#
+# 시계는 60.0초입니다. 메시지 여섯 개가 들어왔습니다. 노드는 모두 살아 있고, 로봇의 좌표계는 `map`, `odom`, `base_link`, `laser_frame`, `camera_link`, `camera_optical_frame`입니다.
+# 각각 `"usable"`(쓸 수 있음), `"no frame"`(좌표계 없음), `"no stamp"`(측정 시각 없음), `"label contradicts numbers"`(이름표와 숫자가 모순) 가운데 하나를 고르십시오.
+#
+# - **a** 레이저의 `/scan`: `frame_id: laser_frame`, 측정 시각 59.9, 거리 0.4에서 9.8 사이
+# - **b** 카메라 검출기의 `/detected_point`: `frame_id: ''`, 측정 시각 59.8, 점 (0.1, 0.2, 3.1)
+# - **c** 카메라 검출기의 `/apple`: `frame_id: camera_optical_frame`, 측정 시각 0.0, 점 (0.0, 0.1, 2.2)
+# - **d** 전등 목록을 가진 노드의 `/landmark`: `frame_id: map`, 측정 시각 31.2, 점 (7.5, 2.0, 2.6)
+# - **e** 카메라 검출기의 `/door`: `frame_id: map`, 측정 시각 59.8, 점 (0.0, 0.0, 1.9). 로봇이 어느 문 앞에 서도 늘 같은 세 숫자
+# - **f** 정비사의 `/battery_tray`: `frame_id: base_link`, 측정 시각 12.0, 점 (−0.1, 0.0, 0.2)
+
+# %% name="e1-2-answer" tags=["answer"]
+verdicts = {
+    # BEGIN SOLUTION
+    "a": "usable",
+    "b": "no frame",
+    "c": "no stamp",
+    "d": "usable",
+    "e": "label contradicts numbers",
+    "f": "usable",
+    # END SOLUTION
+}
+
+# %% name="e1-2-check" tags=["check"]
+check("E1.2", verdicts)
+
+# %% [markdown] lang="en" name="e1-3"
+# ## E1.3 · A reader that refuses (4 points)
+#
+# Write the first lines of a node's callback. `message` is a `PointStamped`, `now` a `Time`, `max_age_s` a number of seconds.
+# Return, and in this order of looking:
+#
+# 1. `"no frame"` if the frame is empty,
+# 2. `"no stamp"` if the stamp is zero,
+# 3. `"from the future"` if it was measured after `now`,
+# 4. `"too old"` if it is older than `max_age_s`; exactly that old is still good,
+# 5. `"use it"` otherwise.
+
+# %% [markdown] lang="ko" name="e1-3"
+# ## E1.3 · 거절할 줄 아는 독자 (4점)
+#
+# 노드 콜백의 첫 부분을 작성하십시오. `message`는 `PointStamped`, `now`는 `Time`, `max_age_s`는 초 단위의 숫자입니다.
+# 다음 순서로 살펴보고 반환하십시오.
+#
+# 1. 좌표계가 비어 있으면 `"no frame"`,
+# 2. 측정 시각이 0이면 `"no stamp"`,
+# 3. `now`보다 나중에 측정했다면 `"from the future"`,
+# 4. `max_age_s`보다 오래되었으면 `"too old"`(딱 그만큼 오래된 것은 아직 쓸 수 있습니다),
+# 5. 나머지는 `"use it"`.
+
+
+# %% name="e1-3-answer" tags=["answer"]
+def judge(message, now, max_age_s):
+    """Return "use it", or why not."""
+    # BEGIN SOLUTION
+    if not message.header.frame_id:
+        return "no frame"
+    stamp = Time.from_msg(message.header.stamp)
+    if stamp.nanoseconds == 0:
+        return "no stamp"
+    age_ns = now.nanoseconds - stamp.nanoseconds
+    if age_ns < 0:
+        return "from the future"
+    return "too old" if age_ns > round(max_age_s * 1e9) else "use it"
+    # END SOLUTION
+
+
+# %% name="e1-3-check" tags=["check"]
+check("E1.3", judge)
+
+# %% [markdown] lang="en" name="e1-4"
+# ## E1.4 · How far ahead by now? (3 points)
+#
+# A robot drives straight towards a post that rests, at `speed_mps`. A message says that the post was `ahead_m` ahead of `base_link`.
+# Its stamp is `stamp`, it arrived at `arrived`; both are written as a message has them, (sec, nanosec).
+#
+# How old [s] was the measurement on arrival, and how far ahead [m] was the post then?
+
+# %% [markdown] lang="ko" name="e1-4"
+# ## E1.4 · 지금은 몇 미터 앞입니까? (3점)
+#
+# 로봇이 가만히 있는 기둥을 향해 `speed_mps`로 곧장 달립니다. 메시지에 따르면 기둥은 `base_link`에서 `ahead_m` 앞에 있었습니다.
+# 측정 시각은 `stamp`, 도착한 시각은 `arrived`이고, 둘 다 메시지에 적힌 대로 (sec, nanosec)입니다.
+#
+# 도착했을 때 측정값은 얼마나[s] 오래되었고, 그때 기둥은 얼마나[m] 앞에 있었습니까?
+
+# %% name="e1-4-given"
+e1_4 = task("E1.4")
+
+# %% name="e1-4-answer" tags=["answer"]
+# BEGIN SOLUTION
+age_s = (e1_4.arrived[0] - e1_4.stamp[0]) + (e1_4.arrived[1] - e1_4.stamp[1]) / 1e9
+ahead_on_arrival_m = e1_4.ahead_m - e1_4.speed_mps * age_s
+# END SOLUTION
+on_arrival = {"age_s": age_s, "ahead_m": ahead_on_arrival_m}
+
+# %% name="e1-4-check" tags=["check"]
+check("E1.4", on_arrival)
+
+# %% [markdown] lang="en" name="e1-5"
+# ## E1.5 · Whose numbers change? (3 points)
+#
+# The robot drives straight on. A **ball** lies on the floor, a **cup** stands on the robot's tray, and the **lamp** is one that a second robot carries, which drives the other way.
+# For each thing and each frame: do its numbers stay what they are (`"stays"`), or not (`"changes"`)?
+
+# %% [markdown] lang="ko" name="e1-5"
+# ## E1.5 · 누구의 숫자가 바뀝니까? (3점)
+#
+# 로봇이 곧장 달립니다. **공**(ball)은 바닥에 있고, **컵**(cup)은 로봇의 쟁반 위에 있으며, **전등**(lamp)은 반대쪽으로 달리는 다른 로봇이 들고 있습니다.
+# 물체와 좌표계마다 숫자가 그대로면 `"stays"`, 바뀌면 `"changes"`라고 답하십시오.
+
+# %% name="e1-5-answer" tags=["answer"]
+numbers = {
+    # BEGIN SOLUTION
+    "ball in map": "stays",
+    "ball in base_link": "changes",
+    "ball in laser_frame": "changes",
+    "cup in map": "changes",
+    "cup in base_link": "stays",
+    "cup in laser_frame": "stays",
+    "lamp in map": "changes",
+    "lamp in base_link": "changes",
+    "lamp in laser_frame": "changes",
+    # END SOLUTION
+}
+
+# %% name="e1-5-check" tags=["check"]
+check("E1.5", numbers)
+
+# %% [markdown] lang="en" name="e1-6"
+# ## E1.6 · Write both labels (3 points)
+#
+# A range finder looks along the x of `laser_frame`. It measured `range_m` [m] at the time `measured`; your function is called later, at `now`. Both are `Time`.
+# Return the `PointStamped` that an honest driver publishes.
+
+# %% [markdown] lang="ko" name="e1-6"
+# ## E1.6 · 이름표 두 개를 쓰십시오 (3점)
+#
+# 거리 센서가 `laser_frame`의 x 방향을 봅니다. `measured`에 `range_m`[m]를 쟀고, 함수는 그보다 나중인 `now`에 불립니다. 둘 다 `Time`입니다.
+# 정직한 드라이버가 발행할 `PointStamped`를 반환하십시오.
+
+
+# %% name="e1-6-answer" tags=["answer"]
+def as_message(range_m, measured, now):
+    """Return what was measured, as a PointStamped."""
+    # BEGIN SOLUTION
+    message = PointStamped()
+    message.header.frame_id = "laser_frame"
+    message.header.stamp = measured.to_msg()
+    message.point.x = range_m
+    return message
+    # END SOLUTION
+
+
+# %% name="e1-6-check" tags=["check"]
+check("E1.6", as_message)
+
+# %% [markdown] lang="en" name="e1-7"
+# ## E1.7 · Four detectors, one honest (3 points)
+#
+# A robot drives straight along the map's x at `speed_mps`; one ball lies at rest in front of it. Four detectors see it; each of them needs 0.2 s for a picture.
+# `heard` holds five lines of each: (arrival [s], stamp [s], frame, x [m]).
+#
+# Give each its finding: `"honest"`, `"stamp is the arrival"`, `"no stamp"` or `"wrong label"`.
+
+# %% [markdown] lang="ko" name="e1-7"
+# ## E1.7 · 검출기 넷, 정직한 것은 하나 (3점)
+#
+# 로봇이 지도의 x 방향으로 `speed_mps`로 곧장 달리고, 앞에는 공이 가만히 놓여 있습니다. 검출기 네 개가 공을 봅니다. 영상 한 장을 처리하는 데 모두 0.2초가 걸립니다.
+# `heard`에는 검출기마다 다섯 줄이 있습니다. (도착[s], 측정 시각[s], 좌표계, x[m])입니다.
+#
+# 각각 `"honest"`(정직함), `"stamp is the arrival"`(도착 시각을 적음), `"no stamp"`(측정 시각 없음), `"wrong label"`(이름표가 틀림) 가운데 하나로 답하십시오.
+
+# %% name="e1-7-given"
+e1_7 = task("E1.7")
+
+# %% name="e1-7-answer" tags=["answer"]
+# BEGIN SOLUTION
+findings = {
+    name: "no stamp"
+    if lines[0][1] == 0.0
+    else "stamp is the arrival"
+    if lines[0][0] == lines[0][1]
+    else "wrong label"
+    if lines[0][2] == "map" and lines[0][3] - lines[-1][3] > 0.1
+    else "honest"
+    for name, lines in e1_7.heard.items()
+}
+# END SOLUTION
+
+# %% name="e1-7-check" tags=["check"]
+check("E1.7", findings)
+
+# %% [markdown] lang="en" name="after"
+# ## What you have shown
+#
+# The checks here used your own numbers. Grading asks the same questions with others.
+# On a robot, try `ros2 topic echo --once --field header` on every topic that you mean to use: are both labels there, and are they true?
+
+# %% [markdown] lang="ko" name="after"
+# ## 여기까지 해낸 것
+#
+# 이곳의 check는 여러분의 숫자로 확인했습니다. 채점은 같은 질문을 다른 숫자로 묻습니다.
+# 로봇에서는 쓰려는 토픽마다 `ros2 topic echo --once --field header`를 실행해 보세요. 두 이름표가 모두 있습니까? 그리고 사실입니까?

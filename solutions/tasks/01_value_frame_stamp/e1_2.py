@@ -1,0 +1,98 @@
+"""E1.2: Which message can be used?"""
+
+from __future__ import annotations
+
+from tflab.workbook.tasks import Choice, Parts, Task, Twin, Words
+
+OPTIONS = ("usable", "no frame", "no stamp", "label contradicts numbers")
+RIGHT = {
+    "a": "usable",
+    "b": "no frame",
+    "c": "no stamp",
+    "d": "usable",
+    "e": "label contradicts numbers",
+    "f": "usable",
+}
+
+
+ZERO_TAKEN_FOR_FRESH = Twin(
+    "zero taken for fresh",
+    {**RIGHT, "c": "usable"},
+    Words(
+        en='c: a stamp of zero is no time at all. TF2 reads it as "whatever is latest" and moves the apple with the pose of another moment, without a word.',
+        ko="c: 0인 측정 시각은 시각이 아닙니다. TF2는 이것을 “가장 최근 것이면 된다”로 읽고, 아무 말 없이 다른 순간의 포즈로 사과를 옮깁니다.",
+    ),
+    "M9",
+)
+
+
+A_NAME_THAT_LOOKS_FINE = Twin(
+    "a name that looks fine",
+    {**RIGHT, "e": "usable"},
+    Words(
+        en="e: map is a good name, but would a door of the map have the same three numbers wherever the robot stands? Whose numbers are these?",
+        ko="e: map은 올바른 이름입니다. 그런데 지도 위의 문이라면 로봇이 어디에 있든 같은 숫자일까요? 이 숫자는 누구의 것입니까?",
+    ),
+)
+
+
+OLD_IS_USELESS = Twin(
+    "old is useless",
+    {**RIGHT, "d": "no stamp"},
+    Words(
+        en="d: there is a stamp, half a minute old. A lamp that rests keeps its numbers in map: age does not spoil them.",
+        ko="d: 측정 시각이 있습니다. 30초쯤 되었을 뿐입니다. 가만히 있는 전등의 map 기준 숫자는 오래되어도 상하지 않습니다.",
+    ),
+)
+
+
+WHAT_RESTS_ON_THE_ROBOT = Twin(
+    "what rests on the robot",
+    {**RIGHT, "f": "label contradicts numbers"},
+    Words(
+        en="f: 10 cm behind the robot's middle and 20 cm up is a likely place for a tray, and in base_link it stays there.",
+        ko="f: 로봇 중심에서 뒤로 10 cm, 위로 20 cm는 쟁반이 있을 만한 자리이고, base_link 기준으로는 늘 거기에 있습니다.",
+    ),
+)
+
+
+NEW_LABEL_FOR_A_LIE = Twin(
+    "missing for a lie",
+    {**RIGHT, "e": "no frame"},
+    Words(
+        en="e: a frame is written there. The trouble is not that it is missing, but that it cannot be true.",
+        ko="e: 좌표계는 적혀 있습니다. 없는 것이 아니라 사실일 수 없는 것이 문제입니다.",
+    ),
+)
+
+
+TASK = Task(
+    id="E1.2",
+    kind="M",
+    points=3,
+    title=Words(en="Which message can be used?", ko="어느 메시지를 쓸 수 있습니까?"),
+    answer="verdicts",
+    form=Parts({name: Choice(OPTIONS) for name in RIGHT}),
+    twins=(
+        ZERO_TAKEN_FOR_FRESH,
+        A_NAME_THAT_LOOKS_FINE,
+        OLD_IS_USELESS,
+        WHAT_RESTS_ON_THE_ROBOT,
+        NEW_LABEL_FOR_A_LIE,
+    ),
+    hints=(
+        Words(
+            en="Read frame and stamp before you read the numbers.",
+            ko="숫자를 읽기 전에 좌표계와 측정 시각부터 읽어 보세요.",
+        ),
+        Words(
+            en="Then ask: could numbers like these come from that frame?",
+            ko="그다음 물어보세요. 이런 숫자가 그 좌표계에서 나올 수 있습니까?",
+        ),
+        Words(
+            en="Three are usable. One of them is old, and rests; one is older still, and rides on the robot.",
+            ko="쓸 수 있는 것은 셋입니다. 하나는 오래되었지만 가만히 있고, 하나는 더 오래되었지만 로봇에 실려 있습니다.",
+        ),
+    ),
+    cures=("M9",),
+)

@@ -1,0 +1,113 @@
+"""E1.5: Whose numbers change?"""
+
+from __future__ import annotations
+
+from tflab.workbook.tasks import Choice, Parts, Task, Twin, Words
+
+FRAMES = ("map", "base_link", "laser_frame")
+RIGHT = {
+    **{f"ball in {frame}": "stays" if frame == "map" else "changes" for frame in FRAMES},
+    **{f"cup in {frame}": "changes" if frame == "map" else "stays" for frame in FRAMES},
+    **{f"lamp in {frame}": "changes" for frame in FRAMES},
+}
+
+
+def but(**changes):
+    return {**RIGHT, **{name.replace("_in_", " in "): said for name, said in changes.items()}}
+
+
+WHAT_RESTS_KEEPS = Twin(
+    "what rests keeps its numbers",
+    but(ball_in_base_link="stays", ball_in_laser_frame="stays"),
+    Words(
+        en="The ball rests in the room. Seen from the robot, which drives, it comes nearer each moment.",
+        ko="공은 방 안에서 가만히 있습니다. 달리는 로봇에서 보면 점점 가까워집니다.",
+    ),
+)
+
+WHAT_IS_MEASURED_CHANGES = Twin(
+    "what is measured always changes",
+    but(cup_in_base_link="changes", cup_in_laser_frame="changes"),
+    Words(
+        en="The cup drives along. Seen from the robot, and from everything bolted to it, it stays where it is.",
+        ko="컵은 로봇과 함께 달립니다. 로봇에서 보든, 로봇에 달린 것에서 보든 늘 같은 자리에 있습니다.",
+    ),
+)
+
+THE_CUP_STANDS_STILL = Twin(
+    "the cup stands still",
+    but(cup_in_map="stays"),
+    Words(
+        en="The cup stands still on the tray, but the tray drives through the room.",
+        ko="컵은 쟁반 위에 가만히 있지만, 쟁반은 방 안을 달립니다.",
+    ),
+)
+
+EVERYTHING_IN_THE_ROBOT_STAYS = Twin(
+    "everything in the robot stays",
+    but(ball_in_base_link="stays", ball_in_laser_frame="stays", lamp_in_base_link="stays", lamp_in_laser_frame="stays"),
+    Words(
+        en="base_link is not the frame in which everything rests, but the one that drives. What is not on board changes in it.",
+        ko="base_link는 모든 것이 가만히 있는 좌표계가 아니라 달리는 좌표계입니다. 실려 있지 않은 것의 숫자는 바뀝니다.",
+    ),
+)
+
+EVERYTHING_ON_THE_MAP_STAYS = Twin(
+    "everything on the map stays",
+    but(cup_in_map="stays", lamp_in_map="stays"),
+    Words(
+        en="The map stands still, but not everything on it does.",
+        ko="지도는 가만히 있지만 지도 위의 모든 것이 가만히 있지는 않습니다.",
+    ),
+)
+
+TWO_DRIVES_CANCEL = Twin(
+    "two drives cancel",
+    but(lamp_in_base_link="stays", lamp_in_laser_frame="stays"),
+    Words(
+        en="The lamp drives too, but the other way: from your robot it moves faster than the ball does.",
+        ko="전등도 달리지만 반대쪽으로 달립니다. 로봇에서 보면 공보다 더 빨리 움직입니다.",
+    ),
+)
+
+A_LASER_IS_NO_ROBOT = Twin(
+    "a laser is no robot",
+    but(cup_in_laser_frame="changes"),
+    Words(
+        en="The laser is bolted to the robot, and the cup rides on it: between the two nothing moves.",
+        ko="레이저는 로봇에 고정되어 있고 컵도 로봇에 실려 있습니다. 둘 사이에서는 아무것도 움직이지 않습니다.",
+    ),
+)
+
+
+TASK = Task(
+    id="E1.5",
+    kind="M",
+    points=3,
+    title=Words(en="Whose numbers change?", ko="누구의 숫자가 바뀝니까?"),
+    answer="numbers",
+    form=Parts({name: Choice(("stays", "changes")) for name in RIGHT}),
+    twins=(
+        WHAT_RESTS_KEEPS,
+        WHAT_IS_MEASURED_CHANGES,
+        THE_CUP_STANDS_STILL,
+        EVERYTHING_IN_THE_ROBOT_STAYS,
+        EVERYTHING_ON_THE_MAP_STAYS,
+        TWO_DRIVES_CANCEL,
+        A_LASER_IS_NO_ROBOT,
+    ),
+    hints=(
+        Words(
+            en="Sit down in each frame in turn, and look at the thing.",
+            ko="좌표계에 하나씩 앉아서 물체를 바라본다고 생각해 보세요.",
+        ),
+        Words(
+            en="A thing keeps its numbers in a frame that moves with it.",
+            ko="물체와 함께 움직이는 좌표계에서는 숫자가 그대로입니다.",
+        ),
+        Words(
+            en="The laser is bolted to the robot: what holds for base_link holds for it.",
+            ko="레이저는 로봇에 고정되어 있습니다. base_link에서 그런 것은 레이저에서도 그렇습니다.",
+        ),
+    ),
+)

@@ -1,0 +1,137 @@
+"""E1.6: Write both labels."""
+
+from __future__ import annotations
+
+from tflab.ros.messages import builtin_interfaces
+from tflab.workbook.tasks import Message, Task, Twin, Words
+
+from .draws import point, time
+
+
+def measurements(rng):
+    rows = []
+    for _ in range(5):
+        measured_s = round(float(rng.integers(3, 60)) + float(rng.uniform(0.011, 0.099)), 3)
+        later_s = round(measured_s + float(rng.uniform(0.04, 0.5)), 3)
+        rows.append((round(float(rng.uniform(0.4, 6.0)), 2), time(measured_s), time(later_s)))
+    return rows
+
+
+def honest(range_m, measured, now):
+    return point("laser_frame", measured.nanoseconds, range_m)
+
+
+def labelled(frame):
+    def labelled_otherwise(range_m, measured, now):
+        return point(frame, measured.nanoseconds, range_m)
+
+    return labelled_otherwise
+
+
+STAMPED_NOW = Twin(
+    "stamped now",
+    lambda range_m, measured, now: point("laser_frame", now.nanoseconds, range_m),
+    Words(
+        en="The stamp is the moment at which your function was called. Then it was already old, and nobody who reads the message can know.",
+        ko="측정 시각에 함수가 불린 시각을 적었습니다. 그때는 이미 지난 측정값이고, 메시지를 읽는 사람은 그것을 알 수 없습니다.",
+    ),
+    "M9",
+)
+
+NO_STAMP = Twin(
+    "no stamp",
+    lambda range_m, measured, now: point("laser_frame", 0, range_m),
+    Words(
+        en='The stamp is still zero. For TF2 that means "whatever is latest", and it will not complain.',
+        ko="측정 시각이 아직 0입니다. TF2에게는 “가장 최근 것이면 된다”는 뜻이고, 아무 경고도 없습니다.",
+    ),
+    "M9",
+)
+
+ON_THE_MAP = Twin(
+    "on the map",
+    labelled("map"),
+    Words(
+        en="The label says map, and the number was counted from the laser. The wall would stand that far from the corner of the map.",
+        ko="이름표는 map인데 숫자는 레이저에서 센 것입니다. 벽이 지도 원점에서 그만큼 떨어진 곳에 서게 됩니다.",
+    ),
+)
+
+ON_THE_ROBOT = Twin(
+    "on the robot",
+    labelled("base_link"),
+    Words(
+        en="Counted from the laser, labelled as counted from the robot's middle: off by the mount.",
+        ko="레이저에서 센 숫자인데 이름표는 로봇의 중심입니다. 장착 위치만큼 어긋납니다.",
+    ),
+)
+
+NO_FRAME = Twin(
+    "no frame",
+    labelled(""),
+    Words(
+        en="The frame is still empty. Whoever gets this message has to refuse it.",
+        ko="좌표계가 아직 비어 있습니다. 이 메시지를 받은 쪽은 거절할 수밖에 없습니다.",
+    ),
+)
+
+
+def all_in_nanosec(range_m, measured, now):
+    message = honest(range_m, measured, now)
+    message.header.stamp = builtin_interfaces.Time(sec=0, nanosec=measured.nanoseconds % 2**32)
+    return message
+
+
+ALL_IN_NANOSEC = Twin(
+    "all in nanosec",
+    all_in_nanosec,
+    Words(
+        en="All nanoseconds went into nanosec, which holds less than one second of them. `measured.to_msg()` splits a time into both fields.",
+        ko="나노초를 모두 nanosec에 넣었습니다. nanosec에는 1초보다 적은 나노초만 들어갑니다. `measured.to_msg()`가 시각을 두 항목으로 나눠 줍니다.",
+    ),
+)
+
+
+def upwards(range_m, measured, now):
+    message = honest(0.0, measured, now)
+    message.point.z = range_m
+    return message
+
+
+ALONG_Z = Twin(
+    "along z",
+    upwards,
+    Words(
+        en="The range went into z. The finder looks along the x of its frame; z points up.",
+        ko="거리를 z에 넣었습니다. 센서는 자기 좌표계의 x 방향을 봅니다. z는 위쪽입니다.",
+    ),
+    "M4",
+)
+
+
+TASK = Task(
+    id="E1.6",
+    kind="C",
+    points=3,
+    title=Words(en="Write both labels", ko="이름표 두 개를 쓰십시오"),
+    answer="as_message",
+    form=Message("geometry_msgs/msg/PointStamped", ("header.frame_id", "header.stamp", "point")),
+    inputs=measurements,
+    variants=3,
+    twins=(STAMPED_NOW, NO_STAMP, ON_THE_MAP, ON_THE_ROBOT, NO_FRAME, ALL_IN_NANOSEC, ALONG_Z),
+    hints=(
+        Words(
+            en="Three things to fill in: the point, the frame that it is counted in, the moment of measuring.",
+            ko="채울 것은 셋입니다. 점, 점을 센 좌표계, 측정한 시각입니다.",
+        ),
+        Words(
+            en="A `Time` becomes a message's stamp by `.to_msg()`.",
+            ko="`Time`은 `.to_msg()`로 메시지의 측정 시각이 됩니다.",
+        ),
+        Words(
+            en="Of the two times, only one says when it was measured.",
+            ko="두 시각 가운데 측정한 때를 말하는 것은 하나뿐입니다.",
+        ),
+    ),
+    cures=("M9",),
+)
