@@ -47,7 +47,7 @@ ABOUT = Words("What was odd about the files", "파일에 대한 알림")
 MISTAKE_HEADS = (
     Words("Learners", "인원"),
     Words("Task", "과제"),
-    Words("CommonMistake", "실수"),
+    Words("Mistake", "실수"),
     Words("What they are told", "안내"),
 )
 HEADS = (Words("Learner", "학습자"), Words("Points", "점수"), Words("Tasks", "과제"), Words("Remarks", "비고"))
