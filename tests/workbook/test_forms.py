@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from decimal import Decimal
 from fractions import Fraction
+from itertools import product
 
 import numpy as np
 import pytest
@@ -175,3 +176,29 @@ def test_a_message_in_a_message_is_the_same_in_whichever_order_its_fields_were_w
 @pytest.mark.parametrize(("form", "expected"), [(Choice(), "map"), (Command(), ECHO)])
 def test_half_a_pair_of_a_letter_is_merely_wrong_even_where_it_is_sealed(form, expected):
     assert sealed.judge(form, f"{expected}\ud800", sealed.seal(form, expected, "salt")) == [False]
+
+
+SHAPES = (
+    None, True, 0, 1.5, "map", [], [None], {"tuple": []}, {"tuple": [1.0, None]}, {"dict": {}}, {"dict": {"a": None}},
+    {"dict": {"a": 1.0, "b": "x"}}, {"dict": {"b": {"dict": {"a": 1.0}}}}, {"array": [[1.0], [2.0]]}, {"float": "nan"},
+    {"raises": "ValueError", "text": ""}, {"unanswered": True}, {"object": "Thing"}, {"message": ["x/msg/Y", {}]},
+    {"Transform": [[0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 1.0]]}, {"Transform": [[0.0], None]}, {"BufferCore": {}},
+)  # fmt: skip
+NESTED = (Number(), Angle(), Vector(), Quaternion(), Pose(), Choice(("map",)), Tree(), Command())
+
+
+@pytest.mark.parametrize(
+    "form",
+    [*NESTED, *(Sequence(form) for form in NESTED), *(Parts({"a": form, "b": Number()}) for form in NESTED)],
+    ids=lambda form: repr(form)[:60],
+)
+def test_whether_two_answers_are_alike_can_be_asked_of_any_two_whatever_each_is(form):
+    for one, other in product(SHAPES, SHAPES):
+        assert form.alike(one, other) in (True, False)
+
+
+def test_parts_that_cannot_be_read_are_alike_only_if_they_are_the_same():
+    form = Parts({"x": Number(), "y": Number()})
+    first, second = {"dict": {"x": 1.0, "y": None}}, {"dict": {"x": 2.0, "y": 2.0}}
+    assert not form.alike(second, first) and not form.alike(first, second)
+    assert form.alike(first, dict(first))

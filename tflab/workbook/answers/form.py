@@ -99,7 +99,9 @@ class Form:
         if is_raised(other):
             return self.same(one, other)
         wanted = self.read(other)
-        return one == other if wanted is None else all(_compared(self.read(one), wanted))
+        if wanted is None or not all(wanted):  # or a part of it is of another kind
+            return one == other
+        return all(_compared(self.read(one), wanted))
 
     def plain(self) -> dict[str, Any]:
         """Return the form as JSON has it: its class and its fields."""
@@ -303,10 +305,12 @@ def _both_signs(before: Row, rotation: tuple[float, ...], tolerance: float) -> P
 
 
 def _compared(given: list[Probe] | None, wanted: list[Probe]) -> list[bool]:
-    """Return for each probe that is wanted whether it is given."""
+    """Return for each probe that is wanted whether it is given; what could not be read is given by nothing."""
     if given is None or len(given) != len(wanted):
         return [False] * len(wanted)
-    return [any(_fits(row, right[0]) for row in rows) for rows, right in zip(given, wanted, strict=True)]
+    return [
+        bool(right) and any(_fits(row, right[0]) for row in rows) for rows, right in zip(given, wanted, strict=True)
+    ]
 
 
 def _fits(row: Row, other: Row) -> bool:
