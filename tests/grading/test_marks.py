@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 import tiny
 
+from tflab.grading.judging.draw import asks_of
 from tflab.grading.judging.marks import TaskMark, judged, safe_error_name
 from tflab.grading.judging.pack import read_pack
 from tflab.grading.submissions.remarks import KINDS, Remark
@@ -20,12 +21,16 @@ def tasks(course: tiny.Course) -> dict[str, Any]:
 
 
 def expected(task: dict[str, Any]) -> dict[int, Any]:
-    outcomes = {number: case["expected"] for number, case in enumerate(task["cases"])}
-    return outcomes | ({len(outcomes): outcomes[0]} if task["is_function"] else {})
+    return {place: task["cases"][number]["expected"] for place, number in enumerate(asks_of(task))}
+
+
+def places_of(task: dict[str, Any], *numbers: int) -> list[int]:
+    """Return where some cases stand in the order of asking."""
+    return [place for place, number in enumerate(asks_of(task)) if number in numbers]
 
 
 def twin(task: dict[str, Any], name: str) -> dict[int, Any]:
-    return {number: case["twins"][name] for number, case in enumerate(task["cases"])}
+    return {place: task["cases"][number]["twins"][name] for place, number in enumerate(asks_of(task))}
 
 
 def said(mark: TaskMark) -> list[str]:
@@ -46,7 +51,7 @@ def test_a_mistake_is_named(tasks: dict, task_id: str, name: str) -> None:
 
 def test_points_are_for_each_probe(tasks: dict) -> None:
     task = tasks["E3.2"]
-    outcomes = expected(task) | {1: -1.0, 2: -1.0}
+    outcomes = expected(task) | dict.fromkeys(places_of(task, 1, 2), -1.0)
     mark = judged("E3.2", task, outcomes)
     count = len(task["cases"])
     assert (mark.status, mark.passed, mark.of) == ("partly", count - 2, count)
@@ -60,7 +65,8 @@ def test_half_of_the_parts_is_half_of_the_points(tasks: dict) -> None:
 
 def test_a_function_that_changes_its_mind_loses_that_case(tasks: dict) -> None:
     task = tasks["E3.2"]
-    mark = judged("E3.2", task, expected(task) | {len(task["cases"]): 0.0})
+    again = next(place for place, number in enumerate(asks_of(task)) if number in asks_of(task)[:place])
+    mark = judged("E3.2", task, expected(task) | {again: 0.0})
     assert (mark.passed, said(mark)) == (len(task["cases"]) - 1, ["unsteady"])
 
 
@@ -75,14 +81,14 @@ def test_a_function_that_changes_its_mind_loses_that_case(tasks: dict) -> None:
 @pytest.mark.parametrize("task_id", ["E3.1", "E3.2", "E3.3"])
 def test_whatever_comes_back_is_judged_and_gets_nothing(tasks: dict, task_id: str, answer: Any) -> None:
     task = tasks[task_id]
-    mark = judged(task_id, task, dict.fromkeys(range(len(task["cases"]) + 1), answer))
+    mark = judged(task_id, task, dict.fromkeys(range(len(asks_of(task))), answer))
     assert mark.points == 0.0
     json.dumps(mark.plain())
 
 
 def test_a_case_of_nonsense_costs_that_case_only(tasks: dict) -> None:
     task = tasks["E3.2"]
-    mark = judged("E3.2", task, expected(task) | {1: {"message": []}})
+    mark = judged("E3.2", task, expected(task) | {place: {"message": []} for place in places_of(task, 1)})
     assert mark.passed == len(task["cases"]) - 1
 
 
@@ -97,8 +103,8 @@ def test_no_answer_is_no_answer(tasks: dict) -> None:
     unanswered = {"unanswered": True}
     your_turn = {"raises": "NotImplementedError", "text": "your turn"}
     assert judged("E3.1", tasks["E3.1"], {0: unanswered}).status == "unanswered"
-    cases = range(len(tasks["E3.2"]["cases"]))
-    assert judged("E3.2", tasks["E3.2"], dict.fromkeys(cases, your_turn)).status == "unanswered"
+    places = range(len(asks_of(tasks["E3.2"])))
+    assert judged("E3.2", tasks["E3.2"], dict.fromkeys(places, your_turn)).status == "unanswered"
 
 
 def test_a_value_that_never_came_is_said(tasks: dict) -> None:
@@ -107,7 +113,7 @@ def test_a_value_that_never_came_is_said(tasks: dict) -> None:
 
 def test_an_exception_is_said_by_its_class_only(tasks: dict) -> None:
     outcome = {"raises": "ValueError", "text": "hidden 3.14"}
-    mark = judged("E3.2", tasks["E3.2"], dict.fromkeys(range(8), outcome))
+    mark = judged("E3.2", tasks["E3.2"], dict.fromkeys(range(len(asks_of(tasks["E3.2"]))), outcome))
     assert said(mark) == ["raises"]
     assert "ValueError" in mark.remarks[0].say("en")
     assert "3.14" not in json.dumps(mark.plain())

@@ -8,7 +8,7 @@ from tflab.core import LookupException
 from tflab.workbook.answers.forms import Angle, Choice, Number, Parts
 from tflab.workbook.answers.values import raised, to_plain
 from tflab.workbook.tasks.case import Case
-from tflab.workbook.tasks.evidence import credited, habit
+from tflab.workbook.tasks.evidence import beyond_guessing, credited, habit
 from tflab.workbook.tasks.mistake import Mistake
 from tflab.workbook.tasks.verdict import judge_outcomes
 
@@ -92,3 +92,50 @@ def test_one_case_is_judged_by_itself():
     case = Case([to_plain(1.0)], 2.0, {})
     assert credited(Number(), [case], [2.0], [[True]]) == [[True]]
     assert habit(Number(), [case], [1.0]) == ""
+
+
+def share_of(form, cases, outcomes, known=()):
+    """Return the share of the points that outcomes earn."""
+    variant_cases = [Case([number], expected, {}) for number, expected in enumerate(cases)]
+    task, variant = bare(form, *variant_cases, is_function=True)
+    passed = judge_outcomes(task, variant, outcomes).passed
+    return beyond_guessing(form, variant_cases, passed, known or [False] * len(cases))
+
+
+WORDS = Choice(("ok", "zero", "nan"))
+ASKED = ["ok", "ok", "ok", "ok", "zero", "nan"]
+
+
+@pytest.mark.parametrize(
+    ("said", "share"),
+    [
+        (ASKED, 1.0),
+        (["ok"] * 6, 0.0),
+        (["ok"] * 5 + ["nan"], 0.5),  # one of the two that are not "ok"
+        (["nan", "ok", "ok", "ok", "zero", "nan"], 0.5),
+        (["zero", "nan", "ok", "ok", "zero", "nan"], 0.0),
+    ],
+)
+def test_only_what_is_right_beyond_the_most_frequent_answer_earns_points(said, share):
+    assert share_of(WORDS, ASKED, said) == pytest.approx(share)
+
+
+def test_numbers_that_all_differ_cannot_be_guessed_so_each_earns_its_share():
+    assert share_of(Number(), [1.0, 2.0, 3.0, 4.0], [1.0, 2.0, 3.0, 0.0]) == pytest.approx(0.75)
+
+
+def test_what_was_shown_can_be_looked_up_and_earns_nothing_by_itself():
+    known = [True, True, False, False]
+    assert share_of(Number(), [1.0, 2.0, 3.0, 4.0], [1.0, 2.0, 0.0, 0.0], known) == 0.0
+    assert share_of(Number(), [1.0, 2.0, 3.0, 4.0], [1.0, 2.0, 3.0, 0.0], known) == pytest.approx(0.5)
+
+
+def test_handing_back_what_came_in_is_right_now_and_then_and_worth_nothing():
+    echoes = [0.0, 1.0, 7.0, 8.0]
+    assert share_of(Number(), echoes, [0.0, 1.0, 5.0, 5.0]) == 0.0
+
+
+def test_raising_always_but_once_is_a_guess():
+    refused = raised(LookupException("no"))
+    cases = [refused, refused, refused, 1.0, 2.0, 3.0]
+    assert share_of(Number(), cases, [refused] * 5 + [0.0]) == 0.0

@@ -1,6 +1,7 @@
 """From a notebook that was read to marks: only its answers go on, and the verdict is made outside their process.
 
     pack          what the instructor keeps: seed, hidden cases, masters
+    draw          which hidden cases a learner gets, in which order
     run           a cell on its way to a kernel, and what comes back
     cells         which cell of theirs is which of ours
     transplant    its answers, between our cells
@@ -11,6 +12,7 @@
     marks         points, mistakes, words
     job           one submission, as plain data
     choose        which of its notebooks counts
+    agree         what an answer says that ran twice
     submission    all of it, for one submission
     plain_kernel  the same for a learner's own work, without a wall
 

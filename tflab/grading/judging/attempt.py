@@ -23,6 +23,7 @@ from tflab.workbook.answers.values import is_unanswered
 from tflab.workbook.tasks.task import slug
 
 from ..submissions.remarks import Remark
+from .draw import asks_of
 from .marks import safe_error_name
 from .plan import Asked, RunPlan, plan
 from .run import NotRun, Run, RunCell
@@ -43,7 +44,7 @@ class Attempt:
     """What came out.
 
     Attributes:
-        outcomes: for each task its outcomes by case.
+        outcomes: for each task its outcomes, by their places in the order of asking.
         trouble: for each task, what the run says of it.
         set_aside: tasks that hit a deadline or died: to be tried alone.
         remarks: on the notebook as a whole.
@@ -84,8 +85,8 @@ def attempt(
     for _ in range(MOST_RUNS):
         if not tally.left or tally.seconds > notebook_s * MOST_TIMES_THE_NOTEBOOK:
             break
-        without, cases_left = tally.without, tally.cases_left
-        planned = plan(transplanted, tasks, tally.left, without=without, closely=closely, cases_left=cases_left)
+        without, places_left = tally.without, tally.places_left
+        planned = plan(transplanted, tasks, tally.left, without=without, closely=closely, places_left=places_left)
         tally.take(planned, run(planned.cells, closely), cell_s)
     return tally.attempt(notebook_s)
 
@@ -96,7 +97,7 @@ class Tally:
     Attributes:
         left: tasks that are still to be heard of.
         without: cells that the next run leaves out.
-        cases_left: of a task one case of which did not end, those that have not been asked.
+        places_left: of a task one case of which did not end, those that have not been asked.
     """
 
     def __init__(
@@ -104,7 +105,7 @@ class Tally:
     ) -> None:
         self.left = list(wanted)
         self.without: set[str] = set()
-        self.cases_left: dict[str, set[int]] = {}
+        self.places_left: dict[str, set[int]] = {}
         self.seconds = 0.0
         self._transplanted, self._tasks, self._wanted, self._closely = transplanted, tasks, tuple(wanted), closely
         self._outcomes: dict[str, dict[int, Any]] = {}
@@ -161,9 +162,9 @@ class Tally:
 
     def _hear(self, cell: RunCell, value: Any, trouble: str, asked: Asked | None) -> None:
         """Take in the result of one cell: a probe's outcomes, or an answer's error."""
-        if asked is not None and isinstance(value, list) and len(value) == len(asked.cases):
+        if asked is not None and isinstance(value, list) and len(value) == len(asked.places):
             heard = self._outcomes_again if asked.again else self._outcomes
-            heard.setdefault(asked.task, {}).update(zip(asked.cases, value, strict=True))
+            heard.setdefault(asked.task, {}).update(zip(asked.places, value, strict=True))
         elif trouble.startswith("error: ") and cell.kind == "answer":
             name = trouble.removeprefix("error: ").partition(":")[0]
             self._trouble[cell.task] = [Remark("raised", cell.task, error=safe_error_name(name))]
@@ -172,16 +173,18 @@ class Tally:
         """Draw the lesson of a run that stopped in a task: ask its other cases, or set it aside."""
         self._hung[task] += 1
         if self._closely and asked is not None and self._hung[task] < ENOUGH_TO_KNOW:
-            left = self.cases_left.setdefault(task, set(range(len(self._tasks[task]["cases"]) + 1)))
-            left -= {*asked.cases, *self._outcomes.get(task, {})}
+            left = self.places_left.setdefault(task, self._places(task))
+            left -= {*asked.places, *self._outcomes.get(task, {})}
         else:
             self._set_aside.append(task)
             self.leave_out(task)
 
     def _is_heard(self, task: str) -> bool:
         """Return whether every case that can be asked has answered."""
-        cases = self.cases_left.get(task, set(range(len(self._tasks[task]["cases"]))))
-        return cases <= set(self._outcomes.get(task, ()))
+        return self.places_left.get(task, self._places(task)) <= set(self._outcomes.get(task, ()))
+
+    def _places(self, task: str) -> set[int]:
+        return set(range(len(asks_of(self._tasks[task]))))
 
     def _was_answered_later(self, task: str) -> bool:
         """Return whether there was nothing at the check, and something behind the learner's own cells."""

@@ -16,17 +16,21 @@ from dataclasses import dataclass
 from typing import Any
 
 from tflab.workbook.answers.forms import Form
-from tflab.workbook.answers.sealed import is_sealed, seal
+from tflab.workbook.answers.sealed import is_sealed, judge, seal
 from tflab.workbook.answers.values import is_raised
-from tflab.workbook.tasks.case import Case, TaskCases
+from tflab.workbook.tasks.case import TaskCases
+from tflab.workbook.tasks.evidence import beyond_guessing
 from tflab.workbook.tasks.mistake import WITHOUT_THE_ANSWER, Mistake
 from tflab.workbook.tasks.verdict import Verdict, judge_outcomes
 
 from ..submissions.remarks import Remark
+from .draw import asks_of
 
 __all__ = ["MISSING", "TaskMark", "judged", "safe_error_name"]
 
 MISSING = {"object": "nothing"}  # an outcome that never came, or that nobody can read; it is of no form
+TOO_LARGE = {"object": "something very large"}
+MOST_MEMBERS, MORE_THAN_WANTED = 2_000, 10  # of an answer: more is not what was asked for, and takes long to judge
 KNOWN_ERRORS = {name for name, value in vars(builtins).items() if isinstance(value, type)} | {
     "LookupException", "ConnectivityException", "ExtrapolationException", "InvalidArgumentException",
     "TimeoutException", "TransformException", "TypeException", "LinAlgError", "RCLError",
@@ -66,20 +70,19 @@ def judged(
     """Return the mark of a task.
 
     Args:
-        task: with its "form", "points", "twins" and "cases".
-        outcomes: by case; a function's first case comes once more under the number of cases.
+        task: with its "form", "points", "twins" and "cases", and the order in which these were asked.
+        outcomes: by their places in the order of asking.
         trouble: what the run had to say about this task.
     """
     held = TaskCases.of_a_learner(dict(task))
-    form, cases = held.form, held.variants[0].cases
-    got = [_readable(form, outcomes.get(number, MISSING)) for number in range(len(cases))]
-    once_more = outcomes.get(len(cases))
-    remarks = list(trouble)
-    if held.is_function and once_more is not None and _is_unsteady(form, cases[0], got[0], once_more):
-        got[0] = MISSING
-        remarks.append(Remark(Mistake.UNSTEADY.value, task_id))
+    cases = held.variants[0].cases
+    got, is_steady = _by_case(held, asks_of(task), outcomes)
+    remarks = [*trouble, *([] if is_steady else [Remark(Mistake.UNSTEADY.value, task_id)])]
     found = _judge(held, got)
-    points = round(held.points * found.passed / found.of, DIGITS) if found.of else 0.0
+    share = found.passed / found.of if found.of else 0.0
+    if held.is_function and share:
+        share = beyond_guessing(held.form, cases, found.passed, task.get("known") or [False] * len(cases))
+    points = round(held.points * share, DIGITS)
     if found.mistake is Mistake.UNANSWERED and not trouble:
         status = "unanswered"
     elif found.mistake is None:
@@ -109,8 +112,32 @@ def _judge(task: TaskCases, got: list[Any]) -> Verdict:
     return rounded if rounded.passed > found.passed else found
 
 
-def _readable(form: Form, answer: Any) -> Any:
-    """Return an outcome, or MISSING where it is no JSON of ours: a forged message may hold anything."""
+def _by_case(task: TaskCases, asks: Sequence[int], outcomes: Mapping[int, Any]) -> tuple[list[Any], bool]:
+    """Return an outcome for each case, and whether what was asked again was answered as before.
+
+    A case whose answers differ, one right and one wrong, has none.
+    """
+    cases = task.variants[0].cases
+    most = MOST_MEMBERS + MORE_THAN_WANTED * max(_members(case.expected, MOST_MEMBERS) for case in cases)
+    heard: list[list[Any]] = [[] for _ in cases]
+    for place, case in enumerate(asks):
+        if place in outcomes:
+            heard[case].append(_readable(task.form, outcomes[place], most))
+    got = [answers[0] if answers else MISSING for answers in heard]
+    unsteady = [
+        number
+        for number, (case, answers) in enumerate(zip(cases, heard, strict=True))
+        if len(answers) > 1 and len({tuple(judge(task.form, answer, case.expected)) for answer in answers}) > 1
+    ]
+    for number in unsteady:
+        got[number] = MISSING
+    return got, not unsteady
+
+
+def _readable(form: Form, answer: Any, most: int) -> Any:
+    """Return an outcome, or MISSING where it is no JSON of ours: a forged message may hold anything, of any size."""
+    if _members(answer, most) >= most:
+        return TOO_LARGE
     try:
         form.probes(answer)
     except UNREADABLE:
@@ -121,11 +148,19 @@ def _readable(form: Form, answer: Any) -> Any:
     return answer
 
 
-def _is_unsteady(form: Form, case: Case, first: Any, once_more: Any) -> bool:
-    """Return whether a function was right at first, and is not when it is asked the same again."""
-    if not all(form.judge(first, case.expected)):
-        return False
-    return not all(form.judge(_readable(form, once_more), case.expected))
+def _members(plain: Any, most: int) -> int:
+    """Return how many values a JSON value is made of, and how many times 100 letters; it stops counting at `most`."""
+    count, todo = 0, [plain]
+    while todo and count < most:
+        value = todo.pop()
+        count += 1 + (len(value) // 100 if isinstance(value, str) else 0)
+        if isinstance(value, dict):
+            count += sum(len(str(key)) // 100 for key in value) + len(value)
+            todo.extend(value.values())
+        elif isinstance(value, list):
+            count += len(value)
+            todo.extend(value[:most])
+    return count
 
 
 def _what_went_wrong(task_id: str, task: TaskCases, got: list[Any], found: Verdict) -> list[Remark]:

@@ -8,7 +8,7 @@
 What a learner gets is made from one seed, what is graded from another, and both
 from the secret one: knowing the first does not help to find the second.  Of a task
 whose answer is a value, what is graded is what the learner was given; of a
-function, inputs that nobody has seen.  Read `run.py` next.
+function, inputs that nobody has seen: a sample of their own for each.  Read `draw.py` next.
 """
 
 from __future__ import annotations
@@ -32,11 +32,11 @@ from tflab.workbook.whole_files import write_whole
 
 from ..submissions.roster import Learner
 from .cells import Master, master_of
+from .draw import POOL, digest_of, drawn, pool_of
 
 __all__ = ["DAMAGE", "Pack", "PackError", "chapter_cases", "read_pack", "write_chapter", "write_pack"]
 
-FORMAT = 1
-HIDDEN_INPUTS = 8  # at least, for each function
+FORMAT = 2
 PACK = "pack.json"
 DAMAGE = (KeyError, TypeError, ValueError, IndexError, AttributeError)  # what reading JSON that is not ours raises
 
@@ -79,7 +79,10 @@ class Pack:
             tasks = {}
             for task_id, task in cases["tasks"].items():
                 variant = task["variants"][variant_for(self.roster, learner, task_id, task)]
-                tasks[task_id] = {name: held for name, held in task.items() if name != "variants"} | variant
+                held = {name: held for name, held in task.items() if name != "variants"} | variant
+                if "tells" in held["cases"][0]:
+                    held |= drawn(held["cases"], _derived(self.seed, f"asked/{learner}/{task_id}"))
+                tasks[task_id] = held
             chapters[stem] = {"master": cells, "tasks": tasks}
         return chapters
 
@@ -92,15 +95,22 @@ def variant_for(roster: Mapping[str, Learner] | None, learner: str, task_id: str
 def chapter_cases(stem: str, seed: str, solutions: Path) -> tuple[dict[str, Any], dict[str, Any]]:
     """Return a chapter's cases for the learners (open) and for grading."""
     learners = make_cases(stem, _derived(seed, "learners"), solutions=solutions)
-    hidden = make_cases(stem, _derived(seed, "hidden"), solutions=solutions, fewest_inputs=HIDDEN_INPUTS)
+    hidden = make_cases(stem, _derived(seed, "hidden"), solutions=solutions, fewest_inputs=POOL)
     # As they will be read: a file has its keys sorted, and what is sealed keeps to the order of the parts.
     learners, hidden = (json.loads(cases_json(cases)) for cases in (learners, hidden))
     # What a learner was shown is part of the question: then the inputs that go with it are, too.
     graded = {
-        task_id: hidden["tasks"][task_id] if task["is_function"] and not _shows_values(task) else task
+        task_id: _pooled(hidden["tasks"][task_id], task) if task["is_function"] and not _shows_values(task) else task
         for task_id, task in learners["tasks"].items()
     }
     return learners, learners | {"tasks": graded}
+
+
+def _pooled(hidden: Mapping[str, Any], public: Mapping[str, Any]) -> dict[str, Any]:
+    """Return a function's hidden cases as the pool from which each learner's are drawn."""
+    shown = {digest_of(case["args"]) for variant in public["variants"] for case in variant["cases"]}
+    variants = [variant | {"cases": pool_of(hidden, variant["cases"], shown)} for variant in hidden["variants"]]
+    return dict(hidden) | {"variants": variants}
 
 
 def _shows_values(task: Mapping[str, Any]) -> bool:

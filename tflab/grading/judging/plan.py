@@ -8,7 +8,7 @@
 Normally a task is probed in one cell.  Looked at closely, after trouble, each case
 has a cell of its own, so that one that does not end leaves the others their credit;
 the time of one cell is for all of them, and for what is left then, a fifth of it.
-The first case of a function is asked once more at the end.  Expected values are
+Some cases of a function are asked twice, at a distance.  Expected values are
 nowhere in here.  Read `nbval_items.py` next.
 """
 
@@ -20,6 +20,7 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+from .draw import asks_of
 from .run import RunCell
 from .transplant import Transplant
 
@@ -30,10 +31,10 @@ BRIEFLY = 0.2  # of the time, for what is left of a task
 
 @dataclass(frozen=True, slots=True)
 class Asked:
-    """What a probe asks: outcomes of these cases of a task (the number of cases means: the first once more)."""
+    """What a probe asks: outcomes of a task's cases, by their places in the order of asking."""
 
     task: str
-    cases: tuple[int, ...]
+    places: tuple[int, ...]
     again: bool = False  # behind the learner's own cells that follow the check
 
 
@@ -52,25 +53,25 @@ def plan(
     *,
     without: Collection[str] = (),
     closely: bool = False,
-    cases_left: Mapping[str, Collection[int]] | None = None,
+    places_left: Mapping[str, Collection[int]] | None = None,
 ) -> RunPlan:
     """Return what to run to hear of the tasks in `wanted`.
 
     Args:
-        tasks: by id, each with its "answer", "is_function", "given" and "cases".
+        tasks: by id, each with its "answer", "is_function", "given", "cases" and the order in which they are asked.
         without: names of cells that are left out.
         closely: a cell for each case.
-        cases_left: of some tasks, one case of which did not end, only these cases, and briefly.
+        places_left: of some tasks, one case of which did not end, only what stands here, and briefly.
     """
     cells = [_preparation(tasks)]
     asked: dict[str, Asked] = {}
     for place, cell in enumerate(_up_to_the_last(transplanted.cells, set(wanted))):
         if cell.kind == "probe" and cell.task in wanted and cell.task in tasks:
-            left = (cases_left or {}).get(cell.task)
-            for cases in _groups(tasks[cell.task], closely, left):
+            left = (places_left or {}).get(cell.task)
+            for places in _groups(tasks[cell.task], closely, left):
                 identity = secrets.token_hex(8)
-                asked[identity] = Asked(cell.task, cases, cell.name.endswith("-again"))
-                source = _probe(identity, tasks[cell.task], cases)
+                asked[identity] = Asked(cell.task, places, cell.name.endswith("-again"))
+                source = _probe(identity, tasks[cell.task], places)
                 part = 1.0 if left is None else BRIEFLY
                 cells.append(replace(cell, source=source, probe=identity, shared=str(place), part=part))
         elif cell.name not in without and _runs(cell, wanted):
@@ -115,14 +116,12 @@ def _joined(cells: Sequence[RunCell]) -> list[RunCell]:
 
 
 def _groups(task: Mapping[str, Any], closely: bool, left: Collection[int] | None) -> list[tuple[int, ...]]:
-    count = len(task["cases"])
-    cases = [*range(count), count] if task["is_function"] else [0]
-    cases = [case for case in cases if left is None or case in left]
-    return [(case,) for case in cases] if closely else [tuple(cases)] if cases else []
+    places = [place for place in range(len(asks_of(task))) if left is None or place in left]
+    return [(place,) for place in places] if closely else [tuple(places)] if places else []
 
 
-def _probe(identity: str, task: Mapping[str, Any], cases: tuple[int, ...]) -> str:
-    count = len(task["cases"])
-    args = [task["cases"][case % count]["args"] for case in cases] if task["is_function"] else None
+def _probe(identity: str, task: Mapping[str, Any], places: tuple[int, ...]) -> str:
+    asks = asks_of(task)
+    args = [task["cases"][asks[place]]["args"] for place in places] if task["is_function"] else None
     say = "from tflab.grading.kernels.probe import probe as _probe; "
     return f"{say}_probe({identity!r}, lambda: {task['answer']}, {json.dumps(args)!r})"

@@ -15,9 +15,11 @@ from typing import Any
 from tflab.workbook.tasks.mistake import Mistake
 
 from ..submissions.remarks import Remark
+from .agree import in_another_order, together
 from .attempt import Attempt, attempt
 from .cells import VOID
 from .choose import Candidate, choose
+from .draw import asks_of
 from .job import Job
 from .marks import TaskMark, judged
 from .run import NotRun, Run, RunCell, RunCells
@@ -94,27 +96,27 @@ def _graded_chapter(job: Job, stem: str, candidate: Candidate, run_cells: RunCel
     only = job.only.get(stem, ()) if job.only is not None else None
     wanted = [task for task in grader.answered if only is None or task in only]
     first = grader.attempt(wanted, alone=job.only is not None)
-    marks = grader.marks(first, only if job.only else None)
-    better = dict(grader.better_apart(marks, first))
-    marks = [better[mark.task].mark if mark.task in better else mark for mark in marks]
+    before = grader.marks(first, only if job.only else None)
+    again = dict(grader.looked_at_again(before, first))
+    marks = [again[mark.task].mark if mark.task in again else mark for mark in before]
     remarks = [*candidate.remarks, *_about_cells(candidate.transplanted, marks), *first.remarks]
-    remarks += [Remark("apart", task) for task, tried in better.items() if tried.counts]
+    remarks += [Remark("apart", task) for task, second in again.items() if second.needed_to_be_apart]
     plain = {
         "file": candidate.file,
         "tasks": {mark.task: mark.plain() for mark in marks},
         "remarks": [remark.plain() for remark in remarks],
     }
-    seconds = first.seconds + sum(tried.seconds for tried in better.values())
+    seconds = first.seconds + sum(second.seconds for second in again.values())
     return GradedChapter(plain, first.set_aside if job.only is None else (), seconds)
 
 
 @dataclass(frozen=True)
-class TriedApart:
-    """What a task got without the other answers around it, or before; and whether that is better."""
+class SecondLook:
+    """What a task got after a second run, the time of that, and whether it only works without the other answers."""
 
     mark: TaskMark
     seconds: float
-    counts: bool
+    needed_to_be_apart: bool = False
 
 
 @dataclass(frozen=True)
@@ -131,17 +133,20 @@ class ChapterGrader:
         """The tasks that are worth a look."""
         return [task for task in self.transplanted.answered if task in self.tasks]
 
-    def attempt(self, wanted: Sequence[str], *, alone: bool = False, leave_out: Sequence[str] = ()) -> Attempt:
+    def attempt(
+        self, wanted: Sequence[str], *, alone: bool = False, leave_out: Sequence[str] = (), again: bool = False
+    ) -> Attempt:
         """Run what it takes to hear of some tasks; if our own cells do not run, once more."""
         usual = self.job.limits
         patient = usual.times(3)
+        tasks = {name: in_another_order(task) if again else task for name, task in self.tasks.items()}
 
         def run(cells: Sequence[RunCell], patiently: bool) -> Run:
             return self.run_cells(cells, patient if patiently else usual)
 
         def once() -> Attempt:
             return attempt(
-                self.transplanted, self.tasks, run, wanted=wanted, cell_s=usual.cell_s,
+                self.transplanted, tasks, run, wanted=wanted, cell_s=usual.cell_s,
                 notebook_s=(patient if alone else usual).notebook_s, closely=alone, leave_out=leave_out,
             )  # fmt: skip
 
@@ -164,33 +169,61 @@ class ChapterGrader:
         void = [remark for remark in self.transplanted.remarks if remark.task == task_id and remark.kind in VOID]
         trouble = void or made.trouble.get(task_id, [])
         if task_id not in self.transplanted.answered and not trouble:
-            return judged(task_id, task, _nothing(task))
-        return judged(task_id, task, made.outcomes.get(task_id, {}), trouble)
+            return marked(task_id, task, _nothing(task))
+        return marked(task_id, task, made.outcomes.get(task_id, {}), trouble)
 
-    def better_apart(self, marks: Sequence[TaskMark], first: Attempt) -> Iterator[tuple[str, TriedApart]]:
-        """Run what failed oddly once more, without the other answers: one of these may have got in its way.
+    def looked_at_again(self, marks: Sequence[TaskMark], first: Attempt) -> Iterator[tuple[str, SecondLook]]:
+        """Run what is not all right or all wrong once more, and take what both runs say.
 
-        An answer that took another name's place (`math = 3`, a patched function) spoils what follows. A slow
-        notebook is not run again for each of its tasks.
+        What failed oddly runs without the other answers: one of these may have got in its way (`math = 3`, a patched
+        function). What is right in part runs with them, in a fresh kernel. A slow notebook is not run again for each
+        of its tasks.
         """
-        seconds, enough = first.seconds, first.seconds + self.job.limits.notebook_s
-        for mark in marks:
-            if seconds > enough:
-                return
-            if not self._failed_oddly(mark) or mark.task in first.set_aside:
-                continue
-            others = [task for task in self.transplanted.answered if task != mark.task]
-            if not others:
-                continue
-            alone = self.attempt([mark.task], leave_out=others)
-            seconds += alone.seconds
-            again = self.marks(alone, [mark.task])[0]
-            counts = again.points > mark.points and not alone.set_aside
-            yield mark.task, TriedApart(again if counts else mark, alone.seconds, counts)
+        left = [mark for mark in marks if self._is_worth_a_second_look(mark, first)]
+        odd = [mark for mark in left if ODD & {remark.kind for remark in mark.remarks}]
+        partly = [mark for mark in left if mark not in odd and mark.points]
+        yield from self._in_a_fresh_kernel([mark for mark in partly if self.tasks[mark.task]["is_function"]], first)
+        yield from self._apart(odd, first)
 
-    def _failed_oddly(self, mark: TaskMark) -> bool:
-        odd = ODD & {remark.kind for remark in mark.remarks}
-        return bool(odd) and mark.points < mark.most and mark.task in self.transplanted.answered
+    def _is_worth_a_second_look(self, mark: TaskMark, first: Attempt) -> bool:
+        is_there = mark.task in self.transplanted.answered and mark.task not in first.set_aside
+        return is_there and mark.points < mark.most
+
+    def _in_a_fresh_kernel(self, partly: Sequence[TaskMark], first: Attempt) -> Iterator[tuple[str, SecondLook]]:
+        second = self.attempt([mark.task for mark in partly], again=True) if partly else Attempt()
+        for mark in partly:
+            yield mark.task, SecondLook(self._agreed(mark, first, second), second.seconds / len(partly))
+
+    def _apart(self, odd: Sequence[TaskMark], first: Attempt) -> Iterator[tuple[str, SecondLook]]:
+        seconds = 0.0
+        for mark in odd:
+            others = [task for task in self.transplanted.answered if task != mark.task]
+            if not others or seconds > self.job.limits.notebook_s:
+                continue
+            second = self.attempt([mark.task], leave_out=others, again=True)
+            seconds += second.seconds
+            agreed = self._agreed(mark, first, second)
+            yield mark.task, SecondLook(agreed, second.seconds, agreed.points > mark.points)
+
+    def _agreed(self, mark: TaskMark, first: Attempt, second: Attempt) -> TaskMark:
+        """Return what a task gets for what both runs say of it."""
+        if mark.task in second.set_aside:
+            return mark
+        outcomes = [made.outcomes.get(mark.task, {}) for made in (first, second)]
+        task, both = together(self.tasks[mark.task], *outcomes)
+        ran_without = [made.trouble.get(mark.task, []) for made in (first, second)]
+        return marked(mark.task, task, both, min(ran_without, key=len))
+
+
+def marked(
+    task_id: str, task: Mapping[str, Any], outcomes: Mapping[int, Any], trouble: Sequence[Remark] = ()
+) -> TaskMark:
+    """Return the mark of a task; a fault of ours costs no other task anything, and says nothing of what is expected."""
+    try:
+        return judged(task_id, task, outcomes, trouble)
+    except Exception as error:
+        said = Remark("failed", task_id, error=type(error).__name__)
+        return TaskMark(task_id, "trouble", 0, 0, 0.0, float(task["points"]), remarks=(said,))
 
 
 def _about_cells(transplanted: Transplant, marks: Sequence[TaskMark]) -> list[Remark]:
@@ -207,7 +240,7 @@ def _about_cells(transplanted: Transplant, marks: Sequence[TaskMark]) -> list[Re
 def _not_handed_in(job: Job, stem: str) -> GradedChapter:
     tasks = job.chapters[stem]["tasks"]
     rows = {
-        task_id: judged(task_id, task, _nothing(task)).plain() | {"status": "missing", "remarks": []}
+        task_id: marked(task_id, task, _nothing(task)).plain() | {"status": "missing", "remarks": []}
         for task_id, task in tasks.items()
     }
     remarks = [Remark("nothing", chapter=stem).plain()] if job.files else []
@@ -216,7 +249,7 @@ def _not_handed_in(job: Job, stem: str) -> GradedChapter:
 
 def _nothing(task: Mapping[str, Any]) -> dict[int, Any]:
     """Return the outcomes of a task that nobody answered."""
-    return {number: {"unanswered": True} for number in range(len(task["cases"]))}
+    return {place: {"unanswered": True} for place in range(len(asks_of(task)))}
 
 
 def _sums(chapters: Mapping[str, Any]) -> dict[str, float]:

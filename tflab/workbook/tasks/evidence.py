@@ -7,6 +7,11 @@ Credit for one probe is given where the function is right for two different
 results; a clock that stands still is right twice a day.  So a constant earns
 nothing, neither does handing back what came in, nor raising whatever is asked.
 
+Grading also takes off what guessing gives (correction for guessing): the best that
+an answer can get that never looks at what it is asked counts as nothing.
+
+    16 cases, 7 of them "ok"      always "ok": 7        right in 13: (13 - 7) / (16 - 7) of the points
+
 Read `verdict.py` next.
 """
 
@@ -19,7 +24,7 @@ from ..answers.forms import Form
 from ..answers.values import Plain, is_raised
 from .case import Case
 
-__all__ = ["credited", "habit"]
+__all__ = ["beyond_guessing", "credited", "habit"]
 
 
 def credited(
@@ -60,6 +65,49 @@ def habit(form: Form, cases: Sequence[Case], outcomes: Sequence[Plain]) -> str:
         if all(form.alike(out, case.args[place]) for out, case in zip(outcomes, cases, strict=True)):
             return "echo"
     return ""
+
+
+def beyond_guessing(form: Form, cases: Sequence[Case], passed: int, known: Sequence[bool]) -> float:
+    """Return the share of a function's points that is earned: what is right beyond what guessing gives, from 0 to 1.
+
+    Args:
+        passed: how many probes earn credit (see `credited`).
+        known: for each case whether its arguments stand among those that the learner was shown.
+    """
+    of = sum(len(form.judge(case.expected, case.expected)) for case in cases)
+    guessed = _guessed(form, cases, known)
+    if passed == of or guessed == of:  # where nothing varies, nothing can be guessed
+        return passed / of
+    return max(0, passed - guessed) / (of - guessed)
+
+
+def _guessed(form: Form, cases: Sequence[Case], known: Sequence[bool]) -> int:
+    """Return how many probes the best answer has that knows what was shown, and of the rest only what is frequent."""
+    sizes = [len(form.judge(case.expected, case.expected)) for case in cases]
+    sure = sum(size for size, seen in zip(sizes, known, strict=True) if seen)
+    unseen = [case for case, seen in zip(cases, known, strict=True) if not seen]
+    names = [case.expected["raises"] for case in unseen if is_raised(case.expected)]
+    values = [case for case in unseen if not is_raised(case.expected)]
+    raising = max(map(names.count, names), default=0)
+    echoed = max((sum(_echoed(form, values, place)) for place in range(_fewest_args(values))), default=0)
+    return sure + max(raising, echoed, _most_frequent(form, [case.expected for case in values]))
+
+
+def _most_frequent(form: Form, values: Sequence[Plain]) -> int:
+    """Return how many probes a constant has, made of what is most frequent at each place; once is not frequent."""
+    rows = [[form.judge(one, other) for other in values] for one in values]
+    places = min((len(row[0]) for row in rows), default=0)
+    counts = [max(sum(right[place] for right in row) for row in rows) for place in range(places)]
+    return sum(count for count in counts if count > 1)
+
+
+def _echoed(form: Form, cases: Sequence[Case], place: int) -> list[int]:
+    """Return how many probes each case's argument at `place` has, handed back."""
+    return [sum(form.judge(case.args[place], case.expected)) for case in cases]
+
+
+def _fewest_args(cases: Sequence[Case]) -> int:
+    return min((len(case.args or ()) for case in cases), default=0)
 
 
 def _differ(form: Form, values: Iterable[Plain], place: int) -> bool:

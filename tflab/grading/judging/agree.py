@@ -1,0 +1,49 @@
+"""What does an answer say that ran twice?  One thing: where two runs differ, nothing.
+
+    first run     2.0   raised   5.0   1.0
+    second run    2.0   3.0      4.0   -              asked in another order, in a fresh kernel
+    together      2.0   3.0     (none) 1.0
+
+A run that gave no value at all is no answer: another answer may have been in its way
+(`math = 3`), so the other run counts.  Nowhere does the better of two count: that would
+be two guesses for one task.  Read `submission.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from tflab.workbook.answers.forms import Form, form_from_plain
+
+from .draw import asks_of
+
+__all__ = ["in_another_order", "together"]
+
+
+def in_another_order(task: Mapping[str, Any]) -> dict[str, Any]:
+    """Return a task as it is asked in a second run: the last first."""
+    return dict(task) | {"asks": list(reversed(asks_of(task)))}
+
+
+def together(
+    task: Mapping[str, Any], first: Mapping[int, Any], second: Mapping[int, Any]
+) -> tuple[dict[str, Any], dict[int, Any]]:
+    """Return a task as it was asked in two runs, and its outcomes; `second` is of `in_another_order`."""
+    asks, asks_again = asks_of(task), in_another_order(task)["asks"]
+    form = form_from_plain(task["form"])
+    outcomes = dict(first) | {len(asks) + place: outcome for place, outcome in second.items()}
+    both = [*asks, *asks_again]
+    answered = {both[place] for place, outcome in outcomes.items() if _is_a_value(form, outcome)}
+    kept = {
+        place: outcome
+        for place, outcome in outcomes.items()
+        if both[place] not in answered or _is_a_value(form, outcome)
+    }
+    return dict(task) | {"asks": both}, kept
+
+
+def _is_a_value(form: Form, outcome: Any) -> bool:
+    """Return whether an outcome is of the form that is wanted, in all its parts."""
+    probes = form.read(outcome)
+    return probes is not None and all(probes)
