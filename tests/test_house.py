@@ -53,6 +53,7 @@ FOLDERS = {
     "workbook/book": {".", "course"},
     "workbook/pages": {".", "answers", "tasks", "course", "book"},
     "workbook/copy": {".", "answers", "tasks", "course", "pages"},
+    "workbook/lesson": {".", "course", "copy"},
     "grading/submissions": set(),
     "grading/kernels": {"submissions"},
     "grading/judging": {"submissions", "kernels"},

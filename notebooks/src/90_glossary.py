@@ -17,32 +17,36 @@
 # - **node (노드)**: One participant of a ROS 2 system: a program, or a part of one, with a name.
 # - **topic (토픽)**: A named channel on which nodes publish messages and others subscribe to them.
 # - **message (메시지)**: A value of a fixed type that travels on a topic.
+# - **RViz**: ROS 2's window for looking: it draws frames, scans, clouds and the robot, all in one fixed frame.
+# - **publish (발행)**: To send a message, or a transform, to everyone who listens.
 
 # %% [markdown] lang="ko" name="chapter-0" slide="skip"
 # ## 0장 · 여기서 시작합니다
 #
-# - **좌표 변환 시스템 (TF2)**: 좌표계 사이의 위치와 방향을 시간별로 보관하고, 물어보면 이어서 답해 주는 ROS 2의 라이브러리와 통신 체계입니다.
-# - **노드 (node)**: 이름을 가진 ROS 2 참가자 하나로, 프로그램이거나 그 일부입니다.
+# - **좌표 변환 시스템 (TF2)**: 좌표계 사이의 위치와 방향을 시각마다 보관해 두고, 조회하면 필요한 변환을 이어 붙여 답하는 ROS 2의 라이브러리와 통신 체계입니다.
+# - **노드 (node)**: 이름을 가지고 ROS 2 통신에 참여하는 단위로, 프로그램이거나 그 일부입니다.
 # - **토픽 (topic)**: 노드가 메시지를 발행하고 다른 노드가 구독하는, 이름 붙은 통로입니다.
 # - **메시지 (message)**: 토픽을 따라 전해지는, 형식이 정해진 값입니다.
+# - **RViz**: 좌표계, 스캔, 포인트 클라우드, 로봇을 하나의 고정 좌표계 기준으로 그려 보여 주는 ROS 2의 화면 도구입니다.
+# - **발행 (publish)**: 메시지나 변환을 듣고 있는 모두에게 보내는 일입니다.
 
 # %% [markdown] lang="en" name="chapter-1" slide="skip"
 # ## Chapter 1 · Value, frame and stamp
 #
 # - **frame (좌표계)**: An origin and three axes: what numbers for a position or a direction are counted from.
 # - **base_link (로봇 본체 좌표계)**: The frame bolted to the robot's body: it moves with it, and sensors are mounted on it.
-# - **pose (자세)**: A position together with an orientation, both in one frame.
+# - **pose (포즈)**: A position together with an orientation, both in one frame.
 # - **stamp (측정 시각)**: The time at which something was measured, carried in `header.stamp`; not the time it was sent or received.
 # - **header (헤더)**: The part of a message that says in which frame and at what time its values hold.
 
 # %% [markdown] lang="ko" name="chapter-1" slide="skip"
-# ## 1장 · 값과 좌표계와 측정 시각
+# ## 1장 · 값, 좌표계, 측정 시각
 #
-# - **좌표계 (frame)**: 위치와 방향을 숫자로 적을 때 기준이 되는 원점과 X·Y·Z 축입니다.
+# - **좌표계 (frame)**: 위치와 방향을 숫자로 적을 때 기준이 되는 원점과 x·y·z 축입니다. 현장에서는 흔히 프레임이라고 부릅니다.
 # - **로봇 본체 좌표계 (base_link)**: 로봇 본체에 고정되어 함께 움직이며 센서 장착 위치의 기준이 되는 좌표계입니다.
-# - **자세 (pose)**: 한 좌표계에서 본 위치와 방향을 함께 이르는 말입니다.
+# - **포즈 (pose)**: 한 좌표계를 기준으로 본 위치와 방향을 함께 이르는 말입니다.
 # - **측정 시각 (stamp)**: 값을 보내거나 받은 때가 아니라 잰 때를 뜻하며, `header.stamp`에 들어 있습니다.
-# - **헤더 (header)**: 메시지의 값이 어느 좌표계에서, 어느 시각에 맞는지를 적은 부분입니다.
+# - **헤더 (header)**: 메시지의 값이 어느 좌표계 기준이고 어느 시각의 값인지를 적은 부분입니다.
 
 # %% [markdown] lang="en" name="chapter-2" slide="skip"
 # ## Chapter 2 · Axes and quaternions
@@ -57,6 +61,8 @@
 # - **optical frame (광학 좌표계)**: A camera's second frame, with the axes of its image: z forward, x right, y down.
 # - **right-handed (오른손 좌표계)**: Axes such that, with the thumb along z, the fingers of a right hand curl from x to y.
 # - **gimbal lock (짐벌 락)**: What happens to roll, pitch and yaw when the nose points straight up or down: two of the three turn about the same line, and small motions make the angles leap.
+# - **detector (검출기)**: A program that finds things in a picture or a scan, and says where they are.
+# - **point cloud (포인트 클라우드)**: Many measured points in one message, all in one frame: what a depth camera gives.
 
 # %% [markdown] lang="ko" name="chapter-2" slide="skip"
 # ## 2장 · 좌표축과 쿼터니언
@@ -64,13 +70,15 @@
 # - **회전 (rotation)**: 부모 좌표계에서 자식의 축이 얼마나 돌아가 있는지를 적은, 변환의 한 부분입니다.
 # - **롤·피치·요 (roll, pitch, yaw)**: 고정된 x, y, z 축을 그 순서대로 도는 세 번의 회전이며 단위는 라디안입니다.
 # - **요 (yaw)**: 위를 향한 z축을 도는 회전이며, 양수는 왼쪽입니다.
-# - **쿼터니언 (quaternion)**: 회전 하나를 나타내는 네 숫자로 순서는 x, y, z, w이고 길이는 1이며, (0, 0, 0, 1)이 회전 없음입니다.
+# - **쿼터니언 (quaternion)**: 회전 하나를 나타내는 숫자 네 개로 순서는 x, y, z, w이고 길이는 1이며, (0, 0, 0, 1)이 회전 없음입니다.
 # - **단위 쿼터니언 (unit quaternion)**: 길이가 1인 쿼터니언이며, 이것만이 회전을 나타냅니다.
 # - **REP-103**: ROS의 단위와 축 규약으로 미터, 라디안, 오른손 좌표계를 쓰며 x는 앞, y는 왼쪽, z는 위입니다.
 # - **본체 축 좌표계 (body frame)**: REP-103의 축을 따르는 좌표계로 x는 앞, y는 왼쪽, z는 위입니다.
 # - **광학 좌표계 (optical frame)**: 카메라 영상의 축을 따르는 두 번째 좌표계로 z는 앞, x는 오른쪽, y는 아래입니다.
 # - **오른손 좌표계 (right-handed)**: 오른손 엄지를 z로 두면 나머지 손가락이 x에서 y로 감기는 축 배치입니다.
-# - **짐벌 락 (gimbal lock)**: 기수가 똑바로 위나 아래를 향할 때 roll, pitch, yaw 가운데 둘이 같은 직선을 축으로 돌게 되는 현상입니다. 이 근처에서는 작은 움직임에도 각도가 크게 뜁니다.
+# - **짐벌 락 (gimbal lock)**: 기수가 똑바로 위나 아래를 향할 때 roll, pitch, yaw 중 둘이 같은 직선을 축으로 돌게 되는 현상입니다. 이 근처에서는 작은 움직임에도 각도가 크게 뜁니다.
+# - **검출기 (detector)**: 영상이나 스캔에서 물체를 찾아 그 위치를 알려 주는 프로그램입니다.
+# - **포인트 클라우드 (point cloud)**: 한 좌표계로 적은 수많은 측정점을 담은 메시지입니다. 깊이 카메라에서 나옵니다.
 
 # %% [markdown] lang="en" name="chapter-3" slide="skip"
 # ## Chapter 3 · Target and source
@@ -83,18 +91,20 @@
 # - **source frame (원본 좌표계)**: The frame in which the data is expressed now: the second argument of `lookup_transform`.
 # - **translation (이동)**: The part of a transform that says where the child's origin is in the parent, in metres.
 # - **inverse (역변환)**: The transform that undoes another one: it turns back, and its translation is turned too.
+# - **lookup (조회)**: Asking a buffer for the transform between two frames at one moment: `lookup_transform`.
 
 # %% [markdown] lang="ko" name="chapter-3" slide="skip"
 # ## 3장 · 목표 좌표계와 원본 좌표계
 #
-# - **좌표 변환 (transform)**: 부모 좌표계에서 본 자식 좌표계의 위치와 방향, 곧 이동과 회전입니다.
+# - **좌표 변환 (transform)**: 부모 좌표계를 기준으로 본 자식 좌표계의 위치와 방향, 즉 이동과 회전입니다.
 # - **부모 좌표계 (parent frame)**: 자식 좌표계의 위치와 방향을 적을 때 기준이 되는 좌표계이며, 메시지에서는 `header.frame_id`입니다.
-# - **자식 좌표계 (child frame)**: 변환이 그 위치를 알려 주는 좌표계로 부모는 하나뿐이며, 메시지에서는 `child_frame_id`입니다.
-# - **변환 확인 도구 (tf2_echo)**: 두 좌표계 사이의 최신 변환을 계속 출력하는 도구로, `tf2_echo A B`는 A에서 본 B의 자세를 보여 줍니다.
+# - **자식 좌표계 (child frame)**: 부모 좌표계를 기준으로 위치와 방향이 정해지는 좌표계입니다. 부모는 하나뿐이며, 메시지에서는 `child_frame_id`입니다.
+# - **변환 확인 도구 (tf2_echo)**: 두 좌표계 사이의 최신 변환을 계속 출력하는 도구로, `tf2_echo A B`는 A를 기준으로 본 B의 포즈를 보여 줍니다.
 # - **목표 좌표계 (target frame)**: 데이터를 표현하고 싶은 좌표계로, `lookup_transform`의 첫째 인자입니다.
-# - **원본 좌표계 (source frame)**: 데이터가 지금 표현되어 있는 좌표계로, `lookup_transform`의 둘째 인자입니다.
+# - **원본 좌표계 (source frame)**: 데이터가 지금 표현되어 있는 좌표계로, `lookup_transform`의 둘째 인자입니다. 소스 프레임이라고도 합니다.
 # - **이동 (translation)**: 부모 좌표계에서 자식 원점이 어디 있는지를 미터로 적은, 변환의 한 부분입니다.
 # - **역변환 (inverse)**: 다른 변환을 되돌리는 변환으로, 회전을 되돌리면서 이동도 함께 돌려야 합니다.
+# - **조회 (lookup)**: 두 좌표계 사이의, 어느 시각의 변환을 버퍼에 묻는 일입니다. `lookup_transform`으로 합니다.
 
 # %% [markdown] lang="en" name="chapter-4" slide="skip"
 # ## Chapter 4 · The tree of frames
@@ -103,14 +113,18 @@
 # - **TF tree (TF 트리)**: All frames with their one parent each: no cycle, and one path between any two.
 # - **edge (연결)**: One step of the tree: a child, its parent, and the transforms between them through time.
 # - **authority (발행 주체)**: The node that sends a transform; each child should have one only.
+# - **path (경로)**: The edges between two frames of one tree: up to the frame that both share, and down.
+# - **root (루트)**: A frame without a parent: a tree has one, and two roots are two trees.
 
 # %% [markdown] lang="ko" name="chapter-4" slide="skip"
 # ## 4장 · 좌표계 트리
 #
 # - **TF 트리 시각화 도구 (view_frames)**: 몇 초 동안 변환을 모아 좌표계 트리와 발행 주기를 그림으로 그리는 도구입니다.
-# - **TF 트리 (TF tree)**: 모든 좌표계가 부모를 하나씩 가진 구조로, 고리가 없고 어느 둘 사이에도 길이 하나입니다.
+# - **TF 트리 (TF tree)**: 모든 좌표계가 부모를 하나씩 가진 구조로, 고리가 없고 어느 두 좌표계 사이에도 경로가 하나입니다.
 # - **연결 (edge)**: 트리의 한 단계로, 자식과 부모 그리고 시간에 따른 둘 사이의 변환입니다.
 # - **발행 주체 (authority)**: 변환을 보내는 노드이며, 자식 좌표계마다 하나여야 합니다.
+# - **경로 (path)**: 한 트리의 두 좌표계를 잇는 연결들입니다. 둘이 만나는 좌표계까지 올라갔다가 내려갑니다.
+# - **루트 (root)**: 부모가 없는 좌표계입니다. 트리마다 하나이며, 루트가 둘이면 트리도 둘입니다.
 
 # %% [markdown] lang="en" name="chapter-5" slide="skip"
 # ## Chapter 5 · map, odom, base_link
@@ -120,18 +134,18 @@
 # - **base_footprint (지면 투영 좌표계)**: The robot's body projected onto the ground: x, y and yaw, without height, roll or pitch.
 # - **REP-105**: ROS's agreement on the frames of a mobile robot: map, odom, base_link, and who owns what.
 # - **odometry (오도메트리)**: Motion added up step by step from wheels, an IMU or a camera.
-# - **localisation (위치 추정)**: Finding the robot in a map, and correcting what odometry has drifted.
+# - **localization (위치 추정)**: Finding the robot in a map, and correcting what odometry has drifted.
 # - **drift (드리프트)**: An error that grows slowly because small errors are added up.
 
 # %% [markdown] lang="ko" name="chapter-5" slide="skip"
 # ## 5장 · map, odom, base_link
 #
-# - **지도 좌표계 (map)**: 오래 지나도 세계와 맞지만, 위치 추정이 보정될 때 값이 뛸 수 있는 고정 좌표계입니다.
-# - **오도메트리 좌표계 (odom)**: 로봇이 끊김 없이 움직이지만 오차가 조금씩 쌓여 실제 위치와 멀어지는 고정 좌표계입니다.
+# - **지도 좌표계 (map)**: 오래 지나도 실제 공간과 어긋나지 않지만, 위치 추정이 보정될 때 값이 뛸 수 있는, 세계에 고정된 기준(world-fixed) 좌표계입니다.
+# - **오도메트리 좌표계 (odom)**: 로봇이 끊김 없이 움직이지만 오차가 조금씩 쌓여 실제 위치와 멀어지는, 세계에 고정된 기준(world-fixed) 좌표계입니다.
 # - **지면 투영 좌표계 (base_footprint)**: 로봇 본체를 바닥에 내려놓은 좌표계로, 높이와 roll, pitch 없이 x, y, yaw만 가집니다.
 # - **REP-105**: 이동 로봇의 좌표계 map, odom, base_link의 뜻과, 각 변환을 누가 맡는지를 정한 ROS의 규약입니다.
 # - **오도메트리 (odometry)**: 바퀴, IMU, 카메라로 잰 움직임을 조금씩 더해 얻은 이동량입니다.
-# - **위치 추정 (localisation)**: 지도에서 로봇의 위치를 찾아 오도메트리의 오차를 바로잡는 일입니다.
+# - **위치 추정 (localization)**: 지도에서 로봇의 위치를 찾아 오도메트리의 오차를 바로잡는 일입니다.
 # - **드리프트 (drift)**: 작은 오차가 계속 더해져 천천히 커지는 오차입니다.
 
 # %% [markdown] lang="en" name="chapter-6" slide="skip"
@@ -147,8 +161,8 @@
 # ## 6장 · 정적 변환과 동적 변환
 #
 # - **정적 좌표 변환 (static transform)**: 센서 장착 위치처럼 변하지 않아 `/tf_static`으로 한 번 보내며, 늦게 온 수신기도 받는 변환입니다.
-# - **동적 좌표 변환 (dynamic transform)**: 로봇 자세나 관절처럼 변하므로 시각을 붙여 `/tf`로 계속 보내는 변환입니다.
-# - **변환 발행기 (broadcaster)**: 노드가 아는 변환을 모두에게 알리는 객체로, `TransformBroadcaster`와 `StaticTransformBroadcaster`가 있습니다.
+# - **동적 좌표 변환 (dynamic transform)**: 로봇의 위치나 관절처럼 변하므로 측정 시각을 붙여 `/tf`로 계속 보내는 변환입니다.
+# - **변환 발행기 (broadcaster)**: 노드가 아는 변환을 모두에게 알리는 객체입니다(알리는 노드는 발행자라고 합니다). `TransformBroadcaster`와 `StaticTransformBroadcaster`가 있습니다.
 # - **서비스 품질 (QoS)**: 토픽을 전하는 조건으로 신뢰성, 보관 개수, 지속성을 정합니다.
 # - **전송 후 보존 (transient local)**: 늦게 온 구독자도 이미 보낸 메시지를 받게 하는 지속성 설정이며, `/tf_static`이 사용합니다.
 
@@ -156,20 +170,20 @@
 # ## Chapter 7 · URDF and sensors
 #
 # - **URDF (로봇 모델 파일)**: The file that describes a robot's links and joints, and so its fixed transforms.
-# - **robot_state_publisher (로봇 상태 발행기)**: The node that turns a URDF and joint states into transforms.
+# - **robot_state_publisher (로봇 상태 발행자)**: The node that turns a URDF and joint states into transforms.
 
 # %% [markdown] lang="ko" name="chapter-7" slide="skip"
 # ## 7장 · URDF와 센서
 #
-# - **로봇 모델 파일 (URDF)**: 로봇의 링크와 관절, 곧 고정된 변환을 적은 파일입니다.
-# - **로봇 상태 발행기 (robot_state_publisher)**: URDF와 관절 값을 받아 변환으로 바꾸어 발행하는 노드입니다.
+# - **로봇 모델 파일 (URDF)**: 로봇의 링크와 관절, 즉 고정된 변환을 적은 파일입니다.
+# - **로봇 상태 발행자 (robot_state_publisher)**: URDF와 관절 값에서 변환을 만들어 발행하는 노드입니다.
 
 # %% [markdown] lang="en" name="chapter-8" slide="skip"
 # ## Chapter 8 · Buffer and measurement time
 #
 # - **listener (변환 수신기)**: The object that subscribes to `/tf` and `/tf_static` and fills a buffer: `TransformListener`.
 # - **buffer (변환 버퍼)**: The store of recent transforms, edge by edge, which answers where one frame was in another at a given time.
-# - **fixed frame (고정 좌표계)**: A frame that is taken to stand still: RViz draws everything in it, and a six-argument lookup carries data through time in it.
+# - **fixed frame (고정 좌표계)**: A frame that is taken to stand still: RViz draws everything in it.
 # - **latest common time (최신 공통 시각)**: The newest time at which every edge of a path has a value: the earliest of the edges' latest stamps; statics do not count.
 # - **interpolation (보간)**: Finding a value between two samples: a straight line for the translation, the shortest arc for the rotation.
 # - **extrapolation (외삽)**: Guessing a value outside the samples; tf2 refuses to.
@@ -178,21 +192,25 @@
 # - **smear (번짐)**: A wall drawn thick or twice because scans were placed with the pose of another moment.
 # - **TypeException (형식 예외)**: What `transform()` raises when nobody has said how to convert that message; it is not a TransformException.
 # - **motion distortion (움직임 왜곡)**: What a sensor's own motion does to data that takes time to measure: the rays of one sweep belong to different moments, and drawn with one pose they bend the walls.
+# - **sample (표본)**: One transform of an edge, at the stamp it was measured at.
+# - **timeline (시간줄)**: The samples of one edge, in the order of their stamps: the buffer keeps one for each edge.
 
 # %% [markdown] lang="ko" name="chapter-8" slide="skip"
 # ## 8장 · 버퍼와 측정 시각
 #
 # - **변환 수신기 (listener)**: `/tf`와 `/tf_static`을 구독해 버퍼를 채우는 객체, `TransformListener`입니다.
-# - **변환 버퍼 (buffer)**: 최근의 변환을 연결마다 시간 순서로 담아 두고, 어느 시각에 한 좌표계가 다른 좌표계의 어디에 있었는지 답하는 저장소입니다.
-# - **고정 좌표계 (fixed frame)**: 움직이지 않는다고 보는 좌표계로, RViz는 모든 것을 이 좌표계에 그리고 인자 여섯 개짜리 조회는 이 좌표계에서 시간을 건너갑니다.
+# - **변환 버퍼 (buffer)**: 최근의 변환을 연결마다 시간 순서로 담아 두고, 어느 시각에 한 좌표계가 다른 좌표계를 기준으로 어디에 있었는지 답하는 저장소입니다.
+# - **고정 좌표계 (fixed frame)**: 움직이지 않는다고 정해 둔 좌표계입니다. RViz는 모든 데이터를 이 좌표계 기준으로 바꾸어 그립니다.
 # - **최신 공통 시각 (latest common time)**: 경로의 모든 연결에 값이 있는 가장 늦은 시각으로, 연결마다 가장 늦은 시각 중 가장 이른 것이며 정적 변환은 세지 않습니다.
 # - **보간 (interpolation)**: 두 표본 사이의 값을 구하는 일로, 이동은 직선으로 회전은 가장 짧은 호로 잇습니다.
 # - **외삽 (extrapolation)**: 표본 바깥의 값을 짐작하는 일이며, tf2는 거절합니다.
-# - **보관 시간 (cache time)**: 버퍼가 얼마나 먼 과거까지 기억하는지를 이르며, 정하지 않으면 10초입니다.
+# - **보관 시간 (cache time)**: 버퍼가 얼마나 먼 과거까지 기억하는지를 이르며, 따로 정하지 않으면 10초입니다.
 # - **지연 (latency)**: 무언가를 잰 때부터 그 값을 쓰는 때까지 걸린 시간입니다.
-# - **번짐 (smear)**: 다른 순간의 자세로 스캔을 놓아 벽이 두껍게 또는 겹쳐 그려지는 현상입니다.
-# - **형식 예외 (TypeException)**: `transform()`이 그 메시지를 바꾸는 법을 배우지 못했을 때 내는 예외이며, TransformException이 아닙니다.
-# - **움직임 왜곡 (motion distortion)**: 측정에 시간이 걸리는 동안 센서 자신이 움직여 생기는 왜곡입니다. 한 바퀴의 광선은 저마다 잰 순간이 달라, 자세 하나로 그리면 벽이 휘어 보입니다.
+# - **번짐 (smear)**: 다른 순간의 로봇 위치로 스캔을 그려 벽이 두껍게 또는 겹쳐 보이는 현상입니다.
+# - **형식 예외 (TypeException)**: `transform()`에 그 메시지를 옮기는 법이 등록되어 있지 않을 때 내는 예외이며, TransformException이 아닙니다.
+# - **움직임 왜곡 (motion distortion)**: 측정에 시간이 걸리는 동안 센서 자신이 움직여 생기는 왜곡입니다. 한 바퀴의 광선은 저마다 잰 순간이 달라, 포즈 하나로 그리면 벽이 휘어 보입니다.
+# - **표본 (sample)**: 한 연결의 변환 하나로, 측정 시각이 붙어 있습니다. 샘플이라고도 합니다.
+# - **시간줄 (timeline)**: 한 연결의 표본을 측정 시각 순서로 늘어놓은 줄입니다. 버퍼에는 연결마다 한 줄씩 있습니다.
 
 # %% [markdown] lang="en" name="chapter-9" slide="skip"
 # ## Chapter 9 · Exceptions and waiting
@@ -203,7 +221,7 @@
 # - **InvalidArgumentException (잘못된 인자 예외)**: TF2's error for a question that makes no sense, such as an empty name or one with a leading slash.
 # - **TimeoutException (시간 초과 예외)**: TF2's error for a question that no one answered in time.
 # - **TransformException (변환 예외)**: The common parent of TF2's errors: `except TransformException` catches them all.
-# - **timeout (대기 한도)**: How long a lookup may wait for the transform before it gives up.
+# - **timeout**: How long a lookup may wait for the transform before it gives up.
 # - **callback (콜백)**: Your function that ROS 2 calls when a message arrives or a timer is due.
 # - **executor (실행기)**: What takes a node's waiting callbacks and runs them, one at a time or on several threads.
 # - **thread (스레드)**: One line of execution in a program; while it waits, it does nothing else.
@@ -211,36 +229,40 @@
 # - **transport delay (전송 지연)**: The time a message takes from sender to receiver; a short wait absorbs it.
 # - **jitter (지터)**: How much a delay or a period varies from one message to the next.
 # - **message filter (메시지 필터)**: A queue that holds each message until its transform is there, and drops it when that takes too long.
+# - **future (퓨처)**: A promise of a result: it is done when the result has come, and says then what came of it.
+# - **reentrant (재진입)**: A group of callbacks that several threads may run at the same time.
 
 # %% [markdown] lang="ko" name="chapter-9" slide="skip"
 # ## 9장 · 예외와 기다림
 #
 # - **프레임 조회 예외 (LookupException)**: 버퍼가 들어 본 적 없는 좌표계 이름을 물었을 때 나는 TF2 오류입니다.
-# - **연결 예외 (ConnectivityException)**: 두 좌표계를 모두 알지만 둘을 잇는 길이 없을 때 나는 TF2 오류입니다.
-# - **시간 외삽 예외 (ExtrapolationException)**: 길은 있지만 물어본 시각의 값이 없을 때 나는 TF2 오류입니다.
+# - **연결 예외 (ConnectivityException)**: 두 좌표계를 모두 알지만 둘을 잇는 경로가 없을 때 나는 TF2 오류입니다.
+# - **시간 외삽 예외 (ExtrapolationException)**: 경로는 있지만 요청 시각의 값이 없을 때 나는 TF2 오류입니다.
 # - **잘못된 인자 예외 (InvalidArgumentException)**: 빈 이름이나 슬래시로 시작하는 이름처럼 질문 자체가 잘못되었을 때 나는 TF2 오류입니다.
 # - **시간 초과 예외 (TimeoutException)**: 정한 시간 안에 답이 오지 않았을 때 나는 TF2 오류입니다.
 # - **변환 예외 (TransformException)**: TF2 오류의 공통 부모로, `except TransformException`이 모두 잡습니다.
-# - **대기 한도 (timeout)**: 변환이 올 때까지 조회가 기다려도 되는 가장 긴 시간입니다.
-# - **콜백 (callback)**: 메시지가 도착하거나 타이머 시각이 되면 ROS 2가 불러 주는 함수입니다.
-# - **실행기 (executor)**: 기다리는 콜백을 꺼내 하나씩 또는 여러 스레드에서 실행하는 것입니다.
+# - **timeout**: 변환이 올 때까지 조회가 기다려도 되는 가장 긴 시간입니다.
+# - **콜백 (callback)**: 메시지가 도착하거나 타이머 시각이 되면 ROS 2가 호출하는 함수입니다.
+# - **실행기 (executor)**: 대기 중인 콜백을 꺼내 하나씩, 또는 여러 스레드에서 실행하는 객체입니다.
 # - **스레드 (thread)**: 프로그램 안의 실행 흐름 하나로, 기다리는 동안에는 다른 일을 하지 못합니다.
 # - **시계 차이 (clock offset)**: 두 컴퓨터의 시계가 늘 일정하게 어긋난 정도이며, 기다려도 사라지지 않습니다.
 # - **전송 지연 (transport delay)**: 메시지가 보낸 쪽에서 받는 쪽까지 가는 데 걸리는 시간이며, 잠깐 기다리면 메워집니다.
 # - **지터 (jitter)**: 지연이나 주기가 메시지마다 들쭉날쭉한 정도입니다.
-# - **메시지 필터 (message filter)**: 변환이 준비될 때까지 메시지를 붙들어 두고, 너무 오래 걸리면 버리는 대기열입니다.
+# - **메시지 필터 (message filter)**: 변환이 준비될 때까지 메시지를 붙들어 두고, 너무 오래 걸리면 버리는 큐입니다.
+# - **퓨처 (future)**: 나중에 나올 결과를 약속하는 객체입니다. 결과가 나오면 완료되고, 그때 결과나 예외를 꺼낼 수 있습니다.
+# - **재진입 (reentrant)**: 여러 스레드가 동시에 실행해도 되는 콜백 그룹의 성질입니다.
 
 # %% [markdown] lang="en" name="chapter-10" slide="skip"
 # ## Chapter 10 · Clocks and bags
 #
 # - **simulation time (시뮬레이션 시간)**: Time that comes from `/clock` instead of the computer, for nodes with `use_sim_time`.
-# - **bag (백)**: A recording of topics that can be played back.
+# - **bag**: A recording of topics that can be played back.
 
 # %% [markdown] lang="ko" name="chapter-10" slide="skip"
-# ## 10장 · 시계와 백
+# ## 10장 · 시계와 bag
 #
 # - **시뮬레이션 시간 (simulation time)**: `use_sim_time`을 켠 노드가 컴퓨터 시계 대신 `/clock`에서 받는 시간입니다.
-# - **백 (bag)**: 토픽을 기록해 두었다가 다시 재생할 수 있는 파일입니다.
+# - **bag**: 토픽을 기록해 두었다가 다시 재생할 수 있는 파일입니다.
 
 # %% [markdown] lang="en" name="chapter-11" slide="skip"
 # ## Chapter 11 · Tools and RViz

@@ -115,7 +115,7 @@ def test_the_page_says_what_is_left_and_what_to_type_on_a_robot(copy: Path) -> N
     text = ProgressPage(standing(copy)).text
     assert "Your progress: 1 of 2 tasks passed" in text
     assert "03  ■ □   1/2   Target and source" in text
-    assert "1 of 2; to pass: E3.5" in text
+    assert "1 of 2 · to pass: E3.5" in text
     assert "$ ros2 run tf2_ros tf2_echo base_link laser_frame" in text
     assert "ros2 bag record" not in text  # later
     assert 'title="E3.1 · Which? · tries: 1, hints: 0"' in ProgressPage(standing(copy)).html

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from tflab.views.rviz import RViz
     from tflab.views.rviz_status import Display
 
-__all__ = ["Look", "look", "open_rviz"]
+__all__ = ["Look", "links_to_see", "look", "open_rviz"]
 
 PATIENCE_S = 0.2  # how long a message may wait for its transform
 DESCRIPTION = "/robot_description"
@@ -129,7 +129,7 @@ def _display(topic: str, message_type: type, messages: list[Any], decay_s: float
     from tflab.views.rviz_status import Display, RobotModel
 
     if topic == DESCRIPTION:
-        links = _links(messages[-1].data) if messages else {}
+        links = links_to_see(messages[-1].data) if messages else {}
         return Display("RobotModel", RobotModel(links), topic)
     values = [_value(message) for message in messages]
     newest_ns = max((value.stamp_ns for value in values), default=0)
@@ -171,7 +171,7 @@ def _occupied(grid: nav_msgs.OccupancyGrid) -> np.ndarray:
     return np.column_stack((columns + 0.5, rows + 0.5)) * info.resolution + (origin.x, origin.y)
 
 
-def _links(urdf: str) -> dict[str, tuple[Any, ...]]:
+def links_to_see(urdf: str) -> dict[str, tuple[Any, ...]]:
     """Return what is to be seen of each link; a mesh, whose file is not read, is left out."""
     from tflab.robots.urdf import parse_urdf
 

@@ -10,6 +10,8 @@
 
 JupyterLab would look for news, for updates and for extensions on the network;
 here it does none of that.  Its terminals know the command `tflab`.
+
+Read `lesson/` next.
 """
 
 from __future__ import annotations

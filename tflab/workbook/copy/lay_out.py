@@ -3,7 +3,8 @@
     lay_out(folder, "en")    writes what is not there yet, and nothing else
     update(folder)           brings in new material around what the learner wrote (see `merge.py`)
 
-    answers_hidden(page, "en")    what a text asks to predict is not in sight before the learner has run it
+    answers_hidden(page, "en")    what a text asks to predict is not in sight before the learner has run it,
+                                  and the still twin of a live view is folded
 
     .tflab/pristine/...      each file as it was handed out: what tells the learner's hand from ours
     .tflab/backups/1/...     each file as it was before an update
@@ -32,6 +33,7 @@ __all__ = ["Change", "answers_hidden", "has_language", "is_free", "lay_out", "ma
 HIDDEN = Path(".tflab")
 PRISTINE = HIDDEN / "pristine"
 BACKUPS = HIDDEN / "backups"
+INTERACTIVE = "interactive"  # the tag of code that shows what moves; the figure after it stands still
 PREDICTED = "predicted"  # the tag of code whose output a text asks to predict, and of a text that tells it
 UNFOLD = Words(en="Run it first, then open this", ko="먼저 실행한 다음 펼치십시오")
 
@@ -140,21 +142,33 @@ def material(
 
 
 def answers_hidden(page: bytes, language: str) -> bytes:
-    """Return a page without the outputs that it asks to predict, and with the texts that tell them folded.
+    """Return a page without the outputs that it asks to predict, with the texts that tell them folded.
 
-    A page without predictions is returned as it is.
+    A figure that says standing still what the live view before it says is folded, too: JupyterLab
+    shows three dots in its place.  A page with neither is returned as it is.
     """
-    if f'"{PREDICTED}"'.encode() not in page:
+    if not any(f'"{tag}"'.encode() in page for tag in (PREDICTED, INTERACTIVE)):
         return page
     notebook = json.loads(page)
+    live = False
     for cell in notebook["cells"]:
-        if PREDICTED not in cell["metadata"].get("tags", ()):
+        tags = cell["metadata"].get("tags", ())
+        if cell["cell_type"] == "code":
+            if live and _is_figure(cell):
+                cell["metadata"]["jupyter"] = {"outputs_hidden": True}
+            live = INTERACTIVE in tags
+        if PREDICTED not in tags:
             continue
         if cell["cell_type"] == "code":
             cell.update(execution_count=None, outputs=[])
         else:
             cell["source"] = _folded("".join(cell["source"]), UNFOLD.say(language)).splitlines(keepends=True)
     return text_of(notebook).encode()
+
+
+def _is_figure(cell: Mapping) -> bool:
+    """Return whether a code cell shows a picture."""
+    return any("image/png" in output.get("data", ()) for output in cell["outputs"])
 
 
 def _folded(text: str, summary: str) -> str:

@@ -26,10 +26,11 @@ START_PAGE = SOURCES / "00_start.py"
 GLOSSARY_PAGE = SOURCES / "90_glossary.py"
 
 HEAD = Words(
-    en="| | chapter | its question | builds on | exercise |",
-    ko="| | 장 | 장의 질문 | 먼저 볼 장 | 연습 |",
+    en="| | chapter | its question | minutes | builds on | exercise |",
+    ko="| | 장 | 장의 질문 | 시간 | 먼저 볼 장 | 연습 |",
 )
-TO_COME = Words(en="to come", ko="준비 중")
+MINUTES = Words(en="{minutes}", ko="{minutes}분")
+TO_COME = Words(en="To come: {chapters}.", ko="준비 중인 장: {chapters}.")
 GLOSSARY_TITLE = Words(
     en="# Glossary\n\n"
     "Every term of the course, in the order in which the chapters need them.\n"
@@ -42,19 +43,28 @@ GLOSSARY_CHAPTER = Words(en="## Chapter {number} · {title}", ko="## {number}장
 
 
 def chapter_table(language: str, root: Path) -> str:
-    """Return the chapters as a markdown table, with links to those that have a page."""
-    lines = [HEAD.say(language), "|--:|:--|:--|:--|:--|"]
+    """Return the chapters that have a page as a markdown table with links, and the others in one line."""
+    lines, to_come = [HEAD.say(language), "|--:|:--|:--|--:|:--|:--|"], []
     for chapter in read_course().chapters[1:]:
         title = chapter.title.say(language)
+        if not (root / SOURCES / f"{chapter.stem}.py").is_file():
+            to_come.append(f"{chapter.number} {title}")
+            continue
         exercise = ""
-        if (root / SOURCES / f"{chapter.stem}.py").is_file():
-            title = f"**[{title}]({chapter.stem}.ipynb)**"
-        else:
-            exercise = TO_COME.say(language)
         if (root / "solutions" / "src" / f"{chapter.stem}.py").is_file():
             exercise = f"[E{chapter.number}](../../exercises/{language}/{chapter.stem}.ipynb)"
         before = ", ".join(str(number) for number in chapter.builds_on if number)
-        lines.append(f"| {chapter.number} | {title} | {chapter.question.say(language)} | {before} | {exercise} |")
+        cells = (
+            str(chapter.number),
+            f"**[{title}]({chapter.stem}.ipynb)**",
+            chapter.question.say(language),
+            MINUTES.say(language, minutes=chapter.minutes),
+            before,
+            exercise,
+        )
+        lines.append(f"| {' | '.join(cells)} |")
+    if to_come:
+        lines += ["", TO_COME.say(language, chapters=" · ".join(to_come))]
     return "\n".join(lines)
 
 

@@ -4,12 +4,15 @@
                    '--> 6 -> 7 ------------- 12
                         '--> 8 -> 9 -> 10 --'
 
-An arrow that follows from others is not drawn.  Read `progress_page.py` next.
+Numbers only, so that it reads in every language: a solid box is a chapter that has a
+page, a dashed one is to come.  An arrow that follows from others is not drawn.
+
+Read `progress_page.py` next.
 """
 
 from __future__ import annotations
 
-import textwrap
+from collections.abc import Collection
 
 from tflab.views import style
 from tflab.views.picture import Picture
@@ -18,19 +21,19 @@ from .course import Chapter, read_course
 
 __all__ = ["draw_course"]
 
-BOX = (0.80, 0.62)  # of a column and of a lane
+BOX = (0.44, 0.56)  # of a column and of a lane
 LANES = {5: 0, 6: 1, 7: 0.5, 8: 1.5, 9: 1.5, 10: 1.5, 11: 0}  # 1 where nothing is said: the middle
 
 
-def draw_course() -> Picture:
-    """Draw the chapters with what each builds on."""
+def draw_course(here: Collection[int]) -> Picture:
+    """Draw the chapters with what each builds on; those whose numbers are in `here` have a page."""
     from matplotlib.patches import FancyBboxPatch
 
     chapters = {chapter.number: chapter for chapter in read_course().chapters if chapter.number}
     arrows = _arrows(chapters)
     columns = _columns(chapters)
     places = {number: (columns[number], LANES.get(number, 1.0)) for number in chapters}
-    picture = Picture((style.WIDE[0] * 1.15, 3.0))
+    picture = Picture((style.WIDE[0], 2.0))
     with style.our_settings():
         ax = picture.figure.add_axes((0.005, 0.02, 0.99, 0.96))
         ax.set(xlim=(-0.5, max(columns.values()) + 0.5), ylim=(2.0, -0.45))
@@ -40,15 +43,20 @@ def draw_course() -> Picture:
                 _draw_arrow(ax, places[before], places[number])
         for number, (x, y) in places.items():
             box = (x - BOX[0] / 2, y - BOX[1] / 2)
+            is_here = number in here
             ax.add_patch(
                 FancyBboxPatch(
-                    box, *BOX, boxstyle="round,pad=0,rounding_size=0.06", facecolor=style.SHADE, edgecolor=style.GREY
+                    box,
+                    *BOX,
+                    boxstyle="round,pad=0,rounding_size=0.06",
+                    facecolor=style.SHADE if is_here else style.PAPER,
+                    edgecolor=style.INK if is_here else style.GREY,
+                    linestyle="solid" if is_here else "dashed",
                 )
             )
-            ax.text(x, y - 0.19, str(number), ha="center", va="center", weight="bold", fontsize=style.TEXT_PT)
-            title = "\n".join(textwrap.wrap(chapters[number].title.en, 13, break_long_words=False))
-            ax.text(x, y + 0.08, title, ha="center", va="center", fontsize=style.SMALL_PT - 1.0, linespacing=1.15)
-    picture.text = "\n".join(_in_words(chapter, arrows[number]) for number, chapter in chapters.items())
+            weight, colour = ("bold", style.INK) if is_here else ("normal", style.GREY)
+            ax.text(x, y, str(number), ha="center", va="center", weight=weight, color=colour, fontsize=style.TEXT_PT)
+    picture.text = "\n".join(_in_words(chapter, arrows[number], number in here) for number, chapter in chapters.items())
     return picture
 
 
@@ -86,6 +94,6 @@ def _draw_arrow(ax, start: tuple[float, float], end: tuple[float, float]) -> Non
     )
 
 
-def _in_words(chapter: Chapter, before: list[int]) -> str:
+def _in_words(chapter: Chapter, before: list[int], is_here: bool) -> str:
     needs = f", builds on {' and '.join(str(number) for number in before)}" if before else ""
-    return f"{chapter.number}. {chapter.title.en}{needs}"
+    return f"{chapter.number}{needs}{'' if is_here else ', to come'}"

@@ -1,7 +1,7 @@
 """Where do I stand?  `tflab progress` in a terminal, `show_progress()` on a page.
 
     03  Target and source        ■ ■ ■ □ ◧ □ □   3/7
-    04  The tree of frames       later
+    to come: 01, 04
 
 What is ticked is what a check has passed; see `standing.py`.  Read `book/` next.
 """
@@ -16,7 +16,7 @@ from pathlib import Path
 
 from ..places import COPY, MARK, WorkbookError, copy_at_hand, workbook_root
 from ..words import Words
-from .standing import GoalStanding, Standing, TaskStanding, standing
+from .standing import ChapterStanding, GoalStanding, Standing, TaskStanding, standing
 
 __all__ = ["ProgressPage", "progress", "show_progress"]
 
@@ -24,11 +24,10 @@ TITLE = Words(en="Your progress", ko="학습 현황")
 CHAPTERS = Words(en="Chapters", ko="장")
 OBJECTIVES = Words(en="What you can do", ko="학습 목표")
 CHECKLIST = Words(en="What you have done", ko="실습 체크리스트")
-LATER = Words(en="later", ko="나중에")
-NO_TASKS = Words(en="to read", ko="읽을거리")
+LATER = Words(en="to come", ko="준비 중")
 TASKS_PASSED = Words(en="{passed} of {of} tasks passed", ko="과제 {of}개 중 {passed}개 통과")
-PASSED_OF = Words(en="{passed} of {of}", ko="{of}개 중 {passed}개")
-REST_LATER = Words(en="{count} later", ko="{count}개는 나중에")
+PASSED_OF = Words(en="{passed} of {of}", ko="과제 {of}개 중 {passed}개 통과")
+REST_LATER = Words(en="{count} to come", ko="{count}개는 준비 중")
 TO_PASS = Words(en="to pass", ko="남은 과제")
 ON_A_ROBOT = Words(en="simulated here; on the robot", ko="여기서는 시뮬레이션으로 했습니다. 로봇에서는")
 WILL_ROBOT = Words(en="on the robot", ko="로봇에서는")
@@ -42,7 +41,7 @@ NO_COPY = Words(
     ko="여기는 tflab에 들어 있는 원본이라 기록을 남기지 않습니다. tflab lab으로 내 워크북을 만드십시오.",
 )
 PASSED, TRIED, UNTRIED = "■", "◧", "□"
-STATES = {"passed": "✓", "open": "○", "later": "·"}
+STATES = {"passed": "✓", "open": "○"}
 
 STYLE = """
 .tflab-progress > table {border-collapse: collapse; margin: 0.4em 0 1.2em; font-size: 1em}
@@ -74,14 +73,14 @@ class ProgressPage:
     def text(self) -> str:
         """Return it as a terminal shows it."""
         lines = [self._say(TITLE) + ": " + self._sum(), self._note(), "", self._say(CHAPTERS)]
-        for stands in self._standing.chapters:
-            head = f"  {stands.chapter.stem[:2]}  "
-            marks = " ".join(_mark(task) for task in stands.tasks) or self._without_tasks(stands.chapter.number)
-            count = f"   {stands.passed}/{len(stands.tasks)}" if stands.tasks else ""
-            lines.append(f"{head}{marks}{count}   {stands.chapter.title.say(self._language)}")
+        for stands in self._here:
+            marks = " ".join(_mark(task) for task in stands.tasks)
+            count = f"{stands.passed}/{len(stands.tasks)}"
+            lines.append(f"  {stands.chapter.stem[:2]}  {marks}   {count}   {stands.chapter.title.say(self._language)}")
+        lines += [f"  {line}" for line in self._to_come()]
         for title, goals in ((OBJECTIVES, self._standing.objectives), (CHECKLIST, self._standing.checklist)):
             lines += ["", self._say(title)]
-            for number, stands in enumerate(goals, start=1):
+            for number, stands in _not_later(goals):
                 lines.append(f"  {STATES[stands.state]} {number:>2}  {stands.goal.words.say(self._language)}")
                 lines += [f"        {line}" for line in self._details(stands)]
         return "\n".join(lines)
@@ -94,18 +93,18 @@ class ProgressPage:
             f"<small>{html.escape(self._note())}</small></p>",
             f"<h3>{self._say(CHAPTERS)}</h3><table>",
         ]
-        for stands in self._standing.chapters:
+        for stands in self._here:
             marks = "".join(self._square(task) for task in stands.tasks)
-            kind = "" if stands.tasks or stands.chapter.number == 0 else ' class="later"'
-            count = f"{stands.passed}/{len(stands.tasks)}" if marks else self._without_tasks(stands.chapter.number)
             title = html.escape(stands.chapter.title.say(self._language))
             rows.append(
-                f'<tr{kind}><td class="mark">{stands.chapter.stem[:2]}</td><td>{title}</td>'
-                f'<td class="tasks">{marks}</td><td class="count">{count}</td></tr>'
+                f'<tr><td class="mark">{stands.chapter.stem[:2]}</td><td>{title}</td>'
+                f'<td class="tasks">{marks}</td><td class="count">{stands.passed}/{len(stands.tasks)}</td></tr>'
             )
+        for line in self._to_come():
+            rows.append(f'<tr class="later"><td></td><td colspan="3">{html.escape(line)}</td></tr>')
         for title, goals in ((OBJECTIVES, self._standing.objectives), (CHECKLIST, self._standing.checklist)):
             rows.append(f"</table><h3>{self._say(title)}</h3><table>")
-            rows += [self._row(number, stands) for number, stands in enumerate(goals, start=1)]
+            rows += [self._row(number, stands) for number, stands in _not_later(goals)]
         return "".join([*rows, "</table></div>"])
 
     def _row(self, number: int, stands: GoalStanding) -> str:
@@ -126,11 +125,8 @@ class ProgressPage:
             left = [name for name in stands.here if not stands.tasks[name]]
             rest = f" ({REST_LATER.say(self._language, count=absent)})" if absent else ""
             passed = PASSED_OF.say(self._language, passed=stands.passed, of=len(stands.tasks))
-            yield f"{passed}; {self._say(TO_PASS)}: {' '.join(left)}{rest}"
-        elif stands.state == "later":
-            chapters = ", ".join(sorted({f"{int(name[1:].split('.')[0]):02}" for name in stands.tasks}))
-            yield f"{self._say(LATER)} ({chapters})"
-        if stands.goal.robot and stands.state != "later":
+            yield f"{passed} · {self._say(TO_PASS)}: {' '.join(left)}{rest}"
+        if stands.goal.robot:
             yield f"{self._say(ON_A_ROBOT if stands.state == 'passed' else WILL_ROBOT)}:"
             yield from (f"$ {command}" for command in stands.goal.robot)
 
@@ -140,8 +136,16 @@ class ProgressPage:
             title += " · " + TRIES.say(self._language, tries=task.attempts.tries, hints=task.attempts.hints)
         return f'<span title="{html.escape(title)}">{_mark(task)}</span>'
 
-    def _without_tasks(self, number: int) -> str:
-        return self._say(LATER if number else NO_TASKS)
+    @property
+    def _here(self) -> list[ChapterStanding]:
+        """Return the chapters that have tasks."""
+        return [stands for stands in self._standing.chapters if stands.tasks]
+
+    def _to_come(self) -> Iterator[str]:
+        """Yield the chapters that are not here yet, in one line, if there are any."""
+        absent = [s.chapter.stem[:2] for s in self._standing.chapters if s.chapter.number and not s.tasks]
+        if absent:
+            yield f"{self._say(LATER)}: {', '.join(absent)}"
 
     def _sum(self) -> str:
         tasks = self._standing.tasks
@@ -180,3 +184,8 @@ def progress(words: Sequence[str]) -> int:
 
 def _mark(task: TaskStanding) -> str:
     return PASSED if task.attempts.passed else TRIED if task.attempts.tries else UNTRIED
+
+
+def _not_later(goals: Sequence[GoalStanding]) -> list[tuple[int, GoalStanding]]:
+    """Return the goals that have a task here, each with its number; the others come with their chapters."""
+    return [(number, stands) for number, stands in enumerate(goals, start=1) if stands.state != "later"]

@@ -1,0 +1,151 @@
+"""What does a page draw, drive and look at?  One line at its top brings all of it:
+
+    from tflab.workbook import lesson
+
+What a page calls as `lesson.…` is this workbook's; everything else on it is Python or ROS 2, and runs on a robot.
+
+    room      our robot drives through its room
+    clouds    what a depth camera sees of a wall and of the floor
+    waiting   robots whose data is late, and nodes that wait for it
+
+Start with `room.py`; each page names the next.
+"""
+
+from __future__ import annotations
+
+from tflab.core import LATEST, BufferCore, StampedTransform, Transform, seconds
+from tflab.core.quaternions import angle, xyzw_from_wxyz
+from tflab.robots.motion import Drive, Leg, PlanarPose
+from tflab.robots.nodes import launch
+from tflab.robots.teaching import Source, TeachingRobot
+from tflab.robots.world import BALL, ROOM
+from tflab.ros import new_graph
+from tflab.tools.buffers import draw_buffer, draw_history, draw_question
+from tflab.views.ages import draw_ages
+from tflab.views.axes import (
+    BODY_T_OPTICAL,
+    draw_body_axes,
+    draw_cameras,
+    draw_right_hand,
+    draw_rotation,
+    optical_from_body,
+    straight_ahead,
+)
+from tflab.views.card import draw_card
+from tflab.views.dominoes import draw_dominoes
+from tflab.views.eye import FROM_ABOVE
+from tflab.views.frames import draw_scene
+from tflab.views.journey import Journey, draw_journeys
+from tflab.views.latency import Sight, draw_latency, drive, latency_error
+from tflab.views.misread import describe_extent, draw_misread
+from tflab.views.moments import draw_moments
+from tflab.views.mount import draw_mount, seen_from
+from tflab.views.panels import cameras_panel, latency_panel, mount_panel, rotation_panel, sentence_panel, timeline_panel
+from tflab.views.placed import draw_placed
+from tflab.views.readings import draw_readings
+from tflab.views.scene import Scene, draw_arrow, draw_camera, draw_frame, draw_path, draw_scan
+from tflab.views.scene.drawing import ACCENT
+from tflab.views.sentence import draw_sentence
+from tflab.views.style import fmt, fmt_all
+from tflab.views.timeline import lane_from_history
+from tflab.views.turns import draw_drives, draw_orders, draw_turns
+
+from ..copy.environment import check_environment
+from ..course.course_map import draw_course
+from ..course.progress_page import show_progress
+from .clouds import floor_cloud, wall_cloud
+from .room import draw_now, draw_room, show_drive, show_latency
+from .waiting import (
+    GapWatcher,
+    WaitingNode,
+    ages_of_decisions,
+    draw_lanes,
+    on_robot_c,
+    run_node,
+    show_clock_error,
+    walls_seen,
+)
+
+__all__ = [
+    "ACCENT",
+    "BALL",
+    "BODY_T_OPTICAL",
+    "FROM_ABOVE",
+    "LATEST",
+    "ROOM",
+    "BufferCore",
+    "Drive",
+    "GapWatcher",
+    "Journey",
+    "Leg",
+    "PlanarPose",
+    "Scene",
+    "Sight",
+    "Source",
+    "StampedTransform",
+    "TeachingRobot",
+    "Transform",
+    "WaitingNode",
+    "ages_of_decisions",
+    "angle",
+    "cameras_panel",
+    "check_environment",
+    "describe_extent",
+    "draw_ages",
+    "draw_arrow",
+    "draw_body_axes",
+    "draw_buffer",
+    "draw_camera",
+    "draw_cameras",
+    "draw_card",
+    "draw_course",
+    "draw_dominoes",
+    "draw_drives",
+    "draw_frame",
+    "draw_history",
+    "draw_journeys",
+    "draw_lanes",
+    "draw_latency",
+    "draw_misread",
+    "draw_moments",
+    "draw_mount",
+    "draw_now",
+    "draw_orders",
+    "draw_path",
+    "draw_placed",
+    "draw_question",
+    "draw_readings",
+    "draw_right_hand",
+    "draw_room",
+    "draw_rotation",
+    "draw_scan",
+    "draw_scene",
+    "draw_sentence",
+    "draw_turns",
+    "drive",
+    "floor_cloud",
+    "fmt",
+    "fmt_all",
+    "lane_from_history",
+    "latency_error",
+    "latency_panel",
+    "launch",
+    "mount_panel",
+    "new_graph",
+    "on_robot_c",
+    "optical_from_body",
+    "rotation_panel",
+    "run_node",
+    "seconds",
+    "seen_from",
+    "sentence_panel",
+    "show_clock_error",
+    "show_drive",
+    "show_latency",
+    "show_progress",
+    "straight_ahead",
+    "timeline_panel",
+    "wall_cloud",
+    "walls_seen",
+    "xyzw_from_wxyz",
+]

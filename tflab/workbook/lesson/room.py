@@ -1,0 +1,95 @@
+"""What is our robot doing?  Its drive through the room, to be played, and one moment of it on paper.
+
+    show_drive()             the robot, its laser and the walls in 3D, second by second
+    draw_room(at_s=12.0)     the same from above, standing still
+    draw_now(graph, "map")   every frame of a graph, where it is now
+    show_latency()           a ball that was seen a moment ago, drawn with the pose of now
+
+Read `clouds.py` next.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tflab.core import LATEST, NSEC_PER_SEC, Transform, seconds
+from tflab.robots.motion import Drive
+from tflab.robots.teaching import TeachingRobot
+from tflab.robots.world import ROOM
+from tflab.ros.graph import Graph
+from tflab.tools.rviz import links_to_see, look
+from tflab.views.frames import draw_scene
+from tflab.views.latency import drive
+from tflab.views.picture import Picture
+from tflab.views.placed import draw_placed
+from tflab.views.scene import Scene, draw_arrow, draw_frame, draw_path, draw_robot, draw_scan
+from tflab.views.scene.drawing import ACCENT
+
+__all__ = ["draw_now", "draw_room", "draw_walls", "show_drive", "show_latency"]
+
+EVERY_RAY = 4  # of the laser's: enough to see the walls
+WALL_COLOUR = "#808890"
+STEP_S = 0.25
+
+
+def show_drive(for_s: float = 24.0) -> Scene:
+    """Return a scene to be played: the robot drives for `for_s` [s], and its laser looks round."""
+    robot = TeachingRobot(Drive(start_ns=0))
+    links = links_to_see(robot.urdf)
+    scene = Scene(height_px=420)
+    scene.look((0.4, -5.2, 4.2), (2.6, -0.3, 0.0))
+    draw_walls(scene)
+    draw_frame(scene, "map", Transform(), length_m=0.8)
+
+    def draw(moment_s: float) -> None:
+        stamp_ns = round(moment_s * NSEC_PER_SEC)
+        poses = robot.truth_at(stamp_ns)
+        scan = robot.laser.scan_at(stamp_ns)
+        draw_robot(scene, "robot", links, poses)
+        draw_frame(scene, "base_link", poses["base_link"], "map", length_m=0.5)
+        draw_frame(scene, "laser_frame", poses["laser_frame"], "base_link", length_m=0.3)
+        few = scan.ranges[::EVERY_RAY]
+        draw_scan(scene, "scan", poses["laser_frame"], few, scan.angle_min, scan.angle_increment * EVERY_RAY)
+
+    moments_s = np.arange(0.0, for_s + STEP_S, STEP_S).tolist()
+    scene.sweep("time", moments_s, draw, unit="s", start=len(moments_s) // 2)
+    return scene
+
+
+def draw_room(at_s: float) -> Picture:
+    """Draw the room from above, and in it what the laser measured at `at_s` [s] of the drive."""
+    robot = TeachingRobot(Drive(start_ns=0))
+    stamp_ns = round(at_s * NSEC_PER_SEC)
+    points = robot.truth_at(stamp_ns)["laser_frame"].apply(robot.laser.scan_at(stamp_ns).points())
+    return draw_placed({f"laser scan at {at_s:.0f} s, on the map": points}, walls=ROOM.walls)
+
+
+def draw_now(graph: Graph, fixed_frame: str) -> Picture:
+    """Draw every frame that a graph's nodes publish, where it is in `fixed_frame` now."""
+    parents, _, ask = look(graph)
+    return draw_scene({frame: ask(fixed_frame, frame, LATEST) for frame in parents}, fixed_frame=fixed_frame)
+
+
+def show_latency(speed_mps: float = 1.0, yaw_rate_radps: float = 0.5, range_m: float = 5.0) -> Scene:
+    """Return a scene to be moved by the delay: the ball that a robot saw, and where its pose of now puts it."""
+    seen_at = (range_m, 0.0, 0.3)
+    scene = Scene()
+    scene.look((1.0, -5.2, 3.2), (2.1, 0.4, 0.0))
+
+    def draw(delay_s: float) -> None:
+        then_T_now = drive(speed_mps, yaw_rate_radps, seconds(delay_s))
+        drawn_at = then_T_now.apply(seen_at)
+        draw_frame(scene, "robot at the stamp", Transform())
+        draw_frame(scene, "robot now", then_T_now, is_ghost=True)
+        draw_arrow(scene, "ball", (range_m, 0.0, 0.0), seen_at, "ball", radius_m=0.02)
+        draw_arrow(scene, "sight", then_T_now.translation, drawn_at, radius_m=0.01)
+        draw_arrow(scene, "error", seen_at, drawn_at, "error", ACCENT, radius_m=0.04)
+
+    scene.sweep("delay", [0.05 * i for i in range(11)], draw, "s", start=4)
+    return scene
+
+
+def draw_walls(scene: Scene) -> None:
+    """Draw the walls of the room into a scene, as lines a hand above the floor."""
+    for i, wall in enumerate(ROOM.walls):
+        draw_path(scene, f"walls/{i}", np.array([(*end, 0.2) for end in wall]), colour=WALL_COLOUR, radius_m=0.04)
