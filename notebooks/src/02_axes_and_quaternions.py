@@ -1,7 +1,7 @@
 # %% [markdown] lang="en" name="title" slide="slide"
 # # 02 · Which way is forward?
 #
-# **Axes and quaternions** · about 60 minutes · builds on 01
+# **Axes and quaternions** · about 75 minutes · builds on 01
 #
 # After this chapter you can
 #
@@ -12,17 +12,17 @@
 # - look at a point cloud that lies at 90° and name the one line to change.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
-# # 02 · 어느 쪽이 앞입니까?
+# # 02 · 어느 쪽이 앞일까요?
 #
-# **좌표축과 쿼터니언** · 약 60분 · 01장을 바탕으로 합니다
+# **좌표축과 쿼터니언** · 약 75분 · 01장을 바탕으로 합니다
 #
-# 이 장을 마치면 다음을 할 수 있습니다.
+# 이 장을 마치면
 #
-# - 눈을 감고도 로봇의 x, y, z축을 손으로 가리키고, 로봇이 돌기 전에 회전의 부호를 말합니다.
-# - roll, pitch, yaw를 읽고, 순서가 왜 중요한지 설명합니다.
-# - 회전을 쿼터니언으로 쓰고, 올바른 쿼터니언과 네 가지 잘못된 쿼터니언을 가려냅니다.
-# - 카메라 영상의 점을 카메라 본체 기준으로 옮기고, 거꾸로도 옮깁니다.
-# - 90° 누워 있는 포인트 클라우드를 보고, 고쳐야 할 단 한 줄을 짚어냅니다.
+# - 눈을 감고도 로봇의 x, y, z축을 손으로 가리키고, 로봇이 돌기 전에 회전의 부호를 말할 수 있습니다.
+# - roll, pitch, yaw를 읽고, 순서가 왜 중요한지 설명할 수 있습니다.
+# - 회전을 쿼터니언으로 쓰고, 올바른 쿼터니언과 네 가지 잘못된 쿼터니언을 구별할 수 있습니다.
+# - 카메라 영상의 점을 카메라 본체 기준으로 옮기고, 거꾸로도 옮길 수 있습니다.
+# - 90° 누워 있는 포인트 클라우드를 보고, 고쳐야 할 단 한 줄을 짚어낼 수 있습니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
 # Ask everyone to stand up and point forward, left, up: x, y, z. Then ask them to imagine they are a camera and do it again.
@@ -47,52 +47,36 @@
 #
 # In code, names say both frames, target first: `base_T_camera` carries numbers from the camera to the base, `base_p_mug` is a point in the base.
 # `base_T_camera.apply(camera_p_mug)` moves a point, and `@` puts two transforms in a row. Chapter 3 is about that; here you only need to read it.
+# Whatever is called `lesson.…` is this workbook's own: it draws, and writes numbers tidily (`fmt_all`).
 
 # %% [markdown] lang="ko" name="needed" slide="skip"
-# ## 이 장에 필요한 것
+# ## 시작하기 전에 알아 둘 것
 #
 # 파이썬만 알면 됩니다. 01장은 아직 집필 중이므로, 거기서 필요한 내용을 여기에 적어 둡니다.
 #
 # - [[frame|좌표계(frame)]]는 원점과 세 방향에 이름을 붙인 것입니다. `base_link`, `camera_link`처럼 씁니다.
-# - 점은 값, 좌표계, 시각이 모두 있어야 점입니다. `(2, 0, 0)`만으로는 소문일 뿐입니다.
+# - 값, 좌표계, 시각이 모두 있어야 비로소 점이라 할 수 있습니다. `(2, 0, 0)`만으로는 아무 뜻이 없습니다.
 # - 메시지는 자신의 좌표계를 `header.frame_id`에 적습니다.
-# - [[transform|좌표 변환(transform)]]은 한 좌표계([[child frame|자식]])가 다른 좌표계([[parent frame|부모]]) 안에서 어디에 있는지 나타냅니다. 이동(미터)과 회전, 두 부분으로 이루어집니다. **이 장에서는 회전을 다룹니다.**
-# - [[tf2|TF2]](줄여서 TF)는 변환을 모두 모아 두고 이런 계산을 대신해 주는 ROS 2의 부품입니다. RViz는 변환을 그림으로 보여 주는 ROS의 창입니다.
+# - [[transform|좌표 변환(transform)]]은 한 좌표계([[child frame|자식]])가 다른 좌표계([[parent frame|부모]])를 기준으로 어디에 있는지 나타냅니다. 이동(미터)과 회전, 두 부분으로 이루어집니다. **이 장에서는 회전을 다룹니다.**
+# - [[tf2|TF2]](줄여서 TF)는 변환을 모두 모아 두고 이런 계산을 대신해 주는 ROS 2의 라이브러리입니다. RViz는 변환을 그림으로 보여 주는 ROS의 창입니다.
 # - [[urdf]]는 로봇의 부품이 어디에 달려 있는지 적은 파일입니다.
-# - 우리 로봇에는 카메라가 달려 있습니다. `camera_link`는 `base_link` 기준 (0.10, 0, 0.30), 곧 로봇 중심에서 앞으로 10 cm, 위로 30 cm인 곳에 있습니다.
+# - 우리 로봇에는 카메라가 달려 있습니다. `camera_link`는 `base_link` 기준 (0.10, 0, 0.30), 즉 로봇 중심에서 앞으로 10 cm, 위로 30 cm인 곳에 있습니다.
 #
-# 코드에서는 이름에 두 좌표계를 모두 적되 목표를 먼저 씁니다. `base_T_camera`는 카메라 기준 숫자를 base 기준으로 옮기고, `base_p_mug`는 base 기준의 점입니다.
+# 코드에서는 이름에 두 좌표계를 모두 적되, 결과의 기준이 되는 좌표계를 먼저 씁니다. `base_T_camera`는 카메라 기준 숫자를 base 기준으로 옮기고, `base_p_mug`는 base 기준의 점입니다.
 # `base_T_camera.apply(camera_p_mug)`는 점을 옮기고, `@`는 변환 둘을 잇습니다. 자세한 이야기는 03장에서 합니다. 여기서는 읽을 수만 있으면 됩니다.
+# `lesson.…`으로 부르는 것은 이 워크북의 도구입니다. 그림을 그리고, 숫자를 보기 좋게 적습니다(`fmt_all`).
 
 # %% name="load" slide="skip"
 # %load_ext tflab
-
-# %% name="imports" slide="skip"
 import math
 
-import numpy as np
-import rclpy
-import tf2_geometry_msgs  # teaches buffer.transform() about points
-import tf2_sensor_msgs  # and about clouds
-from geometry_msgs.msg import PointStamped, TransformStamped
-from rclpy.node import Node
-from rclpy.time import Time
-from sensor_msgs.msg import PointCloud2
-from sensor_msgs_py.point_cloud2 import create_cloud_xyz32, read_points_numpy
-from std_msgs.msg import Header
-from tf2_ros import Buffer, StaticTransformBroadcaster, TransformListener
-
-# %% name="imports-of-the-workbook" slide="skip"
 from tflab.core import Transform
-from tflab.core.quaternions import angle, xyzw_from_wxyz
-from tflab.views import axes, card, frames, misread, scene, turns
-from tflab.views.panels import cameras_panel, rotation_panel
-from tflab.views.style import fmt, fmt_all
+from tflab.workbook import lesson
 
 # %% [markdown] lang="en" name="story" slide="slide"
 # ## Half a day, lost in a contest
 #
-# A robot contest, in simulation. Cameras look at a bench, a detector finds the parts, an arm picks them up.
+# A robot contest, in simulation. Cameras look at a bench, a [[detector]] finds the parts, an arm picks them up.
 # One team took an object detector off the shelf, as one should.
 # It found the parts, and their places were wrong.
 #
@@ -101,27 +85,28 @@ from tflab.views.style import fmt, fmt_all
 # The team wrote down what it had cost them: about half a day, during the competition.
 # ([usnistgov/ARIAC, issue 345](https://github.com/usnistgov/ARIAC/issues/345). The organisers added the missing frame.)
 #
-# Here is that bench, seen by our robot.
+# Here is the same mistake on our robot: one part, where it is and where an arm would reach for it.
 
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 대회에서 날린 반나절
 #
-# 시뮬레이션으로 치르는 로봇 대회입니다. 카메라가 작업대를 보고, 검출기가 부품을 찾고, 로봇 팔이 집습니다.
+# 시뮬레이션으로 치르는 로봇 대회입니다. 카메라가 작업대를 보고, [[detector|검출기]]가 물건(부품)을 찾고, 로봇 팔이 집습니다.
 # 한 팀은 이미 나와 있는 검출기를 가져다 썼습니다. 잘한 일입니다.
-# 검출기는 부품을 찾아냈습니다. 그런데 위치가 모두 틀렸습니다.
+# 검출기는 물건을 찾아냈습니다. 그런데 위치가 모두 틀렸습니다.
 #
 # 수학은 맞았습니다. 검출기도 맞았습니다. 카메라도 맞았습니다.
 # 다만 영상에는 카메라 **본체**의 좌표계가 적혀 있었고, 검출기의 숫자는 카메라 **영상** 기준이었습니다.
-# 팀이 적어 둔 대가는 이렇습니다. 대회 도중 약 반나절.
+# 팀의 기록에 따르면, 이 때문에 대회 도중 반나절쯤을 날렸습니다.
 # ([usnistgov/ARIAC, 이슈 345](https://github.com/usnistgov/ARIAC/issues/345). 주최 측은 이후 빠져 있던 좌표계를 추가했습니다.)
 #
-# 우리 로봇이 본 그 작업대는 이렇습니다.
+# 우리 로봇에 같은 일이 일어나면 이렇게 됩니다. 물건 하나가 실제로 있는 곳과, 로봇 팔이 뻗는 곳입니다.
+# 그림 읽기: the part = 물건, where the arm goes = 로봇 팔이 뻗는 곳.
 
 # %% name="story-picture" slide="subslide"
 base_T_camera = Transform((0.10, 0.0, 0.30))
-base_T_optical = base_T_camera @ axes.BODY_T_OPTICAL
+base_T_optical = base_T_camera @ lesson.BODY_T_OPTICAL
 detected = (0.25, 0.15, 1.2)  # what the detector said [m]
-frames.draw_scene(
+lesson.draw_scene(
     {"base_link": Transform(), "camera_link": base_T_camera},
     points={"the part": base_T_optical.apply(detected)},
     ghost_points={"where the arm goes": base_T_camera.apply(detected)},
@@ -130,13 +115,13 @@ frames.draw_scene(
 )
 
 # %% [markdown] lang="en" name="story-after"
-# The grey circle is where such an arm goes: up, above the camera, into the air.
+# The grey circle is where the arm would go: up, above the camera, into the air.
 # No error was raised. TF computed happily: to the mathematics, one frame is as good as another.
 # By the end of this page you will find this fault in one minute, with one command.
 
 # %% [markdown] lang="ko" name="story-after"
-# 이런 팔이라면 회색 원이 있는 곳으로 갑니다. 카메라보다 위쪽, 허공입니다.
-# 오류는 하나도 나지 않았습니다. TF는 아무렇지 않게 계산했습니다. 수학의 눈에는 어느 좌표계든 똑같은 좌표계일 뿐입니다.
+# 이대로라면 로봇 팔은 회색 원이 있는 곳으로 뻗습니다. 카메라보다 위쪽, 허공입니다.
+# 오류는 하나도 나지 않았습니다. TF는 아무렇지 않게 계산했습니다. 계산만 놓고 보면 어느 좌표계든 다를 것이 없습니다.
 # 이 장을 마칠 때쯤이면 여러분은 이 결함을 명령 하나로, 1분 안에 찾아낼 것입니다.
 
 # %% [markdown] lang="en" name="story-notes" slide="notes"
@@ -155,11 +140,11 @@ frames.draw_scene(
 # Guessing is allowed. Not writing is not: a guess in the head bends itself to fit the answer.
 
 # %% [markdown] lang="ko" name="predict" slide="slide"
-# ## 예측해 보십시오
+# ## 예측해 봅시다
 #
 # 머그컵이 카메라 정면 2 m 앞에 있습니다. 영상에서는 정확히 한가운데에 보입니다.
 #
-# **지금 종이에 좌표를 두 개 적어 보십시오.** 머그컵은 `camera_link` 기준으로 어디에 있습니까? `camera_optical_frame` 기준으로는 어디에 있습니까?
+# **지금 종이에 좌표를 두 개 적어 보세요.** 머그컵은 `camera_link` 기준으로 어디에 있을까요? `camera_optical_frame` 기준으로는 어디에 있을까요?
 #
 # 찍어도 좋습니다. 다만 반드시 적으십시오. 머릿속에만 둔 예측은 정답을 보는 순간 슬그머니 정답에 맞춰집니다.
 
@@ -167,12 +152,12 @@ frames.draw_scene(
 # Written? Then run the next cell. In your own copy, a cell that answers a prediction shows nothing until you run it.
 
 # %% [markdown] lang="ko" name="predict-how" slide="skip"
-# 적었으면 다음 셀을 실행하십시오. 내 워크북에서는 예측의 답을 보여 주는 셀이 실행하기 전까지 비어 있습니다.
+# 적었으면 다음 셀을 실행해 보세요. 내 워크북에서는 예측의 답이 나오는 셀은 실행하기 전까지 비어 있습니다.
 
 # %% name="predict-run" tags=["predicted"] slide="fragment"
-mug = axes.straight_ahead(2.0)
-print("in camera_link          ", fmt_all(mug))
-print("in camera_optical_frame ", fmt_all(axes.optical_from_body(mug)))
+mug = lesson.straight_ahead(2.0)
+print("in camera_link          ", lesson.fmt_all(mug))
+print("in camera_optical_frame ", lesson.fmt_all(lesson.optical_from_body(mug)))
 
 # %% [markdown] lang="en" name="predict-replies" slide="fragment"
 # What did you write for the second one?
@@ -199,7 +184,7 @@ print("in camera_optical_frame ", fmt_all(axes.optical_from_body(mug)))
 # </details>
 
 # %% [markdown] lang="ko" name="predict-replies" slide="fragment"
-# 두 번째 좌표를 무엇이라고 적었습니까?
+# 두 번째 좌표를 어떻게 적었을까요?
 #
 # <details><summary>똑같이 (2, 0, 0)</summary>
 #
@@ -218,7 +203,7 @@ print("in camera_optical_frame ", fmt_all(axes.optical_from_body(mug)))
 # </details>
 # <details><summary>(0, 0, 2)</summary>
 #
-# 맞습니다. 종이는 버리지 마십시오. 마지막에 *왜* 그런지 말해야 합니다.
+# 맞습니다. 종이는 버리지 마세요. 마지막에 *왜* 그런지 말해야 합니다.
 #
 # </details>
 
@@ -234,7 +219,7 @@ print("in camera_optical_frame ", fmt_all(axes.optical_from_body(mug)))
 # Every ROS robot agrees on this; the rule is called [[rep-103]].
 # Lengths are in metres, angles in radians.
 #
-# Hold up your **right** hand like a pistol: index finger forward (x), thumb up (z), and the middle finger points left by itself (y).
+# Hold up your **right** hand like a pistol: index finger forward (x), thumb up (z), and the middle finger, stretched out from the palm, points left (y).
 # With the left hand it points right. That is why the hand matters.
 
 # %% [markdown] lang="ko" name="body-axes" slide="slide"
@@ -243,11 +228,11 @@ print("in camera_optical_frame ", fmt_all(axes.optical_from_body(mug)))
 # 모든 ROS 로봇이 이 약속을 따릅니다. 규칙의 이름은 [[rep-103]]입니다.
 # 길이는 미터, 각도는 라디안을 씁니다.
 #
-# **오른손**을 권총 모양으로 들어 보십시오. 검지는 앞(x), 엄지는 위(z), 그러면 가운뎃손가락은 저절로 왼쪽(y)을 가리킵니다.
+# **오른손**을 권총 모양으로 들어 보세요. 검지는 앞(x), 엄지는 위(z), 가운뎃손가락을 손바닥과 직각으로 펴면 왼쪽(y)을 가리킵니다.
 # 왼손으로 하면 오른쪽을 가리킵니다. 그래서 어느 손인지가 중요합니다.
 
 # %% name="body-axes-figure"
-axes.draw_body_axes()
+lesson.draw_body_axes()
 
 # %% [markdown] lang="en" name="body-axes-notes" slide="notes"
 # Every hand is up before the figure appears. Walk round: in each row somebody holds up the left one.
@@ -258,11 +243,11 @@ axes.draw_body_axes()
 # 그 사람에게 y가 어느 쪽인지 묻고, 왜 다른지는 옆 사람들이 찾게 합니다.
 
 # %% [markdown] lang="en" name="body-axes-colours" slide="skip"
-# In every figure of this book x is a solid line, y is dashed, z is dotted; the letters stand at the tips.
+# In every figure of this workbook x is a solid line, y is dashed, z is dotted; the letters stand at the tips. ⊙ is an axis that comes towards you, ⊗ one that goes away from you (the tip and the feathers of an arrow).
 # The colours are RViz's idea (red, green, blue for x, y, z), in shades that colour-blind people can tell apart.
 
 # %% [markdown] lang="ko" name="body-axes-colours" slide="skip"
-# 이 책의 모든 그림에서 x는 실선, y는 파선, z는 점선이며, 끝에 글자가 붙어 있습니다.
+# 이 워크북의 모든 그림에서 x는 실선, y는 파선, z는 점선이며, 끝에 글자가 붙어 있습니다. ⊙는 보는 사람 쪽으로 나오는 축, ⊗는 반대쪽으로 들어가는 축입니다(화살의 촉과 깃).
 # 색은 RViz의 관례(x, y, z가 빨강, 초록, 파랑)를 따르되, 색을 구별하기 어려운 사람도 알아볼 수 있는 색조로 골랐습니다.
 
 # %% [markdown] lang="en" name="signs-predict" slide="slide"
@@ -270,22 +255,22 @@ axes.draw_body_axes()
 #
 # Now the thumb of the right hand shows the axis, and the fingers curl the **positive** way.
 #
-# **Predict.** You send a robot `linear.x = 0.5` (half a metre per second ahead) and `angular.z = -0.5` (half a radian per second about z). Does it go left or right?
+# **Predict.** You send a robot a message with a velocity: `linear.x = 0.5` (half a metre per second ahead) and `angular.z = -0.5` (half a radian per second about z). Does it go left or right?
 # And an aeroplane question: pitch is the turn about y. With a *positive* pitch, does the nose go up or down?
 
 # %% [markdown] lang="ko" name="signs-predict" slide="slide"
-# ## 움직이기 전에 부호를 말하십시오
+# ## 움직이기 전에 부호를 말해 봅시다
 #
-# 이번에는 오른손 엄지가 축입니다. 나머지 손가락을 감아쥐는 방향이 **양(+)** 의 회전입니다.
+# 이번에는 오른손 엄지가 축입니다. 나머지 손가락을 감아쥐는 방향이 <b>양(+)</b>의 회전입니다.
 #
-# **예측.** 로봇에 `linear.x = 0.5`(앞으로 초속 0.5미터)와 `angular.z = -0.5`(z축 중심으로 초당 0.5라디안)를 보냅니다. 왼쪽으로 갑니까, 오른쪽으로 갑니까?
-# 비행기 문제도 하나 드립니다. y축을 중심으로 도는 것을 pitch라고 합니다. pitch가 *양수*이면 기수는 올라갑니까, 내려갑니까?
+# **예측해 봅시다.** 속도를 정하는 메시지로 로봇에 `linear.x = 0.5`(앞으로 초속 0.5미터)와 `angular.z = -0.5`(z축 중심으로 초당 0.5라디안)를 보냅니다. 왼쪽으로 갈까요, 오른쪽으로 갈까요?
+# 비행기 문제도 하나 드립니다. y축을 중심으로 도는 것을 pitch라고 합니다. pitch가 *양수*이면 기수(機首, 앞머리)는 올라갈까요, 내려갈까요?
 
 # %% name="signs-drive" tags=["predicted"] slide="fragment"
-turns.draw_drives({"angular.z = +0.5": 0.5, "angular.z = 0": 0.0, "angular.z = -0.5": -0.5})
+lesson.draw_drives({"angular.z = +0.5": 0.5, "angular.z = 0": 0.0, "angular.z = -0.5": -0.5})
 
 # %% name="signs-hand" tags=["predicted"] slide="subslide"
-axes.draw_right_hand()
+lesson.draw_right_hand()
 
 # %% [markdown] lang="en" name="signs-after" tags=["predicted"] slide="fragment"
 # Positive yaw turns **left**: from x towards y. So −0.5 goes right.
@@ -296,7 +281,7 @@ axes.draw_right_hand()
 # Positive roll lifts the left side.
 
 # %% [markdown] lang="ko" name="signs-after" tags=["predicted"] slide="fragment"
-# 양의 yaw는 **왼쪽**으로 돕니다. x에서 y 쪽으로 도는 방향입니다. 그러므로 −0.5는 오른쪽입니다.
+# 양의 yaw는 **왼쪽**으로 돕니다. x에서 y 쪽으로 도는 방향입니다. 따라서 −0.5는 오른쪽입니다.
 #
 # 양의 pitch는 **기수를 내립니다**. 조종사라면 고개를 저을 것입니다. 비행기 좌표계에서는 z가 아래를 향하므로 양수일 때 기수가 올라갑니다.
 # 어느 쪽도 틀리지 않았습니다. 약속이 둘일 뿐이고, 드론 한 대 안에 두 약속이 함께 들어 있기도 합니다.
@@ -326,14 +311,14 @@ axes.draw_right_hand()
 # 세 축은 **고정**되어 있습니다. 로봇이 도는 동안에도 축은 제자리에 있습니다.
 # URDF의 `rpy="..."`와 ROS 2 도구의 `--roll --pitch --yaw`가 정확히 이 뜻입니다.
 #
-# 슬라이더를 하나씩만 움직이되, 놓기 전에 무슨 일이 일어날지 소리 내어 말해 보십시오.
-# 패널은 같은 회전을 두 가지로 더 적어 보여 줍니다. 숫자 넷인 *quaternion*과 숫자 아홉인 *matrix*입니다. 둘 다 아래에서 설명하니, 지금은 바뀌는 모습만 보십시오.
+# 슬라이더를 하나씩만 움직이되, 놓기 전에 무슨 일이 일어날지 소리 내어 말해 보세요.
+# 패널은 같은 회전을 두 가지로 더 적어 보여 줍니다. 숫자 네 개인 *quaternion*과 아홉 개인 *matrix*입니다. 둘 다 아래에서 설명하니, 지금은 바뀌는 모습만 보세요.
 
 # %% name="rpy-panel" tags=["interactive"] slide="subslide"
-rotation_panel(roll_rad=0.0, pitch_rad=0.0, yaw_rad=0.5)
+lesson.rotation_panel(roll_rad=0.0, pitch_rad=0.0, yaw_rad=0.5)
 
 # %% name="rpy-figure" slide="skip"
-axes.draw_rotation(roll_rad=0.0, pitch_rad=0.0, yaw_rad=0.5)
+lesson.draw_rotation(roll_rad=0.0, pitch_rad=0.0, yaw_rad=0.5)
 
 # %% [markdown] lang="en" name="rpy-try" slide="fragment"
 # **Try it.** Which sliders make
@@ -349,11 +334,11 @@ axes.draw_rotation(roll_rad=0.0, pitch_rad=0.0, yaw_rad=0.5)
 # </details>
 
 # %% [markdown] lang="ko" name="rpy-try" slide="fragment"
-# **직접 해 보십시오.** 슬라이더를 어떻게 놓으면 다음과 같이 됩니까?
+# **직접 해 보세요.** 슬라이더를 어떻게 놓으면 다음과 같이 될까요?
 #
 # - 로봇이 천장을 봅니다.
 # - 쿼터니언이 (0, 0, 1, 0)이 됩니다.
-# - 쿼터니언이 (1, 0, 0, 0)이 됩니다. 여러분이 그 로봇이라면 어떻겠습니까?
+# - 쿼터니언이 (1, 0, 0, 0)이 됩니다. 여러분이 그 로봇이라면 어떨까요?
 #
 # <details><summary>풀이</summary>
 #
@@ -374,28 +359,28 @@ axes.draw_rotation(roll_rad=0.0, pitch_rad=0.0, yaw_rad=0.5)
 #
 # Take your phone. Screen up, top edge forward.
 # Give it a quarter roll (left side up), then a quarter yaw (to the left). Remember where the top edge points.
-# Start again, and do it the other way round.
+# Start again, and do it the other way round. Mind that the second turn, too, is about the *room's* direction: the roll is about the line that pointed forward at the beginning, not about the phone's own edge.
 #
 # **Predict:** is it the same?
 
 # %% [markdown] lang="ko" name="order-predict" slide="subslide"
-# ### 순서가 중요합니까?
+# ### 순서를 바꾸면 달라질까요?
 #
-# 휴대전화를 꺼내십시오. 화면은 위로, 윗변은 앞으로 둡니다.
-# roll로 90°(왼쪽이 위로), 다음에 yaw로 90°(왼쪽으로) 돌립니다. 윗변이 어디를 가리키는지 기억하십시오.
-# 처음으로 돌아가서 순서를 바꾸어 다시 해 보십시오.
+# 휴대전화를 꺼내 보세요. 화면은 위로, 윗변은 앞으로 둡니다.
+# roll로 90°(왼쪽이 위로), 다음에 yaw로 90°(왼쪽으로) 돌립니다. 윗변이 어디를 가리키는지 기억해 두세요.
+# 처음으로 돌아가서 순서를 바꾸어 다시 해 보세요. 두 번째 회전도 *방*의 방향을 기준으로 합니다. roll의 축은 처음에 앞을 가리키던 직선이지, 휴대전화의 변이 아닙니다.
 #
-# **예측:** 결과가 같습니까?
+# **예측해 봅시다.** 결과가 같을까요?
 
 # %% name="order-figure" tags=["predicted"] slide="fragment"
-turns.draw_orders(("roll", math.pi / 2), ("yaw", math.pi / 2))
+lesson.draw_orders(("roll", math.pi / 2), ("yaw", math.pi / 2))
 
 # %% name="order-numbers" tags=["predicted"] slide="subslide"
 roll = Transform.from_rpy(roll=math.pi / 2)
 yaw = Transform.from_rpy(yaw=math.pi / 2)
 nose = (1.0, 0.0, 0.0)
-print("first roll, then yaw:", fmt_all((yaw @ roll).apply(nose), ""))
-print("first yaw, then roll:", fmt_all((roll @ yaw).apply(nose), ""))
+print("first roll, then yaw:", lesson.fmt_all((yaw @ roll).apply(nose), ""))
+print("first yaw, then roll:", lesson.fmt_all((roll @ yaw).apply(nose), ""))
 
 # %% [markdown] lang="en" name="order-after" tags=["predicted"] slide="fragment"
 # One robot looks to the left. The other looks at the ceiling.
@@ -403,23 +388,33 @@ print("first yaw, then roll:", fmt_all((roll @ yaw).apply(nose), ""))
 # In code, the turn that happens **first** stands on the **right**, next to the point: `yaw @ roll` is "roll, then yaw".
 # `Transform.from_rpy(r, p, y)` is `yaw @ pitch @ roll`, always.
 #
-# > The same product can be read from left to right with axes that turn along: yaw first, then pitch about the *new* y, then roll about the *new* x.
-# > Both readings are in use. If somebody hands you three angles, ask: which order, and fixed axes or turning ones?
+# <details><summary>Deeper: axes that turn along</summary>
+#
+# The same product can be read from left to right with axes that turn along: yaw first, then pitch about the *new* y, then roll about the *new* x.
+# Both readings are in use. If somebody hands you three angles, ask: which order, and fixed axes or turning ones?
+#
+# </details>
 
 # %% [markdown] lang="ko" name="order-after" tags=["predicted"] slide="fragment"
+# 그림 읽기: first roll, then yaw = 먼저 roll, 다음 yaw. grey: fixed axes = 회색은 고정된 축.
+#
 # 한 로봇은 왼쪽을 보고, 다른 로봇은 천장을 봅니다.
 #
 # 코드에서 **먼저** 일어나는 회전은 점과 가까운 **오른쪽**에 씁니다. `yaw @ roll`은 "roll 하고 나서 yaw"입니다.
 # `Transform.from_rpy(r, p, y)`는 언제나 `yaw @ pitch @ roll`입니다.
 #
-# > 같은 곱을 왼쪽부터 읽을 수도 있습니다. 이때는 축이 함께 돕니다. 먼저 yaw, 다음에 *새로운* y축으로 pitch, 다음에 *새로운* x축으로 roll입니다.
-# > 두 방식 모두 쓰입니다. 누가 각도 세 개를 건네면 꼭 물어보십시오. 순서는 무엇이고, 축은 고정입니까, 함께 돕니까?
+# <details><summary>더 깊이: 함께 도는 축</summary>
+#
+# 같은 곱을 왼쪽부터 읽을 수도 있습니다. 이때는 축이 함께 돕니다. 먼저 yaw, 다음에 *새로운* y축으로 pitch, 다음에 *새로운* x축으로 roll입니다.
+# 두 방식 모두 쓰입니다. 누가 각도 세 개를 건네면 순서는 무엇인지, 축은 고정인지 함께 도는지 꼭 확인하십시오.
+#
+# </details>
 
 # %% [markdown] lang="en" name="order-notes" slide="notes"
 # Do it with a book in front of the class, both orders, and let somebody else call the turns. Nobody forgets a book that ends up on its spine.
 
 # %% [markdown] lang="ko" name="order-notes" slide="notes"
-# 책 한 권을 들고 두 순서를 모두 보여 주되, 회전은 다른 사람이 부르게 합니다. 책등으로 서는 책은 아무도 잊지 못합니다.
+# 책 한 권을 들고 두 순서를 모두 보여 주되, 회전은 다른 사람이 부르게 합니다. 책등을 아래로 하고 선 책은 아무도 잊지 못합니다.
 
 # %% [markdown] lang="en" name="gimbal" slide="slide"
 # ## Why not stay with three angles?
@@ -428,17 +423,17 @@ print("first yaw, then roll:", fmt_all((roll @ yaw).apply(nose), ""))
 # **Predict:** how far apart are the two robots?
 
 # %% [markdown] lang="ko" name="gimbal" slide="slide"
-# ## 각도 세 개로는 왜 부족합니까?
+# ## 각도 세 개로는 왜 부족할까요?
 #
 # 기수를 똑바로 아래로 내립니다. pitch가 90°입니다. 이제 roll과 yaw가 전혀 다른 두 조합을 비교합니다.
-# **예측:** 두 로봇의 자세는 얼마나 다릅니까?
+# **예측해 봅시다.** 두 로봇이 향한 방향은 얼마나 다를까요?
 
 # %% name="gimbal-run" tags=["predicted"] slide="fragment"
 one = Transform.from_rpy(roll=0.0, pitch=math.pi / 2, yaw=0.5).rotation
 other = Transform.from_rpy(roll=1.2, pitch=math.pi / 2, yaw=1.7).rotation
-print("one   (x, y, z, w):", fmt_all(one, ""))
-print("other (x, y, z, w):", fmt_all(other, ""))
-print("from one to the other, a turn of", fmt(angle(one, other), "rad"))
+print("one   (x, y, z, w):", lesson.fmt_all(one, ""))
+print("other (x, y, z, w):", lesson.fmt_all(other, ""))
+print("turn between them:", lesson.fmt(lesson.angle(one, other), "rad"))
 
 # %% [markdown] lang="en" name="gimbal-after" tags=["predicted"] slide="fragment"
 # Not at all: they are the same. With the nose down, roll and yaw turn about the same line, and one of the three angles has nothing left to say.
@@ -448,10 +443,10 @@ print("from one to the other, a turn of", fmt(angle(one, other), "rad"))
 # So ROS **stores and sends** quaternions. Angles are for people: URDF takes them from you, tools show them to you.
 
 # %% [markdown] lang="ko" name="gimbal-after" tags=["predicted"] slide="fragment"
-# 전혀 다르지 않습니다. 같은 자세입니다. 기수가 아래를 향하면 roll과 yaw가 같은 직선을 축으로 돌게 되어, 세 각도 중 하나가 할 일을 잃습니다.
+# 전혀 다르지 않습니다. 똑같은 방향입니다. 기수가 아래를 향하면 roll과 yaw가 같은 직선을 축으로 돌게 되어, 세 각도 중 하나가 할 일을 잃습니다.
 # 이것을 [[gimbal lock|짐벌 락(gimbal lock)]]이라고 합니다. 이 근처에서는 실제로 아주 조금만 움직여도 각도가 훌쩍 뜁니다. 각도로 계산하는 필터나 제어기는 여기서 날뜁니다.
 #
-# [[quaternion|쿼터니언(quaternion, 사원수)]]에는 그런 자리가 없습니다. 숫자 넷 중 하나는 여유분이고, 어디에서나 작은 움직임은 작은 변화로 나타납니다.
+# [[quaternion|쿼터니언(quaternion, 사원수)]]에는 그런 자리가 없습니다. 숫자 네 개 중 하나는 여유분이고, 어디에서나 작은 움직임은 작은 변화로 나타납니다.
 # 그래서 ROS는 쿼터니언으로 **저장하고 전송합니다**. 각도는 사람을 위한 것입니다. URDF에는 사람이 각도로 적고, 도구는 사람에게 각도로 보여 줍니다.
 
 # %% [markdown] lang="en" name="gimbal-notes" slide="notes"
@@ -473,6 +468,12 @@ print("from one to the other, a turn of", fmt(angle(one, other), "rad"))
 # **Worked example.** Turn left by 90°. Left is yaw, so the axis is z: (0, 0, 1).
 # Half of 90° is 45°, and sin 45° = cos 45° = 0.707.
 # So (x, y, z, w) = (0, 0, 0.707, 0.707).
+#
+# <details><summary>Deeper: why half the angle?</summary>
+#
+# The formula that turns a point uses the quaternion twice, once on each side of the point: q · p · q⁻¹. Each side does half of the turn.
+#
+# </details>
 
 # %% [markdown] lang="ko" name="recipe" slide="slide"
 # ## 쓰는 법: 각도의 절반
@@ -484,15 +485,21 @@ print("from one to the other, a turn of", fmt(angle(one, other), "rad"))
 #         w = cos(a / 2)
 # ```
 #
-# **풀이 예제.** 왼쪽으로 90° 돕니다. 왼쪽으로 도는 것은 yaw이므로 축은 z, 곧 (0, 0, 1)입니다.
+# **예제.** 왼쪽으로 90° 돕니다. 왼쪽으로 도는 것은 yaw이므로 축은 z, 즉 (0, 0, 1)입니다.
 # 90°의 절반은 45°이고 sin 45° = cos 45° = 0.707입니다.
 # 따라서 (x, y, z, w) = (0, 0, 0.707, 0.707)입니다.
+#
+# <details><summary>더 깊이: 왜 각도의 절반일까요?</summary>
+#
+# 점을 돌리는 식에서 쿼터니언은 점의 양쪽에 한 번씩, 모두 두 번 쓰입니다(q · p · q⁻¹). 양쪽이 회전을 절반씩 맡습니다.
+#
+# </details>
 
 # %% name="recipe-run" slide="fragment"
 a = math.radians(90)
 left_90 = (0.0, 0.0, math.sin(a / 2), math.cos(a / 2))
-print("quaternion:", fmt_all(left_90, ""))
-print("the nose, after it:", fmt_all(Transform(rotation=left_90).apply((1.0, 0.0, 0.0)), ""))
+print("quaternion:", lesson.fmt_all(left_90, ""))
+print("the nose, after it:", lesson.fmt_all(Transform(rotation=left_90).apply((1.0, 0.0, 0.0)), ""))
 
 # %% [markdown] lang="en" name="recipe-notes" slide="notes"
 # Somebody will ask: why half? An honest short answer: the formula that turns a point uses the quaternion twice, once on each side of the point.
@@ -506,15 +513,15 @@ print("the nose, after it:", fmt_all(Transform(rotation=left_90).apply((1.0, 0.0
 # **Your turn, with two blanks.** Turn *right* by 40°. Replace the two `...` and run the cell again.
 
 # %% [markdown] lang="ko" name="faded" slide="subslide"
-# **빈칸 두 개를 채워 보십시오.** *오른쪽*으로 40° 돕니다. `...` 두 개를 바꾸고 셀을 다시 실행하십시오.
+# **빈칸 두 개를 채워 보십시오.** *오른쪽*으로 40° 돕니다. `...` 두 개를 바꾸고 셀을 다시 실행해 보세요.
 
 # %% name="faded-run"
 half = math.radians(-40) / 2  # to the right is negative
 right_40 = (0.0, 0.0, ..., ...)  # fill in z and w
 if ... in right_40:
-    print("two blanks left")
+    print("2 blanks")
 else:
-    print("that is a yaw of", fmt(math.degrees(Transform(rotation=right_40).rpy()[2]), "degrees", 1))
+    print("that is a yaw of", lesson.fmt(math.degrees(Transform(rotation=right_40).rpy()[2]), "degrees", 1))
 
 # %% [markdown] lang="en" name="faded-answer"
 # <details><summary>What belongs there?</summary>
@@ -528,7 +535,7 @@ else:
 # </details>
 
 # %% [markdown] lang="ko" name="faded-answer"
-# <details><summary>무엇이 들어가야 합니까?</summary>
+# <details><summary>무엇이 들어가야 할까요?</summary>
 #
 # `math.sin(half)`와 `math.cos(half)`입니다. "a yaw of -40.0 degrees"가 나와야 합니다.
 #
@@ -557,7 +564,7 @@ else:
 # | 쿼터니언 (x, y, z, w) | 뜻 |
 # |---|---|
 # | (0, 0, 0, 1) | 회전 없음 |
-# | (0, 0, 0, 0) | 아무것도 아님: 회전이 아닙니다 |
+# | (0, 0, 0, 0) | 회전이 아님 |
 # | q와 −q | 같은 회전 |
 # | (1, 0, 0, 0) | x축으로 반 바퀴: 로봇이 뒤집혀 누워 있습니다 |
 #
@@ -567,8 +574,8 @@ else:
 # %% name="four-facts-run" slide="fragment"
 minus = tuple(-part for part in left_90)
 point = (1.0, 0.0, 0.0)
-print(" q turns it to", fmt_all(Transform(rotation=left_90).apply(point), ""))
-print("-q turns it to", fmt_all(Transform(rotation=minus).apply(point), ""))
+print(" q turns it to", lesson.fmt_all(Transform(rotation=left_90).apply(point), ""))
+print("-q turns it to", lesson.fmt_all(Transform(rotation=minus).apply(point), ""))
 
 # %% [markdown] lang="en" name="four-facts-notes" slide="notes"
 # Cover the right column and let the room fill it, line by line. The second line splits the room; leave it open, it comes back as an accident.
@@ -579,20 +586,20 @@ print("-q turns it to", fmt_all(Transform(rotation=minus).apply(point), ""))
 # %% [markdown] lang="en" name="length" slide="subslide"
 # ### How long is it?
 #
-# A rotation has length one: x² + y² + z² + w² = 1. Such a quaternion is called a [[unit quaternion]].
+# The quaternion of a rotation has length one: x² + y² + z² + w² = 1. Such a quaternion is called a [[unit quaternion]].
 # If the length is off, TF scales it back without a word. Other programs trust you, and stretch the robot.
 # Rounded numbers are fine, so nobody asks for *exactly* one.
 #
 # And there is NaN, "not a number", the child of 0/0. **Predict:** is NaN close to 1, or far from it?
 
 # %% [markdown] lang="ko" name="length" slide="subslide"
-# ### 길이는 얼마입니까?
+# ### 길이는 얼마일까요?
 #
-# 회전의 길이는 1입니다. x² + y² + z² + w² = 1인 쿼터니언을 [[unit quaternion]]이라고 합니다.
-# 길이가 어긋나면 TF는 말없이 맞추어 놓습니다. 다른 프로그램은 여러분을 믿고 로봇을 늘여 버립니다.
+# 회전을 나타내는 쿼터니언은 길이가 1입니다. x² + y² + z² + w² = 1인 쿼터니언을 [[unit quaternion]]이라고 합니다.
+# 길이가 어긋나면 TF는 말없이 맞추어 놓습니다. 길이를 확인하지 않는 프로그램에서는 로봇이 늘어나거나 찌그러져 보입니다.
 # 반올림한 숫자는 괜찮습니다. 그래서 *정확히* 1인지는 아무도 따지지 않습니다.
 #
-# 그리고 0/0에서 태어나는 NaN(숫자가 아님)이 있습니다. **예측:** NaN은 1에 가깝습니까, 1에서 멉니까?
+# 그리고 0/0을 계산하면 나오는 NaN(숫자가 아님)이 있습니다. **예측해 봅시다.** NaN은 1에 가까울까요, 1에서 멀까요?
 
 # %% name="length-run" tags=["predicted"] slide="fragment"
 for q in (left_90, (0.0, 0.0, 0.707, 0.707), (0.0, 0.0, 1.4, 1.4), (0.0, 0.0, math.nan, 1.0)):
@@ -601,25 +608,25 @@ for q in (left_90, (0.0, 0.0, 0.707, 0.707), (0.0, 0.0, 1.4, 1.4), (0.0, 0.0, ma
     print(f"length {length:.4f}:  close to 1? {off < 0.01}   far from 1? {off > 0.01}")
 
 # %% [markdown] lang="en" name="length-after" tags=["predicted"] slide="fragment"
-# Neither. Every comparison with NaN says False, so it walks through any check that asks "is it bad?".
+# Neither. NaN is neither greater nor less than anything: both comparisons say False, so it walks through any check that asks "is it bad?".
 # Ask `math.isfinite` first.
 
 # %% [markdown] lang="ko" name="length-after" tags=["predicted"] slide="fragment"
-# 둘 다 아닙니다. NaN과의 비교는 모두 False이므로 "나쁜 값입니까?"라고 묻는 검사는 유유히 통과합니다.
-# `math.isfinite`로 먼저 물어보십시오.
+# 둘 다 아닙니다. NaN은 어떤 값과 크기를 비교해도 False이므로, '나쁜 값인가?'를 묻는 검사를 유유히 통과합니다.
+# `math.isfinite`로 먼저 확인하십시오.
 
 # %% [markdown] lang="en" name="w-first" slide="subslide"
 # And the w-first accident, with a gentle turn to the left of 20°. **Predict** what the robot does.
 
 # %% [markdown] lang="ko" name="w-first" slide="subslide"
-# 이번에는 w를 먼저 쓰는 사고입니다. 왼쪽으로 살짝 20° 도는 회전입니다. 로봇이 어떻게 될지 **예측**해 보십시오.
+# 이번에는 w를 먼저 쓰는 사고입니다. 왼쪽으로 살짝 20° 도는 회전입니다. 로봇이 어떻게 될지 **예측**해 봅시다.
 
 # %% name="w-first-run" tags=["predicted"] slide="fragment"
 a = math.radians(20)
 from_mujoco = (math.cos(a / 2), 0.0, 0.0, math.sin(a / 2))  # (w, x, y, z)
-for name, q in (("taken as it came", from_mujoco), ("put in order", xyzw_from_wxyz(from_mujoco))):
+for name, q in (("taken as it came", from_mujoco), ("put in order", lesson.xyzw_from_wxyz(from_mujoco))):
     angles = (math.degrees(part) for part in Transform(rotation=q).rpy())
-    print(f"{name}: roll, pitch, yaw", fmt_all(tuple(angles), "degrees", 1))
+    print(f"{name}: roll, pitch, yaw", lesson.fmt_all(tuple(angles), "degrees", 1))
 
 # %% [markdown] lang="en" name="w-first-after" tags=["predicted"] slide="fragment"
 # Roll 160°: upside down, wheels in the air.
@@ -629,7 +636,7 @@ for name, q in (("taken as it came", from_mujoco), ("put in order", xyzw_from_wx
 # %% [markdown] lang="ko" name="w-first-after" tags=["predicted"] slide="fragment"
 # roll이 160°입니다. 바퀴를 하늘로 하고 뒤집혔습니다.
 # 작은 회전이 거의 반 바퀴 roll로 바뀝니다. RViz에서 로봇이 거꾸로 서 있다면 w를 먼저 쓴 흔적입니다.
-# 변환은 경계에서 한 번만, 이름만 보아도 뜻이 드러나는 함수로 하십시오. `xyzw_from_wxyz`가 그런 이름입니다.
+# 순서를 바꾸는 일은 데이터가 드나드는 경계에서 한 번만, 이름만 보아도 뜻이 드러나는 함수로 하십시오. `xyzw_from_wxyz`가 그런 이름입니다.
 
 # %% [markdown] lang="en" name="w-first-notes" slide="notes"
 # Ask who has seen a robot on its back in RViz. Then ask how long it took to find out why. The median is longer than this lecture.
@@ -640,7 +647,7 @@ for name, q in (("taken as it came", from_mujoco), ("put in order", xyzw_from_wx
 # %% [markdown] lang="en" name="optical" slide="slide"
 # ## The picture: z forward, x right, y down
 #
-# A picture has its own habit: pixels are counted to the **right** and **down** from the upper left corner.
+# Pictures have a convention of their own: pixels are counted to the **right** and **down** from the upper left corner.
 # People who compute with pictures keep it in space: x right, y down, and so, right hand, z goes **forward**, into the scene.
 # ROS calls such a frame an [[optical frame]], and its name ends in `_optical_frame`.
 #
@@ -649,17 +656,17 @@ for name, q in (("taken as it came", from_mujoco), ("put in order", xyzw_from_wx
 # %% [markdown] lang="ko" name="optical" slide="slide"
 # ## 영상: z는 앞, x는 오른쪽, y는 아래
 #
-# 영상에는 영상의 습관이 있습니다. 픽셀은 왼쪽 위 모서리에서 **오른쪽**과 **아래**로 셉니다.
-# 영상을 다루는 사람들은 공간에서도 이 습관을 지킵니다. x가 오른쪽, y가 아래이면, 오른손 법칙에 따라 z는 장면 속으로 들어가는 **앞**입니다.
+# 영상 처리에는 따로 관례가 있습니다. 픽셀은 왼쪽 위 모서리에서 **오른쪽**과 **아래**로 셉니다.
+# 영상을 다루는 사람들은 공간에서도 이 관례를 지킵니다. x가 오른쪽, y가 아래이면, 오른손 법칙에 따라 z는 장면 속으로 들어가는 **앞**입니다.
 # ROS에서는 이런 좌표계를 [[optical frame|광학 좌표계(optical frame)]]라고 부르고, 이름을 `_optical_frame`으로 끝냅니다.
 #
-# 머그컵을 움직여 보십시오. 같은 점이 두 가지로 적히는 모습을 보십시오.
+# 머그컵을 움직이면서, 같은 점의 좌표가 두 좌표계에서 어떻게 달라지는지 보세요.
 
 # %% name="optical-panel" tags=["interactive"] slide="subslide"
-cameras_panel(forward_m=2.0, left_m=0.5, up_m=0.3)
+lesson.cameras_panel(forward_m=2.0, left_m=0.5, up_m=0.3)
 
 # %% name="optical-figure" slide="skip"
-axes.draw_cameras((2.0, 0.5, 0.3))
+lesson.draw_cameras((2.0, 0.5, 0.3))
 
 # %% [markdown] lang="en" name="optical-notes" slide="notes"
 # Two volunteers: one is the robot's body, one is the camera's picture. The same mug, both read out their three numbers at once.
@@ -680,21 +687,21 @@ axes.draw_cameras((2.0, 0.5, 0.3))
 # %% [markdown] lang="ko" name="two-turns" slide="slide"
 # ## 90° 회전 두 번
 #
-# 한쪽에서 다른 쪽으로 어떻게 갑니까? 카메라 본체의 축에서 시작하여 고정축을 중심으로 돌립니다.
+# 본체의 축을 어떻게 돌리면 영상의 축이 될까요? 카메라 본체의 축에서 시작하여 고정축을 중심으로 돌립니다.
 #
 # 1. roll −90°: y(왼쪽)가 아래로 갑니다. 이제 x는 앞, **y는 아래**, z는 왼쪽입니다.
 # 2. yaw −90°: x(앞)가 오른쪽으로, z(왼쪽)가 앞으로 갑니다. 이제 **x는 오른쪽, y는 아래, z는 앞**입니다.
 #
-# 외워 둘 회전은 **rpy (−π/2, 0, −π/2)** 입니다. 쿼터니언으로 쓰면 동전을 던져 정한 듯한 모습입니다. **(−0.5, 0.5, −0.5, 0.5)**.
+# 외워 둘 회전은 <b>rpy (−π/2, 0, −π/2)</b>입니다. 쿼터니언으로 쓰면 동전을 던져 정한 듯한 모습입니다. **(−0.5, 0.5, −0.5, 0.5)**.
 
 # %% name="two-turns-figure"
-turns.draw_turns(("roll", -math.pi / 2), ("yaw", -math.pi / 2))
+lesson.draw_turns(("roll", -math.pi / 2), ("yaw", -math.pi / 2))
 
 # %% name="two-turns-run" slide="subslide"
 camera_T_optical = Transform.from_rpy(roll=-math.pi / 2, yaw=-math.pi / 2)
-print("quaternion (x, y, z, w):", fmt_all(camera_T_optical.rotation, ""))
+print("quaternion (x, y, z, w):", lesson.fmt_all(camera_T_optical.rotation, ""))
 for axis, direction in {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1)}.items():
-    print(f"optical {axis}, in camera_link:", fmt_all(camera_T_optical.apply(direction), "", 0))
+    print(f"optical {axis}, in camera_link:", lesson.fmt_all(camera_T_optical.apply(direction), "", 0))
 
 # %% [markdown] lang="en" name="two-turns-after" slide="fragment"
 # Read the three lines aloud: optical x points to minus y, that is, right. Optical y points to minus z: down. Optical z points to plus x: forward.
@@ -703,10 +710,10 @@ for axis, direction in {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1)}.items():
 # So a point of the picture, (right, down, forward), is in the camera's body (forward, −right, −down).
 
 # %% [markdown] lang="ko" name="two-turns-after" slide="fragment"
-# 세 줄을 소리 내어 읽어 보십시오. 광학 좌표계의 x는 −y, 곧 오른쪽을 향합니다. 광학 좌표계의 y는 −z, 곧 아래를 향합니다. 광학 좌표계의 z는 +x, 곧 앞을 향합니다.
-# 이 세 줄이 회전 행렬(위 패널의 숫자 아홉)의 세 **열**입니다. 회전 행렬은 그 이상도 이하도 아닙니다. 자식의 축이 부모 안에서 어디를 향하는지 적은 것입니다.
+# 세 줄을 소리 내어 읽어 보세요. 광학 좌표계의 x는 −y, 즉 오른쪽을 향합니다. 광학 좌표계의 y는 −z, 즉 아래를 향합니다. 광학 좌표계의 z는 +x, 즉 앞을 향합니다.
+# 이 세 줄이 회전 행렬(위 패널의 숫자 아홉)의 세 **열**입니다. 회전 행렬은 그 이상도 이하도 아닙니다. 자식의 축이 부모를 기준으로 어디를 향하는지 적은 것입니다.
 #
-# 그러므로 영상의 점 (오른쪽, 아래, 앞)은 카메라 본체에서 (앞, −오른쪽, −아래)입니다.
+# 따라서 영상의 점 (오른쪽, 아래, 앞)은 카메라 본체에서 (앞, −오른쪽, −아래)입니다.
 
 # %% [markdown] lang="en" name="worked" slide="subslide"
 # ### Worked example: from a detection to the robot
@@ -718,20 +725,20 @@ for axis, direction in {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1)}.items():
 # 3. The camera is at (0.10, 0, 0.30) and not turned: add. (1.60, −0.40, 0.50).
 
 # %% [markdown] lang="ko" name="worked" slide="subslide"
-# ### 풀이 예제: 검출 결과에서 로봇까지
+# ### 예제: 검출 결과에서 로봇까지
 #
-# 검출기가 말합니다. 영상 중심에서 오른쪽으로 0.40 m, **위로** 0.20 m, 깊이 1.50 m. `base_link` 기준으로 어디입니까?
+# 검출 결과입니다. 영상 중심에서 오른쪽으로 0.40 m, **위로** 0.20 m, 깊이 1.50 m. `base_link` 기준으로 어디일까요?
 #
-# 1. 광학 좌표계에서 위는 아래의 음수입니다. (0.40, −0.20, 1.50).
-# 2. `camera_link`에서는 (앞, −오른쪽, −아래) = (1.50, −0.40, 0.20)입니다. 손으로 확인하십시오. 앞쪽, 오른쪽, 위쪽. 맞습니다.
+# 1. 광학 좌표계에서는 아래가 +y이므로, 위로 0.20 m는 y = −0.20입니다. (0.40, −0.20, 1.50).
+# 2. `camera_link`에서는 (앞, −오른쪽, −아래) = (1.50, −0.40, 0.20)입니다. 손으로 확인해 보세요. 앞쪽, 오른쪽, 위쪽. 맞습니다.
 # 3. 카메라는 (0.10, 0, 0.30)에 있고 돌아가 있지 않으므로 더합니다. (1.60, −0.40, 0.50).
 
 # %% name="worked-run" slide="fragment"
 optical_p_mug = (0.40, -0.20, 1.50)
 camera_p_mug = camera_T_optical.apply(optical_p_mug)
 base_p_mug = base_T_camera.apply(camera_p_mug)
-print("camera_link:", fmt_all(camera_p_mug))
-print("base_link:  ", fmt_all(base_p_mug))
+print("camera_link:", lesson.fmt_all(camera_p_mug))
+print("base_link:  ", lesson.fmt_all(base_p_mug))
 
 # %% [markdown] lang="en" name="worked-notes" slide="notes"
 # Insist on the hand check in step 2. A sign that was checked with a hand is right; a sign that was derived is right most of the time.
@@ -748,18 +755,18 @@ print("base_link:  ", fmt_all(base_p_mug))
 # Both sit at the same place; only the turn is between them.
 # The driver stamps its data with the **optical** one. Then nobody has to convert anything: TF does.
 #
-# Here are all three frames. The pyramid is what the camera sees; *u* counts its pixels to the right, *v* counts them down.
+# Here are all three frames; the two of the camera sit at one place. The arrow is the ray to the mug. The pyramid is what the camera sees; *u* counts its pixels to the right, *v* counts them down.
 
 # %% [markdown] lang="ko" name="why-two" slide="slide"
-# ## 왜 좌표계가 둘이며, 헤더에는 어느 쪽을 씁니까?
+# ## 좌표계는 왜 둘이고, 헤더에는 어느 것을 적을까요?
 #
-# - `camera_link`는 카메라가 **장착된** 자리입니다. 기구 설계, URDF, 자로 재는 치수의 세계이며, 로봇의 다른 부분처럼 x가 앞입니다.
+# - `camera_link`는 카메라가 **장착된** 자리입니다. 기구 설계와 URDF, 자로 잰 치수는 이 좌표계를 따르며, 로봇의 다른 부분처럼 x가 앞입니다.
 # - `camera_optical_frame`은 카메라 **데이터**의 기준입니다. 영상, 검출 결과, 깊이 포인트 클라우드가 여기에 속합니다.
 #
 # 둘은 같은 자리에 있고, 그 사이에는 회전만 있습니다.
-# 드라이버는 데이터에 **광학 좌표계**를 적습니다. 그러면 아무도 손으로 변환할 필요가 없습니다. TF가 합니다.
+# 드라이버는 데이터에 **광학 좌표계**를 적습니다. 그러면 손으로 옮길 필요가 없습니다. TF가 합니다.
 #
-# 세 좌표계를 모두 그려 보았습니다. 피라미드는 카메라가 보는 범위이고, 픽셀은 *u*를 오른쪽으로, *v*를 아래로 셉니다.
+# 세 좌표계를 모두 그려 보았습니다. 카메라의 두 좌표계는 같은 자리에 있습니다. 화살표는 머그컵을 향한 광선입니다. 피라미드는 카메라가 보는 범위이고, 픽셀은 *u*를 오른쪽으로, *v*를 아래로 셉니다.
 
 # %% [markdown] lang="en" name="why-two-notes" slide="notes"
 # Before this slide, ask: you write the driver, what do you put into the header? Count the hands for each frame.
@@ -768,16 +775,16 @@ print("base_link:  ", fmt_all(base_p_mug))
 # 이 슬라이드를 보여 주기 전에 묻습니다. 여러분이 드라이버를 만든다면 헤더에 무엇을 적겠습니까? 좌표계마다 손을 세어 봅니다.
 
 # %% name="scene-3d" tags=["interactive"] slide="subslide"
-view = scene.Scene(height_px=380, grid_m=0.5)
-scene.draw_frame(view, "base_link", Transform(), length_m=0.3)
-scene.draw_frame(view, "camera_link", base_T_camera, "base_link", length_m=0.3)
-scene.draw_frame(view, "camera_optical_frame", base_T_optical, "camera_link", length_m=0.5)
-scene.draw_camera(view, "camera", base_T_optical, depth_m=1.5, pixels=np.array([[460.0, 170.0]]))
-scene.draw_arrow(view, "ray", base_T_optical.translation, base_p_mug, name="mug")
+view = lesson.Scene(height_px=380, grid_m=0.5)
+lesson.draw_frame(view, "base_link", Transform(), length_m=0.3)
+lesson.draw_frame(view, "camera_link", base_T_camera, "base_link", length_m=0.3)
+lesson.draw_frame(view, "camera_optical_frame", base_T_optical, "camera_link", length_m=0.5)
+lesson.draw_camera(view, "camera", base_T_optical, depth_m=1.5, pixels=[(460.0, 170.0)])
+lesson.draw_arrow(view, "ray", base_T_optical.translation, base_p_mug, name="mug")
 view
 
 # %% name="scene-figure" slide="skip"
-frames.draw_scene(
+lesson.draw_scene(
     {"base_link": Transform(), "camera_link": base_T_camera, "camera_optical_frame": base_T_optical},
     points={"mug": base_p_mug},
     fixed_frame="base_link",
@@ -800,9 +807,9 @@ frames.draw_scene(
 # </details>
 
 # %% [markdown] lang="ko" name="try-it" slide="subslide"
-# ### 직접 해 보십시오
+# ### 직접 해 보세요
 #
-# 숫자를 바꾸어 다시 실행해 보십시오. 다음을 찾을 수 있습니까?
+# 숫자를 바꾸어 다시 실행해 보세요. 다음을 찾을 수 있을까요?
 #
 # - 두 좌표계에서 세 숫자가 **똑같은** 점
 # - `camera_link`에서 (1, 1, 1)이 되는 점
@@ -816,66 +823,103 @@ frames.draw_scene(
 
 # %% name="try-it-run"
 right, down, forward = 0.3, -0.1, 2.0  # change me
-print("camera_link:", fmt_all(camera_T_optical.apply((right, down, forward))))
+print("camera_link:", lesson.fmt_all(camera_T_optical.apply((right, down, forward))))
 
 # %% [markdown] lang="en" name="break-zero" slide="slide"
-# ## Break it on purpose, 1: all zeros
+# ## From arithmetic to ROS 2
 #
-# Now on ROS 2. A line that begins with `%ros2` is a command of ROS 2: here it runs in the page, on a robot you type it in a terminal.
+# So far you were the one who multiplied. On a robot nobody does: programs tell each other where things are, and TF multiplies. Four words are all that you need for it.
+#
+# | word | what it is | on this page |
+# |---|---|---|
+# | [[node]] | a program with a name that takes part in ROS 2 | `Node("asker")` |
+# | [[broadcaster]] | tells everybody one transform: *the camera sits here* | `static_transform_publisher` |
+# | [[listener]] | hears every transform | `TransformListener` |
+# | [[buffer]] | keeps what was heard, and answers | `Buffer` |
+#
+# A line that begins with `%ros2` is a command of ROS 2: here it runs in the page, on a robot you type it in a terminal.
 # First, the robot's camera as it should be: bolted on, and its optical frame beside it.
 # Note the second command. It is the one that the contest lacked.
 
 # %% [markdown] lang="ko" name="break-zero" slide="slide"
-# ## 일부러 망가뜨리기 1: 모두 0
+# ## 계산에서 ROS 2로
 #
-# 이제 ROS 2로 해 봅니다. `%ros2`로 시작하는 줄은 ROS 2 명령입니다. 여기서는 페이지 안에서 실행되고, 로봇에서는 터미널에 입력합니다.
+# 지금까지는 여러분이 직접 곱했습니다. 로봇에서는 그럴 필요가 없습니다. 프로그램들이 무엇이 어디에 있는지 서로 알리고, 곱하는 일은 TF가 합니다. 알아야 할 낱말은 네 개뿐입니다.
+#
+# | 낱말 | 뜻 | 이 페이지에서는 |
+# |---|---|---|
+# | [[node|노드]] | 이름을 가지고 ROS 2 통신에 참여하는 프로그램 | `Node("asker")` |
+# | [[broadcaster|변환 발행기]] | *카메라는 여기 있다*처럼 변환 하나를 모두에게 알림 | `static_transform_publisher` |
+# | [[listener|변환 수신기]] | 발행된 변환을 모두 받음 | `TransformListener` |
+# | [[buffer|변환 버퍼]] | 받은 변환을 모아 두고, 조회하면 답함 | `Buffer` |
+#
+# `%ros2`로 시작하는 줄은 ROS 2 명령입니다. 여기서는 페이지 안에서 실행되고, 로봇에서는 터미널에 입력합니다.
 # 먼저 올바른 카메라부터 만듭니다. 카메라를 장착하고, 그 자리에 광학 좌표계를 둡니다.
-# 두 번째 명령을 눈여겨보십시오. 대회에 빠져 있던 바로 그 명령입니다.
+# 두 번째 명령을 눈여겨보세요. 대회에서 빠져 있던 바로 그 명령입니다.
 
 # %% name="mount-camera"
 # %ros2 run tf2_ros static_transform_publisher --x 0.10 --z 0.30 \
 #     --frame-id base_link --child-frame-id camera_link
-
-# %% name="mount-optical"
 # %ros2 run tf2_ros static_transform_publisher --roll -1.5707963 --yaw -1.5707963 \
 #     --frame-id camera_link --child-frame-id camera_optical_frame
 
 # %% [markdown] lang="en" name="asker-before" slide="subslide"
-# Next, a program that asks. Its [[listener]] hears every transform and keeps it in a [[buffer]]; `buffer.transform(message, "base_link")` then moves a message from the frame in its header to the one you want.
+# Next, a program that asks. Its [[listener]] hears every transform and keeps it in a [[buffer]]; with `spin_thread=True` it goes on hearing in a thread of its own, while you type.
+# `buffer.transform(message, "base_link")` then moves a message from the frame in its header to the one you want.
 # Chapter 8 opens that box. Time on this page stands still, except while `graph.run` lets some of it pass. (`graph` came with `%load_ext tflab`; a robot needs no such thing, its time passes by itself.)
 
 # %% [markdown] lang="ko" name="asker-before" slide="subslide"
-# 다음은 물어보는 프로그램입니다. [[listener|변환 수신기(listener)]]가 들리는 변환을 모두 [[buffer|변환 버퍼(buffer)]]에 모아 둡니다. 그러면 `buffer.transform(message, "base_link")`가 메시지를 헤더에 적힌 좌표계에서 원하는 좌표계로 옮깁니다.
-# 그 속은 08장에서 열어 봅니다. 이 페이지의 시간은 멈춰 있으며, `graph.run`을 부르는 동안에만 흐릅니다. (`graph`는 `%load_ext tflab`과 함께 생깁니다. 로봇의 시간은 저절로 흐르므로 이런 것이 필요 없습니다.)
+# 다음은 변환을 조회하는 프로그램입니다. [[listener|변환 수신기(listener)]]가 받은 변환은 모두 [[buffer|변환 버퍼(buffer)]]에 쌓입니다. `spin_thread=True`를 주면 수신기가 자기 스레드에서 계속 받습니다. 그러면 `buffer.transform(message, "base_link")`가 메시지를 헤더에 적힌 좌표계에서 원하는 좌표계로 옮깁니다.
+# 그 속은 08장에서 열어 봅니다. 이 페이지의 시간은 멈춰 있으며, `graph.run`을 호출하는 동안에만 흐릅니다. (`graph`는 `%load_ext tflab`이 만들어 둔 것입니다. 로봇의 시간은 저절로 흐르므로 이런 것이 필요 없습니다.)
 
 # %% name="asker"
+import rclpy
+import tf2_geometry_msgs  # teaches buffer.transform() about points
+from rclpy.node import Node
+from tf2_ros import Buffer, TransformListener
+
+rclpy.try_shutdown()  # so that this cell can be run again
 rclpy.init()
 asker = Node("asker")
 buffer = Buffer()
 listener = TransformListener(buffer, asker, spin_thread=True)
 graph.run(seconds=0.5)
 
+# %% name="asked" slide="fragment"
+from geometry_msgs.msg import PointStamped
+
 seen = PointStamped()
 seen.header.frame_id = "camera_optical_frame"
 seen.point.x, seen.point.y, seen.point.z = optical_p_mug
 p = buffer.transform(seen, "base_link").point
-print("in base_link:", fmt_all((p.x, p.y, p.z)))
+print("in base_link:", lesson.fmt_all((p.x, p.y, p.z)))
 
 # %% [markdown] lang="en" name="asker-after" slide="subslide"
-# The worked example, by TF. Now a colleague adds a second camera, whose quaternion comes from a configuration file. The file says `0, 0, 0, 0`: "no rotation, of course".
+# The worked example, by TF.
+#
+# ## Break it on purpose, 1: all zeros
+#
+# Now a colleague adds a second camera, whose quaternion comes from a configuration file. The file says `0, 0, 0, 0`: "no rotation, of course".
 #
 # **Predict:** who complains? The broadcaster, the listener, or whoever asks? And with which words?
 
 # %% [markdown] lang="ko" name="asker-after" slide="subslide"
-# 풀이 예제를 TF가 계산했습니다. 이번에는 동료가 두 번째 카메라를 추가합니다. 쿼터니언은 설정 파일에서 읽어 옵니다. 파일에는 `0, 0, 0, 0`이라고 적혀 있습니다. "당연히 회전 없음이지요."
+# 위의 예제를 TF가 계산했습니다.
 #
-# **예측:** 누가 불평합니까? 발행기입니까, 수신기입니까, 조회하는 쪽입니까? 그리고 뭐라고 합니까?
+# ## 일부러 고장 내기 1: 모두 0
+#
+# 이번에는 동료가 두 번째 카메라를 추가합니다. 쿼터니언은 설정 파일에서 읽어 옵니다. 파일에는 `0, 0, 0, 0`이라고 적혀 있습니다. "당연히 회전 없음이지요."
+#
+# **예측해 봅시다.** 어디에서 오류가 날까요? 발행기일까요, 수신기일까요, 조회하는 쪽일까요? 오류 메시지에는 무엇이라고 나올까요?
 
 # %% name="zero-sent" tags=["predicted"] slide="fragment"
+from geometry_msgs.msg import TransformStamped
+from tf2_ros import StaticTransformBroadcaster
+
 t = TransformStamped()
 t.header.frame_id, t.child_frame_id = "base_link", "rear_camera_link"
 r = t.transform.rotation
-print("a new message already has", fmt_all((r.x, r.y, r.z, r.w), ""))
+print("a new message already has", lesson.fmt_all((r.x, r.y, r.z, r.w), ""))
 r.x, r.y, r.z, r.w = 0.0, 0.0, 0.0, 0.0  # from the configuration file
 
 driver = Node("rear_camera_driver")
@@ -884,20 +928,20 @@ broadcaster.sendTransform(t)
 print("sent")
 
 # %% [markdown] lang="en" name="zero-sent-after" slide="subslide"
-# The broadcaster is content. Let half a second pass, and the listener hears it:
+# The broadcaster is content. Let half a second pass, so that the listener hears it, and ask:
 #
 # (`%xmode Minimal` shows an error by its last line, the one to read; `%xmode Context` brings the rest back.)
 
 # %% [markdown] lang="ko" name="zero-sent-after" slide="subslide"
-# 발행기는 아무 불만이 없습니다. 0.5초가 지나면 수신기가 받습니다.
+# 발행기에서는 아무 일도 일어나지 않았습니다. 수신기가 받도록 0.5초를 보낸 다음 조회합니다.
 #
 # (`%xmode Minimal`은 오류에서 꼭 읽어야 할 마지막 줄만 보여 줍니다. `%xmode Context`로 되돌립니다.)
 
-# %% name="zero-heard" tags=["predicted"] slide="fragment"
+# %% name="zero-asked" tags=["predicted", "raises-exception"] slide="fragment"
+from rclpy.time import Time
+
 # %xmode Minimal
 graph.run(seconds=0.5)
-
-# %% name="zero-asked" tags=["predicted", "raises-exception"] slide="fragment"
 buffer.lookup_transform("base_link", "rear_camera_link", Time())
 
 # %% [markdown] lang="en" name="zero-after" slide="subslide"
@@ -915,23 +959,20 @@ buffer.lookup_transform("base_link", "rear_camera_link", Time())
 # %% [markdown] lang="ko" name="zero-after" slide="subslide"
 # 무슨 일이 어디에서 일어났는지 보십시오.
 #
-# 1. **보낸 쪽**은 아무 말도 하지 않았습니다.
-# 2. **수신기마다** 자기 로그에 거절을 남겼고, 그 내용은 `nan`에 관한 것입니다. 행렬로 바꾸려면 길이로 나누어야 하는데, 0/0은 "숫자가 아님(not a number)"입니다.
-# 3. **여러분**이 읽은 것은 좌표계가 *존재하지 않는다*는 말입니다. 그래서 오타를 찾고, 프로그램을 띄우는 launch 파일을 뒤지고, 멀쩡히 발행 중인 드라이버를 다시 시작합니다.
+# 1. **보낸 쪽**에는 아무 오류도 없었습니다.
+# 2. **수신기마다** 자기 로그에 거절을 남겼고, 메시지에는 `nan`이 나옵니다. 행렬을 만들려면 길이로 나누어야 하는데, 0/0은 "숫자가 아님(not a number)"입니다.
+# 3. **여러분**은 좌표계가 *존재하지 않는다*는 메시지를 읽었습니다. 그래서 오타를 찾고, 프로그램을 띄우는 launch 파일을 뒤지고, 멀쩡히 발행 중인 드라이버를 다시 시작합니다.
 #
 # 오류가 보이는 곳과 원인이 있는 곳이 프로그램 두 개만큼 떨어져 있습니다.
-# 그러니 발행자가 돌고 있는데도 좌표계가 "does not exist"라고 하면, **수신기**의 로그에서 `TF_NAN_INPUT`이나 `TF_DENORMALIZED_QUATERNION`을 찾으십시오.
+# 따라서 발행자가 돌고 있는데도 좌표계가 "does not exist"라고 하면, **수신기**의 로그에서 `TF_NAN_INPUT`이나 `TF_DENORMALIZED_QUATERNION`을 찾으십시오.
 #
 # ROS 2의 새 메시지에는 이미 w = 1이 들어 있습니다. 0은 다른 곳에서 옵니다. 설정 파일, `zeros(4)`로 만든 배열, C 프로그램, ROS 1 같은 곳입니다.
 
-# %% name="zero-gone" slide="skip"
-driver.destroy_node()  # the rear camera goes home
-
 # %% [markdown] lang="en" name="zero-notes" slide="notes"
-# Ask before the last cell which exception they expect. "InvalidArgument" is a reasonable answer and it is what the engine raises for bad *lookups*; a bad *transform* never gets in.
+# Before running the cell that raised, ask which exception they expect. "InvalidArgument" is a reasonable answer and it is what the engine raises for bad *lookups*; a bad *transform* never gets in.
 
 # %% [markdown] lang="ko" name="zero-notes" slide="notes"
-# 마지막 셀을 실행하기 전에 어떤 예외가 날지 물어봅니다. "InvalidArgument"도 그럴듯한 답입니다. 그것은 잘못된 *조회*에 나는 예외이고, 잘못된 *변환*은 아예 버퍼에 들어가지 못합니다.
+# 예외가 나온 셀을 실행하기 전에 어떤 예외가 날지 물어봅니다. "InvalidArgument"도 그럴듯한 답입니다. 그것은 잘못된 *조회*에 나는 예외이고, 잘못된 *변환*은 아예 버퍼에 들어가지 못합니다.
 
 # %% [markdown] lang="en" name="break-cloud" slide="slide"
 # ## Break it on purpose, 2: one word in a header
@@ -939,22 +980,25 @@ driver.destroy_node()  # the rear camera goes home
 # A depth camera looks at a wall 2 m ahead, and at the floor before it. Here is what it measures, in its own axes: right, down, forward.
 
 # %% [markdown] lang="ko" name="break-cloud" slide="slide"
-# ## 일부러 망가뜨리기 2: 헤더의 단어 하나
+# ## 일부러 고장 내기 2: 헤더의 단어 하나
 #
 # 깊이 카메라가 2 m 앞의 벽과 그 앞의 바닥을 보고 있습니다. 카메라 자신의 축(오른쪽, 아래, 앞)으로 잰 값은 이렇습니다.
 
 # %% name="cloud"
-across, down = np.meshgrid(np.linspace(-1.0, 1.0, 21), np.linspace(-0.8, 0.4, 13))
-wall = np.column_stack([across.ravel(), down.ravel(), np.full(across.size, 2.0)])
-across, deep = np.meshgrid(np.linspace(-1.0, 1.0, 21), np.linspace(0.8, 1.9, 12))
-floor = np.column_stack([across.ravel(), np.full(across.size, 0.4), deep.ravel()])
-print(misread.describe_extent({"wall": wall, "floor": floor}, "the optical frame"))
+import numpy as np
+from sensor_msgs.msg import PointCloud2
+from sensor_msgs_py.point_cloud2 import create_cloud_xyz32, read_points_numpy
+from std_msgs.msg import Header
+
+driver.destroy_node()  # the rear camera goes
+wall, floor = lesson.wall_cloud(), lesson.floor_cloud()  # points (x, y, z), one a row
+print(lesson.describe_extent({"wall": wall, "floor": floor}, "the optical frame"))
 
 # %% [markdown] lang="en" name="cloud-node" slide="subslide"
 # And its driver: a [[node]] that publishes the cloud on the [[topic]] `/camera/points`, five times a second. Somebody set the parameter `frame_id` to the frame that the camera is bolted to. It sounds so sensible.
 
 # %% [markdown] lang="ko" name="cloud-node" slide="subslide"
-# 드라이버는 다음과 같습니다. 1초에 다섯 번 `/camera/points` [[topic]]에 클라우드를 발행하는 [[node]]입니다. 누군가 `frame_id` 파라미터에 카메라가 장착된 좌표계를 적었습니다. 참 그럴듯하게 들립니다.
+# 드라이버는 다음과 같습니다. 1초에 다섯 번 `/camera/points` [[topic]]에 클라우드를 발행하는 [[node]]입니다. 누군가 `frame_id` 파라미터에 카메라가 장착된 좌표계를 적었습니다. 그럴듯하지 않습니까?
 
 # %% name="cloud-driver"
 def depth_camera():
@@ -980,14 +1024,14 @@ graph.run(seconds=1.0)
 # Take your pistol hand: right becomes *forward*, down becomes *left*, forward becomes *up*.
 
 # %% [markdown] lang="ko" name="cloud-predict" slide="subslide"
-# **예측.** RViz는 벽을 어디에 그립니까? 바닥은 어디에 그립니까?
-# 오른손을 드십시오. 오른쪽이 *앞*이 되고, 아래가 *왼쪽*이 되고, 앞이 *위*가 됩니다.
+# **예측해 봅시다.** RViz는 벽을 어디에 그릴까요? 바닥은 어디에 그릴까요?
+# 오른손을 들어 보세요. 오른쪽이 *앞*이 되고, 아래가 *왼쪽*이 되고, 앞이 *위*가 됩니다.
 
 # %% name="cloud-rviz" tags=["interactive"] slide="fragment"
 # %rviz2 -f base_link
 
 # %% name="cloud-figure" tags=["predicted"] slide="subslide"
-misread.draw_misread(
+lesson.draw_misread(
     {"wall": base_T_optical.apply(wall), "floor": base_T_optical.apply(floor)},
     {"wall": base_T_camera.apply(wall), "floor": base_T_camera.apply(floor)},
     titles=("frame_id: camera_optical_frame", "frame_id: camera_link"),
@@ -1005,9 +1049,12 @@ misread.draw_misread(
 # Now think of the planner that reads this cloud and looks for obstacles at the robot's height.
 
 # %% [markdown] lang="ko" name="cloud-planner" slide="subslide"
-# 이제 이 클라우드를 읽고 로봇 높이의 장애물을 찾는 경로 계획기를 생각해 보십시오.
+# 이제 이 클라우드를 읽고 로봇 높이의 장애물을 찾는 경로 계획기를 생각해 봅시다.
 
 # %% name="cloud-obstacles"
+import tf2_sensor_msgs  # teaches buffer.transform() about clouds
+
+
 def obstacles_ahead(frame_id):
     cloud = create_cloud_xyz32(Header(frame_id=frame_id), np.vstack([wall, floor]))
     x, y, z = read_points_numpy(buffer.transform(cloud, "base_link")).T
@@ -1026,27 +1073,35 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # %% [markdown] lang="ko" name="cloud-obstacles-after" slide="fragment"
 # 장애물이 하나도 없습니다. 경로 계획기는 길이 비었다고 하고, 로봇은 자기 카메라가 보고 있는 바로 그 벽으로 달려갑니다.
 #
-# 고칠 것은 노드 안의 수식이 아니라 **헤더의 단어 하나**입니다. 찾고, 바꾸고, 다시 확인하십시오. 실제 로봇에서도 똑같이 입력합니다.
+# 고칠 것은 노드 안의 수식이 아니라 **헤더의 단어 하나**입니다. 찾고, 바꾸고, 다시 확인해 봅시다. 실제 로봇에서도 똑같이 입력합니다.
 
 # %% name="cloud-find" slide="subslide"
 # %ros2 topic echo /camera/points --field header.frame_id --once
 
 # %% name="cloud-mend"
 # %ros2 param set /depth_camera frame_id camera_optical_frame
-
-# %% name="cloud-again"
 # %ros2 topic echo /camera/points --field header.frame_id --once
 
 # %% [markdown] lang="en" name="cloud-others" slide="fragment"
 # Run the RViz cell above once more: the wall stands where it should.
 #
+# <details><summary>Deeper: whom else it happened to</summary>
+#
 # This does not happen to beginners only. Clouds that stare at the sky or lie at 90° fill the issue lists of a mapping package ([introlab/rtabmap_ros 383](https://github.com/introlab/rtabmap_ros/issues/383)), of the simulator of an underground robot race ([osrf/subt 369](https://github.com/osrf/subt/issues/369)) and of a simulator that very many ROS robots grew up in ([gazebo_ros_pkgs 1329](https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1329)).
+#
+# </details>
+#
 # The cure has one shape: keep two frames, and stamp the data with the optical one.
 
 # %% [markdown] lang="ko" name="cloud-others" slide="fragment"
-# 위의 RViz 셀을 다시 실행해 보십시오. 벽이 제자리에 서 있습니다.
+# 위의 RViz 셀을 다시 실행해 보세요. 벽이 제자리에 서 있습니다.
+#
+# <details><summary>더 깊이: 같은 일을 겪은 사람들</summary>
 #
 # 초보자만 겪는 일이 아닙니다. 하늘을 바라보거나 90° 누운 클라우드는 지도 작성 패키지([introlab/rtabmap_ros 383](https://github.com/introlab/rtabmap_ros/issues/383)), 지하 탐사 로봇 대회의 시뮬레이터([osrf/subt 369](https://github.com/osrf/subt/issues/369)), 수많은 ROS 로봇이 거쳐 간 시뮬레이터([gazebo_ros_pkgs 1329](https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1329))의 이슈 목록에도 올라와 있습니다.
+#
+# </details>
+#
 # 해결책은 언제나 같습니다. 좌표계를 둘 다 두고, 데이터에는 광학 좌표계를 적습니다.
 
 # %% [markdown] lang="en" name="cloud-notes" slide="notes"
@@ -1086,7 +1141,7 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # </details>
 
 # %% [markdown] lang="ko" name="checkpoint" slide="slide"
-# ## 확인 문제
+# ## 마무리 점검
 #
 # 새 카메라가 도착했습니다. RViz에서 클라우드 전체가 천장처럼 납작하게 로봇 위 허공에 떠 있습니다.
 # `tf2_echo camera_link camera_optical_frame`은 −90, 0, −90도를 출력합니다. 무엇을 바꾸겠습니까?
@@ -1105,7 +1160,7 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # </details>
 # <details><summary>C. 드라이버에서 frame_id를 camera_optical_frame으로 바꿉니다</summary>
 #
-# 맞습니다. 숫자는 광학 좌표계 기준이고, 이제 이름표도 그렇게 말합니다. 장착 변환은 옳습니다. 방금 tf2_echo가 보여 주었습니다.
+# 맞습니다. 숫자는 광학 좌표계 기준이고, 이제 이름표도 그렇습니다. 방금 tf2_echo로 보았듯이 장착 변환은 옳습니다.
 #
 # </details>
 # <details><summary>D. 망가진 쿼터니언을 찾습니다</summary>
@@ -1158,6 +1213,8 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 #
 # Write π/2 with all its digits (in xacro, a URDF that can compute: `${pi/2}`). TurtleBot3's URDF writes `-1.57`, and so do the many robots that copied from it: at 10 m you can measure it. How much, you compute in the exercise.
 #
+# <details><summary>Deeper: six bare numbers, and a yaw without a library</summary>
+#
 # Old tutorials pass six bare numbers to `static_transform_publisher`. Their order is x y z **yaw pitch roll**: the angles are the other way round. The named options of this page cannot be mixed up; `--help` lists them.
 #
 # In a node, a yaw needs no library, only two lines where the message is filled:
@@ -1166,9 +1223,11 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # transform.transform.rotation.z = math.sin(self.theta / 2.0)
 # transform.transform.rotation.w = math.cos(self.theta / 2.0)
 # ```
+#
+# </details>
 
 # %% [markdown] lang="ko" name="robot-urdf" slide="subslide"
-# `tf2_echo`의 첫 줄에 "Waiting"이 나오는 것은 아직 아무것도 듣지 못한 채 물어보기 때문입니다. 정상입니다.
+# `tf2_echo`의 첫 줄에 "Waiting"이 나오는 것은 변환을 하나도 받지 못한 상태에서 조회부터 하기 때문입니다. 정상입니다.
 #
 # 로봇에서는 장착 위치를 URDF에 적습니다. 그러면 ROS 2에 들어 있는 노드 `robot_state_publisher`가 읽어서 발행합니다. 카메라라면 반드시 있어야 할 줄은 다음과 같습니다.
 #
@@ -1189,6 +1248,8 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 #
 # π/2는 모든 자릿수를 적으십시오(계산식을 쓸 수 있는 URDF인 xacro에서는 `${pi/2}`). TurtleBot3의 URDF에는 `-1.57`이라고 적혀 있고, 이를 베껴 쓴 수많은 로봇도 그렇습니다. 10 m 앞에서는 잴 수 있을 만큼 어긋납니다. 얼마나 어긋나는지는 연습 문제에서 계산합니다.
 #
+# <details><summary>더 깊이: 숫자만 여섯 개인 옛 예제, 라이브러리 없는 yaw</summary>
+#
 # 오래된 예제는 `static_transform_publisher`에 숫자 여섯 개만 나열합니다. 그 순서는 x y z **yaw pitch roll**로, 각도가 거꾸로입니다. 이 페이지처럼 이름이 있는 옵션을 쓰면 뒤섞일 일이 없습니다. 옵션 목록은 `--help`로 볼 수 있습니다.
 #
 # 노드에서 yaw를 쓸 때는 라이브러리가 필요 없습니다. 메시지를 채울 때 두 줄이면 됩니다.
@@ -1197,9 +1258,13 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # transform.transform.rotation.z = math.sin(self.theta / 2.0)
 # transform.transform.rotation.w = math.cos(self.theta / 2.0)
 # ```
+#
+# </details>
 
 # %% [markdown] lang="en" name="robot-table" slide="subslide"
 # ### "It is turned by 90° or 180°": where to look first
+#
+# <details><summary>The table, for when you need it</summary>
 #
 # | what you see | likely cause | first look |
 # |---|---|---|
@@ -1210,11 +1275,15 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # | a sensor turned by an angle that nobody chose | degrees written where radians belong | URDF `rpy`: is any number larger than 3.2? |
 # | IMU: gravity appears on the wrong axis | `imu_link` not turned as the chip is | at rest, level, `ros2 topic echo /imu --field linear_acceleration`: z must read about **+9.8** |
 #
-# An IMU is the chip that feels turning and acceleration. At rest it feels the table push it *up*: with z up, it reads plus 9.8. Minus 9.8 means it is upside down; 9.8 on x or y, that it is on its side.
+# An IMU is the chip that measures turning and acceleration. At rest it measures how the table pushes it *up*: with z up, it reads plus 9.8. Minus 9.8 means it is upside down; 9.8 on x or y, that it is on its side.
 # Then correct the mount (the `rpy` of `imu_link`), not the numbers.
+#
+# </details>
 
 # %% [markdown] lang="ko" name="robot-table" slide="subslide"
-# ### "90°나 180° 돌아가 있다"면 어디부터 봅니까?
+# ### "90°나 180° 돌아가 있다"면 어디부터 볼까요?
+#
+# <details><summary>필요할 때 펼쳐 볼 표</summary>
 #
 # | 증상 | 가능성이 큰 원인 | 첫 확인 |
 # |---|---|---|
@@ -1225,8 +1294,10 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # | 센서가 아무도 정한 적 없는 각도로 돌아가 있다 | 라디안 자리에 도(degree)를 씀 | URDF의 `rpy`에 3.2보다 큰 수가 있는지 |
 # | IMU의 중력이 엉뚱한 축에 나타난다 | `imu_link`가 실제 칩 방향대로 돌아가 있지 않음 | 수평으로 정지한 채 `ros2 topic echo /imu --field linear_acceleration`: z가 약 **+9.8**이어야 함 |
 #
-# IMU는 회전과 가속도를 느끼는 칩입니다. 정지한 IMU는 책상이 자신을 *위로* 미는 힘을 느낍니다. z가 위라면 +9.8이 나옵니다. −9.8이면 뒤집힌 것이고, x나 y에 9.8이 나오면 옆으로 누운 것입니다.
+# IMU는 회전과 가속도를 재는 칩입니다. 정지한 IMU는 책상이 자신을 *위로* 미는 힘을 잽니다. z가 위라면 +9.8이 나옵니다. −9.8이면 뒤집힌 것이고, x나 y에 9.8이 나오면 옆으로 누운 것입니다.
 # 이때 고칠 것은 숫자가 아니라 장착 변환(`imu_link`의 `rpy`)입니다.
+#
+# </details>
 
 # %% [markdown] lang="en" name="robot-table-notes" slide="notes"
 # Read only the left column aloud, and let the room name the cause. Whoever has met one tells how long it took.
@@ -1256,10 +1327,10 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # - 본체에서 광학 좌표계까지는 rpy (−π/2, 0, −π/2). 데이터에는 광학 좌표계를 적습니다.
 # - 90° 돌아가 있다면 이름표나 장착 변환을 고치고, 데이터는 절대 고치지 않습니다.
 #
-# 카드를 저장하여(그림 위에서 Shift를 누른 채 오른쪽 클릭) 인쇄한 다음 작업대에 붙여 두십시오.
+# 카드를 저장하여(그림 위에서 Shift를 누른 채 오른쪽 클릭) 인쇄한 다음 작업대에 붙여 두세요. 카드 읽기: forward/left/up = 앞/왼쪽/위, right/down = 오른쪽/아래, nose down = 기수가 내려감, left side up = 왼쪽이 올라감, no rotation = 회전 없음, nothing at all = 회전이 아님.
 
 # %% name="recap-card" slide="subslide"
-card.draw_card()
+lesson.draw_card()
 
 # %% [markdown] lang="en" name="words" slide="subslide"
 # **Words of this chapter:** [[rep-103]] · [[roll pitch yaw]] · [[quaternion]] · [[gimbal lock]] · [[optical frame]] · [[static transform]]
@@ -1285,14 +1356,14 @@ card.draw_card()
 # %% [markdown] lang="ko" name="words" slide="subslide"
 # **이 장의 용어:** [[rep-103]] · [[roll pitch yaw]] · [[quaternion]] · [[gimbal lock]] · [[optical frame]] · [[static transform]]
 #
-# ### 앞 장에서 온 질문 셋
+# ### 앞 장 복습: 세 문제
 #
 # <details><summary>1. 좌표에는 값 말고 무엇이 더 필요합니까?</summary>
 #
 # 좌표계와 시각입니다. 어느 축을 기준으로 적었는지, 언제 측정했는지입니다.
 #
 # </details>
-# <details><summary>2. 로봇은 계속 달리고 기둥은 서 있습니다. map 기준과 laser_frame 기준 중 어느 쪽의 기둥 좌표가 바뀝니까?</summary>
+# <details><summary>2. 로봇은 계속 달리고 기둥은 서 있습니다. map 기준과 laser_frame 기준 중 어느 기둥 좌표가 바뀝니까?</summary>
 #
 # `laser_frame` 기준입니다. 좌표계가 로봇과 함께 움직이기 때문입니다. `map`에서 기둥은 가만히 있습니다.
 #
@@ -1333,27 +1404,27 @@ card.draw_card()
 # %% [markdown] lang="ko" name="practice" slide="subslide"
 # ### 서술형 문제
 #
-# 두세 문장씩 적은 다음, 채점 기준을 열어 스스로 정직하게 채점하십시오. 들어 있는 내용 하나에 1점입니다.
+# 두세 문장씩 적은 다음, 채점 기준을 열어 스스로 정직하게 채점해 보세요. 아래 내용이 하나 들어 있을 때마다 1점입니다.
 #
 # **Q2.** 로봇 본체의 좌표축과 카메라 광학 좌표계의 좌표축을 비교하십시오.
 #
 # **Q8.** "회전 없음" 쿼터니언과 모두 0인 쿼터니언은 어떻게 다릅니까?
 #
-# (번호는 강의 전체의 서술형 문제 열다섯 개에서 붙인 것입니다.)
+# (Q 번호는 전체 15문제의 일련번호입니다.)
 #
 # <details><summary>Q2 채점 기준 (4점)</summary>
 #
 # - 본체: x 앞, y 왼쪽, z 위.
 # - 광학: z 앞, x 오른쪽, y 아래.
 # - 둘 다 오른손 좌표계이고 단위는 미터입니다. 둘 사이에는 이동 없이 회전 rpy (−π/2, 0, −π/2)만 있습니다.
-# - 헤더에 다른 쪽 이름이 적히면 TF는 오류 없이 계산하고, 포인트 클라우드와 검출 결과는 돌아간 채 나타납니다.
+# - 헤더에 다른 좌표계의 이름이 적히면 TF는 오류 없이 계산하고, 포인트 클라우드와 검출 결과는 돌아간 채 나타납니다.
 #
 # </details>
 # <details><summary>Q8 채점 기준 (3점)</summary>
 #
 # - (0, 0, 0, 1)은 항등 회전입니다. 길이가 1이고 아무것도 돌리지 않습니다.
 # - (0, 0, 0, 0)은 길이가 0이고 회전이 아닙니다. 수를 곱해 길이를 맞추려 해도 회전이 되지 않습니다.
-# - 보내는 쪽은 불평하지 않습니다. 수신기마다 로그를 남기고 변환을 거절하며, 나중에 조회하는 쪽은 좌표계가 존재하지 않는다는 말을 읽게 됩니다.
+# - 보내는 쪽에는 오류가 없습니다. 수신기마다 로그를 남기고 변환을 거절하며, 나중에 조회하는 쪽에서는 좌표계가 존재하지 않는다는 메시지가 나옵니다.
 #
 # </details>
 
@@ -1364,20 +1435,22 @@ card.draw_card()
 #
 # 1. Why is the mug at (0, 0, 2) in the optical frame? Use your hand, not a formula.
 # 2. Somebody says: "TF gave no error, so the frames are right." What do you answer?
-# 3. What is still foggy? Bring it to the next lesson.
+# 3. What is still foggy? Write it down, and look at it again after chapter 03.
 #
-# Then do the [exercises of this chapter](../../exercises/en/02_axes_and_quaternions.ipynb). `check` tells you not only whether, but *which* mistake.
+# **Next:** the exercises, [E2 Axes and quaternions](../../exercises/en/02_axes_and_quaternions.ipynb), and then [03 Target and source](03_target_and_source.ipynb). `check` tells you not only whether, but *which* mistake.
+# After a pass, or three tries, `solution("E2.2")` shows a solution there. To start a page over, delete its file and type `tflab lab`.
 
 # %% [markdown] lang="ko" name="exit" slide="slide"
-# ## 나가기 전에
+# ## 마무리하며
 #
-# 종이에 한 문장씩 적으십시오.
+# 종이에 한 문장씩 적어 보세요.
 #
-# 1. 머그컵은 광학 좌표계에서 왜 (0, 0, 2)에 있습니까? 공식 말고 손으로 설명하십시오.
-# 2. 누가 "TF가 오류를 내지 않았으니 좌표계는 맞다"고 합니다. 뭐라고 답하겠습니까?
-# 3. 아직 흐릿한 것은 무엇입니까? 다음 시간에 가져오십시오.
+# 1. 머그컵은 광학 좌표계에서 왜 (0, 0, 2)에 있을까요? 공식 말고 손으로 설명해 보세요.
+# 2. 누가 "TF가 오류를 내지 않았으니 좌표계는 맞다"고 합니다. 뭐라고 답할까요?
+# 3. 아직 잘 모르겠는 것을 적어 두었다가, 03장을 읽은 뒤 다시 보세요.
 #
-# 이제 [이 장의 연습 문제](../../exercises/ko/02_axes_and_quaternions.ipynb)를 푸십시오. `check`는 맞고 틀림뿐 아니라 *어떤* 실수인지도 알려 줍니다.
+# **다음:** 연습 문제 [E2 좌표축과 쿼터니언](../../exercises/ko/02_axes_and_quaternions.ipynb)을 풀고 [03 목표 좌표계와 원본 좌표계](03_target_and_source.ipynb)로 갑니다. `check`를 실행하면 맞고 틀림뿐 아니라 *어떤* 실수인지도 알 수 있습니다.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E2.2")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력하세요.
 
 # %% [markdown] lang="en" name="stop-why" slide="skip"
 # The last cell stops the robot's programs, as Ctrl-C would.
@@ -1387,5 +1460,4 @@ card.draw_card()
 
 # %% name="stop" slide="skip"
 graph.stop()
-asker.destroy_node()
-rclpy.shutdown()
+rclpy.try_shutdown()
