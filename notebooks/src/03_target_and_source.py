@@ -15,15 +15,15 @@
 #
 # **목표 좌표계와 원본 좌표계** · 약 60분 · 01, 02장을 바탕으로 합니다
 #
-# 이 장을 마치면 다음을 할 수 있습니다.
+# 이 장을 마치면
 #
-# - 자식이 부모 안 어디에 있는지, 데이터는 어느 쪽으로 흐르는지 말합니다.
-# - 문장 하나를 `lookup_transform(target, source, time)`으로 옮기고, 인자 순서를 더는 찍지 않습니다.
-# - 변환을 도미노처럼 잇고, 잘못된 곱은 보자마자 알아챕니다.
-# - 거꾸로 갑니다. 회전이 있는 변환의 역을 구하고, `tf2_echo`를 양쪽으로 읽습니다.
+# - 자식이 부모를 기준으로 어디에 있는지, 데이터는 어느 방향으로 흐르는지 말할 수 있습니다.
+# - 문장 하나를 `lookup_transform(target, source, time)`으로 옮기고, 인자 순서를 더는 찍지 않게 됩니다.
+# - 변환을 도미노처럼 잇고, 잘못된 곱은 보자마자 알아챌 수 있습니다.
+# - 회전이 있는 변환의 역변환을 구하고, `tf2_echo`를 두 방향 모두 읽을 수 있습니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
-# The whole chapter is one sentence: "data written in source, wanted in target".
+# The whole chapter is one sentence: "data expressed in source, wanted in target".
 # Ask the room now: who has ever fixed a transform by swapping two arguments until the picture looked right?
 # Most hands go up. That is the chapter.
 
@@ -35,54 +35,37 @@
 # %% [markdown] lang="en" name="what-you-need" slide="subslide"
 # ## What you need to begin
 #
-# Five facts from the chapters before; if one is new, believe it for an hour.
+# Facts from the chapters before; if one is new, believe it for an hour.
 #
 # - A position is a value **in a [[frame]]**: `(2, 0, 0)` alone means nothing, `(2, 0, 0)` in `laser_frame` does.
 # - x points forward, y to the left, z up; a positive yaw turns to the left.
 # - A rotation is a quaternion (x, y, z, w), and "no rotation" is (0, 0, 0, 1).
 # - Where a sensor is bolted on does not change, so it is published once, as a static transform.
 # - A `Buffer` remembers what was published, and a `TransformListener` fills it; `Time()` asks for the latest.
+# - In the workbook's code, `base_T_laser @ laser_p` moves a point from laser_frame to base_link. `Transform.from_rpy(yaw=…, translation=…)` makes such a transform by hand, and `LATEST` is the engine's word for `Time()`.
 #
 # Today the robot stands still, so time plays no part; chapter 08 brings it back.
 
 # %% [markdown] lang="ko" name="what-you-need" slide="subslide"
 # ## 시작하기 전에 알아 둘 것
 #
-# 앞 장에서 온 다섯 가지입니다. 처음 보는 것이 있다면 한 시간만 믿어 두십시오.
+# 앞 장에서 배운 것들입니다. 처음 보는 것이 있어도 일단 받아들이고 읽어 나가세요.
 #
 # - 위치는 **어떤 [[frame|좌표계(frame)]]를 기준으로** 읽은 값입니다. `(2, 0, 0)`만으로는 아무 뜻이 없고, `laser_frame` 기준 `(2, 0, 0)`이라야 뜻이 있습니다.
 # - x는 앞, y는 왼쪽, z는 위입니다. 양의 yaw는 왼쪽으로 돕니다.
 # - 회전은 쿼터니언 (x, y, z, w)이고, "회전 없음"은 (0, 0, 0, 1)입니다.
 # - 센서를 단 자리는 변하지 않으므로 정적 변환으로 한 번만 발행합니다.
-# - `Buffer`는 발행된 것을 기억하고, `TransformListener`가 그것을 채웁니다. `Time()`은 가장 최근 값을 달라는 뜻입니다.
+# - `Buffer`는 발행된 변환을 기억하고, `TransformListener`가 버퍼를 채웁니다. `Time()`은 가장 최근 값을 달라는 뜻입니다.
+# - 이 워크북의 코드에서 `base_T_laser @ laser_p`는 laser_frame 기준의 점을 base_link 기준으로 옮깁니다. `Transform.from_rpy(yaw=…, translation=…)`은 그런 변환을 직접 만들고, `LATEST`는 엔진에서 쓰는 `Time()`입니다.
 #
 # 오늘은 로봇이 서 있으므로 시간은 신경 쓰지 않습니다. 시간은 08장에서 다시 나옵니다.
 
 # %% name="load" slide="skip"
 # %load_ext tflab
-
-# %% name="imports" slide="skip"
 import math
 
-import rclpy
-import tf2_geometry_msgs  # lets the buffer transform a PointStamped
-from geometry_msgs.msg import PointStamped, TransformStamped
-from rclpy.node import Node
-from rclpy.time import Time
-from tf2_ros import Buffer, StaticTransformBroadcaster, TransformException, TransformListener
-
-# %% name="imports-of-the-workbook" slide="skip"
 from tflab.core import LATEST, Transform
-from tflab.tools.buffers import draw_buffer, draw_question
-from tflab.views.dominoes import draw_dominoes
-from tflab.views.eye import FROM_ABOVE
-from tflab.views.frames import draw_scene
-from tflab.views.mount import draw_mount, seen_from
-from tflab.views.panels import mount_panel, sentence_panel
-from tflab.views.readings import draw_readings
-from tflab.views.scene import Scene, draw_arrow, draw_frame, draw_path
-from tflab.views.sentence import draw_sentence
-from tflab.views.style import ACCENT, fmt_all  # fmt_all writes a point with its unit
+from tflab.workbook import lesson
 
 # %% [markdown] lang="en" name="ten-years" slide="slide"
 # ## Ten years of "reversed"
@@ -102,9 +85,9 @@ from tflab.views.style import ACCENT, fmt_all  # fmt_all writes a point with its
 # %% [markdown] lang="ko" name="ten-years" slide="slide"
 # ## "거꾸로 나와요" 10년
 #
-# IMU(회전과 중력을 느끼는 센서)를 돌려 단 로봇이 있었는데, 어딘가에서 변환이 거꾸로인 것 같았습니다.
-# 그래서 팀은 장착 자세를 *틀리게* 발행했고, 그러자 숫자가 맞았습니다.
-# 나중에는 IMU를 쓰는 프로그램 안의 두 좌표계를 맞바꾸자고 제안했다가 이런 답을 들었습니다. 목표가 먼저이고, 이미 그렇게 되어 있다고.
+# IMU(회전과 중력을 재는 센서)를 돌려서 장착한 로봇이 있었는데, 어딘가에서 변환이 거꾸로인 것 같았습니다.
+# 그래서 팀은 장착 방향을 *틀리게* 발행했고, 그러자 숫자가 맞았습니다.
+# 나중에는 IMU를 쓰는 프로그램 안의 두 좌표계를 맞바꾸자고 제안했다가 '기준이 될 좌표계가 먼저이고, 이미 그렇게 되어 있다'는 답을 들었습니다.
 #
 # 이 팀만 헷갈린 것이 아닙니다.
 # 2015년, 누군가 변환을 출력하는 도구인 `tf_echo`의 좌표계 순서가 거꾸로 아니냐고 물었습니다.
@@ -112,7 +95,7 @@ from tflab.views.style import ACCENT, fmt_all  # fmt_all writes a point with its
 # 수많은 로봇이 위치를 추정하는 데 쓰는 패키지의 관리자도 자신이 자주 거꾸로 쓴다고 적었습니다.
 #
 # 이상한 점은 따로 있습니다. 도구가 출력한 숫자는 처음부터 맞았고, 사람들의 질문도 대부분 틀리지 않았습니다.
-# 모두 **"A에서 B로 가는 변환"** 을 물었는데, 이 말 안에 질문이 두 개 들어 있었습니다.
+# 모두 <b>"A에서 B로 가는 변환"</b>을 물었는데, 이 말 안에 질문이 두 개 들어 있었습니다.
 
 # %% [markdown] lang="en" name="ten-years-sources" slide="skip"
 # *Read them:* navigation [239](https://github.com/ros-planning/navigation/issues/239); geometry [108](https://github.com/ros/geometry/issues/108), [111](https://github.com/ros/geometry/issues/111), [192](https://github.com/ros/geometry/issues/192), [226](https://github.com/ros/geometry/issues/226); geometry2 [470](https://github.com/ros2/geometry2/issues/470); ros2_documentation [4239](https://github.com/ros2/ros2_documentation/issues/4239); robot_localization [437](https://github.com/cra-ros-pkg/robot_localization/issues/437).
@@ -122,23 +105,25 @@ from tflab.views.style import ACCENT, fmt_all  # fmt_all writes a point with its
 
 # %% name="two-readings" slide="subslide"
 mount = Transform.from_rpy(yaw=math.pi / 2, translation=(0.20, 0.0, 0.15))  # turned left, ahead, above
-draw_readings('base_link', 'laser_frame', mount)
+lesson.draw_readings('base_link', 'laser_frame', mount)
 
 # %% [markdown] lang="en" name="two-readings-seen"
-# Left, an engineer who mounts sensors: where does the laser *sit*, looking from the robot?
-# Right, an engineer who moves data: I have numbers of the robot and *want* them in the laser.
+# Left, an engineer who mounts sensors: where does the laser *sit*, looking from the robot? The numbers are (0.20, 0, 0.15).
+# Right, an engineer who moves data: I have numbers of the robot and *want* them in the laser. The numbers are (0, 0.20, −0.15): look at which axes they are counted along.
 # Both say "from base_link to laser_frame", and they need opposite transforms.
 #
 # The cure is a sentence with neither "from" nor "to".
 # You will have it in ten minutes; first, burn your fingers.
 
 # %% [markdown] lang="ko" name="two-readings-seen"
-# 왼쪽은 센서를 다는 사람의 말입니다. 로봇에서 볼 때 레이저는 어디에 *달려* 있는가?
-# 오른쪽은 데이터를 옮기는 사람의 말입니다. 로봇 기준 숫자가 있는데, 레이저 기준으로 *보고 싶다*.
+# 그림 읽기: reading 1 = 읽기 1(base_link를 기준으로 laser_frame이 어디에 있는가), reading 2 = 읽기 2(base_link 기준 데이터를 laser_frame 기준으로 보고 싶다).
+#
+# 읽기 1은 센서를 다는 사람의 말입니다. 로봇에서 볼 때 레이저는 어디에 *달려* 있는가? 값은 (0.20, 0, 0.15)입니다.
+# 읽기 2는 데이터를 옮기는 사람의 말입니다. 로봇 기준 숫자가 있는데, 레이저 기준으로 *보고 싶다*. 값은 (0, 0.20, −0.15)입니다. 어느 축을 따라 잰 값인지 견주어 보세요.
 # 둘 다 "base_link에서 laser_frame으로"라고 말하지만, 필요한 변환은 서로 반대입니다.
 #
 # 해결책은 "…에서 …(으)로"라고 말하지 않는 문장 하나입니다.
-# 10분 뒤면 그 문장을 갖게 됩니다. 그 전에 먼저 한번 데어 봅시다.
+# 10분 뒤면 그 문장을 만납니다. 그 전에 먼저 한번 데어 봅시다.
 
 # %% [markdown] lang="en" name="two-readings-seen-notes" slide="notes"
 # Let two people act it: one is base_link, one is laser_frame, an object lies between them.
@@ -161,14 +146,14 @@ draw_readings('base_link', 'laser_frame', mount)
 # Write your guess into the next cell before you go on; a guess that turns out wrong is worth more than none.
 
 # %% [markdown] lang="ko" name="predict" slide="slide"
-# ## 예측하기
+# ## 예측해 봅시다
 #
 # 레이저는 로봇 중심에서 앞으로 20 cm, 위로 15 cm 자리에 달려 있습니다.
 # 누군가 왼쪽 선반을 보도록 레이저를 +90° 돌려 달았습니다.
-# 레이저는 정면에서 선반 모서리를 봅니다. **`laser_frame` 기준 (2, 0, 0)** 입니다.
+# 레이저는 정면에서 선반 모서리를 봅니다. <b>`laser_frame` 기준 (2, 0, 0)</b>입니다.
 #
-# `base_link` 기준으로 모서리는 어디에 있습니까?
-# 다음 셀에 예측을 적고 넘어가십시오. 틀린 예측이 예측하지 않은 것보다 낫습니다.
+# `base_link` 기준으로 모서리는 어디에 있을까요?
+# 다음 셀에 예측을 적고 넘어가 보세요. 틀린 예측이 예측하지 않은 것보다 낫습니다.
 
 # %% [markdown] lang="en" name="predict-notes" slide="notes"
 # Give them a full minute, with paper, and let them show hands: ahead, left, right, behind.
@@ -191,15 +176,20 @@ my_guess = (0.0, 0.0, 0.0)  # your guess: (x, y, z) in base_link [m]
 # %% [markdown] lang="ko" name="run-it" slide="subslide"
 # ## 실행해 보기
 #
-# 먼저 ROS 2 도구로 레이저를 달고, 이어서 버퍼를 가진 노드를 만듭니다. 로봇에서도 똑같이 씁니다.
+# 먼저 ROS 2 도구로 레이저를 달고, 이어서 버퍼가 있는 노드를 만듭니다. 로봇에서도 똑같이 씁니다.
 # `spin_thread=True`를 주면, 여러분이 입력하는 동안에도 수신기가 자기 스레드에서 듣습니다.
-# 여기서 시간은 가상이며, `graph.run(…)`이 흐르게 할 때만 흐릅니다. `graph`는 `%load_ext tflab`과 함께 생깁니다.
+# 여기서 시간은 가상이며, `graph.run(…)`이 흐르게 할 때만 흐릅니다. `graph`는 `%load_ext tflab`이 만들어 둔 것입니다.
 
 # %% name="mount-the-laser"
 # %ros2 run tf2_ros static_transform_publisher --x 0.20 --z 0.15 --yaw 1.5707963 \
 #     --frame-id base_link --child-frame-id laser_frame
 
 # %% name="listen"
+import rclpy
+from rclpy.node import Node
+from tf2_ros import Buffer, TransformException, TransformListener
+
+rclpy.try_shutdown()  # so that this cell can be run again
 rclpy.init()
 node = Node('corner_watcher')
 buffer = Buffer()
@@ -207,13 +197,16 @@ listener = TransformListener(buffer, node, spin_thread=True)
 graph.run(seconds=0.5)
 
 # %% name="the-corner" tags=["predicted"] slide="fragment"
+import tf2_geometry_msgs  # teaches buffer.transform() about points
+from geometry_msgs.msg import PointStamped
+
 seen = PointStamped()
 seen.header.frame_id = 'laser_frame'
 seen.point.x = 2.0
 
 corner = buffer.transform(seen, 'base_link')
 base_p_corner = (corner.point.x, corner.point.y, corner.point.z)
-print(corner.header.frame_id, fmt_all(base_p_corner))
+print(corner.header.frame_id, lesson.fmt_all(base_p_corner))
 print('your guess was off by', f'{math.dist(my_guess, base_p_corner):.2f} m')
 
 # %% [markdown] lang="en" name="the-corner-seen" tags=["predicted"] slide="fragment"
@@ -245,7 +238,7 @@ print('your guess was off by', f'{math.dist(my_guess, base_p_corner):.2f} m')
 # </details>
 
 # %% [markdown] lang="ko" name="compare" slide="subslide"
-# ### 예측은 어땠습니까?
+# ### 예측은 맞았을까요?
 #
 # <details><summary>(2.2, 0, 0.15)라고 했습니다</summary>
 #
@@ -279,7 +272,7 @@ print('your guess was off by', f'{math.dist(my_guess, base_p_corner):.2f} m')
 # ```
 #
 # The same seven numbers do a second job.
-# They take a point that is written in the **child** and give the same point in the **parent**.
+# They take a point that is expressed in the **child** and give the same point in the **parent**.
 # So the arrow that is usually drawn, parent → child, shows the family; the data runs against it, child → parent.
 #
 # Call it by both names, the parent first: `base_T_laser`, and say "laser, expressed in base".
@@ -287,7 +280,7 @@ print('your guess was off by', f'{math.dist(my_guess, base_p_corner):.2f} m')
 # %% [markdown] lang="ko" name="one-transform" slide="slide"
 # ## 변환 하나, 두 가지 읽기
 #
-# 방금 발행한 것이 [[transform|좌표 변환(transform)]]입니다. [[child frame|자식 좌표계(child frame)]]가 [[parent frame|부모 좌표계(parent frame)]] 안 어디에 있는지 말합니다.
+# 방금 발행한 것이 [[transform|좌표 변환(transform)]]입니다. [[child frame|자식 좌표계(child frame)]]가 [[parent frame|부모 좌표계(parent frame)]]를 기준으로 어디에 있는지 나타냅니다.
 #
 # ```
 # header.frame_id = base_link      # parent
@@ -297,7 +290,7 @@ print('your guess was off by', f'{math.dist(my_guess, base_p_corner):.2f} m')
 # ```
 #
 # 같은 숫자 일곱 개가 일을 하나 더 합니다.
-# **자식** 기준으로 표현된 점을 받아, 같은 점을 **부모** 기준 값으로 돌려줍니다.
+# **자식** 기준으로 표현된 점을 받아, 같은 점을 **부모** 기준 값으로 바꾸어 줍니다.
 # 그래서 흔히 그리는 부모 → 자식 화살표는 가족 관계이고, 데이터는 그 반대인 자식 → 부모로 흐릅니다.
 #
 # 두 이름으로 부르되 부모를 앞에 둡니다. `base_T_laser`라고 쓰고 "base 기준 laser"라고 읽습니다.
@@ -305,24 +298,24 @@ print('your guess was off by', f'{math.dist(my_guess, base_p_corner):.2f} m')
 # %% name="one-transform-in-numbers" slide="subslide"
 base_T_laser = buffer.core.lookup_transform('base_link', 'laser_frame', LATEST).transform
 
-print('where the laser sits    ', fmt_all(base_T_laser.translation))
-print('its own origin, moved   ', fmt_all(base_T_laser.apply((0.0, 0.0, 0.0))))
-print('the corner, moved       ', fmt_all(base_T_laser.apply((2.0, 0.0, 0.0))))
+print('where the laser sits    ', lesson.fmt_all(base_T_laser.translation))
+print('its own origin, moved   ', lesson.fmt_all(base_T_laser.apply((0.0, 0.0, 0.0))))
+print('the corner, moved       ', lesson.fmt_all(base_T_laser.apply((2.0, 0.0, 0.0))))
 
 # %% [markdown] lang="en" name="one-transform-numbers-seen"
-# `buffer.core` is the engine itself: its answers are plain values, which you can multiply and apply.
-# (`Transform.from_rpy(yaw=…, translation=…)` makes such a value by hand; the order of the two names in the call is the next section.)
+# `buffer.core` is a short cut of this workbook, and a robot has none: it answers not with a message but with a value, to be multiplied and applied with `@`.
+# (The order of the two names in the call is the next section.)
 #
 # Look at the first two lines: they must be the same, and that settles which way a transform works.
 # The laser's origin is (0, 0, 0) in the laser, and the transform moves it to where the laser sits.
 # Child data goes in, parent data comes out.
 
 # %% [markdown] lang="ko" name="one-transform-numbers-seen"
-# `buffer.core`는 엔진 자체입니다. 답이 평범한 값이라 곱하고 적용할 수 있습니다.
-# (이런 값은 `Transform.from_rpy(yaw=…, translation=…)`로 직접 만들 수도 있습니다. 호출에서 두 이름의 순서는 다음 절에서 다룹니다.)
+# `buffer.core`는 이 워크북에만 있는 지름길이며 로봇에는 없습니다. 메시지 대신, `@`로 곱하고 점에 적용할 수 있는 값을 돌려줍니다.
+# (호출에서 두 이름의 순서는 다음 절에서 다룹니다.)
 #
-# 처음 두 줄을 보십시오. 두 값은 같을 수밖에 없고, 이것으로 변환의 방향이 정해집니다.
-# 레이저의 원점은 레이저에서 (0, 0, 0)이고, 변환은 그것을 레이저가 달린 자리로 옮깁니다.
+# 처음 두 줄을 보십시오. 두 값은 같을 수밖에 없습니다. 이 사실 하나로 변환의 방향을 언제든 확인할 수 있습니다.
+# 레이저의 원점은 레이저 기준으로 (0, 0, 0)이고, 변환은 이 점을 레이저가 달린 자리로 옮깁니다.
 # 자식의 데이터가 들어가서 부모의 데이터가 나옵니다.
 
 # %% [markdown] lang="en" name="one-transform-notes" slide="notes"
@@ -336,21 +329,21 @@ print('the corner, moved       ', fmt_all(base_T_laser.apply((2.0, 0.0, 0.0))))
 # The grey, hatched one is the opposite transform, with the corner where it would put it.
 
 # %% [markdown] lang="ko" name="in-3d" slide="subslide"
-# 이번에는 3D입니다. 끌어서 돌려 보고, 아래 슬라이더를 움직여 레이저를 돌려 보십시오.
+# 이번에는 3D입니다. 끌어서 돌려 보고, 아래 슬라이더를 움직여 레이저를 돌려 보세요.
 # 빗금 친 회색은 반대 변환이며, 그 변환대로라면 모서리가 있을 자리도 함께 그렸습니다.
 
 # %% name="in-3d-function" slide="skip"
-scene = Scene(height_px=380)
-draw_frame(scene, 'base_link', Transform(), length_m=0.3)
+scene = lesson.Scene(height_px=380)
+lesson.draw_frame(scene, 'base_link', Transform(), length_m=0.3)
 
 
 def turn_the_mount(yaw):
     mount = Transform.from_rpy(yaw=yaw, translation=(0.20, 0.0, 0.15))
-    places = seen_from(mount, (2.0, 0.0, 0.0))
-    draw_frame(scene, 'laser_frame', mount, parent='base_link', length_m=0.3)
-    draw_frame(scene, 'swapped', mount.inverse(), length_m=0.3, is_ghost=True)
-    draw_arrow(scene, 'beam', mount.translation, places['corner'], 'corner', ACCENT)
-    draw_path(scene, 'wrong beam', [mount.inverse().translation, places['swapped']], is_ghost=True)
+    places = lesson.seen_from(mount, (2.0, 0.0, 0.0))
+    lesson.draw_frame(scene, 'laser_frame', mount, parent='base_link', length_m=0.3)
+    lesson.draw_frame(scene, 'swapped', mount.inverse(), length_m=0.3, is_ghost=True)
+    lesson.draw_arrow(scene, 'beam', mount.translation, places['corner'], 'corner', lesson.ACCENT)
+    lesson.draw_path(scene, 'wrong beam', [mount.inverse().translation, places['swapped']], is_ghost=True)
 
 # %% name="in-3d-scene" tags=["interactive"]
 yaws = [math.radians(degrees) for degrees in range(-180, 181, 15)]
@@ -358,25 +351,24 @@ scene.sweep('yaw', yaws, turn_the_mount, unit='rad', start=18)
 scene
 
 # %% name="in-3d-still" slide="skip"
-draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'corner': (0.2, 2.0, 0.15)},
-           ghost_points={'swapped': (0.0, -1.8, -0.15)}, fixed_frame='base_link', length_m=0.5)
+lesson.draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'corner': (0.2, 2.0, 0.15)},
+                  ghost_points={'swapped': (0.0, -1.8, -0.15)}, fixed_frame='base_link', length_m=0.5)
 
 # %% [markdown] lang="en" name="the-sentence" slide="slide"
 # ## The sentence
 #
-# > Data **written in** `laser_frame`, **wanted in** `base_link`.
+# > Data **expressed in** `laser_frame`, **wanted in** `base_link`.
 #
 # That is all.
-# What the data is written in is the [[source frame|source]]; what you want it in is the [[target frame|target]].
+# What the data is expressed in is the [[source frame|source]]; what you want it in is the [[target frame|target]].
 # The target comes first in every call:
 #
 # ```python
-# lookup_transform('base_link', 'laser_frame', time)   # wanted in, written in, when
+# lookup_transform('base_link', 'laser_frame', time)   # wanted in, expressed in, when
 # ```
 #
 # The answer is `base_T_laser`: same order, same words.
 # There is no "from" and no "to" in it, so there is nothing to turn round.
-# (In 2020 a pull request to jsk-ros-pkg/jsk_roseus, #650, set out to turn one comment round, noticed that "from A to B" can be read both ways, and wrote "source, expressed in target" instead.)
 #
 # | you want | target | source |
 # |---|---|---|
@@ -384,7 +376,7 @@ draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'corner': (
 # | to know where the robot is on the map | `map` | `base_link` |
 # | a goal of the map as the robot sees it | `base_link` | `map` |
 #
-# The second row is the first in disguise: "where is the robot" is the robot's own origin, written in `base_link`, wanted in `map`.
+# The second row is the first in disguise: "where is the robot" is the robot's own origin, expressed in `base_link`, wanted in `map`.
 
 # %% [markdown] lang="ko" name="the-sentence" slide="slide"
 # ## 문장 하나
@@ -392,22 +384,21 @@ draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'corner': (
 # > `laser_frame` **기준으로 표현된** 데이터를 `base_link` **기준으로 보고 싶다**.
 #
 # 이것이 전부입니다.
-# 데이터가 지금 표현된 기준이 [[source frame|원본 좌표계(source frame)]]이고, 보고 싶은 기준이 [[target frame|목표 좌표계(target frame)]]입니다. 줄여서 원본, 목표라고 부릅니다.
+# 데이터가 지금 표현된 기준이 [[source frame|원본 좌표계(source frame)]](소스 프레임이라고도 합니다)이고, 기준이 될 좌표계가 [[target frame|목표 좌표계(target frame)]]입니다. 줄여서 원본, 목표라고 부릅니다.
 # 모든 호출에서 목표가 먼저 옵니다.
 #
 # ```python
-# lookup_transform('base_link', 'laser_frame', time)   # wanted in, written in, when
+# lookup_transform('base_link', 'laser_frame', time)   # 목표, 원본, 시각
 # ```
 #
-# 답은 `base_T_laser`입니다. 순서도 말도 그대로입니다.
+# 답은 `base_T_laser`입니다. 이름에 적힌 순서도 인자의 순서와 같습니다.
 # 이 문장에는 "여기서 저기로"라는 말이 없으므로 뒤집힐 것도 없습니다.
-# (2020년 jsk-ros-pkg/jsk_roseus #650에서도 주석의 방향을 고치다가, "from A to B"를 두 가지로 읽을 수 있음을 알아채고 "target에서 표현한 source"라는 말로 바꾸었습니다.)
 #
 # | 하고 싶은 일 | 목표 | 원본 |
 # |---|---|---|
 # | 레이저 점을 지도에 찍기 | `map` | `laser_frame` |
-# | 로봇이 지도 어디에 있는지 알기 | `map` | `base_link` |
-# | 지도의 목표점을 로봇에서 보기 | `base_link` | `map` |
+# | 로봇이 지도 기준으로 어디에 있는지 알기 | `map` | `base_link` |
+# | 지도에 있는 목적지를 로봇 기준으로 보기 | `base_link` | `map` |
 #
 # 둘째 줄은 첫째 줄과 같은 이야기입니다. "로봇이 어디 있는가"는 `base_link` 기준인 로봇의 원점을 `map` 기준으로 보고 싶다는 뜻입니다.
 
@@ -417,7 +408,7 @@ draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'corner': (
 # If somebody says "from", stop and smile.
 
 # %% [markdown] lang="ko" name="the-sentence-notes" slide="notes"
-# 다른 좌표계로 세 번 소리 내어 말하게 합니다. 카메라와 지도, 공구와 베이스, 목표점과 로봇.
+# 다른 좌표계로 세 번 소리 내어 말하게 합니다. 카메라와 지도, 공구와 베이스, 목적지와 로봇.
 # 칠판에 "A에서 B로"의 두 가지 읽기를 다시 쓰고, 줄을 그어 지웁니다.
 # 누가 "어디에서 어디로"라고 말하면 멈추고 웃어 줍니다.
 
@@ -427,12 +418,12 @@ draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'corner': (
 # Somebody publishes `base_link → camera_link` with the translation (0.10, 0, 0.30).
 #
 # 1. In which frame were 0.10 and 0.30 measured?
-# 2. A point is written in `camera_link`. Which call brings it to `base_link`?
+# 2. A point is expressed in `camera_link`. Which call brings it to `base_link`?
 #
 # <details><summary>Answers, and the trap</summary>
 #
 # 1. In `base_link`, the parent: 10 cm ahead of it and 30 cm above it sits the camera.
-# 2. `lookup_transform('base_link', 'camera_link', t)`: wanted in, written in. The answer is the published transform itself.
+# 2. `lookup_transform('base_link', 'camera_link', t)`: wanted in, expressed in. The answer is the published transform itself.
 #
 # The trap is the arrow: it points from parent to child, and says who holds whom.
 # If you read it as the way the data goes, you write the second call the other way round.
@@ -444,31 +435,31 @@ draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'corner': (
 #
 # 누군가 `base_link → camera_link`를 이동 (0.10, 0, 0.30)으로 발행합니다.
 #
-# 1. 0.10과 0.30은 어느 좌표계 기준으로 잰 값입니까?
-# 2. `camera_link` 기준인 점이 있습니다. 어떤 호출이 그 점을 `base_link` 기준으로 옮깁니까?
+# 1. 0.10과 0.30은 어느 좌표계 기준으로 잰 값일까요?
+# 2. `camera_link` 기준인 점이 있습니다. 어떤 호출이 그 점을 `base_link` 기준으로 옮길까요?
 #
 # <details><summary>답과 함정</summary>
 #
 # 1. 부모인 `base_link`입니다. 거기서 앞으로 10 cm, 위로 30 cm 자리에 카메라가 있습니다.
-# 2. `lookup_transform('base_link', 'camera_link', t)`입니다. 보고 싶은 기준이 먼저, 지금 기준이 다음입니다. 답은 발행된 변환 그대로입니다.
+# 2. `lookup_transform('base_link', 'camera_link', t)`입니다. 기준이 될 좌표계(목표)가 먼저, 지금 기준(원본)이 다음입니다. 답은 발행된 변환 그대로입니다.
 #
-# 함정은 화살표입니다. 화살표는 부모에서 자식을 가리키며, 누가 누구에게 달려 있는지를 말합니다.
+# 함정은 화살표입니다. 화살표는 부모에서 자식을 가리키며, 누가 누구에게 달려 있는지를 나타냅니다.
 # 이것을 데이터가 흐르는 방향으로 읽으면 호출을 거꾸로 쓰게 됩니다.
 #
 # </details>
 
 # %% [markdown] lang="en" name="the-sentence-panel-why" slide="skip"
-# Choose in any line; the others follow.
+# Change any of the menus; the others follow.
 # On the right is the same transform as a table, a matrix: the first three columns say how it turns, the last one is the step.
 # Find a pair for which the matrix and its opposite (target and source exchanged) differ in only one sign.
 
 # %% [markdown] lang="ko" name="the-sentence-panel-why" slide="skip"
-# 아무 줄에서나 골라 보십시오. 나머지가 따라옵니다.
+# 메뉴 가운데 하나를 바꾸면 나머지도 따라 바뀝니다.
 # 오른쪽은 같은 변환을 표로 적은 행렬입니다. 앞의 세 열은 회전이고, 마지막 열은 이동입니다.
-# 행렬과 그 반대 행렬(목표와 원본을 맞바꾼 것)이 부호 하나만 다른 쌍을 찾아보십시오.
+# 행렬과 그 반대 행렬(목표와 원본을 맞바꾼 것)이 부호 하나만 다른 쌍을 찾아보세요.
 
 # %% name="the-sentence-panel" tags=["interactive"] slide="skip"
-sentence_panel(
+lesson.sentence_panel(
     {
         'base_link': Transform(),
         'laser_frame': base_T_laser,
@@ -479,7 +470,7 @@ sentence_panel(
 )
 
 # %% name="the-sentence-still" slide="subslide"
-draw_question(buffer, 'base_link', 'laser_frame')
+lesson.draw_question(buffer, 'base_link', 'laser_frame')
 
 # %% [markdown] lang="en" name="the-sentence-panel-answer" slide="skip"
 # <details><summary>A pair with only one sign of difference</summary>
@@ -506,18 +497,22 @@ draw_question(buffer, 'base_link', 'laser_frame')
 # [[base_footprint|`base_footprint`]] is the robot's place on the floor, right under it.
 #
 # Let us bolt the rest together, this time from Python: one message for each edge, that is, for each pair of parent and child.
-# Read it as the list above: who is the parent, who is the child, where does the child sit, how is it turned.
+# Read it as the message above: who is the parent, who is the child, where does the child sit, how is it turned.
 
 # %% [markdown] lang="ko" name="dominoes" slide="slide"
 # ## 도미노
 #
-# 레이저는 로봇에 달려 있고, 로봇은 [[odom|`odom`]](바퀴로 잰 위치의 기준)에 서 있고, `odom`은 [[map|`map`]](건물) 안에 있습니다.
+# 레이저는 로봇에 달려 있고, 로봇은 [[odom|`odom`]](바퀴로 잰 위치의 기준)에 서 있고, `odom`의 위치는 [[map|`map`]](건물)을 기준으로 정해집니다.
 # [[base_footprint|`base_footprint`]]는 로봇 바로 아래 바닥에 있는 자리입니다.
 #
-# 나머지를 이어 봅시다. 이번에는 파이썬으로 합니다. 연결(부모와 자식의 쌍) 하나에 메시지가 하나입니다.
-# 앞에서 본 목록처럼 읽으십시오. 누가 부모이고, 누가 자식이며, 자식이 어디에 있고, 얼마나 돌아가 있습니까?
+# 나머지를 이어 봅시다. 이번에는 파이썬으로 합니다. 연결(edge, 부모와 자식의 쌍) 하나에 메시지가 하나입니다.
+# 앞에서 본 메시지처럼 읽어 보세요. 누가 부모이고, 누가 자식이며, 자식이 어디에 있고, 얼마나 돌아가 있을까요?
 
 # %% name="an-edge" slide="subslide"
+from geometry_msgs.msg import TransformStamped
+from tf2_ros import StaticTransformBroadcaster
+
+
 def edge(parent, child, x=0.0, y=0.0, z=0.0, yaw=0.0):
     t = TransformStamped()
     t.header.frame_id = parent
@@ -550,7 +545,7 @@ broadcaster.sendTransform(
 
 # %% name="the-tree"
 graph.run(seconds=0.5)
-draw_buffer(buffer)
+lesson.draw_buffer(buffer)
 
 # %% [markdown] lang="en" name="dominoes-fit" slide="subslide"
 # ### Neighbours must match
@@ -573,16 +568,16 @@ draw_buffer(buffer)
 # 한 사람에게 map에서 laser까지 놓게 한 다음, 카드 한 장을 뒤집어 건넵니다. 그것이 역변환입니다.
 
 # %% name="dominoes-that-fit"
-draw_dominoes(('map', 'odom'), ('odom', 'base_link'), ('base_link', 'laser_frame'))
+lesson.draw_dominoes(('map', 'odom'), ('odom', 'base_link'), ('base_link', 'laser_frame'))
 
 # %% [markdown] lang="en" name="worked-example" slide="subslide"
 # ### A worked example
 #
-# The corner once more: written in `laser_frame`, wanted in `map`.
+# The corner once more: expressed in `laser_frame`, wanted in `map`.
 # First by hand, one domino after the other; then what `lookup_transform` says.
 
 # %% [markdown] lang="ko" name="worked-example" slide="subslide"
-# ### 풀이 예제
+# ### 예제
 #
 # 다시 그 모서리입니다. `laser_frame` 기준 좌표를 `map` 기준으로 보고 싶습니다.
 # 먼저 도미노를 하나씩 놓아 손으로 구하고, 그다음 `lookup_transform`의 답과 견줍니다.
@@ -596,14 +591,14 @@ base_p_corner = base_T_laser.apply(laser_p_corner)
 odom_p_corner = odom_T_base.apply(base_p_corner)
 map_p_corner = map_T_odom.apply(odom_p_corner)
 for frame, point in (('base', base_p_corner), ('odom', odom_p_corner), ('map', map_p_corner)):
-    print(f'{frame}_p_corner', fmt_all(point))
+    print(f'{frame}_p_corner', lesson.fmt_all(point))
 
 # %% name="worked-example-in-one"
 map_T_laser = map_T_odom @ odom_T_base @ base_T_laser
 asked = buffer.core.lookup_transform('map', 'laser_frame', LATEST).transform
 
-print('one product   ', fmt_all(map_T_laser.apply(laser_p_corner)))
-print('one lookup    ', fmt_all(asked.apply(laser_p_corner)))
+print('one product   ', lesson.fmt_all(map_T_laser.apply(laser_p_corner)))
+print('one lookup    ', lesson.fmt_all(asked.apply(laser_p_corner)))
 
 # %% [markdown] lang="en" name="wrong-order" slide="subslide"
 # ### A row that does not fit
@@ -615,14 +610,14 @@ print('one lookup    ', fmt_all(asked.apply(laser_p_corner)))
 # ### 맞지 않는 줄
 #
 # 누군가 다른 순서로 곱합니다.
-# 그림은 바로 항의합니다.
+# 그림에서는 바로 드러납니다.
 
 # %% name="dominoes-that-do-not-fit"
-draw_dominoes(('map', 'odom'), ('base_link', 'laser_frame'), ('odom', 'base_link'))
+lesson.draw_dominoes(('map', 'odom'), ('base_link', 'laser_frame'), ('odom', 'base_link'))
 
 # %% name="wrong-order-in-numbers" slide="fragment"
 nonsense = map_T_odom @ base_T_laser @ odom_T_base
-print('the corner, says Python', fmt_all(nonsense.apply(laser_p_corner)))
+print('the corner, says Python', lesson.fmt_all(nonsense.apply(laser_p_corner)))
 
 # %% [markdown] lang="en" name="wrong-order-seen"
 # Python does not object: any two transforms can be multiplied.
@@ -630,7 +625,7 @@ print('the corner, says Python', fmt_all(nonsense.apply(laser_p_corner)))
 # That is why both frames stand in the name of a variable: `map_T_odom @ base_T_laser` *looks* wrong, and `T1 @ T3` never will.
 
 # %% [markdown] lang="ko" name="wrong-order-seen"
-# 파이썬은 항의하지 않습니다. 변환은 어떤 둘이든 곱할 수 있기 때문입니다.
+# 파이썬은 아무 말이 없습니다. 변환은 어떤 둘이든 곱할 수 있기 때문입니다.
 # 모서리가 몇 미터나 옮겨 갔는데 오류는 나지 않았습니다.
 # 변수 이름에 두 좌표계를 모두 적는 이유가 이것입니다. `map_T_odom @ base_T_laser`는 틀려 *보이지만*, `T1 @ T3`는 절대 틀려 보이지 않습니다.
 
@@ -644,15 +639,15 @@ print('the corner, says Python', fmt_all(nonsense.apply(laser_p_corner)))
 # ## Up, then down
 #
 # Nobody has published where the laser is in the camera.
-# They are siblings: both sit on `base_link`.
+# They are siblings: `base_link` is the parent of both.
 # Yet you may ask, because a lookup walks the tree: **up** from the source to the frame that both share, then **down** to the target.
 # Up is a transform as it was published; down is one turned round.
 
 # %% [markdown] lang="ko" name="up-up-down" slide="slide"
 # ## 위로, 그리고 아래로
 #
-# 카메라에서 본 레이저의 자리를 발행한 사람은 없습니다.
-# 둘은 형제입니다. 모두 `base_link` 위에 있습니다.
+# 카메라 기준으로 레이저가 어디에 있는지 발행한 노드는 없습니다.
+# 둘은 형제입니다. 부모가 모두 `base_link`입니다.
 # 그래도 물을 수 있습니다. 조회(lookup)가 트리를 따라가기 때문입니다. 원본에서 둘이 만나는 좌표계까지 **올라가고**, 거기서 목표까지 **내려갑니다**.
 # 올라갈 때는 발행된 변환을 그대로 쓰고, 내려갈 때는 뒤집어 씁니다.
 
@@ -661,11 +656,11 @@ base_T_camera = buffer.core.lookup_transform('base_link', 'camera_link', LATEST)
 camera_T_laser = base_T_camera.inverse() @ base_T_laser
 asked = buffer.core.lookup_transform('camera_link', 'laser_frame', LATEST)
 
-print('down after up ', fmt_all(camera_T_laser.translation))
-print('one lookup    ', fmt_all(asked.transform.translation))
+print('down after up ', lesson.fmt_all(camera_T_laser.translation))
+print('one lookup    ', lesson.fmt_all(asked.transform.translation))
 
 # %% name="siblings-as-dominoes"
-draw_dominoes(('camera_link', 'base_link'), ('base_link', 'laser_frame'))
+lesson.draw_dominoes(('camera_link', 'base_link'), ('base_link', 'laser_frame'))
 
 # %% [markdown] lang="en" name="up-up-down-notes" slide="notes"
 # Walk the tree with a finger: going up say "as published", going down say "turned round". Then ask for map in laser_frame: how many are turned round? All of them.
@@ -675,7 +670,7 @@ draw_dominoes(('camera_link', 'base_link'), ('base_link', 'laser_frame'))
 
 # %% name="siblings-in-space" slide="subslide"
 places = {'base_link': Transform(), 'camera_link': base_T_camera, 'laser_frame': base_T_laser}
-draw_sentence(places, asked)
+lesson.draw_sentence(places, asked)
 
 # %% [markdown] lang="en" name="siblings-seen"
 # 10 cm ahead of the camera and 15 cm below it: check that with the numbers of both mounts.
@@ -683,34 +678,34 @@ draw_sentence(places, asked)
 # `inverse()` turns a tile, and now we look at what it costs.
 
 # %% [markdown] lang="ko" name="siblings-seen"
-# 카메라보다 10 cm 앞, 15 cm 아래입니다. 두 센서를 단 자리의 숫자로 확인해 보십시오.
+# 카메라보다 10 cm 앞, 15 cm 아래입니다. 두 센서를 단 자리의 숫자로 확인해 보세요.
 # 조각 `camera_link | base_link`는 발행된 `base_link | camera_link`를 뒤집은 것입니다.
 # 조각을 뒤집는 것이 `inverse()`입니다. 뒤집으면 무엇이 달라지는지 이제 봅시다.
 
 # %% [markdown] lang="en" name="faded" slide="subslide"
 # ### Your turn, with two blanks
 #
-# A goal is written in `map` at (4, 1, 0), and the robot wants to know where that is as it stands there: ahead, behind, left, right?
+# A goal is given in `map` at (4, 1, 0), and the robot wants to know where that is as it stands there: ahead, behind, left, right?
 # Fill both blanks, and run.
 
 # %% [markdown] lang="ko" name="faded" slide="subslide"
 # ### 빈칸 두 개를 채워 보기
 #
-# 목표점이 `map` 기준 (4, 1, 0)에 있습니다. 서 있는 로봇에서 보면 앞입니까, 뒤입니까, 왼쪽입니까, 오른쪽입니까?
-# 빈칸 두 개를 채우고 실행하십시오.
+# 목적지가 `map` 기준 (4, 1, 0)에 있습니다. 서 있는 로봇에서 보면 앞일까요, 뒤일까요, 왼쪽일까요, 오른쪽일까요?
+# 빈칸 두 개를 채우고 실행해 보세요.
 
 # %% name="faded-blanks"
 wanted_in = ...  # blank 1: a frame's name, in quotes
-written_in = ...  # blank 2
+expressed_in = ...  # blank 2
 
-if ... not in (wanted_in, written_in):
-    answer = buffer.core.lookup_transform(wanted_in, written_in, LATEST).transform
-    print('the goal is at', fmt_all(answer.apply((4.0, 1.0, 0.0))), 'in', wanted_in)
+if ... not in (wanted_in, expressed_in):
+    answer = buffer.core.lookup_transform(wanted_in, expressed_in, LATEST).transform
+    print('the goal is at', lesson.fmt_all(answer.apply((4.0, 1.0, 0.0))), 'in', wanted_in)
 
 # %% [markdown] lang="en" name="faded-answer"
 # <details><summary>Compare</summary>
 #
-# Written in `map`, wanted in `base_link`: `lookup_transform('base_link', 'map', …)` puts the goal at (−2, 0, −0.1).
+# Expressed in `map`, wanted in `base_link`: `lookup_transform('base_link', 'map', …)` puts the goal at (−2, 0, −0.1).
 # That is 2 m behind the robot, and 10 cm below its middle, on the floor.
 # If you read (3, 7, 0.1), the two names stand the other way round, and your robot is on its way to somewhere else.
 #
@@ -719,7 +714,7 @@ if ... not in (wanted_in, written_in):
 # %% [markdown] lang="ko" name="faded-answer"
 # <details><summary>맞춰 보기</summary>
 #
-# `map` 기준 좌표를 `base_link` 기준으로 보고 싶으므로 `lookup_transform('base_link', 'map', …)`이고, 목표점은 (−2, 0, −0.1)입니다.
+# `map` 기준 좌표를 `base_link` 기준으로 보고 싶으므로 `lookup_transform('base_link', 'map', …)`이고, 목적지는 (−2, 0, −0.1)입니다.
 # 로봇 뒤 2 m, 로봇 중심보다 10 cm 아래인 바닥입니다.
 # (3, 7, 0.1)이 나왔다면 두 이름이 바뀐 것이고, 로봇은 엉뚱한 곳으로 떠납니다.
 #
@@ -734,20 +729,20 @@ if ... not in (wanted_in, written_in):
 # <details><summary>Sit down again</summary>
 #
 # The robot's front is to your right now, so its middle, which lies behind the mount, is on your **left**: +y, not −x.
-# A flipped sign would have said "20 cm behind you", and that is the door.
+# A flipped sign would have said "20 cm behind you", and there is nothing there.
 #
 # </details>
 
 # %% [markdown] lang="ko" name="inverse" slide="slide"
 # ## 돌아가는 길
 #
-# 자리에서 일어나 보십시오. 여러분이 레이저입니다. 왼쪽을 보고 섭니다. 로봇의 중심은 20 cm 떨어져 있습니다.
-# **여러분이 볼 때** 로봇의 중심은 어느 쪽입니까? 손으로 가리킨 다음 아래를 여십시오.
+# 자리에서 일어나 보세요. 여러분이 레이저입니다. 왼쪽을 보고 섭니다. 로봇의 중심은 20 cm 떨어져 있습니다.
+# **여러분이 볼 때** 로봇의 중심은 어느 쪽일까요? 손으로 가리킨 다음 아래를 열어 보세요.
 #
-# <details><summary>다시 앉으십시오</summary>
+# <details><summary>이제 앉아도 됩니다</summary>
 #
 # 이제 로봇의 앞은 여러분의 오른쪽입니다. 중심은 레이저가 달린 자리보다 뒤에 있으므로 여러분의 **왼쪽**, 즉 −x가 아니라 +y입니다.
-# 부호만 뒤집었다면 "등 뒤 20 cm"라고 했을 텐데, 거기에는 문이 있을 뿐입니다.
+# 부호만 뒤집었다면 "등 뒤 20 cm"라고 했을 텐데, 거기에는 아무것도 없습니다.
 #
 # </details>
 
@@ -763,7 +758,7 @@ if ... not in (wanted_in, written_in):
 # The minus sign alone is right only where nothing turns.
 
 # %% [markdown] lang="ko" name="inverse-why" slide="fragment"
-# 변환은 "돌린 다음 옮기기", 곧 회전 R과 이동 t입니다. 되돌리려면 옮긴 것을 먼저 빼고, 그다음 반대로 돌립니다.
+# 변환은 "돌린 다음 옮기기", 즉 회전 R과 이동 t입니다. 되돌리려면 옮긴 것을 먼저 빼고, 그다음 반대로 돌립니다.
 # 이것을 다시 "돌린 다음 옮기기"로 쓰면 이동도 함께 돌아갑니다.
 #
 # ```
@@ -778,12 +773,12 @@ laser_T_base = base_T_laser.inverse()
 x, y, z = base_T_laser.translation
 flipped = Transform((-x, -y, -z), laser_T_base.rotation)  # the minus sign alone
 
-print('there and back      ', fmt_all(laser_T_base.apply(base_p_corner)))
-print('there and "flipped" ', fmt_all(flipped.apply(base_p_corner)))
+print('there and back      ', lesson.fmt_all(laser_T_base.apply(base_p_corner)))
+print('there and "flipped" ', lesson.fmt_all(flipped.apply(base_p_corner)))
 
 # %% name="inverse-seen-from-the-laser"
-draw_scene({'laser_frame': Transform(), 'base_link': laser_T_base}, ghosts={'sign flipped': flipped},
-           eye=FROM_ABOVE, fixed_frame='laser_frame', length_m=0.075)
+lesson.draw_scene({'laser_frame': Transform(), 'base_link': laser_T_base}, ghosts={'sign flipped': flipped},
+                  eye=lesson.FROM_ABOVE, fixed_frame='laser_frame', length_m=0.075)
 
 # %% [markdown] lang="en" name="inverse-seen"
 # There and back must end where it began: at (2, 0, 0).
@@ -815,19 +810,19 @@ draw_scene({'laser_frame': Transform(), 'base_link': laser_T_base}, ghosts={'sig
 # 3. At which yaw is a swap at its worst?
 
 # %% [markdown] lang="ko" name="try-it" slide="slide"
-# ## 해 보기: 레이저를 돌려 보기
+# ## 직접 해 보세요: 레이저 돌리기
 #
-# 슬라이더를 움직이며 두 가지 실수를 지켜보십시오.
+# 슬라이더를 움직이며 두 가지 실수를 지켜보세요.
 #
-# 1. "turn forgotten"(회전을 잊음)은 어디에서 정답 뒤에 숨습니까?
-# 2. 위에서 볼 때 "swapped"(바꿔 씀)는 어디에서 숨습니까? z도 보십시오.
-# 3. yaw가 얼마일 때 바꿔 쓴 실수가 가장 크게 드러납니까?
+# 1. "turn forgotten"(회전을 잊음)은 어디에서 정답 뒤에 숨을까요?
+# 2. 위에서 볼 때 "swapped"(바꿔 씀)는 어디에서 숨을까요? z도 보세요.
+# 3. yaw가 얼마일 때 바꿔 쓴 실수가 가장 크게 드러날까요?
 
 # %% name="try-it-panel" tags=["interactive"]
-mount_panel()
+lesson.mount_panel()
 
 # %% name="try-it-still" slide="skip"
-draw_mount(math.pi / 2)
+lesson.draw_mount(math.pi / 2)
 
 # %% [markdown] lang="en" name="try-it-answers"
 # <details><summary>What I found</summary>
@@ -863,8 +858,8 @@ draw_mount(math.pi / 2)
 # %% [markdown] lang="ko" name="echo-help" slide="slide"
 # ## 이 모든 일의 시작이 된 도구
 #
-# `tf2_echo A B`는 B가 A 안 어디에 있는지 출력합니다.
-# 그러므로 A가 보고 싶은 쪽인 목표이고 B가 원본입니다. `lookup_transform`과 같은 순서입니다.
+# `tf2_echo A B`는 A를 기준으로 B가 어디에 있는지 출력합니다.
+# 따라서 A가 기준이 될 좌표계(목표)이고 B가 원본입니다. `lookup_transform`과 같은 순서입니다.
 # 이제 도구의 도움말을 직접 읽어 봅시다.
 
 # %% name="echo-help-itself"
@@ -874,7 +869,7 @@ draw_mount(math.pi / 2)
 # The first argument is the *target* of the lookup, and the help calls it `source_frame`.
 # Its first sentence says "from … to …"; two lines later it says, correctly, that data goes the other way.
 # This is the text behind ten years of reports.
-# Laugh once, and trust the sentence: **echo wanted-in written-in**.
+# Laugh once, and trust the sentence: **echo wanted-in expressed-in**.
 
 # %% [markdown] lang="ko" name="echo-help-seen"
 # 첫 인자는 조회의 *목표*인데, 도움말은 그것을 `source_frame`이라고 부릅니다.
@@ -899,7 +894,7 @@ draw_mount(math.pi / 2)
 # ### 첫 출력에서 둘째 출력 예측하기
 #
 # 아래는 `tf2_echo base_link laser_frame`입니다.
-# 그다음 셀을 실행하기 전에, `tf2_echo laser_frame base_link`의 Translation이 무엇일지 적어 보십시오.
+# 그다음 셀을 실행하기 전에, `tf2_echo laser_frame base_link`의 Translation이 무엇일지 적어 보세요.
 # (`--for 1.5`는 이 페이지에만 있는 것으로, 1.5초 뒤에 도구를 멈춥니다. 터미널에서는 빼고 입력한 다음 Ctrl-C로 멈춥니다.)
 
 # %% name="echo-one-way" slide="-"
@@ -914,25 +909,25 @@ draw_mount(math.pi / 2)
 
 # %% [markdown] lang="ko" name="echo-seen" tags=["predicted"]
 # 부호만 뒤집으면 (−0.20, 0, −0.15)이지만, 도구는 (0, 0.20, −0.15)라고 합니다. 일어서서 본 대로 레이저의 왼쪽입니다.
-# 첫 줄은 도구가 무언가 들을 때까지 기다린다는 뜻이고, `-0.000`은 수평인 자세를 출력할 때 나오는 이 도구의 버릇입니다.
+# 첫 줄은 도구가 변환을 받을 때까지 기다린다는 뜻이고, `-0.000`은 기울지 않았을 때 이 도구가 늘 그렇게 출력하는 것입니다.
 
 # %% [markdown] lang="en" name="break-it" slide="slide"
 # ## Break it: a swap goes through the tests
 #
 # A team swaps the arguments.
 # Their robot has one laser, at the back, looking backwards: 20 cm behind the middle, turned by 180°.
-# They test with a corner 2 m behind the laser and 0.7 m aside, all in one plane.
+# They test with a corner 2 m behind the robot and 0.7 m aside (ahead of that laser, which looks backwards), all in one plane.
 #
 # **Predict:** how far is the swapped answer from the right one? A centimetre, half a metre, four metres?
 
 # %% [markdown] lang="ko" name="break-it" slide="slide"
-# ## 망가뜨리기: 시험대에 오른 실수
+# ## 일부러 고장 내기: 시험을 통과한 실수
 #
 # 어느 팀이 인자를 바꿔 썼습니다.
 # 그 로봇에는 뒤를 보는 레이저가 하나, 중심에서 20 cm 뒤에 180° 돌려 달려 있습니다.
-# 팀은 레이저보다 2 m 뒤, 0.7 m 옆에 있는 모서리로 시험합니다. 모두 한 평면 위에 있습니다.
+# 팀은 로봇 뒤 2 m, 옆으로 0.7 m인 모서리로 시험합니다(뒤를 보는 이 레이저에게는 앞입니다). 모두 한 평면 위에 있습니다.
 #
-# **예측:** 바꿔 쓴 답은 올바른 답에서 얼마나 떨어져 있습니까? 1 cm입니까, 0.5 m입니까, 4 m입니까?
+# **예측해 봅시다.** 바꿔 쓴 답은 올바른 답에서 얼마나 떨어져 있을까요? 1 cm일까요, 0.5 m일까요, 4 m일까요?
 
 # %% [markdown] lang="en" name="break-it-notes" slide="notes"
 # Ask before running: will the numbers differ? Almost everybody says yes.
@@ -946,8 +941,8 @@ draw_mount(math.pi / 2)
 rear = Transform.from_rpy(yaw=math.pi, translation=(-0.20, 0.0, 0.0))
 seen_at = (2.0, 0.7, 0.0)
 
-print('right  ', fmt_all(rear.apply(seen_at)))
-print('swapped', fmt_all(rear.inverse().apply(seen_at)))
+print('right  ', lesson.fmt_all(rear.apply(seen_at)))
+print('swapped', lesson.fmt_all(rear.inverse().apply(seen_at)))
 
 # %% [markdown] lang="en" name="swap-at-the-back-seen" tags=["predicted"] slide="subslide"
 # Identical: after half a turn, another half turn brings you home, so this mount is its own inverse.
@@ -965,13 +960,13 @@ print('swapped', fmt_all(rear.inverse().apply(seen_at)))
 # %% [markdown] lang="ko" name="swap-once-more"
 # 코드는 검토를 거쳐 병합되고, 레이저가 왼쪽을 보는 다음 로봇으로 복사됩니다.
 #
-# 다시 **예측**해 보십시오. 이번에는 얼마나 어긋납니까?
+# 다시 **예측**해 봅시다. 이번에는 얼마나 어긋날까요?
 
 # %% name="swap-on-the-side" tags=["predicted"] slide="fragment"
 answer = buffer.core.lookup_transform('laser_frame', 'base_link', LATEST).transform  # swapped
 right, swapped = base_T_laser.apply(seen_at), answer.apply(seen_at)
-print('right  ', fmt_all(right))
-print('swapped', fmt_all(swapped), f'off by {math.dist(right, swapped):.2f} m')
+print('right  ', lesson.fmt_all(right))
+print('swapped', lesson.fmt_all(swapped), f'off by {math.dist(right, swapped):.2f} m')
 
 # %% [markdown] lang="en" name="no-error" slide="subslide"
 # ### Where is the error message?
@@ -984,19 +979,19 @@ print('swapped', fmt_all(swapped), f'off by {math.dist(right, swapped):.2f} m')
 # (`%xmode Minimal` shows an error by its last line, which is the one to read; `%xmode Context` brings the rest back.)
 
 # %% [markdown] lang="ko" name="no-error" slide="subslide"
-# ### 오류 메시지는 어디에 있습니까?
+# ### 오류 메시지는 어디에 있을까요?
 #
 # 없습니다.
 # 두 질문 모두 올바른 질문이고, TF2는 여러분이 어느 쪽을 뜻했는지 알 길이 없습니다.
-# 선반은 왼쪽에 있는데 로봇은 오른쪽을 조심하면서 선반으로 들어갑니다.
+# 선반은 왼쪽에 있는데 로봇은 오른쪽을 조심하다가 선반을 들이받습니다.
 #
-# 오류가 *나는* 것은 아무도 모르는 이름을 썼을 때입니다. 그때는 그 이름을 어떤 역할로 썼는지 메시지가 말해 줍니다.
+# 오류가 *나는* 것은 아무도 모르는 이름을 썼을 때입니다. 그때는 그 이름을 어떤 역할로 썼는지 메시지에 나옵니다.
 # (`%xmode Minimal`은 오류에서 꼭 읽어야 할 마지막 줄만 보여 줍니다. `%xmode Context`로 되돌립니다.)
 
-# %% name="errors-in-one-line"
-# %xmode Minimal
-
 # %% name="unknown-name" tags=["raises-exception"]
+from rclpy.time import Time
+
+# %xmode Minimal
 buffer.lookup_transform('laser_fame', 'base_link', Time())
 
 # %% [markdown] lang="en" name="unknown-name-seen"
@@ -1006,10 +1001,10 @@ buffer.lookup_transform('laser_fame', 'base_link', Time())
 # And a leading slash, common in ROS 1, is not a name at all:
 
 # %% [markdown] lang="ko" name="unknown-name-seen"
-# `argument target_frame`, 곧 철자가 틀린 이름이 목표 자리에 있다는 뜻입니다.
-# 그것을 *원본*으로 쓰려던 것이었다면, 바꿔 쓴 실수를 알려 주는 메시지는 이것뿐입니다. 끝까지 읽으십시오.
+# `argument target_frame`, 즉 철자가 틀린 이름이 목표 자리에 있다는 뜻입니다.
+# *원본*으로 쓰려던 이름이라면, 두 인자를 바꿔 썼다는 단서는 이 한 줄뿐입니다. 끝까지 읽으십시오.
 #
-# 그리고 ROS 1에서 흔하던 맨 앞의 슬래시는 이름이 될 수 없습니다.
+# 그리고 ROS 1에서 흔히 쓰던, 슬래시로 시작하는 이름은 쓸 수 없습니다.
 
 # %% name="leading-slash" tags=["raises-exception"]
 buffer.lookup_transform('/base_link', 'laser_frame', Time())
@@ -1017,10 +1012,12 @@ buffer.lookup_transform('/base_link', 'laser_frame', Time())
 # %% [markdown] lang="en" name="safest-call"
 # The safest call is the one that you used at the start: `buffer.transform(message, 'base_link')`.
 # The message carries its own source in `header.frame_id`, so only the target is left to say, and nothing can be swapped.
+# Where the two steps stand apart, lookup first and then `tf2_geometry_msgs.do_transform_point(message, transform)`, the names are yours to put in order: the exercise has such a node.
 
 # %% [markdown] lang="ko" name="safest-call"
 # 가장 안전한 호출은 처음에 쓴 `buffer.transform(message, 'base_link')`입니다.
-# 원본은 메시지가 `header.frame_id`에 담아 오므로 목표만 말하면 되고, 바꿔 쓸 것이 없습니다.
+# 원본은 메시지의 `header.frame_id`에 들어 있으므로 목표만 정하면 되고, 바꿔 쓸 것이 없습니다.
+# 먼저 조회하고 그다음 `tf2_geometry_msgs.do_transform_point(message, transform)`으로 옮기는 코드에서는 두 이름의 순서를 직접 지켜야 합니다. 연습 문제에 그런 노드가 나옵니다.
 
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
 # ## Checkpoint
@@ -1036,19 +1033,19 @@ buffer.lookup_transform('/base_link', 'laser_frame', Time())
 #
 # <details><summary>I chose 1</summary>
 #
-# Say the sentence: data written in `camera_optical_frame`, wanted in `base_link`. Wanted comes first.
+# Say the sentence: data expressed in `camera_optical_frame`, wanted in `base_link`. Wanted comes first.
 # Your line moves robot data into the camera; "from the camera to the base" has caught you.
 #
 # </details>
 # <details><summary>I chose 2</summary>
 #
-# The order is right, the source is not: the apple is written in the *optical* frame, whose axes point elsewhere (chapter 02).
+# The order is right, the source is not: the apple is expressed in the *optical* frame, whose axes point elsewhere (chapter 02).
 # The source is whatever `header.frame_id` says, not the part that you can touch.
 #
 # </details>
 # <details><summary>I chose 3</summary>
 #
-# Yes: written in `camera_optical_frame`, wanted in `base_link`, and the names in the call are those in the sentence.
+# Yes: expressed in `camera_optical_frame`, wanted in `base_link`, and the names in the call are those in the sentence.
 #
 # </details>
 # <details><summary>I chose 4</summary>
@@ -1059,7 +1056,7 @@ buffer.lookup_transform('/base_link', 'laser_frame', Time())
 # </details>
 
 # %% [markdown] lang="ko" name="checkpoint" slide="slide"
-# ## 확인 문제
+# ## 마무리 점검
 #
 # 검출기가 사과에 `header.frame_id = 'camera_optical_frame'`을 붙입니다.
 # 팔의 동작은 `base_link`에서 계획합니다.
@@ -1072,7 +1069,7 @@ buffer.lookup_transform('/base_link', 'laser_frame', Time())
 #
 # <details><summary>1번을 골랐습니다</summary>
 #
-# 문장으로 말해 보십시오. `camera_optical_frame` 기준 데이터를 `base_link` 기준으로 보고 싶습니다. 보고 싶은 쪽이 먼저입니다.
+# 문장으로 말해 보십시오. `camera_optical_frame` 기준 데이터를 `base_link` 기준으로 보고 싶습니다. 기준이 될 좌표계(목표)를 먼저 씁니다.
 # 고른 줄은 로봇의 데이터를 카메라로 옮깁니다. "카메라에서 베이스로"라는 말에 걸려들었습니다.
 #
 # </details>
@@ -1126,7 +1123,7 @@ class WhereIsTheLaser(Node):
 
     def tell(self):
         try:
-            t = self.tf_buffer.lookup_transform('map', 'laser_frame', Time())  # wanted in, written in
+            t = self.tf_buffer.lookup_transform('map', 'laser_frame', Time())  # wanted in, expressed in
         except TransformException as error:
             self.get_logger().warning(f'not yet: {error}')
             return
@@ -1161,38 +1158,37 @@ graph.run(seconds=2.5)
 # 어느 로봇에서나 입력해 볼 명령 세 개와 그 뜻입니다.
 #
 # ```
-# ros2 run tf2_ros tf2_echo base_link laser_frame   # the laser, on the robot
-# ros2 run tf2_ros tf2_echo odom base_link          # the robot, by its wheels
-# ros2 run tf2_ros tf2_echo map base_link           # the robot, on the map
+# ros2 run tf2_ros tf2_echo base_link laser_frame   # 로봇 기준의 레이저
+# ros2 run tf2_ros tf2_echo odom base_link          # 바퀴로 잰 로봇
+# ros2 run tf2_ros tf2_echo map base_link           # 지도 기준의 로봇
 # ```
 #
-# 도움말이 뭐라고 하든 첫 인자가 목표, 둘째 인자가 원본입니다.
+# 도움말에 어떻게 적혀 있든 첫 인자가 목표, 둘째 인자가 원본입니다.
 
 # %% name="echo-on-the-map" slide="skip"
 # %ros2 --for 1.5 run tf2_ros tf2_echo map base_link
 
 # %% name="stop" slide="skip"
 graph.stop()
-node.destroy_node()
-rclpy.shutdown()
+rclpy.try_shutdown()
 
 # %% [markdown] lang="en" name="recap" slide="slide"
-# ## What to keep
+# ## Recap
 #
 # - A [[transform]] `parent_T_child` says where the child sits, and takes child data to the parent.
-# - Say it without "from" and "to": **data written in [[source frame|source]], wanted in [[target frame|target]]**; wanted comes first.
+# - Say it without "from" and "to": **data expressed in [[source frame|source]], wanted in [[target frame|target]]**; wanted comes first.
 # - Neighbours match: `map_T_laser = map_T_odom @ odom_T_base @ base_T_laser`.
 # - The way back is an inverse: turn back, and turn the step back too. A minus sign is not enough.
 # - A swap raises no error. Half a turn hides it, a quarter shows it.
 # - `tf2_echo A B` prints B in A.
 
 # %% [markdown] lang="ko" name="recap" slide="slide"
-# ## 기억할 것
+# ## 정리
 #
-# - [[transform|변환]] `parent_T_child`는 자식이 어디에 있는지 말하고, 자식의 데이터를 부모로 옮깁니다.
-# - "어디에서 어디로" 대신 이렇게 말합니다. **[[source frame|원본]] 기준 데이터를 [[target frame|목표]] 기준으로 보고 싶다.** 호출에서는 보고 싶은 쪽이 먼저입니다.
+# - [[transform|변환]] `parent_T_child`는 자식이 부모를 기준으로 어디에 있는지 나타내고, 자식 기준의 데이터를 부모 기준으로 옮깁니다.
+# - "어디에서 어디로" 대신 이렇게 말합니다. **[[source frame|원본]] 기준 데이터를 [[target frame|목표]] 기준으로 보고 싶다.** 호출에서는 **목표**가 먼저입니다.
 # - 이웃끼리 맞춥니다. `map_T_laser = map_T_odom @ odom_T_base @ base_T_laser`.
-# - 돌아가는 길은 역변환입니다. 반대로 돌리고, 이동도 돌려야 합니다. 부호만으로는 모자랍니다.
+# - 돌아가는 길은 역변환입니다. 반대로 돌리고, 이동도 돌려야 합니다. 부호만으로는 부족합니다.
 # - 바꿔 써도 오류는 나지 않습니다. 반 바퀴에서는 숨고, 4분의 1바퀴에서는 드러납니다.
 # - `tf2_echo A B`는 A 기준으로 본 B를 출력합니다.
 
@@ -1212,7 +1208,7 @@ rclpy.shutdown()
 # </details>
 
 # %% [markdown] lang="ko" name="from-before" slide="subslide"
-# ### 앞 장에서 온 질문 셋
+# ### 앞 장 복습: 세 문제
 #
 # 1. 어떤 메시지에 `(2.0, 0.0, 0.0)`이 들어 있고 `frame_id`는 비어 있습니다. 써도 됩니까?
 # 2. 바퀴 달린 로봇이 오른쪽으로 돕니다. yaw 속도는 양수입니까, 음수입니까?
@@ -1220,23 +1216,23 @@ rclpy.shutdown()
 #
 # <details><summary>답</summary>
 #
-# 1. 안 됩니다. 좌표계 없는 값은 소문일 뿐입니다. 거절하고 로그에 남깁니다.
+# 1. 안 됩니다. 좌표계 없는 값에는 아무 뜻이 없습니다. 거절하고 로그에 남깁니다.
 # 2. 음수입니다. z가 위를 향하므로 오른손 법칙에 따라 양의 회전은 왼쪽입니다.
 # 3. (0, 0, 0, 1)입니다. 모두 0인 것은 회전이 아닙니다. 수신기마다 거절하고, 그 좌표계는 끝내 나타나지 않습니다.
 #
 # </details>
 
 # %% [markdown] lang="en" name="practice" slide="subslide"
-# ### Practice question 3
+# ### Practice question · Q3
 #
 # Explain the parent and the child of a transform, and what `lookup_transform(target, source, time)` means.
 # Write four or five sentences, then open the list and give yourself a point for each idea.
 #
 # <details><summary>What a full answer holds</summary>
 #
-# - [ ] A transform gives the position and rotation of the child's axes, measured in the parent.
+# - [ ] A transform gives the position and rotation of the child frame, measured in the parent.
 # - [ ] In the message, the parent is `header.frame_id` and the child is `child_frame_id`.
-# - [ ] The lookup returns what takes data written in *source* to the same data in *target*.
+# - [ ] The lookup returns what takes data expressed in *source* to the same data in *target*.
 # - [ ] Target and source need not be parent and child: any two frames of one tree will do, and the lookup walks between them.
 # - [ ] `time` says for which moment; `Time()` means the latest moment that all edges on the way share.
 # - [ ] Swapping both gives the inverse and no error; if anything turns, that is not just another sign.
@@ -1246,18 +1242,18 @@ rclpy.shutdown()
 # </details>
 
 # %% [markdown] lang="ko" name="practice" slide="subslide"
-# ### 서술형 문제 3
+# ### 서술형 문제 · Q3
 #
 # 변환의 부모와 자식, 그리고 `lookup_transform(target, source, time)`의 의미를 설명하십시오.
-# 네다섯 문장으로 쓴 다음, 목록을 펼쳐 스스로 채점하십시오. 들어 있는 내용 하나에 1점입니다.
+# 네다섯 문장으로 쓴 다음, 목록을 펼쳐 스스로 채점해 보세요. 아래 내용이 하나 들어 있을 때마다 1점입니다.
 #
 # <details><summary>완전한 답에 들어 있는 것</summary>
 #
-# - [ ] 변환은 부모에서 잰 자식 좌표축의 위치와 회전입니다.
+# - [ ] 변환은 부모 기준으로 잰 자식 좌표계의 위치와 회전입니다.
 # - [ ] 메시지에서 부모는 `header.frame_id`, 자식은 `child_frame_id`입니다.
-# - [ ] 조회는 *원본* 기준 데이터를 *목표* 기준의 같은 데이터로 옮기는 변환을 돌려줍니다.
+# - [ ] 조회는 *원본* 기준 데이터를 *목표* 기준의 같은 데이터로 옮기는 변환을 반환합니다.
 # - [ ] 목표와 원본이 꼭 부모와 자식일 필요는 없습니다. 한 트리 안의 어떤 두 좌표계라도 되고, 조회가 그 사이를 따라갑니다.
-# - [ ] `time`은 어느 시각인지를 말합니다. `Time()`은 경로의 모든 연결에 값이 있는 가장 최근 시각입니다.
+# - [ ] `time`은 어느 시각의 변환인지를 정합니다. `Time()`은 경로의 모든 연결에 값이 있는 가장 최근 시각입니다.
 # - [ ] 둘을 바꿔 쓰면 역변환이 나올 뿐 오류는 나지 않습니다. 회전이 있으면 부호만 다른 것이 아닙니다.
 #
 # 다섯 개 이상이면 남을 가르칠 수 있습니다. 서너 개면 "변환 하나, 두 가지 읽기"를 다시 읽으십시오. 그보다 적으면 연필을 들고 예측을 다시 해 보십시오.
@@ -1269,7 +1265,7 @@ rclpy.shutdown()
 #
 # Fill the blanks without looking anything up.
 #
-# > "`goal` is written in `map`. The controller works in `base_link`."
+# > "`goal` is expressed in `map`. The controller works in `base_link`."
 # > `lookup_transform('____', '____', Time())`, and the product that gives it: `base_T_map = ______ @ ______`
 #
 # <details><summary>Compare</summary>
@@ -1279,9 +1275,9 @@ rclpy.shutdown()
 # </details>
 
 # %% [markdown] lang="ko" name="exit-ticket" slide="slide"
-# ## 나가기 전에
+# ## 마무리하며
 #
-# 찾아보지 말고 빈칸을 채우십시오.
+# 찾아보지 말고 빈칸을 채워 보세요.
 #
 # > "`goal`은 `map` 기준이다. 제어기는 `base_link`를 기준으로 움직인다."
 # > `lookup_transform('____', '____', Time())`, 그리고 이것을 만드는 곱: `base_T_map = ______ @ ______`
@@ -1299,9 +1295,11 @@ rclpy.shutdown()
 # 쪽지를 걷습니다. 순서가 틀린 사람이 있으면 다음 강의를 그 이야기로 시작합니다.
 
 # %% [markdown] lang="en" name="next" slide="skip"
-# Then do the exercises: [03 Target and source](../../exercises/en/03_target_and_source.ipynb).
+# **Next:** the exercises, [E3 Target and source](../../exercises/en/03_target_and_source.ipynb), and after them [08 Buffer and measurement time](08_buffer_and_measurement_time.ipynb), which brings time back.
+# After a pass, or three tries, `solution("E3.2")` shows a solution there. To start a page over, delete its file and type `tflab lab`.
 # On a robot this chapter ticks one line of your checklist: *I ran `tf2_echo` with target and source in the right order.*
 
 # %% [markdown] lang="ko" name="next" slide="skip"
-# 이제 연습 문제를 푸십시오: [03 목표 좌표계와 원본 좌표계](../../exercises/ko/03_target_and_source.ipynb).
-# 실제 로봇에서는 이 장으로 체크리스트 한 줄을 채웁니다. *목표와 원본의 순서를 지켜 tf2_echo를 실행했습니다.*
+# **다음:** 연습 문제 [E3 목표 좌표계와 원본 좌표계](../../exercises/ko/03_target_and_source.ipynb)를 풀고, 시간이 다시 나오는 [08 버퍼와 측정 시각](08_buffer_and_measurement_time.ipynb)으로 갑니다.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E3.2")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력하세요.
+# 이 장을 마치면 실습 체크리스트의 2번을 채울 수 있습니다. *목표와 원본의 순서를 지켜 tf2_echo를 실행했습니다.*
