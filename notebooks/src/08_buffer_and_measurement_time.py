@@ -1,28 +1,28 @@
 # %% [markdown] lang="en" name="title" slide="slide"
 # # 08 · Where was I when I saw it?
 #
-# **Buffer and measurement time** · about 55 minutes · builds on 01, 03, 04, 05 and 06
+# **Buffer and measurement time** · about 75 minutes · builds on 01, 03, 04, 05 and 06
 #
 # After this chapter you can
 #
-# - describe a [[buffer]] as one lane of time for each edge of the tree;
+# - describe a [[buffer]] as one [[timeline]] for each edge of the tree;
 # - say what the buffer answers between two samples, and what it refuses outside them;
 # - find the [[latest common time]] of a path, and say what `Time()` asks for;
 # - move a message into another frame at the moment it was measured;
 # - estimate how far off you are if you do not.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
-# # 08 · 그것을 보았을 때 나는 어디에 있었습니까?
+# # 08 · 그것을 본 순간, 나는 어디에 있었을까요?
 #
-# **버퍼와 측정 시각** · 약 55분 · 01, 03, 04, 05, 06장을 바탕으로 합니다
+# **버퍼와 측정 시각** · 약 75분 · 01, 03, 04, 05, 06장을 바탕으로 합니다
 #
-# 이 장을 마치면 다음을 할 수 있습니다.
+# 이 장을 마치면
 #
-# - [[buffer|변환 버퍼(buffer)]]를 트리의 연결마다 하나씩 있는 시간 차선으로 설명합니다.
-# - 두 표본 사이에서 버퍼가 무엇을 답하고, 그 바깥에서는 무엇을 거절하는지 말합니다.
-# - 경로의 [[latest common time|최신 공통 시각]]을 찾고, `Time()`이 무엇을 묻는지 말합니다.
-# - 측정한 순간의 변환을 써서 메시지를 다른 좌표계로 옮깁니다.
-# - 그렇게 하지 않으면 얼마나 빗나가는지 어림합니다.
+# - [[buffer|변환 버퍼(buffer)]]를 트리의 연결마다 하나씩 있는 [[timeline|시간줄(timeline)]]로 설명할 수 있습니다.
+# - 두 표본 사이에서 버퍼가 무엇을 답하고, 그 바깥에서는 무엇을 거절하는지 말할 수 있습니다.
+# - 경로의 [[latest common time|최신 공통 시각]]을 찾고, `Time()`이 무엇을 뜻하는지 말할 수 있습니다.
+# - 측정한 순간의 변환을 써서 메시지를 다른 좌표계로 옮길 수 있습니다.
+# - 그렇게 하지 않으면 얼마나 빗나가는지 어림할 수 있습니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
 # Ask the room first: how old is what you see on your phone's camera screen?
@@ -30,12 +30,12 @@
 # The whole chapter is that one number, carried through tf2.
 
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
-# 먼저 이렇게 물어보십시오. 휴대전화 카메라 화면에 보이는 장면은 몇 밀리초 전의 것일까요?
+# 먼저 이렇게 묻습니다. 휴대전화 카메라 화면에 보이는 장면은 몇 밀리초 전의 것일까요?
 # "0"이라는 대답은 오래 버티지 못합니다.
 # 이 장 전체는 그 숫자 하나를 tf2 안에서 끝까지 따라가는 이야기입니다.
 
 # %% [markdown] lang="en" name="needed" slide="slide"
-# ## What you need from other chapters
+# ## What you need to begin
 #
 # Chapters 01 and 04 to 06 are still being written. This page uses no more of them than this; if you have done 03, skip its line.
 #
@@ -47,55 +47,32 @@
 # - **A node** is a program. It subscribes to a *topic*, and ROS 2 calls one of its functions, a *callback*, with each message that arrives. *Spinning* is waiting for messages and calling callbacks.
 
 # %% [markdown] lang="ko" name="needed" slide="slide"
-# ## 다른 장에서 가져올 것
+# ## 시작하기 전에 알아 둘 것
 #
 # 01장과 04장부터 06장까지는 아직 집필 중입니다. 이 장에서는 다음 내용만 알면 됩니다. 03장을 마쳤다면 그 줄은 건너뛰어도 됩니다.
 #
 # - **점**(01)은 값, 좌표계, 측정된 순간, 이 세 가지입니다. ROS 2에서 뒤의 둘은 `header.frame_id`와 `header.stamp`입니다.
 # - **질문**(03)의 순서는 정해져 있습니다. `lookup_transform(target, source, time)`: 원본(source) 기준 데이터를 목표(target) 기준으로 보고 싶습니다.
-# - **트리**(04)에서 각 좌표계의 부모는 하나입니다. 두 좌표계 사이에는 연결(edge)로 이어진 길이 하나 있습니다.
+# - **트리**(04)에서 각 좌표계의 부모는 하나입니다. 두 좌표계 사이에는 연결(edge)로 이어진 경로가 하나 있습니다.
 # - **우리 로봇**(05)에는 `map → odom → base_footprint → base_link`가 있습니다. `map → odom`은 위치 추정 노드가 보정하고, `odom → base_footprint`는 바퀴가 1초에 여러 번 잽니다.
 # - **두 종류의 연결**(06): 카메라 장착 위치 같은 정적 연결은 한 번 보내면 언제나 유효합니다. 동적 연결은 매번 [[stamp|측정 시각(stamp)]]과 함께 계속 보냅니다.
-# - **노드**는 프로그램입니다. *토픽*(topic)을 구독하면, 메시지가 도착할 때마다 ROS 2가 그 노드의 함수, 곧 *콜백*(callback)을 부릅니다. *spin*은 메시지를 기다리며 콜백을 부르는 일입니다.
+# - **노드**는 프로그램입니다. *토픽*(topic)을 구독하면, 메시지가 도착할 때마다 ROS 2가 그 노드의 함수, 즉 *콜백*(callback)을 호출합니다. *spin*은 메시지를 기다리며 콜백을 호출하는 일입니다.
 
 # %% name="load" slide="skip"
 # %load_ext tflab
-
-# %% name="imports-ros" slide="skip"
-import copy
 import math
 
 import numpy as np
-import rclpy
-from geometry_msgs.msg import PointStamped
-from rclpy.duration import Duration
-from rclpy.node import Node
-from rclpy.time import Time
-from sensor_msgs.msg import PointCloud2
-from tf2_geometry_msgs import do_transform_point
-from tf2_ros import Buffer, TransformException, TransformListener
 
-# %% name="imports-lab" slide="skip"
 from tflab.core import BufferCore, StampedTransform, Transform, seconds
-from tflab.robots.motion import Drive, Leg, PlanarPose
-from tflab.robots.nodes import launch
-from tflab.robots.teaching import Source, TeachingRobot
-from tflab.robots.world import BALL, ROOM
-from tflab.ros import new_graph
-from tflab.tools.buffers import draw_history
-from tflab.views import latency
-from tflab.views.moments import draw_moments
-from tflab.views.panels import latency_panel, timeline_panel
-from tflab.views.placed import draw_placed
-from tflab.views.scene import Scene, drawing
-from tflab.views.timeline import lane_from_history
+from tflab.workbook import lesson
 
 # %% [markdown] lang="en" name="story" slide="slide"
 # ## Fifty years, and the length of a hand
 #
-# Someone's mapping node asked TF for a pose at second 1574652168.59.
+# Someone's mapping node asked TF for the robot's place at second 1574652168.59. (Computers count the seconds from the first of January 1970.)
 # TF stood at second 3.235.
-# One of them lived in 2019, the other in a simulation that had just been switched on: they were almost fifty years apart (ANYbotics/elevation_mapping, report 122).
+# One of them lived in 2019, the other in a simulation that had just been switched on: they were almost fifty years apart ([ANYbotics/elevation_mapping, issue 122](https://github.com/ANYbotics/elevation_mapping/issues/122)).
 #
 # That one is easy. Nothing works, and the error says why.
 #
@@ -111,28 +88,29 @@ from tflab.views.timeline import lane_from_history
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 오십 년, 그리고 손 한 뼘
 #
-# 어느 지도 작성 노드가 TF에 1574652168.59초의 자세를 물었습니다.
+# 어느 지도 작성 노드가 TF에 1574652168.59초 시점의 로봇 위치를 조회했습니다. (컴퓨터의 시계는 1970년 1월 1일부터 센 초입니다.)
 # 그때 TF는 3.235초에 있었습니다.
-# 한쪽은 2019년을, 다른 쪽은 방금 켜진 시뮬레이션을 살고 있었으니 둘은 거의 오십 년 떨어져 있었습니다(ANYbotics/elevation_mapping 122번 보고).
+# 한쪽은 2019년을, 다른 쪽은 방금 켜진 시뮬레이션을 살고 있었으니 둘은 거의 오십 년 떨어져 있었습니다([ANYbotics/elevation_mapping, 이슈 122](https://github.com/ANYbotics/elevation_mapping/issues/122)).
 #
-# 이 고장은 쉽습니다. 아무것도 동작하지 않고, 오류가 이유를 말해 줍니다.
+# 이 고장은 쉽습니다. 아무것도 동작하지 않고, 오류 메시지에 이유가 나옵니다.
 #
 # 더 어려운 고장은 이것입니다. 모든 것이 동작하고 오류도 없는데, 장애물마다 실제 위치에서 손 한 뼘쯤 떨어져 있습니다.
 # 직접 만들어 봅시다.
-# 로봇 한 대가 방 안을 좌우로 굽이치며 사람이 걷는 속도로 나아갑니다.
+# 로봇 한 대가 방 안을 좌우로 구불구불 사람이 걷는 속도로 나아갑니다.
 # 카메라는 공 하나를 찾고, 찾는 계산에 0.2초가 걸립니다.
 #
 # 다음 셀은 로봇을 출발시킵니다. 코드를 모두 이해할 필요는 없습니다.
-# `Leg`는 주행의 한 토막입니다. 몇 초 동안, 얼마나 빠르게 앞으로, 얼마나 빠르게 도는지를 적습니다.
+# `Leg`는 주행의 한 토막입니다. 몇 초 동안, 얼마나 빠르게 나아가고 얼마나 빠르게 도는지를 적습니다.
 # `graph`는 셀을 실행할 때마다 새로 만드는 작은 ROS 2 세계이고, `graph.now_ns`는 그 시계의 지금 시각입니다.
 
 # %% name="start-the-robot"
-graph = new_graph()
-weave = [Leg(1.0), *3 * [Leg(1.0, 0.5, 0.5), Leg(2.0, 0.5, -0.5), Leg(1.0, 0.5, 0.5)]]
-plan = Drive(weave, PlanarPose(-1.0, -1.5, 0.0), start_ns=graph.now_ns)
-robot = TeachingRobot(plan, bias=0.0, slip=0.0005)  # good wheels: what you will see is time
+graph = lesson.new_graph()
+left, right = lesson.Leg(1.0, 0.5, 0.5), lesson.Leg(2.0, 0.5, -0.5)  # seconds, m/s, rad/s
+weave = [lesson.Leg(1.0), *3 * [left, right, left]]
+plan = lesson.Drive(weave, lesson.PlanarPose(-1.0, -1.5, 0.0), start_ns=graph.now_ns)
+robot = lesson.TeachingRobot(plan, bias=0.0, slip=0.0005)  # good wheels: what you will see is time
 parts = ["robot_state_publisher", "wheel_odometry", "localization", "object_detector"]
-nodes = launch(graph, robot, only=parts)
+nodes = lesson.launch(graph, robot, only=parts)
 
 # %% [markdown] lang="en" name="finder-intro" slide="subslide"
 # Here is the node that puts the ball on the map.
@@ -146,13 +124,23 @@ nodes = launch(graph, robot, only=parts)
 
 # %% [markdown] lang="ko" name="finder-intro" slide="subslide"
 # 공을 지도에 올리는 노드입니다.
-# 천천히 읽어 보십시오. 유명한 코드치고는 짧습니다.
+# 천천히 읽어 보세요. 유명한 코드치고는 짧습니다.
 #
 # - [[listener|변환 수신기(listener)]]는 `/tf`와 `/tf_static`을 듣고 [[buffer|버퍼]]를 채웁니다.
-# - 공을 볼 때마다 `on_point`가 불립니다. 버퍼에 `map_T_camera`를 묻고, 점을 옮깁니다.
-# - 물을 때는 `Time()`을 씁니다. 작성자는 "가장 새로운 자세가 당연히 가장 좋겠지"라고 생각했습니다.
+# - 공을 볼 때마다 `on_point`가 호출됩니다. 버퍼에서 `map_T_camera`를 조회하고, 점을 옮깁니다.
+# - 조회할 때는 `Time()`을 씁니다. 작성자는 "가장 최신 위치가 당연히 가장 좋겠지"라고 생각했습니다.
 #
-# 그다음 셀에서는 12초가 흐릅니다. `spin_once`는 메시지 하나를 기다려 콜백을 부릅니다. 이 페이지의 시간은 가상이라 금방 끝납니다.
+# 그다음 셀에서는 12초가 흐릅니다. `spin_once`는 메시지 하나를 기다려 콜백을 호출합니다. 이 페이지의 시간은 가상이라 금방 끝납니다.
+
+
+# %% name="finder-imports" slide="skip"
+import rclpy
+from geometry_msgs.msg import PointStamped
+from rclpy.duration import Duration
+from rclpy.node import Node
+from rclpy.time import Time
+from tf2_geometry_msgs import do_transform_point
+from tf2_ros import Buffer, TransformException, TransformListener
 
 
 # %% name="finder"
@@ -172,11 +160,12 @@ class Finder(Node):
 
 
 # %% name="twelve-seconds"
+rclpy.try_shutdown()  # so that this cell can be run again; then run the one that starts the robot, too
 rclpy.init()
 finder = Finder()
 while graph.now_ns < seconds(13.0):
     rclpy.spin_once(finder)
-print(len(finder.balls), "sightings, no error, no warning")
+print(len(finder.balls), "sightings")
 
 # %% [markdown] lang="en" name="how-many-balls" slide="slide"
 # ### Predict
@@ -185,16 +174,17 @@ print(len(finder.balls), "sightings, no error, no warning")
 # Before you run the next cell: what does the map look like, and how many balls would you say there are?
 
 # %% [markdown] lang="ko" name="how-many-balls" slide="slide"
-# ### 예측해 보십시오
+# ### 예측해 봅시다
 #
-# 공은 하나, 움직이지 않고, 마흔 번 보았습니다.
-# 다음 셀을 실행하기 전에 생각해 보십시오. 지도는 어떤 모습일까요? 공이 몇 개라고 말하겠습니까?
+# 공은 하나이고 움직이지 않습니다. 로봇은 그 공을 마흔 번 보았습니다.
+# 다음 셀을 실행하기 전에 생각해 봅시다. 지도는 어떤 모습일까요? 지도만 보면 공이 몇 개라고 할까요?
 
 # %% name="one-ball" tags=["predicted"] slide="fragment"
-draw_placed({"balls on the map": np.array(finder.balls)}, things=[BALL], shown_m=(5.6, -1.9, 7.5, -1.1))
+on_the_map = {"balls on the map": np.array(finder.balls)}
+lesson.draw_placed(on_the_map, things=[lesson.BALL], shown_m=(5.6, -1.9, 7.5, -1.1))
 
 # %% [markdown] lang="en" name="many-balls" tags=["predicted"] slide="subslide"
-# The ring is the ball. The dots are where the map says it is.
+# The ring is the ball. The dots are where they stand on the map; the picture is 1.9 m wide.
 #
 # Not one dot lies in the ring.
 # The map shows four or five balls, in two gangs, one on either side of the real one: 0.20 m off on average, 0.28 m at worst.
@@ -204,14 +194,15 @@ draw_placed({"balls on the map": np.array(finder.balls)}, things=[BALL], shown_m
 # The question was wrong: it asked where the camera is *now* for something the camera saw *then*.
 
 # %% [markdown] lang="ko" name="many-balls" tags=["predicted"] slide="subslide"
-# 고리가 실제 공이고, 점은 지도가 말하는 공의 위치입니다.
+# 고리가 실제 공이고, 점은 지도에 찍힌 공의 위치입니다. 그림의 가로는 1.9 m입니다.
+# 그림 읽기: balls on the map = 지도에 찍힌 공, off by … on average / at worst = 평균 / 최대 … 빗나감.
 #
 # 고리 안에 든 점은 하나도 없습니다.
 # 지도에는 공이 네다섯 개, 진짜 공의 양쪽에 두 무리로 나타납니다. 평균 0.20 m, 최대 0.28 m 빗나갔습니다.
 # 그리퍼라면 자신 있게 허공을 움켜쥐었을 것입니다.
 #
 # 수학도 트리도 맞았습니다.
-# 틀린 것은 질문입니다. 카메라가 *그때* 본 것을 두고 카메라가 *지금* 어디 있는지를 물었습니다.
+# 틀린 것은 질문입니다. 카메라가 *그때* 본 것인데, 카메라가 *지금* 어디 있는지를 조회했습니다.
 
 # %% [markdown] lang="en" name="many-balls-notes" slide="notes"
 # Let them count. Wait for the laugh, then ask why there are two gangs and not one cloud.
@@ -219,16 +210,16 @@ draw_placed({"balls on the map": np.array(finder.balls)}, things=[BALL], shown_m
 # Real numbers to mention: in a recorded Nav2 run, asking for map → base_link "now" instead of at the localiser's stamp moved the robot by 3 cm in the median and 15 cm at worst.
 
 # %% [markdown] lang="ko" name="many-balls-notes" slide="notes"
-# 직접 세어 보게 하십시오. 웃음이 지나가면, 왜 구름 하나가 아니라 두 무리인지 물어보십시오.
+# 직접 세어 보게 합니다. 웃음이 가라앉으면, 왜 구름 하나가 아니라 두 무리인지 묻습니다.
 # 로봇은 왼쪽으로 돌고 있었거나 오른쪽으로 돌고 있었습니다. 곧게 가는 순간은 거의 없었습니다.
-# 실제 수치도 있습니다. 기록된 Nav2 주행에서 map → base_link를 위치 추정의 측정 시각이 아니라 "지금" 시각으로 물으면 중앙값 3 cm, 최대 15 cm만큼 로봇이 옮겨졌습니다.
+# 실제 수치도 있습니다. 기록된 Nav2 주행에서 map → base_link를 위치 추정의 측정 시각이 아니라 "지금"의 것으로 조회하면 중앙값 3 cm, 최대 15 cm만큼 로봇이 옮겨졌습니다.
 
 # %% [markdown] lang="en" name="predict-error" slide="slide"
 # ## How far off, with a pencil
 #
 # ### Predict
 #
-# 1. A robot drives straight ahead at 1 m/s. It sees an object 5 m ahead, and uses the sight 200 ms later with the pose of *now*. How far off is the object drawn?
+# 1. A robot drives straight ahead at 1 m/s. It sees an object 5 m ahead, and uses that sight 200 ms later, with the robot's pose of *now*. How far off is the object drawn?
 # 2. The same, but the robot also turns left at 0.5 rad/s. How far off now: about the same, twice, or more than twice?
 #
 # Write both numbers down. Then run.
@@ -236,18 +227,18 @@ draw_placed({"balls on the map": np.array(finder.balls)}, things=[BALL], shown_m
 # %% [markdown] lang="ko" name="predict-error" slide="slide"
 # ## 연필로 어림하는 오차
 #
-# ### 예측해 보십시오
+# ### 예측해 봅시다
 #
-# 1. 로봇이 1 m/s로 곧게 달립니다. 5 m 앞의 물체를 보고, 200 ms 뒤에 *지금*의 자세로 그 관측을 씁니다. 물체는 얼마나 빗나가 그려집니까?
-# 2. 같은 조건에서 로봇이 0.5 rad/s로 왼쪽으로 돌기도 합니다. 이제 얼마나 빗나갑니까? 비슷합니까, 두 배입니까, 두 배보다 큽니까?
+# 1. 로봇이 1 m/s로 곧게 달립니다. 5 m 앞의 물체를 보고, 200 ms 뒤에, 그때 본 것을 *지금*의 로봇 위치를 기준으로 지도에 옮깁니다. 물체는 얼마나 빗나가 그려질까요?
+# 2. 같은 조건에서, 이번에는 달리면서 0.5 rad/s로 왼쪽으로 돕니다. 이제 얼마나 빗나갈까요? 비슷할까요, 두 배일까요, 두 배보다 클까요?
 #
-# 두 숫자를 적어 두고 실행하십시오.
+# 두 숫자를 적어 두고 실행해 보세요.
 
 # %% name="run-error" tags=["predicted"] slide="fragment"
-straight = latency.Sight(speed_mps=1.0, yaw_rate_radps=0.0, range_m=5.0, delay_ns=seconds(0.2))
-turning = latency.Sight(speed_mps=1.0, yaw_rate_radps=0.5, range_m=5.0, delay_ns=seconds(0.2))
+straight = lesson.Sight(speed_mps=1.0, yaw_rate_radps=0.0, range_m=5.0, delay_ns=seconds(0.2))
+turning = lesson.Sight(speed_mps=1.0, yaw_rate_radps=0.5, range_m=5.0, delay_ns=seconds(0.2))
 for name, sight in (("straight", straight), ("turning", turning)):
-    error = latency.latency_error(sight)
+    error = lesson.latency_error(sight)
     print(f"{name}: {error.exact_m:.3f} m off, at ({error.drawn_at[0]:.3f}, {error.drawn_at[1]:.3f})")
 
 # %% [markdown] lang="en" name="two-pieces" tags=["predicted"] slide="subslide"
@@ -260,6 +251,7 @@ for name, sight in (("straight", straight), ("turning", turning)):
 #
 # Many texts give only the first, `speed × delay`. On a robot that turns, that is the small one.
 # And the second grows with the range: what is far away is drawn far off.
+# (On our map the balls lie only about half as far off as this formula says for 0.2 s: `Time()` gave a pose that was itself 0.1 s old.)
 #
 # <details><summary>If you predicted something else</summary>
 #
@@ -273,19 +265,20 @@ for name, sight in (("straight", straight), ("turning", turning)):
 # %% [markdown] lang="ko" name="two-pieces" tags=["predicted"] slide="subslide"
 # 곧게 갈 때 0.2 m, 돌 때 0.54 m입니다. 거의 느끼지도 못할 회전 때문에 오차가 세 배 가까이 커졌습니다.
 #
-# 오차는 서로 직각인 두 조각으로 이루어집니다.
+# 오차는 서로 직각인 두 성분으로 이루어집니다.
 #
 # - **앞뒤 방향**: 속도 × 지연 = 1.0 × 0.2 = 0.2 m
 # - **좌우 방향**: 거리 × yaw 각속도 × 지연 = 5 × 0.5 × 0.2 = 0.5 m
 #
-# 첫 조각인 `속도 × 지연`만 적은 글이 많습니다. 회전하는 로봇에서는 그쪽이 작은 조각입니다.
-# 둘째 조각은 거리에 비례합니다. 멀리 있는 것일수록 멀리 빗나갑니다.
+# 첫 성분인 `속도 × 지연`만 적은 글이 많습니다. 회전하는 로봇에서는 그것이 작은 성분입니다.
+# 둘째 성분은 거리에 비례합니다. 멀리 있는 것일수록 멀리 빗나갑니다.
+# (우리 지도의 공은 0.2초를 넣은 이 식의 절반쯤만 빗나갔습니다. `Time()`으로 얻은 위치도 이미 0.1초 전의 것이었기 때문입니다.)
 #
 # <details><summary>다르게 예측했다면</summary>
 #
-# - *두 번 다 0.2 m*: 회전을 빠뜨렸습니다. 지금의 자세는 0.1 rad 더 돌아가 있고, 5 m 앞에서는 그것이 0.5 m입니다.
-# - *0.7 m*: 두 조각을 더했습니다. 서로 직각이므로 √(0.2² + 0.5²)입니다.
-# - *오른쪽으로 빗나간다*: 옛 관측은 로봇의 정면에 있습니다. 지금 로봇은 더 왼쪽을 보고 있으니 관측도 왼쪽으로 끌려갑니다.
+# - *두 번 다 0.2 m*: 회전을 빠뜨렸습니다. 지금의 로봇은 0.1 rad 더 돌아가 있고, 5 m 앞에서는 그것이 0.5 m입니다.
+# - *0.7 m*: 두 성분을 더했습니다. 서로 직각이므로 √(0.2² + 0.5²)입니다.
+# - *오른쪽으로 빗나간다*: 관측값은 '정면 5 m'라는 뜻일 뿐입니다. 지금 로봇은 더 왼쪽을 보고 있으니 관측도 왼쪽으로 끌려갑니다.
 # - *수백 m, 또는 몇 mm*: 라디안을 쓰는 식에 도 단위 각속도를 넣었거나 그 반대입니다.
 #
 # </details>
@@ -295,8 +288,8 @@ for name, sight in (("straight", straight), ("turning", turning)):
 # Then turn on the spot by a few degrees with an arm stretched out: the body hardly moves, the hand does.
 
 # %% [markdown] lang="ko" name="two-pieces-notes" slide="notes"
-# 다음으로 넘어가기 전에 둘째 문제의 답을 모으십시오. 대개 0.2 m나 0.3 m라고 합니다.
-# 그런 다음 팔을 뻗고 제자리에서 몇 도만 돌아 보이십시오. 몸은 거의 움직이지 않는데 손은 크게 움직입니다.
+# 다음으로 넘어가기 전에 둘째 문제의 답을 모읍니다. 대개 0.2 m나 0.3 m라고 합니다.
+# 그런 다음 팔을 뻗고 제자리에서 몇 도만 돌아 보입니다. 몸은 거의 움직이지 않는데 손은 크게 움직입니다.
 
 # %% [markdown] lang="en" name="the-sentence" slide="slide"
 # ## The idea, three times
@@ -309,37 +302,21 @@ for name, sight in (("straight", straight), ("turning", turning)):
 # Drag the delay, and watch the ball leave.
 
 # %% [markdown] lang="ko" name="the-sentence" slide="slide"
-# ## 같은 생각을 세 번
+# ## 같은 내용을 세 가지로
 #
-# **한 문장으로:** 계산이 끝난 지금 센서가 어디 있는지가 아니라, 빛이 들어온 그때 센서가 어디 있었는지를 묻습니다.
+# **한 문장으로:** 계산이 끝난 지금 센서가 어디 있는지가 아니라, 빛이 들어온 그때 센서가 어디 있었는지를 조회합니다.
 #
 # **숫자로:** 바로 위의 셀입니다.
 #
 # **3D로:** 아래입니다. 실선 축은 측정 시각의 로봇, 파선 축은 지금의 로봇입니다.
-# 지연을 끌어 보며 공이 달아나는 모습을 보십시오.
-
-# %% name="empty-scene"
-scene = Scene()
-scene.look((1.0, -5.2, 3.2), (2.1, 0.4, 0.0))
-
+# delay 슬라이더를 끌면서 공이 달아나는 모습을 보세요.
+# 그림 읽기: robot at the stamp = 측정 시각의 로봇, robot now = 지금의 로봇, ball = 공, error = 오차, speed × delay = 속도 × 지연, range × yaw rate × delay = 거리 × yaw 각속도 × 지연, drawn with the pose of now = 지금의 위치로 그린 것.
 
 # %% name="scene-of-the-delay" tags=["interactive"] slide="subslide"
-def draw(delay_s):
-    then_T_now = latency.drive(1.0, 0.5, seconds(delay_s))
-    drawn_at = then_T_now.apply((5.0, 0.0, 0.3))
-    drawing.draw_frame(scene, "robot at the stamp", Transform())
-    drawing.draw_frame(scene, "robot now", then_T_now, is_ghost=True)
-    drawing.draw_arrow(scene, "ball", (5.0, 0.0, 0.0), (5.0, 0.0, 0.3), "ball", radius_m=0.02)
-    drawing.draw_arrow(scene, "sight", then_T_now.translation, drawn_at, radius_m=0.01)
-    ends = ((5.0, 0.0, 0.3), drawn_at)
-    drawing.draw_arrow(scene, "error", *ends, "error", drawing.ACCENT, radius_m=0.04)
-
-
-scene.sweep("delay", [0.05 * i for i in range(11)], draw, "s", start=4)
-scene
+lesson.show_latency()
 
 # %% name="picture-of-the-delay" slide="skip"
-latency.draw_latency(turning)
+lesson.draw_latency(turning)
 
 # %% [markdown] lang="en" name="slider-intro" slide="slide"
 # ### Play with it
@@ -350,18 +327,18 @@ latency.draw_latency(turning)
 # - Your robot may be off by 0.1 m at 5 m, and it turns at 0.5 rad/s. How old may a sight be?
 
 # %% [markdown] lang="ko" name="slider-intro" slide="slide"
-# ### 직접 움직여 보십시오
+# ### 직접 해 보세요
 #
-# 슬라이더가 네 개 있습니다. 움직이기 전에 먼저 소리 내어 답해 보십시오.
+# 슬라이더가 네 개 있습니다. 움직이기 전에 먼저 소리 내어 답해 보세요.
 #
-# - 속도, yaw 각속도, 거리, 지연 가운데 혼자서 오차를 0으로 만들 수 있는 것은 무엇입니까?
-# - 5 m 앞에서 오차가 0.1 m까지 허용되고 로봇은 0.5 rad/s로 돕니다. 관측은 몇 초 전의 것까지 써도 됩니까?
+# - 속도, yaw 각속도, 거리, 지연 가운데 혼자서 오차를 0으로 만들 수 있는 것은 무엇일까요?
+# - 5 m 앞에서 오차가 0.1 m까지 허용되고 로봇은 0.5 rad/s로 돕니다. 관측은 몇 초 전의 것까지 써도 될까요?
 
 # %% name="slider" tags=["interactive"] slide="subslide"
-latency_panel(turning)
+lesson.latency_panel(turning)
 
 # %% name="slider-still" slide="skip"
-latency.draw_latency(latency.Sight(speed_mps=0.0, yaw_rate_radps=0.5, range_m=5.0, delay_ns=seconds(0.04)))
+lesson.draw_latency(lesson.Sight(speed_mps=0.0, yaw_rate_radps=0.5, range_m=5.0, delay_ns=seconds(0.04)))
 
 # %% [markdown] lang="en" name="slider-answer" slide="fragment"
 # <details><summary>Answers</summary>
@@ -381,7 +358,7 @@ latency.draw_latency(latency.Sight(speed_mps=0.0, yaw_rate_radps=0.5, range_m=5.
 # 속도가 0이어도 회전이 남고, 각속도가 0이어도 주행이 남습니다.
 #
 # 0.1 m = 5 m × 0.5 rad/s × 지연이므로, 제자리에서 도는 로봇이라도 0.04초, 30 Hz 카메라로 영상 한 장 남짓입니다.
-# 그렇게 빠른 검출기는 없습니다. 빨라지는 것으로는 이길 수 없고, 올바른 순간을 물어야 이깁니다.
+# 그렇게 빠른 검출기는 없습니다. 계산을 빠르게 해서 될 일이 아닙니다. 올바른 시각의 변환을 조회해야 합니다.
 #
 # </details>
 
@@ -391,8 +368,8 @@ latency.draw_latency(latency.Sight(speed_mps=0.0, yaw_rate_radps=0.5, range_m=5.
 # To ask about *then*, somebody must have kept *then*.
 # That is the buffer's whole job.
 #
-# Each edge of the tree has a lane of its own.
-# A lane holds the samples that were heard, each at its stamp, for the last few seconds.
+# Each edge of the tree has a timeline of its own, drawn as one row.
+# A row holds the [[sample|samples]] that were heard, each at its stamp, for the last few seconds.
 # A static edge has one value, and it is good for any time.
 #
 # Here is a small buffer, made by hand so that you can count its samples.
@@ -401,11 +378,11 @@ latency.draw_latency(latency.Sight(speed_mps=0.0, yaw_rate_radps=0.5, range_m=5.
 # %% [markdown] lang="ko" name="the-lanes" slide="slide"
 # ## 버퍼가 기억하는 것
 #
-# *그때*를 물으려면 누군가 *그때*를 간직하고 있어야 합니다.
+# *그때*를 알려면 누군가 *그때*를 간직하고 있어야 합니다.
 # 버퍼가 하는 일이 바로 그것입니다.
 #
-# 트리의 연결마다 자기 차선이 하나씩 있습니다.
-# 차선에는 최근 몇 초 동안 들은 표본이 저마다 측정 시각 자리에 놓여 있습니다.
+# 트리의 연결마다 시간줄이 하나씩 있습니다. 그림에서는 한 줄입니다.
+# 줄에는 최근 몇 초 동안 받은 [[sample|표본(sample)]]이 저마다 측정 시각 자리에 놓여 있습니다.
 # 정적 연결에는 값이 하나뿐이고, 어느 시각에나 유효합니다.
 #
 # 표본을 셀 수 있도록 작은 버퍼를 손으로 만들었습니다.
@@ -422,7 +399,7 @@ for i in range(14):  # odom -> base_link, four times a second, at 1 m/s
     small.set_transform(StampedTransform("odom", "base_link", seconds(1.5 + 0.25 * i), pose))
 
 # %% name="three-lanes" slide="subslide"
-draw_history(small, "map", "laser_frame", seconds(3.4))
+lesson.draw_history(small, "map", "laser_frame", seconds(3.4))
 
 # %% [markdown] lang="en" name="between" slide="slide"
 # ### Between two samples
@@ -431,20 +408,20 @@ draw_history(small, "map", "laser_frame", seconds(3.4))
 # The neighbours of `odom → base_link` are 3.25 s (1.75 m) and 3.5 s (2.00 m); 3.4 s lies 0.6 of the way, so 1.90 m, and 0.20 m more to the laser.
 # That is [[interpolation]]: positions go along a straight line, rotations along the shortest arc.
 #
-# Inside the lane the buffer fills the gaps. Outside it never guesses.
+# Inside the row the buffer fills the gaps. Outside it never guesses.
 #
 # **Predict.** At 1.0 s the yaw is 170°, at 2.0 s it is −170°. What is it at 1.5 s: 0° or 180°?
 
 # %% [markdown] lang="ko" name="between" slide="slide"
 # ### 두 표본 사이
 #
-# 3.4초에는 아무도 보내지 않았는데 답이 있습니다. x = 2.1 m입니다.
+# 3.4초에는 표본이 없는데도 값이 나옵니다. x = 2.1 m입니다.
 # `odom → base_link`의 이웃 표본은 3.25초(1.75 m)와 3.5초(2.00 m)입니다. 3.4초는 그 사이의 0.6 지점이므로 1.90 m이고, 레이저까지 0.20 m를 더합니다.
 # 이것이 [[interpolation|보간(interpolation)]]입니다. 위치는 직선을, 회전은 가장 짧은 호를 따라갑니다.
 #
-# 차선 안에서는 버퍼가 빈틈을 메웁니다. 바깥에서는 결코 짐작하지 않습니다.
+# 줄 안에서는 버퍼가 빈틈을 메웁니다. 바깥에서는 결코 짐작하지 않습니다.
 #
-# **예측해 보십시오.** 1.0초에 yaw가 170°, 2.0초에 −170°입니다. 1.5초에는 0°입니까, 180°입니까?
+# **예측해 봅시다.** 1.0초에 yaw가 170°, 2.0초에 −170°입니다. 1.5초에는 0°일까요, 180°일까요?
 
 # %% name="shortest-arc" tags=["predicted"] slide="fragment"
 turn = BufferCore()
@@ -457,37 +434,37 @@ for stamp_s in (1.0, 1.25, 1.5, 1.75, 2.0):
 
 # %% [markdown] lang="en" name="shortest-arc-read" tags=["predicted"]
 # 180°. The robot turned by 20°, through the back, as any robot would.
-# Whoever averages the two numbers gets 0°, and a robot that looks the other way for one frame.
+# Whoever averages the two numbers gets 0°, and a robot that looks the other way for one picture.
 # That bug has been written by hand in every language there is; the exercise lets you write it once more, safely.
 
 # %% [markdown] lang="ko" name="shortest-arc-read" tags=["predicted"]
 # 180°입니다. 여느 로봇처럼 등 뒤쪽을 지나 20°만 돌았습니다.
 # 두 숫자를 평균하면 0°가 되고, 로봇이 한순간 반대쪽을 봅니다.
-# 세상의 모든 언어로 누군가 손수 만들어 본 버그입니다. 연습 문제에서 안전하게 한 번 더 만들어 볼 수 있습니다.
+# 어느 프로그래밍 언어에서든 누군가 한 번은 만든 버그입니다. 연습 문제에서 안전하게 한 번 더 만들어 볼 수 있습니다.
 
 # %% [markdown] lang="en" name="latest-common" slide="slide"
 # ### How fresh is "latest"?
 #
-# A query walks several lanes, and *each* must cover the moment asked for.
+# A query walks several rows, and *each* must cover the moment asked for.
 # The shaded band in the picture is where all do.
 #
 # `Time()` means "time zero", and tf2 reads that as: the [[latest common time]] of the path.
 # It does **not** mean now.
 #
-# **Predict** from the picture: `map → odom` ends at 4.00 s, `odom → base_link` at 4.75 s, the static mount was sent at 1.00 s, and the clock on the wall says 4.80 s.
+# **Predict** from the picture: `map → odom` ends at 4.00 s, `odom → base_link` at 4.75 s, the static mount was sent at 1.00 s, and the time now is 4.80 s.
 # What does `Time()` get?
 
 # %% [markdown] lang="ko" name="latest-common" slide="slide"
-# ### "최신"은 얼마나 새롭습니까?
+# ### "최신"은 얼마나 새로울까요?
 #
-# 조회 하나가 여러 차선을 지나고, 차선 *하나하나*에 그 시각의 값이 있어야 합니다.
-# 그림에서 칠해진 띠가 모든 차선에 값이 있는 구간입니다.
+# 조회 하나가 여러 줄을 지나고, 줄 *하나하나*에 그 시각의 값이 있어야 합니다.
+# 그림에서 칠해진 띠가 모든 줄에 값이 있는 구간입니다. 그림 읽기: all of them = 모든 줄, query = 조회, stamp = 측정 시각.
 #
 # `Time()`은 "시각 0"이고, tf2는 이것을 그 경로의 [[latest common time|최신 공통 시각]]으로 읽습니다.
 # "지금"이라는 뜻이 **아닙니다**.
 #
-# 그림을 보고 **예측해 보십시오.** `map → odom`은 4.00초에, `odom → base_link`는 4.75초에 끝나고, 정적인 장착 변환은 1.00초에 보냈으며, 벽시계는 4.80초입니다.
-# `Time()`은 어느 시각을 얻습니까?
+# 그림을 보고 **예측해 봅시다.** `map → odom`은 4.00초에, `odom → base_link`는 4.75초에 끝나고, 정적인 장착 변환은 1.00초에 보냈으며, 현재 시각은 4.80초입니다.
+# `Time()`으로 조회하면 어느 시각의 변환이 나올까요?
 
 # %% name="latest-common-run" tags=["predicted"] slide="fragment"
 print(small.latest_common_time_ns("map", "laser_frame") / 1e9, "s  map <- laser_frame")
@@ -495,27 +472,27 @@ print(small.latest_common_time_ns("odom", "laser_frame") / 1e9, "s  odom <- lase
 print(small.latest_common_time_ns("base_link", "laser_frame") / 1e9, "s  base_link <- laser_frame, all static")
 
 # %% [markdown] lang="en" name="latest-common-read" tags=["predicted"] slide="subslide"
-# 4.00 s: **the earliest of the latest ones**. One slow lane holds everybody back.
+# 4.00 s: **the earliest of the latest ones**. One slow row holds everybody back.
 #
 # - 4.75 would need `map → odom` where it has nothing to say yet.
 # - 1.00 counts the static edge, which holds for ever and limits nobody.
 # - 4.80 is now, and nothing in the buffer is that fresh.
 #
-# From `odom` the slow lane is not on the path, so 4.75 s.
+# From `odom` the slow row is not on the path, so 4.75 s.
 # A path of static edges only has no latest time; tf2 says 0.
 # (On a robot: `buffer.get_latest_common_time("map", "laser_frame")`.)
 #
 # Our live robot, a moment after its last sighting:
 
 # %% [markdown] lang="ko" name="latest-common-read" tags=["predicted"] slide="subslide"
-# 4.00초, 곧 **마지막 시각들 가운데 가장 이른 것**입니다. 느린 차선 하나가 모두를 붙잡습니다.
+# 4.00초, 즉 **마지막 시각들 중에서 가장 이른 것**입니다. 느린 줄 하나가 모두를 붙잡습니다.
 #
-# - 4.75초라면 `map → odom`이 아직 아무 말도 하지 않은 곳을 물어야 합니다.
+# - 4.75초라면 `map → odom`의 값이 아직 없는 시각입니다.
 # - 1.00초는 정적 연결까지 센 것입니다. 정적 연결은 언제나 유효하므로 아무도 붙잡지 않습니다.
 # - 4.80초는 지금이고, 버퍼 안에 그만큼 새로운 것은 없습니다.
 #
-# `odom`에서 물으면 느린 차선을 지나지 않으므로 4.75초입니다.
-# 정적 연결로만 이어진 길에는 최신 시각이 없고, tf2는 0이라고 답합니다.
+# 목표가 `odom`이면 느린 줄을 지나지 않으므로 4.75초입니다.
+# 정적 연결로만 이어진 경로에는 최신 시각이 없고, tf2는 0을 반환합니다.
 # (로봇에서는 `buffer.get_latest_common_time("map", "laser_frame")`입니다.)
 #
 # 마지막으로 공을 본 직후의 우리 로봇입니다.
@@ -528,24 +505,24 @@ print("the picture is from", Time.from_msg(finder.messages[-1].header.stamp).nan
 
 # %% [markdown] lang="en" name="latest-live-read"
 # Three moments: 13.00 s now, 12.89 s "latest", 12.80 s the picture.
-# `Time()` is neither now nor the picture; it is whatever the slowest lane had to offer.
+# `Time()` is neither now nor the picture; it is whatever the slowest row had to offer.
 # The answer carries its stamp. Print it, and you will never again call it "now".
 #
 # Now drag a query through the small buffer, and past both of its ends.
 
 # %% [markdown] lang="ko" name="latest-live-read"
 # 순간이 셋입니다. 지금 13.00초, "최신" 12.89초, 영상을 찍은 12.80초입니다.
-# `Time()`은 지금도 아니고 영상을 찍은 때도 아닙니다. 가장 느린 차선이 내놓을 수 있는 시각일 뿐입니다.
+# `Time()`은 지금도 아니고 영상을 찍은 때도 아닙니다. 가장 느린 줄이 내놓을 수 있는 시각일 뿐입니다.
 # 답에는 시각(stamp)이 붙어 있습니다. 한 번 출력해 보면 다시는 "지금"이라고 부르지 않게 됩니다.
 #
-# 이제 작은 버퍼 위에서 조회 시각을 끌어 양쪽 끝을 넘어가 보십시오.
+# 이제 작은 버퍼 위에서 요청 시각을 끌어 양쪽 끝을 넘어가 보세요.
 
 # %% name="drag-the-query" tags=["interactive"] slide="subslide"
-lanes = [lane_from_history(small.history(child)) for child in ("odom", "base_link", "laser_frame")]
-timeline_panel("map", "laser_frame", lanes, small.lookup_transform, seconds(3.4))
+lanes = [lesson.lane_from_history(small.history(child)) for child in ("odom", "base_link", "laser_frame")]
+lesson.timeline_panel("map", "laser_frame", lanes, small.lookup_transform, seconds(3.4))
 
 # %% name="past-the-end" slide="subslide"
-draw_history(small, "map", "laser_frame", seconds(4.4))
+lesson.draw_history(small, "map", "laser_frame", seconds(4.4))
 
 # %% [markdown] lang="en" name="past-the-end-read"
 # At 4.4 s `odom → base_link` could answer, `map → odom` cannot, so there is no answer.
@@ -553,7 +530,7 @@ draw_history(small, "map", "laser_frame", seconds(4.4))
 
 # %% [markdown] lang="ko" name="past-the-end-read"
 # 4.4초에 `odom → base_link`는 답할 수 있지만 `map → odom`은 답할 수 없으므로, 답이 없습니다.
-# tf2는 이것을 [[extrapolation|외삽(extrapolation)]]이라 부르고 거절합니다. 거절에 관한 이야기는 09장에 있습니다.
+# tf2는 이것을 [[extrapolation|외삽(extrapolation)]]이라 부르고 거절합니다. 거절에 관한 이야기는 09장에서 합니다.
 
 # %% [markdown] lang="en" name="past-the-end-notes" slide="notes"
 # Drag slowly across 4.00 s and let the class see the handle turn into a cross.
@@ -561,25 +538,25 @@ draw_history(small, "map", "laser_frame", seconds(4.4))
 # Then tick LATEST and watch the handle jump back to 4.00 s.
 
 # %% [markdown] lang="ko" name="past-the-end-notes" slide="notes"
-# 4.00초를 천천히 넘기며 손잡이가 X로 바뀌는 순간을 보여 주십시오.
-# 물어보십시오. 누구의 잘못입니까? 조회입니까, map → odom입니까?
-# 그런 다음 LATEST를 켜서 손잡이가 4.00초로 되돌아가는 것을 보여 주십시오.
+# 4.00초를 천천히 넘기며 손잡이가 X로 바뀌는 순간을 보여 줍니다.
+# 그리고 묻습니다. 누구의 잘못입니까? 조회입니까, map → odom입니까?
+# 그런 다음 LATEST를 켜서 손잡이가 4.00초로 되돌아가는 것을 보여 줍니다.
 
 # %% [markdown] lang="en" name="worked" slide="slide"
 # ## A worked example: value, frame and stamp
 #
-# A message brings all three along. So the right question needs nothing that you do not have:
+# A message brings all three along. So the only thing that is yours to say is the target:
 #
 # 1. **target**: where you want it, `"map"`;
 # 2. **source**: `message.header.frame_id`;
 # 3. **time**: `message.header.stamp`.
 
 # %% [markdown] lang="ko" name="worked" slide="slide"
-# ## 풀이 예제: 값, 좌표계, 측정 시각
+# ## 예제: 값, 좌표계, 측정 시각
 #
-# 메시지가 셋을 모두 들고 옵니다. 그러니 올바른 질문에 필요한 것은 이미 손에 있습니다.
+# 값, 좌표계, 측정 시각은 메시지에 다 있습니다. 우리가 정할 것은 목표뿐입니다.
 #
-# 1. **목표**(target): 데이터를 보고 싶은 좌표계, `"map"`
+# 1. **목표**(target): 기준이 될 좌표계, `"map"`
 # 2. **원본**(source): `message.header.frame_id`
 # 3. **시각**(time): `message.header.stamp`
 
@@ -599,22 +576,24 @@ print(f"at {stamp.nanoseconds / 1e9} s: ({by_hand.point.x:.2f}, {by_hand.point.y
 # %% [markdown] lang="ko" name="worked-one-line" slide="subslide"
 # 공의 실제 위치는 (6.50, -1.50, 0.30)입니다.
 #
-# 워낙 자주 쓰는 코드라 tf2에는 한 줄짜리가 있습니다.
-# `buffer.transform(message, "map")`은 좌표계와 측정 시각을 메시지에서 직접 읽습니다. 틀릴 데가 남지 않습니다.
+# 워낙 자주 쓰는 코드라 tf2에는 한 줄로 끝내는 함수가 있습니다.
+# `buffer.transform(message, "map")`은 좌표계와 측정 시각을 메시지에서 직접 읽습니다. 틀릴 여지가 없습니다.
 
 # %% name="transform-in-one-line"
-at_stamp = [finder.buffer.transform(message, "map").point for message in finder.messages]
+points = [finder.buffer.transform(message, "map").point for message in finder.messages]
 ways = {
     "newest pose: Time()": np.array(finder.balls),
-    "pose at the stamp": np.array([(point.x, point.y, point.z) for point in at_stamp]),
+    "pose at the stamp": np.array([(point.x, point.y, point.z) for point in points]),
 }
-draw_placed(ways, things=[BALL], shown_m=(5.8, -2.0, 7.2, -1.0))
+lesson.draw_placed(ways, things=[lesson.BALL], shown_m=(5.8, -2.0, 7.2, -1.0))
 
 # %% [markdown] lang="en" name="one-ball-again"
 # One ball. Same forty messages, same buffer, same robot; only the third argument changed.
 # What is left, 2 cm on average, is the camera's noise and the localiser's.
 
 # %% [markdown] lang="ko" name="one-ball-again"
+# 그림 읽기: newest pose = 최신 위치, pose at the stamp = 측정 시각의 위치.
+#
 # 공이 하나입니다. 같은 메시지 마흔 개, 같은 버퍼, 같은 로봇이고, 바뀐 것은 셋째 인자뿐입니다.
 # 남은 오차(평균 2 cm)는 카메라와 위치 추정의 잡음입니다.
 
@@ -626,14 +605,14 @@ draw_placed(ways, things=[BALL], shown_m=(5.8, -2.0, 7.2, -1.0))
 # %% [markdown] lang="ko" name="faded" slide="slide"
 # ## 빈칸 두 개를 채워 보십시오
 #
-# 같은 점을 이번에는 `odom` 기준으로 보고 싶습니다. `...` 두 곳을 바꾸고 실행하십시오.
+# 같은 점을 이번에는 `odom` 기준으로 보고 싶습니다. `...` 두 곳을 바꾸고 실행해 보세요.
 
 # %% name="faded-example"
 message = finder.messages[20]
 source_frame = ...  # which frame are the numbers written in?
 moment = ...  # which moment are they from? Time.from_msg(...) makes a Time of a stamp
 if ... in (source_frame, moment):
-    print("two blanks to fill")
+    print("2 blanks")
 else:
     odom_T_camera = finder.buffer.lookup_transform("odom", source_frame, moment)
     print(do_transform_point(message, odom_T_camera).point)
@@ -657,16 +636,32 @@ else:
 # %% [markdown] lang="en" name="try-it" slide="slide"
 # ### Try it
 #
-# - In the cell above, ask for `Time()` instead. By how much does the ball move? Then try messages 12, 25 and 30: left, right, left?
+# - In the cell above, set `moment = Time()` and run it again. By how much does the ball move? Then try messages 25 and 38. (By now `Time()` is 12.9 s, for every message. So the older the message, the further off.)
 # - Ask for 100 ms before the stamp. Is that better or worse than 100 ms after it?
 # - In the cell that starts the robot, where the `Leg`s are, set every yaw rate (the third number of a `Leg`) to 0, choose *Restart Kernel and Run All*, and count the balls again. What remains is the small piece, speed × delay.
+#
+# <details><summary>What I found</summary>
+#
+# - 1.9 m for message 20, 1.8 m for 25, 0.5 m for 38: they were seen at different times, and now all of them are moved with one pose. Live, in `on_point`, the newest pose was never more than 0.2 s younger than the sight.
+# - 100 ms too early is as bad as 100 ms too late, and on the other side: the error has the sign of the delay.
+# - Without turns, one ball, a little drawn out along the way of the robot.
+#
+# </details>
 
 # %% [markdown] lang="ko" name="try-it" slide="slide"
-# ### 해 보십시오
+# ### 직접 해 보세요
 #
-# - 위 셀에서 대신 `Time()`을 물어보십시오. 공이 얼마나 움직입니까? 메시지 12, 25, 30번으로도 해 보십시오. 왼쪽입니까, 오른쪽입니까?
-# - 측정 시각보다 100 ms 이른 시각을 물어보십시오. 100 ms 늦은 시각을 묻는 것보다 낫습니까, 나쁩니까?
-# - 로봇을 출발시킨 셀로 올라가 `Leg`의 셋째 수인 각속도를 모두 0으로 바꾸고 *Restart Kernel and Run All*을 고른 뒤 공을 다시 세어 보십시오. 작은 조각인 속도 × 지연만 남습니다.
+# - 위 셀의 `moment`를 `Time()`으로 바꾸어 실행해 보세요. 공이 얼마나 움직일까요? 메시지 25번과 38번으로도 해 보세요. (지금 `Time()`은 어느 메시지에나 12.9초입니다. 그래서 오래된 메시지일수록 더 빗나갑니다.)
+# - 측정 시각보다 100 ms 이른 변환을 조회해 보세요. 100 ms 늦은 변환보다 나을까요, 나쁠까요?
+# - 로봇을 출발시킨 셀로 올라가 `Leg`의 셋째 수인 각속도를 모두 0으로 바꾸고 *Restart Kernel and Run All*을 고른 뒤 공을 다시 세어 보세요. 작은 성분인 속도 × 지연만 남습니다.
+#
+# <details><summary>찾은 것 확인하기</summary>
+#
+# - 20번은 1.9 m, 25번은 1.8 m, 38번은 0.5 m 빗나갑니다. 저마다 다른 때 본 것을 모두 하나의 위치로 옮겼기 때문입니다. `on_point`에서 바로 조회했을 때는 최신 위치가 관측보다 0.2초 넘게 늦은 적이 없었습니다.
+# - 100 ms 이른 것은 100 ms 늦은 것만큼 나쁘고, 방향만 반대입니다. 오차의 부호는 지연의 부호를 따릅니다.
+# - 회전이 없으면 공은 하나이고, 로봇이 나아간 방향으로만 늘어납니다.
+#
+# </details>
 
 # %% [markdown] lang="en" name="break-stamp" slide="slide"
 # ## Break it on purpose
@@ -678,7 +673,7 @@ else:
 # (A traceback would stand above the error. The next line leaves it out: what counts is the last line.)
 
 # %% [markdown] lang="ko" name="break-stamp" slide="slide"
-# ## 일부러 망가뜨리기
+# ## 일부러 고장 내기
 #
 # ### 하나: 측정 시각 덮어쓰기
 #
@@ -686,10 +681,10 @@ else:
 # 메시지를 받아 걸러 낸 뒤, "어쨌든 지금 발행하니까"라며 지금 시각을 새로 찍어 내보냅니다.
 # (오류 위에는 원래 traceback이 길게 나옵니다. 아래 줄은 그것을 생략합니다. 중요한 것은 마지막 줄입니다.)
 
-# %% name="short-errors"
-# %xmode Minimal
-
 # %% name="overwritten" tags=["raises-exception"]
+import copy
+
+# %xmode Minimal
 measured = finder.messages[-1]
 late = copy.deepcopy(measured)
 late.header.stamp = finder.get_clock().now().to_msg()  # measured 0.2 s ago, and now it says "now"
@@ -697,18 +692,19 @@ finder.buffer.transform(late, "map")
 
 # %% [markdown] lang="en" name="overwritten-read" slide="subslide"
 # Read the last line. It asked for 13.000 s; the latest data is at 12.946 s.
-# The future was 54 ms away, so a "cure" is near: wait 0.2 s and ask again.
+# 54 ms are missing, so a "cure" is near: let 0.2 s pass and ask again.
 
 # %% [markdown] lang="ko" name="overwritten-read" slide="subslide"
-# 마지막 줄을 읽어 보십시오. 13.000초를 물었는데 가장 새로운 데이터가 12.946초입니다.
-# 미래까지 고작 54 ms이니 "치료법"이 가까워 보입니다. 0.2초 기다렸다 다시 물으면 됩니다.
+# 마지막 줄을 읽어 보세요. 13.000초의 변환을 조회했는데 최신 데이터가 12.946초입니다.
+# 겨우 54 ms 차이라 쉽게 해결될 것 같습니다. 0.2초 기다렸다 다시 조회하면 됩니다.
 
 # %% name="the-cure" slide="fragment"
 while graph.now_ns < seconds(13.2):
     rclpy.spin_once(finder)
 for name, sight in (("overwritten", late), ("as measured", measured)):
     point = finder.buffer.transform(sight, "map").point
-    print(f"{name}: ({point.x:.2f}, {point.y:.2f}), off by {math.dist((point.x, point.y), BALL[:2]):.2f} m")
+    off_m = math.dist((point.x, point.y), lesson.BALL[:2])
+    print(f"{name}: ({point.x:.2f}, {point.y:.2f}), off by {off_m:.2f} m")
 
 # %% [markdown] lang="en" name="the-cure-read" slide="subslide"
 # The error is gone, and the ball is wrong. Now nothing will ever tell you.
@@ -720,11 +716,12 @@ for name, sight in (("overwritten", late), ("as measured", measured)):
 # 오류는 사라졌고 공의 위치는 틀렸습니다. 이제는 아무도 알려 주지 않습니다.
 # **`header.stamp`는 도착한 시각이 아니라 측정한 시각입니다.** 덮어쓰면 오차가 없어지는 것이 아니라 숨습니다.
 #
-# 레이저에서는 어떻게 보일까요? 필터가 스캔을 0.3초 붙잡아 둡니다. 벽을 두 번 놓아 봅니다. 한 번은 레이저가 찍은 시각으로, 한 번은 새로 찍은 시각으로 놓습니다.
+# 레이저에서는 어떻게 보일까요? 필터가 스캔을 0.3초 붙잡아 둡니다. 같은 스캔으로 벽을 두 번 그려 봅니다. 한 번은 레이저가 적은 측정 시각으로, 한 번은 도착해서 새로 적은 시각으로 그립니다.
+# 그림 읽기: the laser's stamp = 레이저의 측정 시각, a fresh stamp on arrival = 도착할 때 새로 적은 시각.
 
 # %% name="scans"
-filtered = {"laser": Source("laser_driver", 10.0, 0.3, 0.004)}  # 10 Hz, 0.3 s late
-held = TeachingRobot(plan, bias=0.0, slip=0.0005, sources=filtered)
+filtered = {"laser": lesson.Source("laser_driver", 10.0, 0.3, 0.004)}  # 10 Hz, 0.3 s late
+held = lesson.TeachingRobot(plan, bias=0.0, slip=0.0005, sources=filtered)
 poses = held.buffer(until_s=14.0, cache_time_s=30.0)
 scans = [heard for heard in held.readings(until_s=13.0) if heard.topic == "/scan"][2:58:4]
 
@@ -738,11 +735,12 @@ def placed(stamp_of):
 
 
 # %% name="smear" slide="subslide"
+at_stamp = placed(lambda heard: heard.value.stamp_ns)
 ways = {
-    "the laser's stamp": placed(lambda heard: heard.value.stamp_ns),
+    "the laser's stamp": at_stamp,
     "a fresh stamp on arrival": placed(lambda heard: heard.receive_ns),
 }
-draw_placed(ways, walls=ROOM.walls)
+lesson.draw_placed(ways, walls=lesson.ROOM.walls)
 
 # %% [markdown] lang="en" name="smear-read" slide="subslide"
 # In RViz people call this "the walls are smeared", and begin to look for a broken laser.
@@ -753,12 +751,12 @@ draw_placed(ways, walls=ROOM.walls)
 # That is [[motion distortion]], and you know the cure by now: ask for each ray at its own moment.
 
 # %% [markdown] lang="ko" name="smear-read" slide="subslide"
-# RViz에서 흔히 "스캔이 벽에 번진다"고 말하는 증상입니다. 그러고는 고장 난 레이저부터 찾기 시작합니다.
+# RViz에서 흔히 "스캔이 벽에 번진다"고 하는 증상입니다. 그러고는 고장 난 레이저부터 찾기 시작합니다.
 # 먼 벽일수록 크게 흔들립니다. 이번에도 거리 × yaw 각속도 × 지연입니다.
 #
 # 왼쪽 그림도 완벽하지는 않습니다. 평균 4 cm, 최대 27 cm 어긋납니다.
-# 한 바퀴 훑는 데 0.1초가 걸리고, 헤더의 측정 시각은 *첫* 광선의 시각입니다. 마지막 광선은 0.1초 뒤에 쟀습니다.
-# 이것이 [[motion distortion|움직임 왜곡(motion distortion)]]이고, 해결책은 이미 압니다. 광선마다 자기 시각으로 물으면 됩니다.
+# 한 바퀴 훑는 데 0.1초가 걸리고, 헤더의 측정 시각은 *첫* 광선의 시각입니다. 마지막 광선은 그보다 0.1초 늦게 쟀습니다.
+# 이것이 [[motion distortion|움직임 왜곡(motion distortion)]]이고, 해결책은 이미 압니다. 광선마다 자기 측정 시각의 변환을 쓰면 됩니다. 그림 읽기: one stamp a scan = 스캔마다 시각 하나, one stamp a ray = 광선마다 시각 하나.
 
 # %% name="ray-by-ray"
 rays = []
@@ -766,8 +764,7 @@ for heard in scans:
     for ray_stamp_ns, point in zip(heard.value.ray_stamps_ns, heard.value.points(), strict=True):
         map_T_laser = poses.lookup_transform("map", "laser_frame", int(ray_stamp_ns)).transform
         rays.append(map_T_laser.apply(np.array([point])))
-ways = {"one stamp a scan": ways["the laser's stamp"], "one stamp a ray": np.vstack(rays)}
-draw_placed(ways, walls=ROOM.walls)
+lesson.draw_placed({"one stamp a scan": at_stamp, "one stamp a ray": np.vstack(rays)}, walls=lesson.ROOM.walls)
 
 # %% [markdown] lang="en" name="ray-by-ray-notes" slide="notes"
 # This is the slide for the engineers in the room: laser_geometry does the same in C++ when it is given a TF buffer.
@@ -776,8 +773,8 @@ draw_placed(ways, walls=ROOM.walls)
 
 # %% [markdown] lang="ko" name="ray-by-ray-notes" slide="notes"
 # 현업 엔지니어를 위한 슬라이드입니다. C++의 laser_geometry도 TF 버퍼를 주면 같은 일을 합니다.
-# 10 Hz로 훑는 레이저와 0.5 rad/s로 도는 로봇이면, 한 바퀴 사이에 0.05 rad가 돌아가고 5 m 앞에서 25 cm가 된다고 말해 주십시오.
-# 그리고 다시 돌아오십시오. 실제 번짐의 대부분은 측정 시각에서 오고, 고치는 데 돈이 들지 않습니다.
+# 10 Hz로 훑는 레이저와 0.5 rad/s로 도는 로봇이면, 한 바퀴 사이에 0.05 rad가 돌아가고 5 m 앞에서 25 cm가 된다고 말해 줍니다.
+# 그리고 다시 돌아옵니다. 실제 번짐의 대부분은 측정 시각에서 오고, 고치는 데 돈이 들지 않습니다.
 
 # %% [markdown] lang="en" name="break-slow" slide="slide"
 # ### Two: odometry once a second
@@ -789,13 +786,13 @@ draw_placed(ways, walls=ROOM.walls)
 # %% [markdown] lang="ko" name="break-slow" slide="slide"
 # ### 둘: 초당 한 번뿐인 오도메트리
 #
-# 이제 바퀴 오도메트리가 20 Hz가 아니라 1 Hz로 옵니다. 카메라는 여전히 초마다 다섯 번 공을 보고, 관측은 측정 시각보다 0.2초 늦게 도착합니다.
+# 이제 바퀴 오도메트리가 20 Hz가 아니라 1 Hz로 옵니다. 카메라는 여전히 1초에 다섯 번 공을 보고, 관측은 측정 시각보다 0.2초 늦게 도착합니다.
 #
-# **예측해 보십시오.** 마흔 번쯤 되는 관측 가운데 몇 개를 도착하자마자 자기 측정 시각으로 놓을 수 있을까요?
+# **예측해 봅시다.** 관측 마흔 개쯤 중에서 몇 개나, 도착하자마자 자기 측정 시각의 변환을 얻을까요?
 
 # %% name="slow-odometry" tags=["predicted"] slide="fragment"
-slow_wheels = {"odometry": Source("wheel_odometry", 1.0, 0.004, 0.002)}  # 1 Hz
-slow = TeachingRobot(plan, bias=0.0, slip=0.0005, sources=slow_wheels)
+slow_wheels = {"odometry": lesson.Source("wheel_odometry", 1.0, 0.004, 0.002)}  # 1 Hz
+slow = lesson.TeachingRobot(plan, bias=0.0, slip=0.0005, sources=slow_wheels)
 answered, refusals = 0, []
 for heard in slow.readings(until_s=13.0):
     if heard.topic == "/detected_point":
@@ -805,22 +802,22 @@ for heard in slow.readings(until_s=13.0):
             answered += 1
         except TransformException as refusal:
             refusals.append(str(refusal))
-print(answered, "answered,", len(refusals), "refused. The first refusal:")
+print(answered, "answered,", len(refusals), "refused")
 print(refusals[0])
 
 # %% [markdown] lang="en" name="slow-odometry-read" tags=["predicted"] slide="subslide"
 # One in three.
-# A sighting is answered only if a sample of *each* lane is at least as young as it is, and for most of each second the newest odometry is older.
+# A sighting is answered only if a sample of *each* row is at least as young as it is, and for most of each second the newest odometry is older.
 #
-# Three ways out, in this order: publish odometry faster; let the message wait until the lane has caught up (chapter 09); or drop it.
+# Three ways out, in this order: publish odometry faster; let the message wait until the row has caught up (chapter 09); or drop it.
 # `Time()` is not among them. It always answers, with a pose that is up to a second old.
 
 # %% [markdown] lang="ko" name="slow-odometry-read" tags=["predicted"] slide="subslide"
-# 셋 중 하나뿐입니다.
-# *모든* 차선에 관측과 측정 시각이 같거나 더 새로운 표본이 하나씩 있어야 답이 나옵니다. 그런데 1초 중 대부분의 시간에는 가장 새로운 오도메트리조차 관측보다 오래된 것입니다.
+# 3분의 1뿐입니다.
+# *모든* 줄에, 관측의 측정 시각과 같거나 그보다 늦은 표본이 하나는 있어야 답이 나옵니다. 그런데 1초 중 대부분은 최신 오도메트리조차 관측보다 이릅니다.
 #
-# 빠져나갈 길은 셋이고 순서도 이렇습니다. 오도메트리를 더 자주 발행합니다. 차선이 따라올 때까지 메시지를 기다리게 합니다(09장). 아니면 버립니다.
-# `Time()`은 여기에 없습니다. 언제나 답해 주지만, 최대 1초 묵은 자세로 답합니다.
+# 방법은 셋이며, 이 순서로 시도합니다. 오도메트리를 더 자주 발행합니다. 줄이 따라올 때까지 메시지를 기다리게 합니다(09장). 아니면 버립니다.
+# `Time()`은 여기에 없습니다. 언제나 답해 주지만, 최대 1초 묵은 위치로 답합니다.
 
 # %% [markdown] lang="en" name="break-type" slide="slide"
 # ### Three: a forgotten import
@@ -836,9 +833,11 @@ print(refusals[0])
 # `transform()`은 `PointStamped`를 어떻게 다루는지 어디서 배웠을까요?
 # `tf2_geometry_msgs`를 import할 때 배웠습니다. 쓰이지 않는 import처럼 보이므로, 어느 날 깔끔한 동료가 지웁니다.
 #
-# 이 페이지는 점을 가르치는 패키지만 import했고, 포인트 클라우드를 가르치는 `tf2_sensor_msgs`는 import하지 않았습니다.
+# 이 페이지에서는 점을 다루는 패키지만 import했고, 포인트 클라우드를 다루는 `tf2_sensor_msgs`는 import하지 않았습니다.
 
 # %% name="forgotten-import" tags=["raises-exception"]
+from sensor_msgs.msg import PointCloud2
+
 try:
     finder.buffer.transform(PointCloud2(), "map")
 except TransformException as error:
@@ -852,23 +851,23 @@ except TransformException as error:
 # %% [markdown] lang="ko" name="forgotten-import-read"
 # `except TransformException`을 그대로 지나쳤습니다. `TypeException`은 `TransformException`이 **아니기** 때문입니다.
 # TF는 죄가 없습니다. 없는 좌표계도 틀린 시각도 없고, 파이썬이 그 자료형을 배우지 못했을 뿐입니다.
-# 고치는 법: 점, 자세, 벡터에는 `import tf2_geometry_msgs`, 포인트 클라우드에는 `import tf2_sensor_msgs`. 왜 필요한지 주석을 옆에 달아 두십시오.
+# 고치는 법: 점, 포즈, 벡터에는 `import tf2_geometry_msgs`, 포인트 클라우드에는 `import tf2_sensor_msgs`. 왜 필요한지 주석을 옆에 달아 두십시오.
 
 # %% [markdown] lang="en" name="forgotten-import-notes" slide="notes"
 # Ask who has a linter that deletes unused imports. This one has to stay, and the comment beside it is what saves it.
 
 # %% [markdown] lang="ko" name="forgotten-import-notes" slide="notes"
-# 쓰지 않는 import를 지우는 린터를 쓰는 사람이 있는지 물어보십시오. 이 import는 남아야 하고, 옆에 단 주석이 그것을 지킵니다.
+# 쓰지 않는 import를 지우는 린터를 쓰는 사람이 있는지 묻습니다. 이 import는 남아야 하고, 옆에 단 주석이 그것을 지킵니다.
 
 # %% [markdown] lang="en" name="break-years" slide="slide"
 # ### Four: fifty years
 #
-# And the story from the beginning, with its own numbers. Simulated TF, and a node whose clock hangs on the wall:
+# And the story from the beginning, with its own numbers. Simulated TF, and a node that looks at the computer's own clock (wall time):
 
 # %% [markdown] lang="ko" name="break-years" slide="slide"
 # ### 넷: 오십 년
 #
-# 처음의 이야기를 그때의 숫자 그대로 재현합니다. TF는 시뮬레이션의 시계를, 노드는 벽시계를 봅니다.
+# 처음의 이야기를 그때의 숫자 그대로 재현합니다. TF는 시뮬레이션의 시계를, 노드는 컴퓨터의 실제 시각(wall time)을 봅니다.
 
 # %% name="fifty-years" tags=["raises-exception"]
 simulation = BufferCore()
@@ -885,13 +884,13 @@ simulation.lookup_transform("map", "base_link", seconds(1574652168.59))
 # %% [markdown] lang="en" name="how-long" slide="slide"
 # ## How long must the buffer remember?
 #
-# A buffer forgets. Each lane keeps its samples for the [[cache time]], ten seconds if you do not say otherwise, counted back from its newest one.
+# A buffer forgets. Each row keeps its samples for the [[cache time]], ten seconds if you do not say otherwise, counted back from its newest one.
 # Whoever computes longer than that comes home to an empty house:
 
 # %% [markdown] lang="ko" name="how-long" slide="slide"
-# ## 버퍼는 얼마나 오래 기억해야 합니까?
+# ## 버퍼는 얼마나 오래 기억해야 할까요?
 #
-# 버퍼는 잊습니다. 차선마다 가장 새로운 표본에서 거꾸로 세어 [[cache time|보관 시간(cache time)]]만큼만 간직합니다. 따로 정하지 않으면 10초입니다.
+# 버퍼는 잊습니다. 줄마다 가장 늦은 표본에서 거꾸로 세어 [[cache time|보관 시간(cache time)]]만큼만 간직합니다. 따로 정하지 않으면 10초입니다.
 # 그보다 오래 계산하고 돌아오면, 찾는 표본은 이미 지워지고 없습니다.
 
 # %% name="short-memory" tags=["raises-exception"]
@@ -899,16 +898,16 @@ forgetful = robot.buffer(until_s=13.0, cache_time_s=1.0)
 forgetful.lookup_transform("map", "camera_optical_frame", seconds(11.0))
 
 # %% [markdown] lang="en" name="short-memory-read"
-# When a sight is used, its stamp lies one *delay* back. To interpolate there, the lane must still hold the sample *before* the stamp, and that one can be a whole period older.
-# So, for the slowest lane of the path:
+# When a sight is used, its stamp lies one *delay* back. To interpolate there, the row must still hold the sample *before* the stamp, and that one can be a whole period older.
+# So, for the slowest row of the path:
 #
 # > cache time ≥ delay + one period
 #
 # A detector that needs 2 s, on a path with an edge of 4 Hz: 2.25 s. Take more; memory is cheap.
 
 # %% [markdown] lang="ko" name="short-memory-read"
-# 관측을 쓸 때 그 측정 시각은 *지연*만큼 과거에 있습니다. 거기서 보간하려면 측정 시각 *바로 앞*의 표본이 차선에 남아 있어야 하고, 그 표본은 한 주기만큼 더 오래된 것일 수 있습니다.
-# 그러므로 경로에서 가장 느린 차선을 두고 다음이 성립해야 합니다.
+# 관측을 쓸 때 그 측정 시각은 *지연*만큼 과거에 있습니다. 거기서 보간하려면 측정 시각 *바로 이전*의 표본이 줄에 남아 있어야 하고, 그 표본은 한 주기만큼 더 오래된 것일 수 있습니다.
+# 따라서 경로에서 가장 느린 줄을 두고 다음이 성립해야 합니다.
 #
 # > 보관 시간 ≥ 지연 + 한 주기
 #
@@ -928,11 +927,11 @@ forgetful.lookup_transform("map", "camera_optical_frame", seconds(11.0))
 # ## 한 걸음 더: 두 순간을 한 번에
 #
 # 경로 계획기가 7.4초에 본 공을 두고 1초 동안 생각합니다. 이제 8.4초, 조향하려고 합니다.
-# 그러니 *그때*의 공을 *지금*의 base_link 기준으로 알아야 합니다.
+# 따라서 *그때*의 공을 *지금*의 base_link 기준으로 알아야 합니다.
 #
-# 시각 하나로는 이것을 물을 수 없습니다. 두 순간 사이에 가만히 있는 것, 곧 [[fixed frame|고정 좌표계(fixed frame)]]가 둘을 이어 줍니다. 여기서는 `odom`입니다.
+# 시각 하나로는 이런 조회를 할 수 없습니다. 두 순간 사이에 가만히 있다고 보는 [[fixed frame|고정 좌표계(fixed frame)]]가 둘을 이어 줍니다. 여기서는 `odom`입니다.
 # `lookup_transform_full`은 **그때**의 카메라에서 `odom`까지 올라가고, 거기서 1초를 기다렸다가, **지금**의 base_link로 내려옵니다.
-# 인자는 좌표계 둘과 가만히 있는 좌표계 하나이며, 앞의 두 좌표계에는 저마다 시각이 뒤따릅니다.
+# 인자는 좌표계 두 개(각각 시각이 하나씩 따라옵니다)와 고정 좌표계 하나입니다.
 
 # %% name="six-arguments"
 message = finder.messages[12]
@@ -940,7 +939,7 @@ stamp, now = Time.from_msg(message.header.stamp), Time(nanoseconds=8_400_000_000
 now_T_then = finder.buffer.lookup_transform_full("base_link", now, message.header.frame_id, stamp, "odom")
 old = finder.buffer.transform(message, "base_link").point
 fresh = do_transform_point(message, now_T_then).point
-truth = robot.truth_at(now.nanoseconds)["base_link"].inverse().apply(BALL)
+truth = robot.truth_at(now.nanoseconds)["base_link"].inverse().apply(lesson.BALL)
 print(f"base_link then: ({old.x:.2f}, {old.y:.2f})   base_link now: ({fresh.x:.2f}, {fresh.y:.2f})")
 print(f"the truth now:  ({truth[0]:.2f}, {truth[1]:.2f})")
 
@@ -951,7 +950,7 @@ poses = {
     name: finder.buffer.core.lookup_transform("odom", "base_link", moment.nanoseconds).transform
     for name, moment in moments.items()
 }
-draw_moments(poses, (ball.x, ball.y, ball.z), "ball")
+lesson.draw_moments(poses, (ball.x, ball.y, ball.z), "ball")
 
 # %% [markdown] lang="en" name="two-moments-read"
 # A second ago the ball was 1.6 m to the **right**. Now it is 0.7 m to the **left**.
@@ -961,16 +960,16 @@ draw_moments(poses, (ball.x, ball.y, ball.z), "ball")
 
 # %% [markdown] lang="ko" name="two-moments-read"
 # 1초 전에 공은 **오른쪽** 1.6 m에 있었습니다. 지금은 **왼쪽** 0.7 m에 있습니다.
-# 옛 답은 옛 질문에 대한 옳은 답이었습니다. 그대로 조향했다면 로봇은 공에게서 돌아섰을 것입니다.
+# 옛 답은 옛 질문에 대한 옳은 답이었습니다. 그대로 조향했다면 로봇은 공의 반대쪽으로 돌았을 것입니다.
 #
-# 왜 `map`이 아니라 `odom`일까요? 공은 어느 쪽에서나 가만히 있습니다. 하지만 그사이 위치 추정이 보정하면 `map`은 뛸 수 있고, 공도 함께 뜁니다(05장).
+# 왜 `map`이 아니라 `odom`일까요? 공은 둘 다에서 가만히 있습니다. 하지만 그사이 위치 추정이 보정하면 `map`은 뛸 수 있고, 공도 함께 뜁니다(05장).
 
 # %% [markdown] lang="en" name="two-moments-notes" slide="notes"
 # Walk it: one student is the ball, you are the robot. Say where the ball is, close your eyes, take three steps and turn, and point to where you said it was.
 # The floor did not move. That is what odom is for.
 
 # %% [markdown] lang="ko" name="two-moments-notes" slide="notes"
-# 직접 걸어 보이십시오. 학생 한 명이 공이고 강사가 로봇입니다. 공의 위치를 말하고 눈을 감은 채 세 걸음 걷고 돈 다음, 말한 곳을 가리키십시오.
+# 직접 걸어 보입니다. 학생 한 명이 공이고 강사가 로봇입니다. 공의 위치를 말하고 눈을 감은 채 세 걸음 걷고 돈 다음, 말한 곳을 가리킵니다.
 # 바닥은 움직이지 않았습니다. odom이 하는 일이 바로 그것입니다.
 
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
@@ -1004,32 +1003,32 @@ draw_moments(poses, (ball.x, ball.y, ball.z), "ball")
 # </details>
 
 # %% [markdown] lang="ko" name="checkpoint" slide="slide"
-# ## 확인 문제
+# ## 마무리 점검
 #
-# 여러분의 노드는 `header.stamp`로 묻습니다. 몇 번에 한 번씩 40 ms 모자라다며 "extrapolation into the future"가 나옵니다.
-# 동료 넷이 수정안 넷을 내놓았습니다. 하나를 고른 뒤 답을 펼쳐 보십시오.
+# 여러분의 노드는 `header.stamp`의 변환을 조회합니다. 몇 번에 한 번씩 40 ms 모자라다며 "extrapolation into the future"가 나옵니다.
+# 동료 넷이 수정안 넷을 내놓았습니다. 하나를 고른 뒤 답을 펼쳐 보세요.
 #
-# <details><summary>A. 측정 시각 대신 <code>Time()</code>으로 묻습니다.</summary>
+# <details><summary>A. 측정 시각 대신 <code>Time()</code>으로 조회합니다.</summary>
 #
-# 오류는 사라지고, 이제 점마다 다른 순간의 자세로 옮겨집니다. 우리 방에서 도는 로봇은 그렇게 20 cm를 틀렸습니다. 시끄러운 오류를 조용한 오차와 맞바꾼 셈입니다.
+# 오류는 사라지고, 이제 점마다 다른 순간의 위치로 옮겨집니다. 우리 방에서 도는 로봇은 그렇게 20 cm를 틀렸습니다. 시끄러운 오류를 조용한 오차와 맞바꾼 셈입니다.
 #
 # </details>
 #
-# <details><summary>B. 묻기 전에 <code>header.stamp</code>를 지금으로 바꿉니다.</summary>
+# <details><summary>B. 조회하기 전에 <code>header.stamp</code>를 지금으로 바꿉니다.</summary>
 #
-# 더 늦은 순간을 묻게 되어 거절이 늘고, 성공한 답은 지연 전체만큼 틀립니다. 게다가 그 메시지를 뒤에 읽을 모두에게 거짓말을 했습니다.
+# 더 늦은 시각을 조회하게 되어 거절이 늘고, 성공한 답은 지연 전체만큼 틀립니다. 게다가 그 메시지를 뒤에 읽을 모두에게 거짓말을 했습니다.
 #
 # </details>
 #
 # <details><summary>C. 측정 시각은 두고, 변환이 올 때까지 잠깐 기다리게 하고, 너무 오래되면 버립니다.</summary>
 #
-# 맞습니다. 40 ms 모자라다는 것은 변환이 오는 중이라는 뜻입니다. 물은 순간은 옳았고 서둘렀을 뿐입니다. 막지 않고 기다리는 법과 기다릴 시간은 09장에서 다룹니다.
+# 맞습니다. 40 ms 모자라다는 것은 변환이 오는 중이라는 뜻입니다. 조회한 시각은 옳았고, 너무 일찍 조회했을 뿐입니다. 막지 않고 기다리는 법과 기다릴 시간은 09장에서 다룹니다.
 #
 # </details>
 #
 # <details><summary>D. <code>cache_time</code>을 늘립니다.</summary>
 #
-# 보관 시간은 버퍼가 얼마나 *옛날*까지 기억하는지를 정합니다. 여러분이 묻는 것은 아직 도착하지 않았습니다. 아무리 긴 기억으로도 소용없습니다.
+# 보관 시간은 버퍼가 얼마나 *옛날*까지 기억하는지를 정합니다. 여러분이 조회하는 것은 아직 도착하지 않았습니다. 아무리 긴 기억으로도 소용없습니다.
 #
 # </details>
 
@@ -1037,19 +1036,19 @@ draw_moments(poses, (ball.x, ball.y, ball.z), "ball")
 # Everybody writes a letter down before anybody speaks. Let an A and a C argue: both get rid of the error, and only one of them places the ball.
 
 # %% [markdown] lang="ko" name="checkpoint-notes" slide="notes"
-# 누구든 입을 열기 전에 모두 글자 하나를 적게 하십시오. A와 C를 고른 사람이 서로 설득하게 하십시오. 둘 다 오류는 없애지만, 공을 제자리에 놓는 것은 하나뿐입니다.
+# 누구든 입을 열기 전에 모두 글자 하나를 적게 합니다. A와 C를 고른 사람이 서로 설득하게 합니다. 둘 다 오류는 없애지만, 공을 제자리에 놓는 것은 하나뿐입니다.
 
 # %% [markdown] lang="en" name="on-a-robot" slide="slide"
 # ## The same on a real robot
 #
-# This is the lecture's node, whole, as you would save it in `tf_lab_py/point_to_map.py`.
+# This is the node for the lab, whole, as you would save it in `tf_lab_py/point_to_map.py`.
 # It is our finder, grown up: it refuses a point without a frame, uses the point's own stamp, and says so when TF cannot answer.
-# (The lecture is given in Korean, and so are the three texts in it: *registers the geometry messages*, *refused: a point without a frame_id*, *no transform*.)
+# (It comes from a lecture in Korean, and so do the three texts in it: *registers the geometry messages*, *refused: a point without a frame_id*, *no transform*.)
 
 # %% [markdown] lang="ko" name="on-a-robot" slide="slide"
 # ## 실제 로봇에서도 똑같이
 #
-# 강의의 노드 전체입니다. `tf_lab_py/point_to_map.py`에 그대로 저장하면 됩니다.
+# 실습용 노드의 전체 코드입니다. `tf_lab_py/point_to_map.py`에 그대로 저장하면 됩니다.
 # 앞의 `Finder`를 어엿하게 키운 모습입니다. 좌표계 없는 점은 거절하고, 점 자신의 측정 시각을 쓰고, TF가 답하지 못하면 그렇다고 알립니다.
 
 # %% [markdown] lang="en" name="the-file" slide="skip"
@@ -1188,9 +1187,9 @@ class PointToMap(Node):
 # **Predict:** the first point was measured before the node began to listen, so it must be refused. The second one, 0.2 s later: placed or refused?
 
 # %% [markdown] lang="ko" name="point-to-map-predict" slide="subslide"
-# 로봇은 12초째 달리고 있고, 노드는 그 한가운데서 시작합니다.
+# 로봇이 12초째 달리던 중에 노드를 켭니다.
 #
-# **예측해 보십시오.** 첫 점은 노드가 듣기 전에 측정된 것이니 거절될 수밖에 없습니다. 0.2초 뒤의 둘째 점은 지도에 놓일까요, 거절될까요?
+# **예측해 봅시다.** 첫 점은 노드가 듣기 전에 측정된 것이니 거절될 수밖에 없습니다. 0.2초 뒤의 둘째 점은 지도에 찍힐까요, 거절될까요?
 
 
 # %% name="with-a-timeout" tags=["predicted"] slide="fragment"
@@ -1216,8 +1215,8 @@ node.stop()
 # Without it:
 
 # %% [markdown] lang="ko" name="with-a-timeout-read" tags=["predicted"] slide="subslide"
-# 모든 점이 거절되었습니다. 그리고 줄마다 두 시각을 비교해 보십시오. 차이가 점점 *벌어집니다*.
-# 로봇은 전과 똑같이 말하고 있습니다. 듣기를 멈춘 쪽은 노드입니다.
+# 모든 점이 거절되었습니다. 그리고 줄마다 두 시각을 비교해 보세요. 차이가 점점 *벌어집니다*.
+# 로봇은 전과 똑같이 발행하고 있습니다. 듣기를 멈춘 것은 노드입니다.
 #
 # 스레드 하나로 spin하는 노드는 한 번에 한 가지 일만 합니다.
 # 첫 점이 실패하자 콜백이 변환을 기다리며 0.2초를 쉬고, 그동안 아무도 `/tf`를 읽지 않습니다.
@@ -1236,15 +1235,15 @@ node.stop()
 # One refusal, then the ball, again and again, where it is.
 #
 # The first point is older than everything the node has heard. That one is lost, and rightly so.
-# A mapping node once crashed on exactly that, at start-up, because a scan was 41 ms older than the first transform (SteveMacenski/slam_toolbox, report 775).
+# A mapping node once crashed on exactly that, at start-up, because a scan was 41 ms older than the first transform ([SteveMacenski/slam_toolbox, issue 775](https://github.com/SteveMacenski/slam_toolbox/issues/775)).
 # The patch that was proposed there asked for the latest transform instead. You know now what that would have hidden.
 
 # %% [markdown] lang="ko" name="point-to-map-read" slide="subslide"
-# 한 번 거절한 뒤에는, 공이 있는 자리에 공을 거듭 놓습니다.
+# 한 번 거절한 뒤로는 공을 계속 제자리에 찍습니다.
 #
-# 첫 점은 노드가 들은 어떤 변환보다도 오래되었습니다. 그 점은 버려지고, 그것이 옳습니다.
-# 어느 지도 작성 노드는 바로 이 때문에 시작하자마자 죽었습니다. 스캔이 첫 변환보다 41 ms 오래된 것이었습니다(SteveMacenski/slam_toolbox 775번 보고).
-# 그때 제안된 수정은 최신 변환을 대신 묻는 것이었습니다. 그것이 무엇을 숨겼을지 이제 여러분은 압니다.
+# 첫 점은 노드가 들은 어떤 변환보다도 오래되었습니다. 그 점은 버리는 것이 맞습니다.
+# 어느 지도 작성 노드는 바로 이 때문에 시작하자마자 죽었습니다. 스캔이 첫 변환보다 41 ms 오래된 것이었습니다([SteveMacenski/slam_toolbox, 이슈 775](https://github.com/SteveMacenski/slam_toolbox/issues/775)).
+# 그때 제안된 수정은 최신 변환을 대신 조회하는 것이었습니다. 그랬다면 무엇이 숨었을지 이제 여러분은 압니다.
 
 # %% [markdown] lang="en" name="point-to-map-notes" slide="notes"
 # The lecture's node is right in everything that it asks. It works as long as no transform is ever late; one miss, and it goes deaf.
@@ -1252,8 +1251,8 @@ node.stop()
 # Chapter 09 shows how to wait: a listener with its own thread, wait_for_transform_async, or a message filter.
 
 # %% [markdown] lang="ko" name="point-to-map-notes" slide="notes"
-# 강의의 노드는 묻는 내용이 모두 옳습니다. 변환이 한 번도 늦지 않는 한 잘 동작하지만, 한 번 놓치면 귀가 막힙니다.
-# 검출기가 더 느렸다면(1 Hz) 회복했을 것입니다. 1초에 0.2초만 자면 들을 시간이 남습니다. 왜 그런지 물어보십시오.
+# 이 노드가 조회하는 내용은 모두 옳습니다. 변환이 한 번도 늦지 않는 한 잘 동작하지만, 한 번 놓치면 귀가 막힙니다.
+# 검출기가 더 느렸다면(1 Hz) 회복했을 것입니다. 1초에 0.2초만 자면 들을 시간이 남습니다. 왜 그런지 묻습니다.
 # 기다리는 법은 09장에서 다룹니다. 자기 스레드를 가진 수신기, wait_for_transform_async, 메시지 필터입니다.
 
 # %% [markdown] lang="en" name="robot-care" slide="subslide"
@@ -1262,7 +1261,7 @@ node.stop()
 # - Leave `timeout=` out of callbacks, or give the listener a thread of its own; chapter 09 shows how to wait.
 # - Since ROS 2 Humble, Ctrl-C shuts the context down by itself, and the last `rclpy.shutdown()` then raises `RCLError`. Today one writes `except (KeyboardInterrupt, ExternalShutdownException): pass` and `rclpy.try_shutdown()`.
 #
-# And the lookup by hand, as in the lecture, when you need the transform itself:
+# And the lookup by hand, when you need the transform itself (here with its `timeout`, so not in a callback of a single thread):
 #
 # ```python
 # measurement_time = Time.from_msg(message.header.stamp)
@@ -1276,12 +1275,12 @@ node.stop()
 # ```
 
 # %% [markdown] lang="ko" name="robot-care" slide="subslide"
-# 그러니 로봇에 입력하기 전에 다음을 알아 두십시오.
+# 따라서 로봇에 입력하기 전에 다음을 알아 두십시오.
 #
 # - 콜백에서는 `timeout=`을 빼거나, 수신기에 자기 스레드를 주십시오. 기다리는 법은 09장에서 봅니다.
 # - ROS 2 Humble부터 Ctrl-C는 context를 스스로 닫으므로, 마지막 `rclpy.shutdown()`이 `RCLError`를 일으킵니다. 요즘은 `except (KeyboardInterrupt, ExternalShutdownException): pass`와 `rclpy.try_shutdown()`을 씁니다.
 #
-# 변환 자체가 필요할 때는 강의처럼 직접 조회합니다.
+# 변환 자체가 필요할 때는 직접 조회합니다(아래에는 `timeout`이 있으므로, 스레드가 하나인 콜백에는 쓰지 않습니다).
 #
 # ```python
 # measurement_time = Time.from_msg(message.header.stamp)
@@ -1298,7 +1297,7 @@ node.stop()
 # Is your robot's data old? Ask it. `ros2 topic delay` prints arrival minus stamp:
 
 # %% [markdown] lang="ko" name="topic-delay-why" slide="subslide"
-# 여러분 로봇의 데이터는 얼마나 묵었습니까? 물어보십시오. `ros2 topic delay`는 도착 시각에서 측정 시각을 뺀 값을 출력합니다.
+# 여러분 로봇의 데이터는 얼마나 묵었을까요? `ros2 topic delay`는 도착 시각에서 측정 시각을 뺀 값을 출력합니다.
 
 # %% name="topic-delay"
 # %ros2 --for 2 topic delay /detected_point
@@ -1330,7 +1329,7 @@ node.stop()
 # %% [markdown] lang="en" name="recap" slide="slide"
 # ## Recap
 #
-# - The buffer keeps a lane of time for each edge. Between samples it interpolates; outside it refuses.
+# - The buffer keeps a timeline for each edge. Between samples it interpolates; outside it refuses.
 # - `Time()` is the latest common time: the earliest of the latest ones, statics not counted. It is not now.
 # - Value + frame + stamp. `buffer.transform()` uses all three, and so should you.
 # - Wrong moment, wrong place: speed × delay forwards, range × yaw rate × delay sideways.
@@ -1339,13 +1338,13 @@ node.stop()
 #
 # Words of this chapter: [[buffer]], [[listener]], [[stamp]], [[interpolation]], [[latest common time]], [[extrapolation]], [[cache time]], [[latency]], [[motion distortion]], [[fixed frame]].
 #
-# Checklist of the lecture: *looked up the newest transform with Buffer and Listener* (C8), *transformed a PointStamped at its measurement time* (C9). The exercise ticks both.
+# Lab checklist: *looked up the newest transform with Buffer and Listener* (C8), *transformed a PointStamped at its measurement time* (C9). The exercise ticks both.
 
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
 #
-# - 버퍼는 연결마다 시간 차선을 하나씩 간직합니다. 표본 사이는 보간하고, 바깥은 거절합니다.
-# - `Time()`은 최신 공통 시각입니다. 마지막 시각들 가운데 가장 이른 것이고 정적 연결은 세지 않습니다. 지금이 아닙니다.
+# - 버퍼에는 연결마다 시간줄이 하나씩 있습니다. 표본 사이는 보간하고, 바깥은 거절합니다.
+# - `Time()`은 최신 공통 시각입니다. 마지막 시각들 중에서 가장 이른 것이고 정적 연결은 세지 않습니다. 지금이 아닙니다.
 # - 값 + 좌표계 + 측정 시각. `buffer.transform()`은 셋을 모두 씁니다. 여러분도 그래야 합니다.
 # - 순간이 틀리면 위치가 틀립니다. 앞뒤로 속도 × 지연, 좌우로 거리 × yaw 각속도 × 지연.
 # - `header.stamp`는 측정한 시각입니다. 덮어쓰면 오차가 숨습니다.
@@ -1353,7 +1352,7 @@ node.stop()
 #
 # 이 장의 용어: [[buffer|버퍼]], [[listener|수신기]], [[stamp|측정 시각]], [[interpolation|보간]], [[latest common time|최신 공통 시각]], [[extrapolation|외삽]], [[cache time|보관 시간]], [[latency|지연(latency)]], [[motion distortion|움직임 왜곡]], [[fixed frame|고정 좌표계]].
 #
-# 강의의 실습 체크리스트: *버퍼와 수신기로 최신 변환을 조회했습니다*(C8), *PointStamped를 측정 시각 기준으로 변환했습니다*(C9). 연습 문제를 풀면 둘 다 표시됩니다.
+# 실습 체크리스트: *버퍼와 수신기로 최신 변환을 조회했습니다*(C8), *PointStamped를 측정 시각 기준으로 옮겼습니다*(C9). 연습 문제를 풀면 둘 다 표시됩니다.
 
 # %% [markdown] lang="en" name="from-before" slide="slide"
 # ## Three questions from earlier chapters
@@ -1372,12 +1371,12 @@ node.stop()
 #
 # <details><summary>06. Why does a camera's mount have no place in the latest common time?</summary>
 #
-# It is static: sent once on `/tf_static`, good for any time. A lane without an end cannot end first.
+# It is static: sent once on `/tf_static`, good for any time. A row without an end cannot end first.
 #
 # </details>
 
 # %% [markdown] lang="ko" name="from-before" slide="slide"
-# ## 앞 장에서 온 질문 셋
+# ## 앞 장 복습: 세 문제
 #
 # <details><summary>01. 메시지에 (2.0, 0.0, 0.0)이 있습니다. 쓰기 전에 알아야 할 두 가지는 무엇입니까?</summary>
 #
@@ -1393,7 +1392,7 @@ node.stop()
 #
 # <details><summary>06. 카메라 장착 위치는 왜 최신 공통 시각을 정하는 데 끼지 않습니까?</summary>
 #
-# 정적 연결이기 때문입니다. `/tf_static`으로 한 번 보내면 어느 시각에나 유효합니다. 끝이 없는 차선이 먼저 끝날 수는 없습니다.
+# 정적 연결이기 때문입니다. `/tf_static`으로 한 번 보내면 어느 시각에나 유효합니다. 끝이 없는 줄이 먼저 끝날 수는 없습니다.
 #
 # </details>
 
@@ -1417,17 +1416,17 @@ node.stop()
 # %% [markdown] lang="ko" name="practice" slide="slide"
 # ## 서술형 문제
 #
-# **Q10.** 센서 메시지를 최신 변환이 아니라 측정 시각의 변환으로 바꾸어야 하는 이유는 무엇입니까? 다섯 줄로 쓴 뒤 채점 기준을 펼쳐 스스로 채점하십시오.
+# **Q10.** 센서 메시지를 최신 변환이 아니라 측정 시각의 변환으로 옮겨야 하는 이유는 무엇입니까? 다섯 줄로 쓴 뒤 채점 기준을 펼쳐 스스로 채점해 보세요.
 #
-# <details><summary>채점 기준: 글에 들어 있는 내용 하나에 1점</summary>
+# <details><summary>채점 기준: 아래 내용이 하나 들어 있을 때마다 1점</summary>
 #
-# 1. 메시지는 측정 시각에 센서가 본 것을 말하며, 처리와 네트워크를 거쳐 쓰일 때는 이미 오래된 것입니다.
-# 2. 그사이 로봇이 움직이므로 최신 자세는 측정 순간의 센서 자세가 아닙니다.
+# 1. 메시지는 측정 시각에 센서가 본 것이며, 처리와 네트워크를 거쳐 쓰일 때는 이미 오래된 것입니다.
+# 2. 그사이 로봇이 움직이므로 최신 위치는 측정한 순간의 센서 위치가 아닙니다.
 # 3. 오차에는 크기가 있습니다. 속도 × 지연쯤이고, 회전하면 거리 × yaw 각속도 × 지연이 더해집니다.
 # 4. 예외가 알려 주지 않습니다. 최신 변환은 언제나 있기 때문입니다. 벽이 번지고 장애물이 뒤따라옵니다.
 # 5. 버퍼는 이 일을 위해 과거를 간직합니다. `header.stamp`로 조회하거나 `transform()`을 쓰고, 측정 시각을 덮어쓰지 않습니다.
 #
-# 4–5점: 충분합니다. 2–3점: "연필로 어림하는 오차"를 다시 읽으십시오. 그 아래: 슬라이더부터 움직여 보십시오.
+# 4–5점: 충분합니다. 2–3점: "연필로 어림하는 오차"를 다시 읽어 보세요. 그 아래: 슬라이더부터 움직여 보세요.
 #
 # </details>
 
@@ -1442,12 +1441,13 @@ node.stop()
 #
 # </details>
 #
-# Now the exercise: [08 · Buffer and measurement time](../../exercises/en/08_buffer_and_measurement_time.ipynb).
+# **Next:** the exercises, [E8 Buffer and measurement time](../../exercises/en/08_buffer_and_measurement_time.ipynb), and then [09 Exceptions and waiting](09_exceptions_and_waiting.ipynb).
+# After a pass, or three tries, `solution("E8.3")` shows a solution there. To start a page over, delete its file and type `tflab lab`.
 
 # %% [markdown] lang="ko" name="exit-ticket" slide="slide"
-# ## 나가기 전에
+# ## 마무리하며
 #
-# 보지 않고 문장을 완성해 보십시오. *"나는 변환을 …로 조회한다. 왜냐하면 … 때문이다. 아직 없다면 나는 …"*
+# 보지 않고 문장을 완성해 보세요. *"나는 변환을 …로 조회한다. 왜냐하면 … 때문이다. 아직 없다면 나는 …"*
 #
 # <details><summary>좋은 답의 한 예</summary>
 #
@@ -1455,4 +1455,5 @@ node.stop()
 #
 # </details>
 #
-# 이제 연습 문제를 푸십시오: [08 · 버퍼와 측정 시각](../../exercises/ko/08_buffer_and_measurement_time.ipynb)
+# **다음:** 연습 문제 [E8 버퍼와 측정 시각](../../exercises/ko/08_buffer_and_measurement_time.ipynb)을 풀고 [09 예외와 기다림](09_exceptions_and_waiting.ipynb)으로 갑니다.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E8.3")`으로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력하세요.
