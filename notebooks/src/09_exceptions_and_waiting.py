@@ -1,7 +1,7 @@
 # %% [markdown] lang="en" name="title" slide="slide"
 # # 09 · Four ways to not get an answer
 #
-# **Exceptions and waiting** · about 60 minutes · builds on 03 (target and source) and 08 (the buffer, and measurement time)
+# **Exceptions and waiting** · about 90 minutes, in two sittings of 45 with a rest between them · builds on 03 and 08
 #
 # When you have worked through this page, you can
 #
@@ -12,28 +12,28 @@
 # - write down a policy: how long to wait, how many to keep, how old is too old to move a robot.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
-# # 09 · 답을 얻지 못하는 네 가지 길
+# # 09 · 답을 얻지 못하는 네 가지 경우
 #
-# **예외와 기다림** · 60분쯤 · 03장(목표와 원본)과 08장(버퍼와 측정 시각)에 이어집니다
+# **예외와 기다림** · 약 90분(45분씩 두 번, 사이에 쉬는 시간) · 03, 08장을 바탕으로 합니다
 #
-# 이 장을 마치면 다음을 할 수 있습니다.
+# 이 장을 마치면
 #
-# - tf2의 예외를 의미로 구분하고, 각각 무엇부터 확인할지 말합니다.
-# - 외삽(extrapolation) 오류문을 읽습니다. 어느 시각을 물었고, 어느 연결에서 막혔으며, 그 시각이 얼마나 벗어났는지 찾아냅니다.
-# - 데이터가 늦은 것인지 시계가 틀린 것인지 가려냅니다.
-# - 답을 가져올 바로 그 스레드를 멈추지 않으면서 기다립니다.
-# - 얼마나 기다릴지, 몇 개까지 쌓아 둘지, 얼마나 오래된 데이터부터 로봇을 움직이는 데 쓰지 않을지 정책을 세웁니다.
+# - tf2의 예외를 의미로 구분하고, 각각 무엇부터 확인할지 말할 수 있습니다.
+# - 외삽(extrapolation) 오류 메시지에서 요청 시각이 언제인지, 어느 연결에서 막혔는지, 얼마나 벗어났는지 찾아낼 수 있습니다.
+# - 데이터가 늦은 것인지 시계가 틀린 것인지 구별할 수 있습니다.
+# - 답을 가져올 바로 그 스레드를 멈추지 않으면서 기다릴 수 있습니다.
+# - 얼마나 기다릴지, 몇 개까지 쌓아 둘지, 얼마나 오래된 데이터부터 로봇을 움직이는 데 쓰지 않을지 정할 수 있습니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
 # Ask for a show of hands: who has cured a TF warning by raising a timeout?
 # Keep that question open; it is answered in the second half, and some of those hands will want to come down.
 
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
-# timeout을 늘려서 TF 경고를 없애 본 사람은 손을 들어 보라고 하십시오.
-# 그 질문은 그대로 두십시오. 답은 후반부에 나오고, 그때는 손을 내리고 싶은 사람이 생길 것입니다.
+# timeout을 늘려서 TF 경고를 없애 본 사람은 손을 들어 보라고 합니다.
+# 그 질문은 그대로 둡니다. 답은 후반부에 나오고, 그때는 손을 내리고 싶은 사람이 생길 것입니다.
 
 # %% [markdown] lang="en" name="what-you-need" slide="subslide"
-# ## What you need from chapters that are not here yet
+# ## What you need to begin
 #
 # Chapters 04 to 07 are still being written. This page uses no more of them than this.
 #
@@ -43,96 +43,53 @@
 # - **A node (any ROS 2 introduction).** A node has *callbacks*: functions that run when a message comes or a timer rings. An *executor* calls them. `rclpy.spin(node)` is an executor with one thread: one callback at a time.
 
 # %% [markdown] lang="ko" name="what-you-need" slide="subslide"
-# ## 아직 나오지 않은 장에서 필요한 내용
+# ## 시작하기 전에 알아 둘 것
 #
 # 04장부터 07장까지는 아직 집필 중입니다. 이 장에서는 다음 내용만 알면 됩니다.
 #
-# - **트리(04).** 모든 좌표계는 부모를 최대 하나 가집니다. 부모가 없는 좌표계가 루트입니다. 두 좌표계에서 위로 올라가 같은 루트에 닿으면 서로 연결된 것입니다.
+# - **트리(04).** 좌표계마다 부모는 하나이거나 없습니다. 부모가 없는 좌표계가 루트입니다. 두 좌표계에서 위로 올라가 같은 루트에 닿으면 서로 연결된 것입니다.
 # - **흔히 쓰는 체인(05).** `map → odom → base_footprint → base_link → laser_frame`. `map → odom`은 위치 추정 노드가, `odom → base_footprint`는 바퀴 오도메트리가 발행합니다. 따라서 `map`에서 센서까지 조회하려면 *두* 노드의 소식이 모두 필요합니다.
-# - **정적과 동적(06).** 볼트로 고정된 것은 `/tf_static`으로 한 번만 보내며 어느 시각에나 유효합니다. 움직이는 것은 `/tf`로 계속 보내고, 보낼 때마다 시각을 붙입니다.
-# - **노드(ROS 2 입문).** 노드에는 메시지가 오거나 타이머가 울릴 때 실행되는 *콜백*(callback)이 있습니다. 콜백을 부르는 것은 *실행기*(executor)입니다. `rclpy.spin(node)`는 스레드(thread)가 하나인 실행기라서 콜백을 한 번에 하나만 실행합니다.
+# - **정적과 동적(06).** 볼트로 고정된 것은 `/tf_static`으로 한 번만 보내며 어느 시각에나 유효합니다. 움직이는 것은 `/tf`로 계속 보내고, 보낼 때마다 측정 시각을 붙입니다.
+# - **노드(ROS 2 입문).** 노드에는 메시지가 오거나 타이머가 울릴 때 실행되는 *콜백*(callback)이 있습니다. 콜백을 호출하는 것은 *실행기*(executor)입니다. `rclpy.spin(node)`는 스레드(thread)가 하나인 실행기라서 콜백을 한 번에 하나만 실행합니다.
 
 # %% name="load" slide="skip"
 # %load_ext tflab
-
-# %% name="imports" slide="skip"
-from collections import deque
-
-import rclpy
-from geometry_msgs.msg import PointStamped
-from rclpy.duration import Duration
-from rclpy.executors import MultiThreadedExecutor
-from rclpy.node import Node
-from rclpy.qos import qos_profile_sensor_data
-from rclpy.time import Time
-from sensor_msgs.msg import LaserScan
-from tf2_ros import Buffer, ConnectivityException, ExtrapolationException
-from tf2_ros import LookupException, TransformException, TransformListener
-
-# %% [markdown] lang="en" name="helpers-why" slide="skip"
-# Those were ROS 2's own modules. The next ones are this workbook's: robots to watch, and pictures.
-
-# %% [markdown] lang="ko" name="helpers-why" slide="skip"
-# 위는 ROS 2의 모듈입니다. 아래는 이 워크북의 모듈로, 관찰할 로봇과 그림을 제공합니다.
-
-# %% name="helpers" slide="skip"
-import numpy as np
-
 from tflab.core import StampedTransform, Transform, seconds
-from tflab.robots.motion import Drive
-from tflab.robots.nodes import launch
-from tflab.robots.teaching import TeachingRobot
-from tflab.robots.world import ROOM
-from tflab.ros import new_graph
-from tflab.tools.buffers import draw_history
-
-# %% [markdown] lang="en" name="pictures-why" slide="skip"
-# And these draw.
-
-# %% [markdown] lang="ko" name="pictures-why" slide="skip"
-# 아래는 그림을 그리는 모듈입니다.
-
-# %% name="pictures" slide="skip"
-from tflab.views.ages import Curve, draw_ages
-from tflab.views.journey import Journey, draw_journeys
-from tflab.views.panels import timeline_panel
-from tflab.views.placed import draw_placed
-from tflab.views.scene import Scene, draw_frame, draw_path, draw_scan
-from tflab.views.work import Work, draw_work
+from tflab.workbook import lesson
 
 # %% [markdown] lang="en" name="story" slide="slide"
 # ## 43 milliseconds into the future
 #
 # A small robot, a fresh install, the first drive.
 # It moved in jerks, and RViz complained in its log: *extrapolation into the future*.
-# RViz had asked for a moment 43 ms later than the newest transform it had (ROBOTIS-GIT/turtlebot3 #618).
+# RViz had asked for a moment 43 ms later than the newest transform it had ([ROBOTIS-GIT/turtlebot3, issue 618](https://github.com/ROBOTIS-GIT/turtlebot3/issues/618)).
 # The makers of the robot asked back: are its clock and the desktop's in step? There were two computers, and each had a clock.
 #
-# Others had the same sentence in their logs, set a timeout (of a whole second, in one case), and the errors went away (stella_vslam_ros #21, perception_pcl #416).
+# Others had the same sentence in their logs, set a timeout (of a whole second, in one case), and the errors went away (stella_vslam_ros, issue 21; perception_pcl, issue 416).
 # For some of them that was the cure. For others it was a plaster over a wound.
 # **How can you tell which?** That is what this chapter is about.
 #
-# Here is how two clocks look from the outside. The three scans are stamped and sent by the robot's clock, and received by the desktop's. (The numbers are ours. "Dropped": the desktop found no transform for it.)
+# Here is how two clocks look from the outside. The three scans are stamped and sent by the robot's clock, and received by the desktop's. (The numbers are ours. "Dropped": the desktop found no transform for that scan.)
 
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 43밀리초 뒤의 미래
 #
 # 작은 로봇에 막 소프트웨어를 설치하고 처음 주행하는 날이었습니다.
 # 로봇은 뚝뚝 끊기며 움직였고, RViz 로그에는 이런 문장이 찍혔습니다. *extrapolation into the future.*
-# RViz는 자신이 가진 최신 변환보다 43 ms 뒤의 시각을 묻고 있었습니다(ROBOTIS-GIT/turtlebot3 #618).
+# RViz는 자신이 가진 최신 변환보다 43 ms 늦은 시각의 변환을 조회하고 있었습니다([ROBOTIS-GIT/turtlebot3, issue 618](https://github.com/ROBOTIS-GIT/turtlebot3/issues/618)).
 # 로봇 제조사는 이렇게 되물었습니다. 로봇과 데스크톱의 시계가 맞습니까? 컴퓨터가 두 대였고, 시계도 두 개였습니다.
 #
-# 같은 문장을 본 다른 사람들은 timeout을 넣었고(한 곳은 무려 1초), 오류는 사라졌습니다(stella_vslam_ros #21, perception_pcl #416).
-# 누군가에게는 그것이 치료였고, 누군가에게는 상처를 가린 반창고였습니다.
+# 같은 문장을 본 다른 사람들은 timeout을 넣었고(한 곳은 무려 1초), 오류는 사라졌습니다(stella_vslam_ros, issue 21; perception_pcl, issue 416).
+# 누군가에게는 제대로 된 해결책이었고, 누군가에게는 상처를 가린 반창고였습니다.
 # **어느 쪽인지 어떻게 알 수 있을까요?** 그것이 이 장의 주제입니다.
 #
-# 두 시계가 어긋나면 밖에서는 이렇게 보입니다. 세 스캔의 측정과 송신은 로봇의 시계로, 수신은 데스크톱의 시계로 적었습니다. (숫자는 예시입니다. "dropped"는 데스크톱이 그 스캔의 변환을 찾지 못해 버렸다는 뜻입니다.)
+# 두 시계가 어긋나면 밖에서는 이렇게 보입니다. 세 스캔의 측정과 송신은 로봇의 시계로, 수신은 데스크톱의 시계로 적었습니다. (숫자는 예시입니다. 그림 읽기: stamped = 측정, sent = 송신, received = 수신, dropped = 데스크톱이 그 스캔의 변환을 찾지 못해 버림.)
 
 # %% name="story-picture" slide="subslide"
-draw_journeys([
-    Journey('scan 1', seconds(10.000), seconds(10.105), seconds(10.062)),
-    Journey('scan 2', seconds(10.100), seconds(10.205), seconds(10.163)),
-    Journey('scan 3', seconds(10.200), seconds(10.305), seconds(10.261)),
+lesson.draw_journeys([
+    lesson.Journey('scan 1', seconds(10.000), seconds(10.105), seconds(10.062)),
+    lesson.Journey('scan 2', seconds(10.100), seconds(10.205), seconds(10.163)),
+    lesson.Journey('scan 3', seconds(10.200), seconds(10.305), seconds(10.261)),
 ])
 
 # %% [markdown] lang="en" name="story-read" slide="fragment"
@@ -148,8 +105,8 @@ draw_journeys([
 # Wait for the moment when they stop and say: that cannot be.
 
 # %% [markdown] lang="ko" name="story-notes" slide="notes"
-# 한 사람에게 그림을 한 줄씩 소리 내어 읽게 하십시오. 측정, 송신, 수신 순서입니다.
-# 읽다가 멈추고 "이럴 수는 없는데요"라고 말하는 순간을 기다리십시오.
+# 한 사람에게 그림을 한 줄씩 소리 내어 읽게 합니다. 측정, 송신, 수신 순서입니다.
+# 읽다가 멈추고 "이럴 수는 없는데요"라고 말하는 순간을 기다립니다.
 
 # %% [markdown] lang="en" name="predict-windows" slide="slide"
 # ## Predict: which question gets an answer?
@@ -160,7 +117,7 @@ draw_journeys([
 # The other two edges are bolted on.
 
 # %% [markdown] lang="ko" name="predict-windows" slide="slide"
-# ## 예측: 어느 질문에 답이 나올까요?
+# ## 예측해 봅시다: 어느 조회에서 값이 나올까요?
 #
 # 이 [[buffer|변환 버퍼(buffer)]]에는 `map`에서 `laser_frame`까지의 체인이 들어 있습니다.
 # `map → odom`은 1초에 두 번 오고, 마지막 표본은 14.0초의 것입니다.
@@ -168,6 +125,8 @@ draw_journeys([
 # 나머지 두 연결은 볼트로 고정되어 있습니다.
 
 # %% name="four-edges" slide="-"
+from tf2_ros import Buffer
+
 buffer = Buffer()
 store = buffer.core.set_transform  # the engine inside tf2_ros.Buffer
 for i in range(9):
@@ -182,33 +141,38 @@ for parent, child, step in (
     store(StampedTransform(parent, child, 0, Transform(step)), 'urdf', is_static=True)
 
 # %% name="windows" slide="subslide"
-draw_history(buffer, 'map', 'laser_frame', seconds(12.3))
+lesson.draw_history(buffer, 'map', 'laser_frame', seconds(12.3))
 
 # %% [markdown] lang="en" name="predict-question" slide="fragment"
 # At 12.3 s there is an answer, and it even lies between two samples.
 #
-# **Write down before you go on.** Somebody asks for `map ← laser_frame` at **14.3 s**, and then at **10.6 s**.
+# **Write down before you go on.** (`map ← laser_frame` means: wanted in map, expressed in laser_frame. The arrow is the way of the data.)
+# Somebody asks for the transform `map ← laser_frame` **of 14.3 s**, and then for the one **of 10.6 s**.
 # For each: an answer or an exception? Which exception? Because of which edge?
 #
 # <details><summary>A hint, if you need one</summary>
 #
-# The lanes do not end together. A walk needs every lane at the same moment.
+# The rows do not end together. A walk needs a value of every row for the same moment.
 #
 # </details>
 
 # %% [markdown] lang="ko" name="predict-question" slide="fragment"
-# 12.3초에는 답이 있습니다. 그것도 두 표본 사이에 있는 시각입니다.
+# 12.3초의 값은 나옵니다. 마침 표본과 표본 사이인데도 그렇습니다.
 #
-# **넘어가기 전에 적어 보십시오.** 누군가 `map ← laser_frame`을 **14.3초**에, 그리고 **10.6초**에 묻습니다.
-# 각각 답이 나올까요, 예외가 나올까요? 어떤 예외일까요? 어느 연결 때문일까요?
+# **넘어가기 전에 적어 보세요.** (`map ← laser_frame`처럼 목표 ← 원본으로 적습니다. 데이터가 흐르는 방향입니다.)
+# 누군가 **14.3초의** `map ← laser_frame`을, 이어서 **10.6초의** 것을 조회합니다.
+# 각각 값이 나올까요, 예외가 나올까요? 어떤 예외일까요? 어느 연결 때문일까요?
 #
-# <details><summary>힌트가 필요하면 여십시오</summary>
+# <details><summary>힌트가 필요하면 열어 보세요</summary>
 #
-# 차선들은 같은 시각에 끝나지 않습니다. 경로를 따라가려면 같은 시각에 모든 차선이 있어야 합니다.
+# 줄마다 끝나는 시각이 다릅니다. 경로를 따라가려면 조회한 시각에 모든 줄에 값이 있어야 합니다.
 #
 # </details>
 
 # %% name="ask-three" tags=["predicted"] slide="subslide"
+from rclpy.time import Time
+from tf2_ros import ExtrapolationException, TransformException
+
 for second in (12.3, 14.3, 10.6):
     try:
         buffer.lookup_transform('map', 'laser_frame', Time(seconds=second))
@@ -228,14 +192,14 @@ for second in (12.3, 14.3, 10.6):
 # On a robot, people read "laser_frame", and replace the laser's cable.
 
 # %% [markdown] lang="ko" name="compare-three" tags=["predicted"] slide="-"
-# 적어 둔 것과 비교해 보십시오.
+# 적어 둔 것과 비교해 보세요.
 #
 # 둘 다 [[extrapolation exception|ExtrapolationException(시간 외삽 예외)]]입니다. 경로는 있지만 그 시각의 값이 없고, tf2는 표본 바깥을 절대 짐작하지 않습니다.
 # 14.3초에서는 `map → odom`이 너무 일찍 끝났습니다. 오도메트리에는 14.6초까지 소식이 있었으니, 막은 것은 *위치 추정 노드*입니다.
 # 10.6초에서는 `odom → base_footprint`가 너무 늦게 시작했습니다.
 #
-# 이제 오류문을 다시 보십시오. `laser_frame`과 `map`은 있지만 `odom`도 `base_footprint`도 없습니다.
-# **오류문은 질문의 양 끝을 말할 뿐, 실패한 연결을 말하지 않습니다.**
+# 이제 오류 메시지를 다시 보세요. `laser_frame`과 `map`은 있지만 `odom`도 `base_footprint`도 없습니다.
+# **오류 메시지에는 조회한 두 좌표계의 이름만 나오고, 어느 연결에서 막혔는지는 나오지 않습니다.**
 # 그래서 현장에서는 "laser_frame"을 읽고 레이저 케이블부터 바꿉니다.
 
 # %% [markdown] lang="en" name="compare-three-notes" slide="notes"
@@ -243,13 +207,13 @@ for second in (12.3, 14.3, 10.6):
 # The window of a chain ends where its laziest publisher ends.
 
 # %% [markdown] lang="ko" name="compare-three-notes" slide="notes"
-# 14.3초에서 오도메트리를 탓한 사람이 있는지 물어보십시오. 움직이는 것이 오도메트리라서 흔히 그렇게 추측합니다.
+# 14.3초에서 오도메트리를 탓한 사람이 있는지 묻습니다. 움직이는 것이 오도메트리라서 흔히 그렇게 추측합니다.
 # 체인의 구간은 가장 게으른 발행자가 끝나는 곳에서 끝납니다.
 
 # %% [markdown] lang="en" name="family" slide="slide"
 # ## The idea in a sentence: name, path, moment
 #
-# tf2 asks itself three questions about your question, and the first "no" becomes the exception.
+# First tf2 looks whether your question makes sense; then it asks three things. The first "no" becomes the exception.
 #
 # | tf2 asks | "no" is called | what it means | look first at |
 # | --- | --- | --- | --- |
@@ -265,38 +229,34 @@ for second in (12.3, 14.3, 10.6):
 # %% [markdown] lang="ko" name="family" slide="slide"
 # ## 한 문장으로: 이름, 경로, 시각
 #
-# tf2는 여러분의 질문을 두고 스스로 세 가지를 묻습니다. 처음 나온 "아니요"가 예외가 됩니다.
+# tf2는 먼저 질문이 말이 되는지 보고, 그다음 세 가지를 확인합니다. 처음 나온 "아니요"가 예외가 됩니다.
 #
-# | tf2가 스스로 묻는 것 | "아니요"의 이름 | 의미 | 먼저 볼 곳 |
+# | tf2가 확인하는 것 | "아니요"의 이름 | 의미 | 먼저 볼 곳 |
 # | --- | --- | --- | --- |
 # | 질문이 말이 됩니까? | [[invalid argument exception|InvalidArgumentException(잘못된 인자 예외)]] | 좌표계 이름이 비었거나 `/`로 시작합니다 | 질문하는 코드, `header.frame_id` |
-# | 두 **이름**을 들어 본 적이 있습니까? | [[lookup exception|LookupException(프레임 조회 예외)]] | 이 버퍼가 모르는 이름입니다 | 철자, 발행 노드가 켜져 있는지 |
+# | 두 **이름**을 들어 본 적이 있습니까? | [[lookup exception|LookupException(프레임 조회 예외)]] (프레임 = 좌표계) | 이 버퍼가 모르는 이름입니다 | 철자, 발행 노드가 켜져 있는지 |
 # | **경로**가 있습니까? | [[connectivity exception|ConnectivityException(연결 예외)]] | 두 이름은 알지만 서로 다른 트리에 있습니다 | `view_frames`: 루트가 둘 |
 # | 그 **시각**의 값이 있습니까? | [[extrapolation exception|ExtrapolationException(시간 외삽 예외)]] | 경로는 있지만 그중 한 연결에 그때의 값이 없습니다 | 측정 시각(stamp)과 시계 |
 #
 # 이들의 공통 부모 클래스가 [[transform exception|TransformException]]입니다.
-# 이름, 경로, 시각. 셋 중 무엇이 빠졌는지 말할 수 있으면 절반은 끝난 것입니다.
+# 이름, 경로, 시각. 셋 중에서 무엇이 빠졌는지 말할 수 있으면 절반은 끝난 것입니다.
 # (식구가 하나 더 있습니다. TimeoutException은 *다른* 프로세스에 있는 버퍼가 제때 답하지 않을 때 나옵니다. 이 장에서는 만나지 않습니다.)
 
 # %% [markdown] lang="en" name="numbers" slide="subslide"
-# ### The same in numbers
+# <details><summary>Deeper: the same in numbers</summary>
 #
-# How far outside was it? In tflab an extrapolation carries the numbers beside the text, and the edge that stopped the walk.
+# In tflab an extrapolation carries the numbers beside the text, and the edge that stopped the walk: `error.requested_ns`, `error.bound_ns`, `error.direction`, `error.parent` and `error.frame`.
 # On a robot you get only the text, so you take the numbers from there, and the edge from `view_frames` or `tf2_monitor`.
+#
+# </details>
 
 # %% [markdown] lang="ko" name="numbers" slide="subslide"
-# ### 숫자로
+# <details><summary>더 깊이: 숫자로</summary>
 #
-# 얼마나 벗어났을까요? tflab의 외삽 예외에는 오류문 외에 숫자와, 경로가 막힌 연결이 함께 들어 있습니다.
-# 실제 로봇에서는 오류문만 나오므로 숫자는 오류문에서, 연결은 `view_frames`나 `tf2_monitor`에서 찾습니다.
-
-# %% name="which-edge" slide="-"
-for second in (14.3, 10.6):
-    try:
-        buffer.lookup_transform('map', 'laser_frame', Time(seconds=second))
-    except ExtrapolationException as error:
-        outside_ms = abs(error.requested_ns - error.bound_ns) / 1e6  # tflab only, as are the next two
-        print(f'{second} s: {error.parent} -> {error.frame}, {error.direction}, {outside_ms:.0f} ms outside')
+# tflab의 외삽 예외에는 오류 메시지 외에 숫자와, 경로가 막힌 연결이 함께 들어 있습니다. `error.requested_ns`, `error.bound_ns`, `error.direction`, `error.parent`, `error.frame`입니다.
+# 실제 로봇에서는 오류 메시지만 나오므로 숫자는 메시지에서, 연결은 `view_frames`나 `tf2_monitor`에서 찾습니다.
+#
+# </details>
 
 # %% [markdown] lang="en" name="worked" slide="slide"
 # ## A worked example: reading one line
@@ -315,11 +275,15 @@ for second in (14.3, 10.6):
 #
 # Five questions, one line. With a little practice it takes ten seconds.
 #
-# And two cautions. If several edges end too early, the text tells of only one: in a question to the root, such as `map`, the one met first on the way up from the source. There may be a lazier one behind it.
+# <details><summary>Deeper: two cautions</summary>
+#
+# If several edges end too early, the text tells of only one: in a question to the root, such as `map`, the one met first on the way up from the source. There may be a lazier one behind it.
 # In a question below the root, such as `odom ← base_footprint`, tf2 may even climb past the goal, and give the time of `map → odom`, which is not on the way at all. The releases of March 2026 mend that (ros2/geometry2 #832); tflab answers as those before.
+#
+# </details>
 
 # %% [markdown] lang="ko" name="worked" slide="slide"
-# ## 풀이 예제: 오류문 한 줄 읽기
+# ## 예제: 오류 메시지 한 줄 읽기
 #
 # ```text
 # Lookup would require extrapolation into the future.  Requested time 14.300000
@@ -327,16 +291,20 @@ for second in (14.3, 10.6):
 # when looking up transform from frame [laser_frame] to frame [map]
 # ```
 #
-# 1. **어떤 종류입니까?** "into the future": 물어본 시각이 어느 연결이 가진 모든 표본보다 뒤입니다.
-# 2. **누구의 시각입니까?** "Requested time 14.300000"은 *질문한 쪽*이 가져온 시각입니다. 대개 메시지의 `header.stamp`입니다.
-# 3. **얼마나 벗어났습니까?** 14.3 − 14.0 = 0.3초입니다.
-# 4. **어떤 데이터를 어느 좌표계에서 보려 합니까?** "from frame [laser_frame] to frame [map]": `laser_frame` 기준 데이터를 `map` 기준으로 보려 합니다. 03장의 그 문장이며, 어느 이름도 범인으로 지목된 것이 아닙니다.
-# 5. **어느 연결입니까?** 경로 위에서 *최신* 표본이 14.000000인 연결입니다. 그 숫자를 찾으면 `map → odom`입니다.
+# 1. **어떤 종류일까요?** "into the future": 요청 시각이 어느 연결의 모든 표본보다 늦습니다.
+# 2. **누구의 시각일까요?** "Requested time 14.300000"은 *조회한 쪽*이 준 요청 시각입니다. 대개 메시지의 `header.stamp`입니다.
+# 3. **얼마나 벗어났을까요?** 14.3 − 14.0 = 0.3초입니다.
+# 4. **어떤 데이터를 어느 좌표계 기준으로 보려 했을까요?** "from frame [laser_frame] to frame [map]": `laser_frame` 기준 데이터를 `map` 기준으로 보려 합니다. 03장의 그 문장이며, 어느 이름도 범인으로 지목된 것이 아닙니다.
+# 5. **어느 연결일까요?** 경로 위에서 *최신* 표본이 14.000000인 연결입니다. 그 숫자를 찾으면 `map → odom`입니다.
 #
 # 한 줄에 다섯 질문입니다. 조금만 연습하면 10초면 됩니다.
 #
-# 두 가지를 조심하십시오. 여러 연결이 일찍 끝났어도 오류문은 하나만 말합니다. `map` 같은 루트로 물었다면 원본에서 올라가며 처음 만난 연결입니다. 그 뒤에 더 게으른 연결이 있을 수 있습니다.
-# `odom ← base_footprint`처럼 루트 아래에서 물으면 tf2가 목표를 지나쳐 더 올라가, 경로에 있지도 않은 `map → odom`의 시각을 말하기도 합니다. 2026년 3월 릴리스에서 고쳐졌고(ros2/geometry2 #832), tflab은 그 이전처럼 답합니다.
+# <details><summary>더 깊이: 두 가지 주의</summary>
+#
+# 여러 연결이 일찍 끝났어도 오류 메시지에는 하나만 나옵니다. 목표가 `map` 같은 루트라면, 원본에서 올라가며 처음 막힌 연결이 나옵니다. 그 뒤에 더 게으른 연결이 있을 수 있습니다.
+# `odom ← base_footprint`처럼 목표가 루트 아래에 있으면 tf2가 목표를 지나쳐 더 올라가, 경로에 있지도 않은 `map → odom`의 시각이 나오기도 합니다. 2026년 3월 릴리스에서 고쳐졌고(ros2/geometry2 #832), tflab은 그 이전과 같습니다.
+#
+# </details>
 
 # %% [markdown] lang="en" name="faded" slide="subslide"
 # ## Your turn, with two blanks
@@ -346,7 +314,7 @@ for second in (14.3, 10.6):
 # %% [markdown] lang="ko" name="faded" slide="subslide"
 # ## 빈칸 두 개를 채워 보십시오
 #
-# 이번에는 다른 줄입니다. 빈칸 두 개를 채우고 셀을 실행하십시오.
+# 이번에는 다른 줄입니다. 빈칸 두 개를 채우고 셀을 실행해 보세요.
 
 # %% name="two-blanks" slide="-"
 # ... into the past.  Requested time 10.600000 but the earliest data is at time 11.000000,
@@ -355,7 +323,7 @@ outside_s = ...  # how far outside [s]
 stopped_at = ...  # the child frame of the edge that begins at that time, as a str
 
 if ... in (outside_s, stopped_at):
-    print('two blanks to fill')
+    print('2 blanks')
 else:
     print('how far:', 'yes' if abs(outside_s - 0.4) < 1e-6 else 'not yet: requested and earliest, subtracted')
     print('where:', 'yes' if stopped_at == 'base_footprint' else 'not yet: which lane begins at 11.0?')
@@ -363,49 +331,31 @@ else:
 # %% [markdown] lang="en" name="slider" slide="slide"
 # ## Drag the query out of the buffer
 #
-# Move the query past either end, slowly. Watch three things: where it begins to fail, which number in the text stays the same, and what LATEST means.
+# Move the query past either end, slowly. Watch three things: where it begins to fail, which number in the text stays the same, and what LATEST means. The boundary is sharp: 14.000000000 s has an answer, a nanosecond later has none.
 
 # %% [markdown] lang="ko" name="slider" slide="slide"
-# ## 질문을 버퍼 밖으로 끌어 보십시오
+# ## 요청 시각을 버퍼 밖으로 끌어 봅시다
 #
-# 질문 시각을 양쪽 끝 너머로 천천히 옮겨 보십시오. 세 가지를 보십시오. 어디서부터 실패하는지, 오류문에서 변하지 않는 숫자는 무엇인지, LATEST는 무엇을 뜻하는지입니다.
+# 요청 시각을 양쪽 끝 너머로 천천히 옮겨 보세요. 어디서부터 실패하는지, 오류 메시지에서 변하지 않는 숫자는 무엇인지, LATEST는 무엇을 뜻하는지 살펴보세요. 경계는 칼같습니다. 14.000000000초의 값은 나오지만 1나노초만 늦어도 나오지 않습니다.
 
 # %% name="slider-panel" tags=["interactive"] slide="-"
-lanes = draw_history(buffer, 'map', 'laser_frame').timeline.lanes
-timeline_panel('map', 'laser_frame', lanes, buffer.core.lookup_transform)
+lanes = lesson.draw_history(buffer, 'map', 'laser_frame').timeline.lanes
+lesson.timeline_panel('map', 'laser_frame', lanes, buffer.core.lookup_transform)
 
 # %% name="slider-still" slide="skip"
-draw_history(buffer, 'map', 'laser_frame', seconds(14.3))
-
-# %% [markdown] lang="en" name="try-edge" slide="skip"
-# ### Try it
-#
-# Ask for exactly 14.0 s, and then for one nanosecond more. The boundary is sharp: there is no "about".
-
-# %% [markdown] lang="ko" name="try-edge" slide="skip"
-# ### 해 보기
-#
-# 정확히 14.0초를 묻고, 이어서 1나노초 뒤를 물어보십시오. 경계는 칼같습니다. "대략"은 없습니다.
-
-# %% name="one-nanosecond" slide="skip"
-for stamp_ns in (14_000_000_000, 14_000_000_001):
-    answered = buffer.can_transform('map', 'laser_frame', Time(nanoseconds=stamp_ns))
-    print(stamp_ns, 'an answer' if answered else 'no answer')
+lesson.draw_history(buffer, 'map', 'laser_frame', seconds(14.3))
 
 # %% [markdown] lang="en" name="break-it" slide="slide"
 # ## Break it, one by one
 #
 # Now meet each "no" on purpose, while nothing is at stake. The red texts are those of a robot, to the letter.
-# (On a robot a traceback stands above them. The next line leaves it out: what counts is the **last** line. `%xmode Context` brings it back.)
+# (On a robot a traceback stands above them. `%xmode Minimal` leaves it out: what counts is the **last** line. `%xmode Context` brings it back.)
 
 # %% [markdown] lang="ko" name="break-it" slide="slide"
-# ## 하나씩 일부러 망가뜨리기
+# ## 일부러 고장 내기: 하나씩
 #
-# 잃을 것이 없는 지금, "아니요"를 하나씩 일부러 만나 봅시다. 빨간 글은 실제 로봇의 것과 글자까지 같습니다.
-# (로봇에서는 그 위에 traceback이 길게 나옵니다. 아래 줄은 그것을 생략합니다. 중요한 것은 **마지막** 줄입니다. `%xmode Context`라고 쓰면 다시 나옵니다.)
-
-# %% name="short-errors" slide="-"
-# %xmode Minimal
+# 잃을 것이 없는 지금, "아니요"를 하나씩 일부러 만나 봅시다. 빨간 글씨는 실제 로봇에서 나오는 것과 한 글자도 다르지 않습니다.
+# (로봇에서는 그 위에 traceback이 길게 나옵니다. `%xmode Minimal`은 그 부분을 생략합니다. 중요한 것은 **마지막** 줄입니다. `%xmode Context`라고 쓰면 다시 나옵니다.)
 
 # %% [markdown] lang="en" name="break-lookup-why" slide="subslide"
 # ### A name that nobody has said
@@ -414,6 +364,7 @@ for stamp_ns in (14_000_000_000, 14_000_000_001):
 # ### 아무도 말한 적 없는 이름
 
 # %% name="break-lookup" tags=["raises-exception"] slide="-"
+# %xmode Minimal
 buffer.lookup_transform('map', 'laser_fame', Time())
 
 # %% [markdown] lang="en" name="lookup-read" slide="-"
@@ -423,10 +374,10 @@ buffer.lookup_transform('map', 'laser_fame', Time())
 # So a [[lookup exception|LookupException]] is a typo *or* a question that came too early.
 
 # %% [markdown] lang="ko" name="lookup-read" slide="-"
-# 어느 인자의 어느 이름인지 알려 줍니다. 버퍼가 그러듯이 이름을 한 글자씩 읽으십시오. (여기서는 frame의 r이 빠졌습니다.)
+# 어느 인자의 어느 이름인지 알려 줍니다. 버퍼가 그러듯이 이름을 한 글자씩 읽어 보세요. (여기서는 frame의 r이 빠졌습니다.)
 #
-# 노드를 켠 뒤 처음 1초 동안에도 같은 예외가 나옵니다. 이름은 맞지만 발행자가 아직 말을 꺼내지 않은 것입니다.
-# 그래서 [[lookup exception|LookupException(프레임 조회 예외)]]은 오타일 수도 있고, 너무 이른 질문일 수도 있습니다.
+# 노드를 켠 뒤 처음 1초 동안에도 같은 예외가 나옵니다. 이름은 맞지만 발행자가 아직 아무것도 발행하지 않은 것입니다.
+# 그래서 [[lookup exception|LookupException(프레임 조회 예외)]]은 오타일 수도 있고, 너무 일찍 조회한 것일 수도 있습니다.
 
 # %% [markdown] lang="en" name="header-why" slide="subslide"
 # ### A name that you never typed
@@ -436,6 +387,7 @@ buffer.lookup_transform('map', 'laser_fame', Time())
 
 # %% name="break-header" tags=["raises-exception"] slide="-"
 import tf2_geometry_msgs
+from geometry_msgs.msg import PointStamped
 
 corner = PointStamped()
 corner.header.frame_id = 'Laser_frame'  # some driver wrote this, far away
@@ -445,12 +397,12 @@ buffer.transform(corner, 'map')
 # %% [markdown] lang="en" name="header-read" slide="-"
 # You typed `map` only. The other name came with the message: `transform()` takes source and stamp from its header.
 # **An exception may name a frame that you never asked about, because something asked for you**: a header, RViz's Fixed Frame, a costmap's parameter.
-# Names are compared letter by letter, so `Laser_frame` is nobody.
+# Names are compared letter by letter, so there is no `Laser_frame`.
 
 # %% [markdown] lang="ko" name="header-read" slide="-"
 # 여러분이 입력한 것은 `map`뿐입니다. 다른 이름은 메시지를 타고 왔습니다. `transform()`은 원본과 시각을 헤더에서 가져옵니다.
-# **묻지 않은 좌표계가 예외에 나온다면, 무언가가 대신 물은 것입니다.** 메시지 헤더, RViz의 Fixed Frame, 코스트맵 파라미터가 그렇습니다.
-# 이름은 글자 단위로 비교하므로 `Laser_frame`은 아무도 아닙니다.
+# **조회하지 않은 좌표계가 예외에 나온다면, 무언가가 대신 조회한 것입니다.** 메시지 헤더, RViz의 Fixed Frame, 코스트맵 파라미터가 그렇습니다.
+# 이름은 글자 단위로 비교하므로 `Laser_frame`이라는 좌표계는 없습니다.
 
 # %% [markdown] lang="en" name="connectivity-why" slide="subslide"
 # ### A typo in the middle of the tree
@@ -471,11 +423,11 @@ buffer.lookup_transform('map', 'camera_link', Time())
 # So do not stare at the names in a [[connectivity exception|ConnectivityException]]: look at the **roots**. There are two, and one of them has a funny name.
 
 # %% [markdown] lang="ko" name="connectivity-read" slide="-"
-# 두 이름 모두 알려져 있고 철자도 맞습니다. 오류문 어디에도 오타가 없습니다.
-# 그러니 [[connectivity exception|ConnectivityException(연결 예외)]]에서는 이름을 노려보지 말고 **루트**를 보십시오. 루트가 둘이고, 그중 하나의 이름이 이상합니다.
+# 두 이름 모두 알려져 있고 철자도 맞습니다. 오류 메시지 어디에도 오타가 없습니다.
+# 따라서 [[connectivity exception|ConnectivityException(연결 예외)]]에서는 이름을 노려보지 말고 **루트**를 보십시오. 루트가 둘이고, 그중 하나의 이름이 이상합니다.
 
 # %% name="two-roots" slide="-"
-print(buffer.core.snapshot().roots)
+print('roots:', *buffer.core.snapshot().roots)
 
 # %% [markdown] lang="en" name="one-sample" slide="subslide"
 # ### One sample is not enough
@@ -484,9 +436,9 @@ print(buffer.core.snapshot().roots)
 # It comes after a restart, for a joint that was published once, or for a static edge that went to `/tf` by mistake.
 
 # %% [markdown] lang="ko" name="one-sample" slide="subslide"
-# ### 표본 하나로는 모자랍니다
+# ### 표본 하나로는 부족합니다
 #
-# [[extrapolation exception|ExtrapolationException(시간 외삽 예외)]]의 오류문은 세 가지입니다. "future"와 "past"는 이미 보았습니다. 세 번째는 변환을 딱 한 번만 들은 연결에서 나옵니다.
+# [[extrapolation exception|ExtrapolationException(시간 외삽 예외)]]의 오류 메시지는 세 가지입니다. "future"와 "past"는 이미 보았습니다. 세 번째는 변환을 딱 한 번만 들은 연결에서 나옵니다.
 # 재시작 직후이거나, 관절 값을 한 번만 발행했거나, 정적 연결을 실수로 `/tf`에 보냈을 때 나옵니다.
 
 # %% name="break-one-sample" tags=["raises-exception"] slide="-"
@@ -499,9 +451,9 @@ buffer.lookup_transform('base_link', 'tool0', Time(seconds=12.3))
 # And `base_link → laser_frame`, whose stamp is 0? It answers for any time. **An old stamp on a static edge is not a fault**, and people have hunted it for days.
 
 # %% [markdown] lang="ko" name="statics" slide="-"
-# `Time()`으로 묻거나 그 표본의 시각을 그대로 물으면 하나로도 답합니다. 그래서 `Time()`으로 묻는 `tf2_echo`에서는 멀쩡해 보이고, 여러분의 노드에서는 실패합니다.
+# `Time()`이나 그 표본의 시각을 그대로 조회하면 표본 하나로도 답이 나옵니다. 그래서 `Time()`으로 조회하는 `tf2_echo`에서는 멀쩡해 보이고, 여러분의 노드에서는 실패합니다.
 #
-# 그렇다면 시각이 0인 `base_link → laser_frame`은 어떨까요? 어느 시각에나 답합니다. **정적 연결의 오래된 시각은 결함이 아닙니다.** 그것을 며칠씩 쫓은 사람도 있습니다.
+# 그렇다면 시각이 0인 `base_link → laser_frame`은 어떨까요? 어느 시각에나 답합니다. **정적 연결의 오래된 시각은 결함이 아닙니다.** 이 시각을 며칠씩 쫓은 사람도 있습니다.
 
 # %% [markdown] lang="en" name="argument-why" slide="subslide"
 # ### A question that is none
@@ -523,13 +475,13 @@ buffer.lookup_transform('/map', 'laser_frame', Time())
 # %% [markdown] lang="en" name="order" slide="subslide"
 # ### Predict: two faults at once
 #
-# `camera_link` hangs in a tree of its own (the typo is still there). Now ask for `camera_link ← odom` at 99 s, long after the newest sample.
+# `camera_link` hangs in a tree of its own (the typo is still there). Now ask for `camera_link ← odom` of 99 s, long after the newest sample.
 # No path *and* no data. Which exception do you expect?
 
 # %% [markdown] lang="ko" name="order" slide="subslide"
-# ### 예측: 두 결함이 한꺼번에
+# ### 예측해 봅시다: 두 결함이 한꺼번에
 #
-# `camera_link`는 여전히 별도의 트리에 매달려 있습니다(오타가 그대로 있습니다). 이제 최신 표본보다 한참 뒤인 99초에 `camera_link ← odom`을 묻습니다.
+# `camera_link`는 여전히 별도의 트리에 매달려 있습니다(오타가 그대로 있습니다). 이제 최신 표본보다 한참 늦은 99초 시점의 `camera_link ← odom`을 조회합니다.
 # 경로도 없고 데이터도 없습니다. 어떤 예외가 나올까요?
 
 # %% name="two-faults" tags=["predicted"] slide="fragment"
@@ -551,35 +503,38 @@ for when in (Time(seconds=99), Time()):
 # 원본 쪽에서 올라가다 99초의 값이 없는 `map → odom`을 만나 그 사실을 기억해 둡니다. 반대쪽이 다른 곳에서 끝난다는 것은 그다음에야 알게 됩니다.
 # 그래서 먼저 찾은 시각 문제를 보고합니다.
 #
-# 외삽 예외가 이해되지 않으면 최신을 뜻하는 `Time()`으로 한 번 더 물어보십시오. *그때* "not part of the same tree"가 나오면 엉뚱한 결함을 쫓고 있던 것입니다.
+# 외삽 예외가 이해되지 않으면 최신을 뜻하는 `Time()`으로 한 번 더 조회해 보십시오. *그때* "not part of the same tree"가 나오면 엉뚱한 결함을 쫓고 있던 것입니다.
 
 # %% [markdown] lang="en" name="order-notes" slide="notes"
 # This is the one subtle point of the first half. If time is short, say only the last sentence: ask once more with Time().
 
 # %% [markdown] lang="ko" name="order-notes" slide="notes"
-# 전반부에서 유일하게 까다로운 대목입니다. 시간이 없으면 마지막 문장만 말하십시오. Time()으로 한 번 더 묻습니다.
+# 전반부에서 유일하게 까다로운 대목입니다. 시간이 없으면 마지막 문장만 말합니다. Time()으로 한 번 더 조회합니다.
 
 # %% [markdown] lang="en" name="handler" slide="slide"
 # ## Four exceptions, four actions
 #
-# An exception is not a log line. It is a decision: a different kind of "no" wants a different action.
+# An exception is no log line to be passed by, but a decision: a different kind of "no" wants a different action.
 
 # %% [markdown] lang="ko" name="handler" slide="slide"
 # ## 네 가지 예외, 네 가지 행동
 #
-# 예외는 로그 한 줄이 아니라 결정입니다. "아니요"의 종류가 다르면 할 일도 다릅니다.
+# 예외가 나면 로그 한 줄로 끝내지 말고, 무엇을 할지 정해야 합니다. "아니요"의 종류가 다르면 할 일도 다릅니다.
 
 # %% name="handler-code" slide="-"
+from tf2_ros import ConnectivityException, LookupException
+
+
 def answer_or_advice(target, source, stamp):
     try:
         buffer.lookup_transform(target, source, stamp)
         return 'use it'
     except LookupException:
-        return 'check the name, and whether its publisher runs'
+        return 'check the name'
     except ConnectivityException:
-        return 'check the tree: an edge is missing'
-    except ExtrapolationException as error:  # Python has one class; the direction is in the text
-        return 'wait a little' if 'into the future' in str(error) else 'drop this message'
+        return 'check the tree'
+    except ExtrapolationException as error:  # the direction is in the text
+        return 'wait' if 'into the future' in str(error) else 'drop'
     except TransformException:  # the base class comes last
         return 'fix the question'
 
@@ -592,7 +547,7 @@ for target, source, second in (
     print(f'{target:>5} <- {source:<12} at {second}: {advice}')
 
 # %% [markdown] lang="en" name="handler-traps" slide="-"
-# Wait a moment: `map ← camera_link` has *no path*, and it was asked at 12.3 s, where there is data. So here the path is what is reported. Good.
+# Wait a moment: `map ← camera_link` has *no path*, and it was asked of 12.3 s, where there is data. So here the path is what is reported. Good.
 #
 # Two traps:
 #
@@ -600,12 +555,12 @@ for target, source, second in (
 # - **Not everything is a `TransformException`.** Forget `import tf2_geometry_msgs`, and `transform()` raises a `TypeException`, which walks past every branch above (chapter 08). That is right: it is a fault of the program, not of the robot.
 
 # %% [markdown] lang="ko" name="handler-traps" slide="-"
-# 잠깐, `map ← camera_link`는 *경로가 없고*, 데이터가 있는 12.3초에 물었습니다. 그래서 이번에는 경로 문제가 보고됩니다. 좋습니다.
+# 잠깐, `map ← camera_link`는 *경로가 없고*, 데이터가 있는 12.3초의 것을 조회했습니다. 그래서 이번에는 경로 문제가 보고됩니다. 좋습니다. (출력 읽기: use it = 사용, check the name = 이름 확인, check the tree = 트리 확인, wait = 조금 기다림, drop = 버림, fix the question = 코드 수정)
 #
 # 함정이 두 가지 있습니다.
 #
-# - **부모 클래스를 먼저 쓰는 것.** `except TransformException`을 맨 위에 두면 나머지에는 영영 도달하지 못합니다. 파이썬은 맞는 첫 분기를 택합니다.
-# - **모두가 `TransformException`은 아닙니다.** `import tf2_geometry_msgs`를 빠뜨리면 `transform()`은 `TypeException`을 일으키고, 이것은 위의 모든 분기를 지나쳐 갑니다(08장). 그것이 맞습니다. 로봇이 아니라 프로그램의 결함이기 때문입니다.
+# - **부모 클래스를 먼저 쓰는 것.** `except TransformException`을 맨 위에 두면 나머지에는 영영 도달하지 못합니다. 파이썬은 조건에 맞는 분기 중에서 맨 위의 것을 택합니다.
+# - **모두가 `TransformException`은 아닙니다.** `import tf2_geometry_msgs`를 빠뜨리면 `transform()`은 `TypeException`을 일으키고, 이것은 위의 모든 분기를 지나쳐 갑니다(08장). 그래야 합니다. 로봇이 아니라 프로그램의 결함이기 때문입니다.
 
 # %% [markdown] lang="en" name="future-past" slide="slide"
 # ## Future and past: what is behind them
@@ -638,37 +593,53 @@ for target, source, second in (
 #        [--------------]   x    미래 외삽
 # ```
 #
-# | x: 물어본 시각 | 흔한 원인 | 기다려도 해결되지 않는 원인 |
+# | x: 요청 시각 | 흔한 원인 | 기다려도 해결되지 않는 원인 |
 # | --- | --- | --- |
-# | **미래**: 최신 표본보다 뒤 | 변환이 오는 중입니다. 발행이 느립니다(10 Hz면 최대 100 ms) | 센서 시계가 빠릅니다. 발행자 시계가 느립니다. 발행자가 죽었습니다 |
-# | **과거**: 가장 오래된 표본보다 앞 | TF가 시작되기 전의 메시지입니다. 처리 시간이 버퍼의 기억보다 깁니다 | 센서 시계가 느립니다. 백의 옛 시각을 오늘의 TF에 물었습니다 |
+# | **미래**: 최신 표본보다 늦은 시각 | 변환이 오는 중입니다. 발행이 느립니다(10 Hz면 최대 100 ms) | 센서 시계가 빠릅니다. 발행자 시계가 느립니다. 발행자가 죽었습니다 |
+# | **과거**: 가장 오래된 표본보다 이른 시각 | TF가 시작되기 전의 메시지입니다. 처리 시간이 버퍼의 기억보다 깁니다 | 센서 시계가 느립니다. bag 파일에 기록된 옛 시각으로 오늘의 TF를 조회했습니다 |
 #
-# 네트워크를 떠올리기 전에 오류문의 두 시각부터 빼 보십시오.
-# 1763690412초와 30초가 맞서 있다면 느린 것은 없습니다. 한 노드는 1970년부터, 다른 노드는 시뮬레이션이나 백의 시작부터 셉니다. 어느 쪽인지는 파라미터 `use_sim_time`이 정하고, 모든 노드에서 같아야 합니다.
+# 네트워크를 떠올리기 전에 오류 메시지의 두 시각부터 빼 보세요.
+# 1763690412초와 30초가 나란히 나온다면, 늦은 것이 아니라 시계가 다른 것입니다. 한 노드는 1970년부터, 다른 노드는 시뮬레이션이나 bag의 시작부터 셉니다. 어느 쪽인지는 파라미터 `use_sim_time`이 정하고, 모든 노드에서 같아야 합니다.
 #
 # 과거라면 기다림은 정의상 소용이 없습니다. 지나간 데이터는 돌아오지 않습니다.
 # 미래라면 기다림이 도움이 될 *수도* 있습니다. 이 장의 나머지는 그 "수도"에 관한 이야기입니다.
 
 # %% [markdown] lang="en" name="short-memory" slide="subslide"
-# ### A past that was there, and is gone
+# <details><summary>Deeper: a past that was there, and is gone</summary>
 #
 # You met it in chapter 08: a detector thinks for four seconds, its buffer remembers two. The transform it asks for *was* there, when the picture was taken.
 # The cure is in the constructor: `Buffer(cache_time=Duration(seconds=20))`. Ten seconds is what you get if you say nothing.
 # But ask first whether a robot should act on a picture that is four seconds old. We come back to that.
+#
+# </details>
 
 # %% [markdown] lang="ko" name="short-memory" slide="subslide"
-# ### 있었지만 사라진 과거
+# <details><summary>더 깊이: 있었지만 사라진 과거</summary>
 #
 # 08장에서 만난 일입니다. 검출기는 4초 동안 계산하는데 버퍼는 2초를 기억합니다. 영상을 찍었을 때는 필요한 변환이 분명히 *있었습니다*.
-# 고칠 곳은 생성자입니다. `Buffer(cache_time=Duration(seconds=20))`이라고 씁니다. 아무 말도 하지 않으면 10초입니다.
-# 다만 4초 전의 영상을 보고 로봇이 움직여도 되는지부터 물으십시오. 이 이야기는 뒤에서 다시 합니다.
+# 고칠 곳은 생성자입니다. `Buffer(cache_time=Duration(seconds=20))`이라고 씁니다. 따로 정하지 않으면 10초입니다.
+# 다만 4초 전의 영상을 보고 로봇이 움직여도 되는지부터 따져 보십시오. 이 이야기는 뒤에서 다시 합니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="rest" slide="slide"
+# ---
+#
+# **A rest.** Here ends the first sitting: you can read what tf2 says. Do E9.1 to E9.3 of the [exercises](../../exercises/en/09_exceptions_and_waiting.ipynb) now, if you like.
+# The second sitting takes 45 minutes and needs nothing of the first but what you know: coming back another day, run the cell at the top of this page, and go on here.
+
+# %% [markdown] lang="ko" name="rest" slide="slide"
+# ---
+#
+# **쉬어 갑시다.** 첫 번째 시간은 여기까지입니다. 이제 tf2의 메시지를 읽을 수 있습니다. 원한다면 지금 [연습 문제](../../exercises/ko/09_exceptions_and_waiting.ipynb)의 E9.1부터 E9.3까지 풀어 보세요.
+# 두 번째 시간은 약 45분이고, 첫 번째 시간의 코드는 필요 없습니다. 다른 날 이어서 볼 때는 이 페이지 맨 위의 셀만 실행하고 여기서 이어 가면 됩니다.
 
 # %% [markdown] lang="en" name="late-or-wrong" slide="slide"
 # ## Late, or wrong?
 #
 # Two robots. On robot A, the Wi-Fi hiccups at 3 s, and every transform takes 0.2 to 0.4 s to arrive. On robot B, at 3 s the laser's computer sets its clock 0.3 s too fast.
 #
-# The node below watches one number: the **gap**, which is the stamp of a scan minus the newest moment that TF can answer.
+# A node watches one number: the **gap**, which is the stamp of a scan minus the newest moment that TF can answer (`buffer.get_latest_common_time`).
 # A positive gap is an extrapolation into the future.
 
 # %% [markdown] lang="ko" name="late-or-wrong" slide="slide"
@@ -676,48 +647,26 @@ for target, source, second in (
 #
 # 로봇이 두 대 있습니다. 로봇 A에서는 3초에 Wi-Fi가 잠시 버벅거려 변환이 도착하는 데 0.2~0.4초가 걸립니다. 로봇 B에서는 3초에 레이저 컴퓨터의 시계가 0.3초 빠르게 맞춰집니다.
 #
-# 아래 노드는 숫자 하나를 지켜봅니다. **간격(gap)**, 곧 스캔의 시각에서 TF가 답할 수 있는 최신 시각을 뺀 값입니다.
+# 노드가 숫자 하나를 지켜봅니다. **간격(gap)**, 즉 스캔의 측정 시각에서 TF가 답할 수 있는 최신 시각(`buffer.get_latest_common_time`)을 뺀 값입니다.
 # 간격이 양수이면 미래 외삽입니다.
 
-# %% name="gap-node" slide="subslide"
-class GapWatcher(Node):
-    def __init__(self):
-        super().__init__('gap_watcher')
-        self.buffer = Buffer()
-        self.listener = TransformListener(self.buffer, self)
-        self.times, self.gaps = [], []
-        self.create_subscription(LaserScan, 'scan', self.on_scan, qos_profile_sensor_data)
-
-    def on_scan(self, scan):
-        stamp = Time.from_msg(scan.header.stamp)
-        newest = self.buffer.get_latest_common_time('map', scan.header.frame_id)
-        self.times.append(self.get_clock().now().nanoseconds / 1e9)
-        self.gaps.append((stamp.nanoseconds - newest.nanoseconds) / 1e9)
-
-# %% name="watch" slide="-"
-def watch(node_class, executor_class=None):
-    rclpy.init()
-    nodes.append(node_class())
-    rclpy.spin(nodes[-1], executor=executor_class() if executor_class else None)
-
-
-nodes = []  # so that we can look at them from outside
-
 # %% name="robot-a" slide="subslide"
-graph = new_graph()  # a fresh robot; its clock stands at 1 s
-launch(graph)
-graph.start(watch, GapWatcher)
-graph.run(seconds=2)
+from rclpy.duration import Duration
+from rclpy.time import Time
+from tf2_ros import TransformException
+
+graph = lesson.new_graph()  # a fresh robot; its clock stands at 1 s
+lesson.launch(graph)
+robot_a = lesson.run_node(lesson.GapWatcher, 2.0)
 graph.disturb('/tf', delay=0.2, jitter=0.2, seed=1)  # the Wi-Fi hiccups ...
 graph.run(seconds=1.5)
 graph.disturb('/tf')  # ... and recovers
 graph.run(seconds=2.5)
 
 # %% name="robot-b" slide="-"
-graph = new_graph()
-launch(graph)
-graph.start(watch, GapWatcher)
-graph.run(seconds=2)
+graph = lesson.new_graph()
+lesson.launch(graph)
+robot_b = lesson.run_node(lesson.GapWatcher, 2.0)
 graph.set_clock_offset('laser_driver', 0.3)  # somebody "sets the clock"
 graph.run(seconds=4)
 
@@ -729,31 +678,25 @@ graph.run(seconds=4)
 # %% [markdown] lang="ko" name="first-second" slide="subslide"
 # 두 로봇을 나란히 그렸습니다. 다만 문제가 생긴 뒤 1초까지만입니다.
 #
-# **예측해 보십시오.** 여러분의 노드는 최대 0.1초를 기다립니다. 둘 중 어느 로봇이 저절로 나아질까요? 이 그림만 가지고 알 수 있을까요?
+# **예측해 봅시다.** 여러분의 노드는 최대 0.1초를 기다립니다. 둘 중 어느 로봇이 저절로 나아질까요? 이 그림만 가지고 알 수 있을까요? (그림 읽기: gap = 간격, limit = 기다리는 한도)
 
 # %% name="two-gaps-first" slide="-"
-def gap_curve(name, node, until_s):
-    seen = [(time, gap) for time, gap in zip(node.times, node.gaps, strict=True) if time <= until_s]
-    return Curve(name, *zip(*seen, strict=True))
-
-
-robot_a, robot_b = nodes
-draw_ages([gap_curve('robot A', robot_a, 4.0), gap_curve('robot B', robot_b, 4.0)], 'gap', limit_s=0.1)
+lesson.draw_ages([robot_a.curve('robot A', 4.0), robot_b.curve('robot B', 4.0)], 'gap', limit_s=0.1)
 
 # %% [markdown] lang="en" name="late-notes" slide="notes"
 # Show the first second only, and let them argue. There is no right answer yet, and that is the point.
 
 # %% [markdown] lang="ko" name="late-notes" slide="notes"
-# 처음 1초만 보여 주고 토론하게 하십시오. 아직 정답이 없다는 것이 요점입니다.
+# 처음 1초만 보여 주고 토론하게 합니다. 아직 정답이 없다는 것이 요점입니다.
 
 # %% [markdown] lang="en" name="whole-story" slide="subslide"
-# For a second they look alike: both ask about 0.3 s ahead of what TF knows. Now the whole story.
+# For a second they look alike: both ask for a moment about 0.3 s later than what TF knows. Now the whole story.
 
 # %% [markdown] lang="ko" name="whole-story" slide="subslide"
-# 처음 1초 동안은 똑같아 보입니다. 둘 다 TF가 아는 것보다 약 0.3초 앞을 묻습니다. 이제 전체를 봅시다.
+# 처음 1초 동안은 똑같아 보입니다. 둘 다 TF가 아는 것보다 약 0.3초 늦은(미래의) 시각의 변환을 조회합니다. 이제 전체를 봅시다.
 
 # %% name="two-gaps" tags=["predicted"] slide="-"
-draw_ages([gap_curve('robot A', robot_a, 7.0), gap_curve('robot B', robot_b, 7.0)], 'gap', limit_s=0.1)
+lesson.draw_ages([robot_a.curve('robot A', 7.0), robot_b.curve('robot B', 7.0)], 'gap', limit_s=0.1)
 
 # %% [markdown] lang="en" name="two-gaps-read" tags=["predicted"] slide="subslide"
 # A comes back. B never does: a clock that is wrong stays wrong, and each new scan brings the same gap along.
@@ -766,12 +709,12 @@ draw_ages([gap_curve('robot A', robot_a, 7.0), gap_curve('robot B', robot_b, 7.0
 
 # %% [markdown] lang="ko" name="two-gaps-read" tags=["predicted"] slide="subslide"
 # A는 돌아옵니다. B는 끝내 돌아오지 않습니다. 틀린 시계는 계속 틀리고, 새 스캔마다 같은 간격을 달고 옵니다.
-# (3.1초에서 B의 선이 살짝 꺾인 것도 실제로 일어나는 일입니다. 시계가 앞으로 뛰면 타이머도 일찍 울립니다.)
+# (3.1초에서 B의 선이 살짝 꺾인 것도 실제로 일어나는 일입니다. 시계가 갑자기 빨라지면 타이머도 일찍 울립니다.)
 #
-# - **늦음은 지나가고, 떨립니다**(A의 흔들림을 보십시오). 기다리면 건널 수 있습니다.
+# - **늦는 것은 한때이고, 값이 흔들립니다**(A의 흔들림을 보세요). 잠깐 기다리면 해결됩니다.
 # - **[[clock offset|시계 차이(clock offset)]]는 사라지지 않고, 매끈합니다.** 기다려도 줄지 않습니다.
 #
-# 하지만 두고 볼 필요도 없습니다. 도구 하나로 바로 가려집니다. `ros2 topic delay`는 *내가 들은 시각*에서 *그 안에 적힌 시각*을 뺀 값을 보여 줍니다. 아직 달리고 있는 로봇 B입니다.
+# 하지만 두고 볼 필요도 없습니다. 도구 하나로 바로 구별됩니다. `ros2 topic delay`는 *내가 들은 시각*에서 *그 안에 적힌 시각*을 뺀 값을 보여 줍니다. 아직 달리고 있는 로봇 B입니다.
 
 # %% name="delay-scan" slide="-"
 # %ros2 --for 1.5 topic delay /scan
@@ -817,7 +760,7 @@ draw_ages([gap_curve('robot A', robot_a, 7.0), gap_curve('robot B', robot_b, 7.0
 #
 # 떨림 없이 늘 +0.3초인 지연은 느린 네트워크일 수도 있고, 시계가 0.3초 *느린* 발행자일 수도 있습니다.
 # 한 방향의 시각만으로는 **누구도** 둘을 가를 수 없습니다. 둘 다 모든 메시지에 같은 숫자를 더하기 때문입니다.
-# 갔다가 *되돌아오는* 메시지가 있어야 합니다. 그것이 `chrony`와 NTP의 본업이니, 컴퓨터가 두 대라면 이들에게 물으십시오. 예를 들면 이렇습니다.
+# 갔다가 *되돌아오는* 메시지가 있어야 합니다. 그것이 `chrony`와 NTP의 본업이니, 컴퓨터가 두 대라면 이들로 확인하십시오. 예를 들면 이렇습니다.
 #
 # ```text
 # $ chronyc tracking
@@ -825,7 +768,7 @@ draw_ages([gap_curve('robot A', robot_a, 7.0), gap_curve('robot B', robot_b, 7.0
 # System time     : 0.300184021 seconds fast of NTP time      <- 이 줄입니다
 # ```
 #
-# 그리고 조용한 경우를 조심하십시오. 시계가 *느린* 센서는 과거를 묻습니다. 버퍼는 기억이 닿는 한 기꺼이 답합니다. 예외도 경고도 없이, 로봇은 온종일 틀립니다.
+# 그리고 조용한 경우를 조심하십시오. 시계가 *느린* 센서의 데이터는 과거의 변환으로 조회됩니다. 버퍼는 기억이 닿는 한 기꺼이 답합니다. 예외도 경고도 없이, 로봇은 온종일 틀립니다.
 
 # %% [markdown] lang="en" name="plaster" slide="slide"
 # ## Break it: the plaster
@@ -837,40 +780,32 @@ draw_ages([gap_curve('robot A', robot_a, 7.0), gap_curve('robot B', robot_b, 7.0
 # **Predict.** Will the warnings go away? Will the walls stay where they are?
 
 # %% [markdown] lang="ko" name="plaster" slide="slide"
-# ## 망가뜨리기: 반창고
+# ## 일부러 고장 내기: 반창고
 #
 # 다시 시계가 0.3초 빠른 로봇 B입니다. 누군가 게시판에서 본 대로 `timeout=Duration(seconds=1)`을 넣었습니다.
 # (그리고 기다림이 통하도록 스레드 여러 개로 spin합니다. 이유는 잠시 뒤에 나옵니다.)
 # 로봇은 초속 0.5 m로 첫 굽이를 돕니다.
 #
-# **예측해 보십시오.** 경고가 사라질까요? 벽은 제자리에 있을까요?
+# **예측해 봅시다.** 경고가 사라질까요? 벽은 제자리에 있을까요?
 
 # %% name="placer" slide="subslide"
-class ScanPlacer(Node):
-    def __init__(self):
-        super().__init__('scan_placer')
-        self.buffer = Buffer()
-        self.listener = TransformListener(self.buffer, self)
-        self.placed, self.failures = [], 0
-        self.create_subscription(LaserScan, 'scan', self.on_scan, qos_profile_sensor_data)
-
+class ScanPlacer(lesson.WaitingNode):  # a node with self.buffer, which hears /tf and /scan
     def on_scan(self, scan):
         stamp = Time.from_msg(scan.header.stamp)
         try:
             self.buffer.lookup_transform('map', 'laser_frame', stamp, timeout=Duration(seconds=1))
-            self.placed.append((scan, stamp))
+            self.answers.append((scan, stamp))
         except TransformException:
             self.failures += 1
 
 # %% name="plaster-run" tags=["predicted"] slide="-"
-graph = new_graph()
-robot = TeachingRobot(Drive(start_ns=graph.now_ns))
+from rclpy.executors import MultiThreadedExecutor
+
+graph = lesson.new_graph()
 graph.set_clock_offset('laser_driver', 0.3)
-launch(graph, robot)
-graph.start(watch, ScanPlacer, MultiThreadedExecutor)
-graph.run(seconds=9)  # 1 s standing, 6 s straight on, then the bend
-placer = nodes[-1]
-print(f'{len(placer.placed)} scans placed, {placer.failures} failed')
+lesson.launch(graph)
+placer = lesson.run_node(ScanPlacer, 9.0, MultiThreadedExecutor)  # 6 s straight on, then the bend
+print(len(placer.answers), 'placed,', placer.failures, 'failed')
 
 # %% [markdown] lang="en" name="plaster-green" tags=["predicted"] slide="subslide"
 # Not one warning. The log is green, and the forum was right.
@@ -885,26 +820,15 @@ print(f'{len(placer.placed)} scans placed, {placer.failures} failed')
 # After it, come back to the hands of the beginning.
 
 # %% [markdown] lang="ko" name="plaster-notes" slide="notes"
-# 그림을 보여 주기 전에 손을 들게 하십시오. 지도는 맞습니까, 틀립니까? 로그가 초록색이라 대부분 맞다고 합니다.
-# 그림을 본 다음, 처음에 손을 들었던 사람들에게 돌아가십시오.
-
-# %% name="plaster-points" slide="-"
-def points_of(placed, clock_error_s):
-    clouds = []
-    for scan, stamp in placed:
-        when = Time(nanoseconds=stamp.nanoseconds - seconds(clock_error_s))
-        pose = placer.buffer.core.lookup_transform('map', 'laser_frame', when.nanoseconds).transform
-        angles = scan.angle_min + scan.angle_increment * np.arange(len(scan.ranges))
-        reach = np.where(np.isfinite(scan.ranges), scan.ranges, np.nan)
-        laser_p = np.column_stack([reach * np.cos(angles), reach * np.sin(angles), np.zeros(len(reach))])
-        clouds.append(pose.apply(laser_p[::6]))
-    return np.vstack(clouds)
+# 그림을 보여 주기 전에 손을 들게 합니다. 지도는 맞습니까, 틀립니까? 로그가 초록색이라 대부분 맞다고 합니다.
+# 그림을 본 다음, 처음에 손을 들었던 사람들에게 돌아갑니다.
 
 # %% name="plaster-picture" tags=["predicted"] slide="subslide"
-bend = placer.placed[-10:]
-draw_placed(
-    {'as measured': points_of(bend, 0.3), 'with the wait that "works"': points_of(bend, 0.0)}, walls=ROOM.walls
-)
+bend = placer.answers[-10:]
+lesson.draw_placed({
+    'as measured': lesson.walls_seen(placer.buffer, bend, clock_error_s=0.3),
+    'with the wait that "works"': lesson.walls_seen(placer.buffer, bend),
+}, walls=lesson.ROOM.walls)
 
 # %% [markdown] lang="en" name="plaster-read" tags=["predicted"] slide="subslide"
 # The wait ended each time, because after a while TF caught up with the *wrong* stamp.
@@ -917,28 +841,29 @@ draw_placed(
 # And what if the clock is 2 s fast? Then even the plaster falls off.
 
 # %% [markdown] lang="ko" name="plaster-read" tags=["predicted"] slide="subslide"
-# 기다림은 매번 끝났습니다. 잠시 뒤 TF가 *틀린* 시각을 따라잡았기 때문입니다.
-# 그리고 완전히 틀린 질문에 더없이 좋은 답을 주었습니다. 레이저는 측정하고 0.3초 **뒤에** 어디에 있었는가?
+# 그림 읽기: as measured = 측정한 그대로, with the wait that "works" = "통한다는" 기다림으로.
+#
+# 기다림은 매번 성공했습니다. 잠시 뒤 TF가 *틀린* 시각을 따라잡았기 때문입니다.
+# 그리고 완전히 틀린 질문에 더없이 좋은 답을 주었습니다. 레이저는 측정하고 0.3초 **지난 다음** 어디에 있었는가?
 #
 # timeout은 "왔습니까?"라고 물을 뿐, "맞습니까?"라고 묻지 않습니다.
-# **기다림은 늦음을 고칩니다. 시계는 고치지 못하고 숨길 뿐입니다.** (게다가 이제 스캔마다 쓸데없이 0.2초 늦게 씁니다.)
-# 왼쪽에서도 점들이 벽에 정확히 놓이지는 않습니다. 레이저가 한 바퀴 훑는 동안 로봇이 돌기 때문이며, 08장에서 다룬 이야기입니다.
+# **기다리면 늦은 데이터는 해결됩니다. 시계의 오차는 해결하지 못하고 숨길 뿐입니다.** (게다가 이제 스캔마다 쓸데없이 0.2초 늦게 씁니다.)
+# 왼쪽에서도 점들이 벽에 정확히 찍히지는 않습니다. 레이저가 한 바퀴 훑는 동안 로봇이 돌기 때문이며, 08장에서 다룬 이야기입니다.
 #
 # 시계가 2초 빠르면 어떨까요? 그때는 반창고마저 떨어집니다.
 
 # %% name="plaster-off" slide="-"
-graph = new_graph()
+graph = lesson.new_graph()
 graph.set_clock_offset('laser_driver', 2.0)
-launch(graph)
-graph.start(watch, ScanPlacer, MultiThreadedExecutor)
-graph.run(seconds=9)
-print(f'{len(nodes[-1].placed)} scans placed, {nodes[-1].failures} failed')
+lesson.launch(graph)
+hopeless = lesson.run_node(ScanPlacer, 9.0, MultiThreadedExecutor)
+print(len(hopeless.answers), 'placed,', hopeless.failures, 'failed')
 
 # %% [markdown] lang="en" name="plaster-off-read" slide="-"
-# Every single wait expires, after its full second, for as long as the robot runs. Nothing that is on its way takes that long *every* time.
+# Every single wait expires, after its full second, for as long as the robot runs. Nothing that is on its way takes that long *every* time. (Of the 86 scans the node got round to 8, one a second; the queue of its subscription is short, and dropped the others.)
 
 # %% [markdown] lang="ko" name="plaster-off-read" slide="-"
-# 1초를 꽉 채워 기다리다 매번 시간이 다 되고, 로봇이 달리는 내내 그렇습니다. 오는 중인 데이터라면 *매번* 그렇게 오래 걸리지는 않습니다.
+# 1초를 꽉 채워 기다리다 매번 시간이 다 되고, 로봇이 달리는 내내 그렇습니다. 오는 중인 데이터라면 *매번* 그렇게 오래 걸리지는 않습니다. (스캔 86개 중에서 노드가 처리한 것은 1초에 하나씩 8개뿐입니다. 구독의 큐는 짧아서 나머지를 버렸습니다.)
 
 # %% [markdown] lang="en" name="plaster-3d" slide="subslide"
 # ### The same in 3D
@@ -948,28 +873,16 @@ print(f'{len(nodes[-1].placed)} scans placed, {nodes[-1].failures} failed')
 # %% [markdown] lang="ko" name="plaster-3d" slide="subslide"
 # ### 3D로
 #
-# 굽이 한가운데서 얻은 스캔 하나입니다. 슬라이더를 끌어 보십시오. 슬라이더의 값은 레이저 시계의 오차입니다. 회색 선이 실제 벽입니다.
+# 굽이 한가운데서 얻은 스캔 하나입니다. 슬라이더를 끌어 보세요. 슬라이더의 값(clock error)은 레이저 시계의 오차입니다. 회색 선이 실제 벽입니다.
 
 # %% name="walls-walk" tags=["interactive"] slide="subslide"
-scene, stamp_ns = Scene(), seconds(8.8)
-scene.look(eye=(3.0, -8.0, 9.0), target=(3.0, 0.0, 0.0))
-scan = robot.laser.scan_at(stamp_ns)
-for i, wall in enumerate(ROOM.walls):
-    draw_path(scene, f'walls/{i}', np.array([(*end, 0.2) for end in wall]), colour='#808890', radius_m=0.04)
-
-
-def draw(clock_error_s):
-    pose = robot.truth_at(stamp_ns + seconds(clock_error_s))['laser_frame']
-    draw_frame(scene, 'laser_frame', pose, length_m=0.6)
-    draw_scan(scene, 'scan', pose, scan.ranges, scan.angle_min, scan.angle_increment)
-
-
-scene.sweep('clock error', [0.0, 0.1, 0.2, 0.3, 0.4, 0.5], draw, unit='s')
-scene
+lesson.show_clock_error()
 
 # %% name="walls-walk-still" slide="skip"
-one_scan = [(message, stamp) for message, stamp in placer.placed if stamp.nanoseconds >= seconds(9.0)][:1]
-draw_placed({f'clock error {0.3 - shift:.1f} s': points_of(one_scan, shift) for shift in (0.3, 0.1, 0.0)}, ROOM.walls)
+one_scan = [sight for sight in placer.answers if sight[1].nanoseconds >= seconds(9.0)][:1]
+lesson.draw_placed({
+    f'clock error {0.3 - right:.1f} s': lesson.walls_seen(placer.buffer, one_scan, right) for right in (0.3, 0.1, 0.0)
+}, lesson.ROOM.walls)
 
 # %% [markdown] lang="en" name="lanes" slide="slide"
 # ## Where may I wait?
@@ -977,7 +890,7 @@ draw_placed({f'clock error {0.3 - shift:.1f} s': points_of(one_scan, shift) for 
 # Late data, then, is worth a short wait. Robot C has honest clocks and a prompt network: nothing is wrong with it at all.
 # Still, a careful programmer gives the lookup half a second. One never knows.
 #
-# The node notes three things: when `/tf` messages are stored, and from when until when its callback is busy.
+# The node notes when `/tf` messages are stored, and from when until when its callback is busy.
 #
 # **Predict.** The robot runs for three seconds, ten scans a second. How many scans get their transform?
 
@@ -985,97 +898,68 @@ draw_placed({f'clock error {0.3 - shift:.1f} s': points_of(one_scan, shift) for 
 # ## 어디서 기다려도 될까요?
 #
 # 그러니 늦은 데이터는 잠깐 기다릴 만합니다. 로봇 C는 시계도 정확하고 네트워크도 빠릅니다. 잘못된 것이 하나도 없습니다.
-# 그래도 조심스러운 프로그래머는 혹시 몰라 조회에 0.5초를 주었습니다.
+# 그래도 조심스러운 프로그래머는 혹시 몰라 조회에 timeout을 0.5초로 주었습니다.
 #
 # 노드는 `/tf` 메시지가 언제 저장되는지, 콜백이 언제부터 언제까지 바쁜지를 적어 둡니다.
 #
-# **예측해 보십시오.** 로봇은 3초 동안 달리고 스캔은 1초에 열 번 옵니다. 몇 개의 스캔이 변환을 얻을까요?
-
-# %% name="noting-buffer" slide="subslide"
-class NotingBuffer(Buffer):
-    def __init__(self):
-        super().__init__()
-        self.stored_ns = []
-
-    def set_transform(self, transform, authority):
-        if transform.child_frame_id == 'base_footprint':  # one edge will do
-            self.stored_ns.append(graph.now_ns)
-        super().set_transform(transform, authority)
-
-# %% name="patient-node" slide="-"
-class Patient(Node):
-    def __init__(self):
-        super().__init__('patient')
-        self.busy, self.answers, self.buffer = [], [], NotingBuffer()
-        self.listener = TransformListener(self.buffer, self)
-        self.create_subscription(LaserScan, 'scan', self.on_scan, qos_profile_sensor_data)
-
-    def on_scan(self, scan):
-        began, stamp, answer = graph.now_ns, Time.from_msg(scan.header.stamp), 'ok'
-        try:
-            self.buffer.lookup_transform('map', 'laser_frame', stamp, timeout=Duration(seconds=0.5))
-        except TransformException as error:
-            answer = str(error).partition(', when')[0]
-        self.answers.append(answer)
-        self.busy.append((began, graph.now_ns))
+# **예측해 봅시다.** 로봇은 3초 동안 달리고 스캔은 1초에 열 번 옵니다. 스캔 몇 개가 변환을 얻을까요?
 
 # %% name="robot-c" tags=["predicted"] slide="subslide"
-def on_robot_c(node_class, executor_class=None, delay_s=0.0):
-    global graph
-    graph = new_graph()
-    graph.disturb('/tf', delay=delay_s)
-    launch(graph)
-    graph.start(watch, node_class, executor_class)
-    graph.run(seconds=3)
-    return nodes[-1]
+class Patient(lesson.WaitingNode):
+    def on_scan(self, scan):
+        stamp = Time.from_msg(scan.header.stamp)
+        try:
+            self.buffer.lookup_transform('map', 'laser_frame', stamp, timeout=Duration(seconds=0.5))
+            self.answers.append('ok')
+        except TransformException as error:
+            self.answers.append(str(error).partition(', when')[0])
 
 
-patient = on_robot_c(Patient)
+patient = lesson.on_robot_c(Patient)
 print(*patient.answers, sep='\n')
 
 # %% [markdown] lang="en" name="lanes-read" tags=["predicted"] slide="-"
 # None. Not one.
 #
-# It begins with bad luck: the first scan is 51 ms older than the first transform, so it can never be answered, and the callback waits its half second for nothing. (A mapper crashed at start-up over just such 41 ms: SteveMacenski/slam_toolbox #775.)
+# It begins with bad luck: the first scan is 51 ms older than the first transform, so it can never be answered, and the callback waits its half second for nothing. (A mapper crashed at start-up over just such 41 ms: slam_toolbox, issue 775.)
 # But why does it not recover? Look at the numbers: at the end it asks for 2.595 s, and the newest transform that it knows is from 1.146 s, although twenty a second have arrived.
 # The longer it waits, the less it knows. Here is why.
 
 # %% [markdown] lang="ko" name="lanes-read" tags=["predicted"] slide="-"
 # 하나도 없습니다. 단 하나도 얻지 못했습니다.
 #
-# 시작은 불운이었습니다. 첫 스캔이 첫 변환보다 51 ms 오래되어 답이 있을 수 없었고, 콜백은 0.5초를 헛되이 기다렸습니다. (바로 이런 41 ms 때문에 시작하자마자 죽은 지도 작성 노드도 있습니다: SteveMacenski/slam_toolbox #775.)
-# 그런데 왜 회복하지 못할까요? 숫자를 보십시오. 마지막에는 2.595초를 묻는데, 변환이 1초에 스무 개씩 도착했는데도 아는 최신 변환은 1.146초의 것입니다.
+# 시작은 불운이었습니다. 첫 스캔이 첫 변환보다 51 ms 오래되어 답이 있을 수 없었고, 콜백은 0.5초를 헛되이 기다렸습니다. (바로 이런 41 ms 때문에 시작하자마자 죽은 지도 작성 노드도 있습니다: slam_toolbox, 이슈 775.)
+# 그런데 왜 회복하지 못할까요? 숫자를 보세요. 마지막에는 2.595초의 변환을 조회하는데, 변환이 1초에 스무 개씩 도착했는데도 아는 최신 변환은 1.146초의 것입니다.
 # 기다릴수록 아는 것이 줄어듭니다. 이유는 이렇습니다.
 
 # %% name="lanes-picture" slide="subslide"
-def draw_lanes(node, start_s=1.0, end_s=3.0):
-    sent_ns = tuple(range(seconds(start_s), seconds(end_s), seconds(0.05)))  # odometry, 20 times a second
-    return draw_work(
-        [Work('/tf sent', moments_ns=sent_ns), Work('on_scan', tuple(node.busy)),
-         Work('/tf stored', moments_ns=tuple(node.buffer.stored_ns))],
-        seconds(start_s), seconds(end_s),
-    )
-
-
-draw_lanes(patient)
+lesson.draw_lanes(patient)
 
 # %% [markdown] lang="en" name="lanes-why" slide="-"
 # `rclpy.spin(node)` has one thread, and between two callbacks it gets round to a single message. While `on_scan` waits *in* it, nobody calls the listener, and the transform lies at the door, unread.
 # The callback waits for the mail, and it is also the postman.
 #
-# A public report of just this is ros2/geometry2 #327. In C++ tf2 refuses such a wait at once, with a long sentence that asks for a thread of its own (`setUsingDedicatedThread`). In Python it lets you wait.
+# <details><summary>Deeper: in C++</summary>
+#
+# A public report of just this is ros2/geometry2, issue 327. In C++ tf2 refuses such a wait at once, with a long sentence that asks for a thread of its own (`setUsingDedicatedThread`). In Python it lets you wait.
+#
+# </details>
 
 # %% [markdown] lang="ko" name="lanes-why" slide="-"
-# `rclpy.spin(node)`에는 스레드가 하나뿐이고, 두 콜백 사이에 겨우 메시지 하나를 처리합니다. `on_scan`이 그 *안에서* 기다리는 동안 아무도 수신기를 부르지 않고, 변환은 문 앞에 읽히지 않은 채 쌓입니다.
+# `rclpy.spin(node)`에는 스레드가 하나뿐이고, 두 콜백 사이에 겨우 메시지 하나를 처리합니다. `on_scan`이 그 *안에서* 기다리는 동안 아무도 수신기를 호출하지 않고, 변환은 문 앞에 읽히지 않은 채 쌓입니다.
 # 편지를 기다리는 사람이 바로 집배원인 셈입니다.
 #
-# 바로 이 문제를 다룬 공개 이슈가 ros2/geometry2 #327입니다. C++의 tf2는 전용 스레드를 두라는 긴 문장(`setUsingDedicatedThread`)과 함께 이런 기다림을 곧바로 거절합니다. 파이썬은 그냥 기다리게 둡니다.
+# <details><summary>더 깊이: C++에서는</summary>
+#
+# 바로 이 문제를 다룬 공개 이슈가 ros2/geometry2, 이슈 327입니다. C++의 tf2는 전용 스레드를 두라는 긴 문장(`setUsingDedicatedThread`)과 함께 이런 기다림을 곧바로 거절합니다. 파이썬은 그냥 기다리게 둡니다.
+#
+# </details>
 
 # %% [markdown] lang="en" name="lanes-notes" slide="notes"
 # Play it: one student is the executor, a second one hands over mail. The executor must answer "where is the robot?" and may not touch the mail while thinking.
 
 # %% [markdown] lang="ko" name="lanes-notes" slide="notes"
-# 연극으로 해 보십시오. 한 학생은 실행기, 다른 학생은 편지를 건네는 사람입니다. 실행기는 "로봇이 어디 있습니까?"에 답해야 하고, 생각하는 동안에는 편지에 손댈 수 없습니다.
+# 연극으로 해 봅니다. 한 학생은 실행기, 다른 학생은 편지를 건네는 사람입니다. 실행기는 "로봇이 어디 있습니까?"에 답해야 하고, 생각하는 동안에는 편지에 손댈 수 없습니다.
 
 # %% [markdown] lang="en" name="cure-threads" slide="subslide"
 # ### Cure one: somebody else fetches the mail
@@ -1086,13 +970,13 @@ draw_lanes(patient)
 # %% [markdown] lang="ko" name="cure-threads" slide="subslide"
 # ### 해결책 하나: 편지는 다른 사람이 가져옵니다
 #
-# 수신기의 구독은 따로 마련된 *재진입(reentrant)* 콜백 그룹에 있습니다. 그래서 스레드가 여럿인 실행기는 여러분의 콜백이 기다리는 동안에도 수신기를 부를 수 있습니다. 단어 하나만 바뀝니다.
+# 수신기의 구독은 따로 마련된 *재진입(reentrant)* 콜백 그룹에 있습니다. 그래서 스레드가 여럿인 실행기는 여러분의 콜백이 기다리는 동안에도 수신기를 호출할 수 있습니다. 단어 하나만 바뀝니다.
 # 더 어렵게, 이제 변환마다 도착하는 데 0.15초가 걸립니다.
 
 # %% name="cure-threads-run" slide="-"
-patient = on_robot_c(Patient, MultiThreadedExecutor, delay_s=0.15)
+patient = lesson.on_robot_c(Patient, MultiThreadedExecutor, delay_s=0.15)
 print(len(patient.answers), 'scans,', patient.answers.count('ok'), 'answered')
-draw_lanes(patient)
+lesson.draw_lanes(patient)
 
 # %% [markdown] lang="en" name="cure-threads-read" slide="-"
 # 27 of 28. Only the first scan is lost, the one that is older than every transform. One thread waits, another takes in the mail: `/tf stored` keeps pace with `/tf sent`.
@@ -1103,44 +987,45 @@ draw_lanes(patient)
 # %% [markdown] lang="en" name="cure-async" slide="subslide"
 # ### Cure two: do not wait, be called
 #
-# `wait_for_transform_async` gives you a *future* at once: a promise that is kept when the transform comes. Your callback is over in no time, and one thread is enough.
+# `wait_for_transform_async` gives you a [[future]] at once: a promise that is kept when the transform comes. Your callback is over in no time, and one thread is enough.
 #
 # Mind two things. It **never gives up**: whatever is never answered waits for ever. So keep the futures, and cancel the old ones.
 # And a promise must be looked at: `future.result()` gives the transform, or raises what went wrong.
 
 # %% [markdown] lang="ko" name="cure-async" slide="subslide"
-# ### 해결책 둘: 기다리지 말고 불러 달라고 하십시오
+# ### 해결책 둘: 기다리지 말고, 오면 호출하게 합니다
 #
-# `wait_for_transform_async`는 *퓨처*(future)를 바로 돌려줍니다. 변환이 오면 지켜지는 약속입니다. 콜백은 순식간에 끝나고 스레드는 하나면 됩니다.
+# `wait_for_transform_async`는 [[future|퓨처(future)]]를 바로 반환합니다. 변환이 오면 지켜지는 약속입니다. 콜백은 순식간에 끝나고 스레드는 하나면 됩니다.
 #
 # 두 가지를 조심하십시오. 이 약속은 **포기하지 않습니다.** 끝내 답이 없는 것은 영원히 기다립니다. 그러니 퓨처를 보관하고 오래된 것은 취소하십시오.
 # 그리고 약속은 확인해야 합니다. `future.result()`는 변환을 주거나, 무엇이 잘못됐는지 예외로 알려 줍니다.
 
 # %% name="called-node" slide="subslide"
-class Called(Patient):
+from collections import deque
+
+
+class Called(lesson.WaitingNode):
     def on_scan(self, scan):
-        began, stamp = graph.now_ns, Time.from_msg(scan.header.stamp)
+        stamp = Time.from_msg(scan.header.stamp)
         future = self.buffer.wait_for_transform_async('map', 'laser_frame', stamp)
         future.add_done_callback(self.on_answer)
         promises.append(future)
         if len(promises) > 3:  # at most three promises: the oldest is let go
             promises.popleft().cancel()
-        self.busy.append((began, graph.now_ns))
 
     def on_answer(self, future):
         if not future.cancelled():
-            where = future.result().transform.translation
-            self.answers.append((where.x, where.y))
+            self.answers.append(future.result().transform.translation)
 
 # %% name="called-run" slide="-"
 promises = deque()
-called = on_robot_c(Called, delay_s=0.15)  # one thread
+called = lesson.on_robot_c(Called, delay_s=0.15)  # one thread
 print(len(called.busy), 'scans,', len(called.answers), 'answered')
-draw_lanes(called)
+lesson.draw_lanes(called)
 
 # %% [markdown] lang="en" name="cures-compared" slide="subslide"
 # 27 of 30: the first scan can never be answered, and was let go when three younger ones were waiting; the last two are still on their way.
-# And look at the lane of the callback: it is touched ten times a second, and never busy. With threads it was busy all the time.
+# And look at the row of the callback: it is touched ten times a second, and never busy. With threads it was busy all the time.
 #
 # | where you wait | when it is right |
 # | --- | --- |
@@ -1148,23 +1033,33 @@ draw_lanes(called)
 # | in the callback, *with* a `MultiThreadedExecutor` | a few messages a second, a short timeout |
 # | `TransformListener(buffer, node, spin_thread=True)` | you spin nothing else: its thread runs the callbacks of the *whole* node |
 # | a future (`wait_for_transform_async`) | many messages, one thread; keep the promises bounded |
-# | `await buffer.lookup_transform_async(...)` | the same, in an `async` callback of a *reentrant* group: a promise that is never kept would block any other group for good |
-# | a [[message filter]] (`tf2_ros::MessageFilter`, C++) | the same, ready made: your callback runs only when the transform is there; its queue has a size |
 # | in a plain callback with one thread | **never** |
+#
+# <details><summary>Deeper: two more ways</summary>
+#
+# - `await buffer.lookup_transform_async(...)` does the same in an `async` callback of a [[reentrant]] group; in any other group a promise that is never kept would block the group for good.
+# - A [[message filter]] (`tf2_ros::MessageFilter`, C++) is the same, ready made: your callback runs only when the transform is there, and its queue has a size.
+#
+# </details>
 
 # %% [markdown] lang="ko" name="cures-compared" slide="subslide"
-# 30개 가운데 27개입니다. 첫 스캔은 답이 있을 수 없어서 뒤에 셋이 기다리자 놓아 주었고, 마지막 둘은 아직 기다리는 중입니다.
-# 콜백의 차선도 보십시오. 1초에 열 번 스칠 뿐 한 번도 바쁘지 않습니다. 스레드를 쓸 때는 내내 바빴습니다.
+# 30개 가운데 27개입니다. 첫 스캔은 답이 나올 수 없어, 뒤에 셋이 쌓이자 취소했고, 마지막 둘은 아직 기다리는 중입니다.
+# 콜백의 줄도 보세요. 1초에 열 번 스칠 뿐 한 번도 바쁘지 않습니다. 스레드를 쓸 때는 내내 바빴습니다.
 #
 # | 기다리는 곳 | 알맞은 경우 |
 # | --- | --- |
-# | 기다리지 않음: 묻고, 실패하면 버립니다 | 빠른 센서. 어차피 0.1초 뒤에 다음 스캔이 옵니다 |
+# | 기다리지 않음: 조회하고, 실패하면 버립니다 | 빠른 센서. 어차피 0.1초 뒤에 다음 스캔이 옵니다 |
 # | 콜백 안. 단, `MultiThreadedExecutor`로 돌릴 때만 | 1초에 몇 개뿐인 메시지, 짧은 timeout |
 # | `TransformListener(buffer, node, spin_thread=True)` | 따로 spin하지 않을 때. 그 스레드가 노드 *전체*의 콜백을 실행합니다 |
 # | 퓨처(`wait_for_transform_async`) | 메시지가 많고 스레드가 하나일 때. 약속의 수를 제한하십시오 |
-# | `await buffer.lookup_transform_async(...)` | 같은 일을 *재진입* 그룹의 `async` 콜백에서 합니다. 다른 그룹이라면 지켜지지 않는 약속 하나가 그룹 전체를 영영 막습니다 |
-# | [[message filter|메시지 필터(message filter)]](`tf2_ros::MessageFilter`, C++) | 같은 일을 해 주는 완제품. 변환이 있을 때만 콜백이 실행되고, 큐의 크기가 정해져 있습니다 |
 # | 스레드 하나인 평범한 콜백 안 | **절대 안 됩니다** |
+#
+# <details><summary>더 깊이: 두 가지 방법 더</summary>
+#
+# - `await buffer.lookup_transform_async(...)`는 같은 일을 [[reentrant|재진입(reentrant)]] 그룹의 `async` 콜백에서 합니다. 다른 그룹이라면 지켜지지 않는 약속 하나가 그룹 전체를 영영 막습니다.
+# - [[message filter|메시지 필터(message filter)]](`tf2_ros::MessageFilter`, C++)는 같은 일을 해 주는 완제품입니다. 변환이 있을 때만 콜백이 실행되고, 큐의 크기가 정해져 있습니다.
+#
+# </details>
 
 # %% [markdown] lang="en" name="policy" slide="slide"
 # ## How long, how many, how old?
@@ -1192,25 +1087,12 @@ draw_lanes(called)
 #
 # 답이 없으면 이렇게 됩니다. 스캔은 100 ms마다 옵니다. 결정 한 번에 150 ms가 걸립니다. 큐는 끝이 없고, 아무도 한계를 정하지 않았습니다.
 #
-# **예측해 보십시오.** 12초 뒤에 로봇은 얼마나 오래된 데이터로 결정하고 있을까요?
-
-# %% name="decide" slide="subslide"
-def ages_of_decisions(queue, until_ms=12_000):
-    now_ms, next_scan_ms, times_s, ages_s = 0, 0, [], []
-    while now_ms < until_ms:
-        while next_scan_ms <= now_ms:  # what has come meanwhile
-            queue.append(next_scan_ms)
-            next_scan_ms += 100
-        stamp_ms = queue.popleft()  # the oldest first
-        now_ms += 150  # thinking
-        times_s.append(now_ms / 1000)
-        ages_s.append((now_ms - stamp_ms) / 1000)
-    return times_s, ages_s
+# **예측해 봅시다.** 12초 뒤에 로봇은 얼마나 오래된 데이터로 결정하고 있을까요?
 
 # %% name="queues" tags=["predicted"] slide="subslide"
-endless = Curve('no limit', *ages_of_decisions(deque()))
-bounded = Curve('two at most', *ages_of_decisions(deque(maxlen=2)))  # a full deque drops its oldest
-draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
+endless = lesson.ages_of_decisions('no limit', deque())
+bounded = lesson.ages_of_decisions('two at most', deque(maxlen=2))  # a full deque drops its oldest
+lesson.draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 
 # %% [markdown] lang="en" name="queues-read" tags=["predicted"] slide="subslide"
 # Four seconds. At half a metre a second, the robot brakes for what it saw two metres ago, and nothing in the log is red.
@@ -1222,6 +1104,8 @@ draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 # A policy for a robot like this, in one line: wait at most 0.2 s (where such a number comes from, you see next); then drop; keep two, the oldest goes; nothing older than 0.5 s moves a wheel.
 
 # %% [markdown] lang="ko" name="queues-read" tags=["predicted"] slide="subslide"
+# 그림 읽기: age of the data = 데이터의 나이, no limit = 한계 없음, two at most = 최대 두 개.
+#
 # 4초입니다. 초속 0.5 m라면 로봇은 2미터 전에 본 것을 두고 브레이크를 밟습니다. 그런데도 로그에 빨간 줄은 하나도 없습니다.
 # 메시지를 *하나도 잃지 않았습니다*. 바로 그것이 문제입니다.
 #
@@ -1235,7 +1119,7 @@ draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 # Then ask what the curve looks like after an hour.
 
 # %% [markdown] lang="ko" name="policy-notes" slide="notes"
-# 실행하기 전에 숫자를 말하게 하십시오. 대부분 0.15초나 0.3초라고 합니다.
+# 실행하기 전에 숫자를 말하게 합니다. 대부분 0.15초나 0.3초라고 합니다.
 # 그러고 나서 한 시간 뒤에는 곡선이 어떻게 될지 물어보십시오.
 
 # %% [markdown] lang="en" name="how-long" slide="subslide"
@@ -1253,14 +1137,14 @@ draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 # %% [markdown] lang="ko" name="how-long" slide="subslide"
 # ### "조금"은 얼마일까요?
 #
-# 취향이 아니라 계산할 수 있는 값입니다. 스캔은 자신과 *같거나 뒤인* 시각의 첫 변환을 기다립니다.
+# 취향이 아니라 계산할 수 있는 값입니다. 스캔은 자기 측정 시각과 *같거나 늦은* 시각의 첫 변환을 기다립니다.
 #
-# - 최악의 경우 그 변환의 시각은 한 **주기**만큼 뒤입니다(10 Hz면 0.1초).
-# - 그것이 도착하는 데 **지연**만큼, 최악에는 **[[jitter|지터(jitter)]]** 전부만큼 더 걸립니다.
+# - 최악의 경우 그 변환의 시각은 한 **주기**만큼 늦습니다(10 Hz면 0.1초).
+# - 그것이 도착하는 데 **지연**만큼, 최악의 경우 **[[jitter|지터(jitter)]]** 전부만큼 더 걸립니다.
 # - 스캔도 오는 데 시간이 걸렸습니다. 그 시간은 이미 지나갔습니다.
 #
 # 경로 위 최악의 연결을 두고 `기다림 = 주기 + 지연 + 지터 − 스캔 자신의 지연`입니다. 변환이 오는 데 0.15초가 더 걸린 로봇 C라면 0.1 + (0.010 + 0.15) + 0 − 0.105 = 0.155초입니다.
-# 이보다 오래 기다려야 통한다면 기뻐하지 말고 시계를 보십시오.
+# 이보다 오래 기다려야 통한다면 기뻐하지 말고 시계를 확인하십시오.
 
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
 # ## Checkpoint
@@ -1292,9 +1176,9 @@ draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 # </details>
 
 # %% [markdown] lang="ko" name="checkpoint" slide="slide"
-# ## 확인 문제
+# ## 마무리 점검
 #
-# 로봇에 컴퓨터가 두 대 있습니다. 한 시간째 모든 스캔이 *extrapolation into the future*로 실패합니다. 언제나 0.40초이고 오차는 2 ms 남짓입니다. `ros2 topic delay /scan`은 −0.31을 보여 줍니다. 어떻게 하겠습니까? 하나를 고른 뒤 답을 펼쳐 보십시오.
+# 로봇에 컴퓨터가 두 대 있습니다. 한 시간째 모든 스캔이 *extrapolation into the future*로 실패합니다. 언제나 0.40초이고 오차는 2 ms 남짓입니다. `ros2 topic delay /scan`은 −0.31을 보여 줍니다. 어떻게 하겠습니까? 하나를 고른 뒤 답을 펼쳐 보세요.
 #
 # <details><summary>1. <code>timeout=Duration(seconds=1)</code>을 넣습니다</summary>
 #
@@ -1302,7 +1186,7 @@ draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 #
 # </details>
 #
-# <details><summary>2. 측정 시각 대신 최신을 뜻하는 <code>Time()</code>으로 묻습니다</summary>
+# <details><summary>2. 측정 시각 대신 최신을 뜻하는 <code>Time()</code>으로 조회합니다</summary>
 #
 # `Time()`은 언제나 답을 얻지만, 시각이 존재하는 단 하나의 이유인 '언제 측정했는가'를 버립니다. 로봇이 서 있으면 아무도 모릅니다. 돌기 시작하면 벽이 번집니다(08장).
 #
@@ -1316,7 +1200,7 @@ draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 #
 # <details><summary>4. 두 컴퓨터에서 <code>chronyc tracking</code>을 실행하고 시계를 바로잡습니다</summary>
 #
-# 맞습니다. 한 시간째 일정하고, 거의 떨림이 없고, 지연이 음수입니다. 그것은 시계이고, 시계는 틀린 곳에서 바로잡습니다.
+# 맞습니다. 한 시간째 일정하고, 거의 떨림이 없고, 지연이 음수입니다. 원인은 시계입니다. 시계가 틀린 컴퓨터에서 바로잡습니다.
 #
 # </details>
 
@@ -1324,17 +1208,23 @@ draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 # Let everybody show one to four fingers at the same time. Ask a 2 and a 3 to convince each other before you open the replies.
 
 # %% [markdown] lang="ko" name="checkpoint-notes" slide="notes"
-# 모두 동시에 손가락 하나에서 넷을 펴게 하십시오. 답을 열기 전에 2번과 3번을 고른 사람이 서로를 설득해 보게 하십시오.
+# 모두 동시에 손가락 하나에서 넷을 펴게 합니다. 답을 열기 전에 2번과 3번을 고른 사람이 서로를 설득해 보게 합니다.
 
 # %% [markdown] lang="en" name="on-the-robot" slide="slide"
 # ## The same on a real robot
 #
-# The lecture's handler and its asynchronous wait, in one node. This file runs unchanged on ROS 2: on a robot you add the usual `main()`.
+# A handler and an asynchronous wait, in one node. This file runs unchanged on ROS 2: on a robot you add the usual `main()`.
 
 # %% [markdown] lang="ko" name="on-the-robot" slide="slide"
 # ## 실제 로봇에서도 똑같이
 #
-# 강의의 예외 처리와 비동기 기다림을 한 노드에 담았습니다. ROS 2에서 그대로 실행됩니다. 로봇에서는 늘 쓰는 `main()`만 덧붙이면 됩니다.
+# 예외 처리와 비동기 기다림을 한 노드에 담았습니다. ROS 2에서 그대로 실행됩니다. 로봇에서는 늘 쓰는 `main()`만 덧붙이면 됩니다.
+
+# %% name="robot-imports" slide="skip"
+from rclpy.node import Node
+from rclpy.qos import qos_profile_sensor_data
+from sensor_msgs.msg import LaserScan
+from tf2_ros import Buffer, ConnectivityException, ExtrapolationException, LookupException, TransformListener
 
 # %% name="robot-node" slide="-"
 class Careful(Node):
@@ -1376,10 +1266,9 @@ class OnRobot(Handling):
         self.get_logger().info(f'laser at {where.x:.2f}, {where.y:.2f}', throttle_duration_sec=1.0)
 
 
-graph = new_graph()
-launch(graph)
-graph.start(watch, OnRobot)
-graph.run(seconds=4)
+graph = lesson.new_graph()
+lesson.launch(graph)
+careful = lesson.run_node(OnRobot, 4.0)
 
 # %% [markdown] lang="en" name="robot-commands" slide="subslide"
 # ### In the terminal
@@ -1412,7 +1301,7 @@ graph.run(seconds=4)
 # %ros2 --for 1.5 topic delay /scan
 
 # %% [markdown] lang="en" name="recap" slide="slide"
-# ## What you take along
+# ## Recap
 #
 # - **Name, path, moment.** Lookup, connectivity, extrapolation: which of the three is missing? (And InvalidArgument: it was no question.)
 # - The text names the ends of the question, not the edge that failed. Find that edge by the time in the text.
@@ -1424,11 +1313,11 @@ graph.run(seconds=4)
 # Words of this chapter: [[lookup exception|LookupException]], [[connectivity exception|ConnectivityException]], [[extrapolation exception|ExtrapolationException]], [[invalid argument exception|InvalidArgumentException]], [[transform exception|TransformException]], [[clock offset]], [[jitter]], [[message filter]].
 
 # %% [markdown] lang="ko" name="recap" slide="slide"
-# ## 이것만은 가져가십시오
+# ## 정리
 #
-# - **이름, 경로, 시각.** 조회, 연결, 외삽 가운데 무엇이 빠졌습니까? (InvalidArgument는 애초에 질문이 아니었던 것입니다.)
-# - 오류문은 질문의 양 끝을 말하고, 실패한 연결은 말하지 않습니다. 오류문에 나온 시각으로 그 연결을 찾으십시오.
-# - 과거라면 기다려도 소용없습니다. 미래라면 *늦은* 것은 조금 기다리고, *틀린* 것은 시계를 맞춥니다. 음수 지연은 시계입니다.
+# - **이름, 경로, 시각.** 이름이 없으면 조회 예외, 경로가 없으면 연결 예외, 그 시각의 값이 없으면 외삽 예외입니다. (InvalidArgument는 애초에 질문이 아니었던 것입니다.)
+# - 오류 메시지에는 조회한 두 좌표계의 이름만 나오고, 막힌 연결은 나오지 않습니다. 메시지에 나온 시각으로 그 연결을 찾습니다.
+# - 과거라면 기다려도 소용없습니다. 미래라면 *늦은* 것은 조금 기다리고, *틀린* 것은 시계를 맞춥니다. 지연이 음수이면 원인은 시계입니다.
 # - timeout은 "왔습니까?"라고 물을 뿐, "맞습니까?"라고 묻지 않습니다.
 # - 하나뿐인 스레드에서는 절대 기다리지 마십시오. 스레드를 늘리거나 약속(퓨처)을 쓰십시오.
 # - 얼마나 오래, 몇 개까지, 얼마나 오래된 것까지. 달리기 전에 정하십시오.
@@ -1440,7 +1329,7 @@ graph.run(seconds=4)
 #
 # <details><summary>From 03. The text says <em>from frame [laser_frame] to frame [map]</em>. Write the call that was made.</summary>
 #
-# `lookup_transform('map', 'laser_frame', stamp)`: data expressed in `laser_frame`, wanted in `map`; wanted comes first.
+# `lookup_transform('map', 'laser_frame', stamp)`: data expressed in `laser_frame`, wanted in `map`; the frame in which you want it comes first.
 #
 # </details>
 #
@@ -1457,17 +1346,17 @@ graph.run(seconds=4)
 # </details>
 
 # %% [markdown] lang="ko" name="from-earlier" slide="subslide"
-# ## 앞 장에서 온 질문 셋
+# ## 앞 장 복습: 세 문제
 #
-# <details><summary>03장에서. 오류문에 "from frame [laser_frame] to frame [map]"이라고 나왔습니다. 어떤 호출이었는지 적으십시오.</summary>
+# <details><summary>03장에서. 오류 메시지에 "from frame [laser_frame] to frame [map]"이라고 나왔습니다. 어떤 호출이었는지 적으십시오.</summary>
 #
-# `lookup_transform('map', 'laser_frame', stamp)`입니다. `laser_frame` 기준 데이터를 `map` 기준으로 보려 한 것이고, 보려는 쪽이 먼저입니다.
+# `lookup_transform('map', 'laser_frame', stamp)`입니다. `laser_frame` 기준 데이터를 `map` 기준으로 보려 한 것이고, 기준이 될 좌표계(목표)를 먼저 씁니다.
 #
 # </details>
 #
-# <details><summary>08장에서. <code>Time()</code>은 무엇을 묻습니까? 이 장의 버퍼에는 오도메트리 소식이 14.6초까지 있는데, 왜 14.0초의 답이 나올까요?</summary>
+# <details><summary>08장에서. <code>Time()</code>으로 조회하면 어느 시각의 변환이 나옵니까? 이 장의 버퍼에는 오도메트리 소식이 14.6초까지 있는데, 왜 14.0초의 답이 나올까요?</summary>
 #
-# 최신 *공통* 시각을 묻습니다. 경로 위 모든 동적 연결의 최신 표본 가운데 가장 이른 것입니다. 정적 연결은 세지 않습니다.
+# 최신 *공통* 시각의 변환입니다. 경로 위 모든 동적 연결의 최신 표본 중에서 가장 이른 시각입니다. 정적 연결은 세지 않습니다.
 #
 # </details>
 #
@@ -1509,7 +1398,7 @@ graph.run(seconds=4)
 # %% [markdown] lang="ko" name="practice" slide="subslide"
 # ## 서술형 문제
 #
-# 종이에 답한 뒤 목록을 열어 스스로 채점하십시오. 들어 있는 내용 하나에 1점입니다.
+# 종이에 답한 뒤 목록을 열어 스스로 채점해 보세요. 아래 내용이 하나 들어 있을 때마다 1점입니다.
 #
 # **Q11.** LookupException, ConnectivityException, ExtrapolationException은 어떻게 다릅니까?
 #
@@ -1530,7 +1419,7 @@ graph.run(seconds=4)
 # - 미래: 변환이 아직 오는 중이거나, 발행자가 느리거나 죽었습니다.
 # - 미래: 센서 시계가 빠르거나, 변환을 발행하는 쪽의 시계가 느립니다.
 # - 과거: 처리 시간이 버퍼의 기억보다 길었거나, TF가 시작되기 전의 메시지입니다.
-# - 과거: 다른 시계의 시각입니다. 느린 센서 시계, 백에 담긴 옛 시각이 그렇습니다.
+# - 과거: 다른 시계의 시각입니다. 느린 센서 시계, bag에 담긴 옛 시각이 그렇습니다.
 # - 기다림이 도움이 되는 것은 첫 번째 경우뿐입니다.
 #
 # </details>
@@ -1548,24 +1437,23 @@ graph.run(seconds=4)
 #
 # </details>
 #
-# Then go to the exercises: [09, seven tasks](../../exercises/en/09_exceptions_and_waiting.ipynb).
+# **Next:** the exercises, [E9, seven tasks](../../exercises/en/09_exceptions_and_waiting.ipynb). In E9.3 two stamps are subtracted: make both with `Time.from_msg(...)`, for times of different clocks do not mix.
+# After a pass, or three tries, `solution("E9.1")` shows a solution there. To start a page over, delete its file and type `tflab lab`. This is the last chapter that is here; [the start page](00_start.ipynb) shows what you have passed.
 # On your checklist this chapter is **C10**: you have now reproduced the lookup, the connectivity and the extrapolation error. Here it was simulated; do it once on the robot.
 
 # %% [markdown] lang="ko" name="exit-ticket" slide="slide"
-# ## 나가기 전에
+# ## 마무리하며
 #
-# 보지 않고 답해 보십시오. 로그에 *extrapolation into the future*가 나왔습니다. 이것이 뜻할 수 있는 **두** 가지와, 둘을 가려내는 **한** 가지 명령을 말하십시오.
-# timeout을 늘리자는 동료에게 건넬 한 문장을 적어 보십시오.
+# 보지 않고 답해 보세요. 로그에 *extrapolation into the future*가 나왔습니다. 이것이 뜻할 수 있는 **두** 가지와, 둘을 구별하는 **한** 가지 명령을 말해 보세요.
+# timeout을 늘리자는 동료에게 건넬 한 문장을 적어 보세요.
 #
 # <details><summary>좋은 답의 한 예</summary>
 #
 # 변환이 늦거나, 시계가 틀렸습니다. `ros2 topic delay`를 봅니다. 데이터가 늦으면 지연이 정상보다 크고 떨립니다. 0보다 작으면 시계입니다.
-# "늦은 것이라면 조금만 기다려도 되고, 시계라면 오래 기다려 봐야 가려질 뿐이니, 먼저 지연부터 봅시다."
+# "늦은 것이라면 조금만 기다려도 되고, 시계라면 오래 기다려 봐야 숨겨질 뿐이니, 먼저 지연부터 봅시다."
 #
 # </details>
 #
-# 이제 연습 문제를 푸십시오. [09장, 과제 일곱 개](../../exercises/ko/09_exceptions_and_waiting.ipynb).
-# 실습 체크리스트에서 이 장은 **C10**입니다. 이제 조회·연결·외삽 오류를 모두 직접 만들어 보았습니다. 여기서는 시뮬레이션이었으니, 로봇에서도 한 번 해 보십시오.
-
-# %% name="stop"
-graph.stop()
+# **다음:** 연습 문제 [E9, 과제 일곱 개](../../exercises/ko/09_exceptions_and_waiting.ipynb)를 풀어 보세요. E9.3에서는 두 시각을 뺍니다. 종류가 다른 시계의 시각은 섞이지 않으므로 둘 다 `Time.from_msg(...)`로 만듭니다.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E9.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력하세요. 준비된 마지막 장입니다. [첫 페이지](00_start.ipynb)에서 무엇을 통과했는지 볼 수 있습니다.
+# 실습 체크리스트에서 이 장은 **C10**입니다. 이제 조회·연결·외삽 오류를 모두 직접 만들어 보았습니다. 여기서는 시뮬레이션이었으니, 로봇에서도 한 번 해 보세요.
