@@ -35,7 +35,7 @@
 # %% [markdown] lang="en" name="needed" slide="skip"
 # ## What you need for this chapter
 #
-# You need Python. Chapter 1 is still being written; these lines are all that you need of it:
+# You need Python. These lines are all that you need of chapter 01; if you have read it, skip them:
 #
 # - A [[frame]] is an origin and three directions, with a name: `base_link`, `camera_link`.
 # - A point is a value, a frame and a time. `(2, 0, 0)` alone is a rumour.
@@ -52,7 +52,7 @@
 # %% [markdown] lang="ko" name="needed" slide="skip"
 # ## 시작하기 전에 알아 둘 것
 #
-# 파이썬만 알면 됩니다. 01장은 아직 집필 중이므로, 거기서 필요한 내용을 여기에 적어 둡니다.
+# 파이썬만 알면 됩니다. 01장에서 필요한 내용은 다음이 전부입니다. 01장을 읽었다면 건너뛰어도 됩니다.
 #
 # - [[frame|좌표계(frame)]]는 원점과 세 방향에 이름을 붙인 것입니다. `base_link`, `camera_link`처럼 씁니다.
 # - 값, 좌표계, 시각이 모두 있어야 비로소 점이라 할 수 있습니다. `(2, 0, 0)`만으로는 아무 뜻이 없습니다.

@@ -37,7 +37,7 @@
 # %% [markdown] lang="en" name="needed" slide="slide"
 # ## What you need to begin
 #
-# Chapters 01 and 04 to 06 are still being written. This page uses no more of them than this; if you have done 03, skip its line.
+# This is all that the page uses of the chapters before; skip the lines of those that you have read.
 #
 # - **A point** (01) is three things: a value, a frame, and the moment it was measured. In ROS 2 the last two are `header.frame_id` and `header.stamp`.
 # - **The question** (03) has a fixed order: `lookup_transform(target, source, time)`. Data is expressed in the source, and wanted in the target.
@@ -49,7 +49,7 @@
 # %% [markdown] lang="ko" name="needed" slide="slide"
 # ## 시작하기 전에 알아 둘 것
 #
-# 01장과 04장부터 06장까지는 아직 집필 중입니다. 이 장에서는 다음 내용만 알면 됩니다. 03장을 마쳤다면 그 줄은 건너뛰어도 됩니다.
+# 앞 장에서 필요한 내용은 다음이 전부입니다. 읽은 장의 줄은 건너뛰어도 됩니다.
 #
 # - **점**(01)은 값, 좌표계, 측정된 순간, 이 세 가지입니다. ROS 2에서 뒤의 둘은 `header.frame_id`와 `header.stamp`입니다.
 # - **질문**(03)의 순서는 정해져 있습니다. `lookup_transform(target, source, time)`: 원본(source) 기준 데이터를 목표(target) 기준으로 보고 싶습니다.

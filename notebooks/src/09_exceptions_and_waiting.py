@@ -35,7 +35,7 @@
 # %% [markdown] lang="en" name="what-you-need" slide="subslide"
 # ## What you need to begin
 #
-# Chapters 04 to 07 are still being written. This page uses no more of them than this.
+# This is all that the page uses of the chapters before.
 #
 # - **The tree (04).** Every frame has at most one parent. A frame without a parent is a root. Two frames are connected if the way up from both ends at the same root.
 # - **The usual chain (05).** `map → odom → base_footprint → base_link → laser_frame`. A localiser publishes `map → odom`, the wheels' odometry publishes `odom → base_footprint`. So every lookup from `map` to a sensor needs news from *two* nodes.
@@ -45,7 +45,7 @@
 # %% [markdown] lang="ko" name="what-you-need" slide="subslide"
 # ## 시작하기 전에 알아 둘 것
 #
-# 04장부터 07장까지는 아직 집필 중입니다. 이 장에서는 다음 내용만 알면 됩니다.
+# 앞 장에서 필요한 내용은 다음이 전부입니다.
 #
 # - **트리(04).** 좌표계마다 부모는 하나이거나 없습니다. 부모가 없는 좌표계가 루트입니다. 두 좌표계에서 위로 올라가 같은 루트에 닿으면 서로 연결된 것입니다.
 # - **흔히 쓰는 체인(05).** `map → odom → base_footprint → base_link → laser_frame`. `map → odom`은 위치 추정 노드가, `odom → base_footprint`는 바퀴 오도메트리가 발행합니다. 따라서 `map`에서 센서까지 조회하려면 *두* 노드의 소식이 모두 필요합니다.
