@@ -47,6 +47,7 @@ FOLDERS = {
     "robots/faults": {"."},
     "doctor/checks": {"."},
     "doctor/report": {".", "checks"},
+    "doctor/gate": {".", "checks", "report"},
     "workbook/answers": {"."},
     "workbook/tasks": {".", "answers"},
     "workbook/course": {".", "answers", "tasks"},

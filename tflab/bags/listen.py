@@ -1,62 +1,182 @@
 """What is said right now?  A recording of a living graph, in memory, with the publishers' names.
 
-    graph --/tf, /tf_static--> a listener for some seconds --> Recording
+    graph --every topic--> a listener for some seconds --> Recording
+             /tf, /tf_static     transforms, each with its publisher
+             what has a header   stamps and frames
+             /clock              the time
 
 A file cannot tell who published a transform; in one process nothing gets lost,
-so here every label has its publisher.  Read `play.py` next.
+so here every label has its publisher.  The listener asks a node only for what
+rclpy's nodes offer, so a robot can be heard in the same way.
+
+Read `play.py` next.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from tflab.core import NSEC_PER_SEC, StampedTransform, Transform
 from tflab.core.records import TransformRecord
 from tflab.ros import client_library
-from tflab.ros.convert import stamped_from_msg
 from tflab.ros.graph import Graph
+from tflab.ros.messages.base import type_named
 from tflab.ros.messages.tf2_msgs import TFMessage
 from tflab.ros.node import Node
 
 from .record import adapted_profile
-from .recording import Recording, recording_from_records
+from .recording import Clock, Connection, Headers, QosProfile, Recording, recording_from_records
 
-__all__ = ["recording_from_graph"]
+__all__ = ["Heard", "recording_from_graph", "subscribe_to_all"]
 
 NODE_NAME = "tf_listener"
+CLOCK_TYPE = "rosgraph_msgs/msg/Clock"
+
+
+class Heard:
+    """What a listener has heard so far."""
+
+    def __init__(self) -> None:
+        self._records: list[TransformRecord] = []
+        self._headers: dict[tuple[str, str], list[tuple[int, int, str]]] = {}
+        self._clock: list[tuple[int, int]] = []
+        self._counts: dict[tuple[str, str, str], int] = {}
+        self._qos: dict[tuple[str, str, str], tuple[QosProfile, ...]] = {}
+
+    def add_publisher(self, topic: str, ros_type: str, publisher: str, qos: QosProfile) -> None:
+        """Note that a node offers a topic, whether or not it says something."""
+        key = (topic, ros_type, publisher)
+        self._qos[key] = (*self._qos.get(key, ()), qos)
+
+    def add(self, topic: str, ros_type: str, publisher: str, receive_ns: int, message: Any) -> None:
+        """Take one message."""
+        key = (topic, ros_type, publisher)
+        self._counts[key] = self._counts.get(key, 0) + 1
+        if ros_type == TFMessage.ROS_TYPE:
+            is_static = topic.endswith("tf_static")
+            for transform in message.transforms:
+                stamped = _stamped_from(transform)
+                self._records.append(TransformRecord(topic, receive_ns, publisher, stamped, is_static))
+        elif ros_type == CLOCK_TYPE:
+            self._clock.append((receive_ns, _nanoseconds(message.clock)))
+        elif hasattr(message, "header"):
+            row = (receive_ns, _nanoseconds(message.header.stamp), message.header.frame_id)
+            self._headers.setdefault((topic, ros_type), []).append(row)
+
+    def recording(self, name: str) -> Recording:
+        """Return everything as a recording."""
+        made = recording_from_records(self._records, name)
+        keys = sorted({*self._counts, *self._qos})
+        moments = [row[0] for rows in (*self._headers.values(), self._clock) for row in rows]
+        moments += [made.begin_ns, made.end_ns] if self._records else []
+        clock = np.array(self._clock, dtype=np.int64).reshape(-1, 2)
+        return replace(
+            made,
+            connections=tuple(Connection(*key, self._qos.get(key, ()), self._counts.get(key, 0)) for key in keys),
+            headers=tuple(_table(*key, rows) for key, rows in sorted(self._headers.items())),
+            clock=Clock(clock[:, 0], clock[:, 1]),
+            begin_ns=min(moments, default=0),
+            end_ns=max(moments, default=0),
+        )
 
 
 def recording_from_graph(graph: Graph, seconds: float = 5.0) -> Recording:
-    """Let `seconds` pass on a graph, and return every transform that was heard meanwhile.
+    """Let `seconds` pass on a graph, and return every transform and header that was heard meanwhile.
 
     Topics that have no publisher yet are not heard.
     """
-    records: list[TransformRecord] = []
-    participant = graph.start(_listen, graph, records, name=NODE_NAME)
+    heard = Heard()
+    participant = graph.start(_listen, heard, name=NODE_NAME)
     graph.run(seconds=seconds)
     graph.stop(participant)
-    return recording_from_records(records, "graph")
+    return heard.recording("graph")
 
 
-def _listen(graph: Graph, records: list[TransformRecord]) -> None:
-    """Write down all transforms, as a participant of the graph."""
-    client_library.init()
-    node = Node(NODE_NAME, start_parameter_services=False)
+def subscribe_to_all(node: Any, heard: Heard, class_of: Callable[[str], type | None]) -> None:
+    """Subscribe a node, of ours or of rclpy, to every topic that tells of transforms, frames or time.
+
+    Args:
+        class_of: the class of messages of a type; None if there is none here.
+    """
     for topic, types in node.get_topic_names_and_types():
         publishers = node.get_publishers_info_by_topic(topic)
-        if types == [TFMessage.ROS_TYPE] and publishers:
-            _subscribe(node, topic, publishers, records)
+        message_class = class_of(types[0]) if len(types) == 1 and publishers else None
+        if message_class is not None and _tells_something(types[0], message_class):
+            _subscribe(node, topic, types[0], message_class, publishers, heard)
+
+
+def _listen(heard: Heard) -> None:
+    """Write down everything, as a participant of the graph."""
+    client_library.init()
+    node = Node(NODE_NAME, start_parameter_services=False)
+    subscribe_to_all(node, heard, _class_here)
     try:
         client_library.spin(node)
     finally:
         client_library.try_shutdown()
 
 
-def _subscribe(node: Node, topic: str, publishers: list, records: list[TransformRecord]) -> None:
+def _class_here(ros_type: str) -> type | None:
+    try:
+        return type_named(ros_type)
+    except KeyError:
+        return None
+
+
+def _tells_something(ros_type: str, message_class: type) -> bool:
+    return ros_type in (TFMessage.ROS_TYPE, CLOCK_TYPE) or "header" in message_class.get_fields_and_field_types()
+
+
+def _subscribe(node: Any, topic: str, ros_type: str, message_class: type, publishers: list, heard: Heard) -> None:
     names = {bytes(p.endpoint_gid): f"{p.node_namespace.rstrip('/')}/{p.node_name}" for p in publishers}
-    is_static = topic.endswith("tf_static")
+    only = next(iter(set(names.values()))) if len(set(names.values())) == 1 else ""
+    for publisher in publishers:
+        name = names[bytes(publisher.endpoint_gid)]
+        heard.add_publisher(topic, ros_type, name, _words_of(publisher.qos_profile))
 
-    def on_message(message: TFMessage, info: dict) -> None:
-        publisher = names.get(bytes(info["publisher_gid"]), "")
-        for transform in message.transforms:
-            stamped = stamped_from_msg(transform)
-            records.append(TransformRecord(topic, info["received_timestamp"], publisher, stamped, is_static))
+    def on_message(message: Any, info: dict) -> None:
+        publisher = names.get(bytes(info.get("publisher_gid") or b""), only)
+        heard.add(topic, ros_type, publisher, info["received_timestamp"], message)
 
-    node.create_subscription(TFMessage, topic, on_message, adapted_profile([p.qos_profile for p in publishers]))
+    node.create_subscription(message_class, topic, on_message, _profile_for(node, publishers))
+
+
+def _profile_for(node: Any, publishers: list) -> Any:
+    """Return the profile that hears all of them, in the classes that the node itself speaks."""
+    adapted = adapted_profile([p.qos_profile for p in publishers])
+    theirs = type(publishers[0].qos_profile)
+    if isinstance(adapted, theirs):
+        return adapted
+    offered = publishers[0].qos_profile
+    return theirs(
+        depth=adapted.depth,
+        durability=type(offered.durability)(int(adapted.durability)),
+        reliability=type(offered.reliability)(int(adapted.reliability)),
+    )
+
+
+def _words_of(qos: Any) -> QosProfile:
+    return QosProfile(qos.history.name.lower(), qos.depth, qos.reliability.name.lower(), qos.durability.name.lower())
+
+
+def _stamped_from(transform: Any) -> StampedTransform:
+    t, q = transform.transform.translation, transform.transform.rotation
+    pose = Transform((t.x, t.y, t.z), (q.x, q.y, q.z, q.w))
+    stamp_ns = _nanoseconds(transform.header.stamp)
+    return StampedTransform(transform.header.frame_id, transform.child_frame_id, stamp_ns, pose)
+
+
+def _nanoseconds(time: Any) -> int:
+    return time.sec * NSEC_PER_SEC + time.nanosec
+
+
+def _table(topic: str, msgtype: str, rows: list[tuple[int, int, str]]) -> Headers:
+    receive_ns, stamp_ns, names = zip(*rows, strict=True)
+    frames = tuple(dict.fromkeys(names))
+    frame = [frames.index(name) for name in names]
+    columns = (np.array(column, dtype=np.int64) for column in (receive_ns, stamp_ns, frame))
+    return Headers(topic, msgtype, *columns, frames)

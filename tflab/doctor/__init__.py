@@ -7,7 +7,11 @@
     checks/      the seven questions, and their order
     diagnose     all of them, and causes apart from effects
     report/      the sentences, and how they are written down
+    profile      each edge in figures
+    gate/        what is expected, and the forms that machines read
     examination  the door: examine(recording | graph | buffer)
+    live         a robot, through rclpy
+    options      what one may ask
     command      `tflab doctor BAG`
 
 Start with `findings.py`; each page names the next.

@@ -1,73 +1,220 @@
 """`tflab doctor BAG`: what is wrong with the TF of this recording?
 
-    tflab doctor drive                    for the eye
-    tflab doctor drive --json             for a program
-    tflab doctor drive --html report.html for a browser
+    words -> options -> recordings -> reports -> text, files, exit status
+                                         ^
+                           expectations, baseline, --ignore
 
-The exit status is 1 if errors were found, 2 if the bag cannot be read or the
-report not be written, and 0 otherwise.
+The exit status is 1 if something is as severe as --fail-on asks, 2 if a bag
+cannot be read or a file not be written, and 0 otherwise.  `options.py` lists the
+words.
 """
 
 from __future__ import annotations
 
-import argparse
 import json
 import logging
 import sys
-from collections.abc import Sequence
+from argparse import Namespace
+from collections.abc import Callable, Sequence
+from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
+from typing import NamedTuple
 
 from tflab.bags.errors import BagError
+from tflab.bags.recording import Recording
+
+from .diagnose import diagnose_recording, worst_first
+from .findings import Report
+from .gate.annotations import annotations_from_reports
+from .gate.deviations import changes_between, deviations_from
+from .gate.expectations import ExpectationError, Expectations, expectations_from, read_expectations, toml_from
+from .gate.filters import BaselineError, baseline_from, let_pass, read_baseline
+from .gate.junit import junit_from_reports
+from .gate.sarif import sarif_from_reports
+from .gate.table import text_from_reports
+from .live import NoRos, recording_from_ros
+from .options import FAILING, options_from
+from .profile import RecordingProfile, profile_of, text_from_profile
+from .report.text import data_from_report, text_from_report
 
 __all__ = ["main"]
 
-FOUND_ERRORS, UNUSABLE = 1, 2
+FOUND, UNUSABLE = 1, 2
+
+
+class Rules(NamedTuple):
+    """What is expected, and what is let pass."""
+
+    expectations: Expectations
+    ignore: tuple[str, ...]
+    baseline: tuple[str, ...]
+
+
+class Examined(NamedTuple):
+    """One recording after the examination; where it could not be read, only why.
+
+    Attributes:
+        recording: only kept where a page with pictures is asked for.
+    """
+
+    name: str
+    report: Report | None = None
+    profile: RecordingProfile | None = None
+    recording: Recording | None = None
+    refusal: str = ""
 
 
 def main(words: Sequence[str]) -> int:
     """Run `tflab doctor` with these words; return the exit status."""
-    parser = argparse.ArgumentParser(prog="tflab doctor", description="Say what is wrong with the TF of a recording.")
-    parser.add_argument("bag", metavar="BAG", help="a rosbag2 directory, an .mcap or .db3 file, or a .bag of ROS 1")
-    parser.add_argument("--json", action="store_true", help="print the report as JSON")
-    parser.add_argument("--html", metavar="FILE", help="also write the report, with pictures, as a page of its own")
-    options = parser.parse_args(list(words))
-    return _diagnose(options.bag, options.json, options.html)
+    options = options_from(words)
+    taken = [file for file in _files_to_write(options) if Path(file).exists()]
+    if taken:
+        return _refuse(f"{taken[0]}: exists already; nothing is overwritten")
+    try:
+        rules = _rules(options)
+    except (ExpectationError, BaselineError) as error:
+        return _refuse(f"{error}")
+    examined = [_examined(name, read, options, rules) for name, read in _patients(options)]
+    examined = _compared(examined, options)
+    _print(examined, options)
+    try:
+        _write_files(examined, options)
+    except OSError as error:
+        return _refuse(f"{error.filename}: cannot be written ({error.strerror})")
+    return _exit_status(examined, options)
 
 
-def _diagnose(bag: str, as_json: bool, html: str | None) -> int:
-    """Diagnose a bag, print the report, and return the exit status."""
+def _files_to_write(options: Namespace) -> list[str]:
+    asked = (options.html, options.junit, options.sarif, options.write_expectations, options.write_baseline)
+    return [file for file in asked if file is not None]
+
+
+def _rules(options: Namespace) -> Rules:
+    expectations = read_expectations(options.expect) if options.expect else Expectations()
+    baseline = read_baseline(options.baseline) if options.baseline else ()
+    return Rules(expectations, (*options.ignore, *expectations.ignore), baseline)
+
+
+def _patients(options: Namespace) -> list[tuple[str, Callable[[], Recording]]]:
+    """Return what is to be examined: its name, and how to get hold of it."""
+    if options.live is not None:
+        return [("live", lambda: recording_from_ros(options.live))]
+    return [(bag, lambda bag=bag: _read(bag)) for bag in options.bags]
+
+
+def _read(bag: str) -> Recording:
     from tflab.bags.reader import read_bag
 
-    from .diagnose import diagnose_recording
-    from .report.text import data_from_report, text_from_report
+    return read_bag(bag)
 
-    if html is not None and Path(html).exists():
-        return _refuse(f"{html}: exists already; nothing is overwritten")
+
+def _examined(name: str, read: Callable[[], Recording], options: Namespace, rules: Rules) -> Examined:
     try:
-        recording = read_bag(bag)
-    except BagError as error:
-        return _refuse(f"{error}")
+        recording = read()
+    except (BagError, NoRos) as error:
+        return Examined(name, refusal=f"{error}")
     report = diagnose_recording(recording)
-    print(json.dumps(data_from_report(report), indent=2) if as_json else text_from_report(report))
-    if html is not None:
-        try:
-            _write_html(html, report, recording)
-        except OSError as error:
-            return _refuse(f"{html}: cannot be written ({error.strerror})")
-    return FOUND_ERRORS if report.has_errors else 0
+    is_asked = options.expect or options.write_expectations or options.edges or len(options.bags) == 2
+    profile = profile_of(recording) if is_asked else None
+    if options.expect and profile is not None:
+        deviations = deviations_from(rules.expectations, profile)
+        report = replace(report, findings=worst_first([*report.findings, *deviations]))
+    report, _ = let_pass(report, rules.ignore, rules.baseline)
+    return Examined(name, report, profile, recording if options.html else None)
 
 
-def _write_html(path: str, report, recording) -> None:
-    from .report.html import html_from_report
+def _compared(examined: list[Examined], options: Namespace) -> list[Examined]:
+    """Return what was examined, with what changed among the findings of the second of two."""
+    if len(examined) != 2 or options.table or not all(patient.profile for patient in examined):
+        return examined
+    before, after = examined
+    changes = changes_between(before.profile, after.profile)
+    changed = replace(after.report, findings=worst_first([*after.report.findings, *changes]))
+    changed, _ = let_pass(changed, options.ignore)
+    return [before, after._replace(report=changed)]
 
-    refusals = logging.getLogger("tflab.tf2")  # what the buffer for the tree refuses is in the report already
+
+def _print(examined: list[Examined], options: Namespace) -> None:
+    as_table = options.table or len(examined) > 2
+    told = [patient for patient in examined if patient.report is not None]
+    if options.json:
+        _print_refusals(examined)
+        _print_json(examined, told)
+        return
+    if as_table:
+        print(text_from_reports([p.name for p in examined], [p.report or p.refusal for p in examined]))
+    else:
+        _print_refusals(examined)
+        _print_text(told)
+    if options.edges:
+        for patient in told:
+            print(f"\n{patient.name}\n{text_from_profile(patient.profile)}")
+    if options.github and told:
+        print(annotations_from_reports([p.report for p in told], [p.name for p in told]))
+
+
+def _print_refusals(examined: list[Examined]) -> None:
+    for patient in examined:
+        if patient.refusal:
+            print(f"tflab doctor: {patient.refusal}", file=sys.stderr)
+
+
+def _print_json(examined: list[Examined], told: list[Examined]) -> None:
+    data = [data_from_report(patient.report) for patient in told]
+    if data:
+        print(json.dumps(data[0] if len(examined) == 1 else {"version": 1, "reports": data}, indent=2))
+
+
+def _print_text(told: list[Examined]) -> None:
+    if len(told) == 2:
+        print(f"{told[1].name}, and what changed since {told[0].name}:\n")
+    for patient in told[-1:]:
+        print(text_from_report(patient.report))
+
+
+def _write_files(examined: list[Examined], options: Namespace) -> None:
+    reports = [patient for patient in examined if patient.report is not None]
+    names = [patient.name for patient in reports]
+    if not reports:
+        return
+    if options.junit:
+        _write(options.junit, junit_from_reports([patient.report for patient in reports], FAILING[options.fail_on]))
+    if options.sarif:
+        _write(options.sarif, sarif_from_reports([patient.report for patient in reports], names))
+    if options.write_baseline:
+        _write(options.write_baseline, baseline_from(patient.report for patient in reports))
+    if options.write_expectations:
+        _write(options.write_expectations, toml_from(expectations_from(reports[0].profile)))
+    if options.html:
+        from .report.html import html_from_report
+
+        with _quiet_engine():
+            page = html_from_report(reports[0].report, reports[0].recording)
+        _write(options.html, page)
+
+
+def _write(path: str, text: str) -> None:
+    with Path(path).open("x", encoding="utf-8") as file:
+        file.write(text)
+
+
+@contextmanager
+def _quiet_engine():
+    """Silence what the buffer for the pictures refuses: it is in the report already."""
+    refusals = logging.getLogger("tflab.tf2")
     was_disabled, refusals.disabled = refusals.disabled, True
     try:
-        page = html_from_report(report, recording)
+        yield
     finally:
         refusals.disabled = was_disabled
-    with Path(path).open("x", encoding="utf-8") as file:
-        file.write(page)
+
+
+def _exit_status(examined: list[Examined], options: Namespace) -> int:
+    if any(patient.refusal for patient in examined):
+        return UNUSABLE
+    failing = FAILING[options.fail_on]
+    return FOUND if any(patient.report.of_severity(*failing) for patient in examined) else 0
 
 
 def _refuse(reason: str) -> int:

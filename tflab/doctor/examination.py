@@ -4,7 +4,7 @@
     print(examine(buffer))
 
 A graph is listened to for some seconds, as view_frames does, and asked for its
-nodes.  Read `command.py` next.
+nodes.  Read `live.py` next.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from tflab.ros.snapshot import snapshot
 
 from .checks.time_sources import mixed_time_sources
 from .diagnose import diagnose_buffer, diagnose_recording, worst_first
-from .findings import Report
+from .findings import Finding, Report
 
 __all__ = ["examine"]
 
@@ -49,7 +49,16 @@ def examine(patient: Recording | Graph | BufferCore, seconds: float = 5.0) -> Re
 
 
 def _diagnose_graph(graph: Graph, seconds: float) -> Report:
-    mixed = list(mixed_time_sources(snapshot(graph)))
+    nodes = snapshot(graph)
     report = diagnose_recording(recording_from_graph(graph, seconds))
+    findings = [*report.findings, *mixed_time_sources(nodes)]
+    if not any(node.clock_offset_ns for node in nodes.nodes):
+        findings = [_of_the_network(finding) for finding in findings]
     made = (*report.checks_made, "time sources of the nodes")
-    return replace(report, findings=worst_first([*report.findings, *mixed]), checks_made=made)
+    return replace(report, findings=worst_first(findings), checks_made=made)
+
+
+def _of_the_network(finding: Finding) -> Finding:
+    """Return what a finding means where all clocks are known to agree: what is late alike is late by the network."""
+    is_late = finding.code == "clock-offset" and finding.facts["way"] == "after"
+    return replace(finding, code="all-late") if is_late else finding

@@ -27,6 +27,7 @@ __all__ = ["JumpEvent", "clock_offset", "jump_events", "jumping_clocks", "other_
 TOGETHER_NS = 2 * NSEC_PER_SEC  # jumps this close to each other are one event
 OFFSET_S = 0.1
 FEWEST_SAMPLES = 8
+MOST = 0.6  # of the sources; the others may take longer, nobody less
 
 
 class JumpEvent(NamedTuple):
@@ -114,7 +115,7 @@ def other_time_source(evidence: Evidence) -> Iterator[Finding]:
 
 
 def clock_offset(evidence: Evidence) -> Iterator[Finding]:
-    """Yield a finding if everything is stamped early, or late, by the same amount."""
+    """Yield a finding if everything is stamped early, or late, by about the same amount."""
     if evidence.clock.source != "same":
         return
     settled = zip(evidence.moving, settled_delays_s(evidence), strict=True)
@@ -125,7 +126,8 @@ def clock_offset(evidence: Evidence) -> Iterator[Finding]:
         return
     common_s = float(np.median(usual_s))
     near = np.abs(usual_s - common_s) < max(0.05, 0.1 * abs(common_s))
-    if abs(common_s) > OFFSET_S and near.all():
+    is_common = near.mean() >= MOST and (usual_s / common_s > MOST).all() if common_s else False
+    if abs(common_s) > OFFSET_S and is_common:
         way = "after" if common_s > 0 else "before"
         facts = {"offset": f"{abs(common_s):.3f}", "way": way, "count": len(usual_s)}
         yield Finding("clock-offset", "warning", facts=facts)

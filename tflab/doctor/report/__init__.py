@@ -3,6 +3,7 @@
     sentences    what a finding is told with
     tree_texts   of names, trees, numbers, owners and mounts
     time_texts   of time
+    gate_texts   of what is not as expected
     texts        all of them, and how the blanks are filled
     certainty    how sure, and what would settle it
     faults       which finding names which fault

@@ -6,7 +6,7 @@
     tree          who is whose child
     checks        made, and not made
 
-No network, no scripts: the pictures are in the file.  Read `examination.py` next.
+No network, no scripts: the pictures are in the file.  Read `profile.py` next.
 """
 
 from __future__ import annotations

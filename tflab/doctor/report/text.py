@@ -24,7 +24,7 @@ from .faults import faults_of_code
 from .sentences import Sentences
 from .texts import TEXTS, sentences
 
-__all__ = ["data_from_report", "effects_text", "headline", "moments_text", "text_from_report"]
+__all__ = ["data_from_report", "effects_text", "finding_text", "headline", "moments_text", "text_from_report"]
 
 WIDTH = 100
 MOST_EFFECTS = 4  # that are told by name
@@ -94,6 +94,11 @@ def moments_text(report: Report, finding: Finding) -> str:
     begin_s = (finding.begin_ns - report.begin_ns) / NSEC_PER_SEC
     end_s = (max(finding.end_ns, finding.begin_ns) - report.begin_ns) / NSEC_PER_SEC
     return f"{begin_s:.2f} s" if end_s - begin_s < 0.005 else f"{begin_s:.2f} s to {end_s:.2f} s"
+
+
+def finding_text(report: Report, finding: Finding, texts: Mapping[str, Sentences] = TEXTS) -> str:
+    """Return one finding for a terminal."""
+    return "\n".join(_finding_lines(report, finding, texts))
 
 
 def _finding_lines(report: Report, finding: Finding, texts: Mapping[str, Sentences]) -> list[str]:

@@ -8,13 +8,14 @@ Another language is another table with the same keys.  Read `certainty.py` next.
 from __future__ import annotations
 
 from ..findings import Finding
+from .gate_texts import GATE_TEXTS
 from .sentences import Sentences
 from .time_texts import TIME_TEXTS
 from .tree_texts import TREE_TEXTS
 
 __all__ = ["CHECK_TEXTS", "TEXTS", "sentences"]
 
-TEXTS: dict[str, Sentences] = {**TREE_TEXTS, **TIME_TEXTS}
+TEXTS: dict[str, Sentences] = {**TREE_TEXTS, **TIME_TEXTS, **GATE_TEXTS}
 
 CHECK_TEXTS = {
     "arrival": "the order and the times of arrival, which a buffer does not keep",

@@ -1,0 +1,284 @@
+"""The doctor as a gate: what is expected, what is let pass, the forms that machines read, and the exit status."""
+
+import json
+import xml.etree.ElementTree as ET
+from dataclasses import replace
+
+import pytest
+
+from tflab.bags.record import BagWriter
+from tflab.bags.recording import recording_from_records
+from tflab.cli import main
+from tflab.core import Transform
+from tflab.doctor.diagnose import diagnose_recording
+from tflab.doctor.gate.annotations import annotations_from_reports
+from tflab.doctor.gate.deviations import changes_between, deviations_from
+from tflab.doctor.gate.expectations import (
+    ExpectationError,
+    expectations_from,
+    read_expectations,
+    toml_from,
+)
+from tflab.doctor.gate.filters import let_pass
+from tflab.doctor.gate.junit import junit_from_reports
+from tflab.doctor.gate.sarif import sarif_from_reports
+from tflab.doctor.profile import profile_of, text_from_profile
+from tflab.robots.faults.inject import inject
+from tflab.robots.teaching import TeachingRobot
+from tflab.ros.convert import msg_from_stamped
+from tflab.ros.messages.tf2_msgs import TFMessage
+from tflab.ros.qos import QoSProfile
+
+RECORDS = TeachingRobot().records(until_s=6.0)
+
+
+def write(path, records):
+    with BagWriter(path) as writer:
+        for topic in ("/tf", "/tf_static"):
+            writer.add_topic(topic, TFMessage.ROS_TYPE, [QoSProfile(depth=100)] if topic == "/tf" else [])
+        for record in records:
+            writer.write(record.topic, TFMessage(transforms=[msg_from_stamped(record.stamped)]), record.receive_ns)
+    return str(path)
+
+
+@pytest.fixture(scope="module")
+def clean(tmp_path_factory):
+    return write(tmp_path_factory.mktemp("clean") / "clean", RECORDS)
+
+
+@pytest.fixture(scope="module")
+def late(tmp_path_factory):
+    """A recording with a warning: one edge comes late."""
+    return write(tmp_path_factory.mktemp("late") / "late", inject(RECORDS, "late-stamps", seed=1).records)
+
+
+@pytest.fixture(scope="module")
+def broken(tmp_path_factory):
+    """A recording with an error."""
+    return write(tmp_path_factory.mktemp("broken") / "broken", inject(RECORDS, "zero-quaternion", seed=1).records)
+
+
+def profile(records):
+    return profile_of(recording_from_records(records))
+
+
+def codes(findings):
+    return {finding.code for finding in findings}
+
+
+# -- exit status -----------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("bag", "least", "status"),
+    [
+        ("clean", "warning", 0),
+        ("late", "error", 0),
+        ("late", "warning", 1),
+        ("broken", "error", 1),
+        ("broken", "never", 0),
+    ],
+)
+def test_the_exit_status_is_that_of_the_least_severity_that_fails(bag, least, status, request, capsys):
+    assert main(["doctor", request.getfixturevalue(bag), "--fail-on", least]) == status
+    assert capsys.readouterr().out
+
+
+@pytest.mark.parametrize("words", [[], ["x", "--live", "3"], ["--live", "-1"], ["x", "--json", "--github"]])
+def test_words_that_make_no_sense_end_with_2(words, capsys):
+    with pytest.raises(SystemExit) as ended:
+        main(["doctor", *words])
+    assert ended.value.code == 2 and "tflab doctor: error" in capsys.readouterr().err
+
+
+def test_help_teaches_with_examples_and_exit_status(capsys):
+    with pytest.raises(SystemExit):
+        main(["doctor", "--help"])
+    text = capsys.readouterr().out
+    assert "examples:" in text and "exit status:" in text and "--write-expectations robot.toml" in text
+
+
+# -- expectations ----------------------------------------------------------
+
+
+def test_a_recording_is_as_expected_of_itself_and_of_another_seed():
+    expected = expectations_from(profile(RECORDS))
+    assert deviations_from(expected, profile(RECORDS)) == []
+    assert deviations_from(expected, profile(TeachingRobot(seed=5).records(until_s=6.0))) == []
+
+
+def test_what_is_written_is_read_again(tmp_path):
+    expected = expectations_from(profile(RECORDS))
+    file = tmp_path / "robot.toml"
+    file.write_text(toml_from(expected), encoding="utf-8")
+    again = read_expectations(file)
+    assert [(e.parent, e.child, e.static, e.owners) for e in again.edges] == [
+        (e.parent, e.child, e.static, e.owners) for e in expected.edges
+    ]
+    assert deviations_from(again, profile(RECORDS)) == []
+
+
+def test_each_deviation_is_named():
+    expected = expectations_from(profile(RECORDS))
+    without_odometry = [r for r in RECORDS if r.stamped.child_frame_id != "base_footprint"]
+    assert codes(deviations_from(expected, profile(without_odometry))) == {"expected-edge"}
+    odometry = [r for r in RECORDS if r.stamped.child_frame_id == "base_footprint"]
+    halved = sorted([*without_odometry, *odometry[::2]], key=lambda r: r.receive_ns)
+    assert "expected-rate" in codes(deviations_from(expected, profile(halved)))
+    renamed = [r._replace(publisher="/other") if r.stamped.child_frame_id == "odom" else r for r in RECORDS]
+    assert codes(deviations_from(expected, profile(renamed))) == {"expected-owners"}
+    late = [r if r.is_static else r._replace(receive_ns=r.receive_ns + 300_000_000) for r in RECORDS]
+    assert codes(deviations_from(expected, profile(late))) == {"expected-delay"}
+    shifted = Transform((0.5, 0.0, 0.0))
+    moved = [
+        r._replace(stamped=replace(r.stamped, transform=shifted)) if r.stamped.child_frame_id == "laser_frame" else r
+        for r in RECORDS
+    ]
+    assert codes(deviations_from(expected, profile(moved))) == {"expected-mount"}
+
+
+def test_what_is_not_written_is_not_asked(tmp_path):
+    file = tmp_path / "robot.toml"
+    file.write_text('[edges."odom -> base_footprint"]\nrate_hz = [1, 2]\n')
+    (finding,) = deviations_from(read_expectations(file), profile(RECORDS))
+    assert (finding.code, finding.severity, finding.child) == ("expected-rate", "warning", "base_footprint")
+
+
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        ("edges = 3", "expected a table"),
+        ('[edges."a b"]', 'named "parent -> child"'),
+        ('[edges."a -> b"]\nrate = 3', "unknown; known: static"),
+        ('[edges."a -> b"]\nrate_hz = [1]', "is not what it should be"),
+        ('[edges."a -> b"]\nlargest_delay_s = "x"', "is not what it should be"),
+        ('[frames]\n"/scan" = "laser"', "list of words"),
+        ("a = [", "not TOML"),
+        ("edgs = 3", "unknown: edgs"),
+    ],
+)
+def test_a_file_of_expectations_that_says_nonsense_is_one_clear_line(text, reason, tmp_path, clean, capsys):
+    file = tmp_path / "robot.toml"
+    file.write_text(text)
+    with pytest.raises(ExpectationError, match=reason):
+        read_expectations(file)
+    assert main(["doctor", clean, "--expect", str(file)]) == 2
+    captured = capsys.readouterr()
+    assert captured.out == "" and captured.err.count("\n") == 1
+
+
+def test_expectations_written_on_the_command_line_hold_there_and_fail_for_another_robot(clean, late, tmp_path, capsys):
+    file = str(tmp_path / "robot.toml")
+    assert main(["doctor", clean, "--write-expectations", file]) == 0
+    assert main(["doctor", clean, "--expect", file, "--fail-on", "warning"]) == 0
+    assert main(["doctor", late, "--expect", file, "--fail-on", "warning"]) == 1
+    assert "expected" in capsys.readouterr().out.lower()
+    assert main(["doctor", clean, "--write-expectations", file]) == 2  # nothing is overwritten
+
+
+# -- what is let pass ------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("pattern", "left"),
+    [("zero-quaternion", 0), ("zero-*", 0), ("gap", 1), ("zero-quaternion:/tf", 0), ("zero-quaternion:/scan", 1)],
+)
+def test_findings_are_ignored_by_code_and_place(pattern, left):
+    report = diagnose_recording(recording_from_records(inject(RECORDS, "zero-quaternion", seed=1).records))
+    (finding,) = report.findings
+    topic_pattern = pattern if finding.topic == "/tf" else pattern.replace(":/tf", f":{finding.topic}")
+    kept, passed = let_pass(report, [topic_pattern])
+    assert (len(kept.findings), passed) == (left, 1 - left)
+
+
+def test_a_baseline_lets_what_is_known_pass_and_nothing_else(broken, late, tmp_path, capsys):
+    file = str(tmp_path / "known.json")
+    assert main(["doctor", broken, "--write-baseline", file]) == 1
+    assert main(["doctor", broken, "--baseline", file]) == 0
+    assert main(["doctor", late, "--baseline", file, "--fail-on", "warning"]) == 1
+    (tmp_path / "bad.json").write_text("[]")
+    assert main(["doctor", late, "--baseline", str(tmp_path / "bad.json")]) == 2
+    assert "not a baseline" in capsys.readouterr().err
+
+
+# -- two recordings, and many ----------------------------------------------
+
+
+def test_two_recordings_are_told_by_what_changed(clean, tmp_path, capsys):
+    other = [r for r in RECORDS if r.stamped.child_frame_id != "camera_optical_frame"]
+    child = other[0].stamped.child_frame_id
+    assert {f.code for f in changes_between(profile(RECORDS), profile(RECORDS))} == set()
+    shorter = [r for r in RECORDS if r.stamped.child_frame_id != child]
+    (change,) = changes_between(profile(RECORDS), profile(shorter))
+    assert (change.code, change.child) == ("expected-edge", child)
+    (change,) = changes_between(profile(shorter), profile(RECORDS))
+    assert (change.code, change.child) == ("unexpected-edge", child)
+    second = write(tmp_path / "second", shorter)
+    assert main(["doctor", clean, second]) == 1
+    assert "what changed since" in capsys.readouterr().out
+
+
+def test_many_recordings_are_a_table_and_one_that_cannot_be_read_is_a_line_of_it(clean, late, broken, tmp_path, capsys):
+    (tmp_path / "cut.mcap").write_bytes(b"")
+    assert main(["doctor", clean, late, broken, str(tmp_path / "cut.mcap")]) == 2
+    lines = capsys.readouterr().out.splitlines()
+    assert len(lines) == 5 and lines[0].split()[:3] == ["bag", "errors", "warnings"]
+    assert "cannot be read" in lines[4] and lines[3].split()[1] == "1"
+
+
+def test_a_pattern_that_the_shell_has_left_alone_is_expanded(clean, tmp_path, capsys):
+    write(tmp_path / "a_1", RECORDS)
+    write(tmp_path / "a_2", RECORDS)
+    assert main(["doctor", str(tmp_path / "a_*"), "--table"]) == 0
+    assert len(capsys.readouterr().out.splitlines()) == 3
+
+
+# -- forms that machines read ----------------------------------------------
+
+
+def reports():
+    return [diagnose_recording(recording_from_records(inject(RECORDS, "zero-quaternion", seed=1).records, "d"))]
+
+
+def test_junit_counts_what_fails_passes_and_was_not_made():
+    root = ET.fromstring(junit_from_reports(reports(), ("error",)))
+    (suite,) = root
+    assert suite.attrib["failures"] == "1" and int(suite.attrib["tests"]) == len(suite)
+    (failure,) = suite.iter("failure")
+    assert "rotations of (0, 0, 0, 0)" in failure.attrib["message"]
+    assert ET.fromstring(junit_from_reports(reports(), ()))[0].attrib["failures"] == "0"
+
+
+def test_junit_is_xml_whatever_the_names_in_the_bag_are():
+    evil = [r._replace(stamped=replace(r.stamped, frame_id="a\x07<&\"'")) for r in RECORDS[-5:]]
+    made = diagnose_recording(recording_from_records([*RECORDS, *evil], "\x00<"))
+    assert ET.fromstring(junit_from_reports([made], ("error",))).tag == "testsuites"
+
+
+def test_sarif_names_rule_level_file_and_edge():
+    run = json.loads(sarif_from_reports(reports(), ["bags/drive"]))["runs"][0]
+    (result,) = run["results"]
+    assert run["tool"]["driver"]["rules"][result["ruleIndex"]]["id"] == result["ruleId"] == "zero-quaternion"
+    assert result["level"] == "error"
+    assert result["locations"][0]["physicalLocation"]["artifactLocation"]["uri"] == "bags/drive"
+    assert " -> " in result["locations"][0]["logicalLocations"][0]["fullyQualifiedName"]
+
+
+def test_annotations_are_one_line_each_and_encoded():
+    (line,) = annotations_from_reports(reports(), ["a,b:c"]).splitlines()
+    assert line.startswith("::error file=a%2Cb%3Ac,title=") and "%0ANext%3A" not in line and "%0ANext: " in line
+
+
+def test_files_are_written_once_and_never_over_another(clean, tmp_path):
+    for option in ("--junit", "--sarif"):
+        file = tmp_path / option.strip("-")
+        assert main(["doctor", clean, option, str(file)]) == 0
+        text = file.read_text(encoding="utf-8")
+        assert main(["doctor", clean, option, str(file)]) == 2
+        assert file.read_text(encoding="utf-8") == text
+
+
+def test_the_table_of_edges_tells_rates_delays_and_owners():
+    text = text_from_profile(profile(RECORDS))
+    row = next(line for line in text.splitlines() if line.startswith("odom -> base_footprint"))
+    assert "20.0" in row and row.endswith("/wheel_odometry")

@@ -1,0 +1,69 @@
+"""Listening to a robot: through rclpy's own calls, here those of the in-process one."""
+
+import sys
+
+import pytest
+
+import tflab.ros as ros
+from tflab.cli import main
+from tflab.doctor import examine
+from tflab.doctor.diagnose import diagnose_recording
+from tflab.doctor.live import recording_from_ros
+from tflab.robots.nodes import launch
+from tflab.ros.graph import new_graph
+from tflab.tools import ros2
+
+STATIC = ["run", "tf2_ros", "static_transform_publisher", "--frame-id", "base_link", "--child-frame-id"]
+
+
+@pytest.fixture
+def graph():
+    ros.activate("in-process")
+    graph = new_graph()
+    yield graph
+    graph.stop()
+    ros.deactivate()
+    new_graph()
+
+
+def test_a_robot_is_heard_through_rclpy_with_its_publishers_by_name(graph):
+    launch(graph)
+    recording = recording_from_ros(3.0)
+    assert {label.publisher for label in recording.transforms.labels} >= {"/wheel_odometry", "/robot_state_publisher"}
+    assert {header.topic for header in recording.headers} >= {"/scan"}
+    assert diagnose_recording(recording).of_severity("error", "warning") == ()
+
+
+def test_without_ros_it_says_what_to_do_and_ends_with_2(monkeypatch, capsys):
+    monkeypatch.setitem(sys.modules, "rclpy", None)
+    assert main(["doctor", "--live", "1"]) == 2
+    text = capsys.readouterr().err
+    assert "setup.bash" in text and "ros2 bag record" in text and text.count("\n") == 1
+
+
+def test_a_living_graph_is_asked_for_its_headers_too(graph):
+    launch(graph)
+    graph.set_clock_offset("laser_driver", 1.0)
+    codes = {finding.code for finding in examine(graph, seconds=4.0).of_severity("error", "warning")}
+    assert "messages-early" in codes
+
+
+def test_a_late_network_is_not_called_two_clocks(graph):
+    launch(graph)
+    for topic in ("/tf", "/scan", "/odom", "/imu", "/joint_states", "/detected_point"):
+        graph.disturb(topic, delay=0.5)
+    assert {finding.code for finding in examine(graph, seconds=4.0).findings} == {"all-late"}
+
+
+def test_a_clock_that_is_off_on_another_computer_is_not_called_a_late_network(graph):
+    launch(graph)
+    graph.set_clock_offset("wheel_odometry", -0.5)
+    codes = {finding.code for finding in examine(graph, seconds=4.0).of_severity("error", "warning")}
+    assert "all-late" not in codes and codes & {"late-stamps", "messages-late", "clock-offset"}
+
+
+def test_a_mount_is_not_missed_where_another_static_publisher_is_heard(graph):
+    launch(graph)
+    graph.start(ros2.main, [*STATIC, "radar"])
+    codes = {finding.code for finding in examine(graph, seconds=3.0).findings}
+    assert "statics-missing" not in codes

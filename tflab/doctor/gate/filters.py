@@ -1,0 +1,77 @@
+r"""What is let pass?  Findings that somebody has looked at and decided to live with.
+
+    --ignore unknown-frame                 whatever it is about
+    --ignore unknown-frame:/diagnostics    on this topic
+    --ignore "gap:map -> odom"             of this edge; * and ? stand for letters
+    --baseline known.json                  all that were there when the file was written
+
+A baseline lets an old robot into CI today: only what is new fails.  A finding is
+known by code, edge and topic (its fingerprint), not by its figures.  Read
+`junit.py` next.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+from dataclasses import replace
+from fnmatch import fnmatchcase
+from pathlib import Path
+
+from ..findings import Finding, Report
+
+__all__ = ["BaselineError", "baseline_from", "fingerprint", "let_pass", "read_baseline"]
+
+
+class BaselineError(ValueError):
+    """A baseline cannot be used; the text is one line that says why."""
+
+
+def fingerprint(finding: Finding) -> str:
+    """Return by what a finding is known again."""
+    return "|".join((finding.code, finding.parent, finding.child, finding.topic))
+
+
+def let_pass(report: Report, patterns: Iterable[str] = (), baseline: Iterable[str] = ()) -> tuple[Report, int]:
+    """Return a report without the findings that are let pass, and how many those were."""
+    patterns, known = list(patterns), set(baseline)
+    kept = tuple(f for f in report.findings if fingerprint(f) not in known and not _is_ignored(f, patterns))
+    return replace(report, findings=kept), len(report.findings) - len(kept)
+
+
+def baseline_from(reports: Iterable[Report]) -> str:
+    """Return a baseline of everything that was found, as JSON."""
+    known = sorted({fingerprint(finding) for report in reports for finding in report.findings})
+    return json.dumps({"version": 1, "known": known}, indent=2, ensure_ascii=False) + "\n"
+
+
+def read_baseline(path: str | Path) -> tuple[str, ...]:
+    """Return the fingerprints in a baseline.
+
+    Raises:
+        BaselineError: it is not there, or no baseline.
+    """
+    try:
+        known = json.loads(Path(path).read_text(encoding="utf-8"))["known"]
+    except OSError as error:
+        raise BaselineError(f"{path}: cannot be read ({error.strerror})") from None
+    except (ValueError, KeyError, TypeError, RecursionError):
+        raise BaselineError(f"{path}: not a baseline, which --write-baseline writes") from None
+    if not isinstance(known, list) or not all(isinstance(word, str) for word in known):
+        raise BaselineError(f"{path}: not a baseline, which --write-baseline writes")
+    return tuple(known)
+
+
+def _is_ignored(finding: Finding, patterns: list[str]) -> bool:
+    places = (finding.topic, finding.child, f"{finding.parent} -> {finding.child}", *_frames_of(finding))
+    for pattern in patterns:
+        code, colon, where = pattern.partition(":")
+        if fnmatchcase(finding.code, code) and (not colon or any(fnmatchcase(place, where) for place in places)):
+            return True
+    return False
+
+
+def _frames_of(finding: Finding) -> tuple[str, ...]:
+    """Return the topics and frames that a finding without an edge is about."""
+    named = (finding.facts.get(key) for key in ("name", "topics"))
+    return tuple(word for words in named if isinstance(words, str) for word in words.split(", "))
