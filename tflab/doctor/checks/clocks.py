@@ -10,6 +10,7 @@ Read `owners.py` next.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
@@ -27,7 +28,8 @@ __all__ = ["JumpEvent", "clock_offset", "jump_events", "jumping_clocks", "other_
 TOGETHER_NS = 2 * NSEC_PER_SEC  # jumps this close to each other are one event
 OFFSET_S = 0.1
 FEWEST_SAMPLES = 8
-MOST = 0.6  # of the sources; the others may take longer, nobody less
+MANY = 0.4  # of the sources have the common delay; the others may take longer ...
+LEAST_SHARE = 0.6  # ... but nobody much less
 
 
 class JumpEvent(NamedTuple):
@@ -124,10 +126,10 @@ def clock_offset(evidence: Evidence) -> Iterator[Finding]:
     usual_s = np.array([float(np.median(delay_s)) for delay_s in delays])
     if len(usual_s) < 2:  # one source alone: nothing to compare it with, see timing.odd_delays
         return
-    common_s = float(np.median(usual_s))
+    sign = math.copysign(1.0, float(np.median(usual_s)))
+    common_s = sign * float(np.percentile(sign * usual_s, 20, method="lower"))
     near = np.abs(usual_s - common_s) < max(0.05, 0.1 * abs(common_s))
-    is_common = near.mean() >= MOST and (usual_s / common_s > MOST).all() if common_s else False
-    if abs(common_s) > OFFSET_S and is_common:
+    if sign * common_s > OFFSET_S and near.mean() >= MANY and (usual_s / common_s > LEAST_SHARE).all():
         way = "after" if common_s > 0 else "before"
         facts = {"offset": f"{abs(common_s):.3f}", "way": way, "count": len(usual_s)}
         yield Finding("clock-offset", "warning", facts=facts)
