@@ -169,7 +169,8 @@ def test_a_snapshot_shows_roots_owners_and_kinds() -> None:
     tree = buffer.snapshot()
     assert tree.roots == ("map", "island")
     base_link = next(frame for frame in tree.frames if frame.name == "base_link")
-    assert base_link.authorities == ("ekf", "wheels")
+    assert base_link.owners == (("odom", "ekf"), ("odom", "wheels"))
+    assert base_link.authorities("odom") == ("ekf", "wheels")
     assert base_link.parents == ("odom",)
     assert not base_link.is_static
     assert base_link.newest_ns == seconds(6)

@@ -9,6 +9,8 @@ import time
 import pytest
 from tools_robot import fixed, moving
 
+from tflab.tools.trees import frame_tree
+
 TF_HASH = "RIHS01_e369d0f05a23ae52508854b66f6aa0437f3449d652e8cbf22d5abe85d020f087"
 UNKNOWN_MAP = 'Invalid frame ID "map" passed to canTransform argument target_frame - frame does not exist'
 
@@ -189,7 +191,7 @@ def test_view_frames(robot, tmp_path, monkeypatch):
         "frames_1970-01-01_00.00.07.pdf",
     ]
     (picture,) = robot.pictures
-    assert picture.text.splitlines()[0] == "odom"
+    assert picture.text.splitlines()[0] == "view_frames Result, recorded at time: 7.0"
     assert "default_authority" in picture.text  # ROS 2 does not say who it was
 
 
@@ -453,7 +455,9 @@ def test_experiment_b_a_misspelt_parent(terminal, tmp_path):
         "Tf has two or more unconnected trees."
     )
     terminal.type(f"ros2 run tf2_tools view_frames -o {tmp_path}/frames")
-    assert [fault.frames for fault in terminal.pictures[0].faults] == [("map", "odm")]
+    edges = [line.split("  ")[0] for line in terminal.pictures[0].text.splitlines()[1:]]
+    assert edges == ['"map" -> "odom"', '"odm" -> "base_link"']
+    assert [fault.frames for fault in frame_tree(terminal.graph).faults] == [("map", "odm")]
 
 
 def test_experiment_c_two_publishers_of_one_frame(terminal):

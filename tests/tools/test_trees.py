@@ -4,6 +4,7 @@ import pytest
 from tools_robot import fixed, moving
 
 from tflab.core import FrameSnapshot, Snapshot, Transform
+from tflab.robots.nodes import launch
 from tflab.ros.snapshot import EdgeSnapshot
 from tflab.tools.rviz import look
 from tflab.tools.session import result_of
@@ -42,10 +43,21 @@ def test_afterwards_the_graph_is_as_before_but_later(graph):
 
 
 def test_two_parents_from_two_publishers_are_both_known():
-    frame = FrameSnapshot("base_link", "map", False, ("default_authority",), ("map",), 2, 1.0, 1, 2, Transform())
+    heard = (("map", "default_authority"),)
+    frame = FrameSnapshot("base_link", "map", False, heard, 2, 1.0, 1, 2, Transform())
     edges = [EdgeSnapshot("map", "base_link", "/tf", "/gps", 9), EdgeSnapshot("odom", "base_link", "/tf", "/ekf", 9)]
     (known,) = with_publishers(Snapshot(("map",), (frame,)), edges).frames
-    assert (known.authorities, known.parents) == (("/ekf", "/gps"), ("map", "odom"))
+    assert known.owners == (("map", "/gps"), ("odom", "/ekf"))
+
+
+def test_who_publishes_another_parent_is_not_made_an_owner_of_this_edge(graph):
+    launch(graph)
+    graph.start(moving("map", "base_footprint", name="eager_localizer"))
+    (fault,) = frame_tree(graph).faults
+    assert fault.text == (
+        "base_footprint has 2 parents: map (from /eager_localizer), odom (from /wheel_odometry). "
+        "It jumps from one to the other."
+    )
 
 
 @pytest.mark.parametrize("seconds", [-1, "x", float("inf"), float("nan")])

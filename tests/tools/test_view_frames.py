@@ -1,11 +1,14 @@
 """What view_frames writes: to the letter."""
 
+import re
+
 import pytest
 import yaml
+from tools_robot import fixed
 
-from tflab.core import Snapshot
+from tflab.tools.page import run_words
 from tflab.tools.view_frames import dot_from_frames, parser, write_pictures
-from tflab.views.tree import draw_tree
+from tflab.views.upstream_tree import draw_upstream_tree
 
 ANSWER = """\
 laser_frame: 
@@ -79,6 +82,17 @@ def test_where_nothing_can_be_written_it_says_so(terminal):
 
 
 def test_two_files_are_written(tmp_path):
-    write_pictures(str(tmp_path / "frames"), "digraph G {}", draw_tree(Snapshot(("map",), ())))
+    write_pictures(str(tmp_path / "frames"), "digraph G {}", draw_upstream_tree({}, 6.0))
     assert (tmp_path / "frames.gv").read_text() == "digraph G {}"
     assert (tmp_path / "frames.pdf").read_bytes().startswith(b"%PDF-")
+
+
+def test_the_picture_shows_what_the_gv_says_and_no_more(graph, tmp_path):
+    graph.start(fixed("odm", "base_link"))
+    graph.start(fixed("odom", "base_link"))
+    stem = str(tmp_path / "frames")
+    (picture,) = run_words(graph, ["run", "tf2_tools", "view_frames", "-o", stem]).pictures
+    edges = re.findall(r'"(\w+)" -> "(\w+)"', (tmp_path / "frames.gv").read_text())
+    assert edges == re.findall(r'"(\w+)" -> "(\w+)"', picture.text) == [("odom", "base_link")]
+    assert "odm" not in picture.svg
+    assert picture.faults == ()

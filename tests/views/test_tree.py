@@ -8,7 +8,16 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tflab.core import BufferCore, FrameSnapshot, Snapshot, StampedTransform, Transform, seconds
+from tflab.core import (
+    LATEST,
+    BufferCore,
+    FrameSnapshot,
+    LookupException,
+    Snapshot,
+    StampedTransform,
+    Transform,
+    seconds,
+)
 from tflab.views.marks import BoxMark, LineMark, TextMark, text_width
 from tflab.views.tree import draw_tree, rows_of, text_from_tree, tree_faults
 
@@ -20,8 +29,7 @@ def edge(parent, child, owners=("/node",), static=False, parents=None, samples=2
         name=child,
         parent=parent,
         is_static=static,
-        authorities=tuple(owners),
-        parents=tuple(parents or (parent,)),
+        owners=tuple(sorted({(each, owner) for each in parents or (parent,) for owner in owners})),
         samples=samples,
         rate_hz=0.0 if static else 20.0,
         oldest_ns=0 if static else seconds(1),
@@ -76,8 +84,21 @@ def test_a_loop_is_drawn_once_and_closed_by_its_first_frame():
     ]  # fmt: skip
     assert "a (again)  D  20.0 Hz" in text_from_tree(loop)
     assert [fault.text for fault in tree_faults(loop)] == [
-        "loop: a -> b -> c -> a. A lookup that enters it fails (LookupException)."
+        "loop: a -> b -> c -> a. A lookup that enters it fails (LookupException), unless it meets its target on the "
+        "way up from its source."
     ]
+
+
+def test_what_is_said_of_a_loop_is_what_the_engine_does():
+    buffer = BufferCore()
+    for parent, child in (("odom", "body"), ("body", "odom"), ("body", "head")):
+        buffer.set_transform(StampedTransform(parent, child, 0, AHEAD), is_static=True)
+    assert [fault.kind for fault in draw_tree(buffer.snapshot()).faults] == ["loop"]
+    buffer.lookup_transform("odom", "body", LATEST)
+    buffer.lookup_transform("odom", "head", LATEST)
+    for target, source in (("head", "odom"), ("head", "body")):
+        with pytest.raises(LookupException, match="contains a loop"):
+            buffer.lookup_transform(target, source, LATEST)
 
 
 def test_a_frame_that_is_its_own_parent_is_a_loop_of_one():
@@ -97,7 +118,46 @@ def test_a_second_parent_is_named_and_the_frame_stands_under_both():
     assert [(row.frame, row.role) for row in rows_of(moved)] == [
         ("map", "frame"), ("base_link", "frame"), ("odom", "frame"), ("base_link", "also here"),
     ]  # fmt: skip
-    assert tree_faults(moved)[0].text == "base_link has 2 parents in its history: map, odom. It jumps between them."
+    assert [fault.text for fault in tree_faults(moved)] == [
+        "base_link has 2 parents: map (from /node), odom (from /node). It jumps from one to the other."
+    ]
+
+
+def test_a_publisher_belongs_to_its_edge_and_is_no_second_owner_of_another():
+    contested = edge("odom", "base_link")._replace(owners=(("map", "/eager"), ("odom", "/wheels")))
+    tree = forest(edge("map", "odom"), contested, roots=["map"])
+    assert [(row.frame, row.role, row.owners) for row in rows_of(tree)] == [
+        ("map", "frame", ()), ("base_link", "also here", ("/eager",)),
+        ("odom", "frame", ("/node",)), ("base_link", "frame", ("/wheels",)),
+    ]  # fmt: skip
+    assert [fault.text for fault in tree_faults(tree)] == [
+        "base_link has 2 parents: map (from /eager), odom (from /wheels). It jumps from one to the other."
+    ]
+
+
+def test_of_a_static_frame_with_two_parents_one_thing_is_said():
+    mount = edge("base_link", "laser", static=True)._replace(owners=(("base_link", "/b"), ("plate", "/a")))
+    tree = forest(edge("base_link", "plate"), mount, roots=["base_link"])
+    assert [fault.text for fault in tree_faults(tree)] == [
+        "laser has 2 parents: base_link (from /b), plate (from /a). The one heard last counts."
+    ]
+
+
+def test_a_root_that_nothing_hangs_on_any_more_is_no_tree():
+    buffer = BufferCore()
+    for parent in ("odm", "odom"):
+        buffer.set_transform(StampedTransform(parent, "base_link", 0, AHEAD), is_static=True)
+    picture = draw_tree(buffer.snapshot())
+    assert picture.text.splitlines()[0] == "odm (left over)"
+    assert picture.faults == ()
+
+
+def test_what_is_odd_about_a_name_shows():
+    odd = forest(edge("base_link ", "laser"), edge("base_link", "b\u0430se"), edge("base_link", "바닥"))
+    assert [line.split("  ")[0] for line in text_from_tree(odd).splitlines()[:5]] == [
+        "base_link", "├─ 'b\\u0430se'", "└─ 바닥", "'base_link '", "└─ laser",
+    ]  # fmt: skip
+    assert tree_faults(odd)[0].text.startswith("2 separate trees, from base_link, 'base_link '.")
 
 
 def test_no_frames_is_said():
@@ -185,7 +245,7 @@ def test_no_label_touches_another_or_leaves_the_paper(names, data):
 def test_every_frame_is_drawn_once_whatever_the_parents(names, data):
     edges = [edge(data.draw(st.sampled_from(names)), name) for name in names[1:]]
     rows = rows_of(forest(*edges, roots=names[:1]))
-    assert sorted(row.frame for row in rows if row.role == "frame") == sorted(names)
+    assert sorted(row.frame for row in rows if row.role in ("frame", "left over")) == sorted(names)
 
 
 @pytest.mark.parametrize("frames", [1, 40])

@@ -25,8 +25,7 @@ class FrameSnapshot(NamedTuple):
     Attributes:
         name, parent: the edge, as its newest sample has it.
         is_static: whether it is good for any time.
-        authorities: everybody who set it, in alphabetical order; more than one is a fault.
-        parents: every parent it had within its history, in alphabetical order.
+        owners: every (parent, authority) within its history, in alphabetical order; more than one is a fault.
         samples: how many are stored.
         rate_hz: how many a second, as tf2 reckons it; 0 for a static one.
         oldest_ns, newest_ns: where its history begins and ends [ns]; 0 for a static one.
@@ -36,13 +35,21 @@ class FrameSnapshot(NamedTuple):
     name: str
     parent: str
     is_static: bool
-    authorities: tuple[str, ...]
-    parents: tuple[str, ...]
+    owners: tuple[tuple[str, str], ...]
     samples: int
     rate_hz: float
     oldest_ns: int
     newest_ns: int
     parent_T_frame: Transform
+
+    @property
+    def parents(self) -> tuple[str, ...]:
+        """Return every parent that it had, in alphabetical order."""
+        return tuple(sorted({parent for parent, _ in self.owners}))
+
+    def authorities(self, parent: str) -> tuple[str, ...]:
+        """Return everybody who set it under one parent, in alphabetical order; "" who is not known is left out."""
+        return tuple(sorted({who for each, who in self.owners if each == parent and who}))
 
 
 class Snapshot(NamedTuple):
@@ -65,14 +72,12 @@ def snapshot_of(tree: FrameTree) -> Snapshot:
         if cache is None or (newest := cache.newest()) is None:
             roots.append(name)
             continue
-        owners = cache.owners()
         frames.append(
             FrameSnapshot(
                 name=name,
                 parent=tree.names[newest.parent],
                 is_static=cache.is_static,
-                authorities=tuple(sorted({authority for _, authority in owners})),
-                parents=tuple(sorted({tree.names[parent] for parent, _ in owners})),
+                owners=tuple(sorted((tree.names[parent], authority) for parent, authority in cache.owners())),
                 samples=len(cache),
                 rate_hz=0.0 if cache.is_static else rates_hz[name],
                 oldest_ns=cache.oldest_ns,

@@ -39,15 +39,15 @@ def frame_tree(graph: Graph | None = None, seconds: float = 5.0) -> TreePicture:
 
 
 def with_publishers(tree: Snapshot, edges: Sequence[EdgeSnapshot]) -> Snapshot:
-    """Return a tree whose authorities are the nodes that publish `edges`, and whose parents are all of theirs."""
+    """Return a tree whose owners are the nodes that publish `edges`, each of the edge that it does publish."""
     return Snapshot(tree.roots, tuple(_with_publishers(frame, edges) for frame in tree.frames))
 
 
 def _with_publishers(frame: FrameSnapshot, edges: Sequence[EdgeSnapshot]) -> FrameSnapshot:
-    of_frame = [edge for edge in edges if edge.child == frame.name]
-    nodes = tuple(sorted({edge.node for edge in of_frame}))
-    parents = tuple(sorted({edge.parent for edge in of_frame} | set(frame.parents)))
-    return frame._replace(authorities=nodes or frame.authorities, parents=parents)
+    known = {(edge.parent, edge.node) for edge in edges if edge.child == frame.name}
+    parents = {parent for parent, _ in known}
+    heard = {(parent, owner) for parent, owner in frame.owners if parent not in parents}
+    return frame._replace(owners=tuple(sorted(known | heard)))
 
 
 def _listen(seconds: float) -> Snapshot:

@@ -3,11 +3,11 @@
     /tf, /tf_static --5 s--> Buffer --service tf2_frames--> frames_<date>_<time>.gv
                                                             frames_<date>_<time>.pdf
 
-The .gv is upstream's to the letter.  The .pdf is drawn by `tflab.views.tree`, so
-that no `dot` program is needed, and a page shows the same drawing.  The broadcaster
-is `default_authority` for everybody, so two publishers of one child do not show.
-So it is upstream.  `frame_tree()` in `trees.py` draws the tree of a graph with its
-real publishers.
+The .gv is upstream's to the letter, and the .pdf shows what it says: `tflab.views`
+draws it, so that no `dot` program is needed, and a page shows the same drawing.  A
+frame stands under its newest parent only, and the broadcaster is `default_authority`
+for everybody.  So it is upstream.  `frame_tree()` in `trees.py` draws our own picture
+of a graph, with every parent and the real publishers.
 
 upstream: tf2_tools/tf2_tools/view_frames.py.  Read `trees.py` next.
 """
@@ -25,7 +25,8 @@ import yaml
 
 from tflab.core import NSEC_PER_SEC
 from tflab.ros.node import Node
-from tflab.views.tree import TreePicture, draw_tree
+from tflab.views.tree import TreePicture
+from tflab.views.upstream_tree import draw_upstream_tree
 
 from .session import spin_for, spin_until_done, tool_node
 
@@ -107,15 +108,21 @@ def _view(node: Node, options: argparse.Namespace, pictures: list[Any]) -> int:
     stem = options.output or _dated_name(node.context.process.driver)
     log.info(f"Exporting graph in {stem}.pdf file...")
     sec, nanosec = now.seconds_nanoseconds()
-    picture = draw_tree(buffer.core.snapshot(), now.nanoseconds, title="view_frames Result")
+    frames, recorded_s = yaml.safe_load(answer.frame_yaml) or {}, sec + nanosec / NSEC_PER_SEC
+    picture = draw_upstream_tree(_with_names_as_text(frames), recorded_s)
     try:
-        write_pictures(stem, dot_from_frames(yaml.safe_load(answer.frame_yaml), sec + nanosec / NSEC_PER_SEC), picture)
+        write_pictures(stem, dot_from_frames(frames, recorded_s), picture)
     except OSError as fault:
         print(f"{fault.filename}: cannot be written ({fault.strerror})", file=sys.stderr)
         return 1
     pictures.append(picture)
     listener.unregister()
     return 0
+
+
+def _with_names_as_text(frames: Mapping[Any, Mapping[str, Any]]) -> dict[str, Mapping[str, Any]]:
+    """Return frames with names as Graphviz has them; YAML takes some for numbers."""
+    return {str(name): {**frame, "parent": str(frame["parent"])} for name, frame in frames.items()}
 
 
 def _dated_name(driver) -> str:

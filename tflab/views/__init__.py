@@ -26,6 +26,7 @@
     panels/    the same, with sliders
     marks      lines, boxes and words as SVG and PDF
     tree       who is whose child
+    upstream_tree             the same as `view_frames` draws it
     scene/     in three dimensions, inside the page
     rviz_status, rviz         what RViz says of what it cannot show; a small RViz
     film       a picture for each place of a slider

@@ -131,6 +131,17 @@ def fmt(value: float, unit: str = "m", digits: int = 3) -> str:
     return f"{round(float(value), digits) + 0.0:.{digits}f} {unit}".rstrip()
 
 
+def fmt_name(name: str) -> str:
+    """Return a frame's name so that what is odd about it shows: fmt_name("laser ") == "'laser '".
+
+    Spaces, invisible characters, and letters of other scripts among Latin ones (which may look the same) are odd.
+    """
+    is_mixed = not name.isascii() and any(letter.isascii() and letter.isalpha() for letter in name)
+    if is_mixed:
+        return ascii(name)
+    return repr(name) if not name or not name.isprintable() or " " in name else name
+
+
 def fmt_all(values: Sequence[float], unit: str = "m", digits: int = 3) -> str:
     """Return several numbers with one unit: fmt_all((1, 2)) == "(1.000, 2.000) m"."""
     return f"({', '.join(fmt(value, '', digits) for value in values)}) {unit}".rstrip()

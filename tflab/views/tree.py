@@ -10,9 +10,11 @@ names still do not touch.  D is a dynamic transform (a solid line), S a static o
 (a dashed line).  What a healthy tree never has is drawn as a fault and said in a
 sentence: several roots, a loop, two publishers of one child, two parents.
 
-The same picture as `view_frames` gives, except that here the publishers are real:
-who calls decides what `authorities` holds.  `marks.py` writes the SVG and the PDF.
-Read `scene/` next.
+This is our picture; the one that `view_frames` gives is in `upstream_tree.py`.  Here the
+publishers are real, and belong to an edge, not to its child: two nodes that publish
+one frame from two parents are no two owners of either edge.  `marks.py` writes the
+SVG and the PDF.
+Read `upstream_tree.py` next.
 """
 
 from __future__ import annotations
@@ -25,6 +27,7 @@ from tflab.core import FrameSnapshot, Snapshot, format_stamp
 
 from . import style
 from .marks import FONT_SIZE, BoxMark, LineMark, Mark, Sheet, TextMark, pdf_from_sheet, svg_from_sheet, text_width
+from .style import fmt_name
 
 __all__ = ["Row", "TreeFault", "TreePicture", "draw_tree", "rows_of", "text_from_tree", "tree_faults"]
 
@@ -51,13 +54,16 @@ class Row:
         frame: whose line it is.
         parent_row: the number of its parent's row, None for a root.
         edge: what is known of it as a child; None for a root.
-        role: "again" closes a loop, "also here" stands under a parent it had besides its newest one.
+        role: "again" closes a loop, "also here" stands under a parent it had besides its newest one, and "left over"
+            is what the last child has left.
+        owners: who publishes this very edge, from this parent; whoever publishes another is not among them.
     """
 
     frame: str
     parent_row: int | None
     edge: FrameSnapshot | None
-    role: Literal["frame", "again", "also here"] = "frame"
+    role: Literal["frame", "again", "also here", "left over"] = "frame"
+    owners: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,14 +112,16 @@ def rows_of(snapshot: Snapshot) -> tuple[Row, ...]:
         number = len(rows)
         if frame in ancestors:
             role = "again"
-        rows.append(Row(frame, parent_row, None if parent_row is None else edges[frame], role))
+        edge = None if parent_row is None else edges[frame]
+        owners = () if edge is None else edge.authorities(rows[parent_row].frame)
+        rows.append(Row(frame, parent_row, edge, role, owners))
         if role == "frame":
             for child in children.get(frame, ()):
                 child_role = "frame" if edges[child].parent == frame else "also here"
                 descend(child, number, child_role, (*ancestors, frame))
 
     for root in _roots(snapshot):
-        descend(root, None, "frame", ())
+        descend(root, None, "left over" if edges and root not in children else "frame", ())
     for loop in _loops(snapshot):
         descend(loop[0], None, "frame", ())
     return tuple(rows)
@@ -125,22 +133,33 @@ def tree_faults(snapshot: Snapshot) -> tuple[TreeFault, ...]:
 
 
 def _faults(snapshot: Snapshot) -> Iterator[TreeFault]:
-    loops, roots = _loops(snapshot), _roots(snapshot)
+    loops, children = _loops(snapshot), _children(snapshot)
+    roots = [root for root in _roots(snapshot) if root in children]
     for loop in loops:
-        way = " -> ".join((*loop, loop[0]))
-        yield TreeFault("loop", loop, f"loop: {way}. A lookup that enters it fails (LookupException).")
+        way = " -> ".join(map(fmt_name, (*loop, loop[0])))
+        what = "A lookup that enters it fails (LookupException), unless it meets its target on the way up"
+        yield TreeFault("loop", loop, f"loop: {way}. {what} from its source.")
     if len(roots) + len(loops) > 1:
         tops = (*roots, *(loop[0] for loop in loops))
-        trees = f"{len(tops)} separate trees, from {', '.join(tops)}."
+        trees = f"{len(tops)} separate trees, from {', '.join(map(fmt_name, tops))}."
         yield TreeFault("roots", tops, f"{trees} No lookup crosses from one to another (ConnectivityException).")
     for edge in sorted(snapshot.frames):
-        if len(edge.authorities) > 1:
-            who = f"{len(edge.authorities)} publishers: {', '.join(edge.authorities)}."
-            what = "The one heard last counts." if edge.is_static else "Lookups land between their values."
-            yield TreeFault("owners", (edge.name,), f"{edge.parent} -> {edge.name} has {who} {what}")
+        name = fmt_name(edge.name)
+        for parent in edge.parents:
+            owners = edge.authorities(parent)
+            if len(owners) > 1:
+                who = f"{len(owners)} publishers: {', '.join(owners)}."
+                what = "The one heard last counts." if edge.is_static else "Lookups land between their values."
+                yield TreeFault("owners", (edge.name,), f"{fmt_name(parent)} -> {name} has {who} {what}")
         if len(edge.parents) > 1:
-            who = f"{len(edge.parents)} parents in its history: {', '.join(edge.parents)}."
-            yield TreeFault("parents", (edge.name,), f"{edge.name} has {who} It jumps between them.")
+            who = f"{len(edge.parents)} parents: {', '.join(_parent_and_owners(edge, p) for p in edge.parents)}."
+            what = "The one heard last counts." if edge.is_static else "It jumps from one to the other."
+            yield TreeFault("parents", (edge.name,), f"{name} has {who} {what}")
+
+
+def _parent_and_owners(edge: FrameSnapshot, parent: str) -> str:
+    owners = edge.authorities(parent)
+    return f"{fmt_name(parent)} (from {', '.join(owners)})" if owners else fmt_name(parent)
 
 
 def _children(snapshot: Snapshot) -> dict[str, list[str]]:
@@ -207,17 +226,17 @@ def _branches(rows: tuple[Row, ...]) -> list[str]:
 
 
 def _name(row: Row) -> str:
-    return row.frame if row.role == "frame" else f"{row.frame} ({row.role})"
+    return fmt_name(row.frame) if row.role == "frame" else f"{fmt_name(row.frame)} ({row.role})"
 
 
 def _cells(row: Row, now_ns: int | None) -> tuple[str, str, str, str]:
     """Return kind, rate, age and publishers of a row, each "" where there is nothing to say."""
     edge = row.edge
-    if edge is None or row.role == "also here":
+    if edge is None:
         return ("", "", "", "")
-    owners = ", ".join(edge.authorities)
-    if edge.is_static:
-        return ("S", "", "", owners)
+    owners = ", ".join(row.owners)
+    if edge.is_static or row.role == "also here":
+        return ("S" if edge.is_static else "D", "", "", owners)
     rate = f"{edge.rate_hz:.1f} Hz" if edge.samples > 1 else "1 sample"
     age = f"at {format_stamp(edge.newest_ns, 3)} s" if now_ns is None else f"{(now_ns - edge.newest_ns) / 1e9:.3f} s"
     return ("D", rate, age, owners)
@@ -293,7 +312,7 @@ def _branch_marks(layout: _Layout, number: int) -> Iterator[Mark]:
     if row.parent_row is None:
         return
     is_repeated = row.role != "frame"
-    has_two_owners = _has_two_owners(layout, number)
+    has_two_owners = len(row.owners) > 1
     line_style = "dotted" if is_repeated else "dashed" if row.edge.is_static else "solid"
     colour = ALARM if is_repeated or has_two_owners else style.INK
     for shift in (-2.5, 2.5) if has_two_owners else (0,):
@@ -304,7 +323,7 @@ def _branch_marks(layout: _Layout, number: int) -> Iterator[Mark]:
 def _frame_marks(layout: _Layout, number: int) -> Iterator[Mark]:
     """Yield the box with the name."""
     row, x, y = layout.rows[number], layout.left(layout.depths[number]), layout.y(number)
-    is_root, is_repeated = row.parent_row is None, row.role != "frame"
+    is_root, is_repeated = row.parent_row is None, row.role in ("again", "also here")
     is_faulty = any((kind, row.frame) in layout.faulty for kind in ("loop", "parents"))
     is_alarming = is_repeated or is_faulty or (is_root and ("roots", row.frame) in layout.faulty)
     colour, fill = (ALARM, WASH) if is_alarming else (style.INK, style.PAPER)
@@ -321,13 +340,8 @@ def _figure_marks(layout: _Layout, number: int) -> Iterator[Mark]:
         yield TextMark(x_kind + 9, y, kind, style.INK, size=11, bold=True, centred=True)
     yield from (TextMark(x, y, cell, style.INK) for x, cell in ((x_rate, rate), (x_age, age)) if cell)
     if owners:
-        has_two = _has_two_owners(layout, number)
+        has_two = len(layout.rows[number].owners) > 1
         yield TextMark(x_owners, y, owners, ALARM if has_two else style.INK, bold=has_two)
-
-
-def _has_two_owners(layout: _Layout, number: int) -> bool:
-    row = layout.rows[number]
-    return ("owners", row.frame) in layout.faulty and row.role != "also here" and row.parent_row is not None
 
 
 def _depths(rows: tuple[Row, ...]) -> tuple[int, ...]:

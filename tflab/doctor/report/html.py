@@ -92,11 +92,15 @@ def _pictures(report: Report, recording: Recording, namespace: str) -> str:
 def _tree_of(recording: Recording, namespace: str) -> Snapshot:
     """Return the tree with everybody who published an edge; a buffer forgets the earlier of two statics."""
     tree = recording.buffer(namespace=namespace).snapshot()
-    publishers: dict[str, set[str]] = {}
+    publishers: dict[str, set[tuple[str, str]]] = {}
     for label in recording.transforms.labels:
         if label.publisher and namespace_of(label.topic) == namespace:
-            publishers.setdefault(label.child.removeprefix("/"), set()).add(label.publisher)
-    frames = (frame._replace(authorities=tuple(sorted(publishers.get(frame.name, ())))) for frame in tree.frames)
+            owner = (label.parent.removeprefix("/"), label.publisher)
+            publishers.setdefault(label.child.removeprefix("/"), set()).add(owner)
+    frames = []
+    for frame in tree.frames:
+        owners = publishers.get(frame.name, set()) | {(parent, "") for parent in frame.parents}
+        frames.append(frame._replace(owners=tuple(sorted(owners))))
     return tree._replace(frames=tuple(frames))
 
 

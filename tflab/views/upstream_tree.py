@@ -1,0 +1,165 @@
+"""What does `view_frames` show on a robot?  The same here: what its service answered, and nothing else.
+
+                     (view_frames Result)
+                     Recorded at time: 6.0
+                              |
+                            (map)
+                              |  Broadcaster: default_authority
+                              |  Average rate: 10.204
+                            (odom)
+
+Each frame stands under the parent that its newest sample names; other parents, and
+who really publishes, are not known to it.  No fault is named: one has to see it.
+`tree.py` draws what more there is to know.
+
+On a robot Graphviz draws this from the .gv file (upstream: tf2_tools).
+Read `scene/` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from . import style
+from .marks import BoxMark, LineMark, Mark, Sheet, TextMark, svg_from_sheet, text_width
+from .tree import TreePicture
+
+__all__ = ["draw_upstream_tree"]
+
+MARGIN, GAP, OVAL = 18.0, 16.0, 30.0  # [pt] rim, between neighbours, height of a frame
+SMALL, LINE = 9.0, 11.5  # [pt] size and height of a line of an edge's label
+LABELS = {
+    "broadcaster": "Broadcaster",
+    "rate": "Average rate",
+    "buffer_length": "Buffer length",
+    "most_recent_transform": "Most recent transform",
+    "oldest_transform": "Oldest transform",
+}
+BEND = 8.0  # [pt] how far below a parent its edges part
+STORY = OVAL + BEND + LINE * (len(LABELS) + 1)  # from one generation to the next
+NOTHING = "No tf data received"
+
+Frames = Mapping[str, Mapping[str, Any]]
+
+
+@dataclass(frozen=True, slots=True)
+class _Place:
+    """Where a frame stands: the middle of its oval."""
+
+    x: float
+    y: float
+
+
+def draw_upstream_tree(frames: Frames, recorded_s: float) -> TreePicture:
+    """Draw what the service `tf2_frames` answered, read as YAML: for each child its parent and five figures."""
+    text = _in_words(frames, recorded_s)
+    title = "view_frames Result"
+    if not frames:
+        width = text_width(NOTHING) + 60
+        oval = BoxMark(MARGIN, MARGIN, width - 2 * MARGIN, OVAL, style.INK, corner=OVAL / 2)
+        marks = (oval, TextMark(width / 2, MARGIN + OVAL / 2, NOTHING, style.INK, centred=True))
+        sheet = Sheet(width, OVAL + 2 * MARGIN, marks, title, text)
+    else:
+        places, width = _places(frames)
+        marks = tuple(_marks(frames, places, recorded_s))
+        height = max(mark.y for mark in marks if isinstance(mark, TextMark)) + OVAL / 2 + MARGIN
+        sheet = Sheet(width, height, marks, title, text)
+    return TreePicture(text, svg_from_sheet(sheet), (), sheet)
+
+
+def _in_words(frames: Frames, recorded_s: float) -> str:
+    lines = [f"view_frames Result, recorded at time: {recorded_s}"]
+    for name, frame in frames.items():
+        figures = ", ".join(f"{label}: {frame[key]}" for key, label in LABELS.items())
+        lines.append(f'"{frame["parent"]}" -> "{name}"  {figures}')
+    return "\n".join(lines) if frames else NOTHING
+
+
+# -- where everything stands ----------------------------------------------
+
+
+def _places(frames: Frames) -> tuple[dict[str, _Place], float]:
+    """Return where each frame stands, a child below its parent, and how wide all are together."""
+    children: dict[str, list[str]] = {}
+    for name, frame in frames.items():
+        children.setdefault(frame["parent"], []).append(name)
+    places: dict[str, _Place] = {}
+
+    def put(name: str, left: float, depth: int) -> float:
+        """Place a frame and all below it to the right of `left`; return where they end."""
+        places[name] = _Place(0.0, 0.0)  # it has its turn: in a loop, nobody comes here again
+        right = left
+        for child in children.get(name, ()):
+            if child not in places:
+                right = put(child, right, depth + 1)
+        room = max(_oval_width(name), _label_width(frames.get(name)))
+        right = max(right, left + room + GAP)
+        places[name] = _Place((left + right - GAP) / 2, MARGIN + LEGEND_HEIGHT + OVAL / 2 + depth * STORY)
+        return right
+
+    right = MARGIN
+    tops = [frame["parent"] for frame in frames.values() if frame["parent"] not in frames]
+    for name in (*tops, *frames):  # frames that no top leads to are in loops
+        if name not in places:
+            right = put(name, right, 0)
+    return places, max(right - GAP, MARGIN + _legend_width()) + MARGIN
+
+
+def _oval_width(name: str) -> float:
+    return text_width(name) + 32
+
+
+def _label_width(frame: Mapping[str, Any] | None) -> float:
+    """Return the room that an edge's label takes, which stands beside the middle, on one side or the other."""
+    if frame is None:
+        return 0.0
+    return 2 * (18 + max(text_width(f"{label}: {frame[key]}", SMALL) for key, label in LABELS.items()))
+
+
+# -- as marks -------------------------------------------------------------
+
+LEGEND_HEIGHT = 62.0
+
+
+def _legend_width() -> float:
+    return text_width("Recorded at time: 1700000000.123456") + 24
+
+
+def _marks(frames: Frames, places: Mapping[str, _Place], recorded_s: float) -> Iterator[Mark]:
+    yield from _legend(recorded_s)
+    for name, frame in frames.items():
+        yield from _edge(places[frame["parent"]], places[name], frame)
+    for name, place in places.items():
+        width = _oval_width(name)
+        corner = OVAL / 2
+        yield BoxMark(place.x - width / 2, place.y - OVAL / 2, width, OVAL, style.INK, corner=corner)
+        yield TextMark(place.x, place.y, name, style.INK, centred=True)
+
+
+def _legend(recorded_s: float) -> Iterator[Mark]:
+    width, height = _legend_width(), LEGEND_HEIGHT - GAP
+    yield BoxMark(MARGIN, MARGIN, width, height, style.INK, corner=0.0)
+    yield TextMark(MARGIN + width / 2, MARGIN + 14, "view_frames Result", style.INK, centred=True, bold=True)
+    yield TextMark(MARGIN + width / 2, MARGIN + 33, f"Recorded at time: {recorded_s}", style.INK, centred=True)
+
+
+def _edge(parent: _Place, child: _Place, frame: Mapping[str, Any]) -> Iterator[Mark]:
+    """Yield the arrow from a parent to a child, and its label; one that closes a loop runs back up, on the left."""
+    lines = [f"{label}: {frame[key]}" for key, label in LABELS.items()]
+    below, beside = parent.y + OVAL / 2, 6.0
+    if child.y > parent.y:
+        bend = below + BEND
+        way = ((parent.x, below), (parent.x, bend), (child.x, bend), (child.x, child.y - OVAL / 2))
+        x, top = child.x + beside, child.y - OVAL / 2 - LINE * (len(lines) + 0.1)
+    else:
+        left = parent.x - 2 * beside
+        way = ((left, parent.y - OVAL / 2), (child.x - 2 * beside, child.y + OVAL / 2))
+        if parent == child:
+            way = ((left, below), (left, below + BEND), (parent.x, below + BEND), (parent.x, below))
+        x = left - beside - max(text_width(line, SMALL) for line in lines)
+        top = child.y + OVAL / 2 + BEND + LINE
+    yield LineMark(way, style.INK, arrow=True)
+    for number, line in enumerate(lines):
+        yield TextMark(x, top + number * LINE, line, style.INK, size=SMALL)
