@@ -353,3 +353,94 @@ def test_folders_named_by_person_and_chapter_are_the_persons_and_one_for_all_is_
 def test_what_a_system_puts_beside_a_notebook_is_not_worth_a_line(tmp_path: Path) -> None:
     put(tmp_path, "HW1_s101_attempt_1_03_tiny.ipynb", "HW1_s101_attempt_1.txt", "s101/desktop.ini")
     assert remarks_of(collect(tmp_path, ROSTER, CHAPTERS), "s101") == ()
+
+
+# Nobody reaches another's submission, and nobody loses their own.
+
+OTHERS = b'{"metadata": {"tflab": {"learner": "s102"}}, "cells": []}'
+OWN = b'{"metadata": {"tflab": {"learner": "s101"}}, "cells": []}'
+
+
+def a_zip(**files: bytes) -> bytes:
+    held = io.BytesIO()
+    with zipfile.ZipFile(held, "w") as archive:
+        for name, data in files.items():
+            archive.writestr(name.replace("__", "/"), data)
+    return held.getvalue()
+
+
+@pytest.mark.parametrize("folder", ["", "hw1/", "submissions/", "submissions/hw1/", "03_tiny/"])
+def test_zips_in_a_folder_belong_to_whom_they_are_named_after(tmp_path: Path, folder: str) -> None:
+    for learner in ("s101", "s102"):
+        put(tmp_path, f"{folder}{learner}.zip", data=a_zip(**{"03_tiny.ipynb": b"{}"}))
+    found = who(collect(tmp_path, ROSTER, CHAPTERS))
+    assert [len(found[learner]) for learner in ("s101", "s102")] == [1, 1]
+    assert set(found) == set(ROSTER)
+
+
+@pytest.mark.parametrize(
+    "inside", ["s102__zz_03_tiny.ipynb", "s102.ipynb", "submissions__s102__03_tiny.ipynb", "03_tiny__s102.ipynb"]
+)
+@pytest.mark.parametrize("name", ["hw1/s101.zip", "s101.zip", "s101/x.zip", "03_tiny.zip", "hw1/03_tiny.zip", "x.zip"])
+def test_what_is_in_a_zip_never_becomes_anothers(tmp_path: Path, name: str, inside: str) -> None:
+    folder = "hw1/" if name.startswith("hw1") else ""
+    put(tmp_path, f"{folder}s102/03_tiny.ipynb", f"{folder}7/03_tiny.ipynb")
+    put(tmp_path, name, data=a_zip(**{inside: OTHERS}))
+    found = who(collect(tmp_path, ROSTER, CHAPTERS))
+    assert [name.removeprefix(folder) for name in found["s102"]] == ["s102/03_tiny.ipynb"]
+    assert len(found["7"]) == 1
+
+
+def test_two_learners_of_one_name_in_moodle_are_told_apart_by_their_stamps(tmp_path: Path) -> None:
+    people = {"s1": Learner("s1", "Kim Minji"), "s2": Learner("s2", "Kim Minji")}
+    for number, learner in ((4711, "s1"), (4712, "s2")):
+        stamped = OWN.replace(b"s101", learner.encode())
+        put(tmp_path, f"Kim Minji_{number}_assignsubmission_file_/03_tiny.ipynb", data=stamped)
+    found = who(collect(tmp_path, people, CHAPTERS))
+    assert {learner: files[0].split("_")[1] for learner, files in found.items()} == {"s1": "4711", "s2": "4712"}
+
+
+@pytest.mark.parametrize("display", ["Mallory s102", "Ada Byron", "Mallory, Ada Byron", "s102 Mallory"])
+@pytest.mark.parametrize("system", ["{}_4710_assignsubmission_file_/zz_03_tiny.ipynb", "12-34 - {} - Nov 20/z.ipynb"])
+def test_a_display_name_does_not_bring_a_notebook_into_anothers_submission(
+    tmp_path: Path, display: str, system: str
+) -> None:
+    put(tmp_path, system.format(display), data=OWN)
+    put(tmp_path, "Ada Byron_4711_assignsubmission_file_/03_tiny.ipynb", data=OTHERS)
+    found = who(collect(tmp_path, ROSTER, CHAPTERS))
+    assert found["s102"] == ["Ada Byron_4711_assignsubmission_file_/03_tiny.ipynb"]
+    assert len(found["s101"]) == 1
+
+
+def test_zips_in_a_zip_are_opened_within_a_budget(tmp_path: Path) -> None:
+    inner = a_zip(**{"03_tiny.ipynb": b"{}"})
+    put(tmp_path, "s101.zip", data=a_zip(**{f"{number}.zip": inner for number in range(60)}))
+    put(tmp_path, "s102.zip", data=a_zip(**{"03_tiny.ipynb": b"{}"}))
+    collection = collect(tmp_path, ROSTER, CHAPTERS)
+    found = who(collection)
+    assert (len(found["s101"]), len(found["s102"])) == (8, 1)
+    assert len([remark for remark in collection.remarks if "zips in a zip" in remark.say("en")]) == 52
+
+
+def test_large_zips_in_a_zip_are_not_unpacked_to_be_listed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    read = []
+    really = archives._reader
+
+    def counted(source, entry):
+        give = really(source, entry)
+        return lambda: read.append(entry.file_size) or give()
+
+    monkeypatch.setattr(archives, "_reader", counted)
+    large = {f"{number}.zip": b"\0" * (30 << 20) for number in range(8)}
+    with zipfile.ZipFile(tmp_path / "s101.zip", "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, data in large.items():
+            archive.writestr(name, data)
+    collect(tmp_path, ROSTER, CHAPTERS)
+    assert sum(read) <= 64 << 20
+
+
+def test_a_zip_of_too_many_names_is_refused_before_its_list_is_read(tmp_path: Path, monkeypatch) -> None:
+    put(tmp_path, "s101.zip", data=a_zip(**{f"{number}": b"" for number in range(10_001)}))
+    monkeypatch.setattr(archives.zipfile, "ZipFile", lambda *_: pytest.fail("it was opened"))
+    collection = collect(tmp_path, ROSTER, CHAPTERS)
+    assert any("10001 files in it" in remark.say("en") for remark in collection.remarks)

@@ -24,7 +24,7 @@ from .transplant import Transplant, transplant
 __all__ = ["Candidate", "choose"]
 
 ANSWER = re.compile(r"(e\d{1,3}-\d{1,3})-answer")
-COPY = re.compile(r"-Copy\d+$|^Copy of |/Copy of |checkpoint$")
+COPY = re.compile(r"-copy\d*$|(^|/)copy[ _-]of[ _-]|checkpoint$|[ _-]\(?copy\)?$|[ _-]복사본$|의 사본$", re.IGNORECASE)
 WORTH_A_LINE = re.compile(r"(^|/)(notebooks|solutions)/")
 MOST_UNKNOWN_TASKS = 5
 

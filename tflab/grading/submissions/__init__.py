@@ -1,6 +1,8 @@
 """What came in: whose it is, and what can be read of it, as strings.
 
     collect       folders, zips, names as learning systems give them
+    listing       which files there are, zips included
+    owners        whose they are
     archives      a zip, without being harmed by it
     roster        who is in the class
     shallow_json  a stranger's JSON

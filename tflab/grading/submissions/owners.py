@@ -1,0 +1,87 @@
+"""Whose is it?  A learner of the roster, by the name that a file or a folder goes by, or by the stamps in it.
+
+    s101, [s101] 김민지, HW1_s101_attempt        an id, or a word that is one
+    Kim Minji_4711_assignsubmission_file_       Moodle: a name that its owner may change, and a number that is theirs
+    kimminji_4711_98765_03.ipynb                Canvas: the same
+
+What a learning system calls a learner is taken as a whole: a display name that holds
+somebody else's id ("Mallory s102") is not that person's.  Read `archives.py` next.
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Mapping, Sequence
+
+from .archives import Member
+from .listing import NOTEBOOKS, is_notebook
+from .reader import Unreadable, read_notebook
+from .roster import Learner
+
+__all__ = ["group_of", "is_of_a_system", "owner_of", "stamped_for"]
+
+MOODLE = re.compile(r"(?P<name>.+?)_(?P<number>\d+)_assignsubmission_")
+BRIGHTSPACE = re.compile(r"(?P<number>\d+-\d+) - (?P<name>.+?) - .+")
+CANVAS = re.compile(r"(?P<name>[^_]+)_(?:LATE_)?(?P<user>\d+)_(?P<file>\d+)_(?P<rest>.+)")
+
+
+def is_of_a_system(name: str) -> bool:
+    """Return whether a folder or a file has a name that a learning system gives."""
+    return bool(CANVAS.fullmatch(name) or MOODLE.match(name) or BRIGHTSPACE.fullmatch(name))
+
+
+def group_of(parts: tuple[str, ...], chapters: Sequence[str]) -> tuple[str, str]:
+    """Return by what name a file's learner goes, and the number that a learning system has for them.
+
+    The name is the folder's, or the file's without the chapter in it.
+    """
+    if canvas := CANVAS.fullmatch(parts[0]):
+        return canvas["name"], canvas["user"]
+    for system in (MOODLE, BRIGHTSPACE):
+        if named := system.match(parts[0]):
+            return named["name"], named["number"]
+    stem = parts[0]
+    for ending in sorted(NOTEBOOKS, key=len, reverse=True) if len(parts) == 1 else ():
+        if stem.lower().endswith(ending):
+            stem = stem[: -len(ending)]
+            break
+    for chapter in chapters:
+        if chapter in stem and stem != chapter:
+            stem = stem.replace(chapter, "")
+    return stem.strip(" _-.") or parts[0], ""
+
+
+def owner_of(name: str, roster: Mapping[str, Learner], *, whole: bool = False) -> str | None:
+    """Return whose name this is: an id, a part of it that is one (unless it is to be taken whole), or a name."""
+    name = unicodedata.normalize("NFC", name)  # a Mac takes Hangul apart
+    by_lower = {unicodedata.normalize("NFC", learner).lower(): learner for learner in roster}
+    words = [] if whole else [*re.split(r"[\s_,()+]+", name), *re.split(r"[^A-Za-z0-9.@-]+", name)]
+    for word in [name, *words]:
+        if word.lower() in by_lower:
+            return by_lower[word.lower()]
+    pieces = {_letters(piece) for piece in (name, *([] if whole else name.split(" - ")))} - {""}
+    named = [learner.id for learner in roster.values() if pieces & _ways(learner.name)]
+    return named[0] if len(named) == 1 else None
+
+
+def stamped_for(members: Sequence[Member], roster: Mapping[str, Learner]) -> str | None:
+    """Return the one learner for whom notebooks are stamped."""
+    stamps = set()
+    for member in filter(is_notebook, members):
+        try:
+            stamps.add(read_notebook(member.read()).stamp.get("learner"))
+        except Unreadable:
+            continue
+    known = stamps & set(roster)
+    return known.pop() if len(known) == 1 else None
+
+
+def _ways(name: str) -> set[str]:
+    """Return a name in the orders that learning systems write it in: Kim Minji, Kim, Minji, Minji Kim."""
+    words = [word for word in re.split(r"[\s,]+", name) if word]
+    return {_letters("".join(words)), _letters("".join(words[1:] + words[:1])), _letters("".join(words[::-1]))} - {""}
+
+
+def _letters(text: str) -> str:
+    return "".join(letter for letter in unicodedata.normalize("NFC", text).casefold() if letter.isalnum())
