@@ -42,6 +42,12 @@ check: $(DEVELOPER)
 build: $(DEVELOPER)
 	$(BIN)/tflab build
 
+site: $(DEVELOPER)
+	$(BIN)/tflab build --html --reference --out site
+
+pictures: $(DEVELOPER)
+	$(BIN)/python docs/make_pictures.py
+
 bench: $(DEVELOPER)
 	$(BIN)/python -m pip install --quiet --constraint constraints.txt --editable ".[bench]"
 	for script in benchmarks/[a-z]*.py; do \

@@ -266,9 +266,7 @@ def test_the_face_of_a_folder_names_each_of_its_pages(folder: str) -> None:
 def test_the_rooms_stand_in_one_order_wherever_they_are_listed() -> None:
     rooms = "|".join(ROOMS)
     package = re.findall(rf"^    ({rooms}) ", docstring_of(ROOT / "__init__.py"), re.MULTILINE)
-    readme = re.findall(
-        rf"^\| \[`tflab\.({rooms})`\]", (PROJECT / "README.md").read_text(encoding="utf-8"), re.MULTILINE
-    )
+    readme = re.findall(rf"^\| `tflab\.({rooms})` ", (PROJECT / "README.md").read_text(encoding="utf-8"), re.MULTILINE)
     working = re.findall(rf"^({rooms})  ", (PROJECT / "CONTRIBUTING.md").read_text(encoding="utf-8"), re.MULTILINE)
     assert package == readme == working == list(ROOMS)
 

@@ -1,6 +1,7 @@
 """Which texts of the pages are made from files?  The table of chapters, and the glossary as a page.
 
     course.yaml     ->  notebooks/src/00_start.py     the cells "chapters-table"
+                        README.md, README.ko.md       the table of chapters, and what is to come
     glossary.yaml   ->  notebooks/src/90_glossary.py  the whole page
 
 `python -m tflab.workbook.course.contents` writes them; a test holds them in step.
@@ -19,11 +20,23 @@ from ..words import LANGUAGES, Words
 from .course import Chapter, read_course
 from .glossary import Term, read_glossary
 
-__all__ = ["GLOSSARY_PAGE", "START_PAGE", "chapter_table", "glossary_page", "start_page", "write_contents"]
+__all__ = [
+    "GLOSSARY_PAGE",
+    "READMES",
+    "START_PAGE",
+    "chapter_table",
+    "glossary_page",
+    "readme",
+    "start_page",
+    "write_contents",
+]
 
 SOURCES = Path("notebooks", "src")
 START_PAGE = SOURCES / "00_start.py"
 GLOSSARY_PAGE = SOURCES / "90_glossary.py"
+READMES = {"en": Path("README.md"), "ko": Path("README.ko.md")}
+README_ROWS = re.compile(r"(?<=\n\|--:\|:--\|:--\|--:\|\n)(?:\|.*\n)*")
+README_TO_COME = re.compile(r"(?m)^(?:To come|준비 중): .*$")
 
 HEAD = Words(
     en="| | chapter | its question | minutes | builds on | exercise |",
@@ -93,10 +106,27 @@ def glossary_page() -> str:
     return "\n".join(cells)
 
 
+def readme(language: str, root: Path) -> str:
+    """Return the README in a language with its table of chapters as it should be."""
+    rows, to_come = [], []
+    for chapter in read_course().chapters:
+        title = chapter.title.say(language)
+        if (root / SOURCES / f"{chapter.stem}.py").is_file():
+            rows.append(f"| {chapter.number:02} | {title} | {chapter.question.say(language)} | {chapter.minutes} |\n")
+        else:
+            to_come.append(f"{chapter.number:02} {title}")
+    text = (root / READMES[language]).read_text(encoding="utf-8")
+    text = README_ROWS.sub(lambda found: "".join(rows), text)
+    coming = f"{TO_COME.say(language).capitalize()}: {'; '.join(to_come)}."
+    return README_TO_COME.sub(lambda found: coming, text)
+
+
 def write_contents(root: Path) -> list[Path]:
     """Write the texts that are made from files; return the pages that changed."""
     changed = []
-    for page, text in ((START_PAGE, start_page(root)), (GLOSSARY_PAGE, glossary_page())):
+    texts = {START_PAGE: start_page(root), GLOSSARY_PAGE: glossary_page()}
+    texts |= {path: readme(language, root) for language, path in READMES.items() if (root / path).is_file()}
+    for page, text in texts.items():
         path = root / page
         if not path.is_file() or path.read_text(encoding="utf-8") != text:
             write_whole(path, text)

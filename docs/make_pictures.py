@@ -1,0 +1,115 @@
+"""Which pictures do the README and the site show?  Those of the pages themselves, filmed in a browser: `make pictures`.
+
+    page 00, "motion"       the robot drives, its laser sees the room         \\
+    page 09, "walls-walk"   a clock runs late, and the walls walk away         > docs/pictures/drive.webp
+    exercise E3.3           a wrong answer, and what `check` says of it       /
+
+Nothing is drawn here.  It needs Chromium, as the tests in a browser do.
+"""
+
+from __future__ import annotations
+
+import io
+import os
+import shutil
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import nbformat
+from PIL import Image
+from playwright.sync_api import Page, sync_playwright
+
+from tflab.views.export import export_html
+from tflab.workbook.pages.html import run_with_films
+from tflab.workbook.places import workbook_data
+
+PICTURES = Path(__file__).parent / "pictures"
+SIZE = (720, 380)  # [px]
+QUALITY = 70  # of 100
+FILMS = (("00_start", "motion", 24, 110), ("09_exceptions_and_waiting", "walls-walk", 6, 450))  # frames, each [ms]
+REPLY_MS = 5000
+WRONG_ANSWER = """def invert(a_pose_b):
+    return {'x': -a_pose_b['x'], 'y': -a_pose_b['y'], 'yaw': -a_pose_b['yaw']}
+
+check("E3.3", invert)"""
+CHROMIUM = ["--headless=new", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader"]
+CHROMIUM += ["--enable-unsafe-swiftshader"]
+SET = "(range, value) => { range.value = value; range.dispatchEvent(new Event('input', {bubbles: true})); }"
+
+
+def main() -> int:
+    """Make the pictures; return 0, or 2 where there is no browser."""
+    named = (os.environ.get("TFLAB_CHROMIUM", ""), "chromium", "google-chrome")
+    browser = next(filter(None, map(shutil.which, named)), None)
+    if browser is None:
+        print("make pictures: no Chromium (Debian: apt-get install chromium)", file=sys.stderr)
+        return 2
+    PICTURES.mkdir(exist_ok=True)
+    with TemporaryDirectory() as folder, sync_playwright() as driver:
+        chromium = driver.chromium.launch(
+            executable_path=browser, args=CHROMIUM, ignore_default_args=["--headless", "--headless=old"]
+        )
+        tab = chromium.new_page(viewport={"width": 900, "height": 700})
+        frames: list[tuple[Image.Image, int]] = []
+        for stem, cell, count, each_ms in FILMS:
+            tab.goto(_exported(workbook_data() / "notebooks" / "en" / f"{stem}.ipynb", Path(folder)).as_uri())
+            frames += [(frame, each_ms) for frame in _film(tab, cell, count)]
+        tab.goto(_exported(_reply(Path(folder)), Path(folder)).as_uri())
+        frames.append((_shot(tab, '[id="cell-id=reply"]'), REPLY_MS))
+        chromium.close()
+    _write(PICTURES / "drive.webp", frames)
+    return 0
+
+
+def _exported(notebook: Path, folder: Path) -> Path:
+    """Return a page that was run, as HTML."""
+    run_in = folder / f"run-{notebook.stem}"
+    run_in.mkdir()
+    return export_html(run_with_films(notebook, run_in), folder / "pages")
+
+
+def _reply(folder: Path) -> Path:
+    """Return a notebook with one wrong answer, and its check."""
+    cells = [
+        nbformat.v4.new_code_cell("%load_ext tflab\nfrom tflab.workbook import check", id="load"),
+        nbformat.v4.new_code_cell(WRONG_ANSWER, id="reply"),
+    ]
+    path = folder / "reply.ipynb"
+    nbformat.write(nbformat.v4.new_notebook(cells=cells), path)
+    return path
+
+
+def _film(tab: Page, cell: str, count: int) -> Iterator[Image.Image]:
+    """Yield pictures of a cell's view, its scrubber moved from end to end."""
+    view = f'[id="cell-id={cell}"] .tflab-live'
+    tab.locator(view).scroll_into_view_if_needed()
+    tab.wait_for_timeout(1500)
+    scrubber = tab.locator(f"{view} input[type=range]").first
+    last = int(scrubber.get_attribute("max") or 0)
+    for number in range(count):
+        scrubber.evaluate(SET, round(number * last / (count - 1)))
+        tab.wait_for_timeout(250)
+        yield _shot(tab, view)
+
+
+def _shot(tab: Page, selector: str) -> Image.Image:
+    """Return what a part of the page looks like, as large as all frames."""
+    part = Image.open(io.BytesIO(tab.locator(selector).screenshot())).convert("RGB")
+    part.thumbnail(SIZE, Image.Resampling.LANCZOS)
+    frame = Image.new("RGB", SIZE, "white")
+    frame.paste(part, ((SIZE[0] - part.width) // 2, (SIZE[1] - part.height) // 2))
+    return frame
+
+
+def _write(path: Path, frames: list[tuple[Image.Image, int]]) -> None:
+    """Write a moving picture that goes round for ever."""
+    first, *rest = [frame for frame, _ in frames]
+    durations = [each_ms for _, each_ms in frames]
+    first.save(path, save_all=True, append_images=rest, duration=durations, loop=0, quality=QUALITY, method=6)
+    print(f"{path}: {path.stat().st_size / 1000:.0f} kB")
+
+
+if __name__ == "__main__":
+    sys.exit(main())

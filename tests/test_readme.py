@@ -1,0 +1,146 @@
+"""What a newcomer meets first is true: the README's commands, chapters and links, and what containers run."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shlex
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+import yaml
+
+from tflab.cli import SUBCOMMANDS
+from tflab.workbook.course import contents
+from tflab.workbook.course.course import read_course
+
+ROOT = Path(__file__).parents[1]
+READMES = {"en": "README.md", "ko": "README.ko.md"}
+PYPROJECT = (ROOT / "pyproject.toml").read_text(encoding="utf-8")
+HERE = [sys.executable, "-m", "tflab"]
+
+
+def readme(language: str) -> str:
+    return (ROOT / READMES[language]).read_text(encoding="utf-8")
+
+
+def typed_commands() -> set[str]:
+    files = [*READMES.values(), ".devcontainer/devcontainer.json", ".binder/postBuild", "Dockerfile", "Makefile"]
+    text = "\n".join((ROOT / name).read_text(encoding="utf-8") for name in files)
+    return set(re.findall(r'(?:^|[`/ \n])tflab ([a-z][a-z0-9]*)(?=[ `"\n;,)])', text)) - {"needs", "shows"}
+
+
+def test_every_command_that_is_named_is_there() -> None:
+    assert {"lab", "build", "check", "doctor", "grade"} <= typed_commands() <= set(SUBCOMMANDS)
+
+
+@pytest.mark.parametrize("language", sorted(READMES))
+def test_the_table_of_chapters_is_the_course(language: str) -> None:
+    assert readme(language) == contents.readme(language, ROOT), "run: python -m tflab.workbook.course.contents"
+    there = {path.stem for path in (ROOT / "notebooks" / "en").glob("*.ipynb")}
+    rows = re.findall(r"^\| (\d\d) \|", readme(language), re.MULTILINE)
+    assert rows == [f"{one.number:02}" for one in read_course().chapters if one.stem in there]
+
+
+@pytest.mark.parametrize("language", sorted(READMES))
+def test_no_link_of_the_readme_is_dead_on_a_package_index(language: str) -> None:
+    links = re.findall(r"(?<!!)\[[^\]]*\]\(([^)]+)\)", readme(language))
+    assert [link for link in links if not link.startswith("https://")] == []
+    for picture in re.findall(r"!\[[^\]]+\]\(([^)]+)\)", readme(language)):
+        assert (ROOT / picture).is_file()
+        assert (ROOT / picture).stat().st_size < 1_500_000
+
+
+def test_the_files_that_the_readme_names_are_there() -> None:
+    named = set(re.findall(r"(?<![\w/])((?:docs/|\.\w+/?)?[\w.]+\.(?:md|py)|\.\w+/)(?![\w/])", readme("en")))
+    assert {"CONTRIBUTING.md", "CHANGELOG.md", "docs/grading.md", "README.ko.md", ".binder/"} <= named
+    missing = [name for name in named if name.endswith((".md", "/")) and not (ROOT / name).exists()]
+    assert set(missing) <= {".venv/"}
+
+
+def test_containers_install_an_extra_that_there_is() -> None:
+    there = set(re.findall(r"^(\w+) = \[", PYPROJECT.partition("[project.optional-dependencies]")[2], re.MULTILINE))
+    for name in (".devcontainer/devcontainer.json", ".binder/requirements.txt", "Dockerfile"):
+        (extra,) = re.findall(r"(?:\.|/opt/tflab)\[(\w+)\]", (ROOT / name).read_text(encoding="utf-8"))
+        assert extra in there
+
+
+def test_the_files_of_containers_can_be_read() -> None:
+    settings = json.loads((ROOT / ".devcontainer" / "devcontainer.json").read_text(encoding="utf-8"))
+    assert "tflab lab ./tflab_workbook --copy-only" in settings["postCreateCommand"]
+    assert os.access(ROOT / ".binder" / "postBuild", os.X_OK)
+    for path in (ROOT / ".github" / "workflows").glob("*.yml"):
+        for job in yaml.safe_load(path.read_text(encoding="utf-8"))["jobs"].values():
+            for step in job["steps"]:
+                command = step.get("run", "").split(" ")
+                if command[0].startswith(".ci/"):
+                    assert os.access(ROOT / command[0], os.X_OK)
+                if command[0] == "make":
+                    assert re.search(rf"^{command[1]}:", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE)
+
+
+@pytest.mark.slow
+def test_what_containers_run_lays_out_a_copy_in_a_clean_environment(tmp_path: Path) -> None:
+    settings = json.loads((ROOT / ".devcontainer" / "devcontainer.json").read_text(encoding="utf-8"))
+    commands = [
+        settings["postCreateCommand"].partition(" && ")[2],
+        (ROOT / ".binder" / "postBuild").read_text(encoding="utf-8").strip().splitlines()[-1],
+        re.search(r"^RUN (tflab .+)$", (ROOT / "Dockerfile").read_text(encoding="utf-8"), re.MULTILINE)[1],
+    ]
+    for number, command in enumerate(commands):
+        program, *words = shlex.split(command)
+        assert program == "tflab"
+        folder = tmp_path / str(number)
+        folder.mkdir()
+        clean = {"HOME": str(folder), "PATH": os.defpath, "LANG": "C.UTF-8"}
+        done = subprocess.run([*HERE, *words], cwd=folder, env=clean, capture_output=True, text=True, check=True)
+        page = folder / "tflab_workbook" / "notebooks" / "en" / "00_start.ipynb"
+        assert done.stdout.splitlines()[-1] == str(page)
+        assert page.is_file()
+
+
+def fake_python(folder: Path, name: str, answers: str) -> Path:
+    path = folder / name
+    path.write_text(f"#!/bin/sh\n{answers}\n", encoding="utf-8")
+    path.chmod(0o755)
+    return path
+
+
+def make(*words: str, folder: Path) -> subprocess.CompletedProcess[str]:
+    (folder / "Makefile").write_text((ROOT / "Makefile").read_text(encoding="utf-8"), encoding="utf-8")
+    for name in ("pyproject.toml", "constraints.txt"):
+        (folder / name).touch()
+    return subprocess.run(["make", *words], cwd=folder, capture_output=True, text=True)
+
+
+@pytest.mark.skipif(not any((Path(p) / "make").exists() for p in os.defpath.split(":")), reason="no make")
+def test_an_old_python_is_named_before_anything_is_installed(tmp_path: Path) -> None:
+    old = fake_python(tmp_path, "python3.8", 'case "$1" in -V) echo Python 3.8.10;; *) exit 1;; esac')
+    done = make("lab", f"PYTHON={old}", folder=tmp_path)
+    assert done.returncode != 0
+    assert "tflab needs Python 3.10 or newer" in done.stdout
+    assert "Python 3.8.10" in done.stdout
+    assert "make lab PYTHON=python3.12" in done.stdout
+    assert not (tmp_path / ".venv").exists()
+
+
+@pytest.mark.skipif(not any((Path(p) / "make").exists() for p in os.defpath.split(":")), reason="no make")
+def test_an_environment_of_another_python_is_made_anew_and_options_reach_the_lab(tmp_path: Path) -> None:
+    (tmp_path / ".venv" / "bin").mkdir(parents=True)
+    fake_python(tmp_path / ".venv" / "bin", "python", "echo 3.9")
+    (tmp_path / ".venv" / "left_over").touch()
+    new = fake_python(
+        tmp_path,
+        "python3.12",
+        'case "$*" in\n  *print*) echo 3.12;;\n  "-m venv .venv") mkdir -p .venv/bin; cp "$0" .venv/bin/python;\n'
+        "    printf '#!/bin/sh\\necho opened \"$@\"\\n' > .venv/bin/tflab; chmod +x .venv/bin/tflab;;\nesac",
+    )
+    done = make("lab", f"PYTHON={new}", "ARGS=--no-browser --lang ko", folder=tmp_path)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "made by another Python: making it anew, with 3.12" in done.stdout
+    assert "opened lab --no-browser --lang ko" in done.stdout
+    assert not (tmp_path / ".venv" / "left_over").exists()
+    assert "made by another" not in make("lab", f"PYTHON={new}", folder=tmp_path).stdout
