@@ -1,5 +1,6 @@
 """ros2 bag: what the graph said is in the file, and what is in the file is said again."""
 
+import time
 from pathlib import Path
 
 import numpy as np
@@ -20,10 +21,16 @@ from tflab.robots.kinematics import joint_transform
 from tflab.robots.nodes import launch
 from tflab.robots.teaching import TeachingRobot
 from tflab.robots.urdf import parse_urdf
+from tflab.ros import client_library
 from tflab.ros.duration import Duration
 from tflab.ros.graph import new_graph
 from tflab.ros.messages import geometry_msgs, std_msgs
+from tflab.ros.node import Node
+from tflab.ros.parameter import Parameter
 from tflab.ros.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from tflab.ros.tf2.buffer import Buffer
+from tflab.ros.tf2.listener import TransformListener
+from tflab.ros.time import Time
 from tflab.tools import ros2
 
 SECOND = 1_000_000_000
@@ -305,3 +312,62 @@ def test_a_name_in_korean_is_read_where_the_system_writes_another_encoding(graph
     monkeypatch.setattr("tflab.bags.reader.getpreferredencoding", lambda do_setlocale: "cp949")
     monkeypatch.setattr(Path, "read_text", lambda file, encoding=None: real(file, encoding or "cp949", "replace"))
     assert read_bag(path).transforms.numbers.tolist() == before.transforms.numbers.tolist()
+
+
+def test_a_bag_names_the_distribution_that_recorded_it(drive, monkeypatch):
+    assert bag_facts(drive).ros_distro == "jazzy"
+
+
+def test_times_of_day_on_virtual_time_are_the_same_in_every_zone(graph, tmp_path, monkeypatch, capsys):
+    launch(graph, only=["wheel_odometry"])
+    path = record(graph, tmp_path / "b", 1.0, "/tf")
+    capsys.readouterr()
+    texts = set()
+    for zone in ("UTC", "Asia/Seoul"):
+        monkeypatch.setenv("TZ", zone)
+        time.tzset()
+        graph.start(ros2.main, ["bag", "info", str(path)])
+        texts.add(capsys.readouterr().out)
+    monkeypatch.undo()
+    time.tzset()
+    (text,) = texts
+    assert "Start:             Jan  1 1970 00:00:01.050000000 (1.050000000)" in text
+    assert "ROS Distro:        jazzy\n" in text
+
+
+def test_a_looped_bag_leaves_a_buffer_that_watches_its_clock_whole(graph, tmp_path, capsys):
+    launch(graph)
+    path = record(graph, tmp_path / "drive", 6.0, "/tf", "/tf_static")
+    graph.stop()
+    again = new_graph()
+    again.start(ros2.main, ["bag", "play", str(path), "--clock", "100", "--loop"], name="play")
+    asked = []
+
+    def main():
+        client_library.init()
+        node = Node("asking", parameter_overrides=[Parameter("use_sim_time", value=True)])
+        buffer = Buffer(node=node)
+        listener = TransformListener(buffer, node)
+        node.create_timer(0.2, lambda: asked.append(buffer.can_transform("odom", "laser_frame", Time())))
+        client_library.spin(node)
+        assert listener
+
+    again.start(main)
+    capsys.readouterr()
+    again.run(seconds=14.0)
+    again.stop()
+    said = capsys.readouterr().err
+    assert said.count("Detected jump back in time") == 2
+    assert "TF_OLD_DATA" not in said
+    assert len(asked) > 60 and all(asked[2:])
+
+
+def test_a_second_run_of_a_cell_that_records_puts_the_first_bag_aside(graph, tmp_path, capsys):
+    launch(graph, only=["wheel_odometry"])
+    path = tmp_path / "drive"
+    record(graph, path, 1.0, "/tf")
+    first = (path / "metadata.yaml").read_text()
+    record(graph, path, 2.0, "/tf")
+    assert (tmp_path / "drive_1" / "metadata.yaml").read_text() == first
+    assert bag_facts(path).count > bag_facts(tmp_path / "drive_1").count
+    assert f"[WARN] [ros2bag]: Output folder '{path}' already exists: it is now '{path}_1'." in capsys.readouterr().err

@@ -451,3 +451,10 @@ def test_an_endless_spin_in_the_cell_passes_time_as_fast_as_it_really_does(graph
     assert rclpy.ok()
     assert 1 <= len(ticks) <= 1000  # at full speed it would be ten thousands
     rclpy.shutdown()
+
+
+def test_a_clock_before_zero_is_refused_with_the_remedy(graph):
+    with pytest.raises(ValueError, match=r"would show -1.000 s.*graph\.run\(seconds=1\)"):
+        graph.set_clock_offset("wheel_odometry", -2.0)
+    graph.run(seconds=1)
+    graph.set_clock_offset("wheel_odometry", -2.0)

@@ -221,3 +221,29 @@ def test_on_windows_a_backslash_is_part_of_a_path():
     words = words_of_line(line, backslash_escapes=False)
     assert words == ["ros2", "bag", "info", r"C:\Users\kim\my drive", "-o", r"D:\tmp\new"]
     assert words_of_line(r"echo a\ b  # said", comments="#", backslash_escapes=True) == ["echo", "a b"]
+
+
+def test_a_tool_with_an_ampersand_runs_beside_the_page(terminal, tmp_path, monkeypatch):
+    terminal.graph.start(moving())
+    monkeypatch.chdir(tmp_path)
+    terminal.type("ros2 --for 3 bag record /tf -o drive")
+    terminal.graph.stop()
+    assert terminal.type("ros2 bag play drive --loop &") == ""
+    assert terminal.exit_code is None
+    assert terminal.type("ros2 node list") == "/rosbag2_player\n"
+    assert "Publisher count: 1" in terminal.type("ros2 topic info /tf")
+    assert "At time" in terminal.type("ros2 run tf2_ros tf2_echo odom base_link")
+
+
+def test_an_ampersand_with_a_time_ends_after_it(terminal):
+    terminal.graph.start(moving())
+    terminal.type("ros2 --for 2 topic hz /tf &")
+    tool = terminal.graph.participants[-1]
+    terminal.graph.run(seconds=1.9)
+    assert tool.is_running
+    terminal.graph.run(seconds=0.2)
+    assert not tool.is_running
+
+
+def test_an_ampersand_inside_quotes_is_a_letter():
+    assert split_line("topic pub /chatter std_msgs/msg/String 'data: a&'")[1][-1] == "data: a&"

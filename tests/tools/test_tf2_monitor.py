@@ -1,6 +1,7 @@
 """What tf2_monitor reckons and prints: to the letter."""
 
 import pytest
+from tools_robot import moving
 
 from tflab.tools.tf2_monitor import Delays, NetDelay, broadcaster_line, frame_lines, results_heading
 
@@ -63,3 +64,10 @@ def test_the_net_delay_creeps_up_from_zero():
     net.add(1.0)
     assert net.average == pytest.approx(0.0199)  # 0.01, then 0.01 + 0.99 * 0.01
     assert net.largest == 1.0
+
+
+def test_a_page_waits_for_the_report_of_a_chain_that_takes_long_to_come(terminal):
+    terminal.graph.start(moving())
+    terminal.graph.disturb("/tf", delay=3.0)
+    out = terminal.type("ros2 run tf2_ros tf2_monitor odom base_link")
+    assert "RESULTS: for odom to base_link" in out

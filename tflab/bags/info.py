@@ -6,12 +6,13 @@
     Topic information: Topic: /tf | Type: tf2_msgs/msg/TFMessage | Count: 958 | Serialization Format: cdr
 
 Humble prints the times with milliseconds that are not padded (.045 as .45), and
-has no lines about distribution and services.  Times of day are local.
+has no lines about distribution and services.  Times of day are local, as upstream;
+on virtual time, where a page must print the same everywhere, they are UTC.
 """
 
 from __future__ import annotations
 
-from datetime import datetime
+from datetime import datetime, timezone
 from pathlib import Path
 from typing import NamedTuple
 
@@ -73,8 +74,8 @@ def bag_facts(path: str | Path) -> BagFacts:
         )
 
 
-def info_text(facts: BagFacts) -> str:
-    """Return what `ros2 bag info` prints."""
+def info_text(facts: BagFacts, zone: timezone | None = None) -> str:
+    """Return what `ros2 bag info` prints, with times of day in `zone`, the machine's own if None."""
     is_humble = distro.current().name == "humble"
     separator = "\n" + INDENT
     topics = separator.join(
@@ -88,8 +89,8 @@ def info_text(facts: BagFacts) -> str:
         f"Storage id:        {facts.storage}",
         *([] if is_humble else [f"ROS Distro:        {facts.ros_distro}"]),
         f"Duration:          {_seconds_text(facts.duration_ns, is_humble)}s",
-        f"Start:             {_moment_text(facts.begin_ns, is_humble)}",
-        f"End:               {_moment_text(facts.begin_ns + facts.duration_ns, is_humble)}",
+        f"Start:             {_moment_text(facts.begin_ns, is_humble, zone)}",
+        f"End:               {_moment_text(facts.begin_ns + facts.duration_ns, is_humble, zone)}",
         f"Messages:          {facts.count}",
         f"Topic information: {topics}",
         *([] if is_humble else ["Service:           0", "Service information: "]),
@@ -111,8 +112,8 @@ def _seconds_text(time_ns: int, is_humble: bool) -> str:
     return f"{sec}.{nanosec // 1_000_000}" if is_humble else f"{sec}.{nanosec:09d}"
 
 
-def _moment_text(time_ns: int, is_humble: bool) -> str:
+def _moment_text(time_ns: int, is_humble: bool, zone: timezone | None) -> str:
     seconds = _seconds_text(time_ns, is_humble)
-    moment = datetime.fromtimestamp(time_ns // NSEC_PER_SEC)
+    moment = datetime.fromtimestamp(time_ns // NSEC_PER_SEC, zone)
     day = f"{moment:%b} {moment.day:2d} {moment:%Y %H:%M:%S}"
     return f"{day}.{seconds.partition('.')[2]} ({seconds})"

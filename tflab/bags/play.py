@@ -30,6 +30,9 @@ if TYPE_CHECKING:
 __all__ = ["Event", "PlayOptions", "events", "play"]
 
 CLOCK_TOPIC = "/clock"
+# Opening the files again takes a moment.  Without one, listeners would hear the new pass' /clock, which sets their time
+# back, before the last messages of the old pass: a buffer that has just been cleared would keep those as the newest.
+BETWEEN_PASSES_NS = NSEC_PER_SEC // 100
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,8 +83,7 @@ def play(node: Node, path: str | Path, options: PlayOptions, wait_until: Callabl
             publishers[event.topic].publish(event.message)
         if not options.loop or last_ns is None:
             return
-        # A bag of one moment would loop for ever without time passing.
-        played_ns += max(round((last_ns - first_ns) / options.rate), NSEC_PER_SEC // 1000)
+        played_ns += round((last_ns - first_ns) / options.rate) + BETWEEN_PASSES_NS
 
 
 def events(path: str | Path, options: PlayOptions, topics: Sequence[str]) -> Iterator[Event]:

@@ -18,6 +18,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from tflab.ros import distro
 from tflab.ros.messages.base import Message, type_named
 from tflab.ros.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 
@@ -76,7 +77,16 @@ class BagWriter:
             if self._is_open:
                 self._is_open = False
                 self._writer.close()
+                self._name_distro()
         atexit.unregister(self.close)
+
+    def _name_distro(self) -> None:
+        """Say which ROS recorded it, as rosbag2 does: the library writes its own name there."""
+        metadata = self.path / "metadata.yaml"
+        text = metadata.read_text(encoding="utf-8")
+        metadata.write_text(
+            text.replace("ros_distro: rosbags", f"ros_distro: {distro.current().name}"), encoding="utf-8"
+        )
 
     def __enter__(self) -> BagWriter:
         return self

@@ -23,8 +23,6 @@ class Distro:
 
     Attributes:
         name: of the distribution.
-        refuses_repeated_stamps: a second sample of one frame with the same stamp is
-            dropped with TF_REPEATED_DATA; otherwise both are kept.
         static_resend: what StaticTransformBroadcaster (Python) publishes when it is called again:
             "forgets"   only what it was given last; late joiners miss the earlier ones
             "keeps"     all so far, but the first value of each child
@@ -38,7 +36,6 @@ class Distro:
     """
 
     name: str
-    refuses_repeated_stamps: bool
     static_resend: str
     always_checks_fields: bool
     policy_suffix: str
@@ -49,9 +46,9 @@ class Distro:
 
 
 _TABLE = {
-    "humble": Distro("humble", True, "forgets", True, "_QOS_POLICY", False, False, False, "sqlite3"),
-    "jazzy": Distro("jazzy", False, "keeps", False, "", True, True, False, "mcap"),
-    "rolling": Distro("rolling", False, "replaces", False, "", True, True, True, "mcap"),
+    "humble": Distro("humble", "forgets", True, "_QOS_POLICY", False, False, False, "sqlite3"),
+    "jazzy": Distro("jazzy", "keeps", False, "", True, True, False, "mcap"),
+    "rolling": Distro("rolling", "replaces", False, "", True, True, True, "mcap"),
 }
 
 

@@ -17,6 +17,7 @@ Read `qos.py` next.
 from __future__ import annotations
 
 import gc
+import math
 import random
 import sys
 import threading
@@ -209,7 +210,17 @@ class Graph:
         self.network.topic(topic).disturbance = disturbance
 
     def set_clock_offset(self, node_name: str, seconds: float) -> None:
-        """Set the clock of a node wrong by `seconds` [s], as on a machine whose clock is: now and when it comes."""
+        """Set the clock of a node wrong by `seconds` [s], as on a machine whose clock is: now and when it comes.
+
+        Raises:
+            ValueError: it would show a time before zero, which ROS has no stamp for.
+        """
+        if self.now_ns + round(seconds * NSEC_PER_SEC) < 0:
+            raise ValueError(
+                f"the clock of {node_name} would show {self.now_ns / NSEC_PER_SEC + seconds:.3f} s, and there is no "
+                f"stamp before zero: the graph is at {self.now_ns / NSEC_PER_SEC:.3f} s. Let time pass first: "
+                f"graph.run(seconds={math.ceil(-seconds - self.now_ns / NSEC_PER_SEC)})"
+            )
         full_name = node_name if node_name.startswith("/") else f"/{node_name}"
         self._offsets_ns[full_name] = round(seconds * NSEC_PER_SEC)
         for node in self.network.nodes:

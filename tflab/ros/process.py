@@ -33,6 +33,7 @@ class Process:
         contexts: those made in it, in order; the rest of ROS 2 hangs on them.
         default_context, global_executor: rclpy's two globals, None until needed.
         ended: nothing runs in it any more.
+        began_ns: when what it had waited for was there, for a tool whose time counts from then [ns]; None: not yet.
         loop: where it was found in an endless loop, as "file:line in function".
     """
 
@@ -45,6 +46,7 @@ class Process:
         self.global_executor: Any = None
         self.main_thread: threading.Thread | None = None
         self.ended = False
+        self.began_ns: int | None = None
         self.loop = ""
         self._interrupted = False
         self._waiting: dict[Any, None] = {}

@@ -14,7 +14,9 @@ from __future__ import annotations
 
 import argparse
 import re
+import sys
 from datetime import datetime
+from itertools import count
 from pathlib import Path
 
 from tflab.bags.errors import BagError
@@ -24,7 +26,7 @@ from tflab.ros import distro
 from tflab.ros.graph import current_process
 from tflab.ros.logging import get_logger
 
-from .session import spin, spin_for, tool_node
+from .session import spin, spin_for, tool_node, zone_here
 
 __all__ = ["add_verbs"]
 
@@ -75,7 +77,7 @@ def info(options: argparse.Namespace) -> str | None:
     from tflab.bags.info import bag_facts, info_text
 
     try:
-        print(info_text(bag_facts(options.bag_path)))
+        print(info_text(bag_facts(options.bag_path), zone_here()))
     except BagError as error:
         return f"[ERROR] [ros2bag]: {error}"
     return None
@@ -88,7 +90,7 @@ def record(options: argparse.Namespace) -> str | None:
     if not (options.topics or options.all or options.regex):
         return "[ERROR] [ros2bag]: Must specify topics to record: by name, with --regex, or --all."
     path = Path(options.output or _dated_name())
-    if path.exists():
+    if path.exists() and not _put_aside(path):
         return f"[ERROR] [ros2bag]: Output folder '{path}' already exists."
     arguments = ["--ros-args", "-p", "use_sim_time:=true"] if options.use_sim_time else []
     with tool_node("rosbag2_recorder", cli_args=arguments) as node:
@@ -160,8 +162,18 @@ def _filter(options: argparse.Namespace, topics: list[str]):
 
 
 def _dated_name() -> str:
-    now = datetime.fromtimestamp(current_process().driver.now_ns() / NSEC_PER_SEC)
+    now = datetime.fromtimestamp(current_process().driver.now_ns() / NSEC_PER_SEC, zone_here())
     return f"rosbag2_{now:%Y_%m_%d-%H_%M_%S}"
+
+
+def _put_aside(path: Path) -> bool:
+    """Rename the bag that an earlier run of a page's cell left behind; in a shell it stays, and upstream refuses."""
+    if not current_process().driver.is_virtual or not (path / "metadata.yaml").is_file():
+        return False
+    aside = next(other for n in count(1) if not (other := path.with_name(f"{path.name}_{n}")).exists())
+    path.rename(aside)
+    print(f"[WARN] [ros2bag]: Output folder '{path}' already exists: it is now '{aside}'.", file=sys.stderr, flush=True)
+    return True
 
 
 def _positive(text: str) -> float:

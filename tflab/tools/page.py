@@ -3,6 +3,7 @@
     %ros2 run tf2_ros tf2_echo map odom            3.5 s of the graph, then Ctrl-C
     %ros2 --for 10 run tf2_ros tf2_echo map odom   10 s, then Ctrl-C
     %ros2 run tf2_ros static_transform_publisher   started, and left running: a terminal of its own
+    %ros2 bag play drive &                         the same with any tool (a background job), until graph.stop()
     %ros2 topic info /tf                           until it has ended
 
 Time stands still before and after.  A tool that waits for something that never
@@ -16,8 +17,9 @@ import shlex
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
+from tflab.core import NSEC_PER_SEC
 from tflab.core.stamps import seconds_typed
-from tflab.ros.graph import Graph
+from tflab.ros.graph import Graph, Participant
 
 from . import ros2
 
@@ -52,15 +54,17 @@ def words_of_line(line: str, *, comments: str = "", backslash_escapes: bool = os
 
 
 def split_line(line: str) -> tuple[float | None, list[str]]:
-    """Return how long to run [s], None if that is not said, and the words after `ros2`.
+    """Return how long to run [s], None if that is not said, and the words after `ros2`, a last "&" among them.
 
     Raises:
         LineError: unbalanced quotes, or `--for` without a time.
     """
+    in_background = line.rstrip().endswith("&")
     try:
-        words = words_of_line(line, comments="#")
+        words = words_of_line(line.rstrip().removesuffix("&"), comments="#")
     except ValueError as fault:
         raise LineError(f"cannot read the line: {fault}") from None
+    words += ["&"] if in_background else []
     words = words[1:] if words[:1] == ["ros2"] else words
     if "--for" in words[1:]:
         raise LineError("--for stands first, before the tool: %ros2 --for 3 topic hz /tf")
@@ -82,8 +86,11 @@ def run_words(
 ) -> ToolResult:
     """Run `ros2` with these words on the graph; for `seconds` [s] of its time, as long as suits the tool if None.
 
+    With "&" as the last word the tool is started and left running, to its end or for `seconds`.
     `ros_args` are for the tool's nodes, such as ["--ros-args", "-p", "use_sim_time:=true"].
     """
+    in_background = words[-1:] == ["&"]
+    words = words[:-1] if in_background else words
     try:
         plan = ros2.plan(words)
     except SystemExit as stop:  # help, or a wrong option, which argparse has explained
@@ -92,17 +99,12 @@ def run_words(
     codes: list[int] = []
     name = f"ros2 {' '.join(words)}"
     participant = graph.start(lambda: codes.append(plan.run(pictures)), name=name, argv=[name, *ros_args])
-    if plan.stays and seconds is None:
+    if in_background and seconds is not None:
+        graph.driver.call_after(round(seconds * NSEC_PER_SEC), participant.interrupt)
+    if in_background or (plan.stays and seconds is None):
         return ToolResult(codes[0] if codes else None)
     span_s = seconds if seconds is not None else plan.page_s
-    left_s = LIMIT_S if span_s is None else span_s
-    try:
-        while participant.is_running and left_s > 0:
-            graph.run(seconds=min(STEP_S, left_s))
-            left_s -= STEP_S
-    except KeyboardInterrupt:  # the stop button stops everything, also if it was pressed between two steps
-        graph.stop()
-        raise
+    _let_run(graph, participant, LIMIT_S if span_s is None else span_s, counts_from_beginning=seconds is not None)
     if participant.is_running:
         graph.stop(participant)
         if span_s is None:
@@ -112,3 +114,17 @@ def run_words(
             )
     failed = None if isinstance(participant.exception, (KeyboardInterrupt, type(None))) else 1
     return ToolResult(codes[0] if codes else failed, tuple(pictures))
+
+
+def _let_run(graph: Graph, participant: Participant, span_s: float, counts_from_beginning: bool) -> None:
+    """Let time pass while a tool runs, `span_s` [s] at most; from when it has what it waited for, if it says so."""
+    span_ns = round(span_s * NSEC_PER_SEC)
+    until_ns = graph.now_ns + span_ns
+    try:
+        while participant.is_running and (left_ns := until_ns - graph.now_ns) > 0:
+            graph.run(seconds=min(STEP_S, left_ns / NSEC_PER_SEC))
+            if participant.began_ns is not None and not counts_from_beginning:
+                until_ns = participant.began_ns + span_ns
+    except KeyboardInterrupt:  # the stop button stops everything, also if it was pressed between two steps
+        graph.stop()
+        raise

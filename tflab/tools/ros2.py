@@ -28,7 +28,7 @@ class Executable(NamedTuple):
     Attributes:
         module: where its `main(arguments)` is; it returns the exit code.
         stays: in a page it goes on running after the cell, as in a terminal of its own.
-        page_s: how long a page runs it if it is not told [s]; None: until it ends.
+        page_s: how long a page runs it if it is not told [s], from when it has what it waits for; None: until it ends.
         shows: its main also takes a list, to which it appends pictures.
     """
 
@@ -69,7 +69,7 @@ EXECUTABLES = {
 CLOSED_PIPE = 141  # what a shell says of a program that wrote to a reader who has gone
 
 # How long a page runs a verb that would go on for ever, or very long [s].
-PAGE_SECONDS = {"echo": 2.0, "hz": 3.5, "delay": 3.5, "record": 5.0, "play": 3600.0}
+PAGE_SECONDS = {"echo": 2.0, "hz": 3.5, "delay": 3.5, "pub": 3.5, "record": 5.0, "play": 3600.0}
 
 
 class Plan(NamedTuple):
@@ -111,7 +111,8 @@ def plan(words: Sequence[str]) -> Plan:
         options.command_parser.print_help()
         raise SystemExit(0)
     is_endless = getattr(options, "loop", False)
-    page_s = None if getattr(options, "once", False) or is_endless else PAGE_SECONDS.get(options.verb)
+    ends_by_itself = getattr(options, "once", False) or getattr(options, "times", 0)
+    page_s = None if ends_by_itself or is_endless else PAGE_SECONDS.get(options.verb)
     return Plan(tuple(words), lambda pictures: _exit_code(lambda: options.run(options)), page_s=page_s)
 
 

@@ -14,6 +14,7 @@ import string
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from datetime import timezone
 from typing import Any
 
 from tflab.core import NSEC_PER_SEC, BufferCore
@@ -36,6 +37,7 @@ __all__ = [
     "spin_until_done",
     "tool_node",
     "unused_name",
+    "zone_here",
 ]
 
 DISCOVERY_S = 0.5  # how long a command looks around before it answers; on virtual time everybody is known at once
@@ -122,6 +124,11 @@ def spin_for(node: Node, duration_s: float) -> None:
         if not node.context.ok():
             raise KeyboardInterrupt
         executor.spin_once(timeout_sec=left_ns / NSEC_PER_SEC)
+
+
+def zone_here() -> timezone | None:
+    """Return the time zone to print: UTC on virtual time, which begins in 1970 everywhere; the machine's own (None)."""
+    return timezone.utc if current_process().driver.is_virtual else None
 
 
 def spin_until_done(node: Node, future: Future) -> None:

@@ -122,6 +122,7 @@ def _watch(node: Node, core: BufferCore, frame_a: str = "", frame_b: str = "") -
             node.get_logger().info(waiting_text(frame_a, frame_b, answer[1]), throttle_duration_sec=1.0)
             spin_for(node, LOOK_EVERY_S)
         chain, net = core.chain(frame_b, frame_a), NetDelay()
+    node.context.process.began_ns = node.context.process.driver.now_ns()
     delays = _listen(node)
     what = f"{frame_a} -> {frame_b}" if frame_a else "all frames"
     print(f"Gathering data on {what} for 10 seconds...", flush=True)

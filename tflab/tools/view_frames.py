@@ -17,7 +17,7 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Mapping, Sequence
-from datetime import datetime, timezone
+from datetime import datetime
 from pathlib import Path
 from typing import Any
 
@@ -28,7 +28,7 @@ from tflab.ros.node import Node
 from tflab.views.tree import TreePicture
 from tflab.views.upstream_tree import draw_upstream_tree
 
-from .session import spin_for, spin_until_done, tool_node
+from .session import spin_for, spin_until_done, tool_node, zone_here
 
 __all__ = ["dot_from_frames", "main", "parser", "write_pictures"]
 
@@ -105,7 +105,7 @@ def _view(node: Node, options: argparse.Namespace, pictures: list[Any]) -> int:
     log.info(f"Result:{answer}")
 
     now = node.get_clock().now()
-    stem = options.output or _dated_name(node.context.process.driver)
+    stem = options.output or _dated_name(node.context.process.driver.now_ns())
     log.info(f"Exporting graph in {stem}.pdf file...")
     sec, nanosec = now.seconds_nanoseconds()
     frames, recorded_s = yaml.safe_load(answer.frame_yaml) or {}, sec + nanosec / NSEC_PER_SEC
@@ -125,7 +125,6 @@ def _with_names_as_text(frames: Mapping[Any, Mapping[str, Any]]) -> dict[str, Ma
     return {str(name): {**frame, "parent": str(frame["parent"])} for name, frame in frames.items()}
 
 
-def _dated_name(driver) -> str:
-    """Return the name with date and time: local time on a wall clock, since 1970 on a virtual one."""
-    zone = timezone.utc if driver.is_virtual else None
-    return datetime.fromtimestamp(driver.now_ns() / NSEC_PER_SEC, zone).strftime("frames_%Y-%m-%d_%H.%M.%S")
+def _dated_name(now_ns: int) -> str:
+    """Return the name with date and time."""
+    return datetime.fromtimestamp(now_ns / NSEC_PER_SEC, zone_here()).strftime("frames_%Y-%m-%d_%H.%M.%S")
