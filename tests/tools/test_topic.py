@@ -230,3 +230,77 @@ def test_echo_of_a_stream_of_nothing_ends(terminal):
     terminal.graph.start(talker(hello, period_s=1e6))
     out = terminal.type("ros2 topic echo /chatter --once")
     assert "did not end within 60 s of the graph's time, and was stopped." in out
+
+
+def listener(received):
+    def main():
+        rclpy.init()
+        node = Node("listener")
+        node.create_subscription(PointStamped, "/detected_point", received.append, 10)
+        rclpy.spin(node)
+
+    return main
+
+
+def test_pub_once_waits_for_a_listener_and_ends(terminal):
+    received = []
+    terminal.graph.start(listener(received))
+    out = terminal.type(
+        "ros2 topic pub --once /detected_point geometry_msgs/msg/PointStamped"
+        " '{header: {stamp: now, frame_id: laser_frame}, point: {x: 2}}'"
+    )
+    message = (
+        "geometry_msgs.msg.PointStamped(header=std_msgs.msg.Header(stamp=builtin_interfaces.msg.Time(sec=1, nanosec=0),"
+        " frame_id='laser_frame'), point=geometry_msgs.msg.Point(x=2.0, y=0.0, z=0.0))"
+    )
+    assert out == f"publisher: beginning loop\npublishing #1: {message}\n\n"
+    assert terminal.exit_code == 0
+    assert [repr(each) for each in received] == [message]
+
+
+def test_pub_says_that_it_waits_and_goes_on_when_somebody_comes(terminal):
+    received = []
+    terminal.type("ros2 topic pub -t 2 -r 10 /detected_point geometry_msgs/msg/PointStamped &")
+    terminal.graph.run(seconds=1.5)
+    terminal.graph.start(listener(received))
+    terminal.graph.run(seconds=1)
+    assert len(received) == 2
+    assert not terminal.graph.participants[0].is_running
+
+
+def test_pub_sends_at_its_rate_until_it_is_stopped(terminal):
+    received = []
+    terminal.graph.start(listener(received))
+    out = terminal.type(
+        "ros2 --for 2 topic pub -r 5 -p 5 /detected_point geometry_msgs/msg/PointStamped '{header: auto}'"
+    )
+    assert out.count("publishing #") == 2
+    assert [each.header.stamp.sec * 10 + each.header.stamp.nanosec // 10**8 for each in received] == [
+        10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30,
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("words", "text"),
+    [
+        ("/c std_msgs/msg/String '[1]'", "The passed value needs to be a dictionary in YAML format"),
+        ("/c std_msgs/msg/String '{dat: x}'", "Failed to populate field: 'String' object has no attribute 'dat'"),
+        ("/c geometry_msgs/msg/Point '{x: a}'", "Failed to populate field: could not convert string to float: 'a'"),
+        ("/c geometry_msgs/msg/Pose '{position: 1}'",
+         "Failed to populate field: Value '1' is expected to be a dictionary but is a int"),
+        ("/c nope/msg/Nope", "The message type 'nope/msg/Nope' is invalid"),
+    ],
+)  # fmt: skip
+def test_pub_says_what_cannot_be_sent(terminal, words, text):
+    terminal.type(f"ros2 topic pub {words}")
+    assert terminal.error == f"{text}\n"
+    assert terminal.exit_code == 1
+
+
+def test_pub_fills_sequences_of_numbers_and_of_messages(terminal):
+    out = terminal.type(
+        "ros2 topic pub -1 -w 0 /joint_states sensor_msgs/msg/JointState '{name: [a, b], position: [1, 2.5]}'"
+    )
+    assert "name=['a', 'b'], position=[1.0, 2.5]" in out
+    out = terminal.type("ros2 topic pub -1 -w 0 /tf tf2_msgs/msg/TFMessage '{transforms: [{child_frame_id: laser}]}'")
+    assert "child_frame_id='laser'" in out

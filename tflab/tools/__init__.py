@@ -9,7 +9,7 @@
     trees                         the tree of a graph, with its real publishers
     buffers                       what does this buffer look like?
     discovery                     what is there to name?
-    topic  topic_echo  topic_rates    who talks about what, what, and how often?
+    topic  topic_echo  topic_rates  topic_pub    who talks about what, what, and how often?
     node  param                   who is there, and how is it set?
     bag                           what was said, kept and said again?
     rviz  rviz2                   what would RViz see of a graph, and where is it?

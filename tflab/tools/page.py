@@ -106,14 +106,19 @@ def run_words(
     span_s = seconds if seconds is not None else plan.page_s
     _let_run(graph, participant, LIMIT_S if span_s is None else span_s, counts_from_beginning=seconds is not None)
     if participant.is_running:
-        graph.stop(participant)
-        if span_s is None:
-            print(
-                f"`{name}` did not end within {LIMIT_S:g} s of the graph's time, and was stopped.\n"
-                "Is the node that it waits for running, and spinning?  `%ros2 --for SECONDS ...` gives it longer."
-            )
+        _stop(graph, participant, should_have_ended=span_s is None)
     failed = None if isinstance(participant.exception, (KeyboardInterrupt, type(None))) else 1
     return ToolResult(codes[0] if codes else failed, tuple(pictures))
+
+
+def _stop(graph: Graph, participant: Participant, should_have_ended: bool) -> None:
+    """Stop a tool as Ctrl-C does, and say so if it should have ended by itself."""
+    graph.stop(participant)
+    if should_have_ended:
+        print(
+            f"`{participant.name}` did not end within {LIMIT_S:g} s of the graph's time, and was stopped.\n"
+            "Is the node that it waits for running, and spinning?  `%ros2 --for SECONDS ...` gives it longer."
+        )
 
 
 def _let_run(graph: Graph, participant: Participant, span_s: float, counts_from_beginning: bool) -> None:

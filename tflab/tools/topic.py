@@ -1,4 +1,4 @@
-"""Who talks about what?  `ros2 topic list`, `info`, `type`, `find`; `echo` and `hz` have pages of their own.
+"""Who talks about what?  `ros2 topic list`, `info`, `type`, `find`; `echo`, `hz` and `pub` have pages of their own.
 
     ros2 topic info /tf --verbose
         Publisher count: 2          <- two nodes on /tf: the only evidence of a second owner
@@ -18,6 +18,7 @@ from tflab.ros import distro
 from .discovery import add_discovery_options, types_of, visible
 from .session import cli_node
 from .topic_echo import add_echo
+from .topic_pub import add_pub
 from .topic_rates import add_delay, add_hz
 
 __all__ = ["add_verbs", "endpoint_text", "info_text", "list_text"]
@@ -45,6 +46,7 @@ def add_verbs(verbs: argparse._SubParsersAction) -> None:
     list_parser = _add(verbs, "list", "Output a list of available topics", list_topics, hidden=True, count=True)
     list_parser.add_argument("-t", "--show-types", action="store_true", help="Additionally show the topic type")
     list_parser.add_argument("-v", "--verbose", action="store_true", help="List full details about each topic")
+    add_pub(verbs)
     _add(verbs, "type", "Print a topic's type", topic_type, "topic_name",
          "Name of the ROS topic to get type (e.g. '/chatter')")  # fmt: skip
 

@@ -11,6 +11,7 @@
     tf2_msgs, rosgraph_msgs, rcl_interfaces, unique_identifier_msgs
                   the tables
     text          as `ros2 topic echo` prints them
+    fill          from what somebody typed
     values        to plain values and back: for bags
 
 Start with `checks.py`; each page names the next.

@@ -10,7 +10,7 @@
     - '...'            (what is longer than 128 is cut, unless --full-length)
 
 `type_hash` is the fingerprint that `ros2 topic info --verbose` shows.  Read
-`values.py` next.
+`fill.py` next.
 """
 
 from __future__ import annotations
