@@ -93,6 +93,26 @@ def test_messages_stay_for_the_decay_time(robot):
     assert len(look(robot, seconds=1.0, decay_s=0.35).displays[0].content) == 4
 
 
+def test_a_healthy_robot_is_no_error_though_its_first_scans_came_before_its_transforms(graph):
+    graph.start(sensor("/scan", scan))
+    graph.run(seconds=0.5)
+    graph.start(moving())
+    graph.start(fixed())
+    seen = look(graph, seconds=2.0, decay_s=2.0)
+    graph.run(seconds=0.1)
+    assert len(seen.displays[0].content) > 15
+    assert "Transform: Ok" in said(seen, "odom")
+
+
+def test_a_scan_older_than_all_transforms_is_an_error_in_rviz_words(graph):
+    early = std_msgs.Header(frame_id="laser_frame")
+    early.stamp.nanosec = 500_000_000
+    graph.start(sensor("/scan", lambda header: scan(early)))
+    graph.start(moving())
+    graph.start(fixed())
+    assert "Lookup would require extrapolation into the past." in said(look(graph), "odom")
+
+
 def test_a_robot_has_its_links_without_meshes(robot):
     robot.start(sensor("/robot_description", lambda header: std_msgs.String(data=URDF), LATCHED))
     (display,) = look(robot).displays

@@ -6,7 +6,9 @@
 
 RViz keeps a message until its transform has come.  So does a look: it takes the
 newest message of each topic, and listens to the transforms for a moment longer.
-What still cannot be placed then has a reason, and RViz's words for it.
+What still cannot be placed then has a reason, and RViz's words for it.  What came
+before the first transforms is dropped, as RViz's message filter does, if there is
+something newer to show.
 
     view = open_rviz()             a small RViz of the current graph
     view.update(*look())           later: the same view, what there is now
@@ -18,11 +20,19 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from tflab.core import NSEC_PER_SEC, BufferCore, Transform, stamp_from_sec_nanosec
+from tflab.core import (
+    NSEC_PER_SEC,
+    BufferCore,
+    ExtrapolationException,
+    Transform,
+    TransformException,
+    stamp_from_sec_nanosec,
+)
 from tflab.ros.graph import Graph, current_graph
 from tflab.ros.messages import geometry_msgs, nav_msgs, sensor_msgs, std_msgs
 from tflab.ros.node import Node
@@ -81,7 +91,9 @@ def _watch(seconds: float, decay_s: float) -> Look:
         displays = tuple(_displays(heard, decay_s))
         spin_for(node, PATIENCE_S)
         listener.unregister()
-        return Look(_parents(buffer.core), displays, _asking(buffer.core))
+        parents = _parents(buffer.core)
+        displays = tuple(_without_forerunners(display, buffer.core, parents) for display in displays)
+        return Look(parents, displays, _asking(buffer.core))
 
 
 def _hear_everything(node: Node) -> dict[str, tuple[type, list[Any]]]:
@@ -112,6 +124,27 @@ def _asking(core: BufferCore) -> Callable[[str, str, int], Transform]:
         return core.lookup_transform(target_frame, source_frame, stamp_ns).transform
 
     return ask
+
+
+def _without_forerunners(display: Display, core: BufferCore, parents: dict[str, str]) -> Display:
+    """Return a display without the messages that are older than the transforms heard; the newest stays in any case."""
+    if not isinstance(display.content, tuple):
+        return display
+    placed = tuple(message for message in display.content if not _is_forerunner(message, core, parents))
+    return replace(display, content=placed or display.content[-1:])
+
+
+def _is_forerunner(message: Any, core: BufferCore, parents: dict[str, str]) -> bool:
+    root = message.frame_id
+    for _ in parents:  # no further than there are frames: a loop has no root
+        root = parents.get(root) or root
+    try:
+        core.lookup_transform(root, message.frame_id, message.stamp_ns)
+    except ExtrapolationException as fault:
+        return fault.direction == "past"
+    except TransformException:
+        return False
+    return False
 
 
 # -- messages as values ---------------------------------------------------
