@@ -8,7 +8,7 @@ import pytest
 
 from tflab import ros
 from tflab.ros import distro
-from tflab.ros.activation import PACKAGES, is_active
+from tflab.ros.activation import FOLDER, PACKAGES, is_active
 from tflab.ros.notebook import load_in_notebook
 
 
@@ -149,3 +149,23 @@ def test_deactivating_gives_python_its_own_sleep_back(graph):
     assert time.sleep.__module__ == "tflab.ros.threads"
     ros.deactivate()
     assert time.sleep.__module__ == "time"
+
+
+def test_no_module_of_a_package_is_empty():
+    ros.activate()
+    for path in sorted(FOLDER.rglob("*.py")):
+        if path.name != "__init__.py":
+            name = ".".join(path.relative_to(FOLDER).with_suffix("").parts)
+            module = importlib.import_module(name)
+            assert [each for each in vars(module) if not each.startswith("__")], name
+
+
+def test_the_lower_half_has_what_programs_ask_of_it():
+    ros.activate()
+    from rclpy.impl.implementation_singleton import rclpy_implementation
+    from rclpy.topic_or_service_is_hidden import topic_or_service_is_hidden
+    from rclpy.utilities import get_rmw_implementation_identifier
+
+    assert issubclass(rclpy_implementation.RCLError, RuntimeError)
+    assert rclpy_implementation.rclpy_get_rmw_implementation_identifier() == get_rmw_implementation_identifier()
+    assert topic_or_service_is_hidden("/_hidden/topic") and not topic_or_service_is_hidden("/topic")

@@ -211,7 +211,7 @@ def test_a_callback_hears_of_jumps_as_large_as_its_threshold():
 
 def test_turning_simulated_time_on_is_a_jump_for_who_asked_for_it():
     clock, heard = ROSClock(), []
-    deaf = JumpThreshold(min_forward=None, min_backward=None, on_clock_change=False)
+    deaf = JumpThreshold(min_forward=Duration(seconds=1), min_backward=None, on_clock_change=False)
     curious = JumpThreshold(min_forward=None, min_backward=None, on_clock_change=True)
     clock.create_jump_callback(deaf, post_callback=lambda jump: heard.append("deaf"))
     handle = clock.create_jump_callback(
@@ -227,5 +227,7 @@ def test_turning_simulated_time_on_is_a_jump_for_who_asked_for_it():
 def test_a_jump_callback_needs_a_callback_and_a_jump_a_change():
     with pytest.raises(ValueError):
         ROSClock().create_jump_callback(JumpThreshold(min_forward=None, min_backward=None))
+    with pytest.raises(ValueError, match="must be enabled"):
+        JumpThreshold(min_forward=None, min_backward=None, on_clock_change=False)
     with pytest.raises(TypeError):
         TimeJump("activated", Duration())

@@ -14,6 +14,8 @@ from collections.abc import Sequence
 from types import TracebackType
 from typing import Any
 
+from tflab.core import NSEC_PER_SEC
+
 from . import signals
 from .context import Context
 from .executors import Executor, SingleThreadedExecutor
@@ -28,10 +30,12 @@ __all__ = [
     "get_global_executor",
     "init",
     "ok",
+    "rmw_implementation",
     "shutdown",
     "spin",
     "spin_once",
     "spin_until_future_complete",
+    "timeout_sec_to_nsec",
     "try_shutdown",
 ]
 
@@ -110,6 +114,18 @@ def try_shutdown(*, context: Context | None = None, uninstall_handlers: bool | N
         current_process().default_context = None
     if uninstall_handlers or (uninstall_handlers is None and is_default):
         signals.uninstall_signal_handlers()
+
+
+def rmw_implementation() -> str:
+    """Return what stands below rclpy, where a robot has a DDS vendor: nothing but this process."""
+    return "rmw_tflab_in_process"
+
+
+def timeout_sec_to_nsec(timeout_sec: float | None) -> int:
+    """Return a timeout [s] as rclpy's lower half takes it [ns], truncated; -1 is for ever."""
+    if timeout_sec is None or timeout_sec < 0:
+        return -1
+    return int(float(timeout_sec) * NSEC_PER_SEC)
 
 
 def create_node(node_name: str, **options: Any) -> Node:

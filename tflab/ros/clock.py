@@ -38,6 +38,9 @@ class JumpThreshold:
         min_forward: the least step forward, None for none.
         min_backward: the least step back, a negative duration, None for none.
         on_clock_change: whether turning simulated time on or off counts.
+
+    Raises:
+        ValueError: a step that is none, or in the other direction, or nothing that counts at all.
     """
 
     def __init__(
@@ -47,6 +50,8 @@ class JumpThreshold:
             raise ValueError("min_forward must be a positive non-zero duration")
         if min_backward is not None and min_backward.nanoseconds >= 0:
             raise ValueError("min_backward must be a negative non-zero duration")
+        if min_forward is None and min_backward is None and not on_clock_change:
+            raise ValueError("At least one jump threshold must be enabled")
         self.min_forward = min_forward
         self.min_backward = min_backward
         self.on_clock_change = on_clock_change

@@ -18,7 +18,7 @@ from .arguments import Arguments, parse_arguments
 from .context import Context
 from .logging import LoggingSeverity, get_logger_level, set_logger_level
 from .messages import rcl_interfaces
-from .messages.base import service
+from .messages.base import ros_type_of, service
 from .names import full_node_name
 from .network import Network
 from .qos import QoSProfile
@@ -51,7 +51,7 @@ def endpoint_info(endpoint: Any) -> TopicEndpointInfo:
     return TopicEndpointInfo(
         node_name=endpoint.node.get_name(),
         node_namespace=endpoint.node.get_namespace(),
-        topic_type=endpoint.msg_type.ROS_TYPE,
+        topic_type=ros_type_of(endpoint.msg_type),
         endpoint_type=TopicEndpointTypeEnum[endpoint.endpoint_type],
         endpoint_gid=list(endpoint.gid),
         qos_profile=endpoint.qos_profile,

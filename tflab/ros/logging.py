@@ -8,7 +8,7 @@ node follows /clock.  Lines go to stderr, or to stdout with
 RCUTILS_LOGGING_USE_STDOUT=1.  The engine's refusals (TF_OLD_DATA ...) appear
 here as well, from the nameless logger `[]`, as on a robot.
 
-Read `entity.py` next.
+Read `logging_filters.py` next.
 """
 
 from __future__ import annotations
@@ -18,17 +18,23 @@ import os
 import sys
 from collections.abc import Callable
 from enum import IntEnum
+from pathlib import Path
 
 from tflab.core import NSEC_PER_SEC
 
+from .exceptions import RCLError
 from .graph import current_process
+from .logging_filters import CallSite, Place
 
 __all__ = [
     "LoggingSeverity",
     "RcutilsLogger",
+    "clear_config",
     "get_logger",
     "get_logger_effective_level",
     "get_logger_level",
+    "get_logging_directory",
+    "get_logging_severity_from_string",
     "set_logger_level",
     "show_engine_refusals",
     "write_to_stdout",
@@ -47,12 +53,6 @@ class LoggingSeverity(IntEnum):
 
 
 DEFAULT_LEVEL = LoggingSeverity.INFO
-OPTIONS = {
-    "once": ("once",),
-    "skip_first": ("skip_first",),
-    "throttle": ("throttle_duration_sec", "throttle_time_source_type"),
-}
-
 _levels: dict[str, LoggingSeverity] = {}
 _stdout = False
 
@@ -74,9 +74,37 @@ def get_logger(name: str) -> RcutilsLogger:
     return RcutilsLogger(name)
 
 
-def set_logger_level(name: str, level: LoggingSeverity | int) -> None:
-    """Let a logger, and those below it, print from `level` on."""
+def set_logger_level(name: str, level: LoggingSeverity | int, detailed_error: bool = False) -> None:
+    """Let a logger, and those below it, print from `level` on; errors are detailed in any case."""
     _levels[name] = LoggingSeverity(level)
+
+
+def get_logging_severity_from_string(log_severity: str) -> LoggingSeverity:
+    """Return the severity of that name, in capitals or not.
+
+    Raises:
+        RCLError: there is none.
+    """
+    try:
+        return LoggingSeverity[log_severity.upper()]
+    except KeyError:
+        raise RCLError(
+            f"Failed to get log severity from name: '{log_severity}', it is none of "
+            f"{', '.join(LoggingSeverity.__members__)}"
+        ) from None
+
+
+def get_logging_directory() -> Path:
+    """Return where ROS 2 would write its log files: ROS_LOG_DIR, else `log` in ROS_HOME, else in ~/.ros."""
+    if directory := os.environ.get("ROS_LOG_DIR"):
+        return Path(directory).expanduser()
+    home = os.environ.get("ROS_HOME")
+    return (Path(home).expanduser() if home else Path.home() / ".ros") / "log"
+
+
+def clear_config() -> None:
+    """Forget every level that was set."""
+    _levels.clear()
 
 
 def get_logger_level(name: str) -> LoggingSeverity:
@@ -108,7 +136,7 @@ class RcutilsLogger:
         self.name = name
         self._now_ns = now_ns
         self._also = also
-        self._sites: dict[tuple[str, int, int], dict] = {}
+        self._sites: dict[Place, CallSite] = {}
 
     def get_child(self, name: str) -> RcutilsLogger:
         """Return a logger below this one.
@@ -160,60 +188,35 @@ class RcutilsLogger:
         """Say something of any severity; return whether it was printed.
 
         Options: `once`, `skip_first`, `throttle_duration_sec` [s] with
-        `throttle_time_source_type`, a Clock.
+        `throttle_time_source_type`, a Clock; and `name`, in place of the logger's own.
         """
         return self._log(message, LoggingSeverity(severity), options)
 
     def _log(self, message: str, severity: LoggingSeverity, options: dict[str, object]) -> bool:
         if not isinstance(message, str):
             raise TypeError(f"a log message is a str, not {type(message).__name__}: write f'{{...}}' around it")
-        if not self.is_enabled_for(severity):
+        name = options.pop("name", self.name)
+        if severity < get_logger_effective_level(name):
             return False
         frame = sys._getframe(2)
         code = frame.f_code
-        if not self._passes_filters((code.co_filename, frame.f_lineno, frame.f_lasti), severity, options):
-            return False
-        now_ns = self._now_ns() if self._now_ns else current_process().driver.now_ns()
-        print_line(severity, self.name, message, now_ns)
-        if self._also:
-            self._also(now_ns, severity, self.name, message, code.co_filename, code.co_name, frame.f_lineno)
-        return True
-
-    def _passes_filters(self, place: tuple[str, int, int], severity: LoggingSeverity, options: dict) -> bool:
-        """Return whether the options let a line pass; they must stay the same at one place in the code."""
+        place = (code.co_filename, frame.f_lineno, frame.f_lasti)
         if place not in self._sites:
-            self._sites[place] = {"severity": severity, "options": _checked(options), "calls": 0}
-        site = self._sites[place]
-        if severity != site["severity"]:
-            raise ValueError("Logger severity cannot be changed between calls.")
-        if options != site["options"]:
-            raise ValueError("Requested logging filters cannot be changed between calls.")
-        site["calls"] += 1
-        if options.get("once") and site["calls"] > 1:
+            self._sites[place] = CallSite(name, severity, options)
+        if not self._sites[place].passes(name, severity, options, _time_ns):
             return False
-        if options.get("skip_first") and site["calls"] == 1:
-            return False
-        period_s = options.get("throttle_duration_sec")
-        if period_s is not None:
-            clock = options.get("throttle_time_source_type")
-            now_ns = clock.now().nanoseconds if clock else current_process().driver.now_ns()
-            if "last_ns" in site and now_ns < site["last_ns"] + period_s * NSEC_PER_SEC:
-                return False
-            site["last_ns"] = now_ns
+        now_ns = self._now_ns() if self._now_ns else _time_ns()
+        print_line(severity, name, message, now_ns)
+        if self._also:
+            self._also(now_ns, severity, name, message, code.co_filename, code.co_name, frame.f_lineno)
         return True
 
 
-def _checked(options: dict) -> dict:
-    known = [option for group in OPTIONS.values() for option in group]
-    for option in options:
-        if option not in known:
-            raise TypeError(f'parameter "{option}" is not one of the recognized logging options "{known}"')
-    if "throttle_time_source_type" in options and "throttle_duration_sec" not in options:
-        raise TypeError(
-            'Required parameter "throttle_duration_sec" was not specified but is required for the "throttle" '
-            "logging filter"
-        )
-    return dict(options)
+_root_logger = RcutilsLogger()
+
+
+def _time_ns() -> int:
+    return current_process().driver.now_ns()
 
 
 def print_line(severity: LoggingSeverity, name: str, message: str, now_ns: int) -> None:

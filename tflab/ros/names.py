@@ -17,10 +17,12 @@ from .exceptions import (
     InvalidNodeNameException,
     InvalidServiceNameException,
     InvalidTopicNameException,
+    NameValidationException,
 )
 
 __all__ = [
     "expand_topic_name",
+    "expanded",
     "full_node_name",
     "is_hidden",
     "validate_full_topic_name",
@@ -106,7 +108,25 @@ def validate_topic_name(name: str, *, is_service: bool = False) -> bool:
 
 
 def expand_topic_name(name: str, node_name: str, namespace: str) -> str:
-    """Return the absolute name of a topic or service as a node means it."""
+    """Return the absolute name of a topic or service as a node means it.
+
+    Raises:
+        ValueError: the topic's, the node's or the namespace's name is malformed, or the namespace relative.
+    """
+    for what, check, given in (
+        ("topic name", validate_topic_name, name),
+        ("node name", validate_node_name, node_name),
+        ("node namespace", validate_namespace, namespace),
+    ):
+        try:
+            check(given)
+        except NameValidationException as fault:
+            raise ValueError(f"{what} is invalid: {fault.error_msg}:\n  '{given}'") from None
+    return expanded(name, node_name, namespace)
+
+
+def expanded(name: str, node_name: str, namespace: str) -> str:
+    """Return what expand_topic_name does, of names that were found good before."""
     name = name.replace("{node}", node_name).replace("{ns}", namespace).replace("{namespace}", namespace)
     if name.startswith("~"):
         return full_node_name(node_name, namespace) + name[1:]

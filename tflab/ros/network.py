@@ -24,6 +24,7 @@ from tflab.core import StampedTransform
 from . import distro
 from .convert import msg_from_stamped, stamped_from_msg, stampeds_from_plain_msgs
 from .messages import copy_message
+from .messages.base import ros_type_of
 from .messages.tf2_msgs import TFMessage
 from .qos_compatibility import incompatible_policy
 
@@ -174,7 +175,7 @@ class Network:
         """Return (topic, its types) for each topic that has an endpoint, sorted by name."""
         found = []
         for name, topic in sorted(self.topics.items()):
-            types = {end.msg_type.ROS_TYPE for end in (*topic.publishers, *topic.subscriptions) if keep(end)}
+            types = {ros_type_of(end.msg_type) for end in (*topic.publishers, *topic.subscriptions) if keep(end)}
             if types:
                 found.append((name, sorted(types)))
         return found
@@ -185,7 +186,7 @@ class Network:
         """Return (service, its types) for each service, or each that has a client, sorted by name."""
         found = []
         for name, ends in sorted((self.clients if clients else self.services).items()):
-            types = {end.srv_type.ROS_TYPE for end in ends if keep(end)}
+            types = {ros_type_of(end.srv_type) for end in ends if keep(end)}
             if types:
                 found.append((name, sorted(types)))
         return found

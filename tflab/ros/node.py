@@ -27,7 +27,7 @@ from .exceptions import NotInitializedException
 from .graph import current_process
 from .logging import RcutilsLogger
 from .messages import rcl_interfaces
-from .names import expand_topic_name, full_node_name, validate_namespace, validate_node_name, validate_topic_name
+from .names import expanded, full_node_name, validate_namespace, validate_node_name, validate_topic_name
 from .node_entities import NodeEntities
 from .node_parameters import NodeParameters
 from .parameter import Parameter
@@ -231,12 +231,10 @@ class Node(graph_queries.GraphQueries, NodeEntities, NodeParameters):
 
     def _topic_named(self, name: str, is_service: bool = False, only_expand: bool = False) -> str:
         validate_topic_name(name, is_service=is_service)
-        full = expand_topic_name(name, self._name, self._namespace)
+        full = expanded(name, self._name, self._namespace)
         if only_expand:
             return full
-        return self._arguments.remapped(
-            self._name, full, lambda each: expand_topic_name(each, self._name, self._namespace)
-        )
+        return self._arguments.remapped(self._name, full, lambda each: expanded(each, self._name, self._namespace))
 
     def _log_time_ns(self) -> int:
         return self._context.process.driver.now_ns() + self._clock.offset_ns

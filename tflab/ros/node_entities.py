@@ -17,8 +17,7 @@ from .clock import Clock
 from .context import Context
 from .exceptions import NoTypeSupportImportedException
 from .guard_condition import GuardCondition
-from .messages.base import Message
-from .messages.base import Service as ServiceType
+from .messages.base import is_message_class, is_service_class
 from .publisher import Publisher
 from .qos import QoSProfile, profile_from, qos_profile_services_default
 from .service import Client, Service
@@ -99,7 +98,7 @@ class NodeEntities:
             TypeError, ValueError: not a quality of service.
         """
         qos = profile_from(qos_profile)
-        _check_type(msg_type, Message, "message")
+        _check_type(msg_type, is_message_class, "message")
         group = callback_group or self._default_callback_group
         publisher = publisher_class(self, msg_type, self._topic_named(topic), qos, event_callbacks, group)
         self._entities["publisher"].append(publisher)
@@ -124,7 +123,7 @@ class NodeEntities:
             as create_publisher.
         """
         qos = profile_from(qos_profile)
-        _check_type(msg_type, Message, "message")
+        _check_type(msg_type, is_message_class, "message")
         group = callback_group or self._default_callback_group
         name = self._topic_named(topic)
         subscription_class = RawSubscription if raw else subscription_class
@@ -160,7 +159,7 @@ class NodeEntities:
         callback_group: CallbackGroup | None = None,
     ) -> Service:
         """Return a new service; the callback, plain or async, takes (request, response) and returns the response."""
-        _check_type(srv_type, ServiceType, "service")
+        _check_type(srv_type, is_service_class, "service")
         name = self._topic_named(srv_name, is_service=True)
         group = callback_group or self._default_callback_group
         service = Service(self, srv_type, name, callback, qos_profile, group)
@@ -176,7 +175,7 @@ class NodeEntities:
         callback_group: CallbackGroup | None = None,
     ) -> Client:
         """Return a new client of a service."""
-        _check_type(srv_type, ServiceType, "service")
+        _check_type(srv_type, is_service_class, "service")
         name = self._topic_named(srv_name, is_service=True)
         client = Client(self, srv_type, name, qos_profile, callback_group or self._default_callback_group)
         self._entities["client"].append(client)
@@ -256,8 +255,8 @@ class NodeEntities:
 _KINDS = ("publisher", "subscription", "client", "service", "guard")
 
 
-def _check_type(given: object, base: type, what: str) -> None:
-    if not (isinstance(given, type) and issubclass(given, base)):
+def _check_type(given: object, is_one: Callable[[object], bool], what: str) -> None:
+    if not is_one(given):
         raise NoTypeSupportImportedException(
             f"Expected a {what} type such as {_EXAMPLES[what]}, got {given!r}. Pass the class, not an object or a text"
         )

@@ -12,6 +12,7 @@
                   the tables
     text          as `ros2 topic echo` prints them
     fill          from what somebody typed
+    own           packages of a learner's own
     values        to plain values and back: for bags
 
 Start with `checks.py`; each page names the next.
@@ -19,5 +20,6 @@ Start with `checks.py`; each page names the next.
 
 from .base import copy_message, type_named
 from .checks import field_checks, set_field_checks
+from .own import define
 
-__all__ = ["copy_message", "field_checks", "set_field_checks", "type_named"]
+__all__ = ["copy_message", "define", "field_checks", "set_field_checks", "type_named"]

@@ -21,6 +21,7 @@ from __future__ import annotations
 import re
 from array import array
 from collections.abc import Callable
+from copy import deepcopy
 from importlib import import_module
 from operator import attrgetter
 from typing import ClassVar
@@ -31,7 +32,19 @@ from . import checks
 from .definition import Array, BasicType, Field, NamespacedType, SlotType, UnboundedString, parse_definition, type_text
 from .fields import array_converter, checker, default_value, numeric_array
 
-__all__ = ["Action", "Message", "Service", "action", "copy_message", "message", "service", "type_named"]
+__all__ = [
+    "Action",
+    "Message",
+    "Service",
+    "action",
+    "copy_message",
+    "is_message_class",
+    "is_service_class",
+    "message",
+    "ros_type_of",
+    "service",
+    "type_named",
+]
 
 # ROS type name -> class: 'geometry_msgs/msg/Point', 'tf2_msgs/srv/FrameGraph_Request', ...
 _types: dict[str, type] = {}
@@ -153,8 +166,31 @@ def action(ros_type: str, goal: str = "", result: str = "", feedback: str = "") 
     )
 
 
+def is_message_class(given: object) -> bool:
+    """Return whether something is the class of a message: one of ours, or one that looks like rosidl's."""
+    return isinstance(given, type) and callable(getattr(given, "get_fields_and_field_types", None))
+
+
+def is_service_class(given: object) -> bool:
+    """Return whether something is the class of a service: one with a Request and a Response."""
+    return isinstance(given, type) and all(
+        is_message_class(getattr(given, side, None)) for side in ("Request", "Response")
+    )
+
+
+def ros_type_of(cls: type) -> str:
+    """Return the ROS name of the class of a message or service: 'my_msgs/msg/Detection', from its module if need be."""
+    if hasattr(cls, "ROS_TYPE"):
+        return cls.ROS_TYPE
+    package, *_ = cls.__module__.split(".")
+    kind = "msg" if is_message_class(cls) else "srv"
+    return f"{package}/{kind}/{cls.__name__}"
+
+
 def copy_message(message: Message) -> Message:
     """Return what a receiver gets of a published message: equal values, nothing shared.
+
+    A message of a class that is not ours is copied whole, without a check.
 
     As on a wire, float32 fields come out rounded to float32, and numpy's floats
     and bools given for ints come out as plain floats and ints.
@@ -163,6 +199,8 @@ def copy_message(message: Message) -> Message:
         AssertionError: a field holds something that cannot be sent, with the text
             that the checks of the field have.  (ROS 2 aborts the process here.)
     """
+    if not isinstance(message, Message):
+        return deepcopy(message)
     twin = object.__new__(message.__class__)
     twin._check_fields = checks.on
     for slot, as_is, received in message._WIRE:

@@ -3,7 +3,7 @@
     "geometry_msgs/Point position"        ->  Field("position", NamespacedType(("geometry_msgs", "msg"), "Point"))
     "float64[36] covariance"              ->  Field("covariance", Array(BasicType("double"), 36))
     "float64 w 1"                         ->  Field("w", BasicType("double"), default=1.0)
-    "uint8 FLOAT32=7"                     ->  Constant("FLOAT32", BasicType("uint8"), 7)
+    "uint8 FLOAT32=7   # a comment"       ->  Constant("FLOAT32", 7)
 
 The type classes carry the names of `rosidl_parser.definition`; a message class
 shows them as `SLOT_TYPES`.  Read `fields.py` next: what such a field may hold.
@@ -12,6 +12,7 @@ shows them as `SLOT_TYPES`.  Read `fields.py` next: what such a field may hold.
 from __future__ import annotations
 
 import re
+from ast import literal_eval
 from dataclasses import dataclass
 
 __all__ = [
@@ -89,7 +90,7 @@ class Constant:
     """One constant of a message, such as PointField.FLOAT32."""
 
     name: str
-    value: int
+    value: object
 
 
 # .msg names that are spelt otherwise in IDL; the integers are spelt alike.
@@ -98,7 +99,7 @@ _INTEGERS = {"int8", "uint8", "int16", "uint16", "int32", "uint32", "int64", "ui
 
 _LINE = re.compile(
     r"(?P<type>[A-Za-z0-9_/]+)(?P<many>\[(?P<size>(<=)?\d*)\])?\s+(?P<name>\w+)"
-    r"(\s*=\s*(?P<constant>\S+)|\s+(?P<default>\S+))?"
+    r"(\s*=\s*(?P<constant>.+)|\s+(?P<default>.+))?"
 )
 
 
@@ -111,17 +112,19 @@ def parse_definition(text: str, package: str) -> tuple[tuple[Field, ...], tuple[
         ValueError: a line is neither a field nor a constant.
     """
     fields, constants = [], []
-    for line in filter(None, map(str.strip, text.splitlines())):
+    for line in filter(None, map(_without_comment, text.splitlines())):
         match = _LINE.fullmatch(line)
         if match is None:
             raise ValueError(f'cannot read "{line}": expected "type name", "type name default" or "type NAME=value"')
         slot_type = _slot_type(match, package)
-        if match["constant"] is not None:
-            constants.append(Constant(match["name"], int(match["constant"])))
-        elif match["default"] is not None:
-            fields.append(Field(match["name"], slot_type, float(match["default"])))
-        else:
-            fields.append(Field(match["name"], slot_type))
+        try:
+            if match["constant"] is not None:
+                constants.append(Constant(match["name"], _value(match["constant"], slot_type)))
+            else:
+                default = None if match["default"] is None else _value(match["default"], slot_type)
+                fields.append(Field(match["name"], slot_type, default))
+        except (ValueError, SyntaxError):
+            raise ValueError(f'cannot read "{line}": the value is none of type {type_text(slot_type)}') from None
     return tuple(fields), tuple(constants)
 
 
@@ -141,6 +144,35 @@ def type_text(slot_type: SlotType) -> str:
         case UnboundedSequence(value_type):
             return f"sequence<{type_text(value_type)}>"
     raise TypeError(f"not a field type: {slot_type!r}")
+
+
+def _without_comment(line: str) -> str:
+    """Return a line up to its `#`; one inside quotes is a letter."""
+    return re.match(r"""([^#"']|"[^"]*"|'[^']*'|["'])*""", line).group().strip()
+
+
+def _value(text: str, slot_type: SlotType) -> object:
+    """Return the value of a constant, or a default, as it is written for a type.
+
+    Raises:
+        ValueError, SyntaxError: it is none.
+    """
+    text = text.strip()
+    match slot_type:
+        case BasicType("boolean"):
+            if text.lower() not in ("true", "false", "1", "0"):
+                raise ValueError("neither true nor false")
+            return text.lower() in ("true", "1")
+        case BasicType("float" | "double"):
+            return float(text)
+        case BasicType():
+            return int(text, 0)
+        case UnboundedString():
+            return text[1:-1] if len(text) > 1 and text[0] == text[-1] and text[0] in "\"'" else text
+        case NamespacedType():
+            raise ValueError("a message has no default")
+    words = re.sub(r"\btrue\b", "True", re.sub(r"\bfalse\b", "False", text))
+    return [_value(str(item), slot_type.value_type) for item in literal_eval(words)]
 
 
 def _slot_type(match: re.Match, package: str) -> SlotType:

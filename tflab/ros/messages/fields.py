@@ -58,6 +58,9 @@ def default_value(field: Field, message_class: type | None) -> tuple[object, Cal
 
     `message_class` is that of a sub-message.
     """
+    if isinstance(field.default, list):
+        pack = array_converter(field.slot_type) or list
+        return None, lambda: pack(field.default)
     match field.slot_type:
         case Array(BasicType(typename), size) if typename in _NUMBERS:
             return None, lambda: np.zeros(size, dtype=_NUMBERS[typename][1])

@@ -1,0 +1,163 @@
+"""Messages that learners define: from the text of .msg files, or from a class that rosidl would make."""
+
+import importlib
+import sys
+from array import array
+
+import pytest
+
+from tflab.ros import client_library as rclpy
+from tflab.ros import messages
+from tflab.ros.messages import own
+from tflab.ros.messages.definition import parse_definition
+from tflab.ros.node import Node
+
+DETECTION = """
+# What a detector saw.
+std_msgs/Header header
+string label "no # name"   # of the class
+float64 score 0.5
+uint8 UNKNOWN=255
+string MODEL='small'
+Box[] boxes
+int32[3] counts [1, 2, 3]
+bool is_sure true
+"""
+PACKAGE = {
+    "Detection.msg": DETECTION,
+    "Box.msg": "geometry_msgs/Point corner\nfloat32 width",
+    "Locate.srv": "string label\n---\nbool found\nBox where",
+    "Search.action": "string label\n---\nDetection found\n---\nfloat32 progress",
+}
+
+
+@pytest.fixture(autouse=True)
+def forget():
+    yield
+    for package in list(own._defined):
+        del own._defined[package]
+        for name in [name for name in sys.modules if name.partition(".")[0] == package]:
+            del sys.modules[name]
+
+
+def test_a_package_of_ones_own_is_imported_as_one_that_was_built():
+    messages.define("my_msgs", PACKAGE)
+    detection = importlib.import_module("my_msgs.msg").Detection()
+    assert (detection.label, detection.score, detection.UNKNOWN, detection.MODEL) == ("no # name", 0.5, 255, "small")
+    assert (detection.counts.tolist(), detection.is_sure, detection.boxes) == ([1, 2, 3], True, [])
+    box = importlib.import_module("my_msgs.msg").Box(width=2.0)
+    assert repr(box) == "my_msgs.msg.Box(corner=geometry_msgs.msg.Point(x=0.0, y=0.0, z=0.0), width=2.0)"
+    assert importlib.import_module("my_msgs.srv").Locate.Response().where == type(box)()
+    assert importlib.import_module("my_msgs.action").Search.Result().found == detection
+    assert messages.type_named("my_msgs/msg/Box") is type(box)
+
+
+def test_defaults_are_each_messages_own():
+    cls = messages.define("my_msgs", PACKAGE).msg.Detection
+    first = cls()
+    first.counts[0] = 9
+    assert cls().counts.tolist() == [1, 2, 3]
+
+
+def test_the_same_cell_again_gives_the_same_classes_and_another_text_new_ones():
+    first = messages.define("my_msgs", PACKAGE)
+    assert messages.define("my_msgs", dict(PACKAGE)).msg.Box is first.msg.Box
+    assert messages.define("my_msgs", {"Box.msg": "float64 width"}).msg.Box is not first.msg.Box
+
+
+def test_a_folder_is_taken_as_a_package_has_it(tmp_path):
+    for name, text in PACKAGE.items():
+        folder = tmp_path / name.rpartition(".")[2]
+        folder.mkdir(exist_ok=True)
+        (folder / name).write_text(text)
+    assert messages.define("my_msgs", tmp_path).msg.Detection().score == 0.5
+
+
+@pytest.mark.parametrize(
+    ("package", "definitions", "text"),
+    [
+        ("std_msgs", {"A.msg": "bool x"}, "there is a package std_msgs already"),
+        ("json", {"A.msg": "bool x"}, "there is a package json already"),
+        ("My", {"A.msg": "bool x"}, '"My" is no name of a package'),
+        ("my_msgs", {}, "my_msgs has no definitions"),
+        ("my_msgs", {"a.msg": "bool x"}, '"a.msg" is no name of a definition'),
+        ("my_msgs", {"A.srv": "bool x"}, "A.srv has 1 parts; a .srv has 2"),
+        ("my_msgs", {"A.msg": "B b", "B.msg": "A a"}, "A.msg -> B.msg -> A.msg: a message cannot contain itself"),
+        ("my_msgs", {"A.msg": "int32 x half"}, 'cannot read "int32 x half": the value is none of type int32'),
+        ("my_msgs", {"A.msg": "int32"}, 'cannot read "int32": expected "type name"'),
+    ],
+)
+def test_what_is_wrong_with_a_definition_is_said(package, definitions, text):
+    with pytest.raises(ValueError, match=text.replace(".", r"\.")):
+        messages.define(package, definitions)
+    assert package not in own._defined
+
+
+def test_a_type_that_there_is_none_of_is_named():
+    with pytest.raises(KeyError, match="nope_msgs/msg/Nope"):
+        messages.define("my_msgs", {"A.msg": "nope_msgs/Nope x"})
+
+
+def test_a_comment_ends_a_line_but_not_inside_quotes():
+    fields, _ = parse_definition("string a 'it # stays'  # and this goes", "p")
+    assert fields[0].default == "it # stays"
+
+
+class Foreign:
+    """What rosidl's Python classes have that rclpy asks for."""
+
+    __slots__ = ["_data"]
+    __module__ = "test_msgs.msg._foreign"
+
+    def __init__(self, data=()):
+        self._data = array("d", data)
+
+    @property
+    def data(self):
+        return self._data
+
+    @classmethod
+    def get_fields_and_field_types(cls):
+        return {"data": "sequence<double>"}
+
+
+def test_a_class_that_looks_like_a_generated_message_travels(graph):
+    received = []
+    sent = Foreign([1.0])
+
+    def main():
+        rclpy.init()
+        node = Node("talker")
+        publisher = node.create_publisher(Foreign, "/foreign", 10)
+        node.create_subscription(Foreign, "/foreign", received.append, 10)
+        publisher.publish(sent)
+        sent.data[0] = 9.0
+        assert dict(node.get_topic_names_and_types())["/foreign"] == ["test_msgs/msg/Foreign"]
+        rclpy.spin(node)
+
+    graph.start(main)
+    graph.run(seconds=0.1)
+    assert [each.data.tolist() for each in received] == [[1.0]]
+
+
+def test_a_service_of_ones_own_answers(graph):
+    srv = messages.define("my_msgs", PACKAGE).srv.Locate
+    answers = []
+
+    def main():
+        rclpy.init()
+        node = Node("locator")
+
+        def locate(request, response):
+            response.found = request.label == "cup"
+            return response
+
+        node.create_service(srv, "locate", locate)
+        client = node.create_client(srv, "locate")
+        future = client.call_async(srv.Request(label="cup"))
+        rclpy.spin_until_future_complete(node, future)
+        answers.append(future.result().found)
+
+    graph.start(main)
+    graph.run(seconds=0.1)
+    assert answers == [True]

@@ -1,0 +1,115 @@
+"""How does one make a message of one's own?  A package defined in a cell, as ROS builds it from .msg files.
+
+    define("my_msgs", {
+        "Detection.msg": "std_msgs/Header header\\nstring label\\nfloat64 score 0.5   # 0 to 1",
+        "Locate.srv": "string label\\n---\\nbool found\\ngeometry_msgs/PointStamped where",
+    })
+    from my_msgs.msg import Detection
+    from my_msgs.srv import Locate
+
+On a robot the same texts are files of a package, and `colcon build` makes the classes
+(rosidl's code generation).  A folder that is laid out so, my_msgs/msg/Detection.msg,
+is taken as well.  Read `values.py` next.
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+from collections.abc import Mapping
+from importlib.util import find_spec
+from pathlib import Path
+from types import ModuleType
+
+from .base import action, message, service
+from .definition import Field, NamespacedType, parse_definition
+
+__all__ = ["define"]
+
+KINDS = {".msg": ("msg", 1), ".srv": ("srv", 2), ".action": ("action", 3)}  # folder, and how many parts
+
+_defined: dict[str, dict[str, str]] = {}
+
+
+def define(package: str, definitions: Mapping[str, str] | str | Path) -> ModuleType:
+    """Make the messages, services and actions of a package; `import` finds them from now on.
+
+    The same package again is taken as it was if its texts are, and is made anew if they are not.
+
+    Args:
+        definitions: file names, such as "Detection.msg", and their texts; or the folder of a package.
+
+    Raises:
+        ValueError: a name or a text is malformed, or the package is one of ROS's own, or of somebody else.
+        KeyError: a field has a type that there is none of.
+    """
+    texts = dict(definitions) if isinstance(definitions, Mapping) else _read(Path(definitions))
+    if _defined.get(package) == texts and package in sys.modules:
+        return sys.modules[package]
+    _check_package(package)
+    if not texts:
+        raise ValueError(f'{package} has no definitions: expected names such as "Detection.msg", with their texts')
+    made: dict[str, type] = {}
+    for name in texts:
+        _make(package, name, texts, made, ())
+    _defined[package] = texts
+    return _install(package, made)
+
+
+def _read(folder: Path) -> dict[str, str]:
+    """Return the definitions in a package's folder, by file name."""
+    files = [path for suffix, (kind, _) in KINDS.items() for path in sorted((folder / kind).glob(f"*{suffix}"))]
+    return {path.name: path.read_text(encoding="utf-8") for path in files}
+
+
+def _check_package(package: str) -> None:
+    if not re.fullmatch(r"[a-z](_?[a-z0-9])*", package):
+        raise ValueError(f'"{package}" is no name of a package: small letters, digits and single underscores')
+    if package in _defined:
+        return
+    if find_spec(f"{__package__}.{package}") or package in sys.modules or find_spec(package):
+        raise ValueError(f"there is a package {package} already: choose another name, such as my_{package}")
+
+
+def _make(package: str, name: str, texts: Mapping[str, str], made: dict[str, type], above: tuple[str, ...]) -> None:
+    """Make one type, after those of the same package that it has fields of."""
+    if name in made:
+        return
+    if name in above:
+        raise ValueError(f"{' -> '.join((*above, name))}: a message cannot contain itself")
+    stem, suffix = Path(name).stem, Path(name).suffix
+    if suffix not in KINDS or not re.fullmatch(r"[A-Z][A-Za-z0-9]*", stem):
+        raise ValueError(f'"{name}" is no name of a definition: expected one such as "Detection.msg" or "Locate.srv"')
+    kind, count = KINDS[suffix]
+    parts = re.split(r"^---.*$", texts[name], flags=re.MULTILINE)
+    if len(parts) != count:
+        raise ValueError(f"{name} has {len(parts)} parts; a .{kind} has {count}, with a line --- between two")
+    for part in parts:
+        fields, _ = parse_definition(part, package)
+        for needed in (f"{_own(field, package)}.msg" for field in fields):
+            if needed in texts:
+                _make(package, needed, texts, made, (*above, name))
+    make = {"msg": message, "srv": service, "action": action}[kind]
+    made[name] = make(f"{package}/{kind}/{stem}", *parts)
+
+
+def _own(field: Field, package: str) -> str | None:
+    """Return the name of the message in the same package that a field holds, None if it holds another thing."""
+    value_type = getattr(field.slot_type, "value_type", field.slot_type)
+    is_own = isinstance(value_type, NamespacedType) and value_type.namespaces == (package, "msg")
+    return value_type.name if is_own else None
+
+
+def _install(package: str, made: Mapping[str, type]) -> ModuleType:
+    """Put the modules of a package where `import` looks first."""
+    top = ModuleType(package, f"{package}, defined in this Python.")
+    top.__path__ = []
+    sys.modules[package] = top
+    for kind, _ in KINDS.values():
+        module = ModuleType(f"{package}.{kind}", f"What {package} has of that kind.")
+        for name, cls in made.items():
+            if KINDS[Path(name).suffix][0] == kind:
+                setattr(module, cls.__name__, cls)
+        sys.modules[module.__name__] = module
+        setattr(top, kind, module)
+    return top
