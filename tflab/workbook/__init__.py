@@ -10,6 +10,7 @@ In an exercise one calls four functions:
     answers/      what an answer may be, and when two are the same
     tasks/        a task, its right answer, its wrong ones; what is said of each
     checks        check, hint, solution, task
+    reply         how a reply looks
     progress      what was tried, and what was passed
     course/       chapters, objectives, checklist, terms; where a learner stands
     book/         the frame, the front page and the gallery of the pages as a book

@@ -11,7 +11,7 @@ it is right on these cases, and what grading will add.
 
     cases (cases.py)  +  answer  -->  outcomes  -->  verdict (verdict.py)  -->  words (mistake.py)
 
-Read `progress.py` next.
+Read `reply.py` next.
 """
 
 from __future__ import annotations
@@ -31,6 +31,7 @@ from .answers.forms import Sequence
 from .answers.showing import show_all, show_in_a_line
 from .answers.values import Plain, from_plain, is_raised, is_unanswered, outcome_of
 from .places import CASES, Workbook, WorkbookError, read_workbook, workbook_data, workbook_root
+from .reply import show_reply
 from .tasks.blank import without_marks
 from .tasks.case import ChapterCases, TaskCases, Variant
 from .tasks.cases import CasesError, read_chapter
@@ -44,6 +45,7 @@ from .words import Words
 __all__ = ["check", "hint", "solution", "task"]
 
 NOTHING = object()
+POINT, POINTS = Words(en="{points} point", ko="{points}점"), Words(en="{points} points", ko="{points}점")
 TRIES_BEFORE_SOLUTION = 3
 _hints_seen: dict[str, int] = {}  # where no progress is kept
 
@@ -75,7 +77,7 @@ def task(task_id: str) -> SimpleNamespace | None:
     """
     one = _find(task_id)
     given = one.variant.given
-    print(f"{one.id} · {one.cases.points} {'point' if one.cases.points == 1 else 'points'}")
+    print(f"{one.id} · {one.words(POINT if one.cases.points == 1 else POINTS, points=one.cases.points)}")
     if given is None:
         return None
     values = {name: from_plain(value) for name, value in given.items()}
@@ -92,16 +94,16 @@ def check(task_id: str, answer: Any = NOTHING) -> float | None:
     try:
         one = _find(task_id)
     except (WorkbookError, TaskError) as error:
-        print(f"{task_id}: {error}")
+        show_reply(task_id, str(error))
         return 0.0 if os.environ.get("NBGRADER_EXECUTION") else None
     if answer is NOTHING:
-        print(f"{one.id}: {one.phrase('no_answer_given')}")
+        show_reply(one.id, one.phrase("no_answer_given"))
         verdict = Verdict(0, 1, Mistake.UNANSWERED)
     else:
         verdict, outcomes = _tried(one, answer)
         if verdict.mistake is not Mistake.UNANSWERED:
             progress.record_try(one.root, one.id, verdict.passed, verdict.of, verdict.twin or None)
-        _print_verdict(one, verdict, outcomes)
+        _say_verdict(one, verdict, outcomes)
     if os.environ.get("NBGRADER_EXECUTION"):
         return round(one.cases.points * verdict.passed / verdict.of, 4)
     return None
@@ -112,13 +114,13 @@ def hint(task_id: str) -> None:
     try:
         one = _find(task_id)
     except (WorkbookError, TaskError) as error:
-        print(f"{task_id}: {error}")
+        show_reply(task_id, str(error))
         return
     number = progress.record_hint(one.root, one.id) or _hints_seen.get(one.id, 0) + 1
     _hints_seen[one.id] = number
     hints = one.cases.hints
     head = one.phrase("hint_number", number=number) if number <= len(hints) else one.phrase("last_hint")
-    print(f"{one.id} · {head}: {one.words(hints[min(number, len(hints)) - 1])}")
+    show_reply(f"{one.id} · {head}", one.words(hints[min(number, len(hints)) - 1]))
 
 
 def solution(task_id: str) -> None:
@@ -126,21 +128,21 @@ def solution(task_id: str) -> None:
     try:
         one = _find(task_id)
     except (WorkbookError, TaskError) as error:
-        print(f"{task_id}: {error}")
+        show_reply(task_id, str(error))
         return
     if one.workbook.edition == "class":
-        print(f"{one.id}: {one.phrase('solution_of_class')}")
+        show_reply(one.id, one.phrase("solution_of_class"))
         return
     tried = progress.attempts(one.root, one.id)
     is_copy = one.root != workbook_data()
     if is_copy and not tried.passed and tried.tries < TRIES_BEFORE_SOLUTION:
-        print(f"{one.id}: {one.phrase('solution_later', tries=tried.tries)}")
+        show_reply(one.id, one.phrase("solution_later", tries=tried.tries))
         return
     path = workbook_data() / "solutions" / one.workbook.language / f"{one.stem}.ipynb"
     try:
         cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
     except OSError as error:
-        print(f"{one.id}: {one.phrase('no_cases', why=error)}")
+        show_reply(one.id, one.phrase("no_cases", why=error))
         return
     answers = [cell["source"] for cell in cells if cell["id"] == answer_cell_name(one.id)]
     print(without_marks("".join(line for lines in answers for line in lines)).rstrip())
@@ -178,25 +180,31 @@ def _tried(one: _Task, answer: Any) -> tuple[Verdict, list[Plain]]:
 # -- saying ---------------------------------------------------------------------------
 
 
-def _print_verdict(one: _Task, verdict: Verdict, outcomes: list[Plain]) -> None:
+def _say_verdict(one: _Task, verdict: Verdict, outcomes: list[Plain]) -> None:
     score = f"{one.id} {'✗' if verdict.mistake else '✓'} {verdict.passed}/{verdict.of}"
     if verdict.mistake is None:
-        print(score)
-        if one.root != workbook_data():
-            print(one.words(LATER[_what_was_tried(one)], of=verdict.of))
+        _say_passed(one, score, verdict.of)
         return
     if verdict.mistake is Mistake.UNANSWERED:
-        print(f"{one.id}: {one.words(REPLIES[verdict.mistake])}")
+        show_reply(one.id, one.words(REPLIES[verdict.mistake]))
         return
-    print(f"{score}: {_reply(one, verdict)}")
+    more = []
     if one.cases.is_function and outcomes:
-        print(one.phrase("case", call=_call(one, verdict.case), got=_shown(outcomes[verdict.case])))
+        more.append(one.phrase("case", call=_call(one, verdict.case), got=_shown(outcomes[verdict.case])))
     tried = progress.attempts(one.root, one.id)
     if one.workbook.edition == "self-study" and tried.tries >= TRIES_BEFORE_SOLUTION:
-        print(one.phrase("solution"))
+        more.append(one.phrase("solution"))
     elif verdict.mistake in (Mistake.VALUE, Mistake.SLIP, Mistake.PARTS):
-        print(one.phrase("hint"))
+        more.append(one.phrase("hint"))
+    show_reply(score, _reply(one, verdict), more, "wrong")
     _show_both(one, verdict, outcomes)
+
+
+def _say_passed(one: _Task, score: str, of: int) -> None:
+    if one.root == workbook_data():  # a solution that is being built: the same in both languages, and plain
+        print(score)
+        return
+    show_reply(score, more=[one.words(LATER[_what_was_tried(one)], of=of)], kind="passed")
 
 
 def _what_was_tried(one: _Task) -> str:

@@ -3,8 +3,9 @@
     yours      hatched ghost
     expected   solid
 
-Only answers that are somewhere in space can be drawn, and only where the right
-one is open.  Read `blank.py` next.
+Only answers that are somewhere in space can be drawn: points, poses, poses in the
+plane, messages that hold one of these, and dicts of them, of which the first wrong
+one is drawn.  And only where the right one is open.  Read `blank.py` next.
 """
 
 from __future__ import annotations
@@ -14,8 +15,8 @@ from tflab.views.frames import draw_scene
 from tflab.views.picture import Picture
 
 from ..answers import sealed
-from ..answers.form import numbers_of, pose_of
-from ..answers.forms import Form, Pose, Vector
+from ..answers.form import inside, member, numbers_of, pose_of
+from ..answers.forms import Form, Message, Parts, Pose, Vector
 from ..answers.values import Plain
 
 __all__ = ["picture_of"]
@@ -27,18 +28,67 @@ def picture_of(form: Form, answer: Plain, expected: Plain) -> Picture | None:
     """Return both drawn together, or None if there is nothing to draw."""
     if sealed.is_sealed(expected):
         return None
+    if isinstance(form, Parts):
+        return _of_parts(form, answer, expected)
     if isinstance(form, Pose):
-        yours, right = _transform(answer), _transform(expected)
-        if yours is None or right is None:
-            return None
-        return draw_scene({"expected": right}, ghosts={"yours": yours}, fixed_frame="the parent")
+        return _poses(_transform(answer), _transform(expected))
+    if isinstance(form, Message):
+        return _of_message(form, answer, expected)
     if isinstance(form, Vector) and form.size == 3 and form.unit == "m":
-        yours, right = numbers_of(answer, 3), numbers_of(expected, 3)
-        if yours is None or right is None or max(map(abs, yours)) > FARTHEST_M:
-            return None
-        frame = form.frame or "origin"
-        return draw_scene({frame: Transform()}, {"expected": right}, ghost_points={"yours": yours}, fixed_frame=frame)
+        return _points(form.frame, answer, expected)
     return None
+
+
+def _of_parts(form: Parts, answer: Plain, expected: Plain) -> Picture | None:
+    """Draw a pose in the plane, or the first wrong part that can be drawn."""
+    if "yaw" in form.parts:
+        return _poses(_planar(answer), _planar(expected))
+    for name, part in form.parts.items():
+        yours, right = _part(answer, name), _part(expected, name)
+        if not part.same(yours, right) and (picture := picture_of(part, yours, right)) is not None:
+            return picture
+    return None
+
+
+def _of_message(form: Message, answer: Plain, expected: Plain) -> Picture | None:
+    """Draw a TransformStamped, or a PointStamped in the frame that is expected."""
+    if form.type.endswith("/TransformStamped"):
+        return _poses(_transform(answer), _transform(expected))
+    if form.type.endswith("/PointStamped"):
+        frame = member(expected, "header", "frame_id")
+        return _points(frame, member(answer, "point"), member(expected, "point"))
+    return None
+
+
+def _part(plain: Plain, name: str) -> Plain:
+    parts = inside(plain)
+    return parts.get(name) if isinstance(parts, dict) else None
+
+
+def _poses(yours: Transform | None, right: Transform | None) -> Picture | None:
+    if yours is None or right is None:
+        return None
+    return draw_scene({"expected": right}, ghosts={"yours": yours}, fixed_frame="the parent")
+
+
+def _points(frame: Plain, answer: Plain, expected: Plain) -> Picture | None:
+    yours, right = numbers_of(answer, 3), numbers_of(expected, 3)
+    if yours is None or right is None or max(map(abs, yours)) > FARTHEST_M:
+        return None
+    name = frame if isinstance(frame, str) and frame else "origin"
+    return draw_scene({name: Transform()}, {"expected": right}, ghost_points={"yours": yours}, fixed_frame=name)
+
+
+def _planar(plain: Plain) -> Transform | None:
+    """Return a pose in the plane: x, y and yaw, or a position and yaw."""
+    place = numbers_of(_part(plain, "position"), 2)
+    if place is None:
+        x, y = (numbers_of(_part(plain, name), None) for name in ("x", "y"))
+        place = (*x, *y) if x is not None and y is not None else None
+    yaw = numbers_of(_part(plain, "yaw"), None)
+    if place is None or len(place) != 2 or yaw is None or len(yaw) != 1 or max(map(abs, (*place, *yaw))) > FARTHEST_M:
+        return None
+    return Transform.from_rpy(yaw=yaw[0], translation=(*place, 0.0))
 
 
 def _transform(plain: Plain) -> Transform | None:

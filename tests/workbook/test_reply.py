@@ -1,0 +1,48 @@
+"""A reply is a card in a notebook and a line of text anywhere else, and nothing of an answer runs in it."""
+
+from __future__ import annotations
+
+from IPython.core.interactiveshell import InteractiveShell
+
+from tflab.workbook import reply
+from tflab.workbook.reply import as_html, show_reply
+
+
+def test_outside_a_notebook_a_reply_is_text(capsys):
+    show_reply("E3.2 ✗ 0/1", "you gave `map`", ["once more"], "wrong")
+    assert capsys.readouterr().out == "E3.2 ✗ 0/1: you gave `map`\nonce more\n"
+
+
+def test_in_a_notebook_it_is_a_card_that_has_the_same_text_beside_it(monkeypatch):
+    shown = []
+    monkeypatch.setattr(reply, "_is_notebook", lambda: True)
+    monkeypatch.setattr("IPython.display.display", lambda data, raw: shown.append(data))
+    show_reply("E3.2 ✓ 1/1", more=["well done"], kind="passed")
+    assert shown[0]["text/plain"] == "E3.2 ✓ 1/1\nwell done"
+    assert "<strong>E3.2 ✓ 1/1</strong><br><small>well done</small>" in shown[0]["text/html"]
+
+
+def test_code_is_set_as_code_and_what_an_answer_held_stays_text():
+    card = as_html("E3.2 ✗ 0/1", 'apply `base_T_laser`: it gave "<script>"', (), "wrong")
+    assert "<code>base_T_laser</code>" in card
+    assert "<script>" not in card
+    assert '"&lt;script&gt;"' in card
+
+
+def test_a_call_is_set_as_code_and_a_sentence_of_its_own_begins_like_one():
+    card = as_html("E3.2 ✗ 0/1", "look again.", ['hint("E3.2") helps.', "called as invert({x: (1.0, 2.0)})."], "wrong")
+    assert "<br>Look again.<br>" in card
+    assert '<code>hint("E3.2")</code> helps.' in card
+    assert "<code>invert({x: (1.0, 2.0)})</code>." in card
+
+
+def test_korean_is_not_broken_inside_a_word():
+    assert "word-break: keep-all" in as_html("E3.2", "답하지 않았습니다.", (), "said")
+
+
+def test_a_shell_without_a_kernel_gets_text():
+    InteractiveShell.instance()
+    try:
+        assert not reply._is_notebook()
+    finally:
+        InteractiveShell.clear_instance()

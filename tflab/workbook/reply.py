@@ -1,0 +1,75 @@
+"""How does a reply look?  In a learner's notebook as a card; anywhere else, and for whoever reads aloud, as text.
+
+    +-----------------------------------------------------------+
+    | E3.2 ✗ 0/1                                                |
+    | "map": You turned the point and forgot the step. Where is |      wrapped at words, code set as code,
+    | the laser's own origin, (0, 0, 0), in `base_link`?        |      Korean unbroken
+    | hint("E3.2") helps.                                       |
+    +-----------------------------------------------------------+
+
+The colour at its left says what the sign says: passed, not yet, or neither.
+Read `progress.py` next.
+"""
+
+from __future__ import annotations
+
+import html
+import re
+from collections.abc import Sequence
+
+__all__ = ["as_html", "show_reply"]
+
+CODE = re.compile(r"`([^`\n]+)`")
+CALL = re.compile(r"\b[a-z_]\w*\((?:[^()\n]|\([^()\n]*\))*\)")
+COLOURS = {  # JupyterLab's own, so that they suit its theme
+    "passed": "var(--jp-success-color1, #388e3c)",
+    "wrong": "var(--jp-warn-color1, #f57c00)",
+    "said": "var(--jp-border-color1, #bdbdbd)",
+}
+CARD = (
+    "border-left: 0.3em solid {colour}; padding: 0.35em 0 0.35em 0.9em; margin: 0.3em 0; max-width: 46em; "
+    "word-break: keep-all; overflow-wrap: anywhere; line-height: 1.5; "
+    "font-family: var(--jp-content-font-family, sans-serif); font-size: var(--jp-content-font-size1, 14px)"
+)
+
+
+def show_reply(head: str, said: str = "", more: Sequence[str] = (), kind: str = "said") -> None:
+    """Show a reply.
+
+    Args:
+        head: the task, and what became of the answer.
+        said: the reply itself; code stands in backticks.
+        more: lines that go with it, smaller.
+        kind: "passed", "wrong", or "said" where nothing was judged.
+    """
+    text = "\n".join([f"{head}: {said}" if said else head, *more])
+    if not _is_notebook():
+        print(text)
+        return
+    from IPython.display import display
+
+    display({"text/plain": text, "text/html": as_html(head, said, more, kind)}, raw=True)
+
+
+def as_html(head: str, said: str, more: Sequence[str], kind: str) -> str:
+    """Return the card; whatever an answer held is text in it, and nothing else."""
+    lines = [f"<strong>{html.escape(head)}</strong>"]
+    if said:
+        lines.append(_with_code(said[0].upper() + said[1:]))
+    lines += [f"<small>{_with_code(CALL.sub(_in_backticks, line))}</small>" for line in more]
+    return f'<div class="tflab-reply" style="{CARD.format(colour=COLOURS[kind])}">{"<br>".join(lines)}</div>'
+
+
+def _in_backticks(call: re.Match) -> str:
+    return call[0] if "`" in call[0] else f"`{call[0]}`"
+
+
+def _with_code(text: str) -> str:
+    return CODE.sub(r"<code>\1</code>", html.escape(text, quote=False)).replace("\n", "<br>")
+
+
+def _is_notebook() -> bool:
+    """Return whether what is displayed is shown as HTML: in a kernel, not in a terminal or a test."""
+    from IPython import get_ipython
+
+    return getattr(get_ipython(), "kernel", None) is not None
