@@ -307,3 +307,27 @@ def test_what_cannot_be_broken_says_what_is_missing():
 def test_an_unknown_fault_is_refused():
     with pytest.raises(ValueError, match="'gremlins' is not a valid Fault; there is reparented, second-owner, "):
         inject(CLEAN, "gremlins")
+
+
+@pytest.mark.parametrize("fault", [f for f in Fault if f not in (Fault.CLOCK_JUMPED_BACK, Fault.NO_TF_STATIC)])
+def test_a_fault_can_be_aimed_at_an_edge(fault):
+    hit = 0
+    for child in edges_of(CLEAN):
+        with suppress(CannotInject):
+            frames = inject(CLEAN, fault, 1, aim=child).diagnosis.frames
+            assert child in frames if fault is Fault.CLOCK_OFFSET else frames == (child,)
+            hit += 1
+    assert hit
+
+
+@pytest.mark.parametrize("fault", [Fault.CLOCK_JUMPED_BACK, Fault.NO_TF_STATIC])
+def test_what_takes_every_edge_with_it_cannot_be_aimed(fault):
+    with pytest.raises(CannotInject, match="it cannot be aimed at one"):
+        inject(CLEAN, fault, aim="base_footprint")
+
+
+def test_an_aim_that_misses_says_so():
+    with pytest.raises(ValueError, match="nobody sends 'bse_link' as a child; there is base_footprint, base_link"):
+        inject(CLEAN, Fault.GAP, aim="bse_link")
+    with pytest.raises(CannotInject, match="laser_frame cannot have the fault: it needs a moving edge"):
+        inject(CLEAN, Fault.GAP, aim="laser_frame")

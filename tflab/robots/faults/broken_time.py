@@ -46,6 +46,8 @@ def out_of_order(patient: Patient) -> Injection:
 
 def clock_back(patient: Patient) -> Injection:
     """From some moment on, all moving edges live in the past."""
+    if patient.aim:
+        raise CannotInject("a clock that jumps back takes every moving edge with it: it cannot be aimed at one")
     edges = patient.moving()
     if not edges:
         raise CannotInject(f"this stream cannot have the fault: it needs a moving edge of {FEWEST_SAMPLES} samples")
@@ -68,7 +70,8 @@ def clock_offset(patient: Patient) -> Injection:
         groups.setdefault(edge.publisher or edge.child, []).append(edge)
     if len(groups) < 2:
         raise CannotInject("this stream cannot have the fault: it needs moving edges of two publishers to compare")
-    edges = groups[sorted(groups)[int(patient.rng.integers(len(groups)))]]
+    named = [name for name in sorted(groups) if patient.aimed(groups[name])]
+    edges = groups[patient.choose(named, "a moving edge")]
     places = sorted(place for edge in edges for place in edge.places)
     offset_ns = round(patient.between(1.0, 30.0) * NSEC_PER_SEC)
     earliest_ns = min(patient.records[place].stamped.stamp_ns for place in places)
@@ -118,7 +121,7 @@ def early(patient: Patient) -> Injection:
 def gap(patient: Patient) -> Injection:
     """Nothing is heard for a while: of one edge, or of all that move."""
     edge = patient.pick_moving()
-    edges = patient.moving() if patient.rng.random() < 0.3 else [edge]
+    edges = patient.moving() if patient.rng.random() < 0.3 and not patient.aim else [edge]
     period_ns = max(map(patient.period_ns, edges))
     heard = [patient.records[place].receive_ns for place in edge.places]
     silence_ns = min(max(NSEC_PER_SEC, 15 * period_ns), (heard[-1] - heard[0]) // 3)

@@ -145,14 +145,12 @@ def wrong_name(patient: Patient) -> Injection:
     parents = {edge.parent for edge in patient.edges.values()}
     known_elsewhere = [
         (edge, role)
-        for edge in patient.edges.values()
+        for edge in patient.aimed(patient.edges.values())
         for role in ("parent", "child")
         if (role == "child" and edge.child in parents)
         or (role == "parent" and (edge.parent in patient.edges or _is_shared(edge, patient)))
     ]
-    if not known_elsewhere:
-        raise CannotInject("this stream cannot have the fault: it needs a frame that two edges name")
-    edge, role = known_elsewhere[int(patient.rng.integers(len(known_elsewhere)))]
+    edge, role = patient.choose(known_elsewhere, "a frame that two edges name")
     name = edge.parent if role == "parent" else edge.child
     spellings = {
         "case": name.title() if name.title() != name else name.lower(),
@@ -173,14 +171,15 @@ def _is_shared(edge: StreamEdge, patient: Patient) -> bool:
 
 def static_on_tf(patient: Patient) -> Injection:
     """The fixed mounts are sent on /tf, ten times a second, and not on /tf_static."""
-    edges = patient.static()
+    edges = patient.aimed(patient.static())
     if not edges:
         raise CannotInject("this stream cannot have the fault: it needs static transforms")
     begin_ns, end_ns = patient.records[0].receive_ns, patient.records[-1].receive_ns
-    clock = patient.pick(patient.moving(), "a moving edge, for the stamps")
+    clock = patient.choose(patient.moving(), "a moving edge, for the stamps")
     first = patient.records[clock.places[0]]
     lag_ns = first.receive_ns - first.stamped.stamp_ns
-    sent = [record for record in patient.records if not record.is_static]
+    moved = {edge.child for edge in edges}
+    sent = [r for r in patient.records if not (r.is_static and r.stamped.child_frame_id in moved)]
     for heard_ns in range(begin_ns, end_ns, NSEC_PER_SEC // 10):
         for edge in edges:
             record = restamped(patient.records[edge.places[-1]], stamp_ns=heard_ns - lag_ns)
@@ -202,6 +201,8 @@ def moving_on_tf_static(patient: Patient) -> Injection:
 
 def no_tf_static(patient: Patient) -> Injection:
     """Nothing of /tf_static was recorded."""
+    if patient.aim:
+        raise CannotInject("a lost /tf_static takes every static edge with it: it cannot be aimed at one")
     edges = patient.static()
     if not edges:
         raise CannotInject("this stream cannot have the fault: it has no static transforms to lose")

@@ -3,8 +3,9 @@
     inject(records, Fault.GAP, seed=3)  ->  Injection(records, diagnosis)
     inject_all(records, [Fault.GAP, Fault.LOOP], seed=3)  ->  (records, [diagnosis, diagnosis])
 
-The records that come in are not touched.  The seed decides which edge, when and
-how much; the same seed makes the same fault.  Not every stream can have every
+The records that come in are not touched.  The seed decides which edge (unless one is
+aimed at, by its child: `aim="base_footprint"`), when and how much; the same seed makes
+the same fault.  Not every stream can have every
 fault: without an optical frame there is none to leave unturned.  Then the error
 says so, and `possible_faults` lists what a stream can have.
 
@@ -50,15 +51,20 @@ INJECTORS: dict[Fault, Callable[[Patient], Injection]] = {
 }
 
 
-def inject(records: Sequence[TransformRecord], fault: Fault | str, seed: int = 0) -> Injection:
+def inject(records: Sequence[TransformRecord], fault: Fault | str, seed: int = 0, *, aim: str = "") -> Injection:
     """Return `records` with one fault more.
 
+    Args:
+        aim: the child of the edge that is to have it; chance chooses if "".
+
     Raises:
-        CannotInject: nothing in the stream can have this fault.
-        ValueError: no such fault.
+        CannotInject: nothing in the stream, or not this edge, can have this fault.
+        ValueError: no such fault, or no such edge.
     """
     fault = Fault(fault)
-    patient = Patient(list(records), edges_of(records), chance(seed, fault))
+    if aim and aim not in edges_of(records):
+        raise ValueError(f"nobody sends {aim!r} as a child; there is {', '.join(edges_of(records))}")
+    patient = Patient(list(records), edges_of(records), chance(seed, fault), aim)
     return INJECTORS[fault](patient)
 
 

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 
@@ -23,6 +23,8 @@ from .catalogue import Diagnosis, Fault
 from .streams import Stream, StreamEdge, in_order
 
 __all__ = ["CannotInject", "Injection", "Patient"]
+
+Thing = TypeVar("Thing")
 
 FEWEST_SAMPLES = 20  # with fewer, a change halfway is hardly to be seen
 
@@ -44,13 +46,22 @@ class Patient(NamedTuple):
     records: Stream
     edges: dict[str, StreamEdge]
     rng: np.random.Generator
+    aim: str = ""  # the child of the edge that is to have the fault; "" leaves it to chance
 
     def pick(self, edges: Iterable[StreamEdge], otherwise: str) -> StreamEdge:
-        """Return one of `edges` by chance, or raise CannotInject saying what is missing."""
-        choice = list(edges)
-        if not choice:
-            raise CannotInject(f"this stream cannot have the fault: it needs {otherwise}")
-        return choice[int(self.rng.integers(len(choice)))]
+        """Return one of `edges` by chance, or the one that is aimed at; CannotInject says what is missing."""
+        return self.choose(self.aimed(edges), otherwise)
+
+    def aimed(self, edges: Iterable[StreamEdge]) -> list[StreamEdge]:
+        """Return those of `edges` that may have the fault: all, or the one that is aimed at."""
+        return [edge for edge in edges if self.aim in ("", edge.child)]
+
+    def choose(self, things: Sequence[Thing], otherwise: str) -> Thing:
+        """Return one of `things` by chance, or raise CannotInject saying what is missing."""
+        if not things:
+            of_it = f"{self.aim} cannot have the fault" if self.aim else "this stream cannot have the fault"
+            raise CannotInject(f"{of_it}: it needs {otherwise}")
+        return things[int(self.rng.integers(len(things)))]
 
     def moving(self) -> list[StreamEdge]:
         """Return the edges whose numbers change, and often enough to show a fault."""
