@@ -14,7 +14,7 @@ from tflab.ros.graph import new_graph
 from tflab.ros.messages import geometry_msgs, nav_msgs, sensor_msgs, tf2_msgs
 from tflab.ros.node import Node
 from tflab.ros.parameter import Parameter
-from tflab.ros.qos import qos_profile_sensor_data
+from tflab.ros.qos import DurabilityPolicy, QoSProfile, qos_profile_sensor_data
 from tflab.ros.tf2.buffer import Buffer
 from tflab.ros.tf2.listener import TransformListener
 
@@ -178,3 +178,21 @@ def test_an_unknown_node_is_refused_before_anything_starts(graph):
     with pytest.raises(ValueError, match="the robot has no node 'lidar'; it has robot_state_publisher, joint_driver"):
         launch(graph, only=["imu_driver", "lidar"])
     assert graph.participants == []
+
+
+def test_a_map_server_tells_the_room_to_whoever_comes_late(graph):
+    launch(graph, only=["map_server"])
+    graph.run(seconds=5.0)
+    rclpy.init(args=[])
+    node, heard = Node("late"), []
+    latched = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+    node.create_subscription(nav_msgs.OccupancyGrid, "/map", heard.append, latched)
+    rclpy.spin_once(node, timeout_sec=1.0)
+    (grid,) = heard
+    assert (grid.header.frame_id, stamp_ns_from(grid.header.stamp)) == ("map", seconds(1.0))
+    assert len(grid.data) == grid.info.width * grid.info.height
+    column = math.floor((8.0 - grid.info.origin.position.x) / grid.info.resolution)  # the wall at x = 8 m
+    row = math.floor((0.0 - grid.info.origin.position.y) / grid.info.resolution)
+    assert grid.data[row * grid.info.width + column] == 100
+    assert grid.data[row * grid.info.width + column - 5] == 0
+    assert "map_server" not in USUAL_NODES

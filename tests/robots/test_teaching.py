@@ -6,7 +6,7 @@ from dataclasses import replace
 import pytest
 import yaml
 
-from tflab.core import LATEST, seconds
+from tflab.core import LATEST, Transform, seconds
 from tflab.robots import teaching
 from tflab.robots.kinematics import link_transform
 from tflab.robots.motion import Drive, Leg
@@ -191,3 +191,44 @@ def test_sensors_that_measure_at_one_moment_do_not_share_their_chance():
     of_laser = (laser.ranges[0] - quiet.ranges[0]) / robot.laser.sigma_m
     of_imu = (imu.angular_velocity[0] - still.angular_velocity[0]) / robot.imu.sigma_radps
     assert of_laser != pytest.approx(of_imu)
+
+
+def test_a_sensor_bolted_on_otherwise_measures_there_while_tf_repeats_the_drawing():
+    turned = Transform.from_rpy(yaw=math.pi / 2, translation=(0.20, 0.0, 0.15))
+    robot, usual = TeachingRobot(screws={"laser_frame": turned}), TeachingRobot()
+    assert robot.records(until_s=3.0) == usual.records(until_s=3.0)
+    scan, drawn = (each.laser.scan_at(seconds(1.0)).ranges for each in (robot, usual))
+    ahead_now, ahead_drawn = scan[180], drawn[180]  # a sweep begins straight behind
+    assert ahead_drawn != pytest.approx(ahead_now, abs=0.1)
+    assert ahead_now == pytest.approx(drawn[270], abs=0.05)  # what is to the left, both times while standing still
+    assert robot.truth_at(seconds(1.0))["laser_frame"].rpy()[2] == pytest.approx(math.pi / 2)
+
+
+def test_screws_of_what_is_not_there_are_refused():
+    with pytest.raises(ValueError, match="nothing is bolted on as 'lazer'; there is base_link, camera_link"):
+        TeachingRobot(screws={"lazer": Transform()})
+
+
+def test_another_drawing_is_what_tf_repeats():
+    urdf = teaching_urdf().replace('<origin xyz="0.20 0.0 0.15"', '<origin xyz="0.25 0.0 0.15"')
+    assert urdf != teaching_urdf()
+    buffer = TeachingRobot(urdf=urdf).buffer(until_s=3.0)
+    laser = buffer.lookup_transform("base_link", "laser_frame", LATEST).transform
+    assert laser.translation == (0.25, 0.0, 0.15)
+
+
+def test_what_a_drawing_leaves_out_is_there_all_the_same_and_tf_does_not_know_it():
+    box = '<robot name="box"><link name="base_footprint"/></robot>'
+    robot = TeachingRobot(urdf=box)
+    assert robot.laser.mount == TeachingRobot().laser.mount
+    assert {record.stamped.child_frame_id for record in robot.records(until_s=3.0)} == {"odom", "base_footprint"}
+    assert set(robot.truth_at(seconds(2.0))) == {"base_footprint"}
+
+
+def test_two_robots_can_be_made_to_share_what_they_should_not():
+    robot = TeachingRobot(prefix="robot1/", shared=("map", "odom"))
+    assert [robot.frame(name) for name in ("map", "odom", "base_link")] == ["map", "odom", "robot1/base_link"]
+    alone = TeachingRobot(prefix="robot1/", shared=())
+    assert alone.map_to_odom_at(seconds(2.0)).frame_id == "robot1/map"
+    with pytest.raises(ValueError, match="'base_link' is a part of the robot; what robots can share is map and odom"):
+        TeachingRobot(shared=("base_link",))

@@ -108,3 +108,22 @@ def test_an_imu_in_a_left_turn_feels_the_turn_and_a_pull_to_the_left():
     assert reading.angular_velocity == pytest.approx((0.0, 0.0, 0.5))
     assert reading.linear_acceleration == pytest.approx((0.0, 1.0, GRAVITY_MPS2))
     assert Transform(rotation=reading.orientation).rpy()[2] == pytest.approx(1.0)  # 2 s at 0.5 rad/s, from zero
+
+
+def test_a_floor_plan_in_cells_has_walls_where_the_walls_are():
+    cells, (x, y) = BOX.cells(resolution_m=0.5)
+    assert (x, y) == (-2.75, -1.75)
+    drawn = "\n".join("".join("#" if cell else "." for cell in row) for row in cells[::-1])
+    assert drawn == (
+        "...............\n"
+        ".#############.\n"
+        ".#...........#.\n"
+        ".#...........#.\n"
+        ".#...........#.\n"
+        ".#...........#.\n"
+        ".#...........#.\n"
+        ".#...........#.\n"
+        ".#...........#.\n"
+        ".#############.\n"
+        "..............."
+    )

@@ -8,6 +8,7 @@
 
     ekf_filter_node -- /odometry/filtered, /tf (odom -> base_footprint): not by default,
                        because two owners of one edge are one too many
+    map_server ------- /map, latched: not by default, because a room has one, however many robots
 
     launch(graph)      the usual ones; launch(graph, only=["wheel_odometry"]) some
 
@@ -32,11 +33,18 @@ from tflab.ros.graph import Graph, Participant, current_graph
 from tflab.ros.messages import geometry_msgs, nav_msgs, sensor_msgs
 from tflab.ros.node import Node
 from tflab.ros.parameter import Parameter
-from tflab.ros.qos import qos_profile_sensor_data
+from tflab.ros.qos import DurabilityPolicy, QoSProfile, qos_profile_sensor_data
 from tflab.ros.tf2.broadcaster import TransformBroadcaster
 
 from .motion import Drive
-from .reading_messages import imu_msg, joint_state_msg, laser_scan_msg, odometry_msg, point_msg
+from .reading_messages import (
+    imu_msg,
+    joint_state_msg,
+    laser_scan_msg,
+    occupancy_grid_msg,
+    odometry_msg,
+    point_msg,
+)
 from .readings import OdometryReading
 from .state_publisher import RobotStatePublisher
 from .teaching import Source, TeachingRobot
@@ -151,6 +159,22 @@ class ImuDriver(Driver):
         self._readings.publish(imu_msg(replace(self.robot.imu.reading_at(true_ns), stamp_ns=stamp_ns)))
 
 
+class MapServer(Node):
+    """Says once what the room looks like, to everybody who comes, however late.
+
+    Parameters (of ROS): frame_id and topic_name, as nav2's map_server calls them.
+    """
+
+    def __init__(self, robot: TeachingRobot) -> None:
+        super().__init__("map_server")
+        self.declare_parameter("frame_id", "map")
+        self.declare_parameter("topic_name", "map")
+        topic, frame = (self.get_parameter(name).value for name in ("topic_name", "frame_id"))
+        latched = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+        self._maps = self.create_publisher(nav_msgs.OccupancyGrid, topic, latched)
+        self._maps.publish(occupancy_grid_msg(robot.room, self.get_clock().now().nanoseconds, frame))
+
+
 def state_publisher(robot: TeachingRobot) -> RobotStatePublisher:
     """Return the robot_state_publisher of a robot."""
     parameters = [Parameter("robot_description", value=robot.urdf), Parameter("frame_prefix", value=robot.prefix)]
@@ -176,8 +200,9 @@ NODES: dict[str, Callable[[TeachingRobot], Node]] = {
     "object_detector": ObjectDetector,
     "imu_driver": ImuDriver,
     "ekf_filter_node": ekf_filter_node,
+    "map_server": MapServer,
 }
-USUAL_NODES = tuple(name for name in NODES if name != "ekf_filter_node")
+USUAL_NODES = tuple(name for name in NODES if name not in ("ekf_filter_node", "map_server"))
 
 
 def launch(
@@ -188,7 +213,7 @@ def launch(
     Args:
         graph: the current one if None.
         robot: one that begins to drive now if None.
-        only: which nodes, by the keys of NODES; if not said, all but the ekf_filter_node.
+        only: which nodes, by the keys of NODES; if not said, all but the ekf_filter_node and the map_server.
 
     Raises:
         ValueError: no such node.

@@ -2,7 +2,7 @@
 
     Scan -> sensor_msgs/LaserScan        Detection       -> geometry_msgs/PointStamped
     ImuReading -> sensor_msgs/Imu        OdometryReading -> nav_msgs/Odometry
-                                         JointReading    -> sensor_msgs/JointState
+    Room -> nav_msgs/OccupancyGrid       JointReading    -> sensor_msgs/JointState
 
 Transforms are converted by `tflab/ros/convert.py`.  Read `nodes.py` next.
 """
@@ -13,10 +13,26 @@ from tflab.ros.convert import msg_from_stamp, msg_from_transform
 from tflab.ros.messages import geometry_msgs, nav_msgs, sensor_msgs, std_msgs
 
 from .readings import Detection, ImuReading, JointReading, OdometryReading, Scan
+from .world import Room
 
-__all__ = ["imu_msg", "joint_state_msg", "laser_scan_msg", "odometry_msg", "point_msg"]
+__all__ = ["imu_msg", "joint_state_msg", "laser_scan_msg", "occupancy_grid_msg", "odometry_msg", "point_msg"]
 
 SECONDS_PER_NSEC = 1e-9
+
+
+def occupancy_grid_msg(
+    room: Room, stamp_ns: int, frame_id: str = "map", resolution_m: float = 0.05
+) -> nav_msgs.OccupancyGrid:
+    """Return the message of a map: 100 where a wall is, 0 where none is."""
+    cells, (x, y) = room.cells(resolution_m)
+    message = nav_msgs.OccupancyGrid(header=_header(stamp_ns, frame_id))
+    message.info.map_load_time = message.header.stamp
+    message.info.resolution = resolution_m
+    message.info.height, message.info.width = cells.shape
+    message.info.origin.position.x, message.info.origin.position.y = x, y
+    message.info.origin.orientation.w = 1.0
+    message.data = (100 * cells.ravel()).tolist()
+    return message
 
 
 def joint_state_msg(reading: JointReading) -> sensor_msgs.JointState:

@@ -18,7 +18,8 @@ Read `reading_messages.py` next.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import replace
 from importlib.resources import files
 from typing import NamedTuple
 
@@ -29,6 +30,7 @@ from tflab.core.records import TransformRecord
 from .chance import chance
 from .kinematics import joint_transform, link_poses
 from .localization import Localizer
+from .model import Robot
 from .motion import Drive
 from .odometry import WheelOdometry
 from .readings import JointReading, OdometryReading, Reading
@@ -78,7 +80,11 @@ class TeachingRobot:
         room: what its laser sees.
         ball: what its camera looks for, in map [m].
         sources: how its nodes speak, by the keys of SOURCES; those left out are as in SOURCES.
-        prefix: goes before every frame but `map`, and before topics and nodes: "robot1/".
+        urdf: the drawing, which TF repeats; ours if None.  Its root should be `base_footprint`.
+        screws: `parent_T_link` of links that are truly bolted on otherwise than the drawing says: sensors measure
+            there, and TF does not know.  A sensor that the drawing leaves out sits where ours has it.
+        prefix: goes before every frame that is not shared, and before topics and nodes: "robot1/".
+        shared: frames without the prefix; with "odom" among them, two robots fight for one frame.
         bias, slip: errors of the wheels; see WheelOdometry.
         correction_period_s: time between two corrections of the localiser [s].
         seed: of everything that happens by chance.
@@ -91,16 +97,23 @@ class TeachingRobot:
         room: Room = ROOM,
         ball: Vector3 = BALL,
         sources: Mapping[str, Source] | None = None,
+        urdf: str | None = None,
+        screws: Mapping[str, Transform] | None = None,
         prefix: str = "",
+        shared: Collection[str] = ("map",),
         bias: float = 0.002,
         slip: float = 0.003,
         correction_period_s: float = 2.0,
         seed: int = 0,
     ) -> None:
-        self.urdf = teaching_urdf()
-        self.model = parse_urdf(self.urdf, source="tf_lab_robot.urdf")
-        self.drive = drive or Drive()
-        self.prefix, self.seed = prefix, seed
+        self.urdf = teaching_urdf() if urdf is None else urdf
+        self.model = parse_urdf(self.urdf, source="tf_lab_robot.urdf" if urdf is None else "the robot's URDF")
+        self.built = _bolted(self.model, screws or {})
+        self.drive, self.room = drive or Drive(), room
+        for frame in shared:
+            if frame not in ("map", "odom"):
+                raise ValueError(f"{frame!r} is a part of the robot; what robots can share is map and odom")
+        self.prefix, self.shared, self.seed = prefix, frozenset(shared), seed
         for key in sources or {}:
             if key not in SOURCES:
                 raise ValueError(f"no source {key!r}; the robot has {', '.join(SOURCES)}")
@@ -109,7 +122,8 @@ class TeachingRobot:
         # With an imu that knows the turns, no wheel is too large any more; chance remains, in part.
         self.filtered = WheelOdometry(self.drive, 0.0, slip / 3.0, seed + 1)
         self.localizer = Localizer(self.drive, self.odometry, correction_period_s, seed=seed)
-        mounts = link_poses(self.model)
+        usual = {} if urdf is None else link_poses(parse_urdf(teaching_urdf()))
+        mounts = {**usual, **link_poses(self.built)}
         self.laser = Laser(self.drive, room, mounts["laser_frame"], self.frame("laser_frame"), seed=seed)
         self.camera = Camera(
             self.drive, room, mounts["camera_optical_frame"], ball, self.frame("camera_optical_frame"), seed=seed
@@ -117,8 +131,8 @@ class TeachingRobot:
         self.imu = Imu(self.drive, mounts["imu_link"], self.frame("imu_link"), seed=seed)
 
     def frame(self, name: str) -> str:
-        """Return the full name of a frame; `map` is shared, the others carry the prefix."""
-        return name if name == "map" else self.prefix + name
+        """Return the full name of a frame: with the prefix, unless it is shared."""
+        return name if name in self.shared else self.prefix + name
 
     # -- one moment ---------------------------------------------------------
 
@@ -135,15 +149,17 @@ class TeachingRobot:
         }
 
     def truth_at(self, stamp_ns: int) -> dict[str, Transform]:
-        """Return where every link truly is: `map_T_link`, by its name in the URDF."""
+        """Return where every link truly is, screws and all: `map_T_link`, by its name in the URDF."""
         map_T_base = self.drive.pose_at(stamp_ns).transform()
-        poses = link_poses(self.model, self.joint_positions_at(stamp_ns))
+        drawn = {joint.name for joint in self.built.moving_joints}
+        positions = {name: at for name, at in self.joint_positions_at(stamp_ns).items() if name in drawn}
+        poses = link_poses(self.built, positions)
         return {link: map_T_base @ base_T_link for link, base_T_link in poses.items()}
 
     def map_to_odom_at(self, stamp_ns: int) -> StampedTransform:
         """Return what the localiser publishes."""
         pose = self.localizer.map_T_odom_at(stamp_ns).transform()
-        return StampedTransform("map", self.frame("odom"), stamp_ns, pose)
+        return StampedTransform(self.frame("map"), self.frame("odom"), stamp_ns, pose)
 
     def odom_to_base_at(self, stamp_ns: int) -> StampedTransform:
         """Return what the wheel odometry publishes."""
@@ -154,7 +170,7 @@ class TeachingRobot:
         """Return what robot_state_publisher makes of the joint positions, in the order of joint names."""
         positions = self.joint_positions_at(stamp_ns)
         moving = sorted(self.model.moving_joints, key=lambda joint: joint.name)
-        return [self._joint(joint, positions[joint.name], stamp_ns) for joint in moving]
+        return [self._joint(joint, positions[joint.name], stamp_ns) for joint in moving if joint.name in positions]
 
     def mounts(self, stamp_ns: int) -> list[StampedTransform]:
         """Return the static transforms: the fixed joints, in the order of joint names."""
@@ -250,6 +266,20 @@ class TeachingRobot:
 
     def _node(self, source: Source) -> str:
         return f"/{self.prefix}{source.publisher}"
+
+
+def _bolted(drawing: Robot, screws: Mapping[str, Transform]) -> Robot:
+    """Return a robot as it is built: as its drawing, but for these links.
+
+    Raises:
+        ValueError: the drawing has no such link below another.
+    """
+    children = {joint.child for joint in drawing.joints}
+    for link in screws:
+        if link not in children:
+            raise ValueError(f"nothing is bolted on as {link!r}; there is {', '.join(sorted(children))}")
+    joints = (replace(joint, origin=screws.get(joint.child, joint.origin)) for joint in drawing.joints)
+    return replace(drawing, joints=tuple(joints))
 
 
 def _heard(thing: TransformRecord | Reading) -> int:

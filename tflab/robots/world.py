@@ -76,6 +76,22 @@ class Room:
         nearest = np.where(is_hit, distance, np.inf).min(axis=1)
         return np.minimum(nearest, floor)
 
+    def cells(self, resolution_m: float = 0.05) -> tuple[np.ndarray, tuple[float, float]]:
+        """Return the floor plan as a grid of cells, row by row from the lower left corner: true where a wall is.
+
+        Returns:
+            shape (height, width), and where its corner is: (x, y) [m].
+        """
+        ends = np.array(self.walls)  # shape (M, 2, 2)
+        corner = ends.min(axis=(0, 1)) - 1.5 * resolution_m  # walls lie in the middle of cells, with one more around
+        width, height = np.ceil((ends.max(axis=(0, 1)) - corner) / resolution_m - 1e-6).astype(int) + 1
+        grid = np.zeros((height, width), dtype=bool)
+        for begin, end in ends:
+            steps = int(np.ceil(np.abs(end - begin).max() / resolution_m * 2)) + 1
+            columns, rows = ((np.linspace(begin, end, steps) - corner) // resolution_m).astype(int).T
+            grid[rows, columns] = True
+        return grid, (float(corner[0]), float(corner[1]))
+
     def is_in_sight(self, eye: Sequence[float], point: Sequence[float]) -> bool:
         """Return whether nothing stands between two points [m]."""
         way = np.subtract(point, eye)
