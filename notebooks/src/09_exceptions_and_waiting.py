@@ -453,7 +453,7 @@ buffer.lookup_transform('base_link', 'tool0', Time(seconds=12.3))
 # %% [markdown] lang="ko" name="statics" slide="-"
 # `Time()`이나 그 표본의 시각을 그대로 조회하면 표본 하나로도 답이 나옵니다. 그래서 `Time()`으로 조회하는 `tf2_echo`에서는 멀쩡해 보이고, 여러분의 노드에서는 실패합니다.
 #
-# 그렇다면 시각이 0인 `base_link → laser_frame`은 어떨까요? 어느 시각에나 답합니다. **정적 연결의 오래된 시각은 결함이 아닙니다.** 이 시각을 며칠씩 쫓은 사람도 있습니다.
+# 그렇다면 시각이 0인 `base_link → laser_frame`은 어떨까요? 어느 시각에나 답합니다. **정적 연결의 오래된 시각은 결함이 아닙니다.** 며칠씩 이 시각만 쫓은 사람도 있습니다.
 
 # %% [markdown] lang="en" name="argument-why" slide="subslide"
 # ### A question that is none

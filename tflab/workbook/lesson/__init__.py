@@ -5,6 +5,7 @@
 What a page calls as `lesson.…` is this workbook's; everything else on it is Python or ROS 2, and runs on a robot.
 
     room      our robot drives through its room
+    panels    a panel in the language of the copy
     clouds    what a depth camera sees of a wall and of the floor
     waiting   robots whose data is late, and nodes that wait for it
 
@@ -40,7 +41,7 @@ from tflab.views.latency import Sight, draw_latency, drive, latency_error
 from tflab.views.misread import describe_extent, draw_misread
 from tflab.views.moments import draw_moments
 from tflab.views.mount import draw_mount, seen_from
-from tflab.views.panels import cameras_panel, latency_panel, mount_panel, rotation_panel, sentence_panel, timeline_panel
+from tflab.views.panels import cameras_panel, latency_panel, mount_panel, rotation_panel, timeline_panel
 from tflab.views.placed import draw_placed
 from tflab.views.readings import draw_readings
 from tflab.views.scene import Scene, draw_arrow, draw_camera, draw_frame, draw_path, draw_scan
@@ -54,6 +55,7 @@ from ..copy.environment import check_environment
 from ..course.course_map import draw_course
 from ..course.progress_page import show_progress
 from .clouds import floor_cloud, wall_cloud
+from .panels import sentence_panel
 from .room import draw_now, draw_room, show_drive, show_latency
 from .waiting import (
     GapWatcher,

@@ -5,7 +5,7 @@
     draw_now(graph, "map")   every frame of a graph, where it is now
     show_latency()           a ball that was seen a moment ago, drawn with the pose of now
 
-Read `clouds.py` next.
+Read `panels.py` next.
 """
 
 from __future__ import annotations

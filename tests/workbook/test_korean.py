@@ -1,0 +1,40 @@
+"""The Korean of the pages says what is meant: what an ear hears otherwise, and calques, stay out."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from tflab.workbook.pages.source import read_page
+from tflab.workbook.places import workbook_data
+
+NEVER = {
+    "the wanted side is the source, to a Korean ear": r"쪽이 먼저|쪽을 먼저|보고 싶은 쪽",
+    "asked at that second: when the asking happens": r"초에 [^.]{0,40}(묻|물)",
+    "in front or behind is space; time is earlier or later": r"표본보다 (앞|뒤)|시각보다 (앞|뒤)",
+    "in, as inside of": r"안 어디",
+    "a lane of traffic": r"차선",
+    "a clock on a wall": r"벽시계",
+    "no Korean word": r"오류문",
+    "beside the target frame, another target": r"목표점",
+    "a visible space before a particle": r"\*\* (은|는|이|가|을|를|의|입니다)\b",
+    "a fixed frame that jumps": r"(odom|map).{0,30}고정 좌표계",
+}
+SECTIONS = r"^## (확인 문제|나가기 전에|풀이 예제|기억할 것|이것만은|해 보기|예측하기|망가뜨리기)"
+PAGES = ["00_start", "02_axes_and_quaternions", "03_target_and_source", "08_buffer_and_measurement_time",
+         "09_exceptions_and_waiting", "90_glossary"]  # fmt: skip
+
+
+@pytest.mark.parametrize("stem", PAGES)
+def test_a_page_has_no_sentence_that_is_heard_otherwise(stem: str) -> None:
+    page = read_page(workbook_data() / "notebooks" / "src" / f"{stem}.py")
+    texts = [(cell.name, cell.source) for cell in page.cells if cell.lang == "ko"]
+    found = [(name, why) for name, text in texts for why, words in NEVER.items() if re.search(words, text)]
+    assert found == []
+
+
+@pytest.mark.parametrize("stem", PAGES)
+def test_one_kind_of_section_has_one_name(stem: str) -> None:
+    page = read_page(workbook_data() / "notebooks" / "src" / f"{stem}.py")
+    assert [cell.name for cell in page.cells if cell.lang == "ko" and re.search(SECTIONS, cell.source, re.M)] == []
