@@ -3,7 +3,7 @@
 import math
 from collections import defaultdict
 from contextlib import suppress
-from enum import StrEnum
+from enum import Enum
 from itertools import pairwise
 
 import numpy as np
@@ -57,7 +57,7 @@ def test_every_fault_of_the_catalogue_has_an_injector():
 def test_a_fault_added_to_the_catalogue_or_moved_in_it_changes_nothing_of_how_the_others_are_made(monkeypatch):
     before = {fault: repr(inject(CLEAN, fault, 1)) for fault in Fault}
     reordered = {"NEW": "new", **{fault.name: fault.value for fault in reversed(Fault)}}
-    monkeypatch.setattr(injecting, "Fault", StrEnum("Fault", reordered))
+    monkeypatch.setattr(injecting, "Fault", Enum("Fault", reordered, type=str))
     assert {fault: repr(inject(CLEAN, fault, 1)) for fault in Fault} == before
 
 

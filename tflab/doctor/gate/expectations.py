@@ -15,12 +15,16 @@ Whatever is not written is not asked.  The form is TOML.  Read `deviations.py` n
 from __future__ import annotations
 
 import json
+import sys
 from dataclasses import dataclass, field
 from pathlib import Path
 
-import tomllib
-
 from ..profile import RecordingProfile
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
 
 __all__ = ["ExpectationError", "Expectations", "ExpectedEdge", "expectations_from", "read_expectations", "toml_from"]
 

@@ -12,14 +12,14 @@ Read `replies.py` next.
 
 from __future__ import annotations
 
-from enum import StrEnum
+from enum import Enum
 
 from ..words import Words
 
 __all__ = ["REPLIES", "WITHOUT_THE_ANSWER", "Mistake"]
 
 
-class Mistake(StrEnum):
+class Mistake(str, Enum):
     """A kind of mistake that any task may see, coarse to fine."""
 
     UNANSWERED = "unanswered"
@@ -43,6 +43,8 @@ class Mistake(StrEnum):
     ECHO = "echo"
     PARTS = "parts"
     VALUE = "value"
+
+    __str__ = str.__str__  # StrEnum does the same, from Python 3.11 on
 
 
 REPLIES = {
