@@ -29,7 +29,7 @@ lab: $(LEARNER)
 	$(BIN)/tflab lab $(ARGS)
 
 test: $(DEVELOPER) check
-	$(BIN)/python -m pytest -n $(WORKERS) --dist loadscope -p no:nbval
+	$(BIN)/python -m pytest -n $(WORKERS) --dist loadscope --no-loadscope-reorder -p no:nbval
 	$(BIN)/python -m pytest -n $(WORKERS) --dist loadscope --nbval notebooks/en solutions/en
 
 test-fast: $(DEVELOPER)

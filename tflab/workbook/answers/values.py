@@ -34,7 +34,6 @@ import numpy as np
 
 from tflab.core import BufferCore, StampedTransform, Transform
 from tflab.ros.clock_type import ClockType
-from tflab.ros.convert import msg_from_stamped
 from tflab.ros.duration import Duration
 from tflab.ros.messages.base import Message, type_named
 from tflab.ros.tf2 import buffer as tf2_buffer
@@ -221,8 +220,7 @@ def _buffer_core(plain: dict) -> BufferCore:
 def _buffer(plain: dict) -> tf2_buffer.Buffer:
     buffer = tf2_buffer.Buffer(Duration(nanoseconds=plain["cache_time_ns"]))
     for is_static, authority, *row in plain["samples"]:
-        store = buffer.set_transform_static if is_static else buffer.set_transform
-        store(msg_from_stamped(_stamped(row)), authority)
+        buffer.core.set_transform(_stamped(row), authority, is_static=is_static)  # nobody waits for it yet
     return buffer
 
 
