@@ -1,6 +1,7 @@
 """The graph: time that passes when asked, participants that do not hurt each other, trouble that repeats."""
 
 import contextlib
+import itertools
 import os
 import signal
 import threading
@@ -10,7 +11,7 @@ import pytest
 
 from tflab.core import seconds
 from tflab.ros import client_library as rclpy
-from tflab.ros import snapshot
+from tflab.ros import snapshot, virtual
 from tflab.ros.clock_type import ClockType
 from tflab.ros.duration import Duration
 from tflab.ros.messages.std_msgs import String
@@ -458,3 +459,20 @@ def test_a_clock_before_zero_is_refused_with_the_remedy(graph):
         graph.set_clock_offset("wheel_odometry", -2.0)
     graph.run(seconds=1)
     graph.set_clock_offset("wheel_odometry", -2.0)
+
+
+def test_a_participant_that_gets_little_of_the_machine_is_not_taken_for_an_endless_loop(graph, monkeypatch):
+    computed_s = itertools.count(0.0, 0.001)  # a hundredth of what passes: others have the processor
+    monkeypatch.setattr(virtual, "cpu_s_of", lambda thread: next(computed_s))
+    graph.driver.patience_s = 0.3
+    ended = []
+
+    def main():
+        for _ in range(6):
+            time.monotonic_ns()
+            threading.Event().wait(0.1)  # not the graph's: it keeps its turn
+        ended.append(True)
+
+    graph.start(main)
+    assert ended == [True]
+    assert graph.participants[0].exception is None

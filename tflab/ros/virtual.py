@@ -47,6 +47,7 @@ STEP_NS = 1_000_000
 # interrupted thread may take to give it back.
 SLICE_S = 0.1
 PATIENCE_AFTER_INTERRUPT_S = 2.0
+LEAST_SHARE = 1 / 6  # of a slice in which a thread had next to nothing of the processor, as far as patience goes
 
 
 class EndlessLoop(BaseException):
@@ -114,7 +115,8 @@ class VirtualTime:
     """The clock, the turns, and what is due when.
 
     Attributes:
-        patience_s: how long, in real time, a participant may keep its turn [s].
+        patience_s: how long a participant may keep its turn, computing or blocked [s]; time in which it waits
+            for a processor that others have counts for little.
     """
 
     is_virtual = True
@@ -292,9 +294,12 @@ class VirtualTime:
         if strand.is_lost:
             return
         strand.get_turn()
-        waited_s = 0.0
+        waited_s, cpu_s = 0.0, None
         while not strand.has_given_back(SLICE_S):
-            waited_s += SLICE_S
+            before_s, cpu_s = cpu_s, cpu_s_of(strand.thread)
+            # Where other programs take the machine, a thread gets less of it than has passed, and less counts.
+            worked_s = 0.0 if before_s is None else cpu_s - before_s
+            waited_s += min(max(worked_s, LEAST_SHARE * SLICE_S), SLICE_S) if worked_s else SLICE_S
             if self._presses:  # it hears of it, too, in the middle of what it does
                 raise_in(strand.thread, KeyboardInterrupt)
                 self._wait_for_turn_of(strand)
@@ -345,6 +350,13 @@ def counting_ctrl_c() -> Iterator[list[int]]:
         yield pressed
     finally:
         signal.signal(signal.SIGINT, before)
+
+
+def cpu_s_of(thread: threading.Thread) -> float:
+    """Return how much a thread has computed so far [s]; where the system does not say, what has passed."""
+    if not hasattr(time, "pthread_getcpuclockid") or not thread.is_alive():
+        return time.monotonic()
+    return time.clock_gettime(time.pthread_getcpuclockid(thread.ident))
 
 
 def raise_in(thread: threading.Thread, exception: type[BaseException]) -> None:
