@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from tflab import ros
-from tflab.ros.logging import set_logger_level, show_engine_refusals
+from tflab.ros.logging import clear_config, show_engine_refusals
 from tflab.ros.process import use_graph
 
 LECTURE = Path(__file__).parent / "lecture"
@@ -21,7 +21,7 @@ def graph() -> Iterator[ros.Graph]:
     yield graph
     graph.stop()
     use_graph(None)
-    set_logger_level("", 0)
+    clear_config()
     show_engine_refusals(False)
 
 

@@ -17,6 +17,7 @@ from tflab.ros.names import expand_topic_name
 from tflab.ros.node import Node
 from tflab.ros.qos import CQoSProfile, HistoryPolicy, QoSPresetProfiles, QoSProfile, ReliabilityPolicy
 from tflab.ros.task import Future
+from tflab.ros.time import Time
 from tflab.ros.time_source import TimeSource
 
 # -- logging ------------------------------------------------------------------------
@@ -67,6 +68,31 @@ def test_what_a_place_asks_for_must_stay(graph):
         logger.info("text", throttle_time_source_type=ROSClock())
     with pytest.raises(TypeError, match=r"parameter .* is not one of the recognized"):
         logger.info("text", unused_kwarg=1)
+
+
+def test_on_simulated_time_throttling_begins_at_zero(graph):
+    clock, logger = ROSClock(), get_logger("test")
+    clock._set_ros_time_is_active(True)
+    result = []
+    for second in range(1, 6):
+        result.append(logger.info("text", throttle_duration_sec=2, throttle_time_source_type=clock))
+        clock.set_ros_time_override(Time(seconds=second, clock_type=clock.clock_type))
+    assert result == [False, False, True, False, True]
+
+
+def test_a_severity_is_that_of_the_method_and_a_child_has_a_name(graph):
+    logger = get_logger("test")
+    with pytest.raises(TypeError, match="got multiple values for argument 'severity'"):
+        logger.fatal("text", severity=LoggingSeverity.DEBUG)
+    for name in ("", None):
+        with pytest.raises(ValueError, match="Child logger name must not be empty"):
+            logger.get_child(name)
+
+
+def test_the_root_logger_has_every_level_that_it_is_given(graph):
+    for severity in LoggingSeverity:
+        ros_logging._root_logger.set_level(severity)
+        assert ros_logging._root_logger.get_effective_level() is severity
 
 
 def test_severities_have_names_and_levels_are_forgotten(graph):
@@ -129,6 +155,7 @@ def test_a_profile_goes_through_the_lower_half_and_comes_back():
     assert QoSProfile(**profile.get_c_qos_profile().to_dict()) == profile
     unknown = QoSProfile(**CQoSProfile.predefined("qos_profile_unknown").to_dict())
     assert unknown == QoSPresetProfiles.UNKNOWN.value == QoSPresetProfiles.get_from_short_key("unknown")
+    assert HistoryPolicy.short_keys() == ["system_default", "keep_last", "keep_all", "unknown"]
     with pytest.raises(ValueError, match="unknown rmw_qos_profile: qos_profile_loud"):
         CQoSProfile.predefined("qos_profile_loud")
 

@@ -113,12 +113,12 @@ def get_logger_level(name: str) -> LoggingSeverity:
 
 
 def get_logger_effective_level(name: str) -> LoggingSeverity:
-    """Return the level from which on a logger prints, its own or the nearest ancestor's."""
+    """Return the level from which on a logger prints, its own or the nearest ancestor's; the root's may be UNSET."""
     while name:
         if _levels.get(name):
             return _levels[name]
         name = name.rpartition(".")[0]
-    return _levels.get("") or DEFAULT_LEVEL
+    return _levels.get("", DEFAULT_LEVEL)
 
 
 class RcutilsLogger:
@@ -145,7 +145,7 @@ class RcutilsLogger:
             ValueError: no name.
         """
         if not name:
-            raise ValueError("Need one or more characters in the name of a child logger.")
+            raise ValueError("Child logger name must not be empty.")
         return RcutilsLogger(f"{self.name}.{name}" if self.name else name, self._now_ns, self._also)
 
     def set_level(self, level: LoggingSeverity | int) -> None:
@@ -162,27 +162,27 @@ class RcutilsLogger:
 
     def debug(self, message: str, **options: object) -> bool:
         """Say something for whoever looks for a fault; return whether it was printed."""
-        return self._log(message, LoggingSeverity.DEBUG, options)
+        return self._log(message, LoggingSeverity.DEBUG, **options)
 
     def info(self, message: str, **options: object) -> bool:
         """Say that something happened; return whether it was printed."""
-        return self._log(message, LoggingSeverity.INFO, options)
+        return self._log(message, LoggingSeverity.INFO, **options)
 
     def warning(self, message: str, **options: object) -> bool:
         """Say that something looks wrong; return whether it was printed."""
-        return self._log(message, LoggingSeverity.WARN, options)
+        return self._log(message, LoggingSeverity.WARN, **options)
 
     def warn(self, message: str, **options: object) -> bool:
         """Say that something looks wrong; return whether it was printed."""
-        return self._log(message, LoggingSeverity.WARN, options)
+        return self._log(message, LoggingSeverity.WARN, **options)
 
     def error(self, message: str, **options: object) -> bool:
         """Say that something is wrong; return whether it was printed."""
-        return self._log(message, LoggingSeverity.ERROR, options)
+        return self._log(message, LoggingSeverity.ERROR, **options)
 
     def fatal(self, message: str, **options: object) -> bool:
         """Say that it cannot go on; return whether it was printed."""
-        return self._log(message, LoggingSeverity.FATAL, options)
+        return self._log(message, LoggingSeverity.FATAL, **options)
 
     def log(self, message: str, severity: LoggingSeverity | int, **options: object) -> bool:
         """Say something of any severity; return whether it was printed.
@@ -190,9 +190,9 @@ class RcutilsLogger:
         Options: `once`, `skip_first`, `throttle_duration_sec` [s] with
         `throttle_time_source_type`, a Clock; and `name`, in place of the logger's own.
         """
-        return self._log(message, LoggingSeverity(severity), options)
+        return self._log(message, LoggingSeverity(severity), **options)
 
-    def _log(self, message: str, severity: LoggingSeverity, options: dict[str, object]) -> bool:
+    def _log(self, message: str, severity: LoggingSeverity, **options: object) -> bool:
         if not isinstance(message, str):
             raise TypeError(f"a log message is a str, not {type(message).__name__}: write f'{{...}}' around it")
         name = options.pop("name", self.name)

@@ -6,7 +6,8 @@
 
 Each place in the code has its own memory.  Filters are asked in this order, and one
 that says no keeps the later ones from noticing: with skip_first and once, the second
-call is printed.  What a place asks for must not change from call to call.
+call is printed.  On simulated time, which begins at 0, throttling begins there, too.
+What a place asks for must not change from call to call.
 
 upstream: rclpy/impl/rcutils_logger.py.  Read `entity.py` next.
 """
@@ -63,7 +64,8 @@ class CallSite:
         clock = self._options.get("throttle_time_source_type")
         now = clock.now().nanoseconds if clock else now_ns()
         period_ns = self._options["throttle_duration_sec"] * NSEC_PER_SEC
-        if self._last_ns is not None and now < self._last_ns + period_ns:
+        last_ns = 0 if self._last_ns is None and clock and clock.is_simulated else self._last_ns
+        if last_ns is not None and now < last_ns + period_ns:
             return False
         self._last_ns = now
         return True

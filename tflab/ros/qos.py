@@ -69,7 +69,7 @@ class _Policy(IntEnum):
     @classmethod
     def short_keys(cls) -> list[str]:
         """Return every name that the command line tools accept."""
-        return [policy.short_key for policy in cls if policy.name != "UNKNOWN"]
+        return [policy.short_key for policy in cls]
 
     @classmethod
     def get_from_short_key(cls, name: str) -> int:
