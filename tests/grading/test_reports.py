@@ -80,10 +80,16 @@ def test_text_is_text_and_prose_knows_code_and_stress_only() -> None:
     assert prose("node_a is right") == "node_a is right"
 
 
-@pytest.mark.parametrize("name", ["=1+1", "+1", "-1+1", "@x", "\t=1", "  =1", "|x", "%x"])
+@pytest.mark.parametrize("name", ["=1+1", "+1", "-1+1", "@x", "\t=1", "  =1", "|x", "%x", "＝1+1", "＋1", " ＠x"])
 def test_no_spreadsheet_computes_a_name(name: str) -> None:
     rows = list(csv.reader(io.StringIO(grades_csv([record(name)]).removeprefix("\ufeff"))))
     assert rows[1][0] == f"'{name}"
+
+
+@pytest.mark.parametrize("name", ["Kim;=1+1", "Kim; ＝1+1", "Kim\t+1"])
+def test_no_spreadsheet_computes_what_stands_behind_a_semicolon(name: str) -> None:
+    rows = list(csv.reader(io.StringIO(grades_csv([record(name)]).removeprefix("\ufeff"))))
+    assert not any(cell.strip()[:1] in set("=+＝＋") for cell in rows[1][0].replace("\t", ";").split(";"))
 
 
 def test_the_table_does_not_depend_on_how_long_it_took() -> None:

@@ -20,9 +20,10 @@ import select
 import shutil
 import signal
 import socket
+import stat
 import sys
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -36,6 +37,8 @@ __all__ = ["keep"]
 TICK_S = 0.2
 SHARED = "/dev/zero (deleted)"  # how maps call memory that forks share
 FREE_DESCRIPTORS, BYTES_OF_A_SOCKET = 32, 400 << 10
+MANY_TABLES = 4 << 20  # of a process that looks into memory in many pieces
+MOST_FILES = 4096
 PR_SET_PDEATHSIG, PR_SET_CHILD_SUBREAPER = 1, 36
 FIRST_UID, UIDS = 61000, 4000  # above people and services, below what systemd gives away
 ENVIRONMENT = {
@@ -124,7 +127,7 @@ def in_limits(order: Order) -> int:
         os.chdir(order.folder)
         os.environ.update(HOME=order.folder, TMPDIR=order.folder, MPLCONFIGDIR=order.folder)
         tempfile.tempdir = None
-        rlimits.apply(order.limits)
+        rlimits.apply(order.limits, others=0 if uid is not None else rlimits.tasks_of(os.getuid()))
         namespaces.become_nobody(uid)
         landlock.confine(order.shown, order.hidden, order.folder)
 
@@ -156,7 +159,7 @@ def become_kernel(order: Order, enter: Callable[[], None]) -> int:
         os.environ.update(order.environment)
         try:
             enter()
-            seccomp.refuse_dangerous_calls()
+            seccomp.refuse_dangerous_calls(names_are_shared=order.level == "limits")
         except Exception as fault:
             Wire(order.wire, longest=0).send({"fault": f"{type(fault).__name__}: {fault}"})
             os._exit(1)
@@ -176,8 +179,12 @@ def watch(pid: int, order: Order) -> dict[str, Any]:
     poll.register(ended, select.POLLIN)
     poll.register(order.leash, select.POLLIN)
     while not (ready := poll.poll(TICK_S * 1000)):
-        if memory_of_all(pid) > order.limits.memory_bytes:
+        processes = descendants(os.getpid())  # whoever has lost its parent is the keeper's
+        if memory_of_all(processes, order.limits.memory_bytes) > order.limits.memory_bytes:
             said["fault"] = "memory limit"
+            break
+        if order.folder and disk_of(order.folder, processes, order.limits.file_bytes) > order.limits.file_bytes:
+            said["fault"] = "disk limit"
             break
     if not said and ready and ready[0][0] == ended:
         said["ended"] = True
@@ -221,13 +228,54 @@ def descendants(pid: int) -> list[int]:
     return found
 
 
-def memory_of_all(pid: int) -> int:
-    """Return what a process and its descendants hold, in their own tables and outside of them [bytes]."""
-    processes = (pid, *descendants(pid))
+def memory_of_all(processes: Sequence[int], enough: int) -> int:
+    """Return what processes hold, in their own tables and outside of them [bytes]; exactly only above `enough`."""
+    outside = sum(map(behind_descriptors, processes))
+    rough = [rough_memory_of(process) for process in processes]
+    if outside + sum(held + tables for held, tables in rough) <= enough:
+        return outside + sum(held + tables for held, tables in rough)
     shared: dict[str, int] = {}
+    total = outside
+    for process, (held, tables) in zip(processes, rough, strict=True):
+        if tables > MANY_TABLES:  # so many that to look at each takes long: not a page less than it may be
+            total += held + tables
+        else:
+            total += memory_of(process) + tables
+            shared |= shared_memory_of(process)
+    return total + sum(shared.values())
+
+
+def rough_memory_of(pid: int) -> tuple[int, int]:
+    """Return what a process holds, with what it shares since its fork, and the tables for that; quickly [bytes]."""
+    try:
+        status = Path(f"/proc/{pid}/status").read_text(errors="replace")
+    except OSError:
+        return 0, 0
+    sizes = {line.split(":")[0]: line.split()[1] for line in status.splitlines() if line.endswith(" kB")}
+    return sum(int(sizes.get(name, 0)) * 1024 for name in ("RssAnon", "RssShmem")), int(sizes.get("VmPTE", 0)) * 1024
+
+
+def disk_of(folder: str, processes: Sequence[int], enough: int) -> int:
+    """Return what the files in a folder hold, and those that are open and in no folder any more [bytes]."""
+    total = count = 0
+    for place, _, files in os.walk(folder):
+        for name in files:
+            with contextlib.suppress(OSError):
+                total += os.lstat(os.path.join(place, name)).st_blocks * 512
+            count += 1
+            if total > enough or count > MOST_FILES:
+                return enough + 1
     for process in processes:
-        shared |= shared_memory_of(process)
-    return sum(map(memory_of, processes)) + sum(map(behind_descriptors, processes)) + sum(shared.values())
+        total += sum(size_if_removed(f"/proc/{process}/fd/{number}") for number in descriptors(process))
+    return total
+
+
+def size_if_removed(descriptor: str) -> int:
+    with contextlib.suppress(OSError):
+        status = os.stat(descriptor)
+        if stat.S_ISREG(status.st_mode) and status.st_nlink == 0:
+            return status.st_blocks * 512
+    return 0
 
 
 def memory_of(pid: int) -> int:
@@ -236,11 +284,7 @@ def memory_of(pid: int) -> int:
         lines = Path(f"/proc/{pid}/smaps_rollup").read_text().splitlines()
         return sum(int(line.split()[1]) * 1024 for line in lines if line.startswith("Pss_Anon:"))
     except OSError:
-        pass
-    try:
-        return int(Path(f"/proc/{pid}/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
-    except (OSError, ValueError):
-        return 0
+        return rough_memory_of(pid)[0]
 
 
 def shared_memory_of(pid: int) -> dict[str, int]:
@@ -258,7 +302,11 @@ def shared_memory_of(pid: int) -> dict[str, int]:
 
 def behind_descriptors(pid: int) -> int:
     """Return the most that the kernel of the system may hold in the buffers of a process's sockets [bytes]."""
+    return max(0, len(descriptors(pid)) - FREE_DESCRIPTORS) * BYTES_OF_A_SOCKET
+
+
+def descriptors(pid: int) -> list[str]:
     try:
-        return max(0, len(os.listdir(f"/proc/{pid}/fd")) - FREE_DESCRIPTORS) * BYTES_OF_A_SOCKET
+        return os.listdir(f"/proc/{pid}/fd")
     except OSError:
-        return 0
+        return []

@@ -6,22 +6,29 @@ them.  `setrlimit(2)` says more.  Read `sandbox.py` next.
 
 from __future__ import annotations
 
+import contextlib
+import os
 import resource
+from pathlib import Path
 
 from .limits import MIB, Limits
 
 __all__ = ["apply"]
 
 
-def apply(limits: Limits) -> None:
-    """Limit this process and those it will start, for good."""
+def apply(limits: Limits, others: int = 0) -> None:
+    """Limit this process and those it will start, for good.
+
+    Args:
+        others: processes and threads that this user has already: the system counts them, too.
+    """
     cpu_s = int(limits.notebook_s) + 5  # above the grader's clock
     hard = {
         resource.RLIMIT_AS: virtual_memory() + 2 * limits.memory_bytes,
         resource.RLIMIT_CPU: cpu_s,
         resource.RLIMIT_FSIZE: limits.file_bytes,
         resource.RLIMIT_NOFILE: 256,
-        resource.RLIMIT_NPROC: limits.processes,
+        resource.RLIMIT_NPROC: limits.processes + others,
         resource.RLIMIT_CORE: 0,
         resource.RLIMIT_MSGQUEUE: 0,
         resource.RLIMIT_MEMLOCK: MIB,
@@ -30,6 +37,16 @@ def apply(limits: Limits) -> None:
         _, most = resource.getrlimit(limit)
         value = value if most == resource.RLIM_INFINITY else min(value, most)
         resource.setrlimit(limit, (value, value))
+
+
+def tasks_of(uid: int) -> int:
+    """Return how many processes and threads a user has."""
+    count = 0
+    for process in Path("/proc").glob("[0-9]*"):
+        with contextlib.suppress(OSError):
+            if process.stat().st_uid == uid:
+                count += len(os.listdir(process / "task"))
+    return count
 
 
 def virtual_memory() -> int:

@@ -34,6 +34,11 @@ ONLY_FILES = (
         en="Code in a submission can send UDP to the network.",
         ko="제출된 코드가 네트워크로 UDP를 보낼 수 있습니다.",
     ),
+    Words(
+        en="An answer that shares locks between processes (multiprocessing) fails: the memory for them is everybody's.",
+        ko="프로세스끼리 잠금을 공유하는 답(multiprocessing)은 실패합니다. "
+        "그 메모리는 모두가 함께 쓰는 것이기 때문입니다.",
+    ),
 )
 GAPS = {
     "namespaces": (),
@@ -45,10 +50,10 @@ GAPS = {
     ),
     "limits": (
         Words(
-            en="Code in a submission can read files that the instructor can read, the pack among them, "
-            "so hidden answers are only advisory.",
-            ko="제출된 코드가 교수자의 파일을 읽을 수 있고, 채점용 팩도 읽을 수 있습니다. "
-            "따라서 숨긴 문제의 점수는 참고용일 뿐입니다.",
+            en="Code in a submission can read and change files that the instructor can, the pack and the other "
+            "submissions among them, so hidden answers are only advisory. Keep a copy of what was handed in.",
+            ko="제출된 코드가 교수자의 파일을 읽고 바꿀 수 있습니다. 채점용 팩과 다른 제출물도 마찬가지입니다. "
+            "따라서 점수는 참고용일 뿐입니다. 제출물의 사본을 따로 보관하십시오.",
         ),
         Words(
             en="Code in a submission can reach the network.",

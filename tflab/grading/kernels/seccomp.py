@@ -1,15 +1,17 @@
 """Which system calls are refused to a kernel?  Those that no answer needs and that attacks begin with.
 
     mount, unshare, ptrace, bpf, ...     EPERM
-    memfd_create, vmsplice, shmget, ...  EPERM (memory that is in no process, and so in nobody's limit)
+    memfd_create, vmsplice, ...          EPERM (memory that is in no process, and so in nobody's limit)
+    semget, shmget, msgget, ...          EPERM (the same, and it outlives whoever made it: System V's)
     mmap that forks share, of no file    EPERM (the same)
     kill(-1)                             EPERM (that is everybody)
     clone with a new namespace           EPERM
     clone3                               ENOSYS (its flags cannot be seen; libc then uses clone)
-    socket of an unusual family          EAFNOSUPPORT
+    socket of an unusual family, TCP     EAFNOSUPPORT
+    where files are the machine's: a socket that could be connected to a name in them, too
 
 The filter is a small program in the kernel's own language (BPF): it looks at the number of a
-call and at one of its arguments.  A machine of another architecture goes without.
+call and at one or two of its arguments.  A machine of another architecture goes without.
 
 Read `landlock.py` next.
 """
@@ -21,6 +23,7 @@ import errno
 import platform
 import struct
 from collections.abc import Mapping
+from typing import NamedTuple
 
 from .namespaces import check, libc
 
@@ -32,7 +35,8 @@ ANYWHERE = {
     "mount_setattr": 442, "quotactl_fd": 443, "memfd_secret": 447,
 }  # fmt: skip
 X86_64 = {
-    "shmget": 29, "msgget": 68, "vmsplice": 278,
+    "shmget": 29, "shmat": 30, "shmctl": 31, "semget": 64, "semop": 65, "semctl": 66, "shmdt": 67, "msgget": 68,
+    "msgsnd": 69, "msgrcv": 70, "msgctl": 71, "semtimedop": 220, "mq_open": 240, "vmsplice": 278,
     "memfd_create": 319,
     "ptrace": 101, "pivot_root": 155, "chroot": 161, "acct": 163, "settimeofday": 164, "mount": 165, "umount2": 166,
     "swapon": 167, "swapoff": 168, "reboot": 169, "init_module": 175, "delete_module": 176, "quotactl": 179,
@@ -41,49 +45,69 @@ X86_64 = {
     "process_vm_writev": 311, "finit_module": 313, "kexec_file_load": 320, "bpf": 321, "userfaultfd": 323,
 }  # fmt: skip
 AARCH64 = {
-    "msgget": 186, "shmget": 194, "memfd_create": 279, "vmsplice": 75,
+    "mq_open": 180, "msgget": 186, "msgctl": 187, "msgrcv": 188, "msgsnd": 189, "semget": 190, "semctl": 191,
+    "semtimedop": 192, "semop": 193, "shmget": 194, "shmctl": 195, "shmat": 196, "shmdt": 197,
+    "memfd_create": 279, "vmsplice": 75,
     "umount2": 39, "mount": 40, "pivot_root": 41, "chroot": 51, "quotactl": 60, "acct": 89, "unshare": 97,
     "kexec_load": 104, "init_module": 105, "delete_module": 106, "clock_settime": 112, "ptrace": 117, "reboot": 142,
     "settimeofday": 170, "add_key": 217, "request_key": 218, "keyctl": 219, "swapon": 224, "swapoff": 225,
     "perf_event_open": 241, "name_to_handle_at": 264, "open_by_handle_at": 265, "setns": 268, "process_vm_readv": 270,
     "process_vm_writev": 271, "finit_module": 273, "bpf": 280, "userfaultfd": 282, "kexec_file_load": 294,
 }  # fmt: skip
-# machine -> (how the kernel names it, refused calls, numbers of clone, socket, kill and mmap)
-MACHINES: dict[str, tuple[int, Mapping[str, int], int, int, int, int]] = {
-    "x86_64": (0xC000003E, {**X86_64, **ANYWHERE}, 56, 41, 62, 9),
-    "aarch64": (0xC00000B7, {**AARCH64, **ANYWHERE}, 220, 198, 129, 222),
+
+
+class Machine(NamedTuple):
+    """How the system names an architecture, what is refused on it, and the numbers of calls that are looked into."""
+
+    name: int
+    refused: Mapping[str, int]
+    clone: int
+    socket: int
+    socketpair: int
+    kill: int
+    mmap: int
+
+
+MACHINES = {
+    "x86_64": Machine(0xC000003E, {**X86_64, **ANYWHERE}, clone=56, socket=41, socketpair=53, kill=62, mmap=9),
+    "aarch64": Machine(0xC00000B7, {**AARCH64, **ANYWHERE}, clone=220, socket=198, socketpair=199, kill=129, mmap=222),
 }
 CLONE3 = 435
 NEW_NAMESPACES = 0x7E020000  # CLONE_NEWNS, NEWCGROUP, NEWUTS, NEWIPC, NEWUSER, NEWPID, NEWNET
-FAMILIES = (1, 2, 10, 16)  # AF_UNIX, AF_INET, AF_INET6, AF_NETLINK
+AF_UNIX, AF_INET, AF_INET6, AF_NETLINK = 1, 2, 10, 16
+STREAM, DATAGRAM, SEQUENCED, SOCKET_TYPES = 1, 2, 5, 0xF
 X32 = 0x40000000
 
 SHARED_WITH_FORKS = 0x21  # MAP_SHARED and MAP_ANONYMOUS
 
 LOAD, AND, EQUAL, AT_LEAST, ANY_OF, RETURN = 0x20, 0x54, 0x15, 0x35, 0x45, 0x06
 ALLOW, KILL, REFUSE = 0x7FFF0000, 0x80000000, 0x00050000
-AT_NUMBER, AT_MACHINE, AT_FIRST_ARGUMENT, AT_FOURTH_ARGUMENT = 0, 4, 16, 40
+AT_NUMBER, AT_MACHINE, AT_ARGUMENT = 0, 4, (16, 24, 32, 40)
 PR_SET_SECCOMP, MODE_FILTER = 22, 2
 
 Step = tuple[int, int, int, int]  # code, jump if true, jump if false, number
 
 
-def refuse_dangerous_calls() -> bool:
-    """Install the filter for this process and all that it starts; return whether this machine has one."""
+def refuse_dangerous_calls(*, names_are_shared: bool = False) -> bool:
+    """Install the filter for this process and all that it starts; return whether this machine has one.
+
+    Args:
+        names_are_shared: the names of sockets in the file system are the machine's; then none may be connected to.
+    """
     if platform.machine() not in MACHINES:
         return False
-    code = program(*MACHINES[platform.machine()])
+    code = program(MACHINES[platform.machine()], names_are_shared)
     buffer = ctypes.create_string_buffer(code, len(code))
     filter_ = struct.pack("HxxxxxxP", len(code) // 8, ctypes.addressof(buffer))
     check(libc.prctl(PR_SET_SECCOMP, MODE_FILTER, ctypes.create_string_buffer(filter_), 0, 0), "seccomp")
     return True
 
 
-def program(machine: int, refused: Mapping[str, int], clone: int, socket: int, kill: int, mmap: int) -> bytes:
+def program(machine: Machine, names_are_shared: bool) -> bytes:
     """Return the filter."""
     steps = [
         (LOAD, 0, 0, AT_MACHINE),
-        (EQUAL, 1, 0, machine),
+        (EQUAL, 1, 0, machine.name),
         (RETURN, 0, 0, KILL),
         (LOAD, 0, 0, AT_NUMBER),
         (AT_LEAST, 0, 1, X32),
@@ -91,17 +115,40 @@ def program(machine: int, refused: Mapping[str, int], clone: int, socket: int, k
         (EQUAL, 0, 1, CLONE3),
         (RETURN, 0, 0, REFUSE | errno.ENOSYS),
     ]
-    for number in sorted(refused.values()):
+    for number in sorted(machine.refused.values()):
         steps += [(EQUAL, 0, 1, number), (RETURN, 0, 0, REFUSE | errno.EPERM)]
-    families = [(EQUAL, len(FAMILIES) - i, 0, family) for i, family in enumerate(FAMILIES)]
+    shared_with_forks = (AND, 0, 0, SHARED_WITH_FORKS), (EQUAL, 0, 1, SHARED_WITH_FORKS)
     steps += [
-        *refuse_if(mmap, AT_FOURTH_ARGUMENT, (AND, 0, 0, SHARED_WITH_FORKS), (EQUAL, 0, 1, SHARED_WITH_FORKS)),
-        *refuse_if(kill, AT_FIRST_ARGUMENT, (EQUAL, 0, 1, 0xFFFFFFFF)),
-        *refuse_if(clone, AT_FIRST_ARGUMENT, (ANY_OF, 0, 1, NEW_NAMESPACES)),
-        *refuse_if(socket, AT_FIRST_ARGUMENT, *families, error=errno.EAFNOSUPPORT),
+        *refuse_if(machine.mmap, AT_ARGUMENT[3], *shared_with_forks),
+        *refuse_if(machine.kill, AT_ARGUMENT[0], (EQUAL, 0, 1, 0xFFFFFFFF)),
+        *refuse_if(machine.clone, AT_ARGUMENT[0], (ANY_OF, 0, 1, NEW_NAMESPACES)),
+        *refuse_sockets(machine.socket, names_are_shared),
+    ]
+    if names_are_shared:  # a pair that keeps no connection could still be sent to a name
+        with_connection = (AND, 0, 0, SOCKET_TYPES), (EQUAL, 2, 0, STREAM), (EQUAL, 1, 0, SEQUENCED)
+        steps += refuse_if(machine.socketpair, AT_ARGUMENT[1], *with_connection)
+    return b"".join(struct.pack("HBBI", *step) for step in [*steps, (RETURN, 0, 0, ALLOW)])
+
+
+def refuse_sockets(call: int, names_are_shared: bool) -> list[Step]:
+    """Return the steps that refuse sockets of unusual families, and TCP: nothing in here has anybody to talk to.
+
+    What TCP has on its way is memory in no process's limit.
+    """
+    to_refusal = 5
+    return [
+        (EQUAL, 0, 10, call),
+        (LOAD, 0, 0, AT_ARGUMENT[0]),
+        (EQUAL, 7, 0, AF_NETLINK),
+        (EQUAL, to_refusal if names_are_shared else to_refusal + 1, 0, AF_UNIX),
+        (EQUAL, 1, 0, AF_INET),
+        (EQUAL, 0, 3, AF_INET6),
+        (LOAD, 0, 0, AT_ARGUMENT[1]),
+        (AND, 0, 0, SOCKET_TYPES),
+        (EQUAL, 1, 0, DATAGRAM),
+        (RETURN, 0, 0, REFUSE | errno.EAFNOSUPPORT),
         (RETURN, 0, 0, ALLOW),
     ]
-    return b"".join(struct.pack("HBBI", *step) for step in steps)
 
 
 def refuse_if(call: int, argument: int, *tests: Step, error: int = errno.EPERM) -> list[Step]:

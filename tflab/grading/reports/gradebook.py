@@ -14,6 +14,8 @@ import csv
 import hashlib
 import io
 import json
+import re
+import unicodedata
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
@@ -22,6 +24,7 @@ from ..submissions.remarks import Remark
 __all__ = ["LMS", "file_name", "grades_csv", "remarks_of", "results_json", "tasks_of", "verdicts_of"]
 
 FORMULA = ("=", "+", "-", "@", "\t", "\r", "\n", "|", "%")
+PARTED = re.compile(r"(;\s*|\S[\t\n\r]\s*)([=+\-@|%＝＋－＠｜％])")
 Record = Mapping[str, Any]
 
 
@@ -124,6 +127,6 @@ def _number(value: float) -> str:
 
 
 def _safe(cell: Any) -> Any:
-    """Return a cell that no spreadsheet computes."""
-    text = str(cell).replace("\0", "")
-    return f"'{text}" if text.lstrip(" ").startswith(FORMULA) else text
+    """Return a cell that no spreadsheet computes, also one that parts columns at semicolons or knows wide letters."""
+    text = PARTED.sub(r"\1'\2", str(cell).replace("\0", ""))
+    return f"'{text}" if unicodedata.normalize("NFKC", text).lstrip(" ").startswith(FORMULA) else text
