@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from tflab.grading.judging.attempt import Attempt, attempt
+from tflab.grading.judging.attempt import SHORTLY, Attempt, attempt
 from tflab.grading.judging.job import HandedIn, Job
 from tflab.grading.judging.plan import BRIEFLY, plan
 from tflab.grading.judging.run import CellOutcome, NotRun, Run, RunCell
@@ -255,3 +255,19 @@ def test_a_machine_too_busy_even_for_our_cells_costs_nobody() -> None:
     both = record_with(first, graded(replace(job, only=first["set_aside"]), slow_at_first))
     assert both["points"] == 2.0
     assert "not_run" not in both
+
+
+def test_own_cells_that_do_not_end_cost_little_after_the_second_and_no_answer() -> None:
+    here = Here()
+    shares = []
+
+    def watched(cells: Sequence[RunCell], patiently: bool) -> Run:
+        shares.extend({cell.part for cell in cells if cell.kind == "own"})
+        return here(cells, patiently)
+
+    many = pieces()
+    helpers = [RunCell("own", f"e1_1-given+{n}", "hang()", "E1.1") for n in range(15)]
+    done = Transplant((*many.cells[:1], *helpers, *many.cells[1:]), many.answered)
+    made = attempt(done, TASKS, watched, wanted=list(TASKS), cell_s=1.0, notebook_s=6.0)
+    assert made.outcomes["E1.1"] == {0: 1} and made.outcomes["E1.3"] == {0: 1}
+    assert shares[:2] == [1.0, 1.0] and set(shares[2:]) == {SHORTLY}

@@ -13,6 +13,7 @@ import pytest
 from tflab.grading.kernels.wire import Wire, WireFault
 from tflab.grading.submissions import reader
 from tflab.grading.submissions.reader import Unreadable, read_bytes, read_notebook
+from tflab.grading.submissions.skimmed import skimmed
 
 ANSWER = {"cell_type": "code", "id": "e3-2-answer", "metadata": {}, "source": "x = '좌표계'"}
 
@@ -123,7 +124,7 @@ def test_numbers_that_json_does_not_know_are_survived() -> None:
         (b'{"cells": 3}', "no cells"),
         (b"[" * 500_000 + b"]" * 500_000, "nested too deep"),
         (b"[" + b"[]," * 1_100_000 + b"[]]", "millions of lists"),
-        (as_bytes({"cells": [{}] * 2_001}), "2001 cells"),
+        (as_bytes({"cells": [{}] * 10_001}), "10001 cells"),
     ],
 )
 def test_what_is_no_notebook_is_one_line(data: bytes, why: str) -> None:
@@ -147,7 +148,7 @@ def test_a_file_is_read_whole(tmp_path: Path) -> None:
 def test_a_file_above_the_limit_is_not_read(tmp_path: Path) -> None:
     with (tmp_path / "a.ipynb").open("wb") as file:
         file.truncate(reader.MAX_BYTES + 1)
-    with pytest.raises(Unreadable, match="more than 25 MB"):
+    with pytest.raises(Unreadable, match="more than 100 MB"):
         read_bytes(tmp_path / "a.ipynb")
 
 
@@ -204,3 +205,28 @@ def test_a_message_that_is_nested_too_deep_is_none(depth, is_read):
 @pytest.mark.parametrize("end", [b"\0", b"\0" * 500, b"\x1a", b"\n\x1a"])
 def test_what_old_machines_put_behind_a_file_is_no_matter(end: bytes) -> None:
     assert read_notebook(b'{"cells": [], "nbformat": 4}' + end).cells == ()
+
+
+def test_what_nobody_reads_counts_against_nobody() -> None:
+    picture = {"data": {"image/png": "iVBOR" * 6_000_000, "text/plain": ["[{]" * 1000] * 3000}}
+    cells = [
+        {"cell_type": "code", "id": "a", "metadata": {}, "source": 'x = {"outputs": [1]}', "outputs": [picture]},
+        {"cell_type": "markdown", "id": "b", "metadata": {}, "source": "# b", "attachments": {"p.png": [[]] * 600_000}},
+        {"cell_type": "code", "id": "c", "metadata": {}, "outputs": [[]] * 600_000, "source": "y"},
+    ]
+    page = {"metadata": {"tflab": {"learner": "s1"}, "widgets": {"state": [[]] * 600_000}}, "cells": cells}
+    read = read_notebook(as_bytes(page))
+    assert [cell.source for cell in read.cells] == ['x = {"outputs": [1]}', "# b", "y"]
+    assert read.stamp == {"learner": "s1"}
+
+
+@pytest.mark.parametrize(
+    "text", ['{"outputs": [', '"outputs": ]', '{"outputs": "x"}', '["outputs", [1]]', '{"outputs"', ""]
+)
+def test_what_is_dropped_is_dropped_only_where_it_is_a_list_or_an_object_under_its_name(text: str) -> None:
+    assert skimmed(text) == text
+
+
+def test_ten_thousand_cells_of_ones_own_and_too_much_to_read_are_cut_off_not_refused() -> None:
+    cells = [{"cell_type": "code", "id": f"c{n}", "metadata": {}, "source": "#" * 199_000} for n in range(120)]
+    assert len(read_notebook(as_bytes({"cells": cells})).cells) == 10

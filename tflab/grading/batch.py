@@ -43,7 +43,7 @@ __all__ = ["RECORDS", "HowToGrade", "grade_batch", "grade_job", "job_of", "run_b
 RECORDS = "submissions"
 RECORD_FORMAT = 2
 MOST_THREADS = 8
-MOST_BYTES = 64 * 1024 * 1024  # of all the notebooks of one learner
+MOST_BYTES = 160 * 1024 * 1024  # of all the notebooks of one learner
 
 
 @dataclass(frozen=True)

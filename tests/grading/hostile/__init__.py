@@ -5,10 +5,11 @@
     peeking      what was asked, or expected       files      no notebook, an old one, another encoding
     exhaustion   time and memory                   helpers    honest cells of one's own
     survival     what is left for others           odd        right, oddly written
+    guessing     no understanding, two answers, any size, slips in one branch
 
 Each entry is a recipe: an honest notebook of chapter 03 goes in, what is handed in
 comes out.  `spoils` names the task whose answer the recipe replaces by an attack
-("function", "value", or "" for none): it must get nothing.  `keeps` says which
+("function", "value", or "" for none): it must get nothing; a "slip" may get a part.  `keeps` says which
 honest points have to survive: "all" of them, the "others" (all but the spoilt
 task's), or "none" where there is nothing left to read.
 """
@@ -16,6 +17,7 @@ task's), or "none" where there is nothing left to read.
 from .exhaustion import EXHAUSTION
 from .files import FILES
 from .forging import FORGING
+from .guessing import GUESSING, SLIPS
 from .helpers import HELPERS
 from .odd import ODD
 from .peeking import PEEKING
@@ -25,4 +27,4 @@ from .tampering import TAMPERING
 
 __all__ = ["RECIPES", "Honest", "Recipe"]
 
-RECIPES = [*FORGING, *PEEKING, *EXHAUSTION, *SURVIVAL, *TAMPERING, *FILES, *HELPERS, *ODD]
+RECIPES = [*FORGING, *PEEKING, *EXHAUSTION, *SURVIVAL, *TAMPERING, *FILES, *HELPERS, *ODD, *GUESSING, *SLIPS]

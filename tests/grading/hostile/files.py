@@ -77,7 +77,7 @@ FILES = [
     raw("a hundred thousand brackets", "broken", lambda h: b"[" * 100_000),
     raw("a number of a million digits", "broken", lambda h: b'{"nbformat": ' + b"9" * 1_000_000 + b"}"),
     raw("a web page", "broken", lambda h: b"<!DOCTYPE html><html><body>Please log in</body></html>"),
-    raw("far too large", "broken", lambda h: as_bytes(h.notebook) + b" " * 40_000_000),
+    raw("far too large", "broken", lambda h: as_bytes(h.notebook) + b" " * 110_000_000),
     raw("a byte order mark", "encoding", lambda h: b"\xef\xbb\xbf" + as_bytes(h.notebook), "all"),
     raw("UTF-16", "encoding", lambda h: as_bytes(h.notebook, "utf-16"), "all"),
     raw("code page 949", "encoding", lambda h: as_bytes(_in_korean(h), "cp949"), "all"),

@@ -31,8 +31,9 @@ from .transplant import Transplant
 
 __all__ = ["Attempt", "Runner", "attempt"]
 
-MOST_RUNS = 20
-ENOUGH_TO_KNOW = 2  # cases of one task that do not end
+MOST_RUNS = 40
+SHORTLY = 0.05  # of the time of a cell, for each own cell of one who has had several that did not end
+ENOUGH_TO_KNOW = 2  # cases of one task, or own cells, that do not end
 MOST_TIMES_THE_NOTEBOOK = 2.0
 REMARK_OF = {"timed out": "timed out", "output limit": "flood", "unreadable output": "flood"}  # else it died
 
@@ -85,8 +86,10 @@ def attempt(
     for _ in range(MOST_RUNS):
         if not tally.left or tally.seconds > notebook_s * MOST_TIMES_THE_NOTEBOOK:
             break
-        without, places_left = tally.without, tally.places_left
-        planned = plan(transplanted, tasks, tally.left, without=without, closely=closely, places_left=places_left)
+        planned = plan(
+            transplanted, tasks, tally.left, without=tally.without, closely=closely, places_left=tally.places_left,
+            own_part=SHORTLY if len(tally.own_that_hang) >= ENOUGH_TO_KNOW else 1.0,
+        )  # fmt: skip
         tally.take(planned, run(planned.cells, closely), cell_s)
     return tally.attempt(notebook_s)
 
@@ -98,6 +101,7 @@ class Tally:
         left: tasks that are still to be heard of.
         without: cells that the next run leaves out.
         places_left: of a task one case of which did not end, those that have not been asked.
+        own_that_hang: names of the learner's own cells that did not end.
     """
 
     def __init__(
@@ -112,7 +116,7 @@ class Tally:
         self._outcomes_again: dict[str, dict[int, Any]] = {}  # behind the learner's own cells
         self._trouble: dict[str, list[Remark]] = {}
         self._set_aside: list[str] = []
-        self._own_that_hang: set[str] = set()
+        self.own_that_hang: set[str] = set()
         self._hung: Counter[str] = Counter()
 
     def take(self, planned: RunPlan, ran: Run, cell_s: float) -> None:
@@ -131,7 +135,7 @@ class Tally:
         if cell.kind == "ours":
             raise NotRun(ran.stopped)
         if cell.kind == "own":
-            self._own_that_hang.add(cell.name)
+            self.own_that_hang.add(cell.name)
             self.without.add(cell.name)
             return
         self._trouble[cell.task] = [Remark(REMARK_OF.get(ran.stopped, "died"), cell.task, seconds=f"{cell_s:g}")]
@@ -147,9 +151,9 @@ class Tally:
         for task in self.left:  # the time for all was over
             self._set_aside.append(task)
             self._trouble[task] = [Remark("timed out", task, seconds=f"{notebook_s:g}")]
-        remarks = [Remark("left out", cell=name.rpartition("+")[0]) for name in sorted(self._own_that_hang)]
+        remarks = [Remark("left out", cell=name.rpartition("+")[0]) for name in sorted(self.own_that_hang)]
         # An answer may have needed an own cell that did not end.
-        set_aside = list(self._wanted) if self._own_that_hang else self._set_aside
+        set_aside = list(self._wanted) if self.own_that_hang else self._set_aside
         later = [task for task in self._outcomes_again if self._was_answered_later(task)]
         remarks += [Remark("elsewhere", task, cell=f"{slug(task)}-answer") for task in later]
         return Attempt(

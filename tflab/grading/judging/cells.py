@@ -21,7 +21,7 @@ import ast
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import NamedTuple
 
 from tflab.workbook.tasks.task import slug
@@ -33,6 +33,7 @@ __all__ = ["VOID", "Master", "MasterCell", "Theirs", "answers_most", "compared",
 
 ROLES = ("given", "answer", "check")
 VOID = ("twice", "no code")
+LONGEST_PARSED = 20_000  # characters of a cell: the parser takes a second for ten times as many
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,7 +64,7 @@ class Master:
         return tuple(cell for cell in self.cells if cell.role == "answer")
 
     @cached_property
-    def asked(self) -> dict[str, set[str]]:
+    def asked(self) -> dict[str, frozenset[str]]:
         """The names that each task's check asks for: of what its answer defines, what the check says."""
         checks = {cell.task: set(re.findall(r"\w+", cell.source)) for cell in self.cells if cell.role == "check"}
         names = {cell.task: defined(cell.source) for cell in self.answers}
@@ -174,7 +175,7 @@ def _without_scratch(master: Master, cells: Sequence[SubmittedCell], names: Mapp
 
 
 def _scratch(
-    answer: MasterCell, cells: Sequence[SubmittedCell], names: Mapping[int, str], asked: Mapping[str, set[str]]
+    answer: MasterCell, cells: Sequence[SubmittedCell], names: Mapping[int, str], asked: Mapping[str, frozenset[str]]
 ) -> list[int]:
     """Return the cells that only have an answer's name: copies to try something in, while one other cell answers."""
     mine = [number for number, name in names.items() if name == answer.name and cells[number].kind == "code"]
@@ -206,7 +207,9 @@ def _sorted_by_name(
 # -- what of it counts? --------------------------------------------------------------------
 
 
-def _source(cell: MasterCell, there: Sequence[Claimed], asked: Mapping[str, set[str]]) -> tuple[str, Remark | None]:
+def _source(
+    cell: MasterCell, there: Sequence[Claimed], asked: Mapping[str, frozenset[str]]
+) -> tuple[str, Remark | None]:
     """Return the text of one of our cells as it is to run, and what there is to say about it."""
     code = {_bare(text.source): text for text in there if text.is_code}
     changed = [text for bare, text in code.items() if bare and bare != _bare(cell.source)]
@@ -218,7 +221,7 @@ def _source(cell: MasterCell, there: Sequence[Claimed], asked: Mapping[str, set[
     return "\n".join(text.source for text in changed) if changed else cell.source, None
 
 
-def _fault_of_an_answer(there: Sequence[Claimed], changed: Sequence[Claimed], asked: set[str]) -> str:
+def _fault_of_an_answer(there: Sequence[Claimed], changed: Sequence[Claimed], asked: frozenset[str]) -> str:
     """Return the kind of remark on an answer's cell that cannot be taken as it is, or ""."""
     if not there:
         return "missing"
@@ -227,7 +230,7 @@ def _fault_of_an_answer(there: Sequence[Claimed], changed: Sequence[Claimed], as
     return "twice" if len(changed) > 1 and not _is_split(changed, asked) else ""
 
 
-def _is_split(texts: Sequence[Claimed], asked: set[str]) -> bool:
+def _is_split(texts: Sequence[Claimed], asked: frozenset[str]) -> bool:
     """Return whether these are one answer that was split over neighbouring cells, not several answers.
 
     An editor that splits a cell gives both halves its name. Then only one of them defines what is asked for.
@@ -239,7 +242,7 @@ def _is_split(texts: Sequence[Claimed], asked: set[str]) -> bool:
 
 
 def _kept(
-    cell: MasterCell, there: Sequence[Claimed], asked: Mapping[str, set[str]], lost: frozenset[str]
+    cell: MasterCell, there: Sequence[Claimed], asked: Mapping[str, frozenset[str]], lost: frozenset[str]
 ) -> Sequence[str]:
     """Return what the learner wrote into a cell of ours that is not theirs, where it can still serve.
 
@@ -254,7 +257,7 @@ def _kept(
 
 
 def _holds_what_is_lost(
-    texts: Mapping[str, Sequence[Claimed]], asked: Mapping[str, set[str]], lost: frozenset[str]
+    texts: Mapping[str, Sequence[Claimed]], asked: Mapping[str, frozenset[str]], lost: frozenset[str]
 ) -> bool:
     """Return whether a task whose cell is gone is answered in a cell of another."""
     wanted = set().union(*(asked[task] for task in lost))
@@ -266,17 +269,20 @@ def _holds_what_is_lost(
 # -- what is in a cell? --------------------------------------------------------------------
 
 
-def defined(source: str) -> set[str]:
-    """Return the names that a cell defines at its top level; what cannot be parsed may define any."""
+@lru_cache(maxsize=4096)
+def defined(source: str) -> frozenset[str]:
+    """Return the names that a cell defines at its top level; what cannot be parsed, or is very long, may define any."""
     lines = (line for line in source.splitlines() if not line.startswith(("%", "!")))
     try:
-        body = ast.parse("\n".join(lines)).body
+        body = ast.parse("\n".join(lines)).body if len(source) <= LONGEST_PARSED else None
     except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return set(re.findall(r"^(?:(?:async )?def |class )?(\w+)", source, flags=re.MULTILINE))
+        body = None
+    if body is None:
+        return frozenset(re.findall(r"^(?:(?:async )?def |class )?(\w+)", source, flags=re.MULTILINE))
     names = {node.name for node in body if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef)}
     lines_of_code = [line for line in body if not hasattr(line, "name")]
     stored = [node for line in lines_of_code for node in ast.walk(line) if isinstance(node, ast.Name)]
-    return names | {node.id for node in stored if isinstance(node.ctx, ast.Store)}
+    return frozenset(names | {node.id for node in stored if isinstance(node.ctx, ast.Store)})
 
 
 def _same(mine: str, other: str) -> bool:

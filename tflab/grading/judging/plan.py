@@ -54,6 +54,7 @@ def plan(
     without: Collection[str] = (),
     closely: bool = False,
     places_left: Mapping[str, Collection[int]] | None = None,
+    own_part: float = 1.0,
 ) -> RunPlan:
     """Return what to run to hear of the tasks in `wanted`.
 
@@ -61,6 +62,7 @@ def plan(
         tasks: by id, each with its "answer", "is_function", "given", "cases" and the order in which they are asked.
         without: names of cells that are left out.
         closely: a cell for each case.
+        own_part: of the time of a cell, for each of the learner's own.
         places_left: of some tasks, one case of which did not end, only what stands here, and briefly.
     """
     cells = [_preparation(tasks)]
@@ -75,7 +77,7 @@ def plan(
                 part = 1.0 if left is None else BRIEFLY
                 cells.append(replace(cell, source=source, probe=identity, shared=str(place), part=part))
         elif cell.name not in without and _runs(cell, wanted):
-            cells.append(cell)
+            cells.append(replace(cell, part=own_part) if cell.kind == "own" else cell)
     return RunPlan(tuple(_joined(cells)), asked)
 
 

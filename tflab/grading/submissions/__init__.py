@@ -6,6 +6,7 @@
     archives      a zip, without being harmed by it
     roster        who is in the class
     shallow_json  a stranger's JSON
+    skimmed       a notebook without what nobody reads
     reader        a stranger's notebook, as strings
     reasons       why it could not be read
     remarks       what is said of what was found

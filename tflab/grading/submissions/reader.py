@@ -14,6 +14,7 @@ from __future__ import annotations
 import json
 import os
 import stat
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -22,6 +23,7 @@ from tflab.workbook.tasks.task import slug
 
 from . import shallow_json
 from .remarks import Remark
+from .skimmed import skimmed
 
 __all__ = [
     "MAX_BYTES",
@@ -32,10 +34,11 @@ __all__ = [
     "read_notebook",
 ]
 
-MAX_BYTES = 25 * 1024 * 1024
+MAX_BYTES = 100 * 1024 * 1024
 MAX_CONTAINERS = 1_000_000  # of lists and objects: a parsed one is twenty times as large as its brackets
-MAX_CELLS = 2_000
+MAX_CELLS = 10_000
 MAX_SOURCE = 200_000  # characters of one cell
+MAX_SOURCES = 2_000_000  # of all; what is behind that is cut off
 ENCODINGS = ("utf-8", "cp949")
 LONGEST_INT = 300  # digits; Python refuses the very long ones, and no notebook needs them
 
@@ -109,6 +112,9 @@ def read_notebook(data: bytes) -> SubmittedNotebook:
         Unreadable: not a notebook.
     """
     text, remarks = _decoded(data)
+    text = skimmed(text)
+    if max(text.count("["), text.count("{")) > MAX_CONTAINERS:
+        raise Unreadable("many lists")
     page = _parsed(text)
     if not isinstance(page, dict):
         raise Unreadable("no cells")
@@ -118,7 +124,7 @@ def read_notebook(data: bytes) -> SubmittedNotebook:
     read = tuple(_cell(cell) for cell in cells if isinstance(cell, dict))
     if len(read) < len(cells):
         remarks.append(Remark("no cell", count=len(cells) - len(read)))
-    return SubmittedNotebook(read, _stamp(page), tuple(remarks))
+    return SubmittedNotebook(_not_too_much(read), _stamp(page), tuple(remarks))
 
 
 def _decoded(data: bytes) -> tuple[str, list[Remark]]:
@@ -126,8 +132,6 @@ def _decoded(data: bytes) -> tuple[str, list[Remark]]:
         raise Unreadable("empty file")
     if data[:2] == b"PK":
         raise Unreadable("zip")
-    if max(data.count(b"["), data.count(b"{")) > MAX_CONTAINERS:
-        raise Unreadable("many lists")
     wide = json.detect_encoding(data)  # by a byte order mark, or by where the zeros are
     for encoding in (wide, *ENCODINGS):
         try:
@@ -168,6 +172,17 @@ def _cell(cell: dict) -> SubmittedCell:
     source = _text(cell["source"] if "source" in cell else cell.get("input"))
     kind = kind if isinstance(kind, str) else "code"
     return SubmittedCell(tuple(_claims(cell)), kind, source)
+
+
+def _not_too_much(cells: Sequence[SubmittedCell]) -> tuple[SubmittedCell, ...]:
+    """Return the cells until they hold more than anybody writes."""
+    room, kept = MAX_SOURCES, []
+    for cell in cells:
+        room -= len(cell.source)
+        if room < 0:
+            break
+        kept.append(cell)
+    return tuple(kept)
 
 
 def _text(source: Any) -> str:
