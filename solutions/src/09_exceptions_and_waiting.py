@@ -231,7 +231,7 @@ def keep(stamps_s, now_s, max_age_s, max_size):
     """Return which messages stay, oldest first, and how many go."""
     # BEGIN SOLUTION
     young = sorted(stamp for stamp in stamps_s if 0.0 <= now_s - stamp <= max_age_s)
-    kept = young[-max_size:]
+    kept = young[max(0, len(young) - max_size):]  # [-max_size:] would keep all for a size of 0
     return {"kept": kept, "lost": len(stamps_s) - len(kept)}
     # END SOLUTION
 

@@ -74,7 +74,7 @@ def test_honest_work_gets_all_points(results: tuple[Path, dict]) -> None:
 
 def test_a_mistake_is_named_and_an_error_said(results: tuple[Path, dict]) -> None:
     tasks = results[1]["s102"]["chapters"][tiny.STEM]["tasks"]
-    assert (tasks["E3.2"]["twin"], tasks["E3.2"]["points"]) == ("added", 0.0)
+    assert (list(tasks["E3.2"]["slips"]), tasks["E3.2"]["points"]) == (["added"], 0.0)
     assert [remark["words"]["error"] for remark in tasks["E3.1"]["remarks"]] == ["ZeroDivisionError"]
     assert tasks["E3.3"]["status"] == "unanswered"
 

@@ -46,7 +46,7 @@ def test_what_the_solution_gives_gets_all_points(tasks: dict, task_id: str) -> N
 @pytest.mark.parametrize(("task_id", "name"), [("E3.1", "subtracted"), ("E3.2", "added"), ("E3.3", "swapped")])
 def test_a_mistake_is_named(tasks: dict, task_id: str, name: str) -> None:
     mark = judged(task_id, tasks[task_id], twin(tasks[task_id], name))
-    assert (mark.status, mark.points, mark.twin) == ("wrong", 0.0, name)
+    assert (mark.status, mark.points, list(mark.slips)) == ("wrong", 0.0, [name])
 
 
 def test_points_are_for_each_probe(tasks: dict) -> None:

@@ -30,7 +30,9 @@ def cases(course: tiny.Course) -> dict[str, Any]:
 
 def record(learner: str = "s101", twin: str = "", language: str = "en", **more: Any) -> dict[str, Any]:
     row = {"status": "wrong" if twin else "right", "passed": 0 if twin else 8, "of": 8, "most": 4.0, "remarks": []}
-    tasks = {"E3.2": row | {"points": 0.0 if twin else 4.0, "twin": twin}}
+    said = {"en": "You added the legs.", "ko": "두 변을 더했습니다."}
+    slips = {twin: {"reply": said, "misconception": "M1", "part": "", "partly": False}} if twin else {}
+    tasks = {"E3.2": row | {"points": 0.0 if twin else 4.0, "slips": slips, "said": said if twin else None}}
     return {
         "learner": learner, "name": "", "language": language, "handed_in": True, "remarks": [], "seconds": 0.1,
         "chapters": {tiny.STEM: {"file": "a.ipynb", "tasks": tasks, "remarks": []}},
@@ -38,8 +40,8 @@ def record(learner: str = "s101", twin: str = "", language: str = "en", **more: 
     } | more  # fmt: skip
 
 
-def test_mistakes_are_counted_the_most_frequent_first(cases: dict) -> None:
-    (one,) = mistakes([record(twin="added"), record(), record(twin="added")], cases)
+def test_mistakes_are_counted_the_most_frequent_first() -> None:
+    (one,) = mistakes([record(twin="added"), record(), record(twin="added")])
     assert (one.task, one.name, one.misconception, one.count) == ("E3.2", "added", "M1", 2)
 
 

@@ -109,7 +109,8 @@ TASK = Task("E3.2", "F", 4, Words("Length", "길이"), "length", Number(), HINTS
 from .draws import *
 
 TASK = Task("E3.3", "M", 2, Words("Frames", "좌표계"), "frames", Parts({"target": FRAMES, "source": FRAMES}), HINTS,
-         twins=(Twin("swapped", {"target": "laser_frame", "source": "map"}, Words("Swapped.", "바뀜."), "M1"),))
+         twins=(Twin("swapped", {"target": "laser_frame", "source": "map"},
+                     Words("Swapped.", "바뀜."), "M1", partly=True),))
 """
 
 RIGHT = {

@@ -58,7 +58,7 @@ TASK = Task("E3.2", "F", 2, both("invert"), "invert", Pose(), HINTS,
 from .draws import *
 
 TASK = Task("E3.3", "M", 2, both("roles"), "roles", Parts({"target": FRAME, "source": FRAME}), HINTS,
-         twins=(Twin("swapped", {"target": "laser", "source": "map"}, both("turned round"), "M1"),))
+         twins=(Twin("swapped", {"target": "laser", "source": "map"}, both("turned round"), "M1", partly=True),))
 # -- e3_4.py
 from .draws import *
 

@@ -58,7 +58,7 @@ def test_a_twin_that_is_right_is_no_twin(tmp_path):
 
 
 def test_two_twins_that_look_alike_are_refused(tmp_path):
-    one = 'Twin("swapped", {"target": "laser", "source": "map"}, both("turned round"), "M1")'
+    one = 'Twin("swapped", {"target": "laser", "source": "map"}, both("turned round"), "M1", partly=True)'
     tasks = chapter.TASKS.replace(one, f"{one}, {one.replace('swapped', 'again')}")
     with pytest.raises(cases.CasesError, match=r'E3\.3.*"swapped" and "again" coincide'):
         make(tmp_path, tasks=tasks)

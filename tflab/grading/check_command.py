@@ -155,7 +155,7 @@ def _line(task_id: str, row: Mapping[str, Any], task: Mapping[str, Any], languag
     sign, status = STATUS[row["status"]]
     if row["status"] == "right":
         return f"{task_id}  ✓ {row['passed']}/{row['of']}"
-    said = [Words(**task["twins"][row["twin"]]["reply"]).say(language)] if row["twin"] else []
+    said = [Words(**row["said"]).say(language)] if row["said"] else []
     said += [Remark.from_plain(remark).say(language, with_task=False) for remark in row["remarks"]]
     said = said or [WRONG.say(language)]
     count = status.say(language) if row["status"] == "unanswered" else f"{row['passed']}/{row['of']}"

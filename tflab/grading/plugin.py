@@ -92,7 +92,7 @@ class TaskItem(pytest.Item):
         if row["status"] != "right":
             remarks = row["remarks"] or (record["remarks"] if row["status"] == "missing" else [])
             said = [Remark.from_plain(remark).say("en") for remark in remarks]
-            mistake = [f"As the mistake {row['twin']!r} would have it."] if row["twin"] else []
+            mistake = [f"As the mistake {name!r} would have it." for name in row["slips"]]
             worth = f"{self.name}: {row['points']:g} of {row['most']:g} points, {row['status']}."
             pytest.fail(" ".join([worth, *mistake, *said]), pytrace=False)
 

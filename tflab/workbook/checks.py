@@ -102,7 +102,7 @@ def check(task_id: str, answer: Any = NOTHING) -> float | None:
     else:
         verdict, outcomes = _tried(one, answer)
         if verdict.mistake is not Mistake.UNANSWERED:
-            progress.record_try(one.root, one.id, verdict.passed, verdict.of, verdict.twin or None)
+            progress.record_try(one.root, one.id, verdict.passed, verdict.of, next(iter(verdict.slips), None))
         _say_verdict(one, verdict, outcomes)
     if os.environ.get("NBGRADER_EXECUTION"):
         return round(one.cases.points * verdict.passed / verdict.of, 4)
@@ -214,12 +214,13 @@ def _what_was_tried(one: _Task) -> str:
 
 
 def _reply(one: _Task, verdict: Verdict) -> str:
+    if verdict.said is not None and verdict.mistake is Mistake.SLIP:
+        return one.words(verdict.said)
     names = {name: _listed(held) if isinstance(held, list) else held for name, held in verdict.detail.items()}
-    if verdict.mistake is Mistake.SLIP:
-        names["said"] = one.words(one.cases.twins[verdict.twin].reply)
-        if "wrong" in names:
-            names["said"] = f"{names['wrong']}: {names['said']}"
-    text = one.words(REPLIES[verdict.mistake], **{"answer": one.cases.answer, "wanted": _wanted(one, verdict)} | names)
+    bounds = names.get("certain")
+    names["certain"] = f" ({one.words(bounds)})" if bounds else ""
+    names = {"answer": one.cases.answer, "wanted": _wanted(one, verdict)} | names
+    text = one.words(REPLIES[verdict.mistake], **names)
     return f'"{names["part"]}": {text}' if "part" in names else text
 
 

@@ -63,6 +63,7 @@ OPTICAL_AS_BODY = Twin(
         ko="광학 좌표계를 본체의 습관으로 읽었습니다. 영상은 오른쪽과 아래로 셉니다.",
     ),
     misconception="M4",
+    partly=True,
 )
 
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from tflab.core import Transform
 from tflab.core.quaternions import wxyz_from_xyzw
-from tflab.workbook.tasks import Choice, Task, Twin, Words
+from tflab.workbook.tasks import Choice, Slip, Task, Words
 
 VERDICTS = ("ok", "nan", "zero", "not unit", "w first")
 
@@ -38,28 +38,40 @@ def quaternions(rng: np.random.Generator) -> list[tuple[tuple[float, float, floa
         tuple(-part for part in wxyz_from_xyzw(yawed(0.3, 1.2))),
         tuple(length * part for part in wxyz_from_xyzw(yawed(0.3, 1.2))),
         Transform.from_rpy(pitch=float(rng.uniform(0.4, 1.2))).rotation,
+        Transform.from_rpy(pitch=-float(rng.uniform(0.4, 1.2))).rotation,
+        *(
+            (0.0, 0.0, 0.0, w) for w in (1.0005, 1.003, 1.009995, 1.010005, 0.990005, 0.989995)
+        ),  # a hair beside the tolerance
+        *((0.0, 0.0, 0.0, w) for w in (9.995e-7, 1.0005e-6, 5e-3)),  # a hair beside zero
+        *((x, 0.0, math.sqrt(1.0 - x * x), 0.0) for x in (0.1, 0.09995, 0.10005)),  # at the bound, and beside it
+        (0.0, 0.10005, 0.0, math.sqrt(1.0 - 0.10005**2)),
     ]
     return [(q,) for q in drawn]
 
 
-def judged(q: tuple, *, nan=True, zero=True, tolerance=0.01, norm=2, last_sign=False, zero_by_w=False) -> str:
-    """Judge a quaternion as the task asks; the options are the mistakes."""
-    x, y, _, w = q
-    if nan and not all(math.isfinite(part) for part in q):
+def judged(q: tuple, *, finite="all", zero="length", below=1e-6, length="root", tolerance=0.01, sides="both",
+           looks="xy", size="abs", above=0.1, w="any sign", first="length") -> str:  # fmt: skip
+    """Judge a quaternion as the task asks, step by step; other steps are the slips."""
+    finites = {"all": math.isfinite, "nan": lambda part: not math.isnan(part), "not asked": lambda part: True}
+    if not all(map(finites[finite], q)):
         return "nan"
-    length = float(np.linalg.norm(np.array(q, dtype=float), norm))
-    if (zero_by_w and w == 0.0) or (zero and length < 1e-6):
-        return "zero"
-    if abs(length - 1.0) > tolerance:
-        return "not unit"
-    if abs(x) > 0.1 or abs(y) > 0.1 or (last_sign and w < 0.0):
+    x, y = (q[0] if "x" in looks else 0.0), (q[1] if "y" in looks else 0.0)
+    is_tipped = (max(abs(x), abs(y)) if size == "abs" else max(x, y)) > above or (w == "positive" and q[3] < 0.0)
+    if first == "w" and is_tipped:
         return "w first"
-    return "ok"
+    is_zero = {"w": q[3] == 0.0, "sum": abs(sum(q)) < below, "length": math.hypot(*q) < below, "not asked": False}
+    if is_zero[zero] or (zero == "w" and is_zero["length"]):
+        return "zero"
+    lengths = {"root": math.hypot(*q), "square": math.hypot(*q) ** 2, "sum": sum(map(abs, q))}
+    off = lengths[length] - 1.0
+    if (off if sides == "above" else abs(off)) > tolerance:
+        return "not unit"
+    return "w first" if is_tipped else "ok"
 
 
-NAN_SLIPS_THROUGH = Twin(
+NAN_SLIPS_THROUGH = Slip(
     "nan slips through",
-    lambda q: judged(q, nan=False),
+    {"finite": "not asked"},
     Words(
         en="NaN slips through: every comparison with it is False, so no 'if' catches it. Ask for it first, with math.isfinite.",
         ko="NaN이 빠져나갔습니다. NaN과의 비교는 모두 False여서 어떤 if에도 걸리지 않습니다. math.isfinite로 맨 먼저 확인하십시오.",
@@ -68,9 +80,9 @@ NAN_SLIPS_THROUGH = Twin(
 )
 
 
-INFINITY_SLIPS_THROUGH = Twin(
+INFINITY_SLIPS_THROUGH = Slip(
     "infinity slips through",
-    lambda q: judged(q, nan=any(math.isnan(part) for part in q)),
+    {"finite": "nan"},
     Words(
         en="You catch NaN, but not infinity, which is no number to compute with either. math.isfinite asks for both at once.",
         ko="NaN은 잡았지만 무한대가 빠져나갔습니다. 무한대로도 계산할 수 없습니다. math.isfinite는 둘을 한꺼번에 확인합니다.",
@@ -79,9 +91,9 @@ INFINITY_SLIPS_THROUGH = Twin(
 )
 
 
-ZERO_IF_W_IS_ZERO = Twin(
+ZERO_IF_W_IS_ZERO = Slip(
     "zero if w is zero",
-    lambda q: judged(q, zero_by_w=True),
+    {"zero": "w"},
     Words(
         en="You call (0, 0, 1, 0) zero. It is half a turn: w is 0, the length is 1. Look at all four numbers.",
         ko="(0, 0, 1, 0)을 zero라고 했습니다. 이것은 반 바퀴 회전입니다. w는 0이지만 길이는 1입니다. 네 숫자를 모두 보십시오.",
@@ -90,9 +102,9 @@ ZERO_IF_W_IS_ZERO = Twin(
 )
 
 
-EXACTLY_ONE = Twin(
+EXACTLY_ONE = Slip(
     "exactly one",
-    lambda q: judged(q, tolerance=0.0),
+    {"tolerance": 0.0},
     Words(
         en="A quaternion that was rounded to three decimals is still a good one. Compare its length with a tolerance.",
         ko="소수 셋째 자리까지 반올림한 쿼터니언도 올바른 쿼터니언입니다. 길이는 허용 오차를 두고 비교하십시오.",
@@ -100,9 +112,9 @@ EXACTLY_ONE = Twin(
 )
 
 
-TOO_STRICT = Twin(
+TOO_STRICT = Slip(
     "too strict",
-    lambda q: judged(q, tolerance=1e-6),
+    {"tolerance": 1e-6},
     Words(
         en="Your tolerance is finer than the task's: a quaternion that was cut to three decimals has a length of 0.999, and is still a good one.",
         ko="허용 오차가 문제에서 정한 것보다 엄격합니다. 소수 셋째 자리까지만 적은 쿼터니언은 길이가 0.999쯤 되지만 여전히 올바릅니다.",
@@ -110,9 +122,9 @@ TOO_STRICT = Twin(
 )
 
 
-SUM_FOR_LENGTH = Twin(
+SUM_FOR_LENGTH = Slip(
     "sum for length",
-    lambda q: judged(q, norm=1),
+    {"length": "sum"},
     Words(
         en="That is the sum of the four numbers, not their length. The length is the root of the sum of squares: math.hypot.",
         ko="그것은 네 수의 합이지 길이가 아닙니다. 길이는 제곱의 합의 제곱근입니다. math.hypot을 쓰십시오.",
@@ -120,9 +132,9 @@ SUM_FOR_LENGTH = Twin(
 )
 
 
-MINUS_Q_REFUSED = Twin(
+MINUS_Q_REFUSED = Slip(
     "minus q refused",
-    lambda q: judged(q, last_sign=True),
+    {"w": "positive"},
     Words(
         en="You refuse a quaternion because its w is negative. q and -q are the same rotation; both are good.",
         ko="w가 음수라는 이유로 거절했습니다. q와 -q는 같은 회전이며 둘 다 올바릅니다.",
@@ -131,9 +143,9 @@ MINUS_Q_REFUSED = Twin(
 )
 
 
-ZERO_IS_ONLY_NOT_UNIT = Twin(
+ZERO_IS_ONLY_NOT_UNIT = Slip(
     "zero is only not unit",
-    lambda q: judged(q, zero=False),
+    {"zero": "not asked"},
     Words(
         en="All zeros is worse than not unit: the others can be scaled to length one, this one cannot. Give it its own verdict, before the length.",
         ko="모두 0인 것은 not unit보다 나쁩니다. 다른 것은 길이를 1로 맞출 수 있지만 이것은 그럴 수 없습니다. 길이를 보기 전에 따로 판정하십시오.",
@@ -142,15 +154,9 @@ ZERO_IS_ONLY_NOT_UNIT = Twin(
 )
 
 
-def w_first_before_length(q: tuple) -> str:
-    """Ask whether w is first before asking how long the quaternion is."""
-    early = all(math.isfinite(part) for part in q) and max(abs(q[0]), abs(q[1])) > 0.1
-    return "w first" if early else judged(q)
-
-
-W_FIRST_BEFORE_LENGTH = Twin(
+W_FIRST_BEFORE_LENGTH = Slip(
     "w first before length",
-    w_first_before_length,
+    {"first": "w"},
     Words(
         en="A quaternion can have two faults at once, and the task says which to name: you ask about x and y before you ask about the length.",
         ko="한 쿼터니언에 결함이 둘일 수도 있고, 무엇을 먼저 말할지는 문제에 적혀 있습니다. 길이를 보기 전에 x와 y부터 보았습니다.",
@@ -158,14 +164,9 @@ W_FIRST_BEFORE_LENGTH = Twin(
 )
 
 
-def zero_by_sum(q: tuple) -> str:
-    """Add the four numbers up, signs and all, to see whether there is any length."""
-    return "zero" if abs(sum(q)) < 1e-6 else judged(q)
-
-
-ZERO_BY_SUM = Twin(
+ZERO_BY_SUM = Slip(
     "zero by sum",
-    zero_by_sum,
+    {"zero": "sum"},
     Words(
         en="You add the four numbers, and a quarter turn to the right adds up to zero. The length is the root of the sum of squares: math.hypot.",
         ko="네 수를 그냥 더했습니다. 오른쪽으로 4분의 1바퀴 도는 회전은 더하면 0이 됩니다. 길이는 제곱의 합의 제곱근입니다. math.hypot을 쓰십시오.",
@@ -174,15 +175,9 @@ ZERO_BY_SUM = Twin(
 )
 
 
-def judged_by_square(q: tuple) -> str:
-    """Forget the root of the length."""
-    verdict = judged(q)
-    return "not unit" if verdict in ("ok", "w first") and abs(math.hypot(*q) ** 2 - 1.0) > 0.01 else verdict
-
-
-SQUARE_FOR_LENGTH = Twin(
+SQUARE_FOR_LENGTH = Slip(
     "square for length",
-    judged_by_square,
+    {"length": "square"},
     Words(
         en="That is the square of the length, and it strays from 1 twice as fast as the length does. Take the root: math.sqrt, or math.hypot at once.",
         ko="그것은 길이의 제곱이어서 길이보다 두 배 빨리 1에서 벗어납니다. math.sqrt로 제곱근을 구하거나 처음부터 math.hypot을 쓰십시오.",
@@ -190,15 +185,9 @@ SQUARE_FOR_LENGTH = Twin(
 )
 
 
-def judged_without_sign(q: tuple) -> str:
-    """Look for a large x or y, but not for one that is largely negative."""
-    verdict = judged(q)
-    return "ok" if verdict == "w first" and max(q[:2]) <= 0.1 else verdict
-
-
-NEGATIVE_X_OR_Y_PASSES = Twin(
+NEGATIVE_X_OR_Y_PASSES = Slip(
     "negative x or y passes",
-    judged_without_sign,
+    {"size": "signed"},
     Words(
         en="You look only for a large positive x or y. q and -q are the same rotation, so a w that came first may also be -0.9: compare abs().",
         ko="x나 y가 양수로 큰 경우만 보았습니다. q와 -q는 같은 회전이므로 맨 앞에 온 w가 -0.9일 수도 있습니다. abs()로 비교하십시오.",
@@ -207,15 +196,9 @@ NEGATIVE_X_OR_Y_PASSES = Twin(
 )
 
 
-def judged_by_x(q: tuple) -> str:
-    """Look at x alone, where a w that came first would land."""
-    verdict = judged(q)
-    return "ok" if verdict == "w first" and abs(q[0]) <= 0.1 else verdict
-
-
-ONLY_X = Twin(
+ONLY_X = Slip(
     "only x",
-    judged_by_x,
+    {"looks": "x"},
     Words(
         en="You look at x alone. The task says x or y: a large y would tip the robot over just the same.",
         ko="x만 보았습니다. 문제에는 x나 y라고 적혀 있습니다. y가 커도 로봇은 똑같이 넘어집니다.",
@@ -223,18 +206,67 @@ ONLY_X = Twin(
 )
 
 
-def short_passes(q: tuple) -> str:
-    """Refuse what is too long, but not what is too short."""
-    verdict = judged(q)
-    return "ok" if verdict == "not unit" and math.hypot(*q) < 1.0 else verdict
-
-
-TOO_SHORT_PASSES = Twin(
+TOO_SHORT_PASSES = Slip(
     "too short passes",
-    short_passes,
+    {"sides": "above"},
     Words(
         en="You refuse a length above 1, but not one below. It differs to both sides: compare abs(length - 1).",
         ko="길이가 1보다 큰 것만 걸러 냈고 1보다 작은 것은 통과시켰습니다. 양쪽으로 모두 벗어날 수 있으니 abs(length - 1)을 비교하십시오.",
+    ),
+)
+
+
+ONLY_Y = Slip(
+    "only y",
+    {"looks": "y"},
+    Words(
+        en="You look at y alone. The task says x or y, and a w that was written first lands in x.",
+        ko="y만 보았습니다. 문제에는 x나 y라고 적혀 있습니다. 맨 앞에 쓴 w는 x 자리에 옵니다.",
+    ),
+)
+
+LOOSE = Slip(
+    "tolerance 0.1",
+    {"tolerance": 0.1},
+    Words(
+        en="Your tolerance for the length is wider than the task's: a length of 1.05 passes, and it should not.",
+        ko="길이의 허용 오차가 문제에서 정한 것보다 넓습니다. 길이 1.05가 통과하는데, 통과하면 안 됩니다.",
+    ),
+)
+
+FINE = Slip(
+    "tolerance 0.001",
+    {"tolerance": 0.001},
+    Words(
+        en="Your tolerance for the length is narrower than the task's: a length of 1.005 is refused, and it should not be.",
+        ko="길이의 허용 오차가 문제에서 정한 것보다 좁습니다. 길이 1.005를 거절하는데, 통과시켜야 합니다.",
+    ),
+)
+
+ZERO_SOON = Slip(
+    "zero below 0.01",
+    {"below": 0.01},
+    Words(
+        en='You call short quaternions zero too soon: a length of 0.005 is "not unit", it can still be scaled.',
+        ko='짧은 쿼터니언을 너무 일찍 zero라고 합니다. 길이 0.005는 "not unit"입니다. 아직 길이를 맞출 수 있습니다.',
+    ),
+)
+
+ZERO_EXACTLY = Slip(
+    "exactly zero",
+    {"below": 5e-324},
+    Words(
+        en="You call only a length of exactly 0 zero. The task draws the line at 0.000001: below it nothing can be scaled.",
+        ko="길이가 정확히 0일 때만 zero라고 합니다. 문제의 기준은 0.000001입니다. 그보다 짧으면 길이를 맞출 수 없습니다.",
+    ),
+)
+
+ANY_X = Slip(
+    "any x or y",
+    {"above": 0.0},
+    Words(
+        en="You take any x or y for a w that came first. Small ones are noise: the task draws the line at 0.1.",
+        ko="x나 y가 조금만 있어도 w를 먼저 쓴 것으로 보았습니다. 작은 값은 잡음입니다. 문제의 기준은 0.1입니다.",
     ),
 )
 
@@ -248,6 +280,7 @@ TASK = Task(
     form=Choice(VERDICTS),
     inputs=quaternions,
     variants=3,
+    model=judged,
     twins=(
         NAN_SLIPS_THROUGH,
         INFINITY_SLIPS_THROUGH,
@@ -263,6 +296,12 @@ TASK = Task(
         SUM_FOR_LENGTH,
         MINUS_Q_REFUSED,
         ZERO_IS_ONLY_NOT_UNIT,
+        ONLY_Y,
+        LOOSE,
+        FINE,
+        ZERO_SOON,
+        ZERO_EXACTLY,
+        ANY_X,
     ),
     hints=(
         Words(
@@ -279,4 +318,11 @@ TASK = Task(
         ),
     ),
     cures=("M5",),
+    equivalent={
+        "length < 1e-06 -> length <= 1e-06 in: if length < 1e-06:": "math.hypot and math.sqrt differ in the last digit "
+        "there, so none stands at the bound; a hair beside it on both sides there is one",
+        "abs(length - 1.0) > 0.01 -> abs(length - 1.0) >= 0.01 in: if abs(length - 1.0) > 0.01:": "1.01 - 1.0 is not "
+        "0.01 in floating point: none stands at the bound, but a hair beside it",
+        "length - 1.0 -> 1.0 - length in: if abs(length - 1.0) > 0.01:": "abs takes both for the same",
+    },
 )

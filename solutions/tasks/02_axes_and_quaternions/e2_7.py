@@ -11,7 +11,7 @@ from tflab.workbook.tasks import Number, Task, Twin, Words
 
 def few_digits(rng: np.random.Generator) -> dict:
     """Draw how pi/2 was written in a URDF, and how far away one looks."""
-    written = float(rng.choice((1.56, 1.57, 1.58)))
+    written = float(rng.choice((1.56, 1.57, 1.58, 1.59)))
     return {"written_yaw_rad": written, "range_m": round(float(rng.uniform(6.0, 30.0)), 1)}
 
 
@@ -100,4 +100,7 @@ TASK = Task(
         ),
     ),
     cures=("M5",),
+    equivalent={
+        "math.pi / 2 - e2_7.written_yaw_rad -> e2_7.written_yaw_rad - math.pi / 2": "abs takes both for the same",
+    },
 )

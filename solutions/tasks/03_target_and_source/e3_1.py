@@ -25,6 +25,7 @@ SWAPPED = Twin(
         "먼저 옵니다.",
     ),
     "M1",
+    partly=True,
 )
 
 
@@ -59,6 +60,7 @@ PARENT_FIRST_TWIN = Twin(
         "아래쪽에서 데이터를 보고 싶은 경우입니다. 문장을 하나씩 소리 내어 읽어 보십시오.",
     ),
     "M2",
+    partly=True,
 )
 
 

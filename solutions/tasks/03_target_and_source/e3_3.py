@@ -6,42 +6,50 @@ import math
 
 import numpy as np
 
-from tflab.workbook.tasks import Task, Twin, Words
+from tflab.workbook.tasks import Slip, Task, Words
 
-from .draws import PLANAR, moved, some_planar
+from .draws import PLANAR, some_planar
 
 
 def invert_inputs(rng: np.random.Generator) -> list[tuple]:
+    quarters = [some_planar(rng) | {"yaw": round(float(way * rng.uniform(low, low + 1.0)), 4)}
+                for way in (1, -1) for low in (0.4, 1.9)]  # fmt: skip
     straight = {"x": 2.0, "y": 1.0, "yaw": 0.0}
     on_the_spot = {"x": 0.0, "y": 0.0, "yaw": round(float(rng.uniform(0.4, 1.2)), 4)}
-    return [(some_planar(rng),), (some_planar(rng),), (some_planar(rng),), (some_planar(rng),), (straight,),
-            (on_the_spot,)]  # fmt: skip
+    return [*((pose,) for pose in quarters), (straight,), (on_the_spot,)]
 
 
-def sign_only(a_pose_b: dict) -> dict[str, float]:
-    return {"x": -a_pose_b["x"], "y": -a_pose_b["y"], "yaw": -a_pose_b["yaw"]}
+def inverted(
+    a_pose_b, *, unit="radians", turn="back", step="off", angle="back", y="old", sine="sin"
+) -> dict[str, float]:
+    """Return b_pose_a, step by step; other steps are the slips."""
+    yaw = a_pose_b["yaw"]
+    angles = {"back": -yaw, "on": yaw, "none": 0.0, "asin": -math.asin(math.sin(yaw))}
+    by = math.radians(angles[angle]) if unit == "degrees" else angles[angle]
+    sign = -1.0 if step == "off" else 1.0
+    u, v = sign * a_pose_b["x"], sign * a_pose_b["y"]
+    c, s = math.cos(by), math.sin(by)
+    c, s = (s, c) if sine == "cos" else (c, s)
+    x = c * u - s * v
+    return {"x": x, "y": s * (x if y == "new" else u) + c * v, "yaw": {"back": -yaw, "kept": yaw}[turn]}
 
 
-SIGN_ONLY = Twin(
+SIGN_ONLY = Slip(
     "sign_only",
-    sign_only,
+    {"angle": "none"},
     Words(
-        en="the step has only got a minus sign. It is measured along a's axes; you need it along b's, "
-        "which are turned. Without a turn you are right, and only then.",
-        ko="이동에 마이너스만 붙였습니다. 그 이동은 a의 축을 따라 잰 값인데, 필요한 것은 돌아가 있는 b의 축을 "
-        "따라 잰 값입니다. 회전이 없을 때만 맞습니다.",
+        en="the step is not turned, it has at most got a minus sign. It is measured along a's axes; you need it along b's, "
+        "which are turned.",
+        ko="이동을 돌리지 않았습니다. 기껏해야 마이너스만 붙였습니다. 그 이동은 a의 축을 따라 잰 값인데, 필요한 것은 돌아가 있는 b의 축을 "
+        "따라 잰 값입니다.",
     ),
     "M3",
 )
 
 
-def sign_and_same_turn(a_pose_b: dict) -> dict[str, float]:
-    return {"x": -a_pose_b["x"], "y": -a_pose_b["y"], "yaw": a_pose_b["yaw"]}
-
-
-SAME_TURN = Twin(
+SAME_TURN = Slip(
     "same_turn",
-    sign_and_same_turn,
+    {"angle": "none", "turn": "kept"},
     Words(
         en="the turn has not changed at all: going back, one turns back. And the step needs more than a minus sign.",
         ko="회전이 그대로입니다. 돌아갈 때는 반대로 돌려야 합니다. 이동도 부호만 바꿔서는 모자랍니다.",
@@ -50,47 +58,32 @@ SAME_TURN = Twin(
 )
 
 
-def turn_kept(a_pose_b: dict) -> dict[str, float]:
-    return moved(a_pose_b, -a_pose_b["x"], -a_pose_b["y"], -a_pose_b["yaw"])
-
-
-TURN_KEPT = Twin(
+TURN_KEPT = Slip(
     "turn_kept",
-    turn_kept,
+    {"turn": "kept"},
     Words(
-        en="`x` and `y` are right. The yaw has not changed: going back, one turns back.",
-        ko="`x`와 `y`는 맞습니다. yaw가 그대로입니다. 돌아갈 때는 반대로 돌려야 합니다.",
+        en="the yaw has not changed: going back, one turns back.",
+        ko="yaw가 그대로입니다. 돌아갈 때는 반대로 돌려야 합니다.",
     ),
     "M3",
 )
 
 
-def x_overwritten(a_pose_b: dict) -> dict[str, float]:
-    yaw, x, y = -a_pose_b["yaw"], -a_pose_b["x"], -a_pose_b["y"]
-    x = math.cos(yaw) * x - math.sin(yaw) * y
-    y = math.sin(yaw) * x + math.cos(yaw) * y
-    return {"x": x, "y": y, "yaw": yaw}
-
-
-X_OVERWRITTEN = Twin(
+X_OVERWRITTEN = Slip(
     "x_overwritten",
-    x_overwritten,
+    {"y": "new"},
     Words(
-        en="`x` is right. For `y` you used the new `x`, which had just been overwritten; both need the old "
+        en="for `y` you used the new `x`, which had just been overwritten; both need the old "
         "ones. Give the results other names.",
-        ko="`x`는 맞습니다. `y`를 구할 때 방금 덮어쓴 새 `x`를 썼습니다. 둘 다 원래 값으로 계산해야 합니다. 결과에는 "
+        ko="`y`를 구할 때 방금 덮어쓴 새 `x`를 썼습니다. 둘 다 원래 값으로 계산해야 합니다. 결과에는 "
         "다른 이름을 붙이십시오.",
     ),
 )
 
 
-def radians_twice(a_pose_b: dict) -> dict[str, float]:
-    return moved({"yaw": -a_pose_b["yaw"]}, -a_pose_b["x"], -a_pose_b["y"], -math.radians(a_pose_b["yaw"]))
-
-
-RADIANS_TWICE = Twin(
+RADIANS_TWICE = Slip(
     "radians_twice",
-    radians_twice,
+    {"unit": "degrees"},
     Words(
         en="the step has hardly turned: the yaw comes in radians already, and you converted it once more.",
         ko="이동이 거의 돌지 않았습니다. yaw는 이미 라디안인데 한 번 더 바꾸었습니다.",
@@ -99,14 +92,9 @@ RADIANS_TWICE = Twin(
 )
 
 
-def turned_on(a_pose_b: dict) -> dict[str, float]:
-    back = {"yaw": -a_pose_b["yaw"]}
-    return moved(back, -a_pose_b["x"], -a_pose_b["y"], a_pose_b["yaw"])
-
-
-TURNED_ON = Twin(
+TURNED_ON = Slip(
     "turned_on",
-    turned_on,
+    {"angle": "on"},
     Words(
         en="you turned the step, but the wrong way: by yaw instead of by minus yaw. Try it with a quarter "
         "turn to the left and stand up.",
@@ -116,18 +104,29 @@ TURNED_ON = Twin(
 )
 
 
-def not_taken_off(a_pose_b: dict) -> dict[str, float]:
-    back = {"yaw": -a_pose_b["yaw"]}
-    return moved(back, a_pose_b["x"], a_pose_b["y"], -a_pose_b["yaw"])
-
-
-NOT_TAKEN_OFF = Twin(
+NOT_TAKEN_OFF = Slip(
     "not_taken_off",
-    not_taken_off,
+    {"step": "kept"},
     Words(
-        en="the turn is right, and the step has kept its sign: from b, the origin of a lies on the other side.",
-        ko="회전은 맞지만 이동의 부호가 그대로입니다. b에서 보면 a의 원점은 반대쪽에 있습니다.",
+        en="the step has kept its sign: from b, the origin of a lies on the other side.",
+        ko="이동의 부호가 그대로입니다. b에서 보면 a의 원점은 반대쪽에 있습니다.",
     ),
+)
+
+
+BY_ASIN = Slip(
+    "by asin",
+    {"angle": "asin"},
+    Words(
+        en="Your angle comes from asin, which knows only ±90°: beyond that the step is turned by another angle. The yaw is given as it is.",
+        ko="각도를 asin으로 구했는데 asin은 ±90°까지만 압니다. 그 밖에서는 이동이 다른 각도로 돌아갑니다. yaw는 그대로 주어져 있습니다.",
+    ),
+)
+
+SINE_FOR_COSINE = Slip(
+    "sine for cosine",
+    {"sine": "cos"},
+    Words(en="sine and cosine have changed places in the turn.", ko="회전 공식에서 sin과 cos의 자리가 바뀌었습니다."),
 )
 
 
@@ -140,6 +139,7 @@ TASK = Task(
     form=PLANAR,
     inputs=invert_inputs,
     variants=3,
+    model=inverted,
     twins=(
         SIGN_ONLY,
         SAME_TURN,
@@ -148,6 +148,8 @@ TASK = Task(
         TURN_KEPT,
         X_OVERWRITTEN,
         RADIANS_TWICE,
+        BY_ASIN,
+        SINE_FOR_COSINE,
     ),
     hints=(
         Words(

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
-from tflab.workbook.tasks import Task, Twin, Words
+from tflab.workbook.tasks import Slip, Task, Words
 
 from .draws import PLANAR, moved, some_planar
 
@@ -15,19 +17,27 @@ def compose_inputs(rng: np.random.Generator) -> list[tuple]:
     return [*pairs, (some_planar(rng), nothing), (nothing, some_planar(rng))]
 
 
-def composed(outer: dict, inner: dict, turn: float) -> dict[str, float]:
-    """Return `outer` and `inner` put together, with the step of `inner` turned by `turn` [rad]."""
-    step = moved(outer, inner["x"], inner["y"], turn)
-    return {"x": outer["x"] + step["x"], "y": outer["y"] + step["y"], "yaw": outer["yaw"] + inner["yaw"]}
+def joined(
+    a_pose_b, b_pose_c, *, order="as given", unit="radians", turned="second", by="first", step="added", yaw="sum"
+):
+    """Return a_pose_c, step by step; other steps are the slips."""
+    outer, inner = (b_pose_c, a_pose_b) if order == "exchanged" else (a_pose_b, b_pose_c)
+    one, two = outer["yaw"], inner["yaw"]
+    angle = {"first": one, "back": -one, "second": two, "both": one + two, "none": 0.0}[by]
+    angle = math.radians(angle) if unit == "degrees" else angle
+    x, y = inner["x"], inner["y"]
+    if turned == "sum":
+        x, y = x + outer["x"], y + outer["y"]
+    pose = moved(inner, x, y, angle)
+    if turned == "second" and step != "lost":
+        sign = -1.0 if step == "subtracted" else 1.0
+        pose |= {"x": pose["x"] + sign * outer["x"], "y": pose["y"] + sign * outer["y"]}
+    return pose | {"yaw": {"sum": one + two, "second": two, "first": one, "difference": two - one}[yaw]}
 
 
-def other_order(a_pose_b: dict, b_pose_c: dict) -> dict[str, float]:
-    return composed(b_pose_c, a_pose_b, b_pose_c["yaw"])
-
-
-OTHER_ORDER = Twin(
+OTHER_ORDER = Slip(
     "other_order",
-    other_order,
+    {"order": "exchanged"},
     Words(
         en="you put them together in the other order: b_pose_c first, then a_pose_b. Lay the dominoes: [a|b][b|c].",
         ko="순서를 바꿔 이었습니다. b_pose_c가 먼저, a_pose_b가 나중입니다. 도미노를 놓아 보십시오. [a|b][b|c]",
@@ -35,13 +45,9 @@ OTHER_ORDER = Twin(
 )
 
 
-def only_added(a_pose_b: dict, b_pose_c: dict) -> dict[str, float]:
-    return composed(a_pose_b, b_pose_c, 0.0)
-
-
-ONLY_ADDED = Twin(
+ONLY_ADDED = Slip(
     "only_added",
-    only_added,
+    {"by": "none"},
     Words(
         en="you added the steps as they are. The second step is measured along b's axes, and b is turned in a.",
         ko="이동을 그대로 더했습니다. 둘째 이동은 b의 축을 따라 잰 값이고, b는 a 안에서 돌아가 있습니다.",
@@ -50,13 +56,9 @@ ONLY_ADDED = Twin(
 )
 
 
-def turned_the_other_way(a_pose_b: dict, b_pose_c: dict) -> dict[str, float]:
-    return composed(a_pose_b, b_pose_c, -a_pose_b["yaw"])
-
-
-TURNED_BACK = Twin(
+TURNED_BACK = Slip(
     "turned_back",
-    turned_the_other_way,
+    {"by": "back"},
     Words(
         en="the second step is turned the wrong way. b data goes to a with b's yaw, as it stands.",
         ko="둘째 이동을 반대로 돌렸습니다. b의 데이터는 b의 yaw 그대로 돌려서 a로 옮깁니다.",
@@ -65,13 +67,9 @@ TURNED_BACK = Twin(
 )
 
 
-def turned_by_both(a_pose_b: dict, b_pose_c: dict) -> dict[str, float]:
-    return composed(a_pose_b, b_pose_c, a_pose_b["yaw"] + b_pose_c["yaw"])
-
-
-TURNED_BY_BOTH = Twin(
+TURNED_BY_BOTH = Slip(
     "turned_by_both",
-    turned_by_both,
+    {"by": "both"},
     Words(
         en="you turned the second step by both yaws. It is measured along b's axes; c's own yaw turns what "
         "comes after c.",
@@ -81,14 +79,9 @@ TURNED_BY_BOTH = Twin(
 )
 
 
-def added_then_turned(a_pose_b: dict, b_pose_c: dict) -> dict[str, float]:
-    step = moved(a_pose_b, a_pose_b["x"] + b_pose_c["x"], a_pose_b["y"] + b_pose_c["y"], a_pose_b["yaw"])
-    return step | {"yaw": a_pose_b["yaw"] + b_pose_c["yaw"]}
-
-
-ADDED_THEN_TURNED = Twin(
+ADDED_THEN_TURNED = Slip(
     "added_then_turned",
-    added_then_turned,
+    {"turned": "sum"},
     Words(
         en="you added the steps and then turned the sum. The first step is measured in a already, so nobody turns it.",
         ko="이동을 더한 다음 합을 돌렸습니다. 첫째 이동은 이미 a에서 잰 값이므로 돌리지 않습니다.",
@@ -96,27 +89,19 @@ ADDED_THEN_TURNED = Twin(
 )
 
 
-def yaws_not_added(a_pose_b: dict, b_pose_c: dict) -> dict[str, float]:
-    return composed(a_pose_b, b_pose_c, a_pose_b["yaw"]) | {"yaw": b_pose_c["yaw"]}
-
-
-YAWS_NOT_ADDED = Twin(
+YAWS_NOT_ADDED = Slip(
     "yaws_not_added",
-    yaws_not_added,
+    {"yaw": "second"},
     Words(
-        en="`x` and `y` are right. The yaw is that of c in b: in a, b's own turn comes on top.",
-        ko="`x`와 `y`는 맞습니다. yaw는 b에서 본 c의 값입니다. a에서 보면 b가 돌아간 만큼 더해집니다.",
+        en="the yaw is that of c in b: in a, b's own turn comes on top.",
+        ko="yaw는 b에서 본 c의 값입니다. a에서 보면 b가 돌아간 만큼 더해집니다.",
     ),
 )
 
 
-def turned_by_the_second(a_pose_b: dict, b_pose_c: dict) -> dict[str, float]:
-    return composed(a_pose_b, b_pose_c, b_pose_c["yaw"])
-
-
-TURNED_BY_THE_SECOND = Twin(
+TURNED_BY_THE_SECOND = Slip(
     "turned_by_the_second",
-    turned_by_the_second,
+    {"by": "second"},
     Words(
         en="you turned the second step by its own yaw. It is b that is turned in a: which of the two yaws "
         "says by how much?",
@@ -126,17 +111,47 @@ TURNED_BY_THE_SECOND = Twin(
 )
 
 
-def first_step_lost(a_pose_b: dict, b_pose_c: dict) -> dict[str, float]:
-    step = moved(a_pose_b, b_pose_c["x"], b_pose_c["y"], a_pose_b["yaw"])
-    return step | {"yaw": a_pose_b["yaw"] + b_pose_c["yaw"]}
-
-
-FIRST_STEP_LOST = Twin(
+FIRST_STEP_LOST = Slip(
     "first_step_lost",
-    first_step_lost,
+    {"step": "lost"},
     Words(
-        en="you turned the second step rightly and forgot to add the first: b itself does not lie at a's origin.",
-        ko="둘째 이동은 바르게 돌렸지만 첫째 이동을 더하지 않았습니다. b는 a의 원점에 있지 않습니다.",
+        en="you forgot to add the first step: b itself does not lie at a's origin.",
+        ko="첫째 이동을 더하지 않았습니다. b는 a의 원점에 있지 않습니다.",
+    ),
+)
+
+
+DEGREES = Slip(
+    "degrees",
+    {"unit": "degrees"},
+    Words(
+        en="the step has hardly turned: the yaw comes in radians already, and you converted it once more.",
+        ko="이동이 거의 돌지 않았습니다. yaw는 이미 라디안인데 한 번 더 바꾸었습니다.",
+    ),
+    "M5",
+)
+
+SUBTRACTED = Slip(
+    "first step subtracted",
+    {"step": "subtracted"},
+    Words(en="the first step is subtracted, and it should be added.", ko="첫째 이동을 뺐습니다. 더해야 합니다."),
+)
+
+YAW_OF_THE_FIRST = Slip(
+    "yaw of the first",
+    {"yaw": "first"},
+    Words(
+        en="the yaw is that of b in a: c's own turn comes on top.",
+        ko="yaw가 a에서 본 b의 값입니다. 거기에 c가 돌아간 만큼 더해집니다.",
+    ),
+)
+
+YAWS_SUBTRACTED = Slip(
+    "yaws subtracted",
+    {"yaw": "difference"},
+    Words(
+        en="the yaws are subtracted: two turns, one after the other, add up.",
+        ko="yaw를 서로 뺐습니다. 이어서 도는 두 회전은 더합니다.",
     ),
 )
 
@@ -150,6 +165,7 @@ TASK = Task(
     form=PLANAR,
     inputs=compose_inputs,
     variants=3,
+    model=joined,
     twins=(
         OTHER_ORDER,
         ONLY_ADDED,
@@ -159,6 +175,10 @@ TASK = Task(
         ADDED_THEN_TURNED,
         FIRST_STEP_LOST,
         YAWS_NOT_ADDED,
+        DEGREES,
+        SUBTRACTED,
+        YAW_OF_THE_FIRST,
+        YAWS_SUBTRACTED,
     ),
     hints=(
         Words(

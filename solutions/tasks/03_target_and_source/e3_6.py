@@ -6,15 +6,16 @@ import math
 
 import numpy as np
 
+from tflab.core import Transform
 from tflab.ros.messages import geometry_msgs
-from tflab.workbook.tasks import Message, Task, Twin, Words
+from tflab.workbook.tasks import Message, Slip, Task, Words
 
 from .draws import some_yaw_degrees
 
 
 def mount_inputs(rng: np.random.Generator) -> list[tuple]:
     cases = [(int(rng.integers(5, 40)) / 100, int(rng.integers(20, 60)) / 100, some_yaw_degrees(rng)) for _ in range(4)]
-    return [*cases, (0.10, 0.30, 0), (0.10, 0.30, 90)]
+    return [*cases, (0.10, 0.30, 0), (0.10, 0.30, 90), (1, 2, 30)]
 
 
 def camera_message(parent: str, child: str, ahead_m: float, up_m: float, xyzw) -> geometry_msgs.TransformStamped:
@@ -30,14 +31,32 @@ def half_turn(yaw: float) -> tuple[float, float]:
     return math.sin(yaw / 2), math.cos(yaw / 2)
 
 
-def parent_and_child_swapped(ahead_m, up_m, yaw_deg):
-    z, w = half_turn(math.radians(yaw_deg))
-    return camera_message("camera_link", "base_link", ahead_m, up_m, (0, 0, z, w))
+def mounted(ahead_m, up_m, yaw_deg, *, ends="parent first", numbers="as given", axes="x and z", length="m",
+            angle="radians", side="left", half="halved", quaternion="sine", stamp="kept"):  # fmt: skip
+    """Return the message, step by step; other steps are the slips."""
+    parent, child = ("camera_link", "base_link") if ends == "child first" else ("base_link", "camera_link")
+    child = "camera_optical_frame" if ends == "optical" else child
+    yaw = yaw_deg if angle == "degrees" else math.radians(yaw_deg)
+    yaw = -yaw if side == "right" else yaw
+    z, w = half_turn(2 * yaw if half == "whole" else yaw)
+    ways = {"sine": (0, 0, z, w), "w first": (w, 0, 0, z), "none": (0, 0, 0, 1), "roll": (z, 0, 0, w), "pitch": (0, z, 0, w),
+            "angle": (0, 0, yaw, 1), "w one": (0, 0, z, 1), "zero": (0, 0, 0, 0), "exchanged": (0, 0, w, z)}  # fmt: skip
+    x, y, up = {"x and z": (ahead_m, 0.0, up_m), "exchanged": (up_m, 0.0, ahead_m), "y": (ahead_m, up_m, 0.0)}[axes]
+    if numbers == "inverse":
+        back = Transform(rotation=(0, 0, *half_turn(yaw)), translation=(x, y, up)).inverse()
+        (x, y, up), ways["sine"] = back.translation, back.rotation
+    if numbers == "negative":
+        x, y, up = -x, -y, -up
+    scale = 1000.0 if length == "mm" else 1.0
+    t = camera_message(parent, child, scale * x, scale * up, ways[quaternion])
+    t.transform.translation.y = scale * y
+    t.header.stamp.sec = 1 if stamp == "set" else 0
+    return t
 
 
-PARENT_AND_CHILD_SWAPPED = Twin(
+PARENT_AND_CHILD_SWAPPED = Slip(
     "parent_and_child_swapped",
-    parent_and_child_swapped,
+    {"ends": "child first"},
     Words(
         en="parent and child are swapped: this says that the robot is bolted onto the camera. The parent "
         "is `header.frame_id`, and the numbers are measured in it.",
@@ -48,14 +67,9 @@ PARENT_AND_CHILD_SWAPPED = Twin(
 )
 
 
-def in_degrees(ahead_m, up_m, yaw_deg):
-    z, w = half_turn(yaw_deg)
-    return camera_message("base_link", "camera_link", ahead_m, up_m, (0, 0, z, w))
-
-
-DEGREES = Twin(
+DEGREES = Slip(
     "degrees",
-    in_degrees,
+    {"angle": "degrees"},
     Words(
         en="your angle went into sin and cos in degrees. Python and ROS count in radians (REP-103): `math.radians`.",
         ko="각도를 도(degree) 그대로 sin과 cos에 넣었습니다. 파이썬과 ROS는 라디안을 씁니다(REP-103). "
@@ -65,14 +79,9 @@ DEGREES = Twin(
 )
 
 
-def without_the_half(ahead_m, up_m, yaw_deg):
-    z, w = half_turn(2 * math.radians(yaw_deg))
-    return camera_message("base_link", "camera_link", ahead_m, up_m, (0, 0, z, w))
-
-
-WHOLE_ANGLE = Twin(
+WHOLE_ANGLE = Slip(
     "whole_angle",
-    without_the_half,
+    {"half": "whole"},
     Words(
         en="the camera is turned twice as far as asked: a quaternion holds the sine and cosine of half the angle.",
         ko="카메라가 두 배로 돌아갔습니다. 쿼터니언에는 각도의 절반에 대한 sin과 cos을 넣습니다.",
@@ -81,14 +90,9 @@ WHOLE_ANGLE = Twin(
 )
 
 
-def w_first(ahead_m, up_m, yaw_deg):
-    z, w = half_turn(math.radians(yaw_deg))
-    return camera_message("base_link", "camera_link", ahead_m, up_m, (w, 0, 0, z))
-
-
-W_FIRST = Twin(
+W_FIRST = Slip(
     "w_first",
-    w_first,
+    {"quaternion": "w first"},
     Words(
         en="your quaternion has w first. ROS writes (x, y, z, w), so this camera lies on its side.",
         ko="쿼터니언에 w를 먼저 썼습니다. ROS는 (x, y, z, w) 순서이므로 이 카메라는 옆으로 누워 버립니다.",
@@ -97,14 +101,9 @@ W_FIRST = Twin(
 )
 
 
-def to_the_right(ahead_m, up_m, yaw_deg):
-    z, w = half_turn(-math.radians(yaw_deg))
-    return camera_message("base_link", "camera_link", ahead_m, up_m, (0, 0, z, w))
-
-
-TO_THE_RIGHT = Twin(
+TO_THE_RIGHT = Slip(
     "to_the_right",
-    to_the_right,
+    {"side": "right"},
     Words(
         en="your camera turns to the right. A turn to the left is positive: check the sign of the angle.",
         ko="카메라가 오른쪽으로 돌아갑니다. 왼쪽으로 도는 회전이 양수입니다. 각도의 부호를 확인하십시오.",
@@ -112,29 +111,19 @@ TO_THE_RIGHT = Twin(
 )
 
 
-def not_turned(ahead_m, up_m, yaw_deg):
-    return camera_message("base_link", "camera_link", ahead_m, up_m, (0, 0, 0, 1))
-
-
-NOT_TURNED = Twin(
+NOT_TURNED = Slip(
     "not_turned",
-    not_turned,
+    {"quaternion": "none"},
     Words(
-        en="the camera is in its place, but it looks straight ahead: the rotation is still the one that a "
-        "new message has.",
-        ko="카메라가 제자리에 있지만 똑바로 앞을 봅니다. 회전이 새 메시지의 값 그대로입니다.",
+        en="the camera looks straight ahead: the rotation is still the one that a new message has.",
+        ko="카메라가 똑바로 앞을 봅니다. 회전이 새 메시지의 값 그대로입니다.",
     ),
 )
 
 
-def rolled(ahead_m, up_m, yaw_deg):
-    x, w = half_turn(math.radians(yaw_deg))
-    return camera_message("base_link", "camera_link", ahead_m, up_m, (x, 0, 0, w))
-
-
-ROLLED = Twin(
+ROLLED = Slip(
     "rolled",
-    rolled,
+    {"quaternion": "roll"},
     Words(
         en="the camera is rolled onto its side: the sine stands in x. Which axis does a turn to the left go about?",
         ko="카메라가 옆으로 기울었습니다. sin이 x 자리에 있습니다. 왼쪽으로 도는 회전의 축은 무엇입니까?",
@@ -142,13 +131,9 @@ ROLLED = Twin(
 )
 
 
-def angle_in_z(ahead_m, up_m, yaw_deg):
-    return camera_message("base_link", "camera_link", ahead_m, up_m, (0, 0, math.radians(yaw_deg), 1))
-
-
-ANGLE_IN_Z = Twin(
+ANGLE_IN_Z = Slip(
     "angle_in_z",
-    angle_in_z,
+    {"quaternion": "angle"},
     Words(
         en="you wrote the angle itself into z. A quaternion holds no angle: z takes the sine of half of it, "
         "w the cosine.",
@@ -159,30 +144,20 @@ ANGLE_IN_Z = Twin(
 )
 
 
-def w_still_one(ahead_m, up_m, yaw_deg):
-    z, _ = half_turn(math.radians(yaw_deg))
-    return camera_message("base_link", "camera_link", ahead_m, up_m, (0, 0, z, 1))
-
-
-W_STILL_ONE = Twin(
+W_STILL_ONE = Slip(
     "w_still_one",
-    w_still_one,
+    {"quaternion": "w one"},
     Words(
-        en="z is right, and w is still the 1 of a new message: it takes the cosine of half the angle.",
-        ko="z는 맞지만 w가 새 메시지의 값 1 그대로입니다. w에는 각도 절반의 cos을 넣으십시오.",
+        en="w is still the 1 of a new message: it takes the cosine of half the angle.",
+        ko="w가 새 메시지의 값 1 그대로입니다. w에는 각도 절반의 cos을 넣으십시오.",
     ),
     "M5",
 )
 
 
-def ahead_and_up_swapped(ahead_m, up_m, yaw_deg):
-    z, w = half_turn(math.radians(yaw_deg))
-    return camera_message("base_link", "camera_link", up_m, ahead_m, (0, 0, z, w))
-
-
-AHEAD_AND_UP_SWAPPED = Twin(
+AHEAD_AND_UP_SWAPPED = Slip(
     "ahead_and_up_swapped",
-    ahead_and_up_swapped,
+    {"axes": "exchanged"},
     Words(
         en="the two steps have changed places. Which axis of the body points ahead, and which one up?",
         ko="두 이동의 자리가 바뀌었습니다. 본체의 어느 축이 앞을, 어느 축이 위를 향합니까?",
@@ -190,13 +165,9 @@ AHEAD_AND_UP_SWAPPED = Twin(
 )
 
 
-def zero_quaternion(ahead_m, up_m, yaw_deg):
-    return camera_message("base_link", "camera_link", ahead_m, up_m, (0, 0, 0, 0))
-
-
-ZERO_QUATERNION = Twin(
+ZERO_QUATERNION = Slip(
     "zero_quaternion",
-    zero_quaternion,
+    {"quaternion": "zero"},
     Words(
         en="the rotation is all zeros. That is no rotation at all: every listener refuses the message, and "
         "camera_link never appears.",
@@ -204,6 +175,82 @@ ZERO_QUATERNION = Twin(
         "나타나지 않습니다.",
     ),
     "M5",
+)
+
+
+OPTICAL_CHILD = Slip(
+    "optical child",
+    {"ends": "optical"},
+    Words(
+        en="this bolts on camera_optical_frame. The mount is that of camera_link; the optical frame hangs below it, turned.",
+        ko="camera_optical_frame을 달았습니다. 장착 변환은 camera_link의 것이고, 광학 좌표계는 그 아래에 돌아간 채 달립니다.",
+    ),
+    "M4",
+)
+
+INVERSE_NUMBERS = Slip(
+    "inverse numbers",
+    {"numbers": "inverse"},
+    Words(
+        en="these are the numbers of the way back: where base_link sits in camera_link. The header asks for the camera in its parent.",
+        ko="돌아가는 쪽, 곧 camera_link에서 본 base_link의 숫자입니다. 필요한 것은 부모를 기준으로 한 카메라입니다.",
+    ),
+    "M1",
+)
+
+NEGATIVE_NUMBERS = Slip(
+    "negative numbers",
+    {"numbers": "negative"},
+    Words(
+        en="both steps have a minus sign: this camera hangs behind and below. Ahead and up are positive.",
+        ko="두 이동에 마이너스가 붙어 있어 카메라가 뒤쪽 아래에 달립니다. 앞과 위가 양수입니다.",
+    ),
+    "M3",
+)
+
+UP_IN_Y = Slip(
+    "up in y",
+    {"axes": "y"},
+    Words(
+        en="up_m stands in y, which points to the left. Up is z.",
+        ko="up_m이 y에 들어 있습니다. y는 왼쪽입니다. 위는 z입니다.",
+    ),
+)
+
+MILLIMETRES = Slip(
+    "millimetres",
+    {"length": "mm"},
+    Words(
+        en="the lengths are a thousand times too large: ROS counts in metres.",
+        ko="길이가 천 배 큽니다. ROS는 미터를 씁니다.",
+    ),
+)
+
+PITCHED = Slip(
+    "pitched",
+    {"quaternion": "pitch"},
+    Words(
+        en="the camera nods: the sine stands in y. Which axis does a turn to the left go about?",
+        ko="카메라가 위아래로 기울었습니다. sin이 y 자리에 있습니다. 왼쪽으로 도는 회전의 축은 무엇입니까?",
+    ),
+)
+
+SINE_IN_W = Slip(
+    "sine in w",
+    {"quaternion": "exchanged"},
+    Words(
+        en="sine and cosine have changed places: z takes the sine, w the cosine.",
+        ko="sin과 cos의 자리가 바뀌었습니다. z에는 sin, w에는 cos입니다.",
+    ),
+    "M5",
+)
+
+STAMPED = Slip(
+    "stamped",
+    {"stamp": "set"},
+    Words(
+        en="you set the stamp; the task leaves it as it is.", ko="시각(stamp)을 바꾸었습니다. 문제에서는 그대로 둡니다."
+    ),
 )
 
 
@@ -215,10 +262,11 @@ TASK = Task(
     answer="camera_mount",
     form=Message(
         "geometry_msgs/msg/TransformStamped",
-        ("header.frame_id", "child_frame_id", "transform.translation", "transform.rotation"),
+        ("header.frame_id", "child_frame_id", "transform.translation", "transform.rotation", "header.stamp"),
     ),
     inputs=mount_inputs,
     variants=3,
+    model=mounted,
     twins=(
         PARENT_AND_CHILD_SWAPPED,
         DEGREES,
@@ -231,6 +279,14 @@ TASK = Task(
         AHEAD_AND_UP_SWAPPED,
         NOT_TURNED,
         ZERO_QUATERNION,
+        OPTICAL_CHILD,
+        INVERSE_NUMBERS,
+        NEGATIVE_NUMBERS,
+        UP_IN_Y,
+        MILLIMETRES,
+        PITCHED,
+        SINE_IN_W,
+        STAMPED,
     ),
     hints=(
         Words(

@@ -4,13 +4,25 @@ from __future__ import annotations
 
 import math
 
-from tflab.workbook.tasks import Angle, Parts, Task, Twin, Vector, Words
+from tflab.core import ExtrapolationException
+from tflab.workbook.tasks import Angle, Parts, Slip, Task, Vector, Words
 
 
 def two_samples(rng):
     """Turns to the left, to the right, both across the back; a moment at each sample, and one outside on either side."""
     rows = []
-    for way, share in ((1, 0.25), (-1, 0.7), (0, 0.35), (0, 0.85), (0, 0.0), (0, 1.0), (1, -0.3), (-1, 1.4)):
+    for way, share in (
+        (1, 0.25),
+        (-1, 0.7),
+        (0, 0.35),
+        (0, 0.85),
+        (0, 0.0),
+        (0, 1.0),
+        (1, -0.3),
+        (-1, 1.4),
+        (0, -0.001),
+        (0, 1.001),
+    ):
         t0, gap = float(rng.uniform(1.0, 9.0)), float(rng.uniform(0.2, 1.0))
         x0, y0, x1, y1 = rng.uniform(-3.0, 3.0, 4).tolist()
         size = float(rng.uniform(0.4, 1.2))
@@ -21,31 +33,30 @@ def two_samples(rng):
     return rows
 
 
-def _refuse(stamp_s, before, after):
-    from tflab.core import ExtrapolationException
-
-    if not before[0] <= stamp_s <= after[0]:
+def between(
+    stamp_s, before, after, *, outside="refused", ratio="from the first", position="line", turn="short"
+) -> dict:
+    """Return what the buffer does, step by step; other steps are the slips."""
+    (t0, x0, y0, yaw0), (t1, x1, y1, yaw1) = before, after
+    inside = t0 < stamp_s < t1 if outside == "samples, too" else t0 <= stamp_s <= t1
+    near = t0 - 0.12 <= stamp_s <= t1 + 0.12
+    if not inside and not (outside == "guessed" or outside == "clamped" or (outside == "a little" and near)):
+        if outside == "None":
+            return None
         raise ExtrapolationException("outside")
+    asked = min(max(stamp_s, t0), t1) if outside == "clamped" else stamp_s
+    share = {"from the first": (asked - t0) / (t1 - t0), "from the second": (t1 - asked) / (t1 - t0), "half": 0.5}
+    at = share.get(ratio, 0.0)
+    if ratio == "nearest":
+        at = 0.0 if share["from the first"] <= 0.5 else 1.0
+    turns = {"short": math.remainder(yaw1 - yaw0, math.tau), "difference": yaw1 - yaw0, "kept": 0.0}
+    place = 0.0 if position == "kept" else at
+    return {"position": (x0 + place * (x1 - x0), y0 + place * (y1 - y0)), "yaw": yaw0 + at * turns[turn]}
 
 
-def _blend(stamp_s, before, after, turn):
-    (t0, x0, y0, yaw0), (t1, x1, y1, _) = before, after
-    ratio = (stamp_s - t0) / (t1 - t0)
-    return {"position": (x0 + ratio * (x1 - x0), y0 + ratio * (y1 - y0)), "yaw": yaw0 + ratio * turn}
-
-
-def _short(before, after):
-    return math.remainder(after[3] - before[3], math.tau)
-
-
-def long_way(stamp_s, before, after):
-    _refuse(stamp_s, before, after)
-    return _blend(stamp_s, before, after, after[3] - before[3])
-
-
-THE_LONG_WAY = Twin(
+THE_LONG_WAY = Slip(
     "the long way",
-    long_way,
+    {"turn": "difference"},
     Words(
         en="Your yaw goes the long way round when it crosses ±π: between 170° and −170° your robot looks to the front, where the real one turned 20° at the back.",
         ko="±π를 넘을 때 yaw가 먼 길로 돌아갑니다. 170°와 −170° 사이에서 여러분의 로봇은 앞을 보지만, 진짜 로봇은 뒤쪽에서 20°만 돌았습니다.",
@@ -53,15 +64,9 @@ THE_LONG_WAY = Twin(
 )
 
 
-def nearest(stamp_s, before, after):
-    _refuse(stamp_s, before, after)
-    _, x, y, yaw = before if stamp_s - before[0] <= after[0] - stamp_s else after
-    return {"position": (x, y), "yaw": yaw}
-
-
-THE_NEAREST_SAMPLE = Twin(
+THE_NEAREST_SAMPLE = Slip(
     "the nearest sample",
-    nearest,
+    {"ratio": "nearest"},
     Words(
         en="You return the nearer of the two samples. The buffer goes along the line between them, so that a robot does not hop.",
         ko="두 표본 가운데 가까운 쪽을 반환합니다. 버퍼는 둘을 잇는 선 위로 갑니다. 그래야 로봇이 껑충 뛰지 않습니다.",
@@ -69,42 +74,29 @@ THE_NEAREST_SAMPLE = Twin(
 )
 
 
-def guesses(stamp_s, before, after):
-    return _blend(stamp_s, before, after, _short(before, after))
-
-
-GUESSES_OUTSIDE = Twin(
+GUESSES_OUTSIDE = Slip(
     "guesses outside",
-    guesses,
+    {"outside": "guessed"},
     Words(
-        en="Inside all is well, but outside your function goes on along the line. A buffer never guesses: raise `ExtrapolationException`.",
-        ko="안쪽은 모두 맞지만, 바깥에서도 선을 따라 계속 갑니다. 버퍼는 결코 짐작하지 않습니다. `ExtrapolationException`을 일으키십시오.",
+        en="Outside the two samples your function goes on along the line. A buffer never guesses: raise `ExtrapolationException`.",
+        ko="두 표본 바깥에서도 선을 따라 계속 갑니다. 버퍼는 결코 짐작하지 않습니다. `ExtrapolationException`을 일으키십시오.",
     ),
 )
 
 
-def clamps(stamp_s, before, after):
-    return guesses(min(max(stamp_s, before[0]), after[0]), before, after)
-
-
-STOPS_AT_THE_ENDS = Twin(
+STOPS_AT_THE_ENDS = Slip(
     "stops at the ends",
-    clamps,
+    {"outside": "clamped"},
     Words(
-        en="Inside all is well, but outside your function answers with the nearest end. That is a guess, too: raise `ExtrapolationException`.",
-        ko="안쪽은 모두 맞지만, 바깥에서는 가까운 끝의 값을 답합니다. 그것도 짐작입니다. `ExtrapolationException`을 일으키십시오.",
+        en="Outside the two samples your function answers with the nearest end. That is a guess, too: raise `ExtrapolationException`.",
+        ko="두 표본 바깥에서 가까운 끝의 값을 답합니다. 그것도 짐작입니다. `ExtrapolationException`을 일으키십시오.",
     ),
 )
 
 
-def middle(stamp_s, before, after):
-    _refuse(stamp_s, before, after)
-    return guesses((before[0] + after[0]) / 2, before, after)
-
-
-ALWAYS_THE_MIDDLE = Twin(
+ALWAYS_THE_MIDDLE = Slip(
     "always the middle",
-    middle,
+    {"ratio": "half"},
     Words(
         en="Wherever `stamp_s` lies, you answer with the middle of the two samples. How far along is it? Near the first sample the answer must be near the first.",
         ko="`stamp_s`가 어디에 있든 두 표본의 한가운데를 답합니다. 얼마나 간 곳입니까? 첫 표본 가까이에서는 답도 첫 표본에 가까워야 합니다.",
@@ -112,14 +104,9 @@ ALWAYS_THE_MIDDLE = Twin(
 )
 
 
-def earlier(stamp_s, before, after):
-    _refuse(stamp_s, before, after)
-    return {"position": before[1:3], "yaw": before[3]}
-
-
-THE_EARLIER_SAMPLE = Twin(
+THE_EARLIER_SAMPLE = Slip(
     "the earlier sample",
-    earlier,
+    {"ratio": "none"},
     Words(
         en="You return the earlier sample as it is. The robot has moved since: go along the line to the second one, as far as `stamp_s` says.",
         ko="앞쪽 표본을 그대로 반환합니다. 그 뒤로 로봇은 움직였습니다. `stamp_s`가 말하는 만큼 둘째 표본 쪽으로 선을 따라가십시오.",
@@ -127,33 +114,19 @@ THE_EARLIER_SAMPLE = Twin(
 )
 
 
-def shy(stamp_s, before, after):
-    from tflab.core import ExtrapolationException
-
-    if stamp_s in (before[0], after[0]):
-        raise ExtrapolationException("at a sample")
-    _refuse(stamp_s, before, after)
-    return guesses(stamp_s, before, after)
-
-
-REFUSES_AT_A_SAMPLE = Twin(
+REFUSES_AT_A_SAMPLE = Slip(
     "refuses at a sample",
-    shy,
+    {"outside": "samples, too"},
     Words(
-        en="Between the samples all is well, but exactly at a sample you refuse. There the buffer knows the answer best of all: only before the first and after the second is outside.",
-        ko="표본 사이는 모두 맞지만, 표본의 시각을 그대로 물으면 거절합니다. 버퍼가 가장 잘 아는 순간입니다. 첫 표본 앞과 둘째 표본 뒤만 바깥입니다.",
+        en="Exactly at a sample you refuse. There the buffer knows the answer best of all: only before the first and after the second is outside.",
+        ko="표본의 시각을 그대로 물으면 거절합니다. 버퍼가 가장 잘 아는 순간입니다. 첫 표본 앞과 둘째 표본 뒤만 바깥입니다.",
     ),
 )
 
 
-def backwards(stamp_s, before, after):
-    _refuse(stamp_s, before, after)
-    return guesses(before[0] + after[0] - stamp_s, before, after)
-
-
-COUNTED_FROM_THE_WRONG_END = Twin(
+COUNTED_FROM_THE_WRONG_END = Slip(
     "counted from the wrong end",
-    backwards,
+    {"ratio": "from the second"},
     Words(
         en="Your ratio is counted from the later sample: near the first sample you answer as if near the second.",
         ko="비율을 뒤쪽 표본에서 세었습니다. 첫 표본 가까이에서 둘째 표본 가까이에 있는 것처럼 답합니다.",
@@ -161,16 +134,40 @@ COUNTED_FROM_THE_WRONG_END = Twin(
 )
 
 
-def long_way_and_guesses(stamp_s, before, after):
-    return _blend(stamp_s, before, after, after[3] - before[3])
-
-
-THE_LONG_WAY_AND_GUESSES = Twin(
-    "the long way, and guesses",
-    long_way_and_guesses,
+NOTHING_OUTSIDE = Slip(
+    "nothing outside",
+    {"outside": "None"},
     Words(
-        en="Two things: yaw goes the long way round at ±π, and outside the two samples nothing is refused.",
-        ko="두 가지입니다. ±π에서 yaw가 먼 길로 돌고, 두 표본 바깥에서도 거절하지 않습니다.",
+        en="Outside the two samples you return None, and whoever calls you learns nothing. Refuse as the buffer does: raise `ExtrapolationException`.",
+        ko="두 표본 바깥에서 None을 반환하므로 부른 쪽은 아무것도 알지 못합니다. 버퍼처럼 거절하십시오. `ExtrapolationException`을 일으킵니다.",
+    ),
+    "M11",
+)
+
+A_LITTLE_OUTSIDE = Slip(
+    "a little outside",
+    {"outside": "a little"},
+    Words(
+        en="A little beyond the samples your function still answers. A buffer refuses even a hair outside: only from the first stamp to the second is there an answer.",
+        ko="표본을 조금 벗어나도 답합니다. 버퍼는 머리카락만큼만 벗어나도 거절합니다. 첫 측정 시각부터 둘째 측정 시각까지만 답이 있습니다.",
+    ),
+)
+
+YAW_KEPT = Slip(
+    "yaw kept",
+    {"turn": "kept"},
+    Words(
+        en="Your yaw stays that of the first sample: it turns on between the two, as the position moves on.",
+        ko="yaw가 첫 표본의 값 그대로입니다. 위치가 움직이듯 yaw도 두 표본 사이에서 돌아갑니다.",
+    ),
+)
+
+POSITION_KEPT = Slip(
+    "position kept",
+    {"position": "kept"},
+    Words(
+        en="Your position stays that of the first sample: it goes on along the straight line between the two.",
+        ko="위치가 첫 표본의 값 그대로입니다. 두 표본을 잇는 직선을 따라 움직여야 합니다.",
     ),
 )
 
@@ -184,16 +181,20 @@ TASK = Task(
     form=Parts({"position": Vector(2, unit="m"), "yaw": Angle()}),
     inputs=two_samples,
     variants=4,
+    model=between,
     twins=(
         THE_LONG_WAY,
         THE_NEAREST_SAMPLE,
         GUESSES_OUTSIDE,
         STOPS_AT_THE_ENDS,
         COUNTED_FROM_THE_WRONG_END,
-        THE_LONG_WAY_AND_GUESSES,
         ALWAYS_THE_MIDDLE,
         THE_EARLIER_SAMPLE,
         REFUSES_AT_A_SAMPLE,
+        NOTHING_OUTSIDE,
+        A_LITTLE_OUTSIDE,
+        YAW_KEPT,
+        POSITION_KEPT,
     ),
     hints=(
         Words(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from tflab.workbook.tasks import Number, Parts, Task, Twin, Words
+from tflab.workbook.tasks import Number, Parts, Slip, Task, Words
 
 
 def motion(rng):
@@ -22,60 +22,66 @@ def motion(rng):
     }
 
 
-def _late(given, forwards=1.0, left=1.0, together=None, degrees=False, delay=1e-3):
+def late(given, *, delay=1e-3, forwards=1.0, angle="radians", arc="range", side=1.0, places="kept", together="hypot"):
+    """Return the estimate, step by step; other steps are the slips."""
     delay_s = given.delay_ms * delay
-    yaw_rate = given.yaw_rate_degps if degrees else math.radians(given.yaw_rate_degps)
-    forwards_m = forwards * given.speed_mps * delay_s
-    left_m = left * given.range_m * yaw_rate * delay_s
-    length = math.hypot(forwards_m, left_m) if together is None else together(forwards_m, left_m)
-    return {"forwards_m": forwards_m, "left_m": left_m, "together_m": length}
+    yaw_rate = given.yaw_rate_degps if angle == "degrees" else math.radians(given.yaw_rate_degps)
+    ahead, aside = forwards * given.speed_mps * delay_s, side * yaw_rate * delay_s
+    aside *= {"range": given.range_m, "none": 1.0, "forgotten": 0.0}[arc]
+    ahead, aside = (aside, ahead) if places == "exchanged" else (ahead, aside)
+    lengths = {"hypot": math.hypot(ahead, aside), "added": abs(ahead) + abs(aside), "forwards": abs(ahead)}
+    return {"forwards_m": ahead, "left_m": aside, "together_m": lengths[together]}
 
 
-SPEED_ONLY = Twin(
+SPEED_ONLY = Slip(
     "speed only",
-    lambda g: _late(g, left=0.0),
+    {"arc": "forgotten"},
     Words(
         en="You left out the turn. The pose of now looks another way, and drags the object along sideways: the more, the farther it is.",
         ko="회전을 빠뜨렸습니다. 지금의 자세는 다른 쪽을 보고 있어 물체를 옆으로 끌고 갑니다. 멀리 있을수록 더 그렇습니다.",
     ),
     "M9",
+    part="left_m",
 )
 
 
-DEGREES = Twin(
+DEGREES = Slip(
     "degrees",
-    lambda g: _late(g, degrees=True),
+    {"angle": "degrees"},
     Words(
         en="The yaw rate went in as degrees per second. Arc = range × angle holds for radians.",
         ko="각속도를 초당 도 단위 그대로 넣었습니다. 호 = 거리 × 각도는 라디안일 때 맞습니다.",
     ),
     "M5",
+    part="left_m",
 )
 
 
-WRONG_SIDE = Twin(
+WRONG_SIDE = Slip(
     "wrong side",
-    lambda g: _late(g, left=-1.0),
+    {"side": -1.0},
     Words(
         en="The wrong side. If the robot has turned left meanwhile, its straight ahead points further left, and so does the old sight.",
         ko="반대쪽입니다. 그사이 로봇이 왼쪽으로 돌았다면 정면이 더 왼쪽을 가리키고, 옛 관측도 왼쪽으로 갑니다.",
     ),
+    part="left_m",
 )
 
 
-ADDED = Twin(
+ADDED = Slip(
     "added",
-    lambda g: _late(g, together=lambda f, s: abs(f) + abs(s)),
+    {"together": "added"},
     Words(
         en="The two pieces are at right angles: their lengths do not simply add up.",
         ko="두 조각은 서로 직각입니다. 길이를 그냥 더하지 않습니다.",
     ),
+    part="together_m",
 )
 
 
-MILLISECONDS = Twin(
+MILLISECONDS = Slip(
     "milliseconds",
-    lambda g: _late(g, delay=1.0),
+    {"delay": 1.0},
     Words(
         en="The delay went in as milliseconds. Speeds are per second.",
         ko="지연을 밀리초 그대로 넣었습니다. 속도는 초당입니다.",
@@ -83,28 +89,46 @@ MILLISECONDS = Twin(
 )
 
 
-WITHOUT_THE_RANGE = Twin(
+WITHOUT_THE_RANGE = Slip(
     "without the range",
-    lambda g: _late(g, left=1.0 / g.range_m),
+    {"arc": "none"},
     Words(
         en="Yaw rate × delay is the angle only. How long is the arc that it cuts off at the object's distance?",
         ko="각속도 × 지연은 각도일 뿐입니다. 물체까지의 거리에서 그 각도는 얼마나 긴 호가 됩니까?",
     ),
+    part="left_m",
 )
 
 
-def _crosswise(given):
-    right = _late(given)
-    return {**right, "forwards_m": right["left_m"], "left_m": right["forwards_m"]}
-
-
-CROSSWISE = Twin(
+CROSSWISE = Slip(
     "crosswise",
-    _crosswise,
+    {"places": "exchanged"},
     Words(
         en="The two pieces have changed places. Driving pushes the point forwards, turning drags it to the side.",
         ko="두 조각이 자리를 바꾸었습니다. 주행은 점을 앞으로 밀고, 회전은 옆으로 끌고 갑니다.",
     ),
+)
+
+
+ROTATION_ONLY = Slip(
+    "rotation only",
+    {"forwards": 0.0},
+    Words(
+        en="You left out the drive. While the delay lasted the robot went on at `speed_mps`, and the point goes along.",
+        ko="주행을 빠뜨렸습니다. 지연되는 동안 로봇은 `speed_mps`로 계속 갔고 점도 함께 옮겨집니다.",
+    ),
+    "M9",
+    part="forwards_m",
+)
+
+BACKWARDS = Slip(
+    "backwards",
+    {"forwards": -1.0},
+    Words(
+        en="The sign of forwards is wrong. The pose of now lies farther ahead, so the old sight lands farther ahead, too.",
+        ko="앞뒤 부호가 반대입니다. 지금의 포즈가 더 앞에 있으므로 옛 관측도 더 앞에 놓입니다.",
+    ),
+    part="forwards_m",
 )
 
 
@@ -119,6 +143,7 @@ TASK = Task(
     ),
     given=motion,
     variants=6,
+    model=late,
     twins=(
         SPEED_ONLY,
         DEGREES,
@@ -127,6 +152,8 @@ TASK = Task(
         MILLISECONDS,
         WITHOUT_THE_RANGE,
         CROSSWISE,
+        ROTATION_ONLY,
+        BACKWARDS,
     ),
     hints=(
         Words(

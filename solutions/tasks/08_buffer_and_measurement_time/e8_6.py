@@ -6,7 +6,7 @@ from tflab.workbook.tasks import Number, Task, Twin, Words
 
 
 def detector(rng):
-    slow = float(rng.choice([1.0, 2.0, 2.5, 4.0]))
+    slow = float(rng.choice([0.5, 2.0, 2.5, 4.0]))
     return {
         "thinking_s": round(float(rng.uniform(1.5, 6.0)), 2),
         "rate_hz": {"map -> odom": slow, "odom -> base_link": float(rng.choice([20.0, 25.0, 50.0]))},

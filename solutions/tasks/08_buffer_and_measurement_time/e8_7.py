@@ -135,4 +135,9 @@ TASK = Task(
         ),
     ),
     cures=("M9", "M8"),
+    equivalent={
+        "Time.from_msg(message.header.stamp) -> message.header.stamp in: stamp = Time.from_msg(message.header.stamp)": (
+            "a lookup takes a message's stamp as it takes a Time"
+        ),
+    },
 )

@@ -36,6 +36,7 @@ ACCUSED_THE_NAMED_FRAME = Twin(
         ko="오류문에 나온 좌표계는 질문의 양 끝이고, 문제의 연결은 그 사이 어딘가에 있습니다. "
         "오류문의 두 번째 시각에서 끝나거나 시작하는 구간을 버퍼에서 찾으십시오.",
     ),
+    partly=True,
 )
 
 
@@ -91,6 +92,7 @@ NAME_AND_PATH_SWAPPED = Twin(
         en='"does not exist" and "not part of the same tree" are two different noes: one is about a name, the other about a path.',
         ko='"does not exist"와 "not part of the same tree"는 서로 다른 "아니요"입니다. 하나는 이름, 다른 하나는 경로 문제입니다.',
     ),
+    partly=True,
 )
 
 

@@ -8,7 +8,7 @@ from tflab.core import seconds
 from tflab.ros.messages import geometry_msgs
 from tflab.ros.tf2.buffer import Buffer
 from tflab.ros.time import Time
-from tflab.workbook.tasks import Choice, Task, Twin, Words
+from tflab.workbook.tasks import Choice, Slip, Task, Twin, Words
 
 from .draws import kind_of, refusal, robot_buffer
 
@@ -47,6 +47,12 @@ def messages(rng: np.random.Generator) -> list[tuple]:
         ("", rng.uniform(1.2, 3.8)),
     ]
     rows = [(robot_buffer(t), point_in(frame, round(t + float(later), 3))) for frame, later in drawn]
+    for beside_ns in (0, -1, 1, -1_000_000, 1_000_000):  # at the limit of 0.2 s, a hair beside it, and a little
+        at_the_limit = point_in("laser_frame", t + 4.0)
+        stamp = Time(nanoseconds=seconds(t + 4.0) + 200_000_000 + beside_ns)
+        at_the_limit.header.stamp = stamp.to_msg()
+        rows.append((robot_buffer(t), at_the_limit))
+    rows += [(robot_buffer(t), point_in(frame, t + 30.0)) for frame in ("camera_link", "Laser_frame")]  # two faults
     lost = point_in("/laser_frame", round(t + float(rng.uniform(1.2, 3.8)), 3))
     return [*rows, (robot_buffer(t, is_localized=False), lost)]
 
@@ -79,9 +85,9 @@ def action(
     return words.get(kind, "fix message")
 
 
-WAITS_HOWEVER_FAR = Twin(
+WAITS_HOWEVER_FAR = Slip(
     "waits however far",
-    lambda b, m: action(b, m, limit_s=1e6),
+    {"limit_s": 1e6},
     misconception="M10",
     reply=Words(
         en="your function waits for any future, however far off. A gap of more than 0.2 s is not data on its way: no wait cures it.",
@@ -90,9 +96,9 @@ WAITS_HOWEVER_FAR = Twin(
 )
 
 
-GAP_FROM_THE_TEXT = Twin(
+GAP_FROM_THE_TEXT = Slip(
     "gap from the text",
-    lambda b, m: action(b, m, by_text=True),
+    {"by_text": True},
     misconception="M11",
     reply=Words(
         en="the time in the text is that of the first edge that failed, not of the slowest. A wait must last until every edge on the way is there: reckon from the latest common time.",
@@ -101,9 +107,9 @@ GAP_FROM_THE_TEXT = Twin(
 )
 
 
-NEVER_WAITS = Twin(
+NEVER_WAITS = Slip(
     "never waits",
-    lambda b, m: action(b, m, limit_s=-1.0),
+    {"limit_s": -1.0},
     misconception="M10",
     reply=Words(
         en="a small gap into the future is ordinary: the transform is on its way. Your function suspects the clocks even then.",
@@ -112,9 +118,9 @@ NEVER_WAITS = Twin(
 )
 
 
-LATEST_INSTEAD_OF_THE_STAMP = Twin(
+LATEST_INSTEAD_OF_THE_STAMP = Slip(
     "latest instead of the stamp",
-    lambda b, m: action(b, m, latest=True),
+    {"latest": True},
     misconception="M9",
     reply=Words(
         en="this asks for the latest transform, whatever the message's stamp. Then nothing is ever too old or too new, and the robot uses poses of another moment.",
@@ -123,9 +129,9 @@ LATEST_INSTEAD_OF_THE_STAMP = Twin(
 )
 
 
-WAITS_FOR_THE_PAST = Twin(
+WAITS_FOR_THE_PAST = Slip(
     "waits for the past",
-    lambda b, m: action(b, m, wait_for_past=True),
+    {"wait_for_past": True},
     misconception="M10",
     reply=Words(
         en="your function waits for data that is older than everything in the buffer. Old data does not come back: what does a robot do with such a message?",
@@ -134,9 +140,9 @@ WAITS_FOR_THE_PAST = Twin(
 )
 
 
-ENDS_SWAPPED = Twin(
+ENDS_SWAPPED = Slip(
     "ends swapped",
-    lambda b, m: action(b, m, swapped=True),
+    {"swapped": True},
     misconception="M1",
     reply=Words(
         en="where map is unknown and the message's frame is no name at all, tf2 complains of its target first. Your function asks for the other direction, or looks at the frame before tf2 does: data in the message's frame, wanted in map, and map comes first.",
@@ -145,9 +151,9 @@ ENDS_SWAPPED = Twin(
 )
 
 
-WAITS_FOR_EVERY_EXTRAPOLATION = Twin(
+WAITS_FOR_EVERY_EXTRAPOLATION = Slip(
     "waits for every extrapolation",
-    lambda b, m: action(b, m, limit_s=1e6, wait_for_past=True),
+    {"limit_s": 1e6, "wait_for_past": True},
     misconception="M10",
     reply=Words(
         en="every extrapolation is a wait for you. Three kinds are in this class: a little into the future may wait, far into the future is a clock, and what is past does not come back. The text tells them apart.",
@@ -156,9 +162,9 @@ WAITS_FOR_EVERY_EXTRAPOLATION = Twin(
 )
 
 
-THIRD_TEXT_TAKEN_FOR_THE_FUTURE = Twin(
+THIRD_TEXT_TAKEN_FOR_THE_FUTURE = Slip(
     "third text taken for the future",
-    lambda b, m: action(b, m, two_texts=True),
+    {"two_texts": True},
     misconception="M11",
     reply=Words(
         en='what is not "past" is not yet "future". An edge that has been heard exactly once gives a third text: any other extrapolation is a "drop".',
@@ -182,6 +188,25 @@ ONE_ACTION_FOR_EVERY_NO = Twin(
 )
 
 
+THE_LIMIT_IS_TOO_FAR = Slip(
+    "the limit is too far",
+    {"limit_s": LIMIT_S - 1e-9},
+    Words(
+        en='at exactly 0.2 s you check the clocks already. "0.2 s or less" lets the limit itself wait: `<=`.',
+        ko='간격이 정확히 0.2초일 때 이미 시계를 의심합니다. "0.2초 이하"이므로 한계 자체는 기다립니다. `<=`입니다.',
+    ),
+)
+
+LIMIT_OF_A_QUARTER = Slip(
+    "another limit",
+    {"limit_s": 0.25},
+    Words(
+        en="you wait somewhat beyond 0.2 s. The task draws the line at 0.2 s sharp; 0.2 s are 200 000 000 ns.",
+        ko="0.2초를 조금 넘어도 기다립니다. 문제의 기준은 정확히 0.2초이고, 0.2초는 200 000 000 ns입니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E9.3",
     kind="F",
@@ -191,6 +216,7 @@ TASK = Task(
     form=Choice(ACTIONS),
     inputs=messages,
     variants=3,
+    model=action,
     twins=(
         WAITS_HOWEVER_FAR,
         GAP_FROM_THE_TEXT,
@@ -201,6 +227,8 @@ TASK = Task(
         WAITS_FOR_EVERY_EXTRAPOLATION,
         THIRD_TEXT_TAKEN_FOR_THE_FUTURE,
         ONE_ACTION_FOR_EVERY_NO,
+        THE_LIMIT_IS_TOO_FAR,
+        LIMIT_OF_A_QUARTER,
     ),
     hints=(
         Words(
@@ -217,4 +245,8 @@ TASK = Task(
         ),
     ),
     cures=("M9", "M10", "M11"),
+    equivalent={
+        "buffer.get_latest_common_time('map', source) -> buffer.get_latest_common_time(source, 'map') in: newest = buffer.get_latest_common_time('map', source)": "the latest "
+        "common time of two frames is the same whichever comes first",
+    },
 )

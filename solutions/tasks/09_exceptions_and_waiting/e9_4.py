@@ -194,4 +194,13 @@ TASK = Task(
         ),
     ),
     cures=("M10",),
+    equivalent={
+        "np.diff(robot[topic], axis=1).ravel() -> np.diff(robot[topic], axis=1)": "min and ptp look at all numbers anyway",
+        "scan_s.min() < 0.0 -> scan_s.min() <= 0.0 in: if scan_s.min() < 0.0:": "no delay is exactly 0",
+        "scan_s.min() -> scan_s.max() in: if scan_s.min() < 0.0:": "where one delay is negative, all are",
+        "np.ptp(odom_s) > 0.1 -> np.ptp(odom_s) >= 0.1 in: if np.ptp(odom_s) > 0.1:": "any bound will do between the "
+        "2 ms of a smooth delay and the 250 ms of one that trembles",
+        "0.1 -> 0.11000000000000001 in: if np.ptp(odom_s) > 0.1:": "as above",
+        "0.1 -> 0.09000000000000001 in: if np.ptp(odom_s) > 0.1:": "as above",
+    },
 )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tflab.workbook.tasks import Number, Parts, Sequence, Task, Twin, Words
+from tflab.workbook.tasks import Number, Parts, Sequence, Slip, Task, Twin, Words
 
 
 def queues(rng: np.random.Generator) -> list[tuple]:
@@ -23,36 +23,48 @@ def queues(rng: np.random.Generator) -> list[tuple]:
         (before(0.4, 0.3, -0.4, 0.2), now, 0.5, 2),
         (before(0.15, 0.45, 0.25), now, 1.0, 2),
         ([], now, 0.5, 2),
+        (before(0.3, 0.2, 0.1), now, 0.5, 0),  # room for none
+        ([float(int(now) - 1), int(now) - 0.5, float(int(now))], float(int(now)), 0.5, 5),  # at both limits
+        ([int(now) - 0.501, int(now) - 0.4995, int(now) + 5e-4, int(now) - 5e-4], float(int(now)), 0.5, 5),
+        ([int(now) - 0.5005, int(now) + 0.005, int(now) - 0.005], float(int(now)), 0.5, 5),  # a hair beside them
+        ([int(now) - 0.25, int(now) - 0.25, int(now) + 0.05], float(int(now)), 0.5, 5),  # two at once
     ]
 
 
-def kept(
-    stamps_s,
-    now_s,
-    max_age_s,
-    max_size,
-    *,
-    oldest=False,
-    ages=True,
-    sizes=True,
-    future=False,
-    by_place=False,
-    backwards=False,
-    cut_first=False,
-) -> dict:
-    """Return what a policy keeps; the options are the mistakes."""
+def kept(stamps_s, now_s, max_age_s, max_size, *, first="sieve", old="dropped", ahead="dropped", order="by stamp",
+         size="newest", out="oldest first", lost="went") -> dict:  # fmt: skip
+    """Return what a policy keeps, step by step; other steps are the slips."""
     came = len(stamps_s)
-    stamps_s = sorted(stamps_s)[-max_size:] if cut_first else stamps_s
-    young = [s for s in stamps_s if not ages or (now_s - s <= max_age_s and (future or s <= now_s))]
-    young = young if by_place else sorted(young)
-    if sizes:
-        young = young[:max_size] if oldest else young[-max_size:]
-    return {"kept": young[::-1] if backwards else young, "lost": came - len(young)}
+    stamps_s = sorted(stamps_s)[-max_size:] if first == "cut" else stamps_s
+
+    def stays(age_s: float) -> bool:
+        is_young = {"dropped": age_s <= max_age_s, "at the limit": age_s < max_age_s, "kept": True}[old]
+        return (
+            is_young and {"dropped": age_s >= 0.0, "now, too": age_s > 0.0, "0.1 s": age_s >= -0.1, "kept": True}[ahead]
+        )
+
+    young = [stamp for stamp in stamps_s if stays(now_s - stamp)]
+    young = {"by stamp": sorted(young), "by place": young, "set": sorted(set(young))}[order]
+    cut = {
+        "newest": young[max(0, len(young) - max_size) :],
+        "slice": young[-max_size:],
+        "oldest": young[:max_size],
+        "not cut": young,
+    }[size]
+    losses = {
+        "went": came - len(cut),
+        "stayed": len(cut),
+        "sieved": came - len(young),
+        "cut": len(young) - len(cut),
+        "none": 0,
+        "too old": sum(now_s - stamp > max_age_s for stamp in stamps_s),
+    }
+    return {"kept": cut[::-1] if out == "newest first" else cut, "lost": losses[lost]}
 
 
-KEEPS_THE_OLDEST = Twin(
+KEEPS_THE_OLDEST = Slip(
     "keeps the oldest",
-    lambda *a: kept(*a, oldest=True),
+    {"size": "oldest"},
     reply=Words(
         en="when the queue is full, yours turns the new ones away. Then the robot decides on the oldest data it has. Let the oldest go.",
         ko="큐가 꽉 차면 새 메시지를 돌려보내고 있습니다. 그러면 로봇은 가진 것 중 가장 오래된 데이터로 결정합니다. 가장 오래된 것부터 버리십시오.",
@@ -60,9 +72,9 @@ KEEPS_THE_OLDEST = Twin(
 )
 
 
-AGE_IGNORED = Twin(
+AGE_IGNORED = Slip(
     "age ignored",
-    lambda *a: kept(*a, ages=False),
+    {"old": "kept"},
     reply=Words(
         en="there are messages in your queue that are older than the limit. A queue that is not full may still be stale.",
         ko="한계보다 오래된 메시지가 큐에 남아 있습니다. 꽉 차지 않은 큐도 낡을 수 있습니다.",
@@ -70,9 +82,9 @@ AGE_IGNORED = Twin(
 )
 
 
-SIZE_IGNORED = Twin(
+SIZE_IGNORED = Slip(
     "size ignored",
-    lambda *a: kept(*a, sizes=False),
+    {"size": "not cut"},
     reply=Words(
         en="your queue has no size. Where everybody is young enough, everybody stays, and the decisions fall behind.",
         ko="큐에 크기 제한이 없습니다. 모두 충분히 새로우면 모두 남고, 결정은 점점 뒤처집니다.",
@@ -80,9 +92,9 @@ SIZE_IGNORED = Twin(
 )
 
 
-FUTURE_KEPT = Twin(
+FUTURE_KEPT = Slip(
     "future kept",
-    lambda *a: kept(*a, future=True),
+    {"ahead": "kept"},
     misconception="M10",
     reply=Words(
         en="a message from the future has a negative age, which is younger than any limit. It comes from a clock that is wrong: do not keep it.",
@@ -91,9 +103,9 @@ FUTURE_KEPT = Twin(
 )
 
 
-NEWEST_FIRST = Twin(
+NEWEST_FIRST = Slip(
     "newest first",
-    lambda *a: kept(*a, backwards=True),
+    {"out": "newest first"},
     reply=Words(
         en="the right messages, in the other order: asked for is oldest first.",
         ko="메시지는 맞게 골랐지만 순서가 반대입니다. 오래된 것부터 써야 합니다.",
@@ -101,9 +113,9 @@ NEWEST_FIRST = Twin(
 )
 
 
-BY_PLACE = Twin(
+BY_PLACE = Slip(
     "by place",
-    lambda *a: kept(*a, by_place=True),
+    {"order": "by place"},
     reply=Words(
         en="you go by the order of arrival. Messages may overtake each other: age is a matter of the stamp.",
         ko="도착 순서를 따르고 있습니다. 메시지는 서로 앞지를 수 있습니다. 나이는 측정 시각으로 정합니다.",
@@ -111,9 +123,9 @@ BY_PLACE = Twin(
 )
 
 
-CUT_BEFORE_SIEVING = Twin(
+CUT_BEFORE_SIEVING = Slip(
     "cut before sieving",
-    lambda *a: kept(*a, cut_first=True),
+    {"first": "cut"},
     reply=Words(
         en="you cut to size first and sieve afterwards. Then a message from the future takes the place of a good one: sieve first, and cut what is left.",
         ko="먼저 개수를 자르고 나중에 거르고 있습니다. 그러면 미래에서 온 메시지가 멀쩡한 메시지의 자리를 차지합니다. 먼저 거르고, 남은 것을 자르십시오.",
@@ -121,24 +133,9 @@ CUT_BEFORE_SIEVING = Twin(
 )
 
 
-NEITHER_SORTED_NOR_CUT = Twin(
-    "neither sorted nor cut",
-    lambda *a: kept(*a, by_place=True, sizes=False),
-    reply=Words(
-        en="two things: nobody is turned away when the queue is full, and the messages stand in the order of arrival, not of their stamps.",
-        ko="두 가지입니다. 큐가 꽉 차도 아무것도 버리지 않고, 메시지가 측정 시각이 아니라 도착 순서로 서 있습니다.",
-    ),
-)
-
-
-def counted_wrongly(*arguments) -> dict:
-    right = kept(*arguments)
-    return {**right, "lost": len(right["kept"])}
-
-
-COUNTED_WHAT_STAYED = Twin(
+COUNTED_WHAT_STAYED = Slip(
     "counted what stayed",
-    counted_wrongly,
+    {"lost": "stayed"},
     reply=Words(
         en='"lost" counts the messages that went, not those that stayed.',
         ko='"lost"는 남은 메시지가 아니라 버린 메시지의 수입니다.',
@@ -156,6 +153,86 @@ EVERYTHING_KEPT = Twin(
 )
 
 
+AGE_LIMIT = Slip(
+    "the limit is too old",
+    {"old": "at the limit"},
+    Words(
+        en='A message that is exactly `max_age_s` old may stay: "nothing older than" lets the limit itself in.',
+        ko='나이가 정확히 `max_age_s`인 메시지는 남아도 됩니다. "더 오래된 것"만 버리므로 한계 자체는 괜찮습니다.',
+    ),
+)
+
+NOW_LIMIT = Slip(
+    "now is the future",
+    {"ahead": "now, too"},
+    Words(
+        en="A message whose stamp is `now_s` itself is not from the future: its age is 0. Let it stay.",
+        ko="측정 시각이 `now_s`와 같은 메시지는 미래에서 온 것이 아닙니다. 나이가 0이므로 남겨야 합니다.",
+    ),
+)
+
+SOME_FUTURE = Slip(
+    "a little future",
+    {"ahead": "0.1 s"},
+    Words(
+        en='You let a little of the future in. The task says "nothing from the future": 0 <= now_s - stamp.',
+        ko="미래의 메시지를 조금은 통과시킵니다. 문제에는 미래에서 온 것은 두지 말라고 되어 있습니다. 0 <= now_s - stamp입니다.",
+    ),
+    misconception="M10",
+)
+
+EQUAL_MERGED = Slip(
+    "equal stamps merged",
+    {"order": "set"},
+    Words(
+        en="Two messages with one stamp are two messages: a set, or a dict by stamp, makes one of them.",
+        ko="측정 시각이 같아도 메시지는 두 개입니다. set이나 시각을 키로 한 dict를 쓰면 하나가 됩니다.",
+    ),
+)
+
+SIZE_ZERO = Slip(
+    "a slice of size zero",
+    {"size": "slice"},
+    Words(
+        en="For `max_size` 0 your queue keeps everybody: `[-0:]` is the whole list. Count from the front, or ask for 0 first.",
+        ko="`max_size`가 0이면 모두 남습니다. `[-0:]`은 리스트 전체이기 때문입니다. 앞에서부터 세거나 0인지 먼저 확인하십시오.",
+    ),
+)
+
+LOST_SIEVED = Slip(
+    "lost without the cut",
+    {"lost": "sieved"},
+    Words(
+        en='"lost" leaves out those that were turned away because the queue was full. Count all that came and did not stay.',
+        ko='"lost"에 큐가 꽉 차서 버린 것이 빠졌습니다. 들어왔지만 남지 않은 것을 모두 세십시오.',
+    ),
+)
+
+LOST_CUT = Slip(
+    "lost without the sieve",
+    {"lost": "cut"},
+    Words(
+        en='"lost" counts only those that were cut off at the end, not those that were sieved out before.',
+        ko='"lost"가 마지막에 잘라 낸 것만 세고, 그 전에 걸러 낸 것은 세지 않습니다.',
+    ),
+)
+
+LOST_NONE = Slip(
+    "lost is always zero",
+    {"lost": "none"},
+    Words(en='"lost" is always 0, although messages went.', ko='메시지를 버렸는데도 "lost"가 언제나 0입니다.'),
+)
+
+LOST_OLD = Slip(
+    "lost are only the old",
+    {"lost": "too old"},
+    Words(
+        en='"lost" counts only those that are too old. Those from the future and those for which there is no room went, too.',
+        ko='"lost"가 너무 오래된 것만 셉니다. 미래에서 온 것과 자리가 없어 버린 것도 세어야 합니다.',
+    ),
+)
+
+
 TASK = Task(
     id="E9.5",
     kind="F",
@@ -165,6 +242,7 @@ TASK = Task(
     form=Parts({"kept": Sequence(Number("s", 1e-6)), "lost": Number("", 1e-6)}),
     inputs=queues,
     variants=3,
+    model=kept,
     twins=(
         KEEPS_THE_OLDEST,
         AGE_IGNORED,
@@ -174,8 +252,16 @@ TASK = Task(
         BY_PLACE,
         CUT_BEFORE_SIEVING,
         EVERYTHING_KEPT,
-        NEITHER_SORTED_NOR_CUT,
         COUNTED_WHAT_STAYED,
+        AGE_LIMIT,
+        NOW_LIMIT,
+        SOME_FUTURE,
+        EQUAL_MERGED,
+        SIZE_ZERO,
+        LOST_SIEVED,
+        LOST_CUT,
+        LOST_NONE,
+        LOST_OLD,
     ),
     hints=(
         Words(

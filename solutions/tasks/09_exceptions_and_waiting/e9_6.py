@@ -45,6 +45,7 @@ THREADS_CANNOT_HELP = Twin(
         en="waiting in a callback is not bad as such. Where another thread may call the listener meanwhile, it works.",
         ko="콜백에서 기다리는 것 자체가 나쁜 것은 아닙니다. 그동안 다른 스레드가 수신기를 부를 수 있으면 통합니다.",
     ),
+    partly=True,
 )
 
 
@@ -56,6 +57,7 @@ A_TIMEOUT_NEVER_ENDS = Twin(
         en="a wait with `timeout=0.3 s` is over after 0.3 s, whatever happens. Which line has no timeout at all?",
         ko="`timeout=0.3 s`인 기다림은 무슨 일이 있어도 0.3초 뒤에 끝납니다. timeout이 아예 없는 줄은 어느 것입니까?",
     ),
+    partly=True,
 )
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tflab.workbook.tasks import Number, Task, Twin, Words
+from tflab.workbook.tasks import Number, Slip, Task, Twin, Words
 
 
 def two_edges(rng: np.random.Generator) -> dict:
@@ -31,9 +31,9 @@ def wait_of(given, *, periods=1.0, jitter=1.0, scan=1.0, combine=max) -> float:
     return combine(each) - scan * given.scan_delay_s
 
 
-PERIOD_FORGOTTEN = Twin(
+PERIOD_FORGOTTEN = Slip(
     "period forgotten",
-    lambda g: wait_of(g, periods=0.0),
+    {"periods": 0.0},
     reply=Words(
         en="with this wait it succeeds sometimes. In the worst case the transform you need is stamped a whole period after the scan.",
         ko="이 시간으로는 가끔만 성공합니다. 최악의 경우 필요한 변환의 시각은 스캔보다 한 주기 뒤입니다.",
@@ -41,9 +41,9 @@ PERIOD_FORGOTTEN = Twin(
 )
 
 
-HALF_A_PERIOD = Twin(
+HALF_A_PERIOD = Slip(
     "half a period",
-    lambda g: wait_of(g, periods=0.5),
+    {"periods": 0.5},
     reply=Words(
         en="half a period is the average. Asked for is a wait that always succeeds.",
         ko="반 주기는 평균입니다. 필요한 것은 언제나 성공하는 시간입니다.",
@@ -51,9 +51,9 @@ HALF_A_PERIOD = Twin(
 )
 
 
-JITTER_FORGOTTEN = Twin(
+JITTER_FORGOTTEN = Slip(
     "jitter forgotten",
-    lambda g: wait_of(g, jitter=0.0),
+    {"jitter": 0.0},
     reply=Words(
         en="this is enough on a quiet day. By how much may a transform be later than its delay?",
         ko="조용한 날에는 충분합니다. 변환은 정해진 지연보다 얼마나 더 늦을 수 있습니까?",
@@ -61,9 +61,9 @@ JITTER_FORGOTTEN = Twin(
 )
 
 
-SCAN_S_DELAY_FORGOTTEN = Twin(
+SCAN_S_DELAY_FORGOTTEN = Slip(
     "scan's delay forgotten",
-    lambda g: wait_of(g, scan=0.0),
+    {"scan": 0.0},
     reply=Words(
         en="your wait is longer than it need be. While the scan was under way, time had already passed.",
         ko="필요보다 길게 기다립니다. 스캔이 오는 동안 이미 시간이 흘렀습니다.",
@@ -71,9 +71,9 @@ SCAN_S_DELAY_FORGOTTEN = Twin(
 )
 
 
-SCAN_S_DELAY_ADDED = Twin(
+SCAN_S_DELAY_ADDED = Slip(
     "scan's delay added",
-    lambda g: wait_of(g, scan=-1.0),
+    {"scan": -1.0},
     reply=Words(
         en="the wait is reckoned from the scan's arrival. Does the time that the scan was under way make it longer, or shorter?",
         ko="기다림은 스캔이 도착한 때부터 잽니다. 스캔이 오는 데 걸린 시간은 기다림을 늘립니까, 줄입니까?",
@@ -81,9 +81,9 @@ SCAN_S_DELAY_ADDED = Twin(
 )
 
 
-QUICK_EDGE = Twin(
+QUICK_EDGE = Slip(
     "quick edge",
-    lambda g: wait_of(g, combine=min),
+    {"combine": min},
     reply=Words(
         en="that is the edge that comes first. A lookup needs all of them.",
         ko="먼저 오는 연결로 계산했습니다. 조회에는 모든 연결이 필요합니다.",
@@ -91,9 +91,9 @@ QUICK_EDGE = Twin(
 )
 
 
-ADDED_UP = Twin(
+ADDED_UP = Slip(
     "added up",
-    lambda g: wait_of(g, combine=sum),
+    {"combine": sum},
     reply=Words(
         en="the two edges do not wait for one another: their messages travel at the same time.",
         ko="두 연결은 서로를 기다리지 않습니다. 메시지는 동시에 옵니다.",
@@ -121,6 +121,7 @@ TASK = Task(
     form=Number("s", tolerance=0.0005),
     given=two_edges,
     variants=5,
+    model=wait_of,
     twins=(
         PERIOD_FORGOTTEN,
         HALF_A_PERIOD,

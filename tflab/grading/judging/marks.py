@@ -12,16 +12,17 @@ from __future__ import annotations
 
 import builtins
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from tflab.workbook.answers.forms import Form
 from tflab.workbook.answers.sealed import is_sealed, judge, seal
 from tflab.workbook.answers.values import is_raised
-from tflab.workbook.tasks.case import TaskCases
+from tflab.workbook.tasks.case import TaskCases, TwinWords
 from tflab.workbook.tasks.evidence import beyond_guessing
 from tflab.workbook.tasks.mistake import WITHOUT_THE_ANSWER, Mistake
 from tflab.workbook.tasks.verdict import Verdict, judge_outcomes
+from tflab.workbook.words import Words
 
 from ..submissions.remarks import Remark
 from .draw import asks_of
@@ -46,7 +47,8 @@ class TaskMark:
     Attributes:
         status: "right", "partly", "wrong", "unanswered" or "trouble".
         passed: probes that are right, of `of`.
-        twin: the name of the mistake that the answer is, or "".
+        slips: the mistakes that the answer comes of, by name, and what is said of each.
+        said: all of it together.
     """
 
     task: str
@@ -55,13 +57,18 @@ class TaskMark:
     of: int
     points: float
     most: float
-    twin: str = ""
+    slips: dict[str, TwinWords] = field(default_factory=dict)
+    said: Words | None = None
     remarks: tuple[Remark, ...] = ()
 
     def plain(self) -> dict[str, Any]:
         """Return the mark as JSON has it."""
         row = {"status": self.status, "passed": self.passed, "of": self.of, "points": self.points, "most": self.most}
-        return row | {"twin": self.twin, "remarks": [remark.plain() for remark in self.remarks]}
+        return row | {
+            "slips": {name: words.plain() for name, words in self.slips.items()},
+            "said": self.said.plain() if self.said else None,
+            "remarks": [remark.plain() for remark in self.remarks],
+        }
 
 
 def judged(
@@ -89,9 +96,11 @@ def judged(
         status, remarks = "right", []
     else:
         status = "partly" if found.passed else "trouble" if trouble else "wrong"
-    if not remarks and status != "right" and not found.twin:
+    if not remarks and status != "right" and not found.slips:
         remarks += _what_went_wrong(task_id, held, got, found)
-    return TaskMark(task_id, status, found.passed, found.of, points, float(held.points), found.twin, tuple(remarks))
+    return TaskMark(
+        task_id, status, found.passed, found.of, points, float(held.points), found.slips, found.said, tuple(remarks)
+    )
 
 
 def safe_error_name(name: Any) -> str | Remark:

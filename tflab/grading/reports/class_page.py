@@ -63,20 +63,17 @@ class CommonMistake(NamedTuple):
     count: int
 
 
-def mistakes(records: Sequence[Mapping[str, Any]], cases: Mapping[str, Any]) -> list[CommonMistake]:
+def mistakes(records: Sequence[Mapping[str, Any]]) -> list[CommonMistake]:
     """Return the mistakes that were made, the most frequent first."""
-    counts = Counter(
-        (stem, task, row["twin"])
+    made = [
+        (task, name, twin["misconception"], Words(**twin["reply"]))
         for record in records
-        for stem, chapter in record["chapters"].items()
+        for chapter in record["chapters"].values()
         for task, row in chapter["tasks"].items()
-        if row["twin"]
-    )
-    found = []
-    for (stem, task, name), count in counts.items():
-        twin = cases[stem]["tasks"][task]["twins"][name]
-        found.append(CommonMistake(task, name, twin["misconception"], Words(**twin["reply"]), count))
-    return sorted(found, key=lambda mistake: (-mistake.count, mistake.task, mistake.name))
+        for name, twin in row.get("slips", {}).items()
+    ]
+    found = [CommonMistake(*what, count) for what, count in Counter(made).items()]
+    return sorted(found, key=lambda one: (-one.count, one.task, one.name))
 
 
 def class_page(
@@ -93,7 +90,7 @@ def class_page(
     took = TOOK.say(language, seconds=f"{sum(record['seconds'] for record in records):.1f}")
     body = [f"<h1>{text(TITLE.say(language))}</h1>", f"<p>{text(counted)} {text(took)}</p>"]
     if graded:
-        found = mistakes(graded, cases)
+        found = mistakes(graded)
         body += _misunderstood(found, language)
         body += _mistakes(found, len(graded), language)
         body += _hardest(graded, language)

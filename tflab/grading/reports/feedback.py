@@ -98,8 +98,8 @@ def _task(
 ) -> tuple[str, str, str, str]:
     sign, status = STATUS[row["status"]]
     said = []
-    if row["twin"]:
-        said.append(Words(**task["twins"][row["twin"]]["reply"]).say(language))
+    if row["said"]:
+        said.append(Words(**row["said"]).say(language))
     remarks = [Remark.from_plain(remark) for remark in row["remarks"]]
     shown = [remark for remark in remarks if level == "full" or remark.kind not in ONLY_FULL]
     said += [remark.say(language, with_task=False) for remark in shown]

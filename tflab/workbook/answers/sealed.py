@@ -14,6 +14,7 @@ Read `showing.py` next.
 from __future__ import annotations
 
 import hashlib
+from functools import lru_cache
 from typing import Any
 
 from .form import Mark, Probe, Row, inside
@@ -90,6 +91,7 @@ def _step(mark: Mark, by: int) -> str:
     return str(round(mark.value / mark.tolerance) + by)
 
 
+@lru_cache(maxsize=100_000)
 def _digest(salt: str, place: int, text: str) -> str:
     letters = text.encode("utf-8", "surrogatepass")
     return hashlib.pbkdf2_hmac("sha256", letters, f"{salt}/{place}".encode(), ROUNDS).hex()[:24]

@@ -78,11 +78,19 @@ def raised(error: BaseException) -> Plain:
 
 
 def outcome_of(function: Callable[..., Any], args: Sequence[Plain]) -> Plain:
-    """Return what a function gives for fresh copies of its arguments: a value, or what it raises."""
+    """Return what a function gives for fresh copies of its arguments: a value, what it raises, or which it changed."""
+    held = [from_plain(arg) for arg in args]
+    before = [to_plain(arg) for arg in held]
     try:
-        given = function(*map(from_plain, args))
+        given = function(*held)
     except Exception as error:
         return raised(error)
+    try:
+        changed = [number for number, arg in enumerate(held) if to_plain(arg) != before[number]]
+    except Exception:  # an argument without end, by now
+        changed = [0]
+    if changed:
+        return {"changed": changed[0] + 1}
     if callable(given) and not isinstance(given, type):
         return {"object": "function"}
     try:

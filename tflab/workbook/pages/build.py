@@ -22,6 +22,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from ..places import stems_called, workbook_data
+from ..tasks.mutants import Tested, table
 from ..whole_files import write_whole
 from ..words import LANGUAGES
 from .html import write_html
@@ -44,11 +45,13 @@ class Built:
     Attributes:
         files: the text of each file, by its path in the workbook.
         faults: what is wrong with the sources.
+        tests: how the tasks stood their mutants.
         faulty: the files of pages with faults, where there is enough of them to look at.
     """
 
     files: dict[str, str] = field(default_factory=dict)
     faults: list[PageFault] = field(default_factory=list)
+    tests: list[Tested] = field(default_factory=list)
     faulty: dict[str, str] = field(default_factory=dict)
 
 
@@ -69,6 +72,8 @@ def build(words: Sequence[str]) -> int:
     built = build_pages(chosen, jobs=options.jobs, progress=_shown_progress(len(chosen)))
     for fault in built.faults:
         print(fault, file=sys.stderr)
+    if built.tests:
+        print(table(built.tests))
     if options.check:
         return _say_what_is_stale(root, built, all_of_them=not options.pages)
     return _write_what_was_built(root, built, options.draft)
@@ -155,6 +160,7 @@ async def _build_all(chosen: Sequence[Path], jobs: int, progress: Progress) -> B
         made = pages[path]
         (built.faulty if made.faults else built.files).update(made.files)
         built.faults += made.faults
+        built.tests += made.tests
     return built
 
 

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import asyncio
 import re
+from collections.abc import Iterable
 from pathlib import Path
 from typing import NamedTuple
 
@@ -21,6 +22,7 @@ from ..course.glossary import read_glossary
 from ..tasks.blank import BlankError
 from ..tasks.case import ChapterCases, TaskCases
 from ..tasks.cases import PUBLIC_SEED, CasesError, cases_json, task_cases
+from ..tasks.mutants import Tested, refuse_survivors, tested
 from ..tasks.reference import CodeCell, Solution, answer_cell_name, in_process_ros
 from ..tasks.task import TaskError, read_tasks, task_file
 from ..words import LANGUAGES
@@ -34,10 +36,11 @@ __all__ = ["Made", "make_page"]
 
 
 class Made(NamedTuple):
-    """The text of each file that comes of a source, by its path in the workbook, and what is wrong with the source."""
+    """What comes of a source: the text of each file by its path, what is wrong, and how its tasks were tested."""
 
     files: dict[str, str]
     faults: list[PageFault]
+    tests: tuple[Tested, ...] = ()
 
 
 async def make_page(path: Path, cases_turn: asyncio.Lock) -> Made:
@@ -59,7 +62,7 @@ async def make_page(path: Path, cases_turn: asyncio.Lock) -> Made:
 
 async def _solution(page: Page, faults: list[PageFault], cases_turn: asyncio.Lock) -> Made:
     async with cases_turn:
-        tasks, more = await asyncio.to_thread(_cases, page)
+        tasks, tests, more = await asyncio.to_thread(_cases, page)
     faults += more
     public = {page.stem: cases_json(ChapterCases(page.stem, tasks))}
     outputs, more = await run_page(page, f"solutions/{LANGUAGES[0]}", public)
@@ -67,6 +70,7 @@ async def _solution(page: Page, faults: list[PageFault], cases_turn: asyncio.Loc
     if not faults:
         blanked, _ = await run_page(untouched(page), f"exercises/{LANGUAGES[0]}", public)
         faults += untouched_faults(page, blanked)
+    faults += _survivor_faults(page, tests)
     files = {f"exercises/cases/{page.stem}.json": public[page.stem]}
     files |= _in_each_language(page, "solutions", outputs, tasks)
     for language in LANGUAGES:
@@ -74,7 +78,7 @@ async def _solution(page: Page, faults: list[PageFault], cases_turn: asyncio.Loc
             files[f"exercises/{language}/{page.stem}.ipynb"] = text_of(exercise_notebook(page, language, tasks))
         except BlankError:  # which is a fault already
             assert faults
-    return Made(files, faults)
+    return Made(files, faults, tuple(tests))
 
 
 def _in_each_language(
@@ -86,23 +90,35 @@ def _in_each_language(
     }
 
 
-def _cases(page: Page) -> tuple[dict[str, TaskCases], list[PageFault]]:
-    """Return the public cases of a solution's tasks, by id, and what is wrong with them."""
+def _cases(page: Page) -> tuple[dict[str, TaskCases], list[Tested], list[PageFault]]:
+    """Return the public cases of a solution's tasks, by id, how they stood their tests, and what is wrong."""
     folder = page.path.parents[1] / "tasks" / page.stem
     try:
         tasks = read_tasks(folder)
     except TaskError as error:
-        return {}, [page.fault(None, str(error), "mend the chapter's tasks")]
+        return {}, [], [page.fault(None, str(error), "mend the chapter's tasks")]
     faults = exercise_faults(page, tasks)
     solution = Solution(page.stem, [CodeCell(cell.name, cell.source) for cell in page.code])
-    made = {}
+    made, tests = {}, []
     with in_process_ros():
         for task in tasks:
             try:
                 made[task.id] = task_cases(task, PUBLIC_SEED, solution)
+                tests.append(tested(task, made[task.id], solution))
             except Exception as error:  # a generator or a twin may fail in any way
                 faults.append(_task_fault(page, task_file(folder, task.id), task.id, error))
-    return made, faults
+    return made, tests, faults
+
+
+def _survivor_faults(page: Page, tests: Iterable[Tested]) -> list[PageFault]:
+    """Return a fault for each task of which a spoilt solution passes."""
+    faults, folder = [], page.path.parents[1] / "tasks" / page.stem
+    for test in tests:
+        try:
+            refuse_survivors(test)
+        except CasesError as error:
+            faults.append(_task_fault(page, task_file(folder, test.task), test.task, error))
+    return faults
 
 
 def _task_fault(page: Page, path: Path, task: str, error: Exception) -> PageFault:

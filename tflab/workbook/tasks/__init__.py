@@ -5,10 +5,15 @@
     case        what a file of cases holds
     cases       what an answer is tried on
     evidence    what an answer shows, beyond luck: guess correction
+    units       in which other unit it may be
+    universal   mistakes that any answer can have
+    certain     what is certain where none fits
+    explain     how a wrong answer came about: slips, alone and two together
     verdict     what became of an answer
     mistake     what may be wrong with it, in two tables of words
     replies     what `check` says besides
     comparison  the wrong answer drawn beside the right one
+    mutants     solutions spoilt on purpose, none of which may pass: mutation testing
     blank       a solution with its answers taken out
 
 What a task file imports is here.  Start with `task.py`; each page names the next.
@@ -16,7 +21,7 @@ What a task file imports is here.  Start with `task.py`; each page names the nex
 
 from ..answers.forms import Angle, Choice, Command, Message, Number, Parts, Pose, Quaternion, Sequence, Tree, Vector
 from ..words import Words
-from .task import Task, Twin
+from .task import Slip, Task, Twin
 
 __all__ = [
     "Angle",
@@ -28,6 +33,7 @@ __all__ = [
     "Pose",
     "Quaternion",
     "Sequence",
+    "Slip",
     "Task",
     "Tree",
     "Twin",

@@ -17,9 +17,10 @@ from ..answers.forms import Form, form_from_plain
 from ..answers.values import Plain
 from ..words import Words
 
-__all__ = ["FORMAT", "Case", "ChapterCases", "TaskCases", "TwinWords", "Variant"]
+__all__ = ["AND", "FORMAT", "Case", "ChapterCases", "TaskCases", "TwinWords", "Variant"]
 
-FORMAT = 1
+FORMAT = 2
+AND = " + "  # between the names of two slips that were made together
 
 
 class Case(NamedTuple):
@@ -56,19 +57,21 @@ class Variant(NamedTuple):
 
 
 class TwinWords(NamedTuple):
-    """What is said of a mistake, and which of the course's misconceptions is behind it."""
+    """What is said of a mistake, which of the course's misconceptions is behind it, and in which part it is made."""
 
     reply: Words
     misconception: str
+    part: str = ""
+    partly: bool = False
 
     def plain(self) -> dict[str, Plain]:
         """Return both as JSON has them."""
-        return {"reply": self.reply.plain(), "misconception": self.misconception}
+        return self._asdict() | {"reply": self.reply.plain()}
 
     @classmethod
     def from_plain(cls, plain: dict[str, Plain]) -> TwinWords:
         """Return the words that `plain` wrote."""
-        return cls(Words(**plain["reply"]), plain["misconception"])
+        return cls(Words(**plain["reply"]), plain["misconception"], plain["part"], plain["partly"])
 
 
 class TaskCases(NamedTuple):
@@ -84,6 +87,8 @@ class TaskCases(NamedTuple):
     cures: tuple[str, ...]
     twins: dict[str, TwinWords]
     variants: tuple[Variant, ...]
+    means: dict[str, Words] = {}  # noqa: RUF012  what each option would mean
+    shows: dict[str, Words] = {}  # noqa: RUF012  what each part shows instead
 
     def plain(self) -> dict[str, Plain]:
         """Return the task as JSON has it."""
@@ -93,6 +98,8 @@ class TaskCases(NamedTuple):
             "hints": [hint.plain() for hint in self.hints],
             "cures": list(self.cures),
             "twins": {name: twin.plain() for name, twin in self.twins.items()},
+            "means": {name: words.plain() for name, words in self.means.items()},
+            "shows": {name: words.plain() for name, words in self.shows.items()},
             "variants": [variant.plain() for variant in self.variants],
         }
 
@@ -110,6 +117,8 @@ class TaskCases(NamedTuple):
             cures=tuple(plain["cures"]),
             twins={name: TwinWords.from_plain(twin) for name, twin in plain["twins"].items()},
             variants=tuple(map(Variant.from_plain, plain["variants"])),
+            means={name: Words(**words) for name, words in plain["means"].items()},
+            shows={name: Words(**words) for name, words in plain["shows"].items()},
         )
 
     @classmethod

@@ -14,8 +14,12 @@ its mutants, the field would say.  Read `evidence.py` next.
 from __future__ import annotations
 
 import hashlib
+import inspect
 import json
-from collections.abc import Iterator, Sequence
+import re
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
+from itertools import combinations as pairs_of
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -23,13 +27,23 @@ from typing import Any
 import numpy as np
 
 from ..answers.values import Plain, from_plain, is_raised, outcome_of, to_plain
-from .case import FORMAT, Case, ChapterCases, TaskCases, TwinWords, Variant
+from .case import AND, FORMAT, Case, ChapterCases, TaskCases, TwinWords, Variant
 from .reference import Solution, in_process_ros, solution_in_notebook
-from .task import Task, TaskError, Twin, read_tasks
+from .task import Slip, Task, TaskError, read_tasks
 
-__all__ = ["PUBLIC_SEED", "CasesError", "cases_json", "make_cases", "read_cases", "read_chapter", "task_cases"]
+__all__ = [
+    "PUBLIC_SEED",
+    "CasesError",
+    "cases_json",
+    "combinations",
+    "make_cases",
+    "read_cases",
+    "read_chapter",
+    "task_cases",
+]
 
 PUBLIC_SEED = "public"
+MODEL = ""  # the model itself, among what it gives with slips
 DIGITS = 12  # of a float in a case; the last ones differ between machines
 
 
@@ -79,15 +93,29 @@ def task_cases(
         form=task.form,
         hints=task.hints,
         cures=task.cures,
-        twins={twin.name: TwinWords(twin.reply, twin.misconception) for twin in task.twins},
+        twins={twin.name: TwinWords(twin.reply, twin.misconception, twin.part, twin.partly) for twin in task.twins},
         variants=tuple(_variant(task, seed, number, solution, fewest_inputs) for number in range(count)),
+        means=task.means,
+        shows=task.shows,
     )
 
 
 def cases_json(cases: ChapterCases | dict[str, Any]) -> str:
-    """Return cases as text, the same for the same cases."""
+    """Return cases as text, the same for the same cases; each case is one line."""
     plain = cases.plain() if isinstance(cases, ChapterCases) else cases
-    return json.dumps(plain, ensure_ascii=False, indent=1, sort_keys=True, allow_nan=False) + "\n"
+    lines: list[str] = []
+
+    def marked(case: dict[str, Plain]) -> str:
+        lines.append(json.dumps(case, ensure_ascii=False, sort_keys=True, allow_nan=False, separators=(",", ":")))
+        return f"@case {len(lines) - 1}@"
+
+    tasks = {
+        name: task
+        | {"variants": [one | {"cases": [marked(case) for case in one["cases"]]} for one in task["variants"]]}
+        for name, task in plain["tasks"].items()
+    }
+    text = json.dumps(plain | {"tasks": tasks}, ensure_ascii=False, indent=1, sort_keys=True, allow_nan=False) + "\n"
+    return re.sub(r'"@case (\d+)@"', lambda mark: lines[int(mark[1])], text)
 
 
 def read_cases(path: Path) -> dict[str, Any]:
@@ -126,12 +154,45 @@ def _variant(task: Task, seed: str | bytes, number: int, solution: Solution, few
     held = {name: from_plain(value) for name, value in given.items()} if given is not None else {}
     answer = solution.answer(task, held if given is not None else None)
     if task.inputs is None:
-        wrong = {twin.name: _rounded(to_plain(_twin_value(twin, held))) for twin in task.twins}
-        cases = (Case(None, _rounded(to_plain(answer)), wrong),)
+        cases = [Case(None, _rounded(to_plain(answer)), _wrong(task, lambda give: _value(give, held)))]
     else:
-        cases = tuple(_function_case(task, answer, args) for args in _inputs(task, rng, fewest_inputs))
+        cases = [_function_case(task, answer, args) for args in _inputs(task, rng, fewest_inputs)]
     _refuse_look_alikes(task, number, cases)
-    return Variant(given, cases)
+    return Variant(given, _distinct(task, cases))
+
+
+def combinations(task: Task) -> list[tuple[Slip, Slip]]:
+    """Return the pairs of slips that can be made together: at different steps, the earlier step first."""
+    steps = list(inspect.signature(task.model).parameters) if task.model else []
+    slips = [twin for twin in task.twins if isinstance(twin, Slip)]
+    slips.sort(key=lambda slip: min(map(steps.index, slip.at)))
+    return [(one, other) for one, other in pairs_of(slips, 2) if not set(one.at) & set(other.at)]
+
+
+def _wrong(task: Task, outcome: Callable[[Any], Plain]) -> dict[str, Plain]:
+    """Return what each mistake gives, and each two that can be made together; `outcome` tells of one function."""
+    wrong = {MODEL: outcome(task.model)} if task.model else {}
+    for twin in task.twins:
+        wrong[twin.name] = outcome(partial(task.model, **twin.at) if isinstance(twin, Slip) else twin.answer)
+    for one, other in combinations(task):
+        wrong[one.name + AND + other.name] = outcome(partial(task.model, **one.at, **other.at))
+    return wrong
+
+
+def _value(give: Any, held: dict[str, Any]) -> Plain:
+    return _rounded(to_plain(give(SimpleNamespace(**held)) if callable(give) else give))
+
+
+def _distinct(task: Task, cases: Sequence[Case]) -> tuple[Case, ...]:
+    """Return the cases without the combinations that look like something simpler, or like an earlier one."""
+    seen = [[case.expected for case in cases], *([case.twins[twin.name] for case in cases] for twin in task.twins)]
+    kept = {twin.name for twin in task.twins}
+    for key in cases[0].twins:
+        row = [case.twins[key] for case in cases]
+        if AND in key and not any(all(map(task.form.alike, row, other)) for other in seen):
+            kept.add(key)
+            seen.append(row)
+    return tuple(case._replace(twins={key: case.twins[key] for key in case.twins if key in kept}) for case in cases)
 
 
 def _inputs(task: Task, rng: np.random.Generator, fewest: int) -> Iterator[list[Plain]]:
@@ -148,8 +209,7 @@ def _inputs(task: Task, rng: np.random.Generator, fewest: int) -> Iterator[list[
 def _function_case(task: Task, function: Any, args: list[Plain]) -> Case:
     if not callable(function):
         raise TaskError(f"{task.id} has inputs, so {task.answer} should be a function, and it is {function!r}")
-    twins = {twin.name: _outcome(twin.answer, args) for twin in task.twins}
-    return Case(args, _outcome(function, args), twins)
+    return Case(args, _outcome(function, args), _wrong(task, lambda wrong: _outcome(wrong, args)))
 
 
 def _outcome(function: Any, args: list[Plain]) -> Plain:
@@ -158,14 +218,12 @@ def _outcome(function: Any, args: list[Plain]) -> Plain:
     return outcome | {"text": ""} if is_raised(outcome) else _rounded(outcome)
 
 
-def _twin_value(twin: Twin, given: dict[str, Any]) -> Any:
-    return twin.answer(SimpleNamespace(**given)) if callable(twin.answer) else twin.answer
-
-
 def _refuse_look_alikes(task: Task, variant: int, cases: Sequence[Case]) -> None:
     for case in cases:
         if not is_raised(case.expected) and task.form.probes(case.expected) is None:
             raise CasesError(f"{task.id}: the solution's answer is not {task.form.wanted().en}: {case.expected!r}")
+    if task.model and not all(task.form.alike(case.twins[MODEL], case.expected) for case in cases):
+        raise CasesError(f"{task.id}, variant {variant}: the model without a slip is not the solution")
     names = ["", *(twin.name for twin in task.twins)]  # "" is the right answer
     for number, name in enumerate(names):
         for other in names[number + 1 :]:

@@ -5,7 +5,7 @@
 
 Only answers that are somewhere in space can be drawn: points, poses, poses in the
 plane, messages that hold one of these, and dicts of them, of which the first wrong
-one is drawn.  And only where the right one is open.  Read `blank.py` next.
+one is drawn.  And only where the right one is open.  Read `mutants.py` next.
 """
 
 from __future__ import annotations

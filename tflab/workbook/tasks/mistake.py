@@ -30,6 +30,7 @@ class Mistake(str, Enum):
     SLIP = "slip"  # one that the task knows, or two
     NOTHING_RETURNED = "nothing returned"
     SOMETIMES_NOTHING = "sometimes nothing"
+    INPUT_CHANGED = "input changed"
     RAISES = "raises"
     OTHER_EXCEPTION = "other exception"
     NO_REFUSAL = "no refusal"
@@ -79,6 +80,11 @@ REPLIES = {
         ko="다른 호출에서는 값을 반환했지만 이 호출에서는 None이 나왔습니다. "
         "어느 갈래로 가도 `return`이 있어야 합니다.",
     ),
+    Mistake.INPUT_CHANGED: Words(
+        en="your function changes what it is given (argument {changed}): whoever called it has lost the original. "
+        "Work on a copy.",
+        ko="함수가 받은 것을 바꿉니다({changed}번째 인자). 부른 쪽은 원래 값을 잃습니다. 복사본으로 계산하십시오.",
+    ),
     Mistake.RAISES: Words(
         en="your function stopped with {error}: {text}",
         ko="함수가 예외를 내고 멈췄습니다. {error}: {text}",
@@ -124,12 +130,12 @@ REPLIES = {
         ko="함수가 받은 값을 바꾸지 않고 그대로 돌려줍니다.",
     ),
     Mistake.PARTS: Words(
-        en="look again at {wrong}.",
-        ko="다시 볼 곳: {wrong}.",
+        en="look again at {wrong}.{certain}",
+        ko="다시 볼 곳: {wrong}.{certain}",
     ),
     Mistake.VALUE: Words(
-        en="the form is right, the value is not.",
-        ko="형식은 맞지만 값이 다릅니다.",
+        en="the form is right, the value is not.{certain}",
+        ko="형식은 맞지만 값이 다릅니다.{certain}",
     ),
 }
 
@@ -157,6 +163,10 @@ WITHOUT_THE_ANSWER = {
     Mistake.SOMETIMES_NOTHING: Words(
         en="for some inputs the function returns nothing (None): each way through it needs a `return`.",
         ko="일부 입력에서 함수가 아무것도 반환하지 않습니다(None). 어느 갈래로 가도 `return`이 있어야 합니다.",
+    ),
+    Mistake.INPUT_CHANGED: Words(
+        en="the function changes what it is given (argument {changed}).",
+        ko="함수가 받은 것을 바꿉니다({changed}번째 인자).",
     ),
     Mistake.RAISES: Words(
         en="the function raises {error} where it should return a value ({of_cases}).",

@@ -40,8 +40,12 @@ class Solution:
         self._cells = {cell.name: cell.source for cell in cells}
         self._compiled: dict[str, CodeType] = {}
 
-    def answer(self, task: Task, given: dict[str, Any] | None) -> Any:
-        """Return what the task's answer cell defines, a value or a function, for these givens.
+    def source(self, name: str) -> str:
+        """Return the text of a cell."""
+        return self._cells[name]
+
+    def answer(self, task: Task, given: dict[str, Any] | None, source: str = "") -> Any:
+        """Return what the task's answer cell, or `source` instead, defines for these givens: a value or a function.
 
         Raises:
             TaskError: there is no such cell, it raises, or it does not define the answer.
@@ -54,7 +58,7 @@ class Solution:
             exec(self._code("imports", self._imports), space)
             if given is not None:
                 space[given_name(task.id)] = SimpleNamespace(**given)
-            exec(self._code(name, lambda: self._cells[name]), space)
+            exec(source or self._code(name, lambda: self._cells[name]), space)
         except Exception as error:
             raise TaskError(f'{self.stem}: the answer cell "{name}" fails: {type(error).__name__}: {error}') from error
         if task.answer not in space or space[task.answer] is ...:

@@ -4,7 +4,8 @@
 
 The right answer is not in here: it is what the solution's own answer cell gives,
 so the two cannot disagree.  What is in here is the wrong ones, on purpose: each
-*twin* is the answer that one misconception would give, with what to say about it.
+*twin* is the answer that one misconception would give, with what to say about it;
+a *slip* is an alternative at one step of the work, and two of them compose.
 What varies comes from `given` (values that the learner is shown) and `inputs`
 (arguments for a function), both drawn with a random generator: the same draw
 makes the public variants, and with a secret seed the hidden ones.
@@ -22,7 +23,7 @@ import re
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -32,7 +33,7 @@ import numpy as np
 from ..answers.forms import Form
 from ..words import Words
 
-__all__ = ["KINDS", "Task", "TaskError", "Twin", "chapter_of", "read_tasks", "slug", "task_file", "variant_of"]
+__all__ = ["KINDS", "Slip", "Task", "TaskError", "Twin", "chapter_of", "read_tasks", "slug", "task_file", "variant_of"]
 
 KINDS = {
     "N": "a number",
@@ -59,12 +60,36 @@ class Twin:
         answer: of the given (values), of the arguments (functions), or simply the value.
         reply: what to say to whoever gave it; never the right answer.
         misconception: "M1" ... "M15", if it is one of the course's.
+        part, partly: as of a Slip.
     """
 
     name: str
     answer: Callable[..., Any] | Any
     reply: Words
     misconception: str = ""
+    part: str = ""
+    partly: bool = False
+
+
+@dataclass(frozen=True)
+class Slip:
+    """An alternative that people take at one step of the work; two of them at different steps compose.
+
+    Attributes:
+        name: in a word or two, "jitter forgotten".
+        at: the steps and what is taken there: keyword arguments of the task's `model`, {"jitter": 0.0}.
+        reply: what to say to whoever took it; never the right answer, nothing of other steps.
+        misconception: "M1" ... "M15", if it is one of the course's.
+        part: of several answers the one in which it is made; what follows from it costs nothing.
+        partly: whether it can be made in some parts and not in others, and the reply is true of each.
+    """
+
+    name: str
+    at: dict[str, Any]
+    reply: Words
+    misconception: str = ""
+    part: str = ""
+    partly: bool = False
 
 
 @dataclass(frozen=True)
@@ -83,6 +108,9 @@ class Task:
         inputs: draws arguments: rng -> list of tuples; if set, the answer is a function.
         variants: how many public ones are drawn.
         twins: the mistakes that are named.
+        model: the answer by steps, keyword arguments in the order of the work; without any it is the solution.
+        means, shows: of choices, what an option would mean, and what a part shows instead.
+        equivalent: mutants of the solution that are right, and why (see mutants.py).
         cures: misconceptions that it looks for.
     """
 
@@ -96,7 +124,11 @@ class Task:
     given: Callable[[np.random.Generator], dict[str, Any]] | None = None
     inputs: Callable[[np.random.Generator], list[tuple]] | None = None
     variants: int = 1
-    twins: tuple[Twin, ...] = ()
+    twins: tuple[Twin | Slip, ...] = ()
+    model: Callable[..., Any] | None = None
+    means: dict[str, Words] = field(default_factory=dict)
+    shows: dict[str, Words] = field(default_factory=dict)
+    equivalent: dict[str, str] = field(default_factory=dict)
     cures: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
@@ -109,6 +141,8 @@ class Task:
         if self.points < 1 or self.variants < 1 or not self.answer.isidentifier():
             raise TaskError(f"{self.id}: points and variants count from 1, and `answer` is a name")
         names = [twin.name for twin in self.twins]
+        if any(isinstance(twin, Slip) for twin in self.twins) and self.model is None:
+            raise TaskError(f"{self.id}: slips are steps of a `model`, and there is none")
         if len(set(names)) < len(names):
             raise TaskError(f"{self.id}: two twins have one name: {', '.join(names)}")
 

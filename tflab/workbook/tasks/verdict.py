@@ -2,7 +2,7 @@
 
     what came out of each case  +  what was expected, and what each twin gives  -->  Verdict
 
-    Verdict(passed=0, of=6, mistake=Mistake.SLIP, twin="swapped")       "that is the inverse"
+    Verdict(passed=0, of=6, mistake=Mistake.SLIP, slips={"swapped": ...})    "that is the inverse"
     Verdict(passed=0, of=6, mistake=Mistake.UNIT, detail={"unit": "mm"})
     Verdict(passed=6, of=6)
 
@@ -12,34 +12,23 @@ Read `mistake.py` next.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 from ..answers import forms, sealed
-from ..answers.form import inside, member, numbers_of
+from ..answers.form import inside, member
 from ..answers.forms import Angle, Choice, Form, Message, Number, Parts, Vector
 from ..answers.values import Plain, is_raised, is_unanswered
+from ..words import Words
 from . import evidence
-from .case import Case, TaskCases, Variant
+from .case import Case, TaskCases, TwinWords, Variant
+from .certain import certain
+from .explain import ANY_BUG, Explanation, explained
 from .mistake import Mistake
+from .units import unit_of
 
 __all__ = ["Verdict", "judge_outcomes", "kind_of"]
-
-# What one unit is in others: an answer that fits after dividing by the factor is in that unit.
-OTHER_UNITS = {
-    "m": {"mm": 1e3, "cm": 1e2},
-    "mm": {"m": 1e-3, "cm": 0.1},
-    "rad": {"degrees": math.degrees(1.0)},
-    "s": {"ns": 1e9, "ms": 1e3},
-    "ms": {"s": 1e-3, "ns": 1e6},
-    "ns": {"s": 1e-9, "ms": 1e-6},
-    "m/s": {"mm/s": 1e3},
-}
-
-# A function that stops with one of these has some bug or other: nobody can say that it is this mistake.
-ANY_BUG = {"AttributeError", "IndexError", "KeyError", "NameError", "NotImplementedError", "TypeError", "ValueError"}
 
 
 @dataclass(frozen=True)
@@ -50,19 +39,21 @@ class Verdict:
         passed: probes that earn credit; of a function's, those that show something (see evidence.py).
         of: how many there are.
         mistake: what is wrong with it; None if all of it is right.
-        twin: the mistake's name, if it is one of the task's.
+        slips: those that it comes of, the first in the work first, and what is said of each.
         case: the first case that failed, from 0.
         right: for each probe, in the order of the cases, whether it earns credit.
         detail: what a reply fills in.
+        said: what to say of the slips; None if it comes of none that is known.
     """
 
     passed: int
     of: int
     mistake: Mistake | None = None
-    twin: str = ""
+    slips: dict[str, TwinWords] = field(default_factory=dict)
     case: int = 0
     right: tuple[bool, ...] = ()
     detail: dict[str, Any] = field(default_factory=dict)
+    said: Words | None = None
 
 
 def judge_outcomes(task: TaskCases, variant: Variant, outcomes: Sequence[Plain]) -> Verdict:
@@ -77,15 +68,18 @@ def judge_outcomes(task: TaskCases, variant: Variant, outcomes: Sequence[Plain])
     rights = [sealed.judge(form, outcome, case.expected) for case, outcome in zip(cases, outcomes, strict=True)]
     counted = evidence.credited(form, cases, outcomes, rights) if task.is_function else rights
     right = tuple(one for row in counted for one in row)
-    passed, of = sum(right), len(right)
-    if passed == of:
-        return Verdict(passed, of, right=right)
+    if all(right):
+        return Verdict(len(right), len(right), right=right)
     case = next(number for number, row in enumerate(rights) if not all(row))
     try:
-        mistake, twin, detail = _mistake(task, cases, outcomes, rights, case)
+        mistake, detail, found = _mistake(task, cases, outcomes, rights, case)
     except Exception:  # JSON that `to_plain` never wrote: wrong, and there is nothing to say of it
-        mistake, twin, detail = Mistake.VALUE, "", {}
-    return Verdict(passed, of, mistake, twin, case, right, detail)
+        mistake, detail, found = Mistake.VALUE, {}, None
+    if found is None:
+        return Verdict(sum(right), len(right), mistake, {}, case, right, {"certain": None} | detail)
+    if found.follows and isinstance(form, Parts):  # one slip costs the part that it is made in, not what follows
+        right = tuple(was or name in found.follows for was, name in zip(right, form.parts, strict=True))
+    return Verdict(sum(right), len(right), mistake, found.slips, case, right, detail, found.said)
 
 
 def kind_of(plain: Plain) -> str:
@@ -111,38 +105,62 @@ def kind_of(plain: Plain) -> str:
 
 
 def _mistake(
+    task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], rights: Sequence[list[bool]], case: int
+) -> tuple[Mistake, dict[str, Any], Explanation | None]:
+    """Return what is wrong, the details, and how it came about if that is known; coarse to fine."""
+    form, outcome, expected = task.form, outcomes[case], cases[case].expected
+    if all(map(is_unanswered, outcomes)):
+        return Mistake.UNANSWERED, {}, None
+    missing = _coarse(form, outcome) if isinstance(form, Parts) and not task.is_function else None
+    if missing is not None:
+        return missing[0], {"got": kind_of(outcome), **missing[1]}, None
+    found = explained(task, cases, outcomes, rights)
+    if found is not None and next(iter(found.slips)).startswith("unit ") and len(found.slips) == 1:
+        return Mistake.UNIT, _unit(form, next(iter(found.slips)), rights[case]), found
+    if found is not None:
+        return Mistake.SLIP, {}, found
+    return *_unexplained(task, cases, outcomes, rights, case, outcome, expected), None
+
+
+def _unexplained(
     task: TaskCases,
     cases: Sequence[Case],
     outcomes: Sequence[Plain],
     rights: Sequence[list[bool]],
     case: int,
-) -> tuple[Mistake, str, dict[str, Any]]:
-    """Return what is wrong, the twin's name and the details, coarse to fine."""
-    form, outcome, expected = task.form, outcomes[case], cases[case].expected
-    if all(map(is_unanswered, outcomes)):
-        return Mistake.UNANSWERED, "", {}
-    twin = _twin(task, cases, outcomes, rights)
-    if twin:
-        return Mistake.SLIP, twin, _slipped_parts(task, rights[case])
+    outcome: Plain,
+    expected: Plain,
+) -> tuple[Mistake, dict[str, Any]]:
+    """Return what can be said of an answer that no slip gives."""
+    form = task.form
     if (ending := _ending(task, outcomes, outcome, expected)) is not None:
-        return ending[0], "", ending[1]
+        return ending
     coarse = _coarse(form, outcome)
     if coarse is not None:
-        return coarse[0], "", {"got": kind_of(outcome), **coarse[1]}
-    unit = _other_unit(form, [(out, here.expected) for out, here in zip(outcomes, cases, strict=True)])
-    if unit is not None:
-        return Mistake.UNIT, "", unit
+        return coarse[0], {"got": kind_of(outcome), **coarse[1]}
     if task.is_function and (habit := evidence.habit(form, cases, outcomes)):
-        return Mistake(habit), "", {}
+        return Mistake(habit), {}
+    bounds = certain(form, outcome, expected)
     if isinstance(form, Parts | Message):
-        return Mistake.PARTS, "", {"wrong": _wrong_names(form, rights[case])}
-    return Mistake.VALUE, "", {}
+        return Mistake.PARTS, {"wrong": _wrong_names(form, rights[case]), "certain": bounds}
+    return Mistake.VALUE, {"certain": bounds}
+
+
+def _unit(form: Form, name: str, rights: list[bool]) -> dict[str, Any]:
+    """Return in which unit an answer is, and which is asked for; of parts, of the one that is wrong."""
+    detail = {}
+    if isinstance(form, Parts):
+        detail["part"] = _wrong_names(form, rights)[0]
+        form = form.parts[detail["part"]]
+    return {"unit": name.removeprefix("unit "), "wanted_unit": unit_of(form), **detail}
 
 
 def _ending(
     task: TaskCases, outcomes: Sequence[Plain], outcome: Plain, expected: Plain
 ) -> tuple[Mistake, dict[str, Any]] | None:
     """Return what is wrong with how a call ended: it raised, or gave nothing, or did not refuse; None if nothing."""
+    if isinstance(outcome, dict) and "changed" in outcome:
+        return Mistake.INPUT_CHANGED, {"changed": outcome["changed"]}
     if is_raised(outcome):
         meant = is_raised(expected) and outcome["raises"] not in ANY_BUG - {"ValueError"}
         detail = {"error": outcome["raises"], "text": outcome.get("text", "")}
@@ -203,78 +221,6 @@ def _coarse_of_parts(form: Parts, outcome: Plain) -> tuple[Mistake, dict[str, An
         if fault is not None:
             return fault[0], {**fault[1], "part": name, "got": kind_of(answers[name])}
     return None
-
-
-def _twin(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], rights: Sequence[list[bool]]) -> str:
-    """Return the twin that was wrong in the same way wherever the answer is wrong, or "".
-
-    A function has to be the twin in every case; a dict of parts only in those
-    parts that are wrong, for one may slip in one of four sentences.
-    """
-    form = task.form
-    best, most = "", 0
-    for name in task.twins:
-        rows = [_judge_twin(form, outcome, case.twins[name]) for case, outcome in zip(cases, outcomes, strict=True)]
-        wrong_alike = all(_is_wrong_alike(row, right) for row, right in zip(rows, rights, strict=True))
-        alike = sum(map(sum, rows))
-        whole = alike == sum(map(len, rows))
-        if wrong_alike and (whole or isinstance(form, Parts)) and alike > most:
-            best, most = name, alike
-    return best
-
-
-def _is_wrong_alike(row: list[bool], right: list[bool]) -> bool:
-    """Return whether the twin explains all that is wrong in one case; where one of the two raises, as a whole."""
-    if len(row) != len(right):
-        return all(row) or all(right)
-    return all(twin for twin, good in zip(row, right, strict=True) if not good)
-
-
-def _judge_twin(form: Form, outcome: Plain, twin: Plain) -> list[bool]:
-    if isinstance(outcome, dict) and outcome.get("raises") in ANY_BUG:
-        return [False]
-    try:
-        return sealed.judge(form, outcome, twin)
-    except ValueError:  # a twin need not be of the form at all
-        return [outcome == twin]
-
-
-def _other_unit(form: Form, pairs: Sequence[tuple[Plain, Plain]]) -> dict[str, Any] | None:
-    """Return the unit in which every answer would be right, or None; of parts, the first that is right so."""
-    if isinstance(form, Parts):
-        return _other_unit_of_part(form, pairs)
-    for unit, factor in OTHER_UNITS.get(_unit(form), {}).items():
-        if all(_fits_in_unit(form, outcome, expected, factor) for outcome, expected in pairs):
-            return {"unit": unit, "wanted_unit": _unit(form)}
-    return None
-
-
-def _other_unit_of_part(form: Parts, pairs: Sequence[tuple[Plain, Plain]]) -> dict[str, Any] | None:
-    for number, (name, part) in enumerate(form.parts.items()):
-        inner = [(inside(outcome).get(name), sealed.part_of(expected, number, name)) for outcome, expected in pairs]
-        if all(all(sealed.judge(part, answer, expected)) for answer, expected in inner):
-            continue
-        found = _other_unit(part, inner)
-        if found is not None:
-            return {**found, "part": name}
-    return None
-
-
-def _fits_in_unit(form: Form, outcome: Plain, expected: Plain, factor: float) -> bool:
-    if is_raised(expected):
-        return False
-    size = form.size if isinstance(form, Vector) else None
-    row = numbers_of(outcome, size)
-    if row is None:
-        return False
-    scaled = [number / factor for number in row]
-    return all(sealed.judge(form, scaled if size else scaled[0], expected))
-
-
-def _unit(form: Form) -> str:
-    if isinstance(form, Angle):
-        return "rad"
-    return form.unit if isinstance(form, Number | Vector) else ""
 
 
 def _holds_numbers(body: Plain) -> bool:

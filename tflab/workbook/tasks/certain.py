@@ -1,0 +1,143 @@
+"""What can be said for certain where no known mistake fits?  Which part, how far off, to which side.
+
+    2.9 for 2.2                     "too large, by less than double"
+    (2.2, 0.5, 0.15) for (2.2, 0, 0.15)     "x and z are right; y is too large"
+
+Bounds, not values: an answer is not given away.  The field knows it as
+constraint-based tutoring (Ohlsson): what an answer violates is certain, even where
+nobody knows how it came about.  Read `explain.py` next.
+"""
+
+from __future__ import annotations
+
+import math
+
+from ..answers import sealed
+from ..answers.form import Angle, Form, Number, Pose, Quaternion, Vector, inside, numbers_of, pose_of
+from ..answers.forms import Message, Parts, Sequence
+from ..answers.values import Plain, is_raised
+from ..words import Words
+
+__all__ = ["certain"]
+
+NAMES = "xyzw"
+
+
+def certain(form: Form, answer: Plain, expected: Plain) -> Words | None:
+    """Return what is certain about a wrong answer, or None if there is nothing to say."""
+    if sealed.is_sealed(expected) or is_raised(expected) or is_raised(answer):
+        return None
+    if isinstance(form, Number):
+        return _of_number(numbers_of(answer, None), numbers_of(expected, None))
+    if isinstance(form, Angle):
+        return _of_angle(numbers_of(answer, None), numbers_of(expected, None))
+    if isinstance(form, Vector):
+        return _of_vector(numbers_of(answer, form.size), numbers_of(expected, form.size), form.tolerance)
+    if isinstance(form, Quaternion):
+        return _of_rotation(numbers_of(answer, 4), numbers_of(expected, 4))
+    if isinstance(form, Sequence):
+        return _of_sequence(inside(answer), inside(expected))
+    if isinstance(form, Pose):
+        return _of_pose(answer, expected)
+    return _of_parts(form, answer, expected)
+
+
+def _of_number(given: tuple[float, ...] | None, wanted: tuple[float, ...] | None) -> Words | None:
+    if given is None or wanted is None:
+        return None
+    large = given[0] > wanted[0]
+    side = Words("too large", "너무 큽니다") if large else Words("too small", "너무 작습니다")
+    off = abs(given[0] - wanted[0])
+    if off < 0.1 * abs(wanted[0]):
+        return Words(f"{side.en}, by less than a tenth", f"10% 이내의 차이로 {side.ko}")
+    if off < abs(wanted[0]):
+        return Words(f"{side.en}, by more than a tenth", f"10% 넘는 차이로 {side.ko}")
+    return Words(f"{side.en}, by more than the answer itself", f"정답 자체보다 큰 차이로 {side.ko}")
+
+
+def _of_angle(given: tuple[float, ...] | None, wanted: tuple[float, ...] | None) -> Words | None:
+    if given is None or wanted is None:
+        return None
+    off = math.remainder(given[0] - wanted[0], math.tau)
+    size = _degrees(abs(off))
+    if off > 0:
+        return Words(f"turned too far to the left, by {size.en}", f"왼쪽으로 {size.ko} 더 돌았습니다")
+    return Words(f"turned too far to the right, by {size.en}", f"오른쪽으로 {size.ko} 더 돌았습니다")
+
+
+def _of_vector(given: tuple[float, ...] | None, wanted: tuple[float, ...] | None, tolerance: float) -> Words | None:
+    if given is None or wanted is None:
+        return None
+    rows = list(zip(NAMES, given, wanted, strict=False))
+    right = [name for name, number, other in rows if abs(number - other) <= tolerance]
+    large = [name for name, number, other in rows if number - other > tolerance]
+    small = [name for name, number, other in rows if other - number > tolerance]
+    if not right and abs(math.hypot(*given) - math.hypot(*wanted)) <= 2 * tolerance:
+        return Words(
+            "its length is right, its direction is not: a turn is missing, or is one too many",
+            "길이는 맞지만 방향이 다릅니다. 회전이 빠졌거나 하나 더 들어갔습니다",
+        )
+    pieces = [(right, "right", "맞음"), (large, "too large", "너무 큼"), (small, "too small", "너무 작음")]
+    said = [(", ".join(names), en, ko) for names, en, ko in pieces if names]
+    return Words("; ".join(f"{names}: {en}" for names, en, _ in said), "; ".join(f"{n}: {ko}" for n, _, ko in said))
+
+
+def _of_rotation(given: tuple[float, ...] | None, wanted: tuple[float, ...] | None) -> Words | None:
+    if given is None or wanted is None or math.hypot(*given) < 1e-9:
+        return Words("all zeros is no rotation", "모두 0이면 회전이 아닙니다") if given is not None else None
+    cosine = abs(sum(map(lambda a, b: a * b, given, wanted))) / math.hypot(*given) / math.hypot(*wanted)
+    size = _degrees(2.0 * math.acos(min(1.0, cosine)))
+    return Words(f"off by {size.en}", f"{size.ko} 어긋났습니다")
+
+
+def _of_pose(answer: Plain, expected: Plain) -> Words | None:
+    given, wanted = pose_of(answer), pose_of(expected)
+    if given is None or wanted is None:
+        return None
+    place = _of_vector(given[2], wanted[2], 1e-3)
+    turn = _of_rotation(given[3], wanted[3])
+    return Words(f"translation: {place.en}. Rotation: {turn.en}", f"이동: {place.ko}. 회전: {turn.ko}")
+
+
+def _of_sequence(given: Plain, wanted: Plain) -> Words | None:
+    if not isinstance(given, list) or not isinstance(wanted, list):
+        return None
+    if len(given) > len(wanted):
+        return Words("too many members", "원소가 너무 많습니다")
+    if len(given) < len(wanted):
+        return Words("too few members", "원소가 모자랍니다")
+    return Words("as many members as asked for, and not these", "원소의 수는 맞지만 내용이 다릅니다")
+
+
+def _of_parts(form: Form, answer: Plain, expected: Plain) -> Words | None:
+    """Say it of the first part that is wrong and can be spoken of."""
+    if not isinstance(form, Parts):
+        return _of_message(form, answer, expected) if isinstance(form, Message) else None
+    given, wanted = inside(answer), inside(expected)
+    if not isinstance(given, dict) or not isinstance(wanted, dict):
+        return None
+    for name, part in form.parts.items():
+        if name in given and not part.alike(given[name], wanted[name]):
+            said = certain(part, given[name], wanted[name])
+            if said is not None:
+                return Words(f'"{name}": {said.en}', f'"{name}": {said.ko}')
+    return None
+
+
+def _of_message(form: Message, answer: Plain, expected: Plain) -> Words | None:
+    rights = form.judge(answer, expected)
+    wrong = [path for path, right in zip(form.fields, rights, strict=True) if not right]
+    right = [path for path, right in zip(form.fields, rights, strict=True) if right]
+    if not right:
+        return None
+    return Words(
+        f"right: {', '.join(right)}; wrong: {', '.join(wrong)}", f"맞음: {', '.join(right)}; 틀림: {', '.join(wrong)}"
+    )
+
+
+def _degrees(angle_rad: float) -> Words:
+    angle = math.degrees(angle_rad)
+    for bound in (1, 5, 15, 45, 90):
+        if angle < bound:
+            return Words(f"less than {bound}°", f"{bound}° 이내로")
+    return Words("more than 90°", "90° 넘게")

@@ -1,0 +1,240 @@
+"""Would a wrong solution pass?  Each is spoilt in one place after the other, and none of the spoilt ones may.
+
+    abs(length - 1) > 0.01    -->    abs(length - 1) >= 0.01     passes?  then no input stands at the bound
+                              -->    abs(length + 1) > 0.01      refused, as it should be
+                              -->    abs(length - 1) > 0.0101    passes?  then none stands a hair beside it
+
+The field calls this mutation testing: a *mutant* that passes is a *survivor*, and
+shows an input that is missing.  Some mean the same as the solution; those stand with
+the task as `equivalent`, each with its reason.  The build refuses a task that has any
+other survivor.  Read `blank.py` next.
+"""
+
+from __future__ import annotations
+
+import ast
+import copy
+from collections.abc import Callable, Sequence
+from typing import Any, NamedTuple
+
+from ..answers import sealed
+from ..answers.values import from_plain, outcome_of
+from .case import AND, TaskCases, Variant
+from .cases import CasesError, combinations
+from .reference import Solution, answer_cell_name
+from .task import Task, TaskError
+
+__all__ = ["Tested", "mutants_of", "refuse_survivors", "survivors", "table", "tested"]
+
+COMPARED = {
+    ast.Lt: (ast.LtE, ast.Gt), ast.LtE: (ast.Lt, ast.GtE), ast.Gt: (ast.GtE, ast.Lt), ast.GtE: (ast.Gt, ast.LtE),
+    ast.Eq: (ast.NotEq,), ast.NotEq: (ast.Eq,), ast.In: (ast.NotIn,), ast.NotIn: (ast.In,),
+}  # fmt: skip
+COMPUTED = {ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult, ast.Pow: ast.Mult}
+SYMMETRIC = {"min", "max", "hypot"}  # the same whichever argument comes first
+CALLED = {"sin": "cos", "cos": "sin", "min": "max", "max": "min", "any": "all", "all": "any"}
+
+
+class Mutant(NamedTuple):
+    """A solution spoilt in one place: what was written there, what is now, and the whole cell."""
+
+    name: str
+    source: str
+
+
+class Tested(NamedTuple):
+    """How a task stood its test: what it knows, how many mutants there are, and which of them passed."""
+
+    task: str
+    slips: int
+    pairs: int
+    told_apart: int
+    mutants: int
+    killed: int
+    equivalent: int
+    survivors: tuple[str, ...]
+
+
+def mutants_of(source: str, hair: float = 1e-3) -> list[Mutant]:
+    """Return the mutants of a cell, each changed in one place; numbers by a part `hair` of theirs."""
+    tree = ast.parse(source)
+    whole = ast.unparse(tree)
+    made: dict[str, Mutant] = {}
+    for number, node in enumerate(ast.walk(tree)):
+        for change in range(len(_changes(node, hair))):
+            changed = copy.deepcopy(tree)
+            place = next(one for n, one in enumerate(ast.walk(changed)) if n == number)
+            new = _changes(place, hair)[change]
+            _put(changed, place, new)
+            after = ast.unparse(ast.fix_missing_locations(changed))
+            if after != whole:
+                made.setdefault(after, Mutant(_name(tree, node, new), after))
+    return list(made.values())
+
+
+def _name(tree: ast.AST, node: ast.AST, new: ast.AST | None) -> str:
+    """Return what is changed, and in which statement if that is not too long to say."""
+    if new is None:
+        return f"without: {_short(node)}"
+    statement = _statement(tree, node)
+    return f"{_short(node)} -> {_short(new)}" + (f" in: {statement}" if len(statement) < 60 else "")
+
+
+def tested(task: Task, made: TaskCases, solution: Solution) -> Tested:
+    """Return how a task stands its test on these cases; to be called inside `in_process_ros()`."""
+    mutants = _mutants(task, solution)
+    passed = survivors(task, made.variants, solution, mutants)
+    unknown = [name for name in passed if name not in task.equivalent]
+    told = max(sum(AND in key for key in variant.cases[0].twins) for variant in made.variants)
+    known = len(passed) - len(unknown)
+    return Tested(
+        task.id, len(task.twins), len(combinations(task)), told, len(mutants), len(mutants) - len(passed), known,
+        tuple(unknown),
+    )  # fmt: skip
+
+
+def refuse_survivors(test: Tested) -> None:
+    """Raise CasesError if a mutant passed that nobody explained."""
+    if test.survivors:
+        said = "; ".join(test.survivors[:3]) + (" ..." if len(test.survivors) > 3 else "")
+        raise CasesError(
+            f"{test.task}: {len(test.survivors)} spoilt solutions pass: {said}; draw inputs that tell them apart, "
+            "or say in `equivalent` why they mean the same"
+        )
+
+
+def survivors(
+    task: Task, variants: Sequence[Variant], solution: Solution, mutants: Sequence[Mutant] | None = None
+) -> list[str]:
+    """Return the names of the mutants that pass: functions in any variant, values in all, for a value may be right."""
+    mutants = _mutants(task, solution) if mutants is None else mutants
+    enough = any if task.inputs else all
+    return [
+        mutant.name for mutant in mutants if enough(_passes(task, variant, solution, mutant) for variant in variants)
+    ]
+
+
+def table(rows: Sequence[Tested]) -> str:
+    """Return the tests of tasks as a table."""
+    lines = ["task   slips  pairs  told apart  mutants  killed  equivalent  survivors"]
+    lines += [
+        f"{row.task:<6} {row.slips:>5} {row.pairs:>6} {row.told_apart:>11} {row.mutants:>8} {row.killed:>7} "
+        f"{row.equivalent:>11} {len(row.survivors):>10}"
+        for row in rows
+    ]
+    return "\n".join(lines)
+
+
+def _mutants(task: Task, solution: Solution) -> list[Mutant]:
+    """Return the mutants of a task's answer: a function's by a hair, a value's by more than its tolerance."""
+    return mutants_of(solution.source(answer_cell_name(task.id)), 1e-3 if task.inputs else 0.1)
+
+
+def _passes(task: Task, variant: Variant, solution: Solution, mutant: Mutant) -> bool:
+    given = variant.given
+    held = {name: from_plain(value) for name, value in given.items()} if given is not None else None
+    try:
+        answer = solution.answer(task, held, mutant.source)
+    except TaskError:
+        return False
+    for case in variant.cases:
+        outcome = outcome_of(answer, case.args) if case.args is not None else outcome_of(lambda: answer, ())
+        if not all(sealed.judge(task.form, outcome, case.expected)):
+            return False
+    return True
+
+
+# -- what is changed ---------------------------------------------------------------------
+
+
+def _changes(node: ast.AST, hair: float) -> list[ast.AST | None]:
+    """Return what may stand in a node's place; None for nothing at all."""
+    change = CHANGES.get(type(node))
+    return change(node, hair) if change else []
+
+
+def _compared(node: ast.Compare, _hair: float) -> list[ast.AST]:
+    return [
+        ast.Compare(node.left, [*node.ops[:n], other(), *node.ops[n + 1 :]], node.comparators)
+        for n, op in enumerate(node.ops)
+        for other in COMPARED.get(type(op), ())
+    ]
+
+
+def _computed(node: ast.BinOp, _hair: float) -> list[ast.AST]:
+    swapped = [ast.BinOp(node.right, node.op, node.left)] if isinstance(node.op, ast.MatMult | ast.Sub) else []
+    other = COMPUTED.get(type(node.op))
+    return swapped + ([ast.BinOp(node.left, other(), node.right)] if other else [])
+
+
+def _joined(node: ast.BoolOp, _hair: float) -> list[ast.AST]:
+    return [ast.BoolOp(ast.Or() if isinstance(node.op, ast.And) else ast.And(), node.values)]
+
+
+def _signed(node: ast.UnaryOp, _hair: float) -> list[ast.AST]:
+    return [node.operand] if isinstance(node.op, ast.USub | ast.Not) else []
+
+
+def _constant(node: ast.Constant, hair: float) -> list[ast.AST]:
+    return [ast.Constant(value) for value in _others(node.value, hair)]
+
+
+def _branch(node: ast.If, _hair: float) -> list[ast.AST]:
+    return [ast.If(ast.Constant(value), node.body, node.orelse) for value in (True, False)]
+
+
+def _dropped(node: ast.Assign | ast.AugAssign, _hair: float) -> list[None]:
+    return [] if isinstance(node.value, ast.Dict) else [None]
+
+
+def _others(value: Any, hair: float) -> list[Any]:
+    if isinstance(value, bool):
+        return [not value]
+    if isinstance(value, int):
+        return [value + 1, value - 1]
+    if isinstance(value, float):
+        return [value * (1.0 + hair), value * (1.0 - hair)] if value else [10 * hair, -10 * hair]
+    return []
+
+
+def _called(node: ast.Call, _hair: float) -> list[ast.AST]:
+    made: list[ast.AST] = []
+    if isinstance(node.func, ast.Attribute) and node.func.attr in CALLED:
+        made.append(
+            ast.Call(ast.Attribute(node.func.value, CALLED[node.func.attr], ast.Load()), node.args, node.keywords)
+        )
+    if isinstance(node.func, ast.Name) and node.func.id in CALLED:
+        made.append(ast.Call(ast.Name(CALLED[node.func.id], ast.Load()), node.args, node.keywords))
+    if len(node.args) > 1 and ast.unparse(node.func).rpartition(".")[2] not in SYMMETRIC:
+        made.append(ast.Call(node.func, [node.args[1], node.args[0], *node.args[2:]], node.keywords))
+    if len(node.args) == 1 and not node.keywords and not isinstance(node.args[0], ast.Starred | ast.GeneratorExp):
+        made.append(node.args[0])  # f(x) -> x
+    if not node.args and isinstance(node.func, ast.Attribute):
+        made.append(node.func.value)  # x.f() -> x
+    return made
+
+
+CHANGES: dict[type, Callable[[Any, float], list]] = {
+    ast.Compare: _compared, ast.BinOp: _computed, ast.BoolOp: _joined, ast.UnaryOp: _signed, ast.Constant: _constant,
+    ast.Call: _called, ast.If: _branch, ast.Assign: _dropped, ast.AugAssign: _dropped,
+}  # fmt: skip
+
+
+def _put(tree: ast.AST, place: ast.AST, new: ast.AST | None) -> None:
+    for parent in ast.walk(tree):
+        for name, held in ast.iter_fields(parent):
+            if held is place:
+                setattr(parent, name, new)
+            elif isinstance(held, list) and any(one is place for one in held):
+                put = [new if one is place else one for one in held]
+                setattr(parent, name, [one for one in put if one is not None] or [ast.Pass()])
+
+
+def _statement(tree: ast.AST, node: ast.AST) -> str:
+    """Return the smallest statement that holds a node, in a line."""
+    around = [one for one in ast.walk(tree) if isinstance(one, ast.stmt) and any(n is node for n in ast.walk(one))]
+    return _short(min(around, key=lambda one: sum(1 for _ in ast.walk(one))))
+
+
+def _short(node: ast.AST) -> str:
+    return ast.unparse(node).partition("\n")[0]

@@ -1,0 +1,205 @@
+"""Which mistakes can any answer have?  A sign, a unit, an order of numbers: known once, for all tasks.
+
+    answer (0.707, 0, 0, 0.707)   undo "w first"   (0, 0, 0.707, 0.707)   == expected: so w came first
+    answer 57.3                   undo "degrees"   1.0                     == expected: so it is in degrees
+
+Each is undone, and what is left is compared with what was expected, or with what a
+slip of the task would give: so it works where the right answer is sealed, too.
+Such rules are the *mal-rules* of a *bug library* (Brown and Burton's BUGGY): not
+what is wrong, but what was done.  Read `certain.py` next.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from itertools import permutations
+from typing import NamedTuple
+
+from tflab.core import Transform
+
+from ..answers.form import numbers_of, pose_of
+from ..answers.forms import Angle, Form, Number, Pose, Quaternion, Sequence, Vector
+from ..answers.values import Plain, to_plain
+from ..words import Words
+from .units import OTHER_UNITS, unit_of
+
+__all__ = ["UNIVERSAL", "Undone", "undone"]
+
+Row = tuple[float, ...]
+
+
+class Universal(NamedTuple):
+    """A mistake that any answer of some form can have.
+
+    Attributes:
+        undo: what the answer would have been without it; several where it can be undone in several ways.
+    """
+
+    reply: Words
+    undo: Callable[[Row], Iterator[Row]]
+    misconception: str = ""
+
+
+class Undone(NamedTuple):
+    """An answer without one universal mistake: its name, the unit if it is one of units, and what is left."""
+
+    name: str
+    unit: str
+    left: Plain
+
+
+def _negated(row: Row) -> Iterator[Row]:
+    yield tuple(-number for number in row)
+
+
+def _reciprocal(row: Row) -> Iterator[Row]:
+    if row[0]:
+        yield (1.0 / row[0],)
+
+
+def _exchanged(row: Row) -> Iterator[Row]:
+    yield from (order for order in permutations(row) if order != row)
+
+
+def _one_sign(row: Row) -> Iterator[Row]:
+    for place, number in enumerate(row):
+        if number:
+            yield (*row[:place], -number, *row[place + 1 :])
+
+
+def _w_first(row: Row) -> Iterator[Row]:
+    yield (*row[1:], row[0])
+
+
+def _conjugate(row: Row) -> Iterator[Row]:
+    yield (-row[0], -row[1], -row[2], row[3])
+
+
+def _scaled(row: Row) -> Iterator[Row]:
+    length = math.hypot(*row)
+    if length > 1e-9 and abs(length - 1.0) > 1e-3:
+        yield tuple(number / length for number in row)
+
+
+def _halved(row: Row) -> Iterator[Row]:
+    """Turn half as far: (x, y, z, w) of the angle a becomes that of a/2, either way round."""
+    x, y, z, w = row
+    sine = math.hypot(x, y, z)
+    if abs(math.hypot(*row) - 1.0) < 1e-3 and sine > 1e-6:
+        for half in (math.atan2(sine, w) / 2.0, (math.atan2(sine, w) - math.pi) / 2.0):
+            yield (*(part * math.sin(half) / sine for part in (x, y, z)), math.cos(half))
+
+
+UNIVERSAL = {
+    "sign": Universal(
+        Words(en="the size is right, the sign is not.", ko="크기는 맞지만 부호가 반대입니다."),
+        _negated,
+    ),
+    "one over it": Universal(
+        Words(
+            en="this is one over what is asked for: a rate for a period, or the other way round.",
+            ko="필요한 값의 역수입니다. 주기 대신 주파수를, 또는 그 반대를 쓰지 않았습니까?",
+        ),
+        _reciprocal,
+    ),
+    "all signs": Universal(
+        Words(
+            en="each number has the other sign: the arrow points the opposite way.",
+            ko="모든 숫자의 부호가 반대입니다. 화살표가 반대쪽을 가리킵니다.",
+        ),
+        _negated,
+    ),
+    "one sign": Universal(
+        Words(en="one of the numbers has the wrong sign.", ko="숫자 하나의 부호가 반대입니다."),
+        _one_sign,
+    ),
+    "exchanged": Universal(
+        Words(
+            en="these are the right numbers in the wrong places: x, y and z are exchanged.",
+            ko="숫자는 맞지만 자리가 다릅니다. x, y, z가 서로 바뀌었습니다.",
+        ),
+        _exchanged,
+    ),
+    "w first": Universal(
+        Words(
+            en="the rotation is right, the order of its numbers is not: in ROS w comes last, (x, y, z, w).",
+            ko="회전은 맞지만 숫자의 순서가 다릅니다. ROS에서는 w가 마지막입니다: (x, y, z, w).",
+        ),
+        _w_first,
+        "M5",
+    ),
+    "inverse rotation": Universal(
+        Words(
+            en="this is the inverse rotation: it turns as far, and the other way.",
+            ko="역회전입니다. 도는 크기는 같고 방향이 반대입니다.",
+        ),
+        _conjugate,
+        "M1",
+    ),
+    "not normalised": Universal(
+        Words(
+            en="the direction of the quaternion is right, its length is not 1: divide it by its length.",
+            ko="쿼터니언의 방향은 맞지만 길이가 1이 아닙니다. 길이로 나누십시오.",
+        ),
+        _scaled,
+        "M5",
+    ),
+    "whole angle": Universal(
+        Words(
+            en="this turns twice as far: a quaternion holds the sine and cosine of half the angle.",
+            ko="두 배로 돌아갑니다. 쿼터니언에는 각도의 절반에 대한 sin과 cos을 넣습니다.",
+        ),
+        _halved,
+        "M5",
+    ),
+    "other order": Universal(
+        Words(en="the right members, in the opposite order.", ko="원소는 맞지만 순서가 거꾸로입니다."),
+        lambda row: iter(()),
+    ),
+    "inverse transform": Universal(
+        Words(
+            en="this is the inverse transform: target and source are swapped.",
+            ko="역변환입니다. 목표와 원본이 바뀌었습니다.",
+        ),
+        lambda row: iter(()),
+        "M1",
+    ),
+}
+OF_FORM = {
+    Number: ("sign", "one over it"),
+    Angle: ("sign",),
+    Vector: ("all signs", "exchanged", "one sign"),
+    Quaternion: ("w first", "inverse rotation", "not normalised", "whole angle"),
+}
+
+
+def undone(form: Form, answer: Plain) -> Iterator[Undone]:
+    """Yield what an answer would be without each of the mistakes that an answer of its form can have."""
+    if isinstance(form, Pose):
+        yield from _undone_pose(answer)
+    elif isinstance(form, Sequence) and isinstance(answer, list) and len(answer) > 1:
+        yield Undone("other order", "", answer[::-1])
+    size = form.size if isinstance(form, Vector) else 4 if isinstance(form, Quaternion) else None
+    row = numbers_of(answer, size) if type(form) in OF_FORM else None
+    if row is None:
+        return
+    for unit, factor in OTHER_UNITS.get(unit_of(form), {}).items():
+        yield Undone("unit", unit, _plain(tuple(number / factor for number in row), size))
+    for name in OF_FORM[type(form)]:
+        for left in UNIVERSAL[name].undo(row):
+            yield Undone(name, "", _plain(left, size))
+
+
+def _undone_pose(answer: Plain) -> Iterator[Undone]:
+    parts = pose_of(answer)
+    if parts is None or math.hypot(*parts[3]) < 1e-9:
+        return
+    yield Undone("inverse transform", "", to_plain(Transform(parts[2], parts[3]).inverse()))
+    for name in OF_FORM[Quaternion]:
+        for left in UNIVERSAL[name].undo(parts[3]):
+            yield Undone(name, "", {"Transform": [list(parts[2]), list(left)]})
+
+
+def _plain(row: Row, size: int | None) -> Plain:
+    return row[0] if size is None else list(row)
