@@ -15,7 +15,7 @@ def messages(rng):
     """Each verdict at least twice; ages across a full second, a nanosec below 0.1 s, both bounds and a hair beside."""
     second = int(rng.integers(20, 90))
     limit = float(rng.choice([0.5, 0.8, 1.2]))
-    hair = 2_000_000
+    hair = 200_000
     limit_ns = seconds(limit)
 
     def row(frame, now_s, age_ns, x=2.0):
@@ -32,6 +32,7 @@ def messages(rng):
         row("map", 0.02, limit_ns + seconds(0.4)),
         row("laser_frame", 0.5, 0),
         row("laser_frame", 0.5, -hair),
+        row("laser_frame", 0.5, -1),
         row("camera_link", 0.9, -seconds(limit + 0.4)),
         (point("laser_frame", 0, 1.0), Time(nanoseconds=seconds(second)), limit),
         (point("base_link", 0, 3.0), Time(nanoseconds=seconds(0.3)), limit),
@@ -210,4 +211,7 @@ TASK = Task(
         ),
     ),
     cures=("M9", "M10"),
+    equivalent={
+        "round(max_age_s * 1000000000.0) -> max_age_s * 1000000000.0": "whole nanoseconds compare alike with both",
+    },
 )

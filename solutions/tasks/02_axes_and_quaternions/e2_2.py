@@ -68,8 +68,8 @@ UP_AND_DOWN = Twin(
     "up and down",
     lambda given: picked(*given.optical_p_part)["up and down"],
     Words(
-        en="Depth and side are right. Above and below changed places: the picture's y counts down, the body's z counts up.",
-        ko="깊이와 좌우는 맞습니다. 위아래가 바뀌었습니다. 영상의 y는 아래로, 본체의 z는 위로 셉니다.",
+        en="Above and below changed places: the picture's y counts down, the body's z counts up.",
+        ko="위아래가 바뀌었습니다. 영상의 y는 아래로, 본체의 z는 위로 셉니다.",
     ),
     misconception="M4",
 )
@@ -79,8 +79,8 @@ LEFT_AND_RIGHT = Twin(
     "left and right",
     lambda given: picked(*given.optical_p_part)["left and right"],
     Words(
-        en="Depth and height are right. Left and right changed places: the picture's x counts to the right, the body's y to the left.",
-        ko="깊이와 높이는 맞습니다. 좌우가 바뀌었습니다. 영상의 x는 오른쪽으로, 본체의 y는 왼쪽으로 셉니다.",
+        en="Left and right changed places: the picture's x counts to the right, the body's y to the left.",
+        ko="좌우가 바뀌었습니다. 영상의 x는 오른쪽으로, 본체의 y는 왼쪽으로 셉니다.",
     ),
     misconception="M4",
 )

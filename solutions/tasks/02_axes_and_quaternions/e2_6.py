@@ -48,6 +48,7 @@ TURN_THE_DATA = Twin(
         ko="내 노드에서 숫자를 돌리면 내 노드만 맞고 다른 모두는 틀립니다. 게다가 원인이 고쳐지는 날 망가집니다. 숫자는 카메라가 잰 그대로입니다. 이름표와 두 장착 변환 가운데 하나가 잘못되어 있습니다.",
     ),
     misconception="M4",
+    part="fault",
 )
 
 
@@ -59,6 +60,7 @@ QUATERNION = Twin(
         ko="모두 0인 쿼터니언이라면 변환이 거절되어 아무것도 그려지지 않습니다. w를 먼저 썼다면 각도에 드러납니다. 증거 세 줄을 보십시오.",
     ),
     misconception="M5",
+    part="fault",
 )
 
 
@@ -74,8 +76,8 @@ WALL_ELSEWHERE = Twin(
     "wall elsewhere",
     lambda given: {**named(given), "wall_appears": "above" if wall_appears(given) == "right" else "right"},
     Words(
-        en="The fault is right, the place is not. Put three fingers on the numbers (right, down, forward) and read them as the fault makes them be read: which one becomes x, which one becomes z?",
-        ko="결함은 맞지만 벽의 위치가 틀립니다. (오른쪽, 아래, 앞) 세 숫자를 손가락으로 짚고, 이 결함에서 각각 무엇으로 읽히는지 따라가 보십시오. 어느 것이 x가 되고 어느 것이 z가 됩니까?",
+        en="Put three fingers on the numbers (right, down, forward) and read them as the fault makes them be read: which one becomes x, which one becomes z?",
+        ko="(오른쪽, 아래, 앞) 세 숫자를 손가락으로 짚고, 이 결함에서 각각 무엇으로 읽히는지 따라가 보십시오. 어느 것이 x가 되고 어느 것이 z가 됩니까?",
     ),
     misconception="M4",
 )
@@ -96,6 +98,7 @@ WRONG_END = Twin(
         ko="멀쩡한 것을 의심하고 있습니다. 증거 세 줄을 하나씩 보십시오. 깊이 클라우드의 헤더에는 광학 좌표계가 적힙니다. camera_link는 앞을 보므로 0 0 0입니다. 광학 좌표계는 그 안에서 -90 0 -90만큼 돌아가 있습니다. 어느 것이 다릅니까?",
     ),
     misconception="M4",
+    part="fault",
 )
 
 
@@ -110,8 +113,8 @@ MENDED_ELSEWHERE = Twin(
     "mended elsewhere",
     mended_elsewhere,
     Words(
-        en="You have found the fault, but you would mend it in the wrong file. Who writes a header: the program that sends the data, or the robot's description? And who says where a camera is bolted on?",
-        ko="결함은 찾았지만 엉뚱한 곳을 고치려 합니다. 헤더는 데이터를 보내는 프로그램이 씁니까, 로봇 모델이 씁니까? 카메라가 어디에 달려 있는지는 어디에 적습니까?",
+        en="You would mend it in the wrong file. Who writes a header: the program that sends the data, or the robot's description? And who says where a camera is bolted on?",
+        ko="엉뚱한 곳을 고치려 합니다. 헤더는 데이터를 보내는 프로그램이 씁니까, 로봇 모델이 씁니까? 카메라가 어디에 달려 있는지는 어디에 적습니까?",
     ),
     misconception="M4",
 )
@@ -131,6 +134,7 @@ OTHER_MOUNT = Twin(
         ko="장착 변환은 둘인데 엉뚱한 쪽을 의심하고 있습니다. -90 0 -90 회전은 base_link와 데이터 사이에 딱 한 번, camera_link와 camera_optical_frame 사이에 있어야 합니다.",
     ),
     misconception="M4",
+    part="fault",
 )
 
 
@@ -166,4 +170,48 @@ TASK = Task(
         ),
     ),
     cures=("M4",),
+    means={
+        "data": Words(
+            en="the numbers are what the camera measured: to turn them mends one node, and breaks on the day the cause is mended.",
+            ko="숫자는 카메라가 잰 그대로입니다. 숫자를 돌리면 노드 하나만 맞고, 원인이 고쳐지는 날 망가집니다.",
+        ),
+        "quaternion": Words(
+            en="a quaternion of zeros would be refused, and w first would show in the angles.",
+            ko="모두 0인 쿼터니언은 거절되고, w를 먼저 썼다면 각도에 드러납니다.",
+        ),
+        "header": Words(
+            en="the header names camera_optical_frame, as that of a depth cloud should.",
+            ko="헤더에는 camera_optical_frame이 적혀 있고, 깊이 클라우드라면 그래야 합니다.",
+        ),
+        "mount of camera_link": Words(
+            en="camera_link looks ahead, 0 0 0, as it should.",
+            ko="camera_link는 0 0 0으로 앞을 봅니다. 그래야 합니다.",
+        ),
+        "mount of camera_optical_frame": Words(
+            en="the optical frame is turned by -90 0 -90 in camera_link, as it should be.",
+            ko="광학 좌표계는 camera_link에서 -90 0 -90만큼 돌아가 있습니다. 그래야 합니다.",
+        ),
+        "driver": Words(
+            en="a mount is not written in the driver.",
+            ko="장착 변환은 드라이버에 적지 않습니다.",
+        ),
+        "URDF": Words(
+            en="a header is not written in the URDF: the program that sends the data writes it.",
+            ko="헤더는 URDF에 적지 않습니다. 데이터를 보내는 프로그램이 씁니다.",
+        ),
+        "my node": Words(
+            en="in your own node you would mend it for yourself alone.",
+            ko="내 노드에서 고치면 나에게만 고쳐집니다.",
+        ),
+        "ahead": Words(
+            en="ahead is where the wall would be if nothing were wrong.",
+            ko="아무 이상이 없다면 벽이 앞에 있을 것입니다.",
+        ),
+    },
+    shows={
+        "wall_appears": Words(
+            en="Take (right, down, forward) as the fault makes it be read: which one becomes x, which one z?",
+            ko="(오른쪽, 아래, 앞)을 이 결함이 읽는 대로 따라가 보십시오. 어느 것이 x가 되고 어느 것이 z가 됩니까?",
+        ),
+    },
 )

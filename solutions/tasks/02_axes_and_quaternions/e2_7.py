@@ -53,8 +53,8 @@ NEGATIVE = Twin(
     "negative",
     lambda given: -1000.0 * given.range_m * missing_rad(given),
     Words(
-        en="The size is right. How far off is asked without a sign: take abs().",
-        ko="크기는 맞습니다. 얼마나 어긋나는지는 부호 없이 답합니다. abs()를 쓰십시오.",
+        en="How far off is asked without a sign: take abs().",
+        ko="얼마나 어긋나는지는 부호 없이 답합니다. abs()를 쓰십시오.",
     ),
 )
 
@@ -100,7 +100,4 @@ TASK = Task(
         ),
     ),
     cures=("M5",),
-    equivalent={
-        "math.pi / 2 - e2_7.written_yaw_rad -> e2_7.written_yaw_rad - math.pi / 2": "abs takes both for the same",
-    },
 )

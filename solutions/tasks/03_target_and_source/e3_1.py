@@ -91,4 +91,22 @@ TASK = Task(
         ),
     ),
     cures=("M1", "M2"),
+    shows={
+        "a": Words(
+            en="say it as one sentence, data written in …, wanted in …: the frame wanted comes first, the one it is written in second.",
+            ko="“… 기준 데이터를 … 기준으로 보고 싶다”로 말해 보십시오. 기준이 될 좌표계(목표)를 먼저, 데이터가 적힌 좌표계(원본)를 다음에 씁니다.",
+        ),
+        "b": Words(
+            en="say it as one sentence, data written in …, wanted in …: the frame wanted comes first, the one it is written in second.",
+            ko="“… 기준 데이터를 … 기준으로 보고 싶다”로 말해 보십시오. 기준이 될 좌표계(목표)를 먼저, 데이터가 적힌 좌표계(원본)를 다음에 씁니다.",
+        ),
+        "c": Words(
+            en="say it as one sentence, data written in …, wanted in …: the frame wanted comes first, the one it is written in second.",
+            ko="“… 기준 데이터를 … 기준으로 보고 싶다”로 말해 보십시오. 기준이 될 좌표계(목표)를 먼저, 데이터가 적힌 좌표계(원본)를 다음에 씁니다.",
+        ),
+        "d": Words(
+            en="say it as one sentence, data written in …, wanted in …: the frame wanted comes first, the one it is written in second.",
+            ko="“… 기준 데이터를 … 기준으로 보고 싶다”로 말해 보십시오. 기준이 될 좌표계(목표)를 먼저, 데이터가 적힌 좌표계(원본)를 다음에 씁니다.",
+        ),
+    },
 )

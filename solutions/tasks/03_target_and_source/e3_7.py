@@ -52,10 +52,9 @@ EXPECTS_AN_EXCEPTION = Twin(
     "expects_an_exception",
     blamed("node_b", ROBOTS[3]),
     Words(
-        en="the node is right. But a swapped lookup raises nothing: both questions have an answer. What "
+        en="a swapped lookup raises nothing: both questions have an answer. What "
         "does a robot do that believes this one?",
-        ko="노드는 맞습니다. 그러나 바꿔 쓴 조회는 예외를 내지 않습니다. 두 질문 모두 답이 있기 때문입니다. 그 "
-        "답을 믿은 로봇은 무엇을 합니까?",
+        ko="바꿔 쓴 조회는 예외를 내지 않습니다. 두 질문 모두 답이 있기 때문입니다. 그 답을 믿은 로봇은 무엇을 합니까?",
     ),
     "M1",
 )
@@ -65,9 +64,9 @@ STILL_IS_ENOUGH = Twin(
     "still_is_enough",
     blamed("node_b", ROBOTS[1], HIDDEN[0]),
     Words(
-        en="node and robot are right. Standing still does not help: a wrong transform is wrong at rest, "
+        en="standing still does not help: a wrong transform is wrong at rest, "
         "too. For which transform is the inverse the same?",
-        ko="노드와 로봇은 맞습니다. 서 있다고 해서 맞지는 않습니다. 틀린 변환은 서 있을 때도 틀립니다. 역변환이 "
+        ko="서 있다고 해서 맞지는 않습니다. 틀린 변환은 서 있을 때도 틀립니다. 역변환이 "
         "자기 자신과 같은 변환은 어떤 것입니까?",
     ),
     "M3",
@@ -78,9 +77,9 @@ FAR_AWAY = Twin(
     "far_away",
     blamed("node_b", ROBOTS[1], HIDDEN[2]),
     Words(
-        en="node and robot are right. A far goal does not help: the farther away it is, the farther off a "
+        en="a far goal does not help: the farther away it is, the farther off a "
         "wrong turn throws it. For which transform is the inverse the same?",
-        ko="노드와 로봇은 맞습니다. 목표가 멀어도 드러납니다. 멀수록 틀린 회전 때문에 더 크게 어긋납니다. 역변환이 "
+        ko="목표가 멀어도 드러납니다. 멀수록 틀린 회전 때문에 더 크게 어긋납니다. 역변환이 "
         "자기 자신과 같은 변환은 어떤 것입니까?",
     ),
     "M3",
@@ -144,4 +143,34 @@ TASK = Task(
         ),
     ),
     cures=("M1", "M2"),
+    means={
+        "node_a": Words(
+            en="node_a asks rightly: its point is written in the point's own frame, and wanted in `base_link`.",
+            ko="node_a는 바르게 물었습니다. 점은 자기 헤더의 좌표계 기준이고, 그것을 `base_link` 기준으로 보려 합니다.",
+        ),
+        "node_c": Words(
+            en="node_c asks rightly: the robot's origin is written in `base_link`, and wanted in `map`.",
+            ko="node_c는 바르게 물었습니다. 로봇의 원점은 `base_link` 기준이고, 그것을 `map` 기준으로 보려 합니다.",
+        ),
+        "stops for the wrong things": Words(
+            en="to stop for obstacles is node_a's work, and node_a asks rightly.",
+            ko="장애물 앞에서 멈추는 것은 node_a의 일이고, node_a는 바르게 물었습니다.",
+        ),
+        "is drawn where it is not": Words(
+            en="to paint the robot is node_c's work, and node_c asks rightly.",
+            ko="로봇을 그리는 것은 node_c의 일이고, node_c는 바르게 물었습니다.",
+        ),
+        "stops with an exception": Words(
+            en="a swapped lookup raises nothing: both questions have an answer.",
+            ko="바꿔 쓴 조회는 예외를 내지 않습니다. 두 질문 모두 답이 있습니다.",
+        ),
+        "it stands still": Words(
+            en="a wrong transform is wrong at rest, too. For which transform is the inverse the same?",
+            ko="틀린 변환은 서 있을 때도 틀립니다. 역변환이 자기 자신과 같은 변환은 어떤 것입니까?",
+        ),
+        "the goal is far away": Words(
+            en="the farther the goal, the farther off a wrong turn throws it. For which transform is the inverse the same?",
+            ko="목표가 멀수록 틀린 회전 때문에 더 크게 어긋납니다. 역변환이 자기 자신과 같은 변환은 어떤 것입니까?",
+        ),
+    },
 )

@@ -153,4 +153,56 @@ TASK = Task(
         ),
     ),
     cures=("M9", "M10", "M11", "M15"),
+    means={
+        "stamp overwritten": Words(
+            en="a stamp that was overwritten makes data look fresh, and shows only while the robot moves.",
+            ko="stamp을 덮어쓰면 데이터가 새것처럼 보이고, 로봇이 움직일 때만 어긋납니다.",
+        ),
+        "odometry slow": Words(
+            en="a slow edge lacks its newest samples only: it refuses the latest requests, by less than its period.",
+            ko="느린 연결에는 가장 새로운 표본만 없습니다. 한 주기보다 짧은 차이로 최신 요청을 거절합니다.",
+        ),
+        "static mount wrong": Words(
+            en="a wrong mount is wrong at rest, too, and raises no error.",
+            ko="장착값이 틀리면 서 있을 때도 틀리고, 오류는 나지 않습니다.",
+        ),
+        "two clocks": Words(
+            en="two clocks that disagree do so for every message alike, moving or not.",
+            ko="서로 다른 두 시계는 움직이든 서 있든 모든 메시지에서 똑같이 어긋납니다.",
+        ),
+        "cache too short": Words(
+            en="a short cache forgets what is old: its errors go into the past.",
+            ko="보관 시간이 짧으면 오래된 것을 잊으므로 과거 쪽의 오류가 납니다.",
+        ),
+        "import missing": Words(
+            en="a missing import raises a TypeException, each time, moving or not.",
+            ko="import가 없으면 움직임과 상관없이 매번 TypeException이 납니다.",
+        ),
+    },
+    shows={
+        "a": Words(
+            en="Here it is wrong only while it turns, and the delay reads zero after 0.3 s of filtering.",
+            ko="여기서는 회전할 때만 틀리고, 0.3초를 거른 뒤인데 delay가 0입니다.",
+        ),
+        "b": Words(
+            en="Here there is no error, and the same 5 cm driving or standing.",
+            ko="여기서는 오류가 없고, 달리든 서 있든 똑같이 5cm 어긋납니다.",
+        ),
+        "c": Words(
+            en="Here the two times are more than fifty years apart.",
+            ko="여기서는 두 시각이 50년 넘게 떨어져 있습니다.",
+        ),
+        "d": Words(
+            en="Here it is 1.6 s into the past, for one who thinks for 12 s.",
+            ko="여기서는 12초를 계산하는 쪽이 1.6초 과거를 물었습니다.",
+        ),
+        "e": Words(
+            en="Here it is less than a second into the future, three times of four, and one publisher speaks once a second.",
+            ko="여기서는 넷 중 셋이 1초 이내의 미래이고, 한 발행자는 초당 한 번 보냅니다.",
+        ),
+        "f": Words(
+            en="Here the error walks past `except TransformException`.",
+            ko="여기서는 오류가 `except TransformException`에 잡히지 않습니다.",
+        ),
+    },
 )

@@ -55,7 +55,7 @@ ONE_PERIOD_LESS = Twin(
 
 RATE_INSTEAD_OF_PERIOD = Twin(
     "rate instead of period",
-    lambda g: g.thinking_s + min(g.rate_hz.values()) * (1.0 if min(g.rate_hz.values()) > 1.0 else 1.5),
+    lambda g: g.thinking_s + min(g.rate_hz.values()),
     Words(
         en="Did you add a rate to a time? A period is one over the rate.",
         ko="시간에 Hz를 더하지 않았습니까? 주기는 Hz의 역수입니다.",
@@ -69,6 +69,25 @@ WHAT_ONE_GETS = Twin(
     Words(
         en="Ten seconds is what you get if you say nothing. It is enough here, but not the least that is enough.",
         ko="10초는 따로 정하지 않을 때의 값입니다. 여기서는 충분하지만, 충분한 값 가운데 가장 작은 것은 아닙니다.",
+    ),
+)
+
+
+TWENTY = Twin(
+    "longer is safer",
+    20.0,
+    Words(
+        en="Twenty seconds are more than is needed. Longer is not safer: it only costs memory. The least that is always enough is asked for.",
+        ko="20초는 필요보다 깁니다. 길다고 더 안전하지 않고 메모리만 듭니다. 언제나 충분한 값 가운데 가장 작은 것이 필요합니다.",
+    ),
+)
+
+HOUR = Twin(
+    "an hour",
+    3600.0,
+    Words(
+        en="An hour is always enough, and hides what is needed. The least that is always enough is asked for: work it out.",
+        ko="한 시간이면 언제나 충분하지만 얼마가 필요한지 알 수 없게 됩니다. 언제나 충분한 값 가운데 가장 작은 것을 계산하십시오.",
     ),
 )
 
@@ -89,6 +108,8 @@ TASK = Task(
         ONE_PERIOD_LESS,
         RATE_INSTEAD_OF_PERIOD,
         WHAT_ONE_GETS,
+        TWENTY,
+        HOUR,
     ),
     hints=(
         Words(

@@ -237,4 +237,116 @@ TASK = Task(
         ),
     ),
     cures=("M10", "M11"),
+    means={
+        "lookup": Words(
+            en='a lookup error says that a frame "does not exist".',
+            ko='lookup 오류는 좌표계가 "does not exist"라고 말합니다.',
+        ),
+        "connectivity": Words(
+            en='a connectivity error says that two frames are not "part of the same tree".',
+            ko='connectivity 오류는 두 좌표계가 "part of the same tree"가 아니라고 말합니다.',
+        ),
+        "future": Words(
+            en='a future error says "into the future": the moment asked for is later than the newest sample.',
+            ko='future 오류는 "into the future"라고 말합니다. 요청 시각이 가장 새로운 표본보다 늦습니다.',
+        ),
+        "past": Words(
+            en='a past error says "into the past": the moment asked for is earlier than the oldest sample.',
+            ko='past 오류는 "into the past"라고 말합니다. 요청 시각이 가장 오래된 표본보다 이릅니다.',
+        ),
+        "one sample": Words(
+            en="the third text of an extrapolation speaks of a single time in the buffer, and of no direction.",
+            ko="외삽의 세 번째 오류 메시지는 버퍼에 있는 시각 하나만 말하고 방향은 말하지 않습니다.",
+        ),
+        "invalid argument": Words(
+            en="an invalid argument is a question that is none, such as a name with a slash in front.",
+            ko="invalid argument는 질문이 될 수 없는 경우입니다. 이름 앞의 슬래시가 그 예입니다.",
+        ),
+        "not a TransformException": Words(
+            en="an error of another family speaks of a Python type, and of no frame or time.",
+            ko="다른 가족의 오류는 좌표계나 시각이 아니라 파이썬 타입을 말합니다.",
+        ),
+        "odom": Words(
+            en="the samples of map -> odom lie between 20.5 and 30.1 s.",
+            ko="map -> odom의 표본은 20.5초에서 30.1초까지입니다.",
+        ),
+        "base_footprint": Words(
+            en="the samples of odom -> base_footprint lie between 21.0 and 30.4 s.",
+            ko="odom -> base_footprint의 표본은 21.0초에서 30.4초까지입니다.",
+        ),
+        "base_link": Words(
+            en="the edge to base_link is static: it is good at any time.",
+            ko="base_link로 가는 연결은 정적이어서 어느 시각에나 유효합니다.",
+        ),
+        "laser_frame": Words(
+            en="the edge to laser_frame is static: it is good at any time.",
+            ko="laser_frame으로 가는 연결은 정적이어서 어느 시각에나 유효합니다.",
+        ),
+        "arm_link": Words(
+            en="arm_link does not lie between map and laser_frame.",
+            ko="arm_link는 map과 laser_frame 사이에 있지 않습니다.",
+        ),
+        "tool0": Words(
+            en="tool0 does not lie between map and laser_frame.",
+            ko="tool0은 map과 laser_frame 사이에 있지 않습니다.",
+        ),
+        "spelling and publisher": Words(
+            en="spelling is looked at where a name does not exist; here both names are known.",
+            ko="철자는 이름이 없을 때 봅니다. 여기서는 두 이름 모두 알려져 있습니다.",
+        ),
+        "roots of the tree": Words(
+            en="roots are looked at where there is no path; here tf2 got as far as the moment.",
+            ko="루트는 경로가 없을 때 봅니다. 여기서는 tf2가 시각까지 따졌습니다.",
+        ),
+        "the line of code": Words(
+            en="a line of code is looked at where the question is none; this one is a question, and the two times are of two worlds.",
+            ko="코드는 질문이 될 수 없을 때 봅니다. 이것은 제대로 된 질문이고, 두 시각이 서로 다른 세계의 것입니다.",
+        ),
+        "a longer timeout": Words(
+            en="a timeout bridges what is on its way, fractions of a second; here some fifty years are missing.",
+            ko="timeout은 오는 중인 데이터, 곧 1초도 안 되는 차이에만 통합니다. 여기서는 50년쯤 모자랍니다.",
+        ),
+    },
+    shows={
+        "a": Words(
+            en="Look for just these words in line a.",
+            ko="a줄에 바로 그 말이 있는지 찾아보십시오.",
+        ),
+        "b": Words(
+            en="Look for just these words in line b.",
+            ko="b줄에 바로 그 말이 있는지 찾아보십시오.",
+        ),
+        "c": Words(
+            en="Look for just these words in line c.",
+            ko="c줄에 바로 그 말이 있는지 찾아보십시오.",
+        ),
+        "d": Words(
+            en="Look for just these words in line d.",
+            ko="d줄에 바로 그 말이 있는지 찾아보십시오.",
+        ),
+        "e": Words(
+            en="Look for just these words in line e.",
+            ko="e줄에 바로 그 말이 있는지 찾아보십시오.",
+        ),
+        "f": Words(
+            en="Look for just these words in line f.",
+            ko="f줄에 바로 그 말이 있는지 찾아보십시오.",
+        ),
+        "g": Words(
+            en="Look for just these words in line g.",
+            ko="g줄에 바로 그 말이 있는지 찾아보십시오.",
+        ),
+        "h": Words(
+            en="Look for just these words in line h.",
+            ko="h줄에 바로 그 말이 있는지 찾아보십시오.",
+        ),
+        "c edge": Words(
+            en="The last number of line c is where the samples of some edge end.",
+            ko="c의 마지막 숫자는 어떤 연결의 표본이 끝나는 시각입니다.",
+        ),
+        "d edge": Words(
+            en="The last number of line d is where the samples of some edge begin.",
+            ko="d의 마지막 숫자는 어떤 연결의 표본이 시작되는 시각입니다.",
+        ),
+    },
 )

@@ -85,8 +85,8 @@ TREMBLE_OVERLOOKED = Twin(
     no_tremble,
     misconception="M10",
     reply=Words(
-        en="the robot with the negative delay is right. Of the other two, one trembles and one is smooth as glass: can a smooth delay only be a slow network?",
-        ko="지연이 음수인 로봇은 맞았습니다. 나머지 둘 가운데 하나는 떨리고 하나는 유리처럼 매끈합니다. 매끈한 지연이 느린 네트워크에서만 나올까요?",
+        en="of the two robots without a negative delay, one trembles and one is smooth as glass: can a smooth delay only be a slow network?",
+        ko="지연이 음수가 아닌 둘 가운데 하나는 떨리고 하나는 유리처럼 매끈합니다. 매끈한 지연이 느린 네트워크에서만 나올까요?",
     ),
 )
 
@@ -150,8 +150,8 @@ TEN_SECONDS_FOR_THE_LATE_ONE = Twin(
     long_timeout,
     misconception="M10",
     reply=Words(
-        en="the causes are right. But the late robot is late by about a third of a second: whoever may wait ten will one day decide on data that is ten seconds old.",
-        ko="원인은 맞았습니다. 하지만 늦은 로봇도 겨우 3분의 1초 늦습니다. 10초를 기다려도 되는 로봇은 언젠가 10초 묵은 데이터로 결정합니다.",
+        en="the late robot is late by about a third of a second: whoever may wait ten will one day decide on data that is ten seconds old.",
+        ko="늦은 로봇도 겨우 3분의 1초 늦습니다. 10초를 기다려도 되는 로봇은 언젠가 10초 묵은 데이터로 결정합니다.",
     ),
 )
 
@@ -194,13 +194,34 @@ TASK = Task(
         ),
     ),
     cures=("M10",),
-    equivalent={
-        "np.diff(robot[topic], axis=1).ravel() -> np.diff(robot[topic], axis=1)": "min and ptp look at all numbers anyway",
-        "scan_s.min() < 0.0 -> scan_s.min() <= 0.0 in: if scan_s.min() < 0.0:": "no delay is exactly 0",
-        "scan_s.min() -> scan_s.max() in: if scan_s.min() < 0.0:": "where one delay is negative, all are",
-        "np.ptp(odom_s) > 0.1 -> np.ptp(odom_s) >= 0.1 in: if np.ptp(odom_s) > 0.1:": "any bound will do between the "
-        "2 ms of a smooth delay and the 250 ms of one that trembles",
-        "0.1 -> 0.11000000000000001 in: if np.ptp(odom_s) > 0.1:": "as above",
-        "0.1 -> 0.09000000000000001 in: if np.ptp(odom_s) > 0.1:": "as above",
+    means={
+        "transforms arrive late": Words(
+            en="late transforms: the delays of /odom are large and tremble from message to message.",
+            ko="변환이 늦으면 /odom의 지연이 크고 메시지마다 떨립니다.",
+        ),
+        "laser clock is fast": Words(
+            en="a fast laser clock: the delays of /scan are too small, even negative.",
+            ko="레이저 시계가 빠르면 /scan의 지연이 너무 작아지고 음수까지 됩니다.",
+        ),
+        "cannot be told from this": Words(
+            en="it cannot be told only where a delay is positive and smooth: a network or a clock may do that.",
+            ko="지연이 양수이고 매끈할 때만 구별할 수 없습니다. 네트워크도 시계도 그럴 수 있습니다.",
+        ),
+        "wait a little": Words(
+            en="to wait a little cures what is on its way, nothing else.",
+            ko="조금 기다리는 것은 오는 중인 데이터에만 통합니다.",
+        ),
+        "set the laser's clock": Words(
+            en="the laser's clock is set only where the numbers show that it is the wrong one.",
+            ko="레이저 시계는 그 시계가 틀렸다고 숫자가 보여 줄 때만 맞춥니다.",
+        ),
+        "ask chrony on both computers": Words(
+            en="chrony is asked where the numbers leave it open.",
+            ko="chrony는 숫자만으로 알 수 없을 때 확인합니다.",
+        ),
+        "set a timeout of 10 s": Words(
+            en="the gap is about a third of a second: whoever may wait ten seconds will decide on data that is ten seconds old.",
+            ko="간격은 3분의 1초쯤입니다. 10초를 기다려도 되는 로봇은 10초 묵은 데이터로 결정합니다.",
+        ),
     },
 )

@@ -113,4 +113,52 @@ TASK = Task(
         ),
     ),
     cures=("M10",),
+    means={
+        "works": Words(
+            en="it works only where somebody else takes in transforms while it waits, and the right one comes in time.",
+            ko="기다리는 동안 다른 누군가가 변환을 받고, 맞는 변환이 제때 올 때만 통합니다.",
+        ),
+        "waits in vain": Words(
+            en="it gives up only if it has a timeout, and meanwhile nobody takes in the right transform, or it does not come.",
+            ko="timeout이 있고, 그동안 맞는 변환을 받을 사람이 없거나 변환이 오지 않을 때만 포기합니다.",
+        ),
+        "waits for ever": Words(
+            en="only what has no timeout can wait for ever, for something that never comes.",
+            ko="timeout이 없고 결코 오지 않을 것을 기다릴 때만 영원히 기다립니다.",
+        ),
+    },
+    shows={
+        "a": Words(
+            en="Line a: the thread that waits is the only one.",
+            ko="a에서는 기다리는 스레드가 하나뿐인 스레드입니다.",
+        ),
+        "b": Words(
+            en="Line b: there are several threads.",
+            ko="b에는 스레드가 여럿 있습니다.",
+        ),
+        "c": Words(
+            en="Line c: a timer's callback runs in the only thread, too.",
+            ko="c에서는 타이머 콜백도 하나뿐인 스레드에서 실행됩니다.",
+        ),
+        "d": Words(
+            en="Line d: asking for a promise blocks nobody.",
+            ko="d에서는 약속을 요청할 뿐 아무도 막지 않습니다.",
+        ),
+        "e": Words(
+            en="Line e: a promise without a timeout, for a moment that the buffer has forgotten.",
+            ko="e는 버퍼가 이미 잊은 시각에 대한, timeout 없는 약속입니다.",
+        ),
+        "f": Words(
+            en="Line f: the stamp lies 2 s ahead, and the timeout is 0.3 s.",
+            ko="f에서는 측정 시각이 2초 앞서 있고 timeout은 0.3초입니다.",
+        ),
+        "g": Words(
+            en="Line g: nobody spins yet.",
+            ko="g에서는 아직 아무도 spin하지 않습니다.",
+        ),
+        "h": Words(
+            en="Line h: the listener has a thread of its own.",
+            ko="h에서는 수신기에 자기 스레드가 있습니다.",
+        ),
+    },
 )
