@@ -30,13 +30,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .poses import Pose, through_matrix, unit_pose
+from .poses import IDENTITY_POSE, Pose, compose, through_matrix, unit_pose
 from .segments import Segment, Segments, pose_within, segment_between
 from .stamps import LATEST
 
-__all__ = ["Cache", "Gap", "StaticCache", "StoredTransform", "TimeCache"]
+__all__ = ["Cache", "Gap", "StaticCache", "StoredTransform", "TimeCache", "chained"]
 
-_seven_doubles = Struct("=7d").pack  # an array takes bytes twice as fast as a tuple of floats
+_seven_doubles = Struct("=7d")  # an array takes and gives bytes twice as fast as floats
 
 STATIC_BYTES = 400  # in CPython on 64 bits
 NEAR = 16  # how many samples the guess of an index may be off
@@ -135,7 +135,7 @@ class TimeCache:
             self.newest_parent, self._newest_authority = parent, authority
         self.newest_ns = stamp_ns
         self._stamps.append(stamp_ns)
-        self._numbers.frombytes(_seven_doubles(*numbers))
+        self._numbers.frombytes(_seven_doubles.pack(*numbers))
         self._labels.append(self._newest_label)
         return True
 
@@ -163,7 +163,7 @@ class TimeCache:
         sample = (through_matrix(numbers), parent)
         twin = i - 1
         while twin >= self._first and self._stamps[twin] == stamp_ns:
-            if sample == (through_matrix(self._as_sent(twin)), self._owners[self._labels[twin]][0]):
+            if sample == (through_matrix(self._as_sent(twin)), self._parent(twin)):
                 return
             twin -= 1
         label = self._label(parent, authority)
@@ -214,11 +214,11 @@ class TimeCache:
         """
         if self.oldest_ns < stamp_ns < self.newest_ns and stamp_ns != LATEST:
             i = self._before(stamp_ns)
-            segment = self._segments.segments.get(i)
-            return pose_within(segment if segment is not None else self._segment(i), stamp_ns)
+            known = self._segments.segments
+            return pose_within(known[i] if i in known else self._segment(i), stamp_ns)
         i = self._find(stamp_ns)
-        pose = self._segments.poses.get(i)
-        return pose if pose is not None else self._unit_pose(i)
+        poses = self._segments.poses
+        return poses[i] if i in poses else self._unit_pose(i)
 
     def parent_at(self, stamp_ns: int) -> int:
         """Return the parent at `stamp_ns`: of two samples, the older one's.
@@ -226,7 +226,7 @@ class TimeCache:
         Raises:
             Gap: the history does not reach that far.
         """
-        return self._owners[self._labels[self._find(stamp_ns)]][0]
+        return self._parent(self._find(stamp_ns))
 
     def _find(self, stamp_ns: int) -> int:
         """Return the index of the sample that answers for `stamp_ns`: the older of two.
@@ -263,7 +263,7 @@ class TimeCache:
     def _segment(self, i: int) -> Segment:
         """Return, and remember, what it takes to interpolate between samples `i` and `i + 1`."""
         start, end = unit_pose(self._as_sent(i)), unit_pose(self._as_sent(i + 1))
-        if self._owners[self._labels[i]][0] != self._owners[self._labels[i + 1]][0]:
+        if not self.only_parent and self._parent(i) != self._parent(i + 1):
             end = start  # another parent in between: tf2 does not blend, the older one holds
         segment = segment_between(self._stamps[i], self._stamps[i + 1], start, end)
         self._segments.remember_segment(i, segment)
@@ -276,8 +276,11 @@ class TimeCache:
         return pose
 
     def _as_sent(self, i: int) -> Pose:
-        x, y, z, qx, qy, qz, qw = self._numbers[7 * i : 7 * i + 7]
+        x, y, z, qx, qy, qz, qw = _seven_doubles.unpack_from(self._numbers, 56 * i)
         return (x, y, z, qx, qy, qz, qw)
+
+    def _parent(self, i: int) -> int:
+        return self._owners[self._labels[i]][0]
 
     # -- reading ---------------------------------------------------------------
 
@@ -353,3 +356,17 @@ class StaticCache:
 
 
 Cache = TimeCache | StaticCache
+
+
+def chained(caches: list[Cache], stamp_ns: int) -> Pose:
+    """Return the first child's pose in the last one's parent.
+
+    Raises:
+        Gap: one of the histories does not reach that far.
+    """
+    if not caches:
+        return IDENTITY_POSE
+    total = caches[0].at(stamp_ns)
+    for cache in caches[1:]:
+        total = compose(cache.at(stamp_ns), total)
+    return total

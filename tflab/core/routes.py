@@ -22,10 +22,10 @@ tf2 remembers none of these (caching; cache invalidation).  Read `buffer.py` nex
 
 from __future__ import annotations
 
-from .cache import Cache, TimeCache
+from .cache import Cache, TimeCache, chained
 from .poses import Pose, compose, invert
 from .tree import FrameTree
-from .walk import MAX_DEPTH, chained, histories_of
+from .walk import MAX_DEPTH, histories_of
 
 __all__ = ["Route", "Routes", "plan_route"]
 

@@ -28,9 +28,12 @@ SEGMENTS_REMEMBERED = 1024  # for each edge: ten seconds at 100 Hz
 POSES_REMEMBERED = 64
 SEGMENT_BYTES, POSE_BYTES = 750, 300  # each, in CPython on 64 bits
 
-# start [ns], 1 / duration [1/ns], angle [rad], the pose at the start,
-# and with it the position at the end and the rotation's perpendicular: see segment_between
-Segment = tuple[int, float, float, Pose, Pose]
+# start [ns], 1 / duration [1/ns], angle [rad],
+# position and rotation at the start, position at the end and the rotation's perpendicular: see segment_between
+Segment = tuple[
+    int, float, float,
+    float, float, float, float, float, float, float, float, float, float, float, float, float, float,
+]  # fmt: skip
 
 
 class Segments:
@@ -70,18 +73,18 @@ def segment_between(start_ns: int, end_ns: int, start: Pose, end: Pose) -> Segme
     if -A_BIT < cosine < A_BIT:  # half a turn apart: the last digit decides which way round, so take tf2's digits
         start, end = through_matrix(start), through_matrix(end)
         cosine = _cosine(start, end)
-    _, _, _, ax, ay, az, aw = start
+    x0, y0, z0, ax, ay, az, aw = start
     x, y, z, bx, by, bz, bw = end
     if cosine < 0.0:  # b and -b are one rotation: go the short way
         bx, by, bz, bw, cosine = -bx, -by, -bz, -bw, -cosine
     theta = acos(min(1.0, cosine))
     rate = 1.0 / (end_ns - start_ns)
     if theta == 0.0:
-        return start_ns, rate, theta, start, (x, y, z, 0.0, 0.0, 0.0, 0.0)
+        return start_ns, rate, theta, x0, y0, z0, ax, ay, az, aw, x, y, z, 0.0, 0.0, 0.0, 0.0
     b = 1.0 / sin(theta)
     a = cosine * b
-    across = (x, y, z, bx * b - ax * a, by * b - ay * a, bz * b - az * a, bw * b - aw * a)
-    return start_ns, rate, theta, start, across
+    bx, by, bz, bw = bx * b - ax * a, by * b - ay * a, bz * b - az * a, bw * b - aw * a
+    return start_ns, rate, theta, x0, y0, z0, ax, ay, az, aw, x, y, z, bx, by, bz, bw
 
 
 def _cosine(start: Pose, end: Pose) -> float:
@@ -93,9 +96,7 @@ def _cosine(start: Pose, end: Pose) -> float:
 
 def pose_within(segment: Segment, stamp_ns: int) -> Pose:
     """Return the pose at a moment within a segment."""
-    start_ns, rate, theta, start, across = segment
-    x, y, z, ax, ay, az, aw = start
-    x1, y1, z1, bx, by, bz, bw = across
+    start_ns, rate, theta, x, y, z, ax, ay, az, aw, x1, y1, z1, bx, by, bz, bw = segment
     ratio = (stamp_ns - start_ns) * rate
     back = 1.0 - ratio
     a, b = cos(ratio * theta), sin(ratio * theta)

@@ -26,7 +26,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from . import quaternions
-from .cache import Cache, Gap
+from .cache import Cache, Gap, chained
 from .poses import IDENTITY_POSE, Pose, compose, invert
 from .stamps import LATEST
 from .tree import FrameTree
@@ -35,7 +35,6 @@ __all__ = [
     "MAX_DEPTH",
     "Failure",
     "Way",
-    "chained",
     "find_way",
     "frames_on_way",
     "histories_of",
@@ -162,20 +161,6 @@ def pose_along(tree: FrameTree, way: Way) -> Pose:
     if not down:
         return chained(up, way.stamp_ns)
     return compose(invert(chained(down, way.stamp_ns)), chained(up, way.stamp_ns))
-
-
-def chained(caches: list[Cache], stamp_ns: int) -> Pose:
-    """Return the first child's pose in the last one's parent.
-
-    Raises:
-        Gap: one of the histories does not reach that far.
-    """
-    if not caches:
-        return IDENTITY_POSE
-    total = caches[0].at(stamp_ns)
-    for cache in caches[1:]:
-        total = compose(cache.at(stamp_ns), total)
-    return total
 
 
 def frames_on_way(tree: FrameTree, way: Way, source: int) -> list[int]:
