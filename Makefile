@@ -23,7 +23,7 @@ VERSION := $(shell $(PYTHON) -c '$(SAY_VERSION)' 2>/dev/null)
 LEARNER := $(VENV)/learner-$(VERSION)
 DEVELOPER := $(VENV)/developer-$(VERSION)
 
-.PHONY: lab test test-fast check build site pictures bench clean
+.PHONY: lab test test-fast check build site pictures fast bench clean
 
 lab: $(LEARNER)
 	$(BIN)/tflab lab $(ARGS)
@@ -38,6 +38,7 @@ test-fast: $(DEVELOPER)
 check: $(DEVELOPER)
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
+	$(BIN)/mypy
 
 build: $(DEVELOPER)
 	$(BIN)/tflab build
@@ -77,4 +78,5 @@ $(DEVELOPER): pyproject.toml constraints.txt
 	@touch $@ $(LEARNER)
 
 clean:
+	rm -f *.so tflab/core/*.so
 	rm -rf $(VENV) build dist site *.egg-info .pytest_cache .ruff_cache .hypothesis

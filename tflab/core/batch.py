@@ -42,7 +42,9 @@ class Failures(Mapping[int, TransformException]):
     The exceptions are made when they are looked at.
     """
 
-    def __init__(self, positions: np.ndarray, stamps_ns: np.ndarray, kinds: np.ndarray, examples: list) -> None:
+    def __init__(
+        self, positions: np.ndarray, stamps_ns: np.ndarray, kinds: np.ndarray, examples: list[TransformException]
+    ) -> None:
         self.positions = positions  # shape (M,), ascending
         self._stamps_ns = stamps_ns
         self._kinds = kinds  # which example each of them is like
@@ -58,7 +60,7 @@ class Failures(Mapping[int, TransformException]):
         i = int(np.searchsorted(self.positions, position))
         if i == len(self.positions) or self.positions[i] != position:
             raise KeyError(position)
-        example = self._examples[self._kinds[i]]
+        example: TransformException = self._examples[int(self._kinds[i])]
         if not isinstance(example, ExtrapolationException):
             return example
         requested_ns = int(self._stamps_ns[i])
@@ -109,7 +111,8 @@ def lookup(
 def _one_by_one(ask: Ask, stamps: np.ndarray) -> Batch:
     """Answer few questions, or questions about frames that changed their parents."""
     numbers = np.full((len(stamps), 7), np.nan)
-    positions, examples = [], []
+    positions: list[int] = []
+    examples: list[TransformException] = []
     for position, stamp_ns in enumerate(stamps.tolist()):
         try:
             transform = ask(stamp_ns).transform

@@ -30,7 +30,7 @@ from .cache import Cache, Gap, TimeCache
 from .errors import TransformException
 from .failures import text_from_failure
 from .inspection import Inspection
-from .poses import IDENTITY_POSE, are_ordinary_numbers, canonical_pose, compose
+from .poses import IDENTITY_POSE, Pose, are_ordinary_numbers, canonical_pose, compose
 from .requests import RequestCallback, RequestQueue
 from .stamps import NSEC_PER_SEC
 from .transforms import StampedTransform, Transform, stamped_from_pose
@@ -128,6 +128,7 @@ class BufferCore(Inspection):
                 )
             if len(stamps):
                 cache, parent_number, child_number = self._edge(parent, child, is_static=False)
+                assert isinstance(cache, TimeCache)  # what was asked for
                 only_parent = cache.only_parent
                 cache.extend(stamps, numbers, parent_number, authority)
                 if cache.only_parent != only_parent:
@@ -319,7 +320,7 @@ class BufferCore(Inspection):
     # -- inside -----------------------------------------------------------
 
     def _examined_edge(
-        self, stamped: StampedTransform, numbers: tuple[float, ...], authority: str, is_static: bool
+        self, stamped: StampedTransform, numbers: Pose, authority: str, is_static: bool
     ) -> tuple[Cache, int, int] | None:
         """Look closely at a transform that is new or odd; return its edge, or None if it is refused."""
         parent, child = stamped.frame_id, stamped.child_frame_id

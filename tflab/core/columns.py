@@ -18,6 +18,7 @@ tf2 has nothing of the kind.  (Vectorization.)  Read `batch.py` next.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from typing import Any
 
 import numpy as np
 
@@ -48,12 +49,13 @@ class Tables:
 
     def of(self, cache: TimeCache) -> tuple[np.ndarray, np.ndarray]:
         """Return the stamps of a history, shape (n,), and its table, shape (16, n)."""
-        version, stamps, table = self._tables.get(cache, (None, None, None))
-        if version != cache.version:
-            stamps, table = segment_table(cache)
-            if self.nbytes + table.nbytes > TABLE_BYTES_AT_MOST:
-                self._tables.clear()
-            self._tables[cache] = (cache.version, stamps, table)
+        known = self._tables.get(cache)
+        if known is not None and known[0] == cache.version:
+            return known[1:]
+        stamps, table = segment_table(cache)
+        if self.nbytes + table.nbytes > TABLE_BYTES_AT_MOST:
+            self._tables.clear()
+        self._tables[cache] = (cache.version, stamps, table)
         return stamps, table
 
 
@@ -102,7 +104,7 @@ def _unit_rows(rotations: np.ndarray) -> np.ndarray:
     """Return quaternions, shape (n, 4), scaled to length one; tf2's way for those out of all proportion."""
     squared = np.einsum("ij,ij->i", rotations, rotations)
     with np.errstate(all="ignore"):
-        unit = rotations / np.sqrt(squared)[:, None]
+        unit: np.ndarray = rotations / np.sqrt(squared)[:, None]
     for i in np.flatnonzero(~((squared > 1e-300) & (squared < 1e300))):
         unit[i] = quaternions.canonical(rotations[i].tolist())
     return unit
@@ -110,8 +112,8 @@ def _unit_rows(rotations: np.ndarray) -> np.ndarray:
 
 # -- along a route ------------------------------------------------------------
 
-Column = np.ndarray | float  # of numbers, or the same number for all
-Reader = Callable[[np.ndarray], tuple[Column, ...]]
+Columns = tuple[Any, ...]  # a pose: seven arrays of shape (n,), or numbers that are the same for all
+Reader = Callable[[np.ndarray], Columns]
 
 
 def reader(tables: Tables, cache: Cache, questions: int) -> Reader:
@@ -126,9 +128,7 @@ def reader(tables: Tables, cache: Cache, questions: int) -> Reader:
     return lambda moments: _interpolated(stamps, moments, lambda which: table.take(which, axis=1))
 
 
-def _interpolated(
-    stamps: np.ndarray, moments: np.ndarray, segments: Callable[[np.ndarray], np.ndarray]
-) -> tuple[Column, ...]:
+def _interpolated(stamps: np.ndarray, moments: np.ndarray, segments: Callable[[np.ndarray], np.ndarray]) -> Columns:
     """Return the pose at each of the moments, all of them within the history; compare segments.pose_within."""
     which = np.searchsorted(stamps, moments, side="right") - 1
     if stamps[0] != stamps[-1]:  # of twins at the old end the first counts, at the new end the last
@@ -141,7 +141,7 @@ def _interpolated(
     return (*((1.0 - ratio) * segment[0:3] + ratio * segment[3:6]), *rotation)
 
 
-def along(route: Route, readers: dict[Cache, Reader], moments: np.ndarray) -> tuple[Column, ...]:
+def along(route: Route, readers: dict[Cache, Reader], moments: np.ndarray) -> Columns:
     """Return the pose along a route at each of the moments; compare Route.pose_at."""
     if not route.down:
         return _chained(route.up, readers, moments)
@@ -149,21 +149,21 @@ def along(route: Route, readers: dict[Cache, Reader], moments: np.ndarray) -> tu
     return _composed(back, _chained(route.up, readers, moments)) if route.up else back
 
 
-def _chained(caches: list[Cache], readers: dict[Cache, Reader], moments: np.ndarray) -> tuple[Column, ...]:
+def _chained(caches: list[Cache], readers: dict[Cache, Reader], moments: np.ndarray) -> Columns:
     total = readers[caches[0]](moments)
     for cache in caches[1:]:
         total = _composed(readers[cache](moments), total)
     return total
 
 
-def _composed(outer: tuple[Column, ...], inner: tuple[Column, ...]) -> tuple[Column, ...]:
+def _composed(outer: Columns, inner: Columns) -> Columns:
     x, y, z = quaternions.rotate(outer[3:], inner[:3])
     return (x + outer[0], y + outer[1], z + outer[2], *quaternions.multiply(outer[3:], inner[3:]))
 
 
-def _inverse(pose: tuple[Column, ...]) -> tuple[Column, ...]:
-    x, y, z, *rotation = pose
-    back = quaternions.conjugate(rotation)
+def _inverse(pose: Columns) -> Columns:
+    x, y, z = pose[:3]
+    back = quaternions.conjugate(pose[3:])
     return (*quaternions.rotate(back, (-x, -y, -z)), *back)
 
 

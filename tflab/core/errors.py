@@ -16,6 +16,8 @@ C++ has three kinds of extrapolation; Python sees one class, here with a
 
 from __future__ import annotations
 
+from typing import Any
+
 from .stamps import format_stamp
 
 __all__ = [
@@ -48,7 +50,7 @@ class TransformException(Exception):
     def hint(self) -> str:
         return ""
 
-    def __reduce__(self) -> tuple:
+    def __reduce__(self) -> tuple[Any, ...]:
         # No module is called `tf2`, so pickle needs to be told where the class lives.
         return (_rebuild, (type(self).__name__, self.args, self.__dict__))
 
@@ -197,7 +199,7 @@ def _listed(names: tuple[str, ...], most: int = 12) -> str:
     return shown if len(names) <= most else f"{shown} and {len(names) - most} more"
 
 
-def _rebuild(name: str, args: tuple, facts: dict) -> TransformException:
-    exception = globals()[name](*args)
+def _rebuild(name: str, args: tuple[Any, ...], facts: dict[str, Any]) -> TransformException:
+    exception: TransformException = globals()[name](*args)
     exception.__dict__.update(facts)
     return exception

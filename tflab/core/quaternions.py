@@ -150,7 +150,7 @@ def to_matrix(q: Sequence[float]) -> Matrix3:
     )
 
 
-def from_matrix(matrix: Matrix3) -> Quaternion:
+def from_matrix(matrix: Sequence[Sequence[float]]) -> Quaternion:
     """Return the unit quaternion of a rotation matrix (rows).
 
     Of q and -q, tf2 takes the one whose w is positive if the matrix has a

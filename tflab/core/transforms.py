@@ -57,7 +57,8 @@ class Transform:
         cls, roll: float = 0.0, pitch: float = 0.0, yaw: float = 0.0, translation: Sequence[float] = (0.0, 0.0, 0.0)
     ) -> Transform:
         """Return the turn by roll, then pitch, then yaw [rad] about the fixed axes, with a `translation` [m]."""
-        return cls(translation, quaternions.from_rpy(roll, pitch, yaw))
+        x, y, z = _floats(translation, 3, "translation (x, y, z)")
+        return cls((x, y, z), quaternions.from_rpy(roll, pitch, yaw))
 
     @classmethod
     def from_matrix(cls, matrix: np.ndarray) -> Transform:
@@ -77,8 +78,9 @@ class Transform:
             raise ValueError("the 3x3 block is not a rotation: its rows are not of length one and at right angles")
         if np.linalg.det(block) < 0.0:
             raise ValueError("the 3x3 block is a mirror, not a rotation: REP-103 axes are right-handed")
-        rows = tuple(tuple(row) for row in block.tolist())
-        return cls(tuple(m[:3, 3].tolist()), quaternions.normalized(quaternions.from_matrix(rows)))
+        rotation = quaternions.from_matrix(block.tolist())
+        x, y, z = m[:3, 3].tolist()
+        return cls((x, y, z), quaternions.normalized(rotation))
 
     def matrix(self) -> np.ndarray:
         """Return the homogeneous matrix, shape (4, 4), that moves columns (x, y, z, 1) from source to target."""
@@ -112,7 +114,8 @@ class Transform:
             if points.shape[-1:] != (3,):
                 raise ValueError(f"points must have shape (..., 3), not {points.shape}")
             matrix = self.matrix()
-            return points @ matrix[:3, :3].T + matrix[:3, 3]
+            moved: np.ndarray = points @ matrix[:3, :3].T + matrix[:3, 3]
+            return moved
         x, y, z = quaternions.rotate(quaternions.normalized(self.rotation), _floats(points, 3, "point (x, y, z)"))
         tx, ty, tz = self.translation
         return (x + tx, y + ty, z + tz)
@@ -163,12 +166,12 @@ def pose_from_transform(transform: Transform) -> Pose:
 # each number again.  The engine's own results need no looking at, so the two functions below fill the same slots
 # directly: 0.3 us instead of 0.5 (through object.__setattr__) or 1.5 (through the class), of the 1.5 us of a lookup.
 _new = object.__new__
-_set_translation = Transform.translation.__set__  # type: ignore[attr-defined]
-_set_rotation = Transform.rotation.__set__  # type: ignore[attr-defined]
-_set_frame_id = StampedTransform.frame_id.__set__  # type: ignore[attr-defined]
-_set_child_frame_id = StampedTransform.child_frame_id.__set__  # type: ignore[attr-defined]
-_set_stamp_ns = StampedTransform.stamp_ns.__set__  # type: ignore[attr-defined]
-_set_transform = StampedTransform.transform.__set__  # type: ignore[attr-defined]
+_set_translation = Transform.translation.__set__  # type: ignore[attr-defined, misc]
+_set_rotation = Transform.rotation.__set__  # type: ignore[attr-defined, misc]
+_set_frame_id = StampedTransform.frame_id.__set__  # type: ignore[attr-defined, misc]
+_set_child_frame_id = StampedTransform.child_frame_id.__set__  # type: ignore[attr-defined, misc]
+_set_stamp_ns = StampedTransform.stamp_ns.__set__  # type: ignore[attr-defined, misc]
+_set_transform = StampedTransform.transform.__set__  # type: ignore[attr-defined, misc]
 
 
 def transform_from_pose(pose: Pose) -> Transform:

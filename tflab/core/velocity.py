@@ -93,14 +93,16 @@ def lookup_velocity(
     if interval_s <= 0.0:  # as in tf2, where nothing moves in no time
         linear = angular = (0.0, 0.0, 0.0)
     else:
-        linear = tuple((b - a) / interval_s for a, b in zip(start.translation, end.translation, strict=True))
+        (x0, y0, z0), (x1, y1, z1) = start.translation, end.translation
+        linear = ((x1 - x0) / interval_s, (y1 - y0) / interval_s, (z1 - z0) / interval_s)
         angular = _angular(start.rotation, end.rotation, interval_s)
 
     # From the origin of the tracking frame to the reference point: add angular x lever.
     now = ask(observation_frame, tracking_frame, stamp_ns).transform
     point = ask(observation_frame, reference_point_frame, stamp_ns).transform.apply(reference_point)
     lever = tuple(p - o for p, o in zip(point, now.translation, strict=True))
-    linear = tuple(v + w for v, w in zip(linear, _cross(angular, lever), strict=True))
+    vx, vy, vz = _cross(angular, lever)
+    linear = (linear[0] + vx, linear[1] + vy, linear[2] + vz)
 
     # From the axes of the observation frame to those of the reference frame.
     turn = ask(reference_frame, observation_frame, stamp_ns).transform.rotation
