@@ -1,6 +1,7 @@
 """The engine: where is A as seen from B, at t?  A textbook of short pages.
 
     stamps       when: time is a whole number of nanoseconds
+    builds       as it stands, or compiled
     quaternions  which way round: (x, y, z, w), and REP-103's axes
     poses        seven numbers: how two transforms make one
     transforms   where: a turn and a step
@@ -27,7 +28,7 @@ Behaviour, order of checks and texts are those of ROS 2's tf2 (geometry2 0.39.1)
 It needs nothing but numpy.  Start with `stamps.py`; each page names the next.
 """
 
-from . import quaternions
+from . import builds, quaternions
 from .batch import Batch, Failures
 from .buffer import DEFAULT_CACHE_TIME_NS, BufferCore
 from .errors import (
@@ -52,7 +53,10 @@ from .stamps import (
 from .transforms import StampedTransform, Transform
 from .velocity import Velocity
 
+BUILD = builds.BUILD  # "pure" or "compiled"
+
 __all__ = [
+    "BUILD",
     "DEFAULT_CACHE_TIME_NS",
     "LATEST",
     "NEVER",
