@@ -12,7 +12,7 @@ from tflab.workbook.tasks import Quaternion, Task, Twin, Words
 def yaws(rng: np.random.Generator) -> list[tuple[float]]:
     """Draw turns to the left and to the right, small and large, and the two that are easy to get right by chance."""
     drawn = (rng.uniform(0.3, 1.4), -rng.uniform(0.3, 1.4), rng.uniform(1.8, 2.9), -rng.uniform(1.8, 2.9))
-    return [(0.0,), (math.pi / 2,), *((round(float(yaw), 3),) for yaw in drawn)]
+    return [(0.0,), (math.pi / 2,), (4.0,), (-5.5,), *((round(float(yaw), 3),) for yaw in drawn)]
 
 
 WHOLE_ANGLE = Twin(

@@ -8,7 +8,7 @@ import numpy as np
 
 from tflab.core import Transform
 from tflab.core.quaternions import wxyz_from_xyzw
-from tflab.workbook.tasks import Quaternion, Task, Twin, Words
+from tflab.workbook.tasks import Quaternion, Slip, Task, Twin, Words
 
 
 def two_turns(rng: np.random.Generator) -> dict:
@@ -23,9 +23,20 @@ def turned(given, unit: float = 1.0) -> Transform:
     return Transform.from_rpy(pitch=unit * given.then_pitch_rad) @ Transform.from_rpy(yaw=unit * given.first_yaw_rad)
 
 
-INVERSE = Twin(
+def turned_twice(given, *, unit="radians", yaw="left", pitch="down", order="yaw first", result="as it is"):
+    """Return the rotation, step by step; other steps are the slips."""
+    factor = {"radians": 1.0, "degrees": math.radians(1.0), "to degrees": math.degrees(1.0)}[unit]
+    ways = {"left": 1.0, "down": 1.0, "right": -1.0, "up": -1.0, "left out": 0.0, "roll": 1.0}
+    first = Transform.from_rpy(yaw=ways[yaw] * factor * given.first_yaw_rad)
+    second = ways[pitch] * factor * given.then_pitch_rad
+    then = Transform.from_rpy(roll=second) if pitch == "roll" else Transform.from_rpy(pitch=second)
+    both = first @ then if order == "pitch first" else then @ first
+    return both.inverse().rotation if result == "inverse" else both.rotation
+
+
+INVERSE = Slip(
     "inverse",
-    lambda given: turned(given).inverse().rotation,
+    {"result": "inverse"},
     Words(
         en="This undoes the two turns instead of making them. Did a sign get lost, or an inverse get in?",
         ko="두 회전을 하는 것이 아니라 되돌렸습니다. 부호를 잃었거나 inverse가 끼어들지 않았습니까?",
@@ -34,9 +45,9 @@ INVERSE = Twin(
 )
 
 
-DEGREES = Twin(
+DEGREES = Slip(
     "degrees",
-    lambda given: turned(given, math.radians(1.0)).rotation,
+    {"unit": "degrees"},
     Words(
         en="You turned by hundredths of what was asked: the angles are radians already.",
         ko="거의 돌지 않았습니다. 각도는 이미 라디안입니다.",
@@ -56,12 +67,61 @@ W_FIRST = Twin(
 )
 
 
-OTHER_ORDER = Twin(
+OTHER_ORDER = Slip(
     "other order",
-    lambda given: Transform.from_rpy(pitch=given.then_pitch_rad, yaw=given.first_yaw_rad).rotation,
+    {"order": "pitch first"},
     Words(
         en="That is first the pitch, then the yaw: the order that rpy always has. Here the yaw comes first, and both axes stand still.",
         ko="먼저 pitch, 다음에 yaw를 한 결과입니다. rpy는 언제나 그 순서입니다. 여기서는 yaw가 먼저이고 두 축 모두 고정되어 있습니다.",
+    ),
+)
+
+
+YAW_ONLY = Slip(
+    "yaw only",
+    {"pitch": "left out"},
+    Words(en="The pitch is missing.", ko="pitch가 빠졌습니다."),
+)
+
+PITCH_ONLY = Slip(
+    "pitch only",
+    {"yaw": "left out"},
+    Words(en="The yaw is missing.", ko="yaw가 빠졌습니다."),
+)
+
+YAW_RIGHT = Slip(
+    "yaw to the other side",
+    {"yaw": "right"},
+    Words(
+        en="The yaw turns to the other side: a positive one turns left.",
+        ko="yaw가 반대로 돌았습니다. 양수면 왼쪽으로 돕니다.",
+    ),
+)
+
+PITCH_UP = Slip(
+    "pitch to the other side",
+    {"pitch": "up"},
+    Words(
+        en="The pitch turns to the other side: a positive one takes the nose down.",
+        ko="pitch가 반대로 돌았습니다. 양수면 앞쪽이 내려갑니다.",
+    ),
+)
+
+ROLL_FOR_PITCH = Slip(
+    "roll for pitch",
+    {"pitch": "roll"},
+    Words(
+        en="The second turn goes about x, and pitch is about y.",
+        ko="둘째 회전을 x축으로 돌렸습니다. pitch는 y축 회전입니다.",
+    ),
+)
+
+TO_DEGREES = Slip(
+    "to degrees",
+    {"unit": "to degrees"},
+    Words(
+        en="You turned the radians into degrees first: from_rpy wants radians as they are.",
+        ko="라디안을 도로 바꾸어 넣었습니다. from_rpy에는 라디안을 그대로 넣습니다.",
     ),
 )
 
@@ -75,11 +135,18 @@ TASK = Task(
     form=Quaternion(tolerance=2e-3),
     given=two_turns,
     variants=5,
+    model=turned_twice,
     twins=(
         OTHER_ORDER,
         INVERSE,
         DEGREES,
         W_FIRST,
+        YAW_ONLY,
+        PITCH_ONLY,
+        YAW_RIGHT,
+        PITCH_UP,
+        ROLL_FOR_PITCH,
+        TO_DEGREES,
     ),
     hints=(
         Words(

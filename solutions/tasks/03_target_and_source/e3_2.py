@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from tflab.core import Transform
-from tflab.workbook.tasks import Parts, Task, Twin, Vector, Words
+from tflab.workbook.tasks import Parts, Slip, Task, Vector, Words
 
 from .draws import some_mount, some_yaw_degrees, turned
 
@@ -24,15 +24,35 @@ def corner_given(rng: np.random.Generator) -> dict[str, object]:
     return {"map_T_base": map_T_base, "base_T_laser": some_mount(rng), "laser_p_corner": tuple(map(float, point))}
 
 
-def corner_swapped(given) -> dict[str, tuple]:
-    map_T_laser = given.map_T_base @ given.base_T_laser
+def taken(transform: Transform, point, way: str) -> tuple[float, ...]:
+    """Return a point taken from the child to the parent, or what people do instead."""
+    back = tuple(-number for number in transform.translation)
+    return {
+        "apply": transform.apply(point),
+        "inverse": transform.inverse().apply(point),
+        "no turn": added(point, transform.translation),
+        "step first": turned(transform, added(point, transform.translation)),
+        "turn only": turned(transform, point),
+        "turn back": added(turned(transform.inverse(), point), transform.translation),
+        "step back": added(turned(transform, point), back),
+        "origin": transform.translation,
+    }[way]
+
+
+def moved_twice(given, *, first="apply", then="apply", product="in order") -> dict[str, tuple]:
+    """Return the corner in both frames, step by step; other steps are the slips."""
     point = given.laser_p_corner
-    return {"base_link": given.base_T_laser.inverse().apply(point), "map": map_T_laser.inverse().apply(point)}
+    base_p = taken(given.base_T_laser, point, first)
+    if product == "reversed":
+        return {"base_link": base_p, "map": (given.base_T_laser @ given.map_T_base).apply(point)}
+    if product == "inverted":
+        return {"base_link": base_p, "map": (given.map_T_base @ given.base_T_laser).inverse().apply(point)}
+    return {"base_link": base_p, "map": taken(given.map_T_base, point if product == "skipped" else base_p, then)}
 
 
-SWAPPED = Twin(
+SWAPPED = Slip(
     "swapped",
-    corner_swapped,
+    {"first": "inverse", "product": "inverted"},
     Words(
         en="target and source are swapped: you used an inverse. `base_T_laser` already takes laser data to "
         "the base, and a row of dominoes that match needs no inverse either; check it with the laser's own "
@@ -44,14 +64,9 @@ SWAPPED = Twin(
 )
 
 
-def corner_without_turns(given) -> dict[str, tuple]:
-    base_p = added(given.laser_p_corner, given.base_T_laser.translation)
-    return {"base_link": base_p, "map": added(base_p, given.map_T_base.translation)}
-
-
-TURN_IGNORED = Twin(
+TURN_IGNORED = Slip(
     "turn_ignored",
-    corner_without_turns,
+    {"first": "no turn", "then": "no turn"},
     Words(
         en="you added the steps and left out the turns. That is right only for a sensor that looks "
         "straight ahead on a robot that does, too.",
@@ -61,15 +76,9 @@ TURN_IGNORED = Twin(
 )
 
 
-def corner_step_first(given) -> dict[str, tuple]:
-    mount, robot = given.base_T_laser, given.map_T_base
-    base_p = turned(mount, added(given.laser_p_corner, mount.translation))
-    return {"base_link": base_p, "map": turned(robot, added(base_p, robot.translation))}
-
-
-STEP_BEFORE_TURN = Twin(
+STEP_BEFORE_TURN = Slip(
     "step_before_turn",
-    corner_step_first,
+    {"first": "step first", "then": "step first"},
     Words(
         en="you added the step first and turned the sum. The step is measured in the parent, so it is not "
         "turned: turn the point, then add the step.",
@@ -79,83 +88,60 @@ STEP_BEFORE_TURN = Twin(
 )
 
 
-def corner_reversed_product(given) -> dict[str, tuple]:
-    product = given.base_T_laser @ given.map_T_base
-    return {"base_link": given.base_T_laser.apply(given.laser_p_corner), "map": product.apply(given.laser_p_corner)}
-
-
-PRODUCT_REVERSED = Twin(
+PRODUCT_REVERSED = Slip(
     "product_reversed",
-    corner_reversed_product,
+    {"product": "reversed"},
     Words(
-        en="the first is right. In the product for `map`, the dominoes do not match: which halves touch in "
-        "`base_T_laser @ map_T_base`?",
-        ko="첫째는 맞습니다. `map`을 구한 곱에서는 도미노가 맞지 않습니다. `base_T_laser @ map_T_base`에서 "
+        en="in the product for `map`, the dominoes do not match: which halves touch in `base_T_laser @ map_T_base`?",
+        ko="`map`을 구한 곱에서는 도미노가 맞지 않습니다. `base_T_laser @ map_T_base`에서 "
         "맞닿은 두 칸은 무엇과 무엇입니까?",
     ),
+    part="map",
 )
 
 
-def corner_skips_the_laser(given) -> dict[str, tuple]:
-    point = given.laser_p_corner
-    return {"base_link": given.base_T_laser.apply(point), "map": given.map_T_base.apply(point)}
-
-
-AN_EDGE_SKIPPED = Twin(
+AN_EDGE_SKIPPED = Slip(
     "an_edge_skipped",
-    corner_skips_the_laser,
+    {"product": "skipped"},
     Words(
-        en="the first is right. For `map` you applied `map_T_base` to a point that is written in the "
-        "laser: one domino is missing.",
-        ko="첫째는 맞습니다. `map`을 구할 때는 레이저 기준 점에 `map_T_base`를 적용했습니다. 도미노 하나가 빠졌습니다.",
+        en="for `map` you applied `map_T_base` to a point that is written in the laser: one domino is missing.",
+        ko="`map`을 구할 때는 레이저 기준 점에 `map_T_base`를 적용했습니다. 도미노 하나가 빠졌습니다.",
     ),
+    part="map",
 )
 
 
-def corner_inverse_carried_on(given) -> dict[str, tuple]:
-    base_p = given.base_T_laser.inverse().apply(given.laser_p_corner)
-    return {"base_link": base_p, "map": given.map_T_base.apply(base_p)}
-
-
-INVERSE_CARRIED_ON = Twin(
+INVERSE_CARRIED_ON = Slip(
     "inverse_carried_on",
-    corner_inverse_carried_on,
+    {"first": "inverse"},
     Words(
-        en="the way on to `map` is right, the way to `base_link` is not: you took the inverse of "
+        en="on the way to `base_link` you took the inverse of "
         "`base_T_laser`. Which frame's points does it take in, as it stands?",
-        ko="`map`으로 이어 가는 방법은 맞지만 `base_link`로 가는 방법이 틀립니다. `base_T_laser`의 역변환을 썼습니다. "
+        ko="`base_link`로 갈 때 `base_T_laser`의 역변환을 썼습니다. "
         "`base_T_laser`는 그대로 둘 때 어느 좌표계 기준인 점을 받습니까?",
     ),
     "M1",
+    part="base_link",
 )
 
 
-def corner_leaves_the_map(given) -> dict[str, tuple]:
-    base_p = given.base_T_laser.apply(given.laser_p_corner)
-    return {"base_link": base_p, "map": given.map_T_base.inverse().apply(base_p)}
-
-
-OUT_OF_THE_MAP = Twin(
+OUT_OF_THE_MAP = Slip(
     "out_of_the_map",
-    corner_leaves_the_map,
+    {"then": "inverse"},
     Words(
-        en="the first is right. For `map` you used the inverse of `map_T_base`, which takes points out of "
+        en="for `map` you used the inverse of `map_T_base`, which takes points out of "
         "the map; you want the corner in it.",
-        ko="첫째는 맞습니다. `map`을 구할 때는 `map_T_base`의 역변환을 썼는데, 그것은 map 기준인 점을 로봇 기준으로 "
+        ko="`map`을 구할 때는 `map_T_base`의 역변환을 썼는데, 그것은 map 기준인 점을 로봇 기준으로 "
         "옮깁니다. 원하는 것은 map 기준인 모서리입니다.",
     ),
     "M1",
+    part="map",
 )
 
 
-def corner_both_inverted(given) -> dict[str, tuple]:
-    base_p = given.base_T_laser.inverse().apply(given.laser_p_corner)
-    return {"base_link": base_p, "map": given.map_T_base.inverse().apply(base_p)}
-
-
-BOTH_INVERTED = Twin(
+BOTH_INVERTED = Slip(
     "both_inverted",
-    corner_both_inverted,
+    {"first": "inverse", "then": "inverse"},
     Words(
         en="you inverted both transforms, one after the other. As they stand, `base_T_laser` takes laser "
         "data to the base and `map_T_base` takes it on to the map: read each name from right to left.",
@@ -166,19 +152,126 @@ BOTH_INVERTED = Twin(
 )
 
 
-def corner_is_the_laser(given) -> dict[str, tuple]:
-    map_T_laser = given.map_T_base @ given.base_T_laser
-    return {"base_link": given.base_T_laser.translation, "map": map_T_laser.translation}
-
-
-THE_LASER_ITSELF = Twin(
+THE_LASER_ITSELF = Slip(
     "the_laser_itself",
-    corner_is_the_laser,
+    {"first": "origin"},
     Words(
         en="that is where the laser sits; the corner has not come into it yet. Give `laser_p_corner` to `.apply(...)`.",
         ko="그것은 레이저가 달린 자리입니다. 모서리가 아직 들어가지 않았습니다. `.apply(...)`에 `laser_p_corner`를 "
         "넣으십시오.",
     ),
+    part="base_link",
+)
+
+
+FIRST_NO_TURN = Slip(
+    "first no turn",
+    {"first": "no turn"},
+    Words(
+        en="on the way to `base_link`, you added the step and left out the turn.",
+        ko="`base_link`로 갈 때 이동만 더하고 회전을 빠뜨렸습니다.",
+    ),
+    "M3",
+    part="base_link",
+)
+
+FIRST_STEP_FIRST = Slip(
+    "first step first",
+    {"first": "step first"},
+    Words(
+        en="on the way to `base_link`, you added the step before the turn: turn the point, then add the step.",
+        ko="`base_link`로 갈 때 돌리기 전에 이동을 더했습니다. 점을 돌린 다음에 이동을 더하십시오.",
+    ),
+    "",
+    part="base_link",
+)
+
+FIRST_TURN_ONLY = Slip(
+    "first turn only",
+    {"first": "turn only"},
+    Words(
+        en="on the way to `base_link`, you turned the point and left out the step.",
+        ko="`base_link`로 갈 때 점을 돌리기만 하고 이동을 빠뜨렸습니다.",
+    ),
+    "",
+    part="base_link",
+)
+
+FIRST_TURN_BACK = Slip(
+    "first turn back",
+    {"first": "turn back"},
+    Words(
+        en="on the way to `base_link`, you turned the point the wrong way round: the turn is taken as it stands.",
+        ko="`base_link`로 갈 때 점을 반대로 돌렸습니다. 회전은 그대로 씁니다.",
+    ),
+    "M1",
+    part="base_link",
+)
+
+FIRST_STEP_BACK = Slip(
+    "first step back",
+    {"first": "step back"},
+    Words(
+        en="on the way to `base_link`, you subtracted the step, and it has to be added.",
+        ko="`base_link`로 갈 때 이동을 뺐습니다. 더해야 합니다.",
+    ),
+    "M3",
+    part="base_link",
+)
+
+THEN_NO_TURN = Slip(
+    "then no turn",
+    {"then": "no turn"},
+    Words(
+        en="on the way to `map`, you added the step and left out the turn.",
+        ko="`map`로 갈 때 이동만 더하고 회전을 빠뜨렸습니다.",
+    ),
+    "M3",
+    part="map",
+)
+
+THEN_STEP_FIRST = Slip(
+    "then step first",
+    {"then": "step first"},
+    Words(
+        en="on the way to `map`, you added the step before the turn: turn the point, then add the step.",
+        ko="`map`로 갈 때 돌리기 전에 이동을 더했습니다. 점을 돌린 다음에 이동을 더하십시오.",
+    ),
+    "",
+    part="map",
+)
+
+THEN_TURN_ONLY = Slip(
+    "then turn only",
+    {"then": "turn only"},
+    Words(
+        en="on the way to `map`, you turned the point and left out the step.",
+        ko="`map`로 갈 때 점을 돌리기만 하고 이동을 빠뜨렸습니다.",
+    ),
+    "",
+    part="map",
+)
+
+THEN_TURN_BACK = Slip(
+    "then turn back",
+    {"then": "turn back"},
+    Words(
+        en="on the way to `map`, you turned the point the wrong way round: the turn is taken as it stands.",
+        ko="`map`로 갈 때 점을 반대로 돌렸습니다. 회전은 그대로 씁니다.",
+    ),
+    "M1",
+    part="map",
+)
+
+THEN_STEP_BACK = Slip(
+    "then step back",
+    {"then": "step back"},
+    Words(
+        en="on the way to `map`, you subtracted the step, and it has to be added.",
+        ko="`map`로 갈 때 이동을 뺐습니다. 더해야 합니다.",
+    ),
+    "M3",
+    part="map",
 )
 
 
@@ -191,6 +284,7 @@ TASK = Task(
     form=Parts({"base_link": Vector(3, "m", "base_link", 0.005), "map": Vector(3, "m", "map", 0.005)}),
     given=corner_given,
     variants=6,
+    model=moved_twice,
     twins=(
         SWAPPED,
         BOTH_INVERTED,
@@ -201,6 +295,16 @@ TASK = Task(
         AN_EDGE_SKIPPED,
         INVERSE_CARRIED_ON,
         OUT_OF_THE_MAP,
+        FIRST_NO_TURN,
+        FIRST_STEP_FIRST,
+        FIRST_TURN_ONLY,
+        FIRST_TURN_BACK,
+        FIRST_STEP_BACK,
+        THEN_NO_TURN,
+        THEN_STEP_FIRST,
+        THEN_TURN_ONLY,
+        THEN_TURN_BACK,
+        THEN_STEP_BACK,
     ),
     hints=(
         Words(

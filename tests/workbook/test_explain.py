@@ -1,0 +1,120 @@
+"""How a wrong answer came about: one slip, two, one in each part, or nothing that is known."""
+
+from __future__ import annotations
+
+import pytest
+
+from tflab.workbook.answers.forms import Choice, Number, Parts, Quaternion, Vector
+from tflab.workbook.answers.sealed import seal
+from tflab.workbook.answers.values import outcome_of, to_plain
+from tflab.workbook.tasks import Words
+from tflab.workbook.tasks.case import Case, TwinWords
+from tflab.workbook.tasks.mistake import Mistake
+from tflab.workbook.tasks.verdict import judge_outcomes
+
+from .small_chapter import bare
+
+PARTS = Parts({"a": Number("m"), "b": Number("m"), "c": Number("m")})
+
+
+def words(text, **more):
+    return TwinWords(Words(text, text), "", **more)
+
+
+def judged(form, expected, twins, answer, said=None):
+    """Return the verdict on one value, where `twins` gives the value of each slip and of each two."""
+    case = Case(None, to_plain(expected), {name: to_plain(value) for name, value in twins.items()})
+    task, variant = bare(form, case)
+    known = said or {name: words(name) for name in twins if " + " not in name}
+    return judge_outcomes(task._replace(twins=known), variant, [to_plain(answer)])
+
+
+@pytest.mark.parametrize(
+    ("form", "right", "wrong", "name"),
+    [
+        (Number("m"), 2.0, -2.0, "sign"),
+        (Number("s"), 0.25, 4.0, "one over it"),
+        (Number("s"), 2.0, 2e9, "unit ns"),
+        (Vector(3), (1.0, 2.0, 3.0), (2.0, 1.0, 3.0), "exchanged"),
+        (Vector(3), (1.0, 2.0, 3.0), (1.0, -2.0, 3.0), "one sign"),
+        (Vector(3), (1.0, 2.0, 3.0), (-1.0, -2.0, -3.0), "all signs"),
+        (Quaternion(), (0.0, 0.0, 0.6, 0.8), (0.8, 0.0, 0.0, 0.6), "w first"),
+        (Quaternion(), (0.0, 0.0, 0.6, 0.8), (0.0, 0.0, -0.6, 0.8), "inverse rotation"),
+        (Quaternion(), (0.0, 0.0, 0.6, 0.8), (0.0, 0.0, 1.2, 1.6), "not normalised"),
+        (Quaternion(), (0.0, 0.0, 0.6, 0.8), (0.0, 0.0, 0.96, 0.28), "whole angle"),
+    ],
+)
+def test_what_any_answer_can_have_wrong_is_named_and_a_neighbour_is_not(form, right, wrong, name):
+    assert list(judged(form, right, {}, wrong).slips) == [name]
+    shifted = wrong * 1.3 if isinstance(wrong, float) else (*wrong[:-1], wrong[-1] + 0.3)
+    assert name not in judged(form, right, {}, shifted).slips
+    assert judged(form, right, {}, right).mistake is None
+
+
+def test_it_is_recognised_where_the_right_answer_is_sealed():
+    task, variant = bare(Number("m"), Case(None, seal(Number("m"), 2.0, "salt"), {}))
+    assert list(judge_outcomes(task, variant, [2000.0]).slips) == ["unit mm"]
+
+
+def test_two_slips_are_named_in_the_order_of_the_work():
+    verdict = judged(Number("m"), 1.0, {"late": 2.0, "far": 3.0, "late + far": 7.0}, 7.0)
+    assert list(verdict.slips) == ["late", "far"]
+    assert verdict.said.en == "Two things. First: late Then: far"
+
+
+def test_one_slip_comes_before_two_and_the_tasks_before_everybodys():
+    assert list(judged(Number("m"), 1.0, {"late": 2.0, "far": 3.0, "late + far": 2.0}, 2.0).slips) == ["late"]
+    assert list(judged(Number("m"), 1.0, {"backwards": -1.0}, -1.0).slips) == ["backwards"]
+
+
+def test_a_slip_of_the_task_and_then_one_of_everybodys():
+    assert list(judged(Number("m"), 1.0, {"late": 2.5}, 2500.0).slips) == ["late", "unit mm"]
+
+
+def test_each_part_may_have_a_slip_of_its_own():
+    right = {"a": 1.0, "b": 2.0, "c": 3.0}
+    twins = {"first": {**right, "a": 5.0}, "last": {**right, "c": 7.0}}
+    verdict = judged(PARTS, right, twins, {"a": 5.0, "b": -2.0, "c": 7.0})
+    assert verdict.said.en == '"a": first "b": the size is right, the sign is not. "c": last'
+
+
+def test_what_only_follows_from_a_slip_costs_nothing():
+    right = {"a": 1.0, "b": 2.0, "c": 3.0}
+    twins = {"first": {"a": 5.0, "b": 6.0, "c": 3.0}}
+    said = {"first": words("first", part="a")}
+    verdict = judged(PARTS, right, twins, {"a": 5.0, "b": 6.0, "c": 3.0}, said)
+    assert (verdict.passed, verdict.of, verdict.mistake) == (2, 3, Mistake.SLIP)
+    assert judged(PARTS, right, twins, {"a": 5.0, "b": 6.5, "c": 3.0}, said).passed == 1  # b does not follow
+
+
+def test_a_slip_is_not_named_where_only_a_part_of_it_shows():
+    right = {"a": 1.0, "b": 2.0, "c": 3.0}
+    twins = {"both": {"a": 5.0, "b": 6.0, "c": 3.0}}
+    assert judged(PARTS, right, twins, {"a": 5.0, "b": 2.0, "c": 3.0}).mistake is Mistake.PARTS
+    partly = {"both": words("both", partly=True)}
+    assert list(judged(PARTS, right, twins, {"a": 5.0, "b": 2.0, "c": 3.0}, partly).slips) == ["both"]
+
+
+def test_an_option_says_what_it_would_mean_and_the_part_what_it_shows():
+    form = Parts({"a": Choice(("clock", "mount")), "b": Choice(("clock", "mount"))})
+    task, variant = bare(form, Case(None, to_plain({"a": "clock", "b": "mount"}), {}))
+    task = task._replace(
+        means={"mount": Words("It would stay.", "남습니다.")}, shows={"a": Words("It goes.", "사라집니다.")}
+    )
+    verdict = judge_outcomes(task, variant, [to_plain({"a": "mount", "b": "mount"})])
+    assert verdict.said.en == '"a": It would stay. It goes.'
+
+
+def test_where_nothing_fits_the_bounds_are_said_and_not_the_answer():
+    verdict = judged(Vector(3), (1.0, 2.0, 3.0), {}, (1.0, 2.5, 2.0))
+    assert (verdict.mistake, verdict.detail["certain"].en) == (Mistake.VALUE, "x: right; y: too large; z: too small")
+
+
+def test_a_function_that_changes_what_it_is_given_is_told_so():
+    def popped(stamps):
+        return float(len(stamps) * 0 + stamps.pop())
+
+    case = Case([[1.0, 2.0]], 2.0, {})
+    task, variant = bare(Number("s"), case, is_function=True)
+    verdict = judge_outcomes(task, variant, [outcome_of(popped, case.args)])
+    assert (verdict.mistake, verdict.detail["changed"]) == (Mistake.INPUT_CHANGED, 1)
