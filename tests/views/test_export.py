@@ -174,3 +174,11 @@ def test_a_picture_brings_its_words_along_and_keeps_its_size(tmp_path):
     assert 'alt="two frames: &quot;map&quot; &amp; odom"' in image or "alt='two frames: \"map\" &amp; odom'" in image
     assert 'width="76"' in image
     assert 'height="38"' in image
+
+
+def test_the_command_says_how_many_views_were_not_stored_and_how_to_have_them(tmp_path, capsys):
+    notebook = notebook_at(tmp_path / "page.ipynb", {}, ("gone", "gone_too"))
+    assert main([str(notebook), "--out", str(tmp_path / "out")]) == 0
+    said = capsys.readouterr().err
+    assert "2 live views are missing" in said
+    assert f'tflab build --html "{notebook}"' in said

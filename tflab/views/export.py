@@ -26,7 +26,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from .export_widgets import WIDGET_VIEW, LiveView, live_view, outputs_from_widget
+from .export_widgets import NOT_STORED, WIDGET_VIEW, LiveView, live_view, outputs_from_widget
 from .mathml import with_mathml
 from .scene import viewer_file
 
@@ -126,7 +126,15 @@ def main(words: Sequence[str]) -> int:
     parser.add_argument("--single-file", action="store_true", help="put everything into one file that can be mailed")
     asked = parser.parse_args(words)
     try:
-        print(export_html(asked.notebook, asked.out, asked.single_file))
+        page = export_html(asked.notebook, asked.out, asked.single_file)
+        print(page)
+        lost = page.read_text(encoding="utf-8").count(NOT_STORED)
+        if lost:
+            print(
+                f"tflab export: {lost} live view{'s are' if lost > 1 else ' is'} missing, for the notebook was saved "
+                f'without. To run a copy of it and have all: tflab build --html "{asked.notebook}"',
+                file=sys.stderr,
+            )
     except FileNotFoundError:
         print(f'tflab export: there is no notebook "{asked.notebook}"', file=sys.stderr)
         return 2

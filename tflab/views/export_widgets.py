@@ -17,10 +17,11 @@ from __future__ import annotations
 from html import escape
 from typing import Any, NamedTuple
 
-__all__ = ["LiveView", "Model", "Models", "live_view", "outputs_from_widget"]
+__all__ = ["NOT_STORED", "LiveView", "Model", "Models", "live_view", "outputs_from_widget"]
 
 WIDGET_VIEW = "application/vnd.jupyter.widget-view+json"
 REFERENCE = "IPY_MODEL_"
+NOT_STORED = "This view was not stored; run the notebook to see it."
 WITHOUT_KERNEL_NOTHING = ("ButtonModel", "PlayModel", "FileUploadModel", "ControllerModel")
 
 Models = dict[str, dict]  # as stored in a notebook: model id -> model_name, state, buffers
@@ -50,7 +51,7 @@ def outputs_from_widget(model_id: str, models: Models, names: dict[str, str]) ->
     """
     model = models.get(model_id)
     if model is None:
-        return [_html("<p><em>This view was not stored; run the notebook to see it.</em></p>")]
+        return [_html(f"<p><em>{NOT_STORED}</em></p>")]
     state, kind = model["state"], model["model_name"]
     if kind == "AnyModel":
         name = names.setdefault(model_id, f"view-{len(names)}")
