@@ -10,7 +10,9 @@ from tflab.ros import client_library as rclpy
 from tflab.ros import messages
 from tflab.ros.messages import own
 from tflab.ros.messages.definition import parse_definition
+from tflab.ros.messages.text import type_hash
 from tflab.ros.node import Node
+from tflab.ros.serialization import deserialize_message, serialize_message
 
 DETECTION = """
 # What a detector saw.
@@ -161,3 +163,11 @@ def test_a_service_of_ones_own_answers(graph):
     graph.start(main)
     graph.run(seconds=0.1)
     assert answers == [True]
+
+
+def test_a_message_of_ones_own_becomes_bytes_and_comes_back():
+    module = messages.define("my_msgs", PACKAGE)
+    sent = module.msg.Detection(label="cup", boxes=[module.msg.Box(width=2.0)])
+    assert deserialize_message(serialize_message(sent), module.msg.Detection) == sent
+    assert type_hash("my_msgs/msg/Box").startswith("RIHS01_")
+    assert type_hash("nope_msgs/msg/Nope") == "INVALID"

@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING
 
 from tflab.ros import distro
 from tflab.ros.messages.base import Message, type_named
+from tflab.ros.messages.own import type_store
 from tflab.ros.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 
 from . import wire
@@ -61,7 +62,7 @@ class BagWriter:
     def add_topic(self, topic: str, ros_type: str, profiles: Sequence[QoSProfile] = ()) -> None:
         """Announce a topic, with the profiles that its publishers offer."""
         self._connections[topic] = self._writer.add_connection(
-            topic, ros_type, typestore=wire.store(), offered_qos_profiles=[wire.qos_of(p) for p in profiles]
+            topic, ros_type, typestore=type_store(), offered_qos_profiles=[wire.qos_of(p) for p in profiles]
         )
 
     def write(self, topic: str, message: Message, receive_ns: int) -> None:

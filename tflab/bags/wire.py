@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 
 from tflab.core import NSEC_PER_SEC
 from tflab.ros.duration import Duration
+from tflab.ros.messages.own import type_store
 from tflab.ros.messages.values import message_from_object, object_from_message
 from tflab.ros.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoSProfile, ReliabilityPolicy
 
@@ -22,20 +23,12 @@ if TYPE_CHECKING:
 
     from tflab.ros.messages.base import Message
 
-__all__ = ["bytes_of", "message_of", "profile_of", "qos_of", "store"]
-
-
-@cache
-def store():
-    """Return rosbags' table of the message types of ROS 2."""
-    from rosbags.typesys import Stores, get_typestore
-
-    return get_typestore(Stores.ROS2_JAZZY)
+__all__ = ["bytes_of", "message_of", "profile_of", "qos_of"]
 
 
 def bytes_of(message: Message) -> bytes:
     """Return a message as CDR."""
-    return bytes(store().serialize_cdr(object_from_message(message, store().types), message.ROS_TYPE))
+    return bytes(type_store().serialize_cdr(object_from_message(message, type_store().types), message.ROS_TYPE))
 
 
 def message_of(data: bytes, ros_type: str, is_ros1: bool = False) -> Message:
@@ -44,7 +37,7 @@ def message_of(data: bytes, ros_type: str, is_ros1: bool = False) -> Message:
     Raises:
         KeyError: we have no such type.
     """
-    read = _ros1_store().deserialize_ros1 if is_ros1 else store().deserialize_cdr
+    read = _ros1_store().deserialize_ros1 if is_ros1 else type_store().deserialize_cdr
     return message_from_object(ros_type, read(data, ros_type))
 
 

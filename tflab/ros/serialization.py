@@ -8,10 +8,8 @@ The bytes are made by the rosbags library.  Read `convert.py` next.
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
 from .messages.base import Message
+from .messages.own import type_store
 from .messages.values import message_from_object, object_from_message
 
 __all__ = ["deserialize_message", "serialize_message"]
@@ -21,9 +19,9 @@ def serialize_message(message: Message) -> bytes:
     """Return a message as it travels.
 
     Raises:
-        KeyError: its type is not one of the message types that ROS 2 brings along.
+        KeyError: its type is neither one that ROS 2 brings along nor defined here.
     """
-    store = _store()
+    store = type_store()
     return bytes(store.serialize_cdr(object_from_message(message, store.types), message.ROS_TYPE))
 
 
@@ -31,14 +29,7 @@ def deserialize_message(serialized_message: bytes, message_type: type[Message]) 
     """Return the message of some bytes.
 
     Raises:
-        KeyError: its type is not one of the message types that ROS 2 brings along.
+        KeyError: its type is neither one that ROS 2 brings along nor defined here.
     """
     ros_type = message_type.ROS_TYPE
-    return message_from_object(ros_type, _store().deserialize_cdr(serialized_message, ros_type))
-
-
-@cache
-def _store() -> Any:
-    from rosbags.typesys import Stores, get_typestore  # loads all of ROS's types: only for who asks
-
-    return get_typestore(Stores.ROS2_JAZZY)
+    return message_from_object(ros_type, type_store().deserialize_cdr(serialized_message, ros_type))

@@ -17,14 +17,16 @@ from __future__ import annotations
 import re
 import sys
 from collections.abc import Mapping
+from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
 from .base import action, message, service
 from .definition import Field, NamespacedType, parse_definition
 
-__all__ = ["define"]
+__all__ = ["define", "type_store"]
 
 KINDS = {".msg": ("msg", 1), ".srv": ("srv", 2), ".action": ("action", 3)}  # folder, and how many parts
 
@@ -54,6 +56,27 @@ def define(package: str, definitions: Mapping[str, str] | str | Path) -> ModuleT
         _make(package, name, texts, made, ())
     _defined[package] = texts
     return _install(package, made)
+
+
+def type_store() -> Any:
+    """Return the rosbags library's table of ROS's messages, with those that were defined here: for bytes and hashes."""
+    own = [
+        (f"{package}/msg/{Path(name).stem}", text)
+        for package, texts in _defined.items()
+        for name, text in texts.items()
+        if name.endswith(".msg")
+    ]
+    return _store_with(tuple(own))
+
+
+@cache
+def _store_with(own: tuple[tuple[str, str], ...]) -> Any:
+    from rosbags.typesys import Stores, get_types_from_msg, get_typestore  # loads all of ROS's types: for who asks
+
+    store = get_typestore(Stores.ROS2_JAZZY)
+    for ros_type, text in own:
+        store.register(get_types_from_msg(text, ros_type))
+    return store
 
 
 def _read(folder: Path) -> dict[str, str]:

@@ -17,13 +17,13 @@ from __future__ import annotations
 
 import sys
 from array import array
-from functools import cache
 
 import numpy as np
 import yaml
 
 from .base import Message
 from .definition import Array, BoundedSequence, SlotType, UnboundedSequence, type_text
+from .own import type_store
 
 __all__ = ["TRUNCATE_LENGTH", "message_to_dict", "message_to_yaml", "type_hash"]
 
@@ -82,16 +82,10 @@ def message_to_dict(
     return plain(message)
 
 
-@cache
 def type_hash(ros_type: str) -> str:
-    """Return the type's RIHS01 hash (REP-2011): 'RIHS01_e369…' for 'tf2_msgs/msg/TFMessage'.
-
-    Raises:
-        KeyError: the type is not one of the message types that ROS 2 brings along.
-    """
-    from rosbags.typesys import Stores, get_typestore  # loads all of ROS's types: only for who asks
-
-    return get_typestore(Stores.ROS2_JAZZY).hash_rihs01(ros_type)
+    """Return the type's RIHS01 hash (REP-2011): 'RIHS01_e369…' for 'tf2_msgs/msg/TFMessage'; "INVALID" if not known."""
+    store = type_store()
+    return store.hash_rihs01(ros_type) if ros_type in store.fielddefs else "INVALID"
 
 
 def _sequence_summary(value: list | tuple, slot_type: Array | BoundedSequence | UnboundedSequence) -> str:
