@@ -24,6 +24,8 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from locale import getpreferredencoding
 from pathlib import Path
+from tempfile import TemporaryFile
+from typing import IO
 
 import numpy as np
 
@@ -61,6 +63,8 @@ CLOCK_TYPE = "rosgraph_msgs/msg/Clock"
 JOINTS_TYPE = "sensor_msgs/msg/JointState"
 ODOMETRY_TYPE = "nav_msgs/msg/Odometry"
 STRING_TYPE = "std_msgs/msg/String"
+
+MOST_IN_MEMORY = 128 * 2**20  # bytes of numbers, about two million transforms
 
 MAGICS = {b"#ROSBAG V": ".bag", b"\x89MCAP0\r\n": ".mcap", b"SQLite format 3\0": ".db3"}
 SQLITE_HEADER = struct.Struct(">16xH10xI")  # size of a page, and how many there are
@@ -285,12 +289,13 @@ class _Collector:
 
 
 class _TransformColumns:
-    """Transforms, as many as there are, in growing columns."""
+    """Transforms, as many as there are, in growing columns; of a long recording the numbers lie on disk."""
 
     def __init__(self) -> None:
         self._receive_ns, self._stamp_ns = array("q"), array("q")
-        self._message, self._label = array("q"), array("q")
+        self._message, self._label = array("i"), array("i")
         self._numbers = bytearray()
+        self._on_disk: IO[bytes] | None = None
         self._labels: dict[tuple, int] = {}
         self._messages = 0
 
@@ -319,14 +324,30 @@ class _TransformColumns:
         self._stamp_ns.append(stamp_ns)
         self._label.append(label)
         self._numbers += numbers
+        if len(self._numbers) >= MOST_IN_MEMORY:
+            self._to_disk()
         self._receive_ns.append(receive_ns)
         self._message.append(self._messages)
+
+    def _to_disk(self) -> None:
+        """Move the numbers into a file without a name, but for the newest; it is gone when nobody holds it any more."""
+        if self._on_disk is None:
+            self._on_disk = TemporaryFile()  # noqa: SIM115
+        self._on_disk.write(memoryview(self._numbers)[:-NUMBERS_SIZE])
+        self._numbers = self._numbers[-NUMBERS_SIZE:]
+
+    def _all_numbers(self) -> np.ndarray:
+        if self._on_disk is None:
+            return np.frombuffer(self._numbers, dtype="<f8").reshape(-1, 7)
+        self._on_disk.write(self._numbers)
+        self._on_disk.flush()
+        return np.memmap(self._on_disk, dtype="<f8", mode="r", shape=(len(self._stamp_ns), 7))
 
     def table(self) -> Transforms:
         columns = (self._receive_ns, self._stamp_ns, self._message, self._label)
         return Transforms(
-            *(np.frombuffer(column, dtype=np.int64) for column in columns),
-            np.frombuffer(self._numbers, dtype="<f8").reshape(-1, 7),
+            *(np.frombuffer(column, dtype=np.dtype(column.typecode)) for column in columns),
+            self._all_numbers(),
             tuple(
                 TransformLabel(topic, publisher, _text(parent), _text(child), is_static)
                 for (topic, publisher, is_static), parent, child in self._labels

@@ -11,6 +11,7 @@ What is asked of it more than once, it works out once and remembers.  Read
 
 from __future__ import annotations
 
+import mmap
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -40,7 +41,7 @@ class Edge:
         parents, publishers: the different ones, in the order of first mention.
         parent, publisher: shape (n,), indices into these.
         receive_ns, stamp_ns, message: shape (n,).
-        numbers: shape (n, 7), as sent.
+        source, rows: numbers of the whole recording, shape (N, 7), and which of them are this edge's, shape (n,).
     """
 
     child: str
@@ -53,10 +54,19 @@ class Edge:
     receive_ns: np.ndarray
     stamp_ns: np.ndarray
     message: np.ndarray
-    numbers: np.ndarray
+    source: np.ndarray
+    rows: np.ndarray
 
     def __len__(self) -> int:
         return len(self.stamp_ns)
+
+    @property
+    def numbers(self) -> np.ndarray:
+        """The numbers of each sample, as sent: shape (n, 7); of a long recording they are read again each time."""
+        numbers = self.source[self.rows]
+        if isinstance(self.source, np.memmap) and hasattr(mmap, "MADV_DONTNEED"):
+            self.source.base.madvise(mmap.MADV_DONTNEED)  # the pages stay in the cache of the system, and not ours
+        return np.asarray(numbers)
 
     @property
     def usual_parent(self) -> str:
@@ -71,7 +81,8 @@ class Edge:
     @cached_property
     def norm(self) -> np.ndarray:
         """The length of each rotation: shape (n,)."""
-        rotations = np.where(self.is_finite[:, None], self.numbers[:, 3:], 0.0)
+        rotations = self.numbers[:, 3:]
+        rotations = rotations if self.is_finite.all() else np.where(self.is_finite[:, None], rotations, 0.0)
         return np.sqrt(np.einsum("ij,ij->i", rotations, rotations))
 
     @cached_property

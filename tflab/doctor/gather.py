@@ -75,7 +75,7 @@ def evidence_from_buffer(buffer: BufferCore, subject: str = "buffer") -> Evidenc
         topic = "/tf_static" if history.is_static else "/tf"
         edges.append(
             Edge(frame, history.is_static, topic, parents, publishers, parent, publisher, stamps, stamps,
-                 np.arange(len(stamps)), numbers)
+                 np.arange(len(stamps)), numbers, np.arange(len(stamps)))
         )  # fmt: skip
         raw_names.extend((name, frame, topic) for name in parents)
     moving = [edge for edge in edges if not edge.is_static]
@@ -130,7 +130,7 @@ def _estimated_relation(sources: list) -> ClockRelation:
 
 def _edge(table, child: str, is_static: bool, parts: list[tuple[int, np.ndarray]]) -> Edge:
     """Return one edge of the rows of several labels."""
-    rows = np.sort(np.concatenate([rows for _, rows in parts]))
+    rows = np.sort(np.concatenate([rows for _, rows in parts]).astype(np.int32))
     labels = table.label[rows]
     parents, parent_of_label = _indices([table.labels[number].parent.removeprefix("/") for number, _ in parts])
     publishers, publisher_of_label = _indices([table.labels[number].publisher for number, _ in parts])
@@ -142,12 +142,13 @@ def _edge(table, child: str, is_static: bool, parts: list[tuple[int, np.ndarray]
         topic=table.labels[parts[0][0]].topic,
         parents=parents,
         publishers=publishers,
-        parent=parent_of_label[place[labels]],
-        publisher=publisher_of_label[place[labels]],
+        parent=parent_of_label.astype(np.int32)[place[labels]],
+        publisher=publisher_of_label.astype(np.int32)[place[labels]],
         receive_ns=table.receive_ns[rows],
         stamp_ns=table.stamp_ns[rows],
         message=table.message[rows],
-        numbers=table.numbers[rows],
+        source=table.numbers,
+        rows=rows,
     )
 
 

@@ -89,12 +89,13 @@ def future_stamps(evidence: Evidence) -> Iterator[Finding]:
 
 def _values_of_repeats(edge: Edge, repeats: list[int]) -> str:
     """Return whether samples of one stamp agree: "the same" or "different"."""
+    numbers = edge.numbers
     first_of: dict[int, np.ndarray] = {}
     for i in repeats:
         stamp_ns = int(edge.stamp_ns[i])
         if stamp_ns not in first_of:
-            first_of[stamp_ns] = edge.numbers[int(np.argmax(edge.stamp_ns == stamp_ns))]
-        if not np.array_equal(first_of[stamp_ns], edge.numbers[i], equal_nan=True):
+            first_of[stamp_ns] = numbers[int(np.argmax(edge.stamp_ns == stamp_ns))]
+        if not np.array_equal(first_of[stamp_ns], numbers[i], equal_nan=True):
             return "different"
         if len(first_of) > 200:
             break

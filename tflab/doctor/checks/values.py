@@ -28,9 +28,10 @@ def not_numbers(evidence: Evidence) -> Iterator[Finding]:
     """Yield a finding for each edge with NaN or infinity in it, or with a distance that nobody can have meant."""
     for edge in evidence.edges():
         yield from _finding_where(edge, ~edge.is_finite, "not-a-number", "error")
-        furthest_m = np.abs(np.where(edge.is_finite[:, None], edge.numbers[:, :3], 0.0)).max(axis=1)
-        facts = {"furthest": f"{furthest_m.max():.3g}"}
-        yield from _finding_where(edge, edge.is_finite & (furthest_m > EARTH_M), "out-of-this-world", "error", facts)
+        furthest_m = np.abs(edge.numbers[:, :3]).max(axis=1)
+        is_far = edge.is_finite & (furthest_m > EARTH_M)
+        facts = {"furthest": f"{furthest_m[is_far].max():.3g}"} if is_far.any() else {}
+        yield from _finding_where(edge, is_far, "out-of-this-world", "error", facts)
 
 
 def bad_rotations(evidence: Evidence) -> Iterator[Finding]:
