@@ -3,6 +3,7 @@
     errors      what can be wrong with a file
     recording   a recording as columns, and from there a buffer
     messages    the bytes of a TFMessage, and of a header
+    columns     where what was read is kept
     reader      from a bag, of ROS 2 or ROS 1, to a recording
     wire        messages and qualities of service, as a bag holds them
     record      `ros2 bag record`: from the graph to a bag

@@ -24,19 +24,16 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from locale import getpreferredencoding
 from pathlib import Path
-from tempfile import TemporaryFile
-from typing import IO
 
 import numpy as np
 
 from tflab.core import stamp_from_sec_nanosec
 from tflab.progress_bar import ProgressBar
 
+from .columns import HeaderColumns, TransformColumns
 from .errors import BagError
 from .messages import (
-    NUMBERS_SIZE,
     MalformedMessage,
-    RawTransform,
     clock_in,
     header_in,
     names_of_single,
@@ -47,13 +44,10 @@ from .messages import (
 from .recording import (
     Clock,
     Connection,
-    Headers,
     JointStates,
     Odometry,
     QosProfile,
     Recording,
-    TransformLabel,
-    Transforms,
 )
 
 __all__ = ["open_bag", "read_bag"]
@@ -63,8 +57,6 @@ CLOCK_TYPE = "rosgraph_msgs/msg/Clock"
 JOINTS_TYPE = "sensor_msgs/msg/JointState"
 ODOMETRY_TYPE = "nav_msgs/msg/Odometry"
 STRING_TYPE = "std_msgs/msg/String"
-
-MOST_IN_MEMORY = 128 * 2**20  # bytes of numbers, about two million transforms
 
 MAGICS = {b"#ROSBAG V": ".bag", b"\x89MCAP0\r\n": ".mcap", b"SQLite format 3\0": ".db3"}
 SQLITE_HEADER = struct.Struct(">16xH10xI")  # size of a page, and how many there are
@@ -175,8 +167,8 @@ class _Collector:
     def __init__(self, connections: list, is_ros1: bool) -> None:
         self._is_ros1 = is_ros1
         self._raw_transforms = transforms_in_ros1 if is_ros1 else transforms_in_cdr
-        self._transforms = _TransformColumns()
-        self._headers: dict[str, _HeaderColumns] = {}
+        self._transforms = TransformColumns()
+        self._headers: dict[str, HeaderColumns] = {}
         self._clock = (array("q"), array("q"))
         self._joints: dict[str, list] = {}
         self._odometry: dict[str, list] = {}
@@ -255,7 +247,7 @@ class _Collector:
     def _add_header(self, connection, receive_ns: int, data: bytes) -> None:
         stamp_ns, frame = header_in(data, self._is_ros1)
         if connection.topic not in self._headers:
-            self._headers[connection.topic] = _HeaderColumns(connection.msgtype)
+            self._headers[connection.topic] = HeaderColumns(connection.msgtype)
         self._headers[connection.topic].add(receive_ns, stamp_ns, frame)
 
     def _add_joints(self, connection, receive_ns: int, data: bytes) -> None:
@@ -286,91 +278,6 @@ class _Collector:
             return read(data, connection.msgtype)
         except Exception as error:  # broken bytes can fail anywhere in the library
             raise MalformedMessage(str(error)) from error
-
-
-class _TransformColumns:
-    """Transforms, as many as there are, in growing columns; of a long recording the numbers lie on disk."""
-
-    def __init__(self) -> None:
-        self._receive_ns, self._stamp_ns = array("q"), array("q")
-        self._message, self._label = array("i"), array("i")
-        self._numbers = bytearray()
-        self._on_disk: IO[bytes] | None = None
-        self._labels: dict[tuple, int] = {}
-        self._messages = 0
-
-    def add(self, how: tuple[str, str, bool], receive_ns: int, transforms: list[RawTransform]) -> None:
-        """Take the transforms of one message; `how` is topic, publisher, is_static."""
-        for stamp_ns, parent, child, numbers in transforms:
-            key = (how, parent, child)
-            label = self._labels.setdefault(key, len(self._labels))
-            self._append(label, receive_ns, stamp_ns, numbers)
-        self._messages += 1
-
-    def add_one(self, label: int, receive_ns: int, stamp_ns: int, numbers: bytes) -> None:
-        """Take the one transform of a message whose label is known."""
-        self._append(label, receive_ns, stamp_ns, numbers)
-        self._messages += 1
-
-    @property
-    def newest_label(self) -> int:
-        return self._label[-1]
-
-    def ends_with(self, data: bytes) -> bool:
-        """Return whether the numbers that came last are the last bytes of `data`."""
-        return bool(self._numbers) and data.endswith(bytes(self._numbers[-NUMBERS_SIZE:]))
-
-    def _append(self, label: int, receive_ns: int, stamp_ns: int, numbers: bytes) -> None:
-        self._stamp_ns.append(stamp_ns)
-        self._label.append(label)
-        self._numbers += numbers
-        if len(self._numbers) >= MOST_IN_MEMORY:
-            self._to_disk()
-        self._receive_ns.append(receive_ns)
-        self._message.append(self._messages)
-
-    def _to_disk(self) -> None:
-        """Move the numbers into a file without a name, but for the newest; it is gone when nobody holds it any more."""
-        if self._on_disk is None:
-            self._on_disk = TemporaryFile()  # noqa: SIM115
-        self._on_disk.write(memoryview(self._numbers)[:-NUMBERS_SIZE])
-        self._numbers = self._numbers[-NUMBERS_SIZE:]
-
-    def _all_numbers(self) -> np.ndarray:
-        if self._on_disk is None:
-            return np.frombuffer(self._numbers, dtype="<f8").reshape(-1, 7)
-        self._on_disk.write(self._numbers)
-        self._on_disk.flush()
-        return np.memmap(self._on_disk, dtype="<f8", mode="r", shape=(len(self._stamp_ns), 7))
-
-    def table(self) -> Transforms:
-        columns = (self._receive_ns, self._stamp_ns, self._message, self._label)
-        return Transforms(
-            *(np.frombuffer(column, dtype=np.dtype(column.typecode)) for column in columns),
-            self._all_numbers(),
-            tuple(
-                TransformLabel(topic, publisher, _text(parent), _text(child), is_static)
-                for (topic, publisher, is_static), parent, child in self._labels
-            ),
-        )
-
-
-class _HeaderColumns:
-    """The headers of one topic, in growing columns."""
-
-    def __init__(self, msgtype: str) -> None:
-        self._msgtype = msgtype
-        self._receive_ns, self._stamp_ns, self._frame = array("q"), array("q"), array("q")
-        self._frames: dict[bytes, int] = {}
-
-    def add(self, receive_ns: int, stamp_ns: int, frame: bytes) -> None:
-        self._stamp_ns.append(stamp_ns)
-        self._receive_ns.append(receive_ns)
-        self._frame.append(self._frames.setdefault(frame, len(self._frames)))
-
-    def table(self, topic: str) -> Headers:
-        columns = (np.frombuffer(c, dtype=np.int64) for c in (self._receive_ns, self._stamp_ns, self._frame))
-        return Headers(topic, self._msgtype, *columns, tuple(map(_text, self._frames)))
 
 
 def _joint_states(topic: str, rows: list) -> JointStates:
@@ -413,7 +320,3 @@ def _qos_of(connection) -> tuple[QosProfile, ...]:
         QosProfile(q.history.name.lower(), q.depth, q.reliability.name.lower(), q.durability.name.lower())
         for q in ext.offered_qos_profiles
     )
-
-
-def _text(name: bytes) -> str:
-    return name.decode("utf-8", errors="replace")

@@ -9,6 +9,7 @@
     faults       which finding names which fault
     text         the report in a terminal, and as JSON
     history      each edge through time, as pictures
+    scene3d      the frames in 3D at a moment
     html         the report as a page
 
 Start with `sentences.py`; each page names the next.

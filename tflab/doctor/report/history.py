@@ -1,147 +1,170 @@
-"""When was what heard, and how late?  The timeline of a recording as a picture.
+"""When was what heard, and how late?  The timeline of a recording, as SVG that follows the page's colours.
 
     odom -> base_link   |||||||||||||||||    |||||||||||||||   a lane for each edge: dark where it spoke
     map -> odom         | | | | | | | | | | | | | | | | | |    and a gap where it was silent
+                                        ====                   what was found, under its lane
 
-    delay [ms]          ~~~~~~~~~~~~~~~~~/\\~~~~~~~~~~~~~~~    received minus stamp, clocks taken off
+    4 ms  .:|:..      how its delays, and the steps between its samples, are distributed
 
-Only what moves has a lane; what is static was said once.  Findings that have a
-place in time are marked on their lane.  Read `html.py` next.
+Only what moves has a lane; what is static was said once.  Read `scene3d.py` next.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from html import escape
 
 import numpy as np
 
 from tflab.core import NSEC_PER_SEC
-from tflab.views import style
-from tflab.views.picture import Picture
 
-from ..checks.clocks import settled_delays_s
 from ..evidence import Edge, Evidence
 from ..findings import Finding
 
-__all__ = ["draw_history"]
+__all__ = ["draw_distribution", "draw_moment", "draw_timeline"]
 
-MOST_LANES = 24
-BINS = 380  # of a lane
-LANE_INCH = 0.26
-DELAYS_INCH = 1.7
-RIM_INCH = 0.95
-WIDTH_INCH = 9.6
-MOST_LINES = 3  # of delays, those that vary most: more cannot be told apart
-LINES = (style.INK, style.AXIS_COLOURS["z"], style.AXIS_COLOURS["x"])
-STYLES = ("solid", (0, (4.0, 1.6)), (0, (1.0, 1.1)))
+MOST_LANES = 40
+MOST_LANES_OF_A_MOMENT = 8
+BINS = 320  # of a lane
+WIDTH, NAMES, RIM, LANE, AXIS = 960.0, 250.0, 10.0, 26.0, 30.0  # px
+MOST_LETTERS = 36
+SHADES = 4
+TICKS = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 30.0, 60.0, 120.0, 300.0, 600.0, 1800.0, 3600.0, 7200.0)
+MOMENT_S = 1.0  # before and after what was found
+LONGEST_MOMENT_S = 30.0
+MOST_TICKS = 400  # of samples on a lane
+STRIP_BINS, STRIP_WIDTH, STRIP_HEIGHT = 24, 96.0, 20.0
 
 
-def draw_history(evidence: Evidence, findings: Sequence[Finding] = ()) -> Picture:
-    """Draw when each moving edge was heard, and how late."""
+def draw_timeline(evidence: Evidence, findings: Sequence[Finding] = ()) -> str:
+    """Return when each moving edge was heard, as SVG; "" if nothing moves."""
     edges = [edge for edge in evidence.moving if len(edge) > 1][:MOST_LANES]
-    delays_inch = DELAYS_INCH if evidence.has_arrival and edges else 0.0
-    height = RIM_INCH + LANE_INCH * max(len(edges), 1) + delays_inch
-    picture = Picture((WIDTH_INCH, height))
-    longest = max((len(_name(edge)) for edge in edges), default=0)
-    left = min(0.08 + 0.0072 * longest, 0.42)
-    lanes_bottom = (delays_inch + 0.50) / height
-    with style.our_settings():
-        lanes = picture.figure.add_axes((left, lanes_bottom, 0.90 - left, 1.0 - lanes_bottom - 0.40 / height))
-        _draw_lanes(lanes, evidence, edges, findings)
-        if delays_inch:
-            below = picture.figure.add_axes((left, 0.5 / height, 0.90 - left, (delays_inch - 0.45) / height))
-            _draw_delays(below, evidence, edges)
-    delays_s = _delays_s(evidence) if evidence.has_arrival else {}
-    picture.text = "\n".join(_line(edge, delays_s.get(edge.child)) for edge in edges) or "nothing moves"
-    return picture
+    if not edges:
+        return ""
+    begin_ns, end_ns = evidence.begin_ns, max(int(edge.receive_ns.max()) for edge in edges)
+    bounds_ns = np.linspace(begin_ns, max(end_ns, begin_ns + 1), BINS + 1)
+    lanes = [_shaded_lane(edge, row, bounds_ns) for row, edge in enumerate(edges)]
+    marks = [_mark(f, edges, begin_ns, end_ns) for f in findings if f.begin_ns and f.severity != "info"]
+    return _sheet(edges, [*marks, *lanes], 0.0, (end_ns - begin_ns) / NSEC_PER_SEC, "timeline")
 
 
-def _draw_lanes(axes, evidence: Evidence, edges: list[Edge], findings: Sequence[Finding]) -> None:
-    begin_ns, length_s = _span(evidence, edges)
-    for row, edge in enumerate(edges):
-        _draw_lane(axes, edge, row, (begin_ns, length_s), [f for f in findings if f.child == edge.child])
-    for finding in findings:
-        if not finding.child and finding.begin_ns and finding.severity != "info":
-            begin_s, end_s = ((moment - begin_ns) / NSEC_PER_SEC for moment in (finding.begin_ns, finding.end_ns))
-            axes.axvspan(begin_s, max(end_s, begin_s + 0.003 * length_s), color=style.ACCENT, alpha=0.18, zorder=1)
-    axes.set(xlim=(0.0, length_s), ylim=(max(len(edges), 1) - 0.5, -0.6), yticks=range(len(edges)))
-    axes.set_yticklabels([_name(edge) for edge in edges], color=style.INK)
-    axes.tick_params(axis="y", length=0)
-    axes.tick_params(axis="x", labelbottom=not evidence.has_arrival)
-    axes.set_title("heard", loc="left", color=style.INK)
-    for side in ("left", "right", "top"):
-        axes.spines[side].set_visible(False)
+def draw_moment(evidence: Evidence, finding: Finding) -> str:
+    """Return the samples around what was found, one by one, as SVG; "" if it is about no moment."""
+    length_s = (finding.end_ns - finding.begin_ns) / NSEC_PER_SEC
+    if not finding.begin_ns:
+        return ""
+    begin_ns = finding.begin_ns - round(MOMENT_S * NSEC_PER_SEC)
+    end_ns = finding.begin_ns + round((min(length_s, LONGEST_MOMENT_S) + MOMENT_S) * NSEC_PER_SEC)
+    concerned = {finding.child, *finding.siblings}
+    edges = [edge for edge in evidence.moving if edge.child in concerned] or list(evidence.moving)
+    edges = edges[:MOST_LANES_OF_A_MOMENT]
+    if not edges:
+        return ""
+    marks = [_mark(finding, edges, begin_ns, end_ns)]
+    lanes = [_ticked_lane(edge, row, begin_ns, end_ns) for row, edge in enumerate(edges)]
+    first_s = (begin_ns - evidence.begin_ns) / NSEC_PER_SEC
+    last_s = (end_ns - evidence.begin_ns) / NSEC_PER_SEC
+    return _sheet(edges, [*marks, *lanes], first_s, last_s, "moment")
 
 
-def _draw_lane(axes, edge: Edge, row: int, span: tuple[int, float], findings: list[Finding]) -> None:
-    """Draw when one edge was heard, and what was found of it."""
-    begin_ns, length_s = span
-    heard_s = (edge.receive_ns - begin_ns) / NSEC_PER_SEC
-    spoke, _ = np.histogram(heard_s, np.linspace(0.0, length_s, BINS + 1))
-    expected = max(np.median(spoke[spoke > 0]), 1) if spoke.any() else 1
-    if edge.period_ns / NSEC_PER_SEC < length_s / BINS:
-        shade = np.clip(spoke / expected, 0.0, 1.0)[None, :] * 0.75
-        axes.imshow(_grey(shade), extent=(0.0, length_s, row + 0.32, row - 0.32), aspect="auto", zorder=2)
-    else:
-        axes.vlines(heard_s, row - 0.3, row + 0.3, color=style.GREY, linewidth=0.9, zorder=2)
-    marked = [f for f in findings if f.begin_ns and f.severity != "info"]
-    for finding in marked:
-        begin_s = (finding.begin_ns - begin_ns) / NSEC_PER_SEC
-        end_s = max((finding.end_ns - begin_ns) / NSEC_PER_SEC, begin_s + 0.004 * length_s)
-        axes.plot([begin_s, end_s], [row + 0.42] * 2, color=style.ACCENT, linewidth=2.4, zorder=4)
-    rate = f"{NSEC_PER_SEC / edge.period_ns:.1f} Hz" if edge.period_ns else ""
-    axes.text(1.01, row, rate, transform=axes.get_yaxis_transform(), va="center", color=style.GREY,
-              fontsize=style.SMALL_PT)  # fmt: skip
+def draw_distribution(values: np.ndarray) -> str:
+    """Return how values are distributed, as a small strip of SVG."""
+    if len(values) < 2:
+        return ""
+    low, high = (float(value) for value in np.percentile(values, (0.5, 99.5)))
+    counts, _ = np.histogram(np.clip(values, low, high), STRIP_BINS, (low, high if high > low else low + 1.0))
+    step, tallest = STRIP_WIDTH / STRIP_BINS, max(int(counts.max()), 1)
+    bars = "".join(
+        f'<rect x="{i * step:.1f}" y="{STRIP_HEIGHT * (1 - n / tallest):.1f}" width="{step - 0.6:.1f}"'
+        f' height="{STRIP_HEIGHT * n / tallest:.1f}"/>'
+        for i, n in enumerate(counts.tolist())
+        if n
+    )
+    return f'<svg class="strip" viewBox="0 0 {STRIP_WIDTH:.0f} {STRIP_HEIGHT:.0f}" aria-hidden="true">{bars}</svg>'
 
 
-def _draw_delays(axes, evidence: Evidence, edges: list[Edge]) -> None:
-    begin_ns, length_s = _span(evidence, edges)
-    delays_s = _delays_s(evidence)
-    shown = sorted(edges, key=lambda edge: -float(np.ptp(delays_s[edge.child])))[:MOST_LINES]
-    bounds = np.linspace(0.0, length_s, BINS // 2 + 1)
-    middles = (bounds[1:] + bounds[:-1]) / 2
-    for edge, colour, line in zip(shown, LINES, STYLES, strict=False):
-        which = np.digitize((edge.receive_ns - begin_ns) / NSEC_PER_SEC, bounds) - 1
-        delay_ms = 1e3 * delays_s[edge.child]
-        filled = [i for i in np.unique(which).tolist() if 0 <= i < len(middles)]
-        level = [float(np.median(delay_ms[which == i])) for i in filled]
-        axes.plot(middles[filled], level, color=colour, linestyle=line, linewidth=1.3, label=_name(edge))
-    axes.axhline(0.0, color=style.FAINT, linewidth=0.8, zorder=0)
-    axes.set(xlim=(0.0, length_s), xlabel="time since the beginning [s]")
-    axes.set_title("delay [ms]", loc="left", color=style.INK)
-    axes.margins(y=0.15)
-    axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), borderpad=0.2, fontsize=style.SMALL_PT - 1.0,
-                frameon=False, ncols=MOST_LINES, handlelength=2.6)  # fmt: skip
-    for side in ("right", "top"):
-        axes.spines[side].set_visible(False)
+def _sheet(edges: list[Edge], drawn: list[str], first_s: float, last_s: float, kind: str) -> str:
+    """Return lanes with their names and the axis of time below."""
+    bottom = RIM + LANE * len(edges)
+    names = "".join(
+        f'<text x="{NAMES - 10:.0f}" y="{RIM + LANE * (row + 0.62):.1f}" text-anchor="end">{escape(_name(edge))}'
+        f"<title>{escape(f'{edge.usual_parent} -> {edge.child}')}</title></text>"
+        for row, edge in enumerate(edges)
+    )
+    axis = []
+    for moment_s in _ticks(first_s, last_s):
+        x = _x_of(moment_s, first_s, last_s)
+        axis.append(f'<line class="grid" x1="{x:.1f}" y1="{RIM:.0f}" x2="{x:.1f}" y2="{bottom:.1f}"/>')
+        axis.append(f'<text class="tick" x="{x:.1f}" y="{bottom + 18:.1f}" text-anchor="middle">{moment_s:g} s</text>')
+    return (
+        f'<svg class="{kind}" viewBox="0 0 {WIDTH:.0f} {bottom + AXIS:.0f}" role="img" aria-label="{kind}">'
+        f"{''.join(axis)}{''.join(drawn)}{names}</svg>"
+    )
 
 
-def _span(evidence: Evidence, edges: list[Edge]) -> tuple[int, float]:
-    """Return the beginning [ns], and the length [s] of what is drawn."""
-    end_ns = max((int(edge.receive_ns.max()) for edge in edges), default=evidence.end_ns)
-    return evidence.begin_ns, max((end_ns - evidence.begin_ns) / NSEC_PER_SEC, 1e-3)
+def _shaded_lane(edge: Edge, row: int, bounds_ns: np.ndarray) -> str:
+    """Return where an edge spoke: darker where it said more, in a few shades, one path for each."""
+    spoke, _ = np.histogram(edge.receive_ns, bounds_ns)
+    usual = max(float(np.median(spoke[spoke > 0])), 1.0) if spoke.any() else 1.0
+    shade = np.minimum(np.ceil(SHADES * spoke / usual), SHADES).astype(int)
+    step = (WIDTH - NAMES - RIM) / BINS
+    top = RIM + LANE * row + 4
+    paths = []
+    for level in range(1, SHADES + 1):
+        pieces = [f"M{NAMES + i * step:.1f} {top:.1f}h{step:.2f}v{LANE - 12:.0f}h-{step:.2f}z"
+                  for i in np.flatnonzero(shade == level).tolist()]  # fmt: skip
+        if pieces:
+            paths.append(f'<path class="spoke" opacity="{0.2 + 0.7 * level / SHADES:.2f}" d="{"".join(pieces)}"/>')
+    return "".join(paths)
 
 
-def _grey(shade: np.ndarray) -> np.ndarray:
-    """Return an image of ink, more opaque where the shade is darker: shape (1, n, 4)."""
-    ink = np.array([int(style.INK[i : i + 2], 16) / 255 for i in (1, 3, 5)])
-    return np.concatenate([np.broadcast_to(ink, (*shade.shape, 3)), shade[:, :, None]], axis=2)
+def _ticked_lane(edge: Edge, row: int, begin_ns: int, end_ns: int) -> str:
+    inside = np.flatnonzero((edge.receive_ns >= begin_ns) & (edge.receive_ns <= end_ns))
+    inside = inside[:: len(inside) // MOST_TICKS + 1]
+    top = RIM + LANE * row + 4
+    heard = (edge.receive_ns[inside] - begin_ns) / max(end_ns - begin_ns, 1)
+    ticks = "".join(
+        f"M{NAMES + (WIDTH - NAMES - RIM) * share:.1f} {top:.1f}v{LANE - 12:.0f}" for share in heard.tolist()
+    )
+    return f'<path class="heard" d="{ticks}"/>' if ticks else ""
 
 
-def _line(edge: Edge, delay_s: np.ndarray | None) -> str:
-    """Return one edge in words."""
-    rate = f"{NSEC_PER_SEC / edge.period_ns:.1f} Hz" if edge.period_ns else "no rate"
-    silence_s = float(np.diff(edge.receive_ns).max()) / NSEC_PER_SEC
-    text = f"{_name(edge)}: {len(edge)} samples, {rate}, longest silence {silence_s:.3f} s"
-    if delay_s is None:
-        return text
-    return f"{text}, delay {1e3 * np.median(delay_s):.1f} ms (most {1e3 * delay_s.max():.1f} ms)"
+def _mark(finding: Finding, edges: list[Edge], begin_ns: int, end_ns: int) -> str:
+    """Return a finding's place in time: under its lane, or behind all if it is about all of them."""
+    children = [edge.child for edge in edges]
+    rows = [children.index(child) for child in (finding.child, *finding.siblings) if child in children]
+    if finding.child and not rows:
+        return ""
+    if not finding.child and finding.code not in ABOUT_ALL:
+        return ""
+    length_ns = max(end_ns - begin_ns, 1)
+    share, last = ((np.clip(moment, begin_ns, end_ns) - begin_ns) / length_ns for moment in
+                   (finding.begin_ns, max(finding.end_ns, finding.begin_ns)))  # fmt: skip
+    x = NAMES + (WIDTH - NAMES - RIM) * float(share)
+    width = max((WIDTH - NAMES - RIM) * float(last - share), 3.0)
+    if not rows:
+        return f'<rect class="band" x="{x:.1f}" y="{RIM:.0f}" width="{width:.1f}" height="{LANE * len(edges):.0f}"/>'
+    return "".join(
+        f'<rect class="mark" x="{x:.1f}" y="{RIM + LANE * row + LANE - 6:.1f}" width="{width:.1f}" height="3"/>'
+        for row in rows
+    )
 
 
-def _delays_s(evidence: Evidence) -> dict[str, np.ndarray]:
-    """Return the delays of each moving child [s]."""
-    return {edge.child: delay_s for edge, delay_s in zip(evidence.moving, settled_delays_s(evidence), strict=True)}
+ABOUT_ALL = ("stall", "tf-silent", "clock-jump-back", "clock-jump-forward", "gap", "went-silent")
+
+
+def _ticks(first_s: float, last_s: float) -> list[float]:
+    """Return five to ten round moments between two [s]."""
+    length_s = max(last_s - first_s, 1e-3)
+    step_s = next((step for step in TICKS if length_s / step <= 9.0), length_s / 8.0)
+    first = int(np.ceil(first_s / step_s))
+    return [round(i * step_s, 3) + 0.0 for i in range(first, int(np.floor(last_s / step_s)) + 1)]
+
+
+def _x_of(moment_s: float, first_s: float, last_s: float) -> float:
+    return NAMES + (WIDTH - NAMES - RIM) * (moment_s - first_s) / max(last_s - first_s, 1e-3)
 
 
 def _name(edge: Edge) -> str:
-    return f"{edge.usual_parent} -> {edge.child}"
+    name = f"{edge.usual_parent} -> {edge.child}"
+    return name if len(name) <= MOST_LETTERS else f"{name[: MOST_LETTERS - 1]}…"
