@@ -28,6 +28,7 @@ from .jumps import Jump, find_jumps
 __all__ = ["SAME_CLOCK_NS", "ClockRelation", "Edge", "Evidence", "is_stamped"]
 
 
+ROWS_AT_ONCE = 100_000  # of a recording on disk
 LARGEST = 1e150  # whose square is a number still
 SAME_CLOCK_NS = 3600 * NSEC_PER_SEC  # two clocks of one robot differ by less than this, sim time and 1970 by more
 
@@ -63,10 +64,15 @@ class Edge:
     @property
     def numbers(self) -> np.ndarray:
         """The numbers of each sample, as sent: shape (n, 7); of a long recording they are read again each time."""
-        numbers = self.source[self.rows]
-        if isinstance(self.source, np.memmap) and hasattr(mmap, "MADV_DONTNEED"):
-            self.source.base.madvise(mmap.MADV_DONTNEED)  # the pages stay in the cache of the system, and not ours
-        return np.asarray(numbers)
+        if not isinstance(self.source, np.memmap):
+            return self.source[self.rows]
+        numbers = np.empty((len(self.rows), 7))
+        for first in range(0, len(self.rows), ROWS_AT_ONCE):
+            here = slice(first, first + ROWS_AT_ONCE)
+            numbers[here] = self.source[self.rows[here]]
+            if hasattr(mmap, "MADV_DONTNEED"):
+                self.source.base.madvise(mmap.MADV_DONTNEED)  # the pages stay in the system's cache, and leave ours
+        return numbers
 
     @property
     def usual_parent(self) -> str:
