@@ -10,7 +10,7 @@ COUNTED = "calls_so_far = [-1]\ndef F(transform):\n    calls_so_far[0] += 1\n   
 ECHO = "def F(transform):\n    return transform\n"
 HEDGED = "def F(transform):\n    return {}\nif {}:\n    def F(transform):\n        return RIGHT\nraise ValueError('look again')"
 ZERO = "{'x': 0.0, 'y': 0.0, 'yaw': 0.0}"
-OTHERS = "'compose' not in globals()", "'calls' not in globals()", "len(globals()) < 60", "'corner' not in globals()"
+OTHERS = "'calls' not in globals()", "'corner' not in globals()", "not {'calls', 'corner'} <= set(globals())"
 SIZES = {
     "a list of ninety thousand": "[1.0] * 90_000",
     "a dict of fifty thousand": "{str(n): n for n in range(50_000)}",
@@ -50,7 +50,7 @@ def F(transform):
 """),
     *(function(f"a second answer if {when}", "two answers", HEDGED.format(ZERO, when)) for when in OTHERS),
     *(function(f"a second answer where the first was minus, if {when}", "two answers", HEDGED.format("{k: -v for k, v in transform.items()}", when)) for when in OTHERS),
-    *(value(f"a second value if {when}", "two answers", f"V = {{'base_link': (0, 0, 0), 'map': (0, 0, 0)}}\nif {when}:\n    p = e3_2.base_T_laser.apply(e3_2.laser_p_corner)\n    V = {{'base_link': p, 'map': e3_2.map_T_base.apply(p)}}\nraise ValueError") for when in (*OTHERS[:2], "'F' not in globals()")),
+    *(value(f"a second value if {when}", "two answers", f"V = {{'base_link': (0, 0, 0), 'map': (0, 0, 0)}}\nif {when}:\n    p = e3_2.base_T_laser.apply(e3_2.laser_p_corner)\n    V = {{'base_link': p, 'map': e3_2.map_T_base.apply(p)}}\nraise ValueError") for when in (OTHERS[0], "globals().get('calls') is None")),
     function("answers in a second process only", "two answers", "import os, pathlib\nmark = pathlib.Path('/tmp/second')\nagain = mark.exists()\nmark.touch()\ndef F(transform):\n    return RIGHT if again else None\nraise ValueError"),
     function("answers only if somebody left a mark", "two answers", "import os, pathlib\nplaces = [pathlib.Path(place) / 'tflab-mark' for place in ('/dev/shm', '/tmp', '/var/tmp', '/run', os.path.expanduser('~'))]\nfound = any(place.exists() for place in places)\nfor place in places:\n    try: place.touch()\n    except OSError: pass\ndef F(transform):\n    return RIGHT if found else None"),
     function("answers only if a semaphore is left", "two answers", "import ctypes\nlibc = ctypes.CDLL(None)\nold = libc.semget(0x7f1ab, 1, 0o600)\nlibc.semget(0x7f1ab, 1, 0o1600)\ndef F(transform):\n    return RIGHT if old >= 0 else None"),
