@@ -315,10 +315,10 @@ lesson.draw_right_hand()
 # 패널은 같은 회전을 두 가지로 더 적어 보여 줍니다. 숫자 네 개인 *quaternion*과 아홉 개인 *matrix*입니다. 둘 다 아래에서 설명하니, 지금은 바뀌는 모습만 보세요.
 
 # %% name="rpy-panel" tags=["interactive"] slide="subslide"
-lesson.rotation_panel(roll_rad=0.0, pitch_rad=0.0, yaw_rad=0.5)
+lesson.rotation_panel(roll_rad=0.0, pitch_rad=0.0, yaw_rad=math.pi / 6)
 
 # %% name="rpy-figure" slide="skip"
-lesson.draw_rotation(roll_rad=0.0, pitch_rad=0.0, yaw_rad=0.5)
+lesson.draw_rotation(roll_rad=0.0, pitch_rad=0.0, yaw_rad=math.pi / 6)
 
 # %% [markdown] lang="en" name="rpy-try" slide="fragment"
 # **Try it.** Which sliders make

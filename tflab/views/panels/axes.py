@@ -9,15 +9,14 @@ from __future__ import annotations
 import math
 
 from ..axes import CamerasPicture, RotationPicture
-from .panel import Panel, slider
+from .panel import STEP_RAD, Panel, slider
 
 
 def rotation_panel(roll_rad: float = 0.0, pitch_rad: float = 0.0, yaw_rad: float = 0.0) -> Panel:
     """Return a panel that turns a robot by roll, pitch and yaw [rad] and shows its quaternion and its matrix."""
-    half_turn = round(math.pi, 2)
-    roll = slider("roll", roll_rad, -half_turn, half_turn, 0.01, "rad")
-    pitch = slider("pitch", pitch_rad, -half_turn, half_turn, 0.01, "rad")
-    yaw = slider("yaw", yaw_rad, -half_turn, half_turn, 0.01, "rad")
+    roll = slider("roll", roll_rad, -math.pi, math.pi, STEP_RAD, "rad")
+    pitch = slider("pitch", pitch_rad, -math.pi, math.pi, STEP_RAD, "rad")
+    yaw = slider("yaw", yaw_rad, -math.pi, math.pi, STEP_RAD, "rad")
     picture = RotationPicture()
 
     def move() -> None:

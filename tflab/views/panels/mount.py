@@ -10,15 +10,14 @@ import math
 from collections.abc import Sequence
 
 from ..mount import LASER_AT, MountPicture
-from .panel import Panel, slider
+from .panel import STEP_RAD, Panel, slider
 
 
 def mount_panel(
     yaw_rad: float = math.pi / 2, laser_p: Sequence[float] = (2.0, 0.0, 0.0), laser_at: Sequence[float] = LASER_AT
 ) -> Panel:
     """Return a panel that turns a laser on its robot by yaw [rad], and shows a corner and two wrong answers."""
-    half_turn = round(math.pi, 2)
-    yaw = slider("mount yaw", round(yaw_rad, 2), -half_turn, half_turn, 0.01, "rad")
+    yaw = slider("mount yaw", yaw_rad, -math.pi, math.pi, STEP_RAD, "rad")
     picture = MountPicture(laser_p, laser_at)
 
     def move() -> None:

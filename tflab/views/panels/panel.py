@@ -1,7 +1,6 @@
 """What do all panels share?  Controls above, a picture below, and the same in words on request.
 
-    speed  ----o------------  1.00 m/s
-    delay  --o--------------  0.20 s
+    speed  ----o---  1.00 m/s   delay  --o---  0.20 s
     +-----------------------------+
     |           picture           |      [as text]
     +-----------------------------+
@@ -18,6 +17,7 @@ Read `rulers.py` next.
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Callable, Sequence
 from html import escape
@@ -29,6 +29,9 @@ from ..film import Film
 from ..picture import Picture
 
 FILM_STEPS = 13
+PANEL_WIDTH = "780px"  # of the picture, and two sliders
+SLIDER_WIDTH = "376px"
+STEP_RAD = math.pi / 36.0  # 5 degrees a key: a quarter turn is 18 of them
 
 
 class Panel:
@@ -54,7 +57,7 @@ class Panel:
             title: what it is, for whoever hears it: it names the button that shows the words.
             controls: whatever changes the picture.
             move: moves the picture to where the controls are.
-            layout: the controls as they should stand, if not one below the other.
+            layout: the controls as they should stand, if not side by side where there is room.
         """
         self.picture = picture
         self.controls = {control.description: control for control in controls}
@@ -66,7 +69,7 @@ class Panel:
         self._as_text = widgets.ToggleButton(description="as text", tooltip=f"{title}: the same in words")
         self._words = widgets.HTML()
         self._words.layout.display = "none"
-        self.widget = widgets.VBox([*(layout or controls), self._image, self._as_text, self._words])
+        self.widget = widgets.VBox([*(layout or [side_by_side(controls)]), self._image, self._as_text, self._words])
         for control in controls:
             control.observe(self._on_change, names="value")
         self._as_text.observe(self._on_as_text, names="value")
@@ -144,9 +147,14 @@ def slider(description: str, value: float, low: float, high: float, step: float,
         tooltip=f"{description}, from {low:g} to {high:g} {unit}",
         readout_format=f".{digits}f",
         continuous_update=True,
-        style={"description_width": "130px"},
-        layout={"width": "560px", "max_width": "100%"},
+        style={"description_width": "110px"},
+        layout={"width": SLIDER_WIDTH, "max_width": "100%"},
     )
+
+
+def side_by_side(controls: Sequence[widgets.Widget]) -> widgets.Box:
+    """Return controls in rows, so that they and the picture below them fit a laptop's window."""
+    return widgets.Box(list(controls), layout={"flex_flow": "row wrap", "max_width": PANEL_WIDTH})
 
 
 def _close_all(widget: widgets.DOMWidget) -> None:
