@@ -7,16 +7,18 @@
 # `check` tells you which mistake it was; `hint("E2.2")` helps, one step at a time. Both may be used as often as you like.
 #
 # Have your right hand ready.
+# After a pass, or three tries, `solution("E2.1")` shows a solution. To start over, delete this file and type `tflab lab` in a terminal.
 
 # %% [markdown] lang="ko" name="title"
-# # 연습 문제 02 · 어느 쪽이 앞입니까?
+# # 연습 문제 02 · 어느 쪽이 앞일까요?
 #
 # 과제 일곱 개, 21점, 약 40분입니다. 이 장의 본문은 [여기](../../notebooks/ko/02_axes_and_quaternions.ipynb)에 있습니다.
 #
-# `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고, 그 셀을 실행한 다음, 바로 아래의 확인 셀을 실행하십시오.
-# `check`는 어떤 실수인지 알려 주고, `hint("E2.2")`는 한 단계씩 도와줍니다. 둘 다 몇 번이든 써도 됩니다.
+# `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 그 셀을 실행한 다음, 바로 아래의 확인 셀을 실행하세요.
+# 틀려도 벌점은 없습니다. 어떤 실수인지 알려 주므로 고쳐서 다시 하면 됩니다. 막히면 `hint("E2.1")`로 힌트를 하나씩(모두 세 개) 보고, 통과하거나 세 번 시도한 뒤에는 `solution("E2.1")`로 풀이를 볼 수 있습니다.
+# 처음부터 다시 하려면 이 파일을 지우고 터미널에서 `tflab lab`을 입력하세요.
 #
-# 오른손을 준비하십시오.
+# 오른손을 준비하세요.
 
 # %% name="load"
 # %load_ext tflab
@@ -252,9 +254,13 @@ check("E2.7", off_mm)
 #
 # Everything green? Then look at one more thing: run `hint("E2.2")` and ask yourself whether you could have written that hint.
 # Whoever can help others with a mistake will not make it again.
+#
+# **Next:** [03 · Target and source](../../notebooks/en/03_target_and_source.ipynb).
 
 # %% [markdown] lang="ko" name="end"
 # ## 마쳤습니다
 #
-# 모두 통과했습니까? 한 가지만 더 해 보십시오. `hint("E2.2")`를 실행하고, 자신도 그런 힌트를 쓸 수 있을지 생각해 보십시오.
-# 남의 실수를 도와줄 수 있는 사람은 같은 실수를 하지 않습니다.
+# 모두 통과했다면 한 가지만 더 해 보세요. `hint("E2.2")`를 실행하고, 자신도 그런 힌트를 쓸 수 있을지 생각해 보세요.
+# 남의 실수를 바로잡아 줄 수 있는 사람은 같은 실수를 하지 않습니다.
+#
+# **다음:** [03 · 목표 좌표계와 원본 좌표계](../../notebooks/ko/03_target_and_source.ipynb).

@@ -7,16 +7,17 @@
 # Write your answer where the dots are, run the cell, then run the check below it.
 # A check never punishes: it names the mistake, and you try again.
 # Stuck? `hint("E3.1")` gives one hint at a time, three in all.
+# After a pass, or three tries, `solution("E3.1")` shows a solution. To start over, delete this file and type `tflab lab` in a terminal.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
 # # 연습 문제 03 · … 기준 데이터를 … 기준으로 보고 싶다
 #
-# 과제 일곱 개, 26점, 45분쯤 걸립니다.
+# 과제 일곱 개, 26점, 약 45분입니다.
 # 본문은 여기에 있습니다: [03 · … 기준 데이터를 … 기준으로 보고 싶다](../../notebooks/ko/03_target_and_source.ipynb).
 #
-# 점 세 개가 있는 자리에 답을 쓰고 그 셀을 실행한 다음, 아래의 확인 셀을 실행하십시오.
-# 틀려도 벌점은 없습니다. 어떤 실수인지 알려 주므로 고쳐서 다시 하면 됩니다.
-# 막히면 `hint("E3.1")`을 부르십시오. 힌트가 하나씩, 모두 세 개 나옵니다.
+# `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 그 셀을 실행한 다음, 바로 아래의 확인 셀을 실행하세요.
+# 틀려도 벌점은 없습니다. 어떤 실수인지 알려 주므로 고쳐서 다시 하면 됩니다. 막히면 `hint("E3.1")`로 힌트를 하나씩(모두 세 개) 보고, 통과하거나 세 번 시도한 뒤에는 `solution("E3.1")`로 풀이를 볼 수 있습니다.
+# 처음부터 다시 하려면 이 파일을 지우고 터미널에서 `tflab lab`을 입력하세요.
 
 # %% name="load"
 # %load_ext tflab
@@ -45,8 +46,8 @@ from tflab.core import Transform
 # 각각 `lookup_transform(…, …, time)`에 들어갈 두 좌표계를 호출 순서대로, `['odom', 'map']`처럼 이름 한 쌍으로 쓰십시오.
 #
 # - **a** 레이저가 찾은 장애물을 지도에 칠합니다.
-# - **b** 목표점은 지도에서 주어지고, 제어기는 `base_link`를 기준으로 움직입니다.
-# - **c** `base_link`에서 볼 때 `camera_link`는 로봇 어디에 있습니까?
+# - **b** 목적지는 지도 기준으로 주어지고, 제어기는 `base_link`를 기준으로 움직입니다.
+# - **c** `base_link`에서 볼 때 `camera_link`는 어디에 있습니까?
 # - **d** `laser_frame`에 그린 레이저 그림에 로봇의 중심을 표시합니다.
 
 # %% name="e3-1-answer" tags=["answer"]
@@ -106,8 +107,8 @@ check("E3.2", corner)
 # %% [markdown] lang="ko" name="e3-3" slide="slide"
 # ## E3.3 · 돌아가는 길 (4점)
 #
-# 평면에서 자세는 숫자 세 개입니다. b가 a 안 어디에 있고(`x`, `y`) 얼마나 돌아가 있는지(`yaw`)입니다.
-# 같은 꼴로 **a가 b 안 어디에 있는지** 반환하십시오.
+# 평면에서 포즈는 숫자 세 개입니다. a를 기준으로 b가 어디에 있고(`x`, `y`) 얼마나 돌아가 있는지(`yaw`)입니다.
+# 같은 꼴로 **b를 기준으로 a가 어디에 있는지** 반환하십시오.
 # 종이와 `math.cos`, `math.sin`이면 됩니다. 라이브러리는 필요 없습니다.
 #
 # 필요한 공식은 하나입니다. (u, v)를 각도 α만큼 돌리면 (u·cos α − v·sin α, u·sin α + v·cos α)입니다.
@@ -136,7 +137,7 @@ check("E3.3", invert)
 # ## E3.4 · 도미노 둘을 하나로 (4점)
 #
 # `[a|b][b|c]`는 `[a|c]`입니다.
-# b가 a 안 어디에 있는지, c가 b 안 어디에 있는지 알 때, c가 a 안 어디에 있는지 반환하십시오.
+# a 기준의 b와 b 기준의 c를 알 때, a를 기준으로 c가 어디에 있는지 반환하십시오.
 # 자세의 꼴과 공식은 E3.3과 같습니다.
 
 # %% name="e3-4-answer" tags=["answer"]
@@ -254,22 +255,22 @@ check("E3.6", camera_mount)
 # 세 노드 가운데 하나가 목표와 원본을 바꿔 썼습니다. 로그에는 오류가 하나도 없습니다.
 #
 # ```python
-# # node_a: stops for obstacles; the bumper is known in base_link
+# # node_a: 장애물 앞에서 멈춘다. 범퍼의 위치는 base_link 기준이다
 # t = buffer.lookup_transform('base_link', point.header.frame_id, point.header.stamp)
 # near = do_transform_point(point, t).point
 #
-# # node_b: drives to a goal that is given in map; the wheels obey base_link
+# # node_b: map 기준으로 주어진 목적지로 간다. 바퀴는 base_link를 기준으로 움직인다
 # t = buffer.lookup_transform('map', 'base_link', Time())
 # ahead = do_transform_point(goal, t).point
 #
-# # node_c: paints the robot on the map
+# # node_c: 지도에 로봇을 그린다
 # t = buffer.lookup_transform('map', 'base_link', Time())
 # here = t.transform.translation
 # ```
 #
 # - `node`: `"node_a"`, `"node_b"`, `"node_c"` 가운데 하나
 # - `robot`, 그 로봇이 하는 일: `"stops for the wrong things"`(엉뚱한 것에 멈춘다), `"drives to another place"`(다른 곳으로 간다), `"is drawn where it is not"`(엉뚱한 자리에 그려진다), `"stops with an exception"`(예외로 멈춘다) 가운데 하나
-# - `hidden_while`, 아무도 눈치채지 못하는 때: `"it stands still"`(서 있는 동안), `"it stands on the map's origin, not turned"`(지도 원점에 돌지 않고 서 있는 동안), `"the goal is far away"`(목표점이 멀리 있는 동안) 가운데 하나
+# - `hidden_while`, 아무도 눈치채지 못하는 때: `"it stands still"`(서 있는 동안), `"it stands on the map's origin, not turned"`(지도 원점에 돌지 않고 서 있는 동안), `"the goal is far away"`(목적지가 멀리 있는 동안) 가운데 하나
 
 # %% name="e3-7-answer" tags=["answer"]
 verdict = {
@@ -288,9 +289,13 @@ check("E3.7", verdict)
 #
 # On a robot, run `ros2 run tf2_ros tf2_echo base_link laser_frame`, and the other way round.
 # Predict the second before you look: that is line 2 of your checklist.
+#
+# **Next:** [08 · Buffer and measurement time](../../notebooks/en/08_buffer_and_measurement_time.ipynb).
 
 # %% [markdown] lang="ko" name="done" slide="slide"
-# ## 다 했습니까?
+# ## 다 했다면
 #
-# 로봇에서 `ros2 run tf2_ros tf2_echo base_link laser_frame`을 실행하고, 거꾸로도 실행해 보십시오.
-# 둘째를 보기 전에 먼저 예측하십시오. 체크리스트의 둘째 줄입니다.
+# 로봇에서 `ros2 run tf2_ros tf2_echo base_link laser_frame`을 실행하고, 거꾸로도 실행해 보세요.
+# 둘째를 보기 전에 먼저 예측해 보세요. 체크리스트의 둘째 줄입니다.
+#
+# **다음:** [08 · 버퍼와 측정 시각](../../notebooks/ko/08_buffer_and_measurement_time.ipynb).

@@ -6,15 +6,17 @@
 # Write your answer where it says `...` or `your turn`, run the cell, then run the check below it.
 # A wrong answer is told which mistake it looks like. `hint("E8.1")` gives the first of three hints.
 # Your numbers come from `task(...)` and may differ from your neighbour's, so answer with an expression, such as `e8_1.clock_s - 1.0`, and not with a number that you worked out elsewhere.
+# After a pass, or three tries, `solution("E8.1")` shows a solution. To start over, delete this file and type `tflab lab` in a terminal.
 
 # %% [markdown] lang="ko" name="title"
-# # 연습 문제 08 · 그것을 보았을 때 나는 어디에 있었습니까?
+# # 연습 문제 08 · 그것을 본 순간, 나는 어디에 있었을까요?
 #
-# 과제 일곱 개, 22점, 한 시간쯤 걸립니다. 함께 보는 페이지: [08 · 그것을 보았을 때 나는 어디에 있었습니까?](../../notebooks/ko/08_buffer_and_measurement_time.ipynb)
+# 과제 일곱 개, 22점, 약 60분입니다. 함께 보는 페이지: [08 · 그것을 본 순간, 나는 어디에 있었을까요?](../../notebooks/ko/08_buffer_and_measurement_time.ipynb)
 #
-# `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 셀을 실행한 다음, 아래의 확인 셀을 실행하십시오.
-# 틀린 답을 내면 어떤 실수로 보이는지 알려 줍니다. `hint("E8.1")`은 세 힌트 가운데 첫 번째를 보여 줍니다.
-# 숫자는 `task(...)`가 주며 옆 사람과 다를 수 있습니다. 그러니 따로 계산한 숫자가 아니라 `e8_1.clock_s - 1.0` 같은 식으로 답하십시오.
+# `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 그 셀을 실행한 다음, 바로 아래의 확인 셀을 실행하세요.
+# 틀려도 벌점은 없습니다. 어떤 실수인지 알려 주므로 고쳐서 다시 하면 됩니다. 막히면 `hint("E8.1")`로 힌트를 하나씩(모두 세 개) 보고, 통과하거나 세 번 시도한 뒤에는 `solution("E8.1")`로 풀이를 볼 수 있습니다.
+# 처음부터 다시 하려면 이 파일을 지우고 터미널에서 `tflab lab`을 입력하세요.
+# 숫자는 `task(...)`가 주며 옆 사람과 다를 수 있습니다. 따라서 따로 계산한 숫자가 아니라 `e8_1.clock_s - 1.0` 같은 식으로 답하십시오.
 
 # %% name="load"
 # %load_ext tflab
@@ -38,12 +40,12 @@ from tf2_ros import Buffer, ExtrapolationException, TransformException
 # Somebody calls `lookup_transform('map', 'laser_frame', Time())`. At which time [s] is the answer?
 
 # %% [markdown] lang="ko" name="e8-1"
-# ## E8.1 · 최신은 얼마나 새롭습니까? (2점)
+# ## E8.1 · 최신은 얼마나 새로울까요? (2점)
 #
-# 버퍼에 아래의 차선들이 있습니다. `oldest_s`와 `newest_s`는 동적 연결마다 첫 표본과 마지막 표본의 측정 시각이고, `static`에 있는 연결은 오래전에 한 번 보낸 것입니다.
-# 벽시계는 `clock_s`를 가리킵니다.
+# 버퍼에 아래의 시간줄이 있습니다. `oldest_s`와 `newest_s`는 동적 연결마다 첫 표본과 마지막 표본의 측정 시각이고, `static`에 있는 연결은 오래전에 한 번 보낸 것입니다.
+# 현재 시각은 `clock_s`입니다.
 #
-# 누군가 `lookup_transform('map', 'laser_frame', Time())`를 부릅니다. 답은 어느 시각[s]의 것입니까?
+# 누군가 `lookup_transform('map', 'laser_frame', Time())`를 호출합니다. 답은 어느 시각[s]의 것입니까?
 
 # %% name="e8-1-given"
 e8_1 = task("E8.1")
@@ -171,7 +173,7 @@ check("E8.4", late_error)
 # ## E8.5 · 여섯 가지 증상 (3점)
 #
 # 증상마다 가장 그럴듯한 원인을 고르십시오. 원인은 다음과 같습니다.
-# `"stamp overwritten"`, `"odometry slow"`, `"static mount wrong"`, `"two clocks"`, `"cache too short"`, `"import missing"`.
+# `"stamp overwritten"`(측정 시각을 덮어씀), `"odometry slow"`(오도메트리가 느림), `"static mount wrong"`(정적 장착 변환이 틀림), `"two clocks"`(시계가 둘), `"cache too short"`(보관 시간이 짧음), `"import missing"`(import를 빠뜨림).
 #
 # - **a** 로봇이 도는 동안 벽이 흔들립니다. 서 있으면 멀쩡합니다. 앞단의 필터가 0.3초 걸리는데도 `ros2 topic delay /scan`은 0.000초를 출력합니다.
 # - **b** 달리든 서 있든 스캔이 벽에서 5 cm 옆에, 언제나 로봇의 같은 쪽에 그려집니다.
@@ -251,10 +253,14 @@ check("E8.7", object_now)
 # ## What you have shown
 #
 # The checks here used your own numbers. Grading asks the same questions with others.
-# On a robot, do C8 and C9 of the lecture's checklist once more: run `point_to_map.py`, and look at `ros2 topic delay` of each sensor you trust.
+# On a robot, do C8 and C9 of the lab checklist once more: run `point_to_map.py`, and look at `ros2 topic delay` of each sensor you trust.
+#
+# **Next:** [09 · Exceptions and waiting](../../notebooks/en/09_exceptions_and_waiting.ipynb).
 
 # %% [markdown] lang="ko" name="after"
 # ## 여기까지 해낸 것
 #
 # 이곳의 check는 여러분의 숫자로 확인했습니다. 채점은 같은 질문을 다른 숫자로 묻습니다.
-# 로봇에서 강의 체크리스트 C8과 C9를 한 번 더 해 보십시오. `point_to_map.py`를 실행하고, 믿고 쓰는 센서마다 `ros2 topic delay`를 확인하십시오.
+# 로봇에서 실습 체크리스트 C8과 C9를 한 번 더 해 보세요. `point_to_map.py`를 실행하고, 믿고 쓰는 센서마다 `ros2 topic delay`를 확인해 보세요.
+#
+# **다음:** [09 · 예외와 기다림](../../notebooks/ko/09_exceptions_and_waiting.ipynb).

@@ -9,14 +9,16 @@
 # The numbers of E9.4 and E9.7 come from `task(...)` and may differ from your neighbour's: in E9.7 answer with an expression.
 #
 # What you write in E9.2, E9.3 and E9.5 runs unchanged on a robot.
+# After a pass, or three tries, `solution("E9.1")` shows a solution. To start over, delete this file and type `tflab lab` in a terminal.
 
 # %% [markdown] lang="ko" name="title"
-# # 연습 문제 09 · 답을 얻지 못하는 네 가지 길
+# # 연습 문제 09 · 답을 얻지 못하는 네 가지 경우
 #
-# 과제 일곱 개, 22점, 약 45분입니다. 함께 보는 페이지: [09 · 답을 얻지 못하는 네 가지 길](../../notebooks/ko/09_exceptions_and_waiting.ipynb)
+# 과제 일곱 개, 22점, 약 45분입니다. 함께 보는 페이지: [09 · 답을 얻지 못하는 네 가지 경우](../../notebooks/ko/09_exceptions_and_waiting.ipynb)
 #
-# `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고, 그 셀을 실행한 다음, 바로 아래의 확인 셀을 실행하십시오.
-# `check`는 어떤 실수인지 알려 주고, `hint("E9.2")`는 한 단계씩 도와줍니다.
+# `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 그 셀을 실행한 다음, 바로 아래의 확인 셀을 실행하세요.
+# 틀려도 벌점은 없습니다. 어떤 실수인지 알려 주므로 고쳐서 다시 하면 됩니다. 막히면 `hint("E9.1")`로 힌트를 하나씩(모두 세 개) 보고, 통과하거나 세 번 시도한 뒤에는 `solution("E9.1")`로 풀이를 볼 수 있습니다.
+# 처음부터 다시 하려면 이 파일을 지우고 터미널에서 `tflab lab`을 입력하세요.
 #
 # E9.4와 E9.7의 숫자는 `task(...)`가 주며 옆 사람과 다를 수 있습니다. E9.7에는 계산한 숫자가 아니라 식으로 답하십시오.
 #
@@ -87,7 +89,7 @@ check("E9.1", lines)
 # `buffer`는 `tf2_ros.Buffer`, `stamp`는 `rclpy.time.Time`입니다. 한 단어를 반환하십시오. 답이 있으면 `"ok"`, 없으면
 # `"invalid argument"`, `"lookup"`, `"connectivity"`, `"future"`, `"past"`, `"one sample"` 가운데 하나입니다.
 #
-# 로봇에 있는 것, 곧 예외의 클래스와 오류문만 쓰십시오. 무엇이 먼저인지는 tf2가 정하게 두십시오.
+# 로봇에 있는 것, 즉 예외의 클래스와 오류 메시지만 쓰십시오. 무엇이 먼저인지는 tf2가 정하게 두십시오.
 
 # %% name="e9-2-answer" tags=["answer"]
 def classify(buffer, target, source, stamp):
@@ -313,3 +315,17 @@ wait_s = latest_arrival_s - e9_7.scan_delay_s  # [s], from the scan's arrival
 
 # %% name="e9-7-check" tags=["check"]
 check("E9.7", wait_s)
+
+# %% [markdown] lang="en" name="after"
+# ## Done?
+#
+# On a robot, do C10 of the lab checklist: meet each of the three errors once more, on purpose.
+#
+# **Next:** [the start page](../../notebooks/en/00_start.ipynb) shows what you have passed, and what is left.
+
+# %% [markdown] lang="ko" name="after"
+# ## 다 했다면
+#
+# 로봇에서 실습 체크리스트 C10을 해 보세요. 세 가지 오류를 일부러 한 번씩 더 만나 보는 일입니다.
+#
+# **다음:** [첫 페이지](../../notebooks/ko/00_start.ipynb)에서 무엇을 통과했고 무엇이 남았는지 볼 수 있습니다.
