@@ -20,6 +20,7 @@
     latency    where was I when I saw it
     rulers     one thing, measured from each frame
     placed     how far off does a map put what was seen
+    tracks     one drive, told by several frames
     moments    where is it now, if I saw it then
     work       who was busy, and what had to wait
     ages       how far behind, as time goes by
