@@ -32,6 +32,8 @@
 
 # %% name="load" slide="skip"
 # %load_ext tflab
+from tflab.core import Transform, seconds
+from tflab.workbook import lesson
 
 # %% [markdown] lang="en" name="story" slide="slide"
 # ## One click, two maps
@@ -64,11 +66,7 @@
 # *직접 읽어 보기:* slam_toolbox [863](https://github.com/SteveMacenski/slam_toolbox/issues/863), [872](https://github.com/SteveMacenski/slam_toolbox/pull/872), [876](https://github.com/SteveMacenski/slam_toolbox/pull/876). 쓰는 쪽에서 생긴 같은 사고: vision_visp [96](https://github.com/lagadic/vision_visp/issues/96).
 
 # %% name="story-picture" slide="subslide"
-from tflab.core import BufferCore, StampedTransform, Transform, seconds
-from tflab.views.frames import draw_scene
-from tflab.views.style import fmt_all  # writes a point with its unit
-
-draw_scene({'world': Transform(), 'map': Transform(translation=(5.0, 0.0, 0.0))}, {'meant': (2.0, 1.5, 0.0)},
+lesson.draw_scene({'world': Transform(), 'map': Transform(translation=(5.0, 0.0, 0.0))}, {'meant': (2.0, 1.5, 0.0)},
            ghost_points={'understood': (7.0, 1.5, 0.0)}, fixed_frame='world', length_m=0.8)
 
 # %% [markdown] lang="en" name="story-seen"
@@ -161,7 +159,7 @@ ball.point.x = 2.0
 
 for frame in ('laser_frame', 'base_link', 'map'):
     point = buffer.transform(ball, frame).point
-    print(f'{frame:<12}', fmt_all((point.x, point.y, point.z), digits=2))
+    print(f'{frame:<12}', lesson.fmt_all((point.x, point.y, point.z), digits=2))
 print('you guessed ', my_guess)
 
 # %% [markdown] lang="en" name="compare" tags=["predicted"] slide="subslide"
@@ -218,7 +216,7 @@ map_T_laser = map_T_base @ Transform(translation=(0.20, 0.0, 0.15))
 poses = {'map': Transform(), 'base_link': map_T_base, 'laser_frame': map_T_laser}
 
 places = {f'2 m in {frame}': pose.apply((2.0, 0.0, 0.0)) for frame, pose in poses.items()}
-draw_scene(poses, places, length_m=0.7)
+lesson.draw_scene(poses, places, length_m=0.7)
 
 # %% [markdown] lang="en" name="three-places-seen"
 # A [[frame]] is an origin and three directions with a name: x ahead, y to the left, z up (why so: chapter 02).
@@ -240,10 +238,8 @@ draw_scene(poses, places, length_m=0.7)
 # 이번에는 반대입니다. 공은 한 곳에 가만히 있고, 좌표계마다 자기 자로 거기까지 잽니다.
 
 # %% name="one-place-picture"
-from tflab.views.rulers import draw_rulers, readings_of
-
 ball_in_map = map_T_laser.apply((2.0, 0.0, 0.0))
-draw_rulers(poses, ball_in_map, 'ball')
+lesson.draw_rulers(poses, ball_in_map, 'ball')
 
 # %% [markdown] lang="en" name="one-place-seen"
 # From above, one map for each frame: so far along the frame's own x, then so far along its own y.
@@ -272,7 +268,7 @@ map_T_base = Transform.from_rpy(yaw=math.pi / 2, translation=(6.2, -1.7, 0.10))
 map_T_laser = map_T_base @ Transform(translation=(0.20, 0.0, 0.15))
 turned = {'map': Transform(), 'base_link': map_T_base, 'laser_frame': map_T_laser}
 
-draw_rulers(turned, map_T_laser.apply((2.0, 0.0, 0.0)), 'ball', before=readings_of(poses, ball_in_map))
+lesson.draw_rulers(turned, map_T_laser.apply((2.0, 0.0, 0.0)), 'ball', before=lesson.readings_of(poses, ball_in_map))
 
 # %% [markdown] lang="en" name="turned-seen" tags=["predicted"]
 # Ahead is ahead: the laser and the robot say the same numbers as before. Only the map says something else, and no sum of yours gives it.
@@ -305,16 +301,11 @@ rclpy.shutdown()
 # **예측해 봅시다.** 로봇이 달리는 동안 공과 컵 가운데 어느 쪽의 숫자가 바뀔까요? `map` 기준으로는? `base_link` 기준으로는?
 
 # %% name="start-the-robot" slide="skip"
-from tflab.robots.motion import Drive, Leg, PlanarPose
-from tflab.robots.nodes import launch
-from tflab.robots.teaching import TeachingRobot
-from tflab.ros import new_graph
-
-graph = new_graph()
-drive = Drive([Leg(20.0, 0.5)], PlanarPose(0.5, -1.5, 0.0), start_ns=graph.now_ns)
-robot = TeachingRobot(drive, bias=0.0, slip=0.0, correction_period_s=60.0)  # perfect wheels: today is about labels
+graph = lesson.new_graph()
+drive = lesson.Drive([lesson.Leg(20.0, 0.5)], lesson.PlanarPose(0.5, -1.5, 0.0), start_ns=graph.now_ns)
+robot = lesson.TeachingRobot(drive, bias=0.0, slip=0.0, correction_period_s=60.0)  # perfect wheels: today is about labels
 parts = ['robot_state_publisher', 'wheel_odometry', 'localization', 'object_detector', 'imu_driver']
-nodes = launch(graph, robot, only=parts)
+nodes = lesson.launch(graph, robot, only=parts)
 
 # %% name="ball-and-cup" tags=["predicted"] slide="fragment"
 map_p_ball, base_p_cup = (6.5, -1.5, 0.3), (-0.1, 0.0, 0.2)
@@ -323,7 +314,7 @@ poses_at = {t: robot.truth_at(seconds(t))['base_link'] for t in (2, 4, 6)}
 print('           ball in map        ball in base_link   cup in map          cup in base_link')
 for t, pose in poses_at.items():
     row = (map_p_ball, pose.inverse().apply(map_p_ball), pose.apply(base_p_cup), base_p_cup)
-    print(f'at {t} s    ', '  '.join(fmt_all(point, digits=1) for point in row))
+    print(f'at {t} s    ', '  '.join(lesson.fmt_all(point, digits=1) for point in row))
 
 # %% [markdown] lang="en" name="ball-and-cup-seen" tags=["predicted"]
 # The ball never moved, and its numbers in `base_link` shrink. The cup drives along, and its numbers in `base_link` stand still.
@@ -334,9 +325,7 @@ for t, pose in poses_at.items():
 # "가만히 있으니 숫자도 그대로"라는 말은 그 물체가 가만히 있는 좌표계에서만 맞습니다.
 
 # %% name="moments-picture" slide="subslide"
-from tflab.views.moments import draw_moments
-
-draw_moments({f'{t} s': pose for t, pose in poses_at.items()}, map_p_ball, 'ball')
+lesson.draw_moments({f'{t} s': pose for t, pose in poses_at.items()}, map_p_ball, 'ball')
 
 # %% [markdown] lang="en" name="rulers-try" slide="subslide"
 # ### Try it
@@ -351,13 +340,11 @@ draw_moments({f'{t} s': pose for t, pose in poses_at.items()}, map_p_ball, 'ball
 # same과 changed는 처음 상태와 비교한 결과입니다. `laser_frame`의 숫자만 바꿀 수 있을까요?
 
 # %% name="rulers-panel" tags=["interactive"]
-from tflab.views.panels import rulers_panel
-
-rulers_panel()
+lesson.rulers_panel()
 
 # %% name="rulers-still" slide="skip"
 at_first, later = ({'map': Transform(), 'base_link': poses_at[t]} for t in (2, 6))
-draw_rulers(later, map_p_ball, 'ball', before=readings_of(at_first, map_p_ball))
+lesson.draw_rulers(later, map_p_ball, 'ball', before=lesson.readings_of(at_first, map_p_ball))
 
 # %% [markdown] lang="en" name="rulers-answer"
 # <details><summary>Can you?</summary>
@@ -382,25 +369,23 @@ draw_rulers(later, map_p_ball, 'ball', before=readings_of(at_first, map_p_ball))
 # 화살표는 로봇에서 공으로 향하고, 화살표의 이름은 `base_link` 기준의 숫자입니다.
 
 # %% name="in-3d-scene" slide="skip"
-from tflab.views.scene import Scene, draw_arrow, draw_frame
-
-scene = Scene(height_px=360)
+scene = lesson.Scene(height_px=360)
 scene.look(eye=(2.5, -8.0, 4.5), target=(3.5, -1.0, 0.0))
-draw_frame(scene, 'map', Transform(), length_m=0.8)
+lesson.draw_frame(scene, 'map', Transform(), length_m=0.8)
 
 
 def at_time(t):
     pose = robot.truth_at(seconds(t))['base_link']
-    draw_frame(scene, 'base_link', pose, parent='map', length_m=0.5)
-    said = fmt_all(pose.inverse().apply(map_p_ball), digits=1)
-    draw_arrow(scene, 'way to the ball', pose.translation, map_p_ball, said)
+    lesson.draw_frame(scene, 'base_link', pose, parent='map', length_m=0.5)
+    said = lesson.fmt_all(pose.inverse().apply(map_p_ball), digits=1)
+    lesson.draw_arrow(scene, 'way to the ball', pose.translation, map_p_ball, said)
 
 # %% name="in-3d-drive" tags=["interactive"]
 scene.sweep('time', [2.0 + 0.25 * i for i in range(25)], at_time, unit='s')
 scene
 
 # %% name="in-3d-still" slide="skip"
-draw_scene({'map': Transform(), 'base_link': poses_at[4]}, {'ball': map_p_ball, 'cup': poses_at[4].apply(base_p_cup)})
+lesson.draw_scene({'map': Transform(), 'base_link': poses_at[4]}, {'ball': map_p_ball, 'cup': poses_at[4].apply(base_p_cup)})
 
 # %% [markdown] lang="en" name="header" slide="slide"
 # ## The label that a message carries
@@ -428,7 +413,7 @@ graph.run(seconds=5.05)
 arrived_ns, seen = heard[-1]
 print('frame_id ', seen.header.frame_id)
 print('stamp    ', seen.header.stamp.sec, 's and', seen.header.stamp.nanosec, 'ns')
-print('point    ', fmt_all((seen.point.x, seen.point.y, seen.point.z), digits=1))
+print('point    ', lesson.fmt_all((seen.point.x, seen.point.y, seen.point.z), digits=1))
 
 # %% [markdown] lang="en" name="one-message-seen"
 # In the camera's own frame the ball is 3.5 m along **z**: for cameras, z is what points forward (chapter 02). Without the label you would have put the ball above the robot.
@@ -494,11 +479,9 @@ print(f'age {age_s:.3f} s, ahead at the stamp {ahead_then:.2f} m, ahead on arriv
 # %ros2 --for 2.2 topic delay /detected_point
 
 # %% name="journeys" slide="subslide"
-from tflab.views.journey import Journey, draw_journeys
-
 last = heard[-3:]
-draw_journeys([
-    Journey(f'ball {i}', Time.from_msg(m.header.stamp).nanoseconds, at_ns, at_ns, at_ns)
+lesson.draw_journeys([
+    lesson.Journey(f'ball {i}', Time.from_msg(m.header.stamp).nanoseconds, at_ns, at_ns, at_ns)
     for i, (at_ns, m) in enumerate(last, start=1)
 ])
 
@@ -518,7 +501,7 @@ draw_journeys([
 
 # %% name="keeps" slide="fragment"
 point = buffer.transform(seen, 'map').point  # with the pose of the stamp: the message says which
-print('in map', fmt_all((point.x, point.y, point.z), digits=2))
+print('in map', lesson.fmt_all((point.x, point.y, point.z), digits=2))
 
 # %% [markdown] lang="en" name="contract" slide="slide"
 # ## The contract
@@ -649,7 +632,7 @@ for frame in ('base_link', 'map'):
 relabelled = deepcopy(seen)
 relabelled.header.frame_id = 'map'
 point = buffer.transform(relabelled, 'map').point
-print('in map', fmt_all((point.x, point.y, point.z), digits=1))
+print('in map', lesson.fmt_all((point.x, point.y, point.z), digits=1))
 
 # %% [markdown] lang="en" name="wrong-label-seen"
 # The numbers came back untouched: TF2 was asked to move something from `map` to `map`.

@@ -22,6 +22,7 @@ from tflab.robots.teaching import Source, TeachingRobot
 from tflab.robots.world import BALL, ROOM
 from tflab.ros import new_graph
 from tflab.tools.buffers import draw_buffer, draw_history, draw_question
+from tflab.tools.trees import frame_tree
 from tflab.views.ages import draw_ages
 from tflab.views.axes import (
     BODY_T_OPTICAL,
@@ -41,14 +42,23 @@ from tflab.views.latency import Sight, draw_latency, drive, latency_error
 from tflab.views.misread import describe_extent, draw_misread
 from tflab.views.moments import draw_moments
 from tflab.views.mount import draw_mount, seen_from
-from tflab.views.panels import cameras_panel, latency_panel, mount_panel, rotation_panel, timeline_panel
+from tflab.views.panels import (
+    cameras_panel,
+    latency_panel,
+    mount_panel,
+    rotation_panel,
+    rulers_panel,
+    timeline_panel,
+)
 from tflab.views.placed import draw_placed
 from tflab.views.readings import draw_readings
+from tflab.views.rulers import draw_rulers, readings_of
 from tflab.views.scene import Scene, draw_arrow, draw_camera, draw_frame, draw_path, draw_scan
 from tflab.views.scene.drawing import ACCENT
 from tflab.views.sentence import draw_sentence
 from tflab.views.style import fmt, fmt_all
 from tflab.views.timeline import lane_from_history
+from tflab.views.tracks import draw_tracks
 from tflab.views.turns import draw_drives, draw_orders, draw_turns
 
 from ..copy.environment import check_environment
@@ -120,14 +130,17 @@ __all__ = [
     "draw_right_hand",
     "draw_room",
     "draw_rotation",
+    "draw_rulers",
     "draw_scan",
     "draw_scene",
     "draw_sentence",
+    "draw_tracks",
     "draw_turns",
     "drive",
     "floor_cloud",
     "fmt",
     "fmt_all",
+    "frame_tree",
     "lane_from_history",
     "latency_error",
     "latency_panel",
@@ -136,7 +149,9 @@ __all__ = [
     "new_graph",
     "on_robot_c",
     "optical_from_body",
+    "readings_of",
     "rotation_panel",
+    "rulers_panel",
     "run_node",
     "seconds",
     "seen_from",
