@@ -1,0 +1,660 @@
+# %% [markdown] lang="en" name="title" slide="slide"
+# # 05 · One may jump, one may drift
+#
+# **map, odom, base_link** · about 50 minutes · builds on 03 and 04
+#
+# After this chapter you can
+#
+# - say which pose is smooth and slowly wrong, which is right and jumps, and use each where it belongs;
+# - compute what a localiser publishes: `map → odom`, from two poses of one moment;
+# - explain why nobody publishes `map → base_link`, and recognise a robot on which somebody does;
+# - project a tilted robot onto the floor: `base_footprint`.
+
+# %% [markdown] lang="ko" name="title" slide="slide"
+# # 05 · 하나는 튈 수 있고, 하나는 흐를 수 있습니다
+#
+# **map, odom, base_link** · 약 50분 · 03, 04장을 바탕으로 합니다
+#
+# 이 장을 마치면 다음을 할 수 있습니다.
+#
+# - 매끄럽지만 조금씩 틀려 가는 포즈와 정확하지만 튀는 포즈를 구별하고, 알맞은 곳에 씁니다.
+# - 위치 추정 노드가 발행하는 `map → odom`을 같은 시각의 두 포즈로 계산합니다.
+# - `map → base_link`를 아무도 발행하지 않는 이유를 설명하고, 누군가 발행하는 로봇을 알아봅니다.
+# - 기울어진 로봇을 바닥으로 투영합니다. `base_footprint`입니다.
+
+# %% [markdown] lang="en" name="title-notes" slide="notes"
+# One edge carries the chapter: map to odom. Ask now: if the robot knows where it is on the map, why not simply publish that? Collect answers, promise to come back.
+
+# %% [markdown] lang="ko" name="title-notes" slide="notes"
+# 이 장의 주인공은 연결 하나, map에서 odom입니다. 먼저 묻습니다. 지도 위의 위치를 안다면 왜 그대로 발행하지 않을까요? 답을 모아 두고 나중에 다시 봅니다.
+
+# %% name="load" slide="skip"
+# %load_ext tflab
+from tflab.core import StampedTransform, Transform, seconds
+from tflab.workbook import lesson
+
+# %% [markdown] lang="en" name="story" slide="slide"
+# ## The robot that was in two places by turns
+#
+# A new program matches laser scans to a map, and finds the robot on it, well. So it says what it found: *base_link is here in map*.
+# The wheels have always said: *base_link is there in odom*.
+# In the video the robot flickers between two places, many times a second (rsasaki0109/lidar_slam_ros2, 2024).
+#
+# Both told the truth. But a [[frame]] has one parent, and they gave it two; whoever spoke last was right for a moment.
+# Its author was in good company: the same was proposed for two of the most used localisers before (2014, 2021), and cured the same way.
+# The cure is this chapter's one edge, `map → odom`.
+
+# %% [markdown] lang="ko" name="story" slide="slide"
+# ## 번갈아 두 곳에 있던 로봇
+#
+# 새 프로그램이 레이저 스캔을 지도와 맞추어 로봇을 잘 찾아냈습니다. 그리고 찾은 것을 그대로 발행했습니다. *base_link는 map의 여기에 있다.*
+# 바퀴는 늘 이렇게 말해 왔습니다. *base_link는 odom의 저기에 있다.*
+# 영상 속 로봇은 1초에 몇 번씩 두 곳을 오가며 깜빡입니다(rsasaki0109/lidar_slam_ros2, 2024년).
+#
+# 둘 다 사실이었습니다. 하지만 [[frame|좌표계]]의 부모는 하나인데 둘을 주었고, 마지막으로 말한 쪽이 잠시 맞는 것이 되었습니다.
+# 이 프로그램만의 일이 아닙니다. 널리 쓰는 위치 추정 패키지 두 곳에서도 같은 제안이 있었고(2014년, 2021년), 같은 방법으로 고쳤습니다.
+# 그 방법이 이 장의 연결 하나, `map → odom`입니다.
+
+# %% [markdown] lang="en" name="story-sources" slide="skip"
+# *Read them:* lidar_slam_ros2 [86](https://github.com/rsasaki0109/lidar_slam_ros2/issues/86), [87](https://github.com/rsasaki0109/lidar_slam_ros2/pull/87); robot_localization [23](https://github.com/cra-ros-pkg/robot_localization/issues/23); hdl_localization [67](https://github.com/koide3/hdl_localization/issues/67); [REP-105](https://ros.org/reps/rep-0105.html).
+
+# %% [markdown] lang="ko" name="story-sources" slide="skip"
+# *직접 읽어 보기:* lidar_slam_ros2 [86](https://github.com/rsasaki0109/lidar_slam_ros2/issues/86), [87](https://github.com/rsasaki0109/lidar_slam_ros2/pull/87), robot_localization [23](https://github.com/cra-ros-pkg/robot_localization/issues/23), hdl_localization [67](https://github.com/koide3/hdl_localization/issues/67), [REP-105](https://ros.org/reps/rep-0105.html).
+
+# %% [markdown] lang="en" name="predict" slide="slide"
+# ## Predict
+#
+# A robot drives laps for a minute, half a metre a second. One of its wheels is 1 % larger than it thinks. Every five seconds a localiser looks at the walls and corrects the pose on the map.
+#
+# 1. Which pose is **farther off** at worst: the one in `odom`, or the one in `map`?
+# 2. Which pose takes the **larger steps**?
+
+# %% [markdown] lang="ko" name="predict" slide="slide"
+# ## 예측해 봅시다
+#
+# 로봇이 1분 동안 0.5 m/s로 방을 돕니다. 한쪽 바퀴가 로봇이 아는 것보다 1 % 큽니다. 위치 추정 노드는 5초마다 벽을 보고 지도 위의 포즈를 바로잡습니다.
+#
+# 1. 최악의 경우 어느 포즈가 **더 많이 틀릴까요?** `odom` 기준일까요, `map` 기준일까요?
+# 2. 어느 포즈가 **더 큰 걸음**을 뗄까요?
+
+# %% [markdown] lang="en" name="predict-notes" slide="notes"
+# Hands for both questions. "map is better in both" is the answer to wait for: it is half right.
+
+# %% [markdown] lang="ko" name="predict-notes" slide="notes"
+# 두 질문 모두 손을 들게 합니다. "둘 다 map이 낫다"가 기다리는 답입니다. 반만 맞습니다.
+
+# %% name="my-guess" slide="skip"
+farther_off, larger_steps = ..., ...  # "odom" or "map"
+
+# %% name="the-drive" slide="skip"
+import numpy as np
+
+
+robot = lesson.TeachingRobot(bias=0.01, correction_period_s=5.0)
+buffer = robot.buffer(until_s=62.0, cache_time_s=100.0)  # what a listener would have heard
+
+
+def pose(frame, child, t):
+    return buffer.lookup_transform(frame, child, seconds(t)).transform
+
+# %% name="three-pens" tags=["predicted"] slide="fragment"
+times = [1.5 + 0.1 * k for k in range(600)]
+start = robot.truth_at(seconds(1.0))['base_footprint']  # where odom begins
+in_map = np.array([pose('map', 'base_footprint', t).translation for t in times])
+in_odom = np.array([start.apply(pose('odom', 'base_footprint', t).translation) for t in times])
+truth = np.array([robot.truth_at(seconds(t))['base_footprint'].translation for t in times])
+lesson.draw_tracks({'map': in_map, 'odom': in_odom}, truth, times)
+
+# %% [markdown] lang="en" name="three-pens-seen" tags=["predicted"]
+# Left, from above: the broad grey way is the truth. Right: how far from one sample to the next, and how far from the truth.
+#
+# - The pose in [[odom]] never takes a step that the robot did not drive, and after a minute it is three metres off. It **drifts**.
+# - The pose in [[map]] is never more than a quarter of a metre off, and it leaps each time it is corrected. It **jumps**.
+#
+# Neither is wrong. REP-105 promises just that: odom is continuous and may drift, map does not drift and may jump.
+
+# %% [markdown] lang="ko" name="three-pens-seen" tags=["predicted"]
+# *그림 읽기:* 왼쪽은 위에서 본 경로입니다. 넓은 회색 길(truth)이 실제 경로입니다. 오른쪽 위(step)는 표본 사이의 걸음, 아래(error)는 실제와의 거리입니다.
+#
+# - [[odom|`odom`]] 기준 포즈는 로봇이 실제로 달리지 않은 걸음을 떼지 않습니다. 대신 1분 뒤에는 3미터 틀립니다. **흐릅니다**(drift).
+# - [[map|`map`]] 기준 포즈는 0.25미터 넘게 틀리지 않습니다. 대신 바로잡을 때마다 튑니다. **튑니다**(jump).
+#
+# 어느 쪽도 잘못이 아닙니다. REP-105의 약속이 바로 이것입니다. odom은 이어지지만 흐를 수 있고, map은 흐르지 않지만 튈 수 있습니다.
+
+# %% [markdown] lang="en" name="speed-of-a-jump" slide="subslide"
+# What would a controller see that takes the pose in `map` and works out its speed from it?
+
+# %% [markdown] lang="ko" name="speed-of-a-jump" slide="subslide"
+# 제어기가 `map` 기준 포즈로 속도를 계산한다면 무엇을 보게 될까요?
+
+# %% name="speeds" slide="-"
+for name, track in {'map': in_map, 'odom': in_odom}.items():
+    speed = np.linalg.norm(np.diff(track[:, :2], axis=0), axis=1) / 0.1
+    print(f'{name:<5} fastest {speed.max():.2f} m/s')
+
+# %% [markdown] lang="en" name="speeds-seen"
+# A robot that does half a metre a second seems to do almost two and a half. Brake on that, and you know where the jerks come from.
+
+# %% [markdown] lang="ko" name="speeds-seen"
+# 0.5 m/s로 달리는 로봇이 순간 2.4 m/s로 달리는 것처럼 보입니다. 이 값으로 제동하면 로봇이 덜컥거립니다.
+
+# %% [markdown] lang="en" name="who-moves" slide="slide"
+# ## Who moves when it jumps?
+#
+# Between 26.0 and 26.1 s the localiser corrects the pose. **Predict** for each: does it leap, or not?
+#
+# - the robot in `odom` · `odom` in `map` · the robot in `map`
+
+# %% [markdown] lang="ko" name="who-moves" slide="slide"
+# ## 튈 때 움직이는 것은 무엇일까요?
+#
+# 26.0초와 26.1초 사이에 위치 추정 노드가 포즈를 바로잡습니다. 각각 튈지 아닐지 **예측해 봅시다.**
+#
+# - `odom` 기준의 로봇 · `map` 기준의 `odom` · `map` 기준의 로봇
+
+# %% name="around-the-jump" tags=["predicted"] slide="fragment"
+for parent, child in (('odom', 'base_footprint'), ('map', 'odom'), ('map', 'base_footprint')):
+    before, after = pose(parent, child, 26.0), pose(parent, child, 26.1)
+    step = np.linalg.norm(np.subtract(after.translation, before.translation))
+    turn = after.rpy()[2] - before.rpy()[2]
+    print(f'{child:<15} in {parent:<5} slides {step:.2f} m, turns {turn:+.2f} rad')
+
+# %% [markdown] lang="en" name="around-the-jump-seen" tags=["predicted"]
+# In `odom` the robot moved five centimetres, as driven: a correction never touches odometry.
+# What leapt is **`odom` itself, in `map`**, and with it everything that hangs below: the robot too.
+# Note the turn: two tenths of a radian. The correction is no "shift by the drift". It moves and turns the whole of odom, about odom's own origin.
+
+# %% [markdown] lang="ko" name="around-the-jump-seen" tags=["predicted"]
+# `odom` 기준의 로봇은 실제로 달린 만큼인 5센티미터만 움직였습니다. 보정은 오도메트리를 건드리지 않습니다.
+# 튄 것은 **`map` 기준의 `odom` 자체**이고, 그 아래에 매달린 것도 모두 함께 튑니다. 로봇도 마찬가지입니다.
+# 회전을 보세요. 0.2 rad입니다. 보정은 "틀어진 만큼 밀기"가 아닙니다. odom 전체를, odom의 원점을 중심으로 옮기고 돌립니다.
+
+# %% [markdown] lang="en" name="in-3d" slide="subslide"
+# In 3D, seen from the map: move the scrubber, and watch the grey frame. It creeps not at all, and then leaps.
+
+# %% [markdown] lang="ko" name="in-3d" slide="subslide"
+# 지도에서 본 3D 장면입니다. 슬라이더를 움직이며 odom 좌표계를 보세요. 가만히 있다가 갑자기 튑니다.
+
+# %% name="in-3d-scene" slide="skip"
+scene = lesson.Scene(height_px=360)
+scene.look(eye=(3.0, -7.0, 6.0), target=(3.0, 0.0, 0.0))
+lesson.draw_frame(scene, 'map', Transform(), length_m=0.7)
+lesson.draw_path(scene, 'truth', truth[::5], colour='#9AA0A6')
+
+
+def at_time(t):
+    lesson.draw_frame(scene, 'odom', pose('map', 'odom', t), parent='map', length_m=0.7)
+    lesson.draw_frame(scene, 'base_footprint', pose('map', 'base_footprint', t), parent='odom', length_m=0.5)
+
+# %% name="in-3d-sweep" tags=["interactive"]
+scene.sweep('time', [20.0 + 0.5 * i for i in range(41)], at_time, unit='s')
+scene
+
+# %% name="in-3d-still" slide="skip"
+frames = {'map': Transform(), 'odom': pose('map', 'odom', 26.1), 'base_footprint': pose('map', 'base_footprint', 26.1)}
+lesson.draw_scene(frames, ghosts={'odom before': pose('map', 'odom', 26.0)}, eye=lesson.FROM_ABOVE, length_m=0.6)
+
+# %% [markdown] lang="en" name="the-sum" slide="slide"
+# ## What a localiser publishes
+#
+# It measures `map_T_base`, where the robot is on the map. TF knows `odom_T_base`, from the wheels.
+# It wants the tile that is missing between them. Lay the dominoes: [map | base] [base | odom] = [map | odom].
+
+# %% [markdown] lang="ko" name="the-sum" slide="slide"
+# ## 위치 추정 노드가 발행하는 것
+#
+# 노드는 지도 위 로봇의 위치 `map_T_base`를 측정합니다. TF는 바퀴에서 온 `odom_T_base`를 압니다.
+# 둘 사이에 빠진 조각이 필요합니다. 도미노를 놓아 보세요. [map | base] [base | odom] = [map | odom].
+
+# %% name="dominoes" slide="-"
+lesson.draw_dominoes(('map', 'base'), ('base', 'odom'))
+
+# %% name="the-sum-in-code" slide="fragment"
+def map_to_odom(map_T_base, odom_T_base):
+    return map_T_base @ odom_T_base.inverse()
+
+
+t = 26.1
+computed = map_to_odom(pose('map', 'base_footprint', t), pose('odom', 'base_footprint', t))
+print('computed ', lesson.fmt_all(computed.translation), f'yaw {computed.rpy()[2]:+.3f} rad')
+print('published', lesson.fmt_all(pose('map', 'odom', t).translation), f'yaw {pose("map", "odom", t).rpy()[2]:+.3f} rad')
+
+# %% [markdown] lang="en" name="same-moment" slide="subslide"
+# Both poses must be of **one moment**: the stamp of the scan that was matched. **Predict:** the wheels' pose is a tenth of a second older, in a bend. How far off is `map → odom`?
+
+# %% [markdown] lang="ko" name="same-moment" slide="subslide"
+# 두 포즈는 **같은 시각**의 것이어야 합니다. 지도와 맞춘 스캔의 측정 시각입니다. **예측해 봅시다.** 굽은 길에서 바퀴의 포즈가 0.1초 오래되었다면 `map → odom`은 얼마나 틀릴까요?
+
+# %% name="another-moment" tags=["predicted"]
+late = map_to_odom(pose('map', 'base_footprint', 31.0), pose('odom', 'base_footprint', 30.9))
+right = pose('map', 'odom', 31.0)
+off = right.inverse() @ late
+print(f'off by {np.hypot(*off.translation[:2]):.2f} m and {off.rpy()[2]:+.2f} rad')
+
+# %% [markdown] lang="en" name="another-moment-seen" tags=["predicted"]
+# A third of a metre, from a tenth of a second: the turn that lies between the two poses goes into the edge and swings odom about its origin, and all that hangs below it.
+# A famous estimator mended just this in 2025 (robot_localization [939](https://github.com/cra-ros-pkg/robot_localization/pull/939)).
+
+# %% [markdown] lang="ko" name="another-moment-seen" tags=["predicted"]
+# 0.1초 차이로 0.33 m 틀립니다. 두 포즈 사이의 회전이 연결에 섞여 odom을 원점을 중심으로 돌리고, 그 아래 모든 것이 함께 돌아갑니다.
+# 널리 쓰는 추정 패키지도 2025년에 바로 이것을 고쳤습니다(robot_localization [939](https://github.com/cra-ros-pkg/robot_localization/pull/939)).
+
+# %% [markdown] lang="en" name="what-where" slide="slide"
+# ## What to keep in which frame
+#
+# An obstacle stands one metre ahead. You remember it for a tenth of a second, once by its numbers in `map`, once by its numbers in `odom`. Meanwhile the correction comes.
+# And a goal is kept for a while, by its numbers in `odom`.
+
+# %% [markdown] lang="ko" name="what-where" slide="slide"
+# ## 무엇을 어느 좌표계에 둘까요?
+#
+# 1미터 앞에 장애물이 있습니다. 한 번은 `map` 기준 숫자로, 한 번은 `odom` 기준 숫자로 0.1초 동안 기억합니다. 그사이 보정이 들어옵니다.
+# 목적지도 하나, `odom` 기준 숫자로 한동안 기억합니다.
+
+# %% name="obstacle" tags=["predicted"] slide="fragment"
+there = robot.truth_at(seconds(26.1))['base_footprint'].inverse() @ robot.truth_at(seconds(26.0))['base_footprint']
+for keep in ('map', 'odom'):
+    kept = pose(keep, 'base_footprint', 26.0).apply((1.0, 0.0, 0.0))
+    seen = pose('base_footprint', keep, 26.1).apply(kept)
+    off = np.linalg.norm(np.subtract(seen, there.apply((1.0, 0.0, 0.0))))
+    print(f'obstacle kept in {keep:<5} off by {off:.2f} m after the correction')
+
+goal = (3.0, 2.0, 0.0)  # in map, noted in odom at 10 s
+for later in (20.0, 50.0):
+    back = pose('map', 'odom', later).apply(pose('odom', 'map', 10.0).apply(goal))
+    print(f'goal kept in odom: after {later - 10:.0f} s it is {np.linalg.norm(np.subtract(back, goal)):.2f} m from where it was')
+
+# %% [markdown] lang="en" name="what-where-seen" tags=["predicted"]
+# | keep in | what | because |
+# |---|---|---|
+# | `odom` | what I just saw, the next half metre, speeds | it is smooth, and young numbers have not drifted |
+# | `map` | goals, rooms, the dock for tomorrow | it does not drift |
+# | `base_link` | what is bolted on | it drives along |
+#
+# "Odom is wrong because it drifts" costs you the smooth one; "map is better" costs you the jerks.
+
+# %% [markdown] lang="ko" name="what-where-seen" tags=["predicted"]
+# | 두는 곳 | 무엇을 | 이유 |
+# |---|---|---|
+# | `odom` | 방금 본 것, 앞으로의 0.5미터, 속도 | 매끄럽고, 새 숫자는 아직 흐르지 않았습니다 |
+# | `map` | 목적지, 방, 내일 갈 충전대 | 흐르지 않습니다 |
+# | `base_link` | 로봇에 고정된 것 | 함께 움직입니다 |
+#
+# "odom은 흐르니까 틀렸다"고 하면 매끄러운 쪽을 잃고, "map이 더 낫다"고 하면 덜컥거립니다.
+
+# %% [markdown] lang="en" name="footprint" slide="slide"
+# ## base_footprint: the robot's shadow on the floor
+#
+# `base_link` rides on the body: it has height, and it tilts on a ramp. [[base_footprint]] is its shadow on the floor: x, y and yaw only.
+# The nose goes up by 10°. What the laser sees at (2.2, 0, 0.15) in `base_link`, where is it above the floor?
+
+# %% [markdown] lang="ko" name="footprint" slide="slide"
+# ## base_footprint: 바닥에 비친 로봇
+#
+# `base_link`는 몸체에 붙어 있어 높이가 있고, 경사로에서 기울어집니다. [[base_footprint|`base_footprint`]]는 바닥에 비친 그림자입니다. x, y, yaw만 있습니다.
+# 앞쪽이 10° 들립니다. 레이저가 `base_link` 기준 (2.2, 0, 0.15)에서 본 것은 바닥에서 어디일까요?
+
+# %% name="nose-up"
+import math
+
+footprint_T_base = Transform.from_rpy(pitch=-math.radians(10), translation=(0.0, 0.0, 0.10))
+point = footprint_T_base.apply((2.2, 0.0, 0.15))
+print('in base_footprint', lesson.fmt_all(point, digits=2))
+lesson.draw_scene({'base_footprint': Transform(), 'base_link': footprint_T_base}, {'seen': point},
+           fixed_frame='base_footprint', length_m=0.5)
+
+# %% [markdown] lang="en" name="nose-up-seen"
+# Half a metre up: an obstacle that a flat robot would take for a step is a wall's middle.
+# On our robot the wheels publish `odom → base_footprint`, and `base_link` hangs below it. On others it is the other way round. Read what your robot says, and never publish both.
+
+# %% [markdown] lang="ko" name="nose-up-seen"
+# 바닥에서 0.63 m 위입니다. 평평하다고 여기면 낮은 턱이지만 실제로는 벽의 중간입니다.
+# 우리 로봇에서는 바퀴가 `odom → base_footprint`를 발행하고 `base_link`가 그 아래에 있습니다. 반대인 로봇도 있습니다. 내 로봇이 무엇을 발행하는지 읽고, 둘 다 발행하지는 마십시오.
+
+# %% [markdown] lang="en" name="faded" slide="subslide"
+# ### Now you write
+#
+# A scan matcher returns `map_T_laser` for the scan's stamp; TF has `odom_T_base` and `base_T_laser` for the same moment. Fill the two blanks.
+#
+# ```python
+# map_T_base = map_T_laser @ ____________
+# map_T_odom = map_T_base @ ____________
+# ```
+#
+# <details><summary>Compare</summary>
+#
+# `base_T_laser.inverse()`, which is `laser_T_base`, and `odom_T_base.inverse()`. Neighbours match: [map | laser][laser | base][base | odom].
+#
+# </details>
+
+# %% [markdown] lang="ko" name="faded" slide="subslide"
+# ### 이제 직접 써 보세요
+#
+# 스캔 정합기가 스캔의 측정 시각에 대한 `map_T_laser`를 돌려줍니다. TF에는 같은 시각의 `odom_T_base`와 `base_T_laser`가 있습니다. 빈칸 두 개를 채워 보세요.
+#
+# ```python
+# map_T_base = map_T_laser @ ____________
+# map_T_odom = map_T_base @ ____________
+# ```
+#
+# <details><summary>맞춰 보기</summary>
+#
+# `base_T_laser.inverse()`, 곧 `laser_T_base`와 `odom_T_base.inverse()`입니다. 이웃끼리 맞습니다. [map | laser][laser | base][base | odom].
+#
+# </details>
+
+# %% [markdown] lang="en" name="break-it" slide="slide"
+# ## Break it: the truth, published
+#
+# Now do what the program of the story did. The localiser is told to keep its edge to itself, and a node says where the robot is in `map`, ten times a second.
+# A listener asks a thousand times in ten seconds, for the robot in `map` and in `odom`.
+#
+# **Predict:** how often do *both* answer? Always, half the time, never?
+
+# %% [markdown] lang="ko" name="break-it" slide="slide"
+# ## 일부러 고장 내기: 사실을 그대로 발행하기
+#
+# 이야기 속 프로그램이 한 일을 해 봅시다. 위치 추정 노드의 연결은 끄고, 다른 노드가 `map` 기준 로봇의 위치를 1초에 열 번 발행합니다.
+# 수신기는 10초 동안 천 번, `map` 기준과 `odom` 기준의 로봇을 묻습니다.
+#
+# **예측해 봅시다.** 둘 *모두* 답하는 것은 얼마나 자주일까요? 늘, 절반, 아니면 한 번도?
+
+# %% name="eager-robot" slide="skip"
+import rclpy
+from rclpy.node import Node
+from rclpy.time import Time
+from tf2_ros import Buffer, TransformBroadcaster, TransformException, TransformListener
+
+from tflab.ros.convert import msg_from_stamped
+
+graph = lesson.new_graph()
+parts = ['robot_state_publisher', 'joint_driver', 'wheel_odometry', 'localization']
+nodes = lesson.launch(graph, robot, only=parts)
+graph.run(seconds=1.0)
+
+# %% name="eager-localizer" slide="skip"
+class EagerLocalizer(Node):
+    def __init__(self):
+        super().__init__('eager_localizer')
+        self.broadcaster = TransformBroadcaster(self)
+        self.create_timer(0.1, self.tell)
+
+    def tell(self):
+        now_ns = self.get_clock().now().nanoseconds
+        here = robot.truth_at(now_ns)['base_footprint']
+        self.broadcaster.sendTransform(msg_from_stamped(StampedTransform('map', 'base_footprint', now_ns, here)))
+
+# %% name="switch-over" slide="-"
+# %ros2 param set /localization tf_broadcast false
+
+# %% name="a-thousand-questions" tags=["predicted"]
+def main():
+    rclpy.init()
+    rclpy.spin(EagerLocalizer())
+
+
+graph.start(main, name='eager_localizer')
+rclpy.init()
+node = Node('asker')
+tf_buffer = Buffer()
+listener = TransformListener(tf_buffer, node, spin_thread=True)
+graph.run(seconds=5.0)
+
+# %% name="count-the-answers" tags=["predicted"] slide="-"
+answered = {'map': 0, 'odom': 0, 'both': 0}
+for _ in range(1000):
+    graph.run(seconds=0.01)
+    there = [frame for frame in ('map', 'odom') if tf_buffer.can_transform(frame, 'base_link', Time())]
+    for frame in there:
+        answered[frame] += 1
+    answered['both'] += len(there) == 2
+print(answered)
+
+# %% [markdown] lang="en" name="counted" tags=["predicted"]
+# Half the time the robot is on the map, half the time on its wheels, and never on both. Nobody raises an error for that: two truths take turns.
+# Who asks at the wrong half hears this:
+
+# %% [markdown] lang="ko" name="counted" tags=["predicted"]
+# 절반은 지도 위에, 절반은 바퀴 위에 있고, 둘 다인 때는 한 번도 없습니다. 여기에는 오류가 나지 않습니다. 두 사실이 번갈아 나타날 뿐입니다.
+# 하필 다른 절반에 물으면 이런 답을 듣습니다.
+
+# %% name="wrong-half"
+for _ in range(10):
+    graph.run(seconds=0.01)
+    try:
+        tf_buffer.lookup_transform('map', 'laser_frame', Time())
+    except TransformException as error:
+        print(error)
+        break
+
+# %% [markdown] lang="en" name="tree-of-it"
+# And the tree says it plainly, if one asks for owners and not only for shapes:
+
+# %% [markdown] lang="ko" name="tree-of-it"
+# 트리에서 모양뿐 아니라 발행 책임까지 보면 분명해집니다.
+
+# %% name="owners" slide="subslide"
+lesson.frame_tree(graph, seconds=1.0)
+
+# %% [markdown] lang="en" name="cure"
+# The cure costs one line: publish `map_to_odom(map_T_base, odom_T_base)` under the stamp of the scan, and leave `base_footprint` to the wheels.
+
+# %% [markdown] lang="ko" name="cure"
+# 고치는 데는 한 줄이면 됩니다. 스캔의 측정 시각으로 `map_to_odom(map_T_base, odom_T_base)`를 발행하고, `base_footprint`는 바퀴에 맡기십시오.
+
+# %% [markdown] lang="en" name="checkpoint" slide="slide"
+# ## Checkpoint
+#
+# A robot follows a line on the floor in front of it. Its controller reads its pose thirty times a second. In which frame?
+#
+# 1. `map`: it is the accurate one.
+# 2. `odom`: it is the smooth one.
+# 3. `base_link`: the robot is always at (0, 0, 0) there.
+# 4. Whichever is available.
+#
+# <details><summary>I chose 1</summary>
+#
+# Accurate on average, and with a leap at each correction, which the controller takes for a push. The next half metre does not care where the room is.
+#
+# </details>
+# <details><summary>I chose 2</summary>
+#
+# Yes: each step in odom is one that the robot drove. Over half a metre nothing drifts enough to matter.
+#
+# </details>
+# <details><summary>I chose 3</summary>
+#
+# True, and of no use: in base_link the robot never moves, so there is nothing to control by.
+#
+# </details>
+# <details><summary>I chose 4</summary>
+#
+# Then it changes frames in mid-drive, with a jump each time: the flicker of the story, by your own hand.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="checkpoint" slide="slide"
+# ## 마무리 점검
+#
+# 로봇이 앞바닥의 선을 따라갑니다. 제어기는 1초에 서른 번 자기 포즈를 읽습니다. 어느 좌표계 기준이어야 합니까?
+#
+# 1. `map`: 정확하니까.
+# 2. `odom`: 매끄러우니까.
+# 3. `base_link`: 그 기준으로 로봇은 늘 (0, 0, 0)이니까.
+# 4. 그때그때 얻을 수 있는 것.
+#
+# <details><summary>1번을 골랐습니다</summary>
+#
+# 평균은 정확하지만 보정할 때마다 튀고, 제어기는 그것을 떠밀린 것으로 받아들입니다. 앞으로의 0.5미터에는 방이 어디 있는지가 중요하지 않습니다.
+#
+# </details>
+# <details><summary>2번을 골랐습니다</summary>
+#
+# 맞습니다. odom의 걸음은 모두 로봇이 실제로 달린 것입니다. 0.5미터 동안에는 문제가 될 만큼 흐르지 않습니다.
+#
+# </details>
+# <details><summary>3번을 골랐습니다</summary>
+#
+# 맞는 말이지만 쓸모가 없습니다. base_link 기준으로 로봇은 움직이지 않으므로 제어할 것이 없습니다.
+#
+# </details>
+# <details><summary>4번을 골랐습니다</summary>
+#
+# 달리는 도중에 좌표계가 바뀌고, 그때마다 튑니다. 이야기 속의 깜빡임을 직접 만드는 셈입니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="on-the-robot" slide="slide"
+# ## On a real robot
+#
+# ```
+# ros2 run tf2_ros tf2_echo map odom               # stands still, then steps
+# ros2 run tf2_ros tf2_echo odom base_footprint    # runs smoothly, and slowly away
+# ros2 param get /amcl tf_broadcast                # who publishes map -> odom
+# ```
+#
+# In Nav2 the local costmap has `global_frame: odom`, the global one `map`; robot_localization calls its choice `world_frame`.
+
+# %% [markdown] lang="ko" name="on-the-robot" slide="slide"
+# ## 실제 로봇에서
+#
+# ```
+# ros2 run tf2_ros tf2_echo map odom               # stands still, then steps
+# ros2 run tf2_ros tf2_echo odom base_footprint    # runs smoothly, and slowly away
+# ros2 param get /amcl tf_broadcast                # who publishes map -> odom
+# ```
+#
+# Nav2의 지역 비용지도는 `global_frame: odom`, 전역 비용지도는 `map`입니다. robot_localization에서는 `world_frame`으로 고릅니다.
+
+# %% name="stop" slide="skip"
+graph.stop()
+node.destroy_node()
+rclpy.shutdown()
+
+# %% [markdown] lang="en" name="recap" slide="slide"
+# ## What to keep
+#
+# - [[odom]] is smooth and drifts. [[map]] does not drift and jumps. Use each for what it is good at.
+# - A correction moves and turns `odom` in `map`; odometry itself is never touched.
+# - `map_T_odom = map_T_base @ odom_T_base.inverse()`, both of one stamp.
+# - A frame has one parent. Publishing `map → base_link` beside the wheels makes two truths take turns, without an error.
+# - [[base_footprint]] is the shadow on the floor: x, y, yaw.
+
+# %% [markdown] lang="ko" name="recap" slide="slide"
+# ## 정리
+#
+# - [[odom|`odom`]]은 매끄럽고 흐릅니다. [[map|`map`]]은 흐르지 않고 튑니다. 저마다 잘하는 일에 씁니다.
+# - 보정은 `map` 기준의 `odom`을 옮기고 돌립니다. 오도메트리 자체는 건드리지 않습니다.
+# - `map_T_odom = map_T_base @ odom_T_base.inverse()`이고, 둘은 같은 시각의 것입니다.
+# - 좌표계의 부모는 하나입니다. 바퀴가 발행하는데 `map → base_link`까지 발행하면, 오류 없이 두 사실이 번갈아 나타납니다.
+# - [[base_footprint|`base_footprint`]]는 바닥에 비친 그림자입니다. x, y, yaw만 있습니다.
+
+# %% [markdown] lang="en" name="from-before" slide="subslide"
+# ### Three questions from earlier chapters
+#
+# 1. Why is (6.5, −1.5) in `map` good tomorrow, and 3.60 m in `base_link` not even on arrival?
+# 2. Data written in `odom`, wanted in `map`: what are target and source?
+# 3. What is `(map_T_odom @ odom_T_base).inverse()`, as a product of two published edges turned round?
+#
+# <details><summary>Answers</summary>
+#
+# 1. A thing at rest keeps its numbers in the frame in which it rests; the robot drove on.
+# 2. Target `map`, source `odom`.
+# 3. `base_T_odom @ odom_T_map`: the order turns round too.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="from-before" slide="subslide"
+# ### 앞 장에서 온 질문 셋
+#
+# 1. `map` 기준 (6.5, −1.5)는 내일도 쓸 수 있는데, `base_link` 기준 3.60 m는 왜 도착했을 때 이미 쓸 수 없습니까?
+# 2. `odom` 기준 데이터를 `map` 기준으로 옮기려 합니다. 목표와 원본은 무엇입니까?
+# 3. `(map_T_odom @ odom_T_base).inverse()`를, 발행된 두 연결을 뒤집은 곱으로 쓰면 무엇입니까?
+#
+# <details><summary>답</summary>
+#
+# 1. 가만히 있는 물체의 숫자는 그 물체가 가만히 있는 좌표계에서만 그대로입니다. 로봇은 그사이 달렸습니다.
+# 2. 목표는 `map`, 원본은 `odom`입니다.
+# 3. `base_T_odom @ odom_T_map`입니다. 순서도 뒤집힙니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="practice" slide="subslide"
+# ### Practice questions 5 and 6
+#
+# **5.** What does each of `map`, `odom` and `base_link` promise, and why are there two frames that stand still? Write four or five sentences.
+#
+# <details><summary>What a full answer holds</summary>
+#
+# - [ ] `odom → base_link` comes from odometry: continuous, good for a short time, and it drifts without bound.
+# - [ ] `map` is fixed in the world over a long time, and the robot's pose in it may jump when it is corrected.
+# - [ ] Control and obstacles of the last seconds belong into `odom`, goals into `map`.
+# - [ ] One frame cannot be continuous and free of drift at once, so there are two.
+# - [ ] `base_link` is bolted to the robot; sensors hang below it.
+#
+# </details>
+#
+# **6.** Why does a localiser publish `map → odom` and not `map → base_link`? Write three or four sentences.
+#
+# <details><summary>What a full answer holds</summary>
+#
+# - [ ] A frame has one parent; `base_link` hangs below `odom` already, by the wheels.
+# - [ ] Two parents do not raise an error: the tree changes back and forth.
+# - [ ] `map_T_odom = map_T_base @ odom_T_base.inverse()` holds the correction, and both chains stay.
+# - [ ] Both poses of that product belong to the same stamp.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="practice" slide="subslide"
+# ### 서술형 문제 5, 6
+#
+# **5.** `map`, `odom`, `base_link`는 각각 무엇을 약속합니까? 세계에 고정된 기준 좌표계가 왜 둘입니까? 네다섯 문장으로 쓰십시오.
+#
+# <details><summary>완전한 답에 들어 있는 것</summary>
+#
+# - [ ] `odom → base_link`는 오도메트리에서 옵니다. 이어지고 짧은 시간에는 정확하지만, 한없이 흐릅니다.
+# - [ ] `map`은 오랫동안 세계에 고정되어 있고, 그 기준의 로봇 포즈는 바로잡을 때 튈 수 있습니다.
+# - [ ] 제어와 최근 몇 초의 장애물은 `odom`에, 목적지는 `map`에 둡니다.
+# - [ ] 한 좌표계가 이어지면서 흐르지도 않을 수는 없으므로 둘입니다.
+# - [ ] `base_link`는 로봇에 고정되어 있고, 센서가 그 아래에 있습니다.
+#
+# </details>
+#
+# **6.** 위치 추정 노드는 왜 `map → base_link`가 아니라 `map → odom`을 발행합니까? 서너 문장으로 쓰십시오.
+#
+# <details><summary>완전한 답에 들어 있는 것</summary>
+#
+# - [ ] 좌표계의 부모는 하나이고, `base_link`는 이미 바퀴에 의해 `odom` 아래에 있습니다.
+# - [ ] 부모가 둘이어도 오류는 나지 않습니다. 트리가 번갈아 바뀝니다.
+# - [ ] `map_T_odom = map_T_base @ odom_T_base.inverse()`에 보정이 담기고, 두 사슬이 모두 남습니다.
+# - [ ] 이 곱의 두 포즈는 같은 시각의 것입니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="exit-ticket" slide="slide"
+# ## Exit ticket
+#
+# > The localiser finds that the robot is 20 cm from where `map` had it. Which edge changes, whose numbers stay what they were, and who must not notice?
+#
+# <details><summary>Compare</summary>
+#
+# `map → odom` changes. `odom → base_link` and all mounts stay. Whoever steers by `odom` must not notice.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="exit-ticket" slide="slide"
+# ## 나가기 전에
+#
+# > 위치 추정 노드가 `map` 기준 로봇의 위치가 20 cm 틀렸음을 알아냈습니다. 어느 연결이 바뀌고, 무엇의 숫자가 그대로이며, 누가 알아채지 말아야 합니까?
+#
+# <details><summary>맞춰 보기</summary>
+#
+# `map → odom`이 바뀝니다. `odom → base_link`와 장착 변환은 그대로입니다. `odom` 기준으로 움직이는 제어기는 알아채지 말아야 합니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="next" slide="skip"
+# Then do the exercises: [05 map, odom, base_link](../../exercises/en/05_map_odom_base_link.ipynb).
+
+# %% [markdown] lang="ko" name="next" slide="skip"
+# 이제 연습 문제를 풀어 보세요: [05 map, odom, base_link](../../exercises/ko/05_map_odom_base_link.ipynb).

@@ -1,0 +1,210 @@
+# %% [markdown] lang="en" name="title"
+# # Exercises 05 · One may jump, one may drift
+#
+# Five tasks, 18 points, about 50 minutes. The page they belong to: [05 · One may jump, one may drift](../../notebooks/en/05_map_odom_base_link.ipynb)
+#
+# Write your answer where it says `...` or `your turn`, run the cell, then run the check below it.
+# A wrong answer is told which mistake it looks like. `hint("E5.1")` gives the first of three hints.
+# Your numbers come from `task(...)` and may differ from your neighbour's, so answer with an expression, such as `e5_2.odom_T_base.inverse()`, and not with a number that you worked out elsewhere.
+
+# %% [markdown] lang="ko" name="title"
+# # 연습 문제 05 · 하나는 튈 수 있고, 하나는 흐를 수 있습니다
+#
+# 과제 다섯 개, 18점, 50분쯤 걸립니다. 함께 보는 페이지: [05 · 하나는 튈 수 있고, 하나는 흐를 수 있습니다](../../notebooks/ko/05_map_odom_base_link.ipynb)
+#
+# `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 셀을 실행한 다음, 아래의 확인 셀을 실행해 보세요.
+# 틀린 답을 내면 어떤 실수로 보이는지 알려 줍니다. `hint("E5.1")`은 세 힌트 가운데 첫 번째를 보여 줍니다.
+# 숫자는 `task(...)`가 주며 옆 사람과 다를 수 있습니다. 그러니 따로 계산한 숫자가 아니라 `e5_2.odom_T_base.inverse()` 같은 식으로 답해 보세요.
+
+# %% name="load"
+# %load_ext tflab
+from tflab.workbook import check, hint, solution, task
+
+# %% name="imports"
+import math
+
+from tflab.core import Transform
+
+# %% [markdown] lang="en" name="e5-1"
+# ## E5.1 · What a localiser publishes (4 points)
+#
+# Both arguments are a `Transform` of one moment: where the robot was found on the map, and where its wheels believe it is.
+# Return the `Transform` to publish as `map → odom`.
+
+# %% [markdown] lang="ko" name="e5-1"
+# ## E5.1 · 위치 추정 노드가 발행하는 것 (4점)
+#
+# 두 인자는 같은 시각의 `Transform`입니다. 지도에서 찾아낸 로봇의 위치와, 바퀴가 믿는 로봇의 위치입니다.
+# `map → odom`으로 발행할 `Transform`을 반환하십시오.
+
+
+# %% name="e5-1-answer" tags=["answer"]
+def map_to_odom(map_T_base, odom_T_base):
+    """Return map_T_odom."""
+    # BEGIN SOLUTION
+    return map_T_base @ odom_T_base.inverse()
+    # END SOLUTION
+
+
+# %% name="e5-1-check" tags=["check"]
+check("E5.1", map_to_odom)
+
+# %% [markdown] lang="en" name="e5-2"
+# ## E5.2 · A loop closes (4 points)
+#
+# Before the correction the edge is `map_T_odom`; the wheels say `odom_T_base`. Now the robot recognises a door and is found at `found_T_base`, which is its new `map_T_base`. All are of one moment.
+#
+# - `"believed"`: where was the robot on the map before, (x, y) [m]?
+# - `"jump_m"`: how far does the robot leap on the map [m]?
+# - `"map_T_odom"`: the new edge.
+# - `"step_in_odom_m"`: how far does the robot leap in `odom` [m]?
+
+# %% [markdown] lang="ko" name="e5-2"
+# ## E5.2 · 고리가 닫힐 때 (4점)
+#
+# 바로잡기 전의 연결은 `map_T_odom`이고, 바퀴는 `odom_T_base`라고 합니다. 이때 로봇이 문을 알아보고 `found_T_base`, 곧 새로운 `map_T_base`에 있음을 알아냅니다. 모두 같은 시각의 것입니다.
+#
+# - `"believed"`: 그전에는 로봇이 지도의 어디에 있다고 믿었습니까? (x, y) [m]
+# - `"jump_m"`: 지도 기준으로 로봇이 얼마나 튑니까[m]?
+# - `"map_T_odom"`: 새 연결입니다.
+# - `"step_in_odom_m"`: `odom` 기준으로 로봇이 얼마나 튑니까[m]?
+
+# %% name="e5-2-given"
+e5_2 = task("E5.2")
+
+# %% name="e5-2-answer" tags=["answer"]
+# BEGIN SOLUTION
+before = e5_2.map_T_odom @ e5_2.odom_T_base
+believed = before.translation[:2]
+jump_m = math.dist(before.translation, e5_2.found_T_base.translation)
+new_edge = e5_2.found_T_base @ e5_2.odom_T_base.inverse()
+step_in_odom_m = 0.0
+# END SOLUTION
+closure = {"believed": believed, "jump_m": jump_m, "map_T_odom": new_edge, "step_in_odom_m": step_in_odom_m}
+
+# %% name="e5-2-check" tags=["check"]
+check("E5.2", closure)
+
+# %% [markdown] lang="en" name="e5-3"
+# ## E5.3 · Which frame for which job? (4 points)
+#
+# Eight jobs, each with `"map"`, `"odom"` or `"base_link"`:
+#
+# - **dock** where the charging dock stands, for tomorrow
+# - **line** follow the next half metre of a line on the floor
+# - **laser** where the laser is bolted on
+# - **kitchen** the route to the kitchen
+# - **speed** the robot's speed over the last second, from its poses
+# - **obstacles** what was seen in the last five seconds, around the robot, to keep clear of
+# - **tray** where the cup stands that the robot carries
+# - **goal** a goal that is driven to for ten minutes, while corrections come
+
+# %% [markdown] lang="ko" name="e5-3"
+# ## E5.3 · 어떤 일에 어떤 좌표계를 씁니까? (4점)
+#
+# 여덟 가지 일에 각각 `"map"`, `"odom"`, `"base_link"` 가운데 하나로 답하십시오.
+#
+# - **dock** 내일도 쓸 충전대의 위치
+# - **line** 바닥의 선을 앞으로 0.5미터 따라가기
+# - **laser** 레이저를 단 위치
+# - **kitchen** 부엌까지 가는 경로
+# - **speed** 포즈로 계산하는 지난 1초의 속도
+# - **obstacles** 최근 5초 동안 로봇 주위에서 본, 피해야 할 것
+# - **tray** 로봇이 나르는 컵의 위치
+# - **goal** 보정이 들어오는 10분 동안 찾아가는 목적지
+
+# %% name="e5-3-answer" tags=["answer"]
+jobs = {
+    # BEGIN SOLUTION
+    "dock": "map",
+    "line": "odom",
+    "laser": "base_link",
+    "kitchen": "map",
+    "speed": "odom",
+    "obstacles": "odom",
+    "tray": "base_link",
+    "goal": "map",
+    # END SOLUTION
+}
+
+# %% name="e5-3-check" tags=["check"]
+check("E5.3", jobs)
+
+# %% [markdown] lang="en" name="e5-4"
+# ## E5.4 · A robot that flickers (3 points)
+#
+# RViz, Fixed Frame `map`: the robot flickers between two places. Fixed Frame `odom`: every tenth of a second it is gone. One second of `/tf`, summed up:
+#
+# | node | edge | messages |
+# |---|---|---|
+# | `/wheels` | `odom → base_footprint` | 20 |
+# | `/scan_matcher` | `map → base_footprint` | 10 |
+# | `/robot_state_publisher` | `base_footprint → base_link` | 1 |
+#
+# - `"node"`: which node has to change: `"/wheels"`, `"/scan_matcher"` or `"/robot_state_publisher"`?
+# - `"edge"`: which edge should it send: `"map -> odom"`, `"map -> base_link"`, `"odom -> base_footprint"` or `"none"`?
+# - `"error"`: what does TF2 say to the two senders meanwhile: `"LookupException"`, `"ConnectivityException"` or `"nothing"`?
+
+# %% [markdown] lang="ko" name="e5-4"
+# ## E5.4 · 깜빡이는 로봇 (3점)
+#
+# RViz의 Fixed Frame이 `map`이면 로봇이 두 곳을 오가며 깜빡입니다. `odom`이면 0.1초마다 사라집니다. 1초 동안의 `/tf`를 요약하면 다음과 같습니다.
+#
+# | 노드 | 연결 | 메시지 수 |
+# |---|---|---|
+# | `/wheels` | `odom → base_footprint` | 20 |
+# | `/scan_matcher` | `map → base_footprint` | 10 |
+# | `/robot_state_publisher` | `base_footprint → base_link` | 1 |
+#
+# - `"node"`: 어느 노드를 고쳐야 합니까? `"/wheels"`, `"/scan_matcher"`, `"/robot_state_publisher"` 가운데 하나.
+# - `"edge"`: 그 노드는 어느 연결을 보내야 합니까? `"map -> odom"`, `"map -> base_link"`, `"odom -> base_footprint"`, `"none"`(보내지 않음) 가운데 하나.
+# - `"error"`: 그동안 TF2는 두 발행자에게 뭐라고 합니까? `"LookupException"`, `"ConnectivityException"`, `"nothing"`(아무 말 없음) 가운데 하나.
+
+# %% name="e5-4-answer" tags=["answer"]
+finding = {
+    # BEGIN SOLUTION
+    "node": "/scan_matcher",
+    "edge": "map -> odom",
+    "error": "nothing",
+    # END SOLUTION
+}
+
+# %% name="e5-4-check" tags=["check"]
+check("E5.4", finding)
+
+# %% [markdown] lang="en" name="e5-5"
+# ## E5.5 · The shadow on the floor (3 points)
+#
+# `odom_T_base` is a `Transform`: where `base_link` is, at some height, and tilted by a ramp. Its yaw, pitch and roll are those of `Transform.rpy()`.
+# Return the footprint, straight below it on the floor, level, with the same yaw: a dict `{"x": …, "y": …, "yaw": …}` in metres and radians.
+
+# %% [markdown] lang="ko" name="e5-5"
+# ## E5.5 · 바닥에 비친 그림자 (3점)
+#
+# `odom_T_base`는 `Transform`입니다. `base_link`는 어느 높이에 있고 경사로에서 기울어져 있습니다. yaw, pitch, roll은 `Transform.rpy()`의 것입니다.
+# 바로 아래 바닥 위에 있고 기울지 않으며 yaw가 같은 footprint를 dict로 반환하십시오. `{"x": …, "y": …, "yaw": …}`, 단위는 m와 rad입니다.
+
+
+# %% name="e5-5-answer" tags=["answer"]
+def footprint(odom_T_base):
+    """Return {"x", "y", "yaw"} of base_footprint in odom."""
+    # BEGIN SOLUTION
+    x, y, _ = odom_T_base.translation
+    return {"x": x, "y": y, "yaw": odom_T_base.rpy()[2]}
+    # END SOLUTION
+
+
+# %% name="e5-5-check" tags=["check"]
+check("E5.5", footprint)
+
+# %% [markdown] lang="en" name="after"
+# ## What you have shown
+#
+# The checks here used your own numbers. Grading asks the same questions with others.
+# On a robot, let `ros2 run tf2_ros tf2_echo map odom` run while it drives: it stands still, and then it steps.
+
+# %% [markdown] lang="ko" name="after"
+# ## 여기까지 해낸 것
+#
+# 이곳의 check는 여러분의 숫자로 확인했습니다. 채점은 같은 질문을 다른 숫자로 묻습니다.
+# 로봇에서는 달리는 동안 `ros2 run tf2_ros tf2_echo map odom`을 실행해 보세요. 가만히 있다가 한 걸음 튑니다.

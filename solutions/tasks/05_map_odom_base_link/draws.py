@@ -1,0 +1,23 @@
+"""What several tasks of this chapter draw: poses on the floor that turn."""
+
+from __future__ import annotations
+
+from tflab.core import Transform
+
+
+def on_the_floor(rng, reach_m=4.0):
+    """Return a pose (x, y, yaw) whose turn is neither small nor near a half turn."""
+    way = float(rng.choice([-1.0, 1.0]))
+    x, y = (float(rng.choice([-1.0, 1.0])) * float(rng.uniform(0.5, reach_m)) for _ in range(2))
+    yaw = way * float(rng.uniform(0.5, 2.4))
+    return Transform.from_rpy(yaw=round(yaw, 2), translation=(round(x, 2), round(y, 2), 0.0))
+
+
+def yaw_of(pose):
+    return pose.rpy()[2]
+
+
+def by_parts(one, other):
+    """Return what subtracting steps and yaws gives: no transform of anything."""
+    steps = [a - b for a, b in zip(one.translation, other.translation, strict=True)]
+    return Transform.from_rpy(yaw=yaw_of(one) - yaw_of(other), translation=tuple(steps))

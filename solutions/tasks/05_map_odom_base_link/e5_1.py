@@ -1,0 +1,130 @@
+"""E5.1: What a localiser publishes."""
+
+from __future__ import annotations
+
+from tflab.core import Transform
+from tflab.workbook.tasks import Pose, Slip, Task, Twin, Words
+
+from .draws import by_parts, on_the_floor
+
+
+def two_poses(rng):
+    """Both turned; the wheels without a fault; odom's origin under the robot."""
+    same = on_the_floor(rng)
+    pairs = [(on_the_floor(rng), on_the_floor(rng)) for _ in range(4)]
+    return [*pairs, (same, same), (on_the_floor(rng), Transform())]
+
+
+def product(map_T_base, odom_T_base, *, found="as given", wheels="turned round", order="found first", way="as asked"):
+    """Return map_T_odom, step by step; other steps are the slips."""
+    left = map_T_base.inverse() if found == "turned round" else map_T_base
+    right = odom_T_base.inverse() if wheels == "turned round" else odom_T_base
+    edge = left @ right if order == "found first" else right @ left
+    return edge.inverse() if way == "turned round" else edge
+
+
+NO_INVERSE = Slip(
+    "no inverse",
+    {"wheels": "as given"},
+    Words(
+        en="The wheels' pose went in as it is: [map|base][odom|base] do not match. It has to be turned round.",
+        ko="바퀴의 포즈를 그대로 이었습니다. [map|base][odom|base]는 이웃이 맞지 않습니다. 뒤집어야 합니다.",
+    ),
+    "M1",
+)
+
+OTHER_ORDER = Slip(
+    "other order",
+    {"order": "wheels first"},
+    Words(
+        en="The factors stand in the other order. Lay the dominoes: what has to stand first begins with map.",
+        ko="곱의 순서가 바뀌었습니다. 도미노를 놓아 보세요. map으로 시작하는 조각이 먼저입니다.",
+    ),
+    "M1",
+)
+
+FOUND_TURNED_ROUND = Slip(
+    "found turned round",
+    {"found": "turned round"},
+    Words(
+        en="The pose on the map is turned round, and it should stand as it is: it begins with map already.",
+        ko="지도 위의 포즈를 뒤집었습니다. 이미 map으로 시작하므로 그대로 두어야 합니다.",
+    ),
+)
+
+THE_OTHER_WAY = Slip(
+    "the other way",
+    {"way": "turned round"},
+    Words(
+        en="That is odom_T_map: the same edge, read the other way. Asked for is map_T_odom, map as the parent.",
+        ko="odom_T_map입니다. 같은 연결을 거꾸로 읽은 것입니다. map이 부모인 map_T_odom이 필요합니다.",
+    ),
+    "M1",
+)
+
+SUBTRACTED = Twin(
+    "subtracted",
+    by_parts,
+    Words(
+        en="You subtracted steps and yaws. That is right only while nobody is turned: the wheels' step is measured along axes that point elsewhere.",
+        ko="이동과 yaw를 따로 뺐습니다. 아무것도 돌아 있지 않을 때만 맞습니다. 바퀴의 이동은 다른 방향을 보는 축으로 잰 것입니다.",
+    ),
+    "M3",
+)
+
+WHERE_THE_ROBOT_IS = Twin(
+    "where the robot is",
+    lambda map_T_base, odom_T_base: map_T_base,
+    Words(
+        en="You publish where the robot is. But base hangs below odom already, by the wheels: what is missing is the edge above odom.",
+        ko="로봇의 위치를 그대로 발행합니다. 하지만 base는 이미 바퀴에 의해 odom 아래에 있습니다. 필요한 것은 odom 위의 연결입니다.",
+    ),
+    "M7",
+)
+
+WHAT_THE_WHEELS_SAY = Twin(
+    "what the wheels say",
+    lambda map_T_base, odom_T_base: odom_T_base,
+    Words(
+        en="That is what the wheels publish already. The map has no part in it.",
+        ko="바퀴가 이미 발행하는 값입니다. 지도에서 찾은 위치가 들어 있지 않습니다.",
+    ),
+    "M7",
+)
+
+
+TASK = Task(
+    id="E5.1",
+    kind="F",
+    points=4,
+    title=Words(en="What a localiser publishes", ko="위치 추정 노드가 발행하는 것"),
+    answer="map_to_odom",
+    form=Pose(),
+    inputs=two_poses,
+    variants=3,
+    model=product,
+    twins=(
+        NO_INVERSE,
+        OTHER_ORDER,
+        THE_OTHER_WAY,
+        FOUND_TURNED_ROUND,
+        SUBTRACTED,
+        WHERE_THE_ROBOT_IS,
+        WHAT_THE_WHEELS_SAY,
+    ),
+    hints=(
+        Words(
+            en="Write the names as dominoes: [map|base] and [odom|base].",
+            ko="이름을 도미노로 써 보세요. [map|base]와 [odom|base]입니다.",
+        ),
+        Words(
+            en="One of them has to be turned round, so that base meets base.",
+            ko="base와 base가 만나도록 하나를 뒤집어야 합니다.",
+        ),
+        Words(
+            en="`.inverse()` turns a Transform round, and `@` joins two.",
+            ko="`.inverse()`는 Transform을 뒤집고 `@`는 둘을 잇습니다.",
+        ),
+    ),
+    cures=("M1", "M3", "M7"),
+)

@@ -1,0 +1,164 @@
+"""E5.2: A loop closes."""
+
+from __future__ import annotations
+
+import math
+
+from tflab.core import Transform
+from tflab.workbook.tasks import Number, Parts, Pose, Task, Twin, Vector, Words
+
+from .draws import by_parts, on_the_floor
+
+
+def closing_loop(rng):
+    """The robot is found some way beside where it was believed, and turned."""
+    map_T_odom, odom_T_base = on_the_floor(rng, 2.0), on_the_floor(rng, 4.0)
+    way = float(rng.choice([-1.0, 1.0]))
+    aside = Transform.from_rpy(
+        yaw=way * float(rng.uniform(0.1, 0.3)),
+        translation=(float(rng.uniform(0.3, 0.7)), float(rng.uniform(0.2, 0.5)), 0.0),
+    )
+    found = map_T_odom @ odom_T_base @ aside
+    x, y, _ = found.translation
+    found = Transform.from_rpy(yaw=round(found.rpy()[2], 2), translation=(round(x, 2), round(y, 2), 0.0))
+    return {"map_T_odom": map_T_odom, "odom_T_base": odom_T_base, "found_T_base": found}
+
+
+def closure(g, believed=None, jump=None, edge=None, step=0.0):
+    before = g.map_T_odom @ g.odom_T_base
+    return {
+        "believed": list(before.translation[:2]) if believed is None else list(believed),
+        "jump_m": math.dist(before.translation, g.found_T_base.translation) if jump is None else jump,
+        "map_T_odom": g.found_T_base @ g.odom_T_base.inverse() if edge is None else edge,
+        "step_in_odom_m": step,
+    }
+
+
+def jump_of_the_edge(g):
+    new = g.found_T_base @ g.odom_T_base.inverse()
+    return closure(g, jump=math.dist(new.translation, g.map_T_odom.translation))
+
+
+def odometry_is_reset(g):
+    before = g.map_T_odom @ g.odom_T_base
+    return closure(g, step=math.dist(before.translation, g.found_T_base.translation))
+
+
+ODOMETRY_IS_RESET = Twin(
+    "odometry is reset",
+    odometry_is_reset,
+    Words(
+        en="In odom nothing leaps: a correction does not touch what the wheels say, it moves odom as a whole.",
+        ko="odom 기준으로는 아무것도 튀지 않습니다. 보정은 바퀴의 값을 건드리지 않고 odom 전체를 옮깁니다.",
+    ),
+    "M8",
+    part="step_in_odom_m",
+)
+
+JUMP_OF_THE_EDGE = Twin(
+    "jump of the edge",
+    jump_of_the_edge,
+    Words(
+        en="That is how far odom's origin slides. The edge also turns, about that origin, so the robot, some metres away, leaps by another distance.",
+        ko="odom의 원점이 미끄러진 거리입니다. 연결은 그 원점을 중심으로 돌기도 하므로, 몇 미터 떨어진 로봇이 튀는 거리는 다릅니다.",
+    ),
+    part="jump_m",
+)
+
+OLD_EDGE_KEPT = Twin(
+    "old edge kept",
+    lambda g: closure(g, edge=g.map_T_odom),
+    Words(
+        en="The edge is still the old one. What the localiser found has to go into it.",
+        ko="연결이 아직 그대로입니다. 새로 알아낸 위치가 이 연결에 들어가야 합니다.",
+    ),
+    part="map_T_odom",
+)
+
+SUBTRACTED = Twin(
+    "subtracted",
+    lambda g: closure(g, edge=by_parts(g.found_T_base, g.odom_T_base)),
+    Words(
+        en="For the edge you subtracted steps and yaws. As soon as something is turned, that is no transform of anything: lay the dominoes.",
+        ko="연결을 구할 때 이동과 yaw를 따로 뺐습니다. 무엇이든 돌아 있으면 맞지 않습니다. 도미노를 놓아 보세요.",
+    ),
+    "M3",
+    part="map_T_odom",
+)
+
+ROBOT_PUBLISHED = Twin(
+    "robot published",
+    lambda g: closure(g, edge=g.found_T_base),
+    Words(
+        en="You give where the robot is as the edge. The edge lies above odom; the wheels' part has to be taken out.",
+        ko="로봇의 위치를 연결로 썼습니다. 연결은 odom 위에 있으므로 바퀴의 몫을 빼내야 합니다.",
+    ),
+    "M7",
+    part="map_T_odom",
+)
+
+BELIEVED_IN_ODOM = Twin(
+    "believed in odom",
+    lambda g: closure(g, believed=g.odom_T_base.translation[:2]),
+    Words(
+        en="That is where the robot is in odom. On the map the edge above odom comes first.",
+        ko="odom 기준 로봇의 위치입니다. 지도 기준으로는 odom 위의 연결을 먼저 이어야 합니다.",
+    ),
+    part="believed",
+)
+
+BELIEVED_ADDED = Twin(
+    "believed added",
+    lambda g: closure(
+        g, believed=[a + b for a, b in zip(g.map_T_odom.translation, g.odom_T_base.translation, strict=True)][:2]
+    ),
+    Words(
+        en="You added the two steps. The second is measured along odom's axes, and odom is turned in map.",
+        ko="두 이동을 그대로 더했습니다. 둘째 이동은 odom의 축으로 잰 것이고, odom은 map에서 돌아가 있습니다.",
+    ),
+    "M3",
+    part="believed",
+)
+
+
+TASK = Task(
+    id="E5.2",
+    kind="N",
+    points=4,
+    title=Words(en="A loop closes", ko="고리가 닫힐 때"),
+    answer="closure",
+    form=Parts(
+        {
+            "believed": Vector(2, unit="m", tolerance=0.005),
+            "jump_m": Number(unit="m", tolerance=0.005),
+            "map_T_odom": Pose(tolerance_m=0.005, tolerance_rad=0.005),
+            "step_in_odom_m": Number(unit="m", tolerance=0.005),
+        }
+    ),
+    given=closing_loop,
+    variants=6,
+    twins=(
+        ODOMETRY_IS_RESET,
+        JUMP_OF_THE_EDGE,
+        OLD_EDGE_KEPT,
+        SUBTRACTED,
+        ROBOT_PUBLISHED,
+        BELIEVED_IN_ODOM,
+        BELIEVED_ADDED,
+    ),
+    hints=(
+        Words(
+            en="Before: map_T_odom @ odom_T_base. After: found_T_base.",
+            ko="이전에는 map_T_odom @ odom_T_base, 이후에는 found_T_base입니다.",
+        ),
+        Words(
+            en="The jump is the distance between the two; the edge is E5.1 once more.",
+            ko="튄 거리는 둘 사이의 거리이고, 연결은 E5.1과 같습니다.",
+        ),
+        Words(
+            en="The wheels notice nothing of all this.",
+            ko="바퀴는 이 모든 일을 전혀 알아채지 못합니다.",
+        ),
+    ),
+    cures=("M3", "M7", "M8"),
+)

@@ -1,0 +1,150 @@
+"""E5.3: Which frame for which job?"""
+
+from __future__ import annotations
+
+from tflab.workbook.tasks import Choice, Parts, Task, Twin, Words
+
+RIGHT = {
+    "dock": "map",
+    "line": "odom",
+    "laser": "base_link",
+    "kitchen": "map",
+    "speed": "odom",
+    "obstacles": "odom",
+    "tray": "base_link",
+    "goal": "map",
+}
+
+
+def but(*jobs, frame):
+    return {**RIGHT, **dict.fromkeys(jobs, frame)}
+
+
+MAP_FOR_CONTROL = Twin(
+    "map for control",
+    but("line", "speed", "obstacles", frame="map"),
+    Words(
+        en="In map the robot leaps at each correction: a speed of metres a second that nobody drove, obstacles that move aside. What is young and near wants the smooth frame.",
+        ko="map 기준으로는 보정할 때마다 로봇이 튑니다. 달리지 않은 속도가 나오고 장애물이 옆으로 움직입니다. 새롭고 가까운 것에는 매끄러운 좌표계를 씁니다.",
+    ),
+    "M8",
+)
+
+SPEED_IN_MAP = Twin(
+    "speed in map",
+    but("speed", frame="map"),
+    Words(
+        en="speed: from poses in map a correction of 24 cm in a tenth of a second looks like more than 2 m/s.",
+        ko="speed: map 기준 포즈로 계산하면 0.1초 사이의 24 cm 보정이 2 m/s가 넘는 속도로 보입니다.",
+    ),
+    "M8",
+)
+
+LINE_IN_MAP = Twin(
+    "line in map",
+    but("line", frame="map"),
+    Words(
+        en="line: a controller in map takes each correction for a push. Half a metre is over before odom has drifted.",
+        ko="line: map 기준 제어기는 보정을 떠밀린 것으로 받아들입니다. 0.5미터는 odom이 흐르기 전에 끝납니다.",
+    ),
+    "M8",
+)
+
+OBSTACLES_IN_MAP = Twin(
+    "obstacles in map",
+    but("obstacles", frame="map"),
+    Words(
+        en="obstacles: when the robot leaps on the map, what it saw a moment ago does not leap along.",
+        ko="obstacles: 지도 위에서 로봇이 튈 때 방금 본 것은 함께 튀지 않습니다.",
+    ),
+    "M8",
+)
+
+OBSTACLES_ON_BOARD = Twin(
+    "obstacles on board",
+    but("obstacles", frame="base_link"),
+    Words(
+        en="obstacles: in base_link their numbers are sour as soon as the robot has moved. They rest in the room, not on the robot.",
+        ko="obstacles: base_link 기준 숫자는 로봇이 움직이면 바로 상합니다. 장애물은 로봇이 아니라 방에 가만히 있습니다.",
+    ),
+)
+
+GOALS_IN_ODOM = Twin(
+    "goals in odom",
+    but("dock", "kitchen", "goal", frame="odom"),
+    Words(
+        en="Goals kept in odom drift away: 0.7 m after ten seconds, 2.8 m after forty, on the page's robot. What is to hold for long belongs into the frame that does not drift.",
+        ko="odom에 둔 목적지는 흘러갑니다. 이 장의 로봇에서는 10초 뒤 0.7 m, 40초 뒤 2.8 m였습니다. 오래 쓸 것은 흐르지 않는 좌표계에 둡니다.",
+    ),
+    "M8",
+)
+
+GOAL_IN_ODOM = Twin(
+    "goal in odom",
+    but("goal", frame="odom"),
+    Words(
+        en="goal: for ten minutes odom drifts away under it. Corrections move the robot on the map, not the goal.",
+        ko="goal: 10분 동안 odom이 흘러갑니다. 보정은 지도 위의 로봇을 옮기지 목적지를 옮기지 않습니다.",
+    ),
+    "M8",
+)
+
+ALL_MAP = Twin(
+    "all map",
+    but(*RIGHT, frame="map"),
+    Words(
+        en="map for everything: accurate on average, and it leaps. Ask for each job: do I need smooth, or do I need lasting, or does it ride along?",
+        ko="모두 map입니다. 평균은 정확하지만 튑니다. 일마다 물어보세요. 매끄러워야 합니까, 오래가야 합니까, 함께 움직입니까?",
+    ),
+    "M8",
+)
+
+ALL_ODOM = Twin(
+    "all odom",
+    but(*RIGHT, frame="odom"),
+    Words(
+        en="odom for everything: smooth, and after some minutes in another room. Ask for each job: smooth, lasting, or riding along?",
+        ko="모두 odom입니다. 매끄럽지만 몇 분 뒤에는 다른 방에 있습니다. 일마다 물어보세요. 매끄러워야 합니까, 오래가야 합니까, 함께 움직입니까?",
+    ),
+    "M8",
+)
+
+BOLTED_IN_THE_ROOM = Twin(
+    "bolted in the room",
+    but("laser", "tray", frame="odom"),
+    Words(
+        en="What rides on the robot changes its numbers in odom with every wheel's turn. In which frame do they stand still?",
+        ko="로봇에 실린 것은 바퀴가 돌 때마다 odom 기준 숫자가 바뀝니다. 어느 좌표계에서 숫자가 가만히 있습니까?",
+    ),
+)
+
+
+TASK = Task(
+    id="E5.3",
+    kind="M",
+    points=4,
+    title=Words(en="Which frame for which job?", ko="어떤 일에 어떤 좌표계를 씁니까?"),
+    answer="jobs",
+    form=Parts({job: Choice(("map", "odom", "base_link")) for job in RIGHT}),
+    twins=(
+        MAP_FOR_CONTROL,
+        SPEED_IN_MAP,
+        LINE_IN_MAP,
+        OBSTACLES_IN_MAP,
+        OBSTACLES_ON_BOARD,
+        GOALS_IN_ODOM,
+        GOAL_IN_ODOM,
+        ALL_MAP,
+        ALL_ODOM,
+        BOLTED_IN_THE_ROOM,
+    ),
+    hints=(
+        Words(en="Ask how long the numbers have to hold.", ko="숫자가 얼마나 오래 맞아야 하는지 물어보세요."),
+        Words(
+            en="Minutes and more: map. The next and the last few seconds: odom.",
+            ko="몇 분 이상이면 map, 앞뒤 몇 초면 odom입니다.",
+        ),
+        Words(en="What is bolted on or carried: base_link.", ko="고정되어 있거나 실려 있으면 base_link입니다."),
+    ),
+    cures=("M8",),
+)
