@@ -14,6 +14,8 @@ from tflab.workbook.tasks import Quaternion, Slip, Task, Twin, Words
 def two_turns(rng: np.random.Generator) -> dict:
     """Draw a yaw and a pitch, both large enough for their order to be seen."""
     yaw = rng.choice((-1, 1)) * rng.uniform(0.5, 2.0)
+    if abs(abs(yaw) - math.pi / 2) < 0.1:  # a quarter turn makes a roll of a pitch, whichever came first
+        yaw *= 0.85
     pitch = rng.choice((-1, 1)) * rng.uniform(0.4, 1.2)
     return {"first_yaw_rad": round(float(yaw), 2), "then_pitch_rad": round(float(pitch), 2)}
 

@@ -11,7 +11,17 @@ from .draws import by_parts, on_the_floor
 
 
 def closing_loop(rng):
-    """The robot is found some way beside where it was believed, and turned."""
+    """The robot is found some way beside where it was believed, and turned; odom's origin slides another way."""
+    while True:
+        given = _one_loop(rng)
+        new_edge = given["found_T_base"] @ given["odom_T_base"].inverse()
+        slide_m = math.dist(new_edge.translation, given["map_T_odom"].translation)
+        believed = given["map_T_odom"] @ given["odom_T_base"]
+        if abs(slide_m - math.dist(believed.translation, given["found_T_base"].translation)) > 0.05:
+            return given
+
+
+def _one_loop(rng):
     map_T_odom, odom_T_base = on_the_floor(rng, 2.0), on_the_floor(rng, 4.0)
     way = float(rng.choice([-1.0, 1.0]))
     aside = Transform.from_rpy(

@@ -39,7 +39,7 @@ def between(
     """Return what the buffer does, step by step; other steps are the slips."""
     (t0, x0, y0, yaw0), (t1, x1, y1, yaw1) = before, after
     inside = t0 < stamp_s < t1 if outside == "samples, too" else t0 <= stamp_s <= t1
-    near = t0 - 0.12 <= stamp_s <= t1 + 0.12
+    near = abs(stamp_s - (t0 + t1) / 2) <= 0.6 * (t1 - t0)  # a tenth of the gap beyond either sample
     if not inside and not (outside == "guessed" or outside == "clamped" or (outside == "a little" and near)):
         if outside == "None":
             return None
