@@ -58,6 +58,7 @@ class Mark(NamedTuple):
         return abs(self.value - other.value) <= max(self.tolerance, other.tolerance) + 1e-12 * abs(other.value)
 
 
+Names = tuple[str, str]  # parent and child
 Row = tuple[Mark, ...]
 Probe = list[Row]  # equal ways to write the same
 
@@ -94,14 +95,14 @@ class Form:
         """Return whether `answer` has every probe of `expected`."""
         return all(self.judge(answer, expected))
 
-    def alike(self, one: Plain, other: Plain) -> bool:
+    def alike(self, answer: Plain, other: Plain) -> bool:
         """Return whether two answers are the same; neither need be of this form."""
         if is_raised(other):
-            return self.same(one, other)
+            return self.same(answer, other)
         wanted = self.read(other)
         if wanted is None or not all(wanted):  # or a part of it is of another kind
-            return one == other
-        return all(_compared(self.read(one), wanted))
+            return answer == other
+        return all(_compared(self.read(answer), wanted))
 
     def plain(self) -> dict[str, Any]:
         """Return the form as JSON has it: its class and its fields."""
@@ -240,28 +241,37 @@ def member(plain: Plain, *names: str) -> Plain:
     return plain
 
 
-def pose_of(plain: Plain) -> tuple[tuple[str, str] | None, int | None, tuple[float, ...], tuple[float, ...]] | None:
+def pose_of(plain: Plain) -> tuple[Names | None, int | None, tuple[float, ...], tuple[float, ...]] | None:
     """Return (parent, child), stamp [ns], translation and rotation of anything that is a transform, or None."""
-    kind, body = next(iter(plain.items())) if isinstance(plain, dict) and len(plain) == 1 else (None, plain)
-    names, stamp_ns = None, None
-    if kind == "StampedTransform" and isinstance(body, list) and len(body) == 5:
-        parent, child, stamp_ns, *rows = body
-        names = (str(parent), str(child))
-    elif kind == "Transform" and isinstance(body, list) and len(body) == 2:
-        rows = body
-    elif kind == "message":
-        if (inner := member(plain, "transform")) is not None:
-            names = (str(member(plain, "header", "frame_id")), str(member(plain, "child_frame_id")))
-            sec, nanosec = member(plain, "header", "stamp", "sec"), member(plain, "header", "stamp", "nanosec")
-            stamp_ns = sec * 1_000_000_000 + nanosec if isinstance(sec, int) and isinstance(nanosec, int) else None
-            plain = inner
-        rows = [member(plain, "translation"), member(plain, "rotation")]
-    else:
-        rows = _rows_of_matrix(body)
+    names, stamp_ns, rows = _parts_of_pose(plain)
     translation, rotation = (numbers_of(rows[0], 3), numbers_of(rows[1], 4)) if rows else (None, None)
     if translation is None or rotation is None:
         return None
     return names, stamp_ns, translation, rotation
+
+
+def _parts_of_pose(plain: Plain) -> tuple[Names | None, Any, list | None]:
+    """Return the frames, the stamp and the rows of what is written as a transform; the rows are not looked at yet."""
+    kind, body = next(iter(plain.items())) if isinstance(plain, dict) and len(plain) == 1 else (None, plain)
+    if kind == "StampedTransform" and isinstance(body, list) and len(body) == 5:
+        parent, child, stamp_ns, *rows = body
+        return (str(parent), str(child)), stamp_ns, rows
+    if kind == "Transform" and isinstance(body, list) and len(body) == 2:
+        return None, None, body
+    if kind == "message":
+        return _parts_of_message(plain)
+    return None, None, _rows_of_matrix(body)
+
+
+def _parts_of_message(plain: Plain) -> tuple[Names | None, int | None, list]:
+    """Return the same of a message: a Transform, or a TransformStamped, which has frames and a stamp."""
+    names, stamp_ns = None, None
+    if (inner := member(plain, "transform")) is not None:
+        names = (str(member(plain, "header", "frame_id")), str(member(plain, "child_frame_id")))
+        sec, nanosec = member(plain, "header", "stamp", "sec"), member(plain, "header", "stamp", "nanosec")
+        stamp_ns = sec * 1_000_000_000 + nanosec if isinstance(sec, int) and isinstance(nanosec, int) else None
+        plain = inner
+    return names, stamp_ns, [member(plain, "translation"), member(plain, "rotation")]
 
 
 def _rows_of_matrix(rows: Plain) -> list | None:
