@@ -153,6 +153,9 @@ class _Writer:
             return self.plain(value.tolist(), depth + 1)
         if isinstance(value, array | bytes | deque | range | ValuesView | Iterator):
             return self.plain(list(islice(value, MAX_MEMBERS + 1)), depth)
+        return self._of_space_and_time(value, depth)
+
+    def _of_space_and_time(self, value: object, depth: int) -> Plain:
         if isinstance(value, Transform):
             return {"Transform": _rows(value)}
         if isinstance(value, StampedTransform):
@@ -169,6 +172,9 @@ class _Writer:
             return {"BufferCore": _plain_buffer(value)}
         if isinstance(value, tf2_buffer.BufferCore):
             return {"Buffer": _plain_buffer(value.core)}
+        return self._other(value, depth)
+
+    def _other(self, value: object, depth: int) -> Plain:
         if isinstance(value, BaseException):
             return {"object": f"{type(value).__name__}, returned and not raised"}
         if dataclasses.is_dataclass(value) and not isinstance(value, type):
