@@ -42,23 +42,31 @@ def credited(
         return [list(row) for row in rights]
     if habit(form, cases, outcomes):
         return [[False] * len(row) for row in rights]
-    kept = [list(row) for row in rights]
-    values = [number for number, case in enumerate(cases) if not is_raised(case.expected)]
-    for place in range(min((len(rights[number]) for number in values), default=0)):
-        expected = [cases[number].expected for number in values]
-        right = [cases[number].expected for number in values if rights[number][place]]
+    by_luck = _right_by_luck(form, cases, rights)
+    return [
+        [right and (is_raised(case.expected) or place not in by_luck) for place, right in enumerate(row)]
+        for case, row in zip(cases, rights, strict=True)
+    ]
+
+
+def _right_by_luck(form: Form, cases: Sequence[Case], rights: Sequence[list[bool]]) -> set[int]:
+    """Return the places at which different results are expected, and the function is right for one of them only."""
+    values = [(case.expected, row) for case, row in zip(cases, rights, strict=True) if not is_raised(case.expected)]
+    expected = [value for value, _ in values]
+    by_luck = set()
+    for place in range(min((len(row) for _, row in values), default=0)):
+        right = [value for value, row in values if row[place]]
         if _differ(form, expected, place) and not _differ(form, right, place):
-            for number in values:
-                kept[number][place] = False
-    return kept
+            by_luck.add(place)
+    return by_luck
 
 
 def habit(form: Form, cases: Sequence[Case], outcomes: Sequence[Plain]) -> str:
     """Return what a function does whatever it is asked: "constant", "echo", or "" if neither."""
     expected = [case.expected for case in cases]
-    if len(cases) < 2 or all(form.alike(one, expected[0]) for one in expected[1:]):
+    if len(cases) < 2 or all(form.alike(value, expected[0]) for value in expected[1:]):
         return ""
-    if all(form.alike(one, outcomes[0]) for one in outcomes[1:]):
+    if all(form.alike(outcome, outcomes[0]) for outcome in outcomes[1:]):
         return "constant"
     count = min(len(case.args or ()) for case in cases)
     for place in range(count):
@@ -95,7 +103,7 @@ def _guessed(form: Form, cases: Sequence[Case], known: Sequence[bool]) -> int:
 
 def _most_frequent(form: Form, values: Sequence[Plain]) -> int:
     """Return how many probes a constant has, made of what is most frequent at each place; once is not frequent."""
-    rows = [[form.judge(one, other) for other in values] for one in values]
+    rows = [[form.judge(constant, value) for value in values] for constant in values]
     places = min((len(row[0]) for row in rows), default=0)
     counts = [max(sum(right[place] for right in row) for row in rows) for place in range(places)]
     return sum(count for count in counts if count > 1)
@@ -112,4 +120,4 @@ def _fewest_args(cases: Sequence[Case]) -> int:
 
 def _differ(form: Form, values: Iterable[Plain], place: int) -> bool:
     """Return whether two of these values have different probes at `place`."""
-    return any(not form.judge(one, other)[place] for one, other in combinations(values, 2))
+    return any(not form.judge(value, other)[place] for value, other in combinations(values, 2))
