@@ -71,7 +71,7 @@ def build() -> Any:
         def ask_exit(self) -> None:
             """End nothing: there may be answers after a cell with `exit` in it."""
 
-    class Kernel(IPythonKernel):
+    class SocketlessKernel(IPythonKernel):
         shell_class = TypeTrait(Shell)
         shell_stream = AnyTrait()
 
@@ -88,7 +88,7 @@ def build() -> Any:
     config.InteractiveShell.xmode = "Minimal"  # nobody reads the traceback, and a full one takes long
     config.InteractiveShell.colors = "nocolor"
     config.InteractiveShell.cache_size = 1000
-    kernel = Kernel.instance(
+    kernel = SocketlessKernel.instance(
         config=config,
         session=OneWire(config=config, key=b""),
         iopub_socket=object(),
