@@ -65,19 +65,11 @@ FOLDERS = {
 SHARED_NAMES = {
     "BufferCore": "tf2_py's face of the engine's class, under its name",
     "Clock": "rclpy's class, and the clock of a recording",
+    "Message": "what every ROS message is, and the form of an answer that is one",
     "Service": "rclpy's class, and what a service is made of",
     "Task": "rclpy's class, and a task of the workbook",
     "TimeoutException": "rclpy's class, and tf2's",
 }
-NOT_YET_UNIQUE = {
-    "Box", "Fault", "Kernel", "Label", "Mesh", "Message",
-    "Scene",
-}  # fmt: skip
-NOT_YET_SIMPLE = {
-    "_by_learner", "_cells", "_draw_lanes", "_output_faults", "_pairs", "_reply",
-    "_source", "_special", "_task", "build", "collect", "credited",
-    "plan", "pose_of", "slides_of",
-}  # fmt: skip
 
 LONGEST_PAGE = 400  # lines
 BROKEN_WORD = r"\w+[a-z]-\n\s*[a-z]\w+"
@@ -190,7 +182,7 @@ def test_no_function_has_more_branches_than_a_reader_can_hold() -> None:
         blocks = cc_visit(path.read_text(encoding="utf-8"))
         functions = [inner for block in blocks for inner in (block, *getattr(block, "methods", ()))]
         hard |= {f"{name}.{f.name}": f.complexity for f in functions if f.letter != "C" and f.complexity > MOST_COMPLEX}
-    assert {function for function in hard if function.rpartition(".")[2] not in NOT_YET_SIMPLE} == set(), hard
+    assert hard == {}
 
 
 def test_no_docstring_breaks_a_word_over_a_line() -> None:
@@ -210,7 +202,7 @@ def test_a_class_name_stands_for_one_thing() -> None:
             if isinstance(node, ast.ClassDef):
                 where[node.name].add(name)
     shared = {word: sorted(pages) for word, pages in where.items() if len(pages) > 1}
-    assert set(shared) - NOT_YET_UNIQUE == set(SHARED_NAMES), shared
+    assert set(shared) == set(SHARED_NAMES), shared
 
 
 # -- the tour -------------------------------------------------------------
