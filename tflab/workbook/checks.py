@@ -50,8 +50,8 @@ TRIES_BEFORE_SOLUTION = 3
 _hints_seen: dict[str, int] = {}  # where no progress is kept
 
 
-class _Task(NamedTuple):
-    """A task as this learner has it."""
+class _AssignedTask(NamedTuple):
+    """A task as this learner has it: with their variant of it."""
 
     id: str
     stem: str
@@ -75,9 +75,10 @@ def task(task_id: str) -> SimpleNamespace | None:
     Raises:
         WorkbookError: there is no such task.
     """
-    one = _find(task_id)
-    given = one.variant.given
-    print(f"{one.id} · {one.words(POINT if one.cases.points == 1 else POINTS, points=one.cases.points)}")
+    assigned = _find(task_id)
+    given = assigned.variant.given
+    points = assigned.cases.points
+    print(f"{assigned.id} · {assigned.words(POINT if points == 1 else POINTS, points=points)}")
     if given is None:
         return None
     values = {name: from_plain(value) for name, value in given.items()}
@@ -92,71 +93,71 @@ def check(task_id: str, answer: Any = NOTHING) -> float | None:
         None; under nbgrader (NBGRADER_EXECUTION) the points, as it takes them for partial credit.
     """
     try:
-        one = _find(task_id)
+        assigned = _find(task_id)
     except (WorkbookError, TaskError) as error:
         show_reply(task_id, str(error))
         return 0.0 if os.environ.get("NBGRADER_EXECUTION") else None
     if answer is NOTHING:
-        show_reply(one.id, one.phrase("no_answer_given"))
+        show_reply(assigned.id, assigned.phrase("no_answer_given"))
         verdict = Verdict(0, 1, Mistake.UNANSWERED)
     else:
-        verdict, outcomes = _tried(one, answer)
+        verdict, outcomes = _tried(assigned, answer)
         if verdict.mistake is not Mistake.UNANSWERED:
-            progress.record_try(one.root, one.id, verdict.passed, verdict.of, next(iter(verdict.slips), None))
-        _say_verdict(one, verdict, outcomes)
+            progress.record_try(assigned.root, assigned.id, verdict.passed, verdict.of, next(iter(verdict.slips), None))
+        _say_verdict(assigned, verdict, outcomes)
     if os.environ.get("NBGRADER_EXECUTION"):
-        return round(one.cases.points * verdict.passed / verdict.of, 4)
+        return round(assigned.cases.points * verdict.passed / verdict.of, 4)
     return None
 
 
 def hint(task_id: str) -> None:
     """Print the next of a task's three hints."""
     try:
-        one = _find(task_id)
+        assigned = _find(task_id)
     except (WorkbookError, TaskError) as error:
         show_reply(task_id, str(error))
         return
-    number = progress.record_hint(one.root, one.id) or _hints_seen.get(one.id, 0) + 1
-    _hints_seen[one.id] = number
-    hints = one.cases.hints
-    head = one.phrase("hint_number", number=number) if number <= len(hints) else one.phrase("last_hint")
-    show_reply(f"{one.id} · {head}", one.words(hints[min(number, len(hints)) - 1]))
+    number = progress.record_hint(assigned.root, assigned.id) or _hints_seen.get(assigned.id, 0) + 1
+    _hints_seen[assigned.id] = number
+    hints = assigned.cases.hints
+    head = assigned.phrase("hint_number", number=number) if number <= len(hints) else assigned.phrase("last_hint")
+    show_reply(f"{assigned.id} · {head}", assigned.words(hints[min(number, len(hints)) - 1]))
 
 
 def solution(task_id: str) -> None:
     """Print the solution's answer cell, after a pass or three tries; a class's solutions are with its instructor."""
     try:
-        one = _find(task_id)
+        assigned = _find(task_id)
     except (WorkbookError, TaskError) as error:
         show_reply(task_id, str(error))
         return
-    if one.workbook.edition == "class":
-        show_reply(one.id, one.phrase("solution_of_class"))
+    if assigned.workbook.edition == "class":
+        show_reply(assigned.id, assigned.phrase("solution_of_class"))
         return
-    tried = progress.attempts(one.root, one.id)
-    is_copy = one.root != workbook_data()
+    tried = progress.attempts(assigned.root, assigned.id)
+    is_copy = assigned.root != workbook_data()
     if is_copy and not tried.passed and tried.tries < TRIES_BEFORE_SOLUTION:
-        show_reply(one.id, one.phrase("solution_later", tries=tried.tries))
+        show_reply(assigned.id, assigned.phrase("solution_later", tries=tried.tries))
         return
-    path = workbook_data() / "solutions" / one.workbook.language / f"{one.stem}.ipynb"
+    path = workbook_data() / "solutions" / assigned.workbook.language / f"{assigned.stem}.ipynb"
     try:
         cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
     except OSError as error:
-        show_reply(one.id, one.phrase("no_cases", why=error))
+        show_reply(assigned.id, assigned.phrase("no_cases", why=error))
         return
-    answers = [cell["source"] for cell in cells if cell["id"] == answer_cell_name(one.id)]
+    answers = [cell["source"] for cell in cells if cell["id"] == answer_cell_name(assigned.id)]
     print(without_marks("".join(line for lines in answers for line in lines)).rstrip())
 
 
 # -- trying ---------------------------------------------------------------------------
 
 
-def _tried(one: _Task, answer: Any) -> tuple[Verdict, list[Plain]]:
+def _tried(assigned: _AssignedTask, answer: Any) -> tuple[Verdict, list[Plain]]:
     """Return the verdict, and what came out of each case."""
-    cases = one.variant.cases
-    if not one.cases.is_function:
+    cases = assigned.variant.cases
+    if not assigned.cases.is_function:
         outcomes = [outcome_of(lambda: answer, ())]
-        return judge_outcomes(one.cases, one.variant, outcomes), outcomes
+        return judge_outcomes(assigned.cases, assigned.variant, outcomes), outcomes
     if not callable(answer):
         mistake = Mistake.UNANSWERED if answer is ... else Mistake.NOT_A_FUNCTION
         verdict = Verdict(0, len(cases), mistake, detail={"got": kind_of(outcome_of(lambda: answer, ()))})
@@ -174,53 +175,53 @@ def _tried(one: _Task, answer: Any) -> tuple[Verdict, list[Plain]]:
         outcomes.append(first)
         if number == 0 and is_unanswered(first):
             return Verdict(0, len(cases), Mistake.UNANSWERED), []
-    return judge_outcomes(one.cases, one.variant, outcomes), outcomes
+    return judge_outcomes(assigned.cases, assigned.variant, outcomes), outcomes
 
 
 # -- saying ---------------------------------------------------------------------------
 
 
-def _say_verdict(one: _Task, verdict: Verdict, outcomes: list[Plain]) -> None:
-    score = f"{one.id} {'✗' if verdict.mistake else '✓'} {verdict.passed}/{verdict.of}"
+def _say_verdict(assigned: _AssignedTask, verdict: Verdict, outcomes: list[Plain]) -> None:
+    score = f"{assigned.id} {'✗' if verdict.mistake else '✓'} {verdict.passed}/{verdict.of}"
     if verdict.mistake is None:
-        _say_passed(one, score, verdict.of)
+        _say_passed(assigned, score, verdict.of)
         return
     if verdict.mistake is Mistake.UNANSWERED:
-        show_reply(one.id, one.words(REPLIES[verdict.mistake]))
+        show_reply(assigned.id, assigned.words(REPLIES[verdict.mistake]))
         return
     more = []
-    if one.cases.is_function and outcomes:
-        more.append(one.phrase("case", call=_call(one, verdict.case), got=_shown(outcomes[verdict.case])))
-    tried = progress.attempts(one.root, one.id)
-    if one.workbook.edition == "self-study" and tried.tries >= TRIES_BEFORE_SOLUTION:
-        more.append(one.phrase("solution"))
+    if assigned.cases.is_function and outcomes:
+        more.append(assigned.phrase("case", call=_call(assigned, verdict.case), got=_shown(outcomes[verdict.case])))
+    tried = progress.attempts(assigned.root, assigned.id)
+    if assigned.workbook.edition == "self-study" and tried.tries >= TRIES_BEFORE_SOLUTION:
+        more.append(assigned.phrase("solution"))
     elif verdict.mistake in (Mistake.VALUE, Mistake.SLIP, Mistake.PARTS):
-        more.append(one.phrase("hint"))
-    show_reply(score, _reply(one, verdict), more, "wrong")
-    _show_both(one, verdict, outcomes)
+        more.append(assigned.phrase("hint"))
+    show_reply(score, _reply(assigned, verdict), more, "wrong")
+    _show_both(assigned, verdict, outcomes)
 
 
-def _say_passed(one: _Task, score: str, of: int) -> None:
-    if one.root == workbook_data():  # a solution that is being built: the same in both languages, and plain
+def _say_passed(assigned: _AssignedTask, score: str, of: int) -> None:
+    if assigned.root == workbook_data():  # a solution that is being built: the same in both languages, and plain
         print(score)
         return
-    show_reply(score, more=[one.words(LATER[_what_was_tried(one)], of=of)], kind="passed")
+    show_reply(score, more=[assigned.words(LATER[_what_was_tried(assigned)], of=of)], kind="passed")
 
 
-def _what_was_tried(one: _Task) -> str:
-    if one.cases.is_function:
+def _what_was_tried(assigned: _AssignedTask) -> str:
+    if assigned.cases.is_function:
         return "function"
-    return "value" if one.variant.given else "same for all"
+    return "value" if assigned.variant.given else "same for all"
 
 
-def _reply(one: _Task, verdict: Verdict) -> str:
+def _reply(assigned: _AssignedTask, verdict: Verdict) -> str:
     if verdict.said is not None and verdict.mistake is Mistake.SLIP:
-        return one.words(verdict.said)
+        return assigned.words(verdict.said)
     names = {name: _listed(held) if isinstance(held, list) else held for name, held in verdict.detail.items()}
     bounds = names.get("certain")
-    names["certain"] = f" ({one.words(bounds)})" if bounds else ""
-    names = {"answer": one.cases.answer, "wanted": _wanted(one, verdict)} | names
-    text = one.words(REPLIES[verdict.mistake], **names)
+    names["certain"] = f" ({assigned.words(bounds)})" if bounds else ""
+    names = {"answer": assigned.cases.answer, "wanted": _wanted(assigned, verdict)} | names
+    text = assigned.words(REPLIES[verdict.mistake], **names)
     return f'"{names["part"]}": {text}' if "part" in names else text
 
 
@@ -228,19 +229,19 @@ def _listed(names: list[str]) -> str:
     return ", ".join(f'"{name}"' for name in names)
 
 
-def _wanted(one: _Task, verdict: Verdict) -> str:
-    form = one.cases.form
+def _wanted(assigned: _AssignedTask, verdict: Verdict) -> str:
+    form = assigned.cases.form
     part = verdict.detail.get("part")
     form = form.parts[part] if part else form
     if verdict.mistake is Mistake.OPTION and isinstance(form, Sequence):
         form = form.of
-    return form.wanted().say(one.workbook.language)
+    return form.wanted().say(assigned.workbook.language)
 
 
-def _call(one: _Task, case: int) -> str:
+def _call(assigned: _AssignedTask, case: int) -> str:
     """Return the call as it was made, short enough to read."""
-    arguments = ", ".join(show_in_a_line(from_plain(arg)) for arg in one.variant.cases[case].args)
-    return f"{one.cases.answer}({arguments})"
+    arguments = ", ".join(show_in_a_line(from_plain(arg)) for arg in assigned.variant.cases[case].args)
+    return f"{assigned.cases.answer}({arguments})"
 
 
 def _shown(outcome: Plain) -> str:
@@ -252,16 +253,16 @@ def _shown(outcome: Plain) -> str:
         return kind_of(outcome)
 
 
-def _show_both(one: _Task, verdict: Verdict, outcomes: list[Plain]) -> None:
+def _show_both(assigned: _AssignedTask, verdict: Verdict, outcomes: list[Plain]) -> None:
     """Draw the answer beside the right one, where both are in space: a function's, or a value after three tries."""
     from .tasks.comparison import picture_of
 
-    tries = progress.attempts(one.root, one.id).tries
+    tries = progress.attempts(assigned.root, assigned.id).tries
     if not outcomes or verdict.mistake not in (Mistake.SLIP, Mistake.VALUE, Mistake.UNIT):
         return
-    if not one.cases.is_function and tries < TRIES_BEFORE_SOLUTION:
+    if not assigned.cases.is_function and tries < TRIES_BEFORE_SOLUTION:
         return  # the picture would tell the number
-    picture = picture_of(one.cases.form, outcomes[verdict.case], one.variant.cases[verdict.case].expected)
+    picture = picture_of(assigned.cases.form, outcomes[verdict.case], assigned.variant.cases[verdict.case].expected)
     if picture is None:
         return
     from IPython import get_ipython
@@ -274,7 +275,7 @@ def _show_both(one: _Task, verdict: Verdict, outcomes: list[Plain]) -> None:
 # -- finding --------------------------------------------------------------------------
 
 
-def _find(task_id: str) -> _Task:
+def _find(task_id: str) -> _AssignedTask:
     """Return a task of this workbook, as this learner has it.
 
     Raises:
@@ -297,7 +298,7 @@ def _find(task_id: str) -> _Task:
         raise WorkbookError(_unknown(root, workbook, task_id, paths))
     held = cases.tasks[task_id]
     variant = held.variants[variant_of(workbook.learner, task_id, len(held.variants))]
-    return _Task(task_id, paths[0].stem, held, variant, root, workbook)
+    return _AssignedTask(task_id, paths[0].stem, held, variant, root, workbook)
 
 
 @lru_cache(maxsize=4)

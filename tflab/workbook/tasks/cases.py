@@ -111,7 +111,11 @@ def cases_json(cases: ChapterCases | dict[str, Any]) -> str:
 
     tasks = {
         name: task
-        | {"variants": [one | {"cases": [marked(case) for case in one["cases"]]} for one in task["variants"]]}
+        | {
+            "variants": [
+                variant | {"cases": [marked(case) for case in variant["cases"]]} for variant in task["variants"]
+            ]
+        }
         for name, task in plain["tasks"].items()
     }
     text = json.dumps(plain | {"tasks": tasks}, ensure_ascii=False, indent=1, sort_keys=True, allow_nan=False) + "\n"
@@ -166,7 +170,7 @@ def combinations(task: Task) -> list[tuple[Slip, Slip]]:
     steps = list(inspect.signature(task.model).parameters) if task.model else []
     slips = [twin for twin in task.twins if isinstance(twin, Slip)]
     slips.sort(key=lambda slip: min(map(steps.index, slip.at)))
-    return [(one, other) for one, other in pairs_of(slips, 2) if not set(one.at) & set(other.at)]
+    return [(first, then) for first, then in pairs_of(slips, 2) if not set(first.at) & set(then.at)]
 
 
 def _wrong(task: Task, outcome: Callable[[Any], Plain]) -> dict[str, Plain]:
@@ -174,8 +178,8 @@ def _wrong(task: Task, outcome: Callable[[Any], Plain]) -> dict[str, Plain]:
     wrong = {MODEL: outcome(task.model)} if task.model else {}
     for twin in task.twins:
         wrong[twin.name] = outcome(partial(task.model, **twin.at) if isinstance(twin, Slip) else twin.answer)
-    for one, other in combinations(task):
-        wrong[one.name + AND + other.name] = outcome(partial(task.model, **one.at, **other.at))
+    for first, then in combinations(task):
+        wrong[first.name + AND + then.name] = outcome(partial(task.model, **first.at, **then.at))
     return wrong
 
 

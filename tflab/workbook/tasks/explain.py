@@ -74,7 +74,7 @@ def _undone_to(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -
         return
     if _all_alike(form, outcomes, wanted):
         return
-    made = dict.fromkeys(one[:2] for one in undone(form, values[0][0]))
+    made = dict.fromkeys(way[:2] for way in undone(form, values[0][0]))
     yield from (
         f"{name} {unit}".strip() for name, unit in made if all(_fits(form, name, unit, *pair) for pair in values)
     )
@@ -84,7 +84,7 @@ def _fits(form: Form, name: str, unit: str, given: Plain, wanted: Plain) -> bool
     """Return whether an answer without this mistake, or one that looks the same with it, is what is wanted."""
     if _alike(form, given, wanted):
         return True
-    return any(one[:2] == (name, unit) and _alike(form, one.left, wanted) for one in undone(form, given))
+    return any(way[:2] == (name, unit) and _alike(form, way.left, wanted) for way in undone(form, given))
 
 
 def _all_alike(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> bool:
@@ -122,24 +122,24 @@ def _of_parts(task: TaskCases, form: Parts, case: Case, outcome: Plain, rights: 
         return None
     wrong = {name for name, right in zip(names, rights, strict=True) if not right}
     left, found = set(wrong), []
-    for one in _slips_in_parts(task, form, case, outcome, wrong):
-        if one.parts <= left:
-            found.append(one)
-            left -= one.parts
+    for slipped in _slips_in_parts(task, form, case, outcome, wrong):
+        if slipped.parts <= left:
+            found.append(slipped)
+            left -= slipped.parts
     for number, name in enumerate(names):
         if name in left:
             found += _by_itself(task, form, case, outcome, number)
-    left -= {name for one in found for name in one.parts}
+    left -= {name for cause in found for name in cause.parts}
     return _together(found, left, names) if found else None
 
 
 def _together(found: list[_Found], left: set[str], names: list[str]) -> Explanation:
     """Return one explanation of what was found in several parts, and of those `left` that nothing explains."""
-    found = sorted(found, key=lambda one: min(map(names.index, one.parts)))
-    said = [one.said if one.parts == set(names) else _where(one.said, one.parts, names) for one in found]
+    found = sorted(found, key=lambda cause: min(map(names.index, cause.parts)))
+    said = [cause.said if cause.parts == set(names) else _where(cause.said, cause.parts, names) for cause in found]
     said += [_where(LOOK, left, names)] if left else []
-    slips = {name: words for one in found for name, words in one.slips.items()}
-    follows = set() if left else {name for one in found for name in _follows(one)}
+    slips = {name: words for cause in found for name, words in cause.slips.items()}
+    follows = set() if left else {name for cause in found for name in _follows(cause)}
     return Explanation(slips, Words(*(" ".join(row) for row in zip(*said, strict=True))), tuple(sorted(follows)))
 
 
@@ -176,15 +176,15 @@ def _slips_in_parts(task: TaskCases, form: Parts, case: Case, outcome: Plain, wr
             found.append(_Found(slips, _said(task, list(slips)), changed, is_whole=True))
         elif all(words.partly for words in slips.values()) and alike & changed:
             found.append(_Found(slips, _said(task, list(slips)), alike & changed))
-    return sorted(found, key=lambda one: (-len(one.parts), len(one.slips), not one.is_whole))
+    return sorted(found, key=lambda cause: (-len(cause.parts), len(cause.slips), not cause.is_whole))
 
 
 def _changed(form: Parts, twin: Plain, expected: Plain) -> set[str]:
     """Return the parts in which a mistake gives something else than what is right."""
     changed = set()
     for number, (name, part) in enumerate(form.parts.items()):
-        one, other = sealed.part_of(twin, number, name), sealed.part_of(expected, number, name)
-        if not (one == other if sealed.is_sealed(other) else part.alike(one, other)):
+        given, wanted = sealed.part_of(twin, number, name), sealed.part_of(expected, number, name)
+        if not (given == wanted if sealed.is_sealed(wanted) else part.alike(given, wanted)):
             changed.add(name)
     return changed
 

@@ -64,7 +64,7 @@ def mutants_of(source: str, hair: float = 1e-3) -> list[Mutant]:
     for number, node in enumerate(ast.walk(tree)):
         for change in range(len(_changes(node, hair))):
             changed = copy.deepcopy(tree)
-            place = next(one for n, one in enumerate(ast.walk(changed)) if n == number)
+            place = next(inner for n, inner in enumerate(ast.walk(changed)) if n == number)
             new = _changes(place, hair)[change]
             _put(changed, place, new)
             after = ast.unparse(ast.fix_missing_locations(changed))
@@ -227,15 +227,15 @@ def _put(tree: ast.AST, place: ast.AST, new: ast.AST | None) -> None:
         for name, held in ast.iter_fields(parent):
             if held is place:
                 setattr(parent, name, new)
-            elif isinstance(held, list) and any(one is place for one in held):
-                put = [new if one is place else one for one in held]
-                setattr(parent, name, [one for one in put if one is not None] or [ast.Pass()])
+            elif isinstance(held, list) and any(member is place for member in held):
+                put = [new if member is place else member for member in held]
+                setattr(parent, name, [member for member in put if member is not None] or [ast.Pass()])
 
 
 def _statement(tree: ast.AST, node: ast.AST) -> str:
     """Return the smallest statement that holds a node, in a line."""
-    around = [one for one in ast.walk(tree) if isinstance(one, ast.stmt) and any(n is node for n in ast.walk(one))]
-    return _short(min(around, key=lambda one: sum(1 for _ in ast.walk(one))))
+    around = [part for part in ast.walk(tree) if isinstance(part, ast.stmt) and any(n is node for n in ast.walk(part))]
+    return _short(min(around, key=lambda statement: sum(1 for _ in ast.walk(statement))))
 
 
 def _short(node: ast.AST) -> str:

@@ -67,7 +67,7 @@ def judge_outcomes(task: TaskCases, variant: Variant, outcomes: Sequence[Plain])
     form, cases = task.form, variant.cases
     rights = [sealed.judge(form, outcome, case.expected) for case, outcome in zip(cases, outcomes, strict=True)]
     counted = evidence.credited(form, cases, outcomes, rights) if task.is_function else rights
-    right = tuple(one for row in counted for one in row)
+    right = tuple(probe for row in counted for probe in row)
     if all(right):
         return Verdict(len(right), len(right), right=right)
     case = next(number for number, row in enumerate(rights) if not all(row))
@@ -188,7 +188,7 @@ def _coarse(form: Form, outcome: Plain) -> tuple[Mistake, dict[str, Any]] | None
     if isinstance(form, Parts):
         return _coarse_of_parts(form, outcome)
     if isinstance(form, forms.Sequence) and isinstance(inside(outcome), list):
-        return next(filter(None, (_coarse(form.of, one) for one in inside(outcome))), None)
+        return next(filter(None, (_coarse(form.of, answer) for answer in inside(outcome))), None)
     if form.read(outcome) is not None:
         return None
     return _unread(form, outcome)
@@ -225,8 +225,8 @@ def _coarse_of_parts(form: Parts, outcome: Plain) -> tuple[Mistake, dict[str, An
 
 def _holds_numbers(body: Plain) -> bool:
     members = body.values() if isinstance(body, dict) else body
-    flat = [inner for one in members for inner in (one if isinstance(one, list) else [one])]
-    return bool(flat) and all(isinstance(one, int | float) and not isinstance(one, bool) for one in flat)
+    flat = [number for row in members for number in (row if isinstance(row, list) else [row])]
+    return bool(flat) and all(isinstance(number, int | float) and not isinstance(number, bool) for number in flat)
 
 
 def _shape(rows: Plain) -> tuple[int, ...]:
