@@ -1,6 +1,6 @@
 """How is a file written so that nobody ever sees half of it, nor loses what another wrote?
 
-    write_whole(path, text)       a new file beside it takes its place at once
+    write_whole(path, text)       a new file beside it takes its place at once: an atomic write
     with locked(folder): ...      one process at a time; the lock ends with whoever holds it
 
 Two notebooks of one learner are two processes, and both write down what was tried.

@@ -3,10 +3,11 @@
     expected 2.2  --tolerance 0.005-->  440  --salt, many rounds of SHA-256-->  "9f1c..."
     answer 2.203  -------------------->  441, 440 or 442: one of them has that digest
 
-A class's copies hold the values that are asked for in this form only, so that
-reading the file does not spare the exercise.  It is a curtain, not a vault:
-whoever tries all numbers finds it, and would have been faster thinking.  Hidden
-cases are not sealed: they never leave the instructor.
+That is a salted hash, as passwords are kept.  A class's copies hold the values
+that are asked for in this form only, so that reading the file does not spare the
+exercise.  It is a curtain, not a vault: whoever tries all numbers finds it, and
+would have been faster thinking.  Hidden cases are not sealed: they never leave
+the instructor.
 
 Read `showing.py` next.
 """
