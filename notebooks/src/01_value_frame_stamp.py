@@ -17,7 +17,7 @@
 #
 # 이 장을 마치면 다음을 할 수 있습니다.
 #
-# - 쓸 수 있는 측정값의 세 부분, 곧 값과 좌표계와 측정 시각을 말합니다.
+# - 쓸 수 있는 측정값의 세 부분, 곧 값, 좌표계, 측정 시각을 말합니다.
 # - 한 위치를 세 좌표계에서 말하고, 무엇이 움직이면 어느 숫자가 바뀌는지 말합니다.
 # - 메시지의 헤더를 나노초까지 읽고, 측정값이 얼마나 오래되었는지 계산합니다.
 # - 한 부분이라도 빠진 데이터는 거절하고, 이유를 말합니다.
@@ -27,7 +27,7 @@
 # Ask the room: "I have (2, 0, 0). Where is it?" Wait until somebody answers with a question. That question is the chapter.
 
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
-# 핵심은 하나입니다. 좌표계와 시각이 없는 숫자는 소문입니다.
+# 핵심은 하나입니다. 좌표계와 시각이 없는 숫자는 뜬소문입니다.
 # 먼저 물어봅니다. "(2, 0, 0)이 있습니다. 어디입니까?" 누군가 되물을 때까지 기다립니다. 그 되물음이 오늘의 주제입니다.
 
 # %% name="load" slide="skip"
@@ -73,7 +73,7 @@ lesson.draw_scene({'world': Transform(), 'map': Transform(translation=(5.0, 0.0,
 # The point *meant* is (2, 1.5) counted from `world`. Read the same numbers from `map`, and you stand at *understood*.
 #
 # The reader forgot the label here. Elsewhere the writer spoilt it: a program saw a code one metre in front of its camera and wrote `/map` over the label.
-# Now the code "was" one metre from the corner of the map, wherever the robot stood.
+# Now the code "was" one metre from the corner of the map (its origin, from which the map is counted), wherever the robot stood.
 # A label must be written *and* read.
 
 # %% [markdown] lang="ko" name="story-seen"
@@ -82,7 +82,7 @@ lesson.draw_scene({'world': Transform(), 'map': Transform(translation=(5.0, 0.0,
 #
 # 여기서는 읽는 쪽이 이름표를 잊었습니다. 쓰는 쪽이 이름표를 망친 일도 있습니다. 어느 프로그램은 카메라 1미터 앞의 코드를 보고는 이름표를 `/map`으로 덮어썼습니다.
 # 그러자 로봇이 어디에 있든 코드는 지도 원점에서 1미터 떨어진 것이 되었습니다.
-# 이름표는 제대로 쓰고 *또한* 읽어야 합니다.
+# 이름표는 제대로 써야 하고, 또 *읽어야* 합니다.
 
 # %% [markdown] lang="en" name="story-notes" slide="notes"
 # Act it: one person writes (2, 1.5) on a note, another walks there from a corner of their own choosing.
@@ -105,7 +105,7 @@ lesson.draw_scene({'world': Transform(), 'map': Transform(translation=(5.0, 0.0,
 # %% [markdown] lang="ko" name="predict" slide="slide"
 # ## 예측해 봅시다
 #
-# 로봇이 방 안에 서 있습니다. 로봇의 중심 `base_link`는 `map` 기준 **(6.2, −1.7, 0.10)** 에 있고, 지도의 x 방향을 봅니다.
+# 로봇이 방 안에 서 있습니다. 로봇의 중심 `base_link`는 `map` 기준 <b>(6.2, −1.7, 0.10)</b>에 있고, 지도의 x 방향을 봅니다.
 # 레이저 `laser_frame`은 `base_link` 기준 **(0.20, 0, 0.15)**, 곧 중심보다 앞쪽 위에 달려 있고 로봇과 같은 방향을 봅니다.
 # 레이저는 `laser_frame` 기준 **(2, 0, 0)**, 곧 정면 2미터에서 공을 봅니다.
 #
@@ -126,6 +126,7 @@ my_guess = {'base_link': (0.0, 0.0, 0.0), 'map': (0.0, 0.0, 0.0)}  # your guesse
 #
 # Two lines tell ROS where the robot stands and where the laser is bolted on.
 # Then a [[node]] with a [[buffer]], which remembers what was said, and a [[listener]], which fills it: what you would write on a robot.
+# `rclpy` is ROS 2 for Python, and `spin_thread=True` lets the listener listen while your program goes on. A `PointStamped` is a point with a label. In what the two lines print, the rotation (0, 0, 0, 1) means *not turned* (chapter 02).
 # Time is virtual in these pages: it passes only inside `graph.run(…)`.
 
 # %% [markdown] lang="ko" name="run-it" slide="subslide"
@@ -133,6 +134,7 @@ my_guess = {'base_link': (0.0, 0.0, 0.0), 'map': (0.0, 0.0, 0.0)}  # your guesse
 #
 # 두 줄로 로봇이 서 있는 위치와 레이저를 단 위치를 ROS에 알립니다.
 # 이어서 들은 것을 기억하는 [[buffer|버퍼(buffer)]]와 버퍼를 채우는 [[listener|수신기(listener)]]를 가진 [[node|노드(node)]]를 만듭니다. 로봇에서도 똑같이 씁니다.
+# `rclpy`는 파이썬용 ROS 2이고, `spin_thread=True`이면 프로그램이 다른 일을 하는 동안에도 수신기가 변환을 받습니다. `PointStamped`는 이름표가 달린 점입니다. 두 줄이 출력하는 rotation (0, 0, 0, 1)은 *돌아 있지 않다*는 뜻입니다(02장).
 # 이 페이지에서 시간은 가상이며 `graph.run(…)` 안에서만 흐릅니다.
 
 # %% name="say-where"
@@ -186,7 +188,7 @@ print('you guessed ', my_guess)
 #
 # <details><summary>모두 (2, 0, 0)이라고 했습니다</summary>
 #
-# 숫자는 그대로 두고 이름표만 바꾸었습니다. 위의 이야기가 바로 그것입니다. 그러면 로봇이 어디에 있든 공은 지도 원점에서 2미터 떨어진 것이 됩니다.
+# 숫자는 그대로 두고 이름표만 바꾸었습니다. 위의 이야기와 같은 실수입니다. 그러면 로봇이 어디에 있든 공은 지도 원점에서 2미터 떨어진 것이 됩니다.
 #
 # </details>
 # <details><summary>base_link 기준 (1.8, 0, −0.15)라고 했습니다</summary>
@@ -220,12 +222,12 @@ lesson.draw_scene(poses, places, length_m=0.7)
 
 # %% [markdown] lang="en" name="three-places-seen"
 # A [[frame]] is an origin and three directions with a name: x ahead, y to the left, z up (why so: chapter 02).
-# In the house style of this book a transform carries both names: `map_T_base` says where base is in map, and `@` chains two of them. Chapter 03 is about nothing else.
+# In this workbook a transform carries both names: `map_T_base` says where base is in map, and `@` chains two of them. Chapter 03 is about nothing else.
 
 # %% [markdown] lang="ko" name="three-places-seen"
 # *그림 읽기:* `2 m in …`은 각 좌표계에서 x 방향으로 2미터 떨어진 점입니다.
 # [[frame|좌표계]]는 이름이 붙은 원점 하나와 방향 세 개입니다. x는 앞, y는 왼쪽, z는 위입니다(이유는 02장).
-# 이 책에서 변환은 두 이름을 함께 씁니다. `map_T_base`는 map을 기준으로 base가 어디에 있는지 말하고, `@`는 변환 두 개를 잇습니다. 03장이 이 이야기입니다.
+# 이 워크북에서는 변환에 두 이름을 함께 적습니다. `map_T_base`는 map을 기준으로 base가 어디에 있는지 나타내고, `@`는 변환 두 개를 잇습니다. 03장이 이 이야기입니다.
 
 # %% [markdown] lang="en" name="one-place" slide="slide"
 # ## One place has three triples
@@ -235,7 +237,7 @@ lesson.draw_scene(poses, places, length_m=0.7)
 # %% [markdown] lang="ko" name="one-place" slide="slide"
 # ## 한 위치, 세 가지 숫자
 #
-# 이번에는 반대입니다. 공은 한 곳에 가만히 있고, 좌표계마다 자기 자로 거기까지 잽니다.
+# 이번에는 반대입니다. 공은 한 곳에 가만히 있고, 좌표계마다 공까지의 거리를 자기 자로 잽니다.
 
 # %% name="one-place-picture"
 ball_in_map = map_T_laser.apply((2.0, 0.0, 0.0))
@@ -271,12 +273,12 @@ turned = {'map': Transform(), 'base_link': map_T_base, 'laser_frame': map_T_lase
 lesson.draw_rulers(turned, map_T_laser.apply((2.0, 0.0, 0.0)), 'ball', before=lesson.readings_of(poses, ball_in_map))
 
 # %% [markdown] lang="en" name="turned-seen" tags=["predicted"]
-# Ahead is ahead: the laser and the robot say the same numbers as before. Only the map says something else, and no sum of yours gives it.
-# Adding is over as soon as something turns. Chapters 02 and 03 show what takes its place; TF does it for you.
+# Ahead is ahead: the laser and the robot say the same numbers as before. Only the map says something else, and 2 + 0.20 + 6.2 no longer gives it: ahead now runs along the map's y.
+# Simple adding is over as soon as something turns. Chapters 02 and 03 show what takes its place; TF does it for you.
 
 # %% [markdown] lang="ko" name="turned-seen" tags=["predicted"]
 # *그림 읽기:* same은 숫자가 그대로라는 뜻, changed는 바뀌었다는 뜻입니다.
-# 정면은 여전히 정면입니다. 레이저와 로봇의 숫자는 그대로이고 지도의 숫자만 바뀌었습니다. 더하기로는 나오지 않는 값입니다.
+# 정면은 여전히 정면입니다. 레이저와 로봇의 숫자는 그대로이고 지도의 숫자만 바뀌었습니다. 아까처럼 더해서는 나오지 않습니다. 이제 정면은 지도의 y 방향이기 때문입니다.
 # 무엇이든 돌기 시작하면 더하기는 끝입니다. 무엇이 그 자리를 대신하는지는 02장과 03장에서 다루고, 계산은 TF가 합니다.
 
 # %% name="stop-the-reader" slide="skip"
@@ -323,6 +325,8 @@ for t, pose in poses_at.items():
 # %% [markdown] lang="ko" name="ball-and-cup-seen" tags=["predicted"]
 # 공은 움직이지 않았는데 `base_link` 기준 숫자는 줄어듭니다. 컵은 함께 달리는데 `base_link` 기준 숫자는 그대로입니다.
 # "가만히 있으니 숫자도 그대로"라는 말은 그 물체가 가만히 있는 좌표계에서만 맞습니다.
+#
+# 다음은 그 세 시각의 그림입니다. *그림 읽기:* ball = 공, ahead = 로봇 앞으로 떨어진 거리.
 
 # %% name="moments-picture" slide="subslide"
 lesson.draw_moments({f'{t} s': pose for t, pose in poses_at.items()}, map_p_ball, 'ball')
@@ -392,12 +396,14 @@ lesson.draw_scene({'map': Transform(), 'base_link': poses_at[4]}, {'ball': map_p
 #
 # The robot has a camera, and a node that finds the ball in its pictures. Every message of it begins with a **header**: a frame and a [[stamp]].
 # The stamp says *when it was measured*, on the robot's clock.
+# The next cell subscribes to its [[topic]], `/detected_point`, and keeps in `heard` each message that comes, with the time of its arrival.
 
 # %% [markdown] lang="ko" name="header" slide="slide"
 # ## 메시지에 달린 이름표
 #
-# 로봇에는 카메라가 있고, 영상에서 공을 찾는 노드가 있습니다. 이 노드의 메시지는 모두 **헤더(header)** 로 시작합니다. 헤더에는 좌표계와 [[stamp|측정 시각(stamp)]]이 있습니다.
-# 측정 시각은 로봇의 시계로 *언제 측정했는지* 말합니다.
+# 로봇에는 카메라가 있고, 영상에서 공을 찾는 노드가 있습니다. 이 노드의 메시지는 모두 <b>헤더(header)</b>로 시작합니다. 헤더에는 좌표계와 [[stamp|측정 시각(stamp)]]이 있습니다.
+# 측정 시각은 로봇의 시계로 *언제 측정했는지* 나타냅니다.
+# 다음 셀은 [[topic|토픽(topic)]] `/detected_point`를 구독하고, 받은 메시지를 도착한 시각과 함께 `heard`에 모읍니다.
 
 # %% name="hear-the-ball"
 heard = []  # (arrival [ns], message)
@@ -418,12 +424,12 @@ print('point    ', lesson.fmt_all((seen.point.x, seen.point.y, seen.point.z), di
 # %% [markdown] lang="en" name="one-message-seen"
 # In the camera's own frame the ball is 3.5 m along **z**: for cameras, z is what points forward (chapter 02). Without the label you would have put the ball above the robot.
 #
-# And here are the same two fields of the [[frame|frame]]'s neighbour, the IMU. **Predict:** which second is this?
+# And here are the same two fields of another message: that of the IMU, a sensor that measures how the robot turns and speeds up. **Predict:** which second is this?
 
 # %% [markdown] lang="ko" name="one-message-seen"
 # 카메라 자신의 좌표계에서 공은 **z** 방향으로 3.5 m에 있습니다. 카메라에서는 z가 앞을 향합니다(02장). 이름표가 없었다면 공을 로봇 위쪽에 두었을 것입니다.
 #
-# 다음은 이웃 센서인 IMU의 같은 두 항목입니다. [[frame|좌표계]]만 다릅니다. **예측해 봅시다.** 몇 초일까요?
+# 다음은 다른 메시지의 같은 두 항목입니다. 로봇의 회전과 가속을 재는 센서인 IMU의 것입니다. **예측해 봅시다.** 몇 초일까요?
 
 # %% name="imu-header" slide="-"
 # %ros2 topic echo /imu --once --field header
@@ -458,7 +464,7 @@ print('point    ', lesson.fmt_all((seen.point.x, seen.point.y, seen.point.z), di
 # 공을 찾는 데 0.2초가 걸립니다. 지금 받은 메시지의 측정 시각은 5.800이고 도착한 시각은 6.000입니다.
 # 측정 시각에 공은 로봇 앞 3.60 m에 있었고, 로봇은 0.5 m/s로 달립니다.
 #
-# **예측해 봅시다.** 메시지가 도착했을 때 공은 앞으로 몇 미터에 있을까요?
+# **예측해 봅시다.** 메시지가 도착했을 때 공은 로봇 앞 몇 미터에 있을까요?
 
 # %% name="age-in-numbers" tags=["predicted"] slide="fragment"
 from rclpy.time import Time
@@ -471,9 +477,13 @@ print(f'age {age_s:.3f} s, ahead at the stamp {ahead_then:.2f} m, ahead on arriv
 
 # %% [markdown] lang="en" name="age-seen" tags=["predicted"]
 # 3.50 m: in 0.2 s the robot drove 0.1 m towards the ball. Who said 3.60 took the moment of arrival for the moment of the picture; who said 3.70 drove backwards.
+#
+# The next command measures the age, and the figure shows the journeys of three messages.
 
 # %% [markdown] lang="ko" name="age-seen" tags=["predicted"]
 # 3.50 m입니다. 0.2초 동안 로봇이 공 쪽으로 0.1 m 달렸습니다. 3.60이라고 했다면 도착한 시각을 촬영한 시각으로 본 것이고, 3.70이라고 했다면 뒤로 달린 것입니다.
+#
+# 다음 명령은 나이를 재고, 이어지는 그림은 메시지 세 개의 여정입니다. *그림 읽기:* stamped = 측정, sent = 보냄, received = 받음, transformed = 옮김.
 
 # %% name="topic-delay"
 # %ros2 --for 2.2 topic delay /detected_point
@@ -514,10 +524,10 @@ print('in map', lesson.fmt_all((point.x, point.y, point.z), digits=2))
 # %% [markdown] lang="ko" name="contract" slide="slide"
 # ## 약속
 #
-# > **측정값은 값과 좌표계와 측정 시각입니다.**
+# > **측정값은 값, 좌표계, 측정 시각입니다.**
 # > 쓰는 쪽은 측정하는 순간에 두 이름표를 모두 채웁니다. 읽는 쪽은 둘 다 읽고, 읽을 수 없으면 거절하고 이유를 말합니다.
 #
-# 약속을 지키는 독자입니다. 한 번 소리 내어 읽어 보세요.
+# 약속을 지키며 읽는 함수입니다. 한 번 소리 내어 읽어 보세요.
 
 # %% name="careful-reader" slide="-"
 def usable(message, now_ns, max_age_s=1.0):
@@ -547,14 +557,14 @@ print(usable(seen, arrived_ns), '|', usable(seen, arrived_ns + seconds(3.0)), '|
 #
 # <details><summary>Compare</summary>
 #
-# `'laser_frame'`, because the 1.4 is counted along its x; and `measured`, not `now`. Your message would otherwise claim that the picture is fresher than it is, and nobody who reads it could ever know.
+# `'laser_frame'`, because the 1.4 is counted along its x; and `measured`, not `now`. Your message would otherwise claim that the measurement is fresher than it is, and nobody who reads it could ever know.
 #
 # </details>
 
 # %% [markdown] lang="ko" name="faded" slide="subslide"
 # ### 이제 직접 써 보세요
 #
-# 이 메시지를 읽는 누구나 쓸 수 있도록 빈칸 두 개를 채워 보세요. `laser_frame`의 x 방향을 보는 거리 센서가 `measured`에 1.4 m를 쟀고, 프로그램은 50 ms 뒤인 `now`에 이 줄을 실행합니다.
+# 이 메시지를 읽는 누구나 쓸 수 있도록 빈칸 두 개를 채워 보세요. `laser_frame`의 x 방향을 보는 거리 센서가 `measured`에 1.4 m를 쟀고, 프로그램은 50 ms가 지난 `now`에 이 줄을 실행합니다.
 #
 # ```python
 # message.header.frame_id = ____________
@@ -564,7 +574,7 @@ print(usable(seen, arrived_ns), '|', usable(seen, arrived_ns + seconds(3.0)), '|
 #
 # <details><summary>맞춰 보기</summary>
 #
-# `'laser_frame'`입니다. 1.4는 그 좌표계의 x를 따라 센 값입니다. 시각은 `now`가 아니라 `measured`입니다. 그렇지 않으면 실제보다 새로운 측정값이라고 말하게 되고, 읽는 사람은 그것을 알아낼 방법이 없습니다.
+# `'laser_frame'`입니다. 1.4는 그 좌표계의 x를 따라 센 값입니다. 시각은 `now`가 아니라 `measured`입니다. 그렇지 않으면 실제보다 새로운 측정값처럼 보이고, 읽는 사람은 알아낼 방법이 없습니다.
 #
 # </details>
 
@@ -604,10 +614,10 @@ buffer.transform(misspelt, 'map')
 # **Predict:** since the picture the robot has driven on, 1.25 m by now. Where does the ball land in `map`, and what does TF2 say?
 
 # %% [markdown] lang="ko" name="shouts"
-# 둘 다 소리치고, 어느 이름이 문제인지 말해 줍니다.
+# 둘 다 소리치고, 어느 이름이 문제인지 알려 줍니다.
 # 이번에는 측정 시각을 잊어 봅시다. TF2에게 측정 시각 0은 "가장 최근 것이면 된다"는 뜻입니다.
 #
-# **예측해 봅시다.** 촬영한 뒤로 로봇은 1.25 m를 더 달렸습니다. 공은 `map`의 어디에 놓이고, TF2는 뭐라고 할까요?
+# **예측해 봅시다.** 촬영한 다음 로봇은 1.25 m를 더 달렸습니다. 공은 `map`의 어디에 놓이고, TF2는 뭐라고 할까요?
 
 # %% name="no-stamp" tags=["predicted"]
 from builtin_interfaces.msg import Time as Stamp
@@ -624,7 +634,7 @@ for frame in ('base_link', 'map'):
 # Last, overwrite the label as the program with the code did:
 
 # %% [markdown] lang="ko" name="no-stamp-seen" tags=["predicted"]
-# 아무 말이 없고, 공은 로봇과 함께 앞으로 굴러갔습니다. `base_link` 기준으로는 달라지지 않았습니다. 카메라와 로봇 사이에는 장착 변환만 있고, 이것은 언제나 같기 때문입니다.
+# 아무 말이 없고, 공은 로봇과 함께 앞으로 굴러갔습니다. `base_link` 기준으로는 달라지지 않았습니다. 카메라와 로봇 사이에는 장착 변환만 있고, 장착 변환은 언제나 같기 때문입니다.
 #
 # 마지막으로, 앞에서 본 프로그램처럼 이름표를 덮어써 봅시다.
 
@@ -639,7 +649,7 @@ print('in map', lesson.fmt_all((point.x, point.y, point.z), digits=1))
 # The ball now hovers three and a half metres above the corner of the map, and no tool can tell that the label is a lie.
 
 # %% [markdown] lang="ko" name="wrong-label-seen"
-# 숫자가 그대로 돌아왔습니다. TF2가 받은 부탁은 `map`에서 `map`으로 옮기는 것이었습니다.
+# 숫자가 그대로 돌아왔습니다. TF2는 `map` 기준의 점을 `map` 기준으로 옮겨 달라는 부탁을 받았습니다.
 # 이제 공은 지도 원점 위 3.5미터에 떠 있고, 이름표가 거짓이라는 것을 알아낼 도구는 없습니다.
 
 # %% [markdown] lang="en" name="break-it-notes" slide="notes"
@@ -676,7 +686,7 @@ print('in map', lesson.fmt_all((point.x, point.y, point.z), digits=1))
 # </details>
 # <details><summary>I chose 4</summary>
 #
-# That changes the label and leaves the numbers: the box would be a metre from the corner of the map. You have met this one twice today.
+# That changes the label and leaves the numbers: the box would be a metre from the corner of the map. You have met this one already.
 #
 # </details>
 
@@ -686,14 +696,14 @@ print('in map', lesson.fmt_all((point.x, point.y, point.z), digits=1))
 # 메시지에 `frame_id: 'base_link'`, 0.5초 전의 측정 시각, 그리고 (1.0, 0.0, 0.0)이 들어 있습니다. 1미터 앞의 상자입니다.
 # 로봇은 그동안 달리고 있었습니다. 상자를 지도에 표시하려면 어떻게 합니까?
 #
-# 1. 로봇의 *지금* 포즈로 `map` 기준으로 옮깁니다. 가장 새로우니까.
+# 1. 로봇의 *지금* 포즈로 `map` 기준으로 옮깁니다. 가장 새롭기 때문입니다.
 # 2. 로봇의 *측정 시각* 포즈로 `map` 기준으로 옮깁니다.
 # 3. 거절합니다. 0.5초면 너무 오래되었습니다.
 # 4. `frame_id`에 `map`이라고 씁니다.
 #
 # <details><summary>1번을 골랐습니다</summary>
 #
-# 상자는 로봇이 *있던* 곳에서 1미터 앞에 있었습니다. 지금의 포즈를 쓰면 그 뒤로 로봇이 달린 만큼 상자를 앞으로 밀게 됩니다.
+# 상자는 로봇이 *있던* 곳에서 1미터 앞에 있었습니다. 지금의 포즈를 쓰면 그사이 로봇이 달린 만큼 상자를 앞으로 밀게 됩니다.
 #
 # </details>
 # <details><summary>2번을 골랐습니다</summary>
@@ -708,14 +718,14 @@ print('in map', lesson.fmt_all((point.x, point.y, point.z), digits=1))
 # </details>
 # <details><summary>4번을 골랐습니다</summary>
 #
-# 이름표만 바뀌고 숫자는 그대로입니다. 상자는 지도 원점에서 1미터 떨어진 것이 됩니다. 오늘 두 번 만난 실수입니다.
+# 이름표만 바뀌고 숫자는 그대로입니다. 상자는 지도 원점에서 1미터 떨어진 것이 됩니다. 오늘 이미 만난 실수입니다.
 #
 # </details>
 
 # %% [markdown] lang="en" name="on-the-robot" slide="slide"
 # ## On a real robot
 #
-# The first lines of a callback that can be trusted, and the three commands that show you the labels of any topic:
+# The first lines of a callback that can be trusted, two commands that show you the labels of any topic, and a third:
 #
 # ```python
 # def on_point(self, message):
@@ -731,12 +741,12 @@ print('in map', lesson.fmt_all((point.x, point.y, point.z), digits=1))
 # ros2 topic pub --once /detected_point geometry_msgs/msg/PointStamped "{header: {frame_id: laser_frame}, point: {x: 2.0}}"
 # ```
 #
-# The last one publishes a point by hand, to try a node with. It has no stamp: would yours have noticed?
+# The third publishes a point by hand, to try a node with. It has no stamp: would yours have noticed?
 
 # %% [markdown] lang="ko" name="on-the-robot" slide="slide"
 # ## 실제 로봇에서
 #
-# 믿을 수 있는 콜백의 첫 몇 줄과, 어느 토픽이든 이름표를 보여 주는 명령 세 개입니다.
+# 믿을 수 있는 콜백의 첫 몇 줄과, 어느 토픽이든 이름표를 보여 주는 명령 두 개, 그리고 명령 하나가 더 있습니다.
 #
 # ```python
 # def on_point(self, message):
@@ -778,7 +788,7 @@ rclpy.shutdown()
 # - 좌표계가 없으면 TF2가 소리칩니다. 측정 시각이 없거나 이름표가 거짓이면 아무 말도 하지 않습니다.
 
 # %% [markdown] lang="en" name="practice" slide="subslide"
-# ### Practice question 1
+# ### Practice question · Q1
 #
 # A node hands you `(2.0, 0.0, 0.0)` and nothing else. What can you do with it, and what do you ask its author to change?
 # Write four or five sentences, then open the list and give yourself a point for each idea.
@@ -796,7 +806,7 @@ rclpy.shutdown()
 # </details>
 
 # %% [markdown] lang="ko" name="practice" slide="subslide"
-# ### 서술형 문제 1
+# ### 서술형 문제 · Q1
 #
 # 어느 노드가 `(2.0, 0.0, 0.0)`만 건네줍니다. 이 숫자로 무엇을 할 수 있고, 만든 사람에게 무엇을 고쳐 달라고 하겠습니까?
 # 네다섯 문장으로 쓴 다음, 목록을 펼쳐 스스로 채점해 보세요. 들어 있는 내용 하나에 1점입니다.
@@ -804,7 +814,7 @@ rclpy.shutdown()
 # <details><summary>완전한 답에 들어 있는 것</summary>
 #
 # - [ ] 숫자만으로는 위치가 아닙니다. 레이저 앞일 수도, 로봇 앞일 수도, 지도 원점 옆일 수도 있습니다.
-# - [ ] 좌표계(`header.frame_id`)가 필요합니다. 누구의 원점과 축에서 센 값인지 말합니다.
+# - [ ] 좌표계(`header.frame_id`)가 필요합니다. 누구의 원점과 축에서 센 값인지 알려 줍니다.
 # - [ ] 측정 시각(`header.stamp`)이 필요합니다. 보낸 때나 도착한 때가 아니라 측정한 때입니다.
 # - [ ] 둘이 있으면 TF가 그 시각의 포즈로, 이어진 어느 좌표계 기준으로든 옮길 수 있습니다.
 # - [ ] 없으면 거절하고 이유를 말합니다. 짐작하면 오류 없이 틀린 위치가 나옵니다.
@@ -825,7 +835,7 @@ rclpy.shutdown()
 # </details>
 
 # %% [markdown] lang="ko" name="exit-ticket" slide="slide"
-# ## 나가기 전에
+# ## 마무리하며
 #
 # > "카메라가 (0, 0.1, 3.5)에서 공을 보았습니다." 이 숫자로 무엇을 하기 전에 물어야 할 질문 두 개를 쓰고, 아무도 묻지 않으면 각각 어떤 일이 생기는지 적어 보세요.
 #
@@ -846,5 +856,5 @@ rclpy.shutdown()
 # Next comes [02 Axes and quaternions](02_axes_and_quaternions.ipynb): which way is forward?
 
 # %% [markdown] lang="ko" name="next" slide="skip"
-# 이제 연습 문제를 풀어 보세요: [01 값과 좌표계와 측정 시각](../../exercises/ko/01_value_frame_stamp.ipynb).
+# 이제 연습 문제를 풀어 보세요: [01 값, 좌표계, 측정 시각](../../exercises/ko/01_value_frame_stamp.ipynb).
 # 다음은 [02 좌표축과 쿼터니언](02_axes_and_quaternions.ipynb)입니다. 어느 쪽이 앞일까요?

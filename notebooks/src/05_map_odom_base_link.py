@@ -6,7 +6,7 @@
 # After this chapter you can
 #
 # - say which pose is smooth and slowly wrong, which is right and jumps, and use each where it belongs;
-# - compute what a localiser publishes: `map → odom`, from two poses of one moment;
+# - compute what a localiser (a node that does [[localisation|localization]]) publishes: `map → odom`, from two poses of one moment;
 # - explain why nobody publishes `map → base_link`, and recognise a robot on which somebody does;
 # - project a tilted robot onto the floor: `base_footprint`.
 
@@ -18,7 +18,7 @@
 # 이 장을 마치면 다음을 할 수 있습니다.
 #
 # - 매끄럽지만 조금씩 틀려 가는 포즈와 정확하지만 튀는 포즈를 구별하고, 알맞은 곳에 씁니다.
-# - 위치 추정 노드가 발행하는 `map → odom`을 같은 시각의 두 포즈로 계산합니다.
+# - [[localisation|위치 추정(localization)]] 노드가 발행하는 `map → odom`을 같은 시각의 두 포즈로 계산합니다.
 # - `map → base_link`를 아무도 발행하지 않는 이유를 설명하고, 누군가 발행하는 로봇을 알아봅니다.
 # - 기울어진 로봇을 바닥으로 투영합니다. `base_footprint`입니다.
 
@@ -49,10 +49,10 @@ from tflab.workbook import lesson
 #
 # 새 프로그램이 레이저 스캔을 지도와 맞추어 로봇을 잘 찾아냈습니다. 그리고 찾은 것을 그대로 발행했습니다. *base_link는 map의 여기에 있다.*
 # 바퀴는 늘 이렇게 말해 왔습니다. *base_link는 odom의 저기에 있다.*
-# 영상 속 로봇은 1초에 몇 번씩 두 곳을 오가며 깜빡입니다(rsasaki0109/lidar_slam_ros2, 2024년).
+# 영상 속 로봇은 1초에도 여러 번 두 곳을 오가며 깜빡입니다(rsasaki0109/lidar_slam_ros2, 2024년).
 #
-# 둘 다 사실이었습니다. 하지만 [[frame|좌표계]]의 부모는 하나인데 둘을 주었고, 마지막으로 말한 쪽이 잠시 맞는 것이 되었습니다.
-# 이 프로그램만의 일이 아닙니다. 널리 쓰는 위치 추정 패키지 두 곳에서도 같은 제안이 있었고(2014년, 2021년), 같은 방법으로 고쳤습니다.
+# 둘 다 사실이었습니다. 하지만 [[frame|좌표계]]의 부모는 하나인데 둘을 주었고, 마지막에 발행한 쪽이 잠깐씩 맞는 것이 되었습니다.
+# 이 프로그램만의 일이 아닙니다. 널리 쓰는 위치 추정 패키지 두 개에서도 같은 제안이 있었고(2014년, 2021년), 같은 방법으로 고쳤습니다.
 # 그 방법이 이 장의 연결 하나, `map → odom`입니다.
 
 # %% [markdown] lang="en" name="story-sources" slide="skip"
@@ -72,7 +72,7 @@ from tflab.workbook import lesson
 # %% [markdown] lang="ko" name="predict" slide="slide"
 # ## 예측해 봅시다
 #
-# 로봇이 1분 동안 0.5 m/s로 방을 돕니다. 한쪽 바퀴가 로봇이 아는 것보다 1 % 큽니다. 위치 추정 노드는 5초마다 벽을 보고 지도 위의 포즈를 바로잡습니다.
+# 로봇이 1분 동안 0.5 m/s로 방 안을 돌며 달립니다. 한쪽 바퀴가 로봇이 아는 것보다 1 % 큽니다. 위치 추정 노드는 5초마다 벽을 보고 지도 위의 포즈를 바로잡습니다.
 #
 # 1. 최악의 경우 어느 포즈가 **더 많이 틀릴까요?** `odom` 기준일까요, `map` 기준일까요?
 # 2. 어느 포즈가 **더 큰 걸음**을 뗄까요?
@@ -111,15 +111,15 @@ lesson.draw_tracks({'map': in_map, 'odom': in_odom}, truth, times)
 # - The pose in [[odom]] never takes a step that the robot did not drive, and after a minute it is three metres off. It **drifts**.
 # - The pose in [[map]] is never more than a quarter of a metre off, and it leaps each time it is corrected. It **jumps**.
 #
-# Neither is wrong. REP-105 promises just that: odom is continuous and may drift, map does not drift and may jump.
+# Neither is wrong. [[rep-105]], the agreement on these frames, promises just that: odom is continuous and may drift, map does not drift and may jump.
 
 # %% [markdown] lang="ko" name="three-pens-seen" tags=["predicted"]
 # *그림 읽기:* 왼쪽은 위에서 본 경로입니다. 넓은 회색 길(truth)이 실제 경로입니다. 오른쪽 위(step)는 표본 사이의 걸음, 아래(error)는 실제와의 거리입니다.
 #
-# - [[odom|`odom`]] 기준 포즈는 로봇이 실제로 달리지 않은 걸음을 떼지 않습니다. 대신 1분 뒤에는 3미터 틀립니다. **흐릅니다**(drift).
-# - [[map|`map`]] 기준 포즈는 0.25미터 넘게 틀리지 않습니다. 대신 바로잡을 때마다 튑니다. **튑니다**(jump).
+# - [[odom|`odom`]] 기준 포즈는 로봇이 실제로 달리지 않은 걸음을 떼지 않습니다. 대신 오차가 조금씩 쌓여, 1분이 지나면 3미터 틀립니다. 이것을 **흐른다**(drift)고 합니다.
+# - [[map|`map`]] 기준 포즈는 0.25미터 넘게 틀리지 않습니다. 대신 바로잡을 때마다 값이 한꺼번에 바뀝니다. 이것을 **튄다**(jump)고 합니다.
 #
-# 어느 쪽도 잘못이 아닙니다. REP-105의 약속이 바로 이것입니다. odom은 이어지지만 흐를 수 있고, map은 흐르지 않지만 튈 수 있습니다.
+# 어느 쪽도 잘못이 아닙니다. 이 좌표계들에 관한 ROS의 규약인 [[rep-105]]의 약속이 바로 이렇습니다. odom은 이어지지만 흐를 수 있고, map은 흐르지 않지만 튈 수 있습니다.
 
 # %% [markdown] lang="en" name="speed-of-a-jump" slide="subslide"
 # What would a controller see that takes the pose in `map` and works out its speed from it?
@@ -160,20 +160,21 @@ for parent, child in (('odom', 'base_footprint'), ('map', 'odom'), ('map', 'base
     print(f'{child:<15} in {parent:<5} slides {step:.2f} m, turns {turn:+.2f} rad')
 
 # %% [markdown] lang="en" name="around-the-jump-seen" tags=["predicted"]
-# In `odom` the robot moved five centimetres, as driven: a correction never touches odometry.
+# In `odom` the robot moved five centimetres, as driven: a correction never touches [[odometry]].
 # What leapt is **`odom` itself, in `map`**, and with it everything that hangs below: the robot too.
 # Note the turn: two tenths of a radian. The correction is no "shift by the drift". It moves and turns the whole of odom, about odom's own origin.
 
 # %% [markdown] lang="ko" name="around-the-jump-seen" tags=["predicted"]
-# `odom` 기준의 로봇은 실제로 달린 만큼인 5센티미터만 움직였습니다. 보정은 오도메트리를 건드리지 않습니다.
+# `odom` 기준의 로봇은 실제로 달린 만큼인 5센티미터만 움직였습니다. 보정은 [[odometry|오도메트리(odometry)]]를 건드리지 않습니다.
 # 튄 것은 **`map` 기준의 `odom` 자체**이고, 그 아래에 매달린 것도 모두 함께 튑니다. 로봇도 마찬가지입니다.
 # 회전을 보세요. 0.2 rad입니다. 보정은 "틀어진 만큼 밀기"가 아닙니다. odom 전체를, odom의 원점을 중심으로 옮기고 돌립니다.
 
 # %% [markdown] lang="en" name="in-3d" slide="subslide"
-# In 3D, seen from the map: move the scrubber, and watch the grey frame. It creeps not at all, and then leaps.
+# In 3D, seen from the map: move the scrubber, and watch the frame `odom`. It stands still, and then leaps.
 
 # %% [markdown] lang="ko" name="in-3d" slide="subslide"
 # 지도에서 본 3D 장면입니다. 슬라이더를 움직이며 odom 좌표계를 보세요. 가만히 있다가 갑자기 튑니다.
+# *그림 읽기:* truth = 실제 경로, odom before = 바로잡기 전의 odom, time = 시각.
 
 # %% name="in-3d-scene" slide="skip"
 scene = lesson.Scene(height_px=360)
@@ -198,7 +199,7 @@ lesson.draw_scene(frames, ghosts={'odom before': pose('map', 'odom', 26.0)}, eye
 # ## What a localiser publishes
 #
 # It measures `map_T_base`, where the robot is on the map. TF knows `odom_T_base`, from the wheels.
-# It wants the tile that is missing between them. Lay the dominoes: [map | base] [base | odom] = [map | odom].
+# The localiser wants the tile that is missing between them. Lay the dominoes: [map | base] [base | odom] = [map | odom].
 
 # %% [markdown] lang="ko" name="the-sum" slide="slide"
 # ## 위치 추정 노드가 발행하는 것
@@ -232,11 +233,11 @@ off = right.inverse() @ late
 print(f'off by {np.hypot(*off.translation[:2]):.2f} m and {off.rpy()[2]:+.2f} rad')
 
 # %% [markdown] lang="en" name="another-moment-seen" tags=["predicted"]
-# A third of a metre, from a tenth of a second: the turn that lies between the two poses goes into the edge and swings odom about its origin, and all that hangs below it.
+# A third of a metre, from a tenth of a second: the turn that lies between the two poses goes into the edge and swings odom about the robot. Its origin, three and a half metres away, slides by that much.
 # A famous estimator mended just this in 2025 (robot_localization [939](https://github.com/cra-ros-pkg/robot_localization/pull/939)).
 
 # %% [markdown] lang="ko" name="another-moment-seen" tags=["predicted"]
-# 0.1초 차이로 0.33 m 틀립니다. 두 포즈 사이의 회전이 연결에 섞여 odom을 원점을 중심으로 돌리고, 그 아래 모든 것이 함께 돌아갑니다.
+# 0.1초 차이로 0.33 m 틀립니다. 두 포즈 사이의 회전이 연결에 섞여, odom이 로봇을 중심으로 돌아갑니다. 3.5 m 떨어진 odom의 원점은 그만큼 크게 밀려납니다.
 # 널리 쓰는 추정 패키지도 2025년에 바로 이것을 고쳤습니다(robot_localization [939](https://github.com/cra-ros-pkg/robot_localization/pull/939)).
 
 # %% [markdown] lang="en" name="what-where" slide="slide"
@@ -304,17 +305,18 @@ lesson.draw_scene({'base_footprint': Transform(), 'base_link': footprint_T_base}
            fixed_frame='base_footprint', length_m=0.5)
 
 # %% [markdown] lang="en" name="nose-up-seen"
-# Half a metre up: an obstacle that a flat robot would take for a step is a wall's middle.
+# 0.63 m above the floor. A robot that takes itself for level says 0.25 m, and takes the middle of a wall for a step.
 # On our robot the wheels publish `odom → base_footprint`, and `base_link` hangs below it. On others it is the other way round. Read what your robot says, and never publish both.
 
 # %% [markdown] lang="ko" name="nose-up-seen"
-# 바닥에서 0.63 m 위입니다. 평평하다고 여기면 낮은 턱이지만 실제로는 벽의 중간입니다.
+# *그림 읽기:* seen = 레이저가 본 점입니다.
+# 바닥에서 0.63 m 위입니다. 로봇이 기울지 않았다고 여기면 0.25 m가 되어, 벽의 중간을 낮은 턱으로 알게 됩니다.
 # 우리 로봇에서는 바퀴가 `odom → base_footprint`를 발행하고 `base_link`가 그 아래에 있습니다. 반대인 로봇도 있습니다. 내 로봇이 무엇을 발행하는지 읽고, 둘 다 발행하지는 마십시오.
 
 # %% [markdown] lang="en" name="faded" slide="subslide"
 # ### Now you write
 #
-# A scan matcher returns `map_T_laser` for the scan's stamp; TF has `odom_T_base` and `base_T_laser` for the same moment. Fill the two blanks.
+# A scan matcher (a program that fits a scan to the map) returns `map_T_laser` for the scan's stamp; TF has `odom_T_base` and `base_T_laser` for the same moment. Fill the two blanks.
 #
 # ```python
 # map_T_base = map_T_laser @ ____________
@@ -330,7 +332,7 @@ lesson.draw_scene({'base_footprint': Transform(), 'base_link': footprint_T_base}
 # %% [markdown] lang="ko" name="faded" slide="subslide"
 # ### 이제 직접 써 보세요
 #
-# 스캔 정합기가 스캔의 측정 시각에 대한 `map_T_laser`를 돌려줍니다. TF에는 같은 시각의 `odom_T_base`와 `base_T_laser`가 있습니다. 빈칸 두 개를 채워 보세요.
+# 스캔을 지도에 맞추는 프로그램(scan matcher)이 스캔의 측정 시각에 대한 `map_T_laser`를 돌려줍니다. TF에는 같은 시각의 `odom_T_base`와 `base_T_laser`가 있습니다. 빈칸 두 개를 채워 보세요.
 #
 # ```python
 # map_T_base = map_T_laser @ ____________
@@ -440,6 +442,8 @@ lesson.frame_tree(graph, seconds=1.0)
 # The cure costs one line: publish `map_to_odom(map_T_base, odom_T_base)` under the stamp of the scan, and leave `base_footprint` to the wheels.
 
 # %% [markdown] lang="ko" name="cure"
+# *그림 읽기:* rate = 빈도, age = 나이, published by = 발행 책임, also here = 여기에도 있음, D(dynamic) = 동적, S(static) = 정적. 아래 두 줄은 트리가 둘로 나뉘었고 base_footprint의 부모가 둘이라는 경고입니다.
+#
 # 고치는 데는 한 줄이면 됩니다. 스캔의 측정 시각으로 `map_to_odom(map_T_base, odom_T_base)`를 발행하고, `base_footprint`는 바퀴에 맡기십시오.
 
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
@@ -478,14 +482,14 @@ lesson.frame_tree(graph, seconds=1.0)
 #
 # 로봇이 앞바닥의 선을 따라갑니다. 제어기는 1초에 서른 번 자기 포즈를 읽습니다. 어느 좌표계 기준이어야 합니까?
 #
-# 1. `map`: 정확하니까.
-# 2. `odom`: 매끄러우니까.
-# 3. `base_link`: 그 기준으로 로봇은 늘 (0, 0, 0)이니까.
+# 1. `map`: 정확하기 때문입니다.
+# 2. `odom`: 매끄럽기 때문입니다.
+# 3. `base_link`: 그 기준으로 로봇은 늘 (0, 0, 0)에 있기 때문입니다.
 # 4. 그때그때 얻을 수 있는 것.
 #
 # <details><summary>1번을 골랐습니다</summary>
 #
-# 평균은 정확하지만 보정할 때마다 튀고, 제어기는 그것을 떠밀린 것으로 받아들입니다. 앞으로의 0.5미터에는 방이 어디 있는지가 중요하지 않습니다.
+# 평균은 정확하지만 보정할 때마다 튀고, 제어기는 로봇이 떠밀렸다고 받아들입니다. 앞으로의 0.5미터에는 방이 어디에 있는지가 중요하지 않습니다.
 #
 # </details>
 # <details><summary>2번을 골랐습니다</summary>
@@ -513,7 +517,7 @@ lesson.frame_tree(graph, seconds=1.0)
 # ros2 param get /amcl tf_broadcast                # who publishes map -> odom
 # ```
 #
-# In Nav2 the local costmap has `global_frame: odom`, the global one `map`; robot_localization calls its choice `world_frame`.
+# In Nav2 (the navigation of ROS 2; `/amcl` is its localiser) the local costmap, its map of obstacles nearby, has `global_frame: odom`, the global one `map`; robot_localization calls its choice `world_frame`.
 
 # %% [markdown] lang="ko" name="on-the-robot" slide="slide"
 # ## 실제 로봇에서
@@ -524,7 +528,7 @@ lesson.frame_tree(graph, seconds=1.0)
 # ros2 param get /amcl tf_broadcast                # who publishes map -> odom
 # ```
 #
-# Nav2의 지역 비용지도는 `global_frame: odom`, 전역 비용지도는 `map`입니다. robot_localization에서는 `world_frame`으로 고릅니다.
+# Nav2는 ROS 2의 주행 패키지이고 `/amcl`은 Nav2의 위치 추정 노드입니다. 가까운 장애물을 적는 지역 비용지도(local costmap)는 `global_frame: odom`, 전역 비용지도는 `map`입니다. robot_localization에서는 `world_frame`으로 고릅니다.
 
 # %% name="stop" slide="skip"
 graph.stop()
@@ -565,7 +569,7 @@ rclpy.shutdown()
 # </details>
 
 # %% [markdown] lang="ko" name="from-before" slide="subslide"
-# ### 앞 장에서 온 질문 셋
+# ### 앞 장 복습: 세 문제
 #
 # 1. `map` 기준 (6.5, −1.5)는 내일도 쓸 수 있는데, `base_link` 기준 3.60 m는 왜 도착했을 때 이미 쓸 수 없습니까?
 # 2. `odom` 기준 데이터를 `map` 기준으로 옮기려 합니다. 목표와 원본은 무엇입니까?
@@ -580,7 +584,7 @@ rclpy.shutdown()
 # </details>
 
 # %% [markdown] lang="en" name="practice" slide="subslide"
-# ### Practice questions 5 and 6
+# ### Practice questions · Q5 and Q6
 #
 # **5.** What does each of `map`, `odom` and `base_link` promise, and why are there two frames that stand still? Write four or five sentences.
 #
@@ -606,9 +610,9 @@ rclpy.shutdown()
 # </details>
 
 # %% [markdown] lang="ko" name="practice" slide="subslide"
-# ### 서술형 문제 5, 6
+# ### 서술형 문제 · Q5, Q6
 #
-# **5.** `map`, `odom`, `base_link`는 각각 무엇을 약속합니까? 세계에 고정된 기준 좌표계가 왜 둘입니까? 네다섯 문장으로 쓰십시오.
+# **5.** `map`, `odom`, `base_link`는 각각 무엇을 약속합니까? 세계에 고정된 기준 좌표계가 왜 둘입니까? 네다섯 문장으로 써 보세요.
 #
 # <details><summary>완전한 답에 들어 있는 것</summary>
 #
@@ -620,7 +624,7 @@ rclpy.shutdown()
 #
 # </details>
 #
-# **6.** 위치 추정 노드는 왜 `map → base_link`가 아니라 `map → odom`을 발행합니까? 서너 문장으로 쓰십시오.
+# **6.** 위치 추정 노드는 왜 `map → base_link`가 아니라 `map → odom`을 발행합니까? 서너 문장으로 써 보세요.
 #
 # <details><summary>완전한 답에 들어 있는 것</summary>
 #
@@ -643,7 +647,7 @@ rclpy.shutdown()
 # </details>
 
 # %% [markdown] lang="ko" name="exit-ticket" slide="slide"
-# ## 나가기 전에
+# ## 마무리하며
 #
 # > 위치 추정 노드가 `map` 기준 로봇의 위치가 20 cm 틀렸음을 알아냈습니다. 어느 연결이 바뀌고, 무엇의 숫자가 그대로이며, 누가 알아채지 말아야 합니까?
 #

@@ -107,7 +107,7 @@ check("E1.2", verdicts)
 # 5. `"use it"` otherwise.
 
 # %% [markdown] lang="ko" name="e1-3"
-# ## E1.3 · 거절할 줄 아는 독자 (4점)
+# ## E1.3 · 거절할 줄 아는 노드 (4점)
 #
 # 노드 콜백의 첫 부분을 작성하십시오. `message`는 `PointStamped`, `now`는 `Time`, `max_age_s`는 초 단위의 숫자입니다.
 # 다음 순서로 살펴보고 반환하십시오.
@@ -206,7 +206,7 @@ check("E1.5", numbers)
 # %% [markdown] lang="ko" name="e1-6"
 # ## E1.6 · 이름표 두 개를 쓰십시오 (3점)
 #
-# 거리 센서가 `laser_frame`의 x 방향을 봅니다. `measured`에 `range_m`[m]를 쟀고, 함수는 그보다 나중인 `now`에 불립니다. 둘 다 `Time`입니다.
+# 거리 센서가 `laser_frame`의 x 방향을 봅니다. `measured`에 `range_m`[m]를 쟀고, 함수는 그보다 나중인 `now`에 호출됩니다. 둘 다 `Time`입니다.
 # 정직한 드라이버가 발행할 `PointStamped`를 반환하십시오.
 
 

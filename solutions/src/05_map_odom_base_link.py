@@ -133,7 +133,7 @@ check("E5.3", jobs)
 # %% [markdown] lang="en" name="e5-4"
 # ## E5.4 · A robot that flickers (3 points)
 #
-# RViz, Fixed Frame `map`: the robot flickers between two places. Fixed Frame `odom`: every tenth of a second it is gone. One second of `/tf`, summed up:
+# RViz, Fixed Frame `map`: the robot flickers between two places. Fixed Frame `odom`: every tenth of a second it is gone. One second of what is published, summed up:
 #
 # | node | edge | messages |
 # |---|---|---|
@@ -148,7 +148,7 @@ check("E5.3", jobs)
 # %% [markdown] lang="ko" name="e5-4"
 # ## E5.4 · 깜빡이는 로봇 (3점)
 #
-# RViz의 Fixed Frame이 `map`이면 로봇이 두 곳을 오가며 깜빡입니다. `odom`이면 0.1초마다 사라집니다. 1초 동안의 `/tf`를 요약하면 다음과 같습니다.
+# RViz의 Fixed Frame이 `map`이면 로봇이 두 곳을 오가며 깜빡입니다. `odom`이면 0.1초마다 사라집니다. 1초 동안 발행된 변환을 요약하면 다음과 같습니다.
 #
 # | 노드 | 연결 | 메시지 수 |
 # |---|---|---|
@@ -158,7 +158,7 @@ check("E5.3", jobs)
 #
 # - `"node"`: 어느 노드를 고쳐야 합니까? `"/wheels"`, `"/scan_matcher"`, `"/robot_state_publisher"` 가운데 하나.
 # - `"edge"`: 그 노드는 어느 연결을 보내야 합니까? `"map -> odom"`, `"map -> base_link"`, `"odom -> base_footprint"`, `"none"`(보내지 않음) 가운데 하나.
-# - `"error"`: 그동안 TF2는 두 발행자에게 뭐라고 합니까? `"LookupException"`, `"ConnectivityException"`, `"nothing"`(아무 말 없음) 가운데 하나.
+# - `"error"`: 그동안 TF2는 두 발행자에게 어떤 오류를 냅니까? `"LookupException"`, `"ConnectivityException"`, `"nothing"`(아무 말 없음) 가운데 하나.
 
 # %% name="e5-4-answer" tags=["answer"]
 finding = {

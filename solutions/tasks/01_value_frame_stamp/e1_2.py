@@ -20,7 +20,7 @@ ZERO_TAKEN_FOR_FRESH = Twin(
     {**RIGHT, "c": "usable"},
     Words(
         en='c: a stamp of zero is no time at all. TF2 reads it as "whatever is latest" and moves the apple with the pose of another moment, without a word.',
-        ko="c: 0인 측정 시각은 시각이 아닙니다. TF2는 이것을 “가장 최근 것이면 된다”로 읽고, 아무 말 없이 다른 순간의 포즈로 사과를 옮깁니다.",
+        ko="c: 0인 측정 시각은 시각이 아닙니다. TF2는 “가장 최근 것이면 된다”로 읽고, 아무 말 없이 다른 순간의 포즈로 사과를 옮깁니다.",
     ),
     "M9",
 )

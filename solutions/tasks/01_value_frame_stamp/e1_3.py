@@ -73,8 +73,8 @@ FRAME_ONLY = Twin(
     "frame only",
     lambda message, now, max_age_s: verdict(message, now, max_age_s, order="frame"),
     Words(
-        en="You look at the frame alone, as the lecture's node does. A stamp can be missing, too old, or later than now.",
-        ko="강의의 노드처럼 좌표계만 봅니다. 측정 시각이 없거나, 너무 오래되었거나, 현재보다 나중일 수도 있습니다.",
+        en="You look at the frame alone. A stamp can be missing, too old, or later than now.",
+        ko="좌표계만 봅니다. 측정 시각이 없거나, 너무 오래되었거나, 현재보다 나중일 수도 있습니다.",
     ),
     "M9",
 )
@@ -178,7 +178,7 @@ TASK = Task(
     id="E1.3",
     kind="F",
     points=4,
-    title=Words(en="A reader that refuses", ko="거절할 줄 아는 독자"),
+    title=Words(en="A reader that refuses", ko="거절할 줄 아는 노드"),
     answer="judge",
     form=Choice(OPTIONS),
     inputs=messages,

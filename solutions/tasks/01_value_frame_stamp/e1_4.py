@@ -85,8 +85,8 @@ SEC_ALONE = Twin(
     "sec alone",
     lambda g: answer(g, float(g.arrived[0] - g.stamp[0])),
     Words(
-        en="Only sec went into the age. The nanoseconds are most of it here.",
-        ko="나이에 sec만 들어갔습니다. 여기서는 나노초가 더 중요합니다.",
+        en="Only sec went into the age. The nanoseconds are a part of it, too.",
+        ko="나이에 sec만 들어갔습니다. 나노초도 함께 계산해야 합니다.",
     ),
 )
 

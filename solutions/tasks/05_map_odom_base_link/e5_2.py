@@ -124,7 +124,7 @@ BELIEVED_ADDED = Twin(
     ),
     Words(
         en="You added the two steps. The second is measured along odom's axes, and odom is turned in map.",
-        ko="두 이동을 그대로 더했습니다. 둘째 이동은 odom의 축으로 잰 것이고, odom은 map에서 돌아가 있습니다.",
+        ko="두 이동을 그대로 더했습니다. 둘째 이동은 odom의 축으로 잰 것이고, odom은 map 기준으로 돌아가 있습니다.",
     ),
     "M3",
     part="believed",

@@ -74,7 +74,7 @@ GOALS_IN_ODOM = Twin(
     but("dock", "kitchen", "goal", frame="odom"),
     Words(
         en="Goals kept in odom drift away: 0.7 m after ten seconds, 2.8 m after forty, on the page's robot. What is to hold for long belongs into the frame that does not drift.",
-        ko="odom에 둔 목적지는 흘러갑니다. 이 장의 로봇에서는 10초 뒤 0.7 m, 40초 뒤 2.8 m였습니다. 오래 쓸 것은 흐르지 않는 좌표계에 둡니다.",
+        ko="odom에 둔 목적지는 흘러갑니다. 이 장의 로봇에서는 10초가 지나면 0.7 m, 40초가 지나면 2.8 m였습니다. 오래 쓸 것은 흐르지 않는 좌표계에 둡니다.",
     ),
     "M8",
 )
@@ -142,7 +142,7 @@ TASK = Task(
         Words(en="Ask how long the numbers have to hold.", ko="숫자가 얼마나 오래 맞아야 하는지 물어보세요."),
         Words(
             en="Minutes and more: map. The next and the last few seconds: odom.",
-            ko="몇 분 이상이면 map, 앞뒤 몇 초면 odom입니다.",
+            ko="몇 분 이상이면 map, 방금 지난 몇 초와 다음 몇 초면 odom입니다.",
         ),
         Words(en="What is bolted on or carried: base_link.", ko="고정되어 있거나 실려 있으면 base_link입니다."),
     ),

@@ -44,7 +44,7 @@ THE_WHEELS_EDGE = Twin(
     {**RIGHT, "edge": "odom -> base_footprint"},
     Words(
         en="edge: that one has its owner. A second owner of one edge flickers too.",
-        ko="edge: 그 연결에는 이미 발행 책임이 있습니다. 한 연결을 둘이 발행해도 깜빡입니다.",
+        ko="edge: 그 연결의 발행 책임은 이미 바퀴에 있습니다. 한 연결을 둘이 발행해도 깜빡입니다.",
     ),
     "M6",
     part="edge",
