@@ -45,6 +45,17 @@ def test_the_table_of_chapters_is_the_course(language: str) -> None:
     assert rows == [f"{one.number:02}" for one in read_course().chapters if one.stem in there]
 
 
+@pytest.mark.parametrize(("language", "begins"), [("en", "To come: "), ("ko", "준비 중인 장: ")])
+def test_what_is_to_come_is_what_is_not_there(language: str, begins: str) -> None:
+    (line,) = [line for line in readme(language).splitlines() if line.startswith(begins)] or [begins]
+    there = {path.stem[:2] for path in (ROOT / "notebooks" / "en").glob("*.ipynb")}
+    assert "{" not in line
+    numbers = re.findall(r"\b(\d\d) ", line)
+    assert numbers == [
+        f"{chapter.number:02}" for chapter in read_course().chapters if f"{chapter.number:02}" not in there
+    ]
+
+
 @pytest.mark.parametrize("language", sorted(READMES))
 def test_no_link_of_the_readme_is_dead_on_a_package_index(language: str) -> None:
     links = re.findall(r"(?<!!)\[[^\]]*\]\(([^)]+)\)", readme(language))

@@ -4,19 +4,20 @@ import copy
 import math
 import pickle
 from array import array
+from importlib import import_module
+from importlib.util import find_spec
 
 import numpy as np
 import pytest
 from rosbags.typesys import Stores, get_typestore
 
+from tflab.ros.activation import PACKAGES
 from tflab.ros.messages import (
     builtin_interfaces,
     copy_message,
     field_checks,
     geometry_msgs,
-    nav_msgs,
     rcl_interfaces,
-    rosgraph_msgs,
     sensor_msgs,
     set_field_checks,
     std_msgs,
@@ -40,16 +41,9 @@ from tflab.ros.messages.std_msgs import Header
 from tflab.ros.messages.tf2_msgs import TFMessage
 from tflab.ros.messages.values import message_from_object, object_from_message
 
-TABLES = (
-    builtin_interfaces,
-    geometry_msgs,
-    nav_msgs,
-    rcl_interfaces,
-    rosgraph_msgs,
-    sensor_msgs,
-    std_msgs,
-    tf2_msgs,
-)
+TABLES = [
+    import_module(f"tflab.ros.messages.{package}") for package in PACKAGES if find_spec(f"tflab.ros.messages.{package}")
+]
 ALL_MESSAGES = [
     value
     for table in TABLES

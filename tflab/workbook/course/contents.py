@@ -36,7 +36,7 @@ START_PAGE = SOURCES / "00_start.py"
 GLOSSARY_PAGE = SOURCES / "90_glossary.py"
 READMES = {"en": Path("README.md"), "ko": Path("README.ko.md")}
 README_ROWS = re.compile(r"(?<=\n\|--:\|:--\|:--\|--:\|\n)(?:\|.*\n)*")
-README_TO_COME = re.compile(r"(?m)^(?:To come|준비 중): .*$")
+README_TO_COME = re.compile(r"(?m)^(?:To come|준비 중인 장): .*\n")
 
 HEAD = Words(
     en="| | chapter | its question | minutes | builds on | exercise |",
@@ -117,7 +117,7 @@ def readme(language: str, root: Path) -> str:
             to_come.append(f"{chapter.number:02} {title}")
     text = (root / READMES[language]).read_text(encoding="utf-8")
     text = README_ROWS.sub(lambda found: "".join(rows), text)
-    coming = f"{TO_COME.say(language).capitalize()}: {'; '.join(to_come)}."
+    coming = TO_COME.say(language, chapters="; ".join(to_come)) + "\n" if to_come else ""
     return README_TO_COME.sub(lambda found: coming, text)
 
 
