@@ -59,7 +59,7 @@ def test_an_untouched_exercise_runs_to_its_last_cell_and_scores_zero(stem: str, 
     page = nbformat.read(path, as_version=4)
     NotebookClient(page, timeout=60, resources={"metadata": {"path": str(path.parent)}}).execute()
     said = {
-        cell.id: "".join(output.get("text", "") for output in cell.outputs)
+        cell.id: "".join(output.get("text") or output.data.get("text/plain", "") for output in cell.outputs)
         for cell in page.cells
         if cell.cell_type == "code"
     }

@@ -26,6 +26,7 @@ BOMBS = {"members of members": "x" + ".a" * 90_000, "a long sum": "+".join("1" *
 
 
 EXHAUSTION = [
+    function("changes its argument", "a slip", "def F(transform):\n    transform.update(RIGHT)\n    return transform"),
     function("a loop without end", "exhaustion", "def F(transform):\n    while True: pass\n"),
     value("a loop without end in the cell", "exhaustion", "while True: pass\nV = (0, 0, 0)"),
     function("sleeps for ever", "exhaustion", "import time\ndef F(transform):\n    time.sleep(10**6)\n"),

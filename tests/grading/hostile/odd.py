@@ -44,7 +44,6 @@ def F(transform):
     key = tuple(transform.values())
     return seen.setdefault(key, RIGHT)
 """),
-    right("changes its argument", "def F(transform):\n    transform.update(RIGHT)\n    return transform"),
     right("defines itself twice", "def F(transform):\n    return None\ndef F(transform):\n    return RIGHT"),
     right("annotated to the teeth", "def F(transform: 'Transform') -> 'Transform':\n    '''Return the inverse.'''\n    return RIGHT"),
     right("a generator inside", "def F(transform):\n    return next(RIGHT for transform in [transform])"),

@@ -11,9 +11,10 @@ Read `editions.py` next.
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from difflib import get_close_matches
+from typing import Any
 
 from ..tasks.blank import BlankError, blank, regions
 from ..tasks.task import Task, slug
@@ -41,7 +42,7 @@ def score_faults(page: Page, tasks: Iterable[str], outputs: Outputs) -> list[Pag
     for task in tasks:
         check = _find(page, f"{slug(task)}-check", None)
         if check is not None:
-            printed = "".join(line for output in outputs.get(check.name, ()) for line in output.get("text", ()))
+            printed = "".join(map(_words_of, outputs.get(check.name, ())))
             if not printed.startswith(f"{task} ✓"):
                 wrong = f"the solution does not pass: {' '.join(printed.split())[:300]}"
                 found.append(page.fault(check, wrong, f"mend the answer, or {task} in solutions/tasks/{page.stem}"))
@@ -144,6 +145,11 @@ def _cell(page: Page, cell: SourceCell, ids: Sequence[str]) -> Iterator[PageFaul
             close = get_close_matches(asked, ids, n=1)
             remedy = f"there is {', '.join(ids)}" + (f'. Did you mean "{close[0]}"?' if close else "")
             yield page.fault(cell, f'{call} names the task "{asked}", which is not in solutions/tasks', remedy)
+
+
+def _words_of(output: Mapping[str, Any]) -> str:
+    """Return what an output says: what was printed, or the words of what was shown."""
+    return "".join(output.get("text") or output.get("data", {}).get("text/plain", ()))
 
 
 def _find(page: Page, name: str, language: str | None) -> SourceCell | None:

@@ -135,4 +135,5 @@ def run_with_films(notebook: Path, folder: Path) -> Path:
 def _as_a_copy(folder: Path, language: str) -> None:
     """Let a page find what it finds in a learner's copy: its language, and the cases that `check` asks."""
     write_workbook(folder, Workbook(language=language))
-    shutil.copytree(workbook_data() / CASES, folder / CASES)
+    if (workbook_data() / CASES).is_dir():
+        shutil.copytree(workbook_data() / CASES, folder / CASES)
