@@ -1,6 +1,6 @@
 """How fast is the engine, next to the real tf2 and to pytransform3d?  Ratios from one interleaved run.
 
-    python benchmarks/engine.py [--rounds 9] [--quick]
+    python benchmarks/engine.py [--rounds 9] [--quick] [--single]
 
 Peers, each used where it is installed:
     tf2_py          Debian's python3-tf2 (C++ tf2 0.7.6 behind its own Python binding), run by /usr/bin/python3
@@ -16,6 +16,7 @@ from __future__ import annotations
 import argparse
 import json
 import math
+import os
 import random
 import statistics
 import subprocess
@@ -64,15 +65,19 @@ def timed(work) -> float:
     return time.process_time() - begin
 
 
-class Tf2Py:
-    """The peer process, or None in its place where python3-tf2 is not installed."""
+class Peer:
+    """A process that is asked and told one by one: see engine_peer.py."""
 
-    def __init__(self) -> None:
-        script = Path(__file__).with_name("tf2_peer.py")
+    def __init__(self, kind: str, compiled: str = "0") -> None:
+        script = Path(__file__).with_name("engine_peer.py")
         self.process = subprocess.Popen(
-            ["/usr/bin/python3", str(script)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+            [PEER_PYTHON, str(script), kind],
+            env={**os.environ, "TFLAB_COMPILED": compiled},
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            text=True,
         )
-        self.ask(do="hello")
+        self.build = self.ask(do="hello")["build"]
 
     def ask(self, **command) -> dict:
         self.process.stdin.write(json.dumps(command) + "\n")
@@ -84,16 +89,31 @@ class Tf2Py:
         self.process.wait()
 
 
-def tf2_py() -> Tf2Py | None:
-    probe = "import tf2_py, rospy"
-    try:
-        found = subprocess.run(["/usr/bin/python3", "-c", probe], capture_output=True).returncode == 0
-    except OSError:
-        found = False
-    if not found:
+def peers() -> dict[str, Peer]:
+    """Return tf2_py, where it is installed, and our engine: as it stands, and compiled where `make fast` was run."""
+    found = {"pure": Peer("tflab")}
+    compiled = Peer("tflab", "1")
+    if compiled.build == "compiled":
+        found["compiled"] = compiled
+    else:
+        print(f"compiled: not there for {PEER_PYTHON} (make fast)")
+        compiled.close()
+    if runs_under_peer_python("import tf2_py, rospy"):
+        found["tf2_py"] = Peer("tf2_py")
+    else:
         print("tf2_py: not installed (Debian: apt-get install python3-tf2 python3-tf2-ros python3-geometry-msgs)")
-        return None
-    return Tf2Py()
+    return found
+
+
+def runs_under_peer_python(code: str, python: str = "/usr/bin/python3") -> bool:
+    try:
+        return subprocess.run([python, "-c", code], capture_output=True).returncode == 0
+    except OSError:
+        return False
+
+
+# tf2_py needs the system's interpreter, and a ratio is only fair under one and the same
+PEER_PYTHON = "/usr/bin/python3" if runs_under_peer_python("import numpy") else sys.executable
 
 
 def pytransform3d_manager(samples: list[tuple], depth: int):
@@ -131,42 +151,90 @@ class Table:
         print(text, flush=True)
 
 
-def scalar_lookups(table: Table, peer: Tf2Py | None, rounds: int, asked: int) -> dict[int, list[float]]:
-    """Time single lookups; return tf2_py's seconds per lookup for each depth, as the yardstick of the batches."""
-    yardstick = {}
-    for depth, goal in ((1, 2.0), (4, 0.8), (10, 0.4)):
+def one_by_one(table: Table, found: dict[str, Peer], rounds: int, asked: int) -> None:
+    """Time single lookups: at random moments, at the newest, with stamps as they come from a real network, and live."""
+    goals = {  # of tf2_py, at depth 1 / 4 / 10
+        ("pure", "random"): (2.5, 0.9, 0.5),
+        ("compiled", "random"): (4.0, 3.0, 2.5),
+        ("pure", "LATEST"): (2.5, 1.2, 0.6),
+        ("compiled", "LATEST"): (3.0, 2.5, 2.5),
+        ("pure", "live"): (1.3, 0.65, 0.55),
+        ("compiled", "live"): (1.6, 1.2, 1.1),
+    }
+    for place, depth in enumerate((1, 4, 10)):
+        names = {"target": "f0", "source": f"f{depth}"}
+        steady = chain_samples(depth, PER_EDGE)
+        ragged = jittered(steady)
+        chance = random.Random(2)
+        moments = [START_NS + STEP_NS + chance.randrange((PER_EDGE - 3) * STEP_NS) for _ in range(asked)]
+        for what, samples, stamps in (
+            ("random", steady, moments),
+            ("LATEST", steady, [0] * asked),
+            ("random, jitter and loss", ragged, moments),
+        ):
+            for peer in found.values():
+                peer.ask(do="fill", samples=samples, stamps_ns=stamps, **names)
+            compare(table, found, f"{what}, depth {depth}", "lookup", rounds, asked, goals, what, place)
+        rows = [steady[k::PER_EDGE] for k in range(PER_EDGE)]
+        stamps = [None, *(row[0][2] - STEP_NS // 3 for row in rows[1:])]  # between the newest two: met only once
+        for peer in found.values():
+            peer.ask(do="prepare_live", rows=rows, stamps_ns=stamps, **names)
+        compare(table, found, f"live, depth {depth}", "live", rounds, PER_EDGE, goals, "live", place)
+    rows = [chain_samples(30, PER_EDGE)[k::PER_EDGE] for k in range(PER_EDGE)]
+    stamps = [None, *(row[0][2] - STEP_NS // 3 for row in rows[1:])]
+    for peer in found.values():
+        peer.ask(do="prepare_live", rows=rows, stamps_ns=stamps, target="f8", source="f12")
+    compare(table, found, "live, 30 edges told, 4 asked", "live", rounds, PER_EDGE, {}, "", 0)
+
+
+def compare(table, found, label, do, rounds, per, goals, what, place) -> None:
+    times: dict[str, list[float]] = {name: [] for name in found}
+    for _ in range(rounds):
+        for name, peer in found.items():
+            times[name].append(peer.ask(do=do)["seconds"])
+    for name in ("pure", "compiled"):
+        if name in found:
+            goal = {"tf2_py": goals[name, what][place]} if (name, what) in goals else {}
+            table.row(f"{label}: {name}", times[name], {"tf2_py": times.get("tf2_py", [])}, per, goal)
+
+
+def jittered(samples: list[tuple]) -> list[tuple]:
+    """Return samples whose stamps are off by up to a third of a period, and of which one in fifty was lost."""
+    chance = random.Random(5)
+    ends = (START_NS, START_NS + (PER_EDGE - 1) * STEP_NS)
+    return [
+        (parent, child, ns if ns in ends else ns + chance.randint(-STEP_NS // 3, STEP_NS // 3), *numbers)
+        for parent, child, ns, *numbers in samples
+        if ns in ends or chance.random() > 0.02
+    ]
+
+
+def against_pytransform3d(table: Table, rounds: int, asked: int) -> None:
+    for depth in (1, 4, 10):
         samples = chain_samples(depth, PER_EDGE)
+        manager = pytransform3d_manager(samples, depth)
+        if manager is None:
+            return
         chance = random.Random(2)
         stamps = [START_NS + chance.randrange((PER_EDGE - 1) * STEP_NS) for _ in range(asked)]
         buffer, target, source = filled(samples), "f0", f"f{depth}"
-        manager = pytransform3d_manager(samples, depth)
-        if peer:
-            peer.ask(do="fill", samples=samples, target=target, source=source, stamps_ns=stamps)
+        few = stamps[:: max(1, len(stamps) // 20)]
 
         def ours(buffer=buffer, target=target, source=source, stamps=stamps) -> None:
-            lookup = buffer.lookup_transform
             for stamp in stamps:
-                lookup(target, source, stamp)
+                buffer.lookup_transform(target, source, stamp)
 
-        def theirs(manager=manager, target=target, source=source, stamps=stamps) -> None:
-            for stamp in stamps[:: max(1, len(stamps) // 20)]:
+        def theirs(manager=manager, target=target, source=source, few=few) -> None:
+            for stamp in few:
                 manager.get_transform_at_time(source, target, stamp / 1e9)
 
         ours()
-        times: dict[str, list[float]] = {"tf2_py": [], "pytransform3d": []}
-        own = []
-        for _ in range(rounds):
-            own.append(timed(ours))
-            if peer:
-                times["tf2_py"].append(peer.ask(do="lookup")["seconds"])
-            if manager:
-                times["pytransform3d"].append(timed(theirs) * len(stamps) / len(stamps[:: max(1, len(stamps) // 20)]))
-        yardstick[depth] = [t / asked for t in times["tf2_py"]]
-        table.row(f"lookup, depth {depth}", own, times, asked, {"tf2_py": goal, "pytransform3d": 200.0})
-    return yardstick
+        own = [timed(ours) for _ in range(rounds)]
+        other = [timed(theirs) * len(stamps) / len(few) for _ in range(rounds)]
+        table.row(f"lookup, depth {depth}", own, {"pytransform3d": other}, asked, {"pytransform3d": 200.0})
 
 
-def batch_lookups(table: Table, peer: Tf2Py | None, rounds: int, sizes: list[int]) -> None:
+def batch_lookups(table: Table, peer: Peer | None, rounds: int, sizes: list[int]) -> None:
     rng = np.random.default_rng(3)
     goals = {
         (1, "random"): 30,
@@ -196,25 +264,18 @@ def batch_lookups(table: Table, peer: Tf2Py | None, rounds: int, sizes: list[int
                 table.row(what, own, {"tf2_py": theirs}, n, {"tf2_py": goals[depth, order]})
 
 
-def ingest(table: Table, peer: Tf2Py | None, rounds: int, n: int) -> None:
+def ingest(table: Table, found: dict[str, Peer], rounds: int, n: int) -> None:
     samples = [("a", "b", START_NS + k * seconds(0.001), *chain_samples(1, 1, seed=k)[0][3:]) for k in range(n)]
-    stamped = [StampedTransform(p, c, ns, Transform(t, q)) for p, c, ns, t, q in samples]
     columns = [np.array(column) for column in zip(*(s[2:] for s in samples), strict=True)]
-    if peer:
+    for peer in found.values():
         peer.ask(do="prepare", samples=samples)
-
-    def one_by_one() -> None:
-        set_transform = BufferCore().set_transform
-        for transform in stamped:
-            set_transform(transform, "me")
-
-    one, bulk, theirs = [], [], []
+    goals = {("pure", "set"): (1.4,), ("compiled", "set"): (2.0,)}
+    compare(table, found, "set_transform", "ingest", rounds, n, goals, "set", 0)
+    bulk, theirs = [], []
     for _ in range(rounds):
-        one.append(timed(one_by_one))
         bulk.append(timed(lambda: BufferCore().set_transforms("a", "b", *columns, "me")))
-        if peer:
-            theirs.append(peer.ask(do="ingest")["seconds"])
-    table.row("set_transform", one, {"tf2_py": theirs}, n, {"tf2_py": 2.0})
+        if "tf2_py" in found:
+            theirs.append(found["tf2_py"].ask(do="ingest")["seconds"])
     table.row("set_transforms", bulk, {"tf2_py": theirs}, n, {"tf2_py": 5.0})
 
 
@@ -265,15 +326,18 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--rounds", type=int, default=9)
     parser.add_argument("--quick", action="store_true", help="small sizes only")
+    parser.add_argument("--single", action="store_true", help="only what is asked and told one by one")
     options = parser.parse_args()
     sizes = [10**4] if options.quick else [10**4, 10**5, 10**6]
-    table, peer = Table(), tf2_py()
-    scalar_lookups(table, peer, options.rounds, 5000)
-    batch_lookups(table, peer, options.rounds, sizes)
-    ingest(table, peer, options.rounds, 10**4)
-    growth(3, [10**3, 10**4, 10**5, 10**6])
-    import_time(options.rounds)
-    if peer:
+    table, found = Table(), peers()
+    one_by_one(table, found, options.rounds, 5000)
+    ingest(table, found, options.rounds, 10**4)
+    if not options.single:
+        against_pytransform3d(table, options.rounds, 5000)
+        batch_lookups(table, found.get("tf2_py"), options.rounds, sizes)
+        growth(3, [10**3, 10**4, 10**5, 10**6])
+        import_time(options.rounds)
+    for peer in found.values():
         peer.close()
     print("\nGoals missed:", *(table.missed or ["none"]), sep="\n  ")
 
