@@ -130,3 +130,18 @@ def test_a_scene_in_words():
         "  point corner at (3.000, 0.000, 0.500) m\n"
         "  ghost point corner, swapped at (0.000, 1.000, 0.500) m"
     )
+
+
+def test_an_arrow_is_written_in_its_frames_own_axes_and_drawn_where_that_frame_points():
+    # base_link is turned to the left by a quarter: what it calls left is backwards on the map
+    poses = {"map": Transform(), "base_link": Transform.from_rpy(yaw=math.pi / 2, translation=(2.0, 1.0, 0.0))}
+    picture = draw_scene(poses, eye=FROM_ABOVE, length_m=0.5, arrows={"slide": ("base_link", (0.0, 0.2, 0.0))})
+    (arrow,) = [patch for patch in picture.figure.axes[0].patches if hasattr(patch, "get_arrowstyle")]
+    (tail, head) = arrow._posA_posB
+    assert tuple(tail) == pytest.approx((2.0, 1.0)) and tuple(head) == pytest.approx((1.2, 1.0))
+    assert picture.text.splitlines()[-1] == "  arrow slide in base_link: forward 0.000, left 0.200, up 0.000"
+
+
+def test_an_arrow_of_a_frame_without_a_pose_is_refused():
+    with pytest.raises(ValueError, match='arrow "slide" is of "base", which has no pose; there is map'):
+        draw_scene({"map": Transform()}, arrows={"slide": ("base", (0.0, 0.2, 0.0))})

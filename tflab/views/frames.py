@@ -41,6 +41,7 @@ LETTERS_Z = 45  # above every shaft, below arrows, points and names
 FLAT = 0.2  # an axis shorter than this part of its length is seen end-on
 HEAD_LENGTH, HEAD_WIDTH = 0.16, 0.1  # parts of an axis's length
 LETTER_PT = 11.0
+ARROW_LENGTH = 1.6  # the longest arrow of a scene, in lengths of an axis
 
 
 class AxisArtists:
@@ -276,6 +277,7 @@ def draw_scene(
     eye: Eye = SLANTING,
     fixed_frame: str = "map",
     length_m: float | None = None,
+    arrows: Mapping[str, tuple[str, Sequence[float]]] | None = None,
 ) -> Picture:
     """Draw frames, points and their ghosts (the wrong answers) as one picture.
 
@@ -283,8 +285,16 @@ def draw_scene(
         poses, ghosts: `fixed_frame`_T_name of each.
         points, ghost_points: (x, y, z) [m] in `fixed_frame`.
         length_m: how long to draw an axis [m]; a fifth of the scene if None.
+        arrows: vectors, a velocity or a pull, by their name: of which frame of `poses`, and (x, y, z) in that
+            frame's own axes.  They start at the frame; the longest is drawn a little longer than an axis.
+
+    Raises:
+        ValueError: an arrow belongs to a frame that has no pose.
     """
-    points, ghosts, ghost_points = points or {}, ghosts or {}, ghost_points or {}
+    points, ghosts, ghost_points, arrows = points or {}, ghosts or {}, ghost_points or {}, arrows or {}
+    for name, (frame, _) in arrows.items():
+        if frame not in poses:
+            raise ValueError(f'arrow "{name}" is of "{frame}", which has no pose; there is {", ".join(poses)}')
     places = [pose.translation for pose in (*poses.values(), *ghosts.values())]
     places = np.array([*places, *points.values(), *ghost_points.values(), (0.0, 0.0, 0.0)], dtype=float)
     span_m = float(np.ptp(places, axis=0).max()) or 1.0
@@ -301,9 +311,10 @@ def draw_scene(
             *draw_points(ax, ghost_points, eye, is_ghost=True).values(),
             *draw_frames(ax, poses, eye, length_m).values(),
             *draw_points(ax, points, eye).values(),
+            *(draw_arrow(ax, *ends, name, eye) for name, ends in _on_stage(poses, arrows, length_m).items()),
         ]
         place_labels([artists.label for artists in drawn])
-    picture.text = describe_scene(poses, points, ghosts, ghost_points, fixed_frame)
+    picture.text = describe_scene(poses, points, ghosts, ghost_points, fixed_frame, arrows)
     return picture
 
 
@@ -313,6 +324,7 @@ def describe_scene(
     ghosts: Mapping[str, Transform],
     ghost_points: Mapping[str, Vector3],
     fixed_frame: str,
+    arrows: Mapping[str, tuple[str, Sequence[float]]],
 ) -> str:
     """Return the same in words, one line each."""
     lines = [f"As seen from {fixed_frame}:"]
@@ -324,7 +336,22 @@ def describe_scene(
             )
     for title, places in (("point", points), ("ghost point", ghost_points)):
         lines += [f"  {title} {name} at {style.fmt_all(place)}" for name, place in places.items()]
+    for name, (frame, vector) in arrows.items():
+        ways = (f"{way} {style.fmt(part, '')}" for way, part in zip(("forward", "left", "up"), vector, strict=True))
+        lines.append(f"  arrow {name} in {frame}: {', '.join(ways)}")
     return "\n".join(lines)
+
+
+def _on_stage(
+    poses: Mapping[str, Transform], arrows: Mapping[str, tuple[str, Sequence[float]]], length_m: float
+) -> dict[str, tuple[Vector3, Vector3]]:
+    """Return from where to where each arrow goes [m], all at one scale; one of no length is left out."""
+    longest = max((float(np.linalg.norm(vector)) for _, vector in arrows.values()), default=0.0)
+    return {
+        name: (poses[frame].translation, poses[frame].apply(np.array(vector) * ARROW_LENGTH * length_m / longest))
+        for name, (frame, vector) in arrows.items()
+        if np.linalg.norm(vector) > 1e-3 * longest
+    }
 
 
 @cache
