@@ -162,7 +162,10 @@ async def _serve(kernel: Any, wire: Wire) -> None:
     me = os.getpid()
     wire.send({"ready": True})
     while True:
-        request = await _next(wire)
+        try:
+            request = await _next(wire)
+        except asyncio.CancelledError:  # by an answer that cancelled every task: on it goes
+            continue
         if any(stream is None or getattr(stream, "closed", False) for stream in (sys.stdout, sys.stderr)):
             sys.stdout = sys.stderr = open(os.devnull, "w")  # noqa: SIM115  # an answer closed it: none could run then
         parent = {"header": {"msg_id": request["msg_id"], "session": "grader", "msg_type": "execute_request"}}
