@@ -145,6 +145,25 @@ def test_the_death_of_a_kernel_is_noticed_at_once(sandbox: Sandbox, source: str)
     assert done.stopped == done.outcomes[-1].trouble
 
 
+def test_an_answer_that_cancels_every_task_of_the_loop_does_not_end_the_kernel(sandbox: Sandbox) -> None:
+    cancelling = """
+import asyncio, threading, time
+loop = asyncio.get_running_loop()
+def cancel():
+    for task in asyncio.all_tasks(loop):
+        task.cancel()
+def keep_on():
+    for _ in range(300):
+        loop.call_soon_threadsafe(cancel)
+        time.sleep(0.001)
+canceller = threading.Thread(target=keep_on)
+canceller.start()
+"""
+    done = run(sandbox, cancelling, *["x = 1"] * 50, "canceller.join()", "x = 2", probe("x"))
+    assert done.stopped is None
+    assert done.outcomes[-1].value == 2
+
+
 def test_too_much_output_of_the_kind_that_is_read_ends_the_run(sandbox: Sandbox) -> None:
     many = run(sandbox, probe("1", times=5000))
     long = run(sandbox, probe("'x' * (9 << 20)"))
