@@ -29,7 +29,7 @@
     tree       who is whose child
     upstream_tree             the same as `view_frames` draws it
     scene/     in three dimensions, inside the page
-    rviz_status, rviz         what RViz says of what it cannot show; a small RViz
+    rviz_status, rviz, shown  what RViz says of what it cannot show; a small RViz, and the same on paper
     film       a picture for each place of a slider
     mathml, export_widgets, export    pages that live on without a kernel
     report_page    a report in a browser, light or dark

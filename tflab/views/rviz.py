@@ -14,7 +14,7 @@ is drawn for every Fixed Frame, and its scrubber goes through them.
 `RViz` gets plain values and a function to ask; it holds no buffer.  What a view of
 one's own graph looks like is wired up in `tflab.tools`.
 
-(https://github.com/ros2/rviz)  Read `film.py` next.
+(https://github.com/ros2/rviz)  Read `shown.py` next.
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ __all__ = [
     "RobotModel",
     "Shown",
     "Status",
-    "draw_shown",
+    "draw_in_scene",
     "look_through",
     "statuses_as_text",
 ]
@@ -135,7 +135,7 @@ class RViz(ipywidgets.VBox):
 
         def draw(value: float) -> None:
             parents, shown = steps[value]
-            draw_shown(self.scene, parents, shown, everything, self._axis_m)
+            draw_in_scene(self.scene, parents, shown, everything, self._axis_m)
 
         self.scene.sweep(name, values, draw, unit)
         self._drawn |= everything
@@ -162,17 +162,17 @@ class RViz(ipywidgets.VBox):
         everything = set().union(*map(_paths, seen.values()))
 
         def draw(frame: str) -> None:
-            draw_shown(self.scene, self._parents, seen[frame], everything, self._axis_m)
+            draw_in_scene(self.scene, self._parents, seen[frame], everything, self._axis_m)
 
         self.scene.sweep("Fixed Frame", frames, draw, start=frames.index(self.fixed_frame))
 
     def _redraw(self) -> None:
         self.shown = look_through(self.fixed_frame, self._parents, self._displays, self._ask)
-        self._drawn = draw_shown(self.scene, self._parents, self.shown, self._drawn, self._axis_m)
+        self._drawn = draw_in_scene(self.scene, self._parents, self.shown, self._drawn, self._axis_m)
         self._list.value = _list_as_html(self.shown)
 
 
-def draw_shown(
+def draw_in_scene(
     scene: Scene,
     parents: Mapping[str, str],
     shown: Sequence[Shown],
@@ -228,7 +228,7 @@ def _place(entry: Shown, number: int, message: int) -> str:
 
 
 def _paths(shown: Sequence[Shown]) -> set[str]:
-    """Return where `draw_shown` would draw."""
+    """Return where `draw_in_scene` would draw."""
     paths = set()
     for i, entry in enumerate(shown):
         if entry.name == "TF":
