@@ -6,7 +6,17 @@ import weakref
 import pytest
 
 from tflab.core import StampedTransform, Transform, seconds
-from tflab.views.panels import cameras_panel, latency_panel, mount_panel, rotation_panel, sentence_panel, timeline_panel
+from tflab.views.joints import Step
+from tflab.views.panels import (
+    Travel,
+    cameras_panel,
+    joints_panel,
+    latency_panel,
+    mount_panel,
+    rotation_panel,
+    sentence_panel,
+    timeline_panel,
+)
 from tflab.views.panels.sentence import between
 from tflab.views.timeline import Lane
 
@@ -25,7 +35,18 @@ def query_panel():
     return timeline_panel("map", "odom", [Lane("map", "odom", (seconds(1), seconds(3)))], lookup)
 
 
+def arm(positions):
+    """A joint that turns, and on it one that slides."""
+    turned = Transform.from_rpy(yaw=positions["turn"], translation=(0.2, 0.0, 0.1))
+    slid = Transform((0.5 + positions["slide"], 0.0, 0.0))
+    return [
+        Step("turn", "base", "arm", turned, positions["turn"], "rad", "<joint name='turn'>"),
+        Step("slide", "arm", "tip", slid, positions["slide"], "m", "<joint name='slide'>"),
+    ]
+
+
 PANELS = {
+    "joints": lambda: joints_panel(arm, [Travel("turn", -1.5, 1.5), Travel("slide", 0.0, 0.3, unit="m")]),
     "latency": latency_panel,
     "mount": mount_panel,
     "rotation": rotation_panel,
@@ -186,3 +207,16 @@ def test_a_sentence_that_cannot_be_is_refused_with_a_hint(frames, language, hint
     with pytest.raises(ValueError) as refused:
         sentence_panel(POSES, *frames, language=language)
     assert str(refused.value) == hint
+
+
+def test_the_file_is_shown_of_the_joint_that_was_touched_last():
+    panel = PANELS["joints"]()
+    assert "<joint name='turn'>" in panel.text  # the first, before anything is touched
+    panel.controls["slide [m]"].value = 0.2
+    assert "<joint name='slide'>" in panel.text and "<joint name='turn'>" not in panel.text
+    assert panel.text.startswith("tip in base: (0.900, 0.000, 0.100) m")
+
+
+def test_a_chain_in_which_nothing_moves_has_no_panel():
+    with pytest.raises(ValueError, match="no joint of this chain moves"):
+        joints_panel(arm, [])

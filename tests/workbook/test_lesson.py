@@ -44,3 +44,24 @@ def test_a_queue_without_end_makes_data_old_and_a_short_one_keeps_it_young():
 def test_the_cloud_is_a_wall_two_metres_ahead_and_a_floor_below():
     assert set(lesson.wall_cloud()[:, 2]) == {2.0}
     assert set(lesson.floor_cloud()[:, 1]) == {0.4}
+
+
+def test_the_arm_is_drawn_as_its_urdf_says_and_the_lines_of_a_joint_stand_beside_it():
+    picture = lesson.draw_joints(
+        {"shoulder_joint": 0.5, "elbow_joint": -0.6, "wrist_joint": 0.4}, touched="elbow_joint"
+    )
+    # in the plane of the arm: 0.25 cos 0.6 + 0.32 cos 0.2 = 0.520 ahead and 0.25 sin 0.6 + 0.32 sin 0.2 = 0.205 up,
+    # turned by 0.5 about the shoulder, which is 0.1 behind and, with the elbow, 0.15 above
+    assert picture.text.splitlines()[0] == "tcp in base_link: (0.356, 0.249, 0.355) m"
+    assert '  <origin xyz="0.0 0.0 0.10" rpy="0.0 0.0 0.0"/>' in picture.text
+    panel = lesson.joints_panel()
+    assert list(panel.controls) == ["shoulder_joint [rad]", "elbow_joint [rad]", "wrist_joint [rad]"]
+    assert panel.text.startswith("tcp in base_link: (0.470, 0.000, 0.150) m")
+    panel.close()
+
+
+def test_a_chain_that_the_robot_has_not_got_is_refused_with_what_there_is():
+    with pytest.raises(ValueError, match='"laser_frame" is not above "tcp"; above it are base_footprint, base_link'):
+        lesson.draw_joints(base="laser_frame")
+    with pytest.raises(KeyError, match="has no joint 'elbow'"):
+        lesson.draw_joints({"elbow": 0.1})

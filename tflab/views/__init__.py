@@ -21,6 +21,7 @@
     rulers     one thing, measured from each frame
     placed     how far off does a map put what was seen
     tracks     one drive, told by several frames
+    joints     where does the arm's tip end up
     moments    where is it now, if I saw it then
     work       who was busy, and what had to wait
     ages       how far behind, as time goes by

@@ -5,6 +5,7 @@
 
     panel          controls, a picture, words: what all of them share
     rulers         move a robot, and see whose numbers change
+    joints         move an arm, joint by joint
     axes           turn a robot; move a point in front of a camera
     mount          turn a sensor; see two mistakes wander
     sentence       choose target and source in any of five ways
@@ -16,6 +17,7 @@ in a terminal, and `.close()` gives everything back.  Start with `panel.py`.
 """
 
 from .axes import cameras_panel, rotation_panel
+from .joints import Travel, joints_panel
 from .latency import latency_panel
 from .mount import mount_panel
 from .panel import Panel
@@ -26,7 +28,9 @@ from .timeline import timeline_panel
 __all__ = [
     "Panel",
     "SentencePanel",
+    "Travel",
     "cameras_panel",
+    "joints_panel",
     "latency_panel",
     "mount_panel",
     "rotation_panel",

@@ -6,6 +6,7 @@ What a page calls as `lesson.…` is this workbook's; everything else on it is P
 
     room      our robot drives through its room
     panels    a panel in the language of the copy
+    joints    the chain of joints of its arm
     clouds    what a depth camera sees of a wall and of the floor
     waiting   robots whose data is late, and nodes that wait for it
 
@@ -65,6 +66,7 @@ from ..copy.environment import check_environment
 from ..course.course_map import draw_course
 from ..course.progress_page import show_progress
 from .clouds import floor_cloud, wall_cloud
+from .joints import draw_joints, joint_in_file, joints_panel
 from .panels import sentence_panel
 from .room import draw_now, draw_room, show_drive, show_latency
 from .waiting import (
@@ -115,6 +117,7 @@ __all__ = [
     "draw_drives",
     "draw_frame",
     "draw_history",
+    "draw_joints",
     "draw_journeys",
     "draw_lanes",
     "draw_latency",
@@ -141,6 +144,8 @@ __all__ = [
     "fmt",
     "fmt_all",
     "frame_tree",
+    "joint_in_file",
+    "joints_panel",
     "lane_from_history",
     "latency_error",
     "latency_panel",

@@ -1,6 +1,6 @@
 """In whose language?  A panel with a sentence in it speaks that of the learner's copy.
 
-Read `clouds.py` next.
+Read `joints.py` next.
 """
 
 from __future__ import annotations
