@@ -24,6 +24,7 @@
     joints     where does the arm's tip end up
     moments    where is it now, if I saw it then
     work       who was busy, and what had to wait
+    joins      who knows what, if they join now
     ages       how far behind, as time goes by
     panels/    the same, with sliders
     marks      lines, boxes and words as SVG and PDF

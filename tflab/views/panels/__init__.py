@@ -10,6 +10,7 @@
     mount          turn a sensor; see two mistakes wander
     sentence       choose target and source in any of five ways
     timeline       drag a query past either end of the buffer
+    joins          come later, and see what is still known
     latency        how far off, for this speed, turn, range and delay
 
 A page shows a panel by naming it in the last line of a cell; `.text` says the same
@@ -17,6 +18,7 @@ in a terminal, and `.close()` gives everything back.  Start with `panel.py`.
 """
 
 from .axes import cameras_panel, rotation_panel
+from .joins import joins_panel
 from .joints import Travel, joints_panel
 from .latency import latency_panel
 from .mount import mount_panel
@@ -30,6 +32,7 @@ __all__ = [
     "SentencePanel",
     "Travel",
     "cameras_panel",
+    "joins_panel",
     "joints_panel",
     "latency_panel",
     "mount_panel",

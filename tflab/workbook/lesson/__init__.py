@@ -38,6 +38,7 @@ from tflab.views.card import draw_card
 from tflab.views.dominoes import draw_dominoes
 from tflab.views.eye import FROM_ABOVE
 from tflab.views.frames import draw_scene
+from tflab.views.joins import Letter, Sender, draw_joins
 from tflab.views.journey import Journey, draw_journeys
 from tflab.views.latency import Sight, draw_latency, drive, latency_error
 from tflab.views.misread import describe_extent, draw_misread
@@ -45,6 +46,7 @@ from tflab.views.moments import draw_moments
 from tflab.views.mount import draw_mount, seen_from
 from tflab.views.panels import (
     cameras_panel,
+    joins_panel,
     latency_panel,
     mount_panel,
     rotation_panel,
@@ -92,8 +94,10 @@ __all__ = [
     "GapWatcher",
     "Journey",
     "Leg",
+    "Letter",
     "PlanarPose",
     "Scene",
+    "Sender",
     "Sight",
     "Source",
     "StampedTransform",
@@ -117,6 +121,7 @@ __all__ = [
     "draw_drives",
     "draw_frame",
     "draw_history",
+    "draw_joins",
     "draw_joints",
     "draw_journeys",
     "draw_lanes",
@@ -144,6 +149,7 @@ __all__ = [
     "fmt",
     "fmt_all",
     "frame_tree",
+    "joins_panel",
     "joint_in_file",
     "joints_panel",
     "lane_from_history",

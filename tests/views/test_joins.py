@@ -1,0 +1,85 @@
+"""What a listener knows that joins late: the last letter of each board that still hangs."""
+
+import pytest
+
+from tflab.views.joins import Letter, Sender, draw_joins, frames_known, letters_heard
+from tflab.views.panels import joins_panel
+
+#  calibrator: camera_1 at 1 s, camera_2 at 2 s, ends at 4 s     driver: VOLATILE, one letter at 1 s
+#  wheels: on /tf, base_link every second
+CALIBRATOR = Sender("calibrator", (Letter(1.0, ("camera_1",)), Letter(2.0, ("camera_2",))), ends_s=4.0)
+DRIVER = Sender("driver", (Letter(1.0, ("laser_frame",)),), is_stored=False)
+WHEELS = Sender("wheels", tuple(Letter(float(i), ("base_link",)) for i in (1, 2, 3)), is_stored=False, topic="/tf")
+ALL = (CALIBRATOR, DRIVER, WHEELS)
+
+
+@pytest.mark.parametrize(
+    ("join_s", "frames"),
+    [
+        (0.5, ["camera_1", "camera_2"]),  # there from the beginning
+        (1.5, ["camera_1", "camera_2"]),  # camera_1 was stored, camera_2 comes
+        (2.5, ["camera_2"]),  # the board has its last letter alone
+        (3.999, ["camera_2"]),
+        (4.0, []),  # and it went with its publisher
+    ],
+)
+def test_a_board_keeps_its_last_letter_as_long_as_its_publisher_lives(join_s, frames):
+    assert frames_known([CALIBRATOR], join_s, 5.0) == frames
+
+
+def test_who_asks_for_what_is_stored_is_not_connected_to_one_who_stores_nothing():
+    assert letters_heard(DRIVER, 0.5, 5.0) == []
+    assert letters_heard(DRIVER, 0.5, 5.0, asks_for_stored=False) == list(DRIVER.letters)
+
+
+def test_who_does_not_ask_hears_only_what_is_sent_from_now_on():
+    assert frames_known([CALIBRATOR], 1.5, 5.0, asks_for_stored=False) == ["camera_2"]
+    assert frames_known([CALIBRATOR], 2.5, 5.0, asks_for_stored=False) == []
+
+
+def test_nothing_on_tf_is_stored_and_every_listener_is_connected():
+    assert letters_heard(WHEELS, 2.5, 5.0) == [WHEELS.letters[2]]
+
+
+def test_what_a_process_would_have_sent_after_its_end_is_never_heard():
+    silenced = CALIBRATOR._replace(ends_s=1.5)
+    assert frames_known([silenced], 0.5, 5.0) == ["camera_1"]
+
+
+def test_the_future_is_not_known():
+    assert frames_known([CALIBRATOR], 0.5, 1.5) == ["camera_1"]
+
+
+def test_joins_in_words():
+    assert draw_joins(ALL, 2.5, 6.0).text.splitlines() == [
+        "from 0.0 s to 6.0 s",
+        f"calibrator |{' ' * 10}o{'=' * 9}@{'=' * 19}x{' ' * 19}| /tf_static, 1 of 2 heard",
+        f"driver     |{' ' * 10}o{' ' * 49}| /tf_static, incompatible QoS",
+        f"wheels     |{' ' * 10}o{' ' * 9}o{' ' * 9}@{' ' * 29}| /tf, 1 of 3 heard",
+        f"listener   |{' ' * 25}^{' ' * 34}| joins at 2.50 s, TRANSIENT_LOCAL",
+        "knows: camera_2, base_link",
+    ]
+
+
+def test_letters_that_are_heard_are_filled_and_stand_where_they_were_sent():
+    picture = draw_joins(ALL, 2.5, 6.0)
+    heard = [line for line in picture.ax.lines if line.get_gid() in (0, 1, 2)]
+    assert [list(line.get_xdata()) for line in heard] == [[2.0], [], [3.0]]
+
+
+def test_the_panel_says_what_one_knows_who_joins_later_or_does_not_ask():
+    panel = joins_panel(ALL, 0.5, 6.0)
+    assert panel.text.endswith("knows: camera_1, camera_2, base_link")
+    panel.controls["join [s]"].value = 2.5
+    assert panel.text.endswith("knows: camera_2, base_link")
+    panel.controls["durability"].value = False
+    assert panel.text.endswith("knows: base_link")
+    panel.controls["join [s]"].value = 0.5
+    assert panel.text.endswith("knows: camera_1, camera_2, laser_frame, base_link")
+    panel.close()
+
+
+def test_the_picture_is_small_and_the_same_bytes_every_time():
+    first, again = (draw_joins(ALL, 2.5, 6.0).png() for _ in range(2))
+    assert first == again
+    assert len(first) < 60_000
