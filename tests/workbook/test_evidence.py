@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tflab.core import LookupException
-from tflab.workbook.answers.forms import Angle, Choice, Number, Parts
+from tflab.workbook.answers.forms import Angle, Choice, Name, Number, Parts, Set
 from tflab.workbook.answers.values import raised, to_plain
 from tflab.workbook.tasks.case import Case
 from tflab.workbook.tasks.evidence import beyond_guessing, credited, habit
@@ -139,3 +139,10 @@ def test_raising_always_but_once_is_a_guess():
     refused = raised(LookupException("no"))
     cases = [refused, refused, refused, 1.0, 2.0, 3.0]
     assert share_of(Number(), cases, [refused] * 5 + [0.0]) == 0.0
+
+
+def test_results_of_different_sizes_can_be_guessed_at_too():
+    form = Set(Name())
+    cases = [Case([number], to_plain(names), {}) for number, names in enumerate([{"a"}, {"a", "b"}, {"a", "b", "c"}])]
+    assert beyond_guessing(form, cases, 6, [False] * 3) == 1.0
+    assert beyond_guessing(form, cases, 3, [False] * 3) == 0.0  # who always says {"a"} has three of the six

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tflab.workbook.answers.forms import Choice, Number, Parts, Quaternion, Vector
+from tflab.workbook.answers.forms import Choice, Name, Number, Parts, Quaternion, Set, Tree, Vector
 from tflab.workbook.answers.sealed import seal
 from tflab.workbook.answers.values import outcome_of, to_plain
 from tflab.workbook.tasks import Words
@@ -108,6 +108,58 @@ def test_an_option_says_what_it_would_mean_and_the_part_what_it_shows():
 def test_where_nothing_fits_the_bounds_are_said_and_not_the_answer():
     verdict = judged(Vector(3), (1.0, 2.0, 3.0), {}, (1.0, 2.5, 2.0))
     assert (verdict.mistake, verdict.detail["certain"].en) == (Mistake.VALUE, "x: right; y: too large; z: too small")
+
+
+FIVE = {"odom": "map", "base": "odom", "laser": "base", "camera": "base", "imu": "base"}
+
+
+@pytest.mark.parametrize(
+    ("answer", "said"),
+    [
+        (FIVE | {"laser": "odom"}, 'wrong as a child, or below the wrong parent: "laser"'),
+        ({"odom": "map"}, "children that are missing: 4"),
+        (
+            {"odom": "map", "base": "odom", "lamp": "base"},
+            'wrong as a child, or below the wrong parent: "lamp"; children that are missing: 2',
+        ),
+    ],
+)
+@pytest.mark.parametrize("is_sealed", [False, True])
+def test_a_tree_says_which_child_hangs_wrong_even_where_it_is_sealed(answer, said, is_sealed):
+    expected = seal(Tree(), to_plain(FIVE), "salt") if is_sealed else to_plain(FIVE)
+    task, variant = bare(Tree(), Case(None, expected, {}))
+    assert judge_outcomes(task, variant, [to_plain(answer)]).detail["certain"].en == said
+
+
+@pytest.mark.parametrize(
+    ("answer", "said"),
+    [
+        ({"map", "odom", "lamp"}, "members that do not belong: 1"),
+        ({"map"}, "members that are missing: 1"),
+        (set(), "members that are missing: 2"),
+        ({"lamp", "odom"}, "members that do not belong: 1; members that are missing: 1"),
+    ],
+)
+def test_of_a_set_it_is_said_how_many_are_wrong_and_not_which(answer, said):
+    assert judged(Set(Name()), {"map", "odom"}, {}, answer).detail["certain"].en == said
+
+
+def test_of_a_tree_what_stood_in_the_givens_shows_nothing():
+    broken = [("map", "odom"), ("odm", "base"), ("base", "laser")]
+    task, variant = bare(Tree(), Case(None, to_plain({"odom": "map", "base": "odom", "laser": "base"}), {}))
+    variant = variant._replace(given={"edges": to_plain(broken)})
+    handed_back = judge_outcomes(task, variant, [to_plain(broken)])
+    assert (handed_back.passed, handed_back.of) == (0, 3)
+    assert judge_outcomes(task, variant, [to_plain({"base": "odom"})]).passed == 1
+    assert judge_outcomes(task, variant, [variant.cases[0].expected]).passed == 3
+
+
+@pytest.mark.parametrize(
+    ("answer", "slip"),
+    [("Odom", "other case"), ("/odom", "slash in front"), ("odom ", "space around")],
+)
+def test_a_name_that_is_right_but_for_how_it_is_written_is_told_so(answer, slip):
+    assert list(judged(Name(), "odom", {}, answer).slips) == [slip]
 
 
 def test_a_function_that_changes_what_it_is_given_is_told_so():

@@ -18,11 +18,14 @@ from tflab.workbook.answers.forms import (
     Choice,
     Command,
     Message,
+    Name,
     Number,
+    Pair,
     Parts,
     Pose,
     Quaternion,
     Sequence,
+    Set,
     Tree,
     Vector,
     form_from_plain,
@@ -45,6 +48,7 @@ def point(frame: str) -> geometry_msgs.PointStamped:
     )
 
 
+WAY = Choice(("up", "down"))
 ECHO = "ros2 run tf2_ros tf2_echo map base_link"
 STATIC = "ros2 run tf2_ros static_transform_publisher"
 SAME = [
@@ -59,8 +63,14 @@ SAME = [
     (Pose(frames=True), message_of(STAMPED), STAMPED),
     (Pose(), Transform(LEFT.translation, tuple(-q for q in LEFT.rotation)), LEFT),
     (Choice(("past", "future")), " past ", "past"), (Choice(("True", "False")), True, "True"),
-    (Sequence(Choice()), ["map", "odom"], ("map", "odom")), (Sequence(Quaternion()), [(0, 0, 0, -1)], [(0, 0, 0, 1)]),
-    (Tree(), [STAMPED], {"base": "map"}),
+    (Sequence(Name()), ["map", "odom"], ("map", "odom")), (Sequence(Quaternion()), [(0, 0, 0, -1)], [(0, 0, 0, 1)]),
+    (Name(), "odom", "odom"), (Pair(Name(), Number()), ["map", 1.0004], ("map", 1.0)),
+    (Sequence(Pair(Name(), WAY)), [("laser", "up"), ["map", "down "]], [("laser", "up"), ("map", "down")]),
+    (Set(Name()), {"odom", "map"}, ["map", "odom"]), (Set(Name()), ("odom", "map", "odom"), {"map", "odom"}),
+    (Set(Name()), {"odom": 1, "map": 2}.keys(), {"map", "odom"}), (Set(Name()), [], set()),
+    (Set(Pair(Name(), Name())), {("a", "b"), ("c", "d")}, [("c", "d"), ("a", "b")]),
+    (Tree(), [STAMPED], {"base": "map"}), (Tree(), [("map", "base"), ("map", "base")], {"base": "map"}),
+    (Tree(), {"odom": "map", "base": "odom"}, {"base": "odom", "odom": "map"}), (Tree(), {}, {}),
     (Command(), f"$ {ECHO}", ECHO), (Command(), "ros2 topic echo --once tf", "ros2 topic echo /tf --once"),
     (Command(), f"{STATIC} --yaw 3.14159265 --frame-id a --child-frame-id b",
      f"{STATIC} --frame-id a --child-frame-id 'b' --x 0.0 --qz 1 --qw 0"),
@@ -75,8 +85,16 @@ DIFFERENT = [
     (Quaternion(), (1, 0, 0, 0), (0, 0, 0, 1)), (Pose(), LEFT.inverse(), LEFT), (Pose(frames=True), LEFT, STAMPED),
     (Pose(frames=True), StampedTransform("base", "map", 7, LEFT), STAMPED),
     (Pose(stamp=True), StampedTransform("map", "base", 8, LEFT), STAMPED),
-    (Choice(("past", "future")), "Past", "past"), (Sequence(Choice()), ["map"], ["map", "odom"]),
-    (Tree(), {"map": "base"}, {"base": "map"}),
+    (Choice(("past", "future")), "Past", "past"), (Sequence(Name()), ["map"], ["map", "odom"]),
+    (Name(), "Odom", "odom"), (Name(), "odom ", "odom"), (Name(), None, "odom"), (Name(), ["odom"], "odom"),
+    (Pair(Name(), Number()), ("map", 1.0, 2.0), ("map", 1.0)), (Pair(Name(), Number()), "map", ("map", 1.0)),
+    (Sequence(Pair(Name(), WAY)), [("map", "down"), ("laser", "up")], [("laser", "up"), ("map", "down")]),
+    (Sequence(Name()), {"map"}, ["map"]), (Set(Name()), {"map"}, {"map", "odom"}), (Set(Name()), {"map"}, set()),
+    (Set(Name()), {"map", "odom", "base"}, {"map", "odom"}), (Set(Name()), [], {"map"}), (Set(Name()), "map", {"map"}),
+    (Set(Name()), ["map", 3], {"map"}),
+    (Tree(), {"map": "base"}, {"base": "map"}), (Tree(), {"base": "map", "odom": "map"}, {"base": "map"}),
+    (Tree(), [("map", "base"), ("odom", "base")], {"base": "map"}), (Tree(), {"base": None}, {"base": "map"}),
+    (Tree(), {}, {"base": "map"}), (Tree(), ["map", "base"], {"base": "map"}),
     (Command(), "ros2 run tf2_ros tf2_echo base_link map", ECHO),
     (Command(), "ros2 topic echo /tf", "ros2 topic echo /tf --once"),
     (Command(), f"{STATIC} --frame-id b --child-frame-id a", f"{STATIC} --frame-id a --child-frame-id b"),
@@ -144,6 +162,37 @@ def test_a_tree_may_be_a_buffer():
     assert Tree().same(to_plain(buffer), to_plain({"base": "map"}))
 
 
+FIVE = {"odom": "map", "base": "odom", "laser": "base", "camera": "base", "imu": "base"}
+
+
+@pytest.mark.parametrize(
+    ("answer", "right"),
+    [
+        (FIVE, 5),
+        (FIVE | {"laser": "odom"}, 4),
+        ({"odom": "map", "base": "odom"}, 2),
+        (FIVE | {"lamp": "base"}, 4),  # one too many takes one back
+        ({parent: child for child, parent in FIVE.items()}, 0),
+    ],
+)
+@pytest.mark.parametrize("is_sealed", [False, True])
+def test_a_tree_has_credit_for_each_edge(answer, right, is_sealed):
+    expected = sealed.seal(Tree(), to_plain(FIVE), "salt") if is_sealed else to_plain(FIVE)
+    assert sum(sealed.judge(Tree(), to_plain(answer), expected)) == right
+
+
+def test_who_names_everything_has_named_nothing():
+    form, expected = Set(Name()), to_plain({"a", "b"})
+    assert form.judge(to_plain({"a", "b", "c", "d"}), expected) == [False, False]
+    assert sum(form.judge(to_plain({"a", "b", "c"}), expected)) == 1
+    assert sum(form.judge(to_plain({"a", "c"}), expected)) == 1
+
+
+def test_a_form_within_a_form_comes_back_from_json():
+    for form in (Sequence(Pair(Name(), WAY)), Set(Pair(Name(), Number("m"))), Parts({"tree": Tree(), "at": Name()})):
+        assert form_from_plain(form.plain()) == form
+
+
 def test_an_unknown_form_is_an_error_that_names_the_others():
     with pytest.raises(ValueError, match="Vector"):
         form_from_plain({"form": "Colour"})
@@ -152,13 +201,14 @@ def test_an_unknown_form_is_an_error_that_names_the_others():
 MADE_UP = [
     {"message": []}, {"message": [1, 2]}, {"dict": 3}, {"Buffer": {}}, [[[]]], {"tuple": {}}, {"Transform": [1, 2]},
     {"BufferCore": {"samples": 3}}, {"StampedTransform": [1]}, {"array": {"x": 1}}, 10**40, {"raises": []}, {},
+    {"set": 3}, {"set": [{}]}, {"dict": {"a": []}},
 ]  # fmt: skip
 
 
 @pytest.mark.parametrize("hostile", MADE_UP, ids=repr)
 @pytest.mark.parametrize(("form", "answer", "expected"), SAME[::3])
 def test_made_up_json_is_merely_wrong(form, answer, expected, hostile):
-    assert form.judge(hostile, to_plain(expected)) == [False]
+    assert not any(form.judge(hostile, to_plain(expected)))
 
 
 def test_a_message_in_a_message_is_the_same_in_whichever_order_its_fields_were_written() -> None:
@@ -173,7 +223,7 @@ def test_a_message_in_a_message_is_the_same_in_whichever_order_its_fields_were_w
     assert not form.same(point({"sec": 4, "nanosec": 5}), point({"nanosec": 6, "sec": 4}))
 
 
-@pytest.mark.parametrize(("form", "expected"), [(Choice(), "map"), (Command(), ECHO)])
+@pytest.mark.parametrize(("form", "expected"), [(Name(), "map"), (Command(), ECHO)])
 def test_half_a_pair_of_a_letter_is_merely_wrong_even_where_it_is_sealed(form, expected):
     assert sealed.judge(form, f"{expected}\ud800", sealed.seal(form, expected, "salt")) == [False]
 
@@ -184,7 +234,8 @@ SHAPES = (
     {"raises": "ValueError", "text": ""}, {"unanswered": True}, {"object": "Thing"}, {"message": ["x/msg/Y", {}]},
     {"Transform": [[0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 1.0]]}, {"Transform": [[0.0], None]}, {"BufferCore": {}},
 )  # fmt: skip
-NESTED = (Number(), Angle(), Vector(), Quaternion(), Pose(), Choice(("map",)), Tree(), Command())
+NESTED = (Number(), Angle(), Vector(), Quaternion(), Pose(), Choice(("map",)), Name(), Set(Name()), Tree(), Command(),
+          Pair(Name(), Number()))  # fmt: skip
 
 
 @pytest.mark.parametrize(

@@ -2,7 +2,8 @@
 
     values         an answer as plain JSON
     form           what an answer looks like: numbers, words, units
-    structures     messages and trees
+    structures     choices, lists, messages
+    members        names, pairs, sets and trees
     command_lines  what one would type
     forms          all of them together
     sealed         a right answer that cannot be read: a salted hash

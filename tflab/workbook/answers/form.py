@@ -11,8 +11,8 @@ rows, and one that fits is enough.  Nothing here runs a stranger's code.
 
     answer --probes--> [[row, row'], [row]]   against   expected --probes--> ...
 
-This page holds what all forms share, and numbers in space; choices, commands,
-messages and trees are next: read `structures.py`.
+This page holds what all forms share, and numbers in space; choices, messages and
+lists are next: read `structures.py`.
 
 Read `structures.py` next.
 """
@@ -20,8 +20,9 @@ Read `structures.py` next.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields
-from typing import Any, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 from tflab.core import Transform
 
@@ -39,6 +40,7 @@ __all__ = [
     "Row",
     "Vector",
     "inside",
+    "matched",
     "member",
     "numbers_of",
     "pose_of",
@@ -65,7 +67,13 @@ Probe = list[Row]  # equal ways to write the same
 
 @dataclass(frozen=True)
 class Form:
-    """What all forms share."""
+    """What all forms share.
+
+    Attributes:
+        in_any_order: whether a probe may stand anywhere among the others, as in a set.
+    """
+
+    in_any_order: ClassVar[bool] = False
 
     def probes(self, plain: Plain) -> list[Probe] | None:
         """Return what earns credit in an answer, or None if it is not of this form at all."""
@@ -89,7 +97,7 @@ class Form:
         wanted = self.probes(expected)
         if wanted is None:
             raise ValueError(f"the expected value is not a {type(self).__name__}: {expected!r}")
-        return _compared(self.read(answer), wanted)
+        return matched(self.read(answer), wanted, _is_given, self.in_any_order)
 
     def same(self, answer: Plain, expected: Plain) -> bool:
         """Return whether `answer` has every probe of `expected`."""
@@ -102,7 +110,7 @@ class Form:
         wanted = self.read(other)
         if wanted is None or not all(wanted):  # or a part of it is of another kind
             return answer == other
-        return all(_compared(self.read(answer), wanted))
+        return all(matched(self.read(answer), wanted, _is_given, self.in_any_order))
 
     def plain(self) -> dict[str, Any]:
         """Return the form as JSON has it: its class and its fields."""
@@ -241,6 +249,30 @@ def member(plain: Plain, *names: str) -> Plain:
     return plain
 
 
+def matched(
+    given: list[Probe] | None, wanted: Sequence[Any], fits: Callable[[Probe, Any], bool], in_any_order: bool
+) -> list[bool]:
+    """Return for each probe that is wanted whether it is given.
+
+    In any order, more probes than are wanted take back as many that fit: to name everything is to name nothing.
+    """
+    if given is None or (len(given) != len(wanted) and not in_any_order):
+        return [False] * len(wanted)
+    if not in_any_order:
+        return [fits(probe, right) for probe, right in zip(given, wanted, strict=True)]
+    left, found = list(given), []
+    for right in wanted:
+        place = next((place for place, probe in enumerate(left) if fits(probe, right)), None)
+        found.append(place is not None)
+        if place is not None:
+            del left[place]
+    too_many = max(0, len(given) - len(wanted))
+    right_ones = [place for place, is_found in enumerate(found) if is_found]
+    for place in right_ones[max(0, len(right_ones) - too_many) :]:
+        found[place] = False
+    return found
+
+
 def pose_of(plain: Plain) -> tuple[Names | None, int | None, tuple[float, ...], tuple[float, ...]] | None:
     """Return (parent, child), stamp [ns], translation and rotation of anything that is a transform, or None."""
     names, stamp_ns, rows = _parts_of_pose(plain)
@@ -314,13 +346,9 @@ def _both_signs(before: Row, rotation: tuple[float, ...], tolerance: float) -> P
     return [before + tuple(Mark(sign * number, tolerance) for number in rotation) for sign in (1.0, -1.0)]
 
 
-def _compared(given: list[Probe] | None, wanted: list[Probe]) -> list[bool]:
-    """Return for each probe that is wanted whether it is given; what could not be read is given by nothing."""
-    if given is None or len(given) != len(wanted):
-        return [False] * len(wanted)
-    return [
-        bool(right) and any(_fits(row, right[0]) for row in rows) for rows, right in zip(given, wanted, strict=True)
-    ]
+def _is_given(given: Probe, wanted: Probe) -> bool:
+    """Return whether one way to write it is what is wanted; what could not be read fits nothing."""
+    return bool(wanted) and any(_fits(row, wanted[0]) for row in given)
 
 
 def _fits(row: Row, other: Row) -> bool:

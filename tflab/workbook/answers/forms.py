@@ -10,7 +10,8 @@ from __future__ import annotations
 from typing import Any
 
 from .form import Angle, Form, Number, Pose, Quaternion, Vector
-from .structures import Choice, Command, Message, Parts, Sequence, Tree
+from .members import Name, Pair, Set, Tree
+from .structures import Choice, Command, Message, Parts, Sequence
 
 __all__ = [
     "Angle",
@@ -18,11 +19,14 @@ __all__ = [
     "Command",
     "Form",
     "Message",
+    "Name",
     "Number",
+    "Pair",
     "Parts",
     "Pose",
     "Quaternion",
     "Sequence",
+    "Set",
     "Tree",
     "Vector",
     "form_from_plain",
@@ -30,7 +34,22 @@ __all__ = [
 
 _CLASSES = {
     cls.__name__: cls
-    for cls in (Angle, Choice, Command, Message, Number, Parts, Pose, Quaternion, Sequence, Tree, Vector)
+    for cls in (
+        Angle,
+        Choice,
+        Command,
+        Message,
+        Name,
+        Number,
+        Pair,
+        Parts,
+        Pose,
+        Quaternion,
+        Sequence,
+        Set,
+        Tree,
+        Vector,
+    )
 }
 
 
@@ -46,6 +65,6 @@ def form_from_plain(plain: dict[str, Any]) -> Form:
     row = {name: value for name, value in plain.items() if name != "form"}
     if cls is Parts:
         return Parts({name: form_from_plain(inner) for name, inner in row["parts"].items()})
-    if cls is Sequence:
-        return Sequence(form_from_plain(row["of"]))
+    if cls in (Pair, Sequence, Set):
+        return cls(**{name: form_from_plain(inner) for name, inner in row.items()})
     return cls(**{name: tuple(value) if isinstance(value, list) else value for name, value in row.items()})

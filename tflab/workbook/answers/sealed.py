@@ -18,11 +18,11 @@ import hashlib
 from functools import lru_cache
 from typing import Any
 
-from .form import Mark, Probe, Row, inside
+from .form import Mark, Probe, Row, inside, matched
 from .forms import Form
 from .values import Plain, is_raised
 
-__all__ = ["is_sealed", "judge", "part_of", "seal"]
+__all__ = ["belongs", "is_sealed", "judge", "part_of", "seal"]
 
 ROUNDS = 300
 NEIGHBOURS = (0, -1, 1)
@@ -56,10 +56,15 @@ def judge(form: Form, answer: Plain, expected: Plain) -> list[bool]:
     if not is_sealed(expected):
         return form.judge(answer, expected)
     salt, wanted = expected["sealed"]["salt"], expected["sealed"]["probes"]
-    given = form.read(answer)
-    if given is None or len(given) != len(wanted):
-        return [False] * len(wanted)
-    return [_any_fits(rows, right, salt) for rows, right in zip(given, wanted, strict=True)]
+    return matched(form.read(answer), wanted, lambda rows, right: _any_fits(rows, right, salt), form.in_any_order)
+
+
+def belongs(form: Form, answer: Plain, expected: Plain) -> list[bool]:
+    """Return for each probe of an answer in any order whether it is among those expected, open or sealed."""
+    if not is_sealed(expected):
+        expected = seal(form, expected, "")
+    salt, wanted = expected["sealed"]["salt"], expected["sealed"]["probes"]
+    return [any(_any_fits(rows, right, salt) for right in wanted) for rows in form.read(answer) or ()]
 
 
 def part_of(expected: Plain, number: int, name: str) -> Plain:

@@ -1,12 +1,12 @@
-"""Choices, lists, trees, messages and command lines: the forms of answers that are more than a number.
+"""Choices, lists, messages and command lines: the forms of answers that are more than a number.
 
     Choice(("past", "future"))     a word of these
     Parts({"a": ..., "b": ...})    a dict, credit for each part
+    Sequence(Number())             a list in its order
     Message("geometry_msgs/msg/TransformStamped", ("header.frame_id", "transform.rotation"))
-    Tree()                         {"odom": "map", "base_link": "odom"}: child -> parent
     Command()                      a line for a terminal, see `command_lines.py`
 
-Read `command_lines.py` next.
+What has no order, sets and trees, is next.  Read `members.py` next.
 """
 
 from __future__ import annotations
@@ -17,10 +17,10 @@ from itertools import islice, product
 
 from ..words import Words
 from . import command_lines
-from .form import Form, Mark, Probe, Quaternion, Vector, inside, member, numbers_of, pose_of
+from .form import Form, Mark, Probe, Quaternion, Vector, inside, member, numbers_of
 from .values import Plain
 
-__all__ = ["Choice", "Command", "Message", "Parts", "Sequence", "Tree"]
+__all__ = ["Choice", "Command", "Message", "Parts", "Sequence", "as_one"]
 
 MOST_WAYS = 64  # to write one sequence; beyond these, the plainest
 
@@ -53,7 +53,7 @@ class Parts(Form):
         answers = inside(plain)
         if not isinstance(plain, dict) or not isinstance(answers, dict):
             return None
-        return [_as_one(form.probes(answers.get(name))) for name, form in self.parts.items()]
+        return [as_one(form.probes(answers.get(name))) for name, form in self.parts.items()]
 
     def wanted(self) -> Words:
         names = ", ".join(f'"{name}"' for name in self.parts)
@@ -70,9 +70,9 @@ class Sequence(Form):
         members = inside(plain)
         if not isinstance(members, list):
             return None
-        probes = [_as_one(self.of.probes(item)) for item in members]
+        probes = [as_one(self.of.probes(item)) for item in members]
         length: Probe = [(Mark(f"{len(members)} members"),)]
-        return [_as_one([length, *probes])]
+        return [as_one([length, *probes])]
 
     def wanted(self) -> Words:
         each = self.of.wanted()
@@ -107,28 +107,6 @@ class Message(Form):
 
 
 @dataclass(frozen=True)
-class Tree(Form):
-    """Who is whose parent: a dict child -> parent, or the transforms that say so."""
-
-    def probes(self, plain: Plain) -> list[Probe] | None:
-        edges = self._edges(plain)
-        return None if edges is None else [[(Mark(_text(sorted(edges.items()))),)]]
-
-    def wanted(self) -> Words:
-        return Words(en="a dict child -> parent", ko="자식 → 부모로 된 dict")
-
-    def _edges(self, plain: Plain) -> dict[str, str] | None:
-        held = inside(plain)
-        if isinstance(plain, dict) and "dict" in plain and all(isinstance(parent, str) for parent in held.values()):
-            return dict(held)
-        if isinstance(plain, dict) and (body := plain.get("BufferCore") or plain.get("Buffer")):
-            return {child: parent for _, _, parent, child, *_ in body["samples"]}
-        if isinstance(held, list) and all((pose_of(item) or (None,))[0] for item in held):
-            return {child: parent for parent, child in (pose_of(item)[0] for item in held)}
-        return None
-
-
-@dataclass(frozen=True)
 class Command(Form):
     """One line for a terminal, compared by what it does."""
 
@@ -140,7 +118,7 @@ class Command(Form):
         return Words(en="a command line, as a str", ko="명령 한 줄(str)")
 
 
-def _as_one(probes: list[Probe] | None) -> Probe:
+def as_one(probes: list[Probe] | None) -> Probe:
     """Return several probes as one that wants them all; what could not be read fits nothing."""
     if probes is None:
         return []

@@ -10,7 +10,7 @@ itself; everything else is an object with one key, its kind.
     (1, 2)              {"tuple": [1, 2]}             nan          {"float": "nan"}
     {"map": "odom"}     {"dict": {"map": "odom"}}     `...`        {"unanswered": true}
     an array            {"array": [[...], ...]}       a message    {"message": ["geometry_msgs/msg/Point", {...}]}
-    an exception        {"raises": "LookupException", "text": "..."}
+    {"odom", "map"}     {"set": ["map", "odom"]}     an exception {"raises": "LookupException", "text": "..."}
 
 What says the same is the same: a dataclass is a dict of its fields, a range or an
 iterator a list.  Anything else is {"object": its class}: it can be named, not judged.  Read `form.py` next.
@@ -23,7 +23,7 @@ import json
 import math
 from array import array
 from collections import deque
-from collections.abc import Callable, Iterator, Mapping, Sequence, ValuesView
+from collections.abc import Callable, Iterator, Mapping, Sequence, Set, ValuesView
 from decimal import Decimal
 from fractions import Fraction
 from itertools import islice
@@ -151,6 +151,8 @@ class _Writer:
             return {"array": self.plain(value.tolist(), depth + 1)}
         if isinstance(value, np.ndarray) and value.dtype.kind in "UO":
             return self.plain(value.tolist(), depth + 1)
+        if isinstance(value, Set):
+            return {"set": sorted((self.plain(member, depth + 1) for member in value), key=json.dumps)}
         if isinstance(value, array | bytes | deque | range | ValuesView | Iterator):
             return self.plain(list(islice(value, MAX_MEMBERS + 1)), depth)
         return self._of_space_and_time(value, depth)
@@ -241,6 +243,7 @@ def _buffer(plain: dict) -> tf2_buffer.Buffer:
 _READERS: dict[str, Callable[[Any], Any]] = {
     "float": float,
     "tuple": lambda members: tuple(map(from_plain, members)),
+    "set": lambda members: set(map(from_plain, members)),
     "dict": lambda items: {key: from_plain(value) for key, value in items.items()},
     "array": lambda rows: np.array(from_plain(rows)),
     "unanswered": lambda _: ...,

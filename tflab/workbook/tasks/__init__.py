@@ -19,7 +19,22 @@
 What a task file imports is here.  Start with `task.py`; each page names the next.
 """
 
-from ..answers.forms import Angle, Choice, Command, Message, Number, Parts, Pose, Quaternion, Sequence, Tree, Vector
+from ..answers.forms import (
+    Angle,
+    Choice,
+    Command,
+    Message,
+    Name,
+    Number,
+    Pair,
+    Parts,
+    Pose,
+    Quaternion,
+    Sequence,
+    Set,
+    Tree,
+    Vector,
+)
 from ..words import Words
 from .task import Slip, Task, Twin
 
@@ -28,11 +43,14 @@ __all__ = [
     "Choice",
     "Command",
     "Message",
+    "Name",
     "Number",
+    "Pair",
     "Parts",
     "Pose",
     "Quaternion",
     "Sequence",
+    "Set",
     "Slip",
     "Task",
     "Tree",

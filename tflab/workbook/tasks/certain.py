@@ -2,6 +2,7 @@
 
     2.9 for 2.2                     "too large, by less than double"
     (2.2, 0.5, 0.15) for (2.2, 0, 0.15)     "x and z are right; y is too large"
+    a tree                                  "base_link hangs below the wrong parent"
 
 Bounds, not values: an answer is not given away.  The field knows it as
 constraint-based tutoring (Ohlsson): what an answer violates is certain, even where
@@ -14,17 +15,21 @@ import math
 
 from ..answers import sealed
 from ..answers.form import Angle, Form, Number, Pose, Quaternion, Vector, inside, numbers_of, pose_of
-from ..answers.forms import Message, Parts, Sequence
+from ..answers.forms import Message, Parts, Sequence, Set, Tree
+from ..answers.members import edges_of, members_of
 from ..answers.values import Plain, is_raised
 from ..words import Words
 
 __all__ = ["certain"]
 
 NAMES = "xyzw"
+MOST_NAMED = 4  # children that are called by name
 
 
 def certain(form: Form, answer: Plain, expected: Plain) -> Words | None:
     """Return what is certain about a wrong answer, or None if there is nothing to say."""
+    if isinstance(form, Set | Tree) and not is_raised(expected) and form.read(answer) is not None:
+        return _of_tree(answer, expected) if isinstance(form, Tree) else _of_set(form, answer, expected)
     if sealed.is_sealed(expected) or is_raised(expected) or is_raised(answer):
         return None
     if isinstance(form, Number):
@@ -107,6 +112,48 @@ def _of_sequence(given: Plain, wanted: Plain) -> Words | None:
     if len(given) < len(wanted):
         return Words("too few members", "원소가 모자랍니다")
     return Words("as many members as asked for, and not these", "원소의 수는 맞지만 내용이 다릅니다")
+
+
+def _of_tree(answer: Plain, expected: Plain) -> Words | None:
+    """Say which children of the answer hang wrong, and how many edges there should be."""
+    edges = edges_of(answer) or []
+    fits = sealed.belongs(Tree(), answer, expected) if edges else []
+    wrong = sorted({child for (child, _), fit in zip(edges, fits, strict=True) if not fit})
+    short = _wanted_count(Tree(), expected) - len({child for child, _ in edges})
+    said = []
+    if wrong:
+        names = ", ".join(f'"{name}"' for name in wrong[:MOST_NAMED])
+        said.append(
+            Words(f"wrong as a child, or below the wrong parent: {names}", f"자식이나 그 부모가 틀린 곳: {names}")
+        )
+    if short > 0:
+        said.append(Words(f"children that are missing: {short}", f"빠진 자식: {short}개"))
+    return _joined(said)
+
+
+def _of_set(form: Set, answer: Plain, expected: Plain) -> Words | None:
+    """Say how many members do not belong, and how many are missing."""
+    fits = sealed.belongs(form, answer, expected) if members_of(answer) else []
+    missing = _wanted_count(form, expected) - sum(fits)
+    said = []
+    if not all(fits):
+        count = len(fits) - sum(fits)
+        said.append(Words(f"members that do not belong: {count}", f"들어가면 안 되는 원소: {count}개"))
+    if missing > 0:
+        said.append(Words(f"members that are missing: {missing}", f"빠진 원소: {missing}개"))
+    return _joined(said)
+
+
+def _wanted_count(form: Set | Tree, expected: Plain) -> int:
+    """Return how many members are expected; sealed, nothing at all counts as one."""
+    if sealed.is_sealed(expected):
+        return len(expected["sealed"]["probes"])
+    members = edges_of(expected) if isinstance(form, Tree) else members_of(expected)
+    return len(form.probes(expected)) if members else 0
+
+
+def _joined(said: list[Words]) -> Words | None:
+    return Words("; ".join(words.en for words in said), "; ".join(words.ko for words in said)) if said else None
 
 
 def _of_parts(form: Form, answer: Plain, expected: Plain) -> Words | None:

@@ -7,6 +7,9 @@ Credit for one probe is given where the function is right for two different
 results; a clock that stands still is right twice a day.  So a constant earns
 nothing, neither does handing back what came in, nor raising whatever is asked.
 
+Of a value that is put together, such as a tree, what stood in the givens already
+shows nothing either: to hand back the broken tree is no mending.
+
 Grading also takes off what guessing gives (correction for guessing): the best that
 an answer can get that never looks at what it is asked counts as nothing.
 
@@ -17,14 +20,15 @@ Read `units.py` next.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import combinations
 
+from ..answers import sealed
 from ..answers.forms import Form
 from ..answers.values import Plain, is_raised
 from .case import Case
 
-__all__ = ["beyond_guessing", "credited", "habit"]
+__all__ = ["beyond_guessing", "beyond_the_given", "credited", "habit"]
 
 
 def credited(
@@ -47,6 +51,16 @@ def credited(
         [right and (is_raised(case.expected) or place not in by_luck) for place, right in enumerate(row)]
         for case, row in zip(cases, rights, strict=True)
     ]
+
+
+def beyond_the_given(
+    form: Form, given: Mapping[str, Plain] | None, expected: Plain, right: Sequence[bool]
+) -> list[bool]:
+    """Return which probes of a value earn credit: all if all are right, else those that no given has already."""
+    if all(right):
+        return list(right)
+    handed_out = [sealed.judge(form, value, expected) for value in (given or {}).values()]
+    return [good and not any(row[place] for row in handed_out) for place, good in enumerate(right)]
 
 
 def _right_by_luck(form: Form, cases: Sequence[Case], rights: Sequence[list[bool]]) -> set[int]:
@@ -104,7 +118,7 @@ def _guessed(form: Form, cases: Sequence[Case], known: Sequence[bool]) -> int:
 def _most_frequent(form: Form, values: Sequence[Plain]) -> int:
     """Return how many probes a constant has, made of what is most frequent at each place; once is not frequent."""
     rows = [[form.judge(constant, value) for value in values] for constant in values]
-    places = min((len(row[0]) for row in rows), default=0)
+    places = min((len(right) for row in rows for right in row), default=0)
     counts = [max(sum(right[place] for right in row) for row in rows) for place in range(places)]
     return sum(count for count in counts if count > 1)
 

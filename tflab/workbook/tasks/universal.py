@@ -19,7 +19,7 @@ from typing import NamedTuple
 from tflab.core import Transform
 
 from ..answers.form import numbers_of, pose_of
-from ..answers.forms import Angle, Form, Number, Pose, Quaternion, Sequence, Vector
+from ..answers.forms import Angle, Form, Name, Number, Pose, Quaternion, Sequence, Vector
 from ..answers.values import Plain, to_plain
 from ..words import Words
 from .units import OTHER_UNITS, unit_of
@@ -153,6 +153,30 @@ UNIVERSAL = {
         _halved,
         "M5",
     ),
+    "other case": Universal(
+        Words(
+            en="capitals make it another name: `odom` and `Odom` are two.",
+            ko="대문자를 쓰면 다른 이름이 됩니다. `odom`과 `Odom`은 서로 다릅니다.",
+        ),
+        lambda row: iter(()),
+        "M14",
+    ),
+    "slash in front": Universal(
+        Words(
+            en="right, but for the slash in front: it is part of a name.",
+            ko="앞의 슬래시만 빼면 맞습니다. 슬래시도 이름의 일부입니다.",
+        ),
+        lambda row: iter(()),
+        "M14",
+    ),
+    "space around": Universal(
+        Words(
+            en="right, but for a space at its end: it is part of a name.",
+            ko="앞뒤의 공백만 빼면 맞습니다. 공백도 이름의 일부입니다.",
+        ),
+        lambda row: iter(()),
+        "M14",
+    ),
     "other order": Universal(
         Words(en="the right members, in the opposite order.", ko="원소는 맞지만 순서가 거꾸로입니다."),
         lambda row: iter(()),
@@ -178,6 +202,8 @@ def undone(form: Form, answer: Plain) -> Iterator[Undone]:
     """Yield what an answer would be without each of the mistakes that an answer of its form can have."""
     if isinstance(form, Pose):
         yield from _undone_pose(answer)
+    elif isinstance(form, Name) and isinstance(answer, str):
+        yield from _undone_name(answer)
     elif isinstance(form, Sequence) and isinstance(answer, list) and len(answer) > 1:
         yield Undone("other order", "", answer[::-1])
     size = form.size if isinstance(form, Vector) else 4 if isinstance(form, Quaternion) else None
@@ -199,6 +225,11 @@ def _undone_pose(answer: Plain) -> Iterator[Undone]:
     for name in OF_FORM[Quaternion]:
         for left in UNIVERSAL[name].undo(parts[3]):
             yield Undone(name, "", {"Transform": [list(parts[2]), list(left)]})
+
+
+def _undone_name(answer: str) -> Iterator[Undone]:
+    ways = {"other case": answer.lower(), "slash in front": answer.removeprefix("/"), "space around": answer.strip()}
+    yield from (Undone(name, "", left) for name, left in ways.items() if left != answer)
 
 
 def _plain(row: Row, size: int | None) -> Plain:

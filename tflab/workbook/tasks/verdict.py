@@ -19,6 +19,7 @@ from typing import Any
 from ..answers import forms, sealed
 from ..answers.form import inside, member
 from ..answers.forms import Angle, Choice, Form, Message, Number, Parts, Vector
+from ..answers.members import members_of
 from ..answers.values import Plain, is_raised, is_unanswered
 from ..words import Words
 from . import evidence
@@ -66,7 +67,10 @@ def judge_outcomes(task: TaskCases, variant: Variant, outcomes: Sequence[Plain])
     """
     form, cases = task.form, variant.cases
     rights = [sealed.judge(form, outcome, case.expected) for case, outcome in zip(cases, outcomes, strict=True)]
-    counted = evidence.credited(form, cases, outcomes, rights) if task.is_function else rights
+    if task.is_function:
+        counted = evidence.credited(form, cases, outcomes, rights)
+    else:
+        counted = [evidence.beyond_the_given(form, variant.given, cases[0].expected, rights[0])]
     right = tuple(probe for row in counted for probe in row)
     if all(right):
         return Verdict(len(right), len(right), right=right)
@@ -94,8 +98,8 @@ def kind_of(plain: Plain) -> str:
             return f"{body} (raised)"
         if kind == "float":
             return f"float {body}"
-        if kind == "tuple":
-            return f"tuple of {len(body)}"
+        if kind in ("tuple", "set"):
+            return f"{kind} of {len(body)}"
         if kind == "array":
             return f"array, shape {_shape(body)}"
         return kind
@@ -187,11 +191,20 @@ def _coarse(form: Form, outcome: Plain) -> tuple[Mistake, dict[str, Any]] | None
     """Return what is wrong with the answer before its value is looked at, or None."""
     if isinstance(form, Parts):
         return _coarse_of_parts(form, outcome)
-    if isinstance(form, forms.Sequence) and isinstance(inside(outcome), list):
-        return next(filter(None, (_coarse(form.of, answer) for answer in inside(outcome))), None)
+    members = _members(form, outcome)
+    if members is not None:
+        return next(filter(None, (_coarse(form.of, answer) for answer in members)), None)
     if form.read(outcome) is not None:
         return None
     return _unread(form, outcome)
+
+
+def _members(form: Form, outcome: Plain) -> list[Plain] | None:
+    """Return the members of a list or a set, if such is asked for and given."""
+    if isinstance(form, forms.Set):
+        return members_of(outcome)
+    held = inside(outcome)
+    return held if isinstance(form, forms.Sequence) and isinstance(held, list) else None
 
 
 def _unread(form: Form, outcome: Plain) -> tuple[Mistake, dict[str, Any]]:
