@@ -181,24 +181,24 @@ graph.stop()
 # %% [markdown] lang="en" name="chapters-table" slide="-"
 # | | chapter | its question | minutes | builds on | exercise |
 # |--:|:--|:--|--:|:--|:--|
-# | 1 | **[Value, frame and stamp](01_value_frame_stamp.ipynb)** | What makes three numbers a place? | 45 |  | [E1](../../exercises/en/01_value_frame_stamp.ipynb) |
-# | 2 | **[Axes and quaternions](02_axes_and_quaternions.ipynb)** | Which way is forward? | 75 | 1 | [E2](../../exercises/en/02_axes_and_quaternions.ipynb) |
-# | 3 | **[Target and source](03_target_and_source.ipynb)** | Data in which frame, wanted in which? | 60 | 1, 2 | [E3](../../exercises/en/03_target_and_source.ipynb) |
-# | 5 | **[map, odom, base_link](05_map_odom_base_link.ipynb)** | Why are there two fixed frames? | 50 | 3, 4 | [E5](../../exercises/en/05_map_odom_base_link.ipynb) |
-# | 8 | **[Buffer and measurement time](08_buffer_and_measurement_time.ipynb)** | Where was I when I saw it? | 75 | 3, 6 | [E8](../../exercises/en/08_buffer_and_measurement_time.ipynb) |
-# | 9 | **[Exceptions and waiting](09_exceptions_and_waiting.ipynb)** | Why is there no answer, and does waiting help? | 90 | 4, 8 | [E9](../../exercises/en/09_exceptions_and_waiting.ipynb) |
+# | 1 | **[Value, frame and stamp](01_value_frame_stamp.ipynb)** | What makes three numbers a place? | 45 |  | [E1](../../exercises/en/E01_value_frame_stamp.ipynb) |
+# | 2 | **[Axes and quaternions](02_axes_and_quaternions.ipynb)** | Which way is forward? | 75 | 1 | [E2](../../exercises/en/E02_axes_and_quaternions.ipynb) |
+# | 3 | **[Target and source](03_target_and_source.ipynb)** | Data in which frame, wanted in which? | 60 | 1, 2 | [E3](../../exercises/en/E03_target_and_source.ipynb) |
+# | 5 | **[map, odom, base_link](05_map_odom_base_link.ipynb)** | Why are there two fixed frames? | 50 | 3, 4 | [E5](../../exercises/en/E05_map_odom_base_link.ipynb) |
+# | 8 | **[Buffer and measurement time](08_buffer_and_measurement_time.ipynb)** | Where was I when I saw it? | 75 | 3, 6 | [E8](../../exercises/en/E08_buffer_and_measurement_time.ipynb) |
+# | 9 | **[Exceptions and waiting](09_exceptions_and_waiting.ipynb)** | Why is there no answer, and does waiting help? | 90 | 4, 8 | [E9](../../exercises/en/E09_exceptions_and_waiting.ipynb) |
 #
 # To come: 4 The tree of frames · 6 Static and dynamic · 7 URDF and sensors · 10 Clocks and bags · 11 Tools and RViz · 12 Owners and diagnosis.
 
 # %% [markdown] lang="ko" name="chapters-table" slide="-"
 # | | 장 | 장의 질문 | 시간 | 먼저 볼 장 | 연습 |
 # |--:|:--|:--|--:|:--|:--|
-# | 1 | **[값, 좌표계, 측정 시각](01_value_frame_stamp.ipynb)** | 숫자 세 개는 언제 위치가 될까요? | 45분 |  | [E1](../../exercises/ko/01_value_frame_stamp.ipynb) |
-# | 2 | **[좌표축과 쿼터니언](02_axes_and_quaternions.ipynb)** | 어느 쪽이 앞일까요? | 75분 | 1 | [E2](../../exercises/ko/02_axes_and_quaternions.ipynb) |
-# | 3 | **[목표 좌표계와 원본 좌표계](03_target_and_source.ipynb)** | 어느 좌표계 기준의 데이터를 어느 좌표계 기준으로 보려 할까요? | 60분 | 1, 2 | [E3](../../exercises/ko/03_target_and_source.ipynb) |
-# | 5 | **[map, odom, base_link](05_map_odom_base_link.ipynb)** | 세계에 고정된 기준 좌표계는 왜 둘이나 필요할까요? | 50분 | 3, 4 | [E5](../../exercises/ko/05_map_odom_base_link.ipynb) |
-# | 8 | **[버퍼와 측정 시각](08_buffer_and_measurement_time.ipynb)** | 그것을 본 순간, 나는 어디에 있었을까요? | 75분 | 3, 6 | [E8](../../exercises/ko/08_buffer_and_measurement_time.ipynb) |
-# | 9 | **[예외와 기다림](09_exceptions_and_waiting.ipynb)** | 왜 답이 없을까요? 기다리면 될까요? | 90분 | 4, 8 | [E9](../../exercises/ko/09_exceptions_and_waiting.ipynb) |
+# | 1 | **[값, 좌표계, 측정 시각](01_value_frame_stamp.ipynb)** | 숫자 세 개는 언제 위치가 될까요? | 45분 |  | [E1](../../exercises/ko/E01_value_frame_stamp.ipynb) |
+# | 2 | **[좌표축과 쿼터니언](02_axes_and_quaternions.ipynb)** | 어느 쪽이 앞일까요? | 75분 | 1 | [E2](../../exercises/ko/E02_axes_and_quaternions.ipynb) |
+# | 3 | **[목표 좌표계와 원본 좌표계](03_target_and_source.ipynb)** | 어느 좌표계 기준의 데이터를 어느 좌표계 기준으로 보려 할까요? | 60분 | 1, 2 | [E3](../../exercises/ko/E03_target_and_source.ipynb) |
+# | 5 | **[map, odom, base_link](05_map_odom_base_link.ipynb)** | 세계에 고정된 기준 좌표계는 왜 둘이나 필요할까요? | 50분 | 3, 4 | [E5](../../exercises/ko/E05_map_odom_base_link.ipynb) |
+# | 8 | **[버퍼와 측정 시각](08_buffer_and_measurement_time.ipynb)** | 그것을 본 순간, 나는 어디에 있었을까요? | 75분 | 3, 6 | [E8](../../exercises/ko/E08_buffer_and_measurement_time.ipynb) |
+# | 9 | **[예외와 기다림](09_exceptions_and_waiting.ipynb)** | 왜 답이 없을까요? 기다리면 될까요? | 90분 | 4, 8 | [E9](../../exercises/ko/E09_exceptions_and_waiting.ipynb) |
 #
 # 준비 중인 장: 4 좌표계 트리 · 6 정적 변환과 동적 변환 · 7 URDF와 센서 · 10 시계와 bag · 11 도구와 RViz · 12 발행 책임과 진단.
 

@@ -852,9 +852,9 @@ rclpy.shutdown()
 # 쪽지를 걷습니다. 둘째 질문이 빠진 것이 많으면 다음 강의를 조용히 틀린 그 셀로 시작합니다.
 
 # %% [markdown] lang="en" name="next" slide="skip"
-# Then do the exercises: [01 Value, frame and stamp](../../exercises/en/01_value_frame_stamp.ipynb).
+# Then do the exercises: [01 Value, frame and stamp](../../exercises/en/E01_value_frame_stamp.ipynb).
 # Next comes [02 Axes and quaternions](02_axes_and_quaternions.ipynb): which way is forward?
 
 # %% [markdown] lang="ko" name="next" slide="skip"
-# 이제 연습 문제를 풀어 보세요: [01 값, 좌표계, 측정 시각](../../exercises/ko/01_value_frame_stamp.ipynb).
+# 이제 연습 문제를 풀어 보세요: [01 값, 좌표계, 측정 시각](../../exercises/ko/E01_value_frame_stamp.ipynb).
 # 다음은 [02 좌표축과 쿼터니언](02_axes_and_quaternions.ipynb)입니다. 어느 쪽이 앞일까요?

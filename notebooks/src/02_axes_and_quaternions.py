@@ -1437,7 +1437,7 @@ lesson.draw_card()
 # 2. Somebody says: "TF gave no error, so the frames are right." What do you answer?
 # 3. What is still foggy? Write it down, and look at it again after chapter 03.
 #
-# **Next:** the exercises, [E2 Axes and quaternions](../../exercises/en/02_axes_and_quaternions.ipynb), and then [03 Target and source](03_target_and_source.ipynb). `check` tells you not only whether, but *which* mistake.
+# **Next:** the exercises, [E2 Axes and quaternions](../../exercises/en/E02_axes_and_quaternions.ipynb), and then [03 Target and source](03_target_and_source.ipynb). `check` tells you not only whether, but *which* mistake.
 # After a pass, or three tries, `solution("E2.2")` shows a solution there. To start a page over, delete its file and type `tflab lab`.
 
 # %% [markdown] lang="ko" name="exit" slide="slide"
@@ -1449,7 +1449,7 @@ lesson.draw_card()
 # 2. 누가 "TF가 오류를 내지 않았으니 좌표계는 맞다"고 합니다. 뭐라고 답할까요?
 # 3. 아직 잘 모르겠는 것을 적어 두었다가, 03장을 읽은 뒤 다시 보세요.
 #
-# **다음:** 연습 문제 [E2 좌표축과 쿼터니언](../../exercises/ko/02_axes_and_quaternions.ipynb)을 풀고 [03 목표 좌표계와 원본 좌표계](03_target_and_source.ipynb)로 갑니다. `check`를 실행하면 맞고 틀림뿐 아니라 *어떤* 실수인지도 알 수 있습니다.
+# **다음:** 연습 문제 [E2 좌표축과 쿼터니언](../../exercises/ko/E02_axes_and_quaternions.ipynb)을 풀고 [03 목표 좌표계와 원본 좌표계](03_target_and_source.ipynb)로 갑니다. `check`를 실행하면 맞고 틀림뿐 아니라 *어떤* 실수인지도 알 수 있습니다.
 # 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E2.2")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력하세요.
 
 # %% [markdown] lang="en" name="stop-why" slide="skip"

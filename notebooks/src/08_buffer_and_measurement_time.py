@@ -1441,7 +1441,7 @@ node.stop()
 #
 # </details>
 #
-# **Next:** the exercises, [E8 Buffer and measurement time](../../exercises/en/08_buffer_and_measurement_time.ipynb), and then [09 Exceptions and waiting](09_exceptions_and_waiting.ipynb).
+# **Next:** the exercises, [E8 Buffer and measurement time](../../exercises/en/E08_buffer_and_measurement_time.ipynb), and then [09 Exceptions and waiting](09_exceptions_and_waiting.ipynb).
 # After a pass, or three tries, `solution("E8.3")` shows a solution there. To start a page over, delete its file and type `tflab lab`.
 
 # %% [markdown] lang="ko" name="exit-ticket" slide="slide"
@@ -1455,5 +1455,5 @@ node.stop()
 #
 # </details>
 #
-# **다음:** 연습 문제 [E8 버퍼와 측정 시각](../../exercises/ko/08_buffer_and_measurement_time.ipynb)을 풀고 [09 예외와 기다림](09_exceptions_and_waiting.ipynb)으로 갑니다.
+# **다음:** 연습 문제 [E8 버퍼와 측정 시각](../../exercises/ko/E08_buffer_and_measurement_time.ipynb)을 풀고 [09 예외와 기다림](09_exceptions_and_waiting.ipynb)으로 갑니다.
 # 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E8.3")`으로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력하세요.

@@ -625,13 +625,13 @@ for target, source, second in (
 # %% [markdown] lang="en" name="rest" slide="slide"
 # ---
 #
-# **A rest.** Here ends the first sitting: you can read what tf2 says. Do E9.1 to E9.3 of the [exercises](../../exercises/en/09_exceptions_and_waiting.ipynb) now, if you like.
+# **A rest.** Here ends the first sitting: you can read what tf2 says. Do E9.1 to E9.3 of the [exercises](../../exercises/en/E09_exceptions_and_waiting.ipynb) now, if you like.
 # The second sitting takes 45 minutes and needs nothing of the first but what you know: coming back another day, run the cell at the top of this page, and go on here.
 
 # %% [markdown] lang="ko" name="rest" slide="slide"
 # ---
 #
-# **쉬어 갑시다.** 첫 번째 시간은 여기까지입니다. 이제 tf2의 메시지를 읽을 수 있습니다. 원한다면 지금 [연습 문제](../../exercises/ko/09_exceptions_and_waiting.ipynb)의 E9.1부터 E9.3까지 풀어 보세요.
+# **쉬어 갑시다.** 첫 번째 시간은 여기까지입니다. 이제 tf2의 메시지를 읽을 수 있습니다. 원한다면 지금 [연습 문제](../../exercises/ko/E09_exceptions_and_waiting.ipynb)의 E9.1부터 E9.3까지 풀어 보세요.
 # 두 번째 시간은 약 45분이고, 첫 번째 시간의 코드는 필요 없습니다. 다른 날 이어서 볼 때는 이 페이지 맨 위의 셀만 실행하고 여기서 이어 가면 됩니다.
 
 # %% [markdown] lang="en" name="late-or-wrong" slide="slide"
@@ -1437,7 +1437,7 @@ careful = lesson.run_node(OnRobot, 4.0)
 #
 # </details>
 #
-# **Next:** the exercises, [E9, seven tasks](../../exercises/en/09_exceptions_and_waiting.ipynb). In E9.3 two stamps are subtracted: make both with `Time.from_msg(...)`, for times of different clocks do not mix.
+# **Next:** the exercises, [E9, seven tasks](../../exercises/en/E09_exceptions_and_waiting.ipynb). In E9.3 two stamps are subtracted: make both with `Time.from_msg(...)`, for times of different clocks do not mix.
 # After a pass, or three tries, `solution("E9.1")` shows a solution there. To start a page over, delete its file and type `tflab lab`. This is the last chapter that is here; [the start page](00_start.ipynb) shows what you have passed.
 # On your checklist this chapter is **C10**: you have now reproduced the lookup, the connectivity and the extrapolation error. Here it was simulated; do it once on the robot.
 
@@ -1454,6 +1454,6 @@ careful = lesson.run_node(OnRobot, 4.0)
 #
 # </details>
 #
-# **다음:** 연습 문제 [E9, 과제 일곱 개](../../exercises/ko/09_exceptions_and_waiting.ipynb)를 풀어 보세요. E9.3에서는 두 시각을 뺍니다. 종류가 다른 시계의 시각은 섞이지 않으므로 둘 다 `Time.from_msg(...)`로 만듭니다.
+# **다음:** 연습 문제 [E9, 과제 일곱 개](../../exercises/ko/E09_exceptions_and_waiting.ipynb)를 풀어 보세요. E9.3에서는 두 시각을 뺍니다. 종류가 다른 시계의 시각은 섞이지 않으므로 둘 다 `Time.from_msg(...)`로 만듭니다.
 # 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E9.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력하세요. 준비된 마지막 장입니다. [첫 페이지](00_start.ipynb)에서 무엇을 통과했는지 볼 수 있습니다.
 # 실습 체크리스트에서 이 장은 **C10**입니다. 이제 조회·연결·외삽 오류를 모두 직접 만들어 보았습니다. 여기서는 시뮬레이션이었으니, 로봇에서도 한 번 해 보세요.

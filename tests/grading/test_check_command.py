@@ -24,7 +24,7 @@ def copy(course: tiny.Course, tmp_path: Path) -> Path:
     return Path(shutil.copytree(course.release / "learners" / "s102", tmp_path / "copy"))
 
 
-def answer(copy: Path, answers: dict[str, str], name: str = tiny.STEM) -> Path:
+def answer(copy: Path, answers: dict[str, str], name: str = f"E{tiny.STEM}") -> Path:
     path = copy / "exercises" / "en" / f"{name}.ipynb"
     path.write_text(json.dumps(tiny.answered(tiny.exercise(copy), answers)), encoding="utf-8")
     return path
@@ -135,7 +135,7 @@ def test_a_damaged_copy_is_said_as_it_is_elsewhere(copy: Path, capsys: pytest.Ca
 @pytest.mark.parametrize("text", ["{", "[]", "{}", '{"cells": [1]}'])
 def test_a_damaged_master_is_one_line(copy: Path, capsys: pytest.CaptureFixture, text: str) -> None:
     path = answer(copy, tiny.RIGHT)
-    master = next((copy / ".tflab").rglob(f"{tiny.STEM}.ipynb"))
+    master = next((copy / ".tflab").rglob(f"E{tiny.STEM}.ipynb"))
     master.write_text(text)
     assert main([str(path)]) == 2
     said = capsys.readouterr().err

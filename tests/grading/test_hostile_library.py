@@ -28,7 +28,7 @@ def honest_notebook(folder: Path) -> dict[str, Any]:
     """Return the exercise as it was handed out, with the solution's answers in it."""
     solution = json.loads((workbook_data() / f"solutions/en/{STEM}.ipynb").read_text(encoding="utf-8"))
     answers = {cell["id"]: cell["source"] for cell in solution["cells"] if cell["id"].endswith("-answer")}
-    notebook = json.loads((folder / f"exercises/en/{STEM}.ipynb").read_text(encoding="utf-8"))
+    notebook = json.loads((folder / f"exercises/en/E{STEM}.ipynb").read_text(encoding="utf-8"))
     for cell in notebook["cells"]:
         cell["source"] = "".join(answers.get(cell["id"], cell["source"]))
     return notebook

@@ -29,7 +29,7 @@ def public_cases(course: tiny.Course, learner: str) -> dict:
 def test_each_learner_has_a_copy_of_the_class_edition_in_their_language(course: tiny.Course) -> None:
     workbook = read_workbook(course.release / "learners" / "s101")
     assert (workbook.edition, workbook.language, workbook.learner) == ("class", "ko", "s101")
-    assert (course.release / "learners" / "s101" / "exercises" / "ko" / f"{tiny.STEM}.ipynb").is_file()
+    assert (course.release / "learners" / "s101" / "exercises" / "ko" / f"E{tiny.STEM}.ipynb").is_file()
     assert not (course.release / "learners" / "s101" / "solutions").exists()
 
 
@@ -43,7 +43,7 @@ def test_the_exercises_are_stamped_and_nothing_else_in_them_changes(course: tiny
 
 def test_the_copy_as_it_was_handed_out_is_stamped_alike(course: tiny.Course) -> None:
     copy = course.release / "learners" / "s102"
-    name = f"exercises/en/{tiny.STEM}.ipynb"
+    name = f"exercises/en/E{tiny.STEM}.ipynb"
     assert (copy / name).read_bytes() == (copy / ".tflab" / "pristine" / name).read_bytes()
 
 
@@ -159,18 +159,18 @@ def test_what_was_interrupted_while_learners_got_theirs_is_finished_by_adding(co
         releasing.main(command)
     assert releasing.main([*command, "--add"]) == 0
     for learner in ("s101", "s102"):
-        exercise = tmp_path / "r" / "learners" / learner / "exercises" / "en" / f"{tiny.STEM}.ipynb"
+        exercise = tmp_path / "r" / "learners" / learner / "exercises" / "en" / f"E{tiny.STEM}.ipynb"
         assert json.loads(exercise.read_text())["metadata"]["tflab"]["learner"] == learner
 
 
 def test_learners_can_be_added_and_nobody_elses_cases_change(course: tiny.Course, tmp_path: Path) -> None:
     first = releasing.release(tmp_path / "r", [tiny.STEM], [Learner("a")])
-    (tmp_path / "r" / "learners" / "a" / "exercises" / "en" / f"{tiny.STEM}.ipynb").write_text("mine")
+    (tmp_path / "r" / "learners" / "a" / "exercises" / "en" / f"E{tiny.STEM}.ipynb").write_text("mine")
     both = releasing.release(tmp_path / "r", [tiny.STEM], [Learner("b")], add=True)
     assert both.seed == first.seed
     assert sorted(both.roster) == ["a", "b"]
     assert both.for_learner("a") == first.for_learner("a")
-    assert (tmp_path / "r" / "learners" / "a" / "exercises" / "en" / f"{tiny.STEM}.ipynb").read_text() == "mine"
+    assert (tmp_path / "r" / "learners" / "a" / "exercises" / "en" / f"E{tiny.STEM}.ipynb").read_text() == "mine"
     assert tiny.exercise(tmp_path / "r" / "learners" / "b")["metadata"]["tflab"]["learner"] == "b"
 
 

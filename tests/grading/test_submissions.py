@@ -50,7 +50,7 @@ def remarks_of(collection: Collection, learner: str) -> tuple[str, ...]:
     "name",
     [
         "s101/03_tiny.ipynb",
-        "s101/exercises/en/03_tiny.ipynb",
+        "s101/exercises/en/E03_tiny.ipynb",
         "submitted/s101/hw1/03_tiny.ipynb",
         "submitted/S101/03_tiny.ipynb",
         "Kim Minji_4711_assignsubmission_file_/03_tiny.ipynb",
@@ -68,6 +68,9 @@ def remarks_of(collection: Collection, learner: str) -> tuple[str, ...]:
         "s101.ipynb",
         "s101_03_tiny.ipynb",
         "03_tiny_s101.ipynb",
+        "s101_E03_tiny.ipynb",
+        "E03_tiny_s101.ipynb",
+        "E03_tiny (s101).ipynb",
         "03_tiny (s101).ipynb",
     ],
 )

@@ -158,7 +158,7 @@ def write_tiny_workbook(root: Path) -> Path:
     files = {f"exercises/cases/{STEM}.json": cases_json(cases)}
     for language in ("en", "ko"):
         files[f"solutions/{language}/{STEM}.ipynb"] = text_of(lecture_notebook(page, language, {}))
-        files[f"exercises/{language}/{STEM}.ipynb"] = text_of(exercise_notebook(page, language, cases.tasks))
+        files[f"exercises/{language}/E{STEM}.ipynb"] = text_of(exercise_notebook(page, language, cases.tasks))
     for name, text in files.items():
         (root / name).parent.mkdir(parents=True, exist_ok=True)
         (root / name).write_text(text, encoding="utf-8")
@@ -169,7 +169,7 @@ def write_tiny_workbook(root: Path) -> Path:
 
 def exercise(root: Path, language: str = "en") -> dict:
     """Return the exercise notebook below a folder, the workbook's or a learner's."""
-    return json.loads((root / "exercises" / language / f"{STEM}.ipynb").read_text(encoding="utf-8"))
+    return json.loads((root / "exercises" / language / f"E{STEM}.ipynb").read_text(encoding="utf-8"))
 
 
 def answered(notebook: dict, answers: Mapping[str, str] = RIGHT) -> dict:

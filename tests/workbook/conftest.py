@@ -49,7 +49,7 @@ def handed_out(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> HandedOut:
     small = HandedOut(tmp_path / "handed_out")
     for language in ("en", "ko"):
         small.write(f"notebooks/{language}/00_start.ipynb", title="# Start", hello="print('hello')")
-        small.write(f"exercises/{language}/03_small.ipynb", title="# E3", answer="x = ...", check="check('E3.1', x)")
+        small.write(f"exercises/{language}/E03_small.ipynb", title="# E3", answer="x = ...", check="check('E3.1', x)")
         small.write(f"solutions/{language}/03_small.ipynb", title="# E3", answer="x = 1", check="check('E3.1', x)")
     cases = small.root / "exercises" / "cases" / "03_small.json"
     cases.parent.mkdir()

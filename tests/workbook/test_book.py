@@ -20,7 +20,7 @@ from tflab.workbook.pages.build import build
 TEXTS = {
     "en": "# 03 · A title\n\nFirst words.\n\n## Predict\n\nWhere is the <b>laser</b>? It turns by $\\pi / 2$.\n\n"
     "<details><summary>I said 2</summary>\nYou forgot the turn.\n</details>\n\n"
-    "[exercise](../../exercises/en/03_target_and_source.ipynb) [start](00_start.ipynb#cell-id=title)",
+    "[exercise](../../exercises/en/E03_target_and_source.ipynb) [start](00_start.ipynb#cell-id=title)",
     "ko": "# 03 · 제목\n\n첫 문장.\n\n## 예측\n\n레이저는 어디에 있습니까?",
 }
 FIGURE = (
@@ -49,7 +49,7 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
         long, longer = (markdown("word  \n" * 60, id=name) for name in ("long", "longer"))
         cells = [markdown(text, id="title"), long, code(FIGURE, id="figure"), longer]
         write(root / "notebooks" / language / "03_target_and_source.ipynb", language, *cells)
-        write(root / "exercises" / language / "03_target_and_source.ipynb", language, markdown("# E3", id="title"))
+        write(root / "exercises" / language / "E03_target_and_source.ipynb", language, markdown("# E3", id="title"))
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("TFLAB_WORKBOOK", str(root))
         assert build(["--html", "--out", str(out)]) == 0

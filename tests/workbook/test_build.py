@@ -46,8 +46,8 @@ def workbook(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def test_a_chapter_becomes_seven_files(workbook: Path) -> None:
-    rooms = ("notebooks", "solutions", "exercises")
-    pages = {f"{room}/{language}/03_x.ipynb" for room in rooms for language in ("en", "ko")}
+    names = ("notebooks/{}/03_x.ipynb", "solutions/{}/03_x.ipynb", "exercises/{}/E03_x.ipynb")
+    pages = {name.format(language) for name in names for language in ("en", "ko")}
     assert set(bytes_below(workbook)) == pages | {"exercises/cases/03_x.json"}
 
 
@@ -88,7 +88,7 @@ def test_a_marked_term_is_explained_by_the_glossary(workbook: Path) -> None:
 
 
 def test_an_exercise_has_its_regions_taken_out_and_nothing_run(workbook: Path) -> None:
-    page = cells_of(workbook, "exercises/en/03_x.ipynb")
+    page = cells_of(workbook, "exercises/en/E03_x.ipynb")
     assert "".join(page["e3-1-answer"]["source"]) == "half = ...  # [m]"
     assert "".join(page["e3-2-answer"]["source"]).endswith('    raise NotImplementedError("your turn")')
     code_cells = [cell for cell in page.values() if cell["cell_type"] == "code"]
@@ -97,7 +97,7 @@ def test_an_exercise_has_its_regions_taken_out_and_nothing_run(workbook: Path) -
 
 
 def test_an_exercise_says_to_nbgrader_and_to_us_which_cells_are_a_task(workbook: Path) -> None:
-    page = cells_of(workbook, "exercises/ko/03_x.ipynb")
+    page = cells_of(workbook, "exercises/ko/E03_x.ipynb")
     answer, check = page["e3-1-answer"]["metadata"], page["e3-1-check"]["metadata"]
     assert answer["tflab"] == check["tflab"] == page["e3-1-given"]["metadata"]["tflab"] == {"task": "E3.1"}
     assert answer["nbgrader"] == {

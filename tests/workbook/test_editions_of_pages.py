@@ -55,7 +55,7 @@ def test_an_untouched_exercise_runs_to_its_last_cell_and_scores_zero(stem: str, 
     from tflab.workbook.progress import attempts
 
     root = lay_out(tmp_path / "copy", language)
-    path = root / "exercises" / language / f"{stem}.ipynb"
+    path = root / "exercises" / language / f"E{stem}.ipynb"
     page = nbformat.read(path, as_version=4)
     NotebookClient(page, timeout=60, resources={"metadata": {"path": str(path.parent)}}).execute()
     said = {
@@ -82,7 +82,7 @@ def test_a_solution_scores_everything_there_is(stem: str) -> None:
 @pytest.mark.parametrize("stem", CHAPTERS)
 def test_an_exercise_holds_nothing_of_its_solution(stem: str) -> None:
     for language in ("en", "ko"):
-        cells = cells_of(ROOT / "exercises" / language / f"{stem}.ipynb")
+        cells = cells_of(ROOT / "exercises" / language / f"E{stem}.ipynb")
         solved = {cell["id"]: cell for cell in cells_of(ROOT / "solutions" / language / f"{stem}.ipynb")}
         for cell in cells:
             assert not cell.get("outputs")

@@ -65,7 +65,7 @@ def test_a_file_that_is_no_notebook_is_said_and_does_not_stop_the_other_pages(tm
 
 def test_a_link_to_the_next_page_leads_to_its_html(tmp_path: Path) -> None:
     page = nbformat.v4.new_notebook(
-        cells=[nbformat.v4.new_markdown_cell("[on](04_y.ipynb#why) [do](../../exercises/en/03_x.ipynb)")],
+        cells=[nbformat.v4.new_markdown_cell("[on](04_y.ipynb#why) [do](../../exercises/en/E03_x.ipynb)")],
         metadata={"tflab": {"language": "ko"}},
     )
     nbformat.write(page, tmp_path / "03_x.ipynb")

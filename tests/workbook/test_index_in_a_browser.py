@@ -41,6 +41,6 @@ def test_a_link_on_the_first_page_opens_the_exercise_in_the_same_copy(lab, page)
     lab.open(page, f"{copy.name}/notebooks/en/00_start.ipynb")
     page.locator(".jp-RenderedMarkdown a", has_text="E3").click()
     page.wait_for_function(
-        "jupyterapp.shell.currentWidget?.context?.path === 'copy_of_links/exercises/en/03_target_and_source.ipynb'",
+        "jupyterapp.shell.currentWidget?.context?.path === 'copy_of_links/exercises/en/E03_target_and_source.ipynb'",
         timeout=60_000,
     )

@@ -40,7 +40,7 @@ def test_without_a_folder_it_makes_a_copy_and_opens_its_first_page(started: list
     assert files(folder) == {
         "workbook.json",
         "notebooks/en/00_start.ipynb",
-        "exercises/en/03_small.ipynb",
+        "exercises/en/E03_small.ipynb",
         "exercises/cases/03_small.json",
     }
     assert str(folder) in capsys.readouterr().out
@@ -96,7 +96,7 @@ def test_a_class_copy_in_another_language_keeps_the_exercises_that_were_handed_o
     assert lab.lab(["mine", "--lang", "ko"]) == 0
     assert "나눠 준 언어 그대로" in capsys.readouterr().out
     assert {name for name in files(started[0][1]) if name.startswith("exercises/")} == {
-        "exercises/en/03_small.ipynb",
+        "exercises/en/E03_small.ipynb",
         "exercises/cases/03_small.json",
     }
 

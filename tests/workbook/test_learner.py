@@ -12,7 +12,7 @@ from tflab.workbook.places import Workbook, WorkbookError, read_workbook, workbo
 
 from .conftest import HandedOut
 
-PAGE = "exercises/en/03_small.ipynb"
+PAGE = "exercises/en/E03_small.ipynb"
 
 
 def cells(path: Path) -> dict[str, str]:
@@ -35,9 +35,9 @@ def test_a_copy_knows_its_edition_language_and_learner(handed_out: HandedOut, tm
 def test_a_class_copy_has_the_exercises_that_it_is_given_cases_for_and_those_cases(
     handed_out: HandedOut, tmp_path: Path
 ) -> None:
-    handed_out.write("exercises/en/09_other.ipynb", title="# E9")
+    handed_out.write("exercises/en/E09_other.ipynb", title="# E9")
     copy = lay_out(tmp_path / "copy", "en", edition="class", cases={"03_small": {"chapter": "03_small", "mine": 1}})
-    assert [path.name for path in (copy / "exercises/en").iterdir()] == ["03_small.ipynb"]
+    assert [path.name for path in (copy / "exercises/en").iterdir()] == ["E03_small.ipynb"]
     assert json.loads((copy / "exercises/cases/03_small.json").read_text())["mine"] == 1
     assert not (copy / "solutions").exists()
 
@@ -228,7 +228,7 @@ def test_a_page_that_is_no_notebook_any_more_stays_and_the_new_one_is_put_beside
     handed_out.write(PAGE, title="# E3, better")
     assert update(copy) == [Change(PAGE, "kept")]
     assert (copy / PAGE).read_text() == "half a noteb"
-    assert len(list((copy / PAGE).parent.glob("03_small.new-*.ipynb"))) == 1
+    assert len(list((copy / PAGE).parent.glob("E03_small.new-*.ipynb"))) == 1
 
 
 def test_without_the_pages_as_they_were_handed_out_answers_stay(handed_out: HandedOut, tmp_path: Path) -> None:

@@ -50,7 +50,7 @@ BROKEN = {
         "is in the other language",
     ),
     "a link to a page that is not there": (
-        text("why", "[go](../../exercises/en/03_x.ipynb)", "[가기](../../exercises/ko/03_x.ipynb)"),
+        text("why", "[go](../../exercises/en/E03_x.ipynb)", "[가기](../../exercises/ko/E03_x.ipynb)"),
         "which will not be there",
     ),
     "a link to a file of the repository": (text("why", "[go](../../README.md)", "갑니다."), "which will not be there"),
@@ -88,7 +88,7 @@ def test_a_good_page_has_no_faults(tmp_path: Path) -> None:
         code("long", "\n".join(["x = 1"] * 15)),
         code("turn", "x", ' tags=["interactive"]'),
         code("still", "x"),
-        text("go", "[go](../../exercises/en/03_x.ipynb)", "[가기](../../exercises/ko/03_x.ipynb)"),
+        text("go", "[go](../../exercises/en/E03_x.ipynb)", "[가기](../../exercises/ko/E03_x.ipynb)"),
         text("rep", "[[frame]] [REP](https://ros.org/reps) [up](#why)", "[REP](https://ros.org/reps) [[frame|틀]](, )"),
     )
     exercise(tmp_path)

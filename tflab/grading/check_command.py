@@ -93,7 +93,7 @@ def _called(word: str) -> Path:
         (stem,) = places.stems_called([word], places.chapters(root))
     except LookupError:
         return Path(word)
-    return root / "exercises" / read_workbook(root).language / f"{stem}.ipynb"
+    return root / "exercises" / read_workbook(root).language / places.exercise_file(stem)
 
 
 def _language_at(path: Path) -> str:
@@ -173,7 +173,7 @@ def _chapter(root: Path, workbook: Workbook, stem: str) -> dict[str, Any]:
     for task_id, task in cases["tasks"].items():
         variant = task["variants"][variant_of(workbook.learner, task_id, len(task["variants"]))]
         tasks[task_id] = {name: held for name, held in task.items() if name != "variants"} | variant
-    name = Path("exercises", workbook.language, f"{stem}.ipynb")
+    name = Path("exercises", workbook.language, places.exercise_file(stem))
     pristine = next((path for path in (root / PRISTINE / name, workbook_data() / name) if path.is_file()), None)
     if pristine is None:
         raise WorkbookError(f"the exercise {stem} as it was handed out is not there; {MENDS}")

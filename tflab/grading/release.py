@@ -83,7 +83,7 @@ def release(
     data = places.workbook_data()
     handed_out: dict[str, dict[str, Any]] = {}
     for stem in dict.fromkeys([*pack.cases, *stems]):
-        master = data / "exercises" / "en" / f"{stem}.ipynb"
+        master = data / "exercises" / "en" / places.exercise_file(stem)
         if not master.is_file():
             raise PackError(f"{stem} has no exercise; `tflab build {stem}` makes it")
         handed_out[stem], graded = chapter_cases(stem, pack.seed, data / "solutions")
@@ -130,7 +130,7 @@ def _lay_out_for(
     stamp = {"release": pack.release, "version": pack.version} | ({"learner": identity} if identity else {})
     for stem in cases:
         for root in (target, target / ".tflab" / "pristine"):
-            path = root / "exercises" / spoken / f"{stem}.ipynb"
+            path = root / "exercises" / spoken / places.exercise_file(stem)
             if path.is_file():
                 _stamp(path, stamp | {"chapter": stem, "language": spoken})
 

@@ -4,7 +4,7 @@
       workbook.json           version, edition, language, learner
       progress.json           what has been tried (see `progress.py`)
       notebooks/en/           pages to read
-      exercises/en/           pages to answer;  exercises/cases/  what `check` asks
+      exercises/en/E03_....   pages to answer;  exercises/cases/  what `check` asks
 
 The same folders, in every language, are in the repository and in the wheel, and with
 them the solutions, of which `solution` shows one task at a time.  Read `answers/` next.
@@ -29,8 +29,10 @@ __all__ = [
     "MARK",
     "Workbook",
     "WorkbookError",
+    "chapter_of",
     "chapters",
     "copy_at_hand",
+    "exercise_file",
     "read_workbook",
     "stems_called",
     "workbook_data",
@@ -124,15 +126,26 @@ def chapters(root: str | Path | None = None) -> list[str]:
     return sorted(path.stem for path in (Path(root or workbook_data()) / CASES).glob("*.json"))
 
 
+def exercise_file(stem: str) -> str:
+    """Return what the notebook with a chapter's exercises is called: two tabs of one chapter have two names."""
+    return f"E{stem}.ipynb"
+
+
+def chapter_of(path: Path) -> str:
+    """Return the stem of the chapter that a page, an exercise or its cases belong to."""
+    return path.stem.removeprefix("E")
+
+
 def stems_called(words: Iterable[str], there: Sequence[str], *, what: str = "page") -> list[str]:
-    """Return the stems, of those there, that words name whole or by number ("03", "3"), each once.
+    """Return the stems, of those there, that words name whole or by number ("03", "3", "E3"), each once.
 
     Raises:
         LookupError: a word names none of them; the text says so of a `what`.
     """
     chosen: list[str] = []
     for word in words:
-        found = [stem for stem in there if word == stem or word.zfill(2) == stem.partition("_")[0]]
+        bare = word.removeprefix("E")
+        found = [stem for stem in there if bare == stem or bare.zfill(2) == stem.partition("_")[0]]
         if not found:
             raise LookupError(f'there is no {what} "{word}"; there is {", ".join(there) or "none"}')
         chosen += found

@@ -1,6 +1,6 @@
 """Who handed in what?  A folder, a zip or one notebook becomes a list of submissions, one for each learner.
 
-    s101/exercises/en/03_target_and_source.ipynb        a folder for each learner
+    s101/exercises/en/E03_target_and_source.ipynb        a folder for each learner
     s101/hw1/03_target_and_source.ipynb                 as nbgrader collects
     Kim Minji_4711_assignsubmission_file_/03.ipynb      as Moodle gives it
     kimminji_4711_98765_03.ipynb                        as Canvas gives it

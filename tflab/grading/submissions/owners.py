@@ -48,7 +48,7 @@ def group_of(parts: tuple[str, ...], chapters: Sequence[str]) -> tuple[str, str]
             break
     for chapter in chapters:
         if chapter in stem and stem != chapter:
-            stem = stem.replace(chapter, "")
+            stem = re.sub(f"E?{re.escape(chapter)}", "", stem)
     return stem.strip(" _-.") or parts[0], ""
 
 

@@ -12,6 +12,7 @@ from collections.abc import Sequence
 from html import escape
 
 from ..course.course import read_course
+from ..places import exercise_file
 from ..words import LANGUAGES, Words
 from .frame import STATIC, BookPage
 
@@ -45,20 +46,21 @@ COMMANDS_KO = f"{COMMANDS} --lang ko"
 def front_page(book: Sequence[BookPage], language: str, *, has_reference: bool) -> str:
     """Return the first page's text as HTML; the chapters are those of `book`."""
     files = {page.file: page for page in book}
-    rows, to_come = [], []
+    rows, to_come, exercises = [], [], set()
     for chapter in read_course().chapters:
         title = f"{chapter.number:02} · {chapter.title.say(language)}"
         if f"{chapter.stem}.html" not in files:
             to_come.append(chapter.title.say(language))
             continue
-        exercise = f"{chapter.stem}_exercise.html"
+        exercise = exercise_file(chapter.stem).replace(".ipynb", ".html")
+        exercises.add(exercise)
         more = f' · <a href="{exercise}">{EXERCISE.say(language)}</a>' if exercise in files else ""
         rows.append(
             f'<li><a class="book-chapter" href="{chapter.stem}.html">{escape(title)}</a>'
             f"<span>{escape(chapter.question.say(language))}</span>"
             f"<small>{MINUTES.say(language, n=chapter.minutes)}{more}</small></li>\n"
         )
-    others = [page for page in book if not page.is_chapter and not page.file.endswith("_exercise.html")]
+    others = [page for page in book if not page.is_chapter and page.file not in exercises]
     look_up = [f'<li><a href="{page.file}">{escape(page.title)}</a></li>' for page in others]
     if has_reference:
         look_up.append(f'<li><a href="../reference/tflab.html">{REFERENCE.say(language)}</a></li>')

@@ -23,7 +23,7 @@ from pathlib import Path, PurePosixPath
 from tflab import __version__
 
 from ..pages.editions import text_of
-from ..places import MARK, Workbook, WorkbookError, read_workbook, workbook_data, write_workbook
+from ..places import MARK, Workbook, WorkbookError, chapter_of, read_workbook, workbook_data, write_workbook
 from ..whole_files import locked, write_whole
 from ..words import Words
 from .merge import Merged, merge_notebooks
@@ -130,14 +130,14 @@ def material(
     if edition != "class" or cases is not None:
         folders += [Path("exercises", language), Path("exercises", "cases")]
     for folder in folders:
-        for path in sorted((data / folder).glob("*.json" if folder.name == "cases" else "*.ipynb")):
+        given = folder.name == "cases"
+        for path in sorted((data / folder).glob("*.json" if given else "*.ipynb")):
             if folder.parts[0] == "notebooks":
                 yield PurePosixPath(folder, path.name).as_posix(), answers_hidden(path.read_bytes(), language)
             elif cases is None:
                 yield PurePosixPath(folder, path.name).as_posix(), path.read_bytes()
-            elif path.stem in cases:
-                given = folder.name == "cases"
-                content = _json(cases[path.stem]) if given else path.read_bytes()
+            elif (stem := chapter_of(path)) in cases:
+                content = _json(cases[stem]) if given else path.read_bytes()
                 yield PurePosixPath(folder, path.name).as_posix(), content
 
 

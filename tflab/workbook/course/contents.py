@@ -14,7 +14,7 @@ import re
 import sys
 from pathlib import Path
 
-from ..places import workbook_data
+from ..places import exercise_file, workbook_data
 from ..whole_files import write_whole
 from ..words import LANGUAGES, Words
 from .course import Chapter, read_course
@@ -65,7 +65,7 @@ def chapter_table(language: str, root: Path) -> str:
             continue
         exercise = ""
         if (root / "solutions" / "src" / f"{chapter.stem}.py").is_file():
-            exercise = f"[E{chapter.number}](../../exercises/{language}/{chapter.stem}.ipynb)"
+            exercise = f"[E{chapter.number}](../../exercises/{language}/{exercise_file(chapter.stem)})"
         before = ", ".join(str(number) for number in chapter.builds_on if number)
         cells = (
             str(chapter.number),

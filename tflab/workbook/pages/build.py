@@ -21,7 +21,7 @@ from dataclasses import dataclass, field
 from importlib.util import find_spec
 from pathlib import Path
 
-from ..places import stems_called, workbook_data
+from ..places import chapter_of, stems_called, workbook_data
 from ..tasks.mutants import Tested, table
 from ..whole_files import write_whole
 from ..words import LANGUAGES
@@ -170,7 +170,7 @@ def _without_source(root: Path) -> list[str]:
     for folder, source in (("notebooks", "notebooks"), ("solutions", "solutions"), ("exercises", "solutions")):
         stems = {path.stem for path in (root / source / "src").glob("*.py")}
         for path in sorted([*(root / folder).glob("*/*.ipynb"), *(root / folder).glob("cases/*.json")]):
-            if path.stem not in stems:
+            if chapter_of(path) not in stems:
                 lines.append(f"{path.relative_to(root).as_posix()}: has no source any more; delete it")
     return lines
 

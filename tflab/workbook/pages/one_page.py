@@ -2,7 +2,7 @@
 
     notebooks/src/03_x.py                --run-->  notebooks/{en,ko}/03_x.ipynb
     solutions/src/03_x.py                --run-->  solutions/{en,ko}/03_x.ipynb
-        + solutions/tasks/03_x/e3_1.py  -------->  exercises/{en,ko}/03_x.ipynb, exercises/cases/03_x.json
+        + solutions/tasks/03_x/e3_1.py  -------->  exercises/{en,ko}/E03_x.ipynb, exercises/cases/03_x.json
 
 The public cases are made before the solution is run, because its checks ask for
 them.  An exercise is run, too, untouched: it must reach its end and pass nothing.
@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from ..course.glossary import read_glossary
+from ..places import exercise_file
 from ..tasks.blank import BlankError
 from ..tasks.case import ChapterCases, TaskCases
 from ..tasks.cases import PUBLIC_SEED, CasesError, cases_json, task_cases
@@ -75,7 +76,8 @@ async def _solution(page: Page, faults: list[PageFault], cases_turn: asyncio.Loc
     files |= _in_each_language(page, "solutions", outputs, tasks)
     for language in LANGUAGES:
         try:
-            files[f"exercises/{language}/{page.stem}.ipynb"] = text_of(exercise_notebook(page, language, tasks))
+            exercise = text_of(exercise_notebook(page, language, tasks))
+            files[f"exercises/{language}/{exercise_file(page.stem)}"] = exercise
         except BlankError:  # which is a fault already
             assert faults
     return Made(files, faults, tuple(tests))

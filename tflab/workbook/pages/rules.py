@@ -14,8 +14,10 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Collection, Iterator, Sequence
+from pathlib import Path
 from posixpath import normpath
 
+from ..places import chapter_of
 from ..words import LANGUAGES
 from .source import Page, PageFault, SourceCell, code_lines
 
@@ -32,7 +34,7 @@ IMAGE = re.compile(r"!\[([^\]]*)\]\(|<img\b([^>]*)>")
 TERM = re.compile(r"\[\[([^\[\]|]+)(?:\|[^\[\]]*)?\]\]")
 LINK = re.compile(r"(?<!\])\]\(([^)\s]+)")  # but a term in brackets before a bracket is none
 ELSEWHERE = re.compile(r"[a-z]+:|#")
-PAGE = re.compile(r"(notebooks|solutions|exercises)/(en|ko)/([^/]+)\.ipynb")
+PAGE = re.compile(r"(notebooks|solutions|exercises(?=/../E))/(en|ko)/([^/]+)\.ipynb")
 
 
 def page_faults(page: Page, terms: Collection[str] | None = None) -> list[PageFault]:
@@ -198,8 +200,8 @@ def _links(page: Page) -> Iterator[PageFault]:
             path = normpath(f"{room}/{cell.lang}/{target.partition('#')[0]}")
             found = PAGE.fullmatch(path)
             source = "notebooks" if found and found[1] == "notebooks" else "solutions"
-            if not found or not (root / source / "src" / f"{found[3]}.py").is_file():
-                remedy = "link to a page that has a source, as ../../exercises/en/03_....ipynb"
+            if not found or not (root / source / "src" / f"{chapter_of(Path(found[3]))}.py").is_file():
+                remedy = "link to a page that has a source, as ../../exercises/en/E03_....ipynb"
                 yield page.fault(cell, f"links to {target}, which will not be there", remedy)
             elif found[2] != cell.lang:
                 yield page.fault(cell, f"{target} is in the other language", f"link to the one below {cell.lang}/")

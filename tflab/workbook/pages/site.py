@@ -1,7 +1,7 @@
 """How do all pages become one book?  `tflab build --html`: run in each language, framed, and tied together.
 
     site/index.html              asks the browser for its language
-    site/en/03_x.html            a page;  03_x_exercise.html, its exercise, to read
+    site/en/03_x.html            a page;  E03_x.html, its exercise, to read
     site/en/gallery.html         every figure, with its line
     site/assets/                 scripts, styles, pictures, the index of the search: once for all pages
     site/reference/              what the docstrings say, with --reference
@@ -16,7 +16,7 @@ import json
 import re
 import shutil
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
@@ -28,7 +28,7 @@ from ..book.gallery import GALLERY, ShownFigure, gallery_page, pictures_of
 from ..book.reading import search_index, sections_of
 from ..book.reference import write_reference
 from ..course.course import read_course
-from ..places import workbook_data
+from ..places import chapter_of, workbook_data
 from ..words import Words
 from .html import PageFailed, run_with_films
 
@@ -36,7 +36,7 @@ __all__ = ["write_book"]
 
 KERNELS = 2
 EXERCISE = Words(en="Exercise {number}", ko="연습 문제 {number}")
-LINK = re.compile(r'href="(?:\.\./\.\./(?P<room>exercises|notebooks)/\w+/)?(?P<stem>\w+)\.ipynb(?P<place>#[^"]*)?"')
+LINK = re.compile(r'href="(?:\.\./\.\./(?:exercises|notebooks)/\w+/)?(?P<page>\w+)\.ipynb(?P<place>#[^"]*)?"')
 
 
 @dataclass(frozen=True)
@@ -89,7 +89,7 @@ def _ran_pages(language: str, assets: Path) -> tuple[list[_Ran], int]:
     root = workbook_data()
     notebooks = sorted((root / "notebooks" / language).glob("*.ipynb"))
     exercises = sorted((root / "exercises" / language).glob("*.ipynb"))
-    wanted = sorted([*notebooks, *exercises], key=lambda path: (path.stem, path in exercises))
+    wanted = sorted([*notebooks, *exercises], key=lambda path: (chapter_of(path), path in exercises))
     made, failed = [], 0
 
     def make(path: Path) -> _Ran | PageFailed:
@@ -114,31 +114,27 @@ def _lecture(notebook: Path, language: str, assets: Path) -> _Ran:
         executed = run_with_films(notebook, Path(folder))
         title, file = _title(notebook.stem, language), f"{notebook.stem}.html"
         pictures = pictures_of(json.loads(executed.read_text(encoding="utf-8")), file, title)
-        text = _exported(executed, Path(folder) / "pages", assets, lambda stem: f"{stem}.html")
+        text = _exported(executed, Path(folder) / "pages", assets)
         return _Ran(BookPage(file, title, text, sections_of(text)), pictures)
 
 
 def _exercise(notebook: Path, language: str, assets: Path) -> _Ran:
     """Return an exercise as a page to read: nobody has answered it."""
     with TemporaryDirectory() as folder:
-        title = EXERCISE.say(language, number=f"{int(notebook.stem[:2]):02}")
-        text = _exported(notebook, Path(folder), assets, lambda stem: f"{stem}_exercise.html")
-        return _Ran(BookPage(f"{notebook.stem}_exercise.html", title, text, sections_of(text), is_chapter=False), [])
+        title = EXERCISE.say(language, number=chapter_of(notebook)[:2])
+        text = _exported(notebook, Path(folder), assets)
+        return _Ran(BookPage(f"{notebook.stem}.html", title, text, sections_of(text), is_chapter=False), [])
 
 
-def _exported(notebook: Path, folder: Path, assets: Path, beside: Callable[[str], str]) -> str:
+def _exported(notebook: Path, folder: Path, assets: Path) -> str:
     """Return a notebook's HTML, its links leading to pages of the book and its assets where all pages have them."""
     from tflab.views.export import export_html
-
-    def link(found: re.Match) -> str:
-        name = {"exercises": f"{found['stem']}_exercise.html", "notebooks": f"{found['stem']}.html"}
-        return f'href="{name.get(found["room"] or "", beside(found["stem"]))}{found["place"] or ""}"'
 
     exported = export_html(notebook, folder)
     if (folder / "assets").is_dir():
         shutil.copytree(folder / "assets", assets, dirs_exist_ok=True)
     text = exported.read_text(encoding="utf-8")
-    return LINK.sub(link, text).replace('"assets/', '"../assets/')
+    return LINK.sub(r'href="\g<page>.html\g<place>"', text).replace('"assets/', '"../assets/')
 
 
 def _title(stem: str, language: str) -> str:

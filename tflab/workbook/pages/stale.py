@@ -12,6 +12,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from ..places import chapter_of
+
 __all__ = ["difference", "stale"]
 
 SHOWN = 60
@@ -23,11 +25,11 @@ def stale(root: Path, built: Mapping[str, str]) -> list[str]:
     for name, text in sorted(built.items()):
         path = root / name
         if not path.is_file():
-            lines.append(f"{name}: is not there; run: tflab build {path.stem}")
+            lines.append(f"{name}: is not there; run: tflab build {chapter_of(path)}")
             continue
         there = path.read_text(encoding="utf-8")
         if there != text:
-            lines.append(f"{name}: {difference(there, text)}; run: tflab build {path.stem}")
+            lines.append(f"{name}: {difference(there, text)}; run: tflab build {chapter_of(path)}")
     return lines
 
 
