@@ -27,6 +27,7 @@ from tflab.workbook.answers.forms import (
     Sequence,
     Set,
     Tree,
+    Urdf,
     Vector,
     form_from_plain,
 )
@@ -51,7 +52,23 @@ def point(frame: str) -> geometry_msgs.PointStamped:
 WAY = Choice(("up", "down"))
 ECHO = "ros2 run tf2_ros tf2_echo map base_link"
 STATIC = "ros2 run tf2_ros static_transform_publisher"
+HEAD = """
+<joint name="nod" type="revolute">
+  <parent link="base_link"/> <child link="head"/>
+  <origin xyz="0.1 0 0.3" rpy="0 0 1.5708"/>
+  <axis xyz="0 1 0"/>
+</joint>
+<joint name="eye" type="fixed">
+  <parent link="head"/> <child link="lens"/>
+  <origin rpy="-1.5708 0 -1.5708"/>
+</joint>"""
+WHOLE = f"""<?xml version="1.0"?>
+<robot name="r"><link name="lens"/><link name="head"/><link name="base_link"/>{HEAD}</robot>"""
+NODS = Urdf(("head", "lens"), joint="nod", settings=(0.0, 0.4))
 SAME = [
+    (NODS, WHOLE, HEAD), (NODS, HEAD.replace("1.5708", "1.570796"), HEAD),
+    (NODS, HEAD.replace('rpy="0 0 1.5708"', 'rpy="0 0 7.853981"'), HEAD),
+    (NODS, HEAD.replace("revolute", "continuous").replace("0 1 0", "0 2.0 0"), HEAD),
     (Number(), 1.0, 1.0004), (Number(tolerance=0), 5, 5), (Number(), np.float64(2.0), 2),
     (Number(), np.array(2.0), 2.0), (Number(), np.array([2.0]), 2.0), (Number(), Decimal("2.0"), Fraction(2, 1)),
     (Vector(3), np.array([[1.0], [2.0], [3.0]]), (1, 2, 3)), (Vector(3), np.array([[1.0, 2.0, 3.0]]), (1, 2, 3)),
@@ -77,6 +94,12 @@ SAME = [
     (Command(), "ros2 bag record /tf_static /tf", "ros2 bag record /tf /tf_static"),
 ]  # fmt: skip
 DIFFERENT = [
+    (NODS, HEAD.replace("0.1 0 0.3", "10 0 30"), HEAD), (NODS, HEAD.replace("0 1 0", "0 -1 0"), HEAD),
+    (NODS, HEAD.replace("revolute", "fixed"), HEAD), (NODS, HEAD.replace('"nod"', '"other"'), HEAD),
+    (NODS, HEAD.replace('child link="head"', 'child link="haed"'), HEAD), (NODS, HEAD + "</joint>", HEAD),
+    (NODS, 3, HEAD),
+    (NODS, HEAD + " " * 20_000, HEAD),
+    (NODS, '<!DOCTYPE r [<!ENTITY a "aa">]>' + WHOLE.partition("?>")[2], HEAD),
     (Number(), 1.0, 1.002), (Number(), True, 1.0), (Number(), "1.0", 1.0), (Number(), math.nan, 1.0),
     (Number(), [1.0], 1.0),
     (Number(), np.array([1.0, 1.0]), 1.0), (Vector(3), np.eye(3), (1, 0, 0)), (Vector(3), [[1], [2], [3]], (1, 2, 3)),
@@ -253,3 +276,19 @@ def test_parts_that_cannot_be_read_are_alike_only_if_they_are_the_same():
     first, second = {"dict": {"x": 1.0, "y": None}}, {"dict": {"x": 2.0, "y": 2.0}}
     assert not form.alike(second, first) and not form.alike(first, second)
     assert form.alike(first, dict(first))
+
+
+def test_each_link_of_a_robot_has_credit_of_its_own_because_it_is_looked_at_from_its_parent():
+    assert NODS.judge(HEAD.replace("0.1 0 0.3", "0.3 0 0.1"), HEAD) == [False, True]
+    assert NODS.judge(HEAD.replace("-1.5708 0 -1.5708", "0 0 0"), HEAD) == [True, False]
+    upside_down = HEAD.replace("base_link", "x").replace('child link="head"', 'child link="base_link"')
+    assert NODS.judge(upside_down.replace('"x"', '"head"'), HEAD) == [False, False]
+
+
+def test_a_text_that_is_no_robot_is_told_why_with_the_line_that_the_learner_sees():
+    assert NODS.fault(HEAD.replace('child link="lens"', 'child link="lense"')).startswith(
+        'your URDF:6: joint "eye": its child link "lense" does not exist. Did you mean "lens"?'
+    )
+    assert "entit" in NODS.fault('<!DOCTYPE r [<!ENTITY a "aa">]><robot name="&a;"/>').lower()
+    assert NODS.fault(" " * 20_001) == "20001 characters; 20000 are enough for this robot"
+    assert NODS.fault(HEAD) == ""

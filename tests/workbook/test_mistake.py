@@ -6,7 +6,7 @@ import string
 
 import pytest
 
-from tflab.workbook.answers.forms import Number
+from tflab.workbook.answers.forms import Number, Urdf
 from tflab.workbook.answers.values import raised
 from tflab.workbook.tasks.case import Case
 from tflab.workbook.tasks.mistake import REPLIES, WITHOUT_THE_ANSWER, Mistake
@@ -55,3 +55,14 @@ def test_what_came_out_is_called_by_its_name(outcomes, mistake):
 def test_a_function_that_returns_where_it_should_refuse_is_told_so():
     cases = (Case([8.0], 1.0, {}), Case([-1.0], raised(ValueError()), {}))
     assert judge_outcomes(*bare(Number("m"), *cases, is_function=True), [1.0, 5.0]).mistake is Mistake.NO_REFUSAL
+
+
+def test_a_urdf_that_cannot_be_read_is_answered_with_the_readers_own_error():
+    joint = '<joint name="j" type="fixed"><parent link="base_link"/><child link="{}"/></joint>'
+    wrong = [joint.format("lens").replace("/></j", '/><origin xyz="1 0 0"/></j')]
+    form = Urdf(("lens",))
+    lost = judge_outcomes(*bare(form, Case(None, joint.format("lens"), {})), [joint.format("lense")])
+    assert lost.mistake is Mistake.NO_ROBOT and 'its child link "lense" does not exist' in lost.detail["fault"]
+    moved = judge_outcomes(*bare(form, Case(None, joint.format("lens"), {})), wrong)
+    assert moved.mistake is Mistake.PARTS and moved.detail["wrong"] == ["lens"]
+    assert moved.detail["certain"].en == "lens: where it is in its parent"

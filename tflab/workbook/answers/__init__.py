@@ -5,6 +5,7 @@
     structures     choices, lists, messages
     members        names, pairs, sets and trees
     command_lines  what one would type
+    urdf_text      a robot, as its file has it
     forms          all of them together
     sealed         a right answer that cannot be read: a salted hash
     showing        an answer in words

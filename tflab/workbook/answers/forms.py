@@ -12,6 +12,7 @@ from typing import Any
 from .form import Angle, Form, Number, Pose, Quaternion, Vector
 from .members import Name, Pair, Set, Tree
 from .structures import Choice, Command, Message, Parts, Sequence
+from .urdf_text import Urdf
 
 __all__ = [
     "Angle",
@@ -28,6 +29,7 @@ __all__ = [
     "Sequence",
     "Set",
     "Tree",
+    "Urdf",
     "Vector",
     "form_from_plain",
 ]
@@ -48,6 +50,7 @@ _CLASSES = {
         Sequence,
         Set,
         Tree,
+        Urdf,
         Vector,
     )
 }

@@ -33,6 +33,7 @@ from ..answers.forms import (
     Sequence,
     Set,
     Tree,
+    Urdf,
     Vector,
 )
 from ..words import Words
@@ -55,6 +56,7 @@ __all__ = [
     "Task",
     "Tree",
     "Twin",
+    "Urdf",
     "Vector",
     "Words",
 ]

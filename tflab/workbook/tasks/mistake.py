@@ -38,6 +38,7 @@ class Mistake(str, Enum):
     SHAPE = "shape"
     OPTION = "option"
     MISSING_PARTS = "missing parts"
+    NO_ROBOT = "no robot"
     FRAME = "frame"
     UNIT = "unit"
     CONSTANT = "constant"
@@ -112,6 +113,10 @@ REPLIES = {
     Mistake.MISSING_PARTS: Words(
         en="there is no answer yet for {parts}.",
         ko="아직 답이 없는 곳: {parts}.",
+    ),
+    Mistake.NO_ROBOT: Words(
+        en="this is no robot yet. {fault}.",
+        ko="아직 로봇이 되지 않았습니다. URDF를 읽는 프로그램의 오류 메시지: {fault}",
     ),
     Mistake.FRAME: Words(
         en='this says that it is expressed in "{frame}", and "{wanted_frame}" is asked for.',
@@ -193,6 +198,7 @@ WITHOUT_THE_ANSWER = {
         ko="보기에 없는 답입니다. 필요한 것: {wanted_ko}.",
     ),
     Mistake.MISSING_PARTS: Words(en="not answered: {parts}.", ko="답하지 않은 부분: {parts}."),
+    Mistake.NO_ROBOT: Words(en="the text is no URDF that can be read.", ko="URDF로 읽을 수 없는 텍스트입니다."),
     Mistake.FRAME: Words(
         en="the answer is in another frame; wanted: {wanted_frame}.",
         ko="답의 좌표계가 다릅니다. 필요한 좌표계: {wanted_frame}.",

@@ -18,7 +18,7 @@ from typing import Any
 
 from ..answers import forms, sealed
 from ..answers.form import inside, member
-from ..answers.forms import Angle, Choice, Form, Message, Number, Parts, Vector
+from ..answers.forms import Angle, Choice, Form, Message, Number, Parts, Urdf, Vector
 from ..answers.members import members_of
 from ..answers.values import Plain, is_raised, is_unanswered
 from ..words import Words
@@ -145,7 +145,7 @@ def _unexplained(
     if task.is_function and (habit := evidence.habit(form, cases, outcomes)):
         return Mistake(habit), {}
     bounds = certain(form, outcome, expected)
-    if isinstance(form, Parts | Message):
+    if isinstance(form, Parts | Message | Urdf):
         return Mistake.PARTS, {"wrong": _wrong_names(form, rights[case]), "certain": bounds}
     return Mistake.VALUE, {"certain": bounds}
 
@@ -182,8 +182,8 @@ def _slipped_parts(task: TaskCases, rights: list[bool]) -> dict[str, Any]:
     return {"wrong": _wrong_names(task.form, rights)}
 
 
-def _wrong_names(form: Parts | Message, rights: list[bool]) -> list[str]:
-    names = list(form.parts) if isinstance(form, Parts) else list(form.fields)
+def _wrong_names(form: Parts | Message | Urdf, rights: list[bool]) -> list[str]:
+    names = form.parts if isinstance(form, Parts) else form.links if isinstance(form, Urdf) else form.fields
     return [name for name, good in zip(names, rights, strict=False) if not good]
 
 
@@ -211,6 +211,8 @@ def _unread(form: Form, outcome: Plain) -> tuple[Mistake, dict[str, Any]]:
     """Return why an answer is not of its form."""
     if isinstance(form, Choice) and isinstance(outcome, str):
         return Mistake.OPTION, {"answer": outcome}
+    if isinstance(form, Urdf) and (fault := form.fault(outcome)):
+        return Mistake.NO_ROBOT, {"fault": fault}
     frame = member(outcome, "header", "frame_id")
     if isinstance(form, Vector) and form.frame and frame is not None and frame != form.frame:
         return Mistake.FRAME, {"frame": frame, "wanted_frame": form.frame}

@@ -1,0 +1,108 @@
+"""When do two URDFs say the same?  When each link hangs on the same parent, stands at the same place and moves alike.
+
+    <joint name="head" type="revolute"> ... </joint>      the joints alone, or the whole <robot>
+        --> for each link that is asked for:  root, parent, kind of joint, parent_T_link at every setting
+
+Which order, which spaces, how many digits and which names of links' shapes do not
+matter.  Each link has credit of its own, because it is looked at from its parent.
+A text that is no robot is told why, in the words of the reader of URDFs.
+
+Read `forms.py` next.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from itertools import product
+
+from tflab.core import Transform
+from tflab.robots.kinematics import joint_transform
+from tflab.robots.model import Joint, Robot
+from tflab.robots.urdf import UrdfError, parse_urdf
+
+from ..words import Words
+from .form import Form, Mark, Probe, Row
+from .values import Plain
+
+__all__ = ["Urdf"]
+
+LONGEST = 20_000  # characters
+SOURCE = "your URDF"
+KINDS = {"revolute": "turns", "continuous": "turns", "prismatic": "slides"}
+DECLARED = re.compile(r"""<link\s+name\s*=\s*["']([^"']*)["']""")
+
+
+@dataclass(frozen=True)
+class Urdf(Form):
+    """A robot, as the text of a URDF, or as its joints alone.
+
+    Attributes:
+        links: those that are asked for, each with credit of its own.
+        root: the link that is nobody's child.
+        joint: the joint that is moved.
+        settings: where it is looked at [rad or m].
+    """
+
+    links: tuple[str, ...]
+    root: str = "base_link"
+    joint: str = ""
+    settings: tuple[float, ...] = (0.0,)
+    tolerance_m: float = 1e-3
+    tolerance_rad: float = 1e-3
+
+    def probes(self, plain: Plain) -> list[Probe] | None:
+        if not isinstance(plain, str) or self.fault(plain):
+            return None
+        robot = parse_urdf(self._whole(plain))
+        joint_to = {joint.child: joint for joint in robot.joints}
+        return [self._link(robot, joint_to, link) for link in self.links]
+
+    def wanted(self) -> Words:
+        names = ", ".join(self.links)
+        return Words(en=f"a URDF as a str, with {names}", ko=f"URDF 문자열({names} 포함)")
+
+    def fault(self, plain: Plain) -> str:
+        """Return why a text is no robot, or "" if it is one, or no text at all."""
+        if not isinstance(plain, str):
+            return ""
+        if len(plain) > LONGEST:
+            return f"{len(plain)} characters; {LONGEST} are enough for this robot"
+        try:
+            parse_urdf(self._whole(plain), SOURCE)
+        except UrdfError as error:
+            return str(error)
+        return ""
+
+    def _whole(self, text: str) -> str:
+        """Return the text as a whole robot; joints alone get the links that they need, and keep their lines."""
+        text = text.strip("\n")
+        if "<robot" in text:
+            return text.strip()
+        declared = set(DECLARED.findall(text))
+        links = "".join(f'<link name="{link}"/>' for link in (self.root, *self.links) if link not in declared)
+        return f'<robot name="answer">{text}{links}</robot>'
+
+    def _link(self, robot: Robot, joint_to: Mapping[str, Joint], link: str) -> Probe:
+        """Return the equal ways to write where a link is: each rotation has two signs."""
+        joint = joint_to.get(link)
+        head: Row = (Mark(f"root {robot.root}"), Mark(_hangs(joint)))
+        if joint is None:
+            return [head]
+        positions = self.settings if joint.name == self.joint else (0.0,) * len(self.settings)
+        if joint.type == "fixed":
+            positions = (None,) * len(self.settings)
+        ways = [self._pose(joint_transform(joint, position)) for position in positions]
+        return [head + tuple(mark for row in rows for mark in row) for rows in product(*ways)]
+
+    def _pose(self, pose: Transform) -> list[Row]:
+        place = tuple(Mark(number, self.tolerance_m) for number in pose.translation)
+        return [
+            place + tuple(Mark(sign * number, self.tolerance_rad / 2.0) for number in pose.rotation)
+            for sign in (1.0, -1.0)
+        ]
+
+
+def _hangs(joint: Joint | None) -> str:
+    return "on nothing" if joint is None else f"{KINDS.get(joint.type, joint.type)} on {joint.parent}"
