@@ -30,6 +30,7 @@
     marks      lines, boxes and words as SVG and PDF
     tree       who is whose child
     upstream_tree             the same as `view_frames` draws it
+    toolcase   which tool answers what
     scene/     in three dimensions, inside the page
     rviz_status, rviz, shown  what RViz says of what it cannot show; a small RViz, and the same on paper
     film       a picture for each place of a slider

@@ -9,6 +9,7 @@
     axes           turn a robot; move a point in front of a camera
     mount          turn a sensor; see two mistakes wander
     sentence       choose target and source in any of five ways
+    toolcase       put a question to each tool
     timeline       drag a query past either end of the buffer
     joins          come later, and see what is still known
     latency        how far off, for this speed, turn, range and delay
@@ -26,6 +27,7 @@ from .panel import Panel
 from .rulers import rulers_panel
 from .sentence import SentencePanel, sentence_panel
 from .timeline import timeline_panel
+from .toolcase import tools_panel
 
 __all__ = [
     "Panel",
@@ -40,4 +42,5 @@ __all__ = [
     "rulers_panel",
     "sentence_panel",
     "timeline_panel",
+    "tools_panel",
 ]

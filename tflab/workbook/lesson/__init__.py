@@ -8,6 +8,8 @@ What a page calls as `lesson.…` is this workbook's; everything else on it is P
     panels    a panel in the language of the copy
     joints    the chain of joints of its arm
     clouds    what a depth camera sees of a wall and of the floor
+    toolbox   seven tools, seven questions
+    disguised three robots that look healthy
     waiting   robots whose data is late, and nodes that wait for it
 
 Start with `room.py`; each page names the next.
@@ -68,9 +70,11 @@ from ..copy.environment import check_environment
 from ..course.course_map import draw_course
 from ..course.progress_page import show_progress
 from .clouds import floor_cloud, wall_cloud
+from .disguised import draw_rviz, start_robot, stop_node
 from .joints import draw_joints, joint_in_file, joints_panel
 from .panels import sentence_panel
 from .room import draw_now, draw_room, show_drive, show_latency
+from .toolbox import draw_toolbox, tools_panel
 from .waiting import (
     GapWatcher,
     WaitingNode,
@@ -139,9 +143,11 @@ __all__ = [
     "draw_room",
     "draw_rotation",
     "draw_rulers",
+    "draw_rviz",
     "draw_scan",
     "draw_scene",
     "draw_sentence",
+    "draw_toolbox",
     "draw_tracks",
     "draw_turns",
     "drive",
@@ -171,8 +177,11 @@ __all__ = [
     "show_drive",
     "show_latency",
     "show_progress",
+    "start_robot",
+    "stop_node",
     "straight_ahead",
     "timeline_panel",
+    "tools_panel",
     "wall_cloud",
     "walls_seen",
     "xyzw_from_wxyz",

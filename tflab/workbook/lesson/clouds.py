@@ -4,7 +4,7 @@
     wall_cloud()    273 points, 2 m ahead
     floor_cloud()   252 points, 0.4 m below
 
-Read `waiting.py` next.
+Read `toolbox.py` next.
 """
 
 from __future__ import annotations
