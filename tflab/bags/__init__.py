@@ -10,6 +10,7 @@
     listen      from the graph to a recording, without a file
     play        `ros2 bag play`: from a bag to the graph
     info        `ros2 bag info`
+    example     a bag for who has none
 
 The files are read and written by the rosbags library, which is loaded only when
 a file is opened.  Start with `errors.py`; each page names the next.

@@ -8,6 +8,8 @@
 Humble prints the times with milliseconds that are not padded (.045 as .45), and
 has no lines about distribution and services.  Times of day are local, as upstream;
 on virtual time, where a page must print the same everywhere, they are UTC.
+
+Read `example.py` next.
 """
 
 from __future__ import annotations
@@ -51,7 +53,7 @@ def bag_facts(path: str | Path) -> BagFacts:
     Raises:
         BagError: it cannot be read.
     """
-    path = Path(path)
+    path = Path(path).expanduser()
     files = [path]
     with open_bag(path) as (reader, is_ros1):
         if path.is_dir():

@@ -97,7 +97,7 @@ def open_bag(path: str | Path) -> Iterator[tuple]:
     from rosbags.rosbag1 import Reader as Reader1
     from rosbags.rosbag2 import Reader as Reader2
 
-    path = Path(path)
+    path = Path(path).expanduser()
     kind = _kind_of(path)
     try:
         with (Reader1 if kind == ".bag" else Reader2)(_as_rosbags_reads_it(path, kind)) as reader:
