@@ -1,4 +1,4 @@
-"""The bag that comes with the package: whoever has none can read, play and examine one that a clock of this world made."""
+"""The bag that comes with the package: whoever has none can read, play and examine one, made by a real clock."""
 
 import numpy as np
 

@@ -10,6 +10,7 @@ from tflab.views.joints import Step
 from tflab.views.panels import (
     Travel,
     cameras_panel,
+    clocks_panel,
     joints_panel,
     latency_panel,
     mount_panel,
@@ -47,6 +48,7 @@ def arm(positions):
 
 PANELS = {
     "joints": lambda: joints_panel(arm, [Travel("turn", -1.5, 1.5), Travel("slide", 0.0, 0.3, unit="m")]),
+    "clocks": clocks_panel,
     "latency": latency_panel,
     "mount": mount_panel,
     "rotation": rotation_panel,

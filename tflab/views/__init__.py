@@ -26,6 +26,7 @@
     work       who was busy, and what had to wait
     joins      who knows what, if they join now
     ages       how far behind, as time goes by
+    clocks     which clock does each node live in
     panels/    the same, with sliders
     marks      lines, boxes and words as SVG and PDF
     tree       who is whose child

@@ -10,7 +10,7 @@
 The age of data when it is used, or the gap between what is asked for and what is
 there: the picture is the same.  What matters is whether a curve comes back.
 
-Read `panels/` next.
+Read `clocks.py` next.
 """
 
 from __future__ import annotations

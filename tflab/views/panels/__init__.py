@@ -13,12 +13,14 @@
     timeline       drag a query past either end of the buffer
     joins          come later, and see what is still known
     latency        how far off, for this speed, turn, range and delay
+    clocks         whose time a node lives in, while a bag is played
 
 A page shows a panel by naming it in the last line of a cell; `.text` says the same
 in a terminal, and `.close()` gives everything back.  Start with `panel.py`.
 """
 
 from .axes import cameras_panel, rotation_panel
+from .clocks import clocks_panel
 from .joins import joins_panel
 from .joints import Travel, joints_panel
 from .latency import latency_panel
@@ -34,6 +36,7 @@ __all__ = [
     "SentencePanel",
     "Travel",
     "cameras_panel",
+    "clocks_panel",
     "joins_panel",
     "joints_panel",
     "latency_panel",

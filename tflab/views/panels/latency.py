@@ -1,9 +1,8 @@
 """How far off?  Sliders for speed, yaw rate, range and delay in front of `latency`.
 
-The pure function behind it is `tflab.views.latency.latency_error`.  This is the
-last of the panels.
+The pure function behind it is `tflab.views.latency.latency_error`.
 
-Read `marks.py` next.
+Read `clocks.py` next.
 """
 
 from __future__ import annotations

@@ -10,6 +10,7 @@ What a page calls as `lesson.…` is this workbook's; everything else on it is P
     clouds    what a depth camera sees of a wall and of the floor
     toolbox   seven tools, seven questions
     disguised three robots that look healthy
+    recordings    what a bag holds, and what it can place
     waiting   robots whose data is late, and nodes that wait for it
 
 Start with `room.py`; each page names the next.
@@ -17,8 +18,11 @@ Start with `room.py`; each page names the next.
 
 from __future__ import annotations
 
+from tflab.bags.example import example_bag
+from tflab.bags.reader import read_bag
 from tflab.core import LATEST, BufferCore, StampedTransform, Transform, seconds
 from tflab.core.quaternions import angle, xyzw_from_wxyz
+from tflab.doctor import examine
 from tflab.robots.motion import Drive, Leg, PlanarPose
 from tflab.robots.nodes import launch
 from tflab.robots.teaching import Source, TeachingRobot
@@ -37,6 +41,7 @@ from tflab.views.axes import (
     straight_ahead,
 )
 from tflab.views.card import draw_card
+from tflab.views.clocks import Play, draw_clocks
 from tflab.views.dominoes import draw_dominoes
 from tflab.views.eye import FROM_ABOVE
 from tflab.views.frames import draw_scene
@@ -72,7 +77,8 @@ from ..course.progress_page import show_progress
 from .clouds import floor_cloud, wall_cloud
 from .disguised import draw_rviz, start_robot, stop_node
 from .joints import draw_joints, joint_in_file, joints_panel
-from .panels import sentence_panel
+from .panels import clocks_panel, sentence_panel
+from .recordings import draw_heard, fresh_folder, place_messages
 from .room import draw_now, draw_room, show_drive, show_latency
 from .toolbox import draw_toolbox, tools_panel
 from .waiting import (
@@ -100,6 +106,7 @@ __all__ = [
     "Leg",
     "Letter",
     "PlanarPose",
+    "Play",
     "Scene",
     "Sender",
     "Sight",
@@ -112,6 +119,7 @@ __all__ = [
     "angle",
     "cameras_panel",
     "check_environment",
+    "clocks_panel",
     "describe_extent",
     "draw_ages",
     "draw_arrow",
@@ -120,10 +128,12 @@ __all__ = [
     "draw_camera",
     "draw_cameras",
     "draw_card",
+    "draw_clocks",
     "draw_course",
     "draw_dominoes",
     "draw_drives",
     "draw_frame",
+    "draw_heard",
     "draw_history",
     "draw_joins",
     "draw_joints",
@@ -151,10 +161,13 @@ __all__ = [
     "draw_tracks",
     "draw_turns",
     "drive",
+    "examine",
+    "example_bag",
     "floor_cloud",
     "fmt",
     "fmt_all",
     "frame_tree",
+    "fresh_folder",
     "joins_panel",
     "joint_in_file",
     "joints_panel",
@@ -166,6 +179,8 @@ __all__ = [
     "new_graph",
     "on_robot_c",
     "optical_from_body",
+    "place_messages",
+    "read_bag",
     "readings_of",
     "rotation_panel",
     "rulers_panel",

@@ -9,11 +9,17 @@ from collections.abc import Mapping
 
 from tflab.core import Transform
 from tflab.views import panels
-from tflab.views.panels import SentencePanel
+from tflab.views.clocks import Play
+from tflab.views.panels import Panel, SentencePanel
 
 from ..places import read_workbook, workbook_root
 
-__all__ = ["sentence_panel"]
+__all__ = ["clocks_panel", "sentence_panel"]
+
+
+def clocks_panel(play: Play | None = None, played_s: float = 9.0) -> Panel:
+    """Return a panel of two nodes' clocks while a bag is played, in the language of this copy."""
+    return panels.clocks_panel(play, played_s, read_workbook(workbook_root()).language)
 
 
 def sentence_panel(poses: Mapping[str, Transform], target_frame: str, source_frame: str) -> SentencePanel:

@@ -1,0 +1,114 @@
+"""What is in this bag, and can it place its own messages?  For our own recordings, and for those of a learner.
+
+    fresh_folder()                a new, empty folder for what a page records
+    draw_heard(recording, 3.0)    when each topic was heard, in the first three seconds
+    place_messages(recording)     each topic: how many of its messages the bag's own transforms can place
+
+    /scan  laser_frame -> map: 149 of 150, first no: Lookup would require extrapolation into the past. ...
+
+The last is the one number that says whether a bag was recorded well: a message whose
+transform is missing here is missing for everybody who plays the bag.
+
+Read `waiting.py` next.
+"""
+
+from __future__ import annotations
+
+import atexit
+import shutil
+import tempfile
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from tflab.bags.recording import Headers, Recording
+from tflab.core import BufferCore, TransformException, seconds
+from tflab.views.work import Work, WorkPicture, draw_work
+
+__all__ = ["PlacedTopic", "draw_heard", "fresh_folder", "place_messages"]
+
+
+class PlacedTopic(NamedTuple):
+    """How many messages of a topic have a transform at their own stamps.
+
+    Attributes:
+        topic, frame: of the messages.
+        target: the frame in which they are to be placed.
+        placed, count: how many can be, of how many.
+        first_no: tf2's words for the first that cannot, "" if all can.
+    """
+
+    topic: str
+    frame: str
+    target: str
+    placed: int
+    count: int
+    first_no: str
+
+    def __str__(self) -> str:
+        why = f", first no: {self.first_no}" if self.first_no else ""
+        return f"{self.topic}  {self.frame} -> {self.target}: {self.placed} of {self.count}{why}"
+
+
+def fresh_folder() -> Path:
+    """Return a new, empty folder outside the learner's copy; it is thrown away when the kernel ends."""
+    folder = Path(tempfile.mkdtemp(prefix="tflab_"))
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    return folder
+
+
+def draw_heard(recording: Recording, for_s: float = 3.0) -> WorkPicture:
+    """Draw when each topic of a recording was heard, in its first `for_s` [s], counted from its first message."""
+    heard = {headers.topic: headers.receive_ns for headers in recording.headers}
+    table = recording.transforms
+    for topic in sorted({label.topic for label in table.labels}):
+        of_topic = np.array([label.topic == topic for label in table.labels])[table.label]
+        heard[topic] = np.unique(table.receive_ns[of_topic])
+    if len(recording.clock.receive_ns):
+        heard["/clock"] = recording.clock.receive_ns
+    rows = [Work(topic, moments_ns=tuple((when - recording.begin_ns).tolist())) for topic, when in heard.items()]
+    return draw_work(rows or [Work("nothing with a stamp")], 0, seconds(for_s))
+
+
+def place_messages(recording: Recording, target_frame: str | None = None) -> list[PlacedTopic]:
+    """Return for each topic and frame how many messages the recording's own transforms can place.
+
+    Args:
+        target_frame: where to; the root that most frames hang from if None.  Messages without a frame are left out.
+    """
+    rows = []
+    for namespace in recording.namespaces() or (None,):
+        buffer = recording.buffer(namespace=namespace)
+        target = target_frame or root_of_most(buffer)
+        known = set(buffer.frame_names())
+        for headers in recording.headers:
+            for number, frame in enumerate(headers.frames):
+                name = frame.removeprefix("/")  # ROS 1 wrote it so
+                is_here = len(recording.namespaces()) < 2 or name in known
+                if name and is_here:
+                    rows.append(_placed(buffer, headers, name, headers.stamp_ns[headers.frame == number], target))
+    return rows
+
+
+def root_of_most(buffer: BufferCore) -> str:
+    """Return the root that most frames hang from, "map" of an empty buffer."""
+    parents = {edge.name: edge.parent for edge in buffer.snapshot().frames}
+    below: dict[str, int] = {}
+    for frame in parents:
+        way = [frame]
+        while (parent := parents.get(way[-1])) is not None and parent not in way:
+            way.append(parent)
+        below[way[-1]] = below.get(way[-1], 0) + 1
+    return max(below, key=lambda root: (below[root], root)) if below else "map"
+
+
+def _placed(buffer: BufferCore, headers: Headers, frame: str, stamps_ns: np.ndarray, target: str) -> PlacedTopic:
+    placed, first_no = 0, ""
+    for stamp_ns in stamps_ns.tolist():
+        try:
+            buffer.lookup_transform(target, frame, stamp_ns)
+            placed += 1
+        except TransformException as refusal:
+            first_no = first_no or str(refusal)
+    return PlacedTopic(headers.topic, frame, target, placed, len(stamps_ns), first_no)
