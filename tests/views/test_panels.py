@@ -17,6 +17,7 @@ from tflab.views.panels import (
     rotation_panel,
     sentence_panel,
     timeline_panel,
+    tree_panel,
 )
 from tflab.views.panels.sentence import between
 from tflab.views.timeline import Lane
@@ -46,7 +47,15 @@ def arm(positions):
     ]
 
 
+PARENTS = {"odom": "map", "base_link": "odom", "laser_frame": "base_link", "camera_link": "base_link"}
+
+
+def one_tree_panel(language="en"):
+    return tree_panel(PARENTS, "map", "laser_frame", lambda *asked: (True, f"asked {asked}"), language=language)
+
+
 PANELS = {
+    "tree": one_tree_panel,
     "joints": lambda: joints_panel(arm, [Travel("turn", -1.5, 1.5), Travel("slide", 0.0, 0.3, unit="m")]),
     "clocks": clocks_panel,
     "latency": latency_panel,
@@ -222,3 +231,17 @@ def test_the_file_is_shown_of_the_joint_that_was_touched_last():
 def test_a_chain_in_which_nothing_moves_has_no_panel():
     with pytest.raises(ValueError, match="no joint of this chain moves"):
         joints_panel(arm, [])
+
+
+def test_a_frame_can_be_hung_somewhere_else_and_what_tf2_says_stands_below():
+    panel = one_tree_panel()
+    panel.controls["move"].value = "odom"
+    panel.controls["under"].value = "laser_frame"
+    assert "! loop: base_link -> laser_frame -> odom -> base_link." in panel.text
+    assert "('map', 'odom'), ('odom', 'base_link')" in panel.text and "('laser_frame', 'odom')]" in panel.text
+
+
+def test_the_menus_of_a_tree_speak_the_language_of_the_copy():
+    assert list(one_tree_panel("ko").controls) == ["옮길 frame", "새 부모", "원본", "목표"]
+    with pytest.raises(ValueError, match="languages are en, ko"):
+        one_tree_panel("fr")

@@ -65,3 +65,19 @@ def test_a_chain_that_the_robot_has_not_got_is_refused_with_what_there_is():
         lesson.draw_joints(base="laser_frame")
     with pytest.raises(KeyError, match="has no joint 'elbow'"):
         lesson.draw_joints({"elbow": 0.1})
+
+
+@pytest.mark.parametrize(
+    ("child", "parent", "said"),
+    [
+        ("odom", "map", "translation (2.0, 0.0, 0.0) m"),
+        ("odom", "laser_frame", "LookupException: The tf tree is invalid because it contains a loop."),
+        ("base_link", "odm", "ConnectivityException: Could not find a connection between 'map' and 'base_link'"),
+        ("odom", "odom", 'TF_SELF_TRANSFORM: Ignoring transform from authority "node"'),
+    ],
+)
+def test_a_tree_that_is_broken_in_a_panel_is_answered_as_tf2_does(child, parent, said):
+    panel = lesson.tree_panel({"odom": "map", "base_link": "odom", "laser_frame": "base_link"}, "map", "base_link")
+    panel.controls["move"].value, panel.controls["under"].value = child, parent
+    assert said in panel.text
+    panel.close()

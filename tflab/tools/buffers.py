@@ -1,6 +1,7 @@
 """What does this buffer look like?  The views that draw one, wired to a buffer of ours or of tf2_ros.
 
     buffer --+-- draw_buffer(buffer)                               the tree
+             +-- draw_walk(buffer, "map", "laser_frame")           the way through it, up and down
              +-- draw_history(buffer, "map", "laser_frame", t)     a lane for each edge between, and the query
              `-- draw_question(buffer, "map", "laser_frame", t)    the sentence, among all frames
 
@@ -14,18 +15,29 @@ from typing import TYPE_CHECKING
 
 from tflab.core import LATEST, BufferCore, Snapshot, Transform, TransformException
 from tflab.ros.tf2.core import BufferCore as RosBuffer
+from tflab.views import climb
 from tflab.views.tree import TreePicture, draw_tree
 
 if TYPE_CHECKING:
+    from tflab.views.picture import Picture
     from tflab.views.sentence import SentencePicture
     from tflab.views.timeline import TimelinePicture
 
-__all__ = ["draw_buffer", "draw_history", "draw_question", "edges_between"]
+__all__ = ["draw_buffer", "draw_history", "draw_question", "draw_walk", "edges_between"]
 
 
 def draw_buffer(buffer: BufferCore | RosBuffer, now_ns: int | None = None) -> TreePicture:
     """Draw the tree of a buffer; ages are reckoned from `now_ns` [ns]."""
     return draw_tree(_core(buffer).snapshot(), now_ns)
+
+
+def draw_walk(buffer: BufferCore | RosBuffer, target_frame: str, source_frame: str) -> Picture:
+    """Draw the tree of a buffer, and in it the way from `source_frame` up and down to `target_frame`.
+
+    Raises:
+        ValueError: there is no such frame.
+    """
+    return climb.draw_walk(_core(buffer).snapshot(), target_frame, source_frame)
 
 
 def draw_history(

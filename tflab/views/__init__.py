@@ -30,6 +30,7 @@
     panels/    the same, with sliders
     marks      lines, boxes and words as SVG and PDF
     tree       who is whose child
+    climb      which way a question takes through it
     upstream_tree             the same as `view_frames` draws it
     toolcase   which tool answers what
     scene/     in three dimensions, inside the page

@@ -10,6 +10,7 @@
     mount          turn a sensor; see two mistakes wander
     sentence       choose target and source in any of five ways
     toolcase       put a question to each tool
+    tree           give a frame another parent, and ask
     timeline       drag a query past either end of the buffer
     joins          come later, and see what is still known
     latency        how far off, for this speed, turn, range and delay
@@ -30,6 +31,7 @@ from .rulers import rulers_panel
 from .sentence import SentencePanel, sentence_panel
 from .timeline import timeline_panel
 from .toolcase import tools_panel
+from .tree import tree_panel
 
 __all__ = [
     "Panel",
@@ -46,4 +48,5 @@ __all__ = [
     "sentence_panel",
     "timeline_panel",
     "tools_panel",
+    "tree_panel",
 ]

@@ -28,7 +28,7 @@ from tflab.robots.nodes import launch
 from tflab.robots.teaching import Source, TeachingRobot
 from tflab.robots.world import BALL, ROOM
 from tflab.ros import new_graph
-from tflab.tools.buffers import draw_buffer, draw_history, draw_question
+from tflab.tools.buffers import draw_buffer, draw_history, draw_question, draw_walk
 from tflab.tools.trees import frame_tree
 from tflab.views.ages import draw_ages
 from tflab.views.axes import (
@@ -77,7 +77,7 @@ from ..course.progress_page import show_progress
 from .clouds import floor_cloud, wall_cloud
 from .disguised import draw_rviz, start_robot, stop_node
 from .joints import draw_joints, joint_in_file, joints_panel
-from .panels import clocks_panel, sentence_panel
+from .panels import clocks_panel, sentence_panel, tree_panel
 from .recordings import draw_heard, fresh_folder, place_messages
 from .room import draw_now, draw_room, show_drive, show_latency
 from .toolbox import draw_toolbox, tools_panel
@@ -160,6 +160,7 @@ __all__ = [
     "draw_toolbox",
     "draw_tracks",
     "draw_turns",
+    "draw_walk",
     "drive",
     "examine",
     "example_bag",
@@ -197,6 +198,7 @@ __all__ = [
     "straight_ahead",
     "timeline_panel",
     "tools_panel",
+    "tree_panel",
     "wall_cloud",
     "walls_seen",
     "xyzw_from_wxyz",
