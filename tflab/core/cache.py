@@ -24,6 +24,7 @@ from __future__ import annotations
 
 from array import array
 from bisect import bisect_right
+from collections.abc import Callable
 from struct import Struct
 from sys import getsizeof
 from typing import NamedTuple
@@ -31,12 +32,14 @@ from typing import NamedTuple
 import numpy as np
 
 from .poses import IDENTITY_POSE, Pose, compose, through_matrix, unit_pose
-from .segments import Segment, Segments, pose_within, segment_between
+from .segments import Segment, Segments
 from .stamps import LATEST
 
 __all__ = ["Cache", "Gap", "StaticCache", "StoredTransform", "TimeCache", "chained"]
 
 _seven_doubles = Struct("=7d")  # an array takes and gives bytes twice as fast as floats
+_pack_seven = _seven_doubles.pack
+_unpack_seven: Callable[[array[float], int], Pose] = _seven_doubles.unpack_from
 
 STATIC_BYTES = 400  # in CPython on 64 bits
 NEAR = 16  # how many samples the guess of an index may be off
@@ -135,7 +138,7 @@ class TimeCache:
             self.newest_parent, self._newest_authority = parent, authority
         self.newest_ns = stamp_ns
         self._stamps.append(stamp_ns)
-        self._numbers.frombytes(_seven_doubles.pack(*numbers))
+        self._numbers.frombytes(_pack_seven(*numbers))
         self._labels.append(self._newest_label)
         return True
 
@@ -212,13 +215,15 @@ class TimeCache:
         Raises:
             Gap: the history does not reach that far.
         """
-        if self.oldest_ns < stamp_ns < self.newest_ns and stamp_ns != LATEST:
-            i = self._before(stamp_ns)
-            known = self._segments.segments
-            return pose_within(known[i] if i in known else self._segment(i), stamp_ns)
-        i = self._find(stamp_ns)
-        poses = self._segments.poses
-        return poses[i] if i in poses else self._unit_pose(i)
+        oldest_ns, newest_ns = self.oldest_ns, self.newest_ns
+        if oldest_ns < stamp_ns < newest_ns and stamp_ns != LATEST:
+            first = self._first
+            guess = first + (stamp_ns - oldest_ns) * (len(self._stamps) - 1 - first) // (newest_ns - oldest_ns)
+            segment = self._segments.segments.get(guess)  # right if the publisher is steady, and if it was met before
+            if segment is None or not segment.start_ns <= stamp_ns < segment.end_ns:
+                segment = self._segment(self._before(stamp_ns, guess))
+            return segment.pose_at(stamp_ns)
+        return self._unit_pose(self._find(stamp_ns))
 
     def parent_at(self, stamp_ns: int) -> int:
         """Return the parent at `stamp_ns`: of two samples, the older one's.
@@ -246,38 +251,40 @@ class TimeCache:
             raise Gap("future", stamp_ns, self.newest_ns)
         if stamp_ns < self.oldest_ns:
             raise Gap("past", stamp_ns, self.oldest_ns)
-        return self._before(stamp_ns)
+        return bisect_right(stamps, stamp_ns, first) - 1
 
-    def _before(self, stamp_ns: int) -> int:
+    def _before(self, stamp_ns: int, guess: int) -> int:
         """Return the index of the last sample not newer than a moment between both ends (interpolation search)."""
         stamps, first = self._stamps, self._first
         last = len(stamps) - 1
-        i = first + (stamp_ns - self.oldest_ns) * (last - first) // (self.newest_ns - self.oldest_ns)
-        if stamps[i] <= stamp_ns < stamps[i + 1]:  # a steady publisher: the guess is right
-            return i
-        low, high = max(first, i - NEAR), min(last, i + NEAR)
+        if stamps[guess] <= stamp_ns < stamps[guess + 1]:
+            return guess
+        low, high = max(first, guess - NEAR), min(last, guess + NEAR)
         if not stamps[low] <= stamp_ns < stamps[high]:
             low, high = first, last
         return bisect_right(stamps, stamp_ns, low, high) - 1
 
     def _segment(self, i: int) -> Segment:
-        """Return, and remember, what it takes to interpolate between samples `i` and `i + 1`."""
-        start, end = unit_pose(self._as_sent(i)), unit_pose(self._as_sent(i + 1))
-        if not self.only_parent and self._parent(i) != self._parent(i + 1):
-            end = start  # another parent in between: tf2 does not blend, the older one holds
-        segment = segment_between(self._stamps[i], self._stamps[i + 1], start, end)
-        self._segments.remember_segment(i, segment)
+        """Return, and remember, the way from sample `i` to the next one."""
+        segment = self._segments.segments.get(i)
+        if segment is None:
+            start, end = self._as_sent(i), self._as_sent(i + 1)
+            if not self.only_parent and self._parent(i) != self._parent(i + 1):
+                end = start  # another parent in between: tf2 does not blend, the older one holds
+            segment = Segment(self._stamps[i], self._stamps[i + 1], start, end)
+            self._segments.remember_segment(i, segment)
         return segment
 
     def _unit_pose(self, i: int) -> Pose:
         """Return, and remember, sample `i` with its rotation scaled to length one."""
-        pose = unit_pose(self._as_sent(i))
-        self._segments.remember_pose(i, pose)
+        pose = self._segments.poses.get(i)
+        if pose is None:
+            pose = unit_pose(self._as_sent(i))
+            self._segments.remember_pose(i, pose)
         return pose
 
     def _as_sent(self, i: int) -> Pose:
-        x, y, z, qx, qy, qz, qw = _seven_doubles.unpack_from(self._numbers, 56 * i)
-        return (x, y, z, qx, qy, qz, qw)
+        return _unpack_seven(self._numbers, 56 * i)
 
     def _parent(self, i: int) -> int:
         return self._owners[self._labels[i]][0]

@@ -72,7 +72,7 @@ def _live_columns(cache: TimeCache) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _segments(stamps: np.ndarray, numbers: np.ndarray, which: np.ndarray) -> np.ndarray:
-    """Return what it takes to interpolate after the samples `which`; compare segments.segment_between.
+    """Return what it takes to interpolate after the samples `which`; compare segments.Segment.
 
     Rows: both positions (3 + 3), rotation (4), its perpendicular (4), angle [rad],
     1 / duration [1/ns].
@@ -129,7 +129,7 @@ def reader(tables: Tables, cache: Cache, questions: int) -> Reader:
 
 
 def _interpolated(stamps: np.ndarray, moments: np.ndarray, segments: Callable[[np.ndarray], np.ndarray]) -> Columns:
-    """Return the pose at each of the moments, all of them within the history; compare segments.pose_within."""
+    """Return the pose at each of the moments, all of them within the history; compare Segment.pose_at."""
     which = np.searchsorted(stamps, moments, side="right") - 1
     if stamps[0] != stamps[-1]:  # of twins at the old end the first counts, at the new end the last
         which[: np.searchsorted(moments, stamps[0], side="right")] = 0
