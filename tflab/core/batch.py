@@ -23,7 +23,6 @@ import numpy as np
 from .columns import Tables, along, integer_stamps, reader, signs
 from .errors import ExtrapolationException, TransformException
 from .failures import extrapolation_text
-from .poses import canonical_pose
 from .routes import Route
 from .stamps import LATEST
 from .transforms import StampedTransform
@@ -135,7 +134,7 @@ def _in_columns(
     numbers = np.empty((7, len(moments)))
     outside = np.zeros(0, dtype=np.int64)
     if not route.moving:
-        numbers[:] = np.reshape(canonical_pose(route.pose_at(LATEST)), (7, 1))
+        numbers[:] = np.reshape(route.pose_at(LATEST), (7, 1))
     else:
         begin = max(cache.oldest_ns for cache in route.moving)
         end = min(cache.newest_ns for cache in route.moving)

@@ -167,7 +167,7 @@ class BufferCore(Inspection):
                 return self._lookup_from_scratch(target_frame, source_frame, stamp_ns)
             moment_ns = stamp_ns or route.latest_common_time()
             try:
-                pose = canonical_pose(route.pose_at(moment_ns))
+                pose = route.pose_at(moment_ns)
             except Gap:
                 return self._lookup_from_scratch(target_frame, source_frame, stamp_ns)
             return stamped_from_pose(target_frame, source_frame, moment_ns, pose)

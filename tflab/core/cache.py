@@ -31,7 +31,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .poses import IDENTITY_POSE, Pose, compose, through_matrix, unit_pose
+from .poses import IDENTITY_POSE, Pose, Sent, compose, through_matrix, unit_pose
 from .segments import Segment, Segments
 from .stamps import LATEST
 
@@ -112,7 +112,7 @@ class TimeCache:
 
     # -- tf2's four steps of an insert ----------------------------------------
 
-    def insert(self, stamp_ns: int, numbers: Pose, parent: int, authority: str) -> bool:
+    def insert(self, stamp_ns: int, numbers: Sent, parent: int, authority: str) -> bool:
         """Keep a sample; return False if it is older than the history allows.
 
         `numbers` are x, y, z, qx, qy, qz, qw as sent: any length of quaternion
@@ -160,7 +160,7 @@ class TimeCache:
             self._first = 0
             self._renumbered()
 
-    def _insert_among(self, stamp_ns: int, numbers: Pose, parent: int, authority: str) -> None:
+    def _insert_among(self, stamp_ns: int, numbers: Sent, parent: int, authority: str) -> None:
         """Keep a sample that is not newer than all others, unless an equal one is there, as in tf2's step 3."""
         i = bisect_right(self._stamps, stamp_ns, self._first)
         sample = (through_matrix(numbers), parent)
@@ -219,9 +219,11 @@ class TimeCache:
         if oldest_ns < stamp_ns < newest_ns and stamp_ns != LATEST:
             first = self._first
             guess = first + (stamp_ns - oldest_ns) * (len(self._stamps) - 1 - first) // (newest_ns - oldest_ns)
-            segment = self._segments.segments.get(guess)  # right if the publisher is steady, and if it was met before
+            known = self._segments.segments
+            segment = known.get(guess)  # right if the publisher is steady, and if it was met before
             if segment is None or not segment.start_ns <= stamp_ns < segment.end_ns:
-                segment = self._segment(self._before(stamp_ns, guess))
+                i = self._before(stamp_ns, guess)
+                segment = known.get(i) or self._segment(i)
             return segment.pose_at(stamp_ns)
         return self._unit_pose(self._find(stamp_ns))
 
@@ -266,13 +268,11 @@ class TimeCache:
 
     def _segment(self, i: int) -> Segment:
         """Return, and remember, the way from sample `i` to the next one."""
-        segment = self._segments.segments.get(i)
-        if segment is None:
-            start, end = self._as_sent(i), self._as_sent(i + 1)
-            if not self.only_parent and self._parent(i) != self._parent(i + 1):
-                end = start  # another parent in between: tf2 does not blend, the older one holds
-            segment = Segment(self._stamps[i], self._stamps[i + 1], start, end)
-            self._segments.remember_segment(i, segment)
+        start, end = self._as_sent(i), self._as_sent(i + 1)
+        if not self.only_parent and self._parent(i) != self._parent(i + 1):
+            end = start  # another parent in between: tf2 does not blend, the older one holds
+        segment = Segment(self._stamps[i], self._stamps[i + 1], start, end)
+        self._segments.remember_segment(i, segment)
         return segment
 
     def _unit_pose(self, i: int) -> Pose:
@@ -335,7 +335,7 @@ class StaticCache:
     def __len__(self) -> int:
         return 0 if self._sample is None else 1
 
-    def insert(self, stamp_ns: int, numbers: Pose, parent: int, authority: str) -> bool:
+    def insert(self, stamp_ns: int, numbers: Sent, parent: int, authority: str) -> bool:
         """Replace the sample; its stamp is remembered for people to read, and has no other use."""
         self._sample = StoredTransform(stamp_ns, through_matrix(numbers), parent, authority)
         self.newest_parent = self.only_parent = parent

@@ -23,6 +23,7 @@ __all__ = [
     "HALF_AND_A_BIT",
     "IDENTITY_POSE",
     "Pose",
+    "Sent",
     "are_ordinary_numbers",
     "canonical_pose",
     "compose",
@@ -32,6 +33,7 @@ __all__ = [
 ]
 
 Pose = tuple[float, float, float, float, float, float, float]  # x, y, z [m], then qx, qy, qz, qw
+Sent = tuple[float, ...]  # the same seven, as somebody sent them: they are stored unread
 
 IDENTITY_POSE: Pose = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)
 
@@ -87,7 +89,7 @@ def are_ordinary_numbers(pose: Pose) -> bool:
     return 1e-300 < squared_length < 1e300 and total - total == 0.0
 
 
-def through_matrix(pose: Pose) -> Pose:
+def through_matrix(pose: Sent) -> Pose:
     """Return a pose as tf2 stores it, to the last digit: its rotation made a matrix, and that a quaternion."""
     x, y, z, qx, qy, qz, qw = pose
     return (x, y, z, *quaternions.canonical((qx, qy, qz, qw)))

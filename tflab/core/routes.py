@@ -23,7 +23,7 @@ tf2 remembers none of these (caching; cache invalidation).  Read `buffer.py` nex
 from __future__ import annotations
 
 from .cache import Cache, TimeCache, chained
-from .poses import Pose, compose, invert
+from .poses import Pose, canonical_pose, compose, invert
 from .tree import FrameTree
 from .walk import MAX_DEPTH, histories_of
 
@@ -57,15 +57,15 @@ class Route:
         return earliest_ns
 
     def pose_at(self, stamp_ns: int) -> Pose:
-        """Return source's pose in target.
+        """Return source's pose in target, with the sign of the quaternion that tf2 would print.
 
         Raises:
             Gap: some history does not reach that far.
         """
         if not self.down:
-            return chained(self.up, stamp_ns)
+            return canonical_pose(chained(self.up, stamp_ns))
         back = invert(chained(self.down, stamp_ns))
-        return compose(back, chained(self.up, stamp_ns)) if self.up else back
+        return canonical_pose(compose(back, chained(self.up, stamp_ns)) if self.up else back)
 
 
 class Routes:
