@@ -1,6 +1,6 @@
 """Is the house in order?  Imports point one way, pages are short and lead through the house, one name is one thing.
 
-rooms     core <- views, ros <- robots, bags <- doctor <- tools <- workbook <- grading
+rooms     core <- views, ros <- robots, bags <- doctor <- tools <- clinic <- workbook <- grading
 folders   the same, inside a room
 the tour  from a room's "Start with", following "next": every page exactly once
 """
@@ -34,7 +34,8 @@ ROOMS = {
     "bags": {"core", "ros"},
     "doctor": {"core", "views", "ros", "robots", "bags"},
     "tools": {"core", "views", "ros", "robots", "bags", "doctor"},
-    "workbook": {"core", "views", "ros", "robots", "bags", "doctor", "tools"},
+    "clinic": {"core", "views", "ros", "robots", "bags", "doctor", "tools"},
+    "workbook": {"core", "views", "ros", "robots", "bags", "doctor", "tools", "clinic"},
     "grading": {"core", "views", "workbook"},
 }
 

@@ -7,6 +7,7 @@
     bags       what was recorded?
     doctor     what is wrong with this TF?
     tools      what would one type?
+    clinic     which of eighteen suspects is it, and what proves it?
     workbook   which mistake is this?  pages, exercises, checks
     grading    what did the class hand in?
     cli        `tflab lab`, and what else a shell can ask; beside it `progress_bar`

@@ -1,0 +1,66 @@
+"""Where does one practise?  On patients without end, each made while one waits, from a public number.
+
+    practice_patient(7)                       of any complaint
+    practice_patient(7, complaint="jumps")
+    night_shift(7)                            two causes, the second behind the first
+
+The same number gives the same patient everywhere.  What was wrong is told by
+`answer_of`, which reads no patient: it draws again what the number draws.
+
+Read `panel.py` next.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .causes import draw_numbers
+from .patient import Patient
+from .table import COMPLAINTS
+from .ward import make_patient
+
+__all__ = ["answer_of", "night_shift", "practice_patient", "worked_patient"]
+
+# A first cause hides a second one: until it is cured, the second cannot be seen.
+NIGHTS = (
+    ("localizer not running", "mount wrong"),
+    ("transforms late", "mount wrong"),
+    ("odometry not running", "laser clock behind"),
+    ("publish_tf off", "header says another frame"),
+)
+
+
+def practice_patient(number: int, complaint: str = "") -> Patient:
+    """Return a patient to practise on; it takes two or three seconds.
+
+    Raises:
+        ValueError: there is no such complaint.
+    """
+    rng, causes = _drawn(number, complaint)
+    return make_patient(causes, draw_numbers(rng))
+
+
+def night_shift(number: int) -> Patient:
+    """Return a patient with two causes."""
+    rng = np.random.default_rng([12, number])
+    return make_patient(NIGHTS[int(rng.integers(len(NIGHTS)))], draw_numbers(rng))
+
+
+def worked_patient(cause: str, number: int = 0) -> Patient:
+    """Return a patient whose cause is known, to show how it is done."""
+    return make_patient([cause], draw_numbers(np.random.default_rng([1, number])))
+
+
+def answer_of(number: int, complaint: str = "") -> str:
+    """Return what was wrong with `practice_patient(number, complaint)`."""
+    return _drawn(number, complaint)[1][0]
+
+
+def _drawn(number: int, complaint: str) -> tuple[np.random.Generator, tuple[str, ...]]:
+    if complaint and complaint not in COMPLAINTS:
+        raise ValueError(f'there is no complaint "{complaint}"; there is {", ".join(COMPLAINTS)}')
+    rng = np.random.default_rng([7, number])
+    keys = list(COMPLAINTS)
+    key = complaint or keys[int(rng.integers(len(keys)))]
+    suspects = COMPLAINTS[key].suspects
+    return rng, (suspects[int(rng.integers(len(suspects)))],)

@@ -1,0 +1,95 @@
+"""When is a diagnosis proved?  When the checks would have come out differently for every other suspect.
+
+    suspect   delay /scan      rivals left
+    ahead     ahead
+    late      as on the card   struck       one question, two rivals ruled out: a proof in one minute
+    slow      as on the card   struck
+
+A guess is no proof, even a right one; nor is a list that asks for everything, for
+what comes after the last rival is struck tells nothing.  In the field this is
+*sequential diagnosis*: the cheapest tests that isolate a fault.
+
+Read `cures.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
+
+from .table import COMPLAINTS, SUSPECTS, kind_expected
+from .trolley import BUDGET_MIN, TROLLEY
+
+__all__ = ["NOTHING_IS_WRONG", "Flaw", "fitting", "flaw_of", "left_after", "minutes_of", "order_of", "rivals_of"]
+
+NOTHING_IS_WRONG = "nothing is wrong"
+
+
+class Flaw(NamedTuple):
+    """What keeps a list of checks from being a proof.
+
+    Attributes:
+        kind: "unproved", "idle", "late" or "all healthy".
+        rival: of an unproved one, whom the checks do not tell apart.
+        count, minutes: of an idle one, how many checks were enough, and how long the rest takes [min];
+            of a late one, how long all of it takes.
+    """
+
+    kind: str
+    rival: str = ""
+    count: int = 0
+    minutes: float = 0.0
+
+
+def rivals_of(suspect: str, whole: bool = False) -> tuple[str, ...]:
+    """Return the other suspects of the same complaint; with `whole`, all other seventeen."""
+    others = SUSPECTS if whole else next(each.suspects for each in COMPLAINTS.values() if suspect in each.suspects)
+    return tuple(other for other in others if other != suspect)
+
+
+def minutes_of(checks: Iterable[str]) -> float:
+    """Return how long some checks take [min]."""
+    return sum(TROLLEY[check].minutes for check in checks)
+
+
+def left_after(suspect: str, rivals: Sequence[str], checks: Sequence[str]) -> list[tuple[str, ...]]:
+    """Return which rivals are left after each check, were it this suspect."""
+    left, rows = tuple(rivals), []
+    for check in checks:
+        kind = kind_expected(suspect, check)
+        left = tuple(rival for rival in left if kind_expected(rival, check) == kind)
+        rows.append(left)
+    return rows
+
+
+def flaw_of(checks: Sequence[str], suspect: str, whole: bool = False, budget_min: float = BUDGET_MIN) -> Flaw | None:
+    """Return what keeps `checks`, keys of the trolley in their order, from proving a suspect; None if they do."""
+    rows = left_after(suspect, rivals_of(suspect, whole), checks)
+    if not rows or rows[-1]:
+        return Flaw("unproved", (rows[-1] if rows else rivals_of(suspect, whole))[0])
+    sick = [kind_expected(suspect, check) != TROLLEY[check].usual for check in checks]
+    if not any(sick) and suspect != NOTHING_IS_WRONG:
+        return Flaw("all healthy")
+    enough = 1 + next(
+        number
+        for number, left in enumerate(rows)
+        if not left and (any(sick[: number + 1]) or suspect == NOTHING_IS_WRONG)
+    )
+    if enough < len(checks):
+        return Flaw("idle", count=enough, minutes=minutes_of(checks[enough:]))
+    return Flaw("late", minutes=minutes_of(checks)) if minutes_of(checks) > budget_min else None
+
+
+def fitting(found: dict[str, str], suspects: Iterable[str] = SUSPECTS) -> tuple[str, ...]:
+    """Return the suspects that would have given just these findings: of each check its kind."""
+    return tuple(
+        suspect
+        for suspect in suspects
+        if all(kind_expected(suspect, check) == kind for check, kind in found.items())
+    )
+
+
+def order_of(cause: str, checks: Sequence[str], whole: bool = False) -> list[tuple[str, float, int]]:
+    """Return a way of asking as `draw_order` takes it: of each check its minutes, and how many suspects were left."""
+    left = left_after(cause, rivals_of(cause, whole), checks)
+    return [(check, TROLLEY[check].minutes, 1 + len(rivals)) for check, rivals in zip(checks, left, strict=True)]

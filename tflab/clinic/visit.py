@@ -1,0 +1,234 @@
+"""How does one examine a patient?  A visit: questions that cost minutes, a diagnosis, and then, perhaps, a fix.
+
+    visit = admit(patient)                          the complaint, RViz's screen, the card; twelve minutes
+    visit.ask("delay /scan", because="laser clock ahead")
+    visit.strike("odometry slow")                   a suspect less on one's own list
+    visit.say(cause=..., frame=..., owner=..., fix=...)
+    visit.try_fix()                                 the robot after it
+
+Nobody repairs here on a suspicion: as long as the readings fit another suspect as
+well, or do not fit the one that was named, no fix is tried.
+
+Read `practice.py` next.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from .patient import Patient
+from .proof import NOTHING_IS_WRONG, fitting
+from .table import COMPLAINTS, SUSPECTS
+from .trolley import TROLLEY, check_named
+
+__all__ = ["CARD", "Asked", "Visit", "admit"]
+
+CARD = {
+    "en": """\
+The robot when it is well
+  tree    map -> odom -> base_footprint -> base_link -> laser_frame, and the other parts
+  owners  map -> odom: /localization, 10 Hz, 0.010 s behind     odom -> base_footprint: /wheel_odometry, 20 Hz, 0.004 s
+          base_link -> laser_frame: /laser_mount, static, x 0.200 y 0.000 z 0.150     the rest: /robot_state_publisher
+  data    /odom 20 Hz, 0.004 s behind     /scan 10 Hz, 0.105 s behind, header laser_frame
+  nodes   joint_driver laser_driver laser_mount localization map_server robot_state_publisher wheel_odometry""",
+    "ko": """\
+정상일 때의 로봇
+  트리    map -> odom -> base_footprint -> base_link -> laser_frame, 그 밖의 부품
+  주인    map -> odom: /localization, 10 Hz, 0.010초 늦음     odom -> base_footprint: /wheel_odometry, 20 Hz, 0.004초 늦음
+          base_link -> laser_frame: /laser_mount, static, x 0.200 y 0.000 z 0.150     나머지: /robot_state_publisher
+  데이터  /odom 20 Hz, 0.004초 늦음     /scan 10 Hz, 0.105초 늦음, header는 laser_frame
+  노드    joint_driver laser_driver laser_mount localization map_server robot_state_publisher wheel_odometry""",
+}
+
+WORDS = {
+    "en": {
+        "nothing": "It does not work.",
+        "budget": "You have {left:g} minutes. Suspects: {suspects}",
+        "clock": "{minutes:g} min; {left:g} of {budget:g} left. Your suspects: {suspects}",
+        "over": "{minutes:g} min; the time is up, {over:g} minutes over. Your suspects: {suspects}",
+        "noted": "Noted. Now `try_fix()`, if your proof is complete.",
+        "no diagnosis": "First a diagnosis: say(cause=..., frame=..., owner=..., fix=...).",
+        "nothing asked": "Nothing has been asked yet. A fix on a suspicion is a guess: ask first.",
+        "contradicted": 'If it were "{cause}", `{command}` would not say: {finding}. You asked it.',
+        "not apart": 'Your readings fit "{cause}", and they fit "{other}" just as well. Which check would tell the two apart?',
+        "nothing sick": "Each of your readings is as on the card. Something has to be sick before it is cured: look for it.",
+        "no suspect": '"{cause}" is no suspect; there is {suspects}.',
+        "struck": 'You have struck "{cause}" from your list, and now you name it.',
+    },
+    "ko": {
+        "nothing": "작동하지 않습니다.",
+        "budget": "{left:g}분 있습니다. 용의자: {suspects}",
+        "clock": "{minutes:g}분 사용, {budget:g}분 가운데 {left:g}분 남음. 남은 용의자: {suspects}",
+        "over": "{minutes:g}분 사용, 시간이 {over:g}분 초과되었습니다. 남은 용의자: {suspects}",
+        "noted": "적어 두었습니다. 증명이 끝났다면 `try_fix()`를 실행하십시오.",
+        "no diagnosis": "진단이 먼저입니다. say(cause=..., frame=..., owner=..., fix=...)를 실행하십시오.",
+        "nothing asked": "아직 아무것도 묻지 않았습니다. 의심만으로 고치는 것은 찍기입니다. 먼저 물어보십시오.",
+        "contradicted": '원인이 "{cause}"라면 `{command}`의 결과가 이렇지 않습니다: {finding}. 이미 물어본 것입니다.',
+        "not apart": '지금까지 읽은 값은 "{cause}"에도 맞고 "{other}"에도 맞습니다. 둘을 가르는 검사는 무엇입니까?',
+        "nothing sick": "읽은 값이 모두 카드와 같습니다. 고치기 전에 어디가 아픈지 먼저 보여야 합니다.",
+        "no suspect": '"{cause}"은(는) 용의자가 아닙니다. 있는 것: {suspects}.',
+        "struck": '"{cause}"은(는) 목록에서 지운 용의자입니다.',
+    },
+}
+
+
+class Asked(NamedTuple):
+    """One question of a visit: which check, what it cost [min], what it said, why it was asked, who was left then."""
+
+    check: str
+    minutes: float
+    finding: str
+    because: str
+    suspects: tuple[str, ...]
+
+
+class Visit:
+    """A patient, a clock and a list of suspects.
+
+    Args:
+        language: of what is printed, "en" or "ko".
+        helped: whether the table strikes the suspects that a reading does not fit; otherwise one does so oneself.
+
+    Attributes:
+        log: what was asked.
+        suspects: who is not struck yet.
+        diagnosis: what was said last; empty before.
+    """
+
+    def __init__(self, patient: Patient, language: str = "en", helped: bool = False) -> None:
+        self.patient, self.language, self.helped = patient, language, helped
+        self.log: list[Asked] = []
+        complaint = COMPLAINTS.get(patient.complaint)
+        self.suspects = complaint.suspects if complaint else SUSPECTS
+        self._all = self.suspects
+        self.diagnosis: dict[str, str] = {}
+
+    @property
+    def minutes(self) -> float:
+        """What the visit took so far [min]."""
+        return sum(asked.minutes for asked in self.log)
+
+    @property
+    def found(self) -> dict[str, str]:
+        """Of each check that was asked the kind of its finding."""
+        return {asked.check: TROLLEY[asked.check].kind(asked.finding) for asked in self.log}
+
+    def opening(self) -> str:
+        """Return what one is told at the door, for nothing."""
+        complaint = COMPLAINTS.get(self.patient.complaint)
+        said = getattr(complaint, self.language) if complaint else self._say("nothing")
+        screen = f"\nRViz\n{_indented(_folded(self.patient.screen))}\n" if complaint else ""
+        budget = self._say("budget", left=self.patient.budget_min, suspects=", ".join(self._all))
+        return f"{said}\n{screen}\n{CARD[self.language]}\n\n{budget}"
+
+    def ask(self, check: str, because: str = "") -> None:
+        """Print what a check says, and what time is left; `because` is the suspect that it is asked for.
+
+        Raises:
+            ValueError: there is no such check on the trolley.
+        """
+        command = check_named(check).command
+        text = self.take(check, because)
+        print(f"$ {command}\n{text}\n\n{self.clock()}")
+
+    def take(self, check: str, because: str = "") -> str:
+        """Ask without printing, and return the text."""
+        key = check_named(check).key
+        minutes, text, finding = self.patient.reading(key)
+        if self.helped:
+            kind = TROLLEY[key].kind(finding)
+            self.suspects = fitting({key: kind}, self.suspects)
+        self.log.append(Asked(key, minutes, finding, because, self.suspects))
+        return text
+
+    def strike(self, *suspects: str) -> None:
+        """Take suspects off one's own list.
+
+        Raises:
+            ValueError: there is no such suspect.
+        """
+        for suspect in suspects:
+            self._known(suspect)
+        self.suspects = tuple(each for each in self.suspects if each not in suspects)
+        print(self.clock())
+
+    def clock(self) -> str:
+        """Return what the visit took, and who is still suspected."""
+        left, suspects = self.patient.budget_min - self.minutes, ", ".join(self.suspects) or "-"
+        if left < 0:
+            return self._say("over", minutes=self.minutes, over=-left, suspects=suspects)
+        return self._say(
+            "clock", minutes=self.minutes, left=left, budget=self.patient.budget_min, suspects=suspects
+        )
+
+    def say(self, cause: str, frame: str = "", owner: str = "", fix: str = "") -> None:
+        """Note a diagnosis.
+
+        Raises:
+            ValueError: the cause is no suspect, or there is no such fix.
+        """
+        self._known(cause)
+        if fix:
+            self.patient.after(fix)
+        self.diagnosis = {"cause": cause, "frame": frame, "owner": owner, "fix": fix}
+        print(self._say("struck", cause=cause) if cause not in self.suspects else self._say("noted"))
+
+    def try_fix(self) -> None:
+        """Print the robot after the fix that was said, if the readings warrant the diagnosis; else why not."""
+        print(self._refusal() or self._after())
+
+    def _after(self) -> str:
+        minutes, text = self.patient.after(self.diagnosis["fix"])
+        return f"{self.diagnosis['fix']} (+{minutes:g} min)\n{_indented(text)}"
+
+    def _refusal(self) -> str:
+        """Return why no fix is tried yet, or ""."""
+        cause = self.diagnosis.get("cause", "")
+        if not cause or not self.diagnosis["fix"]:
+            return self._say("no diagnosis")
+        if not self.log:
+            return self._say("nothing asked")
+        for asked in self.log:
+            if not fitting({asked.check: TROLLEY[asked.check].kind(asked.finding)}, [cause]):
+                command = TROLLEY[asked.check].command
+                return self._say("contradicted", cause=cause, command=command, finding=asked.finding)
+        others = [other for other in fitting(self.found, self._all) if other != cause]
+        if others:
+            return self._say("not apart", cause=cause, other=others[0])
+        is_sick = any(kind != TROLLEY[check].usual for check, kind in self.found.items())
+        return "" if is_sick or cause == NOTHING_IS_WRONG else self._say("nothing sick")
+
+    def _known(self, suspect: str) -> None:
+        if suspect not in SUSPECTS:
+            raise ValueError(self._say("no suspect", cause=suspect, suspects=", ".join(SUSPECTS)))
+
+    def _say(self, name: str, **names: object) -> str:
+        return WORDS[self.language][name].format(**names)
+
+
+def admit(patient: Patient, language: str = "en", helped: bool = False) -> Visit:
+    """Let a patient in: print its complaint, its card and the budget, and return the visit.
+
+    Raises:
+        TypeError: that is no patient.
+    """
+    if not isinstance(patient, Patient):
+        raise TypeError(f"a patient is wanted, such as practice_patient(3), not {type(patient).__name__}")
+    visit = Visit(Patient.unpacked(patient.packed()), language, helped)
+    print(visit.opening())
+    return visit
+
+
+def _indented(text: str) -> str:
+    return "\n".join(f"  {line}" for line in text.splitlines())
+
+
+def _folded(screen: str) -> str:
+    """Return RViz's list as it stands there: what is Ok is folded."""
+    lines, is_ok = [], False
+    for line in screen.splitlines():
+        if not line.startswith(" "):
+            is_ok = line.endswith(": Ok") and not line.startswith("Global")
+        if not is_ok or not line.startswith(" "):
+            lines.append(line)
+    return "\n".join(lines)
