@@ -80,10 +80,8 @@ def connection(text: str) -> str:
     at = re.findall(r"At time ", text)
     last = re.findall(r"(?:Waiting for transform .*?: |Exception thrown:)(.+)", text)
     fault = _error(last[-1]) if last else ""
-    if at and (fault == APART and "Failure" in text):
-        said = COMES_AND_GOES
-    else:
-        said = "answers" if at else fault
+    is_kept = "Failure" not in text or fault != APART
+    said = ("answers" if is_kept else COMES_AND_GOES) if at else fault
     return "; ".join([said, *_log(text)])
 
 
@@ -98,7 +96,7 @@ def wheels(text: str) -> str:
     apart_m = max((_kink(*three) for three in _threes([samples[at] for at in sorted(samples)])), default=0.0)
     often = sorted(steps)[len(steps) // 2] if steps else math.inf
     if often > 0.3:
-        return "a new pose every 0.5 s or less often"
+        return "a new pose every 0.3 s or less often"
     return f"to and fro, {apart_m:.2f} m apart" if apart_m > 0.1 else "smooth"
 
 

@@ -21,7 +21,7 @@ import ipywidgets as widgets
 from tflab.views.panels.panel import Panel, side_by_side
 from tflab.views.suspects import draw_suspects
 
-from .patient import Patient
+from .patient import SickRobot
 from .table import COMPLAINTS, SUSPECTS, kind_expected
 from .trolley import TROLLEY
 from .visit import Visit
@@ -82,9 +82,9 @@ class ClinicPanel(Panel):
     def ask(self) -> None:
         """Ask what is chosen."""
         said = self.visit.take(self._check.value, self._because.value)
-        self._readings.value = (
-            f"<b>{escape(self.visit.clock())}</b><pre>$ {escape(TROLLEY[self._check.value].command)}\n{escape(said)}</pre>"
-        )
+        command = escape(TROLLEY[self._check.value].command)
+        clock = escape(self.visit.clock())
+        self._readings.value = f"<b>{clock}</b><pre>$ {command}\n{escape(said)}</pre>"
         self.redraw()
 
     def _move(self) -> None:
@@ -92,7 +92,6 @@ class ClinicPanel(Panel):
         self.picture.tell(asked if self.visit.helped else {})
 
 
-def clinic_panel(patient: Patient, language: str = "en", helped: bool = True) -> ClinicPanel:
+def clinic_panel(patient: SickRobot, language: str = "en", helped: bool = True) -> ClinicPanel:
     """Return a visit to a patient, with controls; where the table helps, it strikes whom a reading does not fit."""
-    return ClinicPanel(Visit(Patient.unpacked(patient.packed()), language, helped))
-
+    return ClinicPanel(Visit(SickRobot.unpacked(patient.packed()), language, helped))

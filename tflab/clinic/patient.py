@@ -21,10 +21,10 @@ from typing import Any
 from .table import COMPLAINTS
 from .trolley import TROLLEY, check_named
 
-__all__ = ["Patient"]
+__all__ = ["SickRobot"]
 
 
-class Patient:
+class SickRobot:
     """A sick robot, as its ward wrote it down.
 
     Args:
@@ -87,7 +87,7 @@ class Patient:
         return base64.b85encode(zlib.compress(json.dumps(row).encode(), 9)).decode()
 
     @classmethod
-    def unpacked(cls, word: str) -> Patient:
+    def unpacked(cls, word: str) -> SickRobot:
         """Return the patient that `packed` wrote, nothing asked of it yet."""
         return cls(*json.loads(zlib.decompress(base64.b85decode(word))))
 

@@ -15,7 +15,7 @@ from __future__ import annotations
 import numpy as np
 
 from .causes import draw_numbers
-from .patient import Patient
+from .patient import SickRobot
 from .table import COMPLAINTS
 from .ward import make_patient
 
@@ -30,7 +30,7 @@ NIGHTS = (
 )
 
 
-def practice_patient(number: int, complaint: str = "") -> Patient:
+def practice_patient(number: int, complaint: str = "") -> SickRobot:
     """Return a patient to practise on; it takes two or three seconds.
 
     Raises:
@@ -40,13 +40,13 @@ def practice_patient(number: int, complaint: str = "") -> Patient:
     return make_patient(causes, draw_numbers(rng))
 
 
-def night_shift(number: int) -> Patient:
+def night_shift(number: int) -> SickRobot:
     """Return a patient with two causes."""
     rng = np.random.default_rng([12, number])
     return make_patient(NIGHTS[int(rng.integers(len(NIGHTS)))], draw_numbers(rng))
 
 
-def worked_patient(cause: str, number: int = 0) -> Patient:
+def worked_patient(cause: str, number: int = 0) -> SickRobot:
     """Return a patient whose cause is known, to show how it is done."""
     return make_patient([cause], draw_numbers(np.random.default_rng([1, number])))
 

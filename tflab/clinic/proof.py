@@ -83,9 +83,7 @@ def flaw_of(checks: Sequence[str], suspect: str, whole: bool = False, budget_min
 def fitting(found: dict[str, str], suspects: Iterable[str] = SUSPECTS) -> tuple[str, ...]:
     """Return the suspects that would have given just these findings: of each check its kind."""
     return tuple(
-        suspect
-        for suspect in suspects
-        if all(kind_expected(suspect, check) == kind for check, kind in found.items())
+        suspect for suspect in suspects if all(kind_expected(suspect, check) == kind for check, kind in found.items())
     )
 
 

@@ -108,7 +108,7 @@ _COLUMNS = {
     "laser clock ahead": {"rviz": "into the future", "delay /scan": "ahead"},
     "transforms late": {"rviz": "into the future", "hz /odom": "trembles", "delay /odom": "late", "monitor": "late"},
     "odometry slow": {
-        "rviz": "into the future", "echo odom base_footprint": "a new pose every 0.5 s or less often",
+        "rviz": "into the future", "echo odom base_footprint": "a new pose every 0.3 s or less often",
         "hz /odom": "too seldom", "view_frames": "base_footprint too seldom", "monitor": "too little in all",
     },
     "quaternion of zeros": {

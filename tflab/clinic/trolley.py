@@ -1,6 +1,6 @@
 """What can one ask a robot, and what does it cost?  A trolley of tools with prices in minutes.
 
-    TROLLEY["delay /scan"] = Check("delay /scan", "ros2 topic delay /scan", 1, "delay")
+    TROLLEY["delay /scan"] = TrolleyCheck("delay /scan", "ros2 topic delay /scan", 1, "delay")
 
 The prices are those of somebody who has to walk to the robot, wait and read: a
 question that shows one number costs a minute, a picture of the whole tree three,
@@ -16,12 +16,12 @@ from typing import NamedTuple
 
 from .findings import AS_ON_THE_CARD, kind_of
 
-__all__ = ["BUDGET_MIN", "TROLLEY", "Check", "check_named"]
+__all__ = ["BUDGET_MIN", "TROLLEY", "TrolleyCheck", "check_named"]
 
 BUDGET_MIN = 12.0
 
 
-class Check(NamedTuple):
+class TrolleyCheck(NamedTuple):
     """One question.
 
     Attributes:
@@ -51,31 +51,31 @@ class Check(NamedTuple):
 TROLLEY = {
     check.key: check
     for check in (
-        Check("rviz", "look at RViz again", 1, "rviz"),
-        Check("node list", "ros2 node list", 1, "node_list"),
-        Check("echo map base_footprint", "ros2 run tf2_ros tf2_echo map base_footprint", 1, "connection", 3.0),
-        Check("echo odom base_footprint", "ros2 run tf2_ros tf2_echo odom base_footprint 20", 1, "wheels", 1.0),
-        Check("echo base_link laser_frame", "ros2 run tf2_ros tf2_echo base_link laser_frame", 1, "mount", 2.0),
-        Check("echo map odom", "ros2 run tf2_ros tf2_echo map odom", 2, "correction", 10.0),
-        Check("hz /odom", "ros2 topic hz /odom", 1, "rate"),
-        Check("hz /scan", "ros2 topic hz /scan", 1, "rate"),
-        Check("delay /odom", "ros2 topic delay /odom", 1, "delay"),
-        Check("delay /scan", "ros2 topic delay /scan", 1, "delay"),
-        Check("scan header", "ros2 topic echo /scan --once --field header", 1, "header"),
-        Check("use_sim_time", "ros2 param get /localization use_sim_time", 1, "parameter"),
-        Check("publish_tf", "ros2 param get /wheel_odometry publish_tf", 1, "parameter"),
-        Check("info /tf", "ros2 topic info /tf --verbose", 2, "publishers"),
-        Check("info /tf_static", "ros2 topic info /tf_static --verbose", 2, "publishers"),
-        Check("echo /tf_static", "ros2 topic echo /tf_static", 2, "static", 2.0),
-        Check("view_frames", "ros2 run tf2_tools view_frames", 3, "view_frames"),
-        Check("monitor", "ros2 run tf2_ros tf2_monitor map laser_frame", 4, "monitor"),
-        Check("tape measure", "measure where the laser is bolted on", 15, "as_it_is"),
-        Check("other cable", "put another cable in", 30, "as_it_is"),
+        TrolleyCheck("rviz", "look at RViz again", 1, "rviz"),
+        TrolleyCheck("node list", "ros2 node list", 1, "node_list"),
+        TrolleyCheck("echo map base_footprint", "ros2 run tf2_ros tf2_echo map base_footprint", 1, "connection", 3.0),
+        TrolleyCheck("echo odom base_footprint", "ros2 run tf2_ros tf2_echo odom base_footprint 20", 1, "wheels", 1.0),
+        TrolleyCheck("echo base_link laser_frame", "ros2 run tf2_ros tf2_echo base_link laser_frame", 1, "mount", 2.0),
+        TrolleyCheck("echo map odom", "ros2 run tf2_ros tf2_echo map odom", 2, "correction", 10.0),
+        TrolleyCheck("hz /odom", "ros2 topic hz /odom", 1, "rate"),
+        TrolleyCheck("hz /scan", "ros2 topic hz /scan", 1, "rate"),
+        TrolleyCheck("delay /odom", "ros2 topic delay /odom", 1, "delay"),
+        TrolleyCheck("delay /scan", "ros2 topic delay /scan", 1, "delay"),
+        TrolleyCheck("scan header", "ros2 topic echo /scan --once --field header", 1, "header"),
+        TrolleyCheck("use_sim_time", "ros2 param get /localization use_sim_time", 1, "parameter"),
+        TrolleyCheck("publish_tf", "ros2 param get /wheel_odometry publish_tf", 1, "parameter"),
+        TrolleyCheck("info /tf", "ros2 topic info /tf --verbose", 2, "publishers"),
+        TrolleyCheck("info /tf_static", "ros2 topic info /tf_static --verbose", 2, "publishers"),
+        TrolleyCheck("echo /tf_static", "ros2 topic echo /tf_static", 2, "static", 2.0),
+        TrolleyCheck("view_frames", "ros2 run tf2_tools view_frames", 3, "view_frames"),
+        TrolleyCheck("monitor", "ros2 run tf2_ros tf2_monitor map laser_frame", 4, "monitor"),
+        TrolleyCheck("tape measure", "measure where the laser is bolted on", 15, "as_it_is"),
+        TrolleyCheck("other cable", "put another cable in", 30, "as_it_is"),
     )
 }
 
 
-def check_named(asked: str) -> Check:
+def check_named(asked: str) -> TrolleyCheck:
     """Return the check of a key, or of the command as one types it.
 
     Raises:

@@ -16,26 +16,30 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from .patient import Patient
+from .patient import SickRobot
 from .proof import NOTHING_IS_WRONG, fitting
 from .table import COMPLAINTS, SUSPECTS
 from .trolley import TROLLEY, check_named
 
-__all__ = ["CARD", "Asked", "Visit", "admit"]
+__all__ = ["CARD", "Visit", "VisitEntry", "admit"]
 
 CARD = {
     "en": """\
 The robot when it is well
   tree    map -> odom -> base_footprint -> base_link -> laser_frame, and the other parts
-  owners  map -> odom: /localization, 10 Hz, 0.010 s behind     odom -> base_footprint: /wheel_odometry, 20 Hz, 0.004 s
-          base_link -> laser_frame: /laser_mount, static, x 0.200 y 0.000 z 0.150     the rest: /robot_state_publisher
+  owners  map -> odom                 /localization, 10 Hz, 0.010 s behind
+          odom -> base_footprint      /wheel_odometry, 20 Hz, 0.004 s behind
+          base_link -> laser_frame    /laser_mount, static, x 0.200 y 0.000 z 0.150
+          the rest                    /robot_state_publisher
   data    /odom 20 Hz, 0.004 s behind     /scan 10 Hz, 0.105 s behind, header laser_frame
   nodes   joint_driver laser_driver laser_mount localization map_server robot_state_publisher wheel_odometry""",
     "ko": """\
 정상일 때의 로봇
   트리    map -> odom -> base_footprint -> base_link -> laser_frame, 그 밖의 부품
-  주인    map -> odom: /localization, 10 Hz, 0.010초 늦음     odom -> base_footprint: /wheel_odometry, 20 Hz, 0.004초 늦음
-          base_link -> laser_frame: /laser_mount, static, x 0.200 y 0.000 z 0.150     나머지: /robot_state_publisher
+  주인    map -> odom                 /localization, 10 Hz, 0.010초 늦음
+          odom -> base_footprint      /wheel_odometry, 20 Hz, 0.004초 늦음
+          base_link -> laser_frame    /laser_mount, static, x 0.200 y 0.000 z 0.150
+          나머지                      /robot_state_publisher
   데이터  /odom 20 Hz, 0.004초 늦음     /scan 10 Hz, 0.105초 늦음, header는 laser_frame
   노드    joint_driver laser_driver laser_mount localization map_server robot_state_publisher wheel_odometry""",
 }
@@ -50,8 +54,8 @@ WORDS = {
         "no diagnosis": "First a diagnosis: say(cause=..., frame=..., owner=..., fix=...).",
         "nothing asked": "Nothing has been asked yet. A fix on a suspicion is a guess: ask first.",
         "contradicted": 'If it were "{cause}", `{command}` would not say: {finding}. You asked it.',
-        "not apart": 'Your readings fit "{cause}", and they fit "{other}" just as well. Which check would tell the two apart?',
-        "nothing sick": "Each of your readings is as on the card. Something has to be sick before it is cured: look for it.",
+        "not apart": 'Your readings fit "{cause}" and "{other}" alike. Which check would tell the two apart?',
+        "nothing sick": "Each of your readings is as on the card. Show what is sick before you cure it.",
         "no suspect": '"{cause}" is no suspect; there is {suspects}.',
         "struck": 'You have struck "{cause}" from your list, and now you name it.',
     },
@@ -72,7 +76,7 @@ WORDS = {
 }
 
 
-class Asked(NamedTuple):
+class VisitEntry(NamedTuple):
     """One question of a visit: which check, what it cost [min], what it said, why it was asked, who was left then."""
 
     check: str
@@ -95,9 +99,9 @@ class Visit:
         diagnosis: what was said last; empty before.
     """
 
-    def __init__(self, patient: Patient, language: str = "en", helped: bool = False) -> None:
+    def __init__(self, patient: SickRobot, language: str = "en", helped: bool = False) -> None:
         self.patient, self.language, self.helped = patient, language, helped
-        self.log: list[Asked] = []
+        self.log: list[VisitEntry] = []
         complaint = COMPLAINTS.get(patient.complaint)
         self.suspects = complaint.suspects if complaint else SUSPECTS
         self._all = self.suspects
@@ -138,7 +142,7 @@ class Visit:
         if self.helped:
             kind = TROLLEY[key].kind(finding)
             self.suspects = fitting({key: kind}, self.suspects)
-        self.log.append(Asked(key, minutes, finding, because, self.suspects))
+        self.log.append(VisitEntry(key, minutes, finding, because, self.suspects))
         return text
 
     def strike(self, *suspects: str) -> None:
@@ -157,9 +161,7 @@ class Visit:
         left, suspects = self.patient.budget_min - self.minutes, ", ".join(self.suspects) or "-"
         if left < 0:
             return self._say("over", minutes=self.minutes, over=-left, suspects=suspects)
-        return self._say(
-            "clock", minutes=self.minutes, left=left, budget=self.patient.budget_min, suspects=suspects
-        )
+        return self._say("clock", minutes=self.minutes, left=left, budget=self.patient.budget_min, suspects=suspects)
 
     def say(self, cause: str, frame: str = "", owner: str = "", fix: str = "") -> None:
         """Note a diagnosis.
@@ -206,15 +208,15 @@ class Visit:
         return WORDS[self.language][name].format(**names)
 
 
-def admit(patient: Patient, language: str = "en", helped: bool = False) -> Visit:
+def admit(patient: SickRobot, language: str = "en", helped: bool = False) -> Visit:
     """Let a patient in: print its complaint, its card and the budget, and return the visit.
 
     Raises:
         TypeError: that is no patient.
     """
-    if not isinstance(patient, Patient):
+    if not isinstance(patient, SickRobot):
         raise TypeError(f"a patient is wanted, such as practice_patient(3), not {type(patient).__name__}")
-    visit = Visit(Patient.unpacked(patient.packed()), language, helped)
+    visit = Visit(SickRobot.unpacked(patient.packed()), language, helped)
     print(visit.opening())
     return visit
 

@@ -37,11 +37,11 @@ from tflab.views.rviz_status import look_through, statuses_as_text
 from .causes import CAUSES, HEALTHY, Launch, Numbers
 from .cures import CURES, PLASTERS
 from .findings import READERS
-from .patient import Patient
+from .patient import SickRobot
 from .table import COMPLAINTS, DECIDING
 from .trolley import BUDGET_MIN, TROLLEY
 
-__all__ = ["make_patient", "open_ward"]
+__all__ = ["ExaminedRobot", "make_patient"]
 
 DRIVEN_S = 20.0
 LOOKS = 8  # at RViz, until it shows what the operator complains of
@@ -68,7 +68,7 @@ class Places(NamedTuple):
     arrived: float | None
 
 
-def make_patient(causes: Sequence[str], numbers: Numbers, complaint: str | None = None) -> Patient:
+def make_patient(causes: Sequence[str], numbers: Numbers, complaint: str | None = None) -> SickRobot:
     """Return the patient that has these causes, one or two.
 
     Args:
@@ -78,18 +78,12 @@ def make_patient(causes: Sequence[str], numbers: Numbers, complaint: str | None 
     launch = HEALTHY
     for cause in causes:
         launch = CAUSES[cause](launch, numbers)
-    sick = _Examined(launch, numbers)
-    screen = sick.screen(_shows(own))
-    evidence = {key: [check.minutes, *sick.ask(key, screen)] for key, check in TROLLEY.items()}
-    places = sick.places()
-    sick.close()
+    with ExaminedRobot(launch, numbers) as sick:
+        screen = sick.screen(_shows(own))
+        evidence = {key: [check.minutes, *sick.ask(key, screen)] for key, check in TROLLEY.items()}
+        places = sick.places()
     fixes = {fix: [minutes, _after(fix, causes, numbers, screen, evidence, places)] for fix, minutes in _prices()}
-    return Patient(own if complaint is None else complaint, screen, BUDGET_MIN, evidence, fixes)
-
-
-def open_ward(cause: str, numbers: Numbers) -> Graph:
-    """Return a graph with a sick robot that has driven for 20 s, to ask it what one likes."""
-    return _launched(CAUSES[cause](HEALTHY, numbers) if cause else HEALTHY, numbers)
+    return SickRobot(own if complaint is None else complaint, screen, BUDGET_MIN, evidence, fixes)
 
 
 def _prices() -> list[tuple[str, float]]:
@@ -99,7 +93,7 @@ def _prices() -> list[tuple[str, float]]:
 # -- a robot, and what is asked of it -------------------------------------
 
 
-class _Examined:
+class ExaminedRobot:
     """A launched robot; each question takes some of its time."""
 
     def __init__(self, launch: Launch, numbers: Numbers) -> None:
@@ -139,7 +133,10 @@ class _Examined:
         with redirect_stdout(io.StringIO()), redirect_stderr(io.StringIO()):
             return result_of(self._graph, _watch_scans, WATCHED_S + WAITED_S, name="watcher")
 
-    def close(self) -> None:
+    def __enter__(self) -> ExaminedRobot:
+        return self
+
+    def __exit__(self, *fault: object) -> None:
         self._graph.stop()
 
 
@@ -262,10 +259,9 @@ def _after(
     launch = HEALTHY
     for cause in causes:
         launch = launch if cause in cured and cause != "nothing is wrong" else CAUSES[cause](launch, numbers)
-    well = _Examined(launch, numbers)
-    shown = well.screen()
-    reading, placed = well.ask(decisive, shown)[0], well.places().waited
-    well.close()
+    with ExaminedRobot(launch, numbers) as well:
+        shown = well.screen()
+        reading, placed = well.ask(decisive, shown)[0], well.places().waited
     return _told(shown, placed, decisive, reading)
 
 

@@ -27,6 +27,8 @@
     joins      who knows what, if they join now
     ages       how far behind, as time goes by
     clocks     which clock does each node live in
+    suspects   who is left, and which question would tell the most
+    order      in which order was it asked, and when was it clear
     panels/    the same, with sliders
     marks      lines, boxes and words as SVG and PDF
     tree       who is whose child

@@ -60,7 +60,15 @@ def draw_order(log: Sequence[Question]) -> Picture:
         begin, is_done = 0.0, False
         for row, (_, takes, left) in enumerate(log):
             colour = style.FAINT if is_done else style.ACCENT
-            ax.barh(row, takes, left=begin, height=0.62, color=colour, hatch="////" if is_done else "", edgecolor=style.PAPER)
+            ax.barh(
+                row,
+                takes,
+                left=begin,
+                height=0.62,
+                color=colour,
+                hatch="////" if is_done else "",
+                edgecolor=style.PAPER,
+            )
             begin += takes
             star = " ★" if left <= 1 and not is_done else ""
             ax.text(begin, row, f"  {left} left{star}", va="center", color=style.INK, fontsize=style.SMALL_PT)
@@ -80,7 +88,9 @@ def describe_minutes(ways: Mapping[str, Mapping[str, float]], budget_min: float)
         values = list(minutes.values())
         kept = sum(value <= budget_min for value in values)
         mean = sum(values) / len(values)
-        lines.append(f"{way:<{width}}  mean {mean:.1f} min, worst {max(values):g}, {kept} of {len(values)} within {budget_min:g}")
+        lines.append(
+            f"{way:<{width}}  mean {mean:.1f} min, worst {max(values):g}, {kept} of {len(values)} within {budget_min:g}"
+        )
     return "\n".join(lines)
 
 

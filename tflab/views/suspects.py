@@ -47,7 +47,9 @@ def describe_suspects(findings: Findings, asked: Mapping[str, str]) -> str:
     for check in next(iter(findings.values())):
         groups = {findings[name][check] for name in left}
         if check not in asked:
-            lines.append(f"not asked: {check}: " + (f"would tell {len(groups)} apart" if len(groups) > 1 else "nothing"))
+            lines.append(
+                f"not asked: {check}: " + (f"would tell {len(groups)} apart" if len(groups) > 1 else "nothing")
+            )
     return "\n".join(lines)
 
 
@@ -90,11 +92,15 @@ class SuspectsPicture(Picture):
         for row, (name, kinds) in enumerate(self._findings.items()):
             y, is_left = HEAD_PX + row * ROW_PX, name in left
             colour = style.INK if is_left else style.GREY
-            self.ax.text(BORDER_PX, y + ROW_PX / 2, name, va="center", color=colour, weight="bold" if is_left else "normal")
+            self.ax.text(
+                BORDER_PX, y + ROW_PX / 2, name, va="center", color=colour, weight="bold" if is_left else "normal"
+            )
             for column, check in enumerate(self._checks):
                 self._cell(NAME_PX + column * cell_px, y, kinds[check], asked.get(check))
             if not is_left:
-                self.ax.plot([BORDER_PX - 4, self._width_px - BORDER_PX], [y + ROW_PX / 2] * 2, color=style.GREY, linewidth=1.4)
+                self.ax.plot(
+                    [BORDER_PX - 4, self._width_px - BORDER_PX], [y + ROW_PX / 2] * 2, color=style.GREY, linewidth=1.4
+                )
 
     def _cell(self, x: float, y: float, kind: str, said: str | None) -> None:
         box = Rectangle((x + 2, y + 2), self._cell_px - 4, ROW_PX - 4, facecolor=style.PAPER, edgecolor=style.FAINT)

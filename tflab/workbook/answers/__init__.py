@@ -6,6 +6,7 @@
     members        names, pairs, sets and trees
     command_lines  what one would type
     urdf_text      a robot, as its file has it
+    proof          the checks of a diagnosis
     forms          all of them together
     sealed         a right answer that cannot be read: a salted hash
     showing        an answer in words

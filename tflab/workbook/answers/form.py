@@ -20,7 +20,7 @@ Read `structures.py` next.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields
 from typing import Any, ClassVar, NamedTuple
 
@@ -111,6 +111,10 @@ class Form:
         if wanted is None or not all(wanted):  # or a part of it is of another kind
             return answer == other
         return all(matched(self.read(answer), wanted, _is_given, self.in_any_order))
+
+    def remark(self, answer: Plain, neighbours: Mapping[str, Plain]) -> Words | None:
+        """Return what can be said of a wrong answer by itself, beside the other parts of a dict; None if nothing."""
+        return None
 
     def plain(self) -> dict[str, Any]:
         """Return the form as JSON has it: its class and its fields."""

@@ -11,6 +11,7 @@ from typing import Any
 
 from .form import Angle, Form, Number, Pose, Quaternion, Vector
 from .members import Name, Pair, Set, Tree
+from .proof import Proof
 from .structures import Choice, Command, Message, Parts, Sequence
 from .urdf_text import Urdf
 
@@ -25,6 +26,7 @@ __all__ = [
     "Pair",
     "Parts",
     "Pose",
+    "Proof",
     "Quaternion",
     "Sequence",
     "Set",
@@ -46,6 +48,7 @@ _CLASSES = {
         Pair,
         Parts,
         Pose,
+        Proof,
         Quaternion,
         Sequence,
         Set,

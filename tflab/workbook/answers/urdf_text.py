@@ -7,7 +7,7 @@ Which order, which spaces, how many digits and which names of links' shapes do n
 matter.  Each link has credit of its own, because it is looked at from its parent.
 A text that is no robot is told why, in the words of the reader of URDFs.
 
-Read `forms.py` next.
+Read `proof.py` next.
 """
 
 from __future__ import annotations

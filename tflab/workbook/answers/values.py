@@ -32,6 +32,7 @@ from typing import Any
 
 import numpy as np
 
+from tflab.clinic.patient import SickRobot
 from tflab.core import BufferCore, StampedTransform, Transform
 from tflab.ros.clock_type import ClockType
 from tflab.ros.duration import Duration
@@ -170,6 +171,8 @@ class _Writer:
             return {"Time": [value.nanoseconds, int(value.clock_type.value)]}
         if isinstance(value, Duration):
             return {"Duration": value.nanoseconds}
+        if isinstance(value, SickRobot):
+            return {"Patient": value.packed()}
         if isinstance(value, BufferCore):
             return {"BufferCore": _plain_buffer(value)}
         if isinstance(value, tf2_buffer.BufferCore):
@@ -252,6 +255,7 @@ _READERS: dict[str, Callable[[Any], Any]] = {
     "message": _message,
     "Time": lambda pair: Time(nanoseconds=pair[0], clock_type=ClockType(pair[1])),
     "Duration": lambda nanoseconds: Duration(nanoseconds=nanoseconds),
+    "Patient": SickRobot.unpacked,
     "BufferCore": _buffer_core,
     "Buffer": _buffer,
 }

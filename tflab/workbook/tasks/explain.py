@@ -157,6 +157,10 @@ def _by_itself(task: TaskCases, form: Parts, case: Case, outcome: Plain, number:
     if words is not None:
         yield _Found({f"{name}: {answer}": TwinWords(words, "")}, words, {name})
         return
+    words = form.parts[name].remark(answer, inside(outcome))
+    if words is not None:
+        yield _Found({f"{name}: no proof": TwinWords(words, "")}, words, {name})
+        return
     for way in _undone_to(form.parts[name], [answer], [want]):
         yield _Found({way: words_of(task, way)}, words_of(task, way).reply, {name})
         return

@@ -1,0 +1,103 @@
+"""A visit costs minutes, keeps a list of suspects, and repairs nothing on a suspicion."""
+
+import pytest
+
+from tflab.clinic.patient import SickRobot
+from tflab.clinic.practice import answer_of, practice_patient, worked_patient
+from tflab.clinic.visit import CARD, WORDS, admit
+
+
+@pytest.fixture(scope="module")
+def ahead():
+    return worked_patient("laser clock ahead")
+
+
+@pytest.fixture
+def visit(ahead, capsys):
+    visit = admit(ahead)
+    capsys.readouterr()
+    return visit
+
+
+def test_at_the_door_one_hears_the_complaint_the_screen_the_card_and_the_budget(ahead, capsys):
+    admit(ahead)
+    printed = capsys.readouterr().out
+    assert "The scan flickers" in printed and "extrapolation into the future" in printed
+    assert CARD["en"] in printed and "You have 12 minutes." in printed
+    assert "Transform OK" not in printed  # what is Ok is folded
+
+
+def test_each_question_takes_its_minutes(visit, capsys):
+    visit.ask("ros2 topic delay /scan", because="laser clock ahead")
+    printed = capsys.readouterr().out
+    assert printed.startswith("$ ros2 topic delay /scan\naverage delay: -0.")
+    assert "1 min; 11 of 12 left." in printed
+    visit.ask("tape measure")
+    assert "16 min; the time is up, 4 minutes over." in capsys.readouterr().out
+    assert [asked.check for asked in visit.log] == ["delay /scan", "tape measure"]
+    assert visit.log[0].because == "laser clock ahead"
+
+
+def test_suspects_are_struck_by_oneself_unless_the_table_helps(visit, ahead, capsys):
+    visit.take("delay /scan")
+    assert len(visit.suspects) == 3
+    visit.strike("odometry slow")
+    assert visit.suspects == ("laser clock ahead", "transforms late")
+    helped = admit(ahead, helped=True)
+    helped.take("delay /scan")
+    assert helped.suspects == ("laser clock ahead",)
+
+
+def test_no_fix_is_tried_on_a_suspicion(visit, capsys):
+    def refusal(cause):
+        visit.say(cause, fix="set the laser's clock")
+        capsys.readouterr()
+        visit.try_fix()
+        return capsys.readouterr().out
+
+    visit.try_fix()
+    assert capsys.readouterr().out.startswith("First a diagnosis")
+    assert refusal("laser clock ahead").startswith("Nothing has been asked yet")
+    visit.take("hz /scan")
+    assert 'fit "laser clock ahead" and "transforms late" alike' in refusal("laser clock ahead")
+    visit.take("hz /odom")
+    assert "as on the card" in refusal("laser clock ahead")
+    visit.take("delay /scan")
+    assert 'If it were "transforms late", `ros2 topic hz /odom` would not say' in refusal("transforms late")
+    assert "RViz: all Ok" in refusal("laser clock ahead")
+
+
+def test_a_cause_that_is_no_suspect_is_refused(visit):
+    with pytest.raises(ValueError, match='"gremlins" is no suspect; there is localizer not running'):
+        visit.say("gremlins")
+    with pytest.raises(ValueError, match='there is no fix "hope"; there is start localization'):
+        visit.say("laser clock ahead", fix="hope")
+
+
+def test_only_a_patient_is_let_in():
+    with pytest.raises(TypeError, match="a patient is wanted, such as practice_patient"):
+        admit("a robot")
+
+
+def test_both_languages_say_the_same_things():
+    assert WORDS["en"].keys() == WORDS["ko"].keys() and CARD.keys() == WORDS.keys()
+
+
+def test_a_practice_patient_is_the_same_wherever_it_is_made():
+    assert practice_patient(5).packed() == practice_patient(5).packed()
+    assert answer_of(5, "jumps") in ("two owners of one edge", "localizer owns the base", "nothing is wrong")
+    with pytest.raises(ValueError, match='there is no complaint "tired"'):
+        practice_patient(5, "tired")
+
+
+def test_who_asks_pays_and_a_fresh_copy_has_paid_nothing(ahead):
+    patient = SickRobot.unpacked(ahead.packed())
+    assert patient.ask("delay /scan").startswith("-0.")
+    patient.ask("view_frames")
+    assert (patient.asked, patient.minutes) == (("delay /scan", "view_frames"), 4)
+    assert SickRobot.unpacked(patient.packed()).asked == ()
+    assert patient.verdict("laser clock ahead", "laser_frame") == {
+        "cause": "laser clock ahead",
+        "frame": "laser_frame",
+        "proof": ["laser clock ahead", ["delay /scan", "view_frames"]],
+    }

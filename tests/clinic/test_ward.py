@@ -1,0 +1,86 @@
+"""What every tool says of a sick robot is what the table says of its cause."""
+
+import numpy as np
+import pytest
+
+from tflab.clinic.causes import CAUSES, HEALTHY, Numbers, draw_numbers
+from tflab.clinic.cures import CURES
+from tflab.clinic.proof import fitting
+from tflab.clinic.table import COMPLAINTS, SUSPECTS
+from tflab.clinic.trolley import TROLLEY
+from tflab.clinic.ward import ExaminedRobot, make_patient
+
+
+def found_in(patient):
+    return {key: check.kind(patient.ask(key)) for key, check in TROLLEY.items()}
+
+
+@pytest.fixture(scope="module")
+def patients():
+    return {cause: make_patient([cause], draw_numbers(np.random.default_rng([3, i]))) for i, cause in enumerate(CAUSES)}
+
+
+def test_the_causes_are_the_suspects():
+    assert tuple(CAUSES) == SUSPECTS
+    assert sorted(cause for causes in CURES.values() for cause in causes) == sorted(SUSPECTS)
+
+
+@pytest.mark.parametrize("cause", SUSPECTS)
+def test_a_patients_findings_fit_its_cause_and_no_other(patients, cause):
+    assert fitting(found_in(patients[cause])) == (cause,)
+
+
+def test_every_reading_of_a_healthy_robot_is_as_on_the_card():
+    with ExaminedRobot(HEALTHY, Numbers()) as well:
+        screen = well.screen()
+        kinds = {key: check.kind(well.ask(key, screen)[1]) for key, check in TROLLEY.items()}
+    assert kinds == {key: check.usual for key, check in TROLLEY.items()}
+
+
+@pytest.mark.parametrize("cause", SUSPECTS)
+def test_the_right_fix_makes_the_robot_well_and_others_do_not(patients, cause):
+    cure = next(fix for fix, causes in CURES.items() if cause in causes)
+    assert "RViz: all Ok" in patients[cause].after(cure)[1] or cause in ("localizer owns the base", "nothing is wrong")
+    if cause not in ("two owners of one edge", "nothing is wrong"):
+        assert patients[cause].after("new sensor")[1] != patients[cause].after(cure)[1]
+
+
+def test_a_plaster_takes_the_error_away_and_leaves_the_points_where_they_are(patients):
+    ahead = patients["laser clock ahead"]
+    plaster, cure = ahead.after("timeout of 1 s")[1], ahead.after("set the laser's clock")[1]
+    assert "RViz: all Ok" in plaster and "RViz: all Ok" in cure
+    beside = [float(text.split("up to ")[1].split(" m")[0]) for text in (plaster, cure)]
+    assert beside[0] > 3 * beside[1]
+
+
+def test_the_screen_shows_what_the_operator_complains_of(patients):
+    said = {
+        "no map": "Fixed Frame: Frame [",
+        "no robot": "No transform from [base_footprint]",
+        "flickers": "extrapolation into the future",
+        "no scan": "For frame [",
+    }
+    for cause, patient in patients.items():
+        complaint = next(key for key, each in COMPLAINTS.items() if cause in each.suspects)
+        assert patient.complaint == complaint
+        assert said.get(complaint, "") in patient.screen
+
+
+def test_the_same_numbers_make_the_same_patient(patients):
+    again = make_patient(
+        ["laser clock ahead"], draw_numbers(np.random.default_rng([3, SUSPECTS.index("laser clock ahead")]))
+    )
+    assert again.packed() == patients["laser clock ahead"].packed()
+
+
+def test_a_patient_does_not_name_its_cause(patients):
+    for cause, patient in patients.items():
+        texts = [patient.screen, *(patient.reading(key)[1] for key in TROLLEY)]
+        assert not [suspect for suspect in SUSPECTS for text in texts if suspect in text], cause
+
+
+def test_two_causes_show_the_first_one_first():
+    patient = make_patient(["localizer not running", "mount wrong"], Numbers())
+    assert patient.complaint == "no map"
+    after = patient.after("start localization")[1]
+    assert "RViz: all Ok" in after and float(after.split("up to ")[1].split(" m")[0]) > 0.12

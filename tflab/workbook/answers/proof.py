@@ -1,0 +1,103 @@
+"""Is this list of checks a proof?  A diagnosis with its questions, judged without knowing the diagnosis.
+
+    ["delay /scan"]                          proves "laser clock ahead" among its three suspects
+    ["node list", "hz /odom", ...]           proves nothing, or too late, or asks on when all is clear
+    ("laser clock ahead", ["delay /scan"])   the same, for this suspect alone
+
+The form turns a list into the suspects that it would prove, each a row; which of
+them is the true one is nowhere in it, so what is expected can be sealed.  What is
+said of a list that proves nothing is true whatever the patient has.
+
+Read `forms.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from tflab.clinic.proof import Flaw, flaw_of
+from tflab.clinic.table import SUSPECTS
+from tflab.clinic.trolley import BUDGET_MIN, check_named
+
+from ..words import Words
+from .form import Form, Mark, Probe, inside
+from .values import Plain
+
+__all__ = ["Proof"]
+
+SAID = {
+    "unproved": Words(
+        en="your checks say the same for “{cause}” and “{rival}”. Which check on the trolley would not?",
+        ko="이 검사들은 “{cause}”일 때와 “{rival}”일 때 똑같이 나옵니다. 다르게 나올 검사는 무엇입니까?",
+    ),
+    "all healthy": Words(
+        en="for “{cause}” each of these checks would be as on the card. A proof also shows something that is sick.",
+        ko="원인이 “{cause}”라면 이 검사들은 모두 카드와 같습니다. 증명에는 아픈 곳을 보여 주는 검사도 필요합니다.",
+    ),
+    "idle": Words(
+        en="for “{cause}” the first {count} of your checks would be enough; the other {minutes:g} min tell nothing.",
+        ko="원인이 “{cause}”라면 앞의 검사 {count}개로 충분합니다. 나머지 {minutes:g}분은 알려 주는 것이 없습니다.",
+    ),
+    "late": Words(
+        en="{minutes:g} of {budget:g} minutes. Something dear came before a question that could answer it.",
+        ko="{budget:g}분 가운데 {minutes:g}분이 걸립니다. 싼 질문으로 풀릴 일에 비싼 검사를 먼저 썼습니다.",
+    ),
+}
+
+
+@dataclass(frozen=True)
+class Proof(Form):
+    """The checks of a diagnosis, in their order, by their names on the trolley.
+
+    Attributes:
+        whole: whether all eighteen are suspects, and not the three of one complaint.
+        budget_min: how long it may take [min].
+    """
+
+    whole: bool = False
+    budget_min: float = BUDGET_MIN
+
+    def probes(self, plain: Plain) -> list[Probe] | None:
+        read = _read(plain)
+        if read is None:
+            return None
+        claimed, checks = read
+        suspects = SUSPECTS if claimed is None else (claimed,)
+        return [[(Mark(suspect),) for suspect in suspects if self._flaw(checks, suspect) is None]]
+
+    def wanted(self) -> Words:
+        return Words(
+            en='a list of checks from the trolley, such as ["node list", "hz /odom"]',
+            ko='트롤리에 있는 검사의 리스트(예: ["node list", "hz /odom"])',
+        )
+
+    def remark(self, answer: Plain, neighbours: Mapping[str, Plain]) -> Words | None:
+        """Return what keeps a list from proving the cause that stands beside it."""
+        read = _read(answer)
+        causes = [other for other in neighbours.values() if isinstance(other, str) and other in SUSPECTS]
+        if read is None or not (read[0] or causes):
+            return None
+        cause = read[0] or causes[0]
+        flaw = self._flaw(read[1], cause)
+        if flaw is None:
+            return None
+        names = {**flaw._asdict(), "cause": cause, "budget": self.budget_min}
+        return Words(*(SAID[flaw.kind].say(language, **names) for language in ("en", "ko")))
+
+    def _flaw(self, checks: list[str], suspect: str) -> Flaw | None:
+        return flaw_of(checks, suspect, self.whole, self.budget_min)
+
+
+def _read(plain: Plain) -> tuple[str | None, list[str]] | None:
+    """Return whom an answer claims to prove, None if nobody in particular, and its checks; None if it is no list."""
+    members = inside(plain)
+    if not isinstance(members, list) or not members:
+        return None
+    claimed = None
+    if len(members) == 2 and members[0] in SUSPECTS and isinstance(inside(members[1]), list):
+        claimed, members = members[0], inside(members[1])
+    try:
+        return claimed, [check_named(member).key for member in members if isinstance(member, str)]
+    except ValueError:
+        return None
