@@ -8,6 +8,7 @@
     cures      what one can do about it
     patient    a sick robot as plain data
     ward       how a patient is made
+    archive    many patients, none made twice
     visit      how one examines a patient, and treats it
     practice   patients without end
     panel      a visit with controls
