@@ -27,16 +27,24 @@ MOST_WAYS = 64  # to write one sequence; beyond these, the plainest
 
 @dataclass(frozen=True)
 class Choice(Form):
-    """One of `options`."""
+    """One of `options`, read as a person means it: `'Use it.'` is "use it"; of names, each letter counts."""
 
     options: tuple[str, ...] = ()
 
     def probes(self, plain: Plain) -> list[Probe] | None:
         if isinstance(plain, bool):
             plain = str(plain)
-        if not isinstance(plain, str) or (self.options and plain.strip() not in self.options):
-            return None
-        return [[(Mark(plain.strip()),)]]
+        word = self._option(plain) if isinstance(plain, str) else None
+        return None if word is None else [[(Mark(word),)]]
+
+    def _option(self, text: str) -> str | None:
+        """Return the option that is meant, or None if there is none, or more than one."""
+        text = text.strip()
+        if not self.options or text in self.options:
+            return text
+        are_names = any("_" in option or "/" in option for option in self.options)
+        meant = [option for option in self.options if _meant(option, are_names) == _meant(text, are_names)]
+        return meant[0] if len(meant) == 1 else None
 
     def wanted(self) -> Words:
         options = ", ".join(f'"{option}"' for option in self.options)
@@ -124,6 +132,12 @@ def as_one(probes: list[Probe] | None) -> Probe:
         return []
     ways = islice(product(*probes), MOST_WAYS)
     return [tuple(mark for row in rows for mark in row) for rows in ways]
+
+
+def _meant(text: str, is_name: bool) -> str:
+    """Return a text without quotes, spaces and the like; a word also without capitals, hyphens and a full stop."""
+    text = "".join(text.replace("→", "->").split()).strip("\"'`“”‘’")
+    return text if is_name else text.rstrip(".").replace("_", "").replace("-", "").casefold()
 
 
 def _text(plain: Plain) -> str:

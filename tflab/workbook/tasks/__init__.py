@@ -7,7 +7,11 @@
     evidence    what an answer shows, beyond luck: guess correction
     units       in which other unit it may be
     universal   mistakes that any answer can have
+    fitting     whether outcomes are just what a mistake gives
     certain     what is certain where none fits
+    explanation what an explanation is
+    confused    which word a function says for which
+    members     parts of a dict, fields of a message, each by itself
     explain     how a wrong answer came about: slips, alone and two together
     verdict     what became of an answer
     mistake     what may be wrong with it, in two tables of words

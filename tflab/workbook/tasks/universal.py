@@ -6,27 +6,28 @@
 Each is undone, and what is left is compared with what was expected, or with what a
 slip of the task would give: so it works where the right answer is sealed, too.
 Such rules are the *mal-rules* of a *bug library* (Brown and Burton's BUGGY): not
-what is wrong, but what was done.  Read `certain.py` next.
+what is wrong, but what was done.  Read `fitting.py` next.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
-from itertools import permutations
+from itertools import permutations, product
 from typing import NamedTuple
 
 from tflab.core import Transform
 
-from ..answers.form import numbers_of, pose_of
+from ..answers.form import inside, numbers_of, pose_of
 from ..answers.forms import Angle, Form, Name, Number, Pose, Quaternion, Sequence, Vector
 from ..answers.values import Plain, to_plain
 from ..words import Words
 from .units import OTHER_UNITS, unit_of
 
-__all__ = ["UNIVERSAL", "Undone", "undone"]
+__all__ = ["PLAIN_TO_SEE", "UNIVERSAL", "Undone", "undone"]
 
 Row = tuple[float, ...]
+NOTHING = 10.0  # tolerances: a number below is as good as zero, whatever its unit
 
 
 class Universal(NamedTuple):
@@ -58,8 +59,47 @@ def _reciprocal(row: Row) -> Iterator[Row]:
         yield (1.0 / row[0],)
 
 
+def _half(row: Row) -> Iterator[Row]:
+    yield tuple(number / 2.0 for number in row)
+
+
+def _double(row: Row) -> Iterator[Row]:
+    yield tuple(number * 2.0 for number in row)
+
+
+def _root(row: Row) -> Iterator[Row]:
+    if row[0] > 0.0:
+        yield (math.sqrt(row[0]),)
+
+
+def _square(row: Row) -> Iterator[Row]:
+    yield (row[0] ** 2,)
+
+
+def _half_a_turn(row: Row) -> Iterator[Row]:
+    yield (row[0] + math.pi,)
+
+
+def _angle_of_z(row: Row) -> Iterator[Row]:
+    """The sine of half the angle, as it stands in a quaternion's z, was taken for the angle."""
+    if abs(row[0]) <= 1.0:
+        yield (2.0 * math.asin(row[0]),)
+
+
 def _exchanged(row: Row) -> Iterator[Row]:
+    if len(row) > 4:
+        return
     yield from (order for order in permutations(row) if order != row)
+
+
+def _places_and_signs(row: Row) -> Iterator[Row]:
+    if len(row) > 3:
+        return
+    for order in permutations(row):
+        yield from (
+            tuple(sign * number for sign, number in zip(signs, order, strict=True))
+            for signs in product((1.0, -1.0), repeat=len(row))
+        )
 
 
 def _one_sign(row: Row) -> Iterator[Row]:
@@ -103,6 +143,40 @@ UNIVERSAL = {
         ),
         _reciprocal,
     ),
+    "twice": Universal(
+        Words(en="this is twice what is asked for.", ko="필요한 값의 두 배입니다."),
+        _half,
+    ),
+    "half": Universal(
+        Words(en="this is half of what is asked for.", ko="필요한 값의 절반입니다."),
+        _double,
+    ),
+    "squared": Universal(
+        Words(
+            en="this is the square of what is asked for: is a root missing?",
+            ko="필요한 값의 제곱입니다. 제곱근을 빠뜨리지 않았습니까?",
+        ),
+        _root,
+    ),
+    "root": Universal(
+        Words(en="this is the square root of what is asked for.", ko="필요한 값의 제곱근입니다."),
+        _square,
+    ),
+    "half a turn": Universal(
+        Words(
+            en="this angle is half a turn off: the opposite direction.",
+            ko="각도가 반 바퀴 어긋났습니다. 반대 방향입니다.",
+        ),
+        _half_a_turn,
+    ),
+    "z for the angle": Universal(
+        Words(
+            en="this is the sine of half the angle, the z of a quaternion; asked for is the angle.",
+            ko="각도 절반의 sin, 곧 쿼터니언의 z입니다. 필요한 것은 각도입니다.",
+        ),
+        _angle_of_z,
+        "M5",
+    ),
     "all signs": Universal(
         Words(
             en="each number has the other sign: the arrow points the opposite way.",
@@ -116,10 +190,17 @@ UNIVERSAL = {
     ),
     "exchanged": Universal(
         Words(
-            en="these are the right numbers in the wrong places: x, y and z are exchanged.",
-            ko="숫자는 맞지만 자리가 다릅니다. x, y, z가 서로 바뀌었습니다.",
+            en="these are the right numbers in the wrong places.",
+            ko="숫자는 맞지만 자리가 서로 바뀌었습니다.",
         ),
         _exchanged,
+    ),
+    "places and signs": Universal(
+        Words(
+            en="the sizes of the numbers are right; their places and signs are not.",
+            ko="숫자의 크기는 맞지만 자리와 부호가 다릅니다.",
+        ),
+        _places_and_signs,
     ),
     "w first": Universal(
         Words(
@@ -131,8 +212,8 @@ UNIVERSAL = {
     ),
     "inverse rotation": Universal(
         Words(
-            en="this is the inverse rotation: it turns as far, and the other way.",
-            ko="역회전입니다. 도는 크기는 같고 방향이 반대입니다.",
+            en="this is the inverse rotation (its matrix transposed): it turns as far, and the other way.",
+            ko="역회전입니다(행렬로는 전치). 도는 크기는 같고 방향이 반대입니다.",
         ),
         _conjugate,
         "M1",
@@ -189,13 +270,30 @@ UNIVERSAL = {
         lambda row: iter(()),
         "M1",
     ),
+    "translation taken away": Universal(
+        Words(
+            en="the rotation is right, the translation points the opposite way.",
+            ko="회전은 맞지만 이동이 반대쪽을 가리킵니다.",
+        ),
+        _negated,
+        "M3",
+    ),
+    "transposed": Universal(
+        Words(
+            en="this matrix is transposed: the translation stands in the last column, not in the last row.",
+            ko="행렬이 전치되었습니다. 이동은 마지막 행이 아니라 마지막 열에 있습니다.",
+        ),
+        lambda row: iter(()),
+    ),
 }
 OF_FORM = {
-    Number: ("sign", "one over it"),
-    Angle: ("sign",),
-    Vector: ("all signs", "exchanged", "one sign"),
-    Quaternion: ("w first", "inverse rotation", "not normalised", "whole angle"),
+    Number: ("sign", "one over it", "twice", "half", "squared", "root"),
+    Angle: ("sign", "half a turn", "z for the angle", "twice", "half"),
+    Vector: ("all signs", "exchanged", "one sign", "places and signs", "twice", "half"),
+    Quaternion: ("w first", "inverse rotation", "not normalised", "whole angle", "exchanged"),
 }
+# What is seen at once, and so may stand behind another slip; of the others nobody could say that it was just that.
+PLAIN_TO_SEE = {"unit", "sign", "all signs", "w first", "inverse rotation", "inverse transform", "not normalised"}
 
 
 def undone(form: Form, answer: Plain) -> Iterator[Undone]:
@@ -206,22 +304,31 @@ def undone(form: Form, answer: Plain) -> Iterator[Undone]:
         yield from _undone_name(answer)
     elif isinstance(form, Sequence) and isinstance(answer, list) and len(answer) > 1:
         yield Undone("other order", "", answer[::-1])
+    elif type(form) in OF_FORM and form.read(answer) is not None:  # not, say, a message in another frame
+        yield from _undone_numbers(form, answer)
+
+
+def _undone_numbers(form: Form, answer: Plain) -> Iterator[Undone]:
     size = form.size if isinstance(form, Vector) else 4 if isinstance(form, Quaternion) else None
-    row = numbers_of(answer, size) if type(form) in OF_FORM else None
-    if row is None:
-        return
+    row = numbers_of(answer, size)
     for unit, factor in OTHER_UNITS.get(unit_of(form), {}).items():
-        yield Undone("unit", unit, _plain(tuple(number / factor for number in row), size))
-    for name in OF_FORM[type(form)]:
+        left = tuple(number / factor for number in row)
+        if max(map(abs, left)) > NOTHING * form.tolerance:
+            yield Undone("unit", unit, _plain(left, size))
+    is_a_count = isinstance(form, Number) and not form.unit
+    for name in ("sign",) if is_a_count else OF_FORM[type(form)]:
         for left in UNIVERSAL[name].undo(row):
             yield Undone(name, "", _plain(left, size))
 
 
 def _undone_pose(answer: Plain) -> Iterator[Undone]:
     parts = pose_of(answer)
+    if parts is None and isinstance(rows := inside(answer), list) and all(numbers_of(row, 4) for row in rows):
+        yield Undone("transposed", "", [list(column) for column in zip(*map(inside, rows), strict=True)])
     if parts is None or math.hypot(*parts[3]) < 1e-9:
         return
     yield Undone("inverse transform", "", to_plain(Transform(parts[2], parts[3]).inverse()))
+    yield Undone("translation taken away", "", {"Transform": [[-number for number in parts[2]], list(parts[3])]})
     for name in OF_FORM[Quaternion]:
         for left in UNIVERSAL[name].undo(parts[3]):
             yield Undone(name, "", {"Transform": [list(parts[2]), list(left)]})

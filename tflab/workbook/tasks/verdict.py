@@ -25,7 +25,9 @@ from ..words import Words
 from . import evidence
 from .case import Case, TaskCases, TwinWords, Variant
 from .certain import certain
-from .explain import ANY_BUG, Explanation, explained
+from .explain import explained
+from .explanation import Explanation
+from .fitting import ANY_BUG
 from .mistake import Mistake
 from .units import unit_of
 
@@ -76,7 +78,7 @@ def judge_outcomes(task: TaskCases, variant: Variant, outcomes: Sequence[Plain])
         return Verdict(len(right), len(right), right=right)
     case = next(number for number, row in enumerate(rights) if not all(row))
     try:
-        mistake, detail, found = _mistake(task, cases, outcomes, rights, case)
+        mistake, detail, found = _mistake(task, variant, outcomes, rights, case)
     except Exception:  # JSON that `to_plain` never wrote: wrong, and there is nothing to say of it
         mistake, detail, found = Mistake.VALUE, {}, None
     if found is None:
@@ -109,17 +111,19 @@ def kind_of(plain: Plain) -> str:
 
 
 def _mistake(
-    task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], rights: Sequence[list[bool]], case: int
+    task: TaskCases, variant: Variant, outcomes: Sequence[Plain], rights: Sequence[list[bool]], case: int
 ) -> tuple[Mistake, dict[str, Any], Explanation | None]:
     """Return what is wrong, the details, and how it came about if that is known; coarse to fine."""
+    cases = variant.cases
     form, outcome, expected = task.form, outcomes[case], cases[case].expected
     if all(map(is_unanswered, outcomes)):
         return Mistake.UNANSWERED, {}, None
     missing = _coarse(form, outcome) if isinstance(form, Parts) and not task.is_function else None
     if missing is not None:
         return missing[0], {"got": kind_of(outcome), **missing[1]}, None
-    found = explained(task, cases, outcomes, rights)
-    if found is not None and next(iter(found.slips)).startswith("unit ") and len(found.slips) == 1:
+    found = explained(task, cases, outcomes, variant.given)
+    is_unit = found is not None and len(found.slips) == 1 and next(iter(found.slips)).startswith("unit ")
+    if is_unit and not isinstance(form, Message):
         return Mistake.UNIT, _unit(form, next(iter(found.slips)), rights[case]), found
     if found is not None:
         return Mistake.SLIP, {}, found
@@ -173,13 +177,6 @@ def _ending(
         always = all(other is None for other in outcomes)
         return Mistake.NOTHING_RETURNED if always else Mistake.SOMETIMES_NOTHING, {}
     return (Mistake.NO_REFUSAL, {}) if is_raised(expected) else None
-
-
-def _slipped_parts(task: TaskCases, rights: list[bool]) -> dict[str, Any]:
-    """Return which of several answers a mistake was made in, where it was not made in all of them."""
-    if task.is_function or not isinstance(task.form, Parts) or not any(rights):
-        return {}
-    return {"wrong": _wrong_names(task.form, rights)}
 
 
 def _wrong_names(form: Parts | Message | Urdf, rights: list[bool]) -> list[str]:

@@ -1,0 +1,72 @@
+"""Which word does a function say for which?  What is sure about verdicts, even where no slip gives them.
+
+    asked for   ok    past  future  past           "past" never comes: "future" is said for it
+    said        ok   future future future
+
+The field calls the table of both a confusion matrix.  A word that is asked for may be
+sealed; it is found by trying the few there are.  Read `members.py` next.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from ..answers import sealed
+from ..answers.forms import Choice
+from ..answers.values import Plain, is_raised
+from ..words import Words
+
+__all__ = ["Confusion", "confused"]
+
+SWAPPED = Words(
+    en='"{one}" and "{other}" have changed places.',
+    ko='"{one}"과(와) "{other}"이(가) 서로 바뀌었습니다.',
+)
+NEVER = Words(
+    en='"{wanted}" never comes: wherever it is asked for, your function says "{said}".',
+    ko='"{wanted}"이(가) 한 번도 나오지 않습니다. 그래야 할 곳에서 함수가 "{said}"이라고 합니다.',
+)
+SOMETIMES = Words(
+    en='in {wrong} of the {of} calls that ask for "{wanted}", your function says "{said}".',
+    ko='"{wanted}"이어야 하는 호출 {of}개 가운데 {wrong}개에서 함수가 "{said}"이라고 합니다.',
+)
+
+
+class Confusion(NamedTuple):
+    """Which words are confused, in a word or two, and what to say of it."""
+
+    name: str
+    said: Words
+
+
+def confused(form: Choice, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> Confusion | None:
+    """Return which words a function confuses, the one that it confuses most first; None if it says others."""
+    asked = [_word(form, want) for want in wanted]
+    said = [_word(form, outcome) for outcome in outcomes]
+    wrong = Counter((want, word) for want, word in zip(asked, said, strict=True) if want != word)
+    if not wrong or any(want is None or word is None for want, word in wrong):
+        return None
+    whole = {pair: count for pair, count in wrong.items() if count == asked.count(pair[0])}
+    for want, word in whole:
+        if (word, want) in whole:
+            return Confusion(f"{want} and {word} swapped", _filled(SWAPPED, one=want, other=word))
+    (want, word), count = max((whole or wrong).items(), key=lambda row: row[1])
+    words = NEVER if whole else SOMETIMES
+    named = _filled(words, wanted=want, said=word, wrong=count, of=asked.count(want))
+    return Confusion(f"{word} for {want}", named)
+
+
+def _word(form: Choice, plain: Plain) -> str | None:
+    """Return the option that this is, open or sealed; None if it is none."""
+    if is_raised(plain):
+        return None
+    if sealed.is_sealed(plain):
+        return next((option for option in form.options if all(sealed.judge(form, option, plain))), None)
+    probes = form.read(plain)
+    return str(probes[0][0][0].value) if probes else None
+
+
+def _filled(words: Words, **names: object) -> Words:
+    return Words(words.say("en", **names), words.say("ko", **names))

@@ -1,0 +1,258 @@
+"""How did the wrong parts of an answer come about?  Each part of a dict, each field of a message, by itself.
+
+    {"base_link": right, "map": wrong}     a slip of the task that shows in "map" alone
+                                           a mistake that any answer can have, in that part
+                                           the answer of another part, or what was given
+
+A value has one case, a function several: a part is explained where it is in all of
+them.  What only follows from an earlier slip costs nothing: *error carried forward*.
+Read `explain.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import combinations
+from typing import NamedTuple
+
+from ..answers import sealed
+from ..answers.form import Form, inside, numbers_of, pose_of
+from ..answers.forms import Angle, Choice, Number, Parts, Pose, Quaternion, Vector
+from ..answers.forms import Sequence as ListForm
+from ..answers.values import Plain, is_raised
+from ..words import Words
+from .case import AND, Case, TaskCases, TwinWords
+from .explanation import Explanation, said_of
+from .fitting import alike, all_alike, in_some, section, sections, undone_to, words_of
+from .units import unit_of
+
+__all__ = ["given_to", "of_members"]
+
+LOOK = Words(en="look again.", ko="다시 보십시오.")
+ANOTHERS = Words(
+    en='this is what is asked for under "{other}".',
+    ko='이 값은 "{other}"의 자리에 들어갈 답입니다.',
+)
+CHANGED_PLACES = Words(
+    en="the two have changed places: each holds what is asked for under the other.",
+    ko="두 답의 자리가 바뀌었습니다. 서로 상대의 자리에 들어갈 값입니다.",
+)
+AS_IT_CAME = Words(en="this is still what came in, unchanged.", ko="받은 값을 바꾸지 않고 그대로 두었습니다.")
+
+
+class _Found(NamedTuple):
+    """What explains some parts: the slips by name, what to say, and whether the rest of it shows, too."""
+
+    slips: dict[str, TwinWords]
+    said: Words
+    parts: set[str]
+    is_whole: bool = False
+
+
+class _Table(NamedTuple):
+    """An answer by its parts: the form of each, what came out in each case, and what was wanted."""
+
+    forms: dict[str, Form]
+    given: dict[str, list[Plain]]
+    wanted: dict[str, list[Plain]]
+
+
+def of_members(
+    task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], given: dict[str, Plain] | None
+) -> Explanation | None:
+    """Return how the wrong parts of an answer came about, or None if nothing explains any of them."""
+    form = task.form
+    pairs = [(case, outcome) for case, outcome in zip(cases, outcomes, strict=True) if not is_raised(case.expected)]
+    refused = [(case, outcome) for case, outcome in zip(cases, outcomes, strict=True) if is_raised(case.expected)]
+    if not pairs or not all(alike(form, outcome, case.expected) for case, outcome in refused):
+        return None
+    if any(form.read(outcome) is None for _, outcome in pairs):
+        return None
+    return _of_table(task, [case for case, _ in pairs], [outcome for _, outcome in pairs], given)
+
+
+def _of_table(
+    task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], given: dict[str, Plain] | None
+) -> Explanation | None:
+    """Return the same where each case asks for a value, and each outcome can be read."""
+    form = task.form
+    table = _table(form, cases, outcomes)
+    names = list(table.forms)
+    wrong = {name for name, part in table.forms.items() if not all_alike(part, table.given[name], table.wanted[name])}
+    slips = _slips_in_parts(task, table, cases, wrong)
+    pairs = [pair for pair in _changed_places(table, wrong) if not any(pair.parts <= slip.parts for slip in slips)]
+    left, found = set(wrong), []
+    for cause in [*pairs, *slips]:
+        if cause.parts <= left:
+            found.append(cause)
+            left -= cause.parts
+    for number, name in enumerate(names):
+        if name in left:
+            found += _by_itself(task, table, name, given) or _as_it_came(task.form, table, number, name, cases)
+    left -= {name for cause in found for name in cause.parts}
+    return _together(found, left, names) if found else None
+
+
+def given_to(form: Form, outcome: Plain, expected: Plain, given: dict[str, Plain] | None) -> str | None:
+    """Return under which name an answer was given, if it is nothing else than that."""
+    if isinstance(form, Choice | Parts | ListForm) or alike(form, outcome, expected):
+        return None
+    for name, leaf in _leaves(given or {}):
+        for shaped in _shaped(form, name, leaf):
+            if form.read(shaped) is not None and alike(form, outcome, shaped):
+                return name
+    return None
+
+
+def _table(form: Form, cases: Sequence[Case], outcomes: Sequence[Plain]) -> _Table:
+    forms = sections(form, outcomes[0] if sealed.is_sealed(cases[0].expected) else cases[0].expected)
+    given = {name: [section(form, plain, n, name) for plain in outcomes] for n, name in enumerate(forms)}
+    wanted = {name: [section(form, case.expected, n, name) for case in cases] for n, name in enumerate(forms)}
+    return _Table(forms, given, wanted)
+
+
+# -- what explains a part ------------------------------------------------------------------
+
+
+def _slips_in_parts(task: TaskCases, table: _Table, cases: Sequence[Case], wrong: set[str]) -> list[_Found]:
+    """Return what slips explain, most parts and fewest slips first."""
+    found = []
+    for key in cases[0].twins:
+        twins = [case.twins[key] for case in cases]
+        slips = {name: words_of(task, name) for name in key.split(AND)}
+        changed, same = _shown(task.form, table, twins)
+        if changed and changed <= same & wrong:
+            found.append(_Found(slips, said_of(task, list(slips)), changed, is_whole=True))
+        elif same & changed & wrong and all(words.partly for words in slips.values()):
+            found.append(_Found(slips, said_of(task, list(slips)), same & changed & wrong))
+    return sorted(found, key=lambda cause: (-len(cause.parts), len(cause.slips), not cause.is_whole))
+
+
+def _shown(form: Form, table: _Table, twins: Sequence[Plain]) -> tuple[set[str], set[str]]:
+    """Return in which parts a mistake gives something else than what is right, and in which it gives what came out."""
+    changed: set[str] = set()
+    same: set[str] = set()
+    if any(map(is_raised, twins)) or any(twin is None for twin in twins):
+        return changed, same
+    for number, (name, part) in enumerate(table.forms.items()):
+        row = [section(form, twin, number, name) for twin in twins]
+        if not _all_same(part, row, table.wanted[name]):
+            changed.add(name)
+        if all_alike(part, table.given[name], row):
+            same.add(name)
+    return changed, same
+
+
+def _all_same(form: Form, twins: Sequence[Plain], wanted: Sequence[Plain]) -> bool:
+    return all(
+        twin == want if sealed.is_sealed(want) else form.alike(twin, want)
+        for twin, want in zip(twins, wanted, strict=True)
+    )
+
+
+def _changed_places(table: _Table, wrong: set[str]) -> Iterator[_Found]:
+    """Yield two parts of which each holds the other's answer."""
+    names = [name for name in table.forms if name in wrong and not isinstance(table.forms[name], Choice | ListForm)]
+    for one, other in combinations(names, 2):
+        is_alike = type(table.forms[one]) is type(table.forms[other])
+        if is_alike and _holds(table, one, other) and _holds(table, other, one):
+            key = f"{one} and {other} changed places"
+            yield _Found({key: TwinWords(CHANGED_PLACES, "")}, CHANGED_PLACES, {one, other})
+
+
+def _holds(table: _Table, one: str, other: str) -> bool:
+    return all_alike(table.forms[other], table.given[one], table.wanted[other])
+
+
+def _by_itself(task: TaskCases, table: _Table, name: str, given: dict[str, Plain] | None) -> list[_Found]:
+    """Return what explains one part alone: its option, what any answer can have, another's answer, what was given."""
+    form, outcomes, wanted = table.forms[name], table.given[name], table.wanted[name]
+    words = _choice(task, name, outcomes[0]) if len(outcomes) == 1 else None
+    if words is not None:
+        return [_Found({f"{name}: {outcomes[0]}": TwinWords(words, "")}, words, {name})]
+    words = form.remark(outcomes[0], {part: row[0] for part, row in table.given.items()})
+    if words is not None:
+        return [_Found({f"{name}: no proof": TwinWords(words, "")}, words, {name})]
+    for way in [*undone_to(form, outcomes, wanted), *in_some(form, outcomes, wanted)][:1]:
+        return [_Found({way: words_of(task, way)}, words_of(task, way).reply, {name})]
+    for other, part in table.forms.items():
+        is_like = other != name and type(part) is type(form) and not isinstance(part, Choice | ListForm)
+        if is_like and _holds(table, name, other) and any(_is_something(part, value) for value in outcomes):
+            said = Words(ANOTHERS.say("en", other=other), ANOTHERS.say("ko", other=other))
+            return [_Found({f"{other} under {name}": TwinWords(said, "")}, said, {name})]
+    held = given_to(form, outcomes[0], wanted[0], given) if len(outcomes) == 1 else None
+    if held:
+        way = f"given {held}"
+        return [_Found({way: words_of(task, way)}, words_of(task, way).reply, {name})]
+    return []
+
+
+def _as_it_came(form: Form, table: _Table, number: int, name: str, cases: Sequence[Case]) -> list[_Found]:
+    """Return whether a part of what a function gives is that part of an argument, in every case."""
+    for place in range(len(cases[0].args or ())):
+        came = [section(form, case.args[place], number, name) for case in cases]
+        if all(part is not None for part in came) and all_alike(table.forms[name], table.given[name], came):
+            return [_Found({f"{name} as it came": TwinWords(AS_IT_CAME, "")}, AS_IT_CAME, {name})]
+    return []
+
+
+def _is_something(form: Form, value: Plain) -> bool:
+    """Return whether a value is more than zeros, which many answers are."""
+    row = numbers_of(value, form.size if isinstance(form, Vector) else None)
+    return row is None or any(row)
+
+
+def _choice(task: TaskCases, part: str, answer: Plain) -> Words | None:
+    """Return what an option would mean, and what the part shows: why one is not the other."""
+    means = task.means.get(answer) if isinstance(answer, str) else None
+    shows = task.shows.get(part)
+    if means is None and shows is None:
+        return None
+    return Words(*(" ".join(row) for row in zip(*filter(None, (means, shows)), strict=True)))
+
+
+# -- what was given ------------------------------------------------------------------------
+
+
+def _leaves(given: dict[str, Plain], before: str = "") -> Iterator[tuple[str, Plain]]:
+    """Yield what was given, by name; of a dict its members, too."""
+    for name, held in given.items():
+        yield before + name, held
+        if isinstance(inner := inside(held), dict) and "Transform" not in inner:
+            yield from _leaves(inner, f"{before}{name}: ")
+
+
+def _shaped(form: Form, name: str, leaf: Plain) -> Iterator[Plain]:
+    """Yield what was given as an answer of this form might have it; a number only if its name ends in the unit."""
+    if isinstance(form, Pose) or (isinstance(form, Number | Angle) and name.endswith(f"_{unit_of(form)}")):
+        yield leaf
+    parts = pose_of(leaf)
+    if isinstance(form, Vector):
+        yield from ([leaf] if parts is None else [list(parts[2])[: form.size]])
+    elif isinstance(form, Quaternion):
+        yield from ([leaf] if parts is None else [list(parts[3])])
+
+
+# -- together ------------------------------------------------------------------------------
+
+
+def _together(found: list[_Found], left: set[str], names: list[str]) -> Explanation:
+    """Return one explanation of what was found in several parts, and of those `left` that nothing explains."""
+    found = sorted(found, key=lambda cause: min(map(names.index, cause.parts)))
+    said = [cause.said if cause.parts == set(names) else _where(cause.said, cause.parts, names) for cause in found]
+    said += [_where(LOOK, left, names)] if left else []
+    slips = {name: words for cause in found for name, words in cause.slips.items()}
+    follows = set() if left else {name for cause in found for name in _follows(cause)}
+    return Explanation(slips, Words(*(" ".join(row) for row in zip(*said, strict=True))), tuple(sorted(follows)))
+
+
+def _follows(found: _Found) -> set[str]:
+    """Return the parts that are wrong only because of a slip in another part."""
+    made_in = {words.part for words in found.slips.values()} - {""}
+    return found.parts - made_in if found.is_whole and made_in & found.parts else set()
+
+
+def _where(words: Words, parts: set[str], names: Sequence[str]) -> Words:
+    """Say in which parts it is."""
+    where = ", ".join(f'"{name}"' for name in names if name in parts)
+    return Words(f"{where}: {words.en}", f"{where}: {words.ko}")
