@@ -28,7 +28,7 @@ from urllib.parse import urlsplit
 import pytest
 from hypothesis import settings
 
-from tflab.workbook.copy.lab import QUIET_OPTIONS, quiet_environment
+from tflab.workbook.copy.lab import OUR_OPTIONS, our_environment
 
 # Where a change has to pass, the same examples every time; on a developer's machine, new ones every time.
 settings.register_profile("ci", derandomize=True, deadline=None)
@@ -156,12 +156,12 @@ def running_lab(home: Path) -> Iterator[Lab]:
         "--ServerApp.port_retries=0",
         f"--IdentityProvider.token={TOKEN}",
         "--LabApp.expose_app_in_browser=True",
-        *QUIET_OPTIONS,
+        *OUR_OPTIONS,
     ]
     with (home / "log").open("w") as log:
         server = subprocess.Popen(
             [sys.executable, "-m", "jupyterlab", *arguments],
-            env=os.environ | own_folders | quiet_environment(os.environ), stdout=subprocess.DEVNULL, stderr=log,
+            env=os.environ | own_folders | our_environment(os.environ), stdout=subprocess.DEVNULL, stderr=log,
         )  # fmt: skip
         url = f"http://127.0.0.1:{port}"
         try:

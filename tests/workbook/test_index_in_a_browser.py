@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import nbformat
 import pytest
+from nbformat.sign import NotebookNotary
 
 from tflab.workbook.copy.lay_out import lay_out
 from tflab.workbook.progress import record_try
 
 pytestmark = pytest.mark.browser
 
+PYTHON = {"name": "python3", "display_name": "Python 3"}
 CELLS = "jupyterapp.shell.currentWidget.content.model.cells"
 # A page of this length is drawn only where one looks: what has run is asked of its cells, not of their pictures.
 HAVE_RUN = f"[...Array({CELLS}.length).keys()].every((i) => {CELLS}.get(i).executionCount !== null)"
@@ -44,3 +47,28 @@ def test_a_link_on_the_first_page_opens_the_exercise_in_the_same_copy(lab, page)
         "jupyterapp.shell.currentWidget?.context?.path === 'copy_of_links/exercises/en/E03_target_and_source.ipynb'",
         timeout=60_000,
     )
+
+
+def test_a_picture_says_what_it_shows_and_a_page_its_language(lab, page) -> None:
+    copy = lay_out(lab.folder / "copy_of_words", "ko")
+    lab.open(page, f"{copy.name}/notebooks/ko/03_target_and_source.ipynb")
+    page.wait_for_selector(".jp-Notebook[lang=ko]", timeout=60_000)
+    page.evaluate("jupyterapp.shell.currentWidget.content.scrollToItem(6, 'start')")
+    page.wait_for_selector(".jp-RenderedImage img", timeout=60_000)
+    page.wait_for_function(
+        "[...document.querySelectorAll('.jp-RenderedImage img')].every((image) => image.alt.length > 20)"
+    )
+
+
+def test_a_view_whose_kernel_is_gone_says_its_words_and_what_to_run(lab, page) -> None:
+    view = {"model_id": "0" * 32, "version_major": 2, "version_minor": 0}
+    shown = {"application/vnd.jupyter.widget-view+json": view, "text/plain": "odom and base_link, 2.00 m apart"}
+    cell = nbformat.v4.new_code_cell("scene", outputs=[nbformat.v4.new_output("display_data", shown)])
+    notebook = nbformat.v4.new_notebook(cells=[cell], metadata={"tflab": {"language": "en"}, "kernelspec": PYTHON})
+    nbformat.write(notebook, lab.folder / "yesterday.ipynb")
+    NotebookNotary().sign(nbformat.read(lab.folder / "yesterday.ipynb", 4))
+    lab.open(page, "yesterday.ipynb")
+    page.wait_for_function("document.body.innerText.includes('Run this cell to see it move.')", timeout=60_000)
+    said = page.locator(".jp-OutputArea-output").inner_text()
+    assert said.startswith("odom and base_link, 2.00 m apart")
+    assert "model not found" not in said

@@ -9,7 +9,8 @@
     tflab lab -- ...          what stands after -- goes to JupyterLab itself: --port 9000
 
 JupyterLab would look for news, for updates and for extensions on the network;
-here it does none of that.  Its terminals know the command `tflab`.
+here it does none of that.  Its terminals know the command `tflab`, a page saves the
+last state of what moves in it, and pictures carry their words (`jupyter/`).
 
 Read `lesson/` next.
 """
@@ -30,14 +31,15 @@ from ..places import COPY, MARK, WorkbookError, copy_at_hand, read_workbook
 from ..words import LANGUAGES, Words
 from .lay_out import Change, has_language, lay_out, update
 
-__all__ = ["FIRST_PAGE", "QUIET_OPTIONS", "lab", "language_of", "quiet_environment"]
+__all__ = ["FIRST_PAGE", "OUR_OPTIONS", "lab", "language_of", "our_environment"]
 
-QUIET_OPTIONS = (
+SETTINGS = Path(__file__).with_name("jupyter")
+OUR_OPTIONS = (
     "--LabApp.news_url=None",
     "--LabApp.check_for_updates_class=jupyterlab.NeverCheckForUpdate",
     "--LabApp.extension_manager=readonly",
+    f"--LabApp.extra_labextensions_path={SETTINGS / 'labextensions'}",
 )
-QUIET_SETTINGS = Path(__file__).with_name("jupyter")  # it would ask whether to look for news
 FIRST_PAGE = "00_start.ipynb"
 PRIMARY_LANGUAGE, KOREAN = 0x3FF, 0x12  # of a Windows language identifier
 
@@ -116,7 +118,7 @@ def lab(words: Sequence[str]) -> int:
     sys.stdout.flush()  # JupyterLab's own lines come after ours, also in a file
     tflab = "tflab" if which("tflab") else quote(sys.argv[0])  # as this shell knows it
     try:
-        start_jupyterlab([*QUIET_OPTIONS, root, *_terminal(), *first_page, *own_options])
+        start_jupyterlab([*OUR_OPTIONS, root, *_terminal(), *first_page, *own_options])
     except SystemExit as stop:
         if stop.code == 1 and _is_root() and "--allow-root" not in own_options:
             return _refuse(ROOT.say(language, tflab=tflab))
@@ -154,13 +156,13 @@ def start_jupyterlab(options: Sequence[str]) -> None:
 
     commands = os.path.dirname(sys.executable)  # where `tflab` is, for the terminals and for `!tflab`
     os.environ["PATH"] = os.pathsep.join(filter(None, [commands, os.environ.get("PATH")]))
-    os.environ.update(quiet_environment(os.environ))
+    os.environ.update(our_environment(os.environ))
     main(list(options))
 
 
-def quiet_environment(environment: Mapping[str, str]) -> dict[str, str]:
-    """Return what to add to an environment so that JupyterLab does not ask whether it may look for news."""
-    paths = [str(QUIET_SETTINGS), *filter(None, [environment.get("JUPYTER_CONFIG_PATH")])]
+def our_environment(environment: Mapping[str, str]) -> dict[str, str]:
+    """Return what to add to an environment: JupyterLab asks for no news, and keeps the state of widgets."""
+    paths = [str(SETTINGS), *filter(None, [environment.get("JUPYTER_CONFIG_PATH")])]
     return {"JUPYTER_CONFIG_PATH": os.pathsep.join(paths)}
 
 
