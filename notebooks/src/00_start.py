@@ -289,7 +289,7 @@ lesson.show_progress()
 # 화살표는 앞 장을 바탕으로 한다는 뜻입니다. 실선 상자는 준비된 장, 점선 상자는 준비 중인 장이며, 번호는 표의 번호입니다.
 
 # %% name="map"
-lesson.draw_course([1, 2, 3, 5, 8, 9])
+lesson.draw_course([1, 2, 3, 5, 8, 9, 11])
 
 # %% [markdown] lang="en" name="next" slide="skip"
 # **Next:** [01 · Value, frame and stamp](01_value_frame_stamp.ipynb).

@@ -10,7 +10,9 @@ Read `shell.py` next: the same in a shell.
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Sequence
+from contextlib import redirect_stderr
 from typing import Any
 
 from tflab.ros.graph import current_graph
@@ -54,7 +56,8 @@ def _run(words: Sequence[str], seconds: float | None) -> None:
     if words[:3] == ["run", "rviz2", "rviz2"]:
         pictures = _rviz(words[3:], seconds)
     else:
-        pictures = run_words(current_graph(), words, seconds).pictures
+        with redirect_stderr(sys.stdout):  # a terminal shows both in one; so the lines keep their order
+            pictures = run_words(current_graph(), words, seconds).pictures
     if pictures:
         from IPython.display import display
 

@@ -29,8 +29,9 @@ from tflab.robots.teaching import Source, TeachingRobot
 from tflab.robots.world import BALL, ROOM
 from tflab.ros import new_graph
 from tflab.tools.buffers import draw_buffer, draw_history, draw_question, draw_walk
+from tflab.tools.rviz import look
 from tflab.tools.trees import frame_tree
-from tflab.views.ages import draw_ages
+from tflab.views.ages import Curve, draw_ages
 from tflab.views.axes import (
     BODY_T_OPTICAL,
     draw_body_axes,
@@ -100,6 +101,7 @@ __all__ = [
     "LATEST",
     "ROOM",
     "BufferCore",
+    "Curve",
     "Drive",
     "GapWatcher",
     "Journey",
@@ -176,6 +178,7 @@ __all__ = [
     "latency_error",
     "latency_panel",
     "launch",
+    "look",
     "mount_panel",
     "new_graph",
     "on_robot_c",

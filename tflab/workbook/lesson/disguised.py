@@ -12,7 +12,7 @@ Read `recordings.py` next.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 
 from tflab.core import Transform, seconds
@@ -54,8 +54,12 @@ ROBOTS: dict[str, Callable[[Drive], TeachingRobot]] = {
 }
 
 
-def start_robot(name: str = "healthy") -> Graph:
+def start_robot(name: str = "healthy", also: Iterable[str] = ()) -> Graph:
     """Start a robot in a new graph, a map server beside it; its clock stands at 1 s.
+
+    Args:
+        name: which, by the keys of ROBOTS.
+        also: further nodes, by the keys of NODES.
 
     Raises:
         ValueError: there is no such robot.
@@ -63,7 +67,7 @@ def start_robot(name: str = "healthy") -> Graph:
     if name not in ROBOTS:
         raise ValueError(f"there is no robot {name!r}; there is {', '.join(ROBOTS)}")
     graph = new_graph()
-    launch(graph, ROBOTS[name](Drive(start_ns=graph.now_ns)), only=(*USUAL_NODES, "map_server"))
+    launch(graph, ROBOTS[name](Drive(start_ns=graph.now_ns)), only=(*USUAL_NODES, "map_server", *also))
     if name == "clock":
         graph.set_clock_offset("laser_driver", -0.3)
     return graph

@@ -1,0 +1,777 @@
+# %% [markdown] lang="en" name="title" slide="slide"
+# # 11 · Ok means computed, not true
+#
+# **Tools and RViz** · about 60 minutes · builds on 04, 05 and 08
+#
+# After this chapter you can
+#
+# - choose the tool by the question, and say what that tool cannot see;
+# - read `view_frames`, `tf2_echo` and `tf2_monitor`, their traps included;
+# - say how often a transform has to come for a given speed, and what it costs if it comes less often;
+# - read RViz's list of displays, and tell "could be computed" from "is right".
+
+# %% [markdown] lang="ko" name="title" slide="slide"
+# # 11 · Ok는 계산했다는 뜻이지 맞다는 뜻이 아닙니다
+#
+# **도구와 RViz** · 약 60분 · 04, 05, 08장을 바탕으로 합니다
+#
+# 이 장을 마치면 다음을 할 수 있습니다.
+#
+# - 질문에 맞는 도구를 고르고, 그 도구가 보지 못하는 것을 말합니다.
+# - `view_frames`, `tf2_echo`, `tf2_monitor`의 출력을 함정까지 읽습니다.
+# - 주어진 속도에서 변환이 얼마나 자주 와야 하는지, 덜 오면 무엇을 잃는지 계산합니다.
+# - RViz의 목록을 읽고, "계산할 수 있었다"와 "맞다"를 구별합니다.
+
+# %% [markdown] lang="en" name="title-notes" slide="notes"
+# Ask: who has seen a green Ok beside a picture that was wrong? Collect one story. The chapter gives three that look alike.
+
+# %% [markdown] lang="ko" name="title-notes" slide="notes"
+# 먼저 묻습니다. 목록은 모두 Ok인데 그림이 틀렸던 적이 있습니까? 하나만 들어 봅니다. 이 장에는 똑같이 보이는 세 가지가 나옵니다.
+
+# %% name="load" slide="skip"
+# %load_ext tflab
+from tflab.workbook import lesson
+
+# %% [markdown] lang="en" name="story" slide="slide"
+# ## Slow, by half a century
+#
+# "The transform between odom and base_link is being published very slow." That was the report, and the proof was a line of [[tf2_monitor]]:
+#
+# ```
+# Net delay     avg = 3.10486e+08: max = 1.6318e+09
+# Frame: base_footprint, published by <no authority available>, Average Delay: 1.6318e+09, Max Delay: 1.6318e+09
+# ```
+#
+# How slow is that? And why is the average so much smaller than the maximum, if every single message was late by the same?
+
+# %% [markdown] lang="ko" name="story" slide="slide"
+# ## 반세기나 느린 변환
+#
+# "odom과 base_link 사이의 변환이 아주 느리게 발행됩니다." 이런 보고가 있었고, 증거는 [[tf2_monitor]]의 몇 줄이었습니다.
+#
+# ```
+# Net delay     avg = 3.10486e+08: max = 1.6318e+09
+# Frame: base_footprint, published by <no authority available>, Average Delay: 1.6318e+09, Max Delay: 1.6318e+09
+# ```
+#
+# 얼마나 느린 것일까요? 그리고 모든 메시지가 똑같이 늦었다면 평균은 왜 최댓값보다 훨씬 작을까요?
+
+# %% name="half-a-century" slide="fragment"
+print(f'{1.6318e9 / (365.25 * 24 * 3600):.1f} years')
+print(f'avg / max = {3.10486e8 / 1.6318e9:.6f}')
+print(f'1 - 0.99 ** 21 = {1 - 0.99**21:.6f}')
+
+# %% [markdown] lang="en" name="half-a-century-seen"
+# Not slow: **51.7 years**. That is the time now on a wall, minus a stamp of a simulation that began at 0. [[latency|Delay]] is *now minus stamp*; how often something comes is another question, and this line does not speak of it.
+# And the average is no average yet: it begins at 0 and walks one hundredth of the way each time the tool looks. It had looked 21 times.
+# The tool was the right one. Its reading was not.
+
+# %% [markdown] lang="ko" name="half-a-century-seen"
+# 느린 것이 아니라 **51.7년**입니다. 현실의 현재 시각에서, 0초에 시작한 시뮬레이션의 측정 시각을 뺀 값입니다. [[latency|지연(delay)]]은 *현재 시각 − 측정 시각*입니다. 얼마나 자주 오는지는 다른 질문이고, 이 줄에는 답이 없습니다.
+# 그리고 이 평균은 아직 평균이 아닙니다. 0에서 시작해 도구가 볼 때마다 100분의 1씩 다가갑니다. 그때까지 21번 보았습니다.
+# 도구는 맞게 골랐지만 잘못 읽었습니다.
+
+# %% [markdown] lang="en" name="story-sources" slide="skip"
+# *Read them:* [gazebo_ros_pkgs 1310](https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1310), open to this day; further below [ros2/ros2 1655](https://github.com/ros2/ros2/issues/1655), [geometry2 88](https://github.com/ros2/geometry2/issues/88).
+
+# %% [markdown] lang="ko" name="story-sources" slide="skip"
+# *직접 읽어 보기:* 지금도 열려 있는 [gazebo_ros_pkgs 1310](https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1310), 아래에 나오는 [ros2/ros2 1655](https://github.com/ros2/ros2/issues/1655), [geometry2 88](https://github.com/ros2/geometry2/issues/88).
+
+# %% [markdown] lang="en" name="predict" slide="slide"
+# ## Predict
+#
+# Our robot has been driving for nine seconds. `tf2_monitor map laser_frame` prints its first report, `ros2 topic hz /tf` counts:
+#
+# ```
+# Net delay     avg = 0.0209299: max = 0.11
+# Frame: laser_frame, ... Average Delay: 9.6, Max Delay: 9.6
+# average rate: 50.000
+# ```
+#
+# 1. How late is the chain from `map` to `laser_frame`: 0.021, 0.11 or 9.6 s?
+# 2. How often does the wheels' node speak: 10, 20 or 50 times a second?
+# 3. The drawing says that the laser sits 0.20 m *behind* the middle; it is bolted on 0.20 m *before* it. Which line of RViz's list turns red?
+# 4. You change RViz's Fixed Frame from `map` to `odom`. Does the robot's pose in `odom` change?
+
+# %% [markdown] lang="ko" name="predict" slide="slide"
+# ## 예측해 봅시다
+#
+# 로봇이 9초째 달리고 있습니다. `tf2_monitor map laser_frame`의 첫 보고와 `ros2 topic hz /tf`의 출력입니다.
+#
+# ```
+# Net delay     avg = 0.0209299: max = 0.11
+# Frame: laser_frame, ... Average Delay: 9.6, Max Delay: 9.6
+# average rate: 50.000
+# ```
+#
+# 1. `map`에서 `laser_frame`까지의 사슬은 얼마나 늦을까요? 0.021초, 0.11초, 9.6초 가운데 하나입니다.
+# 2. 바퀴 노드는 1초에 몇 번 발행할까요? 10번, 20번, 50번 가운데 하나입니다.
+# 3. 설계도에는 레이저가 중심에서 *뒤로* 0.20 m에 있다고 적혀 있지만, 실제로는 *앞으로* 0.20 m에 달려 있습니다. RViz 목록의 어느 줄이 빨개질까요?
+# 4. RViz의 Fixed Frame을 `map`에서 `odom`으로 바꿉니다. `odom` 기준 로봇의 포즈가 바뀔까요?
+
+# %% [markdown] lang="en" name="predict-notes" slide="notes"
+# On paper, four lines, no talking. Do not give answers now: each comes back at its section.
+
+# %% [markdown] lang="ko" name="predict-notes" slide="notes"
+# 말없이 종이에 네 줄을 적게 합니다. 답은 지금 알려 주지 않습니다. 각 절에서 하나씩 다시 나옵니다.
+
+# %% name="my-guess" slide="skip"
+late_s, wheels_hz, red_line, pose_changes = ..., ..., ..., ...
+
+# %% [markdown] lang="en" name="ask-first" slide="slide"
+# ## Ask first, then type
+#
+# A tool that does not answer your question prints something all the same. So say the question first.
+# Below, put seven questions to seven tools, on a robot that is driving. What they print is real, a little shortened; the line above it says whether that is an answer.
+
+# %% [markdown] lang="ko" name="ask-first" slide="slide"
+# ## 먼저 묻고, 그다음에 입력합니다
+#
+# 질문에 답하지 못하는 도구도 무언가는 출력합니다. 그러니 질문부터 정합니다.
+# 달리는 로봇을 두고 일곱 가지 질문을 일곱 도구에 던져 보세요. 출력은 실제 그대로이고 조금 줄였습니다. 출력 위의 줄이 그것이 답인지 알려 줍니다.
+
+# %% name="ask-first-panel" tags=["interactive"]
+lesson.start_robot()
+lesson.tools_panel()
+
+# %% name="ask-first-table" slide="subslide"
+lesson.draw_toolbox()
+
+# %% [markdown] lang="en" name="ask-first-seen"
+# Every column has its blind spots, and one row has no ✓ at all: **no ROS 2 tool names the [[owner]] of an edge**, the node that sends it. `topic info --verbose` names the nodes that publish on `/tf`; which of them sends which edge stands nowhere in the messages.
+# Where the lecture lets `tf2_monitor` show the broadcaster's name, ROS 1 did so; in ROS 2 everybody is `<no authority available>`.
+
+# %% [markdown] lang="ko" name="ask-first-seen"
+# *그림 읽기:* frames = 좌표계와 트리, value = 값, rate = 발행 주기, delay = 사슬의 지연, age = 메시지의 나이, owner = 발행 책임, look = 보이는 모습. ✓ answers = 답함, ~ half = 반만 답함, ✗ cannot = 답하지 못함.
+#
+# 어느 열에나 보지 못하는 것이 있고, ✓가 하나도 없는 행도 있습니다. **연결의 [[owner|발행 책임(owner)]], 곧 그 연결을 보내는 노드를 알려 주는 ROS 2 도구는 없습니다.** `topic info --verbose`는 `/tf`에 발행하는 노드들의 이름을 알려 주지만, 누가 어느 연결을 보내는지는 메시지 어디에도 없습니다.
+# 강의에서는 `tf2_monitor`로 발행자 이름을 확인합니다. ROS 1에서는 그랬지만, ROS 2에서는 누구나 `<no authority available>`입니다.
+
+# %% [markdown] lang="en" name="monitor" slide="slide"
+# ## tf2_monitor: how late?
+#
+# The robot drives for nine seconds. Then we listen, and the first report comes after 10.5 s.
+
+# %% [markdown] lang="ko" name="monitor" slide="slide"
+# ## tf2_monitor: 얼마나 늦을까요?
+#
+# 로봇이 9초 동안 달린 뒤에 듣기 시작합니다. 첫 보고는 10.5초 뒤에 나옵니다.
+
+# %% name="monitor-run" slide="-"
+graph = lesson.start_robot()
+graph.run(seconds=9.1)
+# %ros2 run tf2_ros tf2_monitor map laser_frame
+
+# %% [markdown] lang="en" name="monitor-seen"
+# Line by line:
+#
+# - `Waiting for …`: the tool asks before it has heard anything. That is no fault of your robot; it has been reported as a bug more than once.
+# - `max = 0.11`: **the answer to question 1.** The localiser's newest stamp is 0.01 s old when it arrives, and up to another 0.1 s passes before the next one.
+# - `avg = 0.0209299`: 19 % of 0.11, because the tool has looked 21 times.
+# - `laser_frame … 9.6`: a [[static transform|static]] transform was sent once, 9.6 s ago, and is good for ever. Its age means nothing.
+# - `50.3349 Hz`: of everybody together.
+#
+# What `avg` does, if you let it run:
+
+# %% [markdown] lang="ko" name="monitor-seen"
+# 한 줄씩 읽습니다.
+#
+# - `Waiting for …`: 아무것도 듣기 전에 먼저 조회하기 때문에 나옵니다. 로봇의 잘못이 아니며, 버그로 여러 번 보고되었습니다.
+# - `max = 0.11`: **질문 1의 답입니다.** 위치 추정 노드의 최신 변환은 도착할 때 0.01초 지난 것이고, 다음 변환이 올 때까지 최대 0.1초가 더 지납니다.
+# - `avg = 0.0209299`: 21번 보았으므로 0.11의 19 %입니다.
+# - `laser_frame … 9.6`: [[static transform|정적 변환]]은 9.6초 전에 한 번 보냈고 언제까지나 유효합니다. 나이에는 뜻이 없습니다.
+# - `50.3349 Hz`: 모두를 합친 값입니다.
+#
+# 계속 켜 두면 `avg`는 이렇게 됩니다.
+
+# %% name="monitor-average" slide="subslide"
+looks = range(0, 481, 4)  # two a second, for four minutes
+times = [0.5 * n for n in looks]
+avg = lesson.Curve('avg', times, [0.11 * (1 - 0.99**n) for n in looks])
+lesson.draw_ages([lesson.Curve('truth', times, [0.11] * len(times)), avg], 'net delay')
+
+# %% [markdown] lang="en" name="monitor-average-seen"
+# 19 % at the first report, half after 34 s, 91 % after two minutes. (What the field calls a low-pass filter.)
+# So read `max`, and the lines of the frames that move. One more trap: `max` begins at 0, so stamps from the future, a negative delay, show as `Max Delay: 0`, which looks perfect. Their `Average Delay` is below zero: look there.
+
+# %% [markdown] lang="ko" name="monitor-average-seen"
+# *그림 읽기:* net delay = 사슬의 지연, truth = 실제 지연, avg = 도구가 출력하는 평균, time = 시각.
+#
+# 첫 보고에서 19 %, 34초 뒤에 절반, 2분 뒤에 91 %입니다(저역 통과 필터라고 합니다).
+# 그러니 `max`와, 움직이는 좌표계의 줄을 읽습니다. 함정이 하나 더 있습니다. `max`는 0에서 시작하므로 미래의 시각, 곧 음수 지연은 `Max Delay: 0`으로 나와 완벽해 보입니다. 이때는 `Average Delay`가 음수입니다. 그 값을 보십시오.
+
+# %% [markdown] lang="en" name="rates" slide="slide"
+# ## view_frames: how often does one edge come?
+#
+# `topic hz` counts the messages of a topic. Three nodes share `/tf`.
+
+# %% [markdown] lang="ko" name="rates" slide="slide"
+# ## view_frames: 연결 하나는 얼마나 자주 올까요?
+#
+# `topic hz`는 토픽의 메시지를 셉니다. `/tf`는 세 노드가 함께 씁니다.
+
+# %% name="rates-hz" slide="-"
+# %ros2 --for 1.5 topic hz /tf
+# %ros2 topic info /tf
+
+# %% name="rates-view-frames" slide="subslide"
+# %ros2 run tf2_tools view_frames -o frames
+
+# %% [markdown] lang="en" name="rates-seen"
+# The long line is the answer of a service, and the picture is drawn from it (on a robot: `frames.pdf` and `frames.gv`; without `-o` their names hold date and time). In it, each edge has its own `Average rate`:
+#
+# - `odom → base_footprint` 20.204 and `map → odom` 10.208: **the answer to question 2 is 20**; the 50 of `topic hz` is 20 + 20 + 10. (It divides n samples by the time from the first to the last; with n − 1 it would be 20.0.)
+# - static edges say 10000.0: not a rate, a mark.
+# - `default_authority` for everybody: no owner here either.
+#
+# It is a **[[snapshot]]** of five seconds: what happens once a minute it most likely misses.
+
+# %% [markdown] lang="ko" name="rates-seen"
+# 긴 줄은 서비스의 응답이고, 그림은 그 응답으로 그린 것입니다(로봇에서는 `frames.pdf`와 `frames.gv`가 생기고, `-o`가 없으면 이름에 날짜와 시각이 들어갑니다). 그림에는 연결마다 `Average rate`가 있습니다.
+#
+# - `odom → base_footprint` 20.204, `map → odom` 10.208입니다. **질문 2의 답은 20입니다.** `topic hz`의 50은 20 + 20 + 10입니다. (표본 n개를 첫 표본과 마지막 표본 사이의 시간으로 나눕니다. n − 1로 세면 20.0입니다.)
+# - 정적 연결의 10000.0은 주기가 아니라 표시입니다.
+# - 누구나 `default_authority`이므로 여기에도 발행 책임은 없습니다.
+#
+# 5초 동안의 **[[snapshot|스냅샷]]**이라서, 1분에 한 번 일어나는 일은 거의 놓칩니다.
+
+# %% [markdown] lang="en" name="two-owners" slide="subslide"
+# Still, it gives two owners away. **Predict:** a second node, the EKF, sends `odom → base_footprint` too, 30 times a second. What does the edge's rate say?
+
+# %% [markdown] lang="ko" name="two-owners" slide="subslide"
+# 그래도 발행자가 둘이면 드러납니다. **예측해 봅시다.** 두 번째 노드인 EKF도 `odom → base_footprint`를 1초에 30번 보냅니다. 이 연결의 주기는 얼마로 나올까요?
+
+# %% name="two-owners-tree" tags=["predicted"]
+graph = lesson.start_robot(also=['ekf_filter_node'])
+lesson.frame_tree()
+
+# %% [markdown] lang="en" name="two-owners-seen" tags=["predicted"]
+# `frame_tree()` is ours, not ROS's: in one process we do know who sent what, so it names the owners. What you would have on a robot is the rate: **50.1 Hz where 20.2 is normal**. More messages than one node sends means more than one node.
+
+# %% [markdown] lang="ko" name="two-owners-seen" tags=["predicted"]
+# `frame_tree()`는 ROS가 아니라 이 워크북의 것입니다. 한 프로세스 안에서는 누가 보냈는지 알 수 있으므로 이름이 나옵니다. 로봇에서 볼 수 있는 것은 주기입니다. **보통 20.2 Hz인데 50.1 Hz입니다.** 노드 하나가 보내는 것보다 많이 오면 노드가 하나가 아닌 것입니다.
+
+# %% [markdown] lang="en" name="echo" slide="slide"
+# ## tf2_echo: which value?
+#
+# [[tf2_echo]] prints the pose of its second frame in its first, once a second unless you say otherwise.
+
+# %% [markdown] lang="ko" name="echo" slide="slide"
+# ## tf2_echo: 값은 얼마일까요?
+#
+# [[tf2_echo]]는 첫째 좌표계를 기준으로 본 둘째 좌표계의 포즈를 출력합니다. 따로 정하지 않으면 1초에 한 번입니다.
+
+# %% name="echo-run" slide="-"
+graph = lesson.start_robot()
+graph.run(seconds=20.15)
+# %ros2 --for 2.5 run tf2_ros tf2_echo map laser_frame
+
+# %% [markdown] lang="en" name="echo-predict"
+# **Predict:** `At time 22.90000000`. At which second was that?
+
+# %% [markdown] lang="ko" name="echo-predict"
+# **예측해 봅시다.** `At time 22.90000000`은 몇 초일까요?
+
+# %% name="echo-stamp" tags=["predicted"] slide="fragment"
+sec, nanosec = ['22', '90000000']
+print(f'{int(sec) + int(nanosec) / 1e9:.3f} s')
+
+# %% [markdown] lang="en" name="echo-seen" tags=["predicted"]
+# **22.090 s**: what stands behind the point is a number of nanoseconds, printed without its leading zeros. Nine digits are tenths first; eight digits begin at hundredths.
+#
+# Two more things to know about it:
+#
+# - a static pair prints `At time 0.0`: it holds for any time;
+# - it *samples*. What goes wrong between two prints you do not see. Ask for more, `tf2_echo map base_link 20`, where something flickers.
+
+# %% [markdown] lang="ko" name="echo-seen" tags=["predicted"]
+# **22.090초**입니다. 점 뒤는 나노초이고, 첫머리의 0은 출력되지 않습니다. 아홉 자리면 0.1초 자리부터, 여덟 자리면 0.01초 자리부터입니다.
+#
+# 알아 둘 것이 두 가지 더 있습니다.
+#
+# - 정적인 두 좌표계는 `At time 0.0`으로 나옵니다. 언제나 유효하다는 뜻입니다.
+# - *가끔만 봅니다.* 두 출력 사이에 일어난 일은 보이지 않습니다. 무언가 깜빡이면 `tf2_echo map base_link 20`처럼 더 자주 출력하게 합니다.
+
+# %% [markdown] lang="en" name="often-enough" slide="slide"
+# ## Often enough?
+#
+# Between two samples TF joins them by a straight line (and a steady turn). How much does that cost at half a metre a second?
+# **Predict:** odometry comes once a second instead of twenty times. How far off is the robot, at worst, on the straight? And in a bend of 1 rad/s?
+
+# %% [markdown] lang="ko" name="often-enough" slide="slide"
+# ## 충분히 자주 올까요?
+#
+# TF는 두 표본 사이를 직선으로 잇습니다(회전도 고르게 나눕니다). 0.5 m/s로 달릴 때 그 대가는 얼마일까요?
+# **예측해 봅시다.** 오도메트리가 1초에 20번이 아니라 한 번 옵니다. 로봇의 위치는 최대 얼마나 틀릴까요? 곧은 길에서는? 1 rad/s로 도는 길에서는?
+
+# %% name="often-enough-table" tags=["predicted"] slide="fragment"
+import math
+
+v, w = 0.5, 1.0
+print('rate     straight   bend        wait at most')
+for f in (1, 2, 10, 20):
+    gap = v / w * (1 - math.cos(w / (2 * f)))
+    wait = 1 / f + 0.004 - 0.105  # a period and the way of a transform, minus the way of the scan
+    print(f'{f:>2} Hz    {0.0:.1f} mm     {1000 * gap:5.2f} mm    {max(0.0, wait):.3f} s')
+
+# %% [markdown] lang="en" name="often-enough-seen" tags=["predicted"]
+# On the straight: **nothing**, at any rate. Halfway between two points of a straight line lies on the line.
+# In a bend TF cuts the corner: the way is an arc, the line its chord, and the gap between them is (v/ω)(1 − cos(ω/2f)): 61 mm at 1 Hz, 0.6 at 10. Half the rate, four times the gap.
+#
+# What a slow edge costs everywhere is **waiting**: a scan can be placed only when the next sample has come. Our scan has been under way for 0.105 s, so at 10 and 20 Hz nobody waits; at 1 Hz up to 0.9 s.
+# The lecture warns of a slow `odom → base_link` rightly, and reckons v · Δt. That is how far the robot drives *while you wait*, or if somebody takes the newest pose instead of waiting; it is not how far off TF puts things.
+
+# %% [markdown] lang="ko" name="often-enough-seen" tags=["predicted"]
+# 곧은 길에서는 주기가 얼마든 **조금도 틀리지 않습니다.** 직선 위 두 점의 중간은 그 직선 위에 있습니다.
+# 굽은 길에서는 모서리를 질러갑니다. 실제 경로는 호, TF가 잇는 선은 현이고, 그 틈은 (v/ω)(1 − cos(ω/2f))입니다. 1 Hz에서 61 mm, 10 Hz에서 0.6 mm입니다. 주기가 절반이면 틈은 네 배입니다.
+#
+# 느린 연결이 언제나 치르는 대가는 **기다림**입니다. 다음 표본이 와야 스캔의 자리를 계산할 수 있습니다. 스캔은 이미 0.105초 걸려 왔으므로 10 Hz와 20 Hz에서는 기다리지 않고, 1 Hz에서는 0.9초까지 기다립니다.
+# 강의가 느린 `odom → base_link`를 경고하는 것은 옳고, v · Δt로 계산합니다. 이것은 *기다리는 동안*, 또는 기다리지 않고 최신 포즈를 쓸 때 로봇이 달린 거리입니다. TF가 위치를 그만큼 틀리게 계산한다는 뜻은 아닙니다.
+
+# %% [markdown] lang="en" name="rviz" slide="slide"
+# ## RViz: one frame for everything
+#
+# [[rviz]] takes each message, turns it **at its own stamp** into one frame, the [[fixed frame]], and draws it. What it cannot turn it leaves out, and says so in its list: the [[display status]].
+# Choose another Fixed Frame in the picker, turn the scene with the mouse, open a line of the list.
+
+# %% [markdown] lang="ko" name="rviz" slide="slide"
+# ## RViz: 모두를 한 좌표계로
+#
+# [[rviz]]는 메시지를 하나씩 **그 메시지의 측정 시각으로** [[fixed frame|Fixed Frame]]이라는 한 좌표계로 옮겨 그립니다. 옮기지 못한 것은 그리지 않고 목록에 적습니다. 이것이 [[display status|디스플레이 상태]]입니다.
+# Fixed Frame을 바꾸고, 마우스로 장면을 돌리고, 목록의 줄을 펼쳐 보세요.
+
+# %% name="rviz-live" tags=["interactive"]
+graph = lesson.start_robot()
+graph.run(seconds=20)
+# %rviz2 -f map
+
+# %% name="rviz-still" slide="subslide"
+graph = lesson.start_robot()
+lesson.draw_rviz(until_s=25.0)
+
+# %% [markdown] lang="en" name="rviz-seen"
+# Left from above: grey the walls, coloured what the laser saw in the last second (the [[decay time]] is 1 s here). Right the list. The scans lie on the walls, but for some centimetres: the robot is in a bend, and a sweep takes 0.1 s.
+#
+# **Question 4.** The same moment, once in each Fixed Frame, and beside it what TF says of the robot in `odom`:
+
+# %% [markdown] lang="ko" name="rviz-seen"
+# *그림 읽기:* 왼쪽은 위에서 본 모습입니다. 회색은 벽, 색이 있는 점은 레이저가 지난 1초 동안 본 것입니다(점이 남는 시간인 [[decay time|Decay Time]]이 여기서는 1초입니다). 오른쪽은 RViz의 목록입니다. 스캔이 벽 위에 놓이고 몇 센티미터만 벗어납니다. 로봇이 도는 중이고 레이저가 한 바퀴 도는 데 0.1초가 걸리기 때문입니다.
+#
+# **질문 4.** 같은 순간을 Fixed Frame만 바꾸어 보고, 그때마다 TF가 답하는 `odom` 기준 로봇을 출력합니다.
+
+# %% name="fixed-frame" tags=["predicted"] slide="fragment"
+seen = lesson.look(graph, seconds=4.0)
+for fixed_frame in ('map', 'odom', 'base_link'):
+    laser = seen.ask(fixed_frame, 'laser_frame', lesson.LATEST).translation
+    robot = seen.ask('odom', 'base_footprint', lesson.LATEST).translation
+    print(f'{fixed_frame:<10} laser drawn at {lesson.fmt_all(laser[:2])}   odom_T_base {lesson.fmt_all(robot[:2])}')
+
+# %% [markdown] lang="en" name="fixed-frame-seen" tags=["predicted"]
+# The picture moves, the data do not. A Fixed Frame is a point of view; nothing is published, nothing is stored, no other node learns of it.
+# Use `map` to see whether scans lie on the map, `odom` to see whether odometry is smooth without the localiser's jumps, `base_link` to see what the robot sees. To choose `odom` because "there it does not jump" cures nothing.
+
+# %% [markdown] lang="ko" name="fixed-frame-seen" tags=["predicted"]
+# 그림은 움직이지만 데이터는 그대로입니다. Fixed Frame은 보는 자리일 뿐입니다. 아무것도 발행하지 않고 저장하지 않으며, 다른 노드는 알지 못합니다.
+# 스캔이 지도와 맞는지 볼 때는 `map`, 위치 추정의 튐 없이 오도메트리가 매끄러운지 볼 때는 `odom`, 로봇의 눈으로 볼 때는 `base_link`를 씁니다. "odom에서는 튀지 않으니까" odom을 고르는 것은 아무것도 고치지 않습니다.
+
+# %% [markdown] lang="en" name="ok-is-not-true" slide="slide"
+# ## Ok is not true
+#
+# A team's scan moved along with the robot. Their report had four ticks: the scan is published ✔, it is there in RViz ✔, the static transform is set correctly ✔, odometry is dynamic ✔. Every tick was honest. The lidar's orientation in the URDF was off by 180° (ros2/ros2 1655).
+#
+# Here are three robots, each with one mistake. **Predict** for each: which line of the list turns red?
+#
+# - **mount**: the URDF says −0.20 m for 0.20 (question 3);
+# - **header**: the laser's driver writes `base_link` into its header;
+# - **clock**: the laser's computer is 0.3 s slow.
+
+# %% [markdown] lang="ko" name="ok-is-not-true" slide="slide"
+# ## Ok는 맞다는 뜻이 아닙니다
+#
+# 어느 팀의 스캔이 로봇을 따라 움직였습니다. 보고에는 ✔가 네 개 있었습니다. 스캔이 발행된다 ✔, RViz에 보인다 ✔, 정적 변환이 올바르다 ✔, 오도메트리가 동적이다 ✔. 모두 정직한 ✔였습니다. URDF에서 라이다의 방향이 180° 돌아가 있었습니다(ros2/ros2 1655).
+#
+# 로봇 세 대에 실수가 하나씩 있습니다. 각각 목록의 어느 줄이 빨개질지 **예측해 봅시다.**
+#
+# - **mount**: URDF에 0.20 m 대신 −0.20 m라고 적혀 있습니다(질문 3).
+# - **header**: 레이저 드라이버가 헤더에 `base_link`라고 적습니다.
+# - **clock**: 레이저를 읽는 컴퓨터의 시계가 0.3초 느립니다.
+
+# %% name="three-robots-mount" tags=["predicted"] slide="subslide"
+lesson.start_robot('mount')
+lesson.draw_rviz(until_s=25.0)
+
+# %% name="three-robots-header" tags=["predicted"] slide="subslide"
+lesson.start_robot('header')
+lesson.draw_rviz(until_s=25.0)
+
+# %% name="three-robots-clock" tags=["predicted"] slide="subslide"
+lesson.start_robot('clock')
+lesson.draw_rviz(until_s=25.0)
+
+# %% [markdown] lang="en" name="three-robots-seen" tags=["predicted"]
+# **None.** All three lists are, letter for letter, that of the healthy robot. The points lie 0.20, 0.12 and 0.30 m off the walls on average (healthy 0.05), and only your eye, or the map beneath, says so.
+# *Ok* says: I could compute where to draw it. Whether the numbers, the name or the stamp that went in are true, no tool can know; it has nothing to compare them with. You have: the drawing, the driver's manual, the clock.
+
+# %% [markdown] lang="ko" name="three-robots-seen" tags=["predicted"]
+# **아무 줄도 빨개지지 않습니다.** 세 목록은 건강한 로봇의 목록과 글자까지 같습니다. 점은 벽에서 평균 0.20, 0.12, 0.30 m 벗어나 있고(건강한 로봇은 0.05 m), 그것은 눈이나 아래에 깐 지도만 알려 줍니다.
+# *Ok*는 어디에 그릴지 계산할 수 있었다는 뜻입니다. 들어간 숫자, 이름, 시각이 사실인지는 어떤 도구도 모릅니다. 견줄 것이 없기 때문입니다. 여러분에게는 설계도, 드라이버 설명서, 시계가 있습니다.
+
+# %% [markdown] lang="en" name="one-minute" slide="slide"
+# ### One minute each
+#
+# Three commands, each with something to compare with: the mount with the drawing or a ruler, the header's `frame_id` with the frame of the sensor, the age with the time that a sweep takes.
+# Try them on the robots in turn: change the name in the first line.
+
+# %% [markdown] lang="ko" name="one-minute" slide="slide"
+# ### 1분이면 됩니다
+#
+# 명령 세 개에는 저마다 견줄 것이 있습니다. 장착 변환은 설계도나 자와, 헤더의 `frame_id`는 센서의 좌표계와, 나이는 레이저가 한 바퀴 도는 시간과 견줍니다.
+# 첫 줄의 이름을 바꾸어 가며 로봇마다 실행해 보세요.
+
+# %% name="one-minute-mount" slide="-"
+lesson.start_robot('mount').run(seconds=5)
+# %ros2 --for 1.5 run tf2_ros tf2_echo base_link laser_frame
+
+# %% name="one-minute-header" slide="-"
+lesson.start_robot('header').run(seconds=5)
+# %ros2 topic echo /scan --once --field header
+
+# %% name="one-minute-clock" slide="-"
+lesson.start_robot('clock').run(seconds=5)
+# %ros2 --for 1.2 topic delay /scan
+
+# %% [markdown] lang="en" name="one-minute-seen"
+# −0.200 where the ruler says +0.20. `base_link` where the laser is `laser_frame`. 0.405 s where a sweep and its way take 0.105.
+
+# %% [markdown] lang="ko" name="one-minute-seen"
+# 자로 재면 +0.20인데 −0.200입니다. 레이저는 `laser_frame`인데 `base_link`입니다. 한 바퀴와 전송에 0.105초면 되는데 0.405초입니다.
+
+# %% [markdown] lang="en" name="break-it" slide="slide"
+# ## Break it
+#
+# Four ways to get red lines, and one to get none. **Predict** before each: which displays fail? First: the localiser dies, and RViz is opened a while later.
+
+# %% [markdown] lang="ko" name="break-it" slide="slide"
+# ## 일부러 고장 내기
+#
+# 빨간 줄이 나오는 고장 네 가지와, 나오지 않는 고장 한 가지입니다. 매번 어느 디스플레이가 실패할지 **예측해 봅시다.** 먼저, 위치 추정 노드가 멈추고 한참 뒤에 RViz를 엽니다.
+
+# %% name="break-localization" tags=["predicted"]
+lesson.start_robot().run(seconds=5)
+lesson.stop_node('localization')
+lesson.draw_rviz()
+
+# %% [markdown] lang="en" name="break-localization-seen" tags=["predicted"]
+# `Frame [map] does not exist`: the localiser was the only one who ever spoke of `map`. The robot is fine, the sensors are fine. And **`Map: Ok`**: the map's message is written in `map`, and from `map` to `map` nobody needs TF. Map Ok does not mean that the localiser runs.
+#
+# Next, a capital letter: Fixed Frame `Map`.
+
+# %% [markdown] lang="ko" name="break-localization-seen" tags=["predicted"]
+# `Frame [map] does not exist`: `map`을 말하던 노드는 위치 추정 노드뿐이었습니다. 로봇도 센서도 멀쩡합니다. 그런데 **`Map: Ok`**입니다. 지도 메시지는 `map` 기준이고, `map`에서 `map`으로 옮길 때는 TF가 필요 없습니다. Map이 Ok라고 해서 위치 추정 노드가 살아 있다는 뜻은 아닙니다.
+#
+# 다음은 대문자 하나입니다. Fixed Frame이 `Map`입니다.
+
+# %% name="break-capital" tags=["predicted"]
+lesson.start_robot().run(seconds=5)
+lesson.draw_rviz(fixed_frame='Map')
+
+# %% [markdown] lang="en" name="break-capital-seen" tags=["predicted"]
+# The same first line, another cause: now the list below TF *contains* `map`, and even Map fails. A name that does not exist beside one that looks like it: typed wrongly. A name that is nowhere: its node is down.
+#
+# Next, nobody says any more where the joints are.
+
+# %% [markdown] lang="ko" name="break-capital-seen" tags=["predicted"]
+# 첫 줄은 같지만 원인이 다릅니다. 이번에는 TF 목록에 `map`이 *있고*, Map까지 실패합니다. 없는 이름 옆에 비슷한 이름이 있으면 잘못 입력한 것이고, 어디에도 없으면 그 노드가 죽은 것입니다.
+#
+# 다음은 관절 위치를 아무도 알려 주지 않을 때입니다.
+
+# %% name="break-joints" tags=["predicted"]
+lesson.start_robot()
+lesson.stop_node('joint_driver')
+lesson.draw_rviz()
+
+# %% [markdown] lang="en" name="break-joints-seen" tags=["predicted"]
+# RobotModel counts 7 errors, TF only 3 warnings. TF lists whom it has *heard of*; RobotModel lists who is *in the URDF*. The scan does not care: no joint lies between `map` and `laser_frame`.
+#
+# Last, the wheels' node dies.
+
+# %% [markdown] lang="ko" name="break-joints-seen" tags=["predicted"]
+# RobotModel의 오류는 7개인데 TF의 경고는 3개뿐입니다. TF는 *들어 본* 좌표계를, RobotModel은 *URDF에 있는* 링크를 나열합니다. 스캔은 멀쩡합니다. `map`과 `laser_frame` 사이에는 움직이는 관절이 없습니다.
+#
+# 마지막으로 바퀴 노드가 멈춥니다.
+
+# %% name="break-odometry" tags=["predicted"]
+lesson.start_robot().run(seconds=5)
+lesson.stop_node('wheel_odometry')
+lesson.draw_rviz()
+
+# %% [markdown] lang="en" name="break-odometry-seen" tags=["predicted"]
+# The one that names its cause: `not part of the same tree`. `map` and `odom` are one tree, everything on the robot another; the edge between them has lost its owner.
+#
+# And the one without a red line: the EKF sends `odom → base_footprint`, too. RViz draws the robot here, then there; every single answer is Ok. What the list cannot say, several looks in a row can:
+
+# %% [markdown] lang="ko" name="break-odometry-seen" tags=["predicted"]
+# 원인을 알려 주는 오류입니다. `not part of the same tree`. `map`과 `odom`이 한 트리, 로봇에 달린 모두가 다른 트리입니다. 둘 사이의 연결을 보낼 노드가 없어졌습니다.
+#
+# 그리고 빨간 줄이 없는 고장입니다. EKF도 `odom → base_footprint`를 보냅니다. RViz는 로봇을 여기 그렸다가 저기 그리지만, 답은 하나하나 Ok입니다. 목록이 알려 주지 못하는 것도 잇달아 여러 번 보면 드러납니다.
+
+# %% name="break-ekf" tags=["predicted"]
+graph = lesson.start_robot(also=['ekf_filter_node'])
+graph.run(seconds=25.5)
+for _ in range(6):
+    now = lesson.look(graph, seconds=0.22)
+    x, y, _ = now.ask('odom', 'base_footprint', lesson.LATEST).translation
+    print(f'{graph.now_ns / 1e9:.2f} s   odom_T_base x {x:.3f} m, y {y:.3f} m')
+
+# %% [markdown] lang="en" name="break-ekf-seen" tags=["predicted"]
+# To and fro, by up to 0.3 m, and x does not even grow evenly: the wheels drift to one side, the EKF does not. Each answer alone is a proper one.
+
+# %% [markdown] lang="ko" name="break-ekf-seen" tags=["predicted"]
+# 0.3 m까지 오락가락하고, x도 고르게 늘지 않습니다. 바퀴의 포즈는 한쪽으로 흐르고 EKF의 포즈는 그렇지 않습니다. 답은 하나하나 멀쩡합니다.
+
+# %% [markdown] lang="en" name="symptoms" slide="slide"
+# ### What the list says, and where to look first
+#
+# | you see | likely | first check |
+# |---|---|---|
+# | `Frame [x] does not exist`, and no name like it in TF | its publisher is down | `ros2 node list` |
+# | the same, and a name like it | typed wrongly | the spelling in RViz, and in the node |
+# | RobotModel: some links | URDF, joint states | `ros2 topic hz /joint_states` |
+# | `not part of the same tree` | an edge without an owner | `view_frames`: the two roots |
+# | all Ok, beside the walls by always the same | a mount, or the header's frame | `tf2_echo base_link laser_frame`, `--field header` |
+# | all Ok, smeared in bends only | stamps, clocks | `topic delay /scan` |
+# | all Ok, in two places by turns | two owners | the edge's rate in `view_frames`; `topic info --verbose` |
+# | nothing at all: `No messages received` | no publisher, or a QoS that does not fit | `topic info /scan --verbose` |
+#
+# "Not in RViz, so the sensor is broken" stands in no row: the sensor comes last, when its message has been seen.
+
+# %% [markdown] lang="ko" name="symptoms" slide="slide"
+# ### 목록이 알려 주는 것과 먼저 확인할 것
+#
+# | 보이는 것 | 흔한 원인 | 먼저 확인할 것 |
+# |---|---|---|
+# | `Frame [x] does not exist`, TF에 비슷한 이름도 없음 | 발행 노드가 멈춤 | `ros2 node list` |
+# | 같은 오류, 비슷한 이름이 있음 | 잘못 입력함 | RViz와 노드의 철자 |
+# | RobotModel의 일부 링크 | URDF, 관절 상태 | `ros2 topic hz /joint_states` |
+# | `not part of the same tree` | 보내는 노드가 없는 연결 | `view_frames`의 두 루트 |
+# | 모두 Ok, 벽에서 늘 같은 만큼 벗어남 | 장착 변환, 헤더의 좌표계 | `tf2_echo base_link laser_frame`, `--field header` |
+# | 모두 Ok, 굽은 길에서만 번짐 | 측정 시각, 시계 | `topic delay /scan` |
+# | 모두 Ok, 두 곳을 오감 | 발행자가 둘 | `view_frames`에서 연결의 주기, `topic info --verbose` |
+# | 아무것도 없음: `No messages received` | 발행자가 없거나 QoS가 맞지 않음 | `topic info /scan --verbose` |
+#
+# "RViz에 보이지 않으니 센서 고장"은 어느 줄에도 없습니다. 센서는 메시지를 확인한 뒤 마지막에 의심합니다.
+
+# %% [markdown] lang="en" name="checkpoint" slide="slide"
+# ## Checkpoint
+#
+# RViz: everything Ok. In bends the scan smears along the wall; on the straight it lies right. What do you do first?
+#
+# 1. Replace the laser.
+# 2. `tf2_echo base_link laser_frame`
+# 3. `ros2 topic delay /scan`
+# 4. Set the Fixed Frame to `odom`.
+#
+# <details><summary>I chose 1</summary>
+#
+# A laser that measures the wall right while driving straight is no broken laser. Every first check that costs a purchase is a bad one.
+#
+# </details>
+# <details><summary>I chose 2</summary>
+#
+# A wrong mount would show on the straight, too: always off by the same, on the robot's own side.
+#
+# </details>
+# <details><summary>I chose 3</summary>
+#
+# Yes. What is right on the straight and wrong in bends has to do with *when*: a stamp that is 0.3 s off turns the scan by 0.3 s of yaw.
+#
+# </details>
+# <details><summary>I chose 4</summary>
+#
+# The picture will look different, and the stamp is as wrong as before.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="checkpoint" slide="slide"
+# ## 마무리 점검
+#
+# RViz는 모두 Ok입니다. 굽은 길에서는 스캔이 벽을 따라 번지고, 곧은 길에서는 제자리에 놓입니다. 무엇을 먼저 합니까?
+#
+# 1. 레이저를 교체합니다.
+# 2. `tf2_echo base_link laser_frame`
+# 3. `ros2 topic delay /scan`
+# 4. Fixed Frame을 `odom`으로 바꿉니다.
+#
+# <details><summary>1번을 골랐습니다</summary>
+#
+# 곧은 길에서 벽을 제대로 재는 레이저는 고장이 아닙니다. 돈이 드는 점검은 처음에 할 일이 아닙니다.
+#
+# </details>
+# <details><summary>2번을 골랐습니다</summary>
+#
+# 장착 변환이 틀렸다면 곧은 길에서도 보입니다. 로봇을 기준으로 늘 같은 만큼 벗어납니다.
+#
+# </details>
+# <details><summary>3번을 골랐습니다</summary>
+#
+# 맞습니다. 곧은 길에서 맞고 굽은 길에서 틀리면 *언제*의 문제입니다. 측정 시각이 0.3초 틀리면 스캔은 0.3초 동안 돈 만큼 돌아갑니다.
+#
+# </details>
+# <details><summary>4번을 골랐습니다</summary>
+#
+# 그림은 달라 보이지만 측정 시각은 그대로 틀려 있습니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="on-the-robot" slide="slide"
+# ## On a real robot
+#
+# ```
+# ros2 run tf2_tools view_frames                       # five seconds, then frames_<date>.pdf
+# ros2 run tf2_ros tf2_echo map base_link 20           # twenty a second
+# ros2 run tf2_ros tf2_monitor map laser_frame         # first report after 10.5 s: read max
+# ros2 topic delay /scan
+# ros2 topic info /tf --verbose
+# ros2 node info /wheel_odometry
+# rviz2                                                # Fixed Frame map; Add > TF, RobotModel, LaserScan, Map
+# ```
+#
+# In simulation, or while a bag is played, the tools need the simulated clock as your nodes do. That was the cure of the story:
+#
+# ```
+# ros2 run tf2_ros tf2_monitor odom base_footprint --ros-args -p use_sim_time:=true
+# rviz2 --ros-args -p use_sim_time:=true
+# ```
+
+# %% [markdown] lang="ko" name="on-the-robot" slide="slide"
+# ## 실제 로봇에서
+#
+# ```
+# ros2 run tf2_tools view_frames                       # five seconds, then frames_<date>.pdf
+# ros2 run tf2_ros tf2_echo map base_link 20           # twenty a second
+# ros2 run tf2_ros tf2_monitor map laser_frame         # first report after 10.5 s: read max
+# ros2 topic delay /scan
+# ros2 topic info /tf --verbose
+# ros2 node info /wheel_odometry
+# rviz2                                                # Fixed Frame map; Add > TF, RobotModel, LaserScan, Map
+# ```
+#
+# 시뮬레이션이나 bag 재생 중에는 도구도 노드처럼 시뮬레이션 시각을 써야 합니다. 첫머리 이야기도 이렇게 풀립니다.
+#
+# ```
+# ros2 run tf2_ros tf2_monitor odom base_footprint --ros-args -p use_sim_time:=true
+# rviz2 --ros-args -p use_sim_time:=true
+# ```
+
+# %% name="stop" slide="skip"
+graph.stop()
+
+# %% [markdown] lang="en" name="recap" slide="slide"
+# ## What to keep
+#
+# - Ask first, then type. [[view_frames]]: frames, and the rate of each edge. [[tf2_echo]]: a value. [[tf2_monitor]]: how late. `topic delay`: a message's age. RViz: the look. The [[owner]]: no tool.
+# - Delay is not rate. `hz /tf` and the monitor's Hz are everybody's.
+# - `tf2_monitor`: `max`, not `avg`; not the statics; a negative average is the future.
+# - A slow edge costs nothing on the straight, (v/ω)(1 − cos(ω/2f)) in a bend, and waiting everywhere.
+# - [[fixed frame|Fixed Frame]] moves the picture, never the data.
+# - **Ok means computed, not true.** Value, name and stamp you compare yourself.
+
+# %% [markdown] lang="ko" name="recap" slide="slide"
+# ## 정리
+#
+# - 먼저 묻고 그다음에 입력합니다. [[view_frames]]는 좌표계와 연결마다의 주기, [[tf2_echo]]는 값, [[tf2_monitor]]는 지연, `topic delay`는 메시지의 나이, RViz는 모습입니다. [[owner|발행 책임]]을 알려 주는 도구는 없습니다.
+# - 지연은 주기가 아닙니다. `hz /tf`와 tf2_monitor의 Hz는 모두를 합친 값입니다.
+# - `tf2_monitor`에서는 `avg`가 아니라 `max`를 읽습니다. 정적 좌표계의 줄은 읽지 않고, 평균이 음수면 미래의 시각입니다.
+# - 느린 연결은 곧은 길에서는 틀리지 않고, 굽은 길에서 (v/ω)(1 − cos(ω/2f))만큼 틀리며, 어디서나 기다리게 합니다.
+# - [[fixed frame|Fixed Frame]]은 그림을 옮길 뿐 데이터를 바꾸지 않습니다.
+# - **Ok는 계산했다는 뜻이지 맞다는 뜻이 아닙니다.** 값과 이름과 시각은 직접 견주어 확인합니다.
+
+# %% [markdown] lang="en" name="from-before" slide="subslide"
+# ### Three questions from earlier chapters
+#
+# 1. A frame without a parent: what is it called, and how many of them has a healthy robot?
+# 2. The localiser corrects the pose by 20 cm. Which edge changes?
+# 3. Which stamp does RViz use to place a scan, and why not the newest?
+#
+# <details><summary>Answers</summary>
+#
+# 1. A root; one.
+# 2. `map → odom`, and no other.
+# 3. The scan's own: the robot has moved since it was measured.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="from-before" slide="subslide"
+# ### 앞 장 복습: 세 문제
+#
+# 1. 부모가 없는 좌표계를 무엇이라고 합니까? 건강한 로봇에는 몇 개 있습니까?
+# 2. 위치 추정 노드가 포즈를 20 cm 바로잡습니다. 어느 연결이 바뀝니까?
+# 3. RViz는 스캔을 어느 시각의 변환으로 놓습니까? 왜 최신 변환이 아닙니까?
+#
+# <details><summary>답</summary>
+#
+# 1. 루트이고, 하나입니다.
+# 2. `map → odom`뿐입니다.
+# 3. 스캔의 측정 시각입니다. 측정한 뒤에 로봇이 움직였기 때문입니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="practice" slide="subslide"
+# ### Practice question · Q9
+#
+# What is each of `view_frames`, `tf2_echo` and `tf2_monitor` for? Write four or five sentences, and say of each what it cannot see.
+#
+# <details><summary>What a full answer holds</summary>
+#
+# - [ ] `view_frames` draws the tree of the last five seconds: parents, the rate and the ages of each edge.
+# - [ ] `tf2_echo A B` prints the value of one pair, the pose of B in A, newest first, again and again.
+# - [ ] `tf2_monitor` measures how late a chain and its frames are (`max`, not the first `avg`).
+# - [ ] None of them names the owner of an edge; `topic info --verbose` names who is on the topic.
+# - [ ] Each is a sample: what happens between two looks is not seen. For a star: a value that is printed need not be true.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="practice" slide="subslide"
+# ### 서술형 문제 · Q9
+#
+# `view_frames`, `tf2_echo`, `tf2_monitor`는 각각 무엇을 위한 도구입니까? 저마다 보지 못하는 것까지 네다섯 문장으로 써 보세요.
+#
+# <details><summary>완전한 답에 들어 있는 것</summary>
+#
+# - [ ] `view_frames`는 5초 동안의 트리를 그립니다. 부모, 연결마다의 주기와 시각이 나옵니다.
+# - [ ] `tf2_echo A B`는 한 쌍의 값, 곧 A 기준 B의 최신 포즈를 되풀이해 출력합니다.
+# - [ ] `tf2_monitor`는 사슬과 좌표계가 얼마나 늦는지 잽니다(첫 `avg`가 아니라 `max`).
+# - [ ] 연결의 발행 책임은 어느 도구도 알려 주지 않습니다. `topic info --verbose`는 토픽에 있는 노드를 알려 줍니다.
+# - [ ] 모두 표본입니다. 두 번 보는 사이의 일은 보이지 않습니다. 더 나아가면, 출력된 값이 맞는 값이라는 보장은 없습니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="exit-ticket" slide="slide"
+# ## Exit ticket
+#
+# > RViz shows everything Ok, and the scan lies 20 cm beside the wall, on the straight and in bends alike. Write down two commands, and what you compare their output with.
+#
+# <details><summary>Compare</summary>
+#
+# `tf2_echo base_link laser_frame`, with the drawing or a ruler. `topic echo /scan --once --field header`, its `frame_id` with the frame of the sensor.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="exit-ticket" slide="slide"
+# ## 마무리하며
+#
+# > RViz는 모두 Ok인데, 곧은 길에서나 굽은 길에서나 스캔이 벽에서 20 cm 벗어나 있습니다. 명령 두 개와, 그 출력을 무엇과 견줄지 쓰십시오.
+#
+# <details><summary>맞춰 보기</summary>
+#
+# `tf2_echo base_link laser_frame`의 값을 설계도나 자로 잰 값과 견줍니다. `topic echo /scan --once --field header`의 `frame_id`를 센서의 좌표계와 견줍니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="next" slide="skip"
+# **Next:** the exercises, [E11 Tools and RViz](../../exercises/en/E11_tools_and_rviz.ipynb), and after them [the start page](00_start.ipynb), which shows what you have passed.
+# After a pass, or three tries, `solution("E11.1")` shows a solution there. To start a page over, delete its file and type `tflab lab`.
+
+# %% [markdown] lang="ko" name="next" slide="skip"
+# **다음:** 연습 문제 [E11 도구와 RViz](../../exercises/ko/E11_tools_and_rviz.ipynb)를 풀고, 무엇을 통과했는지 [첫 페이지](00_start.ipynb)에서 확인합니다.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E11.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력하세요.

@@ -1,0 +1,310 @@
+# %% [markdown] lang="en" name="title"
+# # Exercises 11 · Ok means computed, not true
+#
+# Seven tasks, 22 points, about 45 minutes. The page they belong to: [11 · Ok means computed, not true](../../notebooks/en/11_tools_and_rviz.ipynb)
+#
+# Write your answer where it says `...` or `your turn`, run the cell, then run the check below it.
+# A wrong answer is told which mistake it looks like. `hint("E11.1")` gives the first of three hints.
+# What `task(...)` prints may differ from your neighbour's, so answer with an expression, and not with a number that you worked out elsewhere.
+
+# %% [markdown] lang="ko" name="title"
+# # 연습 문제 11 · Ok는 계산했다는 뜻이지 맞다는 뜻이 아닙니다
+#
+# 과제 일곱 개, 22점, 45분쯤 걸립니다. 함께 보는 페이지: [11 · Ok는 계산했다는 뜻이지 맞다는 뜻이 아닙니다](../../notebooks/ko/11_tools_and_rviz.ipynb)
+#
+# `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 셀을 실행한 다음, 아래의 확인 셀을 실행해 보세요.
+# 틀린 답을 내면 어떤 실수로 보이는지 알려 줍니다. `hint("E11.1")`은 세 힌트 가운데 첫 번째를 보여 줍니다.
+# `task(...)`가 출력하는 값은 옆 사람과 다를 수 있습니다. 그러니 따로 계산한 숫자가 아니라 식으로 답해 보세요.
+
+# %% name="load"
+# %load_ext tflab
+from tflab.workbook import check, hint, solution, task
+
+# %% name="imports"
+import math
+import re
+
+# %% [markdown] lang="en" name="e11-1"
+# ## E11.1 · Which tool for which question? (3 points)
+#
+# Eight questions. Answer each with `"view_frames"`, `"tf2_echo"`, `"tf2_monitor"`, `"topic hz"`, `"topic delay"`, `"topic info --verbose"`, `"RViz"` or, where none of them answers it, `"no ROS 2 tool"`. `/tf` has several publishers.
+#
+# - **trees** Do all frames hang in one tree?
+# - **edge rate** How often does `odom → base_footprint` come?
+# - **height** At which height over `base_link` does TF have the laser?
+# - **chain** How late is what TF knows of the chain from `map` to `laser_frame`?
+# - **scan** How old is a scan when it arrives?
+# - **on tf** Which nodes publish on `/tf`?
+# - **sender** Which node sends `odom → base_footprint`?
+# - **wall** Does the scan lie on the map's walls?
+
+# %% [markdown] lang="ko" name="e11-1"
+# ## E11.1 · 어떤 질문에 어떤 도구를 씁니까? (3점)
+#
+# 질문 여덟 개에 각각 `"view_frames"`, `"tf2_echo"`, `"tf2_monitor"`, `"topic hz"`, `"topic delay"`, `"topic info --verbose"`, `"RViz"` 가운데 하나로 답하십시오. 답하는 도구가 없으면 `"no ROS 2 tool"`입니다. `/tf`에는 발행자가 여럿입니다.
+#
+# - **trees** 모든 좌표계가 한 트리에 있습니까?
+# - **edge rate** `odom → base_footprint`는 얼마나 자주 옵니까?
+# - **height** TF에 따르면 레이저는 `base_link`보다 얼마나 높이 있습니까?
+# - **chain** `map`에서 `laser_frame`까지의 사슬은 얼마나 늦습니까?
+# - **scan** 스캔은 도착했을 때 얼마나 오래된 것입니까?
+# - **on tf** 어느 노드들이 `/tf`에 발행합니까?
+# - **sender** 어느 노드가 `odom → base_footprint`를 보냅니까?
+# - **wall** 스캔이 지도의 벽 위에 놓입니까?
+
+# %% name="e11-1-answer" tags=["answer"]
+tools = {
+    # BEGIN SOLUTION
+    "trees": "view_frames",
+    "edge rate": "view_frames",
+    "height": "tf2_echo",
+    "chain": "tf2_monitor",
+    "scan": "topic delay",
+    "on tf": "topic info --verbose",
+    "sender": "no ROS 2 tool",
+    "wall": "RViz",
+    # END SOLUTION
+}
+
+# %% name="e11-1-check" tags=["check"]
+check("E11.1", tools)
+
+# %% [markdown] lang="en" name="e11-2"
+# ## E11.2 · Two readings of tf2_echo (3 points)
+#
+# `first` and `second` are what `tf2_echo map base_link` printed, one after the other. Of the time between the two:
+#
+# - `"speed_mps"`: the straight distance between the two positions, divided by the time between the two stamps [m/s];
+# - `"yaw_rate_radps"`: how fast it turned, positive to the left [rad/s];
+# - `"stamp_s"`: the stamp of the second reading, in seconds.
+
+# %% [markdown] lang="ko" name="e11-2"
+# ## E11.2 · tf2_echo의 두 출력 (3점)
+#
+# `first`와 `second`는 `tf2_echo map base_link`가 잇달아 출력한 것입니다. 그 사이의 움직임을 답하십시오.
+#
+# - `"speed_mps"`: 두 위치 사이의 직선 거리를 두 측정 시각의 간격으로 나눈 값 [m/s]
+# - `"yaw_rate_radps"`: 도는 빠르기, 왼쪽이 양수 [rad/s]
+# - `"stamp_s"`: 둘째 출력의 측정 시각 [s]
+
+# %% name="e11-2-given"
+e11_2 = task("E11.2")
+
+# %% name="e11-2-answer" tags=["answer"]
+# BEGIN SOLUTION
+readings = []
+for block in (e11_2.first, e11_2.second):
+    head, place, _, turn, *_ = block.splitlines()
+    sec, nanosec = head.removeprefix("At time ").split(".")
+    x, y, _ = map(float, re.findall(r"-?\d+\.\d+", place))
+    yaw = float(re.findall(r"-?\d+\.\d+", turn)[2])
+    readings.append((int(sec) + int(nanosec) / 1e9, x, y, yaw))
+(start_s, x_0, y_0, yaw_0), (stamp_s, x_1, y_1, yaw_1) = readings
+speed_mps = math.hypot(x_1 - x_0, y_1 - y_0) / (stamp_s - start_s)
+yaw_rate_radps = (yaw_1 - yaw_0) / (stamp_s - start_s)
+# END SOLUTION
+motion = {"speed_mps": speed_mps, "yaw_rate_radps": yaw_rate_radps, "stamp_s": stamp_s}
+
+# %% name="e11-2-check" tags=["check"]
+check("E11.2", motion)
+
+# %% [markdown] lang="en" name="e11-3"
+# ## E11.3 · Often enough? (4 points)
+#
+# A robot's card says how often two of its nodes send on `/tf` (`sends_hz`); the third and last is the odometry's. `ros2 topic hz /tf` says `hz_of_tf`. `report` is the first report of `tf2_monitor map laser_frame`. The robot drives a bend (`speed_mps`, `yaw_rate_radps`).
+#
+# - `"odometry_hz"`: how often does the odometry speak [Hz]?
+# - `"late_s"`: how late is the chain at worst [s]?
+# - `"off_mm"`: how far is TF's straight line from the robot's arc at worst, between two samples of the odometry [mm]?
+# - `"wait_s"`: how long does a scan have to wait for the odometry at worst, after it has arrived [s]? A transform travels `transform_travels_s`, a scan `scan_travels_s`.
+# - `"enough"`: is `off_mm` within `allowed_mm`, `"yes"` or `"no"`?
+
+# %% [markdown] lang="ko" name="e11-3"
+# ## E11.3 · 충분히 자주 옵니까? (4점)
+#
+# 로봇의 카드에는 두 노드가 `/tf`에 얼마나 자주 보내는지 적혀 있고(`sends_hz`), 셋째이자 마지막은 오도메트리입니다. `ros2 topic hz /tf`는 `hz_of_tf`를 출력합니다. `report`는 `tf2_monitor map laser_frame`의 첫 보고입니다. 로봇은 굽은 길을 달립니다(`speed_mps`, `yaw_rate_radps`).
+#
+# - `"odometry_hz"`: 오도메트리는 얼마나 자주 보냅니까[Hz]?
+# - `"late_s"`: 사슬은 최악의 경우 얼마나 늦습니까[s]?
+# - `"off_mm"`: 오도메트리의 두 표본 사이에서 TF의 직선은 로봇의 호에서 최대 얼마나 떨어집니까[mm]?
+# - `"wait_s"`: 도착한 스캔은 오도메트리를 최대 얼마나 기다려야 합니까[s]? 변환이 오는 데 `transform_travels_s`, 스캔이 오는 데 `scan_travels_s`가 걸립니다.
+# - `"enough"`: `off_mm`이 `allowed_mm` 안에 듭니까? `"yes"` 또는 `"no"`.
+
+# %% name="e11-3-given"
+e11_3 = task("E11.3")
+
+# %% name="e11-3-answer" tags=["answer"]
+# BEGIN SOLUTION
+odometry_hz = e11_3.hz_of_tf - sum(e11_3.sends_hz.values())
+late_s = float(re.search(r"max = (\S+)", e11_3.report)[1])
+v, w = e11_3.speed_mps, e11_3.yaw_rate_radps
+off_mm = 1000 * v / w * (1 - math.cos(w / (2 * odometry_hz)))
+wait_s = max(0.0, 1 / odometry_hz + e11_3.transform_travels_s - e11_3.scan_travels_s)
+enough = "yes" if off_mm <= e11_3.allowed_mm else "no"
+# END SOLUTION
+verdict = {"odometry_hz": odometry_hz, "late_s": late_s, "off_mm": off_mm, "wait_s": wait_s, "enough": enough}
+
+# %% name="e11-3-check" tags=["check"]
+check("E11.3", verdict)
+
+# %% [markdown] lang="en" name="e11-4"
+# ## E11.4 · Six robots in RViz (4 points)
+#
+# Each robot has one thing wrong. Below is what RViz's list says; where all is Ok, a sentence says what is seen. The Fixed Frame should be `map`.
+# For each robot the likeliest cause, and the first check:
+#
+# - `"localiser down"`, `"Fixed Frame misspelt"`, `"joint states missing"`, `"odometry down"`, `"stamps late"`, `"mount wrong"`, `"sensor broken"` or `"nothing wrong"`;
+# - `"ros2 node list"`, `"the name in RViz"`, `"ros2 topic hz /joint_states"`, `"ros2 topic delay /scan"`, `"tf2_echo base_link laser_frame"`, `"replace the sensor"`, `"a longer timeout"` or `"no check"`.
+
+# %% [markdown] lang="ko" name="e11-4"
+# ## E11.4 · RViz에 보이는 로봇 여섯 대 (4점)
+#
+# 로봇마다 하나씩 잘못되었습니다. 아래는 RViz 목록이고, 모두 Ok이면 무엇이 보이는지 한 문장으로 적었습니다(the scan lies on / beside the walls = 스캔이 벽 위에 / 옆에 놓인다, in bends it smears = 굽은 길에서 번진다). Fixed Frame은 `map`이어야 합니다.
+# 로봇마다 가장 그럴듯한 원인과 첫 점검을 고르십시오.
+#
+# - 원인: `"localiser down"`(위치 추정 노드 멈춤), `"Fixed Frame misspelt"`(잘못 입력), `"joint states missing"`(관절 상태 없음), `"odometry down"`(오도메트리 멈춤), `"stamps late"`(측정 시각이 늦음), `"mount wrong"`(장착 변환이 틀림), `"sensor broken"`(센서 고장), `"nothing wrong"`(이상 없음)
+# - 점검: `"ros2 node list"`, `"the name in RViz"`(RViz에 입력한 이름), `"ros2 topic hz /joint_states"`, `"ros2 topic delay /scan"`, `"tf2_echo base_link laser_frame"`, `"replace the sensor"`(센서 교체), `"a longer timeout"`(더 긴 timeout), `"no check"`(점검 안 함)
+
+# %% name="e11-4-given"
+e11_4 = task("E11.4")
+
+# %% name="e11-4-answer" tags=["answer"]
+# BEGIN SOLUTION
+findings = {}  # {"a": the cause, "a check": the first check, "b": ..., "b check": ..., and so on to "f"}
+TELLS = (
+    ("  map: No transform", "Fixed Frame misspelt", "the name in RViz"),
+    ("does not exist", "localiser down", "ros2 node list"),
+    ("not part of the same tree", "odometry down", "ros2 node list"),
+    ("RobotModel: Error", "joint states missing", "ros2 topic hz /joint_states"),
+    ("smears", "stamps late", "ros2 topic delay /scan"),
+    ("beside the walls", "mount wrong", "tf2_echo base_link laser_frame"),
+)
+for name in "abcdef":
+    said = getattr(e11_4, f"robot_{name}")
+    findings[name], findings[f"{name} check"] = next(row[1:] for row in TELLS if row[0] in said)
+# END SOLUTION
+
+# %% name="e11-4-check" tags=["check"]
+check("E11.4", findings)
+
+# %% [markdown] lang="en" name="e11-5"
+# ## E11.5 · What does the Fixed Frame change? (2 points)
+#
+# You change RViz's Fixed Frame from `map` to `odom`; or, where the tree is broken, to a frame of the other tree. `"changes"` or `"stays"`?
+#
+# - **screen** where on the screen the laser is drawn
+# - **pose in odom** what `tf2_echo odom base_link` prints
+# - **ranges** the numbers in the scan's message
+# - **errors** which displays can be shown at all
+# - **localiser** by how much the localiser corrects `map → odom`
+# - **planner** in which frame the planner keeps its goal
+
+# %% [markdown] lang="ko" name="e11-5"
+# ## E11.5 · Fixed Frame은 무엇을 바꿉니까? (2점)
+#
+# RViz의 Fixed Frame을 `map`에서 `odom`으로, 트리가 끊겼을 때는 다른 트리의 좌표계로 바꿉니다. `"changes"`(바뀐다)입니까, `"stays"`(그대로다)입니까?
+#
+# - **screen** 레이저가 화면에 그려지는 자리
+# - **pose in odom** `tf2_echo odom base_link`의 출력
+# - **ranges** 스캔 메시지 속의 숫자
+# - **errors** 어떤 디스플레이를 그릴 수 있는지
+# - **localiser** 위치 추정 노드가 `map → odom`을 바로잡는 크기
+# - **planner** 경로 계획 노드가 목적지를 보관하는 좌표계
+
+# %% name="e11-5-answer" tags=["answer"]
+changes = {
+    # BEGIN SOLUTION
+    "screen": "changes",
+    "pose in odom": "stays",
+    "ranges": "stays",
+    "errors": "changes",
+    "localiser": "stays",
+    "planner": "stays",
+    # END SOLUTION
+}
+
+# %% name="e11-5-check" tags=["check"]
+check("E11.5", changes)
+
+# %% [markdown] lang="en" name="e11-6"
+# ## E11.6 · Read tf2_monitor by program (4 points)
+#
+# `report` is what `tf2_monitor A B` printed, as one text; `static_frames` are the names of the frames that hang on a static transform. Return a dict:
+#
+# - `"late"`: of the frames that move, the one that was latest at worst;
+# - `"future"`: a list of the frames that move and whose stamps lie in the future on average;
+# - `"delay_s"`: how late the whole chain was at worst [s].
+
+# %% [markdown] lang="ko" name="e11-6"
+# ## E11.6 · 프로그램으로 tf2_monitor 읽기 (4점)
+#
+# `report`는 `tf2_monitor A B`의 출력 전체이고, `static_frames`는 정적 변환에 매달린 좌표계의 이름들입니다. dict를 반환하십시오.
+#
+# - `"late"`: 움직이는 좌표계 가운데 최악의 경우 가장 늦은 것
+# - `"future"`: 움직이는 좌표계 가운데 측정 시각이 평균적으로 미래인 것의 리스트
+# - `"delay_s"`: 사슬 전체가 최악의 경우 얼마나 늦었는지 [s]
+
+
+# %% name="e11-6-answer" tags=["answer"]
+def read_monitor(report, static_frames):
+    """Return {"late", "future", "delay_s"}."""
+    # BEGIN SOLUTION
+    averages, largest = {}, {}
+    for line in report.splitlines():
+        if line.startswith("Frame: "):
+            name, _, average, worst = (part.split(": ")[-1] for part in line.split(", "))
+            if name not in static_frames:
+                averages[name], largest[name] = float(average), float(worst)
+        elif line.startswith("Net delay"):
+            delay_s = float(line.split("max = ")[1])
+    future = [name for name, average in averages.items() if average < 0]
+    return {"late": max(largest, key=largest.get), "future": future, "delay_s": delay_s}
+    # END SOLUTION
+
+
+# %% name="e11-6-check" tags=["check"]
+check("E11.6", read_monitor)
+
+# %% [markdown] lang="en" name="e11-7"
+# ## E11.7 · Three commands (2 points)
+#
+# One line each, as you type it in a terminal:
+#
+# - `"value"`: print where `echo_of` is, as seen from `echo_in`, `echo_hz` times a second;
+# - `"late"`: measure how late the chain from `chain[0]` to `chain[1]` is, in a simulation, so that the tool uses the simulated time;
+# - `"who"`: show which nodes publish and subscribe on `topic`.
+
+# %% [markdown] lang="ko" name="e11-7"
+# ## E11.7 · 명령 세 개 (2점)
+#
+# 터미널에 입력할 명령을 한 줄씩 쓰십시오.
+#
+# - `"value"`: `echo_in` 기준으로 본 `echo_of`의 포즈를 1초에 `echo_hz`번 출력합니다.
+# - `"late"`: 시뮬레이션에서 `chain[0]`부터 `chain[1]`까지의 사슬이 얼마나 늦는지 잽니다. 도구가 시뮬레이션 시각을 쓰게 합니다.
+# - `"who"`: `topic`에 어느 노드가 발행하고 구독하는지 보여 줍니다.
+
+# %% name="e11-7-given"
+e11_7 = task("E11.7")
+
+# %% name="e11-7-answer" tags=["answer"]
+# BEGIN SOLUTION
+value = f"ros2 run tf2_ros tf2_echo {e11_7.echo_in} {e11_7.echo_of} {e11_7.echo_hz}"
+late = f"ros2 run tf2_ros tf2_monitor {e11_7.chain[0]} {e11_7.chain[1]} --ros-args -p use_sim_time:=true"
+who = f"ros2 topic info {e11_7.topic} --verbose"
+# END SOLUTION
+commands = {"value": value, "late": late, "who": who}
+
+# %% name="e11-7-check" tags=["check"]
+check("E11.7", commands)
+
+# %% [markdown] lang="en" name="after"
+# ## What you have shown
+#
+# The checks here used your own numbers. Grading asks the same questions with others.
+# On a robot, do C5, C6 and C7 of the lab checklist: draw the tree, read a delay, show the axes in RViz; and write down of each output what you compared it with.
+
+# %% [markdown] lang="ko" name="after"
+# ## 여기까지 해낸 것
+#
+# 이곳의 check는 여러분의 숫자로 확인했습니다. 채점은 같은 질문을 다른 숫자로 묻습니다.
+# 로봇에서 실습 체크리스트 C5, C6, C7을 해 보세요. 트리를 그리고, 지연을 읽고, RViz에 축을 표시합니다. 출력마다 무엇과 견주었는지도 적어 두세요.

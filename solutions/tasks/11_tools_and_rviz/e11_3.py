@@ -1,0 +1,222 @@
+"""E11.3: Often enough?"""
+
+from __future__ import annotations
+
+import math
+import re
+
+from tflab.tools.tf2_monitor import Delays, NetDelay, broadcaster_line, frame_lines, results_heading
+from tflab.workbook.tasks import Choice, Number, Parts, Slip, Task, Words
+
+LOOKS = 21
+
+
+def a_slow_robot(rng):
+    """Other nodes' rates, everybody's together, a first report, a bend, and what is allowed: enough or not, by turns."""
+    others = {"robot_state_publisher": float(rng.choice((15.0, 20.0, 25.0, 30.0))), "localization": 10.0}
+    rate = float(rng.choice((2.0, 4.0, 5.0, 8.0)))
+    v, w = round(float(rng.uniform(0.5, 1.2)), 2), round(float(rng.uniform(0.5, 1.2)), 2)
+    chord_mm = 1000 * v / w * (1 - math.cos(w / (2 * rate)))
+    share = float(rng.choice((0.6, 1.6)))
+    travel_s = round(float(rng.uniform(0.004, 0.020)), 3)
+    late_s = round(1 / rate + travel_s, 3)
+    return {
+        "sends_hz": others,
+        "hz_of_tf": sum(others.values()) + rate,
+        "report": report_of(late_s, travel_s, round(float(rng.uniform(8.0, 30.0)), 1)),
+        "speed_mps": v,
+        "yaw_rate_radps": w,
+        "allowed_mm": max(0.1, round(chord_mm * share, 1)),
+        "transform_travels_s": travel_s,
+        "scan_travels_s": 0.105,
+    }
+
+
+def report_of(late_s, travel_s, static_s):
+    """Return a first report, as tf2_monitor writes it."""
+    net, delays = NetDelay(), Delays()
+    for _ in range(LOOKS):
+        net.add(late_s)
+    delays.hear(static_s, [("laser_frame", 0.0)])
+    for number in range(100):
+        delays.hear(static_s + 0.1 * number, [("base_footprint", static_s + 0.1 * number - travel_s)])
+        delays.hear(static_s + 0.1 * number, [("odom", static_s + 0.1 * number - 0.01)])
+    chain = ("map", "odom", "base_footprint", "laser_frame")
+    rows = [results_heading(chain, net).strip("\n"), "", "Frames:", *frame_lines(delays, chain)]
+    return "\n".join([*rows, "", "All Broadcasters:", broadcaster_line(delays)])
+
+
+def judged(given, *, rate="the rest", late="max", curve="chord", period="whole", travel="with the scan"):
+    """Return the five answers, step by step; other steps are the slips."""
+    f = {
+        "the rest": given.hz_of_tf - sum(given.sends_hz.values()),
+        "everybody": given.hz_of_tf,
+        "shared": given.hz_of_tf / (len(given.sends_hz) + 1),
+        "without localization": given.hz_of_tf - given.sends_hz["robot_state_publisher"],
+    }[rate]
+    avg, largest = map(float, re.search(r"avg = (\S+): max = (\S+)", given.report).groups())
+    static = float(re.search(r"laser_frame,.*Average Delay: (\S+),", given.report)[1])
+    v, w = given.speed_mps, given.yaw_rate_radps
+    gap = {
+        "chord": v / w * (1 - math.cos(w / (2 * f))),
+        "way": v / f,
+        "half way": v / (2 * f),
+        "whole angle": v / w * (1 - math.cos(w / f)),
+    }[curve]
+    wait = {"whole": 1.0, "half": 0.5}[period] / f + given.transform_travels_s
+    return {
+        "odometry_hz": f,
+        "late_s": {"max": largest, "avg": avg, "static": static}[late],
+        "off_mm": 1000 * gap,
+        "wait_s": max(0.0, wait - (given.scan_travels_s if travel == "with the scan" else 0.0)),
+        "enough": "yes" if 1000 * gap <= given.allowed_mm else "no",
+    }
+
+
+SUM_OF_TF = Slip(
+    "sum of tf",
+    {"rate": "everybody"},
+    Words(
+        en="That is what everybody on /tf sends together. What is left if you take the other nodes' messages away?",
+        ko="/tf에서 모두가 보내는 것을 합친 값입니다. 다른 노드의 메시지를 빼면 얼마가 남습니까?",
+    ),
+    part="odometry_hz",
+)
+
+SHARED_EVENLY = Slip(
+    "shared evenly",
+    {"rate": "shared"},
+    Words(
+        en="You shared /tf evenly among the nodes. Nobody promised that: two of their rates are on the card.",
+        ko="/tf를 노드 수로 똑같이 나누었습니다. 그런 약속은 없습니다. 두 노드의 주기는 카드에 있습니다.",
+    ),
+    part="odometry_hz",
+)
+
+ONE_LEFT_IN = Slip(
+    "one left in",
+    {"rate": "without localization"},
+    Words(en="You took one other node away; there are two.", ko="다른 노드 하나만 뺐습니다. 둘입니다."),
+    part="odometry_hz",
+)
+
+AVERAGE_BELIEVED = Slip(
+    "average believed",
+    {"late": "avg"},
+    Words(
+        en="That is avg, in a first report: it began at 0 and has come 19 % of the way.",
+        ko="첫 보고의 avg입니다. 0에서 시작해 19 %까지 왔을 뿐입니다.",
+    ),
+    part="late_s",
+)
+
+STATIC_COUNTED = Slip(
+    "static counted",
+    {"late": "static"},
+    Words(
+        en="That is the age of a static transform, which was sent once. It is good for any time.",
+        ko="한 번 보낸 정적 변환의 나이입니다. 정적 변환은 언제나 유효합니다.",
+    ),
+    "M12",
+    part="late_s",
+)
+
+WAY_FOR_PLACE = Slip(
+    "way for place",
+    {"curve": "way"},
+    Words(
+        en="v/f is how far the robot drives from one sample to the next. TF does not stand still meanwhile: it joins the two by a straight line.",
+        ko="v/f는 표본 사이에 로봇이 달리는 거리입니다. TF는 그동안 멈춰 있지 않고 두 표본을 직선으로 잇습니다.",
+    ),
+    "M9",
+    part="off_mm",
+)
+
+HALF_WAY_FOR_PLACE = Slip(
+    "half way for place",
+    {"curve": "half way"},
+    Words(
+        en="That is half the way between two samples. How far is the *arc* from the straight line there?",
+        ko="두 표본 사이 거리의 절반입니다. 그곳에서 *호*는 직선에서 얼마나 떨어져 있습니까?",
+    ),
+    "M9",
+    part="off_mm",
+)
+
+WHOLE_ANGLE = Slip(
+    "whole angle",
+    {"curve": "whole angle"},
+    Words(
+        en="Between two samples the robot turns by ω/f; from the middle of the bend to its end it is half of that.",
+        ko="두 표본 사이에 로봇은 ω/f만큼 돕니다. 가운데에서 끝까지는 그 절반입니다.",
+    ),
+    part="off_mm",
+)
+
+HALF_A_PERIOD = Slip(
+    "half a period",
+    {"period": "half"},
+    Words(
+        en="Half a period is the wait on average. Asked is the longest.",
+        ko="반 주기는 평균입니다. 가장 긴 기다림을 물었습니다.",
+    ),
+    part="wait_s",
+)
+
+SCAN_FORGOTTEN = Slip(
+    "scan forgotten",
+    {"travel": "without the scan"},
+    Words(
+        en="While the scan was under way, time had passed already: that much less there is to wait.",
+        ko="스캔이 오는 동안 이미 시간이 지났습니다. 그만큼 덜 기다립니다.",
+    ),
+    part="wait_s",
+)
+
+
+TASK = Task(
+    id="E11.3",
+    kind="N",
+    points=4,
+    title=Words(en="Often enough?", ko="충분히 자주 옵니까?"),
+    answer="verdict",
+    form=Parts(
+        {
+            "odometry_hz": Number("Hz", tolerance=0.01),
+            "late_s": Number("s", tolerance=0.001),
+            "off_mm": Number("mm", tolerance=0.05),
+            "wait_s": Number("s", tolerance=0.001),
+            "enough": Choice(("yes", "no")),
+        }
+    ),
+    given=a_slow_robot,
+    variants=6,
+    model=judged,
+    twins=(
+        SUM_OF_TF,
+        SHARED_EVENLY,
+        ONE_LEFT_IN,
+        AVERAGE_BELIEVED,
+        STATIC_COUNTED,
+        WAY_FOR_PLACE,
+        HALF_WAY_FOR_PLACE,
+        WHOLE_ANGLE,
+        HALF_A_PERIOD,
+        SCAN_FORGOTTEN,
+    ),
+    hints=(
+        Words(
+            en="First the rate: everybody's Hz, minus the two nodes whose rate you know.",
+            ko="먼저 주기입니다. 모두의 Hz에서 주기를 아는 두 노드의 것을 뺍니다.",
+        ),
+        Words(
+            en="Late: the report's max. Off: (v/ω)(1 − cos(ω/2f)), in millimetres.",
+            ko="지연은 보고의 max, 틈은 (v/ω)(1 − cos(ω/2f))이고 단위는 mm입니다.",
+        ),
+        Words(
+            en="Wait: one period, plus the transform's way, minus the scan's way, and never below 0. Enough: is off_mm within what is allowed?",
+            ko="기다림은 한 주기 + 변환의 이동 시간 − 스캔의 이동 시간이고 0보다 작지 않습니다. off_mm이 허용 범위 안이면 충분합니다.",
+        ),
+    ),
+    cures=("M9",),
+)

@@ -1,0 +1,177 @@
+"""E11.6: Read tf2_monitor by program."""
+
+from __future__ import annotations
+
+import re
+
+from tflab.tools.tf2_monitor import Delays, NetDelay, broadcaster_line, frame_lines, results_heading
+from tflab.workbook.tasks import Name, Number, Parts, Set, Slip, Task, Words
+
+STATIC = ("base_link", "laser_frame", "camera_link", "imu_link", "mast")
+MOVING = ("odom", "base_footprint", "arm_link", "pan_link", "left_wheel")
+
+
+def reports(rng):
+    """Robots with one late frame: some with stamps from the future, one on the wrong clock, one long running."""
+    usual = [one_report(rng, future=number) for number in (0, 1, 2, 0, 1)]
+    wrong_clock = one_report(rng, future=0, late_s=1.6e9 + float(rng.uniform(0.0, 9e7)))
+    long_running = one_report(rng, future=1, looks=2000)
+    spiky = one_report(rng, future=0, spike=True)
+    at_once = one_report(rng, future=1, second_s=0.0)  # neither late nor early
+    return [*usual, wrong_clock, long_running, spiky, at_once]
+
+
+def one_report(rng, future, late_s=None, looks=21, spike=False, second_s=None):
+    """Return a report's text and the names of the static frames."""
+    statics = [STATIC[i] for i in rng.permutation(len(STATIC))[: int(rng.integers(1, 4))]]
+    moving = [MOVING[i] for i in rng.permutation(len(MOVING))[: future + 2]]
+    late_s = round(float(rng.uniform(0.15, 0.9)), 3) if late_s is None else late_s
+    delays_s = [late_s, round(late_s * 0.3, 4) if late_s < 1e6 else late_s * 0.3]
+    delays_s[1] = delays_s[1] if second_s is None else second_s
+    delays_s += [-round(float(rng.uniform(0.05, 0.4)), 3) for _ in range(future)]
+    delays, net = Delays(), NetDelay()
+    for frame, delay_s in zip(moving, delays_s, strict=True):
+        for number in range(10):
+            delays.hear(50.0 + number, [(frame, 50.0 + number - delay_s)])
+    if spike:  # the second is late on average, the first was once later
+        delays.of_frame[moving[0]].extend([0.001] * 40)
+    static_s = round(float(rng.uniform(8.0, 60.0)), 1)
+    for frame in statics:
+        delays.hear(50.0, [(frame, 50.0 - static_s)])
+    for _ in range(looks):
+        net.add(late_s + 0.01)
+    chain = ["map", *moving, *statics]
+    rows = [results_heading(chain, net), "", "Frames:", *frame_lines(delays, chain)]
+    return "\n".join([*rows, "", "All Broadcasters:", broadcaster_line(delays)]), sorted(statics)
+
+
+def figures(
+    report, static_frames, *, keep="moving", late="largest max", sign="average", net="max",
+):  # fmt: skip
+    """Return the three figures, step by step; other steps are the slips."""
+    rows = re.findall(r"Frame: (\S+), .*Average Delay: (\S+), Max Delay: (\S+)", report)
+    rows = [(frame, float(average), float(largest)) for frame, average, largest in rows]
+    if keep == "moving":
+        rows = [row for row in rows if row[0] not in static_frames]
+    by = {
+        "largest max": lambda row: row[2], "largest average": lambda row: row[1], "smallest": lambda row: -row[2],
+    }[late]  # fmt: skip
+    below = {
+        "average": lambda row: row[1] < 0, "max": lambda row: row[2] < 0, "max is 0": lambda row: row[2] <= 0,
+        "positive": lambda row: row[1] > 0,
+    }[sign]  # fmt: skip
+    found = re.search(r"avg = (\S+): max = (\S+)", report).groups()
+    worst = max(rows, key=by)
+    return {
+        "late": worst[0],
+        "future": sorted(row[0] for row in rows if below(row)),
+        "delay_s": float(found[net == "max"]) if net != "frame" else worst[2],
+    }
+
+
+STATIC_WINS = Slip(
+    "static wins",
+    {"keep": "all"},
+    Words(
+        en="late: a static frame wins. It was sent once; its age is no delay: leave static_frames out.",
+        ko="late: 정적 좌표계가 뽑혔습니다. 한 번만 보냈으므로 나이는 지연이 아닙니다. static_frames를 빼십시오.",
+    ),
+    "M12",
+    part="late",
+)
+
+LATE_ON_AVERAGE = Slip(
+    "late on average",
+    {"late": "largest average"},
+    Words(
+        en="late: you compare Average Delay. Asked is who was latest at worst: Max Delay.",
+        ko="late: Average Delay를 비교합니다. 최악의 경우 가장 늦은 좌표계, 곧 Max Delay를 물었습니다.",
+    ),
+    part="late",
+)
+
+THE_QUICKEST = Slip(
+    "the quickest",
+    {"late": "smallest"},
+    Words(en="late: that is the one that comes soonest.", ko="late: 가장 빨리 오는 좌표계입니다."),
+    part="late",
+)
+
+MAX_ZERO_IS_HEALTHY = Slip(
+    "max zero is healthy",
+    {"sign": "max"},
+    Words(
+        en="future: Max Delay is never below 0, so this finds nobody. Which figure of the line does go below?",
+        ko="future: Max Delay는 0보다 작아지지 않으므로 아무도 찾지 못합니다. 줄에서 0보다 작아지는 숫자는 무엇입니까?",
+    ),
+    "M10",
+    part="future",
+)
+
+LATE_FOR_FUTURE = Slip(
+    "late for future",
+    {"sign": "positive"},
+    Words(
+        en="future: a positive delay is a stamp of the past. The future has the other sign.",
+        ko="future: 지연이 양수면 과거의 시각입니다. 미래는 부호가 반대입니다.",
+    ),
+    "M10",
+    part="future",
+)
+
+NET_AVERAGE = Slip(
+    "net average",
+    {"net": "avg"},
+    Words(
+        en="delay_s: that is avg, which begins at 0 and takes minutes. Read the other one.",
+        ko="delay_s: 0에서 시작해 몇 분이 걸려야 맞는 avg입니다. 다른 값을 읽으십시오.",
+    ),
+    part="delay_s",
+)
+
+DELAY_OF_A_FRAME = Slip(
+    "delay of a frame",
+    {"net": "frame"},
+    Words(
+        en="delay_s: that is one frame's. The chain's stands in the line Net delay.",
+        ko="delay_s: 한 좌표계의 값입니다. 사슬의 값은 Net delay 줄에 있습니다.",
+    ),
+    part="delay_s",
+)
+
+
+TASK = Task(
+    id="E11.6",
+    kind="F",
+    points=4,
+    title=Words(en="Read tf2_monitor by program", ko="프로그램으로 tf2_monitor 읽기"),
+    answer="read_monitor",
+    form=Parts({"late": Name(), "future": Set(Name()), "delay_s": Number("s", tolerance=1e-4)}),
+    inputs=reports,
+    variants=3,
+    model=figures,
+    twins=(
+        STATIC_WINS,
+        LATE_ON_AVERAGE,
+        THE_QUICKEST,
+        MAX_ZERO_IS_HEALTHY,
+        LATE_FOR_FUTURE,
+        NET_AVERAGE,
+        DELAY_OF_A_FRAME,
+    ),
+    hints=(
+        Words(
+            en="Go through the lines that begin with `Frame: `, and take out name, Average Delay and Max Delay.",
+            ko="`Frame: `으로 시작하는 줄에서 이름, Average Delay, Max Delay를 꺼내 보세요.",
+        ),
+        Words(
+            en="Leave the static frames out. Largest Max Delay: late. Average Delay below 0: future.",
+            ko="정적 좌표계를 뺍니다. Max Delay가 가장 크면 late, Average Delay가 0보다 작으면 future입니다.",
+        ),
+        Words(
+            en='`line.split(", ")` gives the parts of a line, and `part.split(": ")[1]` what stands behind the colon; `float` reads 1.6e+09 too.',
+            ko='`line.split(", ")`로 줄을 나누고 `part.split(": ")[1]`로 콜론 뒤를 꺼냅니다. `float`는 1.6e+09도 읽습니다.',
+        ),
+    ),
+    cures=("M10", "M12"),
+)

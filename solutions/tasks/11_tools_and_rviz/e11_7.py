@@ -1,0 +1,165 @@
+"""E11.7: Three commands."""
+
+from __future__ import annotations
+
+from tflab.workbook.tasks import Command, Parts, Slip, Task, Words
+
+PAIRS = (
+    ("map", "base_link"), ("odom", "base_link"), ("map", "laser_frame"), ("odom", "camera_link"),
+    ("map", "base_footprint"), ("odom", "laser_frame"),
+)  # fmt: skip
+
+
+def frames_and_rate(rng):
+    first, second = (PAIRS[i] for i in rng.permutation(len(PAIRS))[:2])
+    return {
+        "echo_of": first[1],
+        "echo_in": first[0],
+        "echo_hz": int(rng.choice((5, 10, 20, 25))),
+        "chain": list(second),
+        "topic": str(rng.choice(("/tf", "/tf_static"))),
+    }
+
+
+def lines(given, *, order="in first", rate="given", chain="given", clock="simulated", verbose="--verbose"):
+    """Return the three lines, step by step; other steps are the slips."""
+    frames = (given.echo_in, given.echo_of) if order == "in first" else (given.echo_of, given.echo_in)
+    hz = {"given": f" {given.echo_hz}", "none": "", "option": f" --rate {given.echo_hz}"}[rate]
+    ends = given.chain if chain == "given" else [] if chain == "all" else given.chain[::-1]
+    sim = {
+        "simulated": " --ros-args -p use_sim_time:=true",
+        "wall": "",
+        "bare": " use_sim_time:=true",
+        "off": " --ros-args -p use_sim_time:=false",
+    }[clock]
+    return {
+        "value": f"ros2 run tf2_ros tf2_echo {' '.join(frames)}{hz}",
+        "late": " ".join(["ros2 run tf2_ros tf2_monitor", *ends]) + sim,
+        "who": " ".join(["ros2 topic info", given.topic, verbose]).strip(),
+    }
+
+
+OTHER_WAY_ROUND = Slip(
+    "other way round",
+    {"order": "of first"},
+    Words(
+        en="value: this prints the other pose, the inverse. tf2_echo A B is B as seen from A.",
+        ko="value: 반대 방향의 포즈, 곧 역변환이 출력됩니다. tf2_echo A B는 A 기준으로 본 B입니다.",
+    ),
+    "M1",
+    part="value",
+)
+
+RATE_FORGOTTEN = Slip(
+    "rate forgotten",
+    {"rate": "none"},
+    Words(
+        en="value: without a third argument it prints once a second.",
+        ko="value: 셋째 인자가 없으면 1초에 한 번 출력합니다.",
+    ),
+    part="value",
+)
+
+RATE_AS_AN_OPTION = Slip(
+    "rate as an option",
+    {"rate": "option"},
+    Words(
+        en="value: the rate is no option: it stands alone, as the third argument.",
+        ko="value: 주기는 옵션이 아니라 셋째 인자로 숫자만 씁니다.",
+    ),
+    part="value",
+)
+
+CLOCK_FORGOTTEN = Slip(
+    "clock forgotten",
+    {"clock": "wall"},
+    Words(
+        en="late: the tool would subtract simulated stamps from the time on the wall: the story's 51.7 years.",
+        ko="late: 현실의 현재 시각에서 시뮬레이션의 측정 시각을 빼게 됩니다. 첫머리 이야기의 51.7년입니다.",
+    ),
+    "M13",
+    part="late",
+)
+
+PARAMETER_BARE = Slip(
+    "parameter bare",
+    {"clock": "bare"},
+    Words(
+        en="late: that is how launch files take arguments. `ros2 run` takes parameters after --ros-args, each with -p.",
+        ko="late: launch 인자를 주는 방식입니다. `ros2 run`에서는 --ros-args 다음에 -p로 매개변수를 줍니다.",
+    ),
+    part="late",
+)
+
+CLOCK_SWITCHED_OFF = Slip(
+    "clock switched off",
+    {"clock": "off"},
+    Words(en="late: false is what it is anyway.", ko="late: false는 원래의 값입니다."),
+    part="late",
+)
+
+ALL_FRAMES = Slip(
+    "all frames",
+    {"chain": "all"},
+    Words(
+        en="late: without two frames it reports every frame, and no chain.",
+        ko="late: 두 좌표계를 주지 않으면 모든 좌표계를 보고하고 사슬은 재지 않습니다.",
+    ),
+    part="late",
+)
+
+CHAIN_TURNED_ROUND = Slip(
+    "chain turned round",
+    {"chain": "turned round"},
+    Words(
+        en="late: the delay would be the same, but the chain is printed from its other end. Write the frames in the order given.",
+        ko="late: 지연은 같지만 사슬이 반대쪽 끝부터 출력됩니다. 주어진 순서대로 쓰십시오.",
+    ),
+    part="late",
+)
+
+ONLY_COUNTS = Slip(
+    "only counts",
+    {"verbose": ""},
+    Words(en="who: this prints how many they are, not who.", ko="who: 몇 개인지만 나오고 누구인지는 나오지 않습니다."),
+    part="who",
+)
+
+
+TASK = Task(
+    id="E11.7",
+    kind="C",
+    points=2,
+    title=Words(en="Three commands", ko="명령 세 개"),
+    answer="commands",
+    form=Parts({"value": Command(), "late": Command(), "who": Command()}),
+    given=frames_and_rate,
+    variants=6,
+    model=lines,
+    twins=(
+        OTHER_WAY_ROUND,
+        RATE_FORGOTTEN,
+        RATE_AS_AN_OPTION,
+        ALL_FRAMES,
+        CHAIN_TURNED_ROUND,
+        CLOCK_FORGOTTEN,
+        PARAMETER_BARE,
+        CLOCK_SWITCHED_OFF,
+        ONLY_COUNTS,
+    ),
+    hints=(
+        Words(
+            en="The page's section for the real robot has one of each kind.",
+            ko="본문의 '실제 로봇에서'에 종류마다 하나씩 있습니다.",
+        ),
+        Words(
+            en="tf2_echo: the frame to look *from* stands first, then the other, then the rate.",
+            ko="tf2_echo에는 기준이 되는 좌표계를 먼저, 다음에 다른 좌표계, 마지막에 주기를 씁니다.",
+        ),
+        Words(
+            en="Parameters of a node follow --ros-args, each after a -p, name:=value.",
+            ko="노드의 매개변수는 --ros-args 다음에, 저마다 -p를 붙여 이름:=값으로 씁니다.",
+        ),
+    ),
+    cures=("M1", "M13"),
+)
