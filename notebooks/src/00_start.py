@@ -187,8 +187,9 @@ graph.stop()
 # | 5 | **[map, odom, base_link](05_map_odom_base_link.ipynb)** | Why are there two fixed frames? | 50 | 3, 4 | [E5](../../exercises/en/E05_map_odom_base_link.ipynb) |
 # | 8 | **[Buffer and measurement time](08_buffer_and_measurement_time.ipynb)** | Where was I when I saw it? | 75 | 3, 6 | [E8](../../exercises/en/E08_buffer_and_measurement_time.ipynb) |
 # | 9 | **[Exceptions and waiting](09_exceptions_and_waiting.ipynb)** | Why is there no answer, and does waiting help? | 90 | 4, 8 | [E9](../../exercises/en/E09_exceptions_and_waiting.ipynb) |
+# | 11 | **[Tools and RViz](11_tools_and_rviz.ipynb)** | Which tool answers which question? | 60 | 4, 5, 8 | [E11](../../exercises/en/E11_tools_and_rviz.ipynb) |
 #
-# To come: 4 The tree of frames · 6 Static and dynamic · 7 URDF and sensors · 10 Clocks and bags · 11 Tools and RViz · 12 Owners and diagnosis.
+# To come: 4 The tree of frames · 6 Static and dynamic · 7 URDF and sensors · 10 Clocks and bags · 12 Owners and diagnosis.
 
 # %% [markdown] lang="ko" name="chapters-table" slide="-"
 # | | 장 | 장의 질문 | 시간 | 먼저 볼 장 | 연습 |
@@ -199,8 +200,9 @@ graph.stop()
 # | 5 | **[map, odom, base_link](05_map_odom_base_link.ipynb)** | 세계에 고정된 기준 좌표계는 왜 둘이나 필요할까요? | 50분 | 3, 4 | [E5](../../exercises/ko/E05_map_odom_base_link.ipynb) |
 # | 8 | **[버퍼와 측정 시각](08_buffer_and_measurement_time.ipynb)** | 그것을 본 순간, 나는 어디에 있었을까요? | 75분 | 3, 6 | [E8](../../exercises/ko/E08_buffer_and_measurement_time.ipynb) |
 # | 9 | **[예외와 기다림](09_exceptions_and_waiting.ipynb)** | 왜 답이 없을까요? 기다리면 될까요? | 90분 | 4, 8 | [E9](../../exercises/ko/E09_exceptions_and_waiting.ipynb) |
+# | 11 | **[도구와 RViz](11_tools_and_rviz.ipynb)** | 어떤 질문에 어떤 도구를 쓸까요? | 60분 | 4, 5, 8 | [E11](../../exercises/ko/E11_tools_and_rviz.ipynb) |
 #
-# 준비 중인 장: 4 좌표계 트리 · 6 정적 변환과 동적 변환 · 7 URDF와 센서 · 10 시계와 bag · 11 도구와 RViz · 12 발행 책임과 진단.
+# 준비 중인 장: 4 좌표계 트리 · 6 정적 변환과 동적 변환 · 7 URDF와 센서 · 10 시계와 bag · 12 발행 책임과 진단.
 
 # %% [markdown] lang="en" name="checks" slide="slide"
 # ## How your answers are checked

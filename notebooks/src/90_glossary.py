@@ -268,8 +268,16 @@
 # ## Chapter 11 · Tools and RViz
 #
 # - **tf2_monitor (변환 지연 감시 도구)**: A tool that measures how late and how often transforms arrive.
+# - **owner (발행 책임)**: The node that sends an edge, and the only one that should; no ROS 2 tool names it.
+# - **display status (디스플레이 상태)**: What RViz says below each entry of its list: Ok, Warn or Error; Ok means that it could be computed.
+# - **decay time (표시 유지 시간)**: How long RViz leaves a message on the screen; 0 means until the next one comes.
+# - **snapshot (스냅샷)**: What a tool saw during a few seconds; what happens outside of them it does not know.
 
 # %% [markdown] lang="ko" name="chapter-11" slide="skip"
 # ## 11장 · 도구와 RViz
 #
 # - **변환 지연 감시 도구 (tf2_monitor)**: 변환이 얼마나 늦게, 얼마나 자주 도착하는지 재는 도구입니다.
+# - **발행 책임 (owner)**: 한 연결을 보내는, 그리고 혼자만 보내야 하는 노드의 책임입니다. ROS 2 도구는 그 노드를 알려 주지 않습니다.
+# - **디스플레이 상태 (display status)**: RViz 목록의 항목마다 붙는 Ok, Warn, Error입니다. Ok는 계산할 수 있었다는 뜻입니다.
+# - **표시 유지 시간 (decay time)**: RViz가 메시지를 화면에 남겨 두는 시간입니다. 0이면 다음 메시지가 올 때까지입니다.
+# - **스냅샷 (snapshot)**: 도구가 몇 초 동안 본 것입니다. 그 밖의 시간에 일어난 일은 알 수 없습니다.
