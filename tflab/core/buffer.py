@@ -231,6 +231,7 @@ class BufferCore(Inspection):
 
     def why_not(self, target_frame: str, source_frame: str, stamp_ns: int) -> tuple[bool, str]:
         """Return (can_transform, tf2's text why not), the text "" if it can."""
+        stamp_ns = checks.whole_nanoseconds(stamp_ns)
         if target_frame == source_frame:
             return True, ""
         with self._lock:
@@ -246,6 +247,7 @@ class BufferCore(Inspection):
         self, target_frame: str, target_ns: int, source_frame: str, source_ns: int, fixed_frame: str
     ) -> tuple[bool, str]:
         """Return (can_transform_full, tf2's text why not), the text "" if it can."""
+        target_ns, source_ns = checks.whole_nanoseconds(target_ns), checks.whole_nanoseconds(source_ns)
         with self._lock:
             text = checks.fault_in_question(
                 self._tree, target_frame=target_frame, source_frame=source_frame, fixed_frame=fixed_frame
@@ -309,6 +311,7 @@ class BufferCore(Inspection):
         set_transform that decided it.  Return the handle, or
         `requests.POSSIBLE_NOW` or `requests.NEVER`, and then there is no call.
         """
+        stamp_ns = checks.whole_nanoseconds(stamp_ns)
         with self._lock:
             return self._requests.add(target_frame, source_frame, stamp_ns, callback)
 
