@@ -5,6 +5,7 @@
 #   make build     make the notebooks of their sources
 #   make site      the book as a web site, in site/
 #   make pictures  the pictures of the README and the site, of the pages
+#   make fast      four pages of the engine, compiled beside their sources;  make test-compiled  and their tests
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -23,7 +24,7 @@ VERSION := $(shell $(PYTHON) -c '$(SAY_VERSION)' 2>/dev/null)
 LEARNER := $(VENV)/learner-$(VERSION)
 DEVELOPER := $(VENV)/developer-$(VERSION)
 
-.PHONY: lab test test-fast check build site pictures fast bench clean
+.PHONY: lab test test-fast check build site pictures fast test-compiled bench clean
 
 lab: $(LEARNER)
 	$(BIN)/tflab lab $(ARGS)
@@ -48,6 +49,13 @@ site: $(DEVELOPER)
 
 pictures: $(DEVELOPER)
 	$(BIN)/python docs/make_pictures.py
+
+fast: $(DEVELOPER)
+	$(BIN)/python hatch_build.py
+
+test-compiled: fast
+	$(BIN)/python -c "import tflab.core; assert tflab.core.BUILD == 'compiled'"
+	$(BIN)/python -m pytest -n $(WORKERS) --dist loadscope tests/core tests/ros
 
 bench: $(DEVELOPER)
 	$(BIN)/python -m pip install --quiet --constraint constraints.txt --editable ".[bench]"
