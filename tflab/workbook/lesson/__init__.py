@@ -23,9 +23,11 @@ from tflab.bags.reader import read_bag
 from tflab.core import LATEST, BufferCore, StampedTransform, Transform, seconds
 from tflab.core.quaternions import angle, xyzw_from_wxyz
 from tflab.doctor import examine
+from tflab.robots.kinematics import link_poses
 from tflab.robots.motion import Drive, Leg, PlanarPose
 from tflab.robots.nodes import launch
-from tflab.robots.teaching import Source, TeachingRobot
+from tflab.robots.teaching import Source, TeachingRobot, teaching_urdf
+from tflab.robots.urdf import parse_urdf
 from tflab.robots.world import BALL, ROOM
 from tflab.ros import new_graph
 from tflab.tools.buffers import draw_buffer, draw_history, draw_question, draw_walk
@@ -80,7 +82,7 @@ from .disguised import draw_rviz, start_robot, stop_node
 from .joints import draw_joints, joint_in_file, joints_panel
 from .panels import clocks_panel, sentence_panel, tree_panel
 from .recordings import draw_heard, fresh_folder, place_messages
-from .room import draw_now, draw_room, show_drive, show_latency
+from .room import draw_now, draw_room, draw_walls, scan_on_map, show_drive, show_latency
 from .toolbox import draw_toolbox, tools_panel
 from .waiting import (
     GapWatcher,
@@ -163,6 +165,7 @@ __all__ = [
     "draw_tracks",
     "draw_turns",
     "draw_walk",
+    "draw_walls",
     "drive",
     "examine",
     "example_bag",
@@ -178,17 +181,20 @@ __all__ = [
     "latency_error",
     "latency_panel",
     "launch",
+    "link_poses",
     "look",
     "mount_panel",
     "new_graph",
     "on_robot_c",
     "optical_from_body",
+    "parse_urdf",
     "place_messages",
     "read_bag",
     "readings_of",
     "rotation_panel",
     "rulers_panel",
     "run_node",
+    "scan_on_map",
     "seconds",
     "seen_from",
     "sentence_panel",
@@ -199,6 +205,7 @@ __all__ = [
     "start_robot",
     "stop_node",
     "straight_ahead",
+    "teaching_urdf",
     "timeline_panel",
     "tools_panel",
     "tree_panel",

@@ -2,6 +2,7 @@
 
     show_drive()             the robot, its laser and the walls in 3D, second by second
     draw_room(at_s=12.0)     the same from above, standing still
+    scan_on_map(robot, at_s=1.0)   where its drawing puts what its laser measured
     draw_now(graph, "map")   every frame of a graph, where it is now
     show_latency()           a ball that was seen a moment ago, drawn with the pose of now
 
@@ -13,6 +14,7 @@ from __future__ import annotations
 import numpy as np
 
 from tflab.core import LATEST, NSEC_PER_SEC, Transform, seconds
+from tflab.robots.kinematics import link_poses
 from tflab.robots.motion import Drive
 from tflab.robots.teaching import TeachingRobot
 from tflab.robots.world import ROOM
@@ -25,7 +27,7 @@ from tflab.views.placed import draw_placed
 from tflab.views.scene import Scene, draw_arrow, draw_frame, draw_path, draw_robot, draw_scan
 from tflab.views.scene.drawing import ACCENT
 
-__all__ = ["draw_now", "draw_room", "draw_walls", "show_drive", "show_latency"]
+__all__ = ["draw_now", "draw_room", "draw_walls", "scan_on_map", "show_drive", "show_latency"]
 
 EVERY_RAY = 4  # of the laser's: enough to see the walls
 WALL_COLOUR = "#808890"
@@ -62,6 +64,16 @@ def draw_room(at_s: float) -> Picture:
     stamp_ns = round(at_s * NSEC_PER_SEC)
     points = robot.truth_at(stamp_ns)["laser_frame"].apply(robot.laser.scan_at(stamp_ns).points())
     return draw_placed({f"laser scan at {at_s:.0f} s, on the map": points}, walls=ROOM.walls)
+
+
+def scan_on_map(robot: TeachingRobot, at_s: float) -> np.ndarray:
+    """Return where a scan of `at_s` [s] comes to lie on the map, shape (n, 3) [m].
+
+    The robot is where it truly is; its laser is where the drawing says, screwed on as it may be.
+    """
+    stamp_ns = seconds(at_s)
+    map_T_laser = robot.truth_at(stamp_ns)["base_footprint"] @ link_poses(robot.model)["laser_frame"]
+    return map_T_laser.apply(robot.laser.scan_at(stamp_ns).points())
 
 
 def draw_now(graph: Graph, fixed_frame: str) -> Picture:
