@@ -171,12 +171,20 @@
 #
 # - **URDF (로봇 모델 파일)**: The file that describes a robot's links and joints, and so its fixed transforms.
 # - **robot_state_publisher (로봇 상태 발행자)**: The node that turns a URDF and joint states into transforms.
+# - **link (링크)**: A rigid part of a robot, and the frame that is bolted to it.
+# - **joint (관절)**: Where a child link is in its parent: an origin, and, if it moves, a movement about or along an axis.
+# - **forward kinematics (정기구학)**: Joint positions in, the pose of the tip out: the product of the transforms of all joints.
+# - **tcp (공구 중심점)**: Tool centre point: the frame at which a tool works, below `tool0`, where the arm ends.
 
 # %% [markdown] lang="ko" name="chapter-7" slide="skip"
 # ## 7장 · URDF와 센서
 #
 # - **로봇 모델 파일 (URDF)**: 로봇의 링크와 관절, 즉 고정된 변환을 적은 파일입니다.
 # - **로봇 상태 발행자 (robot_state_publisher)**: URDF와 관절 값에서 변환을 만들어 발행하는 노드입니다.
+# - **링크 (link)**: 로봇의 단단한 부품 하나이며, 거기에 고정된 좌표계이기도 합니다.
+# - **관절 (joint)**: 자식 링크가 부모 링크의 어디에 달려 있는지를 나타냅니다. origin이 있고, 움직이는 관절이면 축을 중심으로 돌거나 축을 따라 미끄러집니다.
+# - **정기구학 (forward kinematics)**: 관절 값에서 팔 끝의 포즈를 구하는 계산이며, 모든 관절의 변환을 곱한 것입니다.
+# - **공구 중심점 (tcp)**: 공구가 일하는 점의 좌표계(tool centre point)이며, 팔이 끝나는 `tool0` 아래에 둡니다.
 
 # %% [markdown] lang="en" name="chapter-8" slide="skip"
 # ## Chapter 8 · Buffer and measurement time

@@ -23,6 +23,14 @@ def test_a_node_of_the_lecture_is_shown_unchanged(stem, node, language):
     assert lines((LECTURE / node).read_text(encoding="utf-8")) in shown
 
 
+def test_the_lectures_urdf_is_read_as_it_is():
+    path = workbook_data() / "notebooks" / "en" / "07_urdf_and_sensors.ipynb"
+    cells = {cell["id"]: cell for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]}
+    cell = cells["lecture-urdf"]
+    assert (LECTURE / "robot.urdf").read_text(encoding="utf-8").strip() in "".join(cell["source"])
+    assert "".join(cell["outputs"][0]["text"]).startswith("base_T_laser (0.200, 0.000, 0.150) m")
+
+
 def lines(text: str) -> list[str]:
     """Return the lines that are code, without the comments of either."""
     without = (re.sub(r"\s*#.*", "", line) for line in text.splitlines())

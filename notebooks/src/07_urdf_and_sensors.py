@@ -1,0 +1,789 @@
+# %% [markdown] lang="en" name="title" slide="slide"
+# # 07 · The drawing and the screws
+#
+# **URDF and sensors** · about 60 minutes · builds on 02 and 06
+#
+# After this chapter you can
+#
+# - read a joint of a [[urdf|URDF]]: its origin, its axis, and what neither of them says;
+# - work out where an arm's tip is, domino by domino;
+# - say which frames `robot_state_publisher` publishes, on which topic, and why some are missing;
+# - recognise a sensor that is screwed on otherwise than it is drawn: turned, tilted, on its back.
+
+# %% [markdown] lang="ko" name="title" slide="slide"
+# # 07 · 도면과 나사
+#
+# **URDF와 센서** · 약 60분 · 02, 06장을 바탕으로 합니다
+#
+# 이 장을 마치면 다음을 할 수 있습니다.
+#
+# - [[urdf|URDF]]의 관절 하나를 읽습니다. origin과 axis가 말하는 것, 그리고 어느 것도 말하지 않는 것을 압니다.
+# - 로봇 팔 끝의 위치를 도미노처럼 하나씩 이어 계산합니다.
+# - `robot_state_publisher`가 어떤 좌표계를 어느 토픽으로 발행하는지, 왜 일부가 빠지는지 설명합니다.
+# - 도면과 다르게 달린 센서를 알아봅니다. 돌아간 것, 기울어진 것, 뒤집힌 것입니다.
+
+# %% [markdown] lang="en" name="title-notes" slide="notes"
+# One sentence carries the chapter: a URDF is a promise about screws, and TF repeats it without looking. Ask: how would you notice that a laser is turned by 90 degrees? Collect answers; somebody will say "RViz shows an error".
+
+# %% [markdown] lang="ko" name="title-notes" slide="notes"
+# 이 장의 핵심은 한 문장입니다. URDF는 나사에 대한 약속이고, TF는 확인하지 않고 그대로 전합니다. 먼저 묻습니다. 레이저가 90도 돌아가 있다면 어떻게 알아챌까요? "RViz에 오류가 납니다"라는 답이 나올 것입니다.
+
+# %% name="load" slide="skip"
+# %load_ext tflab
+import math
+
+from tflab.core import Transform, seconds
+from tflab.workbook import lesson
+
+# %% [markdown] lang="en" name="story" slide="slide"
+# ## The line that turned nothing
+#
+# A new lidar sits on its robot at another angle than the old one. Somebody opens the robot's URDF, the file that says where its parts are, and writes `rpy="0 0 1.57"`: a quarter turn.
+# Nothing happens. They ask for help; two years later the question is closed, unanswered (cartographer_ros #1017).
+#
+# The line stood in the `<visual>`. That is the paint. And the paint was a cylinder, turned about its own axis: not even the picture could change.
+#
+# Another robot published turns with the wrong sign *on every run it had ever done*. Its wheels said left, its gyro said right. The wheels were blamed, twice (fusioncore #88).
+
+# %% [markdown] lang="ko" name="story" slide="slide"
+# ## 아무것도 돌리지 못한 한 줄
+#
+# 새 라이다를 달았더니 예전 것과 각도가 다릅니다. 그래서 부품의 위치를 적은 파일인 URDF를 열어 `rpy="0 0 1.57"`이라고 썼습니다. 90도입니다.
+# 아무 일도 일어나지 않았습니다. 도움을 청한 질문은 2년 뒤 답 없이 닫혔습니다(cartographer_ros #1017).
+#
+# 그 줄은 `<visual>`, 곧 겉모습에 적혀 있었습니다. 게다가 그 겉모습은 원기둥이었고 자기 축을 중심으로 돌렸으니, 그림조차 달라질 수 없었습니다.
+#
+# 또 다른 로봇은 *그때까지 달린 모든 주행에서* 회전을 반대 부호로 발행했습니다. 바퀴는 왼쪽이라 하고 자이로는 오른쪽이라 했습니다. 사람들은 두 번이나 바퀴를 탓했습니다(fusioncore #88).
+
+# %% [markdown] lang="en" name="story-sources" slide="skip"
+# *Read them:* cartographer_ros [1017](https://github.com/cartographer-project/cartographer_ros/issues/1017); fusioncore [88](https://github.com/manankharwar/fusioncore/issues/88). (There the driver counted like a compass, clockwise; an IMU on its back does the same to you.) [URDF's rules for a joint](http://wiki.ros.org/urdf/XML/joint).
+
+# %% [markdown] lang="ko" name="story-sources" slide="skip"
+# *직접 읽어 보기:* cartographer_ros [1017](https://github.com/cartographer-project/cartographer_ros/issues/1017), fusioncore [88](https://github.com/manankharwar/fusioncore/issues/88). (이 로봇에서는 드라이버가 나침반처럼 시계 방향으로 셌습니다. IMU를 뒤집어 달아도 같은 일이 생깁니다.) [URDF의 관절 규칙](http://wiki.ros.org/urdf/XML/joint).
+
+# %% [markdown] lang="en" name="predict" slide="slide"
+# ## Predict
+#
+# 1. Our robot's laser is truly turned to the left by 90°, and that line stands in its `<visual>`. **How far off** does the map put the walls: centimetres, or metres?
+# 2. `robot_state_publisher` runs, and nobody says where the joints are. **Which frames are missing?** None, all, or some?
+# 3. A laser looks down by 3° in a room of 10 m. **What does the map show?**
+# 4. An IMU is screwed on upside down, and the robot turns **left**. Which sign has its gyro's z?
+
+# %% [markdown] lang="ko" name="predict" slide="slide"
+# ## 예측해 봅시다
+#
+# 1. 우리 로봇의 레이저가 실제로 왼쪽으로 90° 돌아가 있고, 그 줄은 `<visual>`에 적혀 있습니다. 지도에서 벽은 **얼마나 어긋날까요?** 센티미터일까요, 미터일까요?
+# 2. `robot_state_publisher`는 켜져 있지만 관절 값을 아무도 알려 주지 않습니다. **어떤 좌표계가 없을까요?** 없는 것이 없을까요, 전부일까요, 일부일까요?
+# 3. 10 m 길이의 방에서 레이저가 아래로 3° 기울어 있습니다. **지도에는 무엇이 보일까요?**
+# 4. IMU를 뒤집어 달았는데 로봇이 **왼쪽**으로 돕니다. 자이로 z의 부호는 무엇일까요?
+
+# %% [markdown] lang="en" name="predict-notes" slide="notes"
+# Hands for each. For 1, "at least the picture turns" is the answer to wait for. For 2, "all, at zero". For 3, somebody will compute a cosine: walls 0.14 % short. All three are good mistakes.
+
+# %% [markdown] lang="ko" name="predict-notes" slide="notes"
+# 하나씩 손을 들게 합니다. 1번에서는 "그림은 돌겠지요", 2번에서는 "모두 0의 자리에 나옵니다", 3번에서는 코사인을 계산한 "벽이 0.14 % 가까워집니다"를 기다립니다. 모두 좋은 실수입니다.
+
+# %% name="my-guess" slide="skip"
+walls_off, missing, tilted_map, gyro_z = ..., ..., ..., ...
+
+# %% [markdown] lang="en" name="two-origins" slide="slide"
+# ## Two origins
+#
+# A URDF has [[link|links]], the rigid parts, and [[joint|joints]], which say how one link hangs on another. Each link is a [[frame]]; each joint is one [[transform]], parent to child. This is the lecture's whole robot:
+
+# %% [markdown] lang="ko" name="two-origins" slide="slide"
+# ## 두 가지 origin
+#
+# URDF에는 단단한 부품인 [[link|링크(link)]]와, 링크가 다른 링크에 어떻게 달려 있는지 적은 [[joint|관절(joint)]]이 있습니다. 링크마다 [[frame|좌표계]]가 하나씩 있고, 관절은 부모에서 자식으로 가는 [[transform|변환]] 하나입니다. 강의에 나온 로봇의 전부입니다.
+
+# %% name="lecture-urdf" slide="-"
+LECTURE = """<robot name="tf_lab_robot">
+  <link name="base_link"/>
+  <link name="laser_frame"/>
+  <joint name="base_to_laser" type="fixed">
+    <parent link="base_link"/>
+    <child link="laser_frame"/>
+    <origin xyz="0.20 0.0 0.15" rpy="0.0 0.0 0.0"/>
+  </joint>
+</robot>"""
+base_T_laser = lesson.link_poses(lesson.parse_urdf(LECTURE))['laser_frame']
+print('base_T_laser', lesson.fmt_all(base_T_laser.translation), 'rpy', lesson.fmt_all(base_T_laser.rpy(), 'rad'))
+
+# %% [markdown] lang="en" name="two-origins-why"
+# Read it aloud: *the laser hangs on `base_link`, 0.20 ahead and 0.15 up, not turned.* That is `base_T_laser`, in metres and radians, translation first.
+# Our own robot's URDF has these lines among others.
+#
+# A link can have a `<visual>` with an `<origin>` of its own. That one says where the *paint* is on the link. TF never reads it.
+# Now the laser is really turned, by a screwdriver: `screws` says how it is truly bolted on. TF does not know.
+
+# %% [markdown] lang="ko" name="two-origins-why"
+# 소리 내어 읽어 보세요. *레이저는 `base_link`에 달려 있고, 앞으로 0.20, 위로 0.15이며, 돌아가지 않았다.* 이것이 `base_T_laser`이고, 단위는 미터와 라디안이며 이동이 먼저입니다.
+# 우리 로봇의 URDF에도 이 줄들이 있습니다.
+#
+# 링크에는 `<visual>`이 있을 수 있고, 그 안에도 `<origin>`이 있습니다. 이것은 *겉모습*이 링크의 어디에 그려지는지를 적은 것입니다. TF는 읽지 않습니다.
+# 이제 레이저를 드라이버로 풀어 실제로 돌려 답니다. `screws`는 실제로 달린 상태입니다. TF는 알지 못합니다.
+
+# %% name="write-the-line" slide="fragment"
+URDF = lesson.teaching_urdf()
+QUARTER = 'rpy="0 0 1.5707963267948966"'
+in_visual = URDF.replace('<geometry><cylinder radius="0.04"', f'<origin xyz="0 0 0" {QUARTER}/>\n      <geometry><cylinder radius="0.04"')
+in_joint = URDF.replace('xyz="0.20 0.0 0.15" rpy="0.0 0.0 0.0"', f'xyz="0.20 0.0 0.15" {QUARTER}')
+truly = {'laser_frame': Transform.from_rpy(yaw=math.pi / 2, translation=(0.20, 0.0, 0.15))}
+
+# %% name="where-the-walls-are" tags=["predicted"] slide="fragment"
+placed = {}
+for name, urdf in {'nothing written': URDF, 'in <visual>': in_visual, 'in <joint>': in_joint}.items():
+    robot = lesson.TeachingRobot(urdf=urdf, screws=truly)
+    placed[name] = lesson.scan_on_map(robot, at_s=1.0)
+lesson.draw_placed(placed, walls=lesson.ROOM.walls)
+
+# %% [markdown] lang="en" name="walls-seen" tags=["predicted"]
+# From above: grey are the walls, dots are where the robot's TF puts what its laser measured. One and a half metres off on average, almost five at worst, and the line in `<visual>` changes not one dot.
+# In the joint it cures everything, down to the laser's own noise of millimetres.
+#
+# Nobody complained: no tool compares the drawing with the screws. *You* do, with something that you know to be straight ahead.
+
+# %% [markdown] lang="ko" name="walls-seen" tags=["predicted"]
+# *그림 읽기:* 위에서 본 모습입니다. 회색은 벽, 점은 TF가 레이저의 측정값을 놓은 자리입니다. nothing written = 아무것도 쓰지 않음, off by = 어긋난 거리, on average = 평균, at worst = 최대.
+#
+# 평균 1.5미터, 최대 5미터 가까이 어긋납니다. `<visual>`에 쓴 줄은 점 하나도 바꾸지 못했습니다. 관절에 쓰면 레이저의 잡음인 몇 밀리미터만 남고 모두 맞습니다.
+#
+# 아무 오류도 나지 않았습니다. 도면과 나사를 비교해 주는 도구는 없습니다. 똑바로 앞에 있다고 알고 있는 물체로 *여러분이* 비교해야 합니다.
+
+# %% name="laser-and-ghost" slide="subslide"
+poses = lesson.link_poses(lesson.parse_urdf(in_visual))
+axes = {name: poses[name] for name in ('base_link', 'laser_frame')}
+truth = {'laser, truly': poses['base_link'] @ truly['laser_frame']}
+lesson.draw_scene(axes, ghosts=truth, fixed_frame='base_footprint', length_m=0.08)
+
+# %% [markdown] lang="en" name="small-mistakes"
+# Smaller lies are harder to see: a laser that is drawn 0.20 m behind its place puts the walls 0.08 m off. `1.57` for a quarter turn is short by 0.0456°: 8 mm at 10 m. Write `1.5708`, or more digits.
+
+# %% [markdown] lang="ko" name="small-mistakes"
+# *그림 읽기:* 기울임꼴 회색(laser, truly)은 실제로 달린 레이저, 나머지는 TF가 아는 좌표계입니다.
+#
+# 작은 거짓말은 더 알아채기 어렵습니다. 레이저를 실제보다 0.20 m 뒤에 그리면 벽이 0.08 m 어긋납니다. 90도를 `1.57`로 쓰면 0.0456° 모자라고, 10 m 앞에서 8 mm입니다. `1.5708`이나 더 긴 숫자를 쓰세요.
+
+# %% [markdown] lang="en" name="axis" slide="slide"
+# ## A joint: an origin, then a movement
+#
+# A joint that moves has an `<axis>`. It is written in the **child's** axes, as they stand after the origin: `parent_T_child = origin @ movement`.
+#
+# A camera head is bolted on facing left, `rpy="0 0 1.5708"`, and its axis is `0 1 0`. The motor turns by +0.5 rad. **Predict:** does the head nod or does it roll?
+
+# %% [markdown] lang="ko" name="axis" slide="slide"
+# ## 관절: origin 다음에 움직임
+#
+# 움직이는 관절에는 `<axis>`가 있습니다. axis는 origin을 적용한 뒤의 **자식** 좌표계의 축으로 적습니다. `parent_T_child = origin @ movement`입니다.
+#
+# 카메라 머리가 왼쪽을 보도록 달려 있고(`rpy="0 0 1.5708"`) 축은 `0 1 0`입니다. 모터가 +0.5 rad 돕니다. **예측해 봅시다.** 고개를 끄덕일까요, 옆으로 갸웃할까요?
+
+# %% name="neck"
+NECK = """<robot name="neck"> <link name="body"/> <link name="head"/>
+  <joint name="neck" type="revolute">
+    <parent link="body"/> <child link="head"/>
+    <origin xyz="0 0 0" rpy="0 0 1.5707963267948966"/>
+    <axis xyz="0 1 0"/>
+    <limit lower="-1" upper="1" effort="1" velocity="1"/>
+  </joint> </robot>"""
+origin, movement = Transform.from_rpy(yaw=math.pi / 2), Transform.from_rpy(pitch=0.5)
+
+# %% name="nod-or-roll" tags=["predicted"] slide="fragment"
+head = lesson.link_poses(lesson.parse_urdf(NECK), {'neck': 0.5})['head']
+misread = movement @ origin
+for name, pose in {'origin @ movement': head, 'movement @ origin': misread}.items():
+    print(f'{name}: a nose 1 m ahead of the head is at {lesson.fmt_all(pose.apply((1, 0, 0)))}')
+lesson.draw_scene({'head': head}, {'nose': head.apply((1, 0, 0))}, fixed_frame='body',
+                  ghosts={'misread': misread}, ghost_points={'nose, misread': misread.apply((1, 0, 0))}, length_m=0.4)
+
+# %% [markdown] lang="en" name="axis-seen" tags=["predicted"]
+# It nods: the nose goes down to z = −0.479, to the left of the body, where the head faces. Who reads the axis in the parent's axes sees the head roll onto its side, its nose where it was.
+# TurtleBot3's wheels are written like this: `rpy="-1.57 0 0"` tips the axes over, and then `axis="0 0 1"` points sideways.
+#
+# Two more readings of the same lines. There is no degree in a URDF: `rpy="0 0 90"` is 90 rad, fourteen full turns and 116.62°. And rpy turns about the fixed axes of the parent, roll first, as in chapter 02.
+
+# %% [markdown] lang="ko" name="axis-seen" tags=["predicted"]
+# *그림 읽기:* head = 머리, nose = 코, misread = 잘못 읽은 경우(회색 기울임꼴).
+#
+# 끄덕입니다. 코가 머리가 보는 왼쪽에서 z = −0.479로 내려갑니다. 축을 부모의 축으로 읽으면 머리가 옆으로 갸웃하고 코는 제자리입니다.
+# TurtleBot3의 바퀴가 이렇게 적혀 있습니다. `rpy="-1.57 0 0"`으로 축을 눕힌 다음, `axis="0 0 1"`이 옆을 향합니다.
+#
+# 두 가지를 더 조심하세요. URDF에는 도(degree)가 없습니다. `rpy="0 0 90"`은 90 rad이고, 열네 바퀴를 돌고 116.62°입니다. rpy는 02장에서처럼 부모의 고정된 축을 중심으로 roll부터 돕니다.
+
+# %% [markdown] lang="en" name="chain" slide="slide"
+# ## A chain: dominoes with hinges
+#
+# `base_link`, `shoulder`, `elbow`, `wrist`, `tool0`, `tcp`: each joint is one domino, and the tip is their product. (The field says [[forward kinematics]].) Move a slider: which dominoes change their numbers?
+
+# %% [markdown] lang="ko" name="chain" slide="slide"
+# ## 사슬: 경첩이 달린 도미노
+#
+# `base_link`, `shoulder`, `elbow`, `wrist`, `tool0`, `tcp`. 관절마다 도미노가 하나이고, 팔 끝은 그 곱입니다. (이 계산을 [[forward kinematics|정기구학(forward kinematics)]]이라고 합니다.) 슬라이더를 움직여 보세요. 어느 도미노의 숫자가 바뀔까요?
+
+# %% name="arm-panel" tags=["interactive"]
+lesson.joints_panel()
+
+# %% name="arm-still" slide="-"
+at = {'shoulder_joint': 0.5, 'elbow_joint': -0.6, 'wrist_joint': 0.4}
+poses = lesson.link_poses(lesson.parse_urdf(URDF), at)
+base_T_tool0 = poses['base_link'].inverse() @ poses['tool0']
+x, y, z = base_T_tool0.translation
+lesson.draw_joints(at, touched='elbow_joint', ghosts={'0.12 added to z': (x, y, z + 0.12)})
+
+# %% [markdown] lang="en" name="chain-seen"
+# - A joint changes one domino, its own. The tip moves because the product does.
+# - The fixed joints have numbers, too, and no hinge.
+# - [[tcp|`tcp`]] (tool centre point) is where the tool works, 0.12 m beyond `tool0`, where the arm ends. It is a **frame of its own**, along the tool's z, so that another tool changes one domino. Who adds 0.12 to the z of `base_link` lands at the grey ring, 15 cm beside it.
+#
+# Zero is a position like any other: at zero the tip is at (0.470, 0, 0.150).
+
+# %% [markdown] lang="ko" name="chain-seen"
+# *그림 읽기:* from above = 위에서, from the side = 옆에서, fixed = 고정. 둥근 고리가 있는 도미노가 움직이는 관절이고, 아래는 굵은 테두리 관절의 URDF입니다. 회색 고리는 0.12를 z에 더한 경우입니다.
+#
+# - 관절은 자기 도미노 하나만 바꿉니다. 팔 끝은 곱이 바뀌어서 움직입니다.
+# - 고정된 관절에도 숫자는 있습니다. 경첩만 없습니다.
+# - [[tcp|`tcp`]](tool centre point)는 공구가 일하는 점이고, 팔이 끝나는 `tool0`에서 0.12 m 더 나간 곳입니다. 공구의 z를 따라 **따로 둔 좌표계**이므로, 공구를 바꾸면 도미노 하나만 바뀝니다. `base_link`의 z에 0.12를 더하면 15 cm 옆의 회색 고리로 갑니다.
+#
+# 0도 다른 값과 다를 바 없는 위치입니다. 모두 0이면 팔 끝은 (0.470, 0, 0.150)에 있습니다.
+
+# %% [markdown] lang="en" name="touch" slide="subslide"
+# How does one find a tcp? Touch a mark whose place is known, `base_p_tip`, and ask where it is for the tool: `tool0_p_tip = tool0_T_base @ base_p_tip`.
+
+# %% [markdown] lang="ko" name="touch" slide="subslide"
+# tcp는 어떻게 알아낼까요? 위치를 아는 표시 `base_p_tip`에 공구 끝을 대고, 공구에서 보면 어디인지 계산합니다. `tool0_p_tip = tool0_T_base @ base_p_tip`입니다.
+
+# %% name="touch-it" slide="-"
+base_p_tip = (0.3563, 0.2491, 0.3546)  # where the mark is, measured with a ruler
+tool0_p_tip = base_T_tool0.inverse().apply(base_p_tip)
+print('tool0_p_tip', lesson.fmt_all(tool0_p_tip))
+
+# %% [markdown] lang="en" name="faded" slide="subslide"
+# ### Now you write
+#
+# A camera hangs on `base_link`, 10 cm ahead, 12 cm to its right, 30 cm up, and looks 20° to the left. Fill the four blanks. Then its optical frame, which turns as in chapter 02.
+#
+# ```xml
+# <joint name="base_to_camera" type="fixed">
+#   <parent link="____________"/> <child link="camera_link"/>
+#   <origin xyz="____________" rpy="____________"/>
+# </joint>
+# <joint name="camera_to_optical" type="fixed">
+#   <parent link="camera_link"/> <child link="camera_optical_frame"/>
+#   <origin rpy="____________"/>
+# </joint>
+# ```
+#
+# <details><summary>Compare</summary>
+#
+# `base_link` · `0.10 -0.12 0.30` (right is −y) · `0 0 0.3491` (left is positive, 20° in radians) · `-1.5708 0 -1.5708`.
+# The camera's own turn stands in the first joint, the turn of the axes in the second, each once.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="faded" slide="subslide"
+# ### 이제 직접 써 보세요
+#
+# 카메라가 `base_link`에 달려 있습니다. 앞으로 10 cm, 오른쪽으로 12 cm, 위로 30 cm이고 왼쪽으로 20°를 봅니다. 빈칸 네 개를 채워 보세요. 다음은 광학 좌표계이며, 02장에서처럼 돕니다.
+#
+# ```xml
+# <joint name="base_to_camera" type="fixed">
+#   <parent link="____________"/> <child link="camera_link"/>
+#   <origin xyz="____________" rpy="____________"/>
+# </joint>
+# <joint name="camera_to_optical" type="fixed">
+#   <parent link="camera_link"/> <child link="camera_optical_frame"/>
+#   <origin rpy="____________"/>
+# </joint>
+# ```
+#
+# <details><summary>맞춰 보기</summary>
+#
+# `base_link` · `0.10 -0.12 0.30`(오른쪽은 −y) · `0 0 0.3491`(왼쪽이 양수, 20°를 라디안으로) · `-1.5708 0 -1.5708`.
+# 카메라가 돌아간 것은 첫 관절에, 축의 방향이 다른 것은 둘째 관절에, 각각 한 번만 적습니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="publisher" slide="slide"
+# ## Who tells TF
+#
+# [[robot_state_publisher]] reads the URDF. Fixed joints go to `/tf_static`, once, for whoever comes later, too (chapter 06).
+# For a joint that moves it needs its position: it waits for messages on `/joint_states`, which a joint driver publishes, and sends on `/tf` the joints that a message **names**. Those, and no others.
+#
+# Here it runs alone. Nobody says where the joints are. What do you expect of the arm?
+
+# %% [markdown] lang="ko" name="publisher" slide="slide"
+# ## 누가 TF에 알릴까요?
+#
+# [[robot_state_publisher|`robot_state_publisher`]]가 URDF를 읽습니다. 고정된 관절은 `/tf_static`으로 한 번 보내고, 나중에 온 수신기도 받습니다(06장).
+# 움직이는 관절은 위치를 알아야 합니다. 그래서 관절 드라이버가 발행하는 `/joint_states` 메시지를 기다리고, 메시지에 **이름이 있는** 관절만 `/tf`로 보냅니다.
+#
+# 이번에는 이 노드만 켭니다. 관절 값을 아무도 알려 주지 않습니다. 팔은 어떻게 될까요?
+
+# %% name="alone" slide="skip"
+import rclpy
+from builtin_interfaces.msg import Time as Stamp
+from rclpy.node import Node
+from rclpy.time import Time
+from sensor_msgs.msg import JointState
+from tf2_ros import Buffer, TransformException, TransformListener
+
+graph = lesson.new_graph()
+robot = lesson.TeachingRobot()
+nodes = lesson.launch(graph, robot, only=['robot_state_publisher'])
+
+# %% name="the-tree-alone" tags=["predicted"] slide="fragment"
+lesson.frame_tree(graph, seconds=1.0)
+
+# %% [markdown] lang="en" name="the-tree-alone-seen" tags=["predicted"]
+# A hand without an arm: `tool0` and `tcp` are bolted to the wrist, and the wrist to nothing. The wheels, `shoulder` and `elbow` are not there at all.
+# The publisher does not guess zero. In RViz the RobotModel says `left_wheel: No transform from [left_wheel] to [odom]`, and who asks for the hand hears:
+
+# %% [markdown] lang="ko" name="the-tree-alone-seen" tags=["predicted"]
+# *그림 읽기:* published by = 발행 책임, S(static) = 정적. 맨 아래 줄은 트리가 둘로 나뉘었다는 경고입니다.
+#
+# 팔 없는 손입니다. `tool0`와 `tcp`는 손목에 고정되어 있지만 손목은 아무 데도 이어져 있지 않습니다. 바퀴와 `shoulder`, `elbow`는 아예 없습니다.
+# 이 노드는 0이라고 짐작하지 않습니다. RViz의 RobotModel에는 `left_wheel: No transform from [left_wheel] to [odom]`이라고 나오고, 손의 변환을 조회하면 이런 오류가 납니다.
+
+# %% name="ask-for-the-hand" slide="-"
+rclpy.init()
+node = Node('driver_and_listener')
+buffer = Buffer()
+listener = TransformListener(buffer, node, spin_thread=True)
+graph.run(seconds=1.0)
+try:
+    buffer.lookup_transform('base_link', 'tool0', Time())
+except TransformException as error:
+    print(type(error).__name__, error, sep='\n')
+
+# %% [markdown] lang="en" name="play-driver" slide="subslide"
+# Now play the joint driver, four times. Three of them are mistakes that real drivers make. **Predict:** which of them give the hand its arm, and which say why not?
+
+# %% [markdown] lang="ko" name="play-driver" slide="subslide"
+# 이번에는 관절 드라이버가 되어 봅시다. 네 번 보냅니다. 그중 셋은 실제 드라이버가 하는 실수입니다. **예측해 봅시다.** 어느 것이 손과 팔을 이어 줄까요? 이유를 알려 주는 것은 어느 것일까요?
+
+# %% name="driver" slide="skip"
+states = node.create_publisher(JointState, 'joint_states', 10)
+JOINTS = ['shoulder_joint', 'elbow_joint', 'wrist_joint']
+
+
+def drive(names, stamp=None, **values):
+    message = JointState(name=names, **values)
+    message.header.stamp = stamp or node.get_clock().now().to_msg()
+    states.publish(message)
+    graph.run(seconds=0.5)
+    return bool(buffer.can_transform('base_link', 'tool0', Time()))
+
+# %% name="four-drivers" tags=["predicted"] slide="fragment"
+print('other names   ', drive(['shoulder', 'elbow', 'wrist'], position=[0.5, -0.6, 0.4]))
+print('stamp zero    ', drive(JOINTS, stamp=Stamp(), position=[0.5, -0.6, 0.4]))
+print('velocity only ', drive(JOINTS, velocity=[0.1, 0.1, 0.1]))
+print('as it should  ', drive(JOINTS, position=[0.5, -0.6, 0.4]))
+
+# %% [markdown] lang="en" name="drivers-seen" tags=["predicted"]
+# - **Other names:** silence. Nobody checks that the names are those of the URDF.
+# - **Stamp zero:** silence. A message that is not newer than the last one is passed over, and zero never is.
+# - **Velocity only:** the one that is told, with a WARN. It names the first joint, in the real node's words.
+#
+# So when an arm is missing: `ros2 topic echo /joint_states`, and read name, stamp, position beside the URDF.
+
+# %% [markdown] lang="ko" name="drivers-seen" tags=["predicted"]
+# - **이름이 다를 때**(other names): 아무 말이 없습니다. URDF의 이름과 같은지 아무도 확인하지 않습니다.
+# - **시각이 0일 때**(stamp zero): 아무 말이 없습니다. 마지막 것보다 새롭지 않은 메시지는 지나치는데, 0은 언제나 새롭지 않습니다.
+# - **속도만 있을 때**(velocity only): 유일하게 WARN이 나옵니다. 첫 관절의 이름이 적혀 있고, 문구는 실제 노드의 것입니다.
+#
+# 팔이 보이지 않으면 `ros2 topic echo /joint_states`로 이름, 시각, 위치를 URDF와 나란히 놓고 읽으세요.
+
+# %% name="the-drawing-itself" slide="skip"
+# %ros2 topic echo /robot_description --once
+
+# %% name="stop" slide="skip"
+graph.stop()
+node.destroy_node()
+rclpy.shutdown()
+
+# %% [markdown] lang="en" name="tilt" slide="slide"
+# ## A laser that looks down
+#
+# The laser sits 0.15 m above `base_link`, and `base_link` 0.10 m above the floor: **0.25 m**. Looking down by a small angle, a level ray meets the floor at 0.25 / tan(angle):
+
+# %% [markdown] lang="ko" name="tilt" slide="slide"
+# ## 아래를 보는 레이저
+#
+# 레이저는 `base_link`에서 0.15 m 위에 있고, `base_link`는 바닥에서 0.10 m 위에 있습니다. 합하면 **0.25 m**입니다. 조금 기울면 앞을 보는 빛은 0.25 / tan(각도)에서 바닥에 닿습니다.
+
+# %% name="how-far" slide="-"
+def tilted(degrees):
+    mount = Transform.from_rpy(pitch=math.radians(degrees), translation=(0.20, 0.0, 0.15))
+    return lesson.TeachingRobot(screws={'laser_frame': mount})
+
+
+for degrees in (1, 2, 3, 5):
+    robot = tilted(degrees)
+    points = robot.truth_at(seconds(1.0))['laser_frame'].apply(robot.laser.scan_at(seconds(1.0)).points())
+    floor = (points[:, 2] < 0.05).mean()
+    print(f'{degrees}°: floor at {0.25 / math.tan(math.radians(degrees)):5.1f} m; {floor:.0%} of the rays end there')
+
+# %% [markdown] lang="en" name="tilt-3d" slide="subslide"
+# In 3D: move the slider, and watch the far wall.
+
+# %% [markdown] lang="ko" name="tilt-3d" slide="subslide"
+# 3D로 봅시다. 슬라이더(tilt = 기울기)를 움직이며 먼 벽을 보세요.
+
+# %% name="tilt-scene" slide="skip"
+scene = lesson.Scene(height_px=360)
+scene.look(eye=(-2.5, -6.5, 4.5), target=(3.0, 0.0, 0.0))
+lesson.draw_walls(scene)
+
+
+def at_tilt(degrees):
+    robot = tilted(degrees)
+    scan, pose = robot.laser.scan_at(seconds(1.0)), robot.truth_at(seconds(1.0))['laser_frame']
+    lesson.draw_frame(scene, 'laser_frame', pose, length_m=0.5)
+    lesson.draw_scan(scene, 'scan', pose, scan.ranges[::4], scan.angle_min, 4 * scan.angle_increment)
+
+# %% name="tilt-sweep" tags=["interactive"]
+scene.sweep('tilt', [0.5 * i for i in range(11)], at_tilt, unit='deg', start=6)
+scene
+
+# %% [markdown] lang="en" name="tilt-map" slide="subslide"
+# And the map, seen from above? First with a URDF that calls the laser level, then with one that says the truth. **Predict:** does the true URDF put the dots back on the walls?
+
+# %% [markdown] lang="ko" name="tilt-map" slide="subslide"
+# 위에서 본 지도는 어떨까요? 먼저 레이저가 수평이라고 적힌 URDF, 다음은 기울기를 제대로 적은 URDF입니다. **예측해 봅시다.** 제대로 적으면 점들이 벽으로 돌아갈까요?
+
+# %% name="tilt-placed" tags=["predicted"]
+drawn = URDF.replace('xyz="0.20 0.0 0.15" rpy="0.0 0.0 0.0"', f'xyz="0.20 0.0 0.15" rpy="0 {math.radians(3)} 0"')
+level = lesson.scan_on_map(tilted(3), at_s=1.0)
+true = lesson.scan_on_map(lesson.TeachingRobot(urdf=drawn), at_s=1.0)
+above = true[true[:, 2] > 0.05]
+lesson.draw_placed({'URDF: level': level, 'URDF: 3°': true, 'URDF: 3°, z > 0.05': above}, walls=lesson.ROOM.walls)
+
+# %% [markdown] lang="en" name="tilt-seen" tags=["predicted"]
+# A **phantom wall** across the room, five metres ahead, where there is only floor. It retreats as you drive towards it, and a planner will not go through.
+# The 0.14 % by which the walls come nearer is there, too; nobody sees it.
+#
+# The true URDF does not put the dots back: these rays *did* end there, on the floor. What it gives them is their z, and then they can be dropped.
+# So if a planar scan is all that a program takes, level the laser with a screwdriver. The lecture says that obstacles are misplaced when a tilted laser is taken for level; the honest URDF is where the repair begins, not where it ends.
+
+# %% [markdown] lang="ko" name="tilt-seen" tags=["predicted"]
+# *그림 읽기:* level = 수평이라고 적힘, 3° = 기울기를 적음, z > 0.05 = 높이 5 cm가 넘는 점만.
+#
+# 5미터 앞, 바닥뿐인 자리에 **유령 벽**이 가로놓입니다. 다가가면 그만큼 물러나지만, 경로 계획기는 지나가려 하지 않습니다.
+# 벽이 0.14 % 가까워지는 일도 실제로 있지만 아무도 알아채지 못합니다.
+#
+# URDF를 제대로 적어도 점들은 돌아가지 않습니다. 빛이 *실제로* 바닥에서 끝났기 때문입니다. 대신 점마다 z가 생기고, 그러면 걸러 낼 수 있습니다.
+# 평면 스캔만 받는 프로그램이라면 드라이버로 레이저를 수평으로 맞추세요. 강의에서는 기울어진 레이저를 수평으로 여기면 장애물 위치가 틀어진다고 했습니다. URDF를 제대로 적는 것은 고치는 일의 시작이지 끝이 아닙니다.
+
+# %% [markdown] lang="en" name="imu" slide="slide"
+# ## An IMU on its back
+#
+# An IMU measures turns (gyro) and what holds it up against gravity (accelerometer), each in its own axes. Ours is screwed on upside down. The robot stands, and then drives a bend to the left, 0.5 m/s and 0.5 rad/s.
+
+# %% [markdown] lang="ko" name="imu" slide="slide"
+# ## 뒤집힌 IMU
+#
+# IMU는 회전(자이로)과, 중력에 맞서 자신을 떠받치는 힘(가속도계)을 각각 자기 축으로 잽니다. 우리 IMU를 뒤집어 답니다. 로봇은 서 있다가 왼쪽으로 굽은 길을 0.5 m/s, 0.5 rad/s로 달립니다.
+
+# %% name="imu-reads" tags=["predicted"] slide="fragment"
+bend = lesson.Drive(legs=[lesson.Leg(2.0), lesson.Leg(6.0, 0.5, 0.5)])
+back = Transform.from_rpy(roll=math.pi, translation=(0.0, 0.0, 0.05))
+imu = lesson.TeachingRobot(bend, screws={'imu_link': back}).imu
+rest, turning = imu.reading_at(seconds(2.0)), imu.reading_at(seconds(6.0))
+turn = Transform(rotation=back.rotation)  # base_T_imu: a vector is turned, not moved
+for name, reading in {'at rest': rest, 'in the bend': turning}.items():
+    print(f'{name:<12} acceleration in imu_link  {lesson.fmt_all(reading.linear_acceleration, "m/s²", 2)}')
+    gyro = reading.angular_velocity
+    print(f'{"":<12} gyro z in imu_link {lesson.fmt(gyro[2], "", 2)}, in base_link {lesson.fmt(turn.apply(gyro)[2], "rad/s", 2)}')
+
+# %% [markdown] lang="en" name="imu-seen" tags=["predicted"]
+# At rest z reads **−9.8** instead of +9.8, and a turn to the left reads **−0.50**. Left is still positive; the IMU's z just points down.
+# It is not broken. Say in the URDF how it is screwed on, `rpy="3.1416 0 0"`, and TF turns each vector back. A minus sign in a node of your own would cure the one number, and break y, and meet the next person as a surprise.
+
+# %% [markdown] lang="ko" name="imu-seen" tags=["predicted"]
+# *그림 읽기:* at rest = 서 있을 때, in the bend = 굽은 길에서, acceleration = 가속도계 값.
+#
+# 서 있을 때 z가 +9.8이 아니라 **−9.8**이고, 왼쪽 회전이 **−0.50**입니다. 왼쪽이 양수라는 약속은 그대로이고, IMU의 z가 아래를 향할 뿐입니다.
+# 고장이 아닙니다. URDF에 달린 그대로 `rpy="3.1416 0 0"`이라고 적으면 TF가 모든 벡터를 되돌립니다. 내 노드에서 마이너스를 붙이면 숫자 하나는 맞지만 y는 틀린 채로 남고, 다음 사람이 영문을 모르게 됩니다.
+
+# %% name="imu-arrows" slide="subslide"
+imu_link = {'base_link': Transform(), 'imu_link': Transform.from_rpy(roll=math.pi, translation=(0.0, 0.0, 0.6))}
+up = (0.0, 0.0, rest.linear_acceleration[2])
+lesson.draw_scene(imu_link, arrows={'acceleration at rest': ('imu_link', up)}, fixed_frame='base_link', length_m=0.2)
+
+# %% [markdown] lang="en" name="gravity" slide="subslide"
+# On its back by roll π, or by pitch π? Or only turned to the left? **Predict:** which of these does the reading at rest tell apart?
+
+# %% [markdown] lang="ko" name="gravity" slide="subslide"
+# *그림 읽기:* acceleration at rest = 서 있을 때의 가속도계 값입니다. IMU의 z는 아래를 향하는데 화살표는 위를 향합니다.
+#
+# roll로 π 뒤집힌 것일까요, pitch로 뒤집힌 것일까요? 아니면 왼쪽으로 돌기만 한 것일까요? **예측해 봅시다.** 서 있을 때의 값으로 구별되는 것은 어느 것일까요?
+
+# %% name="what-gravity-tells" tags=["predicted"]
+mounts = {'as drawn': {}, 'left': {'yaw': math.pi / 2}, 'roll π': {'roll': math.pi}, 'pitch π': {'pitch': math.pi}}
+for name, rpy in mounts.items():
+    base_T_imu = Transform.from_rpy(**rpy)
+    at_rest, in_bend = (base_T_imu.inverse().apply((0.0, pull, 9.81)) for pull in (0.0, 0.25))
+    print(f'{name:<9} at rest {lesson.fmt_all(at_rest, "", 2)}   in the bend {lesson.fmt_all(in_bend, "m/s²", 2)}')
+
+# %% [markdown] lang="en" name="gravity-seen" tags=["predicted"]
+# Gravity points along one line. It tells that the IMU lies on its back, not how it got there, and of a turn about the vertical it tells nothing.
+# A bend to the left pulls to the left, 0.5 m/s · 0.5 rad/s = 0.25 m/s². That second vector settles the rest. In the clinic one turns the robot by hand: `angular_velocity.z`, left is positive.
+
+# %% [markdown] lang="ko" name="gravity-seen" tags=["predicted"]
+# *그림 읽기:* as drawn = 도면대로, left = 왼쪽으로 돌림.
+#
+# 중력은 한 직선만 알려 줍니다. IMU가 뒤집혔다는 것은 알지만 어떻게 뒤집혔는지는 모르고, 수직축을 중심으로 돈 것은 전혀 모릅니다.
+# 왼쪽으로 굽은 길에서는 왼쪽으로 0.5 m/s · 0.5 rad/s = 0.25 m/s²만큼 당겨집니다. 이 둘째 벡터가 나머지를 정합니다. 실제로는 로봇을 손으로 돌려 봅니다. `angular_velocity.z`가 왼쪽에서 양수여야 합니다.
+
+# %% [markdown] lang="en" name="break-it" slide="slide"
+# ## Break it: a URDF that is no robot
+#
+# Four changes to the file. Each of them happens when a file is written by hand. **Predict** which of them the reader can name.
+
+# %% [markdown] lang="ko" name="break-it" slide="slide"
+# ## 일부러 고장 내기: 로봇이 아닌 URDF
+#
+# 파일을 네 군데 바꿉니다. 손으로 쓰다 보면 생기는 일입니다. 읽는 프로그램이 무엇이 잘못인지 짚을 수 있는 것은 어느 것일지 **예측해 봅시다.**
+
+# %% name="broken-files" tags=["predicted"] slide="fragment"
+ends = '<parent link="base_link"/>\n    <child link="laser_frame"/>'
+broken = {
+    'ends swapped': URDF.replace(ends, '<parent link="laser_frame"/>\n    <child link="base_link"/>'),
+    'a typo': URDF.replace('<child link="laser_frame"/>', '<child link="laser"/>'),
+    'xacro left in': URDF.replace('xyz="0.20 0.0 0.15"', 'xyz="${ahead} 0.0 0.15"'),
+    'degrees': URDF.replace('xyz="0.20 0.0 0.15" rpy="0.0 0.0 0.0"', 'xyz="0.20 0.0 0.15" rpy="0 0 90"'),
+}
+for what, text in broken.items():
+    try:
+        lesson.parse_urdf(text)
+        print(f'{what}: fine')
+    except ValueError as error:
+        print(f'{what}: {error}')
+
+# %% [markdown] lang="en" name="broken-seen" tags=["predicted"]
+# What breaks the *tree* is named, with its line: a [[frame]] has one parent, and every link exists. (Our reader says more than the real one; the real one stops, too.)
+# **Degrees** are fine: 90 is a number. The file cannot know what you measured.
+
+# %% [markdown] lang="ko" name="broken-seen" tags=["predicted"]
+# *그림 읽기:* ends swapped = 부모와 자식이 바뀜, a typo = 오타, xacro left in = xacro를 펼치지 않음, degrees = 도(degree), fine = 문제없음.
+#
+# *트리*를 깨뜨리는 것은 줄 번호와 함께 알려 줍니다. [[frame|좌표계]]의 부모는 하나이고, 링크는 모두 있어야 합니다. (우리 프로그램은 실제보다 자세히 알려 줍니다. 실제 프로그램도 멈추기는 마찬가지입니다.)
+# **도**(degree)는 문제없다고 나옵니다. 90도 숫자이기 때문입니다. 여러분이 무엇을 쟀는지 파일은 알 수 없습니다.
+
+# %% [markdown] lang="en" name="deeper" slide="skip"
+# <details><summary>Deeper: what robot_state_publisher does with the rest</summary>
+#
+# - A joint with `<mimic>` follows another one; a driver need not name it.
+# - `publish_frequency` (20 Hz) passes over joint messages that come sooner; the transforms carry the **stamp of the message**, not of now.
+# - `frame_prefix` goes before every frame: one URDF, two robots (chapter 04).
+# - `floating` joints are not published at all, and `planar` ones count as fixed.
+# - The root link with an inertia: `The root link … has an inertia specified in the URDF, but KDL does not support a root link with an inertia.` It is a WARN, and harmless; `base_footprint` above `base_link` is the usual cure.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="deeper" slide="skip"
+# <details><summary>더 깊이: robot_state_publisher가 하는 다른 일</summary>
+#
+# - `<mimic>`이 있는 관절은 다른 관절을 따라갑니다. 드라이버가 이름을 보내지 않아도 됩니다.
+# - `publish_frequency`(20 Hz)보다 자주 오는 관절 메시지는 지나칩니다. 변환에는 현재 시각이 아니라 **메시지의 시각**을 적습니다.
+# - `frame_prefix`는 모든 좌표계 이름 앞에 붙습니다. URDF 하나로 로봇 두 대를 만듭니다(04장).
+# - `floating` 관절은 아예 발행하지 않고, `planar` 관절은 고정된 것으로 다룹니다.
+# - 루트 링크에 관성이 있으면 `The root link … has an inertia specified in the URDF, but KDL does not support a root link with an inertia.`라는 WARN이 나옵니다. 해롭지 않으며, `base_link` 위에 `base_footprint`를 두어 없애는 것이 보통입니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="checkpoint" slide="slide"
+# ## Checkpoint
+#
+# In RViz everything is green. Yet the walls of the scan stand 90° beside the walls of the map. Where do you look first?
+#
+# 1. At the laser: it is broken.
+# 2. At the quaternion that the laser driver publishes.
+# 3. At `<joint><origin>` of the laser in the URDF, beside the real robot.
+# 4. At `<visual><origin>` of the laser.
+#
+# <details><summary>I chose 1</summary>
+#
+# Its ranges are right: the walls have the right shape, only turned. A broken laser does not measure a tidy room.
+#
+# </details>
+# <details><summary>I chose 2</summary>
+#
+# A scan carries no pose at all, only ranges and a frame's name. Where that frame is, TF says.
+#
+# </details>
+# <details><summary>I chose 3</summary>
+#
+# Yes: the promise and the screws. `tf2_echo base_link laser_frame` prints the promise; the screws you look at yourself.
+#
+# </details>
+# <details><summary>I chose 4</summary>
+#
+# That turns the paint. The dots would not move.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="checkpoint" slide="slide"
+# ## 마무리 점검
+#
+# RViz에는 모두 초록입니다. 그런데 스캔의 벽이 지도의 벽에서 90° 돌아가 있습니다. 무엇을 먼저 봐야 합니까?
+#
+# 1. 레이저. 고장입니다.
+# 2. 레이저 드라이버가 발행하는 쿼터니언.
+# 3. URDF에 있는 레이저의 `<joint><origin>`과 실제 로봇.
+# 4. 레이저의 `<visual><origin>`.
+#
+# <details><summary>1번을 골랐습니다</summary>
+#
+# 거리는 맞습니다. 벽의 모양이 그대로이고 돌아갔을 뿐입니다. 고장 난 레이저라면 방의 모양이 반듯하게 나오지 않습니다.
+#
+# </details>
+# <details><summary>2번을 골랐습니다</summary>
+#
+# 스캔에는 포즈가 없습니다. 거리와 좌표계 이름만 있습니다. 그 좌표계가 어디에 있는지는 TF가 알려 줍니다.
+#
+# </details>
+# <details><summary>3번을 골랐습니다</summary>
+#
+# 맞습니다. 약속과 나사입니다. `tf2_echo base_link laser_frame`은 약속을 보여 줍니다. 나사는 직접 봐야 합니다.
+#
+# </details>
+# <details><summary>4번을 골랐습니다</summary>
+#
+# 겉모습만 돕니다. 점들은 움직이지 않습니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="on-the-robot" slide="slide"
+# ## On a real robot
+#
+# ```
+# ros2 topic echo /robot_description --once        # the drawing, as everybody has it
+# ros2 topic echo /joint_states                    # names, stamp, position
+# ros2 node info /robot_state_publisher
+# ros2 run tf2_ros tf2_echo base_link laser_frame  # the promise
+# ros2 topic echo /imu --field angular_velocity.z  # turn the robot to the left by hand: positive?
+# ```
+#
+# For a laser: put a box straight ahead of the robot and look where RViz shows it. Thirty seconds, on the day on which it is screwed on.
+
+# %% [markdown] lang="ko" name="on-the-robot" slide="slide"
+# ## 실제 로봇에서
+#
+# ```
+# ros2 topic echo /robot_description --once        # the drawing, as everybody has it
+# ros2 topic echo /joint_states                    # names, stamp, position
+# ros2 node info /robot_state_publisher
+# ros2 run tf2_ros tf2_echo base_link laser_frame  # the promise
+# ros2 topic echo /imu --field angular_velocity.z  # turn the robot to the left by hand: positive?
+# ```
+#
+# 레이저라면 로봇 바로 앞에 상자를 놓고 RViz의 어디에 보이는지 확인하세요. 다는 날 30초면 됩니다.
+
+# %% [markdown] lang="en" name="recap" slide="slide"
+# ## What to keep
+#
+# - A [[urdf|URDF]] is a promise about screws. TF repeats it to everybody and never looks.
+# - `<joint><origin>` moves the frame, `<visual><origin>` only the paint. Metres, radians, parent to child.
+# - `parent_T_child = origin @ movement`; the axis is written in the child's axes.
+# - [[robot_state_publisher]]: fixed joints on `/tf_static`, once; moving ones on `/tf`, and only those that a JointState names, with a stamp and a position.
+# - A laser that looks down by 3° sees a wall of floor, five metres ahead. An IMU on its back turns the sign of left. Both are mended at the joint or with a screwdriver, not in a node.
+# - `tcp` is a frame of its own below `tool0`.
+
+# %% [markdown] lang="ko" name="recap" slide="slide"
+# ## 정리
+#
+# - [[urdf|URDF]]는 나사에 대한 약속입니다. TF는 확인하지 않고 모두에게 그대로 전합니다.
+# - `<joint><origin>`은 좌표계를 옮기고, `<visual><origin>`은 겉모습만 옮깁니다. 단위는 미터와 라디안이고 부모 기준 자식입니다.
+# - `parent_T_child = origin @ movement`이고, axis는 자식의 축으로 적습니다.
+# - [[robot_state_publisher|`robot_state_publisher`]]는 고정된 관절을 `/tf_static`으로 한 번, 움직이는 관절을 `/tf`로 보냅니다. JointState에 이름, 시각, 위치가 있는 관절만 보냅니다.
+# - 3° 아래를 보는 레이저는 5미터 앞의 바닥을 벽으로 봅니다. 뒤집힌 IMU는 왼쪽의 부호를 바꿉니다. 둘 다 노드가 아니라 관절이나 드라이버로 고칩니다.
+# - `tcp`는 `tool0` 아래에 따로 둔 좌표계입니다.
+
+# %% [markdown] lang="en" name="from-before" slide="subslide"
+# ### Three questions from earlier chapters
+#
+# 1. A detector sees a cup at (0, 0, 2) in `camera_optical_frame`. Where is it in `camera_link`?
+# 2. A laser's mount was sent once, on `/tf` instead of `/tf_static`. What does a listener that joins later know of it?
+# 3. Which of `base_T_laser` and `laser_T_base` moves a point that the laser saw into `base_link`?
+#
+# <details><summary>Answers</summary>
+#
+# 1. At (2, 0, 0): optical z is forward.
+# 2. Nothing: `/tf` keeps no letters for newcomers.
+# 3. `base_T_laser`: what stands left is what one wants.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="from-before" slide="subslide"
+# ### 앞 장 복습: 세 문제
+#
+# 1. 검출기가 `camera_optical_frame` 기준 (0, 0, 2)에서 컵을 봅니다. `camera_link` 기준으로는 어디입니까?
+# 2. 레이저의 장착 변환을 `/tf_static`이 아니라 `/tf`로 한 번 보냈습니다. 나중에 들어온 수신기는 무엇을 알고 있습니까?
+# 3. 레이저가 본 점을 `base_link` 기준으로 옮기는 것은 `base_T_laser`와 `laser_T_base` 가운데 어느 것입니까?
+#
+# <details><summary>답</summary>
+#
+# 1. (2, 0, 0)입니다. 광학 좌표계의 z가 앞입니다.
+# 2. 아무것도 모릅니다. `/tf`는 나중에 온 수신기를 위해 보관하지 않습니다.
+# 3. `base_T_laser`입니다. 왼쪽에 적힌 것이 결과의 기준입니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="practice" slide="subslide"
+# ### Practice question · Q14
+#
+# **14.** How can the work of publishing transforms be divided between the URDF, odometry, an EKF and a localiser? Write what the URDF's part is, and where it ends. (Chapter 12 asks the rest.)
+#
+# <details><summary>What a full answer holds</summary>
+#
+# - [ ] Everything below `base_link` (or `base_footprint`) comes from the URDF, through `robot_state_publisher`.
+# - [ ] Fixed joints on `/tf_static`, moving ones on `/tf` from `/joint_states`.
+# - [ ] `odom → base` belongs to wheels or EKF, one of them; `map → odom` to the localiser. The URDF has neither.
+# - [ ] A mount that stands in the URDF is not published by a second, static publisher as well.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="practice" slide="subslide"
+# ### 서술형 문제 · Q14
+#
+# **14.** URDF, 오도메트리, EKF, 위치 추정은 변환의 발행 책임을 어떻게 나눌 수 있습니까? URDF의 몫은 무엇이고 어디까지인지 써 보세요. (나머지는 12장에서 묻습니다.)
+#
+# <details><summary>완전한 답에 들어 있는 것</summary>
+#
+# - [ ] `base_link`(또는 `base_footprint`) 아래의 모든 것은 URDF에서 `robot_state_publisher`를 거쳐 나옵니다.
+# - [ ] 고정된 관절은 `/tf_static`, 움직이는 관절은 `/joint_states`를 받아 `/tf`로 발행합니다.
+# - [ ] `odom → base`는 바퀴나 EKF 가운데 하나, `map → odom`은 위치 추정의 책임입니다. URDF에는 둘 다 없습니다.
+# - [ ] URDF에 있는 장착 변환을 별도의 정적 발행자가 또 발행하지 않습니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="exit-ticket" slide="slide"
+# ## Exit ticket
+#
+# > On Monday somebody turns the laser by 180° so that its cable fits, and tells nobody. On Friday the robot brakes before walls that are behind it. Which line of which file is wrong, and which tool would have said so on Monday?
+#
+# <details><summary>Compare</summary>
+#
+# The `rpy` of the laser's **joint** origin. No tool: RViz, view_frames and tf2_echo all repeat the drawing. A box straight ahead of the robot would have.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="exit-ticket" slide="slide"
+# ## 마무리하며
+#
+# > 월요일에 누군가 케이블 때문에 레이저를 180° 돌려 달고 아무에게도 말하지 않았습니다. 금요일에 로봇은 뒤에 있는 벽 때문에 멈춥니다. 어느 파일의 어느 줄이 틀렸고, 월요일에 알려 줄 수 있었던 도구는 무엇입니까?
+#
+# <details><summary>맞춰 보기</summary>
+#
+# 레이저 **관절**의 origin에 있는 `rpy`입니다. 알려 줄 도구는 없습니다. RViz, view_frames, tf2_echo는 모두 도면을 그대로 전할 뿐입니다. 로봇 바로 앞에 놓은 상자라면 알려 주었을 것입니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="next" slide="skip"
+# **Next:** the exercises, [E7 URDF and sensors](../../exercises/en/E07_urdf_and_sensors.ipynb), and after them [08 Buffer and measurement time](08_buffer_and_measurement_time.ipynb), which asks which moment each answer belongs to.
+# After a pass, or three tries, `solution("E7.1")` shows a solution there. To start a page over, delete its file and type `tflab lab`.
+
+# %% [markdown] lang="ko" name="next" slide="skip"
+# **다음:** 연습 문제 [E7 URDF와 센서](../../exercises/ko/E07_urdf_and_sensors.ipynb)를 풀고, 어느 시각의 답인지 묻는 [08 버퍼와 측정 시각](08_buffer_and_measurement_time.ipynb)으로 갑니다.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E7.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력하세요.

@@ -1,0 +1,258 @@
+# %% [markdown] lang="en" name="title"
+# # Exercises 07 · The drawing and the screws
+#
+# Six tasks, 26 points, about 60 minutes. The page they belong to: [07 · The drawing and the screws](../../notebooks/en/07_urdf_and_sensors.ipynb)
+#
+# Write your answer where it says `...` or `your turn`, run the cell, then run the check below it.
+# A wrong answer is told which mistake it looks like. `hint("E7.1")` gives the first of three hints.
+# Your numbers come from `task(...)` and may differ from your neighbour's, so answer with an expression, such as `e7_1.up_cm / 100`, and not with a number that you worked out elsewhere.
+
+# %% [markdown] lang="ko" name="title"
+# # 연습 문제 07 · 도면과 나사
+#
+# 과제 여섯 개, 26점, 60분쯤 걸립니다. 함께 보는 페이지: [07 · 도면과 나사](../../notebooks/ko/07_urdf_and_sensors.ipynb)
+#
+# `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 셀을 실행한 다음, 아래의 확인 셀을 실행해 보세요.
+# 틀린 답을 내면 어떤 실수로 보이는지 알려 줍니다. `hint("E7.1")`은 세 힌트 가운데 첫 번째를 보여 줍니다.
+# 숫자는 `task(...)`가 주며 옆 사람과 다를 수 있습니다. 그러니 따로 계산한 숫자가 아니라 `e7_1.up_cm / 100` 같은 식으로 답해 보세요.
+
+# %% name="load"
+# %load_ext tflab
+from tflab.workbook import check, hint, solution, task
+
+# %% name="imports"
+import math
+
+from geometry_msgs.msg import TransformStamped
+
+from tflab.core import Transform
+
+# %% [markdown] lang="en" name="e7-1"
+# ## E7.1 · Two joints to finish (5 points)
+#
+# A camera head is screwed onto the robot, measured with a ruler and a protractor: so far ahead of `base_link`, to its right, and up; the whole head turned to the right. A motor lets it **nod**: a positive angle lowers its gaze. The lens sits a little ahead of the head's middle.
+#
+# Write the two joints, as a URDF has them; the links are declared for you.
+#
+# - `nod_joint`, revolute, from `base_link` to `camera_link`, which has a body's axes (x where the head looks);
+# - `optical_joint`, fixed, from `camera_link` to `camera_optical_frame`, in the lens.
+#
+# An f-string puts numbers in: `f'<origin xyz="{e7_1.up_cm / 100} 0 0"/>'`. Only position, turn and movement count; leave `<limit>` out if you like (a real robot wants one).
+
+# %% [markdown] lang="ko" name="e7-1"
+# ## E7.1 · 관절 두 개 완성하기 (5점)
+#
+# 카메라 머리를 로봇에 달고 자와 각도기로 쟀습니다. `base_link`에서 앞으로, 오른쪽으로, 위로 얼마인지, 그리고 머리 전체가 오른쪽으로 몇 도 돌아 있는지입니다. 모터가 고개를 **끄덕이게** 합니다. 각도가 양수이면 시선이 내려갑니다. 렌즈는 머리 중심보다 조금 앞에 있습니다.
+#
+# 두 관절을 URDF의 형식으로 쓰십시오. 링크는 이미 선언되어 있습니다.
+#
+# - `nod_joint`: revolute, `base_link`에서 `camera_link`로. `camera_link`는 본체의 축을 따릅니다(머리가 보는 쪽이 x).
+# - `optical_joint`: fixed, `camera_link`에서 렌즈에 있는 `camera_optical_frame`으로.
+#
+# 숫자는 f-string으로 넣을 수 있습니다. `f'<origin xyz="{e7_1.up_cm / 100} 0 0"/>'`. 위치, 방향, 움직임만 채점합니다. `<limit>`은 쓰지 않아도 됩니다(실제 로봇에는 필요합니다).
+
+# %% name="e7-1-given"
+e7_1 = task("E7.1")
+
+# %% name="e7-1-answer" tags=["answer"]
+# BEGIN SOLUTION
+ahead, right, up = e7_1.ahead_cm / 100, e7_1.to_its_right_cm / 100, e7_1.up_cm / 100
+yaw = -math.radians(e7_1.turned_to_the_right_deg)
+joints = f"""
+<joint name="nod_joint" type="revolute">
+  <parent link="base_link"/> <child link="camera_link"/>
+  <origin xyz="{ahead} {-right} {up}" rpy="0 0 {yaw}"/>
+  <axis xyz="0 1 0"/>
+</joint>
+<joint name="optical_joint" type="fixed">
+  <parent link="camera_link"/> <child link="camera_optical_frame"/>
+  <origin xyz="{e7_1.lens_ahead_cm / 100} 0 0" rpy="-1.5707963 0 -1.5707963"/>
+</joint>
+"""
+# END SOLUTION
+
+# %% name="e7-1-check" tags=["check"]
+check("E7.1", joints)
+
+# %% [markdown] lang="en" name="e7-2"
+# ## E7.2 · Where the beam meets the floor (3 points)
+#
+# A laser looks down by `tilt_deg`. It sits `laser_above_base_link_m` above `base_link`, which is `base_link_above_floor_m` above the floor. For the beam straight ahead:
+#
+# - `"floor_m"`: how far ahead, along the floor, does it meet the floor, if nothing is in its way [m]?
+# - `"wall_up_m"`: a wall stands `wall_m` ahead. How high above the floor does the beam meet it [m]?
+
+# %% [markdown] lang="ko" name="e7-2"
+# ## E7.2 · 빛이 바닥에 닿는 곳 (3점)
+#
+# 레이저가 아래로 `tilt_deg`만큼 기울어 있습니다. `base_link`에서 `laser_above_base_link_m` 위에 있고, `base_link`는 바닥에서 `base_link_above_floor_m` 위에 있습니다. 똑바로 앞을 보는 빛에 대해 답하십시오.
+#
+# - `"floor_m"`: 가로막는 것이 없다면, 바닥을 따라 앞으로 얼마 나아간 곳에서 바닥에 닿습니까[m]?
+# - `"wall_up_m"`: `wall_m` 앞에 벽이 있습니다. 빛은 바닥에서 얼마나 높은 곳에 닿습니까[m]?
+
+# %% name="e7-2-given"
+e7_2 = task("E7.2")
+
+# %% name="e7-2-answer" tags=["answer"]
+# BEGIN SOLUTION
+slope = math.tan(math.radians(e7_2.tilt_deg))
+height_m = e7_2.laser_above_base_link_m + e7_2.base_link_above_floor_m
+floor_m = height_m / slope
+wall_up_m = height_m - e7_2.wall_m * slope
+# END SOLUTION
+beam = {"floor_m": floor_m, "wall_up_m": wall_up_m}
+
+# %% name="e7-2-check" tags=["check"]
+check("E7.2", beam)
+
+# %% [markdown] lang="en" name="e7-3"
+# ## E7.3 · Forward kinematics (5 points)
+#
+# `chain` is a list of joints from the base to the tip, each a dict: `"name"`, `"type"` (`"fixed"`, `"revolute"` or `"prismatic"`), `"xyz"` [m], `"rpy"` [rad] and `"axis"`, which is `"x"`, `"y"` or `"z"`.
+# `positions` is a dict: name → rad or m. It may lack a joint, which then stands at 0, and may name others. A fixed joint does not move.
+# Return the tip in the base, a `Transform`.
+
+# %% [markdown] lang="ko" name="e7-3"
+# ## E7.3 · 정기구학 (5점)
+#
+# `chain`은 바탕에서 팔 끝까지의 관절 리스트입니다. 관절은 dict이고 키는 `"name"`, `"type"`(`"fixed"`, `"revolute"`, `"prismatic"`), `"xyz"`[m], `"rpy"`[rad], `"axis"`(`"x"`, `"y"`, `"z"`)입니다.
+# `positions`는 이름에서 값(rad 또는 m)으로 가는 dict입니다. 없는 관절은 0에 있고, 다른 이름이 섞여 있을 수 있습니다. fixed 관절은 움직이지 않습니다.
+# 바탕 기준의 팔 끝을 `Transform`으로 반환하십시오.
+
+
+# %% name="e7-3-answer" tags=["answer"]
+def fk(chain, positions):
+    """Return base_T_tip."""
+    # BEGIN SOLUTION
+    base_T_tip = Transform()
+    for joint in chain:
+        at = positions.get(joint["name"], 0.0)
+        movement = Transform()
+        if joint["type"] == "revolute":
+            movement = Transform.from_rpy(**{{"x": "roll", "y": "pitch", "z": "yaw"}[joint["axis"]]: at})
+        if joint["type"] == "prismatic":
+            movement = Transform(tuple(at if letter == joint["axis"] else 0.0 for letter in "xyz"))
+        origin = Transform.from_rpy(*joint["rpy"], translation=tuple(joint["xyz"]))
+        base_T_tip = base_T_tip @ origin @ movement
+    return base_T_tip
+    # END SOLUTION
+
+
+# %% name="e7-3-check" tags=["check"]
+check("E7.3", fk)
+
+# %% [markdown] lang="en" name="e7-4"
+# ## E7.4 · Five robots (5 points)
+#
+# Each of `e7_4.a` to `e7_4.e` shows the tree of a robot, and what one command prints. The joints of the URDF are `shoulder_joint`, `elbow_joint` and `wrist_joint`; every laser is screwed on turned, as somebody measured it.
+#
+# - `"a"` … `"e"`, the cause: `"other names"` (in the joint states), `"stamp zero"`, `"no driver"`, `"paint moved"` (and not the frame), `"degrees"`
+# - `"a do"` … `"e do"`, the cure: `"use the URDF's names"`, `"stamp the message"`, `"start the joint driver"`, `"write it into the joint"`, `"write radians"`, `"restart RViz"`, `"change the cable"`, `"wait longer"`
+
+# %% [markdown] lang="ko" name="e7-4"
+# ## E7.4 · 다섯 로봇 (5점)
+#
+# `e7_4.a`부터 `e7_4.e`까지는 각각 로봇의 트리와 명령 하나의 출력입니다. URDF의 관절은 `shoulder_joint`, `elbow_joint`, `wrist_joint`이고, 레이저는 모두 누군가 잰 만큼 돌아서 달려 있습니다.
+#
+# - `"a"` … `"e"`, 원인: `"other names"`(관절 메시지의 이름이 다름), `"stamp zero"`(시각이 0), `"no driver"`(드라이버 없음), `"paint moved"`(좌표계가 아니라 겉모습을 옮김), `"degrees"`(도로 씀)
+# - `"a do"` … `"e do"`, 고치는 법: `"use the URDF's names"`(URDF의 이름 쓰기), `"stamp the message"`(시각 적기), `"start the joint driver"`(드라이버 켜기), `"write it into the joint"`(관절에 적기), `"write radians"`(라디안으로 적기), `"restart RViz"`(RViz 다시 켜기), `"change the cable"`(케이블 바꾸기), `"wait longer"`(더 기다리기)
+
+# %% name="e7-4-given"
+e7_4 = task("E7.4")
+
+# %% name="e7-4-answer" tags=["answer"]
+# BEGIN SOLUTION
+findings = {}
+TELLS = {
+    "Publisher count: 0": ("no driver", "start the joint driver"),
+    "<visual>": ("paint moved", "write it into the joint"),
+    "<joint": ("degrees", "write radians"),
+    "sec: 0,": ("stamp zero", "stamp the message"),
+    "": ("other names", "use the URDF's names"),
+}
+for letter, report in vars(e7_4).items():
+    tell = next(tell for tell in TELLS if tell in report)
+    findings[letter], findings[f"{letter} do"] = TELLS[tell]
+# END SOLUTION
+
+# %% name="e7-4-check" tags=["check"]
+check("E7.4", findings)
+
+# %% [markdown] lang="en" name="e7-5"
+# ## E7.5 · How is this IMU screwed on? (4 points)
+#
+# The URDF says that it is not turned. The accelerometer's means, in `imu_link` as it truly is [m/s²]: `at_rest`, and `in_left_bend` at `speed_mps` and `yaw_rate_radps`.
+#
+# - `"mount"`: `"as drawn"`, `"left"` (turned to the left by 90°), `"right"`, `"backwards"` (by 180°), `"rolled over"` (roll π), `"pitched over"` (pitch π), or `"pitched over, left"` and `"pitched over, right"`: pitched over, and the whole then turned by 90°
+# - `"gyro_z"`: what does its gyro's z read in that bend [rad/s]?
+# - `"mend"`: `"rpy in the joint"`, `"rpy in the visual"`, `"minus in my node"`, `"leave it"`
+
+# %% [markdown] lang="ko" name="e7-5"
+# ## E7.5 · 이 IMU는 어떻게 달렸습니까? (4점)
+#
+# URDF에는 돌아 있지 않다고 적혀 있습니다. 실제로 달린 `imu_link`의 축으로 잰 가속도계의 평균[m/s²]이 있습니다. `at_rest`는 서 있을 때, `in_left_bend`는 왼쪽으로 굽은 길을 `speed_mps`, `yaw_rate_radps`로 달릴 때입니다.
+#
+# - `"mount"`: `"as drawn"`(도면대로), `"left"`(왼쪽으로 90°), `"right"`(오른쪽으로 90°), `"backwards"`(180°), `"rolled over"`(roll π), `"pitched over"`(pitch π), `"pitched over, left"`와 `"pitched over, right"`(pitch π로 뒤집은 것을 통째로 90° 돌림)
+# - `"gyro_z"`: 그 굽은 길에서 자이로의 z는 얼마입니까[rad/s]?
+# - `"mend"`: `"rpy in the joint"`(관절에 rpy), `"rpy in the visual"`(visual에 rpy), `"minus in my node"`(내 노드에서 마이너스), `"leave it"`(그대로 두기)
+
+# %% name="e7-5-given"
+e7_5 = task("E7.5")
+
+# %% name="e7-5-answer" tags=["answer"]
+# BEGIN SOLUTION
+x, y, z = e7_5.in_left_bend
+is_across = abs(x) > abs(y)  # it lies across the robot
+side = "left" if (x > 0) == (z > 0) else "right"
+upright = side if is_across else "as drawn" if y > 0 else "backwards"
+over = f"pitched over, {side}" if is_across else "pitched over" if y > 0 else "rolled over"
+mount = upright if z > 0 else over
+gyro_z = math.copysign(e7_5.yaw_rate_radps, z)
+mend = "leave it" if mount == "as drawn" else "rpy in the joint"
+# END SOLUTION
+imu = {"mount": mount, "gyro_z": gyro_z, "mend": mend}
+
+# %% name="e7-5-check" tags=["check"]
+check("E7.5", imu)
+
+# %% [markdown] lang="en" name="e7-6"
+# ## E7.6 · Find the tool's tip by touching (4 points)
+#
+# A new gripper. You let its tip touch a mark whose place in `base_link` you know: `base_p_tip`, (x, y, z) [m]. At that moment the arm says `base_T_tool0`, a `Transform`.
+# Return the message that says where the frame `tcp` is: a `TransformStamped` whose parent is `tool0`, the tip not turned in it, its stamp left as it is.
+
+# %% [markdown] lang="ko" name="e7-6"
+# ## E7.6 · 대어서 찾는 공구 끝 (4점)
+#
+# 그리퍼를 새로 달았습니다. 그 끝을 `base_link` 기준 위치 `base_p_tip`(x, y, z)[m]을 아는 표시에 댑니다. 그때 팔은 `base_T_tool0`(`Transform`)라고 합니다.
+# 좌표계 `tcp`가 어디에 있는지 알리는 `TransformStamped`를 반환하십시오. 부모는 `tool0`이고, 그 기준으로 돌아 있지 않으며, 시각은 그대로 둡니다.
+
+
+# %% name="e7-6-answer" tags=["answer"]
+def tcp_mount(base_T_tool0, base_p_tip):
+    """Return a TransformStamped, tool0 -> tcp."""
+    # BEGIN SOLUTION
+    message = TransformStamped()
+    message.header.frame_id = "tool0"
+    message.child_frame_id = "tcp"
+    tool0_p_tip = base_T_tool0.inverse().apply(base_p_tip)
+    place = message.transform.translation
+    place.x, place.y, place.z = map(float, tool0_p_tip)
+    return message
+    # END SOLUTION
+
+
+# %% name="e7-6-check" tags=["check"]
+check("E7.6", tcp_mount)
+
+# %% [markdown] lang="en" name="after"
+# ## What you have shown
+#
+# The checks here used your own numbers. Grading asks the same questions with others.
+# On a robot, begin with a box straight ahead of the laser, and with a turn to the left by hand: two promises, looked at.
+
+# %% [markdown] lang="ko" name="after"
+# ## 여기까지 해낸 것
+#
+# 이곳의 check는 여러분의 숫자로 확인했습니다. 채점은 같은 질문을 다른 숫자로 묻습니다.
+# 로봇에서는 레이저 바로 앞에 상자를 놓고, 손으로 왼쪽으로 돌려 보는 것부터 해 보세요. 약속 두 가지를 직접 확인하는 셈입니다.

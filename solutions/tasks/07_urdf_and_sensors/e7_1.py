@@ -1,0 +1,169 @@
+"""E7.1: Two joints to finish."""
+
+from __future__ import annotations
+
+import math
+
+from tflab.workbook.tasks import Slip, Task, Urdf, Words
+
+from .draws import centimetres
+
+OPTICAL = (-math.pi / 2, 0.0, -math.pi / 2)
+
+
+def a_head(rng):
+    """All measures differ, and none is a round turn."""
+    ahead = centimetres(rng, 8, 25)
+    right = centimetres(rng, 4, 15, (ahead,))
+    up = centimetres(rng, 30, 60, (ahead, right))
+    return {
+        "ahead_cm": ahead,
+        "to_its_right_cm": right,
+        "up_cm": up,
+        "turned_to_the_right_deg": int(rng.integers(20, 70)),
+        "lens_ahead_cm": centimetres(rng, 1, 4),
+    }
+
+
+def origin(xyz, rpy):
+    return f'<origin xyz="{" ".join(map(repr, xyz))}" rpy="{" ".join(map(repr, rpy))}"/>'
+
+
+def finished(g, *, place="joint", ends="parent first", kind="revolute", length="m", side="right", order="x y z", angle="rad",
+             way="right", about="its own", turns="once", lens="ahead", optical="turned"):  # fmt: skip
+    """Return the two joints, step by step; other steps are the slips."""
+    scale = {"m": 0.01, "cm": 1.0, "mm": 10.0}[length]
+    ahead, left, up = g.ahead_cm, -g.to_its_right_cm if side == "right" else g.to_its_right_cm, g.up_cm
+    xyz = {"x y z": (ahead, left, up), "y first": (left, ahead, up), "z first": (up, left, ahead)}[order]
+    yaw = g.turned_to_the_right_deg if angle == "deg" else math.radians(g.turned_to_the_right_deg)
+    yaw = yaw if way == "left" else -yaw
+    rpy = {"once": (0.0, 0.0, yaw), "twice": (OPTICAL[0], 0.0, OPTICAL[2] + yaw), "none": (0.0, 0.0, 0.0)}[turns]
+    axes = {
+        "its own": (0, 1, 0), "parent": (-math.sin(yaw), math.cos(yaw), 0), "z": (0, 0, 1), "x": (1, 0, 0), "upwards": (0, -1, 0),
+    }  # fmt: skip
+    lens_m = scale * g.lens_ahead_cm
+    lens_xyz = {"ahead": (lens_m, 0.0, 0.0), "z": (0.0, 0.0, lens_m), "forgotten": (0.0, 0.0, 0.0)}[lens]
+    turned = {
+        "turned": OPTICAL,
+        "not": (0.0, 0.0, 0.0),
+        "back": (math.pi / 2, -math.pi / 2, 0.0),
+        "deg": (-90.0, 0.0, -90.0),
+    }
+    first, second = origin([scale * each for each in xyz], rpy), origin(lens_xyz, turned[optical])
+    painted = "" if place == "joint" else "<geometry><sphere radius='0.01'/></geometry>"
+    parent, child = ("camera_link", "base_link") if ends == "child first" else ("base_link", "camera_link")
+    visual = f'<link name="camera_link"><visual>{first}{painted}</visual></link>' if painted else ""
+    return f"""
+{visual}
+<joint name="nod_joint" type="{kind}">
+  <parent link="{parent}"/> <child link="{child}"/>
+  {"" if painted else first}
+  <axis xyz="{" ".join(map(repr, axes[about]))}"/>
+</joint>
+<joint name="optical_joint" type="fixed">
+  <parent link="camera_link"/> <child link="camera_optical_frame"/>
+  {second}
+</joint>"""
+
+
+def slip(name, at, en, ko, misconception=""):
+    return Slip(name, at, Words(en=en, ko=ko), misconception)
+
+
+SLIPS = (
+    slip("only the paint", {"place": "visual"},
+         "nod_joint has no origin: your numbers stand in a <visual>, which moves the paint on the link and nothing else.",
+         "nod_joint에 origin이 없습니다. 숫자가 <visual>에 있어, 링크의 겉모습만 옮기고 다른 것은 옮기지 않습니다."),
+    slip("ends swapped", {"ends": "child first"},
+         "nod_joint has its ends swapped: this robot is bolted onto its camera, and camera_link is the root. The parent is what it hangs on.",
+         "nod_joint의 부모와 자식이 바뀌었습니다. 로봇을 카메라에 달아 camera_link가 루트가 되었습니다. 매달린 곳이 부모입니다.", "M2"),
+    slip("fixed", {"kind": "fixed"},
+         "nod_joint is fixed: this camera never nods, whatever its motor does.",
+         "nod_joint가 fixed입니다. 모터가 돌아도 카메라가 움직이지 않습니다.", "M12"),
+    slip("slides", {"kind": "prismatic"},
+         "nod_joint is prismatic: this camera slides along its axis. A joint that turns is revolute.",
+         "nod_joint가 prismatic입니다. 축을 따라 미끄러집니다. 도는 관절은 revolute입니다."),
+    slip("centimetres", {"length": "cm"},
+         "your lengths are in centimetres. A URDF counts in metres: this camera is wide of the robot by a house.",
+         "길이를 센티미터로 썼습니다. URDF는 미터를 씁니다. 카메라가 로봇에서 집 한 채만큼 떨어져 있습니다."),
+    slip("millimetres", {"length": "mm"},
+         "your lengths are ten times the centimetres, so millimetres. A URDF counts in metres.",
+         "길이가 센티미터의 열 배, 곧 밀리미터입니다. URDF는 미터를 씁니다."),
+    slip("to its left", {"side": "left"},
+         "the camera hangs on the robot's left. y points to the left (REP-103), so to the right is negative.",
+         "카메라가 로봇의 왼쪽에 있습니다. y는 왼쪽을 향하므로(REP-103) 오른쪽은 음수입니다."),
+    slip("x and y exchanged", {"order": "y first"},
+         "x and y have changed places: x is ahead, y to the left.",
+         "x와 y의 자리가 바뀌었습니다. x가 앞, y가 왼쪽입니다."),
+    slip("x and z exchanged", {"order": "z first"},
+         "x and z have changed places: x is ahead, z up.",
+         "x와 z의 자리가 바뀌었습니다. x가 앞, z가 위입니다."),
+    slip("degrees", {"angle": "deg"},
+         "nod_joint is turned by degrees. There is no degree in a URDF: math.radians.",
+         "nod_joint를 도(degree)로 돌렸습니다. URDF에는 도가 없습니다. math.radians를 쓰십시오.", "M5"),
+    slip("turned to the left", {"way": "left"},
+         "the head is turned to the left: a yaw to the left is positive.",
+         "머리가 왼쪽으로 돌아 있습니다. 왼쪽으로 도는 yaw가 양수입니다."),
+    slip("not turned", {"turns": "none"},
+         "nod_joint is not turned at all: its head looks straight ahead.",
+         "nod_joint가 전혀 돌아 있지 않습니다. 머리가 똑바로 앞을 봅니다."),
+    slip("turned twice", {"turns": "twice"},
+         "the optical turn stands in nod_joint too. camera_link has the axes of a body; the turn belongs to optical_joint, once.",
+         "광학 좌표계의 회전이 nod_joint에도 있습니다. camera_link는 본체의 축을 따릅니다. 이 회전은 optical_joint에 한 번만 씁니다.", "M4"),
+    slip("axis in the parent", {"about": "parent"},
+         "you wrote nod_joint's axis in base_link's axes. It is written in the child's own, after the origin has turned them.",
+         "nod_joint의 axis를 base_link의 축으로 썼습니다. origin으로 돌린 뒤의 자식 축으로 적습니다."),
+    slip("shakes", {"about": "z"},
+         "with this axis the head shakes from side to side. Nodding turns about the axis that points to its left.",
+         "이 axis로는 고개를 좌우로 젓습니다. 끄덕이는 것은 왼쪽을 향하는 축을 중심으로 돕니다."),
+    slip("no axis", {"about": "x"},
+         "the head rolls onto its side: its axis is x, which is also what a joint without an axis has. Nodding turns about the one that points to its left.",
+         "고개가 옆으로 갸웃합니다. axis가 x입니다(axis를 쓰지 않아도 x가 됩니다). 끄덕이는 것은 왼쪽을 향하는 축을 중심으로 돕니다."),
+    slip("nods upwards", {"about": "upwards"},
+         "positive lifts the head. About +y, as a right hand turns, positive lowers it.",
+         "양수일 때 고개가 올라갑니다. +y를 중심으로 오른손 방향으로 돌면 양수가 아래입니다."),
+    slip("lens along z", {"lens": "z"},
+         "the lens sits above camera_link: you measured it in the optical axes. An origin is measured in the parent's, where ahead is x.",
+         "렌즈가 camera_link의 위에 있습니다. 광학 좌표계의 축으로 잰 것입니다. origin은 부모의 축으로 재고, 앞은 x입니다.", "M4"),
+    slip("lens forgotten", {"lens": "forgotten"},
+         "the lens sits in the middle of camera_link: how far ahead of it is it?",
+         "렌즈가 camera_link의 한가운데에 있습니다. 앞으로 얼마나 나와 있습니까?"),
+    slip("optical not turned", {"optical": "not"},
+         "optical_joint is not turned: its x is still ahead. In an optical frame z is.",
+         "optical_joint가 돌아 있지 않아 x가 아직 앞입니다. 광학 좌표계에서는 z가 앞입니다.", "M4"),
+    slip("optical turned back", {"optical": "back"},
+         "optical_joint is turned the opposite way: this is the pose of the body in the optical frame.",
+         "optical_joint를 반대로 돌렸습니다. 광학 좌표계 기준 본체의 방향입니다.", "M4"),
+    slip("optical in degrees", {"optical": "deg"},
+         "optical_joint is turned by 90 radians. A quarter turn is 1.5708.",
+         "optical_joint를 90라디안 돌렸습니다. 90도는 1.5708입니다.", "M5"),
+)  # fmt: skip
+
+
+TASK = Task(
+    id="E7.1",
+    kind="T",
+    points=5,
+    title=Words(en="Two joints to finish", ko="관절 두 개 완성하기"),
+    answer="joints",
+    form=Urdf(links=("camera_link", "camera_optical_frame"), joint="nod_joint", settings=(0.0, 0.4)),
+    given=a_head,
+    variants=6,
+    model=finished,
+    twins=SLIPS,
+    hints=(
+        Words(
+            en="Two joints: nod_joint from base_link to camera_link, optical_joint from camera_link to camera_optical_frame.",
+            ko="관절은 둘입니다. nod_joint는 base_link에서 camera_link, optical_joint는 camera_link에서 camera_optical_frame입니다.",
+        ),
+        Words(
+            en="Metres and radians; right is negative, for y and for yaw. The axis is that of the head itself.",
+            ko="미터와 라디안입니다. 오른쪽은 y에서도 yaw에서도 음수입니다. axis는 머리 자신의 축입니다.",
+        ),
+        Words(
+            en='A nod turns about the head\'s own y. The optical turn is rpy="-1.5708 0 -1.5708" (chapter 02).',
+            ko='끄덕임은 머리 자신의 y를 중심으로 돕니다. 광학 좌표계의 회전은 rpy="-1.5708 0 -1.5708"입니다(02장).',
+        ),
+    ),
+    cures=("M2", "M4", "M5"),
+)

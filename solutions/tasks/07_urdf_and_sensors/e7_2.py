@@ -1,0 +1,141 @@
+"""E7.2: Where the beam meets the floor."""
+
+from __future__ import annotations
+
+import math
+
+from tflab.workbook.tasks import Number, Parts, Slip, Task, Words
+
+BASE_UP_M = 0.10
+
+
+def a_tilt(rng):
+    """The floor is met beyond the wall, so the beam does end on the wall."""
+    while True:
+        tilt_deg = round(float(rng.uniform(3.0, 9.0)), 1)
+        up = int(rng.integers(20, 60)) / 100
+        wall = round(float(rng.uniform(0.8, 3.0)), 2)
+        left = up + BASE_UP_M - wall * math.tan(math.radians(tilt_deg))
+        if left > 0.12 and abs(left - up) > 0.01 and abs(up + BASE_UP_M - 2 * left) > 0.02:
+            return {
+                "tilt_deg": tilt_deg,
+                "laser_above_base_link_m": up,
+                "base_link_above_floor_m": BASE_UP_M,
+                "wall_m": wall,
+            }
+
+
+def beam(g, *, height="both", angle="rad", way="down", ratio="tan", floor="along the floor", wall="what is left"):
+    """Return both, step by step; other steps are the slips."""
+    up = {"both": g.laser_above_base_link_m + g.base_link_above_floor_m, "laser": g.laser_above_base_link_m,
+          "minus": g.laser_above_base_link_m - g.base_link_above_floor_m}[height]  # fmt: skip
+    turn = g.tilt_deg if angle == "deg" else math.radians(g.tilt_deg)
+    slope = {"tan": math.tan(turn), "cot": 1.0 / math.tan(turn), "sin": math.sin(turn)}[ratio]
+    slope = -slope if way == "up" else slope
+    floor_m = up / slope if floor == "along the floor" else math.hypot(up / slope, up)
+    drop = g.wall_m * slope
+    wall_m = {"what is left": up - drop, "drop": drop, "level": up}[wall]
+    return {"floor_m": floor_m, "wall_up_m": wall_m}
+
+
+SLIPS = (
+    Slip(
+        "base forgotten",
+        {"height": "laser"},
+        Words(
+            en="You counted the laser's height from base_link. base_link itself rides above the floor.",
+            ko="레이저의 높이를 base_link에서부터 셌습니다. base_link도 바닥 위에 떠 있습니다.",
+        ),
+        partly=True,
+    ),
+    Slip(
+        "base taken off",
+        {"height": "minus"},
+        Words(
+            en="You took base_link's height off the laser's. Both go up: they add.",
+            ko="레이저의 높이에서 base_link의 높이를 뺐습니다. 둘 다 위쪽이므로 더합니다.",
+        ),
+        partly=True,
+    ),
+    Slip(
+        "degrees",
+        {"angle": "deg"},
+        Words(
+            en="Your tangent took degrees for radians: math.radians first.",
+            ko="도(degree)를 그대로 넣어 탄젠트를 구했습니다. math.radians로 먼저 바꾸십시오.",
+        ),
+        "M5",
+        partly=True,
+    ),
+    Slip(
+        "tilted upwards",
+        {"way": "up"},
+        Words(
+            en="Your beam goes up: it hits the wall above the laser, and the floor never. This laser looks down.",
+            ko="빛이 위로 갑니다. 벽에는 레이저보다 높이 닿고 바닥에는 닿지 않습니다. 이 레이저는 아래를 봅니다.",
+        ),
+        partly=True,
+    ),
+    Slip(
+        "turned fraction",
+        {"ratio": "cot"},
+        Words(
+            en="The tangent stands on the wrong side: it is how far the beam sinks over each metre ahead.",
+            ko="탄젠트의 위치가 바뀌었습니다. 탄젠트는 1미터 나아갈 때 빛이 내려가는 길이입니다.",
+        ),
+        partly=True,
+    ),
+    Slip(
+        "along the beam",
+        {"floor": "along the beam"},
+        Words(
+            en="That is how long the beam is. Asked is how far ahead, along the floor; the beam is the longer side.",
+            ko="빛의 길이입니다. 바닥을 따라 앞으로 얼마인지 물었습니다. 빛의 길이가 더 긴 변입니다.",
+        ),
+        part="floor_m",
+    ),
+    Slip(
+        "drop only",
+        {"wall": "drop"},
+        Words(
+            en="That is by how much the beam sinks up to the wall. Take it off the height in which it starts.",
+            ko="벽까지 빛이 내려간 높이입니다. 출발한 높이에서 빼십시오.",
+        ),
+        part="wall_up_m",
+    ),
+    Slip(
+        "as if level",
+        {"wall": "level"},
+        Words(
+            en="That is the height in which a level laser would see the wall. This one looks down.",
+            ko="수평인 레이저가 벽을 보는 높이입니다. 이 레이저는 아래를 봅니다.",
+        ),
+        part="wall_up_m",
+    ),
+)
+
+
+TASK = Task(
+    id="E7.2",
+    kind="N",
+    points=3,
+    title=Words(en="Where the beam meets the floor", ko="빛이 바닥에 닿는 곳"),
+    answer="beam",
+    form=Parts({"floor_m": Number("m", 0.002), "wall_up_m": Number("m", 0.002)}),
+    given=a_tilt,
+    variants=6,
+    model=beam,
+    twins=SLIPS,
+    hints=(
+        Words(en="How high is the laser above the floor?", ko="레이저는 바닥에서 얼마나 높이 있습니까?"),
+        Words(
+            en="A beam that looks down by an angle sinks by tan(angle) over each metre ahead.",
+            ko="아래로 기운 빛은 1미터 나아갈 때마다 tan(각도)만큼 내려갑니다.",
+        ),
+        Words(
+            en="floor_m = height / tan; wall_up_m = height - wall_m * tan. Angles in radians.",
+            ko="floor_m = 높이 / tan, wall_up_m = 높이 - wall_m * tan입니다. 각도는 라디안입니다.",
+        ),
+    ),
+    cures=("M5",),
+)

@@ -1,0 +1,179 @@
+"""E7.3: Forward kinematics."""
+
+from __future__ import annotations
+
+import math
+
+from tflab.core import Transform
+from tflab.workbook.tasks import Pose, Slip, Task, Twin, Words
+
+from .draws import either, turned_about
+
+
+def joint(name, kind, xyz, rpy, axis):
+    return {"name": name, "type": kind, "xyz": list(xyz), "rpy": list(rpy), "axis": axis}
+
+
+def some(rng, low=0.1, high=0.6):
+    return round(float(either(rng) * rng.uniform(low, high)), 2)
+
+
+def a_joint(rng, name, kind, axis):
+    xyz, rpy = [some(rng) for _ in range(3)], [some(rng, 0.3, 1.2) for _ in range(3)]
+    return joint(name, kind, xyz, rpy, axis)
+
+
+def chains(rng):
+    """Arms of up to four joints, all types and axes; positions in another order, one that is not named, one too many."""
+    cases = []
+    for kinds in (
+        ("revolute", "fixed", "revolute"),
+        ("fixed", "prismatic", "revolute", "fixed"),
+        ("revolute", "prismatic", "prismatic"),
+        ("revolute", "revolute", "fixed"),
+    ):
+        names = [f"joint_{letter}" for letter in "dbca"[: len(kinds)]]
+        axes = list(rng.permutation(["x", "y", "z", "y"]))
+        chain = [a_joint(rng, *each) for each in zip(names, kinds, map(str, axes), strict=False)]
+        moving = [each["name"] for each in chain if each["type"] != "fixed"]
+        positions = {name: some(rng, 0.2, 1.1) for name in reversed(moving)}
+        cases.append((chain, positions))
+    chain, positions = cases[0]
+    cases.append((chain, {name: positions[name] for name in list(positions)[:1]}))  # one stands at zero
+    cases.append((cases[3][0], {}))
+    cases.append((chain[:1], {chain[0]["name"]: 0.7, "somebody_else": 1.0}))
+    fixed = a_joint(rng, "weld", "fixed", "z")
+    cases.append(([fixed, *cases[2][0]], {**cases[2][1], "weld": 0.5}))  # a fixed joint has no position
+    return cases
+
+
+def walk(chain, positions, *, names="by name", order="origin first", product="onwards", turn="rad", kinds="by type",
+         rotation="rpy", frames="each in its parent", fixed="stays", axis="its own"):  # fmt: skip
+    """Return base_T_tip, joint by joint; other steps are the slips."""
+    pose, moved = Transform(), 0
+    for number, each in enumerate(chain):
+        rpy = each["rpy"][::-1] if rotation == "ypr" else each["rpy"] if rotation == "rpy" else (0.0, 0.0, 0.0)
+        origin = Transform.from_rpy(*rpy, translation=tuple(each["xyz"]))
+        at = positions.get(each["name"], 0.0)
+        if names == "by order":
+            values = list(positions.values())
+            at = values[moved] if each["type"] != "fixed" and moved < len(values) else 0.0
+            moved += each["type"] != "fixed"
+        movement = _movement(each, at, turn, kinds, fixed, axis)
+        step = movement @ origin if order == "movement first" else origin @ movement
+        if frames == "steps added" and number:
+            place = tuple(a + b for a, b in zip(pose.translation, step.translation, strict=True))
+            pose = Transform(place, (pose @ step).rotation)
+        else:
+            pose = step @ pose if product == "backwards" else pose @ step
+    return pose
+
+
+def _movement(each, at, turn, kinds, fixed, axis):
+    if each["type"] == "fixed" and fixed == "stays":
+        return Transform()
+    about = "z" if axis == "always z" else each["axis"]
+    if each["type"] == "prismatic" and kinds == "by type":
+        return Transform(tuple(at if letter == about else 0.0 for letter in "xyz"))
+    if kinds == "never slides" and each["type"] == "prismatic":
+        return Transform()
+    return turned_about(about, math.radians(at) if turn == "deg" else at)
+
+
+def slip(name, at, en, ko, misconception=""):
+    return Slip(name, at, Words(en=en, ko=ko), misconception)
+
+
+SLIPS = (
+    slip("by order", {"names": "by order"},
+         "You take positions in the order in which they come. A JointState is read by name: its order means nothing.",
+         "위치를 들어온 순서대로 썼습니다. JointState는 이름으로 읽습니다. 순서에는 뜻이 없습니다."),
+    slip("rpy turned round", {"rotation": "ypr"},
+         "rpy holds roll, pitch, yaw, in this order; you took them the other way round.",
+         "rpy는 roll, pitch, yaw 순서입니다. 거꾸로 썼습니다.", "M5"),
+    slip("origin not turned", {"rotation": "none"},
+         "The rpy of the origins is not in it: only their xyz.",
+         "origin의 rpy가 빠졌습니다. xyz만 들어 있습니다."),
+    slip("moves what is fixed", {"fixed": "moves"},
+         "A fixed joint moves with you, because a position goes by its name. Fixed is fixed, whatever anybody says.",
+         "이름이 같은 위치가 있다고 고정된 관절을 움직였습니다. fixed는 누가 뭐라고 해도 움직이지 않습니다."),
+    slip("everything turns", {"kinds": "all turn"},
+         "You turn prismatic joints, too. They slide along their axis, in metres.",
+         "prismatic 관절까지 돌렸습니다. 축을 따라 미터 단위로 미끄러집니다."),
+    slip("nothing slides", {"kinds": "never slides"},
+         "Prismatic joints stand still with you. They slide along their axis, in metres.",
+         "prismatic 관절이 움직이지 않습니다. 축을 따라 미터 단위로 미끄러집니다."),
+    slip("always about z", {"axis": "always z"},
+         "Every joint moves about z, or along it. Each has an axis of its own.",
+         "모든 관절이 z를 중심으로, 또는 z를 따라 움직입니다. 관절마다 axis가 있습니다."),
+    slip("degrees", {"turn": "deg"},
+         "You took positions for degrees. Joint positions are radians.",
+         "위치를 도(degree)로 여겼습니다. 관절의 위치는 라디안입니다.", "M5"),
+    slip("movement first", {"order": "movement first"},
+         "The movement comes before the origin: that reads the axis in the parent's axes. Origin first, then the movement.",
+         "움직임이 origin보다 먼저입니다. axis를 부모의 축으로 읽은 셈입니다. origin 다음에 움직임입니다."),
+    slip("product backwards", {"product": "backwards"},
+         "The product runs from the tip to the base. Lay the dominoes: what is nearer to the base stands left.",
+         "곱의 순서가 팔 끝에서 시작합니다. 도미노를 놓아 보세요. 바탕에 가까운 것이 왼쪽입니다.", "M1"),
+    slip("steps added", {"frames": "steps added"},
+         "You added the steps. Each is measured in axes that the joints before it have turned.",
+         "이동을 그대로 더했습니다. 이동은 저마다 앞의 관절들이 돌려놓은 축으로 잰 것입니다.", "M3"),
+)  # fmt: skip
+
+NOT_MOVED = Twin(
+    "not moved",
+    lambda chain, positions: walk(chain, {}),
+    Words(
+        en="This arm stands at zero: the positions are not in it.", ko="모두 0인 팔입니다. 위치가 들어 있지 않습니다."
+    ),
+)
+
+ORIGINS_LEFT_OUT = Twin(
+    "origins left out",
+    lambda chain, positions: walk(
+        [{**each, "xyz": [0.0, 0.0, 0.0], "rpy": [0.0, 0.0, 0.0]} for each in chain], positions
+    ),
+    Words(
+        en="Only the movements are in it. Each joint begins with its origin, which never changes.",
+        ko="움직임만 들어 있습니다. 관절은 변하지 않는 origin에서 시작합니다.",
+    ),
+)
+
+LAST_ONE = Twin(
+    "last joint",
+    lambda chain, positions: walk(chain[-1:], positions),
+    Words(
+        en="That is the last joint alone: the tip in its parent, not in the base. Multiply all of them.",
+        ko="마지막 관절 하나입니다. 바탕이 아니라 바로 위 부모 기준의 팔 끝입니다. 모두 곱하십시오.",
+    ),
+)
+
+
+TASK = Task(
+    id="E7.3",
+    kind="F",
+    points=5,
+    title=Words(en="Forward kinematics", ko="정기구학"),
+    answer="fk",
+    form=Pose(),
+    inputs=chains,
+    variants=3,
+    model=walk,
+    twins=(*SLIPS, NOT_MOVED, ORIGINS_LEFT_OUT, LAST_ONE),
+    hints=(
+        Words(
+            en="Begin with Transform() and multiply one domino for each joint.",
+            ko="Transform()에서 시작해 관절마다 도미노를 하나씩 곱하십시오.",
+        ),
+        Words(
+            en="One domino: the origin, Transform.from_rpy(*rpy, translation=xyz), and then the movement.",
+            ko="도미노 하나는 origin, 곧 Transform.from_rpy(*rpy, translation=xyz)에 움직임을 이은 것입니다.",
+        ),
+        Words(
+            en="positions.get(name, 0.0): who is not named stands at zero. A turn about x is roll, about y pitch, about z yaw.",
+            ko="positions.get(name, 0.0)이면 이름이 없는 관절은 0입니다. x를 중심으로 돌면 roll, y는 pitch, z는 yaw입니다.",
+        ),
+    ),
+    equivalent={"tuple(joint['xyz']) -> joint['xyz']": "a Transform makes a tuple of any three numbers itself"},
+    cures=("M1", "M3", "M5"),
+)
