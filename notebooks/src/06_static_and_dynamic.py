@@ -1,0 +1,1204 @@
+# %% [markdown] lang="en" name="title" slide="slide"
+# # 06 · Say it once, or say it all the time?
+#
+# **Static and dynamic** · about 60 minutes · builds on 03 and 04
+#
+# After this chapter you can
+#
+# - decide for each edge whether it belongs on `/tf_static` or on `/tf`, and say what the wrong choice costs;
+# - say what a listener knows that joins late, and what is left when a publisher stops;
+# - publish a [[static transform]] from the command line, and both kinds from Python;
+# - find out that a robot slides sideways although RViz shows a perfect circle.
+
+# %% [markdown] lang="ko" name="title" slide="slide"
+# # 06 · 한 번만 알릴까요, 계속 알릴까요?
+#
+# **정적 변환과 동적 변환** · 약 60분 · 03, 04장을 바탕으로 합니다
+#
+# 이 장을 마치면 다음을 할 수 있습니다.
+#
+# - 연결마다 `/tf_static`과 `/tf` 가운데 어디에 발행할지 정하고, 잘못 골랐을 때 무엇을 잃는지 설명합니다.
+# - 늦게 온 수신기가 무엇을 아는지, 발행자가 멈추면 무엇이 남는지 설명합니다.
+# - [[static transform|정적 변환(static transform)]]을 명령줄에서 발행하고, 두 종류를 모두 파이썬으로 발행합니다.
+# - RViz에서는 완벽한 원인데 로봇은 옆으로 미끄러지고 있음을 알아냅니다.
+
+# %% [markdown] lang="en" name="title-notes" slide="notes"
+# Two pictures carry the hour: a notice board and a radio. Ask: how do you tell a room something that never changes, if people come in late? And something that changes all the time?
+
+# %% [markdown] lang="ko" name="title-notes" slide="notes"
+# 이 시간은 그림 두 개로 끌고 갑니다. 게시판과 라디오입니다. 먼저 묻습니다. 변하지 않는 소식을 늦게 오는 사람에게도 알리려면 어떻게 할까요? 끊임없이 변하는 소식은 어떻게 할까요?
+
+# %% name="load" slide="skip"
+# %load_ext tflab
+from tflab.workbook import lesson
+
+# %% [markdown] lang="en" name="story" slide="slide"
+# ## Four cameras, and one that was left
+#
+# A program finds out where the cameras of a room are bolted, one after the other, and publishes each when it is done. RViz shows them all.
+# Then somebody closes RViz and opens it again: **one** camera is left (Ikerlan-KER/extrinsic_calibrator, 2025).
+#
+# A hundred frames sent in a loop went the same way, and the library itself was changed because of it (ros2/geometry2, 2023).
+# Another driver took no chances. It sent where its laser is bolted about 110 times a second, lest RViz call it old (ouster-ros, 2023).
+#
+# One said too little, the other said it all the time. This chapter is about what lies between.
+
+# %% [markdown] lang="ko" name="story" slide="slide"
+# ## 카메라 네 대, 그리고 남은 한 대
+#
+# 어느 프로그램이 방에 고정한 카메라의 위치를 하나씩 알아내어, 알아내는 대로 발행합니다. RViz에는 모두 보입니다.
+# 그런데 RViz를 닫았다가 다시 열면 카메라가 **한 대만** 남아 있습니다(Ikerlan-KER/extrinsic_calibrator, 2025년).
+#
+# 좌표계 100개를 반복문으로 보낸 사람도 같은 일을 겪었고, 그 때문에 라이브러리 자체가 바뀌었습니다(ros2/geometry2, 2023년).
+# 반대로 안심하지 못한 드라이버도 있습니다. RViz가 오래된 값이라고 할까 봐, 고정된 레이저의 위치를 1초에 110번쯤 보냈습니다(ouster-ros, 2023년).
+#
+# 하나는 너무 적게 알렸고, 하나는 쉬지 않고 알렸습니다. 이 장은 그 사이를 다룹니다.
+
+# %% [markdown] lang="en" name="story-sources" slide="skip"
+# *Read them:* extrinsic_calibrator [1](https://github.com/Ikerlan-KER/extrinsic_calibrator/issues/1), [2](https://github.com/Ikerlan-KER/extrinsic_calibrator/pull/2); geometry2 [585](https://github.com/ros2/geometry2/issues/585), [634](https://github.com/ros2/geometry2/pull/634); ouster-ros [105](https://github.com/ouster-lidar/ouster-ros/issues/105).
+
+# %% [markdown] lang="ko" name="story-sources" slide="skip"
+# *직접 읽어 보기:* extrinsic_calibrator [1](https://github.com/Ikerlan-KER/extrinsic_calibrator/issues/1), [2](https://github.com/Ikerlan-KER/extrinsic_calibrator/pull/2), geometry2 [585](https://github.com/ros2/geometry2/issues/585), [634](https://github.com/ros2/geometry2/pull/634), ouster-ros [105](https://github.com/ouster-lidar/ouster-ros/issues/105).
+
+# %% [markdown] lang="en" name="predict" slide="slide"
+# ## Predict
+#
+# 1. Four cameras were sent on `/tf_static`, each in a message of its own. **How many** does an RViz know that is opened afterwards?
+# 2. The program is stopped with Ctrl-C. **Who** still knows the cameras: everybody, nobody, or those who heard them before?
+# 3. A lift rises for two seconds to 0.5 m and says so, and at 3 s it falls silent. It stays where it is. Somebody asks for its height at 5 s. **What** is the answer?
+# 4. The lecture's robot drives a circle. **Which way** does it drive, as seen from its own seat: forward, backward, left or right?
+
+# %% [markdown] lang="ko" name="predict" slide="slide"
+# ## 예측해 봅시다
+#
+# 1. 카메라 네 대를 `/tf_static`에 메시지 하나씩 따로 보냈습니다. 그 뒤에 연 RViz는 **몇 대**를 알까요?
+# 2. 프로그램을 Ctrl-C로 멈춥니다. 카메라 위치를 **누가** 아직 알까요? 모두일까요, 아무도 모를까요, 이미 받은 쪽만일까요?
+# 3. 리프트가 2초 동안 0.5 m까지 올라가며 높이를 알리다가 3초에 발행을 멈춥니다. 높이는 그대로입니다. 5초의 높이를 조회하면 **무엇**이 돌아올까요?
+# 4. 강의 자료의 로봇이 원을 그리며 달립니다. 로봇에 앉은 사람이 보기에 **어느 쪽**으로 갈까요? 앞, 뒤, 왼쪽, 오른쪽 가운데 골라 보세요.
+
+# %% [markdown] lang="en" name="predict-notes" slide="notes"
+# Four shows of hands. Write the numbers on the board and leave them there: each comes back. To 4 nearly everybody says forward.
+
+# %% [markdown] lang="ko" name="predict-notes" slide="notes"
+# 네 번 손을 들게 하고 숫자를 칠판에 남겨 둡니다. 하나씩 다시 나옵니다. 4번에는 거의 모두가 앞이라고 합니다.
+
+# %% name="my-guess" slide="skip"
+cameras_known, who_still_knows, height_at_5_s, drives = ..., ..., ..., ...
+
+# %% [markdown] lang="en" name="board" slide="slide"
+# ## The board
+#
+# What is bolted on does not move, so one message is enough, if it is kept for those who come later.
+# That is what `/tf_static` is for: each publisher has a **notice board**, and its message hangs there. Whoever joins reads it first.
+#
+# The board is a promise about delivery, a part of the [[qos|quality of service]]. Its name is durability, and the value is [[transient local|TRANSIENT_LOCAL]]. How many messages hang there is the `depth`. On `/tf_static` it is **one**.
+#
+# Here is the program of the story, and a function that joins as a listener.
+
+# %% [markdown] lang="ko" name="board" slide="slide"
+# ## 게시판
+#
+# 고정된 것은 움직이지 않으므로 메시지 하나로 충분합니다. 늦게 오는 쪽을 위해 남겨 두기만 하면 됩니다.
+# `/tf_static`이 바로 그런 토픽입니다. 발행자마다 **게시판**이 하나씩 있고, 보낸 메시지가 거기에 붙어 있습니다. 새로 온 수신기는 게시판부터 읽습니다.
+#
+# 게시판은 메시지를 어떻게 전할지에 관한 약속, 곧 [[qos|서비스 품질(QoS)]]의 하나입니다. 이름은 지속성(durability)이고 값은 [[transient local|TRANSIENT_LOCAL]]입니다. 게시판에 몇 개까지 붙어 있는지는 `depth`로 정합니다. `/tf_static`에서는 **하나**입니다.
+#
+# 다음은 이야기 속의 프로그램과, 수신기로 참가하는 함수입니다.
+
+# %% name="imports" slide="skip"
+import math
+import time
+
+import rclpy
+from geometry_msgs.msg import TransformStamped
+from rclpy.node import Node
+from rclpy.qos import DurabilityPolicy, QoSProfile
+from rclpy.time import Time
+from tf2_msgs.msg import TFMessage
+from tf2_ros import Buffer, StaticTransformBroadcaster, TransformBroadcaster, TransformException, TransformListener
+
+from tflab.core import LATEST, BufferCore, StampedTransform, Transform, seconds
+
+# %% name="a-bolt" slide="skip"
+def placed(node, parent, child, x=0.0, y=0.0, z=0.0, yaw=0.0):
+    """Return a message that says where `child` is in `parent`, stamped now."""
+    message = TransformStamped()
+    message.header.stamp = node.get_clock().now().to_msg()
+    message.header.frame_id, message.child_frame_id = parent, child
+    message.transform.translation.x, message.transform.translation.y, message.transform.translation.z = x, y, z
+    message.transform.rotation.z, message.transform.rotation.w = math.sin(yaw / 2), math.cos(yaw / 2)
+    return message
+
+# %% name="calibrator"
+def calibrator():
+    rclpy.init()
+    node = Node('calibrator')
+    board = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)  # as /tf_static has it
+    publisher = node.create_publisher(TFMessage, '/tf_static', board)
+    for number in range(1, 5):
+        publisher.publish(TFMessage(transforms=[placed(node, 'base_link', f'camera_{number}')]))
+        time.sleep(0.25)
+    rclpy.spin(node)
+
+# %% name="listen"
+def listen(name):
+    node = Node(name)
+    buffer = Buffer()
+    node.listener = TransformListener(buffer, node, spin_thread=True)
+    graph.run(seconds=0.5)
+    return buffer
+
+# %% [markdown] lang="en" name="early-and-late"
+# `early` is there before the program starts, `late` joins when all four have been sent.
+# (`graph` is this page's little ROS 2 world; `graph.run` lets virtual time pass.)
+
+# %% [markdown] lang="ko" name="early-and-late"
+# `early`는 프로그램보다 먼저 와 있고, `late`는 네 개를 모두 보낸 뒤에 옵니다.
+# (`graph`는 이 페이지 안의 작은 ROS 2 세계이고, `graph.run`은 가상 시간을 흐르게 합니다.)
+
+# %% name="two-listeners" tags=["predicted"] slide="fragment"
+graph = lesson.new_graph()
+rclpy.try_shutdown()
+rclpy.init()
+early = listen('early')
+calibrating = graph.start(calibrator, name='calibrator')
+graph.run(seconds=1.5)
+late = listen('late')
+print('early:', *early.all_frames_as_string().splitlines(), sep='\n')
+print('late:', *late.all_frames_as_string().splitlines(), sep='\n')
+
+# %% [markdown] lang="en" name="two-listeners-seen" tags=["predicted"]
+# `early` knows four cameras, `late` knows **one**. Not nought: there is a board. Not four: it holds the last message only.
+#
+# The same as a picture. A circle is a message, and it is filled if the listener heard it. The strip is the board, and what hangs on it.
+
+# %% [markdown] lang="ko" name="two-listeners-seen" tags=["predicted"]
+# `early`는 카메라 네 대를, `late`는 **한 대**를 압니다. 게시판이 있으므로 0대는 아닙니다. 게시판에는 마지막 메시지만 남으므로 네 대도 아닙니다.
+#
+# *그림 읽기:* 동그라미는 메시지이고, 채워진 것은 수신기가 받은 것입니다. 띠는 게시판이고 stored는 거기에 붙어 있는 것입니다. join = 참가한 시각, listener knows = 수신기가 아는 것, time = 시각.
+
+# %% name="late-join" tags=["predicted"] slide="-"
+letters = tuple(lesson.Letter(1.5 + 0.25 * i, (f'camera_{i + 1}',)) for i in range(4))
+one_by_one = lesson.Sender('calibrator', letters)
+lesson.draw_joins([one_by_one], join_s=3.0, until_s=6.0)
+
+# %% [markdown] lang="en" name="all-at-once" slide="subslide"
+# ### The cure: all in one message
+#
+# `StaticTransformBroadcaster` is the [[broadcaster]] that brings such a board along, and `sendTransform` takes a list. So collect first, and send once.
+
+# %% [markdown] lang="ko" name="all-at-once" slide="subslide"
+# ### 고치는 방법: 한 메시지에 모두
+#
+# `StaticTransformBroadcaster`가 바로 이 게시판을 만드는 ROS 2의 [[broadcaster|발행기(broadcaster)]]이고, `sendTransform`은 리스트를 받습니다. 모두 모은 다음 한 번에 보내면 됩니다.
+
+# %% name="all-in-one" slide="-"
+def all_in_one():
+    rclpy.init()
+    node = Node('calibrator')
+    cameras = [placed(node, 'base_link', f'camera_{number}') for number in range(1, 5)]
+    StaticTransformBroadcaster(node).sendTransform(cameras)
+    rclpy.spin(node)
+
+
+graph.stop(calibrating)
+calibrating = graph.start(all_in_one, name='calibrator')
+later = listen('later')
+print(later.all_frames_as_string())
+
+# %% [markdown] lang="en" name="in-a-loop"
+# <details><summary>Deeper: and sendTransform in a loop?</summary>
+#
+# Then it depends. One broadcaster that sends `camera_1`, `camera_2` … one at a time:
+#
+# | ROS 2, Python | a late listener knows | a child that is sent again |
+# |---|---|---|
+# | Humble | the last one | hangs alone on the board |
+# | Jazzy | all | is **ignored**: the old value stays |
+# | Rolling, and C++ everywhere | all | replaces the old value |
+#
+# One list in one call is right on all of them. On Jazzy, a mount that was measured anew needs a new broadcaster.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="in-a-loop"
+# <details><summary>더 깊이: 반복문에서 sendTransform을 부르면?</summary>
+#
+# 배포판에 따라 다릅니다. 발행기 하나로 `camera_1`, `camera_2` …를 하나씩 보낼 때입니다.
+#
+# | ROS 2, 파이썬 | 늦게 온 수신기가 아는 것 | 같은 자식을 다시 보내면 |
+# |---|---|---|
+# | Humble | 마지막 하나 | 그 하나만 게시판에 남습니다 |
+# | Jazzy | 모두 | **무시됩니다**. 옛값이 그대로 남습니다 |
+# | Rolling, 그리고 모든 배포판의 C++ | 모두 | 새 값으로 바뀝니다 |
+#
+# 리스트 하나를 한 번에 보내는 방법은 어디서나 맞습니다. Jazzy에서 장착 위치를 다시 쟀다면 발행기를 새로 만들어야 합니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="who-holds-it" slide="slide"
+# ## The board hangs on its publisher
+#
+# Now the program is stopped, as by Ctrl-C. `later` has heard the cameras. `newcomer` joins after the end.
+
+# %% [markdown] lang="ko" name="who-holds-it" slide="slide"
+# ## 게시판은 발행자에게 달려 있습니다
+#
+# 이제 프로그램을 Ctrl-C처럼 멈춥니다. `later`는 카메라 위치를 이미 받았고, `newcomer`는 멈춘 뒤에 옵니다.
+
+# %% name="ctrl-c" tags=["predicted"] slide="fragment"
+graph.stop(calibrating)
+graph.run(seconds=1.0)
+newcomer = listen('newcomer')
+answer = later.lookup_transform('base_link', 'camera_4', Time(seconds=1000))
+print('later, for 1000 s:', answer.child_frame_id, 'in', answer.header.frame_id)
+print('newcomer knows:', newcomer.all_frames_as_string().splitlines())
+
+# %% name="count-publishers" tags=["predicted"] slide="-"
+# %ros2 topic info /tf_static
+
+# %% [markdown] lang="en" name="ctrl-c-seen" tags=["predicted"]
+# Nothing "in ROS" stores a static transform. The board hangs in the publisher's process and goes with it: `Publisher count: 0`.
+# Whoever heard the message keeps it, for any time, even for second 1000. Whoever comes later hears nothing.
+#
+# So a static publisher has to stay alive. That is why the lecture's node does nothing but `spin` after it has sent its one message. "Late listeners receive it" holds while the publisher lives.
+
+# %% [markdown] lang="ko" name="ctrl-c-seen" tags=["predicted"]
+# 정적 변환을 "ROS가" 어딘가에 저장해 두는 것이 아닙니다. 게시판은 발행자의 프로세스 안에 있고, 프로세스가 끝나면 함께 사라집니다. `Publisher count: 0`이 그 뜻입니다.
+# 이미 받은 수신기는 계속 압니다. 1000초의 변환을 조회해도 답합니다. 나중에 온 수신기는 아무것도 받지 못합니다.
+#
+# 그래서 정적 변환의 발행자는 계속 살아 있어야 합니다. 강의 자료의 노드가 메시지 하나를 보낸 뒤에 `spin`만 하는 것도 이 때문입니다. "늦게 온 구독자도 받는다"는 말은 발행자가 살아 있는 동안에만 맞습니다.
+
+# %% name="a-newcomer-asks" tags=["raises-exception"] slide="-"
+newcomer.lookup_transform('base_link', 'camera_1', Time())
+
+# %% [markdown] lang="en" name="volatile" slide="slide"
+# ## Both have to want the board
+#
+# A driver publishes its mount on `/tf_static`, with a plain publisher: `create_publisher(TFMessage, '/tf_static', 1)`.
+# Its durability is the default, VOLATILE: no board. tf2's listener asks for the board.
+#
+# **Predict:** the listener is there *before* the driver sends. Does it hear the message?
+
+# %% [markdown] lang="ko" name="volatile" slide="slide"
+# ## 양쪽 모두 게시판을 원해야 합니다
+#
+# 어느 드라이버가 장착 위치를 `/tf_static`에 평범한 발행기로 보냅니다. `create_publisher(TFMessage, '/tf_static', 1)`입니다.
+# 지속성은 기본값인 VOLATILE이라 게시판이 없습니다. 그런데 tf2의 수신기는 게시판을 요구합니다.
+#
+# **예측해 봅시다.** 수신기는 드라이버가 보내기 *전부터* 와 있습니다. 메시지를 받을까요?
+
+# %% name="a-volatile-driver" tags=["predicted"] slide="fragment"
+def driver():
+    rclpy.init()
+    node = Node('driver')
+    publisher = node.create_publisher(TFMessage, '/tf_static', 1)
+    publisher.publish(TFMessage(transforms=[placed(node, 'base_link', 'laser_frame', x=0.20, z=0.15)]))
+    rclpy.spin(node)
+
+
+graph = lesson.new_graph()
+rclpy.try_shutdown()
+rclpy.init()
+early = listen('early')
+graph.start(driver, name='driver')
+graph.run(seconds=1.0)
+print('early knows:', early.all_frames_as_string().splitlines())
+
+# %% [markdown] lang="en" name="volatile-seen" tags=["predicted"]
+# Not a single frame. What is offered is less than what is requested, so the two are never connected. Both say so, once, in a warning that scrolls by: `DURABILITY`.
+# The error that you meet later says only that a frame does not exist. Look for this warning first.
+#
+# Now you. Drag `join` from left to right, and read what the listener knows. Then let it ask for VOLATILE.
+#
+# - When do all four cameras of the first row disappear, one after the other?
+# - Which row does not care when you come? Which one does not care what hung on a board?
+
+# %% [markdown] lang="ko" name="volatile-seen" tags=["predicted"]
+# 좌표계를 하나도 받지 못했습니다. 제공하는 것이 요구하는 것보다 적어서 둘은 아예 연결되지 않습니다. 양쪽 모두 `DURABILITY`라는 경고를 한 번 내고, 경고는 화면 위로 지나갑니다.
+# 나중에 만나는 오류에는 좌표계가 없다고만 나옵니다. 이 경고부터 찾아보세요.
+#
+# 이제 직접 해 볼 차례입니다. `join`을 왼쪽에서 오른쪽으로 끌며 수신기가 아는 것을 읽어 보세요. 그다음에는 VOLATILE을 골라 보세요.
+#
+# - 첫 줄의 카메라 네 대는 언제 하나씩 사라질까요?
+# - 언제 와도 결과가 같은 줄은 어느 것일까요? 게시판과 상관없는 줄은 어느 것일까요?
+#
+# *그림 읽기:* calibrator = 하나씩 보내는 발행자(×에서 끝남), all_in_one = 한 번에 보내는 발행자, driver = 게시판이 없는 발행자, wheels = `/tf`로 계속 보내는 발행자, durability = 지속성, incompatible QoS = 서비스 품질이 맞지 않음.
+
+# %% name="come-later" tags=["interactive"] slide="subslide"
+cameras = ('camera_1', 'camera_2', 'camera_3', 'camera_4')
+senders = (
+    one_by_one._replace(ends_s=4.5),
+    lesson.Sender('all_in_one', (lesson.Letter(1.5, cameras),)),
+    lesson.Sender('driver', (lesson.Letter(1.5, ('laser_frame',)),), is_stored=False),
+    lesson.Sender('wheels', tuple(lesson.Letter(0.5 * i, ('base_link',)) for i in range(1, 12)), None, False, '/tf'),
+)
+lesson.joins_panel(senders, join_s=1.0, until_s=6.0)
+
+# %% name="come-later-still" slide="skip"
+lesson.draw_joins(senders, join_s=3.0, until_s=6.0)
+
+# %% [markdown] lang="en" name="come-later-answers" slide="fragment"
+# <details><summary>Answers</summary>
+#
+# Each camera goes as soon as you join after the *next* message: 1.75, 2.0, 2.25 s; the last one when the process ends, at 4.5 s.
+# `all_in_one` does not care when you come, as long as you ask for the board. `wheels` has no board: you hear what is sent from now on, and that is enough, because it is sent again and again.
+# With VOLATILE the driver is heard, by those who came before it spoke.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="come-later-answers" slide="fragment"
+# <details><summary>답</summary>
+#
+# *다음* 메시지보다 늦게 오면 그 카메라는 모릅니다. 1.75초, 2.0초, 2.25초이고, 마지막 카메라는 프로세스가 끝나는 4.5초에 사라집니다.
+# `all_in_one`은 게시판을 요구하기만 하면 언제 와도 같습니다. `wheels`에는 게시판이 없습니다. 지금부터 보내는 것만 받지만, 계속 보내므로 그것으로 충분합니다.
+# VOLATILE을 고르면 드라이버의 메시지도 받습니다. 다만 보내기 전에 와 있어야 합니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="command-line" slide="slide"
+# ## The board from the command line
+#
+# For one mount nobody has to write a program. This is the lecture's command: 0.20 m forward of `base_link`, 0.15 m up.
+
+# %% [markdown] lang="ko" name="command-line" slide="slide"
+# ## 명령줄에서 게시판 만들기
+#
+# 장착 위치 하나 때문에 프로그램을 쓸 필요는 없습니다. 강의 자료의 명령입니다. `base_link`에서 앞으로 0.20 m, 위로 0.15 m입니다.
+
+# %% name="static-by-command" slide="-"
+graph = lesson.new_graph()
+# %ros2 run tf2_ros static_transform_publisher \
+# --x 0.20 --y 0.0 --z 0.15 \
+# --roll 0.0 --pitch 0.0 --yaw 0.0 \
+# --frame-id base_link \
+# --child-frame-id laser_frame
+
+# %% [markdown] lang="en" name="break-command" slide="slide"
+# ## Break it: the command line
+#
+# Two ways to mean a camera that is turned by 30°, 0.2 m ahead. **Predict** for each: an error, or something else?
+
+# %% [markdown] lang="ko" name="break-command" slide="slide"
+# ## 일부러 고장 내기: 명령줄
+#
+# 0.2 m 앞에 30° 돌려 단 카메라를 두 가지로 적었습니다. 각각 오류가 날지, 다른 일이 일어날지 **예측해 봅시다.**
+
+# %% name="thirty" tags=["predicted"] slide="fragment"
+# %ros2 run tf2_ros static_transform_publisher --x 0.2 --yaw 30 --frame-id base_link --child-frame-id camera_link
+# %ros2 --for 1.2 run tf2_ros tf2_echo base_link camera_link
+
+# %% name="equals-sign" tags=["predicted"] slide="-"
+# %ros2 run tf2_ros static_transform_publisher --x=0.2 --yaw 0.52 --frame-id base_link --child-frame-id camera_link
+
+# %% [markdown] lang="en" name="break-command-seen" tags=["predicted"]
+# - `--yaw 30` is taken without a word: 30 **radians**, four turns and a bit. tf2_echo says −81°. The one without an error is the one that does harm.
+# - `--x=0.2` looks right in any other program. Here an option and its value are two words.
+# - A rotation is given once, as angles or as a quaternion. With `--qz` beside `--yaw` the tool says `Cannot specify both quaternion and Euler rotations`.
+#
+# <details><summary>Deeper: the order of old</summary>
+#
+# Old tutorials write eight numbers and names without options: `x y z yaw pitch roll parent child`. Mind: **yaw** comes first. It still works, with a warning, and one day it will not.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="break-command-seen" tags=["predicted"]
+# - `--yaw 30`은 아무 말 없이 받아들여집니다. 30 **라디안**, 곧 네 바퀴하고 조금 더입니다. tf2_echo에는 −81°로 나옵니다. 오류가 나지 않는 쪽이 더 위험합니다.
+# - `--x=0.2`는 다른 프로그램에서라면 맞는 모양입니다. 여기서는 옵션과 값을 띄어 써야 합니다.
+# - 회전은 각도와 쿼터니언 가운데 하나로만 적습니다. `--yaw`와 `--qz`를 함께 쓰면 `Cannot specify both quaternion and Euler rotations`라고 나옵니다.
+#
+# <details><summary>더 깊이: 예전의 순서</summary>
+#
+# 오래된 자료에는 옵션 없이 `x y z yaw pitch roll parent child`로 적혀 있습니다. **yaw**가 먼저임을 주의하십시오. 아직은 경고와 함께 동작하지만 언젠가는 사라집니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="echo-once" slide="subslide"
+# A second publisher is at work now, and you want to see both. The first thing that everybody types is the lecture's `topic echo --once`. Try it, and then give it a second.
+
+# %% [markdown] lang="ko" name="echo-once" slide="subslide"
+# 지금 발행자는 둘이고, 둘 다 보고 싶습니다. 누구나 강의 자료의 `topic echo --once`부터 칩니다. 먼저 해 보고, 그다음에는 1초 동안 들어 보세요.
+
+# %% name="echo-one-board" tags=["predicted"] slide="-"
+# %ros2 topic echo /tf_static --once --flow-style
+# %ros2 --for 1 topic echo /tf_static --flow-style
+
+# %% [markdown] lang="en" name="echo-one-board-seen" tags=["predicted"]
+# `--once` means one *message*, and there are two boards: the first answer is half of the robot. Each publisher has a board of its own.
+
+# %% [markdown] lang="ko" name="echo-one-board-seen" tags=["predicted"]
+# `--once`는 *메시지* 하나라는 뜻이고 게시판은 둘입니다. 첫 번째로는 로봇의 절반만 본 셈입니다. 게시판은 발행자마다 따로 있습니다.
+
+# %% [markdown] lang="en" name="static-node" slide="slide"
+# ### The same from Python
+#
+# <details><summary>The lecture's node, whole: save it as `static_sensor_broadcaster.py`</summary>
+#
+# ```python
+# # tf_lab_py/static_sensor_broadcaster.py
+# import rclpy
+# from geometry_msgs.msg import TransformStamped
+# from rclpy.node import Node
+# from tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster
+#
+#
+# class StaticSensorBroadcaster(Node):
+#     def __init__(self):
+#         super().__init__('static_sensor_broadcaster')
+#         self.broadcaster = StaticTransformBroadcaster(self)
+#
+#         transform = TransformStamped()
+#         transform.header.stamp = self.get_clock().now().to_msg()
+#         transform.header.frame_id = 'base_link'
+#         transform.child_frame_id = 'laser_frame'
+#         transform.transform.translation.x = 0.20
+#         transform.transform.translation.y = 0.0
+#         transform.transform.translation.z = 0.15
+#         transform.transform.rotation.x = 0.0
+#         transform.transform.rotation.y = 0.0
+#         transform.transform.rotation.z = 0.0
+#         transform.transform.rotation.w = 1.0
+#
+#         self.broadcaster.sendTransform(transform)
+#         self.get_logger().info('base_link → laser_frame 발행')
+#
+#
+# def main(args=None):
+#     rclpy.init(args=args)
+#     node = StaticSensorBroadcaster()
+#     try:
+#         rclpy.spin(node)
+#     except KeyboardInterrupt:
+#         pass
+#     finally:
+#         node.destroy_node()
+#         rclpy.shutdown()
+#
+#
+# if __name__ == '__main__':
+#     main()
+# ```
+#
+# (The text that it logs is Korean: "published".)
+#
+# </details>
+#
+# Its heart are three lines: make a `TransformStamped`, fill parent, child and numbers, send it once. Mounts of a whole robot are better kept in its URDF, and published by one node from there: chapter 07. Never do both for one sensor.
+
+# %% [markdown] lang="ko" name="static-node" slide="slide"
+# ### 파이썬으로 하는 같은 일
+#
+# <details><summary>강의 자료의 노드 전체: `static_sensor_broadcaster.py`로 저장하세요</summary>
+#
+# ```python
+# # tf_lab_py/static_sensor_broadcaster.py
+# import rclpy
+# from geometry_msgs.msg import TransformStamped
+# from rclpy.node import Node
+# from tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster
+#
+#
+# class StaticSensorBroadcaster(Node):
+#     def __init__(self):
+#         super().__init__('static_sensor_broadcaster')
+#         self.broadcaster = StaticTransformBroadcaster(self)
+#
+#         transform = TransformStamped()
+#         transform.header.stamp = self.get_clock().now().to_msg()
+#         transform.header.frame_id = 'base_link'
+#         transform.child_frame_id = 'laser_frame'
+#         transform.transform.translation.x = 0.20
+#         transform.transform.translation.y = 0.0
+#         transform.transform.translation.z = 0.15
+#         transform.transform.rotation.x = 0.0
+#         transform.transform.rotation.y = 0.0
+#         transform.transform.rotation.z = 0.0
+#         transform.transform.rotation.w = 1.0
+#
+#         self.broadcaster.sendTransform(transform)
+#         self.get_logger().info('base_link → laser_frame 발행')
+#
+#
+# def main(args=None):
+#     rclpy.init(args=args)
+#     node = StaticSensorBroadcaster()
+#     try:
+#         rclpy.spin(node)
+#     except KeyboardInterrupt:
+#         pass
+#     finally:
+#         node.destroy_node()
+#         rclpy.shutdown()
+#
+#
+# if __name__ == '__main__':
+#     main()
+# ```
+#
+# </details>
+#
+# 핵심은 세 줄입니다. `TransformStamped`를 만들고, 부모와 자식과 숫자를 채우고, 한 번 보냅니다. 로봇 전체의 장착 위치는 URDF에 적고 노드 하나가 발행하는 편이 좋습니다(07장). 같은 센서를 두 곳에서 발행하지는 마십시오.
+
+# %% [markdown] lang="en" name="radio" slide="slide"
+# ## The radio
+#
+# What moves is told on `/tf`, again and again, each time with the moment it is true for: a [[dynamic transform]]. There is no board. A latecomer waits for the next message, a twentieth of a second.
+#
+# Here is the lecture's robot on its circle, 20 times a second. (The whole file is below, under "The lecture's two nodes".)
+
+# %% [markdown] lang="ko" name="radio" slide="slide"
+# ## 라디오
+#
+# 움직이는 것은 `/tf`로 계속 알립니다. 메시지마다 그 값이 맞는 시각이 적혀 있습니다. 이것이 [[dynamic transform|동적 변환(dynamic transform)]]입니다. 게시판은 없습니다. 늦게 온 수신기는 다음 메시지를 기다리면 됩니다. 0.05초입니다.
+#
+# 강의 자료의 로봇이 1초에 스무 번 위치를 알리며 원을 그립니다. (파일 전체는 아래 "강의 자료의 동적 노드"에 있습니다.)
+
+# %% name="moving-robot"
+class MovingRobotBroadcaster(Node):
+    heading = 0.0  # [rad]; the lecture's
+
+    def __init__(self):
+        super().__init__('moving_robot_broadcaster')
+        self.broadcaster = TransformBroadcaster(self)
+        self.theta = 0.0
+        self.timer = self.create_timer(0.05, self.tick)
+
+    def tick(self):
+        self.theta += 0.01
+        x, y = math.cos(self.theta), math.sin(self.theta)
+        self.broadcaster.sendTransform(placed(self, 'odom', 'base_link', x, y, yaw=self.theta + self.heading))
+
+# %% name="drive-the-circle"
+def run(node_class):
+    rclpy.init()
+    rclpy.spin(node_class())
+
+
+graph.start(run, MovingRobotBroadcaster, name='moving_robot_broadcaster')
+rclpy.try_shutdown()
+rclpy.init()
+listener = listen('listener')
+graph.run(seconds=5.0)
+lesson.frame_tree(graph, seconds=1.0)
+
+# %% [markdown] lang="en" name="radio-seen"
+# **S** is static, with a board and no rate; **D** is dynamic, with a rate and an age. On the right is who publishes it: each edge has one owner.
+#
+# And this is what the listener keeps: of `/tf` the last ten seconds, each [[sample]] at its stamp; of `/tf_static` one value, good for any time.
+
+# %% [markdown] lang="ko" name="radio-seen"
+# *그림 읽기:* **S**(static)는 정적, **D**(dynamic)는 동적입니다. rate = 빈도, age = 나이, published by = 발행 책임. 연결마다 발행 책임은 하나입니다.
+#
+# 다음은 수신기가 보관하는 것입니다. `/tf`는 최근 10초의 [[sample|표본]]이 저마다 측정 시각 자리에 있고, `/tf_static`은 값 하나가 어느 시각에나 유효합니다.
+
+# %% name="radio-history" slide="subslide"
+lesson.draw_history(listener, 'odom', 'laser_frame', graph.now_ns - seconds(0.5))
+
+# %% [markdown] lang="en" name="lift" slide="slide"
+# ## Silence is not standing still
+#
+# A lift rises from 1 s to 3 s, up to 0.5 m, and tells its height 20 times a second. Then it stops, and its program thinks: nothing new, nothing to say.
+# (`BufferCore` is what a listener fills; here we fill it ourselves.)
+
+# %% [markdown] lang="ko" name="lift" slide="slide"
+# ## 조용하다고 멈춰 있는 것은 아닙니다
+#
+# 리프트가 1초부터 3초까지 0.5 m를 올라가며 1초에 스무 번 높이를 알립니다. 그런 다음 멈추고, 프로그램은 새 소식이 없으니 보낼 것도 없다고 여깁니다.
+# (`BufferCore`는 수신기가 채우는 버퍼입니다. 여기서는 직접 채웁니다.)
+
+# %% name="lift-rises" slide="-"
+def height_at(t):
+    return StampedTransform('base_link', 'lift', seconds(t), Transform((0.0, 0.0, 0.25 * (t - 1.0))))
+
+
+lift = BufferCore()
+for k in range(41):
+    lift.set_transform(height_at(1.0 + 0.05 * k))
+
+# %% name="lift-latest" tags=["predicted"] slide="fragment"
+newest = lift.lookup_transform('base_link', 'lift', LATEST)
+print('the latest:', lesson.fmt(newest.transform.translation[2]), 'of second', newest.stamp_ns / 1e9)
+
+# %% name="lift-at-five" tags=["predicted", "raises-exception"] slide="-"
+lift.lookup_transform('base_link', 'lift', seconds(5.0))
+
+# %% [markdown] lang="en" name="lift-seen" tags=["predicted"]
+# For "the latest" 0.5 m, of second 3. For second 5 a refusal: `into the future`. tf2 does not know whether the lift stands still, or moves and nobody says so; and it never guesses.
+# A newcomer fares worse: nobody has told it that there is a lift.
+#
+# "No news" is no news. What can move is told again and again, also while it stands.
+
+# %% [markdown] lang="ko" name="lift-seen" tags=["predicted"]
+# "최신"을 조회하면 3초의 값 0.5 m가 돌아옵니다. 5초를 조회하면 거절합니다. `into the future`입니다. 리프트가 멈춰 있는지, 움직이는데 알리지 않는지 tf2는 알 수 없고, 짐작하지도 않습니다.
+# 새로 온 수신기는 더합니다. 리프트가 있다는 것조차 모릅니다.
+#
+# 소식이 없다는 것은 그저 소식이 없다는 뜻입니다. 움직일 수 있는 것은 멈춰 있는 동안에도 계속 알려야 합니다.
+
+# %% name="lift-history" tags=["predicted"] slide="subslide"
+lesson.draw_history(lift, 'base_link', 'lift', seconds(5.0))
+
+# %% [markdown] lang="en" name="bolt" slide="slide"
+# ## A bolt on the radio
+#
+# Then everything onto the radio, to be safe? A camera is bolted to a robot that drives at 0.5 m/s. Its mount goes out on `/tf`, once a second; the laser's mount hangs on a board.
+# A hundred times in three seconds we ask for "the latest" place of each in `odom`.
+#
+# **Predict:** the camera stands still on the robot. How old is the answer at worst? And what does its track look like?
+
+# %% [markdown] lang="ko" name="bolt" slide="slide"
+# ## 라디오에 올린 볼트
+#
+# 그렇다면 안전하게 모두 라디오로 보내면 될까요? 0.5 m/s로 달리는 로봇에 카메라가 고정되어 있습니다. 카메라의 장착 위치는 `/tf`로 1초에 한 번 보내고, 레이저의 장착 위치는 게시판에 붙입니다.
+# 3초 동안 백 번, `odom` 기준으로 두 센서의 "최신" 위치를 조회합니다.
+#
+# **예측해 봅시다.** 카메라는 로봇 위에서 움직이지 않습니다. 돌아온 답은 최악의 경우 몇 초 전의 것일까요? 카메라의 경로는 어떤 모양일까요?
+
+# %% name="three-nodes" slide="skip"
+class Wheels(Node):
+    def __init__(self):
+        super().__init__('wheels')
+        self.broadcaster = TransformBroadcaster(self)
+        self.create_timer(0.05, self.tick)
+
+    def tick(self):
+        x = 0.5 * self.get_clock().now().nanoseconds / 1e9
+        self.broadcaster.sendTransform(placed(self, 'odom', 'base_link', x))
+
+# %% name="mounts" slide="-"
+class CameraMount(Node):
+    def __init__(self):
+        super().__init__('camera_mount')
+        self.broadcaster = TransformBroadcaster(self)  # the wrong one
+        self.create_timer(1.0, lambda: self.broadcaster.sendTransform(placed(self, 'base_link', 'camera_link', 0.1)))
+
+
+class LaserMount(Node):
+    def __init__(self):
+        super().__init__('laser_mount')
+        StaticTransformBroadcaster(self).sendTransform(placed(self, 'base_link', 'laser_frame', 0.2))
+
+# %% name="start-the-mounts" slide="skip"
+graph = lesson.new_graph()
+for node_class in (Wheels, CameraMount, LaserMount):
+    graph.start(run, node_class, name=node_class.__name__.lower())
+rclpy.try_shutdown()
+rclpy.init()
+listener = listen('listener')
+graph.run(seconds=2.5)
+
+# %% name="hundred-questions" tags=["predicted"] slide="fragment"
+asked, age, where, refused = [], {'camera_link': [], 'laser_frame': []}, [], 0
+for _ in range(100):
+    graph.run(seconds=0.03)
+    asked.append(graph.now_ns / 1e9)
+    for frame, ages in age.items():
+        answer = listener.core.lookup_transform('odom', frame, LATEST)
+        ages.append(asked[-1] - answer.stamp_ns / 1e9)
+    where.append(listener.core.lookup_transform('odom', 'camera_link', LATEST).transform.translation[0])
+    a_tenth_ago = Time(nanoseconds=graph.now_ns - seconds(0.1))
+    refused += not listener.can_transform('odom', 'camera_link', a_tenth_ago)
+for frame, ages in age.items():
+    print(f'{frame:<12} at worst {max(ages):.2f} s old')
+print('camera places:', sorted({round(x, 2) for x in where}), '| 0.1 s back refused:', refused, 'of 100')
+
+# %% name="draw-the-ages" tags=["predicted"] slide="-"
+lesson.draw_ages([lesson.Curve(frame, asked, ages) for frame, ages in age.items()], 'age of the answer')
+
+# %% [markdown] lang="en" name="bolt-seen" tags=["predicted"]
+# Up to a second old, and the laser at most a twentieth. The wheels are as quick as ever; but "the latest" is the newest moment that **every** edge of the chain knows, and the bolt knows it once a second.
+# So the camera, which is screwed to the robot, hops by half a metre each second, and nine of ten questions about a moment a tenth of a second ago are refused.
+#
+# A bolt on `/tf` wastes more than bandwidth: it makes everything behind it old. Sending it 110 times a second hides that, at a price. One message on a board cures it.
+
+# %% [markdown] lang="ko" name="bolt-seen" tags=["predicted"]
+# *그림 읽기:* age of the answer = 돌아온 답의 나이, time = 조회한 시각.
+#
+# 최악의 경우 1초 전의 답이 돌아옵니다. 레이저는 길어야 0.05초입니다. 바퀴는 변함없이 빠르지만, "최신"은 사슬의 **모든** 연결이 아는 가장 늦은 시각이고, 볼트는 1초에 한 번만 알립니다.
+# 그래서 로봇에 나사로 고정한 카메라가 1초마다 0.5 m씩 건너뜁니다. 0.1초 전의 위치를 조회하면 열 번 가운데 아홉 번은 거절당합니다.
+#
+# 볼트를 `/tf`로 보내면 통신량만 낭비하는 것이 아닙니다. 그 뒤에 있는 모든 것이 낡습니다. 1초에 110번 보내면 가려지기는 하지만 그만큼 비쌉니다. 게시판의 메시지 하나면 됩니다.
+
+# %% name="bolt-history" tags=["predicted"] slide="subslide"
+lesson.draw_history(listener, 'odom', 'camera_link', graph.now_ns)
+
+# %% [markdown] lang="en" name="mover" slide="slide"
+# ## A mover on the board
+#
+# And the other way round: the lift of before, each height sent as static. **Predict** what the buffer says of second 1, 3 and 6.
+
+# %% [markdown] lang="ko" name="mover" slide="slide"
+# ## 게시판에 붙인 움직이는 것
+#
+# 이번에는 반대입니다. 앞의 리프트가 높이를 모두 정적 변환으로 보냅니다. 1초, 3초, 6초의 높이를 조회하면 무엇이 돌아올지 **예측해 봅시다.**
+
+# %% name="static-lift" tags=["predicted"] slide="fragment"
+static_lift = BufferCore()
+for k in range(41):
+    static_lift.set_transform(height_at(1.0 + 0.05 * k), is_static=True)
+for t in (1.0, 3.0, 6.0):
+    print(t, 's:', lesson.fmt(static_lift.lookup_transform('base_link', 'lift', seconds(t)).transform.translation[2]))
+
+# %% [markdown] lang="en" name="static-lift-seen" tags=["predicted"]
+# 0.5 m, for any time, also for second 1, when it was on the floor. A board has no past and no future: its last word holds for ever, before and after.
+# No error will ever tell you. A link that is sent once and then moves stays frozen in RViz where it was at first.
+#
+# | | on the board `/tf_static` | on the radio `/tf` |
+# |---|---|---|
+# | bolted on | **right** | the chain grows old |
+# | moves | no past, or frozen | **right**, if it never falls silent |
+
+# %% [markdown] lang="ko" name="static-lift-seen" tags=["predicted"]
+# 어느 시각을 조회해도 0.5 m입니다. 바닥에 있던 1초의 높이까지 0.5 m라고 합니다. 게시판에는 과거도 미래도 없습니다. 마지막 값이 모든 시각에 적용됩니다.
+# 오류는 끝내 나지 않습니다. 한 번만 보내고 움직이면 RViz에서는 처음 위치에 얼어붙어 있습니다.
+#
+# | | 게시판 `/tf_static` | 라디오 `/tf` |
+# |---|---|---|
+# | 고정된 것 | **맞습니다** | 사슬 전체가 낡습니다 |
+# | 움직이는 것 | 과거가 없거나 얼어붙습니다 | 멈춰도 계속 알리면 **맞습니다** |
+
+# %% [markdown] lang="en" name="crab" slide="slide"
+# ## The crab
+#
+# Back to the lecture's robot. In RViz its circle is splendid. But where does it go, in its own eyes?
+# Take the robot at 4 s, and express in *its* `base_link` where it is one second later.
+
+# %% [markdown] lang="ko" name="crab" slide="slide"
+# ## 게걸음
+#
+# 강의 자료의 로봇으로 돌아갑니다. RViz에서 보면 훌륭한 원입니다. 그런데 로봇이 보기에는 어디로 가고 있을까요?
+# 4초의 로봇을 놓고, 1초 뒤의 위치를 *그 로봇의* `base_link` 기준으로 적어 봅시다.
+
+# %% name="one-second-later" tags=["predicted"] slide="fragment"
+def drive(node_class):
+    graph = lesson.new_graph()
+    graph.start(run, node_class)
+    rclpy.try_shutdown()
+    rclpy.init()
+    heard = Buffer()
+    heard.listener = TransformListener(heard, Node('listener'), spin_thread=True)
+    graph.run(seconds=5.0)
+    return [heard.core.lookup_transform('odom', 'base_link', seconds(t)).transform for t in (4.0, 5.0)]
+
+
+then, later = drive(MovingRobotBroadcaster)
+step = then.inverse().apply(later.translation)
+print('a second later, in base_link of 4 s:', lesson.fmt_all(step))
+
+# %% name="crab-from-above" tags=["predicted"] slide="-"
+lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later': later},
+           arrows={'goes': ('base_link', step)}, fixed_frame='odom', eye=lesson.FROM_ABOVE)
+
+# %% [markdown] lang="en" name="crab-seen" tags=["predicted"]
+# Two centimetres backward and twenty to the left: it slides **sideways**, like a crab, and looks outwards all the way. On wheels that cannot be done.
+#
+# The code says `yaw = θ`. But θ is the angle of the *place* on the circle, seen from the middle. On a circle the way forward is square to that: `θ + π/2`.
+# No tool complains, since each message is a valid pose. Only one question finds it: where does the robot go *in its own axes*?
+#
+# This is the arrow to remember. x is drawn solid, y dashed: the robot should go along the solid one.
+
+# %% [markdown] lang="ko" name="crab-seen" tags=["predicted"]
+# *그림 읽기:* goes = 1초 동안 가는 방향, 1 s later = 1초 뒤의 로봇. 실선이 x(앞), 파선이 y(왼쪽)입니다.
+#
+# 뒤로 2센티미터, 왼쪽으로 20센티미터입니다. 로봇은 줄곧 바깥을 보면서 게처럼 **옆으로** 미끄러집니다. 바퀴로는 할 수 없는 일입니다.
+#
+# 코드에는 `yaw = θ`라고 적혀 있습니다. 그런데 θ는 원의 중심에서 본 *위치*의 각도입니다. 원 위에서 앞은 그 방향과 직각, 곧 `θ + π/2`입니다.
+# 메시지 하나하나는 올바른 포즈이므로 어떤 도구도 불평하지 않습니다. 로봇이 *자기 축으로* 어디로 가는지 따져 보아야만 드러납니다.
+
+# %% [markdown] lang="en" name="forward" slide="subslide"
+# The cure is one number. In 3D: turn the place on the circle, and compare the robot as written (grey) with the robot that drives forward.
+
+# %% [markdown] lang="ko" name="forward" slide="subslide"
+# 숫자 하나만 고치면 됩니다. 3D 장면에서 theta를 바꾸며 적힌 대로의 로봇(회색)과 앞으로 달리는 로봇을 비교해 보세요.
+# *그림 읽기:* theta = 원 위의 각도, as written = 적힌 대로, forward = 앞으로 달리는 로봇, goes = 가는 방향.
+
+# %% name="forward-robot" slide="-"
+class ForwardRobot(MovingRobotBroadcaster):
+    heading = math.pi / 2
+
+
+then, later = drive(ForwardRobot)
+step = then.inverse().apply(later.translation)
+print('a second later, in base_link of 4 s:', lesson.fmt_all(step))
+
+# %% name="crab-scene" tags=["interactive"]
+scene = lesson.Scene(height_px=340)
+scene.look(eye=(0.0, -2.6, 2.6), target=(0.0, 0.0, 0.0))
+lesson.draw_path(scene, 'circle', [(math.cos(0.1 * k), math.sin(0.1 * k), 0.0) for k in range(64)], colour='#9AA0A6')
+
+
+def at_angle(theta):
+    place = (math.cos(theta), math.sin(theta), 0.0)
+    ahead = (place[0] - 0.6 * math.sin(theta), place[1] + 0.6 * math.cos(theta), 0.0)
+    lesson.draw_frame(scene, 'as written', Transform.from_rpy(yaw=theta, translation=place), length_m=0.4, is_ghost=True)
+    lesson.draw_frame(scene, 'forward', Transform.from_rpy(yaw=theta + math.pi / 2, translation=place), length_m=0.3)
+    lesson.draw_arrow(scene, 'goes', place, ahead, 'goes', lesson.ACCENT, radius_m=0.02)
+
+
+scene.sweep('theta', [round(0.3 * k, 1) for k in range(22)], at_angle, unit='rad')
+scene
+
+# %% name="forward-still" slide="skip"
+lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later': later},
+           arrows={'goes': ('base_link', step)}, fixed_frame='odom', eye=lesson.FROM_ABOVE)
+
+# %% [markdown] lang="en" name="forward-notes" slide="notes"
+# Let one person walk the circle, once looking outwards, once looking where they go. The room laughs at the first, and nobody forgets it.
+
+# %% [markdown] lang="ko" name="forward-notes" slide="notes"
+# 한 사람에게 원을 따라 걷게 합니다. 한 번은 바깥을 보면서, 한 번은 가는 쪽을 보면서 걷습니다. 첫 번째에 모두 웃고, 아무도 잊지 않습니다.
+
+# %% [markdown] lang="en" name="dynamic-node" slide="skip"
+# <details><summary>The lecture's moving node, whole, to the letter: save it as `moving_robot_broadcaster.py`</summary>
+#
+# ```python
+# # tf_lab_py/moving_robot_broadcaster.py
+# import math
+# import rclpy
+# from geometry_msgs.msg import TransformStamped
+# from rclpy.node import Node
+# from tf2_ros import TransformBroadcaster
+#
+#
+# class MovingRobotBroadcaster(Node):
+#     def __init__(self):
+#         super().__init__('moving_robot_broadcaster')
+#         self.broadcaster = TransformBroadcaster(self)
+#         self.theta = 0.0
+#         self.timer = self.create_timer(0.05, self.tick)
+#
+#     def tick(self):
+#         self.theta += 0.01
+#         transform = TransformStamped()
+#         transform.header.stamp = self.get_clock().now().to_msg()
+#         transform.header.frame_id = 'odom'
+#         transform.child_frame_id = 'base_link'
+#         transform.transform.translation.x = math.cos(self.theta)
+#         transform.transform.translation.y = math.sin(self.theta)
+#         transform.transform.translation.z = 0.0
+#         # 평면 Yaw를 Quaternion으로 변환
+#         transform.transform.rotation.z = math.sin(self.theta / 2.0)
+#         transform.transform.rotation.w = math.cos(self.theta / 2.0)
+#         self.broadcaster.sendTransform(transform)
+#
+#
+# def main(args=None):
+#     rclpy.init(args=args)
+#     node = MovingRobotBroadcaster()
+#     try:
+#         rclpy.spin(node)
+#     except KeyboardInterrupt:
+#         pass
+#     finally:
+#         node.destroy_node()
+#         rclpy.shutdown()
+#
+#
+# if __name__ == '__main__':
+#     main()
+# ```
+#
+# (The comment says: yaw in the plane as a quaternion.)
+#
+# </details>
+#
+# Stamp a dynamic transform with the moment it was *measured*. The moment at which a callback happened to run hides every delay on the way.
+
+# %% [markdown] lang="ko" name="dynamic-node" slide="skip"
+# <details><summary>강의 자료의 동적 노드, 그대로: `moving_robot_broadcaster.py`로 저장하세요</summary>
+#
+# ```python
+# # tf_lab_py/moving_robot_broadcaster.py
+# import math
+# import rclpy
+# from geometry_msgs.msg import TransformStamped
+# from rclpy.node import Node
+# from tf2_ros import TransformBroadcaster
+#
+#
+# class MovingRobotBroadcaster(Node):
+#     def __init__(self):
+#         super().__init__('moving_robot_broadcaster')
+#         self.broadcaster = TransformBroadcaster(self)
+#         self.theta = 0.0
+#         self.timer = self.create_timer(0.05, self.tick)
+#
+#     def tick(self):
+#         self.theta += 0.01
+#         transform = TransformStamped()
+#         transform.header.stamp = self.get_clock().now().to_msg()
+#         transform.header.frame_id = 'odom'
+#         transform.child_frame_id = 'base_link'
+#         transform.transform.translation.x = math.cos(self.theta)
+#         transform.transform.translation.y = math.sin(self.theta)
+#         transform.transform.translation.z = 0.0
+#         # 평면 Yaw를 Quaternion으로 변환
+#         transform.transform.rotation.z = math.sin(self.theta / 2.0)
+#         transform.transform.rotation.w = math.cos(self.theta / 2.0)
+#         self.broadcaster.sendTransform(transform)
+#
+#
+# def main(args=None):
+#     rclpy.init(args=args)
+#     node = MovingRobotBroadcaster()
+#     try:
+#         rclpy.spin(node)
+#     except KeyboardInterrupt:
+#         pass
+#     finally:
+#         node.destroy_node()
+#         rclpy.shutdown()
+#
+#
+# if __name__ == '__main__':
+#     main()
+# ```
+#
+# </details>
+#
+# 동적 변환에는 *측정한* 시각을 적습니다. 콜백이 실행된 시각을 적으면 그때까지의 지연이 모두 가려집니다.
+
+# %% [markdown] lang="en" name="faded" slide="subslide"
+# ### Now you write
+#
+# A robot has three cameras, all bolted on, and a pan head that turns. Fill the two blanks.
+#
+# ```python
+# mounts = [placed(node, 'base_link', f'camera_{i}') for i in (1, 2, 3)]
+# ____________(node).sendTransform(______)
+# self.create_timer(0.05, self.tell_the_pan_head)
+# ```
+#
+# <details><summary>Compare</summary>
+#
+# `StaticTransformBroadcaster(node).sendTransform(mounts)`: the whole list, once. The pan head is told by a `TransformBroadcaster` in `tell_the_pan_head`, also while it stands still.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="faded" slide="subslide"
+# ### 이제 직접 써 보세요
+#
+# 로봇에 고정된 카메라 세 대와 좌우로 도는 팬 헤드가 있습니다. 빈칸 두 개를 채워 보세요.
+#
+# ```python
+# mounts = [placed(node, 'base_link', f'camera_{i}') for i in (1, 2, 3)]
+# ____________(node).sendTransform(______)
+# self.create_timer(0.05, self.tell_the_pan_head)
+# ```
+#
+# <details><summary>맞춰 보기</summary>
+#
+# `StaticTransformBroadcaster(node).sendTransform(mounts)`입니다. 리스트 전체를 한 번만 보냅니다. 팬 헤드는 `tell_the_pan_head` 안에서 `TransformBroadcaster`로 보내며, 멈춰 있는 동안에도 보냅니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="checkpoint" slide="slide"
+# ## Checkpoint
+#
+# A lidar sits on a mast that moves up and down only while the robot is parked. Where does `base_link → laser_frame` belong?
+#
+# 1. On `/tf_static`: while the robot drives, it does not move.
+# 2. On `/tf`, all the time.
+# 3. On `/tf`, but only while the mast moves.
+# 4. On `/tf_static`, sent again after each move.
+#
+# <details><summary>I chose 1</summary>
+#
+# "Not now" is not "never". Once the mast has moved, the board's single value is used for every scan, also for those of before.
+#
+# </details>
+# <details><summary>I chose 2</summary>
+#
+# Yes. It can move, so it is told, also while it stands.
+#
+# </details>
+# <details><summary>I chose 3</summary>
+#
+# Then the chain ends when the mast falls silent: scans of later moments are refused, `into the future`, and newcomers know no laser at all.
+#
+# </details>
+# <details><summary>I chose 4</summary>
+#
+# Then a scan from before the move is placed with the mount from after it: a board has no past. And on Jazzy a Python broadcaster ignores the second value.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="checkpoint" slide="slide"
+# ## 마무리 점검
+#
+# 라이다가 마스트 위에 있고, 마스트는 로봇이 주차해 있을 때만 오르내립니다. `base_link → laser_frame`은 어디에 발행해야 합니까?
+#
+# 1. `/tf_static`: 달리는 동안에는 움직이지 않기 때문입니다.
+# 2. `/tf`로 늘 보냅니다.
+# 3. `/tf`로 보내되 마스트가 움직일 때만 보냅니다.
+# 4. `/tf_static`으로 보내고, 움직일 때마다 다시 보냅니다.
+#
+# <details><summary>1번을 골랐습니다</summary>
+#
+# "지금은 움직이지 않는다"는 "절대 움직이지 않는다"와 다릅니다. 마스트가 한 번 움직이면 게시판의 값 하나가 이전 스캔까지 포함해 모든 스캔에 쓰입니다.
+#
+# </details>
+# <details><summary>2번을 골랐습니다</summary>
+#
+# 맞습니다. 움직일 수 있으므로, 멈춰 있는 동안에도 알립니다.
+#
+# </details>
+# <details><summary>3번을 골랐습니다</summary>
+#
+# 마스트가 조용해지면 사슬도 거기서 끝납니다. 그보다 늦은 스캔은 `into the future`로 거절되고, 새로 온 수신기는 레이저가 있다는 것조차 모릅니다.
+#
+# </details>
+# <details><summary>4번을 골랐습니다</summary>
+#
+# 움직이기 전에 찍은 스캔이 움직인 뒤의 장착 위치로 놓입니다. 게시판에는 과거가 없습니다. 게다가 Jazzy의 파이썬 발행기는 두 번째 값을 무시합니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="on-the-robot" slide="slide"
+# ## On a real robot
+#
+# Save the two nodes of the lecture and start them: `python3 static_sensor_broadcaster.py`, `python3 moving_robot_broadcaster.py`. Here, in a terminal of this workbook, `tflab run static_sensor_broadcaster.py moving_robot_broadcaster.py` does it. Then look:
+#
+# ```
+# ros2 topic info /tf_static --verbose      # who has a board, and which durability
+# ros2 topic echo /tf_static                # every board; stop with Ctrl-C
+# ros2 topic hz /tf                         # is it 20?
+# ros2 run tf2_ros static_transform_publisher --help
+# ```
+#
+# Since Humble, Ctrl-C shuts ROS down by itself, and the last line of the lecture's nodes, `rclpy.shutdown()`, then ends in an `RCLError`. Today one writes `rclpy.try_shutdown()`, or `with rclpy.init():`.
+#
+# The interesting lines of the first command, for a driver with a board and one without:
+
+# %% [markdown] lang="ko" name="on-the-robot" slide="slide"
+# ## 실제 로봇에서
+#
+# 강의 자료의 두 노드를 저장하고 시작합니다. `python3 static_sensor_broadcaster.py`와 `python3 moving_robot_broadcaster.py`입니다. 이 워크북의 터미널에서는 `tflab run static_sensor_broadcaster.py moving_robot_broadcaster.py`로 실행합니다. 그런 다음 살펴봅니다.
+#
+# ```
+# ros2 topic info /tf_static --verbose      # who has a board, and which durability
+# ros2 topic echo /tf_static                # every board; stop with Ctrl-C
+# ros2 topic hz /tf                         # is it 20?
+# ros2 run tf2_ros static_transform_publisher --help
+# ```
+#
+# Humble부터는 Ctrl-C가 ROS를 직접 종료하므로, 강의 자료 노드의 마지막 줄 `rclpy.shutdown()`에서 `RCLError`가 납니다. 요즘은 `rclpy.try_shutdown()`이나 `with rclpy.init():`을 씁니다.
+#
+# 첫 명령으로 볼 것은 다음 줄들입니다. 게시판이 있는 발행자와 없는 발행자가 하나씩 있습니다.
+
+# %% name="two-durabilities" slide="-"
+graph = lesson.new_graph()
+graph.start(driver, name='driver')
+# %ros2 run tf2_ros static_transform_publisher --x 0.1 --frame-id base_link --child-frame-id camera_link
+# %ros2 topic info /tf_static --verbose
+
+# %% name="stop" slide="skip"
+graph.stop()
+rclpy.try_shutdown()
+
+# %% [markdown] lang="en" name="recap" slide="slide"
+# ## What to keep
+#
+# - [[static transform|Static]]: bolted on, one message on `/tf_static`. [[dynamic transform|Dynamic]]: can move, told on `/tf` again and again, each time with its stamp.
+# - A board keeps the **last message** of its publisher (`depth` 1, [[transient local|TRANSIENT_LOCAL]]), and goes when the publisher goes. So: one list, one call, and stay alive.
+# - Sender and listener both have to want the board. A `DURABILITY` warning means: not connected at all.
+# - Silence is not standing still, a bolt on the radio makes the chain old, a mover on the board has no past.
+# - Each message can be right and the motion wrong. Ask where the robot goes in its own axes.
+
+# %% [markdown] lang="ko" name="recap" slide="slide"
+# ## 정리
+#
+# - 고정된 것은 [[static transform|정적 변환]]으로 `/tf_static`에 메시지 하나를 보냅니다. 움직일 수 있는 것은 [[dynamic transform|동적 변환]]으로 `/tf`에 측정 시각과 함께 계속 보냅니다.
+# - 게시판에는 발행자의 **마지막 메시지**만 남고(`depth` 1, [[transient local|TRANSIENT_LOCAL]]), 발행자가 멈추면 사라집니다. 그러니 리스트 하나를 한 번에 보내고 계속 살아 있어야 합니다.
+# - 보내는 쪽과 받는 쪽 모두 게시판을 원해야 합니다. `DURABILITY` 경고가 나오면 아예 연결되지 않은 것입니다.
+# - 조용하다고 멈춰 있는 것은 아닙니다. 볼트를 라디오에 올리면 사슬이 낡고, 움직이는 것을 게시판에 붙이면 과거가 없습니다.
+# - 메시지 하나하나가 맞아도 움직임은 틀릴 수 있습니다. 로봇이 자기 축으로 어디로 가는지 확인해 보세요.
+
+# %% [markdown] lang="en" name="from-before" slide="subslide"
+# ### Three questions from earlier chapters
+#
+# 1. `laser_frame` sits 0.20 m ahead of `base_link`. Which frame is parent, and in whose axes are the 0.20 m counted?
+# 2. You look up target `odom`, source `laser_frame`. Which edges are walked, and which of them is static?
+# 3. The crab was found with `then.inverse().apply(later.translation)`. Which frame's coordinates go in, and which come out?
+#
+# <details><summary>Answers</summary>
+#
+# 1. Parent `base_link`, and in its axes.
+# 2. `odom → base_link`, dynamic, and `base_link → laser_frame`, static.
+# 3. `odom` goes in, `base_link` of 4 s comes out: `base_T_odom` applied to a point in `odom`.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="from-before" slide="subslide"
+# ### 앞 장 복습: 세 문제
+#
+# 1. `laser_frame`은 `base_link`에서 0.20 m 앞에 있습니다. 부모는 어느 좌표계이고, 0.20 m는 어느 좌표계의 축으로 잰 값입니까?
+# 2. 목표 `odom`, 원본 `laser_frame`으로 조회합니다. 어느 연결을 지나며, 그 가운데 정적인 것은 무엇입니까?
+# 3. 게걸음은 `then.inverse().apply(later.translation)`으로 알아냈습니다. 어느 좌표계의 좌표가 들어가고, 어느 좌표계의 좌표가 나옵니까?
+#
+# <details><summary>답</summary>
+#
+# 1. 부모는 `base_link`이고, `base_link`의 축으로 잽니다.
+# 2. 동적인 `odom → base_link`와 정적인 `base_link → laser_frame`입니다.
+# 3. `odom` 기준의 점이 들어가고 4초의 `base_link` 기준으로 나옵니다. `base_T_odom`을 `odom` 기준의 점에 적용한 것입니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="practice" slide="subslide"
+# ### Practice question · Q7
+#
+# **7.** What is the difference between a static and a dynamic transform, and what happens if each is published as the other? Write five sentences.
+#
+# <details><summary>What a full answer holds</summary>
+#
+# - [ ] Static: never changes, `/tf_static`, sent once; durability TRANSIENT_LOCAL, so that late listeners receive it while the publisher lives.
+# - [ ] Dynamic: changes, `/tf`, sent again and again, each with the stamp of its measurement.
+# - [ ] A bolt on `/tf` costs bandwidth and, worse, holds the latest common time of its chain back.
+# - [ ] A mover on `/tf_static` has one value for all times, or stays frozen where it was first.
+# - [ ] A dynamic transform that falls silent is refused for later times; it does not "stand still".
+#
+# </details>
+
+# %% [markdown] lang="ko" name="practice" slide="subslide"
+# ### 서술형 문제 · Q7
+#
+# **7.** 정적 변환과 동적 변환의 차이는 무엇이며, 서로 바꾸어 발행하면 어떤 일이 일어납니까? 다섯 문장으로 써 보세요.
+#
+# <details><summary>완전한 답에 들어 있는 것</summary>
+#
+# - [ ] 정적: 변하지 않으며 `/tf_static`에 한 번 보냅니다. 지속성이 TRANSIENT_LOCAL이라, 발행자가 살아 있는 동안 늦게 온 수신기도 받습니다.
+# - [ ] 동적: 변하므로 `/tf`에 계속 보내며, 메시지마다 측정 시각이 있습니다.
+# - [ ] 고정된 것을 `/tf`로 보내면 통신량이 들고, 그보다도 사슬의 최신 공통 시각이 뒤처집니다.
+# - [ ] 움직이는 것을 `/tf_static`으로 보내면 값 하나가 모든 시각에 쓰이거나 처음 위치에 얼어붙습니다.
+# - [ ] 동적 변환이 조용해지면 그 뒤의 시각은 거절됩니다. "멈춰 있는" 것으로 여기지 않습니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="exit-ticket" slide="slide"
+# ## Exit ticket
+#
+# > A friend starts RViz after the robot and misses one sensor. Which three causes from this chapter fit, and which command tells them apart first?
+#
+# <details><summary>Compare</summary>
+#
+# Several messages on one board, a publisher that has ended, a publisher without a board. `ros2 topic info /tf_static --verbose`: is the publisher there, and what is its durability? If both are well, `ros2 topic echo /tf_static` shows what hangs there.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="exit-ticket" slide="slide"
+# ## 마무리하며
+#
+# > 친구가 로봇보다 늦게 RViz를 켰더니 센서 하나가 보이지 않습니다. 이 장에서 배운 원인 가운데 들어맞는 셋은 무엇이고, 어느 명령으로 먼저 구별할 수 있습니까?
+#
+# <details><summary>맞춰 보기</summary>
+#
+# 한 게시판에 메시지를 여러 번 보냈거나, 발행자가 끝났거나, 발행자에게 게시판이 없습니다. `ros2 topic info /tf_static --verbose`로 발행자가 있는지, 지속성이 무엇인지 봅니다. 둘 다 문제가 없으면 `ros2 topic echo /tf_static`으로 게시판의 내용을 봅니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="next" slide="skip"
+# **Next:** the exercises, [E6 Static and dynamic](../../exercises/en/E06_static_and_dynamic.ipynb), and after them [08 Buffer and measurement time](08_buffer_and_measurement_time.ipynb), which asks which moment each answer belongs to.
+# After a pass, or three tries, `solution("E6.1")` shows a solution there. To start a page over, delete its file and type `tflab lab`.
+
+# %% [markdown] lang="ko" name="next" slide="skip"
+# **다음:** 연습 문제 [E6 정적 변환과 동적 변환](../../exercises/ko/E06_static_and_dynamic.ipynb)을 풀고, 어느 시각의 답인지 묻는 [08 버퍼와 측정 시각](08_buffer_and_measurement_time.ipynb)으로 갑니다.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E6.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력하세요.
