@@ -1,0 +1,192 @@
+"""E6.2: A mount on the command line."""
+
+from __future__ import annotations
+
+import math
+
+from tflab.workbook.tasks import Command, Slip, Task, Words
+
+TOOL = "ros2 run tf2_ros static_transform_publisher"
+
+
+def mount(rng):
+    """A sensor some centimetres ahead, to the right and up, turned to the left."""
+    ahead, right, up = (int(n) for n in rng.choice([7, 12, 15, 18, 22, 26, 31, 35], 3, replace=False))
+    child = str(rng.choice(["camera_link", "laser_frame", "lidar_link", "radar_link", "imu_link", "sonar_link"]))
+    return {"child": child, "ahead_cm": ahead, "right_cm": right, "up_cm": up,
+            "turn_left_deg": int(rng.choice([25, 35, 50, 70, 110, 130]))}  # fmt: skip
+
+
+def line(g, *, ends="parent first", length="m", side="right", places="as given", turn="left", angle="radians",
+         about="yaw", style="options"):  # fmt: skip
+    """Return the command line, step by step; other steps are the slips."""
+    parent, child = (g.child, "base_link") if ends == "child first" else ("base_link", g.child)
+    scale = {"m": 0.01, "cm": 1.0, "mm": 0.001}[length]
+    x, y, z = g.ahead_cm * scale, g.right_cm * scale * (1 if side == "left" else -1), g.up_cm * scale
+    if places == "y ahead":
+        x, y = -y, x
+    if places == "up second":
+        x, y, z = x, z, y
+    value = float(g.turn_left_deg) if angle == "degrees" else math.radians(g.turn_left_deg)
+    value = -value if turn == "right" else value
+    if about == "none":
+        value, about = 0.0, "yaw"
+    if style == "half":
+        return f"{TOOL} --x {x} --y {y} --z {z} --qz {value} --frame-id {parent} --child-frame-id {child}"
+    return f"{TOOL} --x {x} --y {y} --z {z} --{about} {value} --frame-id {parent} --child-frame-id {child}"
+
+
+PARENT_AND_CHILD_SWAPPED = Slip(
+    "parent and child swapped",
+    {"ends": "child first"},
+    Words(
+        en="`--frame-id` and `--child-frame-id` are swapped: this bolts the robot onto the sensor. The numbers are measured from the parent.",
+        ko="`--frame-id`와 `--child-frame-id`가 바뀌었습니다. 로봇을 센서에 단 셈입니다. 숫자는 부모에서 잽니다.",
+    ),
+    "M2",
+)
+
+CENTIMETRES = Slip(
+    "centimetres",
+    {"length": "cm"},
+    Words(
+        en="The lengths went in as centimetres: the sensor hangs many metres away. ROS counts in metres.",
+        ko="길이를 센티미터 그대로 넣었습니다. 센서가 몇십 미터 밖에 달립니다. ROS는 미터를 씁니다.",
+    ),
+)
+
+MILLIMETRES = Slip(
+    "divided by a thousand",
+    {"length": "mm"},
+    Words(
+        en="The lengths are ten times too small: a metre has a hundred centimetres.",
+        ko="길이가 열 배 작습니다. 1미터는 100센티미터입니다.",
+    ),
+)
+
+TO_THE_LEFT = Slip(
+    "to the left",
+    {"side": "left"},
+    Words(
+        en="The sensor sits on the left. y points to the left (REP-103), so what sits to the right has a negative y.",
+        ko="센서가 왼쪽에 있습니다. y는 왼쪽을 가리키므로(REP-103) 오른쪽에 있는 것은 y가 음수입니다.",
+    ),
+)
+
+Y_AHEAD = Slip(
+    "y ahead",
+    {"places": "y ahead"},
+    Words(
+        en="You took y for forward and x for right, as on a map. On a robot x points forward and y to the left.",
+        ko="지도에서처럼 y를 앞, x를 오른쪽으로 보았습니다. 로봇에서는 x가 앞, y가 왼쪽입니다.",
+    ),
+)
+
+UP_IN_Y = Slip(
+    "up in y",
+    {"places": "up second"},
+    Words(
+        en="Height and side have changed places: z points up, y to the left.",
+        ko="높이와 옆이 바뀌었습니다. z가 위, y가 왼쪽입니다.",
+    ),
+)
+
+TURNED_RIGHT = Slip(
+    "turned right",
+    {"turn": "right"},
+    Words(
+        en="The turn goes to the right: a positive yaw turns to the left.",
+        ko="오른쪽으로 돌렸습니다. 양수 yaw는 왼쪽으로 돕니다.",
+    ),
+)
+
+DEGREES = Slip(
+    "degrees",
+    {"angle": "degrees"},
+    Words(
+        en="The angle went in as degrees. The tool takes it without a word, as radians: several turns. `math.radians` helps.",
+        ko="각도를 도(degree) 그대로 넣었습니다. 도구는 아무 말 없이 라디안으로 받아들여 여러 바퀴를 돌립니다. `math.radians`를 쓰십시오.",
+    ),
+    "M5",
+)
+
+ROLLED = Slip(
+    "rolled",
+    {"about": "roll"},
+    Words(
+        en="the sensor is rolled onto its side. A turn to the left goes about z: which angle is that? (Without options the order is yaw, pitch, roll.)",
+        ko="센서가 옆으로 기울었습니다. 왼쪽으로 도는 회전은 z축에 대한 것입니다. 어느 각도입니까? (옵션 없는 형식은 yaw, pitch, roll 순서입니다.)",
+    ),
+    "M5",
+)
+
+PITCHED = Slip(
+    "pitched",
+    {"about": "pitch"},
+    Words(
+        en="`--pitch` makes the sensor nod. A turn to the left goes about z: which angle is that?",
+        ko="`--pitch`는 센서를 위아래로 기울입니다. 왼쪽으로 도는 회전은 z축에 대한 것입니다. 어느 각도입니까?",
+    ),
+    "M5",
+)
+
+NOT_TURNED = Slip(
+    "not turned",
+    {"about": "none"},
+    Words(
+        en="The sensor looks straight ahead: the turn is missing.",
+        ko="센서가 똑바로 앞을 봅니다. 회전이 빠졌습니다.",
+    ),
+)
+
+ANGLE_AS_QZ = Slip(
+    "angle as qz",
+    {"style": "half"},
+    Words(
+        en="`--qz` takes a part of a quaternion, no angle, and without `--qw` its length is not even one.",
+        ko="`--qz`는 각도가 아니라 쿼터니언의 성분입니다. `--qw`가 없으면 길이도 1이 아닙니다.",
+    ),
+    "M5",
+)
+
+
+TASK = Task(
+    id="E6.2",
+    kind="C",
+    points=3,
+    title=Words(en="A mount on the command line", ko="명령줄로 장착 위치 발행하기"),
+    answer="command",
+    form=Command(),
+    given=mount,
+    variants=6,
+    model=line,
+    twins=(
+        PARENT_AND_CHILD_SWAPPED,
+        CENTIMETRES,
+        MILLIMETRES,
+        TO_THE_LEFT,
+        Y_AHEAD,
+        UP_IN_Y,
+        TURNED_RIGHT,
+        DEGREES,
+        ROLLED,
+        PITCHED,
+        NOT_TURNED,
+        ANGLE_AS_QZ,
+    ),
+    hints=(
+        Words(
+            en="Which unit does each option want, and which way does each axis point?",
+            ko="옵션마다 단위가 무엇이고, 축마다 어느 쪽을 가리킵니까?",
+        ),
+        Words(
+            en="Metres and radians; x forward, y to the left, z up; a turn to the left is a positive yaw.",
+            ko="미터와 라디안입니다. x는 앞, y는 왼쪽, z는 위이고, 왼쪽으로 도는 회전은 양수 yaw입니다.",
+        ),
+        Words(
+            en='An f-string fills in your numbers: f"… --x {e6_2.ahead_cm / 100} …". What sits to the right has a negative y.',
+            ko='f-문자열에 숫자를 넣을 수 있습니다. f"… --x {e6_2.ahead_cm / 100} …" 오른쪽에 있는 것은 y가 음수입니다.',
+        ),
+    ),
+    cures=("M2", "M5", "M12"),
+)

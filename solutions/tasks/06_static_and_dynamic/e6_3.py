@@ -1,0 +1,230 @@
+"""E6.3: One letter for all mounts."""
+
+from __future__ import annotations
+
+import math
+
+from tflab.core import Transform
+from tflab.ros.messages import builtin_interfaces, geometry_msgs
+from tflab.workbook.tasks import Message, Sequence, Slip, Task, Words
+
+NAMES = ("camera_left", "camera_right", "laser_frame", "imu_link", "sonar_link", "gps_link")
+
+
+def lists_of_mounts(rng):
+    """One to four mounts, turned about all three axes, of several parents; stamps with a part of a second."""
+    return [(_mounts(rng, count), _stamp(rng)) for count in (4, 1, 3, 2, 3)]
+
+
+def _mounts(rng, count):
+    names = [str(name) for name in rng.choice(NAMES, count, replace=False)]
+    rows = []
+    for place, child in enumerate(names):
+        way = [float(rng.choice([-1.0, 1.0])) for _ in range(3)]
+        rpy = [round(w * float(rng.uniform(0.3, 1.1)), 2) for w in way]
+        xyz = [round(w * float(rng.uniform(0.05, 0.6)), 2) for w in reversed(way)]
+        rows.append({"parent": "mast_link" if place == 2 else "base_link", "child": child, "xyz": xyz, "rpy": rpy})
+    return rows
+
+
+def _stamp(rng):
+    return builtin_interfaces.Time(sec=int(rng.integers(20, 90)), nanosec=int(rng.integers(1, 999)) * 1_000_000)
+
+
+def message(mount, stamp, ends, moment, order, angle, quaternion):
+    t = geometry_msgs.TransformStamped()
+    t.header.stamp = builtin_interfaces.Time() if moment == "zero" else stamp
+    parent, child = mount["parent"], mount["child"]
+    t.header.frame_id, t.child_frame_id = (child, parent) if ends == "child first" else (parent, child)
+    step = t.transform.translation
+    step.x, step.y, step.z = mount["xyz"]
+    angles = [math.radians(a) if angle == "degrees" else a for a in mount["rpy"]]
+    roll, pitch, yaw = reversed(angles) if order == "yaw first" else angles
+    x, y, z, w = Transform.from_rpy(roll=roll, pitch=pitch, yaw=yaw).rotation
+    only_yaw = (0.0, 0.0, math.sin(angles[2] / 2), math.cos(angles[2] / 2))
+    ways = {"xyzw": (x, y, z, w), "w first": (w, x, y, z), "none": (0.0, 0.0, 0.0, 1.0), "angles": (*angles, 1.0),
+            "yaw alone": only_yaw, "inverse": (-x, -y, -z, w)}  # fmt: skip
+    turn = t.transform.rotation
+    turn.x, turn.y, turn.z, turn.w = ways[quaternion]
+    return t
+
+
+def letters(mounts, stamp, *, which="all", objects="each its own", ends="parent first", moment="given",
+            order="roll first", angle="radians", quaternion="xyzw"):  # fmt: skip
+    """Return the list for one sendTransform, step by step; other steps are the slips."""
+    rows = {"all": mounts, "last": mounts[-1:], "first": mounts[:1], "reversed": mounts[::-1]}[which]
+    rows = [rows[-1]] * len(rows) if objects == "one" else rows
+    return [message(row, stamp, ends, moment, order, angle, quaternion) for row in rows]
+
+
+ONE_OBJECT = Slip(
+    "one object",
+    {"objects": "one"},
+    Words(
+        en="All messages of your list are the last one: there is one TransformStamped, appended again and again, and each round writes over it. Make a new one inside the loop.",
+        ko="리스트의 메시지가 모두 마지막 것과 같습니다. TransformStamped 하나를 거듭 넣고 매번 덮어썼습니다. 반복문 안에서 새로 만드십시오.",
+    ),
+)
+
+LAST_ONLY = Slip(
+    "last only",
+    {"which": "last"},
+    Words(
+        en="Only the last mount is in the letter: the robot of the story, with one camera left. Collect in a list, return it after the loop.",
+        ko="마지막 장착 위치만 들어 있습니다. 카메라 한 대만 남은 이야기 속 로봇입니다. 리스트에 모으고 반복문이 끝난 뒤에 반환하십시오.",
+    ),
+    "M12",
+)
+
+FIRST_ONLY = Slip(
+    "first only",
+    {"which": "first"},
+    Words(
+        en="Only the first mount is in the letter: the `return` stands inside the loop.",
+        ko="첫 장착 위치만 들어 있습니다. `return`이 반복문 안에 있습니다.",
+    ),
+)
+
+REVERSED = Slip(
+    "reversed",
+    {"which": "reversed"},
+    Words(
+        en="The mounts are all there, in the reverse order; here they are wanted in the order of the rows.",
+        ko="모두 들어 있지만 순서가 거꾸로입니다. 여기서는 행의 순서대로 넣으십시오.",
+    ),
+)
+
+SWAPPED = Slip(
+    "swapped",
+    {"ends": "child first"},
+    Words(
+        en="Parent and child are swapped: the parent is `header.frame_id`, and the numbers are measured in it.",
+        ko="부모와 자식이 바뀌었습니다. 부모는 `header.frame_id`이고 숫자는 부모에서 잽니다.",
+    ),
+    "M2",
+)
+
+NO_STAMP = Slip(
+    "no stamp",
+    {"moment": "zero"},
+    Words(
+        en="`header.stamp` is still zero. tf2 takes that for a static transform, and whoever reads the message learns nothing of when it was made.",
+        ko="`header.stamp`가 0 그대로입니다. 정적 변환이라 tf2는 받아 주지만, 언제 만든 것인지 아무도 알 수 없습니다.",
+    ),
+)
+
+YAW_FIRST = Slip(
+    "yaw first",
+    {"order": "yaw first"},
+    Words(
+        en="Roll and yaw have changed places: `rpy` is roll, pitch, yaw in this order.",
+        ko="roll과 yaw가 바뀌었습니다. `rpy`는 roll, pitch, yaw 순서입니다.",
+    ),
+    "M5",
+)
+
+CONVERTED_TWICE = Slip(
+    "converted twice",
+    {"angle": "degrees"},
+    Words(
+        en="The angles are radians already; `math.radians` made them almost nothing.",
+        ko="각도는 이미 라디안입니다. `math.radians`를 거치면서 거의 0이 되었습니다.",
+    ),
+    "M5",
+)
+
+W_FIRST = Slip(
+    "w first",
+    {"quaternion": "w first"},
+    Words(
+        en="Your quaternion has w first. ROS, and `.rotation`, have (x, y, z, w).",
+        ko="쿼터니언에 w를 먼저 썼습니다. ROS와 `.rotation`은 (x, y, z, w) 순서입니다.",
+    ),
+    "M5",
+)
+
+NOT_TURNED = Slip(
+    "not turned",
+    {"quaternion": "none"},
+    Words(
+        en="Nothing is turned: the rotation is still the one of a new message.",
+        ko="아무것도 돌아가지 않았습니다. 회전이 새 메시지의 값 그대로입니다.",
+    ),
+)
+
+ANGLES_AS_QUATERNION = Slip(
+    "angles as quaternion",
+    {"quaternion": "angles"},
+    Words(
+        en="Roll, pitch and yaw went into x, y and z themselves. A quaternion holds no angles; `Transform.from_rpy(…).rotation` makes one.",
+        ko="roll, pitch, yaw를 x, y, z에 그대로 넣었습니다. 쿼터니언의 성분은 각도가 아닙니다. `Transform.from_rpy(…).rotation`으로 만드십시오.",
+    ),
+    "M5",
+)
+
+YAW_ALONE = Slip(
+    "yaw alone",
+    {"quaternion": "yaw alone"},
+    Words(
+        en="Only the yaw has gone into the quaternion. These mounts are rolled and pitched as well.",
+        ko="쿼터니언에 yaw만 들어갔습니다. 이 장착 위치들은 roll과 pitch도 있습니다.",
+    ),
+)
+
+INVERSE_TURN = Slip(
+    "inverse turn",
+    {"quaternion": "inverse"},
+    Words(
+        en="The rotations are turned round: that is the parent as the child sees it.",
+        ko="회전이 뒤집혔습니다. 자식에서 본 부모의 방향입니다.",
+    ),
+    "M3",
+)
+
+
+TASK = Task(
+    id="E6.3",
+    kind="F",
+    points=4,
+    title=Words(en="One letter for all mounts", ko="모든 장착 위치를 쪽지 하나에"),
+    answer="letter",
+    form=Sequence(
+        Message(
+            "geometry_msgs/msg/TransformStamped",
+            ("header.stamp", "header.frame_id", "child_frame_id", "transform.translation", "transform.rotation"),
+        )
+    ),
+    inputs=lists_of_mounts,
+    variants=3,
+    model=letters,
+    twins=(
+        ONE_OBJECT,
+        LAST_ONLY,
+        FIRST_ONLY,
+        REVERSED,
+        SWAPPED,
+        NO_STAMP,
+        YAW_FIRST,
+        CONVERTED_TWICE,
+        W_FIRST,
+        NOT_TURNED,
+        ANGLES_AS_QUATERNION,
+        YAW_ALONE,
+        INVERSE_TURN,
+    ),
+    hints=(
+        Words(
+            en="A list, one TransformStamped for each row: begin with an empty list, append inside the loop, return after it.",
+            ko="행마다 TransformStamped 하나씩 담긴 리스트입니다. 빈 리스트로 시작해 반복문 안에서 넣고, 끝난 뒤에 반환하십시오.",
+        ),
+        Words(
+            en="Make the TransformStamped *inside* the loop: what is appended is the object, not a copy of it.",
+            ko="TransformStamped를 반복문 *안에서* 만드십시오. append는 복사본이 아니라 그 객체를 넣습니다.",
+        ),
+        Words(
+            en="`roll, pitch, yaw = mount['rpy']`, then `Transform.from_rpy(roll=roll, pitch=pitch, yaw=yaw).rotation` is (x, y, z, w).",
+            ko="`roll, pitch, yaw = mount['rpy']`로 받아 `Transform.from_rpy(roll=roll, pitch=pitch, yaw=yaw).rotation`을 구하면 (x, y, z, w)입니다.",
+        ),
+    ),
+    cures=("M2", "M5", "M12"),
+)

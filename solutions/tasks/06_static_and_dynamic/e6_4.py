@@ -1,0 +1,237 @@
+"""E6.4: A circle that drives forward."""
+
+from __future__ import annotations
+
+import math
+
+from tflab.ros.messages import geometry_msgs
+from tflab.workbook.tasks import Message, Slip, Task, Words
+
+
+def circles(rng):
+    """Both ways round, radii other than 1, the start among them, names of several robots."""
+    rows = []
+    for place, is_left in enumerate((True, False, True, False, True, False)):
+        radius = float(rng.choice([0.5, 0.8, 1.5, 2.0, 2.5]))
+        speed = float(rng.choice([0.3, 0.4, 0.6, 0.7]))
+        angle = float(rng.uniform(0.4, 1.2)) if place % 3 else float(rng.uniform(1.8, 2.6))
+        names = (("odom", "base_link"), ("robot1/odom", "robot1/base_link"), ("odom", "base_footprint"))[place % 3]
+        rows.append((round(angle * radius / speed, 2), radius, speed, is_left, *names))
+    start = (0.0, 1.5, 0.4)
+    return [*rows, (*start, True, "odom", "base_link"), (*start, False, "odom", "base_link")]
+
+
+def message(odom, base, x, y, xyzw):
+    t = geometry_msgs.TransformStamped()
+    t.header.frame_id, t.child_frame_id = odom, base
+    t.transform.translation.x, t.transform.translation.y = float(x), float(y)
+    turn = t.transform.rotation
+    turn.x, turn.y, turn.z, turn.w = map(float, xyzw)
+    return t
+
+
+def driven(elapsed_s, radius_m, speed_mps, is_left, odom, base, *, ends="parent first", rate="by radius",
+           side="as asked", circle="by radius", heading="forward", angle="radians", half="halved",
+           quaternion="z and w"):  # fmt: skip
+    """Return odom -> base on the circle, step by step; other steps are the slips."""
+    theta = elapsed_s * {"by radius": speed_mps / radius_m, "speed": speed_mps, "times": speed_mps * radius_m}[rate]
+    left = {"as asked": is_left, "always left": True, "other way": not is_left}[side]
+    theta = theta if left else -theta
+    ahead = math.pi / 2 if left else -math.pi / 2
+    turn = {"forward": ahead, "crab": 0.0, "backwards": -ahead, "left's": math.pi / 2, "inwards": math.pi}[heading]
+    yaw = math.degrees(theta + turn) if angle == "degrees" else theta + turn
+    size = 1.0 if circle == "of one metre" else radius_m
+    x, y = size * math.cos(theta), size * math.sin(theta)
+    z, w = (math.sin(yaw), math.cos(yaw)) if half == "whole" else (math.sin(yaw / 2), math.cos(yaw / 2))
+    ways = {"z and w": (0, 0, z, w), "w first": (w, 0, 0, z), "angle": (0, 0, yaw, 1), "none": (0, 0, 0, 1)}
+    parent, child = (base, odom) if ends == "child first" else (odom, base)
+    return message(parent, child, x, y, ways[quaternion])
+
+
+SWAPPED = Slip(
+    "swapped",
+    {"ends": "child first"},
+    Words(
+        en="Parent and child are swapped: this drives the world round the robot.",
+        ko="부모와 자식이 바뀌었습니다. 로봇이 아니라 세계가 돕니다.",
+    ),
+    "M2",
+)
+
+SPEED_AS_RATE = Slip(
+    "speed as rate",
+    {"rate": "speed"},
+    Words(
+        en="You took the speed [m/s] for the rate of turning [rad/s]. On a larger circle the same speed turns more slowly: divide by the radius.",
+        ko="속도[m/s]를 각속도[rad/s]로 썼습니다. 원이 클수록 같은 속도라도 천천히 돕니다. 반지름으로 나누십시오.",
+    ),
+)
+
+TIMES_THE_RADIUS = Slip(
+    "times the radius",
+    {"rate": "times"},
+    Words(
+        en="You multiplied by the radius. On a larger circle the same speed turns more slowly.",
+        ko="반지름을 곱했습니다. 원이 클수록 같은 속도라도 천천히 돕니다.",
+    ),
+)
+
+ALWAYS_LEFT = Slip(
+    "always left",
+    {"side": "always left"},
+    Words(
+        en="Your robot always turns to the left; `is_left` is not asked.",
+        ko="늘 왼쪽으로만 돕니다. `is_left`를 쓰지 않았습니다.",
+    ),
+)
+
+OTHER_WAY = Slip(
+    "other way",
+    {"side": "other way"},
+    Words(
+        en="Left and right are exchanged. Turning left, the angle on the circle grows.",
+        ko="왼쪽과 오른쪽이 바뀌었습니다. 왼쪽으로 돌면 원 위의 각도가 커집니다.",
+    ),
+)
+
+OF_ONE_METRE = Slip(
+    "of one metre",
+    {"circle": "of one metre"},
+    Words(
+        en="The place lies on a circle of one metre: the cosine and sine still have to be multiplied by the radius.",
+        ko="반지름 1미터인 원 위의 위치입니다. cos과 sin에 반지름을 곱해야 합니다.",
+    ),
+)
+
+CRAB = Slip(
+    "crab",
+    {"heading": "crab"},
+    Words(
+        en="Your robot looks outwards, along the radius, and slides sideways: the crab of the lecture. Forward is square to the radius.",
+        ko="로봇이 반지름을 따라 바깥을 보며 옆으로 미끄러집니다. 강의 자료의 게걸음입니다. 앞은 반지름과 직각입니다.",
+    ),
+)
+
+BACKWARDS = Slip(
+    "backwards",
+    {"heading": "backwards"},
+    Words(
+        en="Your robot drives its circle in reverse: it looks against the way it goes.",
+        ko="로봇이 후진으로 원을 돕니다. 가는 쪽과 반대를 보고 있습니다.",
+    ),
+)
+
+LEFTS_HEADING = Slip(
+    "left's heading",
+    {"heading": "left's"},
+    Words(
+        en="On the circle to the right your robot drives in reverse: it still has the heading of a left turn. Which way is forward there?",
+        ko="오른쪽으로 도는 원에서는 후진하고 있습니다. 왼쪽으로 돌 때의 방향 그대로입니다. 이때는 어느 쪽이 앞입니까?",
+    ),
+)
+
+INWARDS = Slip(
+    "inwards",
+    {"heading": "inwards"},
+    Words(
+        en="Your robot looks at the middle of the circle, and slides sideways. Forward is square to the radius.",
+        ko="로봇이 원의 중심을 보며 옆으로 미끄러집니다. 앞은 반지름과 직각입니다.",
+    ),
+)
+
+DEGREES = Slip(
+    "degrees",
+    {"angle": "degrees"},
+    Words(
+        en="The heading went into sine and cosine in degrees; Python counts in radians.",
+        ko="방향을 도(degree)로 sin과 cos에 넣었습니다. 파이썬은 라디안을 씁니다.",
+    ),
+    "M5",
+)
+
+WHOLE_ANGLE = Slip(
+    "whole angle",
+    {"half": "whole"},
+    Words(
+        en="The robot is turned twice as far: a quaternion holds the sine and cosine of *half* the angle.",
+        ko="로봇이 두 배로 돌아갔습니다. 쿼터니언에는 각도 *절반*의 sin과 cos을 넣습니다.",
+    ),
+    "M5",
+)
+
+W_FIRST = Slip(
+    "w first",
+    {"quaternion": "w first"},
+    Words(
+        en="The cosine stands in x and the sine in w: ROS has (x, y, z, w), and a turn on the floor needs z and w.",
+        ko="cos이 x에, sin이 w에 있습니다. ROS는 (x, y, z, w) 순서이고, 바닥에서 도는 회전은 z와 w를 씁니다.",
+    ),
+    "M5",
+)
+
+ANGLE_IN_Z = Slip(
+    "angle in z",
+    {"quaternion": "angle"},
+    Words(
+        en="The angle itself stands in z. A quaternion holds the sine of half of it in z, the cosine in w.",
+        ko="z에 각도를 그대로 넣었습니다. z에는 각도 절반의 sin, w에는 cos을 넣습니다.",
+    ),
+    "M5",
+)
+
+NOT_TURNED = Slip(
+    "not turned",
+    {"quaternion": "none"},
+    Words(
+        en="Your robot never turns: it looks along odom's x all the way round.",
+        ko="로봇이 돌지 않습니다. 원을 도는 내내 odom의 x 방향만 봅니다.",
+    ),
+)
+
+
+TASK = Task(
+    id="E6.4",
+    kind="F",
+    points=4,
+    title=Words(en="A circle that drives forward", ko="앞으로 달리는 원"),
+    answer="on_circle",
+    form=Message(
+        "geometry_msgs/msg/TransformStamped",
+        ("header.frame_id", "child_frame_id", "transform.translation", "transform.rotation"),
+    ),
+    inputs=circles,
+    variants=3,
+    model=driven,
+    twins=(
+        SWAPPED,
+        SPEED_AS_RATE,
+        TIMES_THE_RADIUS,
+        ALWAYS_LEFT,
+        OTHER_WAY,
+        OF_ONE_METRE,
+        CRAB,
+        BACKWARDS,
+        LEFTS_HEADING,
+        INWARDS,
+        DEGREES,
+        WHOLE_ANGLE,
+        W_FIRST,
+        ANGLE_IN_Z,
+        NOT_TURNED,
+    ),
+    hints=(
+        Words(
+            en="First the angle θ of the place on the circle, then the place, then where the robot looks.",
+            ko="먼저 원 위 위치의 각도 θ, 다음으로 위치, 마지막으로 로봇이 보는 방향을 구하십시오.",
+        ),
+        Words(
+            en="θ = speed / radius × time, negative to the right. The place is (radius·cos θ, radius·sin θ).",
+            ko="θ = 속도 / 반지름 × 시간이고, 오른쪽으로 돌면 음수입니다. 위치는 (반지름·cos θ, 반지름·sin θ)입니다.",
+        ),
+        Words(
+            en="Forward is a quarter turn ahead of the radius: θ + π/2 on the way left, θ − π/2 on the way right. Half of it goes into sine and cosine.",
+            ko="앞은 반지름에서 90° 돌아간 방향입니다. 왼쪽이면 θ + π/2, 오른쪽이면 θ − π/2입니다. 그 절반을 sin과 cos에 넣으십시오.",
+        ),
+    ),
+    cures=("M2", "M5"),
+)

@@ -1,0 +1,182 @@
+"""E6.6: How far does a bolt fall behind?"""
+
+from __future__ import annotations
+
+from tflab.workbook.tasks import Number, Slip, Task, Words
+
+
+def bolt(rng):
+    """A bolt that is sent on /tf: rates and delays at which no two mistakes meet."""
+    return {
+        "rate_hz": float(rng.choice([2.0, 3.0, 5.0, 10.0])),
+        "delay_ms": float(rng.choice([30.0, 70.0, 110.0, 130.0])),
+        "speed_mps": float(rng.choice([0.4, 0.6, 0.8, 1.2, 1.5])),
+    }
+
+
+def worst(g, *, period="whole", delay="as seconds", together="added", speed="times"):
+    """Return how far off the latest is at worst [m], step by step; other steps are the slips."""
+    between = {"whole": 1.0 / g.rate_hz, "half": 0.5 / g.rate_hz, "none": 0.0, "rate": g.rate_hz}[period]
+    on_its_way = {"as seconds": g.delay_ms / 1000.0, "none": 0.0, "ms": g.delay_ms, "twice": g.delay_ms / 500.0}[delay]
+    age = {"added": between + on_its_way, "subtracted": between - on_its_way}
+    return {"times": g.speed_mps * age[together], "none": age[together], "zero": 0.0}[speed]
+
+
+HALF_A_PERIOD = Slip(
+    "half a period",
+    {"period": "half"},
+    Words(
+        en="Half a period is how old it is on average. At worst the next message is just about to come.",
+        ko="반 주기는 평균일 때의 나이입니다. 최악은 다음 메시지가 오기 바로 전입니다.",
+    ),
+)
+
+DELAY_ONLY = Slip(
+    "delay only",
+    {"period": "none"},
+    Words(
+        en="You count the way of one message. Between two messages nothing comes, and the newest grows older.",
+        ko="메시지 하나가 오는 시간만 셌습니다. 메시지와 메시지 사이에는 아무것도 오지 않고 가장 새로운 값이 낡아 갑니다.",
+    ),
+    "M9",
+)
+
+RATE_FOR_PERIOD = Slip(
+    "rate for period",
+    {"period": "rate"},
+    Words(
+        en="You used the rate [Hz] as a time. The time between two messages is one over the rate.",
+        ko="빈도[Hz]를 시간으로 썼습니다. 메시지 사이의 시간은 1을 빈도로 나눈 값입니다.",
+    ),
+)
+
+PERIOD_ONLY = Slip(
+    "period only",
+    {"delay": "none"},
+    Words(
+        en="You count the time between two messages. When one arrives at last, it is already as old as its way was long.",
+        ko="메시지 사이의 시간만 셌습니다. 메시지는 도착했을 때 이미 오는 데 걸린 시간만큼 낡아 있습니다.",
+    ),
+    "M9",
+)
+
+MILLISECONDS = Slip(
+    "milliseconds",
+    {"delay": "ms"},
+    Words(
+        en="The delay went in as milliseconds, as if they were seconds.",
+        ko="지연을 밀리초 그대로, 초인 것처럼 넣었습니다.",
+    ),
+)
+
+DELAY_TWICE = Slip(
+    "delay twice",
+    {"delay": "twice"},
+    Words(
+        en="You count the delay twice. The last message has been on its way once.",
+        ko="지연을 두 번 셌습니다. 마지막 메시지가 오는 길은 한 번입니다.",
+    ),
+)
+
+SUBTRACTED = Slip(
+    "subtracted",
+    {"together": "subtracted"},
+    Words(
+        en="You took the delay off. It makes things worse: what arrives is old already.",
+        ko="지연을 뺐습니다. 지연이 있으면 더 나빠집니다. 도착한 값은 이미 낡았습니다.",
+    ),
+)
+
+SECONDS = Slip(
+    "milliseconds",
+    {"delay": "ms"},
+    Words(
+        en="The delay went in as milliseconds, as if they were seconds.",
+        ko="지연을 밀리초 그대로, 초인 것처럼 넣었습니다.",
+    ),
+)
+
+DELAY_TWICE = Slip(
+    "delay twice",
+    {"delay": "twice"},
+    Words(
+        en="You count the delay twice. The last message has been on its way once.",
+        ko="지연을 두 번 셌습니다. 마지막 메시지가 오는 길은 한 번입니다.",
+    ),
+)
+
+SUBTRACTED = Slip(
+    "subtracted",
+    {"together": "subtracted"},
+    Words(
+        en="You took the delay off. It makes things worse: what arrives is old already.",
+        ko="지연을 뺐습니다. 지연이 있으면 더 나빠집니다. 도착한 값은 이미 낡았습니다.",
+    ),
+)
+
+THE_LARGER = Slip(
+    "the larger",
+    {"together": "larger"},
+    Words(
+        en="You took the larger of the two. They come one after the other, so they add up.",
+        ko="둘 가운데 큰 것을 골랐습니다. 둘은 차례로 일어나므로 더해집니다.",
+    ),
+)
+
+SECONDS = Slip(
+    "seconds",
+    {"speed": "none"},
+    Words(
+        en="That is how old the answer is, in seconds. How far does the robot drive meanwhile?",
+        ko="답이 몇 초 전의 것인지까지 구했습니다. 그동안 로봇은 얼마나 갑니까?",
+    ),
+)
+
+BOLTED = Slip(
+    "bolted, so zero",
+    {"speed": "zero"},
+    Words(
+        en='It is bolted to the robot, yes, and the robot drives. "The latest" is the newest moment that every edge knows, and this edge knows it late.',
+        ko='로봇에 고정되어 있지만 로봇이 달립니다. "최신"은 모든 연결이 아는 가장 늦은 시각이고, 이 연결은 늦게 압니다.',
+    ),
+    "M12",
+)
+
+
+TASK = Task(
+    id="E6.6",
+    kind="N",
+    points=2,
+    title=Words(en="How far does a bolt fall behind?", ko="볼트는 얼마나 뒤처질까요?"),
+    answer="worst_error_m",
+    form=Number(unit="m", tolerance=0.002),
+    given=bolt,
+    variants=6,
+    model=worst,
+    twins=(
+        HALF_A_PERIOD,
+        DELAY_ONLY,
+        RATE_FOR_PERIOD,
+        PERIOD_ONLY,
+        MILLISECONDS,
+        DELAY_TWICE,
+        SUBTRACTED,
+        SECONDS,
+        BOLTED,
+    ),
+    hints=(
+        Words(
+            en="How old is the newest message of the bolt, just before the next one arrives?",
+            ko="다음 메시지가 도착하기 바로 전에, 볼트의 가장 새로운 메시지는 몇 초 전의 것입니까?",
+        ),
+        Words(
+            en="It was stamped one period before the next, and that one has been on its way for the delay.",
+            ko="다음 메시지보다 한 주기 일찍 만들어졌고, 그 다음 메시지도 지연만큼 오는 중입니다.",
+        ),
+        Words(
+            en="Age = 1 / rate + delay, in seconds; the robot drives speed × age meanwhile.",
+            ko="나이 = 1 / 빈도 + 지연, 단위는 초입니다. 그동안 로봇은 속도 × 나이만큼 갑니다.",
+        ),
+    ),
+    cures=("M9", "M12"),
+)

@@ -1,0 +1,190 @@
+"""E6.7: Who knows what?"""
+
+from __future__ import annotations
+
+import math
+
+from tflab.workbook.tasks import Name, Set, Slip, Task, Words
+
+NODES = ("calibrator", "driver", "wheels", "arm", "lift")
+PARTS = ("camera", "laser", "radar", "sonar", "imu", "gps")
+
+
+def logs(rng):
+    """Logs in which each rule decides somewhere; joins and ends at the very moment, and a hair to either side."""
+    rows = []
+    for place in range(6):
+        join = 10.0 + round(float(rng.uniform(0.0, 4.0)), 2)
+        rows.append(_log(rng, join, place))
+    return rows
+
+
+def _log(rng, join, place):
+    """Several letters before and after the join, on both topics; one board ends before, one at it, one after."""
+    names = [str(name) for name in rng.permutation(PARTS)]
+    nodes = [str(node) for node in rng.permutation(NODES)]
+    end = {0: join, 1: join + 0.01, 2: join - 0.01}[place % 3]
+    last = join + 2.0
+    on_the_edge = {0: join, 1: join - 0.01, 2: join + 0.01}[(place + 1) % 3]
+    rows = [
+        (nodes[0], "/tf_static", join - 6.0, [f"{names[0]}_1"]),
+        (nodes[1], "/tf", join - 5.5, ["base_link"]),
+        (nodes[2], "/tf_static", join - 5.0, [f"{names[1]}_link", f"{names[1]}_optical"]),
+        (nodes[0], "/tf_static", join - 4.0, [f"{names[0]}_2", f"{names[0]}_3"]),
+        (nodes[3], "/tf_static", join - 3.0, [f"{names[2]}_link"]),
+        (nodes[1], "/tf", join - 0.5, ["base_link", f"{names[3]}_joint"]),
+        (nodes[0], "/tf", join - 0.4, [f"{names[0]}_joint"]),
+        (nodes[4], "/tf_static", on_the_edge, [f"{names[4]}_link"]),
+        (nodes[1], "/tf", join + 1.0, ["base_link"]),
+        (nodes[2], "/tf_static", {0: last, 1: last - 0.01, 2: last + 0.01}[place % 3], [f"{names[5]}_link"]),
+        (nodes[1], "/tf", last + 1.0, ["tool0"]),
+    ]
+    if place % 2:
+        rows.insert(7, (nodes[4], "/tf_static", join - 0.2, [f"{names[4]}_old"]))
+    letters = [
+        {"node": node, "topic": topic, "sent_s": round(sent, 3), "children": children}
+        for node, topic, sent, children in rows
+    ]
+    ends = {nodes[3]: round(end, 3), nodes[0]: round(last - 0.5, 3)}
+    return letters, ends, join, round(last, 3)
+
+
+def listened(letters, ends, join_s, now_s, *, board="last", boards="own", topics="static", dead="gone",
+             past="board", until="now"):  # fmt: skip
+    """Return the children that a listener knows, step by step; other steps are the slips."""
+    held, heard = {}, set()
+    for letter in letters:
+        if letter["sent_s"] >= join_s or past == "everything":
+            if letter["sent_s"] <= now_s or until == "forever":
+                heard |= set(letter["children"])
+        elif past == "board" and (letter["topic"] == "/tf_static" or topics == "both"):
+            hook = "one for all" if boards == "shared" else (letter["node"], letter["topic"])
+            before = held.get(hook, (None, set()))[1] if board == "all" else set()
+            held[hook] = (letter["node"], before | set(letter["children"]))
+    for node, children in held.values():
+        ends_s = ends.get(node, math.inf)
+        if dead == "read" or (ends_s > now_s if dead == "forgotten" else ends_s > join_s):
+            heard |= children
+    return sorted(heard)
+
+
+TF_LATCHED = Slip(
+    "tf latched",
+    {"topics": "both"},
+    Words(
+        en="Your listener finds the last letter of /tf on a board, too. /tf is a radio: what was sent before the join is gone.",
+        ko="/tf의 마지막 쪽지도 게시판에서 읽습니다. /tf는 라디오입니다. 참가하기 전에 보낸 것은 지나갔습니다.",
+    ),
+    "M12",
+)
+
+ALL_KEPT = Slip(
+    "all kept",
+    {"board": "all"},
+    Words(
+        en="Your boards keep every letter. A board keeps the last one of its node; what hung there before is gone.",
+        ko="게시판에 모든 쪽지가 남아 있습니다. 게시판에는 그 노드의 마지막 쪽지만 남고 이전 것은 사라집니다.",
+    ),
+    "M12",
+)
+
+ONE_BOARD = Slip(
+    "one board",
+    {"boards": "shared"},
+    Words(
+        en="You have one board for all nodes, and only the very last letter hangs there. Each node has a board of its own.",
+        ko="모든 노드가 게시판 하나를 함께 쓰고 맨 마지막 쪽지만 남습니다. 게시판은 노드마다 따로 있습니다.",
+    ),
+    "M12",
+)
+
+DEAD_READ = Slip(
+    "dead boards read",
+    {"dead": "read"},
+    Words(
+        en="Your listener reads boards of nodes that had ended before it joined. A board goes with its process.",
+        ko="참가하기 전에 끝난 노드의 게시판까지 읽습니다. 게시판은 프로세스와 함께 사라집니다.",
+    ),
+    "M12",
+)
+
+DEAD_FORGOTTEN = Slip(
+    "dead forgotten",
+    {"dead": "forgotten"},
+    Words(
+        en="Your listener forgets what it read when the node ends later on. What was heard is kept.",
+        ko="노드가 나중에 끝나면 이미 읽은 것까지 잊습니다. 받은 것은 그대로 압니다.",
+    ),
+    "M12",
+)
+
+VOLATILE = Slip(
+    "volatile",
+    {"past": "nothing"},
+    Words(
+        en="Your listener reads no board at all: only what is sent from the join on. tf2's listener asks for TRANSIENT_LOCAL on /tf_static.",
+        ko="게시판을 전혀 읽지 않고 참가한 뒤에 보낸 것만 압니다. tf2의 수신기는 /tf_static에서 TRANSIENT_LOCAL을 요구합니다.",
+    ),
+    "M12",
+)
+
+HEARD_EVERYTHING = Slip(
+    "heard everything",
+    {"past": "everything"},
+    Words(
+        en="Your listener knows all that was ever sent, as if it had been there from the beginning.",
+        ko="처음부터 와 있었던 것처럼, 보낸 것을 모두 압니다.",
+    ),
+    "M12",
+)
+
+THE_FUTURE = Slip(
+    "the future",
+    {"until": "forever"},
+    Words(
+        en="Your listener knows letters that are sent after `now_s`.",
+        ko="`now_s` 이후에 보낼 쪽지까지 압니다.",
+    ),
+)
+
+
+TASK = Task(
+    id="E6.7",
+    kind="F",
+    points=5,
+    title=Words(en="Who knows what?", ko="누가 무엇을 알까요?"),
+    answer="known",
+    form=Set(Name()),
+    inputs=logs,
+    variants=3,
+    model=listened,
+    twins=(
+        TF_LATCHED,
+        ALL_KEPT,
+        ONE_BOARD,
+        DEAD_READ,
+        DEAD_FORGOTTEN,
+        VOLATILE,
+        HEARD_EVERYTHING,
+        THE_FUTURE,
+    ),
+    hints=(
+        Words(
+            en="Two ways to hear a letter: as it is sent, from the join until now; or from a board, at the join.",
+            ko="쪽지를 받는 길은 둘입니다. 참가한 뒤부터 지금까지 보내는 대로 받거나, 참가할 때 게시판에서 읽습니다.",
+        ),
+        Words(
+            en="For the boards go through what was sent on /tf_static before the join: a dict from node to children, written over by each letter.",
+            ko="게시판은 참가하기 전에 /tf_static에 보낸 것을 차례로 보면 됩니다. 노드에서 children으로 가는 dict를 쪽지마다 덮어쓰십시오.",
+        ),
+        Words(
+            en="A board counts if its node is not in `ends`, or ends later than `join_s`.",
+            ko="노드가 `ends`에 없거나 `join_s`보다 늦게 끝나면 그 게시판을 읽을 수 있습니다.",
+        ),
+    ),
+    equivalent={
+        "sorted(heard) -> heard in: return sorted(heard)": "a set says the same as a sorted list",
+        "each['sent_s'] < join_s -> each['sent_s'] <= join_s": "what is sent at the join has gone the other way",
+    },
+    cures=("M12",),
+)
