@@ -658,9 +658,9 @@ rclpy.shutdown()
 # </details>
 
 # %% [markdown] lang="en" name="next" slide="skip"
-# **Next:** the exercises, [E5 map, odom, base_link](../../exercises/en/E05_map_odom_base_link.ipynb), and after them [07 URDF and sensors](07_urdf_and_sensors.ipynb), which asks where the robot's own parts are.
+# **Next:** the exercises, [E5 map, odom, base_link](../../exercises/en/E05_map_odom_base_link.ipynb), and after them [06 Static and dynamic](06_static_and_dynamic.ipynb), which asks who says where things are, and how often.
 # After a pass, or three tries, `solution("E5.1")` shows a solution there. To start a page over, delete its file and type `tflab lab`.
 
 # %% [markdown] lang="ko" name="next" slide="skip"
-# **다음:** 연습 문제 [E5 map, odom, base_link](../../exercises/ko/E05_map_odom_base_link.ipynb)를 풀고, 로봇의 부품이 어디에 붙어 있는지 묻는 [07 URDF와 센서](07_urdf_and_sensors.ipynb)로 갑니다.
+# **다음:** 연습 문제 [E5 map, odom, base_link](../../exercises/ko/E05_map_odom_base_link.ipynb)를 풀고, 누가 얼마나 자주 위치를 알리는지 묻는 [06 정적 변환과 동적 변환](06_static_and_dynamic.ipynb)으로 갑니다.
 # 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E5.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력하세요.

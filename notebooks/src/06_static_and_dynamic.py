@@ -1196,9 +1196,9 @@ rclpy.try_shutdown()
 # </details>
 
 # %% [markdown] lang="en" name="next" slide="skip"
-# **Next:** the exercises, [E6 Static and dynamic](../../exercises/en/E06_static_and_dynamic.ipynb), and after them [08 Buffer and measurement time](08_buffer_and_measurement_time.ipynb), which asks which moment each answer belongs to.
+# **Next:** the exercises, [E6 Static and dynamic](../../exercises/en/E06_static_and_dynamic.ipynb), and after them [07 URDF and sensors](07_urdf_and_sensors.ipynb), which asks where the robot's own parts are.
 # After a pass, or three tries, `solution("E6.1")` shows a solution there. To start a page over, delete its file and type `tflab lab`.
 
 # %% [markdown] lang="ko" name="next" slide="skip"
-# **다음:** 연습 문제 [E6 정적 변환과 동적 변환](../../exercises/ko/E06_static_and_dynamic.ipynb)을 풀고, 어느 시각의 답인지 묻는 [08 버퍼와 측정 시각](08_buffer_and_measurement_time.ipynb)으로 갑니다.
+# **다음:** 연습 문제 [E6 정적 변환과 동적 변환](../../exercises/ko/E06_static_and_dynamic.ipynb)을 풀고, 로봇의 부품이 어디에 붙어 있는지 알아보는 [07 URDF와 센서](07_urdf_and_sensors.ipynb)로 갑니다.
 # 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E6.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력하세요.

@@ -15,7 +15,14 @@ FENCE = re.compile(r"```python\n(.*?)```", re.DOTALL)
 
 
 @pytest.mark.parametrize("language", ["en", "ko"])
-@pytest.mark.parametrize(("stem", "node"), [("08_buffer_and_measurement_time", "point_to_map.py")])
+@pytest.mark.parametrize(
+    ("stem", "node"),
+    [
+        ("06_static_and_dynamic", "static_sensor_broadcaster.py"),
+        ("06_static_and_dynamic", "moving_robot_broadcaster.py"),
+        ("08_buffer_and_measurement_time", "point_to_map.py"),
+    ],
+)
 def test_a_node_of_the_lecture_is_shown_unchanged(stem, node, language):
     page = json.loads((workbook_data() / "notebooks" / language / f"{stem}.ipynb").read_text(encoding="utf-8"))
     prose = ["".join(cell["source"]) for cell in page["cells"] if cell["cell_type"] == "markdown"]

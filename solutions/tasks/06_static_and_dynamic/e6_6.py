@@ -2,16 +2,32 @@
 
 from __future__ import annotations
 
+from itertools import combinations, pairwise
+from types import SimpleNamespace
+
 from tflab.workbook.tasks import Number, Slip, Task, Words
 
 
 def bolt(rng):
-    """A bolt that is sent on /tf: rates and delays at which no two mistakes meet."""
-    return {
-        "rate_hz": float(rng.choice([2.0, 3.0, 5.0, 10.0])),
-        "delay_ms": float(rng.choice([30.0, 70.0, 110.0, 130.0])),
-        "speed_mps": float(rng.choice([0.4, 0.6, 0.8, 1.2, 1.5])),
-    }
+    """A bolt that is sent on /tf; drawn again where two mistakes would come to the same length."""
+    while True:
+        drawn = {
+            "rate_hz": float(rng.choice([2.0, 3.0, 4.0, 5.0, 8.0, 10.0])),
+            "delay_ms": float(rng.choice([30.0, 50.0, 70.0, 110.0, 130.0, 160.0])),
+            "speed_mps": float(rng.choice([0.4, 0.6, 0.8, 1.2, 1.5])),
+        }
+        given = SimpleNamespace(**drawn)
+        lengths = sorted(worst(given, **at) for at in ({}, *(slip.at for slip in SLIPS)))
+        apart = min(after - before for before, after in pairwise(lengths))
+        if apart > 0.008 and not _another_unit(given):
+            return drawn
+
+
+def _another_unit(given):
+    """Return whether two slips together come to the right number, as if it were in cm or mm."""
+    pairs = ((one.at, other.at) for one, other in combinations(SLIPS, 2) if not one.at.keys() & other.at.keys())
+    wrong = [worst(given, **one, **other) for one, other in pairs]
+    return any(abs(length / unit - worst(given)) < 0.005 for length in wrong for unit in (100.0, 1000.0))
 
 
 def worst(g, *, period="whole", delay="as seconds", together="added", speed="times"):
@@ -143,6 +159,19 @@ BOLTED = Slip(
 )
 
 
+SLIPS = (
+    HALF_A_PERIOD,
+    DELAY_ONLY,
+    RATE_FOR_PERIOD,
+    PERIOD_ONLY,
+    MILLISECONDS,
+    DELAY_TWICE,
+    SUBTRACTED,
+    SECONDS,
+    BOLTED,
+)
+
+
 TASK = Task(
     id="E6.6",
     kind="N",
@@ -153,17 +182,7 @@ TASK = Task(
     given=bolt,
     variants=6,
     model=worst,
-    twins=(
-        HALF_A_PERIOD,
-        DELAY_ONLY,
-        RATE_FOR_PERIOD,
-        PERIOD_ONLY,
-        MILLISECONDS,
-        DELAY_TWICE,
-        SUBTRACTED,
-        SECONDS,
-        BOLTED,
-    ),
+    twins=SLIPS,
     hints=(
         Words(
             en="How old is the newest message of the bolt, just before the next one arrives?",
