@@ -200,6 +200,12 @@ lesson.draw_ages([lesson.Curve('truth', times, [0.11] * len(times)), avg], 'net 
 # 첫 보고에서 19 %, 34초 뒤에 절반, 2분 뒤에 91 %입니다(저역 통과 필터라고 합니다).
 # 그러니 `max`와, 움직이는 좌표계의 줄을 읽습니다. 함정이 하나 더 있습니다. `max`는 0에서 시작하므로 미래의 시각, 곧 음수 지연은 `Max Delay: 0`으로 나와 완벽해 보입니다. 이때는 `Average Delay`가 음수입니다. 그 값을 보십시오.
 
+# %% [markdown] lang="en" name="monitor-notes" slide="notes"
+# Let somebody read the first report aloud and say "so it is late by two hundredths". Wait. Then ask what 0.0209 divided by 0.11 is.
+
+# %% [markdown] lang="ko" name="monitor-notes" slide="notes"
+# 한 사람에게 첫 보고를 읽게 하고 "0.02초 늦네요"라는 말을 기다립니다. 그런 다음 0.0209를 0.11로 나누면 얼마인지 묻습니다.
+
 # %% [markdown] lang="en" name="rates" slide="slide"
 # ## view_frames: how often does one edge come?
 #
@@ -374,6 +380,12 @@ for fixed_frame in ('map', 'odom', 'base_link'):
 # 그림은 움직이지만 데이터는 그대로입니다. Fixed Frame은 보는 자리일 뿐입니다. 아무것도 발행하지 않고 저장하지 않으며, 다른 노드는 알지 못합니다.
 # 스캔이 지도와 맞는지 볼 때는 `map`, 위치 추정의 튐 없이 오도메트리가 매끄러운지 볼 때는 `odom`, 로봇의 눈으로 볼 때는 `base_link`를 씁니다. "odom에서는 튀지 않으니까" odom을 고르는 것은 아무것도 고치지 않습니다.
 
+# %% [markdown] lang="en" name="fixed-frame-notes" slide="notes"
+# Say it with your head: turn it to the left. Did the room turn?
+
+# %% [markdown] lang="ko" name="fixed-frame-notes" slide="notes"
+# 고개를 왼쪽으로 돌려 보입니다. 방이 돌았습니까?
+
 # %% [markdown] lang="en" name="ok-is-not-true" slide="slide"
 # ## Ok is not true
 #
@@ -415,6 +427,12 @@ lesson.draw_rviz(until_s=25.0)
 # %% [markdown] lang="ko" name="three-robots-seen" tags=["predicted"]
 # **아무 줄도 빨개지지 않습니다.** 세 목록은 건강한 로봇의 목록과 글자까지 같습니다. 점은 벽에서 평균 0.20, 0.12, 0.30 m 벗어나 있고(건강한 로봇은 0.05 m), 그것은 눈이나 아래에 깐 지도만 알려 줍니다.
 # *Ok*는 어디에 그릴지 계산할 수 있었다는 뜻입니다. 들어간 숫자, 이름, 시각이 사실인지는 어떤 도구도 모릅니다. 견줄 것이 없기 때문입니다. 여러분에게는 설계도, 드라이버 설명서, 시계가 있습니다.
+
+# %% [markdown] lang="en" name="three-robots-notes" slide="notes"
+# Vote before each picture: LaserScan, RobotModel, TF, none. By the third robot the room has learnt it; then ask what would have to be compared with what.
+
+# %% [markdown] lang="ko" name="three-robots-notes" slide="notes"
+# 그림마다 먼저 손을 들게 합니다. LaserScan, RobotModel, TF, 없음 가운데 하나입니다. 세 번째 로봇쯤이면 모두 압니다. 그때 무엇을 무엇과 견주어야 하는지 묻습니다.
 
 # %% [markdown] lang="en" name="one-minute" slide="slide"
 # ### One minute each
@@ -463,12 +481,14 @@ lesson.draw_rviz()
 
 # %% [markdown] lang="en" name="break-localization-seen" tags=["predicted"]
 # `Frame [map] does not exist`: the localiser was the only one who ever spoke of `map`. The robot is fine, the sensors are fine. And **`Map: Ok`**: the map's message is written in `map`, and from `map` to `map` nobody needs TF. Map Ok does not mean that the localiser runs.
-#
-# Next, a capital letter: Fixed Frame `Map`.
 
 # %% [markdown] lang="ko" name="break-localization-seen" tags=["predicted"]
 # `Frame [map] does not exist`: `map`을 말하던 노드는 위치 추정 노드뿐이었습니다. 로봇도 센서도 멀쩡합니다. 그런데 **`Map: Ok`**입니다. 지도 메시지는 `map` 기준이고, `map`에서 `map`으로 옮길 때는 TF가 필요 없습니다. Map이 Ok라고 해서 위치 추정 노드가 살아 있다는 뜻은 아닙니다.
-#
+
+# %% [markdown] lang="en" name="break-capital-predict"
+# Next, a capital letter: Fixed Frame `Map`.
+
+# %% [markdown] lang="ko" name="break-capital-predict"
 # 다음은 대문자 하나입니다. Fixed Frame이 `Map`입니다.
 
 # %% name="break-capital" tags=["predicted"]
@@ -477,12 +497,14 @@ lesson.draw_rviz(fixed_frame='Map')
 
 # %% [markdown] lang="en" name="break-capital-seen" tags=["predicted"]
 # The same first line, another cause: now the list below TF *contains* `map`, and even Map fails. A name that does not exist beside one that looks like it: typed wrongly. A name that is nowhere: its node is down.
-#
-# Next, nobody says any more where the joints are.
 
 # %% [markdown] lang="ko" name="break-capital-seen" tags=["predicted"]
 # 첫 줄은 같지만 원인이 다릅니다. 이번에는 TF 목록에 `map`이 *있고*, Map까지 실패합니다. 없는 이름 옆에 비슷한 이름이 있으면 잘못 입력한 것이고, 어디에도 없으면 그 노드가 죽은 것입니다.
-#
+
+# %% [markdown] lang="en" name="break-joints-predict"
+# Next, nobody says any more where the joints are.
+
+# %% [markdown] lang="ko" name="break-joints-predict"
 # 다음은 관절 위치를 아무도 알려 주지 않을 때입니다.
 
 # %% name="break-joints" tags=["predicted"]
@@ -492,12 +514,14 @@ lesson.draw_rviz()
 
 # %% [markdown] lang="en" name="break-joints-seen" tags=["predicted"]
 # RobotModel counts 7 errors, TF only 3 warnings. TF lists whom it has *heard of*; RobotModel lists who is *in the URDF*. The scan does not care: no joint lies between `map` and `laser_frame`.
-#
-# Last, the wheels' node dies.
 
 # %% [markdown] lang="ko" name="break-joints-seen" tags=["predicted"]
 # RobotModel의 오류는 7개인데 TF의 경고는 3개뿐입니다. TF는 *들어 본* 좌표계를, RobotModel은 *URDF에 있는* 링크를 나열합니다. 스캔은 멀쩡합니다. `map`과 `laser_frame` 사이에는 움직이는 관절이 없습니다.
-#
+
+# %% [markdown] lang="en" name="break-odometry-predict"
+# Last, the wheels' node dies.
+
+# %% [markdown] lang="ko" name="break-odometry-predict"
 # 마지막으로 바퀴 노드가 멈춥니다.
 
 # %% name="break-odometry" tags=["predicted"]
@@ -507,12 +531,14 @@ lesson.draw_rviz()
 
 # %% [markdown] lang="en" name="break-odometry-seen" tags=["predicted"]
 # The one that names its cause: `not part of the same tree`. `map` and `odom` are one tree, everything on the robot another; the edge between them has lost its owner.
-#
-# And the one without a red line: the EKF sends `odom → base_footprint`, too. RViz draws the robot here, then there; every single answer is Ok. What the list cannot say, several looks in a row can:
 
 # %% [markdown] lang="ko" name="break-odometry-seen" tags=["predicted"]
 # 원인을 알려 주는 오류입니다. `not part of the same tree`. `map`과 `odom`이 한 트리, 로봇에 달린 모두가 다른 트리입니다. 둘 사이의 연결을 보낼 노드가 없어졌습니다.
-#
+
+# %% [markdown] lang="en" name="break-ekf-predict"
+# And the one without a red line: the EKF sends `odom → base_footprint`, too. RViz draws the robot here, then there; every single answer is Ok. What the list cannot say, several looks in a row can:
+
+# %% [markdown] lang="ko" name="break-ekf-predict"
 # 그리고 빨간 줄이 없는 고장입니다. EKF도 `odom → base_footprint`를 보냅니다. RViz는 로봇을 여기 그렸다가 저기 그리지만, 답은 하나하나 Ok입니다. 목록이 알려 주지 못하는 것도 잇달아 여러 번 보면 드러납니다.
 
 # %% name="break-ekf" tags=["predicted"]
@@ -528,6 +554,12 @@ for _ in range(6):
 
 # %% [markdown] lang="ko" name="break-ekf-seen" tags=["predicted"]
 # 0.3 m까지 오락가락하고, x도 고르게 늘지 않습니다. 바퀴의 포즈는 한쪽으로 흐르고 EKF의 포즈는 그렇지 않습니다. 답은 하나하나 멀쩡합니다.
+
+# %% [markdown] lang="en" name="break-notes" slide="notes"
+# One shout for each symptom before the table is shown: who would you ask first? Sensor shouts are welcome, and answered with "its messages came".
+
+# %% [markdown] lang="ko" name="break-notes" slide="notes"
+# 표를 보이기 전에 증상마다 외치게 합니다. 누구에게 먼저 묻겠습니까? "센서"라는 답에는 "메시지는 왔습니다"라고 답합니다.
 
 # %% [markdown] lang="en" name="symptoms" slide="slide"
 # ### What the list says, and where to look first
