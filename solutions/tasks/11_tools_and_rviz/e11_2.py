@@ -46,8 +46,10 @@ def read(given, *, zeros="nanoseconds", period="of the stamps", which="distance"
     def stamp(sec, nano):
         return float(f"{sec}.{nano}") if zeros == "decimals" else int(sec) + int(nano) / 1e9
 
-    dt = 1.0 if period == "a second" else stamp(sec_b, nano_b) - stamp(sec_a, nano_a)
-    way = {"distance": math.hypot(x_b - x_a, y_b - y_a), "x": abs(x_b - x_a), "sum": abs(x_b - x_a) + abs(y_b - y_a)}
+    between = {"of the stamps": stamp(sec_b, nano_b) - stamp(sec_a, nano_a), "a second": 1.0}
+    dt = {**between, "two seconds": float(int(sec_b) - int(sec_a))}[period]
+    way = {"distance": math.hypot(x_b - x_a, y_b - y_a), "x": abs(x_b - x_a), "y": abs(y_b - y_a)}
+    way["sum"] = way["x"] + way["y"]
     turn = deg_b - deg_a if angle == "degrees" else rad_b - rad_a
     return {
         "speed_mps": way[which] / dt,
@@ -73,6 +75,7 @@ A_SECOND = Slip(
         en="You took a second for the time between. The tool *prints* once a second; the stamps need not be a second apart.",
         ko="사이의 시간을 1초로 보았습니다. 1초에 한 번 *출력*할 뿐, 측정 시각의 간격은 1초가 아닐 수 있습니다.",
     ),
+    partly=True,
 )
 
 X_ONLY = Slip(
@@ -112,6 +115,46 @@ BACKWARDS = Slip(
     part="yaw_rate_radps",
 )
 
+Y_ONLY = Slip(
+    "y only",
+    {"which": "y"},
+    Words(
+        en="For the speed you took the difference in y alone. The robot also moved in x.",
+        ko="속도에 y의 차이만 썼습니다. 로봇은 x로도 움직였습니다.",
+    ),
+    part="speed_mps",
+)
+
+TWO_SECONDS = Slip(
+    "two seconds",
+    {"period": "two seconds"},
+    Words(
+        en="You subtracted only the whole seconds of the stamps. What stands behind the point counts, too.",
+        ko="측정 시각에서 초의 정수 부분만 뺐습니다. 점 뒤도 세어야 합니다.",
+    ),
+    partly=True,
+)
+
+YAW_ITSELF = Twin(
+    "yaw itself",
+    lambda g: {**read(g), "yaw_rate_radps": parts_of(g.second)[4]},
+    Words(
+        en="yaw_rate_radps: that is the yaw of the second reading. How much did it change, and in which time?",
+        ko="yaw_rate_radps: 둘째 출력의 yaw 자체입니다. 얼마 동안 얼마나 바뀌었습니까?",
+    ),
+    part="yaw_rate_radps",
+)
+
+STAMP_AS_DECIMALS = Twin(
+    "stamp as decimals",
+    lambda g: {**read(g), "stamp_s": float(".".join(parts_of(g.second)[:2]))},
+    Words(
+        en="stamp_s: that is how it is printed. Behind the point stand nanoseconds without their leading zeros.",
+        ko="stamp_s: 출력된 모양 그대로입니다. 점 뒤는 첫머리의 0이 빠진 나노초입니다.",
+    ),
+    part="stamp_s",
+)
+
 STAMP_OF_THE_FIRST = Twin(
     "stamp of the first",
     lambda g: {**read(g), "stamp_s": int(parts_of(g.first)[0]) + int(parts_of(g.first)[1]) / 1e9},
@@ -136,7 +179,19 @@ TASK = Task(
     given=two_readings,
     variants=6,
     model=read,
-    twins=(ZEROS_LOST, A_SECOND, X_ONLY, X_PLUS_Y, DEGREES, BACKWARDS, STAMP_OF_THE_FIRST),
+    twins=(
+        ZEROS_LOST,
+        A_SECOND,
+        X_ONLY,
+        X_PLUS_Y,
+        DEGREES,
+        BACKWARDS,
+        Y_ONLY,
+        TWO_SECONDS,
+        YAW_ITSELF,
+        STAMP_AS_DECIMALS,
+        STAMP_OF_THE_FIRST,
+    ),
     hints=(
         Words(
             en="Write down for both blocks: stamp in seconds, x, y, yaw in radians.",

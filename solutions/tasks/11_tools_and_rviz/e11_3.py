@@ -6,7 +6,7 @@ import math
 import re
 
 from tflab.tools.tf2_monitor import Delays, NetDelay, broadcaster_line, frame_lines, results_heading
-from tflab.workbook.tasks import Choice, Number, Parts, Slip, Task, Words
+from tflab.workbook.tasks import Choice, Number, Parts, Slip, Task, Twin, Words
 
 LOOKS = 21
 
@@ -62,13 +62,20 @@ def judged(given, *, rate="the rest", late="max", curve="chord", period="whole",
         "way": v / f,
         "half way": v / (2 * f),
         "whole angle": v / w * (1 - math.cos(w / f)),
+        "straight": 0.0,
     }[curve]
-    wait = {"whole": 1.0, "half": 0.5}[period] / f + given.transform_travels_s
+    way = {
+        "with the scan": given.transform_travels_s - given.scan_travels_s,
+        "without the scan": given.transform_travels_s,
+        "scan added": given.transform_travels_s + given.scan_travels_s,
+        "nothing": 0.0,
+    }[travel]
+    wait = {"whole": 1.0, "half": 0.5}[period] / f + way
     return {
         "odometry_hz": f,
         "late_s": {"max": largest, "avg": avg, "static": static}[late],
         "off_mm": 1000 * gap,
-        "wait_s": max(0.0, wait - (given.scan_travels_s if travel == "with the scan" else 0.0)),
+        "wait_s": max(0.0, wait),
         "enough": "yes" if 1000 * gap <= given.allowed_mm else "no",
     }
 
@@ -173,6 +180,46 @@ SCAN_FORGOTTEN = Slip(
     part="wait_s",
 )
 
+SCAN_ADDED = Slip(
+    "scan added",
+    {"travel": "scan added"},
+    Words(
+        en="You added the scan's way. The wait begins when the scan has arrived: what had passed until then makes it shorter.",
+        ko="스캔이 오는 시간을 더했습니다. 기다림은 스캔이 도착한 때부터 잽니다. 그 전에 지난 시간만큼 짧아집니다.",
+    ),
+    part="wait_s",
+)
+
+PERIOD_ALONE = Slip(
+    "period alone",
+    {"travel": "nothing"},
+    Words(
+        en="That is the period alone: both messages also take a while on their way.",
+        ko="주기만 계산했습니다. 두 메시지가 오는 데도 시간이 걸립니다.",
+    ),
+    part="wait_s",
+)
+
+STRAIGHT_AHEAD = Slip(
+    "straight ahead",
+    {"curve": "straight"},
+    Words(
+        en="Nothing is lost on a straight. This robot turns: yaw_rate_radps is not 0.",
+        ko="곧은 길이라면 틀리지 않습니다. 이 로봇은 돌고 있습니다. yaw_rate_radps가 0이 아닙니다.",
+    ),
+    part="off_mm",
+)
+
+OTHER_VERDICT = Twin(
+    "other verdict",
+    lambda g: {**judged(g), "enough": "no" if judged(g)["enough"] == "yes" else "yes"},
+    Words(
+        en="enough: compare off_mm with allowed_mm, both in millimetres. Waiting is another question.",
+        ko="enough: off_mm과 allowed_mm을 견주십시오. 둘 다 mm입니다. 기다림은 다른 문제입니다.",
+    ),
+    part="enough",
+)
+
 
 TASK = Task(
     id="E11.3",
@@ -203,6 +250,10 @@ TASK = Task(
         WHOLE_ANGLE,
         HALF_A_PERIOD,
         SCAN_FORGOTTEN,
+        SCAN_ADDED,
+        PERIOD_ALONE,
+        STRAIGHT_AHEAD,
+        OTHER_VERDICT,
     ),
     hints=(
         Words(

@@ -59,12 +59,13 @@ def figures(
     below = {
         "average": lambda row: row[1] < 0, "max": lambda row: row[2] < 0, "max is 0": lambda row: row[2] <= 0,
         "positive": lambda row: row[1] > 0,
+        "first": lambda row: row[1] < 0,
     }[sign]  # fmt: skip
     found = re.search(r"avg = (\S+): max = (\S+)", report).groups()
     worst = max(rows, key=by)
     return {
         "late": worst[0],
-        "future": sorted(row[0] for row in rows if below(row)),
+        "future": sorted(row[0] for row in rows if below(row))[: 1 if sign == "first" else None],
         "delay_s": float(found[net == "max"]) if net != "frame" else worst[2],
     }
 
@@ -119,6 +120,27 @@ LATE_FOR_FUTURE = Slip(
     part="future",
 )
 
+ZERO_IS_FUTURE = Slip(
+    "zero is future",
+    {"sign": "max is 0"},
+    Words(
+        en="future: Max Delay is 0 for the future, and also for a frame that was never late. The average tells them apart.",
+        ko="future: Max Delay는 미래일 때도 0이지만, 한 번도 늦지 않은 좌표계도 0입니다. 둘을 가르는 것은 평균입니다.",
+    ),
+    "M10",
+    part="future",
+)
+
+ONE_IS_ENOUGH = Slip(
+    "one is enough",
+    {"sign": "first"},
+    Words(
+        en="future: you return one frame at most. There may be several.",
+        ko="future: 많아야 하나를 반환합니다. 여럿일 수 있습니다.",
+    ),
+    part="future",
+)
+
 NET_AVERAGE = Slip(
     "net average",
     {"net": "avg"},
@@ -156,6 +178,8 @@ TASK = Task(
         THE_QUICKEST,
         MAX_ZERO_IS_HEALTHY,
         LATE_FOR_FUTURE,
+        ZERO_IS_FUTURE,
+        ONE_IS_ENOUGH,
         NET_AVERAGE,
         DELAY_OF_A_FRAME,
     ),

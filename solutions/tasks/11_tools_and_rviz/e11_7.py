@@ -21,21 +21,37 @@ def frames_and_rate(rng):
     }
 
 
-def lines(given, *, order="in first", rate="given", chain="given", clock="simulated", verbose="--verbose"):
+def lines(given, *, order="in first", rate="given", chain="given", clock="simulated", who="--verbose"):
     """Return the three lines, step by step; other steps are the slips."""
     frames = (given.echo_in, given.echo_of) if order == "in first" else (given.echo_of, given.echo_in)
-    hz = {"given": f" {given.echo_hz}", "none": "", "option": f" --rate {given.echo_hz}"}[rate]
+    hz = {
+        "given": f" {given.echo_hz}",
+        "none": "",
+        "option": f" --rate {given.echo_hz}",
+        "short option": f" -r {given.echo_hz}",
+        "period": f" {1 / given.echo_hz}",
+    }[rate]
+    other = "/tf" if given.topic == "/tf_static" else "/tf_static"
     ends = given.chain if chain == "given" else [] if chain == "all" else given.chain[::-1]
     sim = {
         "simulated": " --ros-args -p use_sim_time:=true",
         "wall": "",
         "bare": " use_sim_time:=true",
         "off": " --ros-args -p use_sim_time:=false",
+        "no --ros-args": " -p use_sim_time:=true",
+        "equals": " --ros-args -p use_sim_time=true",
+        "one": " --ros-args -p use_sim_time:=1",
     }[clock]
     return {
         "value": f"ros2 run tf2_ros tf2_echo {' '.join(frames)}{hz}",
         "late": " ".join(["ros2 run tf2_ros tf2_monitor", *ends]) + sim,
-        "who": " ".join(["ros2 topic info", given.topic, verbose]).strip(),
+        "who": {
+            "--verbose": f"ros2 topic info {given.topic} --verbose",
+            "counts": f"ros2 topic info {given.topic}",
+            "topics": "ros2 topic list",
+            "nodes": "ros2 node list",
+            "other topic": f"ros2 topic info {other} --verbose",
+        }[who],
     }
 
 
@@ -120,8 +136,88 @@ CHAIN_TURNED_ROUND = Slip(
 
 ONLY_COUNTS = Slip(
     "only counts",
-    {"verbose": ""},
+    {"who": "counts"},
     Words(en="who: this prints how many they are, not who.", ko="who: 몇 개인지만 나오고 누구인지는 나오지 않습니다."),
+    part="who",
+)
+
+PERIOD_FOR_RATE = Slip(
+    "period for rate",
+    {"rate": "period"},
+    Words(
+        en="value: the third argument is a rate, in prints a second, not the time between two.",
+        ko="value: 셋째 인자는 출력 사이의 시간이 아니라 1초에 몇 번인지입니다.",
+    ),
+    part="value",
+)
+
+RATE_AS_A_SHORT_OPTION = Slip(
+    "rate as a short option",
+    {"rate": "short option"},
+    Words(
+        en="value: there is no -r: the number stands alone, last.",
+        ko="value: -r 옵션은 없습니다. 숫자만 마지막에 씁니다.",
+    ),
+    part="value",
+)
+
+ROS_ARGS_FORGOTTEN = Slip(
+    "ros-args forgotten",
+    {"clock": "no --ros-args"},
+    Words(
+        en="late: -p is heard only behind --ros-args; before it the tool takes it for a frame.",
+        ko="late: -p는 --ros-args 뒤에서만 통합니다. 그 앞에 있으면 도구가 좌표계 이름으로 받아들입니다.",
+    ),
+    part="late",
+)
+
+EQUALS_SIGN = Slip(
+    "equals sign",
+    {"clock": "equals"},
+    Words(
+        en="late: ROS writes := between a parameter and its value.",
+        ko="late: ROS에서는 매개변수와 값 사이에 :=을 씁니다.",
+    ),
+    part="late",
+)
+
+ONE_FOR_TRUE = Slip(
+    "one for true",
+    {"clock": "one"},
+    Words(
+        en="late: use_sim_time is a bool. 1 is an integer, and the node refuses it.",
+        ko="late: use_sim_time은 bool입니다. 1은 정수라서 노드가 거부합니다.",
+    ),
+    part="late",
+)
+
+LIST_OF_TOPICS = Slip(
+    "list of topics",
+    {"who": "topics"},
+    Words(
+        en="who: that lists the topics, and no nodes.",
+        ko="who: 토픽의 목록이고 노드는 나오지 않습니다.",
+    ),
+    part="who",
+)
+
+LIST_OF_NODES = Slip(
+    "list of nodes",
+    {"who": "nodes"},
+    Words(
+        en="who: that lists all nodes, whatever they publish.",
+        ko="who: 무엇을 발행하든 모든 노드가 나옵니다.",
+    ),
+    part="who",
+)
+
+OTHER_TOPIC = Slip(
+    "other topic",
+    {"who": "other topic"},
+    Words(
+        en="who: that is the other of the two TF topics.",
+        ko="who: 두 TF 토픽 가운데 다른 쪽입니다.",
+    ),
     part="who",
 )
 
@@ -145,7 +241,15 @@ TASK = Task(
         CLOCK_FORGOTTEN,
         PARAMETER_BARE,
         CLOCK_SWITCHED_OFF,
+        PERIOD_FOR_RATE,
+        RATE_AS_A_SHORT_OPTION,
+        ROS_ARGS_FORGOTTEN,
+        EQUALS_SIGN,
+        ONE_FOR_TRUE,
         ONLY_COUNTS,
+        LIST_OF_TOPICS,
+        LIST_OF_NODES,
+        OTHER_TOPIC,
     ),
     hints=(
         Words(

@@ -23,10 +23,18 @@ TOLERANCE = 1e-3
 # Options that stand alone; every other one takes the word after it.
 ALONE = {
     "--all", "--csv", "--flow-style", "--help", "--include-hidden-nodes", "--include-hidden-topics", "--loop",
-    "--no-arr", "--no-daemon", "--no-log", "--no-str", "--once", "--raw", "--show-types", "--spin", "--verbose",
-    "-1", "-a", "-h", "-l", "-t", "-v", "-w",
+    "--no-arr", "--no-daemon", "--no-log", "--no-str", "--once", "--raw", "--ros-args", "--show-types",
+    "--spin", "--verbose", "-1", "-a", "-h", "-l", "-t", "-v", "-w",
 }  # fmt: skip
-LONG_NAMES = {"-a": "--all", "-h": "--help", "-l": "--loop", "-t": "--show-types", "-v": "--verbose", "-o": "--output"}
+LONG_NAMES = {
+    "-a": "--all",
+    "-h": "--help",
+    "-l": "--loop",
+    "-t": "--show-types",
+    "-v": "--verbose",
+    "-o": "--output",
+    "--param": "-p",
+}
 NAMES_WITH_A_ROOT = {"topic", "node", "param", "service", "bag"}  # `tf` and `/tf` are the same to these
 
 
@@ -81,7 +89,8 @@ def _mark(word: str) -> MarkPair:
     number = _number(word)
     if number is not None:
         return (number, TOLERANCE)
-    return (word.lower() if word.lower() in ("true", "false") else word, 0.0)
+    name, sign, value = word.rpartition(":=")  # a parameter's value, or the whole word
+    return (name + sign + value.lower() if value.lower() in ("true", "false") else word, 0.0)
 
 
 def _number(word: str) -> float | None:
