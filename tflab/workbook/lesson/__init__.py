@@ -22,7 +22,6 @@ from tflab.bags.example import example_bag
 from tflab.bags.reader import read_bag
 from tflab.core import LATEST, BufferCore, StampedTransform, Transform, seconds
 from tflab.core.quaternions import angle, xyzw_from_wxyz
-from tflab.doctor import examine
 from tflab.robots.kinematics import link_poses
 from tflab.robots.motion import Drive, Leg, PlanarPose
 from tflab.robots.nodes import launch
@@ -30,6 +29,7 @@ from tflab.robots.teaching import Source, TeachingRobot, teaching_urdf
 from tflab.robots.urdf import parse_urdf
 from tflab.robots.world import BALL, ROOM
 from tflab.ros import new_graph
+from tflab.ros.graph import current_graph
 from tflab.tools.buffers import draw_buffer, draw_history, draw_question, draw_walk
 from tflab.tools.rviz import look
 from tflab.tools.trees import frame_tree
@@ -81,7 +81,7 @@ from .clouds import floor_cloud, wall_cloud
 from .disguised import draw_rviz, start_robot, stop_node
 from .joints import draw_joints, joint_in_file, joints_panel
 from .panels import clocks_panel, sentence_panel, tree_panel
-from .recordings import draw_heard, fresh_folder, place_messages
+from .recordings import doctor, draw_heard, fresh_folder, place_messages, replay
 from .room import draw_now, draw_room, draw_walls, scan_on_map, show_drive, show_latency
 from .toolbox import draw_toolbox, tools_panel
 from .waiting import (
@@ -124,7 +124,9 @@ __all__ = [
     "cameras_panel",
     "check_environment",
     "clocks_panel",
+    "current_graph",
     "describe_extent",
+    "doctor",
     "draw_ages",
     "draw_arrow",
     "draw_body_axes",
@@ -167,7 +169,6 @@ __all__ = [
     "draw_walk",
     "draw_walls",
     "drive",
-    "examine",
     "example_bag",
     "floor_cloud",
     "fmt",
@@ -191,6 +192,7 @@ __all__ = [
     "place_messages",
     "read_bag",
     "readings_of",
+    "replay",
     "rotation_panel",
     "rulers_panel",
     "run_node",

@@ -3,6 +3,8 @@
     fresh_folder()                a new, empty folder for what a page records
     draw_heard(recording, 3.0)    when each topic was heard, in the first three seconds
     place_messages(recording)     each topic: how many of its messages the bag's own transforms can place
+    doctor(recording)             what is wrong with it, in the doctor's words
+    replay(Node, bag, "--clock")  a node that listens while the bag is played, the next day
 
     /scan  laser_frame -> map: 149 of 150, first no: Lookup would require extrapolation into the past. ...
 
@@ -17,6 +19,8 @@ from __future__ import annotations
 import atexit
 import shutil
 import tempfile
+from collections.abc import Callable, Collection
+from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
@@ -24,9 +28,20 @@ import numpy as np
 
 from tflab.bags.recording import Headers, Recording
 from tflab.core import BufferCore, TransformException, seconds
+from tflab.doctor import examine
+from tflab.doctor.report.text import text_from_report
+from tflab.robots.nodes import launch
+from tflab.ros.graph import Graph, new_graph
+from tflab.ros.node import Node
+from tflab.tools.page import run_words
 from tflab.views.work import Work, WorkPicture, draw_work
 
-__all__ = ["PlacedTopic", "draw_heard", "fresh_folder", "place_messages"]
+from .waiting import run_node
+
+__all__ = ["PlacedTopic", "doctor", "draw_heard", "fresh_folder", "place_messages", "replay"]
+
+DAY_S = 86400.0
+QUIETLY = ("--ros-args", "--log-level", "rosbag2_player:=warn")
 
 
 class PlacedTopic(NamedTuple):
@@ -71,13 +86,17 @@ def draw_heard(recording: Recording, for_s: float = 3.0) -> WorkPicture:
     return draw_work(rows or [Work("nothing with a stamp")], 0, seconds(for_s))
 
 
-def place_messages(recording: Recording, target_frame: str | None = None) -> list[PlacedTopic]:
+def place_messages(
+    recording: Recording, target_frame: str | None = None, leave_out: Collection[str] = ()
+) -> list[PlacedTopic]:
     """Return for each topic and frame how many messages the recording's own transforms can place.
 
     Args:
         target_frame: where to; the root that most frames hang from if None.  Messages without a frame are left out.
+        leave_out: topics of transforms, as if they had not been recorded.
     """
     rows = []
+    recording = _without(recording, leave_out)
     for namespace in recording.namespaces() or (None,):
         buffer = recording.buffer(namespace=namespace)
         target = target_frame or root_of_most(buffer)
@@ -89,6 +108,44 @@ def place_messages(recording: Recording, target_frame: str | None = None) -> lis
                 if name and is_here:
                     rows.append(_placed(buffer, headers, name, headers.stamp_ns[headers.frame == number], target))
     return rows
+
+
+def replay(
+    make_node: Callable[[], Node],
+    bag: str | Path,
+    options: str = "",
+    for_s: float = 6.0,
+    beside: Collection[str] = (),
+) -> Node:
+    """Play a bag the next day, beside a node that listens, for `for_s` [s]; return the node, which goes on living.
+
+    Args:
+        options: as after `ros2 bag play BAG`.
+        beside: nodes of the robot that are running, too, by their names in `launch`.
+    """
+    graph = new_graph()
+    graph.run(seconds=DAY_S)
+    launch(graph, only=beside)
+    node = run_node(make_node, 0.0)
+    run_words(graph, ["bag", "play", str(bag), *options.split(), "&"], ros_args=QUIETLY)
+    graph.run(seconds=for_s)
+    return node
+
+
+def doctor(patient: Recording | Graph | BufferCore, seconds: float = 5.0) -> str:
+    """Return what the doctor says of a recording, a graph or a buffer; a graph is listened to for `seconds` [s]."""
+    return text_from_report(examine(patient, seconds))
+
+
+def _without(recording: Recording, topics: Collection[str]) -> Recording:
+    """Return a recording as if these topics of transforms had not been recorded."""
+    table = recording.transforms
+    keeps = np.array([label.topic not in topics for label in table.labels], dtype=bool)
+    rows = keeps[table.label] if len(table) else np.zeros(0, dtype=bool)
+    columns = {name: getattr(table, name)[rows] for name in ("receive_ns", "stamp_ns", "message", "numbers")}
+    label = (np.cumsum(keeps) - 1)[table.label[rows]]  # the labels that are left count from 0 again
+    labels = tuple(each for each, is_kept in zip(table.labels, keeps, strict=True) if is_kept)
+    return replace(recording, transforms=replace(table, **columns, label=label, labels=labels))
 
 
 def root_of_most(buffer: BufferCore) -> str:

@@ -1,0 +1,823 @@
+# %% [markdown] lang="en" name="title" slide="slide"
+# # 10 · Whose time is it?
+#
+# **Clocks and bags** · about 55 minutes · builds on 06, 08 and 09
+#
+# After this chapter you can
+#
+# - record a [[bag]] that can place its own messages, and say in one number whether it can;
+# - say in whose time a node lives: in the machine's, in the bag's, or in none ([[simulation time]]);
+# - recognise a forgotten `--clock`, a node that lives in another day, and a bag that plays in a loop;
+# - examine a bag of your own.
+
+# %% [markdown] lang="ko" name="title" slide="slide"
+# # 10 · 누구의 시간일까요?
+#
+# **시계와 bag** · 약 55분 · 06, 08, 09장을 바탕으로 합니다
+#
+# 이 장을 마치면 다음을 할 수 있습니다.
+#
+# - 자기 메시지의 위치를 스스로 찾을 수 있는 [[bag]]을 기록하고, 그런지 아닌지를 숫자 하나로 말합니다.
+# - 노드가 어느 시간에 사는지 말합니다. 컴퓨터의 시간, bag의 시간([[simulation time|시뮬레이션 시간]]), 또는 멈춘 시간입니다.
+# - 빠뜨린 `--clock`, 다른 날을 사는 노드, 반복 재생되는 bag을 알아봅니다.
+# - 여러분의 bag을 검사합니다.
+
+# %% [markdown] lang="en" name="title-notes" slide="notes"
+# Ask first: you play yesterday's recording. What time is it? Two answers are right, and a robot needs to agree on one. 55 minutes: 10 to the offset, 10 for one number, 15 for the two clocks, 10 for the loop, 10 for their own bag.
+
+# %% [markdown] lang="ko" name="title-notes" slide="notes"
+# 먼저 묻습니다. 어제 기록한 것을 지금 재생합니다. 지금은 몇 시일까요? 답은 둘 다 맞고, 로봇은 하나로 통일해야 합니다. 55분 배분: 시작 위치 10분, 숫자 하나 10분, 두 시계 15분, 반복 10분, 각자의 bag 10분.
+
+# %% [markdown] lang="en" name="needed" slide="slide"
+# ## What you need to begin
+#
+# - **Static transforms** (06) are said once, on `/tf_static`. Their publisher keeps the message for whoever comes later.
+# - **The stamp** (08) says when a thing was measured. The [[buffer]] answers between its oldest and its newest sample; `Time()` asks for the latest.
+# - **Three refusals** (09): an unknown name, no path, a moment outside (into the past, into the future). With a single sample in the buffer there is a third text about moments.
+
+# %% [markdown] lang="ko" name="needed" slide="slide"
+# ## 시작하기 전에 알아 둘 것
+#
+# - **정적 변환**(06)은 `/tf_static`으로 한 번 보냅니다. 늦게 오는 노드를 위해 발행자가 메시지를 간직합니다.
+# - **측정 시각**(08)은 언제 측정했는지를 말합니다. [[buffer|버퍼]]는 가장 오래된 표본과 최신 표본 사이를 답하고, `Time()`은 최신을 뜻합니다.
+# - **세 가지 거절**(09): 모르는 이름, 경로 없음, 범위 밖의 시각(과거, 미래). 버퍼에 표본이 하나뿐이면 시각에 관한 셋째 오류 메시지가 나옵니다.
+
+# %% name="load" slide="skip"
+# %load_ext tflab
+import io
+import math
+from collections import Counter
+from contextlib import redirect_stdout
+
+from tflab.workbook import lesson
+
+# %% [markdown] lang="en" name="story" slide="slide"
+# ## Skip the boring first second
+#
+# A recording begins with a robot that stands still. So somebody played it with `--start-offset`, a little later than the start, and the sensors fell off the robot: no laser, no camera, no model. Reported in 2026, and closed as working as designed ([ros2/rosbag2, issue 2333](https://github.com/ros2/rosbag2/issues/2333)).
+# Others began to record while paused, and got a bag without any mounts ([issue 1302](https://github.com/ros2/rosbag2/issues/1302)).
+#
+# What lay in that first moment? Let us record a lap of our robot and look.
+
+# %% [markdown] lang="ko" name="story" slide="slide"
+# ## 지루한 처음 1초 건너뛰기
+#
+# 기록의 처음에는 로봇이 가만히 서 있습니다. 그래서 누군가 `--start-offset`으로 조금 뒤부터 재생했더니 센서가 로봇에서 떨어져 나갔습니다. 레이저도, 카메라도, 로봇 모델도 없습니다. 2026년에 보고되었고, 설계된 동작이라며 닫혔습니다([ros2/rosbag2, 이슈 2333](https://github.com/ros2/rosbag2/issues/2333)).
+# 일시 정지 상태로 기록을 시작한 사람들은 장착 변환이 하나도 없는 bag을 얻었습니다([이슈 1302](https://github.com/ros2/rosbag2/issues/1302)).
+#
+# 그 첫 순간에 무엇이 있었을까요? 우리 로봇의 한 바퀴를 기록해 봅시다.
+
+# %% name="start-the-robot" slide="skip"
+graph = lesson.new_graph()
+robot = lesson.TeachingRobot()
+nodes = lesson.launch(graph, robot)
+bags = lesson.fresh_folder()  # for this page's recordings; it goes away with the kernel
+
+# %% [markdown] lang="en" name="record-intro" slide="subslide"
+# The lecture's line, and an IMU. On a robot you would end it with Ctrl-C; here `--for` does.
+
+# %% [markdown] lang="ko" name="record-intro" slide="subslide"
+# 강의의 명령에 IMU를 더했습니다. 로봇에서는 Ctrl-C로 끝내고, 여기서는 `--for`가 끝냅니다.
+
+# %% name="record"
+# %ros2 --for 15.03 bag record -o {bags}/lap /scan /odom /tf /tf_static /imu /clock
+
+# %% [markdown] lang="en" name="record-read" slide="-"
+# Five subscriptions for six topics: there is no `/clock`, and nobody complains. A recorder waits for what may still come.
+#
+# A real robot has no `/clock`. Only a simulation publishes one, and only then it belongs into the bag; the lecture's line asks for it to be on the safe side.
+
+# %% [markdown] lang="ko" name="record-read" slide="-"
+# 토픽은 여섯인데 구독은 다섯입니다. `/clock`이 없지만 아무 오류도 나지 않습니다. 기록기는 나중에 나타날지도 모르는 토픽을 기다릴 뿐입니다.
+#
+# 실제 로봇에는 `/clock`이 없습니다. 시뮬레이션만 발행하고, 그때만 bag에 담으면 됩니다. 강의의 명령은 만일을 위해 적은 것입니다.
+
+# %% name="info" slide="fragment"
+# %ros2 bag info {bags}/lap
+
+# %% [markdown] lang="en" name="info-read" slide="-"
+# Read the counts. `/tf` 750, `/tf_static` **1**. One message carries every mount, and here is when it was heard:
+
+# %% [markdown] lang="ko" name="info-read" slide="-"
+# 개수를 읽어 보세요. `/tf`는 750, `/tf_static`은 **1**입니다. 메시지 하나에 모든 장착 변환이 들어 있고, 들은 때는 다음과 같습니다.
+
+# %% name="heard" slide="subslide"
+lap = lesson.read_bag(bags / "lap", show_progress=False)
+lesson.draw_heard(lap, for_s=2.0)
+
+# %% [markdown] lang="en" name="heard-read"
+# Each circle is a message, at the moment at which the recorder *heard* it. That is one of its two times; the other, its stamp, says when it was measured. A scan is heard 0.105 s after its stamp.
+# `ros2 bag play` goes by the first, TF by the second.
+#
+# ### Predict
+#
+# Of the 150 scans the bag's own transforms can place 149 on the map: at each scan's own stamp, `map ← laser_frame`. (The first scan is older than all of TF.)
+# How many can be placed if you play with `--start-offset 0.001`, one millisecond later?
+
+# %% [markdown] lang="ko" name="heard-read"
+# *그림 읽기:* 행마다 토픽 하나, 동그라미마다 메시지 하나입니다. moments = 메시지 수, time = 시간.
+#
+# 동그라미는 기록기가 메시지를 *들은* 때입니다. 메시지에는 시각이 둘 있습니다. 다른 하나인 측정 시각은 언제 측정했는지를 말합니다. 스캔은 측정하고 0.105초 뒤에 들립니다.
+# `ros2 bag play`는 첫째 시각을, TF는 둘째 시각을 따릅니다.
+#
+# ### 예측해 봅시다
+#
+# 스캔 150개 가운데 149개는 bag 자신의 변환으로 지도에 놓을 수 있습니다. 스캔마다 자기 측정 시각의 `map ← laser_frame`을 씁니다. (첫 스캔은 TF 전체보다 오래되었습니다.)
+# `--start-offset 0.001`, 곧 1밀리초 뒤부터 재생하면 몇 개를 놓을 수 있을까요?
+
+# %% [markdown] lang="en" name="asker-intro" slide="subslide"
+# To find out we need a node that listens while the bag plays. It asks for each scan three times: at the scan's stamp, at its own now, and with `Time()`. It also counts how often its timer rings, and how old a scan seems to it.
+
+# %% [markdown] lang="ko" name="asker-intro" slide="subslide"
+# 알아보려면 재생하는 동안 듣는 노드가 필요합니다. 이 노드는 스캔마다 세 가지를 조회합니다. 스캔의 측정 시각, 자신의 현재 시각, 그리고 `Time()`입니다. 타이머가 몇 번 울리는지, 스캔이 얼마나 오래되어 보이는지도 적습니다.
+
+# %% name="imports" slide="skip"
+import rclpy
+from rclpy.duration import Duration
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+from rclpy.qos import qos_profile_sensor_data
+from rclpy.time import Time
+from sensor_msgs.msg import LaserScan
+from tf2_ros import Buffer, TransformException, TransformListener
+
+
+# %% name="ask"
+def ask(node, question, frame, moment):
+    try:
+        node.buffer.lookup_transform("map", frame, moment)
+        node.heard[question] += 1
+    except TransformException as error:
+        node.first_no = node.first_no or error
+
+
+# %% name="asker" slide="subslide"
+class Asker(Node):
+    def __init__(self, use_sim_time=True, make_buffer=lambda node: Buffer(node=node)):
+        super().__init__("asker", parameter_overrides=[Parameter("use_sim_time", value=use_sim_time)])
+        self.buffer = make_buffer(self)
+        self.listener = TransformListener(self.buffer, self)
+        self.heard, self.first_no = Counter(), None
+        self.create_subscription(LaserScan, "scan", self.on_scan, qos_profile_sensor_data)
+        self.create_timer(1.0, lambda: self.heard.update(["timer"]))
+
+    def on_scan(self, scan):
+        stamp, now = Time.from_msg(scan.header.stamp), self.get_clock().now()
+        self.heard["scans"] += 1
+        self.age_s = (now.nanoseconds - stamp.nanoseconds) / 1e9
+        for question, moment in {"at its stamp": stamp, "at now": now, "Time()": Time()}.items():
+            ask(self, question, scan.header.frame_id, moment)
+
+
+# %% name="offset" tags=["predicted"] slide="fragment"
+for options in ("--clock", "--clock --start-offset 0.001"):
+    asker = lesson.replay(Asker, bags / "lap", options, for_s=16.0)
+    print(f"$ ros2 bag play lap {options}")
+    print(f"  {asker.heard['at its stamp']} of {asker.heard['scans']} placed")
+print(asker.first_no)
+
+# %% [markdown] lang="en" name="offset-read" tags=["predicted"]
+# None. The one message with the mounts stood at 0.000 s, and the player passed over it. From then on nobody knows a `laser_frame`.
+#
+# On the robot its publisher would say it again to whoever comes later; that is how `/tf_static` works. A player has only said what it has played.
+# If you must begin later, play the mounts beside it: a second terminal with `ros2 bag play lap --topics /tf_static`, or `robot_state_publisher` with the robot's URDF.
+
+# %% [markdown] lang="ko" name="offset-read" tags=["predicted"]
+# 하나도 없습니다. 장착 변환이 담긴 메시지 하나가 0.000초에 있었고, 재생기는 그 메시지를 지나쳤습니다. 그 뒤로 `laser_frame`을 아는 노드가 없습니다.
+#
+# 로봇에서는 발행자가 늦게 오는 노드에게 다시 보내 줍니다. `/tf_static`이 그런 토픽이기 때문입니다. 재생기는 재생한 것만 간직합니다.
+# 꼭 나중부터 재생해야 한다면 장착 변환을 옆에서 함께 재생하십시오. 다른 터미널에서 `ros2 bag play lap --topics /tf_static`을 실행하거나, 로봇의 URDF로 `robot_state_publisher`를 띄웁니다.
+
+# %% [markdown] lang="en" name="one-number" slide="slide"
+# ## One number for any bag
+#
+# *Can this bag place its own messages?* You need not play it to know. Fill a buffer with its transforms, and ask for each message at its stamp.
+#
+# **Predict** for the scans: all recorded; without `/tf_static`; without `/tf`.
+
+# %% [markdown] lang="ko" name="one-number" slide="slide"
+# ## 어떤 bag에나 통하는 숫자 하나
+#
+# *이 bag은 자기 메시지의 위치를 스스로 찾을 수 있을까요?* 재생하지 않아도 알 수 있습니다. bag의 변환으로 버퍼를 채우고, 메시지마다 측정 시각의 변환을 조회하면 됩니다.
+#
+# 스캔에 대해 **예측해 봅시다.** 모두 기록했을 때, `/tf_static`이 없을 때, `/tf`가 없을 때.
+
+# %% name="place-all" tags=["predicted"] slide="fragment"
+for left_out in ((), ("/tf_static",), ("/tf",)):
+    *_, scan = lesson.place_messages(lap, "map", left_out)
+    print(f"without {', '.join(left_out) or 'nothing'}:\n  {scan}\n")
+
+# %% [markdown] lang="en" name="place-all-read" tags=["predicted"]
+# Three bags of almost the same size, 149, 0 and 0, and the two noes name different frames: without `/tf_static` nobody knows the sensor, without `/tf` nobody knows the map.
+# The first error tells you which topic is missing. The sensor itself was never broken.
+#
+# So what is the smallest recording? It depends on the question that you will ask of it tomorrow:
+#
+# | tomorrow you want | record besides the sensor |
+# |---|---|
+# | the sensor on the map, as the robot saw it | `/tf` `/tf_static` |
+# | to localise anew, with another algorithm | `/tf_static`, the odometry (`/tf` or `/odom`), and leave `map → odom` out when you play |
+# | the same from a simulation | the same, and `/clock` |
+
+# %% [markdown] lang="ko" name="place-all-read" tags=["predicted"]
+# 크기가 거의 같은 bag 셋인데 149, 0, 0입니다. 그리고 두 오류 메시지는 서로 다른 좌표계를 말합니다. `/tf_static`이 없으면 센서를, `/tf`가 없으면 지도를 아무도 모릅니다.
+# 첫 오류 메시지가 어떤 토픽이 빠졌는지 알려 줍니다. 센서는 고장 난 적이 없습니다.
+#
+# 그렇다면 가장 작은 기록은 무엇일까요? 내일 그 bag으로 무엇을 알아내려는지에 달려 있습니다.
+#
+# | 내일 하려는 일 | 센서 말고 기록할 것 |
+# |---|---|
+# | 로봇이 본 대로 센서를 지도에 놓기 | `/tf` `/tf_static` |
+# | 다른 알고리즘으로 위치를 새로 추정하기 | `/tf_static`과 오도메트리(`/tf` 또는 `/odom`). 재생할 때 `map → odom`은 뺍니다 |
+# | 같은 일을 시뮬레이션에서 | 위와 같고 `/clock`도 |
+
+# %% [markdown] lang="en" name="place-all-notes" slide="notes"
+# Let them guess the errors before the numbers. M13 lives here: "I recorded the sensor, so I have the data." And the wall behind it: "laser_frame does not exist" makes people take the laser apart (M15).
+
+# %% [markdown] lang="ko" name="place-all-notes" slide="notes"
+# 숫자보다 오류 메시지를 먼저 예측하게 합니다. "센서를 기록했으니 데이터는 있다"는 오개념(M13)이 여기서 나옵니다. "laser_frame does not exist"를 보고 레이저를 뜯는 사람도 있습니다(M15).
+
+# %% [markdown] lang="en" name="two-clocks" slide="slide"
+# ## Two clocks
+#
+# It is the next day. The bag's stamps are of yesterday; the computer's clock is 86 400 s on.
+# A node's parameter `use_sim_time` says which of the two it lives in: `false`, the machine's; `true`, whatever `/clock` says. And a player says something on `/clock` only with `--clock`.
+#
+# ### Predict
+#
+# Sixty scans are played. For each of the four set-ups: how many are answered at the scan's **stamp**, how many at the node's **now**, and does the timer ring?
+#
+# Begin with this one: `use_sim_time` is false, no `--clock`, and the node asks at `header.stamp`. Does it work at all?
+
+# %% [markdown] lang="ko" name="two-clocks" slide="slide"
+# ## 두 시계
+#
+# 다음 날이 되었습니다. bag의 측정 시각은 어제의 것이고, 컴퓨터의 시계는 86,400초 더 나아갔습니다.
+# 노드의 파라미터 `use_sim_time`은 둘 가운데 어느 시간에 살지 정합니다. `false`면 컴퓨터의 시간, `true`면 `/clock`이 알려 주는 시간입니다. 그리고 재생기는 `--clock`을 주어야만 `/clock`을 발행합니다.
+#
+# ### 예측해 봅시다
+#
+# 스캔 예순 개를 재생합니다. 네 가지 설정마다 스캔의 **측정 시각**으로는 몇 개, 노드의 **현재 시각**으로는 몇 개가 답을 얻을까요? 타이머는 울릴까요?
+#
+# 먼저 이것부터 생각해 봅시다. `use_sim_time`은 false이고 `--clock`도 없으며, 노드는 `header.stamp`의 변환을 조회합니다. 동작하기는 할까요?
+
+# %% name="four-set-ups" tags=["predicted"] slide="fragment"
+print("use_sim_time  play       at its stamp  at now  timer  age of a scan")
+for use_sim_time in (False, True):
+    for options in ("", "--clock"):
+        asker = lesson.replay(lambda sim=use_sim_time: Asker(sim), bags / "lap", options)
+        counts = [asker.heard[what] for what in ("at its stamp", "at now", "timer")]
+        print(
+            f"{use_sim_time!s:<13} {options:<10} {counts[0]:>12} {counts[1]:>7} {counts[2]:>6} {asker.age_s:>12.3f} s"
+        )
+
+# %% [markdown] lang="en" name="four-set-ups-read" tags=["predicted"]
+# - **At the stamp: 59 of 60, always.** Stamps and transforms come from the same bag, and agree whatever any clock says. Another reason to ask at the stamp (08).
+# - **On the machine's time** everything else is a day off: now lies 86 400 s in the future of all data, a scan seems a day old, and whatever the node stamps freshly comes from tomorrow.
+# - **With both** the node lives in the bag's time. A scan is 0.105 s old, as on the robot. Asking for *now* fails honestly, a hundredth of a second short: transforms take a moment, too.
+# - **And the third line?** `use_sim_time`, without `--clock`. The timer never rings, the age is minus seven seconds, and *now* is answered 59 times out of 60. The only set-up in which it is!
+
+# %% [markdown] lang="ko" name="four-set-ups-read" tags=["predicted"]
+# - **측정 시각으로는 언제나 60개 가운데 59개입니다.** 측정 시각과 변환은 같은 bag에서 왔으므로, 시계가 무엇을 가리키든 서로 맞습니다. 측정 시각의 변환을 써야 하는 또 하나의 이유입니다(08).
+# - **컴퓨터의 시간에서는** 나머지가 모두 하루씩 틀립니다. 현재 시각은 모든 데이터보다 86,400초 늦고, 스캔은 하루 묵은 것으로 보이며, 노드가 새로 찍는 측정 시각은 내일의 것이 됩니다.
+# - **둘 다 켜면** 노드는 bag의 시간에 삽니다. 스캔의 나이는 로봇에서처럼 0.105초입니다. *현재 시각*의 조회는 0.01초 모자라 정직하게 실패합니다. 변환이 오는 데도 시간이 걸리기 때문입니다.
+# - **셋째 줄은 어떻습니까?** `use_sim_time`은 켰고 `--clock`은 없습니다. 타이머는 한 번도 울리지 않고, 나이는 −7초쯤이며, *현재 시각*은 60번 가운데 59번 답을 얻습니다. 답을 얻는 유일한 설정입니다!
+
+# %% [markdown] lang="en" name="stopped" slide="subslide"
+# ### The stopped clock
+#
+# A node with `use_sim_time` that hears no `/clock` has a clock that stands at **0**. Nothing that waits for time ever happens.
+# And `Time(0)` is how tf2 writes *the latest*. So a node that asks for *now* gets the latest transform, silently, while its clock stands still. The broken set-up is the one that looks best.
+#
+# A user once reported that a transform library failed with `use_sim_time`, and withdrew it the same day: `--clock` had been forgotten ([swri-robotics/marti_common, issue 495](https://github.com/swri-robotics/marti_common/issues/495)).
+
+# %% [markdown] lang="ko" name="stopped" slide="subslide"
+# ### 멈춘 시계
+#
+# `use_sim_time`을 켰는데 `/clock`이 들리지 않으면 노드의 시계는 **0**에 멈춰 있습니다. 시간이 흐르기를 기다리는 일은 하나도 일어나지 않습니다.
+# 그런데 tf2에서 `Time(0)`은 *최신*을 뜻합니다. 그래서 시계가 멈춘 채로 *현재 시각*을 조회하면 조용히 최신 변환을 얻습니다. 고장 난 설정이 가장 멀쩡해 보입니다.
+#
+# 어느 사용자는 변환 라이브러리가 `use_sim_time`에서 동작하지 않는다고 보고했다가 그날 바로 거두었습니다. `--clock`을 빠뜨렸던 것입니다([swri-robotics/marti_common, 이슈 495](https://github.com/swri-robotics/marti_common/issues/495)).
+
+# %% [markdown] lang="en" name="panel-intro" slide="subslide"
+# Set the clocks yourself. `--clock` off: whose line falls to zero? Then drag the moment, change `--rate`, switch the loop off.
+
+# %% [markdown] lang="ko" name="panel-intro" slide="subslide"
+# 시계를 직접 바꿔 보세요. `--clock`을 끄면 누구의 선이 0으로 떨어질까요? 그다음 재생 시간을 끌고, `--rate`를 바꾸고, `--loop`를 꺼 보세요.
+
+# %% name="clocks-panel" tags=["interactive"]
+lesson.clocks_panel()
+
+# %% name="clocks-still" slide="-"
+lesson.draw_clocks({"rviz2": True, "detector": False}, lesson.Play(loops=True), played_s=9.0)
+
+# %% [markdown] lang="en" name="clocks-read"
+# Below, the bag's time: a line that rises with `--rate` and begins again in a loop. Above the broken axis, the machine's. The table says what each node's *now* would get.
+
+# %% [markdown] lang="ko" name="clocks-read"
+# *그림 읽기:* clock = 시계, playing = 재생한 시간, now = 노드의 현재 시각, newest TF = 최신 변환의 시각, asked for now = 현재 시각을 조회하면, future extrapolation = 미래 외삽.
+#
+# 아래는 bag의 시간입니다. `--rate`만큼 가파르게 올라가고, 반복하면 처음으로 돌아갑니다. 끊어진 축의 위는 컴퓨터의 시간입니다. 표는 노드마다 *현재 시각*을 조회한 결과입니다.
+
+# %% [markdown] lang="en" name="by-hand-intro" slide="subslide"
+# ### By hand
+#
+# The lecture's two questions. The `&` leaves the player running, as a second terminal would; `param set` at a running node works, too. Read what it costs.
+
+# %% [markdown] lang="ko" name="by-hand-intro" slide="subslide"
+# ### 직접 확인하기
+#
+# 강의에 나온 두 명령입니다. `&`를 붙이면 터미널을 하나 더 연 것처럼 재생기가 계속 돕니다. 돌고 있는 노드에 `param set`도 할 수 있습니다. 그 대가를 읽어 보세요.
+
+# %% name="by-hand-play" slide="-"
+asker = lesson.replay(Asker, bags / "lap", "", for_s=1.0)
+# %ros2 bag play {bags}/lap --clock &
+
+# %% name="by-hand-clock" slide="-"
+# %ros2 topic echo /clock --once
+# %ros2 param get /asker use_sim_time
+
+# %% name="by-hand-set" slide="subslide"
+# %ros2 param set /asker use_sim_time false
+
+# %% [markdown] lang="en" name="by-hand-read"
+# *Clearing tf buffer*: when a node changes its clock, what it has is of another time, and it forgets everything, the mounts too. Nobody says those again here. So set `use_sim_time` when you start a node, for all nodes alike, in the launch file:
+#
+# ```yaml
+# /**:
+#   ros__parameters:
+#     use_sim_time: true
+# ```
+
+# %% [markdown] lang="ko" name="by-hand-read"
+# *Clearing tf buffer*라고 나옵니다. 노드의 시계가 바뀌면 지금까지 모은 것은 다른 시간의 것이므로 모두 지웁니다. 장착 변환도 지워지고, 여기서는 아무도 다시 보내 주지 않습니다. 그러니 `use_sim_time`은 노드를 시작할 때, 모든 노드에 똑같이, launch 파일에서 정하십시오.
+#
+# ```yaml
+# /**:
+#   ros__parameters:
+#     use_sim_time: true
+# ```
+
+# %% [markdown] lang="en" name="quotes" slide="subslide"
+# **Break it:** somebody writes `"true"` in quotes. **Predict:** simulation time, the machine's, or no node at all?
+
+# %% [markdown] lang="ko" name="quotes" slide="subslide"
+# **일부러 고장 내기:** 누군가 `"true"`처럼 따옴표를 붙였습니다. **예측해 봅시다.** 시뮬레이션 시간일까요, 컴퓨터의 시간일까요, 아니면 노드가 뜨지 않을까요?
+
+# %% name="quotes-run" tags=["predicted"] slide="fragment"
+graph = lesson.new_graph()
+(bags / "params.yaml").write_text('/**:\n  ros__parameters:\n    use_sim_time: "true"\n')
+rclpy.try_shutdown()
+rclpy.init(args=["mapper", "--ros-args", "--params-file", str(bags / "params.yaml")])
+mapper = Node("mapper")
+print("follows /clock:", mapper.get_clock().ros_time_is_active)
+rclpy.shutdown()
+
+# %% [markdown] lang="en" name="quotes-read" tags=["predicted"]
+# A text is no truth value. One line in the log, and the node goes on, in the machine's time.
+
+# %% [markdown] lang="ko" name="quotes-read" tags=["predicted"]
+# 문자열은 참·거짓 값이 아닙니다. 로그에 한 줄이 남고, 노드는 컴퓨터의 시간에서 그대로 돕니다.
+
+# %% [markdown] lang="en" name="innocent" slide="slide"
+# ## The innocent complains
+#
+# You want to localise anew: the bag brings laser, wheels and mounts, a localiser of today brings `map → odom`. Every node has `use_sim_time`, but one was forgotten: the localiser.
+#
+# **Predict:** who reports an error, and what does it say?
+
+# %% [markdown] lang="ko" name="innocent" slide="slide"
+# ## 잘못 없는 노드가 오류를 냅니다
+#
+# 위치를 새로 추정하려 합니다. 레이저와 바퀴와 장착 변환은 bag에서 오고, `map → odom`은 오늘의 위치 추정 노드가 보냅니다. 모든 노드에 `use_sim_time`을 켰는데 하나를 빠뜨렸습니다. 바로 위치 추정 노드입니다.
+#
+# **예측해 봅시다.** 어느 노드가 오류를 낼까요? 무엇이라고 할까요?
+
+# %% name="record-raw" slide="skip"
+graph = lesson.new_graph()
+parts = ["robot_state_publisher", "joint_driver", "wheel_odometry", "laser_driver"]
+nodes = lesson.launch(graph, only=parts)
+# %ros2 --for 9.03 bag record -o {bags}/raw /scan /odom /tf /tf_static
+
+# %% name="innocent-run" tags=["predicted"] slide="fragment"
+asker = lesson.replay(Asker, bags / "raw", "--clock", for_s=5.0, beside=["localization"])
+print(f"{asker.heard['at its stamp']} of {asker.heard['scans']} scans placed")
+try:
+    asker.buffer.lookup_transform("map", "laser_frame", Time(seconds=5))
+except TransformException as error:
+    print(error)
+
+# %% [markdown] lang="en" name="innocent-read" tags=["predicted"]
+# Every node that asks gets the error; the one at fault has none. It publishes, contentedly, in tomorrow's time.
+# *Requested time 5, the earliest data is at 86401.* `Time()` does not help either: on this path no moment is common to both days.
+# Whose stamps are they? Ask somebody who sees all nodes at once. (The player may keep the machine's time: it only repeats what was said.)
+
+# %% [markdown] lang="ko" name="innocent-read" tags=["predicted"]
+# 조회하는 노드는 모두 오류를 얻고, 정작 잘못된 노드에는 아무 오류가 없습니다. 아무렇지 않게 내일의 시각으로 발행할 뿐입니다.
+# *요청 시각은 5초, 가장 오래된 데이터는 86401초.* `Time()`도 소용없습니다. 이 경로에는 두 날에 공통인 시각이 없습니다.
+# 누구의 측정 시각일까요? 모든 노드를 한꺼번에 보는 doctor에게 맡겨 봅시다. (재생기는 컴퓨터의 시간에 있어도 됩니다. 기록된 것을 되풀이할 뿐입니다.)
+
+# %% name="innocent-doctor" slide="-"
+print(lesson.doctor(lesson.current_graph(), seconds=3.0))
+
+# %% [markdown] lang="en" name="loop" slide="slide"
+# ## Back in time
+#
+# `ros2 bag play lap --clock --loop`: fifteen seconds, again and again. At the seam the clock goes back from 16 to 1.
+# The lecture's node has `Buffer(cache_time=Duration(seconds=20.0))`. It is in the second lap, its clock says 11.9 s.
+#
+# **Predict:** where is the robot, says `Time()`?
+
+# %% [markdown] lang="ko" name="loop" slide="slide"
+# ## 과거로 돌아가기
+#
+# `ros2 bag play lap --clock --loop`는 15초를 거듭 재생합니다. 이음매에서 시계가 16초에서 1초로 돌아갑니다.
+# 강의의 노드는 `Buffer(cache_time=Duration(seconds=20.0))`을 씁니다. 지금 두 번째 바퀴이고, 노드의 시계는 11.9초입니다.
+#
+# **예측해 봅시다.** `Time()`은 로봇이 어디에 있다고 할까요?
+
+
+# %% name="looped" slide="-"
+class Looped(Asker):
+    def __init__(self, make_buffer):
+        super().__init__(True, make_buffer)
+        self.times, self.ages = [], []
+
+    def on_scan(self, scan):
+        super().on_scan(scan)
+        if self.buffer.can_transform("map", "base_link", Time()):
+            newest = self.buffer.get_latest_common_time("map", "base_link")
+            self.times.append(lesson.current_graph().now_ns / 1e9 - 86401)
+            self.ages.append((self.get_clock().now().nanoseconds - newest.nanoseconds) / 1e9)
+
+
+# %% name="twenty-seconds" slide="-"
+def show(node):
+    now = node.get_clock().now().nanoseconds
+    newest = node.buffer.lookup_transform("map", "base_link", Time())
+    at, here = newest.transform.translation, robot.truth_at(now)["base_link"].translation
+    print(f"its clock {now / 1e9:.1f} s, newest of {Time.from_msg(newest.header.stamp).nanoseconds / 1e9:.2f} s")
+    print(f"the robot is off by {math.dist((at.x, at.y), here[:2]):.2f} m")
+    print(f"{node.heard['at its stamp']} of {node.heard['scans']} scans placed")
+
+
+# %% name="twenty-seconds-run" tags=["predicted"] slide="fragment"
+def lecture(node):
+    return Buffer(cache_time=Duration(seconds=20.0))
+
+
+long = lesson.replay(lambda: Looped(lecture), bags / "lap", "--clock --loop", for_s=25.93)
+show(long)
+
+# %% [markdown] lang="en" name="twenty-seconds-read" tags=["predicted"]
+# At the end of the *last* lap, almost two metres from where it is. No error, no warning, and every scan placed: a buffer of 20 s has room for both laps, and "the latest" is the sample with the largest stamp.
+# With the usual ten seconds there is a warning. Many:
+
+# %% [markdown] lang="ko" name="twenty-seconds-read" tags=["predicted"]
+# *지난* 바퀴의 끝이라고 합니다. 실제 위치에서 2 m 가까이 떨어져 있습니다. 오류도 경고도 없고, 스캔도 모두 놓였습니다. 20초짜리 버퍼에는 두 바퀴가 다 들어가고, "최신"이란 측정 시각이 가장 큰 표본이기 때문입니다.
+# 보통의 10초짜리 버퍼라면 경고가 나옵니다. 아주 많이 나옵니다.
+
+# %% name="ten-seconds" slide="subslide"
+with redirect_stdout(io.StringIO()) as log:  # it would fill the page
+    warned = lesson.replay(lambda: Looped(lambda node: Buffer()), bags / "lap", "--clock --loop", for_s=25.93)
+show(warned)
+warnings = [line for line in log.getvalue().splitlines() if "TF_OLD_DATA" in line]
+print(len(warnings), "warnings, such as")
+print(warnings[0])
+
+# %% [markdown] lang="en" name="ten-seconds-read"
+# Fifty scans lost: the buffer believes that it has heard all this, and throws the new lap away until the clock has caught up.
+# A `Buffer()` without a node has no clock, so it cannot see that time went back. Give it one:
+
+# %% [markdown] lang="ko" name="ten-seconds-read"
+# 스캔 쉰 개를 잃었습니다. 버퍼는 이미 다 들은 것이라고 여기고, 시계가 따라잡을 때까지 새 바퀴의 변환을 버립니다.
+# 노드를 주지 않은 `Buffer()`에는 시계가 없어서 시간이 돌아간 것을 알 수 없습니다. 시계를 주어 봅시다.
+
+# %% name="with-a-node" slide="subslide"
+sound = lesson.replay(lambda: Looped(lambda node: Buffer(node=node)), bags / "lap", "--clock --loop", for_s=25.93)
+show(sound)
+
+# %% [markdown] lang="en" name="with-a-node-read"
+# One line, once a lap, and all is right: it forgets, and the player says the mounts again.
+# In C++ the buffer always has a clock. In Python it was missing until somebody reported just this ([ros2/geometry2, issue 606](https://github.com/ros2/geometry2/issues/606)); since then there is `node=`, and one has to write it.
+#
+# How old is the newest transform, for each of the three?
+
+# %% [markdown] lang="ko" name="with-a-node-read"
+# 바퀴마다 한 줄이 나오고, 모두 맞습니다. 버퍼는 지우고, 재생기는 장착 변환을 다시 보냅니다.
+# C++의 버퍼에는 언제나 시계가 있습니다. Python에는 없다가 바로 이 문제가 보고된 뒤에 `node=`가 생겼습니다([ros2/geometry2, 이슈 606](https://github.com/ros2/geometry2/issues/606)). 하지만 직접 적어야 합니다.
+#
+# 세 버퍼에서 최신 변환은 각각 얼마나 오래되었을까요?
+
+# %% name="loop-ages" slide="-"
+from tflab.views.ages import Curve
+
+named = {"cache 20 s": long, "Buffer()": warned, "node=self": sound}
+lesson.draw_ages([Curve(name, tuple(node.times), tuple(node.ages)) for name, node in named.items()])
+
+# %% [markdown] lang="en" name="loop-ages-read"
+# Below zero: the newest transform lies in the node's future. After the seam two of the buffers answer with fifteen seconds from now.
+
+# %% [markdown] lang="ko" name="loop-ages-read"
+# *그림 읽기:* age = 최신 변환의 나이, time = 재생한 시간.
+#
+# 0 아래는 최신 변환이 노드의 미래에 있다는 뜻입니다. 이음매를 지나면 버퍼 둘은 15초 뒤의 변환으로 답합니다.
+
+# %% [markdown] lang="en" name="your-bag" slide="slide"
+# ## Your own bag
+#
+# Now a real recording: ten seconds of our robot, recorded in real time on a machine that had other work, too. Have you a bag of your own? Write its path instead, such as `BAG = "~/bags/kitchen"`, and run the cells below once more. ROS 1's `.bag` will do.
+
+# %% [markdown] lang="ko" name="your-bag" slide="slide"
+# ## 여러분의 bag
+#
+# 이제 진짜 기록입니다. 다른 일도 하고 있던 컴퓨터에서 실제 시간으로 우리 로봇을 10초 동안 기록했습니다. 여러분의 bag이 있습니까? 그렇다면 `BAG = "~/bags/kitchen"`처럼 경로를 적고 아래 셀들을 다시 실행해 보세요. ROS 1의 `.bag`도 됩니다.
+
+# %% name="bag"
+BAG = lesson.example_bag()  # or the path of yours
+
+# %% name="bag-info"
+# %ros2 bag info {BAG}
+
+# %% name="bag-tree" slide="subslide"
+recording = lesson.read_bag(BAG, show_progress=False)
+tree = recording.buffer(namespace=(recording.namespaces() or [None])[0])  # of the first robot, if there are more
+lesson.draw_buffer(tree, recording.end_ns)
+
+# %% name="bag-places" slide="subslide"
+for topic in lesson.place_messages(recording):
+    print(topic)
+
+# %% name="bag-statics" slide="-"
+for record in [record for record in recording.records() if record.is_static][:2]:
+    before_s = (recording.begin_ns - record.stamped.stamp_ns) / 1e9
+    print(f"{record.stamped.child_frame_id}: stamped {before_s:.1f} s before the recording began")
+
+# %% name="bag-doctor" slide="-"
+print(lesson.doctor(recording))
+
+# %% [markdown] lang="en" name="bag-read"
+# The static transforms are older than the whole recording, for the robot had been switched on before. That is no fault: a static transform holds for any moment, and its stamp only says when it was sent. It has been taken for stale data before ([SteveMacenski/slam_toolbox, issue 814](https://github.com/SteveMacenski/slam_toolbox/issues/814)).
+#
+# Stamps that begin with 17… or 18… count the seconds since 1970. Small ones come from a simulation, or from a page like this one.
+
+# %% [markdown] lang="ko" name="bag-read"
+# *그림 읽기:* D(dynamic) = 동적, S(static) = 정적, Hz = 빈도, s = 나이.
+#
+# 정적 변환은 기록 전체보다 오래되었습니다. 로봇을 먼저 켰기 때문이고, 고장이 아닙니다. 정적 변환은 어느 시각에나 유효하고, 측정 시각은 보낸 때를 알려 줄 뿐입니다. 이것을 오래된 데이터로 오해한 일도 있습니다([SteveMacenski/slam_toolbox, 이슈 814](https://github.com/SteveMacenski/slam_toolbox/issues/814)).
+#
+# 17…이나 18…로 시작하는 측정 시각은 1970년부터 센 초입니다. 작은 숫자는 시뮬레이션이나 이 페이지 같은 곳에서 온 것입니다.
+
+# %% [markdown] lang="en" name="bag-shell" slide="-"
+# The same without a notebook, on a laptop without ROS:
+#
+# ```
+# tflab doctor ~/bags/kitchen
+# tflab ros2 --bag ~/bags/kitchen run tf2_ros tf2_echo map base_link
+# ```
+
+# %% [markdown] lang="ko" name="bag-shell" slide="-"
+# 노트북(notebook) 없이, ROS가 없는 컴퓨터에서도 똑같이 할 수 있습니다.
+#
+# ```
+# tflab doctor ~/bags/kitchen
+# tflab ros2 --bag ~/bags/kitchen run tf2_ros tf2_echo map base_link
+# ```
+
+# %% [markdown] lang="en" name="checkpoint" slide="slide"
+# ## Checkpoint
+#
+# You play yesterday's bag with `--clock`. RViz shows the robot. Your own node says *"extrapolation into the future. Requested time 1795460830.5 but the latest data is at time 1795374431.2"*. What do you do first?
+#
+# 1. Raise the timeout.
+# 2. Ask for `Time()` instead.
+# 3. `ros2 param get /my_node use_sim_time`
+# 4. Record the bag once more.
+#
+# <details><summary>I chose 1</summary>
+#
+# The two times are 86 399 s apart. No timeout bridges a day; compare the times before you wait.
+#
+# </details>
+# <details><summary>I chose 2</summary>
+#
+# Then the error is gone, and the node still lives in another day: its stamps, its ages and its timers are wrong, only silently.
+#
+# </details>
+# <details><summary>I chose 3</summary>
+#
+# Yes. The requested time is of today, the data of yesterday: the node that asked does not live in the bag's time.
+#
+# </details>
+# <details><summary>I chose 4</summary>
+#
+# RViz places everything, so the bag is whole. What differs is the node.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="checkpoint" slide="slide"
+# ## 마무리 점검
+#
+# 어제의 bag을 `--clock`으로 재생합니다. RViz에는 로봇이 보입니다. 그런데 여러분의 노드는 *"extrapolation into the future. Requested time 1795460830.5 but the latest data is at time 1795374431.2"*라고 합니다. 무엇을 먼저 하겠습니까?
+#
+# 1. timeout을 늘립니다.
+# 2. 대신 `Time()`을 조회합니다.
+# 3. `ros2 param get /my_node use_sim_time`
+# 4. bag을 다시 기록합니다.
+#
+# <details><summary>1번을 골랐습니다</summary>
+#
+# 두 시각은 86,399초 떨어져 있습니다. 하루를 기다려 줄 timeout은 없습니다. 기다리기 전에 두 시각을 비교하십시오.
+#
+# </details>
+# <details><summary>2번을 골랐습니다</summary>
+#
+# 오류는 사라지지만 노드는 여전히 다른 날을 삽니다. 측정 시각도, 나이도, 타이머도 조용히 틀릴 뿐입니다.
+#
+# </details>
+# <details><summary>3번을 골랐습니다</summary>
+#
+# 맞습니다. 요청 시각은 오늘의 것이고 데이터는 어제의 것입니다. 조회한 노드가 bag의 시간에 살고 있지 않습니다.
+#
+# </details>
+# <details><summary>4번을 골랐습니다</summary>
+#
+# RViz는 모든 것을 제자리에 그리므로 bag에는 빠진 것이 없습니다. 다른 것은 노드입니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="faded" slide="subslide"
+# ### Now you write
+#
+# Fill the two blanks: a bag in a loop, and a node that is ready for it.
+#
+# ```python
+# # $ ros2 bag play lap ____________ --loop
+# self.buffer = Buffer(____________)
+# ```
+#
+# <details><summary>Compare</summary>
+#
+# `--clock`, and `node=self`. Besides, the node needs `use_sim_time: true`; without it there is no jump that it could see.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="faded" slide="subslide"
+# ### 이제 직접 써 보세요
+#
+# 빈칸 두 개를 채워 보세요. 반복 재생되는 bag과, 그에 대비한 노드입니다.
+#
+# ```python
+# # $ ros2 bag play lap ____________ --loop
+# self.buffer = Buffer(____________)
+# ```
+#
+# <details><summary>맞춰 보기</summary>
+#
+# `--clock`과 `node=self`입니다. 노드에는 `use_sim_time: true`도 필요합니다. 없으면 시간이 돌아간 것을 볼 수 없습니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="on-the-robot" slide="slide"
+# ## On a real robot
+#
+# ```
+# ros2 bag record -o kitchen /scan /odom /tf /tf_static     # no /clock: a robot has none
+# ros2 bag info kitchen                                     # after each recording: is /tf_static there?
+# ros2 bag play kitchen --clock
+# ros2 topic echo /clock --once
+# ros2 param get /point_to_map use_sim_time                 # for every node that is running
+# ```
+#
+# `use_sim_time` goes into the launch file, under `/**:`, so that no node is forgotten. RViz is a node, too.
+
+# %% [markdown] lang="ko" name="on-the-robot" slide="slide"
+# ## 실제 로봇에서
+#
+# ```
+# ros2 bag record -o kitchen /scan /odom /tf /tf_static     # no /clock: a robot has none
+# ros2 bag info kitchen                                     # after each recording: is /tf_static there?
+# ros2 bag play kitchen --clock
+# ros2 topic echo /clock --once
+# ros2 param get /point_to_map use_sim_time                 # for every node that is running
+# ```
+#
+# `use_sim_time`은 launch 파일의 `/**:` 아래에 적어 빠지는 노드가 없게 하십시오. RViz도 노드입니다.
+
+# %% name="stop" slide="skip"
+lesson.current_graph().stop()
+rclpy.try_shutdown()
+
+# %% [markdown] lang="en" name="recap" slide="slide"
+# ## Recap
+#
+# - A message in a [[bag]] has two times: when it was heard, by which it is played, and its stamp, by which TF answers.
+# - `/tf_static` is said once, in the first moment. Leave that moment out, and no sensor has a place.
+# - *Can the bag place its own messages?* One number, without playing it.
+# - `use_sim_time` on every node, `--clock` at the player: both, or neither. One without the other is a stopped clock, or a node in another day ([[simulation time]]).
+# - A clock at 0 asks for the latest, and so looks best when it is broken. Who asks at the stamp is always right.
+# - The node that complains about clocks is seldom the one at fault.
+# - `Buffer(node=self)`, or a loop plays tricks on you.
+
+# %% [markdown] lang="ko" name="recap" slide="slide"
+# ## 정리
+#
+# - [[bag]]의 메시지에는 시각이 둘 있습니다. 들은 시각에 따라 재생되고, 측정 시각에 따라 TF가 답합니다.
+# - `/tf_static`은 첫 순간에 한 번 나옵니다. 그 순간을 빼면 어떤 센서도 자리를 찾지 못합니다.
+# - *bag은 자기 메시지의 위치를 스스로 찾을 수 있습니까?* 재생하지 않고도 숫자 하나로 압니다.
+# - 모든 노드에 `use_sim_time`, 재생기에 `--clock`. 둘 다 켜거나 둘 다 끕니다. 하나만 켜면 시계가 멈추거나 노드가 다른 날을 삽니다([[simulation time|시뮬레이션 시간]]).
+# - 0에 멈춘 시계는 최신을 조회하므로, 고장 났을 때 가장 멀쩡해 보입니다. 측정 시각의 변환을 조회하면 언제나 맞습니다.
+# - 시계 오류를 내는 노드가 잘못한 노드인 경우는 드뭅니다.
+# - `Buffer(node=self)`를 쓰지 않으면 반복 재생에 속습니다.
+
+# %% [markdown] lang="en" name="from-before" slide="subslide"
+# ### Three questions from earlier chapters
+#
+# 1. 06: why is `/tf_static` heard by a node that starts late on a robot?
+# 2. 08: what does `Time()` ask for, and why is it not now?
+# 3. 09: two texts speak of the future, one of 0.05 s and one of a day. For which does waiting help?
+#
+# <details><summary>Answers</summary>
+#
+# 1. Its publisher keeps the last message for late comers (transient local).
+# 2. The latest common time of the path: the earliest of the newest samples. Nothing in the buffer is as fresh as now.
+# 3. For the first, perhaps. The second is a clock.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="from-before" slide="subslide"
+# ### 앞 장 복습: 세 문제
+#
+# 1. 06: 로봇에서 늦게 시작한 노드도 `/tf_static`을 듣는 까닭은 무엇입니까?
+# 2. 08: `Time()`은 무엇을 뜻하며, 왜 현재 시각이 아닙니까?
+# 3. 09: 미래를 말하는 오류 메시지가 둘 있는데 하나는 0.05초, 하나는 하루 차이입니다. 기다리면 풀리는 것은 어느 쪽입니까?
+#
+# <details><summary>답</summary>
+#
+# 1. 발행자가 늦게 오는 노드를 위해 마지막 메시지를 간직합니다(transient local).
+# 2. 경로의 최신 공통 시각입니다. 연결마다 가장 새로운 표본의 시각 가운데 가장 이른 것입니다. 버퍼에 현재만큼 새로운 것은 없습니다.
+# 3. 앞의 것은 풀릴 수 있습니다. 뒤의 것은 시계 문제입니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="practice" slide="subslide"
+# ### Practice question · Q13
+#
+# **13.** Why do you check `use_sim_time`, `/clock` and `/tf_static` when you work with a simulation or a bag? Write four or five sentences.
+#
+# <details><summary>What a full answer holds</summary>
+#
+# - [ ] Stamps in a bag or a simulation are of its own time, not of the machine's; a node with `use_sim_time` takes its now from `/clock`.
+# - [ ] All nodes must agree: one on the machine's time stamps and asks in another day, and others get the errors.
+# - [ ] With `use_sim_time` and without `/clock` time stands at 0: no timer, no age, and asking for now silently gives the latest.
+# - [ ] `/tf_static` is said once; without it, or if the playing begins after it, no sensor is connected to the robot.
+# - [ ] In a loop time goes back, and what was heard before has to be forgotten.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="practice" slide="subslide"
+# ### 서술형 문제 · Q13
+#
+# **13.** 시뮬레이션이나 bag으로 작업할 때 `use_sim_time`, `/clock`, `/tf_static`을 확인하는 까닭은 무엇입니까? 네다섯 문장으로 써 보세요.
+#
+# <details><summary>완전한 답에 들어 있는 것</summary>
+#
+# - [ ] bag과 시뮬레이션의 측정 시각은 컴퓨터가 아니라 자기 시간의 것입니다. `use_sim_time`을 켠 노드는 현재 시각을 `/clock`에서 얻습니다.
+# - [ ] 모든 노드가 같아야 합니다. 하나라도 컴퓨터의 시간에 있으면 다른 날의 시각을 찍고 조회하며, 오류는 다른 노드가 얻습니다.
+# - [ ] `use_sim_time`은 켰는데 `/clock`이 없으면 시간이 0에 멈춥니다. 타이머도 나이도 없고, 현재 시각을 조회하면 조용히 최신을 얻습니다.
+# - [ ] `/tf_static`은 한 번만 나옵니다. 없거나 그 뒤부터 재생하면 어떤 센서도 로봇에 이어지지 않습니다.
+# - [ ] 반복 재생에서는 시간이 돌아가므로, 전에 들은 것을 지워야 합니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="exit-ticket" slide="slide"
+# ## Exit ticket
+#
+# > A colleague sends you a bag and writes: "your detector is broken, it says that laser_frame does not exist". Which two things do you look at before you open the detector's code?
+#
+# <details><summary>Compare</summary>
+#
+# `ros2 bag info`: is `/tf_static` among the topics, with a count above 0? And how was it played: from the start, or with an offset?
+#
+# </details>
+
+# %% [markdown] lang="ko" name="exit-ticket" slide="slide"
+# ## 마무리하며
+#
+# > 동료가 bag을 보내며 이렇게 썼습니다. "검출기가 고장 났어요. laser_frame이 없다고 나와요." 검출기 코드를 열기 전에 무엇 두 가지를 보겠습니까?
+#
+# <details><summary>맞춰 보기</summary>
+#
+# `ros2 bag info`에 `/tf_static`이 있고 개수가 0보다 큰지 봅니다. 그리고 처음부터 재생했는지, 나중부터 재생했는지 봅니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="next" slide="skip"
+# **Next:** the exercises, [E10 Clocks and bags](../../exercises/en/E10_clocks_and_bags.ipynb).
+# After a pass, or three tries, `solution("E10.1")` shows a solution there. To start a page over, delete its file and type `tflab lab`.
+# On your checklist this chapter is **C11** (simulation time) and **C12** (a bag with `/tf` and `/tf_static`). Here it was simulated; do it once on the robot.
+
+# %% [markdown] lang="ko" name="next" slide="skip"
+# **다음:** 연습 문제 [E10 시계와 bag](../../exercises/ko/E10_clocks_and_bags.ipynb)을 풀어 보세요.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E10.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력하세요.
+# 실습 체크리스트에서 이 장은 **C11**(시뮬레이션 시간)과 **C12**(`/tf`와 `/tf_static`을 담은 bag)입니다. 여기서는 시뮬레이션이었으니, 로봇에서도 한 번 해 보세요.

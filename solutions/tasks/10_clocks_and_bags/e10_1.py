@@ -1,0 +1,206 @@
+"""E10.1: Four set-ups."""
+
+from __future__ import annotations
+
+from tflab.workbook.tasks import Choice, Parts, Sequence, Slip, Task, Words
+
+KINDS = ("works", "just short", "years off", "silently latest", "never")
+LETTERS = "abcd"
+
+
+def four_set_ups(rng):
+    """Draw the four ways to set use_sim_time and --clock, in an order of their own."""
+    ways = [(sim, clock) for sim in (False, True) for clock in (False, True)]
+    order = rng.permutation(len(ways))
+    chosen = [ways[i] for i in order]
+    return {
+        "setups": {
+            letter: {"use_sim_time": sim, "--clock": clock}
+            for letter, (sim, clock) in zip(LETTERS, chosen, strict=True)
+        }
+    }
+
+
+def outcomes(
+    g, who="the parameter", stamp="the bag's", machine="years off", stopped="silently latest", running="just short",
+    stopped_timer="never", machine_timer="works",
+):  # fmt: skip
+    """Return for each set-up what becomes of the three, step by step."""
+    answers = {}
+    for letter, way in g.setups.items():
+        sim, clock = way["use_sim_time"], way["--clock"]
+        if who == "the player":
+            sim = clock
+        elif who == "the parameter alone":
+            clock = True
+        if not sim:
+            at_stamp = "works" if stamp in ("the bag's", "needs time") else "years off"
+            answers[letter] = [at_stamp, machine, machine_timer]
+        elif not clock:
+            at_stamp = "works" if stamp in ("the bag's", "needs sim") else "never"
+            answers[letter] = [at_stamp, stopped, stopped_timer]
+        else:
+            answers[letter] = ["works", running, "works"]
+    return answers
+
+
+STAMPS_NEED_SIM_TIME = Slip(
+    "stamps need sim time",
+    {"stamp": "needs sim"},
+    Words(
+        en="You let the question at the stamp fail where the node keeps the machine's time. Where do the stamp and the transforms come from, and does a clock take part in comparing them?",
+        ko="노드가 컴퓨터의 시간에 있으면 측정 시각의 조회가 실패한다고 했습니다. 측정 시각과 변환은 어디에서 옵니까? 둘을 비교하는 데 시계가 끼어듭니까?",
+    ),
+    "M13",
+)
+
+STAMPS_NEED_A_CLOCK = Slip(
+    "stamps need a clock",
+    {"stamp": "needs time"},
+    Words(
+        en="You let the question at the stamp fail while the clock stands. It hands over the stamp, and never looks at a clock.",
+        ko="시계가 멈춰 있으면 측정 시각의 조회가 실패한다고 했습니다. 측정 시각을 넘길 뿐, 시계는 보지 않습니다.",
+    ),
+    "M13",
+)
+
+EVERYTHING_BREAKS = Slip(
+    "everything breaks",
+    {"stamp": "needs both"},
+    Words(
+        en="Only the set-up with everything switched on answers your questions at the stamp. Count on the page in how many of the four it did.",
+        ko="모두 켠 설정에서만 측정 시각의 조회가 된다고 했습니다. 이 장의 표에서 네 설정 가운데 몇 개에서 되었는지 세어 보세요.",
+    ),
+    "M13",
+)
+
+STOPPED_RAISES = Slip(
+    "stopped clock raises",
+    {"stopped": "never"},
+    Words(
+        en="With a clock that stands you expect that asking for now never answers. What number does that clock show, and what does tf2 take it for?",
+        ko="시계가 멈추면 현재 시각의 조회가 답을 얻지 못한다고 했습니다. 그 시계의 숫자는 얼마이고, tf2는 그것을 무엇으로 받아들입니까?",
+    ),
+    "M13",
+)
+
+STOPPED_IS_LONG_AGO = Slip(
+    "stopped clock is long ago",
+    {"stopped": "years off"},
+    Words(
+        en="A clock that stands at 0 looks like 1970, years before the bag. But tf2 does not read that 0 as a moment.",
+        ko="0에 멈춘 시계는 bag보다 여러 해 전인 1970년처럼 보입니다. 하지만 tf2는 그 0을 시각으로 읽지 않습니다.",
+    ),
+    "M13",
+)
+
+NOW_IS_FINE = Slip(
+    "now is fine",
+    {"running": "works"},
+    Words(
+        en="With everything set right you expect an answer for now. The clock is right, and yet: has a transform of this very moment been heard already?",
+        ko="모두 맞게 설정했으니 현재 시각의 조회가 된다고 했습니다. 시계는 맞습니다. 하지만 바로 지금의 변환이 벌써 도착했을까요?",
+    ),
+    "M9",
+)
+
+MACHINE_NOW_IS_FINE = Slip(
+    "the machine's now is fine",
+    {"machine": "works"},
+    Words(
+        en="On the machine's time you expect an answer for now. The machine says this year; of which year are the transforms?",
+        ko="컴퓨터의 시간에서 현재 시각의 조회가 된다고 했습니다. 컴퓨터는 올해를 가리킵니다. 변환은 어느 해의 것입니까?",
+    ),
+    "M13",
+)
+
+MACHINE_NOW_JUST_SHORT = Slip(
+    "the machine's now is just short",
+    {"machine": "just short"},
+    Words(
+        en="On the machine's time you find now only just too new. How far is the machine's clock from the bag's stamps?",
+        ko="컴퓨터의 시간에서 현재 시각이 조금 모자랄 뿐이라고 했습니다. 컴퓨터의 시계와 bag의 측정 시각은 얼마나 떨어져 있습니까?",
+    ),
+    "M10",
+)
+
+TIMERS_ALWAYS_RING = Slip(
+    "timers always ring",
+    {"stopped_timer": "works"},
+    Words(
+        en="You let a timer ring on a clock that stands. It waits for that clock to move on.",
+        ko="멈춘 시계에서 타이머가 울린다고 했습니다. 타이머는 바로 그 시계가 나아가기를 기다립니다.",
+    ),
+    "M13",
+)
+
+MACHINE_TIMER_STOPS = Slip(
+    "the machine's timer stops",
+    {"machine_timer": "never"},
+    Words(
+        en="You stop the timers of a node on the machine's time. That clock runs by itself, whatever is played.",
+        ko="컴퓨터의 시간에 있는 노드의 타이머가 멈춘다고 했습니다. 그 시계는 무엇을 재생하든 스스로 갑니다.",
+    ),
+)
+
+PLAYER_DECIDES = Slip(
+    "the player decides",
+    {"who": "the player"},
+    Words(
+        en="You let `--clock` decide in whose time a node lives. It only says something; who listens to it?",
+        ko="노드가 어느 시간에 사는지를 `--clock`이 정한다고 했습니다. `--clock`은 알려 줄 뿐입니다. 그것을 누가 듣습니까?",
+    ),
+    "M13",
+)
+
+PARAMETER_SUFFICES = Slip(
+    "the parameter suffices",
+    {"who": "the parameter alone"},
+    Words(
+        en="You let `use_sim_time` suffice. It makes a node listen to /clock; does anybody speak there in each of the set-ups?",
+        ko="`use_sim_time`만 켜면 된다고 했습니다. 노드가 /clock을 듣게 할 뿐입니다. 설정마다 /clock을 발행하는 노드가 있습니까?",
+    ),
+    "M13",
+)
+
+
+TASK = Task(
+    id="E10.1",
+    kind="M",
+    points=4,
+    title=Words(en="Four set-ups", ko="네 가지 설정"),
+    answer="outcomes",
+    form=Parts({letter: Sequence(Choice(KINDS)) for letter in LETTERS}),
+    given=four_set_ups,
+    variants=8,
+    model=outcomes,
+    twins=(
+        PLAYER_DECIDES,
+        PARAMETER_SUFFICES,
+        STAMPS_NEED_SIM_TIME,
+        STAMPS_NEED_A_CLOCK,
+        EVERYTHING_BREAKS,
+        MACHINE_NOW_IS_FINE,
+        MACHINE_NOW_JUST_SHORT,
+        STOPPED_RAISES,
+        STOPPED_IS_LONG_AGO,
+        NOW_IS_FINE,
+        TIMERS_ALWAYS_RING,
+        MACHINE_TIMER_STOPS,
+    ),
+    hints=(
+        Words(
+            en="Say for each set-up first what the node's clock shows: this year, the bag's year, or 0.",
+            ko="설정마다 먼저 노드의 시계가 무엇을 가리키는지 말해 보세요. 올해, bag의 해, 아니면 0입니다.",
+        ),
+        Words(
+            en="The stamp is a number in the message, and the transforms came with it from the same bag.",
+            ko="측정 시각은 메시지에 적힌 숫자이고, 변환도 같은 bag에서 왔습니다.",
+        ),
+        Words(
+            en="For now, compare the clock with the newest transform. Of these clocks one shows what tf2 reads as the latest.",
+            ko="현재 시각은 시계를 최신 변환과 비교하면 됩니다. 세 시계 가운데 하나는 tf2가 최신으로 읽는 숫자를 가리킵니다.",
+        ),
+    ),
+    cures=("M13", "M9"),
+)

@@ -1,0 +1,192 @@
+"""E10.2: The smallest recording."""
+
+from __future__ import annotations
+
+from tflab.workbook.tasks import Command, Parts, Slip, Task, Words
+
+SENSORS = ("/scan", "/front/scan", "/rear/scan", "/lidar/points", "/depth/points", "/radar/points", "/sonar/range")
+ODOMETRY = ("/odom", "/wheel/odom", "/base/odometry", "/encoders/odom")
+
+
+def three_robots(rng):
+    """Draw a sensor for each robot, and where the third one's wheels speak."""
+    sensors = [SENSORS[i] for i in rng.permutation(len(SENSORS))[:3]]
+    return {
+        "sensor": dict(zip("abc", sensors, strict=True)),
+        "wheels": {"c": ODOMETRY[int(rng.integers(len(ODOMETRY)))]},
+    }
+
+
+def lines(
+    g, sensor=True, mounts=True, moving="/tf", sim_clock=True, real_clock=False, wheels="message", everything=False,
+    name="",
+):  # fmt: skip
+    """Return the three lines, step by step."""
+    speaks = g.wheels["c"]
+    for_c = {"message": [speaks], "none": [], "transform": ["/tf"], "both": [speaks, "/tf"]}[wheels]
+    topics = {"a": [moving], "b": [moving], "c": for_c}
+    answers = {}
+    for letter, more in topics.items():
+        has_clock = sim_clock if letter == "b" else real_clock
+        row = [g.sensor[letter]] * sensor + [topic for topic in more if topic] + ["/tf_static"] * mounts
+        row += ["/clock"] * has_clock
+        answers[letter] = "ros2 bag record " + name + ("-a" if everything else " ".join(row))
+    return answers
+
+
+NO_MOUNTS = Slip(
+    "no mounts",
+    {"mounts": False},
+    Words(
+        en="/tf_static is missing. Tomorrow nobody says any more where the sensor is bolted on.",
+        ko="/tf_static이 없습니다. 내일은 센서가 어디에 달려 있는지 알려 줄 노드가 없습니다.",
+    ),
+    "M13",
+)
+
+NO_TF = Slip(
+    "no tf",
+    {"moving": ""},
+    Words(
+        en="/tf is missing in a or b: the mounts are there, but not where the robot was at each moment.",
+        ko="a나 b에 /tf가 없습니다. 장착 변환은 있지만, 순간마다 로봇이 어디에 있었는지가 없습니다.",
+    ),
+    "M13",
+    partly=True,
+)
+
+ODOM_FOR_TF = Slip(
+    "odom for tf",
+    {"moving": "/odom"},
+    Words(
+        en="/odom stands in a or b where /tf should: a message about the pose is no transform, and a buffer does not listen to it.",
+        ko="a나 b에서 /tf 대신 /odom을 적었습니다. 포즈를 담은 메시지는 변환이 아니고, 버퍼는 그것을 듣지 않습니다.",
+    ),
+    "M13",
+    partly=True,
+)
+
+EVERYTHING = Slip(
+    "everything",
+    {"everything": True},
+    Words(
+        en="-a records all: cameras fill a disk in minutes. Asked for is the smallest recording.",
+        ko="-a는 모두 기록합니다. 카메라가 몇 분이면 디스크를 채웁니다. 필요한 것은 가장 작은 기록입니다.",
+    ),
+    partly=True,
+)
+
+CLOCK_OF_A_REAL_ROBOT = Slip(
+    "clock of a real robot",
+    {"real_clock": True},
+    Words(
+        en="You record /clock on a real robot. Nobody publishes one there; the player makes it from the times of receipt.",
+        ko="실제 로봇에서 /clock을 기록합니다. 거기에는 발행하는 노드가 없습니다. 재생기가 들은 시각으로 만들어 줍니다.",
+    ),
+    "M13",
+    partly=True,
+)
+
+NO_CLOCK_OF_THE_SIMULATION = Slip(
+    "no clock of the simulation",
+    {"sim_clock": False},
+    Words(
+        en="b is a simulation, and its time is a topic like the others. Asked for was also to keep how fast it ran.",
+        ko="b는 시뮬레이션이고, 그 시간도 다른 것처럼 토픽입니다. 시간이 어떻게 흘렀는지도 남겨야 합니다.",
+    ),
+    "M13",
+    part="b",
+)
+
+NO_SENSOR = Slip(
+    "no sensor",
+    {"sensor": False},
+    Words(
+        en="The sensor itself is missing: there would be places, and nothing to put there.",
+        ko="센서 자체가 빠졌습니다. 자리는 있는데 놓을 것이 없습니다.",
+    ),
+    partly=True,
+)
+
+NO_WHEELS = Slip(
+    "no wheels",
+    {"wheels": "none"},
+    Words(
+        en="c: a localiser compares what the sensor sees with how far the wheels rolled. Where do these wheels speak?",
+        ko="c: 위치 추정은 센서가 본 것과 바퀴가 굴러간 거리를 견줍니다. 이 바퀴는 어디로 발행합니까?",
+    ),
+    "M13",
+    part="c",
+)
+
+TF_FOR_THE_WHEELS = Slip(
+    "tf for the wheels",
+    {"wheels": "transform"},
+    Words(
+        en="c: nobody publishes on /tf there, so you would record an empty topic, and not what the wheels say.",
+        ko="c: 이 로봇에서는 아무도 /tf를 발행하지 않습니다. 빈 토픽만 기록되고 바퀴의 말은 남지 않습니다.",
+    ),
+    "M13",
+    part="c",
+)
+
+TF_BESIDE_THE_WHEELS = Slip(
+    "tf beside the wheels",
+    {"wheels": "both"},
+    Words(
+        en="c: one topic more than it takes. Who would publish on it, with the localiser off and the wheels on a topic of their own?",
+        ko="c: 필요 없는 토픽이 하나 있습니다. 위치 추정은 꺼져 있고 바퀴는 자기 토픽으로 말하는데, 거기에 누가 발행합니까?",
+    ),
+    part="c",
+)
+
+NAMED = Slip(
+    "named",
+    {"name": "-o drive "},
+    Words(
+        en="A name for the bag (-o) is good on a robot. Leave it out here: only the topics are asked for.",
+        ko="bag에 이름을 붙이는 -o는 로봇에서는 좋습니다. 여기서는 빼십시오. 토픽만 필요합니다.",
+    ),
+    partly=True,
+)
+
+
+TASK = Task(
+    id="E10.2",
+    kind="C",
+    points=4,
+    title=Words(en="The smallest recording", ko="가장 작은 기록"),
+    answer="recordings",
+    form=Parts({letter: Command() for letter in "abc"}),
+    given=three_robots,
+    variants=8,
+    model=lines,
+    twins=(
+        EVERYTHING,
+        NO_SENSOR,
+        NO_TF,
+        ODOM_FOR_TF,
+        NO_WHEELS,
+        TF_FOR_THE_WHEELS,
+        TF_BESIDE_THE_WHEELS,
+        NO_MOUNTS,
+        NO_CLOCK_OF_THE_SIMULATION,
+        CLOCK_OF_A_REAL_ROBOT,
+        NAMED,
+    ),
+    hints=(
+        Words(
+            en="Write down the path from the sensor to where it is wanted. Who publishes each edge, and on which topic?",
+            ko="센서에서 목표까지의 경로를 적어 보세요. 연결마다 누가 어느 토픽으로 발행합니까?",
+        ),
+        Words(
+            en="Mounts are on one topic, motions on another. For c somebody will compute a part of the path anew: from what?",
+            ko="장착 변환과 움직이는 변환은 서로 다른 토픽에 있습니다. c에서는 경로의 일부를 새로 계산합니다. 무엇으로 계산합니까?",
+        ),
+        Words(
+            en="Time is a topic only in a simulation.",
+            ko="시간이 토픽인 것은 시뮬레이션뿐입니다.",
+        ),
+    ),
+    cures=("M13",),
+)

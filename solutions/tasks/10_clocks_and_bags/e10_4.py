@@ -1,0 +1,201 @@
+"""E10.4: Which clock does a node get?"""
+
+from __future__ import annotations
+
+from tflab.workbook.tasks import Choice, Sequence, Slip, Task, Words
+
+NAMES = ("mapper", "detector", "planner", "camera", "localizer", "recorder", "driver", "watcher", "guard")
+ABSENT = object()
+
+
+def launch_files(rng):
+    """Draw parameter files: for all, for one, both, as text, as a number, with and without a slash."""
+    a, b, c = (NAMES[i] for i in rng.permutation(len(NAMES))[:3])
+    nodes = [f"/{name}" for name in (a, b, c)]
+
+    def file(**entries):
+        return {key.replace("ALL", "/**"): {"ros__parameters": value} for key, value in entries.items()}
+
+    def entry(name, value):
+        return {name: {"ros__parameters": value}}
+
+    sim, wall = {"use_sim_time": True}, {"use_sim_time": False}
+    text, number = {"use_sim_time": str(rng.choice(["true", "True", "yes"]))}, {"use_sim_time": 1}
+    return [
+        (file(ALL=sim), nodes),
+        ({**file(ALL=sim), **entry(f"/{b}", wall)}, nodes),
+        ({**entry(f"/{a}", sim), **entry(c, sim)}, nodes),
+        ({**file(ALL=text), **entry(f"/{c}", sim)}, nodes),
+        ({**file(ALL=sim), **entry(b, {"rate": 10.0}), **entry(f"/{a}", text)}, nodes),
+        ({**entry(f"/{c}", number), **file(ALL=wall), **entry(b, sim)}, nodes),
+        ({**entry(a, wall), **file(ALL=sim)}, nodes),  # /** comes last in the file, and counts first all the same
+        ({}, nodes),
+        ({**file(ALL={"rate": 5.0}), **entry(f"/{b}", {"use_sim_time": "false"})}, nodes),
+    ]
+
+
+def clocks(params, nodes, everyone=True, own=True, slash="either", text="refused", order="own last", unset="wall",
+           lacking="everyone's"):  # fmt: skip
+    """Return what each node's clock is, step by step."""
+    return [_clock(params, node, everyone, own, slash, text, order, unset, lacking) for node in nodes]
+
+
+def _clock(params, node, everyone, own, slash, text, order, unset, lacking):
+    names = {"either": (node, node[1:]), "with": (node,), "without": (node[1:],)}[slash]
+    keys = [key for key in params if (own and key in names) or (everyone and key == "/**")]
+    if order == "own last":
+        keys.sort(key=lambda key: key != "/**")
+    elif order == "everyone last":
+        keys.sort(key=lambda key: key == "/**")
+    value = ABSENT
+    for key in keys:
+        held = params[key]["ros__parameters"]
+        if lacking == "nothing" and key != "/**" and "use_sim_time" not in held:
+            value = ABSENT
+        value = held.get("use_sim_time", value)
+    if value is ABSENT:
+        return unset
+    if not isinstance(value, bool) and text == "refused":
+        return "refused"
+    if text == "read":
+        return "sim" if str(value).lower() in ("true", "1", "yes") else "wall"
+    return "sim" if value else "wall"
+
+
+TEXT_IS_READ = Slip(
+    "text is read",
+    {"text": "read"},
+    Words(
+        en='You read "true" and 1 as if they were true. In YAML quotes make a text, and rclpy takes a text for no answer at all: only True and False will do.',
+        ko='"true"나 1을 참으로 읽었습니다. YAML에서 따옴표를 붙이면 문자열이 되고, rclpy는 문자열을 받지 않습니다. True와 False만 됩니다.',
+    ),
+    "M13",
+)
+
+TEXT_IS_TRUTHY = Slip(
+    "text is truthy",
+    {"text": "truthy"},
+    Words(
+        en='`if value:` takes every text for true, "false" as well. Look at the type before the value.',
+        ko='`if value:`는 모든 문자열을 참으로 봅니다. "false"도 참이 됩니다. 값보다 타입을 먼저 보십시오.',
+    ),
+    "M13",
+)
+
+EVERYONE_IGNORED = Slip(
+    "everyone ignored",
+    {"everyone": False},
+    Words(
+        en="The entry `/**` is for every node, also for one that has no entry of its own.",
+        ko="`/**` 항목은 모든 노드의 것입니다. 자기 항목이 없는 노드에도 적용됩니다.",
+    ),
+    "M13",
+)
+
+OWN_IGNORED = Slip(
+    "own ignored",
+    {"own": False},
+    Words(
+        en="A node's own entry does not count for you. It stands there to make an exception.",
+        ko="노드 자신의 항목을 보지 않았습니다. 예외를 두려고 적은 항목입니다.",
+    ),
+    "M13",
+)
+
+SLASH_NEEDED = Slip(
+    "slash needed",
+    {"slash": "with"},
+    Words(
+        en="Entries without a leading slash are passed over: `mapper` and `/mapper` are the same node in such a file.",
+        ko="앞에 빗금이 없는 항목을 건너뛰었습니다. 이 파일에서 `mapper`와 `/mapper`는 같은 노드입니다.",
+    ),
+    "M14",
+)
+
+SLASH_REFUSED = Slip(
+    "slash refused",
+    {"slash": "without"},
+    Words(
+        en="Entries with a leading slash are passed over: `/mapper` and `mapper` are the same node in such a file.",
+        ko="앞에 빗금이 있는 항목을 건너뛰었습니다. 이 파일에서 `/mapper`와 `mapper`는 같은 노드입니다.",
+    ),
+    "M14",
+)
+
+EVERYONE_WINS = Slip(
+    "everyone wins",
+    {"order": "everyone last"},
+    Words(
+        en="Where both speak, you let `/**` win. The special entry counts more than the general one.",
+        ko="둘 다 있을 때 `/**`를 택했습니다. 특별한 항목이 일반 항목보다 우선합니다.",
+    ),
+    "M13",
+)
+
+LAST_LINE_WINS = Slip(
+    "last line wins",
+    {"order": "of the file"},
+    Words(
+        en="You take whichever stands last in the file. Where in the file an entry stands does not matter; whose it is does.",
+        ko="파일에서 마지막에 나온 것을 택했습니다. 어디에 적혔는지가 아니라 누구의 항목인지가 중요합니다.",
+    ),
+)
+
+UNSET_IS_SIM = Slip(
+    "unset is sim",
+    {"unset": "sim"},
+    Words(
+        en="A node for which nobody says anything lives in the machine's time: use_sim_time is false unless it is set.",
+        ko="아무 설정도 없는 노드는 컴퓨터의 시간에 삽니다. use_sim_time은 설정하지 않으면 false입니다.",
+    ),
+    "M13",
+)
+
+OWN_ENTRY_REPLACES_ALL = Slip(
+    "own entry replaces all",
+    {"lacking": "nothing"},
+    Words(
+        en="A node with an entry of its own loses what `/**` says. The entries are laid on top of each other: only what the upper one names is replaced.",
+        ko="자기 항목이 있는 노드는 `/**`의 값을 잃는다고 했습니다. 항목은 겹쳐집니다. 위의 항목에 적힌 것만 바뀝니다.",
+    ),
+)
+
+
+TASK = Task(
+    id="E10.4",
+    kind="F",
+    points=4,
+    title=Words(en="Which clock does a node get?", ko="노드는 어느 시계를 얻습니까?"),
+    answer="clock_of",
+    form=Sequence(Choice(("sim", "wall", "refused"))),
+    inputs=launch_files,
+    variants=4,
+    model=clocks,
+    twins=(
+        EVERYONE_IGNORED,
+        OWN_IGNORED,
+        SLASH_NEEDED,
+        SLASH_REFUSED,
+        EVERYONE_WINS,
+        LAST_LINE_WINS,
+        OWN_ENTRY_REPLACES_ALL,
+        UNSET_IS_SIM,
+        TEXT_IS_READ,
+        TEXT_IS_TRUTHY,
+    ),
+    hints=(
+        Words(
+            en="Collect the values that concern a node, the general one first, and let the later one replace the earlier.",
+            ko="노드에 해당하는 값을 일반 항목부터 모으고, 나중 것이 앞의 것을 바꾸게 하십시오.",
+        ),
+        Words(
+            en='Three keys can hold it: "/**", the name with its slash, and the name without. `params.get(key, {})` spares you an `if`.',
+            ko='값이 있을 수 있는 키는 셋입니다. "/**", 빗금이 있는 이름, 빗금이 없는 이름입니다. `params.get(key, {})`를 쓰면 `if`가 줄어듭니다.',
+        ),
+        Words(
+            en="At the end look at the type: `isinstance(value, bool)`. A number is none.",
+            ko="마지막에 타입을 보십시오. `isinstance(value, bool)`입니다. 숫자는 bool이 아닙니다.",
+        ),
+    ),
+    cures=("M13", "M14"),
+)

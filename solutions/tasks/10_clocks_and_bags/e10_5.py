@@ -1,0 +1,155 @@
+"""E10.5: How wrong is the sensor's clock?"""
+
+from __future__ import annotations
+
+import statistics
+from itertools import pairwise
+
+from tflab.workbook.tasks import Number, Slip, Task, Words
+
+PICKS = {
+    "smallest": min,
+    "mean": statistics.fmean,
+    "middle": statistics.median,
+    "largest": max,
+    "first": lambda gaps: gaps[0],
+    "last": lambda gaps: gaps[-1],
+}
+
+
+def log_of_a_sensor(rng):
+    """Draw messages in which first, last, middle, mean, largest and smallest delay are told apart, whatever is done."""
+    while True:
+        given = _one_log(rng)
+        gaps = [heard - stamp for stamp, heard in given["log"]]
+        told = sorted(pick(gaps) + k * given["shortest_delay_s"] for pick in PICKS.values() for k in (-1, 0, 1))
+        if min(after - before for before, after in pairwise(told)) > 0.005:
+            return given
+
+
+def _one_log(rng):
+    """Draw a dozen messages: delays that only add to the healthiest one, and a clock that is off."""
+    shortest_s = round(float(rng.uniform(0.03, 0.12)), 3)
+    behind_s = round(float(rng.choice([-1.0, 1.0])) * float(rng.uniform(0.25, 0.9)), 3)
+    begin_s = round(float(rng.uniform(20.0, 60.0)), 1)
+    late_s = [round(float(late), 3) for late in rng.uniform(0.02, 0.25, 12)]
+    late_s[int(rng.integers(3, 9))] = 0.0
+    log = []
+    for number, extra_s in enumerate(late_s):
+        true_s = begin_s + 0.1 * number
+        log.append((round(true_s - behind_s, 3), round(true_s + shortest_s + extra_s, 3)))
+    return {"log": log, "shortest_delay_s": shortest_s}
+
+
+def behind(g, pick="smallest", delay="taken off", way="heard - stamp"):
+    """Return by how much the sensor's clock is behind, step by step."""
+    gaps = [heard - stamp if way == "heard - stamp" else stamp - heard for stamp, heard in g.log]
+    picked = PICKS[pick](gaps)
+    return picked + {"taken off": -1, "forgotten": 0, "added": 1}[delay] * g.shortest_delay_s
+
+
+MEAN = Slip(
+    "mean",
+    {"pick": "mean"},
+    Words(
+        en="You took the mean. Delays only ever add: the mean holds half of all the traffic jams.",
+        ko="평균을 썼습니다. 지연은 더해지기만 합니다. 평균에는 막힌 시간이 함께 들어 있습니다.",
+    ),
+    "M10",
+)
+
+MEDIAN = Slip(
+    "median",
+    {"pick": "middle"},
+    Words(
+        en="You took the one in the middle. That is the usual delay, not the healthy one: delays only ever add.",
+        ko="가운데 값을 썼습니다. 흔한 지연이지 정상 지연이 아닙니다. 지연은 더해지기만 합니다.",
+    ),
+    "M10",
+)
+
+LARGEST = Slip(
+    "largest",
+    {"pick": "largest"},
+    Words(
+        en="You took the largest difference: the message that was held up most says least about the clock.",
+        ko="가장 큰 차이를 썼습니다. 가장 오래 막힌 메시지는 시계에 대해 가장 알려 주는 것이 없습니다.",
+    ),
+    "M10",
+)
+
+FIRST = Slip(
+    "first",
+    {"pick": "first"},
+    Words(
+        en="You took the first message alone. Was just that one not held up anywhere?",
+        ko="첫 메시지만 썼습니다. 하필 그 메시지가 어디에서도 막히지 않았을까요?",
+    ),
+)
+
+LAST = Slip(
+    "last",
+    {"pick": "last"},
+    Words(
+        en="You took the last message alone. Was just that one not held up anywhere?",
+        ko="마지막 메시지만 썼습니다. 하필 그 메시지가 어디에서도 막히지 않았을까요?",
+    ),
+)
+
+DELAY_FORGOTTEN = Slip(
+    "delay forgotten",
+    {"delay": "forgotten"},
+    Words(
+        en="A healthy message takes its time, too. That part of the difference is no fault of the clock.",
+        ko="정상인 메시지도 오는 데 시간이 걸립니다. 차이 가운데 그만큼은 시계 탓이 아닙니다.",
+    ),
+    "M10",
+)
+
+DELAY_ADDED = Slip(
+    "delay added",
+    {"delay": "added"},
+    Words(
+        en="You added the healthy delay. It is part of the difference already, and has to be taken off.",
+        ko="정상 지연을 더했습니다. 차이에 이미 들어 있으므로 빼야 합니다.",
+    ),
+    "M10",
+)
+
+TURNED_ROUND = Slip(
+    "turned round",
+    {"way": "stamp - heard"},
+    Words(
+        en="You took stamp minus heard. Behind means: the stamp shows too little, so the difference is heard minus stamp.",
+        ko="측정 시각에서 들은 시각을 뺐습니다. 뒤처졌다는 것은 측정 시각이 너무 작다는 뜻이므로, 들은 시각에서 측정 시각을 뺍니다.",
+    ),
+)
+
+
+TASK = Task(
+    id="E10.5",
+    kind="N",
+    points=3,
+    title=Words(en="How wrong is the sensor's clock?", ko="센서의 시계는 얼마나 틀렸습니까?"),
+    answer="behind_s",
+    form=Number(unit="s", tolerance=0.002),
+    given=log_of_a_sensor,
+    variants=8,
+    model=behind,
+    twins=(MEAN, MEDIAN, LARGEST, FIRST, LAST, TURNED_ROUND, DELAY_FORGOTTEN, DELAY_ADDED),
+    hints=(
+        Words(
+            en="heard - stamp holds three things: the clock's error, the healthy delay, and whatever held this message up.",
+            ko="들은 시각 − 측정 시각에는 셋이 들어 있습니다. 시계의 오차, 정상 지연, 그 메시지가 막힌 시간입니다.",
+        ),
+        Words(
+            en="Nothing is ever held up by less than nothing. In which message is the third part smallest?",
+            ko="막힌 시간은 0보다 작을 수 없습니다. 셋째 부분이 가장 작은 메시지는 어느 것입니까?",
+        ),
+        Words(
+            en="The smallest difference of all, and the healthy delay taken off.",
+            ko="모든 차이 가운데 가장 작은 것에서 정상 지연을 뺍니다.",
+        ),
+    ),
+    cures=("M10",),
+)

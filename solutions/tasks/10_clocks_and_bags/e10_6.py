@@ -1,0 +1,196 @@
+"""E10.6: Can a bag place its own messages?"""
+
+from __future__ import annotations
+
+from tflab.core import StampedTransform, Transform, seconds
+from tflab.ros.duration import Duration
+from tflab.ros.messages import geometry_msgs, std_msgs
+from tflab.ros.tf2.buffer import Buffer
+from tflab.ros.time import Time
+from tflab.workbook.tasks import Choice, Number, Parts, Slip, Task, Words
+
+KINDS = ("none", "LookupException", "ConnectivityException", "ExtrapolationException")
+
+
+def edge(parent, child, *times_s):
+    """Return one transform for each time [s]; with none it is static."""
+    return [StampedTransform(parent, child, seconds(t), Transform((0.1, 0.0, 0.0))) for t in times_s or (0.0,)]
+
+
+def filled(*edges):
+    buffer = Buffer(Duration(seconds=60))
+    for stamped in (one for each in edges for one in each):
+        buffer.core.set_transform(stamped, "bag", is_static=stamped.stamp_ns == 0)
+    return buffer
+
+
+def message(frame, time_s):
+    header = std_msgs.Header(frame_id=frame, stamp=Time(nanoseconds=seconds(time_s)).to_msg())
+    return geometry_msgs.PointStamped(header=header)
+
+
+def bags(rng):
+    """Draw what bags hold: whole, begun late, without mounts, with two trees, with a lost frame, and in another order."""
+    t = round(float(rng.uniform(20.0, 40.0)), 1)
+
+    def at(share):
+        return round(t + 10.0 * share + float(rng.uniform(0.01, 0.4)), 3)
+
+    drive = edge("map", "odom", t, t + 5.0, t + 10.0), edge("odom", "base_link", t, t + 5.0, t + 10.0)
+    laser, camera = edge("base_link", "laser_frame"), edge("mast", "camera_link")
+    scans = [message("laser_frame", at(share)) for share in (0.1, 0.3, 0.5, 0.7, 0.9)]
+    early, late, seen = (
+        message("laser_frame", t - 0.3),
+        message("laser_frame", t + 11.5),
+        message("camera_link", at(0.4)),
+    )
+    lost = message("lazer_frame", at(0.2))
+    return [
+        (filled(*drive, laser), scans, "map"),
+        (filled(*drive, laser), [early, *scans, late], "map"),
+        (filled(*drive), scans[:3], "map"),
+        (filled(*drive, laser, camera), [scans[0], seen, scans[1], lost, late, scans[2]], "map"),
+        (filled(*drive, laser), [lost, early, *scans[:2]], "odom"),
+        (filled(*drive, laser, camera), [*scans[:2], late, seen, lost], "base_link"),
+        (filled(*drive, laser), [], "map"),
+    ]
+
+
+def placing(buffer, messages, target, ask="the stamp", stops=False, which="first", kind="its own",
+            frame="each"):  # fmt: skip
+    """Return what the bag can place, step by step."""
+    placed, noes = 0, []
+    for each in messages:
+        source = (messages[0] if frame == "the first's" else each).header.frame_id
+        try:
+            buffer.lookup_transform(target, source, Time() if ask == "the latest" else Time.from_msg(each.header.stamp))
+        except Exception as error:
+            noes.append(type(error).__name__ if kind == "its own" else kind)
+            if stops:
+                break
+        else:
+            placed += 1
+    no = (noes[0] if which == "first" else noes[-1]) if noes else "none"
+    return {"placed": len(messages) - placed if which == "counts noes" else placed, "first_no": no}
+
+
+LATEST = Slip(
+    "the latest",
+    {"ask": "the latest"},
+    Words(
+        en="You ask with `Time()`, and place every message where the robot was at the end. Each message has a stamp of its own.",
+        ko="`Time()`을 조회해서, 모든 메시지를 마지막 순간의 로봇 위치에 놓았습니다. 메시지마다 자기 측정 시각이 있습니다.",
+    ),
+    "M9",
+)
+
+FIRST_NO_ENDS_IT = Slip(
+    "the first no ends it",
+    {"stops": True},
+    Words(
+        en="After the first message without a place you stop looking. One old scan says nothing about the others: catch inside the loop, and go on.",
+        ko="놓을 수 없는 메시지가 처음 나오면 멈춥니다. 오래된 스캔 하나가 나머지를 말해 주지는 않습니다. 반복문 안에서 예외를 잡고 계속하십시오.",
+    ),
+    "M11",
+)
+
+LAST_NO = Slip(
+    "the last no",
+    {"which": "last"},
+    Words(
+        en="You tell the last refusal. Asked for is the first: keep it, once you have one.",
+        ko="마지막 거절을 돌려줍니다. 필요한 것은 첫 거절입니다. 한번 얻었으면 그대로 두십시오.",
+    ),
+)
+
+COUNTS_NOES = Slip(
+    "counts noes",
+    {"which": "counts noes"},
+    Words(
+        en="That is how many could *not* be placed, and the last refusal. Count the answers.",
+        ko="놓을 수 *없는* 것의 개수와 마지막 거절입니다. 답을 얻은 것을 세십시오.",
+    ),
+)
+
+ALWAYS_EXTRAPOLATION = Slip(
+    "always extrapolation",
+    {"kind": "ExtrapolationException"},
+    Words(
+        en="Every refusal is an extrapolation to you. A name that nobody knows and a path that is missing are other classes: `type(error).__name__`.",
+        ko="모든 거절을 외삽이라고 합니다. 모르는 이름과 없는 경로는 다른 클래스입니다. `type(error).__name__`을 쓰십시오.",
+    ),
+    "M11",
+)
+
+ALWAYS_LOOKUP = Slip(
+    "always lookup",
+    {"kind": "LookupException"},
+    Words(
+        en="Every refusal is a lookup error to you. A missing path and a missing moment are other classes: `type(error).__name__`.",
+        ko="모든 거절을 LookupException이라고 합니다. 없는 경로와 없는 시각은 다른 클래스입니다. `type(error).__name__`을 쓰십시오.",
+    ),
+    "M11",
+)
+
+BASE_CLASS = Slip(
+    "base class",
+    {"kind": "TransformException"},
+    Words(
+        en="You name the base class that you caught, not the class that was raised: `type(error).__name__`.",
+        ko="잡은 부모 클래스의 이름을 돌려줍니다. 실제로 일어난 예외의 이름은 `type(error).__name__`입니다.",
+    ),
+    "M11",
+)
+
+FRAME_OF_THE_FIRST = Slip(
+    "frame of the first",
+    {"frame": "the first's"},
+    Words(
+        en="You take the frame of the first message for all of them. Each has its own.",
+        ko="첫 메시지의 좌표계를 모두에 썼습니다. 메시지마다 자기 좌표계가 있습니다.",
+    ),
+)
+
+
+TASK = Task(
+    id="E10.6",
+    kind="F",
+    points=4,
+    title=Words(en="Can a bag place its own messages?", ko="bag은 자기 메시지를 스스로 놓을 수 있습니까?"),
+    answer="placeable",
+    form=Parts({"placed": Number(tolerance=0.0), "first_no": Choice(KINDS)}),
+    inputs=bags,
+    variants=3,
+    model=placing,
+    twins=(
+        FRAME_OF_THE_FIRST,
+        LATEST,
+        ALWAYS_EXTRAPOLATION,
+        ALWAYS_LOOKUP,
+        BASE_CLASS,
+        FIRST_NO_ENDS_IT,
+        LAST_NO,
+        COUNTS_NOES,
+    ),
+    hints=(
+        Words(
+            en="One loop, one `try` inside of it, and two things to keep: a count, and the first refusal.",
+            ko="반복문 하나, 그 안에 `try` 하나, 그리고 간직할 것 둘입니다. 개수와 첫 거절입니다.",
+        ),
+        Words(
+            en="The question for each message: `lookup_transform(target, message.header.frame_id, Time.from_msg(message.header.stamp))`.",
+            ko="메시지마다 조회하는 것: `lookup_transform(target, message.header.frame_id, Time.from_msg(message.header.stamp))`.",
+        ),
+        Words(
+            en='`except TransformException as error:`, and there `type(error).__name__`, unless you have one already. Begin with "none".',
+            ko='`except TransformException as error:`에서 아직 없을 때만 `type(error).__name__`을 적습니다. 처음 값은 "none"입니다.',
+        ),
+    ),
+    cures=("M9", "M11"),
+    equivalent={
+        "buffer.lookup_transform(target, message.header.frame_id, Time.from_msg(message.header.stamp)) -> "
+        "buffer.lookup_transform(message.header.frame_id, target, Time.from_msg(message.header.stamp))": "there is a "
+        "transform one way exactly if there is one the other way, and the refusal is of the same class",
+        "Time.from_msg(message.header.stamp) -> message.header.stamp": "a lookup takes the stamp of a message, too",
+    },
+)

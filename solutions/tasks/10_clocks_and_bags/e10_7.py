@@ -1,0 +1,140 @@
+"""E10.7: When must a buffer forget?"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+from tflab.workbook.tasks import Number, Sequence, Slip, Task, Words
+
+
+def clocks(rng):
+    """Draw what /clock said: steps back by 1 s and a hair to either side, leaps ahead, loops, and nothing at all."""
+    t = float(rng.integers(20, 60))
+    lap = [t + 0.25 * step for step in range(int(rng.integers(6, 10)))]
+    end = lap[-1]
+    return [
+        ([*lap, *lap, *lap],),
+        (lap,),
+        ([*lap, end - 1.0, end - 0.75, end],),
+        ([*lap, end - 0.9995, end - 0.5, end + 0.25],),
+        ([*lap, end - 1.0005, end + 0.5],),
+        ([*lap, end + 30.0, end + 30.25],),
+        ([*lap, end - 0.25, end, end - 0.5],),
+        ([*lap, end + 30.0, end + 30.25, t, t + 0.25, t - 5.0, t - 4.75, t + 0.5],),
+        ([t],),
+        ([],),
+    ]
+
+
+def moments(clock_s, back="a second", against="the one before", which="all", tell="after", ahead=False):
+    """Return when to forget, step by step."""
+    found = []
+    highest = clock_s[0] if clock_s else 0.0
+    for before, after in pairwise(clock_s):
+        highest = max(highest, before)
+        step = (before if against == "the one before" else highest) - after
+        is_back = {"a second": step >= 1.0, "any": step > 0.0, "more": step > 1.0}[back]
+        if is_back or (ahead and -step >= 1.0):
+            found.append({"after": after, "before": before, "step": step}[tell])
+    return found[:1] if which == "first" else found
+
+
+ANY_STEP_BACK = Slip(
+    "any step back",
+    {"back": "any"},
+    Words(
+        en="You forget at every small step back. Messages on /clock overtake each other by milliseconds, and each time everything would be gone, the mounts too.",
+        ko="조금만 돌아가도 지웁니다. /clock 메시지는 몇 밀리초씩 순서가 바뀔 수 있고, 그때마다 장착 변환까지 모두 사라집니다.",
+    ),
+)
+
+NOT_AT_THE_BOUND = Slip(
+    "not at the bound",
+    {"back": "more"},
+    Words(
+        en='"by 1 s or more": a step back of just 1 s counts, too.',
+        ko='"1초 이상"입니다. 정확히 1초 돌아간 것도 셉니다.',
+    ),
+)
+
+LEAPS_AHEAD = Slip(
+    "leaps ahead",
+    {"ahead": True},
+    Words(
+        en="You forget at leaps ahead, too. What was heard before stays true when the clock hurries on.",
+        ko="앞으로 건너뛸 때도 지웁니다. 시계가 서둘러 나아가도 전에 들은 것은 여전히 맞습니다.",
+    ),
+)
+
+AGAINST_THE_HIGHEST = Slip(
+    "against the highest",
+    {"against": "the highest"},
+    Words(
+        en="You compare with the largest value so far. After a jump back the new lap lies below it for long, and you would forget at every tick: compare with the reading before.",
+        ko="지금까지의 최댓값과 비교합니다. 한번 돌아가면 새 바퀴는 오랫동안 그보다 작으므로 매번 지우게 됩니다. 바로 앞의 값과 비교하십시오.",
+    ),
+)
+
+ONLY_THE_FIRST = Slip(
+    "only the first",
+    {"which": "first"},
+    Words(
+        en="You stop at the first jump. A loop comes back again and again.",
+        ko="첫 번째에서 멈춥니다. 반복 재생은 거듭 돌아옵니다.",
+    ),
+)
+
+READING_BEFORE = Slip(
+    "the reading before",
+    {"tell": "before"},
+    Words(
+        en="You give the last reading before the jump. Asked for is the first one after it: only then one knows.",
+        ko="돌아가기 직전의 값을 돌려줍니다. 필요한 것은 돌아간 직후의 값입니다. 그때에야 알 수 있습니다.",
+    ),
+)
+
+SIZE_OF_THE_STEP = Slip(
+    "size of the step",
+    {"tell": "step"},
+    Words(
+        en="You give how far the clock went back. Asked for is what it shows then.",
+        ko="얼마나 돌아갔는지를 돌려줍니다. 필요한 것은 그때 시계의 값입니다.",
+    ),
+)
+
+
+TASK = Task(
+    id="E10.7",
+    kind="F",
+    points=3,
+    title=Words(en="When must a buffer forget?", ko="버퍼는 언제 지워야 합니까?"),
+    answer="jumps",
+    form=Sequence(Number(unit="s")),
+    inputs=clocks,
+    variants=3,
+    model=moments,
+    twins=(
+        AGAINST_THE_HIGHEST,
+        ANY_STEP_BACK,
+        NOT_AT_THE_BOUND,
+        LEAPS_AHEAD,
+        ONLY_THE_FIRST,
+        READING_BEFORE,
+        SIZE_OF_THE_STEP,
+    ),
+    hints=(
+        Words(
+            en="Look at each reading together with the one before it.",
+            ko="값마다 바로 앞의 값과 함께 보십시오.",
+        ),
+        Words(
+            en="`pairwise(clock_s)` gives the pairs, and none for a list with fewer than two.",
+            ko="`pairwise(clock_s)`는 이웃한 쌍을 줍니다. 값이 둘보다 적으면 하나도 없습니다.",
+        ),
+        Words(
+            en="`before - after >= 1.0`, and keep `after`.",
+            ko="`before - after >= 1.0`이면 `after`를 모읍니다.",
+        ),
+    ),
+    cures=("M13",),
+)
