@@ -1438,7 +1438,7 @@ careful = lesson.run_node(OnRobot, 4.0)
 # </details>
 #
 # **Next:** the exercises, [E9, seven tasks](../../exercises/en/E09_exceptions_and_waiting.ipynb). In E9.3 two stamps are subtracted: make both with `Time.from_msg(...)`, for times of different clocks do not mix.
-# After a pass, or three tries, `solution("E9.1")` shows a solution there. To start a page over, delete its file and type `tflab lab`. This is the last chapter that is here; [the start page](00_start.ipynb) shows what you have passed.
+# After a pass, or three tries, `solution("E9.1")` shows a solution there. To start a page over, delete its file and type `tflab lab`. After them comes [10 Clocks and bags](10_clocks_and_bags.ipynb): whose time is it, when a recording is played?
 # On your checklist this chapter is **C10**: you have now reproduced the lookup, the connectivity and the extrapolation error. Here it was simulated; do it once on the robot.
 
 # %% [markdown] lang="ko" name="exit-ticket" slide="slide"
@@ -1455,5 +1455,5 @@ careful = lesson.run_node(OnRobot, 4.0)
 # </details>
 #
 # **다음:** 연습 문제 [E9, 과제 일곱 개](../../exercises/ko/E09_exceptions_and_waiting.ipynb)를 풀어 보세요. E9.3에서는 두 시각을 뺍니다. 종류가 다른 시계의 시각은 섞이지 않으므로 둘 다 `Time.from_msg(...)`로 만듭니다.
-# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E9.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력하세요. 준비된 마지막 장입니다. [첫 페이지](00_start.ipynb)에서 무엇을 통과했는지 볼 수 있습니다.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E9.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력하세요. 그다음은 [10 시계와 bag](10_clocks_and_bags.ipynb)입니다. 기록을 재생할 때 시간은 누구의 것일까요?
 # 실습 체크리스트에서 이 장은 **C10**입니다. 이제 조회·연결·외삽 오류를 모두 직접 만들어 보았습니다. 여기서는 시뮬레이션이었으니, 로봇에서도 한 번 해 보세요.

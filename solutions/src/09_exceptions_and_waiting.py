@@ -321,11 +321,11 @@ check("E9.7", wait_s)
 #
 # On a robot, do C10 of the lab checklist: meet each of the three errors once more, on purpose.
 #
-# **Next:** [the start page](../../notebooks/en/00_start.ipynb) shows what you have passed, and what is left.
+# **Next:** [10 Clocks and bags](../../notebooks/en/10_clocks_and_bags.ipynb). [The start page](../../notebooks/en/00_start.ipynb) shows what you have passed, and what is left.
 
 # %% [markdown] lang="ko" name="after"
 # ## 다 했다면
 #
 # 로봇에서 실습 체크리스트 C10을 해 보세요. 세 가지 오류를 일부러 한 번씩 더 만나 보는 일입니다.
 #
-# **다음:** [첫 페이지](../../notebooks/ko/00_start.ipynb)에서 무엇을 통과했고 무엇이 남았는지 볼 수 있습니다.
+# **다음:** [10 시계와 bag](../../notebooks/ko/10_clocks_and_bags.ipynb)으로 갑니다. [첫 페이지](../../notebooks/ko/00_start.ipynb)에서 무엇을 통과했고 무엇이 남았는지 볼 수 있습니다.

@@ -271,9 +271,13 @@ check("E10.7", jumps)
 #
 # The checks here used your own numbers. Grading asks the same questions with others.
 # On a robot: after your next recording, type `ros2 bag info`, and look for one line before all others.
+#
+# **Next:** [11 Tools and RViz](../../notebooks/en/11_tools_and_rviz.ipynb).
 
 # %% [markdown] lang="ko" name="after"
 # ## 여기까지 해낸 것
 #
 # 이곳의 check는 여러분의 숫자로 확인했습니다. 채점은 같은 질문을 다른 숫자로 묻습니다.
 # 로봇에서는 다음 기록을 마친 뒤 `ros2 bag info`를 입력하고, 무엇보다 먼저 한 줄을 찾아보세요.
+#
+# **다음:** [11 도구와 RViz](../../notebooks/ko/11_tools_and_rviz.ipynb)로 갑니다.
