@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tflab.workbook.tasks import Parts, Task, Twin, Vector, Words
+from tflab.workbook.tasks import Parts, Slip, Task, Twin, Vector, Words
 
 
 def robot_and_post(rng):
@@ -19,12 +19,27 @@ def plus(*points):
     return [sum(numbers) for numbers in zip(*points, strict=True)]
 
 
-def minus(one, other):
-    return [a - b for a, b in zip(one, other, strict=True)]
-
-
 def answer(base, map_):
     return {"base_link": base, "map": map_}
+
+
+SIGN = {"added": 1.0, "taken away": -1.0, "skipped": 0.0}
+
+
+def both(g, *, side="left", mount="added", height="added", start="base_link", robot="added"):
+    """Return where the post is, step by step; other steps are the slips."""
+    x, y, z = g.laser_p_post
+    seen = [x, -y if side == "right" else y, z]
+    base = plus([SIGN[mount] * number for number in g.base_p_laser], seen)
+    starts = {
+        "base_link": base,
+        "laser": seen,
+        "mount twice": plus(base, g.base_p_laser),
+        "robot alone": g.base_p_laser,
+    }
+    map_ = plus([SIGN[robot] * number for number in g.map_p_base], starts[start])
+    heights = {"added": (base[2], map_[2]), "the laser's": (z, z), "floor": (0.0, 0.0)}[height]
+    return answer([*base[:2], heights[0]], [*map_[:2], heights[1]])
 
 
 SAME_NUMBERS = Twin(
@@ -37,14 +52,9 @@ SAME_NUMBERS = Twin(
 )
 
 
-def taken_away(g):
-    base = minus(g.laser_p_post, g.base_p_laser)
-    return answer(base, minus(base, g.map_p_base))
-
-
-TAKEN_AWAY = Twin(
+TAKEN_AWAY = Slip(
     "taken away",
-    taken_away,
+    {"mount": "taken away", "robot": "taken away"},
     Words(
         en="You took the steps away. The laser sits ahead of the robot's middle, so from the middle the way to the post is that much longer: the steps add.",
         ko="이동을 뺐습니다. 레이저는 로봇의 중심보다 앞에 있으므로, 중심에서 기둥까지는 그만큼 더 멉니다. 이동은 더합니다.",
@@ -53,9 +63,9 @@ TAKEN_AWAY = Twin(
 )
 
 
-MOUNT_TAKEN_AWAY = Twin(
+MOUNT_TAKEN_AWAY = Slip(
     "mount taken away",
-    lambda g: answer(minus(g.laser_p_post, g.base_p_laser), plus(g.map_p_base, minus(g.laser_p_post, g.base_p_laser))),
+    {"mount": "taken away"},
     Words(
         en="The laser's mount has the wrong sign. It sits ahead of and above the middle: from there the post is farther ahead and higher, not less.",
         ko="레이저 장착 위치의 부호가 틀렸습니다. 레이저는 중심보다 앞쪽 위에 있습니다. 중심에서 보면 기둥은 더 앞에, 더 높이 있습니다.",
@@ -64,9 +74,9 @@ MOUNT_TAKEN_AWAY = Twin(
 )
 
 
-MOUNT_SKIPPED = Twin(
+MOUNT_SKIPPED = Slip(
     "mount skipped",
-    lambda g: answer(g.laser_p_post, plus(g.map_p_base, g.laser_p_post)),
+    {"mount": "skipped"},
     Words(
         en="You left the mount out, as if the laser sat in the robot's middle. From the laser to the map there are two steps.",
         ko="레이저가 로봇의 중심에 있는 것처럼 장착 위치를 빠뜨렸습니다. 레이저에서 지도까지는 이동이 두 번입니다.",
@@ -74,21 +84,19 @@ MOUNT_SKIPPED = Twin(
 )
 
 
-MOUNT_SKIPPED_ON_THE_MAP = Twin(
+MOUNT_SKIPPED_ON_THE_MAP = Slip(
     "mount skipped on the map",
-    lambda g: answer(plus(g.base_p_laser, g.laser_p_post), plus(g.map_p_base, g.laser_p_post)),
+    {"start": "laser"},
     Words(
-        en="base_link is right. For the map you went on from the laser's numbers: start from where you have just arrived, in base_link.",
-        ko="base_link는 맞습니다. 지도로 갈 때는 레이저의 숫자에서 다시 시작했습니다. 방금 구한 base_link 기준 값에서 이어 가 보세요.",
+        en="For the map you went on from the laser's numbers: start from where you have just arrived, in base_link.",
+        ko="지도로 갈 때 레이저의 숫자에서 다시 시작했습니다. 방금 구한 base_link 기준 값에서 이어 가 보세요.",
     ),
 )
 
 
-MOUNT_TWICE = Twin(
+MOUNT_TWICE = Slip(
     "mount twice",
-    lambda g: answer(
-        plus(g.base_p_laser, g.laser_p_post), plus(g.map_p_base, g.base_p_laser, g.base_p_laser, g.laser_p_post)
-    ),
+    {"start": "mount twice"},
     Words(
         en="On the map the mount is counted twice. It is already in your numbers of base_link.",
         ko="지도에서 장착 위치를 두 번 셌습니다. base_link 기준 값에 이미 들어 있습니다.",
@@ -96,27 +104,59 @@ MOUNT_TWICE = Twin(
 )
 
 
-def flat(g):
-    base = [*plus(g.base_p_laser, g.laser_p_post)[:2], g.laser_p_post[2]]
-    return answer(base, [*plus(g.map_p_base, base)[:2], g.laser_p_post[2]])
-
-
-HEIGHT_FORGOTTEN = Twin(
+HEIGHT_FORGOTTEN = Slip(
     "height forgotten",
-    flat,
+    {"height": "the laser's"},
     Words(
-        en="x and y are right; the heights are still the laser's. z adds like the others.",
-        ko="x와 y는 맞지만 높이는 아직 레이저 기준입니다. z도 똑같이 더합니다.",
+        en="The heights are still the laser's. z adds like the others.",
+        ko="높이는 아직 레이저 기준입니다. z도 똑같이 더합니다.",
     ),
 )
 
 
-NOT_ON_THE_MAP = Twin(
+NOT_ON_THE_MAP = Slip(
     "not on the map",
-    lambda g: answer(plus(g.base_p_laser, g.laser_p_post), plus(g.base_p_laser, g.laser_p_post)),
+    {"robot": "skipped"},
     Words(
-        en="base_link is right, and you wrote the same for the map. The robot does not stand in the map's corner.",
-        ko="base_link는 맞지만 map에도 같은 값을 썼습니다. 로봇은 지도 원점에 서 있지 않습니다.",
+        en="On the map you wrote the numbers of base_link once more. The robot does not stand in the map's corner.",
+        ko="map에도 base_link 기준 값을 그대로 썼습니다. 로봇은 지도 원점에 서 있지 않습니다.",
+    ),
+)
+
+ROBOT_TAKEN_AWAY = Slip(
+    "robot taken away",
+    {"robot": "taken away"},
+    Words(
+        en="You took the robot's place away. The robot stands at `map_p_base`: from the map's origin one walks there first, and then on to the post.",
+        ko="로봇의 위치를 뺐습니다. 로봇은 `map_p_base`에 있습니다. 지도 원점에서 먼저 거기까지 가고, 이어서 기둥까지 갑니다.",
+    ),
+    "M3",
+)
+
+Y_TO_THE_RIGHT = Slip(
+    "y to the right",
+    {"side": "right"},
+    Words(
+        en="You counted the post's y to the right. In ROS, y points to the left.",
+        ko="기둥의 y를 오른쪽으로 셌습니다. ROS에서 y는 왼쪽을 가리킵니다.",
+    ),
+)
+
+ON_THE_FLOOR = Slip(
+    "on the floor",
+    {"height": "floor"},
+    Words(
+        en="You set the heights to zero. The laser sits up on the robot and saw the post higher still: z adds like x and y.",
+        ko="높이를 0으로 두었습니다. 레이저는 로봇 위에 있고 기둥을 더 높은 곳에서 보았습니다. z도 x, y처럼 더합니다.",
+    ),
+)
+
+ONLY_THE_MOUNT = Slip(
+    "only the mount on the map",
+    {"start": "robot alone"},
+    Words(
+        en="On the map you have the place of the laser, not of the post: what the laser saw has to be added.",
+        ko="지도 기준으로 레이저의 위치를 썼습니다. 레이저가 본 것까지 더해야 기둥의 위치입니다.",
     ),
 )
 
@@ -130,6 +170,7 @@ TASK = Task(
     form=Parts({frame: Vector(3, unit="m", frame=frame, tolerance=0.003) for frame in ("base_link", "map")}),
     given=robot_and_post,
     variants=6,
+    model=both,
     twins=(
         SAME_NUMBERS,
         TAKEN_AWAY,
@@ -139,6 +180,10 @@ TASK = Task(
         MOUNT_TWICE,
         HEIGHT_FORGOTTEN,
         NOT_ON_THE_MAP,
+        ROBOT_TAKEN_AWAY,
+        Y_TO_THE_RIGHT,
+        ON_THE_FLOOR,
+        ONLY_THE_MOUNT,
     ),
     hints=(
         Words(

@@ -80,6 +80,40 @@ TASK = Task(
         WHAT_RESTS_ON_THE_ROBOT,
         NEW_LABEL_FOR_A_LIE,
     ),
+    means={
+        "usable": Words(
+            en="To be usable, a message needs both labels, and they have to be true.",
+            ko="쓸 수 있으려면 두 이름표가 다 있고 사실이어야 합니다.",
+        ),
+        "no frame": Words(
+            en="No frame means that `frame_id` is empty.", ko="no frame은 `frame_id`가 비어 있다는 뜻입니다."
+        ),
+        "no stamp": Words(
+            en="No stamp means that it is zero: nobody wrote one. An old stamp is a stamp.",
+            ko="no stamp는 0, 곧 아무도 쓰지 않았다는 뜻입니다. 오래된 측정 시각도 측정 시각입니다.",
+        ),
+        "label contradicts numbers": Words(
+            en="A contradiction needs a label, and numbers that cannot come from that frame.",
+            ko="모순이라고 하려면 이름표가 있고, 그 좌표계에서 나올 수 없는 숫자여야 합니다.",
+        ),
+    },
+    shows={
+        "a": Words(
+            en="a: what a laser measured, told in the laser's own frame, a tenth of a second ago.",
+            ko="a: 레이저가 0.1초 전에 잰 것을 레이저 자신의 좌표계로 말합니다.",
+        ),
+        "b": Words(en="b: read its `frame_id` once more.", ko="b: `frame_id`를 다시 읽어 보세요."),
+        "c": Words(en="c: read its stamp once more.", ko="c: 측정 시각을 다시 읽어 보세요."),
+        "d": Words(en="d: do the lamps of a building move?", ko="d: 건물의 전등이 움직입니까?"),
+        "e": Words(
+            en="e: the same three numbers wherever the robot stands: whose numbers are they?",
+            ko="e: 로봇이 어디에 있든 같은 숫자 셋입니다. 누구 기준의 숫자입니까?",
+        ),
+        "f": Words(
+            en="f: a tray that is bolted on does not move in base_link, however long ago it was measured.",
+            ko="f: 고정된 쟁반은 언제 쟀든 base_link 기준으로 움직이지 않습니다.",
+        ),
+    },
     hints=(
         Words(
             en="Read frame and stamp before you read the numbers.",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from tflab.core import seconds
 from tflab.ros.time import Time
-from tflab.workbook.tasks import Choice, Task, Twin, Words
+from tflab.workbook.tasks import Choice, Slip, Task, Words
 
 from .draws import point
 
@@ -12,7 +12,7 @@ OPTIONS = ("use it", "no frame", "no stamp", "too old", "from the future")
 
 
 def messages(rng):
-    """Each verdict at least twice; ages across a full second, a nanosec below 0.1 s, both bounds and a hair beside."""
+    """Each verdict twice or more; ages across a full second, a nanosec below 0.1 s, both bounds and a hair beside."""
     second = int(rng.integers(20, 90))
     limit = float(rng.choice([0.5, 0.8, 1.2]))
     hair = 200_000
@@ -30,7 +30,10 @@ def messages(rng):
         row("laser_frame", 0.5, limit_ns - hair),
         row("laser_frame", 0.5, limit_ns + hair),
         row("map", 0.02, limit_ns + seconds(0.4)),
+        row("laser_frame", 0.98, limit_ns + seconds(0.15)),  # too old, and too few full seconds
         row("laser_frame", 0.5, 0),
+        row("laser_frame", 0.5, hair),
+        row("laser_frame", 0.25, seconds(0.25)),  # a whole second: nanosec is 0
         row("laser_frame", 0.5, -hair),
         row("laser_frame", 0.5, -1),
         row("camera_link", 0.9, -seconds(limit + 0.4)),
@@ -43,35 +46,54 @@ def messages(rng):
     ]
 
 
-def age_of(message, now):
-    return now.nanoseconds - Time.from_msg(message.header.stamp).nanoseconds
+def age_s(message, now, age):
+    """Return the age [s], or what becomes of it."""
+    stamp = message.header.stamp
+    right = (now.nanoseconds - Time.from_msg(stamp).nanoseconds) / 1e9
+    return {
+        "right": right,
+        "sec alone": float(now.nanoseconds // 10**9 - stamp.sec),
+        "digits": now.nanoseconds / 1e9 - float(f"{stamp.sec}.{stamp.nanosec}"),
+        "without sign": abs(right),
+        "stamp minus now": -right,
+        "milliseconds": right * 1e3,
+        "nanoseconds": right * 1e9,
+        "nanosec by a million": float(now.nanoseconds // 10**9 - stamp.sec)
+        + (now.nanoseconds % 10**9 - stamp.nanosec) / 1e6,
+        "tenths": round(right, 1),
+    }[age]
 
 
-def verdict(message, now, max_age_s, age_ns=None, order="frame stamp future old", bound=True):
-    """Return what a reader says that looks in this order."""
-    age_ns = age_of(message, now) if age_ns is None else age_ns
-    limit = seconds(max_age_s)
+def verdict(
+    message,
+    now,
+    max_age_s,
+    *,
+    looks="frame stamp future old",
+    zero="both",
+    age="right",
+    ahead="after now",
+    bound="older",
+):
+    """Return what a reader says, step by step; other steps are the slips."""
+    stamp = message.header.stamp
+    old_s = age_s(message, now, age)
+    early_s = round(old_s - max_age_s, 10)  # what floats make of it is no slip
     says = {
         "frame": (not message.header.frame_id, "no frame"),
-        "stamp": (Time.from_msg(message.header.stamp).nanoseconds == 0, "no stamp"),
-        "future": (age_ns < 0, "from the future"),
-        "old": (age_ns > limit if bound else age_ns >= limit, "too old"),
+        "stamp": (
+            {"both": not (stamp.sec or stamp.nanosec), "sec": not stamp.sec, "nanosec": not stamp.nanosec}[zero],
+            "no stamp",
+        ),
+        "future": ({"after now": old_s < 0, "now, too": old_s <= 0, "a tenth": old_s < -0.1}[ahead], "from the future"),
+        "old": (early_s > 0 if bound == "older" else early_s >= 0, "too old"),
     }
-    return next((says[look][1] for look in order.split() if says[look][0]), "use it")
+    return next((says[look][1] for look in looks.split() if says[look][0]), "use it")
 
 
-def whole_seconds(message, now, max_age_s):
-    return verdict(message, now, max_age_s, seconds(now.nanoseconds // 10**9 - message.header.stamp.sec))
-
-
-def digits(message, now, max_age_s):
-    written = float(f"{message.header.stamp.sec}.{message.header.stamp.nanosec}")
-    return verdict(message, now, max_age_s, now.nanoseconds - seconds(written))
-
-
-FRAME_ONLY = Twin(
+FRAME_ONLY = Slip(
     "frame only",
-    lambda message, now, max_age_s: verdict(message, now, max_age_s, order="frame"),
+    {"looks": "frame"},
     Words(
         en="You look at the frame alone. A stamp can be missing, too old, or later than now.",
         ko="좌표계만 봅니다. 측정 시각이 없거나, 너무 오래되었거나, 현재보다 나중일 수도 있습니다.",
@@ -79,9 +101,9 @@ FRAME_ONLY = Twin(
     "M9",
 )
 
-NO_LOOK_AT_ZERO = Twin(
+NO_LOOK_AT_ZERO = Slip(
     "no look at zero",
-    lambda message, now, max_age_s: verdict(message, now, max_age_s, order="frame future old"),
+    {"looks": "frame future old"},
     Words(
         en="A stamp of zero is said to be too old, or even good. Zero means that nobody wrote a stamp: that is a fault of its own.",
         ko="0인 측정 시각을 오래된 것이나 쓸 수 있는 것으로 봅니다. 0은 아무도 측정 시각을 쓰지 않았다는 뜻이고, 따로 알려야 할 잘못입니다.",
@@ -89,9 +111,9 @@ NO_LOOK_AT_ZERO = Twin(
     "M9",
 )
 
-NO_LOOK_AHEAD = Twin(
+NO_LOOK_AHEAD = Slip(
     "no look ahead",
-    lambda message, now, max_age_s: verdict(message, now, max_age_s, order="frame stamp old"),
+    {"looks": "frame stamp old"},
     Words(
         en="What was measured after now is used without a question. Two clocks disagree there, and somebody should hear of it.",
         ko="현재보다 나중에 측정했다는 메시지를 그냥 씁니다. 두 시계가 다르다는 뜻이므로 알려야 합니다.",
@@ -99,18 +121,18 @@ NO_LOOK_AHEAD = Twin(
     "M10",
 )
 
-NO_LOOK_BACK = Twin(
+NO_LOOK_BACK = Slip(
     "no look back",
-    lambda message, now, max_age_s: verdict(message, now, max_age_s, order="frame stamp future"),
+    {"looks": "frame stamp future"},
     Words(
         en="Nothing is ever too old for you: compare the age with max_age_s.",
         ko="아무리 오래되어도 받아들입니다. 나이를 max_age_s와 비교해 보세요.",
     ),
 )
 
-AGE_WITHOUT_SIGN = Twin(
+AGE_WITHOUT_SIGN = Slip(
     "age without sign",
-    lambda message, now, max_age_s: verdict(message, now, max_age_s, abs(age_of(message, now))),
+    {"age": "without sign"},
     Words(
         en="abs() makes the future look like the past. An age below zero is a verdict of its own.",
         ko="abs()를 쓰면 미래가 과거처럼 보입니다. 0보다 작은 나이는 따로 판단해야 합니다.",
@@ -118,45 +140,45 @@ AGE_WITHOUT_SIGN = Twin(
     "M10",
 )
 
-WHOLE_SECONDS = Twin(
+WHOLE_SECONDS = Slip(
     "whole seconds",
-    whole_seconds,
+    {"age": "sec alone"},
     Words(
         en="The age comes from sec alone. 0.2 s across a full second looks like 1 s, and 0.9 s within one like nothing.",
         ko="sec만으로 나이를 계산합니다. 초가 바뀌는 사이의 0.2초는 1초로, 같은 초 안의 0.9초는 0초로 보입니다.",
     ),
 )
 
-DIGITS = Twin(
+DIGITS = Slip(
     "digits",
-    digits,
+    {"age": "digits"},
     Words(
         en="You wrote nanosec behind a point, as digits. 50000000 ns is 0.05 s, not 0.5 s. `Time.from_msg(stamp).nanoseconds` has it right.",
         ko="nanosec을 소수점 뒤의 숫자로 그대로 썼습니다. 50000000 ns는 0.5초가 아니라 0.05초입니다. `Time.from_msg(stamp).nanoseconds`를 쓰면 됩니다.",
     ),
 )
 
-STAMP_BEFORE_FRAME = Twin(
+STAMP_BEFORE_FRAME = Slip(
     "stamp before frame",
-    lambda message, now, max_age_s: verdict(message, now, max_age_s, order="stamp frame future old"),
+    {"looks": "stamp frame future old"},
     Words(
         en='Where frame and stamp are both missing you say "no stamp". The frame is to be looked at first.',
         ko="좌표계와 측정 시각이 둘 다 없을 때 “no stamp”라고 합니다. 좌표계를 먼저 봐야 합니다.",
     ),
 )
 
-TIME_BEFORE_FRAME = Twin(
+TIME_BEFORE_FRAME = Slip(
     "time before frame",
-    lambda message, now, max_age_s: verdict(message, now, max_age_s, order="stamp future old frame"),
+    {"looks": "stamp future old frame"},
     Words(
         en="A message without a frame is judged by its time first. Look at the frame before anything else.",
         ko="좌표계가 없는 메시지를 시각부터 판단합니다. 무엇보다 좌표계를 먼저 보십시오.",
     ),
 )
 
-OLD_BEFORE_ZERO = Twin(
+OLD_BEFORE_ZERO = Slip(
     "old before zero",
-    lambda message, now, max_age_s: verdict(message, now, max_age_s, order="frame future old stamp"),
+    {"looks": "frame future old stamp"},
     Words(
         en="You look at the age first, so a stamp that nobody wrote is called too old. Look for zero before you compute an age.",
         ko="나이부터 보므로, 아무도 쓰지 않은 측정 시각이 “too old”가 됩니다. 나이를 계산하기 전에 0인지 보십시오.",
@@ -164,13 +186,96 @@ OLD_BEFORE_ZERO = Twin(
     "M9",
 )
 
-ALREADY_AT_THE_BOUND = Twin(
+ALREADY_AT_THE_BOUND = Slip(
     "already at the bound",
-    lambda message, now, max_age_s: verdict(message, now, max_age_s, bound=False),
+    {"bound": "from it on"},
     Words(
         en="At exactly max_age_s you refuse. Older than that is too old; exactly that old is still good.",
         ko="나이가 딱 max_age_s일 때 거절합니다. 그보다 오래된 것만 거절하고, 딱 그만큼은 아직 쓸 수 있습니다.",
     ),
+)
+
+SEC_FOR_ZERO = Slip(
+    "sec for zero",
+    {"zero": "sec"},
+    Words(
+        en="You take a stamp for zero when its sec is 0. A simulation starts at 0 s: a stamp is missing only where nanosec is 0, too.",
+        ko="sec만 0이면 측정 시각이 없다고 봅니다. 시뮬레이션은 0초에서 시작합니다. nanosec까지 0일 때만 없는 것입니다.",
+    ),
+)
+
+NANOSEC_FOR_ZERO = Slip(
+    "nanosec for zero",
+    {"zero": "nanosec"},
+    Words(
+        en="You take a stamp for zero when its nanosec is 0. At each full second it is: look at sec, too.",
+        ko="nanosec만 0이면 측정 시각이 없다고 봅니다. 정각 초마다 그렇게 됩니다. sec도 보십시오.",
+    ),
+)
+
+TURNED_ROUND = Slip(
+    "turned round",
+    {"age": "stamp minus now"},
+    Words(
+        en="Your age is stamp minus now: what is old looks like the future, and the future like something old.",
+        ko="나이를 측정 시각에서 현재를 빼서 구했습니다. 오래된 것이 미래처럼, 미래가 오래된 것처럼 보입니다.",
+    ),
+    "M10",
+)
+
+AGE_IN_MS = Slip(
+    "age in milliseconds",
+    {"age": "milliseconds"},
+    Words(
+        en="The age is in milliseconds, and max_age_s in seconds: bring both to one unit before you compare.",
+        ko="나이는 밀리초, max_age_s는 초입니다. 비교하기 전에 단위를 맞추십시오.",
+    ),
+)
+
+AGE_IN_NS = Slip(
+    "age in nanoseconds",
+    {"age": "nanoseconds"},
+    Words(
+        en="The age is in nanoseconds, and max_age_s in seconds: bring both to one unit before you compare.",
+        ko="나이는 나노초, max_age_s는 초입니다. 비교하기 전에 단위를 맞추십시오.",
+    ),
+)
+
+BY_A_MILLION = Slip(
+    "nanosec by a million",
+    {"age": "nanosec by a million"},
+    Words(
+        en="You divided nanosec by a million. A second has a thousand million of them: 1e9.",
+        ko="nanosec을 100만으로 나누었습니다. 1초는 10억, 곧 1e9 나노초입니다.",
+    ),
+)
+
+TENTHS = Slip(
+    "tenths",
+    {"age": "tenths"},
+    Words(
+        en="You rounded the age before comparing it: a hair over the limit, and a hair before now, are lost.",
+        ko="나이를 반올림한 뒤에 비교했습니다. 한계를 살짝 넘은 것과 현재를 살짝 앞선 것을 놓칩니다.",
+    ),
+)
+
+NOW_IS_THE_FUTURE = Slip(
+    "now is the future",
+    {"ahead": "now, too"},
+    Words(
+        en="What was measured exactly now is said to be from the future. Its age is 0, and that is not below zero.",
+        ko="바로 지금 측정한 것을 미래라고 합니다. 나이가 0이며, 0보다 작지 않습니다.",
+    ),
+)
+
+A_TENTH_AHEAD = Slip(
+    "a tenth ahead",
+    {"ahead": "a tenth"},
+    Words(
+        en="You let the near future pass. Asked for is every stamp after now, even by a nanosecond.",
+        ko="가까운 미래를 그냥 통과시킵니다. 1나노초라도 현재보다 나중이면 미래입니다.",
+    ),
+    "M10",
 )
 
 
@@ -183,6 +288,7 @@ TASK = Task(
     form=Choice(OPTIONS),
     inputs=messages,
     variants=3,
+    model=verdict,
     twins=(
         FRAME_ONLY,
         NO_LOOK_AT_ZERO,
@@ -195,6 +301,15 @@ TASK = Task(
         TIME_BEFORE_FRAME,
         OLD_BEFORE_ZERO,
         ALREADY_AT_THE_BOUND,
+        SEC_FOR_ZERO,
+        NANOSEC_FOR_ZERO,
+        TURNED_ROUND,
+        AGE_IN_MS,
+        AGE_IN_NS,
+        BY_A_MILLION,
+        TENTHS,
+        NOW_IS_THE_FUTURE,
+        A_TENTH_AHEAD,
     ),
     hints=(
         Words(

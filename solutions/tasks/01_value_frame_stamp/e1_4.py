@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from tflab.workbook.tasks import Number, Parts, Task, Twin, Words
+from tflab.workbook.tasks import Number, Parts, Slip, Task, Words
 
 
 def a_late_message(rng):
-    """The stamp's nanosec is below 0.1 s, the arrival is in the same second or the next."""
+    """A second begins between stamp and arrival, and the arrival's nanosec is below 0.1 s."""
     sec = int(rng.integers(11, 95))
-    stamp_ms = int(rng.integers(12, 96))
-    age_ms = int(rng.integers(150, 480)) + (1000 if rng.random() < 0.3 else 0)
-    arrived_ms = stamp_ms + age_ms
+    stamp_ms = int(rng.integers(560, 880))
+    arrived_ms = 1000 + int(rng.integers(12, 96)) + (1000 if rng.random() < 0.3 else 0)
     return {
         "stamp": [sec, stamp_ms * 1_000_000],
         "arrived": [sec + arrived_ms // 1000, arrived_ms % 1000 * 1_000_000],
-        "speed_mps": round(float(rng.uniform(0.6, 1.6)), 2),
+        "speed_mps": round(float(rng.uniform(0.6, 0.9)) + 0.3 * float(rng.choice([0.0, 2.0])), 2),
         "ahead_m": round(float(rng.uniform(3.0, 7.0)), 2),
     }
 
@@ -27,63 +26,80 @@ def as_digits(stamp):
     return float(f"{stamp[0]}.{stamp[1]}")
 
 
-def answer(given, age_s, way=-1.0, scale=1.0):
-    return {"age_s": age_s * scale, "ahead_m": given.ahead_m + way * given.speed_mps * age_s * scale}
+def by_arrival(given, *, age="all", way="arrival minus stamp", unit="s", drive="closer", written="s"):
+    """Return age and distance, step by step; other steps are the slips."""
+    (sec, nanosec), (arrived_sec, arrived_nanosec) = given.stamp, given.arrived
+    age_s = {
+        "all": seconds_of(given.arrived) - seconds_of(given.stamp),
+        "digits": as_digits(given.arrived) - as_digits(given.stamp),
+        "sec alone": float(arrived_sec - sec),
+        "nanosec alone": (arrived_nanosec - nanosec) / 1e9,
+        "by a million": arrived_sec - sec + (arrived_nanosec - nanosec) / 1e6,
+        "none": 0.0,
+    }[age]
+    age_s *= (-1.0 if way == "stamp minus arrival" else 1.0) * (1000.0 if unit == "ms" else 1.0)
+    ahead_m, driven_m = given.ahead_m, given.speed_mps * age_s
+    left = {
+        "closer": ahead_m - driven_m,
+        "away": ahead_m + driven_m,
+        "left out": ahead_m,
+        "the way driven": driven_m,
+        "age alone": ahead_m - age_s,
+        "divided": ahead_m - given.speed_mps / age_s if age_s else ahead_m,
+        "time to the post": ahead_m / given.speed_mps,
+    }[drive]
+    return {"age_s": age_s * (1000.0 if written == "ms" else 1.0), "ahead_m": left}
 
 
-def age(given):
-    return seconds_of(given.arrived) - seconds_of(given.stamp)
-
-
-LEFT_AS_IT_WAS = Twin(
+LEFT_AS_IT_WAS = Slip(
     "left as it was",
-    lambda g: answer(g, age(g), way=0.0),
+    {"drive": "left out"},
     Words(
-        en="The age is right, and the distance is that of the stamp. The robot went on driving while the message was on its way.",
-        ko="나이는 맞지만 거리는 측정 시각의 것입니다. 메시지가 오는 동안에도 로봇은 계속 달렸습니다.",
+        en="The distance is that of the stamp. The robot went on driving while the message was on its way.",
+        ko="거리가 측정 시각의 것입니다. 메시지가 오는 동안에도 로봇은 계속 달렸습니다.",
     ),
     "M9",
 )
 
-FARTHER = Twin(
+FARTHER = Slip(
     "farther",
-    lambda g: answer(g, age(g), way=1.0),
+    {"drive": "away"},
     Words(
         en="You let the post come farther away. The robot drives towards it: each moment there is less in between.",
         ko="기둥이 더 멀어졌습니다. 로봇은 기둥 쪽으로 달리므로 남은 거리는 줄어듭니다.",
     ),
 )
 
-DIGITS = Twin(
+DIGITS = Slip(
     "digits",
-    lambda g: answer(g, as_digits(g.arrived) - as_digits(g.stamp)),
+    {"age": "digits"},
     Words(
         en="You wrote nanosec behind a point, as digits. 58000000 ns is 0.058 s, not 0.58 s: divide by 1e9.",
         ko="nanosec을 소수점 뒤의 숫자로 그대로 썼습니다. 58000000 ns는 0.58초가 아니라 0.058초입니다. 1e9로 나누십시오.",
     ),
 )
 
-MILLISECONDS = Twin(
+MILLISECONDS = Slip(
     "milliseconds",
-    lambda g: answer(g, age(g), scale=1000.0),
+    {"unit": "ms"},
     Words(
         en="The age is in milliseconds. Asked for are seconds, and the speed is per second, too.",
         ko="나이가 밀리초 단위입니다. 초로 답해야 하고, 속도도 초당입니다.",
     ),
 )
 
-AGE_IN_MILLISECONDS = Twin(
+AGE_IN_MILLISECONDS = Slip(
     "age in milliseconds",
-    lambda g: {**answer(g, age(g)), "age_s": age(g) * 1000.0},
+    {"written": "ms"},
     Words(
-        en="The distance is right; the age is written in milliseconds, and asked for are seconds.",
-        ko="거리는 맞습니다. 나이를 밀리초로 썼는데, 초로 답해야 합니다.",
+        en="The age is written in milliseconds, and asked for are seconds.",
+        ko="나이를 밀리초로 썼는데, 초로 답해야 합니다.",
     ),
 )
 
-SEC_ALONE = Twin(
+SEC_ALONE = Slip(
     "sec alone",
-    lambda g: answer(g, float(g.arrived[0] - g.stamp[0])),
+    {"age": "sec alone"},
     Words(
         en="Only sec went into the age. The nanoseconds are a part of it, too.",
         ko="나이에 sec만 들어갔습니다. 나노초도 함께 계산해야 합니다.",
@@ -91,12 +107,76 @@ SEC_ALONE = Twin(
 )
 
 
-BACKWARDS = Twin(
+BACKWARDS = Slip(
     "backwards",
-    lambda g: answer(g, -age(g)),
+    {"way": "stamp minus arrival"},
     Words(
         en="Stamp minus arrival: an age below zero. It was measured first, and arrived later.",
         ko="측정 시각에서 도착 시각을 뺐습니다. 나이가 0보다 작을 수는 없습니다. 먼저 측정하고 나중에 도착했습니다.",
+    ),
+)
+
+NANOSEC_ALONE = Slip(
+    "nanosec alone",
+    {"age": "nanosec alone"},
+    Words(
+        en="Only nanosec went into the age. Between stamp and arrival a new second began: sec is a part of it, too.",
+        ko="나이에 nanosec만 들어갔습니다. 측정과 도착 사이에 초가 바뀌었으므로 sec도 함께 계산해야 합니다.",
+    ),
+)
+
+BY_A_MILLION = Slip(
+    "by a million",
+    {"age": "by a million"},
+    Words(
+        en="You divided nanosec by a million. A second has a thousand million of them: 1e9.",
+        ko="nanosec을 100만으로 나누었습니다. 1초는 10억, 곧 1e9 나노초입니다.",
+    ),
+)
+
+NO_AGE = Slip(
+    "no age",
+    {"age": "none"},
+    Words(
+        en="An age of zero would be a message that arrives in the moment of measuring. Compare the two times.",
+        ko="나이가 0이라면 측정한 순간에 도착한 것입니다. 두 시각을 비교해 보십시오.",
+    ),
+    "M9",
+)
+
+WAY_DRIVEN = Slip(
+    "way driven",
+    {"drive": "the way driven"},
+    Words(
+        en="That is how far the robot has driven. Asked for is what is left up to the post.",
+        ko="로봇이 달린 거리입니다. 기둥까지 남은 거리가 필요합니다.",
+    ),
+)
+
+AGE_FOR_METRES = Slip(
+    "age for metres",
+    {"drive": "age alone"},
+    Words(
+        en="You took the age off the distance: seconds from metres. How far does the robot drive in that time?",
+        ko="거리에서 나이를 뺐습니다. 미터에서 초를 뺄 수는 없습니다. 그동안 로봇은 얼마나 달립니까?",
+    ),
+)
+
+DIVIDED = Slip(
+    "divided",
+    {"drive": "divided"},
+    Words(
+        en="You divided the speed by the age. The way is speed times time.",
+        ko="속도를 나이로 나누었습니다. 거리는 속도 곱하기 시간입니다.",
+    ),
+)
+
+TIME_TO_THE_POST = Slip(
+    "time to the post",
+    {"drive": "time to the post"},
+    Words(
+        en="Distance over speed is a time: how long the robot needs up to the post. Asked for is a distance.",
+        ko="거리를 속도로 나누면 기둥까지 걸리는 시간입니다. 필요한 것은 거리입니다.",
     ),
 )
 
@@ -110,6 +190,7 @@ TASK = Task(
     form=Parts({"age_s": Number(unit="s", tolerance=0.0005), "ahead_m": Number(unit="m", tolerance=0.003)}),
     given=a_late_message,
     variants=6,
+    model=by_arrival,
     twins=(
         LEFT_AS_IT_WAS,
         FARTHER,
@@ -118,6 +199,13 @@ TASK = Task(
         AGE_IN_MILLISECONDS,
         BACKWARDS,
         SEC_ALONE,
+        NANOSEC_ALONE,
+        BY_A_MILLION,
+        NO_AGE,
+        WAY_DRIVEN,
+        AGE_FOR_METRES,
+        DIVIDED,
+        TIME_TO_THE_POST,
     ),
     hints=(
         Words(

@@ -96,6 +96,29 @@ TASK = Task(
         TWO_DRIVES_CANCEL,
         A_LASER_IS_NO_ROBOT,
     ),
+    shows={
+        **{
+            f"ball in {frame}": Words(
+                en="The ball lies on the floor: ask whether the frame lies there, too, or drives.",
+                ko="공은 바닥에 가만히 있습니다. 좌표계도 가만히 있습니까, 달립니까?",
+            )
+            for frame in FRAMES
+        },
+        **{
+            f"cup in {frame}": Words(
+                en="The cup rides on the robot: ask whether the frame rides along.",
+                ko="컵은 로봇에 실려 갑니다. 좌표계도 함께 갑니까?",
+            )
+            for frame in FRAMES
+        },
+        **{
+            f"lamp in {frame}": Words(
+                en="The lamp drives with the other robot: which of these frames drives with it?",
+                ko="전등은 다른 로봇과 함께 달립니다. 이 가운데 전등과 함께 가는 좌표계가 있습니까?",
+            )
+            for frame in FRAMES
+        },
+    },
     hints=(
         Words(
             en="Sit down in each frame in turn, and look at the thing.",

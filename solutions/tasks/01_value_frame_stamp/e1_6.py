@@ -109,6 +109,67 @@ ALONG_Z = Twin(
 )
 
 
+def everywhere(range_m, measured, now):
+    message = honest(range_m, measured, now)
+    message.point.y = message.point.z = range_m
+    return message
+
+
+def stamped(nanoseconds_of):
+    def stamped_otherwise(range_m, measured, now):
+        return point("laser_frame", nanoseconds_of(measured, now), range_m)
+
+    return stamped_otherwise
+
+
+EVERYWHERE = Twin(
+    "range in all three",
+    everywhere,
+    Words(
+        en="The range stands in x, y and z. The finder looks along x alone: y and z are 0.",
+        ko="x, y, z에 모두 거리를 넣었습니다. 센서는 x축 방향만 봅니다. y와 z는 0입니다.",
+    ),
+)
+
+SEC_ALONE = Twin(
+    "sec alone",
+    stamped(lambda measured, now: measured.nanoseconds // 10**9 * 10**9),
+    Words(
+        en="Only sec is in the stamp. `measured.to_msg()` writes both fields.",
+        ko="측정 시각에 sec만 들어 있습니다. `measured.to_msg()`를 쓰면 두 항목이 모두 채워집니다.",
+    ),
+)
+
+AGE_FOR_STAMP = Twin(
+    "age for stamp",
+    stamped(lambda measured, now: now.nanoseconds - measured.nanoseconds),
+    Words(
+        en="The stamp holds an age. A stamp is a moment: when was it measured?",
+        ko="측정 시각에 나이를 적었습니다. 측정 시각은 순간입니다. 언제 측정했습니까?",
+    ),
+    "M9",
+)
+
+NO_RANGE = Twin(
+    "no range",
+    lambda range_m, measured, now: honest(0.0, measured, now),
+    Words(
+        en="The labels are there, and the point is still (0, 0, 0): where is the range?",
+        ko="이름표는 있지만 점이 아직 (0, 0, 0)입니다. 거리는 어디에 있습니까?",
+    ),
+)
+
+OTHER_NAME = Twin(
+    "another name",
+    labelled("laser"),
+    Words(
+        en="There is no frame of this name on the robot: it is called `laser_frame`.",
+        ko="로봇에 이런 이름의 좌표계는 없습니다. `laser_frame`이라고 합니다.",
+    ),
+    "M14",
+)
+
+
 TASK = Task(
     id="E1.6",
     kind="C",
@@ -118,7 +179,20 @@ TASK = Task(
     form=Message("geometry_msgs/msg/PointStamped", ("header.frame_id", "header.stamp", "point")),
     inputs=measurements,
     variants=3,
-    twins=(STAMPED_NOW, NO_STAMP, ON_THE_MAP, ON_THE_ROBOT, NO_FRAME, ALL_IN_NANOSEC, ALONG_Z),
+    twins=(
+        STAMPED_NOW,
+        NO_STAMP,
+        ON_THE_MAP,
+        ON_THE_ROBOT,
+        NO_FRAME,
+        ALL_IN_NANOSEC,
+        ALONG_Z,
+        EVERYWHERE,
+        SEC_ALONE,
+        AGE_FOR_STAMP,
+        NO_RANGE,
+        OTHER_NAME,
+    ),
     hints=(
         Words(
             en="Three things to fill in: the point, the frame that it is counted in, the moment of measuring.",

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from tflab.core import Transform
@@ -27,6 +29,9 @@ def picked(x: float, y: float, z: float) -> dict[str, tuple[float, float, float]
         "left and right": (z, x, -y),
         "in base_link": (z + 0.10, -x, -y + 0.30),
         "other order": (y, z, x),
+        "roll alone": Transform.from_rpy(roll=-math.pi / 2).apply((x, y, z)),
+        "yaw alone": Transform.from_rpy(yaw=-math.pi / 2).apply((x, y, z)),
+        "direction": tuple(part / math.hypot(x, y, z) for part in (z, -x, -y)),
         "degrees": Transform.from_rpy(roll=-90.0, yaw=-90.0).apply((x, y, z)),
     }
 
@@ -138,6 +143,35 @@ DEGREES = Twin(
     misconception="M5",
 )
 
+ROLL_ALONE = Twin(
+    "roll alone",
+    lambda given: picked(*given.optical_p_part)["roll alone"],
+    Words(
+        en="Only the roll was made, a quarter turn about x. The yaw comes after it.",
+        ko="roll, 곧 x축 4분의 1바퀴만 돌렸습니다. 그다음에 yaw가 남았습니다.",
+    ),
+    "M4",
+)
+
+YAW_ALONE = Twin(
+    "yaw alone",
+    lambda given: picked(*given.optical_p_part)["yaw alone"],
+    Words(
+        en="Only the yaw was made, a quarter turn about z. A roll comes before it.",
+        ko="yaw, 곧 z축 4분의 1바퀴만 돌렸습니다. 그 앞에 roll이 있습니다.",
+    ),
+    "M4",
+)
+
+DIRECTION = Twin(
+    "direction",
+    lambda given: picked(*given.optical_p_part)["direction"],
+    Words(
+        en="The direction is right and the length is 1: you divided by the distance. Asked for is the place, in metres.",
+        ko="방향은 맞지만 길이가 1입니다. 거리로 나누었습니다. 필요한 것은 미터로 잰 위치입니다.",
+    ),
+)
+
 
 TASK = Task(
     id="E2.2",
@@ -159,6 +193,9 @@ TASK = Task(
         IN_BASE_LINK,
         OTHER_ORDER,
         DEGREES,
+        ROLL_ALONE,
+        YAW_ALONE,
+        DIRECTION,
     ),
     hints=(
         Words(

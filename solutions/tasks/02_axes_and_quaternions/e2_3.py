@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from tflab.workbook.tasks import Quaternion, Task, Twin, Words
+from tflab.workbook.tasks import Quaternion, Slip, Task, Words
 
 
 def yaws(rng: np.random.Generator) -> list[tuple[float]]:
@@ -15,9 +15,33 @@ def yaws(rng: np.random.Generator) -> list[tuple[float]]:
     return [(0.0,), (math.pi / 2,), (4.0,), (-5.5,), *((round(float(yaw), 3),) for yaw in drawn)]
 
 
-WHOLE_ANGLE = Twin(
+def turned(yaw, *, unit="radians", half="inside", z="sine", way="left", axis="z", order="w last"):
+    """Return the quaternion, step by step; other steps are the slips."""
+    yaw = {"radians": yaw, "degrees": math.radians(yaw), "to degrees": math.degrees(yaw)}[unit]
+    angle = {"inside": yaw / 2, "none": yaw, "outside": yaw, "double": 2 * yaw, "whole number": yaw // 2, "quarter": yaw / 4,
+             "of the sine alone": yaw / 2}[half]  # fmt: skip
+    sine, cosine = math.sin(angle), math.cos(yaw if half == "of the sine alone" else angle)
+    if half == "outside":
+        sine, cosine = sine / 2, cosine / 2
+    sine, cosine = {
+        "sine": (sine, cosine),
+        "cosine": (cosine, sine),
+        "angle": (yaw, 1.0),
+        "half of it": (yaw / 2, 1.0),
+        "angle alone": (yaw, 0.0),
+        "tangent": (math.tan(yaw / 2), 1.0),
+        "positive": (abs(sine), cosine),
+        "w positive": (sine, abs(cosine)),
+        "all three": (sine, cosine),
+    }[z]
+    sine = -sine if way == "right" else sine
+    row = [sine if z == "all three" or name == axis else 0.0 for name in "xyz"]
+    return (cosine, *row) if order == "w first" else (*row, cosine)
+
+
+WHOLE_ANGLE = Slip(
     "whole angle",
-    lambda yaw: (0.0, 0.0, math.sin(yaw), math.cos(yaw)),
+    {"half": "none"},
     Words(
         en="This turns twice as far as asked: a quaternion holds half the angle. Try 90°: your robot looks backwards.",
         ko="두 배나 돌았습니다. 쿼터니언에는 각도의 절반이 들어갑니다. 90°를 넣어 보십시오. 로봇이 뒤를 보고 있습니다.",
@@ -26,9 +50,9 @@ WHOLE_ANGLE = Twin(
 )
 
 
-DEGREES = Twin(
+DEGREES = Slip(
     "degrees",
-    lambda yaw: (0.0, 0.0, math.sin(math.radians(yaw) / 2), math.cos(math.radians(yaw) / 2)),
+    {"unit": "degrees"},
     Words(
         en="You took the argument for degrees. It comes in radians already (REP-103), and math.sin wants radians.",
         ko="인자를 도(degree)로 받아들였습니다. 이미 라디안으로 들어오며(REP-103), math.sin도 라디안을 받습니다.",
@@ -37,9 +61,9 @@ DEGREES = Twin(
 )
 
 
-W_FIRST = Twin(
+W_FIRST = Slip(
     "w first",
-    lambda yaw: (math.cos(yaw / 2), 0.0, 0.0, math.sin(yaw / 2)),
+    {"order": "w first"},
     Words(
         en="The four numbers are right, their order is not: this is (w, x, y, z). ROS writes w last. For a yaw of 0 your robot lies on its back.",
         ko="숫자 넷은 맞지만 순서가 (w, x, y, z)입니다. ROS는 w를 마지막에 씁니다. yaw가 0일 때 로봇이 뒤집혀 누워 있습니다.",
@@ -48,9 +72,9 @@ W_FIRST = Twin(
 )
 
 
-SINE_AND_COSINE = Twin(
+SINE_AND_COSINE = Slip(
     "sine and cosine",
-    lambda yaw: (0.0, 0.0, math.cos(yaw / 2), math.sin(yaw / 2)),
+    {"z": "cosine"},
     Words(
         en="Sine and cosine changed places. Try a yaw of 0: 'no rotation' is (0, 0, 0, 1), and yours?",
         ko="sin과 cos의 자리가 바뀌었습니다. yaw에 0을 넣어 보십시오. '회전 없음'은 (0, 0, 0, 1)인데 어떤 값이 나옵니까?",
@@ -59,9 +83,9 @@ SINE_AND_COSINE = Twin(
 )
 
 
-TO_THE_RIGHT = Twin(
+TO_THE_RIGHT = Slip(
     "to the right",
-    lambda yaw: (0.0, 0.0, -math.sin(yaw / 2), math.cos(yaw / 2)),
+    {"way": "right"},
     Words(
         en="Your robot turns right where left was asked. Positive yaw goes from x towards y.",
         ko="왼쪽으로 돌아야 하는데 오른쪽으로 돕니다. 양의 yaw는 x에서 y 쪽으로 돕니다.",
@@ -69,9 +93,9 @@ TO_THE_RIGHT = Twin(
 )
 
 
-ABOUT_X = Twin(
+ABOUT_X = Slip(
     "about x",
-    lambda yaw: (math.sin(yaw / 2), 0.0, 0.0, math.cos(yaw / 2)),
+    {"axis": "x"},
     Words(
         en="This is a roll: the sine stands in x. Which axis does a yaw turn about?",
         ko="이것은 roll입니다. sin이 x 자리에 있습니다. yaw는 어느 축을 중심으로 돕니까?",
@@ -79,9 +103,9 @@ ABOUT_X = Twin(
 )
 
 
-ABOUT_Y = Twin(
+ABOUT_Y = Slip(
     "about y",
-    lambda yaw: (0.0, math.sin(yaw / 2), 0.0, math.cos(yaw / 2)),
+    {"axis": "y"},
     Words(
         en="This is a pitch: the sine stands in y, and your robot nods. Which axis does a yaw turn about?",
         ko="이것은 pitch입니다. sin이 y 자리에 있어서 로봇이 고개를 끄덕입니다. yaw는 어느 축을 중심으로 돕니까?",
@@ -89,9 +113,9 @@ ABOUT_Y = Twin(
 )
 
 
-ANGLE_IN_Z = Twin(
+ANGLE_IN_Z = Slip(
     "angle in z",
-    lambda yaw: (0.0, 0.0, yaw, 1.0),
+    {"z": "angle"},
     Words(
         en="You wrote the angle itself into z. A quaternion holds no angle: z takes the sine of half of it, w the cosine.",
         ko="z에 각도를 그대로 넣었습니다. 쿼터니언에는 각도가 직접 들어가지 않습니다. z에는 각도 절반의 sin, w에는 cos을 넣으십시오.",
@@ -100,14 +124,110 @@ ANGLE_IN_Z = Twin(
 )
 
 
-HALVED_OUTSIDE = Twin(
+HALVED_OUTSIDE = Slip(
     "halved outside",
-    lambda yaw: (0.0, 0.0, math.sin(yaw) / 2, math.cos(yaw) / 2),
+    {"half": "outside"},
     Words(
         en="You halved the sine, not the angle. The half belongs inside the brackets; look at the length of what you return.",
         ko="각도가 아니라 sin을 절반으로 나누었습니다. 절반은 괄호 안에서 나누어야 합니다. 반환한 값의 길이를 보십시오.",
     ),
     misconception="M5",
+)
+
+TO_DEGREES = Slip(
+    "to degrees",
+    {"unit": "to degrees"},
+    Words(
+        en="You turned the argument into degrees first. math.sin wants radians, as it comes.",
+        ko="인자를 도(degree)로 바꾸었습니다. math.sin은 들어온 그대로의 라디안을 받습니다.",
+    ),
+    "M5",
+)
+
+DOUBLE = Slip(
+    "doubled",
+    {"half": "double"},
+    Words(
+        en="You doubled the angle where it is to be halved.",
+        ko="각도를 절반으로 나누어야 하는데 두 배로 했습니다.",
+    ),
+    "M5",
+)
+
+WHOLE_NUMBER = Slip(
+    "whole number",
+    {"half": "whole number"},
+    Words(
+        en="`//` cuts the half down to a whole number. `/` keeps the rest.",
+        ko="`//`는 절반을 정수로 잘라 버립니다. `/`를 쓰십시오.",
+    ),
+)
+
+SINE_HALVED_ALONE = Slip(
+    "cosine of the whole",
+    {"half": "of the sine alone"},
+    Words(
+        en="The sine is of half the angle, the cosine still of the whole: both take the half.",
+        ko="sin은 각도의 절반으로, cos은 아직 전체 각도로 계산했습니다. 둘 다 절반을 씁니다.",
+    ),
+    "M5",
+)
+
+SMALL_ANGLE = Slip(
+    "half the angle in z",
+    {"z": "half of it"},
+    Words(
+        en="You wrote half the angle itself into z, and 1 into w. That is close for a small angle only: z takes the sine of the half, w the cosine.",
+        ko="z에 각도의 절반을 그대로, w에 1을 넣었습니다. 작은 각도에서만 비슷합니다. z에는 절반의 sin, w에는 cos을 넣으십시오.",
+    ),
+    "M5",
+)
+
+ANGLE_ALONE = Slip(
+    "angle alone",
+    {"z": "angle alone"},
+    Words(
+        en="You wrote the angle into z and left w at 0. The four numbers are no angles: z takes the sine of half of it, w the cosine.",
+        ko="z에 각도를 넣고 w를 0으로 두었습니다. 네 숫자는 각도가 아닙니다. z에는 절반의 sin, w에는 cos을 넣으십시오.",
+    ),
+    "M5",
+)
+
+TANGENT = Slip(
+    "tangent",
+    {"z": "tangent"},
+    Words(
+        en="z is the tangent of the half, and w is 1: the direction is right, the length is not 1. Take the sine and the cosine.",
+        ko="z에 절반의 tan, w에 1을 넣었습니다. 방향은 맞지만 길이가 1이 아닙니다. sin과 cos을 쓰십시오.",
+    ),
+    "M5",
+)
+
+NEVER_RIGHT = Slip(
+    "never to the right",
+    {"z": "positive"},
+    Words(
+        en="z has lost its sign, so your robot turns left for every yaw. The sine of a negative angle is negative.",
+        ko="z의 부호가 사라져 어떤 yaw에서도 왼쪽으로 돕니다. 음의 각도의 sin은 음수입니다.",
+    ),
+)
+
+W_NEVER_NEGATIVE = Slip(
+    "w never negative",
+    {"z": "w positive"},
+    Words(
+        en="w has lost its sign: beyond half a turn the cosine of the half is negative. Did a square root make it positive?",
+        ko="w의 부호가 사라졌습니다. 반 바퀴를 넘으면 절반의 cos은 음수입니다. 제곱근을 써서 양수가 되지 않았습니까?",
+    ),
+)
+
+ALL_THREE = Slip(
+    "about all three axes",
+    {"z": "all three"},
+    Words(
+        en="The sine stands in x, y and z. A yaw turns about z alone: x and y are 0.",
+        ko="sin이 x, y, z에 모두 있습니다. yaw는 z축만 중심으로 돕니다. x와 y는 0입니다.",
+    ),
 )
 
 
@@ -120,6 +240,7 @@ TASK = Task(
     form=Quaternion(tolerance=1e-3),
     inputs=yaws,
     variants=3,
+    model=turned,
     twins=(
         WHOLE_ANGLE,
         DEGREES,
@@ -130,6 +251,16 @@ TASK = Task(
         ABOUT_Y,
         ANGLE_IN_Z,
         HALVED_OUTSIDE,
+        TO_DEGREES,
+        DOUBLE,
+        WHOLE_NUMBER,
+        SINE_HALVED_ALONE,
+        SMALL_ANGLE,
+        ANGLE_ALONE,
+        TANGENT,
+        NEVER_RIGHT,
+        W_NEVER_NEGATIVE,
+        ALL_THREE,
     ),
     hints=(
         Words(

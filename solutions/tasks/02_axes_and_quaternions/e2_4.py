@@ -59,10 +59,22 @@ def judged(q: tuple, *, finite="all", zero="length", below=1e-6, length="root", 
     is_tipped = (max(abs(x), abs(y)) if size == "abs" else max(x, y)) > above or (w == "positive" and q[3] < 0.0)
     if first == "w" and is_tipped:
         return "w first"
-    is_zero = {"w": q[3] == 0.0, "sum": abs(sum(q)) < below, "length": math.hypot(*q) < below, "not asked": False}
+    is_zero = {
+        "w": q[3] == 0.0,
+        "sum": abs(sum(q)) < below,
+        "length": math.hypot(*q) < below,
+        "square": math.hypot(*q) ** 2 < below,
+        "without w": math.hypot(*q[:3]) < below,
+        "not asked": False,
+    }
     if is_zero[zero] or (zero == "w" and is_zero["length"]):
         return "zero"
-    lengths = {"root": math.hypot(*q), "square": math.hypot(*q) ** 2, "sum": sum(map(abs, q))}
+    lengths = {
+        "without w": math.hypot(*q[:3]),
+        "root": math.hypot(*q),
+        "square": math.hypot(*q) ** 2,
+        "sum": sum(map(abs, q)),
+    }
     off = lengths[length] - 1.0
     if (off if sides == "above" else abs(off)) > tolerance:
         return "not unit"
@@ -270,6 +282,26 @@ ANY_X = Slip(
     ),
 )
 
+ZERO_BY_SQUARE = Slip(
+    "zero by square",
+    {"zero": "square"},
+    Words(
+        en="You compare the square of the length with the bound for zero: a length of 0.0005 is then zero as well. Take the root first.",
+        ko="길이의 제곱을 0의 한계와 비교합니다. 그러면 길이 0.0005도 zero가 됩니다. 먼저 제곱근을 구하십시오.",
+    ),
+    "M5",
+)
+
+WITHOUT_W = Slip(
+    "length without w",
+    {"length": "without w", "zero": "without w"},
+    Words(
+        en="The length is made of x, y and z alone. w is one of the four: no turn at all is (0, 0, 0, 1), and its length is 1.",
+        ko="x, y, z만으로 길이를 구했습니다. w도 넷 중 하나입니다. 회전 없음은 (0, 0, 0, 1)이고 길이는 1입니다.",
+    ),
+    "M5",
+)
+
 
 TASK = Task(
     id="E2.4",
@@ -302,6 +334,8 @@ TASK = Task(
         ZERO_SOON,
         ZERO_EXACTLY,
         ANY_X,
+        ZERO_BY_SQUARE,
+        WITHOUT_W,
     ),
     hints=(
         Words(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 
@@ -128,6 +129,98 @@ TO_DEGREES = Slip(
 )
 
 
+def rows(given):
+    """Return the quaternions of the two turns, each on its own."""
+    return [
+        list(Transform.from_rpy(yaw=given.first_yaw_rad).rotation),
+        list(Transform.from_rpy(pitch=given.then_pitch_rad).rotation),
+    ]
+
+
+def whole_angles(given):
+    twice = SimpleNamespace(first_yaw_rad=2 * given.first_yaw_rad, then_pitch_rad=2 * given.then_pitch_rad)
+    return turned(twice).rotation
+
+
+def angles_exchanged(given):
+    return turned(SimpleNamespace(first_yaw_rad=given.then_pitch_rad, then_pitch_rad=given.first_yaw_rad)).rotation
+
+
+ADDED = Twin(
+    "added",
+    lambda given: [a + b for a, b in zip(*rows(given), strict=True)],
+    Words(
+        en="You added the two quaternions. Turns are made one after the other: they are multiplied.",
+        ko="두 쿼터니언을 더했습니다. 회전은 차례로 하는 것이므로 곱합니다.",
+    ),
+    "M5",
+)
+
+AVERAGED = Twin(
+    "averaged",
+    lambda given: [(a + b) / 2 for a, b in zip(*rows(given), strict=True)],
+    Words(
+        en="You took the mean of the two quaternions. Turns are made one after the other: they are multiplied.",
+        ko="두 쿼터니언의 평균을 냈습니다. 회전은 차례로 하는 것이므로 곱합니다.",
+    ),
+    "M5",
+)
+
+NUMBER_BY_NUMBER = Twin(
+    "number by number",
+    lambda given: [a * b for a, b in zip(*rows(given), strict=True)],
+    Words(
+        en="You multiplied number by number. Quaternions have a product of their own; `@` of two Transforms makes it.",
+        ko="숫자끼리 곱했습니다. 쿼터니언에는 고유한 곱이 있고, Transform 둘을 `@`로 이으면 됩니다.",
+    ),
+    "M5",
+)
+
+WHOLE_ANGLES = Twin(
+    "whole angles",
+    whole_angles,
+    Words(
+        en="Each turn goes twice as far as asked: a quaternion holds the sine and cosine of half the angle.",
+        ko="두 회전 모두 두 배로 돌았습니다. 쿼터니언에는 각도의 절반에 대한 sin과 cos을 넣습니다.",
+    ),
+    "M5",
+)
+
+ANGLES_EXCHANGED = Twin(
+    "angles exchanged",
+    angles_exchanged,
+    Words(
+        en="The two angles have changed places: the yaw turns by the pitch's angle, and the pitch by the yaw's.",
+        ko="두 각도가 서로 바뀌었습니다. yaw가 pitch의 각도로, pitch가 yaw의 각도로 돌았습니다.",
+    ),
+)
+
+ANGLES_AS_NUMBERS = Twin(
+    "angles as numbers",
+    lambda given: [0.0, given.then_pitch_rad, given.first_yaw_rad, 1.0],
+    Words(
+        en="You wrote the angles themselves into y and z. A quaternion holds no angles.",
+        ko="y와 z에 각도를 그대로 넣었습니다. 쿼터니언에는 각도가 직접 들어가지 않습니다.",
+    ),
+    "M5",
+)
+
+HALVES_BESIDE = Twin(
+    "halves side by side",
+    lambda given: [
+        0.0,
+        math.sin(given.then_pitch_rad / 2),
+        math.sin(given.first_yaw_rad / 2),
+        math.cos(given.then_pitch_rad / 2) * math.cos(given.first_yaw_rad / 2),
+    ],
+    Words(
+        en="You put the sines of both halves side by side. Two turns one after the other also mix: make each a Transform, and multiply.",
+        ko="두 절반의 sin을 나란히 적었습니다. 차례로 돌리면 서로 섞입니다. 각각 Transform으로 만들어 곱하십시오.",
+    ),
+    "M5",
+)
+
+
 TASK = Task(
     id="E2.5",
     kind="N",
@@ -149,6 +242,13 @@ TASK = Task(
         PITCH_UP,
         ROLL_FOR_PITCH,
         TO_DEGREES,
+        ADDED,
+        AVERAGED,
+        NUMBER_BY_NUMBER,
+        WHOLE_ANGLES,
+        ANGLES_EXCHANGED,
+        ANGLES_AS_NUMBERS,
+        HALVES_BESIDE,
     ),
     hints=(
         Words(

@@ -6,22 +6,34 @@ import math
 
 import numpy as np
 
-from tflab.workbook.tasks import Number, Task, Twin, Words
+from tflab.workbook.tasks import Number, Slip, Task, Words
 
 
 def few_digits(rng: np.random.Generator) -> dict:
     """Draw how pi/2 was written in a URDF, and how far away one looks."""
-    written = float(rng.choice((1.56, 1.57, 1.58, 1.59)))
+    written = float(rng.choice((1.55, 1.56, 1.58, 1.59)))
     return {"written_yaw_rad": written, "range_m": round(float(rng.uniform(6.0, 30.0)), 1)}
 
 
-def missing_rad(given) -> float:
-    return abs(math.pi / 2 - given.written_yaw_rad)
+def aside_mm(given, *, quarter="pi / 2", unit="radians", part="whole", reach="range", length="aside", sign="dropped"):
+    """Return how far off, step by step; other steps are the slips."""
+    quarters = {"pi / 2": math.pi / 2, "3.14 / 2": 3.14 / 2, "22/7": 11 / 7, "pi": math.pi, "none": 0.0}
+    missing = quarters[quarter] - given.written_yaw_rad
+    missing = math.degrees(missing) if unit == "degrees" else missing
+    missing *= {"whole": 1.0, "half": 0.5, "of a quarter turn": 2 / math.pi, "twice": 2.0}[part]
+    reach_m = {"range": given.range_m, "left out": 1.0, "squared": given.range_m**2}[reach]
+    off_m = {
+        "aside": reach_m * missing,
+        "ahead": reach_m * math.cos(missing),
+        "range": reach_m,
+        "shorter": reach_m * (1 - math.cos(missing)),
+    }
+    return 1000.0 * (abs(off_m[length]) if sign == "dropped" else -abs(off_m[length]))
 
 
-DEGREES = Twin(
+DEGREES = Slip(
     "degrees",
-    lambda given: 1000.0 * given.range_m * math.degrees(missing_rad(given)),
+    {"unit": "degrees"},
     Words(
         en="You multiplied by degrees. An arc is radius times angle only if the angle is in radians.",
         ko="도(degree)를 곱했습니다. 호의 길이가 반지름 곱하기 각도인 것은 각도가 라디안일 때뿐입니다.",
@@ -29,9 +41,9 @@ DEGREES = Twin(
 )
 
 
-RELATIVE = Twin(
+RELATIVE = Slip(
     "relative",
-    lambda given: 1000.0 * given.range_m * missing_rad(given) / (math.pi / 2),
+    {"part": "of a quarter turn"},
     Words(
         en="That is the error as a part of pi/2, times the range. The missing angle itself is what swings the ray.",
         ko="오차를 π/2로 나눈 비율에 거리를 곱했습니다. 광선을 옆으로 미는 것은 비율이 아니라 모자란 각도 자체입니다.",
@@ -39,9 +51,9 @@ RELATIVE = Twin(
 )
 
 
-HALF = Twin(
+HALF = Slip(
     "half",
-    lambda given: 500.0 * given.range_m * missing_rad(given),
+    {"part": "half"},
     Words(
         en="You halved the angle. Halves belong into quaternions; the ray swings by the whole missing angle.",
         ko="각도를 절반으로 나누었습니다. 절반은 쿼터니언에 쓰는 것이고, 광선은 모자란 각도만큼 그대로 돌아갑니다.",
@@ -49,9 +61,9 @@ HALF = Twin(
 )
 
 
-NEGATIVE = Twin(
+NEGATIVE = Slip(
     "negative",
-    lambda given: -1000.0 * given.range_m * missing_rad(given),
+    {"sign": "kept"},
     Words(
         en="How far off is asked without a sign: take abs().",
         ko="얼마나 어긋나는지는 부호 없이 답합니다. abs()를 쓰십시오.",
@@ -59,12 +71,93 @@ NEGATIVE = Twin(
 )
 
 
-ROUNDED_PI = Twin(
+ROUNDED_PI = Slip(
     "rounded pi",
-    lambda given: 1000.0 * given.range_m * abs(3.14 / 2 - given.written_yaw_rad),
+    {"quarter": "3.14 / 2"},
     Words(
         en="You compared with 3.14 / 2, which is as short of digits as the URDF. Use math.pi.",
         ko="3.14 / 2와 비교했습니다. 그 값도 URDF만큼이나 자릿수가 모자랍니다. math.pi를 쓰십시오.",
+    ),
+)
+
+WHOLE_PI = Slip(
+    "whole pi",
+    {"quarter": "pi"},
+    Words(
+        en="You compared with π. The mount turns by a quarter of a circle, π/2.",
+        ko="π와 비교했습니다. 장착은 4분의 1바퀴, 곧 π/2만큼 돕니다.",
+    ),
+)
+
+TWENTY_TWO = Slip(
+    "22/7",
+    {"quarter": "22/7"},
+    Words(
+        en="22/7 is π to two decimals only. Use math.pi.",
+        ko="22/7은 소수 둘째 자리까지만 π와 같습니다. math.pi를 쓰십시오.",
+    ),
+)
+
+ALL_OF_IT = Slip(
+    "all of the angle",
+    {"quarter": "none"},
+    Words(
+        en="You took the whole angle that was written. What swings the ray aside is what is missing up to π/2.",
+        ko="적힌 각도 전체를 썼습니다. 광선을 옆으로 미는 것은 π/2에 모자란 만큼입니다.",
+    ),
+)
+
+TWICE = Slip(
+    "twice",
+    {"part": "twice"},
+    Words(
+        en="You took twice the missing angle.",
+        ko="모자란 각도의 두 배를 썼습니다.",
+    ),
+)
+
+NO_RANGE = Slip(
+    "no range",
+    {"reach": "left out"},
+    Words(
+        en="The range is missing: that is how far off a point would be at one metre.",
+        ko="거리가 빠졌습니다. 1미터 앞의 점이 어긋나는 길이입니다.",
+    ),
+)
+
+RANGE_SQUARED = Slip(
+    "range squared",
+    {"reach": "squared"},
+    Words(
+        en="The range went in twice. An arc is radius times angle, once.",
+        ko="거리를 두 번 곱했습니다. 호의 길이는 반지름 곱하기 각도, 한 번입니다.",
+    ),
+)
+
+AHEAD = Slip(
+    "ahead",
+    {"length": "ahead"},
+    Words(
+        en="That is how far ahead the point still is: the cosine. Aside goes the sine, or for small angles the angle itself.",
+        ko="점이 앞으로 얼마나 있는지, 곧 cos입니다. 옆으로는 sin, 작은 각도에서는 각도 그대로입니다.",
+    ),
+)
+
+THE_RANGE = Slip(
+    "the range",
+    {"length": "range"},
+    Words(
+        en="That is the range itself. How far does the missing angle swing a point at this range?",
+        ko="거리 그 자체입니다. 모자란 각도 때문에 이 거리의 점이 얼마나 옆으로 갑니까?",
+    ),
+)
+
+SHORTER = Slip(
+    "shorter",
+    {"length": "shorter"},
+    Words(
+        en="That is how much less far ahead the point is, 1 minus the cosine. Asked for is how far aside.",
+        ko="점이 앞쪽으로 얼마나 줄었는지, 곧 1에서 cos을 뺀 것입니다. 옆으로 얼마인지가 필요합니다.",
     ),
 )
 
@@ -78,12 +171,22 @@ TASK = Task(
     form=Number(unit="mm", tolerance=0.5),
     given=few_digits,
     variants=5,
+    model=aside_mm,
     twins=(
         DEGREES,
         RELATIVE,
         HALF,
         NEGATIVE,
         ROUNDED_PI,
+        WHOLE_PI,
+        TWENTY_TWO,
+        ALL_OF_IT,
+        TWICE,
+        NO_RANGE,
+        RANGE_SQUARED,
+        AHEAD,
+        THE_RANGE,
+        SHORTER,
     ),
     hints=(
         Words(

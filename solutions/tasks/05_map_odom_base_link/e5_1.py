@@ -19,6 +19,8 @@ def product(map_T_base, odom_T_base, *, found="as given", wheels="turned round",
     """Return map_T_odom, step by step; other steps are the slips."""
     left = map_T_base.inverse() if found == "turned round" else map_T_base
     right = odom_T_base.inverse() if wheels == "turned round" else odom_T_base
+    if wheels == "step negated":
+        right = Transform([-number for number in odom_T_base.translation], odom_T_base.rotation)
     edge = left @ right if order == "found first" else right @ left
     return edge.inverse() if way == "turned round" else edge
 
@@ -92,6 +94,54 @@ WHAT_THE_WHEELS_SAY = Twin(
     "M7",
 )
 
+STEP_NEGATED = Slip(
+    "step negated",
+    {"wheels": "step negated"},
+    Words(
+        en="To turn the wheels' pose round you negated its step alone. An inverse turns the other way, too, and the step along with it.",
+        ko="바퀴의 포즈를 뒤집으려고 이동의 부호만 바꾸었습니다. 역변환은 회전도 반대이고, 이동도 그만큼 돌아갑니다.",
+    ),
+    "M3",
+)
+
+
+def right_edge(map_T_base, odom_T_base):
+    return map_T_base @ odom_T_base.inverse()
+
+
+STEP_ALONE = Twin(
+    "step alone",
+    lambda map_T_base, odom_T_base: Transform(right_edge(map_T_base, odom_T_base).translation),
+    Words(
+        en="The edge has its step, and no turn: odom is turned in map as well.",
+        ko="연결에 이동만 있고 회전이 없습니다. odom은 map 기준으로 돌아가 있기도 합니다.",
+    ),
+)
+
+NO_TURN_AT_ALL = Twin(
+    "steps subtracted, no turn",
+    lambda map_T_base, odom_T_base: Transform(
+        [a - b for a, b in zip(map_T_base.translation, odom_T_base.translation, strict=True)]
+    ),
+    Words(
+        en="You subtracted the two steps and left the turns out. As soon as anything is turned, poses are joined with `@`.",
+        ko="두 이동을 빼고 회전을 빠뜨렸습니다. 무엇이든 돌아 있으면 포즈는 `@`로 잇습니다.",
+    ),
+    "M3",
+)
+
+TURN_OF_THE_ROBOT = Twin(
+    "subtracted, the robot's turn",
+    lambda map_T_base, odom_T_base: Transform(
+        [a - b for a, b in zip(map_T_base.translation, odom_T_base.translation, strict=True)], map_T_base.rotation
+    ),
+    Words(
+        en="You subtracted the two steps and kept the robot's turn on the map. Both parts of the wheels' pose have to be taken out: join with `@`.",
+        ko="두 이동을 빼고 지도 기준 로봇의 회전을 그대로 두었습니다. 바퀴 포즈의 두 부분을 모두 빼내야 합니다. `@`로 이으십시오.",
+    ),
+    "M3",
+)
+
 
 TASK = Task(
     id="E5.1",
@@ -111,6 +161,10 @@ TASK = Task(
         SUBTRACTED,
         WHERE_THE_ROBOT_IS,
         WHAT_THE_WHEELS_SAY,
+        STEP_NEGATED,
+        STEP_ALONE,
+        NO_TURN_AT_ALL,
+        TURN_OF_THE_ROBOT,
     ),
     hints=(
         Words(

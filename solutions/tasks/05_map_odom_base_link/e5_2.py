@@ -131,6 +131,121 @@ BELIEVED_ADDED = Twin(
 )
 
 
+def before(g):
+    return g.map_T_odom @ g.odom_T_base
+
+
+def step(g):
+    """Return how far the robot leaps along x and y."""
+    return [a - b for a, b in zip(g.found_T_base.translation, before(g).translation, strict=True)]
+
+
+BELIEVED_IS_FOUND = Twin(
+    "believed is found",
+    lambda g: closure(g, believed=g.found_T_base.translation[:2]),
+    Words(
+        en="That is where it is found. Before that, edge and wheels together said where it is believed to be.",
+        ko="찾아낸 위치입니다. 그 전에 믿던 위치는 연결과 바퀴의 값을 이어야 나옵니다.",
+    ),
+    part="believed",
+)
+
+BELIEVED_OTHER_ORDER = Twin(
+    "believed in the other order",
+    lambda g: closure(g, believed=(g.odom_T_base @ g.map_T_odom).translation[:2]),
+    Words(
+        en="The factors stand in the other order. What begins with map stands first.",
+        ko="곱의 순서가 바뀌었습니다. map으로 시작하는 것이 먼저입니다.",
+    ),
+    "M1",
+    part="believed",
+)
+
+BELIEVED_TURNED_BACK = Twin(
+    "believed with the edge turned round",
+    lambda g: closure(g, believed=(g.map_T_odom.inverse() @ g.odom_T_base).translation[:2]),
+    Words(
+        en="The edge is turned round here, and it begins with map already: it stays as it is.",
+        ko="연결을 뒤집었습니다. 이미 map으로 시작하므로 그대로 둡니다.",
+    ),
+    "M1",
+    part="believed",
+)
+
+JUMP_FROM_ODOM = Twin(
+    "jump from odom",
+    lambda g: closure(g, jump=math.dist(g.found_T_base.translation, g.odom_T_base.translation)),
+    Words(
+        en="You measured from the pose in odom to the pose in map: two frames. Both ends have to be in map.",
+        ko="odom 기준 위치에서 map 기준 위치까지 쟀습니다. 두 끝이 모두 map 기준이어야 합니다.",
+    ),
+    part="jump_m",
+)
+
+JUMP_BY_SIDES = Twin(
+    "jump by sides",
+    lambda g: closure(g, jump=abs(step(g)[0]) + abs(step(g)[1])),
+    Words(
+        en="You added the way along x and the way along y. They stand at right angles: the leap is the straight line.",
+        ko="x 방향과 y 방향의 길이를 더했습니다. 둘은 직각이므로 튄 거리는 직선입니다.",
+    ),
+    part="jump_m",
+)
+
+EDGE_OTHER_ORDER = Twin(
+    "edge in the other order",
+    lambda g: closure(g, edge=g.odom_T_base.inverse() @ g.found_T_base),
+    Words(
+        en="The factors of the edge stand in the other order. What begins with map stands first.",
+        ko="연결을 만드는 곱의 순서가 바뀌었습니다. map으로 시작하는 것이 먼저입니다.",
+    ),
+    "M1",
+    part="map_T_odom",
+)
+
+EDGE_NOT_INVERTED = Twin(
+    "wheels not turned round",
+    lambda g: closure(g, edge=g.found_T_base @ g.odom_T_base),
+    Words(
+        en="For the edge, the wheels' pose went in as it is: [map|base][odom|base] do not match. Turn it round.",
+        ko="연결을 구할 때 바퀴의 포즈를 그대로 이었습니다. [map|base][odom|base]는 이웃이 맞지 않습니다. 뒤집으십시오.",
+    ),
+    "M1",
+    part="map_T_odom",
+)
+
+EDGE_IS_THE_CORRECTION = Twin(
+    "edge is the correction",
+    lambda g: closure(g, edge=g.found_T_base @ before(g).inverse()),
+    Words(
+        en="That is the correction itself, from the old pose on the map to the new one. The edge is what leads from map to odom.",
+        ko="지도 위 옛 포즈에서 새 포즈까지의 보정 그 자체입니다. 연결은 map에서 odom까지 가는 것입니다.",
+    ),
+    part="map_T_odom",
+)
+
+EDGE_IS_THE_LEAP = Twin(
+    "edge is the leap",
+    lambda g: closure(g, edge=before(g).inverse() @ g.found_T_base),
+    Words(
+        en="That is the leap as the robot sees it, from where it was believed. The edge is what leads from map to odom.",
+        ko="믿던 위치에서 로봇이 본 이동입니다. 연결은 map에서 odom까지 가는 것입니다.",
+    ),
+    part="map_T_odom",
+)
+
+FROM_THE_ORIGIN = Twin(
+    "from the origin",
+    lambda g: closure(g, step=math.hypot(*g.odom_T_base.translation[:2])),
+    Words(
+        en="That is how far the robot is from odom's origin. Asked for is how far it leaps there in the moment of the correction.",
+        ko="odom 원점에서 로봇까지의 거리입니다. 보정하는 순간 거기서 얼마나 튀는지가 필요합니다.",
+    ),
+    "M8",
+    part="step_in_odom_m",
+)
+
+
 TASK = Task(
     id="E5.2",
     kind="N",
@@ -155,6 +270,16 @@ TASK = Task(
         ROBOT_PUBLISHED,
         BELIEVED_IN_ODOM,
         BELIEVED_ADDED,
+        BELIEVED_IS_FOUND,
+        BELIEVED_OTHER_ORDER,
+        BELIEVED_TURNED_BACK,
+        JUMP_FROM_ODOM,
+        JUMP_BY_SIDES,
+        EDGE_OTHER_ORDER,
+        EDGE_NOT_INVERTED,
+        EDGE_IS_THE_CORRECTION,
+        EDGE_IS_THE_LEAP,
+        FROM_THE_ORIGIN,
     ),
     hints=(
         Words(

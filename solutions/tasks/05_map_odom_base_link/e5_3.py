@@ -138,6 +138,54 @@ TASK = Task(
         ALL_ODOM,
         BOLTED_IN_THE_ROOM,
     ),
+    means={
+        "map": Words(
+            en="map does not drift, and it leaps at each correction.",
+            ko="map은 흐르지 않지만 보정할 때마다 튑니다.",
+        ),
+        "odom": Words(
+            en="odom never leaps, and it drifts by the minute.",
+            ko="odom은 튀지 않지만 몇 분이면 흘러갑니다.",
+        ),
+        "base_link": Words(
+            en="base_link rides along: what rests in the room moves in it.",
+            ko="base_link는 로봇과 함께 갑니다. 방에 있는 것은 그 안에서 움직입니다.",
+        ),
+    },
+    shows={
+        "dock": Words(
+            en="dock: a dock stays in its corner of the building, tomorrow as well.",
+            ko="dock: 충전대는 내일도 건물의 같은 자리에 있습니다.",
+        ),
+        "line": Words(
+            en="line: half a metre lasts a second or two, and must not leap meanwhile.",
+            ko="line: 0.5미터는 1, 2초면 끝나고 그동안 튀면 안 됩니다.",
+        ),
+        "laser": Words(
+            en="laser: it is bolted on: which frame does it ride with?",
+            ko="laser: 고정되어 있습니다. 어느 좌표계와 함께 움직입니까?",
+        ),
+        "kitchen": Words(
+            en="kitchen: the way there takes minutes, along walls that stay.",
+            ko="kitchen: 가는 데 몇 분이 걸리고 벽은 그대로 있습니다.",
+        ),
+        "speed": Words(
+            en="speed: the difference of two poses must be what was driven, and nothing else.",
+            ko="speed: 두 포즈의 차이는 실제로 달린 만큼이어야 합니다.",
+        ),
+        "obstacles": Words(
+            en="obstacles: they rest in the room, and are of the last five seconds.",
+            ko="obstacles: 방에 가만히 있는 것이고 지난 5초 동안 본 것입니다.",
+        ),
+        "tray": Words(
+            en="tray: the cup rides on the robot: in which frame does it rest?",
+            ko="tray: 컵은 로봇에 실려 있습니다. 어느 좌표계에서 가만히 있습니까?",
+        ),
+        "goal": Words(
+            en="goal: ten minutes are long, and corrections come meanwhile: what has to stay where it is?",
+            ko="goal: 10분은 길고 그동안 보정이 옵니다. 무엇이 제자리에 있어야 합니까?",
+        ),
+    },
     hints=(
         Words(en="Ask how long the numbers have to hold.", ko="숫자가 얼마나 오래 맞아야 하는지 물어보세요."),
         Words(

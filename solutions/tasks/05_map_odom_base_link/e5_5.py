@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from tflab.core import Transform
-from tflab.workbook.tasks import Angle, Number, Parts, Task, Twin, Words
+from tflab.workbook.tasks import Angle, Number, Parts, Slip, Task, Words
 
 
 def tilted(rng):
@@ -20,36 +20,40 @@ def tilted(rng):
     return rows
 
 
-def shadow(pose, x=None, y=None, yaw=None):
-    return {
-        "x": pose.translation[0] if x is None else x,
-        "y": pose.translation[1] if y is None else y,
-        "yaw": pose.rpy()[2] if yaw is None else yaw,
+def shadow(odom_T_base, *, foot="straight down", yaw="rpy"):
+    """Return the footprint, step by step; other steps are the slips."""
+    x, y, height = odom_T_base.translation
+    roll, pitch, right = odom_T_base.rpy()
+    back = odom_T_base.inverse()
+    feet = {
+        "straight down": (x, y),
+        "its own z": odom_T_base.apply((0.0, 0.0, -height))[:2],
+        "inverse": back.translation[:2],
+        "origin": (0.0, 0.0),
+        "y and z": (x, height),
+        "shortened": (x * math.cos(pitch), y * math.cos(roll)),
     }
-
-
-def along_its_own_z(odom_T_base):
-    foot = odom_T_base.apply((0.0, 0.0, -odom_T_base.translation[2]))
-    return shadow(odom_T_base, x=foot[0], y=foot[1])
-
-
-def twice_atan(odom_T_base):
     _, _, z, w = odom_T_base.rotation
-    return shadow(odom_T_base, yaw=2.0 * math.atan2(z, w))
+    yaws = {
+        "rpy": right, "twice atan": 2.0 * math.atan2(z, w), "inverse": back.rpy()[2], "negated": -right, "roll": roll,
+        "pitch": pitch, "level": 0.0, "twice asin": 2.0 * math.asin(z), "twice acos": 2.0 * math.acos(w), "z": z,
+        "bearing": math.atan2(y, x), "cotangent": 2.0 * math.atan2(w, z),
+    }  # fmt: skip
+    return {"x": feet[foot][0], "y": feet[foot][1], "yaw": yaws[yaw]}
 
 
-ALONG_ITS_OWN_Z = Twin(
+ALONG_ITS_OWN_Z = Slip(
     "along its own z",
-    along_its_own_z,
+    {"foot": "its own z"},
     Words(
         en="You went down along the robot's own z. It leans, so that ends beside the point below it. Below means along odom's z.",
         ko="로봇 자신의 z를 따라 내려갔습니다. 로봇이 기울어 있으므로 바로 아래가 아닌 옆에 닿습니다. 아래란 odom의 z 방향입니다.",
     ),
 )
 
-TWICE_ATAN = Twin(
+TWICE_ATAN = Slip(
     "twice atan",
-    twice_atan,
+    {"yaw": "twice atan"},
     Words(
         en="2·atan2(z, w) is the yaw only of a quaternion that turns about z alone. This body is rolled and pitched as well: take the yaw of `rpy()`.",
         ko="2·atan2(z, w)는 z축으로만 도는 쿼터니언의 yaw입니다. 이 몸체는 roll과 pitch도 있으므로 `rpy()`의 yaw를 쓰십시오.",
@@ -57,9 +61,9 @@ TWICE_ATAN = Twin(
     "M5",
 )
 
-YAW_OF_THE_INVERSE = Twin(
+YAW_OF_THE_INVERSE = Slip(
     "yaw of the inverse",
-    lambda odom_T_base: shadow(odom_T_base, yaw=odom_T_base.inverse().rpy()[2]),
+    {"yaw": "inverse"},
     Words(
         en="That is the yaw of odom as seen from the robot, the inverse. Asked for is the robot's yaw in odom.",
         ko="로봇에서 본 odom의 yaw, 곧 역변환의 yaw입니다. odom 기준 로봇의 yaw가 필요합니다.",
@@ -67,31 +71,126 @@ YAW_OF_THE_INVERSE = Twin(
     "M1",
 )
 
-SIGN_OF_YAW = Twin(
+SIGN_OF_YAW = Slip(
     "sign of yaw",
-    lambda odom_T_base: shadow(odom_T_base, yaw=-odom_T_base.rpy()[2]),
+    {"yaw": "negated"},
     Words(
         en="The yaw has the wrong sign: positive turns to the left.",
         ko="yaw의 부호가 틀렸습니다. 양수는 왼쪽으로 도는 것입니다.",
     ),
 )
 
-ROLL_FOR_YAW = Twin(
+ROLL_FOR_YAW = Slip(
     "roll for yaw",
-    lambda odom_T_base: shadow(odom_T_base, yaw=odom_T_base.rpy()[0]),
+    {"yaw": "roll"},
     Words(
         en="That is the roll. `rpy()` gives roll, pitch, yaw in this order.",
         ko="roll입니다. `rpy()`는 roll, pitch, yaw 순서로 돌려줍니다.",
     ),
 )
 
-PITCH_FOR_YAW = Twin(
+PITCH_FOR_YAW = Slip(
     "pitch for yaw",
-    lambda odom_T_base: shadow(odom_T_base, yaw=odom_T_base.rpy()[1]),
+    {"yaw": "pitch"},
     Words(
         en="That is the pitch. `rpy()` gives roll, pitch, yaw in this order.",
         ko="pitch입니다. `rpy()`는 roll, pitch, yaw 순서로 돌려줍니다.",
     ),
+)
+
+INVERTED = Slip(
+    "inverted",
+    {"foot": "inverse"},
+    Words(
+        en="Those are x and y of the inverse: where odom lies, seen from the robot.",
+        ko="역변환의 x, y입니다. 로봇에서 본 odom의 위치입니다.",
+    ),
+    "M1",
+)
+
+AT_THE_ORIGIN = Slip(
+    "at the origin",
+    {"foot": "origin"},
+    Words(
+        en="You set x and y to zero as well. Straight below, only the height changes.",
+        ko="x와 y까지 0으로 두었습니다. 바로 아래로 내려가면 높이만 바뀝니다.",
+    ),
+)
+
+HEIGHT_FOR_Y = Slip(
+    "height for y",
+    {"foot": "y and z"},
+    Words(
+        en="The height stands where y belongs: translation is (x, y, z).",
+        ko="y 자리에 높이가 들어갔습니다. translation은 (x, y, z)입니다.",
+    ),
+)
+
+SHORTENED = Slip(
+    "shortened",
+    {"foot": "shortened"},
+    Words(
+        en="You shortened x and y by the tilt. `base_link`'s place is in odom already: nothing is to be projected.",
+        ko="기울기만큼 x와 y를 줄였습니다. `base_link`의 위치는 이미 odom 기준이므로 투영할 것이 없습니다.",
+    ),
+)
+
+YAW_LEVELLED = Slip(
+    "yaw levelled",
+    {"yaw": "level"},
+    Words(
+        en="Level means that roll and pitch are gone. The yaw stays.",
+        ko="수평이란 roll과 pitch가 없다는 뜻입니다. yaw는 그대로입니다.",
+    ),
+)
+
+TWICE_ASIN = Slip(
+    "twice asin",
+    {"yaw": "twice asin"},
+    Words(
+        en="2·asin(z) is the yaw only of a quaternion that turns about z alone, and less than half a turn: take the yaw of `rpy()`.",
+        ko="2·asin(z)는 z축으로만, 반 바퀴보다 적게 도는 쿼터니언의 yaw입니다. `rpy()`의 yaw를 쓰십시오.",
+    ),
+    "M5",
+)
+
+TWICE_ACOS = Slip(
+    "twice acos",
+    {"yaw": "twice acos"},
+    Words(
+        en="2·acos(w) is how far the body is turned about whatever axis, and it has lost the side: take the yaw of `rpy()`.",
+        ko="2·acos(w)는 어떤 축이든 그 둘레로 돈 크기이고 방향도 잃었습니다. `rpy()`의 yaw를 쓰십시오.",
+    ),
+    "M5",
+)
+
+Z_FOR_YAW = Slip(
+    "z for yaw",
+    {"yaw": "z"},
+    Words(
+        en="That is the third number of the quaternion, which is no angle: take the yaw of `rpy()`.",
+        ko="쿼터니언의 셋째 숫자이며 각도가 아닙니다. `rpy()`의 yaw를 쓰십시오.",
+    ),
+    "M5",
+)
+
+BEARING = Slip(
+    "bearing",
+    {"yaw": "bearing"},
+    Words(
+        en="That is in which direction the robot lies, seen from the origin. Its yaw is where it looks.",
+        ko="원점에서 본 로봇의 방향입니다. yaw는 로봇이 바라보는 쪽입니다.",
+    ),
+)
+
+COTANGENT = Slip(
+    "cotangent",
+    {"yaw": "cotangent"},
+    Words(
+        en="atan2 has its arguments exchanged, and even (z, w) would do for a turn about z alone: take the yaw of `rpy()`.",
+        ko="atan2의 인자가 바뀌었습니다. (z, w)라도 z축으로만 돌 때 맞습니다. `rpy()`의 yaw를 쓰십시오.",
+    ),
+    "M5",
 )
 
 
@@ -104,7 +203,25 @@ TASK = Task(
     form=Parts({"x": Number(unit="m"), "y": Number(unit="m"), "yaw": Angle()}),
     inputs=tilted,
     variants=3,
-    twins=(ALONG_ITS_OWN_Z, TWICE_ATAN, YAW_OF_THE_INVERSE, SIGN_OF_YAW, ROLL_FOR_YAW, PITCH_FOR_YAW),
+    model=shadow,
+    twins=(
+        ALONG_ITS_OWN_Z,
+        TWICE_ATAN,
+        YAW_OF_THE_INVERSE,
+        SIGN_OF_YAW,
+        ROLL_FOR_YAW,
+        PITCH_FOR_YAW,
+        INVERTED,
+        AT_THE_ORIGIN,
+        HEIGHT_FOR_Y,
+        SHORTENED,
+        YAW_LEVELLED,
+        TWICE_ASIN,
+        TWICE_ACOS,
+        Z_FOR_YAW,
+        BEARING,
+        COTANGENT,
+    ),
     hints=(
         Words(en="Straight below: which of x, y, z change?", ko="바로 아래로 내려가면 x, y, z 가운데 무엇이 바뀝니까?"),
         Words(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tflab.workbook.tasks import Number, Task, Twin, Words
+from tflab.workbook.tasks import Number, Slip, Task, Twin, Words
 
 
 def lanes(rng):
@@ -23,9 +23,19 @@ def lanes(rng):
 PATH = ("map -> odom", "odom -> base_link")
 
 
-NEWEST_OF_ALL = Twin(
+def common(g, *, lanes="the path", end="newest", which="common", told="time"):
+    """Return the time, step by step; other steps are the slips."""
+    edges = {"the path": PATH, "all": list(g.newest_s), "and the static one": PATH, "map alone": PATH[:1]}[lanes]
+    rows = [(g.newest_s if end == "newest" else g.oldest_s)[edge] for edge in edges]
+    rows += [0.5] if lanes == "and the static one" else []
+    ends = {"latest": max(rows), "earliest": min(rows), "mean": sum(rows) / len(rows)}
+    stamp_s = ends.get(which, min(rows) if end == "newest" else max(rows))
+    return g.clock_s - stamp_s if told == "age" else stamp_s
+
+
+NEWEST_OF_ALL = Slip(
     "newest of all",
-    lambda g: max(g.newest_s[edge] for edge in PATH),
+    {"end": "newest", "which": "latest"},
     Words(
         en="That is the newest sample on the path. At that moment the other lane has nothing to say yet, and a lookup needs every lane.",
         ko="경로에서 가장 새로운 표본의 시각입니다. 그 순간 다른 차선은 아직 아무 말도 하지 않았고, 조회에는 모든 차선이 필요합니다.",
@@ -34,9 +44,9 @@ NEWEST_OF_ALL = Twin(
 )
 
 
-EARLIEST_START = Twin(
+EARLIEST_START = Slip(
     "earliest start",
-    lambda g: max(g.oldest_s[edge] for edge in PATH),
+    {"end": "oldest"},
     Words(
         en="That is where the common interval begins. `Time()` asks for its other end.",
         ko="공통 구간이 시작되는 시각입니다. `Time()`은 반대쪽 끝을 묻습니다.",
@@ -44,9 +54,9 @@ EARLIEST_START = Twin(
 )
 
 
-OLDEST_OF_ALL = Twin(
+OLDEST_OF_ALL = Slip(
     "oldest of all",
-    lambda g: min(g.oldest_s[edge] for edge in PATH),
+    {"end": "oldest", "which": "earliest"},
     Words(
         en="That is the oldest sample on the path. `Time()` asks for something as new as possible.",
         ko="경로에서 가장 오래된 표본의 시각입니다. `Time()`은 될 수 있는 대로 새로운 것을 묻습니다.",
@@ -65,9 +75,9 @@ NOW = Twin(
 )
 
 
-COUNTING_THE_STATIC = Twin(
+COUNTING_THE_STATIC = Slip(
     "counting the static",
-    0.5,
+    {"lanes": "and the static one"},
     Words(
         en="You let the static edge limit the answer. It is good for any time, however long ago it was sent.",
         ko="정적 연결이 답을 붙잡게 했습니다. 아무리 오래전에 보냈어도 정적 연결은 어느 시각에나 유효합니다.",
@@ -75,9 +85,9 @@ COUNTING_THE_STATIC = Twin(
 )
 
 
-OFF_THE_PATH = Twin(
+OFF_THE_PATH = Slip(
     "off the path",
-    lambda g: g.newest_s["base_link -> arm_link"],
+    {"lanes": "all"},
     Words(
         en="You counted an edge that the lookup does not walk. Which edges lie between map and laser_frame?",
         ko="조회가 지나지 않는 연결까지 세었습니다. map과 laser_frame 사이에 있는 연결은 무엇입니까?",
@@ -95,6 +105,24 @@ TIME_ZERO = Twin(
     "M9",
 )
 
+MEAN = Slip(
+    "mean",
+    {"which": "mean"},
+    Words(
+        en="You took the mean of the newest samples. At that moment the slower lane has nothing to say yet.",
+        ko="가장 새로운 표본들의 평균을 냈습니다. 그 순간 더 느린 차선은 아직 아무 말도 하지 않았습니다.",
+    ),
+)
+
+AGE = Slip(
+    "age",
+    {"told": "age"},
+    Words(
+        en="That is how old the answer is. Asked for is the time at which it is.",
+        ko="답이 얼마나 오래되었는지입니다. 답의 시각이 필요합니다.",
+    ),
+)
+
 
 TASK = Task(
     id="E8.1",
@@ -105,6 +133,7 @@ TASK = Task(
     form=Number(unit="s", tolerance=0.005),
     given=lanes,
     variants=6,
+    model=common,
     twins=(
         NEWEST_OF_ALL,
         NOW,
@@ -113,6 +142,8 @@ TASK = Task(
         EARLIEST_START,
         OLDEST_OF_ALL,
         TIME_ZERO,
+        MEAN,
+        AGE,
     ),
     hints=(
         Words(

@@ -45,13 +45,19 @@ def between(
             return None
         raise ExtrapolationException("outside")
     asked = min(max(stamp_s, t0), t1) if outside == "clamped" else stamp_s
-    share = {"from the first": (asked - t0) / (t1 - t0), "from the second": (t1 - asked) / (t1 - t0), "half": 0.5}
+    share = {"from the first": (asked - t0) / (t1 - t0), "from the second": (t1 - asked) / (t1 - t0), "half": 0.5,
+             "seconds": asked - t0, "of the stamp": asked / t1}  # fmt: skip
     at = share.get(ratio, 0.0)
     if ratio == "nearest":
         at = 0.0 if share["from the first"] <= 0.5 else 1.0
     turns = {"short": math.remainder(yaw1 - yaw0, math.tau), "difference": yaw1 - yaw0, "kept": 0.0}
     place = 0.0 if position == "kept" else at
-    return {"position": (x0 + place * (x1 - x0), y0 + place * (y1 - y0)), "yaw": yaw0 + at * turns[turn]}
+    steps = (abs(x1 - x0), abs(y1 - y0)) if position == "upwards" else (x1 - x0, y1 - y0)
+    from_x, from_y = (0.0, 0.0) if position == "from zero" else (x0, y0)
+    along = (from_x + place * steps[0], y0 if position == "x alone" else from_y + place * steps[1])
+    yaws = {"from zero": at * turns["short"], "mean": (yaw0 + yaw1) / 2}
+    yaw = yaws[turn] if turn in yaws else yaw0 + at * turns[turn]
+    return {"position": along, "yaw": yaw}
 
 
 THE_LONG_WAY = Slip(
@@ -171,6 +177,69 @@ POSITION_KEPT = Slip(
     ),
 )
 
+SECONDS_FOR_A_RATIO = Slip(
+    "seconds for a ratio",
+    {"ratio": "seconds"},
+    Words(
+        en="Your ratio is a number of seconds. Divide it by the time from the first sample to the second: between 0 and 1.",
+        ko="비율이 초 단위의 시간입니다. 첫 표본에서 둘째 표본까지의 시간으로 나누면 0과 1 사이가 됩니다.",
+    ),
+)
+
+RATIO_OF_THE_STAMP = Slip(
+    "ratio of the stamp",
+    {"ratio": "of the stamp"},
+    Words(
+        en="Your ratio is counted from time zero. Count from the first sample, and divide by the time between the two.",
+        ko="비율을 시각 0에서부터 셌습니다. 첫 표본에서부터 세고, 두 표본 사이의 시간으로 나누십시오.",
+    ),
+)
+
+POSITION_FROM_ZERO = Slip(
+    "position from zero",
+    {"position": "from zero"},
+    Words(
+        en="The position starts at the origin: add the first sample's to the part of the way.",
+        ko="위치가 원점에서 시작합니다. 간 만큼에 첫 표본의 위치를 더하십시오.",
+    ),
+)
+
+YAW_FROM_ZERO = Slip(
+    "yaw from zero",
+    {"turn": "from zero"},
+    Words(
+        en="The yaw starts at zero: add the first sample's to the part of the turn.",
+        ko="yaw가 0에서 시작합니다. 돌아간 만큼에 첫 표본의 yaw를 더하십시오.",
+    ),
+)
+
+X_ALONE = Slip(
+    "x alone",
+    {"position": "x alone"},
+    Words(
+        en="x moves on, and y stays at the first sample: both go along the line.",
+        ko="x만 움직이고 y는 첫 표본에 머뭅니다. 둘 다 선을 따라갑니다.",
+    ),
+)
+
+ALWAYS_UPWARDS = Slip(
+    "always upwards",
+    {"position": "upwards"},
+    Words(
+        en="abs() takes the sign of the difference away, and then x and y only ever grow.",
+        ko="abs()가 차이의 부호를 없애서 x와 y가 늘기만 합니다.",
+    ),
+)
+
+MEAN_YAW = Slip(
+    "mean yaw",
+    {"turn": "mean"},
+    Words(
+        en="Your yaw is the mean of the two, wherever `stamp_s` lies. It turns with the ratio, and the short way round.",
+        ko="yaw가 언제나 두 값의 평균입니다. 비율만큼, 짧은 쪽으로 돌아가야 합니다.",
+    ),
+)
+
 
 TASK = Task(
     id="E8.2",
@@ -195,6 +264,13 @@ TASK = Task(
         A_LITTLE_OUTSIDE,
         YAW_KEPT,
         POSITION_KEPT,
+        SECONDS_FOR_A_RATIO,
+        RATIO_OF_THE_STAMP,
+        POSITION_FROM_ZERO,
+        YAW_FROM_ZERO,
+        X_ALONE,
+        ALWAYS_UPWARDS,
+        MEAN_YAW,
     ),
     hints=(
         Words(

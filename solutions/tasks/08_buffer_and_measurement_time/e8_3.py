@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from tflab.ros.messages import geometry_msgs, std_msgs
+from tflab.core import TransformException
+from tflab.ros.messages import builtin_interfaces, geometry_msgs, std_msgs
 from tflab.ros.time import Time
-from tflab.workbook.tasks import Message, Task, Twin, Words
+from tflab.workbook.tasks import Message, Slip, Task, Words
 
 from .draws import _moved, _time, drive, seen
 
@@ -16,17 +17,56 @@ def sightings(rng):
         buffer, start_s, end_s, sensor = drive(rng)
         stamp_s = round(start_s + share * (end_s - start_s), 3)
         now_s = round(max(end_s, stamp_s) + float(rng.uniform(0.45, 0.7)), 3)
+        if share == 0.1:  # it came at once, and transforms have gone on coming
+            now_s = round(stamp_s + 0.3, 3)
         rows.append((buffer, seen(rng, sensor, stamp_s), _time(now_s)))
     return rows
 
 
-def latest(buffer, message, now):
-    return _moved(message, buffer.lookup_transform("map", message.header.frame_id, Time()))
+def asked_at(moment, stamp, now):
+    """Return for which time the buffer is asked."""
+    right = Time.from_msg(stamp)
+    return {
+        "stamp": right,
+        "latest": Time(),
+        "now": now,
+        "sec alone": Time(seconds=stamp.sec),
+        "nanosec alone": Time(nanoseconds=stamp.nanosec),
+        "half way": Time(nanoseconds=(right.nanoseconds + now.nanoseconds) // 2),
+    }[moment]
 
 
-LATEST = Twin(
+def on_the_map(buffer, message, now, *, ends="wanted first", target="map", source="the message's", moment="stamp",
+               refusal="let through", move="all", stamp="kept"):  # fmt: skip
+    """Return the point, step by step; other steps are the slips."""
+    if move == "label":
+        return geometry_msgs.PointStamped(
+            header=std_msgs.Header(stamp=message.header.stamp, frame_id=target), point=message.point
+        )
+    names = (target, message.header.frame_id if source == "the message's" else "base_link")
+    names = names[::-1] if ends == "swapped" else names
+    try:
+        transform = buffer.lookup_transform(*names, asked_at(moment, message.header.stamp, now))
+    except TransformException:
+        if refusal == "let through":
+            raise
+        if refusal == "None":
+            return None
+        if refusal == "as it came":
+            return message
+        transform = buffer.lookup_transform(*names, Time())
+    if move == "step":
+        transform.transform.rotation = geometry_msgs.Quaternion(w=1.0)
+    moved = _moved(message, transform)
+    moved = _moved(moved, transform) if move == "twice" else moved
+    stamps = {"now": now.to_msg(), "zero": builtin_interfaces.Time(), "put back": message.header.stamp}
+    moved.header.stamp = stamps.get(stamp, moved.header.stamp)
+    return moved
+
+
+LATEST = Slip(
     "latest",
-    latest,
+    {"moment": "latest"},
     Words(
         en="You asked for `Time()`, the latest common time, and the point was moved with a pose from another moment. No error came, did it? Use the message's own stamp.",
         ko="최신 공통 시각인 `Time()`으로 물어서, 점이 다른 순간의 자세로 옮겨졌습니다. 오류는 나지 않았습니다. 메시지 자신의 측정 시각을 쓰십시오.",
@@ -35,33 +75,20 @@ LATEST = Twin(
 )
 
 
-def fresh_stamp(buffer, message, now):
-    return _moved(message, buffer.lookup_transform("map", message.header.frame_id, now))
-
-
-NOW = Twin(
+NOW = Slip(
     "now",
-    fresh_stamp,
+    {"moment": "now"},
     Words(
-        en="You asked for `now`, the moment of arrival. The buffer refuses, for nothing in it is that fresh; and if it did answer, it would be for the wrong moment.",
-        ko="도착한 순간인 `now`로 물었습니다. 버퍼에 그만큼 새로운 것이 없어 거절합니다. 설령 답하더라도 틀린 순간의 답입니다.",
+        en="You asked for `now`, the moment of arrival. Mostly the buffer refuses, for nothing in it is that fresh; and where it does answer, it is for the wrong moment.",
+        ko="도착한 순간인 `now`로 물었습니다. 버퍼에 그만큼 새로운 것이 없으면 거절하고, 답하더라도 틀린 순간의 답입니다.",
     ),
     "M9",
 )
 
 
-def falls_back(buffer, message, now):
-    from tflab.core import TransformException
-
-    try:
-        return _moved(message, buffer.lookup_transform("map", message.header.frame_id, message.header.stamp))
-    except TransformException:
-        return latest(buffer, message, now)
-
-
-FALLS_BACK_ON_LATEST = Twin(
+FALLS_BACK_ON_LATEST = Slip(
     "falls back on latest",
-    falls_back,
+    {"refusal": "latest"},
     Words(
         en="Where the buffer refuses, you fall back on the latest transform. That turns an honest refusal into a wrong point: let the exception through.",
         ko="버퍼가 거절하면 최신 변환으로 물러섭니다. 정직한 거절을 틀린 점으로 바꾸는 일입니다. 예외를 그대로 내보내십시오.",
@@ -70,18 +97,9 @@ FALLS_BACK_ON_LATEST = Twin(
 )
 
 
-def swallows(buffer, message, now):
-    from tflab.core import TransformException
-
-    try:
-        return _moved(message, buffer.lookup_transform("map", message.header.frame_id, message.header.stamp))
-    except TransformException:
-        return None
-
-
-SWALLOWS_THE_REFUSAL = Twin(
+SWALLOWS_THE_REFUSAL = Slip(
     "swallows the refusal",
-    swallows,
+    {"refusal": "None"},
     Words(
         en="Where the buffer refuses, you return nothing, and nobody learns why. Let the exception through: whoever calls you decides what to do.",
         ko="버퍼가 거절하면 아무것도 반환하지 않아 아무도 이유를 알지 못합니다. 예외를 그대로 내보내십시오. 어떻게 할지는 부른 쪽이 정합니다.",
@@ -90,13 +108,9 @@ SWALLOWS_THE_REFUSAL = Twin(
 )
 
 
-def swapped(buffer, message, now):
-    return _moved(message, buffer.lookup_transform(message.header.frame_id, "map", message.header.stamp))
-
-
-SWAPPED = Twin(
+SWAPPED = Slip(
     "swapped",
-    swapped,
+    {"ends": "swapped"},
     Words(
         en="Target and source are swapped. Say it: data expressed in the message's frame, wanted in map. The wanted one comes first.",
         ko="목표와 원본이 뒤바뀌었습니다. 소리 내어 말해 보십시오. “메시지의 좌표계 기준 데이터를 map 기준으로 보고 싶다.” 보고 싶은 쪽이 먼저입니다.",
@@ -105,15 +119,9 @@ SWAPPED = Twin(
 )
 
 
-def restamped(buffer, message, now):
-    moved = _moved(message, buffer.lookup_transform("map", message.header.frame_id, message.header.stamp))
-    moved.header.stamp = now.to_msg()
-    return moved
-
-
-STAMPED_ANEW = Twin(
+STAMPED_ANEW = Slip(
     "stamped anew",
-    restamped,
+    {"stamp": "now"},
     Words(
         en="The place is right, but your point says that it was measured when it arrived. Whoever uses it next can no longer ask about the right moment.",
         ko="위치는 맞지만, 여러분의 점은 도착한 때 측정했다고 말합니다. 다음에 쓰는 사람은 올바른 순간을 물을 수 없게 됩니다.",
@@ -122,14 +130,9 @@ STAMPED_ANEW = Twin(
 )
 
 
-def relabelled(buffer, message, now):
-    header = std_msgs.Header(stamp=message.header.stamp, frame_id="map")
-    return geometry_msgs.PointStamped(header=header, point=message.point)
-
-
-ONLY_THE_LABEL = Twin(
+ONLY_THE_LABEL = Slip(
     "only the label",
-    relabelled,
+    {"move": "label"},
     Words(
         en="You wrote map on the label, and left the numbers as the sensor gave them. A frame is not a name to be changed: the point itself has to be moved.",
         ko="꼬리표만 map으로 바꾸고 숫자는 센서가 준 그대로 두었습니다. 좌표계는 이름만 바꾼다고 바뀌지 않습니다. 점의 숫자를 옮겨야 합니다.",
@@ -137,17 +140,98 @@ ONLY_THE_LABEL = Twin(
 )
 
 
-def only_odom(buffer, message, now):
-    return _moved(message, buffer.lookup_transform("odom", message.header.frame_id, message.header.stamp))
-
-
-LEFT_IN_ODOM = Twin(
+LEFT_IN_ODOM = Slip(
     "left in odom",
-    only_odom,
+    {"target": "odom"},
     Words(
         en="You stopped in odom. The moment is right, but asked for is map: one edge further up.",
         ko="odom에서 멈추었습니다. 순간은 맞지만 필요한 것은 map입니다. 한 연결 더 올라가야 합니다.",
     ),
+)
+
+LATEST_PUT_BACK = Slip(
+    "latest, and the stamp put back",
+    {"moment": "latest", "stamp": "put back"},
+    Words(
+        en="You asked for the latest transform and put the message's stamp back afterwards. The label is true again, and the numbers are those of another moment.",
+        ko="최신 변환으로 물은 뒤 메시지의 측정 시각을 되돌려 놓았습니다. 이름표는 다시 맞지만 숫자는 다른 순간의 것입니다.",
+    ),
+    "M9",
+)
+
+FROM_BASE_LINK = Slip(
+    "from base_link",
+    {"source": "base_link"},
+    Words(
+        en="You asked from base_link. The numbers were counted in the frame that the message names.",
+        ko="base_link를 원본으로 물었습니다. 숫자는 메시지에 적힌 좌표계에서 센 것입니다.",
+    ),
+)
+
+SEC_ALONE = Slip(
+    "sec alone",
+    {"moment": "sec alone"},
+    Words(
+        en="You asked for the stamp's sec alone: up to a second too early. `Time.from_msg(stamp)` reads both fields.",
+        ko="sec만으로 물었습니다. 최대 1초나 이릅니다. `Time.from_msg(stamp)`는 두 항목을 모두 읽습니다.",
+    ),
+)
+
+NANOSEC_ALONE = Slip(
+    "nanosec alone",
+    {"moment": "nanosec alone"},
+    Words(
+        en="You asked for the stamp's nanosec alone: a moment within the first second of all. `Time.from_msg(stamp)` reads both fields.",
+        ko="nanosec만으로 물었습니다. 맨 처음 1초 안의 순간이 됩니다. `Time.from_msg(stamp)`는 두 항목을 모두 읽습니다.",
+    ),
+)
+
+HALF_WAY = Slip(
+    "half way to now",
+    {"moment": "half way"},
+    Words(
+        en="You asked for a moment between measuring and arriving. The point was where it was at the stamp.",
+        ko="측정과 도착 사이의 순간으로 물었습니다. 점은 측정 시각에 거기 있었습니다.",
+    ),
+    "M9",
+)
+
+STEP_ALONE = Slip(
+    "step alone",
+    {"move": "step"},
+    Words(
+        en="You added the translation and left the rotation out. The sensor looks another way than the map's x.",
+        ko="이동만 더하고 회전을 빠뜨렸습니다. 센서는 지도의 x와 다른 쪽을 봅니다.",
+    ),
+)
+
+MOVED_TWICE = Slip(
+    "moved twice",
+    {"move": "twice"},
+    Words(
+        en="The point was moved twice by the same transform: once it is in map, it stays.",
+        ko="같은 변환으로 점을 두 번 옮겼습니다. 한 번 옮기면 이미 map 기준입니다.",
+    ),
+)
+
+STAMP_LOST = Slip(
+    "stamp lost",
+    {"stamp": "zero"},
+    Words(
+        en="Your point has no stamp any more. Whoever uses it next asks for the latest without knowing it.",
+        ko="결과에 측정 시각이 없습니다. 다음에 쓰는 쪽은 모르는 사이에 최신을 묻게 됩니다.",
+    ),
+    "M9",
+)
+
+AS_IT_CAME = Slip(
+    "as it came",
+    {"refusal": "as it came"},
+    Words(
+        en="Where the buffer refuses, you hand the message on as it came, in the sensor's frame. Let the exception through.",
+        ko="버퍼가 거절하면 메시지를 센서 좌표계 그대로 넘깁니다. 예외를 그대로 내보내십시오.",
+    ),
+    "M11",
 )
 
 
@@ -160,6 +244,7 @@ TASK = Task(
     form=Message("geometry_msgs/msg/PointStamped", ("point", "header.frame_id", "header.stamp"), tolerance=0.002),
     inputs=sightings,
     variants=3,
+    model=on_the_map,
     twins=(
         LATEST,
         NOW,
@@ -169,6 +254,15 @@ TASK = Task(
         STAMPED_ANEW,
         ONLY_THE_LABEL,
         LEFT_IN_ODOM,
+        LATEST_PUT_BACK,
+        FROM_BASE_LINK,
+        SEC_ALONE,
+        NANOSEC_ALONE,
+        HALF_WAY,
+        STEP_ALONE,
+        MOVED_TWICE,
+        STAMP_LOST,
+        AS_IT_CAME,
     ),
     hints=(
         Words(

@@ -22,14 +22,31 @@ def motion(rng):
     }
 
 
-def late(given, *, delay=1e-3, forwards=1.0, angle="radians", arc="range", side=1.0, places="kept", together="hypot"):
+def late(
+    given,
+    *,
+    delay=1e-3,
+    forwards=1.0,
+    angle="radians",
+    arc="range",
+    side=1.0,
+    places="kept",
+    together="hypot",
+    way="speed",
+):
     """Return the estimate, step by step; other steps are the slips."""
     delay_s = given.delay_ms * delay
     yaw_rate = given.yaw_rate_degps if angle == "degrees" else math.radians(given.yaw_rate_degps)
     ahead, aside = forwards * given.speed_mps * delay_s, side * yaw_rate * delay_s
     aside *= {"range": given.range_m, "none": 1.0, "forgotten": 0.0}[arc]
+    ahead *= given.range_m if way == "times range" else 1.0
     ahead, aside = (aside, ahead) if places == "exchanged" else (ahead, aside)
-    lengths = {"hypot": math.hypot(ahead, aside), "added": abs(ahead) + abs(aside), "forwards": abs(ahead)}
+    lengths = {
+        "hypot": math.hypot(ahead, aside),
+        "added": abs(ahead) + abs(aside),
+        "forwards": abs(ahead),
+        "difference": abs(abs(ahead) - abs(aside)),
+    }
     return {"forwards_m": ahead, "left_m": aside, "together_m": lengths[together]}
 
 
@@ -83,8 +100,8 @@ MILLISECONDS = Slip(
     "milliseconds",
     {"delay": 1.0},
     Words(
-        en="The delay went in as milliseconds. Speeds are per second.",
-        ko="지연을 밀리초 그대로 넣었습니다. 속도는 초당입니다.",
+        en="Everything is a thousand times too large: milliseconds went in for seconds, or millimetres come out.",
+        ko="모두 천 배입니다. 지연을 밀리초 그대로 넣었거나 밀리미터로 답했습니다.",
     ),
 )
 
@@ -131,6 +148,26 @@ BACKWARDS = Slip(
     part="forwards_m",
 )
 
+SPEED_TIMES_RANGE = Slip(
+    "speed times range",
+    {"way": "times range"},
+    Words(
+        en="Forwards you multiplied by the range as well. The robot drives speed times delay, however far it sees.",
+        ko="앞 방향에도 거리를 곱했습니다. 로봇은 얼마나 멀리 보든 속도 곱하기 지연만큼 달립니다.",
+    ),
+    part="forwards_m",
+)
+
+DIFFERENCE = Slip(
+    "difference",
+    {"together": "difference"},
+    Words(
+        en="You took one length off the other. The two pieces are at right angles: their length together is the hypotenuse.",
+        ko="한 길이에서 다른 길이를 뺐습니다. 두 조각은 직각이므로 합친 길이는 빗변입니다.",
+    ),
+    part="together_m",
+)
+
 
 TASK = Task(
     id="E8.4",
@@ -154,6 +191,8 @@ TASK = Task(
         CROSSWISE,
         ROTATION_ONLY,
         BACKWARDS,
+        SPEED_TIMES_RANGE,
+        DIFFERENCE,
     ),
     hints=(
         Words(

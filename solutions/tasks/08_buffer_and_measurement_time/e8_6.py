@@ -2,20 +2,35 @@
 
 from __future__ import annotations
 
-from tflab.workbook.tasks import Number, Task, Twin, Words
+from itertools import pairwise
+
+from tflab.workbook.tasks import Number, Slip, Task, Twin, Words
 
 
 def detector(rng):
-    slow = float(rng.choice([0.5, 2.0, 2.5, 4.0]))
-    return {
-        "thinking_s": round(float(rng.uniform(1.5, 6.0)), 2),
-        "rate_hz": {"map -> odom": slow, "odom -> base_link": float(rng.choice([20.0, 25.0, 50.0]))},
-    }
+    """Draw until no two of the times that one may come to are near one another."""
+    while True:
+        slow = float(rng.choice([0.4, 2.0, 2.5, 4.0]))
+        thinking_s, period_s = round(float(rng.uniform(1.5, 6.0)), 2), 1.0 / slow
+        sums = [by * thinking_s + times * period_s for by in (0, 1, 2) for times in (-1, 0, 0.5, 1, 2, 3)]
+        times_s = sorted([*sums, thinking_s * period_s, thinking_s + slow, 10.0, 20.0, 30.0])
+        if min(b - a for a, b in pairwise(times_s)) > 0.01:
+            return {
+                "thinking_s": thinking_s,
+                "rate_hz": {"map -> odom": slow, "odom -> base_link": float(rng.choice([20.0, 25.0, 50.0]))},
+            }
 
 
-THINKING_ONLY = Twin(
+def memory(g, *, thinking=1.0, lane="slow", times=1.0, joined="added"):
+    """Return how long it must remember, step by step; other steps are the slips."""
+    periods = [1.0 / rate for rate in g.rate_hz.values()]
+    more = {"slow": max(periods), "fast": min(periods), "both": sum(periods), "rate": min(g.rate_hz.values())}[lane]
+    return thinking * g.thinking_s * times * more if joined == "multiplied" else thinking * g.thinking_s + times * more
+
+
+THINKING_ONLY = Slip(
     "thinking only",
-    lambda g: g.thinking_s,
+    {"times": 0.0},
     Words(
         en="Then the sample just before the stamp may be gone already, and without it there is nothing to interpolate from.",
         ko="그러면 측정 시각 바로 앞의 표본이 이미 사라졌을 수 있고, 그것이 없으면 보간할 수 없습니다.",
@@ -23,9 +38,9 @@ THINKING_ONLY = Twin(
 )
 
 
-THE_FAST_LANE = Twin(
+THE_FAST_LANE = Slip(
     "the fast lane",
-    lambda g: g.thinking_s + 1.0 / max(g.rate_hz.values()),
+    {"lane": "fast"},
     Words(
         en="You counted with the fast edge. Every edge of the path must still hold the sample before the stamp, the slow one too.",
         ko="빠른 연결로 계산했습니다. 경로의 모든 연결이 측정 시각 앞의 표본을 갖고 있어야 하고, 느린 연결도 마찬가지입니다.",
@@ -33,9 +48,9 @@ THE_FAST_LANE = Twin(
 )
 
 
-BOTH_PERIODS = Twin(
+BOTH_PERIODS = Slip(
     "both periods",
-    lambda g: g.thinking_s + sum(1.0 / rate for rate in g.rate_hz.values()),
+    {"lane": "both"},
     Words(
         en="You added the periods of both edges. Each lane needs only its own, so the longest one is enough.",
         ko="두 연결의 주기를 더했습니다. 차선마다 자기 주기만 필요하므로 가장 긴 것이면 충분합니다.",
@@ -43,9 +58,9 @@ BOTH_PERIODS = Twin(
 )
 
 
-ONE_PERIOD_LESS = Twin(
+ONE_PERIOD_LESS = Slip(
     "one period less",
-    lambda g: g.thinking_s - 1.0 / min(g.rate_hz.values()),
+    {"times": -1.0},
     Words(
         en="A period less than the thinking time: then even the moment of the picture is forgotten.",
         ko="계산 시간보다 한 주기 짧습니다. 그러면 영상을 찍은 순간조차 잊습니다.",
@@ -53,9 +68,9 @@ ONE_PERIOD_LESS = Twin(
 )
 
 
-RATE_INSTEAD_OF_PERIOD = Twin(
+RATE_INSTEAD_OF_PERIOD = Slip(
     "rate instead of period",
-    lambda g: g.thinking_s + min(g.rate_hz.values()),
+    {"lane": "rate"},
     Words(
         en="Did you add a rate to a time? A period is one over the rate.",
         ko="시간에 Hz를 더하지 않았습니까? 주기는 Hz의 역수입니다.",
@@ -91,6 +106,87 @@ HOUR = Twin(
     ),
 )
 
+TWICE_THINKING = Slip(
+    "thinking twice",
+    {"thinking": 2.0},
+    Words(
+        en="The thinking time is counted twice.",
+        ko="계산 시간을 두 번 셌습니다.",
+    ),
+)
+
+PERIOD_ALONE = Slip(
+    "period alone",
+    {"thinking": 0.0},
+    Words(
+        en="The thinking time is missing: so far back lies the picture's stamp already when the question comes.",
+        ko="계산 시간이 빠졌습니다. 물어볼 때 영상의 측정 시각은 이미 그만큼 과거에 있습니다.",
+    ),
+)
+
+TWICE_THINKING_ALONE = Slip(
+    "twice the thinking time",
+    {"thinking": 2.0, "times": 0.0},
+    Words(
+        en="That is twice the thinking time. Double is no rule: how much more than the thinking time is needed, the slowest edge says.",
+        ko="계산 시간의 두 배입니다. 두 배라는 규칙은 없습니다. 계산 시간보다 얼마나 더 필요한지는 가장 느린 연결이 정합니다.",
+    ),
+)
+
+HALF_A_PERIOD = Slip(
+    "half a period",
+    {"times": 0.5},
+    Words(
+        en="Half a period is enough for half of the pictures. Asked for is what is enough for every one.",
+        ko="반 주기로는 영상의 절반만 됩니다. 모든 영상에 충분한 값이 필요합니다.",
+    ),
+)
+
+TWO_PERIODS = Slip(
+    "two periods",
+    {"times": 2.0},
+    Words(
+        en="Two periods are more than is needed: one sample before the stamp is enough, and it is at most one period older.",
+        ko="두 주기는 필요보다 깁니다. 측정 시각 앞의 표본 하나면 되고, 그것은 길어야 한 주기 더 오래되었습니다.",
+    ),
+)
+
+THREE_PERIODS = Slip(
+    "three periods",
+    {"times": 3.0},
+    Words(
+        en="Three periods are more than is needed: one sample before the stamp is enough, and it is at most one period older.",
+        ko="세 주기는 필요보다 깁니다. 측정 시각 앞의 표본 하나면 되고, 그것은 길어야 한 주기 더 오래되었습니다.",
+    ),
+)
+
+MULTIPLIED = Slip(
+    "multiplied",
+    {"joined": "multiplied"},
+    Words(
+        en="You multiplied two times. One comes after the other: they add up.",
+        ko="두 시간을 곱했습니다. 하나 다음에 다른 하나가 오므로 더합니다.",
+    ),
+)
+
+ZERO = Twin(
+    "zero",
+    0.0,
+    Words(
+        en="With a memory of no time at all, every sample is forgotten as it comes.",
+        ko="기억하는 시간이 0이면 표본이 오자마자 잊힙니다.",
+    ),
+)
+
+THIRTY = Twin(
+    "half a minute",
+    30.0,
+    Words(
+        en="Half a minute is more than is needed, and hides what is. Work out the least that is always enough.",
+        ko="30초는 필요보다 길고, 얼마가 필요한지 알 수 없게 합니다. 언제나 충분한 값 가운데 가장 작은 것을 계산하십시오.",
+    ),
+)
+
 
 TASK = Task(
     id="E8.6",
@@ -101,6 +197,7 @@ TASK = Task(
     form=Number(unit="s", tolerance=0.002),
     given=detector,
     variants=6,
+    model=memory,
     twins=(
         THINKING_ONLY,
         THE_FAST_LANE,
@@ -110,6 +207,15 @@ TASK = Task(
         WHAT_ONE_GETS,
         TWENTY,
         HOUR,
+        TWICE_THINKING,
+        PERIOD_ALONE,
+        TWICE_THINKING_ALONE,
+        HALF_A_PERIOD,
+        TWO_PERIODS,
+        THREE_PERIODS,
+        MULTIPLIED,
+        ZERO,
+        THIRTY,
     ),
     hints=(
         Words(

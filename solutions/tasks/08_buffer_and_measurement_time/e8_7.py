@@ -2,35 +2,55 @@
 
 from __future__ import annotations
 
+from tflab.core import TransformException
 from tflab.ros.time import Time
-from tflab.workbook.tasks import Task, Twin, Vector, Words
+from tflab.workbook.tasks import Slip, Task, Vector, Words
 
 from .draws import _moved, _time, drive, seen
 
 
 def resting_objects(rng):
-    """The robot drives on between the sighting and now, and the localiser corrects itself in between."""
+    """The robot drives on between the sighting and now, and the localiser corrects itself in between; twice the buffer cannot tell."""
     rows = []
-    for share, later in ((0.05, 0.9), (0.2, 0.95), (0.35, 0.9), (0.1, 0.85), (0.5, 1.0), (0.3, 0.97)):
+    for share, later in (
+        (0.05, 0.9),
+        (0.2, 0.95),
+        (0.35, 0.9),
+        (0.1, 0.85),
+        (0.5, 1.0),
+        (0.3, 0.97),
+        (0.4, 1.9),
+        (-0.2, 0.8),
+    ):
         buffer, start_s, end_s, sensor = drive(rng)
         stamp_s, now_s = (round(start_s + part * (end_s - start_s), 3) for part in (share, later))
         rows.append((buffer, seen(rng, sensor, stamp_s), _time(now_s)))
     return rows
 
 
-def _at(buffer, message, target_time, source_time, fixed="odom"):
-    frame = message.header.frame_id
-    point = _moved(message, buffer.lookup_transform_full("base_link", target_time, frame, source_time, fixed)).point
-    return (point.x, point.y, point.z)
+def in_base_link(buffer, message, now, *, sight="stamp", base="now", fixed="odom", target="base_link",
+                 ends="wanted first", refusal="let through", move="all"):  # fmt: skip
+    """Return the coordinates, step by step; other steps are the slips."""
+    times = {"stamp": Time.from_msg(message.header.stamp), "now": now, "latest": Time()}
+    ends_at = [(target, times[base]), (message.header.frame_id, times[sight])]
+    if target == "odom":  # which rests: its time does not matter
+        ends_at[0] = (target, times[sight])
+    (one, one_time), (other, other_time) = ends_at[::-1] if ends == "swapped" else ends_at
+    try:
+        transform = buffer.lookup_transform_full(one, one_time, other, other_time, fixed)
+    except TransformException:
+        if refusal == "let through":
+            raise
+        if refusal == "None":
+            return None
+        transform = buffer.lookup_transform(one, other, Time())
+    moved = message if move == "not" else _moved(message, transform)
+    return (moved.point.x, moved.point.y, moved.point.z)
 
 
-def _stamp(message):
-    return Time.from_msg(message.header.stamp)
-
-
-BASE_LINK_THEN = Twin(
+BASE_LINK_THEN = Slip(
     "base_link then",
-    lambda buffer, message, now: _at(buffer, message, _stamp(message), _stamp(message)),
+    {"base": "stamp"},
     Words(
         en="That is the object in the base_link of one single moment, as if the robot had stood still between the sighting and now. It has driven on.",
         ko="어느 한 순간의 base_link 기준으로만 구한 위치입니다. 본 때와 지금 사이에 로봇이 서 있었던 것처럼 계산했지만, 로봇은 계속 달렸습니다.",
@@ -39,9 +59,9 @@ BASE_LINK_THEN = Twin(
 )
 
 
-LATEST_INSTEAD_OF_NOW = Twin(
+LATEST_INSTEAD_OF_NOW = Slip(
     "latest instead of now",
-    lambda buffer, message, now: _at(buffer, message, Time(), _stamp(message)),
+    {"base": "latest"},
     Words(
         en="The moment of the sighting is right. But for base_link you took `Time()`, the newest pose in the buffer, and `now` is asked for.",
         ko="본 순간은 맞습니다. 그런데 base_link에는 버퍼의 가장 새로운 자세를 뜻하는 `Time()`을 썼습니다. 필요한 것은 `now`입니다.",
@@ -50,9 +70,9 @@ LATEST_INSTEAD_OF_NOW = Twin(
 )
 
 
-TIMES_SWAPPED = Twin(
+TIMES_SWAPPED = Slip(
     "times swapped",
-    lambda buffer, message, now: _at(buffer, message, _stamp(message), now),
+    {"base": "stamp", "sight": "now"},
     Words(
         en="The two times are swapped: you moved a sighting of now into the base_link of then. Each frame is followed by its own time.",
         ko="두 시각이 뒤바뀌었습니다. 지금 본 것을 그때의 base_link로 옮겼습니다. 좌표계마다 바로 뒤에 자기 시각이 옵니다.",
@@ -60,9 +80,9 @@ TIMES_SWAPPED = Twin(
 )
 
 
-THROUGH_MAP = Twin(
+THROUGH_MAP = Slip(
     "through map",
-    lambda buffer, message, now: _at(buffer, message, now, _stamp(message), "map"),
+    {"fixed": "map"},
     Words(
         en="You went through map. Between the two moments the localiser corrected itself, map jumped, and the object jumped with it; odom runs on smoothly.",
         ko="map을 거쳐 갔습니다. 두 순간 사이에 위치 추정이 보정하면서 map이 뛰었고 물체도 함께 뛰었습니다. odom은 매끄럽게 이어집니다.",
@@ -71,14 +91,9 @@ THROUGH_MAP = Twin(
 )
 
 
-def _left_in_odom(buffer, message):
-    point = _moved(message, buffer.lookup_transform("odom", message.header.frame_id, _stamp(message))).point
-    return (point.x, point.y, point.z)
-
-
-LEFT_IN_ODOM = Twin(
+LEFT_IN_ODOM = Slip(
     "left in odom",
-    lambda buffer, message, now: _left_in_odom(buffer, message),
+    {"target": "odom"},
     Words(
         en="These are the coordinates in odom, where the two moments meet. Asked for is base_link, as it is at `now`: one more step.",
         ko="두 순간이 만나는 odom 기준의 좌표입니다. 필요한 것은 `now` 시각의 base_link 기준 좌표입니다. 한 걸음 더 가십시오.",
@@ -86,20 +101,53 @@ LEFT_IN_ODOM = Twin(
 )
 
 
-def _the_wrong_way(buffer, message, now):
-    then_T_now = buffer.lookup_transform_full(message.header.frame_id, _stamp(message), "base_link", now, "odom")
-    point = _moved(message, then_T_now).point
-    return (point.x, point.y, point.z)
-
-
-THE_WRONG_WAY = Twin(
+THE_WRONG_WAY = Slip(
     "the wrong way",
-    lambda buffer, message, now: _the_wrong_way(buffer, message, now),
+    {"ends": "swapped"},
     Words(
         en="Target and source are swapped. The target with its time comes first: base_link, now.",
         ko="목표와 원본이 뒤바뀌었습니다. 목표와 그 시각이 먼저입니다. base_link와 now입니다.",
     ),
     "M1",
+)
+
+BOTH_NOW = Slip(
+    "both now",
+    {"sight": "now"},
+    Words(
+        en="The sighting, too, is taken for one of now. It was made at the stamp: the sensor's frame goes with that time.",
+        ko="본 것까지 지금의 것으로 다루었습니다. 측정 시각에 본 것이므로 센서의 좌표계에는 그 시각이 따라갑니다.",
+    ),
+    "M9",
+)
+
+SWALLOWS = Slip(
+    "swallows the refusal",
+    {"refusal": "None"},
+    Words(
+        en="Where the buffer refuses, you return nothing, and nobody learns why. Let its exception through.",
+        ko="버퍼가 거절하면 아무것도 반환하지 않아 아무도 이유를 알지 못합니다. 예외를 그대로 내보내십시오.",
+    ),
+    "M11",
+)
+
+FALLS_BACK = Slip(
+    "falls back on latest",
+    {"refusal": "latest"},
+    Words(
+        en="Where the buffer refuses, you fall back on the latest transform: a wrong place instead of an honest no. Let its exception through.",
+        ko="버퍼가 거절하면 최신 변환으로 물러섭니다. 정직한 거절 대신 틀린 위치가 됩니다. 예외를 그대로 내보내십시오.",
+    ),
+    "M9",
+)
+
+AS_SEEN = Slip(
+    "as seen",
+    {"move": "not"},
+    Words(
+        en="Those are the numbers that the sensor saw. The object rests in the room, not on the robot: in base_link its numbers change as the robot drives.",
+        ko="센서가 본 숫자 그대로입니다. 물체는 로봇이 아니라 방에 있습니다. 로봇이 달리면 base_link 기준 숫자는 바뀝니다.",
+    ),
 )
 
 
@@ -112,6 +160,7 @@ TASK = Task(
     form=Vector(3, unit="m", frame="base_link", tolerance=0.002),
     inputs=resting_objects,
     variants=3,
+    model=in_base_link,
     twins=(
         BASE_LINK_THEN,
         LATEST_INSTEAD_OF_NOW,
@@ -119,6 +168,10 @@ TASK = Task(
         LEFT_IN_ODOM,
         THE_WRONG_WAY,
         THROUGH_MAP,
+        BOTH_NOW,
+        SWALLOWS,
+        FALLS_BACK,
+        AS_SEEN,
     ),
     hints=(
         Words(
