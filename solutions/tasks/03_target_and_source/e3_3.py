@@ -26,12 +26,19 @@ def inverted(
     yaw = a_pose_b["yaw"]
     angles = {"back": -yaw, "on": yaw, "none": 0.0, "asin": -math.asin(math.sin(yaw))}
     by = math.radians(angles[angle]) if unit == "degrees" else angles[angle]
-    sign = -1.0 if step == "off" else 1.0
-    u, v = sign * a_pose_b["x"], sign * a_pose_b["y"]
+    signs = {"off": (-1.0, -1.0), "on": (1.0, 1.0), "x alone": (-1.0, 1.0), "y alone": (1.0, -1.0)}.get(
+        step, (1.0, 1.0)
+    )
+    u, v = signs[0] * a_pose_b["x"], signs[1] * a_pose_b["y"]
     c, s = math.cos(by), math.sin(by)
     c, s = (s, c) if sine == "cos" else (c, s)
     x = c * u - s * v
-    return {"x": x, "y": s * (x if y == "new" else u) + c * v, "yaw": {"back": -yaw, "kept": yaw}[turn]}
+    x = x if sine != "one sign" else c * u + s * v
+    return {
+        "x": x,
+        "y": s * (x if y == "new" else u) + c * v,
+        "yaw": {"back": -yaw, "kept": yaw, "behind": yaw + math.pi}[turn],
+    }
 
 
 SIGN_ONLY = Slip(
@@ -129,6 +136,42 @@ SINE_FOR_COSINE = Slip(
     Words(en="sine and cosine have changed places in the turn.", ko="회전 공식에서 sin과 cos의 자리가 바뀌었습니다."),
 )
 
+X_ALONE = Slip(
+    "x_alone",
+    {"step": "x alone"},
+    Words(
+        en="you took x off and left y as it is: the whole step is taken off.",
+        ko="x만 빼고 y는 그대로 두었습니다. 이동 전체를 빼야 합니다.",
+    ),
+)
+
+Y_ALONE = Slip(
+    "y_alone",
+    {"step": "y alone"},
+    Words(
+        en="you took y off and left x as it is: the whole step is taken off.",
+        ko="y만 빼고 x는 그대로 두었습니다. 이동 전체를 빼야 합니다.",
+    ),
+)
+
+BEHIND = Slip(
+    "behind",
+    {"turn": "behind"},
+    Words(
+        en="you added half a turn to the yaw. To turn back is to turn by as much the other way.",
+        ko="yaw에 반 바퀴를 더했습니다. 되돌린다는 것은 같은 만큼 반대로 도는 것입니다.",
+    ),
+)
+
+ONE_SIGN = Slip(
+    "one_sign",
+    {"sine": "one sign"},
+    Words(
+        en="one sine in your x has the wrong sign: look at the formula once more, u·cos α − v·sin α.",
+        ko="x의 sin 하나의 부호가 틀렸습니다. 공식을 다시 보십시오. u·cos α − v·sin α입니다.",
+    ),
+)
+
 
 TASK = Task(
     id="E3.3",
@@ -150,6 +193,10 @@ TASK = Task(
         RADIANS_TWICE,
         BY_ASIN,
         SINE_FOR_COSINE,
+        X_ALONE,
+        Y_ALONE,
+        BEHIND,
+        ONE_SIGN,
     ),
     hints=(
         Words(

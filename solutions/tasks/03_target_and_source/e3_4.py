@@ -28,11 +28,16 @@ def joined(
     x, y = inner["x"], inner["y"]
     if turned == "sum":
         x, y = x + outer["x"], y + outer["y"]
+    if turned == "difference":
+        x, y = x - outer["x"], y - outer["y"]
     pose = moved(inner, x, y, angle)
     if turned == "second" and step != "lost":
         sign = -1.0 if step == "subtracted" else 1.0
+        pose |= {"x": -pose["x"], "y": -pose["y"]} if step == "second subtracted" else {}
         pose |= {"x": pose["x"] + sign * outer["x"], "y": pose["y"] + sign * outer["y"]}
-    return pose | {"yaw": {"sum": one + two, "second": two, "first": one, "difference": two - one}[yaw]}
+    return pose | {
+        "yaw": {"sum": one + two, "second": two, "first": one, "difference": two - one, "product": one * two}[yaw]
+    }
 
 
 OTHER_ORDER = Slip(
@@ -155,6 +160,33 @@ YAWS_SUBTRACTED = Slip(
     ),
 )
 
+SECOND_SUBTRACTED = Slip(
+    "second_subtracted",
+    {"step": "second subtracted"},
+    Words(
+        en="you took the second step off. From a one walks to b, and from there on to c: the steps add up.",
+        ko="둘째 이동을 뺐습니다. a에서 b까지 가고 거기서 c까지 더 갑니다. 이동은 더합니다.",
+    ),
+)
+
+DIFFERENCE_TURNED = Slip(
+    "difference_turned",
+    {"turned": "difference"},
+    Words(
+        en="you turned the difference of the two steps. Only the second step is turned, and then the first is added.",
+        ko="두 이동의 차를 돌렸습니다. 둘째 이동만 돌린 다음 첫째를 더하십시오.",
+    ),
+)
+
+YAWS_MULTIPLIED = Slip(
+    "yaws multiplied",
+    {"yaw": "product"},
+    Words(
+        en="you multiplied the yaws. Turns in the plane add up.",
+        ko="yaw를 곱했습니다. 평면에서 회전은 더합니다.",
+    ),
+)
+
 
 TASK = Task(
     id="E3.4",
@@ -179,6 +211,9 @@ TASK = Task(
         SUBTRACTED,
         YAW_OF_THE_FIRST,
         YAWS_SUBTRACTED,
+        SECOND_SUBTRACTED,
+        DIFFERENCE_TURNED,
+        YAWS_MULTIPLIED,
     ),
     hints=(
         Words(

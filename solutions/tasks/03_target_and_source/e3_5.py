@@ -145,6 +145,52 @@ YAW_IN_DEGREES = Twin(
 )
 
 
+def echo_behind(given) -> dict[str, object]:
+    mount, yaw = echoed(given)
+    return echo_answer(mount.translation, mount.inverse().translation, yaw + math.pi)
+
+
+def echo_turned_by_degrees(given) -> dict[str, object]:
+    mount, yaw = echoed(given)
+    back = Transform.from_rpy(yaw=-math.degrees(yaw)).apply([-value for value in mount.translation])
+    return echo_answer(mount.translation, back, -yaw)
+
+
+def echo_on_the_floor(given) -> dict[str, object]:
+    mount, yaw = echoed(given)
+    return echo_answer((*mount.translation[:2], 0.0), (*mount.inverse().translation[:2], 0.0), -yaw)
+
+
+BEHIND = Twin(
+    "behind",
+    echo_behind,
+    Words(
+        en="you added half a turn. The way back is turned by as much as the way there, to the other side.",
+        ko="반 바퀴를 더했습니다. 돌아가는 쪽은 같은 만큼 반대로 돕니다.",
+    ),
+)
+
+TURNED_BY_DEGREES = Twin(
+    "turned_by_degrees",
+    echo_turned_by_degrees,
+    Words(
+        en="the step was turned by the degrees, taken for radians: `math.cos` and `math.sin` want radians.",
+        ko="도 단위의 각도를 라디안으로 여기고 이동을 돌렸습니다. `math.cos`과 `math.sin`은 라디안을 받습니다.",
+    ),
+    "M5",
+)
+
+ON_THE_FLOOR = Twin(
+    "on_the_floor",
+    echo_on_the_floor,
+    Words(
+        en="the height was left out: the third number counts as well.",
+        ko="높이를 빠뜨렸습니다. 셋째 숫자도 필요합니다.",
+    ),
+    partly=True,
+)
+
+
 TASK = Task(
     id="E3.5",
     kind="N",
@@ -168,6 +214,9 @@ TASK = Task(
         HEIGHT_KEPT,
         YAW_IN_DEGREES,
         SAME_YAW,
+        BEHIND,
+        TURNED_BY_DEGREES,
+        ON_THE_FLOOR,
     ),
     hints=(
         Words(

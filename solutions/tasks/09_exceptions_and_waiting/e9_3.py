@@ -53,6 +53,10 @@ def messages(rng: np.random.Generator) -> list[tuple]:
         at_the_limit.header.stamp = stamp.to_msg()
         rows.append((robot_buffer(t), at_the_limit))
     rows += [(robot_buffer(t), point_in(frame, t + 30.0)) for frame in ("camera_link", "Laser_frame")]  # two faults
+    slow = point_in(
+        "laser_frame", t + 4.0 + round(float(rng.uniform(0.02, 0.1)), 3)
+    )
+    rows.append((robot_buffer(t, wheels_s=3.4), slow))
     lost = point_in("/laser_frame", round(t + float(rng.uniform(1.2, 3.8)), 3))
     return [*rows, (robot_buffer(t, is_localized=False), lost)]
 

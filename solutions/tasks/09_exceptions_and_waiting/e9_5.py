@@ -38,7 +38,12 @@ def kept(stamps_s, now_s, max_age_s, max_size, *, first="sieve", old="dropped", 
     stamps_s = sorted(stamps_s)[-max_size:] if first == "cut" else stamps_s
 
     def stays(age_s: float) -> bool:
-        is_young = {"dropped": age_s <= max_age_s, "at the limit": age_s < max_age_s, "kept": True}[old]
+        is_young = {
+            "dropped": age_s <= max_age_s,
+            "at the limit": age_s < max_age_s,
+            "kept": True,
+            "wanted": age_s >= max_age_s,
+        }[old]
         return (
             is_young and {"dropped": age_s >= 0.0, "now, too": age_s > 0.0, "0.1 s": age_s >= -0.1, "kept": True}[ahead]
         )
@@ -59,7 +64,8 @@ def kept(stamps_s, now_s, max_age_s, max_size, *, first="sieve", old="dropped", 
         "none": 0,
         "too old": sum(now_s - stamp > max_age_s for stamp in stamps_s),
     }
-    return {"kept": cut[::-1] if out == "newest first" else cut, "lost": losses[lost]}
+    kept = {"newest first": cut[::-1], "ages": [now_s - stamp for stamp in cut]}.get(out, cut)
+    return {"kept": kept, "lost": losses[lost]}
 
 
 KEEPS_THE_OLDEST = Slip(
@@ -232,6 +238,24 @@ LOST_OLD = Slip(
     ),
 )
 
+AGES = Slip(
+    "ages",
+    {"out": "ages"},
+    reply=Words(
+        en="what stays is told by its age. Asked for are the stamps.",
+        ko="남은 것을 나이로 답했습니다. 측정 시각이 필요합니다.",
+    ),
+)
+
+OLD_ONES_WANTED = Slip(
+    "the old ones stay",
+    {"old": "wanted"},
+    reply=Words(
+        en="the comparison is the wrong way round: what is older than `max_age_s` stays, and what is fresh goes.",
+        ko="비교가 거꾸로입니다. `max_age_s`보다 오래된 것이 남고 새것이 나갑니다.",
+    ),
+)
+
 
 TASK = Task(
     id="E9.5",
@@ -262,6 +286,8 @@ TASK = Task(
         LOST_CUT,
         LOST_NONE,
         LOST_OLD,
+        AGES,
+        OLD_ONES_WANTED,
     ),
     hints=(
         Words(

@@ -24,10 +24,10 @@ def two_edges(rng: np.random.Generator) -> dict:
     }
 
 
-def wait_of(given, *, periods=1.0, jitter=1.0, scan=1.0, combine=max) -> float:
+def wait_of(given, *, periods=1.0, delay=1.0, jitter=1.0, scan=1.0, combine=max) -> float:
     """Return the wait; the options are the mistakes."""
     sources = (given.localization, given.wheel_odometry)
-    each = [periods / one["rate_hz"] + one["delay_s"] + jitter * one["jitter_s"] for one in sources]
+    each = [periods / one["rate_hz"] + delay * one["delay_s"] + jitter * one["jitter_s"] for one in sources]
     return combine(each) - scan * given.scan_delay_s
 
 
@@ -111,6 +111,43 @@ A_ROUND_SECOND = Twin(
     ),
 )
 
+DELAY_FORGOTTEN = Slip(
+    "delay forgotten",
+    {"delay": 0.0},
+    reply=Words(
+        en="the delay of the transform is missing: it is on its way for that long, each time.",
+        ko="변환의 지연이 빠졌습니다. 매번 그만큼 걸려서 옵니다.",
+    ),
+)
+
+JITTER_TWICE = Slip(
+    "jitter twice",
+    {"jitter": 2.0},
+    reply=Words(
+        en="the jitter is counted twice. A transform is late by its delay and up to the jitter more, and then it is there.",
+        ko="흔들림을 두 번 셌습니다. 변환은 지연에 흔들림을 한 번 더한 만큼까지만 늦습니다.",
+    ),
+)
+
+TWO_PERIODS = Slip(
+    "two periods",
+    {"periods": 2.0},
+    reply=Words(
+        en="two periods are more than is needed: the first transform stamped after the scan will do.",
+        ko="두 주기는 필요보다 깁니다. 스캔 뒤의 첫 변환이면 됩니다.",
+    ),
+)
+
+TEN_SECONDS = Twin(
+    "ten seconds",
+    10.0,
+    reply=Words(
+        en="ten seconds is a habit, not a result: the scan would be ten seconds old. Work it out.",
+        ko="10초는 습관이지 결과가 아닙니다. 그때 스캔은 10초나 지난 것입니다. 계산해 보십시오.",
+    ),
+    misconception="M10",
+)
+
 
 TASK = Task(
     id="E9.7",
@@ -131,6 +168,10 @@ TASK = Task(
         QUICK_EDGE,
         ADDED_UP,
         A_ROUND_SECOND,
+        DELAY_FORGOTTEN,
+        JITTER_TWICE,
+        TWO_PERIODS,
+        TEN_SECONDS,
     ),
     hints=(
         Words(
