@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
-from tflab.workbook.answers.forms import Choice, Name, Number, Parts, Quaternion, Set, Tree, Vector
+from tflab.workbook.answers.forms import Angle, Choice, Name, Number, Parts, Quaternion, Set, Tree, Vector
 from tflab.workbook.answers.sealed import seal
 from tflab.workbook.answers.values import outcome_of, to_plain
 from tflab.workbook.tasks import Words
@@ -170,3 +172,76 @@ def test_a_function_that_changes_what_it_is_given_is_told_so():
     task, variant = bare(Number("s"), case, is_function=True)
     verdict = judge_outcomes(task, variant, [outcome_of(popped, case.args)])
     assert (verdict.mistake, verdict.detail["changed"]) == (Mistake.INPUT_CHANGED, 1)
+
+
+def judged_function(form, asked, twins=None):
+    """Return the verdict on a function, where `asked` is a list of (expected, outcome)."""
+    cases = [
+        Case([place], to_plain(want), {name: to_plain(row[place]) for name, row in (twins or {}).items()})
+        for place, (want, _) in enumerate(asked)
+    ]
+    task, variant = bare(form, *cases, is_function=True)
+    task = task._replace(twins={name: words(name) for name in twins or {}})
+    return judge_outcomes(task, variant, [to_plain(outcome) for _, outcome in asked])
+
+
+@pytest.mark.parametrize(
+    ("form", "right", "wrong", "name"),
+    [
+        (Number("m"), 3.0, 6.0, "twice"),
+        (Number("m"), 3.0, 9.0, "squared"),
+        (Angle(), 1.0, 1.0 - math.pi, "half a turn"),
+        (Angle(), 1.0, math.sin(0.5), "z for the angle"),
+        (Vector(3), (1.0, 2.0, 3.0), (3.0, -1.0, 2.0), "places and signs"),
+        (Vector(3), (1.0, 2.0, 3.0), (1.0, 2.0, 0.0), "left at zero"),
+        (Vector(3), (1.234, 2.345, 3.456), (1.2, 2.3, 3.4), "rounded"),
+    ],
+)
+def test_what_is_lost_or_moved_within_an_answer_is_named(form, right, wrong, name):
+    assert list(judged(form, right, {}, wrong).slips) == [name]
+
+
+def test_nothing_is_a_unit_of_what_is_as_good_as_zero():
+    assert judged(Number("s", 0.005), 6.45, {"time zero": 0.0}, 6.565).slips == {}
+
+
+def test_two_parts_that_changed_places_are_told_so():
+    verdict = judged(PARTS, {"a": 1.0, "b": 2.5, "c": 3.0}, {}, {"a": 2.5, "b": 1.0, "c": 3.0})
+    assert list(verdict.slips) == ["a and b changed places"]
+
+
+def test_what_was_given_is_named_where_it_comes_back():
+    case = Case(None, to_plain((1.0, 2.0, 3.0)), {})
+    task, variant = bare(Vector(3), case)
+    given = variant._replace(given={"p_laser": [4.0, 5.0, 6.0]})
+    assert list(judge_outcomes(task, given, [[4.0, 5.0, 6.0]]).slips) == ["given p_laser"]
+    assert judge_outcomes(task, given, [[4.0, 5.0, 6.5]]).slips == {}
+
+
+def test_a_mistake_in_some_calls_is_said_to_be_in_some():
+    verdict = judged_function(Number("m"), [(1.0, 1.0), (2.0, -2.0), (3.0, -3.0)])
+    assert list(verdict.slips) == ["in some: sign"]
+    assert verdict.said.en.startswith("In some calls, not in all:")
+    assert list(judged_function(Number("m"), [(1.0, -1.0), (2.0, -2.0)]).slips) == ["sign"]
+
+
+def test_each_part_of_what_a_function_gives_is_explained_by_itself():
+    form = Parts({"x": Number("m"), "yaw": Angle()})
+    asked = [({"x": x, "yaw": x / 2}, {"x": x, "yaw": math.degrees(x / 2)}) for x in (1.0, 2.0, 3.0)]
+    verdict = judged_function(form, asked)
+    assert (verdict.mistake, verdict.detail["part"], verdict.passed) == (Mistake.UNIT, "yaw", 3)
+
+
+@pytest.mark.parametrize(
+    ("said", "name"),
+    [
+        (["ok", "future", "future", "future"], "future for past"),
+        (["ok", "past", "future", "future"], "past and future swapped"),
+        (["future", "future", "past", "past"], "future for ok"),
+    ],
+)
+def test_words_that_a_function_confuses_are_named(said, name):
+    form = Choice(("ok", "past", "future"))
+    asked = ["ok", "future", "past", "past"]
+    slips = judged_function(form, list(zip(asked, said, strict=True))).slips
+    assert [set(slip.replace(" and ", " ").split()) for slip in slips] == [set(name.replace(" and ", " ").split())]

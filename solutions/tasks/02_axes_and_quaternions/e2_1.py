@@ -60,7 +60,7 @@ OPTICAL_AS_BODY = Twin(
     signs(OPTICAL_RIGHT, OPTICAL_UP),
     Words(
         en="You read the optical frame with the body's habits. A picture counts to the right and down.",
-        ko="광학 좌표계를 본체의 습관으로 읽었습니다. 영상은 오른쪽과 아래로 셉니다.",
+        ko="광학 좌표계를 본체의 관례로 읽었습니다. 영상은 오른쪽과 아래로 셉니다.",
     ),
     misconception="M4",
     partly=True,

@@ -41,7 +41,7 @@ FORGOTTEN = Twin(
     lambda given: picked(*given.optical_p_part)["forgotten"],
     Words(
         en="These are the numbers of the picture, unchanged. In camera_link, which of the three says how far ahead?",
-        ko="영상의 숫자를 그대로 썼습니다. camera_link에서는 셋 가운데 무엇이 앞으로의 거리입니까?",
+        ko="영상의 숫자를 그대로 썼습니다. camera_link에서는 셋 가운데 앞쪽으로 떨어진 거리는 어느 것입니까?",
     ),
     misconception="M4",
 )
@@ -52,7 +52,7 @@ BACKWARDS = Twin(
     lambda given: picked(*given.optical_p_part)["backwards"],
     Words(
         en="You went the other way, from the body to the picture (or turned twice: this rotation is a third of a full turn, so twice forward is once back). The part must end up in front: is your x the depth?",
-        ko="거꾸로 본체에서 영상 쪽으로 옮겼습니다. 두 번 돌려도 같은 값이 됩니다. 이 회전은 한 바퀴의 3분의 1이라서 앞으로 두 번 돌리면 뒤로 한 번 돌린 것과 같습니다. 부품은 앞에 있어야 합니다. x가 깊이와 같습니까?",
+        ko="거꾸로 본체에서 영상 쪽으로 옮겼습니다. 두 번 돌려도 같은 값이 됩니다. 이 회전은 한 바퀴의 3분의 1이라서 같은 쪽으로 두 번 돌리면 반대쪽으로 한 번 돌린 것과 같습니다. 부품은 앞에 있어야 합니다. x가 깊이와 같습니까?",
     ),
     misconception="M4",
 )

@@ -24,7 +24,6 @@ def aside_mm(given, *, quarter="pi / 2", unit="radians", part="whole", reach="ra
     reach_m = {"range": given.range_m, "left out": 1.0, "squared": given.range_m**2}[reach]
     off_m = {
         "aside": reach_m * missing,
-        "ahead": reach_m * math.cos(missing),
         "range": reach_m,
         "shorter": reach_m * (1 - math.cos(missing)),
     }
@@ -134,15 +133,6 @@ RANGE_SQUARED = Slip(
     ),
 )
 
-AHEAD = Slip(
-    "ahead",
-    {"length": "ahead"},
-    Words(
-        en="That is how far ahead the point still is: the cosine. Aside goes the sine, or for small angles the angle itself.",
-        ko="점이 앞으로 얼마나 있는지, 곧 cos입니다. 옆으로는 sin, 작은 각도에서는 각도 그대로입니다.",
-    ),
-)
-
 THE_RANGE = Slip(
     "the range",
     {"length": "range"},
@@ -184,7 +174,6 @@ TASK = Task(
         TWICE,
         NO_RANGE,
         RANGE_SQUARED,
-        AHEAD,
         THE_RANGE,
         SHORTER,
     ),

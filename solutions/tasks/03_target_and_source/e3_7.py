@@ -29,7 +29,7 @@ BY_ITS_LOOKS = Twin(
         en="node_c has the same line as node_b, and it is not the line that is wrong. The robot's own "
         "origin is written in `base_link`; node_c wants it in `map`. What does node_b hold, and want?",
         ko="node_c는 node_b와 같은 줄을 썼고, 줄 자체가 틀린 것은 아닙니다. 로봇의 원점은 `base_link` "
-        "기준이고 node_c는 그것을 `map` 기준으로 보고 싶어 합니다. node_b는 무엇을 가졌고, 무엇을 원합니까?",
+        "기준이고 node_c는 그것을 `map` 기준으로 보고 싶어 합니다. node_b는 어느 좌표계의 데이터를, 어느 좌표계에서 보려 합니까?",
     ),
     "M2",
 )
@@ -79,7 +79,7 @@ FAR_AWAY = Twin(
     Words(
         en="a far goal does not help: the farther away it is, the farther off a "
         "wrong turn throws it. For which transform is the inverse the same?",
-        ko="목표가 멀어도 드러납니다. 멀수록 틀린 회전 때문에 더 크게 어긋납니다. 역변환이 "
+        ko="목적지가 멀어도 드러납니다. 멀수록 틀린 회전 때문에 더 크게 어긋납니다. 역변환이 "
         "자기 자신과 같은 변환은 어떤 것입니까?",
     ),
     "M3",
@@ -106,7 +106,7 @@ NODE_C_AT_REST = Twin(
         en="node_c asks rightly: the robot's origin is written in `base_link`, and wanted in `map`. And a wrong "
         "transform would be wrong at rest, too. Which node has a goal of the map, and wants it in `base_link`?",
         ko="node_c는 바르게 물었습니다. 로봇의 원점은 `base_link` 기준이고, 그것을 `map` 기준으로 보고 싶습니다. 그리고 틀린 변환은 "
-        "서 있을 때도 틀립니다. 지도 기준 목표점을 `base_link` 기준으로 보고 싶은 노드는 어느 것입니까?",
+        "서 있을 때도 틀립니다. 지도 기준 목적지를 `base_link` 기준으로 보고 싶은 노드는 어느 것입니까?",
     ),
     "M2",
 )
@@ -170,7 +170,7 @@ TASK = Task(
         ),
         "the goal is far away": Words(
             en="the farther the goal, the farther off a wrong turn throws it. For which transform is the inverse the same?",
-            ko="목표가 멀수록 틀린 회전 때문에 더 크게 어긋납니다. 역변환이 자기 자신과 같은 변환은 어떤 것입니까?",
+            ko="목적지가 멀수록 틀린 회전 때문에 더 크게 어긋납니다. 역변환이 자기 자신과 같은 변환은 어떤 것입니까?",
         ),
     },
 )

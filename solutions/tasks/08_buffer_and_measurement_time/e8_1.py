@@ -15,7 +15,7 @@ def lanes(rng):
     return {
         "oldest_s": dict(zip(names, starts, strict=True)),
         "newest_s": dict(zip(names, (map_s, odom_s, arm_s), strict=True)),
-        "static": ["base_link -> laser_frame, sent at 0.50"],
+        "static": ["base_link -> laser_frame, sent at 0.12"],
         "clock_s": round(max(map_s, odom_s) + 0.17, 2),
     }
 
@@ -27,7 +27,7 @@ def common(g, *, lanes="the path", end="newest", which="common", told="time"):
     """Return the time, step by step; other steps are the slips."""
     edges = {"the path": PATH, "all": list(g.newest_s), "and the static one": PATH, "map alone": PATH[:1]}[lanes]
     rows = [(g.newest_s if end == "newest" else g.oldest_s)[edge] for edge in edges]
-    rows += [0.5] if lanes == "and the static one" else []
+    rows += [0.12] if lanes == "and the static one" else []
     ends = {"latest": max(rows), "earliest": min(rows), "mean": sum(rows) / len(rows)}
     stamp_s = ends.get(which, min(rows) if end == "newest" else max(rows))
     return g.clock_s - stamp_s if told == "age" else stamp_s
@@ -38,7 +38,7 @@ NEWEST_OF_ALL = Slip(
     {"end": "newest", "which": "latest"},
     Words(
         en="That is the newest sample on the path. At that moment the other lane has nothing to say yet, and a lookup needs every lane.",
-        ko="경로에서 가장 새로운 표본의 시각입니다. 그 순간 다른 차선은 아직 아무 말도 하지 않았고, 조회에는 모든 차선이 필요합니다.",
+        ko="경로에서 가장 새로운 표본의 시각입니다. 그 순간 다른 시간줄은 아직 아무 말도 하지 않았고, 조회에는 모든 시간줄이 필요합니다.",
     ),
     "M9",
 )
@@ -110,7 +110,7 @@ MEAN = Slip(
     {"which": "mean"},
     Words(
         en="You took the mean of the newest samples. At that moment the slower lane has nothing to say yet.",
-        ko="가장 새로운 표본들의 평균을 냈습니다. 그 순간 더 느린 차선은 아직 아무 말도 하지 않았습니다.",
+        ko="가장 새로운 표본들의 평균을 냈습니다. 그 순간 더 느린 시간줄은 아직 아무 말도 하지 않았습니다.",
     ),
 )
 
@@ -148,11 +148,11 @@ TASK = Task(
     hints=(
         Words(
             en="Draw one lane for each edge between map and laser_frame, and shade where all of them have data.",
-            ko="map과 laser_frame 사이의 연결마다 차선을 하나씩 그리고, 모두 데이터가 있는 구간을 칠해 보십시오.",
+            ko="map과 laser_frame 사이의 연결마다 시간줄을 하나씩 그리고, 모두 데이터가 있는 구간을 칠해 보십시오.",
         ),
         Words(
             en="Static lanes have no end, and lanes off the path do not matter. What is left?",
-            ko="정적 연결의 차선에는 끝이 없고, 경로 밖의 차선은 상관없습니다. 무엇이 남습니까?",
+            ko="정적 연결의 시간줄에는 끝이 없고, 경로 밖의 시간줄은 상관없습니다. 무엇이 남습니까?",
         ),
         Words(
             en="It is the earliest of the latest ones: `min(...)` of the two `newest_s` on the path.",

@@ -65,7 +65,7 @@ THE_LONG_WAY = Slip(
     {"turn": "difference"},
     Words(
         en="Your yaw goes the long way round when it crosses ±π: between 170° and −170° your robot looks to the front, where the real one turned 20° at the back.",
-        ko="±π를 넘을 때 yaw가 먼 길로 돌아갑니다. 170°와 −170° 사이에서 여러분의 로봇은 앞을 보지만, 진짜 로봇은 뒤쪽에서 20°만 돌았습니다.",
+        ko="±π를 넘을 때 yaw가 먼 길로 돌아갑니다. 170°와 −170° 사이에서 이 함수의 로봇은 정면을 보지만, 진짜 로봇은 뒤쪽에서 20°만 돌았습니다.",
     ),
 )
 
@@ -145,7 +145,7 @@ NOTHING_OUTSIDE = Slip(
     {"outside": "None"},
     Words(
         en="Outside the two samples you return None, and whoever calls you learns nothing. Refuse as the buffer does: raise `ExtrapolationException`.",
-        ko="두 표본 바깥에서 None을 반환하므로 부른 쪽은 아무것도 알지 못합니다. 버퍼처럼 거절하십시오. `ExtrapolationException`을 일으킵니다.",
+        ko="두 표본 바깥에서 None을 반환하므로 호출한 쪽은 아무것도 알지 못합니다. 버퍼처럼 거절하십시오. `ExtrapolationException`을 일으킵니다.",
     ),
     "M11",
 )

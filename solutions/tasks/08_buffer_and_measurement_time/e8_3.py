@@ -102,7 +102,7 @@ SWALLOWS_THE_REFUSAL = Slip(
     {"refusal": "None"},
     Words(
         en="Where the buffer refuses, you return nothing, and nobody learns why. Let the exception through: whoever calls you decides what to do.",
-        ko="버퍼가 거절하면 아무것도 반환하지 않아 아무도 이유를 알지 못합니다. 예외를 그대로 내보내십시오. 어떻게 할지는 부른 쪽이 정합니다.",
+        ko="버퍼가 거절하면 아무것도 반환하지 않아 아무도 이유를 알지 못합니다. 예외를 그대로 내보내십시오. 어떻게 할지는 호출한 쪽이 정합니다.",
     ),
     "M11",
 )
@@ -113,7 +113,7 @@ SWAPPED = Slip(
     {"ends": "swapped"},
     Words(
         en="Target and source are swapped. Say it: data expressed in the message's frame, wanted in map. The wanted one comes first.",
-        ko="목표와 원본이 뒤바뀌었습니다. 소리 내어 말해 보십시오. “메시지의 좌표계 기준 데이터를 map 기준으로 보고 싶다.” 보고 싶은 쪽이 먼저입니다.",
+        ko="목표와 원본이 뒤바뀌었습니다. 소리 내어 말해 보십시오. “메시지의 좌표계 기준 데이터를 map 기준으로 보고 싶다.” 기준이 될 좌표계, 곧 목표가 먼저입니다.",
     ),
     "M1",
 )
@@ -135,7 +135,7 @@ ONLY_THE_LABEL = Slip(
     {"move": "label"},
     Words(
         en="You wrote map on the label, and left the numbers as the sensor gave them. A frame is not a name to be changed: the point itself has to be moved.",
-        ko="꼬리표만 map으로 바꾸고 숫자는 센서가 준 그대로 두었습니다. 좌표계는 이름만 바꾼다고 바뀌지 않습니다. 점의 숫자를 옮겨야 합니다.",
+        ko="이름표만 map으로 바꾸고 숫자는 센서가 준 그대로 두었습니다. 좌표계는 이름만 바꾼다고 바뀌지 않습니다. 점의 숫자를 옮겨야 합니다.",
     ),
 )
 

@@ -45,7 +45,6 @@ def late(
         "hypot": math.hypot(ahead, aside),
         "added": abs(ahead) + abs(aside),
         "forwards": abs(ahead),
-        "difference": abs(abs(ahead) - abs(aside)),
     }
     return {"forwards_m": ahead, "left_m": aside, "together_m": lengths[together]}
 
@@ -90,7 +89,7 @@ ADDED = Slip(
     {"together": "added"},
     Words(
         en="The two pieces are at right angles: their lengths do not simply add up.",
-        ko="두 조각은 서로 직각입니다. 길이를 그냥 더하지 않습니다.",
+        ko="두 성분은 서로 직각입니다. 길이를 그냥 더하지 않습니다.",
     ),
     part="together_m",
 )
@@ -122,7 +121,7 @@ CROSSWISE = Slip(
     {"places": "exchanged"},
     Words(
         en="The two pieces have changed places. Driving pushes the point forwards, turning drags it to the side.",
-        ko="두 조각이 자리를 바꾸었습니다. 주행은 점을 앞으로 밀고, 회전은 옆으로 끌고 갑니다.",
+        ko="두 성분이 자리를 바꾸었습니다. 주행은 점을 앞으로 밀고, 회전은 옆으로 끌고 갑니다.",
     ),
 )
 
@@ -158,16 +157,6 @@ SPEED_TIMES_RANGE = Slip(
     part="forwards_m",
 )
 
-DIFFERENCE = Slip(
-    "difference",
-    {"together": "difference"},
-    Words(
-        en="You took one length off the other. The two pieces are at right angles: their length together is the hypotenuse.",
-        ko="한 길이에서 다른 길이를 뺐습니다. 두 조각은 직각이므로 합친 길이는 빗변입니다.",
-    ),
-    part="together_m",
-)
-
 
 TASK = Task(
     id="E8.4",
@@ -192,7 +181,6 @@ TASK = Task(
         ROTATION_ONLY,
         BACKWARDS,
         SPEED_TIMES_RANGE,
-        DIFFERENCE,
     ),
     hints=(
         Words(

@@ -81,7 +81,7 @@ CACHE_FOR_A_SLOW_LANE = Twin(
     {**RIGHT, "e": "cache too short"},
     Words(
         en="e: the cache decides how far back you can ask. These requests look forward, past the newest sample.",
-        ko="e: 보관 시간은 얼마나 옛날까지 물을 수 있는지를 정합니다. 이 요청들은 가장 새로운 표본보다 앞을 묻습니다.",
+        ko="e: 보관 시간은 얼마나 옛날까지 물을 수 있는지를 정합니다. 이 요청들은 가장 새로운 표본보다 늦은 시각을 묻습니다.",
     ),
     "M11",
 )
@@ -103,7 +103,7 @@ SLOW_FOR_A_SHORT_CACHE = Twin(
     {**RIGHT, "d": "odometry slow"},
     Words(
         en="d: this one is about the earliest data. A slow lane ends too early; which fault makes a lane begin too late?",
-        ko="d: 이 오류는 가장 오래된 데이터를 말합니다. 느린 차선은 너무 일찍 끝납니다. 차선이 너무 늦게 시작하게 만드는 것은 무엇입니까?",
+        ko="d: 이 오류는 가장 오래된 데이터를 말합니다. 느린 시간줄은 너무 일찍 끝납니다. 시간줄이 너무 늦게 시작하게 만드는 것은 무엇입니까?",
     ),
     "M11",
 )

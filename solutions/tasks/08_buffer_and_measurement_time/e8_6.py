@@ -33,7 +33,7 @@ THINKING_ONLY = Slip(
     {"times": 0.0},
     Words(
         en="Then the sample just before the stamp may be gone already, and without it there is nothing to interpolate from.",
-        ko="그러면 측정 시각 바로 앞의 표본이 이미 사라졌을 수 있고, 그것이 없으면 보간할 수 없습니다.",
+        ko="그러면 측정 시각 바로 이전의 표본이 이미 사라졌을 수 있고, 그것이 없으면 보간할 수 없습니다.",
     ),
 )
 
@@ -43,7 +43,7 @@ THE_FAST_LANE = Slip(
     {"lane": "fast"},
     Words(
         en="You counted with the fast edge. Every edge of the path must still hold the sample before the stamp, the slow one too.",
-        ko="빠른 연결로 계산했습니다. 경로의 모든 연결이 측정 시각 앞의 표본을 갖고 있어야 하고, 느린 연결도 마찬가지입니다.",
+        ko="빠른 연결로 계산했습니다. 경로의 모든 연결이 측정 시각 이전의 표본을 갖고 있어야 하고, 느린 연결도 마찬가지입니다.",
     ),
 )
 
@@ -53,7 +53,7 @@ BOTH_PERIODS = Slip(
     {"lane": "both"},
     Words(
         en="You added the periods of both edges. Each lane needs only its own, so the longest one is enough.",
-        ko="두 연결의 주기를 더했습니다. 차선마다 자기 주기만 필요하므로 가장 긴 것이면 충분합니다.",
+        ko="두 연결의 주기를 더했습니다. 시간줄마다 자기 주기만 필요하므로 가장 긴 것이면 충분합니다.",
     ),
 )
 
@@ -147,7 +147,7 @@ TWO_PERIODS = Slip(
     {"times": 2.0},
     Words(
         en="Two periods are more than is needed: one sample before the stamp is enough, and it is at most one period older.",
-        ko="두 주기는 필요보다 깁니다. 측정 시각 앞의 표본 하나면 되고, 그것은 길어야 한 주기 더 오래되었습니다.",
+        ko="두 주기는 필요보다 깁니다. 측정 시각 이전의 표본 하나면 되고, 그것은 길어야 한 주기 더 오래되었습니다.",
     ),
 )
 
@@ -156,7 +156,7 @@ THREE_PERIODS = Slip(
     {"times": 3.0},
     Words(
         en="Three periods are more than is needed: one sample before the stamp is enough, and it is at most one period older.",
-        ko="세 주기는 필요보다 깁니다. 측정 시각 앞의 표본 하나면 되고, 그것은 길어야 한 주기 더 오래되었습니다.",
+        ko="세 주기는 필요보다 깁니다. 측정 시각 이전의 표본 하나면 되고, 그것은 길어야 한 주기 더 오래되었습니다.",
     ),
 )
 
@@ -224,7 +224,7 @@ TASK = Task(
         ),
         Words(
             en="To interpolate at the stamp, a lane needs a sample before it. How much older than the stamp can that one be?",
-            ko="측정 시각에서 보간하려면 그 앞의 표본이 필요합니다. 그 표본은 측정 시각보다 얼마나 더 오래된 것일 수 있습니까?",
+            ko="측정 시각에서 보간하려면 그보다 이전의 표본이 필요합니다. 그 표본은 측정 시각보다 얼마나 더 오래된 것일 수 있습니까?",
         ),
         Words(
             en="Thinking time plus one period of the slowest edge on the path.",

@@ -33,8 +33,8 @@ ACCUSED_THE_NAMED_FRAME = Twin(
     reply=Words(
         en="the frames in the text are the two ends of the question, and the edge at fault is somewhere "
         "between them. Look in the buffer for the window that ends, or begins, at the second time of the text.",
-        ko="오류문에 나온 좌표계는 질문의 양 끝이고, 문제의 연결은 그 사이 어딘가에 있습니다. "
-        "오류문의 두 번째 시각에서 끝나거나 시작하는 구간을 버퍼에서 찾으십시오.",
+        ko="오류 메시지에 나온 좌표계는 질문의 양 끝이고, 문제의 연결은 그 사이 어딘가에 있습니다. "
+        "오류 메시지의 두 번째 시각에서 끝나거나 시작하는 구간을 버퍼에서 찾으십시오.",
     ),
     partly=True,
 )
@@ -68,7 +68,7 @@ THIRD_TEXT_TAKEN_FOR_THE_FUTURE = Twin(
     misconception="M11",
     reply=Words(
         en='line e is newer than the only sample, but its text does not say "future". With a single sample tf2 has a text of its own.',
-        ko='e는 하나뿐인 표본보다 새롭지만 오류문은 "future"라고 하지 않습니다. 표본이 하나뿐일 때 tf2는 다른 오류문을 씁니다.',
+        ko='e는 하나뿐인 표본보다 새롭지만 오류 메시지는 "future"라고 하지 않습니다. 표본이 하나뿐일 때 tf2는 다른 오류 메시지를 씁니다.',
     ),
 )
 
@@ -125,7 +125,7 @@ DIRECTION_OF_H_TURNED_ROUND = Twin(
     misconception="M11",
     reply=Words(
         en="line h says itself which way it goes. The moment asked for counts: is it before or after all that the buffer has?",
-        ko="h는 방향을 스스로 말하고 있습니다. 물어본 시각을 기준으로 합니다. 버퍼가 가진 모든 것보다 앞입니까, 뒤입니까?",
+        ko="h는 방향을 스스로 말하고 있습니다. 물어본 시각을 기준으로 합니다. 버퍼가 가진 모든 것보다 이릅니까, 늦습니까?",
     ),
 )
 

@@ -22,6 +22,7 @@ def questions(rng: np.random.Generator) -> list[tuple]:
     drawn = [
         ("map", "laser_frame", at(1.1, 3.9)),
         ("map", "laser_frame", at(4.05, 4.45)),
+        ("map", "laser_frame", Time(nanoseconds=seconds(round(t + 4.01, 3)))),  # a hundredth too late
         ("map", "laser_frame", at(0.1, 0.9)),
         ("map", "camera_link", at(1.1, 3.9)),
         ("map", "Laser_frame", at(1.1, 3.9)),
@@ -76,7 +77,7 @@ BASE_CLASS_FIRST = Twin(
     misconception="M11",
     reply=Words(
         en="every refusal ends in the same branch. Python takes the first `except` that fits, and the base class fits everything: let it come last.",
-        ko="모든 거절이 같은 분기로 들어갑니다. 파이썬은 맞는 첫 `except`를 택하고, 부모 클래스는 무엇에나 맞습니다. 맨 뒤로 보내십시오.",
+        ko="모든 거절이 같은 분기로 들어갑니다. 파이썬은 조건에 맞는 `except` 가운데 맨 위의 것을 택하고, 부모 클래스는 무엇에나 해당합니다. 맨 뒤로 보내십시오.",
     ),
 )
 
@@ -106,7 +107,7 @@ ENDS_SWAPPED = Twin(
     misconception="M1",
     reply=Words(
         en="where both names are wrong, tf2 complains of the target first. Your function seems to hand over source and target in the other order: wanted comes first.",
-        ko="두 이름이 모두 틀리면 tf2는 목표(target_frame)부터 탓합니다. 이 함수는 원본과 목표를 거꾸로 넘기는 것 같습니다. 보려는 쪽이 먼저입니다.",
+        ko="두 이름이 모두 틀리면 tf2는 목표(target_frame)부터 탓합니다. 이 함수는 원본과 목표를 거꾸로 넘기는 것 같습니다. 기준이 될 목표가 먼저입니다.",
     ),
 )
 
@@ -133,7 +134,7 @@ TWO_TEXTS = Twin(
     misconception="M11",
     reply=Words(
         en="extrapolation has three texts, and your function knows two. What does tf2 say of an edge that has been heard exactly once?",
-        ko="외삽 오류문은 세 가지인데 이 함수는 두 가지만 압니다. 딱 한 번 들은 연결에 대해 tf2는 무엇이라고 합니까?",
+        ko="외삽 오류 메시지는 세 가지인데 이 함수는 두 가지만 압니다. 딱 한 번 들은 연결에 대해 tf2는 무엇이라고 합니까?",
     ),
 )
 
@@ -167,7 +168,7 @@ TASK = Task(
         ),
         Words(
             en='Look in the text for "into the future" and "into the past"; an extrapolation that says neither is the third. InvalidArgumentException is what is left of TransformException.',
-            ko='오류문에서 "into the future"와 "into the past"를 찾으십시오. 둘 다 없으면 세 번째입니다. 나머지 TransformException이 InvalidArgumentException입니다.',
+            ko='오류 메시지에서 "into the future"와 "into the past"를 찾으십시오. 둘 다 없으면 세 번째입니다. 나머지 TransformException이 InvalidArgumentException입니다.',
         ),
     ),
     cures=("M11",),

@@ -53,9 +53,7 @@ def messages(rng: np.random.Generator) -> list[tuple]:
         at_the_limit.header.stamp = stamp.to_msg()
         rows.append((robot_buffer(t), at_the_limit))
     rows += [(robot_buffer(t), point_in(frame, t + 30.0)) for frame in ("camera_link", "Laser_frame")]  # two faults
-    slow = point_in(
-        "laser_frame", t + 4.0 + round(float(rng.uniform(0.02, 0.1)), 3)
-    )
+    slow = point_in("laser_frame", t + 4.0 + round(float(rng.uniform(0.02, 0.1)), 3))
     rows.append((robot_buffer(t, wheels_s=3.4), slow))
     lost = point_in("/laser_frame", round(t + float(rng.uniform(1.2, 3.8)), 3))
     return [*rows, (robot_buffer(t, is_localized=False), lost)]
@@ -106,7 +104,7 @@ GAP_FROM_THE_TEXT = Slip(
     misconception="M11",
     reply=Words(
         en="the time in the text is that of the first edge that failed, not of the slowest. A wait must last until every edge on the way is there: reckon from the latest common time.",
-        ko="오류문의 시각은 처음 실패한 연결의 것이지, 가장 느린 연결의 것이 아닙니다. 경로의 모든 연결이 올 때까지 기다려야 하므로 최신 공통 시각에서 계산하십시오.",
+        ko="오류 메시지의 시각은 처음 실패한 연결의 것이지, 가장 느린 연결의 것이 아닙니다. 경로의 모든 연결이 올 때까지 기다려야 하므로 최신 공통 시각에서 계산하십시오.",
     ),
 )
 
@@ -161,7 +159,7 @@ WAITS_FOR_EVERY_EXTRAPOLATION = Slip(
     misconception="M10",
     reply=Words(
         en="every extrapolation is a wait for you. Three kinds are in this class: a little into the future may wait, far into the future is a clock, and what is past does not come back. The text tells them apart.",
-        ko="외삽이면 무조건 기다립니다. 이 클래스에는 세 가지가 있습니다. 조금 앞선 미래는 기다릴 만하고, 한참 앞선 미래는 시계 문제이며, 과거는 돌아오지 않습니다. 오류문이 셋을 가려 줍니다.",
+        ko="외삽이면 무조건 기다립니다. 이 클래스에는 세 가지가 있습니다. 조금 늦은(미래의) 시각은 기다릴 만하고, 한참 늦은(미래의) 시각은 시계 문제이며, 과거는 돌아오지 않습니다. 오류 메시지이 셋을 가려 줍니다.",
     ),
 )
 
@@ -172,7 +170,7 @@ THIRD_TEXT_TAKEN_FOR_THE_FUTURE = Slip(
     misconception="M11",
     reply=Words(
         en='what is not "past" is not yet "future". An edge that has been heard exactly once gives a third text: any other extrapolation is a "drop".',
-        ko='"past"가 아니라고 해서 "future"인 것은 아닙니다. 딱 한 번 들은 연결은 세 번째 오류문을 냅니다. 그 밖의 외삽은 "drop"입니다.',
+        ko='"past"가 아니라고 해서 "future"인 것은 아닙니다. 딱 한 번 들은 연결은 세 번째 오류 메시지를 냅니다. 그 밖의 외삽은 "drop"입니다.',
     ),
 )
 

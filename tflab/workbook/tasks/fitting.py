@@ -18,7 +18,7 @@ from ..answers.forms import Message, Name, Number, Parts, Quaternion, Vector
 from ..answers.values import Plain, is_raised
 from ..words import Words
 from .case import TaskCases, TwinWords
-from .universal import PLAIN_TO_SEE, UNIVERSAL, undone
+from .universal import PLAIN_TO_SEE, UNIVERSAL, by_comparison, undone
 
 __all__ = [
     "ANY_BUG",
@@ -68,16 +68,25 @@ def undone_to(
     form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain], *, only_plain_to_see: bool = False
 ) -> Iterator[str]:
     """Yield the universal mistakes without which the outcomes would be what is wanted."""
-    pairs = list(zip(outcomes, wanted, strict=True))
-    values = [(given, want) for given, want in pairs if not is_raised(want)]
-    wrong = [given for given, want in values if not alike(form, given, want)]
-    if not wrong or not all(alike(form, given, want) for given, want in pairs if is_raised(want)):
+    values = _values(form, outcomes, wanted)
+    wrong = next((given for given, want in values if not alike(form, given, want)), None)
+    if wrong is None:
         return
-    for name, unit in dict.fromkeys(way[:2] for way in undone(form, wrong[0])):
+    for name, unit in dict.fromkeys(way[:2] for way in undone(form, wrong)):
         if only_plain_to_see and name not in PLAIN_TO_SEE:
             continue
         if all(_fits(form, name, unit, *pair) for pair in values):
             yield f"{name} {unit}".strip()
+    if not only_plain_to_see:
+        yield from by_comparison(form, *map(list, zip(*values, strict=True)))
+
+
+def _values(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> list[tuple[Plain, Plain]]:
+    """Return each outcome with the value that is wanted; none of them if an exception is wanted and did not come."""
+    pairs = list(zip(outcomes, wanted, strict=True))
+    if not all(alike(form, given, want) for given, want in pairs if is_raised(want)):
+        return []
+    return [(given, want) for given, want in pairs if not is_raised(want)]
 
 
 def in_some(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> Iterator[str]:

@@ -24,7 +24,7 @@ from ..answers.values import Plain, to_plain
 from ..words import Words
 from .units import OTHER_UNITS, unit_of
 
-__all__ = ["PLAIN_TO_SEE", "UNIVERSAL", "Undone", "undone"]
+__all__ = ["PLAIN_TO_SEE", "UNIVERSAL", "Undone", "by_comparison", "undone"]
 
 Row = tuple[float, ...]
 NOTHING = 10.0  # tolerances: a number below is as good as zero, whatever its unit
@@ -285,6 +285,21 @@ UNIVERSAL = {
         ),
         lambda row: iter(()),
     ),
+    "empty": Universal(Words(en="this is still empty.", ko="아직 비어 있습니다."), lambda row: iter(())),
+    "left at zero": Universal(
+        Words(
+            en="what is not 0 is right; a number that is still 0 is missing.",
+            ko="0이 아닌 숫자는 맞습니다. 아직 0인 숫자가 빠졌습니다.",
+        ),
+        lambda row: iter(()),
+    ),
+    "rounded": Universal(
+        Words(
+            en="digits were cut off: hand over the number as it was computed, without rounding.",
+            ko="자릿수를 잘라 냈습니다. 반올림하지 말고 계산한 그대로 넘기십시오.",
+        ),
+        lambda row: iter(()),
+    ),
 }
 OF_FORM = {
     Number: ("sign", "one over it", "twice", "half", "squared", "root"),
@@ -306,6 +321,37 @@ def undone(form: Form, answer: Plain) -> Iterator[Undone]:
         yield Undone("other order", "", answer[::-1])
     elif type(form) in OF_FORM and form.read(answer) is not None:  # not, say, a message in another frame
         yield from _undone_numbers(form, answer)
+
+
+def by_comparison(form: Form, answers: list[Plain], wanted: list[Plain]) -> Iterator[str]:
+    """Yield the mistakes that lose something and cannot be undone: seen only where the right answer is open."""
+    size = form.size if isinstance(form, Vector) else 4 if isinstance(form, Quaternion) else None
+    rows = [(numbers_of(answer, size), numbers_of(want, size)) for answer, want in zip(answers, wanted, strict=True)]
+    if answers == [""] * len(answers):
+        yield "empty"
+    elif type(form) in OF_FORM and not any(None in row for row in rows):
+        yield from _lost(form, rows)
+
+
+def _lost(form: Form, rows: list[tuple[Row, Row]]) -> Iterator[str]:
+    is_empty = not any(any(given) for given, _ in rows)
+    if isinstance(form, Vector) and all(_left_at_zero(*row, form.tolerance) for row in rows):
+        yield "empty" if is_empty else "left at zero"
+    if not is_empty and any(all(_rounded(*row, digits) for row in rows) for digits in (1, 2, 3)):
+        yield "rounded"
+
+
+def _left_at_zero(given: Row, wanted: Row, tolerance: float) -> bool:
+    return all(number == 0.0 or abs(number - want) <= tolerance for number, want in zip(given, wanted, strict=True))
+
+
+def _rounded(given: Row, wanted: Row, digits: int) -> bool:
+    """Return whether each number was rounded to so many digits, or cut there."""
+    scale = 10**digits
+    return all(
+        any(abs(number - cut / scale) < 1e-9 for cut in (round(want * scale), math.trunc(want * scale)))
+        for number, want in zip(given, wanted, strict=True)
+    )
 
 
 def _undone_numbers(form: Form, answer: Plain) -> Iterator[Undone]:
