@@ -68,7 +68,7 @@ REPLIES = {
     ),
     Mistake.UNSTEADY: Words(
         en="the same arguments gave two different results. A function may not remember earlier calls.",
-        ko="같은 인자로 두 번 불렀더니 결과가 다릅니다. 함수가 이전 호출을 기억하면 안 됩니다.",
+        ko="같은 인자로 두 번 호출했더니 결과가 다릅니다. 함수가 이전 호출을 기억하면 안 됩니다.",
     ),
     Mistake.SLIP: Words(en="{said}", ko="{said}"),
     Mistake.NOTHING_RETURNED: Words(
@@ -84,7 +84,7 @@ REPLIES = {
     Mistake.INPUT_CHANGED: Words(
         en="your function changes what it is given (argument {changed}): whoever called it has lost the original. "
         "Work on a copy.",
-        ko="함수가 받은 것을 바꿉니다({changed}번째 인자). 부른 쪽은 원래 값을 잃습니다. 복사본으로 계산하십시오.",
+        ko="함수가 받은 것을 바꿉니다({changed}번째 인자). 호출한 쪽은 원래 값을 잃습니다. 복사본으로 계산하십시오.",
     ),
     Mistake.RAISES: Words(
         en="your function stopped with {error}: {text}",

@@ -17,7 +17,7 @@ PHRASES = {
     ),
     "case": Words(
         en="It was called as {call}, and gave {got}.",
-        ko="이렇게 불렀습니다: {call}. 나온 결과: {got}.",
+        ko="이렇게 호출했습니다: {call}. 나온 결과: {got}.",
     ),
     "hint": Words(
         en='hint("{id}") helps, one step at a time.',
@@ -52,7 +52,7 @@ PHRASES = {
 LATER = {
     "function": Words(
         en="Your function was called with {of} public inputs. Grading calls it with others.",
-        ko="공개된 입력 {of}개로 함수를 불러 보았습니다. 채점에서는 다른 입력으로 부릅니다.",
+        ko="공개된 입력 {of}개로 함수를 호출해 보았습니다. 채점에서는 다른 입력으로 호출합니다.",
     ),
     "same for all": Words(
         en="Your answer was compared with the right one, and grading does just that.",
