@@ -42,7 +42,7 @@ class Choice(Form):
         text = text.strip()
         if not self.options or text in self.options:
             return text
-        are_names = any("_" in option or "/" in option for option in self.options)
+        are_names = any(map(_is_name, self.options))
         meant = [option for option in self.options if _meant(option, are_names) == _meant(text, are_names)]
         return meant[0] if len(meant) == 1 else None
 
@@ -132,6 +132,11 @@ def as_one(probes: list[Probe] | None) -> Probe:
         return []
     ways = islice(product(*probes), MOST_WAYS)
     return [tuple(mark for row in rows for mark in row) for rows in ways]
+
+
+def _is_name(option: str) -> bool:
+    """Return whether this is a frame, a node or an edge, and no words about one."""
+    return ("_" in option or "/" in option) and (" " not in option or "->" in option)
 
 
 def _meant(text: str, is_name: bool) -> str:
