@@ -89,12 +89,12 @@ walls_off, missing, tilted_map, gyro_z = ..., ..., ..., ...
 # %% [markdown] lang="en" name="two-origins" slide="slide"
 # ## Two origins
 #
-# A URDF has [[link|links]], the rigid parts, and [[joint|joints]], which say how one link hangs on another. Each link is a [[frame]]; each joint is one [[transform]], parent to child. This is the lecture's whole robot:
+# A URDF has [[link|links]], the rigid parts, and [[joint|joints]], which say how one link hangs on another. Each link is a [[frame]]; each joint is one [[transform]], parent to child. This is the lecture's whole robot. (`parse_urdf` reads it, and `link_poses` says where each link is, seen from the root.)
 
 # %% [markdown] lang="ko" name="two-origins" slide="slide"
 # ## 두 가지 origin
 #
-# URDF에는 단단한 부품인 [[link|링크(link)]]와, 링크가 다른 링크에 어떻게 달려 있는지 적은 [[joint|관절(joint)]]이 있습니다. 링크마다 [[frame|좌표계]]가 하나씩 있고, 관절은 부모에서 자식으로 가는 [[transform|변환]] 하나입니다. 강의에 나온 로봇의 전부입니다.
+# URDF에는 단단한 부품인 [[link|링크(link)]]와, 링크가 다른 링크에 어떻게 달려 있는지 적은 [[joint|관절(joint)]]이 있습니다. 링크마다 [[frame|좌표계]]가 하나씩 있고, 관절은 부모에서 자식으로 가는 [[transform|변환]] 하나입니다. 강의에 나온 로봇의 전부입니다. (`parse_urdf`는 이것을 읽고, `link_poses`는 루트 기준으로 각 링크가 어디에 있는지 구합니다.)
 
 # %% name="lecture-urdf" slide="-"
 LECTURE = """<robot name="tf_lab_robot">
@@ -149,6 +149,12 @@ lesson.draw_placed(placed, walls=lesson.ROOM.walls)
 # 평균 1.5미터, 최대 5미터 가까이 어긋납니다. `<visual>`에 쓴 줄은 점 하나도 바꾸지 못했습니다. 관절에 쓰면 레이저의 잡음인 몇 밀리미터만 남고 모두 맞습니다.
 #
 # 아무 오류도 나지 않았습니다. 도면과 나사를 비교해 주는 도구는 없습니다. 똑바로 앞에 있다고 알고 있는 물체로 *여러분이* 비교해야 합니다.
+
+# %% [markdown] lang="en" name="walls-notes" slide="notes"
+# Stay here until somebody says why the middle picture is no better than the left one. Then ask who in the room has a URDF with a sensor that was moved since. Eight minutes up to here.
+
+# %% [markdown] lang="ko" name="walls-notes" slide="notes"
+# 가운데 그림이 왼쪽 그림보다 나을 것이 없는 이유가 나올 때까지 기다립니다. 그다음 묻습니다. 센서를 옮긴 뒤 URDF를 고치지 않은 로봇이 있습니까? 여기까지 8분입니다.
 
 # %% name="laser-and-ghost" slide="subslide"
 poses = lesson.link_poses(lesson.parse_urdf(in_visual))
@@ -245,6 +251,12 @@ lesson.draw_joints(at, touched='elbow_joint', ghosts={'0.12 added to z': (x, y, 
 # - [[tcp|`tcp`]](tool centre point)는 공구가 일하는 점이고, 팔이 끝나는 `tool0`에서 0.12 m 더 나간 곳입니다. 공구의 z를 따라 **따로 둔 좌표계**이므로, 공구를 바꾸면 도미노 하나만 바뀝니다. `base_link`의 z에 0.12를 더하면 15 cm 옆의 회색 고리로 갑니다.
 #
 # 0도 다른 값과 다를 바 없는 위치입니다. 모두 0이면 팔 끝은 (0.470, 0, 0.150)에 있습니다.
+
+# %% [markdown] lang="en" name="chain-notes" slide="notes"
+# Let somebody call out a joint and everybody say which dominoes will change, before you move the slider. It is always one. Twenty-five minutes up to here.
+
+# %% [markdown] lang="ko" name="chain-notes" slide="notes"
+# 누군가 관절 이름을 부르게 하고, 슬라이더를 움직이기 전에 어느 도미노가 바뀔지 모두 말하게 합니다. 언제나 하나입니다. 여기까지 25분입니다.
 
 # %% [markdown] lang="en" name="touch" slide="subslide"
 # How does one find a tcp? Touch a mark whose place is known, `base_p_tip`, and ask where it is for the tool: `tool0_p_tip = tool0_T_base @ base_p_tip`.
@@ -343,6 +355,12 @@ lesson.frame_tree(graph, seconds=1.0)
 #
 # 팔 없는 손입니다. `tool0`와 `tcp`는 손목에 고정되어 있지만 손목은 아무 데도 이어져 있지 않습니다. 바퀴와 `shoulder`, `elbow`는 아예 없습니다.
 # 이 노드는 0이라고 짐작하지 않습니다. RViz의 RobotModel에는 `left_wheel: No transform from [left_wheel] to [odom]`이라고 나오고, 손의 변환을 조회하면 이런 오류가 납니다.
+
+# %% [markdown] lang="en" name="alone-notes" slide="notes"
+# The hand without an arm gets a laugh; let it. Then: who publishes wrist? Nobody, and nobody complains. The four drivers after this take five minutes; let each be voted on.
+
+# %% [markdown] lang="ko" name="alone-notes" slide="notes"
+# 팔 없는 손에서 웃음이 나옵니다. 잠시 둡니다. 그다음 묻습니다. wrist는 누가 발행합니까? 아무도 하지 않고, 아무도 불평하지 않습니다. 이어지는 네 드라이버는 5분입니다. 하나씩 손을 들게 합니다.
 
 # %% name="ask-for-the-hand" slide="-"
 rclpy.init()
@@ -474,6 +492,12 @@ lesson.draw_placed({'URDF: level': level, 'URDF: 3°': true, 'URDF: 3°, z > 0.0
 # URDF를 제대로 적어도 점들은 돌아가지 않습니다. 빛이 *실제로* 바닥에서 끝났기 때문입니다. 대신 점마다 z가 생기고, 그러면 걸러 낼 수 있습니다.
 # 평면 스캔만 받는 프로그램이라면 드라이버로 레이저를 수평으로 맞추세요. 강의에서는 기울어진 레이저를 수평으로 여기면 장애물 위치가 틀어진다고 했습니다. URDF를 제대로 적는 것은 고치는 일의 시작이지 끝이 아닙니다.
 
+# %% [markdown] lang="en" name="tilt-notes" slide="notes"
+# The surprise is the second panel: the URDF is right and the dots are where they were. Ask what the URDF has given us then. The answer is one number: z. Forty-five minutes up to here.
+
+# %% [markdown] lang="ko" name="tilt-notes" slide="notes"
+# 놀라운 것은 둘째 그림입니다. URDF가 맞는데도 점들은 그대로입니다. 그러면 URDF가 준 것은 무엇일까요? 답은 숫자 하나, z입니다. 여기까지 45분입니다.
+
 # %% [markdown] lang="en" name="imu" slide="slide"
 # ## An IMU on its back
 #
@@ -534,6 +558,12 @@ for name, rpy in mounts.items():
 #
 # 중력은 한 직선만 알려 줍니다. IMU가 뒤집혔다는 것은 알지만 어떻게 뒤집혔는지는 모르고, 수직축을 중심으로 돈 것은 전혀 모릅니다.
 # 왼쪽으로 굽은 길에서는 왼쪽으로 0.5 m/s · 0.5 rad/s = 0.25 m/s²만큼 당겨집니다. 이 둘째 벡터가 나머지를 정합니다. 실제로는 로봇을 손으로 돌려 봅니다. `angular_velocity.z`가 왼쪽에서 양수여야 합니다.
+
+# %% [markdown] lang="en" name="gravity-notes" slide="notes"
+# Take a phone, lay it on its face, turn it about the vertical: gravity reads the same. That is why a bend is needed. Leave the last ten minutes for breaking files and the checkpoint.
+
+# %% [markdown] lang="ko" name="gravity-notes" slide="notes"
+# 휴대전화를 엎어 놓고 수직축을 중심으로 돌려 보입니다. 중력은 그대로입니다. 그래서 굽은 길이 필요합니다. 마지막 10분은 파일 고장 내기와 마무리 점검에 씁니다.
 
 # %% [markdown] lang="en" name="break-it" slide="slide"
 # ## Break it: a URDF that is no robot

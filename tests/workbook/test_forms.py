@@ -66,7 +66,9 @@ WHOLE = f"""<?xml version="1.0"?>
 <robot name="r"><link name="lens"/><link name="head"/><link name="base_link"/>{HEAD}</robot>"""
 NODS = Urdf(("head", "lens"), joint="nod", settings=(0.0, 0.4))
 SAME = [
-    (NODS, WHOLE, HEAD), (NODS, HEAD.replace("1.5708", "1.570796"), HEAD),
+    (NODS, WHOLE, HEAD),
+    (NODS, WHOLE.replace("</robot>", '<link name="w"/><joint name="b" type="fixed"><parent link="w"/>'
+     '<child link="base_link"/></joint></robot>'), HEAD), (NODS, HEAD.replace("1.5708", "1.570796"), HEAD),
     (NODS, HEAD.replace('rpy="0 0 1.5708"', 'rpy="0 0 7.853981"'), HEAD),
     (NODS, HEAD.replace("revolute", "continuous").replace("0 1 0", "0 2.0 0"), HEAD),
     (Number(), 1.0, 1.0004), (Number(tolerance=0), 5, 5), (Number(), np.float64(2.0), 2),

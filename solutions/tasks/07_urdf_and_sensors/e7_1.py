@@ -29,25 +29,31 @@ def origin(xyz, rpy):
     return f'<origin xyz="{" ".join(map(repr, xyz))}" rpy="{" ".join(map(repr, rpy))}"/>'
 
 
-def finished(g, *, place="joint", ends="parent first", kind="revolute", length="m", side="right", order="x y z", angle="rad",
-             way="right", about="its own", turns="once", lens="ahead", optical="turned"):  # fmt: skip
+def finished(g, *, place="joint", ends="parent first", name="nod_joint", kind="revolute", length="m", side="right", order="x y z",
+             angle="rad", way="right", about="its own", turns="once", hangs="camera_link", lens_length="m", lens="ahead",
+             optical="turned"):  # fmt: skip
     """Return the two joints, step by step; other steps are the slips."""
     scale = {"m": 0.01, "cm": 1.0, "mm": 10.0}[length]
     ahead, left, up = g.ahead_cm, -g.to_its_right_cm if side == "right" else g.to_its_right_cm, g.up_cm
     xyz = {"x y z": (ahead, left, up), "y first": (left, ahead, up), "z first": (up, left, ahead)}[order]
     yaw = g.turned_to_the_right_deg if angle == "deg" else math.radians(g.turned_to_the_right_deg)
     yaw = yaw if way == "left" else -yaw
-    rpy = {"once": (0.0, 0.0, yaw), "twice": (OPTICAL[0], 0.0, OPTICAL[2] + yaw), "none": (0.0, 0.0, 0.0)}[turns]
+    rpy = {"once": (0.0, 0.0, yaw), "twice": (OPTICAL[0], 0.0, OPTICAL[2] + yaw), "none": (0.0, 0.0, 0.0),
+           "roll": (yaw, 0.0, 0.0), "pitch": (0.0, yaw, 0.0)}[turns]  # fmt: skip
     axes = {
         "its own": (0, 1, 0), "parent": (-math.sin(yaw), math.cos(yaw), 0), "z": (0, 0, 1), "x": (1, 0, 0), "upwards": (0, -1, 0),
     }  # fmt: skip
-    lens_m = scale * g.lens_ahead_cm
+    lens_m = {"m": 0.01, "cm": 1.0, "mm": 10.0}[lens_length] * g.lens_ahead_cm
     lens_xyz = {"ahead": (lens_m, 0.0, 0.0), "z": (0.0, 0.0, lens_m), "forgotten": (0.0, 0.0, 0.0)}[lens]
     turned = {
         "turned": OPTICAL,
         "not": (0.0, 0.0, 0.0),
         "back": (math.pi / 2, -math.pi / 2, 0.0),
         "deg": (-90.0, 0.0, -90.0),
+        "plus": (math.pi / 2, 0.0, math.pi / 2),
+        "roll": (OPTICAL[0], 0.0, 0.0),
+        "yaw": (0.0, 0.0, OPTICAL[2]),
+        "pitch": (0.0, OPTICAL[0], OPTICAL[2]),
     }
     first, second = origin([scale * each for each in xyz], rpy), origin(lens_xyz, turned[optical])
     painted = "" if place == "joint" else "<geometry><sphere radius='0.01'/></geometry>"
@@ -55,13 +61,13 @@ def finished(g, *, place="joint", ends="parent first", kind="revolute", length="
     visual = f'<link name="camera_link"><visual>{first}{painted}</visual></link>' if painted else ""
     return f"""
 {visual}
-<joint name="nod_joint" type="{kind}">
+<joint name="{name}" type="{kind}">
   <parent link="{parent}"/> <child link="{child}"/>
   {"" if painted else first}
   <axis xyz="{" ".join(map(repr, axes[about]))}"/>
 </joint>
 <joint name="optical_joint" type="fixed">
-  <parent link="camera_link"/> <child link="camera_optical_frame"/>
+  <parent link="{hangs}"/> <child link="camera_optical_frame"/>
   {second}
 </joint>"""
 
@@ -83,12 +89,42 @@ SLIPS = (
     slip("slides", {"kind": "prismatic"},
          "nod_joint is prismatic: this camera slides along its axis. A joint that turns is revolute.",
          "nod_joint가 prismatic입니다. 축을 따라 미끄러집니다. 도는 관절은 revolute입니다."),
-    slip("centimetres", {"length": "cm"},
+    slip("centimetres", {"length": "cm", "lens_length": "cm"},
          "your lengths are in centimetres. A URDF counts in metres: this camera is wide of the robot by a house.",
          "길이를 센티미터로 썼습니다. URDF는 미터를 씁니다. 카메라가 로봇에서 집 한 채만큼 떨어져 있습니다."),
-    slip("millimetres", {"length": "mm"},
+    slip("millimetres", {"length": "mm", "lens_length": "mm"},
          "your lengths are ten times the centimetres, so millimetres. A URDF counts in metres.",
          "길이가 센티미터의 열 배, 곧 밀리미터입니다. URDF는 미터를 씁니다."),
+    slip("head in centimetres", {"length": "cm"},
+         "nod_joint's lengths are in centimetres. A URDF counts in metres.",
+         "nod_joint의 길이를 센티미터로 썼습니다. URDF는 미터를 씁니다."),
+    slip("lens in centimetres", {"lens_length": "cm"},
+         "optical_joint's length is in centimetres. A URDF counts in metres.",
+         "optical_joint의 길이를 센티미터로 썼습니다. URDF는 미터를 씁니다."),
+    slip("another name", {"name": "nod"},
+         "the joint that nods has another name. Joint states go by names: nobody will move it as nod_joint.",
+         "끄덕이는 관절의 이름이 다릅니다. 관절 값은 이름으로 전해지므로 nod_joint라는 값으로는 움직이지 않습니다."),
+    slip("turned as roll", {"turns": "roll"},
+         "the head is rolled onto its side: your angle stands first in rpy. A turn to the right is a yaw, which comes last.",
+         "머리가 옆으로 기울었습니다. 각도를 rpy의 첫째에 썼습니다. 오른쪽으로 도는 것은 마지막인 yaw입니다."),
+    slip("turned as pitch", {"turns": "pitch"},
+         "the head looks up or down: your angle stands in the middle of rpy. A turn to the right is a yaw, which comes last.",
+         "머리가 위나 아래를 봅니다. 각도를 rpy의 가운데에 썼습니다. 오른쪽으로 도는 것은 마지막인 yaw입니다."),
+    slip("optical on the base", {"hangs": "base_link"},
+         "the optical frame hangs on base_link: it would not nod along. It hangs on camera_link.",
+         "광학 좌표계가 base_link에 달려 있어 함께 끄덕이지 않습니다. camera_link에 달려야 합니다.", "M12"),
+    slip("optical plus signs", {"optical": "plus"},
+         "both quarter turns of optical_joint go the other way: with plus signs this camera looks backwards.",
+         "optical_joint의 90도 회전 두 개가 모두 반대입니다. 양수로 쓰면 카메라가 뒤를 봅니다.", "M4"),
+    slip("optical only rolled", {"optical": "roll"},
+         "optical_joint makes one of its two quarter turns: after the roll, a yaw has to follow.",
+         "optical_joint가 90도 회전 두 개 가운데 하나만 합니다. roll 다음에 yaw도 있어야 합니다.", "M4"),
+    slip("optical only yawed", {"optical": "yaw"},
+         "optical_joint makes one of its two quarter turns: before the yaw, a roll has to tip the axes over.",
+         "optical_joint가 90도 회전 두 개 가운데 하나만 합니다. yaw 앞에 축을 눕히는 roll이 있어야 합니다.", "M4"),
+    slip("optical pitched", {"optical": "pitch"},
+         "the two quarter turns of optical_joint stand in the wrong places of rpy: it is roll and yaw that are needed.",
+         "optical_joint의 90도 회전 두 개가 rpy의 다른 자리에 있습니다. roll과 yaw가 필요합니다.", "M4"),
     slip("to its left", {"side": "left"},
          "the camera hangs on the robot's left. y points to the left (REP-103), so to the right is negative.",
          "카메라가 로봇의 왼쪽에 있습니다. y는 왼쪽을 향하므로(REP-103) 오른쪽은 음수입니다."),

@@ -32,9 +32,10 @@ def beam(g, *, height="both", angle="rad", way="down", ratio="tan", floor="along
     turn = g.tilt_deg if angle == "deg" else math.radians(g.tilt_deg)
     slope = {"tan": math.tan(turn), "cot": 1.0 / math.tan(turn), "sin": math.sin(turn)}[ratio]
     slope = -slope if way == "up" else slope
-    floor_m = up / slope if floor == "along the floor" else math.hypot(up / slope, up)
+    floor_m = {"along the floor": up / slope, "along the beam": math.hypot(up / slope, up),
+               "from the wall": up / slope - g.wall_m}[floor]  # fmt: skip
     drop = g.wall_m * slope
-    wall_m = {"what is left": up - drop, "drop": drop, "level": up}[wall]
+    wall_m = {"what is left": up - drop, "drop": drop, "level": up, "from the laser": -drop}[wall]
     return {"floor_m": floor_m, "wall_up_m": wall_m}
 
 
@@ -102,6 +103,24 @@ SLIPS = (
             ko="벽까지 빛이 내려간 높이입니다. 출발한 높이에서 빼십시오.",
         ),
         part="wall_up_m",
+    ),
+    Slip(
+        "from the laser",
+        {"wall": "from the laser"},
+        Words(
+            en="That is counted from the laser, downwards. Asked is the height above the floor.",
+            ko="레이저에서 아래로 잰 값입니다. 바닥에서 잰 높이가 필요합니다.",
+        ),
+        part="wall_up_m",
+    ),
+    Slip(
+        "from the wall",
+        {"floor": "from the wall"},
+        Words(
+            en="That is how far behind the wall the floor would be met. Count from the laser, as if there were no wall.",
+            ko="벽 뒤로 얼마나 더 간 곳인지입니다. 벽이 없다고 하고 레이저에서부터 세십시오.",
+        ),
+        part="floor_m",
     ),
     Slip(
         "as if level",

@@ -72,6 +72,7 @@ def walk(chain, positions, *, names="by name", order="origin first", product="on
 def _movement(each, at, turn, kinds, fixed, axis):
     if each["type"] == "fixed" and fixed == "stays":
         return Transform()
+    at = -at if turn == "other way" else math.radians(at) if turn == "deg, all" else at
     about = "z" if axis == "always z" else each["axis"]
     if each["type"] == "prismatic" and kinds == "by type":
         return Transform(tuple(at if letter == about else 0.0 for letter in "xyz"))
@@ -109,6 +110,12 @@ SLIPS = (
     slip("degrees", {"turn": "deg"},
          "You took positions for degrees. Joint positions are radians.",
          "위치를 도(degree)로 여겼습니다. 관절의 위치는 라디안입니다.", "M5"),
+    slip("degrees, all", {"turn": "deg, all"},
+         "You took every position for degrees. Turns are radians, and what slides is in metres.",
+         "모든 위치를 도(degree)로 여겼습니다. 회전은 라디안이고, 미끄러지는 것은 미터입니다.", "M5"),
+    slip("the other way", {"turn": "other way"},
+         "Your joints move the other way: the sign of the positions is turned round.",
+         "관절이 반대로 움직입니다. 위치의 부호가 뒤집혔습니다."),
     slip("movement first", {"order": "movement first"},
          "The movement comes before the origin: that reads the axis in the parent's axes. Origin first, then the movement.",
          "움직임이 origin보다 먼저입니다. axis를 부모의 축으로 읽은 셈입니다. origin 다음에 움직임입니다."),

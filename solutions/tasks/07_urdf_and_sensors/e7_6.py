@@ -30,8 +30,10 @@ def touched(base_T_tool0, base_p_tip, *, inverse="turned round", axes="tool", si
     place = pose.apply(base_p_tip)
     if inverse == "as it is":
         place = base_p_tip
-    if axes == "base":
+    if axes != "tool":
         place = [tip - origin for tip, origin in zip(base_p_tip, base_T_tool0.translation, strict=True)]
+    if axes == "turned on":
+        place = Transform(rotation=base_T_tool0.rotation).apply(place)
     place = [-each for each in place] if sign == "minus" else list(place)
     names = {"tool0": ("tool0", "tcp"), "base": ("base_link", "tcp"), "tip": ("tool0", "tip")}[parent]
     names = names[::-1] if ends == "child first" else names
@@ -60,6 +62,9 @@ SLIPS = (
     slip("difference in base axes", {"axes": "base"},
          "that is the way from the flange to the tip in base_link's axes. tool0 is turned: turn it too.",
          "플랜지에서 끝까지의 이동을 base_link의 축으로 적었습니다. tool0는 돌아가 있으므로 함께 돌려야 합니다.", "M3"),
+    slip("turned on", {"axes": "turned on"},
+         "you turned the way from the flange to the tip onwards by tool0's rotation. It has to be turned back, into tool0's axes.",
+         "플랜지에서 끝까지의 이동을 tool0의 회전만큼 더 돌렸습니다. tool0의 축으로 되돌려야 합니다.", "M1"),
     slip("the way back", {"sign": "minus"},
          "all signs are the other way: that leads from the tip to the flange.",
          "부호가 모두 반대입니다. 끝에서 플랜지로 가는 길입니다.", "M3"),

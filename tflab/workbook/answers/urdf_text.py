@@ -15,6 +15,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import product
 
 from tflab.core import Transform
@@ -40,7 +41,7 @@ class Urdf(Form):
 
     Attributes:
         links: those that are asked for, each with credit of its own.
-        root: the link that is nobody's child.
+        root: the link on which all of them hang, at some distance.
         joint: the joint that is moved.
         settings: where it is looked at [rad or m].
     """
@@ -55,9 +56,7 @@ class Urdf(Form):
     def probes(self, plain: Plain) -> list[Probe] | None:
         if not isinstance(plain, str) or self.fault(plain):
             return None
-        robot = parse_urdf(self._whole(plain))
-        joint_to = {joint.child: joint for joint in robot.joints}
-        return [self._link(robot, joint_to, link) for link in self.links]
+        return _probes(self, plain)
 
     def wanted(self) -> Words:
         names = ", ".join(self.links)
@@ -69,13 +68,10 @@ class Urdf(Form):
             return ""
         if len(plain) > LONGEST:
             return f"{len(plain)} characters; {LONGEST} are enough for this robot"
-        try:
-            parse_urdf(self._whole(plain), SOURCE)
-        except UrdfError as error:
-            return str(error)
-        return ""
+        read = _robot(self.whole(plain))
+        return str(read) if isinstance(read, UrdfError) else ""
 
-    def _whole(self, text: str) -> str:
+    def whole(self, text: str) -> str:
         """Return the text as a whole robot; joints alone get the links that they need, and keep their lines."""
         text = text.strip("\n")
         if "<robot" in text:
@@ -84,10 +80,12 @@ class Urdf(Form):
         links = "".join(f'<link name="{link}"/>' for link in (self.root, *self.links) if link not in declared)
         return f'<robot name="answer">{text}{links}</robot>'
 
-    def _link(self, robot: Robot, joint_to: Mapping[str, Joint], link: str) -> Probe:
+    def link(self, robot: Robot, joint_to: Mapping[str, Joint], link: str) -> Probe:
         """Return the equal ways to write where a link is: each rotation has two signs."""
         joint = joint_to.get(link)
-        head: Row = (Mark(f"root {robot.root}"), Mark(_hangs(joint)))
+        above = {joint.parent for joint in robot.chain(link)} if joint else set()
+        root = self.root if self.root in above else robot.root  # a link above the root changes nothing
+        head: Row = (Mark(f"root {root}"), Mark(_hangs(joint)))
         if joint is None:
             return [head]
         positions = self.settings if joint.name == self.joint else (0.0,) * len(self.settings)
@@ -102,6 +100,21 @@ class Urdf(Form):
             place + tuple(Mark(sign * number, self.tolerance_rad / 2.0) for number in pose.rotation)
             for sign in (1.0, -1.0)
         ]
+
+
+@lru_cache(maxsize=2000)  # hundreds of mistakes are compared with each other when a task is built
+def _robot(text: str) -> Robot | UrdfError:
+    try:
+        return parse_urdf(text, SOURCE)
+    except UrdfError as error:
+        return error
+
+
+@lru_cache(maxsize=2000)
+def _probes(form: Urdf, text: str) -> list[Probe]:
+    robot = _robot(form.whole(text))
+    joint_to = {joint.child: joint for joint in robot.joints}
+    return [form.link(robot, joint_to, link) for link in form.links]
 
 
 def _hangs(joint: Joint | None) -> str:
