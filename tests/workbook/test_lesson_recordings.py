@@ -6,6 +6,7 @@ import pytest
 from tflab.bags.recording import Connection, Headers, Recording, Transforms, recording_from_records
 from tflab.core import StampedTransform, Transform, seconds
 from tflab.core.records import TransformRecord
+from tflab.ros.node import Node
 from tflab.workbook import lesson
 
 
@@ -75,3 +76,31 @@ def test_a_recording_with_nothing_that_has_a_stamp_is_drawn_too():
 def test_a_page_records_into_a_folder_that_is_new_each_time():
     first, second = lesson.fresh_folder(), lesson.fresh_folder()
     assert first != second and first.is_dir() and not list(first.iterdir())
+
+
+def test_what_is_left_out_counts_as_never_recorded():
+    whole = bag([MOUNT, *DRIVE], ("/scan", "laser", (1.5, 2.5)))
+    assert [row.placed for row in lesson.place_messages(whole, "map")] == [2]
+    (no_mounts,) = lesson.place_messages(whole, "map", leave_out=("/tf_static",))
+    assert (no_mounts.placed, no_mounts.first_no[:7]) == (0, '"laser"')
+    (no_motions,) = lesson.place_messages(whole, "map", leave_out=("/tf",))
+    assert (no_motions.placed, no_motions.first_no[:5]) == (0, '"map"')
+
+
+def test_a_replayed_bag_is_heard_the_next_day_by_a_node_that_lives_on(capsys):
+    made = lesson.replay(lambda: Node("listener"), lesson.example_bag(), "--clock", for_s=2.0)
+    graph = lesson.current_graph()
+    assert graph.now_ns == seconds(1.0 + 86400.0 + 2.0)
+    assert made in graph.nodes and "rosbag2_player" in [node.get_name() for node in graph.nodes]
+    assert capsys.readouterr().out == ""  # the player's own words would fill a page
+    graph.stop()
+
+
+def test_beside_a_replayed_bag_nodes_of_the_robot_may_run():
+    lesson.replay(lambda: Node("listener"), lesson.example_bag(), for_s=0.5, beside=["localization"])
+    assert "localization" in [node.get_name() for node in lesson.current_graph().nodes]
+    lesson.current_graph().stop()
+
+
+def test_the_doctor_answers_in_words():
+    assert "nothing is wrong" in lesson.doctor(lesson.read_bag(lesson.example_bag(), show_progress=False))
