@@ -334,6 +334,19 @@ for f in (1, 2, 10, 20):
 # 느린 연결이 언제나 치르는 대가는 **기다림**입니다. 다음 표본이 와야 스캔의 자리를 계산할 수 있습니다. 스캔은 이미 0.105초 걸려 왔으므로 10 Hz와 20 Hz에서는 기다리지 않고, 1 Hz에서는 0.9초까지 기다립니다.
 # 강의가 느린 `odom → base_link`를 경고하는 것은 옳고, v · Δt로 계산합니다. 이것은 *기다리는 동안*, 또는 기다리지 않고 최신 포즈를 쓸 때 로봇이 달린 거리입니다. TF가 위치를 그만큼 틀리게 계산한다는 뜻은 아닙니다.
 
+# %% [markdown] lang="en" name="often-enough-try"
+# Try it: at which rate does the gap fall below a millimetre, at 1 m/s and 1 rad/s? And what must you do to the yaw rate to see no gap at all?
+
+# %% [markdown] lang="ko" name="often-enough-try"
+# 직접 움직여 보세요. 1 m/s, 1 rad/s에서 틈이 1 mm보다 작아지는 주기는 얼마입니까? 틈이 아예 없으려면 yaw rate가 얼마여야 합니까?
+# *그림 읽기:* arc = 로봇이 달린 호, chord = TF가 잇는 현, gap = 둘 사이의 틈, samples = 표본, v/f = 표본 사이에 달린 거리, wait = 가장 긴 기다림. speed = 속도, yaw rate = 각속도, rate = 주기.
+
+# %% name="often-enough-panel" tags=["interactive"]
+lesson.rate_panel()
+
+# %% name="often-enough-still" slide="subslide"
+lesson.draw_bend(lesson.Bend(speed_mps=0.5, yaw_rate_radps=1.0, rate_hz=1.0))
+
 # %% [markdown] lang="en" name="rviz" slide="slide"
 # ## RViz: one frame for everything
 #

@@ -302,9 +302,13 @@ check("E11.7", commands)
 #
 # The checks here used your own numbers. Grading asks the same questions with others.
 # On a robot, do C5, C6 and C7 of the lab checklist: draw the tree, read a delay, show the axes in RViz; and write down of each output what you compared it with.
+#
+# **Next:** [the start page](../../notebooks/en/00_start.ipynb) shows what you have passed, and what is left.
 
 # %% [markdown] lang="ko" name="after"
 # ## 여기까지 해낸 것
 #
 # 이곳의 check는 여러분의 숫자로 확인했습니다. 채점은 같은 질문을 다른 숫자로 묻습니다.
 # 로봇에서 실습 체크리스트 C5, C6, C7을 해 보세요. 트리를 그리고, 지연을 읽고, RViz에 축을 표시합니다. 출력마다 무엇과 견주었는지도 적어 두세요.
+#
+# **다음:** [첫 페이지](../../notebooks/ko/00_start.ipynb)에서 무엇을 통과했고 무엇이 남았는지 볼 수 있습니다.

@@ -34,6 +34,7 @@
     tree       who is whose child
     climb      which way a question takes through it
     upstream_tree             the same as `view_frames` draws it
+    bend       often enough
     toolcase   which tool answers what
     scene/     in three dimensions, inside the page
     rviz_status, rviz, shown  what RViz says of what it cannot show; a small RViz, and the same on paper

@@ -9,6 +9,7 @@
     axes           turn a robot; move a point in front of a camera
     mount          turn a sensor; see two mistakes wander
     sentence       choose target and source in any of five ways
+    bend           how often is often enough
     toolcase       put a question to each tool
     tree           give a frame another parent, and ask
     timeline       drag a query past either end of the buffer
@@ -21,6 +22,7 @@ in a terminal, and `.close()` gives everything back.  Start with `panel.py`.
 """
 
 from .axes import cameras_panel, rotation_panel
+from .bend import rate_panel
 from .clocks import clocks_panel
 from .joins import joins_panel
 from .joints import Travel, joints_panel
@@ -43,6 +45,7 @@ __all__ = [
     "joints_panel",
     "latency_panel",
     "mount_panel",
+    "rate_panel",
     "rotation_panel",
     "rulers_panel",
     "sentence_panel",

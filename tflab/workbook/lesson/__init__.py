@@ -43,6 +43,7 @@ from tflab.views.axes import (
     optical_from_body,
     straight_ahead,
 )
+from tflab.views.bend import Bend, draw_bend
 from tflab.views.card import draw_card
 from tflab.views.clocks import Play, draw_clocks
 from tflab.views.dominoes import draw_dominoes
@@ -59,6 +60,7 @@ from tflab.views.panels import (
     joins_panel,
     latency_panel,
     mount_panel,
+    rate_panel,
     rotation_panel,
     rulers_panel,
     timeline_panel,
@@ -102,6 +104,7 @@ __all__ = [
     "FROM_ABOVE",
     "LATEST",
     "ROOM",
+    "Bend",
     "BufferCore",
     "Curve",
     "Drive",
@@ -129,6 +132,7 @@ __all__ = [
     "doctor",
     "draw_ages",
     "draw_arrow",
+    "draw_bend",
     "draw_body_axes",
     "draw_buffer",
     "draw_camera",
@@ -190,6 +194,7 @@ __all__ = [
     "optical_from_body",
     "parse_urdf",
     "place_messages",
+    "rate_panel",
     "read_bag",
     "readings_of",
     "replay",

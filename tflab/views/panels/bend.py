@@ -1,0 +1,23 @@
+"""How often is often enough?  Sliders for speed, yaw rate and rate in front of `bend`.
+
+The pure function behind it is `tflab.views.bend.gap_m`.  Read `toolcase.py` next.
+"""
+
+from __future__ import annotations
+
+from ..bend import Bend, BendPicture
+from .panel import Panel, slider
+
+
+def rate_panel(bend: Bend | None = None) -> Panel:
+    """Return a panel that shows what TF's straight line misses of a bend, starting from `bend`."""
+    start = bend or Bend()
+    rate = slider("rate", start.rate_hz, 1.0, 20.0, 0.5, "Hz")
+    speed = slider("speed", start.speed_mps, 0.0, 2.0, 0.05, "m/s")
+    yaw_rate = slider("yaw rate", start.yaw_rate_radps, -1.5, 1.5, 0.05, "rad/s")
+    picture = BendPicture()
+
+    def move() -> None:
+        picture.show(Bend(speed.value, yaw_rate.value, rate.value))
+
+    return Panel("The arc that a robot drives and the chord that TF draws", picture, (rate, speed, yaw_rate), move)
