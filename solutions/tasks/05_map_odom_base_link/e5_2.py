@@ -17,7 +17,9 @@ def closing_loop(rng):
         new_edge = given["found_T_base"] @ given["odom_T_base"].inverse()
         slide_m = math.dist(new_edge.translation, given["map_T_odom"].translation)
         believed = given["map_T_odom"] @ given["odom_T_base"]
-        if abs(slide_m - math.dist(believed.translation, given["found_T_base"].translation)) > 0.05:
+        leap_m = math.dist(believed.translation, given["found_T_base"].translation)
+        sides_m = sum(abs(a - b) for a, b in zip(believed.translation, given["found_T_base"].translation, strict=True))
+        if abs(slide_m - leap_m) > 0.05 and sides_m - leap_m > 0.05:
             return given
 
 
