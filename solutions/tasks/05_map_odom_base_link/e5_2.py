@@ -19,7 +19,8 @@ def closing_loop(rng):
         believed = given["map_T_odom"] @ given["odom_T_base"]
         leap_m = math.dist(believed.translation, given["found_T_base"].translation)
         sides_m = sum(abs(a - b) for a, b in zip(believed.translation, given["found_T_base"].translation, strict=True))
-        if abs(slide_m - leap_m) > 0.05 and sides_m - leap_m > 0.05:
+        apart = (abs(slide_m - leap_m), abs(slide_m - sides_m), sides_m - leap_m)
+        if min(apart) > 0.05:
             return given
 
 
