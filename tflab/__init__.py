@@ -23,6 +23,8 @@ def load_ipython_extension(ipython):
     """Answer `%load_ext tflab`: the in-process ROS 2 on virtual time, and the magic %ros2."""
     from tflab.ros import load_in_notebook
     from tflab.tools import magic
+    from tflab.views import rerun
 
     load_in_notebook(ipython)
     magic.register(ipython)
+    rerun.register(ipython)

@@ -2,6 +2,7 @@
 
     style      sizes, colours, and how a number is printed
     picture    what a view hands back
+    rerun      what becomes of it when its cell runs again
     eye        from where we look
     frames     how one draws a frame
     labels     where a name may stand

@@ -9,7 +9,7 @@ A view makes its artists once and then only moves them, so the picture that
 stands still in a printed page and the one that follows a slider are the same.
 Jupyter shows the PNG; whoever cannot see it, and nbval, get the text.
 
-Read `eye.py` next.
+Read `rerun.py` next.
 """
 
 from __future__ import annotations
@@ -93,7 +93,15 @@ class Picture:
     def _repr_mimebundle_(self, include=None, exclude=None) -> tuple[dict, dict]:
         width, height = self.size_px
         data = {"image/png": self.png(), "text/plain": self.text}
+        self._let_pixels_go()
         return data, {"image/png": {"width": width, "height": height}}
+
+    def _let_pixels_go(self) -> None:
+        """Keep next to none of what was drawn, which is 4 MB or more: a notebook's `Out` keeps the picture for ever."""
+        dpi = self.figure.get_dpi()
+        self.figure.set_dpi(style.SMALLEST_DPI)
+        self.figure.canvas.draw()  # every text holds on to the canvas that it was last drawn on: it is a small one now
+        self.figure.set_dpi(dpi)
 
     def __repr__(self) -> str:
         return self.text

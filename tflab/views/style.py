@@ -49,6 +49,7 @@ TITLE_PT = 11.0
 SCREEN_DPI = 100  # how large a figure stands on the page
 PRINT_DPI = 150  # how finely it is drawn
 LIVE_DPI = SCREEN_DPI  # while a slider moves
+SMALLEST_DPI = 8  # that letters can still be drawn at
 
 _SETTINGS = {
     "font.family": ["sans-serif"],

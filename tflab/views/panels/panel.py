@@ -112,6 +112,10 @@ class Panel:
         start = [value for _, value in named].index(before)
         return widgets.VBox([*others, Film(pictures, texts, words, self.picture.size_px, start=start)])
 
+    def close_with_its_cell(self) -> None:
+        """Go, because the cell that showed the panel runs again and shows another."""
+        self.close()
+
     def close(self) -> None:
         """Take the panel off the page and free its picture."""
         for control in self.controls.values():

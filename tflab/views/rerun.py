@@ -1,0 +1,64 @@
+"""What becomes of what a cell showed, when it runs again?  It is let go.
+
+    In [7]:  lesson.draw_rotation(...)     ->  Out[7], a picture
+    In [9]:  the same cell, again          ->  Out[9];  Out[7] is forgotten, a panel in it closed
+
+IPython keeps every result in `Out` for as long as the kernel lives, and ipywidgets
+every widget: a page that is run ten times would hold ten of each of its pictures.
+Only what this room draws is let go; a learner's own results stay where they are.
+
+Read `eye.py` next.
+"""
+
+from __future__ import annotations
+
+import gc
+from itertools import count
+from typing import Any
+
+__all__ = ["register"]
+
+ROOM = __name__.rpartition(".")[0]
+
+SWEEP_AFTER = 5  # views; a figure is in many circles, which only a sweep finds, and a sweep takes a tenth of a second
+
+_shown: dict[str, int] = {}  # by cell: the number of its result, if that is a view
+_let_go = count(1)
+
+
+def register(ipython: Any) -> None:
+    """Let views go when the cell that showed them runs again; a second call changes nothing."""
+    ipython.events.register("pre_run_cell", _forget)
+    ipython.events.register("post_run_cell", _remember)
+
+
+def _forget(info: Any) -> None:
+    number = _shown.pop(_cell(info), None)
+    shell = _shell()
+    if number is None or shell is None:
+        return
+    view = shell.user_ns.get("_oh", {}).pop(number, None)
+    for names in (shell.user_ns, shell.user_ns_hidden):
+        names.pop(f"_{number}", None)
+    close = getattr(view, "close_with_its_cell", None)
+    if close is not None:
+        close()
+    del view, close
+    if next(_let_go) % SWEEP_AFTER == 0:
+        gc.collect()
+
+
+def _remember(result: Any) -> None:
+    if type(result.result).__module__.startswith(f"{ROOM}."):
+        _shown[_cell(result.info)] = result.execution_count
+
+
+def _cell(info: Any) -> str:
+    """Return what a cell is known by: its id, or where nothing gives one, its text."""
+    return info.cell_id or info.raw_cell
+
+
+def _shell() -> Any:
+    from IPython.core.getipython import get_ipython
+
+    return get_ipython()
