@@ -152,6 +152,11 @@ def test_a_root_that_nothing_hangs_on_any_more_is_no_tree():
     assert picture.faults == ()
 
 
+def test_a_root_whose_last_child_hangs_elsewhere_now_is_a_second_parent_and_no_second_tree():
+    contested = edge("odom", "base_link")._replace(owners=(("map", "/eager"), ("odom", "/wheels")))
+    assert [fault.kind for fault in tree_faults(forest(contested, roots=["map", "odom"]))] == ["parents"]
+
+
 def test_what_is_odd_about_a_name_shows():
     odd = forest(edge("base_link ", "laser"), edge("base_link", "b\u0430se"), edge("base_link", "바닥"))
     assert [line.split("  ")[0] for line in text_from_tree(odd).splitlines()[:5]] == [

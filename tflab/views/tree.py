@@ -133,8 +133,8 @@ def tree_faults(snapshot: Snapshot) -> tuple[TreeFault, ...]:
 
 
 def _faults(snapshot: Snapshot) -> Iterator[TreeFault]:
-    loops, children = _loops(snapshot), _children(snapshot)
-    roots = [root for root in _roots(snapshot) if root in children]
+    loops, parents = _loops(snapshot), {edge.parent for edge in snapshot.frames}
+    roots = [root for root in _roots(snapshot) if root in parents]  # one that only had a child once is no tree
     for loop in loops:
         way = " -> ".join(map(fmt_name, (*loop, loop[0])))
         what = "A lookup that enters it fails (LookupException), unless it meets its target on the way up"
