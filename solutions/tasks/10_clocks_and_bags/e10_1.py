@@ -31,6 +31,8 @@ def outcomes(
         sim, clock = way["use_sim_time"], way["--clock"]
         if who == "the player":
             sim = clock
+        elif who == "either":
+            sim = sim or clock
         elif who == "the parameter alone":
             clock = True
         if not sim:
@@ -153,6 +155,26 @@ PLAYER_DECIDES = Slip(
     "M13",
 )
 
+EITHER_DOES = Slip(
+    "either does",
+    {"who": "either"},
+    Words(
+        en="You let a node follow a clock that it was never told to listen to: `--clock` publishes, and only `use_sim_time` makes a node listen.",
+        ko="들으라고 한 적 없는 시계를 노드가 따른다고 했습니다. `--clock`은 발행할 뿐이고, `use_sim_time`을 켜야 노드가 듣습니다.",
+    ),
+    "M13",
+)
+
+MACHINE_NOW_IS_THE_LATEST = Slip(
+    "the machine's now is the latest",
+    {"machine": "silently latest"},
+    Words(
+        en="On the machine's time you let now stand for the latest. tf2 takes a moment at its word; only one single number means the latest.",
+        ko="컴퓨터의 시간에서 현재 시각이 최신을 뜻한다고 했습니다. tf2는 시각을 그대로 받아들입니다. 최신을 뜻하는 숫자는 하나뿐입니다.",
+    ),
+    "M9",
+)
+
 PARAMETER_SUFFICES = Slip(
     "the parameter suffices",
     {"who": "the parameter alone"},
@@ -176,12 +198,14 @@ TASK = Task(
     model=outcomes,
     twins=(
         PLAYER_DECIDES,
+        EITHER_DOES,
         PARAMETER_SUFFICES,
         STAMPS_NEED_SIM_TIME,
         STAMPS_NEED_A_CLOCK,
         EVERYTHING_BREAKS,
         MACHINE_NOW_IS_FINE,
         MACHINE_NOW_JUST_SHORT,
+        MACHINE_NOW_IS_THE_LATEST,
         STOPPED_RAISES,
         STOPPED_IS_LONG_AGO,
         NOW_IS_FINE,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tflab.workbook.tasks import Command, Parts, Slip, Task, Words
+from tflab.workbook.tasks import Command, Parts, Slip, Task, Twin, Words
 
 SENSORS = ("/scan", "/front/scan", "/rear/scan", "/lidar/points", "/depth/points", "/radar/points", "/sonar/range")
 ODOMETRY = ("/odom", "/wheel/odom", "/base/odometry", "/encoders/odom")
@@ -19,7 +19,7 @@ def three_robots(rng):
 
 def lines(
     g, sensor=True, mounts=True, moving="/tf", sim_clock=True, real_clock=False, wheels="message", everything=False,
-    name="",
+    map_too=False,
 ):  # fmt: skip
     """Return the three lines, step by step."""
     speaks = g.wheels["c"]
@@ -29,8 +29,8 @@ def lines(
     for letter, more in topics.items():
         has_clock = sim_clock if letter == "b" else real_clock
         row = [g.sensor[letter]] * sensor + [topic for topic in more if topic] + ["/tf_static"] * mounts
-        row += ["/clock"] * has_clock
-        answers[letter] = "ros2 bag record " + name + ("-a" if everything else " ".join(row))
+        row += ["/clock"] * has_clock + ["/map"] * (map_too and letter != "c")
+        answers[letter] = "ros2 bag record " + ("-a" if everything else " ".join(row))
     return answers
 
 
@@ -42,6 +42,7 @@ NO_MOUNTS = Slip(
         ko="/tf_static이 없습니다. 내일은 센서가 어디에 달려 있는지 알려 줄 노드가 없습니다.",
     ),
     "M13",
+    partly=True,
 )
 
 NO_TF = Slip(
@@ -140,14 +141,44 @@ TF_BESIDE_THE_WHEELS = Slip(
     part="c",
 )
 
-NAMED = Slip(
-    "named",
-    {"name": "-o drive "},
+THE_MAP_TOO = Slip(
+    "the map too",
+    {"map_too": True},
     Words(
-        en="A name for the bag (-o) is good on a robot. Leave it out here: only the topics are asked for.",
-        ko="bag에 이름을 붙이는 -o는 로봇에서는 좋습니다. 여기서는 빼십시오. 토픽만 필요합니다.",
+        en="You record the map as well. A picture of the room does not say where the robot was in it; the transforms do.",
+        ko="지도까지 기록합니다. 방의 그림은 로봇이 그 안의 어디에 있었는지 말해 주지 않습니다. 변환이 말해 줍니다.",
     ),
     partly=True,
+)
+
+ODOM_TOO = Slip(
+    "odom too",
+    {"moving": "/tf /odom"},
+    Words(
+        en="One topic more than it takes in a or b: what the wheels say is on /tf already, as a transform.",
+        ko="a나 b에 필요 없는 토픽이 하나 있습니다. 바퀴의 말은 이미 변환으로 /tf에 있습니다.",
+    ),
+    partly=True,
+)
+
+THE_SENSOR_ALONE = Twin(
+    "the sensor alone",
+    lambda g: {letter: f"ros2 bag record {sensor}" for letter, sensor in g.sensor.items()},
+    Words(
+        en="Only the sensor: tomorrow you know what was seen, and not from where. Follow the path from the sensor to the map, edge by edge.",
+        ko="센서뿐입니다. 내일은 무엇을 보았는지는 알아도 어디에서 보았는지는 모릅니다. 센서에서 지도까지 연결을 하나씩 따라가 보세요.",
+    ),
+    "M13",
+)
+
+THE_LECTURES_LINE = Twin(
+    "the lecture's line",
+    lambda g: {letter: f"ros2 bag record {sensor} /odom /tf /tf_static /clock" for letter, sensor in g.sensor.items()},
+    Words(
+        en="The lecture's line for all three: it is on the safe side. Which of these topics is there on each robot, and which is needed tomorrow?",
+        ko="셋 모두에 강의의 명령을 썼습니다. 만일을 위한 명령입니다. 로봇마다 실제로 있는 토픽은 무엇이고, 내일 필요한 것은 무엇입니까?",
+    ),
+    "M13",
 )
 
 
@@ -172,7 +203,10 @@ TASK = Task(
         NO_MOUNTS,
         NO_CLOCK_OF_THE_SIMULATION,
         CLOCK_OF_A_REAL_ROBOT,
-        NAMED,
+        THE_MAP_TOO,
+        ODOM_TOO,
+        THE_SENSOR_ALONE,
+        THE_LECTURES_LINE,
     ),
     hints=(
         Words(

@@ -295,6 +295,30 @@ TASK = Task(
             en="a broken sensor would leave no messages in the bag.",
             ko="센서가 고장 났다면 bag에 메시지가 없을 것입니다.",
         ),
+        "set use_sim_time on all nodes": Words(
+            en="use_sim_time on all nodes helps where it is set on none.",
+            ko="모든 노드에 use_sim_time을 켜는 것은 켜진 노드가 하나도 없을 때 도움이 됩니다.",
+        ),
+        "set use_sim_time on that node": Words(
+            en="a parameter of one node helps where one node differs from the others.",
+            ko="한 노드의 파라미터를 고치는 것은 그 노드만 다를 때 도움이 됩니다.",
+        ),
+        "play with --clock": Words(
+            en="--clock helps where it is missing from the line that plays.",
+            ko="--clock은 재생 명령에 빠져 있을 때 도움이 됩니다.",
+        ),
+        "play from the start": Words(
+            en="playing from the start brings back what stood at the start, if it was recorded.",
+            ko="처음부터 재생하면 처음에 있던 것이 나옵니다. 기록되어 있다면 그렇습니다.",
+        ),
+        "record again, with /tf_static": Words(
+            en="recording again is needed only where the bag lacks something.",
+            ko="다시 기록하는 것은 bag에 빠진 것이 있을 때만 필요합니다.",
+        ),
+        "Buffer(node=self)": Words(
+            en="a buffer with a node sees when the clock goes back.",
+            ko="노드를 준 버퍼는 시계가 돌아가는 것을 봅니다.",
+        ),
         "raise the timeout": Words(
             en="a longer timeout helps where something is late by a moment.",
             ko="timeout을 늘리는 것은 무언가 잠깐 늦을 때 도움이 됩니다.",

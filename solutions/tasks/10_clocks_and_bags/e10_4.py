@@ -59,6 +59,8 @@ def _clock(params, node, everyone, own, slash, text, order, unset, lacking):
         return "refused"
     if text == "read":
         return "sim" if str(value).lower() in ("true", "1", "yes") else "wall"
+    if text == "wall":
+        return "sim" if value is True else "wall"
     return "sim" if value else "wall"
 
 
@@ -78,6 +80,16 @@ TEXT_IS_TRUTHY = Slip(
     Words(
         en='`if value:` takes every text for true, "false" as well. Look at the type before the value.',
         ko='`if value:`는 모든 문자열을 참으로 봅니다. "false"도 참이 됩니다. 값보다 타입을 먼저 보십시오.',
+    ),
+    "M13",
+)
+
+TEXT_IS_WALL = Slip(
+    "text is wall",
+    {"text": "wall"},
+    Words(
+        en='What is neither True nor False counts as "wall" for you. The clock is the machine\'s then, but the node also logs an error: asked for is "refused".',
+        ko='True도 False도 아닌 것을 "wall"로 보았습니다. 시계는 컴퓨터의 것이 되지만 노드가 오류도 기록합니다. 이때의 답은 "refused"입니다.',
     ),
     "M13",
 )
@@ -182,6 +194,7 @@ TASK = Task(
         UNSET_IS_SIM,
         TEXT_IS_READ,
         TEXT_IS_TRUTHY,
+        TEXT_IS_WALL,
     ),
     hints=(
         Words(

@@ -142,6 +142,16 @@ BASE_CLASS = Slip(
     "M11",
 )
 
+YES_OR_NO = Slip(
+    "yes or no",
+    {"kind": "none"},
+    Words(
+        en='"first_no" is always "none". `can_transform` says only yes or no; ask with `lookup_transform`, and keep what it raises.',
+        ko='"first_no"가 언제나 "none"입니다. `can_transform`은 되는지만 알려 줍니다. `lookup_transform`으로 조회하고 일어난 예외를 간직하십시오.',
+    ),
+    "M11",
+)
+
 FRAME_OF_THE_FIRST = Slip(
     "frame of the first",
     {"frame": "the first's"},
@@ -168,6 +178,7 @@ TASK = Task(
         ALWAYS_EXTRAPOLATION,
         ALWAYS_LOOKUP,
         BASE_CLASS,
+        YES_OR_NO,
         FIRST_NO_ENDS_IT,
         LAST_NO,
         COUNTS_NOES,

@@ -30,12 +30,14 @@ def moments(clock_s, back="a second", against="the one before", which="all", tel
     """Return when to forget, step by step."""
     found = []
     highest = clock_s[0] if clock_s else 0.0
-    for before, after in pairwise(clock_s):
+    for place, (before, after) in enumerate(pairwise(clock_s)):
         highest = max(highest, before)
         step = (before if against == "the one before" else highest) - after
         is_back = {"a second": step >= 1.0, "any": step > 0.0, "more": step > 1.0}[back]
         if is_back or (ahead and -step >= 1.0):
-            found.append({"after": after, "before": before, "step": step}[tell])
+            found.append(
+                {"after": after, "before": before, "step": step, "place": place + 1, "place before": place}[tell]
+            )
     return found[:1] if which == "first" else found
 
 
@@ -93,6 +95,24 @@ READING_BEFORE = Slip(
     ),
 )
 
+PLACE_IN_THE_LIST = Slip(
+    "place in the list",
+    {"tell": "place"},
+    Words(
+        en="You give places in the list. Asked for are the readings that stand there.",
+        ko="리스트에서의 자리를 돌려줍니다. 필요한 것은 그 자리에 있는 값입니다.",
+    ),
+)
+
+PLACE_BEFORE = Slip(
+    "place before",
+    {"tell": "place before"},
+    Words(
+        en="You give places in the list, and those before the jump. Asked for are the readings just after it.",
+        ko="돌아가기 직전의 리스트 자리를 돌려줍니다. 필요한 것은 돌아간 직후의 값입니다.",
+    ),
+)
+
 SIZE_OF_THE_STEP = Slip(
     "size of the step",
     {"tell": "step"},
@@ -121,6 +141,8 @@ TASK = Task(
         ONLY_THE_FIRST,
         READING_BEFORE,
         SIZE_OF_THE_STEP,
+        PLACE_IN_THE_LIST,
+        PLACE_BEFORE,
     ),
     hints=(
         Words(
