@@ -84,7 +84,8 @@ def test_a_picture_is_a_png_of_at_most_60_kb(drawn):
 
 
 def test_a_picture_is_shown_at_its_size_with_its_words_as_plain_text(drawn):
-    _, picture, png = drawn
+    name, _, png = drawn
+    picture = PICTURES[name]()
     data, metadata = picture._repr_mimebundle_()
     width, height = picture.figure.get_size_inches()
     assert data == {"image/png": png, "text/plain": picture.text}
