@@ -329,7 +329,9 @@ def by_comparison(form: Form, answers: list[Plain], wanted: list[Plain]) -> Iter
     rows = [(numbers_of(answer, size), numbers_of(want, size)) for answer, want in zip(answers, wanted, strict=True)]
     if answers == [""] * len(answers):
         yield "empty"
-    elif type(form) in OF_FORM and not any(None in row for row in rows):
+    elif (
+        type(form) in OF_FORM and all(form.read(answer) is not None for answer in answers) and None not in sum(rows, ())
+    ):
         yield from _lost(form, rows)
 
 
