@@ -184,6 +184,7 @@ graph.stop()
 # | 1 | **[Value, frame and stamp](01_value_frame_stamp.ipynb)** | What makes three numbers a place? | 45 |  | [E1](../../exercises/en/E01_value_frame_stamp.ipynb) |
 # | 2 | **[Axes and quaternions](02_axes_and_quaternions.ipynb)** | Which way is forward? | 75 | 1 | [E2](../../exercises/en/E02_axes_and_quaternions.ipynb) |
 # | 3 | **[Target and source](03_target_and_source.ipynb)** | Data in which frame, wanted in which? | 60 | 1, 2 | [E3](../../exercises/en/E03_target_and_source.ipynb) |
+# | 4 | **[The tree of frames](04_frame_tree.ipynb)** | How does one frame reach another? | 50 | 3 | [E4](../../exercises/en/E04_frame_tree.ipynb) |
 # | 5 | **[map, odom, base_link](05_map_odom_base_link.ipynb)** | Why are there two fixed frames? | 50 | 3, 4 | [E5](../../exercises/en/E05_map_odom_base_link.ipynb) |
 # | 6 | **[Static and dynamic](06_static_and_dynamic.ipynb)** | Who says where things are, and how often? | 60 | 3, 4 | [E6](../../exercises/en/E06_static_and_dynamic.ipynb) |
 # | 7 | **[URDF and sensors](07_urdf_and_sensors.ipynb)** | Where are the robot's own parts? | 60 | 2, 6 | [E7](../../exercises/en/E07_urdf_and_sensors.ipynb) |
@@ -192,7 +193,7 @@ graph.stop()
 # | 10 | **[Clocks and bags](10_clocks_and_bags.ipynb)** | Whose time is it? | 55 | 8, 9 | [E10](../../exercises/en/E10_clocks_and_bags.ipynb) |
 # | 11 | **[Tools and RViz](11_tools_and_rviz.ipynb)** | Which tool answers which question? | 60 | 4, 5, 8 | [E11](../../exercises/en/E11_tools_and_rviz.ipynb) |
 #
-# To come: 4 The tree of frames · 12 Owners and diagnosis.
+# To come: 12 Owners and diagnosis.
 
 # %% [markdown] lang="ko" name="chapters-table" slide="-"
 # | | 장 | 장의 질문 | 시간 | 먼저 볼 장 | 연습 |
@@ -200,6 +201,7 @@ graph.stop()
 # | 1 | **[값, 좌표계, 측정 시각](01_value_frame_stamp.ipynb)** | 숫자 세 개는 언제 위치가 될까요? | 45분 |  | [E1](../../exercises/ko/E01_value_frame_stamp.ipynb) |
 # | 2 | **[좌표축과 쿼터니언](02_axes_and_quaternions.ipynb)** | 어느 쪽이 앞일까요? | 75분 | 1 | [E2](../../exercises/ko/E02_axes_and_quaternions.ipynb) |
 # | 3 | **[목표 좌표계와 원본 좌표계](03_target_and_source.ipynb)** | 어느 좌표계 기준의 데이터를 어느 좌표계 기준으로 보려 할까요? | 60분 | 1, 2 | [E3](../../exercises/ko/E03_target_and_source.ipynb) |
+# | 4 | **[좌표계 트리](04_frame_tree.ipynb)** | 한 좌표계에서 다른 좌표계까지 어떻게 이어질까요? | 50분 | 3 | [E4](../../exercises/ko/E04_frame_tree.ipynb) |
 # | 5 | **[map, odom, base_link](05_map_odom_base_link.ipynb)** | 세계에 고정된 기준 좌표계는 왜 둘이나 필요할까요? | 50분 | 3, 4 | [E5](../../exercises/ko/E05_map_odom_base_link.ipynb) |
 # | 6 | **[정적 변환과 동적 변환](06_static_and_dynamic.ipynb)** | 누가, 얼마나 자주 위치를 알려 줄까요? | 60분 | 3, 4 | [E6](../../exercises/ko/E06_static_and_dynamic.ipynb) |
 # | 7 | **[URDF와 센서](07_urdf_and_sensors.ipynb)** | 로봇의 부품은 어디에 붙어 있을까요? | 60분 | 2, 6 | [E7](../../exercises/ko/E07_urdf_and_sensors.ipynb) |
@@ -208,7 +210,7 @@ graph.stop()
 # | 10 | **[시계와 bag](10_clocks_and_bags.ipynb)** | 누구의 시간일까요? | 55분 | 8, 9 | [E10](../../exercises/ko/E10_clocks_and_bags.ipynb) |
 # | 11 | **[도구와 RViz](11_tools_and_rviz.ipynb)** | 어떤 질문에 어떤 도구를 쓸까요? | 60분 | 4, 5, 8 | [E11](../../exercises/ko/E11_tools_and_rviz.ipynb) |
 #
-# 준비 중인 장: 4 좌표계 트리 · 12 발행 책임과 진단.
+# 준비 중인 장: 12 발행 책임과 진단.
 
 # %% [markdown] lang="en" name="checks" slide="slide"
 # ## How your answers are checked
@@ -297,7 +299,7 @@ lesson.show_progress()
 # 화살표는 앞 장을 바탕으로 한다는 뜻입니다. 실선 상자는 준비된 장, 점선 상자는 준비 중인 장이며, 번호는 표의 번호입니다.
 
 # %% name="map"
-lesson.draw_course([1, 2, 3, 5, 6, 7, 8, 9, 10, 11])
+lesson.draw_course([1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11])
 
 # %% [markdown] lang="en" name="next" slide="skip"
 # **Next:** [01 · Value, frame and stamp](01_value_frame_stamp.ipynb).

@@ -1295,11 +1295,11 @@ rclpy.try_shutdown()
 # 쪽지를 걷습니다. 순서가 틀린 사람이 있으면 다음 강의를 그 이야기로 시작합니다.
 
 # %% [markdown] lang="en" name="next" slide="skip"
-# **Next:** the exercises, [E3 Target and source](../../exercises/en/E03_target_and_source.ipynb), and after them [05 map, odom, base_link](05_map_odom_base_link.ipynb), where one edge holds two truths together.
+# **Next:** the exercises, [E3 Target and source](../../exercises/en/E03_target_and_source.ipynb), and after them [04 The tree of frames](04_frame_tree.ipynb), where you see how the edges hang together, and who makes sure of it (nobody).
 # After a pass, or three tries, `solution("E3.2")` shows a solution there. To start a page over, delete its file and type `tflab lab`.
 # On a robot this chapter ticks one line of your checklist: *I ran `tf2_echo` with target and source in the right order.*
 
 # %% [markdown] lang="ko" name="next" slide="skip"
-# **다음:** 연습 문제 [E3 목표 좌표계와 원본 좌표계](../../exercises/ko/E03_target_and_source.ipynb)를 풀고, 연결 하나로 두 위치를 함께 지키는 [05 map, odom, base_link](05_map_odom_base_link.ipynb)로 갑니다.
+# **다음:** 연습 문제 [E3 목표 좌표계와 원본 좌표계](../../exercises/ko/E03_target_and_source.ipynb)를 풀고, 연결들이 어떻게 이어지고 누가 그것을 보장하는지(아무도 하지 않습니다) 보는 [04 좌표계 트리](04_frame_tree.ipynb)로 갑니다.
 # 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E3.2")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력하세요.
 # 이 장을 마치면 실습 체크리스트의 2번을 채울 수 있습니다. *목표와 원본의 순서를 지켜 tf2_echo를 실행했습니다.*

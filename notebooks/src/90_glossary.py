@@ -115,6 +115,8 @@
 # - **authority (발행 주체)**: The node that sends a transform; each child should have one only.
 # - **path (경로)**: The edges between two frames of one tree: up to the frame that both share, and down.
 # - **root (루트)**: A frame without a parent: a tree has one, and two roots are two trees.
+# - **namespace (네임스페이스)**: A word before the names of a node's topics and services; it is never put before the frames in its messages.
+# - **frame prefix (접두사)**: A word such as robot1/ before every frame of one robot, so that two robots do not share a frame by accident.
 
 # %% [markdown] lang="ko" name="chapter-4" slide="skip"
 # ## 4장 · 좌표계 트리
@@ -125,6 +127,8 @@
 # - **발행 주체 (authority)**: 변환을 보내는 노드이며, 자식 좌표계마다 하나여야 합니다.
 # - **경로 (path)**: 한 트리의 두 좌표계를 잇는 연결들입니다. 둘이 만나는 좌표계까지 올라갔다가 내려갑니다.
 # - **루트 (root)**: 부모가 없는 좌표계입니다. 트리마다 하나이며, 루트가 둘이면 트리도 둘입니다.
+# - **네임스페이스 (namespace)**: 노드의 토픽과 서비스 이름 앞에 붙는 말입니다. 메시지 속의 좌표계 이름에는 붙지 않습니다.
+# - **접두사 (frame prefix)**: robot1/처럼 한 로봇의 모든 좌표계 이름 앞에 붙이는 말입니다. 두 로봇이 같은 이름을 뜻하지 않게 함께 쓰는 일을 막습니다.
 
 # %% [markdown] lang="en" name="chapter-5" slide="skip"
 # ## Chapter 5 · map, odom, base_link

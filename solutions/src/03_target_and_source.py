@@ -290,7 +290,7 @@ check("E3.7", verdict)
 # On a robot, run `ros2 run tf2_ros tf2_echo base_link laser_frame`, and the other way round.
 # Predict the second before you look: that is line 2 of your checklist.
 #
-# **Next:** [05 · map, odom, base_link](../../notebooks/en/05_map_odom_base_link.ipynb).
+# **Next:** [04 · One parent each, and nobody checks](../../notebooks/en/04_frame_tree.ipynb).
 
 # %% [markdown] lang="ko" name="done" slide="slide"
 # ## 다 했다면
@@ -298,4 +298,4 @@ check("E3.7", verdict)
 # 로봇에서 `ros2 run tf2_ros tf2_echo base_link laser_frame`을 실행하고, 거꾸로도 실행해 보세요.
 # 둘째를 보기 전에 먼저 예측해 보세요. 체크리스트의 둘째 줄입니다.
 #
-# **다음:** [05 · map, odom, base_link](../../notebooks/ko/05_map_odom_base_link.ipynb).
+# **다음:** [04 · 부모는 하나씩, 그런데 아무도 확인하지 않습니다](../../notebooks/ko/04_frame_tree.ipynb).

@@ -23,8 +23,9 @@ NEVER = {
 }
 SECTIONS = r"^## (확인 문제|나가기 전에|풀이 예제|기억할 것|이것만은|해 보기|예측하기|망가뜨리기)"
 PAGES = ["00_start", "01_value_frame_stamp", "02_axes_and_quaternions", "03_target_and_source",
-         "05_map_odom_base_link", "06_static_and_dynamic", "07_urdf_and_sensors", "08_buffer_and_measurement_time",
-         "09_exceptions_and_waiting", "10_clocks_and_bags", "11_tools_and_rviz", "90_glossary"]  # fmt: skip
+         "04_frame_tree", "05_map_odom_base_link", "06_static_and_dynamic", "07_urdf_and_sensors",
+         "08_buffer_and_measurement_time", "09_exceptions_and_waiting", "10_clocks_and_bags",
+         "11_tools_and_rviz", "90_glossary"]  # fmt: skip
 
 
 @pytest.mark.parametrize("stem", PAGES)

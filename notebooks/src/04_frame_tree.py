@@ -1,0 +1,795 @@
+# %% [markdown] lang="en" name="title" slide="slide"
+# # 04 · One parent each, and nobody checks
+#
+# **The tree of frames** · about 50 minutes · builds on 03
+#
+# After this chapter you can
+#
+# - walk from any frame to any other by hand: up to where the ways meet, and down;
+# - tell at a glance, or with one line of Python, a healthy [[tf tree]] from two trees and from a loop;
+# - say what tf2 checks when a transform is sent (almost nothing), and what it says when somebody asks;
+# - name frames so that two robots share one map and nothing else.
+
+# %% [markdown] lang="ko" name="title" slide="slide"
+# # 04 · 부모는 하나씩, 그런데 아무도 확인하지 않습니다
+#
+# **좌표계 트리** · 약 50분 · 03장을 바탕으로 합니다
+#
+# 이 장을 마치면 다음을 할 수 있습니다.
+#
+# - 어느 좌표계에서 어느 좌표계로든 손으로 찾아갑니다. 만나는 곳까지 올라갔다가 내려갑니다.
+# - 멀쩡한 [[tf tree|TF 트리]]와 둘로 나뉜 트리, 고리(loop)가 생긴 트리를 한눈에, 또는 파이썬 한 줄로 구별합니다.
+# - 변환을 보낼 때 tf2가 확인하는 것(거의 없습니다)과, 물을 때 듣게 되는 오류를 말합니다.
+# - 로봇 두 대가 지도만 함께 쓰도록 좌표계 이름을 정합니다.
+
+# %% [markdown] lang="en" name="title-notes" slide="notes"
+# Ask before the first slide: who makes sure that the frames of a robot form a tree? Collect names of programs. The answer of the hour: nobody.
+
+# %% [markdown] lang="ko" name="title-notes" slide="notes"
+# 첫 슬라이드 전에 묻습니다. 로봇의 좌표계가 트리를 이루도록 누가 보장할까요? 프로그램 이름들이 나올 것입니다. 오늘의 답은 "아무도"입니다.
+
+# %% name="load" slide="skip"
+# %load_ext tflab
+from tflab.workbook import lesson
+
+# %% [markdown] lang="en" name="story" slide="slide"
+# ## The dog that hung below itself
+#
+# A four-legged robot gets a new driver. It worked yesterday; today its log fills with
+#
+# ```
+# The tf tree is invalid because it contains a loop.
+# ```
+#
+# Its body hangs below `odom`, as ever. But now `odom` hangs below the body as well: each is the other's [[parent frame|parent]].
+# The cause was one string. The driver glued the robot's name, a slash and `odom` together; this robot had no name, so it looked for `/odom`, and `/odom` is not `odom` (rai-opensource/spot_ros2, 2024).
+# A year later the same slash stopped the mapper of one of the most sold teaching robots, at `/base_footprint` (ROBOTIS-GIT/turtlebot3, 2025).
+
+# %% [markdown] lang="ko" name="story" slide="slide"
+# ## 자기 자신 아래에 매달린 로봇 개
+#
+# 네 발 로봇의 드라이버를 새 버전으로 올렸습니다. 어제까지 잘 걷던 로봇의 로그가 오늘은 이 문장으로 가득합니다.
+#
+# ```
+# The tf tree is invalid because it contains a loop.
+# ```
+#
+# 몸체(body)는 늘 그랬듯 `odom` 아래에 있습니다. 그런데 이제 `odom`도 몸체 아래에 있습니다. 서로가 서로의 [[parent frame|부모]]입니다.
+# 원인은 문자열 하나였습니다. 드라이버는 로봇 이름과 슬래시와 `odom`을 이어 붙였는데, 이 로봇에는 이름이 없었습니다. 그래서 `/odom`을 찾았고, `/odom`은 `odom`이 아닙니다(rai-opensource/spot_ros2, 2024년).
+# 1년 뒤에는 같은 슬래시가 널리 쓰이는 교육용 로봇의 지도 작성 노드를 `/base_footprint`에서 멈춰 세웠습니다(ROBOTIS-GIT/turtlebot3, 2025년).
+
+# %% [markdown] lang="en" name="story-sources" slide="skip"
+# *Read them:* spot_ros2 [302](https://github.com/rai-opensource/spot_ros2/issues/302), [304](https://github.com/rai-opensource/spot_ros2/pull/304); turtlebot3 [1064](https://github.com/ROBOTIS-GIT/turtlebot3/pull/1064), [1066](https://github.com/ROBOTIS-GIT/turtlebot3/issues/1066).
+
+# %% [markdown] lang="ko" name="story-sources" slide="skip"
+# *직접 읽어 보기:* spot_ros2 [302](https://github.com/rai-opensource/spot_ros2/issues/302), [304](https://github.com/rai-opensource/spot_ros2/pull/304), turtlebot3 [1064](https://github.com/ROBOTIS-GIT/turtlebot3/pull/1064), [1066](https://github.com/ROBOTIS-GIT/turtlebot3/issues/1066).
+
+
+# %% name="the-driver" slide="subslide"
+def driver(name):
+    """Say which edge the driver of the story sends, for a robot of this name."""
+    wanted = name + "/" + "odom"
+    prefix = name + "/" if name else ""
+    odom, body = prefix + "odom", prefix + "body"
+    if odom == wanted:
+        return odom, body  # parent, child: the body hangs below odom
+    return body, odom  # every other frame hangs below the body
+
+
+print(driver("spot"))
+print(driver(""))
+
+# %% [markdown] lang="en" name="the-driver-seen"
+# With a name, all is well. Without one, the comparison fails, and nobody says a word.
+
+# %% [markdown] lang="ko" name="the-driver-seen"
+# 이름이 있으면 괜찮습니다. 이름이 없으면 비교가 어긋나고, 아무 오류도 나지 않습니다.
+
+# %% [markdown] lang="en" name="a-dict" slide="slide"
+# ## TF is a dict
+#
+# Forget rotations for a moment. What TF knows of a robot's shape is this: for each child, its one parent.
+# One key has one value, so a [[frame]] has one parent. A frame that is nobody's child is a [[root]]. One entry is an [[edge]].
+
+# %% [markdown] lang="ko" name="a-dict" slide="slide"
+# ## TF는 dict입니다
+#
+# 회전은 잠시 잊어 봅시다. TF가 로봇의 생김새에 대해 아는 것은 이것뿐입니다. 자식마다 부모 하나.
+# 키 하나에는 값이 하나이므로 [[frame|좌표계]]의 부모도 하나입니다. 누구의 자식도 아닌 좌표계가 [[root|루트(root)]]이고, 항목 하나가 [[edge|연결(edge)]]입니다.
+
+# %% name="parent-of" slide="-"
+parent_of = {
+    "odom": "map",
+    "base_link": "odom",
+    "laser_frame": "base_link",
+    "camera_link": "base_link",
+    "camera_optical_frame": "camera_link",
+}
+
+
+# %% name="way-up" slide="-"
+def way_up(frame):
+    way = [frame]
+    while way[-1] in parent_of:
+        way.append(parent_of[way[-1]])
+    return way
+
+
+print(way_up("laser_frame"))
+print(way_up("camera_optical_frame"))
+
+# %% [markdown] lang="en" name="up-and-down" slide="slide"
+# ## Up, then down
+#
+# Both ways end at `map`. From where they meet on, they are the same, so nobody has to climb that far: go up from the source until you stand on the target's way, then down.
+
+# %% [markdown] lang="ko" name="up-and-down" slide="slide"
+# ## 올라갔다가 내려갑니다
+#
+# 두 길은 모두 `map`에서 끝납니다. 만난 뒤로는 같은 길이므로 끝까지 올라갈 필요가 없습니다. 원본에서 올라가다가 목표의 길과 만나면 거기서 내려갑니다.
+
+# %% name="a-buffer" slide="skip"
+from geometry_msgs.msg import TransformStamped
+from rclpy.time import Time
+from tf2_ros import Buffer, TransformException
+
+
+def send(buffer, parent, child, x=1.0):
+    message = TransformStamped()
+    message.header.frame_id, message.child_frame_id = parent, child
+    message.transform.translation.x, message.transform.rotation.w = x, 1.0
+    buffer.set_transform_static(message, "page")
+
+
+buffer = Buffer()
+for child, parent in parent_of.items():
+    send(buffer, parent, child)
+
+# %% name="the-walk" slide="-"
+lesson.draw_walk(buffer, "camera_optical_frame", "laser_frame")
+
+# %% [markdown] lang="en" name="the-walk-seen"
+# Solid arrows go up, dashed ones down, the numbers count the steps, and the ring marks where the ways meet.
+# This is the product of chapter 03, read off the tree: each step down is one inverse, each step up is an edge as it was sent.
+
+# %% [markdown] lang="ko" name="the-walk-seen"
+# *그림 읽기:* source = 원본, target = 목표, 실선 화살표 = 올라감, 점선 화살표 = 내려감, 숫자 = 걸음의 순서, 둥근 테 = 두 길이 만나는 곳입니다.
+# 03장의 곱을 트리에서 읽은 것입니다. 올라가는 걸음은 보낸 연결 그대로이고, 내려가는 걸음은 그 역변환입니다.
+
+# %% name="the-product" slide="fragment"
+lesson.draw_dominoes(
+    ("camera_optical_frame", "camera_link"), ("camera_link", "base_link"), ("base_link", "laser_frame")
+)
+
+# %% [markdown] lang="en" name="faded" slide="subslide"
+# ### Now you walk
+#
+# Without running anything: which steps, up and down, lead from `camera_optical_frame` to `odom`? And from `map` to `camera_link`? Fill the blanks.
+#
+# ```
+# camera_optical_frame -> odom      up ____________, up ____________, up ____________
+# map -> camera_link                down __________, down __________, down __________
+# ```
+#
+# <details><summary>Compare</summary>
+#
+# Up from `camera_optical_frame`, `camera_link`, `base_link`. Down to `odom`, `base_link`, `camera_link`. A step is named after its child both times.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="faded" slide="subslide"
+# ### 이제 직접 걸어 보세요
+#
+# 실행하지 말고 생각해 보세요. `camera_optical_frame`에서 `odom`까지, 그리고 `map`에서 `camera_link`까지는 어떤 걸음으로 갈까요? 빈칸을 채워 보세요.
+#
+# ```
+# camera_optical_frame -> odom      up ____________, up ____________, up ____________
+# map -> camera_link                down __________, down __________, down __________
+# ```
+#
+# <details><summary>맞춰 보기</summary>
+#
+# 앞은 `camera_optical_frame`, `camera_link`, `base_link`에서 차례로 올라갑니다. 뒤는 `odom`, `base_link`, `camera_link`로 차례로 내려갑니다. 어느 쪽이든 걸음에는 자식의 이름을 붙입니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="predict" slide="slide"
+# ## Predict
+#
+# 1. Somebody sends `camera_link` once more, now as a child of the gripper `tool0`. How many cameras does tf2 know afterwards: one, two, or is it an error?
+# 2. Another robot's tree is `map → odom` and `odm → base_link → laser_frame`. Somebody typed `odm`. Which of these answer: `laser_frame` in `odm`, `odom` in `map`, `base_link` in `map`? And does the error name the typo?
+
+# %% [markdown] lang="ko" name="predict" slide="slide"
+# ## 예측해 봅시다
+#
+# 1. 누군가 `camera_link`를 한 번 더 보냅니다. 이번에는 그리퍼 `tool0`의 자식으로 보냅니다. 그러면 tf2가 아는 카메라는 몇 대일까요? 하나일까요, 둘일까요, 아니면 오류일까요?
+# 2. 다른 로봇의 트리는 `map → odom`과 `odm → base_link → laser_frame`입니다. 누군가 `odm`이라고 잘못 쳤습니다. `odm` 기준의 `laser_frame`, `map` 기준의 `odom`, `map` 기준의 `base_link` 가운데 무엇이 답할까요? 오류 메시지는 오타를 알려 줄까요?
+
+# %% [markdown] lang="en" name="predict-notes" slide="notes"
+# Hands for each. For the first, wait for "two". For the second, wait for "all dead", and for "the error will say odm".
+
+# %% [markdown] lang="ko" name="predict-notes" slide="notes"
+# 하나씩 손을 들게 합니다. 1번은 "두 대", 2번은 "모두 안 된다"와 "오류가 odm을 알려 준다"가 기다리는 답입니다.
+
+# %% name="my-guess" slide="skip"
+cameras, answers = ..., ...  # a number; three times "yes" or "no"
+
+# %% name="moved" tags=["predicted"] slide="fragment"
+send(buffer, "base_link", "tool0", x=0.5)
+send(buffer, "tool0", "camera_link", x=0.1)
+lesson.draw_walk(buffer, "base_link", "camera_optical_frame")
+
+# %% [markdown] lang="en" name="moved-seen" tags=["predicted"]
+# One camera. A key that is set again gets a new value: the camera moved, with all that hangs below it. Nobody was asked, and nobody was told.
+# If two nodes set it by turns, it moves back and forth, as you will see.
+
+# %% [markdown] lang="ko" name="moved-seen" tags=["predicted"]
+# 카메라는 한 대입니다. 키를 다시 쓰면 값이 바뀝니다. 카메라와 그 아래의 것이 모두 옮겨 갔습니다. 아무도 묻지 않았고, 알려 주지도 않았습니다.
+# 두 노드가 번갈아 쓰면 왔다 갔다 합니다. 잠시 뒤에 볼 것입니다.
+
+# %% name="typo" tags=["predicted"] slide="fragment"
+island = Buffer()
+for parent, child in (("map", "odom"), ("odm", "base_link"), ("base_link", "laser_frame")):
+    send(island, parent, child)
+for target, source in (("odm", "laser_frame"), ("map", "odom"), ("map", "base_link")):
+    try:
+        x = island.lookup_transform(target, source, Time()).transform.translation.x
+        print(f"{source} in {target}: {x:.1f} m along x")
+    except TransformException as error:
+        print(f"{source} in {target}: {type(error).__name__}: {error}")
+
+# %% [markdown] lang="en" name="typo-seen" tags=["predicted"]
+# Yes, yes, no. Each island works by itself; only what crosses the water fails. And the error names the two ends of the *question*, not the place where the bridge is missing.
+# "Tf has two or more unconnected trees": so look at the roots.
+
+# %% [markdown] lang="ko" name="typo-seen" tags=["predicted"]
+# 됩니다, 됩니다, 안 됩니다. 섬마다 저마다 잘 돌아가고, 섬을 건너는 것만 실패합니다. 오류 메시지에는 *질문*의 두 끝이 나올 뿐, 다리가 끊긴 곳은 나오지 않습니다.
+# "Tf has two or more unconnected trees"라고 하니 루트를 보면 됩니다.
+
+# %% [markdown] lang="en" name="one-line" slide="slide"
+# ## A doctor in one line
+#
+# Who is somebody's parent, and nobody's child? Python's sets know.
+
+# %% [markdown] lang="ko" name="one-line" slide="slide"
+# ## 한 줄짜리 의사
+#
+# 누군가의 부모이면서 누구의 자식도 아닌 것은 무엇일까요? 파이썬의 set으로 알 수 있습니다.
+
+
+# %% name="roots" slide="-"
+def roots(tree):
+    return sorted(set(tree.values()) - set(tree))
+
+
+print("healthy  ", roots(parent_of))
+print("typo     ", roots({"odom": "map", "base_link": "odm", "laser_frame": "base_link"}))
+print("the dog  ", roots({"body": "odom", "odom": "body", "head": "body"}))
+
+# %% [markdown] lang="en" name="roots-seen"
+# One name: a tree. Two names: there is a gap somewhere, and the name that you did not expect is the typo. No name at all: a loop.
+# One catch: a loop *beside* a sound tree hides from this line. Then somebody's `way_up` never ends.
+
+# %% [markdown] lang="ko" name="roots-seen"
+# 이름이 하나면 트리입니다. 둘이면 어딘가 끊겼고, 예상하지 못한 이름이 오타입니다. 하나도 없으면 고리입니다.
+# 한 가지 조심할 것이 있습니다. 멀쩡한 트리 *옆에* 따로 생긴 고리는 이 한 줄로 찾지 못합니다. 그때는 어떤 좌표계의 `way_up`이 끝나지 않습니다.
+
+# %% [markdown] lang="en" name="plaster" slide="subslide"
+# ### The plaster
+#
+# The forums know a quick cure for the typo: one more static edge, `odom → odm`, with zeros. It works, and you should see why it is a plaster.
+
+# %% [markdown] lang="ko" name="plaster" slide="subslide"
+# ### 반창고
+#
+# 이런 오타에 흔히 권하는 빠른 방법이 있습니다. 값이 모두 0인 정적 연결 `odom → odm`을 하나 더 보내는 것입니다. 되기는 합니다. 하지만 왜 반창고일 뿐인지 보세요.
+
+# %% name="plastered" slide="-"
+send(island, "odom", "odm", x=0.0)
+lesson.draw_walk(island, "map", "laser_frame")
+
+# %% [markdown] lang="en" name="plastered-seen"
+# One place has two names now, for ever: the next program will publish `odom → base_link`, spelt right, and take the base away from `odm`. Mend the name where it is written.
+
+# %% [markdown] lang="ko" name="plastered-seen"
+# 이제 한 자리에 이름이 둘입니다. 언젠가 다른 프로그램이 철자를 맞게 써서 `odom → base_link`를 발행하면, base는 `odm`에서 떨어져 나갑니다. 이름은 잘못 적힌 곳에서 고치십시오.
+
+# %% [markdown] lang="en" name="five-rules" slide="slide"
+# ## Five rules, and who enforces them
+#
+# 1. Each child has one parent.
+# 2. Between any two frames there is one way.
+# 3. Each edge has one [[authority|owner]]: one node that sends it.
+# 4. No loops.
+# 5. Names, directions and times mean the same everywhere.
+#
+# tf2 enforces none of them when a transform is *sent*. It refuses only what it cannot store: an empty name, a frame that is its own parent, numbers that are none. Break the rest yourself: give a frame another parent, then ask.
+
+# %% [markdown] lang="ko" name="five-rules" slide="slide"
+# ## 다섯 가지 규칙, 지키게 하는 것은 누구일까요?
+#
+# 1. 자식마다 부모는 하나입니다.
+# 2. 어느 두 좌표계 사이에도 길은 하나입니다.
+# 3. 연결마다 [[authority|발행 책임]]은 한 노드에 있습니다.
+# 4. 고리가 없습니다.
+# 5. 이름과 방향과 시각의 뜻이 어디서나 같습니다.
+#
+# 변환을 *보낼 때* tf2는 이 가운데 아무것도 확인하지 않습니다. 저장할 수 없는 것, 곧 빈 이름, 자기 자신이 부모인 좌표계, 숫자가 아닌 값만 거부합니다. 나머지는 직접 어겨 보세요. 좌표계의 부모를 바꾸고 나서 물어보세요.
+
+# %% name="tree-panel" tags=["interactive"]
+lesson.tree_panel(parent_of, "map", "laser_frame")
+
+# %% [markdown] lang="en" name="panel-tasks"
+# Try: hang `odom` below `laser_frame`. Below `odm`. Below itself. Then ask from `camera_link` to `laser_frame` each time: which faults does that question not even notice?
+
+# %% [markdown] lang="ko" name="panel-tasks"
+# `odom`을 `laser_frame` 아래에, `odm` 아래에, 자기 자신 아래에 매달아 보세요. 그때마다 `camera_link`에서 `laser_frame`으로도 물어보세요. 이 질문이 알아채지 못하는 고장은 무엇일까요?
+
+# %% name="tree-still"
+broken = Buffer()
+for child, parent in {**parent_of, "odom": "odm"}.items():
+    send(broken, parent, child)
+lesson.draw_walk(broken, "camera_link", "laser_frame")
+
+# %% [markdown] lang="en" name="tree-still-seen"
+# With `odom` below `odm`, the way between two sensors is as short as ever. That is why a broken tree can work for weeks: only questions fail, and only those that meet the fault.
+
+# %% [markdown] lang="ko" name="tree-still-seen"
+# `odom`이 `odm` 아래에 있어도 두 센서 사이의 길은 그대로입니다. 고장 난 트리가 몇 주씩 멀쩡해 보이는 까닭입니다. 실패하는 것은 질문뿐이고, 그것도 고장 난 곳을 지나는 질문뿐입니다.
+
+# %% [markdown] lang="en" name="names" slide="slide"
+# ## Names are strings
+#
+# `odom`, `Odom` and `odom` with a space behind it are three frames. And a slash in front?
+
+# %% [markdown] lang="ko" name="names" slide="slide"
+# ## 이름은 문자열입니다
+#
+# `odom`, `Odom`, 뒤에 공백이 붙은 `odom `은 서로 다른 세 좌표계입니다. 앞에 슬래시가 붙으면 어떨까요?
+
+# %% name="spellings" slide="-"
+names = Buffer()
+for number, parent in enumerate(["/odom", "//odom", "Odom", "odom "]):
+    send(names, parent, f"child_{number}")
+print(sorted(name for name in names.core.frame_names() if "child" not in name))
+for target, source in (("odom", "child_0"), ("/odom", "child_0"), ("//odom", "child_1")):
+    try:
+        names.lookup_transform(target, source, Time())
+        print(f"{target} answers")
+    except TransformException as error:
+        print(f"{type(error).__name__}: {error}")
+
+# %% [markdown] lang="en" name="spellings-seen"
+# One slash is forgiven when you *send*: it is kept as `odom`. It is refused when you *ask*. And `//odom` is kept as `/odom`, a frame that nobody can ever ask for.
+# Other programs forgive nothing: the mapper of the story stops at the first slash. Write names without one.
+
+# %% [markdown] lang="ko" name="spellings-seen"
+# *보낼 때* 슬래시 하나는 눈감아 줍니다. `odom`으로 저장합니다. *물을 때는* 거부합니다. 그리고 `//odom`은 `/odom`으로 저장되는데, 이 좌표계는 아무도 물을 수 없습니다.
+# 다른 프로그램은 눈감아 주지도 않습니다. 이야기 속의 지도 작성 노드는 슬래시를 보자마자 멈춥니다. 이름 앞에는 슬래시를 쓰지 마십시오.
+
+# %% [markdown] lang="en" name="break-it" slide="slide"
+# ## Break it: the dog's loop
+#
+# Body below odom, odom below body, and on the body a head and a back. **Predict** for each: does it answer?
+#
+# - the body in `odom` · the head in `odom` · `odom` in the head · the back in the head
+
+# %% [markdown] lang="ko" name="break-it" slide="slide"
+# ## 일부러 고장 내기: 로봇 개의 고리
+#
+# 몸체는 odom 아래, odom은 몸체 아래, 그리고 몸체에는 머리(head)와 등(back)이 있습니다. 각각 답할까요? **예측해 봅시다.**
+#
+# - `odom` 기준의 몸체 · `odom` 기준의 머리 · 머리 기준의 `odom` · 머리 기준의 등
+
+# %% name="the-loop" tags=["predicted"]
+dog = Buffer()
+for parent, child, x in (("odom", "body", 2.0), ("body", "odom", -2.0), ("body", "head", 0.4), ("body", "back", -0.4)):
+    send(dog, parent, child, x)
+for target, source in (("odom", "body"), ("odom", "head"), ("head", "odom"), ("head", "back")):
+    try:
+        x = dog.lookup_transform(target, source, Time()).transform.translation.x
+        print(f"{source} in {target}: {x:.1f} m")
+    except TransformException as error:
+        print(f"{source} in {target}: {type(error).__name__}: {str(error).splitlines()[0]}")
+
+# %% name="the-loop-drawn" tags=["predicted"] slide="-"
+lesson.draw_walk(dog, "head", "back")
+
+# %% [markdown] lang="en" name="the-loop-seen" tags=["predicted"]
+# Yes, yes, no, no. Two parts bolted to one body cannot find each other, and a head in `odom` can. tf2 climbs from the source; if it meets the target on the way, it stops and answers, and else it goes round and round.
+# So a loop, too, works for some. In a pull request that removed one it says that most ROS code ignores loops, "but some nodes get very upset" (mavlink/mavros [1252](https://github.com/mavlink/mavros/pull/1252)).
+
+# %% [markdown] lang="ko" name="the-loop-seen" tags=["predicted"]
+# *그림 읽기:* again = 이미 나온 좌표계로 되돌아온 곳입니다.
+# 됩니다, 됩니다, 안 됩니다, 안 됩니다. 한 몸에 고정된 두 부품은 서로를 찾지 못하는데, `odom` 기준의 머리는 찾습니다. tf2는 원본에서 올라갑니다. 가는 길에 목표를 만나면 멈추고 답하며, 만나지 못하면 끝없이 돕니다.
+# 그래서 고리가 있어도 되는 것은 됩니다. 고리를 없앤 어느 수정 요청에는, 대부분의 코드는 신경 쓰지 않지만 몇몇 노드는 크게 탈이 난다고 적혀 있습니다(mavlink/mavros [1252](https://github.com/mavlink/mavros/pull/1252)).
+
+# %% [markdown] lang="en" name="two-owners" slide="slide"
+# ## Break it: two owners of one edge
+#
+# The wheels publish `odom → base_footprint`. A filter that knows better (an EKF) is started, and publishes it too. Both drift, each its own way.
+# **Predict:** what does a test of five seconds on the bench show?
+
+# %% [markdown] lang="ko" name="two-owners" slide="slide"
+# ## 일부러 고장 내기: 한 연결을 두 노드가 발행할 때
+#
+# 바퀴가 `odom → base_footprint`를 발행합니다. 더 잘 아는 필터(EKF)를 켜자 이 노드도 같은 연결을 발행합니다. 둘 다 조금씩, 서로 다르게 흐릅니다.
+# **예측해 봅시다.** 작업대 위에서 5초 동안 시험하면 무엇이 보일까요?
+
+# %% name="two-nodes" slide="skip"
+import math
+
+import rclpy
+from rclpy.node import Node
+from tf2_ros import TransformListener
+
+parts = ["robot_state_publisher", "joint_driver", "wheel_odometry", "localization"]
+graph = lesson.new_graph()
+lesson.launch(graph, lesson.TeachingRobot(), only=[*parts, "ekf_filter_node"])
+rclpy.init()
+node = Node("asker")
+tf_buffer = Buffer()
+listener = TransformListener(tf_buffer, node, spin_thread=True)
+graph.run(seconds=1.0)
+
+
+# %% name="place" slide="skip"
+def place(target, source):
+    at = tf_buffer.lookup_transform(target, source, Time()).transform.translation
+    return at.x, at.y
+
+
+# %% name="steps-of-both" tags=["predicted"] slide="-"
+before, largest, past = place("odom", "base_footprint"), 0.0, 0.0
+for until in (5, 10, 20, 30):
+    for _ in range(round((until - past) / 0.02)):
+        graph.run(seconds=0.02)
+        here = place("odom", "base_footprint")
+        before, largest = here, max(largest, math.dist(before, here))
+    past = until
+    print(f"after {until:>2} s: largest step in 20 ms {largest:.2f} m")
+
+# %% [markdown] lang="en" name="steps-of-both-seen" tags=["predicted"]
+# A robot of half a metre a second moves one centimetre in 20 ms. After five seconds the largest step is four: nobody sees that. After half a minute the robot leaps by half a metre. The bench test passes; the drive through the hall does not.
+
+# %% [markdown] lang="ko" name="steps-of-both-seen" tags=["predicted"]
+# 0.5 m/s로 달리는 로봇은 20 ms에 1센티미터를 갑니다. 5초까지 가장 큰 걸음은 4센티미터라 아무도 알아채지 못합니다. 30초가 지나면 로봇은 0.5미터씩 튑니다. 작업대 시험은 통과하고, 복도 주행은 통과하지 못합니다.
+
+# %% name="owners" slide="subslide"
+lesson.frame_tree(graph, seconds=2.0)
+
+# %% [markdown] lang="en" name="owners-seen"
+# The *shape* of this tree is flawless: one parent each. What gives it away is the rate, 50 Hz = 20 + 30, and, here, two names. The cure is to choose: let the wheels keep their edge to themselves.
+
+# %% [markdown] lang="ko" name="owners-seen"
+# *그림 읽기:* rate = 빈도, age = 나이, published by = 발행 책임, D(dynamic) = 동적, S(static) = 정적. 아래 줄은 한 연결을 두 노드가 발행한다는 경고입니다.
+# 트리의 *모양*에는 흠이 없습니다. 부모가 하나씩입니다. 드러나는 것은 빈도입니다. 50 Hz는 20 + 30입니다. 여기서는 이름도 둘 보입니다. 고치는 방법은 하나를 고르는 것입니다. 바퀴의 연결을 끕니다.
+
+# %% name="cure" slide="-"
+# %ros2 param set /wheel_odometry publish_tf false
+
+# %% name="cured" slide="-"
+graph.run(seconds=1.0)
+before, largest = place("odom", "base_footprint"), 0.0
+for _ in range(250):
+    graph.run(seconds=0.02)
+    here = place("odom", "base_footprint")
+    before, largest = here, max(largest, math.dist(before, here))
+print(f"five more seconds: largest step in 20 ms {largest:.2f} m")
+
+# %% [markdown] lang="en" name="cured-seen"
+# Two centimetres, as driven: the filter speaks thirty times a second. Then look again, and do not trust the switch alone: in ros-controls/ros_controllers [499](https://github.com/ros-controls/ros_controllers/issues/499) it was set, and the tree alternated still.
+
+# %% [markdown] lang="ko" name="cured-seen"
+# 실제로 달린 만큼인 2센티미터입니다. 필터는 1초에 서른 번 발행합니다. 고친 뒤에는 다시 확인하고, 설정값만 믿지 마십시오. ros-controls/ros_controllers [499](https://github.com/ros-controls/ros_controllers/issues/499)에서는 껐는데도 트리가 계속 번갈아 바뀌었습니다.
+
+# %% [markdown] lang="en" name="two-robots" slide="slide"
+# ## Two robots, one map
+#
+# A second robot is put beside the first, each in its own [[namespace]], and all its links have a [[frame prefix]]: `robot2/base_link`. Somebody forgot `odom`.
+# Namespaces do not prefix frames: a frame is a string in a message, and `/tf` is one topic for all.
+
+# %% [markdown] lang="ko" name="two-robots" slide="slide"
+# ## 로봇 두 대, 지도 하나
+#
+# 두 번째 로봇을 옆에 둡니다. 로봇마다 [[namespace|네임스페이스(namespace)]]가 따로 있고, 링크에는 모두 `robot2/base_link`처럼 [[frame prefix|접두사(frame prefix)]]를 붙였습니다. 그런데 `odom`에 붙이는 것을 잊었습니다.
+# 네임스페이스는 좌표계 이름에 붙지 않습니다. 좌표계는 메시지 속의 문자열이고, `/tf`는 모두가 함께 쓰는 토픽입니다.
+
+# %% name="a-fleet" slide="skip"
+graph.stop()
+listener.unregister()
+tf_buffer = Buffer()  # one that has heard of no other robot
+listener = TransformListener(tf_buffer, node, spin_thread=True)
+
+
+def start_two(shared, apart_s):
+    graph.stop()
+    first = lesson.TeachingRobot(lesson.Drive(start_ns=graph.now_ns), prefix="robot1/", shared=shared)
+    other_start = lesson.Drive(start=lesson.PlanarPose(4.0, -1.0, 1.2), start_ns=graph.now_ns)
+    second = lesson.TeachingRobot(other_start, prefix="robot2/", shared=shared, seed=1)
+    lesson.launch(graph, first, only=["wheel_odometry", "localization"])
+    graph.run(seconds=apart_s)
+    lesson.launch(graph, second, only=["wheel_odometry", "localization"])
+    graph.run(seconds=3.0)
+
+
+# %% [markdown] lang="en" name="one-odom-predict"
+# The two stand three metres apart, and drive the same laps. The second was started 30 ms after the first. **Predict:** what does somebody see who asks fifty times a second where `robot2/base_footprint` is in `map`? And what if both were started in the same instant?
+
+# %% [markdown] lang="ko" name="one-odom-predict"
+# 두 로봇은 3미터 떨어져 서 있고, 같은 길을 달립니다. 두 번째는 30 ms 늦게 시작했습니다. **예측해 봅시다.** `map` 기준의 `robot2/base_footprint`를 1초에 쉰 번 조회하면 무엇이 보일까요? 둘이 동시에 시작했다면 어떨까요?
+
+
+# %% name="one-odom" tags=["predicted"] slide="-"
+def look(times=343):
+    leaps, largest, before = 0, 0.0, place("map", "robot2/base_footprint")
+    for _ in range(times):
+        graph.run(seconds=0.02)
+        here = place("map", "robot2/base_footprint")
+        step, before = math.dist(before, here), here
+        leaps, largest = leaps + (step > 0.5), max(largest, step)
+    x, y = place("robot1/base_footprint", "robot2/base_footprint")
+    print(f"{leaps} leaps in {times} looks, largest {largest:.2f} m; robot2 in robot1 at ({x:.2f}, {y:.2f}) m")
+
+
+for apart_s in (0.03, 0.0):
+    start_two(("map", "odom"), apart_s)
+    look()
+
+# %% [markdown] lang="en" name="one-odom-seen" tags=["predicted"]
+# Started apart, `odom` has two owners, and robot2 leaps by more than two metres, again and again. Started together, nothing leaps: both hang below *one* odom, each where its own wheels count from zero. TF puts robot2 inside robot1, quietly, and the collision check is content, or in panic.
+
+# %% [markdown] lang="ko" name="one-odom-seen" tags=["predicted"]
+# 따로 시작하면 `odom`의 발행 책임이 둘이 되고, robot2는 2미터 넘게 거듭 튑니다. 동시에 시작하면 아무것도 튀지 않습니다. 두 로봇이 *한* odom 아래에서 저마다 0부터 센 자리에 있을 뿐입니다. TF에서 robot2는 조용히 robot1 안에 들어가 있습니다. 충돌 검사는 만족하거나, 기겁합니다.
+
+# %% [markdown] lang="en" name="view-frames" slide="slide"
+# ## What view_frames shows, and what it cannot
+#
+# [[view_frames]] listens for five seconds and writes a picture and a text: each edge with its rate, its oldest and newest stamp. Without `-o` the files are dated; with it they have your name.
+
+# %% [markdown] lang="ko" name="view-frames" slide="slide"
+# ## view_frames가 보여 주는 것과 보여 주지 못하는 것
+#
+# [[view_frames]]는 5초 동안 듣고 그림과 텍스트를 만듭니다. 연결마다 빈도와 가장 오래된 시각, 가장 새로운 시각이 나옵니다. `-o`가 없으면 파일 이름에 날짜가 붙고, 있으면 준 이름이 됩니다.
+
+# %% name="run-view-frames" tags=["interactive"] slide="skip"
+folder = lesson.fresh_folder()
+# %ros2 run tf2_tools view_frames -o {folder}/frames
+
+# %% name="between-robots" slide="-"
+lesson.draw_walk(tf_buffer, "robot1/base_footprint", "robot2/base_footprint")
+
+# %% [markdown] lang="en" name="between-robots-seen"
+# The shape is a fine tree, and from one robot to the other it is two steps, by way of the `odom` that is nobody's.
+
+# %% [markdown] lang="ko" name="between-robots-seen"
+# 모양은 멀쩡한 트리이고, 한 로봇에서 다른 로봇까지는 두 걸음입니다. 누구의 것도 아닌 `odom`을 지나갑니다.
+
+# %% name="who-is-it" slide="-"
+lesson.frame_tree(graph, seconds=2.0)
+
+# %% [markdown] lang="en" name="who-is-it-seen"
+# `view_frames` says `Broadcaster: default_authority` for every edge: a message on `/tf` does not say who sent it. Two owners show only in the sum, 20 Hz where 10 were meant.
+# Our `frame_tree` names the nodes, because here all of them live in one process. On a robot `ros2 topic info /tf --verbose` lists the nodes that send on `/tf`, though not which edge each of them sends.
+
+# %% [markdown] lang="ko" name="who-is-it-seen"
+# `view_frames`에는 어느 연결이나 `Broadcaster: default_authority`라고 나옵니다. `/tf` 메시지에는 보낸 노드의 이름이 없기 때문입니다. 둘이 보내는 것은 합친 빈도로만 드러납니다. 10이어야 할 곳이 20 Hz입니다.
+# `frame_tree`는 노드 이름을 보여 줍니다. 여기서는 모든 노드가 한 프로세스 안에 있기 때문입니다. 로봇에서는 `ros2 topic info /tf --verbose`로 `/tf`에 보내는 노드들을 알 수 있지만, 어느 연결을 보내는지는 나오지 않습니다.
+
+# %% [markdown] lang="en" name="prefixed" slide="subslide"
+# The cure: everything that belongs to one robot carries its prefix, `odom` too. Only what both mean, `map`, stays bare.
+
+# %% [markdown] lang="ko" name="prefixed" slide="subslide"
+# 고치는 방법은 이렇습니다. 한 로봇에 속한 것에는 `odom`까지 모두 접두사를 붙입니다. 둘이 같은 것을 뜻하는 `map`만 그대로 둡니다.
+
+# %% name="two-odoms" slide="-"
+start_two(("map",), 0.03)
+look()
+lesson.frame_tree(graph, seconds=2.0)
+
+# %% name="stop" slide="skip"
+graph.stop()
+node.destroy_node()
+rclpy.shutdown()
+
+# %% [markdown] lang="en" name="two-odoms-seen"
+# The robots are where they are, two and a half metres apart now, and no step is larger than what was driven.
+# In a real launch this is a parameter in many places: `frame_prefix` of robot_state_publisher, the frames of the odometry, of the localiser, of each sensor driver, and RViz's Fixed Frame. Forget one, and you have seen what happens.
+
+# %% [markdown] lang="ko" name="two-odoms-seen"
+# 이제 두 로봇은 실제로 있는 곳에 있고, 실제로 달린 것보다 큰 걸음은 없습니다.
+# 실제 launch 파일에서는 여러 곳의 파라미터입니다. robot_state_publisher의 `frame_prefix`, 오도메트리와 위치 추정의 좌표계 이름, 센서 드라이버마다의 좌표계 이름, RViz의 Fixed Frame입니다. 하나를 잊으면 방금 본 일이 일어납니다.
+
+# %% [markdown] lang="en" name="checkpoint" slide="slide"
+# ## Checkpoint
+#
+# A robot's tree has two roots, `map` and `odm`. A colleague asks where the laser is in `base_link`, both below `odm`. What does tf2 say?
+#
+# 1. An error: a broken tree answers nothing.
+# 2. An error that names `odm`.
+# 3. The right answer.
+# 4. The right answer, and a warning in the log.
+#
+# <details><summary>I chose 1</summary>
+#
+# Each island works by itself. That is why such robots pass so many tests.
+#
+# </details>
+# <details><summary>I chose 2</summary>
+#
+# The error names the two ends of a question that fails, and this one does not fail. Even the one that does never mentions `odm`.
+#
+# </details>
+# <details><summary>I chose 3</summary>
+#
+# Yes: up from laser to base_link, one step, and no fault on the way.
+#
+# </details>
+# <details><summary>I chose 4</summary>
+#
+# Nobody warns: for tf2 two trees are as good as one. You notice when somebody asks across.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="checkpoint" slide="slide"
+# ## 마무리 점검
+#
+# 어느 로봇의 트리에 루트가 둘 있습니다. `map`과 `odm`입니다. 동료가 `base_link` 기준 레이저의 위치를 묻습니다. 둘 다 `odm` 아래에 있습니다. tf2는 무엇이라고 합니까?
+#
+# 1. 오류입니다. 고장 난 트리는 아무것도 답하지 않습니다.
+# 2. `odm`을 알려 주는 오류입니다.
+# 3. 맞는 답을 합니다.
+# 4. 맞는 답을 하고 로그에 경고를 남깁니다.
+#
+# <details><summary>1번을 골랐습니다</summary>
+#
+# 섬은 저마다 잘 돌아갑니다. 이런 로봇이 수많은 시험을 통과하는 까닭입니다.
+#
+# </details>
+# <details><summary>2번을 골랐습니다</summary>
+#
+# 오류 메시지에는 실패한 질문의 두 끝이 나오는데, 이 질문은 실패하지 않습니다. 실패하는 질문에서도 `odm`은 나오지 않습니다.
+#
+# </details>
+# <details><summary>3번을 골랐습니다</summary>
+#
+# 맞습니다. 레이저에서 base_link로 한 걸음 올라가며, 그 길에는 고장이 없습니다.
+#
+# </details>
+# <details><summary>4번을 골랐습니다</summary>
+#
+# 경고하는 것은 없습니다. tf2에게는 트리가 둘이어도 상관없습니다. 섬을 건너 묻는 순간 알게 됩니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="on-the-robot" slide="slide"
+# ## On a real robot
+#
+# ```
+# ros2 run tf2_tools view_frames -o frames      # frames.pdf and frames.gv, from five seconds
+# ros2 topic info /tf --verbose                 # which nodes send on /tf
+# ros2 param get /robot_state_publisher frame_prefix
+# ```
+#
+# `view_frames` sees only its five seconds: what quarrels now and then needs more than one look.
+
+# %% [markdown] lang="ko" name="on-the-robot" slide="slide"
+# ## 실제 로봇에서
+#
+# ```
+# ros2 run tf2_tools view_frames -o frames      # frames.pdf and frames.gv, from five seconds
+# ros2 topic info /tf --verbose                 # which nodes send on /tf
+# ros2 param get /robot_state_publisher frame_prefix
+# ```
+#
+# `view_frames`는 5초 동안만 봅니다. 가끔 일어나는 다툼은 여러 번 봐야 보입니다.
+
+# %% [markdown] lang="en" name="recap" slide="slide"
+# ## What to keep
+#
+# - TF is a dict, child → parent. A question goes up from its source until the ways meet, and down to its target: a [[path]].
+# - One [[root]] is a tree, two are a gap, none is a loop; `set(parents) - set(children)` tells.
+# - tf2 checks no rule when a transform is sent. Only questions fail, and only those that meet the fault; the error names the ends of the question.
+# - A child that is sent with another parent moves. An edge with two owners keeps its shape, and its value goes to and fro: look at the rate.
+# - Names are strings. No slash in front; and all that belongs to one robot carries its [[frame prefix]].
+
+# %% [markdown] lang="ko" name="recap" slide="slide"
+# ## 정리
+#
+# - TF는 자식 → 부모로 된 dict입니다. 질문은 원본에서 두 길이 만날 때까지 올라갔다가 목표로 내려갑니다. 이것이 [[path|경로]]입니다.
+# - [[root|루트]]가 하나면 트리, 둘이면 끊긴 것, 없으면 고리입니다. `set(부모들) - set(자식들)`로 알 수 있습니다.
+# - 변환을 보낼 때 tf2는 규칙을 확인하지 않습니다. 실패하는 것은 고장 난 곳을 지나는 질문뿐이고, 오류 메시지에는 질문의 두 끝이 나옵니다.
+# - 같은 자식을 다른 부모로 보내면 옮겨 갑니다. 한 연결을 둘이 발행하면 모양은 그대로인 채 값만 오갑니다. 빈도를 보십시오.
+# - 이름은 문자열입니다. 앞에 슬래시를 쓰지 않고, 한 로봇에 속한 것에는 모두 [[frame prefix|접두사]]를 붙입니다.
+
+# %% [markdown] lang="en" name="from-before" slide="subslide"
+# ### Three questions from earlier chapters
+#
+# 1. What are the three parts of a place, and which one does this chapter leave out?
+# 2. `camera_T_laser` is `camera_T_base @ base_T_laser`. Which of the two was sent as it stands, and which was turned round?
+# 3. In the message of an edge, which field holds the parent?
+#
+# <details><summary>Answers</summary>
+#
+# 1. Value, frame, stamp. The stamp: chapter 08 brings it back, and an edge then has a history.
+# 2. `base_T_laser` was sent; `camera_T_base` is the inverse of the edge that was sent, base → camera.
+# 3. `header.frame_id`; the child is in `child_frame_id`.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="from-before" slide="subslide"
+# ### 앞 장 복습: 세 문제
+#
+# 1. 위치를 이루는 세 가지는 무엇이고, 이 장에서 뺀 것은 무엇입니까?
+# 2. `camera_T_laser`는 `camera_T_base @ base_T_laser`입니다. 보낸 그대로인 것은 무엇이고 뒤집은 것은 무엇입니까?
+# 3. 연결의 메시지에서 부모는 어느 필드에 있습니까?
+#
+# <details><summary>답</summary>
+#
+# 1. 값, 좌표계, 측정 시각입니다. 뺀 것은 측정 시각입니다. 08장에서 다시 나오며, 그때는 연결마다 지난 기록이 생깁니다.
+# 2. `base_T_laser`는 보낸 그대로이고, `camera_T_base`는 보낸 연결 base → camera의 역변환입니다.
+# 3. `header.frame_id`입니다. 자식은 `child_frame_id`에 있습니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="practice" slide="subslide"
+# ### Practice question · Q4
+#
+# What symptoms may appear when two nodes publish the same child in a TF tree? Write three or four sentences.
+#
+# <details><summary>What a full answer holds</summary>
+#
+# - [ ] tf2 raises no error when a transform is sent: both are stored.
+# - [ ] With one parent, values alternate: the robot trembles or leaps in RViz, more the farther both have drifted apart.
+# - [ ] With two parents, the child moves to and fro between two places in the tree, and questions fail by turns.
+# - [ ] It shows in a rate that is the sum of both, and in the list of publishers, not in the shape of the tree.
+# - [ ] The cure is to choose one owner, and to switch the other off.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="practice" slide="subslide"
+# ### 서술형 문제 · Q4
+#
+# TF 트리에서 같은 자식을 두 노드가 발행하면 어떤 증상이 나타날 수 있습니까? 서너 문장으로 써 보세요.
+#
+# <details><summary>완전한 답에 들어 있는 것</summary>
+#
+# - [ ] 변환을 보낼 때 tf2는 오류를 내지 않습니다. 둘 다 저장됩니다.
+# - [ ] 부모가 같으면 값이 번갈아 나옵니다. RViz에서 로봇이 떨거나 튀고, 둘의 차이가 벌어질수록 심해집니다.
+# - [ ] 부모가 다르면 자식이 트리의 두 곳을 오가고, 질문이 번갈아 실패합니다.
+# - [ ] 트리의 모양이 아니라, 둘을 합친 빈도와 발행자 목록에서 드러납니다.
+# - [ ] 발행 책임을 한 노드에 맡기고 다른 쪽은 끕니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="exit-ticket" slide="slide"
+# ## Exit ticket
+#
+# > `lookup_transform('map', 'gripper', …)` fails with "not part of the same tree"; yesterday it worked. Name the one thing that you look at first, and what you hope to see there.
+#
+# <details><summary>Compare</summary>
+#
+# The roots: `view_frames`, or one line of Python. Two names; the unexpected one is the misspelt parent, or the edge above it has lost its publisher.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="exit-ticket" slide="slide"
+# ## 마무리하며
+#
+# > 어제까지 되던 `lookup_transform('map', 'gripper', …)`이 "not part of the same tree"라며 실패합니다. 가장 먼저 볼 것 하나와, 거기에서 찾는 것을 말해 보세요.
+#
+# <details><summary>맞춰 보기</summary>
+#
+# 루트입니다. `view_frames`나 파이썬 한 줄로 봅니다. 이름이 둘이면, 예상하지 못한 이름이 잘못 적힌 부모이거나 그 위 연결의 발행자가 사라진 것입니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="next" slide="skip"
+# **Next:** the exercises, [E4 The tree of frames](../../exercises/en/E04_frame_tree.ipynb), and after them [05 map, odom, base_link](05_map_odom_base_link.ipynb), where "one parent each" decides who may say where the robot is.
+# After a pass, or three tries, `solution("E4.1")` shows a solution there. To start a page over, delete its file and type `tflab lab`.
+# On a robot this chapter begins two lines of your checklist: *I have drawn the tree with view_frames*, and *I have found a second broadcaster of one child*.
+
+# %% [markdown] lang="ko" name="next" slide="skip"
+# **다음:** 연습 문제 [E4 좌표계 트리](../../exercises/ko/E04_frame_tree.ipynb)를 풀고, "부모는 하나씩"이라는 규칙이 로봇의 위치를 누가 말할지 정하는 [05 map, odom, base_link](05_map_odom_base_link.ipynb)로 갑니다.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E4.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력하세요.
+# 이 장부터 실습 체크리스트 두 줄을 채우기 시작합니다. *view_frames로 트리 그림을 만들었습니다.* 그리고 *같은 자식을 발행하는 중복 발행기를 찾아 제거했습니다.*

@@ -1,0 +1,260 @@
+# %% [markdown] lang="en" name="title"
+# # Exercises 04 · One parent each, and nobody checks
+#
+# Seven tasks, 24 points, about 60 minutes. The page they belong to: [04 · One parent each, and nobody checks](../../notebooks/en/04_frame_tree.ipynb)
+#
+# Write your answer where it says `...` or `your turn`, run the cell, then run the check below it.
+# A wrong answer is told which mistake it looks like. `hint("E4.1")` gives the first of three hints.
+# Your frames come from `task(...)` and may differ from your neighbour's.
+
+# %% [markdown] lang="ko" name="title"
+# # 연습 문제 04 · 부모는 하나씩, 그런데 아무도 확인하지 않습니다
+#
+# 과제 일곱 개, 24점, 60분쯤 걸립니다. 함께 보는 페이지: [04 · 부모는 하나씩, 그런데 아무도 확인하지 않습니다](../../notebooks/ko/04_frame_tree.ipynb)
+#
+# `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 셀을 실행한 다음, 아래의 확인 셀을 실행해 보세요.
+# 틀린 답을 내면 어떤 실수로 보이는지 알려 줍니다. `hint("E4.1")`은 세 힌트 가운데 첫 번째를 보여 줍니다.
+# 좌표계는 `task(...)`가 주며 옆 사람과 다를 수 있습니다.
+
+# %% name="load"
+# %load_ext tflab
+from tflab.workbook import check, hint, solution, task
+
+# %% name="imports"
+from difflib import get_close_matches
+
+from tf2_ros import ConnectivityException
+
+# %% [markdown] lang="en" name="e4-1"
+# ## E4.1 · One letter too few (3 points)
+#
+# `e4_1.edges` are the edges of a robot as `frames.gv` has them, pairs (parent, child). One of the names is misspelt in one place, and the tree is two.
+# Give the mended tree as a dict, child → parent, with all its edges.
+
+# %% [markdown] lang="ko" name="e4-1"
+# ## E4.1 · 한 글자가 모자랍니다 (3점)
+#
+# `e4_1.edges`는 `frames.gv`에 있는 대로 적은 로봇의 연결입니다. (부모, 자식) 쌍입니다. 이름 하나가 한 곳에서 잘못 적혀 트리가 둘로 나뉘었습니다.
+# 고친 트리를 자식 → 부모로 된 dict로 답하십시오. 연결이 모두 들어 있어야 합니다.
+
+# %% name="e4-1-given"
+e4_1 = task("E4.1")
+
+# %% name="e4-1-answer" tags=["answer"]
+# BEGIN SOLUTION
+told = {child: parent for parent, child in e4_1.edges}
+(misspelt,) = set(told.values()) - set(told) - {"map"}
+(meant,) = get_close_matches(misspelt, told, n=1)
+mended = {child: meant if parent == misspelt else parent for child, parent in told.items()}
+# END SOLUTION
+
+# %% name="e4-1-check" tags=["check"]
+check("E4.1", mended)
+
+# %% [markdown] lang="en" name="e4-2"
+# ## E4.2 · Five listings (5 points)
+#
+# `e4_2.a` to `e4_2.e` each list what was heard on a robot: rows (parent, child, node). For each letter:
+#
+# - `"a"`: `"healthy"`, `"two trees"`, `"loop"`, `"two parents"` or `"two owners"`;
+# - `"a child"`: the name of the child at fault: the one that hangs below a misspelt parent, has two parents, or two owners. For a healthy robot and for a loop: `"none"`.
+#
+# `finding` is one dict with ten keys, `"a"`, `"a child"`, … `"e child"`.
+
+# %% [markdown] lang="ko" name="e4-2"
+# ## E4.2 · 목록 다섯 개 (5점)
+#
+# `e4_2.a`부터 `e4_2.e`까지는 로봇마다 들은 것을 적은 목록입니다. 각 줄은 (부모, 자식, 노드)입니다. 글자마다 답하십시오.
+#
+# - `"a"`: `"healthy"`(멀쩡함), `"two trees"`(트리가 둘), `"loop"`(고리), `"two parents"`(부모가 둘), `"two owners"`(한 연결을 두 노드가 발행) 가운데 하나.
+# - `"a child"`: 문제의 자식. 잘못 적힌 부모 아래에 있거나, 부모가 둘이거나, 발행하는 노드가 둘인 자식입니다. 멀쩡한 로봇과 고리에는 `"none"`이라고 쓰십시오.
+#
+# `finding`은 `"a"`, `"a child"`, … `"e child"`까지 키가 열 개인 dict 하나입니다.
+
+# %% name="e4-2-given"
+e4_2 = task("E4.2")
+
+# %% name="e4-2-answer" tags=["answer"]
+# BEGIN SOLUTION
+finding = {}
+for letter in "abcde":
+    rows = getattr(e4_2, letter)
+    parents = {child: {p for p, c, _ in rows if c == child} for _, child, _ in rows}
+    nodes = {child: {n for _, c, n in rows if c == child} for _, child, _ in rows}
+    faults = {
+        "two parents": [child for child in parents if len(parents[child]) > 1],
+        "two owners": [child for child in nodes if len(nodes[child]) > 1],
+        "loop": [child for child in parents if any(child in parents.get(p, ()) for p in parents[child])],
+        "two trees": [child for child in parents if not parents[child] & {*parents, "map"}],
+    }
+    kind = next((kind for kind in faults if faults[kind]), "healthy")
+    finding |= {letter: kind, f"{letter} child": "none" if kind in ("loop", "healthy") else faults[kind][0]}
+# END SOLUTION
+
+# %% name="e4-2-check" tags=["check"]
+check("E4.2", finding)
+
+# %% [markdown] lang="en" name="e4-3"
+# ## E4.3 · Up, then down (5 points)
+#
+# `parent_of` is a tree without loops, a dict child → parent. Return the steps from `source` to `target`, no step more than needed: a list of pairs (child, `"up"`) or (child, `"down"`), each step named after the child of its edge.
+# From a frame to itself there is no step. Where no way leads across, raise `ConnectivityException`.
+
+# %% [markdown] lang="ko" name="e4-3"
+# ## E4.3 · 올라갔다가 내려갑니다 (5점)
+#
+# `parent_of`는 고리가 없는 트리이며, 자식 → 부모로 된 dict입니다. `source`에서 `target`까지 꼭 필요한 걸음만 반환하십시오. (자식, `"up"`)이나 (자식, `"down"`) 쌍의 리스트이고, 걸음마다 그 연결의 자식 이름을 씁니다.
+# 같은 좌표계끼리는 걸음이 없습니다. 이어지는 길이 없으면 `ConnectivityException`을 일으키십시오.
+
+
+# %% name="e4-3-answer" tags=["answer"]
+def path(parent_of, target, source):
+    """Return the steps from source to target: [(child, "up" or "down"), ...]."""
+    # BEGIN SOLUTION
+
+    def way_up(frame):
+        return [frame, *(way_up(parent_of[frame]) if frame in parent_of else [])]
+
+    up, down = way_up(source), way_up(target)
+    met = next((frame for frame in up if frame in down), None)
+    if met is None:
+        raise ConnectivityException(f"{source} and {target} are not part of the same tree")
+    down = down[: down.index(met)]
+    return [(child, "up") for child in up[: up.index(met)]] + [(child, "down") for child in reversed(down)]
+    # END SOLUTION
+
+
+# %% name="e4-3-check" tags=["check"]
+check("E4.3", path)
+
+# %% [markdown] lang="en" name="e4-4"
+# ## E4.4 · Two robots, one map (3 points)
+#
+# `e4_4.edges` is the tree of one robot, pairs (parent, child), its names bare. Two such robots shall share `map`, and nothing else; `e4_4.prefixes` are their names.
+# Give the tree of both together as a dict, child → parent; a frame of the first robot is called as in `robot1/odom`.
+
+# %% [markdown] lang="ko" name="e4-4"
+# ## E4.4 · 로봇 두 대, 지도 하나 (3점)
+#
+# `e4_4.edges`는 로봇 한 대의 트리이며, 접두사가 없는 (부모, 자식) 쌍입니다. 이런 로봇 두 대가 `map`만 함께 쓰고 나머지는 따로 써야 합니다. `e4_4.prefixes`는 두 로봇의 이름입니다.
+# 둘을 합친 트리를 자식 → 부모로 된 dict로 답하십시오. 좌표계 이름은 `robot1/odom`과 같은 꼴입니다.
+
+# %% name="e4-4-given"
+e4_4 = task("E4.4")
+
+# %% name="e4-4-answer" tags=["answer"]
+# BEGIN SOLUTION
+fleet = {}
+for robot in e4_4.prefixes:
+    for parent, child in e4_4.edges:
+        fleet[f"{robot}/{child}"] = parent if parent == "map" else f"{robot}/{parent}"
+# END SOLUTION
+
+# %% name="e4-4-check" tags=["check"]
+check("E4.4", fleet)
+
+# %% [markdown] lang="en" name="e4-5"
+# ## E4.5 · What becomes of this name? (3 points)
+#
+# `e4_5.lines` has eight lines, a to h: what a node sends (parent → child), or what somebody asks. `fates` is a dict with the eight letters; for each:
+#
+# - `"kept as odom"`: it is stored, and found as `odom`
+# - `"another frame"`: it is stored under a name that is not `odom`
+# - `"refused when sent"`: nothing is stored
+# - `"refused when asked"`: the question itself is malformed
+# - `"shared by accident"`: two robots mean two things by one name
+
+# %% [markdown] lang="ko" name="e4-5"
+# ## E4.5 · 이 이름은 어떻게 될까요? (3점)
+#
+# `e4_5.lines`에는 a부터 h까지 여덟 줄이 있습니다. 노드가 보내는 것(부모 → 자식)이거나 누군가 묻는 것입니다. `fates`는 여덟 글자를 키로 하는 dict입니다. 글자마다 답하십시오.
+#
+# - `"kept as odom"`: 저장되고 `odom`으로 찾을 수 있습니다
+# - `"another frame"`: `odom`이 아닌 다른 이름으로 저장됩니다
+# - `"refused when sent"`: 아무것도 저장되지 않습니다
+# - `"refused when asked"`: 질문 자체가 잘못되었습니다
+# - `"shared by accident"`: 로봇 둘이 한 이름으로 서로 다른 것을 뜻합니다
+
+# %% name="e4-5-given"
+e4_5 = task("E4.5")
+
+
+# %% name="e4-5-answer" tags=["answer"]
+# BEGIN SOLUTION
+fates = {
+    letter: {
+        "send '/odom' -> 'base_link'": "kept as odom",
+        "send 'Odom' -> 'base_link'": "another frame",
+        "send '//odom' -> 'base_link'": "another frame",
+        "send '' -> 'base_link'": "refused when sent",
+        "send 'odom' -> 'odom'": "refused when sent",
+        "ask lookup_transform('/odom', 'base_link', Time())": "refused when asked",
+        "robot1 and robot2 both send 'map' -> 'odom'": "shared by accident",
+        "robot1 and robot2, each in a namespace of its own, both send 'odom' -> 'base_link'": "shared by accident",
+    }[line]
+    for letter, line in e4_5.lines.items()
+}
+# END SOLUTION
+
+# %% name="e4-5-check" tags=["check"]
+check("E4.5", fates)
+
+# %% [markdown] lang="en" name="e4-6"
+# ## E4.6 · Who has several owners? (3 points)
+#
+# `log` has a row (node, parent, child) for each transform that was heard. Return the children that are sent by two nodes or more, sorted by name. A child with two parents counts too; a node that repeats itself does not.
+
+# %% [markdown] lang="ko" name="e4-6"
+# ## E4.6 · 발행하는 노드가 여럿인 것은? (3점)
+#
+# `log`에는 들은 변환마다 (노드, 부모, 자식) 한 줄이 있습니다. 둘 이상의 노드가 보내는 자식을 이름 순서로 반환하십시오. 부모가 서로 다른 경우도 셉니다. 한 노드가 거듭 보낸 것은 세지 않습니다.
+
+
+# %% name="e4-6-answer" tags=["answer"]
+def several_owners(log):
+    """Return the children with two or more nodes, sorted."""
+    # BEGIN SOLUTION
+    nodes = {}
+    for node, _, child in log:
+        nodes.setdefault(child, set()).add(node)
+    return sorted(child for child in nodes if len(nodes[child]) > 1)
+    # END SOLUTION
+
+
+# %% name="e4-6-check" tags=["check"]
+check("E4.6", several_owners)
+
+# %% [markdown] lang="en" name="e4-7"
+# ## E4.7 · The line that the dog needed (2 points)
+#
+# Return the full name of a frame. `prefix` is a robot's name, perhaps with slashes around it, or empty; `name` is a frame, perhaps with a slash in front. The result never begins with a slash and never holds two in a row. `map` is shared: it has no prefix.
+
+# %% [markdown] lang="ko" name="e4-7"
+# ## E4.7 · 로봇 개에게 필요했던 한 줄 (2점)
+#
+# 좌표계의 전체 이름을 반환하십시오. `prefix`는 로봇 이름이며 앞뒤에 슬래시가 있거나 비어 있을 수 있습니다. `name`은 좌표계이며 앞에 슬래시가 있을 수 있습니다. 결과는 슬래시로 시작하지 않고, 슬래시가 둘 이어지지도 않습니다. `map`은 함께 쓰므로 접두사가 없습니다.
+
+
+# %% name="e4-7-answer" tags=["answer"]
+def frame_name(prefix, name):
+    """Return the full name of a frame."""
+    # BEGIN SOLUTION
+    prefix, name = prefix.strip("/"), name.strip("/")
+    return f"{prefix}/{name}" if prefix and name != "map" else name
+    # END SOLUTION
+
+
+# %% name="e4-7-check" tags=["check"]
+check("E4.7", frame_name)
+
+# %% [markdown] lang="en" name="done"
+# ## What you have shown
+#
+# You can read a tree, mend it, and say who is to blame. Grading asks the same with other robots.
+# **Next:** [05 · map, odom, base_link](../../notebooks/en/05_map_odom_base_link.ipynb).
+
+# %% [markdown] lang="ko" name="done"
+# ## 여기까지 해낸 것
+#
+# 트리를 읽고, 고치고, 누구 탓인지 말할 수 있습니다. 채점은 같은 질문을 다른 로봇으로 묻습니다.
+# **다음:** [05 · map, odom, base_link](../../notebooks/ko/05_map_odom_base_link.ipynb).

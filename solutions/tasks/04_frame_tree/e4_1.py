@@ -1,0 +1,123 @@
+"""E4.1: One letter too few."""
+
+from __future__ import annotations
+
+from difflib import get_close_matches
+
+from tflab.workbook.tasks import Slip, Task, Tree, Twin, Words
+
+from .draws import robot, typo
+
+
+def misspelt(rng):
+    """One edge whose parent lacks a letter; the parent has other edges under its right name, one above it at least."""
+    tree = robot(rng)
+    child = str(rng.choice([child for child, parent in tree.items() if parent != "map"]))
+    wrong = typo(rng, tree[child])
+    while wrong in tree:
+        wrong = typo(rng, tree[child])
+    return {"edges": [(wrong if each == child else parent, each) for each, parent in tree.items()]}
+
+
+def names(given):
+    tree = {child: parent for parent, child in given.edges}
+    (wrong,) = set(tree.values()) - set(tree) - {"map"}
+    return tree, wrong, get_close_matches(wrong, tree, n=1)[0]
+
+
+def built(given, *, fault="mended", way="child -> parent"):
+    """Return the tree, step by step; other steps are the slips."""
+    tree, wrong, meant = names(given)
+    swap = {"mended": (wrong, meant), "at the top": (wrong, "map")}.get(fault)
+    if swap:
+        tree = {child: swap[1] if parent == swap[0] else parent for child, parent in tree.items()}
+    elif fault == "bridged":
+        tree = {**tree, wrong: meant}
+    elif fault == "renamed":
+        tree = {wrong if c == meant else c: wrong if p == meant else p for c, p in tree.items()}
+    return {parent: child for child, parent in tree.items()} if way == "parent -> child" else tree
+
+
+UNCHANGED = Slip(
+    "unchanged",
+    {"fault": "left"},
+    Words(
+        en="The fault is still in there. Collect the parents that are nobody's child: one of the two is no root but a typo.",
+        ko="고장이 그대로 있습니다. 누구의 자식도 아닌 부모를 모아 보세요. 둘 가운데 하나는 루트가 아니라 오타입니다.",
+    ),
+    "M14",
+)
+
+BRIDGED = Slip(
+    "bridged",
+    {"fault": "bridged"},
+    Words(
+        en="A bridge from the right name to the misspelt one: the plaster of the page. One place has two names now. Mend the name itself.",
+        ko="맞는 이름과 틀린 이름을 잇는 다리를 놓았습니다. 본문의 반창고입니다. 한 자리에 이름이 둘이 됩니다. 이름 자체를 고치십시오.",
+    ),
+    "M14",
+)
+
+RENAMED = Slip(
+    "renamed to the typo",
+    {"fault": "renamed"},
+    Words(
+        en="You renamed the right name, everywhere, to the misspelt one. Whoever else sends or asks knows the other.",
+        ko="맞는 이름을 모두 틀린 이름으로 바꿨습니다. 다른 노드들이 보내고 묻는 이름은 그것이 아닙니다.",
+    ),
+    "M14",
+)
+
+AT_THE_TOP = Slip(
+    "hung at the top",
+    {"fault": "at the top"},
+    Words(
+        en="You hung the lost part below map. It is one tree again, but the part no longer moves with what carries it.",
+        ko="떨어진 부분을 map 아래에 매달았습니다. 트리는 하나가 되지만, 그 부분이 자기를 싣고 다니는 것과 함께 움직이지 않습니다.",
+    ),
+)
+
+UPSIDE_DOWN = Slip(
+    "upside down",
+    {"way": "parent -> child"},
+    Words(
+        en="That is parent → child. A key has one value: whoever has several children would keep one. Asked for is child → parent.",
+        ko="부모 → 자식으로 썼습니다. 키에는 값이 하나이므로 자식이 여럿이면 하나만 남습니다. 자식 → 부모로 써야 합니다.",
+    ),
+    "M2",
+)
+
+ONLY_THE_EDGE = Twin(
+    "only the edge",
+    lambda given: dict([next((c, names(given)[2]) for p, c in given.edges if p == names(given)[1])]),
+    Words(
+        en="The edge is mended, and the others are missing: give the whole tree.",
+        ko="고친 연결은 맞지만 나머지가 빠졌습니다. 트리 전체를 답하십시오.",
+    ),
+)
+
+
+TASK = Task(
+    id="E4.1",
+    kind="T",
+    points=3,
+    title=Words(en="One letter too few", ko="한 글자가 모자랍니다"),
+    answer="mended",
+    form=Tree(),
+    given=misspelt,
+    variants=8,
+    model=built,
+    twins=(UNCHANGED, BRIDGED, RENAMED, AT_THE_TOP, UPSIDE_DOWN, ONLY_THE_EDGE),
+    hints=(
+        Words(en="Which parents are nobody's child?", ko="누구의 자식도 아닌 부모는 무엇입니까?"),
+        Words(
+            en="There are two. One is map; which name of the list does the other resemble?",
+            ko="둘입니다. 하나는 map입니다. 다른 하나는 목록의 어느 이름과 닮았습니까?",
+        ),
+        Words(
+            en="`{child: parent for parent, child in e4_1.edges}` is the tree as told; then put the right name in one place.",
+            ko="`{child: parent for parent, child in e4_1.edges}`가 들은 그대로의 트리입니다. 그다음 한 곳의 이름을 바로잡으십시오.",
+        ),
+    ),
+    cures=("M2", "M14"),
+)

@@ -1,0 +1,137 @@
+"""E4.3: Up, then down."""
+
+from __future__ import annotations
+
+from tflab.core import ConnectivityException
+from tflab.workbook.tasks import Choice, Name, Pair, Sequence, Slip, Task, Words
+
+from .draws import climbed, robot
+
+
+def questions(rng):
+    """Siblings, cousins, ancestors, descendants, a frame and itself, two trees: each of some robot."""
+    rows = []
+    for _ in range(2):
+        tree = robot(rng, parts=4) | {"camera_link": "base_link", "camera_optical_frame": "camera_link"}
+        tree |= {"imu_link": "base_link", "laser_frame": "base_link", "lens": "camera_optical_frame"}
+        rows += [
+            (tree, "imu_link", "laser_frame"),
+            (tree, "lens", "laser_frame"),
+            (tree, "map", "camera_optical_frame"),
+            (tree, "camera_optical_frame", "odom"),
+            (tree, "odom", "odom"),
+            (tree, "base_link", "lens"),
+            (tree, "map", "map"),
+            ({**tree, "dock": "hall", "lamp": "dock"}, "map", "lamp"),
+            ({**tree, "dock": "hall", "lamp": "dock"}, "hall", "lamp"),
+            ({**tree, "dock": "hall", "lamp": "dock"}, "lamp", "imu_link"),
+        ]
+    return rows
+
+
+def walked(parent_of, target, source, *, ends="as asked", climb="until they meet", words="as they are", order="outward", lost="raises"):  # fmt: skip
+    """Return the steps, one decision after the other; other steps are the slips."""
+    if ends == "exchanged":
+        target, source = source, target
+    up, down = climbed(parent_of, source), climbed(parent_of, target)
+    if up[-1] != down[-1]:
+        if lost == "raises":
+            raise ConnectivityException("not part of the same tree")
+        return [] if lost == "empty" else None
+    if climb == "until they meet":
+        while up and down and up[-1] == down[-1]:
+            up.pop()
+            down.pop()
+    else:
+        up, down = up[:-1], down[:-1]
+    first, then = ("down", "up") if words == "exchanged" else ("up", "down")
+    down = down[::-1] if order == "outward" else down
+    return [(child, first) for child in up] + [(child, then) for child in down]
+
+
+FROM_THE_TARGET = Slip(
+    "from the target",
+    {"ends": "exchanged"},
+    Words(
+        en="You start at the target. The data is written in the source: the way begins there.",
+        ko="목표에서 출발합니다. 데이터는 원본 기준으로 쓰여 있으므로 길은 원본에서 시작합니다.",
+    ),
+    "M1",
+)
+
+OVER_THE_ROOT = Slip(
+    "over the root",
+    {"climb": "to the root"},
+    Words(
+        en="You always climb to the root. Where both ways have met, they are the same, up and down again: leave those steps out.",
+        ko="언제나 루트까지 올라갑니다. 두 길이 만난 뒤로는 올라갔다가 그대로 내려오는 걸음이니 빼십시오.",
+    ),
+)
+
+WORDS_EXCHANGED = Slip(
+    "up for down",
+    {"words": "exchanged"},
+    Words(
+        en="Up and down are exchanged: up is from a child to its parent.",
+        ko="up과 down이 바뀌었습니다. 자식에서 부모로 가는 것이 up입니다.",
+    ),
+    "M2",
+)
+
+DOWN_NOT_REVERSED = Slip(
+    "down not reversed",
+    {"order": "as climbed"},
+    Words(
+        en="The steps down stand in the order in which one climbs from the target. Going down, the topmost comes first.",
+        ko="내려가는 걸음이 목표에서 올라간 순서대로 있습니다. 내려갈 때는 가장 위의 것이 먼저입니다.",
+    ),
+)
+
+NOTHING_LOST = Slip(
+    "no way is no step",
+    {"lost": "empty"},
+    Words(
+        en="For two trees you return an empty list, which says: already there. Raise ConnectivityException.",
+        ko="트리가 둘일 때 빈 리스트를 반환합니다. 그것은 이미 도착했다는 뜻입니다. ConnectivityException을 일으키십시오.",
+    ),
+    "M11",
+)
+
+NONE_LOST = Slip(
+    "no way is None",
+    {"lost": "None"},
+    Words(
+        en="For two trees you return None. The caller would not notice: raise ConnectivityException, as tf2 does.",
+        ko="트리가 둘일 때 None을 반환합니다. 부른 쪽은 알아채지 못합니다. tf2처럼 ConnectivityException을 일으키십시오.",
+    ),
+    "M11",
+)
+
+
+TASK = Task(
+    id="E4.3",
+    kind="F",
+    points=5,
+    title=Words(en="Up, then down", ko="올라갔다가 내려갑니다"),
+    answer="path",
+    form=Sequence(Pair(Name(), Choice(("up", "down")))),
+    inputs=questions,
+    variants=3,
+    model=walked,
+    twins=(FROM_THE_TARGET, OVER_THE_ROOT, WORDS_EXCHANGED, DOWN_NOT_REVERSED, NOTHING_LOST, NONE_LOST),
+    hints=(
+        Words(
+            en="Write both ways up to the root, as `way_up` on the page does.",
+            ko="본문의 `way_up`처럼 두 좌표계에서 루트까지의 길을 적어 보세요.",
+        ),
+        Words(
+            en="Drop what both lists share at their ends. If the last members differ, there is no way.",
+            ko="두 리스트의 끝에서 같은 부분을 버리십시오. 마지막 원소가 다르면 길이 없습니다.",
+        ),
+        Words(
+            en="What is left of the source's list goes up as it stands; what is left of the target's goes down, reversed.",
+            ko="원본의 리스트에 남은 것은 그대로 up, 목표의 리스트에 남은 것은 뒤집어서 down입니다.",
+        ),
+    ),
+    cures=("M1", "M2", "M11"),
+)

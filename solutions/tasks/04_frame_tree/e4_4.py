@@ -1,0 +1,115 @@
+"""E4.4: Two robots, one map."""
+
+from __future__ import annotations
+
+from tflab.workbook.tasks import Slip, Task, Tree, Words
+
+from .draws import robot
+
+TEAMS = (("robot1", "robot2"), ("red", "blue"), ("tb3_0", "tb3_1"), ("alpha", "beta"), ("north", "south"))
+
+
+def robots(rng):
+    tree = robot(rng, parts=2)
+    first, second = TEAMS[int(rng.integers(len(TEAMS)))]
+    return {"edges": [(parent, child) for child, parent in tree.items()], "prefixes": [first, second]}
+
+
+def together(given, *, shared=("map",), glue="{}/{}", parents="prefixed"):
+    """Return the tree of both robots, step by step; other steps are the slips."""
+    fleet = {}
+    for prefix in given.prefixes:
+        for parent, child in given.edges:
+            above, below = (name if name in shared else glue.format(prefix, name) for name in (parent, child))
+            fleet[below] = parent if parents == "bare" else above
+    return fleet
+
+
+ODOM_SHARED = Slip(
+    "odom shared",
+    {"shared": ("map", "odom")},
+    Words(
+        en="Both robots hang below one odom. Each counts its wheels from zero there: two owners, and one robot inside the other.",
+        ko="두 로봇이 한 odom 아래에 있습니다. 저마다 0부터 바퀴를 세므로 발행 책임이 둘이 되고, 한 로봇이 다른 로봇 안에 들어갑니다.",
+    ),
+    "M14",
+)
+
+MAP_PREFIXED = Slip(
+    "map prefixed",
+    {"shared": ()},
+    Words(
+        en="You gave map a prefix, too. Then there are two maps and two trees, and no question leads from one robot to the other.",
+        ko="map에도 접두사를 붙였습니다. 지도가 둘, 트리도 둘이 되어 한 로봇에서 다른 로봇으로 가는 길이 없습니다.",
+    ),
+    "M14",
+)
+
+NO_SLASH = Slip(
+    "no slash",
+    {"glue": "{}{}"},
+    Words(
+        en="The slash between the robot's name and the frame is missing.",
+        ko="로봇 이름과 좌표계 사이에 슬래시가 없습니다.",
+    ),
+    "M14",
+)
+
+SLASH_IN_FRONT = Slip(
+    "slash in front",
+    {"glue": "/{}/{}"},
+    Words(
+        en="The names begin with a slash. tf2 forgives one when you send and refuses it when you ask; leave it out.",
+        ko="이름이 슬래시로 시작합니다. tf2는 보낼 때는 눈감아 주지만 물을 때는 거부합니다. 쓰지 마십시오.",
+    ),
+    "M14",
+)
+
+NAMESPACE_DOES_IT = Slip(
+    "bare names",
+    {"glue": "{1}"},
+    Words(
+        en="There is no prefix. A namespace does not put one before frames: both robots would send the very same names.",
+        ko="접두사가 없습니다. 네임스페이스는 좌표계 이름에 붙지 않으므로 두 로봇이 똑같은 이름을 보내게 됩니다.",
+    ),
+    "M14",
+)
+
+CHILDREN_ONLY = Slip(
+    "children only",
+    {"parents": "bare"},
+    Words(
+        en="Only the children have a prefix. A parent is a frame too: below the bare name there would hang both robots.",
+        ko="자식에만 접두사를 붙였습니다. 부모도 좌표계입니다. 접두사가 없는 이름 아래에 두 로봇이 함께 매달립니다.",
+    ),
+    "M14",
+)
+
+
+TASK = Task(
+    id="E4.4",
+    kind="T",
+    points=3,
+    title=Words(en="Two robots, one map", ko="로봇 두 대, 지도 하나"),
+    answer="fleet",
+    form=Tree(),
+    given=robots,
+    variants=8,
+    model=together,
+    twins=(ODOM_SHARED, MAP_PREFIXED, NO_SLASH, SLASH_IN_FRONT, NAMESPACE_DOES_IT, CHILDREN_ONLY),
+    hints=(
+        Words(
+            en="Which one name do both robots mean the same thing by?",
+            ko="두 로봇이 같은 것을 가리키는 이름은 무엇 하나입니까?",
+        ),
+        Words(
+            en="Every other name has a prefix, wherever it stands: as a child and as a parent.",
+            ko="나머지 이름에는 자식으로 나오든 부모로 나오든 접두사를 붙입니다.",
+        ),
+        Words(
+            en='Two loops: over `e4_4.prefixes`, and over `e4_4.edges`; a name is `f"{robot}/{frame}"`.',
+            ko='반복문 두 개입니다. `e4_4.prefixes`와 `e4_4.edges`를 돌며 이름을 `f"{robot}/{frame}"`으로 만드십시오.',
+        ),
+    ),
+    cures=("M14",),
+)

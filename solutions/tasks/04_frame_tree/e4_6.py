@@ -1,0 +1,142 @@
+"""E4.6: Who has several owners?"""
+
+from __future__ import annotations
+
+from tflab.workbook.tasks import Name, Sequence, Slip, Task, Twin, Words
+
+from .draws import robot, sender
+
+
+def logs(rng):
+    """Healthy logs, repeats, two owners, two parents, one base name in two namespaces, three owners."""
+    rows = []
+    for _ in range(2):
+        tree = robot(rng)
+        healthy = [(sender(child), parent, child) for child, parent in tree.items()]
+        names = [str(name) for name in rng.permutation([child for child in tree if child != "odom"])]
+        twice = [("/ekf_filter_node", tree[names[0]], names[0])]
+        moved = [("/calibration", "odom" if tree[names[1]] != "odom" else "map", names[1])]
+        spaces = [("/robot1/driver", "base_link", "lamp"), ("/robot2/driver", "base_link", "lamp")]
+        same_node = [("/robot_state_publisher", "odom", "plate"), ("/robot_state_publisher", "map", "plate")]
+        everything = [*healthy, *healthy, *twice, *moved, *spaces, *same_node, *twice]
+        rows += [
+            [],
+            healthy * 2,
+            [*healthy, *twice],
+            [*moved, *healthy],
+            [*healthy, *spaces],
+            [*healthy, *same_node],
+            [everything[int(number)] for number in rng.permutation(len(everything))],
+            [*healthy, *spaces, ("/driver_a", "map", "door"), ("/driver_b", "map", "door")],
+            [*healthy, *twice, ("/third", tree[names[0]], names[0])],
+        ]
+    return [(row,) for row in rows]
+
+
+def counted(log, *, names="whole", key="child", what="nodes", least=2, order="sorted"):
+    """Return the children with several owners, step by step; other steps are the slips."""
+    seen = {}
+    for node, parent, child in log:
+        who = node.rpartition("/")[2] if names == "base" else node
+        seen.setdefault(child if key == "child" else (parent, child), []).append(who)
+    many = [of for of, who in seen.items() if (len(who) if what == "messages" else len(set(who))) >= least]
+    many = list(dict.fromkeys(of if key == "child" else of[1] for of in many))
+    return sorted(many) if order == "sorted" else many
+
+
+MESSAGES = Slip(
+    "counts messages",
+    {"what": "messages"},
+    Words(
+        en="You count messages. A node that says the same twice is still one owner: count different nodes.",
+        ko="메시지를 셉니다. 한 노드가 두 번 말해도 발행 책임은 하나입니다. 서로 다른 노드를 세십시오.",
+    ),
+    "M6",
+)
+
+EDGES = Slip(
+    "counts by edge",
+    {"key": "edge"},
+    Words(
+        en="You count by edge, parent and child together. Two nodes that give one child two parents slip through: count by child.",
+        ko="부모와 자식을 묶은 연결마다 셉니다. 두 노드가 한 자식에게 다른 부모를 주면 빠져나갑니다. 자식마다 세십시오.",
+    ),
+    "M6",
+)
+
+BASE_NAMES = Slip(
+    "base names",
+    {"names": "base"},
+    Words(
+        en="You cut the namespace off. /robot1/driver and /robot2/driver are two nodes.",
+        ko="네임스페이스를 잘랐습니다. /robot1/driver와 /robot2/driver는 서로 다른 노드입니다.",
+    ),
+    "M14",
+)
+
+THREE = Slip(
+    "more than two",
+    {"least": 3},
+    Words(en="Two are several already.", ko="둘이면 이미 여럿입니다."),
+)
+
+UNSORTED = Slip(
+    "unsorted",
+    {"order": "as heard"},
+    Words(
+        en="The right children, in the order in which they were heard: sort them by name.",
+        ko="자식은 맞지만 들은 순서대로입니다. 이름 순서로 정렬하십시오.",
+    ),
+)
+
+ALL = Twin(
+    "all children",
+    lambda log: sorted({child for _, _, child in log}),
+    Words(
+        en="These are all children. Only those with two nodes or more are asked for.",
+        ko="모든 자식입니다. 둘 이상의 노드가 보내는 것만 골라야 합니다.",
+    ),
+)
+
+NODES = Twin(
+    "nodes",
+    lambda log: sorted({node for node, _, child in log if len({n for n, _, c in log if c == child}) > 1}),
+    Words(
+        en="These are the nodes. Asked for are the children that they quarrel about.",
+        ko="노드의 이름입니다. 두 노드가 다투는 자식의 이름이 필요합니다.",
+    ),
+    "M2",
+)
+
+PARENTS = Twin(
+    "two parents only",
+    lambda log: sorted({child for _, _, child in log if len({p for _, p, c in log if c == child}) > 1}),
+    Words(
+        en="You look for children with two parents. Two nodes may give the same parent, and quarrel about the numbers.",
+        ko="부모가 둘인 자식을 찾습니다. 두 노드가 같은 부모를 주면서 값을 두고 다툴 수도 있습니다.",
+    ),
+    "M6",
+)
+
+
+TASK = Task(
+    id="E4.6",
+    kind="F",
+    points=3,
+    title=Words(en="Who has several owners?", ko="발행하는 노드가 여럿인 것은?"),
+    answer="several_owners",
+    form=Sequence(Name()),
+    inputs=logs,
+    variants=3,
+    model=counted,
+    twins=(MESSAGES, EDGES, BASE_NAMES, THREE, UNSORTED, ALL, NODES, PARENTS),
+    hints=(
+        Words(en="For each child, collect who sends it.", ko="자식마다 누가 보내는지 모으십시오."),
+        Words(en="A set keeps each node once.", ko="set에는 노드가 하나씩만 남습니다."),
+        Words(
+            en="`nodes.setdefault(child, set()).add(node)`; then those with more than one, sorted.",
+            ko="`nodes.setdefault(child, set()).add(node)`로 모은 뒤, 둘 이상인 것을 정렬하십시오.",
+        ),
+    ),
+    cures=("M6",),
+)

@@ -1,0 +1,152 @@
+"""E4.7: The line that the dog needed."""
+
+from __future__ import annotations
+
+from tflab.workbook.tasks import Name, Slip, Task, Twin, Words
+
+FRAMES = ("odom", "base_link", "laser_frame", "camera_link", "tool0", "imu_link")
+ROBOTS = ("robot1", "spot", "tb3_0", "red", "alpha")
+
+
+def names(rng):
+    """Every way to write a prefix with every way to write a frame, map among them."""
+    rows = []
+    for _ in range(2):
+        robot = ROBOTS[int(rng.integers(len(ROBOTS)))]
+        first, second = (FRAMES[int(number)] for number in rng.permutation(len(FRAMES))[:2])
+        for prefix in ("", "/", robot, f"{robot}/", f"/{robot}", f"/{robot}/"):
+            rows += [(prefix, first), (prefix, f"/{second}"), (prefix, "map")]
+        rows += [(robot, "/map"), (f"fleet/{robot}", first), (robot, "map_server_frame")]
+    return rows
+
+
+def joined(prefix, name, *, ends="stripped", inner="stripped", glue="/", empty="bare", shared="map alone"):
+    """Return the full name, step by step; other steps are the slips."""
+    if ends == "left only":
+        prefix = prefix.lstrip("/")
+    elif ends == "right only":
+        prefix = prefix.rstrip("/")
+    elif ends == "stripped":
+        prefix = prefix.strip("/")
+    name = name.strip("/") if inner == "stripped" else name
+    is_shared = {"map alone": name == "map", "nothing": False, "begins with": name.startswith("map")}[shared]
+    if is_shared or (empty == "bare" and not prefix):
+        return name
+    return f"{prefix}{glue}{name}"
+
+
+EMPTY_GLUED = Slip(
+    "slash after nothing",
+    {"empty": "glued"},
+    Words(
+        en="A robot without a name gets a slash in front: /odom, the very fault of the story.",
+        ko="이름이 없는 로봇의 좌표계 앞에 슬래시가 붙습니다. 이야기 속의 바로 그 /odom입니다.",
+    ),
+    "M14",
+)
+
+NO_SLASH = Slip(
+    "no slash",
+    {"glue": ""},
+    Words(
+        en="Nothing stands between the prefix and the frame: robot1odom is a name that nobody expects.",
+        ko="접두사와 좌표계 사이에 아무것도 없습니다. robot1odom은 아무도 찾지 않는 이름입니다.",
+    ),
+    "M14",
+)
+
+PREFIX_AS_IT_IS = Slip(
+    "prefix as it is",
+    {"ends": "as it is"},
+    Words(
+        en="The prefix goes in as it came, with the slashes around it: some results begin with a slash, or hold two in a row.",
+        ko="접두사를 받은 그대로 씁니다. 슬래시로 시작하거나 슬래시가 둘 이어지는 결과가 나옵니다.",
+    ),
+    "M14",
+)
+
+LEFT_ONLY = Slip(
+    "left end only",
+    {"ends": "left only"},
+    Words(
+        en="A prefix that ends with a slash gives two in a row.",
+        ko="슬래시로 끝나는 접두사를 넣으면 슬래시가 둘 이어집니다.",
+    ),
+    "M14",
+)
+
+RIGHT_ONLY = Slip(
+    "right end only",
+    {"ends": "right only"},
+    Words(
+        en="A prefix that begins with a slash gives a result that does.",
+        ko="슬래시로 시작하는 접두사를 넣으면 결과도 슬래시로 시작합니다.",
+    ),
+    "M14",
+)
+
+NAME_AS_IT_IS = Slip(
+    "name as it is",
+    {"inner": "as it is"},
+    Words(
+        en="The frame may come with a slash of its own: it has to go before the two are joined.",
+        ko="좌표계 이름에도 슬래시가 있을 수 있습니다. 잇기 전에 떼어야 합니다.",
+    ),
+    "M14",
+)
+
+MAP_TOO = Slip(
+    "map prefixed",
+    {"shared": "nothing"},
+    Words(
+        en="map has a prefix now. It is the one frame that all robots share.",
+        ko="map에도 접두사가 붙었습니다. map은 모든 로봇이 함께 쓰는 좌표계입니다.",
+    ),
+    "M14",
+)
+
+LIKE_MAP = Slip(
+    "whatever begins with map",
+    {"shared": "begins with"},
+    Words(
+        en="You share whatever begins with map. Names are compared whole: only map itself is shared.",
+        ko="map으로 시작하는 이름을 모두 함께 씁니다. 이름은 통째로 비교합니다. 함께 쓰는 것은 map뿐입니다.",
+    ),
+    "M14",
+)
+
+NEVER = Twin(
+    "never a prefix",
+    lambda prefix, name: name.strip("/"),
+    Words(
+        en="The prefix is lost: every robot would send the same names.",
+        ko="접두사가 사라졌습니다. 모든 로봇이 같은 이름을 보내게 됩니다.",
+    ),
+    "M14",
+)
+
+
+TASK = Task(
+    id="E4.7",
+    kind="F",
+    points=2,
+    title=Words(en="The line that the dog needed", ko="로봇 개에게 필요했던 한 줄"),
+    answer="frame_name",
+    form=Name(),
+    inputs=names,
+    variants=3,
+    model=joined,
+    twins=(EMPTY_GLUED, NO_SLASH, PREFIX_AS_IT_IS, LEFT_ONLY, RIGHT_ONLY, NAME_AS_IT_IS, MAP_TOO, LIKE_MAP, NEVER),
+    hints=(
+        Words(en="Clean both words first, then join them.", ko="두 낱말을 먼저 다듬고 나서 이으십시오."),
+        Words(
+            en='`.strip("/")` takes slashes from both ends. What should an empty prefix give?',
+            ko='`.strip("/")`은 양 끝의 슬래시를 뗍니다. 접두사가 비어 있으면 무엇이 나와야 합니까?',
+        ),
+        Words(
+            en="Two cases give the bare name: no prefix, and map. All else is prefix, slash, name.",
+            ko="접두사가 없을 때와 map일 때는 이름만 반환합니다. 나머지는 접두사, 슬래시, 이름입니다.",
+        ),
+    ),
+    cures=("M14",),
+)
