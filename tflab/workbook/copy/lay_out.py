@@ -5,6 +5,7 @@
 
     answers_hidden(page, "en")    what a text asks to predict is not in sight before the learner has run it,
                                   and the still twin of a live view is folded
+    without_notes(page)           a class reads without what the page says to the speaker
 
     .tflab/pristine/...      each file as it was handed out: what tells the learner's hand from ours
     .tflab/backups/1/...     each file as it was before an update
@@ -28,7 +29,7 @@ from ..whole_files import locked, write_whole
 from ..words import Words
 from .merge import Merged, merge_notebooks
 
-__all__ = ["Change", "answers_hidden", "has_language", "is_free", "lay_out", "material", "update"]
+__all__ = ["Change", "answers_hidden", "has_language", "is_free", "lay_out", "material", "update", "without_notes"]
 
 HIDDEN = Path(".tflab")
 PRISTINE = HIDDEN / "pristine"
@@ -133,7 +134,9 @@ def material(
         given = folder.name == "cases"
         for path in sorted((data / folder).glob("*.json" if given else "*.ipynb")):
             if folder.parts[0] == "notebooks":
-                yield PurePosixPath(folder, path.name).as_posix(), answers_hidden(path.read_bytes(), language)
+                page = answers_hidden(path.read_bytes(), language)
+                page = without_notes(page) if edition == "class" else page
+                yield PurePosixPath(folder, path.name).as_posix(), page
             elif cases is None:
                 yield PurePosixPath(folder, path.name).as_posix(), path.read_bytes()
             elif (stem := chapter_of(path)) in cases:
@@ -164,6 +167,17 @@ def answers_hidden(page: bytes, language: str) -> bytes:
         else:
             cell["source"] = _folded("".join(cell["source"]), UNFOLD.say(language)).splitlines(keepends=True)
     return text_of(notebook).encode()
+
+
+def without_notes(page: bytes) -> bytes:
+    """Return a page without what its cells say to the speaker alone; a page that says nothing is returned as it is."""
+    notebook = json.loads(page)
+    spoken = [cell["metadata"] for cell in notebook["cells"] if "notes" in cell["metadata"].get("tflab", ())]
+    for metadata in spoken:
+        del metadata["tflab"]["notes"]
+        if not metadata["tflab"]:
+            del metadata["tflab"]
+    return text_of(notebook).encode() if spoken else page
 
 
 def _is_figure(cell: Mapping) -> bool:
