@@ -336,9 +336,22 @@ for f in (1, 2, 10, 20):
 
 # %% [markdown] lang="en" name="often-enough-try"
 # Try it: at which rate does the gap fall below a millimetre, at 1 m/s and 1 rad/s? And what must you do to the yaw rate to see no gap at all?
+#
+# <details><summary>Answers</summary>
+#
+# From 11.5 Hz on (0.95 mm). And a yaw rate of 0: straight ahead.
+#
+# </details>
 
 # %% [markdown] lang="ko" name="often-enough-try"
 # 직접 움직여 보세요. 1 m/s, 1 rad/s에서 틈이 1 mm보다 작아지는 주기는 얼마입니까? 틈이 아예 없으려면 yaw rate가 얼마여야 합니까?
+#
+# <details><summary>답</summary>
+#
+# 11.5 Hz부터입니다(0.95 mm). yaw rate는 0, 곧 직진입니다.
+#
+# </details>
+#
 # *그림 읽기:* arc = 로봇이 달린 호, chord = TF가 잇는 현, gap = 둘 사이의 틈, samples = 표본, v/f = 표본 사이에 달린 거리, wait = 가장 긴 기다림. speed = 속도, yaw rate = 각속도, rate = 주기.
 
 # %% name="often-enough-panel" tags=["interactive"]
