@@ -587,7 +587,7 @@ print(lesson.doctor(recording))
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
 # ## Checkpoint
 #
-# You play yesterday's bag with `--clock`. RViz shows the robot. Your own node says *"extrapolation into the future. Requested time 1795460830.5 but the latest data is at time 1795374431.2"*. What do you do first?
+# You play yesterday's bag with `--clock`. RViz shows the robot. Your own node says `extrapolation into the future. Requested time 1795460830.5 but the latest data is at time 1795374431.2`. What do you do first?
 #
 # 1. Raise the timeout.
 # 2. Ask for `Time()` instead.
@@ -618,7 +618,7 @@ print(lesson.doctor(recording))
 # %% [markdown] lang="ko" name="checkpoint" slide="slide"
 # ## 마무리 점검
 #
-# 어제의 bag을 `--clock`으로 재생합니다. RViz에는 로봇이 보입니다. 그런데 여러분의 노드는 *"extrapolation into the future. Requested time 1795460830.5 but the latest data is at time 1795374431.2"*라고 합니다. 무엇을 먼저 하겠습니까?
+# 어제의 bag을 `--clock`으로 재생합니다. RViz에는 로봇이 보입니다. 그런데 여러분의 노드는 `extrapolation into the future. Requested time 1795460830.5 but the latest data is at time 1795374431.2`라고 합니다. 무엇을 먼저 하겠습니까?
 #
 # 1. timeout을 늘립니다.
 # 2. 대신 `Time()`을 조회합니다.
@@ -682,11 +682,11 @@ print(lesson.doctor(recording))
 # ## On a real robot
 #
 # ```
-# ros2 bag record -o kitchen /scan /odom /tf /tf_static     # no /clock: a robot has none
-# ros2 bag info kitchen                                     # after each recording: is /tf_static there?
+# ros2 bag record -o kitchen /scan /odom /tf /tf_static
+# ros2 bag info kitchen                        # is /tf_static there?
 # ros2 bag play kitchen --clock
 # ros2 topic echo /clock --once
-# ros2 param get /point_to_map use_sim_time                 # for every node that is running
+# ros2 param get /point_to_map use_sim_time    # of every node
 # ```
 #
 # `use_sim_time` goes into the launch file, under `/**:`, so that no node is forgotten. RViz is a node, too.
@@ -695,11 +695,11 @@ print(lesson.doctor(recording))
 # ## 실제 로봇에서
 #
 # ```
-# ros2 bag record -o kitchen /scan /odom /tf /tf_static     # no /clock: a robot has none
-# ros2 bag info kitchen                                     # after each recording: is /tf_static there?
+# ros2 bag record -o kitchen /scan /odom /tf /tf_static
+# ros2 bag info kitchen                        # is /tf_static there?
 # ros2 bag play kitchen --clock
 # ros2 topic echo /clock --once
-# ros2 param get /point_to_map use_sim_time                 # for every node that is running
+# ros2 param get /point_to_map use_sim_time    # of every node
 # ```
 #
 # `use_sim_time`은 launch 파일의 `/**:` 아래에 적어 빠지는 노드가 없게 하십시오. RViz도 노드입니다.

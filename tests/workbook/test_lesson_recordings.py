@@ -64,7 +64,7 @@ def test_a_bag_without_transforms_says_so_of_every_topic():
 @pytest.mark.parametrize("records", [[], [MOUNT, *DRIVE]])
 def test_what_was_heard_is_drawn_from_the_first_message_on(records):
     words = lesson.draw_heard(bag(records, ("/scan", "laser", (1.5,)))).text
-    assert "/scan" in words and words.startswith("from 0.000 s to 3.000 s")
+    assert "/scan" in words and words.startswith("from -0.075 s to 3.000 s")
     assert ("/tf_static" in words) == bool(records)
 
 

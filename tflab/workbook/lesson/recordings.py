@@ -41,6 +41,7 @@ from .waiting import run_node
 __all__ = ["PlacedTopic", "doctor", "draw_heard", "fresh_folder", "place_messages", "replay"]
 
 DAY_S = 86400.0
+EDGE = 40.0  # of the time that is drawn, left of the first message: its mark should be whole
 QUIETLY = ("--ros-args", "--log-level", "rosbag2_player:=warn")
 
 
@@ -83,7 +84,7 @@ def draw_heard(recording: Recording, for_s: float = 3.0) -> WorkPicture:
     if len(recording.clock.receive_ns):
         heard["/clock"] = recording.clock.receive_ns
     rows = [Work(topic, moments_ns=tuple((when - recording.begin_ns).tolist())) for topic, when in heard.items()]
-    return draw_work(rows or [Work("nothing with a stamp")], 0, seconds(for_s))
+    return draw_work(rows or [Work("nothing with a stamp")], -seconds(for_s / EDGE), seconds(for_s))
 
 
 def place_messages(
