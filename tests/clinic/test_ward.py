@@ -37,6 +37,13 @@ def test_every_reading_of_a_healthy_robot_is_as_on_the_card():
     assert kinds == {key: check.usual for key, check in TROLLEY.items()}
 
 
+def test_a_tool_that_writes_files_leaves_none_here(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    with ExaminedRobot(HEALTHY, Numbers()) as well:
+        assert "frames_" in well.ask("view_frames")[0]
+    assert list(tmp_path.iterdir()) == []
+
+
 @pytest.mark.parametrize("cause", SUSPECTS)
 def test_the_right_fix_makes_the_robot_well_and_others_do_not(patients, cause):
     cure = next(fix for fix, causes in CURES.items() if cause in causes)

@@ -10,9 +10,12 @@ buffer, no name of a cause.  Read `archive.py` next.
 from __future__ import annotations
 
 import io
+import os
 import re
-from collections.abc import Callable, Sequence
-from contextlib import redirect_stderr, redirect_stdout
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager, redirect_stderr, redirect_stdout
+from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -124,7 +127,7 @@ class ExaminedRobot:
         printed = io.StringIO()
         self._graph.run(seconds=(LOOKED_AT_NS - self._graph.now_ns) % STEP_NS / NSEC_PER_SEC)
         _, words = split_line(command)
-        with redirect_stdout(printed), redirect_stderr(printed):
+        with redirect_stdout(printed), redirect_stderr(printed), _in_a_folder_of_its_own():
             run_words(self._graph, words, span_s)
         return printed.getvalue().rstrip("\n")
 
@@ -138,6 +141,18 @@ class ExaminedRobot:
 
     def __exit__(self, *fault: object) -> None:
         self._graph.stop()
+
+
+@contextmanager
+def _in_a_folder_of_its_own() -> Iterator[None]:
+    """Let a tool write its files (`view_frames` has two) where nobody keeps any."""
+    before = Path.cwd()
+    with TemporaryDirectory() as folder:
+        os.chdir(folder)
+        try:
+            yield
+        finally:
+            os.chdir(before)
 
 
 def _launched(launch: Launch, numbers: Numbers) -> Graph:
