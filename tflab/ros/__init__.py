@@ -44,7 +44,8 @@ In reading order:
     qos  qos_compatibility  event_handler  names  exceptions  arguments  context  logging  logging_filters
     entity  timer  guard_condition  publisher  subscription  service  action
     callback_groups  task  executors  signals
-    parameter  node_parameters  parameter_service  clock  time_source
+    parameter  node_parameters  parameter_service  parameter_client  parameter_event_handler
+    clock  time_source
     node  node_entities  graph_queries  client_library  wait_for_message  serialization
     convert  tf2/                                        engine values and messages; tf2_ros
     snapshot  notebook  run                              looking at a graph, pages, scripts

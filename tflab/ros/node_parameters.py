@@ -354,6 +354,8 @@ def _fault(parameter: Parameter, descriptor: Descriptor, check_read_only: bool) 
     """Return why a descriptor refuses a value, "" if it does not."""
     if check_read_only and descriptor.read_only:
         return f"Trying to set a read-only parameter: {parameter.name}."
+    if not descriptor.dynamic_typing and parameter.type_ is Parameter.Type.NOT_SET:
+        return "Static parameter cannot be undeclared"
     if not descriptor.dynamic_typing and descriptor.type != parameter.type_.value:
         return f"{WRONG_TYPE} '{Parameter.Type(descriptor.type)}' got '{parameter.type_}'"
     if parameter.type_ is Parameter.Type.INTEGER and descriptor.integer_range:

@@ -2,7 +2,7 @@
 
     /node/get_parameters, set_parameters, list_parameters, ...    as `ros2 param` calls them
 
-Read `clock.py` next.
+Read `parameter_client.py` next.
 """
 
 from __future__ import annotations

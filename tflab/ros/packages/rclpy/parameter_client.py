@@ -1,0 +1,3 @@
+"""rclpy.parameter_client"""
+
+from tflab.ros.parameter_client import AsyncParameterClient as AsyncParameterClient
