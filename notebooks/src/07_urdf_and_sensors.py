@@ -126,7 +126,8 @@ print('base_T_laser', lesson.fmt_all(base_T_laser.translation), 'rpy', lesson.fm
 # %% name="write-the-line" slide="fragment"
 URDF = lesson.teaching_urdf()
 QUARTER = 'rpy="0 0 1.5707963267948966"'
-in_visual = URDF.replace('<geometry><cylinder radius="0.04"', f'<origin xyz="0 0 0" {QUARTER}/>\n      <geometry><cylinder radius="0.04"')
+paint = '<geometry><cylinder radius="0.04"'
+in_visual = URDF.replace(paint, f'<origin {QUARTER}/> {paint}')
 in_joint = URDF.replace('xyz="0.20 0.0 0.15" rpy="0.0 0.0 0.0"', f'xyz="0.20 0.0 0.15" {QUARTER}')
 truly = {'laser_frame': Transform.from_rpy(yaw=math.pi / 2, translation=(0.20, 0.0, 0.15))}
 
@@ -197,14 +198,15 @@ origin, movement = Transform.from_rpy(yaw=math.pi / 2), Transform.from_rpy(pitch
 # %% name="nod-or-roll" tags=["predicted"] slide="fragment"
 head = lesson.link_poses(lesson.parse_urdf(NECK), {'neck': 0.5})['head']
 misread = movement @ origin
-for name, pose in {'origin @ movement': head, 'movement @ origin': misread}.items():
-    print(f'{name}: a nose 1 m ahead of the head is at {lesson.fmt_all(pose.apply((1, 0, 0)))}')
-lesson.draw_scene({'head': head}, {'nose': head.apply((1, 0, 0))}, fixed_frame='body',
-                  ghosts={'misread': misread}, ghost_points={'nose, misread': misread.apply((1, 0, 0))}, length_m=0.4)
+nose = (1.0, 0.0, 0.0)  # a metre ahead of the head
+print('origin @ movement: the nose is at', lesson.fmt_all(head.apply(nose)))
+print('movement @ origin: the nose is at', lesson.fmt_all(misread.apply(nose)))
+lesson.draw_scene({'head': head}, {'nose': head.apply(nose)}, ghosts={'misread': misread},
+                  ghost_points={'nose, misread': misread.apply(nose)}, fixed_frame='body', length_m=0.4)
 
 # %% [markdown] lang="en" name="axis-seen" tags=["predicted"]
 # It nods: the nose goes down to z = −0.479, to the left of the body, where the head faces. Who reads the axis in the parent's axes sees the head roll onto its side, its nose where it was.
-# TurtleBot3's wheels are written like this: `rpy="-1.57 0 0"` tips the axes over, and then `axis="0 0 1"` points sideways.
+# A TurtleBot3's wheels are written like this: `rpy="-1.57 0 0"` tips the axes over, and then `axis="0 0 1"` points sideways.
 #
 # Two more readings of the same lines. There is no degree in a URDF: `rpy="0 0 90"` is 90 rad, fourteen full turns and 116.62°. And rpy turns about the fixed axes of the parent, roll first, as in chapter 02.
 
@@ -439,7 +441,8 @@ for degrees in (1, 2, 3, 5):
     robot = tilted(degrees)
     points = robot.truth_at(seconds(1.0))['laser_frame'].apply(robot.laser.scan_at(seconds(1.0)).points())
     floor = (points[:, 2] < 0.05).mean()
-    print(f'{degrees}°: floor at {0.25 / math.tan(math.radians(degrees)):5.1f} m; {floor:.0%} of the rays end there')
+    floor_m = 0.25 / math.tan(math.radians(degrees))
+    print(f'{degrees}°: floor at {floor_m:5.1f} m; {floor:.0%} of the rays end there')
 
 # %% [markdown] lang="en" name="tilt-3d" slide="subslide"
 # In 3D: move the slider, and watch the far wall.
@@ -517,7 +520,8 @@ turn = Transform(rotation=back.rotation)  # base_T_imu: a vector is turned, not 
 for name, reading in {'at rest': rest, 'in the bend': turning}.items():
     print(f'{name:<12} acceleration in imu_link  {lesson.fmt_all(reading.linear_acceleration, "m/s²", 2)}')
     gyro = reading.angular_velocity
-    print(f'{"":<12} gyro z in imu_link {lesson.fmt(gyro[2], "", 2)}, in base_link {lesson.fmt(turn.apply(gyro)[2], "rad/s", 2)}')
+    in_imu, in_base = lesson.fmt(gyro[2], '', 2), lesson.fmt(turn.apply(gyro)[2], 'rad/s', 2)
+    print(f'{"":<12} gyro z in imu_link {in_imu}, in base_link {in_base}')
 
 # %% [markdown] lang="en" name="imu-seen" tags=["predicted"]
 # At rest z reads **−9.8** instead of +9.8, and a turn to the left reads **−0.50**. Left is still positive; the IMU's z just points down.
