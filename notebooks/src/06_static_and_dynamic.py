@@ -262,15 +262,22 @@ print('newcomer knows:', newcomer.all_frames_as_string().splitlines())
 # Whoever heard the message keeps it, for any time, even for second 1000. Whoever comes later hears nothing.
 #
 # So a static publisher has to stay alive. That is why the lecture's node does nothing but `spin` after it has sent its one message. "Late listeners receive it" holds while the publisher lives.
+#
+# And this is what `late`, with its one camera, says when somebody asks it for another:
 
 # %% [markdown] lang="ko" name="ctrl-c-seen" tags=["predicted"]
 # 정적 변환을 "ROS가" 어딘가에 저장해 두는 것이 아닙니다. 게시판은 발행자의 프로세스 안에 있고, 프로세스가 끝나면 함께 사라집니다. `Publisher count: 0`이 그 뜻입니다.
 # 이미 받은 수신기는 계속 압니다. 1000초의 변환을 조회해도 답합니다. 나중에 온 수신기는 아무것도 받지 못합니다.
 #
 # 그래서 정적 변환의 발행자는 계속 살아 있어야 합니다. 강의 자료의 노드가 메시지 하나를 보낸 뒤에 `spin`만 하는 것도 이 때문입니다. "늦게 온 구독자도 받는다"는 말은 발행자가 살아 있는 동안에만 맞습니다.
+#
+# 카메라 한 대만 아는 `late`에 다른 카메라를 조회하면 다음 오류가 납니다.
 
-# %% name="a-newcomer-asks" tags=["raises-exception"] slide="-"
-newcomer.lookup_transform('base_link', 'camera_1', Time())
+# %% name="a-newcomer-asks" slide="-"
+try:
+    late.lookup_transform('base_link', 'camera_1', Time())
+except TransformException as error:
+    print(f'{type(error).__name__}: {error}')
 
 # %% [markdown] lang="en" name="volatile" slide="slide"
 # ## Both have to want the board
@@ -432,7 +439,7 @@ graph = lesson.new_graph()
 # %% [markdown] lang="en" name="static-node" slide="slide"
 # ### The same from Python
 #
-# <details><summary>The lecture's node, whole: save it as `static_sensor_broadcaster.py`</summary>
+# <details><summary>The lecture's node, whole: save it as <code>static_sensor_broadcaster.py</code></summary>
 #
 # ```python
 # # tf_lab_py/static_sensor_broadcaster.py
@@ -483,12 +490,12 @@ graph = lesson.new_graph()
 #
 # </details>
 #
-# Its heart are three lines: make a `TransformStamped`, fill parent, child and numbers, send it once. Mounts of a whole robot are better kept in its URDF, and published by one node from there: chapter 07. Never do both for one sensor.
+# Its heart is three lines: make a `TransformStamped`, fill parent, child and numbers, send it once. Mounts of a whole robot are better kept in its URDF, and published by one node from there: chapter 07. Never do both for one sensor.
 
 # %% [markdown] lang="ko" name="static-node" slide="slide"
 # ### 파이썬으로 하는 같은 일
 #
-# <details><summary>강의 자료의 노드 전체: `static_sensor_broadcaster.py`로 저장하세요</summary>
+# <details><summary>강의 자료의 노드 전체: <code>static_sensor_broadcaster.py</code>로 저장하세요</summary>
 #
 # ```python
 # # tf_lab_py/static_sensor_broadcaster.py
@@ -544,14 +551,14 @@ graph = lesson.new_graph()
 #
 # What moves is told on `/tf`, again and again, each time with the moment it is true for: a [[dynamic transform]]. There is no board. A latecomer waits for the next message, a twentieth of a second.
 #
-# Here is the lecture's robot on its circle, 20 times a second. (The whole file is below, under "The lecture's two nodes".)
+# Here is the lecture's robot on its circle, 20 times a second. (The whole file stands below, folded.)
 
 # %% [markdown] lang="ko" name="radio" slide="slide"
 # ## 라디오
 #
 # 움직이는 것은 `/tf`로 계속 알립니다. 메시지마다 그 값이 맞는 시각이 적혀 있습니다. 이것이 [[dynamic transform|동적 변환(dynamic transform)]]입니다. 게시판은 없습니다. 늦게 온 수신기는 다음 메시지를 기다리면 됩니다. 0.05초입니다.
 #
-# 강의 자료의 로봇이 1초에 스무 번 위치를 알리며 원을 그립니다. (파일 전체는 아래 "강의 자료의 동적 노드"에 있습니다.)
+# 강의 자료의 로봇이 1초에 스무 번 위치를 알리며 원을 그립니다. (파일 전체는 아래에 접어 두었습니다.)
 
 # %% name="moving-robot"
 class MovingRobotBroadcaster(Node):
@@ -619,8 +626,11 @@ for k in range(41):
 newest = lift.lookup_transform('base_link', 'lift', LATEST)
 print('the latest:', lesson.fmt(newest.transform.translation[2]), 'of second', newest.stamp_ns / 1e9)
 
-# %% name="lift-at-five" tags=["predicted", "raises-exception"] slide="-"
-lift.lookup_transform('base_link', 'lift', seconds(5.0))
+# %% name="lift-at-five" tags=["predicted"] slide="-"
+try:
+    lift.lookup_transform('base_link', 'lift', seconds(5.0))
+except TransformException as error:
+    print(f'{type(error).__name__}: {error}')
 
 # %% [markdown] lang="en" name="lift-seen" tags=["predicted"]
 # For "the latest" 0.5 m, of second 3. For second 5 a refusal: `into the future`. tf2 does not know whether the lift stands still, or moves and nobody says so; and it never guesses.
@@ -848,7 +858,7 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 # 한 사람에게 원을 따라 걷게 합니다. 한 번은 바깥을 보면서, 한 번은 가는 쪽을 보면서 걷습니다. 첫 번째에 모두 웃고, 아무도 잊지 않습니다.
 
 # %% [markdown] lang="en" name="dynamic-node" slide="skip"
-# <details><summary>The lecture's moving node, whole, to the letter: save it as `moving_robot_broadcaster.py`</summary>
+# <details><summary>The lecture's moving node, whole, to the letter: save it as <code>moving_robot_broadcaster.py</code></summary>
 #
 # ```python
 # # tf_lab_py/moving_robot_broadcaster.py
@@ -904,7 +914,7 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 # Stamp a dynamic transform with the moment it was *measured*. The moment at which a callback happened to run hides every delay on the way.
 
 # %% [markdown] lang="ko" name="dynamic-node" slide="skip"
-# <details><summary>강의 자료의 동적 노드, 그대로: `moving_robot_broadcaster.py`로 저장하세요</summary>
+# <details><summary>강의 자료의 동적 노드, 그대로: <code>moving_robot_broadcaster.py</code>로 저장하세요</summary>
 #
 # ```python
 # # tf_lab_py/moving_robot_broadcaster.py

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tflab.workbook.tasks import Choice, Parts, Sequence, Task, Twin, Words
+from tflab.workbook.tasks import Choice, Parts, Sequence, Slip, Task, Twin, Words
 
 BOARD, RADIO = "/tf_static", "/tf"
 RIGHT = {
@@ -13,100 +13,147 @@ RIGHT = {
 }
 
 
-def but(**robots):
-    return {**RIGHT, **robots}
+def sorted_out(_given, *, wheels=RADIO, laser=BOARD, corrections=RADIO, imu=BOARD, mast=RADIO, optical=BOARD,
+               shoulder=RADIO, flange=BOARD, tcp=BOARD, flight=RADIO, gimbal=RADIO, camera=BOARD):  # fmt: skip
+    """Return each robot's topics, edge by edge; another topic is a slip."""
+    return {
+        "cart": [wheels, laser, corrections],
+        "scout": [imu, mast, optical],
+        "arm": [shoulder, flange, tcp],
+        "drone": [flight, gimbal, camera],
+    }
 
 
-NOT_MOVING_NOW = Twin(
-    "not moving now",
-    but(cart=[BOARD, BOARD, RADIO], scout=[BOARD, BOARD, BOARD], arm=[BOARD, BOARD, BOARD]),
-    Words(
-        en="You went by what moves now. A parked robot, a mast at rest, a joint that is held: each can move, so its value belongs to a moment.",
-        ko="지금 움직이는지를 기준으로 골랐습니다. 주차한 로봇, 멈춘 마스트, 붙잡고 있는 관절도 움직일 수 있으므로 값마다 시각이 필요합니다.",
-    ),
-    "M12",
-    partly=True,
-)
-
-PARKED = Twin(
+PARKED = Slip(
     "parked",
-    but(cart=[BOARD, BOARD, RADIO]),
+    {"wheels": BOARD},
     Words(
-        en="cart: it is parked, and it has wheels. On a board it would have one place for all times, also for those when it was elsewhere.",
-        ko="cart: 지금은 주차해 있지만 바퀴가 있습니다. 게시판에 붙이면 다른 곳에 있던 시각까지 포함해 위치가 하나뿐입니다.",
+        en="it is parked, and it has wheels. On a board it would have one place for all times, also for those when it was elsewhere.",
+        ko="지금은 주차해 있지만 바퀴가 있습니다. 게시판에 붙이면 다른 곳에 있던 시각까지 포함해 위치가 하나뿐입니다.",
     ),
     "M12",
+    part="cart",
 )
 
-MAST_AT_REST = Twin(
-    "mast at rest",
-    but(scout=[BOARD, BOARD, BOARD]),
+LASER_DRIVES_ALONG = Slip(
+    "laser drives along",
+    {"laser": RADIO},
     Words(
-        en="scout: its mast moves while the robot is parked. A board has no past: scans of before the move would be placed with the mount of after it.",
-        ko="scout: 마스트는 주차 중에 움직입니다. 게시판에는 과거가 없어서, 움직이기 전의 스캔이 움직인 뒤의 위치로 놓입니다.",
+        en="the laser drives through the room together with the robot, and not against it. A screw needs one letter.",
+        ko="레이저는 로봇과 함께 움직일 뿐, 로봇을 기준으로는 움직이지 않습니다. 나사로 고정한 것은 쪽지 하나면 됩니다.",
     ),
     "M12",
+    part="cart",
 )
 
-HELD_JOINT = Twin(
-    "held joint",
-    but(arm=[BOARD, BOARD, BOARD]),
-    Words(
-        en="arm: a joint that is held is still a joint. Somebody will let go of it.",
-        ko="arm: 붙잡고 있는 관절도 관절입니다. 언젠가는 움직입니다.",
-    ),
-    "M12",
-)
-
-STEADY_PICTURE = Twin(
-    "steady picture",
-    but(drone=[RADIO, BOARD, BOARD]),
-    Words(
-        en="drone: the picture stands still because the gimbal moves against the body.",
-        ko="drone: 영상이 흔들리지 않는 것은 짐벌이 본체와 반대로 움직이기 때문입니다.",
-    ),
-    "M12",
-)
-
-EVERY_CAMERA_MOVES = Twin(
-    "what is on a mover moves",
-    but(drone=[RADIO, RADIO, RADIO], arm=[RADIO, RADIO, RADIO], scout=[BOARD, RADIO, RADIO]),
-    Words(
-        en="You asked whether the part moves through the room. Ask whether it moves against its *parent*: what is screwed, taped or drawn there does not.",
-        ko="부품이 방 안에서 움직이는지를 따졌습니다. *부모를 기준으로* 움직이는지를 따져 보세요. 나사나 테이프로 고정했거나 정의로 정해진 것은 움직이지 않습니다.",
-    ),
-    "M12",
-    partly=True,
-)
-
-TAPED = Twin(
-    "taped",
-    but(arm=[RADIO, BOARD, RADIO]),
-    Words(
-        en="arm: tape is not pretty, and it does not move against the flange.",
-        ko="arm: 테이프가 보기 좋지는 않아도, 플랜지를 기준으로 움직이지는 않습니다.",
-    ),
-    "M12",
-)
-
-OPTICAL = Twin(
-    "optical",
-    but(scout=[BOARD, RADIO, RADIO]),
-    Words(
-        en="scout: an optical frame is the camera's own, with its axes turned. That turn is a definition and never changes.",
-        ko="scout: 광학 좌표계는 같은 카메라의 축을 돌려 적은 것입니다. 그 회전은 정의이므로 변하지 않습니다.",
-    ),
-    "M12",
-)
-
-CORRECTED_SELDOM = Twin(
+CORRECTED_SELDOM = Slip(
     "corrected seldom",
-    but(cart=[RADIO, BOARD, BOARD]),
+    {"corrections": BOARD},
     Words(
-        en="cart: seldom is not never. Between two corrections `map → odom` still has to be told, or the chain ends there.",
-        ko="cart: 드물게 바뀌는 것도 바뀌는 것입니다. 보정과 보정 사이에도 `map → odom`을 계속 알려야 하며, 그러지 않으면 사슬이 거기서 끝납니다.",
+        en="seldom is not never. Between two corrections `map → odom` still has to be told, or the chain ends there.",
+        ko="드물게 바뀌는 것도 바뀌는 것입니다. 보정과 보정 사이에도 `map → odom`을 계속 알려야 하며, 그러지 않으면 사슬이 거기서 끝납니다.",
     ),
     "M12",
+    part="cart",
+)
+
+IMU_MEASURES_MOTION = Slip(
+    "imu measures motion",
+    {"imu": RADIO},
+    Words(
+        en="an IMU measures motion, and its box is screwed on: where it sits does not change.",
+        ko="IMU가 재는 것은 움직임이지만 상자는 나사로 고정되어 있습니다. 달린 위치는 변하지 않습니다.",
+    ),
+    "M12",
+    part="scout",
+)
+
+MAST_AT_REST = Slip(
+    "mast at rest",
+    {"mast": BOARD},
+    Words(
+        en="the mast moves while the robot is parked. A board has no past: scans of before the move would be placed with the mount of after it.",
+        ko="마스트는 주차 중에 움직입니다. 게시판에는 과거가 없어서, 움직이기 전의 스캔이 움직인 뒤의 위치로 놓입니다.",
+    ),
+    "M12",
+    part="scout",
+)
+
+OPTICAL = Slip(
+    "optical",
+    {"optical": RADIO},
+    Words(
+        en="an optical frame is the camera's own, with its axes turned. That turn is a definition and never changes.",
+        ko="광학 좌표계는 같은 카메라의 축을 돌려 적은 것입니다. 그 회전은 정의이므로 변하지 않습니다.",
+    ),
+    "M12",
+    part="scout",
+)
+
+HELD_JOINT = Slip(
+    "held joint",
+    {"shoulder": BOARD},
+    Words(
+        en="a joint that is held is still a joint. Somebody will let go of it.",
+        ko="붙잡고 있는 관절도 관절입니다. 언젠가는 움직입니다.",
+    ),
+    "M12",
+    part="arm",
+)
+
+FLANGE_MOVES_ALONG = Slip(
+    "flange moves along",
+    {"flange": RADIO},
+    Words(
+        en="the flange moves with the wrist, and not against it: it is the wrist's own end.",
+        ko="플랜지는 손목과 함께 움직일 뿐, 손목을 기준으로는 움직이지 않습니다. 손목 자체의 끝입니다.",
+    ),
+    "M12",
+    part="arm",
+)
+
+TAPED = Slip(
+    "taped",
+    {"tcp": RADIO},
+    Words(
+        en="tape is not pretty, and it does not move against the flange.",
+        ko="테이프가 보기 좋지는 않아도, 플랜지를 기준으로 움직이지는 않습니다.",
+    ),
+    "M12",
+    part="arm",
+)
+
+FLIES_ON_A_BOARD = Slip(
+    "flies on a board",
+    {"flight": BOARD},
+    Words(
+        en="a drone that flies changes its place in odom all the time.",
+        ko="나는 드론은 odom 기준 위치가 쉬지 않고 변합니다.",
+    ),
+    "M12",
+    part="drone",
+)
+
+STEADY_PICTURE = Slip(
+    "steady picture",
+    {"gimbal": BOARD},
+    Words(
+        en="the picture stands still because the gimbal moves against the body.",
+        ko="영상이 흔들리지 않는 것은 짐벌이 본체와 반대로 움직이기 때문입니다.",
+    ),
+    "M12",
+    part="drone",
+)
+
+CAMERA_TURNS_ALONG = Slip(
+    "camera turns along",
+    {"camera": RADIO},
+    Words(
+        en="the camera turns together with the gimbal. Ask whether it moves against its *parent*.",
+        ko="카메라는 짐벌과 함께 돕니다. *부모를 기준으로* 움직이는지 따져 보세요.",
+    ),
+    "M12",
+    part="drone",
 )
 
 ALL_ON_THE_RADIO = Twin(
@@ -148,16 +195,20 @@ TASK = Task(
     title=Words(en="Board or radio?", ko="게시판일까요, 라디오일까요?"),
     answer="topics",
     form=Parts({robot: Sequence(Choice((BOARD, RADIO))) for robot in RIGHT}),
+    model=sorted_out,
     twins=(
-        NOT_MOVING_NOW,
         PARKED,
-        MAST_AT_REST,
-        HELD_JOINT,
-        STEADY_PICTURE,
-        EVERY_CAMERA_MOVES,
-        TAPED,
-        OPTICAL,
+        LASER_DRIVES_ALONG,
         CORRECTED_SELDOM,
+        IMU_MEASURES_MOTION,
+        MAST_AT_REST,
+        OPTICAL,
+        HELD_JOINT,
+        FLANGE_MOVES_ALONG,
+        TAPED,
+        FLIES_ON_A_BOARD,
+        STEADY_PICTURE,
+        CAMERA_TURNS_ALONG,
         ALL_ON_THE_RADIO,
         ALL_ON_THE_BOARD,
         OTHER_WAY_ROUND,

@@ -20,7 +20,8 @@ def mount(rng):
 def line(g, *, ends="parent first", length="m", side="right", places="as given", turn="left", angle="radians",
          about="yaw", style="options"):  # fmt: skip
     """Return the command line, step by step; other steps are the slips."""
-    parent, child = (g.child, "base_link") if ends == "child first" else ("base_link", g.child)
+    names = {"child first": (g.child, "base_link"), "map": ("map", g.child)}
+    parent, child = names.get(ends, ("base_link", g.child))
     scale = {"m": 0.01, "cm": 1.0, "mm": 0.001}[length]
     x, y, z = g.ahead_cm * scale, g.right_cm * scale * (1 if side == "left" else -1), g.up_cm * scale
     if places == "y ahead":
@@ -31,9 +32,14 @@ def line(g, *, ends="parent first", length="m", side="right", places="as given",
     value = -value if turn == "right" else value
     if about == "none":
         value, about = 0.0, "yaw"
-    if style == "half":
-        return f"{TOOL} --x {x} --y {y} --z {z} --qz {value} --frame-id {parent} --child-frame-id {child}"
-    return f"{TOOL} --x {x} --y {y} --z {z} --{about} {value} --frame-id {parent} --child-frame-id {child}"
+    about = "qz" if style == "half" else about
+    words = f"{TOOL} --x {x} --y {y} --z {z} --{about} {value} --frame-id {parent} --child-frame-id {child}"
+    styles = {
+        "equals": words.replace("--x ", "--x="),
+        "bare": words.removeprefix("ros2 run tf2_ros "),
+        "no parent": words.replace(f" --frame-id {parent}", ""),
+    }
+    return styles.get(style, words)
 
 
 PARENT_AND_CHILD_SWAPPED = Slip(
@@ -139,6 +145,43 @@ NOT_TURNED = Slip(
     ),
 )
 
+ON_THE_MAP = Slip(
+    "on the map",
+    {"ends": "map"},
+    Words(
+        en="The parent is map: this bolts the sensor to the building. It is measured from `base_link`, and rides along with it.",
+        ko="부모가 map입니다. 센서를 건물에 고정한 셈입니다. 숫자는 `base_link`에서 쟀고 센서는 로봇과 함께 움직입니다.",
+    ),
+    "M2",
+)
+
+EQUALS_SIGN = Slip(
+    "equals sign",
+    {"style": "equals"},
+    Words(
+        en="The tool does not read `--x=0.2`: an option and its value are two words, with a space between.",
+        ko="이 도구는 `--x=0.2`를 읽지 못합니다. 옵션과 값을 띄어 쓰십시오.",
+    ),
+)
+
+WITHOUT_ROS2_RUN = Slip(
+    "without ros2 run",
+    {"style": "bare"},
+    Words(
+        en="A shell does not find the tool by its name alone: `ros2 run tf2_ros` comes before it.",
+        ko="도구 이름만으로는 셸이 찾지 못합니다. 앞에 `ros2 run tf2_ros`가 필요합니다.",
+    ),
+)
+
+NO_PARENT = Slip(
+    "no parent",
+    {"style": "no parent"},
+    Words(
+        en="`--frame-id` is missing: the tool ends with `Frame id must not be empty`.",
+        ko="`--frame-id`가 없습니다. 도구가 `Frame id must not be empty`라고 하며 끝납니다.",
+    ),
+)
+
 ANGLE_AS_QZ = Slip(
     "angle as qz",
     {"style": "half"},
@@ -172,6 +215,10 @@ TASK = Task(
         ROLLED,
         PITCHED,
         NOT_TURNED,
+        ON_THE_MAP,
+        EQUALS_SIGN,
+        WITHOUT_ROS2_RUN,
+        NO_PARENT,
         ANGLE_AS_QZ,
     ),
     hints=(

@@ -31,13 +31,14 @@ def _stamp(rng):
     return builtin_interfaces.Time(sec=int(rng.integers(20, 90)), nanosec=int(rng.integers(1, 999)) * 1_000_000)
 
 
-def message(mount, stamp, ends, moment, order, angle, quaternion):
+def message(mount, stamp, ends, moment, place, order, angle, quaternion):
     t = geometry_msgs.TransformStamped()
     t.header.stamp = builtin_interfaces.Time() if moment == "zero" else stamp
     parent, child = mount["parent"], mount["child"]
-    t.header.frame_id, t.child_frame_id = (child, parent) if ends == "child first" else (parent, child)
+    names = {"child first": (child, parent), "base_link": ("base_link", child), "no child": (parent, "")}
+    t.header.frame_id, t.child_frame_id = names.get(ends, (parent, child))
     step = t.transform.translation
-    step.x, step.y, step.z = mount["xyz"]
+    step.x, step.y, step.z = (0.0, 0.0, 0.0) if place == "none" else mount["xyz"]
     angles = [math.radians(a) if angle == "degrees" else a for a in mount["rpy"]]
     roll, pitch, yaw = reversed(angles) if order == "yaw first" else angles
     x, y, z, w = Transform.from_rpy(roll=roll, pitch=pitch, yaw=yaw).rotation
@@ -50,11 +51,11 @@ def message(mount, stamp, ends, moment, order, angle, quaternion):
 
 
 def letters(mounts, stamp, *, which="all", objects="each its own", ends="parent first", moment="given",
-            order="roll first", angle="radians", quaternion="xyzw"):  # fmt: skip
+            place="given", order="roll first", angle="radians", quaternion="xyzw"):  # fmt: skip
     """Return the list for one sendTransform, step by step; other steps are the slips."""
     rows = {"all": mounts, "last": mounts[-1:], "first": mounts[:1], "reversed": mounts[::-1]}[which]
     rows = [rows[-1]] * len(rows) if objects == "one" else rows
-    return [message(row, stamp, ends, moment, order, angle, quaternion) for row in rows]
+    return [message(row, stamp, ends, moment, place, order, angle, quaternion) for row in rows]
 
 
 ONE_OBJECT = Slip(
@@ -102,6 +103,33 @@ SWAPPED = Slip(
         ko="부모와 자식이 바뀌었습니다. 부모는 `header.frame_id`이고 숫자는 부모에서 잽니다.",
     ),
     "M2",
+)
+
+ALWAYS_BASE_LINK = Slip(
+    "always base_link",
+    {"ends": "base_link"},
+    Words(
+        en="Every parent is base_link. Look at the rows: one of them sits on something else.",
+        ko="부모가 모두 base_link입니다. 행을 보세요. 다른 것에 달린 것도 있습니다.",
+    ),
+)
+
+NO_CHILD = Slip(
+    "no child",
+    {"ends": "no child"},
+    Words(
+        en="`child_frame_id` is empty. It stands beside the header, not in it.",
+        ko="`child_frame_id`가 비어 있습니다. header 안이 아니라 header 옆에 있는 필드입니다.",
+    ),
+)
+
+NOT_MOVED = Slip(
+    "not moved",
+    {"place": "none"},
+    Words(
+        en="The translations are all zero: `xyz` has not gone in.",
+        ko="이동이 모두 0입니다. `xyz`를 넣지 않았습니다.",
+    ),
 )
 
 NO_STAMP = Slip(
@@ -203,6 +231,9 @@ TASK = Task(
         FIRST_ONLY,
         REVERSED,
         SWAPPED,
+        ALWAYS_BASE_LINK,
+        NO_CHILD,
+        NOT_MOVED,
         NO_STAMP,
         YAW_FIRST,
         CONVERTED_TWICE,

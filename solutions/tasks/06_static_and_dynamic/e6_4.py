@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from tflab.ros.messages import geometry_msgs
-from tflab.workbook.tasks import Message, Slip, Task, Words
+from tflab.workbook.tasks import Message, Slip, Task, Twin, Words
 
 
 def circles(rng):
@@ -44,7 +44,8 @@ def driven(elapsed_s, radius_m, speed_mps, is_left, odom, base, *, ends="parent 
     x, y = size * math.cos(theta), size * math.sin(theta)
     z, w = (math.sin(yaw), math.cos(yaw)) if half == "whole" else (math.sin(yaw / 2), math.cos(yaw / 2))
     ways = {"z and w": (0, 0, z, w), "w first": (w, 0, 0, z), "angle": (0, 0, yaw, 1), "none": (0, 0, 0, 1)}
-    parent, child = (base, odom) if ends == "child first" else (odom, base)
+    names = {"child first": (base, odom), "fixed": ("odom", "base_link")}
+    parent, child = names.get(ends, (odom, base))
     return message(parent, child, x, y, ways[quaternion])
 
 
@@ -56,6 +57,26 @@ SWAPPED = Slip(
         ko="부모와 자식이 바뀌었습니다. 로봇이 아니라 세계가 돕니다.",
     ),
     "M2",
+)
+
+FIXED_NAMES = Slip(
+    "fixed names",
+    {"ends": "fixed"},
+    Words(
+        en="The names are always odom and base_link. They are handed in, and other robots have others.",
+        ko="이름이 늘 odom과 base_link입니다. 이름은 인자로 들어오고 로봇마다 다릅니다.",
+    ),
+)
+
+AS_IN_THE_LECTURE = Twin(
+    "as in the lecture",
+    lambda elapsed_s, radius_m, speed_mps, is_left, odom, base: driven(
+        elapsed_s, radius_m, speed_mps, True, "odom", "base_link", rate="speed", circle="of one metre", heading="crab"
+    ),
+    Words(
+        en="That is the lecture's node, whole: a circle of one metre, to the left, and the robot looks outwards. Here radius, side and names are handed in, and it drives forward.",
+        ko="강의 자료의 노드 그대로입니다. 반지름 1미터, 왼쪽 회전이고 로봇은 바깥을 봅니다. 여기서는 반지름과 방향, 이름이 인자이고 로봇은 앞으로 달립니다.",
+    ),
 )
 
 SPEED_AS_RATE = Slip(
@@ -204,6 +225,8 @@ TASK = Task(
     model=driven,
     twins=(
         SWAPPED,
+        FIXED_NAMES,
+        AS_IN_THE_LECTURE,
         SPEED_AS_RATE,
         TIMES_THE_RADIUS,
         ALWAYS_LEFT,

@@ -35,7 +35,12 @@ def worst(g, *, period="whole", delay="as seconds", together="added", speed="tim
     between = {"whole": 1.0 / g.rate_hz, "half": 0.5 / g.rate_hz, "none": 0.0, "rate": g.rate_hz}[period]
     on_its_way = {"as seconds": g.delay_ms / 1000.0, "none": 0.0, "ms": g.delay_ms, "twice": g.delay_ms / 500.0}[delay]
     age = {"added": between + on_its_way, "subtracted": between - on_its_way}
-    return {"times": g.speed_mps * age[together], "none": age[together], "zero": 0.0}[speed]
+    return {
+        "times": g.speed_mps * age[together],
+        "divided": age[together] / g.speed_mps,
+        "none": age[together],
+        "zero": 0.0,
+    }[speed]
 
 
 HALF_A_PERIOD = Slip(
@@ -148,6 +153,15 @@ SECONDS = Slip(
     ),
 )
 
+DIVIDED = Slip(
+    "divided",
+    {"speed": "divided"},
+    Words(
+        en="You divided by the speed. A faster robot is farther off, not less.",
+        ko="속도로 나누었습니다. 빠른 로봇일수록 더 많이 빗나갑니다.",
+    ),
+)
+
 BOLTED = Slip(
     "bolted, so zero",
     {"speed": "zero"},
@@ -168,6 +182,7 @@ SLIPS = (
     DELAY_TWICE,
     SUBTRACTED,
     SECONDS,
+    DIVIDED,
     BOLTED,
 )
 

@@ -49,18 +49,21 @@ def _log(rng, join, place):
     return letters, ends, join, round(last, 3)
 
 
-def listened(letters, ends, join_s, now_s, *, board="last", boards="own", topics="static", dead="gone",
-             past="board", until="now"):  # fmt: skip
+def listened(letters, ends, join_s, now_s, *, past="board", live="both ends", topics="static", boards="own",
+             board="last", dead="gone"):  # fmt: skip
     """Return the children that a listener knows, step by step; other steps are the slips."""
     held, heard = {}, set()
     for letter in letters:
-        if letter["sent_s"] >= join_s or past == "everything":
-            if letter["sent_s"] <= now_s or until == "forever":
-                heard |= set(letter["children"])
-        elif past == "board" and (letter["topic"] == "/tf_static" or topics == "both"):
-            hook = "one for all" if boards == "shared" else (letter["node"], letter["topic"])
+        sent_s, children = letter["sent_s"], set(letter["children"])
+        if sent_s >= join_s or past == "everything":
+            in_time = {"both ends": sent_s <= now_s, "after join": join_s < sent_s <= now_s, "before now": sent_s < now_s,
+                       "forever": True}  # fmt: skip
+            heard |= children if in_time[live] and past != "only" else set()
+        elif past in ("board", "only") and (letter["topic"] == "/tf_static" or topics != "static"):
+            own = (letter["node"], letter["topic"]) if topics == "each" else letter["node"]
+            hook = "one for all" if boards == "shared" else own
             before = held.get(hook, (None, set()))[1] if board == "all" else set()
-            held[hook] = (letter["node"], before | set(letter["children"]))
+            held[hook] = (letter["node"], before | children)
     for node, children in held.values():
         ends_s = ends.get(node, math.inf)
         if dead == "read" or (ends_s > now_s if dead == "forgotten" else ends_s > join_s):
@@ -74,6 +77,16 @@ TF_LATCHED = Slip(
     Words(
         en="Your listener finds the last letter of /tf on a board, too. /tf is a radio: what was sent before the join is gone.",
         ko="/tf의 마지막 쪽지도 게시판에서 읽습니다. /tf는 라디오입니다. 참가하기 전에 보낸 것은 지나갔습니다.",
+    ),
+    "M12",
+)
+
+TF_LATCHED_TOO = Slip(
+    "tf latched too",
+    {"topics": "each"},
+    Words(
+        en="Your nodes have a second board, for /tf. What was sent there before the join is gone.",
+        ko="노드마다 /tf용 게시판이 하나 더 있습니다. /tf에서는 참가하기 전에 보낸 것이 남지 않습니다.",
     ),
     "M12",
 )
@@ -138,9 +151,37 @@ HEARD_EVERYTHING = Slip(
     "M12",
 )
 
+JOIN_LEFT_OUT = Slip(
+    "join left out",
+    {"live": "after join"},
+    Words(
+        en="What is sent at the very moment of joining is heard, too: the bound belongs to it.",
+        ko="참가하는 바로 그 시각에 보낸 것도 받습니다. 경계도 포함됩니다.",
+    ),
+)
+
+NOW_LEFT_OUT = Slip(
+    "now left out",
+    {"live": "before now"},
+    Words(
+        en="What is sent at `now_s` itself is heard, too: the bound belongs to it.",
+        ko="`now_s`에 보낸 것도 받습니다. 경계도 포함됩니다.",
+    ),
+)
+
+BOARDS_ONLY = Slip(
+    "boards only",
+    {"past": "only"},
+    Words(
+        en="Your listener reads the boards, and then hears nothing any more. What is sent after the join arrives, too, on both topics.",
+        ko="게시판만 읽고 그 뒤로는 아무것도 받지 않습니다. 참가한 뒤에 보낸 것도 두 토픽 모두에서 받습니다.",
+    ),
+    "M12",
+)
+
 THE_FUTURE = Slip(
     "the future",
-    {"until": "forever"},
+    {"live": "forever"},
     Words(
         en="Your listener knows letters that are sent after `now_s`.",
         ko="`now_s` 이후에 보낼 쪽지까지 압니다.",
@@ -160,12 +201,16 @@ TASK = Task(
     model=listened,
     twins=(
         TF_LATCHED,
+        TF_LATCHED_TOO,
         ALL_KEPT,
         ONE_BOARD,
         DEAD_READ,
         DEAD_FORGOTTEN,
         VOLATILE,
         HEARD_EVERYTHING,
+        JOIN_LEFT_OUT,
+        NOW_LEFT_OUT,
+        BOARDS_ONLY,
         THE_FUTURE,
     ),
     hints=(
