@@ -49,10 +49,11 @@ def test_a_link_on_the_first_page_opens_the_exercise_in_the_same_copy(lab, page)
     )
 
 
-def test_a_picture_says_what_it_shows_and_a_page_its_language(lab, page) -> None:
+def test_a_picture_says_what_it_shows_a_page_its_language_and_no_line_of_code_is_cut(lab, page) -> None:
     copy = lay_out(lab.folder / "copy_of_words", "ko")
     lab.open(page, f"{copy.name}/notebooks/ko/03_target_and_source.ipynb")
     page.wait_for_selector(".jp-Notebook[lang=ko]", timeout=60_000)
+    page.wait_for_selector(".jp-CodeCell .cm-content.cm-lineWrapping", timeout=60_000)
     page.evaluate("jupyterapp.shell.currentWidget.content.scrollToItem(6, 'start')")
     page.wait_for_selector(".jp-RenderedImage img", timeout=60_000)
     page.wait_for_function(
