@@ -729,7 +729,8 @@ lesson.draw_ages([lesson.Curve(frame, asked, ages) for frame, ages in age.items(
 # 볼트를 `/tf`로 보내면 통신량만 낭비하는 것이 아닙니다. 그 뒤에 있는 모든 것이 낡습니다. 1초에 110번 보내면 가려지기는 하지만 그만큼 비쌉니다. 게시판의 메시지 하나면 됩니다.
 
 # %% name="bolt-history" tags=["predicted"] slide="subslide"
-lesson.draw_history(listener, 'odom', 'camera_link', graph.now_ns)
+graph.run(seconds=0.6)
+lesson.draw_history(listener, 'odom', 'camera_link', graph.now_ns - seconds(0.1))
 
 # %% [markdown] lang="en" name="mover" slide="slide"
 # ## A mover on the board
