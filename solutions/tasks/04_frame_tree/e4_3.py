@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from tflab.core import ConnectivityException
-from tflab.workbook.tasks import Choice, Name, Pair, Sequence, Slip, Task, Words
+from tflab.workbook.tasks import Choice, Name, Pair, Sequence, Slip, Task, Twin, Words
 
 from .draws import climbed, robot
 
@@ -45,7 +45,7 @@ def walked(parent_of, target, source, *, ends="as asked", climb="until they meet
     else:
         up, down = up[:-1], down[:-1]
     first, then = ("down", "up") if words == "exchanged" else ("up", "down")
-    down = down[::-1] if order == "outward" else down
+    down = {"outward": down[::-1], "as climbed": down, "left out": []}[order]
     return [(child, first) for child in up] + [(child, then) for child in down]
 
 
@@ -87,6 +87,27 @@ DOWN_NOT_REVERSED = Slip(
     ),
 )
 
+NEVER_DOWN = Slip(
+    "never down",
+    {"order": "left out"},
+    Words(
+        en="You stop where the ways meet. From there it goes down to the target.",
+        ko="두 길이 만나는 곳에서 멈춥니다. 거기서 목표까지 내려가야 합니다.",
+    ),
+)
+
+NAMED_AFTER_PARENTS = Twin(
+    "up to, not up from",
+    lambda parent_of, target, source: [
+        (parent_of[child] if way == "up" else child, way) for child, way in walked(parent_of, target, source)
+    ],
+    Words(
+        en="You name the frame that a step arrives at. An edge has one child: name the step after it, up and down.",
+        ko="걸음이 도착하는 좌표계의 이름을 썼습니다. 연결마다 자식은 하나입니다. 올라가든 내려가든 자식의 이름을 쓰십시오.",
+    ),
+    "M2",
+)
+
 NOTHING_LOST = Slip(
     "no way is no step",
     {"lost": "empty"},
@@ -118,7 +139,16 @@ TASK = Task(
     inputs=questions,
     variants=3,
     model=walked,
-    twins=(FROM_THE_TARGET, OVER_THE_ROOT, WORDS_EXCHANGED, DOWN_NOT_REVERSED, NOTHING_LOST, NONE_LOST),
+    twins=(
+        FROM_THE_TARGET,
+        OVER_THE_ROOT,
+        WORDS_EXCHANGED,
+        DOWN_NOT_REVERSED,
+        NEVER_DOWN,
+        NAMED_AFTER_PARENTS,
+        NOTHING_LOST,
+        NONE_LOST,
+    ),
     hints=(
         Words(
             en="Write both ways up to the root, as `way_up` on the page does.",

@@ -15,14 +15,14 @@ def robots(rng):
     return {"edges": [(parent, child) for child, parent in tree.items()], "prefixes": [first, second]}
 
 
-def together(given, *, shared=("map",), glue="{}/{}", parents="prefixed"):
+def together(given, *, shared=("map",), glue="{}/{}", parents="prefixed", way="child -> parent"):
     """Return the tree of both robots, step by step; other steps are the slips."""
     fleet = {}
     for prefix in given.prefixes:
         for parent, child in given.edges:
             above, below = (name if name in shared else glue.format(prefix, name) for name in (parent, child))
             fleet[below] = parent if parents == "bare" else above
-    return fleet
+    return {parent: child for child, parent in fleet.items()} if way == "parent -> child" else fleet
 
 
 ODOM_SHARED = Slip(
@@ -85,6 +85,25 @@ CHILDREN_ONLY = Slip(
     "M14",
 )
 
+UNDERSCORE = Slip(
+    "underscore",
+    {"glue": "{}_{}"},
+    Words(
+        en="Between the robot's name and the frame stands an underscore; asked for is a slash, as in robot1/odom.",
+        ko="로봇 이름과 좌표계 사이에 밑줄이 있습니다. robot1/odom처럼 슬래시를 쓰십시오.",
+    ),
+)
+
+UPSIDE_DOWN = Slip(
+    "upside down",
+    {"way": "parent -> child"},
+    Words(
+        en="That is parent → child, and a parent of several children keeps one. Asked for is child → parent.",
+        ko="부모 → 자식으로 써서, 자식이 여럿인 부모에는 하나만 남습니다. 자식 → 부모로 써야 합니다.",
+    ),
+    "M2",
+)
+
 
 TASK = Task(
     id="E4.4",
@@ -96,7 +115,16 @@ TASK = Task(
     given=robots,
     variants=8,
     model=together,
-    twins=(ODOM_SHARED, MAP_PREFIXED, NO_SLASH, SLASH_IN_FRONT, NAMESPACE_DOES_IT, CHILDREN_ONLY),
+    twins=(
+        ODOM_SHARED,
+        MAP_PREFIXED,
+        NO_SLASH,
+        SLASH_IN_FRONT,
+        NAMESPACE_DOES_IT,
+        UNDERSCORE,
+        CHILDREN_ONLY,
+        UPSIDE_DOWN,
+    ),
     hints=(
         Words(
             en="Which one name do both robots mean the same thing by?",
@@ -111,5 +139,5 @@ TASK = Task(
             ko='반복문 두 개입니다. `e4_4.prefixes`와 `e4_4.edges`를 돌며 이름을 `f"{robot}/{frame}"`으로 만드십시오.',
         ),
     ),
-    cures=("M14",),
+    cures=("M2", "M14"),
 )

@@ -125,6 +125,46 @@ NEVER = Twin(
     "M14",
 )
 
+GLUED = Twin(
+    "glued as they are",
+    lambda prefix, name: prefix + name,
+    Words(
+        en="You glue the two as they came: no slash between them, or several, and map gets a prefix, too. Clean both words first.",
+        ko="둘을 받은 그대로 이었습니다. 사이에 슬래시가 없거나 여럿이고 map에도 접두사가 붙습니다. 먼저 두 낱말을 다듬으십시오.",
+    ),
+    "M14",
+)
+
+WITH_A_SLASH = Twin(
+    "a slash between, always",
+    lambda prefix, name: f"{prefix}/{name}",
+    Words(
+        en="That is the driver of the story: a slash between the two, whatever they are. An empty prefix gives /odom, and slashes of their own give two in a row.",
+        ko="이야기 속의 드라이버와 같습니다. 무엇이 오든 사이에 슬래시를 넣습니다. 접두사가 비면 /odom이 되고, 원래 있던 슬래시와 이어지기도 합니다.",
+    ),
+    "M14",
+)
+
+IF_PREFIX = Twin(
+    "only the empty prefix",
+    lambda prefix, name: f"{prefix}/{name}" if prefix else name,
+    Words(
+        en="The empty prefix is looked after. The slashes around a prefix, that before a name, and map are not yet.",
+        ko="빈 접두사는 처리했습니다. 접두사 양 끝의 슬래시와 이름 앞의 슬래시, 그리고 map이 남았습니다.",
+    ),
+    "M14",
+)
+
+ONLY_THE_PREFIX = Twin(
+    "only the prefix cleaned",
+    lambda prefix, name: f"{prefix.strip('/')}/{name}",
+    Words(
+        en="The prefix is clean. What if nothing is left of it, if the name has a slash, if it is map?",
+        ko="접두사는 다듬었습니다. 접두사가 비어 버리거나, 이름에 슬래시가 있거나, 이름이 map이면 어떻게 됩니까?",
+    ),
+    "M14",
+)
+
 
 TASK = Task(
     id="E4.7",
@@ -136,7 +176,21 @@ TASK = Task(
     inputs=names,
     variants=3,
     model=joined,
-    twins=(EMPTY_GLUED, NO_SLASH, PREFIX_AS_IT_IS, LEFT_ONLY, RIGHT_ONLY, NAME_AS_IT_IS, MAP_TOO, LIKE_MAP, NEVER),
+    twins=(
+        EMPTY_GLUED,
+        NO_SLASH,
+        PREFIX_AS_IT_IS,
+        LEFT_ONLY,
+        RIGHT_ONLY,
+        NAME_AS_IT_IS,
+        MAP_TOO,
+        LIKE_MAP,
+        NEVER,
+        GLUED,
+        WITH_A_SLASH,
+        IF_PREFIX,
+        ONLY_THE_PREFIX,
+    ),
     hints=(
         Words(en="Clean both words first, then join them.", ko="두 낱말을 먼저 다듬고 나서 이으십시오."),
         Words(
