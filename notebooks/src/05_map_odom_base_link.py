@@ -557,13 +557,13 @@ rclpy.shutdown()
 # ### Three questions from earlier chapters
 #
 # 1. Why is (6.5, −1.5) in `map` good tomorrow, and 3.60 m in `base_link` not even on arrival?
-# 2. Data written in `odom`, wanted in `map`: what are target and source?
+# 2. A second node hangs `base_link` below `map`. What does tf2 say to that, and what becomes of the tree?
 # 3. What is `(map_T_odom @ odom_T_base).inverse()`, as a product of two published edges turned round?
 #
 # <details><summary>Answers</summary>
 #
 # 1. A thing at rest keeps its numbers in the frame in which it rests; the robot drove on.
-# 2. Target `map`, source `odom`.
+# 2. Nothing: it checks no rule when a transform is sent. The child moves to whoever spoke last (chapter 04).
 # 3. `base_T_odom @ odom_T_map`: the order turns round too.
 #
 # </details>
@@ -572,13 +572,13 @@ rclpy.shutdown()
 # ### 앞 장 복습: 세 문제
 #
 # 1. `map` 기준 (6.5, −1.5)는 내일도 쓸 수 있는데, `base_link` 기준 3.60 m는 왜 도착했을 때 이미 쓸 수 없습니까?
-# 2. `odom` 기준 데이터를 `map` 기준으로 옮기려 합니다. 목표와 원본은 무엇입니까?
+# 2. 다른 노드가 `base_link`를 `map` 아래에도 매답니다. tf2는 무엇이라고 하며, 트리는 어떻게 됩니까?
 # 3. `(map_T_odom @ odom_T_base).inverse()`를, 발행된 두 연결을 뒤집은 곱으로 쓰면 무엇입니까?
 #
 # <details><summary>답</summary>
 #
 # 1. 가만히 있는 물체의 숫자는 그 물체가 가만히 있는 좌표계에서만 그대로입니다. 로봇은 그사이 달렸습니다.
-# 2. 목표는 `map`, 원본은 `odom`입니다.
+# 2. 아무 말도 하지 않습니다. 변환을 보낼 때는 규칙을 확인하지 않습니다. 자식은 마지막에 보낸 쪽으로 옮겨 갑니다(04장).
 # 3. `base_T_odom @ odom_T_map`입니다. 순서도 뒤집힙니다.
 #
 # </details>
