@@ -125,6 +125,7 @@ e10_3 = task("E10.3")
 
 # %% name="e10-3-answer" tags=["answer"]
 # BEGIN SOLUTION
+# fmt: off
 a_cause, a_do, b_cause, b_do, c_cause, c_do, d_cause, d_do, e_cause, e_do = (
     word for one in e10_3.failures.values() for word in (
         ("mounts not recorded", "record again, with /tf_static") if "/tf_static" not in one["info"]
@@ -133,7 +134,8 @@ a_cause, a_do, b_cause, b_do, c_cause, c_do, d_cause, d_do, e_cause, e_do = (
         else ("time went back", "Buffer(node=self)") if "--loop" in one["play"]
         else ("one node in another time", "set use_sim_time on that node")
     )
-)  # fmt: skip
+)
+# fmt: on
 # END SOLUTION
 findings = {"a cause": a_cause, "a do": a_do, "b cause": b_cause, "b do": b_do, "c cause": c_cause, "c do": c_do}
 findings |= {"d cause": d_cause, "d do": d_do, "e cause": e_cause, "e do": e_do}
