@@ -67,7 +67,10 @@ def checked(unchecked):
 # What a message is ----------------------------------------------------------------
 
 
-@pytest.mark.parametrize("cls", ALL_MESSAGES, ids=lambda cls: cls.ROS_TYPE)
+KNOWN_TO_ROSBAGS = [cls for cls in ALL_MESSAGES if not cls.ROS_TYPE.startswith("example_interfaces/")]
+
+
+@pytest.mark.parametrize("cls", KNOWN_TO_ROSBAGS, ids=lambda cls: cls.ROS_TYPE)
 def test_every_definition_is_that_of_ros(cls):
     idl_names = {"bool": "boolean", "byte": "octet", "char": "uint8", "float32": "float", "float64": "double"}
 

@@ -46,7 +46,8 @@ In reading order:
     callback_groups  task  executors  signals
     parameter  node_parameters  parameter_service  parameter_client  parameter_event_handler
     clock  time_source
-    node  node_entities  graph_queries  client_library  wait_for_message  serialization
+    node  node_entities  graph_queries  lifecycle_states  lifecycle
+    client_library  wait_for_message  serialization
     convert  tf2/                                        engine values and messages; tf2_ros
     snapshot  notebook  run                              looking at a graph, pages, scripts
 

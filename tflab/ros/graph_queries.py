@@ -2,7 +2,7 @@
 
 One of the three mixins that Node is made of; see node.py for the other two.
 
-Read `client_library.py` next.
+Read `lifecycle_states.py` next.
 """
 
 from __future__ import annotations

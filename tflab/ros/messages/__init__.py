@@ -7,8 +7,9 @@
     definition    what is in a message
     fields        what a field may hold
     base          the classes
-    builtin_interfaces, std_msgs, geometry_msgs, sensor_msgs, nav_msgs,
-    tf2_msgs, rosgraph_msgs, rcl_interfaces, unique_identifier_msgs
+    builtin_interfaces, std_msgs, geometry_msgs, sensor_msgs, nav_msgs, visualization_msgs,
+    tf2_msgs, rosgraph_msgs, rcl_interfaces, unique_identifier_msgs, lifecycle_msgs,
+    std_srvs, example_interfaces
                   the tables
     text          as `ros2 topic echo` prints them
     fill          from what somebody typed

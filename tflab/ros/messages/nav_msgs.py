@@ -1,6 +1,6 @@
 """nav_msgs: where a robot is, was, and may go.
 
-Read `tf2_msgs.py` next.
+Read `visualization_msgs.py` next.
 """
 
 from .base import message

@@ -1,6 +1,6 @@
 """unique_identifier_msgs: which one.
 
-Read `text.py` next.
+Read `lifecycle_msgs.py` next.
 """
 
 from .base import message

@@ -1,0 +1,25 @@
+"""std_srvs: services that say do it, or do it or not.
+
+Read `example_interfaces.py` next.
+"""
+
+from .base import service
+
+Empty = service("std_srvs/srv/Empty")
+
+SetBool = service(
+    "std_srvs/srv/SetBool",
+    request="bool data",
+    response="""
+        bool success
+        string message
+    """,
+)
+
+Trigger = service(
+    "std_srvs/srv/Trigger",
+    response="""
+        bool success
+        string message
+    """,
+)

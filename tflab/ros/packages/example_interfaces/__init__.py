@@ -1,0 +1,1 @@
+"""example_interfaces, in process: see tflab.ros.messages.example_interfaces."""

@@ -1,0 +1,1 @@
+"""lifecycle_msgs, in process: see tflab.ros.messages.lifecycle_msgs."""

@@ -1,0 +1,3 @@
+"""rclpy.lifecycle.publisher"""
+
+from tflab.ros.lifecycle import LifecyclePublisher as LifecyclePublisher

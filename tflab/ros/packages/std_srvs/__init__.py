@@ -1,0 +1,1 @@
+"""std_srvs, in process: see tflab.ros.messages.std_srvs."""

@@ -1,0 +1,1 @@
+"""visualization_msgs, in process: see tflab.ros.messages.visualization_msgs."""
