@@ -192,8 +192,7 @@ graph.stop()
 # | 9 | **[Exceptions and waiting](09_exceptions_and_waiting.ipynb)** | Why is there no answer, and does waiting help? | 90 | 4, 8 | [E9](../../exercises/en/E09_exceptions_and_waiting.ipynb) |
 # | 10 | **[Clocks and bags](10_clocks_and_bags.ipynb)** | Whose time is it? | 55 | 8, 9 | [E10](../../exercises/en/E10_clocks_and_bags.ipynb) |
 # | 11 | **[Tools and RViz](11_tools_and_rviz.ipynb)** | Which tool answers which question? | 60 | 4, 5, 8 | [E11](../../exercises/en/E11_tools_and_rviz.ipynb) |
-#
-# To come: 12 Owners and diagnosis.
+# | 12 | **[Owners and diagnosis](12_owners_and_diagnosis.ipynb)** | Who owns each edge, and what is broken? | 60 | 5, 6, 7, 9, 10, 11 | [E12](../../exercises/en/E12_owners_and_diagnosis.ipynb) |
 
 # %% [markdown] lang="ko" name="chapters-table" slide="-"
 # | | 장 | 장의 질문 | 시간 | 먼저 볼 장 | 연습 |
@@ -209,8 +208,7 @@ graph.stop()
 # | 9 | **[예외와 기다림](09_exceptions_and_waiting.ipynb)** | 왜 답이 없을까요? 기다리면 될까요? | 90분 | 4, 8 | [E9](../../exercises/ko/E09_exceptions_and_waiting.ipynb) |
 # | 10 | **[시계와 bag](10_clocks_and_bags.ipynb)** | 누구의 시간일까요? | 55분 | 8, 9 | [E10](../../exercises/ko/E10_clocks_and_bags.ipynb) |
 # | 11 | **[도구와 RViz](11_tools_and_rviz.ipynb)** | 어떤 질문에 어떤 도구를 쓸까요? | 60분 | 4, 5, 8 | [E11](../../exercises/ko/E11_tools_and_rviz.ipynb) |
-#
-# 준비 중인 장: 12 발행 책임과 진단.
+# | 12 | **[발행 책임과 진단](12_owners_and_diagnosis.ipynb)** | 각 연결은 누가 책임지고, 무엇이 고장 났을까요? | 60분 | 5, 6, 7, 9, 10, 11 | [E12](../../exercises/ko/E12_owners_and_diagnosis.ipynb) |
 
 # %% [markdown] lang="en" name="checks" slide="slide"
 # ## How your answers are checked
@@ -299,7 +297,7 @@ lesson.show_progress()
 # 화살표는 앞 장을 바탕으로 한다는 뜻입니다. 실선 상자는 준비된 장, 점선 상자는 준비 중인 장이며, 번호는 표의 번호입니다.
 
 # %% name="map"
-lesson.draw_course([1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11])
+lesson.draw_course([1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12])
 
 # %% [markdown] lang="en" name="next" slide="skip"
 # **Next:** [01 · Value, frame and stamp](01_value_frame_stamp.ipynb).

@@ -827,9 +827,9 @@ graph.stop()
 # </details>
 
 # %% [markdown] lang="en" name="next" slide="skip"
-# **Next:** the exercises, [E11 Tools and RViz](../../exercises/en/E11_tools_and_rviz.ipynb), and after them [the start page](00_start.ipynb), which shows what you have passed.
+# **Next:** the exercises, [E11 Tools and RViz](../../exercises/en/E11_tools_and_rviz.ipynb), and after them [12 Owners and diagnosis](12_owners_and_diagnosis.ipynb), which asks who says so, and what is broken.
 # After a pass, or three tries, `solution("E11.1")` shows a solution there. To start a page over, delete its file and type `tflab lab`.
 
 # %% [markdown] lang="ko" name="next" slide="skip"
-# **다음:** 연습 문제 [E11 도구와 RViz](../../exercises/ko/E11_tools_and_rviz.ipynb)를 풀고, 무엇을 통과했는지 [첫 페이지](00_start.ipynb)에서 확인합니다.
+# **다음:** 연습 문제 [E11 도구와 RViz](../../exercises/ko/E11_tools_and_rviz.ipynb)를 풀고, 누가 발행하고 무엇이 고장 났는지 묻는 [12 발행 책임과 진단](12_owners_and_diagnosis.ipynb)으로 갑니다.
 # 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E11.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력하세요.

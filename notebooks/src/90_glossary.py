@@ -293,3 +293,17 @@
 # - **디스플레이 상태 (display status)**: RViz 목록의 항목마다 붙는 Ok, Warn, Error입니다. Ok는 계산할 수 있었다는 뜻입니다.
 # - **표시 유지 시간 (decay time)**: RViz가 메시지를 화면에 남겨 두는 시간입니다. 0이면 다음 메시지가 올 때까지입니다.
 # - **스냅샷 (snapshot)**: 도구가 몇 초 동안 본 것입니다. 그 밖의 시간에 일어난 일은 알 수 없습니다.
+
+# %% [markdown] lang="en" name="chapter-12" slide="skip"
+# ## Chapter 12 · Owners and diagnosis
+#
+# - **second owner (두 번째 발행자)**: Another node that says the same edge. TF2 takes both without an error, and the pose goes to and fro.
+# - **suspect (용의자)**: A cause that may be behind a complaint, as long as no check has ruled it out.
+# - **evidence (증거)**: A reading that some suspects would have given, and others not. What all would say is none.
+
+# %% [markdown] lang="ko" name="chapter-12" slide="skip"
+# ## 12장 · 발행 책임과 진단
+#
+# - **두 번째 발행자 (second owner)**: 같은 연결을 발행하는 또 다른 노드입니다. TF2는 오류 없이 둘 다 받고, 포즈가 오락가락합니다.
+# - **용의자 (suspect)**: 증상의 원인일지 모르는 것입니다. 검사로 지울 때까지 용의자입니다.
+# - **증거 (evidence)**: 어떤 용의자라면 나오고 다른 용의자라면 나오지 않을 값입니다. 누구라도 같을 값은 증거가 아닙니다.

@@ -101,3 +101,9 @@ def test_who_asks_pays_and_a_fresh_copy_has_paid_nothing(ahead):
         "frame": "laser_frame",
         "proof": ["laser clock ahead", ["delay /scan", "view_frames"]],
     }
+
+
+def test_every_fix_can_be_read(visit, capsys):
+    visit.fixes()
+    fixes = capsys.readouterr().out.splitlines()
+    assert "set the laser's clock" in fixes and "stamp on arrival" in fixes and len(fixes) == 21

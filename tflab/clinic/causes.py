@@ -69,7 +69,7 @@ def draw_numbers(rng: np.random.Generator) -> Numbers:
         clock_s=round(float(rng.uniform(0.35, 0.60)), 2),
         delay_s=round(float(rng.uniform(0.25, 0.35)), 2),
         jitter_s=round(float(rng.uniform(0.15, 0.25)), 2),
-        rate_hz=float(rng.choice([2.0, 2.5, 3.0])),
+        rate_hz=float(rng.choice([2.0, 2.2, 2.5])),
         parent=str(rng.choice(["odm", "Odom", "odom_frame", "odom1", "0dom"])),
         frame=str(rng.choice(["laser", "laser_link", "lidar", "scan_frame", "Laser_frame"])),
         typed=str(rng.choice(["Map", "MAP", "map1", "world_map", "maps"])),

@@ -3,12 +3,26 @@
     "set the laser's clock"    the cause is gone
     "stamp on arrival"         the error is gone; the points are still in the wrong place
 
-A plaster takes the symptom away, or nothing at all.  Read `patient.py` next.
+A plaster takes the symptom away, or nothing at all.  What a whole diagnosis says, of
+each cause, stands here too: whose place is wrong, who has to change, and how.
+
+Read `patient.py` next.
 """
 
 from __future__ import annotations
 
-__all__ = ["CURES", "PLASTERS"]
+from typing import NamedTuple
+
+__all__ = ["CURES", "DIAGNOSES", "PLASTERS", "Remedy"]
+
+
+class Remedy(NamedTuple):
+    """Whose place is not right, who has to change, and how."""
+
+    frame: str
+    owner: str
+    fix: str
+
 
 CURES = {
     "start localization": ("localizer not running",),
@@ -37,3 +51,26 @@ PLASTERS = {
     "restart everything": "waited",
     "new sensor": "waited",
 }
+
+_FIX_OF = {cause: fix for fix, causes in CURES.items() for cause in causes}
+_WHERE = {
+    "localizer not running": ("odom", "localization"),
+    "localizer waits for /clock": ("odom", "localization"),
+    "Fixed Frame misspelt": ("map", "rviz"),
+    "odometry not running": ("base_footprint", "wheel_odometry"),
+    "parent misspelt": ("base_footprint", "wheel_odometry"),
+    "publish_tf off": ("base_footprint", "wheel_odometry"),
+    "two owners of one edge": ("base_footprint", "ekf_filter_node"),
+    "localizer owns the base": ("base_footprint", "localization"),
+    "nothing is wrong": ("none", "nobody"),
+    "mount wrong": ("laser_frame", "laser_mount"),
+    "header says base_link": ("laser_frame", "laser_driver"),
+    "laser clock behind": ("laser_frame", "laser_driver"),
+    "laser clock ahead": ("laser_frame", "laser_driver"),
+    "transforms late": ("all that move", "network"),
+    "odometry slow": ("base_footprint", "wheel_odometry"),
+    "quaternion of zeros": ("laser_frame", "laser_mount"),
+    "header says another frame": ("laser_frame", "laser_driver"),
+    "mount volatile": ("laser_frame", "laser_mount"),
+}
+DIAGNOSES = {cause: Remedy(*where, _FIX_OF[cause]) for cause, where in _WHERE.items()}

@@ -18,7 +18,6 @@ import zlib
 from collections.abc import Mapping
 from typing import Any
 
-from .table import COMPLAINTS
 from .trolley import TROLLEY, check_named
 
 __all__ = ["SickRobot"]
@@ -67,6 +66,11 @@ class SickRobot:
         """What has been asked so far took this long [min]."""
         return sum(TROLLEY[key].minutes for key in self.asked)
 
+    @property
+    def fixes(self) -> tuple[str, ...]:
+        """Return what can be done about it."""
+        return tuple(self._fixes)
+
     def after(self, fix: str) -> tuple[float, str]:
         """Return the minutes of a fix, and what is seen after it.
 
@@ -92,5 +96,4 @@ class SickRobot:
         return cls(*json.loads(zlib.decompress(base64.b85decode(word))))
 
     def __repr__(self) -> str:
-        said = COMPLAINTS[self.complaint].en if self.complaint else "It does not work."
-        return f"<Patient: {said}>"
+        return f"<Patient: {self.complaint or 'it does not work'}>"

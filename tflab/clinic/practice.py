@@ -52,7 +52,7 @@ def worked_patient(cause: str, number: int = 0) -> SickRobot:
 
 
 def answer_of(number: int, complaint: str = "") -> str:
-    """Return what was wrong with `practice_patient(number, complaint)`."""
+    """Return the cause of `practice_patient(number, complaint)`."""
     return _drawn(number, complaint)[1][0]
 
 

@@ -14,13 +14,27 @@ Read `cures.py` next.
 
 from __future__ import annotations
 
+import math
+from collections import Counter
 from collections.abc import Iterable, Sequence
+from itertools import permutations
 from typing import NamedTuple
 
 from .table import COMPLAINTS, SUSPECTS, kind_expected
 from .trolley import BUDGET_MIN, TROLLEY
 
-__all__ = ["NOTHING_IS_WRONG", "Flaw", "fitting", "flaw_of", "left_after", "minutes_of", "order_of", "rivals_of"]
+__all__ = [
+    "NOTHING_IS_WRONG",
+    "Flaw",
+    "fitting",
+    "flaw_of",
+    "left_after",
+    "minutes_of",
+    "order_of",
+    "rivals_of",
+    "shortest_proof",
+    "worth",
+]
 
 NOTHING_IS_WRONG = "nothing is wrong"
 
@@ -91,3 +105,16 @@ def order_of(cause: str, checks: Sequence[str], whole: bool = False) -> list[tup
     """Return a way of asking as `draw_order` takes it: of each check its minutes, and how many suspects were left."""
     left = left_after(cause, rivals_of(cause, whole), checks)
     return [(check, TROLLEY[check].minutes, 1 + len(rivals)) for check, rivals in zip(checks, left, strict=True)]
+
+
+def shortest_proof(suspect: str) -> list[str]:
+    """Return the cheapest one or two checks that prove a suspect of a complaint."""
+    lists = (list(checks) for count in (1, 2) for checks in permutations(TROLLEY, count))
+    return min((checks for checks in lists if flaw_of(checks, suspect) is None), key=minutes_of)
+
+
+def worth(check: str, suspects: Sequence[str]) -> float:
+    """Return how much a check is expected to tell about suspects that are equally likely [bit/min]."""
+    sizes = Counter(kind_expected(suspect, check) for suspect in suspects).values()
+    told = math.log2(len(suspects)) - sum(size * math.log2(size) for size in sizes) / len(suspects)
+    return told / TROLLEY[check].minutes

@@ -36,7 +36,7 @@ The robot when it is well
     "ko": """\
 정상일 때의 로봇
   트리    map -> odom -> base_footprint -> base_link -> laser_frame, 그 밖의 부품
-  주인    map -> odom                 /localization, 10 Hz, 0.010초 늦음
+  발행자    map -> odom                 /localization, 10 Hz, 0.010초 늦음
           odom -> base_footprint      /wheel_odometry, 20 Hz, 0.004초 늦음
           base_link -> laser_frame    /laser_mount, static, x 0.200 y 0.000 z 0.150
           나머지                      /robot_state_publisher
@@ -174,6 +174,10 @@ class Visit:
             self.patient.after(fix)
         self.diagnosis = {"cause": cause, "frame": frame, "owner": owner, "fix": fix}
         print(self._say("struck", cause=cause) if cause not in self.suspects else self._say("noted"))
+
+    def fixes(self) -> None:
+        """Print what can be done about it: every fix, the plasters among them."""
+        print("\n".join(self.patient.fixes))
 
     def try_fix(self) -> None:
         """Print the robot after the fix that was said, if the readings warrant the diagnosis; else why not."""

@@ -171,7 +171,7 @@ def _launched(launch: Launch, numbers: Numbers) -> Graph:
         if launch.delay_s:
             for topic in ("/tf", "/odom"):
                 graph.disturb(topic, delay=launch.delay_s, jitter=launch.jitter_s, seed=numbers.seed)
-        with redirect_stderr(io.StringIO()):
+        with redirect_stdout(io.StringIO()), redirect_stderr(io.StringIO()):
             begun_ns = graph.now_ns
             for name in sorted(launch.nodes, key=lambda name: LATER_S.get(name, 0.0)):
                 later_ns = begun_ns + seconds(LATER_S.get(name, 0.0)) - graph.now_ns

@@ -30,6 +30,7 @@
     clocks     which clock does each node live in
     suspects   who is left, and which question would tell the most
     order      in which order was it asked, and when was it clear
+    owners     who says each edge, from which data, by which switch
     panels/    the same, with sliders
     marks      lines, boxes and words as SVG and PDF
     tree       who is whose child

@@ -23,7 +23,7 @@ from .picture import Picture
 
 __all__ = ["SuspectsPicture", "describe_suspects", "draw_suspects"]
 
-ROW_PX, HEAD_PX, NAME_PX, BORDER_PX = 30, 84, 170, 14
+ROW_PX, HEAD_PX, BORDER_PX, SLANT_PX = 30, 112, 14, 96
 AS_USUAL = "as on the card"
 
 Findings = Mapping[str, Mapping[str, str]]  # of each suspect what it would say to each check
@@ -64,6 +64,7 @@ class SuspectsPicture(Picture):
     def __init__(self, findings: Findings, asked: Mapping[str, str]) -> None:
         self._findings = findings
         self._checks = list(next(iter(findings.values())))
+        self._names_px = style.room_px(findings) + BORDER_PX
         height_px = HEAD_PX + ROW_PX * len(findings) + BORDER_PX
         super().__init__((style.WIDE[0], height_px / style.SCREEN_DPI))
         with style.our_settings():
@@ -85,9 +86,9 @@ class SuspectsPicture(Picture):
     def _draw(self, asked: Mapping[str, str]) -> None:
         left, cell_px = left_of(self._findings, asked), self._cell_px
         for column, check in enumerate(self._checks):
-            x = NAME_PX + (column + 0.5) * cell_px
+            x = self._names_px + (column + 0.5) * cell_px
             weight = "bold" if check in asked else "normal"
-            self.ax.text(x, HEAD_PX - 8, check, rotation=25, ha="left", va="bottom", rotation_mode="anchor",
+            self.ax.text(x, HEAD_PX - 8, check, rotation=32, ha="left", va="bottom", rotation_mode="anchor",
                          fontsize=style.SMALL_PT, color=style.INK, weight=weight)  # fmt: skip
         for row, (name, kinds) in enumerate(self._findings.items()):
             y, is_left = HEAD_PX + row * ROW_PX, name in left
@@ -96,10 +97,10 @@ class SuspectsPicture(Picture):
                 BORDER_PX, y + ROW_PX / 2, name, va="center", color=colour, weight="bold" if is_left else "normal"
             )
             for column, check in enumerate(self._checks):
-                self._cell(NAME_PX + column * cell_px, y, kinds[check], asked.get(check))
+                self._cell(self._names_px + column * cell_px, y, kinds[check], asked.get(check))
             if not is_left:
                 self.ax.plot(
-                    [BORDER_PX - 4, self._width_px - BORDER_PX], [y + ROW_PX / 2] * 2, color=style.GREY, linewidth=1.4
+                    [BORDER_PX - 4, self._width_px - SLANT_PX], [y + ROW_PX / 2] * 2, color=style.GREY, linewidth=1.4
                 )
 
     def _cell(self, x: float, y: float, kind: str, said: str | None) -> None:
@@ -117,7 +118,7 @@ class SuspectsPicture(Picture):
 
     @property
     def _cell_px(self) -> float:
-        return (self._width_px - NAME_PX - 70) / len(self._checks)
+        return (self._width_px - self._names_px - SLANT_PX) / len(self._checks)
 
 
 def draw_suspects(findings: Findings, asked: Mapping[str, str] = {}) -> SuspectsPicture:

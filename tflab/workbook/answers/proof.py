@@ -64,7 +64,8 @@ class Proof(Form):
             return None
         claimed, checks = read
         suspects = SUSPECTS if claimed is None else (claimed,)
-        return [[(Mark(suspect),) for suspect in suspects if self._flaw(checks, suspect) is None]]
+        rows = [(Mark(suspect),) for suspect in suspects if self._flaw(checks, suspect) is None]
+        return [rows or [(Mark(f"no proof of {claimed or 'any'}: {checks}"),)]]  # the same as itself, and as no proof
 
     def wanted(self) -> Words:
         return Words(

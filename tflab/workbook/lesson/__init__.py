@@ -11,6 +11,8 @@ What a page calls as `lesson.…` is this workbook's; everything else on it is P
     toolbox   seven tools, seven questions
     disguised three robots that look healthy
     recordings    what a bag holds, and what it can place
+    ward_rounds   patients in the language of the copy; two ways of asking
+    capstone  a robot that was only written down
     waiting   robots whose data is late, and nodes that wait for it
 
 Start with `room.py`; each page names the next.
@@ -20,6 +22,7 @@ from __future__ import annotations
 
 from tflab.bags.example import example_bag
 from tflab.bags.reader import read_bag
+from tflab.clinic.practice import answer_of, night_shift, practice_patient, worked_patient
 from tflab.core import LATEST, BufferCore, StampedTransform, Transform, seconds
 from tflab.core.quaternions import angle, xyzw_from_wxyz
 from tflab.robots.kinematics import link_poses
@@ -55,6 +58,7 @@ from tflab.views.latency import Sight, draw_latency, drive, latency_error
 from tflab.views.misread import describe_extent, draw_misread
 from tflab.views.moments import draw_moments
 from tflab.views.mount import draw_mount, seen_from
+from tflab.views.owners import draw_owners
 from tflab.views.panels import (
     cameras_panel,
     joins_panel,
@@ -79,6 +83,7 @@ from tflab.views.turns import draw_drives, draw_orders, draw_turns
 from ..copy.environment import check_environment
 from ..course.course_map import draw_course
 from ..course.progress_page import show_progress
+from .capstone import launch_answer
 from .clouds import floor_cloud, wall_cloud
 from .disguised import draw_rviz, start_robot, stop_node
 from .joints import draw_joints, joint_in_file, joints_panel
@@ -96,6 +101,15 @@ from .waiting import (
     show_clock_error,
     walls_seen,
 )
+from .ward_rounds import (
+    LECTURES_ORDER,
+    admit,
+    best_questions,
+    clinic_panel,
+    draw_both_ways,
+    draw_columns,
+    draw_questions,
+)
 
 __all__ = [
     "ACCENT",
@@ -103,6 +117,7 @@ __all__ = [
     "BODY_T_OPTICAL",
     "FROM_ABOVE",
     "LATEST",
+    "LECTURES_ORDER",
     "ROOM",
     "Bend",
     "BufferCore",
@@ -122,10 +137,14 @@ __all__ = [
     "TeachingRobot",
     "Transform",
     "WaitingNode",
+    "admit",
     "ages_of_decisions",
     "angle",
+    "answer_of",
+    "best_questions",
     "cameras_panel",
     "check_environment",
+    "clinic_panel",
     "clocks_panel",
     "current_graph",
     "describe_extent",
@@ -134,11 +153,13 @@ __all__ = [
     "draw_arrow",
     "draw_bend",
     "draw_body_axes",
+    "draw_both_ways",
     "draw_buffer",
     "draw_camera",
     "draw_cameras",
     "draw_card",
     "draw_clocks",
+    "draw_columns",
     "draw_course",
     "draw_dominoes",
     "draw_drives",
@@ -155,9 +176,11 @@ __all__ = [
     "draw_mount",
     "draw_now",
     "draw_orders",
+    "draw_owners",
     "draw_path",
     "draw_placed",
     "draw_question",
+    "draw_questions",
     "draw_readings",
     "draw_right_hand",
     "draw_room",
@@ -186,14 +209,17 @@ __all__ = [
     "latency_error",
     "latency_panel",
     "launch",
+    "launch_answer",
     "link_poses",
     "look",
     "mount_panel",
     "new_graph",
+    "night_shift",
     "on_robot_c",
     "optical_from_body",
     "parse_urdf",
     "place_messages",
+    "practice_patient",
     "rate_panel",
     "read_bag",
     "readings_of",
@@ -218,5 +244,6 @@ __all__ = [
     "tree_panel",
     "wall_cloud",
     "walls_seen",
+    "worked_patient",
     "xyzw_from_wxyz",
 ]

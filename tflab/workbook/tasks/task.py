@@ -112,6 +112,7 @@ class Task:
         means, shows: of choices, what an option would mean, and what a part shows instead.
         equivalent: mutants of the solution that are right, and why (see mutants.py).
         cures: misconceptions that it looks for.
+        is_costly: whether its cases take seconds each, so that tests draw few.
     """
 
     id: str
@@ -130,6 +131,7 @@ class Task:
     shows: dict[str, Words] = field(default_factory=dict)
     equivalent: dict[str, str] = field(default_factory=dict)
     cures: tuple[str, ...] = ()
+    is_costly: bool = False
 
     def __post_init__(self) -> None:
         if not TASK_ID.fullmatch(self.id):

@@ -1,0 +1,701 @@
+# %% [markdown] lang="en" name="title" slide="slide"
+# # 12 · Who says so?
+#
+# **Owners and diagnosis** · about 60 minutes, and the clinic as long as you like · builds on 05, 06, 07, 09, 10 and 11
+#
+# After this chapter you can
+#
+# - write down who owns each edge: which node, from which data, by which switch;
+# - read the four states of an edge from a terminal: one [[owner]], none, two, another edge;
+# - choose the question that splits your [[suspect|suspects]] for the fewest minutes, and stop when it is proved;
+# - tell a cure from a plaster.
+
+# %% [markdown] lang="ko" name="title" slide="slide"
+# # 12 · 누가 그렇게 말합니까?
+#
+# **발행 책임과 진단** · 약 60분, 진료실은 원하는 만큼 · 05, 06, 07, 09, 10, 11장을 바탕으로 합니다
+#
+# 이 장을 마치면 다음을 할 수 있습니다.
+#
+# - 연결마다 [[owner|발행 책임]]을 적습니다. 어느 노드가, 어떤 데이터로, 어떤 스위치로 발행하는지입니다.
+# - 터미널을 보고 연결의 네 가지 상태를 읽습니다. 발행자가 하나, 없음, 둘, 그리고 다른 연결입니다.
+# - [[suspect|용의자]]를 가장 적은 시간에 가르는 질문을 고르고, 증명이 끝나면 멈춥니다.
+# - 치료와 반창고를 구별합니다.
+
+# %% [markdown] lang="en" name="title-notes" slide="notes"
+# Two halves: owners first, then diagnosis. Ask: when something is wrong on your robot, what do you do in the first minute? Collect, and come back to it at the end.
+
+# %% [markdown] lang="ko" name="title-notes" slide="notes"
+# 앞은 발행 책임, 뒤는 진단입니다. 먼저 묻습니다. 로봇이 이상할 때 처음 1분 동안 무엇을 합니까? 답을 모아 두고 끝에 다시 봅니다.
+
+# %% name="load" slide="skip"
+# %load_ext tflab
+from tflab.workbook import lesson
+
+# %% [markdown] lang="en" name="story" slide="slide"
+# ## Three who published one tree
+#
+# A robot with two cameras jumped to and fro while it was mapping. Its owner changed cameras, frames and settings. In the end he counted who published the tree: the mapper with its visual odometry, a filter, and … the recording that was being played, which had the old `/tf` in it (introlab/rtabmap_ros, 2021).
+# His cure: no `/tf` from the bag, `publish_tf: false` in the filter, and one of the three was left.
+#
+# None of the three was broken. None of them raised an error. And the tree looked whole: a frame stands under its newest parent only, so the drawing shows one, however many there are.
+
+# %% [markdown] lang="ko" name="story" slide="slide"
+# ## 하나의 트리를 셋이 발행했습니다
+#
+# 카메라가 두 대인 로봇이 지도를 만들면서 앞뒤로 튀었습니다. 카메라도, 좌표계도, 설정도 바꾸어 보았습니다. 마지막에 누가 트리를 발행하는지 세어 보니 지도를 만드는 노드와 그 시각 오도메트리, 필터, 그리고 … 재생하던 기록이었습니다. bag에 옛 `/tf`가 들어 있었습니다(introlab/rtabmap_ros, 2021년).
+# 고친 방법은 이렇습니다. bag에서 `/tf`를 빼고 필터를 `publish_tf: false`로 하여 셋 가운데 하나만 남겼습니다.
+#
+# 셋 가운데 고장 난 것은 없었습니다. 오류도 없었습니다. 트리는 멀쩡해 보였습니다. 좌표계는 가장 새로운 부모 아래에만 그려지므로, 몇이 발행하든 그림에는 하나만 보입니다.
+
+# %% [markdown] lang="en" name="story-sources" slide="skip"
+# *Read them:* rtabmap_ros [645](https://github.com/introlab/rtabmap_ros/issues/645), and the like in [760](https://github.com/introlab/rtabmap_ros/issues/760); why `tf2_monitor` names nobody: geometry2 [798](https://github.com/ros2/geometry2/issues/798).
+
+# %% [markdown] lang="ko" name="story-sources" slide="skip"
+# *직접 읽어 보기:* rtabmap_ros [645](https://github.com/introlab/rtabmap_ros/issues/645), 비슷한 경우 [760](https://github.com/introlab/rtabmap_ros/issues/760), `tf2_monitor`가 이름을 대지 못하는 이유: geometry2 [798](https://github.com/ros2/geometry2/issues/798).
+
+# %% [markdown] lang="en" name="predict" slide="slide"
+# ## Predict
+#
+# Wheels and a filter (`ekf_filter_node`) both own `odom → base_footprint`.
+#
+# 1. How many publishers does `ros2 topic info /tf` count? And after you set `publish_tf` to false in the filter: one fewer, or as many as before?
+# 2. What does a lookup give for a moment **between** a pose of the wheels and a pose of the filter: the one, the other, or something else?
+
+# %% [markdown] lang="ko" name="predict" slide="slide"
+# ## 예측해 봅시다
+#
+# 바퀴와 필터(`ekf_filter_node`)가 모두 `odom → base_footprint`를 발행합니다.
+#
+# 1. `ros2 topic info /tf`는 발행자를 몇이라고 셉니까? 필터의 `publish_tf`를 false로 한 뒤에는 하나 줄어듭니까, 그대로입니까?
+# 2. 바퀴의 포즈와 필터의 포즈 **사이**의 시각을 조회하면 무엇이 나옵니까? 한쪽, 다른 쪽, 아니면 다른 값입니까?
+
+# %% [markdown] lang="en" name="predict-notes" slide="notes"
+# Let everybody write down a number for the first and a word for the second. Most say: one fewer.
+
+# %% [markdown] lang="ko" name="predict-notes" slide="notes"
+# 첫째는 숫자로, 둘째는 한마디로 적게 합니다. 대부분 하나 줄어든다고 답합니다.
+
+# %% name="my-guess" slide="skip"
+before, after, between = ..., ..., ...
+
+# %% name="two-owners" slide="skip"
+graph = lesson.new_graph()
+robot = lesson.TeachingRobot()
+lesson.launch(graph, robot, only=['robot_state_publisher', 'joint_driver', 'wheel_odometry', 'localization'])
+graph.run(seconds=0.01)  # no two nodes keep step on a robot
+lesson.launch(graph, robot, only=['ekf_filter_node'])
+graph.run(seconds=20.0)
+
+# %% name="count-before" tags=["predicted"] slide="fragment"
+# %ros2 topic info /tf
+
+# %% name="switch-off" tags=["predicted"] slide="fragment"
+# %ros2 param set /ekf_filter_node publish_tf false
+# %ros2 topic info /tf
+
+# %% [markdown] lang="en" name="count-seen" tags=["predicted"]
+# Four before, four after. `topic info` counts who **may** speak on `/tf`, over all edges together; the filter keeps its line and is silent on it. So a count of four is no proof of a second owner, and a count of four after the cure no proof against it.
+# What proves it is the edge: how often does it come, and does it run smoothly?
+
+# %% [markdown] lang="ko" name="count-seen" tags=["predicted"]
+# 앞에도 넷, 뒤에도 넷입니다. `topic info`는 `/tf`에서 말할 **수 있는** 노드를 모든 연결에 대해 함께 셉니다. 필터는 회선을 쥔 채 말하지 않을 뿐입니다. 그러니 넷이라는 숫자는 두 번째 발행자의 증거도, 고쳤다는 증거도 아닙니다.
+# 증거는 연결에 있습니다. 얼마나 자주 오는지, 매끄럽게 움직이는지 보아야 합니다.
+
+# %% name="listen" slide="skip"
+import rclpy
+from rclpy.node import Node
+from tf2_ros import Buffer, TransformListener
+
+rclpy.init()
+node = Node('asker')
+buffer = Buffer()
+listener = TransformListener(buffer, node, spin_thread=True)
+
+
+def count_edge(seconds=4.0):
+    buffer.clear()
+    graph.run(seconds=seconds)
+    stamps = buffer.core.history('base_footprint').stamps_ns
+    print(f'odom -> base_footprint: {len(stamps) / seconds:.1f} a second')
+
+# %% name="rates" tags=["predicted"] slide="fragment"
+count_edge()
+# %ros2 param set /ekf_filter_node publish_tf true
+count_edge()
+
+# %% name="between" tags=["predicted"]
+history = buffer.core.history('base_footprint')
+moments = list(zip(history.stamps_ns, history.transforms))[-12:]
+pairs = [(a, b) for a, b in zip(moments, moments[1:]) if abs(a[1].translation[0] - b[1].translation[0]) > 0.08]
+(first, one), (then, other) = pairs[0]
+half = buffer.core.lookup_transform('odom', 'base_footprint', (first + then) // 2).transform
+for name, pose in (('one owner', one), ('in between', half), ('the other', other)):
+    print(f'{name:<11} x {pose.translation[0]:.3f}  y {pose.translation[1]:.3f}')
+
+# %% [markdown] lang="en" name="between-seen" tags=["predicted"]
+# Twenty a second with one owner, fifty with two. And between the two a lookup interpolates, as between any two samples: **a place that nobody ever said**. TF2 has no memory of owners; to it both are one edge.
+
+# %% [markdown] lang="ko" name="between-seen" tags=["predicted"]
+# 발행자가 하나면 1초에 스무 번, 둘이면 쉰 번입니다. 그 사이를 조회하면 여느 두 표본처럼 보간합니다. **아무도 말한 적 없는 자리**가 나옵니다. TF2는 누가 보냈는지 기억하지 않습니다. TF2에는 모두 한 연결입니다.
+
+# %% [markdown] lang="en" name="owner" slide="slide"
+# ## An owner is a node, a source, and a switch
+#
+# For each edge three things: **which node** says it, **from which data**, and **which switch** turns it off. With two owners one switch has to be off; on these robots they are called
+#
+# | package | switch |
+# |---|---|
+# | robot_localization | `publish_tf` |
+# | ros2_controllers, diff drive | `enable_odom_tf` |
+# | nav2 amcl | `tf_broadcast` |
+# | slam_toolbox | `transform_publish_period: 0.0` |
+# | rtabmap | `publish_tf` |
+
+# %% [markdown] lang="ko" name="owner" slide="slide"
+# ## 발행 책임은 노드, 데이터, 스위치입니다
+#
+# 연결마다 세 가지를 적습니다. **어느 노드**가, **어떤 데이터로**, **어떤 스위치**로 발행합니까? 발행자가 둘이면 스위치 하나를 꺼야 합니다. 실제 로봇에서 그 이름은 다음과 같습니다.
+#
+# | 패키지 | 스위치 |
+# |---|---|
+# | robot_localization | `publish_tf` |
+# | ros2_controllers, diff drive | `enable_odom_tf` |
+# | nav2 amcl | `tf_broadcast` |
+# | slam_toolbox | `transform_publish_period: 0.0` |
+# | rtabmap | `publish_tf` |
+
+# %% name="owner-table" slide="fragment"
+lesson.draw_owners([
+    ('map -> odom', 'localization', 'scan, map', 'tf_broadcast', '10.2 Hz'),
+    ('odom -> base_footprint', 'wheel_odometry', 'wheels', 'publish_tf', '20.2 Hz'),
+    ('odom -> base_footprint', 'ekf_filter_node', 'wheels, imu', 'publish_tf', '30.2 Hz'),
+    ('base_footprint -> base_link', 'robot_state_publisher', 'URDF', '', 'static'),
+    ('wrist -> tool0', 'robot_state_publisher', 'URDF', '', 'static'),
+    ('base_link -> gripper', ''),
+])
+
+# %% [markdown] lang="en" name="owner-seen"
+# `! 2` marks an edge with two owners, `! 0` one that nobody says. The lecture's §24 asks you to fill such a table for your own robot before anything is wrong: without a normal, nothing is abnormal.
+# A kind correction to §14 and §27 of the lecture: in ROS 2 `tf2_monitor` names no owner. Every line says `<no authority available>`. The nodes are named by `ros2 topic info /tf --verbose`, and their edges by nobody but you.
+
+# %% [markdown] lang="ko" name="owner-seen"
+# *그림 읽기:* edge = 연결, owner = 발행자, source = 데이터, switch = 스위치, rate = 빈도. `! 2`는 발행자가 둘인 연결, `! 0`은 아무도 발행하지 않는 연결입니다. 강의 24장은 문제가 생기기 전에 이런 표를 채워 두라고 합니다. 정상을 모르면 이상도 없습니다.
+# 강의 14장과 27장에서 하나 바로잡습니다. ROS 2의 `tf2_monitor`는 발행자의 이름을 대지 못합니다. 줄마다 `<no authority available>`이 나옵니다. 노드 이름은 `ros2 topic info /tf --verbose`가 알려 주고, 그 노드의 연결은 직접 알아내야 합니다.
+
+# %% [markdown] lang="en" name="four-states" slide="slide"
+# ## Four states of an edge
+#
+# Between a parent and a child there is **one owner**, or **nobody**, or **two**, or somebody sends **another edge** to the same child. They look different, if one asks rightly:
+#
+# | state | `tf2_echo odom base_footprint 20` | the tree |
+# |---|---|---|
+# | one | runs smoothly | whole |
+# | nobody | never answers | a loose root `base_footprint` |
+# | two | goes to and fro | whole, and the edge too often |
+# | another edge | answers by turns | whole and torn, by turns |
+
+# %% [markdown] lang="ko" name="four-states" slide="slide"
+# ## 연결의 네 가지 상태
+#
+# 부모와 자식 사이에는 **발행자가 하나**이거나, **없거나**, **둘**이거나, 누군가 같은 자식에게 **다른 연결**을 보냅니다. 제대로 물으면 서로 다르게 보입니다.
+#
+# | 상태 | `tf2_echo odom base_footprint 20` | 트리 |
+# |---|---|---|
+# | 하나 | 매끄럽게 이어집니다 | 온전합니다 |
+# | 없음 | 답하지 않습니다 | `base_footprint`가 떨어진 뿌리가 됩니다 |
+# | 둘 | 오락가락합니다 | 온전하지만 연결이 너무 자주 옵니다 |
+# | 다른 연결 | 답이 나오다 말다 합니다 | 온전했다 끊어졌다 합니다 |
+
+# %% name="to-and-fro" slide="fragment"
+graph.run(seconds=0.005)
+for _ in range(6):
+    graph.run(seconds=0.05)
+    newest = buffer.core.lookup_transform('odom', 'base_footprint', 0)
+    x, y, _ = newest.transform.translation
+    print(f'{newest.stamp_ns / 1e9:.3f}  x {x:.3f}  y {y:.3f}')
+
+# %% [markdown] lang="en" name="to-and-fro-seen"
+# Asked twenty times a second, the two take turns. Asked once a second, as `tf2_echo` does by itself, it can look calm for minutes: hence the `20`.
+
+# %% [markdown] lang="ko" name="to-and-fro-seen"
+# 1초에 스무 번 물으면 둘이 번갈아 나옵니다. `tf2_echo`의 기본값처럼 1초에 한 번 물으면 몇 분이고 얌전해 보일 수 있습니다. 그래서 끝에 `20`을 붙입니다.
+
+# %% name="stop-two" slide="skip"
+graph.stop()
+node.destroy_node()
+rclpy.shutdown()
+
+# %% [markdown] lang="en" name="experiments" slide="slide"
+# ## Experiments A, B, C of the lecture
+#
+# §23 of the lecture has three, each with `static_transform_publisher`. A: everything right. B: the parent misspelt. C: two owners of one static edge.
+
+# %% [markdown] lang="ko" name="experiments" slide="slide"
+# ## 강의의 실험 A, B, C
+#
+# 강의 23장에는 `static_transform_publisher`로 하는 실험이 셋 있습니다. A는 모두 맞는 경우, B는 부모 이름이 틀린 경우, C는 정적 연결 하나를 둘이 발행하는 경우입니다.
+
+# %% name="experiment-b" slide="fragment"
+graph = lesson.new_graph()
+# %ros2 run tf2_ros static_transform_publisher --frame-id map --child-frame-id odom
+# %ros2 run tf2_ros static_transform_publisher --x 1 --frame-id odm --child-frame-id base_link
+# %ros2 --for 2 run tf2_ros tf2_echo map base_link
+
+# %% [markdown] lang="en" name="experiment-b-seen"
+# B: `odm`. The first line speaks of the very first moment; the second is the fact: **not part of the same tree**. A believer in dead nodes restarts one now. But the node runs, and says just what it was told. The clue is the name that nobody typed on purpose, and RViz shows it: among its frames stands `odm`.
+
+# %% [markdown] lang="ko" name="experiment-b-seen"
+# B는 `odm`입니다. 첫 줄은 시작한 순간의 것이고 둘째 줄이 사실입니다. **같은 트리가 아닙니다.** 노드가 죽었다고 믿는 사람은 여기서 다시 켭니다. 하지만 노드는 살아 있고 시킨 대로 말합니다. 단서는 아무도 일부러 쓰지 않은 이름입니다. RViz의 좌표계 목록에 `odm`이 있습니다.
+
+# %% name="experiment-c" slide="fragment"
+graph = lesson.new_graph()
+# %ros2 run tf2_ros static_transform_publisher --x 1 --frame-id map --child-frame-id base_link
+# %ros2 run tf2_ros static_transform_publisher --x 2 --frame-id map --child-frame-id base_link
+# %ros2 --for 1 run tf2_ros tf2_echo map base_link
+# %ros2 topic info /tf_static
+
+# %% [markdown] lang="en" name="experiment-c-seen"
+# C: 2.000, from whoever was heard last, and not a word about the other. A listener that joins in another order gets the other number. Only the count on `/tf_static` hints at it, and it hints at every honest second publisher, too.
+
+# %% [markdown] lang="ko" name="experiment-c-seen"
+# C는 2.000입니다. 마지막에 들린 쪽의 값이고, 다른 쪽 이야기는 한마디도 없습니다. 다른 순서로 들은 수신기는 다른 숫자를 갖습니다. 단서는 `/tf_static`의 개수뿐인데, 정당한 두 번째 발행기가 있어도 개수는 늘어납니다.
+
+# %% [markdown] lang="en" name="stop-guessing" slide="slide"
+# ## A check is worth what it rules out
+#
+# The lecture's six steps (§27): names, tree, values, delays, message and clock, publishers. They are an order, from cheap and coarse to dear and fine. But an order without a question is slow.
+# Take the complaint “the scan flickers, something about the future”. Three suspects: the laser's **clock is ahead**, the **transforms are late**, the **odometry is slow**. Before you type anything: which check would they answer differently?
+
+# %% [markdown] lang="ko" name="stop-guessing" slide="slide"
+# ## 검사의 값어치는 무엇을 지우느냐에 있습니다
+#
+# 강의 27장의 여섯 걸음은 이름, 트리, 값, 지연, 메시지와 시계, 발행자입니다. 싸고 굵은 것에서 비싸고 가는 것으로 가는 순서입니다. 하지만 질문 없는 순서는 느립니다.
+# “스캔이 깜빡이고 future라는 말이 나온다”는 증상을 봅시다. 용의자는 셋입니다. 레이저의 **시계가 앞섰거나**, **변환이 늦거나**, **오도메트리가 느립니다**. 명령을 치기 전에 물어보세요. 셋의 답이 다를 검사는 무엇입니까?
+
+# %% name="columns" slide="fragment"
+lesson.draw_columns('flickers', {'delay /scan': 'ahead'})
+
+# %% [markdown] lang="en" name="columns-seen"
+# Rows are suspects, columns are checks that can tell them apart; hatched is what nobody has asked yet. `topic delay /scan` said “ahead”: two rows struck, for one minute. Each struck row is an argument; what is left is what you have proved, and what nobody would have said otherwise is no [[evidence]].
+
+# %% [markdown] lang="ko" name="columns-seen"
+# *그림 읽기:* 행은 용의자, 열은 그들을 가를 수 있는 검사입니다. 빗금은 아직 묻지 않은 것입니다. `topic delay /scan`이 “ahead”(앞섬)라고 하자 1분 만에 두 행이 지워졌습니다. 지운 행 하나하나가 논거이고, 남은 것이 증명한 것입니다. 어느 용의자든 똑같이 답했을 것은 [[evidence|증거]]가 아닙니다.
+
+# %% [markdown] lang="en" name="two-ways" slide="subslide"
+# Two people now treat all eighteen suspects of the clinic, with no complaint told. One follows the six steps, one always asks what splits most for a minute.
+
+# %% [markdown] lang="ko" name="two-ways" slide="subslide"
+# 이제 두 사람이 증상을 듣지 않고 진료실의 용의자 열여덟을 모두 맞습니다. 한 사람은 여섯 걸음을 따르고, 한 사람은 늘 1분에 가장 많이 가르는 것을 묻습니다.
+
+# %% name="both-ways" tags=["predicted"] slide="fragment"
+lesson.draw_both_ways()
+
+# %% name="both-ways-words" tags=["predicted"] slide="skip"
+print(lesson.draw_both_ways().text)
+
+# %% [markdown] lang="en" name="both-ways-seen" tags=["predicted"]
+# Order without a question is slow; a question for a minute is not. Both are right in the end, and both beat the one who asks everything: 72 minutes for the whole trolley.
+
+# %% [markdown] lang="ko" name="both-ways-seen" tags=["predicted"]
+# 질문 없는 순서는 느리고, 1분짜리 질문은 빠릅니다. 끝에는 둘 다 맞고, 트롤리를 몽땅 쓰는 사람보다 낫습니다. 전부 물으면 72분이 걸립니다.
+
+# %% [markdown] lang="en" name="clinic" slide="slide"
+# ## The clinic: how it is done
+#
+# A patient is a robot that somebody made ill, and everything that every tool printed of it. You get the complaint, RViz's screen and the card of the healthy robot for nothing. Each question costs minutes, and you have twelve.
+
+# %% [markdown] lang="ko" name="clinic" slide="slide"
+# ## 진료실: 이렇게 합니다
+#
+# 환자는 누군가 고장 낸 로봇이고, 그 로봇에서 모든 도구가 출력한 것이 들어 있습니다. 증상과 RViz 화면, 정상일 때의 카드는 거저 받습니다. 질문마다 시간이 들고, 가진 것은 12분입니다.
+
+# %% name="worked"
+visit = lesson.admit(lesson.worked_patient('laser clock ahead'), helped=True)
+
+# %% [markdown] lang="en" name="worked-think"
+# “Into the future”: the scan's stamp is newer than the newest transform. Either the stamp is too new, or the transforms are too old. One minute each way: `delay /scan` looks at the stamp.
+
+# %% [markdown] lang="ko" name="worked-think"
+# “Into the future”는 스캔의 측정 시각이 가장 새로운 변환보다 새롭다는 뜻입니다. 측정 시각이 너무 새롭거나 변환이 너무 오래되었습니다. `delay /scan`은 1분에 측정 시각을 봅니다.
+
+# %% name="worked-ask"
+visit.ask('ros2 topic delay /scan', because='laser clock ahead')
+
+# %% [markdown] lang="en" name="worked-say"
+# A negative delay: heard before it was measured. No late transform, and no slow odometry, could do that. One suspect is left, so the proof is complete after one minute. Now, and not before, a fix. First the one that everybody tries:
+
+# %% [markdown] lang="ko" name="worked-say"
+# 지연이 음수입니다. 측정하기 전에 들었다는 뜻입니다. 늦은 변환이나 느린 오도메트리로는 이럴 수 없습니다. 용의자가 하나 남았으니 1분 만에 증명이 끝났습니다. 이제 비로소 고칠 차례입니다. 먼저 누구나 해 보는 것부터 봅시다.
+
+# %% name="plaster"
+visit.say(cause='laser clock ahead', frame='laser_frame', owner='laser_driver', fix='timeout of 1 s')
+visit.try_fix()
+
+# %% name="cure"
+visit.say(cause='laser clock ahead', frame='laser_frame', owner='laser_driver', fix="set the laser's clock")
+visit.try_fix()
+
+# %% [markdown] lang="en" name="cure-seen"
+# Both times RViz is all Ok. But with the longer timeout the points lie up to half a metre beside the walls, and the delay that found the fault is as it was. **A fix is proved by the check that found the fault**, not by the symptom that is gone.
+
+# %% [markdown] lang="ko" name="cure-seen"
+# 두 번 다 RViz는 모두 Ok입니다. 하지만 timeout을 늘렸을 때는 점이 벽에서 0.5미터 가까이 어긋나고, 고장을 찾아낸 지연도 그대로입니다. **고쳤다는 증거는 고장을 찾아낸 검사에 있습니다.** 증상이 사라진 것이 아닙니다.
+
+# %% [markdown] lang="en" name="faded" slide="slide"
+# ## Half with help: it jumps
+#
+# Two checks are given; you name the third thing, the cause. Fill in `my_cause`, then ask the ward for a fix: it refuses as long as your readings fit another suspect.
+
+# %% [markdown] lang="ko" name="faded" slide="slide"
+# ## 반만 도움받기: 로봇이 튑니다
+#
+# 검사 둘은 정해져 있습니다. 원인만 대면 됩니다. `my_cause`를 채우고 처치를 부탁해 보세요. 읽은 값이 다른 용의자에게도 맞으면 거절합니다.
+
+# %% name="faded-visit"
+jumps = lesson.admit(lesson.worked_patient('two owners of one edge'))
+
+# %% name="faded-checks"
+print(jumps.take('echo odom base_footprint')[:900])
+print(jumps.take('node list'))
+
+# %% name="faded-yours"
+my_cause = ...  # 'two owners of one edge', 'localizer owns the base' or 'nothing is wrong'
+if my_cause is not ...:
+    jumps.say(cause=my_cause, frame='base_footprint', owner='ekf_filter_node', fix='ekf_filter_node: publish_tf false')
+    jumps.try_fix()
+
+# %% [markdown] lang="en" name="alone" slide="slide"
+# ## Alone
+#
+# `lesson.practice_patient(7)` makes a patient in some seconds, another number another patient, without end. The panel does what the calls do: choose a check, say whom you suspect, ask. `lesson.answer_of(7)` tells what it was; look there last.
+
+# %% [markdown] lang="ko" name="alone" slide="slide"
+# ## 혼자서
+#
+# `lesson.practice_patient(7)`은 몇 초 만에 환자를 만듭니다. 숫자가 다르면 다른 환자이고, 얼마든지 있습니다. 패널은 호출과 같은 일을 합니다. 검사를 고르고, 누구를 의심하는지 정하고, 물으십시오. 답은 `lesson.answer_of(7)`에 있으니 맨 나중에 보세요.
+
+# %% name="panel" tags=["interactive"]
+lesson.clinic_panel(lesson.practice_patient(7))
+
+# %% name="panel-still" slide="skip"
+lesson.draw_questions(lesson.answer_of(7), ['node list', 'hz /scan', 'view_frames'])
+
+# %% [markdown] lang="en" name="panel-seen"
+# Standing still, three questions to the same patient: what each cost, and who was left. `★` marks where one suspect was left; what comes after it is hatched, and told nothing.
+
+# %% [markdown] lang="ko" name="panel-seen"
+# *그림 읽기:* 같은 환자에게 한 질문 셋입니다. 막대는 걸린 시간, left는 남은 용의자의 수입니다. `★`에서 하나가 남았고, 그 뒤의 빗금 친 막대는 알려 준 것이 없습니다.
+
+# %% [markdown] lang="en" name="break-it" slide="slide"
+# ## Break it: two causes
+#
+# On the night shift there are two. **Predict:** the localiser is not running, and behind that the laser's mount is wrong. You start the localiser. What does RViz say, and where is the scan?
+
+# %% [markdown] lang="ko" name="break-it" slide="slide"
+# ## 일부러 고장 내기: 원인이 둘
+#
+# 밤에는 원인이 둘입니다. **예측해 봅시다.** 위치 추정 노드가 꺼져 있고, 그 뒤에 레이저의 장착이 틀렸습니다. 위치 추정 노드를 켜면 RViz는 무엇이라고 하고, 스캔은 어디에 있을까요?
+
+# %% name="night" tags=["predicted"]
+night = lesson.admit(lesson.night_shift(4))
+
+# %% name="night-fix" tags=["predicted"]
+night.take('node list')
+night.take('use_sim_time')
+night.say(cause='localizer not running', frame='odom', owner='localization', fix='start localization')
+night.try_fix()
+
+# %% [markdown] lang="en" name="night-seen" tags=["predicted"]
+# The first cause is gone, RViz is all Ok, and the scan is beside the walls: the second was there all along, and could not be seen. Cure one, and examine again from the start.
+
+# %% [markdown] lang="ko" name="night-seen" tags=["predicted"]
+# 첫 원인은 사라지고 RViz는 모두 Ok인데, 스캔은 벽에서 어긋나 있습니다. 두 번째 원인은 처음부터 있었지만 보이지 않았습니다. 하나를 고치면 처음부터 다시 진찰하십시오.
+
+# %% [markdown] lang="en" name="doctor" slide="subslide"
+# A machine helps, and does not know what you meant. `doctor(graph)`, shown all eighteen robots, has a word on fourteen, rightly leaves one in peace, and is silent about three: a Fixed Frame that somebody typed, a mount that is merely elsewhere, a header that names a real frame. Those look like a robot that somebody wanted so. Only the card knows.
+
+# %% [markdown] lang="ko" name="doctor" slide="subslide"
+# 기계는 도와주지만 여러분의 뜻은 모릅니다. 열여덟 대를 모두 `doctor(graph)`에 보이면 열넷에는 할 말이 있고, 하나는 옳게 그냥 두며, 셋에는 말이 없습니다. 사람이 틀리게 입력한 Fixed Frame, 그저 다른 곳에 있는 장착, 실제로 있는 다른 좌표계를 적은 header입니다. 누군가 일부러 그렇게 한 로봇처럼 보이기 때문입니다. 카드만이 압니다.
+
+# %% [markdown] lang="en" name="checkpoint" slide="slide"
+# ## Checkpoint
+#
+# RViz shows no scan. What do you do in the first minute?
+#
+# 1. Swap the laser's cable.
+# 2. Restart everything.
+# 3. Read RViz's own list: what does it say it could not do?
+# 4. Give the lookup a longer timeout.
+#
+# <details><summary>I chose 1</summary>
+#
+# Half an hour, and the list in RViz may well say that messages arrive. It counts them.
+#
+# </details>
+# <details><summary>I chose 2</summary>
+#
+# The same nodes come back with the same settings, and what you could have read is gone.
+#
+# </details>
+# <details><summary>I chose 3</summary>
+#
+# Yes. “No messages received”, “Frame [x] does not exist” and “into the future” are three different thirds of all suspects, for a glance.
+#
+# </details>
+# <details><summary>I chose 4</summary>
+#
+# That is a fix, and there is no diagnosis yet. If the clock is wrong, the scan will be back, in the wrong place.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="checkpoint" slide="slide"
+# ## 마무리 점검
+#
+# RViz에 스캔이 없습니다. 처음 1분 동안 무엇을 합니까?
+#
+# 1. 레이저의 케이블을 바꿉니다.
+# 2. 모두 다시 켭니다.
+# 3. RViz의 목록을 읽습니다. 무엇을 못 했다고 합니까?
+# 4. 조회의 timeout을 늘립니다.
+#
+# <details><summary>1번을 골랐습니다</summary>
+#
+# 30분이 걸립니다. 그런데 RViz 목록에는 메시지가 온다고 적혀 있을지 모릅니다. 개수까지 세어 줍니다.
+#
+# </details>
+# <details><summary>2번을 골랐습니다</summary>
+#
+# 같은 노드가 같은 설정으로 돌아오고, 읽을 수 있었던 것은 사라집니다.
+#
+# </details>
+# <details><summary>3번을 골랐습니다</summary>
+#
+# 맞습니다. “No messages received”, “Frame [x] does not exist”, “into the future”는 한 번 보는 것만으로 용의자를 셋으로 나눕니다.
+#
+# </details>
+# <details><summary>4번을 골랐습니다</summary>
+#
+# 아직 진단이 없는데 처치부터 했습니다. 시계가 틀렸다면 스캔은 돌아오지만 틀린 자리에 놓입니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="on-the-robot" slide="slide"
+# ## On a real robot
+#
+# ```
+# ros2 node list
+# ros2 run tf2_tools view_frames
+# ros2 run tf2_ros tf2_echo odom base_footprint 20   # at 20 Hz: smooth, or to and fro
+# ros2 topic info /tf --verbose                      # who may speak; not who speaks
+# ros2 topic delay /scan                             # the stamp against the clock
+# ros2 param get /localization use_sim_time
+# ros2 node info /ekf_filter_node
+# ```
+#
+# To see who owns an edge, stop one node at a time and look whether the edge goes on: wheels off the ground, and the emergency stop in your hand.
+
+# %% [markdown] lang="ko" name="on-the-robot" slide="slide"
+# ## 실제 로봇에서
+#
+# ```
+# ros2 node list
+# ros2 run tf2_tools view_frames
+# ros2 run tf2_ros tf2_echo odom base_footprint 20   # at 20 Hz: smooth, or to and fro
+# ros2 topic info /tf --verbose                      # who may speak; not who speaks
+# ros2 topic delay /scan                             # the stamp against the clock
+# ros2 param get /localization use_sim_time
+# ros2 node info /ekf_filter_node
+# ```
+#
+# 누가 연결을 발행하는지 보려면 노드를 하나씩 멈추고 연결이 계속 오는지 봅니다. 바퀴는 바닥에서 띄우고 비상 정지 버튼을 손에 쥐고 하십시오.
+
+# %% [markdown] lang="en" name="twelve" slide="skip"
+# <details><summary>Deeper: the lecture's twelve mistakes (§29), and the patient that has each</summary>
+#
+# | the mistake | who has it |
+# |---|---|
+# | numbers without a frame | header says another frame; header says base_link |
+# | the sensor's stamp overwritten on arrival | the plaster “stamp on arrival” |
+# | target and source swapped | chapter 03 |
+# | a quaternion of zeros | quaternion of zeros |
+# | what is bolted on, sent on /tf for ever | chapter 06, and E12.5 |
+# | what moves, sent as static, or too seldom | odometry slow |
+# | one child published by several nodes | two owners of one edge; localizer owns the base |
+# | a longer timeout hides a clock | laser clock ahead, with the plaster “timeout of 1 s” |
+# | the pose in map used for control | nothing is wrong: it corrects |
+# | a bag with sensors only | chapter 10, and E12.5 |
+# | prefix and namespace taken for one | parent misspelt, and E12.5 |
+# | “RViz shows nothing, so the sensor is broken” | every patient with “sensor broken” on the lips |
+#
+# </details>
+
+# %% [markdown] lang="ko" name="twelve" slide="skip"
+# <details><summary>더 깊이: 강의의 열두 가지 실수(29장)와 그 환자</summary>
+#
+# | 실수 | 그 환자 |
+# |---|---|
+# | 좌표계 없는 숫자 | header says another frame, header says base_link |
+# | 수신 시각으로 측정 시각을 덮음 | 반창고 “stamp on arrival” |
+# | 목표와 원본이 뒤바뀜 | 03장 |
+# | 모두 0인 쿼터니언 | quaternion of zeros |
+# | 고정된 것을 /tf로 계속 보냄 | 06장, E12.5 |
+# | 움직이는 것을 정적으로, 또는 너무 드물게 보냄 | odometry slow |
+# | 같은 자식을 여러 노드가 발행 | two owners of one edge, localizer owns the base |
+# | timeout만 늘려 시계 오류를 숨김 | laser clock ahead와 반창고 “timeout of 1 s” |
+# | map 기준 포즈로 제어 | nothing is wrong(보정일 뿐) |
+# | 센서만 기록한 bag | 10장, E12.5 |
+# | prefix와 네임스페이스를 같게 여김 | parent misspelt, E12.5 |
+# | RViz에 안 보이면 센서 고장 | “sensor broken”부터 떠올린 모든 환자 |
+#
+# </details>
+
+# %% [markdown] lang="en" name="recap" slide="slide"
+# ## What to keep
+#
+# - An [[owner]] is a node, a source of data and a switch. Each edge has one: not two, and not none.
+# - A [[second-owner|second owner]] raises no error. Ask twenty times a second, and count how often the edge comes.
+# - A complaint is not a cause. A check is worth what it rules out; ask what your [[suspect|suspects]] would answer differently.
+# - Stop when one is left. A fix is proved by the check that found the fault.
+
+# %% [markdown] lang="ko" name="recap" slide="slide"
+# ## 정리
+#
+# - [[owner|발행 책임]]은 노드, 데이터, 스위치입니다. 연결마다 발행자는 하나입니다. 둘도, 없음도 안 됩니다.
+# - [[second-owner|두 번째 발행자]]는 오류를 내지 않습니다. 1초에 스무 번 묻고, 연결이 얼마나 자주 오는지 세어 보세요.
+# - 증상은 원인이 아닙니다. 검사의 값어치는 무엇을 지우느냐에 있습니다. [[suspect|용의자]]들의 답이 다를 것을 물으십시오.
+# - 하나가 남으면 멈추십시오. 고쳤다는 증거는 고장을 찾아낸 검사에 있습니다.
+
+# %% [markdown] lang="en" name="from-before" slide="subslide"
+# ### Three questions from earlier chapters
+#
+# 1. A localiser finds the robot on the map. Which edge does it send, and from which two poses?
+# 2. Why can a volatile publisher's mount be right for one listener and missing for the next?
+# 3. “Extrapolation into the future”: what do you compare, and with which two numbers?
+#
+# <details><summary>Answers</summary>
+#
+# 1. `map → odom`, from `map_T_base` and the wheels' `odom_T_base` of the same stamp.
+# 2. Volatile is heard by whoever is there already; latched (transient local) also by whoever comes later.
+# 3. The stamp asked for with the newest stamp in the buffer.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="from-before" slide="subslide"
+# ### 앞 장 복습: 세 문제
+#
+# 1. 위치 추정 노드가 지도에서 로봇을 찾았습니다. 어느 연결을, 어떤 두 포즈로 보냅니까?
+# 2. volatile로 보낸 장착이 어떤 수신기에는 있고 다음 수신기에는 없는 까닭은 무엇입니까?
+# 3. “Extrapolation into the future”에서 견주는 두 숫자는 무엇입니까?
+#
+# <details><summary>답</summary>
+#
+# 1. `map → odom`입니다. 같은 시각의 `map_T_base`와 바퀴의 `odom_T_base`로 구합니다.
+# 2. volatile은 그때 있던 쪽만 듣습니다. transient local은 나중에 온 쪽도 듣습니다.
+# 3. 요청 시각과 버퍼에 있는 가장 새로운 측정 시각입니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="practice" slide="subslide"
+# ### Practice questions · Q4, Q14 and Q15
+#
+# **4.** Two nodes publish the same child. What can be seen? Write three or four sentences.
+#
+# <details><summary>What a full answer holds</summary>
+#
+# - [ ] No error: TF2 takes every sample, whoever sends it.
+# - [ ] With the same parent the pose goes to and fro, and a lookup in between gives a place that nobody said.
+# - [ ] With different parents the tree itself changes, and a part of it is unreachable by turns.
+# - [ ] `view_frames` shows one parent; the edge's rate and values at 20 Hz show the second owner.
+#
+# </details>
+#
+# **14.** How are the transforms divided between URDF, odometry, EKF and localisation? Write three or four sentences.
+#
+# <details><summary>What a full answer holds</summary>
+#
+# - [ ] URDF, through robot_state_publisher: everything bolted on and every joint, and no driver repeats it.
+# - [ ] Odometry *or* the EKF: `odom → base_footprint`; where the EKF fuses, the wheels' switch is off, and /odom goes on as data.
+# - [ ] Localisation: `map → odom`, and never the base.
+# - [ ] One owner for each edge, written down as node, source and switch.
+#
+# </details>
+#
+# **15.** A wall smears while the robot drives. In which order do you look? Name at least five steps.
+#
+# <details><summary>What a full answer holds</summary>
+#
+# - [ ] Fixed Frame and names, then the tree.
+# - [ ] The mount's value, standing still.
+# - [ ] Delays and rates of the edges, and the scan's own frame, stamp and clock.
+# - [ ] Publishers and their switches last.
+# - [ ] No new sensor and no longer timeout among them: they show no fact.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="practice" slide="subslide"
+# ### 서술형 문제 · Q4, Q14, Q15
+#
+# **4.** 같은 자식을 두 노드가 발행하면 어떤 증상이 나타납니까? 서너 문장으로 써 보세요.
+#
+# <details><summary>완전한 답에 들어 있는 것</summary>
+#
+# - [ ] 오류는 나지 않습니다. TF2는 누가 보내든 표본을 모두 받습니다.
+# - [ ] 부모가 같으면 포즈가 오락가락하고, 그 사이를 조회하면 아무도 말한 적 없는 자리가 나옵니다.
+# - [ ] 부모가 다르면 트리 자체가 바뀌고, 한 부분이 번갈아 끊어집니다.
+# - [ ] `view_frames`에는 부모가 하나만 보입니다. 연결의 빈도와 20 Hz로 본 값이 두 번째 발행자를 드러냅니다.
+#
+# </details>
+#
+# **14.** URDF, 오도메트리, EKF, 위치 추정은 변환의 발행 책임을 어떻게 나눕니까? 서너 문장으로 써 보세요.
+#
+# <details><summary>완전한 답에 들어 있는 것</summary>
+#
+# - [ ] URDF는 robot_state_publisher를 통해 고정된 것과 관절을 모두 맡고, 드라이버는 되풀이하지 않습니다.
+# - [ ] `odom → base_footprint`는 오도메트리나 EKF *가운데 하나*가 맡습니다. EKF가 융합하면 바퀴의 스위치를 끄고, /odom은 데이터로 계속 보냅니다.
+# - [ ] 위치 추정은 `map → odom`을 맡고, base는 건드리지 않습니다.
+# - [ ] 연결마다 발행자는 하나이고, 노드와 데이터와 스위치를 적어 둡니다.
+#
+# </details>
+#
+# **15.** 로봇이 달릴 때 벽이 번집니다. 어떤 순서로 살펴봅니까? 다섯 걸음 넘게 써 보세요.
+#
+# <details><summary>완전한 답에 들어 있는 것</summary>
+#
+# - [ ] Fixed Frame과 이름, 그다음 트리를 봅니다.
+# - [ ] 서 있을 때 장착의 값을 봅니다.
+# - [ ] 연결의 지연과 빈도, 그리고 스캔의 좌표계, 측정 시각, 시계를 봅니다.
+# - [ ] 발행자와 스위치는 마지막입니다.
+# - [ ] 새 센서와 긴 timeout은 들어 있지 않습니다. 사실을 보여 주지 않기 때문입니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="exit-ticket" slide="slide"
+# ## Exit ticket
+#
+# > A colleague says: “I set a timeout of one second, and now RViz is green. Fixed.” Which check do you ask him to repeat, and what would it have to say?
+#
+# <details><summary>Compare</summary>
+#
+# The one that found the fault. If it was `delay /scan`, it has to say what the card says; as long as it is negative, the points lie beside the walls, in green.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="exit-ticket" slide="slide"
+# ## 마무리하며
+#
+# > 동료가 말합니다. “timeout을 1초로 했더니 RViz가 초록색이야. 고쳤어.” 어떤 검사를 다시 해 보라고 하겠습니까? 그 결과는 어떠해야 합니까?
+#
+# <details><summary>맞춰 보기</summary>
+#
+# 고장을 찾아낸 그 검사입니다. `delay /scan`이었다면 카드와 같은 값이 나와야 합니다. 음수인 동안에는 초록색이어도 점이 벽에서 어긋나 있습니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="next" slide="skip"
+# **Next:** the exercises, [E12 Owners and diagnosis](../../exercises/en/E12_owners_and_diagnosis.ipynb), with three patients of your own. This was the last chapter; [the start page](00_start.ipynb) shows what you have passed, and what is left.
+# After a pass, or three tries, `solution("E12.1")` shows a solution there. To start a page over, delete its file and type `tflab lab`.
+
+# %% [markdown] lang="ko" name="next" slide="skip"
+# **다음:** 연습 문제 [E12 발행 책임과 진단](../../exercises/ko/E12_owners_and_diagnosis.ipynb)을 풀어 보세요. 여러분만의 환자 세 명이 기다립니다. 이것이 마지막 장입니다. [시작 페이지](00_start.ipynb)에서 통과한 것과 남은 것을 볼 수 있습니다.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E12.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력하세요.

@@ -1,0 +1,332 @@
+# %% [markdown] lang="en" name="title"
+# # Exercises 12 · Who says so?
+#
+# Seven tasks, 30 points, about 90 minutes. The page they belong to: [12 · Who says so?](../../notebooks/en/12_owners_and_diagnosis.ipynb)
+#
+# Write your answer where it says `...` or `your turn`, run the cell, then run the check below it.
+# A wrong answer is told which mistake it looks like. `hint("E12.1")` gives the first of three hints.
+# What `task(...)` gives may differ from your neighbour's. Your patients are your own.
+
+# %% [markdown] lang="ko" name="title"
+# # 연습 문제 12 · 누가 그렇게 말합니까?
+#
+# 과제 일곱 개, 30점, 90분쯤 걸립니다. 함께 보는 페이지: [12 · 누가 그렇게 말합니까?](../../notebooks/ko/12_owners_and_diagnosis.ipynb)
+#
+# `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 셀을 실행한 다음, 아래의 확인 셀을 실행해 보세요.
+# 틀린 답을 내면 어떤 실수로 보이는지 알려 줍니다. `hint("E12.1")`은 세 힌트 가운데 첫 번째를 보여 줍니다.
+# `task(...)`가 주는 것은 옆 사람과 다를 수 있습니다. 환자도 저마다 다릅니다.
+
+# %% name="load"
+# %load_ext tflab
+from tflab.workbook import check, hint, lesson, solution, task
+
+# %% [markdown] lang="en" name="e12-1"
+# ## E12.1 · Who says what (4 points)
+#
+# A robot with wheels, an imu, a lidar and an arm. Its packages hold `amcl` and `slam_toolbox`, an `ekf_filter_node`, and a lidar driver that "also publishes TF". All of them send what their switch lets them.
+# `task` says what the robot is for: with a map that is there it is localised by `amcl`; while the map is being made, by `slam_toolbox`; without a map nobody sends `map → odom`.
+#
+# Name the owner of each edge, one of `"amcl"`, `"slam_toolbox"`, `"wheel_odometry"`, `"ekf_filter_node"`, `"lidar_driver"`, `"joint_driver"`, `"robot_state_publisher"`, `"nobody"`, and set each switch to `True` or `False`.
+
+# %% [markdown] lang="ko" name="e12-1"
+# ## E12.1 · 누가 무엇을 말합니까? (4점)
+#
+# 바퀴, imu, 라이다, 팔이 있는 로봇입니다. 패키지에는 `amcl`과 `slam_toolbox`, `ekf_filter_node`, 그리고 "TF도 발행하는" 라이다 드라이버가 들어 있습니다. 모두 스위치가 켜져 있으면 보냅니다.
+# 로봇의 쓰임새는 `task`가 알려 줍니다. 지도가 있으면(a map is there) `amcl`이, 지도를 만드는 중이면(the map is being made) `slam_toolbox`가 위치를 찾고, 지도가 없으면(no map at all) 아무도 `map → odom`을 보내지 않습니다.
+#
+# 연결마다 발행자를 `"amcl"`, `"slam_toolbox"`, `"wheel_odometry"`, `"ekf_filter_node"`, `"lidar_driver"`, `"joint_driver"`, `"robot_state_publisher"`, `"nobody"` 가운데서 고르고, 스위치는 `True`나 `False`로 정하십시오.
+
+# %% name="e12-1-given"
+e12_1 = task("E12.1")
+
+# %% name="e12-1-answer" tags=["answer"]
+owners = {
+    # BEGIN SOLUTION
+    "map -> odom": {"a map is there": "amcl", "no map at all": "nobody"}.get(e12_1.map_frame, "slam_toolbox"),
+    "odom -> base_footprint": "ekf_filter_node" if "ekf" in e12_1.odometry else "wheel_odometry",
+    "base_footprint -> base_link": "robot_state_publisher",
+    "base_link -> laser_frame": "robot_state_publisher",
+    "wrist -> tool0": "robot_state_publisher",
+    "amcl tf_broadcast": e12_1.map_frame == "a map is there",
+    "slam_toolbox publishes": e12_1.map_frame == "the map is being made",
+    "wheel_odometry enable_odom_tf": "ekf" not in e12_1.odometry,
+    "ekf publish_tf": "ekf" in e12_1.odometry,
+    "lidar_driver publish_tf": False,
+    # END SOLUTION
+}
+
+# %% name="e12-1-check" tags=["check"]
+check("E12.1", owners)
+
+# %% [markdown] lang="en" name="e12-2"
+# ## E12.2 · Five terminals (4 points)
+#
+# Five terminals on five robots, and each shows what its tools printed about `odom → base_footprint`. The card of the healthy robot is the one from the page. For each terminal, from `"first"` to `"fifth"`:
+#
+# - `"… state"`: `"one owner"`, `"nobody"`, `"two owners"`, `"another edge"` or `"a misspelt parent"`
+# - `"… node"`: who has to change: `"wheel_odometry"`, `"ekf_filter_node"`, `"localization"`, `"laser_mount"` or `"none"`
+# - `"… cure"`: `"leave it as it is"`, `"start wheel_odometry"`, `"ekf_filter_node: publish_tf false"`, `"localization: send map -> odom"` or `"wheel_odometry: parent odom"`
+
+# %% [markdown] lang="ko" name="e12-2"
+# ## E12.2 · 터미널 다섯 개 (4점)
+#
+# 로봇 다섯 대의 터미널입니다. 저마다 `odom → base_footprint`에 관해 도구가 출력한 것을 보여 줍니다. 정상일 때의 카드는 이 장의 것과 같습니다. `"first"`부터 `"fifth"`까지 터미널마다 답하십시오.
+#
+# - `"… state"`: `"one owner"`, `"nobody"`, `"two owners"`, `"another edge"`, `"a misspelt parent"` 가운데 하나
+# - `"… node"`: 고쳐야 할 노드. `"wheel_odometry"`, `"ekf_filter_node"`, `"localization"`, `"laser_mount"`, `"none"` 가운데 하나
+# - `"… cure"`: `"leave it as it is"`, `"start wheel_odometry"`, `"ekf_filter_node: publish_tf false"`, `"localization: send map -> odom"`, `"wheel_odometry: parent odom"` 가운데 하나
+
+# %% name="e12-2-given"
+e12_2 = task("E12.2")
+
+# %% name="e12-2-answer" tags=["answer"]
+# BEGIN SOLUTION
+KNOWN = {  # how each state shows: in what was printed, or in which tool was asked
+    "Failure at": ("another edge", "localization", "localization: send map -> odom"),
+    "node list": ("nobody", "wheel_odometry", "start wheel_odometry"),
+    "view_frames": ("a misspelt parent", "wheel_odometry", "wheel_odometry: parent odom"),
+    "topic info": ("one owner", "none", "leave it as it is"),
+    "tf2_echo": ("two owners", "ekf_filter_node", "ekf_filter_node: publish_tf false"),
+}
+terminals = {}
+for place, text in vars(e12_2).items():
+    told = next(told for word, told in KNOWN.items() if word in text)
+    terminals |= dict(zip((f"{place} state", f"{place} node", f"{place} cure"), told, strict=True))
+# END SOLUTION
+
+# %% name="e12-2-check" tags=["check"]
+check("E12.2", terminals)
+
+# %% [markdown] lang="en" name="e12-3"
+# ## E12.3 · The first question (3 points)
+#
+# Ten symptoms, and the trolley of the page (`hz /odom`, `node list`, `view_frames`, … and besides `"longer timeout"` and `"read the code"`). For each: what do you ask **first**? The cheapest check that tells its two suspects apart.
+#
+# - **no frame map** RViz knows no `map`. Is the localiser off, or does it wait?
+# - **odom stands alone** /odom comes, and no edge below `odom`. Is the switch off, or the parent misspelt?
+# - **robot to and fro** the robot jumps in `odom`. Two owners, or a bad wheel?
+# - **scan beside the walls** green, and 20 cm off even standing still. A wrong mount, or a wrong map?
+# - **walls smear in bends** sharp while the robot stands. The scan's clock, or the mount?
+# - **into the future** the scan flickers. The laser's clock, or late transforms?
+# - **localizer silent** the node is there and sends nothing. Does it wait for /clock, or for a scan?
+# - **unknown frame** RViz: For frame [x]: Frame [x] does not exist. A misspelt header, or a missing mount?
+# - **static late joiner** whoever starts later never hears a mount. Volatile, or never sent?
+# - **slow robot** scans are shown, but in steps. A slow odometry, or a slow scan?
+
+# %% [markdown] lang="ko" name="e12-3"
+# ## E12.3 · 첫 질문 (3점)
+#
+# 열 가지 증상입니다. 이 장의 트롤리(`hz /odom`, `node list`, `view_frames` …)에 `"longer timeout"`과 `"read the code"`가 더 있습니다. 무엇을 **먼저** 물어보겠습니까? 두 용의자를 가르는 가장 싼 검사를 고르십시오.
+#
+# - **no frame map** RViz가 `map`을 모릅니다. 위치 추정 노드가 꺼졌습니까, 기다립니까?
+# - **odom stands alone** /odom은 오는데 `odom` 아래에 연결이 없습니다. 스위치가 꺼졌습니까, 부모 이름이 틀렸습니까?
+# - **robot to and fro** `odom` 기준으로 로봇이 튑니다. 발행자가 둘입니까, 바퀴가 나쁩니까?
+# - **scan beside the walls** 초록색인데 서 있어도 20 cm 어긋납니다. 장착이 틀렸습니까, 지도가 틀렸습니까?
+# - **walls smear in bends** 서 있으면 또렷한데 돌면 번집니다. 스캔의 시계입니까, 장착입니까?
+# - **into the future** 스캔이 깜빡입니다. 레이저의 시계입니까, 늦은 변환입니까?
+# - **localizer silent** 노드는 있는데 아무것도 보내지 않습니다. /clock을 기다립니까, 스캔을 기다립니까?
+# - **unknown frame** RViz: For frame [x]: Frame [x] does not exist. header가 틀렸습니까, 장착이 없습니까?
+# - **static late joiner** 늦게 켠 쪽은 장착을 듣지 못합니다. volatile입니까, 보낸 적이 없습니까?
+# - **slow robot** 스캔이 나오기는 하는데 뚝뚝 끊깁니다. 오도메트리가 느립니까, 스캔이 느립니까?
+
+# %% name="e12-3-answer" tags=["answer"]
+first = {
+    # BEGIN SOLUTION
+    "no frame map": "node list",
+    "odom stands alone": "publish_tf",
+    "robot to and fro": "echo odom base_footprint",
+    "scan beside the walls": "echo base_link laser_frame",
+    "walls smear in bends": "delay /scan",
+    "into the future": "delay /scan",
+    "localizer silent": "use_sim_time",
+    "unknown frame": "scan header",
+    "static late joiner": "info /tf_static",
+    "slow robot": "hz /odom",
+    # END SOLUTION
+}
+
+# %% name="e12-3-check" tags=["check"]
+check("E12.3", first)
+
+# %% [markdown] lang="en" name="e12-4"
+# ## E12.4 · Three patients (6 points)
+#
+# Three robots of your own: `e12_4.a`, `e12_4.b`, `e12_4.c`. Examine each as on the page: `visit = lesson.admit(e12_4.a)`, `visit.ask("...")`, `visit.say(cause=..., fix=...)`, `visit.try_fix()`; or `lesson.clinic_panel(e12_4.a, helped=False)`. Twelve minutes each.
+#
+# For each patient, `"a ..."`, `"b ..."` and `"c ..."`:
+#
+# - `"a checks"`: a list of checks that **would have been enough**, in their order: within twelve minutes, every other suspect of the complaint ruled out, something sick shown, and nothing asked after that
+# - `"a cause"`: one of the eighteen suspects, or `"sensor broken"`
+# - `"a frame"`: whose place is not right: `"map"`, `"odom"`, `"base_footprint"`, `"laser_frame"`, `"all that move"` or `"none"`; for an edge, its child
+# - `"a owner"`: who has to change: `"localization"`, `"wheel_odometry"`, `"ekf_filter_node"`, `"laser_mount"`, `"laser_driver"`, `"rviz"`, `"network"` or `"nobody"`
+# - `"a fix"`: one of those that `visit.fixes()` prints
+
+# %% [markdown] lang="ko" name="e12-4"
+# ## E12.4 · 환자 세 명 (6점)
+#
+# 여러분의 로봇 세 대 `e12_4.a`, `e12_4.b`, `e12_4.c`입니다. 이 장에서처럼 진찰하십시오. `visit = lesson.admit(e12_4.a)`, `visit.ask("...")`, `visit.say(cause=..., fix=...)`, `visit.try_fix()`를 쓰거나, `lesson.clinic_panel(e12_4.a, helped=False)`를 씁니다. 한 명에 12분입니다.
+#
+# 환자마다 `"a ..."`, `"b ..."`, `"c ..."`로 답합니다.
+#
+# - `"a checks"`: **이것으로 충분했을** 검사의 리스트(순서대로). 12분을 넘지 않고, 그 증상의 다른 용의자를 모두 지우고, 아픈 곳을 보여 주며, 그 뒤에는 아무것도 묻지 않아야 합니다.
+# - `"a cause"`: 용의자 열여덟 가운데 하나, 또는 `"sensor broken"`
+# - `"a frame"`: 자리가 틀린 좌표계. `"map"`, `"odom"`, `"base_footprint"`, `"laser_frame"`, `"all that move"`, `"none"` 가운데 하나. 연결이라면 그 자식입니다.
+# - `"a owner"`: 바뀌어야 할 쪽. `"localization"`, `"wheel_odometry"`, `"ekf_filter_node"`, `"laser_mount"`, `"laser_driver"`, `"rviz"`, `"network"`, `"nobody"` 가운데 하나
+# - `"a fix"`: `visit.fixes()`가 보여 주는 것 가운데 하나
+
+# %% name="e12-4-given"
+e12_4 = task("E12.4")
+
+# %% name="e12-4-answer" tags=["answer"]
+# BEGIN SOLUTION
+from tflab.clinic.cures import DIAGNOSES
+from tflab.clinic.proof import fitting, shortest_proof
+from tflab.clinic.trolley import TROLLEY
+
+patients = {}
+for who, patient in vars(e12_4).items():  # nobody on a visit may read all of it; a solution for any patient has to
+    (cause,) = fitting({key: check.kind(patient.ask(key)) for key, check in TROLLEY.items()})
+    told = {"checks": (cause, shortest_proof(cause)), "cause": cause, **DIAGNOSES[cause]._asdict()}
+    patients |= {f"{who} {what}": answer for what, answer in told.items()}
+# END SOLUTION
+
+# %% name="e12-4-check" tags=["check"]
+check("E12.4", patients)
+
+# %% [markdown] lang="en" name="e12-5"
+# ## E12.5 · A robot from its specification (5 points)
+#
+# A second robot joins the first in one room, on one map: `e12_5.robot` is its name. It has wheels with odometry, an imu that may be fused (`e12_5.fused`), and a sensor `e12_5.sensor` with a link (`…_link`) on `base_link` and an optical frame (`…_optical_frame`) below that. Its frames are `odom`, `base_footprint`, `base_link` and the sensor's two, each with the name and a slash before it; `map` is shared.
+#
+# - `"tree"`: child → parent
+# - `"moving"`, `"mounts"`: the topic, `"/tf"` or `"/tf_static"`, of what moves and of what is bolted on
+# - `"odom owner"`, `"mounts owner"`: `"localization"`, `"wheel_odometry"`, `"ekf_filter_node"`, `"robot_state_publisher"` or `"camera_driver"`
+# - `"wheel_odometry publish_tf"`, `"ekf publish_tf"`, `"camera_driver publish_tf"`: `True` or `False`
+# - `"bag"`: the topics to record, so that tomorrow the tree is whole
+#
+# Then `lesson.launch_answer(robot, e12_5)` launches it just as you wrote it, and shows it in the small RViz.
+
+# %% [markdown] lang="ko" name="e12-5"
+# ## E12.5 · 사양서로 만드는 로봇 (5점)
+#
+# 같은 방, 같은 지도에 두 번째 로봇이 들어옵니다. 이름은 `e12_5.robot`입니다. 바퀴의 오도메트리가 있고, imu를 융합할 수도 있으며(`e12_5.fused`), 센서 `e12_5.sensor`의 link(`…_link`)가 `base_link`에, optical frame(`…_optical_frame`)이 그 아래에 있습니다. 좌표계는 `odom`, `base_footprint`, `base_link`와 센서의 둘이고, 저마다 앞에 이름과 빗금이 붙습니다. `map`은 함께 씁니다.
+#
+# - `"tree"`: 자식 → 부모
+# - `"moving"`, `"mounts"`: 움직이는 것과 고정된 것의 토픽. `"/tf"` 또는 `"/tf_static"`
+# - `"odom owner"`, `"mounts owner"`: `"localization"`, `"wheel_odometry"`, `"ekf_filter_node"`, `"robot_state_publisher"`, `"camera_driver"` 가운데 하나
+# - `"wheel_odometry publish_tf"`, `"ekf publish_tf"`, `"camera_driver publish_tf"`: `True` 또는 `False`
+# - `"bag"`: 내일도 트리가 온전하도록 기록할 토픽
+#
+# 그다음 `lesson.launch_answer(robot, e12_5)`를 실행하면 쓴 그대로 로봇을 띄워 작은 RViz로 보여 줍니다.
+
+# %% name="e12-5-given"
+e12_5 = task("E12.5")
+
+# %% name="e12-5-answer" tags=["answer"]
+# BEGIN SOLUTION
+own, sensor = f"{e12_5.robot}/", f"{e12_5.robot}/{e12_5.sensor}"
+names = [own + "odom", own + "base_footprint", own + "base_link", f"{sensor}_link", f"{sensor}_optical_frame"]
+robot = {
+    "tree": dict(zip(names, ["map", *names], strict=False)),
+    **{"moving": "/tf", "mounts": "/tf_static", "bag": {"/tf", "/tf_static"}},
+    "odom owner": "ekf_filter_node" if e12_5.fused else "wheel_odometry",
+    "mounts owner": "robot_state_publisher",
+    "wheel_odometry publish_tf": not e12_5.fused,
+    "ekf publish_tf": e12_5.fused,
+    "camera_driver publish_tf": False,
+}
+# END SOLUTION
+
+# %% name="e12-5-check" tags=["check"]
+check("E12.5", robot)
+
+# %% [markdown] lang="en" name="e12-6"
+# ## E12.6 · The wall that smears (3 points)
+#
+# The lecture's last question: in the middle of a drive a straight wall appears two and three times over. Eight cards lie on the table:
+#
+# - **new sensor** put another laser on
+# - **mount** `tf2_echo base_link laser_frame` against the drawing
+# - **publishers** who sends which edge, and which switches are on
+# - **fixed frame** names: the Fixed Frame, and the frames in RViz's list
+# - **longer timeout** let RViz wait longer
+# - **header** the scan's own frame and stamp, and the clock it comes from
+# - **tree** does `view_frames` show one tree?
+# - **rates** delays and rates of the edges
+#
+# Choose six, in the order in which you would look, from cheap and coarse to dear and fine: `"first"` to `"sixth"`.
+
+# %% [markdown] lang="ko" name="e12-6"
+# ## E12.6 · 번지는 벽 (3점)
+#
+# 강의의 마지막 문제입니다. 달리는 도중에 곧은 벽이 두 겹, 세 겹으로 보입니다. 카드 여덟 장이 있습니다.
+#
+# - **new sensor** 레이저를 새것으로 바꾼다
+# - **mount** `tf2_echo base_link laser_frame`을 도면과 견준다
+# - **publishers** 누가 어느 연결을 보내고 어느 스위치가 켜졌는지 본다
+# - **fixed frame** 이름: Fixed Frame과 RViz 목록의 좌표계를 본다
+# - **longer timeout** RViz가 더 오래 기다리게 한다
+# - **header** 스캔의 좌표계와 측정 시각, 그 시각을 준 시계를 본다
+# - **tree** `view_frames`의 트리가 하나인지 본다
+# - **rates** 연결의 지연과 빈도를 본다
+#
+# 여섯 장을 골라 살펴볼 순서대로, 싸고 굵은 것부터 비싸고 가는 것까지 `"first"`에서 `"sixth"`에 놓으십시오.
+
+# %% name="e12-6-answer" tags=["answer"]
+steps = {
+    # BEGIN SOLUTION
+    "first": "fixed frame",
+    "second": "tree",
+    "third": "mount",
+    "fourth": "rates",
+    "fifth": "header",
+    "sixth": "publishers",
+    # END SOLUTION
+}
+
+# %% name="e12-6-check" tags=["check"]
+check("E12.6", steps)
+
+# %% [markdown] lang="en" name="e12-7"
+# ## E12.7 · A program that makes the rounds (5 points)
+#
+# All that is known is “It does not work”: eighteen suspects, twelve minutes. `patient.ask(check)` costs its minutes and returns a finding in a line, such as `"all Ok"`, `"-0.295 s, std dev 0.000 s"`, `"True"` or `"not in one tree"`; the page shows them all.
+# Return `patient.verdict(cause, frame)`. It carries what you asked, and that has to be a proof: all seventeen others ruled out, in time, and nothing asked after that.
+
+# %% [markdown] lang="ko" name="e12-7"
+# ## E12.7 · 회진하는 프로그램 (5점)
+#
+# 아는 것은 “작동하지 않습니다”뿐입니다. 용의자는 열여덟, 시간은 12분입니다. `patient.ask(check)`는 그만큼의 분을 쓰고 한 줄짜리 소견을 반환합니다. `"all Ok"`, `"-0.295 s, std dev 0.000 s"`, `"True"`, `"not in one tree"` 같은 것이고, 이 장에 모두 있습니다.
+# `patient.verdict(cause, frame)`을 반환하십시오. 물어본 것이 함께 담기며, 그것이 증명이어야 합니다. 나머지 열일곱을 시간 안에 모두 지우고, 그 뒤에는 아무것도 묻지 않아야 합니다.
+
+
+# %% name="e12-7-answer" tags=["answer"]
+def triage(patient):
+    """Return the verdict on a patient of whom nothing is known."""
+    # BEGIN SOLUTION
+    from tflab.clinic.cures import DIAGNOSES
+    from tflab.clinic.proof import SUSPECTS, TROLLEY, fitting, worth
+
+    left = SUSPECTS
+    for _ in SUSPECTS:
+        if len(left) != 1:
+            check = max(TROLLEY, key=lambda key: worth(key, left))
+            left = fitting({check: TROLLEY[check].kind(patient.ask(check))}, left)
+    (cause,) = left
+    return patient.verdict(cause, DIAGNOSES[cause].frame)
+    # END SOLUTION
+
+# %% name="e12-7-check" tags=["check"]
+check("E12.7", triage)
+
+# %% [markdown] lang="en" name="after"
+# ## What you have shown
+#
+# You have named owners, read terminals, proved causes with the fewest questions, and drawn up a robot. Grading asks the same with other robots; your program will meet patients that nobody has seen.
+# On a robot, take the card with you: without a normal nothing is abnormal.
+
+# %% [markdown] lang="ko" name="after"
+# ## 여기까지 해낸 것
+#
+# 발행자의 이름을 대고, 터미널을 읽고, 가장 적은 질문으로 원인을 증명하고, 로봇 한 대를 설계했습니다. 채점은 다른 로봇으로 같은 것을 묻습니다. 프로그램은 아무도 본 적 없는 환자를 만납니다.
+# 로봇 앞에 갈 때는 카드를 가지고 가십시오. 정상을 모르면 이상도 없습니다.

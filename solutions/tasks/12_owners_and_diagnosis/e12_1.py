@@ -1,0 +1,130 @@
+"""E12.1: Who says what."""
+
+from __future__ import annotations
+
+from tflab.workbook.tasks import Choice, Parts, Slip, Task, Words
+
+NODES = ("amcl", "slam_toolbox", "wheel_odometry", "ekf_filter_node", "lidar_driver", "joint_driver",
+         "robot_state_publisher", "nobody")  # fmt: skip
+EDGES = ("map -> odom", "odom -> base_footprint", "base_footprint -> base_link", "base_link -> laser_frame",
+         "wrist -> tool0")  # fmt: skip
+SWITCHES = ("amcl tf_broadcast", "slam_toolbox publishes", "wheel_odometry enable_odom_tf", "ekf publish_tf",
+            "lidar_driver publish_tf")  # fmt: skip
+LOCALIZERS = {"a map is there": "amcl", "the map is being made": "slam_toolbox", "no map at all": "nobody"}
+
+
+def a_robot(rng):
+    """Draw what the robot is for, and whether wheels and imu are fused."""
+    return {
+        "map_frame": str(rng.choice(list(LOCALIZERS))),
+        "odometry": str(rng.choice(["wheels alone", "wheels and imu, fused by ekf_filter_node"])),
+    }
+
+
+def owners(given, *, odom="one", localizer="its edge", switches="as needed", lidar="quiet", arm="by the drawing"):
+    """Return the owner of each edge and every switch, step by step; other steps are the slips."""
+    finder = LOCALIZERS[given.map_frame]
+    fused = "ekf" in given.odometry
+    wheels = "ekf_filter_node" if fused else "wheel_odometry"
+    answers = {
+        "map -> odom": finder,
+        "odom -> base_footprint": wheels,
+        "base_footprint -> base_link": "robot_state_publisher",
+        "base_link -> laser_frame": "robot_state_publisher",
+        "wrist -> tool0": "robot_state_publisher",
+        "amcl tf_broadcast": finder == "amcl",
+        "slam_toolbox publishes": finder == "slam_toolbox",
+        "wheel_odometry enable_odom_tf": not fused,
+        "ekf publish_tf": fused,
+        "lidar_driver publish_tf": False,
+    }
+    if odom == "both":
+        answers |= {"wheel_odometry enable_odom_tf": True, "ekf publish_tf": True}
+    if localizer == "the base":
+        answers["odom -> base_footprint"] = "amcl" if finder == "nobody" else finder
+    if switches == "all off":
+        answers |= dict.fromkeys(SWITCHES, False)
+    if lidar == "repeats":
+        answers |= {"lidar_driver publish_tf": True, "base_link -> laser_frame": "lidar_driver"}
+    if arm == "by the driver":
+        answers["wrist -> tool0"] = "joint_driver"
+    return answers
+
+
+BOTH_ON = Slip(
+    "both switches on",
+    {"odom": "both"},
+    Words(
+        en="Two nodes send odom → base_footprint now. TF2 takes both, without an error, and the robot goes to and fro. One has to be switched off.",
+        ko="이제 두 노드가 odom → base_footprint를 보냅니다. TF2는 오류 없이 둘 다 받고, 로봇은 오락가락합니다. 하나는 꺼야 합니다.",
+    ),
+    "M6",
+)
+
+LOCALIZER_OWNS_BASE = Slip(
+    "localizer owns the base",
+    {"localizer": "the base"},
+    Words(
+        en="A localiser finds the robot on the map, and yet sends no edge to base_footprint: that frame has its parent. Who turns the wheels' counts into a pose?",
+        ko="위치 추정 노드는 지도에서 로봇을 찾지만 base_footprint로 가는 연결은 보내지 않습니다. 그 좌표계에는 부모가 있습니다. 바퀴의 회전을 포즈로 바꾸는 것은 누구입니까?",
+    ),
+    "M7",
+)
+
+ALL_OFF = Slip(
+    "all switches off",
+    {"switches": "all off"},
+    Words(
+        en="With every switch off nobody sends the moving edges, and the tree falls apart. Each edge needs one owner: not two, and not none.",
+        ko="스위치를 모두 끄면 움직이는 연결을 아무도 보내지 않아 트리가 나뉩니다. 연결마다 발행자가 하나 있어야 합니다. 둘도, 없음도 안 됩니다.",
+    ),
+    "M6",
+)
+
+DRIVER_REPEATS = Slip(
+    "driver repeats the mount",
+    {"lidar": "repeats"},
+    Words(
+        en="The mount stands in the URDF, and robot_state_publisher says it once, as a static transform. A driver that says it again is a second owner.",
+        ko="장착 위치는 URDF에 있고, robot_state_publisher가 정적 변환으로 한 번 말합니다. 드라이버가 또 말하면 두 번째 발행자입니다.",
+    ),
+    "M12",
+)
+
+ARM_BY_DRIVER = Slip(
+    "arm by its driver",
+    {"arm": "by the driver"},
+    Words(
+        en="joint_driver sends angles on /joint_states, no transforms. Who turns angles and a URDF into frames?",
+        ko="joint_driver가 보내는 것은 /joint_states의 각도이지 변환이 아닙니다. 각도와 URDF로 좌표계를 만드는 것은 누구입니까?",
+    ),
+    "M12",
+)
+
+
+TASK = Task(
+    id="E12.1",
+    kind="O",
+    points=4,
+    title=Words(en="Who says what", ko="누가 무엇을 말합니까?"),
+    answer="owners",
+    form=Parts(
+        {**{edge: Choice(NODES) for edge in EDGES}, **{switch: Choice(("True", "False")) for switch in SWITCHES}}
+    ),
+    given=a_robot,
+    variants=6,
+    model=owners,
+    twins=(BOTH_ON, LOCALIZER_OWNS_BASE, ALL_OFF, DRIVER_REPEATS, ARM_BY_DRIVER),
+    hints=(
+        Words(en="Go edge by edge: whose data is it made of?", ko="연결마다 물어보세요. 누구의 데이터로 만듭니까?"),
+        Words(
+            en="One owner each. Where a filter takes over an edge, its former owner is switched off.",
+            ko="발행자는 하나씩입니다. 필터가 연결을 넘겨받으면 전 발행자의 스위치를 끕니다.",
+        ),
+        Words(
+            en="What is bolted on or turned by a joint comes from the URDF, so from robot_state_publisher; every driver keeps quiet.",
+            ko="고정된 것과 관절로 도는 것은 URDF에서, 곧 robot_state_publisher에서 옵니다. 드라이버는 말하지 않습니다.",
+        ),
+    ),
+    cures=("M6", "M7", "M12"),
+)

@@ -1,0 +1,176 @@
+"""E12.2: Five terminals."""
+
+from __future__ import annotations
+
+import re
+
+from tflab.clinic.archive import Admission, patients
+from tflab.clinic.causes import draw_numbers
+from tflab.workbook.tasks import Choice, Parts, Slip, Task, Words
+
+STATES = ("one owner", "nobody", "two owners", "another edge", "a misspelt parent")
+NODES = ("wheel_odometry", "ekf_filter_node", "localization", "laser_mount", "none")
+CURES = (
+    "leave it as it is",
+    "start wheel_odometry",
+    "ekf_filter_node: publish_tf false",
+    "localization: send map -> odom",
+    "wheel_odometry: parent odom",
+)
+# What each terminal shows: of which cause, with which checks.
+TERMINALS = {
+    "one owner": ("nothing is wrong", ("info /tf", "echo odom base_footprint")),
+    "nobody": ("odometry not running", ("echo odom base_footprint", "node list")),
+    "two owners": ("two owners of one edge", ("echo odom base_footprint",)),
+    "another edge": ("localizer owns the base", ("echo map odom", "echo odom base_footprint")),
+    "a misspelt parent": ("parent misspelt", ("echo odom base_footprint", "view_frames")),
+}
+NODE_OF = dict(
+    zip(TERMINALS, ("none", "wheel_odometry", "ekf_filter_node", "localization", "wheel_odometry"), strict=True)
+)
+CURE_OF = dict(zip(TERMINALS, CURES, strict=True))
+PLACES = ("first", "second", "third", "fourth", "fifth")
+LINES = 26  # of a reading
+
+
+def five(rng):
+    """Draw five robots, run their tools, and put what they print into any order."""
+    numbers = [draw_numbers(rng) for _ in TERMINALS]
+    made = patients([Admission((cause,), drawn) for (cause, _), drawn in zip(TERMINALS.values(), numbers, strict=True)])
+    shown = [_shown(patient, checks) for patient, (_, checks) in zip(made, TERMINALS.values(), strict=True)]
+    return {place: shown[int(number)] for place, number in zip(PLACES, rng.permutation(len(shown)), strict=True)}
+
+
+def _shown(patient, checks):
+    from tflab.clinic.trolley import TROLLEY
+
+    texts = []
+    for check in checks:
+        _, text, _ = patient.reading(check)
+        short = re.sub(r"\n- Rotation.*?(?=\nAt time|\nFailure|\n\[|\Z)", "", text, flags=re.DOTALL)
+        short = re.sub(r"(?s)\nThe current list of frames is:.*?(?=\nAt time|\nFailure|\Z)", "", short)
+        texts.append("\n".join([f"$ {TROLLEY[check].command}", *short.splitlines()[:LINES]]))
+    return "\n".join(texts)
+
+
+def state_of(text):
+    """Return what a terminal shows."""
+    if "Failure at" in text:
+        return "another edge"
+    if "node list" in text:
+        return "nobody"
+    if "view_frames" in text:
+        return "a misspelt parent"
+    return "one owner" if "topic info" in text else "two owners"
+
+
+def told(given, *, odm="misspelt", calm="one", count="endpoints", another="another edge", nobody="nobody"):
+    """Return state, node and cure of each terminal, step by step; other steps are the slips."""
+    answers = {}
+    for place in PLACES:
+        state = state_of(getattr(given, place))
+        node, cure = NODE_OF[state], CURE_OF[state]
+        if state == "a misspelt parent" and odm == "node down":
+            state, cure = "nobody", "start wheel_odometry"
+        if state == "two owners" and calm == "healthy":
+            state, node, cure = "one owner", "none", "leave it as it is"
+        if state == "one owner" and count == "owners" and node == "none":
+            state, node, cure = "two owners", "ekf_filter_node", "ekf_filter_node: publish_tf false"
+        if state == "another edge" and another == "two owners":
+            state = "two owners"
+        if (
+            state == "nobody"
+            and nobody == "switch"
+            and node == "wheel_odometry"
+            and "node list" in getattr(given, place)
+        ):
+            node, cure = "localization", "localization: send map -> odom"
+        answers |= {f"{place} state": state, f"{place} node": node, f"{place} cure": cure}
+    return answers
+
+
+MISSPELT_AS_DOWN = Slip(
+    "misspelt read as down",
+    {"odm": "node down"},
+    Words(
+        en="A frame is not connected there, and the node runs and sends. Read the roots of the tree: one of them nobody ever meant.",
+        ko="좌표계가 이어지지 않았을 뿐, 노드는 실행 중이고 보내고 있습니다. 트리의 뿌리를 읽어 보세요. 아무도 뜻하지 않은 이름이 하나 있습니다.",
+    ),
+    "M11",
+)
+
+TWO_AS_HEALTHY = Slip(
+    "two owners taken for healthy",
+    {"calm": "healthy"},
+    Words(
+        en="No error is no health. Read the translations one after the other: no robot drives like that.",
+        ko="오류가 없다고 건강한 것은 아닙니다. Translation을 차례로 읽어 보세요. 그렇게 달리는 로봇은 없습니다.",
+    ),
+    "M6",
+)
+
+COUNT_AS_OWNERS = Slip(
+    "count taken for owners",
+    {"count": "owners"},
+    Words(
+        en="`topic info /tf` counts whoever may speak on /tf, for all edges together. Three publishers are three nodes with an edge each.",
+        ko="`topic info /tf`는 /tf에서 말할 수 있는 노드를 모든 연결에 대해 셉니다. 발행자 셋은 연결을 하나씩 가진 노드 셋입니다.",
+    ),
+    "M6",
+)
+
+ANOTHER_AS_TWO = Slip(
+    "another edge taken for two owners",
+    {"another": "two owners"},
+    Words(
+        en="Two owners of *one* edge never tear the tree apart. Here the question itself fails by turns: a child changes its parent.",
+        ko="*한* 연결의 발행자가 둘이어도 트리가 끊어지지는 않습니다. 여기서는 질문 자체가 번갈아 실패합니다. 자식의 부모가 바뀌는 것입니다.",
+    ),
+    "M7",
+)
+
+WRONG_ONE_BLAMED = Slip(
+    "localiser blamed",
+    {"nobody": "switch"},
+    Words(
+        en="Compare the list of nodes with the card: who of them should send odom → base_footprint, and is not there?",
+        ko="노드 목록을 카드와 견주어 보세요. odom → base_footprint를 보내야 하는데 없는 것은 누구입니까?",
+    ),
+    "M7",
+)
+
+
+TASK = Task(
+    id="E12.2",
+    kind="D",
+    points=4,
+    title=Words(en="Five terminals", ko="터미널 다섯 개"),
+    answer="terminals",
+    form=Parts(
+        {
+            f"{place} {what}": Choice(options)
+            for place in PLACES
+            for what, options in (("state", STATES), ("node", NODES), ("cure", CURES))
+        }
+    ),
+    given=five,
+    variants=3,
+    is_costly=True,
+    model=told,
+    twins=(MISSPELT_AS_DOWN, TWO_AS_HEALTHY, COUNT_AS_OWNERS, ANOTHER_AS_TWO, WRONG_ONE_BLAMED),
+    hints=(
+        Words(
+            en="Which edge is it about? Then: does it come, from whom, and is it the same edge each time?",
+            ko="어느 연결의 이야기입니까? 그 연결이 옵니까, 누구에게서 옵니까, 올 때마다 같은 연결입니까?",
+        ),
+        Words(
+            en="Read numbers in their order, roots by their names, and lists against the card.",
+            ko="숫자는 차례로, 뿌리는 이름을, 목록은 카드와 견주어 읽으십시오.",
+        ),
+        Words(
+            en="To and fro: two owners. Answers by turns: another edge. A root on no card: misspelt. A name missing from the list: nobody.",
+            ko="오락가락하면 발행자가 둘, 답이 나오다 말다 하면 다른 연결, 카드에 없는 뿌리면 틀린 이름, 목록에 이름이 없으면 아무도 없는 것입니다.",
+        ),
+    ),
+    cures=("M6", "M7", "M11"),
+)

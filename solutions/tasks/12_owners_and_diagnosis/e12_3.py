@@ -1,0 +1,124 @@
+"""E12.3: The first question."""
+
+from __future__ import annotations
+
+from tflab.clinic.trolley import TROLLEY
+from tflab.workbook.tasks import Choice, Parts, Task, Twin, Words
+
+OTHERS = ("longer timeout", "read the code")
+CHECKS = (*(key for key in TROLLEY if key != "rviz"), *OTHERS)
+RIGHT = {
+    "no frame map": "node list",
+    "odom stands alone": "publish_tf",
+    "robot to and fro": "echo odom base_footprint",
+    "scan beside the walls": "echo base_link laser_frame",
+    "walls smear in bends": "delay /scan",
+    "into the future": "delay /scan",
+    "localizer silent": "use_sim_time",
+    "unknown frame": "scan header",
+    "static late joiner": "info /tf_static",
+    "slow robot": "hz /odom",
+}
+
+
+def but(*symptoms, check):
+    return {**RIGHT, **dict.fromkeys(symptoms, check)}
+
+
+CABLE = Twin(
+    "cable first",
+    but(*RIGHT, check="other cable"),
+    Words(
+        en="Half an hour, and each of these symptoms comes with data that flows. Ask a question for a minute first.",
+        ko="30분이 걸립니다. 그런데 이 증상들은 모두 데이터가 잘 오는데도 생깁니다. 먼저 1분짜리 질문을 하십시오.",
+    ),
+    "M15",
+    partly=True,
+)
+
+TIMEOUT = Twin(
+    "timeout first",
+    but(*RIGHT, check="longer timeout"),
+    Words(
+        en="A timeout asks nothing, it only hides. What comes late will come; what never comes, or is stamped wrong, stays so.",
+        ko="timeout은 질문이 아니라 가림막입니다. 늦는 것은 오겠지만, 오지 않는 것과 시각이 틀린 것은 그대로입니다.",
+    ),
+    "M10",
+    partly=True,
+)
+
+CODE = Twin(
+    "code first",
+    but(*RIGHT, check="read the code"),
+    Words(
+        en="The lecture says it in its last line: facts from the graph first, then code. Which tool shows the fact?",
+        ko="강의 27장의 마지막 줄입니다. 코드보다 그래프의 사실이 먼저입니다. 그 사실을 보여 주는 도구는 무엇입니까?",
+    ),
+    partly=True,
+)
+
+MONITOR_FOR_OWNERS = Twin(
+    "monitor for owners",
+    but("robot to and fro", check="monitor"),
+    Words(
+        en="tf2_monitor names nobody: every line says <no authority available>. Ask for the values at 20 Hz and watch whether they alternate.",
+        ko="tf2_monitor는 아무의 이름도 대지 못합니다. 줄마다 <no authority available>입니다. 값을 20 Hz로 물어 번갈아 나오는지 보십시오.",
+    ),
+    "M6",
+)
+
+MONITOR_FOR_A_SMEAR = Twin(
+    "monitor for a smear",
+    but("walls smear in bends", check="monitor"),
+    Words(
+        en="tf2_monitor measures transforms, and these are on time. It is the scan whose stamp is wrong, and the tool does not look at scans.",
+        ko="tf2_monitor는 변환의 지연을 잽니다. 변환은 제때 옵니다. 시각이 틀린 것은 스캔인데, 이 도구는 스캔을 보지 않습니다.",
+    ),
+    "M9",
+)
+
+NODE_DOWN = Twin(
+    "surely a node is down",
+    but("odom stands alone", "localizer silent", check="node list"),
+    Words(
+        en="/odom comes, so that node is there, and so is a localiser that waits. A list of names shows no switch.",
+        ko="/odom이 오므로 그 노드는 있습니다. 기다리는 위치 추정 노드도 마찬가지입니다. 이름 목록에는 스위치가 보이지 않습니다.",
+    ),
+    "M11",
+    partly=True,
+)
+
+TAPE = Twin(
+    "tape measure",
+    but("scan beside the walls", check="tape measure"),
+    Words(
+        en="In the end, perhaps. But first look for a minute at what TF believes: it may not be what the drawing says.",
+        ko="나중에는 필요할지도 모릅니다. 먼저 TF가 무엇을 믿는지 1분만 보십시오. 도면과 다를 수 있습니다.",
+    ),
+)
+
+
+TASK = Task(
+    id="E12.3",
+    kind="D",
+    points=3,
+    title=Words(en="The first question", ko="첫 질문"),
+    answer="first",
+    form=Parts({symptom: Choice(CHECKS) for symptom in RIGHT}),
+    twins=(CABLE, TIMEOUT, CODE, MONITOR_FOR_OWNERS, MONITOR_FOR_A_SMEAR, NODE_DOWN, TAPE),
+    hints=(
+        Words(
+            en="Name two suspects for each symptom. Which check would they answer differently?",
+            ko="증상마다 용의자를 둘 떠올려 보세요. 둘의 답이 다를 검사는 무엇입니까?",
+        ),
+        Words(
+            en="Each of the ten has a check of one or two minutes.",
+            ko="열 가지 모두 1, 2분짜리 검사가 있습니다.",
+        ),
+        Words(
+            en="What does the symptom hang on: a node, a switch, a value, a header, a rate, a delay, a durability?",
+            ko="증상이 무엇에 달렸습니까? 노드, 스위치, 값, header, 빈도, 지연, durability 가운데 무엇입니까?",
+        ),
+    ),
+    cures=("M6", "M9", "M10", "M11", "M15"),
+)

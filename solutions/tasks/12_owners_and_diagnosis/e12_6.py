@@ -1,0 +1,86 @@
+"""E12.6: The wall that smears."""
+
+from __future__ import annotations
+
+from tflab.workbook.tasks import Choice, Parts, Task, Twin, Words
+
+ORDER = ("fixed frame", "tree", "mount", "rates", "header", "publishers")
+CARDS = (*ORDER, "new sensor", "longer timeout")
+RIGHT = dict(zip(("first", "second", "third", "fourth", "fifth", "sixth"), ORDER, strict=True))
+
+
+def in_this_order(*cards):
+    return dict(zip(RIGHT, cards, strict=True))
+
+
+SENSOR_FIRST = Twin(
+    "sensor first",
+    in_this_order("new sensor", *ORDER[:5]),
+    Words(
+        en="The points come ten times a second and are sharp while the robot stands. A new sensor smears just the same. Begin with names, which cost nothing.",
+        ko="점은 1초에 열 번 오고, 로봇이 서 있으면 또렷합니다. 새 센서도 똑같이 번집니다. 돈이 들지 않는 이름부터 보십시오.",
+    ),
+    "M15",
+)
+
+TIMEOUT_AMONG_THEM = Twin(
+    "timeout among them",
+    in_this_order("fixed frame", "tree", "longer timeout", "mount", "rates", "header"),
+    Words(
+        en="Nothing is missing in this picture, so nothing is gained by waiting. A timeout is no check: it shows no fact.",
+        ko="이 그림에는 빠진 것이 없으니 기다려도 얻을 것이 없습니다. timeout은 검사가 아닙니다. 사실을 보여 주지 않습니다.",
+    ),
+    "M10",
+)
+
+NO_STAMP = Twin(
+    "ends before the stamp",
+    in_this_order("fixed frame", "tree", "mount", "rates", "publishers", "new sensor"),
+    Words(
+        en="You never look at the message itself: its frame, its stamp, the clock it came from. A smear in bends is a question of the moment.",
+        ko="메시지 자체를 보지 않습니다. 좌표계, 측정 시각, 그 시각을 준 시계를 보아야 합니다. 굽은 길에서 번지는 것은 시각의 문제입니다.",
+    ),
+    "M9",
+)
+
+PUBLISHERS_FIRST = Twin(
+    "publishers first",
+    in_this_order("publishers", "fixed frame", "tree", "mount", "rates", "header"),
+    Words(
+        en="Counting publishers is the sixth step of six: it costs most and says least as long as nobody knows which edge it is about.",
+        ko="발행자 세기는 여섯 걸음 가운데 마지막입니다. 어느 연결이 문제인지 모를 때는 가장 비싸고 알려 주는 것도 가장 적습니다.",
+    ),
+    "M6",
+)
+
+VALUE_BEFORE_TREE = Twin(
+    "value before the tree",
+    in_this_order("fixed frame", "mount", "tree", "rates", "header", "publishers"),
+    Words(
+        en="A value can be read only where there is a way: first whether the frames hang together, then what an edge says.",
+        ko="값은 길이 있어야 읽을 수 있습니다. 먼저 좌표계가 이어졌는지 보고, 그다음에 연결의 값을 봅니다.",
+    ),
+)
+
+
+TASK = Task(
+    id="E12.6",
+    kind="D",
+    points=3,
+    title=Words(en="The wall that smears", ko="번지는 벽"),
+    answer="steps",
+    form=Parts({place: Choice(CARDS) for place in RIGHT}),
+    twins=(SENSOR_FIRST, TIMEOUT_AMONG_THEM, NO_STAMP, PUBLISHERS_FIRST, VALUE_BEFORE_TREE),
+    hints=(
+        Words(en="Cheap and coarse first, dear and fine last.", ko="싸고 굵은 것이 먼저, 비싸고 가는 것이 나중입니다."),
+        Words(
+            en="Names, then connections, then values, then times, then the message, then who sends.",
+            ko="이름, 연결, 값, 시간, 메시지, 발행자 순서입니다.",
+        ),
+        Words(
+            en="Two cards are no checks: one buys something, the other waits.",
+            ko="두 카드는 검사가 아닙니다. 하나는 새로 사는 것이고 하나는 기다리는 것입니다.",
+        ),
+    ),
+    cures=("M6", "M9", "M10", "M15"),
+)

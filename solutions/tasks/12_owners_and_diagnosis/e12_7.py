@@ -1,0 +1,207 @@
+"""E12.7: A program that treats patients whom nobody has seen."""
+
+from __future__ import annotations
+
+from tflab.clinic.cures import DIAGNOSES
+from tflab.workbook.tasks import Choice, Parts, Proof, Slip, Task, Words
+
+from .draws import CAUSES, FRAMES, everything, one_of_each
+
+
+def eighteen(rng):
+    """One patient of each cause."""
+    return [(patient,) for patient in one_of_each(rng)]
+
+
+def treat(
+    patient,
+    *,
+    asks="what splits",
+    map_lost="by nodes",
+    robot_lost="by publish_tf",
+    scan_lost="by the log",
+    future="by rate",
+    green="in turn",
+    jumps="correction",
+):
+    """Return the verdict, step by step; other steps are the slips."""
+    if asks == "everything":
+        for check in everything():
+            patient.ask(check)
+    cause = _cause(patient, map_lost, robot_lost, scan_lost, future, green, jumps)
+    return patient.verdict(cause, DIAGNOSES[cause].frame if cause in DIAGNOSES else "laser_frame")
+
+
+def _cause(patient, map_lost, robot_lost, scan_lost, future, green, jumps):
+    screen = patient.ask("rviz")
+    if "Fixed Frame" in screen:
+        return _without_map(patient, screen, map_lost)
+    if "no transform" in screen:
+        return _without_robot(patient, screen, robot_lost)
+    if "unknown" in screen:
+        if scan_lost == "sensor":
+            return "sensor broken"
+        if "[laser_frame]" not in screen:
+            return "header says another frame"
+        log = patient.ask("echo base_link laser_frame")
+        return "quaternion of zeros" if "DENORMALIZED" in log else "mount volatile"
+    if "future" in screen:
+        if future == "late":
+            return "transforms late"
+        hz, spread = patient.ask("hz /odom").split(" Hz, std dev ")
+        if float(hz) < 10.0:
+            return "odometry slow"
+        return "transforms late" if float(spread.split()[0]) > 0.02 else "laser clock ahead"
+    return _all_green(patient, green, jumps)
+
+
+def _without_map(patient, screen, map_lost):
+    if "not listed" not in screen:
+        return "Fixed Frame misspelt"
+    if map_lost == "node down":
+        return "localizer not running"
+    return "localizer waits for /clock" if "localization" in patient.ask("node list") else "localizer not running"
+
+
+def _without_robot(patient, screen, robot_lost):
+    if robot_lost == "node down":
+        return "odometry not running"
+    if "foreign" in screen:
+        return "parent misspelt"
+    value = patient.ask("publish_tf")
+    if value == "True":
+        return "localizer owns the base" if robot_lost == "by publish_tf" else "two owners of one edge"
+    return "publish_tf off" if value == "False" else "odometry not running"
+
+
+def _all_green(patient, green, jumps):
+    if green == "all is well":
+        return "nothing is wrong"
+    if "ekf_filter_node" in patient.ask("node list"):
+        return "two owners of one edge"
+    if patient.ask("echo base_link laser_frame") != "0.200, 0.000, 0.150":
+        return "mount wrong"
+    if patient.ask("scan header") == "base_link":
+        return "header says base_link"
+    if float(patient.ask("delay /scan").split()[0]) > 0.2:
+        return "laser clock behind"
+    return "nothing is wrong" if jumps == "correction" else "localizer owns the base"
+
+
+EVERYTHING = Slip(
+    "everything asked",
+    {"asks": "everything"},
+    Words(
+        en="Your program asks the whole trolley before it thinks. A proof ends when the last rival is struck, and it has twelve minutes.",
+        ko="프로그램이 생각하기 전에 트롤리 전체를 묻습니다. 증명은 마지막 경쟁자가 지워질 때 끝나고, 시간은 12분입니다.",
+    ),
+)
+
+NO_NODE_NO_MAP = Slip(
+    "map gone, node down",
+    {"map_lost": "node down"},
+    Words(
+        en="Where map is missing your program blames a node that is not running. A node can run and wait: which check tells the two apart?",
+        ko="map이 없으면 프로그램이 노드가 꺼졌다고 합니다. 켜져 있으면서 기다리는 노드도 있습니다. 둘을 가르는 검사는 무엇입니까?",
+    ),
+    "M11",
+)
+
+NO_NODE_NO_ROBOT = Slip(
+    "robot gone, node down",
+    {"robot_lost": "node down"},
+    Words(
+        en="Where the robot is missing your program always blames a node that is not running. A misspelt parent and a switch look the same on the map.",
+        ko="로봇이 안 보이면 프로그램이 늘 노드가 꺼졌다고 합니다. 틀린 부모 이름이나 꺼진 스위치도 지도에서는 똑같아 보입니다.",
+    ),
+    "M11",
+)
+
+SECOND_PARENT = Slip(
+    "second parent taken for a second owner",
+    {"robot_lost": "two owners"},
+    Words(
+        en="Two nodes that send *different* edges to one child are no second owner of one edge: the tree itself changes to and fro.",
+        ko="두 노드가 한 자식에게 *서로 다른* 연결을 보내는 것은 한 연결의 두 번째 발행자가 아닙니다. 트리 자체가 오락가락합니다.",
+    ),
+    "M7",
+)
+
+SENSOR = Slip(
+    "sensor broken",
+    {"scan_lost": "sensor"},
+    Words(
+        en="Where the scan is missing your program blames the sensor. RViz has the messages; it names the frame that it does not know.",
+        ko="스캔이 안 보이면 프로그램이 센서를 탓합니다. RViz는 메시지를 받았고, 모르는 좌표계의 이름을 댑니다.",
+    ),
+    "M15",
+)
+
+ALWAYS_LATE = Slip(
+    "future means late",
+    {"future": "late"},
+    Words(
+        en="“Into the future” does not always mean that transforms are late. A clock that is ahead says the same, and so does an odometry at 2 Hz.",
+        ko="“into the future”가 늘 변환이 늦다는 뜻은 아닙니다. 앞선 시계도, 2 Hz로 느린 오도메트리도 같은 말을 합니다.",
+    ),
+    "M10",
+)
+
+ALL_IS_WELL = Slip(
+    "green means well",
+    {"green": "all is well"},
+    Words(
+        en="Where RViz is green your program sends the patient home. A wrong mount, a wrong header, a late clock and a second owner are all green.",
+        ko="RViz가 초록색이면 프로그램이 환자를 돌려보냅니다. 틀린 장착, 틀린 header, 늦은 시계, 두 번째 발행자도 모두 초록색입니다.",
+    ),
+    "M6",
+)
+
+A_STEP_IS_A_FAULT = Slip(
+    "a correction taken for a fault",
+    {"jumps": "fault"},
+    Words(
+        en="Your program finds a fault in a robot that has none. A step of map → odom is a correction; that is what the edge is for.",
+        ko="아무 이상이 없는 로봇에서 고장을 찾아냅니다. map → odom이 튀는 것은 보정입니다. 그러라고 있는 연결입니다.",
+    ),
+    "M8",
+)
+
+
+TASK = Task(
+    id="E12.7",
+    kind="F",
+    points=5,
+    title=Words(en="A program that makes the rounds", ko="회진하는 프로그램"),
+    answer="triage",
+    form=Parts({"cause": Choice(CAUSES), "frame": Choice(FRAMES), "proof": Proof(whole=True)}),
+    inputs=eighteen,
+    variants=1,
+    is_costly=True,
+    model=treat,
+    twins=(
+        EVERYTHING,
+        NO_NODE_NO_MAP,
+        NO_NODE_NO_ROBOT,
+        SECOND_PARENT,
+        SENSOR,
+        ALWAYS_LATE,
+        ALL_IS_WELL,
+        A_STEP_IS_A_FAULT,
+    ),
+    hints=(
+        Words(
+            en='Begin with the check that splits best: `patient.ask("rviz")` tells six complaints apart for a minute.',
+            ko='가장 잘 가르는 검사로 시작하십시오. `patient.ask("rviz")`는 1분에 여섯 증상을 가릅니다.',
+        ),
+        Words(
+            en="Then one question for each complaint: node list, publish_tf, hz /odom, echo base_link laser_frame.",
+            ko="그다음은 증상마다 질문 하나입니다. node list, publish_tf, hz /odom, echo base_link laser_frame.",
+        ),
+        Words(
+            en="Where all is green, rule out one suspect a question, and return as soon as one is found; last remains that nothing is wrong.",
+            ko="모두 초록색이면 질문마다 용의자를 하나씩 지우고, 찾으면 바로 반환하십시오. 끝까지 남는 것은 이상 없음입니다.",
+        ),
+    ),
+    cures=("M6", "M7", "M8", "M10", "M11", "M15"),
+)

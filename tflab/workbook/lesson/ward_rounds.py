@@ -1,0 +1,102 @@
+"""How does a page let patients in?  In the language of the copy; and how long do two ways of asking take?
+
+    admit(patient)            the complaint, the card, twelve minutes
+    clinic_panel(patient)     the same with controls
+    draw_columns("flickers")  the table of a complaint: who would answer what
+    draw_both_ways()          the lecture's order beside the best question next, for all eighteen
+
+Read `capstone.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from tflab.clinic import visit
+from tflab.clinic.panel import ClinicPanel, columns_for, suspects_table
+from tflab.clinic.panel import clinic_panel as panel_of
+from tflab.clinic.patient import SickRobot
+from tflab.clinic.proof import left_after, minutes_of, order_of, rivals_of, worth
+from tflab.clinic.table import COMPLAINTS, SUSPECTS, kind_expected
+from tflab.clinic.trolley import BUDGET_MIN, TROLLEY
+from tflab.views.order import draw_minutes, draw_order
+from tflab.views.picture import Picture
+from tflab.views.suspects import SuspectsPicture, draw_suspects
+
+from ..places import read_workbook, workbook_root
+
+__all__ = [
+    "LECTURES_ORDER",
+    "admit",
+    "best_questions",
+    "clinic_panel",
+    "draw_both_ways",
+    "draw_columns",
+    "draw_questions",
+]
+
+# The lecture's six steps: names, tree, values, delays, message and clock, publishers and settings.
+LECTURES_ORDER = (
+    "rviz", "node list",
+    "view_frames",
+    "echo map base_footprint", "echo odom base_footprint", "echo base_link laser_frame",
+    "monitor",
+    "scan header", "delay /scan", "delay /odom", "use_sim_time",
+    "info /tf", "info /tf_static", "publish_tf", "echo /tf_static", "hz /odom",
+)  # fmt: skip
+
+
+def admit(patient: SickRobot, helped: bool = False) -> visit.Visit:
+    """Let a patient in, in the language of this copy; where the table helps, it strikes whom a reading does not fit."""
+    return visit.admit(patient, _language(), helped)
+
+
+def clinic_panel(patient: SickRobot, helped: bool = True) -> ClinicPanel:
+    """Return a visit with controls, in the language of this copy."""
+    return panel_of(patient, _language(), helped)
+
+
+def draw_columns(complaint: str, asked: Mapping[str, str] = {}) -> SuspectsPicture:
+    """Draw the three suspects of a complaint, and the checks that can tell them apart; "" draws all eighteen.
+
+    Raises:
+        ValueError: there is no such complaint.
+    """
+    if complaint and complaint not in COMPLAINTS:
+        raise ValueError(f'there is no complaint "{complaint}"; there is {", ".join(COMPLAINTS)}')
+    suspects = COMPLAINTS[complaint].suspects if complaint else SUSPECTS
+    return draw_suspects(suspects_table(suspects, columns_for(suspects)), asked)
+
+
+def draw_questions(cause: str, checks: Sequence[str], whole: bool = False) -> Picture:
+    """Draw what each check would cost, and who would be left after it, were it this cause."""
+    return draw_order(order_of(cause, checks, whole))
+
+
+def best_questions(cause: str) -> list[str]:
+    """Return what is asked, were it this cause, by somebody who always asks what splits most for a minute."""
+    asked: list[str] = []
+    left: tuple[str, ...] = SUSPECTS
+    while len(left) > 1:
+        check = max((check for check in TROLLEY if check not in asked), key=lambda check: worth(check, left))
+        asked.append(check)
+        left = tuple(other for other in left if kind_expected(other, check) == kind_expected(cause, check))
+    return asked
+
+
+def draw_both_ways() -> Picture:
+    """Draw the minutes that both ways take until one suspect is left, no complaint told, for each of eighteen."""
+    ways = {
+        "six steps": {cause: minutes_of(_until_clear(cause, LECTURES_ORDER)) for cause in SUSPECTS},
+        "best next": {cause: minutes_of(best_questions(cause)) for cause in SUSPECTS},
+    }
+    return draw_minutes(ways, BUDGET_MIN)
+
+
+def _until_clear(cause: str, checks: Sequence[str]) -> Sequence[str]:
+    rows = left_after(cause, rivals_of(cause, whole=True), checks)
+    return checks[: next((number for number, left in enumerate(rows, start=1) if not left), len(checks))]
+
+
+def _language() -> str:
+    return read_workbook(workbook_root()).language
