@@ -219,7 +219,7 @@ for _ in range(6):
 # Asked twenty times a second, the two take turns. Asked once a second, as `tf2_echo` does by itself, it can look calm for minutes: hence the `20`.
 
 # %% [markdown] lang="ko" name="to-and-fro-seen"
-# 1초에 스무 번 물으면 둘이 번갈아 나옵니다. `tf2_echo`의 기본값처럼 1초에 한 번 물으면 몇 분이고 얌전해 보일 수 있습니다. 그래서 끝에 `20`을 붙입니다.
+# 20 Hz로 물으면 둘이 번갈아 나옵니다. `tf2_echo`의 기본값처럼 1 Hz로 물으면 몇 분이고 얌전해 보일 수 있습니다. 그래서 끝에 `20`을 붙입니다.
 
 # %% name="stop-two" slide="skip"
 graph.stop()
@@ -562,7 +562,7 @@ night.try_fix()
 # ## 정리
 #
 # - [[owner|발행 책임]]은 노드, 데이터, 스위치입니다. 연결마다 발행자는 하나입니다. 둘도, 없음도 안 됩니다.
-# - [[second-owner|두 번째 발행자]]는 오류를 내지 않습니다. 1초에 스무 번 묻고, 연결이 얼마나 자주 오는지 세어 보세요.
+# - [[second-owner|두 번째 발행자]]는 오류를 내지 않습니다. 20 Hz로 묻고, 연결이 얼마나 자주 오는지 세어 보세요.
 # - 증상은 원인이 아닙니다. 검사의 값어치는 무엇을 지우느냐에 있습니다. [[suspect|용의자]]들의 답이 다를 것을 물으십시오.
 # - 하나가 남으면 멈추십시오. 고쳤다는 증거는 고장을 찾아낸 검사에 있습니다.
 
