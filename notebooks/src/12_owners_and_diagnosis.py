@@ -82,9 +82,9 @@ before, after, between = ..., ..., ...
 # %% name="two-owners" slide="skip"
 graph = lesson.new_graph()
 robot = lesson.TeachingRobot()
-lesson.launch(graph, robot, only=['robot_state_publisher', 'joint_driver', 'wheel_odometry', 'localization'])
+lesson.launch(graph, robot, only=["robot_state_publisher", "joint_driver", "wheel_odometry", "localization"])
 graph.run(seconds=0.01)  # no two nodes keep step on a robot
-lesson.launch(graph, robot, only=['ekf_filter_node'])
+lesson.launch(graph, robot, only=["ekf_filter_node"])
 graph.run(seconds=20.0)
 
 # %% name="count-before" tags=["predicted"] slide="fragment"
@@ -108,7 +108,7 @@ from rclpy.node import Node
 from tf2_ros import Buffer, TransformListener
 
 rclpy.init()
-node = Node('asker')
+node = Node("asker")
 buffer = Buffer()
 listener = TransformListener(buffer, node, spin_thread=True)
 
@@ -116,8 +116,9 @@ listener = TransformListener(buffer, node, spin_thread=True)
 def count_edge(seconds=4.0):
     buffer.clear()
     graph.run(seconds=seconds)
-    stamps = buffer.core.history('base_footprint').stamps_ns
-    print(f'odom -> base_footprint: {len(stamps) / seconds:.1f} a second')
+    stamps = buffer.core.history("base_footprint").stamps_ns
+    print(f"odom -> base_footprint: {len(stamps) / seconds:.1f} a second")
+
 
 # %% name="rates" tags=["predicted"] slide="fragment"
 count_edge()
@@ -125,13 +126,15 @@ count_edge()
 count_edge()
 
 # %% name="between" tags=["predicted"]
-history = buffer.core.history('base_footprint')
-moments = list(zip(history.stamps_ns, history.transforms))[-12:]
-pairs = [(a, b) for a, b in zip(moments, moments[1:]) if abs(a[1].translation[0] - b[1].translation[0]) > 0.08]
+from itertools import pairwise
+
+history = buffer.core.history("base_footprint")
+moments = list(zip(history.stamps_ns, history.transforms, strict=True))[-12:]
+pairs = [(a, b) for a, b in pairwise(moments) if abs(a[1].translation[0] - b[1].translation[0]) > 0.08]
 (first, one), (then, other) = pairs[0]
-half = buffer.core.lookup_transform('odom', 'base_footprint', (first + then) // 2).transform
-for name, pose in (('one owner', one), ('in between', half), ('the other', other)):
-    print(f'{name:<11} x {pose.translation[0]:.3f}  y {pose.translation[1]:.3f}')
+half = buffer.core.lookup_transform("odom", "base_footprint", (first + then) // 2).transform
+for name, pose in (("one owner", one), ("in between", half), ("the other", other)):
+    print(f"{name:<11} x {pose.translation[0]:.3f}  y {pose.translation[1]:.3f}")
 
 # %% [markdown] lang="en" name="between-seen" tags=["predicted"]
 # Twenty a second with one owner, fifty with two. And between the two a lookup interpolates, as between any two samples: **a place that nobody ever said**. TF2 has no memory of owners; to it both are one edge.
@@ -166,14 +169,16 @@ for name, pose in (('one owner', one), ('in between', half), ('the other', other
 # | rtabmap | `publish_tf` |
 
 # %% name="owner-table" slide="fragment"
-lesson.draw_owners([
-    ('map -> odom', 'localization', 'scan, map', 'tf_broadcast', '10.2 Hz'),
-    ('odom -> base_footprint', 'wheel_odometry', 'wheels', 'publish_tf', '20.2 Hz'),
-    ('odom -> base_footprint', 'ekf_filter_node', 'wheels, imu', 'publish_tf', '30.2 Hz'),
-    ('base_footprint -> base_link', 'robot_state_publisher', 'URDF', '', 'static'),
-    ('wrist -> tool0', 'robot_state_publisher', 'URDF', '', 'static'),
-    ('base_link -> gripper', ''),
-])
+lesson.draw_owners(
+    [
+        ("map -> odom", "localization", "scan, map", "tf_broadcast", "10.2 Hz"),
+        ("odom -> base_footprint", "wheel_odometry", "wheels", "publish_tf", "20.2 Hz"),
+        ("odom -> base_footprint", "ekf_filter_node", "wheels, imu", "publish_tf", "30.2 Hz"),
+        ("base_footprint -> base_link", "robot_state_publisher", "URDF", "", "static"),
+        ("wrist -> tool0", "robot_state_publisher", "URDF", "", "static"),
+        ("base_link -> gripper", ""),
+    ]
+)
 
 # %% [markdown] lang="en" name="owner-seen"
 # `! 2` marks an edge with two owners, `! 0` one that nobody says. The lecture's §24 asks you to fill such a table for your own robot before anything is wrong: without a normal, nothing is abnormal.
@@ -211,9 +216,9 @@ lesson.draw_owners([
 graph.run(seconds=0.005)
 for _ in range(6):
     graph.run(seconds=0.05)
-    newest = buffer.core.lookup_transform('odom', 'base_footprint', 0)
+    newest = buffer.core.lookup_transform("odom", "base_footprint", 0)
     x, y, _ = newest.transform.translation
-    print(f'{newest.stamp_ns / 1e9:.3f}  x {x:.3f}  y {y:.3f}')
+    print(f"{newest.stamp_ns / 1e9:.3f}  x {x:.3f}  y {y:.3f}")
 
 # %% [markdown] lang="en" name="to-and-fro-seen"
 # Asked twenty times a second, the two take turns. Asked once a second, as `tf2_echo` does by itself, it can look calm for minutes: hence the `20`.
@@ -274,7 +279,7 @@ graph = lesson.new_graph()
 # “스캔이 깜빡이고 future라는 말이 나온다”는 증상을 봅시다. 용의자는 셋입니다. 레이저의 **시계가 앞섰거나**, **변환이 늦거나**, **오도메트리가 느립니다**. 명령을 치기 전에 물어보세요. 셋의 답이 다를 검사는 무엇입니까?
 
 # %% name="columns" slide="fragment"
-lesson.draw_columns('flickers', {'delay /scan': 'ahead'})
+lesson.draw_columns("flickers", {"delay /scan": "ahead"})
 
 # %% [markdown] lang="en" name="columns-seen"
 # Rows are suspects, columns are checks that can tell them apart; hatched is what nobody has asked yet. `topic delay /scan` said “ahead”: two rows struck, for one minute. Each struck row is an argument; what is left is what you have proved, and what nobody would have said otherwise is no [[evidence]].
@@ -311,7 +316,7 @@ print(lesson.draw_both_ways().text)
 # 환자는 누군가 고장 낸 로봇이고, 그 로봇에서 모든 도구가 출력한 것이 들어 있습니다. 증상과 RViz 화면, 정상일 때의 카드는 거저 받습니다. 질문마다 시간이 들고, 가진 것은 12분입니다.
 
 # %% name="worked"
-visit = lesson.admit(lesson.worked_patient('laser clock ahead'), helped=True)
+visit = lesson.admit(lesson.worked_patient("laser clock ahead"), helped=True)
 
 # %% [markdown] lang="en" name="worked-think"
 # “Into the future”: the scan's stamp is newer than the newest transform. Either the stamp is too new, or the transforms are too old. One minute each way: `delay /scan` looks at the stamp.
@@ -320,7 +325,7 @@ visit = lesson.admit(lesson.worked_patient('laser clock ahead'), helped=True)
 # “Into the future”는 스캔의 측정 시각이 가장 새로운 변환보다 새롭다는 뜻입니다. 측정 시각이 너무 새롭거나 변환이 너무 오래되었습니다. `delay /scan`은 1분에 측정 시각을 봅니다.
 
 # %% name="worked-ask"
-visit.ask('ros2 topic delay /scan', because='laser clock ahead')
+visit.ask("ros2 topic delay /scan", because="laser clock ahead")
 
 # %% [markdown] lang="en" name="worked-say"
 # A negative delay: heard before it was measured. No late transform, and no slow odometry, could do that. One suspect is left, so the proof is complete after one minute. Now, and not before, a fix. First the one that everybody tries:
@@ -329,11 +334,11 @@ visit.ask('ros2 topic delay /scan', because='laser clock ahead')
 # 지연이 음수입니다. 측정하기 전에 들었다는 뜻입니다. 늦은 변환이나 느린 오도메트리로는 이럴 수 없습니다. 용의자가 하나 남았으니 1분 만에 증명이 끝났습니다. 이제 비로소 고칠 차례입니다. 먼저 누구나 해 보는 것부터 봅시다.
 
 # %% name="plaster"
-visit.say(cause='laser clock ahead', frame='laser_frame', owner='laser_driver', fix='timeout of 1 s')
+visit.say(cause="laser clock ahead", frame="laser_frame", owner="laser_driver", fix="timeout of 1 s")
 visit.try_fix()
 
 # %% name="cure"
-visit.say(cause='laser clock ahead', frame='laser_frame', owner='laser_driver', fix="set the laser's clock")
+visit.say(cause="laser clock ahead", frame="laser_frame", owner="laser_driver", fix="set the laser's clock")
 visit.try_fix()
 
 # %% [markdown] lang="en" name="cure-seen"
@@ -353,16 +358,16 @@ visit.try_fix()
 # 검사 둘은 정해져 있습니다. 원인만 대면 됩니다. `my_cause`를 채우고 처치를 부탁해 보세요. 읽은 값이 다른 용의자에게도 맞으면 거절합니다.
 
 # %% name="faded-visit"
-jumps = lesson.admit(lesson.worked_patient('two owners of one edge'))
+jumps = lesson.admit(lesson.worked_patient("two owners of one edge"))
 
 # %% name="faded-checks"
-print(jumps.take('echo odom base_footprint')[:900])
-print(jumps.take('node list'))
+print(jumps.take("echo odom base_footprint")[:900])
+print(jumps.take("node list"))
 
 # %% name="faded-yours"
 my_cause = ...  # 'two owners of one edge', 'localizer owns the base' or 'nothing is wrong'
 if my_cause is not ...:
-    jumps.say(cause=my_cause, frame='base_footprint', owner='ekf_filter_node', fix='ekf_filter_node: publish_tf false')
+    jumps.say(cause=my_cause, frame="base_footprint", owner="ekf_filter_node", fix="ekf_filter_node: publish_tf false")
     jumps.try_fix()
 
 # %% [markdown] lang="en" name="alone" slide="slide"
@@ -379,7 +384,7 @@ if my_cause is not ...:
 lesson.clinic_panel(lesson.practice_patient(7))
 
 # %% name="panel-still" slide="skip"
-lesson.draw_questions(lesson.answer_of(7), ['node list', 'hz /scan', 'view_frames'])
+lesson.draw_questions(lesson.answer_of(7), ["node list", "hz /scan", "view_frames"])
 
 # %% [markdown] lang="en" name="panel-seen"
 # Standing still, three questions to the same patient: what each cost, and who was left. `★` marks where one suspect was left; what comes after it is hatched, and told nothing.
@@ -401,9 +406,9 @@ lesson.draw_questions(lesson.answer_of(7), ['node list', 'hz /scan', 'view_frame
 night = lesson.admit(lesson.night_shift(4))
 
 # %% name="night-fix" tags=["predicted"]
-night.take('node list')
-night.take('use_sim_time')
-night.say(cause='localizer not running', frame='odom', owner='localization', fix='start localization')
+night.take("node list")
+night.take("use_sim_time")
+night.say(cause="localizer not running", frame="odom", owner="localization", fix="start localization")
 night.try_fix()
 
 # %% [markdown] lang="en" name="night-seen" tags=["predicted"]

@@ -224,16 +224,16 @@ e12_5 = task("E12.5")
 
 # %% name="e12-5-answer" tags=["answer"]
 # BEGIN SOLUTION
-own, sensor = f"{e12_5.robot}/", f"{e12_5.robot}/{e12_5.sensor}"
-names = [own + "odom", own + "base_footprint", own + "base_link", f"{sensor}_link", f"{sensor}_optical_frame"]
-robot = {
-    "tree": dict(zip(names, ["map", *names], strict=False)),
-    **{"moving": "/tf", "mounts": "/tf_static", "bag": {"/tf", "/tf_static"}},
+names = ["odom", "base_footprint", "base_link", f"{e12_5.sensor}_link", f"{e12_5.sensor}_optical_frame"]
+names = [f"{e12_5.robot}/{name}" for name in names]
+robot = {"tree": dict(zip(names, ["map", *names], strict=False)), "moving": "/tf", "mounts": "/tf_static"}
+robot |= {
     "odom owner": "ekf_filter_node" if e12_5.fused else "wheel_odometry",
     "mounts owner": "robot_state_publisher",
     "wheel_odometry publish_tf": not e12_5.fused,
     "ekf publish_tf": e12_5.fused,
     "camera_driver publish_tf": False,
+    "bag": {"/tf", "/tf_static"},
 }
 # END SOLUTION
 
@@ -315,6 +315,7 @@ def triage(patient):
     (cause,) = left
     return patient.verdict(cause, DIAGNOSES[cause].frame)
     # END SOLUTION
+
 
 # %% name="e12-7-check" tags=["check"]
 check("E12.7", triage)
