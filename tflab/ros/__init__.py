@@ -41,8 +41,8 @@ In reading order:
     messages/                                            what nodes send each other
     clock_type  duration  time                           when, and for how long
     process  virtual  wall  graph  threads  network      who lives here, and how time passes
-    qos  qos_compatibility  event_handler  names  exceptions  arguments  context  logging  logging_filters
-    entity  timer  guard_condition  publisher  subscription  service  action
+    qos  qos_compatibility  names  exceptions  arguments  context  logging  logging_filters
+    entity  event_handler  timer  guard_condition  publisher  subscription  service  action
     callback_groups  task  executors  signals
     parameter  node_parameters  parameter_service  parameter_client  parameter_event_handler
     clock  time_source

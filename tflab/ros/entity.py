@@ -1,6 +1,6 @@
 """What can an executor execute?  Timers, subscriptions, guard conditions, clients, services.
 
-Read `timer.py` next.
+Read `event_handler.py` next.
 """
 
 from __future__ import annotations

@@ -21,7 +21,6 @@ from typing import Any
 
 from tflab.core import StampedTransform
 
-from . import distro
 from .convert import msg_from_stamped, stamped_from_msg, stampeds_from_plain_msgs
 from .messages import copy_message
 from .messages.base import ros_type_of
@@ -138,7 +137,6 @@ class Topic:
             return
         policy = incompatible_policy(publisher.qos_profile, subscription.qos_profile)
         if policy is not None:
-            policy += distro.current().policy_suffix
             subscription.on_incompatible_qos(policy)
             publisher.on_incompatible_qos(policy)
             return

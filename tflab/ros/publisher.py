@@ -8,10 +8,12 @@ from __future__ import annotations
 from collections import deque
 from typing import Any
 
+from .event_handler import reporter
 from .exceptions import InvalidHandle
 from .messages import tf2_msgs
 from .network import Envelope
 from .qos import QoSProfile
+from .qos_compatibility import QoSPolicyKind, qos_policy_name_from_kind
 
 __all__ = ["Publisher"]
 
@@ -40,7 +42,7 @@ class Publisher:
         self.matched: list[Any] = []
         self.edges: dict[tuple[str, str], int] = {}
         self._sends_transforms = msg_type is tf2_msgs.TFMessage
-        self._events = event_callbacks
+        self.on_incompatible_qos = reporter(node, event_callbacks, callback_group, self._warn_of)
         self._driver = node.context.process.driver
         self._stored: deque[Envelope] | None = deque(maxlen=qos_profile.capacity) if qos_profile.is_latched else None
         self._count = 0
@@ -90,14 +92,10 @@ class Publisher:
     def assert_liveliness(self) -> None:
         """Say that it is alive; nobody doubts it here."""
 
-    def on_incompatible_qos(self, policy: str) -> None:
-        """Say that a subscription requests more than this offers."""
-        if self._events is not None and self._events.incompatible_qos is not None:
-            self._events.incompatible_qos(policy)
-            return
+    def _warn_of(self, policy: str) -> None:
         self.node.get_logger().warning(
             f"New subscription discovered on topic '{self.topic_name}', requesting incompatible QoS. No messages will "
-            f"be sent to it. Last incompatible policy: {policy}"
+            f"be sent to it. Last incompatible policy: {qos_policy_name_from_kind(QoSPolicyKind[policy])}"
         )
 
     def destroy(self) -> None:

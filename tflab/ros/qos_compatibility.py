@@ -2,17 +2,24 @@
 
 If it is less, the two are not connected, and both say so in their logs.
 
-Read `event_handler.py` next.
+Read `names.py` next.
 """
 
 from __future__ import annotations
 
 from enum import IntEnum
 
+from . import distro
 from .duration import Duration
 from .qos import DurabilityPolicy, LivelinessPolicy, QoSProfile, ReliabilityPolicy
 
-__all__ = ["QoSCompatibility", "incompatible_policy", "qos_check_compatible"]
+__all__ = [
+    "QoSCompatibility",
+    "QoSPolicyKind",
+    "incompatible_policy",
+    "qos_check_compatible",
+    "qos_policy_name_from_kind",
+]
 
 OPEN = ("SYSTEM_DEFAULT", "UNKNOWN")  # a value that leaves the decision to others
 ZERO = Duration()  # a span of zero means: no limit
@@ -24,6 +31,23 @@ class QoSCompatibility(IntEnum):
     OK = 0
     WARNING = 1
     ERROR = 2
+
+
+class QoSPolicyKind(IntEnum):
+    """Which policy an event is about."""
+
+    INVALID = 1
+    DURABILITY = 2
+    DEADLINE = 4
+    LIVELINESS = 8
+    RELIABILITY = 16
+    HISTORY = 32
+    LIFESPAN = 64
+
+
+def qos_policy_name_from_kind(policy_kind: QoSPolicyKind | int) -> str:
+    """Return what a policy is called in logs, in this distribution."""
+    return f"{QoSPolicyKind(policy_kind).name}{distro.current().policy_suffix}"
 
 
 def incompatible_policy(offered: QoSProfile, requested: QoSProfile) -> str | None:

@@ -11,9 +11,11 @@ from collections.abc import Callable
 from typing import Any
 
 from .entity import Entity, Kind
+from .event_handler import reporter
 from .messages import copy_message
 from .network import Envelope
 from .qos import QoSProfile
+from .qos_compatibility import QoSPolicyKind, qos_policy_name_from_kind
 from .serialization import serialize_message
 
 __all__ = ["RawSubscription", "Subscription"]
@@ -43,7 +45,7 @@ class Subscription(Entity):
         self.matched_count = 0
         self.callback = callback
         self._wants_info = _wants_info(callback)
-        self._events = event_callbacks
+        self.on_incompatible_qos = reporter(node, event_callbacks, callback_group, self._warn_of)
         self._driver = node.context.process.driver
         self._queue: deque[tuple[Envelope, int]] = deque(maxlen=qos_profile.capacity)
         self._received = 0
@@ -85,14 +87,10 @@ class Subscription(Entity):
         """Return how many publishers it is connected to."""
         return self.matched_count
 
-    def on_incompatible_qos(self, policy: str) -> None:
-        """Say that a publisher offers less than this requests."""
-        if self._events is not None and self._events.incompatible_qos is not None:
-            self._events.incompatible_qos(policy)
-            return
+    def _warn_of(self, policy: str) -> None:
         self.node.get_logger().warning(
             f"New publisher discovered on topic '{self.topic_name}', offering incompatible QoS. No messages will be "
-            f"received from it. Last incompatible policy: {policy}"
+            f"received from it. Last incompatible policy: {qos_policy_name_from_kind(QoSPolicyKind[policy])}"
         )
 
     def destroy(self) -> None:

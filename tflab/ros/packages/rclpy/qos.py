@@ -25,5 +25,7 @@ from tflab.ros.qos import (
 )
 from tflab.ros.qos_compatibility import (
     QoSCompatibility as QoSCompatibility,
+    QoSPolicyKind as QoSPolicyKind,
     qos_check_compatible as qos_check_compatible,
+    qos_policy_name_from_kind as qos_policy_name_from_kind,
 )
