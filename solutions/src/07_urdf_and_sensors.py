@@ -162,17 +162,19 @@ e7_4 = task("E7.4")
 
 # %% name="e7-4-answer" tags=["answer"]
 # BEGIN SOLUTION
-findings = {}
-TELLS = {
-    "Publisher count: 0": ("no driver", "start the joint driver"),
-    "<visual>": ("paint moved", "write it into the joint"),
-    "<joint": ("degrees", "write radians"),
-    "sec: 0,": ("stamp zero", "stamp the message"),
-    "": ("other names", "use the URDF's names"),
-}
+findings = {}  # {"a": the cause, "a do": the cure, "b": ..., "b do": ..., and so on}
 for letter, report in vars(e7_4).items():
-    tell = next(tell for tell in TELLS if tell in report)
-    findings[letter], findings[f"{letter} do"] = TELLS[tell]
+    if "Publisher count: 0" in report:
+        found = "no driver", "start the joint driver"
+    elif "<visual>" in report:
+        found = "paint moved", "write it into the joint"
+    elif "<joint" in report:
+        found = "degrees", "write radians"
+    elif "sec: 0," in report:
+        found = "stamp zero", "stamp the message"
+    else:
+        found = "other names", "use the URDF's names"
+    findings[letter], findings[f"{letter} do"] = found
 # END SOLUTION
 
 # %% name="e7-4-check" tags=["check"]
@@ -200,13 +202,14 @@ check("E7.4", findings)
 e7_5 = task("E7.5")
 
 # %% name="e7-5-answer" tags=["answer"]
-# BEGIN SOLUTION
 x, y, z = e7_5.in_left_bend
-is_across = abs(x) > abs(y)  # it lies across the robot
-side = "left" if (x > 0) == (z > 0) else "right"
-upright = side if is_across else "as drawn" if y > 0 else "backwards"
-over = f"pitched over, {side}" if is_across else "pitched over" if y > 0 else "rolled over"
-mount = upright if z > 0 else over
+pull = e7_5.speed_mps * e7_5.yaw_rate_radps  # to the robot's left [m/s²]
+# BEGIN SOLUTION
+mount = {
+    (0, 1, True): "as drawn", (1, 0, True): "left", (-1, 0, True): "right", (0, -1, True): "backwards",
+    (0, -1, False): "rolled over", (0, 1, False): "pitched over",
+    (-1, 0, False): "pitched over, left", (1, 0, False): "pitched over, right",
+}[round(x / pull), round(y / pull), z > 0]  # fmt: skip
 gyro_z = math.copysign(e7_5.yaw_rate_radps, z)
 mend = "leave it" if mount == "as drawn" else "rpy in the joint"
 # END SOLUTION
