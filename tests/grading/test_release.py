@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import shutil
 import stat
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -39,6 +40,15 @@ def test_the_exercises_are_stamped_and_nothing_else_in_them_changes(course: tiny
     assert stamp["learner"] == "s102"
     assert stamp["release"] == read_pack(course.pack).release
     assert made["cells"] == source["cells"]
+
+
+def test_a_stamp_bears_a_seal_that_holds_for_nobody_else_and_nothing_else(course: tiny.Course) -> None:
+    pack = read_pack(course.pack)
+    stamp = course.exercise("s102")["metadata"]["tflab"]
+    assert pack.sealed_this(stamp)
+    for name, other in (("learner", "s101"), ("chapter", "02_axes"), ("release", "0"), ("seal", ""), ("seal", "ü")):
+        assert not pack.sealed_this(stamp | {name: other})
+    assert not replace(pack, seed="00" * 32).sealed_this(stamp)
 
 
 def test_the_copy_as_it_was_handed_out_is_stamped_alike(course: tiny.Course) -> None:

@@ -13,13 +13,20 @@ from pathlib import Path
 import pytest
 
 from tflab.grading.submissions import archives
+from tflab.grading.submissions import collect as collecting
 from tflab.grading.submissions.archives import archive_members, safe_parts
-from tflab.grading.submissions.collect import Collection, collect
+from tflab.grading.submissions.collect import Collection
 from tflab.grading.submissions.reader import Unreadable
 from tflab.grading.submissions.roster import Learner
 
 CHAPTERS = ["02_axes", "03_tiny"]
 ROSTER = {"s101": Learner("s101", "Kim Minji", "ko"), "s102": Learner("s102", "Ada Byron"), "7": Learner("7", "Lee")}
+
+
+def collect(place: Path, roster: dict | None, chapters: list[str], leave_out: list[Path] = []) -> Collection:  # noqa: B006
+    return collecting.collect(
+        place, roster, chapters, leave_out, is_genuine=lambda stamp: not stamp.get("seal", "").startswith("forged")
+    )
 
 
 def put(folder: Path, *names: str, data: bytes = b"{}") -> Path:
@@ -401,6 +408,52 @@ def test_two_learners_of_one_name_in_moodle_are_told_apart_by_their_stamps(tmp_p
         put(tmp_path, f"Kim Minji_{number}_assignsubmission_file_/03_tiny.ipynb", data=stamped)
     found = who(collect(tmp_path, people, CHAPTERS))
     assert {learner: files[0].split("_")[1] for learner, files in found.items()} == {"s1": "4711", "s2": "4712"}
+
+
+MOODLE = "Ada Byron_{}_assignsubmission_file_/03_tiny.ipynb"
+FORGED = b'{"metadata": {"tflab": {"learner": "s102", "seal": "forged"}}, "cells": []}'
+NOTHING = b"{}"
+
+
+@pytest.mark.parametrize("data", [OWN, FORGED, NOTHING])
+@pytest.mark.parametrize("number", [4710, 4712])  # before and behind the other's
+def test_a_stamp_forged_beside_a_display_name_brings_nothing_into_anothers_submission(
+    tmp_path: Path, data: bytes, number: int
+) -> None:
+    put(tmp_path, MOODLE.format(number), data=data)
+    put(tmp_path, MOODLE.format(4711), data=OTHERS)
+    assert who(collect(tmp_path, ROSTER, CHAPTERS))["s102"] == [MOODLE.format(4711)]
+
+
+@pytest.mark.parametrize("data", [OTHERS, FORGED, NOTHING])
+def test_of_two_who_go_by_one_name_alike_neither_is_taken_for_the_one_on_the_roster(
+    tmp_path: Path, data: bytes
+) -> None:
+    for number in (4711, 4712):
+        put(tmp_path, MOODLE.format(number), data=data)
+    collection = collect(tmp_path, ROSTER, CHAPTERS)
+    found = who(collection)
+    assert found["s102"] == []
+    assert len(found["Ada Byron_4711"]) == len(found["Ada Byron_4712"]) == 1
+    assert "no sealed stamp says which" in remarks_of(collection, "Ada Byron_4711")[0]
+
+
+@pytest.mark.parametrize("name", ["upload/03_tiny.ipynb", "Nobody_4_assignsubmission_file_/03_tiny.ipynb"])
+def test_a_forged_stamp_says_nothing_where_the_path_does_not_either(tmp_path: Path, name: str) -> None:
+    put(tmp_path, name, data=FORGED)
+    assert who(collect(tmp_path, ROSTER, CHAPTERS))["s102"] == []
+
+
+def test_what_goes_by_the_name_of_one_who_handed_in_nothing_is_whose_seal_it_bears(tmp_path: Path) -> None:
+    put(tmp_path, MOODLE.format(4710), data=OWN)
+    found = who(collect(tmp_path, ROSTER, CHAPTERS))
+    assert (found["s101"], found["s102"]) == ([MOODLE.format(4710)], [])
+
+
+def test_a_place_called_by_the_id_stays_that_persons_whatever_else_claims_it(tmp_path: Path) -> None:
+    put(tmp_path, "s102/03_tiny.ipynb", data=NOTHING)
+    put(tmp_path, MOODLE.format(4710), data=NOTHING)
+    assert who(collect(tmp_path, ROSTER, CHAPTERS))["s102"] == ["s102/03_tiny.ipynb"]
 
 
 @pytest.mark.parametrize("display", ["Mallory s102", "Ada Byron", "Mallory, Ada Byron", "s102 Mallory"])

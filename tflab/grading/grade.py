@@ -56,7 +56,10 @@ def main(words: Sequence[str]) -> int:
         pack = read_pack(Path(options.pack))
         if out.resolve() == Path(options.submissions).resolve():
             return _refuse("the results would be taken for submissions; name another folder with --out")
-        collection = collect(Path(options.submissions), pack.roster, list(pack.cases), (out, Path(options.pack)))
+        elsewhere = (out, Path(options.pack))
+        collection = collect(
+            Path(options.submissions), pack.roster, list(pack.cases), elsewhere, is_genuine=pack.sealed_this
+        )
         if pack.version != __version__:
             other = Remark("other tflab", stamp=pack.version, ours=__version__)
             collection = replace(collection, remarks=(*collection.remarks, other))

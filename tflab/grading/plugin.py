@@ -68,7 +68,7 @@ class TasksFile(pytest.File):
             from .submissions.collect import collect
 
             pack = self.read_pack()
-            found = collect(self.path, pack.roster, list(pack.cases)).submissions
+            found = collect(self.path, pack.roster, list(pack.cases), is_genuine=pack.sealed_this).submissions
             submission = next(submission for submission in found if submission.notebooks)
             hide = (str(Path(self.config.getoption("--tflab-grade")).resolve()),)
             job, sandbox = job_of(submission, pack, Limits()), choose(hide)

@@ -132,7 +132,8 @@ def _lay_out_for(
         for root in (target, target / ".tflab" / "pristine"):
             path = root / "exercises" / spoken / places.exercise_file(stem)
             if path.is_file():
-                _stamp(path, stamp | {"chapter": stem, "language": spoken})
+                said = stamp | {"chapter": stem, "language": spoken}
+                _stamp(path, said | {"seal": pack.seal_of(said)})
 
 
 def _stamp(path: Path, stamp: Mapping[str, str]) -> None:

@@ -71,6 +71,15 @@ class Pack:
         held = json.dumps([self.release, self.seed, self.version, self.cases], sort_keys=True)
         return hashlib.sha256(held.encode()).hexdigest()
 
+    def seal_of(self, stamp: Mapping[str, str]) -> str:
+        """Return what proves that a notebook's stamp is ours: a code for it that only this pack can make (an HMAC)."""
+        said = json.dumps([stamp.get(name, "") for name in ("release", "chapter", "learner")])
+        return _derived(self.seed, f"stamp/{said}").hex()[:32]
+
+    def sealed_this(self, stamp: Mapping[str, str]) -> bool:
+        """Return whether a stamp is as this release handed it out, not written by somebody else."""
+        return hmac.compare_digest(stamp.get("seal", "").encode(), self.seal_of(stamp).encode())
+
     def for_learner(self, learner: str) -> dict[str, dict[str, Any]]:
         """Return what one learner is graded on: the master cells and tasks of each chapter, plain data."""
         chapters = {}

@@ -8,8 +8,8 @@
     03_target_and_source/s101.ipynb                     a folder for each chapter
 
 Files are only listed here, and read when their turn comes.  Whose they are is said
-first by where they were found, then by the stamp in the notebook; what is inside a
-zip never says it.  Nobody's hand-in adds to what another has handed in.
+first by where they were found, then by the sealed stamp in the notebook; what is inside
+a zip never says it.  Nobody's hand-in adds to what another has handed in.
 
 Read `listing.py` next.
 """
@@ -24,7 +24,7 @@ from typing import NamedTuple
 
 from .archives import Member
 from .listing import MAX_NOTEBOOKS, few_of_each, is_notebook, listed
-from .owners import group_of, is_of_a_system, owner_of, stamped_for
+from .owners import IsGenuine, group_of, is_of_a_system, owner_of, stamped_for
 from .remarks import Remark
 from .roster import Learner
 
@@ -58,13 +58,22 @@ class Collection:
 
 
 class HandIn(NamedTuple):
-    """What goes by one name: the name, the number that a learning system has for it, the files, and whose it is."""
+    """What goes by one name: the name, the number that a learning system has for it, the files, and whose it is.
+
+    `contested` is whose it would be, if others did not go by that name, too.
+    """
 
     name: str
     number: str
     members: list[Member]
     owner: str | None
     stamp: str | None = None
+    contested: str | None = None
+
+    @property
+    def is_the_id(self) -> bool:
+        """Whether it is called by its owner's id, and by nothing else."""
+        return not self.number and self.name.lower() == (self.owner or "").lower()
 
     @property
     def called(self) -> str:
@@ -73,12 +82,18 @@ class HandIn(NamedTuple):
 
 
 def collect(
-    place: Path, roster: Mapping[str, Learner] | None, chapters: Sequence[str], leave_out: Sequence[Path] = ()
+    place: Path,
+    roster: Mapping[str, Learner] | None,
+    chapters: Sequence[str],
+    leave_out: Sequence[Path] = (),
+    *,
+    is_genuine: IsGenuine,
 ) -> Collection:
     """Return what there is in a folder, a zip or a notebook; with a roster, one submission for each who is on it.
 
     Args:
         leave_out: folders that are no submissions, wherever they are: the results, the pack.
+        is_genuine: whether a notebook's stamp is as it was handed out.
 
     Raises:
         Unreadable: there is no such thing, or it cannot be listed.
@@ -87,7 +102,7 @@ def collect(
     members, remarks = listed(place, {path.resolve() for path in leave_out})
     members = few_of_each(_by_learner(_unwrapped(members, people), people, chapters))
     found: dict[str, Submission] = {}
-    for hand_in in _with_owners(_hand_ins(members, chapters), people):
+    for hand_in in _with_owners(_hand_ins(members, chapters), people, is_genuine):
         submission = _submission(hand_in, _strange(hand_in, found) if roster else (), roster is None)
         there = found.get(submission.learner)
         found[submission.learner] = _together(there, submission, hand_in) if there else submission
@@ -106,39 +121,63 @@ def _hand_ins(members: Sequence[Member], chapters: Sequence[str]) -> list[HandIn
     return [HandIn(name, number, group, None) for (name, number), group in sorted(groups.items())]
 
 
-def _with_owners(hand_ins: Sequence[HandIn], roster: Mapping[str, Learner]) -> list[HandIn]:
+def _with_owners(hand_ins: Sequence[HandIn], roster: Mapping[str, Learner], is_genuine: IsGenuine) -> list[HandIn]:
     """Return the hand-ins with their owners, those first whose owner is said by where they were found."""
     if not roster:
         return list(hand_ins)
     by_path = [
         hand_in._replace(owner=owner_of(hand_in.name, roster, whole=bool(hand_in.number))) for hand_in in hand_ins
     ]
-    settled = [_settled(hand_in, by_path, roster) for hand_in in by_path]
+    settled = [_settled(hand_in, by_path, roster, is_genuine) for hand_in in by_path]
     said = [hand_in for hand_in in settled if hand_in.owner is not None]
     left = [hand_in for hand_in in settled if hand_in.owner is None]
-    return [*said, *(hand_in._replace(stamp=stamped_for(hand_in.members, roster)) for hand_in in left)]
+    return [*said, *(hand_in._replace(stamp=stamped_for(hand_in.members, roster, is_genuine)) for hand_in in left)]
 
 
-def _settled(hand_in: HandIn, all_: Sequence[HandIn], roster: Mapping[str, Learner]) -> HandIn:
-    """Return a hand-in without its owner where a learning system has several people of that name, and another is it.
+def _settled(hand_in: HandIn, all_: Sequence[HandIn], roster: Mapping[str, Learner], is_genuine: IsGenuine) -> HandIn:
+    """Return a hand-in with its owner by where it was found, or without one where it may be another person's.
 
-    A name can be changed to somebody else's; then the stamps in the notebooks say whose it is.
+    A learning system's numbers are different people, and the names that it shows can be changed to somebody else's:
+    then the seal in the notebook says who it is. A place that is called by the id alone is that person's. Any other
+    name is an instructor's; beside it, what was handed out to somebody else is not taken for that person's.
     """
-    rivals = [other for other in all_ if other.owner == hand_in.owner and other.number and other is not hand_in]
-    if hand_in.owner is None or not hand_in.number or not rivals:
+    owner = hand_in.owner
+    if owner is None or hand_in.is_the_id:
         return hand_in
-    if stamped_for(hand_in.members, roster) == hand_in.owner:
+    rivals = [other for other in all_ if other.owner == owner and other is not hand_in]
+    if not rivals and not hand_in.number:
         return hand_in
-    others = [stamped_for(other.members, roster) for other in rivals]
-    return hand_in._replace(owner=None) if hand_in.owner in others else hand_in
+    stamp = stamped_for(hand_in.members, roster, is_genuine)
+    if not rivals:  # a copy of what another handed in, too, is whose place it is in
+        is_moved = stamp not in (None, owner) and all(other.owner != stamp for other in all_)
+        return hand_in._replace(owner=None) if is_moved else hand_in
+    return (
+        hand_in
+        if _is_the_one(hand_in, stamp, rivals, roster, is_genuine)
+        else hand_in._replace(owner=None, contested=owner)
+    )
+
+
+def _is_the_one(
+    hand_in: HandIn,
+    stamp: str | None,
+    rivals: Sequence[HandIn],
+    roster: Mapping[str, Learner],
+    is_genuine: IsGenuine,
+) -> bool:
+    """Return whether a hand-in stays its owner's beside others that were found for the same."""
+    if not hand_in.number:
+        return stamp in (None, hand_in.owner)
+    others = [stamped_for(other.members, roster, is_genuine) for other in rivals if other.number]
+    return stamp == hand_in.owner and hand_in.owner not in others
 
 
 def _strange(hand_in: HandIn, found: Mapping[str, Submission]) -> tuple[Remark, ...]:
     """Return what is strange about whose it is; a stamp is easily copied: it never adds to what somebody handed in."""
     if hand_in.owner is not None:
         return ()
-    if hand_in.stamp is None:
-        return (Remark("nobody", stamp=hand_in.called),)
+    if hand_in.stamp in (None, hand_in.contested):
+        return (Remark("contested" if hand_in.contested else "nobody", stamp=hand_in.called),)
     return (Remark("stamped", stamp=hand_in.stamp),) if hand_in.stamp in found else ()
 
 

@@ -5,24 +5,28 @@
     kimminji_4711_98765_03.ipynb                Canvas: the same
 
 What a learning system calls a learner is taken as a whole: a display name that holds
-somebody else's id ("Mallory s102") is not that person's.  Read `archives.py` next.
+somebody else's id ("Mallory s102") is not that person's.  A stamp counts if it bears the
+release's seal: whoever writes another's name into a notebook has not got that.  Read `archives.py` next.
 """
 
 from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 from .archives import Member
 from .listing import NOTEBOOKS, is_notebook
 from .reader import Unreadable, read_notebook
 from .roster import Learner
 
-__all__ = ["group_of", "is_of_a_system", "owner_of", "stamped_for"]
+__all__ = ["IsGenuine", "group_of", "is_of_a_system", "owner_of", "stamped_for"]
+
+IsGenuine = Callable[[Mapping[str, str]], bool]  # whether a stamp is as it was handed out
 
 MOODLE = re.compile(r"(?P<name>.+?)_(?P<number>\d+)_assignsubmission_")
 BRIGHTSPACE = re.compile(r"(?P<number>\d+-\d+) - (?P<name>.+?) - .+")
+BLACKBOARD = re.compile(r".+?_(?P<name>[^_]+)_attempt_\d{4}-.*")
 CANVAS = re.compile(r"(?P<name>[^_]+)_(?:LATE_)?(?P<user>\d+)_(?P<file>\d+)_(?P<rest>.+)")
 
 
@@ -41,6 +45,8 @@ def group_of(parts: tuple[str, ...], chapters: Sequence[str]) -> tuple[str, str]
     for system in (MOODLE, BRIGHTSPACE):
         if named := system.match(parts[0]):
             return named["name"], named["number"]
+    if blackboard := BLACKBOARD.fullmatch(parts[0]):
+        return blackboard["name"], ""
     stem = parts[0]
     for ending in sorted(NOTEBOOKS, key=len, reverse=True) if len(parts) == 1 else ():
         if stem.lower().endswith(ending):
@@ -65,14 +71,16 @@ def owner_of(name: str, roster: Mapping[str, Learner], *, whole: bool = False) -
     return named[0] if len(named) == 1 else None
 
 
-def stamped_for(members: Sequence[Member], roster: Mapping[str, Learner]) -> str | None:
-    """Return the one learner for whom notebooks are stamped."""
+def stamped_for(members: Sequence[Member], roster: Mapping[str, Learner], is_genuine: IsGenuine) -> str | None:
+    """Return the one learner for whom notebooks were handed out, by the stamps in them."""
     stamps = set()
     for member in filter(is_notebook, members):
         try:
-            stamps.add(read_notebook(member.read()).stamp.get("learner"))
+            stamp = read_notebook(member.read()).stamp
         except Unreadable:
             continue
+        if is_genuine(stamp):
+            stamps.add(stamp.get("learner"))
     known = stamps & set(roster)
     return known.pop() if len(known) == 1 else None
 

@@ -112,6 +112,10 @@ KINDS = {
         en='"{stamp}" is nobody on the roster, and neither is the stamp in the notebook.',
         ko='명단에 없는 이름입니다: "{stamp}". 노트북에 적힌 이름도 명단에 없습니다.',
     ),
+    "contested": Words(
+        en='several people hand in as "{stamp}", and no sealed stamp says which of them is on the roster.',
+        ko='"{stamp}" 이름으로 제출한 사람이 여럿인데, 누가 명단의 그 사람인지 확인할 봉인된 표시가 없습니다.',
+    ),
     "stamped": Words(
         en='stamped for "{stamp}", who handed in elsewhere; not graded for them.',
         ko='"{stamp}"에게 배포된 것이지만 그 사람은 따로 제출했으므로 그의 것으로 채점하지 않았습니다.',
