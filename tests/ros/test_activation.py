@@ -40,10 +40,20 @@ def test_every_package_can_be_imported_and_is_gone_afterwards():
         importlib.import_module("rclpy")
 
 
+def test_a_module_that_we_lack_is_an_error_that_says_what_there_is():
+    ros.activate()
+    with pytest.raises(ModuleNotFoundError, match=r"No module named 'rclpy\.nodes' .*; rclpy has .*, node, "):
+        importlib.import_module("rclpy.nodes")
+    with pytest.raises(ModuleNotFoundError, match=r"No module named 'std_msgs\.srv' .*; std_msgs has msg\."):
+        importlib.import_module("std_msgs.srv")
+    with pytest.raises(ImportError, match="cannot import name 'Nod' from 'rclpy'"):
+        exec("from rclpy import Nod")
+
+
 RCLPY_MODULES = """
     node time duration clock clock_type constants qos executors callback_groups task parameter timer context utilities
     exceptions logging time_source event_handler publisher subscription client service topic_endpoint_info
-    expand_topic_name signals guard_condition
+    expand_topic_name signals guard_condition lifecycle parameter_client parameter_event_handler
 """
 TF2_ROS_MODULES = """
     buffer buffer_interface transform_listener transform_broadcaster static_transform_broadcaster

@@ -21,6 +21,7 @@ import sys
 from importlib.machinery import ModuleSpec, PathFinder
 from importlib.util import find_spec
 from pathlib import Path
+from pkgutil import iter_modules
 
 from . import threads
 
@@ -32,11 +33,20 @@ VARIABLE = "TFLAB_ROS"
 
 
 class _Finder:
-    """Finds exactly the packages that have a face in our folder."""
+    """Finds exactly the packages that have a face in our folder, and says what they have instead of what they lack."""
 
     def find_spec(self, name: str, path: object = None, target: object = None) -> ModuleSpec | None:
         if path is None and name in PACKAGES:
             return PathFinder.find_spec(name, [str(FOLDER)])
+        parent = name.rpartition(".")[0]
+        if parent.partition(".")[0] in PACKAGES and parent in sys.modules and _is_ours(parent):
+            there = sorted(module.name for module in iter_modules(sys.modules[parent].__path__))
+            if name.rpartition(".")[2] not in there:
+                raise ModuleNotFoundError(
+                    f"No module named {name!r} in the in-process ROS 2 of tflab; {parent} has "
+                    f"{', '.join(there) or 'no modules'}.",
+                    name=name,
+                )
         return None
 
 
