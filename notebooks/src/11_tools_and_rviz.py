@@ -18,7 +18,7 @@
 # 이 장을 마치면 다음을 할 수 있습니다.
 #
 # - 질문에 맞는 도구를 고르고, 그 도구가 보지 못하는 것을 말합니다.
-# - `view_frames`, `tf2_echo`, `tf2_monitor`의 출력을 함정까지 읽습니다.
+# - `view_frames`, `tf2_echo`, `tf2_monitor`의 출력을 읽고, 거기에 숨은 함정을 압니다.
 # - 주어진 속도에서 변환이 얼마나 자주 와야 하는지, 덜 오면 무엇을 잃는지 계산합니다.
 # - RViz의 목록을 읽고, "계산할 수 있었다"와 "맞다"를 구별합니다.
 
@@ -35,7 +35,7 @@ from tflab.workbook import lesson
 # %% [markdown] lang="en" name="story" slide="slide"
 # ## Slow, by half a century
 #
-# "The transform between odom and base_link is being published very slow." That was the report, and the proof was a line of [[tf2_monitor]]:
+# "The transform between odom and base_link is being published very slow." That was the report, and the proof was two lines of [[tf2_monitor]]:
 #
 # ```
 # Net delay     avg = 3.10486e+08: max = 1.6318e+09
@@ -47,7 +47,7 @@ from tflab.workbook import lesson
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 반세기나 느린 변환
 #
-# "odom과 base_link 사이의 변환이 아주 느리게 발행됩니다." 이런 보고가 있었고, 증거는 [[tf2_monitor]]의 몇 줄이었습니다.
+# "odom과 base_link 사이의 변환이 아주 느리게 발행됩니다." 이런 보고가 있었고, 증거는 [[tf2_monitor]]의 두 줄이었습니다.
 #
 # ```
 # Net delay     avg = 3.10486e+08: max = 1.6318e+09
@@ -62,13 +62,13 @@ print(f'avg / max = {3.10486e8 / 1.6318e9:.6f}')
 print(f'1 - 0.99 ** 21 = {1 - 0.99**21:.6f}')
 
 # %% [markdown] lang="en" name="half-a-century-seen"
-# Not slow: **51.7 years**. That is the time now on a wall, minus a stamp of a simulation that began at 0. [[latency|Delay]] is *now minus stamp*; how often something comes is another question, and this line does not speak of it.
-# And the average is no average yet: it begins at 0 and walks one hundredth of the way each time the tool looks. It had looked 21 times.
+# Not slow: **51.7 years**. That is the computer's time now, minus a stamp of a simulation that began at 0. [[latency|Delay]] is *now minus stamp*; how often something comes is another question, and this line does not speak of it.
+# And the average is no average yet: it begins at 0 and walks one hundredth of the way that is left each time the tool looks. It had looked 21 times.
 # The tool was the right one. Its reading was not.
 
 # %% [markdown] lang="ko" name="half-a-century-seen"
-# 느린 것이 아니라 **51.7년**입니다. 현실의 현재 시각에서, 0초에 시작한 시뮬레이션의 측정 시각을 뺀 값입니다. [[latency|지연(delay)]]은 *현재 시각 − 측정 시각*입니다. 얼마나 자주 오는지는 다른 질문이고, 이 줄에는 답이 없습니다.
-# 그리고 이 평균은 아직 평균이 아닙니다. 0에서 시작해 도구가 볼 때마다 100분의 1씩 다가갑니다. 그때까지 21번 보았습니다.
+# 느린 것이 아니라 **51.7년**입니다. 컴퓨터의 시스템 시각에서, 0초에 시작한 시뮬레이션의 측정 시각을 뺀 값입니다. [[latency|지연(delay)]]은 *현재 시각 − 측정 시각*입니다. 얼마나 자주 오는지는 다른 질문이고, 이 줄에는 답이 없습니다.
+# 그리고 이 평균은 아직 평균이 아닙니다. 0에서 시작해 도구가 볼 때마다 남은 차이의 100분의 1만큼 다가갑니다. 이 도구는 그때까지 21번 보았습니다.
 # 도구는 맞게 골랐지만 잘못 읽었습니다.
 
 # %% [markdown] lang="en" name="story-sources" slide="skip"
@@ -90,7 +90,7 @@ print(f'1 - 0.99 ** 21 = {1 - 0.99**21:.6f}')
 #
 # 1. How late is the chain from `map` to `laser_frame`: 0.021, 0.11 or 9.6 s?
 # 2. How often does the wheels' node speak: 10, 20 or 50 times a second?
-# 3. The drawing says that the laser sits 0.20 m *behind* the middle; it is bolted on 0.20 m *before* it. Which line of RViz's list turns red?
+# 3. The drawing says that the laser sits 0.20 m *behind* the middle; it is bolted on 0.20 m *ahead* of it. Which line of RViz's list turns red?
 # 4. You change RViz's Fixed Frame from `map` to `odom`. Does the robot's pose in `odom` change?
 
 # %% [markdown] lang="ko" name="predict" slide="slide"
@@ -106,7 +106,7 @@ print(f'1 - 0.99 ** 21 = {1 - 0.99**21:.6f}')
 #
 # 1. `map`에서 `laser_frame`까지의 사슬은 얼마나 늦을까요? 0.021초, 0.11초, 9.6초 가운데 하나입니다.
 # 2. 바퀴 노드는 1초에 몇 번 발행할까요? 10번, 20번, 50번 가운데 하나입니다.
-# 3. 설계도에는 레이저가 중심에서 *뒤로* 0.20 m에 있다고 적혀 있지만, 실제로는 *앞으로* 0.20 m에 달려 있습니다. RViz 목록의 어느 줄이 빨개질까요?
+# 3. 도면에는 레이저가 중심에서 *뒤로* 0.20 m에 있다고 적혀 있지만, 실제로는 *앞으로* 0.20 m에 달려 있습니다. RViz 목록의 어느 줄이 빨개질까요?
 # 4. RViz의 Fixed Frame을 `map`에서 `odom`으로 바꿉니다. `odom` 기준 로봇의 포즈가 바뀔까요?
 
 # %% [markdown] lang="en" name="predict-notes" slide="notes"
@@ -125,10 +125,10 @@ late_s, wheels_hz, red_line, pose_changes = ..., ..., ..., ...
 # Below, put seven questions to seven tools, on a robot that is driving. What they print is real, a little shortened; the line above it says whether that is an answer.
 
 # %% [markdown] lang="ko" name="ask-first" slide="slide"
-# ## 먼저 묻고, 그다음에 입력합니다
+# ## 질문부터 정하고, 그다음에 입력합니다
 #
 # 질문에 답하지 못하는 도구도 무언가는 출력합니다. 그러니 질문부터 정합니다.
-# 달리는 로봇을 두고 일곱 가지 질문을 일곱 도구에 던져 보세요. 출력은 실제 그대로이고 조금 줄였습니다. 출력 위의 줄이 그것이 답인지 알려 줍니다.
+# 달리는 로봇을 두고 일곱 가지 질문을 일곱 도구에 던져 보세요. 출력은 실제 그대로이고 조금 줄였습니다. 답이 되는지는 출력 바로 위의 줄에 나옵니다.
 
 # %% name="ask-first-panel" tags=["interactive"]
 lesson.start_robot()
@@ -142,9 +142,9 @@ lesson.draw_toolbox()
 # Where the lecture lets `tf2_monitor` show the broadcaster's name, ROS 1 did so; in ROS 2 everybody is `<no authority available>`.
 
 # %% [markdown] lang="ko" name="ask-first-seen"
-# *그림 읽기:* frames = 좌표계와 트리, value = 값, rate = 발행 주기, delay = 사슬의 지연, age = 메시지의 나이, owner = 발행 책임, look = 보이는 모습. ✓ answers = 답함, ~ half = 반만 답함, ✗ cannot = 답하지 못함.
+# *그림 읽기:* frames = 좌표계와 트리, value = 값, rate = 발행률(1초에 몇 번 오는지, 단위 Hz), delay = 사슬의 지연, age = 메시지의 나이, owner = 발행 책임, look = 보이는 모습. ✓ answers = 답함, ~ half = 반만 답함, ✗ cannot = 답하지 못함.
 #
-# 어느 열에나 보지 못하는 것이 있고, ✓가 하나도 없는 행도 있습니다. **연결의 [[owner|발행 책임(owner)]], 곧 그 연결을 보내는 노드를 알려 주는 ROS 2 도구는 없습니다.** `topic info --verbose`는 `/tf`에 발행하는 노드들의 이름을 알려 주지만, 누가 어느 연결을 보내는지는 메시지 어디에도 없습니다.
+# 어느 열에나 보지 못하는 것이 있고, ✓가 하나도 없는 행도 있습니다. **연결의 [[owner|발행 책임(owner)]]이 어느 노드에 있는지, 곧 누가 그 연결을 보내는지 알려 주는 ROS 2 도구는 없습니다.** `topic info --verbose`는 `/tf`에 발행하는 노드들의 이름을 알려 주지만, 누가 어느 연결을 보내는지는 메시지 어디에도 없습니다.
 # 강의에서는 `tf2_monitor`로 발행자 이름을 확인합니다. ROS 1에서는 그랬지만, ROS 2에서는 누구나 `<no authority available>`입니다.
 
 # %% [markdown] lang="en" name="monitor" slide="slide"
@@ -176,11 +176,11 @@ graph.run(seconds=9.1)
 # %% [markdown] lang="ko" name="monitor-seen"
 # 한 줄씩 읽습니다.
 #
-# - `Waiting for …`: 아무것도 듣기 전에 먼저 조회하기 때문에 나옵니다. 로봇의 잘못이 아니며, 버그로 여러 번 보고되었습니다.
-# - `max = 0.11`: **질문 1의 답입니다.** 위치 추정 노드의 최신 변환은 도착할 때 0.01초 지난 것이고, 다음 변환이 올 때까지 최대 0.1초가 더 지납니다.
+# - `Waiting for …`: 아직 아무 변환도 받지 못한 채 조회부터 하기 때문에 나옵니다. 로봇의 잘못이 아니며, 버그로 여러 번 보고되었습니다.
+# - `max = 0.11`: **질문 1의 답입니다.** 위치 추정 노드의 최신 변환은 도착했을 때 이미 0.01초 전의 것이고, 다음 변환이 올 때까지 최대 0.1초가 더 지납니다.
 # - `avg = 0.0209299`: 21번 보았으므로 0.11의 19 %입니다.
-# - `laser_frame … 9.6`: [[static transform|정적 변환]]은 9.6초 전에 한 번 보냈고 언제까지나 유효합니다. 나이에는 뜻이 없습니다.
-# - `50.3349 Hz`: 모두를 합친 값입니다.
+# - `laser_frame … 9.6`: [[static transform|정적 변환]]은 9.6초 전에 한 번 보냈고 언제까지나 유효합니다. 그 나이는 아무 뜻이 없습니다.
+# - `50.3349 Hz`: 모든 발행자를 합친 값입니다.
 #
 # 계속 켜 두면 `avg`는 이렇게 됩니다.
 
@@ -198,7 +198,7 @@ lesson.draw_ages([lesson.Curve('truth', times, [0.11] * len(times)), avg], 'net 
 # *그림 읽기:* net delay = 사슬의 지연, truth = 실제 지연, avg = 도구가 출력하는 평균, time = 시각.
 #
 # 첫 보고에서 19 %, 34초 뒤에 절반, 2분 뒤에 91 %입니다(저역 통과 필터라고 합니다).
-# 그러니 `max`와, 움직이는 좌표계의 줄을 읽습니다. 함정이 하나 더 있습니다. `max`는 0에서 시작하므로 미래의 시각, 곧 음수 지연은 `Max Delay: 0`으로 나와 완벽해 보입니다. 이때는 `Average Delay`가 음수입니다. 그 값을 보십시오.
+# 그러니 `max`와, 움직이는 좌표계의 줄을 읽습니다. 함정이 하나 더 있습니다. `max`는 0에서 시작하므로 측정 시각이 미래여서 지연이 음수이면 `Max Delay: 0`으로 나와 완벽해 보입니다. 이때는 `Average Delay`가 음수이므로 그 값을 보십시오.
 
 # %% [markdown] lang="en" name="monitor-notes" slide="notes"
 # Let somebody read the first report aloud and say "so it is late by two hundredths". Wait. Then ask what 0.0209 divided by 0.11 is.
@@ -233,11 +233,11 @@ lesson.draw_ages([lesson.Curve('truth', times, [0.11] * len(times)), avg], 'net 
 # It is a **[[snapshot]]** of five seconds: what happens once a minute it most likely misses.
 
 # %% [markdown] lang="ko" name="rates-seen"
-# 긴 줄은 서비스의 응답이고, 그림은 그 응답으로 그린 것입니다(로봇에서는 `frames.pdf`와 `frames.gv`가 생기고, `-o`가 없으면 이름에 날짜와 시각이 들어갑니다). 그림에는 연결마다 `Average rate`가 있습니다.
+# 긴 줄은 서비스의 응답이고, 그림은 그 응답으로 그린 것입니다(로봇에서는 `frames.pdf`와 `frames.gv`가 생기고, `-o`가 없으면 이름에 날짜와 시각이 들어갑니다). 그림에는 연결마다 `Average rate`(평균 발행률)가 있습니다.
 #
 # - `odom → base_footprint` 20.204, `map → odom` 10.208입니다. **질문 2의 답은 20입니다.** `topic hz`의 50은 20 + 20 + 10입니다. (표본 n개를 첫 표본과 마지막 표본 사이의 시간으로 나눕니다. n − 1로 세면 20.0입니다.)
-# - 정적 연결의 10000.0은 주기가 아니라 표시입니다.
-# - 누구나 `default_authority`이므로 여기에도 발행 책임은 없습니다.
+# - 정적 연결의 10000.0은 발행률이 아니라, 정적이라는 표시입니다.
+# - 모든 연결이 `default_authority`이므로 발행 책임은 여기서도 알 수 없습니다.
 #
 # 5초 동안의 **[[snapshot|스냅샷]]**이라서, 1분에 한 번 일어나는 일은 거의 놓칩니다.
 
@@ -245,7 +245,7 @@ lesson.draw_ages([lesson.Curve('truth', times, [0.11] * len(times)), avg], 'net 
 # Still, it gives two owners away. **Predict:** a second node, the EKF, sends `odom → base_footprint` too, 30 times a second. What does the edge's rate say?
 
 # %% [markdown] lang="ko" name="two-owners" slide="subslide"
-# 그래도 발행자가 둘이면 드러납니다. **예측해 봅시다.** 두 번째 노드인 EKF도 `odom → base_footprint`를 1초에 30번 보냅니다. 이 연결의 주기는 얼마로 나올까요?
+# 그래도 발행자가 둘이면 드러납니다. **예측해 봅시다.** 두 번째 노드인 EKF도 `odom → base_footprint`를 1초에 30번 보냅니다. 이 연결의 발행률은 얼마로 나올까요?
 
 # %% name="two-owners-tree" tags=["predicted"]
 graph = lesson.start_robot(also=['ekf_filter_node'])
@@ -255,7 +255,7 @@ lesson.frame_tree()
 # `frame_tree()` is ours, not ROS's: in one process we do know who sent what, so it names the owners. What you would have on a robot is the rate: **50.1 Hz where 20.2 is normal**. More messages than one node sends means more than one node.
 
 # %% [markdown] lang="ko" name="two-owners-seen" tags=["predicted"]
-# `frame_tree()`는 ROS가 아니라 이 워크북의 것입니다. 한 프로세스 안에서는 누가 보냈는지 알 수 있으므로 이름이 나옵니다. 로봇에서 볼 수 있는 것은 주기입니다. **보통 20.2 Hz인데 50.1 Hz입니다.** 노드 하나가 보내는 것보다 많이 오면 노드가 하나가 아닌 것입니다.
+# `frame_tree()`는 ROS가 아니라 이 워크북의 것입니다. 한 프로세스 안에서는 누가 보냈는지 알 수 있으므로 이름이 나옵니다. 실제 로봇에서 볼 수 있는 것은 발행률입니다. **평소에는 20.2 Hz인데 50.1 Hz입니다.** 노드 하나가 보내는 것보다 많이 오면 노드가 하나가 아닌 것입니다.
 
 # %% [markdown] lang="en" name="echo" slide="slide"
 # ## tf2_echo: which value?
@@ -295,7 +295,7 @@ print(f'{int(sec) + int(nanosec) / 1e9:.3f} s')
 #
 # 알아 둘 것이 두 가지 더 있습니다.
 #
-# - 정적인 두 좌표계는 `At time 0.0`으로 나옵니다. 언제나 유효하다는 뜻입니다.
+# - 사이에 정적 연결만 있는 두 좌표계는 `At time 0.0`으로 나옵니다. 언제나 유효하다는 뜻입니다.
 # - *가끔만 봅니다.* 두 출력 사이에 일어난 일은 보이지 않습니다. 무언가 깜빡이면 `tf2_echo map base_link 20`처럼 더 자주 출력하게 합니다.
 
 # %% [markdown] lang="en" name="often-enough" slide="slide"
@@ -325,14 +325,14 @@ for f in (1, 2, 10, 20):
 # In a bend TF cuts the corner: the way is an arc, the line its chord, and the gap between them is (v/ω)(1 − cos(ω/2f)): 61 mm at 1 Hz, 0.6 at 10. Half the rate, four times the gap.
 #
 # What a slow edge costs everywhere is **waiting**: a scan can be placed only when the next sample has come. Our scan has been under way for 0.105 s, so at 10 and 20 Hz nobody waits; at 1 Hz up to 0.9 s.
-# The lecture warns of a slow `odom → base_link` rightly, and reckons v · Δt. That is how far the robot drives *while you wait*, or if somebody takes the newest pose instead of waiting; it is not how far off TF puts things.
+# The lecture warns of a slow `odom → base_link` rightly. Its formula v · Δt is how far the robot drives *while you wait*, or if somebody takes the newest pose instead of waiting; it is not how far off TF puts things.
 
 # %% [markdown] lang="ko" name="often-enough-seen" tags=["predicted"]
-# 곧은 길에서는 주기가 얼마든 **조금도 틀리지 않습니다.** 직선 위 두 점의 중간은 그 직선 위에 있습니다.
-# 굽은 길에서는 모서리를 질러갑니다. 실제 경로는 호, TF가 잇는 선은 현이고, 그 틈은 (v/ω)(1 − cos(ω/2f))입니다. 1 Hz에서 61 mm, 10 Hz에서 0.6 mm입니다. 주기가 절반이면 틈은 네 배입니다.
+# 곧은 길에서는 발행률이 얼마든 **조금도 틀리지 않습니다.** 직선 위 두 점의 중간은 그 직선 위에 있습니다.
+# 굽은 길에서는 모서리를 질러갑니다. 실제 경로는 호, TF가 잇는 선은 현이고, 그 틈은 (v/ω)(1 − cos(ω/2f))입니다. 1 Hz에서 61 mm, 10 Hz에서 0.6 mm입니다. 발행률이 절반이면 틈은 네 배입니다.
 #
 # 느린 연결이 언제나 치르는 대가는 **기다림**입니다. 다음 표본이 와야 스캔의 자리를 계산할 수 있습니다. 스캔은 이미 0.105초 걸려 왔으므로 10 Hz와 20 Hz에서는 기다리지 않고, 1 Hz에서는 0.9초까지 기다립니다.
-# 강의가 느린 `odom → base_link`를 경고하는 것은 옳고, v · Δt로 계산합니다. 이것은 *기다리는 동안*, 또는 기다리지 않고 최신 포즈를 쓸 때 로봇이 달린 거리입니다. TF가 위치를 그만큼 틀리게 계산한다는 뜻은 아닙니다.
+# 강의에서 느린 `odom → base_link`를 경고하는 것은 옳습니다. 다만 강의의 식 v · Δt는 *기다리는 동안*, 또는 기다리지 않고 최신 포즈를 쓸 때 로봇이 달린 거리입니다. TF가 위치를 그만큼 틀리게 계산한다는 뜻은 아닙니다.
 
 # %% [markdown] lang="en" name="often-enough-try"
 # Try it: at which rate does the gap fall below a millimetre, at 1 m/s and 1 rad/s? And what must you do to the yaw rate to see no gap at all?
@@ -344,7 +344,7 @@ for f in (1, 2, 10, 20):
 # </details>
 
 # %% [markdown] lang="ko" name="often-enough-try"
-# 직접 움직여 보세요. 1 m/s, 1 rad/s에서 틈이 1 mm보다 작아지는 주기는 얼마입니까? 틈이 아예 없으려면 yaw rate가 얼마여야 합니까?
+# 직접 움직여 보세요. 1 m/s, 1 rad/s에서 틈이 1 mm보다 작아지는 발행률은 얼마일까요? 틈이 아예 없으려면 yaw rate가 얼마여야 할까요?
 #
 # <details><summary>답</summary>
 #
@@ -352,7 +352,7 @@ for f in (1, 2, 10, 20):
 #
 # </details>
 #
-# *그림 읽기:* arc = 로봇이 달린 호, chord = TF가 잇는 현, gap = 둘 사이의 틈, samples = 표본, v/f = 표본 사이에 달린 거리, wait = 가장 긴 기다림. speed = 속도, yaw rate = 각속도, rate = 주기.
+# *그림 읽기:* arc = 로봇이 달린 호, chord = TF가 잇는 현, gap = 둘 사이의 틈, samples = 표본, v/f = 표본 사이에 달린 거리, wait = 가장 긴 기다림. speed = 속도, yaw rate = 각속도, rate = 발행률.
 
 # %% name="often-enough-panel" tags=["interactive"]
 lesson.rate_panel()
@@ -367,7 +367,7 @@ lesson.draw_bend(lesson.Bend(speed_mps=0.5, yaw_rate_radps=1.0, rate_hz=1.0))
 # Choose another Fixed Frame in the picker, turn the scene with the mouse, open a line of the list.
 
 # %% [markdown] lang="ko" name="rviz" slide="slide"
-# ## RViz: 모두를 한 좌표계로
+# ## RViz: 모든 데이터를 한 좌표계로
 #
 # [[rviz]]는 메시지를 하나씩 **그 메시지의 측정 시각으로** [[fixed frame|Fixed Frame]]이라는 한 좌표계로 옮겨 그립니다. 옮기지 못한 것은 그리지 않고 목록에 적습니다. 이것이 [[display status|디스플레이 상태]]입니다.
 # Fixed Frame을 바꾸고, 마우스로 장면을 돌리고, 목록의 줄을 펼쳐 보세요.
@@ -389,7 +389,7 @@ lesson.draw_rviz(until_s=25.0)
 # %% [markdown] lang="ko" name="rviz-seen"
 # *그림 읽기:* 왼쪽은 위에서 본 모습입니다. 회색은 벽, 색이 있는 점은 레이저가 지난 1초 동안 본 것입니다(점이 남는 시간인 [[decay time|Decay Time]]이 여기서는 1초입니다). 오른쪽은 RViz의 목록입니다. 스캔이 벽 위에 놓이고 몇 센티미터만 벗어납니다. 로봇이 도는 중이고 레이저가 한 바퀴 도는 데 0.1초가 걸리기 때문입니다.
 #
-# **질문 4.** 같은 순간을 Fixed Frame만 바꾸어 보고, 그때마다 TF가 답하는 `odom` 기준 로봇을 출력합니다.
+# **질문 4.** 같은 순간을 Fixed Frame만 바꾸어 보고, 그때마다 TF가 답하는 `odom` 기준 로봇의 위치를 출력합니다.
 
 # %% name="fixed-frame" tags=["predicted"] slide="fragment"
 seen = lesson.look(graph, seconds=4.0)
@@ -403,8 +403,8 @@ for fixed_frame in ('map', 'odom', 'base_link'):
 # Use `map` to see whether scans lie on the map, `odom` to see whether odometry is smooth without the localiser's jumps, `base_link` to see what the robot sees. To choose `odom` because "there it does not jump" cures nothing.
 
 # %% [markdown] lang="ko" name="fixed-frame-seen" tags=["predicted"]
-# 그림은 움직이지만 데이터는 그대로입니다. Fixed Frame은 보는 자리일 뿐입니다. 아무것도 발행하지 않고 저장하지 않으며, 다른 노드는 알지 못합니다.
-# 스캔이 지도와 맞는지 볼 때는 `map`, 위치 추정의 튐 없이 오도메트리가 매끄러운지 볼 때는 `odom`, 로봇의 눈으로 볼 때는 `base_link`를 씁니다. "odom에서는 튀지 않으니까" odom을 고르는 것은 아무것도 고치지 않습니다.
+# 그림은 움직이지만 데이터는 그대로입니다. Fixed Frame은 바라보는 자리일 뿐입니다. 바꾸어도 발행되거나 저장되는 것은 없고, 다른 노드는 알지도 못합니다.
+# 스캔이 지도와 맞는지 볼 때는 `map`, 위치 추정 때문에 튀는 일 없이 오도메트리가 매끄러운지 볼 때는 `odom`, 로봇의 눈으로 볼 때는 `base_link`를 씁니다. "odom에서는 튀지 않으니까" `odom`을 고른다고 해서 고쳐지는 것은 없습니다.
 
 # %% [markdown] lang="en" name="fixed-frame-notes" slide="notes"
 # Say it with your head: turn it to the left. Did the room turn?
@@ -426,9 +426,9 @@ for fixed_frame in ('map', 'odom', 'base_link'):
 # %% [markdown] lang="ko" name="ok-is-not-true" slide="slide"
 # ## Ok는 맞다는 뜻이 아닙니다
 #
-# 어느 팀의 스캔이 로봇을 따라 움직였습니다. 보고에는 ✔가 네 개 있었습니다. 스캔이 발행된다 ✔, RViz에 보인다 ✔, 정적 변환이 올바르다 ✔, 오도메트리가 동적이다 ✔. 모두 정직한 ✔였습니다. URDF에서 라이다의 방향이 180° 돌아가 있었습니다(ros2/ros2 1655).
+# 어느 팀의 스캔이 로봇을 따라 움직였습니다. 보고에는 ✔가 네 개 있었습니다. 스캔이 발행된다 ✔, RViz에 보인다 ✔, 정적 변환이 올바르다 ✔, 오도메트리가 동적이다 ✔. 거짓으로 적은 ✔는 하나도 없었습니다. 그런데 URDF에서 라이다의 방향이 180° 돌아가 있었습니다(ros2/ros2 1655).
 #
-# 로봇 세 대에 실수가 하나씩 있습니다. 각각 목록의 어느 줄이 빨개질지 **예측해 봅시다.**
+# 다음 로봇 세 대에는 실수가 하나씩 있습니다. 각각 목록의 어느 줄이 빨개질지 **예측해 봅시다.**
 #
 # - **mount**: URDF에 0.20 m 대신 −0.20 m라고 적혀 있습니다(질문 3).
 # - **header**: 레이저 드라이버가 헤더에 `base_link`라고 적습니다.
@@ -452,7 +452,7 @@ lesson.draw_rviz(until_s=25.0)
 
 # %% [markdown] lang="ko" name="three-robots-seen" tags=["predicted"]
 # **아무 줄도 빨개지지 않습니다.** 세 목록은 건강한 로봇의 목록과 글자까지 같습니다. 점은 벽에서 평균 0.20, 0.12, 0.30 m 벗어나 있고(건강한 로봇은 0.05 m), 그것은 눈이나 아래에 깐 지도만 알려 줍니다.
-# *Ok*는 어디에 그릴지 계산할 수 있었다는 뜻입니다. 들어간 숫자, 이름, 시각이 사실인지는 어떤 도구도 모릅니다. 견줄 것이 없기 때문입니다. 여러분에게는 설계도, 드라이버 설명서, 시계가 있습니다.
+# *Ok*는 어디에 그릴지 계산할 수 있었다는 뜻입니다. 들어간 숫자, 이름, 시각이 사실인지는 어떤 도구도 모릅니다. 견줄 것이 없기 때문입니다. 여러분에게는 견줄 것이 있습니다. 도면, 드라이버 설명서, 시계입니다.
 
 # %% [markdown] lang="en" name="three-robots-notes" slide="notes"
 # Vote before each picture: LaserScan, RobotModel, TF, none. By the third robot the room has learnt it; then ask what would have to be compared with what.
@@ -469,7 +469,7 @@ lesson.draw_rviz(until_s=25.0)
 # %% [markdown] lang="ko" name="one-minute" slide="slide"
 # ### 1분이면 됩니다
 #
-# 명령 세 개에는 저마다 견줄 것이 있습니다. 장착 변환은 설계도나 자와, 헤더의 `frame_id`는 센서의 좌표계와, 나이는 레이저가 한 바퀴 도는 시간과 견줍니다.
+# 명령 세 개에는 저마다 견줄 것이 있습니다. 장착 변환은 도면이나 자로 잰 값과, 헤더의 `frame_id`는 센서의 좌표계와, 나이는 레이저가 한 바퀴 도는 시간과 견줍니다.
 # 첫 줄의 이름을 바꾸어 가며 로봇마다 실행해 보세요.
 
 # %% name="one-minute-mount" slide="-"
@@ -509,7 +509,7 @@ lesson.draw_rviz()
 # `Frame [map] does not exist`: the localiser was the only one who ever spoke of `map`. The robot is fine, the sensors are fine. And **`Map: Ok`**: the map's message is written in `map`, and from `map` to `map` nobody needs TF. Map Ok does not mean that the localiser runs.
 
 # %% [markdown] lang="ko" name="break-localization-seen" tags=["predicted"]
-# `Frame [map] does not exist`: `map`을 말하던 노드는 위치 추정 노드뿐이었습니다. 로봇도 센서도 멀쩡합니다. 그런데 **`Map: Ok`**입니다. 지도 메시지는 `map` 기준이고, `map`에서 `map`으로 옮길 때는 TF가 필요 없습니다. Map이 Ok라고 해서 위치 추정 노드가 살아 있다는 뜻은 아닙니다.
+# `Frame [map] does not exist`: `map`을 발행하던 노드는 위치 추정 노드뿐이었습니다. 로봇도 센서도 멀쩡합니다. 그런데 **`Map: Ok`**입니다. 지도 메시지는 `map` 기준이고, `map`에서 `map`으로 옮길 때는 TF가 필요 없습니다. Map이 Ok라고 해서 위치 추정 노드가 살아 있다는 뜻은 아닙니다.
 
 # %% [markdown] lang="en" name="break-capital-predict"
 # Next, a capital letter: Fixed Frame `Map`.
@@ -525,7 +525,7 @@ lesson.draw_rviz(fixed_frame='Map')
 # The same first line, another cause: now the list below TF *contains* `map`, and even Map fails. A name that does not exist beside one that looks like it: typed wrongly. A name that is nowhere: its node is down.
 
 # %% [markdown] lang="ko" name="break-capital-seen" tags=["predicted"]
-# 첫 줄은 같지만 원인이 다릅니다. 이번에는 TF 목록에 `map`이 *있고*, Map까지 실패합니다. 없는 이름 옆에 비슷한 이름이 있으면 잘못 입력한 것이고, 어디에도 없으면 그 노드가 죽은 것입니다.
+# 첫 줄은 같지만 원인이 다릅니다. 이번에는 TF 목록에 `map`이 *있고*, Map까지 실패합니다. 없는 이름 옆에 비슷한 이름이 있으면 잘못 입력한 것이고, 어디에도 없으면 그 이름을 발행하는 노드가 멈춘 것입니다.
 
 # %% [markdown] lang="en" name="break-joints-predict"
 # Next, nobody says any more where the joints are.
@@ -539,7 +539,7 @@ lesson.stop_node('joint_driver')
 lesson.draw_rviz()
 
 # %% [markdown] lang="en" name="break-joints-seen" tags=["predicted"]
-# RobotModel counts 7 errors, TF only 3 warnings. TF lists whom it has *heard of*; RobotModel lists who is *in the URDF*. The scan does not care: no joint lies between `map` and `laser_frame`.
+# RobotModel counts 7 errors, TF only 3 warnings. TF lists whom it has *heard of*; RobotModel lists who is *in the URDF*. The scan does not care: no joint that moves lies between `map` and `laser_frame`.
 
 # %% [markdown] lang="ko" name="break-joints-seen" tags=["predicted"]
 # RobotModel의 오류는 7개인데 TF의 경고는 3개뿐입니다. TF는 *들어 본* 좌표계를, RobotModel은 *URDF에 있는* 링크를 나열합니다. 스캔은 멀쩡합니다. `map`과 `laser_frame` 사이에는 움직이는 관절이 없습니다.
@@ -559,7 +559,7 @@ lesson.draw_rviz()
 # The one that names its cause: `not part of the same tree`. `map` and `odom` are one tree, everything on the robot another; the edge between them has lost its owner.
 
 # %% [markdown] lang="ko" name="break-odometry-seen" tags=["predicted"]
-# 원인을 알려 주는 오류입니다. `not part of the same tree`. `map`과 `odom`이 한 트리, 로봇에 달린 모두가 다른 트리입니다. 둘 사이의 연결을 보낼 노드가 없어졌습니다.
+# 원인을 알려 주는 오류입니다. `not part of the same tree`. `map`과 `odom`이 한 트리, 로봇의 좌표계 모두가 다른 트리입니다. 둘 사이의 연결을 보낼 노드가 없어졌습니다.
 
 # %% [markdown] lang="en" name="break-ekf-predict"
 # And the one without a red line: the EKF sends `odom → base_footprint`, too. RViz draws the robot here, then there; every single answer is Ok. What the list cannot say, several looks in a row can:
@@ -614,7 +614,7 @@ for _ in range(6):
 # | `not part of the same tree` | 보내는 노드가 없는 연결 | `view_frames`의 두 루트 |
 # | 모두 Ok, 벽에서 늘 같은 만큼 벗어남 | 장착 변환, 헤더의 좌표계 | `tf2_echo base_link laser_frame`, `--field header` |
 # | 모두 Ok, 굽은 길에서만 번짐 | 측정 시각, 시계 | `topic delay /scan` |
-# | 모두 Ok, 두 곳을 오감 | 발행자가 둘 | `view_frames`에서 연결의 주기, `topic info --verbose` |
+# | 모두 Ok, 두 곳을 오감 | 발행자가 둘 | `view_frames`에서 연결의 발행률, `topic info --verbose` |
 # | 아무것도 없음: `No messages received` | 발행자가 없거나 QoS가 맞지 않음 | `topic info /scan --verbose` |
 #
 # "RViz에 보이지 않으니 센서 고장"은 어느 줄에도 없습니다. 센서는 메시지를 확인한 뒤 마지막에 의심합니다.
@@ -705,13 +705,13 @@ for _ in range(6):
 # ## 실제 로봇에서
 #
 # ```
-# ros2 run tf2_tools view_frames                       # five seconds, then frames_<date>.pdf
-# ros2 run tf2_ros tf2_echo map base_link 20           # twenty a second
-# ros2 run tf2_ros tf2_monitor map laser_frame         # first report after 10.5 s: read max
+# ros2 run tf2_tools view_frames                       # 5초 뒤 frames_<날짜>.pdf
+# ros2 run tf2_ros tf2_echo map base_link 20           # 1초에 20번
+# ros2 run tf2_ros tf2_monitor map laser_frame         # 첫 보고는 10.5초 뒤, max를 읽기
 # ros2 topic delay /scan
 # ros2 topic info /tf --verbose
 # ros2 node info /wheel_odometry
-# rviz2                                                # Fixed Frame map; Add > TF, RobotModel, LaserScan, Map
+# rviz2                                                # Fixed Frame은 map, Add로 TF, RobotModel, LaserScan, Map 추가
 # ```
 #
 # 시뮬레이션이나 bag 재생 중에는 도구도 노드처럼 시뮬레이션 시각을 써야 합니다. 첫머리 이야기도 이렇게 풀립니다.
@@ -737,8 +737,8 @@ graph.stop()
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
 #
-# - 먼저 묻고 그다음에 입력합니다. [[view_frames]]는 좌표계와 연결마다의 주기, [[tf2_echo]]는 값, [[tf2_monitor]]는 지연, `topic delay`는 메시지의 나이, RViz는 모습입니다. [[owner|발행 책임]]을 알려 주는 도구는 없습니다.
-# - 지연은 주기가 아닙니다. `hz /tf`와 tf2_monitor의 Hz는 모두를 합친 값입니다.
+# - 질문부터 정하고 그다음에 입력합니다. [[view_frames]]는 좌표계와 연결마다의 발행률, [[tf2_echo]]는 값, [[tf2_monitor]]는 지연, `topic delay`는 메시지의 나이, RViz는 모습입니다. [[owner|발행 책임]]을 알려 주는 도구는 없습니다.
+# - 지연과 발행률은 다릅니다. `hz /tf`와 tf2_monitor의 Hz는 모두를 합친 값입니다.
 # - `tf2_monitor`에서는 `avg`가 아니라 `max`를 읽습니다. 정적 좌표계의 줄은 읽지 않고, 평균이 음수면 미래의 시각입니다.
 # - 느린 연결은 곧은 길에서는 틀리지 않고, 굽은 길에서 (v/ω)(1 − cos(ω/2f))만큼 틀리며, 어디서나 기다리게 합니다.
 # - [[fixed frame|Fixed Frame]]은 그림을 옮길 뿐 데이터를 바꾸지 않습니다.
@@ -762,9 +762,9 @@ graph.stop()
 # %% [markdown] lang="ko" name="from-before" slide="subslide"
 # ### 앞 장 복습: 세 문제
 #
-# 1. 부모가 없는 좌표계를 무엇이라고 합니까? 건강한 로봇에는 몇 개 있습니까?
+# 1. 부모가 없는 좌표계를 무엇이라고 합니까? 정상인 로봇에는 몇 개 있습니까?
 # 2. 위치 추정 노드가 포즈를 20 cm 바로잡습니다. 어느 연결이 바뀝니까?
-# 3. RViz는 스캔을 어느 시각의 변환으로 놓습니까? 왜 최신 변환이 아닙니까?
+# 3. RViz는 스캔을 어느 시각의 변환으로 그립니까? 왜 최신 변환을 쓰지 않습니까?
 #
 # <details><summary>답</summary>
 #
@@ -796,11 +796,11 @@ graph.stop()
 #
 # <details><summary>완전한 답에 들어 있는 것</summary>
 #
-# - [ ] `view_frames`는 5초 동안의 트리를 그립니다. 부모, 연결마다의 주기와 시각이 나옵니다.
+# - [ ] `view_frames`는 5초 동안의 트리를 그립니다. 부모, 연결마다의 발행률과 시각이 나옵니다.
 # - [ ] `tf2_echo A B`는 한 쌍의 값, 곧 A 기준 B의 최신 포즈를 되풀이해 출력합니다.
 # - [ ] `tf2_monitor`는 사슬과 좌표계가 얼마나 늦는지 잽니다(첫 `avg`가 아니라 `max`).
 # - [ ] 연결의 발행 책임은 어느 도구도 알려 주지 않습니다. `topic info --verbose`는 토픽에 있는 노드를 알려 줍니다.
-# - [ ] 모두 표본입니다. 두 번 보는 사이의 일은 보이지 않습니다. 더 나아가면, 출력된 값이 맞는 값이라는 보장은 없습니다.
+# - [ ] 모두 이따금 들여다볼 뿐이라서, 그 사이에 일어난 일은 보이지 않습니다. 더 나아가면, 출력된 값이 맞는 값이라는 보장은 없습니다.
 #
 # </details>
 
@@ -818,11 +818,11 @@ graph.stop()
 # %% [markdown] lang="ko" name="exit-ticket" slide="slide"
 # ## 마무리하며
 #
-# > RViz는 모두 Ok인데, 곧은 길에서나 굽은 길에서나 스캔이 벽에서 20 cm 벗어나 있습니다. 명령 두 개와, 그 출력을 무엇과 견줄지 쓰십시오.
+# > RViz는 모두 Ok인데, 곧은 길에서나 굽은 길에서나 스캔이 벽에서 20 cm 벗어나 있습니다. 명령 두 개와, 그 출력을 무엇과 견줄지 써 보세요.
 #
 # <details><summary>맞춰 보기</summary>
 #
-# `tf2_echo base_link laser_frame`의 값을 설계도나 자로 잰 값과 견줍니다. `topic echo /scan --once --field header`의 `frame_id`를 센서의 좌표계와 견줍니다.
+# `tf2_echo base_link laser_frame`의 값을 도면이나 자로 잰 값과 견줍니다. `topic echo /scan --once --field header`의 `frame_id`를 센서의 좌표계와 견줍니다.
 #
 # </details>
 

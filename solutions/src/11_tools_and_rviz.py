@@ -159,7 +159,7 @@ check("E11.3", verdict)
 # %% [markdown] lang="ko" name="e11-4"
 # ## E11.4 · RViz에 보이는 로봇 여섯 대 (4점)
 #
-# 로봇마다 하나씩 잘못되었습니다. 아래는 RViz 목록이고, 모두 Ok이면 무엇이 보이는지 한 문장으로 적었습니다(the scan lies on / beside the walls = 스캔이 벽 위에 / 옆에 놓인다, in bends it smears = 굽은 길에서 번진다). Fixed Frame은 `map`이어야 합니다.
+# 로봇마다 잘못된 곳이 하나씩 있습니다. 아래는 RViz 목록이고, 모두 Ok이면 무엇이 보이는지 한 문장으로 적었습니다(the scan lies on / beside the walls = 스캔이 벽 위에 / 옆에 놓인다, in bends it smears = 굽은 길에서 번진다). Fixed Frame은 `map`이어야 합니다.
 # 로봇마다 가장 그럴듯한 원인과 첫 점검을 고르십시오.
 #
 # - 원인: `"localiser down"`(위치 추정 노드 멈춤), `"Fixed Frame misspelt"`(잘못 입력), `"joint states missing"`(관절 상태 없음), `"odometry down"`(오도메트리 멈춤), `"stamps late"`(측정 시각이 늦음), `"mount wrong"`(장착 변환이 틀림), `"sensor broken"`(센서 고장), `"nothing wrong"`(이상 없음)

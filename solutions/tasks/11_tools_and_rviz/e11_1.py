@@ -69,7 +69,7 @@ RATE_FROM_HZ = Twin(
     but(edge_rate="topic hz"),
     Words(
         en="edge rate: topic hz counts everybody on /tf, 20 + 20 + 10 on the page. Asked is one edge.",
-        ko="edge rate: topic hz는 /tf의 모두를 셉니다. 이 장에서는 20 + 20 + 10이었습니다. 연결 하나의 주기를 물었습니다.",
+        ko="edge rate: topic hz는 /tf의 모두를 셉니다. 이 장에서는 20 + 20 + 10이었습니다. 연결 하나의 발행률을 물었습니다.",
     ),
 )
 
@@ -105,7 +105,7 @@ RVIZ_FIRST = Twin(
     dict.fromkeys(RIGHT, "RViz"),
     Words(
         en="RViz for everything: it shows the result of all of it at once, and no number. Ask what exactly you want to know: a name, a value, a time, a node?",
-        ko="모두 RViz입니다. RViz는 모든 것의 결과를 한꺼번에, 숫자 없이 보여 줍니다. 정확히 무엇을 알고 싶은지 물어보세요. 이름입니까, 값입니까, 시각입니까, 노드입니까?",
+        ko="모든 질문에 RViz라고 답했습니다. RViz는 모든 것의 결과를 한꺼번에, 숫자 없이 보여 줍니다. 정확히 무엇을 알고 싶은지 물어보세요. 이름입니까, 값입니까, 시각입니까, 노드입니까?",
     ),
     "M15",
 )
@@ -132,7 +132,7 @@ TASK = Task(
     means={
         "view_frames": Words(
             en="view_frames knows frames, parents, and each edge's rate and ages, over five seconds; no values and no nodes.",
-            ko="view_frames는 5초 동안의 좌표계, 부모, 연결마다의 주기와 시각을 압니다. 값과 노드는 모릅니다.",
+            ko="view_frames는 5초 동안의 좌표계, 부모, 연결마다의 발행률과 시각을 압니다. 값과 노드는 모릅니다.",
         ),
         "tf2_echo": Words(
             en="tf2_echo knows the value of one pair; nothing of other frames, of how often, or of messages.",
@@ -156,7 +156,7 @@ TASK = Task(
         ),
         "RViz": Words(
             en="RViz shows to the eye what could be computed; numbers, rates and nodes it does not give.",
-            ko="RViz는 계산할 수 있었던 것을 눈에 보여 줍니다. 숫자, 주기, 노드는 알려 주지 않습니다.",
+            ko="RViz는 계산할 수 있었던 것을 눈에 보여 줍니다. 숫자, 발행률, 노드는 알려 주지 않습니다.",
         ),
         "no ROS 2 tool": Words(
             en="for this one there is a tool: its answer is printed on the page.",

@@ -95,7 +95,7 @@ SHARED_EVENLY = Slip(
     {"rate": "shared"},
     Words(
         en="You shared /tf evenly among the nodes. Nobody promised that: two of their rates are on the card.",
-        ko="/tf를 노드 수로 똑같이 나누었습니다. 그런 약속은 없습니다. 두 노드의 주기는 카드에 있습니다.",
+        ko="/tf를 노드 수로 똑같이 나누었습니다. 그런 약속은 없습니다. 두 노드의 발행률은 카드에 있습니다.",
     ),
     part="odometry_hz",
 )
@@ -258,7 +258,7 @@ TASK = Task(
     hints=(
         Words(
             en="First the rate: everybody's Hz, minus the two nodes whose rate you know.",
-            ko="먼저 주기입니다. 모두의 Hz에서 주기를 아는 두 노드의 것을 뺍니다.",
+            ko="먼저 발행률입니다. 모두를 합친 Hz에서, 발행률을 아는 두 노드의 것을 뺍니다.",
         ),
         Words(
             en="Late: the report's max. Off: (v/ω)(1 − cos(ω/2f)), in millimetres.",

@@ -203,7 +203,7 @@ TASK = Task(
     means={
         "localiser down": Words(
             en="with the localiser down nobody speaks of map: TF's list has no such name.",
-            ko="위치 추정 노드가 멈추면 map을 말하는 노드가 없어 TF 목록에 그 이름이 없습니다.",
+            ko="위치 추정 노드가 멈추면 map을 발행하는 노드가 없어 TF 목록에 그 이름이 없습니다.",
         ),
         "Fixed Frame misspelt": Words(
             en="with a misspelt Fixed Frame the list below TF holds the name that was meant.",
@@ -234,7 +234,7 @@ TASK = Task(
         ),
         "ros2 node list": Words(
             en="the list of nodes shows who is down; here everybody speaks.",
-            ko="노드 목록은 멈춘 노드를 보여 줍니다. 이 로봇에서는 모두 말하고 있습니다.",
+            ko="노드 목록은 멈춘 노드를 보여 줍니다. 이 로봇에서는 모두 발행하고 있습니다.",
         ),
         "the name in RViz": Words(
             en="the typed name is the one that the others use.", ko="입력한 이름은 다른 노드가 쓰는 이름과 같습니다."

@@ -81,7 +81,7 @@ RATE_AS_AN_OPTION = Slip(
     {"rate": "option"},
     Words(
         en="value: the rate is no option: it stands alone, as the third argument.",
-        ko="value: 주기는 옵션이 아니라 셋째 인자로 숫자만 씁니다.",
+        ko="value: 1초에 몇 번인지는 옵션이 아니라 셋째 인자로 숫자만 씁니다.",
     ),
     part="value",
 )
@@ -91,7 +91,7 @@ CLOCK_FORGOTTEN = Slip(
     {"clock": "wall"},
     Words(
         en="late: the tool would subtract simulated stamps from the time on the wall: the story's 51.7 years.",
-        ko="late: 현실의 현재 시각에서 시뮬레이션의 측정 시각을 빼게 됩니다. 첫머리 이야기의 51.7년입니다.",
+        ko="late: 컴퓨터의 시스템 시각에서 시뮬레이션의 측정 시각을 빼게 됩니다. 첫머리 이야기의 51.7년입니다.",
     ),
     "M13",
     part="late",
@@ -102,7 +102,7 @@ PARAMETER_BARE = Slip(
     {"clock": "bare"},
     Words(
         en="late: that is how launch files take arguments. `ros2 run` takes parameters after --ros-args, each with -p.",
-        ko="late: launch 인자를 주는 방식입니다. `ros2 run`에서는 --ros-args 다음에 -p로 매개변수를 줍니다.",
+        ko="late: launch 인자를 주는 방식입니다. `ros2 run`에서는 --ros-args 다음에 -p로 파라미터를 줍니다.",
     ),
     part="late",
 )
@@ -176,7 +176,7 @@ EQUALS_SIGN = Slip(
     {"clock": "equals"},
     Words(
         en="late: ROS writes := between a parameter and its value.",
-        ko="late: ROS에서는 매개변수와 값 사이에 :=을 씁니다.",
+        ko="late: ROS에서는 파라미터와 값 사이에 :=을 씁니다.",
     ),
     part="late",
 )
@@ -258,11 +258,11 @@ TASK = Task(
         ),
         Words(
             en="tf2_echo: the frame to look *from* stands first, then the other, then the rate.",
-            ko="tf2_echo에는 기준이 되는 좌표계를 먼저, 다음에 다른 좌표계, 마지막에 주기를 씁니다.",
+            ko="tf2_echo에는 기준이 되는 좌표계를 먼저, 다음에 다른 좌표계, 마지막에 1초에 몇 번인지를 씁니다.",
         ),
         Words(
             en="Parameters of a node follow --ros-args, each after a -p, name:=value.",
-            ko="노드의 매개변수는 --ros-args 다음에, 저마다 -p를 붙여 이름:=값으로 씁니다.",
+            ko="노드의 파라미터는 --ros-args 다음에, 저마다 -p를 붙여 이름:=값으로 씁니다.",
         ),
     ),
     cures=("M1", "M13"),

@@ -59,13 +59,13 @@ BLIND = {
     "view_frames": Words(
         en="Blind here. It draws five seconds of names, parents, rates and ages; values and messages it never "
         "looks at, and its broadcaster is default_authority for everybody.",
-        ko="답하지 못합니다. 5초 동안의 이름, 부모, 발행 주기, 시각만 그립니다. 값과 메시지는 보지 않고, "
+        ko="답하지 못합니다. 5초 동안의 이름, 부모, 발행률, 시각만 그립니다. 값과 메시지는 보지 않고, "
         "broadcaster는 누구나 default_authority입니다.",
     ),
     "tf2_echo": Words(
         en="Blind here. It prints one value of one pair, as often as it likes itself: nothing of rates, messages "
         "or nodes.",
-        ko="답하지 못합니다. 한 쌍의 값 하나를 자기 주기로 출력할 뿐, 발행 주기도 메시지도 노드도 모릅니다.",
+        ko="답하지 못합니다. 한 쌍의 값 하나를 정해진 간격으로 출력할 뿐, 발행률도 메시지도 노드도 모릅니다.",
     ),
     "tf2_monitor": Words(
         en="Blind here. It measures now minus stamp; it sees no values and no messages, and everybody is <no "
@@ -132,7 +132,7 @@ SAID = {
     ("rate", "topic hz"): ("half", Words(
         en="It counts all messages on /tf, of three nodes here. Only where one node is alone on a topic is that "
         "its rate.",
-        ko="/tf의 메시지를 모두 셉니다. 여기서는 세 노드의 것입니다. 토픽에 노드가 하나뿐일 때만 그 노드의 주기입니다.",
+        ko="/tf의 메시지를 모두 셉니다. 여기서는 세 노드의 것입니다. 노드가 하나뿐일 때만 그 노드의 발행률입니다.",
     )),
     ("delay", "view_frames"): ("half", Words(
         en="Subtract Most recent transform from the time of recording, edge by edge: one moment of it.",
