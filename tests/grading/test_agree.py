@@ -5,8 +5,8 @@ from __future__ import annotations
 from tflab.grading.judging.agree import in_another_order, together
 from tflab.workbook.answers.forms import Number, Parts
 
-TASK = {"form": Number().plain(), "is_function": True, "cases": [{}, {}, {}], "asks": [0, 1, 2, 0]}
-PARTS = {"form": Parts({"a": Number(), "b": Number()}).plain(), "is_function": False, "cases": [{}]}
+TASK = {"form": Number().plain(), "is_function": True, "cases": [{"expected": 1.0}] * 3, "asks": [0, 1, 2, 0]}
+PARTS = {"form": Parts({"a": Number(), "b": Number()}).plain(), "is_function": False, "cases": [{"expected": {}}]}
 RAISED = {"raises": "TypeError", "text": ""}
 
 
@@ -42,3 +42,9 @@ def test_where_a_run_has_no_value_the_other_counts() -> None:
 def test_an_answer_of_which_a_part_is_missing_is_no_value_so_it_cannot_be_filled_up_later() -> None:
     half, other = {"dict": {"a": 1.0, "b": None}}, {"dict": {"a": 7.0, "b": 2.0}}
     assert heard(PARTS, {0: half}, {0: other}) == {0: [other]}
+
+
+def test_what_is_very_large_is_read_by_no_form_in_neither_run() -> None:
+    large = [1.0] * 90_000
+    said = heard(TASK, {0: large, 1: [[[2.0]] * 50_000]}, {2: "x" * 4_000_000})
+    assert [outcome for outcomes in said.values() for outcome in outcomes] == [{"object": "something very large"}] * 3

@@ -17,6 +17,7 @@ from typing import Any
 from tflab.workbook.answers.forms import Form, form_from_plain
 
 from .draw import asks_of
+from .marks import most_members, of_bounded_size
 
 __all__ = ["in_another_order", "together"]
 
@@ -32,7 +33,9 @@ def together(
     """Return a task as it was asked in two runs, and its outcomes; `second` is of `in_another_order`."""
     asks, asks_again = asks_of(task), in_another_order(task)["asks"]
     form = form_from_plain(task["form"])
+    most = most_members(case["expected"] for case in task["cases"])
     outcomes = dict(first) | {len(asks) + place: outcome for place, outcome in second.items()}
+    outcomes = {place: of_bounded_size(outcome, most) for place, outcome in outcomes.items()}
     both = [*asks, *asks_again]
     answered = {both[place] for place, outcome in outcomes.items() if _is_a_value(form, outcome)}
     kept = {

@@ -11,7 +11,7 @@ words.  Read `job.py` next.
 from __future__ import annotations
 
 import builtins
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -27,7 +27,7 @@ from tflab.workbook.words import Words
 from ..submissions.remarks import Remark
 from .draw import asks_of
 
-__all__ = ["MISSING", "TaskMark", "judged", "safe_error_name"]
+__all__ = ["MISSING", "TaskMark", "judged", "most_members", "of_bounded_size", "safe_error_name"]
 
 MISSING = {"object": "nothing"}  # an outcome that never came, or that nobody can read; it is of no form
 TOO_LARGE = {"object": "something very large"}
@@ -127,7 +127,7 @@ def _by_case(task: TaskCases, asks: Sequence[int], outcomes: Mapping[int, Any]) 
     A case whose answers differ, one right and one wrong, has none.
     """
     cases = task.variants[0].cases
-    most = MOST_MEMBERS + MORE_THAN_WANTED * max(_members(case.expected, MOST_MEMBERS) for case in cases)
+    most = most_members([case.expected for case in cases])
     heard: list[list[Any]] = [[] for _ in cases]
     for place, case in enumerate(asks):
         if place in outcomes:
@@ -145,8 +145,7 @@ def _by_case(task: TaskCases, asks: Sequence[int], outcomes: Mapping[int, Any]) 
 
 def _readable(form: Form, answer: Any, most: int) -> Any:
     """Return an outcome, or MISSING where it is no JSON of ours: a forged message may hold anything, of any size."""
-    if _members(answer, most) >= most:
-        return TOO_LARGE
+    answer = of_bounded_size(answer, most)
     try:
         form.probes(answer)
     except UNREADABLE:
@@ -155,6 +154,16 @@ def _readable(form: Form, answer: Any, most: int) -> Any:
     if not isinstance(kind, str) or (kind == "raises" and not isinstance(answer["raises"], str)):
         return MISSING
     return answer
+
+
+def most_members(expected: Iterable[Any]) -> int:
+    """Return of how many values an answer may be made, by those that are expected."""
+    return MOST_MEMBERS + MORE_THAN_WANTED * max(_members(value, MOST_MEMBERS) for value in expected)
+
+
+def of_bounded_size(answer: Any, most: int) -> Any:
+    """Return an answer, or what says that it is too large to be looked at."""
+    return TOO_LARGE if _members(answer, most) >= most else answer
 
 
 def _members(plain: Any, most: int) -> int:
