@@ -222,7 +222,7 @@ print(later.all_frames_as_string())
 # </details>
 
 # %% [markdown] lang="ko" name="in-a-loop"
-# <details><summary>더 깊이: 반복문에서 sendTransform을 부르면?</summary>
+# <details><summary>더 깊이: 반복문에서 sendTransform을 호출하면?</summary>
 #
 # 배포판에 따라 다릅니다. 발행기 하나로 `camera_1`, `camera_2` …를 하나씩 보낼 때입니다.
 #
@@ -594,7 +594,7 @@ lesson.frame_tree(graph, seconds=1.0)
 # And this is what the listener keeps: of `/tf` the last ten seconds, each [[sample]] at its stamp; of `/tf_static` one value, good for any time.
 
 # %% [markdown] lang="ko" name="radio-seen"
-# *그림 읽기:* **S**(static)는 정적, **D**(dynamic)는 동적입니다. rate = 빈도, age = 나이, published by = 발행 책임. 연결마다 발행 책임은 하나입니다.
+# *그림 읽기:* **S**(static)는 정적, **D**(dynamic)는 동적입니다. rate = 발행률(1초에 몇 번), age = 나이, published by = 발행 책임. 연결마다 발행 책임은 하나입니다.
 #
 # 다음은 수신기가 보관하는 것입니다. `/tf`는 최근 10초의 [[sample|표본]]이 저마다 측정 시각 자리에 있고, `/tf_static`은 값 하나가 어느 시각에나 유효합니다.
 
@@ -1086,9 +1086,9 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 # 강의 자료의 두 노드를 저장하고 시작합니다. `python3 static_sensor_broadcaster.py`와 `python3 moving_robot_broadcaster.py`입니다. 이 워크북의 터미널에서는 `tflab run static_sensor_broadcaster.py moving_robot_broadcaster.py`로 실행합니다. 그런 다음 살펴봅니다.
 #
 # ```
-# ros2 topic info /tf_static --verbose      # who has a board, and which durability
-# ros2 topic echo /tf_static                # every board; stop with Ctrl-C
-# ros2 topic hz /tf                         # is it 20?
+# ros2 topic info /tf_static --verbose      # 게시판이 있는 발행자와 지속성
+# ros2 topic echo /tf_static                # 모든 게시판, Ctrl-C로 끝내기
+# ros2 topic hz /tf                         # 20인지?
 # ros2 run tf2_ros static_transform_publisher --help
 # ```
 #

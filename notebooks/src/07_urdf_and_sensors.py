@@ -17,7 +17,7 @@
 #
 # 이 장을 마치면 다음을 할 수 있습니다.
 #
-# - [[urdf|URDF]]의 관절 하나를 읽습니다. origin과 axis가 말하는 것, 그리고 어느 것도 말하지 않는 것을 압니다.
+# - [[urdf|URDF]]의 관절 하나를 읽습니다. origin과 axis에 적히는 것, 그리고 어디에도 적히지 않는 것을 압니다.
 # - 로봇 팔 끝의 위치를 도미노처럼 하나씩 이어 계산합니다.
 # - `robot_state_publisher`가 어떤 좌표계를 어느 토픽으로 발행하는지, 왜 일부가 빠지는지 설명합니다.
 # - 도면과 다르게 달린 센서를 알아봅니다. 돌아간 것, 기울어진 것, 뒤집힌 것입니다.
@@ -121,7 +121,7 @@ print('base_T_laser', lesson.fmt_all(base_T_laser.translation), 'rpy', lesson.fm
 # 우리 로봇의 URDF에도 이 줄들이 있습니다.
 #
 # 링크에는 `<visual>`이 있을 수 있고, 그 안에도 `<origin>`이 있습니다. 이것은 *겉모습*이 링크의 어디에 그려지는지를 적은 것입니다. TF는 읽지 않습니다.
-# 이제 레이저를 드라이버로 풀어 실제로 돌려 답니다. `screws`는 실제로 달린 상태입니다. TF는 알지 못합니다.
+# 이제 나사를 풀고 레이저를 실제로 돌려 답니다. `screws`는 실제로 달린 상태입니다. TF는 알지 못합니다.
 
 # %% name="write-the-line" slide="fragment"
 URDF = lesson.teaching_urdf()
@@ -147,7 +147,7 @@ lesson.draw_placed(placed, walls=lesson.ROOM.walls)
 # %% [markdown] lang="ko" name="walls-seen" tags=["predicted"]
 # *그림 읽기:* 위에서 본 모습입니다. 회색은 벽, 점은 TF가 레이저의 측정값을 놓은 자리입니다. nothing written = 아무것도 쓰지 않음, off by = 어긋난 거리, on average = 평균, at worst = 최대.
 #
-# 평균 1.5미터, 최대 5미터 가까이 어긋납니다. `<visual>`에 쓴 줄은 점 하나도 바꾸지 못했습니다. 관절에 쓰면 레이저의 잡음인 몇 밀리미터만 남고 모두 맞습니다.
+# 평균 1.5미터, 최대 5미터 가까이 어긋납니다. `<visual>`에 쓴 줄은 점 하나도 바꾸지 못했습니다. 관절에 쓰면 레이저의 잡음 몇 밀리미터만 남고 모두 맞습니다.
 #
 # 아무 오류도 나지 않았습니다. 도면과 나사를 비교해 주는 도구는 없습니다. 똑바로 앞에 있다고 알고 있는 물체로 *여러분이* 비교해야 합니다.
 
@@ -213,10 +213,10 @@ lesson.draw_scene({'head': head}, {'nose': head.apply(nose)}, ghosts={'misread':
 # %% [markdown] lang="ko" name="axis-seen" tags=["predicted"]
 # *그림 읽기:* head = 머리, nose = 코, misread = 잘못 읽은 경우(회색 기울임꼴).
 #
-# 끄덕입니다. 코가 머리가 보는 왼쪽에서 z = −0.479로 내려갑니다. 축을 부모의 축으로 읽으면 머리가 옆으로 갸웃하고 코는 제자리입니다.
+# 끄덕입니다. 머리가 보는 방향인 왼쪽에서 코가 z = −0.479까지 내려갑니다. 축을 부모의 축으로 읽으면 머리가 옆으로 갸웃하고 코는 제자리입니다.
 # TurtleBot3의 바퀴가 이렇게 적혀 있습니다. `rpy="-1.57 0 0"`으로 축을 눕힌 다음, `axis="0 0 1"`이 옆을 향합니다.
 #
-# 두 가지를 더 조심하세요. URDF에는 도(degree)가 없습니다. `rpy="0 0 90"`은 90 rad이고, 열네 바퀴를 돌고 116.62°입니다. rpy는 02장에서처럼 부모의 고정된 축을 중심으로 roll부터 돕니다.
+# 두 가지를 더 조심하세요. URDF에는 도(degree)가 없습니다. `rpy="0 0 90"`은 90 rad이고, 열네 바퀴를 돌고도 116.62°를 더 돕니다. rpy는 02장에서처럼 부모의 고정된 축을 중심으로 roll부터 돕니다.
 
 # %% [markdown] lang="en" name="chain" slide="slide"
 # ## A chain: dominoes with hinges
@@ -408,7 +408,7 @@ print('as it should  ', drive(JOINTS, position=[0.5, -0.6, 0.4]))
 
 # %% [markdown] lang="ko" name="drivers-seen" tags=["predicted"]
 # - **이름이 다를 때**(other names): 아무 말이 없습니다. URDF의 이름과 같은지 아무도 확인하지 않습니다.
-# - **시각이 0일 때**(stamp zero): 아무 말이 없습니다. 마지막 것보다 새롭지 않은 메시지는 지나치는데, 0은 언제나 새롭지 않습니다.
+# - **시각이 0일 때**(stamp zero): 아무 말이 없습니다. 마지막 메시지보다 늦은 시각이 아니면 무시하는데, 0은 결코 더 늦을 수 없습니다.
 # - **속도만 있을 때**(velocity only): 유일하게 WARN이 나옵니다. 첫 관절의 이름이 적혀 있고, 문구는 실제 노드의 것입니다.
 #
 # 팔이 보이지 않으면 `ros2 topic echo /joint_states`로 이름, 시각, 위치를 URDF와 나란히 놓고 읽으세요.
@@ -493,7 +493,7 @@ lesson.draw_placed({'URDF: level': level, 'URDF: 3°': true, 'URDF: 3°, z > 0.0
 # 벽이 0.14 % 가까워지는 일도 실제로 있지만 아무도 알아채지 못합니다.
 #
 # URDF를 제대로 적어도 점들은 돌아가지 않습니다. 빛이 *실제로* 바닥에서 끝났기 때문입니다. 대신 점마다 z가 생기고, 그러면 걸러 낼 수 있습니다.
-# 평면 스캔만 받는 프로그램이라면 드라이버로 레이저를 수평으로 맞추세요. 강의에서는 기울어진 레이저를 수평으로 여기면 장애물 위치가 틀어진다고 했습니다. URDF를 제대로 적는 것은 고치는 일의 시작이지 끝이 아닙니다.
+# 평면 스캔만 받는 프로그램이라면 나사를 조절해 레이저를 수평으로 맞추세요. 강의에서는 기울어진 레이저를 수평으로 여기면 장애물 위치가 틀어진다고 했습니다. URDF를 제대로 적는 것은 고치는 일의 시작이지 끝이 아닙니다.
 
 # %% [markdown] lang="en" name="tilt-notes" slide="notes"
 # The surprise is the second panel: the URDF is right and the dots are where they were. Ask what the URDF has given us then. The answer is one number: z. Forty-five minutes up to here.
@@ -660,7 +660,7 @@ for what, text in broken.items():
 # %% [markdown] lang="ko" name="checkpoint" slide="slide"
 # ## 마무리 점검
 #
-# RViz에는 모두 초록입니다. 그런데 스캔의 벽이 지도의 벽에서 90° 돌아가 있습니다. 무엇을 먼저 봐야 합니까?
+# RViz에서는 모두 초록색입니다. 그런데 스캔의 벽이 지도의 벽에서 90° 돌아가 있습니다. 무엇을 먼저 봐야 합니까?
 #
 # 1. 레이저. 고장입니다.
 # 2. 레이저 드라이버가 발행하는 쿼터니언.
@@ -705,11 +705,11 @@ for what, text in broken.items():
 # ## 실제 로봇에서
 #
 # ```
-# ros2 topic echo /robot_description --once        # the drawing, as everybody has it
-# ros2 topic echo /joint_states                    # names, stamp, position
+# ros2 topic echo /robot_description --once        # 모두가 받는 도면
+# ros2 topic echo /joint_states                    # 이름, 시각, 위치
 # ros2 node info /robot_state_publisher
-# ros2 run tf2_ros tf2_echo base_link laser_frame  # the promise
-# ros2 topic echo /imu --field angular_velocity.z  # turn the robot to the left by hand: positive?
+# ros2 run tf2_ros tf2_echo base_link laser_frame  # 약속
+# ros2 topic echo /imu --field angular_velocity.z  # 로봇을 손으로 왼쪽으로 돌리면 양수?
 # ```
 #
 # 레이저라면 로봇 바로 앞에 상자를 놓고 RViz의 어디에 보이는지 확인하세요. 다는 날 30초면 됩니다.
@@ -731,7 +731,7 @@ for what, text in broken.items():
 # - `<joint><origin>`은 좌표계를 옮기고, `<visual><origin>`은 겉모습만 옮깁니다. 단위는 미터와 라디안이고 부모 기준 자식입니다.
 # - `parent_T_child = origin @ movement`이고, axis는 자식의 축으로 적습니다.
 # - [[robot_state_publisher|`robot_state_publisher`]]는 고정된 관절을 `/tf_static`으로 한 번, 움직이는 관절을 `/tf`로 보냅니다. JointState에 이름, 시각, 위치가 있는 관절만 보냅니다.
-# - 3° 아래를 보는 레이저는 5미터 앞의 바닥을 벽으로 봅니다. 뒤집힌 IMU는 왼쪽의 부호를 바꿉니다. 둘 다 노드가 아니라 관절이나 드라이버로 고칩니다.
+# - 3° 아래를 보는 레이저는 5미터 앞의 바닥을 벽으로 봅니다. 뒤집힌 IMU는 왼쪽의 부호를 바꿉니다. 둘 다 노드에서가 아니라, 관절의 origin이나 나사를 바로잡아 고칩니다.
 # - `tcp`는 `tool0` 아래에 따로 둔 좌표계입니다.
 
 # %% [markdown] lang="en" name="from-before" slide="subslide"

@@ -39,7 +39,7 @@
 # ## 시작하기 전에 알아 둘 것
 #
 # - **정적 변환**(06)은 `/tf_static`으로 한 번 보냅니다. 늦게 오는 노드를 위해 발행자가 메시지를 간직합니다.
-# - **측정 시각**(08)은 언제 측정했는지를 말합니다. [[buffer|버퍼]]는 가장 오래된 표본과 최신 표본 사이를 답하고, `Time()`은 최신을 뜻합니다.
+# - **측정 시각**(08)은 언제 측정했는지를 나타냅니다. [[buffer|버퍼]]는 가장 오래된 표본과 최신 표본 사이의 시각에만 답하고, `Time()`은 최신을 뜻합니다.
 # - **세 가지 거절**(09): 모르는 이름, 경로 없음, 범위 밖의 시각(과거, 미래). 버퍼에 표본이 하나뿐이면 시각에 관한 셋째 오류 메시지가 나옵니다.
 
 # %% name="load" slide="skip"
@@ -117,7 +117,7 @@ lesson.draw_heard(lap, for_s=2.0)
 # %% [markdown] lang="ko" name="heard-read"
 # *그림 읽기:* 행마다 토픽 하나, 동그라미마다 메시지 하나입니다. moments = 메시지 수, time = 시간.
 #
-# 동그라미는 기록기가 메시지를 *들은* 때입니다. 메시지에는 시각이 둘 있습니다. 다른 하나인 측정 시각은 언제 측정했는지를 말합니다. 스캔은 측정하고 0.105초 뒤에 들립니다.
+# 동그라미는 기록기가 메시지를 *들은* 때입니다. 메시지에는 시각이 둘 있습니다. 다른 하나인 측정 시각은 언제 측정했는지를 나타냅니다. 스캔은 측정된 지 0.105초 뒤에 기록기에 들어옵니다.
 # `ros2 bag play`는 첫째 시각을, TF는 둘째 시각을 따릅니다.
 #
 # ### 예측해 봅시다
@@ -129,7 +129,7 @@ lesson.draw_heard(lap, for_s=2.0)
 # To find out we need a node that listens while the bag plays. It asks for each scan three times: at the scan's stamp, at its own now, and with `Time()`. It also counts how often its timer rings, and how old a scan seems to it.
 
 # %% [markdown] lang="ko" name="asker-intro" slide="subslide"
-# 알아보려면 재생하는 동안 듣는 노드가 필요합니다. 이 노드는 스캔마다 세 가지를 조회합니다. 스캔의 측정 시각, 자신의 현재 시각, 그리고 `Time()`입니다. 타이머가 몇 번 울리는지, 스캔이 얼마나 오래되어 보이는지도 적습니다.
+# 알아보려면 재생하는 동안 듣는 노드가 필요합니다. 이 노드는 스캔마다 세 시각의 변환을 조회합니다. 스캔의 측정 시각, 자신의 현재 시각, 그리고 `Time()`입니다. 타이머가 몇 번 울리는지, 스캔이 얼마나 오래되어 보이는지도 적습니다.
 
 # %% name="imports" slide="skip"
 import rclpy
@@ -220,7 +220,7 @@ for left_out in ((), ("/tf_static",), ("/tf",)):
 # | the same from a simulation | the same, and `/clock` |
 
 # %% [markdown] lang="ko" name="place-all-read" tags=["predicted"]
-# 크기가 거의 같은 bag 셋인데 149, 0, 0입니다. 그리고 두 오류 메시지는 서로 다른 좌표계를 말합니다. `/tf_static`이 없으면 센서를, `/tf`가 없으면 지도를 아무도 모릅니다.
+# 크기가 거의 같은 bag 셋인데 149, 0, 0입니다. 그리고 두 오류 메시지에는 서로 다른 좌표계의 이름이 나옵니다. `/tf_static`이 없으면 센서를, `/tf`가 없으면 지도를 아무도 모릅니다.
 # 첫 오류 메시지가 어떤 토픽이 빠졌는지 알려 줍니다. 센서는 고장 난 적이 없습니다.
 #
 # 그렇다면 가장 작은 기록은 무엇일까요? 내일 그 bag으로 무엇을 알아내려는지에 달려 있습니다.
@@ -281,7 +281,7 @@ for use_sim_time in (False, True):
 # - **측정 시각으로는 언제나 60개 가운데 59개입니다.** 측정 시각과 변환은 같은 bag에서 왔으므로, 시계가 무엇을 가리키든 서로 맞습니다. 측정 시각의 변환을 써야 하는 또 하나의 이유입니다(08).
 # - **컴퓨터의 시간에서는** 나머지가 모두 하루씩 틀립니다. 현재 시각은 모든 데이터보다 86,400초 늦고, 스캔은 하루 묵은 것으로 보이며, 노드가 새로 찍는 측정 시각은 내일의 것이 됩니다.
 # - **둘 다 켜면** 노드는 bag의 시간에 삽니다. 스캔의 나이는 로봇에서처럼 0.105초입니다. *현재 시각*의 조회는 0.01초 모자라 정직하게 실패합니다. 변환이 오는 데도 시간이 걸리기 때문입니다.
-# - **셋째 줄은 어떻습니까?** `use_sim_time`은 켰고 `--clock`은 없습니다. 타이머는 한 번도 울리지 않고, 나이는 −7초쯤이며, *현재 시각*은 60번 가운데 59번 답을 얻습니다. 답을 얻는 유일한 설정입니다!
+# - **셋째 줄은 어떨까요?** `use_sim_time`은 켰고 `--clock`은 없습니다. 타이머는 한 번도 울리지 않고, 나이는 −7초쯤이며, *현재 시각*은 60번 가운데 59번 답을 얻습니다. 답을 얻는 유일한 설정입니다!
 
 # %% [markdown] lang="en" name="stopped" slide="subslide"
 # ### The stopped clock
@@ -362,7 +362,7 @@ asker = lesson.replay(Asker, bags / "lap", "", for_s=1.0)
 # **Break it:** somebody writes `"true"` in quotes. **Predict:** simulation time, the machine's, or no node at all?
 
 # %% [markdown] lang="ko" name="quotes" slide="subslide"
-# **일부러 고장 내기:** 누군가 `"true"`처럼 따옴표를 붙였습니다. **예측해 봅시다.** 시뮬레이션 시간일까요, 컴퓨터의 시간일까요, 아니면 노드가 뜨지 않을까요?
+# **일부러 고장 내기:** 누군가 `"true"`처럼 따옴표를 붙였습니다. **예측해 봅시다.** 시뮬레이션 시간일까요, 컴퓨터의 시간일까요, 아니면 노드가 아예 시작되지 않을까요?
 
 # %% name="quotes-run" tags=["predicted"] slide="fragment"
 graph = lesson.new_graph()
@@ -505,7 +505,7 @@ show(sound)
 
 # %% [markdown] lang="ko" name="with-a-node-read"
 # 바퀴마다 한 줄이 나오고, 모두 맞습니다. 버퍼는 지우고, 재생기는 장착 변환을 다시 보냅니다.
-# C++의 버퍼에는 언제나 시계가 있습니다. Python에는 없다가 바로 이 문제가 보고된 뒤에 `node=`가 생겼습니다([ros2/geometry2, 이슈 606](https://github.com/ros2/geometry2/issues/606)). 하지만 직접 적어야 합니다.
+# C++의 버퍼에는 언제나 시계가 있습니다. 파이썬에는 없다가 바로 이 문제가 보고된 뒤에 `node=`가 생겼습니다([ros2/geometry2, 이슈 606](https://github.com/ros2/geometry2/issues/606)). 하지만 직접 적어야 합니다.
 #
 # 세 버퍼에서 최신 변환은 각각 얼마나 오래되었을까요?
 
@@ -562,7 +562,7 @@ print(lesson.doctor(recording))
 # Stamps that begin with 17… or 18… count the seconds since 1970. Small ones come from a simulation, or from a page like this one.
 
 # %% [markdown] lang="ko" name="bag-read"
-# *그림 읽기:* D(dynamic) = 동적, S(static) = 정적, Hz = 빈도, s = 나이.
+# *그림 읽기:* D(dynamic) = 동적, S(static) = 정적, Hz = 발행률, s = 나이.
 #
 # 정적 변환은 기록 전체보다 오래되었습니다. 로봇을 먼저 켰기 때문이고, 고장이 아닙니다. 정적 변환은 어느 시각에나 유효하고, 측정 시각은 보낸 때를 알려 줄 뿐입니다. 이것을 오래된 데이터로 오해한 일도 있습니다([SteveMacenski/slam_toolbox, 이슈 814](https://github.com/SteveMacenski/slam_toolbox/issues/814)).
 #
@@ -696,10 +696,10 @@ print(lesson.doctor(recording))
 #
 # ```
 # ros2 bag record -o kitchen /scan /odom /tf /tf_static
-# ros2 bag info kitchen                        # is /tf_static there?
+# ros2 bag info kitchen                        # /tf_static이 있는지?
 # ros2 bag play kitchen --clock
 # ros2 topic echo /clock --once
-# ros2 param get /point_to_map use_sim_time    # of every node
+# ros2 param get /point_to_map use_sim_time    # 모든 노드에서
 # ```
 #
 # `use_sim_time`은 launch 파일의 `/**:` 아래에 적어 빠지는 노드가 없게 하십시오. RViz도 노드입니다.

@@ -98,7 +98,7 @@ check("E6.2", command)
 # ## E6.3 · 모든 장착 위치를 쪽지 하나에 (4점)
 #
 # `mounts`는 `{"parent": "base_link", "child": "imu_link", "xyz": [0.1, 0.0, 0.2], "rpy": [0.0, 0.0, 1.57]}` 같은 행이 한 개에서 네 개 담긴 리스트이고 단위는 m와 rad입니다. `stamp`는 메시지의 시각입니다.
-# `sendTransform`을 **한 번** 부를 때 넘길 `TransformStamped`의 리스트를 반환하십시오. 행마다 메시지 하나, 행의 순서대로, 모두 `header.stamp = stamp`입니다.
+# `sendTransform`을 **한 번** 호출할 때 넘길 `TransformStamped`의 리스트를 반환하십시오. 행마다 메시지 하나, 행의 순서대로, 모두 `header.stamp = stamp`입니다.
 # `Transform.from_rpy(roll=…, pitch=…, yaw=…).rotation`은 쿼터니언 (x, y, z, w)입니다.
 
 
@@ -172,7 +172,7 @@ check("E6.4", on_circle)
 #
 # 로봇 여섯 대에서 알아낸 것을 다음 셀이 보여 줍니다. a부터 f까지 원인을, `"a do"`부터 `"f do"`까지 할 일을 고르십시오. 원인:
 #
-# - `"several letters"` 한 노드가 쪽지를 하나씩 따로 보냄
+# - `"several letters"` 한 노드가 쪽지(메시지)를 하나씩 따로 보냄
 # - `"publisher gone"` 발행자가 끝남
 # - `"no board"` 게시판이 없음(VOLATILE)
 # - `"silent mover"` 움직이는 것이 조용해짐
@@ -243,7 +243,7 @@ check("E6.6", worst_error_m)
 # %% [markdown] lang="ko" name="e6-7"
 # ## E6.7 · 누가 무엇을 알까요? (5점)
 #
-# `letters`는 지금까지 보낸 모든 것을 시간순으로 담은 리스트입니다. 각각 `node`, `topic`(`"/tf"` 또는 `"/tf_static"`), `sent_s`, 이름의 리스트 `children`이 있는 dict입니다. `ends`는 노드 이름별로 끝난 시각이고, 여기에 없는 노드는 아직 실행 중입니다.
+# `letters`는 지금까지 보낸 모든 쪽지(메시지)를 시간순으로 담은 리스트입니다. 각각 `node`, `topic`(`"/tf"` 또는 `"/tf_static"`), `sent_s`, 이름의 리스트 `children`이 있는 dict입니다. `ends`는 노드 이름별로 끝난 시각이고, 여기에 없는 노드는 아직 실행 중입니다.
 # tf2의 수신기가 `join_s`에 참가합니다. 이 수신기가 `now_s`에 아는 자식 좌표계를 하나씩만 담아 반환하십시오.
 #
 # `join_s`부터 `now_s`까지(양 끝 포함) 보낸 것은 받습니다. 그*보다 일찍* 보낸 것은 `join_s`*보다 늦게* 끝나는 노드의 게시판에서 읽습니다. `/tf_static`에 보내는 노드마다 depth가 1인 게시판이 있습니다.

@@ -46,7 +46,7 @@ from tf2_ros import TransformException
 #
 # 설정마다 다음 셋이 어떻게 되는지 이 순서의 리스트로 답하십시오.
 #
-# 1. 스캔의 측정 시각을 조회할 때, 2. `self.get_clock().now()`를 조회할 때, 3. 1초짜리 타이머
+# 1. 스캔의 측정 시각의 변환을 조회할 때, 2. `self.get_clock().now()`의 변환을 조회할 때, 3. 1초짜리 타이머
 #
 # `"works"`(됩니다) · `"just short"`(1초 미만의 차이로 거절됩니다) · `"years off"`(아주 큰 차이로 거절됩니다) · `"silently latest"`(조용히 최신 변환으로 답합니다) · `"never"`(아무 일도 일어나지 않습니다)
 #
@@ -157,9 +157,9 @@ check("E10.3", findings)
 # %% [markdown] lang="ko" name="e10-4"
 # ## E10.4 · 노드는 어느 시계를 얻습니까? (4점)
 #
-# `params`는 launch 파일의 YAML을 Python이 읽은 것입니다. 예: `{"/**": {"ros__parameters": {"use_sim_time": True}}, "mapper": {"ros__parameters": {"rate": 5.0}}}`. `nodes`는 `["/mapper", "/planner"]` 같은 전체 이름입니다.
+# `params`는 launch 파일의 YAML을 파이썬이 읽은 것입니다. 예: `{"/**": {"ros__parameters": {"use_sim_time": True}}, "mapper": {"ros__parameters": {"rate": 5.0}}}`. `nodes`는 `["/mapper", "/planner"]` 같은 전체 이름입니다.
 #
-# - `/**`는 모든 노드의 것입니다. 노드 자신의 항목은 빗금이 있든 없든, 파일의 어디에 있든, 거기에 적힌 것을 바꿉니다.
+# - `/**`는 모든 노드의 것입니다. 노드 자신의 항목은 슬래시가 있든 없든, 파일의 어디에 있든, 거기에 적힌 것을 바꿉니다.
 # - `True`면 `"sim"`, `False`면 `"wall"`입니다. 설정되지 않은 노드도 `"wall"`입니다.
 # - `True`와 `False`가 아닌 것은 `"refused"`입니다. rclpy가 오류를 기록합니다.
 #

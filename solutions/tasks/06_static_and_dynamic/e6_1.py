@@ -40,7 +40,7 @@ LASER_DRIVES_ALONG = Slip(
     {"laser": RADIO},
     Words(
         en="the laser drives through the room together with the robot, and not against it. A screw needs one letter.",
-        ko="레이저는 로봇과 함께 움직일 뿐, 로봇을 기준으로는 움직이지 않습니다. 나사로 고정한 것은 쪽지 하나면 됩니다.",
+        ko="레이저는 로봇과 함께 움직일 뿐, 로봇을 기준으로는 움직이지 않습니다. 나사로 고정한 것은 메시지 하나면 됩니다.",
     ),
     "M12",
     part="cart",

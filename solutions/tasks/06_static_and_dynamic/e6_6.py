@@ -67,7 +67,7 @@ RATE_FOR_PERIOD = Slip(
     {"period": "rate"},
     Words(
         en="You used the rate [Hz] as a time. The time between two messages is one over the rate.",
-        ko="빈도[Hz]를 시간으로 썼습니다. 메시지 사이의 시간은 1을 빈도로 나눈 값입니다.",
+        ko="발행률[Hz]을 시간으로 썼습니다. 메시지 사이의 시간은 1을 발행률로 나눈 값입니다.",
     ),
 )
 
@@ -209,7 +209,7 @@ TASK = Task(
         ),
         Words(
             en="Age = 1 / rate + delay, in seconds; the robot drives speed × age meanwhile.",
-            ko="나이 = 1 / 빈도 + 지연, 단위는 초입니다. 그동안 로봇은 속도 × 나이만큼 갑니다.",
+            ko="나이 = 1 / 발행률 + 지연, 단위는 초입니다. 그동안 로봇은 속도 × 나이만큼 갑니다.",
         ),
     ),
     cures=("M9", "M12"),

@@ -121,7 +121,7 @@ SLIPS = (
          "움직임이 origin보다 먼저입니다. axis를 부모의 축으로 읽은 셈입니다. origin 다음에 움직임입니다."),
     slip("product backwards", {"product": "backwards"},
          "The product runs from the tip to the base. Lay the dominoes: what is nearer to the base stands left.",
-         "곱의 순서가 팔 끝에서 시작합니다. 도미노를 놓아 보세요. 바탕에 가까운 것이 왼쪽입니다.", "M1"),
+         "곱의 순서가 팔 끝에서 시작합니다. 도미노를 놓아 보세요. 베이스에 가까운 것이 왼쪽입니다.", "M1"),
     slip("steps added", {"frames": "steps added"},
          "You added the steps. Each is measured in axes that the joints before it have turned.",
          "이동을 그대로 더했습니다. 이동은 저마다 앞의 관절들이 돌려놓은 축으로 잰 것입니다.", "M3"),
@@ -151,7 +151,7 @@ LAST_ONE = Twin(
     lambda chain, positions: walk(chain[-1:], positions),
     Words(
         en="That is the last joint alone: the tip in its parent, not in the base. Multiply all of them.",
-        ko="마지막 관절 하나입니다. 바탕이 아니라 바로 위 부모 기준의 팔 끝입니다. 모두 곱하십시오.",
+        ko="마지막 관절 하나입니다. 베이스가 아니라 바로 위 부모 기준의 팔 끝입니다. 모두 곱하십시오.",
     ),
 )
 

@@ -105,7 +105,7 @@ RVIZ_FOR_ALL = Twin(
     lambda g: answers(g, do=lambda cause: "restart RViz"),
     Words(
         en="RViz only draws what TF says. None of these is in RViz, and all come back when it does.",
-        ko="RViz는 TF가 말하는 것을 그릴 뿐입니다. 이 가운데 RViz에 있는 문제는 없고, 다시 켜도 그대로입니다.",
+        ko="RViz는 TF가 알려 주는 것을 그릴 뿐입니다. 이 가운데 RViz에 있는 문제는 없고, 다시 켜도 그대로입니다.",
     ),
     "M15",
 )
@@ -185,7 +185,7 @@ TASK = Task(
         ),
         "restart RViz": Words(
             en="RViz only draws what TF says; the same would be missing again.",
-            ko="RViz는 TF가 말하는 것을 그릴 뿐입니다. 다시 켜도 똑같이 빠집니다.",
+            ko="RViz는 TF가 알려 주는 것을 그릴 뿐입니다. 다시 켜도 똑같이 빠집니다.",
         ),
         "change the cable": Words(
             en="nothing here says that a device is silent: what is wrong is what is said.",

@@ -125,7 +125,7 @@ TF_FOR_THE_WHEELS = Slip(
     {"wheels": "transform"},
     Words(
         en="c: nobody publishes on /tf there, so you would record an empty topic, and not what the wheels say.",
-        ko="c: 이 로봇에서는 아무도 /tf를 발행하지 않습니다. 빈 토픽만 기록되고 바퀴의 말은 남지 않습니다.",
+        ko="c: 이 로봇에서는 아무도 /tf를 발행하지 않습니다. 빈 토픽만 기록되고 바퀴의 오도메트리는 남지 않습니다.",
     ),
     "M13",
     part="c",
@@ -136,7 +136,7 @@ TF_BESIDE_THE_WHEELS = Slip(
     {"wheels": "both"},
     Words(
         en="c: one topic more than it takes. Who would publish on it, with the localiser off and the wheels on a topic of their own?",
-        ko="c: 필요 없는 토픽이 하나 있습니다. 위치 추정은 꺼져 있고 바퀴는 자기 토픽으로 말하는데, 거기에 누가 발행합니까?",
+        ko="c: 필요 없는 토픽이 하나 있습니다. 위치 추정은 꺼져 있고 바퀴는 자기 토픽으로 발행하는데, 거기에 누가 발행합니까?",
     ),
     part="c",
 )
@@ -146,7 +146,7 @@ THE_MAP_TOO = Slip(
     {"map_too": True},
     Words(
         en="You record the map as well. A picture of the room does not say where the robot was in it; the transforms do.",
-        ko="지도까지 기록합니다. 방의 그림은 로봇이 그 안의 어디에 있었는지 말해 주지 않습니다. 변환이 말해 줍니다.",
+        ko="지도까지 기록합니다. 방의 그림은 로봇이 그 안의 어디에 있었는지 알려 주지 않습니다. 변환이 알려 줍니다.",
     ),
     partly=True,
 )
@@ -156,7 +156,7 @@ ODOM_TOO = Slip(
     {"moving": "/tf /odom"},
     Words(
         en="One topic more than it takes in a or b: what the wheels say is on /tf already, as a transform.",
-        ko="a나 b에 필요 없는 토픽이 하나 있습니다. 바퀴의 말은 이미 변환으로 /tf에 있습니다.",
+        ko="a나 b에 필요 없는 토픽이 하나 있습니다. 바퀴의 오도메트리는 이미 변환으로 /tf에 있습니다.",
     ),
     partly=True,
 )

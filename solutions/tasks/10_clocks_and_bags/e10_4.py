@@ -119,7 +119,7 @@ SLASH_NEEDED = Slip(
     {"slash": "with"},
     Words(
         en="Entries without a leading slash are passed over: `mapper` and `/mapper` are the same node in such a file.",
-        ko="앞에 빗금이 없는 항목을 건너뛰었습니다. 이 파일에서 `mapper`와 `/mapper`는 같은 노드입니다.",
+        ko="앞에 슬래시가 없는 항목을 건너뛰었습니다. 이 파일에서 `mapper`와 `/mapper`는 같은 노드입니다.",
     ),
     "M14",
 )
@@ -129,7 +129,7 @@ SLASH_REFUSED = Slip(
     {"slash": "without"},
     Words(
         en="Entries with a leading slash are passed over: `/mapper` and `mapper` are the same node in such a file.",
-        ko="앞에 빗금이 있는 항목을 건너뛰었습니다. 이 파일에서 `/mapper`와 `mapper`는 같은 노드입니다.",
+        ko="앞에 슬래시가 있는 항목을 건너뛰었습니다. 이 파일에서 `/mapper`와 `mapper`는 같은 노드입니다.",
     ),
     "M14",
 )
@@ -203,7 +203,7 @@ TASK = Task(
         ),
         Words(
             en='Three keys can hold it: "/**", the name with its slash, and the name without. `params.get(key, {})` spares you an `if`.',
-            ko='값이 있을 수 있는 키는 셋입니다. "/**", 빗금이 있는 이름, 빗금이 없는 이름입니다. `params.get(key, {})`를 쓰면 `if`가 줄어듭니다.',
+            ko='값이 있을 수 있는 키는 셋입니다. "/**", 슬래시가 있는 이름, 슬래시가 없는 이름입니다. `params.get(key, {})`를 쓰면 `if`가 줄어듭니다.',
         ),
         Words(
             en="At the end look at the type: `isinstance(value, bool)`. A number is none.",

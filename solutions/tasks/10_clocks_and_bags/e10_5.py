@@ -73,7 +73,7 @@ LARGEST = Slip(
     {"pick": "largest"},
     Words(
         en="You took the largest difference: the message that was held up most says least about the clock.",
-        ko="가장 큰 차이를 썼습니다. 가장 오래 막힌 메시지는 시계에 대해 가장 알려 주는 것이 없습니다.",
+        ko="가장 큰 차이를 썼습니다. 가장 오래 막힌 메시지는 시계에 대해 알려 주는 것이 가장 적습니다.",
     ),
     "M10",
 )

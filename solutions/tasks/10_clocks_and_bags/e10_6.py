@@ -99,7 +99,7 @@ LAST_NO = Slip(
     {"which": "last"},
     Words(
         en="You tell the last refusal. Asked for is the first: keep it, once you have one.",
-        ko="마지막 거절을 돌려줍니다. 필요한 것은 첫 거절입니다. 한번 얻었으면 그대로 두십시오.",
+        ko="마지막 거절을 반환합니다. 필요한 것은 첫 거절입니다. 한번 얻었으면 그대로 두십시오.",
     ),
 )
 
@@ -137,7 +137,7 @@ BASE_CLASS = Slip(
     {"kind": "TransformException"},
     Words(
         en="You name the base class that you caught, not the class that was raised: `type(error).__name__`.",
-        ko="잡은 부모 클래스의 이름을 돌려줍니다. 실제로 일어난 예외의 이름은 `type(error).__name__`입니다.",
+        ko="잡은 부모 클래스의 이름을 반환합니다. 실제로 일어난 예외의 이름은 `type(error).__name__`입니다.",
     ),
     "M11",
 )

@@ -91,7 +91,7 @@ READING_BEFORE = Slip(
     {"tell": "before"},
     Words(
         en="You give the last reading before the jump. Asked for is the first one after it: only then one knows.",
-        ko="돌아가기 직전의 값을 돌려줍니다. 필요한 것은 돌아간 직후의 값입니다. 그때에야 알 수 있습니다.",
+        ko="돌아가기 직전의 값을 반환합니다. 필요한 것은 돌아간 직후의 값입니다. 그때에야 알 수 있습니다.",
     ),
 )
 
@@ -100,7 +100,7 @@ PLACE_IN_THE_LIST = Slip(
     {"tell": "place"},
     Words(
         en="You give places in the list. Asked for are the readings that stand there.",
-        ko="리스트에서의 자리를 돌려줍니다. 필요한 것은 그 자리에 있는 값입니다.",
+        ko="리스트에서의 자리를 반환합니다. 필요한 것은 그 자리에 있는 값입니다.",
     ),
 )
 
@@ -109,7 +109,7 @@ PLACE_BEFORE = Slip(
     {"tell": "place before"},
     Words(
         en="You give places in the list, and those before the jump. Asked for are the readings just after it.",
-        ko="돌아가기 직전의 리스트 자리를 돌려줍니다. 필요한 것은 돌아간 직후의 값입니다.",
+        ko="돌아가기 직전의 리스트 자리를 반환합니다. 필요한 것은 돌아간 직후의 값입니다.",
     ),
 )
 
@@ -118,7 +118,7 @@ SIZE_OF_THE_STEP = Slip(
     {"tell": "step"},
     Words(
         en="You give how far the clock went back. Asked for is what it shows then.",
-        ko="얼마나 돌아갔는지를 돌려줍니다. 필요한 것은 그때 시계의 값입니다.",
+        ko="얼마나 돌아갔는지를 반환합니다. 필요한 것은 그때 시계의 값입니다.",
     ),
 )
 
