@@ -122,11 +122,15 @@ print(way_up("camera_optical_frame"))
 # ## Up, then down
 #
 # Both ways end at `map`. From where they meet on, they are the same, so nobody has to climb that far: go up from the source until you stand on the target's way, then down.
+#
+# The cell fills a `Buffer` by hand, without any node: `send` stores one edge in it, one metre along x unless told otherwise, static (it holds for all times). `"page"` is the name of the sender.
 
 # %% [markdown] lang="ko" name="up-and-down" slide="slide"
 # ## 올라갔다가 내려갑니다
 #
 # 두 길은 모두 `map`에서 끝납니다. 만난 뒤로는 같은 길이므로 끝까지 올라갈 필요가 없습니다. 원본에서 올라가다가 목표의 길과 만나면 거기서 내려갑니다.
+#
+# 다음 셀은 노드 없이 `Buffer`를 직접 채웁니다. `send`는 연결 하나를 저장합니다. 따로 정하지 않으면 x 방향으로 1미터이고, 모든 시각에 통하는 정적 변환입니다. `"page"`는 보낸 쪽의 이름입니다.
 
 # %% name="a-buffer" slide="skip"
 from geometry_msgs.msg import TransformStamped
@@ -150,11 +154,11 @@ lesson.draw_walk(buffer, "camera_optical_frame", "laser_frame")
 
 # %% [markdown] lang="en" name="the-walk-seen"
 # Solid arrows go up, dashed ones down, the numbers count the steps, and the ring marks where the ways meet.
-# This is the product of chapter 03, read off the tree: each step down is one inverse, each step up is an edge as it was sent.
+# This is the product of chapter 03, read off the tree: each step up is an edge as it was sent, each step down an inverse. The walk reads from source to target, the product from its right end to its left.
 
 # %% [markdown] lang="ko" name="the-walk-seen"
 # *그림 읽기:* source = 원본, target = 목표, 실선 화살표 = 올라감, 점선 화살표 = 내려감, 숫자 = 걸음의 순서, 둥근 테 = 두 길이 만나는 곳입니다.
-# 03장의 곱을 트리에서 읽은 것입니다. 올라가는 걸음은 보낸 연결 그대로이고, 내려가는 걸음은 그 역변환입니다.
+# 03장의 곱을 트리에서 읽은 것입니다. 올라가는 걸음은 보낸 연결 그대로이고, 내려가는 걸음은 그 역변환입니다. 걸음은 원본에서 목표로 읽고, 곱은 오른쪽 끝에서 왼쪽으로 읽습니다.
 
 # %% name="the-product" slide="fragment"
 lesson.draw_dominoes(
@@ -203,7 +207,7 @@ lesson.draw_dominoes(
 # ## 예측해 봅시다
 #
 # 1. 누군가 `camera_link`를 한 번 더 보냅니다. 이번에는 그리퍼 `tool0`의 자식으로 보냅니다. 그러면 tf2가 아는 카메라는 몇 대일까요? 하나일까요, 둘일까요, 아니면 오류일까요?
-# 2. 다른 로봇의 트리는 `map → odom`과 `odm → base_link → laser_frame`입니다. 누군가 `odm`이라고 잘못 쳤습니다. `odm` 기준의 `laser_frame`, `map` 기준의 `odom`, `map` 기준의 `base_link` 가운데 무엇이 답할까요? 오류 메시지는 오타를 알려 줄까요?
+# 2. 다른 로봇의 트리는 `map → odom`과 `odm → base_link → laser_frame`입니다. 누군가 `odm`이라고 잘못 쳤습니다. `odm` 기준의 `laser_frame`, `map` 기준의 `odom`, `map` 기준의 `base_link` 가운데 무엇이 답할까요? 오류 메시지에 오타가 나올까요?
 
 # %% [markdown] lang="en" name="predict-notes" slide="notes"
 # Hands for each. For the first, wait for "two". For the second, wait for "all dead", and for "the error will say odm".
@@ -243,7 +247,7 @@ for target, source in (("odm", "laser_frame"), ("map", "odom"), ("map", "base_li
 # "Tf has two or more unconnected trees": so look at the roots.
 
 # %% [markdown] lang="ko" name="typo-seen" tags=["predicted"]
-# 됩니다, 됩니다, 안 됩니다. 섬마다 저마다 잘 돌아가고, 섬을 건너는 것만 실패합니다. 오류 메시지에는 *질문*의 두 끝이 나올 뿐, 다리가 끊긴 곳은 나오지 않습니다.
+# 됩니다, 됩니다, 안 됩니다. 나뉜 트리는 저마다 잘 동작하고, 한쪽에서 다른 쪽을 묻는 것만 실패합니다. 오류 메시지에는 *질문*의 두 끝이 나올 뿐, 다리가 끊긴 곳은 나오지 않습니다.
 # "Tf has two or more unconnected trees"라고 하니 루트를 보면 됩니다.
 
 # %% [markdown] lang="en" name="one-line" slide="slide"
@@ -267,11 +271,11 @@ print("typo     ", roots({"odom": "map", "base_link": "odm", "laser_frame": "bas
 print("the dog  ", roots({"body": "odom", "odom": "body", "head": "body"}))
 
 # %% [markdown] lang="en" name="roots-seen"
-# One name: a tree. Two names: there is a gap somewhere, and the name that you did not expect is the typo. No name at all: a loop.
+# One name: a tree. Two names: there is a gap somewhere, and the name that you did not expect is a typo, or a frame whose own edge nobody sends. No name at all: a loop.
 # One catch: a loop *beside* a sound tree hides from this line. Then somebody's `way_up` never ends.
 
 # %% [markdown] lang="ko" name="roots-seen"
-# 이름이 하나면 트리입니다. 둘이면 어딘가 끊겼고, 예상하지 못한 이름이 오타입니다. 하나도 없으면 고리입니다.
+# 이름이 하나면 트리입니다. 둘이면 어딘가 끊겼고, 예상하지 못한 이름이 오타이거나, 아무도 그 위의 연결을 보내지 않는 좌표계입니다. 하나도 없으면 고리입니다.
 # 한 가지 조심할 것이 있습니다. 멀쩡한 트리 *옆에* 따로 생긴 고리는 이 한 줄로 찾지 못합니다. 그때는 어떤 좌표계의 `way_up`이 끝나지 않습니다.
 
 # %% [markdown] lang="en" name="plaster" slide="subslide"
@@ -303,7 +307,7 @@ lesson.draw_walk(island, "map", "laser_frame")
 # 4. No loops.
 # 5. Names, directions and times mean the same everywhere.
 #
-# tf2 enforces none of them when a transform is *sent*. It refuses only what it cannot store: an empty name, a frame that is its own parent, numbers that are none. Break the rest yourself: give a frame another parent, then ask.
+# tf2 enforces none of them when a transform is *sent*. It refuses only what it cannot store: an empty name, a frame that is its own parent, a value that is no number (NaN). It then writes one line into the log, and the program goes on. Break the rest yourself: give a frame another parent, then ask.
 
 # %% [markdown] lang="ko" name="five-rules" slide="slide"
 # ## 다섯 가지 규칙, 지키게 하는 것은 누구일까요?
@@ -314,7 +318,7 @@ lesson.draw_walk(island, "map", "laser_frame")
 # 4. 고리가 없습니다.
 # 5. 이름과 방향과 시각의 뜻이 어디서나 같습니다.
 #
-# 변환을 *보낼 때* tf2는 이 가운데 아무것도 확인하지 않습니다. 저장할 수 없는 것, 곧 빈 이름, 자기 자신이 부모인 좌표계, 숫자가 아닌 값만 거부합니다. 나머지는 직접 어겨 보세요. 좌표계의 부모를 바꾸고 나서 물어보세요.
+# 변환을 *보낼 때* tf2는 이 가운데 아무것도 확인하지 않습니다. 저장할 수 없는 것, 곧 빈 이름, 자기 자신이 부모인 좌표계, 숫자가 아닌 값(NaN)만 거부합니다. 그때도 로그에 한 줄을 남길 뿐 프로그램은 계속됩니다. 나머지는 직접 어겨 보세요. 좌표계의 부모를 바꾸고 나서 물어보세요.
 
 # %% name="tree-panel" tags=["interactive"]
 lesson.tree_panel(parent_of, "map", "laser_frame")
@@ -364,7 +368,7 @@ for target, source in (("odom", "child_0"), ("/odom", "child_0"), ("//odom", "ch
 # Other programs forgive nothing: the mapper of the story stops at the first slash. Write names without one.
 
 # %% [markdown] lang="ko" name="spellings-seen"
-# *보낼 때* 슬래시 하나는 눈감아 줍니다. `odom`으로 저장합니다. *물을 때는* 거부합니다. 그리고 `//odom`은 `/odom`으로 저장되는데, 이 좌표계는 아무도 물을 수 없습니다.
+# *보낼 때* 슬래시 하나는 눈감아 줍니다. `odom`으로 저장합니다. *물을 때는* 거부합니다. 그리고 `//odom`은 `/odom`으로 저장되는데, 이 좌표계의 변환은 아무도 조회할 수 없습니다.
 # 다른 프로그램은 눈감아 주지도 않습니다. 이야기 속의 지도 작성 노드는 슬래시를 보자마자 멈춥니다. 이름 앞에는 슬래시를 쓰지 마십시오.
 
 # %% [markdown] lang="en" name="break-it" slide="slide"
@@ -396,24 +400,26 @@ for target, source in (("odom", "body"), ("odom", "head"), ("head", "odom"), ("h
 lesson.draw_walk(dog, "head", "back")
 
 # %% [markdown] lang="en" name="the-loop-seen" tags=["predicted"]
-# Yes, yes, no, no. Two parts bolted to one body cannot find each other, and a head in `odom` can. tf2 climbs from the source; if it meets the target on the way, it stops and answers, and else it goes round and round.
+# Yes, yes, no, no. Two parts bolted to one body cannot find each other, and a head in `odom` can. tf2 climbs from the source; if it meets the target on the way, it stops and answers. Else it goes round and round, and after a thousand steps it gives up with the sentence of the story.
 # So a loop, too, works for some. In a pull request that removed one it says that most ROS code ignores loops, "but some nodes get very upset" (mavlink/mavros [1252](https://github.com/mavlink/mavros/pull/1252)).
 
 # %% [markdown] lang="ko" name="the-loop-seen" tags=["predicted"]
 # *그림 읽기:* again = 이미 나온 좌표계로 되돌아온 곳입니다.
-# 됩니다, 됩니다, 안 됩니다, 안 됩니다. 한 몸에 고정된 두 부품은 서로를 찾지 못하는데, `odom` 기준의 머리는 찾습니다. tf2는 원본에서 올라갑니다. 가는 길에 목표를 만나면 멈추고 답하며, 만나지 못하면 끝없이 돕니다.
+# 됩니다, 됩니다, 안 됩니다, 안 됩니다. 한 몸에 고정된 두 부품은 서로를 찾지 못하는데, `odom` 기준의 머리는 찾습니다. tf2는 원본에서 올라갑니다. 가는 길에 목표를 만나면 멈추고 답합니다. 만나지 못하면 고리를 돌다가 천 걸음쯤에서 그만두고, 이야기에 나온 그 오류를 냅니다.
 # 그래서 고리가 있어도 되는 것은 됩니다. 고리를 없앤 어느 수정 요청에는, 대부분의 코드는 신경 쓰지 않지만 몇몇 노드는 크게 탈이 난다고 적혀 있습니다(mavlink/mavros [1252](https://github.com/mavlink/mavros/pull/1252)).
 
 # %% [markdown] lang="en" name="two-owners" slide="slide"
 # ## Break it: two owners of one edge
 #
-# The wheels publish `odom → base_footprint`. A filter that knows better (an EKF) is started, and publishes it too. Both drift, each its own way.
+# The node `wheel_odometry` counts the turns of the wheels and publishes `odom → base_footprint`, where the robot is by its wheels. Now a filter is started that reckons with an IMU as well (an EKF, extended Kalman filter), and publishes the same edge. The errors of both grow, each its own way.
+# The cell after the question starts the nodes by name, in a ROS whose time goes on only with `graph.run(seconds=…)`; `place` says where `source` is in `target`.
 # **Predict:** what does a test of five seconds on the bench show?
 
 # %% [markdown] lang="ko" name="two-owners" slide="slide"
 # ## 일부러 고장 내기: 한 연결을 두 노드가 발행할 때
 #
-# 바퀴가 `odom → base_footprint`를 발행합니다. 더 잘 아는 필터(EKF)를 켜자 이 노드도 같은 연결을 발행합니다. 둘 다 조금씩, 서로 다르게 흐릅니다.
+# `wheel_odometry` 노드는 바퀴의 회전을 세어 로봇의 위치 `odom → base_footprint`를 발행합니다. 여기에 IMU까지 써서 위치를 추정하는 필터(EKF, 확장 칼만 필터)를 켜자 이 노드도 같은 연결을 발행합니다. 두 노드의 오차는 조금씩, 서로 다르게 쌓입니다.
+# 다음 셀은 노드를 이름으로 골라 시작합니다. 이 ROS의 시간은 `graph.run(seconds=…)`를 호출할 때만 흐릅니다. `place`는 `target` 기준으로 `source`의 위치를 반환합니다.
 # **예측해 봅시다.** 작업대 위에서 5초 동안 시험하면 무엇이 보일까요?
 
 # %% name="two-nodes" slide="skip"
@@ -450,10 +456,10 @@ for until in (5, 10, 20, 30):
     print(f"after {until:>2} s: largest step in 20 ms {largest:.2f} m")
 
 # %% [markdown] lang="en" name="steps-of-both-seen" tags=["predicted"]
-# A robot of half a metre a second moves one centimetre in 20 ms. After five seconds the largest step is four: nobody sees that. After half a minute the robot leaps by half a metre. The bench test passes; the drive through the hall does not.
+# At half a metre a second, and with 20 or 30 messages a second, one owner alone would step by about two centimetres. After five seconds the largest step is four: nobody sees that. After half a minute the robot leaps by half a metre. The bench test passes; the drive through the hall does not.
 
 # %% [markdown] lang="ko" name="steps-of-both-seen" tags=["predicted"]
-# 0.5 m/s로 달리는 로봇은 20 ms에 1센티미터를 갑니다. 5초까지 가장 큰 걸음은 4센티미터라 아무도 알아채지 못합니다. 30초가 지나면 로봇은 0.5미터씩 튑니다. 작업대 시험은 통과하고, 복도 주행은 통과하지 못합니다.
+# 0.5 m/s로 달리고 메시지가 1초에 20~30번 오므로, 한 노드만 발행하면 한 번에 2센티미터쯤 움직입니다. 5초까지 가장 큰 변화는 4센티미터라 아무도 알아채지 못합니다. 30초가 지나면 로봇은 0.5미터씩 튑니다. 작업대에서 한 시험은 통과하지만, 복도를 달리면 드러납니다.
 
 # %% name="owners" slide="subslide"
 lesson.frame_tree(graph, seconds=2.0)
@@ -478,21 +484,21 @@ for _ in range(250):
 print(f"five more seconds: largest step in 20 ms {largest:.2f} m")
 
 # %% [markdown] lang="en" name="cured-seen"
-# Two centimetres, as driven: the filter speaks thirty times a second. Then look again, and do not trust the switch alone: in ros-controls/ros_controllers [499](https://github.com/ros-controls/ros_controllers/issues/499) it was set, and the tree alternated still.
+# Two centimetres, as driven between two of the filter's thirty messages a second. Then look again, and do not trust the switch alone: in ros-controls/ros_controllers [499](https://github.com/ros-controls/ros_controllers/issues/499) it was set, and the tree alternated still.
 
 # %% [markdown] lang="ko" name="cured-seen"
-# 실제로 달린 만큼인 2센티미터입니다. 필터는 1초에 서른 번 발행합니다. 고친 뒤에는 다시 확인하고, 설정값만 믿지 마십시오. ros-controls/ros_controllers [499](https://github.com/ros-controls/ros_controllers/issues/499)에서는 껐는데도 트리가 계속 번갈아 바뀌었습니다.
+# 필터가 1초에 서른 번 발행하므로, 한 번에 실제로 달린 만큼인 2센티미터입니다. 고친 뒤에는 다시 확인하고, 설정값만 믿지 마십시오. ros-controls/ros_controllers [499](https://github.com/ros-controls/ros_controllers/issues/499)에서는 껐는데도 트리가 계속 번갈아 바뀌었습니다.
 
 # %% [markdown] lang="en" name="two-robots" slide="slide"
 # ## Two robots, one map
 #
-# A second robot is put beside the first, each in its own [[namespace]], and all its links have a [[frame prefix]]: `robot2/base_link`. Somebody forgot `odom`.
+# A second robot is put beside the first, each in its own [[namespace]] (a word before the names of its nodes and topics), and all its links have a [[frame prefix]]: `robot2/base_link`. Somebody forgot `odom`.
 # Namespaces do not prefix frames: a frame is a string in a message, and `/tf` is one topic for all.
 
 # %% [markdown] lang="ko" name="two-robots" slide="slide"
 # ## 로봇 두 대, 지도 하나
 #
-# 두 번째 로봇을 옆에 둡니다. 로봇마다 [[namespace|네임스페이스(namespace)]]가 따로 있고, 링크에는 모두 `robot2/base_link`처럼 [[frame prefix|접두사(frame prefix)]]를 붙였습니다. 그런데 `odom`에 붙이는 것을 잊었습니다.
+# 두 번째 로봇을 옆에 둡니다. 로봇마다 노드와 토픽 이름 앞에 붙는 [[namespace|네임스페이스(namespace)]]가 따로 있고, 링크에는 모두 `robot2/base_link`처럼 [[frame prefix|접두사(frame prefix)]]를 붙였습니다. 그런데 `odom`에 붙이는 것을 잊었습니다.
 # 네임스페이스는 좌표계 이름에 붙지 않습니다. 좌표계는 메시지 속의 문자열이고, `/tf`는 모두가 함께 쓰는 토픽입니다.
 
 # %% name="a-fleet" slide="skip"
@@ -537,10 +543,10 @@ for apart_s in (0.03, 0.0):
     look()
 
 # %% [markdown] lang="en" name="one-odom-seen" tags=["predicted"]
-# Started apart, `odom` has two owners, and robot2 leaps by more than two metres, again and again. Started together, nothing leaps: both hang below *one* odom, each where its own wheels count from zero. TF puts robot2 inside robot1, quietly, and the collision check is content, or in panic.
+# Started apart, `odom` has two owners, and robot2 leaps by more than two metres, again and again. Started together, nothing leaps: the two messages for `odom` bear the same stamp, and a buffer keeps one value for each stamp, the one that came last. But both robots hang below *one* odom, and the wheels of each count from zero there. TF puts robot2 inside robot1, without a word; whoever checks for collisions sees a crash that never happened.
 
 # %% [markdown] lang="ko" name="one-odom-seen" tags=["predicted"]
-# 따로 시작하면 `odom`의 발행 책임이 둘이 되고, robot2는 2미터 넘게 거듭 튑니다. 동시에 시작하면 아무것도 튀지 않습니다. 두 로봇이 *한* odom 아래에서 저마다 0부터 센 자리에 있을 뿐입니다. TF에서 robot2는 조용히 robot1 안에 들어가 있습니다. 충돌 검사는 만족하거나, 기겁합니다.
+# 따로 시작하면 `odom`의 발행 책임이 둘이 되고, robot2는 2미터 넘게 거듭 튑니다. 동시에 시작하면 아무것도 튀지 않습니다. `odom`을 담은 두 메시지의 측정 시각이 같고, 버퍼는 시각마다 마지막에 받은 값 하나만 남기기 때문입니다. 하지만 두 로봇은 *한* odom 아래에 있고, 저마다 바퀴를 0부터 셉니다. TF에서 robot2는 아무 오류 없이 robot1과 겹쳐 있습니다. 충돌을 검사하는 노드는 일어나지도 않은 충돌을 봅니다.
 
 # %% [markdown] lang="en" name="view-frames" slide="slide"
 # ## What view_frames shows, and what it cannot
@@ -593,11 +599,11 @@ node.destroy_node()
 rclpy.shutdown()
 
 # %% [markdown] lang="en" name="two-odoms-seen"
-# The robots are where they are, two and a half metres apart now, and no step is larger than what was driven.
+# The robots are where they are, two and a half metres apart now, and no step is larger than what is driven in a tenth of a second: the latest answer is as new as the slowest edge, `map → odom` with its 10 Hz.
 # In a real launch this is a parameter in many places: `frame_prefix` of robot_state_publisher, the frames of the odometry, of the localiser, of each sensor driver, and RViz's Fixed Frame. Forget one, and you have seen what happens.
 
 # %% [markdown] lang="ko" name="two-odoms-seen"
-# 이제 두 로봇은 실제로 있는 곳에 있고, 실제로 달린 것보다 큰 걸음은 없습니다.
+# 이제 두 로봇은 실제로 있는 곳에 있고, 튀지도 않습니다. 가장 큰 변화는 0.1초 동안 달린 거리쯤입니다. 가장 최근의 답도 가장 느린 연결인 10 Hz의 `map → odom`만큼만 새롭기 때문입니다.
 # 실제 launch 파일에서는 여러 곳의 파라미터입니다. robot_state_publisher의 `frame_prefix`, 오도메트리와 위치 추정의 좌표계 이름, 센서 드라이버마다의 좌표계 이름, RViz의 Fixed Frame입니다. 하나를 잊으면 방금 본 일이 일어납니다.
 
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
@@ -634,7 +640,7 @@ rclpy.shutdown()
 # %% [markdown] lang="ko" name="checkpoint" slide="slide"
 # ## 마무리 점검
 #
-# 어느 로봇의 트리에 루트가 둘 있습니다. `map`과 `odm`입니다. 동료가 `base_link` 기준 레이저의 위치를 묻습니다. 둘 다 `odm` 아래에 있습니다. tf2는 무엇이라고 합니까?
+# 어느 로봇의 트리에 루트가 둘 있습니다. `map`과 `odm`입니다. 동료가 `base_link` 기준 레이저의 위치를 묻습니다. 둘 다 `odm` 아래에 있습니다. tf2는 어떻게 답합니까?
 #
 # 1. 오류입니다. 고장 난 트리는 아무것도 답하지 않습니다.
 # 2. `odm`을 알려 주는 오류입니다.
@@ -643,7 +649,7 @@ rclpy.shutdown()
 #
 # <details><summary>1번을 골랐습니다</summary>
 #
-# 섬은 저마다 잘 돌아갑니다. 이런 로봇이 수많은 시험을 통과하는 까닭입니다.
+# 나뉜 트리는 저마다 잘 동작합니다. 이런 로봇이 수많은 시험을 통과하는 까닭입니다.
 #
 # </details>
 # <details><summary>2번을 골랐습니다</summary>
@@ -658,7 +664,7 @@ rclpy.shutdown()
 # </details>
 # <details><summary>4번을 골랐습니다</summary>
 #
-# 경고하는 것은 없습니다. tf2에게는 트리가 둘이어도 상관없습니다. 섬을 건너 묻는 순간 알게 됩니다.
+# 경고하는 것은 없습니다. tf2에게는 트리가 둘이어도 상관없습니다. 한쪽 트리에서 다른 쪽을 묻는 순간 알게 됩니다.
 #
 # </details>
 
@@ -677,8 +683,8 @@ rclpy.shutdown()
 # ## 실제 로봇에서
 #
 # ```
-# ros2 run tf2_tools view_frames -o frames      # frames.pdf and frames.gv, from five seconds
-# ros2 topic info /tf --verbose                 # which nodes send on /tf
+# ros2 run tf2_tools view_frames -o frames      # 5초 동안 듣고 frames.pdf와 frames.gv를 만듭니다
+# ros2 topic info /tf --verbose                 # /tf에 발행하는 노드를 모두 보여 줍니다
 # ros2 param get /robot_state_publisher frame_prefix
 # ```
 #

@@ -29,23 +29,25 @@ from tf2_ros import ConnectivityException
 # ## E4.1 · One letter too few (3 points)
 #
 # `e4_1.edges` are the edges of a robot as `frames.gv` has them, pairs (parent, child). One of the names is misspelt in one place, and the tree is two.
-# Give the mended tree as a dict, child → parent, with all its edges.
+# Give the mended tree as a dict, child → parent, with all its edges. You may read the edges and type it, or compute it: `get_close_matches(word, names, n=1)` of Python's `difflib` returns a list of the one name that is most like a word.
 
 # %% [markdown] lang="ko" name="e4-1"
 # ## E4.1 · 한 글자가 모자랍니다 (3점)
 #
 # `e4_1.edges`는 `frames.gv`에 있는 대로 적은 로봇의 연결입니다. (부모, 자식) 쌍입니다. 이름 하나가 한 곳에서 잘못 적혀 트리가 둘로 나뉘었습니다.
-# 고친 트리를 자식 → 부모로 된 dict로 답하십시오. 연결이 모두 들어 있어야 합니다.
+# 고친 트리를 자식 → 부모로 된 dict로 답하십시오. 연결이 모두 들어 있어야 합니다. 눈으로 읽고 직접 써도 되고 계산해도 됩니다. 파이썬 `difflib`의 `get_close_matches(word, names, n=1)`은 `names`에서 `word`와 가장 비슷한 이름 하나를 리스트에 담아 반환합니다.
 
 # %% name="e4-1-given"
 e4_1 = task("E4.1")
+print(*e4_1.edges, sep="\n")
 
 # %% name="e4-1-answer" tags=["answer"]
+# The check reads `mended` alone; the three before it are one way there.
 # BEGIN SOLUTION
-told = {child: parent for parent, child in e4_1.edges}
-(misspelt,) = set(told.values()) - set(told) - {"map"}
-(meant,) = get_close_matches(misspelt, told, n=1)
-mended = {child: meant if parent == misspelt else parent for child, parent in told.items()}
+told = {child: parent for parent, child in e4_1.edges}  # every edge as it was heard, child -> parent
+(misspelt,) = set(told.values()) - set(told) - {"map"}  # the name that is wrong
+(meant,) = get_close_matches(misspelt, told, n=1)  # the name that it should be
+mended = {child: meant if parent == misspelt else parent for child, parent in told.items()}  # {"odom": "map", …}
 # END SOLUTION
 
 # %% name="e4-1-check" tags=["check"]
@@ -56,10 +58,10 @@ check("E4.1", mended)
 #
 # `e4_2.a` to `e4_2.e` each list what was heard on a robot: rows (parent, child, node). For each letter:
 #
-# - `"a"`: `"healthy"`, `"two trees"`, `"loop"`, `"two parents"` or `"two owners"`;
+# - `"a"`: `"healthy"`, `"two trees"`, `"loop"`, `"two parents"` or `"two owners"` (two nodes send the same edge);
 # - `"a child"`: the name of the child at fault: the one that hangs below a misspelt parent, has two parents, or two owners. For a healthy robot and for a loop: `"none"`.
 #
-# `finding` is one dict with ten keys, `"a"`, `"a child"`, … `"e child"`.
+# `finding` is one dict with ten keys, `"a"`, `"a child"`, … `"e child"`. The cell prints the listings; reading them is enough.
 
 # %% [markdown] lang="ko" name="e4-2"
 # ## E4.2 · 목록 다섯 개 (5점)
@@ -69,10 +71,19 @@ check("E4.1", mended)
 # - `"a"`: `"healthy"`(멀쩡함), `"two trees"`(트리가 둘), `"loop"`(고리), `"two parents"`(부모가 둘), `"two owners"`(한 연결을 두 노드가 발행) 가운데 하나.
 # - `"a child"`: 문제의 자식. 잘못 적힌 부모 아래에 있거나, 부모가 둘이거나, 발행하는 노드가 둘인 자식입니다. 멀쩡한 로봇과 고리에는 `"none"`이라고 쓰십시오.
 #
-# `finding`은 `"a"`, `"a child"`, … `"e child"`까지 키가 열 개인 dict 하나입니다.
+# `finding`은 `"a"`, `"a child"`, … `"e child"`까지 키가 열 개인 dict 하나입니다. 아래 셀이 목록을 출력하므로 읽고 답하면 됩니다.
 
 # %% name="e4-2-given"
 e4_2 = task("E4.2")
+for letter in "abcde":
+    print(f"{letter})", *getattr(e4_2, letter), "", sep="\n")
+# The form of the answer; the words are only an example:
+# finding = {
+#     "a": "two trees", "a child": "laser_frame",
+#     "b": "healthy", "b child": "none",
+#     and so on, to "e" and "e child"
+# }
+
 
 # %% name="e4-2-answer" tags=["answer"]
 # BEGIN SOLUTION
@@ -98,13 +109,13 @@ check("E4.2", finding)
 # ## E4.3 · Up, then down (5 points)
 #
 # `parent_of` is a tree without loops, a dict child → parent. Return the steps from `source` to `target`, no step more than needed: a list of pairs (child, `"up"`) or (child, `"down"`), each step named after the child of its edge.
-# From a frame to itself there is no step. Where no way leads across, raise `ConnectivityException`.
+# From a frame to itself there is no step: an empty list. Where no way leads across, raise `ConnectivityException`.
 
 # %% [markdown] lang="ko" name="e4-3"
 # ## E4.3 · 올라갔다가 내려갑니다 (5점)
 #
 # `parent_of`는 고리가 없는 트리이며, 자식 → 부모로 된 dict입니다. `source`에서 `target`까지 꼭 필요한 걸음만 반환하십시오. (자식, `"up"`)이나 (자식, `"down"`) 쌍의 리스트이고, 걸음마다 그 연결의 자식 이름을 씁니다.
-# 같은 좌표계끼리는 걸음이 없습니다. 이어지는 길이 없으면 `ConnectivityException`을 일으키십시오.
+# 원본과 목표가 같으면 빈 리스트를 반환하십시오. 이어지는 길이 없으면 `ConnectivityException`을 일으키십시오.
 
 
 # %% name="e4-3-answer" tags=["answer"]
@@ -141,10 +152,11 @@ check("E4.3", path)
 
 # %% name="e4-4-given"
 e4_4 = task("E4.4")
+print(e4_4.prefixes, *e4_4.edges, sep="\n")
 
 # %% name="e4-4-answer" tags=["answer"]
 # BEGIN SOLUTION
-fleet = {}
+fleet = {}  # child -> parent, of both robots: {"robot1/odom": "map", …}
 for robot in e4_4.prefixes:
     for parent, child in e4_4.edges:
         fleet[f"{robot}/{child}"] = parent if parent == "map" else f"{robot}/{parent}"
@@ -177,6 +189,9 @@ check("E4.4", fleet)
 
 # %% name="e4-5-given"
 e4_5 = task("E4.5")
+for letter, line in e4_5.lines.items():
+    print(f"{letter})  {line}")
+# The form: fates = {"a": "kept as odom", "b": "another frame", and so on, to "h"}; the words are only an example.
 
 
 # %% name="e4-5-answer" tags=["answer"]

@@ -176,8 +176,8 @@ TASK = Task(
             ko="두 줄에 나오는 자식을 찾으십시오. 부모가 같습니까, 다릅니까?",
         ),
         Words(
-            en="Where no child stands twice, collect the parents that are nobody's child.",
-            ko="두 번 나오는 자식이 없으면, 누구의 자식도 아닌 부모를 모으십시오.",
+            en="Where no child stands twice, collect the parents that are nobody's child. More than `map`: two trees.",
+            ko="두 번 나오는 자식이 없으면, 누구의 자식도 아닌 부모를 모으십시오. `map` 말고 더 있으면 트리가 둘입니다.",
         ),
         Words(
             en="Siblings share a parent, which is fine. And a loop has no root: climb from each frame and see whether you arrive.",

@@ -155,8 +155,8 @@ TASK = Task(
             ko="본문의 `way_up`처럼 두 좌표계에서 루트까지의 길을 적어 보세요.",
         ),
         Words(
-            en="Drop what both lists share at their ends. If the last members differ, there is no way.",
-            ko="두 리스트의 끝에서 같은 부분을 버리십시오. 마지막 원소가 다르면 길이 없습니다.",
+            en="If the last members of both lists differ, `raise ConnectivityException(...)`. Else drop what both share at their ends.",
+            ko="두 리스트의 마지막 원소가 다르면 `raise ConnectivityException(...)`입니다. 같으면 끝에서부터 같은 부분을 버리십시오.",
         ),
         Words(
             en="What is left of the source's list goes up as it stands; what is left of the target's goes down, reversed.",

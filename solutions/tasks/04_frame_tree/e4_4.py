@@ -128,15 +128,15 @@ TASK = Task(
     hints=(
         Words(
             en="Which one name do both robots mean the same thing by?",
-            ko="두 로봇이 같은 것을 가리키는 이름은 무엇 하나입니까?",
+            ko="두 로봇이 똑같은 것을 가리키는 데 쓰는 이름이 하나 있습니다. 무엇입니까?",
         ),
         Words(
             en="Every other name has a prefix, wherever it stands: as a child and as a parent.",
             ko="나머지 이름에는 자식으로 나오든 부모로 나오든 접두사를 붙입니다.",
         ),
         Words(
-            en='Two loops: over `e4_4.prefixes`, and over `e4_4.edges`; a name is `f"{robot}/{frame}"`.',
-            ko='반복문 두 개입니다. `e4_4.prefixes`와 `e4_4.edges`를 돌며 이름을 `f"{robot}/{frame}"`으로 만드십시오.',
+            en="Two loops: over `e4_4.prefixes`, and over `e4_4.edges`; a name is `f\"{robot}/{frame}\"`, but map stays map. In the inner loop: `fleet[child's name] = parent's name`.",
+            ko='반복문 두 개입니다. `e4_4.prefixes`와 `e4_4.edges`를 돌며 이름을 `f"{robot}/{frame}"`으로 만드십시오. map은 그대로 둡니다. 안쪽 반복문에서 `fleet[자식 이름] = 부모 이름`을 씁니다.',
         ),
     ),
     cures=("M2", "M14"),

@@ -183,8 +183,8 @@ TASK = Task(
             ko="보낼 때는 슬래시 하나를 눈감아 주고 물을 때는 하나도 눈감아 주지 않습니다. 글자는 하나하나 비교합니다.",
         ),
         Words(
-            en="Try it: `Buffer().set_transform_static(...)`, as `send` does on the page, and look at `buffer.core.frame_names()`.",
-            ko="직접 해 보세요. 본문의 `send`처럼 `Buffer().set_transform_static(...)`을 부르고 `buffer.core.frame_names()`를 보십시오.",
+            en="Try it: `Buffer().set_transform_static(...)`, as `send` does on the page, and look at `buffer.core.frame_names()`. What two robots mean by a name no buffer can tell you.",
+            ko="직접 해 보세요. 본문의 `send`처럼 `Buffer().set_transform_static(...)`을 호출하고 `buffer.core.frame_names()`를 보십시오. 두 로봇이 한 이름으로 무엇을 뜻하는지는 버퍼가 알려 주지 않습니다.",
         ),
     ),
     cures=("M14",),
