@@ -64,6 +64,24 @@ def test_two_twins_that_look_alike_are_refused(tmp_path):
         make(tmp_path, tasks=tasks)
 
 
+def test_numbers_with_which_two_mistakes_meet_are_drawn_anew(tmp_path, monkeypatch):
+    usual, refused = cases._refuse_look_alikes, []
+
+    def refuse_the_first(task, variant, made):
+        if (task.id, variant) == ("E3.1", 0) and not refused:
+            refused.append(made)
+            raise cases.LookAlikes("these two meet")
+        usual(task, variant, made)
+
+    drawn_once = make(tmp_path).tasks
+    monkeypatch.setattr(cases, "_refuse_look_alikes", refuse_the_first)
+    drawn_anew = make(tmp_path).tasks
+    assert refused[0][0].expected == drawn_once["E3.1"].variants[0].cases[0].expected
+    assert drawn_anew["E3.1"].variants[0] != drawn_once["E3.1"].variants[0]
+    assert drawn_anew["E3.1"].variants[1:] == drawn_once["E3.1"].variants[1:]
+    assert drawn_anew["E3.2"] == drawn_once["E3.2"]
+
+
 def test_a_solution_that_is_not_of_its_form_is_refused(tmp_path):
     with pytest.raises(cases.CasesError, match=r"E3\.4: the solution's answer is not one number"):
         make(tmp_path, cells=chapter.CELLS | {"e3-4-answer": "angle_rad = '90 degrees'"})

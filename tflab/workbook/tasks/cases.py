@@ -18,6 +18,7 @@ import inspect
 import json
 import re
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from functools import partial
 from itertools import combinations as pairs_of
 from pathlib import Path
@@ -44,11 +45,16 @@ __all__ = [
 
 PUBLIC_SEED = "public"
 MODEL = ""  # the model itself, among what it gives with slips
+MOST_DRAWS = 4  # in which two mistakes meet: more often than now and then is a fault of the task
 DIGITS = 12  # of a float in a case; the last ones differ between machines
 
 
 class CasesError(TaskError):
     """A task whose cases do not tell a mistake from the answer, or from another mistake."""
+
+
+class LookAlikes(CasesError):
+    """What was drawn does not tell two mistakes apart."""
 
 
 def make_cases(
@@ -153,7 +159,15 @@ def read_chapter(path: Path) -> ChapterCases:
 
 
 def _variant(task: Task, seed: str | bytes, number: int, solution: Solution, fewest_inputs: int) -> Variant:
-    rng = _rng(seed, task.id, number)
+    """Return a variant; where numbers were drawn with which two mistakes meet, others are drawn."""
+    for draw in range(MOST_DRAWS):
+        rng = _rng(seed, task.id, number, *([draw] if draw else []))
+        with suppress(LookAlikes):
+            return _drawn(task, rng, number, solution, fewest_inputs)
+    return _drawn(task, _rng(seed, task.id, number), number, solution, fewest_inputs)  # say what cannot be told apart
+
+
+def _drawn(task: Task, rng: np.random.Generator, number: int, solution: Solution, fewest_inputs: int) -> Variant:
     given = _rounded(to_plain(task.given(rng))["dict"]) if task.given else None
     held = {name: from_plain(value) for name, value in given.items()} if given is not None else {}
     answer = solution.answer(task, held if given is not None else None)
@@ -235,7 +249,7 @@ def _refuse_look_alikes(task: Task, variant: int, cases: Sequence[Case]) -> None
                 both = (
                     f'the twins "{name}" and "{other}" coincide' if name else f'the twin "{other}" is the right answer'
                 )
-                raise CasesError(f"{task.id}, variant {variant}: {both}; draw from inputs that tell them apart")
+                raise LookAlikes(f"{task.id}, variant {variant}: {both}; draw from inputs that tell them apart")
 
 
 def _of(case: Case, name: str) -> Plain:
