@@ -16,7 +16,8 @@ def a_tilt(rng):
         up = int(rng.integers(20, 60)) / 100
         wall = round(float(rng.uniform(0.8, 3.0)), 2)
         left = up + BASE_UP_M - wall * math.tan(math.radians(tilt_deg))
-        if left > 0.12 and abs(left - up) > 0.01 and abs(up + BASE_UP_M - 2 * left) > 0.02:
+        apart = abs(left - up) > 0.01 and abs(left - (up - BASE_UP_M)) > 0.02  # heights that slips give
+        if left > 0.12 and apart and abs(up + BASE_UP_M - 2 * left) > 0.02:
             return {
                 "tilt_deg": tilt_deg,
                 "laser_above_base_link_m": up,
