@@ -289,12 +289,12 @@ lesson.show_progress()
 # %% [markdown] lang="en" name="map-why" slide="slide"
 # ## In which order?
 #
-# An arrow means *builds on*. Solid boxes are here, dashed ones are to come; the numbers are those of the table.
+# An arrow means *builds on*; the numbers are those of the table.
 
 # %% [markdown] lang="ko" name="map-why" slide="slide"
 # ## 어떤 순서로 볼까요?
 #
-# 화살표는 앞 장을 바탕으로 한다는 뜻입니다. 실선 상자는 준비된 장, 점선 상자는 준비 중인 장이며, 번호는 표의 번호입니다.
+# 화살표는 앞 장을 바탕으로 한다는 뜻이고, 번호는 표의 번호입니다.
 
 # %% name="map"
 lesson.draw_course([1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12])
