@@ -204,7 +204,7 @@ diagnosis = {
     "e": "silent mover", "e do": "send on while it stands",
     "f": "publisher gone", "f do": "keep it running",
     # END SOLUTION
-}  # fmt: skip
+}
 
 # %% name="e6-5-check" tags=["check"]
 check("E6.5", diagnosis)

@@ -209,7 +209,7 @@ mount = {
     (0, 1, True): "as drawn", (1, 0, True): "left", (-1, 0, True): "right", (0, -1, True): "backwards",
     (0, -1, False): "rolled over", (0, 1, False): "pitched over",
     (-1, 0, False): "pitched over, left", (1, 0, False): "pitched over, right",
-}[round(x / pull), round(y / pull), z > 0]  # fmt: skip
+}[round(x / pull), round(y / pull), z > 0]
 gyro_z = math.copysign(e7_5.yaw_rate_radps, z)
 mend = "leave it" if mount == "as drawn" else "rpy in the joint"
 # END SOLUTION
