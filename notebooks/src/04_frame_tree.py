@@ -468,8 +468,8 @@ lesson.frame_tree(graph, seconds=2.0)
 # The *shape* of this tree is flawless: one parent each. What gives it away is the rate, 50 Hz = 20 + 30, and, here, two names. The cure is to choose: let the wheels keep their edge to themselves.
 
 # %% [markdown] lang="ko" name="owners-seen"
-# *그림 읽기:* rate = 빈도, age = 나이, published by = 발행 책임, D(dynamic) = 동적, S(static) = 정적. 아래 줄은 한 연결을 두 노드가 발행한다는 경고입니다.
-# 트리의 *모양*에는 흠이 없습니다. 부모가 하나씩입니다. 드러나는 것은 빈도입니다. 50 Hz는 20 + 30입니다. 여기서는 이름도 둘 보입니다. 고치는 방법은 하나를 고르는 것입니다. 바퀴의 연결을 끕니다.
+# *그림 읽기:* rate = 발행률, age = 나이, published by = 발행 책임, D(dynamic) = 동적, S(static) = 정적. 아래 줄은 한 연결을 두 노드가 발행한다는 경고입니다.
+# 트리의 *모양*에는 흠이 없습니다. 부모가 하나씩입니다. 드러나는 것은 발행률입니다. 50 Hz는 20 + 30입니다. 여기서는 이름도 둘 보입니다. 고치는 방법은 하나를 고르는 것입니다. 바퀴의 연결을 끕니다.
 
 # %% name="cure" slide="-"
 # %ros2 param set /wheel_odometry publish_tf false
@@ -556,7 +556,7 @@ for apart_s in (0.03, 0.0):
 # %% [markdown] lang="ko" name="view-frames" slide="slide"
 # ## view_frames가 보여 주는 것과 보여 주지 못하는 것
 #
-# [[view_frames]]는 5초 동안 듣고 그림과 텍스트를 만듭니다. 연결마다 빈도와 가장 오래된 시각, 가장 새로운 시각이 나옵니다. `-o`가 없으면 파일 이름에 날짜가 붙고, 있으면 준 이름이 됩니다.
+# [[view_frames]]는 5초 동안 듣고 그림과 텍스트를 만듭니다. 연결마다 발행률과 가장 오래된 시각, 가장 새로운 시각이 나옵니다. `-o`가 없으면 파일 이름에 날짜가 붙고, 있으면 준 이름이 됩니다.
 
 # %% name="run-view-frames" tags=["interactive"] slide="skip"
 folder = lesson.fresh_folder()
@@ -579,7 +579,7 @@ lesson.frame_tree(graph, seconds=2.0)
 # Our `frame_tree` names the nodes, because here all of them live in one process. On a robot `ros2 topic info /tf --verbose` lists the nodes that send on `/tf`, though not which edge each of them sends.
 
 # %% [markdown] lang="ko" name="who-is-it-seen"
-# `view_frames`에는 어느 연결이나 `Broadcaster: default_authority`라고 나옵니다. `/tf` 메시지에는 보낸 노드의 이름이 없기 때문입니다. 둘이 보내는 것은 합친 빈도로만 드러납니다. 10이어야 할 곳이 20 Hz입니다.
+# `view_frames`에는 어느 연결이나 `Broadcaster: default_authority`라고 나옵니다. `/tf` 메시지에는 보낸 노드의 이름이 없기 때문입니다. 둘이 보내는 것은 합친 발행률로만 드러납니다. 10이어야 할 곳이 20 Hz입니다.
 # `frame_tree`는 노드 이름을 보여 줍니다. 여기서는 모든 노드가 한 프로세스 안에 있기 때문입니다. 로봇에서는 `ros2 topic info /tf --verbose`로 `/tf`에 보내는 노드들을 알 수 있지만, 어느 연결을 보내는지는 나오지 않습니다.
 
 # %% [markdown] lang="en" name="prefixed" slide="subslide"
@@ -705,7 +705,7 @@ rclpy.shutdown()
 # - TF는 자식 → 부모로 된 dict입니다. 질문은 원본에서 두 길이 만날 때까지 올라갔다가 목표로 내려갑니다. 이것이 [[path|경로]]입니다.
 # - [[root|루트]]가 하나면 트리, 둘이면 끊긴 것, 없으면 고리입니다. `set(부모들) - set(자식들)`로 알 수 있습니다.
 # - 변환을 보낼 때 tf2는 규칙을 확인하지 않습니다. 실패하는 것은 고장 난 곳을 지나는 질문뿐이고, 오류 메시지에는 질문의 두 끝이 나옵니다.
-# - 같은 자식을 다른 부모로 보내면 옮겨 갑니다. 한 연결을 둘이 발행하면 모양은 그대로인 채 값만 오갑니다. 빈도를 보십시오.
+# - 같은 자식을 다른 부모로 보내면 옮겨 갑니다. 한 연결을 둘이 발행하면 모양은 그대로인 채 값만 오갑니다. 발행률을 보십시오.
 # - 이름은 문자열입니다. 앞에 슬래시를 쓰지 않고, 한 로봇에 속한 것에는 모두 [[frame prefix|접두사]]를 붙입니다.
 
 # %% [markdown] lang="en" name="from-before" slide="subslide"
@@ -763,7 +763,7 @@ rclpy.shutdown()
 # - [ ] 변환을 보낼 때 tf2는 오류를 내지 않습니다. 둘 다 저장됩니다.
 # - [ ] 부모가 같으면 값이 번갈아 나옵니다. RViz에서 로봇이 떨거나 튀고, 둘의 차이가 벌어질수록 심해집니다.
 # - [ ] 부모가 다르면 자식이 트리의 두 곳을 오가고, 질문이 번갈아 실패합니다.
-# - [ ] 트리의 모양이 아니라, 둘을 합친 빈도와 발행자 목록에서 드러납니다.
+# - [ ] 트리의 모양이 아니라, 둘을 합친 발행률과 발행자 목록에서 드러납니다.
 # - [ ] 발행 책임을 한 노드에 맡기고 다른 쪽은 끕니다.
 #
 # </details>

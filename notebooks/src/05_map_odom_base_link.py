@@ -442,7 +442,7 @@ lesson.frame_tree(graph, seconds=1.0)
 # The cure costs one line: publish `map_to_odom(map_T_base, odom_T_base)` under the stamp of the scan, and leave `base_footprint` to the wheels.
 
 # %% [markdown] lang="ko" name="cure"
-# *그림 읽기:* rate = 빈도, age = 나이, published by = 발행 책임, also here = 여기에도 있음, D(dynamic) = 동적, S(static) = 정적. 아래 두 줄은 트리가 둘로 나뉘었고 base_footprint의 부모가 둘이라는 경고입니다.
+# *그림 읽기:* rate = 발행률, age = 나이, published by = 발행 책임, also here = 여기에도 있음, D(dynamic) = 동적, S(static) = 정적. 아래 두 줄은 트리가 둘로 나뉘었고 base_footprint의 부모가 둘이라는 경고입니다.
 #
 # 고치는 데는 한 줄이면 됩니다. 스캔의 측정 시각으로 `map_to_odom(map_T_base, odom_T_base)`를 발행하고, `base_footprint`는 바퀴에 맡기십시오.
 

@@ -185,7 +185,7 @@ lesson.draw_owners(
 # A kind correction to §14 and §27 of the lecture: in ROS 2 `tf2_monitor` names no owner. Every line says `<no authority available>`. The nodes are named by `ros2 topic info /tf --verbose`, and their edges by nobody but you.
 
 # %% [markdown] lang="ko" name="owner-seen"
-# *그림 읽기:* edge = 연결, owner = 발행자, source = 데이터, switch = 스위치, rate = 빈도. `! 2`는 발행자가 둘인 연결, `! 0`은 아무도 발행하지 않는 연결입니다. 강의 24장은 문제가 생기기 전에 이런 표를 채워 두라고 합니다. 정상을 모르면 이상도 없습니다.
+# *그림 읽기:* edge = 연결, owner = 발행자, source = 데이터, switch = 스위치, rate = 발행률. `! 2`는 발행자가 둘인 연결, `! 0`은 아무도 발행하지 않는 연결입니다. 강의 24장은 문제가 생기기 전에 이런 표를 채워 두라고 합니다. 정상을 모르면 이상도 없습니다.
 # 강의 14장과 27장에서 하나 바로잡습니다. ROS 2의 `tf2_monitor`는 발행자의 이름을 대지 못합니다. 줄마다 `<no authority available>`이 나옵니다. 노드 이름은 `ros2 topic info /tf --verbose`가 알려 주고, 그 노드의 연결은 직접 알아내야 합니다.
 
 # %% [markdown] lang="en" name="four-states" slide="slide"
@@ -648,7 +648,7 @@ night.try_fix()
 # - [ ] 오류는 나지 않습니다. TF2는 누가 보내든 표본을 모두 받습니다.
 # - [ ] 부모가 같으면 포즈가 오락가락하고, 그 사이를 조회하면 아무도 말한 적 없는 자리가 나옵니다.
 # - [ ] 부모가 다르면 트리 자체가 바뀌고, 한 부분이 번갈아 끊어집니다.
-# - [ ] `view_frames`에는 부모가 하나만 보입니다. 연결의 빈도와 20 Hz로 본 값이 두 번째 발행자를 드러냅니다.
+# - [ ] `view_frames`에는 부모가 하나만 보입니다. 연결의 발행률과 20 Hz로 본 값이 두 번째 발행자를 드러냅니다.
 #
 # </details>
 #
@@ -669,7 +669,7 @@ night.try_fix()
 #
 # - [ ] Fixed Frame과 이름, 그다음 트리를 봅니다.
 # - [ ] 서 있을 때 장착의 값을 봅니다.
-# - [ ] 연결의 지연과 빈도, 그리고 스캔의 좌표계, 측정 시각, 시계를 봅니다.
+# - [ ] 연결의 지연과 발행률, 그리고 스캔의 좌표계, 측정 시각, 시계를 봅니다.
 # - [ ] 발행자와 스위치는 마지막입니다.
 # - [ ] 새 센서와 긴 timeout은 들어 있지 않습니다. 사실을 보여 주지 않기 때문입니다.
 #

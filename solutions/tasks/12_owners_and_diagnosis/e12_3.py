@@ -117,7 +117,7 @@ TASK = Task(
         ),
         Words(
             en="What does the symptom hang on: a node, a switch, a value, a header, a rate, a delay, a durability?",
-            ko="증상이 무엇에 달렸습니까? 노드, 스위치, 값, header, 빈도, 지연, durability 가운데 무엇입니까?",
+            ko="증상이 무엇에 달렸습니까? 노드, 스위치, 값, header, 발행률, 지연, durability 가운데 무엇입니까?",
         ),
     ),
     cures=("M6", "M9", "M10", "M11", "M15"),
