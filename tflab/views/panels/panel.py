@@ -156,6 +156,20 @@ def slider(description: str, value: float, low: float, high: float, step: float,
     )
 
 
+def menu(
+    description: str, options: Sequence, value: object, tooltip: str, *, label_width: str, width: str
+) -> widgets.Dropdown:
+    """Return a menu that says what it is, and what choosing does."""
+    return widgets.Dropdown(
+        options=options,
+        value=value,
+        description=description,
+        tooltip=f"{description}: {tooltip}",
+        style={"description_width": label_width},
+        layout={"width": width, "max_width": "100%"},
+    )
+
+
 def side_by_side(controls: Sequence[widgets.Widget]) -> widgets.Box:
     """Return controls in rows, so that they and the picture below them fit a laptop's window."""
     return widgets.Box(list(controls), layout={"flex_flow": "row wrap", "max_width": PANEL_WIDTH})

@@ -21,7 +21,7 @@ from tflab.core import StampedTransform, Transform
 from tflab.core.quaternions import canonical
 
 from ..sentence import SentencePicture, sentence
-from .panel import Panel
+from .panel import Panel, menu
 
 Pair = tuple[str, str]  # target, source
 
@@ -69,8 +69,8 @@ class SentencePanel(Panel):
             self._pair = _pair_without_repeat(self._pair, (self._target.value, self._source.value))
         self._is_following = True
         self._target.value, self._source.value = self._pair
-        for menu in self._lines:
-            menu.value = self._pair
+        for line in self._lines:
+            line.value = self._pair
         self._is_following = False
         self.redraw()
 
@@ -113,11 +113,5 @@ def _pair_without_repeat(before: Pair, chosen: Pair) -> Pair:
 
 
 def _menu(description: str, options, value, width: str = "560px") -> widgets.Dropdown:
-    return widgets.Dropdown(
-        options=options,
-        value=value,
-        description=description,
-        tooltip=f"{description}: choose, and the others follow",
-        style={"description_width": "60px"},
-        layout={"width": width, "max_width": "100%"},
-    )
+    follow = "choose, and the others follow"
+    return menu(description, options, value, follow, label_width="60px", width=width)

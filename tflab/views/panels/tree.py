@@ -14,7 +14,7 @@ from typing import NamedTuple
 import ipywidgets as widgets
 
 from ..climb import TreeWalkPicture, snapshot_of_parents
-from .panel import Panel
+from .panel import Panel, menu
 
 Edge = tuple[str, str]  # parent, child
 Ask = Callable[[list[Edge], str, str], tuple[bool, str]]  # edges as sent, target, source -> an answer at all? its text
@@ -85,11 +85,4 @@ def tree_panel(
 
 
 def _menu(description: str, options: list[str], value: str, chosen: str) -> widgets.Dropdown:
-    return widgets.Dropdown(
-        options=options,
-        value=value,
-        description=description,
-        tooltip=f"{description}: {chosen}",
-        style={"description_width": "90px"},
-        layout={"width": "330px", "max_width": "100%"},
-    )
+    return menu(description, options, value, chosen, label_width="90px", width="330px")
