@@ -1,7 +1,7 @@
 # %% [markdown] lang="en" name="title"
 # # Exercises 05 · One may jump, one may drift
 #
-# Five tasks, 18 points, about 50 minutes. The page they belong to: [05 · One may jump, one may drift](../../notebooks/en/05_map_odom_base_link.ipynb)
+# Six tasks, 22 points, about 60 minutes. The page they belong to: [05 · One may jump, one may drift](../../notebooks/en/05_map_odom_base_link.ipynb)
 #
 # Write your answer where it says `...` or `your turn`, run the cell, then run the check below it.
 # A wrong answer is told which mistake it looks like. `hint("E5.1")` gives the first of three hints.
@@ -10,7 +10,7 @@
 # %% [markdown] lang="ko" name="title"
 # # 연습 문제 05 · 하나는 튈 수 있고, 하나는 흐를 수 있습니다
 #
-# 과제 다섯 개, 18점, 50분쯤 걸립니다. 함께 보는 페이지: [05 · 하나는 튈 수 있고, 하나는 흐를 수 있습니다](../../notebooks/ko/05_map_odom_base_link.ipynb)
+# 과제 여섯 개, 22점, 60분쯤 걸립니다. 함께 보는 페이지: [05 · 하나는 튈 수 있고, 하나는 흐를 수 있습니다](../../notebooks/ko/05_map_odom_base_link.ipynb)
 #
 # `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 셀을 실행한 다음, 아래의 확인 셀을 실행해 보세요.
 # 틀린 답을 내면 어떤 실수로 보이는지 알려 줍니다. `hint("E5.1")`은 세 힌트 가운데 첫 번째를 보여 줍니다.
@@ -196,6 +196,33 @@ def footprint(odom_T_base):
 
 # %% name="e5-5-check" tags=["check"]
 check("E5.5", footprint)
+
+# %% [markdown] lang="en" name="e5-6"
+# ## E5.6 · The correction, through TF (4 points)
+#
+# A scan was taken at `stamp_ns` and fitted to the map, which took a moment. The result is `map_T_base`, a `Transform`: where `base_footprint` was on the map when the scan was taken.
+# `buffer` is a buffer of this chapter's page; the wheels' edge in it is `odom → base_footprint`.
+# Return the `Transform` to publish as `map → odom`. Where the buffer knows nothing of that moment, let its exception through.
+
+# %% [markdown] lang="ko" name="e5-6"
+# ## E5.6 · TF로 구하는 보정 (4점)
+#
+# `stamp_ns`에 측정한 스캔을 지도와 맞추는 데 시간이 조금 걸렸습니다. 결과 `map_T_base`는 스캔을 측정한 시각의, 지도 위 `base_footprint`의 위치와 방향을 담은 `Transform`입니다.
+# `buffer`는 이 장의 페이지에서 쓴 것과 같은 버퍼이고, 바퀴가 발행하는 연결은 `odom → base_footprint`입니다.
+# `map → odom`으로 발행할 `Transform`을 반환하십시오. 버퍼가 그 시각을 알지 못하면 예외를 그대로 내보내십시오.
+
+
+# %% name="e5-6-answer" tags=["answer"]
+def correction(buffer, map_T_base, stamp_ns):
+    """Return map_T_odom at stamp_ns."""
+    # BEGIN SOLUTION
+    odom_T_base = buffer.lookup_transform("odom", "base_footprint", stamp_ns).transform
+    return map_T_base @ odom_T_base.inverse()
+    # END SOLUTION
+
+
+# %% name="e5-6-check" tags=["check"]
+check("E5.6", correction)
 
 # %% [markdown] lang="en" name="after"
 # ## What you have shown

@@ -1,0 +1,220 @@
+"""E5.6: The correction, through TF."""
+
+from __future__ import annotations
+
+from tflab.core import LATEST, BufferCore, StampedTransform, Transform, TransformException, seconds
+from tflab.workbook.tasks import Pose, Slip, Task, Twin, Words
+
+from .draws import by_parts, on_the_floor
+
+STEP_S = 0.2  # between two poses of the wheels
+
+
+def scans(rng):
+    """Scans between two poses of the wheels, one when the map's edge was silent already, one too new, one too old."""
+    rows = []
+    for share in (0.15, 0.35, 0.55, 0.95, 1.25, -0.25):
+        buffer, start_s, newest_s = in_a_bend(rng)
+        stamp_s = start_s + share * (newest_s - start_s)
+        rows.append((buffer, on_the_floor(rng), seconds(round(stamp_s, 3))))
+    return rows
+
+
+def in_a_bend(rng):
+    """Return a buffer of a robot that drives a bend, and the wheels' first and newest stamp [s]."""
+    buffer = BufferCore()
+    start_s = float(rng.integers(5, 40))
+    here = on_the_floor(rng)
+    speed_mps, yaw_rate_radps = (
+        float(rng.uniform(0.4, 0.8)),
+        float(rng.choice([-1.0, 1.0])) * float(rng.uniform(0.5, 0.9)),
+    )
+    step = Transform.from_rpy(yaw=yaw_rate_radps * STEP_S, translation=(speed_mps * STEP_S, 0.0, 0.0))
+    edge = on_the_floor(rng, 2.0)
+    for tick in range(11):
+        stamp_ns = seconds(start_s + STEP_S * tick)
+        buffer.set_transform(StampedTransform("odom", "base_footprint", stamp_ns, here), "/wheel_odometry")
+        if tick <= 7:
+            buffer.set_transform(StampedTransform("map", "odom", stamp_ns, edge), "/localization")
+        here = here @ step
+    return buffer, start_s, start_s + 10 * STEP_S
+
+
+def corrected(buffer, map_T_base, stamp_ns, *, moment="stamp", asked="odom", refusal="let through",
+              wheels="turned round", order="found first", way="as asked"):  # fmt: skip
+    """Return map_T_odom, step by step; other steps are the slips."""
+    asked_ns = {"stamp": stamp_ns, "latest": LATEST, "seconds": seconds(stamp_ns)}[moment]
+    try:
+        odom_T_base = buffer.lookup_transform(asked, "base_footprint", asked_ns).transform
+    except TransformException:
+        if refusal == "let through":
+            raise
+        if refusal == "None":
+            return None
+        odom_T_base = buffer.lookup_transform(asked, "base_footprint", LATEST).transform
+    if wheels == "parts":
+        return by_parts(map_T_base, odom_T_base)
+    right = odom_T_base.inverse() if wheels == "turned round" else odom_T_base
+    edge = map_T_base @ right if order == "found first" else right @ map_T_base
+    return edge.inverse() if way == "turned round" else edge
+
+
+LATEST_INSTEAD = Slip(
+    "latest",
+    {"moment": "latest"},
+    Words(
+        en="You asked for the latest pose of the wheels. The robot was found where it stood when the scan was taken, and it has driven and turned since: both poses belong to `stamp_ns`.",
+        ko="바퀴의 최신 포즈를 물었습니다. 지도에서 찾은 포즈는 스캔을 측정한 때의 것이고, 로봇은 그 뒤로 달리고 돌았습니다. 두 포즈 모두 `stamp_ns`의 것이어야 합니다.",
+    ),
+    "M9",
+)
+
+STAMP_TAKEN_FOR_SECONDS = Slip(
+    "stamp taken for seconds",
+    {"moment": "seconds"},
+    Words(
+        en="`stamp_ns` is in nanoseconds already, and `seconds(...)` made a billion times as much of it. The buffer refuses a moment that far away.",
+        ko="`stamp_ns`는 이미 나노초인데 `seconds(...)`로 10억 배가 되었습니다. 버퍼는 그렇게 먼 시각을 거절합니다.",
+    ),
+)
+
+AGAINST_THE_MAP = Slip(
+    "against the map",
+    {"asked": "map"},
+    Words(
+        en="You asked where the robot was in `map`. That holds the old correction already; what is to be turned round is the pose that the wheels measured, in `odom`.",
+        ko="`map` 기준 로봇의 포즈를 물었습니다. 여기에는 이전의 보정이 이미 들어 있습니다. 뒤집을 것은 바퀴가 잰 포즈, 곧 `odom` 기준의 포즈입니다.",
+    ),
+    "M7",
+)
+
+FALLS_BACK_ON_LATEST = Slip(
+    "falls back on latest",
+    {"refusal": "latest"},
+    Words(
+        en="Where the buffer has no pose of that moment, you take the latest. The edge is then wrong, and nobody hears of it: let the exception through.",
+        ko="버퍼에 그 시각의 포즈가 없으면 최신 포즈를 씁니다. 그러면 연결이 틀리는데도 아무도 알지 못합니다. 예외를 그대로 내보내십시오.",
+    ),
+    "M9",
+)
+
+SWALLOWS_THE_REFUSAL = Slip(
+    "swallows the refusal",
+    {"refusal": "None"},
+    Words(
+        en="Where the buffer refuses, you return None. Whoever calls you has to learn why there is no correction: let the exception through.",
+        ko="버퍼가 거절하면 None을 반환합니다. 호출한 쪽은 왜 보정이 없는지 알아야 합니다. 예외를 그대로 내보내십시오.",
+    ),
+    "M11",
+)
+
+NOT_TURNED_ROUND = Slip(
+    "not turned round",
+    {"wheels": "as given"},
+    Words(
+        en="The tiles [map|base][odom|base] do not match. Either the inverse is missing, or the ends of the lookup are exchanged and then turned back once more.",
+        ko="[map|base][odom|base]는 이웃이 맞지 않습니다. 역변환이 빠졌거나, 조회의 목표와 원본을 바꾸어 쓰고 그것을 다시 뒤집었습니다.",
+    ),
+    "M1",
+)
+
+SUBTRACTED = Slip(
+    "subtracted",
+    {"wheels": "parts"},
+    Words(
+        en="You subtracted steps and yaws. The wheels' step is measured along odom's axes, and those are turned in `map`: join with `@`.",
+        ko="이동과 yaw를 따로 뺐습니다. 바퀴의 이동은 odom의 축을 따라 잰 것이고, 그 축은 `map` 기준으로 돌아 있습니다. `@`로 이으십시오.",
+    ),
+    "M3",
+)
+
+OTHER_ORDER = Slip(
+    "other order",
+    {"order": "wheels first"},
+    Words(
+        en="The factors stand in the other order. The tile that begins with map comes first.",
+        ko="곱의 순서가 바뀌었습니다. map으로 시작하는 조각이 먼저입니다.",
+    ),
+    "M1",
+)
+
+THE_OTHER_WAY = Slip(
+    "the other way",
+    {"way": "turned round"},
+    Words(
+        en="That is odom_T_map: the same edge, read the other way. Asked for is map_T_odom, map as the parent.",
+        ko="odom_T_map입니다. 같은 연결을 거꾸로 읽은 것입니다. map이 부모인 map_T_odom이 필요합니다.",
+    ),
+    "M1",
+)
+
+WHAT_THE_WHEELS_SAY = Twin(
+    "what the wheels say",
+    lambda buffer, map_T_base, stamp_ns: buffer.lookup_transform("odom", "base_footprint", stamp_ns).transform,
+    Words(
+        en="That is what the wheels publish already, at the right moment. What was found on the map has no part in it.",
+        ko="바퀴가 이미 발행한, 그 시각의 포즈입니다. 지도에서 찾은 포즈가 들어 있지 않습니다.",
+    ),
+    "M7",
+)
+
+WHERE_THE_ROBOT_IS = Twin(
+    "where the robot is",
+    lambda buffer, map_T_base, stamp_ns: map_T_base,
+    Words(
+        en="You hand back where the robot is on the map. `base_footprint` has its parent, `odom`: what is wanted is the edge above odom.",
+        ko="지도 위 로봇의 포즈를 그대로 반환합니다. `base_footprint`에는 이미 부모 `odom`이 있습니다. 필요한 것은 odom 위의 연결입니다.",
+    ),
+    "M7",
+)
+
+THE_OLD_EDGE = Twin(
+    "the old edge",
+    lambda buffer, map_T_base, stamp_ns: buffer.lookup_transform("map", "odom", stamp_ns).transform,
+    Words(
+        en="That is the edge as it was before this scan. The correction has to come out of `map_T_base`.",
+        ko="이 스캔 이전의 연결입니다. 보정은 `map_T_base`에서 나와야 합니다.",
+    ),
+)
+
+
+TASK = Task(
+    id="E5.6",
+    kind="F",
+    points=4,
+    title=Words(en="The correction, through TF", ko="TF로 구하는 보정"),
+    answer="correction",
+    form=Pose(),
+    inputs=scans,
+    variants=3,
+    model=corrected,
+    twins=(
+        LATEST_INSTEAD,
+        NOT_TURNED_ROUND,
+        AGAINST_THE_MAP,
+        FALLS_BACK_ON_LATEST,
+        SWALLOWS_THE_REFUSAL,
+        OTHER_ORDER,
+        THE_OTHER_WAY,
+        SUBTRACTED,
+        STAMP_TAKEN_FOR_SECONDS,
+        WHAT_THE_WHEELS_SAY,
+        WHERE_THE_ROBOT_IS,
+        THE_OLD_EDGE,
+    ),
+    hints=(
+        Words(
+            en="Two poses of one moment, as in E5.1. One of them is given; the other one TF has.",
+            ko="E5.1처럼 같은 시각의 두 포즈입니다. 하나는 주어지고 다른 하나는 TF에 있습니다.",
+        ),
+        Words(
+            en="Which moment is it? The buffer holds many poses of the wheels, and the newest is not the scan's.",
+            ko="어느 시각일까요? 버퍼에는 바퀴의 포즈가 여럿 있고, 최신 포즈는 스캔의 것이 아닙니다.",
+        ),
+        Words(
+            en="`buffer.lookup_transform(target, source, stamp_ns).transform` is a Transform; then go on as in E5.1. Catch nothing.",
+            ko="`buffer.lookup_transform(target, source, stamp_ns).transform`은 Transform입니다. 그다음은 E5.1과 같습니다. 예외는 잡지 마십시오.",
+        ),
+    ),
+    cures=("M9", "M1", "M7"),
+)
