@@ -13,9 +13,11 @@ from tflab.core import (
     TransformException,
 )
 from tflab.ros import client_library as rclpy
-from tflab.ros.action import ActionClient, ActionServer, GoalResponse, GoalStatus
+from tflab.ros.action_client import ActionClient
+from tflab.ros.action_server import ActionServer, GoalResponse
 from tflab.ros.duration import Duration
 from tflab.ros.graph import new_graph
+from tflab.ros.messages.action_msgs import GoalStatus
 from tflab.ros.messages.geometry_msgs import TransformStamped
 from tflab.ros.messages.tf2_msgs import LookupTransform, TF2Error
 from tflab.ros.node import Node
@@ -210,7 +212,7 @@ def test_a_goal_that_is_aborted_still_has_a_result(graph):
         return LookupTransform.Result(error=TF2Error(error_string=f"no {handle.request.target_frame}"))
 
     status, result = result_status(graph, give_up)
-    assert (status, result.error.error_string) == (GoalStatus.ABORTED, "no map")
+    assert (status, result.error.error_string) == (GoalStatus.STATUS_ABORTED, "no map")
 
 
 def test_a_goal_that_nobody_settles_counts_as_aborted_and_an_exception_is_reported(graph, capsys):
@@ -218,7 +220,7 @@ def test_a_goal_that_nobody_settles_counts_as_aborted_and_an_exception_is_report
         raise RuntimeError("out of order")
 
     status, result = result_status(graph, broken)
-    assert (status, result) == (GoalStatus.ABORTED, LookupTransform.Result())
+    assert (status, result) == (GoalStatus.STATUS_ABORTED, LookupTransform.Result())
     printed = capsys.readouterr().err
     assert "[tf_buffer]: Error raised in execute callback: out of order" in printed
     assert "Goal state not set, assuming aborted" in printed

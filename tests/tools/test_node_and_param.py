@@ -4,6 +4,9 @@ import pytest
 from tools_robot import moving, spin
 
 from tflab.ros import client_library as rclpy
+from tflab.ros.action_client import ActionClient
+from tflab.ros.action_server import ActionServer
+from tflab.ros.messages.example_interfaces import Fibonacci
 from tflab.ros.node import Node
 from tflab.tools.node import duplicates_warning, full_names
 from tflab.tools.param import python_value
@@ -143,3 +146,25 @@ def test_a_node_that_does_not_spin_does_not_answer_and_the_line_still_ends(termi
     terminal.graph.start(main)
     out = terminal.type("ros2 param get /busy use_sim_time")
     assert out.startswith("`ros2 param get /busy use_sim_time` did not end within 60 s of the graph's time")
+
+
+def test_node_info_names_the_actions_and_hides_what_they_are_made_of(terminal):
+    def main():
+        rclpy.init()
+        node = Node("fibonacci_server")
+        ActionServer(node, Fibonacci, "fibonacci", print)
+        ActionClient(node, Fibonacci, "dock/fibonacci")
+        spin(node)
+
+    terminal.graph.start(main)
+    printed = terminal.type("ros2 node info /fibonacci_server")
+    assert printed.endswith("""\
+  Service Clients:
+
+  Action Servers:
+    /fibonacci: example_interfaces/action/Fibonacci
+  Action Clients:
+    /dock/fibonacci: example_interfaces/action/Fibonacci
+""")
+    assert "_action" not in printed
+    assert "/fibonacci/_action/status" in terminal.type("ros2 node info /fibonacci_server --include-hidden")

@@ -42,7 +42,8 @@ In reading order:
     clock_type  duration  time                           when, and for how long
     process  virtual  wall  graph  threads  network      who lives here, and how time passes
     qos  qos_compatibility  names  exceptions  arguments  context  logging  logging_filters
-    entity  event_handler  timer  guard_condition  publisher  subscription  service  action
+    entity  event_handler  timer  guard_condition  publisher  subscription  service
+    action_goals  action_server  action_client           what takes longer than an answer
     callback_groups  task  executors  signals
     parameter  node_parameters  parameter_service  parameter_client  parameter_event_handler
     clock  time_source

@@ -20,6 +20,8 @@ import threading
 from collections.abc import Callable
 from typing import Any
 
+from .task import Future
+
 __all__ = ["Process", "process_here", "use_graph"]
 
 
@@ -133,6 +135,12 @@ class Process:
                 return False
             self.wait(waiter, left_ns)
         return True
+
+    def wait_for(self, future: Future, duration_ns: int | None = None) -> bool:
+        """Block until a future is done, which somebody else must bring about; return whether it is."""
+        waiter = self.driver.new_waiter()
+        future.add_done_callback(lambda _: waiter.wake())
+        return self.wait_until(future.done, waiter, duration_ns)
 
     def check(self) -> None:
         """Raise what the process has been told meanwhile; see wait()."""

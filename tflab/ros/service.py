@@ -3,7 +3,7 @@
 A call blocks until the answer has come, so somebody else must spin the client's
 node meanwhile; `call_async` returns a Future instead.
 
-Read `action.py` next.
+Read `action_goals.py` next.
 """
 
 from __future__ import annotations
@@ -119,14 +119,9 @@ class Client(Entity):
 
     def call(self, request: Any, timeout_sec: float | None = None) -> Any:
         """Ask, block, and return the answer, or None if it did not come in time [s]."""
-        process = self.node.context.process
-        waiter = process.driver.new_waiter()
         future = self.call_async(request)
-        future.add_done_callback(lambda _: waiter.wake())
         duration_ns = None if timeout_sec is None else round(timeout_sec * NSEC_PER_SEC)
-        if not process.wait_until(future.done, waiter, duration_ns):
-            return None
-        return future.result()
+        return future.result() if self.node.context.process.wait_for(future, duration_ns) else None
 
     def put(self, response: Any, number: int) -> None:
         """Receive an answer."""

@@ -24,6 +24,7 @@ from collections.abc import Callable
 from copy import deepcopy
 from importlib import import_module
 from operator import attrgetter
+from types import SimpleNamespace
 from typing import ClassVar
 
 import numpy as np
@@ -38,6 +39,7 @@ __all__ = [
     "Service",
     "action",
     "copy_message",
+    "is_action_class",
     "is_message_class",
     "is_service_class",
     "message",
@@ -107,15 +109,15 @@ class Service:
 class Action:
     """What all actions share: three messages, `Goal`, `Result` and `Feedback`.
 
-    `SendGoalService` and `GetResultService` carry them, with the id of the goal.  (rosidl keeps them in `Impl`.)
+    `Impl` has what carries them, with the id of the goal: the services SendGoalService, GetResultService and
+    CancelGoalService, and the messages FeedbackMessage and GoalStatusMessage.
     """
 
     ROS_TYPE: ClassVar[str]
     Goal: ClassVar[type[Message]]
     Result: ClassVar[type[Message]]
     Feedback: ClassVar[type[Message]]
-    SendGoalService: ClassVar[type[Service]]
-    GetResultService: ClassVar[type[Service]]
+    Impl: ClassVar[SimpleNamespace]
 
     def __init__(self) -> None:
         raise NotImplementedError("Action classes can not be instantiated")
@@ -153,6 +155,13 @@ def action(ros_type: str, goal: str = "", result: str = "", feedback: str = "") 
         Goal=message(f"{ros_type}_Goal", goal),
         Result=message(f"{ros_type}_Result", result),
         Feedback=message(f"{ros_type}_Feedback", feedback),
+        Impl=_carriers(ros_type),
+    )
+
+
+def _carriers(ros_type: str) -> SimpleNamespace:
+    """Return what carries the three messages of an action, once these are there."""
+    return SimpleNamespace(
         SendGoalService=service(
             f"{ros_type}_SendGoal",
             request=f"unique_identifier_msgs/UUID goal_id\n{ros_type}_Goal goal",
@@ -163,6 +172,12 @@ def action(ros_type: str, goal: str = "", result: str = "", feedback: str = "") 
             request="unique_identifier_msgs/UUID goal_id",
             response=f"int8 status\n{ros_type}_Result result",
         ),
+        CancelGoalService=type_named("action_msgs/srv/CancelGoal"),
+        FeedbackMessage=message(
+            f"{ros_type}_FeedbackMessage",
+            f"unique_identifier_msgs/UUID goal_id\n{ros_type}_Feedback feedback",
+        ),
+        GoalStatusMessage=type_named("action_msgs/msg/GoalStatusArray"),
     )
 
 
@@ -175,6 +190,13 @@ def is_service_class(given: object) -> bool:
     """Return whether something is the class of a service: one with a Request and a Response."""
     return isinstance(given, type) and all(
         is_message_class(getattr(given, side, None)) for side in ("Request", "Response")
+    )
+
+
+def is_action_class(given: object) -> bool:
+    """Return whether something is the class of an action: one with a Goal, a Result and a Feedback."""
+    return isinstance(given, type) and all(
+        is_message_class(getattr(given, part, None)) for part in ("Goal", "Result", "Feedback")
     )
 
 

@@ -1,6 +1,6 @@
 """unique_identifier_msgs: which one.
 
-Read `lifecycle_msgs.py` next.
+Read `action_msgs.py` next.
 """
 
 from .base import message

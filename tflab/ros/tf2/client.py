@@ -21,7 +21,7 @@ from tflab.core import (
     TransformException,
 )
 
-from ..action import ActionClient
+from ..action_client import ActionClient
 from ..duration import Duration
 from ..messages import builtin_interfaces, geometry_msgs, tf2_msgs
 from ..task import Future
@@ -149,10 +149,7 @@ class BufferClient(BufferInterface):
 
     def _wait(self, future: Future, limit_ns: int) -> Any:
         """Block until a future is done; somebody else spins."""
-        process = self.node.context.process
-        waiter = process.driver.new_waiter()
-        future.add_done_callback(lambda _: waiter.wake())
-        if not process.wait_until(future.done, waiter, limit_ns):
+        if not self.node.context.process.wait_for(future, limit_ns):
             raise TimeoutException(
                 "The LookupTransform goal sent to the BufferServer did not come back in the specified time. "
                 "Something is likely wrong with the server."

@@ -1,6 +1,6 @@
 """rclpy.action.client"""
 
-from tflab.ros.action import (
+from tflab.ros.action_client import (
     ActionClient as ActionClient,
     ClientGoalHandle as ClientGoalHandle,
 )

@@ -1,0 +1,83 @@
+"""How far is a goal?  The states of an action's goal, and what moves it from one to the next.
+
+    ACCEPTED --execute--> EXECUTING --succeed--> SUCCEEDED
+        |                     |------abort-----> ABORTED
+        +------cancel_goal----+
+                 v
+             CANCELING --canceled--> CANCELED        (or succeed, or abort: it was too late)
+
+A *state machine*: what has no arrow is refused.  upstream: rcl_action/goal_state_machine.c
+
+Read `action_server.py` next.
+"""
+
+from __future__ import annotations
+
+from enum import IntEnum
+
+from .exceptions import RCLError
+from .messages.action_msgs import GoalStatus
+
+__all__ = ["GoalEvent", "action_entity_name", "is_done", "may_be_cancelled", "next_status", "status_name"]
+
+
+class GoalEvent(IntEnum):
+    """What can happen to a goal."""
+
+    EXECUTE = 1
+    CANCEL_GOAL = 2
+    SUCCEED = 3
+    ABORT = 4
+    CANCELED = 5
+
+
+_NEXT = {
+    (GoalStatus.STATUS_ACCEPTED, GoalEvent.EXECUTE): GoalStatus.STATUS_EXECUTING,
+    (GoalStatus.STATUS_ACCEPTED, GoalEvent.CANCEL_GOAL): GoalStatus.STATUS_CANCELING,
+    (GoalStatus.STATUS_EXECUTING, GoalEvent.CANCEL_GOAL): GoalStatus.STATUS_CANCELING,
+    (GoalStatus.STATUS_EXECUTING, GoalEvent.SUCCEED): GoalStatus.STATUS_SUCCEEDED,
+    (GoalStatus.STATUS_EXECUTING, GoalEvent.ABORT): GoalStatus.STATUS_ABORTED,
+    (GoalStatus.STATUS_CANCELING, GoalEvent.SUCCEED): GoalStatus.STATUS_SUCCEEDED,
+    (GoalStatus.STATUS_CANCELING, GoalEvent.ABORT): GoalStatus.STATUS_ABORTED,
+    (GoalStatus.STATUS_CANCELING, GoalEvent.CANCELED): GoalStatus.STATUS_CANCELED,
+}
+
+_NAMES = {
+    value: name.removeprefix("STATUS_")
+    for name, value in sorted(vars(GoalStatus).items())
+    if name.startswith("STATUS_")
+}
+
+
+def next_status(status: int, event: GoalEvent) -> int:
+    """Return the status, one of GoalStatus.STATUS_..., that a goal has after an event.
+
+    Raises:
+        RCLError: there is no such step, with rcl's text.
+    """
+    if (status, event) not in _NEXT:
+        raise RCLError(
+            "Failed to update goal state: goal_handle attempted invalid transition "
+            f"from state {status_name(status)} with event {event.name}"
+        )
+    return _NEXT[status, event]
+
+
+def may_be_cancelled(status: int) -> bool:
+    """Return whether a goal can still be given up, and nobody has wished it before."""
+    return (status, GoalEvent.CANCEL_GOAL) in _NEXT
+
+
+def is_done(status: int) -> bool:
+    """Return whether nothing can happen to a goal any more."""
+    return all(state != status for state, _ in _NEXT)
+
+
+def status_name(status: int) -> str:
+    """Return how a status is called: 'SUCCEEDED'."""
+    return _NAMES[status]
+
+
+def action_entity_name(action_name: str, what: str) -> str:
+    """Return the hidden name of a service or topic of an action: '/fibonacci/_action/feedback'."""
+    return f"{action_name}/_action/{what}"

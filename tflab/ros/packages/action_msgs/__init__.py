@@ -1,0 +1,1 @@
+"""action_msgs, in process: see tflab.ros.messages.action_msgs."""
