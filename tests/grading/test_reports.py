@@ -16,10 +16,10 @@ from tflab.grading.reports.class_page import LEARNERS, NAMED, class_page, mistak
 from tflab.grading.reports.feedback import LEVELS, feedback_page
 from tflab.grading.reports.gradebook import file_name, grades_csv
 from tflab.grading.reports.html import prose, text
-from tflab.grading.reports.misconceptions import MISCONCEPTIONS
 from tflab.grading.submissions.reasons import REASONS
 from tflab.grading.submissions.remarks import Remark
 from tflab.progress_bar import ProgressBar
+from tflab.workbook.course.misconceptions import MISCONCEPTIONS
 from tflab.workbook.words import Words
 
 

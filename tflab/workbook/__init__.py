@@ -9,6 +9,7 @@ In an exercise one calls four functions:
     places        where the workbook is
     answers/      what an answer may be, and when two are the same
     tasks/        a task, its right answer, its wrong ones; what is said of each
+    trying        what became of an answer, and what is said of it
     checks        check, hint, solution, task
     reply         how a reply looks
     progress      what was tried, and what was passed

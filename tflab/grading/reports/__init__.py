@@ -1,11 +1,10 @@
 """What the instructor and the learners read.
 
-    gradebook       CSV and JSON
-    misconceptions  what the mistakes have in common
-    feedback        a page for each learner
-    html            what such pages share
-    class_figures   pictures of a class
-    class_page      what the class misunderstands
+    gradebook      CSV and JSON
+    feedback       a page for each learner
+    html           what such pages share
+    class_figures  pictures of a class
+    class_page     what the class misunderstands
 
 Start with `gradebook.py`; each page names the next.
 """

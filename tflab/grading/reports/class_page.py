@@ -14,6 +14,7 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
+from tflab.workbook.course.misconceptions import MISCONCEPTIONS
 from tflab.workbook.words import Words
 
 from ..submissions.remarks import Remark
@@ -21,7 +22,6 @@ from .class_figures import bars, histogram
 from .feedback import STATUS
 from .gradebook import remarks_of, tasks_of, verdicts_of
 from .html import figure, page, points, prose, rows, text
-from .misconceptions import MISCONCEPTIONS
 
 __all__ = ["CommonMistake", "class_page", "mistakes"]
 

@@ -12,7 +12,7 @@
 Inside a dict, the values of the region's keys become `...`.  What stands outside
 the regions stays, so an example can be faded line by line.
 
-Read `checks.py` next.
+Read `trying.py` next.
 """
 
 from __future__ import annotations

@@ -1,12 +1,12 @@
 """What does "M3" stand for?  The fifteen misconceptions that the course looks for, each in a few words.
 
 A wrong answer is one task's; behind several of them may stand one thought.
-Read `feedback.py` next.
+Read `standing.py` next.
 """
 
 from __future__ import annotations
 
-from tflab.workbook.words import Words
+from ..words import Words
 
 __all__ = ["MISCONCEPTIONS"]
 

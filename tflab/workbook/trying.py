@@ -1,0 +1,155 @@
+"""What became of an answer, and what is said of it?  Tried on its cases, judged, and told as a reply.
+
+    task as a learner has it  +  answer  -->  outcomes  -->  verdict (verdict.py)  -->  words (mistake.py)
+
+`check` asks so about an exercise, and practice about what it has drawn.
+Read `checks.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from contextlib import redirect_stdout
+from io import StringIO
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from .answers.forms import Sequence as SequenceForm
+from .answers.showing import show_in_a_line
+from .answers.values import Plain, from_plain, is_raised, is_unanswered, outcome_of
+from .places import Workbook
+from .reply import show_reply
+from .tasks.case import TaskCases, Variant
+from .tasks.mistake import REPLIES, Mistake
+from .tasks.replies import PHRASES
+from .tasks.verdict import Verdict, judge_outcomes, kind_of
+from .words import Words
+
+__all__ = ["AssignedTask", "say_verdict", "tried_on"]
+
+
+class AssignedTask(NamedTuple):
+    """A task as this learner has it: with their variant of it."""
+
+    id: str
+    stem: str
+    cases: TaskCases
+    variant: Variant
+    root: Path
+    workbook: Workbook
+
+    def phrase(self, name: str, **names: object) -> str:
+        """Return one of the phrases in the learner's language."""
+        return self.words(PHRASES[name], id=self.id, answer=self.cases.answer, **names)
+
+    def words(self, words: Words, **names: object) -> str:
+        """Return a text in the learner's language."""
+        return words.say(self.workbook.language, **names)
+
+
+def tried_on(assigned: AssignedTask, answer: Any) -> tuple[Verdict, list[Plain]]:
+    """Return the verdict, and what came out of each case."""
+    cases = assigned.variant.cases
+    if not assigned.cases.is_function:
+        outcomes = [outcome_of(lambda: answer, ())]
+        return judge_outcomes(assigned.cases, assigned.variant, outcomes), outcomes
+    if not callable(answer):
+        mistake = Mistake.UNANSWERED if answer is ... else Mistake.NOT_A_FUNCTION
+        verdict = Verdict(0, len(cases), mistake, detail={"got": kind_of(outcome_of(lambda: answer, ()))})
+        return verdict, []
+    outcomes = []
+    for number, case in enumerate(cases):
+        try:
+            first = outcome_of(answer, case.args)
+            with redirect_stdout(StringIO()):  # what it prints has been read once
+                again = outcome_of(answer, case.args)
+        except KeyboardInterrupt:
+            return Verdict(0, len(cases), Mistake.INTERRUPTED, case=number), []
+        if first != again:
+            return Verdict(0, len(cases), Mistake.UNSTEADY, case=number), []
+        outcomes.append(first)
+        if number == 0 and is_unanswered(first):
+            return Verdict(0, len(cases), Mistake.UNANSWERED), []
+    return judge_outcomes(assigned.cases, assigned.variant, outcomes), outcomes
+
+
+# -- saying ---------------------------------------------------------------------------
+
+
+def say_verdict(
+    assigned: AssignedTask, verdict: Verdict, outcomes: list[Plain], more: Sequence[str] = (), draws: bool = True
+) -> None:
+    """Show the reply to an answer.
+
+    Args:
+        more: lines that go with it, smaller.
+        draws: whether a wrong value may be drawn beside the right one, which tells the number; a function's always is.
+    """
+    score = f"{assigned.id} {'✗' if verdict.mistake else '✓'} {verdict.passed}/{verdict.of}"
+    if verdict.mistake is None:
+        show_reply(score, more=more, kind="passed")
+        return
+    if verdict.mistake is Mistake.UNANSWERED:
+        show_reply(assigned.id, assigned.words(REPLIES[verdict.mistake]))
+        return
+    if assigned.cases.is_function and outcomes:
+        call = assigned.phrase("case", call=_call(assigned, verdict.case), got=_shown(outcomes[verdict.case]))
+        more = [call, *more]
+    show_reply(score, _reply(assigned, verdict), more, "wrong")
+    if draws or assigned.cases.is_function:
+        _show_both(assigned, verdict, outcomes)
+
+
+def _reply(assigned: AssignedTask, verdict: Verdict) -> str:
+    if verdict.said is not None and verdict.mistake is Mistake.SLIP:
+        return assigned.words(verdict.said)
+    names = {name: _listed(held) if isinstance(held, list) else held for name, held in verdict.detail.items()}
+    bounds = names.get("certain")
+    names["certain"] = f" ({assigned.words(bounds)})" if bounds else ""
+    names = {"answer": assigned.cases.answer, "wanted": _wanted(assigned, verdict)} | names
+    text = assigned.words(REPLIES[verdict.mistake], **names)
+    return f'"{names["part"]}": {text}' if "part" in names else text
+
+
+def _listed(names: list[str]) -> str:
+    return ", ".join(f'"{name}"' for name in names)
+
+
+def _wanted(assigned: AssignedTask, verdict: Verdict) -> str:
+    form = assigned.cases.form
+    part = verdict.detail.get("part")
+    form = form.parts[part] if part else form
+    if verdict.mistake is Mistake.OPTION and isinstance(form, SequenceForm):
+        form = form.of
+    return form.wanted().say(assigned.workbook.language)
+
+
+def _call(assigned: AssignedTask, case: int) -> str:
+    """Return the call as it was made, short enough to read."""
+    arguments = ", ".join(show_in_a_line(from_plain(arg)) for arg in assigned.variant.cases[case].args)
+    return f"{assigned.cases.answer}({arguments})"
+
+
+def _shown(outcome: Plain) -> str:
+    if is_raised(outcome):
+        return outcome["raises"]
+    try:
+        return show_in_a_line(from_plain(outcome))
+    except ValueError:
+        return kind_of(outcome)
+
+
+def _show_both(assigned: AssignedTask, verdict: Verdict, outcomes: list[Plain]) -> None:
+    """Draw the answer beside the right one, where both are in space."""
+    from .tasks.comparison import picture_of
+
+    if not outcomes or verdict.mistake not in (Mistake.SLIP, Mistake.VALUE, Mistake.UNIT):
+        return
+    picture = picture_of(assigned.cases.form, outcomes[verdict.case], assigned.variant.cases[verdict.case].expected)
+    if picture is None:
+        return
+    from IPython import get_ipython
+    from IPython.display import display
+
+    if get_ipython() is not None:
+        display(picture)
