@@ -88,7 +88,8 @@ def test_every_definition_is_that_of_ros(cls):
     constants, fields = get_typestore(Stores.ROS2_JAZZY).fielddefs[cls.ROS_TYPE]
     expected = {name: text(node) for name, node in fields if name != "structure_needs_at_least_one_member"}
     assert list(cls.get_fields_and_field_types().items()) == list(expected.items())
-    assert {name: getattr(cls, name) for name, _, _ in constants} == {name: value for name, _, value in constants}
+    values = {name: bytes([value]) if kind == "byte" else value for name, kind, value in constants}
+    assert {name: getattr(cls, name) for name in values} == values
 
 
 def test_defaults_are_zero_and_empty_but_a_quaternion_is_the_identity():

@@ -165,6 +165,8 @@ def _value(text: str, slot_type: SlotType) -> object:
             return text.lower() in ("true", "1")
         case BasicType("float" | "double"):
             return float(text)
+        case BasicType("octet"):
+            return bytes([int(text, 0)])
         case BasicType():
             return int(text, 0)
         case UnboundedString():

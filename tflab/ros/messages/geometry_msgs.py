@@ -234,3 +234,41 @@ VelocityStamped = message(
     Twist velocity
 """,
 )
+
+Inertia = message(
+    "geometry_msgs/msg/Inertia",
+    """
+    float64 m
+    Vector3 com
+    float64 ixx
+    float64 ixy
+    float64 ixz
+    float64 iyy
+    float64 iyz
+    float64 izz
+""",
+)
+
+InertiaStamped = message(
+    "geometry_msgs/msg/InertiaStamped",
+    """
+    std_msgs/Header header
+    Inertia inertia
+""",
+)
+
+PolygonInstance = message(
+    "geometry_msgs/msg/PolygonInstance",
+    """
+    Polygon polygon
+    int64 id
+""",
+)
+
+PolygonInstanceStamped = message(
+    "geometry_msgs/msg/PolygonInstanceStamped",
+    """
+    std_msgs/Header header
+    PolygonInstance polygon
+""",
+)

@@ -1,6 +1,6 @@
 """lifecycle_msgs: the states of a managed node, and the services that move it from one to another.
 
-Read `std_srvs.py` next.
+Read `trajectory_msgs.py` next.
 """
 
 from .base import message, service

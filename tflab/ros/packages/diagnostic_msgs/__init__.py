@@ -1,0 +1,1 @@
+"""diagnostic_msgs, in process: see tflab.ros.messages.diagnostic_msgs."""

@@ -1,0 +1,3 @@
+"""Services of sensor_msgs, in process."""
+
+from tflab.ros.messages.sensor_msgs import SetCameraInfo as SetCameraInfo

@@ -1,0 +1,1 @@
+"""trajectory_msgs, in process: see tflab.ros.messages.trajectory_msgs."""
