@@ -19,6 +19,7 @@ from typing import Any
 from .action_goals import action_entity_name, is_done
 from .action_server import FEEDBACK_QOS, check_action_type
 from .callback_groups import CallbackGroup
+from .entity import Kind
 from .messages.action_msgs import GoalInfo, GoalStatus
 from .messages.base import Action, Message
 from .messages.unique_identifier_msgs import UUID
@@ -120,6 +121,8 @@ class ActionClient:
                 (carried.GoalStatusMessage, "status", self._on_status, status_sub_qos_profile),
             )
         )
+        for subscription in (self._feedback, self._status):  # have their turn after the answer that a goal was accepted
+            subscription.rank = (Kind.CLIENT, subscription.rank[1])
         self._feedback_callbacks: dict[bytes, Callable[[Message], Any]] = {}
         self._handles: weakref.WeakValueDictionary[bytes, ClientGoalHandle] = weakref.WeakValueDictionary()
 

@@ -9,8 +9,7 @@ import argparse
 import sys
 from collections.abc import Sequence
 
-from tflab.ros.action_goals import action_entity_name
-
+from .action import actions_among
 from .discovery import add_discovery_options, visible
 from .session import cli_node
 
@@ -96,15 +95,5 @@ def info(options: argparse.Namespace) -> str | None:
         )
         found = [question(name, namespace or "/") for question in ask]
         sections = [visible(names, options.include_hidden) for names in found]
-        print(info_text(wanted, [*sections, *(_actions(services) for services in found[2:])]))
+        print(info_text(wanted, [*sections, *(actions_among(services) for services in found[2:])]))
     return None
-
-
-def _actions(services: Sequence[tuple[str, Sequence[str]]]) -> list[tuple[str, list[str]]]:
-    """Return (action, types) of those whose goals are among some services, served or asked."""
-    goals = action_entity_name("", "send_goal")
-    return [
-        (name.removesuffix(goals), [each.removesuffix("_SendGoal") for each in types])
-        for name, types in services
-        if name.endswith(goals)
-    ]

@@ -46,10 +46,12 @@ class Ros2Command(NamedTuple):
 
 
 COMMANDS = {
+    "action": Ros2Command("Various action related sub-commands", "tflab.tools.action"),
     "bag": Ros2Command("Various rosbag related sub-commands", "tflab.tools.bag"),
     "node": Ros2Command("Various node related sub-commands", "tflab.tools.node"),
     "param": Ros2Command("Various param related sub-commands", "tflab.tools.param"),
     "run": Ros2Command("Run a package specific executable", ""),
+    "service": Ros2Command("Various service related sub-commands", "tflab.tools.service"),
     "topic": Ros2Command("Various topic related sub-commands", "tflab.tools.topic"),
 }
 

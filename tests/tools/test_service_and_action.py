@@ -1,0 +1,163 @@
+"""`ros2 service` and `ros2 action`: what they print, to the letter."""
+
+import pytest
+from tools_robot import spin
+
+from tflab.ros import client_library as rclpy
+from tflab.ros.action_client import ActionClient
+from tflab.ros.action_server import ActionServer, GoalResponse
+from tflab.ros.duration import Duration
+from tflab.ros.messages.example_interfaces import AddTwoInts, Fibonacci
+from tflab.ros.node import Node
+
+
+@pytest.fixture
+def calculator(terminal):
+    def add(request, response):
+        response.sum = request.a + request.b
+        return response
+
+    def main():
+        rclpy.init()
+        node = Node("calculator")
+        node.create_service(AddTwoInts, "add_two_ints", add)
+        spin(node)
+
+    terminal.graph.start(main)
+    return terminal
+
+
+def test_a_service_is_called_and_its_answer_printed(calculator):
+    line = 'ros2 service call /add_two_ints example_interfaces/srv/AddTwoInts "{a: 2, b: 3}"'
+    assert (
+        calculator.type(line)
+        == """\
+requester: making request: example_interfaces.srv.AddTwoInts_Request(a=2, b=3)
+
+response:
+example_interfaces.srv.AddTwoInts_Response(sum=5)
+
+"""
+    )
+
+
+def test_services_are_listed_with_their_types(calculator):
+    assert "/add_two_ints\n" in calculator.type("ros2 service list")
+    assert "/add_two_ints [example_interfaces/srv/AddTwoInts]\n" in calculator.type("ros2 service list -t")
+    assert calculator.type("ros2 service type /add_two_ints") == "example_interfaces/srv/AddTwoInts\n"
+    assert int(calculator.type("ros2 service list -c")) == len(calculator.type("ros2 service list").splitlines())
+
+
+@pytest.mark.parametrize(
+    ("words", "text"),
+    [
+        ("/add_two_ints nonsense/srv/Add", "The passed service type is invalid"),
+        ("/add_two_ints geometry_msgs/msg/Point", "The passed type is not a service"),
+        ('/add_two_ints example_interfaces/srv/AddTwoInts "{c: 1}"', "Failed to populate field: "),
+    ],
+)
+def test_what_is_wrong_with_a_call_is_said(calculator, words, text):
+    assert calculator.type(f"ros2 service call {words}") == ""
+    assert calculator.error.startswith(text)
+    assert calculator.exit_code == 1
+
+
+def test_a_service_that_nobody_serves_has_no_type(calculator):
+    assert calculator.type("ros2 service type /nonsense") == ""
+    assert calculator.exit_code == 1
+
+
+@pytest.fixture
+def fibonacci(terminal):
+    def execute(handle):
+        feedback = Fibonacci.Feedback(sequence=[0, 1])
+        while len(feedback.sequence) <= handle.request.order:
+            feedback.sequence.append(feedback.sequence[-1] + feedback.sequence[-2])
+            handle.publish_feedback(feedback)
+            nodes[0].get_clock().sleep_for(Duration(seconds=0.5))
+        handle.succeed()
+        return Fibonacci.Result(sequence=feedback.sequence)
+
+    def accept(goal):
+        return GoalResponse.ACCEPT if goal.order >= 0 else GoalResponse.REJECT
+
+    nodes = []
+
+    def main():
+        rclpy.init()
+        nodes.append(Node("fibonacci_server"))
+        ActionServer(nodes[0], Fibonacci, "fibonacci", execute, goal_callback=accept)
+        spin(nodes[0])
+
+    def asker():
+        rclpy.init()
+        node = Node("asker")
+        ActionClient(node, Fibonacci, "fibonacci")
+        spin(node)
+
+    terminal.graph.start(main)
+    terminal.graph.start(asker)
+    return terminal
+
+
+def test_actions_are_listed_and_who_serves_them_is_said(fibonacci):
+    assert fibonacci.type("ros2 action list") == "/fibonacci\n"
+    assert fibonacci.type("ros2 action list -t") == "/fibonacci [example_interfaces/action/Fibonacci]\n"
+    assert fibonacci.type("ros2 action list -c") == "1\n"
+    assert (
+        fibonacci.type("ros2 action info /fibonacci -t")
+        == """\
+Action: /fibonacci
+Action clients: 1
+    /asker [example_interfaces/action/Fibonacci]
+Action servers: 1
+    /fibonacci_server [example_interfaces/action/Fibonacci]
+"""
+    )
+    assert fibonacci.type("ros2 action info /fibonacci -c").endswith("Action clients: 1\nAction servers: 1\n")
+
+
+def test_a_goal_is_sent_and_how_it_goes_and_ends_is_printed(fibonacci):
+    line = 'ros2 action send_goal /fibonacci example_interfaces/action/Fibonacci "{order: 2}" --feedback'
+    printed = fibonacci.type(line)
+    before, _, rest = printed.partition("Goal accepted with ID: ")
+    goal_id, _, after = rest.partition("\n")
+    assert before == "Waiting for an action server to become available...\nSending goal:\n     order: 2\n\n"
+    assert len(bytes.fromhex(goal_id)) == 16
+    assert (
+        after
+        == """
+Feedback:
+    sequence:
+- 0
+- 1
+- 1
+
+Result:
+    sequence:
+- 0
+- 1
+- 1
+
+Goal finished with status: SUCCEEDED
+"""
+    )
+
+
+def test_a_goal_that_is_rejected_is_said_so(fibonacci):
+    printed = fibonacci.type('ros2 action send_goal /fibonacci example_interfaces/action/Fibonacci "{order: -1}"')
+    assert printed.endswith("Goal was rejected.\n")
+
+
+@pytest.mark.parametrize(
+    ("words", "text"),
+    [
+        ("nonsense/action/Fibonacci", "The passed action type is invalid"),
+        ("example_interfaces/srv/AddTwoInts", "The passed action type is invalid"),
+        ('example_interfaces/action/Fibonacci "{length: 1}"', "Failed to populate message fields: "),
+    ],
+)
+def test_what_is_wrong_with_a_goal_is_said(fibonacci, words, text):
+    assert fibonacci.type(f"ros2 action send_goal /fibonacci {words}") == ""
+    assert fibonacci.error.startswith(text)
+    assert fibonacci.exit_code == 1

@@ -1,0 +1,156 @@
+"""Who works on what, and how is it going?  `ros2 action list`, `info` and `send_goal`.
+
+    ros2 action send_goal /fibonacci example_interfaces/action/Fibonacci "{order: 5}" --feedback
+
+upstream: ros2cli/ros2action.  Read `bag.py` next.
+"""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import yaml
+
+from tflab.ros.action_client import ActionClient
+from tflab.ros.action_goals import action_entity_name, status_name
+from tflab.ros.messages import type_named
+from tflab.ros.messages.base import Message, is_action_class
+from tflab.ros.messages.fill import fill
+from tflab.ros.messages.text import message_to_yaml
+from tflab.ros.node import Node
+from tflab.ros.task import Future
+
+from .session import cli_node, spin_until_done, tool_node
+
+__all__ = ["action_class", "actions_among", "add_verbs"]
+
+
+def add_verbs(verbs: argparse._SubParsersAction) -> None:
+    """Add the verbs of `ros2 action` to a parser."""
+    what = "Print information about an action"
+    verb = verbs.add_parser("info", help=what, description=what)
+    verb.set_defaults(run=info)
+    verb.add_argument("action_name", help="Name of the ROS action to get info (e.g. '/fibonacci')")
+    verb.add_argument("-t", "--show-types", action="store_true", help="Additionally show the action type")
+    verb.add_argument(
+        "-c", "--count", action="store_true", help="Only display the number of action clients and action servers"
+    )
+    what = "Output a list of action names"
+    verb = verbs.add_parser("list", help=what, description=what)
+    verb.set_defaults(run=list_actions)
+    verb.add_argument("-t", "--show-types", action="store_true", help="Additionally show the action type")
+    verb.add_argument(
+        "-c", "--count-actions", action="store_true", help="Only display the number of actions discovered"
+    )
+    what = "Send an action goal"
+    verb = verbs.add_parser("send_goal", help=what, description=what)
+    verb.set_defaults(run=send_goal)
+    verb.add_argument("action_name", help="Name of the ROS action (e.g. '/fibonacci')")
+    verb.add_argument("action_type", help="Type of the ROS action (e.g. 'example_interfaces/action/Fibonacci')")
+    verb.add_argument("goal", nargs="?", default="{}", help="Goal request values in YAML format (e.g. '{order: 10}')")
+    verb.add_argument("-f", "--feedback", action="store_true", help="Echo feedback messages for the goal")
+
+
+def actions_among(services: Sequence[tuple[str, Sequence[str]]]) -> list[tuple[str, list[str]]]:
+    """Return (action, types) of those whose goals are among some services, served or asked."""
+    goals = action_entity_name("", "send_goal")
+    return sorted(
+        (name.removesuffix(goals), [each.removesuffix("_SendGoal") for each in types])
+        for name, types in services
+        if name.endswith(goals)
+    )
+
+
+def action_class(type_name: str) -> type:
+    """Return the class of an action type: 'example_interfaces/action/Fibonacci'.
+
+    Raises:
+        RuntimeError: there is none of that name, with upstream's text.
+    """
+    try:
+        found = type_named(type_name)
+    except KeyError:
+        found = None
+    if not is_action_class(found):
+        raise RuntimeError("The passed action type is invalid")
+    return found
+
+
+def list_actions(options: argparse.Namespace) -> None:
+    """Print the actions that somebody serves, or asks for."""
+    with cli_node() as node:
+        known = dict(entry for _, entry in [*_of_all(node, _served), *_of_all(node, _asked)])
+    if options.count_actions:
+        print(len(known))
+        return
+    for name, types in sorted(known.items()):
+        print(_line(name, types, options.show_types))
+
+
+def info(options: argparse.Namespace) -> None:
+    """Print who asks for an action, and who serves it."""
+    with cli_node() as node:
+        full_name = node.resolve_service_name(options.action_name)
+        sides = {"clients": _of_all(node, _asked), "servers": _of_all(node, _served)}
+    print(f"Action: {options.action_name}")
+    for side, entries in sides.items():
+        found = [(who, types) for who, (name, types) in entries if name == full_name]
+        print(f"Action {side}: {len(found)}")
+        for who, types in () if options.count else found:
+            print(f"    {_line(who, types, options.show_types)}")
+
+
+def send_goal(options: argparse.Namespace) -> str | None:
+    """Send a goal, and print how it goes and how it ends."""
+    action_type = action_class(options.action_type)
+    goal = action_type.Goal()
+    try:
+        fill(goal, yaml.safe_load(options.goal))
+    except Exception as fault:  # upstream's sentence, whatever went wrong
+        return f"Failed to populate message fields: {fault!r}"
+    with tool_node(f"_ros2cli_send_goal_{options.action_type.replace('/', '_')}") as node:
+        client = ActionClient(node, action_type, options.action_name)
+        print("Waiting for an action server to become available...", flush=True)
+        client.wait_for_server()
+        print(f"Sending goal:\n     {message_to_yaml(goal)}", flush=True)
+        handle = _result(node, client.send_goal_async(goal, _print_feedback if options.feedback else None))
+        if not handle.accepted:
+            print("Goal was rejected.")
+            return None
+        print(f"Goal accepted with ID: {handle.goal_id.uuid.tobytes().hex()}\n", flush=True)
+        answer = _result(node, handle.get_result_async())
+        print(f"Result:\n    {message_to_yaml(answer.result)}")
+        print(f"Goal finished with status: {status_name(answer.status)}", flush=True)
+    return None
+
+
+def _print_feedback(message: Message) -> None:
+    print(f"Feedback:\n    {message_to_yaml(message.feedback)}", flush=True)
+
+
+def _result(node: Node, future: Future) -> Any:
+    spin_until_done(node, future)
+    return future.result()
+
+
+def _line(name: str, types: Sequence[str], show_types: bool) -> str:
+    return f"{name} [{', '.join(types)}]" if show_types else name
+
+
+def _served(node: Node, name: str, namespace: str) -> list[tuple[str, list[str]]]:
+    return node.get_service_names_and_types_by_node(name, namespace)
+
+
+def _asked(node: Node, name: str, namespace: str) -> list[tuple[str, list[str]]]:
+    return node.get_client_names_and_types_by_node(name, namespace)
+
+
+def _of_all(node: Node, services_of: Callable[..., Any]) -> list[tuple[str, tuple[str, list[str]]]]:
+    """Return (node, (action, types)) of what every node serves, or asks for."""
+    return [
+        (f"{namespace.rstrip('/')}/{name}", entry)
+        for name, namespace in sorted(node.get_node_names_and_namespaces())
+        for entry in actions_among(services_of(node, name, namespace))
+    ]
