@@ -121,8 +121,7 @@ class ActionClient:
                 (carried.GoalStatusMessage, "status", self._on_status, status_sub_qos_profile),
             )
         )
-        for subscription in (self._feedback, self._status):  # have their turn after the answer that a goal was accepted
-            subscription.rank = (Kind.CLIENT, subscription.rank[1])
+        self._feedback.rank = (Kind.CLIENT, self._feedback.rank[1])  # its turn: after the answer to the goal
         self._feedback_callbacks: dict[bytes, Callable[[Message], Any]] = {}
         self._handles: weakref.WeakValueDictionary[bytes, ClientGoalHandle] = weakref.WeakValueDictionary()
 
