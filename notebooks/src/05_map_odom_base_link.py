@@ -523,9 +523,9 @@ lesson.frame_tree(graph, seconds=1.0)
 # ## 실제 로봇에서
 #
 # ```
-# ros2 run tf2_ros tf2_echo map odom               # stands still, then steps
-# ros2 run tf2_ros tf2_echo odom base_footprint    # runs smoothly, and slowly away
-# ros2 param get /amcl tf_broadcast                # who publishes map -> odom
+# ros2 run tf2_ros tf2_echo map odom               # 가만히 있다가 한 걸음 튑니다
+# ros2 run tf2_ros tf2_echo odom base_footprint    # 매끄럽게 이어지고 조금씩 어긋납니다
+# ros2 param get /amcl tf_broadcast                # map -> odom의 발행 책임
 # ```
 #
 # Nav2는 ROS 2의 주행 패키지이고 `/amcl`은 Nav2의 위치 추정 노드입니다. 가까운 장애물을 적는 지역 비용지도(local costmap)는 `global_frame: odom`, 전역 비용지도는 `map`입니다. robot_localization에서는 `world_frame`으로 고릅니다.

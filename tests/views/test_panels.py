@@ -1,20 +1,25 @@
 """Panels follow their controls, say the same in words, and give everything back."""
 
 import gc
+import re
 import weakref
 
 import pytest
 
 from tflab.core import StampedTransform, Transform, seconds
+from tflab.views.joins import Letter, Sender
 from tflab.views.joints import Step
 from tflab.views.panels import (
     Travel,
     cameras_panel,
     clocks_panel,
+    joins_panel,
     joints_panel,
     latency_panel,
     mount_panel,
+    rate_panel,
     rotation_panel,
+    rulers_panel,
     sentence_panel,
     timeline_panel,
     tree_panel,
@@ -33,8 +38,13 @@ def lookup(target, source, stamp_ns):
     return StampedTransform(target, source, stamp_ns, Transform((stamp_ns / 1e9, 0.0, 0.0)))
 
 
-def query_panel():
-    return timeline_panel("map", "odom", [Lane("map", "odom", (seconds(1), seconds(3)))], lookup)
+def query_panel(language="en"):
+    lanes = [Lane("map", "odom", (seconds(1), seconds(3)))]
+    return timeline_panel("map", "odom", lanes, lookup, language=language)
+
+
+def listener_panel(language="en"):
+    return joins_panel([Sender("driver", (Letter(1.0, ("laser_frame",)),))], 0.5, 4.0, language=language)
 
 
 def arm(positions):
@@ -56,15 +66,24 @@ def one_tree_panel(language="en"):
 
 PANELS = {
     "tree": one_tree_panel,
-    "joints": lambda: joints_panel(arm, [Travel("turn", -1.5, 1.5), Travel("slide", 0.0, 0.3, unit="m")]),
-    "clocks": clocks_panel,
-    "latency": latency_panel,
-    "mount": mount_panel,
-    "rotation": rotation_panel,
-    "cameras": cameras_panel,
+    "joints": lambda language="en": joints_panel(
+        arm, [Travel("turn", -1.5, 1.5), Travel("slide", 0.0, 0.3, unit="m")], language
+    ),
+    "clocks": lambda language="en": clocks_panel(language=language),
+    "latency": lambda language="en": latency_panel(language=language),
+    "mount": lambda language="en": mount_panel(language=language),
+    "rotation": lambda language="en": rotation_panel(language=language),
+    "cameras": lambda language="en": cameras_panel(language=language),
     "timeline": query_panel,
-    "sentence": lambda: sentence_panel(POSES, "map", "laser_frame"),
+    "sentence": lambda language="en": sentence_panel(POSES, "map", "laser_frame", language),
+    "rulers": lambda language="en": rulers_panel(language=language),
+    "joins": listener_panel,
+    "rate": lambda language="en": rate_panel(language=language),
 }
+NAMES = {  # of ROS 2, of Python, of a joint, of an angle, of a unit: the same in both languages
+    "Python", "LATEST", "durability", "use_sim_time", "rviz2", "detector", "loop", "clock", "rate", "frame",
+    "turn", "slide", "roll", "pitch", "yaw", "x", "y", "m", "s", "rad", "Hz",
+}  # fmt: skip
 
 
 @pytest.fixture(params=PANELS, name="make")
@@ -83,6 +102,18 @@ def test_every_control_says_what_it_is_and_changes_the_picture(make):
         before, words = png_of(panel), panel.text
         change(control)
         assert png_of(panel) != before and panel.text != words, description
+
+
+def test_in_korean_nothing_beside_a_control_is_english_but_names(make):
+    panel = make("ko")
+    assert panel.widget.children[-2].description == "글로 보기"
+    beside = " ".join(panel.controls).replace("m/s", "").replace("rad/s", "")
+    assert set(re.findall(r"[A-Za-z_]\w*", beside)) <= NAMES
+
+
+def test_a_language_without_words_is_refused(make):
+    with pytest.raises(ValueError, match=r'"fr".*en, ko'):
+        make("fr")
 
 
 def change(control):

@@ -9,15 +9,16 @@ from ..bend import Bend, BendPicture
 from .panel import Panel, slider
 
 
-def rate_panel(bend: Bend | None = None) -> Panel:
+def rate_panel(bend: Bend | None = None, language: str = "en") -> Panel:
     """Return a panel that shows what TF's straight line misses of a bend, starting from `bend`."""
     start = bend or Bend()
-    rate = slider("rate", start.rate_hz, 1.0, 20.0, 0.5, "Hz")
-    speed = slider("speed", start.speed_mps, 0.0, 2.0, 0.05, "m/s")
-    yaw_rate = slider("yaw rate", start.yaw_rate_radps, -1.5, 1.5, 0.05, "rad/s")
+    rate = slider("rate", start.rate_hz, 1.0, 20.0, 0.5, "Hz", language)
+    speed = slider("speed", start.speed_mps, 0.0, 2.0, 0.05, "m/s", language)
+    yaw_rate = slider("yaw rate", start.yaw_rate_radps, -1.5, 1.5, 0.05, "rad/s", language)
     picture = BendPicture()
 
     def move() -> None:
         picture.show(Bend(speed.value, yaw_rate.value, rate.value))
 
-    return Panel("The arc that a robot drives and the chord that TF draws", picture, (rate, speed, yaw_rate), move)
+    title = "The arc that a robot drives and the chord that TF draws"
+    return Panel(title, picture, (rate, speed, yaw_rate), move, language=language)

@@ -15,7 +15,6 @@ import ipywidgets as widgets
 from ..clocks import PASSES, WORDS, ClocksPicture, Play
 from .panel import Panel, slider
 
-PLAYED = {"en": "played", "ko": "재생 시간"}
 NODES = ("rviz2", "detector")
 
 
@@ -33,7 +32,7 @@ def clocks_panel(play: Play | None = None, played_s: float = 9.0, language: str 
     if language not in WORDS:
         raise ValueError(f'there are no words in "{language}"; languages are {", ".join(WORDS)}')
     start = play or Play(loops=True)
-    played = slider(PLAYED[language], played_s, 0.0, PASSES * start.length_s, 0.1, "s")
+    played = slider("played", played_s, 0.0, PASSES * start.length_s, 0.1, "s", language)
     rate = slider("--rate", start.rate, 0.5, 3.0, 0.1, "x")
     follows = [_box(f"{name}: use_sim_time", True) for name in NODES]
     follows[1].value = False
@@ -45,9 +44,8 @@ def clocks_panel(play: Play | None = None, played_s: float = 9.0, language: str 
         nodes = {name: box.value for name, box in zip(NODES, follows, strict=True)}
         picture.show(nodes, how, played.value, language)
 
-    return Panel(
-        "What each node's clock shows while a bag is played", picture, (played, rate, *follows, loop, clock), move
-    )
+    title = "What each node's clock shows while a bag is played"
+    return Panel(title, picture, (played, rate, *follows, loop, clock), move, language=language)
 
 
 def _box(description: str, value: bool) -> widgets.Checkbox:

@@ -15,15 +15,21 @@ from .panel import Panel, slider
 STEP_S = 0.05
 
 
-def joins_panel(senders: Sequence[Sender], join_s: float, until_s: float, start_s: float = 0.0) -> Panel:
+def joins_panel(
+    senders: Sequence[Sender], join_s: float, until_s: float, start_s: float = 0.0, language: str = "en"
+) -> Panel:
     """Return a panel in which a listener can join earlier or later, and ask for what is stored or not.
 
     Args:
         senders: who publishes.
         join_s: when the listener joins at first [s].
         start_s, until_s: what is shown [s].
+        language: of the controls, "en" or "ko".
+
+    Raises:
+        ValueError: the language is unknown.
     """
-    join = slider("join", join_s, start_s, until_s, STEP_S, "s")
+    join = slider("join", join_s, start_s, until_s, STEP_S, "s", language)
     durability = widgets.Dropdown(
         options=[("TRANSIENT_LOCAL", True), ("VOLATILE", False)],
         description="durability",
@@ -35,4 +41,4 @@ def joins_panel(senders: Sequence[Sender], join_s: float, until_s: float, start_
     def move() -> None:
         picture.show(join.value, durability.value)
 
-    return Panel("What a listener knows that joins", picture, (join, durability), move)
+    return Panel("What a listener knows that joins", picture, (join, durability), move, language=language)

@@ -25,15 +25,18 @@ class Travel(NamedTuple):
     unit: str = "rad"
 
 
-def joints_panel(chain: Callable[[Mapping[str, float]], Sequence[Step]], travels: Sequence[Travel]) -> Panel:
+def joints_panel(
+    chain: Callable[[Mapping[str, float]], Sequence[Step]], travels: Sequence[Travel], language: str = "en"
+) -> Panel:
     """Return a panel with a slider for each joint that moves.
 
     Args:
         chain: the steps from the base to the tip, for joint positions by name [rad or m].
         travels: of the joints, in the order of the chain.
+        language: of the button, "en" or "ko".
 
     Raises:
-        ValueError: no joint moves.
+        ValueError: no joint moves, or the language is unknown.
     """
     if not travels:
         raise ValueError("no joint of this chain moves, so there is nothing to slide")
@@ -55,4 +58,4 @@ def joints_panel(chain: Callable[[Mapping[str, float]], Sequence[Step]], travels
     def move() -> None:
         picture.show(chain({name: control.value for name, control in sliders.items()}), touched[0])
 
-    return Panel("An arm, joint by joint", picture, list(sliders.values()), move)
+    return Panel("An arm, joint by joint", picture, list(sliders.values()), move, language=language)

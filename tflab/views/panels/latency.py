@@ -13,16 +13,17 @@ from ..latency import LatencyPicture, Sight
 from .panel import Panel, slider
 
 
-def latency_panel(sight: Sight | None = None) -> Panel:
+def latency_panel(sight: Sight | None = None, language: str = "en") -> Panel:
     """Return a panel in which a robot's motion and its delay can be changed, starting from `sight`."""
     start = sight or Sight()
-    speed = slider("speed", start.speed_mps, 0.0, 3.0, 0.05, "m/s")
-    yaw_rate = slider("yaw rate", start.yaw_rate_radps, -1.0, 1.0, 0.05, "rad/s")
-    range_ = slider("range", start.range_m, 1.0, 10.0, 0.1, "m")
-    delay = slider("delay", start.delay_s, 0.0, 0.5, 0.01, "s")
+    speed = slider("speed", start.speed_mps, 0.0, 3.0, 0.05, "m/s", language)
+    yaw_rate = slider("yaw rate", start.yaw_rate_radps, -1.0, 1.0, 0.05, "rad/s", language)
+    range_ = slider("range", start.range_m, 1.0, 10.0, 0.1, "m", language)
+    delay = slider("delay", start.delay_s, 0.0, 0.5, 0.01, "s", language)
     picture = LatencyPicture()
 
     def move() -> None:
         picture.show(Sight(speed.value, yaw_rate.value, range_.value, seconds(delay.value)))
 
-    return Panel("An object drawn with the pose at the stamp and now", picture, (speed, yaw_rate, range_, delay), move)
+    title = "An object drawn with the pose at the stamp and now"
+    return Panel(title, picture, (speed, yaw_rate, range_, delay), move, language=language)

@@ -12,7 +12,7 @@ slider, the other controls standing still.
 All controls can be reached and moved with the keyboard: Tab goes from one to the
 next, the arrow keys move a slider.
 
-Read `rulers.py` next.
+Read `words.py` next.
 """
 
 from __future__ import annotations
@@ -27,6 +27,7 @@ import numpy as np
 
 from ..film import Film
 from ..picture import Picture
+from .words import said
 
 FILM_STEPS = 13
 PANEL_WIDTH = "780px"  # of the picture, and two sliders
@@ -50,6 +51,7 @@ class Panel:
         controls: Sequence[widgets.ValueWidget],
         move: Callable[[], object],
         layout: Sequence[widgets.Widget] | None = None,
+        language: str = "en",
     ) -> None:
         """Make a panel.
 
@@ -58,6 +60,7 @@ class Panel:
             controls: whatever changes the picture.
             move: moves the picture to where the controls are.
             layout: the controls as they should stand, if not side by side where there is room.
+            language: of the button that shows the words, "en" or "ko".
         """
         self.picture = picture
         self.controls = {control.description: control for control in controls}
@@ -66,7 +69,9 @@ class Panel:
         self._image = widgets.Image(format="png", width=width, height=height)  # a tooltip would break it in JupyterLab
         self._image.layout.max_width = "100%"
         self._image.layout.object_fit = "contain"
-        self._as_text = widgets.ToggleButton(description="as text", tooltip=f"{title}: the same in words")
+        self._as_text = widgets.ToggleButton(
+            description=said("as text", language), tooltip=f"{title}: {said('the same in words', language)}"
+        )
         self._words = widgets.HTML()
         self._words.layout.display = "none"
         self.widget = widgets.VBox([*(layout or [side_by_side(controls)]), self._image, self._as_text, self._words])
@@ -139,8 +144,11 @@ class Panel:
         return {**data, "text/plain": self.text}, metadata
 
 
-def slider(description: str, value: float, low: float, high: float, step: float, unit: str) -> widgets.FloatSlider:
+def slider(
+    description: str, value: float, low: float, high: float, step: float, unit: str, language: str = "en"
+) -> widgets.FloatSlider:
     """Return a slider from `low` to `high` that says what it is, in which unit, and follows while dragged."""
+    description = said(description, language)
     digits = 2 if step >= 0.01 else 3
     return widgets.FloatSlider(
         value=value,
@@ -148,7 +156,7 @@ def slider(description: str, value: float, low: float, high: float, step: float,
         max=high,
         step=step,
         description=f"{description} [{unit}]",
-        tooltip=f"{description}, from {low:g} to {high:g} {unit}",
+        tooltip=f"{description}, {low:g} … {high:g} {unit}",
         readout_format=f".{digits}f",
         continuous_update=True,
         style={"description_width": "110px"},

@@ -16,6 +16,7 @@ from tflab.core.quaternions import Vector3
 
 from ..rulers import RulersPicture, readings_of
 from .panel import Panel, slider
+from .words import said
 
 BASE_T_LASER = Transform(translation=(0.20, 0.0, 0.15))
 ON_THE_TRAY = (-0.10, 0.0, 0.20)  # in base_link [m]
@@ -28,20 +29,31 @@ def placed(robot_x_m: float, yaw_rad: float) -> dict[str, Transform]:
     return {"map": Transform(), "base_link": map_T_base, "laser_frame": map_T_base @ BASE_T_LASER}
 
 
-def rulers_panel(robot_x_m: float = 1.0, yaw_rad: float = 0.0, thing_m: tuple[float, float] = (6.5, -1.5)) -> Panel:
+def rulers_panel(
+    robot_x_m: float = 1.0, yaw_rad: float = 0.0, thing_m: tuple[float, float] = (6.5, -1.5), language: str = "en"
+) -> Panel:
     """Return a panel that moves a robot and a thing, and says in which frame the thing's numbers stay the same.
 
     Args:
         robot_x_m: where the robot is at first, along map's x [m].
         yaw_rad: how far it is turned at first [rad].
         thing_m: where on the floor the thing lies at first, in map (x, y) [m].
+        language: of the controls, "en" or "ko".
+
+    Raises:
+        ValueError: the language is unknown.
     """
     half_turn = round(math.pi, 2)
-    robot_x = slider("robot x", robot_x_m, 0.0, 5.0, 0.05, "m")
-    yaw = slider("robot yaw", yaw_rad, -half_turn, half_turn, 0.01, "rad")
-    thing_x = slider("thing x", thing_m[0], 0.0, 7.5, 0.05, "m")
-    thing_y = slider("thing y", thing_m[1], -2.0, 2.0, 0.05, "m")
-    rests_on = widgets.Dropdown(options=["floor", "tray"], description="rests on", style={"description_width": "130px"})
+    robot_x = slider("robot x", robot_x_m, 0.0, 5.0, 0.05, "m", language)
+    yaw = slider("robot yaw", yaw_rad, -half_turn, half_turn, 0.01, "rad", language)
+    thing_x = slider("thing x", thing_m[0], 0.0, 7.5, 0.05, "m", language)
+    thing_y = slider("thing y", thing_m[1], -2.0, 2.0, 0.05, "m", language)
+    rests_on = widgets.Dropdown(
+        options=[(said(place, language), place) for place in ("floor", "tray")],
+        description=said("rests on", language),
+        tooltip=said("rests on", language),
+        style={"description_width": "130px"},
+    )
     picture = RulersPicture(("map", "base_link", "laser_frame"), "thing", keep=IN_SIGHT)
 
     def thing(poses: dict[str, Transform], on: str, on_the_floor: tuple[float, float]) -> Vector3:
@@ -54,4 +66,4 @@ def rulers_panel(robot_x_m: float = 1.0, yaw_rad: float = 0.0, thing_m: tuple[fl
         picture.show(poses, thing(poses, rests_on.value, (thing_x.value, thing_y.value)), before)
 
     controls = (robot_x, yaw, thing_x, thing_y, rests_on)
-    return Panel("A thing, measured from three frames", picture, controls, move)
+    return Panel("A thing, measured from three frames", picture, controls, move, language=language)

@@ -22,6 +22,7 @@ from tflab.core.quaternions import canonical
 
 from ..sentence import SentencePicture, sentence
 from .panel import Panel, menu
+from .words import said
 
 Pair = tuple[str, str]  # target, source
 
@@ -36,16 +37,16 @@ class SentencePanel(Panel):
 
     def __init__(self, poses: Mapping[str, Transform], target: str, source: str, language: str) -> None:
         self._answers = {pair: between(poses, *pair) for pair in permutations(poses, 2)}
-        said = {pair: sentence(answer) for pair, answer in self._answers.items()}
+        forms = {pair: sentence(answer) for pair, answer in self._answers.items()}
         self._pair: Pair = (target, source)
         self._is_following = False
         frames = [(frame, frame) for frame in poses]
-        self._source = _menu("source", frames, source, "250px")
-        self._target = _menu("target", frames, target, "250px")
+        self._source = _menu("source", frames, source, language, "250px")
+        self._target = _menu("target", frames, target, language, "250px")
         self._lines = [
-            _menu("Python", [(words.call, pair) for pair, words in said.items()], self._pair),
-            _menu("arrow", [(words.arrow, pair) for pair, words in said.items()], self._pair),
-            _menu("shell", [(words.echo_command, pair) for pair, words in said.items()], self._pair),
+            _menu("Python", [(words.call, pair) for pair, words in forms.items()], self._pair, language),
+            _menu("arrow", [(words.arrow, pair) for pair, words in forms.items()], self._pair, language),
+            _menu("shell", [(words.echo_command, pair) for pair, words in forms.items()], self._pair, language),
         ]
         before, between_words, after = (widgets.Label(words) for words in WORDS[language])
         picture = SentencePicture(poses)
@@ -58,6 +59,7 @@ class SentencePanel(Panel):
                 widgets.HBox([before, self._source, between_words, self._target, after]),
                 *self._lines,
             ],
+            language=language,
         )
 
     def _on_change(self, change) -> None:
@@ -112,6 +114,6 @@ def _pair_without_repeat(before: Pair, chosen: Pair) -> Pair:
     return (before[1], before[0]) if target == source else chosen
 
 
-def _menu(description: str, options, value, width: str = "560px") -> widgets.Dropdown:
-    follow = "choose, and the others follow"
-    return menu(description, options, value, follow, label_width="60px", width=width)
+def _menu(description: str, options, value, language: str, width: str = "560px") -> widgets.Dropdown:
+    follow = said("choose, and the others follow", language)
+    return menu(said(description, language), options, value, follow, label_width="60px", width=width)

@@ -19,7 +19,11 @@ from .panel import Panel
 
 
 def tools_panel(
-    asked: Mapping[str, str], tools: Sequence[ToolOutput], verdicts: Suitabilities, names: tuple[str, str]
+    asked: Mapping[str, str],
+    tools: Sequence[ToolOutput],
+    verdicts: Suitabilities,
+    names: tuple[str, str],
+    language: str = "en",
 ) -> Panel:
     """Return a panel in which a question is put to a tool: what it prints, and whether that is an answer.
 
@@ -28,6 +32,7 @@ def tools_panel(
         tools: what each printed.
         verdicts: by term and by the tool's name.
         names: of the two menus, in the reader's language.
+        language: of the button, "en" or "ko".
 
     Raises:
         ValueError: a verdict is missing.
@@ -46,7 +51,7 @@ def tools_panel(
         verdict = verdicts[question.value][tool.value.name]
         why.value = f"<b>{SIGNS[verdict.level]}</b> {escape(verdict.why)}"
 
-    return Panel(" × ".join(names), picture, (question, tool), move, layout=[question, tool, why])
+    return Panel(" × ".join(names), picture, (question, tool), move, layout=[question, tool, why], language=language)
 
 
 def _menu(description: str, options: list, width: str) -> widgets.Dropdown:

@@ -81,7 +81,7 @@ def tree_panel(
         is_answer, text = ask(sent, target.value, source.value)
         picture.show(snapshot_of_parents(now, frames), target.value, source.value, text, is_answer)
 
-    return Panel("A tree whose frames can be moved", picture, (child, parent, source, target), move)
+    return Panel("A tree whose frames can be moved", picture, (child, parent, source, target), move, language=language)
 
 
 def _menu(description: str, options: list[str], value: str, chosen: str) -> widgets.Dropdown:

@@ -59,16 +59,6 @@ from tflab.views.misread import describe_extent, draw_misread
 from tflab.views.moments import draw_moments
 from tflab.views.mount import draw_mount, seen_from
 from tflab.views.owners import draw_owners
-from tflab.views.panels import (
-    cameras_panel,
-    joins_panel,
-    latency_panel,
-    mount_panel,
-    rate_panel,
-    rotation_panel,
-    rulers_panel,
-    timeline_panel,
-)
 from tflab.views.placed import draw_placed
 from tflab.views.readings import draw_readings
 from tflab.views.rulers import draw_rulers, readings_of
@@ -87,7 +77,19 @@ from .capstone import launch_answer
 from .clouds import floor_cloud, wall_cloud
 from .disguised import draw_rviz, start_robot, stop_node
 from .joints import draw_joints, joint_in_file, joints_panel
-from .panels import clocks_panel, sentence_panel, tree_panel
+from .panels import (
+    cameras_panel,
+    clocks_panel,
+    joins_panel,
+    latency_panel,
+    mount_panel,
+    rate_panel,
+    rotation_panel,
+    rulers_panel,
+    sentence_panel,
+    timeline_panel,
+    tree_panel,
+)
 from .recordings import doctor, draw_heard, fresh_folder, place_messages, replay
 from .room import draw_now, draw_room, draw_walls, scan_on_map, show_drive, show_latency
 from .toolbox import draw_toolbox, tools_panel

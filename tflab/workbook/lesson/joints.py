@@ -19,6 +19,8 @@ from tflab.views import joints, panels
 from tflab.views.joints import JointsPicture, Step
 from tflab.views.panels import Panel, Travel
 
+from ..places import read_workbook, workbook_root
+
 __all__ = ["draw_joints", "joint_in_file", "joints_panel", "steps_of"]
 
 
@@ -74,12 +76,16 @@ def draw_joints(
 def joints_panel(
     positions: Mapping[str, float] | None = None, tip: str = "tcp", base: str = "base_link", urdf: str | None = None
 ) -> Panel:
-    """Return a panel that moves each joint between `base` and `tip`, first standing at `positions` [rad or m]."""
+    """Return a panel that moves each joint between `base` and `tip`, first standing at `positions` [rad or m].
+
+    It speaks the language of this copy.
+    """
     urdf = teaching_urdf() if urdf is None else urdf
     robot = parse_urdf(urdf)
     moving = [step.joint for step in steps_of(positions, tip, base, urdf) if step.position is not None]
     travels = [_travel(robot.joint(name), (positions or {}).get(name, 0.0)) for name in moving]
-    return panels.joints_panel(lambda at: steps_of(at, tip, base, urdf), travels)
+    language = read_workbook(workbook_root()).language
+    return panels.joints_panel(lambda at: steps_of(at, tip, base, urdf), travels, language)
 
 
 def _step(joint: Joint, positions: Mapping[str, float], urdf: str) -> Step:

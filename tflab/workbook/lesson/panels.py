@@ -1,4 +1,4 @@
-"""In whose language?  A panel with words in it speaks that of the learner's copy.
+"""In whose language?  Every panel speaks that of the learner's copy.
 
 What a panel has to ask a buffer is asked here, of a fresh one each time.
 
@@ -12,30 +12,91 @@ from collections.abc import Mapping, Sequence
 
 from tflab.core import LATEST, BufferCore, StampedTransform, Transform, TransformException
 from tflab.views import panels
+from tflab.views.bend import Bend
 from tflab.views.clocks import Play
+from tflab.views.joins import Sender
+from tflab.views.latency import Sight
 from tflab.views.panels import Panel, SentencePanel
 from tflab.views.style import fmt_all
+from tflab.views.timeline import Ask, Lane
 
 from ..places import read_workbook, workbook_root
 
-__all__ = ["clocks_panel", "sentence_panel", "tree_panel"]
+__all__ = [
+    "cameras_panel",
+    "clocks_panel",
+    "joins_panel",
+    "latency_panel",
+    "mount_panel",
+    "rate_panel",
+    "rotation_panel",
+    "rulers_panel",
+    "sentence_panel",
+    "timeline_panel",
+    "tree_panel",
+]
 
 
-def clocks_panel(play: Play | None = None, played_s: float = 9.0) -> Panel:
-    """Return a panel of two nodes' clocks while a bag is played, in the language of this copy."""
-    return panels.clocks_panel(play, played_s, read_workbook(workbook_root()).language)
+def rulers_panel() -> Panel:
+    """Return a panel that moves a robot and a thing, and says in which frame the thing's numbers stay the same."""
+    return panels.rulers_panel(language=_language())
+
+
+def rotation_panel(roll_rad: float = 0.0, pitch_rad: float = 0.0, yaw_rad: float = 0.0) -> Panel:
+    """Return a panel that turns a robot by roll, pitch and yaw [rad]."""
+    return panels.rotation_panel(roll_rad, pitch_rad, yaw_rad, _language())
+
+
+def cameras_panel(forward_m: float = 2.0, left_m: float = 0.0, up_m: float = 0.0) -> Panel:
+    """Return a panel that moves a point in front of a camera, in the body frame and in the optical one."""
+    return panels.cameras_panel(forward_m, left_m, up_m, _language())
+
+
+def mount_panel() -> Panel:
+    """Return a panel that turns a laser on its robot, and shows a corner and two wrong answers."""
+    return panels.mount_panel(language=_language())
 
 
 def sentence_panel(poses: Mapping[str, Transform], target_frame: str, source_frame: str) -> SentencePanel:
-    """Return a panel in which a question can be chosen in any of its forms, in the language of this copy."""
-    language = read_workbook(workbook_root()).language
-    return panels.sentence_panel(poses, target_frame, source_frame, language=language)
+    """Return a panel in which a question can be chosen in any of its forms."""
+    return panels.sentence_panel(poses, target_frame, source_frame, _language())
 
 
 def tree_panel(parent_of: Mapping[str, str], target_frame: str, source_frame: str) -> Panel:
-    """Return a panel in which a frame can be given another parent, and tf2 be asked, in the language of this copy."""
-    language = read_workbook(workbook_root()).language
-    return panels.tree_panel(parent_of, target_frame, source_frame, _answer, language=language)
+    """Return a panel in which a frame can be given another parent, and tf2 be asked."""
+    return panels.tree_panel(parent_of, target_frame, source_frame, _answer, language=_language())
+
+
+def joins_panel(senders: Sequence[Sender], join_s: float, until_s: float) -> Panel:
+    """Return a panel in which a listener can join earlier or later, and ask for what is stored or not."""
+    return panels.joins_panel(senders, join_s, until_s, language=_language())
+
+
+def latency_panel(sight: Sight | None = None) -> Panel:
+    """Return a panel in which a robot's motion and its delay can be changed."""
+    return panels.latency_panel(sight, _language())
+
+
+def timeline_panel(
+    target_frame: str, source_frame: str, lanes: Sequence[Lane], ask: Ask, stamp_ns: int | None = None
+) -> Panel:
+    """Return a panel whose query can be dragged past either end of the buffer."""
+    return panels.timeline_panel(target_frame, source_frame, lanes, ask, stamp_ns, _language())
+
+
+def clocks_panel(play: Play | None = None, played_s: float = 9.0) -> Panel:
+    """Return a panel of two nodes' clocks while a bag is played."""
+    return panels.clocks_panel(play, played_s, _language())
+
+
+def rate_panel(bend: Bend | None = None) -> Panel:
+    """Return a panel that shows what TF's straight line misses of a bend."""
+    return panels.rate_panel(bend, _language())
+
+
+def _language() -> str:
+    """Return the language of this copy."""
+    return read_workbook(workbook_root()).language
 
 
 def _answer(edges: Sequence[tuple[str, str]], target_frame: str, source_frame: str) -> tuple[bool, str]:

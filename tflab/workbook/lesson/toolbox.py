@@ -195,7 +195,7 @@ def tools_panel() -> Panel:
     language = read_workbook(workbook_root()).language
     asked = {term: words.say(language) for term, words in ASKED.items()}
     names = tuple(NAMES.say(language).split(" / "))
-    return panels.tools_panel(asked, say_tools(), _verdicts(language), names)
+    return panels.tools_panel(asked, say_tools(), _verdicts(language), names, language)
 
 
 def draw_toolbox() -> Picture:
