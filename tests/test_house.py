@@ -60,6 +60,7 @@ FOLDERS = {
     "grading/kernels": {"submissions"},
     "grading/judging": {"submissions", "kernels"},
     "grading/reports": {"submissions"},
+    "grading/guide": {"submissions", "reports"},
 }
 
 # One name for two classes, each for its reason.

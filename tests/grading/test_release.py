@@ -254,3 +254,7 @@ def test_a_pack_in_which_something_is_missing_is_one_line(course: tiny.Course, t
     path.write_text(json.dumps(cases), encoding="utf-8")
     with pytest.raises(PackError, match="damaged"):
         read_pack(pack)
+
+
+def test_a_chapter_without_teaching_files_is_released_without_a_guide(course: tiny.Course) -> None:
+    assert not (course.release / "instructor" / "guide").exists()

@@ -11,6 +11,7 @@ grader nor another.
     kernels/      where it runs: behind a wall, gone without a trace
     judging/      only its answers go on; points, mistakes, words
     reports/      what the instructor and the learners read
+    guide/        what an instructor lectures from
     check_command the same path for a learner, with the public cases
     plugin        tasks as test items: `pytest --tflab-grade PACK NOTEBOOK`
 

@@ -4,6 +4,7 @@
 
     autumn/learners/s101/     pages, exercises and public cases, stamped; no solutions
     autumn/instructor/        the pack: a secret seed, hidden cases, master notebooks (see pack.py)
+    autumn/instructor/guide/  what to lecture these chapters from (see guide/)
 
 Each learner on the roster gets variants of their own.  Nothing under learners/ says
 what is graded.  A pack is never overwritten: `--add` brings in more learners and
@@ -30,13 +31,16 @@ from tflab.workbook.tasks.task import TaskError
 from tflab.workbook.whole_files import write_whole
 from tflab.workbook.words import LANGUAGES
 
+from .guide.command import write_guide
+from .guide.shelf import stems_there, teachings_called
+from .guide.teaching import TeachingError
 from .judging.pack import PACK, Pack, PackError, chapter_cases, learners_cases, read_pack, write_chapter, write_pack
 from .submissions.reader import Unreadable, read_bytes
 from .submissions.roster import Learner, Roster, read_roster
 
 __all__ = ["main", "release"]
 
-INSTRUCTOR, LEARNERS = "instructor", "learners"
+INSTRUCTOR, LEARNERS, GUIDE = "instructor", "learners", "guide"
 
 
 def main(words: Sequence[str]) -> int:
@@ -53,7 +57,7 @@ def main(words: Sequence[str]) -> int:
             raise PackError("no learner on the roster")
         learners = list(roster.learners.values()) if roster else None
         pack = release(folder, stems, learners, language=options.lang, add=options.add, quiet=options.quiet)
-    except (PackError, TaskError, WorkbookError) as error:
+    except (PackError, TaskError, TeachingError, WorkbookError) as error:
         print(f"tflab release: {error}", file=sys.stderr)
         return 2
     who = "everybody, the same folder"
@@ -61,6 +65,8 @@ def main(words: Sequence[str]) -> int:
         who = f"{len(pack.roster)} learner{'' if len(pack.roster) == 1 else 's'}"
     print(f"{folder / LEARNERS}: for {who}: {', '.join(pack.cases)}")
     print(f"{folder / INSTRUCTOR}: your pack. Keep it to yourself; grading needs it.")
+    if (folder / INSTRUCTOR / GUIDE).is_dir():
+        print(f"{folder / INSTRUCTOR / GUIDE}: what to lecture from; `tflab guide` makes its decks.")
     return 1 if roster and roster.faults else 0
 
 
@@ -97,7 +103,15 @@ def release(
         for learner in everybody:
             _lay_out_for(folder / LEARNERS, learner, pack, handed_out, language)
             bar.step(learner.id if learner else places.COPY)
+    _lay_out_guide(folder / INSTRUCTOR / GUIDE, pack)
     return read_pack(folder / INSTRUCTOR)
+
+
+def _lay_out_guide(place: Path, pack: Pack) -> None:
+    """Write what the released chapters are lectured from, of those that have it."""
+    stems = [stem for stem in pack.cases if stem in stems_there()]
+    if stems:
+        write_guide(place, teachings_called(stems), pack.language)
 
 
 def _pack_to_fill(folder: Path, learners: Sequence[Learner] | None, language: str, add: bool) -> Pack:

@@ -5,7 +5,7 @@
     how hard the tasks are    E3.4                   #######......     52 %
     how the class did         0 .. 100 %             ..:|||::.
 
-Each picture stands beside the same in words.  Read `check_command.py` next.
+Each picture stands beside the same in words.  Read `guide/` next.
 """
 
 from __future__ import annotations

@@ -25,7 +25,11 @@ COURSE = Path(__file__).with_name("course.yaml")
 
 
 class Chapter(NamedTuple):
-    """One chapter; `builds_on` holds chapter numbers, the rest counts as the lecture does."""
+    """One chapter; `builds_on` holds chapter numbers, the rest counts as the lecture does.
+
+    `minutes` is for whoever reads it alone; in a class it is talked about for `talk` minutes, and
+    worked at for `lab` minutes.
+    """
 
     stem: str
     title: Words
@@ -35,6 +39,8 @@ class Chapter(NamedTuple):
     sections: tuple[int, ...]
     objectives: tuple[int, ...]
     practice: tuple[int, ...]
+    talk: int
+    lab: int
 
     @property
     def number(self) -> int:
@@ -73,7 +79,8 @@ def read_course() -> Course:
 
 def _chapter(line: dict) -> Chapter:
     numbers = [tuple(line[name]) for name in ("builds_on", "sections", "objectives", "practice")]
-    return Chapter(line["stem"], Words(**line["title"]), Words(**line["question"]), line["minutes"], *numbers)
+    words = Words(**line["title"]), Words(**line["question"])
+    return Chapter(line["stem"], *words, line["minutes"], *numbers, *line["taught"])
 
 
 def _goal(line: dict) -> Goal:

@@ -1,0 +1,325 @@
+"""Does a guide hold what a lecture needs, is a wrong one refused, and are votes counted as they were cast?"""
+
+from __future__ import annotations
+
+import copy
+import csv
+import io
+import json
+import re
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+import yaml
+
+from tflab.grading.guide.ballots import ballots
+from tflab.grading.guide.ballots import main as votes_main
+from tflab.grading.guide.cards import without_answers
+from tflab.grading.guide.command import main as guide_main
+from tflab.grading.guide.command import write_guide
+from tflab.grading.guide.counts import read_counts, share, votes_csv
+from tflab.grading.guide.deck import only, with_votes, write_deck
+from tflab.grading.guide.lecture import lectured_page
+from tflab.grading.guide.shelf import stems_there, teachings_called
+from tflab.grading.guide.teaching import TEACHING, TeachingError
+from tflab.grading.guide.vote import RULES, rule_for, votes_of
+from tflab.grading.release import release
+from tflab.grading.submissions.roster import Learner
+from tflab.workbook.copy.lay_out import lay_out
+from tflab.workbook.pages.slides import slides_of
+from tflab.workbook.places import workbook_data
+
+STEM = "11_tools_and_rviz"
+LANGUAGES = ("en", "ko")
+
+
+@pytest.fixture
+def shelf(tmp_path: Path) -> Path:
+    """A folder with the page and the teaching file of one chapter, to spoil."""
+    for language in LANGUAGES:
+        page = Path("notebooks", language, f"{STEM}.ipynb")
+        (tmp_path / page).parent.mkdir(parents=True)
+        shutil.copyfile(workbook_data() / page, tmp_path / page)
+    (tmp_path / TEACHING).mkdir(parents=True)
+    shutil.copyfile(workbook_data() / TEACHING / f"{STEM}.yaml", tmp_path / TEACHING / f"{STEM}.yaml")
+    return tmp_path
+
+
+def spoilt(shelf: Path, change: Callable[[dict], object]) -> str:
+    """Return what is said of the file after a change."""
+    path = shelf / TEACHING / f"{STEM}.yaml"
+    plain = yaml.safe_load(path.read_text(encoding="utf-8"))
+    change(plain)
+    path.write_text(yaml.safe_dump(plain, allow_unicode=True), encoding="utf-8")
+    with pytest.raises(TeachingError) as error:
+        teachings_called([], shelf)
+    return str(error.value)
+
+
+# -- what is refused -----------------------------------------------------------------------
+
+
+def test_all_teaching_files_fit_their_pages_and_mark_each_question_once() -> None:
+    assert [teaching.stem for teaching in teachings_called([])] == stems_there()
+
+
+@pytest.mark.parametrize(
+    "change, said",
+    [
+        (lambda plain: plain["plan"][1].update(slide="predicted"), "the page has no slide with the cell `predicted`"),
+        (lambda plain: plain["plan"][1].update(slide="load"), "the page has no slide with the cell `load`"),
+        (lambda plain: plain["plan"].insert(0, plain["plan"].pop(3)), "follow the deck"),
+        (lambda plain: plain["plan"][0].update(minutes=7), "51 minutes of talk; course.yaml says 50"),
+        (lambda plain: plain["plan"][-1].update(minutes=39), "39 minutes of lab; course.yaml says 40"),
+        (lambda plain: plain["plan"][0].update(who="nobody"), 'nobody is called "nobody"'),
+        (lambda plain: plain["demos"][0].update(cell="panel"), "the page has no cell `panel`"),
+        (lambda plain: plain["votes"][1]["options"][0]["text"].update(en="17"), '"17" is no option of the page'),
+        (lambda plain: plain["votes"][1]["options"][0]["text"].update(ko="17번"), '"17번" is no option of the page'),
+        (lambda plain: plain["votes"][3]["options"].pop(), "3 options; the page has 4"),
+        (lambda plain: plain["votes"][1]["options"][0].update(expect=16), "sums to 101 %, not to 100"),
+        (lambda plain: plain["votes"][1]["options"][0].pop("say"), "an option without a reply: 10"),
+        (lambda plain: plain["votes"][1]["options"][1].pop("right"), "one option is right"),
+        (lambda plain: plain["votes"][1].update(item=9), "has no question 9"),
+        (lambda plain: plain.pop("marking"), "practice question 9 has no marking"),
+        (lambda plain: plain["marking"].append(plain["marking"][0]), "practice question 9 is marked twice"),
+        (lambda plain: plain["marking"][0].update(question=1), "the chapter does not ask it; it asks 9"),
+        (lambda plain: plain["marking"][0].update(half_has=[6]), "the page's rubric has 5 ideas"),
+        (lambda plain: plain["handover"].pop("ko"), "en without ko"),
+        (lambda plain: plain["votes"][1]["options"][0]["say"].update(ko=" "), "en without ko"),
+        (lambda plain: plain["demos"][0].pop("see"), "demos 1 lacks `see`"),
+        (lambda plain: plain["plan"][0].update(lat="x"), "has `lat`, which means nothing"),
+        (lambda plain: plain["tables"][0].update(cell="recap"), "no table in a cell `recap`"),
+    ],
+)
+def test_a_file_that_does_not_fit_is_refused_with_its_place(
+    shelf: Path, change: Callable[[dict], object], said: str
+) -> None:
+    assert said in spoilt(shelf, change)
+
+
+def test_all_faults_are_told_at_once(shelf: Path) -> None:
+    def twice(plain: dict) -> None:
+        plain["plan"][0]["minutes"] = 7
+        plain["votes"][1]["options"][0]["expect"] = 16
+
+    assert len(spoilt(shelf, twice).splitlines()) == 2
+
+
+def test_what_is_no_yaml_is_one_line(shelf: Path) -> None:
+    (shelf / TEACHING / f"{STEM}.yaml").write_text("brings: a: b", encoding="utf-8")
+    with pytest.raises(TeachingError, match=r"11_tools_and_rviz.yaml: mapping values are not allowed"):
+        teachings_called([], shelf)
+
+
+# -- what is read --------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_guide_holds_what_pages_and_files_say_and_loads_nothing(tmp_path: Path, language: str) -> None:
+    teachings = teachings_called([])
+    write_guide(tmp_path, teachings, language)
+    guide = (tmp_path / "guide.html").read_text(encoding="utf-8")
+    plain = re.sub(r"\s+", " ", re.sub(r"<[^>]+>", "", guide))
+    for teaching in teachings:
+        page = lectured_page(teaching.stem, language)
+        assert f'id="ch{teaching.stem[:2]}"' in guide
+        for vote in votes_of(teaching, page):
+            assert f"<code>{vote.name}</code>" in guide
+    assert ("guess" if language == "en" else "짐작") in plain
+    assert "<script" not in guide and "http" not in re.sub(r"http-equiv", "", guide.split("</style>")[-1])
+
+
+def test_the_clock_of_the_plan_goes_on_from_row_to_row(tmp_path: Path) -> None:
+    write_guide(tmp_path, teachings_called(["11"]), "en")
+    guide = (tmp_path / "guide.html").read_text(encoding="utf-8")
+    assert re.findall(r"<td>(\d+–\d+)", guide)[:4] == ["0–6", "6–12", "12–16", "16–24"]
+
+
+def test_a_blank_table_keeps_its_heads_and_the_column_that_asks() -> None:
+    table = "| see | check |\n|---|---|\n| smears | `delay` |\n\nand so on"
+    assert without_answers(table, [1]) == "| see | check |\n|---|---|\n| smears | |"
+
+
+# -- votes ---------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("right, rule", [(0, 0), (34.9, 0), (35, 1), (70, 1), (70.1, 2), (100, 2)])
+def test_a_vote_says_what_to_do_next(right: float, rule: int) -> None:
+    assert rule_for(right) == RULES[rule]
+
+
+def filled(votes: list, first: dict[str, list[int]]) -> str:
+    """Return a votes.csv as a person fills it."""
+    rows = list(csv.DictReader(io.StringIO(votes_csv(votes).removeprefix("\ufeff"))))
+    for name, numbers in first.items():
+        for row, number in zip([row for row in rows if row["vote"] == name], numbers, strict=True):
+            row["first"] = str(number)
+    out = io.StringIO()
+    writer = csv.DictWriter(out, rows[0])
+    writer.writeheader()
+    writer.writerows(rows)
+    return out.getvalue()
+
+
+def test_what_a_class_chose_stands_beside_what_was_expected(tmp_path: Path) -> None:
+    (teaching,) = teachings_called(["11"])
+    votes = votes_of(teaching, lectured_page(STEM, "en"))
+    (tmp_path / "votes-a.csv").write_text(filled(votes, {"wheels-rate": [4, 9, 14, 2]}), encoding="utf-8")
+    counts, faults = read_counts(tmp_path)
+    assert not faults
+    assert share(votes[1], counts)[1] == 29
+    write_guide(tmp_path / "few", [teaching], "en", counts)
+    assert "45 % (guess), so far 48 % of 29" in (tmp_path / "few" / "guide.html").read_text(encoding="utf-8")
+    (tmp_path / "votes-b.csv").write_text(filled(votes, {"wheels-rate": [0, 11, 0, 0]}), encoding="utf-8")
+    counts, _ = read_counts(tmp_path)
+    write_guide(tmp_path / "enough", [teaching], "en", counts)
+    guide = (tmp_path / "enough" / "guide.html").read_text(encoding="utf-8")
+    assert "50 % of 40 (expected 30 %)" in guide
+    assert "50 % right. 35 to 70 %" in guide
+    assert "55 % (guess)" in guide  # of the vote that nobody has taken
+
+
+def test_a_row_that_is_no_number_is_a_line(tmp_path: Path) -> None:
+    (tmp_path / "votes.csv").write_text("chapter,vote,option,first\n11_x,a,1,many\n11_x,a,2,3\n", encoding="utf-8")
+    counts, faults = read_counts(tmp_path)
+    assert counts[("11_x", "a")] == {"2": 3}
+    assert faults == ['votes.csv, row 2: "many" is no number of voters; left out']
+
+
+def test_results_without_votes_are_said(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
+    assert guide_main(["11", "--with", str(tmp_path), "--out", str(tmp_path / "out"), "--no-deck"]) == 2
+    assert "there is no votes.csv" in capsys.readouterr().err
+
+
+def copy_with(folder: Path, learner: str, source: str, language: str = "en") -> None:
+    """Write a learner's copy whose page has one cell of the learner's."""
+    cell = {"cell_type": "code", "id": "mine", "metadata": {}, "source": source, "outputs": [], "execution_count": None}
+    page = {"cells": [cell], "metadata": {}, "nbformat": 4, "nbformat_minor": 5}
+    path = folder / learner / "notebooks" / language / f"{STEM}.ipynb"
+    path.parent.mkdir(parents=True)
+    path.write_text(json.dumps(page), encoding="utf-8")
+
+
+def test_learners_vote_in_their_copies_and_nothing_of_them_runs(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
+    copies = tmp_path / "copies"
+    copy_with(copies, "s101", "late_s, wheels_hz, red_line, pose_changes = 0.11, 20, 'TF', False\ncheckpoint = 3")
+    copy_with(copies, "s102", "late_s, wheels_hz, red_line, pose_changes = ..., 50, ..., ...")
+    copy_with(copies, "s102", "wheels_hz = 20", "ko")  # the same learner, once more: one vote
+    copy_with(copies, "s103", "%load_ext tflab\nwheels_hz = '50번'", "ko")
+    copy_with(copies, "s104", "wheels_hz = __import__('os').system('touch ran')")
+    copy_with(copies, "s105", "wheels_hz = 17\nred_line = ")
+    (copies / "s106" / "notebooks" / "en").mkdir(parents=True)
+    (copies / "s106" / "notebooks" / "en" / f"{STEM}.ipynb").write_text("no notebook", encoding="utf-8")
+    (teaching,) = teachings_called(["11"])
+    counts, unread = ballots(copies, votes_of(teaching, lectured_page(STEM, "en")))
+    assert counts[(STEM, "wheels-rate")] == {"2": 1, "3": 2}
+    assert counts[(STEM, "red-line")] == {"3": 1}
+    assert counts[(STEM, "checkpoint")] == {"3": 1}
+    assert len(unread) == 1 and "s106" in unread[0]
+    out = tmp_path / "votes.csv"
+    assert votes_main([str(copies), "--out", str(out)]) == 1
+    assert "11 wheels-rate: 1 0 % · 2 33 % · 3 67 % · ? 0 % (3)" in capsys.readouterr().out
+    assert read_counts(tmp_path)[0][(STEM, "wheels-rate")] == {"1": 0, "2": 1, "3": 2, "?": 0}
+
+
+def test_where_nobody_has_voted_nothing_is_written(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
+    copy_with(tmp_path / "copies", "s101", "late_s, wheels_hz = ..., ...")
+    assert votes_main([str(tmp_path / "copies"), "--out", str(tmp_path / "votes.csv")]) == 2
+    assert not (tmp_path / "votes.csv").exists()
+    assert "nobody" in capsys.readouterr().err
+
+
+# -- the deck ------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_each_vote_is_a_slide_behind_the_one_that_asks(language: str) -> None:
+    for teaching in teachings_called([]):
+        page = lectured_page(teaching.stem, language)
+        votes = votes_of(teaching, page)
+        before = copy.deepcopy(page.notebook)
+        names = [slide.name for slide in slides_of(with_votes(page.notebook, votes, language))]
+        assert page.notebook == before
+        for vote in votes:
+            behind = names[: names.index(f"vote-{vote.name}")]
+            asking = next(name for name in reversed(behind) if not name.startswith("vote-"))
+            assert asking == page.slides[page.shown[vote.after]].name
+
+
+def test_of_a_plan_only_its_cells_are_shown_and_each_begins_as_its_slide_did() -> None:
+    page = lectured_page(STEM, "en")
+    chosen = ["predict", "rates-seen", "checkpoint", "half-a-century"]
+    slides = slides_of(only(page.notebook, chosen))
+    assert [slide.steps for slide in slides] == [
+        (("half-a-century",),), (("predict",),), (("rates-seen",),), (("checkpoint",),),
+    ]  # fmt: skip
+
+
+SMALL = {
+    "cells": [
+        {"cell_type": "markdown", "id": "predict", "metadata": {"slideshow": {"slide_type": "slide"}}, "source": "# A"},
+    ],
+    "metadata": {"kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"}},
+    "nbformat": 4,
+    "nbformat_minor": 5,
+}  # fmt: skip
+
+
+@pytest.mark.browser
+def test_counts_that_are_typed_into_a_deck_become_shares_and_what_to_say(tmp_path: Path, page) -> None:
+    (teaching,) = teachings_called(["11"])
+    votes = [vote for vote in votes_of(teaching, lectured_page(STEM, "en")) if vote.after == "predict"]
+    deck = write_deck(SMALL, votes, tmp_path, name="small", language="en")
+    page.goto(f"{deck.as_uri()}#vote-wheels-rate")
+    vote = page.locator(".deck-current .tflab-vote")
+    for number, count in enumerate((4, 9, 15, 2)):
+        vote.locator("input").nth(number).fill(str(count))
+    assert vote.locator(".share .number").all_inner_texts() == ["13 %", "30 %", "50 %", "7 %"]
+    assert vote.locator(".do").inner_text() == "Once more, explained another way."
+    assert not vote.locator(".says").is_visible()
+    vote.get_by_role("button", name="Vote again").click()
+    for number, count in enumerate((0, 18, 12, 0)):
+        vote.locator("input").nth(number).fill(str(count))
+    assert vote.locator(".do").inner_text().startswith("Convince a neighbour")
+    vote.get_by_role("button", name="What to say").click()
+    said = vote.locator(".says > div").all_inner_texts()
+    assert said[0].startswith("3") and "Whose line is that?" in said[0]
+    assert said[-1].startswith("2") and "right" in said[-1]
+    with page.expect_download() as download:
+        vote.get_by_role("button", name="Save votes.csv").click()
+    download.value.save_as(tmp_path / "counted" / "votes-11.csv")
+    counts, faults = read_counts(tmp_path / "counted")
+    assert not faults
+    assert counts == {(STEM, "wheels-rate"): {"1": 4, "2": 9, "3": 15, "?": 2}}
+
+
+# -- where it is, and where it is not --------------------------------------------------------
+
+
+def test_a_learners_copy_holds_no_word_of_the_teaching_files(tmp_path: Path) -> None:
+    told = {
+        text
+        for teaching in teachings_called([])
+        for words in (teaching.handover, *teaching.ticket.values(), *(row.do for row in teaching.plan))
+        for text in words
+    }
+    for edition in ("self-study", "class"):
+        for language in LANGUAGES:
+            copy_of = lay_out(tmp_path / edition / language, language, edition=edition, cases={})
+            for path in (path for path in copy_of.rglob("*") if path.is_file()):
+                held = path.read_text(encoding="utf-8")
+                assert not [text for text in told if text in held], path
+            assert not list(copy_of.rglob("*.yaml"))
+
+
+def test_the_released_chapters_have_their_guide_beside_the_pack_and_not_in_a_copy(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delenv("TFLAB_WORKBOOK", raising=False)
+    release(tmp_path, ["11_tools_and_rviz"], [Learner("s101", "Kim", "ko")], language="ko")
+    guide = (tmp_path / "instructor" / "guide" / "guide.html").read_text(encoding="utf-8")
+    assert 'id="ch11"' in guide and 'id="ch12"' not in guide and 'lang="ko"' in guide
+    names = {path.name for path in (tmp_path / "learners").rglob("*")}
+    assert not names & {"guide", "guide.html", "cards.html", "votes.csv", "teaching"}

@@ -1,0 +1,18 @@
+"""How does somebody who has never seen the course lecture from it tomorrow?  A page to read, a deck, cards, votes.
+
+    lecture     what a built page holds for whoever lectures from it
+    teaching    what only a teacher needs: one YAML a chapter
+    vote        a question to the room: its options, what is expected, what to say
+    misfits     where the two do not fit
+    shelf       which files there are, and that they are in order
+    counts      what a class really chose
+    ballots     the same, out of learners' copies: `tflab votes`
+    sheets      what a guide is set in
+    chapter     a chapter's guide
+    cards       what is printed and cut
+    deck        the slides, with the votes among them
+    command     `tflab guide`
+
+Nothing is written twice: objectives, predictions, replies, rubrics and notes are the page's.
+Start with `lecture.py`; each page names the next.
+"""

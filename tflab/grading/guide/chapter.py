@@ -1,0 +1,287 @@
+"""What does one read to lecture a chapter tomorrow?  Nine short sections, most of them the page's own words.
+
+    1 what they can do afterwards      4 what is shown live      7 marking
+    2 what they bring                  5 votes                   8 the exit ticket
+    3 the minutes                      6 what the room asks      9 what follows
+
+Read `cards.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+from tflab.workbook.course.course import Chapter, Course
+from tflab.workbook.words import Words
+
+from ..reports.html import text
+from ..reports.misconceptions import MISCONCEPTIONS
+from .counts import ENOUGH, Counts, share
+from .lecture import LecturedPage
+from .sheets import grid, inline, markdown
+from .teaching import Demo, Marking, PlanRow, Teaching
+from .vote import RULES, Vote, rule_for, votes_of
+
+__all__ = ["chapter_guide"]
+
+WHO = {
+    "you": Words("you", "강사"),
+    "room": Words("the room", "모두"),
+    "pairs": Words("pairs", "둘씩"),
+    "each": Words("each alone", "각자"),
+}
+LENGTH = Words("{talk} minutes of talk, {lab} of laboratory", "강의 {talk}분, 실습 {lab}분")
+NO_LAB = Words("{talk} minutes", "{talk}분")
+AFTERWARDS = Words("What they can do afterwards", "마치면 할 수 있는 것")
+KEEP = Words("What they are to keep (the page's last words; read them first)", "남길 것(본문의 정리. 먼저 읽으십시오)")
+BRING = Words("What they bring", "학습자가 아는 것")
+LACKS = Words("What is usually missing", "흔히 빠져 있는 것")
+TEST = Words("One question to test it", "확인할 질문 하나")
+MINUTES = Words("The minutes", "분 단위 계획")
+MINUTE_HEADS = (
+    Words("Minute", "분"),
+    Words("On the screen", "화면"),
+    Words("Who", "누가"),
+    Words("What happens", "하는 일"),
+)
+LATE = Words("Late:", "늦었으면:")
+NOTES = Words("Note on the slide:", "발표자 노트:")
+LAB = Words("laboratory", "실습")
+DEMOS = Words("What to show live", "직접 보일 것")
+DEMO_CELL = Words("Cell {cell}, on the slide “{slide}”", "셀 {cell}, 슬라이드 “{slide}”")
+OFF_SLIDE = Words("Cell {cell} of the page", "본문의 셀 {cell}")
+DO, SEE = Words("Do:", "할 일:"), Words("Must be seen:", "보여야 하는 것:")
+FAILS = Words("If it fails:", "안 되면:")
+FIGURE = Words("(cell {cell})", "(셀 {cell})")
+TYPES = Words("Type into new cells:", "새 셀에 입력:")
+VOTES = Words("Votes", "투표")
+VOTE_NUMBER = Words("Vote {number}", "투표 {number}")
+AFTER = Words("After the slide “{slide}”.", "슬라이드 “{slide}” 다음에 합니다.")
+VOTE_HEADS = (Words("", ""), Words("Option", "보기"), Words("Expected", "예상"), Words("What to say", "할 말"))
+GUESS = Words("{expected} % (guess)", "{expected} % (짐작)")
+SEEN = Words(
+    "{expected} % (guess), so far {share} % of {voters}", "{expected} % (짐작), 지금까지 {voters}명 중 {share} %"
+)
+REALLY = Words("{share} % of {voters} (expected {expected} %)", "{voters}명 중 {share} % (예상 {expected} %)")
+RIGHT = Words("right", "정답")
+THEN = Words("Your class: {share} % right. {rule}", "이 반의 정답률은 {share} %입니다. {rule}")
+ROOM = Words("What the room asks", "나올 만한 질문")
+MARKING = Words("Marking", "채점")
+IDEAS = Words("One point an idea, in any words:", "내용 하나에 1점, 표현은 자유입니다.")
+FULL, HALF, WRONG = Words("Full", "만점"), Words("Half", "절반"), Words("Wrong", "오답")
+HAS = Words("{got} of {most}: ideas {ideas}", "{most}점 중 {got}점: {ideas}번 내용")
+BEHIND = Words("behind it: {name} ({code})", "바탕에 있는 생각: {name}({code})")
+ELSEWHERE = Words("Samples are in the guide of chapter {number}.", "답안 예시는 {number}장의 안내서에 있습니다.")
+TICKET = Words("The exit ticket", "마무리 쪽지")
+COMPARE = Words("Compare with:", "맞춰 볼 것:")
+PILES = (
+    ("full", Words("Has it", "됨")),
+    ("half", Words("Half", "절반")),
+    ("none", Words("Not yet", "아직")),
+)
+FOLLOWS = Words("What follows", "이어지는 것")
+TASK_HEADS = (
+    Words("Task", "과제"),
+    Words("", ""),
+    Words("Points", "점수"),
+    Words("Numbers of one's own", "사람마다 다른 숫자"),
+    Words("Cures", "다루는 오개념"),
+)
+YES, NO = Words("yes", "예"), Words("no", "아니요")
+
+
+def chapter_guide(
+    teaching: Teaching,
+    page: LecturedPage,
+    course: Course,
+    tasks: Mapping[str, Any],
+    counts: Counts,
+    marked_in: Mapping[int, int],
+) -> str:
+    """Return a chapter's guide as HTML.
+
+    Args:
+        tasks: those of the chapter, as its public cases have them.
+        counts: what classes really chose; empty if none has voted.
+        marked_in: the chapter whose guide has the samples of each practice question.
+    """
+    said = page.language
+    chapter = next(one for one in course.chapters if one.stem == teaching.stem)
+    length = (LENGTH if chapter.lab else NO_LAB).say(said, talk=chapter.talk, lab=chapter.lab)
+    parts = [
+        f'<section class="chapter" id="ch{chapter.number:02}">',
+        f"<h1>{chapter.number:02} · {text(chapter.title.say(said))}</h1>",
+        f"<p><b>{text(chapter.question.say(said))}</b> <span class=quiet>{text(length)}</span></p>",
+        _heading(1, AFTERWARDS, said),
+        _bullets(page.objectives()),
+        f"<h3>{text(KEEP.say(said))}</h3>",
+        markdown(page.recap()),
+        *_brings(teaching, said),
+        _heading(3, MINUTES, said),
+        _minutes(teaching.plan, page),
+        *_demos(teaching.demos, page),
+        *_votes(votes_of(teaching, page), page, counts),
+        _heading(6, ROOM, said),
+        *(f"<p><b>{inline(ask.say(said))}</b><br>{inline(answer.say(said))}</p>" for ask, answer in teaching.questions),
+        *_marking(teaching, chapter, page, course, marked_in),
+        *_ticket(teaching, page),
+        _heading(9, FOLLOWS, said),
+        _tasks(tasks, said),
+        f"<p>{inline(teaching.handover.say(said))}</p>",
+        "</section>",
+    ]
+    return "\n".join(filter(None, parts))
+
+
+def _heading(number: int, words: Words, language: str) -> str:
+    return f"<h2>{number} · {text(words.say(language))}</h2>"
+
+
+def _bullets(lines: Sequence[str]) -> str:
+    return f"<ul>{''.join(f'<li>{inline(line)}</li>' for line in lines)}</ul>" if lines else ""
+
+
+def _brings(teaching: Teaching, said: str) -> Iterator[str]:
+    brings = teaching.brings
+    yield _heading(2, BRING, said)
+    yield f"<p>{inline(brings['has'].say(said))}</p>"
+    yield f"<p><b>{text(LACKS.say(said))}:</b> {inline(brings['lacks'].say(said))}</p>"
+    asked, answer = (inline(brings[name].say(said)) for name in ("ask", "answer"))
+    yield f"<p><b>{text(TEST.say(said))}:</b> {asked}<br>→ {answer}</p>"
+
+
+# -- the plan and the demonstrations ---------------------------------------------------------
+
+
+def _minutes(plan: Sequence[PlanRow], page: LecturedPage) -> str:
+    said, rows, clock = page.language, [], {"talk": 0, "lab": 0}
+    slides = [row.slide for row in plan if row.slide]
+    for row in plan:
+        kind = "lab" if row.lab else "talk"
+        begin, clock[kind] = clock[kind], clock[kind] + row.minutes
+        at = slides.index(row.slide) if row.slide else 0
+        screen = _screen(row.slide, (*slides[at + 1 :], None)[0], page) if row.slide else ", ".join(row.lab)
+        what = inline(row.do.say(said))
+        if row.late:
+            what += f"<br><span class=quiet><b>{text(LATE.say(said))}</b> {inline(row.late.say(said))}</span>"
+        when = f"{begin}–{clock[kind]}" + (f"<br>{text(LAB.say(said))}" if row.lab else "")
+        rows.append((when, screen, text(WHO[row.who].say(said)), what))
+    return grid([head.say(said) for head in MINUTE_HEADS], rows, kind="minutes")
+
+
+def _screen(begin: str, end: str | None, page: LecturedPage) -> str:
+    """Return the titles of the slides of a row, and what is said to the speaker on them."""
+    slides = page.screen(begin, end)
+    titles = "<br>".join(text(title) for title in dict.fromkeys(slide.title for slide in slides))
+    notes = [note for slide in slides for note in page.notes_of(slide)]
+    heard = "".join(f"<br><i>{inline(note)}</i>" for note in notes)
+    return f"{titles}<span class=quiet>{heard}</span>"
+
+
+def _demos(demos: Sequence[Demo], page: LecturedPage) -> Iterator[str]:
+    said = page.language
+    yield _heading(4, DEMOS, said)
+    for number, demo in enumerate(demos, start=1):
+        at = page.shown.get(demo.cell)
+        place = OFF_SLIDE if at is None else DEMO_CELL
+        where = place.say(said, cell=demo.cell, slide=page.slides[at or 0].title)
+        fails = inline(demo.fails.say(said))
+        if demo.figure:
+            fails += f" <span class=quiet>{text(FIGURE.say(said, cell=demo.figure))}</span>"
+        yield f'<div class="card"><p><b>{number}. {text(where)}</b></p>'
+        yield f"<p>{text(DO.say(said))} {inline(demo.do.say(said))}</p>"
+        if demo.types:
+            yield f"<p>{text(TYPES.say(said))}</p><pre><code>{text(demo.types)}</code></pre>"
+        yield f"<p><b>{text(SEE.say(said))}</b> {inline(demo.see.say(said))}</p>"
+        yield f"<p><b>{text(FAILS.say(said))}</b> {fails}</p></div>"
+
+
+# -- votes -------------------------------------------------------------------------------------
+
+
+def _votes(votes: Sequence[Vote], page: LecturedPage, counts: Counts) -> Iterator[str]:
+    said = page.language
+    yield _heading(5, VOTES, said)
+    yield f"<ul class=quiet>{''.join(f'<li>{text(rule.say(said))}</li>' for rule in RULES)}</ul>"
+    for number, vote in enumerate(votes, start=1):
+        slide = page.slides[page.shown[vote.after]].title
+        shares, voters = share(vote, counts)
+        yield f"<h3>{text(VOTE_NUMBER.say(said, number=number))} <code>{text(vote.name)}</code></h3>"
+        yield f"{markdown(vote.question)}<p class=quiet>{text(AFTER.say(said, slide=slide))}</p>"
+        rows = [
+            (
+                text(option.label),
+                inline(option.text) + (f" ✓ {text(RIGHT.say(said))}" if option.is_right else ""),
+                text(_share(option.expected, shares.get(option.label), voters, said)),
+                markdown(option.say),
+            )
+            for option in vote.options
+        ]
+        right = [at for at, option in enumerate(vote.options) if option.is_right]
+        yield grid([head.say(said) for head in VOTE_HEADS], rows, kind="votes", marked=right)
+        if voters >= ENOUGH:
+            got = shares[vote.options[right[0]].label]
+            yield f"<p>{text(THEN.say(said, share=f'{got:.0f}', rule=rule_for(got).say(said)))}</p>"
+
+
+def _share(expected: float, got: float | None, voters: int, said: str) -> str:
+    kind = GUESS if got is None else SEEN if voters < ENOUGH else REALLY
+    return kind.say(said, expected=f"{expected:g}", share=f"{got or 0:.0f}", voters=voters)
+
+
+# -- marking, the ticket, what follows ------------------------------------------------------------
+
+
+def _marking(
+    teaching: Teaching, chapter: Chapter, page: LecturedPage, course: Course, marked_in: Mapping[int, int]
+) -> Iterator[str]:
+    said = page.language
+    if not chapter.practice:
+        return
+    yield _heading(7, MARKING, said)
+    markings = {marking.question: marking for marking in teaching.markings}
+    for question, ideas in zip(chapter.practice, page.rubrics(), strict=False):
+        yield f"<h3>Q{question} · {text(course.questions[question - 1].say(said))}</h3>"
+        yield f"<p>{text(IDEAS.say(said))}</p><ol>{''.join(f'<li>{inline(idea)}</li>' for idea in ideas)}</ol>"
+        if question in markings:
+            yield from _samples(markings[question], len(ideas), said)
+        elif question in marked_in:
+            yield f"<p class=quiet>{text(ELSEWHERE.say(said, number=f'{marked_in[question]:02}'))}</p>"
+
+
+def _samples(marking: Marking, most: int, said: str) -> Iterator[str]:
+    ideas = marking.half.ideas
+    got = HAS.say(said, got=len(ideas), most=most, ideas=", ".join(map(str, ideas)))
+    behind = BEHIND.say(said, name=MISCONCEPTIONS[marking.because].say(said), code=marking.because)
+    yield grid(
+        ("", "", ""),
+        [
+            (text(FULL.say(said)), inline(marking.full.say(said)), f"{most} / {most}"),
+            (text(HALF.say(said)), inline(marking.half.words.say(said)), text(got)),
+            (text(WRONG.say(said)), inline(marking.wrong.say(said)), text(behind)),
+        ],
+    )
+    if marking.note:
+        yield f"<p>{inline(marking.note.say(said))}</p>"
+
+
+def _ticket(teaching: Teaching, page: LecturedPage) -> Iterator[str]:
+    said, ticket = page.language, page.ticket()
+    if ticket is None:
+        return
+    yield _heading(8, TICKET, said)
+    yield markdown(ticket.asked)
+    yield f"<p><b>{text(COMPARE.say(said))}</b> {inline(ticket.compare)}</p>"
+    yield grid(("", ""), [(text(name.say(said)), inline(teaching.ticket[pile].say(said))) for pile, name in PILES])
+
+
+def _tasks(tasks: Mapping[str, Any], said: str) -> str:
+    rows = []
+    for name, task in tasks.items():
+        own = YES if len(task["variants"]) > 1 else NO
+        cures = ", ".join(
+            f"{MISCONCEPTIONS[code].say(said)} ({code})" for code in task["cures"] if code in MISCONCEPTIONS
+        )
+        rows.append((text(name), text(task["title"][said]), text(task["points"]), text(own.say(said)), text(cures)))
+    return grid([head.say(said) for head in TASK_HEADS], rows) if rows else ""

@@ -1,0 +1,121 @@
+"""How does an instructor get a guide?  `tflab guide 11 12 --lang ko --out teach/`, and `tflab release` lays one out.
+
+    teach/guide.html        what to read; prints well
+    teach/11_....html       the deck, with notes (key s) and the votes among the slides
+    teach/cards.html        cards to raise, prediction sheets, blank tables, exit tickets
+    teach/votes.csv         to fill in; or a deck's button and `tflab votes` write it
+
+`--with results/` reads what was filled in, and puts it beside what was expected.
+Read `check_command.py` next.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from tflab.workbook.course.course import read_course
+from tflab.workbook.pages.html import PageFailed
+from tflab.workbook.places import CASES, WorkbookError, read_workbook, workbook_data
+from tflab.workbook.whole_files import write_whole
+from tflab.workbook.words import LANGUAGES, Words
+
+from ..reports.html import text
+from .cards import cards
+from .chapter import chapter_guide
+from .counts import Counts, read_counts, votes_csv
+from .deck import write_deck
+from .lecture import lectured_page
+from .sheets import STATIC, markdown, sheet
+from .shelf import stems_there, teachings_called
+from .teaching import Teaching, TeachingError
+from .vote import votes_of
+
+__all__ = ["main", "write_guide"]
+
+TITLE = Words("The instructor's guide", "강사 안내서")
+
+
+def main(words: Sequence[str]) -> int:
+    """Write a guide; return 0, 1 if a deck failed or a row of counts was left out, 2 if nothing was written."""
+    options = _options(words)
+    out, faults = Path(options.out), []
+    try:
+        language = options.lang or read_workbook().language
+        counts, faults = read_counts(Path(options.results)) if options.results else ({}, [])
+        teachings = teachings_called(options.chapters)
+    except (FileNotFoundError, LookupError, TeachingError, WorkbookError) as error:
+        print(f"tflab guide: {error}", file=sys.stderr)
+        return 2
+    for fault in faults:
+        print(f"tflab guide: {fault}", file=sys.stderr)
+    for path in write_guide(out, teachings, language, counts):
+        print(path)
+    failed = 0 if options.no_deck else _decks(out, teachings, language, counts)
+    return 1 if failed or faults else 0
+
+
+def write_guide(out: Path, teachings: Sequence[Teaching], language: str, counts: Counts | None = None) -> list[Path]:
+    """Write what is read and printed, and the votes to fill in; return the files. Nothing is run."""
+    course, data = read_course(), workbook_data()
+    lectures = [(teaching, lectured_page(teaching.stem, language)) for teaching in teachings]
+    marked_in = {
+        marking.question: int(teaching.stem[:2]) for teaching in teachings_called([]) for marking in teaching.markings
+    }
+    guides, contents = [], []
+    for teaching, page in lectures:
+        chapter = next(one for one in course.chapters if one.stem == teaching.stem)
+        cases = data / CASES / f"{teaching.stem}.json"
+        tasks = json.loads(cases.read_text(encoding="utf-8"))["tasks"] if cases.is_file() else {}
+        guides.append(chapter_guide(teaching, page, course, tasks, counts or {}, marked_in))
+        title = f"{chapter.number:02} · {text(chapter.title.say(language))}"
+        contents.append(f'<li><a href="#ch{chapter.number:02}">{title}</a></li>')
+    head = [
+        f"<h1>{text(TITLE.say(language))}</h1>",
+        markdown((STATIC / f"front.{language}.md").read_text(encoding="utf-8")),
+        f"<nav><ul>{''.join(contents)}</ul></nav>",
+    ]
+    votes = [vote for teaching, page in lectures for vote in votes_of(teaching, page)]
+    files = {
+        "guide.html": sheet(TITLE.say(language), language, [*head, *guides]),
+        "cards.html": cards(lectures, language),
+        "votes.csv": votes_csv(votes),
+    }
+    for name, content in files.items():
+        write_whole(out / name, content)
+    return [out / name for name in files]
+
+
+def _decks(out: Path, teachings: Sequence[Teaching], language: str, counts: Counts) -> int:
+    """Write a deck for each chapter; return how many failed."""
+    failed = 0
+    for teaching in teachings:
+        page = lectured_page(teaching.stem, language)
+        votes = votes_of(teaching, page)
+        try:
+            print(
+                write_deck(page.notebook, votes, out, name=teaching.stem, language=language, counts=counts), flush=True
+            )
+        except PageFailed as failure:
+            print(failure, file=sys.stderr)
+            failed += 1
+    return failed
+
+
+def _options(words: Sequence[str]) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(prog="tflab guide", description="Write what an instructor lectures from.")
+    parser.add_argument("chapters", nargs="*", metavar="CHAPTER", help=f"such as 11; all of {_numbers()} if left out")
+    parser.add_argument("--lang", choices=LANGUAGES, help="the workbook's language if left out")
+    parser.add_argument("--out", default="guide", metavar="DIR", help="where to; %(default)s if left out")
+    parser.add_argument(
+        "--with", dest="results", metavar="RESULTS", help="a folder with votes.csv: what was really chosen"
+    )
+    parser.add_argument("--no-deck", action="store_true", help="nothing is run: only what is read and printed")
+    return parser.parse_args(list(words))
+
+
+def _numbers() -> str:
+    return ", ".join(stem[:2] for stem in stems_there())

@@ -1,0 +1,166 @@
+"""How is a vote taken during a deck?  After the slide that asks, one more: counts are typed, shares appear.
+
+    page's cells  --votes put among them-->  notebook  --as `tflab slides`-->  deck, with `static/votes.js` in it
+
+The deck is a file: what is typed stays in this browser, and a button writes it as votes.csv.
+For a plan only some cells are shown; all of them run.  Read `command.py` next.
+"""
+
+from __future__ import annotations
+
+import copy
+import json
+import re
+from collections.abc import Collection, Mapping, Sequence
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+from tflab.workbook.pages.slides import deck_from_notebook
+from tflab.workbook.words import Words
+
+from .counts import COLUMNS, Counts, share
+from .sheets import STATIC, inline, markdown
+from .vote import ARGUE_BELOW, EXPLAIN_BELOW, RULES, Vote
+
+__all__ = ["only", "with_votes", "write_deck"]
+
+BEGINS = ("slide", "subslide")
+VOTE = Words("Vote", "투표")
+SAYS = {
+    "expected": Words("expected", "예상"),
+    "before": Words("earlier", "지난 반"),
+    "voters": Words("votes", "표"),
+    "again": Words("Vote again", "다시 투표"),
+    "say": Words("What to say", "할 말"),
+    "save": Words("Save votes.csv", "votes.csv로 저장"),
+    "clear": Words("Clear", "지우기"),
+    "right": Words("right", "정답"),
+    "copy": Words("In your copy:", "각자의 워크북에서는:"),
+    "do0": Words("Once more, explained another way.", "다르게 다시 설명합니다."),
+    "do1": Words(
+        "Convince a neighbour who chose otherwise, then vote again.",
+        "다른 답을 고른 옆 사람을 설득해 보고 다시 투표합니다.",
+    ),
+    "do2": Words("On we go.", "다음으로 넘어갑니다."),
+}
+
+
+def write_deck(
+    notebook: Mapping[str, Any],
+    votes: Sequence[Vote],
+    out_dir: Path,
+    *,
+    name: str,
+    language: str,
+    counts: Counts | None = None,
+    cells: Collection[str] = (),
+) -> Path:
+    """Run a page and write it as a deck with its votes; return the deck's path.
+
+    Args:
+        name: of the file, without its ending.
+        cells: what is shown; everything if empty.
+
+    Raises:
+        PageFailed: a cell raised an error, or nothing is shown.
+    """
+    chosen = only(notebook, cells) if cells else notebook
+    shown = [vote for vote in votes if not cells or vote.after in cells]
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / f"{name}.ipynb"
+        path.write_text(json.dumps(with_votes(chosen, shown, language)), encoding="utf-8")
+        deck = deck_from_notebook(path, out_dir)
+    if shown:
+        content, end, rest = deck.read_text(encoding="utf-8").rpartition("</body>")
+        deck.write_text(content + _scripts(shown, language, counts or {}) + end + rest, encoding="utf-8")
+    return deck
+
+
+def with_votes(notebook: Mapping[str, Any], votes: Sequence[Vote], language: str) -> dict[str, Any]:
+    """Return a notebook with a slide for each vote, behind the slide that it comes after."""
+    cells: list[dict[str, Any]] = copy.deepcopy(notebook["cells"])
+    for number, vote in reversed(list(enumerate(votes, start=1))):
+        at = next(index for index, cell in enumerate(cells) if cell["id"] == vote.after) + 1
+        while at < len(cells) and _kind(cells[at]) not in BEGINS:
+            at += 1
+        cells.insert(at, _slide(vote, number, language))
+    return {**notebook, "cells": cells}
+
+
+def only(notebook: Mapping[str, Any], chosen: Collection[str]) -> dict[str, Any]:
+    """Return a notebook of which a deck shows the chosen cells alone; all of them still run."""
+    cells: list[dict[str, Any]] = copy.deepcopy(notebook["cells"])
+    begins = "slide"
+    for cell in cells:
+        kind = _kind(cell)
+        begins = kind if kind in BEGINS else begins
+        if cell["id"] not in chosen:
+            kind = "skip"
+        elif kind == "skip" or begins:
+            kind = begins or "-"
+        if kind != "skip":
+            begins = ""
+        cell["metadata"].setdefault("slideshow", {})["slide_type"] = kind
+    return {**notebook, "cells": cells}
+
+
+def _kind(cell: Mapping[str, Any]) -> str:
+    return cell["metadata"].get("slideshow", {}).get("slide_type", "-")
+
+
+def _slide(vote: Vote, number: int, language: str) -> dict[str, Any]:
+    source = (
+        f'## {VOTE.say(language)} {number}\n\n{vote.question}\n\n<div class="tflab-vote" data-vote="{vote.name}"></div>'
+    )
+    return {
+        "cell_type": "markdown",
+        "id": f"vote-{vote.name}",
+        "metadata": {"slideshow": {"slide_type": "subslide"}, "tflab": {"notes": _notes(vote, language)}},
+        "source": source,
+    }
+
+
+def _notes(vote: Vote, language: str) -> str:
+    """Return what the speaker reads beside a vote: the right option, what to say to each, and the rule."""
+    lines = []
+    for option in vote.options:
+        right = " ✓" if option.is_right else ""
+        lines.append(f"- **{option.label}** {option.text}{right} ({option.expected:g} %): {_flat(option.say)}")
+    rules = [f"- {rule.say(language)}" for rule in RULES]
+    return "\n".join([*lines, "", *rules])
+
+
+def _flat(words: str) -> str:
+    return re.sub(r"\s+", " ", words)
+
+
+def _scripts(votes: Sequence[Vote], language: str, counts: Counts) -> str:
+    words = {name: said.say(language) for name, said in SAYS.items()}
+    rows = [
+        {
+            "stem": vote.stem,
+            "name": vote.name,
+            "answer": vote.answer,
+            "options": [
+                {
+                    "label": option.label,
+                    "html": inline(option.text),
+                    "text": option.text,
+                    "expected": option.expected,
+                    "before": share(vote, counts)[0].get(option.label),
+                    "right": option.is_right,
+                    "say": markdown(option.say),
+                }
+                for option in vote.options
+            ],
+        }
+        for vote in votes
+    ]
+    held = {"votes": rows, "words": words, "columns": COLUMNS, "bounds": [EXPLAIN_BELOW, ARGUE_BELOW]}
+    state = json.dumps(held, ensure_ascii=False).replace("</", "<\\/")  # so that no text of ours ends the script
+    style, script = ((STATIC / f"votes.{kind}").read_text(encoding="utf-8") for kind in ("css", "js"))
+    return (
+        f'<style>{style}</style>\n<script type="application/json" id="tflab-votes">{state}</script>\n'
+        f"<script>{script}</script>\n"
+    )

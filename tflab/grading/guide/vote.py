@@ -1,0 +1,119 @@
+"""What is a vote?  A question of the page, its options, how many are expected to take each, and what to say to them.
+
+    - name: wheels-hz
+      cell: predict            where the question stands; `item: 2` is its second one
+      after: rates             the slide after which hands are raised; that of `cell` if left out
+      answer: wheels_hz        what a learner's copy calls it; the vote's name if left out
+      options:
+        - {text: {en: "50", ko: "50번"}, expect: 45, say: {en: ..., ko: ...}}
+
+Where the page replies to each option (a checkpoint), options stand there, and here only
+what is expected of each, in their order.  `unsure: true` is the option of whoever does
+not know, which no page has to name.
+
+*Peer instruction* (Mazur): below 35 % right explain again, up to 70 % let neighbours
+argue and vote again, above that go on.  Read `misfits.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from tflab.workbook.words import Words
+
+from .lecture import LecturedPage
+from .teaching import Teaching, as_words
+
+__all__ = ["ARGUE_BELOW", "EXPLAIN_BELOW", "RULES", "Vote", "VoteOption", "matches", "rule_for", "votes_of"]
+
+EXPLAIN_BELOW, ARGUE_BELOW = 35, 70  # percent of a room that are right
+RULES = (
+    Words(
+        "Below 35 % right: explain it again, another way, then vote anew.",
+        "정답이 35 % 미만이면 다르게 다시 설명하고 새로 투표합니다.",
+    ),
+    Words(
+        "35 to 70 %: say nothing yet. Two minutes with a neighbour who chose otherwise, then vote again.",
+        "35–70 %이면 아직 설명하지 않습니다. 다른 답을 고른 옆 사람과 2분 동안 이야기하게 하고 다시 투표합니다.",
+    ),
+    Words(
+        "Above 70 %: say one sentence to each wrong option, and go on.",
+        "70 %를 넘으면 오답마다 한 문장씩 말하고 넘어갑니다.",
+    ),
+)
+UNSURE = Words("I do not know", "모르겠습니다")
+
+
+@dataclass(frozen=True)
+class VoteOption:
+    """One option, in one language.
+
+    Attributes:
+        label: what is called out, and stands on the card that is raised.
+        expected: the share that is expected to take it before anybody has argued [%].
+        say: what to say to it, Markdown.
+        types: what a learner may have written in the copy for it.
+    """
+
+    label: str
+    text: str
+    expected: float
+    is_right: bool
+    say: str
+    types: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Vote:
+    """A question to the room, in one language; `after` is the cell on whose slide it follows."""
+
+    stem: str
+    name: str
+    after: str
+    answer: str
+    question: str
+    options: tuple[VoteOption, ...]
+
+    @property
+    def key(self) -> tuple[str, str]:
+        """Return what counts are kept under."""
+        return self.stem, self.name
+
+
+def votes_of(teaching: Teaching, page: LecturedPage) -> list[Vote]:
+    """Return a chapter's votes in the order of the deck; the file fits the page (see `misfits.py`)."""
+    votes = [_vote(plain, teaching.stem, page) for plain in teaching.votes]
+    return sorted(votes, key=lambda vote: page.shown.get(vote.after, 0))
+
+
+def rule_for(right_percent: float) -> Words:
+    """Return what to do after a vote."""
+    return RULES[0 if right_percent < EXPLAIN_BELOW else 1 if right_percent <= ARGUE_BELOW else 2]
+
+
+def matches(option: VoteOption, written: object) -> bool:
+    """Return whether what a learner wrote is this option."""
+    return " ".join(str(written).casefold().split()) in option.types
+
+
+def _vote(plain: Mapping[str, Any], stem: str, page: LecturedPage) -> Vote:
+    cell = plain["cell"]
+    choices = page.choices(cell) if "item" not in plain else []
+    options = []
+    for number, row in enumerate(plain["options"], start=1):
+        said = as_words(row["say"]).say(page.language) if "say" in row else ""
+        if row.get("unsure"):
+            label, text, types = "?", UNSURE.say(page.language), ("?", *(text.casefold() for text in UNSURE))
+        elif "text" in row:
+            words = as_words(row["text"])
+            label, text = str(number), words.say(page.language)
+            types = tuple(str(one).casefold() for one in (*words, *row.get("types", ())))
+        else:
+            label, text, reply = choices[number - 1]
+            said, types = said or reply, (label.casefold(),)
+        options.append(VoteOption(label, text, row["expect"], bool(row.get("right")), said, types))
+    question = page.item(cell, plain["item"]) if "item" in plain else page.text(cell)
+    answer = plain.get("answer", plain["name"].replace("-", "_"))
+    return Vote(stem, plain["name"], plain.get("after", cell), answer, question or "", tuple(options))
