@@ -16,8 +16,8 @@ from tflab.workbook.words import Words
 
 from ..reports.html import text
 from .lecture import LecturedPage
-from .sheets import inline, markdown, sheet
-from .teaching import Teaching
+from .sheets import grid, inline, markdown, sheet
+from .teaching import BlankTable, Teaching
 
 __all__ = ["cards", "without_answers"]
 
@@ -67,10 +67,17 @@ def _of_chapter(teaching: Teaching, page: LecturedPage, said: str) -> Iterator[s
             asked = FOLD.sub("", re.sub(r"^#+ .*$", "", page.cells[cell], count=1, flags=re.MULTILINE))
             heading = f"<h2>{inline(name)} · {text(PREDICT.say(said))}</h2>"
             yield f'<div class="sheet">{heading}{who}{markdown(asked)}{lines}</div>'
-    for cell, keep in teaching.tables:
-        table = markdown(without_answers(page.cells[cell], keep))
-        yield f'<div class="sheet blank"><h2>{inline(name)} · {text(BLANK.say(said))}</h2>{table}</div>'
+    for table in teaching.tables:
+        html = _blank(table, page)
+        yield f'<div class="sheet blank"><h2>{inline(name)} · {text(BLANK.say(said))}</h2>{html}</div>'
     ticket = page.ticket()
     if ticket is not None:
         slip = f'<div class="slip"><p><b>{inline(name)}</b></p>{who}{markdown(ticket.asked)}{lines}</div>'
         yield f'<div class="sheet">{slip * TICKETS}</div>'
+
+
+def _blank(table: BlankTable, page: LecturedPage) -> str:
+    if table.heads is None:
+        return markdown(without_answers(page.cells[table.cell], table.keep))
+    heads = table.heads.say(page.language).split("|")
+    return grid(heads, [[text(row), *[""] * (len(heads) - 1)] for row in table.rows])

@@ -13,10 +13,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from tflab.workbook.course.course import Chapter, Course
+from tflab.workbook.course.misconceptions import MISCONCEPTIONS
 from tflab.workbook.words import Words
 
 from ..reports.html import text
-from ..reports.misconceptions import MISCONCEPTIONS
 from .counts import ENOUGH, Counts, share
 from .lecture import LecturedPage
 from .sheets import grid, inline, markdown

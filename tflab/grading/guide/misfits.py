@@ -16,8 +16,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from tflab.workbook.course.course import Chapter, Course
+from tflab.workbook.course.misconceptions import MISCONCEPTIONS
 
-from ..reports.misconceptions import MISCONCEPTIONS
 from .lecture import LecturedPage
 from .teaching import Marking, Teaching
 
@@ -74,7 +74,11 @@ def _marking(marking: Marking, asked: Sequence[int], rubrics: Mapping[int, Seque
 
 def _plan(teaching: Teaching, page: LecturedPage) -> Iterator[str]:
     before = -1
+    task = re.compile(rf"E{int(teaching.stem[:2])}\.\d+")
     for row in teaching.plan:
+        for name in row.lab:
+            if not task.fullmatch(name) and name not in page.cells:
+                yield f"plan: `{name}` is no task and no cell of this chapter"
         if not row.slide:
             continue
         at = page.shown.get(row.slide)
@@ -103,7 +107,7 @@ def _demos(teaching: Teaching, page: LecturedPage) -> Iterator[str]:
 
 
 def _tables(teaching: Teaching, page: LecturedPage) -> Iterator[str]:
-    for cell, _ in teaching.tables:
+    for cell in (table.cell for table in teaching.tables if table.heads is None):
         if not re.search(r"^\|", page.cells.get(cell, ""), re.MULTILINE):
             yield f"tables: the page has no table in a cell `{cell}`"
 
@@ -147,7 +151,7 @@ def _named_options(vote: Mapping[str, Any], page: LecturedPage) -> Iterator[str]
     item = page.item(vote["cell"], vote["item"]) if "item" in vote and "options_in" not in vote else page.cells[cell]
     said = f"{item}\n{page.notes.get(cell, '')}"
     for option in vote["options"]:
-        if "text" in option and option["text"][page.language] not in said:
+        if "text" in option and option.get("quote", option["text"])[page.language] not in said:
             yield f'"{option["text"][page.language]}" is no option of the page, cell `{cell}` ({page.language})'
         if "say" not in option:
             yield f"an option without a reply: {option.get('text', {'en': 'unsure'})['en']}; write `say`"

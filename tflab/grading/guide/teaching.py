@@ -9,6 +9,7 @@
       marking     of a practice question: a full, a half and a wrong sample
       ticket      what to do with each pile of exit tickets
       handover    what follows: the exercises, and what to look for in class.html
+      tables      to fill in, on the board or on paper
 
 What is to be read stands as {en: ..., ko: ...}.  What is wrong with the form of a file is
 found while it is read, all of it at once.  Read `vote.py` next.
@@ -26,8 +27,8 @@ import yaml
 from tflab.workbook.places import workbook_data
 from tflab.workbook.words import LANGUAGES, Words
 
-__all__ = ["TEACHING", "Demo", "Marking", "PlanRow", "Sample", "Teaching", "TeachingError", "as_words", "read_teaching",
-           "read_yaml"]  # fmt: skip
+__all__ = ["TEACHING", "BlankTable", "Demo", "Marking", "PlanRow", "Sample", "Teaching", "TeachingError", "as_words",
+           "read_teaching", "read_yaml"]  # fmt: skip
 
 TEACHING = Path("solutions", "teaching")
 WHO = ("you", "room", "pairs", "each")
@@ -38,11 +39,11 @@ PARTS: dict[str, tuple[set[str], set[str]]] = {
     "plan": ({"minutes", "who", "do"}, {"slide", "lab", "late"}),
     "demos": ({"cell", "do", "see", "fails"}, {"types", "figure"}),
     "votes": ({"name", "cell", "options"}, {"item", "after", "answer", "options_in"}),
-    "options": ({"expect"}, {"text", "types", "right", "say", "unsure"}),
+    "options": ({"expect"}, {"text", "quote", "types", "right", "say", "unsure"}),
     "questions": ({"ask", "answer"}, set()),
     "marking": ({"question", "full", "half", "wrong", "because"}, {"half_has", "note"}),
     "ticket": ({"full", "half", "none"}, set()),
-    "tables": ({"cell", "keep"}, set()),
+    "tables": (set(), {"cell", "keep", "blank", "rows"}),
 }
 WHOLE = ({"brings", "plan", "demos", "votes", "questions", "ticket", "handover"}, {"marking", "tables"})
 
@@ -100,6 +101,16 @@ class Marking:
 
 
 @dataclass(frozen=True)
+class BlankTable:
+    """A table to fill in: one of the page, whose columns `keep` stay (from 1), or heads parted by |, and first cells."""
+
+    cell: str = ""
+    keep: tuple[int, ...] = ()
+    heads: Words | None = None
+    rows: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
 class Teaching:
     """What one file says; `votes` is plain, as `vote.py` takes it."""
 
@@ -113,7 +124,7 @@ class Teaching:
     markings: tuple[Marking, ...]
     ticket: Mapping[str, Words]
     handover: Words
-    tables: tuple[tuple[str, tuple[int, ...]], ...]
+    tables: tuple[BlankTable, ...]
 
 
 def read_teaching(stem: str, data: Path | None = None) -> Teaching:
@@ -140,7 +151,7 @@ def read_teaching(stem: str, data: Path | None = None) -> Teaching:
         tuple(_marking(row) for row in found.get("marking", ())),
         {name: as_words(text) for name, text in found["ticket"].items()},
         as_words(found["handover"]),
-        tuple((row["cell"], tuple(row["keep"])) for row in found.get("tables", ())),
+        tuple(_table(row) for row in found.get("tables", ())),
     )
 
 
@@ -228,6 +239,11 @@ def _row(row: Mapping[str, Any]) -> PlanRow:
 def _demo(row: Mapping[str, Any]) -> Demo:
     said = (as_words(row[name]) for name in ("do", "see", "fails"))
     return Demo(row["cell"], *said, row.get("types", "").strip(), row.get("figure", ""))
+
+
+def _table(row: Mapping[str, Any]) -> BlankTable:
+    heads = as_words(row["blank"]) if "blank" in row else None
+    return BlankTable(row.get("cell", ""), tuple(row.get("keep", ())), heads, tuple(row.get("rows", ())))
 
 
 def _marking(row: Mapping[str, Any]) -> Marking:

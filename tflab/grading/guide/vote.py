@@ -8,8 +8,8 @@
         - {text: {en: "50", ko: "50번"}, expect: 45, say: {en: ..., ko: ...}}
 
 Where the page replies to each option (a checkpoint), options stand there, and here only
-what is expected of each, in their order.  `unsure: true` is the option of whoever does
-not know, which no page has to name.
+what is expected of each, in their order.  `quote` is how the page words it, if it is not
+the text; `unsure: true` is the option of whoever does not know, which no page has to name.
 
 *Peer instruction* (Mazur): below 35 % right explain again, up to 70 % let neighbours
 argue and vote again, above that go on.  Read `misfits.py` next.
