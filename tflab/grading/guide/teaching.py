@@ -102,7 +102,7 @@ class Marking:
 
 @dataclass(frozen=True)
 class BlankTable:
-    """A table to fill in: one of the page, whose columns `keep` stay (from 1), or heads parted by |, and first cells."""
+    """A table to fill in: one of the page, whose columns `keep` stay (from 1), or heads, parted by |, and rows."""
 
     cell: str = ""
     keep: tuple[int, ...] = ()
