@@ -31,6 +31,7 @@
     suspects   who is left, and which question would tell the most
     order      in which order was it asked, and when was it clear
     owners     who says each edge, from which data, by which switch
+    gain       what has been learnt between two tests
     panels/    the same, with sliders
     marks      lines, boxes and words as SVG and PDF
     tree       who is whose child
