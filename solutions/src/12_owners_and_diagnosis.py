@@ -1,7 +1,7 @@
 # %% [markdown] lang="en" name="title"
 # # Exercises 12 · Who says so?
 #
-# Seven tasks, 30 points, about 90 minutes. The page they belong to: [12 · Who says so?](../../notebooks/en/12_owners_and_diagnosis.ipynb)
+# Eight tasks, 31 points, about 105 minutes. The page they belong to: [12 · Who says so?](../../notebooks/en/12_owners_and_diagnosis.ipynb)
 #
 # Write your answer where it says `...` or `your turn`, run the cell, then run the check below it.
 # A wrong answer is told which mistake it looks like. `hint("E12.1")` gives the first of three hints.
@@ -10,7 +10,7 @@
 # %% [markdown] lang="ko" name="title"
 # # 연습 문제 12 · 누가 그렇게 말합니까?
 #
-# 과제 일곱 개, 30점, 90분쯤 걸립니다. 함께 보는 페이지: [12 · 누가 그렇게 말합니까?](../../notebooks/ko/12_owners_and_diagnosis.ipynb)
+# 과제 여덟 개, 31점, 105분쯤 걸립니다. 함께 보는 페이지: [12 · 누가 그렇게 말합니까?](../../notebooks/ko/12_owners_and_diagnosis.ipynb)
 #
 # `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 셀을 실행한 다음, 아래의 확인 셀을 실행해 보세요.
 # 틀린 답을 내면 어떤 실수로 보이는지 알려 줍니다. `hint("E12.1")`은 세 힌트 가운데 첫 번째를 보여 줍니다.
@@ -319,6 +319,309 @@ def triage(patient):
 
 # %% name="e12-7-check" tags=["check"]
 check("E12.7", triage)
+
+# %% [markdown] lang="en" name="e12-8"
+# ## E12.8 · Fifteen questions, after (1 point)
+#
+# Do you remember? The same ideas as at the very beginning, with other numbers. Then you may see both.
+# Again nothing is marked, and again without looking anything up: one letter for each, from `"a"` to `"d"`, a `?` behind it if you guess, `"e"` if you do not know.
+# When all fifteen are answered, `check` opens both forms, with a sentence for each option. If you have not answered [E0.1](E00_start.ipynb) yet, there is no before to compare with.
+
+# %% [markdown] lang="ko" name="e12-8"
+# ## E12.8 · 열다섯 문제, 끝 (1점)
+#
+# 기억납니까? 맨 처음에 만난 것과 같은 내용이고 숫자만 다릅니다. 답하고 나면 두 형을 모두 볼 수 있습니다.
+# 이번에도 채점하지 않습니다. 아무것도 찾아보지 말고, 문제마다 `"a"`에서 `"d"`까지 글자 하나를 쓰십시오. 짐작이면 뒤에 `?`를 붙이고, 모르면 `"e"`를 쓰십시오.
+# 열다섯 문제에 모두 답하면 `check`가 두 형을 열고 보기마다 한 문장씩 설명합니다. [E0.1](E00_start.ipynb)에 아직 답하지 않았다면 비교할 처음이 없습니다.
+
+# %% [markdown] lang="en" name="questions"
+# Where nothing else is said: *x* is ahead, *y* is to the left, *z* is up, and lengths are in metres. (2, 0) is two metres ahead.
+
+# %% [markdown] lang="ko" name="questions"
+# 따로 말하지 않으면 *x*는 앞쪽, *y*는 왼쪽, *z*는 위쪽이고, 길이의 단위는 미터입니다. (2, 0)은 2미터 앞입니다.
+
+# %% [markdown] lang="en" name="question-1"
+# **1.** A laser is bolted on 0.3 ahead of a robot's middle, turned 90° to the right. It reports a ball at (1.5, 0), straight ahead of itself. Where is the ball for the robot?
+#
+# - **a** (0, 1.2)
+# - **b** (1.8, 0)
+# - **c** (0, −1.8)
+# - **d** (0.3, −1.5)
+# - **e** I do not know
+
+# %% [markdown] lang="ko" name="question-1"
+# **1.** 레이저가 로봇의 한가운데에서 0.3 앞에, 오른쪽으로 90° 돌려서 달려 있습니다. 레이저가 공이 자기 정면 (1.5, 0)에 있다고 알립니다. 로봇을 기준으로 공은 어디에 있습니까?
+#
+# - **a** (0, 1.2)
+# - **b** (1.8, 0)
+# - **c** (0, −1.8)
+# - **d** (0.3, −1.5)
+# - **e** 모르겠습니다
+
+# %% [markdown] lang="en" name="question-2"
+# **2.** In a drawing an arrow goes from a charging dock to a robot, and beside it stands (4, 1, 0). A bolt sits exactly at the robot's own origin. What follows?
+#
+# - **a** For the dock, the bolt is at (−4, −1, 0).
+# - **b** What is known for the dock can be turned into the robot's numbers, but not back.
+# - **c** Only by which route messages go.
+# - **d** For the dock, the bolt is at (4, 1, 0).
+# - **e** I do not know
+
+# %% [markdown] lang="ko" name="question-2"
+# **2.** 그림에서 충전대에서 로봇으로 화살표가 그려져 있고, 그 옆에 (4, 1, 0)이라고 적혀 있습니다. 볼트 하나가 정확히 로봇의 원점에 있습니다. 이로부터 알 수 있는 것은 무엇입니까?
+#
+# - **a** 충전대를 기준으로 볼트는 (−4, −1, 0)에 있습니다.
+# - **b** 충전대 기준의 값을 로봇 기준으로 옮길 수 있지만, 거꾸로는 옮길 수 없습니다.
+# - **c** 메시지가 지나는 길만 알 수 있습니다.
+# - **d** 충전대를 기준으로 볼트는 (4, 1, 0)에 있습니다.
+# - **e** 모르겠습니다
+
+# %% [markdown] lang="en" name="question-3"
+# **3.** Seen from A, B is at (3, 0) and turned 90° to the right. Where is A, seen from B?
+#
+# - **a** (0, 3)
+# - **b** (0, −3)
+# - **c** (−3, 0)
+# - **d** (3, 0)
+# - **e** I do not know
+
+# %% [markdown] lang="ko" name="question-3"
+# **3.** A에서 보면 B는 (3, 0)에 있고 오른쪽으로 90° 돌아 있습니다. B에서 보면 A는 어디에 있습니까?
+#
+# - **a** (0, 3)
+# - **b** (0, −3)
+# - **c** (−3, 0)
+# - **d** (3, 0)
+# - **e** 모르겠습니다
+
+# %% [markdown] lang="en" name="question-4"
+# **4.** A camera's software counts x to the right, y down, z ahead. A cup stands 3 ahead of it and 0.4 to the right, at the same height. What does it write?
+#
+# - **a** (0.4, 0, 3)
+# - **b** (3, −0.4, 0)
+# - **c** (0, −3, 0.4)
+# - **d** (−0.4, 0, 3)
+# - **e** I do not know
+
+# %% [markdown] lang="ko" name="question-4"
+# **4.** 어떤 카메라 소프트웨어는 x를 오른쪽, y를 아래쪽, z를 앞쪽으로 셉니다. 컵이 카메라의 앞 3, 오른쪽 0.4에, 카메라와 같은 높이에 있습니다. 이 소프트웨어는 무엇이라고 적습니까?
+#
+# - **a** (0.4, 0, 3)
+# - **b** (3, −0.4, 0)
+# - **c** (0, −3, 0.4)
+# - **d** (−0.4, 0, 3)
+# - **e** 모르겠습니다
+
+# %% [markdown] lang="en" name="question-5"
+# **5.** The turn of a part is sent as four numbers; “not turned” is (0, 0, 0, 1). Another library writes “not turned” as (1, 0, 0, 0), and just so it is sent. What happens?
+#
+# - **a** It is recognised: not turned.
+# - **b** It is refused: of the wrong length.
+# - **c** The sender stops with an error.
+# - **d** It is accepted, and the part is upside down.
+# - **e** I do not know
+
+# %% [markdown] lang="ko" name="question-5"
+# **5.** 부품의 회전은 숫자 네 개로 보내며, ‘돌지 않음’은 (0, 0, 0, 1)입니다. 다른 라이브러리는 ‘돌지 않음’을 (1, 0, 0, 0)으로 적고, 그것을 그대로 보냅니다. 무슨 일이 일어납니까?
+#
+# - **a** 알아서 ‘돌지 않음’으로 읽습니다.
+# - **b** 길이가 맞지 않아 거절됩니다.
+# - **c** 보내는 쪽이 오류를 내고 멈춥니다.
+# - **d** 받아들여지고, 부품은 위아래가 뒤집힙니다.
+# - **e** 모르겠습니다
+
+# %% [markdown] lang="en" name="question-6"
+# **6.** Two programs each say 20 times a second where the robot is: one “at 3.0”, the other “at 3.6”. You ask for moments in between the messages. What do you get?
+#
+# - **a** an error
+# - **b** 3.0, 3.6 and anything between, changing
+# - **c** always 3.3
+# - **d** the one that sends more often
+# - **e** I do not know
+
+# %% [markdown] lang="ko" name="question-6"
+# **6.** 두 프로그램이 저마다 1초에 20번씩 로봇의 위치를 알립니다. 하나는 “3.0에 있다”, 다른 하나는 “3.6에 있다”라고 합니다. 메시지와 메시지 사이 시각의 위치를 요청하면 무엇을 얻습니까?
+#
+# - **a** 오류
+# - **b** 3.0, 3.6, 그 사이의 값이 때에 따라 바뀌며 나옴
+# - **c** 언제나 3.3
+# - **d** 더 자주 보내는 쪽의 값
+# - **e** 모르겠습니다
+
+# %% [markdown] lang="en" name="question-7"
+# **7.** A robot's wheels have counted 25.0 from the door. A map shows it 25.8 from the door. The wheel program goes on saying “25.0 in my count”. What should the map program announce?
+#
+# - **a** “Set your count to 25.8.”
+# - **b** “Zero of that count is at −0.8 on the map.”
+# - **c** “Zero of that count is at +0.8 on the map.”
+# - **d** “The robot is at 25.8 on the map.”
+# - **e** I do not know
+
+# %% [markdown] lang="ko" name="question-7"
+# **7.** 로봇의 바퀴가 문에서부터 25.0을 세었습니다. 지도에서는 로봇이 문에서 25.8 떨어져 있습니다. 바퀴 프로그램은 계속해서 “내가 센 값으로 25.0”이라고 알립니다. 지도 프로그램은 무엇을 알려야 합니까?
+#
+# - **a** “센 값을 25.8로 고쳐라.”
+# - **b** “바퀴가 세기 시작한 0은 지도에서 −0.8에 있다.”
+# - **c** “바퀴가 세기 시작한 0은 지도에서 +0.8에 있다.”
+# - **d** “로봇은 지도에서 25.8에 있다.”
+# - **e** 모르겠습니다
+
+# %% [markdown] lang="en" name="question-8"
+# **8.** Two sources say where a robot is. S never jumps, but is 0.5 m off after ten minutes. J is right to 2 cm, but jumps 5 cm now and then. The charger is 40 m away, and the robot has driven for an hour. Which one gives the place of the charger?
+#
+# - **a** S, because it is smooth
+# - **b** the mean of both
+# - **c** J
+# - **d** neither: a source that jumps is broken
+# - **e** I do not know
+
+# %% [markdown] lang="ko" name="question-8"
+# **8.** 로봇의 위치를 알리는 것이 둘 있습니다. S는 튀지 않지만 10분 뒤에는 0.5 m 어긋납니다. J는 2 cm까지 정확하지만 가끔 5 cm씩 튑니다. 충전기는 40 m 떨어져 있고 로봇은 한 시간 동안 달렸습니다. 충전기의 위치를 알려면 어느 것을 씁니까?
+#
+# - **a** 매끄러운 S
+# - **b** 둘의 평균
+# - **c** J
+# - **d** 둘 다 쓰지 않음: 튀는 것은 고장입니다
+# - **e** 모르겠습니다
+
+# %% [markdown] lang="en" name="question-9"
+# **9.** A robot drives 0.8 m/s and turns 0.6 rad/s. A picture that is 0.25 s old shows a post 4 ahead. It is put on the map with the robot's place of now. By about how much is the post off?
+#
+# - **a** 0.15
+# - **b** 0.63
+# - **c** 0.20
+# - **d** 0: posts stand still
+# - **e** I do not know
+
+# %% [markdown] lang="ko" name="question-9"
+# **9.** 로봇이 0.8 m/s로 달리면서 0.6 rad/s로 돌고 있습니다. 0.25초 전에 찍은 영상에서 기둥이 앞 4에 있습니다. 이 기둥을 로봇의 현재 위치를 써서 지도에 놓습니다. 기둥은 얼마쯤 빗나갑니까?
+#
+# - **a** 0.15
+# - **b** 0.63
+# - **c** 0.20
+# - **d** 0: 기둥은 움직이지 않습니다
+# - **e** 모르겠습니다
+
+# %% [markdown] lang="en" name="question-10"
+# **10.** Messages that say where a robot was come 0.1 to 0.4 s late, each time otherwise, and only while the hall is full of phones. What do you do?
+#
+# - **a** set a clock
+# - **b** wait a little, and drop what is older
+# - **c** write the time of arrival into them
+# - **d** wait as long as it takes
+# - **e** I do not know
+
+# %% [markdown] lang="ko" name="question-10"
+# **10.** 로봇의 위치를 알리는 메시지가 0.1초에서 0.4초까지, 매번 다르게 늦게 옵니다. 전시장에 휴대전화가 가득할 때만 그렇습니다. 어떻게 합니까?
+#
+# - **a** 시계를 맞춥니다
+# - **b** 잠깐 기다리고, 그보다 늦은 것은 버립니다
+# - **c** 메시지에 도착한 시각을 써넣습니다
+# - **d** 올 때까지 기다립니다
+# - **e** 모르겠습니다
+
+# %% [markdown] lang="en" name="question-11"
+# **11.** A guide refuses in three ways: “I do not know this name” · “I know both places, but no road joins them” · “there is a road, but I know nothing of it for that hour”. After the third, what do you look at?
+#
+# - **a** the spelling
+# - **b** the missing stretch
+# - **c** times and clocks
+# - **d** a restart
+# - **e** I do not know
+
+# %% [markdown] lang="ko" name="question-11"
+# **11.** 안내원은 세 가지로 거절합니다. “그런 이름은 모릅니다” · “두 곳 다 알지만 잇는 길이 없습니다” · “길은 있지만 그 시각의 상황은 모릅니다”. 세 번째 말을 들었다면 무엇을 살펴봅니까?
+#
+# - **a** 철자
+# - **b** 빠진 구간
+# - **c** 시각과 시계
+# - **d** 다시 켜기
+# - **e** 모르겠습니다
+
+# %% [markdown] lang="en" name="question-12"
+# **12.** The angle of an arm is posted once, as if the arm were bolted on. Then the arm moves. What do the listeners do?
+#
+# - **a** They follow it.
+# - **b** They get an error: too old.
+# - **c** They lose it after ten seconds.
+# - **d** They see it where it was, without any error.
+# - **e** I do not know
+
+# %% [markdown] lang="ko" name="question-12"
+# **12.** 팔의 각도를 마치 고정된 부품처럼 한 번만 게시했습니다. 그 뒤에 팔이 움직입니다. 듣는 프로그램은 어떻게 됩니까?
+#
+# - **a** 따라서 움직입니다.
+# - **b** 너무 오래되었다는 오류를 받습니다.
+# - **c** 10초 뒤에 팔을 놓칩니다.
+# - **d** 예전 자리에 있는 것으로 보고, 오류는 나지 않습니다.
+# - **e** 모르겠습니다
+
+# %% [markdown] lang="en" name="question-13"
+# **13.** A recording of last week is replayed. All programs but one take their time from the recording. What is the first sign?
+#
+# - **a** none: that one runs a bit behind
+# - **b** that one asks for moments far away from all the others
+# - **c** the recording plays more slowly
+# - **d** the sensor is silent
+# - **e** I do not know
+
+# %% [markdown] lang="ko" name="question-13"
+# **13.** 지난주의 기록을 재생합니다. 프로그램 하나만 빼고 모두 기록의 시각을 따릅니다. 맨 처음 나타나는 증상은 무엇입니까?
+#
+# - **a** 증상이 없습니다. 그 프로그램이 조금 뒤처질 뿐입니다
+# - **b** 그 프로그램만 다른 프로그램과 동떨어진 시각의 것을 요청합니다
+# - **c** 기록이 느리게 재생됩니다
+# - **d** 센서에서 아무것도 오지 않습니다
+# - **e** 모르겠습니다
+
+# %% [markdown] lang="en" name="question-14"
+# **14.** One program says where Base_link is, all others ask for base_link. What do they find?
+#
+# - **a** the same: capitals do not count
+# - **b** a warning, and it is corrected
+# - **c** two different parts, and nothing joins them
+# - **d** what the last one calls it
+# - **e** I do not know
+
+# %% [markdown] lang="ko" name="question-14"
+# **14.** 프로그램 하나는 Base_link의 위치를 알리고, 나머지는 모두 base_link의 위치를 요청합니다. 어떻게 됩니까?
+#
+# - **a** 같은 것입니다. 대문자와 소문자를 구별하지 않습니다
+# - **b** 경고가 나오고 바로잡아집니다
+# - **c** 서로 다른 두 부품이고, 둘을 잇는 것은 없습니다
+# - **d** 마지막에 알린 쪽의 이름을 따릅니다
+# - **e** 모르겠습니다
+
+# %% [markdown] lang="en" name="question-15"
+# **15.** A viewer says “Ok, 360 points”, and all walls appear 0.4 m behind where they are. What do you do first?
+#
+# - **a** compare the laser's place on paper with a tape measure
+# - **b** change the sensor: it is worn
+# - **c** look at it from another fixed frame
+# - **d** nothing: it says Ok
+# - **e** I do not know
+
+# %% [markdown] lang="ko" name="question-15"
+# **15.** 화면 프로그램에 “Ok, 360 points”라고 나오는데, 모든 벽이 실제보다 0.4 m 뒤에 나타납니다. 맨 먼저 무엇을 합니까?
+#
+# - **a** 도면에 적힌 레이저의 자리를 줄자로 재어 비교합니다
+# - **b** 센서를 바꿉니다. 낡았습니다
+# - **c** 다른 고정 좌표계를 골라 봅니다
+# - **d** 아무것도 하지 않습니다. Ok라고 나옵니다
+# - **e** 모르겠습니다
+
+
+# %% name="e12-8-answer" tags=["answer"]
+after = {
+    # BEGIN SOLUTION
+    "1": "e", "2": "e", "3": "e", "4": "e", "5": "e",
+    "6": "e", "7": "e", "8": "e", "9": "e", "10": "e",
+    "11": "e", "12": "e", "13": "e", "14": "e", "15": "e",
+    # END SOLUTION
+}
+
+# %% name="e12-8-check" tags=["check"]
+check("E12.8", after)
 
 # %% [markdown] lang="en" name="after"
 # ## What you have shown

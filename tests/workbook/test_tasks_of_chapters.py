@@ -78,7 +78,7 @@ def test_a_task_says_everything_twice_and_does_not_tell_the_answer(stem, task):
         assert words.en.strip() and words.ko.strip()
         assert re.search("[가-힣]", words.ko), f"not in Korean: {words.ko}"
         assert not re.search("[가-힣]", words.en), f"not in English: {words.en}"
-    assert len({words.en for words in task.hints}) == 3
+    assert len({words.en for words in task.hints}) == (0 if task.counts else 3)
     assert len({twin.reply.en for twin in task.twins}) == len(task.twins), "two mistakes get one reply"
 
 
@@ -91,9 +91,10 @@ def test_what_may_vary_has_variants_and_mistakes_are_foreseen(stem, task):
 
 
 @pytest.mark.parametrize("stem", STEMS)
-def test_a_chapter_has_five_to_seven_tasks_in_order(stem):
-    ids = [task.id for task in read_tasks(SOLUTIONS / "tasks" / stem)]
-    assert 5 <= len(ids) <= 7
+def test_a_chapter_has_five_to_seven_tasks_in_order_beside_the_test(stem):
+    tasks = read_tasks(SOLUTIONS / "tasks" / stem)
+    ids = [task.id for task in tasks]
+    assert stem == "00_start" or 5 <= sum(not task.counts for task in tasks) <= 7
     assert ids == [f"E{int(stem[:2])}.{number}" for number in range(1, len(ids) + 1)]
 
 

@@ -10,6 +10,7 @@ In an exercise one calls four functions:
     answers/      what an answer may be, and when two are the same
     tasks/        a task, its right answer, its wrong ones; what is said of each
     trying        what became of an answer, and what is said of it
+    inventory/    a test before and after; nothing in it is marked
     checks        check, hint, solution, task
     reply         how a reply looks
     progress      what was tried, and what was passed

@@ -25,6 +25,7 @@ from typing import Any
 from . import progress
 from .answers.showing import show_all
 from .answers.values import Plain, from_plain
+from .inventory.taking_part import NO_HELP, say_taken_part
 from .places import CASES, Workbook, WorkbookError, read_workbook, workbook_data, workbook_root
 from .reply import show_reply
 from .tasks.blank import without_marks
@@ -81,7 +82,11 @@ def check(task_id: str, answer: Any = NOTHING) -> float | None:
         verdict, outcomes = tried_on(assigned, answer)
         if verdict.mistake is not Mistake.UNANSWERED:
             progress.record_try(assigned.root, assigned.id, verdict.passed, verdict.of, next(iter(verdict.slips), None))
-        _say(assigned, verdict, outcomes)
+        if assigned.cases.counts and verdict.mistake is not Mistake.UNANSWERED:
+            language, form = assigned.workbook.language, assigned.cases.form
+            say_taken_part(assigned.id, assigned.root, language, form, verdict, outcomes[0])
+        else:
+            _say(assigned, verdict, outcomes)
     if os.environ.get("NBGRADER_EXECUTION"):
         return round(assigned.cases.points * verdict.passed / verdict.of, 4)
     return None
@@ -93,6 +98,9 @@ def hint(task_id: str) -> None:
         assigned = _find(task_id)
     except (WorkbookError, TaskError) as error:
         show_reply(task_id, str(error))
+        return
+    if assigned.cases.counts:
+        show_reply(assigned.id, assigned.words(NO_HELP))
         return
     number = progress.record_hint(assigned.root, assigned.id) or _hints_seen.get(assigned.id, 0) + 1
     _hints_seen[assigned.id] = number
@@ -108,8 +116,8 @@ def solution(task_id: str) -> None:
     except (WorkbookError, TaskError) as error:
         show_reply(task_id, str(error))
         return
-    if assigned.workbook.edition == "class":
-        show_reply(assigned.id, assigned.phrase("solution_of_class"))
+    if assigned.cases.counts or assigned.workbook.edition == "class":
+        show_reply(assigned.id, assigned.words(NO_HELP if assigned.cases.counts else PHRASES["solution_of_class"]))
         return
     tried = progress.attempts(assigned.root, assigned.id)
     is_copy = assigned.root != workbook_data()

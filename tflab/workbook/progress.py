@@ -19,7 +19,7 @@ from pathlib import Path
 from .places import MARK
 from .whole_files import locked, write_whole
 
-__all__ = ["FILE", "FORMAT", "Attempts", "attempts", "read_progress", "record_hint", "record_try"]
+__all__ = ["FILE", "FORMAT", "Attempts", "attempts", "read_progress", "record_answers", "record_hint", "record_try"]
 
 FILE = "progress.json"
 FORMAT = 1
@@ -35,6 +35,7 @@ class Attempts:
         passed: whether any try got everything right.
         best: the most that was right at once, and `of` how many, in that try.
         twins: the mistakes that were named, by name, and how often.
+        answers: where taking part counts, the first complete answers.
     """
 
     tries: int = 0
@@ -43,6 +44,7 @@ class Attempts:
     best: int = 0
     of: int = 0
     twins: dict[str, int] = field(default_factory=dict)
+    answers: dict[str, str] = field(default_factory=dict)
 
 
 def record_try(root: Path, task_id: str, passed: int, of: int, twin: str | None = None) -> None:
@@ -66,6 +68,15 @@ def record_hint(root: Path, task_id: str) -> int:
         task.hints += 1
 
     return _change(Path(root), task_id, hinted).hints
+
+
+def record_answers(root: Path, task_id: str, answers: dict[str, str]) -> dict[str, str]:
+    """Write down somebody's answers if these are the first; return those that are kept, {} where nothing is."""
+
+    def answered(task: Attempts) -> None:
+        task.answers = task.answers or dict(answers)
+
+    return _change(Path(root), task_id, answered).answers
 
 
 def attempts(root: Path, task_id: str) -> Attempts:

@@ -16,8 +16,9 @@ from __future__ import annotations
 import html
 import re
 from collections.abc import Sequence
+from typing import Any
 
-__all__ = ["as_html", "show_reply"]
+__all__ = ["as_html", "show_page", "show_reply"]
 
 CODE = re.compile(r"`([^`\n]+)`")
 CALL = re.compile(r"\b[a-z_]\w*\((?:[^()\n]|\([^()\n]*\))*\)")
@@ -49,6 +50,16 @@ def show_reply(head: str, said: str = "", more: Sequence[str] = (), kind: str = 
     from IPython.display import display
 
     display({"text/plain": text, "text/html": as_html(head, said, more, kind)}, raw=True)
+
+
+def show_page(page: Any) -> None:
+    """Show a page that has both HTML and a `text`."""
+    if not _is_notebook():
+        print(page.text)
+        return
+    from IPython.display import display
+
+    display(page)
 
 
 def as_html(head: str, said: str, more: Sequence[str], kind: str) -> str:

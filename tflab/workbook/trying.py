@@ -3,7 +3,7 @@
     task as a learner has it  +  answer  -->  outcomes  -->  verdict (verdict.py)  -->  words (mistake.py)
 
 `check` asks so about an exercise, and practice about what it has drawn.
-Read `checks.py` next.
+Read `inventory/` next.
 """
 
 from __future__ import annotations

@@ -3,6 +3,7 @@
     course.yaml     ->  notebooks/src/00_start.py     the cells "chapters-table"
                         README.md, README.ko.md       the table of chapters, and what is to come
     glossary.yaml   ->  notebooks/src/90_glossary.py  the whole page
+    inventory.yaml  ->  solutions/src/00_start.py     the questions of form A, and at the end of 12 those of form B
 
 `python -m tflab.workbook.course.contents` writes them; a test holds them in step.
 Read `course_map.py` next.
@@ -14,6 +15,9 @@ import re
 import sys
 from pathlib import Path
 
+from ..inventory.items import read_inventory
+from ..inventory.questions import SOURCES as FORM_PAGES
+from ..inventory.questions import with_questions
 from ..places import exercise_file, workbook_data
 from ..whole_files import write_whole
 from ..words import LANGUAGES, Words
@@ -25,6 +29,7 @@ __all__ = [
     "READMES",
     "START_PAGE",
     "chapter_table",
+    "form_pages",
     "glossary_page",
     "readme",
     "start_page",
@@ -125,6 +130,7 @@ def write_contents(root: Path) -> list[Path]:
     """Write the texts that are made from files; return the pages that changed."""
     changed = []
     texts = {START_PAGE: start_page(root), GLOSSARY_PAGE: glossary_page()}
+    texts |= form_pages(root)
     texts |= {path: readme(language, root) for language, path in READMES.items() if (root / path).is_file()}
     for page, text in texts.items():
         path = root / page
@@ -132,6 +138,15 @@ def write_contents(root: Path) -> list[Path]:
             write_whole(path, text)
             changed.append(page)
     return changed
+
+
+def form_pages(root: Path) -> dict[Path, str]:
+    """Return the sources of the two forms of the test with their questions as they should be."""
+    items = read_inventory()
+    pages = {form: Path(name) for form, name in FORM_PAGES.items()}
+    return {
+        path: with_questions((root / path).read_text(encoding="utf-8"), items, form) for form, path in pages.items()
+    }
 
 
 def _terms(chapter: Chapter, terms: list[Term], language: str) -> str:

@@ -16,13 +16,18 @@ from dataclasses import replace
 from difflib import get_close_matches
 from typing import Any
 
+import yaml
+
+from ..inventory.balance import imbalances
+from ..inventory.items import FORMS, parsed
+from ..inventory.questions import with_questions
 from ..tasks.blank import BlankError, blank, regions
 from ..tasks.task import Task, slug
 from ..words import LANGUAGES
 from .editions import Outputs, task_of
 from .source import Page, PageFault, SourceCell
 
-__all__ = ["exercise_faults", "score_faults", "untouched", "untouched_faults"]
+__all__ = ["exercise_faults", "form_faults", "score_faults", "untouched", "untouched_faults"]
 
 CALLS = ("check", "hint", "solution", "task")
 
@@ -34,6 +39,31 @@ def exercise_faults(page: Page, tasks: Sequence[Task]) -> list[PageFault]:
     for cell in page.code:
         found += _cell(page, cell, ids)
     return sorted(set(found), key=lambda fault: (fault.line, fault.wrong))
+
+
+def form_faults(page: Page, tasks: Sequence[Task]) -> list[PageFault]:
+    """Return what is wrong with the form of the test that a page holds, if it holds one."""
+    form = next((form for form, task_id in FORMS.items() if task_id in {task.id for task in tasks}), None)
+    path = page.path.parents[1] / "inventory.yaml"
+    if form is None or not path.is_file():
+        return []
+    try:
+        items = parsed(path.read_text(encoding="utf-8"))
+    except (KeyError, TypeError, ValueError, AttributeError, yaml.YAMLError) as error:
+        wrong = f"the items of the test cannot be read: {type(error).__name__}: {error}"
+        return [PageFault(f"solutions/{path.name}", 1, "", wrong, "mend it; its head says what an item holds")]
+    remedy = "weigh both forms again"
+    faults = [PageFault(f"solutions/{path.name}", 1, "", wrong, remedy) for wrong in imbalances(items, form)]
+    source = page.path.read_text(encoding="utf-8")
+    try:
+        in_step = with_questions(source, items, form) == source
+    except LookupError as error:
+        return [*faults, page.fault(None, str(error), "add them, in this order")]
+    cell = _find(page, "questions", "en")
+    out_of_step = page.fault(
+        cell, "the questions are not those of solutions/inventory.yaml", "run: python -m tflab.workbook.course.contents"
+    )
+    return faults if in_step else [*faults, out_of_step]
 
 
 def score_faults(page: Page, tasks: Iterable[str], outputs: Outputs) -> list[PageFault]:

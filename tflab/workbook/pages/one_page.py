@@ -29,7 +29,7 @@ from ..tasks.task import TaskError, read_tasks, task_file
 from ..words import LANGUAGES
 from .editions import exercise_notebook, lecture_notebook, text_of
 from .execute import Outputs, run_page
-from .exercise_rules import exercise_faults, score_faults, untouched, untouched_faults
+from .exercise_rules import exercise_faults, form_faults, score_faults, untouched, untouched_faults
 from .rules import page_faults
 from .source import Page, PageError, PageFault, read_page
 
@@ -99,7 +99,7 @@ def _cases(page: Page) -> tuple[dict[str, TaskCases], list[Tested], list[PageFau
         tasks = read_tasks(folder)
     except TaskError as error:
         return {}, [], [page.fault(None, str(error), "mend the chapter's tasks")]
-    faults = exercise_faults(page, tasks)
+    faults = exercise_faults(page, tasks) + form_faults(page, tasks)
     solution = Solution(page.stem, [CodeCell(cell.name, cell.source) for cell in page.code])
     made, tests = {}, []
     with in_process_ros():

@@ -42,9 +42,10 @@ from ..answers.forms import (
     Vector,
 )
 from ..words import Words
-from .task import Slip, Task, Twin
+from .task import TAKING_PART, Slip, Task, Twin
 
 __all__ = [
+    "TAKING_PART",
     "Angle",
     "Choice",
     "Command",

@@ -89,10 +89,14 @@ class TaskCases(NamedTuple):
     variants: tuple[Variant, ...]
     means: dict[str, Words] = {}  # noqa: RUF012  what each option would mean
     shows: dict[str, Words] = {}  # noqa: RUF012  what each part shows instead
+    counts: str = ""  # as of a Task
 
     def plain(self) -> dict[str, Plain]:
-        """Return the task as JSON has it."""
-        return self._asdict() | {
+        """Return the task as JSON has it; what counts only where it is not being right."""
+        held = self._asdict()
+        if not self.counts:
+            del held["counts"]
+        return held | {
             "title": self.title.plain(),
             "form": self.form.plain(),
             "hints": [hint.plain() for hint in self.hints],
@@ -119,6 +123,7 @@ class TaskCases(NamedTuple):
             variants=tuple(map(Variant.from_plain, plain["variants"])),
             means={name: Words(**words) for name, words in plain["means"].items()},
             shows={name: Words(**words) for name, words in plain["shows"].items()},
+            counts=plain.get("counts", ""),
         )
 
     @classmethod

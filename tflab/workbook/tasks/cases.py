@@ -103,6 +103,7 @@ def task_cases(
         variants=tuple(_variant(task, seed, number, solution, fewest_inputs) for number in range(count)),
         means=task.means,
         shows=task.shows,
+        counts=task.counts,
     )
 
 

@@ -30,10 +30,22 @@ from typing import Any
 
 import numpy as np
 
-from ..answers.forms import Form
+from ..answers.forms import Form, Parts
 from ..words import Words
 
-__all__ = ["KINDS", "Slip", "Task", "TaskError", "Twin", "chapter_of", "read_tasks", "slug", "task_file", "variant_of"]
+__all__ = [
+    "KINDS",
+    "TAKING_PART",
+    "Slip",
+    "Task",
+    "TaskError",
+    "Twin",
+    "chapter_of",
+    "read_tasks",
+    "slug",
+    "task_file",
+    "variant_of",
+]
 
 KINDS = {
     "N": "a number",
@@ -44,6 +56,7 @@ KINDS = {
     "M": "a choice",
     "C": "a command or a message",
 }
+TAKING_PART = "taking part"  # what counts where no answer is right or wrong
 TASK_ID = re.compile(r"E(\d{1,2})\.(\d{1,2})")
 
 
@@ -103,7 +116,7 @@ class Task:
         title: of the task.
         answer: the name that the answer cell defines.
         form: of the value, or of the function's result.
-        hints: three, coarse to fine.
+        hints: three, coarse to fine; none where taking part counts.
         given: draws what the learner is shown: rng -> {name: value}; None if nothing varies.
         inputs: draws arguments: rng -> list of tuples; if set, the answer is a function.
         variants: how many public ones are drawn.
@@ -113,6 +126,7 @@ class Task:
         equivalent: mutants of the solution that are right, and why (see mutants.py).
         cures: misconceptions that it looks for.
         is_costly: whether its cases take seconds each, so that tests draw few.
+        counts: TAKING_PART if points are for answering all parts, whatever the answers are; else "".
     """
 
     id: str
@@ -121,7 +135,7 @@ class Task:
     title: Words
     answer: str
     form: Form
-    hints: tuple[Words, Words, Words]
+    hints: tuple[Words, ...]
     given: Callable[[np.random.Generator], dict[str, Any]] | None = None
     inputs: Callable[[np.random.Generator], list[tuple]] | None = None
     variants: int = 1
@@ -132,13 +146,16 @@ class Task:
     equivalent: dict[str, str] = field(default_factory=dict)
     cures: tuple[str, ...] = ()
     is_costly: bool = False
+    counts: str = ""
 
     def __post_init__(self) -> None:
         if not TASK_ID.fullmatch(self.id):
             raise TaskError(f'"{self.id}" is no task id; it should look like "E3.2"')
         if self.kind not in KINDS:
             raise TaskError(f'{self.id}: there is no kind "{self.kind}"; there is {", ".join(KINDS)}')
-        if len(self.hints) != 3:
+        if self.counts:
+            self._refuse_help()
+        elif len(self.hints) != 3:
             raise TaskError(f"{self.id}: three hints, coarse to fine, not {len(self.hints)}")
         if self.points < 1 or self.variants < 1 or not self.answer.isidentifier():
             raise TaskError(f"{self.id}: points and variants count from 1, and `answer` is a name")
@@ -147,6 +164,13 @@ class Task:
             raise TaskError(f"{self.id}: slips are steps of a `model`, and there is none")
         if len(set(names)) < len(names):
             raise TaskError(f"{self.id}: two twins have one name: {', '.join(names)}")
+
+    def _refuse_help(self) -> None:
+        """Raise TaskError if there is anything to be right about where taking part counts."""
+        if self.counts != TAKING_PART:
+            raise TaskError(f'{self.id}: what counts is being right, "", or "{TAKING_PART}", not "{self.counts}"')
+        if self.hints or self.twins or not isinstance(self.form, Parts):
+            raise TaskError(f"{self.id}: where taking part counts, the answer is Parts, without hints or twins")
 
 
 def chapter_of(task_id: str) -> int:

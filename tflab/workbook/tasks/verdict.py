@@ -68,6 +68,8 @@ def judge_outcomes(task: TaskCases, variant: Variant, outcomes: Sequence[Plain])
         outcomes: for each case what came out, as `to_plain` writes it; of a value task, the one value.
     """
     form, cases = task.form, variant.cases
+    if task.counts:
+        return _taking_part(form, outcomes[0])
     rights = [sealed.judge(form, outcome, case.expected) for case, outcome in zip(cases, outcomes, strict=True)]
     if task.is_function:
         counted = evidence.credited(form, cases, outcomes, rights)
@@ -86,6 +88,18 @@ def judge_outcomes(task: TaskCases, variant: Variant, outcomes: Sequence[Plain])
     if found.follows and isinstance(form, Parts):  # one slip costs the part that it is made in, not what follows
         right = tuple(was or name in found.follows for was, name in zip(right, form.parts, strict=True))
     return Verdict(sum(right), len(right), mistake, found.slips, case, right, detail, found.said)
+
+
+def _taking_part(form: Parts, outcome: Plain) -> Verdict:
+    """Return how many parts were answered, each with one of its options; nothing is compared with anything."""
+    right = tuple(map(bool, form.read(outcome) or [()] * len(form.parts)))
+    if all(right):
+        return Verdict(len(right), len(right), right=right)
+    unanswered = is_unanswered(outcome)
+    mistake, detail = (Mistake.UNANSWERED, {}) if unanswered else _coarse(form, outcome) or (Mistake.TYPE, {})
+    return Verdict(
+        sum(right), len(right), mistake, right=right, detail={"certain": None, "got": kind_of(outcome)} | detail
+    )
 
 
 def kind_of(plain: Plain) -> str:

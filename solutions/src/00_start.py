@@ -1,0 +1,336 @@
+# %% [markdown] lang="en" name="title"
+# # Exercise 00 · Fifteen questions, before you know anything
+#
+# One task, about 15 minutes. The page it belongs to: [Start here](../../notebooks/en/00_start.ipynb).
+#
+# These are fifteen questions about robots, in everyday words.
+# You will meet them again at the end of the last chapter, with other numbers.
+# Nothing here is marked: wrong is useful, and guessing is fine if you say so. In a class, the point is for answering.
+#
+# Neither `check` nor your copy tells what is right until you have answered the second form, E12.8. Then both open, with a sentence for each option, and show what you have learnt and what to read again.
+# (tflab itself is public, and whoever digs in it finds the key, as in the back of a book. You would only spoil your own before and after.)
+
+# %% [markdown] lang="ko" name="title"
+# # 연습 문제 00 · 배우기 전에 풀어 보는 열다섯 문제
+#
+# 과제 하나, 15분쯤 걸립니다. 함께 보는 페이지: [여기서 시작합니다](../../notebooks/ko/00_start.ipynb).
+#
+# 로봇에 관한 열다섯 문제를 일상의 말로 묻습니다.
+# 마지막 장이 끝나면 숫자만 바뀐 같은 문제를 다시 만납니다.
+# 채점하지 않습니다. 틀린 답도 쓸모가 있고, 짐작했다고 밝히기만 하면 짐작도 좋습니다. 수업에서 주는 점수는 답한 데 대한 점수입니다.
+#
+# 두 번째 형인 E12.8에 답할 때까지는 `check`도, 내 워크북의 어떤 파일도 정답을 알려 주지 않습니다. 그때 두 형이 함께 열리고, 보기마다 한 문장씩 설명하며, 무엇을 배웠고 무엇을 다시 보면 좋을지 보여 줍니다.
+# (tflab은 공개되어 있으므로 책 뒤의 해답처럼 찾아내려면 찾을 수 있습니다. 그러면 자신의 처음과 끝을 비교할 수 없게 될 뿐입니다.)
+
+# %% name="load"
+# %load_ext tflab
+from tflab.workbook import check, task
+
+# %% [markdown] lang="en" name="e0-1"
+# ## E0.1 · Fifteen questions, before (1 point)
+#
+# Fifteen questions, fifteen minutes: answer without looking anything up, and go on where you do not know.
+# Write one letter for each into the cell below the last question, from `"a"` to `"d"`.
+# A `?` behind the letter means *I guessed*: `"c?"`. If you do not know, write `"e"`.
+
+# %% [markdown] lang="ko" name="e0-1"
+# ## E0.1 · 열다섯 문제, 처음 (1점)
+#
+# 열다섯 문제에 15분입니다. 아무것도 찾아보지 말고 풀고, 모르면 다음 문제로 넘어가십시오.
+# 마지막 문제 아래의 셀에 문제마다 `"a"`에서 `"d"`까지 글자 하나를 쓰십시오.
+# 글자 뒤의 `?`는 *짐작*이라는 뜻입니다. 예: `"c?"`. 모르면 `"e"`를 쓰십시오.
+
+# %% [markdown] lang="en" name="questions"
+# Where nothing else is said: *x* is ahead, *y* is to the left, *z* is up, and lengths are in metres. (2, 0) is two metres ahead.
+
+# %% [markdown] lang="ko" name="questions"
+# 따로 말하지 않으면 *x*는 앞쪽, *y*는 왼쪽, *z*는 위쪽이고, 길이의 단위는 미터입니다. (2, 0)은 2미터 앞입니다.
+
+# %% [markdown] lang="en" name="question-1"
+# **1.** A laser is bolted on 0.2 ahead of a robot's middle, turned 90° to the left. It reports a ball at (2, 0), straight ahead of itself. Where is the ball for the robot?
+#
+# - **a** (2.2, 0)
+# - **b** (0.2, 2.0)
+# - **c** (0, −1.8)
+# - **d** (0, 2.2)
+# - **e** I do not know
+
+# %% [markdown] lang="ko" name="question-1"
+# **1.** 레이저가 로봇의 한가운데에서 0.2 앞에, 왼쪽으로 90° 돌려서 달려 있습니다. 레이저가 공이 자기 정면 (2, 0)에 있다고 알립니다. 로봇을 기준으로 공은 어디에 있습니까?
+#
+# - **a** (2.2, 0)
+# - **b** (0.2, 2.0)
+# - **c** (0, −1.8)
+# - **d** (0, 2.2)
+# - **e** 모르겠습니다
+
+# %% [markdown] lang="en" name="question-2"
+# **2.** In a drawing an arrow goes from a robot to its camera, and beside it stands (0.10, 0, 0.30). The camera sees a mark exactly at its own origin. What follows?
+#
+# - **a** For the robot, the mark is at (0.10, 0, 0.30).
+# - **b** Numbers can be taken from robot to camera only, not back.
+# - **c** For the robot, the mark is at (−0.10, 0, −0.30).
+# - **d** It says who sends messages to whom, nothing about places.
+# - **e** I do not know
+
+# %% [markdown] lang="ko" name="question-2"
+# **2.** 그림에서 로봇에서 카메라로 화살표가 그려져 있고, 그 옆에 (0.10, 0, 0.30)이라고 적혀 있습니다. 카메라가 정확히 자기 원점에서 표시 하나를 봅니다. 이로부터 알 수 있는 것은 무엇입니까?
+#
+# - **a** 로봇을 기준으로 표시는 (0.10, 0, 0.30)에 있습니다.
+# - **b** 값은 로봇 기준에서 카메라 기준으로만 옮길 수 있고, 거꾸로는 옮길 수 없습니다.
+# - **c** 로봇을 기준으로 표시는 (−0.10, 0, −0.30)에 있습니다.
+# - **d** 누가 누구에게 메시지를 보내는지를 나타낼 뿐, 위치와는 상관없습니다.
+# - **e** 모르겠습니다
+
+# %% [markdown] lang="en" name="question-3"
+# **3.** Seen from A, B is at (2, 0) and turned 90° to the left. Where is A, seen from B?
+#
+# - **a** (−2, 0)
+# - **b** (2, 0)
+# - **c** (0, −2)
+# - **d** (0, 2)
+# - **e** I do not know
+
+# %% [markdown] lang="ko" name="question-3"
+# **3.** A에서 보면 B는 (2, 0)에 있고 왼쪽으로 90° 돌아 있습니다. B에서 보면 A는 어디에 있습니까?
+#
+# - **a** (−2, 0)
+# - **b** (2, 0)
+# - **c** (0, −2)
+# - **d** (0, 2)
+# - **e** 모르겠습니다
+
+# %% [markdown] lang="en" name="question-4"
+# **4.** A camera's software counts x to the right, y down, z ahead. A cup stands 2 ahead of it and 0.5 to the left, at the same height. What does it write?
+#
+# - **a** (2, 0.5, 0)
+# - **b** (0.5, 0, 2)
+# - **c** (−0.5, 0, 2)
+# - **d** (0, −2, −0.5)
+# - **e** I do not know
+
+# %% [markdown] lang="ko" name="question-4"
+# **4.** 어떤 카메라 소프트웨어는 x를 오른쪽, y를 아래쪽, z를 앞쪽으로 셉니다. 컵이 카메라의 앞 2, 왼쪽 0.5에, 카메라와 같은 높이에 있습니다. 이 소프트웨어는 무엇이라고 적습니까?
+#
+# - **a** (2, 0.5, 0)
+# - **b** (0.5, 0, 2)
+# - **c** (−0.5, 0, 2)
+# - **d** (0, −2, −0.5)
+# - **e** 모르겠습니다
+
+# %% [markdown] lang="en" name="question-5"
+# **5.** The turn of a part is sent as four numbers; “not turned” is (0, 0, 0, 1). A program sends (0, 0, 0, 0). What happens?
+#
+# - **a** It is taken as “not turned”.
+# - **b** The sender stops with an error.
+# - **c** Every receiver refuses it, and there the part seems not to exist.
+# - **d** The last good turn stays.
+# - **e** I do not know
+
+# %% [markdown] lang="ko" name="question-5"
+# **5.** 부품의 회전은 숫자 네 개로 보내며, ‘돌지 않음’은 (0, 0, 0, 1)입니다. 어떤 프로그램이 (0, 0, 0, 0)을 보냅니다. 무슨 일이 일어납니까?
+#
+# - **a** ‘돌지 않음’으로 받아들입니다.
+# - **b** 보내는 쪽이 오류를 내고 멈춥니다.
+# - **c** 받는 쪽마다 거절하며, 거기서는 그 부품이 없는 것처럼 보입니다.
+# - **d** 마지막으로 받은 올바른 회전이 그대로 쓰입니다.
+# - **e** 모르겠습니다
+
+# %% [markdown] lang="en" name="question-6"
+# **6.** Two programs each say 20 times a second where the robot is: one “at 1.0”, the other “at 1.4”. You ask for moments in between the messages. What do you get?
+#
+# - **a** 1.0, the one who was first
+# - **b** always 1.2
+# - **c** an error that names both
+# - **d** now this, now that, and places between that nobody said
+# - **e** I do not know
+
+# %% [markdown] lang="ko" name="question-6"
+# **6.** 두 프로그램이 저마다 1초에 20번씩 로봇의 위치를 알립니다. 하나는 “1.0에 있다”, 다른 하나는 “1.4에 있다”라고 합니다. 메시지와 메시지 사이 시각의 위치를 요청하면 무엇을 얻습니까?
+#
+# - **a** 먼저 알린 1.0
+# - **b** 언제나 1.2
+# - **c** 두 프로그램의 이름이 나오는 오류
+# - **d** 때에 따라 이 값이나 저 값, 그리고 아무도 말하지 않은 그 사이의 값
+# - **e** 모르겠습니다
+
+# %% [markdown] lang="en" name="question-7"
+# **7.** A robot's wheels have counted 10.0 from the door. A map shows it 9.4 from the door. The wheel program goes on saying “10.0 in my count”. What should the map program announce?
+#
+# - **a** “The robot is at 9.4 on the map.”
+# - **b** “Zero of that count is at −0.6 on the map.”
+# - **c** “Set your count to 9.4.”
+# - **d** “Zero of that count is at +0.6 on the map.”
+# - **e** I do not know
+
+# %% [markdown] lang="ko" name="question-7"
+# **7.** 로봇의 바퀴가 문에서부터 10.0을 세었습니다. 지도에서는 로봇이 문에서 9.4 떨어져 있습니다. 바퀴 프로그램은 계속해서 “내가 센 값으로 10.0”이라고 알립니다. 지도 프로그램은 무엇을 알려야 합니까?
+#
+# - **a** “로봇은 지도에서 9.4에 있다.”
+# - **b** “바퀴가 세기 시작한 0은 지도에서 −0.6에 있다.”
+# - **c** “센 값을 9.4로 고쳐라.”
+# - **d** “바퀴가 세기 시작한 0은 지도에서 +0.6에 있다.”
+# - **e** 모르겠습니다
+
+# %% [markdown] lang="en" name="question-8"
+# **8.** Two sources say where a robot is. S never jumps, but is 0.5 m off after ten minutes. J is right to 2 cm, but jumps 5 cm now and then. Which one does steering smoothly along the next two metres take?
+#
+# - **a** S
+# - **b** J, because it is right
+# - **c** whichever is newer
+# - **d** neither: a source that drifts is broken
+# - **e** I do not know
+
+# %% [markdown] lang="ko" name="question-8"
+# **8.** 로봇의 위치를 알리는 것이 둘 있습니다. S는 튀지 않지만 10분 뒤에는 0.5 m 어긋납니다. J는 2 cm까지 정확하지만 가끔 5 cm씩 튑니다. 앞으로 2 m를 매끄럽게 조향하는 데는 어느 것을 씁니까?
+#
+# - **a** S
+# - **b** 정확한 J
+# - **c** 더 새로운 것
+# - **d** 둘 다 쓰지 않음: 조금씩 어긋나는 것은 고장입니다
+# - **e** 모르겠습니다
+
+# %% [markdown] lang="en" name="question-9"
+# **9.** A robot drives 1 m/s and turns 0.5 rad/s. A picture that is 0.2 s old shows a post 5 ahead. It is put on the map with the robot's place of now. By about how much is the post off?
+#
+# - **a** 0: posts stand still
+# - **b** 0.20
+# - **c** 0.54
+# - **d** 0.10
+# - **e** I do not know
+
+# %% [markdown] lang="ko" name="question-9"
+# **9.** 로봇이 1 m/s로 달리면서 0.5 rad/s로 돌고 있습니다. 0.2초 전에 찍은 영상에서 기둥이 앞 5에 있습니다. 이 기둥을 로봇의 현재 위치를 써서 지도에 놓습니다. 기둥은 얼마쯤 빗나갑니까?
+#
+# - **a** 0: 기둥은 움직이지 않습니다
+# - **b** 0.20
+# - **c** 0.54
+# - **d** 0.10
+# - **e** 모르겠습니다
+
+# %% [markdown] lang="en" name="question-10"
+# **10.** For an hour, each message has carried a time that is 0.4 s after the moment in which you hear it, to the millisecond. What do you do?
+#
+# - **a** wait up to 1 s for what is missing
+# - **b** use the newest data instead
+# - **c** write the time of arrival into each
+# - **d** set that computer's clock
+# - **e** I do not know
+
+# %% [markdown] lang="ko" name="question-10"
+# **10.** 한 시간 동안 모든 메시지에 적힌 시각이 메시지를 받은 순간보다 0.4초 나중입니다. 밀리초까지 언제나 똑같습니다. 어떻게 합니까?
+#
+# - **a** 빠진 것을 1초까지 기다립니다
+# - **b** 대신 가장 새로운 데이터를 씁니다
+# - **c** 메시지마다 도착한 시각을 써넣습니다
+# - **d** 그 컴퓨터의 시계를 맞춥니다
+# - **e** 모르겠습니다
+
+# %% [markdown] lang="en" name="question-11"
+# **11.** A guide refuses in three ways: “I do not know this name” · “I know both places, but no road joins them” · “there is a road, but I know nothing of it for that hour”. After the second, what do you look for?
+#
+# - **a** a spelling
+# - **b** the missing stretch
+# - **c** a longer wait
+# - **d** a restart: all three mean that it is broken
+# - **e** I do not know
+
+# %% [markdown] lang="ko" name="question-11"
+# **11.** 안내원은 세 가지로 거절합니다. “그런 이름은 모릅니다” · “두 곳 다 알지만 잇는 길이 없습니다” · “길은 있지만 그 시각의 상황은 모릅니다”. 두 번째 말을 들었다면 무엇을 살펴봅니까?
+#
+# - **a** 철자
+# - **b** 빠진 구간
+# - **c** 더 오래 기다리는 방법
+# - **d** 다시 켜기: 셋 다 고장이라는 뜻입니다
+# - **e** 모르겠습니다
+
+# %% [markdown] lang="en" name="question-12"
+# **12.** “The laser is bolted on here” is said once, at 9:00. A listener comes at 9:05. Why should that work?
+#
+# - **a** The last such notice is kept for latecomers, while its sender lives.
+# - **b** It is repeated 20 times a second.
+# - **c** The network stores all that it ever heard.
+# - **d** It cannot: 9:00 is too old.
+# - **e** I do not know
+
+# %% [markdown] lang="ko" name="question-12"
+# **12.** “레이저는 여기에 고정되어 있다”를 9시에 한 번 알립니다. 듣는 프로그램은 9시 5분에 켜집니다. 그래도 되는 까닭은 무엇입니까?
+#
+# - **a** 마지막 알림은 보낸 프로그램이 살아 있는 동안 나중에 온 이를 위해 남아 있습니다.
+# - **b** 1초에 20번씩 되풀이됩니다.
+# - **c** 네트워크가 들은 것을 모두 저장합니다.
+# - **d** 되지 않습니다. 9시는 너무 오래되었습니다.
+# - **e** 모르겠습니다
+
+# %% [markdown] lang="en" name="question-13"
+# **13.** You have recorded what the laser of a robot measured, and nothing else. Next week you want to make a map of it. What is missing?
+#
+# - **a** nothing: what it measured holds the walls
+# - **b** only a faster computer
+# - **c** where the robot was, where the laser is bolted on, and whose clock counts
+# - **d** the robot, switched on beside you: its present place will do
+# - **e** I do not know
+
+# %% [markdown] lang="ko" name="question-13"
+# **13.** 로봇의 레이저가 잰 것만 기록하고 다른 것은 기록하지 않았습니다. 다음 주에 이것으로 지도를 만들려고 합니다. 무엇이 빠졌습니까?
+#
+# - **a** 빠진 것이 없습니다. 잰 값에 벽이 들어 있습니다
+# - **b** 더 빠른 컴퓨터만 있으면 됩니다
+# - **c** 로봇의 위치, 레이저가 달린 자리, 그리고 어느 시계를 따르는지
+# - **d** 옆에 켜 둔 로봇: 지금 위치면 됩니다
+# - **e** 모르겠습니다
+
+# %% [markdown] lang="en" name="question-14"
+# **14.** Two robots write on one board. Their programs are grouped as r1/… and r2/…, but both announce “base is at …”. What do readers find?
+#
+# - **a** The group's name is put in front of it.
+# - **b** The second is refused.
+# - **c** Two robots, told apart by the sender.
+# - **d** There is one base, and it jumps.
+# - **e** I do not know
+
+# %% [markdown] lang="ko" name="question-14"
+# **14.** 로봇 두 대가 게시판 하나를 함께 씁니다. 프로그램은 r1/…과 r2/…으로 묶여 있지만, 둘 다 “base는 …에 있다”라고 알립니다. 읽는 쪽은 무엇을 보게 됩니까?
+#
+# - **a** 그룹 이름이 앞에 붙습니다.
+# - **b** 둘째 로봇의 알림은 거절됩니다.
+# - **c** 보낸 쪽으로 구별되는 로봇 두 대를 봅니다.
+# - **d** base는 하나이고, 이리저리 튑니다.
+# - **e** 모르겠습니다
+
+# %% [markdown] lang="en" name="question-15"
+# **15.** A viewer shows no laser points. It says “No transform to fixed frame [map]”, and its counter says 10 scans a second. What do you do first?
+#
+# - **a** check the sensor and its cable
+# - **b** let it wait longer
+# - **c** restart the viewer
+# - **d** find out which step between laser and map is missing
+# - **e** I do not know
+
+# %% [markdown] lang="ko" name="question-15"
+# **15.** 화면 프로그램에 레이저 점이 나타나지 않습니다. “No transform to fixed frame [map]”이라고 쓰여 있고, 카운터에는 스캔이 1초에 10개 온다고 나옵니다. 맨 먼저 무엇을 합니까?
+#
+# - **a** 센서와 케이블을 확인합니다
+# - **b** 더 오래 기다리게 합니다
+# - **c** 화면 프로그램을 다시 켭니다
+# - **d** 레이저와 map 사이에서 어느 구간이 빠졌는지 찾습니다
+# - **e** 모르겠습니다
+
+
+# %% name="e0-1-answer" tags=["answer"]
+before = {
+    # BEGIN SOLUTION
+    "1": "e", "2": "e", "3": "e", "4": "e", "5": "e",
+    "6": "e", "7": "e", "8": "e", "9": "e", "10": "e",
+    "11": "e", "12": "e", "13": "e", "14": "e", "15": "e",
+    # END SOLUTION
+}
+
+# %% name="e0-1-check" tags=["check"]
+check("E0.1", before)
+
+# %% [markdown] lang="en" name="after"
+# Whatever you wrote: go on to [chapter 01](../../notebooks/en/01_value_frame_stamp.ipynb), and do not look back. The first complete answer is the one that is kept.
+
+# %% [markdown] lang="ko" name="after"
+# 무엇을 썼든 [01장](../../notebooks/ko/01_value_frame_stamp.ipynb)으로 가고 돌아보지 마십시오. 처음으로 끝까지 쓴 답이 보관됩니다.

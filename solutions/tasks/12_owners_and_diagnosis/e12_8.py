@@ -1,0 +1,17 @@
+"""E12.8: Fifteen questions, after; form B of the test, whose items stand in solutions/inventory.yaml."""
+
+from __future__ import annotations
+
+from tflab.workbook.inventory.replies import FORM
+from tflab.workbook.tasks import TAKING_PART, Task, Words
+
+TASK = Task(
+    id="E12.8",
+    kind="M",
+    points=1,
+    title=Words(en="Fifteen questions, after", ko="열다섯 문제, 끝"),
+    answer="after",
+    form=FORM,
+    hints=(),
+    counts=TAKING_PART,
+)
