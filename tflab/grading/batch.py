@@ -41,7 +41,7 @@ from .submissions.remarks import Remark, printable
 __all__ = ["RECORDS", "HowToGrade", "grade_batch", "grade_job", "job_of", "run_behind"]
 
 RECORDS = "submissions"
-RECORD_FORMAT = 2
+RECORD_FORMAT = 3
 MOST_THREADS = 8
 MOST_BYTES = 160 * 1024 * 1024  # of all the notebooks of one learner
 

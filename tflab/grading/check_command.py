@@ -46,6 +46,7 @@ LATER = Words(
     "Grading asks functions for inputs that are not here.",
     "채점할 때는 여기에 없는 입력으로도 함수를 시험합니다.",
 )
+ANSWERED = Words("{passed} of {of} answered", "{of}개 중 {passed}개에 답함")
 IGNORED = Words("What grading would do with this notebook:", "이 노트북을 채점할 때 달라지는 점:")
 PLAIN = Words(
     "Checked in an ordinary kernel ({why}).",
@@ -153,6 +154,8 @@ def report(checked: Checked) -> tuple[list[str], bool]:
 
 def _line(task_id: str, row: Mapping[str, Any], task: Mapping[str, Any], language: str) -> str:
     sign, status = STATUS[row["status"]]
+    if task.get("counts") and row["passed"]:
+        return f"{task_id}  {sign} {ANSWERED.say(language, passed=row['passed'], of=row['of'])}"
     if row["status"] == "right":
         return f"{task_id}  ✓ {row['passed']}/{row['of']}"
     said = [Words(**row["said"]).say(language)] if row["said"] else []

@@ -18,6 +18,7 @@ from typing import Any
 from tflab.workbook.answers.forms import Form
 from tflab.workbook.answers.sealed import is_sealed, judge, seal
 from tflab.workbook.answers.values import is_raised
+from tflab.workbook.inventory.replies import chosen
 from tflab.workbook.tasks.case import TaskCases, TwinWords
 from tflab.workbook.tasks.evidence import beyond_guessing
 from tflab.workbook.tasks.mistake import WITHOUT_THE_ANSWER, Mistake
@@ -49,6 +50,7 @@ class TaskMark:
         passed: probes that are right, of `of`.
         slips: the mistakes that the answer comes of, by name, and what is said of each.
         said: all of it together.
+        answers: where taking part counts, the option of each part if all have one.
     """
 
     task: str
@@ -60,10 +62,12 @@ class TaskMark:
     slips: dict[str, TwinWords] = field(default_factory=dict)
     said: Words | None = None
     remarks: tuple[Remark, ...] = ()
+    answers: Mapping[str, str] = field(default_factory=dict)
 
     def plain(self) -> dict[str, Any]:
         """Return the mark as JSON has it."""
         row = {"status": self.status, "passed": self.passed, "of": self.of, "points": self.points, "most": self.most}
+        row |= {"answers": dict(self.answers)} if self.answers else {}
         return row | {
             "slips": {name: words.plain() for name, words in self.slips.items()},
             "said": self.said.plain() if self.said else None,
@@ -98,9 +102,11 @@ def judged(
         status = "partly" if found.passed else "trouble" if trouble else "wrong"
     if not remarks and status != "right" and not found.slips:
         remarks += _what_went_wrong(task_id, held, got, found)
+    answers = chosen(held.form, got[0]) if held.counts else {}
     return TaskMark(
-        task_id, status, found.passed, found.of, points, float(held.points), found.slips, found.said, tuple(remarks)
-    )
+        task_id, status, found.passed, found.of, points, float(held.points), found.slips, found.said, tuple(remarks),
+        answers,
+    )  # fmt: skip
 
 
 def safe_error_name(name: Any) -> str | Remark:

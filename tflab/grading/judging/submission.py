@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from tflab.workbook.tasks.mistake import Mistake
+from tflab.workbook.words import LANGUAGES
 
 from ..submissions.remarks import Remark
 from .agree import in_another_order, together
@@ -101,8 +102,10 @@ def _graded_chapter(job: Job, stem: str, candidate: Candidate, run_cells: RunCel
     marks = [again[mark.task].mark if mark.task in again else mark for mark in before]
     remarks = [*candidate.remarks, *_about_cells(candidate.transplanted, marks), *first.remarks]
     remarks += [Remark("apart", task) for task, second in again.items() if second.needed_to_be_apart]
+    written_in = candidate.page.notebook.stamp.get("language", "")
     plain = {
         "file": candidate.file,
+        "language": written_in if written_in in LANGUAGES else "",
         "tasks": {mark.task: mark.plain() for mark in marks},
         "remarks": [remark.plain() for remark in remarks],
     }

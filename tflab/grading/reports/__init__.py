@@ -3,6 +3,7 @@
     gradebook      CSV and JSON
     feedback       a page for each learner
     html           what such pages share
+    gain           a test before and after
     class_figures  pictures of a class
     class_page     what the class misunderstands
 

@@ -1,0 +1,183 @@
+"""What has a class learnt between the two forms?  Its normalised gain, and each misconception before and after.
+
+    matched     who answered all of form A and all of form B; everybody else is a line, and counts nowhere
+    gain        g = (mean after - mean before) / (15 - mean before), of the class's means: 6.2 -> 12.1 is 0.67
+    believed    for each misconception how many chose an option that shows it, and how many of these were sure
+
+The gain is never the mean of each one's own: fifteen items are too few to measure one
+person.  A misconception is counted only on items on which both forms offer it, so that it
+has as many chances before as after.  The field calls g the *normalised gain* (Hake).
+Read `class_figures.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from statistics import mean
+from typing import Any, NamedTuple
+
+from tflab.workbook.course.misconceptions import MISCONCEPTIONS
+from tflab.workbook.inventory.items import FORMS, Item
+from tflab.workbook.inventory.replies import Reply, replies_to
+from tflab.workbook.words import Words
+
+from ..submissions.remarks import Remark
+
+__all__ = ["BY_GUESSING", "Believed", "ClassGain", "Matched", "band", "believed", "class_gain", "normalised_gain"]
+
+BY_GUESSING = 3.75  # of 15, with four options each
+LOW, HIGH = 0.3, 0.7
+MOST_NAMES = 12
+
+ONLY = {
+    "A": Words("Only the first form, no second: {who}.", "첫 번째 형만 있고 두 번째 형이 없음: {who}."),
+    "B": Words("Only the second form, no first: {who}.", "두 번째 형만 있고 첫 번째 형이 없음: {who}."),
+}
+NEITHER = Words("Neither form: {who}.", "두 형 모두 없음: {who}.")
+INCOMPLETE = Words("Not all questions answered: {who}.", "답하지 않은 문제가 있음: {who}.")
+TWICE = Words("Handed in more than once: {learner}. {said}", "두 번 이상 제출함: {learner}. {said}")
+OTHER_LANGUAGE = Words(
+    "In another language than the roster's: {who}. The letters are the same, so it counts.",
+    "명단과 다른 언어로 답함: {who}. 보기의 글자가 같으므로 그대로 셉니다.",
+)
+AND_MORE = Words("{names} and {more} more", "{names} 외 {more}명")
+BANDS = {
+    "low": Words("low (below 0.3)", "낮음(0.3 미만)"),
+    "medium": Words("medium (0.3 to 0.7)", "중간(0.3~0.7)"),
+    "high": Words("high (above 0.7)", "높음(0.7 초과)"),
+}
+
+
+class Matched(NamedTuple):
+    """A learner who answered both forms, and what they said to each item."""
+
+    learner: str
+    before: list[Reply]
+    after: list[Reply]
+
+
+class ClassGain(NamedTuple):
+    """Who is matched, and a line for everything else."""
+
+    matched: tuple[Matched, ...]
+    lines: tuple[Words, ...]
+
+    def means(self) -> tuple[float, float]:
+        """Return how many are right on average, before and after."""
+        rows = [[sum(reply.is_right for reply in replies) for replies in one[1:]] for one in self.matched]
+        return mean(before for before, _ in rows), mean(after for _, after in rows)
+
+
+class Believed(NamedTuple):
+    """How many learners chose an option that shows a misconception, before and after; and how many were sure."""
+
+    misconception: str
+    before: int
+    after: int
+    sure_before: int
+    sure_after: int
+
+
+def class_gain(records: Sequence[Mapping[str, Any]], items: Sequence[Item]) -> ClassGain | None:
+    """Return what a class's records say of the test; None where nobody was asked either form."""
+    if not items or not any(_row(record, form) for record in records for form in FORMS):
+        return None
+    answers = {record["learner"]: {form: _answers(record, form) for form in FORMS} for record in records}
+    matched = [
+        Matched(learner, replies_to(items, "A", both["A"]), replies_to(items, "B", both["B"]))
+        for learner, both in answers.items()
+        if all(both.values())
+    ]
+    return ClassGain(tuple(matched), tuple(_lines(records, answers)))
+
+
+def normalised_gain(before: float, after: float, of: int) -> float | None:
+    """Return the gain as a share of what was left to gain; None if nothing was left."""
+    return (after - before) / (of - before) if before < of else None
+
+
+def band(gain: float) -> Words:
+    """Return in which of the three bands a gain is."""
+    return BANDS["low" if round(gain, 6) < LOW else "medium" if round(gain, 6) <= HIGH else "high"]
+
+
+def believed(items: Sequence[Item], matched: Sequence[Matched]) -> list[Believed]:
+    """Return every misconception; those that grew first, at most three, then the others in their order."""
+    rows = [_believed(name, _chances(items, name), matched) for name in MISCONCEPTIONS]
+    grew = sorted((row for row in rows if row.after > row.before), key=lambda row: row.before - row.after)[:3]
+    return [*grew, *(row for row in rows if row not in grew)]
+
+
+def _chances(items: Sequence[Item], misconception: str) -> list[int]:
+    """Return the places of the items on which both forms offer an option that shows a misconception."""
+    return [
+        place
+        for place, item in enumerate(items)
+        if all(misconception in {option.shows for option in item.forms[form].options.values()} for form in FORMS)
+    ]
+
+
+def _believed(misconception: str, places: Sequence[int], matched: Sequence[Matched]) -> Believed:
+    counts = []
+    for when in ("before", "after"):
+        chose = [[getattr(one, when)[place] for place in places] for one in matched]
+        shown = [[reply for reply in replies if reply.shows == misconception] for replies in chose]
+        counts.append((sum(map(bool, shown)), sum(any(reply.is_sure for reply in replies) for replies in shown)))
+    (before, sure_before), (after, sure_after) = counts
+    return Believed(misconception, before, after, sure_before, sure_after)
+
+
+# -- what the records hold ---------------------------------------------------------------------
+
+
+def _chapter(record: Mapping[str, Any], form: str) -> Mapping[str, Any]:
+    """Return the chapter of a record that has a form's task; {} if none has."""
+    chapters = record["chapters"].values()
+    return next((chapter for chapter in chapters if FORMS[form] in chapter["tasks"]), {})
+
+
+def _row(record: Mapping[str, Any], form: str) -> Mapping[str, Any]:
+    return _chapter(record, form).get("tasks", {}).get(FORMS[form], {})
+
+
+def _answers(record: Mapping[str, Any], form: str) -> Mapping[str, str]:
+    return _row(record, form).get("answers", {})
+
+
+def _lines(records: Sequence[Mapping[str, Any]], answers: Mapping[str, Mapping[str, Any]]) -> list[Words]:
+    """Return a line for whoever is not matched, and for what is odd about those who are."""
+    found: dict[Words, list[str]] = {words: [] for words in (INCOMPLETE, *ONLY.values(), NEITHER, OTHER_LANGUAGE)}
+    for record in records:
+        words = _why_not_matched(record, answers[record["learner"]])
+        if words is not None:
+            found[words].append(record["learner"])
+        if _is_in_another_language(record):
+            found[OTHER_LANGUAGE].append(record["learner"])
+    lines = [_line(words, who) for words, who in found.items() if who]
+    return lines + [line for record in records for line in _twice(record)]
+
+
+def _why_not_matched(record: Mapping[str, Any], both: Mapping[str, Any]) -> Words | None:
+    if all(both.values()):
+        return None
+    if any(_row(record, form).get("passed") and not both[form] for form in FORMS):
+        return INCOMPLETE
+    return next((ONLY[form] for form in FORMS if both[form]), NEITHER)
+
+
+def _line(words: Words, who: Sequence[str]) -> Words:
+    names, more = ", ".join(who[:MOST_NAMES]), len(who) - MOST_NAMES
+    said = [AND_MORE.say(language, names=names, more=more) if more > 0 else names for language in ("en", "ko")]
+    return Words(*(words.say(language, who=named) for language, named in zip(("en", "ko"), said, strict=True)))
+
+
+def _is_in_another_language(record: Mapping[str, Any]) -> bool:
+    written_in = {_chapter(record, form).get("language", "") for form in FORMS if _answers(record, form)}
+    return bool(written_in - {"", record["language"]})
+
+
+def _twice(record: Mapping[str, Any]) -> list[Words]:
+    remarks = [remark for form in FORMS for remark in _chapter(record, form).get("remarks", ())]
+    said = [Remark.from_plain(remark) for remark in remarks if remark["kind"] == "several"]
+    names = {"learner": record["learner"]}
+    return [Words(*(TWICE.say(tongue, said=one.say(tongue), **names) for tongue in ("en", "ko"))) for one in said]
