@@ -85,6 +85,19 @@ print(driver(""))
 # %% [markdown] lang="ko" name="the-driver-seen"
 # 이름이 있으면 괜찮습니다. 이름이 없으면 비교가 어긋나고, 아무 오류도 나지 않습니다.
 
+# %% [markdown] lang="en" name="story-notes" slide="notes"
+# Let the room find the fault in the six lines before you say it.
+# Somebody will; then ask which test would have caught it.
+# The answer is a robot without a name, and nobody has one on the desk.
+# Five minutes up to here.
+
+# %% [markdown] lang="ko" name="story-notes" slide="notes"
+# 말해 주기 전에 여섯 줄에서 잘못을 찾게 합니다.
+# 누군가 찾으면, 어떤 시험이 이것을 잡았을지 묻습니다.
+# 이름 없는 로봇입니다.
+# 책상 위에 그런 로봇을 둔 사람은 없습니다.
+# 여기까지 5분입니다.
+
 # %% [markdown] lang="en" name="a-dict" slide="slide"
 # ## TF is a dict
 #
@@ -159,6 +172,18 @@ lesson.draw_walk(buffer, "camera_optical_frame", "laser_frame")
 # %% [markdown] lang="ko" name="the-walk-seen"
 # *그림 읽기:* source = 원본, target = 목표, 실선 화살표 = 올라감, 점선 화살표 = 내려감, 숫자 = 걸음의 순서, 둥근 테 = 두 길이 만나는 곳입니다.
 # 03장의 곱을 트리에서 읽은 것입니다. 올라가는 걸음은 보낸 연결 그대로이고, 내려가는 걸음은 그 역변환입니다. 걸음은 원본에서 목표로 읽고, 곱은 오른쪽 끝에서 왼쪽으로 읽습니다.
+
+# %% [markdown] lang="en" name="walk-notes" slide="notes"
+# Have one person be the laser and one the camera, and let them walk to each other by naming parents only.
+# They meet at the base and not at the map: say that aloud, it saves half of the steps in every lookup.
+# Ten minutes.
+
+# %% [markdown] lang="ko" name="walk-notes" slide="notes"
+# 한 사람은 레이저, 한 사람은 카메라가 되어 부모 이름만 부르며 서로에게 갑니다.
+# 지도가 아니라 base에서 만납니다.
+# 이 점을 소리 내어 말합니다.
+# 조회마다 걸음의 절반이 줄어듭니다.
+# 10분입니다.
 
 # %% name="the-product" slide="fragment"
 lesson.draw_dominoes(
@@ -250,6 +275,21 @@ for target, source in (("odm", "laser_frame"), ("map", "odom"), ("map", "base_li
 # 됩니다, 됩니다, 안 됩니다. 나뉜 트리는 저마다 잘 동작하고, 한쪽에서 다른 쪽을 묻는 것만 실패합니다. 오류 메시지에는 *질문*의 두 끝이 나올 뿐, 다리가 끊긴 곳은 나오지 않습니다.
 # "Tf has two or more unconnected trees"라고 하니 루트를 보면 됩니다.
 
+# %% [markdown] lang="en" name="typo-notes" slide="notes"
+# Look at the counts on the board.
+# Two of three answers work on a broken robot: that is why nobody notices.
+# Read the error aloud and ask where in it the typo stands.
+# It stands nowhere.
+# Seventeen minutes.
+
+# %% [markdown] lang="ko" name="typo-notes" slide="notes"
+# 칠판의 숫자를 봅니다.
+# 고장 난 로봇에서 질문 셋 가운데 둘은 됩니다.
+# 그래서 아무도 알아채지 못합니다.
+# 오류 메시지를 소리 내어 읽고 오타가 어디에 있는지 묻습니다.
+# 어디에도 없습니다.
+# 17분입니다.
+
 # %% [markdown] lang="en" name="one-line" slide="slide"
 # ## A doctor in one line
 #
@@ -298,6 +338,19 @@ lesson.draw_walk(island, "map", "laser_frame")
 # %% [markdown] lang="ko" name="plastered-seen"
 # 이제 한 자리에 이름이 둘입니다. 언젠가 다른 프로그램이 철자를 맞게 써서 `odom → base_link`를 발행하면, base는 `odm`에서 떨어져 나갑니다. 이름은 잘못 적힌 곳에서 고치십시오.
 
+# %% [markdown] lang="en" name="plaster-notes" slide="notes"
+# Who has shipped such a plaster?
+# Do not blame; ask what would have to happen for it to come off.
+# One correct line in another program is enough.
+# Twenty minutes.
+
+# %% [markdown] lang="ko" name="plaster-notes" slide="notes"
+# 이런 반창고를 붙여 본 사람이 있는지 묻습니다.
+# 탓하지 않습니다.
+# 무슨 일이 생기면 떨어질지 묻습니다.
+# 다른 프로그램에 맞는 철자 한 줄이면 됩니다.
+# 20분입니다.
+
 # %% [markdown] lang="en" name="five-rules" slide="slide"
 # ## Five rules, and who enforces them
 #
@@ -340,6 +393,19 @@ lesson.draw_walk(broken, "camera_link", "laser_frame")
 
 # %% [markdown] lang="ko" name="tree-still-seen"
 # `odom`이 `odm` 아래에 있어도 두 센서 사이의 길은 그대로입니다. 고장 난 트리가 몇 주씩 멀쩡해 보이는 까닭입니다. 실패하는 것은 질문뿐이고, 그것도 고장 난 곳을 지나는 질문뿐입니다.
+
+# %% [markdown] lang="en" name="rules-notes" slide="notes"
+# In the panel, let the room give the orders: hang odom below the laser, below itself.
+# Before each lookup, hands: will it answer?
+# The log line for the last one is the only refusal of the hour.
+# Twenty-seven minutes.
+
+# %% [markdown] lang="ko" name="rules-notes" slide="notes"
+# 패널은 청중이 시키는 대로 움직입니다. odom을 레이저 아래에, 자기 자신 아래에 매답니다.
+# 물을 때마다 손을 들게 합니다.
+# 답할까요?
+# 마지막 것의 로그 한 줄이 이 시간의 유일한 거부입니다.
+# 27분입니다.
 
 # %% [markdown] lang="en" name="names" slide="slide"
 # ## Names are strings
@@ -408,6 +474,19 @@ lesson.draw_walk(dog, "head", "back")
 # 됩니다, 됩니다, 안 됩니다, 안 됩니다. 한 몸에 고정된 두 부품은 서로를 찾지 못하는데, `odom` 기준의 머리는 찾습니다. tf2는 원본에서 올라갑니다. 가는 길에 목표를 만나면 멈추고 답합니다. 만나지 못하면 고리를 돌다가 천 걸음쯤에서 그만두고, 이야기에 나온 그 오류를 냅니다.
 # 그래서 고리가 있어도 되는 것은 됩니다. 고리를 없앤 어느 수정 요청에는, 대부분의 코드는 신경 쓰지 않지만 몇몇 노드는 크게 탈이 난다고 적혀 있습니다(mavlink/mavros [1252](https://github.com/mavlink/mavros/pull/1252)).
 
+# %% [markdown] lang="en" name="loop-notes" slide="notes"
+# Two parts on one body cannot find each other.
+# Let that sink in, then ask why the head in odom works: tf2 stops at the first frame that is the target.
+# A thousand steps are its patience.
+# Thirty-three minutes.
+
+# %% [markdown] lang="ko" name="loop-notes" slide="notes"
+# 한 몸의 두 부품이 서로를 찾지 못합니다.
+# 잠시 생각할 시간을 줍니다.
+# 그다음 odom 기준의 머리는 왜 되는지 묻습니다. tf2는 가는 길에 목표를 만나면 멈추기 때문입니다.
+# 참는 것은 천 걸음까지입니다.
+# 33분입니다.
+
 # %% [markdown] lang="en" name="two-owners" slide="slide"
 # ## Break it: two owners of one edge
 #
@@ -470,6 +549,20 @@ lesson.frame_tree(graph, seconds=2.0)
 # %% [markdown] lang="ko" name="owners-seen"
 # *그림 읽기:* rate = 발행률, age = 나이, published by = 발행 책임, D(dynamic) = 동적, S(static) = 정적. 아래 줄은 한 연결을 두 노드가 발행한다는 경고입니다.
 # 트리의 *모양*에는 흠이 없습니다. 부모가 하나씩입니다. 드러나는 것은 발행률입니다. 50 Hz는 20 + 30입니다. 여기서는 이름도 둘 보입니다. 고치는 방법은 하나를 고르는 것입니다. 바퀴의 연결을 끕니다.
+
+# %% [markdown] lang="en" name="owners-notes" slide="notes"
+# Cover the last column with your hand: with the shape alone nobody could tell.
+# Then the rate: who knows from memory how often their own odometry publishes?
+# Without that number, 50 Hz says nothing.
+# Forty minutes.
+
+# %% [markdown] lang="ko" name="owners-notes" slide="notes"
+# 맨 오른쪽 열을 손으로 가립니다.
+# 모양만으로는 아무도 알 수 없습니다.
+# 그다음은 발행률입니다.
+# 자기 로봇의 오도메트리가 1초에 몇 번 발행하는지 외우고 있는 사람이 있습니까?
+# 그 수를 모르면 50 Hz도 아무것도 알려 주지 않습니다.
+# 40분입니다.
 
 # %% name="cure" slide="-"
 # %ros2 param set /wheel_odometry publish_tf false
@@ -547,6 +640,21 @@ for apart_s in (0.03, 0.0):
 
 # %% [markdown] lang="ko" name="one-odom-seen" tags=["predicted"]
 # 따로 시작하면 `odom`의 발행 책임이 둘이 되고, robot2는 2미터 넘게 거듭 튑니다. 동시에 시작하면 아무것도 튀지 않습니다. `odom`을 담은 두 메시지의 측정 시각이 같고, 버퍼는 시각마다 마지막에 받은 값 하나만 남기기 때문입니다. 하지만 두 로봇은 *한* odom 아래에 있고, 저마다 바퀴를 0부터 셉니다. TF에서 robot2는 아무 오류 없이 robot1과 겹쳐 있습니다. 충돌을 검사하는 노드는 일어나지도 않은 충돌을 봅니다.
+
+# %% [markdown] lang="en" name="fleet-notes" slide="notes"
+# The second run is the worse one, because nothing moves.
+# Ask which alarm would go off.
+# None.
+# Then let somebody say what belongs to both robots: the room answers map, and the chapter is done.
+# Forty-six minutes.
+
+# %% [markdown] lang="ko" name="fleet-notes" slide="notes"
+# 더 나쁜 것은 둘째 경우입니다.
+# 아무것도 튀지 않기 때문입니다.
+# 어떤 경보가 울릴지 묻습니다.
+# 없습니다.
+# 두 로봇이 함께 쓰는 것은 무엇인지 묻습니다. map이라는 답이 나오면 이 장은 끝입니다.
+# 46분입니다.
 
 # %% [markdown] lang="en" name="view-frames" slide="slide"
 # ## What view_frames shows, and what it cannot
@@ -789,6 +897,16 @@ rclpy.shutdown()
 # 루트입니다. `view_frames`나 파이썬 한 줄로 봅니다. 이름이 둘이면, 예상하지 못한 이름이 잘못 적힌 부모이거나 그 위 연결의 발행자가 사라진 것입니다.
 #
 # </details>
+
+# %% [markdown] lang="en" name="exit-ticket-notes" slide="notes"
+# Two minutes on paper.
+# Three piles: roots, the error text, restart.
+# The third pile begins the next lecture.
+
+# %% [markdown] lang="ko" name="exit-ticket-notes" slide="notes"
+# 종이에 2분 동안 씁니다.
+# 루트, 오류 메시지, 재시작의 세 더미로 나눕니다.
+# 셋째 더미로 다음 강의를 시작합니다.
 
 # %% [markdown] lang="en" name="next" slide="skip"
 # **Next:** the exercises, [E4 The tree of frames](../../exercises/en/E04_frame_tree.ipynb), and after them [05 map, odom, base_link](05_map_odom_base_link.ipynb), where "one parent each" decides who may say where the robot is.

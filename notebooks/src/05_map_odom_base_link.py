@@ -55,6 +55,20 @@ from tflab.workbook import lesson
 # 이 프로그램만의 일이 아닙니다. 널리 쓰는 위치 추정 패키지 두 개에서도 같은 제안이 있었고(2014년, 2021년), 같은 방법으로 고쳤습니다.
 # 그 방법이 이 장의 연결 하나, `map → odom`입니다.
 
+# %% [markdown] lang="en" name="story-notes" slide="notes"
+# Both nodes told the truth: repeat that until it hurts.
+# Then ask for a way out, and take every proposal seriously: average them, let the better one win, switch by turns.
+# The last is what tf2 does by itself.
+# Five minutes up to here.
+
+# %% [markdown] lang="ko" name="story-notes" slide="notes"
+# 두 노드 모두 사실을 말했습니다.
+# 몇 번이고 되풀이합니다.
+# 그다음 해결책을 묻고 모두 진지하게 받습니다.
+# 평균을 낸다, 더 나은 쪽을 따른다, 번갈아 쓴다.
+# 마지막 것은 tf2에서 저절로 일어나는 일입니다.
+# 여기까지 5분입니다.
+
 # %% [markdown] lang="en" name="story-sources" slide="skip"
 # *Read them:* lidar_slam_ros2 [86](https://github.com/rsasaki0109/lidar_slam_ros2/issues/86), [87](https://github.com/rsasaki0109/lidar_slam_ros2/pull/87); robot_localization [23](https://github.com/cra-ros-pkg/robot_localization/issues/23); hdl_localization [67](https://github.com/koide3/hdl_localization/issues/67); [REP-105](https://ros.org/reps/rep-0105.html).
 
@@ -121,6 +135,18 @@ lesson.draw_tracks({'map': in_map, 'odom': in_odom}, truth, times)
 #
 # 어느 쪽도 잘못이 아닙니다. 이 좌표계들에 관한 ROS의 규약인 [[rep-105]]의 약속이 바로 이렇습니다. odom은 이어지지만 흐를 수 있고, map은 흐르지 않지만 튈 수 있습니다.
 
+# %% [markdown] lang="en" name="three-pens-notes" slide="notes"
+# Point at one jump in the left picture and find it in both curves on the right.
+# Then ask the two questions again, as they were predicted.
+# Nobody is right with the same answer twice.
+# Twelve minutes.
+
+# %% [markdown] lang="ko" name="three-pens-notes" slide="notes"
+# 왼쪽 그림에서 튀는 곳 하나를 짚고, 오른쪽 두 곡선에서 찾게 합니다.
+# 그다음 예측한 두 질문을 다시 묻습니다.
+# 같은 답을 두 번 써서 맞힌 사람은 없습니다.
+# 12분입니다.
+
 # %% [markdown] lang="en" name="speed-of-a-jump" slide="subslide"
 # What would a controller see that takes the pose in `map` and works out its speed from it?
 
@@ -131,6 +157,19 @@ lesson.draw_tracks({'map': in_map, 'odom': in_odom}, truth, times)
 for name, track in {'map': in_map, 'odom': in_odom}.items():
     speed = np.linalg.norm(np.diff(track[:, :2], axis=0), axis=1) / 0.1
     print(f'{name:<5} fastest {speed.max():.2f} m/s')
+
+# %% [markdown] lang="en" name="speeds-notes" slide="notes"
+# Ask somebody who has tuned a controller what it would do at 2.4 m/s on a robot that drives half a metre a second.
+# It brakes.
+# That is the jerk in the corridor that everybody has seen.
+# Fifteen minutes.
+
+# %% [markdown] lang="ko" name="speeds-notes" slide="notes"
+# 제어기를 맞추어 본 사람에게 묻습니다.
+# 0.5 m/s로 달리는 로봇에서 2.4 m/s가 나오면 어떻게 합니까?
+# 제동을 겁니다.
+# 복도에서 로봇이 움찔하는 까닭입니다.
+# 15분입니다.
 
 # %% [markdown] lang="en" name="speeds-seen"
 # A robot that does half a metre a second seems to do almost two and a half. Brake on that, and you know where the jerks come from.
@@ -193,7 +232,7 @@ scene
 
 # %% name="in-3d-still" slide="skip"
 frames = {'map': Transform(), 'odom': pose('map', 'odom', 26.1), 'base_footprint': pose('map', 'base_footprint', 26.1)}
-lesson.draw_scene(frames, ghosts={'odom before': pose('map', 'odom', 26.0)}, eye=lesson.FROM_ABOVE, length_m=0.6)
+lesson.draw_scene(frames, ghosts={'odom before': pose('map', 'odom', 26.0)}, eye=lesson.FROM_ABOVE, length_m=0.4)
 
 # %% [markdown] lang="en" name="the-sum" slide="slide"
 # ## What a localiser publishes
@@ -240,6 +279,19 @@ print(f'off by {np.hypot(*off.translation[:2]):.2f} m and {off.rpy()[2]:+.2f} ra
 # 0.1초 차이로 0.33 m 틀립니다. 두 포즈 사이의 회전이 연결에 섞여, odom이 로봇을 중심으로 돌아갑니다. 3.5 m 떨어진 odom의 원점은 그만큼 크게 밀려납니다.
 # 널리 쓰는 추정 패키지도 2025년에 바로 이것을 고쳤습니다(robot_localization [939](https://github.com/cra-ros-pkg/robot_localization/pull/939)).
 
+# %% [markdown] lang="en" name="same-moment-notes" slide="notes"
+# A tenth of a second, a third of a metre.
+# Before you say why, let them draw it: turn the robot by three degrees and look at what happens to a point three metres away.
+# The stamp is part of the sum.
+# Twenty-five minutes.
+
+# %% [markdown] lang="ko" name="same-moment-notes" slide="notes"
+# 0.1초에 0.33 m입니다.
+# 이유를 말하기 전에 그리게 합니다.
+# 로봇을 몇 도 돌리면 3미터 떨어진 점은 어떻게 될까요?
+# 측정 시각도 식의 일부입니다.
+# 25분입니다.
+
 # %% [markdown] lang="en" name="what-where" slide="slide"
 # ## What to keep in which frame
 #
@@ -283,6 +335,20 @@ for later in (20.0, 50.0):
 #
 # "odom은 흐르니까 틀렸다"고 하면 매끄러운 쪽을 잃고, "map이 더 낫다"고 하면 덜컥거립니다.
 
+# %% [markdown] lang="en" name="what-where-notes" slide="notes"
+# Let the room fill the table before you scroll to it: call out jobs, they call back a frame.
+# Dock, next half metre, bolt of the laser, goal.
+# Stop at every disagreement; there will be one about obstacles.
+# Thirty-two minutes.
+
+# %% [markdown] lang="ko" name="what-where-notes" slide="notes"
+# 표를 보여 주기 전에 채우게 합니다.
+# 일을 부르면 좌표계로 답합니다.
+# 충전대, 앞으로의 0.5미터, 레이저의 나사, 목적지.
+# 의견이 갈리면 멈춥니다.
+# 장애물에서 한 번 갈립니다.
+# 32분입니다.
+
 # %% [markdown] lang="en" name="footprint" slide="slide"
 # ## base_footprint: the robot's shadow on the floor
 #
@@ -312,6 +378,18 @@ lesson.draw_scene({'base_footprint': Transform(), 'base_link': footprint_T_base}
 # *그림 읽기:* seen = 레이저가 본 점입니다.
 # 바닥에서 0.63 m 위입니다. 로봇이 기울지 않았다고 여기면 0.25 m가 되어, 벽의 중간을 낮은 턱으로 알게 됩니다.
 # 우리 로봇에서는 바퀴가 `odom → base_footprint`를 발행하고 `base_link`가 그 아래에 있습니다. 반대인 로봇도 있습니다. 내 로봇이 무엇을 발행하는지 읽고, 둘 다 발행하지는 마십시오.
+
+# %% [markdown] lang="en" name="footprint-notes" slide="notes"
+# Tilt a book with a pen on it: where is the pen's tip above the table?
+# Then the question of the chapter for a real robot: which of the two frames do your wheels publish?
+# Thirty-six minutes.
+
+# %% [markdown] lang="ko" name="footprint-notes" slide="notes"
+# 책 위에 펜을 올리고 기울입니다.
+# 펜 끝은 책상에서 얼마나 위에 있습니까?
+# 그다음 실제 로봇으로 묻습니다.
+# 여러분의 바퀴는 두 좌표계 가운데 어느 것을 발행합니까?
+# 36분입니다.
 
 # %% [markdown] lang="en" name="faded" slide="subslide"
 # ### Now you write
@@ -419,6 +497,20 @@ print(answered)
 # %% [markdown] lang="ko" name="counted" tags=["predicted"]
 # 절반은 지도 위에, 절반은 바퀴 위에 있고, 둘 다인 때는 한 번도 없습니다. 여기에는 오류가 나지 않습니다. 두 사실이 번갈아 나타날 뿐입니다.
 # 하필 다른 절반에 물으면 이런 답을 듣습니다.
+
+# %% [markdown] lang="en" name="counted-notes" slide="notes"
+# Read the three numbers slowly: half, half, nought.
+# The proposals of the first slide are on the table again; this is what switching by turns costs.
+# Nobody raised an error.
+# Forty-three minutes.
+
+# %% [markdown] lang="ko" name="counted-notes" slide="notes"
+# 세 숫자를 천천히 읽습니다.
+# 절반, 절반, 0입니다.
+# 첫 슬라이드의 제안을 다시 꺼냅니다.
+# 번갈아 쓰면 이런 값을 치릅니다.
+# 오류는 하나도 나지 않았습니다.
+# 43분입니다.
 
 # %% name="wrong-half"
 for _ in range(10):
@@ -656,6 +748,15 @@ rclpy.shutdown()
 # `map → odom`이 바뀝니다. `odom → base_link`와 장착 변환은 그대로입니다. `odom` 기준으로 움직이는 제어기는 알아채지 말아야 합니다.
 #
 # </details>
+
+# %% [markdown] lang="en" name="exit-ticket-notes" slide="notes"
+# Two minutes.
+# Whoever writes that odometry is corrected has not given up the first idea: pair them with somebody who has.
+
+# %% [markdown] lang="ko" name="exit-ticket-notes" slide="notes"
+# 2분입니다.
+# 오도메트리를 바로잡는다고 쓴 사람은 처음 생각을 아직 버리지 못한 것입니다.
+# 버린 사람과 짝을 지어 줍니다.
 
 # %% [markdown] lang="en" name="next" slide="skip"
 # **Next:** the exercises, [E5 map, odom, base_link](../../exercises/en/E05_map_odom_base_link.ipynb), and after them [06 Static and dynamic](06_static_and_dynamic.ipynb), which asks who says where things are, and how often.

@@ -54,6 +54,19 @@ from tflab.workbook import lesson
 #
 # 하나는 너무 적게 알렸고, 하나는 쉬지 않고 알렸습니다. 이 장은 그 사이를 다룹니다.
 
+# %% [markdown] lang="en" name="story-notes" slide="notes"
+# Ask who has closed RViz and opened it again because something was missing.
+# Here that made it worse.
+# Collect guesses: where are the other three cameras kept?
+# Five minutes up to here.
+
+# %% [markdown] lang="ko" name="story-notes" slide="notes"
+# 무언가 보이지 않아 RViz를 껐다 켜 본 사람이 있는지 묻습니다.
+# 여기서는 그래서 더 나빠졌습니다.
+# 나머지 카메라 세 대는 어디에 보관되어 있을까요?
+# 추측을 모읍니다.
+# 여기까지 5분입니다.
+
 # %% [markdown] lang="en" name="story-sources" slide="skip"
 # *Read them:* extrinsic_calibrator [1](https://github.com/Ikerlan-KER/extrinsic_calibrator/issues/1), [2](https://github.com/Ikerlan-KER/extrinsic_calibrator/pull/2); geometry2 [585](https://github.com/ros2/geometry2/issues/585), [634](https://github.com/ros2/geometry2/pull/634); ouster-ros [105](https://github.com/ouster-lidar/ouster-ros/issues/105).
 
@@ -177,6 +190,22 @@ print('late:', *late.all_frames_as_string().splitlines(), sep='\n')
 #
 # *그림 읽기:* 동그라미는 메시지이고, 채워진 것은 수신기가 받은 것입니다. 띠는 게시판이고 stored는 거기에 붙어 있는 것입니다. join = 참가한 시각, listener knows = 수신기가 아는 것, time = 시각.
 
+# %% [markdown] lang="en" name="two-listeners-notes" slide="notes"
+# Do it with paper: four notes, one nail.
+# Each new note goes over the last.
+# Somebody who comes in now reads one.
+# Not nought, and not four: both halves of the class were wrong in their own way.
+# Twelve minutes.
+
+# %% [markdown] lang="ko" name="two-listeners-notes" slide="notes"
+# 종이로 해 봅니다.
+# 쪽지 네 장에 못 하나입니다.
+# 새 쪽지는 앞의 것 위에 겁니다.
+# 지금 들어온 사람은 한 장을 읽습니다.
+# 0도 4도 아닙니다.
+# 양쪽 모두 저마다 틀렸습니다.
+# 12분입니다.
+
 # %% name="late-join" tags=["predicted"] slide="-"
 letters = tuple(lesson.Letter(1.5 + 0.25 * i, (f'camera_{i + 1}',)) for i in range(4))
 one_by_one = lesson.Sender('calibrator', letters)
@@ -273,6 +302,17 @@ print('newcomer knows:', newcomer.all_frames_as_string().splitlines())
 #
 # 카메라 한 대만 아는 `late`에 다른 카메라를 조회하면 다음 오류가 납니다.
 
+# %% [markdown] lang="en" name="ctrl-c-notes" slide="notes"
+# Take the board off the wall and carry it out with you.
+# Who read it still knows; who comes in now finds an empty wall.
+# Ask what that means for a launch file whose static publisher has crashed.
+# Eighteen minutes.
+
+# %% [markdown] lang="ko" name="ctrl-c-notes" slide="notes"
+# 게시판을 벽에서 떼어 들고 나갑니다.
+# 읽은 사람은 알고, 지금 들어온 사람은 빈 벽을 봅니다. launch 파일의 정적 발행자가 죽으면 어떻게 될지 묻습니다.
+# 18분입니다.
+
 # %% name="a-newcomer-asks" slide="-"
 try:
     late.lookup_transform('base_link', 'camera_1', Time())
@@ -325,12 +365,24 @@ print('early knows:', early.all_frames_as_string().splitlines())
 # 좌표계를 하나도 받지 못했습니다. 제공하는 것이 요구하는 것보다 적어서 둘은 아예 연결되지 않습니다. 양쪽 모두 `DURABILITY`라는 경고를 한 번 내고, 경고는 화면 위로 지나갑니다.
 # 나중에 만나는 오류에는 좌표계가 없다고만 나옵니다. 이 경고부터 찾아보세요.
 #
-# 이제 직접 해 볼 차례입니다. `join`을 왼쪽에서 오른쪽으로 끌며 수신기가 아는 것을 읽어 보세요. 그다음에는 VOLATILE을 골라 보세요.
+# 이제 직접 해 볼 차례입니다. 참여 시각을 왼쪽에서 오른쪽으로 끌며 수신기가 아는 것을 읽어 보세요. 그다음에는 VOLATILE을 골라 보세요.
 #
 # - 첫 줄의 카메라 네 대는 언제 하나씩 사라질까요?
 # - 언제 와도 결과가 같은 줄은 어느 것일까요? 게시판과 상관없는 줄은 어느 것일까요?
 #
-# *그림 읽기:* calibrator = 하나씩 보내는 발행자(×에서 끝남), all_in_one = 한 번에 보내는 발행자, driver = 게시판이 없는 발행자, wheels = `/tf`로 계속 보내는 발행자, durability = 지속성, incompatible QoS = 서비스 품질이 맞지 않음.
+# *그림 읽기:* calibrator = 하나씩 보내는 발행자(×에서 끝남), all_in_one = 한 번에 보내는 발행자, driver = 게시판이 없는 발행자, wheels = `/tf`로 계속 보내는 발행자, join = 참여 시각, durability = 지속성, incompatible QoS = 서비스 품질이 맞지 않음.
+
+# %% [markdown] lang="en" name="volatile-notes" slide="notes"
+# The warning is the only clue, and it goes by once.
+# Show where it stands, then ask for the error that somebody will send you a week later.
+# It says that a frame does not exist.
+# Twenty-three minutes.
+
+# %% [markdown] lang="ko" name="volatile-notes" slide="notes"
+# 단서는 경고뿐이고 한 번만 지나갑니다.
+# 어디에 나오는지 보여 준 다음, 일주일 뒤 누군가 보내올 오류를 묻습니다.
+# 좌표계가 없다는 오류입니다.
+# 23분입니다.
 
 # %% name="come-later" tags=["interactive"] slide="subslide"
 cameras = ('camera_1', 'camera_2', 'camera_3', 'camera_4')
@@ -419,6 +471,20 @@ graph = lesson.new_graph()
 # 오래된 자료에는 옵션 없이 `x y z yaw pitch roll parent child`로 적혀 있습니다. **yaw**가 먼저임을 주의하십시오. 아직은 경고와 함께 동작하지만 언젠가는 사라집니다.
 #
 # </details>
+
+# %% [markdown] lang="en" name="break-command-notes" slide="notes"
+# Hands before each: error or not?
+# The one that stays silent turned the camera by four turns and a bit.
+# Degrees are the dearest habit in the room; say radians aloud with every yaw today.
+# Thirty minutes.
+
+# %% [markdown] lang="ko" name="break-command-notes" slide="notes"
+# 하나씩 손을 들게 합니다.
+# 오류가 날까요?
+# 조용히 지나간 쪽이 카메라를 네 바퀴 남짓 돌렸습니다.
+# 도로 생각하는 것은 가장 끈질긴 버릇입니다.
+# 오늘은 yaw를 말할 때마다 라디안을 붙입니다.
+# 30분입니다.
 
 # %% [markdown] lang="en" name="echo-once" slide="subslide"
 # A second publisher is at work now, and you want to see both. The first thing that everybody types is the lecture's `topic echo --once`. Try it, and then give it a second.
@@ -767,6 +833,18 @@ for t in (1.0, 3.0, 6.0):
 # | 고정된 것 | **맞습니다** | 사슬 전체가 낡습니다 |
 # | 움직이는 것 | 과거가 없거나 얼어붙습니다 | 멈춰도 계속 알리면 **맞습니다** |
 
+# %% [markdown] lang="en" name="static-lift-notes" slide="notes"
+# Fill the two by two table with the room, one cell at a time, each with the picture that showed it.
+# The lower left one has no error message at all: ask how one would ever find it.
+# Forty-four minutes.
+
+# %% [markdown] lang="ko" name="static-lift-notes" slide="notes"
+# 두 칸씩 두 줄인 표를 함께 채웁니다.
+# 칸마다 그것을 보여 준 그림을 떠올립니다.
+# 왼쪽 아래 칸에는 오류 메시지가 아예 없습니다.
+# 어떻게 찾아낼지 묻습니다.
+# 44분입니다.
+
 # %% [markdown] lang="en" name="crab" slide="slide"
 # ## The crab
 #
@@ -814,6 +892,22 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 #
 # 코드에는 `yaw = θ`라고 적혀 있습니다. 그런데 θ는 원의 중심에서 본 *위치*의 각도입니다. 원 위에서 앞은 그 방향과 직각, 곧 `θ + π/2`입니다.
 # 메시지 하나하나는 올바른 포즈이므로 어떤 도구도 불평하지 않습니다. 로봇이 *자기 축으로* 어디로 가는지 따져 보아야만 드러납니다.
+
+# %% [markdown] lang="en" name="crab-notes" slide="notes"
+# Before the numbers, show only the circle and ask what is wrong with it.
+# Nothing is, in RViz.
+# Then the one question that finds it: in its own axes, where does it go?
+# It is the lecture's own code; say so with a smile.
+# Fifty-one minutes.
+
+# %% [markdown] lang="ko" name="crab-notes" slide="notes"
+# 숫자를 보여 주기 전에 원만 보여 주고 무엇이 잘못인지 묻습니다.
+# RViz에서는 멀쩡합니다.
+# 그다음 이것을 찾아내는 질문 하나입니다.
+# 로봇은 자기 축으로 어디로 갑니까?
+# 강의 자료의 코드 그대로입니다.
+# 웃으며 말합니다.
+# 51분입니다.
 
 # %% [markdown] lang="en" name="forward" slide="subslide"
 # The cure is one number. In 3D: turn the place on the circle, and compare the robot as written (grey) with the robot that drives forward.
@@ -1205,6 +1299,15 @@ rclpy.try_shutdown()
 # 한 게시판에 메시지를 여러 번 보냈거나, 발행자가 끝났거나, 발행자에게 게시판이 없습니다. `ros2 topic info /tf_static --verbose`로 발행자가 있는지, 지속성이 무엇인지 봅니다. 둘 다 문제가 없으면 `ros2 topic echo /tf_static`으로 게시판의 내용을 봅니다.
 #
 # </details>
+
+# %% [markdown] lang="en" name="exit-ticket-notes" slide="notes"
+# Three causes, one command.
+# Whoever writes 'restart' gets the paper back with one word: which process?
+
+# %% [markdown] lang="ko" name="exit-ticket-notes" slide="notes"
+# 원인 셋에 명령 하나입니다.
+# '재시작'이라고 쓴 쪽지는 한마디를 적어 돌려줍니다.
+# 어느 프로세스를?
 
 # %% [markdown] lang="en" name="next" slide="skip"
 # **Next:** the exercises, [E6 Static and dynamic](../../exercises/en/E06_static_and_dynamic.ipynb), and after them [07 URDF and sensors](07_urdf_and_sensors.ipynb), which asks where the robot's own parts are.

@@ -15,6 +15,7 @@ service.  Read `ages.py` next.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -28,6 +29,7 @@ INCOMPATIBLE = "incompatible QoS"
 COLUMNS = 60  # how wide a row is in words
 ROW_PX, TOP_PX, BOTTOM_PX, KNOWS_PX = 74, 48, 52, 168
 BAR = 0.30  # of a row's height
+WORDS_END = 0.42  # of a row's height below its middle: what hangs on the board stands above, and no line crosses it
 LETTER_PX = 7  # of a name's, in small print
 MOST_NAMES = 4  # beside a row
 
@@ -135,7 +137,7 @@ class JoinsPicture(Picture):
 
     def show(self, join_s: float, asks_for_stored: bool = True) -> None:
         """Show a listener that joins at `join_s` [s], asking for what is stored or not."""
-        self._join.set_xdata([join_s, join_s])
+        self._join.set_xdata([join_s] * len(self._join.get_ydata()))
         self._join_name.xy = (join_s, 1.0)
         for sender, marks, known in zip(self._senders, self._heard, self._known, strict=True):
             heard = letters_heard(sender, join_s, self._until_s, asks_for_stored)
@@ -176,7 +178,9 @@ class JoinsPicture(Picture):
     def _draw_moving(self, knows_x: float, height_px: float) -> None:
         """Make what `show` moves: the join, the letters that are heard, and what is known of each sender."""
         ax, write = self.ax, self.figure.text
-        (self._join,) = ax.plot([0.0, 0.0], [-0.5, len(self._senders) - 0.5], color=style.ACCENT, linewidth=1.8,
+        heights = [y for i in range(len(self._senders)) for y in (i - 0.5, i + BAR / 2, math.nan, i + WORDS_END)]
+        heights.append(len(self._senders) - 0.5)
+        (self._join,) = ax.plot([0.0] * len(heights), heights, color=style.ACCENT, linewidth=1.8,
                                 linestyle=(0, (4.0, 2.0)), zorder=4)  # fmt: skip
         self._join_name = ax.annotate("join", (0.0, 1.0), (0, 4), xycoords=("data", "axes fraction"), ha="center",
                                       textcoords="offset points", color=style.ACCENT,
