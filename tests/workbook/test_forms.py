@@ -296,3 +296,8 @@ def test_a_text_that_is_no_robot_is_told_why_with_the_line_that_the_learner_sees
     assert "entit" in NODS.fault('<!DOCTYPE r [<!ENTITY a "aa">]><robot name="&a;"/>').lower()
     assert NODS.fault(" " * 20_001) == "20001 characters; 20000 are enough for this robot"
     assert NODS.fault(HEAD) == ""
+
+
+def test_a_line_longer_than_anybody_types_is_no_command() -> None:
+    assert Command().read("ros2 topic echo /tf " + "x " * 1_900) is not None
+    assert Command().read("ros2 topic echo /tf " + "x " * 2_000) is None

@@ -13,6 +13,8 @@
     job           one submission, as plain data
     choose        which of its notebooks counts
     agree         what an answer says that ran twice
+    apart         what is large is looked at elsewhere
+    apart_server  there, until it has had enough
     submission    all of it, for one submission
     plain_kernel  the same for a learner's own work, without a wall
 

@@ -6,7 +6,7 @@
 
 A run that gave no value at all is no answer: another answer may have been in its way
 (`math = 3`), so the other run counts.  Nowhere does the better of two count: that would
-be two guesses for one task.  Read `submission.py` next.
+be two guesses for one task.  Read `apart.py` next.
 """
 
 from __future__ import annotations

@@ -49,6 +49,10 @@ class Candidate:
         """The name of the file."""
         return self.page.file.name
 
+    def without_data(self) -> Candidate:
+        """Return the same without the bytes that were handed in."""
+        return replace(self, page=self.page._replace(file=HandedIn(self.file)))
+
 
 def choose(job: Job) -> tuple[dict[str, Candidate], tuple[Remark, ...]]:
     """Return for each chapter the notebook that counts, and what is to be said of the other files."""

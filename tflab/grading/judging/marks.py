@@ -28,7 +28,7 @@ from tflab.workbook.words import Words
 from ..submissions.remarks import Remark
 from .draw import asks_of
 
-__all__ = ["MISSING", "TaskMark", "judged", "most_members", "of_bounded_size", "safe_error_name"]
+__all__ = ["MISSING", "TaskMark", "judged", "members", "most_members", "of_bounded_size", "safe_error_name"]
 
 MISSING = {"object": "nothing"}  # an outcome that never came, or that nobody can read; it is of no form
 TOO_LARGE = {"object": "something very large"}
@@ -164,15 +164,15 @@ def _readable(form: Form, answer: Any, most: int) -> Any:
 
 def most_members(expected: Iterable[Any]) -> int:
     """Return of how many values an answer may be made, by those that are expected."""
-    return MOST_MEMBERS + MORE_THAN_WANTED * max(_members(value, MOST_MEMBERS) for value in expected)
+    return MOST_MEMBERS + MORE_THAN_WANTED * max(members(value, MOST_MEMBERS) for value in expected)
 
 
 def of_bounded_size(answer: Any, most: int) -> Any:
     """Return an answer, or what says that it is too large to be looked at."""
-    return TOO_LARGE if _members(answer, most) >= most else answer
+    return TOO_LARGE if members(answer, most) >= most else answer
 
 
-def _members(plain: Any, most: int) -> int:
+def members(plain: Any, most: int) -> int:
     """Return how many values a JSON value is made of, and how many times 100 letters; it stops counting at `most`."""
     count, todo = 0, [plain]
     while todo and count < most:

@@ -16,13 +16,14 @@ from tflab.workbook.tasks.mistake import Mistake
 from tflab.workbook.words import LANGUAGES
 
 from ..submissions.remarks import Remark
-from .agree import in_another_order, together
+from .agree import in_another_order
+from .apart import chosen, marked
 from .attempt import Attempt, attempt
 from .cells import VOID
-from .choose import Candidate, choose
+from .choose import Candidate
 from .draw import asks_of
 from .job import Job
-from .marks import TaskMark, judged
+from .marks import TaskMark
 from .run import NotRun, Run, RunCell, RunCells
 from .transplant import Transplant
 
@@ -45,11 +46,11 @@ class GradedChapter:
 
 def graded(job: Job, run_cells: RunCells) -> dict[str, Any]:
     """Return the record of a submission, as JSON has it."""
-    chosen, on_files = choose(job)
+    counting, on_files = chosen(job)
     chapters = {
-        stem: _graded_chapter(job, stem, chosen[stem], run_cells) if stem in chosen else _not_handed_in(job, stem)
+        stem: _graded_chapter(job, stem, counting[stem], run_cells) if stem in counting else _not_handed_in(job, stem)
         for stem in job.chapters
-        if stem in chosen or chosen or not job.only
+        if stem in counting or counting or not job.only
     }
     plain = {stem: chapter.plain for stem, chapter in chapters.items()}
     return {
@@ -57,7 +58,7 @@ def graded(job: Job, run_cells: RunCells) -> dict[str, Any]:
         "name": job.name,
         "language": job.language,
         "on_roster": job.on_roster,
-        "handed_in": bool(chosen),
+        "handed_in": bool(counting),
         "chapters": plain,
         "remarks": [remark.plain() for remark in (*job.remarks, *on_files)],
         "seconds": round(sum(chapter.seconds for chapter in chapters.values()), 3),
@@ -172,8 +173,8 @@ class ChapterGrader:
         void = [remark for remark in self.transplanted.remarks if remark.task == task_id and remark.kind in VOID]
         trouble = void or made.trouble.get(task_id, [])
         if task_id not in self.transplanted.answered and not trouble:
-            return marked(task_id, task, _nothing(task))
-        return marked(task_id, task, made.outcomes.get(task_id, {}), trouble)
+            return marked(task_id, task, [_nothing(task)])
+        return marked(task_id, task, [made.outcomes.get(task_id, {})], trouble)
 
     def looked_at_again(self, marks: Sequence[TaskMark], first: Attempt) -> Iterator[tuple[str, SecondLook]]:
         """Run what is not all right or all wrong once more, and take what both runs say.
@@ -213,20 +214,8 @@ class ChapterGrader:
         if mark.task in second.set_aside:
             return mark
         outcomes = [made.outcomes.get(mark.task, {}) for made in (first, second)]
-        task, both = together(self.tasks[mark.task], *outcomes)
         ran_without = [made.trouble.get(mark.task, []) for made in (first, second)]
-        return marked(mark.task, task, both, min(ran_without, key=len))
-
-
-def marked(
-    task_id: str, task: Mapping[str, Any], outcomes: Mapping[int, Any], trouble: Sequence[Remark] = ()
-) -> TaskMark:
-    """Return the mark of a task; a fault of ours costs no other task anything, and says nothing of what is expected."""
-    try:
-        return judged(task_id, task, outcomes, trouble)
-    except Exception as error:
-        said = Remark("failed", task_id, error=type(error).__name__)
-        return TaskMark(task_id, "trouble", 0, 0, 0.0, float(task["points"]), remarks=(said,))
+        return marked(mark.task, self.tasks[mark.task], outcomes, min(ran_without, key=len))
 
 
 def _about_cells(transplanted: Transplant, marks: Sequence[TaskMark]) -> list[Remark]:
@@ -243,7 +232,7 @@ def _about_cells(transplanted: Transplant, marks: Sequence[TaskMark]) -> list[Re
 def _not_handed_in(job: Job, stem: str) -> GradedChapter:
     tasks = job.chapters[stem]["tasks"]
     rows = {
-        task_id: marked(task_id, task, _nothing(task)).plain() | {"status": "missing", "remarks": []}
+        task_id: marked(task_id, task, [_nothing(task)]).plain() | {"status": "missing", "remarks": []}
         for task_id, task in tasks.items()
     }
     remarks = [Remark("nothing", chapter=stem).plain()] if job.files else []

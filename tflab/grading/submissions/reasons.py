@@ -75,6 +75,11 @@ REASONS = {
         en="none of its cells belongs to a chapter with exercises; in {root} there is {there}",
         ko="연습 문제가 있는 장의 셀이 하나도 없습니다. {root}에 있는 장: {there}",
     ),
+    "endless to read": Words(
+        en="to read it took more than {seconds} s of computing or {most} MB of memory: "
+        "clear the outputs and hand it in again",
+        ko="읽는 데 계산 {seconds}초나 메모리 {most} MB가 넘게 듭니다. 출력을 지우고 다시 제출하십시오",
+    ),
     # notebooks that can be read
     "encoding": Words(
         en="it is written in {encoding}, not in UTF-8",

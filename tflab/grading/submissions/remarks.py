@@ -68,6 +68,11 @@ KINDS = {
         en="the answer cell stops with {error}.",
         ko="답안 셀이 {error} 오류로 멈춥니다.",
     ),
+    "endless to judge": Words(
+        en="to judge it took more than {seconds} s of computing or {most} MB of memory, so it was ended: "
+        "no answer is that large.",
+        ko="판정하는 데 계산 {seconds}초나 메모리 {most} MB가 넘게 들어 중단했습니다. 그렇게 큰 답은 없습니다.",
+    ),
     "no result": Words(en="no result came back.", ko="결과가 돌아오지 않았습니다."),
     "not run": Words(
         en="it could not be run on this machine ({why}); grade it again.",

@@ -19,6 +19,7 @@ __all__ = ["rows"]
 
 MarkPair = tuple[float | str, float]
 TOLERANCE = 1e-3
+LONGEST = 4_000  # characters: what is longer is no line that anybody types, and takes long to take apart
 
 # Options that stand alone; every other one takes the word after it.
 ALONE = {
@@ -40,6 +41,8 @@ NAMES_WITH_A_ROOT = {"topic", "node", "param", "service", "bag"}  # `tf` and `/t
 
 def rows(line: str) -> list[list[MarkPair]] | None:
     """Return the equal ways to write what `line` does, or None if it is not a line for a shell."""
+    if len(line) > LONGEST:
+        return None
     try:
         words = shlex.split(line.strip().lstrip("$!%").replace("\\\n", " "), comments=True)
     except ValueError:

@@ -1,0 +1,116 @@
+"""Does judging end, whatever was answered or handed in, and cost that part alone?"""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+import tiny
+
+from tflab.grading.judging import apart
+from tflab.grading.judging.draw import asks_of
+from tflab.grading.judging.job import HandedIn, Job
+from tflab.grading.judging.marks import judged, members
+from tflab.grading.judging.pack import read_pack
+from tflab.grading.kernels.limits import Limits
+
+@pytest.fixture(scope="module")
+def task(course: tiny.Course) -> dict[str, Any]:
+    return read_pack(course.pack).for_learner("s102")[tiny.STEM]["tasks"]["E3.2"]
+
+
+def outcomes(task: dict[str, Any], one: Any = None) -> dict[int, Any]:
+    """Return the same outcome for whatever is asked; the right ones if there is none."""
+    return {place: one or task["cases"][case]["expected"] for place, case in enumerate(asks_of(task))}
+
+
+@pytest.fixture(autouse=True)
+def its_own_server() -> Iterator[None]:
+    yield
+    apart._stop()
+
+
+def hog(count: int) -> bytes:
+    """Return a notebook whose cells take the parser long, all of them under one name."""
+    cells = [
+        {
+            "cell_type": "code", "id": f"n{n}", "metadata": {"name": "e3-2-answer"}, "outputs": [],
+            "execution_count": None, "source": "a=b;" * 4900 + f"\n# {n}",
+        }  # fmt: skip
+        for n in range(count)
+    ]
+    return json.dumps({"cells": cells, "nbformat": 4, "nbformat_minor": 5, "metadata": {}}).encode()
+
+
+def job(course: tiny.Course, *files: HandedIn) -> Job:
+    pack = read_pack(course.pack)
+    return Job("s102", "", "en", pack.release, pack.version, files, pack.for_learner("s102"), Limits())
+
+
+def test_what_is_as_small_as_what_is_asked_for_is_judged_here(task: dict[str, Any]) -> None:
+    assert apart.marked("E3.2", task, [outcomes(task)]).points == 4
+    assert apart._servers == {}
+
+
+def test_what_is_large_is_judged_apart_and_its_mark_is_the_same(task: dict[str, Any]) -> None:
+    large = outcomes(task, [0.0] * 1_900)
+    mark = apart.marked("E3.2", task, [large])
+    assert len(apart._servers) == 1
+    assert mark == judged("E3.2", task, large)
+    assert mark.status == "wrong"
+
+
+def test_two_runs_are_large_together(task: dict[str, Any]) -> None:
+    apart.marked("E3.2", task, [outcomes(task, [0.0] * 200)])
+    assert apart._servers == {}
+    apart.marked("E3.2", task, [outcomes(task, [0.0] * 200)] * 2)
+    assert len(apart._servers) == 1
+
+
+def test_a_judging_that_does_not_end_is_ended_and_costs_its_own_task(
+    task: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(apart, "MEMORY", 1 << 20)
+    mark = apart.marked("E3.2", task, [outcomes(task, "x" * 8_000_000)])
+    assert (mark.points, mark.most, [remark.kind for remark in mark.remarks]) == (0.0, 4.0, ["endless to judge"])
+    assert apart.marked("E3.2", task, [outcomes(task)]).points == 4
+
+
+def test_a_notebook_that_cannot_be_read_in_time_is_left_out_and_another_counts(
+    course: tiny.Course, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(apart, "CPU_S", 1)
+    honest = HandedIn("03.ipynb", json.dumps(tiny.answered(tiny.exercise(course.release / "learners/s102"))).encode())
+    found, remarks = apart.chosen(job(course, HandedIn("hog.ipynb", hog(90)), honest))
+    assert {stem: candidate.file for stem, candidate in found.items()} == {tiny.STEM: "03.ipynb"}
+    assert [remark.words["why"].kind for remark in remarks] == ["endless to read"]
+
+
+def test_a_large_honest_notebook_is_read_apart_as_it_is_here(course: tiny.Course) -> None:
+    notebook = tiny.answered(tiny.exercise(course.release / "learners/s102"))
+    notebook["cells"][-1]["outputs"] = [{"output_type": "stream", "name": "stdout", "text": "x" * 2_000_000}]
+    large = job(course, HandedIn("03.ipynb", json.dumps(notebook).encode()))
+    apart_, here = apart.chosen(large), apart.choose(large)
+    assert len(apart._servers) == 1
+    assert {stem: one.transplanted for stem, one in apart_[0].items()} == {
+        stem: one.transplanted for stem, one in here[0].items()
+    }
+    assert [one.page.file.data for one in apart_[0].values()] == [b""]
+
+
+def test_a_server_that_was_killed_is_started_anew(task: dict[str, Any]) -> None:
+    large = [outcomes(task, [0.0] * 1_900)]
+    first = apart.marked("E3.2", task, large)
+    process, _ = apart._servers[os.getpid()]
+    os.kill(process.pid, signal.SIGKILL)
+    process.wait()
+    assert apart.marked("E3.2", task, large) == first
+
+
+@pytest.mark.parametrize(("plain", "count"), [(1.0, 1), ([1.0, 2.0], 5), ({"dict": {"a": [1.0]}}, 7), ("x" * 250, 3)])
+def test_how_large_an_answer_is_is_counted_in_values_and_hundreds_of_letters(plain: Any, count: int) -> None:
+    assert members(plain, 1_000) == count

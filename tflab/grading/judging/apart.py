@@ -1,0 +1,175 @@
+"""What if the judging itself took too long?  What is large is looked at in a process of its own, which has an end.
+
+    a few numbers, a notebook as people write it     here, in a millisecond
+    ninety thousand numbers, a file of 80 MB         server --fork--> child: so many seconds of processor and
+                                                     so much memory; what came of it, or Ended
+
+Processor time decides, not the clock on the wall, so that a busy machine costs nobody
+a point.  Read `apart_server.py` next.
+"""
+
+from __future__ import annotations
+
+import atexit
+import contextlib
+import os
+import signal
+import subprocess
+import sys
+import threading
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from multiprocessing.connection import Connection, Pipe
+from typing import Any
+
+from ..submissions.remarks import Remark
+from .agree import together
+from .choose import Candidate, choose
+from .job import HandedIn, Job
+from .marks import TaskMark, judged, members
+
+__all__ = ["CPU_S", "MEMORY", "WORK", "Ended", "apart", "chosen", "marked"]
+
+CPU_S, MEMORY = 10, 1 << 30  # of one look; an honest one takes some milliseconds
+PATIENCE = 12  # times as long by the clock on the wall
+LARGE_ANSWERS = 10_000  # values in all outcomes of a task together; fewer are judged in a fifth of a second
+LARGE_FILES = 1 << 20  # bytes of all files together
+IS_POSSIBLE = sys.platform == "linux"  # elsewhere only learners look at their own work
+SERVER = f"{__package__}.apart_server"
+
+Outcomes = Mapping[int, Any]
+Chosen = tuple[dict[str, Candidate], tuple[Remark, ...]]
+
+
+class Ended(Exception):
+    """The look at something took too long, or too much memory."""
+
+
+def marked(task_id: str, task: Mapping[str, Any], runs: Sequence[Outcomes], trouble: Sequence[Remark] = ()) -> TaskMark:
+    """Return the mark of a task that was run once, or twice.
+
+    What fails here or has no end costs no other task anything, and says nothing of what is expected.
+    """
+    try:
+        if IS_POSSIBLE and _are_large(runs):
+            return apart("mark", task_id, task, runs, trouble)
+        return _mark(task_id, task, runs, trouble)
+    except Ended:
+        said = Remark("endless to judge", task_id, seconds=CPU_S, most=MEMORY >> 20)
+    except Exception as error:
+        said = Remark("failed", task_id, error=type(error).__name__)
+    return TaskMark(task_id, "trouble", 0, 0, 0.0, float(task["points"]), remarks=(said,))
+
+
+def chosen(job: Job) -> Chosen:
+    """Return for each chapter the notebook that counts; a large file whose reading has no end is left out."""
+    if not IS_POSSIBLE or sum(len(file.data) for file in job.files) < LARGE_FILES:
+        return choose(job)
+    with contextlib.suppress(Ended):
+        return apart("choose", job)
+    return choose(replace(job, files=tuple(_readable(job, file) for file in job.files)))
+
+
+def _readable(job: Job, file: HandedIn) -> HandedIn:
+    """Return a file; in its place, if its reading has no end, the reason."""
+    if len(file.data) * len(job.files) < LARGE_FILES:
+        return file
+    try:
+        apart("choose", replace(job, files=(file,)))
+    except Ended:
+        return HandedIn(file.name, fault=Remark("endless to read", seconds=CPU_S, most=MEMORY >> 20))
+    return file
+
+
+def _mark(task_id: str, task: Mapping[str, Any], runs: Sequence[Outcomes], trouble: Sequence[Remark]) -> TaskMark:
+    if len(runs) == 1:
+        return judged(task_id, task, runs[0], trouble)
+    asked, outcomes = together(task, *runs)
+    return judged(task_id, asked, outcomes, trouble)
+
+
+def _choose(job: Job) -> Chosen:
+    """Choose, and do not hand back what was read: that can be many megabytes."""
+    found, remarks = choose(job)
+    return {stem: candidate.without_data() for stem, candidate in found.items()}, remarks
+
+
+WORK = {"mark": _mark, "choose": _choose}
+
+
+def _are_large(runs: Sequence[Outcomes]) -> bool:
+    """Return whether the outcomes are more than anybody is asked for."""
+    room = LARGE_ANSWERS
+    for outcome in (outcome for outcomes in runs for outcome in outcomes.values()):
+        room -= members(outcome, room)
+        if room <= 0:
+            return True
+    return False
+
+
+# -- a server for this process -------------------------------------------------------------
+
+_lock = threading.Lock()
+_servers: dict[int, tuple[subprocess.Popen[bytes], Connection]] = {}  # by the process that has started it
+
+
+def apart(work: str, *arguments: Any) -> Any:
+    """Return what one of WORK gives, in a process of its own.
+
+    Raises:
+        Ended: it took too long, or too much memory.
+    """
+    with _lock:
+        try:
+            line = _line_with((CPU_S, MEMORY), (work, arguments))
+            if not line.poll(PATIENCE * CPU_S):
+                raise Ended
+            is_done, result = line.recv()
+        except (Ended, OSError, EOFError):
+            _stop()
+            raise Ended from None
+    if not is_done:
+        raise result
+    return result
+
+
+def _line_with(*orders: Any) -> Connection:
+    """Return the line to the server, with orders on it; one that was killed is started anew."""
+    for _ in range(2):
+        _, line = _servers.get(os.getpid()) or _started()
+        try:
+            for order in orders:
+                line.send(order)
+            return line
+        except OSError:
+            _stop()
+    raise Ended
+
+
+def _started() -> tuple[subprocess.Popen[bytes], Connection]:
+    """Start the server of this process."""
+    ours, its = Pipe()
+    one_thread = dict.fromkeys(("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS"), "1")  # before a fork
+    null = subprocess.DEVNULL
+    with its:
+        process = subprocess.Popen(
+            [sys.executable, "-m", SERVER, str(its.fileno())],
+            pass_fds=[its.fileno()],
+            start_new_session=True,  # Ctrl-C is for the grader
+            stdin=null, stdout=null, stderr=null,
+            cwd="/",
+            env=os.environ | one_thread | {"PYTHONPATH": os.pathsep.join(filter(None, sys.path))},
+        )  # fmt: skip
+    _servers[os.getpid()] = process, ours
+    return _servers[os.getpid()]
+
+
+@atexit.register
+def _stop() -> None:
+    """End the server of this process, and what it looks at, if there is one."""
+    process, line = _servers.pop(os.getpid(), (None, None))
+    if process is not None and line is not None:
+        line.close()
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(process.pid, signal.SIGKILL)
+        process.wait()
