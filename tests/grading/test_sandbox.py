@@ -12,7 +12,7 @@ from pathlib import Path
 import psutil
 import pytest
 
-from tflab.grading.kernels import landlock
+from tflab.grading.kernels import keeper, landlock, seccomp
 from tflab.grading.kernels.limits import Limits
 from tflab.grading.kernels.probe import PROBE_TYPE
 from tflab.grading.kernels.sandbox import LEVELS, Sandbox
@@ -259,10 +259,41 @@ def test_a_kernel_holds_no_file_of_the_grader(fresh: Inside) -> None:
 
 
 def test_there_is_no_network(inside: Inside) -> None:
-    assert inside("attempt(socket.socket)", "import socket") == "OSError"  # no TCP, not even on this machine
-    udp = "import socket\nudp = socket.socket(type=socket.SOCK_DGRAM)"
-    assert inside("attempt(lambda: udp.sendto(b'x', ('192.0.2.1', 80)))", udp) == "OSError"
-    assert inside("[name for _, name in socket.if_nameindex()]", "import socket") == ["lo"]
+    assert inside("[line.split(':')[0].strip() for line in open('/proc/net/dev') if ':' in line]") == ["lo"]
+
+
+NETWORKS = {
+    "TCP": "socket.socket()",
+    "UDP": "socket.socket(type=socket.SOCK_DGRAM)",
+    "UDP of version 6": "socket.socket(socket.AF_INET6, socket.SOCK_DGRAM)",
+    "TCP that is not waited for": "socket.socket(socket.AF_INET6, socket.SOCK_STREAM | socket.SOCK_NONBLOCK)",
+    "raw": "socket.socket(type=socket.SOCK_RAW)",
+    "routes": "socket.socket(socket.AF_NETLINK, socket.SOCK_RAW, 0)",
+    "packets": "socket.socket(socket.AF_PACKET, socket.SOCK_RAW)",
+    "a name": "socket.create_connection(('localhost', 80))",
+}
+
+
+@pytest.mark.skipif(not seccomp.is_there(), reason="this machine has no filter, and the report says so")
+@pytest.mark.parametrize("network", NETWORKS)
+def test_no_wall_gives_a_socket_of_a_network(shared: Inside, network: str) -> None:
+    assert shared(f"attempt(lambda: {NETWORKS[network]})", "import socket") in ("OSError", "gaierror")
+
+
+LOCKS = {
+    "a lock on a file of Python's": "fcntl.flock(open(os.__file__), fcntl.LOCK_EX)",
+    "a lock on a part of it": "fcntl.lockf(open(os.__file__), fcntl.LOCK_SH)",
+    "a question whether it is locked": "fcntl.fcntl(open(os.__file__), fcntl.F_GETLK, bytes(32))",
+    "a lease on it": "fcntl.fcntl(open(os.__file__), fcntl.F_SETLEASE, fcntl.F_RDLCK)",
+}
+
+
+@pytest.mark.skipif(not seccomp.is_there(), reason="this machine has no filter, and the report says so")
+@pytest.mark.parametrize("lock", LOCKS)
+def test_no_kernel_can_say_something_to_another_by_a_lock(shared: Inside, lock: str) -> None:
+    assert shared(f"attempt(lambda: {LOCKS[lock]})", "import fcntl") == "PermissionError"
+    works = "import fcntl\nfile = open('mine', 'w')"
+    assert shared("fcntl.fcntl(file, fcntl.F_GETFD)", works) == 1
 
 
 def test_without_a_wall_landlock_keeps_the_pack_from_being_read(confined: Inside, secret: Path) -> None:
@@ -334,7 +365,11 @@ CALLS = {
     "a queue of messages": "libc.msgget(0, 0o1600)",
     "a message from a queue": "libc.syscall(70, 0, 0, 0, 0, 0)",
     "a queue with a name": "libc.syscall(240, b'x', 0o100, 0o600, 0)",
+    "a watch on a file": "libc.inotify_init1(0)",
+    "a watch on all files": "libc.fanotify_init(0, 0)",
     "TCP": "libc.socket(2, 1, 0)",
+    "UDP": "libc.socket(2, 2, 0)",
+    "UDP of version 6": "libc.socket(10, 2 | 0o4000, 0)",
     "TCP of version 6": "libc.socket(10, 1 | 0o4000, 0)",
     "SCTP": "libc.socket(2, 5, 132)",
     "a signal to everybody": "libc.kill(-1, 0)",
@@ -448,6 +483,15 @@ for _ in range(4):
         for page in range(0, 60_000, 2):
             place = (address + 4095) // 4096 * 4096 + page * 4096 % (119 << 20)
             ctypes.CDLL(None).mprotect(ctypes.c_void_p(place), 4096, 1)
+        time.sleep(60)
+time.sleep(60)
+""",
+    "mappings": """
+import mmap, os, time
+for _ in range(18):
+    if os.fork() == 0:
+        held = [mmap.mmap(-1, 4096, mmap.MAP_PRIVATE | mmap.MAP_ANONYMOUS, mmap.PROT_READ | 2 * (n % 2))
+                for n in range(60_000)]
         time.sleep(60)
 time.sleep(60)
 """,
@@ -680,7 +724,19 @@ def test_a_fallback_says_what_it_does_not_protect_from(monkeypatch: pytest.Monke
     monkeypatch.setattr(landlock, "abi", lambda: 0)
     without = in_english(Sandbox("limits"))
     assert "hidden answers are only advisory" in without
-    assert "network" in without
+    assert "network" not in without
+    monkeypatch.setattr(seccomp, "is_there", lambda: False)  # another architecture
+    assert "can reach the network" in in_english(Sandbox("limits"))
+
+
+def test_a_look_at_many_processes_takes_no_longer_than_it_may(monkeypatch: pytest.MonkeyPatch) -> None:
+    spent = iter(range(1_000))
+    monkeypatch.setattr(keeper.time, "thread_time", lambda: 0.2 * next(spent))
+    monkeypatch.setattr(keeper, "behind_sockets", lambda processes: 0)
+    monkeypatch.setattr(keeper, "rough_memory_of", lambda pid: (100, 1))
+    monkeypatch.setattr(keeper, "memory_of", lambda pid: 10)
+    monkeypatch.setattr(keeper, "mappings_of", lambda pid: [])
+    assert keeper.memory_of_all([1, 2, 3, 4, 5], enough=0) == 10 + 1 + 10 + 1 + 3 * (100 + 1)
 
 
 def test_a_fallback_says_why_nothing_better_was_to_be_had() -> None:

@@ -23,6 +23,7 @@ import socket
 import stat
 import sys
 import tempfile
+import time
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
@@ -36,8 +37,10 @@ __all__ = ["keep"]
 
 TICK_S = 0.2
 SHARED = "/dev/zero (deleted)"  # how maps call memory that forks share
-FREE_DESCRIPTORS, BYTES_OF_A_SOCKET = 32, 400 << 10
+FREE_SOCKETS, BYTES_OF_A_SOCKET = 32, 400 << 10
+BYTES_OF_A_MAPPING = 256  # that the system keeps for it
 MANY_TABLES = 4 << 20  # of a process that looks into memory in many pieces
+LONGEST_LOOK_S = 0.5  # of processor time, at all processes; sixty that share much take a tenth of that
 MOST_FILES = 4096
 PR_SET_PDEATHSIG, PR_SET_CHILD_SUBREAPER = 1, 36
 FIRST_UID, UIDS = 61000, 4000  # above people and services, below what systemd gives away
@@ -230,18 +233,20 @@ def descendants(pid: int) -> list[int]:
 
 def memory_of_all(processes: Sequence[int], enough: int) -> int:
     """Return what processes hold, in their own tables and outside of them [bytes]; exactly only above `enough`."""
-    outside = sum(map(behind_descriptors, processes))
+    outside = behind_sockets(processes)
     rough = [rough_memory_of(process) for process in processes]
     if outside + sum(held + tables for held, tables in rough) <= enough:
         return outside + sum(held + tables for held, tables in rough)
     shared: dict[str, int] = {}
-    total = outside
+    total, begun = outside, time.thread_time()
     for process, (held, tables) in zip(processes, rough, strict=True):
-        if tables > MANY_TABLES:  # so many that to look at each takes long: not a page less than it may be
-            total += held + tables
+        total += tables
+        if tables > MANY_TABLES or time.thread_time() - begun > LONGEST_LOOK_S:  # not a page less than it may be
+            total += held
         else:
-            total += memory_of(process) + tables
-            shared |= shared_memory_of(process)
+            maps = mappings_of(process)
+            total += memory_of(process) + len(maps) * BYTES_OF_A_MAPPING
+            shared |= shared_memory_in(maps)
     return total + sum(shared.values())
 
 
@@ -287,22 +292,39 @@ def memory_of(pid: int) -> int:
         return rough_memory_of(pid)[0]
 
 
-def shared_memory_of(pid: int) -> dict[str, int]:
+def mappings_of(pid: int) -> list[str]:
+    try:
+        return Path(f"/proc/{pid}/maps").read_text(errors="replace").splitlines()
+    except OSError:
+        return []
+
+
+def shared_memory_in(maps: Sequence[str]) -> dict[str, int]:
     """Return the sizes of memory that forks share, by its inode: pages dropped from all tables are kept, too."""
     sizes: dict[str, int] = {}
-    with contextlib.suppress(OSError):
-        maps = Path(f"/proc/{pid}/maps").read_text(errors="replace")
-        for line in maps.splitlines() if SHARED in maps else ():
-            if line.endswith(SHARED):
-                span, _, offset, _, inode, *_ = line.split()
-                begin, end = (int(number, 16) for number in span.split("-"))
-                sizes[f"{inode}:{offset}"] = max(end - begin, sizes.get(f"{inode}:{offset}", 0))
+    for line in maps:
+        if line.endswith(SHARED):
+            span, _, offset, _, inode, *_ = line.split()
+            begin, end = (int(number, 16) for number in span.split("-"))
+            sizes[f"{inode}:{offset}"] = max(end - begin, sizes.get(f"{inode}:{offset}", 0))
     return sizes
 
 
-def behind_descriptors(pid: int) -> int:
-    """Return the most that the kernel of the system may hold in the buffers of a process's sockets [bytes]."""
-    return max(0, len(descriptors(pid)) - FREE_DESCRIPTORS) * BYTES_OF_A_SOCKET
+def behind_sockets(processes: Sequence[int]) -> int:
+    """Return the most that the system may hold in the buffers of processes' sockets and pipes [bytes]."""
+    ends = {end for process in processes for end in ends_of(process)}
+    return max(0, len(ends) - FREE_SOCKETS) * BYTES_OF_A_SOCKET
+
+
+def ends_of(pid: int) -> set[str]:
+    """Return the sockets and pipes of a process: what forks share has one name."""
+    found = set()
+    for number in descriptors(pid):
+        with contextlib.suppress(OSError):
+            name = os.readlink(f"/proc/{pid}/fd/{number}")
+            if name.startswith(("socket:", "pipe:")):
+                found.add(name)
+    return found
 
 
 def descriptors(pid: int) -> list[str]:

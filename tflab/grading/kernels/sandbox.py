@@ -21,7 +21,7 @@ import tflab
 from tflab.workbook import places
 from tflab.workbook.words import Words
 
-from . import landlock
+from . import landlock, seccomp
 
 __all__ = ["LEVELS", "Sandbox"]
 
@@ -31,14 +31,14 @@ ONLY_FILES = (
         ko="제출된 코드가 다른 프로세스의 목록을 볼 수 있습니다.",
     ),
     Words(
-        en="Code in a submission can send UDP to the network.",
-        ko="제출된 코드가 네트워크로 UDP를 보낼 수 있습니다.",
-    ),
-    Words(
         en="An answer that shares locks between processes (multiprocessing) fails: the memory for them is everybody's.",
         ko="프로세스끼리 잠금을 공유하는 답(multiprocessing)은 실패합니다. "
         "그 메모리는 모두가 함께 쓰는 것이기 때문입니다.",
     ),
+)
+NETWORK = Words(
+    en="Code in a submission can reach the network.",
+    ko="제출된 코드가 네트워크에 접속할 수 있습니다.",
 )
 GAPS = {
     "namespaces": (),
@@ -54,10 +54,6 @@ GAPS = {
             "submissions among them, so hidden answers are only advisory. Keep a copy of what was handed in.",
             ko="제출된 코드가 교수자의 파일을 읽고 바꿀 수 있습니다. 채점용 팩과 다른 제출물도 마찬가지입니다. "
             "따라서 점수는 참고용일 뿐입니다. 제출물의 사본을 따로 보관하십시오.",
-        ),
-        Words(
-            en="Code in a submission can reach the network.",
-            ko="제출된 코드가 네트워크에 접속할 수 있습니다.",
         ),
         Words(
             en="Code in a submission can end the grader; the run has to be started again then.",
@@ -88,9 +84,10 @@ class Sandbox:
     @property
     def gaps(self) -> tuple[Words, ...]:
         """Return what this wall does not protect from, one sentence each; nothing for the best one."""
-        if self.level == "limits" and landlock.abi() >= landlock.CONFINES:
-            return ONLY_FILES
-        return GAPS[self.level]
+        if self.level != "limits":
+            return GAPS[self.level]
+        gaps = ONLY_FILES if landlock.abi() >= landlock.CONFINES else GAPS["limits"]
+        return gaps if seccomp.is_there() else (*gaps, NETWORK)
 
     def announce(self) -> Words:
         """Return one line for the report: which wall, and why no better one; `gaps` are the lines after it."""

@@ -7,7 +7,8 @@
     kill(-1)                             EPERM (that is everybody)
     clone with a new namespace           EPERM
     clone3                               ENOSYS (its flags cannot be seen; libc then uses clone)
-    socket of an unusual family, TCP     EAFNOSUPPORT
+    flock, fcntl(F_SETLK), inotify       EPERM (a neighbour would see it on a file of Python's)
+    every socket of a network            EAFNOSUPPORT (UDP too: what is on its way is in no process's limit)
     where files are the machine's: a socket that could be connected to a name in them, too
 
 The filter is a small program in the kernel's own language (BPF): it looks at the number of a
@@ -22,12 +23,12 @@ import ctypes
 import errno
 import platform
 import struct
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from .namespaces import check, libc
 
-__all__ = ["refuse_dangerous_calls"]
+__all__ = ["is_there", "refuse_dangerous_calls"]
 
 ANYWHERE = {
     "io_uring_setup": 425, "io_uring_enter": 426, "io_uring_register": 427, "open_tree": 428, "move_mount": 429,
@@ -35,6 +36,7 @@ ANYWHERE = {
     "mount_setattr": 442, "quotactl_fd": 443, "memfd_secret": 447,
 }  # fmt: skip
 X86_64 = {
+    "flock": 73, "inotify_init": 253, "inotify_init1": 294, "fanotify_init": 300,
     "shmget": 29, "shmat": 30, "shmctl": 31, "semget": 64, "semop": 65, "semctl": 66, "shmdt": 67, "msgget": 68,
     "msgsnd": 69, "msgrcv": 70, "msgctl": 71, "semtimedop": 220, "mq_open": 240, "vmsplice": 278,
     "memfd_create": 319,
@@ -45,6 +47,7 @@ X86_64 = {
     "process_vm_writev": 311, "finit_module": 313, "kexec_file_load": 320, "bpf": 321, "userfaultfd": 323,
 }  # fmt: skip
 AARCH64 = {
+    "inotify_init1": 26, "flock": 32, "fanotify_init": 262,
     "mq_open": 180, "msgget": 186, "msgctl": 187, "msgrcv": 188, "msgsnd": 189, "semget": 190, "semctl": 191,
     "semtimedop": 192, "semop": 193, "shmget": 194, "shmctl": 195, "shmat": 196, "shmdt": 197,
     "memfd_create": 279, "vmsplice": 75,
@@ -66,16 +69,18 @@ class Machine(NamedTuple):
     socketpair: int
     kill: int
     mmap: int
+    fcntl: int
 
 
 MACHINES = {
-    "x86_64": Machine(0xC000003E, {**X86_64, **ANYWHERE}, clone=56, socket=41, socketpair=53, kill=62, mmap=9),
-    "aarch64": Machine(0xC00000B7, {**AARCH64, **ANYWHERE}, clone=220, socket=198, socketpair=199, kill=129, mmap=222),
+    "x86_64": Machine(0xC000003E, {**X86_64, **ANYWHERE}, clone=56, socket=41, socketpair=53, kill=62, mmap=9, fcntl=72),
+    "aarch64": Machine(0xC00000B7, {**AARCH64, **ANYWHERE}, clone=220, socket=198, socketpair=199, kill=129, mmap=222, fcntl=25),
 }
 CLONE3 = 435
 NEW_NAMESPACES = 0x7E020000  # CLONE_NEWNS, NEWCGROUP, NEWUTS, NEWIPC, NEWUSER, NEWPID, NEWNET
-AF_UNIX, AF_INET, AF_INET6, AF_NETLINK = 1, 2, 10, 16
-STREAM, DATAGRAM, SEQUENCED, SOCKET_TYPES = 1, 2, 5, 0xF
+AF_UNIX, NO_FAMILY = 1, 0xFFFF
+STREAM, SEQUENCED, SOCKET_TYPES = 1, 5, 0xF
+LOCKS = (5, 6, 7, 36, 37, 38, 1024)  # F_GETLK and F_SETLK, with and without waiting, of processes and of files; leases
 X32 = 0x40000000
 
 SHARED_WITH_FORKS = 0x21  # MAP_SHARED and MAP_ANONYMOUS
@@ -88,13 +93,18 @@ PR_SET_SECCOMP, MODE_FILTER = 22, 2
 Step = tuple[int, int, int, int]  # code, jump if true, jump if false, number
 
 
+def is_there() -> bool:
+    """Return whether this machine has a filter."""
+    return platform.machine() in MACHINES
+
+
 def refuse_dangerous_calls(*, names_are_shared: bool = False) -> bool:
     """Install the filter for this process and all that it starts; return whether this machine has one.
 
     Args:
         names_are_shared: the names of sockets in the file system are the machine's; then none may be connected to.
     """
-    if platform.machine() not in MACHINES:
+    if not is_there():
         return False
     code = program(MACHINES[platform.machine()], names_are_shared)
     buffer = ctypes.create_string_buffer(code, len(code))
@@ -118,37 +128,18 @@ def program(machine: Machine, names_are_shared: bool) -> bytes:
     for number in sorted(machine.refused.values()):
         steps += [(EQUAL, 0, 1, number), (RETURN, 0, 0, REFUSE | errno.EPERM)]
     shared_with_forks = (AND, 0, 0, SHARED_WITH_FORKS), (EQUAL, 0, 1, SHARED_WITH_FORKS)
+    no_network = (EQUAL, 1, 0, NO_FAMILY if names_are_shared else AF_UNIX)
     steps += [
         *refuse_if(machine.mmap, AT_ARGUMENT[3], *shared_with_forks),
         *refuse_if(machine.kill, AT_ARGUMENT[0], (EQUAL, 0, 1, 0xFFFFFFFF)),
         *refuse_if(machine.clone, AT_ARGUMENT[0], (ANY_OF, 0, 1, NEW_NAMESPACES)),
-        *refuse_sockets(machine.socket, names_are_shared),
+        *refuse_if(machine.fcntl, AT_ARGUMENT[1], *one_of(LOCKS)),
+        *refuse_if(machine.socket, AT_ARGUMENT[0], no_network, error=errno.EAFNOSUPPORT),
     ]
     if names_are_shared:  # a pair that keeps no connection could still be sent to a name
         with_connection = (AND, 0, 0, SOCKET_TYPES), (EQUAL, 2, 0, STREAM), (EQUAL, 1, 0, SEQUENCED)
         steps += refuse_if(machine.socketpair, AT_ARGUMENT[1], *with_connection)
     return b"".join(struct.pack("HBBI", *step) for step in [*steps, (RETURN, 0, 0, ALLOW)])
-
-
-def refuse_sockets(call: int, names_are_shared: bool) -> list[Step]:
-    """Return the steps that refuse sockets of unusual families, and TCP: nothing in here has anybody to talk to.
-
-    What TCP has on its way is memory in no process's limit.
-    """
-    to_refusal = 5
-    return [
-        (EQUAL, 0, 10, call),
-        (LOAD, 0, 0, AT_ARGUMENT[0]),
-        (EQUAL, 7, 0, AF_NETLINK),
-        (EQUAL, to_refusal if names_are_shared else to_refusal + 1, 0, AF_UNIX),
-        (EQUAL, 1, 0, AF_INET),
-        (EQUAL, 0, 3, AF_INET6),
-        (LOAD, 0, 0, AT_ARGUMENT[1]),
-        (AND, 0, 0, SOCKET_TYPES),
-        (EQUAL, 1, 0, DATAGRAM),
-        (RETURN, 0, 0, REFUSE | errno.EAFNOSUPPORT),
-        (RETURN, 0, 0, ALLOW),
-    ]
 
 
 def refuse_if(call: int, argument: int, *tests: Step, error: int = errno.EPERM) -> list[Step]:
@@ -160,3 +151,9 @@ def refuse_if(call: int, argument: int, *tests: Step, error: int = errno.EPERM) 
         (RETURN, 0, 0, REFUSE | error),
         (RETURN, 0, 0, ALLOW),
     ]
+
+
+def one_of(numbers: Sequence[int]) -> list[Step]:
+    """Return the tests that jump over a refusal unless an argument is one of these numbers."""
+    last = len(numbers) - 1
+    return [(EQUAL, last - place, int(place == last), number) for place, number in enumerate(numbers)]

@@ -25,6 +25,7 @@ from dataclasses import asdict, dataclass
 from typing import IO
 
 from . import landlock, namespaces
+from .bubblewrap import WITHOUT_THIS_FOLDER
 from .limits import Limits
 from .sandbox import LEVELS, Sandbox
 from .wire import Wire, WireClosed, WireFault
@@ -155,7 +156,7 @@ class Kernels:
         ours, its = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         with its:
             self._server = subprocess.Popen(
-                [sys.executable, "-P", "-m", "tflab.grading.kernels.forkserver", str(its.fileno())],
+                [sys.executable, *WITHOUT_THIS_FOLDER, "-m", "tflab.grading.kernels.forkserver", str(its.fileno())],
                 pass_fds=[its.fileno()],
                 start_new_session=True,  # Ctrl-C is for the grader
                 stdin=subprocess.DEVNULL,
