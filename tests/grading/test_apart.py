@@ -18,6 +18,7 @@ from tflab.grading.judging.marks import judged, members
 from tflab.grading.judging.pack import read_pack
 from tflab.grading.kernels.limits import Limits
 
+
 @pytest.fixture(scope="module")
 def task(course: tiny.Course) -> dict[str, Any]:
     return read_pack(course.pack).for_learner("s102")[tiny.STEM]["tasks"]["E3.2"]
@@ -36,13 +37,8 @@ def its_own_server() -> Iterator[None]:
 
 def hog(count: int) -> bytes:
     """Return a notebook whose cells take the parser long, all of them under one name."""
-    cells = [
-        {
-            "cell_type": "code", "id": f"n{n}", "metadata": {"name": "e3-2-answer"}, "outputs": [],
-            "execution_count": None, "source": "a=b;" * 4900 + f"\n# {n}",
-        }  # fmt: skip
-        for n in range(count)
-    ]
+    named = {"cell_type": "code", "metadata": {"name": "e3-2-answer"}, "outputs": [], "execution_count": None}
+    cells = [named | {"id": f"n{n}", "source": "a=b;" * 4900 + f"\n# {n}"} for n in range(count)]
     return json.dumps({"cells": cells, "nbformat": 4, "nbformat_minor": 5, "metadata": {}}).encode()
 
 

@@ -73,8 +73,12 @@ class Machine(NamedTuple):
 
 
 MACHINES = {
-    "x86_64": Machine(0xC000003E, {**X86_64, **ANYWHERE}, clone=56, socket=41, socketpair=53, kill=62, mmap=9, fcntl=72),
-    "aarch64": Machine(0xC00000B7, {**AARCH64, **ANYWHERE}, clone=220, socket=198, socketpair=199, kill=129, mmap=222, fcntl=25),
+    "x86_64": Machine(
+        0xC000003E, {**X86_64, **ANYWHERE}, clone=56, socket=41, socketpair=53, kill=62, mmap=9, fcntl=72
+    ),
+    "aarch64": Machine(
+        0xC00000B7, {**AARCH64, **ANYWHERE}, clone=220, socket=198, socketpair=199, kill=129, mmap=222, fcntl=25
+    ),
 }
 CLONE3 = 435
 NEW_NAMESPACES = 0x7E020000  # CLONE_NEWNS, NEWCGROUP, NEWUTS, NEWIPC, NEWUSER, NEWPID, NEWNET
