@@ -56,6 +56,7 @@ FOLDERS = {
     "workbook/book": {".", "course"},
     "workbook/pages": {".", "answers", "tasks", "inventory", "course", "book"},
     "workbook/copy": {".", "answers", "tasks", "course", "pages"},
+    "workbook/practice": {".", "answers", "tasks", "course"},
     "workbook/lesson": {".", "course", "copy"},
     "grading/submissions": set(),
     "grading/kernels": {"submissions"},

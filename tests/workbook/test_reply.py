@@ -15,7 +15,7 @@ def test_outside_a_notebook_a_reply_is_text(capsys):
 
 def test_in_a_notebook_it_is_a_card_that_has_the_same_text_beside_it(monkeypatch):
     shown = []
-    monkeypatch.setattr(reply, "_is_notebook", lambda: True)
+    monkeypatch.setattr(reply, "in_notebook", lambda: True)
     monkeypatch.setattr("IPython.display.display", lambda data, raw: shown.append(data))
     show_reply("E3.2 ✓ 1/1", more=["well done"], kind="passed")
     assert shown[0]["text/plain"] == "E3.2 ✓ 1/1\nwell done"
@@ -43,6 +43,6 @@ def test_korean_is_not_broken_inside_a_word():
 def test_a_shell_without_a_kernel_gets_text():
     InteractiveShell.instance()
     try:
-        assert not reply._is_notebook()
+        assert not reply.in_notebook()
     finally:
         InteractiveShell.clear_instance()

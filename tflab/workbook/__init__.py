@@ -18,6 +18,7 @@ In an exercise one calls four functions:
     book/         the frame, the front page and the gallery of the pages as a book
     pages/        from a page's source to notebooks in two languages, HTML, a deck
     copy/         a learner's own copy, and JupyterLab on it
+    practice/     the tasks drawn anew, those again that went wrong
     lesson/       what a page draws, drives and looks at
 
 Start with `words.py`; each page names the next.

@@ -39,7 +39,7 @@ from .tasks.verdict import Verdict
 from .trying import AssignedTask, say_verdict, tried_on
 from .words import Words
 
-__all__ = ["check", "hint", "solution", "task"]
+__all__ = ["TRIES_BEFORE_SOLUTION", "check", "hint", "solution", "solution_text", "task"]
 
 NOTHING = object()
 POINT, POINTS = Words(en="{points} point", ko="{points}점"), Words(en="{points} points", ko="{points}점")
@@ -124,14 +124,22 @@ def solution(task_id: str) -> None:
     if is_copy and not tried.passed and tried.tries < TRIES_BEFORE_SOLUTION:
         show_reply(assigned.id, assigned.phrase("solution_later", tries=tried.tries))
         return
-    path = workbook_data() / "solutions" / assigned.workbook.language / f"{assigned.stem}.ipynb"
     try:
-        cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
+        print(solution_text(assigned))
     except OSError as error:
         show_reply(assigned.id, assigned.phrase("no_cases", why=error))
-        return
+
+
+def solution_text(assigned: AssignedTask) -> str:
+    """Return the solution's answer cell of a task.
+
+    Raises:
+        OSError: the solution is not here.
+    """
+    path = workbook_data() / "solutions" / assigned.workbook.language / f"{assigned.stem}.ipynb"
+    cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
     answers = [cell["source"] for cell in cells if cell["id"] == answer_cell_name(assigned.id)]
-    print(without_marks("".join(line for lines in answers for line in lines)).rstrip())
+    return without_marks("".join(line for lines in answers for line in lines)).rstrip()
 
 
 def _say(assigned: AssignedTask, verdict: Verdict, outcomes: list[Plain]) -> None:

@@ -19,7 +19,17 @@ from pathlib import Path
 from .places import MARK
 from .whole_files import locked, write_whole
 
-__all__ = ["FILE", "FORMAT", "Attempts", "attempts", "read_progress", "record_answers", "record_hint", "record_try"]
+__all__ = [
+    "FILE",
+    "FORMAT",
+    "Attempts",
+    "attempts",
+    "keep_aside",
+    "read_progress",
+    "record_answers",
+    "record_hint",
+    "record_try",
+]
 
 FILE = "progress.json"
 FORMAT = 1
@@ -92,7 +102,7 @@ def read_progress(root: Path) -> dict[str, Attempts]:
     try:
         return _tasks(json.loads(path.read_text(encoding="utf-8")))
     except (ValueError, TypeError, KeyError, AttributeError) as error:
-        _keep_aside(path, error)
+        keep_aside(path, error)
         return {}
 
 
@@ -128,9 +138,10 @@ def _attempts(line: dict) -> Attempts:
     return read
 
 
-def _keep_aside(path: Path, error: Exception) -> None:
+def keep_aside(path: Path, error: Exception) -> None:
+    """Give a file that cannot be read another name, and say so."""
     number = 1
-    while (aside := path.with_name(f"progress.kept-{number}.json")).exists():
+    while (aside := path.with_name(f"{path.stem}.kept-{number}.json")).exists():
         number += 1
     try:
         path.rename(aside)

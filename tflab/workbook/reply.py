@@ -18,7 +18,7 @@ import re
 from collections.abc import Sequence
 from typing import Any
 
-__all__ = ["as_html", "show_page", "show_reply"]
+__all__ = ["as_html", "in_notebook", "show_page", "show_reply"]
 
 CODE = re.compile(r"`([^`\n]+)`")
 CALL = re.compile(r"\b[a-z_]\w*\((?:[^()\n]|\([^()\n]*\))*\)")
@@ -44,7 +44,7 @@ def show_reply(head: str, said: str = "", more: Sequence[str] = (), kind: str = 
         kind: "passed", "wrong", or "said" where nothing was judged.
     """
     text = "\n".join([f"{head}: {said}" if said else head, *more])
-    if not _is_notebook():
+    if not in_notebook():
         print(text)
         return
     from IPython.display import display
@@ -54,7 +54,7 @@ def show_reply(head: str, said: str = "", more: Sequence[str] = (), kind: str = 
 
 def show_page(page: Any) -> None:
     """Show a page that has both HTML and a `text`."""
-    if not _is_notebook():
+    if not in_notebook():
         print(page.text)
         return
     from IPython.display import display
@@ -79,7 +79,7 @@ def _with_code(text: str) -> str:
     return CODE.sub(r"<code>\1</code>", html.escape(text, quote=False)).replace("\n", "<br>")
 
 
-def _is_notebook() -> bool:
+def in_notebook() -> bool:
     """Return whether what is displayed is shown as HTML: in a kernel, not in a terminal or a test."""
     from IPython import get_ipython
 
