@@ -25,7 +25,7 @@ SECTIONS = r"^## (확인 문제|나가기 전에|풀이 예제|기억할 것|이
 PAGES = ["00_start", "01_value_frame_stamp", "02_axes_and_quaternions", "03_target_and_source",
          "04_frame_tree", "05_map_odom_base_link", "06_static_and_dynamic", "07_urdf_and_sensors",
          "08_buffer_and_measurement_time", "09_exceptions_and_waiting", "10_clocks_and_bags",
-         "11_tools_and_rviz", "12_owners_and_diagnosis", "90_glossary"]  # fmt: skip
+         "11_tools_and_rviz", "12_owners_and_diagnosis", "90_glossary", "91_practice"]  # fmt: skip
 
 
 @pytest.mark.parametrize("stem", PAGES)

@@ -36,6 +36,10 @@ __all__ = ["write_book"]
 
 KERNELS = 2
 EXERCISE = Words(en="Exercise {number}", ko="연습 문제 {number}")
+BESIDE_THE_CHAPTERS = {
+    "90_glossary": Words(en="Glossary", ko="용어집"),
+    "91_practice": Words(en="Practice", ko="연습"),
+}
 LINK = re.compile(r'href="(?:\.\./\.\./(?:exercises|notebooks)/\w+/)?(?P<page>\w+)\.ipynb(?P<place>#[^"]*)?"')
 
 
@@ -141,7 +145,7 @@ def _title(stem: str, language: str) -> str:
     chapter = next((one for one in read_course().chapters if one.stem == stem), None)
     if chapter is not None:
         return f"{chapter.number:02} · {chapter.title.say(language)}"
-    return Words(en="Glossary", ko="용어집").say(language) if stem == "90_glossary" else stem
+    return BESIDE_THE_CHAPTERS[stem].say(language) if stem in BESIDE_THE_CHAPTERS else stem
 
 
 def _plain(file: str, title: str, body: str, language: str) -> BookPage:

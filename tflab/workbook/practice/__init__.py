@@ -4,7 +4,7 @@
     practice.ask()             a question, and a cell for its answer
     practice.check(corner)     what is right or wrong with it, and when it comes again
 
-    boxes      when one meets an idea again: spaced repetition
+    spacing    when one meets an idea again: spaced repetition
     deck       what can be asked, drawn from a number
     kept       what was asked and when: a file in the copy
     question   what is shown, and the cell to fill in
@@ -15,11 +15,11 @@
     command    `tflab practice`
     cells      the same in a notebook
 
-Start with `boxes.py`; each page names the next.
+Start with `spacing.py`; each page names the next.
 """
 
 from __future__ import annotations
 
-from .cells import ask, check, given, hint, skip, solution, standing
+from .cells import ask, boxes, check, given, hint, skip, solution, standing
 
-__all__ = ["ask", "check", "given", "hint", "skip", "solution", "standing"]
+__all__ = ["ask", "boxes", "check", "given", "hint", "skip", "solution", "standing"]

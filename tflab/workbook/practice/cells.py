@@ -2,6 +2,7 @@
 
     practice.ask()             the question; below it a cell with what is given, and blanks to fill in
     practice.check(corner)     the reply, and when the idea comes again; `practice.ask()` goes on
+    practice.boxes()           a picture of where each idea lies
     practice.hint()  practice.solution()  practice.skip()  practice.given()  practice.standing()
 
 They write into the copy and nothing else.  Where the page is not able to add a cell,
@@ -10,23 +11,30 @@ the question's starter is printed.  This is the last page of the folder; read `l
 
 from __future__ import annotations
 
+import re
+import time
 from collections.abc import Sequence
 from types import SimpleNamespace
 from typing import Any
 
+from tflab.views.boxes import draw_boxes
+from tflab.views.picture import Picture
+
 from ..answers.showing import show_all
 from ..checks import TRIES_BEFORE_SOLUTION, solution_text
-from ..places import MARK, WorkbookError, workbook_root
+from ..places import MARK, WorkbookError, read_workbook, workbook_root
 from ..reply import in_notebook, show_reply
 from ..tasks.task import TaskError
 from ..trying import say_verdict
 from ..words import Words
+from .kept import read_kept
 from .question import DrawnQuestion
 from .sentences import afterwards, why_asked
 from .sentences import standing as standing_of
 from .session import Session
+from .spacing import DAY_S, GAPS, HOUR_S, Spacing, is_due
 
-__all__ = ["ask", "check", "given", "hint", "say_hint", "say_solution", "skip", "solution", "standing"]
+__all__ = ["ask", "boxes", "check", "given", "hint", "say_hint", "say_solution", "skip", "solution", "standing"]
 
 HERE = Words(
     en="Your answer goes into the cell below; run it, and it is checked.",
@@ -104,9 +112,16 @@ def given() -> SimpleNamespace:
 
 def standing() -> None:
     """Print what was shown, when, and what comes next."""
-    session = _session()
-    if session is not None:
-        print(standing_of(session.kept, session.workbook.language))
+    root = workbook_root()
+    print(standing_of(read_kept(root), read_workbook(root).language))
+
+
+def boxes() -> Picture:
+    """Draw in which box each idea lies, and which is due."""
+    kept, now_s = read_kept(workbook_root()), int(time.time())
+    lying = {name: idea.box for name, idea in sorted(kept.ideas.items(), key=lambda one: _in_order(one[0]))}
+    due = [name for name, idea in kept.ideas.items() if is_due(idea, kept.number, now_s)]
+    return draw_boxes(lying, [_wait(gap) for gap in GAPS], due)
 
 
 def say_hint(session: Session, question: DrawnQuestion) -> None:
@@ -134,6 +149,16 @@ def starter_of(question: DrawnQuestion) -> str:
     """Return the cell in which a question is answered."""
     parts = [question.imports, question.starter, f"practice.check({question.item.task.answer})"]
     return "\n\n".join(filter(None, parts))
+
+
+def _in_order(name: str) -> list[int]:
+    return [int(number) for number in re.findall(r"\d+", name)]
+
+
+def _wait(gap: Spacing) -> str:
+    """Return how long something stays away, in a few letters: "4 tasks, 1 d"."""
+    time_s = f"{gap.seconds // DAY_S} d" if gap.seconds >= DAY_S else f"{gap.seconds // HOUR_S} h"
+    return f"{gap.tasks} task{'' if gap.tasks == 1 else 's'} / {time_s}"
 
 
 def _show(question: DrawnQuestion) -> None:

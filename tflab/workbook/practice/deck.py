@@ -42,7 +42,7 @@ class Item(NamedTuple):
 
 def items(stems: Sequence[str]) -> dict[str, Item]:
     """Return what can be asked in these chapters, by the task's id."""
-    found = [Item(stem, task, _ideas(task)) for stem in stems for task in _tasks(stem)]
+    found = [Item(stem, task, _ideas(task)) for stem in stems for task in _tasks(workbook_data(), stem)]
     return {item.task.id: item for item in found if not item.task.is_costly}
 
 
@@ -68,14 +68,18 @@ def shown_in_exercises(root: Path) -> dict[str, int]:
     return counts
 
 
-@lru_cache(maxsize=8)
 def drawn(stem: str, task_id: str, number: int) -> TaskCases:
     """Return a task with the one variant that belongs to a question's number."""
-    task = next(task for task in _tasks(stem) if task.id == task_id)
+    return _drawn(workbook_data(), stem, task_id, number)
+
+
+@lru_cache(maxsize=8)
+def _drawn(data: Path, stem: str, task_id: str, number: int) -> TaskCases:
+    task = next(task for task in _tasks(data, stem) if task.id == task_id)
     for draw in range(MOST_DRAWS):
         with suppress(CasesError), in_process_ros():  # numbers that do not tell two mistakes apart: others, then
-            return task_cases(task, f"{SEED}/{number}/{draw}", _solution(stem), variants=1)
-    held = read_chapter(workbook_data() / CASES / f"{stem}.json").tasks[task_id]
+            return task_cases(task, f"{SEED}/{number}/{draw}", _solution(data, stem), variants=1)
+    held = read_chapter(data / CASES / f"{stem}.json").tasks[task_id]
     return held._replace(variants=(held.variants[number % len(held.variants)],))
 
 
@@ -98,10 +102,10 @@ def _ideas(task: Task) -> tuple[str, ...]:
 
 
 @lru_cache
-def _tasks(stem: str) -> tuple[Task, ...]:
-    return read_tasks(workbook_data() / "solutions" / "tasks" / stem)
+def _tasks(data: Path, stem: str) -> tuple[Task, ...]:
+    return read_tasks(data / "solutions" / "tasks" / stem)
 
 
 @lru_cache
-def _solution(stem: str) -> Solution:
-    return solution_in_notebook(workbook_data() / "solutions" / "en" / f"{stem}.ipynb")
+def _solution(data: Path, stem: str) -> Solution:
+    return solution_in_notebook(data / "solutions" / "en" / f"{stem}.ipynb")

@@ -23,7 +23,7 @@ from pathlib import Path
 from ..places import MARK
 from ..progress import keep_aside
 from ..whole_files import locked, write_whole
-from .boxes import LAST_BOX, Idea, Pick
+from .spacing import LAST_BOX, Idea, Pick
 
 __all__ = ["FILE", "Kept", "Open", "Practised", "change_kept", "read_kept"]
 

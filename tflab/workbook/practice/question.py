@@ -66,27 +66,27 @@ class DrawnQuestion(NamedTuple):
 
 def question_of(opened: Open, item: Item, language: str) -> DrawnQuestion:
     """Return the question that was opened, in a language."""
-    cells = _cells(item.stem, language)
+    cells = _cells(workbook_data(), item.stem, language)
     name = slug(item.task.id)
     text = POINTS.sub("", cells.get(name, f"## {item.task.id} · {item.task.title.say(language)}"), count=1)
     given = cells.get(f"{name}-given", "").replace(f'task("{item.task.id}")', GIVEN_CALL)
     starter = "\n".join(filter(None, [given, cells.get(f"{name}-answer", f"{item.task.answer} = ...")]))
     cases = drawn(item.stem, item.task.id, opened.number)
-    return DrawnQuestion(opened, item, cases, text, _imports(item.stem, language), starter)
+    return DrawnQuestion(opened, item, cases, text, _imports(workbook_data(), item.stem, language), starter)
 
 
 @lru_cache
-def _cells(stem: str, language: str) -> dict[str, str]:
-    path = Path(workbook_data(), "exercises", language, exercise_file(stem))
+def _cells(data: Path, stem: str, language: str) -> dict[str, str]:
+    path = data / "exercises" / language / exercise_file(stem)
     cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
     return {cell["id"]: "".join(cell["source"]) for cell in cells}
 
 
 @lru_cache
-def _imports(stem: str, language: str) -> str:
+def _imports(data: Path, stem: str, language: str) -> str:
     """Return the lines that import something for every task of a chapter, but for what checks and gives."""
     lines = []
-    for name, source in _cells(stem, language).items():
+    for name, source in _cells(data, stem, language).items():
         if name in ("imports", "load"):
             plain = "\n".join(line for line in source.splitlines() if not line.lstrip().startswith("%"))
             nodes = [node for node in ast.parse(plain).body if isinstance(node, ast.Import | ast.ImportFrom)]

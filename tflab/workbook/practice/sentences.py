@@ -14,8 +14,8 @@ from collections.abc import Iterator
 
 from ..course.misconceptions import MISCONCEPTIONS
 from ..words import Words
-from .boxes import AGAIN, AHEAD, DUE, GAPS, LAST_BOX, NEW, Idea, is_due
 from .kept import Kept, Open, Practised
+from .spacing import AGAIN, AHEAD, DUE, GAPS, LAST_BOX, NEW, Idea, is_due
 
 __all__ = ["afterwards", "standing", "why_asked"]
 
@@ -68,7 +68,7 @@ COMES_OLDEST = Words(
     en="Nothing is due; next comes what was asked longest ago.",
     ko="때가 된 것이 없어 나온 지 가장 오래된 것이 나옵니다.",
 )
-OPEN = Words(en="Question {number}, {task}, waits for your answer.", ko="{number}번 문제({task})가 답을 기다립니다.")
+OPEN = Words(en="Question {number} waits for your answer.", ko="{number}번 문제가 답을 기다립니다.")
 CAME = {
     "right": Words(en="right", ko="맞힘"),
     "wrong": Words(en="wrong at first", ko="처음에 틀림"),
@@ -118,7 +118,7 @@ def _standing(kept: Kept, language: str, now_s: int) -> Iterator[str]:
         yield _line(line, language)
     due = [name for name, idea in kept.ideas.items() if is_due(idea, kept.number, now_s)]
     if kept.open is not None:
-        yield OPEN.say(language, number=kept.open.number, task=kept.open.task)
+        yield OPEN.say(language, number=kept.open.number)
     elif due:
         due.sort(key=lambda name: (kept.ideas[name].box, -kept.ideas[name].shown, kept.ideas[name].number, name))
         yield COMES_NEXT.say(language, ideas=", ".join(due))

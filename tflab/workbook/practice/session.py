@@ -21,15 +21,18 @@ from ..places import WorkbookError, read_workbook, stems_called, workbook_data
 from ..tasks.mistake import Mistake
 from ..tasks.verdict import Verdict
 from ..trying import AssignedTask, tried_on
-from .boxes import Idea, after, choose
 from .deck import Item, items, reached, shown_in_exercises
 from .kept import Kept, Open, Practised, change_kept, read_kept
 from .question import DrawnQuestion, question_of
+from .spacing import Idea, after, choose
 
 __all__ = ["Result", "Session"]
 
-# Not an answer yet, or not one that the learner chose to give.
-NO_ANSWER = (Mistake.UNANSWERED, Mistake.MISSING_PARTS, Mistake.INTERRUPTED)
+# Not an answer yet, or one of another form: it shows nothing of the idea.
+NO_ANSWER = (
+    Mistake.UNANSWERED, Mistake.MISSING_PARTS, Mistake.INTERRUPTED, Mistake.NOT_A_FUNCTION, Mistake.A_FUNCTION,
+    Mistake.TYPE, Mistake.SHAPE, Mistake.OPTION,
+)  # fmt: skip
 
 
 class Result(NamedTuple):

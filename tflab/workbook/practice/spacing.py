@@ -23,7 +23,22 @@ from typing import NamedTuple
 
 import numpy as np
 
-__all__ = ["AGAIN", "AHEAD", "DUE", "GAPS", "LAST_BOX", "NEW", "Idea", "Pick", "Spacing", "after", "choose", "is_due"]
+__all__ = [
+    "AGAIN",
+    "AHEAD",
+    "DAY_S",
+    "DUE",
+    "GAPS",
+    "HOUR_S",
+    "LAST_BOX",
+    "NEW",
+    "Idea",
+    "Pick",
+    "Spacing",
+    "after",
+    "choose",
+    "is_due",
+]
 
 HOUR_S, DAY_S = 3600, 86400
 AGAIN, DUE, NEW, AHEAD = "again", "due", "new", "ahead"  # why a task is asked
