@@ -21,6 +21,7 @@ from tflab.workbook.practice.spacing import GAPS, Idea, Pick, after, choose, is_
 from tflab.workbook.practice.terminal import as_text
 from tflab.workbook.tasks import cases
 from tflab.workbook.tasks.reference import in_process_ros, solution_in_notebook
+from tflab.workbook.tasks.task import read_tasks
 
 from . import small_chapter
 from .conftest import notebook
@@ -157,6 +158,11 @@ def practice_question(item: deck.Item, number: int):
     from tflab.workbook.practice.question import question_of
 
     return question_of(kept.Open(number, item.task.id, item.ideas[0], "new"), item, "en")
+
+
+def test_neither_the_test_nor_what_takes_minutes_to_draw_is_asked() -> None:
+    tasks = {task.id for stem in STEMS for task in read_tasks(OUR_WORKBOOK / "solutions" / "tasks" / stem)}
+    assert tasks - set(TASKS) == {"E0.1", "E12.2", "E12.4", "E12.7", "E12.8"}
 
 
 def test_the_same_number_draws_the_same_and_another_number_something_else() -> None:

@@ -5,7 +5,8 @@
 
 The numbers come from the same generators as a class's, with a seed that is no
 secret; the right answer and what each mistake gives come from the same solution.
-What takes minutes to draw is left out: patients without end are in chapter 12.
+What takes minutes to draw is left out, patients without end are in chapter 12; and so
+is the test of before and after, which is asked twice and no more.
 
 Read `kept.py` next.
 """
@@ -43,13 +44,13 @@ class Item(NamedTuple):
 def items(stems: Sequence[str]) -> dict[str, Item]:
     """Return what can be asked in these chapters, by the task's id."""
     found = [Item(stem, task, _ideas(task)) for stem in stems for task in _tasks(workbook_data(), stem)]
-    return {item.task.id: item for item in found if not item.task.is_costly}
+    return {item.task.id: item for item in found if not item.task.is_costly and not item.task.counts}
 
 
 def reached(root: Path) -> list[str]:
     """Return the chapters up to the furthest in which an answer was checked; the first one if none was."""
     tried = {task.partition(".")[0] for task, attempts in read_progress(root).items() if attempts.tries}
-    there = [stem for stem in chapters(root) if (workbook_data() / "solutions" / "tasks" / stem).is_dir()]
+    there = [stem for stem in chapters(root) if items([stem])]
     far = max((number for number, stem in enumerate(there) if f"E{int(stem[:2])}" in tried), default=0)
     return there[: far + 1]
 
