@@ -154,7 +154,7 @@ def test_what_is_drawn_has_a_right_answer_and_it_is_the_solutions(task: str) -> 
     assert "task(" not in question.starter
 
 
-def practice_question(item: deck.Item, number: int):
+def practice_question(item: deck.Askable, number: int):
     from tflab.workbook.practice.question import question_of
 
     return question_of(kept.Open(number, item.task.id, item.ideas[0], "new"), item, "en")

@@ -27,13 +27,13 @@ from ..tasks.fitting import words_of
 from ..tasks.reference import Solution, in_process_ros, solution_in_notebook
 from ..tasks.task import Task, read_tasks
 
-__all__ = ["Item", "drawn", "items", "reached", "shown_in_exercises"]
+__all__ = ["Askable", "drawn", "items", "reached", "shown_in_exercises"]
 
 SEED = "practice"
 MOST_DRAWS = 5  # before one that came with the exercises is taken
 
 
-class Item(NamedTuple):
+class Askable(NamedTuple):
     """A task that can be asked, and the ideas that it looks for, those first that it is there for."""
 
     stem: str
@@ -41,9 +41,9 @@ class Item(NamedTuple):
     ideas: tuple[str, ...]
 
 
-def items(stems: Sequence[str]) -> dict[str, Item]:
+def items(stems: Sequence[str]) -> dict[str, Askable]:
     """Return what can be asked in these chapters, by the task's id."""
-    found = [Item(stem, task, _ideas(task)) for stem in stems for task in _tasks(workbook_data(), stem)]
+    found = [Askable(stem, task, _ideas(task)) for stem in stems for task in _tasks(workbook_data(), stem)]
     return {item.task.id: item for item in found if not item.task.is_costly and not item.task.counts}
 
 

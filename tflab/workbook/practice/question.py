@@ -21,7 +21,7 @@ from ..places import exercise_file, workbook_data
 from ..tasks.case import TaskCases, Variant
 from ..tasks.reference import given_name
 from ..tasks.task import slug
-from .deck import Item, drawn
+from .deck import Askable, drawn
 from .kept import Open
 
 __all__ = ["GIVEN_CALL", "DrawnQuestion", "question_of"]
@@ -42,7 +42,7 @@ class DrawnQuestion(NamedTuple):
     """
 
     open: Open
-    item: Item
+    item: Askable
     cases: TaskCases
     text: str
     imports: str
@@ -64,7 +64,7 @@ class DrawnQuestion(NamedTuple):
         return {name: from_plain(value) for name, value in (self.variant.given or {}).items()}
 
 
-def question_of(opened: Open, item: Item, language: str) -> DrawnQuestion:
+def question_of(opened: Open, item: Askable, language: str) -> DrawnQuestion:
     """Return the question that was opened, in a language."""
     cells = _cells(workbook_data(), item.stem, language)
     name = slug(item.task.id)

@@ -21,7 +21,7 @@ from ..places import WorkbookError, read_workbook, stems_called, workbook_data
 from ..tasks.mistake import Mistake
 from ..tasks.verdict import Verdict
 from ..trying import AssignedTask, tried_on
-from .deck import Item, items, reached, shown_in_exercises
+from .deck import Askable, items, reached, shown_in_exercises
 from .kept import Kept, Open, Practised, change_kept, read_kept
 from .question import DrawnQuestion, question_of
 from .spacing import Idea, after, choose
@@ -132,7 +132,7 @@ class Session:
         """Close the open question unanswered, if there is one; return what is known then."""
         return change_kept(self.root, self._left)
 
-    def _item(self, task: str) -> Item | None:
+    def _item(self, task: str) -> Askable | None:
         """Return a task, also of a chapter that is not asked about now."""
         stem = next((stem for stem in self._there if task.startswith(f"E{int(stem[:2])}.")), "")
         return self._items.get(task) or (items([stem]).get(task) if stem else None)
@@ -163,7 +163,7 @@ class Session:
                 ideas[name] = Idea(shown=more + (ideas[name].shown if name in ideas else 0))
         return replace(kept, ideas=ideas, exercises=counts)
 
-    def _closed(self, kept: Kept, item: Item, came: str) -> Kept:
+    def _closed(self, kept: Kept, item: Askable, came: str) -> Kept:
         opened, now_s = kept.open, _now_s()
         assert opened is not None
         ideas = kept.ideas
