@@ -136,6 +136,17 @@ def test_going_back_gives_the_same_picture(make):
     assert png_of(panel) == before
 
 
+def test_without_a_kernel_a_panel_is_a_film_along_one_control_and_stays_where_it_was(make):
+    panel = make()
+    text = panel.text
+    film = panel.film(steps=3)
+    assert panel.text == text
+    if any(hasattr(control, "options") or hasattr(control, "readout_format") for control in panel.controls.values()):
+        assert len(film.children[-1].words) >= 2
+    else:
+        assert film is None
+
+
 def test_sliders_follow_while_they_are_dragged(make):
     for control in make().controls.values():
         assert getattr(control, "continuous_update", True)

@@ -103,7 +103,8 @@ class Panel:
             others = [control for control in controls if control is not along]
         elif menus:
             along = max(menus, key=lambda menu: len(menu.options))
-            named, others = list(along.options), []  # what the other menus say goes along with it
+            named = [each if isinstance(each, tuple) else (each, each) for each in along.options]
+            others = []  # what the other menus say goes along with it
         else:
             return None
         before = along.value
