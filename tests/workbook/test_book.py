@@ -10,6 +10,7 @@ from urllib.parse import unquote
 
 import nbformat
 import pytest
+from axe_playwright_python.sync_playwright import Axe
 
 from tflab.workbook.book.frame import BookPage, framed, shell
 from tflab.workbook.book.front import conventions_text
@@ -26,6 +27,7 @@ TEXTS = {
 FIGURE = (
     "from IPython.display import SVG\nfrom tflab.workbook.places import read_workbook\n"
     "print(read_workbook().language)\n"
+    "assert 'laser' in 'laser_frame' and not None  # 0.2 m\n"
     'SVG(\'<svg xmlns="http://www.w3.org/2000/svg" width="40" height="20"><circle r="9"/></svg>\')'
 )
 
@@ -189,3 +191,15 @@ def test_a_page_fits_a_telephone_and_a_desk(width: int, scheme: str, site: Path,
         measure = page.evaluate("[...document.querySelectorAll('main p')].map((p) => p.getBoundingClientRect().width)")
         assert max(measure, default=0) <= 800
         assert page.evaluate("document.documentElement.dataset.theme") == scheme
+
+
+@pytest.mark.browser
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_an_accessibility_checker_finds_nothing_serious(scheme: str, site: Path, page) -> None:
+    """WCAG 2.1 A and AA and good practice, as axe-core sees them."""
+    page.emulate_media(color_scheme=scheme)
+    for name in ("index", "03_target_and_source", "E03_target_and_source", "gallery", "conventions"):
+        page.goto((site / "en" / f"{name}.html").as_uri())
+        found = Axe().run(page, options={"runOnly": ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "best-practice"]})
+        serious = [each for each in found.response["violations"] if each["impact"] in ("serious", "critical")]
+        assert [(each["id"], each["nodes"][0]["html"]) for each in serious] == [], name
