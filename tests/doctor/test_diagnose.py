@@ -10,7 +10,7 @@ from tflab.bags.recording import Headers, JointStates, recording_from_records
 from tflab.core import BufferCore, StampedTransform, Transform
 from tflab.core.records import TransformRecord
 from tflab.doctor import examine
-from tflab.doctor.diagnose import diagnose_buffer, diagnose_recording
+from tflab.doctor.diagnose import EFFECTS_ANYWHERE, EFFECTS_ON_CHILD, diagnose_buffer, diagnose_recording
 from tflab.doctor.report.texts import sentences
 from tflab.robots.nodes import launch
 from tflab.ros.graph import new_graph
@@ -393,6 +393,90 @@ def test_messages_that_cannot_be_read_on_tf_are_an_error():
     assert found(patient)["unreadable"].severity == "error"
 
 
-def test_no_transforms_at_all_is_a_warning():
+def test_no_transforms_at_all_is_an_error_for_nothing_could_be_checked():
     (finding,) = diagnose_recording(recording()).findings
-    assert (finding.code, finding.severity) == ("no-transforms", "warning")
+    assert (finding.code, finding.severity) == ("no-transforms", "error")
+
+
+# -- what faults planted by somebody else taught ---------------------------------------------
+
+
+def test_the_two_halves_of_a_gripper_are_no_two_robots():
+    halves = [edge("jaw_left_knuckle", "jaw_left_finger"), edge("jaw_base", "jaw_right_finger"),
+              mount("jaw_base", "jaw_plate")]  # fmt: skip
+    assert "two-trees" in found(recording(*halves))
+
+
+def test_the_arms_of_a_robot_without_its_torso_are_no_two_robots():
+    arms = [edge(f"{side}_base", f"{side}_elbow") for side in ("left", "right")]
+    assert "two-trees" in found(recording(*arms, mount("left_base", "left_plate")))
+
+
+def test_a_mount_with_the_name_of_a_joint_is_told_where_the_joints_are_known():
+    finger = edge("base_link", "left_finger_link", value=lambda i: Transform((0.1, 0.0, 0.0)), start_ms=1003)
+    arm = edge("base_link", "arm")
+    broken = recording(*HEALTHY, arm, finger)
+    assert alarming(broken) == set()
+    stamps = np.array([record.stamped.stamp_ns for record in arm])
+    joints = JointStates("/joint_states", stamps, (("arm",),) * 100, ((0.0,),) * 100)
+    findings = found(replace(broken, joint_states=(joints,)))
+    assert findings["constant-on-tf"].child == "left_finger_link"
+
+
+def test_odometry_at_the_top_of_a_tree_that_moves_may_not_stamp_ahead():
+    findings = found(recording(edge("odom", "body", delay_ms=-800), edge("body", "leg"), mount("body", "imu")))
+    assert findings["early-stamps"].child == "body"
+
+
+def test_two_that_disagree_about_the_day_are_one_on_the_clock_of_the_recorder_and_one_that_is_not():
+    pose = headers("/pose", "geometry_msgs/msg/PoseStamped", "odom", delay_ms=1_300_000_000_000)
+    start_ms = 1_300_000_001_000
+    patient = replace(recording(edge("odom", "base_link", start_ms=start_ms)), headers=(pose,))
+    told = [f for f in diagnose_recording(patient).findings if f.code == "other-time"]
+    assert [finding.topic for finding in told] == ["/pose"]
+
+
+def test_a_clock_that_jumped_back_is_no_stamp_in_the_future_although_another_clock_received_it():
+    def jumping(records):
+        away_ns = 1_700_000_000 * SECOND
+        return [
+            record._replace(
+                receive_ns=record.receive_ns + away_ns,
+                stamped=replace(record.stamped, stamp_ns=record.stamped.stamp_ns - (i >= 380) * 15 * SECOND),
+            )
+            for i, record in enumerate(records)
+        ]
+
+    told = alarming(recording(jumping(edge("odom", "base_link", 400)), jumping(edge("base_link", "arm", 400))))
+    assert "clock-jump-back" in told and "future-stamp" not in told
+
+
+def test_no_two_causes_explain_each_other():
+    def explains(cause, effect):
+        return effect in EFFECTS_ON_CHILD.get(cause, ()) or effect in EFFECTS_ANYWHERE.get(cause, ())
+
+    codes = {*EFFECTS_ON_CHILD, *EFFECTS_ANYWHERE}
+    assert [(a, b) for a in codes for b in codes if explains(a, b) and explains(b, a)] == []
+
+
+def test_silences_of_one_edge_are_one_finding_with_the_moment_of_each():
+    silent = without(without(edge("odom", "base_link", 200), 3.01, 4), 6.01, 8)
+    finding = found(recording(edge("map", "odom", 100, 100), silent, HEALTHY[2]))["gap"]
+    assert finding.facts["times"] == "2 times (at 2.0, 5.0 s)"
+
+
+def test_two_holes_after_one_silence_are_one_silence():
+    samples = edge("odom", "base_link", 200)
+    kept = [*samples[:60], *samples[90:91], *samples[100:]]  # silent once, then one sample, then a hole again
+    late_ns = samples[100].receive_ns - 2 * MS
+    kept[60] = kept[60]._replace(receive_ns=late_ns)
+    assert found(recording(edge("map", "odom", 100, 100), kept, HEALTHY[2]))["gap"].facts["times"] == "once"
+
+
+def test_a_wheel_that_turns_too_fast_has_two_owners_if_its_hub_is_in_two_places():
+    def turning(x):
+        return lambda i: Transform.from_rpy(yaw=0.9 * i, translation=(x, 0.0, 0.0))
+
+    second = edge("base_link", "wheel", start_ms=1025, value=turning(0.4))
+    patient = recording(*HEALTHY, edge("base_link", "wheel", value=turning(0.1)), second)
+    assert found(patient)["two-owners"].child == "wheel"

@@ -84,7 +84,7 @@ EFFECTS_ON_CHILD = {
     "constant-on-tf": ("late-stamps", "early-stamps", "stamped-ahead", "late-start", "slow-edge"),
     "repeated-stamps": ("unordered-stamps",),
     "self-transform": ("loop", "two-parents", "re-parented"),
-    "future-stamp": ("unordered-stamps", "clock-jump-back", "clock-jump-forward", "gap", "early-stamps"),
+    "future-stamp": ("unordered-stamps", "gap", "early-stamps"),
     "other-time": ("late-stamps", "early-stamps", "gap", "unordered-stamps", "clock-jump-back", "clock-jump-forward"),
     "clock-jump-back": ("late-stamps", "early-stamps", "unordered-stamps", "gap", "future-stamp"),
     "clock-jump-forward": ("late-stamps", "early-stamps", "gap", "future-stamp"),
@@ -104,8 +104,8 @@ EFFECTS_ANYWHERE = {
     "re-parented": ("two-trees", "upside-down"),
     "two-parents": ("two-trees", "upside-down"),
     "clock-jump-back": ("messages-late", "messages-early", "unordered-stamps", "clock-offset", "late-stamps",
-                        "early-stamps"),
-    "clock-jump-forward": ("messages-late", "messages-early", "clock-offset"),
+                        "early-stamps", "future-stamp"),
+    "clock-jump-forward": ("messages-late", "messages-early", "clock-offset", "future-stamp"),
     "clock-offset": ("late-stamps", "early-stamps", "messages-early", "messages-late"),
     "stall": ("late-stamps",),
     "two-trees": ("unknown-frame", "unknown-world-frame"),
@@ -210,6 +210,6 @@ def _report_without_transforms(recording: Recording, unreadable: list[Finding]) 
     is_there = [name for name in names if name.rpartition("/")[2] in ("tf", "tf_static")]
     what = f"In {', '.join(is_there)} there are none." if is_there else "/tf and /tf_static were not recorded."
     facts = {"topics": ", ".join(names) or "nothing", "what": what}
-    findings = worst_first([*unreadable, Finding("no-transforms", "warning", facts=facts)])
+    findings = worst_first([*unreadable, Finding("no-transforms", "error", facts=facts)])
     not_made = tuple(NotMade(check.name, "transforms") for check in CHECKS)
     return Report(recording.name, recording.begin_ns, findings, (), not_made)

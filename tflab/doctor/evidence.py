@@ -29,6 +29,7 @@ __all__ = ["SAME_CLOCK_NS", "ClockRelation", "Edge", "Evidence", "is_stamped"]
 
 
 ROWS_AT_ONCE = 100_000  # of a recording on disk
+MANY = 5_000  # samples tell enough
 LARGEST = 1e150  # whose square is a number still
 SAME_CLOCK_NS = 3600 * NSEC_PER_SEC  # two clocks of one robot differ by less than this, sim time and 1970 by more
 
@@ -219,6 +220,16 @@ class Evidence:
         except UrdfError:
             return {}
         return {joint.child: joint.type for joint in joints}
+
+    @cached_property
+    def stamped_by_joint_states(self) -> set[str]:
+        """The moving children with the stamps of /joint_states: robot_state_publisher hands these on."""
+        return {
+            edge.child
+            for edge in self.moving
+            for joints in self.joint_states
+            if np.isin(edge.stamp_ns[:MANY], joints.stamp_ns).mean() > 0.5
+        }
 
     def delay_s(self, edge: Edge | Headers) -> np.ndarray:
         """Return how late each message was received, the clocks' difference taken off [s]."""

@@ -106,8 +106,9 @@ def clock_relation(moving: list[Edge], headers: tuple[Headers, ...], clock: Cloc
     sources = varying or sources  # a mount that is repeated has the stamps of whoever repeats it
     if not sources:
         return ClockRelation("same", np.zeros(0), np.zeros(0))
-    usual_s = float(np.median([np.median(s.receive_ns - s.stamp_ns) for s in sources])) / NSEC_PER_SEC
-    if abs(usual_s) < SAME_CLOCK_NS / NSEC_PER_SEC:
+    usual_ns = sorted(abs(float(np.median(s.receive_ns - s.stamp_ns))) for s in sources)
+    # of two that disagree, the one on the recorder's clock counts
+    if usual_ns[(len(usual_ns) - 1) // 2] < SAME_CLOCK_NS:
         return ClockRelation("same", np.zeros(0), np.zeros(0))
     return _estimated_relation(sources)
 

@@ -38,6 +38,7 @@ QUICK_LATE_S = 0.5  # nothing is looked for in these
 TOLERANCE_S = 3.0  # how far ahead a localiser may stamp map -> odom (AMCL's transform_tolerance is 1 s)
 OTHER_TIME_S = SAME_CLOCK_NS / NSEC_PER_SEC
 MAP = re.compile(r"(^|[/_])map$")
+ODOM = re.compile(r"(^|[/_])odom")
 
 
 def odd_delays(evidence: Evidence) -> Iterator[Finding]:
@@ -116,7 +117,7 @@ def _may_be_ahead(evidence: Evidence, edge: Edge) -> bool:
     """Return whether an edge is a localiser's: under map, or the one at the top of the tree, above others."""
     if any(MAP.search(parent) for parent in edge.parents):
         return True
-    is_top = edge.usual_parent not in evidence.parent_of
+    is_top = edge.usual_parent not in evidence.parent_of and not ODOM.search(edge.usual_parent)
     moving_children = {other.child for other in evidence.moving}
     return is_top and any(evidence.parent_of[child] == edge.child for child in moving_children)
 

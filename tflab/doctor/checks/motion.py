@@ -26,6 +26,7 @@ LEAST_DIFFERENCE_M = 0.01  # values closer than this do not contradict each othe
 LOOK_BACK = 12  # samples: a second owner may be this many times slower
 MOST_SAMPLES = 5_000  # of an edge that are looked at for a second owner
 CONSTANT = 1e-9
+UNTURNED = (0.0, 0.0, 0.0, 1.0)
 
 
 class Stories(NamedTuple):
@@ -78,6 +79,17 @@ def two_stories(edge: Edge) -> Stories | None:
     if len(rows) < 6:
         return None
     poses = unit(edge.numbers[rows])
+    return _stories_of(poses, rows) or _stories_of(_without_turns(poses), rows)
+
+
+def _without_turns(poses: np.ndarray) -> np.ndarray:
+    """Return poses that do not turn: a wheel turns too fast to tell who turned it, but its hub stays where it is."""
+    places = poses.copy()
+    places[:, 3:] = UNTURNED
+    return places
+
+
+def _stories_of(poses: np.ndarray, rows: np.ndarray) -> Stories | None:
     look_back = _less_than_half_a_turn(poses)
     if look_back < 2:
         return None

@@ -36,6 +36,7 @@ LATE_START_PERIODS = 10.0
 SLOW_S = 0.4  # between samples
 SLOWER = 5.0  # than the others
 FAR_M = 0.05  # between two samples of a slow edge
+MOST_MOMENTS = 12  # that are told
 
 
 class Silence(NamedTuple):
@@ -59,7 +60,7 @@ def gaps(evidence: Evidence) -> Iterator[Finding]:
         children = tuple(sorted(silence.edge.child for silence in event))
         together.setdefault((_kind_of(evidence, event), children), []).append(event)
     for (code, _), events in together.items():
-        yield _finding_of_silences(code, events)
+        yield _finding_of_silences(code, events, evidence.begin_ns)
 
 
 def _kind_of(evidence: Evidence, event: list[Silence]) -> str:
@@ -123,12 +124,16 @@ def _silences(evidence: Evidence, edge: Edge) -> Iterator[Silence]:
     usual_s = float(np.median(np.diff(edge.stamp_ns[order]))) / NSEC_PER_SEC
     habit_s = float(np.percentile(heard_step_s, 90))
     least_s = max(LEAST_GAP_S, GAP_PERIODS * usual_s, GAP_HABITS * habit_s)
+    largest_hole_ns: dict[int, int] = {}  # of each silence; two holes may follow one
     for hole in np.flatnonzero(stamp_step_s > least_s).tolist():
         first = max(0, hole - HOLE_AFTER + 1)
         silent = first + int(np.argmax(heard_step_s[first : hole + 1]))
         if heard_step_s[silent] > 0.6 * least_s:
-            moments = (int(edge.receive_ns[silent]), int(edge.receive_ns[silent + 1]))
-            yield Silence(edge, *moments, int(edge.stamp_ns[hole + 1] - edge.stamp_ns[hole]), is_last=False)
+            hole_ns = int(edge.stamp_ns[hole + 1] - edge.stamp_ns[hole])
+            largest_hole_ns[silent] = max(hole_ns, largest_hole_ns.get(silent, 0))
+    for silent, hole_ns in largest_hole_ns.items():
+        moments = (int(edge.receive_ns[silent]), int(edge.receive_ns[silent + 1]))
+        yield Silence(edge, *moments, hole_ns, is_last=False)
     yield from _last_silence(evidence, edge, max(1.0, 2.0 * least_s) * NSEC_PER_SEC)
 
 
@@ -180,15 +185,14 @@ def _has_spoken(evidence: Evidence, event: list[Silence], others) -> bool | None
     return False if asked else None
 
 
-def _finding_of_silences(code: str, events: list[list[Silence]]) -> Finding:
+def _finding_of_silences(code: str, events: list[list[Silence]], start_ns: int) -> Finding:
     """Return one finding for all silences of the same edges."""
     longest = max((silence for event in events for silence in event), key=lambda s: s.end_ns - s.begin_ns)
     edges = [silence.edge for silence in events[0]]
     length_s = (longest.end_ns - longest.begin_ns) / NSEC_PER_SEC
-    times = "once" if len(events) == 1 else f"{len(events)} times"
     moved_m, turned_rad = _moved_across(longest)
     facts = {
-        "times": times,
+        "times": _times_of(events, start_ns),
         "edges": ", ".join(dict.fromkeys(f"{edge.usual_parent} -> {edge.child}" for edge in edges)),
         "longest": f"{length_s:.3f}",
         "period": f"{longest.edge.period_ns / NSEC_PER_SEC:.3f}",
@@ -201,6 +205,15 @@ def _finding_of_silences(code: str, events: list[list[Silence]]) -> Finding:
         (edge.usual_parent, edge.child) if len(edges) == 1 and code not in ("stall", "tf-silent") else ("", "")
     )
     return Finding(code, "warning", parent, child, edge.topic, longest.begin_ns, longest.end_ns, facts)
+
+
+def _times_of(events: list[list[Silence]], start_ns: int) -> str:
+    """Return how often, and when if more than once, in seconds from the beginning."""
+    if len(events) == 1:
+        return "once"
+    begins_s = [(event[0].begin_ns - start_ns) / NSEC_PER_SEC for event in events]
+    shown = ", ".join(f"{begin_s:.1f}" for begin_s in begins_s[:MOST_MOMENTS])
+    return f"{len(events)} times (at {shown}{', ...' if len(events) > MOST_MOMENTS else ''} s)"
 
 
 def _moved_across(silence: Silence) -> tuple[float, float]:

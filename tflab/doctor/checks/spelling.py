@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import re
 
-__all__ = ["endings_of", "is_slip", "letters_of", "likeness", "prefix_of"]
+__all__ = ["differ_in_side", "endings_of", "is_slip", "letters_of", "likeness", "prefix_of"]
 
 LONG_NAME = 12  # letters, from which on two slips are one misspelling
 SIDES = {
@@ -60,6 +60,11 @@ def prefix_of(name: str, other: str) -> str:
     """Return what one of two names has before the other."""
     longer, shorter = (name, other) if len(name) > len(other) else (other, name)
     return longer[: len(longer) - len(shorter)]
+
+
+def differ_in_side(name: str, other: str) -> bool:
+    """Return whether one of two names has a side that the other has not: parts of one robot have."""
+    return bool(({*_words(name)} ^ {*_words(other)}) & SIDES)
 
 
 def is_slip(name: str, other: str) -> bool:

@@ -47,7 +47,7 @@ def missing_statics(evidence: Evidence) -> Iterator[Finding]:
     hanging = sorted(evidence.named_by_messages - evidence.frames - evidence.all_parents)
     is_robot = any(ROBOT_BODY.search(frame) for frame in evidence.frames)
     mounts_on_tf = any(_looks_like_a_mount(evidence, edge) for edge in evidence.moving)
-    needed = hanging or len(evidence.roots()) > 1 or (is_robot and not mounts_on_tf)
+    needed = len(evidence.roots()) > 1 or ((hanging or is_robot) and not mounts_on_tf)
     facts = {"hanging": ", ".join(hanging) or "none", "trees": len(evidence.roots())}
     yield Finding("statics-missing", "warning" if needed else "info", topic=topic, facts=facts)
 
@@ -131,9 +131,8 @@ def _looks_like_a_mount(evidence: Evidence, edge: Edge) -> bool:
 
 def _is_a_joint_at_rest(evidence: Evidence, edge: Edge) -> bool:
     """Return whether an edge is one of the joints: by its stamps, its name, or because it comes with some that move."""
-    for joints in evidence.joint_states:
-        if np.isin(edge.stamp_ns, joints.stamp_ns).mean() > 0.5:
-            return True
+    if evidence.stamped_by_joint_states:
+        return edge.child in evidence.stamped_by_joint_states
     if MOVABLE.search(edge.child.lower()):
         return True
     for other in evidence.moving:

@@ -13,12 +13,13 @@ piece fails.  Read `values.py` next.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import takewhile
+from itertools import permutations, takewhile
 
 import numpy as np
 
 from ..evidence import Evidence
 from ..findings import Finding
+from .spelling import differ_in_side
 
 __all__ = ["loops", "self_transforms", "separate_trees", "several_parents", "upside_down"]
 
@@ -98,13 +99,22 @@ def upside_down(evidence: Evidence) -> Iterator[Finding]:
 
 
 def _are_robots(trees: dict[str, list[str]]) -> bool:
-    """Return whether the frames of each tree begin with a name of its own: robot1/odom, robot2_odom."""
-    prefixes = set()
+    """Return whether the frames of each tree begin with a name of its own: robot1/odom, robot2_odom.
+
+    What only begins with a word may be a part of a robot (left_finger); robots have the same frames behind it.
+    """
+    names: dict[str, set[str]] = {}
     for frames in trees.values():
         first, last = min(frames), max(frames)  # what these two begin with, all do
         same = "".join(a for a, b in takewhile(lambda pair: pair[0] == pair[1], zip(first, last, strict=False)))
-        prefixes.add(same[: max(same.rfind("/"), same.rfind("_")) + 1])
-    return "" not in prefixes and len(prefixes) == len(trees) and min(map(len, trees.values())) > 1
+        prefix = same[: max(same.rfind("/"), same.rfind("_")) + 1]
+        names[prefix] = {frame[len(prefix) :] for frame in frames}
+    if "" in names or len(names) < len(trees) or min(map(len, names.values())) < 2:
+        return False
+    return all(
+        not a.startswith(b) and not differ_in_side(a, b) and ("/" in a or names[a] & names[b])
+        for a, b in permutations(names, 2)
+    )
 
 
 def _shortened(names: list[str]) -> str:

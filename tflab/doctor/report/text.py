@@ -39,8 +39,9 @@ def text_from_report(report: Report, texts: Mapping[str, Sentences] = TEXTS) -> 
         lines += [*_finding_lines(report, finding, texts), ""]
     lines.append(f"{len(report.checks_made)} checks made.")
     for needs in dict.fromkeys(check.needs for check in report.checks_not_made):
-        names = ", ".join(check.check for check in report.checks_not_made if check.needs == needs)
-        lines += wrap(f"Not made, for want of {needs}: {names}.", WIDTH)
+        names = [check.check for check in report.checks_not_made if check.needs == needs]
+        listed = f": {', '.join(names)}" if report.checks_made else ""
+        lines += wrap(f"{len(names)} not made, for want of {needs}{listed}.", WIDTH)
     return "\n".join(lines)
 
 
