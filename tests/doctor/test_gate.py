@@ -282,3 +282,17 @@ def test_the_table_of_edges_tells_rates_delays_and_owners():
     text = text_from_profile(profile(RECORDS))
     row = next(line for line in text.splitlines() if line.startswith("odom -> base_footprint"))
     assert "20.0" in row and row.endswith("/wheel_odometry")
+
+
+# -- what a killed recorder has left ----------------------------------------------------
+
+
+def test_a_recording_that_is_cut_is_examined_as_far_as_it_goes_and_is_not_passed(tmp_path, capsys):
+    write(tmp_path / "drive", RECORDS)
+    file = tmp_path / "drive" / "drive.mcap"
+    data = file.read_bytes()
+    file.write_bytes(data[: len(data) // 2])
+    assert main(["doctor", str(file), "--fail-on", "never"]) == 2
+    said = capsys.readouterr()
+    assert said.err.count("\n") == 1 and "read as far as it goes" in said.err
+    assert "mcap recover drive.mcap" in said.out

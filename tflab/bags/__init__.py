@@ -4,6 +4,8 @@
     recording   a recording as columns, and from there a buffer
     messages    the bytes of a TFMessage, and of a header
     columns     where what was read is kept
+    collect     what to do with each kind of message
+    salvage     what is left where the recorder was killed
     reader      from a bag, of ROS 2 or ROS 1, to a recording
     wire        messages and qualities of service, as a bag holds them
     record      `ros2 bag record`: from the graph to a bag

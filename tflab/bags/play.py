@@ -22,7 +22,8 @@ from tflab.ros.messages.rosgraph_msgs import Clock
 from tflab.ros.qos import DurabilityPolicy, QoSProfile
 
 from . import wire
-from .reader import TRANSFORM_TYPES, open_bag
+from .collect import TRANSFORM_TYPES
+from .reader import open_bag
 
 if TYPE_CHECKING:
     from tflab.ros.node import Node

@@ -33,6 +33,7 @@ __all__ = [
     "Recording",
     "TransformLabel",
     "Transforms",
+    "Unfinished",
     "namespace_of",
     "recording_from_records",
 ]
@@ -131,6 +132,14 @@ class JointStates(NamedTuple):
     positions: tuple[tuple[float, ...], ...]
 
 
+class Unfinished(NamedTuple):
+    """A recorder was killed: what is missing, which command mends it, and whether messages may be missing."""
+
+    what: str
+    remedy: str
+    is_cut: bool
+
+
 class Odometry(NamedTuple):
     """One topic of odometry: shape (n,) [ns], and (n, 7): x, y, z [m], qx, qy, qz, qw."""
 
@@ -158,6 +167,7 @@ class Recording:
         robot_description: the URDF that was published, "" if none.
         begin_ns, end_ns: first and last moment of receipt [ns].
         notes: what the reader had to pass over, in sentences.
+        unfinished: what it lacks if its recorder was killed.
     """
 
     name: str
@@ -171,6 +181,7 @@ class Recording:
     begin_ns: int = 0
     end_ns: int = 0
     notes: tuple[str, ...] = ()
+    unfinished: Unfinished | None = None
 
     def namespaces(self) -> tuple[str, ...]:
         """Return the namespaces with transforms, sorted: "" for /tf, "/robot1" for /robot1/tf."""

@@ -56,6 +56,7 @@ class Examined(NamedTuple):
 
     Attributes:
         recording: only kept where a page with pictures is asked for.
+        cut: what it lacks if it could not be read to its end.
     """
 
     name: str
@@ -63,6 +64,7 @@ class Examined(NamedTuple):
     profile: RecordingProfile | None = None
     recording: Recording | None = None
     refusal: str = ""
+    cut: str = ""
 
 
 def main(words: Sequence[str]) -> int:
@@ -106,7 +108,7 @@ def _patients(options: Namespace) -> list[tuple[str, Callable[[], Recording]]]:
 def _read(bag: str) -> Recording:
     from tflab.bags.reader import read_bag
 
-    return read_bag(bag)
+    return read_bag(bag, salvage=True)
 
 
 def _examined(name: str, read: Callable[[], Recording], options: Namespace, rules: Rules) -> Examined:
@@ -121,7 +123,9 @@ def _examined(name: str, read: Callable[[], Recording], options: Namespace, rule
         deviations = deviations_from(rules.expectations, profile)
         report = replace(report, findings=worst_first([*report.findings, *deviations]))
     report, _ = let_pass(report, rules.ignore, rules.baseline)
-    return Examined(name, report, profile, recording if options.html else None)
+    unfinished = recording.unfinished
+    cut = f"{name}: read as far as it goes: {unfinished.what}" if unfinished and unfinished.is_cut else ""
+    return Examined(name, report, profile, recording if options.html else None, cut=cut)
 
 
 def _compared(examined: list[Examined], options: Namespace) -> list[Examined]:
@@ -136,16 +140,15 @@ def _compared(examined: list[Examined], options: Namespace) -> list[Examined]:
 
 
 def _print(examined: list[Examined], options: Namespace) -> None:
-    as_table = options.table or len(examined) > 2
+    as_table = not options.json and (options.table or len(examined) > 2)
+    _print_refusals(examined, is_in_table=as_table)
     told = [patient for patient in examined if patient.report is not None]
     if options.json:
-        _print_refusals(examined)
         _print_json(examined, told)
         return
     if as_table:
         print(text_from_reports([p.name for p in examined], [p.report or p.refusal for p in examined]))
     else:
-        _print_refusals(examined)
         _print_text(told)
     if options.edges:
         for patient in told:
@@ -154,10 +157,11 @@ def _print(examined: list[Examined], options: Namespace) -> None:
         print(annotations_from_reports([p.report for p in told], [p.name for p in told]))
 
 
-def _print_refusals(examined: list[Examined]) -> None:
+def _print_refusals(examined: list[Examined], is_in_table: bool) -> None:
     for patient in examined:
-        if patient.refusal:
-            print(f"tflab doctor: {patient.refusal}", file=sys.stderr)
+        reason = patient.cut or ("" if is_in_table else patient.refusal)
+        if reason:
+            print(f"tflab doctor: {reason}", file=sys.stderr)
 
 
 def _print_json(examined: list[Examined], told: list[Examined]) -> None:
@@ -211,7 +215,7 @@ def _quiet_engine():
 
 
 def _exit_status(examined: list[Examined], options: Namespace) -> int:
-    if any(patient.refusal for patient in examined):
+    if any(patient.refusal or patient.cut for patient in examined):
         return UNUSABLE
     failing = FAILING[options.fail_on]
     return FOUND if any(patient.report.of_severity(*failing) for patient in examined) else 0

@@ -195,9 +195,16 @@ def worst_first(findings: list[Finding]) -> tuple[Finding, ...]:
 
 
 def _unreadable(recording: Recording) -> list[Finding]:
-    """Return a finding for each topic of which messages could not be read; an error if it should hold transforms."""
+    """Return a finding for each topic of which messages could not be read; an error if it should hold transforms.
+
+    What a killed recorder has left is told, too.
+    """
     kinds = {connection.topic: connection.msgtype for connection in recording.connections}
     findings = []
+    if recording.unfinished:
+        severity = "warning" if recording.unfinished.is_cut else "info"
+        facts = {"what": recording.unfinished.what, "remedy": recording.unfinished.remedy}
+        findings.append(Finding("unfinished", severity, facts=facts))
     for note in recording.notes:
         topic = next((topic for topic in kinds if f"on {topic} " in note), "")
         severity = "error" if kinds.get(topic, "").endswith(("TFMessage", "tfMessage")) else "info"

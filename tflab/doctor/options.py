@@ -54,7 +54,7 @@ how to read a finding:
 
 exit status:
   0  nothing as severe as --fail-on       1  something is
-  2  a bag cannot be read, a report not be written, or the words make no sense
+  2  a bag cannot be read, or not to its end; a report not be written; or the words make no sense
 """
 
 

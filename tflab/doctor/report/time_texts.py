@@ -167,6 +167,13 @@ TIME_TEXTS: dict[str, Sentences] = {
         "With the sensors alone nothing can be placed.",
         "ros2 bag record /tf /tf_static",
     ),
+    "unfinished": Sentences(
+        "The recorder was killed",
+        "{what}: what is there was read.",
+        "The recorder was not stopped by Ctrl-C, the disk was full, the power failed, or a copy is not complete. "
+        "What comes last may be missing.",
+        "{remedy}",
+    ),
     "unreadable": Sentences(
         "Messages on {topic} could not be read",
         "{note}.",
