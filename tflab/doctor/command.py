@@ -150,9 +150,12 @@ def _print(examined: list[Examined], options: Namespace) -> None:
         print(text_from_reports([p.name for p in examined], [p.report or p.refusal for p in examined]))
     else:
         _print_text(told)
-    if options.edges:
-        for patient in told:
-            print(f"\n{patient.name}\n{text_from_profile(patient.profile)}")
+    for patient in told if options.edges else ():
+        print(f"\n{patient.name}\n{text_from_profile(patient.profile)}")
+    _print_annotations(told, options)
+
+
+def _print_annotations(told: list[Examined], options: Namespace) -> None:
     if options.github and told:
         print(annotations_from_reports([p.report for p in told], [p.name for p in told]))
 
