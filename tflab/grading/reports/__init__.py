@@ -5,6 +5,7 @@
     html           what such pages share
     gain           a test before and after
     class_figures  pictures of a class
+    gain_section   the same on the class's page
     class_page     what the class misunderstands
 
 Start with `gradebook.py`; each page names the next.

@@ -2,7 +2,7 @@
 
 What is drawn is in English; the words are in the reader's language.
 
-Read `class_page.py` next.
+Read `gain_section.py` next.
 """
 
 from __future__ import annotations
@@ -14,13 +14,18 @@ from tflab.views import style
 from tflab.views.picture import Picture
 from tflab.workbook.words import Words
 
-__all__ = ["bars", "histogram"]
+__all__ = ["bars", "histogram", "scores"]
 
 BINS = 10
 ROW_INCH = 0.3
 SUMMARY = Words(
     "{count} learners, points [%]: mean {mean}, median {middle}", "{count}명의 점수[%]: 평균 {mean}, 중앙값 {middle}"
 )
+SCORES = Words(
+    "{count} learners, right of {of}: before mean {before}, after mean {after}; guessing alone gives {by_guessing}",
+    "{count}명, {of}문제 중 맞은 수: 처음 평균 {before}, 끝 평균 {after}. 짐작만 하면 {by_guessing}",
+)
+SCORE = Words("  {right} right: {before} before, {after} after", "  {right}개 맞음: 처음 {before}명, 끝 {after}명")
 BIN = Words("  {low} to {high}: {count}", "  {low}~{high}: {count}명")
 
 
@@ -85,6 +90,41 @@ def histogram(values: Sequence[float], language: str = "en") -> Picture:
         [
             SUMMARY.say(language, count=len(values), mean=f"{mean:.0f}", middle=f"{middle:.0f}"),
             *(BIN.say(language, low=10 * n, high=10 * n + 10, count=count) for n, count in enumerate(counts)),
+        ]
+    )
+    return picture
+
+
+def scores(before: Sequence[int], after: Sequence[int], of: int, by_guessing: float, language: str = "en") -> Picture:
+    """Draw how many learners had how many right before and after, with a grey line where guessing leads."""
+    picture = Picture((style.WIDE[0], 2.9))
+    rows = (("before", before, style.SHADE, -0.2), ("after", after, style.GREY, 0.2))
+    with style.our_settings():
+        ax = picture.figure.add_axes((0.09, 0.2, 0.86, 0.68))
+        for name, values, colour, aside in rows:
+            counts = [list(values).count(right) for right in range(of + 1)]
+            places = [right + aside for right in range(of + 1)]
+            ax.bar(places, counts, width=0.38, color=colour, edgecolor=style.INK, linewidth=0.8, label=name)
+        ax.axvline(by_guessing, color=style.FAINT, linestyle=(0, (4.0, 2.0)), zorder=0, label="guessing")
+        ax.set_xlim(-0.6, of + 0.6)
+        ax.set_xticks(range(of + 1))
+        ax.yaxis.get_major_locator().set_params(integer=True)
+        ax.set_xlabel(f"right, of {of}")
+        ax.set_ylabel("learners")
+        ax.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=3, frameon=False, fontsize=style.SMALL_PT)
+        for side in ("top", "right"):
+            ax.spines[side].set_visible(False)
+    mean_before, mean_after = (f"{statistics.mean(values):.1f}" for values in (before, after))
+    picture.text = "\n".join(
+        [
+            SCORES.say(
+                language, count=len(before), of=of, before=mean_before, after=mean_after, by_guessing=by_guessing
+            ),
+            *(
+                SCORE.say(language, right=right, before=list(before).count(right), after=list(after).count(right))
+                for right in range(of + 1)
+                if right in before or right in after
+            ),
         ]
     )
     return picture

@@ -4,6 +4,7 @@
     which mistakes            E3.2 swapped (M1)      ################  31 of 180
     how hard the tasks are    E3.4                   #######......     52 %
     how the class did         0 .. 100 %             ..:|||::.
+    before and after          gain 0.67              M3 33 % -> 0 %
 
 Each picture stands beside the same in words.  Read `guide/` next.
 """
@@ -15,11 +16,14 @@ from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 from tflab.workbook.course.misconceptions import MISCONCEPTIONS
+from tflab.workbook.inventory.items import read_inventory
 from tflab.workbook.words import Words
 
 from ..submissions.remarks import Remark
 from .class_figures import bars, histogram
 from .feedback import STATUS
+from .gain import class_gain
+from .gain_section import gain_section
 from .gradebook import remarks_of, tasks_of, verdicts_of
 from .html import figure, page, points, prose, rows, text
 
@@ -95,6 +99,9 @@ def class_page(
         body += _mistakes(found, len(graded), language)
         body += _hardest(graded, language)
         body += _distribution(graded, language)
+        items = read_inventory()
+        gain = class_gain(records, items)
+        body += gain_section(gain, items, language) if gain else []
     body += [f"<h2>{text(EVERYBODY.say(language))}</h2>", _everybody(records, language)]
     for heading, lines in ((ABOUT, remarks), (ON_THE_WALL, wall)):
         if lines:

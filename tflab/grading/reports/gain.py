@@ -62,10 +62,16 @@ class ClassGain(NamedTuple):
     matched: tuple[Matched, ...]
     lines: tuple[Words, ...]
 
+    def right(self) -> tuple[list[int], list[int]]:
+        """Return how many each of the matched has right, before and after."""
+        sides = ([one.before for one in self.matched], [one.after for one in self.matched])
+        before, after = ([sum(reply.is_right for reply in replies) for replies in side] for side in sides)
+        return before, after
+
     def means(self) -> tuple[float, float]:
         """Return how many are right on average, before and after."""
-        rows = [[sum(reply.is_right for reply in replies) for replies in one[1:]] for one in self.matched]
-        return mean(before for before, _ in rows), mean(after for _, after in rows)
+        before, after = self.right()
+        return mean(before), mean(after)
 
 
 class Believed(NamedTuple):

@@ -1,0 +1,143 @@
+"""How does the gain stand on the class's page?  One number for the class, and each misconception before and after.
+
+    30 learners answered both forms. Mean of 15: 6.2 before, 12.1 after.
+    Normalised gain 0.67: medium (0.3 to 0.7)
+    Most cured   the inverse is only a minus sign: 10 -> 0
+    Grew         a timeout cures everything: 0 -> 10
+    M3   33 % -> 0 %    sure 10 of 10 -> 0 of 0
+
+No learner is named but in the lines on who could not be matched.  Read `class_page.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from tflab.workbook.course.misconceptions import MISCONCEPTIONS
+from tflab.workbook.inventory.items import Item
+from tflab.workbook.words import Words
+
+from .class_figures import scores
+from .gain import BY_GUESSING, Believed, ClassGain, band, believed, normalised_gain
+from .html import figure, rows, text
+
+__all__ = ["gain_section"]
+
+HEADING = Words("Before and after: the fifteen questions", "처음과 끝: 열다섯 문제")
+MEANS = Words(
+    "{count} learners answered both forms. Right of {of}, on average: {before} before, {after} after; "
+    "guessing alone gives {by_guessing}.",
+    "두 형에 모두 답한 학습자 {count}명. {of}문제 중 평균: 처음 {before}개, 끝 {after}개. "
+    "짐작만 하면 {by_guessing}개입니다.",
+)
+GAIN = Words("Normalised gain {gain}: {band}.", "정규화 향상도(normalised gain) {gain}: {band}.")
+BANDS_FROM = Words(
+    "It is the share of what was left to learn, of the means of these learners; the bands are those of a survey "
+    "of 62 courses with 6542 students.",
+    "같은 학습자들의 평균으로 계산하며, 배울 것이 남아 있던 만큼 중에서 얼마나 배웠는지를 나타냅니다. "
+    "구간은 62개 강의, 학생 6542명을 조사한 연구에서 가져왔습니다.",
+)
+NOTHING_LEFT = Words(
+    "Normalised gain: nothing left to gain, everybody had all of it right before.",
+    "정규화 향상도(normalised gain): 처음부터 모두 맞아서 더 오를 것이 없습니다.",
+)
+NOBODY = Words("No learner has answered both forms yet.", "두 형에 모두 답한 학습자가 아직 없습니다.")
+CURED = Words("Most cured: {which}.", "가장 많이 바로잡힌 것: {which}.")
+GREW = Words("Grew: {which}. Teach it again.", "늘어난 것: {which}. 다시 가르칠 내용입니다.")
+LINES = Words("Who is not in it, and what was odd", "빠진 사람과 특이한 점")
+HEADS = (
+    Words("Misconception", "잘못 알고 있는 점"),
+    Words("Chose it, before → after", "고른 비율, 처음 → 끝"),
+    Words("Of these sure", "그중 확신"),
+    Words("", ""),
+)
+GROWN, GONE, FELL = Words("grew", "늘었음"), Words("gone", "사라짐"), Words("fell", "줄었음")
+ON_BOTH = Words(
+    "Counted on the items on which both forms offer it, so that it has as many chances before as after.",
+    "두 형에 모두 그 보기가 있는 문제만 세었으므로 처음과 끝의 기회가 같습니다.",
+)
+LIMITS = Words(
+    "A small test, and not validated yet: use it to find what to teach again, not to compare people.",
+    "작은 시험이고 아직 타당성을 검증하지 않았습니다. "
+    "무엇을 다시 가르칠지 찾는 데 쓰고, 사람을 비교하는 데 쓰지 마십시오.",
+)
+IN_WORDS = Words("the same in words", "글로 보기")
+MOST_NAMED = 3
+
+
+def gain_section(found: ClassGain, items: Sequence[Item], language: str) -> list[str]:
+    """Return the part of the class's page on the test, as HTML."""
+    body = [f"<h2>{text(HEADING.say(language))}</h2>"]
+    if found.matched:
+        table = believed(items, found.matched)
+        body += _numbers(found, len(items), language)
+        body += [f"<p>{text(line)}</p>" for line in _named(table, language)]
+        body += [_table(table, len(found.matched), language), _quiet(ON_BOTH, language)]
+    else:
+        body.append(f"<p>{text(NOBODY.say(language))}</p>")
+    if found.lines:
+        points = "".join(f"<li>{text(line.say(language))}</li>" for line in found.lines)
+        body.append(f'<div class="card"><b>{text(LINES.say(language))}</b><ul>{points}</ul></div>')
+    return [*body, _quiet(LIMITS, language)]
+
+
+def _numbers(found: ClassGain, of: int, language: str) -> list[str]:
+    before, after = found.means()
+    picture = scores(*found.right(), of, BY_GUESSING, language)
+    said = MEANS.say(
+        language, count=len(found.matched), of=of, before=f"{before:.1f}", after=f"{after:.1f}", by_guessing=BY_GUESSING
+    )
+    gain = normalised_gain(before, after, of)
+    if gain is None:
+        lines = [NOTHING_LEFT.say(language)]
+    else:
+        lines = [GAIN.say(language, gain=f"{gain:.2f}", band=band(gain).say(language)), BANDS_FROM.say(language)]
+    return [
+        f"<p>{text(said)}</p>",
+        f"<p><b>{text(lines[0])}</b> {text(' '.join(lines[1:]))}</p>",
+        figure(picture.png(), picture.text, picture.size_px[0], IN_WORDS.say(language)),
+    ]
+
+
+def _named(table: Sequence[Believed], language: str) -> list[str]:
+    """Return which misconceptions fell most, and which grew most."""
+    fell = sorted((row for row in table if row.after < row.before), key=lambda row: row.after - row.before)
+    grew = sorted((row for row in table if row.after > row.before), key=lambda row: row.before - row.after)
+    return [
+        words.say(language, which="; ".join(_in_short(row, language) for row in some[:MOST_NAMED]))
+        for words, some in ((CURED, fell), (GREW, grew))
+        if some
+    ]
+
+
+def _in_short(row: Believed, language: str) -> str:
+    return f"{MISCONCEPTIONS[row.misconception].say(language)} ({row.misconception}) {row.before} → {row.after}"
+
+
+def _table(table: Sequence[Believed], of: int, language: str) -> str:
+    cells = [
+        (
+            f"{text(MISCONCEPTIONS[row.misconception].say(language))} ({row.misconception})",
+            f"{_share(row.before, of)} → {_share(row.after, of)}",
+            f"{_share(row.sure_before, row.before)} → {_share(row.sure_after, row.after)}",
+            text(_change(row, language)),
+        )
+        for row in table
+    ]
+    return rows([head.say(language) for head in HEADS], cells, numbers=(1, 2), widths=(46, 24, 20, 10))
+
+
+def _share(count: int, of: int) -> str:
+    return f"{100 * count / of:.0f}&nbsp;%" if of else "–"
+
+
+def _change(row: Believed, language: str) -> str:
+    if row.after > row.before:
+        return GROWN.say(language)
+    if row.after == row.before:
+        return ""
+    return (FELL if row.after else GONE).say(language)
+
+
+def _quiet(words: Words, language: str) -> str:
+    return f'<p class="quiet">{text(words.say(language))}</p>'
