@@ -164,6 +164,24 @@ lesson.draw_now(graph, fixed_frame='map')
 # %% name="stop"
 graph.stop()
 
+# %% [markdown] lang="en" name="fifteen" slide="slide"
+# ## Before you begin: fifteen questions
+#
+# Fifteen questions about robots, before you know anything: [the questions](../../exercises/en/E00_start.ipynb), a quarter of an hour.
+# You will meet them again at the end of chapter 12. Nothing there is marked; wrong is useful, guessing is fine if you say so.
+# What is right stays closed until then. After that, *Where you stand* at the end of this page shows what you have learnt, what to read again, and a sentence for each option.
+#
+# It is a small test, and not validated yet: use it to see what to read again, not to compare yourself with others.
+
+# %% [markdown] lang="ko" name="fifteen" slide="slide"
+# ## 시작하기 전에: 열다섯 문제
+#
+# 배우기 전에 로봇에 관한 [열다섯 문제](../../exercises/ko/E00_start.ipynb)를 풀어 보세요. 15분이면 됩니다.
+# 12장이 끝나면 다시 만납니다. 채점하지 않습니다. 틀린 답도 쓸모가 있고, 짐작했다고 밝히기만 하면 짐작도 좋습니다.
+# 그때까지 정답은 닫혀 있습니다. 그다음에는 이 페이지 끝의 *나의 학습 현황*에서 무엇을 배웠고 무엇을 다시 볼지, 보기마다 왜 그런지 볼 수 있습니다.
+#
+# 작은 시험이고 아직 타당성을 검증하지 않았습니다. 다시 볼 곳을 찾는 데 쓰고, 다른 사람과 비교하지는 마세요.
+
 # %% [markdown] lang="en" name="chapters" slide="slide"
 # ## The chapters
 #

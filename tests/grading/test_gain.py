@@ -3,18 +3,24 @@
 from __future__ import annotations
 
 import html
+import json
 import re
 from typing import Any
 
 import pytest
 
 from tflab.grading.judging.marks import judged
+from tflab.grading.judging.pack import learners_cases
+from tflab.grading.release import release
 from tflab.grading.reports.class_page import class_page
 from tflab.grading.reports.gain import Believed, band, believed, class_gain, normalised_gain
 from tflab.grading.reports.gain_section import gain_section
 from tflab.grading.submissions.remarks import Remark
+from tflab.grading.submissions.roster import Learner
 from tflab.workbook.answers.values import to_plain
-from tflab.workbook.inventory.items import FORMS, read_inventory
+from tflab.workbook.copy.lay_out import lay_out
+from tflab.workbook.course.misconceptions import MISCONCEPTIONS
+from tflab.workbook.inventory.items import FORMS, RIGHT, read_inventory
 from tflab.workbook.places import CASES, workbook_data
 from tflab.workbook.tasks.cases import read_cases
 
@@ -164,3 +170,48 @@ def test_grading_gives_points_for_answering_and_keeps_the_letters_of_a_complete_
     assert [remark.kind for remark in some.remarks] == ["missing parts"]
     assert judged(FORMS[form], task, {0: {"unanswered": True}}).status == "unanswered"
     assert judged(FORMS[form], task, {0: to_plain([1, 2])}).status == "wrong"
+
+
+# -- what a release gives away ------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def given_away(tmp_path_factory: pytest.TempPathFactory) -> str:
+    """All that two learners can read who are handed out the first and the last exercise, as JSON means it."""
+    folder = tmp_path_factory.mktemp("release") / "autumn"
+    learners = [Learner("s101", "", "en"), Learner("s102", "", "ko")]
+    release(folder, [STEMS["A"]], learners)
+    public = read_cases(workbook_data() / CASES / f"{STEMS['B']}.json")
+    tasks = {FORMS["B"]: public["tasks"][FORMS["B"]]}
+    sealed = learners_cases(public | {"tasks": tasks}, None, "s101")
+    lay_out(folder / "learners" / "s103", "en", edition="class", learner="s103", cases={STEMS["B"]: sealed})
+    texts = []
+    for content in {path.read_bytes() for path in (folder / "learners").rglob("*") if path.is_file()}:
+        text = content.decode()
+        texts.append(json.dumps(json.loads(text), ensure_ascii=False) if text[:1] == "{" else text)
+    return re.sub(r'"image/png": "[^"]*"', "", "\n".join(texts))
+
+
+def test_a_release_holds_every_question(given_away: str) -> None:
+    for item in ITEMS:
+        assert item.forms["A"].stem.ko in given_away
+        assert item.forms["B"].stem.en in given_away
+
+
+def test_a_release_holds_no_sentence_on_an_option(given_away: str) -> None:
+    options = [option for item in ITEMS for wording in item.forms.values() for option in wording.options.values()]
+    data = given_away.encode()  # bytes are searched faster
+    assert [why for option in options for why in option.why if why.encode() in data] == []
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_a_release_holds_no_row_of_right_letters_and_no_misconception_beside_an_option(
+    given_away: str, form: str
+) -> None:
+    counted = [(number, item.forms[form].right) for number, item in enumerate(ITEMS, start=1)]
+    for rows in (counted, sorted(counted, key=lambda row: str(row[0]))):  # as one counts, and as JSON sorts
+        row = r"\W{0,6}".join(letter for _, letter in rows[:8])
+        numbered = r"\W{1,8}".join(rf"{number}\W{{1,6}}{letter}" for number, letter in rows[:5])
+        assert not re.search(rf"\b(?:{row}|{numbered})", given_away)
+    beside = {f'"{letter}": "{shown}"' for letter in "abcd" for shown in (RIGHT, *MISCONCEPTIONS)}
+    assert [pair for pair in beside if pair in given_away] == []

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import html
 import json
 import math
 import re
@@ -16,6 +17,7 @@ from tflab.workbook import check, hint, solution
 from tflab.workbook.answers.forms import Number
 from tflab.workbook.answers.values import to_plain
 from tflab.workbook.copy.lay_out import lay_out
+from tflab.workbook.course.progress_page import progress, show_progress
 from tflab.workbook.inventory.balance import imbalances
 from tflab.workbook.inventory.change import changes, relearnt
 from tflab.workbook.inventory.items import FORMS, RIGHT, inventory_file, parsed, read_inventory
@@ -305,6 +307,19 @@ def test_without_form_a_form_b_opens_and_nothing_is_compared(copy, capsys):
     assert "cured" not in out
 
 
+def test_the_progress_page_waits_and_then_says_what_was_learnt(copy, capsys):
+    check("E0.1", answers(KEY["A"]) | {"7": "a"})
+    progress([str(copy)])
+    assert "Fifteen questions: your first answers are kept." in capsys.readouterr().out
+    check("E12.8", answers(KEY["B"]) | {"2": "c"})
+    progress([str(copy)])
+    out = capsys.readouterr().out.rpartition("What you have done")[2]
+    assert "▲ cured 1 · ● held 13 · ○ stuck 0 · ▽ lost 1" in out
+    assert "2 · what an arrow between two parts says (lost) → chapter 03, task E3.1" in out
+    assert ITEMS[0].forms["A"].options["a"].why.en not in out  # the forms themselves stand on the page
+    assert ITEMS[0].forms["A"].options["a"].why.en in html.unescape(show_progress().html)
+
+
 def test_the_page_and_the_text_say_the_same_in_korean():
     page = Opened(ITEMS, answers(KEY["A"]), answers(KEY["B"]) | {"7": "d?"}, "ko")
     assert "7 · 지도 프로그램이 알려야 하는 것 (놓침) → 05장, 과제 E5.1" in page.text
@@ -314,6 +329,16 @@ def test_the_page_and_the_text_say_the_same_in_korean():
 
 
 # -- what a copy gives away ---------------------------------------------------------------
+
+
+def told_by(letters: str) -> list[str]:
+    """Patterns of a key: its letters in a row, and each behind its number; as one counts, and as JSON sorts."""
+    counted = list(enumerate(letters, start=1))
+    patterns = []
+    for rows in (counted, sorted(counted, key=lambda row: str(row[0]))):
+        patterns.append(r"\b" + r"\W{0,6}".join(letter for _, letter in rows[:8]))
+        patterns.append(r"\b" + r"\W{1,8}".join(rf"{number}\W{{1,6}}{letter}" for number, letter in rows[:5]))
+    return patterns
 
 
 def readable(root: Path) -> dict[str, str]:
@@ -335,11 +360,14 @@ def test_a_copy_holds_the_questions_and_nothing_that_tells_their_key(copy):
     assert all(item.forms["A"].stem.en.replace('"', "'") in everything for item in ITEMS)
     whys, data = [why for option in options for why in option.why], everything.encode()  # bytes are searched faster
     assert [why for why in whys if why.encode() in data] == []
-    for letters in KEY.values():
-        row = r"\W{0,6}".join(letters[:8])
-        numbered = r"\W{1,8}".join(rf"{number}\W{{1,6}}{letter}" for number, letter in enumerate(letters[:5], start=1))
-        for pattern in (row, numbered):
-            assert not re.search(rf"\b{pattern}\b", everything)
+    assert [pattern for letters in KEY.values() for pattern in told_by(letters) if re.search(pattern, everything)] == []
+
+
+def test_a_key_would_be_found_however_it_is_written():
+    key = answers(KEY["A"])
+    written = (KEY["A"], " ".join(KEY["A"]), json.dumps(key), json.dumps(key, sort_keys=True), str(list(key.values())))
+    for text in (*written, "\n".join(f"{number}. {letter}" for number, letter in key.items())):
+        assert any(re.search(pattern, text) for pattern in told_by(KEY["A"])), text
 
 
 @pytest.mark.parametrize("form", FORMS)

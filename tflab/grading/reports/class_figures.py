@@ -107,6 +107,7 @@ def scores(before: Sequence[int], after: Sequence[int], of: int, by_guessing: fl
             ax.bar(places, counts, width=0.38, color=colour, edgecolor=style.INK, linewidth=0.8, label=name)
         ax.axvline(by_guessing, color=style.FAINT, linestyle=(0, (4.0, 2.0)), zorder=0, label="guessing")
         ax.set_xlim(-0.6, of + 0.6)
+        ax.margins(y=0.12)
         ax.set_xticks(range(of + 1))
         ax.yaxis.get_major_locator().set_params(integer=True)
         ax.set_xlabel(f"right, of {of}")

@@ -14,6 +14,7 @@ import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+from ..inventory.opened import Opened, opened, waiting
 from ..places import COPY, MARK, WorkbookError, copy_at_hand, workbook_root
 from ..words import Words
 from .standing import ChapterStanding, GoalStanding, Standing, TaskStanding, standing
@@ -62,8 +63,13 @@ div.tflab-progress > h3 {margin: 0.8em 0 0.2em}
 class ProgressPage:
     """A standing that can be shown: as HTML on a page, as text in a terminal."""
 
-    def __init__(self, shown: Standing, kept: bool = True) -> None:
-        self._standing, self._kept = shown, kept
+    def __init__(self, shown: Standing, kept: bool = True, forms: Opened | str = "") -> None:
+        """Make a page.
+
+        Args:
+            forms: the test before and after once it is open, else what to say of it.
+        """
+        self._standing, self._kept, self._forms = shown, kept, forms
         self._language = shown.language
 
     def _repr_mimebundle_(self, include=None, exclude=None) -> dict[str, str]:
@@ -83,7 +89,8 @@ class ProgressPage:
             for number, stands in _not_later(goals):
                 lines.append(f"  {STATES[stands.state]} {number:>2}  {stands.goal.words.say(self._language)}")
                 lines += [f"        {line}" for line in self._details(stands)]
-        return "\n".join(lines)
+        forms = self._forms if isinstance(self._forms, str) else self._forms.summary
+        return "\n".join([*lines, *(["", forms] if forms else [])])
 
     @property
     def html(self) -> str:
@@ -105,7 +112,8 @@ class ProgressPage:
         for title, goals in ((OBJECTIVES, self._standing.objectives), (CHECKLIST, self._standing.checklist)):
             rows.append(f"</table><h3>{self._say(title)}</h3><table>")
             rows += [self._row(number, stands) for number, stands in _not_later(goals)]
-        return "".join([*rows, "</table></div>"])
+        forms = f"<p>{html.escape(self._forms)}</p>" if isinstance(self._forms, str) else self._forms.html
+        return "".join([*rows, f"</table>{forms}</div>"])
 
     def _row(self, number: int, stands: GoalStanding) -> str:
         details = "<br>".join(
@@ -161,8 +169,7 @@ class ProgressPage:
 
 def show_progress() -> ProgressPage:
     """Return where you stand in the nearest workbook, to be shown as the last value of a cell."""
-    root = workbook_root()
-    return ProgressPage(standing(root), kept=(root / MARK).is_file())
+    return _page(workbook_root())
 
 
 def progress(words: Sequence[str]) -> int:
@@ -175,11 +182,17 @@ def progress(words: Sequence[str]) -> int:
         print(f"tflab progress: {root} is no copy of the workbook; tflab lab makes one", file=sys.stderr)
         return 2
     try:
-        print(ProgressPage(standing(root), kept=(root / MARK).is_file()).text)
+        print(_page(root).text)
     except WorkbookError as error:
         print(f"tflab progress: {error}", file=sys.stderr)
         return 2
     return 0
+
+
+def _page(root: Path) -> ProgressPage:
+    shown = standing(root)
+    forms = opened(root, shown.language) or waiting(root, shown.language)
+    return ProgressPage(shown, kept=(root / MARK).is_file(), forms=forms)
 
 
 def _mark(task: TaskStanding) -> str:
