@@ -35,22 +35,28 @@
 # %% [markdown] lang="en" name="what-you-need" slide="subslide"
 # ## What you need to begin
 #
-# This is all that the page uses of the chapters before.
+# - **A node (any ROS 2 introduction).** A node has *callbacks*: functions that run when a message comes or a timer rings. An *executor* calls them. `rclpy.spin(node)` is an executor with one thread: one callback at a time.
+#
+# <details><summary>And what the page uses of 04, 05 and 06, if they are long ago</summary>
 #
 # - **The tree (04).** Every frame has at most one parent. A frame without a parent is a root. Two frames are connected if the way up from both ends at the same root.
 # - **The usual chain (05).** `map → odom → base_footprint → base_link → laser_frame`. A localiser publishes `map → odom`, the wheels' odometry publishes `odom → base_footprint`. So every lookup from `map` to a sensor needs news from *two* nodes.
 # - **Static and dynamic (06).** What is bolted on is sent once on `/tf_static` and is good for any time. What moves is sent again and again on `/tf`, each time with a stamp.
-# - **A node (any ROS 2 introduction).** A node has *callbacks*: functions that run when a message comes or a timer rings. An *executor* calls them. `rclpy.spin(node)` is an executor with one thread: one callback at a time.
+#
+# </details>
 
 # %% [markdown] lang="ko" name="what-you-need" slide="subslide"
 # ## 시작하기 전에 알아 둘 것
 #
-# 앞 장에서 필요한 내용은 다음이 전부입니다.
+# - **노드(ROS 2 입문).** 노드에는 메시지가 오거나 타이머가 울릴 때 실행되는 *콜백*(callback)이 있습니다. 콜백을 호출하는 것은 *실행기*(executor)입니다. `rclpy.spin(node)`는 스레드(thread)가 하나인 실행기라서 콜백을 한 번에 하나만 실행합니다.
+#
+# <details><summary>04, 05, 06장에서 쓰는 것(오래전에 보았다면)</summary>
 #
 # - **트리(04).** 좌표계마다 부모는 하나이거나 없습니다. 부모가 없는 좌표계가 루트입니다. 두 좌표계에서 위로 올라가 같은 루트에 닿으면 서로 연결된 것입니다.
 # - **흔히 쓰는 체인(05).** `map → odom → base_footprint → base_link → laser_frame`. `map → odom`은 위치 추정 노드가, `odom → base_footprint`는 바퀴 오도메트리가 발행합니다. 따라서 `map`에서 센서까지 조회하려면 *두* 노드의 소식이 모두 필요합니다.
 # - **정적과 동적(06).** 볼트로 고정된 것은 `/tf_static`으로 한 번만 보내며 어느 시각에나 유효합니다. 움직이는 것은 `/tf`로 계속 보내고, 보낼 때마다 측정 시각을 붙입니다.
-# - **노드(ROS 2 입문).** 노드에는 메시지가 오거나 타이머가 울릴 때 실행되는 *콜백*(callback)이 있습니다. 콜백을 호출하는 것은 *실행기*(executor)입니다. `rclpy.spin(node)`는 스레드(thread)가 하나인 실행기라서 콜백을 한 번에 하나만 실행합니다.
+#
+# </details>
 
 # %% name="load" slide="skip"
 # %load_ext tflab
@@ -224,7 +230,6 @@ for second in (12.3, 14.3, 10.6):
 #
 # All of them are a [[transform exception|TransformException]], which is their common base class.
 # Name, path, moment: if you can say which of the three is missing, you are half done.
-# (The family has one more member, TimeoutException: a buffer in *another* process did not answer. You will not meet it here.)
 
 # %% [markdown] lang="ko" name="family" slide="slide"
 # ## 한 문장으로: 이름, 경로, 시각
@@ -240,21 +245,22 @@ for second in (12.3, 14.3, 10.6):
 #
 # 이들의 공통 부모 클래스가 [[transform exception|TransformException]]입니다.
 # 이름, 경로, 시각. 셋 중에서 무엇이 빠졌는지 말할 수 있으면 절반은 끝난 것입니다.
-# (식구가 하나 더 있습니다. TimeoutException은 *다른* 프로세스에 있는 버퍼가 제때 답하지 않을 때 나옵니다. 이 장에서는 만나지 않습니다.)
 
 # %% [markdown] lang="en" name="numbers" slide="subslide"
-# <details><summary>Deeper: the same in numbers</summary>
+# <details><summary>Deeper: the same in numbers, and one member more</summary>
 #
 # In tflab an extrapolation carries the numbers beside the text, and the edge that stopped the walk: `error.requested_ns`, `error.bound_ns`, `error.direction`, `error.parent` and `error.frame`.
 # On a robot you get only the text, so you take the numbers from there, and the edge from `view_frames` or `tf2_monitor`.
+# The family has one more member, TimeoutException: a buffer in *another* process did not answer. You will not meet it here.
 #
 # </details>
 
 # %% [markdown] lang="ko" name="numbers" slide="subslide"
-# <details><summary>더 깊이: 숫자로</summary>
+# <details><summary>더 깊이: 숫자로, 그리고 식구 하나 더</summary>
 #
 # tflab의 외삽 예외에는 오류 메시지 외에 숫자와, 경로가 막힌 연결이 함께 들어 있습니다. `error.requested_ns`, `error.bound_ns`, `error.direction`, `error.parent`, `error.frame`입니다.
 # 실제 로봇에서는 오류 메시지만 나오므로 숫자는 메시지에서, 연결은 `view_frames`나 `tf2_monitor`에서 찾습니다.
+# 식구가 하나 더 있습니다. TimeoutException은 *다른* 프로세스에 있는 버퍼가 제때 답하지 않을 때 나옵니다. 이 장에서는 만나지 않습니다.
 #
 # </details>
 
@@ -547,7 +553,7 @@ for target, source, second in (
     print(f'{target:>5} <- {source:<12} at {second}: {advice}')
 
 # %% [markdown] lang="en" name="handler-traps" slide="-"
-# Wait a moment: `map ← camera_link` has *no path*, and it was asked of 12.3 s, where there is data. So here the path is what is reported. Good.
+# `map ← camera_link` has *no path*, and was asked of 12.3 s, where there is data: so here the path is what is reported.
 #
 # Two traps:
 #
@@ -555,7 +561,7 @@ for target, source, second in (
 # - **Not everything is a `TransformException`.** Forget `import tf2_geometry_msgs`, and `transform()` raises a `TypeException`, which walks past every branch above (chapter 08). That is right: it is a fault of the program, not of the robot.
 
 # %% [markdown] lang="ko" name="handler-traps" slide="-"
-# 잠깐, `map ← camera_link`는 *경로가 없고*, 데이터가 있는 12.3초의 것을 조회했습니다. 그래서 이번에는 경로 문제가 보고됩니다. 좋습니다. (출력 읽기: use it = 사용, check the name = 이름 확인, check the tree = 트리 확인, wait = 조금 기다림, drop = 버림, fix the question = 코드 수정)
+# `map ← camera_link`는 *경로가 없고*, 데이터가 있는 12.3초의 것을 조회했으므로 이번에는 경로 문제가 보고됩니다. (출력 읽기: use it = 사용, check the name = 이름 확인, check the tree = 트리 확인, wait = 조금 기다림, drop = 버림, fix the question = 코드 수정)
 #
 # 함정이 두 가지 있습니다.
 #
@@ -836,7 +842,6 @@ lesson.draw_placed({
 #
 # A timeout asks "is it there yet?". It never asks "is it true?".
 # **Waiting cures lateness. It does not cure a clock: it hides it.** (And each scan is now used 0.2 s later than it need be.)
-# Even on the left the points do not lie on the walls exactly: the robot turns while the laser sweeps, which is a story of chapter 08.
 #
 # And what if the clock is 2 s fast? Then even the plaster falls off.
 
@@ -848,7 +853,6 @@ lesson.draw_placed({
 #
 # timeout은 "왔습니까?"라고 물을 뿐, "맞습니까?"라고 묻지 않습니다.
 # **기다리면 늦은 데이터는 해결됩니다. 시계의 오차는 해결하지 못하고 숨길 뿐입니다.** (게다가 이제 스캔마다 쓸데없이 0.2초 늦게 씁니다.)
-# 왼쪽에서도 점들이 벽에 정확히 찍히지는 않습니다. 레이저가 한 바퀴 훑는 동안 로봇이 돌기 때문이며, 08장에서 다룬 이야기입니다.
 #
 # 시계가 2초 빠르면 어떨까요? 그때는 반창고마저 떨어집니다.
 
@@ -921,14 +925,14 @@ print(*patient.answers, sep='\n')
 # %% [markdown] lang="en" name="lanes-read" tags=["predicted"] slide="-"
 # None. Not one.
 #
-# It begins with bad luck: the first scan is 51 ms older than the first transform, so it can never be answered, and the callback waits its half second for nothing. (A mapper crashed at start-up over just such 41 ms: slam_toolbox, issue 775.)
+# It begins with bad luck: the first scan is 51 ms older than the first transform, so it can never be answered, and the callback waits its half second for nothing.
 # But why does it not recover? Look at the numbers: at the end it asks for 2.595 s, and the newest transform that it knows is from 1.146 s, although twenty a second have arrived.
 # The longer it waits, the less it knows. Here is why.
 
 # %% [markdown] lang="ko" name="lanes-read" tags=["predicted"] slide="-"
 # 하나도 없습니다. 단 하나도 얻지 못했습니다.
 #
-# 시작은 불운이었습니다. 첫 스캔이 첫 변환보다 51 ms 오래되어 답이 있을 수 없었고, 콜백은 0.5초를 헛되이 기다렸습니다. (바로 이런 41 ms 때문에 시작하자마자 죽은 지도 작성 노드도 있습니다: slam_toolbox, 이슈 775.)
+# 시작은 불운이었습니다. 첫 스캔이 첫 변환보다 51 ms 오래되어 답이 있을 수 없었고, 콜백은 0.5초를 헛되이 기다렸습니다.
 # 그런데 왜 회복하지 못할까요? 숫자를 보세요. 마지막에는 2.595초의 변환을 조회하는데, 변환이 1초에 스무 개씩 도착했는데도 아는 최신 변환은 1.146초의 것입니다.
 # 기다릴수록 아는 것이 줄어듭니다. 이유는 이렇습니다.
 
