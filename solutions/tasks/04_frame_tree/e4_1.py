@@ -31,8 +31,10 @@ def built(given, *, fault="mended", way="child -> parent"):
     swap = {"mended": (wrong, meant), "at the top": (wrong, "map")}.get(fault)
     if swap:
         tree = {child: swap[1] if parent == swap[0] else parent for child, parent in tree.items()}
-    elif fault == "bridged":
-        tree = {**tree, wrong: meant}
+    elif fault in ("bridged", "bridged at the top"):
+        tree = {**tree, wrong: meant if fault == "bridged" else "map"}
+    elif fault == "left out":
+        tree = {child: parent for child, parent in tree.items() if parent != wrong}
     elif fault == "renamed":
         tree = {wrong if c == meant else c: wrong if p == meant else p for c, p in tree.items()}
     return {parent: child for child, parent in tree.items()} if way == "parent -> child" else tree
@@ -96,6 +98,25 @@ ONLY_THE_EDGE = Twin(
     ),
 )
 
+BRIDGED_AT_THE_TOP = Slip(
+    "bridged at the top",
+    {"fault": "bridged at the top"},
+    Words(
+        en="The misspelt frame has a parent now, map, and is still a frame that nobody has. One name has to be mended, and no edge added.",
+        ko="잘못 적힌 좌표계에 map이라는 부모를 붙였지만, 그 좌표계는 실제로 없습니다. 연결을 더하지 말고 이름 하나를 고치십시오.",
+    ),
+    "M14",
+)
+
+LEFT_OUT = Slip(
+    "edge left out",
+    {"fault": "left out"},
+    Words(
+        en="The edge with the misspelt name is gone, and with it the way up from its child. Mend the name, and keep the edge.",
+        ko="이름이 잘못 적힌 연결을 빼 버려서, 그 자식에서 위로 가는 길이 없어졌습니다. 연결은 두고 이름을 고치십시오.",
+    ),
+)
+
 
 TASK = Task(
     id="E4.1",
@@ -107,7 +128,7 @@ TASK = Task(
     given=misspelt,
     variants=8,
     model=built,
-    twins=(UNCHANGED, BRIDGED, RENAMED, AT_THE_TOP, UPSIDE_DOWN, ONLY_THE_EDGE),
+    twins=(UNCHANGED, BRIDGED, RENAMED, AT_THE_TOP, UPSIDE_DOWN, ONLY_THE_EDGE, BRIDGED_AT_THE_TOP, LEFT_OUT),
     hints=(
         Words(en="Which parents are nobody's child?", ko="누구의 자식도 아닌 부모는 무엇입니까?"),
         Words(

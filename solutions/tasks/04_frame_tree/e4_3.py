@@ -29,7 +29,7 @@ def questions(rng):
     return rows
 
 
-def walked(parent_of, target, source, *, ends="as asked", climb="until they meet", words="as they are", order="outward", lost="raises"):  # fmt: skip
+def walked(parent_of, target, source, *, ends="as asked", climb="until they meet", words="as they are", order="outward", both="up, then down", lost="raises"):  # fmt: skip
     """Return the steps, one decision after the other; other steps are the slips."""
     if ends == "exchanged":
         target, source = source, target
@@ -44,9 +44,12 @@ def walked(parent_of, target, source, *, ends="as asked", climb="until they meet
             down.pop()
     else:
         up, down = up[:-1], down[:-1]
-    first, then = ("down", "up") if words == "exchanged" else ("up", "down")
+    first, then = {"exchanged": ("down", "up"), "all up": ("up", "up")}.get(words, ("up", "down"))
     down = {"outward": down[::-1], "as climbed": down, "left out": []}[order]
-    return [(child, first) for child in up] + [(child, then) for child in down]
+    climbing, descending = [(child, first) for child in up], [(child, then) for child in down]
+    if both == "up, then down":
+        return climbing + descending
+    return descending + climbing if both == "down, then up" else descending
 
 
 FROM_THE_TARGET = Slip(
@@ -128,6 +131,34 @@ NONE_LOST = Slip(
     "M11",
 )
 
+ALL_UP = Slip(
+    "all up",
+    {"words": "all up"},
+    Words(
+        en="Every step of yours goes up. From where the ways meet, the way leads down to the target.",
+        ko="모든 걸음이 up입니다. 두 길이 만나는 곳부터는 목표로 내려갑니다.",
+    ),
+    "M2",
+)
+
+DOWN_FIRST = Slip(
+    "down first",
+    {"both": "down, then up"},
+    Words(
+        en="The steps down stand before the steps up. One starts at the source, goes up from there, and comes down at the end.",
+        ko="내려가는 걸음이 올라가는 걸음보다 먼저 있습니다. 원본에서 출발해 먼저 올라가고 마지막에 내려옵니다.",
+    ),
+)
+
+NEVER_UP = Slip(
+    "never up",
+    {"both": "down alone"},
+    Words(
+        en="Only the steps down are there. The way begins at the source, with the steps up.",
+        ko="내려가는 걸음만 있습니다. 길은 원본에서 올라가는 걸음으로 시작합니다.",
+    ),
+)
+
 
 TASK = Task(
     id="E4.3",
@@ -148,6 +179,9 @@ TASK = Task(
         NAMED_AFTER_PARENTS,
         NOTHING_LOST,
         NONE_LOST,
+        ALL_UP,
+        DOWN_FIRST,
+        NEVER_UP,
     ),
     hints=(
         Words(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tflab.workbook.tasks import Slip, Task, Tree, Words
+from tflab.workbook.tasks import Slip, Task, Tree, Twin, Words
 
 from .draws import robot
 
@@ -15,10 +15,10 @@ def robots(rng):
     return {"edges": [(parent, child) for child, parent in tree.items()], "prefixes": [first, second]}
 
 
-def together(given, *, shared=("map",), glue="{}/{}", parents="prefixed", way="child -> parent"):
+def together(given, *, shared=("map",), glue="{}/{}", parents="prefixed", who="both", way="child -> parent"):
     """Return the tree of both robots, step by step; other steps are the slips."""
     fleet = {}
-    for prefix in given.prefixes:
+    for prefix in given.prefixes[:1] if who == "the first" else given.prefixes:
         for parent, child in given.edges:
             above, below = (name if name in shared else glue.format(prefix, name) for name in (parent, child))
             fleet[below] = parent if parents == "bare" else above
@@ -104,6 +104,37 @@ UPSIDE_DOWN = Slip(
     "M2",
 )
 
+THE_FIRST_ALONE = Slip(
+    "the first alone",
+    {"who": "the first"},
+    Words(
+        en="The second robot is missing: both stand in one tree, under one map.",
+        ko="두 번째 로봇이 빠졌습니다. 두 로봇 모두 한 map 아래의 한 트리에 있습니다.",
+    ),
+)
+
+NAME_FIRST = Slip(
+    "name first",
+    {"glue": "{1}/{0}"},
+    Words(
+        en="The frame stands before the robot's name. A prefix stands in front: robot1/odom.",
+        ko="좌표계 이름이 로봇 이름보다 먼저 있습니다. 접두사는 앞에 붙입니다. robot1/odom입니다.",
+    ),
+    "M14",
+)
+
+SLASH_IN_FRONT_OF_ALL = Twin(
+    "slash in front of all",
+    lambda given: {
+        child: "/map" if parent == "map" else parent for child, parent in together(given, glue="/{}/{}").items()
+    },
+    Words(
+        en="Every name begins with a slash, map too. ROS 2 refuses such a name when somebody asks for it.",
+        ko="map까지 모든 이름이 슬래시로 시작합니다. ROS 2에서는 그런 이름을 조회하면 거부합니다.",
+    ),
+    "M14",
+)
+
 
 TASK = Task(
     id="E4.4",
@@ -124,6 +155,9 @@ TASK = Task(
         UNDERSCORE,
         CHILDREN_ONLY,
         UPSIDE_DOWN,
+        THE_FIRST_ALONE,
+        NAME_FIRST,
+        SLASH_IN_FRONT_OF_ALL,
     ),
     hints=(
         Words(

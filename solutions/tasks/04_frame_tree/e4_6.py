@@ -118,6 +118,26 @@ PARENTS = Twin(
     "M6",
 )
 
+BY_PARENT = Twin(
+    "by parent",
+    lambda log: sorted({parent for _, parent, _ in log if len({n for n, p, _ in log if p == parent}) > 1}),
+    Words(
+        en="You collect the nodes of each parent. A parent may well have children of several nodes; what has one owner is a child.",
+        ko="부모마다 노드를 모았습니다. 한 부모의 자식들은 여러 노드가 보내도 됩니다. 발행 책임은 자식마다 하나입니다.",
+    ),
+    "M2",
+)
+
+BUSY_NODES = Twin(
+    "busy nodes",
+    lambda log: sorted({node for node, _, _ in log if len({c for n, _, c in log if n == node}) > 1}),
+    Words(
+        en="These are nodes that send several children, which is nobody's fault. Asked for are children that several nodes send.",
+        ko="자식을 여럿 보내는 노드입니다. 그것은 잘못이 아닙니다. 여러 노드가 보내는 자식을 찾으십시오.",
+    ),
+    "M6",
+)
+
 
 TASK = Task(
     id="E4.6",
@@ -129,7 +149,7 @@ TASK = Task(
     inputs=logs,
     variants=3,
     model=counted,
-    twins=(MESSAGES, EDGES, BASE_NAMES, THREE, UNSORTED, ALL, NODES, PARENTS),
+    twins=(MESSAGES, EDGES, BASE_NAMES, THREE, UNSORTED, ALL, NODES, PARENTS, BY_PARENT, BUSY_NODES),
     hints=(
         Words(en="For each child, collect who sends it.", ko="자식마다 누가 보내는지 모으십시오."),
         Words(en="A set keeps each node once.", ko="set에는 노드가 하나씩만 남습니다."),

@@ -20,7 +20,8 @@ def names(rng):
     return rows
 
 
-def joined(prefix, name, *, ends="stripped", inner="stripped", glue="/", empty="bare", shared="map alone"):
+def joined(prefix, name, *, ends="stripped", inner="stripped", glue="/", empty="bare", shared="map alone",
+           first="the prefix", slash="between"):  # fmt: skip
     """Return the full name, step by step; other steps are the slips."""
     if ends == "left only":
         prefix = prefix.lstrip("/")
@@ -32,7 +33,8 @@ def joined(prefix, name, *, ends="stripped", inner="stripped", glue="/", empty="
     is_shared = {"map alone": name == "map", "nothing": False, "begins with": name.startswith("map")}[shared]
     if is_shared or (empty == "bare" and not prefix):
         return name
-    return f"{prefix}{glue}{name}"
+    whole = f"{name}{glue}{prefix}" if first == "the name" else f"{prefix}{glue}{name}"
+    return {"in front": f"/{whole}", "behind": f"{whole}/"}.get(slash, whole)
 
 
 EMPTY_GLUED = Slip(
@@ -165,6 +167,66 @@ ONLY_THE_PREFIX = Twin(
     "M14",
 )
 
+UNDERSCORE = Slip(
+    "underscore",
+    {"glue": "_"},
+    Words(
+        en="Prefix and name are joined with an underscore. That is a name like any other to tf2, and not the one that robot_state_publisher sends: use a slash.",
+        ko="접두사와 이름을 밑줄로 이었습니다. tf2에는 다른 이름일 뿐이고 robot_state_publisher가 보내는 이름도 아닙니다. 슬래시로 이으십시오.",
+    ),
+    "M14",
+)
+
+NAME_FIRST = Slip(
+    "name first",
+    {"first": "the name"},
+    Words(
+        en="The name stands before the prefix: a prefix stands in front.",
+        ko="이름이 접두사보다 먼저 있습니다. 접두사는 앞에 붙입니다.",
+    ),
+    "M14",
+)
+
+IN_FRONT = Slip(
+    "slash in front",
+    {"slash": "in front"},
+    Words(
+        en="A name with a prefix begins with a slash. It is kept without it, and refused when somebody asks for it: write none.",
+        ko="접두사가 붙은 이름이 슬래시로 시작합니다. 저장할 때는 떼지만 조회하면 거부합니다. 쓰지 마십시오.",
+    ),
+    "M14",
+)
+
+BEHIND = Slip(
+    "slash behind",
+    {"slash": "behind"},
+    Words(
+        en="A slash is left at the end: a frame of its own, that nobody else publishes.",
+        ko="끝에 슬래시가 남았습니다. 아무도 발행하지 않는 다른 좌표계가 됩니다.",
+    ),
+    "M14",
+)
+
+SLASH_ALWAYS = Twin(
+    "a slash in front, always",
+    lambda prefix, name: "/" + "/".join(part for part in (prefix.strip("/"), name.strip("/")) if part),
+    Words(
+        en="Every name of yours begins with a slash, and map has a prefix. Without a prefix that is /odom, the very fault of the story.",
+        ko="모든 이름이 슬래시로 시작하고 map에도 접두사가 붙습니다. 접두사가 없으면 이야기 속의 바로 그 /odom이 됩니다.",
+    ),
+    "M14",
+)
+
+DOUBLES_ALONE = Twin(
+    "doubled slashes alone",
+    lambda prefix, name: f"{prefix}/{name}".replace("//", "/"),
+    Words(
+        en="Doubled slashes become one. One in front still stays, and map has a prefix.",
+        ko="겹친 슬래시는 하나로 만들었습니다. 맨 앞의 슬래시는 남아 있고 map에도 접두사가 붙습니다.",
+    ),
+    "M14",
+)
+
 
 TASK = Task(
     id="E4.7",
@@ -190,6 +252,12 @@ TASK = Task(
         WITH_A_SLASH,
         IF_PREFIX,
         ONLY_THE_PREFIX,
+        UNDERSCORE,
+        NAME_FIRST,
+        IN_FRONT,
+        BEHIND,
+        SLASH_ALWAYS,
+        DOUBLES_ALONE,
     ),
     hints=(
         Words(en="Clean both words first, then join them.", ko="두 낱말을 먼저 다듬고 나서 이으십시오."),
