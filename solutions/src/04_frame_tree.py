@@ -39,7 +39,6 @@ from tf2_ros import ConnectivityException
 
 # %% name="e4-1-given"
 e4_1 = task("E4.1")
-print(*e4_1.edges, sep="\n")
 
 # %% name="e4-1-answer" tags=["answer"]
 # The check reads `mended` alone; the three before it are one way there.
@@ -75,8 +74,6 @@ check("E4.1", mended)
 
 # %% name="e4-2-given"
 e4_2 = task("E4.2")
-for letter in "abcde":
-    print(f"{letter})", *getattr(e4_2, letter), "", sep="\n")
 # The form of the answer; the words are only an example:
 # finding = {
 #     "a": "two trees", "a child": "laser_frame",
@@ -152,7 +149,6 @@ check("E4.3", path)
 
 # %% name="e4-4-given"
 e4_4 = task("E4.4")
-print(e4_4.prefixes, *e4_4.edges, sep="\n")
 
 # %% name="e4-4-answer" tags=["answer"]
 # BEGIN SOLUTION
@@ -189,8 +185,6 @@ check("E4.4", fleet)
 
 # %% name="e4-5-given"
 e4_5 = task("E4.5")
-for letter, line in e4_5.lines.items():
-    print(f"{letter})  {line}")
 # The form: fates = {"a": "kept as odom", "b": "another frame", and so on, to "h"}; the words are only an example.
 
 

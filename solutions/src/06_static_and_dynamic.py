@@ -191,8 +191,6 @@ check("E6.4", on_circle)
 
 # %% name="e6-5-given"
 e6_5 = task("E6.5")
-for name in "abcdef":
-    print(f"{name})", getattr(e6_5, name), "", sep="\n")
 
 # %% name="e6-5-answer" tags=["answer"]
 diagnosis = {
