@@ -29,6 +29,7 @@ CHOSEN = re.compile(r"I chose (\d+)|(\d+)번을 골랐습니다")
 LABELLED = re.compile(r"^\s*(\w)\.\s+(.*)$", re.DOTALL)
 BULLET = re.compile(r"^(?:- \[ \]|-|\d+\.)\s+(.*)$", re.MULTILINE)
 HEADING = re.compile(r"^#+\s+.*$", re.MULTILINE)
+NEXT = re.compile(r"^\*\*(?:Next|다음)", re.MULTILINE)
 SECTION = re.compile(r"^\*\*", re.MULTILINE)
 
 
@@ -105,6 +106,8 @@ class LecturedPage:
                 found.append(PageChoice(label, texts.get(label, ""), reply.strip()))
             elif labelled is not None:
                 found.append(PageChoice(labelled[1], labelled[2].strip(), reply.strip()))
+            else:
+                found.append(PageChoice(str(len(found) + 1), summary.strip(), reply.strip()))
         return found
 
     def rubrics(self) -> list[list[str]]:
@@ -113,11 +116,12 @@ class LecturedPage:
 
     def ticket(self) -> Ticket | None:
         """Return the exit ticket; None if the page has none."""
-        source = self.cells.get("exit-ticket")
+        source = self.cells.get("exit-ticket", self.cells.get("exit"))
         if source is None:
             return None
         fold = FOLD.search(source)
-        asked = HEADING.sub("", source[: fold.start()] if fold else source).strip()
+        before = source[: fold.start()] if fold else NEXT.split(source)[0]
+        asked = HEADING.sub("", before).strip()
         return Ticket(asked, fold[2].strip() if fold else "")
 
     def screen(self, begin: str, end: str | None) -> Sequence[Slide]:
