@@ -76,7 +76,7 @@ from tflab.workbook import lesson
 # %% [markdown] lang="en" name="predict" slide="slide"
 # ## Predict
 #
-# 1. Four cameras were sent on `/tf_static`, each in a message of its own. **How many** does an RViz know that is opened afterwards?
+# 1. Four cameras were sent on `/tf_static`, each in a message of its own. **How many** does an RViz know that is opened afterwards: none, one or all four?
 # 2. The program is stopped with Ctrl-C. **Who** still knows the cameras: everybody, nobody, or those who heard them before?
 # 3. A lift rises for two seconds to 0.5 m and says so, and at 3 s it falls silent. It stays where it is. Somebody asks for its height at 5 s. **What** is the answer?
 # 4. The lecture's robot drives a circle. **Which way** does it drive, as seen from its own seat: forward, backward, left or right?
@@ -84,7 +84,7 @@ from tflab.workbook import lesson
 # %% [markdown] lang="ko" name="predict" slide="slide"
 # ## 예측해 봅시다
 #
-# 1. 카메라 네 대를 `/tf_static`에 메시지 하나씩 따로 보냈습니다. 그 뒤에 연 RViz는 **몇 대**를 알까요?
+# 1. 카메라 네 대를 `/tf_static`에 메시지 하나씩 따로 보냈습니다. 그 뒤에 연 RViz는 **몇 대**를 알까요? 한 대도 모를까요, 한 대일까요, 네 대일까요?
 # 2. 프로그램을 Ctrl-C로 멈춥니다. 카메라 위치를 **누가** 아직 알까요? 모두일까요, 아무도 모를까요, 이미 받은 쪽만일까요?
 # 3. 리프트가 2초 동안 0.5 m까지 올라가며 높이를 알리다가 3초에 발행을 멈춥니다. 높이는 그대로입니다. 5초의 높이를 조회하면 **무엇**이 돌아올까요?
 # 4. 강의 자료의 로봇이 원을 그리며 달립니다. 로봇에 앉은 사람이 보기에 **어느 쪽**으로 갈까요? 앞, 뒤, 왼쪽, 오른쪽 가운데 골라 보세요.
