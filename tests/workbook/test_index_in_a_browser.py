@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import nbformat
 import pytest
+from axe_playwright_python.sync_playwright import Axe
 from nbformat.sign import NotebookNotary
 
 from tflab.workbook.copy.lay_out import lay_out
@@ -73,3 +74,15 @@ def test_a_view_whose_kernel_is_gone_says_its_words_and_what_to_run(lab, page) -
     said = page.locator(".jp-OutputArea-output").inner_text()
     assert said.startswith("odom and base_link, 2.00 m apart")
     assert "model not found" not in said
+
+
+def test_a_panel_names_its_picture_and_its_sliders(lab, page) -> None:
+    lab.write_notebook("panel.ipynb", ["from tflab.views.panels import latency_panel\nlatency_panel()"])
+    lab.open(page, "panel.ipynb")
+    lab.run_all(page)
+    page.wait_for_selector(".jp-OutputArea-output img.widget-image[alt]", timeout=60_000)
+    named = page.eval_on_selector_all("[role=slider]", "(all) => all.map((each) => each.getAttribute('aria-label'))")
+    assert len(named) >= 3 and named[0] == "speed [m/s]" and all(named)
+    assert page.locator("img.widget-image").get_attribute("alt") == "An object drawn with the pose at the stamp and now"
+    found = Axe().run(page, context={"include": [[".jp-OutputArea"]]}, options={"runOnly": ["wcag2a", "wcag2aa"]})
+    assert [each["id"] for each in found.response["violations"]] == []

@@ -2,6 +2,7 @@
 // kernel is gone.
 //
 //   image/png + text/plain               <img alt="...">           JupyterLab drops the words that came along
+//   a panel's picture, and its sliders   their names                ipywidgets shows them, and does not say them
 //   a view whose model is nowhere        the words, and "run this cell"    instead of "model not found"
 //
 // Written as JupyterLab loads it, so that nothing has to be built.
@@ -14,9 +15,20 @@
 
   const words = (data) => [data?.["text/plain"] ?? ""].flat().join("");
 
+  function name(output, text) {
+    for (const handle of output.querySelectorAll(".widget-slider [role=slider]:not([aria-label])")) {
+      handle.setAttribute("aria-label", handle.closest(".widget-slider").querySelector(".widget-label")?.textContent ?? "");
+    }
+    for (const image of output.querySelectorAll("img.widget-image:not([alt])")) {
+      // What it shows changes; the button below, whose title begins with the panel's, says it in words.
+      image.alt = image.parentElement.querySelector("button[title]")?.title.split(":")[0] ?? text;
+    }
+  }
+
   function describe(output, model, language) {
     const text = words(model.data);
     for (const image of output.querySelectorAll(".jp-RenderedImage img:not([alt])")) image.alt = text;
+    name(output, text);
     for (const view of output.querySelectorAll(".jp-OutputArea-output")) {
       if (!model.data?.["application/vnd.jupyter.widget-view+json"] || !view.textContent.includes("model not found")) continue;
       const said = document.createElement("pre");
