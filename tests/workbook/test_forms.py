@@ -93,6 +93,8 @@ SAME = [
     (Command(), f"$ {ECHO}", ECHO), (Command(), "ros2 topic echo --once tf", "ros2 topic echo /tf --once"),
     (Command(), f"{STATIC} --yaw 3.14159265 --frame-id a --child-frame-id b",
      f"{STATIC} --frame-id a --child-frame-id 'b' --x 0.0 --qz 1 --qw 0"),
+    (Command(), f"{STATIC} --frame-id a --child-frame-id b --ros-args -r __node:=mount",
+     f"{STATIC} --frame-id a --child-frame-id b"),
     (Command(), "ros2 bag record /tf_static /tf", "ros2 bag record /tf /tf_static"),
     (Command(), f"{ECHO} --ros-args --param use_sim_time:=True", f"{ECHO} --ros-args -p use_sim_time:=true"),
 ]  # fmt: skip
@@ -124,6 +126,8 @@ DIFFERENT = [
     (Command(), "ros2 run tf2_ros tf2_echo base_link map", ECHO),
     (Command(), "ros2 topic echo /tf", "ros2 topic echo /tf --once"),
     (Command(), f"{STATIC} --frame-id b --child-frame-id a", f"{STATIC} --frame-id a --child-frame-id b"),
+    (Command(), f"{STATIC} --frame-id a --child-frame-id b --ros-args -r /tf_static:=/x",
+     f"{STATIC} --frame-id a --child-frame-id b"),
     (Command(), f"{ECHO} -p use_sim_time:=true", f"{ECHO} --ros-args -p use_sim_time:=true"),
     (Command(), "ros2 'run", ECHO), (Command(), 3, ECHO),
 ]  # fmt: skip

@@ -41,6 +41,7 @@ SIZE = (7.6, 5.7)
 ARM_PX, ROW_PX, EDGE_PX = 312, 112, 16
 TILE_PX, HIGH_PX, GAP_PX = 150, 26, 8  # a domino at its widest, its height, and between two
 LETTER_PX = 5.6  # of a name on a domino, at most
+HINGE_PX = 5  # of a hinge, inside its domino
 REACH = 1.04  # of what the arm can reach, so much is in sight
 
 
@@ -196,10 +197,12 @@ class _TileArtists:
         self.edge = FancyBboxPatch(*where, facecolor="none", linewidth=2.6, zorder=11, **how)
         ax.add_patch(self.edge)
         part = len(step.parent) / (len(step.parent) + len(step.child))
-        size = style.SMALL_PT * min(1.0, (width_px - 20) / (LETTER_PX * (len(step.parent) + len(step.child))))
-        at_px = left + 7 + part * (width_px - 14)
+        begins = left + (HINGE_PX if step.position is not None else 0.0)  # the hinge lies over what is left of it
+        room_px = left + width_px - begins
+        size = style.SMALL_PT * min(1.0, (room_px - 20) / (LETTER_PX * (len(step.parent) + len(step.child))))
+        at_px = begins + 7 + part * (room_px - 14)
         ax.plot([at_px, at_px], [bottom + 4, bottom + HIGH_PX - 4], color=style.INK, linewidth=0.9, zorder=6)
-        for name, x in ((step.parent, (left + at_px) / 2), (step.child, (at_px + left + width_px) / 2)):
+        for name, x in ((step.parent, (begins + at_px) / 2), (step.child, (at_px + left + width_px) / 2)):
             ax.text(x, bottom + HIGH_PX / 2, name, ha="center", va="center", fontsize=size, zorder=10)
         if step.position is not None:  # the hinge
             ax.plot([left], [bottom + HIGH_PX / 2], "o", color=style.INK, markersize=8.0, markerfacecolor=style.PAPER,

@@ -50,10 +50,19 @@ def rows(line: str) -> list[list[MarkPair]] | None:
     if not words:
         return None
     if words[:4] == ["ros2", "run", "tf2_ros", "static_transform_publisher"]:
-        published = _published(words[4:])
+        published = _published(_without_node_name(words[4:]))
         if published is not None:
             return published
     return [_row(words)]
+
+
+def _without_node_name(arguments: list[str]) -> list[str]:
+    """Return the tool's own arguments, without ROS's at the end if they only say how the node is called."""
+    if "--ros-args" not in arguments:
+        return arguments
+    at = arguments.index("--ros-args")
+    named = [word for word in arguments[at + 1 :] if word not in ("-r", "--remap")]
+    return arguments[:at] if all(word.startswith(("__node:=", "__ns:=")) for word in named) else arguments
 
 
 def _published(arguments: Sequence[str]) -> list[list[MarkPair]] | None:
