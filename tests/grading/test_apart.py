@@ -61,9 +61,9 @@ def test_what_is_large_is_judged_apart_and_its_mark_is_the_same(task: dict[str, 
 
 
 def test_two_runs_are_large_together(task: dict[str, Any]) -> None:
-    apart.marked("E3.2", task, [outcomes(task, [0.0] * 200)])
+    apart.marked("E3.2", task, [outcomes(task, [0.0] * (apart.LARGE_ANSWERS // (3 * len(asks_of(task)))))])
     assert apart._servers == {}
-    apart.marked("E3.2", task, [outcomes(task, [0.0] * 200)] * 2)
+    apart.marked("E3.2", task, [outcomes(task, [0.0] * (apart.LARGE_ANSWERS // (3 * len(asks_of(task)))))] * 2)
     assert len(apart._servers) == 1
 
 

@@ -20,6 +20,7 @@ from tflab.grading import batch, grade
 from tflab.grading.judging.job import Job
 from tflab.grading.judging.pack import read_pack
 from tflab.grading.kernels.sandbox import Sandbox
+from tflab.grading.submissions.remarks import Remark
 
 ADDED = "def length(x, y):\n    return x + y"
 HANG = "def length(x, y):\n    while True: pass"
@@ -292,6 +293,27 @@ def test_of_two_attempts_with_as_many_answers_the_later_counts(course: tiny.Cour
     record = graded(course, tmp_path / "in", tmp_path / "out")["s102"]
     assert record["points"] == record["most"]
     assert "several" in remarks(record)
+
+
+@pytest.mark.parametrize(
+    ("rule", "file", "points", "said"),
+    [
+        ("answers", "03_tiny_2.ipynb", 8.0, "the one with most answers, of these the later"),
+        ("latest", "03_tiny_3.ipynb", 4.0, "the latest, by its name"),
+        ("first", "03_tiny_1.ipynb", 4.0, "the first, by its name"),
+    ],
+)
+def test_which_of_several_hand_ins_counts_is_the_instructors_to_say(
+    course: tiny.Course, tmp_path: Path, rule: str, file: str, points: float, said: str
+) -> None:
+    short = {name: answer for name, answer in tiny.RIGHT.items() if name != "e3-2-answer"}
+    attempts = [short, tiny.RIGHT, {**short, "e3-1-answer": "total = e3_1.a + e3_1.b  # again"}, {}]
+    for number, answers in enumerate(attempts, 1):  # the fourth is as it was handed out
+        tiny.hand_in(tmp_path / "in", "s102", tiny.answered(course.exercise(), answers), f"03_tiny_{number}.ipynb")
+    record = graded(course, tmp_path / "in", tmp_path / "out", "--several", rule)["s102"]
+    assert (record["points"], record["chapters"][tiny.STEM]["file"].rpartition("/")[2]) == (points, file)
+    lines = [Remark.from_plain(remark).say("en") for remark in record["chapters"][tiny.STEM]["remarks"]]
+    assert any(file in line and said in line for line in lines)
 
 
 def test_results_among_the_submissions_are_refused(

@@ -159,3 +159,22 @@ def test_a_remark_inside_a_remark_is_said_in_the_same_language() -> None:
     assert remark.say("ko").startswith("a.ipynb: 노트북이 아닙니다.")
     assert remark.plain()["words"]["why"]["kind"] == "no JSON"
     assert Remark.from_plain(json.loads(json.dumps(remark.plain()))) == remark
+
+
+@pytest.mark.parametrize(
+    ("raised", "often", "named"),
+    [
+        ("MemoryError", False, "an exception"),
+        ("LookupException", False, "LookupException"),
+        ("MemoryError", True, "MemoryError"),
+    ],
+)
+def test_which_exception_a_hidden_input_led_to_is_named_only_where_it_cannot_tell_of_that(
+    tasks: dict, raised: str, often: bool, named: str
+) -> None:
+    task = tasks["E3.2"]
+    outcome = {"raises": raised, "text": ""}
+    some = expected(task) | dict.fromkeys(places_of(task, 0, 1), outcome)
+    mark = judged("E3.2", task, dict.fromkeys(expected(task), outcome) if often else some)
+    (remark,) = mark.remarks
+    assert f"raises {named} where" in remark.say("en")

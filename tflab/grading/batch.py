@@ -25,7 +25,7 @@ from tflab import __version__
 from tflab.progress_bar import ProgressBar
 from tflab.workbook.whole_files import write_whole
 
-from .judging.job import HandedIn, Job
+from .judging.job import SEVERAL, HandedIn, Job
 from .judging.nbval_run import run_cells
 from .judging.pack import Pack
 from .judging.run import NotRun, Run, RunCell, RunCells
@@ -55,6 +55,7 @@ class HowToGrade:
     jobs: int = 1
     scheduler: str | None = None
     quiet: bool = True
+    several: str = SEVERAL[0]
 
 
 def grade_batch(collection: Collection, pack: Pack, out: Path, how: HowToGrade) -> list[dict[str, Any]]:
@@ -68,7 +69,7 @@ def grade_batch(collection: Collection, pack: Pack, out: Path, how: HowToGrade) 
     with ProgressBar(len(ledger.set_aside), "once more, alone", quiet=how.quiet) as bar:
         for submission in sorted(ledger.set_aside, key=lambda submission: submission.learner):
             record = ledger.records[submission.learner]
-            job = replace(job_of(submission, pack, how.limits), only=record["set_aside"])
+            job = replace(job_of(submission, pack, how.limits, how.several), only=record["set_aside"])
             ledger.keep(record_with(record, do(job)))
             bar.step(submission.learner)
     ledger.remove_old()
@@ -98,7 +99,7 @@ class Ledger:
     def jobs(self) -> Iterator[Job]:
         """Yield a job for each submission of which there is no record yet, made when its turn comes."""
         for submission in self._collection.submissions:
-            job = job_of(submission, self._pack, self._how.limits)
+            job = job_of(submission, self._pack, self._how.limits, self._how.several)
             path = self._folder / f"{file_name(job.learner)}-{_key(job, self._pack, self._how)[:16]}.json"
             self._paths[job.learner] = path
             there = _record_at(path, job.learner)
@@ -110,7 +111,9 @@ class Ledger:
 
     def jobs_waiting(self) -> list[Job]:
         """Return the jobs that were given out and of which no record came."""
-        return [job_of(submission, self._pack, self._how.limits) for submission in self._waiting.values()]
+        return [
+            job_of(submission, self._pack, self._how.limits, self._how.several) for submission in self._waiting.values()
+        ]
 
     def take(self, record: dict[str, Any]) -> None:
         """Take in a record; what hit a deadline waits for its second chance."""
@@ -136,7 +139,7 @@ class Ledger:
                 path.unlink(missing_ok=True)
 
 
-def job_of(submission: Submission, pack: Pack, limits: Limits) -> Job:
+def job_of(submission: Submission, pack: Pack, limits: Limits, several: str = SEVERAL[0]) -> Job:
     """Return the job for a submission; its files are read now, within the reader's limits."""
     files, room = [], MOST_BYTES
     for member in submission.notebooks:
@@ -162,6 +165,7 @@ def job_of(submission: Submission, pack: Pack, limits: Limits) -> Job:
         remarks=submission.remarks,
         on_roster=submission.known,
         has_roster=pack.roster is not None,
+        several=several,
     )
 
 
@@ -233,7 +237,14 @@ def _key(job: Job, pack: Pack, how: HowToGrade) -> str:
     """Return a name for all that decides a record: the files, the pack, the limits, the wall, and tflab itself."""
     content = hashlib.sha256()
     rest = [RECORD_FORMAT, __version__, pack.digest, repr(how.limits), how.sandbox.level]
-    rest += [job.learner, job.name, job.language, [remark.plain() for remark in job.remarks], job.on_roster]
+    rest += [
+        job.learner,
+        job.name,
+        job.language,
+        [remark.plain() for remark in job.remarks],
+        job.on_roster,
+        job.several,
+    ]
     content.update(json.dumps(rest, ensure_ascii=False).encode("utf-8", "replace"))
     for file in job.files:
         fault = file.fault.plain() if file.fault else None

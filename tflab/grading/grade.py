@@ -27,6 +27,7 @@ from tflab.core.stamps import seconds_typed
 from tflab.workbook.whole_files import write_whole
 from tflab.workbook.words import Words
 
+from .judging.job import SEVERAL
 from .judging.pack import Pack, PackError, read_pack
 from .reports.class_page import class_page
 from .reports.feedback import LEVELS, feedback_page
@@ -92,7 +93,7 @@ def _graded(
 
     limits = Limits(cell_s=options.seconds, notebook_s=6 * options.seconds)
     jobs = options.jobs if options.jobs > 0 else os.cpu_count() or 1
-    how = HowToGrade(limits, sandbox, jobs, options.scheduler, options.quiet)
+    how = HowToGrade(limits, sandbox, jobs, options.scheduler, options.quiet, options.several)
     wall = (sandbox.announce(), *sandbox.gaps)
     return grade_batch(collection, pack, out, how), wall
 
@@ -121,6 +122,7 @@ def _write_reports(
         "release": pack.release,
         "chapters": list(pack.cases),
         "wall": [line.en for line in wall],
+        "several": options.several,
         "remarks": [remark.plain() for remark in collection.remarks],
     }
     before = _learners_in(out / "results.json")
@@ -200,6 +202,11 @@ def _options(words: Sequence[str]) -> argparse.Namespace:
     parser.add_argument("--lms", choices=sorted(LMS), help="the columns of grades.csv")
     parser.add_argument("--assignment", default="tflab", metavar="NAME", help="its column in Canvas; %(default)s")
     parser.add_argument("--feedback", choices=LEVELS, default="named", help="what learners see; %(default)s")
+    parser.add_argument(
+        "--several", choices=SEVERAL, default=SEVERAL[0],
+        help="of a chapter that is there more than once: the notebook with most answers, the latest or the first by "
+        "its name; %(default)s",
+    )  # fmt: skip
     parser.add_argument("--seconds", type=_seconds, default=5.0, metavar="S", help="for one cell; %(default)s")
     parser.add_argument("--quiet", action="store_true", help="no progress bar")
     return parser.parse_args(list(words))

@@ -120,29 +120,21 @@ def apart(work: str, *arguments: Any) -> Any:
         Ended: it took too long, or too much memory.
     """
     with _lock:
-        try:
-            line = _line_with((CPU_S, MEMORY), (work, arguments))
-            if not line.poll(PATIENCE * CPU_S):
-                raise Ended
-            is_done, result = line.recv()
-        except (Ended, OSError, EOFError):
-            _stop()
-            raise Ended from None
-    if not is_done:
-        raise result
-    return result
-
-
-def _line_with(*orders: Any) -> Connection:
-    """Return the line to the server, with orders on it; one that was killed is started anew."""
-    for _ in range(2):
-        _, line = _servers.get(os.getpid()) or _started()
-        try:
-            for order in orders:
-                line.send(order)
-            return line
-        except OSError:
-            _stop()
+        for _ in range(2):  # the server may have been killed meanwhile
+            try:
+                _, line = _servers.get(os.getpid()) or _started()
+                line.send((CPU_S, MEMORY))
+                line.send((work, arguments))
+                if not line.poll(PATIENCE * CPU_S):
+                    break
+                is_done, result = line.recv()
+            except (OSError, EOFError):
+                _stop()
+                continue
+            if is_done:
+                return result
+            raise result
+        _stop()
     raise Ended
 
 

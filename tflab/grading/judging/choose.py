@@ -3,7 +3,7 @@
     03.ipynb  03 (1).ipynb  notes.ipynb  broken.ipynb
        |          |             |            `-- unreadable: a line
        |          |             `-- of no chapter: a line
-       `----------`-- candidates for 03: the one with most answers, or the later one, counts
+       `----------`-- candidates for 03: the one with most answers counts, or the latest, or the first
 
 Nothing in here changes what it is handed: each step returns what it found.  Read `agree.py` next.
 """
@@ -62,7 +62,7 @@ def choose(job: Job) -> tuple[dict[str, Candidate], tuple[Remark, ...]]:
     taken = {candidate.file for several in found.values() for candidate in several}
     rest = [page for page in pages if page.file.name not in taken]
     known = {cell.name for master in masters.values() for cell in master.cells}
-    chosen = {stem: _with_unknown_tasks(_best(stem, several), known) for stem, several in found.items()}
+    chosen = {stem: _with_unknown_tasks(_best(stem, several, job.several), known) for stem, several in found.items()}
     return chosen, (*unreadable, *_remarks_on_the_rest(rest, masters, nothing_found=not found))
 
 
@@ -115,13 +115,16 @@ def _chapter_of(notebook: SubmittedNotebook, masters: Mapping[str, Master]) -> s
     return best if best is not None and share[best] else None
 
 
-def _best(stem: str, several: Sequence[Candidate]) -> Candidate:
-    """Return the candidate with most answers, or the latest of these; with a line if another differs."""
-    best = max(several, key=lambda candidate: (len(candidate.transplanted.answered), _age(candidate.file)))
-    others = [other for other in several if other is not best and other.transplanted.answered]
+def _best(stem: str, several: Sequence[Candidate], rule: str) -> Candidate:
+    """Return the candidate that counts by the instructor's rule; with a line if another differs."""
+    by_age = sorted(several, key=lambda candidate: _age(candidate.file), reverse=rule == "first")
+    answered = {candidate.file: len(candidate.transplanted.answered) for candidate in several}
+    best = max(reversed(by_age), key=lambda one: answered[one.file] if rule == "answers" else answered[one.file] > 0)
+    others = [other for other in several if other is not best and answered[other.file]]
     if all(_texts(other) == _texts(best) for other in others):
         return best
-    return replace(best, remarks=(*best.remarks, Remark("several", chapter=stem, file=best.file)))
+    line = Remark("several", chapter=stem, file=best.file, rule=Remark(f"by {rule}"))
+    return replace(best, remarks=(*best.remarks, line))
 
 
 def _age(name: str) -> tuple[bool, list[tuple[int, str]]]:

@@ -15,7 +15,9 @@ from ..kernels.limits import Limits
 from ..submissions.remarks import Remark
 from .cells import Master, MasterCell
 
-__all__ = ["HandedIn", "Job"]
+__all__ = ["SEVERAL", "HandedIn", "Job"]
+
+SEVERAL = ("answers", "latest", "first")  # which of several notebooks of one chapter counts
 
 
 @dataclass(frozen=True)
@@ -34,6 +36,7 @@ class Job:
     Attributes:
         chapters: by stem: "master" (name, source, task, role of each code cell) and "tasks" (as in the cases, with
             this learner's "given" and hidden "cases").
+        several: one of SEVERAL.
         only: by stem, the tasks to look at closely, alone; None for a first look at everything.
     """
 
@@ -48,6 +51,7 @@ class Job:
     remarks: tuple[Remark, ...] = ()
     on_roster: bool = True
     has_roster: bool = False
+    several: str = SEVERAL[0]
     only: Mapping[str, Sequence[str]] | None = None
 
     def masters(self) -> dict[str, Master]:

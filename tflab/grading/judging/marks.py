@@ -33,9 +33,13 @@ __all__ = ["MISSING", "TaskMark", "judged", "members", "most_members", "of_bound
 MISSING = {"object": "nothing"}  # an outcome that never came, or that nobody can read; it is of no form
 TOO_LARGE = {"object": "something very large"}
 MOST_MEMBERS, MORE_THAN_WANTED = 2_000, 10  # of an answer: more is not what was asked for, and takes long to judge
-KNOWN_ERRORS = {name for name, value in vars(builtins).items() if isinstance(value, type)} | {
+OF_TF2 = {
     "LookupException", "ConnectivityException", "ExtrapolationException", "InvalidArgumentException",
-    "TimeoutException", "TransformException", "TypeException", "LinAlgError", "RCLError",
+    "TimeoutException", "TransformException",
+}  # fmt: skip
+KNOWN_ERRORS = {
+    *(name for name, value in vars(builtins).items() if isinstance(value, type)),
+    *OF_TF2, "TypeException", "LinAlgError", "RCLError",
 }  # fmt: skip
 UNREADABLE = (ValueError, TypeError, KeyError, IndexError, AttributeError, OverflowError, RecursionError)
 DIGITS = 3  # of points
@@ -198,9 +202,18 @@ def _what_went_wrong(task_id: str, task: TaskCases, got: list[Any], found: Verdi
     names |= {
         "wanted": wanted.en,
         "wanted_ko": wanted.ko,
-        "error": safe_error_name(found.detail.get("error")),
+        "error": _error_named(found.detail.get("error"), task, got),
         "of_cases": f"{sum(map(is_raised, got))}/{len(got)}",
     }
     said = WITHOUT_THE_ANSWER[found.mistake]
     asked = {name: held for name, held in names.items() if f"{{{name}}}" in said.en + said.ko}
     return [Remark(found.mistake.value, task_id, **asked)]
+
+
+def _error_named(name: Any, task: TaskCases, got: Sequence[Any]) -> str | Remark:
+    """Return an exception's name; of a function's that raises now and then, only if it is tf2's.
+
+    Which of a hundred exceptions it chooses, seeing a hidden input, would tell of that (a covert channel).
+    """
+    is_always = all(is_raised(answer) and answer["raises"] == name for answer in got)
+    return safe_error_name(name) if not task.is_function or is_always or name in OF_TF2 else Remark("some error")

@@ -85,9 +85,12 @@ KINDS = {
         ko="{file}: 채점하는 장의 셀이 하나도 없습니다.",
     ),
     "several": Words(
-        en="{chapter} was handed in more than once; {file} was graded: the one with most answers, or the later one.",
-        ko="{chapter} 장이 여러 번 제출되었습니다. 답이 가장 많은 것을, 같으면 나중 것을 채점했습니다: {file}.",
+        en="{chapter} was handed in more than once; {file} was graded: {rule}.",
+        ko="{chapter} 장이 여러 번 제출되었습니다. {rule} 채점했습니다: {file}.",
     ),
+    "by answers": Words(en="the one with most answers, of these the later", ko="답이 가장 많은 것을, 같으면 나중 것을"),
+    "by latest": Words(en="the latest, by its name", ko="이름으로 보아 가장 나중 것을"),
+    "by first": Words(en="the first, by its name", ko="이름으로 보아 가장 먼저 것을"),
     "nothing": Words(en="{chapter} was not handed in.", ko="{chapter} 장은 제출되지 않았습니다."),
     "other release": Words(
         en="{file} comes from another release ({stamp}); it was graded as this one ({ours}).",
@@ -136,6 +139,7 @@ KINDS = {
         en="tflab itself failed here ({error}); please report it, and grade again.",
         ko="tflab 자체의 오류로 채점하지 못했습니다({error}). 오류를 알리고 다시 채점해야 합니다.",
     ),
+    "some error": Words(en="an exception", ko="어떤"),  # inside another remark
     "own error": Words(en="an error of its own", ko="직접 정의한"),  # inside another remark
     **{mistake.value: words for mistake, words in WITHOUT_THE_ANSWER.items()},
     **REASONS,
