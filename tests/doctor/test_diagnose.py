@@ -480,3 +480,43 @@ def test_a_wheel_that_turns_too_fast_has_two_owners_if_its_hub_is_in_two_places(
     second = edge("base_link", "wheel", start_ms=1025, value=turning(0.4))
     patient = recording(*HEALTHY, edge("base_link", "wheel", value=turning(0.1)), second)
     assert found(patient)["two-owners"].child == "wheel"
+
+
+# -- what one would type, and whom one would ask ------------------------------------------------
+
+
+def told(patient, code):
+    return sentences(found(patient)[code])
+
+
+def test_the_rate_of_one_edge_is_asked_for_without_the_others_on_its_topic():
+    gap = told(recording(HEALTHY[0], without(edge("odom", "base_link"), 2, 4), HEALTHY[2]), "gap")
+    assert gap.command == (
+        "ros2 topic hz /tf --filter \"any(t.child_frame_id == 'base_link' for t in m.transforms)\""
+    )  # fmt: skip
+
+
+def test_two_owners_of_a_joint_are_two_sources_of_joint_states_and_of_odometry_they_are_not():
+    joint = told(
+        recording(*HEALTHY, *(edge("base_link", "arm", publisher=name) for name in ("/a", "/b"))), "two-owners"
+    )
+    assert "joint_state_publisher" in joint.cause
+    odometry = told(recording(*(edge("odom", "base_link", publisher=name) for name in ("/a", "/b"))), "two-owners")
+    assert "wheel odometry and a filter" in odometry.cause
+
+
+def test_edges_that_suffer_alike_are_told_by_name():
+    late = [edge("base_link", f"joint_{i}", delay_ms=900) for i in range(3)]
+    assert told(recording(*HEALTHY, *late), "late-stamps").evidence.endswith("Likewise joint_1, joint_2.")
+
+
+def test_a_change_of_parents_is_told_in_its_order():
+    samples = edge("odom", "base_link")
+    moved = [r._replace(stamped=replace(r.stamped, frame_id="map")) for r in samples[50:]]
+    changed = told(recording(HEALTHY[0], samples[:50], moved, HEALTHY[2]), "re-parented")
+    assert changed.evidence == "Its parent was odom, then map."
+
+
+def test_a_prefix_is_told_with_the_names_that_have_it():
+    prefixed = [edge("r1/base_link", f"r1/arm_{i}") for i in range(2)]
+    assert "With the prefix: r1/base_link." in told(recording(*HEALTHY, *prefixed), "name-prefix").evidence

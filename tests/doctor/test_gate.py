@@ -296,3 +296,20 @@ def test_a_recording_that_is_cut_is_examined_as_far_as_it_goes_and_is_not_passed
     said = capsys.readouterr()
     assert said.err.count("\n") == 1 and "read as far as it goes" in said.err
     assert "mcap recover drive.mcap" in said.out
+
+
+def test_a_bag_that_cannot_be_read_is_an_error_in_every_form_that_ci_shows(tmp_path, clean, capsys):
+    (tmp_path / "empty.bag").touch()
+    refused = str(tmp_path / "empty.bag")
+    assert main(["doctor", clean, refused, "--table", "--github", "--junit", str(tmp_path / "j.xml")]) == 2
+    assert f"::error file={refused}::{refused}: the file is empty" in capsys.readouterr().out.splitlines()
+    (error,) = ET.parse(tmp_path / "j.xml").getroot().iter("error")
+    assert "the file is empty" in error.attrib["message"]
+
+
+def test_in_sarif_a_bag_with_a_space_in_its_name_is_a_valid_uri():
+    (report,) = reports()
+    (run,) = json.loads(sarif_from_reports([report], ["my bags/drive"]))["runs"]
+    assert {r["locations"][0]["physicalLocation"]["artifactLocation"]["uri"] for r in run["results"]} == {
+        "my%20bags/drive"
+    }

@@ -67,7 +67,8 @@ class Salvage:
 
     def __init__(self, path: Path) -> None:
         self._path = path
-        self.is_ros1 = path.open("rb").read(len(ROS1_MAGIC)) == ROS1_MAGIC
+        with path.open("rb") as file:
+            self.is_ros1 = file.read(len(ROS1_MAGIC)) == ROS1_MAGIC
         topics: dict[int, LeftTopic] = {}
         counts: Counter[int] = Counter()
         self.start_time, self.end_time = 2**63 - 1, 0

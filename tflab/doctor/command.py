@@ -152,12 +152,16 @@ def _print(examined: list[Examined], options: Namespace) -> None:
         _print_text(told)
     for patient in told if options.edges else ():
         print(f"\n{patient.name}\n{text_from_profile(patient.profile)}")
-    _print_annotations(told, options)
+    _print_annotations(told, _refusals(examined), options)
 
 
-def _print_annotations(told: list[Examined], options: Namespace) -> None:
-    if options.github and told:
-        print(annotations_from_reports([p.report for p in told], [p.name for p in told]))
+def _print_annotations(told: list[Examined], refusals: dict[str, str], options: Namespace) -> None:
+    if options.github and (told or refusals):
+        print(annotations_from_reports([p.report for p in told], [p.name for p in told], refusals))
+
+
+def _refusals(examined: list[Examined]) -> dict[str, str]:
+    return {patient.name: patient.refusal or patient.cut for patient in examined if patient.refusal or patient.cut}
 
 
 def _print_refusals(examined: list[Examined], is_in_table: bool) -> None:
@@ -183,10 +187,11 @@ def _print_text(told: list[Examined]) -> None:
 def _write_files(examined: list[Examined], options: Namespace) -> None:
     reports = [patient for patient in examined if patient.report is not None]
     names = [patient.name for patient in reports]
+    if options.junit:
+        told = [patient.report for patient in reports]
+        _write(options.junit, junit_from_reports(told, FAILING[options.fail_on], _refusals(examined)))
     if not reports:
         return
-    if options.junit:
-        _write(options.junit, junit_from_reports([patient.report for patient in reports], FAILING[options.fail_on]))
     if options.sarif:
         _write(options.sarif, sarif_from_reports([patient.report for patient in reports], names))
     if options.write_baseline:

@@ -19,7 +19,7 @@ import numpy as np
 
 from ..evidence import Edge
 
-__all__ = ["Stories", "distances", "is_constant", "two_stories"]
+__all__ = ["ARM_M", "Stories", "distances", "is_constant", "steps_and_turns", "two_stories", "unit"]
 
 ARM_M = 0.3  # a turn counts as far as it moves a point at this distance
 LEAST_DIFFERENCE_M = 0.01  # values closer than this do not contradict each other
@@ -46,12 +46,17 @@ class Stories(NamedTuple):
 
 def distances(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     """Return how far poses are from each other [m]: shape (n,), of two arrays of shape (n, 7) of unit rotations."""
+    step, turn = steps_and_turns(a, b)
+    return step + ARM_M * turn
+
+
+def steps_and_turns(a: np.ndarray, b: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return how far poses are from each other [m], and how far they are turned [rad]: shape (n,) each."""
     step = np.linalg.norm(a[:, :3] - b[:, :3], axis=1)
     dot = np.clip(np.abs(np.einsum("ij,ij->i", a[:, 3:], b[:, 3:])), 0.0, 1.0)
     # 2 acos(dot) is blind to turns below 1e-8; the chord is not
     chord = np.minimum(np.linalg.norm(a[:, 3:] - b[:, 3:], axis=1), np.linalg.norm(a[:, 3:] + b[:, 3:], axis=1))
-    turn = np.where(dot > 0.99, 2.0 * chord, 2.0 * np.arccos(dot))
-    return step + ARM_M * turn
+    return step, np.where(dot > 0.99, 2.0 * chord, 2.0 * np.arccos(dot))
 
 
 def unit(numbers: np.ndarray) -> np.ndarray:

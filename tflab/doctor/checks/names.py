@@ -31,6 +31,7 @@ SPATIAL = re.compile(
 OF_THE_WORLD = re.compile(r"Odometry|Path|Grid|PoseWithCovariance|PoseArray")
 STANDARD = ("earth", "map", "odom", "base_link", "base_footprint", "world")  # REP-105, and what is usual beside it
 ROBOT_FRAMES = 3  # a prefix that so many frames share, in a tree of their own, is a robot
+MOST_NAMES = 8  # that are told
 MOST_ROOTS = 40  # with more, it is not a slip
 
 
@@ -71,8 +72,14 @@ def misspelt_names(evidence: Evidence) -> Iterator[Finding]:
         yield _finding_of(evidence, f"name-{kind}", name, {"name": name, "other": other, "hanging": hanging})
     for prefix, pairs in with_prefix.items():
         name, other = pairs[0]
-        facts = {"name": name, "other": other, "prefix": prefix, "names": ", ".join(name for name, _ in pairs)}
+        facts = {"name": name, "other": other, "prefix": prefix, "names": _with(prefix, pairs)}
         yield _finding_of(evidence, "name-prefix", name, facts)
+
+
+def _with(prefix: str, pairs: list[tuple[str, str]]) -> str:
+    """Return those of some names that have a prefix, the first of many."""
+    names = list(dict.fromkeys(name for pair in pairs for name in pair if name.startswith(prefix)))
+    return ", ".join(names[:MOST_NAMES]) + (f" and {len(names) - MOST_NAMES} more" if len(names) > MOST_NAMES else "")
 
 
 def slashes_in_messages(evidence: Evidence) -> Iterator[Finding]:

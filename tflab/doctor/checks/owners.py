@@ -10,6 +10,7 @@ values: each of them is smooth, but they take turns.  Read `statics.py` next.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from itertools import pairwise
 
@@ -22,6 +23,7 @@ from .motion import LEAST_DIFFERENCE_M, distances, two_stories, unit
 __all__ = ["owners_of_both_kinds", "several_owners", "several_static_owners"]
 
 MOST_SHOWN = 3
+ODOMETRY = re.compile(r"(^|[/_])(map|odom|world|earth)")
 
 
 def several_owners(evidence: Evidence) -> Iterator[Finding]:
@@ -29,7 +31,12 @@ def several_owners(evidence: Evidence) -> Iterator[Finding]:
     for edge in evidence.moving:
         named = _publishers_at_once(edge)
         if named:
-            facts = {"evidence": f"published by {', '.join(named)}", "apart": "", "count": len(edge)}
+            facts = {
+                "evidence": f"published by {', '.join(named)}",
+                "apart": "",
+                "count": len(edge),
+                "kind": _kind_of(edge),
+            }
             span = (int(edge.receive_ns[0]), int(edge.receive_ns[-1]))
             yield Finding("two-owners", "error", edge.usual_parent, edge.child, edge.topic, *span, facts)
             continue
@@ -37,7 +44,8 @@ def several_owners(evidence: Evidence) -> Iterator[Finding]:
         if stories:
             told = f"two sequences of values, {stories.apart_m:.3f} m apart, that took turns {stories.returns} times"
             span = (int(edge.receive_ns[stories.first]), int(edge.receive_ns[stories.last]))
-            facts = {"evidence": told, "apart": f"{stories.apart_m:.3f}", "count": stories.returns}
+            facts = {"evidence": told, "apart": f"{stories.apart_m:.3f}", "count": stories.returns,
+                     "kind": _kind_of(edge)}  # fmt: skip
             yield Finding("two-owners", "error", edge.usual_parent, edge.child, edge.topic, *span, facts)
 
 
@@ -50,7 +58,7 @@ def several_static_owners(evidence: Evidence) -> Iterator[Finding]:
         apart_m = distances(poses, np.broadcast_to(poses[0], poses.shape))
         if apart_m.max() > LEAST_DIFFERENCE_M / 10:
             facts = {"evidence": f"published by {', '.join(sorted(edge.publishers))}", "apart": f"{apart_m.max():.3f}",
-                     "count": len(edge)}  # fmt: skip
+                     "count": len(edge), "kind": "mount"}  # fmt: skip
             yield Finding("two-owners", "error", edge.usual_parent, edge.child, edge.topic, facts=facts)
 
 
@@ -62,6 +70,11 @@ def owners_of_both_kinds(evidence: Evidence) -> Iterator[Finding]:
         if static is not None and not _say_the_same(edge, static):
             facts = {"count": len(edge), "static_count": len(static)}
             yield Finding("moving-and-static", "error", edge.usual_parent, edge.child, edge.topic, facts=facts)
+
+
+def _kind_of(edge: Edge) -> str:
+    """Return what an edge stands for, which tells who usually quarrels about it."""
+    return "odometry" if ODOMETRY.search(edge.usual_parent) else "joint"
 
 
 def _say_the_same(a: Edge, b: Edge) -> bool:

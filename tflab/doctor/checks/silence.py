@@ -21,7 +21,7 @@ from tflab.core import NSEC_PER_SEC
 
 from ..evidence import Edge, Evidence, is_stamped
 from ..findings import Finding
-from .motion import distances, is_constant, unit
+from .motion import ARM_M, is_constant, steps_and_turns, unit
 
 __all__ = ["gaps", "late_starts", "slow_edges"]
 
@@ -101,14 +101,15 @@ def slow_edges(evidence: Evidence) -> Iterator[Finding]:
         poses = unit(edge.numbers[edge.is_usable])
         if len(poses) < FEWEST_SAMPLES:
             continue
-        far_m = float(np.percentile(distances(poses[1:], poses[:-1]), 75))
+        far_m, far_rad = (float(np.percentile(far, 75)) for far in steps_and_turns(poses[1:], poses[:-1]))
         others_s = [
             other.period_ns / NSEC_PER_SEC for other in evidence.moving if other is not edge and other.period_ns
         ]
         is_slower = bool(others_s) and SLOWER * float(np.median(others_s)) <= period_s
-        if far_m < FAR_M and not is_slower:
+        if far_m + ARM_M * far_rad < FAR_M and not is_slower:
             continue
-        facts = {"rate": f"{1.0 / period_s:.1f}", "far": f"{far_m:.3f}",
+        facts = {"rate": f"{1.0 / period_s:.1f}", "far": f"{far_m:.3f}", "turned": f"{far_rad:.3f}",
+                 "frame": edge.child,
                  "others": f"{1.0 / np.median(others_s):.1f} Hz" if others_s else "none"}  # fmt: skip
         span = (int(edge.receive_ns[0]), int(edge.receive_ns[-1]))
         yield Finding("slow-edge", "warning", edge.usual_parent, edge.child, edge.topic, *span, facts)
@@ -199,11 +200,11 @@ def _finding_of_silences(code: str, events: list[list[Silence]], start_ns: int) 
         "hole": f"{longest.hole_ns / NSEC_PER_SEC:.3f}",
         "moved": f"{moved_m:.3f}",
         "turned": f"{turned_rad:.3f}",
+        "frame": longest.edge.child,
     }
     edge = edges[0]
-    parent, child = (
-        (edge.usual_parent, edge.child) if len(edges) == 1 and code not in ("stall", "tf-silent") else ("", "")
-    )
+    is_one = len(edges) == 1 and code not in ("stall", "tf-silent")
+    parent, child = (edge.usual_parent, edge.child) if is_one else ("", "")
     return Finding(code, "warning", parent, child, edge.topic, longest.begin_ns, longest.end_ns, facts)
 
 

@@ -84,6 +84,7 @@ def moving_on_static(evidence: Evidence) -> Iterator[Finding]:
         if apart_m > LEAST_DIFFERENCE_M and _takes_turns(poses, is_change):
             code = "two-owners"
             facts["evidence"] = f"two values on {edge.topic}, {apart_m:.3f} m apart, that took turns"
+            facts["kind"] = "mount"
         span = (int(edge.receive_ns[0]), int(edge.receive_ns[-1]))
         yield Finding(code, "error", edge.usual_parent, edge.child, edge.topic, *span, facts)
     for changed in changed_at.values():

@@ -54,11 +54,12 @@ def several_parents(evidence: Evidence) -> Iterator[Finding]:
         if len(edge.parents) < 2:
             continue
         changes = np.flatnonzero(np.diff(edge.parent)) + 1
-        parents = ", ".join(sorted(edge.parents))
-        facts = {"parents": parents, "changes": len(changes)}
         first, last = int(edge.receive_ns[changes[0]]), int(edge.receive_ns[changes[-1]])
         # A robot may be re-parented and given back; whoever goes back and forth more often is two.
         code = "two-parents" if len(changes) > 2 * (len(edge.parents) - 1) else "re-parented"
+        told = [edge.parents[number] for number in edge.parent[[0, *changes.tolist()]].tolist()]
+        parents = ", then ".join(told) if code == "re-parented" else ", ".join(sorted(edge.parents))
+        facts = {"parents": parents, "changes": len(changes)}
         yield Finding(code, "error", edge.usual_parent, edge.child, edge.topic, first, last, facts)
     yield from _parents_of_statics(evidence)
 

@@ -7,7 +7,8 @@ What has a meaning in a command is percent-encoded.  Read `table.py` next.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 
 from ..findings import Report
 from ..report.texts import sentences
@@ -17,9 +18,11 @@ __all__ = ["annotations_from_reports"]
 WORDS = {"error": "error", "warning": "warning", "info": "notice"}
 
 
-def annotations_from_reports(reports: Sequence[Report], paths: Sequence[str]) -> str:
-    """Return one command for each finding, a line each."""
-    lines = []
+def annotations_from_reports(
+    reports: Sequence[Report], paths: Sequence[str], refusals: Mapping[str, str] = MappingProxyType({})
+) -> str:
+    """Return one command for each finding, and for each bag that could not be read, a line each."""
+    lines = [f"::error file={_encoded_property(bag)}::{_encoded(reason)}" for bag, reason in refusals.items()]
     for report, path in zip(reports, paths, strict=True):
         for finding in report.findings:
             said = sentences(finding)

@@ -9,7 +9,8 @@ skipped; a finding fails from the chosen severity on.  Read `sarif.py` next.
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 from xml.sax.saxutils import escape, quoteattr
 
 from ..findings import Finding, Report
@@ -21,9 +22,15 @@ __all__ = ["junit_from_reports"]
 NO_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
-def junit_from_reports(reports: Sequence[Report], failing: Sequence[str]) -> str:
-    """Return reports as JUnit XML; findings of the severities `failing` are failures."""
-    suites = "\n".join(_suite(report, failing) for report in reports)
+def junit_from_reports(
+    reports: Sequence[Report], failing: Sequence[str], refusals: Mapping[str, str] = MappingProxyType({})
+) -> str:
+    """Return reports as JUnit XML; findings of the severities `failing` are failures.
+
+    Args:
+        refusals: bags that could not be read, or not to their end, and why: they are errors.
+    """
+    suites = "\n".join([_suite(report, failing) for report in reports] + [_refused(*bag) for bag in refusals.items()])
     return f'<?xml version="1.0" encoding="UTF-8"?>\n<testsuites name="tflab doctor">\n{suites}\n</testsuites>\n'
 
 
@@ -36,6 +43,13 @@ def _suite(report: Report, failing: Sequence[str]) -> str:
     failures = sum(finding.severity in failing for finding in report.findings)
     counts = f'tests="{len(cases)}" failures="{failures}" errors="0" skipped="{len(report.checks_not_made)}"'
     return "\n".join([f"  <testsuite name={_attribute(report.subject)} {counts}>", *cases, "  </testsuite>"])
+
+
+def _refused(name: str, reason: str) -> str:
+    case = f"<testcase classname={_attribute(name)} name={_attribute('reading')}>"
+    error = f'<error type="unreadable" message={_attribute(reason)}/>'
+    suite = f'<testsuite name={_attribute(name)} tests="1" failures="0" errors="1" skipped="0">'
+    return f"  {suite}\n    {case}{error}</testcase>\n  </testsuite>"
 
 
 def _case(report: Report, finding: Finding, failing: Sequence[str]) -> str:

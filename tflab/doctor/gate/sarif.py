@@ -11,6 +11,7 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 from hashlib import sha256
+from urllib.parse import quote
 
 from tflab import __version__
 
@@ -52,7 +53,10 @@ def _result(finding: Finding, path: str, rule: int) -> dict:
     said = sentences(finding)
     where = f"{finding.parent} -> {finding.child}" if finding.child else finding.topic
     place: dict[str, object] = {
-        "physicalLocation": {"artifactLocation": {"uri": path.replace("\\", "/")}, "region": {"startLine": 1}}
+        "physicalLocation": {
+            "artifactLocation": {"uri": quote(path.replace("\\", "/"), safe="/:")},
+            "region": {"startLine": 1},
+        }
     }
     if where:
         place["logicalLocations"] = [{"fullyQualifiedName": where}]

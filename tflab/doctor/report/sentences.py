@@ -12,12 +12,14 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-__all__ = ["ECHO", "MONITOR", "SIM_TIME", "TOPIC_ECHO", "TOPIC_INFO", "VIEW_FRAMES", "Sentences"]
+__all__ = ["ECHO", "EDGE_HZ", "MONITOR", "SIM_TIME", "TOPIC_ECHO", "TOPIC_INFO", "VIEW_FRAMES", "Sentences"]
 
 TOPIC_INFO = "ros2 topic info {topic} --verbose"
 VIEW_FRAMES = "ros2 run tf2_tools view_frames"
 ECHO = "ros2 run tf2_ros tf2_echo {parent} {child}"
 MONITOR = "ros2 run tf2_ros tf2_monitor {parent} {child}"
+# plain `hz` counts what all publishers of the topic send together
+EDGE_HZ = "ros2 topic hz {topic} --filter \"any(t.child_frame_id == '{frame}' for t in m.transforms)\""
 TOPIC_ECHO = "ros2 topic echo {topic} --once"
 SIM_TIME = "ros2 param get /NODE use_sim_time"
 

@@ -11,11 +11,13 @@ from ..findings import Finding
 from .gate_texts import GATE_TEXTS
 from .sentences import Sentences
 from .time_texts import TIME_TEXTS
-from .tree_texts import TREE_TEXTS
+from .tree_texts import OWNERS, TREE_TEXTS
 
 __all__ = ["CHECK_TEXTS", "TEXTS", "sentences"]
 
 TEXTS: dict[str, Sentences] = {**TREE_TEXTS, **TIME_TEXTS, **GATE_TEXTS}
+
+MOST_SIBLINGS = 8  # that are told by name
 
 CHECK_TEXTS = {
     "arrival": "the order and the times of arrival, which a buffer does not keep",
@@ -33,7 +35,14 @@ def sentences(finding: Finding, texts: dict[str, Sentences] = TEXTS) -> Sentence
         "parent": finding.parent,
         "child": finding.child,
         "topic": finding.topic or "/tf",
+        "who": OWNERS.get(str(finding.facts.get("kind")), ""),
         **finding.facts,
     }
-    text = texts[finding.code]
-    return Sentences(*(part.format(**blanks) for part in text))
+    said = Sentences(*(part.format(**blanks) for part in texts[finding.code]))
+    return said._replace(evidence=f"{said.evidence} Likewise {_siblings(finding)}.") if finding.siblings else said
+
+
+def _siblings(finding: Finding) -> str:
+    """Return the other edges of which the same is to be said, the first of many."""
+    more = f" and {len(finding.siblings) - MOST_SIBLINGS} more" if len(finding.siblings) > MOST_SIBLINGS else ""
+    return ", ".join(finding.siblings[:MOST_SIBLINGS]) + more

@@ -5,7 +5,7 @@ The blanks are filled from a finding's edge, topic and facts.  Read `gate_texts.
 
 from __future__ import annotations
 
-from .sentences import MONITOR, SIM_TIME, TOPIC_INFO, Sentences
+from .sentences import EDGE_HZ, MONITOR, SIM_TIME, TOPIC_INFO, Sentences
 
 __all__ = ["TIME_TEXTS"]
 
@@ -45,7 +45,7 @@ TIME_TEXTS: dict[str, Sentences] = {
         "stamps, across which it moved {moved} m and turned {turned} rad.",
         "The publisher was blocked, or its messages were lost. tf2 draws a straight line across, and the shorter arc: "
         "wrong if a wheel turned more than half a turn.",
-        "ros2 topic hz {topic}",
+        EDGE_HZ,
     ),
     "tf-silent": Sentences(
         "All of {topic} was silent, other topics were not",
@@ -62,10 +62,10 @@ TIME_TEXTS: dict[str, Sentences] = {
     ),
     "slow-edge": Sentences(
         "{edge} comes only {rate} times a second",
-        "From one sample to the next it moves {far} m (a turn counted at 0.3 m); the others: {others}.",
+        "From one sample to the next it moves {far} m and turns {turned} rad; the others: {others}.",
         "A rate was set too low, or most of its messages are lost. tf2 draws a straight line from sample to sample; "
         "a lookup of now must wait for the next one.",
-        "ros2 topic hz {topic}",
+        EDGE_HZ,
     ),
     "went-silent": Sentences(
         "{edges}: no more transforms",

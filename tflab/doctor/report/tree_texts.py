@@ -7,7 +7,14 @@ from __future__ import annotations
 
 from .sentences import ECHO, TOPIC_ECHO, TOPIC_INFO, VIEW_FRAMES, Sentences
 
-__all__ = ["TREE_TEXTS"]
+__all__ = ["OWNERS", "TREE_TEXTS"]
+
+# who usually quarrels about an edge, by what it stands for
+OWNERS = {
+    "odometry": "wheel odometry and a filter, say; switch off one (often a parameter publish_tf)",
+    "joint": "a driver and joint_state_publisher, or two robot_state_publishers; stop one",
+    "mount": "two robot descriptions, or a description and a static_transform_publisher; remove one",
+}
 
 TREE_TEXTS: dict[str, Sentences] = {
     # names
@@ -31,7 +38,7 @@ TREE_TEXTS: dict[str, Sentences] = {
     ),
     "name-prefix": Sentences(
         '"{name}" and "{other}" differ only in the prefix "{prefix}"',
-        "Both occur; tf2 takes them for two frames. With the other prefix: {names}.",
+        "Both occur; tf2 takes them for two frames. With the prefix: {names}.",
         "A frame_prefix or a namespace is set for one node and not for the others. Namespaces do not change "
         "frame names.",
         TOPIC_INFO,
@@ -77,7 +84,7 @@ TREE_TEXTS: dict[str, Sentences] = {
     ),
     "re-parented": Sentences(
         '"{child}" changed its parent',
-        "Parents: {parents}; changed {changes} times.",
+        "Its parent was {parents}.",
         "Another node took over, or a parameter such as odom_frame was changed while running. "
         "A frame has one parent; tf2 does not interpolate across the change.",
         TOPIC_INFO,
@@ -91,7 +98,7 @@ TREE_TEXTS: dict[str, Sentences] = {
     ),
     "two-trees": Sentences(
         "The tree is in {count} pieces: not connected to {largest}: {roots}",
-        "The pieces: {pieces}.",
+        "Nobody publishes a parent for {root}. The pieces: {pieces}.",
         "A transform between them is not published: its node is not running, or it was not recorded.",
         "ros2 run tf2_ros tf2_echo {largest} {root}",
     ),
@@ -146,9 +153,7 @@ TREE_TEXTS: dict[str, Sentences] = {
     "two-owners": Sentences(
         "{edge} has two owners",
         "{evidence}.",
-        "Two nodes publish the same transform, such as wheel odometry and a filter. The robot trembles "
-        "between their values; "
-        "switch off one (often a parameter publish_tf).",
+        "Two nodes publish the same transform: {who}. The robot trembles between their values.",
         TOPIC_INFO,
     ),
     "moving-and-static": Sentences(
@@ -175,7 +180,7 @@ TREE_TEXTS: dict[str, Sentences] = {
         "{changes} changes in {count} samples, up to {apart} m.",
         "A moving transform was sent with a static broadcaster: it has no history, so every lookup gets the "
         "last value.",
-        "ros2 topic echo /tf_static",
+        TOPIC_INFO,
     ),
     "static-changed": Sentences(
         "{topic} changed: {edges}",
