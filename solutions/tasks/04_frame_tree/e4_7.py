@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from tflab.workbook.tasks import Name, Slip, Task, Twin, Words
 
-FRAMES = ("odom", "base_link", "laser_frame", "camera_link", "tool0", "imu_link")
+FRAMES = ("base_link", "laser_frame", "camera_link", "tool0", "imu_link")
 ROBOTS = ("robot1", "spot", "tb3_0", "red", "alpha")
 
 
 def names(rng):
-    """Every way to write a prefix with every way to write a frame, map among them."""
+    """Every way to write a prefix with every way to write a frame, map and odom among them."""
     rows = []
-    for _ in range(2):
+    for first in ("odom", FRAMES[int(rng.integers(len(FRAMES)))]):
         robot = ROBOTS[int(rng.integers(len(ROBOTS)))]
-        first, second = (FRAMES[int(number)] for number in rng.permutation(len(FRAMES))[:2])
+        second = [frame for frame in FRAMES if frame != first][int(rng.integers(len(FRAMES) - 1))]
         for prefix in ("", "/", robot, f"{robot}/", f"/{robot}", f"/{robot}/"):
             rows += [(prefix, first), (prefix, f"/{second}"), (prefix, "map")]
         rows += [(robot, "/map"), (f"fleet/{robot}", first), (robot, "map_server_frame")]
@@ -30,7 +30,12 @@ def joined(prefix, name, *, ends="stripped", inner="stripped", glue="/", empty="
     elif ends == "stripped":
         prefix = prefix.strip("/")
     name = name.strip("/") if inner == "stripped" else name
-    is_shared = {"map alone": name == "map", "nothing": False, "begins with": name.startswith("map")}[shared]
+    is_shared = {
+        "map alone": name == "map",
+        "nothing": False,
+        "begins with": name.startswith("map"),
+        "odom too": name in ("map", "odom"),
+    }[shared]
     if is_shared or (empty == "bare" and not prefix):
         return name
     whole = f"{name}{glue}{prefix}" if first == "the name" else f"{prefix}{glue}{name}"
@@ -113,6 +118,16 @@ LIKE_MAP = Slip(
     Words(
         en="You share whatever begins with map. Names are compared whole: only map itself is shared.",
         ko="map으로 시작하는 이름을 모두 함께 씁니다. 이름은 통째로 비교합니다. 함께 쓰는 것은 map뿐입니다.",
+    ),
+    "M14",
+)
+
+ODOM_TOO = Slip(
+    "odom shared",
+    {"shared": "odom too"},
+    Words(
+        en="odom has no prefix. Each robot counts its own wheels from its own start: two robots with one odom are one robot that jumps.",
+        ko="odom에 접두사가 없습니다. 로봇마다 자기 출발점에서 자기 바퀴를 셉니다. odom을 함께 쓰면 두 로봇이 한 로봇처럼 이리저리 뛰어다닙니다.",
     ),
     "M14",
 )
@@ -247,6 +262,7 @@ TASK = Task(
         NAME_AS_IT_IS,
         MAP_TOO,
         LIKE_MAP,
+        ODOM_TOO,
         NEVER,
         GLUED,
         WITH_A_SLASH,
