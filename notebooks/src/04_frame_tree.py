@@ -636,10 +636,10 @@ for apart_s in (0.03, 0.0):
     look()
 
 # %% [markdown] lang="en" name="one-odom-seen" tags=["predicted"]
-# Started apart, `odom` has two owners, and robot2 leaps by more than two metres, again and again. Started together, nothing leaps: the two messages for `odom` bear the same stamp, and a buffer keeps one value for each stamp, the one that came last. But both robots hang below *one* odom, and the wheels of each count from zero there. TF puts robot2 inside robot1, without a word; whoever checks for collisions sees a crash that never happened.
+# Started apart, `odom` has two owners, and robot2 leaps by more than two metres, again and again. Started together, nothing leaps: the two messages for `odom` bear the same stamp; a buffer keeps both, and answers with the one that came last. But both robots hang below *one* odom, and the wheels of each count from zero there. TF puts robot2 inside robot1, without a word; whoever checks for collisions sees a crash that never happened.
 
 # %% [markdown] lang="ko" name="one-odom-seen" tags=["predicted"]
-# 따로 시작하면 `odom`의 발행 책임이 둘이 되고, robot2는 2미터 넘게 거듭 튑니다. 동시에 시작하면 아무것도 튀지 않습니다. `odom`을 담은 두 메시지의 측정 시각이 같고, 버퍼는 시각마다 마지막에 받은 값 하나만 남기기 때문입니다. 하지만 두 로봇은 *한* odom 아래에 있고, 저마다 바퀴를 0부터 셉니다. TF에서 robot2는 아무 오류 없이 robot1과 겹쳐 있습니다. 충돌을 검사하는 노드는 일어나지도 않은 충돌을 봅니다.
+# 따로 시작하면 `odom`의 발행 책임이 둘이 되고, robot2는 2미터 넘게 거듭 튑니다. 동시에 시작하면 아무것도 튀지 않습니다. `odom`을 담은 두 메시지의 측정 시각이 같고, 버퍼는 둘 다 보관하면서 마지막에 받은 값으로 답하기 때문입니다. 하지만 두 로봇은 *한* odom 아래에 있고, 저마다 바퀴를 0부터 셉니다. TF에서 robot2는 아무 오류 없이 robot1과 겹쳐 있습니다. 충돌을 검사하는 노드는 일어나지도 않은 충돌을 봅니다.
 
 # %% [markdown] lang="en" name="fleet-notes" slide="notes"
 # The second run is the worse one, because nothing moves.

@@ -126,6 +126,7 @@ lesson.draw_tracks({'map': in_map, 'odom': in_odom}, truth, times)
 # - The pose in [[map]] is never more than a quarter of a metre off, and it leaps each time it is corrected. It **jumps**.
 #
 # Neither is wrong. [[rep-105]], the agreement on these frames, promises just that: odom is continuous and may drift, map does not drift and may jump.
+# The first half is a promise of whoever publishes it: an odometry that is corrected in one step jumps in `odom`, too.
 
 # %% [markdown] lang="ko" name="three-pens-seen" tags=["predicted"]
 # *그림 읽기:* 왼쪽은 위에서 본 경로입니다. 넓은 회색 길(truth)이 실제 경로입니다. 오른쪽 위(step)는 표본 사이의 걸음, 아래(error)는 실제와의 거리입니다.
@@ -134,6 +135,7 @@ lesson.draw_tracks({'map': in_map, 'odom': in_odom}, truth, times)
 # - [[map|`map`]] 기준 포즈는 0.25미터 넘게 틀리지 않습니다. 대신 바로잡을 때마다 값이 한꺼번에 바뀝니다. 이것을 **튄다**(jump)고 합니다.
 #
 # 어느 쪽도 잘못이 아닙니다. 이 좌표계들에 관한 ROS의 규약인 [[rep-105]]의 약속이 바로 이렇습니다. odom은 이어지지만 흐를 수 있고, map은 흐르지 않지만 튈 수 있습니다.
+# 앞의 절반은 발행하는 노드가 지켜야 할 약속입니다. 오도메트리를 한꺼번에 바로잡으면 `odom` 기준 포즈도 튑니다.
 
 # %% [markdown] lang="en" name="three-pens-notes" slide="notes"
 # Point at one jump in the left picture and find it in both curves on the right.
