@@ -10,7 +10,9 @@
     sheets      what a guide is set in
     chapter     a chapter's guide
     cards       what is printed and cut
+    patients    six sick robots for the board
     deck        the slides, with the votes among them
+    plans       a talk, a day, a term
     command     `tflab guide`
 
 Nothing is written twice: objectives, predictions, replies, rubrics and notes are the page's.

@@ -5,6 +5,8 @@
     teach/cards.html        cards to raise, prediction sheets, blank tables, exit tickets
     teach/votes.csv         to fill in; or a deck's button and `tflab votes` write it
 
+    teach/talk.html, teach/talk-03_....html     with `--plan talk`: the plan, and decks of only its cells
+
 `--with results/` reads what was filled in, and puts it beside what was expected.
 Read `check_command.py` next.
 """
@@ -14,7 +16,7 @@ from __future__ import annotations
 import argparse
 import json
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from tflab.workbook.course.course import read_course
@@ -29,6 +31,8 @@ from .chapter import chapter_guide
 from .counts import Counts, read_counts, votes_csv
 from .deck import write_deck
 from .lecture import lectured_page
+from .patients import board_patients, patients_section
+from .plans import CoursePlan, cells_of, plan_lines, plan_sheet, read_plans
 from .sheets import STATIC, markdown, sheet
 from .shelf import stems_there, teachings_called
 from .teaching import Teaching, TeachingError
@@ -36,6 +40,7 @@ from .vote import votes_of
 
 __all__ = ["main", "write_guide"]
 
+CLINIC = "12_owners_and_diagnosis"  # the chapter that has patients
 TITLE = Words("The instructor's guide", "강사 안내서")
 
 
@@ -47,15 +52,26 @@ def main(words: Sequence[str]) -> int:
         language = options.lang or read_workbook().language
         counts, faults = read_counts(Path(options.results)) if options.results else ({}, [])
         teachings = teachings_called(options.chapters)
+        plan = _plan_called(options.plan) if options.plan else None
     except (FileNotFoundError, LookupError, TeachingError, WorkbookError) as error:
         print(f"tflab guide: {error}", file=sys.stderr)
         return 2
     for fault in faults:
         print(f"tflab guide: {fault}", file=sys.stderr)
+    if plan is not None:
+        return _planned(out, plan, language, counts, with_decks=not options.no_deck)
     for path in write_guide(out, teachings, language, counts):
         print(path)
-    failed = 0 if options.no_deck else _decks(out, teachings, language, counts)
+    failed = 0 if options.no_deck else _decks(out, {one.stem: () for one in teachings}, language, counts)
     return 1 if failed or faults else 0
+
+
+def _planned(out: Path, plan: CoursePlan, language: str, counts: Counts, *, with_decks: bool) -> int:
+    """Print a plan, write it, and decks of only its cells; return 0, or 1 if a deck failed."""
+    print(*plan_lines(plan, language), sep="\n")
+    write_whole(out / f"{plan.name}.html", plan_sheet(plan, language))
+    print(out / f"{plan.name}.html")
+    return 1 if with_decks and _decks(out, cells_of(plan), language, counts, f"{plan.name}-") else 0
 
 
 def write_guide(out: Path, teachings: Sequence[Teaching], language: str, counts: Counts | None = None) -> list[Path]:
@@ -73,6 +89,8 @@ def write_guide(out: Path, teachings: Sequence[Teaching], language: str, counts:
         guides.append(chapter_guide(teaching, page, course, tasks, counts or {}, marked_in))
         title = f"{chapter.number:02} · {text(chapter.title.say(language))}"
         contents.append(f'<li><a href="#ch{chapter.number:02}">{title}</a></li>')
+    if any(one.stem == CLINIC for one in teachings):
+        guides.append(patients_section(board_patients(), language))
     head = [
         f"<h1>{text(TITLE.say(language))}</h1>",
         markdown((STATIC / f"front.{language}.md").read_text(encoding="utf-8")),
@@ -89,20 +107,27 @@ def write_guide(out: Path, teachings: Sequence[Teaching], language: str, counts:
     return [out / name for name in files]
 
 
-def _decks(out: Path, teachings: Sequence[Teaching], language: str, counts: Counts) -> int:
-    """Write a deck for each chapter; return how many failed."""
+def _decks(out: Path, shown: Mapping[str, Sequence[str]], language: str, counts: Counts, prefix: str = "") -> int:
+    """Write a deck for each chapter, with some of its cells or all; return how many failed."""
     failed = 0
-    for teaching in teachings:
-        page = lectured_page(teaching.stem, language)
-        votes = votes_of(teaching, page)
+    for teaching in teachings_called(shown):
+        page, name = lectured_page(teaching.stem, language), prefix + teaching.stem
+        votes, cells = votes_of(teaching, page), shown[teaching.stem]
         try:
-            print(
-                write_deck(page.notebook, votes, out, name=teaching.stem, language=language, counts=counts), flush=True
-            )
+            deck = write_deck(page.notebook, votes, out, name=name, language=language, counts=counts, cells=cells)
         except PageFailed as failure:
             print(failure, file=sys.stderr)
             failed += 1
+        else:
+            print(deck, flush=True)
     return failed
+
+
+def _plan_called(name: str) -> CoursePlan:
+    plans = read_plans()
+    if name not in plans:
+        raise LookupError(f'there is no plan "{name}"; there is {", ".join(plans)}')
+    return plans[name]
 
 
 def _options(words: Sequence[str]) -> argparse.Namespace:
@@ -113,6 +138,7 @@ def _options(words: Sequence[str]) -> argparse.Namespace:
     parser.add_argument(
         "--with", dest="results", metavar="RESULTS", help="a folder with votes.csv: what was really chosen"
     )
+    parser.add_argument("--plan", metavar="PLAN", help="talk, day or term: the plan, and decks of only its cells")
     parser.add_argument("--no-deck", action="store_true", help="nothing is run: only what is read and printed")
     return parser.parse_args(list(words))
 

@@ -3,7 +3,7 @@
     page's cells  --votes put among them-->  notebook  --as `tflab slides`-->  deck, with `static/votes.js` in it
 
 The deck is a file: what is typed stays in this browser, and a button writes it as votes.csv.
-For a plan only some cells are shown; all of them run.  Read `command.py` next.
+For a plan only some cells are shown; all of them run.  Read `plans.py` next.
 """
 
 from __future__ import annotations

@@ -28,7 +28,7 @@ from tflab.workbook.places import workbook_data
 from tflab.workbook.words import LANGUAGES, Words
 
 __all__ = ["TEACHING", "BlankTable", "Demo", "Marking", "PlanRow", "Sample", "Teaching", "TeachingError", "as_words",
-           "read_teaching", "read_yaml"]  # fmt: skip
+           "read_teaching", "read_yaml", "said_once"]  # fmt: skip
 
 TEACHING = Path("solutions", "teaching")
 WHO = ("you", "room", "pairs", "each")
@@ -137,7 +137,7 @@ def read_teaching(stem: str, data: Path | None = None) -> Teaching:
     path = (data or workbook_data()) / TEACHING / f"{stem}.yaml"
     shown = (TEACHING / path.name).as_posix()
     found = read_yaml(path, shown)
-    faults = [*_said_once(found, f"{shown}:"), *_shape_faults(found, shown)]
+    faults = [*said_once(found, f"{shown}:"), *_shape_faults(found, shown)]
     if faults:
         raise TeachingError(*faults)
     return Teaching(
@@ -176,7 +176,7 @@ def as_words(text: Mapping[str, str]) -> Words:
     return Words(*(" ".join(str(text[language]).split()) for language in LANGUAGES))
 
 
-def _said_once(found: Any, place: str) -> Iterator[str]:
+def said_once(found: Any, place: str) -> Iterator[str]:
     """Yield where a text stands in one language and not in the other."""
     if isinstance(found, dict):
         there = [language for language in LANGUAGES if str(found.get(language) or "").strip()]
@@ -184,7 +184,7 @@ def _said_once(found: Any, place: str) -> Iterator[str]:
             lacks = next(language for language in LANGUAGES if language not in there)
             yield f"{place}: {there[0] if there else 'en'} without {lacks}; say it in {lacks}, too"
     for name, value in _below(found):
-        yield from _said_once(value, f"{place} {name}")
+        yield from said_once(value, f"{place} {name}")
 
 
 def _below(found: Any) -> Iterator[tuple[Any, Any]]:

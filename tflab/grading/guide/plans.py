@@ -1,0 +1,157 @@
+"""How is the course held in two hours, in a day, in a term?  Plans: minutes, cells, tasks, what to bring.
+
+    solutions/teaching/plans.yaml
+      talk:  title, about, minutes, parts
+        - minutes: 22
+          do:    {en: "08: the latency slider ...", ko: ...}
+          cells: {08_buffer_and_measurement_time: [predict-error, slider]}     [] is the whole deck
+          tasks: [E8.4]
+          bring: {en: "dominoes", ko: "도미노"}
+
+A plan is a page to print, and a deck of each chapter with only its cells.  Read `command.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from tflab.workbook.places import workbook_data
+from tflab.workbook.words import LANGUAGES, Words
+
+from ..reports.html import text
+from .lecture import lectured_page
+from .sheets import grid, inline, sheet
+from .teaching import TEACHING, TeachingError, as_words, read_yaml, said_once
+
+__all__ = ["CoursePlan", "PlanPart", "cells_of", "plan_lines", "plan_sheet", "read_plans"]
+
+FILE = "plans.yaml"
+NEEDED, ALLOWED = {"minutes", "do"}, {"minutes", "do", "label", "cells", "tasks", "bring"}
+HEADS = (
+    Words("Minute", "분"),
+    Words("What happens", "하는 일"),
+    Words("Shown", "화면"),
+    Words("Tasks", "과제"),
+    Words("Bring", "준비물"),
+)
+WHOLE = Words("all of {chapter}", "{chapter}장 전체")
+SOME = Words("{chapter}: {count} cells", "{chapter}장: 셀 {count}개")
+LENGTH = Words("{minutes} minutes.", "모두 {minutes}분입니다.")
+
+
+class PlanPart(NamedTuple):
+    """A part of a course: `cells` by chapter, none of a chapter for the whole deck."""
+
+    minutes: int
+    do: Words
+    cells: Mapping[str, tuple[str, ...]]
+    tasks: tuple[str, ...]
+    label: Words | None
+    bring: Words | None
+
+
+class CoursePlan(NamedTuple):
+    """A course of some length; `name` is what one types."""
+
+    name: str
+    title: Words
+    about: Words
+    minutes: int
+    parts: tuple[PlanPart, ...]
+
+
+def read_plans(data: Path | None = None) -> dict[str, CoursePlan]:
+    """Return the plans by name.
+
+    Raises:
+        TeachingError: one names a cell that its page does not show, or its minutes do not add up.
+    """
+    data = data or workbook_data()
+    found = read_yaml(data / TEACHING / FILE, f"{TEACHING.as_posix()}/{FILE}")
+    faults = list(said_once(found, f"{FILE}:"))
+    faults += [f"{FILE}: {name}: {fault}" for name, plan in found.items() for fault in _faults(plan, data)]
+    if faults:
+        raise TeachingError(*faults)
+    return {name: _plan(name, plan) for name, plan in found.items()}
+
+
+def cells_of(plan: CoursePlan) -> dict[str, tuple[str, ...]]:
+    """Return what is shown of each chapter, in the order of the plan; nothing named is everything."""
+    shown: dict[str, tuple[str, ...]] = {}
+    for part in plan.parts:
+        for stem, cells in part.cells.items():
+            shown[stem] = (*shown[stem], *cells) if shown.get(stem, cells) and cells else ()
+    return shown
+
+
+def plan_lines(plan: CoursePlan, language: str) -> list[str]:
+    """Return a plan as it is printed into a terminal."""
+    lines = [f"{plan.title.say(language)} · {LENGTH.say(language, minutes=plan.minutes)}"]
+    return lines + [f"{when:>9}  {part.do.say(language)}" for when, part in zip(_times(plan), plan.parts, strict=True)]
+
+
+def plan_sheet(plan: CoursePlan, language: str) -> str:
+    """Return a plan as a page to print."""
+    rows = []
+    for when, part in zip(_times(plan), plan.parts, strict=True):
+        label = f"<b>{text(part.label.say(language))}</b><br>" if part.label else ""
+        shown = "<br>".join(text(_shown(stem, cells, language)) for stem, cells in part.cells.items())
+        bring = inline(part.bring.say(language)) if part.bring else ""
+        rows.append((label + when, inline(part.do.say(language)), shown, text(", ".join(part.tasks)), bring))
+    body = [
+        f"<h1>{text(plan.title.say(language))}</h1>",
+        f"<p>{text(LENGTH.say(language, minutes=plan.minutes))} {inline(plan.about.say(language))}</p>",
+        grid([head.say(language) for head in HEADS], rows),
+    ]
+    return sheet(plan.title.say(language), language, body)
+
+
+def _shown(stem: str, cells: Sequence[str], language: str) -> str:
+    return (SOME if cells else WHOLE).say(language, chapter=stem[:2], count=len(cells))
+
+
+def _times(plan: CoursePlan) -> list[str]:
+    """Return from when to when each part goes; where parts have names of their own (a week), how long each is."""
+    times, clock = [], 0
+    for part in plan.parts:
+        times.append(f"{part.minutes}" if part.label else f"{clock}–{clock + part.minutes}")
+        clock += part.minutes
+    return times
+
+
+def _plan(name: str, plan: Mapping[str, Any]) -> CoursePlan:
+    parts = []
+    for part in plan["parts"]:
+        cells = {stem: tuple(names) for stem, names in part.get("cells", {}).items()}
+        said = (as_words(part[key]) if key in part else None for key in ("label", "bring"))
+        parts.append(PlanPart(part["minutes"], as_words(part["do"]), cells, tuple(part.get("tasks", ())), *said))
+    return CoursePlan(name, as_words(plan["title"]), as_words(plan["about"]), plan["minutes"], tuple(parts))
+
+
+def _faults(plan: Mapping[str, Any], data: Path) -> Iterator[str]:
+    lacks = sorted({"title", "about", "minutes", "parts"} - set(plan))
+    if lacks:
+        yield f"it lacks {', '.join(lacks)}"
+        return
+    total = sum(part.get("minutes", 0) for part in plan["parts"])
+    if total != plan["minutes"]:
+        yield f"its parts sum to {total} minutes, not to {plan['minutes']}"
+    for number, part in enumerate(plan["parts"], start=1):
+        wrong = [f"it lacks `{name}`" for name in sorted(NEEDED - set(part))]
+        wrong += [f"`{name}` means nothing" for name in sorted(set(part) - ALLOWED)]
+        for stem, cells in part.get("cells", {}).items():
+            wrong += _unknown_cells(stem, cells, data)
+        yield from (f"part {number}: {fault}" for fault in wrong)
+
+
+def _unknown_cells(stem: str, cells: Sequence[str], data: Path) -> Iterator[str]:
+    try:
+        pages = [lectured_page(stem, language, data) for language in LANGUAGES]
+    except FileNotFoundError:
+        yield f"there is no page `{stem}`"
+        return
+    for cell in cells:
+        if any(cell not in page.cells for page in pages):
+            yield f"{stem} has no cell `{cell}`"
