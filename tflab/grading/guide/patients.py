@@ -29,8 +29,9 @@ HOW = Words(
     "On the board: read the complaint, show the output, ask the three questions. As an examination, five minutes and "
     "one patient: a point each for reading the output, for what it rules out, for a cheap next question, and for a "
     "proof. Nobody has to name the cause at once; who names it without a proof has three points at most.",
-    "칠판에서는 증상을 읽고 출력을 보인 다음 세 가지를 묻습니다. 시험에서는 5분에 환자 하나이고, 출력 읽기, 지워지는 것, "
-    "값싼 다음 질문, 증명에 1점씩입니다. 원인을 바로 맞히지 않아도 됩니다. 증명 없이 원인만 맞히면 3점까지입니다.",
+    "칠판에서는 증상을 읽고 출력을 보인 다음 세 가지를 묻습니다. 시험에서는 5분에 환자 하나입니다. "
+    "출력 읽기, 지워지는 것, 값싼 다음 질문, 증명에 1점씩입니다. "
+    "원인을 바로 맞히지 않아도 됩니다. 증명 없이 원인만 맞히면 3점까지입니다.",
 )
 ASKED = (
     ("rules_out", Words("What does this rule out?", "이것으로 무엇이 지워집니까?")),

@@ -89,7 +89,10 @@ def cells_of(plan: CoursePlan) -> dict[str, tuple[str, ...]]:
 def plan_lines(plan: CoursePlan, language: str) -> list[str]:
     """Return a plan as it is printed into a terminal."""
     lines = [f"{plan.title.say(language)} · {LENGTH.say(language, minutes=plan.minutes)}"]
-    return lines + [f"{when:>9}  {part.do.say(language)}" for when, part in zip(_times(plan), plan.parts, strict=True)]
+    for when, part in zip(_times(plan), plan.parts, strict=True):
+        named = f"{part.label.say(language)} ({when})" if part.label else when
+        lines.append(f"{named:>12}  {part.do.say(language)}")
+    return lines
 
 
 def plan_sheet(plan: CoursePlan, language: str) -> str:
