@@ -14,6 +14,9 @@ from pathlib import Path
 import pytest
 import yaml
 
+from tflab.clinic.practice import worked_patient
+from tflab.clinic.table import COMPLAINTS
+from tflab.clinic.trolley import TROLLEY
 from tflab.grading.guide.ballots import ballots
 from tflab.grading.guide.ballots import main as votes_main
 from tflab.grading.guide.cards import without_answers
@@ -22,6 +25,8 @@ from tflab.grading.guide.command import write_guide
 from tflab.grading.guide.counts import read_counts, share, votes_csv
 from tflab.grading.guide.deck import only, with_votes, write_deck
 from tflab.grading.guide.lecture import lectured_page
+from tflab.grading.guide.patients import board_patients
+from tflab.grading.guide.plans import cells_of, read_plans
 from tflab.grading.guide.shelf import stems_there, teachings_called
 from tflab.grading.guide.teaching import TEACHING, TeachingError
 from tflab.grading.guide.vote import RULES, rule_for, votes_of
@@ -29,7 +34,7 @@ from tflab.grading.release import release
 from tflab.grading.submissions.roster import Learner
 from tflab.workbook.copy.lay_out import lay_out
 from tflab.workbook.pages.slides import slides_of
-from tflab.workbook.places import workbook_data
+from tflab.workbook.places import chapters, workbook_data
 
 STEM = "11_tools_and_rviz"
 LANGUAGES = ("en", "ko")
@@ -323,3 +328,87 @@ def test_the_released_chapters_have_their_guide_beside_the_pack_and_not_in_a_cop
     assert 'id="ch11"' in guide and 'id="ch12"' not in guide and 'lang="ko"' in guide
     names = {path.name for path in (tmp_path / "learners").rglob("*")}
     assert not names & {"guide", "guide.html", "cards.html", "votes.csv", "teaching"}
+
+
+# -- plans and patients ------------------------------------------------------------------------
+
+
+def test_the_plans_show_cells_that_are_there_and_their_minutes_add_up() -> None:
+    plans = read_plans()
+    assert {name: plan.minutes for name, plan in plans.items()} == {"talk": 120, "day": 6 * 55, "term": 13 * 90}
+    assert [f"{part.label.en}" for part in plans["term"].parts] == [f"Week {number}" for number in range(1, 14)]
+    assert not {stem for stem in cells_of(plans["day"]) if stem.startswith("10")}
+    assert cells_of(plans["term"])["12_owners_and_diagnosis"] == ()  # week 8 has some of it, week 13 all
+
+
+def test_every_task_that_is_named_to_a_teacher_is_there() -> None:
+    there = {task for stem in chapters() for task in json.loads(cases_of(stem))["tasks"]}
+    planned = {task for plan in read_plans().values() for part in plan.parts for task in part.tasks}
+    in_the_lab = {name for one in teachings_called([]) for row in one.plan for name in row.lab if name.startswith("E")}
+    assert planned | in_the_lab <= there
+
+
+def cases_of(stem: str) -> str:
+    return (workbook_data() / "exercises" / "cases" / f"{stem}.json").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    "old, new, said",
+    [
+        ("minutes: 23", "minutes: 24", "talk: its parts sum to 121 minutes, not to 120"),
+        ("the-sentence, inverse", "a-sentence, inverse", "03_target_and_source has no cell `a-sentence`"),
+        ("03_target_and_source: [predict", "03_target: [predict", "there is no page `03_target`"),
+        ('ko: "두 시간 강연"', 'ko: ""', "en without ko"),
+    ],
+)
+def test_a_plan_that_does_not_fit_is_refused(tmp_path: Path, old: str, new: str, said: str) -> None:
+    for folder in ("notebooks", "solutions"):
+        (tmp_path / folder).mkdir()
+    for language in LANGUAGES:
+        (tmp_path / "notebooks" / language).symlink_to(workbook_data() / "notebooks" / language)
+    (tmp_path / TEACHING).mkdir()
+    text = (workbook_data() / TEACHING / "plans.yaml").read_text(encoding="utf-8")
+    assert old in text
+    (tmp_path / TEACHING / "plans.yaml").write_text(text.replace(old, new, 1), encoding="utf-8")
+    with pytest.raises(TeachingError, match=re.escape(said)):
+        read_plans(tmp_path)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_plan_is_printed_with_its_minutes(tmp_path: Path, capsys: pytest.CaptureFixture, language: str) -> None:
+    assert guide_main(["--plan", "talk", "--lang", language, "--out", str(tmp_path), "--no-deck"]) == 0
+    printed = capsys.readouterr().out
+    assert "80–110" in printed and "110–120" in printed
+    assert "80–110" in (tmp_path / "talk.html").read_text(encoding="utf-8")
+
+
+def test_a_plan_that_is_not_there_is_said(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
+    assert guide_main(["--plan", "week", "--out", str(tmp_path)]) == 2
+    assert 'there is no plan "week"; there is talk, day, term' in capsys.readouterr().err
+
+
+def test_a_plan_shows_a_deck_of_only_its_cells() -> None:
+    for stem, cells in cells_of(read_plans()["talk"]).items():
+        shown = slides_of(only(lectured_page(stem, "en").notebook, cells))
+        assert [name for slide in shown for step in slide.steps for name in step] == [
+            cell["id"] for cell in lectured_page(stem, "en").notebook["cells"] if cell["id"] in cells
+        ]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("number", range(6))
+def test_what_stands_on_the_board_is_what_the_ward_prints(number: int) -> None:
+    told = board_patients()[number]
+    patient = worked_patient(told.cause, told.number)
+    assert COMPLAINTS[patient.complaint].en == told.words["said"].en
+    assert COMPLAINTS[patient.complaint].ko == told.words["said"].ko
+    assert TROLLEY[told.check].command == told.command
+    printed = [line.strip() for line in patient.reading(told.check)[1].splitlines()]
+    assert [line for line in told.text.splitlines() if line.strip() not in printed] == []
+
+
+def test_the_patients_are_in_the_guide_of_the_last_chapter(tmp_path: Path) -> None:
+    write_guide(tmp_path, teachings_called(["12"]), "ko")
+    guide = (tmp_path / "guide.html").read_text(encoding="utf-8")
+    assert guide.count("$ ros2 ") == 6
+    assert "실제 원인" in guide

@@ -82,7 +82,8 @@ def cells_of(plan: CoursePlan) -> dict[str, tuple[str, ...]]:
     shown: dict[str, tuple[str, ...]] = {}
     for part in plan.parts:
         for stem, cells in part.cells.items():
-            shown[stem] = (*shown[stem], *cells) if shown.get(stem, cells) and cells else ()
+            before = shown.get(stem)
+            shown[stem] = cells if before is None else (*before, *cells) if before and cells else ()
     return shown
 
 
