@@ -1,0 +1,90 @@
+"""A robot that was only written down is launched as it was written, right or wrong."""
+
+from __future__ import annotations
+
+import json
+from types import SimpleNamespace
+
+import pytest
+
+from tflab.workbook import lesson
+from tflab.workbook.places import MARK
+
+ASKED = SimpleNamespace(robot="alpha", sensor="rgb", fused=True)
+FRAMES = ("odom", "base_footprint", "base_link", "rgb_link", "rgb_optical_frame")
+
+
+def robot(prefix="alpha/", parents=(), **parts):
+    """Return a right answer, but for a prefix, some parents (child, parent), and some parts."""
+    names = [prefix + name for name in FRAMES]
+    return {
+        "tree": {**dict(zip(names, ["map", *names], strict=False)), **dict(parents)},
+        "moving": "/tf",
+        "mounts": "/tf_static",
+        "odom owner": "ekf_filter_node",
+        "mounts owner": "robot_state_publisher",
+        "wheel_odometry publish_tf": False,
+        "ekf publish_tf": True,
+        "camera_driver publish_tf": False,
+        "bag": {"/tf", "/tf_static"},
+        **{name.replace("__", " "): part for name, part in parts.items()},
+    }
+
+
+def seen_of(answer, capsys):
+    view = lesson.launch_answer(answer, ASKED)
+    assert view.fixed_frame == "map"
+    view.close()
+    return [" ".join(line.split()) for line in capsys.readouterr().out.splitlines()]
+
+
+def test_a_right_robot_stands_on_the_map_with_one_owner_for_each_edge(capsys):
+    lines = seen_of(robot(), capsys)
+    assert "TF: Ok" in lines and "PointCloud2 (/alpha/points): Ok" in lines
+    assert lines[lines.index("Who sends what, in 3 s") + 1 :] == [
+        "map -> alpha/odom /alpha/localization /tf 20 Hz",
+        "alpha/odom -> alpha/base_footprint /alpha/ekf_filter_node /tf 20 Hz",
+        "alpha/base_footprint -> alpha/base_link /alpha/robot_state_publisher /tf_static",
+        "alpha/base_link -> alpha/rgb_link /alpha/robot_state_publisher /tf_static",
+        "alpha/rgb_link -> alpha/rgb_optical_frame /alpha/robot_state_publisher /tf_static",
+        "",
+        # 0.5 rad/s on a circle of 1 m, the camera 0.2 m ahead: 3.2 s give a chord of 1.02 * 2 sin 0.8 = 1.46 m
+        "alpha/rgb_optical_frame moved 1.46 m in map.",
+        "Tomorrow, from a bag of /tf, /tf_static: 17 of 17 pictures find their place in map.",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("wrong", "seen"),
+    [
+        ({"prefix": ""}, "odom -> base_footprint /wheel_odometry /tf 20 Hz ! 2 owners"),
+        ({"prefix": ""}, "Transform: For frame [alpha/rgb_optical_frame]: Frame [alpha/rgb_optical_frame] does not exist"),
+        ({"wheel_odometry__publish_tf": True}, "alpha/odom -> alpha/base_footprint /alpha/wheel_odometry /tf 20 Hz ! 2 owners"),
+        ({"ekf__publish_tf": False}, "alpha/odom -> alpha/base_footprint nobody ! 0"),
+        ({"ekf__publish_tf": False}, "TF: Warn"),
+        ({"camera_driver__publish_tf": True}, "alpha/base_link -> alpha/rgb_link /alpha/camera_driver /tf_static ! 2 owners"),
+        ({"mounts": "/tf"}, "alpha/base_footprint -> alpha/base_link /alpha/robot_state_publisher /tf 20 Hz"),
+        ({"moving": "/tf_static"}, "alpha/rgb_optical_frame did not move in map."),
+        ({"parents": [("alpha/base_footprint", "map")]}, "map -> alpha/base_footprint /alpha/localization /tf 20 Hz ! 2 parents"),
+        ({"parents": [("alpha/base_link", "alpha/odm")]}, "alpha/odm: No transform from [alpha/odm] to frame [map]"),
+        ({"bag": ["/tf"]}, "Tomorrow, from a bag of /tf: 0 of 17 pictures find their place in map."),
+        ({"bag": ...}, "Tomorrow, from a bag of nothing: 0 of 17 pictures find their place in map."),
+        ({"mounts__owner": ...}, "alpha/base_link -> alpha/rgb_link nobody ! 0"),
+    ],
+)  # fmt: skip
+def test_a_wrong_robot_shows_what_a_real_one_would(wrong, seen, capsys):
+    assert seen in seen_of(robot(**wrong), capsys)
+
+
+@pytest.mark.parametrize("nothing", [..., None, {}, {"tree": ...}, {"tree": {}}])
+def test_what_is_no_robot_yet_is_not_launched(nothing, capsys):
+    assert lesson.launch_answer(nothing, ASKED) is None
+    assert "no robot yet" in capsys.readouterr().out
+
+
+def test_a_korean_copy_hears_of_it_in_korean(tmp_path, monkeypatch, capsys):
+    mark = {"tflab": "0.1.0", "edition": "self-study", "language": "ko", "learner": None}
+    (tmp_path / MARK).write_text(json.dumps(mark))
+    monkeypatch.chdir(tmp_path)
+    lines = seen_of(robot(bag={"/tf"}), capsys)
+    assert "내일 /tf만 담긴 bag을 재생하면 영상 17장 가운데 0장이 map에 놓입니다." in lines
