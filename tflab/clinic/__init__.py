@@ -4,6 +4,7 @@
     findings   what a tool's text says, in a line
     trolley    what one can ask, and what it costs
     table      what each suspect would answer
+    examples   what a finding looks like, and the tables in print
     proof      when a diagnosis is proved
     cures      what one can do about it
     patient    a sick robot as plain data

@@ -10,7 +10,7 @@ is general knowledge about robots and says nothing of any patient; diagnosis fro
 such a table is called a *fault dictionary*.  The ward's test runs all eighteen and
 holds the table to what they said.
 
-Read `proof.py` next.
+Read `examples.py` next.
 """
 
 from __future__ import annotations

@@ -111,6 +111,9 @@ from .ward_rounds import (
     draw_both_ways,
     draw_columns,
     draw_questions,
+    show_findings,
+    show_suspects,
+    show_trolley,
 )
 
 __all__ = [
@@ -235,8 +238,11 @@ __all__ = [
     "sentence_panel",
     "show_clock_error",
     "show_drive",
+    "show_findings",
     "show_latency",
     "show_progress",
+    "show_suspects",
+    "show_trolley",
     "start_robot",
     "stop_node",
     "straight_ahead",

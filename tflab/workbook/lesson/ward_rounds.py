@@ -4,6 +4,9 @@
     clinic_panel(patient)     the same with controls
     draw_columns("flickers")  the table of a complaint: who would answer what
     draw_both_ways()          the lecture's order beside the best question next, for all eighteen
+    show_suspects()           whom each complaint may come from, in print
+    show_trolley()            the checks, and what they cost
+    show_findings()           what each check says of whom
 
 Read `capstone.py` next.
 """
@@ -13,6 +16,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from tflab.clinic import visit
+from tflab.clinic.examples import findings_as_text, suspects_as_text, trolley_as_text
 from tflab.clinic.panel import ClinicPanel, columns_for, suspects_table
 from tflab.clinic.panel import clinic_panel as panel_of
 from tflab.clinic.patient import SickRobot
@@ -33,6 +37,9 @@ __all__ = [
     "draw_both_ways",
     "draw_columns",
     "draw_questions",
+    "show_findings",
+    "show_suspects",
+    "show_trolley",
 ]
 
 # The lecture's six steps: names, tree, values, delays, message and clock, publishers and settings.
@@ -54,6 +61,25 @@ def admit(patient: SickRobot, helped: bool = False) -> visit.Visit:
 def clinic_panel(patient: SickRobot, helped: bool = True) -> ClinicPanel:
     """Return a visit with controls, in the language of this copy."""
     return panel_of(patient, _language(), helped)
+
+
+def show_suspects() -> None:
+    """Print each complaint and its suspects, in the language of this copy."""
+    print(suspects_as_text(_language()))
+
+
+def show_trolley() -> None:
+    """Print each check by its short name, what it costs, and what is typed."""
+    print(trolley_as_text(_language()))
+
+
+def show_findings(complaint: str = "") -> None:
+    """Print of each check what it says when all is well, and what of whom; "" for all eighteen suspects.
+
+    Raises:
+        ValueError: there is no such complaint.
+    """
+    print(findings_as_text(complaint, _language()))
 
 
 def draw_columns(complaint: str, asked: Mapping[str, str] = {}) -> SuspectsPicture:
