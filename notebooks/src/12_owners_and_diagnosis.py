@@ -226,6 +226,29 @@ for _ in range(6):
 # %% [markdown] lang="ko" name="to-and-fro-seen"
 # 20 Hz로 물으면 둘이 번갈아 나옵니다. `tf2_echo`의 기본값처럼 1 Hz로 물으면 몇 분이고 얌전해 보일 수 있습니다. 그래서 끝에 `20`을 붙입니다.
 
+# %% [markdown] lang="en" name="stop-one" slide="slide"
+# ## Stop one node and look
+#
+# No tool told you which node sends which edge. But a node that is stopped sends nothing: stop one, and see whether the edge goes on. **Predict:** how often does `odom → base_footprint` come without the filter, and how often without the wheels?
+
+# %% [markdown] lang="ko" name="stop-one" slide="slide"
+# ## 노드를 하나 멈추고 보기
+#
+# 어느 노드가 어느 연결을 보내는지 알려 준 도구는 없습니다. 하지만 멈춘 노드는 아무것도 보내지 않습니다. 하나를 멈추고 연결이 계속 오는지 봅시다. **예측해 봅시다.** 필터를 멈추면 `odom → base_footprint`가 1초에 몇 번 올까요? 바퀴 노드를 멈추면 몇 번 올까요?
+
+# %% name="stop-one-look" tags=["predicted"] slide="fragment"
+for name in ("ekf_filter_node", "wheel_odometry", "localization"):
+    lesson.stop_node(name)
+    print(f"without {name:<16}", end=" ")
+    count_edge()
+    lesson.launch(graph, robot, only=[name])
+
+# %% [markdown] lang="en" name="stop-one-seen" tags=["predicted"]
+# Without the filter 20 a second are left, without the wheels 30, and without the localiser all 50: it has no part in this edge. Whoever takes some of the edge away with it is an owner of it. On a real robot: wheels off the ground, and the emergency stop in your hand.
+
+# %% [markdown] lang="ko" name="stop-one-seen" tags=["predicted"]
+# 필터를 멈추면 1초에 스무 번, 바퀴 노드를 멈추면 서른 번이 남고, 위치 추정 노드를 멈추면 쉰 번 그대로입니다. 이 연결과 상관없는 노드이기 때문입니다. 멈췄을 때 연결의 일부가 함께 사라지는 노드가 그 연결의 발행자입니다. 실제 로봇에서는 바퀴를 바닥에서 띄우고 비상 정지 버튼을 손에 쥐고 하십시오.
+
 # %% name="stop-two" slide="skip"
 graph.stop()
 node.destroy_node()
@@ -315,6 +338,15 @@ print(lesson.draw_both_ways().text)
 #
 # 환자는 누군가 고장 낸 로봇이고, 그 로봇에서 모든 도구가 출력한 것이 들어 있습니다. 증상과 RViz 화면, 정상일 때의 카드는 거저 받습니다. 질문마다 시간이 들고, 가진 것은 12분입니다.
 
+# %% name="trolley" slide="skip"
+lesson.show_trolley()
+
+# %% [markdown] lang="en" name="trolley-seen"
+# On the left the short name, which will do instead of the command. A screwdriver costs more than a question: that is why questions come first.
+
+# %% [markdown] lang="ko" name="trolley-seen"
+# 왼쪽은 짧은 이름이고, 명령 대신 써도 됩니다. 드라이버를 드는 일은 질문보다 비쌉니다. 그래서 질문이 먼저입니다.
+
 # %% name="worked"
 visit = lesson.admit(lesson.worked_patient("laser clock ahead"), helped=True)
 
@@ -391,6 +423,18 @@ lesson.draw_questions(lesson.answer_of(7), ["node list", "hz /scan", "view_frame
 
 # %% [markdown] lang="ko" name="panel-seen"
 # *그림 읽기:* 같은 환자에게 한 질문 셋입니다. 막대는 걸린 시간, left는 남은 용의자의 수입니다. `★`에서 하나가 남았고, 그 뒤의 빗금 친 막대는 알려 준 것이 없습니다.
+
+# %% [markdown] lang="en" name="suspects" slide="skip"
+# To look things up, without a panel: the six complaints with their suspects, and of one complaint what each check would say. `lesson.show_findings()` prints it for all eighteen; E12.7 has it, too.
+
+# %% [markdown] lang="ko" name="suspects" slide="skip"
+# 패널 없이 찾아보는 표입니다. 여섯 증상과 용의자, 그리고 한 증상에서 검사마다 나올 소견입니다. `lesson.show_findings()`는 열여덟 모두를 출력하며, E12.7에도 있습니다.
+
+# %% name="suspects-words" slide="skip"
+lesson.show_suspects()
+
+# %% name="findings-words" slide="skip"
+lesson.show_findings("flickers")
 
 # %% [markdown] lang="en" name="break-it" slide="slide"
 # ## Break it: two causes

@@ -92,16 +92,16 @@ e11_2 = task("E11.2")
 
 # %% name="e11-2-answer" tags=["answer"]
 # BEGIN SOLUTION
-readings = []
+_readings = []
 for block in (e11_2.first, e11_2.second):
     head, place, _, turn, *_ = block.splitlines()
     sec, nanosec = head.removeprefix("At time ").split(".")
     x, y, _ = map(float, re.findall(r"-?\d+\.\d+", place))
     yaw = float(re.findall(r"-?\d+\.\d+", turn)[2])
-    readings.append((int(sec) + int(nanosec) / 1e9, x, y, yaw))
-(start_s, x_0, y_0, yaw_0), (stamp_s, x_1, y_1, yaw_1) = readings
-speed_mps = math.hypot(x_1 - x_0, y_1 - y_0) / (stamp_s - start_s)
-yaw_rate_radps = (yaw_1 - yaw_0) / (stamp_s - start_s)
+    _readings.append((int(sec) + int(nanosec) / 1e9, x, y, yaw))
+(_start_s, _x_0, _y_0, _yaw_0), (stamp_s, _x_1, _y_1, _yaw_1) = _readings
+speed_mps = math.hypot(_x_1 - _x_0, _y_1 - _y_0) / (stamp_s - _start_s)
+yaw_rate_radps = (_yaw_1 - _yaw_0) / (stamp_s - _start_s)
 # END SOLUTION
 motion = {"speed_mps": speed_mps, "yaw_rate_radps": yaw_rate_radps, "stamp_s": stamp_s}
 
@@ -137,8 +137,8 @@ e11_3 = task("E11.3")
 # BEGIN SOLUTION
 odometry_hz = e11_3.hz_of_tf - sum(e11_3.sends_hz.values())
 late_s = float(re.search(r"max = (\S+)", e11_3.report)[1])
-v, w = e11_3.speed_mps, e11_3.yaw_rate_radps
-off_mm = 1000 * v / w * (1 - math.cos(w / (2 * odometry_hz)))
+_v, _w = e11_3.speed_mps, e11_3.yaw_rate_radps
+off_mm = 1000 * _v / _w * (1 - math.cos(_w / (2 * odometry_hz)))
 wait_s = max(0.0, 1 / odometry_hz + e11_3.transform_travels_s - e11_3.scan_travels_s)
 enough = "yes" if off_mm <= e11_3.allowed_mm else "no"
 # END SOLUTION
@@ -150,8 +150,8 @@ check("E11.3", verdict)
 # %% [markdown] lang="en" name="e11-4"
 # ## E11.4 · Six robots in RViz (4 points)
 #
-# Each robot has one thing wrong. Below is what RViz's list says; where all is Ok, a sentence says what is seen. The Fixed Frame should be `map`.
-# For each robot the likeliest cause, and the first check:
+# `robot_a` to `robot_f` are what RViz's list says of six robots; where all is Ok, a sentence says what is seen. The Fixed Frame should be `map`.
+# For each robot the likeliest cause (`"a"`) and the first check (`"a check"`). Some of these fit no robot, some more than one:
 #
 # - `"localiser down"`, `"Fixed Frame misspelt"`, `"joint states missing"`, `"odometry down"`, `"stamps late"`, `"mount wrong"`, `"sensor broken"` or `"nothing wrong"`;
 # - `"ros2 node list"`, `"the name in RViz"`, `"ros2 topic hz /joint_states"`, `"ros2 topic delay /scan"`, `"tf2_echo base_link laser_frame"`, `"replace the sensor"`, `"a longer timeout"` or `"no check"`.
@@ -159,8 +159,8 @@ check("E11.3", verdict)
 # %% [markdown] lang="ko" name="e11-4"
 # ## E11.4 · RViz에 보이는 로봇 여섯 대 (4점)
 #
-# 로봇마다 잘못된 곳이 하나씩 있습니다. 아래는 RViz 목록이고, 모두 Ok이면 무엇이 보이는지 한 문장으로 적었습니다(the scan lies on / beside the walls = 스캔이 벽 위에 / 옆에 놓인다, in bends it smears = 굽은 길에서 번진다). Fixed Frame은 `map`이어야 합니다.
-# 로봇마다 가장 그럴듯한 원인과 첫 점검을 고르십시오.
+# `robot_a`부터 `robot_f`까지는 로봇 여섯 대의 RViz 목록입니다. 모두 Ok이면 무엇이 보이는지 한 문장으로 적었습니다(the scan lies on / beside the walls = 스캔이 벽 위에 / 옆에 놓인다, in bends it smears = 굽은 길에서 번진다). Fixed Frame은 `map`이어야 합니다.
+# 로봇마다 가장 그럴듯한 원인(`"a"`)과 첫 점검(`"a check"`)을 고르십시오. 어느 로봇에도 맞지 않는 것이 있고, 둘 이상에 맞는 것도 있습니다.
 #
 # - 원인: `"localiser down"`(위치 추정 노드 멈춤), `"Fixed Frame misspelt"`(잘못 입력), `"joint states missing"`(관절 상태 없음), `"odometry down"`(오도메트리 멈춤), `"stamps late"`(측정 시각이 늦음), `"mount wrong"`(장착 변환이 틀림), `"sensor broken"`(센서 고장), `"nothing wrong"`(이상 없음)
 # - 점검: `"ros2 node list"`, `"the name in RViz"`(RViz에 입력한 이름), `"ros2 topic hz /joint_states"`, `"ros2 topic delay /scan"`, `"tf2_echo base_link laser_frame"`, `"replace the sensor"`(센서 교체), `"a longer timeout"`(더 긴 timeout), `"no check"`(점검 안 함)
@@ -171,7 +171,7 @@ e11_4 = task("E11.4")
 # %% name="e11-4-answer" tags=["answer"]
 # BEGIN SOLUTION
 findings = {}  # {"a": the cause, "a check": the first check, "b": ..., "b check": ..., and so on to "f"}
-TELLS = (
+_tells = (
     ("  map: No transform", "Fixed Frame misspelt", "the name in RViz"),
     ("does not exist", "localiser down", "ros2 node list"),
     ("not part of the same tree", "odometry down", "ros2 node list"),
@@ -181,7 +181,7 @@ TELLS = (
 )
 for name in "abcdef":
     said = getattr(e11_4, f"robot_{name}")
-    findings[name], findings[f"{name} check"] = next(row[1:] for row in TELLS if row[0] in said)
+    findings[name], findings[f"{name} check"] = next(row[1:] for row in _tells if row[0] in said)
 # END SOLUTION
 
 # %% name="e11-4-check" tags=["check"]

@@ -24,7 +24,10 @@ from tflab.workbook import check, hint, lesson, solution, task
 # ## E12.1 · Who says what (4 points)
 #
 # A robot with wheels, an imu, a lidar and an arm. Its packages hold `amcl` and `slam_toolbox`, an `ekf_filter_node`, and a lidar driver that "also publishes TF". All of them send what their switch lets them.
-# `task` says what the robot is for: with a map that is there it is localised by `amcl`; while the map is being made, by `slam_toolbox`; without a map nobody sends `map → odom`.
+# What `task` gives decides two things:
+#
+# - `map_frame`: with `"a map is there"` the robot is localised by `amcl`; while `"the map is being made"`, by `slam_toolbox`; with `"no map at all"` nobody sends `map → odom`.
+# - `odometry`: with `"wheels alone"` there is nothing to fuse, and the filter stays off; with `"wheels and imu, fused by ekf_filter_node"` the filter makes the better pose of both, and is to be believed.
 #
 # Name the owner of each edge, one of `"amcl"`, `"slam_toolbox"`, `"wheel_odometry"`, `"ekf_filter_node"`, `"lidar_driver"`, `"joint_driver"`, `"robot_state_publisher"`, `"nobody"`, and set each switch to `True` or `False`.
 
@@ -32,7 +35,10 @@ from tflab.workbook import check, hint, lesson, solution, task
 # ## E12.1 · 누가 무엇을 말합니까? (4점)
 #
 # 바퀴, imu, 라이다, 팔이 있는 로봇입니다. 패키지에는 `amcl`과 `slam_toolbox`, `ekf_filter_node`, 그리고 "TF도 발행하는" 라이다 드라이버가 들어 있습니다. 모두 스위치가 켜져 있으면 보냅니다.
-# 로봇의 쓰임새는 `task`가 알려 줍니다. 지도가 있으면(a map is there) `amcl`이, 지도를 만드는 중이면(the map is being made) `slam_toolbox`가 위치를 찾고, 지도가 없으면(no map at all) 아무도 `map → odom`을 보내지 않습니다.
+# `task`가 주는 두 값으로 정해집니다.
+#
+# - `map_frame`: `"a map is there"`(지도 있음)면 `amcl`이, `"the map is being made"`(지도를 만드는 중)면 `slam_toolbox`가 위치를 찾습니다. `"no map at all"`(지도 없음)이면 아무도 `map → odom`을 보내지 않습니다.
+# - `odometry`: `"wheels alone"`(바퀴만)이면 융합할 것이 없어 필터를 쓰지 않습니다. `"wheels and imu, fused by ekf_filter_node"`(바퀴와 imu를 융합)면 필터가 둘로 더 나은 포즈를 구하므로 필터의 포즈를 씁니다.
 #
 # 연결마다 발행자를 `"amcl"`, `"slam_toolbox"`, `"wheel_odometry"`, `"ekf_filter_node"`, `"lidar_driver"`, `"joint_driver"`, `"robot_state_publisher"`, `"nobody"` 가운데서 고르고, 스위치는 `True`나 `False`로 정하십시오.
 
@@ -81,17 +87,18 @@ e12_2 = task("E12.2")
 
 # %% name="e12-2-answer" tags=["answer"]
 # BEGIN SOLUTION
-KNOWN = {  # how each state shows: in what was printed, or in which tool was asked
+terminals = {}  # {"first state": ..., "first node": ..., "first cure": ..., "second state": ..., and so on}
+_states = {  # how each shows: in what was printed, or in which tool was asked
     "Failure at": ("another edge", "localization", "localization: send map -> odom"),
     "node list": ("nobody", "wheel_odometry", "start wheel_odometry"),
     "view_frames": ("a misspelt parent", "wheel_odometry", "wheel_odometry: parent odom"),
     "topic info": ("one owner", "none", "leave it as it is"),
     "tf2_echo": ("two owners", "ekf_filter_node", "ekf_filter_node: publish_tf false"),
 }
-terminals = {}
 for place, text in vars(e12_2).items():
-    told = next(told for word, told in KNOWN.items() if word in text)
-    terminals |= dict(zip((f"{place} state", f"{place} node", f"{place} cure"), told, strict=True))
+    told = next(told for word, told in _states.items() if word in text)
+    for what, said in zip(("state", "node", "cure"), told, strict=True):
+        terminals[f"{place} {what}"] = said
 # END SOLUTION
 
 # %% name="e12-2-check" tags=["check"]
@@ -100,7 +107,7 @@ check("E12.2", terminals)
 # %% [markdown] lang="en" name="e12-3"
 # ## E12.3 · The first question (3 points)
 #
-# Ten symptoms, and the trolley of the page (`hz /odom`, `node list`, `view_frames`, … and besides `"longer timeout"` and `"read the code"`). For each: what do you ask **first**? The cheapest check that tells its two suspects apart.
+# Ten symptoms. For each: what do you ask **first**? The cheapest check that tells its two suspects apart. An answer is the short name of a check, as the next cell prints them; besides these there are `"longer timeout"` and `"read the code"`.
 #
 # - **no frame map** RViz knows no `map`. Is the localiser off, or does it wait?
 # - **odom stands alone** /odom comes, and no edge below `odom`. Is the switch off, or the parent misspelt?
@@ -109,14 +116,14 @@ check("E12.2", terminals)
 # - **walls smear in bends** sharp while the robot stands. The scan's clock, or the mount?
 # - **into the future** the scan flickers. The laser's clock, or late transforms?
 # - **localizer silent** the node is there and sends nothing. Does it wait for /clock, or for a scan?
-# - **unknown frame** RViz: For frame [x]: Frame [x] does not exist. A misspelt header, or a missing mount?
-# - **static late joiner** whoever starts later never hears a mount. Volatile, or never sent?
+# - **unknown frame** RViz: For frame [x]: Frame [x] does not exist. Is the name in the scan's header misspelt, or is the mount missing?
+# - **static late joiner** whoever starts later never hears a mount. Is its publisher volatile, or was the mount never sent?
 # - **slow robot** scans are shown, but in steps. A slow odometry, or a slow scan?
 
 # %% [markdown] lang="ko" name="e12-3"
 # ## E12.3 · 첫 질문 (3점)
 #
-# 열 가지 증상입니다. 이 장의 트롤리(`hz /odom`, `node list`, `view_frames` …)에 `"longer timeout"`과 `"read the code"`가 더 있습니다. 무엇을 **먼저** 물어보겠습니까? 두 용의자를 가르는 가장 싼 검사를 고르십시오.
+# 열 가지 증상입니다. 무엇을 **먼저** 물어보겠습니까? 두 용의자를 가르는 가장 싼 검사를 고르십시오. 답은 다음 셀이 출력하는 검사의 짧은 이름입니다. 그 밖에 `"longer timeout"`과 `"read the code"`도 있습니다.
 #
 # - **no frame map** RViz가 `map`을 모릅니다. 위치 추정 노드가 꺼졌습니까, 기다립니까?
 # - **odom stands alone** /odom은 오는데 `odom` 아래에 연결이 없습니다. 스위치가 꺼졌습니까, 부모 이름이 틀렸습니까?
@@ -125,9 +132,12 @@ check("E12.2", terminals)
 # - **walls smear in bends** 서 있으면 또렷한데 돌면 번집니다. 스캔의 시계입니까, 장착입니까?
 # - **into the future** 스캔이 깜빡입니다. 레이저의 시계입니까, 늦은 변환입니까?
 # - **localizer silent** 노드는 있는데 아무것도 보내지 않습니다. /clock을 기다립니까, 스캔을 기다립니까?
-# - **unknown frame** RViz: For frame [x]: Frame [x] does not exist. header가 틀렸습니까, 장착이 없습니까?
-# - **static late joiner** 늦게 켠 쪽은 장착을 듣지 못합니다. volatile입니까, 보낸 적이 없습니까?
+# - **unknown frame** RViz: For frame [x]: Frame [x] does not exist. 스캔의 header에 적힌 이름이 틀렸습니까, 장착 변환이 없습니까?
+# - **static late joiner** 늦게 켠 쪽은 장착 변환을 듣지 못합니다. 발행자가 volatile입니까, 보낸 적이 없습니까?
 # - **slow robot** 스캔이 나오기는 하는데 뚝뚝 끊깁니다. 오도메트리가 느립니까, 스캔이 느립니까?
+
+# %% name="e12-3-trolley"
+lesson.show_trolley()
 
 # %% name="e12-3-answer" tags=["answer"]
 first = {
@@ -155,8 +165,8 @@ check("E12.3", first)
 #
 # For each patient, `"a ..."`, `"b ..."` and `"c ..."`:
 #
-# - `"a checks"`: a list of checks that **would have been enough**, in their order: within twelve minutes, every other suspect of the complaint ruled out, something sick shown, and nothing asked after that
-# - `"a cause"`: one of the eighteen suspects, or `"sensor broken"`
+# - `"a checks"`: a list of checks by their short names, such as `["hz /scan", "node list"]`, that **would have been enough**, in their order: within twelve minutes, every other suspect of the complaint ruled out, something sick shown, and nothing asked after that
+# - `"a cause"`: one of the eighteen suspects, as `lesson.show_suspects()` prints them, or `"sensor broken"`
 # - `"a frame"`: whose place is not right: `"map"`, `"odom"`, `"base_footprint"`, `"laser_frame"`, `"all that move"` or `"none"`; for an edge, its child
 # - `"a owner"`: who has to change: `"localization"`, `"wheel_odometry"`, `"ekf_filter_node"`, `"laser_mount"`, `"laser_driver"`, `"rviz"`, `"network"` or `"nobody"`
 # - `"a fix"`: one of those that `visit.fixes()` prints
@@ -168,8 +178,8 @@ check("E12.3", first)
 #
 # 환자마다 `"a ..."`, `"b ..."`, `"c ..."`로 답합니다.
 #
-# - `"a checks"`: **이것으로 충분했을** 검사의 리스트(순서대로). 12분을 넘지 않고, 그 증상의 다른 용의자를 모두 지우고, 아픈 곳을 보여 주며, 그 뒤에는 아무것도 묻지 않아야 합니다.
-# - `"a cause"`: 용의자 열여덟 가운데 하나, 또는 `"sensor broken"`
+# - `"a checks"`: **이것으로 충분했을** 검사의 리스트. `["hz /scan", "node list"]`처럼 짧은 이름을 순서대로 씁니다. 12분을 넘지 않고, 그 증상의 다른 용의자를 모두 지우고, 아픈 곳을 보여 주며, 그 뒤에는 아무것도 묻지 않아야 합니다.
+# - `"a cause"`: `lesson.show_suspects()`가 출력하는 용의자 열여덟 가운데 하나, 또는 `"sensor broken"`
 # - `"a frame"`: 자리가 틀린 좌표계. `"map"`, `"odom"`, `"base_footprint"`, `"laser_frame"`, `"all that move"`, `"none"` 가운데 하나. 연결이라면 그 자식입니다.
 # - `"a owner"`: 바뀌어야 할 쪽. `"localization"`, `"wheel_odometry"`, `"ekf_filter_node"`, `"laser_mount"`, `"laser_driver"`, `"rviz"`, `"network"`, `"nobody"` 가운데 하나
 # - `"a fix"`: `visit.fixes()`가 보여 주는 것 가운데 하나
@@ -183,11 +193,12 @@ from tflab.clinic.cures import DIAGNOSES
 from tflab.clinic.proof import fitting, shortest_proof
 from tflab.clinic.trolley import TROLLEY
 
-patients = {}
+patients = {}  # {"a checks": [...], "a cause": ..., "a frame": ..., "a owner": ..., "a fix": ..., "b checks": [...], ...}
 for who, patient in vars(e12_4).items():  # nobody on a visit may read all of it; a solution for any patient has to
     (cause,) = fitting({key: check.kind(patient.ask(key)) for key, check in TROLLEY.items()})
     told = {"checks": (cause, shortest_proof(cause)), "cause": cause, **DIAGNOSES[cause]._asdict()}
-    patients |= {f"{who} {what}": answer for what, answer in told.items()}
+    for what, answer in told.items():
+        patients[f"{who} {what}"] = answer
 # END SOLUTION
 
 # %% name="e12-4-check" tags=["check"]
@@ -202,9 +213,9 @@ check("E12.4", patients)
 # - `"moving"`, `"mounts"`: the topic, `"/tf"` or `"/tf_static"`, of what moves and of what is bolted on
 # - `"odom owner"`, `"mounts owner"`: `"localization"`, `"wheel_odometry"`, `"ekf_filter_node"`, `"robot_state_publisher"` or `"camera_driver"`
 # - `"wheel_odometry publish_tf"`, `"ekf publish_tf"`, `"camera_driver publish_tf"`: `True` or `False`
-# - `"bag"`: the topics to record, so that tomorrow the tree is whole
+# - `"bag"`: the topics to record, so that tomorrow the tree is whole; no more than these
 #
-# Then `lesson.launch_answer(robot, e12_5)` launches it just as you wrote it, and shows it in the small RViz.
+# The cell below your answer launches it beside the first robot just as you wrote it: what RViz says, who sends which edge, and what a bag would be good for. It judges nothing; what is wrong there would be wrong on the robot.
 
 # %% [markdown] lang="ko" name="e12-5"
 # ## E12.5 · 사양서로 만드는 로봇 (5점)
@@ -215,19 +226,21 @@ check("E12.4", patients)
 # - `"moving"`, `"mounts"`: 움직이는 것과 고정된 것의 토픽. `"/tf"` 또는 `"/tf_static"`
 # - `"odom owner"`, `"mounts owner"`: `"localization"`, `"wheel_odometry"`, `"ekf_filter_node"`, `"robot_state_publisher"`, `"camera_driver"` 가운데 하나
 # - `"wheel_odometry publish_tf"`, `"ekf publish_tf"`, `"camera_driver publish_tf"`: `True` 또는 `False`
-# - `"bag"`: 내일도 트리가 온전하도록 기록할 토픽
+# - `"bag"`: 내일도 트리가 온전하도록 기록할 토픽. 꼭 필요한 것만 씁니다.
 #
-# 그다음 `lesson.launch_answer(robot, e12_5)`를 실행하면 쓴 그대로 로봇을 띄워 작은 RViz로 보여 줍니다.
+# 답 아래의 셀은 쓴 그대로 로봇을 첫 번째 로봇 옆에 띄웁니다. RViz의 상태, 연결마다 누가 보내는지, bag으로 무엇을 할 수 있는지 보여 줍니다. 채점은 하지 않습니다. 여기서 이상한 것은 실제 로봇에서도 이상합니다.
 
 # %% name="e12-5-given"
 e12_5 = task("E12.5")
 
 # %% name="e12-5-answer" tags=["answer"]
 # BEGIN SOLUTION
-names = ["odom", "base_footprint", "base_link", f"{e12_5.sensor}_link", f"{e12_5.sensor}_optical_frame"]
-names = [f"{e12_5.robot}/{name}" for name in names]
-robot = {"tree": dict(zip(names, ["map", *names], strict=False)), "moving": "/tf", "mounts": "/tf_static"}
-robot |= {
+_names = ["odom", "base_footprint", "base_link", f"{e12_5.sensor}_link", f"{e12_5.sensor}_optical_frame"]
+_names = [f"{e12_5.robot}/{name}" for name in _names]
+robot = {  # {"tree": {child: parent, ...}, "moving": ..., "mounts": ..., "odom owner": ..., and so on: nine entries}
+    "tree": dict(zip(_names, ["map", *_names], strict=False)),
+    "moving": "/tf",
+    "mounts": "/tf_static",
     "odom owner": "ekf_filter_node" if e12_5.fused else "wheel_odometry",
     "mounts owner": "robot_state_publisher",
     "wheel_odometry publish_tf": not e12_5.fused,
@@ -236,6 +249,12 @@ robot |= {
     "bag": {"/tf", "/tf_static"},
 }
 # END SOLUTION
+
+# %% name="e12-5-launch" tags=["interactive"]
+lesson.launch_answer(robot, e12_5)
+
+# %% name="e12-5-seen"
+lesson.draw_rviz()
 
 # %% name="e12-5-check" tags=["check"]
 check("E12.5", robot)
@@ -290,14 +309,17 @@ check("E12.6", steps)
 # %% [markdown] lang="en" name="e12-7"
 # ## E12.7 · A program that makes the rounds (5 points)
 #
-# All that is known is “It does not work”: eighteen suspects, twelve minutes. `patient.ask(check)` costs its minutes and returns a finding in a line, such as `"all Ok"`, `"-0.295 s, std dev 0.000 s"`, `"True"` or `"not in one tree"`; the page shows them all.
-# Return `patient.verdict(cause, frame)`. It carries what you asked, and that has to be a proof: all seventeen others ruled out, in time, and nothing asked after that.
+# All that is known is “It does not work”: eighteen suspects, twelve minutes. `patient.ask(check)` costs its minutes and returns a finding in a line, such as `"all Ok"`, `"-0.295 s, std dev 0.000 s"`, `"True"` or `"not in one tree"`. The next cell prints for every check what it says when all is well (`card`), and what it says of whom. Names and numbers are those of one robot: a clock can be off by 0.35 s, too, and a frame be called `lidar`.
+# Return `patient.verdict(cause, frame)`, with causes and frames as in E12.4. It carries what you asked, and that has to be a proof: all seventeen others ruled out, in time, and nothing asked after that.
 
 # %% [markdown] lang="ko" name="e12-7"
 # ## E12.7 · 회진하는 프로그램 (5점)
 #
-# 아는 것은 “작동하지 않습니다”뿐입니다. 용의자는 열여덟, 시간은 12분입니다. `patient.ask(check)`는 그만큼의 분을 쓰고 한 줄짜리 소견을 반환합니다. `"all Ok"`, `"-0.295 s, std dev 0.000 s"`, `"True"`, `"not in one tree"` 같은 것이고, 이 장에 모두 있습니다.
-# `patient.verdict(cause, frame)`을 반환하십시오. 물어본 것이 함께 담기며, 그것이 증명이어야 합니다. 나머지 열일곱을 시간 안에 모두 지우고, 그 뒤에는 아무것도 묻지 않아야 합니다.
+# 아는 것은 “작동하지 않습니다”뿐입니다. 용의자는 열여덟, 시간은 12분입니다. `patient.ask(check)`는 그만큼의 분을 쓰고 한 줄짜리 소견을 반환합니다. `"all Ok"`, `"-0.295 s, std dev 0.000 s"`, `"True"`, `"not in one tree"` 같은 것입니다. 다음 셀은 검사마다 정상일 때(`카드`)의 소견과, 누구일 때 무엇이 나오는지를 출력합니다. 이름과 숫자는 로봇 한 대의 것입니다. 시계는 0.35초 틀릴 수도 있고, 좌표계 이름은 `lidar`일 수도 있습니다.
+# `patient.verdict(cause, frame)`을 반환하십시오. 원인과 좌표계는 E12.4와 같은 이름을 씁니다. 물어본 것이 함께 담기며, 그것이 증명이어야 합니다. 나머지 열일곱을 시간 안에 모두 지우고, 그 뒤에는 아무것도 묻지 않아야 합니다.
+
+# %% name="e12-7-findings"
+lesson.show_findings()
 
 
 # %% name="e12-7-answer" tags=["answer"]

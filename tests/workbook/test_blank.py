@@ -38,6 +38,11 @@ CASES = {
         "# BEGIN SOLUTION\nx = 1\n# END SOLUTION\ny = 2\n# BEGIN SOLUTION\nz = 3\n# END SOLUTION",
         "x = ...\ny = 2\nz = ...",
     ),
+    "what only helps": (
+        "# BEGIN SOLUTION\ndef _t():\n    return 1\nx = _t()\n# END SOLUTION\n"
+        "# BEGIN SOLUTION\n_u = 1\n# END SOLUTION\ny = {}",
+        "x = ...\ny = {}",
+    ),
     "a hash in a string": ("# BEGIN SOLUTION\nx = '# no comment'\n# END SOLUTION", "x = ..."),
     "nothing": ("x = 1", "x = 1"),
 }

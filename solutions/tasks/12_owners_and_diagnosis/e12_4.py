@@ -133,8 +133,8 @@ TASK = Task(
             ko="증상마다 용의자가 셋입니다. 검사하기 전에 물어보세요. 셋의 답이 다르겠습니까?",
         ),
         Words(
-            en="`lesson.draw_suspects(...)` of the page shows the table of a complaint. A column in which all three say the same tells nothing.",
-            ko="이 장의 `lesson.draw_suspects(...)`가 증상의 표를 보여 줍니다. 셋이 똑같은 열은 알려 주는 것이 없습니다.",
+            en='`lesson.show_findings("no map")` prints what each suspect of a complaint would answer; for yours, put in its name. A check for which all three say the same is left out: it tells nothing.',
+            ko='`lesson.show_findings("no map")`이 그 증상의 용의자마다 나올 소견을 출력합니다. 여러분의 증상 이름을 넣으십시오. 셋의 소견이 똑같은 검사는 알려 주는 것이 없어 빠져 있습니다.',
         ),
         Words(
             en="Hand in what would have been enough, not what you asked: one or two checks, the last of which strikes the last rival.",

@@ -149,6 +149,8 @@ class BagRecorder(Node):
 def launch_answer(answer: Any, specification: Any) -> RViz | None:
     """Launch a robot as an answer describes it, print what there is to see of it, and return the small RViz.
 
+    The graph is the current one afterwards, and goes on: `draw_rviz` and the tools may ask it.
+
     Args:
         answer: as E12.5 asks for it.
         specification: what `task("E12.5")` gave: the robot's name and its sensor.
@@ -171,7 +173,6 @@ def launch_answer(answer: Any, specification: Any) -> RViz | None:
         graph.run(seconds=LAUNCHED_S)
         senders = _senders(graph, tree)
         seen = look(graph)
-        graph.stop()
     view = RViz(*seen)
     print("RViz", *_troubles(statuses_as_text(view.shown)), "", sep="\n")
     print(words["who"].format(seconds=LAUNCHED_S), *_rows(senders, tree, words), "", sep="\n")

@@ -10,7 +10,8 @@
     # END SOLUTION
 
 Inside a dict, the values of the region's keys become `...`.  What stands outside
-the regions stays, so an example can be faded line by line.
+the regions stays, so an example can be faded line by line.  A name that begins with
+an underscore is the solution's own way to the answer, and nobody is asked for it.
 
 Read `trying.py` next.
 """
@@ -94,15 +95,17 @@ def _instead(tree: ast.Module, begin: int, end: int, comments: dict[int, str], s
     for node in reversed(around):  # the innermost comes last
         if isinstance(node, ast.Dict):
             return _open_values(node, begin, end, comments, source)
-    lines = []
+    lines, has_names = [], False
     for statement in tree.body:
         if begin < statement.lineno and statement.end_lineno < end:
-            if isinstance(statement, ast.FunctionDef | ast.ClassDef):
+            if isinstance(statement, ast.FunctionDef | ast.ClassDef) and not statement.name.startswith("_"):
                 wrong = f"the whole of {statement.name} stands in the region"
                 raise BlankError(wrong, "put the region inside it, so that its first line stays")
             comment = comments.get(statement.end_lineno) or comments.get(statement.lineno) or ""
-            lines += [f"{name} = ...{comment}" for name in _assigned(statement)]
-    if not lines:
+            names = _assigned(statement)
+            has_names = has_names or bool(names)
+            lines += [f"{name} = ...{comment}" for name in names if not name.startswith("_")]
+    if not has_names:
         raise BlankError("a region assigns nothing", "give the answer its name inside the region")
     return lines
 
