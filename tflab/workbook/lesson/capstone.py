@@ -17,7 +17,7 @@ import math
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from contextlib import redirect_stderr, redirect_stdout
-from typing import Any
+from typing import Any, NamedTuple
 
 from tflab.core import BufferCore, StampedTransform, Transform, TransformException
 from tflab.robots.motion import Drive
@@ -45,6 +45,8 @@ __all__ = ["launch_answer"]
 RATE_HZ, CLOUD_HZ = 20.0, 5.0
 LAUNCHED_S, SETTLED_NS = 3.0, 300_000_000
 FIRST_ROBOT = ("robot_state_publisher", "joint_driver", "wheel_odometry", "localization", "map_server")
+TOPICS = ("/tf", "/tf_static")
+SWITCHES = WHEELS, EKF, CAMERA = "wheel_odometry publish_tf", "ekf publish_tf", "camera_driver publish_tf"
 OPTICAL = Transform.from_rpy(roll=-math.pi / 2.0, yaw=-math.pi / 2.0)
 WORDS = {
     "en": {
@@ -161,9 +163,7 @@ def launch_answer(answer: Any, specification: Any) -> RViz | None:
         return None
     tree = {str(child): str(parent) for child, parent in answer["tree"].items()}
     name, sensor = str(specification.robot), f"{specification.robot}/{specification.sensor}_optical_frame"
-    recorded = answer.get("bag", ())
-    topics = sorted({recorded} if isinstance(recorded, str) else set(map(str, recorded)) if recorded != ... else ())
-    graph, recorders = new_graph(), []
+    topics, graph, recorders = _topics(answer.get("bag")), new_graph(), []
     with redirect_stdout(io.StringIO()), redirect_stderr(io.StringIO()):
         launch(graph, TeachingRobot(Drive(start_ns=graph.now_ns)), only=FIRST_ROBOT)
         graph.start(lambda: _spin(lambda: recorders.append(BagRecorder(topics, f"/{name}/points")) or recorders[0]))
@@ -180,26 +180,49 @@ def launch_answer(answer: Any, specification: Any) -> RViz | None:
     return view
 
 
-def _owners(answer: Mapping[str, Any], tree: Mapping[str, str], name: str, sensor: str) -> list[Callable[[], Node]]:
-    """Return a maker of each node that the answer has, with the edges that it sends."""
-    moving, mounts = str(answer.get("moving")), str(answer.get("mounts"))
+class _Shares(NamedTuple):
+    """The edges of a tree, child -> parent, by who has to send them."""
+
+    below_map: dict[str, str]
+    footprint: dict[str, str]
+    bolted: dict[str, str]
+    camera: dict[str, str]
+
+
+def _shares(tree: Mapping[str, str], sensor: str) -> _Shares:
+    """Divide a tree: a footprint below map is the localiser's, and the wheels go on with theirs below odom."""
     feet = [child for child in tree if _is(child, "base_footprint")]
     below_map = {child: parent for child, parent in tree.items() if parent == "map" or _is(child, "odom")}
     odom = next((child for child in tree if _is(child, "odom")), "")
-    footprint = {child: odom if tree[child] == "map" and odom else tree[child] for child in feet}
     bolted = {child: parent for child, parent in tree.items() if child not in below_map and child not in feet}
-    camera = {child: parent for child, parent in bolted.items() if child.rpartition("/")[2].startswith(f"{sensor}_")}
-    sent = [("localization", below_map, moving, 0.0)]
-    switches = (("wheel_odometry", "wheel_odometry publish_tf", 0.0), ("ekf_filter_node", "ekf publish_tf", 0.3))
-    sent += [(node, footprint, moving, slant) for node, switch, slant in switches if str(answer.get(switch)) == "True"]
+    return _Shares(
+        below_map,
+        {child: odom if tree[child] == "map" and odom else tree[child] for child in feet},
+        bolted,
+        {child: parent for child, parent in bolted.items() if child.rpartition("/")[2].startswith(f"{sensor}_")},
+    )
+
+
+def _owners(answer: Mapping[str, Any], tree: Mapping[str, str], name: str, sensor: str) -> list[Callable[[], Node]]:
+    """Return a maker of each node that the answer has, with the edges that it sends."""
+    shares, moving, mounts = _shares(tree, sensor), str(answer.get("moving")), str(answer.get("mounts"))
+    is_on = {switch: str(answer.get(switch)) == "True" for switch in SWITCHES}
     owner = answer.get("mounts owner")
-    sent += [(str(owner), bolted, mounts, 0.0)] if isinstance(owner, str) else []
-    sent += [("camera_driver", camera, mounts, 0.0)] if str(answer.get("camera_driver publish_tf")) == "True" else []
-    return [
-        lambda one=one: EdgeOwner(one[0], name, *one[1:])
-        for one in sent
-        if one[1] and one[2] in ("/tf", "/tf_static")
-    ]  # fmt: skip
+    sent = [
+        ("localization", shares.below_map, moving, 0.0),
+        ("wheel_odometry", shares.footprint if is_on[WHEELS] else {}, moving, 0.0),
+        ("ekf_filter_node", shares.footprint if is_on[EKF] else {}, moving, 0.3),
+        (str(owner), shares.bolted if isinstance(owner, str) else {}, mounts, 0.0),
+        ("camera_driver", shares.camera if is_on[CAMERA] else {}, mounts, 0.0),
+    ]
+    return [lambda one=one: EdgeOwner(one[0], name, *one[1:]) for one in sent if one[1] and one[2] in TOPICS]
+
+
+def _topics(bag: Any) -> list[str]:
+    """Return the topics to record, whatever they were written in."""
+    if isinstance(bag, str):
+        return [bag]
+    return sorted(map(str, bag)) if isinstance(bag, set | list | tuple | frozenset) else []
 
 
 def _is(frame: str, name: str) -> bool:

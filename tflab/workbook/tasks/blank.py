@@ -95,19 +95,23 @@ def _instead(tree: ast.Module, begin: int, end: int, comments: dict[int, str], s
     for node in reversed(around):  # the innermost comes last
         if isinstance(node, ast.Dict):
             return _open_values(node, begin, end, comments, source)
-    lines, has_names = [], False
-    for statement in tree.body:
-        if begin < statement.lineno and statement.end_lineno < end:
-            if isinstance(statement, ast.FunctionDef | ast.ClassDef) and not statement.name.startswith("_"):
-                wrong = f"the whole of {statement.name} stands in the region"
-                raise BlankError(wrong, "put the region inside it, so that its first line stays")
-            comment = comments.get(statement.end_lineno) or comments.get(statement.lineno) or ""
-            names = _assigned(statement)
-            has_names = has_names or bool(names)
-            lines += [f"{name} = ...{comment}" for name in names if not name.startswith("_")]
-    if not has_names:
+    statements = [each for each in tree.body if begin < each.lineno and each.end_lineno < end]
+    if not any(map(_assigned, statements)) and not any(map(_is_whole, statements)):
         raise BlankError("a region assigns nothing", "give the answer its name inside the region")
-    return lines
+    return [line for statement in statements for line in _open_names(statement, comments)]
+
+
+def _is_whole(statement: ast.stmt) -> bool:
+    return isinstance(statement, ast.FunctionDef | ast.ClassDef)
+
+
+def _open_names(statement: ast.stmt, comments: dict[int, str]) -> list[str]:
+    """Return a line for each name that a statement assigns, but for those that only help."""
+    if _is_whole(statement) and not statement.name.startswith("_"):
+        wrong = f"the whole of {statement.name} stands in the region"
+        raise BlankError(wrong, "put the region inside it, so that its first line stays")
+    comment = comments.get(statement.end_lineno) or comments.get(statement.lineno) or ""
+    return [f"{name} = ...{comment}" for name in _assigned(statement) if not name.startswith("_")]
 
 
 def _open_values(node: ast.Dict, begin: int, end: int, comments: dict[int, str], source: str) -> list[str]:
