@@ -193,13 +193,13 @@ def _shares(tree: Mapping[str, str], sensor: str) -> _Shares:
     """Divide a tree: a footprint below map is the localiser's, and the wheels go on with theirs below odom."""
     feet = [child for child in tree if _is(child, "base_footprint")]
     below_map = {child: parent for child, parent in tree.items() if parent == "map" or _is(child, "odom")}
-    odom = next((child for child in tree if _is(child, "odom")), "")
+    odoms = [child for child in below_map if _is(child, "odom")]
     bolted = {child: parent for child, parent in tree.items() if child not in below_map and child not in feet}
     return _Shares(
         below_map,
-        {child: odom if tree[child] == "map" and odom else tree[child] for child in feet},
+        {child: (*odoms, "map")[0] if tree[child] == "map" else tree[child] for child in feet},
         bolted,
-        {child: parent for child, parent in bolted.items() if child.rpartition("/")[2].startswith(f"{sensor}_")},
+        dict(edge for edge in bolted.items() if edge[0].rpartition("/")[2].startswith(f"{sensor}_")),
     )
 
 
