@@ -146,12 +146,12 @@ def write_tasks(folder: Path, text: str) -> Path:
     return folder
 
 
-def write_tiny_workbook(root: Path) -> Path:
+def write_tiny_workbook(root: Path, page_source: str = SOURCE, tasks: str = TASKS) -> Path:
     """Write the chapter as `tflab build` would, without running it; return the root."""
     source = root / "solutions" / "src" / f"{STEM}.py"
     source.parent.mkdir(parents=True, exist_ok=True)
-    source.write_text(SOURCE, encoding="utf-8")
-    write_tasks(root / "solutions" / "tasks" / STEM, TASKS)
+    source.write_text(page_source, encoding="utf-8")
+    write_tasks(root / "solutions" / "tasks" / STEM, tasks)
     page = read_page(source)
     solution = Solution(STEM, [CodeCell(cell.name, cell.source) for cell in page.code])
     cases = make_cases(STEM, PUBLIC_SEED, solutions=root / "solutions", solution=solution)

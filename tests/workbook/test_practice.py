@@ -467,7 +467,7 @@ def test_a_notebook_hears_the_same_replies_and_when_it_comes_again(copy: Path, c
     assert "E3.3 ✓ 2/2" in said
     assert "Box 1 of 5: it comes again after 1 other task, or in an hour." in said
     practice.check({"target": "map", "source": "laser"})
-    assert "`practice.ask()` brings the next one." in capsys.readouterr().out
+    assert "practice.ask() brings the next one." in capsys.readouterr().out
 
 
 def test_a_solution_opens_after_three_tries_and_never_in_a_class(copy: Path, capsys) -> None:

@@ -5,6 +5,7 @@ process; the verdict is made outside of it; one submission can harm neither the
 grader nor another.
 
     release       a folder to give away, and one to keep
+    mend          what was mended, brought into a release that is out
     grade         `tflab grade`: submissions in, results out
     batch         two hundred submissions, on one core or on many
     submissions/  what came in: whose it is, and what can be read of it

@@ -8,7 +8,8 @@
 
 Each learner on the roster gets variants of their own.  Nothing under learners/ says
 what is graded.  A pack is never overwritten: `--add` brings in more learners and
-chapters, with the seed it has, and finishes what was interrupted.  Read `grade.py` next.
+chapters, with the seed it has, and finishes what was interrupted; `--update` brings in
+what was mended since (see `mend.py`).  Read `mend.py` next.
 """
 
 from __future__ import annotations
@@ -25,8 +26,10 @@ from typing import Any
 from tflab import __version__
 from tflab.progress_bar import ProgressBar
 from tflab.workbook import places
-from tflab.workbook.copy.lay_out import lay_out
+from tflab.workbook.copy.lay_out import PRISTINE, cases_bytes, lay_out, update
+from tflab.workbook.pages.editions import text_of
 from tflab.workbook.places import WorkbookError
+from tflab.workbook.tasks.cases import CasesError, read_cases
 from tflab.workbook.tasks.task import TaskError
 from tflab.workbook.whole_files import write_whole
 from tflab.workbook.words import LANGUAGES
@@ -34,11 +37,22 @@ from tflab.workbook.words import LANGUAGES
 from .guide.command import write_guide
 from .guide.shelf import stems_there, teachings_called
 from .guide.teaching import TeachingError
-from .judging.pack import PACK, Pack, PackError, chapter_cases, learners_cases, read_pack, write_chapter, write_pack
+from .judging.pack import (
+    PACK,
+    Pack,
+    PackError,
+    chapter_cases,
+    keep_chapter,
+    learners_cases,
+    read_pack,
+    write_chapter,
+    write_pack,
+)
+from .mend import Mended, mended_cases, mended_exercise, notebook_of
 from .submissions.reader import Unreadable, read_bytes
 from .submissions.roster import Learner, Roster, read_roster
 
-__all__ = ["main", "release"]
+__all__ = ["main", "release", "update_release"]
 
 INSTRUCTOR, LEARNERS, GUIDE = "instructor", "learners", "guide"
 
@@ -48,7 +62,9 @@ def main(words: Sequence[str]) -> int:
     options = _options(words)
     folder = Path(options.folder)
     try:
-        adds_no_chapter = options.add and not options.chapters
+        if options.update and (options.add or options.roster or options.chapters):
+            raise PackError("--update brings in what was mended, and nothing else; call it again with --add for more")
+        adds_no_chapter = (options.add or options.update) and not options.chapters
         stems = [] if adds_no_chapter else _chapters(options.chapters, places.chapters())
         roster = _roster(options.roster, options.lang)
         for fault in roster.faults if roster else ():
@@ -56,7 +72,11 @@ def main(words: Sequence[str]) -> int:
         if roster is not None and not roster.learners:
             raise PackError("no learner on the roster")
         learners = list(roster.learners.values()) if roster else None
-        pack = release(folder, stems, learners, language=options.lang, add=options.add, quiet=options.quiet)
+        if options.update:
+            pack, lines = update_release(folder, quiet=options.quiet)
+            print("\n".join(lines))
+        else:
+            pack = release(folder, stems, learners, language=options.lang, add=options.add, quiet=options.quiet)
     except (PackError, TaskError, TeachingError, WorkbookError) as error:
         print(f"tflab release: {error}", file=sys.stderr)
         return 2
@@ -107,6 +127,92 @@ def release(
     return read_pack(folder / INSTRUCTOR)
 
 
+def update_release(folder: Path, *, quiet: bool = True) -> tuple[Pack, list[str]]:
+    """Bring what was mended into a release that is out; return its pack, and what there is to say.
+
+    What was cut short is finished when it is called again.
+
+    Raises:
+        PackError: there is no pack, or one of its chapters is not here any more.
+        TaskError: a chapter's solution or cases are no good.
+    """
+    pack = read_pack(folder / INSTRUCTOR)
+    data = places.workbook_data()
+    lines, handed_out = [], {}
+    staying: dict[str, tuple[str, ...]] = {}
+    for stem, released in pack.cases.items():
+        master = data / "exercises" / "en" / places.exercise_file(stem)
+        if not master.is_file():
+            raise PackError(f"{stem} is not part of tflab {__version__}; nothing was changed")
+        handed_out[stem], graded = chapter_cases(stem, pack.seed, data / "solutions")
+        mended = mended_cases(released, graded)
+        staying[stem] = mended.staying
+        lines += _said_of(stem, mended)
+        old = json.loads((folder / INSTRUCTOR / "masters" / f"{stem}.ipynb").read_text(encoding="utf-8"))
+        new = mended_exercise(old, json.loads(master.read_bytes()), released["tasks"], mended.staying)
+        if mended.graded != released or new != old:
+            keep_chapter(folder / INSTRUCTOR, stem)
+            write_chapter(folder / INSTRUCTOR, stem, mended.graded, text_of(new).encode())
+    write_pack(folder / INSTRUCTOR, replace(pack, version=__version__))
+    pack = read_pack(folder / INSTRUCTOR)
+    everybody: Iterable[Learner | None] = [None] if pack.roster is None else pack.roster.values()
+    with ProgressBar(len(list(everybody)), "updated", quiet=quiet) as bar:
+        for learner in everybody:
+            lines += _update_for(folder / LEARNERS, learner, pack, handed_out, staying)
+            bar.step(learner.id if learner else places.COPY)
+    _lay_out_guide(folder / INSTRUCTOR / GUIDE, pack)
+    return pack, lines
+
+
+def _said_of(stem: str, mended: Mended) -> list[str]:
+    lines = []
+    if mended.staying:
+        lines.append(f"{stem}: {', '.join(mended.staying)} asks something else now, and stays as it was released")
+    if mended.left_out:
+        lines.append(f"{stem}: {', '.join(mended.left_out)} is new, and no part of this release")
+    return lines
+
+
+def _update_for(
+    place: Path,
+    learner: Learner | None,
+    pack: Pack,
+    handed_out: Mapping[str, dict[str, Any]],
+    staying: Mapping[str, tuple[str, ...]],
+) -> list[str]:
+    """Bring one learner's folder up to date, around what is written there; return what there is to say."""
+    identity = learner.id if learner else None
+    target = place / (identity or places.COPY)
+    if not (target / places.MARK).is_file():
+        return [f"{target} is not there any more; --add lays it out again"]
+    spoken = places.read_workbook(target).language
+    files = {}
+    for stem, chapter in handed_out.items():
+        name = f"exercises/{spoken}/{places.exercise_file(stem)}"
+        new = json.loads((places.workbook_data() / name).read_bytes())
+        old = notebook_of(target / PRISTINE / name) or new
+        exercise = mended_exercise(old, new, pack.cases[stem]["tasks"], staying[stem])
+        files[name] = _stamped(exercise, _stamp_of(pack, stem, spoken, identity))
+        path = f"exercises/cases/{stem}.json"
+        cases = learners_cases(chapter, pack.roster, identity)
+        known = _tasks_in(target / PRISTINE / path)
+        tasks = {
+            task: known.get(task, cases["tasks"].get(task)) if task in staying[stem] else cases["tasks"][task]
+            for task in pack.cases[stem]["tasks"]
+        }
+        files[path] = cases_bytes({**cases, "tasks": {task: held for task, held in tasks.items() if held}})
+    changes = update(target, files)
+    kept = sum(change.kept for change in changes)
+    return [f"{target}: {len(changes)} files brought up to date, {kept} cells of the learner's kept"] if changes else []
+
+
+def _tasks_in(path: Path) -> dict[str, Any]:
+    try:
+        return read_cases(path)["tasks"]
+    except CasesError:
+        return {}
+
+
 def _lay_out_guide(place: Path, pack: Pack) -> None:
     """Write what the released chapters are lectured from, of those that have it."""
     stems = [stem for stem in pack.cases if stem in stems_there()]
@@ -141,13 +247,24 @@ def _lay_out_for(
     target = place / (identity or places.COPY)
     cases = {stem: learners_cases(chapter, pack.roster, identity) for stem, chapter in handed_out.items()}
     lay_out(target, spoken, edition="class", learner=identity, cases=cases)
-    stamp = {"release": pack.release, "version": pack.version} | ({"learner": identity} if identity else {})
     for stem in cases:
-        for root in (target, target / ".tflab" / "pristine"):
+        for root in (target, target / PRISTINE):
             path = root / "exercises" / spoken / places.exercise_file(stem)
             if path.is_file():
-                said = stamp | {"chapter": stem, "language": spoken}
-                _stamp(path, said | {"seal": pack.seal_of(said)})
+                _stamp(path, _stamp_of(pack, stem, spoken, identity))
+
+
+def _stamp_of(pack: Pack, stem: str, language: str, learner: str | None) -> dict[str, str]:
+    """Return what says whose an exercise is."""
+    stamp = {"release": pack.release, "version": pack.version} | ({"learner": learner} if learner else {})
+    said = stamp | {"chapter": stem, "language": language}
+    return said | {"seal": pack.seal_of(said)}
+
+
+def _stamped(notebook: Mapping[str, Any], stamp: Mapping[str, str]) -> bytes:
+    metadata = notebook["metadata"]
+    held = {**notebook, "metadata": {**metadata, "tflab": {**metadata.get("tflab", {}), **stamp}}}
+    return text_of(held).encode()
 
 
 def _stamp(path: Path, stamp: Mapping[str, str]) -> None:
@@ -190,5 +307,6 @@ def _options(words: Sequence[str]) -> argparse.Namespace:
     parser.add_argument("--chapters", metavar="02,03", help="all that have exercises if left out; with --add, no more")
     parser.add_argument("--lang", choices=LANGUAGES, default="en", help="for whom the roster names none; %(default)s")
     parser.add_argument("--add", action="store_true", help="add chapters or learners to a release that is there")
+    parser.add_argument("--update", action="store_true", help="bring what was mended since into a release that is out")
     parser.add_argument("--quiet", action="store_true", help="no progress bar")
     return parser.parse_args(list(words))

@@ -21,7 +21,7 @@ from typing import Any
 __all__ = ["as_html", "in_notebook", "show_page", "show_reply"]
 
 CODE = re.compile(r"`([^`\n]+)`")
-CALL = re.compile(r"\b[a-z_]\w*\((?:[^()\n]|\([^()\n]*\))*\)")
+CALL = re.compile(r"\b[a-z_][\w.]*\((?:[^()\n]|\([^()\n]*\))*\)")
 COLOURS = {  # JupyterLab's own, so that they suit its theme
     "passed": "var(--jp-success-color1, #388e3c)",
     "wrong": "var(--jp-warn-color1, #f57c00)",

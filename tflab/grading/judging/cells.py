@@ -38,12 +38,13 @@ LONGEST_PARSED = 20_000  # characters of a cell: the parser takes a second for t
 
 @dataclass(frozen=True, slots=True)
 class MasterCell:
-    """A code cell of the exercise as it was handed out."""
+    """A code cell of the exercise as it was handed out, and as it was before, if the release has been updated."""
 
     name: str
     source: str
     task: str = ""
     role: str = ""
+    earlier: Sequence[str] = ()
 
 
 @dataclass(frozen=True)
@@ -105,15 +106,21 @@ class Theirs:
     wrote_elsewhere: bool  # one who has cells of their own may have answered in them: look at every task then
 
 
-def master_of(notebook: Mapping, chapter: str, tasks: Iterable[str]) -> Master:
-    """Return the master that an exercise notebook is; `notebook` is one of ours."""
+def master_of(notebook: Mapping, chapter: str, tasks: Iterable[str], earlier: Sequence[Mapping] = ()) -> Master:
+    """Return the master that an exercise notebook is; `notebook` is one of ours, and so are its `earlier` versions."""
     by_name = {f"{slug(task)}-{role}": (task, role) for task in tasks for role in ROLES}
+    before: dict[str, list[str]] = {}
+    for name, source in (cell for older in earlier for cell in _code_of(older)):
+        before.setdefault(name, []).append(source)
     cells = [
-        MasterCell(cell["id"], "".join(cell["source"]), *by_name.get(cell["id"], ("", "")))
-        for cell in notebook["cells"]
-        if cell["cell_type"] == "code"
+        MasterCell(name, source, *by_name.get(name, ("", "")), tuple(dict.fromkeys(before.get(name, ()))))
+        for name, source in _code_of(notebook)
     ]
     return Master(chapter, tuple(cells))
+
+
+def _code_of(notebook: Mapping) -> list[tuple[str, str]]:
+    return [(cell["id"], "".join(cell["source"])) for cell in notebook["cells"] if cell["cell_type"] == "code"]
 
 
 def answers_most(master: Master, handed_in: SubmittedNotebook) -> bool:
@@ -131,6 +138,7 @@ def compared(master: Master, handed_in: SubmittedNotebook) -> Theirs:
     cells = handed_in.cells
     names = _without_scratch(master, cells, _names(master, cells))
     texts, own = _sorted_by_name(cells, names)
+    texts = {cell.name: _as_now(cell, texts[cell.name]) for cell in master.cells if cell.name in texts}
     judged = {cell.name: _source(cell, texts.get(cell.name, ()), master.asked) for cell in master.cells}
     sources = {name: source for name, (source, _) in judged.items()}
     complaints = tuple(complaint for _, complaint in judged.values() if complaint is not None)
@@ -155,7 +163,7 @@ def compared(master: Master, handed_in: SubmittedNotebook) -> Theirs:
 def _names(master: Master, cells: Sequence[SubmittedCell]) -> dict[int, str]:
     """Return which cells are which of ours."""
     known = {cell.name for cell in master.cells}
-    texts = {_bare(cell.source): cell.name for cell in master.cells}
+    texts = {_bare(text): cell.name for cell in master.cells for text in (*cell.earlier, cell.source)}
     claimed = {claim for cell in cells for claim in cell.claims if claim in known}
     names = {}
     for number, cell in enumerate(cells):
@@ -202,6 +210,12 @@ def _sorted_by_name(
         elif cell.kind == "code" and cell.source.strip():
             own.setdefault(last, []).append(cell.source)
     return texts, own
+
+
+def _as_now(cell: MasterCell, there: Sequence[Claimed]) -> list[Claimed]:
+    """Return what a notebook holds under a name, what was handed out before as what is handed out now."""
+    before = {_bare(text) for text in cell.earlier}
+    return [text._replace(source=cell.source) if _bare(text.source) in before else text for text in there]
 
 
 # -- what of it counts? --------------------------------------------------------------------

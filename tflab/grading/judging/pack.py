@@ -4,6 +4,7 @@
       pack.json                  seed, roster, chapters, version: keep it to yourself
       cases/03_....json          what is graded; same shape as a learner's cases, other inputs
       masters/03_....ipynb       the exercise as it was handed out
+      before/1/...               cases and masters as they were before an update
 
 What a learner gets is made from one seed, what is graded from another, and both
 from the secret one: knowing the first does not help to find the second.  Of a task
@@ -34,10 +35,14 @@ from ..submissions.roster import Learner
 from .cells import Master, master_of
 from .draw import POOL, digest_of, drawn, pool_of
 
-__all__ = ["DAMAGE", "Pack", "PackError", "chapter_cases", "read_pack", "write_chapter", "write_pack"]
+__all__ = [
+    "DAMAGE", "Pack", "PackError", "chapter_cases", "keep_chapter", "learners_cases", "read_pack", "write_chapter",
+    "write_pack",
+]  # fmt: skip
 
 FORMAT = 2
 PACK = "pack.json"
+BEFORE = "before"
 DAMAGE = (KeyError, TypeError, ValueError, IndexError, AttributeError)  # what reading JSON that is not ours raises
 
 
@@ -84,7 +89,9 @@ class Pack:
         """Return what one learner is graded on: the master cells and tasks of each chapter, plain data."""
         chapters = {}
         for stem, cases in self.cases.items():
-            cells = [[cell.name, cell.source, cell.task, cell.role] for cell in self.masters[stem].cells]
+            cells = [
+                [cell.name, cell.source, cell.task, cell.role, list(cell.earlier)] for cell in self.masters[stem].cells
+            ]
             tasks = {}
             for task_id, task in cases["tasks"].items():
                 variant = task["variants"][variant_for(self.roster, learner, task_id, task)]
@@ -167,6 +174,15 @@ def write_chapter(folder: Path, stem: str, graded: Mapping[str, Any], master: by
     write_whole(folder / "masters" / f"{stem}.ipynb", master)
 
 
+def keep_chapter(folder: Path, stem: str) -> None:
+    """Put a chapter's cases and master aside, as they are: what was handed out with them stays gradable."""
+    number = 1
+    while (folder / BEFORE / str(number) / "masters" / f"{stem}.ipynb").exists():
+        number += 1
+    for name in (f"cases/{stem}.json", f"masters/{stem}.ipynb"):
+        write_whole(folder / BEFORE / str(number) / name, (folder / name).read_bytes())
+
+
 def read_pack(folder: Path) -> Pack:
     """Return the pack in a folder.
 
@@ -212,8 +228,9 @@ def check_tasks(tasks: Mapping[str, Any]) -> None:
 
 
 def _read_master(folder: Path, stem: str, cases: Mapping[str, Any]) -> Master:
-    notebook = json.loads((folder / "masters" / f"{stem}.ipynb").read_text(encoding="utf-8"))
-    return master_of(notebook, stem, cases["tasks"])
+    paths = [folder / "masters" / f"{stem}.ipynb", *sorted((folder / BEFORE).glob(f"*/masters/{stem}.ipynb"))]
+    notebook, *earlier = (json.loads(path.read_text(encoding="utf-8")) for path in paths)
+    return master_of(notebook, stem, cases["tasks"], earlier)
 
 
 def _derived(seed: str, purpose: str) -> bytes:

@@ -3,6 +3,7 @@
     tflab lab                 your copy in ./tflab_workbook, made the first time, opened every time
     tflab lab DIR --lang ko   another place, another language
     tflab lab --update        brings in new material; what you wrote stays
+    tflab lab --from FOLDER   the same, with the exercises that your instructor has mended
     tflab lab DIR --as-is     any folder of notebooks; nothing is written there
     tflab lab --copy-only     makes the copy and starts nothing, for a JupyterLab that runs already
     tflab lab --no-browser    says where it is to be seen, instead of opening a browser
@@ -29,7 +30,7 @@ from tflab import __version__
 
 from ..places import COPY, MARK, WorkbookError, copy_at_hand, read_workbook
 from ..words import LANGUAGES, Words
-from .lay_out import Change, has_language, lay_out, update
+from .lay_out import Change, handed_out_in, has_language, lay_out, update
 
 __all__ = ["FIRST_PAGE", "OUR_OPTIONS", "lab", "language_of", "our_environment"]
 
@@ -104,7 +105,7 @@ def lab(words: Sequence[str]) -> int:
     else:
         folder = _folder(options.folder).resolve()
         try:
-            language = _prepare(folder, options.lang, options.update)
+            language = _prepare(folder, options.lang, options.update or bool(options.handed_out), options.handed_out)
         except (WorkbookError, OSError) as error:
             return _refuse(f"{error}")
         pages = [f"notebooks/{language}/{FIRST_PAGE}"]
@@ -178,6 +179,12 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("--lang", choices=LANGUAGES, help="of the pages; that of the locale for a new copy")
     parser.add_argument("--update", action="store_true", help="bring in new material; what you wrote stays")
+    parser.add_argument(
+        "--from",
+        dest="handed_out",
+        metavar="FOLDER",
+        help="bring in what your instructor mended; your answers stay",
+    )
     parser.add_argument("--as-is", action="store_true", help="open DIR as any folder of notebooks, and write nothing")
     parser.add_argument("--copy-only", action="store_true", help="make the copy, say where its first page is, and end")
     parser.add_argument("--no-browser", action="store_true", help="print the address instead of opening a browser")
@@ -189,12 +196,14 @@ def _folder(named: str | None) -> Path:
     return Path(named) if named else copy_at_hand() or Path.cwd() / COPY
 
 
-def _prepare(folder: Path, language: str | None, bring_in: bool) -> str:
+def _prepare(folder: Path, language: str | None, bring_in: bool, handed_out: str | None = None) -> str:
     """Make or open the copy, say so, and return its language."""
+    if handed_out and not (folder / MARK).is_file():
+        raise WorkbookError(f"there is no copy in {folder} to bring anything into; open {handed_out} itself")
     if not folder.parent.is_dir():
         raise WorkbookError(f"there is no folder {folder.parent} to put a copy into")
     if (folder / MARK).is_file():
-        return _open(folder, language, bring_in)
+        return _open(folder, language, bring_in, handed_out)
     language = language or language_of(os.environ)
     try:
         lay_out(folder, language)
@@ -204,8 +213,9 @@ def _prepare(folder: Path, language: str | None, bring_in: bool) -> str:
     return language
 
 
-def _open(folder: Path, language: str | None, bring_in: bool) -> str:
+def _open(folder: Path, language: str | None, bring_in: bool, handed_out: str | None) -> str:
     found = read_workbook(folder)
+    new = handed_out_in(Path(handed_out).resolve(), folder) if handed_out else {}
     language = language or found.language
     print(OPENED.say(language, folder=folder))
     if language != found.language or (found.tflab == __version__ and not bring_in):
@@ -213,7 +223,7 @@ def _open(folder: Path, language: str | None, bring_in: bool) -> str:
     if found.edition == "class" and not (folder / "exercises" / language).is_dir():
         print(INSTRUCTORS.say(language))
     if bring_in:
-        _tell(update(folder), folder, language)
+        _tell(update(folder, new), folder, language)
     elif found.tflab != __version__:
         print(OTHER_VERSION.say(language, theirs=found.tflab, ours=__version__, folder=folder))
     return language if has_language(folder, language) else found.language

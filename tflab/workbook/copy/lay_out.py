@@ -29,7 +29,10 @@ from ..whole_files import locked, write_whole
 from ..words import Words
 from .merge import Merged, merge_notebooks
 
-__all__ = ["Change", "answers_hidden", "has_language", "is_free", "lay_out", "material", "update", "without_notes"]
+__all__ = [
+    "PRISTINE", "Change", "answers_hidden", "cases_bytes", "handed_out_in", "has_language", "is_free", "lay_out",
+    "material", "update", "without_notes",
+]  # fmt: skip
 
 HIDDEN = Path(".tflab")
 PRISTINE = HIDDEN / "pristine"
@@ -94,10 +97,11 @@ def lay_out(
     return target
 
 
-def update(root: Path) -> list[Change]:
+def update(root: Path, handed_out: Mapping[str, bytes] = {}) -> list[Change]:
     """Bring a copy's material up to this version, around what the learner wrote; return what changed.
 
-    What an instructor handed out (the exercises of a class edition) stays as it is.
+    Args:
+        handed_out: what an instructor hands out anew, by path; without it the exercises of a class stay as they are.
 
     Raises:
         WorkbookError: its `workbook.json` cannot be read.
@@ -107,8 +111,10 @@ def update(root: Path) -> list[Change]:
     changes = []
     with locked(root):
         backup = _next_backup(root)
-        for language in [language for language in ("en", "ko") if has_language(root, language)]:
-            for name, content in material(language, edition=workbook.edition):
+        for language in ("en", "ko"):
+            files = dict(material(language, edition=workbook.edition)) if has_language(root, language) else {}
+            files |= {name: content for name, content in handed_out.items() if _is_in(name, language)}
+            for name, content in files.items():
                 change = _update_file(root, name, content, backup, workbook.language)
                 if change is not None:
                     changes.append(change)
@@ -140,7 +146,7 @@ def material(
             elif cases is None:
                 yield PurePosixPath(folder, path.name).as_posix(), path.read_bytes()
             elif (stem := chapter_of(path)) in cases:
-                content = _json(cases[stem]) if given else path.read_bytes()
+                content = cases_bytes(cases[stem]) if given else path.read_bytes()
                 yield PurePosixPath(folder, path.name).as_posix(), content
 
 
@@ -178,6 +184,42 @@ def without_notes(page: bytes) -> bytes:
         if not metadata["tflab"]:
             del metadata["tflab"]
     return text_of(notebook).encode() if spoken else page
+
+
+def handed_out_in(folder: Path, copy: Path) -> dict[str, bytes]:
+    """Return what an instructor handed out in a folder, whatever was written there since, for a learner's copy.
+
+    Raises:
+        WorkbookError: it is no such folder, or another learner's, or of another release.
+    """
+    theirs, mine = (read_workbook(root) if (root / MARK).is_file() else None for root in (folder, copy))
+    if theirs is None or theirs.edition != "class":
+        raise WorkbookError(f"{folder} is no folder that an instructor handed out; nothing was changed")
+    if mine is None or (mine.edition, mine.learner) != (theirs.edition, theirs.learner):
+        raise WorkbookError(f"{folder} is for {theirs.learner or 'a class'}, and your copy is not; nothing was changed")
+    if (there := _releases(folder)) != (here := _releases(copy)):
+        raise WorkbookError(
+            f"{folder} is of the release {', '.join(there) or '(none)'}, your copy of {', '.join(here) or '(none)'}; "
+            "nothing was changed"
+        )
+    kept = folder / PRISTINE
+    return {path.relative_to(kept).as_posix(): path.read_bytes() for path in sorted(kept.rglob("*")) if path.is_file()}
+
+
+def _releases(root: Path) -> list[str]:
+    """Return the releases whose stamps the exercises of a copy bear."""
+    found = set()
+    for path in (root / PRISTINE / "exercises").glob("*/*.ipynb"):
+        try:
+            found.add(str(json.loads(path.read_text(encoding="utf-8"))["metadata"]["tflab"]["release"]))
+        except (OSError, ValueError, TypeError, KeyError):
+            continue
+    return sorted(found)
+
+
+def _is_in(name: str, language: str) -> bool:
+    """Return whether a file belongs to an edition in a language; cases belong to each."""
+    return PurePosixPath(name).parts[1] in (language, "cases")
 
 
 def _is_figure(cell: Mapping) -> bool:
@@ -238,5 +280,6 @@ def _next_backup(root: Path) -> Path:
     return BACKUPS / str(number)
 
 
-def _json(cases: dict) -> bytes:
+def cases_bytes(cases: Mapping) -> bytes:
+    """Return cases as they are handed out."""
     return (json.dumps(cases, ensure_ascii=False, sort_keys=True) + "\n").encode()  # indented: ten times as slow

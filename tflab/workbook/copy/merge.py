@@ -5,6 +5,8 @@
     a               yours          a              yours          answers stay
     a               yours          b              yours, then b  both changed: the new one stands beside, as text
     -               yours          -              yours          cells of your own stay where they were
+    a               -              a              -              what you took out stays out
+    a               -              b              b              unless it is new
 
 This is the three-way merge of version control, with cells for lines.
 Read `environment.py` next.
@@ -74,7 +76,7 @@ class _Merge:
         """Return what stands in the place of one cell of the new page."""
         mine, base = self.own.get(name), self.before.get(name)
         if mine is None:
-            return [new]
+            return [] if self.known and name in self.before and _text(base) == _text(new) else [new]
         metadata = {**mine.get("metadata", {}), **new.get("metadata", {})}
         yours = {**mine, "metadata": metadata}
         if _text(mine) == _text(new):

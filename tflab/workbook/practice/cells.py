@@ -40,14 +40,14 @@ HERE = Words(
     en="Your answer goes into the cell below; run it, and it is checked.",
     ko="아래 셀에 답을 쓰고 실행하면 바로 확인합니다.",
 )
-GO_ON = Words(en="`practice.ask()` brings the next one.", ko="`practice.ask()`를 실행하면 다음 문제가 나옵니다.")
+GO_ON = Words(en="practice.ask() brings the next one.", ko="practice.ask()를 실행하면 다음 문제가 나옵니다.")
 NO_COPY = Words(
     en="Nothing is kept here: these are tflab's own pages.",
     ko="여기는 tflab에 들어 있는 원본이라 기록을 남기지 않습니다.",
 )
 HELP = Words(
-    en="`practice.hint()` helps, `practice.skip()` leaves it for later.",
-    ko="`practice.hint()`로 힌트를 보고, `practice.skip()`으로 나중에 다시 볼 수 있습니다.",
+    en="practice.hint() helps, practice.skip() leaves it for later.",
+    ko="practice.hint()로 힌트를 보고, practice.skip()으로 나중에 다시 볼 수 있습니다.",
 )
 _shown: list[tuple[str, int]] = []  # the questions that have their cell already, in this kernel
 

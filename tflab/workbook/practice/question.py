@@ -72,7 +72,9 @@ def question_of(opened: Open, item: Askable, language: str) -> DrawnQuestion:
     given = cells.get(f"{name}-given", "").replace(f'task("{item.task.id}")', GIVEN_CALL)
     starter = "\n".join(filter(None, [given, cells.get(f"{name}-answer", f"{item.task.answer} = ...")]))
     cases = drawn(item.stem, item.task.id, opened.number)
-    return DrawnQuestion(opened, item, cases, text, _imports(workbook_data(), item.stem, language), starter)
+    computes = cases.is_function or item.task.given is not None
+    imports = _imports(workbook_data(), item.stem, language) if computes else ""
+    return DrawnQuestion(opened, item, cases, text, imports, starter)
 
 
 @lru_cache

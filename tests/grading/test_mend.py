@@ -1,0 +1,255 @@
+"""Does a release that is out take in what was mended, and keep its questions, its points and everybody's answers?"""
+
+from __future__ import annotations
+
+import json
+import shutil
+from pathlib import Path
+
+import pytest
+import tiny
+
+from tflab.grading import grade
+from tflab.grading import release as releasing
+from tflab.grading.judging.pack import PackError, read_pack
+from tflab.grading.mend import mended_exercise
+from tflab.workbook.copy import lab, lay_out
+from tflab.workbook.places import WorkbookError
+
+MENDED_SOURCE = tiny.SOURCE.replace("## E3.2 · Length", "## E3.2 · Length of the long leg").replace(
+    'e3_1 = task("E3.1")', 'e3_1 = task("E3.1")  # two numbers'
+)
+MENDED_TASKS = tiny.TASKS.replace("You subtracted.", "You took one from the other.")
+OTHER_NUMBERS = MENDED_TASKS.replace('"a": float(rng.uniform(1, 5))', '"a": float(rng.uniform(2, 5))')
+ANOTHER_TASK = (
+    MENDED_TASKS
+    + """
+# -- e3_4.py
+from .draws import *
+
+TASK = Task("E3.4", "N", 9, Words("More", "더"), "more", Number(), HINTS)
+"""
+)
+ANOTHER_CELL = (
+    MENDED_SOURCE
+    + """
+# %% [markdown] lang="en" name="e3-4"
+# ## E3.4 · More
+
+# %% [markdown] lang="ko" name="e3-4"
+# ## E3.4 · 더
+
+# %% name="e3-4-answer" tags=["answer"]
+# BEGIN SOLUTION
+more = 7
+# END SOLUTION
+
+# %% name="e3-4-check" tags=["check"]
+check("E3.4", more)
+"""
+)
+NAME = f"exercises/en/E{tiny.STEM}.ipynb"
+
+
+@pytest.fixture
+def out(course: tiny.Course, tmp_path: Path) -> tiny.Course:
+    """A release of one's own, with answers of s102 in the folder that was handed out."""
+    shutil.copytree(course.release, tmp_path / "release")
+    mine = tiny.Course(tmp_path / "workbook", tmp_path / "release")
+    path = mine.release / "learners" / "s102" / NAME
+    path.write_text(json.dumps(tiny.answered(tiny.exercise(path.parents[2]))), encoding="utf-8")
+    return mine
+
+
+def comes_out(
+    course: tiny.Course, monkeypatch: pytest.MonkeyPatch, source: str = MENDED_SOURCE, tasks: str = MENDED_TASKS
+) -> None:
+    """Let a version of the workbook be installed."""
+    tiny.write_tiny_workbook(course.workbook, source, tasks)
+    monkeypatch.setenv("TFLAB_WORKBOOK", str(course.workbook))
+
+
+def cells(notebook: dict) -> dict[str, str]:
+    return {cell["id"]: "".join(cell["source"]) for cell in notebook["cells"]}
+
+
+def public(course: tiny.Course, learner: str) -> dict:
+    path = course.release / "learners" / learner / "exercises" / "cases" / f"{tiny.STEM}.json"
+    return json.loads(path.read_text(encoding="utf-8"))["tasks"]
+
+
+def everything_below(folder: Path) -> dict[str, bytes]:
+    return {str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+
+
+def test_what_was_mended_comes_in_and_answers_seed_roster_stamps_and_questions_stay(out, monkeypatch) -> None:
+    before, asked, stamp = read_pack(out.pack), public(out, "s102"), out.exercise()["metadata"]["tflab"]
+    comes_out(out, monkeypatch)
+    assert releasing.main([str(out.release), "--update", "--quiet"]) == 0
+    now = read_pack(out.pack)
+    assert (now.seed, now.release, now.roster) == (before.seed, before.release, before.roster)
+    assert out.exercise()["metadata"]["tflab"] == stamp
+    there = cells(out.exercise())
+    assert there["e3-2"] == "## E3.2 · Length of the long leg"
+    assert there["e3-1-given"] == 'e3_1 = task("E3.1")  # two numbers'
+    assert {name: there[name] for name in tiny.RIGHT} == tiny.RIGHT
+    assert public(out, "s102")["E3.1"]["twins"]["subtracted"]["reply"]["en"] == "You took one from the other."
+    for task, held in public(out, "s102").items():
+        assert held["variants"][0]["given"] == asked[task]["variants"][0]["given"]
+    assert "긴" not in cells(out.exercise("s101"))["e3-2"]  # the Korean text was not mended
+
+
+def test_an_update_without_anything_new_changes_no_file(out, course, monkeypatch) -> None:
+    monkeypatch.setenv("TFLAB_WORKBOOK", str(course.workbook))
+    before = everything_below(out.release)
+    _, lines = releasing.update_release(out.release)
+    assert lines == []
+    assert everything_below(out.release) == before
+
+
+def test_a_task_that_draws_other_numbers_stays_as_it_was_released(out, monkeypatch, capsys) -> None:
+    before, graded = public(out, "s102"), read_pack(out.pack).cases[tiny.STEM]["tasks"]
+    comes_out(out, monkeypatch, tasks=OTHER_NUMBERS)
+    assert releasing.main([str(out.release), "--update", "--quiet"]) == 0
+    assert f"{tiny.STEM}: E3.1 asks something else now, and stays as it was released" in capsys.readouterr().out
+    assert public(out, "s102")["E3.1"] == before["E3.1"]
+    assert read_pack(out.pack).cases[tiny.STEM]["tasks"]["E3.1"] == graded["E3.1"]
+    there = cells(out.exercise())
+    assert there["e3-1-given"] == 'e3_1 = task("E3.1")'
+    assert there["e3-2"] == "## E3.2 · Length of the long leg"
+
+
+def test_a_new_task_is_no_part_of_a_release_that_is_out(out, monkeypatch, capsys) -> None:
+    comes_out(out, monkeypatch, ANOTHER_CELL, ANOTHER_TASK)
+    assert releasing.main([str(out.release), "--update", "--quiet"]) == 0
+    assert f"{tiny.STEM}: E3.4 is new, and no part of this release" in capsys.readouterr().out
+    assert not [name for name in cells(out.exercise()) if name.startswith("e3-4")]
+    assert sum(task["points"] for task in read_pack(out.pack).cases[tiny.STEM]["tasks"].values()) == 8
+
+
+def test_a_task_that_is_gone_stays_where_the_tasks_end() -> None:
+    def notebook(*names: str) -> dict:
+        return {"cells": [{"id": name, "source": name, "cell_type": "code"} for name in names]}
+
+    released = notebook("title", "e3-1", "e3-1-answer", "e3-2", "e3-2-answer", "end")
+    new = notebook("title", "e3-1", "e3-1-answer", "end")
+    made = mended_exercise(released, new, ["E3.1", "E3.2"], ["E3.2"])
+    assert list(cells(made)) == ["title", "e3-1", "e3-1-answer", "e3-2", "e3-2-answer", "end"]
+
+
+@pytest.mark.parametrize("cut", range(1, 9))
+def test_an_update_that_was_cut_short_loses_nothing_and_is_finished_by_calling_it_again(cut: int, out, monkeypatch):
+    whole = out.release.with_name("whole")
+    shutil.copytree(out.release, whole)
+    comes_out(out, monkeypatch)
+    releasing.update_release(whole)
+    written, write = [], lay_out.write_whole
+
+    def write_some(path: Path, text: str | bytes) -> None:
+        written.append(path)
+        if len(written) == cut:
+            raise KeyboardInterrupt
+        write(path, text)
+
+    with monkeypatch.context() as cutting:
+        for module in (lay_out, releasing, __import__("tflab.grading.judging.pack", fromlist=["pack"])):
+            cutting.setattr(module, "write_whole", write_some)
+        with pytest.raises(KeyboardInterrupt):
+            releasing.update_release(out.release)
+    assert {name: cells(out.exercise())[name] for name in tiny.RIGHT} == tiny.RIGHT
+    assert read_pack(out.pack).seed == read_pack(whole / "instructor").seed
+    releasing.update_release(out.release)
+    for learner in ("s101", "s102"):
+        ours, theirs = (everything_below(root / "learners" / learner) for root in (out.release, whole))
+        kept = ("exercises", "notebooks", "workbook.json", ".tflab/pristine")
+        assert {name: ours[name] for name in theirs if name.startswith(kept)} == {
+            name: theirs[name] for name in theirs if name.startswith(kept)
+        }
+    assert read_pack(out.pack).digest == read_pack(whole / "instructor").digest
+
+
+def test_what_was_handed_in_before_is_graded_as_it_was_and_nobody_is_told_that_they_changed_a_cell(
+    out, monkeypatch, tmp_path: Path
+) -> None:
+    tiny.hand_in(tmp_path / "before", "s102", out.exercise())
+    tiny.hand_in(tmp_path / "before", "s101", tiny.answered(out.exercise("s101"), {"e3-1-answer": "total = 1.0"}))
+
+    def marks() -> list:
+        words = [
+            str(tmp_path / "before"),
+            "--pack",
+            str(out.pack),
+            "--out",
+            str(tmp_path / "out"),
+            "--quiet",
+            "--again",
+        ]
+        assert grade.main([word for word in words if word != "--again"]) in (0, 1)
+        return json.loads((tmp_path / "out" / "results.json").read_text())
+
+    first = marks()
+    shutil.rmtree(tmp_path / "out")
+    comes_out(out, monkeypatch)
+    releasing.update_release(out.release)
+    second = marks()
+    assert points(second) == points(first)
+    assert "changed" not in (tmp_path / "out" / "results.json").read_text()
+
+
+def points(grades: object) -> list[tuple[str, object]]:
+    """Return all that is called points, wherever it stands."""
+    found: list[tuple[str, object]] = []
+    if isinstance(grades, dict):
+        for name, value in grades.items():
+            found += [(name, value)] if name == "points" else points(value)
+    elif isinstance(grades, list):
+        found = [pair for value in grades for pair in points(value)]
+    return found
+
+
+def test_a_copy_at_home_takes_in_what_is_handed_out_anew(out, monkeypatch, tmp_path: Path, capsys) -> None:
+    home = tmp_path / "home"
+    shutil.copytree(out.release / "learners" / "s102", home)
+    comes_out(out, monkeypatch)
+    releasing.update_release(out.release)
+    monkeypatch.setattr(lab, "start_jupyterlab", lambda options: None)
+    assert lab.lab([str(home), "--from", str(out.release / "learners" / "s102"), "--copy-only"]) == 0
+    there = cells(tiny.exercise(home))
+    assert there["e3-2"] == "## E3.2 · Length of the long leg"
+    assert {name: there[name] for name in tiny.RIGHT} == tiny.RIGHT
+    assert tiny.exercise(home)["metadata"]["tflab"] == out.exercise()["metadata"]["tflab"]
+    assert "cells kept" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("fault", ["another learner", "another release", "no release", "nothing there"])
+def test_what_was_not_handed_out_to_this_learner_is_refused(fault: str, out, course, tmp_path: Path) -> None:
+    home, source = tmp_path / "home", out.release / "learners" / "s102"
+    shutil.copytree(source, home)
+    if fault == "another learner":
+        source = out.release / "learners" / "s101"
+    elif fault == "another release":
+        path = source / ".tflab" / "pristine" / NAME
+        path.write_text(path.read_text().replace(read_pack(out.pack).release, "deadbeef"))
+    elif fault == "no release":
+        source = lay_out.lay_out(tmp_path / "own", "en")
+    else:
+        source = tmp_path / "nowhere"
+    before = everything_below(home)
+    with pytest.raises(WorkbookError, match="nothing was changed"):
+        lay_out.handed_out_in(source, home)
+    assert everything_below(home) == before
+
+
+def test_updating_nothing_is_one_line_and_so_is_asking_for_more(tmp_path: Path, capsys) -> None:
+    with pytest.raises(PackError, match="there is no pack"):
+        releasing.update_release(tmp_path)
+    assert releasing.main([str(tmp_path), "--update", "--add"]) == 2
+    assert "call it again with --add for more" in capsys.readouterr().err
+
+
+def test_a_folder_that_is_gone_is_said_and_the_others_are_updated(out, monkeypatch) -> None:
+    shutil.rmtree(out.release / "learners" / "s101")
+    comes_out(out, monkeypatch)
+    _, lines = releasing.update_release(out.release)
+    assert f"{out.release / 'learners' / 's101'} is not there any more; --add lays it out again" in lines
+    assert cells(out.exercise())["e3-2"] == "## E3.2 · Length of the long leg"
