@@ -55,22 +55,23 @@ def mended_exercise(
         tasks: those of the release.
     """
     names, kept = {slug(task) for task in tasks}, {slug(task) for task in staying}
-    before: dict[str, list[Any]] = {}
-    for cell in released["cells"]:
-        before.setdefault(_task_of(cell), []).append(cell)
+    before = {name: _cells_of(released, name) for name in sorted(kept)}
     cells: list[Any] = []
     for cell in new["cells"]:
         name = _task_of(cell)
         if name in kept:
-            cells += before.pop(name, [])
+            cells += before.pop(name, [])  # all of it, where the first of its cells stands now
         elif not name or name in names:
             cells.append(cell)
-    gone = [cell for name, held in before.items() if name in kept for cell in held]
     behind = max((number for number, cell in enumerate(cells, start=1) if _task_of(cell)), default=len(cells))
-    cells[behind:behind] = gone
+    cells[behind:behind] = sum(before.values(), [])
     if {_task_of(cell) for cell in new["cells"]} - {""} != names:
         cells = [_titled(cell, released) for cell in cells]
     return {**new, "cells": cells}
+
+
+def _cells_of(notebook: Mapping[str, Any], task: str) -> list[Any]:
+    return [cell for cell in notebook["cells"] if _task_of(cell) == task]
 
 
 def _titled(cell: Any, released: Mapping[str, Any]) -> Any:

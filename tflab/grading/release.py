@@ -62,21 +62,7 @@ def main(words: Sequence[str]) -> int:
     options = _options(words)
     folder = Path(options.folder)
     try:
-        if options.update and (options.add or options.roster or options.chapters):
-            raise PackError("--update brings in what was mended, and nothing else; call it again with --add for more")
-        adds_no_chapter = (options.add or options.update) and not options.chapters
-        stems = [] if adds_no_chapter else _chapters(options.chapters, places.chapters())
-        roster = _roster(options.roster, options.lang)
-        for fault in roster.faults if roster else ():
-            print(f"tflab release: {options.roster}, {fault}; left out", file=sys.stderr)
-        if roster is not None and not roster.learners:
-            raise PackError("no learner on the roster")
-        learners = list(roster.learners.values()) if roster else None
-        if options.update:
-            pack, lines = update_release(folder, quiet=options.quiet)
-            print("\n".join(lines))
-        else:
-            pack = release(folder, stems, learners, language=options.lang, add=options.add, quiet=options.quiet)
+        pack, has_faults = _updated(options) if options.update else _released(options)
     except (PackError, TaskError, TeachingError, WorkbookError) as error:
         print(f"tflab release: {error}", file=sys.stderr)
         return 2
@@ -87,7 +73,31 @@ def main(words: Sequence[str]) -> int:
     print(f"{folder / INSTRUCTOR}: your pack. Keep it to yourself; grading needs it.")
     if (folder / INSTRUCTOR / GUIDE).is_dir():
         print(f"{folder / INSTRUCTOR / GUIDE}: what to lecture from; `tflab guide` makes its decks.")
-    return 1 if roster and roster.faults else 0
+    return 1 if has_faults else 0
+
+
+def _released(options: argparse.Namespace) -> tuple[Pack, bool]:
+    """Release what was asked for; return the pack, and whether rows of the roster were left out."""
+    adds_no_chapter = options.add and not options.chapters
+    stems = [] if adds_no_chapter else _chapters(options.chapters, places.chapters())
+    roster = _roster(options.roster, options.lang)
+    for fault in roster.faults if roster else ():
+        print(f"tflab release: {options.roster}, {fault}; left out", file=sys.stderr)
+    if roster is not None and not roster.learners:
+        raise PackError("no learner on the roster")
+    learners = list(roster.learners.values()) if roster else None
+    folder = Path(options.folder)
+    pack = release(folder, stems, learners, language=options.lang, add=options.add, quiet=options.quiet)
+    return pack, bool(roster and roster.faults)
+
+
+def _updated(options: argparse.Namespace) -> tuple[Pack, bool]:
+    """Update what was released, and say what there is to say."""
+    if options.add or options.roster or options.chapters:
+        raise PackError("--update brings in what was mended, and nothing else; call it again with --add for more")
+    pack, lines = update_release(Path(options.folder), quiet=options.quiet)
+    print("\n".join([*lines, f"up to date with tflab {__version__}"]))
+    return pack, False
 
 
 def release(

@@ -138,7 +138,7 @@ def compared(master: Master, handed_in: SubmittedNotebook) -> Theirs:
     cells = handed_in.cells
     names = _without_scratch(master, cells, _names(master, cells))
     texts, own = _sorted_by_name(cells, names)
-    texts = {cell.name: _as_now(cell, texts[cell.name]) for cell in master.cells if cell.name in texts}
+    texts = _as_handed_out_now(master, texts)
     judged = {cell.name: _source(cell, texts.get(cell.name, ()), master.asked) for cell in master.cells}
     sources = {name: source for name, (source, _) in judged.items()}
     complaints = tuple(complaint for _, complaint in judged.values() if complaint is not None)
@@ -212,10 +212,15 @@ def _sorted_by_name(
     return texts, own
 
 
-def _as_now(cell: MasterCell, there: Sequence[Claimed]) -> list[Claimed]:
-    """Return what a notebook holds under a name, what was handed out before as what is handed out now."""
-    before = {_bare(text) for text in cell.earlier}
-    return [text._replace(source=cell.source) if _bare(text.source) in before else text for text in there]
+def _as_handed_out_now(master: Master, texts: Mapping[str, list[Claimed]]) -> dict[str, list[Claimed]]:
+    """Return the texts under our names, what was handed out before an update as what is handed out now."""
+    now = {}
+    for cell in (cell for cell in master.cells if cell.name in texts):
+        before = {_bare(text) for text in cell.earlier}
+        now[cell.name] = [
+            text._replace(source=cell.source) if _bare(text.source) in before else text for text in texts[cell.name]
+        ]
+    return now
 
 
 # -- what of it counts? --------------------------------------------------------------------
