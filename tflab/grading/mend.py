@@ -17,6 +17,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterable, Mapping
+from itertools import chain
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -64,7 +65,7 @@ def mended_exercise(
         elif not name or name in names:
             cells.append(cell)
     behind = max((number for number, cell in enumerate(cells, start=1) if _task_of(cell)), default=len(cells))
-    cells[behind:behind] = sum(before.values(), [])
+    cells[behind:behind] = list(chain.from_iterable(before.values()))
     if {_task_of(cell) for cell in new["cells"]} - {""} != names:
         cells = [_titled(cell, released) for cell in cells]
     return {**new, "cells": cells}
