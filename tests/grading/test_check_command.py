@@ -48,6 +48,15 @@ def test_an_exercise_is_called_by_its_number_too(copy: Path, below: str, monkeyp
     assert capsys.readouterr().err.startswith("tflab check: 4: ")
 
 
+def test_an_exercise_that_was_renamed_is_looked_for_in_words(copy: Path, monkeypatch, capsys) -> None:
+    path = answer(copy, tiny.RIGHT)
+    path.rename(path.with_name("mine.ipynb"))
+    monkeypatch.chdir(copy.rename(copy.with_name("tflab_workbook")))
+    assert main(["3"]) == 2
+    said = capsys.readouterr().err
+    assert "is not there; the folder has mine.ipynb. Renamed? Type `tflab check` with its path." in said
+
+
 def test_a_mistake_is_named_and_what_is_open_is_said(copy: Path, capsys: pytest.CaptureFixture) -> None:
     assert main([str(answer(copy, {"e3-1-answer": "total = e3_1.a - e3_1.b"}))]) == 1
     said = capsys.readouterr().out

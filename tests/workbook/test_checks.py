@@ -151,6 +151,11 @@ def test_an_unknown_task_is_answered_with_those_there_are(copy, capsys, task_id)
         task(task_id)
 
 
+@pytest.mark.parametrize("task_id", ["e3.1", "3.1", " E3.1 ", "e3-1"])
+def test_a_task_is_found_as_one_would_write_it(copy, capsys, task_id):
+    assert said(capsys, task_id, "rubbish").startswith("E3.1 ✗")
+
+
 def test_an_answer_left_out_is_asked_for(copy, capsys):
     check("E3.1")
     assert 'check("E3.1", base_p_corner)' in capsys.readouterr().out

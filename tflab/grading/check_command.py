@@ -94,7 +94,14 @@ def _called(word: str) -> Path:
         (stem,) = places.stems_called([word], places.chapters(root))
     except LookupError:
         return Path(word)
-    return root / "exercises" / read_workbook(root).language / places.exercise_file(stem)
+    called = root / "exercises" / read_workbook(root).language / places.exercise_file(stem)
+    if not called.exists():
+        there = ", ".join(sorted(path.name for path in called.parent.glob("*.ipynb"))) or "no notebook"
+        raise WorkbookError(
+            f"is not there; the folder has {there}. "
+            "Renamed? Type `tflab check` with its path. Lost? `tflab lab` lays out a new one"
+        )
+    return called
 
 
 def _language_at(path: Path) -> str:

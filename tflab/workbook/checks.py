@@ -17,6 +17,7 @@ from __future__ import annotations
 import difflib
 import json
 import os
+import re
 from functools import lru_cache
 from pathlib import Path
 from types import SimpleNamespace
@@ -34,7 +35,7 @@ from .tasks.cases import CasesError, read_chapter
 from .tasks.mistake import Mistake
 from .tasks.reference import answer_cell_name
 from .tasks.replies import LATER, PHRASES
-from .tasks.task import TaskError, chapter_of, variant_of
+from .tasks.task import TaskError, variant_of
 from .tasks.verdict import Verdict
 from .trying import AssignedTask, say_verdict, tried_on
 from .words import Words
@@ -42,6 +43,7 @@ from .words import Words
 __all__ = ["TRIES_BEFORE_SOLUTION", "check", "hint", "solution", "solution_text", "task"]
 
 NOTHING = object()
+LIKE_A_TASK = re.compile(r"[eE]?(?P<chapter>\d{1,2})(?:[.\-_](?P<task>\d{1,2}))?")  # E3.2, e3.2, 3.2, e3-2; E3
 POINT, POINTS = Words(en="{points} point", ko="{points}점"), Words(en="{points} points", ko="{points}점")
 TRIES_BEFORE_SOLUTION = 3
 _hints_seen: dict[str, int] = {}  # where no progress is kept
@@ -174,13 +176,14 @@ def _find(task_id: str) -> AssignedTask:
     """
     root = workbook_root()
     workbook = read_workbook(root)
-    try:
-        number = chapter_of(task_id)
-    except TaskError:
-        raise WorkbookError(_unknown(root, workbook, str(task_id), sorted((root / CASES).glob("*.json")))) from None
+    meant = LIKE_A_TASK.fullmatch(str(task_id).strip())
+    if meant is None:
+        raise WorkbookError(_unknown(root, workbook, str(task_id), sorted((root / CASES).glob("*.json"))))
+    number = int(meant["chapter"])
     paths = sorted((root / CASES).glob(f"{number:02d}_*.json"))
-    if not paths:
-        raise WorkbookError(_unknown(root, workbook, task_id, sorted((root / CASES).glob("*.json"))))
+    if not paths or not meant["task"]:
+        raise WorkbookError(_unknown(root, workbook, task_id, paths or sorted((root / CASES).glob("*.json"))))
+    task_id = f"E{number}.{int(meant['task'])}"
     try:
         cases = _read(paths[0], paths[0].stat().st_mtime_ns)
     except CasesError as error:
@@ -198,12 +201,22 @@ def _read(path: Path, _mtime_ns: int) -> ChapterCases:
 
 
 def _unknown(root: Path, workbook: Workbook, task_id: str, paths: list[Path]) -> str:
-    known: list[str] = []
+    """Say which tasks there are: of one chapter each, of several from where to where."""
+    chapters: list[list[str]] = []
     for path in paths:
         try:
-            known += read_chapter(path).tasks
+            chapters.append(list(read_chapter(path).tasks))
         except CasesError:
             continue
-    close = difflib.get_close_matches(task_id, known, n=1, cutoff=0.5)
+    known = [task for chapter in chapters for task in chapter]
+    close = difflib.get_close_matches(str(task_id), known, n=1, cutoff=0.7)
     suggestion = PHRASES["did_you_mean"].say(workbook.language, name=close[0]) if close else ""
+    if len(chapters) > 1:
+        known = [_from_to(chapter) for chapter in chapters]
     return PHRASES["unknown_task"].say(workbook.language, known=", ".join(known) or str(root / CASES), close=suggestion)
+
+
+def _from_to(tasks: list[str]) -> str:
+    """Return the tasks of a chapter in a word: "E3.1–7"."""
+    first, last = tasks[0], tasks[-1].partition(".")[2]
+    return first if len(tasks) == 1 else f"{first}–{last}"
