@@ -10,9 +10,14 @@ from tflab.bags.reader import read_bag
 from tflab.bags.record import BagWriter
 from tflab.bags.recording import recording_from_records
 from tflab.cli import main
-from tflab.core import Transform
+from tflab.core import StampedTransform, Transform
+from tflab.core.records import TransformRecord
 from tflab.doctor.diagnose import diagnose_recording
+from tflab.doctor.gather import evidence_from_recording
+from tflab.doctor.report import scene3d
+from tflab.doctor.report.history import draw_timeline
 from tflab.doctor.report.html import html_from_report
+from tflab.doctor.report.scene3d import draw_frames_at
 from tflab.robots.faults.inject import inject
 from tflab.robots.teaching import TeachingRobot
 from tflab.ros.convert import msg_from_stamped
@@ -125,3 +130,33 @@ def test_the_tree_names_both_owners_of_a_static_edge():
     recording = recording_from_records([*records, second])
     page = html_from_report(diagnose_recording(recording), recording)
     assert "laser_frame has 2 publishers: /robot_state_publisher, /static_sensor_broadcaster." in page
+
+
+def frames_of(recording, *first):
+    drawn = draw_frames_at(evidence_from_recording(recording), recording.end_ns, first)
+    return [set(re.findall(r"<title>(.+?)</title>", view)) for view in drawn.split("<svg")[1:]]
+
+
+def test_frames_far_away_are_in_the_first_picture_and_not_in_the_one_from_nearer():
+    names = ["map", "odom", "base_link", *(f"part_{i}" for i in range(6))]
+    steps = [Transform((30.0, 0.0, 0.0)), Transform((20.0, 0.0, 0.0)), *[Transform((0.1, 0.0, 0.0))] * 6]
+    pairs = zip(["map", "odom", *["base_link"] * 6], names[1:], steps, strict=True)
+    records = [TransformRecord("/tf_static", 1, "", StampedTransform(p, c, 1, t), True) for p, c, t in pairs]
+    everything, near = frames_of(recording_from_records(records), "base_link", "part_3")
+    assert everything == set(names)
+    assert near == set(names[2:])
+
+
+def test_names_in_the_picture_do_not_cover_each_other():
+    places = {"base_link": (10.0, 10.0), "laser": (12.0, 11.0), "odom": (300.0, 10.0)}
+    drawn = "".join(scene3d._names(places, ("laser",)))
+    assert re.findall(r"<text [^>]*>(\w+)<", drawn) == ["laser", "odom"]
+    assert re.findall(r"<title>(\w+)<", drawn) == ["laser", "base_link", "odom"]
+
+
+def test_a_lane_whose_periods_do_not_fit_its_bins_shows_no_holes():
+    stamps = [round(i * 1e9 / 30) for i in range(600)]  # in each of 320 bins one or two
+    poses = [StampedTransform("odom", "base_link", t, Transform((1e-9 * t, 0.0, 0.0))) for t in stamps]
+    recording = recording_from_records([TransformRecord("/tf", s.stamp_ns, "", s, False) for s in poses])
+    drawn = draw_timeline(evidence_from_recording(recording))
+    assert set(re.findall(r'class="spoke" opacity="([\d.]+)"', drawn)) == {"0.90"}

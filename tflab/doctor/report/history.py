@@ -106,7 +106,8 @@ def _shaded_lane(edge: Edge, row: int, bounds_ns: np.ndarray) -> str:
     """Return where an edge spoke: darker where it said more, in a few shades, one path for each."""
     spoke, _ = np.histogram(edge.receive_ns, bounds_ns)
     usual = max(float(np.median(spoke[spoke > 0])), 1.0) if spoke.any() else 1.0
-    shade = np.minimum(np.ceil(SHADES * spoke / usual), SHADES).astype(int)
+    # one sample less in a bin is no silence: where bins and periods do not fit, that happens again and again
+    shade = np.where(spoke > 0, np.minimum(np.ceil(SHADES * (spoke + 1) / usual), SHADES), 0).astype(int)
     step = (WIDTH - NAMES - RIM) / BINS
     top = RIM + LANE * row + 4
     paths = []

@@ -70,7 +70,9 @@ ul { padding-left: 1.2rem; color: var(--quiet); }
 .spoke { fill: var(--ink); } .heard { stroke: var(--ink); fill: none; stroke-width: 1.2; }
 .mark { fill: var(--error); } .band { fill: var(--error); opacity: .18; }
 .strip { width: 6rem; height: 1.25rem; fill: var(--quiet); vertical-align: middle; }
-.frames { width: 29rem; background: var(--card); border: 1px solid var(--line); border-radius: 9px; margin: .2rem; }
+.frames { width: min(100%, max(20rem, calc(50% - .6rem))); margin: .2rem; background: var(--card);
+  border: 1px solid var(--line); border-radius: 9px; }
+.frames .dot { fill: var(--quiet); } .frames .view { fill: var(--quiet); }
 .frames .link { stroke: var(--quiet); } .axis-x { stroke: #d55e00; } .axis-y { stroke: #009e73; }
 .axis-z { stroke: #0072b2; } [class^=axis] { stroke-width: 2.5; }
 figcaption { color: var(--quiet); font-size: .9rem; } figure:target figcaption { color: var(--ink); font-weight: 600; }
@@ -140,7 +142,7 @@ def _frames(report: Report, evidences: list[Evidence], with_moment: list[Finding
     for finding in with_moment:
         seconds = (finding.begin_ns - report.begin_ns) / NSEC_PER_SEC
         caption = escape(f"{seconds:.2f} s: {sentences(finding, texts).title}")
-        drawn = draw_frames_at(_evidence_of(evidences, finding), finding.begin_ns)
+        drawn = draw_frames_at(_evidence_of(evidences, finding), finding.begin_ns, (finding.parent, finding.child))
         figures.append(
             f'<figure id="{_moment(with_moment, finding)}">{drawn}<figcaption>{caption}</figcaption></figure>'
         )
@@ -164,7 +166,7 @@ def _table(evidence: Evidence) -> str:
     """Return rate and delay of each moving edge, as figures and as distributions."""
     if not evidence.moving:
         return "<p>Nothing moves.</p>"
-    names = ("edge", "samples", "Hz", "steps", "delay p50", "p95", "max [ms]", "delays", "longest silence [s]")
+    names = ("edge", "samples", "Hz", "steps", "delay p50", "p95", "max [ms]", "delays", "silence [s]")
     rows = ["<tr>" + "".join(f"<th>{name}</th>" for name in names) + "</tr>"]
     for edge, delay_s in zip(evidence.moving, settled_delays_s(evidence), strict=True):
         steps_s = np.diff(np.sort(edge.receive_ns)) / NSEC_PER_SEC
