@@ -520,3 +520,15 @@ def test_a_change_of_parents_is_told_in_its_order():
 def test_a_prefix_is_told_with_the_names_that_have_it():
     prefixed = [edge("r1/base_link", f"r1/arm_{i}") for i in range(2)]
     assert "With the prefix: r1/base_link." in told(recording(*HEALTHY, *prefixed), "name-prefix").evidence
+
+
+def test_of_several_robots_a_finding_says_which_and_its_command_listens_there():
+    def of(robot, records):
+        return [record._replace(topic=f"/{robot}{record.topic}") for record in records]
+
+    healthy = [of("r1", records) for records in HEALTHY]
+    late = (HEALTHY[0], edge("odom", "base_link", delay_ms=900), HEALTHY[2])
+    (finding,) = diagnose_recording(recording(*healthy, *(of("r2", records) for records in late))).findings
+    said = sentences(finding)
+    assert said.title == "/r2: odom -> base_link comes late"
+    assert said.command.endswith("tf2_monitor odom base_link --ros-args -r /tf:=/r2/tf -r /tf_static:=/r2/tf_static")

@@ -313,3 +313,27 @@ def test_in_sarif_a_bag_with_a_space_in_its_name_is_a_valid_uri():
     assert {r["locations"][0]["physicalLocation"]["artifactLocation"]["uri"] for r in run["results"]} == {
         "my%20bags/drive"
     }
+
+
+def test_of_several_robots_each_edge_is_expected_of_its_own(tmp_path):
+    def of(robot, records):
+        return [record._replace(topic=f"/{robot}{record.topic}") for record in records]
+
+    both = profile([*of("r1", RECORDS), *of("r2", RECORDS)])
+    (tmp_path / "robots.toml").write_text(toml_from(expectations_from(both)), encoding="utf-8")
+    expectations = read_expectations(tmp_path / "robots.toml")
+    assert deviations_from(expectations, both) == []
+    missing = deviations_from(expectations, profile(of("r1", RECORDS)))
+    assert codes(missing) == {"expected-edge"} and {finding.namespace for finding in missing} == {"/r2"}
+
+
+def test_a_deviation_that_a_finding_explains_stands_under_it_and_alone_if_that_is_let_pass(clean, tmp_path, capsys):
+    late = write(tmp_path / "late", inject(RECORDS, "late-stamps", seed=1).records)
+    rules = str(tmp_path / "robot.toml")
+    assert main(["doctor", clean, "--write-expectations", rules]) == 0
+    capsys.readouterr()
+    main(["doctor", late, "--expect", rules, "--json"])
+    (cause,) = [f for f in json.loads(capsys.readouterr().out)["findings"] if f["severity"] == "warning"]
+    assert cause["code"] == "late-stamps" and "expected-delay" in {effect["code"] for effect in cause["effects"]}
+    main(["doctor", late, "--expect", rules, "--json", "--ignore", "late-stamps"])
+    assert "expected-delay" in {f["code"] for f in json.loads(capsys.readouterr().out)["findings"]}

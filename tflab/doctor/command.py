@@ -24,7 +24,7 @@ from typing import NamedTuple
 from tflab.bags.errors import BagError
 from tflab.bags.recording import Recording
 
-from .diagnose import diagnose_recording, worst_first
+from .diagnose import diagnose_recording, told_causes, worst_first
 from .findings import Report
 from .gate.annotations import annotations_from_reports
 from .gate.deviations import changes_between, deviations_from
@@ -120,9 +120,9 @@ def _examined(name: str, read: Callable[[], Recording], options: Namespace, rule
     is_asked = options.expect or options.write_expectations or options.edges or len(options.bags) == 2
     profile = profile_of(recording) if is_asked else None
     if options.expect and profile is not None:
-        deviations = deviations_from(rules.expectations, profile)
-        report = replace(report, findings=worst_first([*report.findings, *deviations]))
+        report = replace(report, findings=(*report.findings, *deviations_from(rules.expectations, profile)))
     report, _ = let_pass(report, rules.ignore, rules.baseline)
+    report = replace(report, findings=worst_first(told_causes(list(report.findings))))
     unfinished = recording.unfinished
     cut = f"{name}: read as far as it goes: {unfinished.what}" if unfinished and unfinished.is_cut else ""
     return Examined(name, report, profile, recording if options.html else None, cut=cut)

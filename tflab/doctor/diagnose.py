@@ -74,7 +74,8 @@ CHECKS = (
 # cause: effects that it brings about on the same child, and anywhere
 EFFECTS_ON_CHILD = {
     "two-owners": ("unordered-stamps", "repeated-stamps", "clock-jump-back", "clock-jump-forward", "late-stamps",
-                   "early-stamps", "static-changed", "moving-on-static", "gap", "future-stamp"),
+                   "early-stamps", "static-changed", "moving-on-static", "gap", "future-stamp", "expected-rate",
+                   "expected-owners", "expected-mount"),
     "two-parents": ("two-owners", "unordered-stamps", "repeated-stamps", "clock-jump-back", "clock-jump-forward"),
     "re-parented": ("two-owners", "stamped-ahead", "early-stamps"),
     "moving-and-static": ("constant-on-tf", "static-changed", "two-parents", "early-stamps", "stamped-ahead"),
@@ -90,7 +91,12 @@ EFFECTS_ON_CHILD = {
     "clock-jump-forward": ("late-stamps", "early-stamps", "gap", "future-stamp"),
     "out-of-this-world": ("two-owners", "gap", "odom-jumps"),
     "late-start": ("gap",),
-    "slow-edge": ("gap", "unordered-stamps"),
+    "slow-edge": ("gap", "unordered-stamps", "expected-rate", "expected-silence"),
+    "gap": ("expected-silence",),
+    "went-silent": ("expected-silence",),
+    "late-stamps": ("expected-delay", "expected-silence"),
+    "static-changed": ("expected-mount",),
+    "expected-edge": ("two-trees", "re-parented"),
 }  # fmt: skip
 EFFECTS_ANYWHERE = {
     "name-case": ("two-trees", "re-parented", "two-parents", "unknown-frame", "unknown-world-frame", "loop"),
@@ -107,7 +113,8 @@ EFFECTS_ANYWHERE = {
                         "early-stamps", "future-stamp"),
     "clock-jump-forward": ("messages-late", "messages-early", "clock-offset", "future-stamp"),
     "clock-offset": ("late-stamps", "early-stamps", "messages-early", "messages-late"),
-    "stall": ("late-stamps",),
+    "stall": ("late-stamps", "expected-silence"),
+    "tf-silent": ("expected-silence",),
     "two-trees": ("unknown-frame", "unknown-world-frame"),
 }  # fmt: skip
 # what all edges of one node have, if one has it
@@ -125,7 +132,8 @@ def diagnose_recording(recording: Recording) -> Report:
     findings = list(unreadable)
     for namespace in recording.namespaces():
         evidence = evidence_from_recording(recording, namespace)
-        findings += told_causes([finding for check in CHECKS for finding in check.run(evidence)])
+        told = told_causes([finding for check in CHECKS for finding in check.run(evidence)])
+        findings += [replace(finding, namespace=namespace) for finding in told]
     return Report(recording.name, recording.begin_ns, worst_first(findings), tuple(check.name for check in CHECKS))
 
 
@@ -149,7 +157,8 @@ def told_causes(findings: list[Finding]) -> list[Finding]:
         if cause is not None:
             effects.setdefault(cause, []).append(finding)
     causes = [number for number in range(len(findings)) if cause_of[number] is None]
-    return _together([replace(findings[number], effects=tuple(effects.get(number, ()))) for number in causes])
+    told = [replace(f, effects=(*f.effects, *effects.get(number, ()))) for number, f in enumerate(findings)]
+    return _together([told[number] for number in causes])
 
 
 def _together(findings: list[Finding]) -> list[Finding]:
@@ -176,7 +185,7 @@ def _are_at_once(a: Finding, b: Finding) -> bool:
 
 def _explains(cause: Finding, effect: Finding) -> bool:
     """Return whether a finding brings another about; what is brief explains only what is as brief."""
-    if cause.severity == "info" or cause is effect:
+    if cause.severity == "info" or cause is effect or cause.namespace != effect.namespace:
         return False
     if cause.code == "stall" and effect.end_ns > cause.end_ns + AT_ONCE_NS:
         return False

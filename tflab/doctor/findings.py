@@ -35,6 +35,7 @@ class Finding:
         facts: what fills the blanks of the text.
         effects: what else is seen because of it, and needs no mending of its own.
         siblings: other children of which the same is to be said: they come from one node, as a rule.
+        namespace: of which robot, "" if its transforms are on /tf: "/robot1" for /robot1/tf.
     """
 
     code: str
@@ -47,6 +48,7 @@ class Finding:
     facts: dict[str, object] = field(default_factory=dict)
     effects: tuple[Finding, ...] = ()
     siblings: tuple[str, ...] = ()
+    namespace: str = ""
 
 
 class NotMade(NamedTuple):

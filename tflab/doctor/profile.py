@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tflab.bags.recording import Recording
+from tflab.bags.recording import Recording, namespace_of
 from tflab.core import NSEC_PER_SEC
 
 from .checks.clocks import settled_delays_s
@@ -21,7 +21,7 @@ from .checks.motion import unit
 from .evidence import Edge, Evidence
 from .gather import evidence_from_recording
 
-__all__ = ["EdgeProfile", "RecordingProfile", "profile_of", "text_from_profile"]
+__all__ = ["EdgeProfile", "RecordingProfile", "name_of", "profile_of", "text_from_profile"]
 
 NO_FIGURE = 0.0
 
@@ -50,8 +50,18 @@ class EdgeProfile(NamedTuple):
     mount: tuple[float, ...]
 
     @property
+    def namespace(self) -> str:
+        """Of which robot, "" if its transforms are on /tf."""
+        return namespace_of(self.topic)
+
+    @property
     def name(self) -> str:
-        return f"{self.parent} -> {self.child}"
+        return name_of(self.namespace, self.parent, self.child)
+
+
+def name_of(namespace: str, parent: str, child: str) -> str:
+    """Return how an edge is called: "odom -> base_link", "/robot1: odom -> base_link"."""
+    return f"{namespace}: {parent} -> {child}" if namespace else f"{parent} -> {child}"
 
 
 class RecordingProfile(NamedTuple):

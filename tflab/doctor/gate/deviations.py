@@ -10,6 +10,7 @@ the second, and what is said of a deviation is what changed.  Read `filters.py` 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
@@ -23,16 +24,28 @@ __all__ = ["changes_between", "deviations_from"]
 
 def deviations_from(expectations: Expectations, profile: RecordingProfile) -> list[Finding]:
     """Return a finding for each thing in a recording that is not as expected."""
-    by_child: dict[str, list[EdgeProfile]] = {}
+    by_child: dict[tuple[str, str], list[EdgeProfile]] = {}
     for edge in profile.edges:
-        by_child.setdefault(edge.child, []).append(edge)
-    findings = [f for expected in expectations.edges for f in _of_edge(expected, by_child.get(expected.child, []))]
+        by_child.setdefault((edge.namespace, edge.child), []).append(edge)
+    findings = [
+        replace(finding, namespace=expected.namespace)
+        for expected in expectations.edges
+        for finding in _of_edge(expected, by_child.get((expected.namespace, expected.child), []))
+    ]
     if not expectations.other_edges:
-        named = {(edge.parent, edge.child) for edge in expectations.edges}
+        named = {(edge.namespace, edge.parent, edge.child) for edge in expectations.edges}
         findings += [
-            Finding("unexpected-edge", "warning", edge.parent, edge.child, edge.topic, facts={"count": edge.count})
+            Finding(
+                "unexpected-edge",
+                "warning",
+                edge.parent,
+                edge.child,
+                edge.topic,
+                facts={"count": edge.count},
+                namespace=edge.namespace,
+            )
             for edge in profile.edges
-            if (edge.parent, edge.child) not in named
+            if (edge.namespace, edge.parent, edge.child) not in named
         ]
     return [*findings, *_of_topics(expectations, profile)]
 

@@ -19,7 +19,7 @@ import sys
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from ..profile import RecordingProfile
+from ..profile import RecordingProfile, name_of
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -73,6 +73,7 @@ class ExpectedEdge:
     owners: tuple[str, ...] | None = None
     mount: tuple[float, ...] | None = None
     mount_tolerance_m: float = MOUNT_TOLERANCE_M
+    namespace: str = ""
 
 
 @dataclass(frozen=True)
@@ -96,13 +97,14 @@ def expectations_from(profile: RecordingProfile, other_edges: bool = True) -> Ex
     edges = []
     for edge in profile.edges:
         owners = edge.owners or None
+        who = {"owners": owners, "namespace": edge.namespace}
         if edge.is_static:
-            edges.append(ExpectedEdge(edge.parent, edge.child, True, owners=owners, mount=edge.mount or None))
+            edges.append(ExpectedEdge(edge.parent, edge.child, True, mount=edge.mount or None, **who))
             continue
         rate_hz = (edge.rate_hz * (1.0 - RATE_SLACK), edge.rate_hz * (1.0 + RATE_SLACK)) if edge.rate_hz else None
         delay_s = max(DELAY_SLACK * edge.delay_s[1], LEAST_DELAY_S)
         silence_s = max(SILENCE_SLACK * edge.silence_s, LEAST_SILENCE_S)
-        edges.append(ExpectedEdge(edge.parent, edge.child, False, rate_hz, delay_s, silence_s, owners))
+        edges.append(ExpectedEdge(edge.parent, edge.child, False, rate_hz, delay_s, silence_s, **who))
     return Expectations(tuple(edges), dict(profile.frames_of), other_edges)
 
 
@@ -110,7 +112,7 @@ def toml_from(expectations: Expectations) -> str:
     """Return the file."""
     lines = [HEAD]
     for edge in expectations.edges:
-        lines.append(f"[edges.{json.dumps(f'{edge.parent} -> {edge.child}', ensure_ascii=False)}]")
+        lines.append(f"[edges.{json.dumps(name_of(edge.namespace, edge.parent, edge.child), ensure_ascii=False)}]")
         if edge.static is not None:
             lines.append(f"static = {str(edge.static).lower()}")
         if edge.rate_hz is not None:
@@ -159,7 +161,9 @@ def read_expectations(path: str | Path) -> Expectations:
 
 
 def _edge_of(path: str | Path, name: str, asked: object) -> ExpectedEdge:
-    parent, arrow, child = name.partition(" -> ")
+    namespace, colon, edge = name.partition(": ") if name.startswith("/") else ("", "", name)
+    namespace, edge = (namespace, edge) if colon else ("", name)
+    parent, arrow, child = edge.partition(" -> ")
     if not (arrow and parent and child) or not isinstance(asked, dict):
         raise ExpectationError(f'{path}: edges."{name}": expected a table named "parent -> child"')
     for key, value in asked.items():
@@ -170,7 +174,7 @@ def _edge_of(path: str | Path, name: str, asked: object) -> ExpectedEdge:
                 f'{path}: edges."{name}".{key}: {value!r} is not what it should be; see docs/doctor.md'
             )
     values = {key: tuple(value) if isinstance(value, list) else value for key, value in asked.items()}
-    return ExpectedEdge(parent, child, **values)
+    return ExpectedEdge(parent, child, namespace=namespace, **values)
 
 
 def _is_of_kind(key: str, value: object) -> bool:

@@ -29,7 +29,8 @@ class BaselineError(ValueError):
 
 def fingerprint(finding: Finding) -> str:
     """Return by what a finding is known again."""
-    return "|".join((finding.code, finding.parent, finding.child, finding.topic))
+    words = (finding.code, finding.parent, finding.child, finding.topic)
+    return "|".join((*words, finding.namespace) if finding.namespace else words)
 
 
 def let_pass(report: Report, patterns: Iterable[str] = (), baseline: Iterable[str] = ()) -> tuple[Report, int]:
@@ -63,7 +64,13 @@ def read_baseline(path: str | Path) -> tuple[str, ...]:
 
 
 def _is_ignored(finding: Finding, patterns: list[str]) -> bool:
-    places = (finding.topic, finding.child, f"{finding.parent} -> {finding.child}", *_frames_of(finding))
+    places = (
+        finding.topic,
+        finding.namespace,
+        finding.child,
+        f"{finding.parent} -> {finding.child}",
+        *_frames_of(finding),
+    )
     for pattern in patterns:
         code, colon, where = pattern.partition(":")
         if fnmatchcase(finding.code, code) and (not colon or any(fnmatchcase(place, where) for place in places)):

@@ -6,7 +6,7 @@ is expected of the second.  Read `texts.py` next.
 
 from __future__ import annotations
 
-from .sentences import ECHO, TOPIC_INFO, VIEW_FRAMES, Sentences
+from .sentences import ECHO, EDGE_HZ, TOPIC_INFO, VIEW_FRAMES, Sentences
 
 __all__ = ["GATE_TEXTS"]
 
@@ -33,7 +33,7 @@ GATE_TEXTS: dict[str, Sentences] = {
         "{edge} has another rate",
         "Expected {expected}; it is {instead}.",
         "A parameter of its node, a computer that cannot follow, or messages that are lost.",
-        "ros2 topic hz {topic}",
+        EDGE_HZ,
     ),
     "expected-delay": Sentences(
         "{edge} comes later than it should",
@@ -45,7 +45,7 @@ GATE_TEXTS: dict[str, Sentences] = {
         "{edge} was silent for longer than it should",
         "Expected {expected}; it is {instead}.",
         "The publisher was blocked, or messages were lost.",
-        "ros2 topic hz {topic}",
+        EDGE_HZ,
     ),
     "expected-owners": Sentences(
         "{edge} has other owners",

@@ -133,7 +133,7 @@ def _moment(with_moment: list[Finding], finding: Finding) -> str:
 
 def _evidence_of(evidences: list[Evidence], finding: Finding) -> Evidence:
     """Return the namespace that a finding is about."""
-    return next((e for e in evidences if e.namespace and finding.topic.startswith(e.namespace + "/")), evidences[0])
+    return next((evidence for evidence in evidences if evidence.namespace == finding.namespace), evidences[0])
 
 
 def _frames(report: Report, evidences: list[Evidence], with_moment: list[Finding], texts) -> list[str]:
@@ -153,7 +153,7 @@ def _frames(report: Report, evidences: list[Evidence], with_moment: list[Finding
 def _pictures(report: Report, evidence: Evidence) -> str:
     """Return the timeline, the edges and the tree of one namespace."""
     of = f" of {escape(evidence.namespace)}" if evidence.namespace else ""
-    timeline = draw_timeline(evidence, report.findings)
+    timeline = draw_timeline(evidence, [f for f in report.findings if f.namespace == evidence.namespace])
     tree = draw_tree(_tree_of(evidence), title="")
     drawn = f"<h2>Timeline{of}</h2>\n<figure>{timeline}</figure>\n" if timeline else ""
     return f"""{drawn}<h2>Edges{of}</h2>

@@ -64,6 +64,7 @@ def _data_from_finding(finding: Finding, texts: Mapping[str, Sentences]) -> dict
         "severity": finding.severity,
         "certainty": certainty_of(finding.code),
         "settled_by": what_settles(finding.code),
+        "namespace": finding.namespace,
         "parent": finding.parent,
         "child": finding.child,
         "topic": finding.topic,

@@ -35,11 +35,21 @@ def sentences(finding: Finding, texts: dict[str, Sentences] = TEXTS) -> Sentence
         "parent": finding.parent,
         "child": finding.child,
         "topic": finding.topic or "/tf",
+        "frame": finding.child,
         "who": OWNERS.get(str(finding.facts.get("kind")), ""),
         **finding.facts,
     }
     said = Sentences(*(part.format(**blanks) for part in texts[finding.code]))
-    return said._replace(evidence=f"{said.evidence} Likewise {_siblings(finding)}.") if finding.siblings else said
+    if finding.siblings:
+        said = said._replace(evidence=f"{said.evidence} Likewise {_siblings(finding)}.")
+    return _in_namespace(said, finding.namespace) if finding.namespace else said
+
+
+def _in_namespace(said: Sentences, namespace: str) -> Sentences:
+    """Return what is said of one of several robots: tools of tf2 listen to /tf unless they are told otherwise."""
+    remap = f" --ros-args -r /tf:={namespace}/tf -r /tf_static:={namespace}/tf_static"
+    command = said.command + remap if said.command.startswith("ros2 run tf2_") else said.command
+    return said._replace(title=f"{namespace}: {said.title}", command=command)
 
 
 def _siblings(finding: Finding) -> str:
