@@ -80,6 +80,16 @@ def test_each_part_may_have_a_slip_of_its_own():
     assert verdict.said.en == '"a": first "b": the size is right, the sign is not. "c": last'
 
 
+def test_two_beliefs_each_held_in_some_parts_are_both_named():
+    form = Parts({name: Choice(("cable", "clock", "mount", "wait")) for name in ("first", "second", "third", "fourth")})
+    right = {"first": "clock", "second": "mount", "third": "clock", "fourth": "mount"}
+    twins = {"sensor first": dict.fromkeys(right, "cable"), "waiting cures": dict.fromkeys(right, "wait")}
+    said = {name: words(name, partly=True) for name in twins}
+    verdict = judged(form, right, twins, right | {"first": "wait", "second": "cable", "fourth": "cable"}, said)
+    assert (list(verdict.slips), verdict.passed) == (["waiting cures", "sensor first"], 1)
+    assert verdict.said.en == '"first": waiting cures "second", "fourth": sensor first'
+
+
 def test_what_only_follows_from_a_slip_costs_nothing():
     right = {"a": 1.0, "b": 2.0, "c": 3.0}
     twins = {"first": {"a": 5.0, "b": 6.0, "c": 3.0}}
