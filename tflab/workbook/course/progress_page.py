@@ -84,13 +84,14 @@ class ProgressPage:
             count = f"{stands.passed}/{len(stands.tasks)}"
             lines.append(f"  {stands.chapter.stem[:2]}  {marks}   {count}   {stands.chapter.title.say(self._language)}")
         lines += [f"  {line}" for line in self._to_come()]
+        forms = self._forms if isinstance(self._forms, str) else self._forms.summary
+        lines += ["", forms] if forms else []
         for title, goals in ((OBJECTIVES, self._standing.objectives), (CHECKLIST, self._standing.checklist)):
             lines += ["", self._say(title)]
             for number, stands in _not_later(goals):
                 lines.append(f"  {STATES[stands.state]} {number:>2}  {stands.goal.words.say(self._language)}")
                 lines += [f"        {line}" for line in self._details(stands)]
-        forms = self._forms if isinstance(self._forms, str) else self._forms.summary
-        return "\n".join([*lines, *(["", forms] if forms else [])])
+        return "\n".join(lines)
 
     @property
     def html(self) -> str:
@@ -109,11 +110,13 @@ class ProgressPage:
             )
         for line in self._to_come():
             rows.append(f'<tr class="later"><td></td><td colspan="3">{html.escape(line)}</td></tr>')
+        said = f"<p>{html.escape(self._forms)}</p>" if isinstance(self._forms, str) else self._forms.html
+        rows += ["</table>", said] if self._forms else ["</table>"]
         for title, goals in ((OBJECTIVES, self._standing.objectives), (CHECKLIST, self._standing.checklist)):
-            rows.append(f"</table><h3>{self._say(title)}</h3><table>")
+            rows.append(f"<h3>{self._say(title)}</h3><table>")
             rows += [self._row(number, stands) for number, stands in _not_later(goals)]
-        forms = f"<p>{html.escape(self._forms)}</p>" if isinstance(self._forms, str) else self._forms.html
-        return "".join([*rows, f"</table>{forms}</div>"])
+            rows.append("</table>")
+        return "".join([*rows, "</div>"])
 
     def _row(self, number: int, stands: GoalStanding) -> str:
         details = "<br>".join(
