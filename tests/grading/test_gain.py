@@ -13,7 +13,15 @@ from tflab.grading.judging.marks import judged
 from tflab.grading.judging.pack import learners_cases
 from tflab.grading.release import release
 from tflab.grading.reports.class_page import class_page
-from tflab.grading.reports.gain import Believed, band, believed, class_gain, normalised_gain
+from tflab.grading.reports.gain import (
+    Believed,
+    band,
+    believed,
+    class_gain,
+    normalised_gain,
+    out_of_reach,
+    unused_options,
+)
 from tflab.grading.reports.gain_section import gain_section
 from tflab.grading.submissions.remarks import Remark
 from tflab.grading.submissions.roster import Learner
@@ -140,6 +148,20 @@ def test_the_gain_is_of_the_means_and_has_three_bands() -> None:
         "low", "low", "medium", "medium", "high",
     ]  # fmt: skip
     assert normalised_gain(15.0, 15.0, 15) is None
+
+
+def test_items_and_options_that_tell_little_are_named_once_enough_have_answered() -> None:
+    """Twenty believe M3, which costs items 1 and 3; one of them guesses 5a: 5 % of a class of twenty."""
+    everybody = [record(f"s{number:02}", believer("A", "M3"), believer("B")) for number in range(20)]
+    everybody[0] = record("s00", believer("A", "M3") | {"5": "a?"}, believer("B"))
+    everybody[1:6] = [record(f"s{number:02}", believer("A"), believer("B")) for number in range(1, 6)]
+    matched = class_gain(everybody, ITEMS).matched
+    assert out_of_reach(matched) == [2, *range(4, 16)]  # 25 % had 1 and 3 right
+    unused = unused_options(ITEMS, matched)
+    assert not {"1a", "3a", "5a"} & set(unused)
+    assert {"1c", "1d", "3b", "3c", "5b", "5d"} <= set(unused)
+    assert "should be rewritten: 1c, 1d" in class_page(everybody, {})
+    assert "should be rewritten" not in class_page(everybody[:19], {})
 
 
 def test_where_everybody_had_all_of_it_before_nothing_is_left_to_gain() -> None:

@@ -23,10 +23,22 @@ from tflab.workbook.words import Words
 
 from ..submissions.remarks import Remark
 
-__all__ = ["BY_GUESSING", "Believed", "ClassGain", "Matched", "band", "believed", "class_gain", "normalised_gain"]
+__all__ = [
+    "BY_GUESSING",
+    "Believed",
+    "ClassGain",
+    "Matched",
+    "band",
+    "believed",
+    "class_gain",
+    "normalised_gain",
+    "out_of_reach",
+    "unused_options",
+]
 
 BY_GUESSING = 3.75  # of 15, with four options each
 LOW, HIGH = 0.3, 0.7
+HARDEST, EASIEST, FEWEST_CHOOSE = 0.2, 0.8, 0.05  # of a class, before: else an item tells nothing
 MOST_NAMES = 12
 
 ONLY = {
@@ -131,6 +143,27 @@ def _believed(misconception: str, places: Sequence[int], matched: Sequence[Match
         counts.append((sum(map(bool, shown)), sum(any(reply.is_sure for reply in replies) for replies in shown)))
     (before, sure_before), (after, sure_after) = counts
     return Believed(misconception, before, after, sure_before, sure_after)
+
+
+def out_of_reach(matched: Sequence[Matched]) -> list[int]:
+    """Return the numbers of the items that hardly anybody or nearly everybody had right before (facility)."""
+    columns = zip(*(one.before for one in matched), strict=True)
+    shares = [mean(reply.is_right for reply in column) for column in columns]
+    return [number for number, share in enumerate(shares, start=1) if not HARDEST <= share <= EASIEST]
+
+
+def unused_options(items: Sequence[Item], matched: Sequence[Matched]) -> list[str]:
+    """Return the wrong options that next to nobody chose before, as "3b": idle distractors."""
+    found = []
+    for number, (item, column) in enumerate(
+        zip(items, zip(*(one.before for one in matched), strict=True), strict=True), 1
+    ):
+        wording = item.forms["A"]
+        for letter in wording.options:
+            share = mean(reply.letter == letter for reply in column)
+            if letter != wording.right and share < FEWEST_CHOOSE:
+                found.append(f"{number}{letter}")
+    return found
 
 
 # -- what the records hold ---------------------------------------------------------------------

@@ -18,7 +18,7 @@ from tflab.workbook.inventory.items import Item
 from tflab.workbook.words import Words
 
 from .class_figures import scores
-from .gain import BY_GUESSING, Believed, ClassGain, band, believed, normalised_gain
+from .gain import BY_GUESSING, Believed, ClassGain, band, believed, normalised_gain, out_of_reach, unused_options
 from .html import figure, rows, text
 
 __all__ = ["gain_section"]
@@ -56,6 +56,15 @@ ON_BOTH = Words(
     "Counted on the items on which both forms offer it, so that it has as many chances before as after.",
     "두 형에 모두 그 보기가 있는 문제만 세었으므로 처음과 끝의 기회가 같습니다.",
 )
+ABOUT_THE_TEST = Words("Of the test itself, before the course", "시험 자체에 대하여(강의 전)")
+OUT_OF_REACH = Words(
+    "fewer than 20 % or more than 80 % had these right, so they tell little: {which}",
+    "맞은 사람이 20 %보다 적거나 80 %보다 많아서 알려 주는 것이 적은 문제: {which}",
+)
+UNUSED = Words(
+    "fewer than 5 % chose these wrong options, so they should be rewritten: {which}",
+    "고른 사람이 5 %보다 적어서 고쳐 쓸 오답 보기: {which}",
+)
 LIMITS = Words(
     "A small test, and not validated yet: use it to find what to teach again, not to compare people.",
     "작은 시험이고 아직 타당성을 검증하지 않았습니다. "
@@ -63,6 +72,7 @@ LIMITS = Words(
 )
 IN_WORDS = Words("the same in words", "글로 보기")
 MOST_NAMED = 3
+ENOUGH = 20  # learners, to say anything of the test itself
 
 
 def gain_section(found: ClassGain, items: Sequence[Item], language: str) -> list[str]:
@@ -78,7 +88,7 @@ def gain_section(found: ClassGain, items: Sequence[Item], language: str) -> list
     if found.lines:
         points = "".join(f"<li>{text(line.say(language))}</li>" for line in found.lines)
         body.append(f'<div class="card"><b>{text(LINES.say(language))}</b><ul>{points}</ul></div>')
-    return [*body, _quiet(LIMITS, language)]
+    return [*body, *_about_the_test(found, items, language), _quiet(LIMITS, language)]
 
 
 def _numbers(found: ClassGain, of: int, language: str) -> list[str]:
@@ -125,6 +135,17 @@ def _table(table: Sequence[Believed], of: int, language: str) -> str:
         for row in table
     ]
     return rows([head.say(language) for head in HEADS], cells, numbers=(1, 2), widths=(46, 24, 20, 10))
+
+
+def _about_the_test(found: ClassGain, items: Sequence[Item], language: str) -> list[str]:
+    """Return which items and options tell little, for whoever looks after the test."""
+    if len(found.matched) < ENOUGH:
+        return []
+    sides = ((OUT_OF_REACH, map(str, out_of_reach(found.matched))), (UNUSED, unused_options(items, found.matched)))
+    said = [words.say(language, which=", ".join(which)) for words, names in sides if (which := list(names))]
+    points = "".join(f"<li>{text(line)}</li>" for line in said)
+    summary = text(ABOUT_THE_TEST.say(language))
+    return [f"<details><summary>{summary}</summary><ul>{points}</ul></details>"] if said else []
 
 
 def _share(count: int, of: int) -> str:

@@ -143,7 +143,7 @@ def write_contents(root: Path) -> list[Path]:
 def form_pages(root: Path) -> dict[Path, str]:
     """Return the sources of the two forms of the test with their questions as they should be."""
     items = read_inventory()
-    pages = {form: Path(name) for form, name in FORM_PAGES.items()}
+    pages = {form: Path(name) for form, name in FORM_PAGES.items() if (root / name).is_file()}
     return {
         path: with_questions((root / path).read_text(encoding="utf-8"), items, form) for form, path in pages.items()
     }
