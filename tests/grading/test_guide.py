@@ -9,6 +9,7 @@ import json
 import re
 import shutil
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -87,6 +88,7 @@ def test_all_teaching_files_fit_their_pages_and_mark_each_question_once() -> Non
         (lambda plain: plain["votes"][1]["options"][0].pop("say"), "an option without a reply: 10"),
         (lambda plain: plain["votes"][1]["options"][1].pop("right"), "one option is right"),
         (lambda plain: plain["votes"][1].update(item=9), "has no question 9"),
+        (lambda plain: plain["votes"][0].update(answered="load"), "`load`, where it is answered, stands on no slide"),
         (lambda plain: plain.pop("marking"), "practice question 9 has no marking"),
         (lambda plain: plain["marking"].append(plain["marking"][0]), "practice question 9 is marked twice"),
         (lambda plain: plain["marking"][0].update(question=1), "the chapter does not ask it; it asks 9"),
@@ -253,6 +255,21 @@ def test_each_vote_is_a_slide_behind_the_one_that_asks(language: str) -> None:
             assert asking == page.slides[page.shown[vote.after]].name
 
 
+def test_what_a_fragment_tells_comes_after_the_vote() -> None:
+    page = lectured_page("05_map_odom_base_link", "en")
+    (teaching,) = teachings_called(["05"])
+    slides = slides_of(with_votes(page.notebook, votes_of(teaching, page), "en"))
+    names = [slide.name for slide in slides]
+    assert names[2:6] == ["predict", "vote-farther-off", "vote-larger-steps", "three-pens"]
+    assert slides[2].steps == (("predict",),)
+
+
+def test_a_prediction_is_only_counted_until_its_slide(tmp_path: Path) -> None:
+    write_guide(tmp_path, teachings_called(["11"]), "en")
+    guide = (tmp_path / "guide.html").read_text(encoding="utf-8")
+    assert guide.count("A prediction: only count. What to say is for the slide “tf2_monitor: how late?”") == 1
+
+
 def test_of_a_plan_only_its_cells_are_shown_and_each_begins_as_its_slide_did() -> None:
     page = lectured_page(STEM, "en")
     chosen = ["predict", "rates-seen", "checkpoint", "half-a-century"]
@@ -275,7 +292,7 @@ SMALL = {
 @pytest.mark.browser
 def test_counts_that_are_typed_into_a_deck_become_shares_and_what_to_say(tmp_path: Path, page) -> None:
     (teaching,) = teachings_called(["11"])
-    votes = [vote for vote in votes_of(teaching, lectured_page(STEM, "en")) if vote.after == "predict"]
+    votes = [replace(vote, after="predict") for vote in votes_of(teaching, lectured_page(STEM, "en"))][1:2]
     deck = write_deck(SMALL, votes, tmp_path, name="small", language="en")
     page.goto(f"{deck.as_uri()}#vote-wheels-rate")
     vote = page.locator(".deck-current .tflab-vote")

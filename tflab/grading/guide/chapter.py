@@ -21,7 +21,7 @@ from .counts import ENOUGH, Counts, share
 from .lecture import LecturedPage
 from .sheets import grid, inline, markdown
 from .teaching import Demo, Marking, PlanRow, Teaching
-from .vote import RULES, Vote, rule_for, votes_of
+from .vote import LATER, RULES, Vote, rule_for, votes_of
 
 __all__ = ["chapter_guide"]
 
@@ -208,7 +208,10 @@ def _votes(votes: Sequence[Vote], page: LecturedPage, counts: Counts) -> Iterato
         slide = page.slides[page.shown[vote.after]].title
         shares, voters = share(vote, counts)
         yield f"<h3>{text(VOTE_NUMBER.say(said, number=number))} <code>{text(vote.name)}</code></h3>"
-        yield f"{markdown(vote.question)}<p class=quiet>{text(AFTER.say(said, slide=slide))}</p>"
+        when = AFTER.say(said, slide=slide)
+        if vote.answered:
+            when += " " + LATER.say(said, slide=page.slides[page.shown[vote.answered]].title)
+        yield f"{markdown(vote.question)}<p class=quiet>{text(when)}</p>"
         rows = [
             (
                 text(option.label),

@@ -25,7 +25,7 @@ from .vote import ARGUE_BELOW, EXPLAIN_BELOW, RULES, Vote
 
 __all__ = ["only", "with_votes", "write_deck"]
 
-BEGINS = ("slide", "subslide")
+BEGINS, FRAGMENT = ("slide", "subslide"), "fragment"
 VOTE = Words("Vote", "투표")
 SAYS = {
     "expected": Words("expected", "예상"),
@@ -37,6 +37,7 @@ SAYS = {
     "clear": Words("Clear", "지우기"),
     "right": Words("right", "정답"),
     "copy": Words("In your copy:", "각자의 워크북에서는:"),
+    "later": Words("Counted. The answer comes later.", "세었습니다. 답은 나중에 나옵니다."),
     "do0": Words("Once more, explained another way.", "다르게 다시 설명합니다."),
     "do1": Words(
         "Convince a neighbour who chose otherwise, then vote again.",
@@ -78,12 +79,14 @@ def write_deck(
 
 
 def with_votes(notebook: Mapping[str, Any], votes: Sequence[Vote], language: str) -> dict[str, Any]:
-    """Return a notebook with a slide for each vote, behind the slide that it comes after."""
+    """Return a notebook with a slide for each vote, behind what is shown together with the cell it comes after."""
     cells: list[dict[str, Any]] = copy.deepcopy(notebook["cells"])
     for number, vote in reversed(list(enumerate(votes, start=1))):
         at = next(index for index, cell in enumerate(cells) if cell["id"] == vote.after) + 1
-        while at < len(cells) and _kind(cells[at]) not in BEGINS:
+        while at < len(cells) and _kind(cells[at]) not in (*BEGINS, FRAGMENT):
             at += 1
+        if at < len(cells) and _kind(cells[at]) == FRAGMENT:  # what a fragment tells, a vote must not know
+            cells[at]["metadata"]["slideshow"]["slide_type"] = "subslide"
         cells.insert(at, _slide(vote, number, language))
     return {**notebook, "cells": cells}
 
@@ -142,6 +145,7 @@ def _scripts(votes: Sequence[Vote], language: str, counts: Counts) -> str:
             "stem": vote.stem,
             "name": vote.name,
             "answer": vote.answer,
+            "later": bool(vote.answered),
             "options": [
                 {
                     "label": option.label,

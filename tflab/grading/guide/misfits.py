@@ -128,6 +128,8 @@ def _vote(vote: Mapping[str, Any], page: LecturedPage) -> Iterator[str]:
         return
     if vote.get("after", cell) not in page.shown:
         yield f"`{vote.get('after', cell)}` stands on no slide"
+    if vote.get("answered", cell) not in page.shown:
+        yield f"`{vote.get('answered')}`, where it is answered, stands on no slide"
     total = sum(option["expect"] for option in options)
     if total != 100:
         yield f"what is expected sums to {total} %, not to 100"

@@ -38,7 +38,7 @@ PARTS: dict[str, tuple[set[str], set[str]]] = {
     "brings": ({"has", "lacks", "ask", "answer"}, set()),
     "plan": ({"minutes", "who", "do"}, {"slide", "lab", "late"}),
     "demos": ({"cell", "do", "see", "fails"}, {"types", "figure"}),
-    "votes": ({"name", "cell", "options"}, {"item", "after", "answer", "options_in"}),
+    "votes": ({"name", "cell", "options"}, {"item", "after", "answer", "answered", "options_in"}),
     "options": ({"expect"}, {"text", "quote", "types", "right", "say", "unsure"}),
     "questions": ({"ask", "answer"}, set()),
     "marking": ({"question", "full", "half", "wrong", "because"}, {"half_has", "note"}),

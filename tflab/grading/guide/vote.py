@@ -3,6 +3,7 @@
     - name: wheels-hz
       cell: predict            where the question stands; `item: 2` is its second one
       after: rates             the slide after which hands are raised; that of `cell` if left out
+      answered: rates          where the page answers it, if later: until then it is a prediction, and only counted
       answer: wheels_hz        what a learner's copy calls it; the vote's name if left out
       options:
         - {text: {en: "50", ko: "50번"}, expect: 45, say: {en: ..., ko: ...}}
@@ -26,9 +27,13 @@ from tflab.workbook.words import Words
 from .lecture import LecturedPage
 from .teaching import Teaching, as_words
 
-__all__ = ["ARGUE_BELOW", "EXPLAIN_BELOW", "RULES", "Vote", "VoteOption", "matches", "rule_for", "votes_of"]
+__all__ = ["ARGUE_BELOW", "EXPLAIN_BELOW", "LATER", "RULES", "Vote", "VoteOption", "matches", "rule_for", "votes_of"]
 
 EXPLAIN_BELOW, ARGUE_BELOW = 35, 70  # percent of a room that are right
+LATER = Words(
+    "A prediction: only count. What to say is for the slide “{slide}”, where it is answered.",
+    "예측이므로 세기만 합니다. 할 말은 답이 나오는 슬라이드 “{slide}”에서 합니다.",
+)
 RULES = (
     Words(
         "Below 35 % right: explain it again, another way, then vote anew.",
@@ -67,7 +72,7 @@ class VoteOption:
 
 @dataclass(frozen=True)
 class Vote:
-    """A question to the room, in one language; `after` is the cell on whose slide it follows."""
+    """A question to the room, in one language; it follows the cell `after`, and is answered at `answered`, if later."""
 
     stem: str
     name: str
@@ -75,6 +80,7 @@ class Vote:
     answer: str
     question: str
     options: tuple[VoteOption, ...]
+    answered: str = ""
 
     @property
     def key(self) -> tuple[str, str]:
@@ -116,4 +122,6 @@ def _vote(plain: Mapping[str, Any], stem: str, page: LecturedPage) -> Vote:
         options.append(VoteOption(label, text, row["expect"], bool(row.get("right")), said, types))
     question = page.item(cell, plain["item"]) if "item" in plain else page.text(cell)
     answer = plain.get("answer", plain["name"].replace("-", "_"))
-    return Vote(stem, plain["name"], plain.get("after", cell), answer, question or "", tuple(options))
+    return Vote(
+        stem, plain["name"], plain.get("after", cell), answer, question or "", tuple(options), plain.get("answered", "")
+    )

@@ -69,7 +69,7 @@
         row.classList.toggle("right", !says.hidden && option.right);
       }
       const right = rows.find(({ option }) => option.right), got = shareOf(counts, right.option.label);
-      advice.textContent = sum(counts) ? words[got < bounds[0] ? "do0" : got <= bounds[1] ? "do1" : "do2"] : "";
+      advice.textContent = sum(counts) ? words[vote.later ? "later" : got < bounds[0] ? "do0" : got <= bounds[1] ? "do1" : "do2"] : "";
       if (!says.hidden) tell(counts);
       dispatchEvent(new Event("resize")); // the deck fits the slide anew
     }
