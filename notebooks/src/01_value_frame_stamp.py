@@ -216,7 +216,6 @@ print('you guessed ', my_guess)
 # Count the hands against the board: the three replies are the three mistakes.
 # Open the first one aloud, because it is the story again.
 # Whoever was right explains to a neighbour in one sentence.
-# Twelve minutes up to here.
 
 # %% [markdown] lang="ko" name="run-notes" slide="notes"
 # 칠판의 숫자와 견주어 봅니다.
@@ -224,7 +223,6 @@ print('you guessed ', my_guess)
 # 첫째 것은 소리 내어 읽습니다.
 # 앞의 이야기와 같은 실수입니다.
 # 맞힌 사람은 옆 사람에게 한 문장으로 설명합니다.
-# 여기까지 12분입니다.
 
 # %% [markdown] lang="en" name="three-places" slide="slide"
 # ## The same numbers are three places
@@ -311,7 +309,6 @@ lesson.draw_rulers(turned, map_T_laser.apply((2.0, 0.0, 0.0)), 'ball', before=le
 # And for the room?
 # Your numbers stayed if you took the thing along; the room's did not.
 # This is the last time today that adding works.
-# Eighteen minutes.
 
 # %% [markdown] lang="ko" name="turned-notes" slide="notes"
 # 모두 일어나 왼쪽으로 90° 돌게 합니다.
@@ -319,7 +316,6 @@ lesson.draw_rulers(turned, map_T_laser.apply((2.0, 0.0, 0.0)), 'ball', before=le
 # 이 방에서는 어디입니까?
 # 함께 돈 것의 숫자는 그대로이고, 방 기준의 숫자는 바뀝니다.
 # 더하기로 되는 것은 여기까지입니다.
-# 18분입니다.
 
 # %% name="stop-the-reader" slide="skip"
 graph.stop()
@@ -387,7 +383,6 @@ lesson.draw_moments({f'{t} s': pose for t, pose in poses_at.items()}, map_p_ball
 # Hand the mouse to somebody.
 # The question at the end is the one to wait for: can only the laser's triple change?
 # It cannot, as long as nobody loosens a screw, because laser and base are bolted together.
-# Twenty-three minutes.
 
 # %% [markdown] lang="ko" name="rulers-notes" slide="notes"
 # 마우스를 한 사람에게 넘깁니다.
@@ -395,7 +390,6 @@ lesson.draw_moments({f'{t} s': pose for t, pose in poses_at.items()}, map_p_ball
 # 레이저의 숫자만 바뀔 수 있을까요?
 # 나사를 풀지 않는 한 그럴 수 없습니다.
 # 레이저와 몸체는 함께 고정되어 있습니다.
-# 23분입니다.
 
 # %% name="rulers-panel" tags=["interactive"]
 lesson.rulers_panel()
@@ -545,7 +539,6 @@ print(f'age {age_s:.3f} s, ahead at the stamp {ahead_then:.2f} m, ahead on arriv
 # Draw it: a line for the camera, a line for the robot, and the 0.2 s between.
 # Ask who would have written 3.60 into a program.
 # Then say the sentence of the hour: the number was right, and it was right then.
-# Thirty minutes.
 
 # %% [markdown] lang="ko" name="age-notes" slide="notes"
 # 그려 봅니다.
@@ -554,7 +547,6 @@ print(f'age {age_s:.3f} s, ahead at the stamp {ahead_then:.2f} m, ahead on arriv
 # 그리고 말합니다.
 # 숫자는 맞았습니다.
 # 그때 맞았습니다.
-# 30분입니다.
 
 # %% name="topic-delay"
 # %ros2 --for 2.2 topic delay /detected_point
@@ -619,14 +611,12 @@ print(usable(seen, arrived_ns), '|', usable(seen, arrived_ns + seconds(3.0)), '|
 # Three calls, three verdicts.
 # Ask for a fourth message that this function lets through and should not: a stamp from the future, a label that lies.
 # Both are in the exercises, and the second one no function can find.
-# Thirty-five minutes.
 
 # %% [markdown] lang="ko" name="contract-notes" slide="notes"
 # 호출 셋에 판정 셋입니다.
 # 이 함수가 통과시키지만 통과시키면 안 되는 메시지를 물어봅니다.
 # 미래의 시각, 거짓 이름표가 나옵니다.
 # 둘 다 연습 문제에 있고, 둘째는 어떤 함수로도 찾을 수 없습니다.
-# 35분입니다.
 
 # %% [markdown] lang="en" name="faded" slide="subslide"
 # ### Now you write

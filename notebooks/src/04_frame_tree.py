@@ -89,14 +89,12 @@ print(driver(""))
 # Let the room find the fault in the six lines before you say it.
 # Somebody will; then ask which test would have caught it.
 # The answer is a robot without a name, and nobody has one on the desk.
-# Five minutes up to here.
 
 # %% [markdown] lang="ko" name="story-notes" slide="notes"
 # 말해 주기 전에 여섯 줄에서 잘못을 찾게 합니다.
 # 누군가 찾으면, 어떤 시험이 이것을 잡았을지 묻습니다.
 # 이름 없는 로봇입니다.
 # 책상 위에 그런 로봇을 둔 사람은 없습니다.
-# 여기까지 5분입니다.
 
 # %% [markdown] lang="en" name="a-dict" slide="slide"
 # ## TF is a dict
@@ -176,14 +174,12 @@ lesson.draw_walk(buffer, "camera_optical_frame", "laser_frame")
 # %% [markdown] lang="en" name="walk-notes" slide="notes"
 # Have one person be the laser and one the camera, and let them walk to each other by naming parents only.
 # They meet at the base and not at the map: say that aloud, it saves half of the steps in every lookup.
-# Ten minutes.
 
 # %% [markdown] lang="ko" name="walk-notes" slide="notes"
 # 한 사람은 레이저, 한 사람은 카메라가 되어 부모 이름만 부르며 서로에게 갑니다.
 # 지도가 아니라 base에서 만납니다.
 # 이 점을 소리 내어 말합니다.
 # 조회마다 걸음의 절반이 줄어듭니다.
-# 10분입니다.
 
 # %% name="the-product" slide="fragment"
 lesson.draw_dominoes(
@@ -280,7 +276,6 @@ for target, source in (("odm", "laser_frame"), ("map", "odom"), ("map", "base_li
 # Two of three answers work on a broken robot: that is why nobody notices.
 # Read the error aloud and ask where in it the typo stands.
 # It stands nowhere.
-# Seventeen minutes.
 
 # %% [markdown] lang="ko" name="typo-notes" slide="notes"
 # 칠판의 숫자를 봅니다.
@@ -288,7 +283,6 @@ for target, source in (("odm", "laser_frame"), ("map", "odom"), ("map", "base_li
 # 그래서 아무도 알아채지 못합니다.
 # 오류 메시지를 소리 내어 읽고 오타가 어디에 있는지 묻습니다.
 # 어디에도 없습니다.
-# 17분입니다.
 
 # %% [markdown] lang="en" name="one-line" slide="slide"
 # ## A doctor in one line
@@ -342,14 +336,12 @@ lesson.draw_walk(island, "map", "laser_frame")
 # Who has shipped such a plaster?
 # Do not blame; ask what would have to happen for it to come off.
 # One correct line in another program is enough.
-# Twenty minutes.
 
 # %% [markdown] lang="ko" name="plaster-notes" slide="notes"
 # 이런 반창고를 붙여 본 사람이 있는지 묻습니다.
 # 탓하지 않습니다.
 # 무슨 일이 생기면 떨어질지 묻습니다.
 # 다른 프로그램에 맞는 철자 한 줄이면 됩니다.
-# 20분입니다.
 
 # %% [markdown] lang="en" name="five-rules" slide="slide"
 # ## Five rules, and who enforces them
@@ -398,14 +390,12 @@ lesson.draw_walk(broken, "camera_link", "laser_frame")
 # In the panel, let the room give the orders: hang odom below the laser, below itself.
 # Before each lookup, hands: will it answer?
 # The log line for the last one is the only refusal of the hour.
-# Twenty-seven minutes.
 
 # %% [markdown] lang="ko" name="rules-notes" slide="notes"
 # 패널은 청중이 시키는 대로 움직입니다. odom을 레이저 아래에, 자기 자신 아래에 매답니다.
 # 물을 때마다 손을 들게 합니다.
 # 답할까요?
 # 마지막 것의 로그 한 줄이 이 시간의 유일한 거부입니다.
-# 27분입니다.
 
 # %% [markdown] lang="en" name="names" slide="slide"
 # ## Names are strings
@@ -478,14 +468,12 @@ lesson.draw_walk(dog, "head", "back")
 # Two parts on one body cannot find each other.
 # Let that sink in, then ask why the head in odom works: tf2 stops at the first frame that is the target.
 # A thousand steps are its patience.
-# Thirty-three minutes.
 
 # %% [markdown] lang="ko" name="loop-notes" slide="notes"
 # 한 몸의 두 부품이 서로를 찾지 못합니다.
 # 잠시 생각할 시간을 줍니다.
 # 그다음 odom 기준의 머리는 왜 되는지 묻습니다. tf2는 가는 길에 목표를 만나면 멈추기 때문입니다.
 # 참는 것은 천 걸음까지입니다.
-# 33분입니다.
 
 # %% [markdown] lang="en" name="two-owners" slide="slide"
 # ## Break it: two owners of one edge
@@ -554,7 +542,6 @@ lesson.frame_tree(graph, seconds=2.0)
 # Cover the last column with your hand: with the shape alone nobody could tell.
 # Then the rate: who knows from memory how often their own odometry publishes?
 # Without that number, 50 Hz says nothing.
-# Forty minutes.
 
 # %% [markdown] lang="ko" name="owners-notes" slide="notes"
 # 맨 오른쪽 열을 손으로 가립니다.
@@ -562,7 +549,6 @@ lesson.frame_tree(graph, seconds=2.0)
 # 그다음은 발행률입니다.
 # 자기 로봇의 오도메트리가 1초에 몇 번 발행하는지 외우고 있는 사람이 있습니까?
 # 그 수를 모르면 50 Hz도 아무것도 알려 주지 않습니다.
-# 40분입니다.
 
 # %% name="cure" slide="-"
 # %ros2 param set /wheel_odometry publish_tf false
@@ -646,7 +632,6 @@ for apart_s in (0.03, 0.0):
 # Ask which alarm would go off.
 # None.
 # Then let somebody say what belongs to both robots: the room answers map, and the chapter is done.
-# Forty-six minutes.
 
 # %% [markdown] lang="ko" name="fleet-notes" slide="notes"
 # 더 나쁜 것은 둘째 경우입니다.
@@ -654,7 +639,6 @@ for apart_s in (0.03, 0.0):
 # 어떤 경보가 울릴지 묻습니다.
 # 없습니다.
 # 두 로봇이 함께 쓰는 것은 무엇인지 묻습니다. map이라는 답이 나오면 이 장은 끝입니다.
-# 46분입니다.
 
 # %% [markdown] lang="en" name="view-frames" slide="slide"
 # ## What view_frames shows, and what it cannot

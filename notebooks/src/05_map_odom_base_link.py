@@ -59,7 +59,6 @@ from tflab.workbook import lesson
 # Both nodes told the truth: repeat that until it hurts.
 # Then ask for a way out, and take every proposal seriously: average them, let the better one win, switch by turns.
 # The last is what tf2 does by itself.
-# Five minutes up to here.
 
 # %% [markdown] lang="ko" name="story-notes" slide="notes"
 # 두 노드 모두 사실을 말했습니다.
@@ -67,7 +66,6 @@ from tflab.workbook import lesson
 # 그다음 해결책을 묻고 모두 진지하게 받습니다.
 # 평균을 낸다, 더 나은 쪽을 따른다, 번갈아 쓴다.
 # 마지막 것은 tf2에서 저절로 일어나는 일입니다.
-# 여기까지 5분입니다.
 
 # %% [markdown] lang="en" name="story-sources" slide="skip"
 # *Read them:* lidar_slam_ros2 [86](https://github.com/rsasaki0109/lidar_slam_ros2/issues/86), [87](https://github.com/rsasaki0109/lidar_slam_ros2/pull/87); robot_localization [23](https://github.com/cra-ros-pkg/robot_localization/issues/23); hdl_localization [67](https://github.com/koide3/hdl_localization/issues/67); [REP-105](https://ros.org/reps/rep-0105.html).
@@ -141,13 +139,11 @@ lesson.draw_tracks({'map': in_map, 'odom': in_odom}, truth, times)
 # Point at one jump in the left picture and find it in both curves on the right.
 # Then ask the two questions again, as they were predicted.
 # Nobody is right with the same answer twice.
-# Twelve minutes.
 
 # %% [markdown] lang="ko" name="three-pens-notes" slide="notes"
 # 왼쪽 그림에서 튀는 곳 하나를 짚고, 오른쪽 두 곡선에서 찾게 합니다.
 # 그다음 예측한 두 질문을 다시 묻습니다.
 # 같은 답을 두 번 써서 맞힌 사람은 없습니다.
-# 12분입니다.
 
 # %% [markdown] lang="en" name="speed-of-a-jump" slide="subslide"
 # What would a controller see that takes the pose in `map` and works out its speed from it?
@@ -164,14 +160,12 @@ for name, track in {'map': in_map, 'odom': in_odom}.items():
 # Ask somebody who has tuned a controller what it would do at 2.4 m/s on a robot that drives half a metre a second.
 # It brakes.
 # That is the jerk in the corridor that everybody has seen.
-# Fifteen minutes.
 
 # %% [markdown] lang="ko" name="speeds-notes" slide="notes"
 # 제어기를 맞추어 본 사람에게 묻습니다.
 # 0.5 m/s로 달리는 로봇에서 2.4 m/s가 나오면 어떻게 합니까?
 # 제동을 겁니다.
 # 복도에서 로봇이 움찔하는 까닭입니다.
-# 15분입니다.
 
 # %% [markdown] lang="en" name="speeds-seen"
 # A robot that does half a metre a second seems to do almost two and a half. Brake on that, and you know where the jerks come from.
@@ -285,14 +279,12 @@ print(f'off by {np.hypot(*off.translation[:2]):.2f} m and {off.rpy()[2]:+.2f} ra
 # A tenth of a second, a third of a metre.
 # Before you say why, let them draw it: turn the robot by three degrees and look at what happens to a point three metres away.
 # The stamp is part of the sum.
-# Twenty-five minutes.
 
 # %% [markdown] lang="ko" name="same-moment-notes" slide="notes"
 # 0.1초에 0.33 m입니다.
 # 이유를 말하기 전에 그리게 합니다.
 # 로봇을 몇 도 돌리면 3미터 떨어진 점은 어떻게 될까요?
 # 측정 시각도 식의 일부입니다.
-# 25분입니다.
 
 # %% [markdown] lang="en" name="what-where" slide="slide"
 # ## What to keep in which frame
@@ -341,7 +333,6 @@ for later in (20.0, 50.0):
 # Let the room fill the table before you scroll to it: call out jobs, they call back a frame.
 # Dock, next half metre, bolt of the laser, goal.
 # Stop at every disagreement; there will be one about obstacles.
-# Thirty-two minutes.
 
 # %% [markdown] lang="ko" name="what-where-notes" slide="notes"
 # 표를 보여 주기 전에 채우게 합니다.
@@ -349,7 +340,6 @@ for later in (20.0, 50.0):
 # 충전대, 앞으로의 0.5미터, 레이저의 나사, 목적지.
 # 의견이 갈리면 멈춥니다.
 # 장애물에서 한 번 갈립니다.
-# 32분입니다.
 
 # %% [markdown] lang="en" name="footprint" slide="slide"
 # ## base_footprint: the robot's shadow on the floor
@@ -384,14 +374,12 @@ lesson.draw_scene({'base_footprint': Transform(), 'base_link': footprint_T_base}
 # %% [markdown] lang="en" name="footprint-notes" slide="notes"
 # Tilt a book with a pen on it: where is the pen's tip above the table?
 # Then the question of the chapter for a real robot: which of the two frames do your wheels publish?
-# Thirty-six minutes.
 
 # %% [markdown] lang="ko" name="footprint-notes" slide="notes"
 # 책 위에 펜을 올리고 기울입니다.
 # 펜 끝은 책상에서 얼마나 위에 있습니까?
 # 그다음 실제 로봇으로 묻습니다.
 # 여러분의 바퀴는 두 좌표계 가운데 어느 것을 발행합니까?
-# 36분입니다.
 
 # %% [markdown] lang="en" name="faded" slide="subslide"
 # ### Now you write
@@ -504,7 +492,6 @@ print(answered)
 # Read the three numbers slowly: half, half, nought.
 # The proposals of the first slide are on the table again; this is what switching by turns costs.
 # Nobody raised an error.
-# Forty-three minutes.
 
 # %% [markdown] lang="ko" name="counted-notes" slide="notes"
 # 세 숫자를 천천히 읽습니다.
@@ -512,7 +499,6 @@ print(answered)
 # 첫 슬라이드의 제안을 다시 꺼냅니다.
 # 번갈아 쓰면 이런 값을 치릅니다.
 # 오류는 하나도 나지 않았습니다.
-# 43분입니다.
 
 # %% name="wrong-half"
 for _ in range(10):

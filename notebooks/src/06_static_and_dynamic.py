@@ -58,14 +58,12 @@ from tflab.workbook import lesson
 # Ask who has closed RViz and opened it again because something was missing.
 # Here that made it worse.
 # Collect guesses: where are the other three cameras kept?
-# Five minutes up to here.
 
 # %% [markdown] lang="ko" name="story-notes" slide="notes"
 # 무언가 보이지 않아 RViz를 껐다 켜 본 사람이 있는지 묻습니다.
 # 여기서는 그래서 더 나빠졌습니다.
 # 나머지 카메라 세 대는 어디에 보관되어 있을까요?
 # 추측을 모읍니다.
-# 여기까지 5분입니다.
 
 # %% [markdown] lang="en" name="story-sources" slide="skip"
 # *Read them:* extrinsic_calibrator [1](https://github.com/Ikerlan-KER/extrinsic_calibrator/issues/1), [2](https://github.com/Ikerlan-KER/extrinsic_calibrator/pull/2); geometry2 [585](https://github.com/ros2/geometry2/issues/585), [634](https://github.com/ros2/geometry2/pull/634); ouster-ros [105](https://github.com/ouster-lidar/ouster-ros/issues/105).
@@ -195,7 +193,6 @@ print('late:', *late.all_frames_as_string().splitlines(), sep='\n')
 # Each new note goes over the last.
 # Somebody who comes in now reads one.
 # Not nought, and not four: both halves of the class were wrong in their own way.
-# Twelve minutes.
 
 # %% [markdown] lang="ko" name="two-listeners-notes" slide="notes"
 # 종이로 해 봅니다.
@@ -204,7 +201,6 @@ print('late:', *late.all_frames_as_string().splitlines(), sep='\n')
 # 지금 들어온 사람은 한 장을 읽습니다.
 # 0도 4도 아닙니다.
 # 양쪽 모두 저마다 틀렸습니다.
-# 12분입니다.
 
 # %% name="late-join" tags=["predicted"] slide="-"
 letters = tuple(lesson.Letter(1.5 + 0.25 * i, (f'camera_{i + 1}',)) for i in range(4))
@@ -306,12 +302,10 @@ print('newcomer knows:', newcomer.all_frames_as_string().splitlines())
 # Take the board off the wall and carry it out with you.
 # Who read it still knows; who comes in now finds an empty wall.
 # Ask what that means for a launch file whose static publisher has crashed.
-# Eighteen minutes.
 
 # %% [markdown] lang="ko" name="ctrl-c-notes" slide="notes"
 # 게시판을 벽에서 떼어 들고 나갑니다.
 # 읽은 사람은 알고, 지금 들어온 사람은 빈 벽을 봅니다. launch 파일의 정적 발행자가 죽으면 어떻게 될지 묻습니다.
-# 18분입니다.
 
 # %% name="a-newcomer-asks" slide="-"
 try:
@@ -376,13 +370,11 @@ print('early knows:', early.all_frames_as_string().splitlines())
 # The warning is the only clue, and it goes by once.
 # Show where it stands, then ask for the error that somebody will send you a week later.
 # It says that a frame does not exist.
-# Twenty-three minutes.
 
 # %% [markdown] lang="ko" name="volatile-notes" slide="notes"
 # 단서는 경고뿐이고 한 번만 지나갑니다.
 # 어디에 나오는지 보여 준 다음, 일주일 뒤 누군가 보내올 오류를 묻습니다.
 # 좌표계가 없다는 오류입니다.
-# 23분입니다.
 
 # %% name="come-later" tags=["interactive"] slide="subslide"
 cameras = ('camera_1', 'camera_2', 'camera_3', 'camera_4')
@@ -476,7 +468,6 @@ graph = lesson.new_graph()
 # Hands before each: error or not?
 # The one that stays silent turned the camera by four turns and a bit.
 # Degrees are the dearest habit in the room; say radians aloud with every yaw today.
-# Thirty minutes.
 
 # %% [markdown] lang="ko" name="break-command-notes" slide="notes"
 # 하나씩 손을 들게 합니다.
@@ -484,7 +475,6 @@ graph = lesson.new_graph()
 # 조용히 지나간 쪽이 카메라를 네 바퀴 남짓 돌렸습니다.
 # 도로 생각하는 것은 가장 끈질긴 버릇입니다.
 # 오늘은 yaw를 말할 때마다 라디안을 붙입니다.
-# 30분입니다.
 
 # %% [markdown] lang="en" name="echo-once" slide="subslide"
 # A second publisher is at work now, and you want to see both. The first thing that everybody types is the lecture's `topic echo --once`. Try it, and then give it a second.
@@ -836,14 +826,12 @@ for t in (1.0, 3.0, 6.0):
 # %% [markdown] lang="en" name="static-lift-notes" slide="notes"
 # Fill the two by two table with the room, one cell at a time, each with the picture that showed it.
 # The lower left one has no error message at all: ask how one would ever find it.
-# Forty-four minutes.
 
 # %% [markdown] lang="ko" name="static-lift-notes" slide="notes"
 # 두 칸씩 두 줄인 표를 함께 채웁니다.
 # 칸마다 그것을 보여 준 그림을 떠올립니다.
 # 왼쪽 아래 칸에는 오류 메시지가 아예 없습니다.
 # 어떻게 찾아낼지 묻습니다.
-# 44분입니다.
 
 # %% [markdown] lang="en" name="crab" slide="slide"
 # ## The crab
@@ -898,7 +886,6 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 # Nothing is, in RViz.
 # Then the one question that finds it: in its own axes, where does it go?
 # It is the lecture's own code; say so with a smile.
-# Fifty-one minutes.
 
 # %% [markdown] lang="ko" name="crab-notes" slide="notes"
 # 숫자를 보여 주기 전에 원만 보여 주고 무엇이 잘못인지 묻습니다.
@@ -907,7 +894,6 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 # 로봇은 자기 축으로 어디로 갑니까?
 # 강의 자료의 코드 그대로입니다.
 # 웃으며 말합니다.
-# 51분입니다.
 
 # %% [markdown] lang="en" name="forward" slide="subslide"
 # The cure is one number. In 3D: turn the place on the circle, and compare the robot as written (grey) with the robot that drives forward.

@@ -152,10 +152,10 @@ lesson.draw_placed(placed, walls=lesson.ROOM.walls)
 # 아무 오류도 나지 않았습니다. 도면과 나사를 비교해 주는 도구는 없습니다. 똑바로 앞에 있다고 알고 있는 물체로 *여러분이* 비교해야 합니다.
 
 # %% [markdown] lang="en" name="walls-notes" slide="notes"
-# Stay here until somebody says why the middle picture is no better than the left one. Then ask who in the room has a URDF with a sensor that was moved since. Eight minutes up to here.
+# Stay here until somebody says why the middle picture is no better than the left one. Then ask who in the room has a URDF with a sensor that was moved since.
 
 # %% [markdown] lang="ko" name="walls-notes" slide="notes"
-# 가운데 그림이 왼쪽 그림보다 나을 것이 없는 이유가 나올 때까지 기다립니다. 그다음 묻습니다. 센서를 옮긴 뒤 URDF를 고치지 않은 로봇이 있습니까? 여기까지 8분입니다.
+# 가운데 그림이 왼쪽 그림보다 나을 것이 없는 이유가 나올 때까지 기다립니다. 그다음 묻습니다. 센서를 옮긴 뒤 URDF를 고치지 않은 로봇이 있습니까?
 
 # %% name="laser-and-ghost" slide="subslide"
 poses = lesson.link_poses(lesson.parse_urdf(in_visual))
@@ -255,10 +255,10 @@ lesson.draw_joints(at, touched='elbow_joint', ghosts={'0.12 added to z': (x, y, 
 # 0도 다른 값과 다를 바 없는 위치입니다. 모두 0이면 팔 끝은 (0.470, 0, 0.150)에 있습니다.
 
 # %% [markdown] lang="en" name="chain-notes" slide="notes"
-# Let somebody call out a joint and everybody say which dominoes will change, before you move the slider. It is always one. Twenty-five minutes up to here.
+# Let somebody call out a joint and everybody say which dominoes will change, before you move the slider. It is always one.
 
 # %% [markdown] lang="ko" name="chain-notes" slide="notes"
-# 누군가 관절 이름을 부르게 하고, 슬라이더를 움직이기 전에 어느 도미노가 바뀔지 모두 말하게 합니다. 언제나 하나입니다. 여기까지 25분입니다.
+# 누군가 관절 이름을 부르게 하고, 슬라이더를 움직이기 전에 어느 도미노가 바뀔지 모두 말하게 합니다. 언제나 하나입니다.
 
 # %% [markdown] lang="en" name="touch" slide="subslide"
 # How does one find a tcp? Touch a mark whose place is known, `base_p_tip`, and ask where it is for the tool: `tool0_p_tip = tool0_T_base @ base_p_tip`.
@@ -496,10 +496,10 @@ lesson.draw_placed({'URDF: level': level, 'URDF: 3°': true, 'URDF: 3°, z > 0.0
 # 평면 스캔만 받는 프로그램이라면 나사를 조절해 레이저를 수평으로 맞추세요. 강의에서는 기울어진 레이저를 수평으로 여기면 장애물 위치가 틀어진다고 했습니다. URDF를 제대로 적는 것은 고치는 일의 시작이지 끝이 아닙니다.
 
 # %% [markdown] lang="en" name="tilt-notes" slide="notes"
-# The surprise is the second panel: the URDF is right and the dots are where they were. Ask what the URDF has given us then. The answer is one number: z. Forty-five minutes up to here.
+# The surprise is the second panel: the URDF is right and the dots are where they were. Ask what the URDF has given us then. The answer is one number: z.
 
 # %% [markdown] lang="ko" name="tilt-notes" slide="notes"
-# 놀라운 것은 둘째 그림입니다. URDF가 맞는데도 점들은 그대로입니다. 그러면 URDF가 준 것은 무엇일까요? 답은 숫자 하나, z입니다. 여기까지 45분입니다.
+# 놀라운 것은 둘째 그림입니다. URDF가 맞는데도 점들은 그대로입니다. 그러면 URDF가 준 것은 무엇일까요? 답은 숫자 하나, z입니다.
 
 # %% [markdown] lang="en" name="imu" slide="slide"
 # ## An IMU on its back
