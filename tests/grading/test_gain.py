@@ -117,7 +117,7 @@ def test_a_misconception_has_as_many_chances_before_as_after() -> None:
 
 def test_whoever_is_not_matched_is_a_line_and_counts_nowhere() -> None:
     everybody = class_of_thirty()
-    several = Remark("several", chapter=STEMS["A"], file="E00 (1).ipynb").plain()
+    several = Remark("several", chapter=STEMS["A"], file="E00 (1).ipynb", rule=Remark("by latest")).plain()
     everybody[0]["chapters"][STEMS["A"]]["remarks"] = [several]
     everybody[1]["chapters"][STEMS["B"]]["language"] = "ko"
     everybody += [
@@ -134,7 +134,7 @@ def test_whoever_is_not_matched_is_a_line_and_counts_nowhere() -> None:
         "Neither form: nothing.",
         "In another language than the roster's: s01. The letters are the same, so it counts.",
         "Handed in more than once: s00. 00_start was handed in more than once; E00 (1).ipynb was graded: "
-        "the one with most answers, or the later one.",
+        "the latest, by its name.",
     ]
     assert (len(found.matched), found.means()) == (30, (13.0, pytest.approx(43 / 3)))
     for language in ("en", "ko"):
