@@ -48,6 +48,12 @@ from tflab.workbook import lesson
 #
 # 셋 가운데 고장 난 것은 없었습니다. 오류도 없었습니다. 트리는 멀쩡해 보였습니다. 좌표계는 가장 새로운 부모 아래에만 그려지므로, 몇이 발행하든 그림에는 하나만 보입니다.
 
+# %% [markdown] lang="en" name="story-notes" slide="notes"
+# Ask who of the three was broken. Nobody. Ask what the tree tool showed. One parent. Write both answers on the board; they come back in ten minutes. Do not tell yet how one would have seen it.
+
+# %% [markdown] lang="ko" name="story-notes" slide="notes"
+# 셋 가운데 누가 고장이었는지 묻습니다. 아무도 아닙니다. 트리 도구에는 무엇이 보였는지 묻습니다. 부모 하나입니다. 두 답을 칠판에 적어 두면 10분 뒤에 다시 씁니다. 어떻게 알아낼 수 있었는지는 아직 말하지 않습니다.
+
 # %% [markdown] lang="en" name="story-sources" slide="skip"
 # *Read them:* rtabmap_ros [645](https://github.com/introlab/rtabmap_ros/issues/645), and the like in [760](https://github.com/introlab/rtabmap_ros/issues/760); why `tf2_monitor` names nobody: geometry2 [798](https://github.com/ros2/geometry2/issues/798).
 
@@ -101,6 +107,12 @@ graph.run(seconds=20.0)
 # %% [markdown] lang="ko" name="count-seen" tags=["predicted"]
 # 앞에도 넷, 뒤에도 넷입니다. `topic info`는 `/tf`에서 말할 **수 있는** 노드를 모든 연결에 대해 함께 셉니다. 필터는 회선을 쥔 채 말하지 않을 뿐입니다. 그러니 넷이라는 숫자는 두 번째 발행자의 증거도, 고쳤다는 증거도 아닙니다.
 # 증거는 연결에 있습니다. 얼마나 자주 오는지, 매끄럽게 움직이는지 보아야 합니다.
+
+# %% [markdown] lang="en" name="count-seen-notes" slide="notes"
+# Let those who said “one fewer” say why. Their picture is a telephone list; this one counts telephones, not calls. Then ask: what would show the calls? Wait for “the rate of the edge”.
+
+# %% [markdown] lang="ko" name="count-seen-notes" slide="notes"
+# “하나 줄어든다”고 답한 사람에게 까닭을 묻습니다. 통화 기록을 떠올렸겠지만, 이 도구는 전화기의 수를 셉니다. 그럼 통화를 보려면 무엇을 보아야 할까요? “연결의 발행률”이라는 답을 기다립니다.
 
 # %% name="listen" slide="skip"
 import rclpy
@@ -212,6 +224,12 @@ lesson.draw_owners(
 # | 둘 | 오락가락합니다 | 온전하지만 연결이 너무 자주 옵니다 |
 # | 다른 연결 | 답이 나오다 말다 합니다 | 온전했다 끊어졌다 합니다 |
 
+# %% [markdown] lang="en" name="four-states-notes" slide="notes"
+# Cover the second column and let the room fill it in, row by row. Most miss “answers by turns”: two owners of one edge never tear the tree, another edge does.
+
+# %% [markdown] lang="ko" name="four-states-notes" slide="notes"
+# 둘째 열을 가리고 한 줄씩 채우게 합니다. 많은 사람이 “답이 나오다 말다”를 놓칩니다. 한 연결의 발행자가 둘이면 트리가 끊어지지 않지만, 다른 연결이 오면 끊어집니다.
+
 # %% name="to-and-fro" slide="fragment"
 graph.run(seconds=0.005)
 for _ in range(6):
@@ -235,6 +253,12 @@ for _ in range(6):
 # ## 노드를 하나 멈추고 보기
 #
 # 어느 노드가 어느 연결을 보내는지 알려 준 도구는 없습니다. 하지만 멈춘 노드는 아무것도 보내지 않습니다. 하나를 멈추고 연결이 계속 오는지 봅시다. **예측해 봅시다.** 필터를 멈추면 `odom → base_footprint`가 1초에 몇 번 올까요? 바퀴 노드를 멈추면 몇 번 올까요?
+
+# %% [markdown] lang="en" name="stop-one-notes" slide="notes"
+# Three numbers before running: without the filter, without the wheels, without the localiser. Say the safety sentence aloud: wheels off the ground, hand on the emergency stop. It is the one experiment here that moves a real machine.
+
+# %% [markdown] lang="ko" name="stop-one-notes" slide="notes"
+# 실행하기 전에 세 숫자를 적게 합니다. 필터 없이, 바퀴 노드 없이, 위치 추정 없이. 안전 수칙은 소리 내어 말합니다. 바퀴는 바닥에서 띄우고 손은 비상 정지 버튼에 둡니다. 여기서 실제 기계를 움직이는 실험은 이것뿐입니다.
 
 # %% name="stop-one-look" tags=["predicted"] slide="fragment"
 for name in ("ekf_filter_node", "wheel_odometry", "localization"):
@@ -263,6 +287,12 @@ rclpy.shutdown()
 # ## 강의의 실험 A, B, C
 #
 # 강의 23장에는 `static_transform_publisher`로 하는 실험이 셋 있습니다. A는 모두 맞는 경우, B는 부모 이름이 틀린 경우, C는 정적 연결 하나를 둘이 발행하는 경우입니다.
+
+# %% [markdown] lang="en" name="experiments-notes" slide="notes"
+# Do A on the blackboard in a minute. Before B ask: what does the first line of the tool say, and what the second? Before C: 1.000, 2.000, or an error?
+
+# %% [markdown] lang="ko" name="experiments-notes" slide="notes"
+# A는 칠판에서 1분이면 됩니다. B 전에는 도구의 첫 줄과 둘째 줄이 무엇일지 묻습니다. C 전에는 1.000, 2.000, 오류 가운데 무엇일지 묻습니다.
 
 # %% name="experiment-b" slide="fragment"
 graph = lesson.new_graph()
@@ -301,6 +331,12 @@ graph = lesson.new_graph()
 # 강의 27장의 여섯 걸음은 이름, 트리, 값, 지연, 메시지와 시계, 발행자입니다. 싸고 굵은 것에서 비싸고 가는 것으로 가는 순서입니다. 하지만 질문 없는 순서는 느립니다.
 # “스캔이 깜빡이고 future라는 말이 나온다”는 증상을 봅시다. 용의자는 셋입니다. 레이저의 **시계가 앞섰거나**, **변환이 늦거나**, **오도메트리가 느립니다**. 명령을 치기 전에 물어보세요. 셋의 답이 다를 검사는 무엇입니까?
 
+# %% [markdown] lang="en" name="stop-guessing-notes" slide="notes"
+# Ask for a check and write it down only if somebody can say what each of the three suspects would answer. Checks that all three answer alike are crossed out aloud. After five minutes one is left that costs a minute.
+
+# %% [markdown] lang="ko" name="stop-guessing-notes" slide="notes"
+# 검사를 제안받되, 세 용의자가 저마다 무엇이라 답할지 말할 수 있을 때만 적습니다. 셋의 답이 같은 검사는 소리 내어 지웁니다. 5분쯤 뒤에는 1분짜리 하나가 남습니다.
+
 # %% name="columns" slide="fragment"
 lesson.draw_columns("flickers", {"delay /scan": "ahead"})
 
@@ -315,6 +351,12 @@ lesson.draw_columns("flickers", {"delay /scan": "ahead"})
 
 # %% [markdown] lang="ko" name="two-ways" slide="subslide"
 # 이제 두 사람이 증상을 듣지 않고 진료실의 용의자 열여덟을 모두 맞습니다. 한 사람은 여섯 걸음을 따르고, 한 사람은 늘 1분에 가장 많이 가르는 것을 묻습니다.
+
+# %% [markdown] lang="en" name="two-ways-notes" slide="notes"
+# Let them guess both averages first. The point is not that the order is wrong: it is safe, it teaches, and it finds everything. It just does not know what you already know.
+
+# %% [markdown] lang="ko" name="two-ways-notes" slide="notes"
+# 먼저 두 평균을 짐작하게 합니다. 순서가 틀렸다는 이야기가 아닙니다. 순서는 안전하고, 배우기 좋고, 모두 찾아냅니다. 다만 이미 아는 것을 쓰지 않을 뿐입니다.
 
 # %% name="both-ways" tags=["predicted"] slide="fragment"
 lesson.draw_both_ways()
@@ -337,6 +379,12 @@ print(lesson.draw_both_ways().text)
 # ## 진료실: 이렇게 합니다
 #
 # 환자는 누군가 고장 낸 로봇이고, 그 로봇에서 모든 도구가 출력한 것이 들어 있습니다. 증상과 RViz 화면, 정상일 때의 카드는 거저 받습니다. 질문마다 시간이 들고, 가진 것은 12분입니다.
+
+# %% [markdown] lang="en" name="clinic-notes" slide="notes"
+# One patient together, aloud: read the complaint, read RViz, and let nobody type before the three suspects are named. Whoever proposes a fix is asked which reading would change after it.
+
+# %% [markdown] lang="ko" name="clinic-notes" slide="notes"
+# 환자 한 명을 함께 봅니다. 증상과 RViz를 소리 내어 읽고, 세 용의자의 이름이 나오기 전에는 아무것도 치지 않습니다. 처치를 제안하는 사람에게는 그 뒤에 어느 값이 바뀔지 묻습니다.
 
 # %% name="trolley" slide="skip"
 lesson.show_trolley()
@@ -388,6 +436,12 @@ visit.try_fix()
 # ## 반만 도움받기: 로봇이 튑니다
 #
 # 검사 둘은 정해져 있습니다. 원인만 대면 됩니다. `my_cause`를 채우고 처치를 부탁해 보세요. 읽은 값이 다른 용의자에게도 맞으면 거절합니다.
+
+# %% [markdown] lang="en" name="faded-notes" slide="notes"
+# Five minutes in pairs. One asks, one keeps the list of suspects and strikes. Then change places for the next patient.
+
+# %% [markdown] lang="ko" name="faded-notes" slide="notes"
+# 둘씩 5분 동안 합니다. 한 사람은 묻고, 한 사람은 용의자 목록을 들고 지웁니다. 다음 환자에서는 역할을 바꿉니다.
 
 # %% name="faded-visit"
 jumps = lesson.admit(lesson.worked_patient("two owners of one edge"))
@@ -445,6 +499,12 @@ lesson.show_findings("flickers")
 # ## 일부러 고장 내기: 원인이 둘
 #
 # 밤에는 원인이 둘입니다. **예측해 봅시다.** 위치 추정 노드가 꺼져 있고, 그 뒤에 레이저의 장착이 틀렸습니다. 위치 추정 노드를 켜면 RViz는 무엇이라고 하고, 스캔은 어디에 있을까요?
+
+# %% [markdown] lang="en" name="break-it-notes" slide="notes"
+# Let them write a sentence about the scan before you run it. The laugh comes with “all Ok”.
+
+# %% [markdown] lang="ko" name="break-it-notes" slide="notes"
+# 실행하기 전에 스캔이 어떨지 한 문장으로 적게 합니다. “모두 Ok”가 나오면 웃음이 터집니다.
 
 # %% name="night" tags=["predicted"]
 night = lesson.admit(lesson.night_shift(4))
@@ -528,6 +588,12 @@ night.try_fix()
 # 아직 진단이 없는데 처치부터 했습니다. 시계가 틀렸다면 스캔은 돌아오지만 틀린 자리에 놓입니다.
 #
 # </details>
+
+# %% [markdown] lang="en" name="checkpoint-notes" slide="notes"
+# Hands for 1 to 4. Come back to the first minute that they named at the beginning: who would change it now?
+
+# %% [markdown] lang="ko" name="checkpoint-notes" slide="notes"
+# 1번부터 4번까지 손을 들게 합니다. 처음에 적은 “처음 1분”으로 돌아가 누가 바꾸겠는지 묻습니다.
 
 # %% [markdown] lang="en" name="on-the-robot" slide="slide"
 # ## On a real robot

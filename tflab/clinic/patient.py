@@ -20,7 +20,7 @@ from typing import Any
 
 from .trolley import TROLLEY, check_named
 
-__all__ = ["SickRobot"]
+__all__ = ["SickRobot", "seen_after"]
 
 
 class SickRobot:
@@ -28,7 +28,7 @@ class SickRobot:
 
     Args:
         complaint: a key of COMPLAINTS, "" for one that says nothing.
-        screen: RViz's list.
+        screen: RViz's list; that of one without a complaint has to be asked for.
         budget_min: how long a visit may take [min].
         evidence: of each check its minutes, its text and its finding.
         fixes: of each fix its minutes, and what is seen after it.
@@ -42,9 +42,9 @@ class SickRobot:
         evidence: Mapping[str, tuple[float, str, str]],
         fixes: Mapping[str, tuple[float, str]],
     ) -> None:
-        self.complaint, self.screen, self.budget_min = complaint, screen, budget_min
-        self._evidence = {key: tuple(row) for key, row in evidence.items()}
-        self._fixes = {fix: tuple(row) for fix, row in fixes.items()}
+        self.complaint, self.screen, self.budget_min = complaint, screen if complaint else "", budget_min
+        self.fixes = tuple(fixes)
+        self._word = _packed([evidence, fixes])
         self.asked: tuple[str, ...] = ()
 
     def ask(self, check: str) -> str:
@@ -59,27 +59,12 @@ class SickRobot:
         """Return the minutes, the text and the finding of a check, and note that it was asked."""
         key = check_named(check).key
         self.asked += (key,)
-        return self._evidence[key]
+        return tuple(_unpacked(self._word)[0][key])
 
     @property
     def minutes(self) -> float:
         """What has been asked so far took this long [min]."""
         return sum(TROLLEY[key].minutes for key in self.asked)
-
-    @property
-    def fixes(self) -> tuple[str, ...]:
-        """Return what can be done about it."""
-        return tuple(self._fixes)
-
-    def after(self, fix: str) -> tuple[float, str]:
-        """Return the minutes of a fix, and what is seen after it.
-
-        Raises:
-            ValueError: there is no such fix.
-        """
-        if fix not in self._fixes:
-            raise ValueError(f'there is no fix "{fix}"; there is {", ".join(self._fixes)}')
-        return self._fixes[fix]
 
     def verdict(self, cause: str, frame: str) -> dict[str, Any]:
         """Return what is handed in: the cause, the frame, and the proof, which is what was asked on the way."""
@@ -87,13 +72,25 @@ class SickRobot:
 
     def packed(self) -> str:
         """Return all of it as one word."""
-        row = [self.complaint, self.screen, self.budget_min, self._evidence, self._fixes]
-        return base64.b85encode(zlib.compress(json.dumps(row).encode(), 9)).decode()
+        return _packed([self.complaint, self.screen, self.budget_min, *_unpacked(self._word)])
 
     @classmethod
     def unpacked(cls, word: str) -> SickRobot:
         """Return the patient that `packed` wrote, nothing asked of it yet."""
-        return cls(*json.loads(zlib.decompress(base64.b85decode(word))))
+        return cls(*_unpacked(word))
 
     def __repr__(self) -> str:
         return f"<Patient: {self.complaint or 'it does not work'}>"
+
+
+def seen_after(patient: SickRobot, fix: str) -> tuple[float, str]:
+    """Return the minutes of a fix, and what is seen after it; whether it may be tried yet, a visit decides."""
+    return tuple(_unpacked(patient._word)[1][fix])
+
+
+def _packed(rows: list[Any]) -> str:
+    return base64.b85encode(zlib.compress(json.dumps(rows).encode(), 9)).decode()
+
+
+def _unpacked(word: str) -> list[Any]:
+    return json.loads(zlib.decompress(base64.b85decode(word)))

@@ -16,7 +16,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from .patient import SickRobot
+from .patient import SickRobot, seen_after
 from .proof import NOTHING_IS_WRONG, fitting
 from .table import COMPLAINTS, SUSPECTS
 from .trolley import TROLLEY, check_named
@@ -170,8 +170,8 @@ class Visit:
             ValueError: the cause is no suspect, or there is no such fix.
         """
         self._known(cause)
-        if fix:
-            self.patient.after(fix)
+        if fix and fix not in self.patient.fixes:
+            raise ValueError(f'there is no fix "{fix}"; there is {", ".join(self.patient.fixes)}')
         self.diagnosis = {"cause": cause, "frame": frame, "owner": owner, "fix": fix}
         print(self._say("struck", cause=cause) if cause not in self.suspects else self._say("noted"))
 
@@ -184,7 +184,7 @@ class Visit:
         print(self._refusal() or self._after())
 
     def _after(self) -> str:
-        minutes, text = self.patient.after(self.diagnosis["fix"])
+        minutes, text = seen_after(self.patient, self.diagnosis["fix"])
         return f"{self.diagnosis['fix']} (+{minutes:g} min)\n{_indented(text)}"
 
     def _refusal(self) -> str:

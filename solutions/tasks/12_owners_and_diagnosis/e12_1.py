@@ -115,6 +115,48 @@ TASK = Task(
     variants=6,
     model=owners,
     twins=(BOTH_ON, LOCALIZER_OWNS_BASE, ALL_OFF, DRIVER_REPEATS, ARM_BY_DRIVER),
+    shows={
+        "map -> odom": Words(
+            en="`map_frame` says who finds the robot on a map, and whether anybody does.",
+            ko="지도에서 로봇을 찾는 것이 누구인지, 찾기는 하는지 `map_frame`에 적혀 있습니다.",
+        ),
+        "odom -> base_footprint": Words(
+            en="This edge is made of the way that was driven. `odometry` says whose pose of it is to be believed.",
+            ko="이 연결은 로봇이 달려온 길로 만듭니다. 누구의 포즈를 쓸지 `odometry`에 적혀 있습니다.",
+        ),
+        "base_footprint -> base_link": Words(
+            en="This edge never moves, and stands in the URDF. Who reads the URDF?",
+            ko="이 연결은 움직이지 않고 URDF에 있습니다. URDF를 읽는 것은 누구입니까?",
+        ),
+        "base_link -> laser_frame": Words(
+            en="The mount is bolted on, and stands in the URDF. Who reads the URDF?",
+            ko="장착은 고정되어 있고 URDF에 있습니다. URDF를 읽는 것은 누구입니까?",
+        ),
+        "wrist -> tool0": Words(
+            en="This edge stands in the URDF. Who reads the URDF?",
+            ko="이 연결은 URDF에 있습니다. URDF를 읽는 것은 누구입니까?",
+        ),
+        "amcl tf_broadcast": Words(
+            en="Does `amcl` own an edge on this robot, by `map_frame`?",
+            ko="`map_frame`을 보면 이 로봇에서 `amcl`이 맡은 연결이 있습니까?",
+        ),
+        "slam_toolbox publishes": Words(
+            en="Does `slam_toolbox` own an edge on this robot, by `map_frame`?",
+            ko="`map_frame`을 보면 이 로봇에서 `slam_toolbox`가 맡은 연결이 있습니까?",
+        ),
+        "wheel_odometry enable_odom_tf": Words(
+            en="A switch is on where its node owns the edge, and off where another does. Who owns odom -> base_footprint here?",
+            ko="스위치는 그 노드가 연결을 맡았을 때 켜고, 다른 노드가 맡았을 때 끕니다. 여기서 odom -> base_footprint를 맡은 것은 누구입니까?",
+        ),
+        "ekf publish_tf": Words(
+            en="A switch is on where its node owns the edge, and off where another does. Who owns odom -> base_footprint here?",
+            ko="스위치는 그 노드가 연결을 맡았을 때 켜고, 다른 노드가 맡았을 때 끕니다. 여기서 odom -> base_footprint를 맡은 것은 누구입니까?",
+        ),
+        "lidar_driver publish_tf": Words(
+            en="Does anybody say the laser's mount already?",
+            ko="레이저의 장착을 이미 말하는 노드가 있지 않습니까?",
+        ),
+    },
     hints=(
         Words(en="Go edge by edge: whose data is it made of?", ko="연결마다 물어보세요. 누구의 데이터로 만듭니까?"),
         Words(

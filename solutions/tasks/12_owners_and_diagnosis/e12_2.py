@@ -158,6 +158,68 @@ TASK = Task(
     is_costly=True,
     model=told,
     twins=(MISSPELT_AS_DOWN, TWO_AS_HEALTHY, COUNT_AS_OWNERS, ANOTHER_AS_TWO, WRONG_ONE_BLAMED),
+    means={
+        "one owner": Words(
+            en="With one owner the values run smoothly, and every node on /tf has an edge of its own.",
+            ko="발행자가 하나면 값이 매끄럽게 이어지고, /tf의 노드마다 자기 연결이 있습니다.",
+        ),
+        "nobody": Words(
+            en="With nobody the edge never comes, and a name of the card is missing from the list of nodes.",
+            ko="아무도 발행하지 않으면 연결이 오지 않고, 노드 목록에 카드의 이름 하나가 없습니다.",
+        ),
+        "two owners": Words(
+            en="With two owners of one edge every question is answered, and the values go to and fro.",
+            ko="한 연결의 발행자가 둘이면 물을 때마다 답이 나오고 값이 오락가락합니다.",
+        ),
+        "another edge": Words(
+            en="Where another edge is sent to the child, the question fails by turns: the child changes its parent.",
+            ko="자식에게 다른 연결이 오면 질문이 번갈아 실패합니다. 자식의 부모가 바뀌기 때문입니다.",
+        ),
+        "a misspelt parent": Words(
+            en="Where a parent is misspelt, the tree has a root whose name is on no card.",
+            ko="부모 이름이 틀리면 트리에 카드에 없는 이름의 뿌리가 있습니다.",
+        ),
+        "wheel_odometry": Words(
+            en="It owns odom -> base_footprint on the card. Does it run, and does it send just that?",
+            ko="카드에서 odom -> base_footprint의 발행자입니다. 실행 중이고 바로 그 연결을 보냅니까?",
+        ),
+        "ekf_filter_node": Words(
+            en="It is on no card. Does anything here show that it runs?",
+            ko="카드에 없는 노드입니다. 실행 중이라는 흔적이 여기 있습니까?",
+        ),
+        "localization": Words(
+            en="It owns map -> odom. Does that edge come here?",
+            ko="map -> odom의 발행자입니다. 그 연결이 여기서 옵니까?",
+        ),
+        "laser_mount": Words(
+            en="It owns base_link -> laser_frame. Nothing in these terminals is about that edge.",
+            ko="base_link -> laser_frame의 발행자입니다. 이 터미널들에는 그 연결의 이야기가 없습니다.",
+        ),
+        "none": Words(
+            en="Then every node does what the card says.",
+            ko="그렇다면 모든 노드가 카드대로 하고 있어야 합니다.",
+        ),
+        "leave it as it is": Words(
+            en="That would be right for a robot on which nothing is wrong.",
+            ko="이상이 없는 로봇에 맞는 답입니다.",
+        ),
+        "start wheel_odometry": Words(
+            en="That cures a node that is not there. Is it missing from the list?",
+            ko="없는 노드를 켜는 처치입니다. 목록에 없습니까?",
+        ),
+        "ekf_filter_node: publish_tf false": Words(
+            en="That silences a second owner. Do two nodes send one edge here?",
+            ko="두 번째 발행자를 조용하게 하는 처치입니다. 여기서 두 노드가 한 연결을 보냅니까?",
+        ),
+        "localization: send map -> odom": Words(
+            en="That cures a localiser that sends another edge than its own. Is map -> odom gone here?",
+            ko="자기 연결이 아닌 것을 보내는 위치 추정 노드를 고치는 처치입니다. 여기서 map -> odom이 사라졌습니까?",
+        ),
+        "wheel_odometry: parent odom": Words(
+            en="That cures a name. Is there a root here that nobody meant?",
+            ko="이름을 고치는 처치입니다. 아무도 뜻하지 않은 뿌리가 여기 있습니까?",
+        ),
+    },
     hints=(
         Words(
             en="Which edge is it about? Then: does it come, from whom, and is it the same edge each time?",

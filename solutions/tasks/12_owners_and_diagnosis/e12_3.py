@@ -106,6 +106,92 @@ TASK = Task(
     answer="first",
     form=Parts({symptom: Choice(CHECKS) for symptom in RIGHT}),
     twins=(CABLE, TIMEOUT, CODE, MONITOR_FOR_OWNERS, MONITOR_FOR_A_SMEAR, NODE_DOWN, TAPE),
+    means={
+        "node list": Words(
+            en="It shows who runs: does one of the two suspects take a node away?",
+            ko="누가 실행 중인지 보여 줍니다. 두 용의자 가운데 한쪽에서만 노드가 없어집니까?",
+        ),
+        "echo map base_footprint": Words(
+            en="It shows whether map and base hang together: would that differ between the two suspects?",
+            ko="map과 base가 이어졌는지 보여 줍니다. 두 용의자에게서 다르게 나옵니까?",
+        ),
+        "echo odom base_footprint": Words(
+            en="At 20 Hz it shows whether the wheels' edge runs smoothly: would that differ between the two suspects?",
+            ko="20 Hz로 바퀴의 연결이 매끄러운지 보여 줍니다. 두 용의자에게서 다르게 나옵니까?",
+        ),
+        "echo base_link laser_frame": Words(
+            en="It shows the mount that TF believes: would that differ between the two suspects?",
+            ko="TF가 믿는 장착의 값을 보여 줍니다. 두 용의자에게서 다르게 나옵니까?",
+        ),
+        "echo map odom": Words(
+            en="It shows the correction, for two minutes: would it differ, and is there a check for one?",
+            ko="2분을 들여 보정을 보여 줍니다. 두 용의자에게서 다르게 나옵니까? 1분짜리는 없습니까?",
+        ),
+        "hz /odom": Words(
+            en="It shows how often odometry speaks: would that differ between the two suspects?",
+            ko="오도메트리가 얼마나 자주 오는지 보여 줍니다. 두 용의자에게서 다르게 나옵니까?",
+        ),
+        "hz /scan": Words(
+            en="It shows how often the scan comes; a stamp or a name in it does not show: would the two suspects differ?",
+            ko="스캔이 얼마나 자주 오는지만 보여 주고, 측정 시각이나 이름은 보여 주지 않습니다. 두 용의자에게서 다르게 나옵니까?",
+        ),
+        "delay /odom": Words(
+            en="It shows the odometry's own way to you: would both suspects change it?",
+            ko="오도메트리가 오는 데 걸린 시간을 보여 줍니다. 두 용의자가 모두 그것을 바꿉니까?",
+        ),
+        "delay /scan": Words(
+            en="It holds the scan's stamp against your clock: would that differ between the two suspects?",
+            ko="스캔의 측정 시각을 현재 시각과 견줍니다. 두 용의자에게서 다르게 나옵니까?",
+        ),
+        "scan header": Words(
+            en="It shows the frame and the stamp that the scan names: would they differ between the two suspects?",
+            ko="스캔에 적힌 좌표계와 측정 시각을 보여 줍니다. 두 용의자에게서 다르게 나옵니까?",
+        ),
+        "use_sim_time": Words(
+            en="It shows in whose time the localiser lives: is that what the two suspects differ in?",
+            ko="위치 추정 노드가 어느 시간에 사는지 보여 줍니다. 두 용의자의 차이가 그것입니까?",
+        ),
+        "publish_tf": Words(
+            en="It shows one switch of the wheels: is that what the two suspects differ in?",
+            ko="바퀴 노드의 스위치 하나를 보여 줍니다. 두 용의자의 차이가 그것입니까?",
+        ),
+        "info /tf": Words(
+            en="It counts who may speak on /tf, not who speaks, and not how: would the two suspects differ?",
+            ko="/tf에서 말할 수 있는 노드를 셀 뿐, 누가 어떻게 말하는지는 보여 주지 않습니다. 두 용의자에게서 다르게 나옵니까?",
+        ),
+        "info /tf_static": Words(
+            en="It shows who publishes mounts, and with which durability: is that what the two suspects differ in?",
+            ko="장착을 발행하는 노드와 durability를 보여 줍니다. 두 용의자의 차이가 그것입니까?",
+        ),
+        "echo /tf_static": Words(
+            en="It shows the mounts that you hear, for two minutes: if one is missing, does it say why, and is there a cheaper check?",
+            ko="2분을 들여 들리는 장착을 보여 줍니다. 하나가 없을 때 그 까닭까지 알려 줍니까? 더 싼 검사는 없습니까?",
+        ),
+        "view_frames": Words(
+            en="Three minutes for the whole tree: the question is about one thing. Which check shows just that?",
+            ko="3분을 들여 트리 전체를 봅니다. 물을 것은 하나입니다. 바로 그것을 보여 주는 검사는 무엇입니까?",
+        ),
+        "monitor": Words(
+            en="Four minutes, for the delays of transforms alone: is that what the two suspects differ in, and is there a check for one minute?",
+            ko="4분을 들여 변환의 지연만 봅니다. 두 용의자의 차이가 그것입니까? 1분짜리 검사는 없습니까?",
+        ),
+        "tape measure": Words(
+            en="A quarter of an hour, and it shows where the laser is, not what TF believes. What does a minute show?",
+            ko="15분이 걸립니다. 레이저의 자리를 보여 줄 뿐, TF가 믿는 것은 보여 주지 않습니다. 1분으로 볼 수 있는 것은 무엇입니까?",
+        ),
+        "other cable": Words(
+            en="Half an hour, while data flows through the old one. What does a minute show?",
+            ko="데이터가 잘 오는데 30분을 들입니다. 1분으로 볼 수 있는 것은 무엇입니까?",
+        ),
+        "longer timeout": Words(
+            en="A timeout asks nothing. Which check shows a fact?",
+            ko="timeout은 아무것도 묻지 않습니다. 사실을 보여 주는 검사는 무엇입니까?",
+        ),
+        "read the code": Words(
+            en="Facts from the graph first, then code. Which check shows the fact?",
+            ko="코드보다 그래프의 사실이 먼저입니다. 그 사실을 보여 주는 검사는 무엇입니까?",
+        ),
+    },
     hints=(
         Words(
             en="Name two suspects for each symptom. Which check would they answer differently?",

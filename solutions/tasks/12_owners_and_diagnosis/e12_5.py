@@ -5,6 +5,13 @@ from __future__ import annotations
 from tflab.workbook.tasks import Choice, Name, Parts, Set, Slip, Task, Tree, Words
 
 TOPICS = ("/tf", "/tf_static")
+BAGS = {
+    "all": ["/tf", "/tf_static"],
+    "moving only": ["/tf"],
+    "statics only": ["/tf_static"],
+    "with /odom": ["/tf", "/tf_static", "/odom"],
+    "with /clock": ["/tf", "/tf_static", "/clock"],
+}
 OWNERS = ("localization", "wheel_odometry", "ekf_filter_node", "robot_state_publisher", "camera_driver")
 
 
@@ -19,28 +26,34 @@ def a_specification(rng):
 
 
 def robot(
-    given, *, prefix="own", optical="below the camera", mounts="static", localizer="map to odom", owner="one", bag="all"
-):
+    given, *, prefix="own", map="shared", chain="whole", optical="below the camera", moving="again and again",
+    mounts="static", localizer="map to odom", fuse="as given", owner="one", driver="quiet", bag="all",
+):  # fmt: skip
     """Return the robot, step by step; other steps are the slips."""
     own = f"{given.robot}/" if prefix == "own" else ""
     odom, foot, base = f"{own}odom", f"{own}base_footprint", f"{own}base_link"
     camera, seen = f"{own}{given.sensor}_link", f"{own}{given.sensor}_optical_frame"
-    tree = {odom: "map", foot: odom, base: foot, camera: base, seen: camera}
+    tree = {odom: f"{given.robot}/map" if map == "own" else "map", foot: odom, base: foot, camera: base, seen: camera}
+    if chain == "no footprint":
+        tree = {child: odom if child == base else parent for child, parent in tree.items() if child != foot}
+    if optical == "on the base":
+        tree[seen] = base
     if optical == "left out":
         del tree[seen]
     if localizer == "map to base":
         tree = {**tree, odom: "map", foot: "map"}
-    fused = bool(given.fused)
+    fused = bool(given.fused) != (fuse == "the other way")
+    switch = {"both": True, "none": False}.get(owner)
     return {
         "tree": tree,
-        "moving": "/tf",
+        "moving": "/tf_static" if moving == "static" else "/tf",
         "mounts": "/tf" if mounts == "moving" else "/tf_static",
         "odom owner": "ekf_filter_node" if fused else "wheel_odometry",
         "mounts owner": "robot_state_publisher",
-        "wheel_odometry publish_tf": True if owner == "both" else not fused,
-        "ekf publish_tf": True if owner == "both" else fused,
-        "camera_driver publish_tf": False,
-        "bag": ["/tf"] if bag == "moving only" else ["/tf", "/tf_static"],
+        "wheel_odometry publish_tf": not fused if switch is None else switch,
+        "ekf publish_tf": fused if switch is None else switch,
+        "camera_driver publish_tf": driver == "on",
+        "bag": BAGS[bag],
     }
 
 
@@ -104,6 +117,105 @@ TWO_OWNERS = Slip(
     "M6",
 )
 
+MOVING_AS_STATIC = Slip(
+    "moving as static",
+    {"moving": "static"},
+    Words(
+        en="What moves is sent as static now: it is heard once, and then the robot stands still on the map for ever.",
+        ko="움직이는 것을 정적으로 보냅니다. 한 번만 들리므로 로봇이 지도 위에 영원히 서 있게 됩니다.",
+    ),
+    "M12",
+)
+
+BAG_OF_STATICS = Slip(
+    "bag of statics",
+    {"bag": "statics only"},
+    Words(
+        en="That bag holds the mounts alone: nothing in it moves, so nothing hangs on map.",
+        ko="그 bag에는 장착뿐입니다. 움직이는 것이 없으니 map에 이어지는 것도 없습니다.",
+    ),
+    "M13",
+)
+
+ODOMETRY_IN_THE_BAG = Slip(
+    "odometry in the bag",
+    {"bag": "with /odom"},
+    Words(
+        en="The tree needs transforms. /odom is a message that nobody turns into one tomorrow.",
+        ko="트리에는 변환이 필요합니다. /odom은 메시지일 뿐이고, 내일 그것을 변환으로 만들 노드는 없습니다.",
+    ),
+    "M13",
+)
+
+CLOCK_IN_THE_BAG = Slip(
+    "clock in the bag",
+    {"bag": "with /clock"},
+    Words(
+        en="A real robot has no /clock; the player makes one, if it is asked to.",
+        ko="실제 로봇에는 /clock이 없습니다. 재생기에 부탁하면 재생기가 만듭니다.",
+    ),
+    "M13",
+)
+
+NO_FOOTPRINT = Slip(
+    "no footprint",
+    {"chain": "no footprint"},
+    Words(
+        en="The specification has a base_footprint between odom and base_link. Without it wheels and filter send an edge that hangs beside your tree.",
+        ko="사양서에는 odom과 base_link 사이에 base_footprint가 있습니다. 없으면 바퀴와 필터가 보내는 연결이 트리 옆에 따로 남습니다.",
+    ),
+)
+
+OWN_MAP = Slip(
+    "a map of its own",
+    {"map": "own"},
+    Words(
+        en="With a name before map the two robots have two maps: nothing connects them.",
+        ko="map에도 이름을 붙이면 두 로봇의 지도가 따로 있게 됩니다. 둘을 잇는 것이 없습니다.",
+    ),
+    "M14",
+)
+
+OPTICAL_ON_THE_BASE = Slip(
+    "optical frame on the base",
+    {"optical": "on the base"},
+    Words(
+        en="The optical frame turns the camera's axes; it hangs on the camera's link, not on base_link.",
+        ko="optical frame은 카메라의 축을 돌린 것입니다. base_link가 아니라 카메라의 link에 달립니다.",
+    ),
+    "M4",
+)
+
+THE_OTHER_OWNER = Slip(
+    "the other owner",
+    {"fuse": "the other way"},
+    Words(
+        en="Of the two switches you have the other one on. What does `fused` say, and who makes the better pose of wheels and imu then?",
+        ko="두 스위치 가운데 다른 쪽을 켰습니다. `fused`는 무엇이라고 합니까? 그렇다면 바퀴와 imu로 더 나은 포즈를 만드는 것은 누구입니까?",
+    ),
+    "M6",
+)
+
+NO_OWNER = Slip(
+    "no owner",
+    {"owner": "none"},
+    Words(
+        en="Both switches are off, so nobody sends the edge below odom, and the tree falls apart.",
+        ko="스위치가 둘 다 꺼져 있어 odom 아래 연결을 아무도 보내지 않습니다. 트리가 나뉩니다.",
+    ),
+    "M6",
+)
+
+DRIVER_TOO = Slip(
+    "the driver, too",
+    {"driver": "on"},
+    Words(
+        en="The driver says the camera's edges once more: a second owner of what the URDF has.",
+        ko="드라이버가 카메라의 연결을 한 번 더 말합니다. URDF에 있는 것의 두 번째 발행자입니다.",
+    ),
+    "M6",
+)
+
 
 TASK = Task(
     id="E12.5",
@@ -127,7 +239,54 @@ TASK = Task(
     given=a_specification,
     variants=6,
     model=robot,
-    twins=(NO_PREFIX, NO_OPTICAL, MOUNTS_ON_TF, MAP_TO_BASE, TWO_OWNERS, HALF_A_BAG),
+    twins=(
+        NO_PREFIX,
+        NO_OPTICAL,
+        MOUNTS_ON_TF,
+        MAP_TO_BASE,
+        TWO_OWNERS,
+        HALF_A_BAG,
+        MOVING_AS_STATIC,
+        BAG_OF_STATICS,
+        ODOMETRY_IN_THE_BAG,
+        CLOCK_IN_THE_BAG,
+        NO_FOOTPRINT,
+        OWN_MAP,
+        OPTICAL_ON_THE_BASE,
+        THE_OTHER_OWNER,
+        NO_OWNER,
+        DRIVER_TOO,
+    ),
+    shows={
+        "moving": Words(
+            en="What moves is said again and again; who comes later hears the next one. Which topic is for that?",
+            ko="움직이는 것은 거듭 말하므로 늦게 온 쪽도 다음 것을 듣습니다. 그런 것은 어느 토픽으로 보냅니까?",
+        ),
+        "mounts": Words(
+            en="What is bolted on is said once, for whoever comes later, too. Which topic keeps it?",
+            ko="고정된 것은 한 번 말하고, 늦게 온 쪽도 알아야 합니다. 그것을 간직하는 토픽은 무엇입니까?",
+        ),
+        "odom owner": Words(
+            en="The edge below odom is made of wheels, or of wheels and imu: `fused` says which.",
+            ko="odom 아래 연결은 바퀴로, 또는 바퀴와 imu로 만듭니다. 어느 쪽인지 `fused`가 알려 줍니다.",
+        ),
+        "mounts owner": Words(
+            en="What is bolted on stands in the URDF. Who reads it?",
+            ko="고정된 것은 URDF에 있습니다. URDF를 읽는 것은 누구입니까?",
+        ),
+        "wheel_odometry publish_tf": Words(
+            en="The switch is on where the wheels own the edge below odom: see `fused`.",
+            ko="바퀴 노드가 odom 아래 연결을 맡을 때 켭니다. `fused`를 보십시오.",
+        ),
+        "ekf publish_tf": Words(
+            en="The switch is on where the filter owns the edge below odom: see `fused`.",
+            ko="필터가 odom 아래 연결을 맡을 때 켭니다. `fused`를 보십시오.",
+        ),
+        "camera_driver publish_tf": Words(
+            en="Does anybody say the camera's edges already? `camera_driver_publishes_tf` tells what the driver does when nobody forbids it.",
+            ko="카메라의 연결을 이미 말하는 노드가 있습니다. `camera_driver_publishes_tf`는 막지 않으면 드라이버가 하는 일입니다.",
+        ),
+    },
     hints=(
         Words(
             en="Write the frames of one robot first, from map down to the optical frame, each with one parent.",

@@ -71,6 +71,40 @@ TASK = Task(
     answer="steps",
     form=Parts({place: Choice(CARDS) for place in RIGHT}),
     twins=(SENSOR_FIRST, TIMEOUT_AMONG_THEM, NO_STAMP, PUBLISHERS_FIRST, VALUE_BEFORE_TREE),
+    means={
+        "fixed frame": Words(
+            en="Names cost one glance. What can be judged while a name is wrong?",
+            ko="이름은 한 번 보면 됩니다. 이름이 틀린 동안에 판단할 수 있는 것이 있습니까?",
+        ),
+        "tree": Words(
+            en="The tree tells whether there is a way at all. Which of the cards need a way, and what has to be right before you look for one?",
+            ko="트리는 길이 있기는 한지 알려 줍니다. 길이 있어야 볼 수 있는 카드는 무엇이고, 길을 찾기 전에 맞아야 하는 것은 무엇입니까?",
+        ),
+        "mount": Words(
+            en="A value can be read where there is a way, and it stands still while you read. Which cards does it need before, and which look at something that moves?",
+            ko="값은 길이 있어야 읽을 수 있고, 읽는 동안 변하지 않습니다. 그보다 먼저 필요한 카드는 무엇이고, 움직이는 것을 보는 카드는 무엇입니까?",
+        ),
+        "rates": Words(
+            en="Delays and rates take some listening. Which cards are cheaper, and which look at one message instead of the edges?",
+            ko="지연과 발행률은 한동안 들어야 합니다. 더 싼 카드는 무엇이고, 연결이 아니라 메시지 하나를 보는 카드는 무엇입니까?",
+        ),
+        "header": Words(
+            en="The header belongs to the message: it is held against what TF itself does. Has TF been looked at before, and who sends it not yet?",
+            ko="header는 메시지의 것이고, TF가 하는 일에 견주어 봅니다. 그 전에 TF를 보았습니까? 누가 보내는지는 아직 보지 않았습니까?",
+        ),
+        "publishers": Words(
+            en="Who sends is asked when it is known which edge or message it is about. What tells you that?",
+            ko="누가 보내는지는 어느 연결이나 메시지의 문제인지 안 다음에 묻습니다. 그것을 알려 주는 카드는 무엇입니까?",
+        ),
+        "new sensor": Words(
+            en="That buys something, and shows no fact.",
+            ko="새로 사는 것이고, 사실을 보여 주지 않습니다.",
+        ),
+        "longer timeout": Words(
+            en="That waits, and shows no fact. Nothing is missing in this picture.",
+            ko="기다리는 것이고, 사실을 보여 주지 않습니다. 이 그림에는 빠진 것이 없습니다.",
+        ),
+    },
     hints=(
         Words(en="Cheap and coarse first, dear and fine last.", ko="싸고 굵은 것이 먼저, 비싸고 가는 것이 나중입니다."),
         Words(

@@ -23,31 +23,31 @@ def treat(
     future="by rate",
     green="in turn",
     jumps="correction",
+    fixed="a name",
+    frame="by cause",
 ):
     """Return the verdict, step by step; other steps are the slips."""
     if asks == "everything":
         for check in everything():
             patient.ask(check)
-    cause = _cause(patient, map_lost, robot_lost, scan_lost, future, green, jumps)
-    return patient.verdict(cause, DIAGNOSES[cause].frame if cause in DIAGNOSES else "laser_frame")
+    cause = _cause(patient, map_lost, robot_lost, scan_lost, future, green, jumps, fixed)
+    if asks == "one more" and cause == "nothing is wrong":
+        patient.ask("view_frames")
+    its_own = DIAGNOSES[cause].frame if cause in DIAGNOSES else "laser_frame"
+    return patient.verdict(cause, its_own if frame == "by cause" else frame)
 
 
-def _cause(patient, map_lost, robot_lost, scan_lost, future, green, jumps):
+def _cause(patient, map_lost, robot_lost, scan_lost, future, green, jumps, fixed):
     screen = patient.ask("rviz")
     if "Fixed Frame" in screen:
-        return _without_map(patient, screen, map_lost)
+        return _without_map(patient, screen, map_lost, fixed)
     if "no transform" in screen:
         return _without_robot(patient, screen, robot_lost)
     if "unknown" in screen:
-        if scan_lost == "sensor":
-            return "sensor broken"
-        if "[laser_frame]" not in screen:
-            return "header says another frame"
-        log = patient.ask("echo base_link laser_frame")
-        return "quaternion of zeros" if "DENORMALIZED" in log else "mount volatile"
+        return _without_scan(patient, screen, scan_lost)
     if "future" in screen:
-        if future == "late":
-            return "transforms late"
+        if future in ("late", "ahead"):
+            return "transforms late" if future == "late" else "laser clock ahead"
         hz, spread = patient.ask("hz /odom").split(" Hz, std dev ")
         if float(hz) < 10.0:
             return "odometry slow"
@@ -55,11 +55,22 @@ def _cause(patient, map_lost, robot_lost, scan_lost, future, green, jumps):
     return _all_green(patient, green, jumps)
 
 
-def _without_map(patient, screen, map_lost):
+def _without_scan(patient, screen, scan_lost):
+    if scan_lost == "sensor":
+        return "sensor broken"
+    if "[laser_frame]" not in screen:
+        return "header says another frame"
+    if scan_lost in ("volatile", "zeros"):
+        return "mount volatile" if scan_lost == "volatile" else "quaternion of zeros"
+    log = patient.ask("echo base_link laser_frame")
+    return "quaternion of zeros" if "DENORMALIZED" in log else "mount volatile"
+
+
+def _without_map(patient, screen, map_lost, fixed):
     if "not listed" not in screen:
-        return "Fixed Frame misspelt"
-    if map_lost == "node down":
-        return "localizer not running"
+        return "Fixed Frame misspelt" if fixed == "a name" else "localizer not running"
+    if map_lost in ("node down", "clock"):
+        return "localizer not running" if map_lost == "node down" else "localizer waits for /clock"
     return "localizer waits for /clock" if "localization" in patient.ask("node list") else "localizer not running"
 
 
@@ -77,13 +88,13 @@ def _without_robot(patient, screen, robot_lost):
 def _all_green(patient, green, jumps):
     if green == "all is well":
         return "nothing is wrong"
-    if "ekf_filter_node" in patient.ask("node list"):
+    if green != "no owners" and "ekf_filter_node" in patient.ask("node list"):
         return "two owners of one edge"
-    if patient.ask("echo base_link laser_frame") != "0.200, 0.000, 0.150":
+    if green != "no mount" and patient.ask("echo base_link laser_frame") != "0.200, 0.000, 0.150":
         return "mount wrong"
-    if patient.ask("scan header") == "base_link":
+    if green not in ("no header", "neither") and patient.ask("scan header") == "base_link":
         return "header says base_link"
-    if float(patient.ask("delay /scan").split()[0]) > 0.2:
+    if green not in ("no delay", "neither") and float(patient.ask("delay /scan").split()[0]) > 0.2:
         return "laser clock behind"
     return "nothing is wrong" if jumps == "correction" else "localizer owns the base"
 
@@ -167,6 +178,134 @@ A_STEP_IS_A_FAULT = Slip(
     "M8",
 )
 
+NO_CLOCK_BUT_ITS_OWN = Slip(
+    "always waits for /clock",
+    {"map_lost": "clock"},
+    Words(
+        en="Where map is missing your program says that the localiser waits for /clock. A node that is not there waits for nothing: which check tells?",
+        ko="map이 없으면 프로그램이 위치 추정 노드가 /clock을 기다린다고 합니다. 없는 노드는 기다리지도 않습니다. 어느 검사로 알 수 있습니까?",
+    ),
+    "M11",
+)
+
+NAME_IS_NODE = Slip(
+    "a name taken for a node",
+    {"fixed": "node down"},
+    Words(
+        en="RViz's own list holds map, and your program blames the localiser. What does it mean that the frame is there, and the one that was typed is not?",
+        ko="RViz의 목록에 map이 있는데도 프로그램이 위치 추정 노드를 탓합니다. 그 좌표계는 있고 입력한 이름은 없다면 무슨 뜻입니까?",
+    ),
+    "M11",
+)
+
+ALWAYS_VOLATILE = Slip(
+    "always volatile",
+    {"scan_lost": "volatile"},
+    Words(
+        en="Where laser_frame is unknown your program always says volatile. A mount that is heard can still be refused: what does the log of a tool say?",
+        ko="laser_frame을 모르면 프로그램이 늘 volatile이라고 합니다. 들렸는데 거절된 장착도 있습니다. 도구의 로그는 무엇이라고 합니까?",
+    ),
+    "M12",
+)
+
+ALWAYS_ZEROS = Slip(
+    "always zeros",
+    {"scan_lost": "zeros"},
+    Words(
+        en="Where laser_frame is unknown your program always blames the quaternion. A mount that was sent too early for a late listener is missing, too.",
+        ko="laser_frame을 모르면 프로그램이 늘 쿼터니언을 탓합니다. 늦게 온 쪽이 듣지 못한 장착도 없는 것으로 나옵니다.",
+    ),
+    "M12",
+)
+
+ALWAYS_AHEAD = Slip(
+    "future means ahead",
+    {"future": "ahead"},
+    Words(
+        en="Where RViz speaks of the future your program always blames the laser's clock. Late transforms and a slow odometry give the same line.",
+        ko="RViz에 future가 나오면 프로그램이 늘 레이저의 시계를 탓합니다. 늦은 변환과 느린 오도메트리도 같은 줄을 냅니다.",
+    ),
+    "M10",
+)
+
+HEADER_UNREAD = Slip(
+    "header unread",
+    {"green": "no header"},
+    Words(
+        en="Where all is green your program never reads the scan's header, and a header that says base_link gets another name.",
+        ko="모두 초록색일 때 프로그램이 스캔의 header를 읽지 않습니다. header가 base_link인 환자를 다른 병으로 부릅니다.",
+    ),
+    "M15",
+)
+
+DELAY_UNREAD = Slip(
+    "delay unread",
+    {"green": "no delay"},
+    Words(
+        en="Where all is green your program never holds the scan's stamp against the clock, and a clock that is behind gets another name.",
+        ko="모두 초록색일 때 프로그램이 스캔의 측정 시각을 시계와 견주지 않습니다. 시계가 늦은 환자를 다른 병으로 부릅니다.",
+    ),
+    "M9",
+)
+
+NEITHER_READ = Slip(
+    "header and delay unread",
+    {"green": "neither"},
+    Words(
+        en="Where all is green your program reads neither the scan's header nor its delay. Two of the suspects show there and nowhere else.",
+        ko="모두 초록색일 때 프로그램이 스캔의 header도 지연도 읽지 않습니다. 용의자 둘은 거기에만 드러납니다.",
+    ),
+    "M15",
+)
+
+OWNERS_UNSEEN = Slip(
+    "owners unseen",
+    {"green": "no owners"},
+    Words(
+        en="Where all is green your program never asks who runs, or how the wheels' edge moves. A second owner is green, too.",
+        ko="모두 초록색일 때 프로그램이 누가 실행 중인지, 바퀴의 연결이 어떻게 움직이는지 묻지 않습니다. 두 번째 발행자도 초록색입니다.",
+    ),
+    "M6",
+)
+
+MOUNT_UNREAD = Slip(
+    "mount unread",
+    {"green": "no mount"},
+    Words(
+        en="Where all is green your program never reads the mount. RViz computes with whatever it is told.",
+        ko="모두 초록색일 때 프로그램이 장착의 값을 읽지 않습니다. RViz는 들은 값으로 계산할 뿐입니다.",
+    ),
+    "M15",
+)
+
+ONE_MORE_QUESTION = Slip(
+    "one more question",
+    {"asks": "one more"},
+    Words(
+        en="Your program asks on where only one suspect is left. A proof ends with the check that struck the last rival.",
+        ko="용의자가 하나 남았는데도 프로그램이 더 묻습니다. 증명은 마지막 경쟁자를 지운 검사에서 끝납니다.",
+    ),
+)
+
+ALWAYS_THE_LASER = Slip(
+    "always the laser's frame",
+    {"frame": "laser_frame"},
+    Words(
+        en="You name laser_frame for every patient. Whose place is not right depends on the cause: a localiser's, the wheels', everything that moves, or nobody's.",
+        ko="모든 환자에게 laser_frame이라고 합니다. 어느 자리가 틀렸는지는 원인에 달렸습니다. 위치 추정의 것, 바퀴의 것, 움직이는 모든 것, 또는 없음입니다.",
+    ),
+    "M15",
+)
+
+ALWAYS_THE_BASE = Slip(
+    "always the base",
+    {"frame": "base_footprint"},
+    Words(
+        en="You name base_footprint for every patient. Whose place is not right depends on the cause: a localiser's, the laser's, everything that moves, or nobody's.",
+        ko="모든 환자에게 base_footprint라고 합니다. 어느 자리가 틀렸는지는 원인에 달렸습니다. 위치 추정의 것, 레이저의 것, 움직이는 모든 것, 또는 없음입니다.",
+    ),
+)
+
 
 TASK = Task(
     id="E12.7",
@@ -188,6 +327,19 @@ TASK = Task(
         ALWAYS_LATE,
         ALL_IS_WELL,
         A_STEP_IS_A_FAULT,
+        NO_CLOCK_BUT_ITS_OWN,
+        NAME_IS_NODE,
+        ALWAYS_VOLATILE,
+        ALWAYS_ZEROS,
+        ALWAYS_AHEAD,
+        HEADER_UNREAD,
+        DELAY_UNREAD,
+        NEITHER_READ,
+        OWNERS_UNSEEN,
+        MOUNT_UNREAD,
+        ONE_MORE_QUESTION,
+        ALWAYS_THE_LASER,
+        ALWAYS_THE_BASE,
     ),
     hints=(
         Words(
