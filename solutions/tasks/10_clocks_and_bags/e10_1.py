@@ -23,7 +23,7 @@ def four_set_ups(rng):
 
 def outcomes(
     g, who="the parameter", stamp="the bag's", machine="years off", stopped="silently latest", running="just short",
-    stopped_timer="never", machine_timer="works",
+    stopped_timer="never", machine_timer="works", order="as asked",
 ):  # fmt: skip
     """Return for each set-up what becomes of the three, step by step."""
     answers = {}
@@ -36,14 +36,24 @@ def outcomes(
         elif who == "the parameter alone":
             clock = True
         if not sim:
-            at_stamp = "works" if stamp in ("the bag's", "needs time") else "years off"
-            answers[letter] = [at_stamp, machine, machine_timer]
+            answers[letter] = _on_the_machines_time(stamp, clock, machine, machine_timer, stopped_timer)
         elif not clock:
-            at_stamp = "works" if stamp in ("the bag's", "needs sim") else "never"
-            answers[letter] = [at_stamp, stopped, stopped_timer]
+            at_stamp = {"the bag's": "works", "needs sim": "works", "needs time": "never", "needs both": "never"}
+            answers[letter] = [at_stamp.get(stamp, "years off"), stopped, stopped_timer.split(",")[0]]
         else:
             answers[letter] = ["works", running, "works"]
+        if order == "timer second":
+            answers[letter] = [answers[letter][place] for place in (0, 2, 1)]
     return answers
+
+
+def _on_the_machines_time(stamp, clock, machine, timer, stopped_timer):
+    if stamp == "needs --clock":
+        at_stamp = "works" if clock else "years off"
+    else:
+        at_stamp = "years off" if stamp in ("needs sim", "needs both") else "works"
+    now = ("works" if clock else "years off") if machine == "helped by --clock" else machine
+    return [at_stamp, now, "never" if "nor" in stopped_timer and not clock else timer]
 
 
 STAMPS_NEED_SIM_TIME = Slip(
@@ -185,6 +195,65 @@ PARAMETER_SUFFICES = Slip(
     "M13",
 )
 
+STAMPS_NEED_THE_PLAYER = Slip(
+    "stamps need --clock",
+    {"stamp": "needs --clock"},
+    Words(
+        en="You let the question at the stamp fail wherever the bag is played without --clock. The stamp and the transforms come from the bag: which of the two does --clock change?",
+        ko="--clock 없이 재생하면 측정 시각의 조회가 실패한다고 했습니다. 측정 시각과 변환은 bag에서 옵니다. --clock이 그 가운데 무엇을 바꿉니까?",
+    ),
+    "M13",
+)
+
+STAMPS_ARE_LONG_AGO = Slip(
+    "stamps are long ago",
+    {"stamp": "years off on a stopped clock"},
+    Words(
+        en="With a clock that stands at 0 you find the stamp years off. The question at a stamp looks at no clock at all.",
+        ko="0에 멈춘 시계에서 측정 시각이 몇 년 어긋난다고 했습니다. 측정 시각의 조회는 시계를 보지 않습니다.",
+    ),
+    "M13",
+)
+
+TIMERS_NEED_THE_PLAYER = Slip(
+    "timers need --clock",
+    {"stopped_timer": "never, nor without --clock"},
+    Words(
+        en="You stop every timer where no --clock is played. A node on the machine's time does not wait for /clock.",
+        ko="--clock이 없으면 모든 타이머가 멈춘다고 했습니다. 컴퓨터의 시간에 있는 노드는 /clock을 기다리지 않습니다.",
+    ),
+    "M13",
+)
+
+PLAYED_CLOCK_HELPS = Slip(
+    "a played clock helps",
+    {"machine": "helped by --clock"},
+    Words(
+        en="Where the bag is played with --clock you expect an answer for now, even from a node that never listens to it. Which parameter makes a node listen?",
+        ko="--clock으로 재생하면 그것을 듣지 않는 노드에서도 현재 시각의 조회가 된다고 했습니다. 노드가 듣게 하는 파라미터는 무엇입니까?",
+    ),
+    "M13",
+)
+
+STOPPED_NOW_IS_FINE = Slip(
+    "the stopped now is fine",
+    {"stopped": "works"},
+    Words(
+        en="With a clock that stands you expect a right answer for now. There is an answer; of which moment is it?",
+        ko="시계가 멈춰도 현재 시각의 조회가 제대로 된다고 했습니다. 답은 나옵니다. 어느 순간의 답입니까?",
+    ),
+    "M13",
+)
+
+TIMER_BEFORE_NOW = Slip(
+    "timer before now",
+    {"order": "timer second"},
+    Words(
+        en="The order is: at the stamp, at now, the timer. You have the timer before now.",
+        ko="순서는 측정 시각, 현재 시각, 타이머입니다. 타이머를 현재 시각보다 먼저 썼습니다.",
+    ),
+)
+
 
 TASK = Task(
     id="E10.1",
@@ -211,6 +280,12 @@ TASK = Task(
         NOW_IS_FINE,
         TIMERS_ALWAYS_RING,
         MACHINE_TIMER_STOPS,
+        STAMPS_NEED_THE_PLAYER,
+        STAMPS_ARE_LONG_AGO,
+        TIMERS_NEED_THE_PLAYER,
+        PLAYED_CLOCK_HELPS,
+        STOPPED_NOW_IS_FINE,
+        TIMER_BEFORE_NOW,
     ),
     hints=(
         Words(

@@ -39,6 +39,7 @@ def bags(rng):
     drive = edge("map", "odom", t, t + 5.0, t + 10.0), edge("odom", "base_link", t, t + 5.0, t + 10.0)
     laser, camera = edge("base_link", "laser_frame"), edge("mast", "camera_link")
     scans = [message("laser_frame", at(share)) for share in (0.1, 0.3, 0.5, 0.7, 0.9)]
+    barely = message("laser_frame", t + 10.05)  # in the same whole second as what can be placed
     early, late, seen = (
         message("laser_frame", t - 0.3),
         message("laser_frame", t + 11.5),
@@ -49,7 +50,7 @@ def bags(rng):
         (filled(*drive, laser), scans, "map"),
         (filled(*drive, laser), [early, *scans, late], "map"),
         (filled(*drive), scans[:3], "map"),
-        (filled(*drive, laser, camera), [scans[0], seen, scans[1], lost, late, scans[2]], "map"),
+        (filled(*drive, laser, camera), [scans[0], seen, scans[1], barely, lost, late, scans[2]], "map"),
         (filled(*drive, laser), [lost, early, *scans[:2]], "odom"),
         (filled(*drive, laser, camera), [*scans[:2], late, seen, lost], "base_link"),
         (filled(*drive, laser), [], "map"),
@@ -63,15 +64,28 @@ def placing(buffer, messages, target, ask="the stamp", stops=False, which="first
     for each in messages:
         source = (messages[0] if frame == "the first's" else each).header.frame_id
         try:
-            buffer.lookup_transform(target, source, Time() if ask == "the latest" else Time.from_msg(each.header.stamp))
+            stamp = each.header.stamp
+            whole = Time(seconds=stamp.sec) if ask == "whole seconds" else Time.from_msg(stamp)
+            buffer.lookup_transform(target, source, Time() if ask == "the latest" else whole)
         except Exception as error:
-            noes.append(type(error).__name__ if kind == "its own" else kind)
+            noes.append(_named(type(error).__name__, kind))
             if stops:
                 break
         else:
             placed += 1
-    no = (noes[0] if which == "first" else noes[-1]) if noes else "none"
-    return {"placed": len(messages) - placed if which == "counts noes" else placed, "first_no": no}
+    no = (noes[0] if which in ("first", "counts all") else noes[-1]) if noes else "none"
+    counted = {"counts noes": len(messages) - placed, "counts all": len(messages)}.get(which, placed)
+    return {"placed": counted, "first_no": no}
+
+
+def _named(name, kind):
+    """Return what a refusal is called."""
+    as_another = {
+        "its own": {},
+        "lookup as connectivity": {"LookupException": "ConnectivityException"},
+        "extrapolation as lookup": {"ExtrapolationException": "LookupException"},
+    }
+    return as_another[kind].get(name, name) if kind in as_another else kind
 
 
 LATEST = Slip(
@@ -161,6 +175,45 @@ FRAME_OF_THE_FIRST = Slip(
     ),
 )
 
+COUNTS_EVERYTHING = Slip(
+    "counts everything",
+    {"which": "counts all"},
+    Words(
+        en="That is how many messages there are. Count those for which the lookup answered.",
+        ko="그것은 메시지의 개수입니다. 조회에 답이 나온 것을 세십시오.",
+    ),
+)
+
+CONNECTIVITY_FOR_LOOKUP = Slip(
+    "lookup called connectivity",
+    {"kind": "lookup as connectivity"},
+    Words(
+        en="A name that nobody knows is a LookupException; you call it a missing path. `type(error).__name__` says it by itself.",
+        ko="모르는 이름은 LookupException입니다. 그것을 경로 없음이라고 했습니다. `type(error).__name__`을 쓰면 저절로 맞습니다.",
+    ),
+    "M11",
+)
+
+LOOKUP_FOR_EXTRAPOLATION = Slip(
+    "extrapolation called lookup",
+    {"kind": "extrapolation as lookup"},
+    Words(
+        en="A moment that the buffer has not is an ExtrapolationException; you call it an unknown name.",
+        ko="버퍼에 없는 시각은 ExtrapolationException입니다. 그것을 모르는 이름이라고 했습니다.",
+    ),
+    "M11",
+)
+
+WHOLE_SECONDS = Slip(
+    "whole seconds",
+    {"ask": "whole seconds"},
+    Words(
+        en="You ask at the whole second of a stamp. Its nanosec belongs to it: `Time.from_msg`.",
+        ko="측정 시각에서 초만 조회했습니다. nanosec도 시각의 일부입니다. `Time.from_msg`를 쓰십시오.",
+    ),
+    "M9",
+)
+
 
 TASK = Task(
     id="E10.6",
@@ -182,6 +235,10 @@ TASK = Task(
         FIRST_NO_ENDS_IT,
         LAST_NO,
         COUNTS_NOES,
+        COUNTS_EVERYTHING,
+        CONNECTIVITY_FOR_LOOKUP,
+        LOOKUP_FOR_EXTRAPOLATION,
+        WHOLE_SECONDS,
     ),
     hints=(
         Words(

@@ -32,13 +32,16 @@ def moments(clock_s, back="a second", against="the one before", which="all", tel
     highest = clock_s[0] if clock_s else 0.0
     for place, (before, after) in enumerate(pairwise(clock_s)):
         highest = max(highest, before)
-        step = (before if against == "the one before" else highest) - after
-        is_back = {"a second": step >= 1.0, "any": step > 0.0, "more": step > 1.0}[back]
+        step = {"the one before": before, "the highest": highest, "the first": clock_s[0]}[against] - after
+        is_back = {
+            "a second": step >= 1.0, "any": step > 0.0, "more": step > 1.0, "ahead": step <= -1.0,
+            "small": 0.0 < step < 1.0,
+        }[back]  # fmt: skip
         if is_back or (ahead and -step >= 1.0):
             found.append(
                 {"after": after, "before": before, "step": step, "place": place + 1, "place before": place}[tell]
             )
-    return found[:1] if which == "first" else found
+    return {"all": found, "first": found[:1], "last": found[-1:]}[which]
 
 
 ANY_STEP_BACK = Slip(
@@ -122,6 +125,42 @@ SIZE_OF_THE_STEP = Slip(
     ),
 )
 
+ONLY_AHEAD = Slip(
+    "only ahead",
+    {"back": "ahead"},
+    Words(
+        en="You find the leaps ahead, and none of those back. `before - after` is positive where the clock went back.",
+        ko="앞으로 건너뛴 것만 찾고 돌아간 것은 찾지 못합니다. 시계가 돌아가면 `before - after`가 양수입니다.",
+    ),
+)
+
+ONLY_THE_LAST = Slip(
+    "only the last",
+    {"which": "last"},
+    Words(
+        en="You keep the last jump alone. Each of them empties the buffer.",
+        ko="마지막 것만 남깁니다. 돌아갈 때마다 버퍼를 지워야 합니다.",
+    ),
+)
+
+ONLY_SMALL_STEPS = Slip(
+    "only small steps",
+    {"back": "small"},
+    Words(
+        en="You keep the small steps back, and leave out those of 1 s or more: just the other way round.",
+        ko="작게 돌아간 것만 남기고 1초 이상은 뺍니다. 거꾸로입니다.",
+    ),
+)
+
+AGAINST_THE_FIRST = Slip(
+    "against the first",
+    {"against": "the first"},
+    Words(
+        en="You compare with the first reading of all. Compare with the one just before.",
+        ko="맨 처음 값과 비교합니다. 바로 앞의 값과 비교하십시오.",
+    ),
+)
+
 
 TASK = Task(
     id="E10.7",
@@ -143,6 +182,10 @@ TASK = Task(
         SIZE_OF_THE_STEP,
         PLACE_IN_THE_LIST,
         PLACE_BEFORE,
+        ONLY_AHEAD,
+        ONLY_THE_LAST,
+        ONLY_SMALL_STEPS,
+        AGAINST_THE_FIRST,
     ),
     hints=(
         Words(

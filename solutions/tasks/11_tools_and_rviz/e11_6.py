@@ -50,23 +50,25 @@ def figures(
 ):  # fmt: skip
     """Return the three figures, step by step; other steps are the slips."""
     rows = re.findall(r"Frame: (\S+), .*Average Delay: (\S+), Max Delay: (\S+)", report)
-    rows = [(frame, float(average), float(largest)) for frame, average, largest in rows]
+    rows = every = [(frame, float(average), float(largest)) for frame, average, largest in rows]
     if keep == "moving":
         rows = [row for row in rows if row[0] not in static_frames]
     by = {
         "largest max": lambda row: row[2], "largest average": lambda row: row[1], "smallest": lambda row: -row[2],
+        "first": lambda row: -rows.index(row), "last": rows.index, "static": lambda row: (row[0] in static_frames, row[2]),
     }[late]  # fmt: skip
     below = {
         "average": lambda row: row[1] < 0, "max": lambda row: row[2] < 0, "max is 0": lambda row: row[2] <= 0,
         "positive": lambda row: row[1] > 0,
-        "first": lambda row: row[1] < 0,
+        "first": lambda row: row[1] < 0, "all": lambda row: True,
     }[sign]  # fmt: skip
     found = re.search(r"avg = (\S+): max = (\S+)", report).groups()
-    worst = max(rows, key=by)
+    worst = max(every if late == "static" else rows, key=by)
+    of_frames = {"frame": worst[2], "largest frame": max(row[2] for row in every)}
     return {
         "late": worst[0],
         "future": sorted(row[0] for row in rows if below(row))[: 1 if sign == "first" else None],
-        "delay_s": float(found[net == "max"]) if net != "frame" else worst[2],
+        "delay_s": of_frames.get(net, float(found[net != "avg"])),
     }
 
 
@@ -161,6 +163,59 @@ DELAY_OF_A_FRAME = Slip(
     part="delay_s",
 )
 
+FIRST_ROW = Slip(
+    "first row",
+    {"late": "first"},
+    Words(
+        en="late: that is the first frame of the report. Compare their Max Delay.",
+        ko="late: 보고의 첫 좌표계입니다. Max Delay를 비교하십시오.",
+    ),
+    part="late",
+)
+
+LAST_ROW = Slip(
+    "last row",
+    {"late": "last"},
+    Words(
+        en="late: that is the last frame of the report. Compare their Max Delay.",
+        ko="late: 보고의 마지막 좌표계입니다. Max Delay를 비교하십시오.",
+    ),
+    part="late",
+)
+
+STATICS_ALONE = Slip(
+    "statics alone",
+    {"late": "static"},
+    Words(
+        en="late: you compare just those that do not move. The list names what is to be left out.",
+        ko="late: 움직이지 않는 것끼리만 비교합니다. 목록에 있는 것은 빼야 합니다.",
+    ),
+    "M12",
+    part="late",
+)
+
+ALL_THAT_MOVE = Slip(
+    "all that move",
+    {"sign": "all"},
+    Words(
+        en="future: these are all that move. Which of them have stamps ahead of the clock?",
+        ko="future: 움직이는 것 모두입니다. 그 가운데 측정 시각이 시계보다 앞선 것은 무엇입니까?",
+    ),
+    "M10",
+    part="future",
+)
+
+LARGEST_OF_ALL = Slip(
+    "largest of all",
+    {"net": "largest frame"},
+    Words(
+        en="delay_s: that is the largest Max Delay of any frame, static ones with it. The chain's stands in the line Net delay.",
+        ko="delay_s: 정적 좌표계까지 포함한 Max Delay의 최댓값입니다. 사슬의 값은 Net delay 줄에 있습니다.",
+    ),
+    "M12",
+    part="delay_s",
+)
+
 
 TASK = Task(
     id="E11.6",
@@ -182,6 +237,11 @@ TASK = Task(
         ONE_IS_ENOUGH,
         NET_AVERAGE,
         DELAY_OF_A_FRAME,
+        FIRST_ROW,
+        LAST_ROW,
+        STATICS_ALONE,
+        ALL_THAT_MOVE,
+        LARGEST_OF_ALL,
     ),
     hints=(
         Words(

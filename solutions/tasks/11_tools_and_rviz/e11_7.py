@@ -21,7 +21,15 @@ def frames_and_rate(rng):
     }
 
 
-def lines(given, *, order="in first", rate="given", chain="given", clock="simulated", who="--verbose"):
+ECHO = {
+    "tf2_ros": "ros2 run tf2_ros tf2_echo",
+    "tf2_tools": "ros2 run tf2_tools tf2_echo",
+    "topic echo": "ros2 topic echo",
+}
+
+
+def lines(given, *, order="in first", rate="given", chain="given", clock="simulated", who="--verbose",
+          package="tf2_ros", tool="tf2_monitor"):  # fmt: skip
     """Return the three lines, step by step; other steps are the slips."""
     frames = (given.echo_in, given.echo_of) if order == "in first" else (given.echo_of, given.echo_in)
     hz = {
@@ -41,15 +49,24 @@ def lines(given, *, order="in first", rate="given", chain="given", clock="simula
         "no --ros-args": " -p use_sim_time:=true",
         "equals": " --ros-args -p use_sim_time=true",
         "one": " --ros-args -p use_sim_time:=1",
+        "--clock": " --clock",
     }[clock]
     return {
-        "value": f"ros2 run tf2_ros tf2_echo {' '.join(frames)}{hz}",
-        "late": " ".join(["ros2 run tf2_ros tf2_monitor", *ends]) + sim,
+        "value": f"{ECHO[package]} {' '.join(frames)}{hz if package != 'topic echo' else ''}",
+        "late": {
+            "tf2_monitor": " ".join(["ros2 run tf2_ros tf2_monitor", *ends]) + sim,
+            "tf2_tools": " ".join(["ros2 run tf2_tools tf2_monitor", *ends]) + sim,
+            "topic delay": " ".join(["ros2 topic delay", *ends]),
+            "view_frames": "ros2 run tf2_tools view_frames",
+        }[tool],
         "who": {
             "--verbose": f"ros2 topic info {given.topic} --verbose",
             "counts": f"ros2 topic info {given.topic}",
             "topics": "ros2 topic list",
             "nodes": "ros2 node list",
+            "node info": f"ros2 node info {given.topic}",
+            "echo": f"ros2 topic echo {given.topic}",
+            "hz": f"ros2 topic hz {given.topic}",
             "other topic": f"ros2 topic info {other} --verbose",
         }[who],
     }
@@ -221,6 +238,98 @@ OTHER_TOPIC = Slip(
     part="who",
 )
 
+ECHO_OF_TOOLS = Slip(
+    "echo from tf2_tools",
+    {"package": "tf2_tools"},
+    Words(
+        en="value: tf2_echo belongs to the package tf2_ros. tf2_tools has view_frames.",
+        ko="value: tf2_echo는 tf2_ros 패키지에 있습니다. tf2_tools에 있는 것은 view_frames입니다.",
+    ),
+    part="value",
+)
+
+TOPIC_FOR_A_POSE = Slip(
+    "topic for a pose",
+    {"package": "topic echo"},
+    Words(
+        en="value: `topic echo` prints the messages of a topic. A frame is no topic: which tool puts edges together?",
+        ko="value: `topic echo`는 토픽의 메시지를 출력합니다. 좌표계는 토픽이 아닙니다. 연결을 이어 주는 도구는 무엇입니까?",
+    ),
+    "M15",
+    part="value",
+)
+
+MONITOR_OF_TOOLS = Slip(
+    "monitor from tf2_tools",
+    {"tool": "tf2_tools"},
+    Words(
+        en="late: tf2_monitor belongs to the package tf2_ros. tf2_tools has view_frames.",
+        ko="late: tf2_monitor는 tf2_ros 패키지에 있습니다. tf2_tools에 있는 것은 view_frames입니다.",
+    ),
+    part="late",
+)
+
+DELAY_OF_A_MESSAGE = Slip(
+    "delay of a message",
+    {"tool": "topic delay"},
+    Words(
+        en="late: `topic delay` takes a topic, and measures its messages. A chain of frames has another tool.",
+        ko="late: `topic delay`는 토픽 메시지의 지연을 잽니다. 좌표계의 사슬을 재는 도구는 따로 있습니다.",
+    ),
+    part="late",
+)
+
+TREE_FOR_A_DELAY = Slip(
+    "tree for a delay",
+    {"tool": "view_frames"},
+    Words(
+        en="late: view_frames draws the tree, and takes no frames. Which tool measures how late a chain is?",
+        ko="late: view_frames는 트리를 그리고 좌표계를 받지 않습니다. 사슬이 얼마나 늦는지 재는 도구는 무엇입니까?",
+    ),
+    part="late",
+)
+
+CLOCK_OPTION = Slip(
+    "clock option",
+    {"clock": "--clock"},
+    Words(
+        en="late: --clock is an option of `bag play`, which makes the time. A tool is told to listen to it by a parameter.",
+        ko="late: --clock은 시간을 만드는 `bag play`의 옵션입니다. 도구가 그것을 듣게 하는 것은 파라미터입니다.",
+    ),
+    "M13",
+    part="late",
+)
+
+NODE_INFO = Slip(
+    "node info",
+    {"who": "node info"},
+    Words(
+        en="who: `node info` takes a node and lists its topics. Asked is the other way round.",
+        ko="who: `node info`는 노드 하나의 토픽을 보여 줍니다. 물은 것은 그 반대입니다.",
+    ),
+    part="who",
+)
+
+MESSAGES_FOR_NODES = Slip(
+    "messages for nodes",
+    {"who": "echo"},
+    Words(
+        en="who: `topic echo` prints messages, and a message does not say who sent it.",
+        ko="who: `topic echo`는 메시지를 출력합니다. 메시지에는 보낸 노드가 적혀 있지 않습니다.",
+    ),
+    part="who",
+)
+
+RATE_FOR_NODES = Slip(
+    "rate for nodes",
+    {"who": "hz"},
+    Words(
+        en="who: `topic hz` counts messages, whoever sent them.",
+        ko="who: `topic hz`는 누가 보냈든 메시지의 수만 셉니다.",
+    ),
+    part="who",
+)
+
 
 TASK = Task(
     id="E11.7",
@@ -245,6 +354,15 @@ TASK = Task(
         RATE_AS_A_SHORT_OPTION,
         ROS_ARGS_FORGOTTEN,
         EQUALS_SIGN,
+        ECHO_OF_TOOLS,
+        TOPIC_FOR_A_POSE,
+        MONITOR_OF_TOOLS,
+        DELAY_OF_A_MESSAGE,
+        TREE_FOR_A_DELAY,
+        CLOCK_OPTION,
+        NODE_INFO,
+        MESSAGES_FOR_NODES,
+        RATE_FOR_NODES,
         ONE_FOR_TRUE,
         ONLY_COUNTS,
         LIST_OF_TOPICS,
