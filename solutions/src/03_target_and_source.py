@@ -246,8 +246,8 @@ check("E3.6", camera_mount)
 # ```
 #
 # - `node`: `"node_a"`, `"node_b"` or `"node_c"`
-# - `robot`, what its robot does: `"stops for the wrong things"`, `"drives to another place"`, `"is drawn where it is not"` or `"stops with an exception"`
-# - `hidden_while`, when nobody would notice: `"it stands still"`, `"it stands on the map's origin, not turned"` or `"the goal is far away"`
+# - `robot`, what its robot does: `"stops for the wrong things"`, `"is drawn where it is not"`, `"stops with an exception"` or `"drives to another place"`
+# - `hidden_while`, when nobody would notice: `"it stands on the map's origin, not turned"`, `"it stands still"` or `"the goal is far away"`
 
 # %% [markdown] lang="ko" name="e3-7" slide="slide"
 # ## E3.7 · 노드 셋, 하나는 거꾸로 (3점)
@@ -269,8 +269,8 @@ check("E3.6", camera_mount)
 # ```
 #
 # - `node`: `"node_a"`, `"node_b"`, `"node_c"` 가운데 하나
-# - `robot`, 그 로봇이 하는 일: `"stops for the wrong things"`(엉뚱한 것에 멈춘다), `"drives to another place"`(다른 곳으로 간다), `"is drawn where it is not"`(엉뚱한 자리에 그려진다), `"stops with an exception"`(예외로 멈춘다) 가운데 하나
-# - `hidden_while`, 아무도 눈치채지 못하는 때: `"it stands still"`(서 있는 동안), `"it stands on the map's origin, not turned"`(지도 원점에 돌지 않고 서 있는 동안), `"the goal is far away"`(목적지가 멀리 있는 동안) 가운데 하나
+# - `robot`, 그 로봇이 하는 일: `"stops for the wrong things"`(엉뚱한 것에 멈춘다), `"is drawn where it is not"`(엉뚱한 자리에 그려진다), `"stops with an exception"`(예외로 멈춘다), `"drives to another place"`(다른 곳으로 간다) 가운데 하나
+# - `hidden_while`, 아무도 눈치채지 못하는 때: `"it stands on the map's origin, not turned"`(지도 원점에 돌지 않고 서 있는 동안), `"it stands still"`(서 있는 동안), `"the goal is far away"`(목적지가 멀리 있는 동안) 가운데 하나
 
 # %% name="e3-7-answer" tags=["answer"]
 verdict = {

@@ -9,22 +9,22 @@ NODES = ("node_a", "node_b", "node_c")
 
 ROBOTS = (
     "stops for the wrong things",
-    "drives to another place",
     "is drawn where it is not",
     "stops with an exception",
+    "drives to another place",
 )
 
 
-HIDDEN = ("it stands still", "it stands on the map's origin, not turned", "the goal is far away")
+HIDDEN = ("it stands on the map's origin, not turned", "it stands still", "the goal is far away")
 
 
-def blamed(node: str, robot: str, hidden_while: str = HIDDEN[1]) -> dict[str, str]:
+def blamed(node: str, robot: str, hidden_while: str = HIDDEN[0]) -> dict[str, str]:
     return {"node": node, "robot": robot, "hidden_while": hidden_while}
 
 
 BY_ITS_LOOKS = Twin(
     "by_its_looks",
-    blamed("node_c", ROBOTS[2]),
+    blamed("node_c", ROBOTS[1]),
     Words(
         en="node_c has the same line as node_b, and it is not the line that is wrong. The robot's own "
         "origin is written in `base_link`; node_c wants it in `map`. What does node_b hold, and want?",
@@ -50,7 +50,7 @@ AGAINST_THE_ARROW = Twin(
 
 EXPECTS_AN_EXCEPTION = Twin(
     "expects_an_exception",
-    blamed("node_b", ROBOTS[3]),
+    blamed("node_b", ROBOTS[2]),
     Words(
         en="a swapped lookup raises nothing: both questions have an answer. What "
         "does a robot do that believes this one?",
@@ -62,7 +62,7 @@ EXPECTS_AN_EXCEPTION = Twin(
 
 STILL_IS_ENOUGH = Twin(
     "still_is_enough",
-    blamed("node_b", ROBOTS[1], HIDDEN[0]),
+    blamed("node_b", ROBOTS[3], HIDDEN[1]),
     Words(
         en="standing still does not help: a wrong transform is wrong at rest, "
         "too. For which transform is the inverse the same?",
@@ -75,7 +75,7 @@ STILL_IS_ENOUGH = Twin(
 
 FAR_AWAY = Twin(
     "far_away",
-    blamed("node_b", ROBOTS[1], HIDDEN[2]),
+    blamed("node_b", ROBOTS[3], HIDDEN[2]),
     Words(
         en="a far goal does not help: the farther away it is, the farther off a "
         "wrong turn throws it. For which transform is the inverse the same?",
@@ -88,7 +88,7 @@ FAR_AWAY = Twin(
 
 NODE_A_AT_REST = Twin(
     "node_a_at_rest",
-    blamed("node_a", ROBOTS[0], HIDDEN[0]),
+    blamed("node_a", ROBOTS[0], HIDDEN[1]),
     Words(
         en="node_a asks rightly: its point is written in the point's own frame, and wanted in `base_link`. "
         "And a wrong transform would be wrong at rest, too. Say the sentences of the other two nodes.",
@@ -101,7 +101,7 @@ NODE_A_AT_REST = Twin(
 
 NODE_C_AT_REST = Twin(
     "node_c_at_rest",
-    blamed("node_c", ROBOTS[2], HIDDEN[0]),
+    blamed("node_c", ROBOTS[1], HIDDEN[1]),
     Words(
         en="node_c asks rightly: the robot's origin is written in `base_link`, and wanted in `map`. And a wrong "
         "transform would be wrong at rest, too. Which node has a goal of the map, and wants it in `base_link`?",
