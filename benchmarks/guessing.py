@@ -1,0 +1,184 @@
+"""What does an answer earn that understands nothing?  A table by task: constants, echoes, replays, majorities.
+
+    python benchmarks/guessing.py [--pack DIR/instructor] [--chapters 03,12] [--learners 60]
+
+Each strategy is judged as a submission is, on what each of so many learners would be asked; none of
+them looks at what it is asked beyond handing it back.  The table has the best strategy's mean share
+of the points.  A function's is to be at most 5 %; a choice's is its chance.  Without a pack one is
+made, which takes a minute for each chapter.
+"""
+
+from __future__ import annotations
+
+import argparse
+import secrets
+import sys
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import product
+from pathlib import Path
+from statistics import mean
+from typing import Any, NamedTuple
+
+from tflab.grading.judging.cells import Master
+from tflab.grading.judging.draw import asks_of
+from tflab.grading.judging.marks import judged
+from tflab.grading.judging.pack import Pack, chapter_cases, read_pack
+from tflab.workbook.answers.forms import Choice, Form, Parts, form_from_plain
+from tflab.workbook.answers.sealed import is_sealed, judge
+from tflab.workbook.answers.values import Plain, is_raised
+from tflab.workbook.places import chapters, workbook_data
+from tflab.workbook.tasks.cases import read_cases
+
+MOST = 0.05  # of a function's points
+NOTHING: tuple[Plain, ...] = (0.0, "", [], {"dict": {}}, [0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 1.0], True, None)
+IDENTITY = {"Transform": [[0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 1.0]]}
+RAISED = ("ValueError", "LookupException", "ExtrapolationException", "ConnectivityException",
+          "InvalidArgumentException", "TimeoutException")  # fmt: skip
+
+Outcomes = dict[int, Plain]
+
+
+class Row(NamedTuple):
+    """What the best strategy earns in one task: the mean share of its points, and what an option gives by chance."""
+
+    task: str
+    is_function: bool
+    points: float
+    share: float
+    strategy: str
+    chance: float
+
+
+def main(words: Sequence[str] | None = None) -> int:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--pack", type=Path, metavar="DIR")
+    parser.add_argument("--chapters", default="", metavar="03,12")
+    parser.add_argument("--learners", type=int, default=60)
+    options = parser.parse_args(words)
+    numbers = options.chapters.split(",") if options.chapters else None
+    root = workbook_data()
+    stems = [stem for stem in chapters(root) if numbers is None or stem[:2] in numbers]
+    pack = read_pack(options.pack) if options.pack else pack_of(stems, root)
+    asked = [pack.for_learner(f"s{number}") for number in range(options.learners)]
+    print("| task | | points | best without understanding | by chance |\n|---|---|---|---|---|")
+    rows = []
+    for stem in stems:
+        public = read_cases(root / "exercises" / "cases" / f"{stem}.json")["tasks"]
+        for task_id in pack.cases.get(stem, {"tasks": ()})["tasks"]:
+            row = of_task(
+                task_id, [chapters_[stem]["tasks"][task_id] for chapters_ in asked], shown_in(public[task_id])
+            )
+            what = "function" if row.is_function else "value"
+            print(f"| {row.task} | {what} | {row.points:g} | {row.share:.1%} {row.strategy} | {row.chance:.1%} |")
+            rows.append(row)
+    above = [row.task for row in rows if is_above(row)]
+    print(f"above: {', '.join(above) or 'none'}")
+    return 1 if above else 0
+
+
+def is_above(row: Row) -> bool:
+    """Return whether a function gives more than it may for nothing; of a value, options are its chance."""
+    return row.is_function and row.share > MOST
+
+
+def pack_of(stems: Sequence[str], root: Path) -> Pack:
+    """Return a pack of these chapters, as a release would make it, without notebooks."""
+    seed = secrets.token_hex(32)
+    graded = {stem: chapter_cases(stem, seed, root / "solutions")[1] for stem in stems}
+    return Pack("guessing", seed, cases=graded, masters={stem: Master(stem, ()) for stem in stems})
+
+
+def of_task(task_id: str, asked: Sequence[Mapping[str, Any]], shown: Sequence[Plain]) -> Row:
+    """Return what the best strategy earns in a task; of a value all who have the same variant are asked the same."""
+    first = asked[0]
+    form, is_function, points = form_from_plain(first["form"]), first["is_function"], float(first["points"])
+    variants = asked if is_function else asked[:1]
+    earned: dict[str, list[float]] = {}
+    for task in variants:
+        for name, outcomes in by_function(task, shown) if is_function else by_value(task, form):
+            earned.setdefault(name, []).append(share_of(task_id, task, form, outcomes))
+    shares = {name: mean(row) for name, row in earned.items() if len(row) == len(variants)}
+    best = max(shares, key=lambda name: shares[name])
+    return Row(task_id, is_function, points, shares[best], best, chance(form))
+
+
+def share_of(task_id: str, task: Mapping[str, Any], form: Form, outcomes: Outcomes) -> float:
+    """Return which share of its points a task gives for outcomes; where nothing fits, nothing, at once."""
+    asks = asks_of(task)
+    fits = any(any(judge(form, outcomes[place], task["cases"][case]["expected"])) for place, case in enumerate(asks))
+    return judged(task_id, task, outcomes).points / float(task["points"]) if fits else 0.0
+
+
+def shown_in(task: Mapping[str, Any]) -> list[Plain]:
+    """Return the results that a learner was shown, in their order."""
+    return [case["expected"] for case in task["variants"][0]["cases"] if not is_sealed(case["expected"])]
+
+
+def by_function(task: Mapping[str, Any], shown: Sequence[Plain]) -> Iterator[tuple[str, Outcomes]]:
+    """Yield what a function gives that does not look at what it is asked, by the name of the strategy."""
+    asks = asks_of(task)
+    args = [task["cases"][case]["args"] for case in asks]
+    frequent = [shown[number] for number in most_frequent(shown)]
+    for number, constant in enumerate([*NOTHING, IDENTITY, *frequent]):
+        yield f"always constant {number}", dict.fromkeys(range(len(asks)), constant)
+    for error in RAISED:
+        yield f"raises {error}", {place: {"raises": error, "text": ""} for place in range(len(asks))}
+    for place in range(min(map(len, args))):
+        yield f"hands back argument {place}", {number: row[place] for number, row in enumerate(args)}
+        for constant in (0.0, *frequent[:2]):
+            mixed = {number: row[place] if number % 2 else constant for number, row in enumerate(args)}
+            yield f"hands back argument {place}, or {kind(constant)}, in turn", mixed
+    if shown:
+        yield "replays what was shown", {number: shown[number % len(shown)] for number in range(len(asks))}
+    for one, other in product(frequent[:4], repeat=2):
+        if one is not other:
+            yield f"{kind(one)} and {kind(other)} in turn", {n: other if n % 2 else one for n in range(len(asks))}
+            yield f"{kind(one)}, but once {kind(other)}", {n: other if n == 1 else one for n in range(len(asks))}
+
+
+def by_value(task: Mapping[str, Any], form: Form) -> Iterator[tuple[str, Outcomes]]:
+    """Yield answers to a value task that were not worked out: nothing, what was given, one option everywhere."""
+    for number, constant in enumerate([*NOTHING, IDENTITY]):
+        yield f"constant {number}", {0: constant}
+    for name, held in (task["given"] or {}).items():
+        yield f"given {name}", {0: held}
+        if isinstance(form, Parts):
+            yield f"given {name} everywhere", {0: {"dict": dict.fromkeys(form.parts, held)}}
+    if isinstance(form, Parts):
+        for number, constant in enumerate([*NOTHING, IDENTITY]):
+            yield f"constant {number} everywhere", {0: {"dict": dict.fromkeys(form.parts, constant)}}
+        longest = max((len(part.options) for part in form.parts.values() if isinstance(part, Choice)), default=0)
+        for number in range(longest):
+            row = {name: option(part, number) for name, part in form.parts.items()}
+            yield f"option {number + 1} everywhere", {0: {"dict": row}}
+    elif isinstance(form, Choice):
+        for word in form.options:
+            yield "an option", {0: word}
+
+
+def option(part: Form, number: int) -> Plain:
+    return part.options[number % len(part.options)] if isinstance(part, Choice) and part.options else 0.0
+
+
+def most_frequent(shown: Sequence[Plain]) -> list[int]:
+    """Return the places of the results that were shown, the most frequent first, each once."""
+    names = [repr(plain) for plain in shown]
+    return [names.index(name) for name, _ in Counter(names).most_common()]
+
+
+def kind(plain: Plain) -> str:
+    if isinstance(plain, str | float):
+        return str(plain)
+    return str(plain["raises"]) if is_raised(plain) else "a value"
+
+
+def chance(form: Form) -> float:
+    """Return which share of the points options give by chance; of anything else nothing."""
+    if isinstance(form, Parts):
+        return mean(chance(part) for part in form.parts.values())
+    return 1 / len(form.options) if isinstance(form, Choice) and form.options else 0.0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

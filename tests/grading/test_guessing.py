@@ -1,0 +1,58 @@
+"""What does an answer earn that understands nothing?  Of a function at most a twentieth, whoever is asked."""
+
+from __future__ import annotations
+
+import importlib.util
+import sys
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import pytest
+import tiny
+
+from tflab.grading.judging.pack import Pack, read_pack
+
+TINY = "E3.2"
+
+
+@pytest.fixture(scope="module")
+def guessing() -> ModuleType:
+    page = Path(__file__).parents[2] / "benchmarks" / "guessing.py"
+    spec = importlib.util.spec_from_file_location("guessing", page)
+    sys.modules["guessing"] = module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def asked_of(pack: Pack, stem: str, task_id: str, learners: int) -> list[dict[str, Any]]:
+    return [pack.for_learner(f"s{number}")[stem]["tasks"][task_id] for number in range(learners)]
+
+
+def test_a_function_gives_next_to_nothing_to_who_does_not_look_at_its_input(
+    guessing: ModuleType, course: tiny.Course
+) -> None:
+    asked = asked_of(read_pack(course.pack), tiny.STEM, TINY, 20)
+    assert not guessing.is_above(guessing.of_task(TINY, asked, [3.0, 4.0, 5.0]))
+
+
+def test_who_knows_what_is_asked_is_above(guessing: ModuleType, course: tiny.Course) -> None:
+    (asked,) = asked_of(read_pack(course.pack), tiny.STEM, TINY, 1)
+    in_order = [asked["cases"][case]["expected"] for case in asked["asks"]]
+    row = guessing.of_task(TINY, [asked], in_order)
+    assert guessing.is_above(row)
+    assert row.strategy == "replays what was shown"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("stem", ["02_axes_and_quaternions", "09_exceptions_and_waiting"])
+def test_no_function_of_words_is_worth_guessing(guessing: ModuleType, stem: str) -> None:
+    root = guessing.workbook_data()
+    pack = guessing.pack_of([stem], root)
+    public = guessing.read_cases(root / "exercises" / "cases" / f"{stem}.json")["tasks"]
+    functions = [task_id for task_id, task in pack.cases[stem]["tasks"].items() if task["is_function"]]
+    rows = [
+        guessing.of_task(task_id, asked_of(pack, stem, task_id, 60), guessing.shown_in(public[task_id]))
+        for task_id in functions
+    ]
+    assert [row for row in rows if guessing.is_above(row)] == []
