@@ -101,7 +101,7 @@ def plan_sheet(plan: CoursePlan, language: str) -> str:
     rows = []
     for when, part in zip(_times(plan), plan.parts, strict=True):
         label = f"<b>{text(part.label.say(language))}</b><br>" if part.label else ""
-        shown = "<br>".join(text(_shown(stem, cells, language)) for stem, cells in part.cells.items())
+        shown = "<br>".join(_shown(plan.name, stem, cells, language) for stem, cells in part.cells.items())
         bring = inline(part.bring.say(language)) if part.bring else ""
         rows.append((label + when, inline(part.do.say(language)), shown, text(", ".join(part.tasks)), bring))
     body = [
@@ -112,8 +112,10 @@ def plan_sheet(plan: CoursePlan, language: str) -> str:
     return sheet(plan.title.say(language), language, body)
 
 
-def _shown(stem: str, cells: Sequence[str], language: str) -> str:
-    return (SOME if cells else WHOLE).say(language, chapter=stem[:2], count=len(cells))
+def _shown(plan: str, stem: str, cells: Sequence[str], language: str) -> str:
+    """Return the deck that is shown, with a link to it."""
+    words = (SOME if cells else WHOLE).say(language, chapter=stem[:2], count=len(cells))
+    return f'<a href="{plan}-{stem}.html">{text(words)}</a>'
 
 
 def _times(plan: CoursePlan) -> list[str]:

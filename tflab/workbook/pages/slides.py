@@ -171,9 +171,11 @@ def _title(cell: dict) -> str:
 
 
 def _html(markdown: str) -> str:
+    if not markdown:
+        return ""
     from nbconvert.filters import markdown2html
 
-    return markdown2html(markdown).strip() if markdown else ""
+    return markdown2html(markdown).strip()
 
 
 def _as_deck(page: str, slides: list[Slide], language: str) -> str:
