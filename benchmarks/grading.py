@@ -25,7 +25,7 @@ from pathlib import Path
 import psutil
 
 from tflab.grading.kernels.take import choose
-from tflab.workbook.places import workbook_data
+from tflab.workbook.places import exercise_file, workbook_data
 
 BIN = Path(sys.executable).parent
 GOAL = 7.0
@@ -100,7 +100,7 @@ def hand_in(folder: Path, chapter: str, count: int) -> tuple[Path, int]:
     """Release a chapter and answer it `count` times."""
     release = [BIN / "tflab", "release", folder, "--chapters", chapter[:2]]
     subprocess.run(release, check=True, stdout=subprocess.DEVNULL)
-    (blank,) = (folder / "learners").glob(f"*/exercises/en/{chapter}.ipynb")
+    (blank,) = (folder / "learners").glob(f"*/exercises/en/{exercise_file(chapter)}")
     notebook, tasks = answered(blank, chapter)
     for number in range(count):
         copy = folder / "submissions" / f"s{number:03}" / f"{chapter}.ipynb"
@@ -121,7 +121,7 @@ def answered(blank: Path, chapter: str) -> tuple[str, int]:
 
 def course(folder: Path, chapter: str, count: int) -> Path:
     """Make an nbgrader course of the same exercise, handed in `count` times."""
-    blank = workbook_data() / "exercises" / "en" / f"{chapter}.ipynb"
+    blank = workbook_data() / "exercises" / "en" / exercise_file(chapter)
     source = folder / "source" / "ps1" / f"{chapter}.ipynb"
     source.parent.mkdir(parents=True)
     shutil.copy(blank, source)
