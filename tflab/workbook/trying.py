@@ -104,8 +104,9 @@ def _reply(assigned: AssignedTask, verdict: Verdict) -> str:
     if verdict.said is not None and verdict.mistake is Mistake.SLIP:
         return assigned.words(verdict.said)
     names = {name: _listed(held) if isinstance(held, list) else held for name, held in verdict.detail.items()}
-    bounds = names.get("certain")
+    bounds, tip = names.get("certain"), names.get("tip")
     names["certain"] = f" ({assigned.words(bounds)})" if bounds else ""
+    names["tip"] = f". {assigned.words(tip)}" if tip and tip.en else ""
     names = {"answer": assigned.cases.answer, "wanted": _wanted(assigned, verdict)} | names
     text = assigned.words(REPLIES[verdict.mistake], **names)
     return f'"{names["part"]}": {text}' if "part" in names else text

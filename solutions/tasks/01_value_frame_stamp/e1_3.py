@@ -6,7 +6,7 @@ from tflab.core import seconds
 from tflab.ros.time import Time
 from tflab.workbook.tasks import Choice, Slip, Task, Words
 
-from .draws import point
+from .draws import clock, point
 
 OPTIONS = ("use it", "no frame", "no stamp", "too old", "from the future")
 
@@ -20,7 +20,7 @@ def messages(rng):
 
     def row(frame, now_s, age_ns, x=2.0):
         now_ns = seconds(second) + seconds(now_s)
-        return point(frame, now_ns - age_ns, x), Time(nanoseconds=now_ns), limit
+        return point(frame, now_ns - age_ns, x), clock(now_ns), limit
 
     nothing = point("", 0, 1.0)
     return [
@@ -37,10 +37,10 @@ def messages(rng):
         row("laser_frame", 0.5, -hair),
         row("laser_frame", 0.5, -1),
         row("camera_link", 0.9, -seconds(limit + 0.4)),
-        (point("laser_frame", 0, 1.0), Time(nanoseconds=seconds(second)), limit),
-        (point("base_link", 0, 3.0), Time(nanoseconds=seconds(0.3)), limit),
-        (point("base_link", 1, 3.0), Time(nanoseconds=seconds(0.3)), limit),  # a nanosecond is a stamp
-        (nothing, Time(nanoseconds=seconds(second)), limit),
+        (point("laser_frame", 0, 1.0), clock(seconds(second)), limit),
+        (point("base_link", 0, 3.0), clock(seconds(0.3)), limit),
+        (point("base_link", 1, 3.0), clock(seconds(0.3)), limit),  # a nanosecond is a stamp
+        (nothing, clock(seconds(second)), limit),
         row("", 0.4, seconds(0.1)),
         row("", 0.4, limit_ns + seconds(3.0)),
     ]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from tflab.core import StampedTransform, Transform, seconds
+from tflab.ros.clock_type import ClockType
 from tflab.ros.convert import msg_from_stamp, msg_from_stamped
 from tflab.ros.messages import geometry_msgs, std_msgs
 from tflab.ros.tf2.buffer import Buffer
@@ -47,7 +48,7 @@ def seen(rng, frame_id, stamp_s):
 
 
 def _time(stamp_s):
-    return Time(nanoseconds=seconds(stamp_s))
+    return Time(nanoseconds=seconds(stamp_s), clock_type=ClockType.ROS_TIME)  # as a node's own clock tells it
 
 
 def _moved(message, transform):

@@ -199,7 +199,10 @@ def _what_went_wrong(task_id: str, task: TaskCases, got: list[Any], found: Verdi
         return [Remark("raised", task_id, error=safe_error_name(found.detail["error"]))]
     wanted = task.form.wanted()
     names = {name: ", ".join(held) if isinstance(held, list) else held for name, held in found.detail.items()}
+    tip = found.detail.get("tip", Words("", ""))
     names |= {
+        "tip": f" {tip.en}" if tip.en else "",
+        "tip_ko": f" {tip.ko}" if tip.ko else "",
         "wanted": wanted.en,
         "wanted_ko": wanted.ko,
         "error": _error_named(found.detail.get("error"), task, got),

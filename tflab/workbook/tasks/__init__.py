@@ -7,13 +7,19 @@
     evidence    what an answer shows, beyond luck: guess correction
     units       in which other unit it may be
     universal   mistakes that any answer can have
+    losses      what was lost and cannot be put back
+    fields      which parts an answer has
     fitting     whether outcomes are just what a mistake gives
     certain     what is certain where none fits
     explanation what an explanation is
     confused    which word a function says for which
+    arithmetic  what was computed of what was given
     members     parts of a dict, fields of a message, each by itself
+    lists       members of a list, all together
+    refusals    errors that were swallowed
     explain     how a wrong answer came about: slips, alone and two together
     verdict     what became of an answer
+    stumbles    what one of Python's own errors means
     mistake     what may be wrong with it, in two tables of words
     replies     what `check` says besides
     comparison  the wrong answer drawn beside the right one

@@ -11,14 +11,16 @@ nobody knows how it came about.  Read `explanation.py` next.
 
 from __future__ import annotations
 
+import difflib
 import math
 
 from ..answers import sealed
 from ..answers.form import Angle, Form, Mark, Number, Pose, Quaternion, Row, Vector, inside, numbers_of, pose_of
-from ..answers.forms import Message, Parts, Sequence, Set, Tree, Urdf
+from ..answers.forms import Message, Name, Parts, Sequence, Set, Tree, Urdf
 from ..answers.members import edges_of, members_of
 from ..answers.values import Plain, is_raised
 from ..words import Words
+from .fields import section, sections
 
 __all__ = ["certain"]
 
@@ -29,6 +31,7 @@ LINK_FAULTS = (  # of a URDF's link: how many of its marks have to fit, and what
     (9, Words("how it is turned in its parent", "부모 기준 방향")),
     (10**6, Words("how it moves", "움직이는 방향(axis)")),
 )
+NEARLY = 0.6  # from which share of letters on a name looks like another
 MOST_NAMED = 4  # children that are called by name
 
 
@@ -50,6 +53,8 @@ def certain(form: Form, answer: Plain, expected: Plain) -> Words | None:
         return _of_sequence(inside(answer), inside(expected))
     if isinstance(form, Pose):
         return _of_pose(answer, expected)
+    if isinstance(form, Name):
+        return _of_name(answer, expected)
     return _of_parts(form, answer, expected)
 
 
@@ -131,6 +136,9 @@ def _of_sequence(given: Plain, wanted: Plain) -> Words | None:
         return Words("too many members", "원소가 너무 많습니다")
     if len(given) < len(wanted):
         return Words("too few members", "원소가 모자랍니다")
+    first = next((place for place, pair in enumerate(zip(given, wanted, strict=True)) if pair[0] != pair[1]), 0)
+    if first:
+        return Words(f"the first members are right, up to number {first}", f"앞에서 {first}번째 원소까지는 맞습니다")
     return Words("as many members as asked for, and not these", "원소의 수는 맞지만 내용이 다릅니다")
 
 
@@ -194,14 +202,29 @@ def _of_parts(form: Form, answer: Plain, expected: Plain) -> Words | None:
 
 
 def _of_message(form: Message, answer: Plain, expected: Plain) -> Words | None:
+    """Say which fields are right, and of the first one that is not what is certain about it."""
     rights = form.judge(answer, expected)
-    wrong = [path for path, right in zip(form.fields, rights, strict=True) if not right]
     right = [path for path, right in zip(form.fields, rights, strict=True) if right]
-    if not right:
+    said = [Words(f"right: {', '.join(right)}", f"맞음: {', '.join(right)}")] if right else []
+    parts = sections(form, expected)
+    wrong = (name for name, is_right in zip(parts, rights, strict=True) if not is_right)
+    for number, name in ((list(parts).index(name), name) for name in wrong):
+        of_field = certain(parts[name], *(section(form, plain, number, name) for plain in (answer, expected)))
+        if of_field is not None:
+            return _joined([*said, Words(f"{name}: {of_field.en}", f"{name}: {of_field.ko}")])
+    return _joined(said)
+
+
+def _of_name(answer: Plain, expected: Plain) -> Words | None:
+    """Say whether a name is nearly the one that is asked for; never which that is."""
+    if not isinstance(answer, str) or not isinstance(expected, str) or not answer:
         return None
-    return Words(
-        f"right: {', '.join(right)}; wrong: {', '.join(wrong)}", f"맞음: {', '.join(right)}; 틀림: {', '.join(wrong)}"
-    )
+    if difflib.SequenceMatcher(None, answer, expected).ratio() >= NEARLY:
+        return Words(
+            "nearly the name that is asked for: compare letter by letter",
+            "필요한 이름과 비슷합니다. 한 글자씩 비교하십시오",
+        )
+    return Words("another name than the one that is asked for", "필요한 이름이 아닙니다")
 
 
 def _degrees(angle_rad: float) -> Words:

@@ -15,13 +15,17 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from ..answers.forms import Choice, Message, Parts
+from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
+from .arithmetic import computed
 from .case import AND, Case, TaskCases, TwinWords
 from .confused import confused
 from .evidence import habit
 from .explanation import Explanation, said_of
-from .fitting import IN_SOME, all_alike, in_some, undone_to, words_of
-from .members import given_to, of_members
+from .fitting import IN_SOME, MEASURED, ONE, TWO, all_alike, in_some, is_just, undone_to, words_of
+from .lists import of_lists
+from .members import changed_places, given_to, of_members
+from .refusals import of_refusals
 
 __all__ = ["explained"]
 
@@ -37,16 +41,28 @@ def explained(
     if isinstance(task.form, Parts) and not task.is_function:
         return of_members(task, cases, outcomes, given)
     names = next(_ways(task, cases, outcomes, given), None)
+    if (names is None or len(names) > 1) and (places := changed_places(task, cases, outcomes, given)):
+        return places
     if names:
         return Explanation({name: words_of(task, name) for name in names}, said_of(task, names))
     if task.is_function and habit(task.form, cases, outcomes):  # a constant, or what came in: that says it all
         return None
+    return of_refusals(task, cases, outcomes, explained) or _of_the_form(task, cases, outcomes, given)
+
+
+def _of_the_form(
+    task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], given: dict[str, Plain] | None
+) -> Explanation | None:
+    """Return what explains an answer of this form: its members, the words that it confuses, how it was computed."""
     if isinstance(task.form, Parts | Message):
         return of_members(task, cases, outcomes, given)
+    if isinstance(task.form, ListForm):
+        return of_lists(task, cases, outcomes)
     if isinstance(task.form, Choice) and task.is_function:
         confusion = confused(task.form, outcomes, [case.expected for case in cases])
         return Explanation({confusion.name: TwinWords(confusion.said, "")}, confusion.said) if confusion else None
-    return None
+    found = None if task.is_function else computed(task.form, outcomes[0], given)
+    return Explanation({found[0]: TwinWords(found[1], "")}, found[1]) if found else None
 
 
 def _ways(
@@ -55,8 +71,8 @@ def _ways(
     """Yield the combinations that give these outcomes, the simplest first."""
     form, expected = task.form, [case.expected for case in cases]
     gives = {name: [case.twins.get(name) for case in cases] for name in cases[0].twins}
-    fitting = [name.split(AND) for name, row in gives.items() if all_alike(form, outcomes, row)]
-    yield from (tuple(names) for names in fitting if len(names) == 1)
+    fitting = [name.split(AND) for name, row in gives.items() if is_just(form, outcomes, row, _share(name))]
+    yield from map(tuple, filter(lambda names: len(names) == 1, fitting))
     yield from ((name,) for name in undone_to(form, outcomes, expected, only_plain_to_see=True))
     if task.is_function and habit(form, cases, outcomes):
         return
@@ -66,6 +82,10 @@ def _ways(
     yield from _further_ways(task, {name: row for name, row in gives.items() if AND not in name}, outcomes, expected)
 
 
+def _share(name: str) -> float:
+    return TWO if AND in name else ONE
+
+
 def _further_ways(
     task: TaskCases, single: dict[str, list[Plain]], outcomes: Sequence[Plain], expected: Sequence[Plain]
 ) -> Iterator[tuple[str, ...]]:
@@ -73,7 +93,7 @@ def _further_ways(
     for first, row in single.items():
         yield from ((first, then) for then in undone_to(task.form, outcomes, row, only_plain_to_see=True))
     yield from ((name,) for name in undone_to(task.form, outcomes, expected))
-    if task.is_function and not isinstance(task.form, Choice):
+    if task.is_function and isinstance(task.form, MEASURED):
         yield from ((IN_SOME + name,) for name, row in single.items() if _in_some(task, outcomes, expected, row))
         yield from ((name,) for name in in_some(task.form, outcomes, expected))
 

@@ -10,15 +10,18 @@ be right with it, too.  Read `certain.py` next.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 
 from ..answers import sealed
-from ..answers.form import Form, inside, member, numbers_of
-from ..answers.forms import Message, Name, Number, Parts, Quaternion, Vector
+from ..answers.form import Form, numbers_of
+from ..answers.forms import Angle, Message, Number, Parts, Pose, Quaternion, Vector
 from ..answers.values import Plain, is_raised
 from ..words import Words
 from .case import TaskCases, TwinWords
-from .universal import PLAIN_TO_SEE, UNIVERSAL, by_comparison, undone
+from .fields import section
+from .losses import LOSSES, by_comparison
+from .universal import PLAIN_TO_SEE, UNIVERSAL, undone
 
 __all__ = [
     "ANY_BUG",
@@ -26,9 +29,8 @@ __all__ = [
     "alike",
     "all_alike",
     "in_some",
+    "is_just",
     "row_of",
-    "section",
-    "sections",
     "undone_to",
     "words_of",
 ]
@@ -42,6 +44,8 @@ SOME = Words(
     ko="모든 호출이 아니라 일부에서 그렇습니다. {said} 이 호출들의 공통점은 무엇입니까?",
 )
 IN_SOME = "in some: "
+MEASURED = (Number, Angle, Vector, Quaternion, Pose, Message, Parts)  # words and lists are alike by chance
+ONE, TWO = 0.1, 0.005  # how far from what one slip, or two, give: the more there are, the sooner one fits by chance
 
 
 def row_of(form: Form, given: Plain, wanted: Plain) -> list[bool]:
@@ -62,6 +66,25 @@ def alike(form: Form, given: Plain, wanted: Plain) -> bool:
 def all_alike(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> bool:
     """Return whether all outcomes are what is wanted."""
     return all(alike(form, given, want) for given, want in zip(outcomes, wanted, strict=True))
+
+
+def is_just(form: Form, outcomes: Sequence[Plain], twins: Sequence[Plain], share: float = ONE) -> bool:
+    """Return whether all outcomes are what a mistake gives, and not only by a tolerance that is wide beside them."""
+    return all_alike(form, outcomes, twins) and all(
+        _is_near(form, *pair, share) for pair in zip(outcomes, twins, strict=True)
+    )
+
+
+def _is_near(form: Form, given: Plain, wanted: Plain, share: float) -> bool:
+    if isinstance(form, Parts):
+        rows = [(part, section(form, given, n, name), section(form, wanted, n, name))
+                for n, (name, part) in enumerate(form.parts.items())]  # fmt: skip
+        return all(_is_near(*row, share) for row in rows)
+    if not isinstance(form, Number | Vector):
+        return True
+    size = form.size if isinstance(form, Vector) else None
+    one, other = numbers_of(given, size), numbers_of(wanted, size)
+    return one is None or other is None or math.dist(one, other) <= share * math.hypot(*other) + 1e-9
 
 
 def undone_to(
@@ -96,6 +119,8 @@ def in_some(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> I
         for given, want in zip(outcomes, wanted, strict=True)
         if is_raised(want) or not alike(form, given, want)
     ]
+    if not isinstance(form, MEASURED) or (isinstance(form, Number) and not form.unit):
+        return
     if 0 < len(wrong) < len(outcomes) and not any(is_raised(want) for _, want in wrong):
         yield from (IN_SOME + name for name in undone_to(form, *map(list, zip(*wrong, strict=True))))
 
@@ -103,7 +128,7 @@ def in_some(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> I
 def _fits(form: Form, name: str, unit: str, given: Plain, wanted: Plain) -> bool:
     """Return whether an answer without this mistake is what is wanted; what cannot have it has to be right."""
     ways = [way.left for way in undone(form, given) if way[:2] == (name, unit)]
-    return any(alike(form, left, wanted) for left in ways) if ways else alike(form, given, wanted)
+    return any(is_just(form, [left], [wanted]) for left in ways) if ways else alike(form, given, wanted)
 
 
 def words_of(task: TaskCases, name: str) -> TwinWords:
@@ -118,34 +143,6 @@ def words_of(task: TaskCases, name: str) -> TwinWords:
         if name.startswith(start):
             rest = name.removeprefix(start)
             return TwinWords(Words(*(words.say(tongue, unit=rest, name=rest) for tongue in ("en", "ko"))), "")
+    if name in LOSSES:
+        return TwinWords(LOSSES[name], "")
     return TwinWords(UNIVERSAL[name].reply, UNIVERSAL[name].misconception)
-
-
-# -- parts of a dict, fields of a message -------------------------------------------------
-
-
-def sections(form: Form, like: Plain) -> dict[str, Form]:
-    """Return the parts of an answer that are judged each on its own; of a message its fields, as `like` has them."""
-    if isinstance(form, Parts):
-        return dict(form.parts)
-    if isinstance(form, Message):
-        held = {path: section(form, like, number, path) for number, path in enumerate(form.fields)}
-        return {path: _form_of_field(path, field, form.tolerance) for path, field in held.items()}
-    return {}
-
-
-def section(form: Form, plain: Plain, number: int, name: str) -> Plain:
-    """Return one of an answer's parts, the `number`th; of something else, None."""
-    if sealed.is_sealed(plain) or isinstance(form, Parts):
-        held = inside(plain)
-        return sealed.part_of(plain, number, name) if sealed.is_sealed(plain) or isinstance(held, dict) else None
-    return member(plain, *name.split("."))
-
-
-def _form_of_field(path: str, held: Plain, tolerance: float) -> Form:
-    """Return the form of a message's field: its numbers are metres, its rotation a quaternion, its texts words."""
-    if numbers_of(held, 4) is not None or path.endswith("rotation"):
-        return Quaternion(tolerance)
-    if numbers_of(held, 3) is not None or path.endswith(("translation", "point", "position")):
-        return Vector(3, "m", "", tolerance)
-    return Number("", tolerance) if numbers_of(held, None) is not None else Name()

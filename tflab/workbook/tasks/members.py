@@ -6,7 +6,7 @@
 
 A value has one case, a function several: a part is explained where it is in all of
 them.  What only follows from an earlier slip costs nothing: *error carried forward*.
-Read `explain.py` next.
+Read `lists.py` next.
 """
 
 from __future__ import annotations
@@ -16,17 +16,19 @@ from itertools import combinations
 from typing import NamedTuple
 
 from ..answers import sealed
-from ..answers.form import Form, inside, numbers_of, pose_of
+from ..answers.form import Form, numbers_of, pose_of
 from ..answers.forms import Angle, Choice, Number, Parts, Pose, Quaternion, Vector
 from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
 from ..words import Words
+from .arithmetic import computed, leaves
 from .case import AND, Case, TaskCases, TwinWords
 from .explanation import Explanation, said_of
-from .fitting import alike, all_alike, in_some, section, sections, undone_to, words_of
+from .fields import section, sections
+from .fitting import ONE, TWO, alike, all_alike, in_some, is_just, undone_to, words_of
 from .units import unit_of
 
-__all__ = ["given_to", "of_members"]
+__all__ = ["changed_places", "given_to", "of_members"]
 
 LOOK = Words(en="look again.", ko="다시 보십시오.")
 ANOTHERS = Words(
@@ -93,11 +95,24 @@ def _of_table(
     return _together(found, left, names) if found else None
 
 
+def changed_places(
+    task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], given: dict[str, Plain] | None
+) -> Explanation | None:
+    """Return that two parts hold each other's answer, if that is all that is wrong."""
+    if not isinstance(task.form, Parts) or any(is_raised(case.expected) for case in cases):
+        return None
+    table = _table(task.form, cases, outcomes)
+    names = list(table.forms)
+    wrong = {name for name in names if not all_alike(table.forms[name], table.given[name], table.wanted[name])}
+    found = next((pair for pair in _changed_places(table, wrong) if pair.parts == wrong), None)
+    return _together([found], set(), names) if found else None
+
+
 def given_to(form: Form, outcome: Plain, expected: Plain, given: dict[str, Plain] | None) -> str | None:
     """Return under which name an answer was given, if it is nothing else than that."""
     if isinstance(form, Choice | Parts | ListForm) or alike(form, outcome, expected):
         return None
-    for name, leaf in _leaves(given or {}):
+    for name, leaf in leaves(given or {}):
         for shaped in _shaped(form, name, leaf):
             if form.read(shaped) is not None and alike(form, outcome, shaped):
                 return name
@@ -120,7 +135,7 @@ def _slips_in_parts(task: TaskCases, table: _Table, cases: Sequence[Case], wrong
     for key in cases[0].twins:
         twins = [case.twins[key] for case in cases]
         slips = {name: words_of(task, name) for name in key.split(AND)}
-        changed, same = _shown(task.form, table, twins)
+        changed, same = _shown(task.form, table, twins, TWO if AND in key else ONE)
         if changed and changed <= same & wrong:
             found.append(_Found(slips, said_of(task, list(slips)), changed, is_whole=True))
         elif same & changed & wrong and all(words.partly for words in slips.values()):
@@ -128,7 +143,7 @@ def _slips_in_parts(task: TaskCases, table: _Table, cases: Sequence[Case], wrong
     return sorted(found, key=lambda cause: (-len(cause.parts), len(cause.slips), not cause.is_whole))
 
 
-def _shown(form: Form, table: _Table, twins: Sequence[Plain]) -> tuple[set[str], set[str]]:
+def _shown(form: Form, table: _Table, twins: Sequence[Plain], share: float) -> tuple[set[str], set[str]]:
     """Return in which parts a mistake gives something else than what is right, and in which it gives what came out."""
     changed: set[str] = set()
     same: set[str] = set()
@@ -138,7 +153,7 @@ def _shown(form: Form, table: _Table, twins: Sequence[Plain]) -> tuple[set[str],
         row = [section(form, twin, number, name) for twin in twins]
         if not _all_same(part, row, table.wanted[name]):
             changed.add(name)
-        if all_alike(part, table.given[name], row):
+        if is_just(part, table.given[name], row, share):
             same.add(name)
     return changed, same
 
@@ -175,16 +190,32 @@ def _by_itself(task: TaskCases, table: _Table, name: str, given: dict[str, Plain
         return [_Found({f"{name}: no proof": TwinWords(words, "")}, words, {name})]
     for way in [*undone_to(form, outcomes, wanted), *in_some(form, outcomes, wanted)][:1]:
         return [_Found({way: words_of(task, way)}, words_of(task, way).reply, {name})]
+    if (other := _anothers(table, name)) is not None:
+        said = Words(ANOTHERS.say("en", other=other), ANOTHERS.say("ko", other=other))
+        return [_Found({f"{other} under {name}": TwinWords(said, "")}, said, {name})]
+    return _of_the_given(task, name, form, outcomes[0], wanted[0], given) if len(outcomes) == 1 else []
+
+
+def _anothers(table: _Table, name: str) -> str | None:
+    """Return the part whose answer stands here, if it is that."""
+    form = table.forms[name]
     for other, part in table.forms.items():
         is_like = other != name and type(part) is type(form) and not isinstance(part, Choice | ListForm)
-        if is_like and _holds(table, name, other) and any(_is_something(part, value) for value in outcomes):
-            said = Words(ANOTHERS.say("en", other=other), ANOTHERS.say("ko", other=other))
-            return [_Found({f"{other} under {name}": TwinWords(said, "")}, said, {name})]
-    held = given_to(form, outcomes[0], wanted[0], given) if len(outcomes) == 1 else None
+        if is_like and _holds(table, name, other) and any(_is_something(part, value) for value in table.given[name]):
+            return other
+    return None
+
+
+def _of_the_given(
+    task: TaskCases, name: str, form: Form, outcome: Plain, wanted: Plain, given: dict[str, Plain] | None
+) -> list[_Found]:
+    """Return that a part is what was given, or what a sum of it gives."""
+    held = given_to(form, outcome, wanted, given)
     if held:
         way = f"given {held}"
         return [_Found({way: words_of(task, way)}, words_of(task, way).reply, {name})]
-    return []
+    found = computed(form, outcome, given)
+    return [_Found({found[0]: TwinWords(found[1], "")}, found[1], {name})] if found else []
 
 
 def _as_it_came(form: Form, table: _Table, number: int, name: str, cases: Sequence[Case]) -> list[_Found]:
@@ -212,14 +243,6 @@ def _choice(task: TaskCases, part: str, answer: Plain) -> Words | None:
 
 
 # -- what was given ------------------------------------------------------------------------
-
-
-def _leaves(given: dict[str, Plain], before: str = "") -> Iterator[tuple[str, Plain]]:
-    """Yield what was given, by name; of a dict its members, too."""
-    for name, held in given.items():
-        yield before + name, held
-        if isinstance(inner := inside(held), dict) and "Transform" not in inner:
-            yield from _leaves(inner, f"{before}{name}: ")
 
 
 def _shaped(form: Form, name: str, leaf: Plain) -> Iterator[Plain]:

@@ -87,8 +87,8 @@ REPLIES = {
         ko="함수가 받은 것을 바꿉니다({changed}번째 인자). 호출한 쪽은 원래 값을 잃습니다. 복사본으로 계산하십시오.",
     ),
     Mistake.RAISES: Words(
-        en="your function stopped with {error}: {text}",
-        ko="함수가 예외를 내고 멈췄습니다. {error}: {text}",
+        en="your function stopped with {error}: {text}{tip}",
+        ko="함수가 예외를 내고 멈췄습니다. {error}: {text}{tip}",
     ),
     Mistake.OTHER_EXCEPTION: Words(
         en="to raise an exception is right here, but {error} is not the one that is asked for. (It says: {text})",
@@ -174,8 +174,8 @@ WITHOUT_THE_ANSWER = {
         ko="함수가 받은 것을 바꿉니다({changed}번째 인자).",
     ),
     Mistake.RAISES: Words(
-        en="the function raises {error} where it should return a value ({of_cases}).",
-        ko="함수가 값을 돌려주어야 할 곳에서 {error} 예외를 냅니다({of_cases}).",
+        en="the function raises {error} where it should return a value ({of_cases}).{tip}",
+        ko="함수가 값을 돌려주어야 할 곳에서 {error} 예외를 냅니다({of_cases}).{tip_ko}",
     ),
     Mistake.OTHER_EXCEPTION: Words(
         en="the function raises {error} where another exception is asked for.",

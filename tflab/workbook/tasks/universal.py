@@ -6,7 +6,7 @@
 Each is undone, and what is left is compared with what was expected, or with what a
 slip of the task would give: so it works where the right answer is sealed, too.
 Such rules are the *mal-rules* of a *bug library* (Brown and Burton's BUGGY): not
-what is wrong, but what was done.  Read `fitting.py` next.
+what is wrong, but what was done.  Read `losses.py` next.
 """
 
 from __future__ import annotations
@@ -19,12 +19,12 @@ from typing import NamedTuple
 from tflab.core import Transform
 
 from ..answers.form import inside, numbers_of, pose_of
-from ..answers.forms import Angle, Form, Name, Number, Pose, Quaternion, Sequence, Vector
+from ..answers.forms import Angle, Form, Name, Number, Pose, Quaternion, Vector
 from ..answers.values import Plain, to_plain
 from ..words import Words
 from .units import OTHER_UNITS, unit_of
 
-__all__ = ["PLAIN_TO_SEE", "UNIVERSAL", "Undone", "by_comparison", "undone"]
+__all__ = ["OF_FORM", "PLAIN_TO_SEE", "UNIVERSAL", "Undone", "undone"]
 
 Row = tuple[float, ...]
 NOTHING = 10.0  # tolerances: a number below is as good as zero, whatever its unit
@@ -74,6 +74,10 @@ def _root(row: Row) -> Iterator[Row]:
 
 def _square(row: Row) -> Iterator[Row]:
     yield (row[0] ** 2,)
+
+
+def _powers_of_ten(row: Row) -> Iterator[Row]:
+    yield from (tuple(number * 10.0**power for number in row) for power in range(-9, 10) if power)
 
 
 def _half_a_turn(row: Row) -> Iterator[Row]:
@@ -258,10 +262,6 @@ UNIVERSAL = {
         lambda row: iter(()),
         "M14",
     ),
-    "other order": Universal(
-        Words(en="the right members, in the opposite order.", ko="원소는 맞지만 순서가 거꾸로입니다."),
-        lambda row: iter(()),
-    ),
     "inverse transform": Universal(
         Words(
             en="this is the inverse transform: target and source are swapped.",
@@ -285,26 +285,19 @@ UNIVERSAL = {
         ),
         lambda row: iter(()),
     ),
-    "empty": Universal(Words(en="this is still empty.", ko="아직 비어 있습니다."), lambda row: iter(())),
-    "left at zero": Universal(
+    "power of ten": Universal(
         Words(
-            en="what is not 0 is right; a number that is still 0 is missing.",
-            ko="0이 아닌 숫자는 맞습니다. 아직 0인 숫자가 빠졌습니다.",
+            en="the digits are right, and the decimal point stands elsewhere: a factor of 10, 100, 1000 … was "
+            "forgotten, or is one too many.",
+            ko="숫자는 맞지만 소수점의 자리가 다릅니다. 10, 100, 1000 같은 배수가 빠졌거나 더 들어갔습니다.",
         ),
-        lambda row: iter(()),
-    ),
-    "rounded": Universal(
-        Words(
-            en="digits were cut off: hand over the number as it was computed, without rounding.",
-            ko="자릿수를 잘라 냈습니다. 반올림하지 말고 계산한 그대로 넘기십시오.",
-        ),
-        lambda row: iter(()),
+        _powers_of_ten,
     ),
 }
 OF_FORM = {
-    Number: ("sign", "one over it", "twice", "half", "squared", "root"),
+    Number: ("sign", "one over it", "twice", "half", "squared", "root", "power of ten"),
     Angle: ("sign", "half a turn", "z for the angle", "twice", "half"),
-    Vector: ("all signs", "exchanged", "one sign", "places and signs", "twice", "half"),
+    Vector: ("all signs", "exchanged", "one sign", "places and signs", "twice", "half", "power of ten"),
     Quaternion: ("w first", "inverse rotation", "not normalised", "whole angle", "exchanged"),
 }
 # What is seen at once, and so may stand behind another slip; of the others nobody could say that it was just that.
@@ -317,43 +310,8 @@ def undone(form: Form, answer: Plain) -> Iterator[Undone]:
         yield from _undone_pose(answer)
     elif isinstance(form, Name) and isinstance(answer, str):
         yield from _undone_name(answer)
-    elif isinstance(form, Sequence) and isinstance(answer, list) and len(answer) > 1:
-        yield Undone("other order", "", answer[::-1])
     elif type(form) in OF_FORM and form.read(answer) is not None:  # not, say, a message in another frame
         yield from _undone_numbers(form, answer)
-
-
-def by_comparison(form: Form, answers: list[Plain], wanted: list[Plain]) -> Iterator[str]:
-    """Yield the mistakes that lose something and cannot be undone: seen only where the right answer is open."""
-    size = form.size if isinstance(form, Vector) else 4 if isinstance(form, Quaternion) else None
-    rows = [(numbers_of(answer, size), numbers_of(want, size)) for answer, want in zip(answers, wanted, strict=True)]
-    if answers == [""] * len(answers):
-        yield "empty"
-    elif (
-        type(form) in OF_FORM and all(form.read(answer) is not None for answer in answers) and None not in sum(rows, ())
-    ):
-        yield from _lost(form, rows)
-
-
-def _lost(form: Form, rows: list[tuple[Row, Row]]) -> Iterator[str]:
-    is_empty = not any(any(given) for given, _ in rows)
-    if isinstance(form, Vector) and all(_left_at_zero(*row, form.tolerance) for row in rows):
-        yield "empty" if is_empty else "left at zero"
-    if not is_empty and any(all(_rounded(*row, digits) for row in rows) for digits in (1, 2, 3)):
-        yield "rounded"
-
-
-def _left_at_zero(given: Row, wanted: Row, tolerance: float) -> bool:
-    return all(number == 0.0 or abs(number - want) <= tolerance for number, want in zip(given, wanted, strict=True))
-
-
-def _rounded(given: Row, wanted: Row, digits: int) -> bool:
-    """Return whether each number was rounded to so many digits, or cut there."""
-    scale = 10**digits
-    return all(
-        any(abs(number - cut / scale) < 1e-9 for cut in (round(want * scale), math.trunc(want * scale)))
-        for number, want in zip(given, wanted, strict=True)
-    )
 
 
 def _undone_numbers(form: Form, answer: Plain) -> Iterator[Undone]:
@@ -366,7 +324,8 @@ def _undone_numbers(form: Form, answer: Plain) -> Iterator[Undone]:
     is_a_count = isinstance(form, Number) and not form.unit
     for name in ("sign",) if is_a_count else OF_FORM[type(form)]:
         for left in UNIVERSAL[name].undo(row):
-            yield Undone(name, "", _plain(left, size))
+            if name != "power of ten" or max(map(abs, left)) > NOTHING * form.tolerance:
+                yield Undone(name, "", _plain(left, size))
 
 
 def _undone_pose(answer: Plain) -> Iterator[Undone]:

@@ -7,7 +7,7 @@
     Verdict(passed=6, of=6)
 
 Only JSON is compared, so this serves a learner's `check` and the grader alike.
-Read `mistake.py` next.
+Read `stumbles.py` next.
 """
 
 from __future__ import annotations
@@ -29,6 +29,7 @@ from .explain import explained
 from .explanation import Explanation
 from .fitting import ANY_BUG
 from .mistake import Mistake
+from .stumbles import tip_for
 from .units import unit_of
 
 __all__ = ["Verdict", "judge_outcomes", "kind_of"]
@@ -185,7 +186,8 @@ def _ending(
         return Mistake.INPUT_CHANGED, {"changed": outcome["changed"]}
     if is_raised(outcome):
         meant = is_raised(expected) and outcome["raises"] not in ANY_BUG - {"ValueError"}
-        detail = {"error": outcome["raises"], "text": outcome.get("text", "")}
+        error, text = outcome["raises"], outcome.get("text", "")
+        detail = {"error": error, "text": text, "tip": tip_for(error, text)}
         return Mistake.OTHER_EXCEPTION if meant else Mistake.RAISES, detail
     if task.is_function and outcome is None:
         always = all(other is None for other in outcomes)

@@ -1,0 +1,153 @@
+"""What was computed of what was given?  Where no known mistake fits, the sum itself can often be found and said.
+
+    given   speed_mps 0.73, yaw_rate_radps 0.9, range_m 5.0
+    answer  0.657      -->  `speed_mps * yaw_rate_radps`, m/s times rad/s
+    answer  (1, 2, 0)  -->  `map_p_base - base_p_laser`
+
+Numbers: one of them, or two joined by + - * /.  Points: up to three, added or
+subtracted.  Only what fits to the last digit, and has digits enough not to be luck.
+The field calls it symbolic regression.  Read `members.py` next.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from itertools import combinations, permutations, product
+from typing import NamedTuple
+
+from ..answers.form import Form, inside, numbers_of, pose_of
+from ..answers.forms import Angle, Number, Vector
+from ..answers.values import Plain
+from ..words import Words
+
+__all__ = ["computed", "leaves"]
+
+Row = tuple[float, ...]
+MOST_LEAVES = 12  # numbers among the givens; with more of them, luck would find a sum
+FEWEST_DIGITS = 3  # that an answer needs so as not to be one by luck
+CLOSE = 1e-6  # as a share of the answer
+UNITS = {  # by how a given's name ends
+    "mps": "m/s", "radps": "rad/s", "degps": "deg/s", "hz": "1/s", "m": "m", "cm": "cm", "mm": "mm", "s": "s",
+    "ms": "ms", "rad": "rad", "deg": "deg",
+}  # fmt: skip
+SAID = Words(
+    en="this is what `{sum}` gives{units}. Asked for: {wanted}.",
+    ko="`{sum}`의 값입니다{units}. 필요한 것: {wanted}.",
+)
+JOINED: tuple[tuple[str, str, str, Callable[[float, float], float]], ...] = (
+    ("+", "and", "와(과)", lambda a, b: a + b),
+    ("-", "and", "와(과)", lambda a, b: a - b),
+    ("*", "times", "×", lambda a, b: a * b),
+    ("/", "by", "÷", lambda a, b: a / b if b else math.nan),
+)
+
+
+class _Sum(NamedTuple):
+    """How something was computed, the units that went in (in both languages), and what it gives."""
+
+    text: str
+    units: Words
+    value: Row
+
+
+def computed(form: Form, answer: Plain, given: dict[str, Plain] | None) -> tuple[str, Words] | None:
+    """Return what an answer was computed by, and what to say of it; None if no sum of what was given gives it."""
+    if isinstance(form, Vector):
+        row = numbers_of(answer, form.size)
+        sums = _of_points(form.size, given or {})
+    elif isinstance(form, Number | Angle):
+        row = numbers_of(answer, None)
+        sums = _of_numbers(given or {})
+    else:
+        return None
+    if row is None or max(map(_digits, row)) < FEWEST_DIGITS:
+        return None
+    found = next((way for way in sums if _is_same(row, way.value)), None)
+    if found is None:
+        return None
+    names, wanted = {"sum": found.text}, form.wanted()
+    said = {
+        "en": SAID.say("en", **names, units=found.units.en, wanted=wanted.en),
+        "ko": SAID.say("ko", **names, units=found.units.ko, wanted=wanted.ko),
+    }
+    return f"computed: {found.text}", Words(**said)
+
+
+def leaves(given: dict[str, Plain], before: str = "") -> Iterator[tuple[str, Plain]]:
+    """Yield what was given, by name; of a dict its members, too."""
+    for name, held in given.items():
+        yield before + name, held
+        if isinstance(inner := inside(held), dict) and "Transform" not in inner:
+            yield from leaves(inner, f"{before}{name}: ")
+
+
+def _of_numbers(given: dict[str, Plain]) -> Iterator[_Sum]:
+    held = [(name, row[0]) for name, leaf in leaves(given) if (row := numbers_of(leaf, None)) is not None]
+    if len(held) > MOST_LEAVES:
+        return
+    for name, value in held:
+        yield _Sum(name, _units(_unit(name)), (value,))
+        for text, changed in _changed(value):
+            yield _Sum(text.format(name), Words("", ""), (changed,))
+    for (one, a), (other, b) in permutations(held, 2):
+        for sign, en, ko, join in JOINED:
+            if sign in "+*" and one > other:
+                continue  # the same as the other way round
+            units = _units_of(_unit(one), _unit(other), en, ko) if not _is_plain_sum(sign, one, other) else _units("")
+            yield _Sum(f"{one} {sign} {other}", units, (join(a, b),))
+
+
+def _changed(value: float) -> Iterator[tuple[str, float]]:
+    """Yield what one may make of a single number, and how it is written."""
+    yield "math.radians({})", math.radians(value)
+    yield "math.degrees({})", math.degrees(value)
+    yield from (("1 / {}", 1.0 / value),) if value else ()
+    for angle, of in ((value, "{}"), (math.radians(value), "math.radians({})")):
+        for function in (math.sin, math.cos, math.tan):
+            yield f"math.{function.__name__}({of})", function(angle)
+
+
+def _of_points(size: int, given: dict[str, Plain]) -> Iterator[_Sum]:
+    held = []
+    for name, leaf in leaves(given):
+        parts = pose_of(leaf)
+        row = numbers_of(leaf, size) if parts is None else parts[2][:size]
+        if row is not None and any(row):
+            held.append((name if parts is None else f"{name}.translation", row))
+    for count in (2, 3):
+        for chosen in combinations(held[:MOST_LEAVES], count):
+            for signs in product((1.0, -1.0), repeat=count):
+                yield _signed_sum(chosen, signs)
+
+
+def _signed_sum(chosen: tuple[tuple[str, Row], ...], signs: tuple[float, ...]) -> _Sum:
+    order = sorted(zip(signs, chosen, strict=True), key=lambda one: -one[0])
+    text = " ".join(f"{'+' if sign > 0 else '-'} {name}" for sign, (name, _) in order).removeprefix("+ ")
+    rows = [[sign * number for number in row] for sign, (_, row) in order]
+    return _Sum(text, Words("", ""), tuple(map(sum, zip(*rows, strict=True))))
+
+
+def _unit(name: str) -> str:
+    return UNITS.get(name.rpartition("_")[2], "")
+
+
+def _units(unit: str) -> Words:
+    return Words(f" ({unit})", f"({unit})") if unit else Words("", "")
+
+
+def _units_of(one: str, other: str, en: str, ko: str) -> Words:
+    return Words(f" ({one} {en} {other})", f"({one} {ko} {other})") if one and other else Words("", "")
+
+
+def _is_plain_sum(sign: str, one: str, other: str) -> bool:
+    return sign in "+-" and _unit(one) == _unit(other)
+
+
+def _is_same(row: Row, value: Row) -> bool:
+    return all(math.isfinite(number) for number in value) and math.dist(row, value) <= CLOSE * math.hypot(*row)
+
+
+def _digits(number: float) -> int:
+    """Return how many digits a number has, without the zeros around them."""
+    return len(f"{abs(number):.9f}".replace(".", "").strip("0"))

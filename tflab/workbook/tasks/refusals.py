@@ -1,0 +1,74 @@
+"""Was an error swallowed?  Where an exception is asked for, and something comes back instead.
+
+    asked for   2.0   ExtrapolationException      returned   2.0   None             an `except` that says nothing
+                                                  returned   2.0   (0.0, 0.0)       the same each time: no answer
+                                                  returned   2.0   the exception    `return`, and not `raise`
+
+What else is wrong is explained beside it.  Read `explain.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from ..answers.values import Plain, is_raised
+from ..words import Words
+from .case import Case, TaskCases, TwinWords
+from .explanation import AND_THEN, Explanation
+from .fitting import alike
+
+__all__ = ["of_refusals"]
+
+NOTHING = Words(
+    en="where there is no answer, your function returns None, and nobody learns why. If an `except` swallows the "
+    "error, let it through; if there is none, raise it.",
+    ko="답이 없는 곳에서 함수가 None을 반환하므로 아무도 이유를 알 수 없습니다. `except`가 예외를 삼켰다면 "
+    "그대로 통과시키고, 예외가 없었다면 일으키십시오.",
+)
+THE_SAME = Words(
+    en="where there is no answer, your function returns the same thing each time, and the caller takes it for one. "
+    "If an `except` swallows the error, let it through; if there is none, raise it.",
+    ko="답이 없는 곳에서 함수가 매번 같은 것을 반환하므로 호출한 쪽은 그것을 답으로 압니다. `except`가 예외를 "
+    "삼켰다면 그대로 통과시키고, 예외가 없었다면 일으키십시오.",
+)
+RETURNED = Words(
+    en="your function returns the exception as if it were a result: `raise` it.",
+    ko="함수가 예외를 결과처럼 반환합니다. `raise`로 일으키십시오.",
+)
+SOMETHING = Words(
+    en="where an exception has to be raised, your function returns something.",
+    ko="예외를 일으켜야 하는 곳에서 함수가 값을 반환합니다.",
+)
+
+
+def of_refusals(
+    task: TaskCases,
+    cases: Sequence[Case],
+    outcomes: Sequence[Plain],
+    explained: Callable[[TaskCases, Sequence[Case], Sequence[Plain]], Explanation | None],
+) -> Explanation | None:
+    """Return what became of the exceptions that a function has to raise, and of the rest what `explained` says."""
+    pairs = list(zip(cases, outcomes, strict=True))
+    refused = [outcome for case, outcome in pairs if is_raised(case.expected)]
+    rest = [(case, outcome) for case, outcome in pairs if not is_raised(case.expected)]
+    if not refused or not rest or any(map(is_raised, refused)):
+        return None
+    name, said = _swallowed(refused)
+    slip = Explanation({name: TwinWords(said, "")}, said)
+    if all(alike(task.form, outcome, case.expected) for case, outcome in rest):
+        return slip if said is not SOMETHING else None
+    first = explained(task, *zip(*rest, strict=True))
+    if first is None:
+        return None
+    both = (AND_THEN.say(tongue, first=first.said.say(tongue), then=said.say(tongue)) for tongue in ("en", "ko"))
+    return Explanation(first.slips | slip.slips, Words(*both))
+
+
+def _swallowed(refused: Sequence[Plain]) -> tuple[str, Words]:
+    if all(outcome is None for outcome in refused):
+        return "error swallowed", NOTHING
+    if all(isinstance(one, dict) and "returned and not raised" in str(one.get("object")) for one in refused):
+        return "exception returned", RETURNED
+    if len(refused) > 1 and all(outcome == refused[0] for outcome in refused):
+        return "error swallowed", THE_SAME
+    return "no refusal", SOMETHING

@@ -1,0 +1,149 @@
+"""A function stopped with Python's own error: what does it mean here?  The few that everybody meets, once for all.
+
+    map_T_base @ odom_T_base.inverse    unsupported operand type(s) for @: 'Transform' and 'method'
+                                        -> a method was not called: its brackets are missing
+
+Python says what it could not do; this page adds which slip is behind it, where that is
+sure.  Read `mistake.py` next.
+"""
+
+from __future__ import annotations
+
+import re
+
+from ..words import Words
+
+__all__ = ["tip_for"]
+
+NO_TIP = Words("", "")
+TIPS = (  # the error's name and text, the first that fits
+    (
+        r"TypeError: .*different clock types",
+        Words(
+            "One of the two times is of the ROS clock, the other is not (a bare `Time()`, say): "
+            "compare their `.nanoseconds`.",
+            "두 시각 가운데 하나는 ROS 시계의 것이고 다른 하나는 아닙니다(예: 그냥 `Time()`). "
+            "`.nanoseconds`로 비교하십시오.",
+        ),
+    ),
+    (
+        r"(Type|Attribute)Error: .*'(method|builtin_function_or_method|function)'",
+        Words(
+            "A method was not called: its brackets are missing, as in `.inverse()`.",
+            "메서드를 호출하지 않았습니다. `.inverse()`처럼 괄호가 필요합니다.",
+        ),
+    ),
+    (
+        r"TypeError: unsupported operand type\(s\) for [-+*/]: .*'Transform'",
+        Words(
+            "Transforms are not added, subtracted or divided: `@` joins them, `.inverse()` turns one round.",
+            "변환은 더하거나 빼거나 나누지 않습니다. `@`로 잇고 `.inverse()`로 뒤집습니다.",
+        ),
+    ),
+    (
+        r"TypeError: unsupported operand type\(s\) for @: ",
+        Words(
+            "`@` joins two Transforms; a point is moved by `.apply(point)`.",
+            "`@`는 변환 둘을 잇습니다. 점은 `.apply(point)`로 옮깁니다.",
+        ),
+    ),
+    (
+        r"TypeError: .*(unsupported operand.*'(tuple|list)'|can only concatenate|can't multiply sequence)",
+        Words(
+            "Lists and tuples do not compute as wholes: take their members one by one.",
+            "리스트와 튜플은 통째로 계산되지 않습니다. 원소를 하나씩 꺼내 계산하십시오.",
+        ),
+    ),
+    (
+        r"(Type|Attribute)Error: .*'?NoneType'?",
+        Words(
+            "Something there is None: what gave it has no `return`, or found nothing.",
+            "그곳의 값이 None입니다. 그 값을 준 것에 `return`이 없거나, 찾지 못한 것입니다.",
+        ),
+    ),
+    (
+        r"AttributeError: 'dict' object",
+        Words(
+            'What a dict holds stands in square brackets: `pose["x"]`.',
+            '딕셔너리의 값은 대괄호로 꺼냅니다: `pose["x"]`.',
+        ),
+    ),
+    (
+        r"TypeError: '(Transform|Point|PointStamped|TransformStamped|Vector3|Quaternion)' object is not "
+        r"(subscriptable|iterable)",
+        Words(
+            "Its numbers have names, and no places: `.translation`, `.point.x` and the like.",
+            "순번이 아니라 이름으로 꺼냅니다: `.translation`, `.point.x` 등.",
+        ),
+    ),
+    (
+        r"KeyError",
+        Words(
+            "A dict does not hold every key: `.get(key, otherwise)` does not stop where one is missing.",
+            "딕셔너리에 없는 키입니다. 없을 수 있는 키는 `.get(key, 기본값)`으로 꺼내면 멈추지 않습니다.",
+        ),
+    ),
+    (
+        r"IndexError|ValueError: (max|min)\(\) .*empty|StopIteration",
+        Words(
+            "There is less in it than you count on: what if a list is short, or empty?",
+            "생각보다 적게 들어 있습니다. 리스트가 짧거나 비어 있으면 어떻게 됩니까?",
+        ),
+    ),
+    (
+        r"ValueError: .*(to unpack|unpack )",
+        Words(
+            "As many names as values have to stand on the left.",
+            "왼쪽의 이름 수와 값의 수가 같아야 합니다.",
+        ),
+    ),
+    (
+        r"(Assertion|Type)Error: .*field must be",
+        Words(
+            "A field of a message takes its own type alone: `float(…)` for a number, `.to_msg()` for a Time.",
+            "메시지의 필드는 정해진 자료형만 받습니다. 숫자는 `float(…)`, Time은 `.to_msg()`로 바꾸십시오.",
+        ),
+    ),
+    (
+        r"ZeroDivisionError",
+        Words(
+            "Which of the arguments is 0 in this call, or which two are the same?",
+            "이 호출에서 0인 인자, 또는 서로 같은 두 인자는 무엇입니까?",
+        ),
+    ),
+    (
+        r"NameError|UnboundLocalError",
+        Words(
+            "Inside the function nobody has given that name a value: is it misspelt, or set on another way through?",
+            "함수 안에서 그 이름에 값을 준 적이 없습니다. 철자가 다르거나 다른 갈래에서만 정해지지 않습니까?",
+        ),
+    ),
+    (
+        r"RecursionError",
+        Words(
+            "It calls itself without an end: which case has to stop it?",
+            "자기 자신을 끝없이 호출합니다. 어떤 경우에 멈춰야 합니까?",
+        ),
+    ),
+    (
+        r"TypeError: .*(positional argument|keyword argument)",
+        Words(
+            "Compare how many arguments are handed over with how many are taken.",
+            "넘기는 인자의 수와 받는 인자의 수를 비교하십시오.",
+        ),
+    ),
+    (
+        r"(Lookup|Connectivity|Extrapolation|InvalidArgument|Transform)Exception",
+        Words(
+            "That is tf2's own no to what your function asked: are the frames, their order and the time those "
+            "of this call?",
+            "함수가 한 질문에 tf2가 답한 거절입니다. 좌표계와 그 순서, 시각이 이 호출의 것입니까?",
+        ),
+    ),
+)
+
+
+def tip_for(error: str, text: str) -> Words:
+    """Return what is behind one of Python's errors, or nothing."""
+    said = f"{error}: {text}"
+    return next((tip for pattern, tip in TIPS if re.match(pattern, said, re.DOTALL)), NO_TIP)
