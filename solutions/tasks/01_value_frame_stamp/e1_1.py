@@ -23,14 +23,17 @@ def answer(base, map_):
     return {"base_link": base, "map": map_}
 
 
-SIGN = {"added": 1.0, "taken away": -1.0, "skipped": 0.0}
+SIGN = {"added": 1.0, "taken away": -1.0, "skipped": 0.0, "turned round": 1.0}
 
 
-def both(g, *, side="left", mount="added", height="added", start="base_link", robot="added"):
+def both(g, *, side="left", mount="added", way="laser to post", height="added", start="base_link", robot="added"):
     """Return where the post is, step by step; other steps are the slips."""
     x, y, z = g.laser_p_post
     seen = [x, -y if side == "right" else y, z]
-    base = plus([SIGN[mount] * number for number in g.base_p_laser], seen)
+    base = plus(
+        [SIGN[mount] * number for number in g.base_p_laser], [seen, [-one for one in seen]][way == "mount minus post"]
+    )
+    base = plus(g.map_p_base, g.base_p_laser) if way == "the laser in map" else base
     starts = {
         "base_link": base,
         "laser": seen,
@@ -38,6 +41,8 @@ def both(g, *, side="left", mount="added", height="added", start="base_link", ro
         "robot alone": g.base_p_laser,
     }
     map_ = plus([SIGN[robot] * number for number in g.map_p_base], starts[start])
+    map_ = plus(map_, g.laser_p_post, [-number for number in g.map_p_base]) if way == "the laser in map" else map_
+    map_ = plus(g.map_p_base, [-number for number in starts[start]]) if robot == "turned round" else map_
     heights = {"added": (base[2], map_[2]), "the laser's": (z, z), "floor": (0.0, 0.0)}[height]
     return answer([*base[:2], heights[0]], [*map_[:2], heights[1]])
 
@@ -161,6 +166,38 @@ ONLY_THE_MOUNT = Slip(
 )
 
 
+ROBOT_MINUS_POST = Slip(
+    "robot minus post",
+    {"robot": "turned round"},
+    Words(
+        en="On the map you took the way to the post off the robot's place. The post lies ahead of the robot: from the robot's place one walks on.",
+        ko="지도에서 로봇의 위치에서 기둥까지의 거리를 뺐습니다. 기둥은 로봇 앞에 있으므로 로봇의 위치에서 더 가야 합니다.",
+    ),
+    "M3",
+)
+
+
+MOUNT_MINUS_POST = Slip(
+    "mount minus post",
+    {"way": "mount minus post"},
+    Words(
+        en="You took the laser's numbers off the mount. From the laser one goes on to the post: the two add.",
+        ko="장착 위치에서 레이저의 숫자를 뺐습니다. 레이저에서 기둥까지 더 가야 하므로 둘을 더합니다.",
+    ),
+    "M3",
+)
+
+
+THE_LASER_IN_MAP = Slip(
+    "the laser in map",
+    {"way": "the laser in map"},
+    Words(
+        en="Under base_link you wrote where the laser is on the map. The robot's place on the map has no part in what is counted from the robot.",
+        ko="base_link에 지도에서 레이저의 위치를 썼습니다. 로봇에서 셀 때 지도 위 로봇의 위치는 들어가지 않습니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E1.1",
     kind="N",
@@ -184,6 +221,9 @@ TASK = Task(
         Y_TO_THE_RIGHT,
         ON_THE_FLOOR,
         ONLY_THE_MOUNT,
+        ROBOT_MINUS_POST,
+        MOUNT_MINUS_POST,
+        THE_LASER_IN_MAP,
     ),
     hints=(
         Words(

@@ -31,6 +31,7 @@ def messages(rng):
         row("laser_frame", 0.5, limit_ns + hair),
         row("map", 0.02, limit_ns + seconds(0.4)),
         row("laser_frame", 0.98, limit_ns + seconds(0.15)),  # too old, and too few full seconds
+        row("laser_frame", 0.05 + limit + 0.1, limit_ns + seconds(0.1)),  # too old only if 50000000 ns is 0.05 s
         row("laser_frame", 0.5, 0),
         row("laser_frame", 0.5, hair),
         row("laser_frame", 0.25, seconds(0.25)),  # a whole second: nanosec is 0

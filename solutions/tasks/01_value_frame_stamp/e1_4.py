@@ -36,6 +36,9 @@ def by_arrival(given, *, age="all", way="arrival minus stamp", unit="s", drive="
         "nanosec alone": (arrived_nanosec - nanosec) / 1e9,
         "by a million": arrived_sec - sec + (arrived_nanosec - nanosec) / 1e6,
         "none": 0.0,
+        "arrival": seconds_of(given.arrived),
+        "stamp": seconds_of(given.stamp),
+        "without borrowing": arrived_sec - sec + abs(arrived_nanosec - nanosec) / 1e9,
     }[age]
     age_s *= (-1.0 if way == "stamp minus arrival" else 1.0) * (1000.0 if unit == "ms" else 1.0)
     ahead_m, driven_m = given.ahead_m, given.speed_mps * age_s
@@ -46,6 +49,8 @@ def by_arrival(given, *, age="all", way="arrival minus stamp", unit="s", drive="
         "the way driven": driven_m,
         "age alone": ahead_m - age_s,
         "divided": ahead_m - given.speed_mps / age_s if age_s else ahead_m,
+        "age over speed": ahead_m - age_s / given.speed_mps,
+        "way minus distance": driven_m - ahead_m,
         "time to the post": ahead_m / given.speed_mps,
     }[drive]
     return {"age_s": age_s * (1000.0 if written == "ms" else 1.0), "ahead_m": left}
@@ -181,6 +186,58 @@ TIME_TO_THE_POST = Slip(
 )
 
 
+ARRIVAL_FOR_AGE = Slip(
+    "arrival for age",
+    {"age": "arrival"},
+    Words(
+        en="That is when it arrived. An age is a difference: from the stamp up to the arrival.",
+        ko="도착한 시각입니다. 나이는 측정 시각에서 도착까지의 차이입니다.",
+    ),
+    "M9",
+)
+
+
+STAMP_FOR_AGE = Slip(
+    "stamp for age",
+    {"age": "stamp"},
+    Words(
+        en="That is when it was measured. An age is a difference: from the stamp up to the arrival.",
+        ko="측정한 시각입니다. 나이는 측정 시각에서 도착까지의 차이입니다.",
+    ),
+    "M9",
+)
+
+
+WITHOUT_BORROWING = Slip(
+    "without borrowing",
+    {"age": "without borrowing"},
+    Words(
+        en="You took the smaller nanosec off the larger, whichever was first. Arrival minus stamp, nanosec below zero and all: a second is borrowed.",
+        ko="어느 것이 먼저인지와 상관없이 큰 nanosec에서 작은 것을 뺐습니다. nanosec의 차이가 음수가 되더라도 도착에서 측정 시각을 뺍니다. 1초에서 빌려 오게 됩니다.",
+    ),
+)
+
+
+AGE_OVER_SPEED = Slip(
+    "age over speed",
+    {"drive": "age over speed"},
+    Words(
+        en="You divided the age by the speed. The way is speed times time.",
+        ko="나이를 속도로 나누었습니다. 거리는 속도 곱하기 시간입니다.",
+    ),
+)
+
+
+WAY_MINUS_DISTANCE = Slip(
+    "way minus distance",
+    {"drive": "way minus distance"},
+    Words(
+        en="You took the distance off the way driven. What is left is the distance minus the way.",
+        ko="달린 거리에서 원래 거리를 뺐습니다. 남은 것은 원래 거리에서 달린 거리를 뺀 것입니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E1.4",
     kind="N",
@@ -206,6 +263,11 @@ TASK = Task(
         AGE_FOR_METRES,
         DIVIDED,
         TIME_TO_THE_POST,
+        ARRIVAL_FOR_AGE,
+        STAMP_FOR_AGE,
+        WITHOUT_BORROWING,
+        AGE_OVER_SPEED,
+        WAY_MINUS_DISTANCE,
     ),
     hints=(
         Words(

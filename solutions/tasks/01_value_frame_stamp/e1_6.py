@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from tflab.ros.messages import builtin_interfaces
-from tflab.workbook.tasks import Message, Task, Twin, Words
+from tflab.workbook.tasks import Message, Slip, Task, Words
 
 from .draws import point, time
 
@@ -17,20 +17,30 @@ def measurements(rng):
     return rows
 
 
-def honest(range_m, measured, now):
-    return point("laser_frame", measured.nanoseconds, range_m)
+def honest(range_m, measured, now, *, frame="laser_frame", moment="measured", sight="range", axis="x"):
+    """Return the message, step by step; other steps are the slips."""
+    measured_ns, now_ns = measured.nanoseconds, now.nanoseconds
+    stamps_ns = {
+        "measured": measured_ns,
+        "now": now_ns,
+        "zero": 0,
+        "sec alone": measured_ns // 10**9 * 10**9,
+        "age": now_ns - measured_ns,
+        "half way": (measured_ns + now_ns) // 2,
+    }
+    age_s = (now_ns - measured_ns) / 1e9
+    value = {"range": range_m, "none": 0.0, "age taken off": range_m - age_s, "age added": range_m + age_s}[sight]
+    message = point(frame, stamps_ns.get(moment, 0), 0.0)
+    if moment == "all in nanosec":
+        message.header.stamp = builtin_interfaces.Time(sec=0, nanosec=measured_ns % 2**32)
+    for letter in axis:
+        setattr(message.point, letter, value)
+    return message
 
 
-def labelled(frame):
-    def labelled_otherwise(range_m, measured, now):
-        return point(frame, measured.nanoseconds, range_m)
-
-    return labelled_otherwise
-
-
-STAMPED_NOW = Twin(
+STAMPED_NOW = Slip(
     "stamped now",
-    lambda range_m, measured, now: point("laser_frame", now.nanoseconds, range_m),
+    {"moment": "now"},
     Words(
         en="The stamp is the moment at which your function was called. Then it was already old, and nobody who reads the message can know.",
         ko="측정 시각에 함수가 호출된 시각을 적었습니다. 그때는 이미 지난 측정값이고, 메시지를 읽는 사람은 그것을 알 수 없습니다.",
@@ -38,9 +48,9 @@ STAMPED_NOW = Twin(
     "M9",
 )
 
-NO_STAMP = Twin(
+NO_STAMP = Slip(
     "no stamp",
-    lambda range_m, measured, now: point("laser_frame", 0, range_m),
+    {"moment": "zero"},
     Words(
         en='The stamp is still zero. For TF2 that means "whatever is latest", and it will not complain.',
         ko="측정 시각이 아직 0입니다. TF2에게는 “가장 최근 것이면 된다”는 뜻이고, 아무 경고도 없습니다.",
@@ -48,59 +58,45 @@ NO_STAMP = Twin(
     "M9",
 )
 
-ON_THE_MAP = Twin(
+ON_THE_MAP = Slip(
     "on the map",
-    labelled("map"),
+    {"frame": "map"},
     Words(
         en="The label says map, and the number was counted from the laser. The wall would stand that far from the corner of the map.",
         ko="이름표는 map인데 숫자는 레이저에서 센 것입니다. 벽이 지도 원점에서 그만큼 떨어진 곳에 서게 됩니다.",
     ),
 )
 
-ON_THE_ROBOT = Twin(
+ON_THE_ROBOT = Slip(
     "on the robot",
-    labelled("base_link"),
+    {"frame": "base_link"},
     Words(
         en="Counted from the laser, labelled as counted from the robot's middle: off by the mount.",
         ko="레이저에서 센 숫자인데 이름표는 로봇의 중심입니다. 장착 위치만큼 어긋납니다.",
     ),
 )
 
-NO_FRAME = Twin(
+NO_FRAME = Slip(
     "no frame",
-    labelled(""),
+    {"frame": ""},
     Words(
         en="The frame is still empty. Whoever gets this message has to refuse it.",
         ko="좌표계가 아직 비어 있습니다. 이 메시지를 받은 쪽은 거절할 수밖에 없습니다.",
     ),
 )
 
-
-def all_in_nanosec(range_m, measured, now):
-    message = honest(range_m, measured, now)
-    message.header.stamp = builtin_interfaces.Time(sec=0, nanosec=measured.nanoseconds % 2**32)
-    return message
-
-
-ALL_IN_NANOSEC = Twin(
+ALL_IN_NANOSEC = Slip(
     "all in nanosec",
-    all_in_nanosec,
+    {"moment": "all in nanosec"},
     Words(
         en="All nanoseconds went into nanosec, which holds less than one second of them. `measured.to_msg()` splits a time into both fields.",
         ko="나노초를 모두 nanosec에 넣었습니다. nanosec에는 1초보다 적은 나노초만 들어갑니다. `measured.to_msg()`가 시각을 두 항목으로 나눠 줍니다.",
     ),
 )
 
-
-def upwards(range_m, measured, now):
-    message = honest(0.0, measured, now)
-    message.point.z = range_m
-    return message
-
-
-ALONG_Z = Twin(
+ALONG_Z = Slip(
     "along z",
-    upwards,
+    {"axis": "z"},
     Words(
         en="The range went into z. The finder looks along the x of its frame; z points up.",
         ko="거리를 z에 넣었습니다. 센서는 자기 좌표계의 x 방향을 봅니다. z는 위쪽입니다.",
@@ -108,41 +104,27 @@ ALONG_Z = Twin(
     "M4",
 )
 
-
-def everywhere(range_m, measured, now):
-    message = honest(range_m, measured, now)
-    message.point.y = message.point.z = range_m
-    return message
-
-
-def stamped(nanoseconds_of):
-    def stamped_otherwise(range_m, measured, now):
-        return point("laser_frame", nanoseconds_of(measured, now), range_m)
-
-    return stamped_otherwise
-
-
-EVERYWHERE = Twin(
+EVERYWHERE = Slip(
     "range in all three",
-    everywhere,
+    {"axis": "xyz"},
     Words(
         en="The range stands in x, y and z. The finder looks along x alone: y and z are 0.",
         ko="x, y, z에 모두 거리를 넣었습니다. 센서는 x축 방향만 봅니다. y와 z는 0입니다.",
     ),
 )
 
-SEC_ALONE = Twin(
+SEC_ALONE = Slip(
     "sec alone",
-    stamped(lambda measured, now: measured.nanoseconds // 10**9 * 10**9),
+    {"moment": "sec alone"},
     Words(
         en="Only sec is in the stamp. `measured.to_msg()` writes both fields.",
         ko="측정 시각에 sec만 들어 있습니다. `measured.to_msg()`를 쓰면 두 항목이 모두 채워집니다.",
     ),
 )
 
-AGE_FOR_STAMP = Twin(
+AGE_FOR_STAMP = Slip(
     "age for stamp",
-    stamped(lambda measured, now: now.nanoseconds - measured.nanoseconds),
+    {"moment": "age"},
     Words(
         en="The stamp holds an age. A stamp is a moment: when was it measured?",
         ko="측정 시각에 나이를 적었습니다. 측정 시각은 순간입니다. 언제 측정했습니까?",
@@ -150,23 +132,65 @@ AGE_FOR_STAMP = Twin(
     "M9",
 )
 
-NO_RANGE = Twin(
+NO_RANGE = Slip(
     "no range",
-    lambda range_m, measured, now: honest(0.0, measured, now),
+    {"sight": "none"},
     Words(
         en="The labels are there, and the point is still (0, 0, 0): where is the range?",
         ko="이름표는 있지만 점이 아직 (0, 0, 0)입니다. 거리는 어디에 있습니까?",
     ),
 )
 
-OTHER_NAME = Twin(
+OTHER_NAME = Slip(
     "another name",
-    labelled("laser"),
+    {"frame": "laser"},
     Words(
         en="There is no frame of this name on the robot: it is called `laser_frame`.",
         ko="로봇에 이런 이름의 좌표계는 없습니다. `laser_frame`이라고 합니다.",
     ),
     "M14",
+)
+
+
+HALF_WAY = Slip(
+    "half way",
+    {"moment": "half way"},
+    Words(
+        en="The stamp lies between the two times, and at that moment nothing was measured.",
+        ko="측정 시각이 두 시각 사이에 있습니다. 그 순간에는 아무것도 측정하지 않았습니다.",
+    ),
+    "M9",
+)
+
+
+AGE_TAKEN_OFF = Slip(
+    "age taken off",
+    {"sight": "age taken off"},
+    Words(
+        en="You took the age off the range: seconds from metres. A driver reports what was measured, and says when; whoever reads it knows what to do.",
+        ko="거리에서 나이를 뺐습니다. 미터에서 초를 뺄 수 없습니다. 드라이버는 측정한 것과 그 시각을 그대로 알리고, 나머지는 읽는 쪽이 합니다.",
+    ),
+    "M9",
+)
+
+
+ALONG_Y = Slip(
+    "along y",
+    {"axis": "y"},
+    Words(
+        en="The range went into y. The finder looks along the x of its frame; y points to the left.",
+        ko="거리를 y에 넣었습니다. 센서는 자기 좌표계의 x 방향을 봅니다. y는 왼쪽입니다.",
+    ),
+)
+
+
+IN_ODOM = Slip(
+    "in odom",
+    {"frame": "odom"},
+    Words(
+        en="The label says odom, and the number was counted from the laser.",
+        ko="이름표는 odom인데 숫자는 레이저에서 센 것입니다.",
+    ),
 )
 
 
@@ -179,6 +203,7 @@ TASK = Task(
     form=Message("geometry_msgs/msg/PointStamped", ("header.frame_id", "header.stamp", "point")),
     inputs=measurements,
     variants=3,
+    model=honest,
     twins=(
         STAMPED_NOW,
         NO_STAMP,
@@ -192,6 +217,10 @@ TASK = Task(
         AGE_FOR_STAMP,
         NO_RANGE,
         OTHER_NAME,
+        HALF_WAY,
+        AGE_TAKEN_OFF,
+        ALONG_Y,
+        IN_ODOM,
     ),
     hints=(
         Words(

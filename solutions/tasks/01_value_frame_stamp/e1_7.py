@@ -111,6 +111,25 @@ LATE_IS_A_FAULT = Twin(
     ),
 )
 
+MEANS = {
+    HONEST: Words(
+        en="An honest one is 0.2 s old when it arrives, in a frame in which its x may do what it does.",
+        ko="정직한 것은 도착할 때 0.2초 지난 것이고, x의 변화가 그 좌표계에 맞습니다.",
+    ),
+    ARRIVAL: Words(
+        en="Then each line's stamp would be its arrival, to the hundredth: compare the two.",
+        ko="그렇다면 줄마다 측정 시각과 도착 시각이 소수점까지 같을 것입니다. 둘을 비교해 보십시오.",
+    ),
+    NONE: Words(
+        en="Then the stamps would be 0: read the second number.",
+        ko="그렇다면 측정 시각이 0일 것입니다. 두 번째 숫자를 보십시오.",
+    ),
+    LABEL: Words(
+        en="Then the numbers could not be of the frame that is written there: follow x from line to line. The ball "
+        "rests, and the robot drives.",
+        ko="그렇다면 숫자가 거기 적힌 좌표계의 것일 수 없습니다. 줄마다 x를 따라가 보십시오. 공은 가만히 있고 로봇은 달립니다.",
+    ),
+}
 
 TASK = Task(
     id="E1.7",
@@ -121,6 +140,7 @@ TASK = Task(
     form=Parts({name: Choice(FINDINGS) for name in NAMES}),
     given=logs,
     variants=6,
+    means=MEANS,
     twins=(
         FAST_IS_HONEST,
         FAST_IS_THE_HONEST_ONE,

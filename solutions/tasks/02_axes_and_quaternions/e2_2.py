@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from tflab.core import Transform
-from tflab.workbook.tasks import Task, Twin, Vector, Words
+from tflab.workbook.tasks import Slip, Task, Vector, Words
 
 
 def detection(rng: np.random.Generator) -> dict:
@@ -17,28 +17,37 @@ def detection(rng: np.random.Generator) -> dict:
     return {"optical_p_part": (round(float(right), 2), round(float(down), 2), round(float(rng.uniform(1.2, 3.0)), 2))}
 
 
-def picked(x: float, y: float, z: float) -> dict[str, tuple[float, float, float]]:
-    """Return what each mistake makes of (right, down, forward)."""
-    return {
-        "forgotten": (x, y, z),
-        "backwards": (-y, -z, x),
-        "no signs": (z, x, y),
-        "up and down": (z, -x, y),
-        "side and height": (z, -y, -x),
-        "behind": (-z, -x, -y),
-        "left and right": (z, x, -y),
-        "in base_link": (z + 0.10, -x, -y + 0.30),
-        "other order": (y, z, x),
-        "roll alone": Transform.from_rpy(roll=-math.pi / 2).apply((x, y, z)),
-        "yaw alone": Transform.from_rpy(yaw=-math.pi / 2).apply((x, y, z)),
-        "direction": tuple(part / math.hypot(x, y, z) for part in (z, -x, -y)),
-        "degrees": Transform.from_rpy(roll=-90.0, yaw=-90.0).apply((x, y, z)),
-    }
+def picked(
+    given, *, turns="both", side="left", height="up", depth="ahead", places="own", origin="camera", length="kept"
+):
+    """Return the part in camera_link, step by step; other steps are the slips."""
+    x, y, z = given.optical_p_part
+    quarter = math.pi / 2
+    x, y, z = {
+        "both": lambda: (z, -x, -y),
+        "none": lambda: (x, y, z),
+        "back": lambda: (-y, -z, x),
+        "other order": lambda: (y, z, x),
+        "x and z exchanged": lambda: (z, y, x),
+        "upright": lambda: (x, z, -y),
+        "roll alone": lambda: Transform.from_rpy(roll=-quarter).apply((x, y, z)),
+        "yaw alone": lambda: Transform.from_rpy(yaw=-quarter).apply((x, y, z)),
+        "pitch": lambda: Transform.from_rpy(pitch=quarter).apply((x, y, z)),
+        "roll to the other side": lambda: Transform.from_rpy(roll=quarter, yaw=-quarter).apply((x, y, z)),
+        "eighths": lambda: Transform.from_rpy(roll=-quarter / 2, yaw=-quarter / 2).apply((x, y, z)),
+        "degrees": lambda: Transform.from_rpy(roll=-90.0, yaw=-90.0).apply((x, y, z)),
+        "degrees, plus": lambda: Transform.from_rpy(roll=90.0, yaw=90.0).apply((x, y, z)),
+    }[turns]()
+    x, y, z = (-x if depth == "behind" else x), (-y if side == "right" else y), (-z if height == "down" else z)
+    x, y, z = (x, z, y) if places == "exchanged" else (x, y, z)
+    x, z = (x + 0.10, z + 0.30) if origin == "base_link" else (x, z)
+    share = math.hypot(x, y, z) if length == "one" else 1.0
+    return (x / share, y / share, z / share)
 
 
-FORGOTTEN = Twin(
+FORGOTTEN = Slip(
     "forgotten",
-    lambda given: picked(*given.optical_p_part)["forgotten"],
+    {"turns": "none"},
     Words(
         en="These are the numbers of the picture, unchanged. In camera_link, which of the three says how far ahead?",
         ko="영상의 숫자를 그대로 썼습니다. camera_link에서는 셋 가운데 앞쪽으로 떨어진 거리는 어느 것입니까?",
@@ -47,9 +56,9 @@ FORGOTTEN = Twin(
 )
 
 
-BACKWARDS = Twin(
+BACKWARDS = Slip(
     "backwards",
-    lambda given: picked(*given.optical_p_part)["backwards"],
+    {"turns": "back"},
     Words(
         en="You went the other way, from the body to the picture (or turned twice: this rotation is a third of a full turn, so twice forward is once back). The part must end up in front: is your x the depth?",
         ko="거꾸로 본체에서 영상 쪽으로 옮겼습니다. 두 번 돌려도 같은 값이 됩니다. 이 회전은 한 바퀴의 3분의 1이라서 같은 쪽으로 두 번 돌리면 반대쪽으로 한 번 돌린 것과 같습니다. 부품은 앞에 있어야 합니다. x가 깊이와 같습니까?",
@@ -58,9 +67,9 @@ BACKWARDS = Twin(
 )
 
 
-NO_SIGNS = Twin(
+NO_SIGNS = Slip(
     "no signs",
-    lambda given: picked(*given.optical_p_part)["no signs"],
+    {"side": "right", "height": "down"},
     Words(
         en="The axes are in their places, but their directions are not: right is not left, and down is not up.",
         ko="축의 자리는 맞지만 방향이 틀립니다. 오른쪽은 왼쪽이 아니고, 아래는 위가 아닙니다.",
@@ -69,9 +78,9 @@ NO_SIGNS = Twin(
 )
 
 
-UP_AND_DOWN = Twin(
+UP_AND_DOWN = Slip(
     "up and down",
-    lambda given: picked(*given.optical_p_part)["up and down"],
+    {"height": "down"},
     Words(
         en="Above and below changed places: the picture's y counts down, the body's z counts up.",
         ko="위아래가 바뀌었습니다. 영상의 y는 아래로, 본체의 z는 위로 셉니다.",
@@ -80,9 +89,9 @@ UP_AND_DOWN = Twin(
 )
 
 
-LEFT_AND_RIGHT = Twin(
+LEFT_AND_RIGHT = Slip(
     "left and right",
-    lambda given: picked(*given.optical_p_part)["left and right"],
+    {"side": "right"},
     Words(
         en="Left and right changed places: the picture's x counts to the right, the body's y to the left.",
         ko="좌우가 바뀌었습니다. 영상의 x는 오른쪽으로, 본체의 y는 왼쪽으로 셉니다.",
@@ -91,9 +100,9 @@ LEFT_AND_RIGHT = Twin(
 )
 
 
-SIDE_AND_HEIGHT = Twin(
+SIDE_AND_HEIGHT = Slip(
     "side and height",
-    lambda given: picked(*given.optical_p_part)["side and height"],
+    {"places": "exchanged"},
     Words(
         en="The depth is right. Sideways and upwards changed places: in the picture x counts sideways and y downwards; on the body y is the side and z the height.",
         ko="깊이는 맞습니다. 옆 방향과 높이의 자리가 바뀌었습니다. 영상에서는 x가 옆, y가 아래이고, 본체에서는 y가 옆, z가 높이입니다.",
@@ -102,9 +111,9 @@ SIDE_AND_HEIGHT = Twin(
 )
 
 
-BEHIND = Twin(
+BEHIND = Slip(
     "behind",
-    lambda given: picked(*given.optical_p_part)["behind"],
+    {"depth": "behind"},
     Words(
         en="Side and height are right, but this part lies behind the camera. Depth counts forward in the picture, and x counts forward on the body.",
         ko="옆 방향과 높이는 맞지만 부품이 카메라 뒤에 있습니다. 영상의 깊이도 앞으로 세고, 본체의 x도 앞으로 셉니다.",
@@ -113,9 +122,9 @@ BEHIND = Twin(
 )
 
 
-IN_BASE_LINK = Twin(
+IN_BASE_LINK = Slip(
     "in base_link",
-    lambda given: picked(*given.optical_p_part)["in base_link"],
+    {"origin": "base_link"},
     Words(
         en="You went one frame too far: these are the numbers in base_link, with the camera's mount of the page added. Asked for is camera_link.",
         ko="한 좌표계를 더 갔습니다. 본문의 카메라 장착 위치까지 더한 base_link 기준 값입니다. 문제는 camera_link 기준을 묻습니다.",
@@ -123,9 +132,9 @@ IN_BASE_LINK = Twin(
 )
 
 
-OTHER_ORDER = Twin(
+OTHER_ORDER = Slip(
     "other order",
-    lambda given: picked(*given.optical_p_part)["other order"],
+    {"turns": "other order"},
     Words(
         en="These are the two right turns in the other order. The roll happens first, so it stands on the right of the product: next to the point.",
         ko="두 회전은 맞지만 순서가 반대입니다. roll을 먼저 하므로 곱에서는 오른쪽, 곧 점 바로 옆에 와야 합니다.",
@@ -133,9 +142,9 @@ OTHER_ORDER = Twin(
 )
 
 
-DEGREES = Twin(
+DEGREES = Slip(
     "degrees",
-    lambda given: picked(*given.optical_p_part)["degrees"],
+    {"turns": "degrees"},
     Words(
         en="You gave 90 to a turn that counts in radians: that is fourteen full turns and a bit. A quarter turn is math.pi / 2.",
         ko="라디안으로 받는 자리에 90을 넣었습니다. 열네 바퀴가 넘는 회전입니다. 4분의 1바퀴는 math.pi / 2입니다.",
@@ -143,9 +152,9 @@ DEGREES = Twin(
     misconception="M5",
 )
 
-ROLL_ALONE = Twin(
+ROLL_ALONE = Slip(
     "roll alone",
-    lambda given: picked(*given.optical_p_part)["roll alone"],
+    {"turns": "roll alone"},
     Words(
         en="Only the roll was made, a quarter turn about x. The yaw comes after it.",
         ko="roll, 곧 x축 4분의 1바퀴만 돌렸습니다. 그다음에 yaw가 남았습니다.",
@@ -153,9 +162,9 @@ ROLL_ALONE = Twin(
     "M4",
 )
 
-YAW_ALONE = Twin(
+YAW_ALONE = Slip(
     "yaw alone",
-    lambda given: picked(*given.optical_p_part)["yaw alone"],
+    {"turns": "yaw alone"},
     Words(
         en="Only the yaw was made, a quarter turn about z. A roll comes before it.",
         ko="yaw, 곧 z축 4분의 1바퀴만 돌렸습니다. 그 앞에 roll이 있습니다.",
@@ -163,13 +172,68 @@ YAW_ALONE = Twin(
     "M4",
 )
 
-DIRECTION = Twin(
+DIRECTION = Slip(
     "direction",
-    lambda given: picked(*given.optical_p_part)["direction"],
+    {"length": "one"},
     Words(
         en="The direction is right and the length is 1: you divided by the distance. Asked for is the place, in metres.",
         ko="방향은 맞지만 길이가 1입니다. 거리로 나누었습니다. 필요한 것은 미터로 잰 위치입니다.",
     ),
+)
+
+
+ONLY_X_AND_Z = Slip(
+    "only x and z",
+    {"turns": "x and z exchanged"},
+    Words(
+        en="Depth has gone to the front, and the sideways number up. Only the depth's place is right: the picture's x counts to the right, its y down.",
+        ko="깊이는 앞으로 갔지만 옆으로 잰 숫자가 위로 갔습니다. 깊이의 자리만 맞습니다. 영상의 x는 오른쪽, y는 아래쪽으로 셉니다.",
+    ),
+    "M4",
+)
+
+
+ONE_PITCH = Slip(
+    "one pitch",
+    {"turns": "pitch"},
+    Words(
+        en="One quarter turn about y brings the depth to the front and leaves the rest askew: it takes two turns, a roll and a yaw.",
+        ko="y축 둘레의 1/4 바퀴로는 깊이만 앞으로 옵니다. roll과 yaw, 두 번 돌려야 합니다.",
+    ),
+    "M4",
+)
+
+
+ROLL_TO_THE_OTHER_SIDE = Slip(
+    "roll to the other side",
+    {"turns": "roll to the other side"},
+    Words(
+        en="The roll goes the other way: both quarter turns are negative, -π/2.",
+        ko="roll의 방향이 반대입니다. 1/4 바퀴 둘 다 음수, -π/2입니다.",
+    ),
+    "M4",
+)
+
+
+EIGHTHS_OF_A_TURN = Slip(
+    "eighths of a turn",
+    {"turns": "eighths"},
+    Words(
+        en="You turned by an eighth of a circle, twice: a quarter is π/2. Halves belong into quaternions alone.",
+        ko="1/8 바퀴씩 두 번 돌렸습니다. 1/4 바퀴는 π/2입니다. 절반은 쿼터니언에만 씁니다.",
+    ),
+    "M5",
+)
+
+
+DEGREES_AND_PLUS = Slip(
+    "degrees, and plus",
+    {"turns": "degrees, plus"},
+    Words(
+        en="You gave +90 to turns that count in radians, and both go the other way: a quarter turn is math.pi / 2, and here it is minus that.",
+        ko="라디안으로 세는 회전에 +90을 넣었습니다. 1/4 바퀴는 math.pi / 2이고, 여기서는 부호도 음수입니다.",
+    ),
+    "M5",
 )
 
 
@@ -182,6 +246,7 @@ TASK = Task(
     form=Vector(3, unit="m", frame="camera_link", tolerance=0.005),
     given=detection,
     variants=5,
+    model=picked,
     twins=(
         FORGOTTEN,
         BACKWARDS,
@@ -196,6 +261,11 @@ TASK = Task(
         ROLL_ALONE,
         YAW_ALONE,
         DIRECTION,
+        ONLY_X_AND_Z,
+        ONE_PITCH,
+        ROLL_TO_THE_OTHER_SIDE,
+        EIGHTHS_OF_A_TURN,
+        DEGREES_AND_PLUS,
     ),
     hints=(
         Words(

@@ -19,8 +19,9 @@ def turned(yaw, *, unit="radians", half="inside", z="sine", way="left", axis="z"
     """Return the quaternion, step by step; other steps are the slips."""
     yaw = {"radians": yaw, "degrees": math.radians(yaw), "to degrees": math.degrees(yaw)}[unit]
     angle = {"inside": yaw / 2, "none": yaw, "outside": yaw, "double": 2 * yaw, "whole number": yaw // 2, "quarter": yaw / 4,
-             "of the sine alone": yaw / 2}[half]  # fmt: skip
+             "of the sine alone": yaw / 2, "of the cosine alone": yaw, "modulo pi": yaw % math.pi / 2}[half]  # fmt: skip
     sine, cosine = math.sin(angle), math.cos(yaw if half == "of the sine alone" else angle)
+    cosine = math.cos(yaw / 2) if half == "of the cosine alone" else cosine
     if half == "outside":
         sine, cosine = sine / 2, cosine / 2
     sine, cosine = {
@@ -33,6 +34,10 @@ def turned(yaw, *, unit="radians", half="inside", z="sine", way="left", axis="z"
         "positive": (abs(sine), cosine),
         "w positive": (sine, abs(cosine)),
         "all three": (sine, cosine),
+        "sine alone": (sine, 0.0),
+        "sine beside one": (sine, 1.0),
+        "half of it beside its root": (yaw / 2, math.sqrt(max(0.0, 1.0 - (yaw / 2) ** 2))),
+        "angle to length one": (yaw / math.hypot(yaw, 1.0), 1.0 / math.hypot(yaw, 1.0)),
     }[z]
     sine = -sine if way == "right" else sine
     row = [sine if z == "all three" or name == axis else 0.0 for name in "xyz"]
@@ -231,6 +236,82 @@ ALL_THREE = Slip(
 )
 
 
+QUARTER_OF_THE_ANGLE = Slip(
+    "quarter of the angle",
+    {"half": "quarter"},
+    Words(
+        en="You halved the angle twice: your robot turns half as far as asked.",
+        ko="각도를 두 번 반으로 나누었습니다. 로봇이 절반만 돕니다.",
+    ),
+    "M5",
+)
+
+
+SINE_OF_THE_WHOLE = Slip(
+    "sine of the whole",
+    {"half": "of the cosine alone"},
+    Words(
+        en="The cosine is of half the angle, the sine still of the whole: both take the half.",
+        ko="cos에는 절반이 들어갔지만 sin에는 각도가 그대로 들어갔습니다. 둘 다 절반입니다.",
+    ),
+    "M5",
+)
+
+
+MODULO_PI = Slip(
+    "modulo pi",
+    {"half": "modulo pi"},
+    Words(
+        en="You took the angle modulo π: half a turn, and every turn to the right, comes out as another one. An angle needs no wrapping here.",
+        ko="각도를 π로 나눈 나머지를 썼습니다. 반 바퀴와 오른쪽 회전이 모두 다른 각도가 됩니다. 여기서는 각도를 감을 필요가 없습니다.",
+    ),
+)
+
+
+W_LEFT_AT_ZERO = Slip(
+    "w left at zero",
+    {"z": "sine alone"},
+    Words(
+        en="w is still 0: it takes the cosine of half the angle. Without it this is half a turn, or nothing at all.",
+        ko="w가 아직 0입니다. 각도 절반의 cos이 들어갑니다. 그것이 없으면 반 바퀴이거나 아무것도 아닙니다.",
+    ),
+    "M5",
+)
+
+
+W_LEFT_AT_ONE = Slip(
+    "w left at one",
+    {"z": "sine beside one"},
+    Words(
+        en="w is still 1: it takes the cosine of half the angle, so that the length stays one.",
+        ko="w가 아직 1입니다. 길이가 1이 되도록 각도 절반의 cos을 넣어야 합니다.",
+    ),
+    "M5",
+)
+
+
+HALF_ANGLE_AND_ITS_ROOT = Slip(
+    "half angle and its root",
+    {"z": "half of it beside its root"},
+    Words(
+        en="z holds half the angle itself, and w what makes the length one. For small angles that is close, for large ones not: z takes the sine.",
+        ko="z에 각도의 절반을 그대로 넣고 w로 길이를 1에 맞추었습니다. 작은 각도에서는 비슷하지만 큰 각도에서는 다릅니다. z에는 sin을 넣습니다.",
+    ),
+    "M5",
+)
+
+
+ANGLE_TO_LENGTH_ONE = Slip(
+    "angle to length one",
+    {"z": "angle to length one"},
+    Words(
+        en="You wrote the angle into z and scaled the four numbers to length one. z is the sine of half the angle, w the cosine.",
+        ko="z에 각도를 넣고 네 숫자의 길이를 1로 맞추었습니다. z는 각도 절반의 sin, w는 cos입니다.",
+    ),
+    "M5",
+)
+
+
 TASK = Task(
     id="E2.3",
     kind="F",
@@ -261,6 +342,13 @@ TASK = Task(
         NEVER_RIGHT,
         W_NEVER_NEGATIVE,
         ALL_THREE,
+        QUARTER_OF_THE_ANGLE,
+        SINE_OF_THE_WHOLE,
+        MODULO_PI,
+        W_LEFT_AT_ZERO,
+        W_LEFT_AT_ONE,
+        HALF_ANGLE_AND_ITS_ROOT,
+        ANGLE_TO_LENGTH_ONE,
     ),
     hints=(
         Words(

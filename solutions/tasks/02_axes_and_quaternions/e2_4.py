@@ -45,6 +45,10 @@ def quaternions(rng: np.random.Generator) -> list[tuple[tuple[float, float, floa
         *((0.0, 0.0, 0.0, w) for w in (9.995e-7, 1.0005e-6, 5e-3)),  # a hair beside zero
         *((x, 0.0, math.sqrt(1.0 - x * x), 0.0) for x in (0.1, 0.09995, 0.10005)),  # at the bound, and beside it
         (0.0, 0.10005, 0.0, math.sqrt(1.0 - 0.10005**2)),
+        (0.08, 0.08, 0.0, math.sqrt(1.0 - 2 * 0.08**2)),  # each below the bound, their sum not
+        (0.3, -0.3, 0.0, math.sqrt(1.0 - 2 * 0.3**2)),  # each above it, their sum not
+        (0.06, 0.06, math.sqrt(1.0 - 2 * 0.06**2), 0.0),  # nor is their length
+        (8e-7, 8e-7, 8e-7, 8e-7),  # each next to nothing, their length not
     ]
     return [(q,) for q in drawn]
 
@@ -56,7 +60,9 @@ def judged(q: tuple, *, finite="all", zero="length", below=1e-6, length="root", 
     if not all(map(finites[finite], q)):
         return "nan"
     x, y = (q[0] if "x" in looks else 0.0), (q[1] if "y" in looks else 0.0)
-    is_tipped = (max(abs(x), abs(y)) if size == "abs" else max(x, y)) > above or (w == "positive" and q[3] < 0.0)
+    sizes = {"abs": max(abs(x), abs(y)), "signed": max(x, y), "sum": abs(x) + abs(y), "of the sum": abs(x + y),
+             "length": math.hypot(x, y), "both": min(abs(x), abs(y)), "z, too": max(map(abs, q[:3]))}  # fmt: skip
+    is_tipped = sizes[size] > above or (w == "positive" and q[3] < 0.0)
     if first == "w" and is_tipped:
         return "w first"
     is_zero = {
@@ -65,6 +71,7 @@ def judged(q: tuple, *, finite="all", zero="length", below=1e-6, length="root", 
         "length": math.hypot(*q) < below,
         "square": math.hypot(*q) ** 2 < below,
         "without w": math.hypot(*q[:3]) < below,
+        "each": max(map(abs, q)) < below,
         "not asked": False,
     }
     if is_zero[zero] or (zero == "w" and is_zero["length"]):
@@ -303,6 +310,66 @@ WITHOUT_W = Slip(
 )
 
 
+SUM_OF_X_AND_Y = Slip(
+    "sum of x and y",
+    {"size": "sum"},
+    Words(
+        en="You add the sizes of x and y. The task looks at each by itself: is one of them larger than 0.1?",
+        ko="x와 y의 크기를 더합니다. 하나씩 보아야 합니다. 둘 가운데 하나가 0.1보다 큽니까?",
+    ),
+)
+
+
+SIZE_OF_THE_SUM = Slip(
+    "size of the sum",
+    {"size": "of the sum"},
+    Words(
+        en="You add x and y first, and the one can hide the other: 0.3 and -0.3 make 0. Look at the size of each.",
+        ko="x와 y를 먼저 더하므로 서로 상쇄됩니다. 0.3과 -0.3은 0이 됩니다. 각각의 크기를 보십시오.",
+    ),
+)
+
+
+LENGTH_OF_X_AND_Y = Slip(
+    "length of x and y",
+    {"size": "length"},
+    Words(
+        en="You take the length of (x, y). The task looks at each of the two by itself.",
+        ko="(x, y)의 길이를 봅니다. 둘을 하나씩 보아야 합니다.",
+    ),
+)
+
+
+X_AND_Y_BOTH = Slip(
+    "x and y both",
+    {"size": "both"},
+    Words(
+        en="You want x *and* y to be large. One of them is enough.",
+        ko="x와 y가 *둘 다* 커야 한다고 봅니다. 하나만 커도 됩니다.",
+    ),
+)
+
+
+Z_TOO = Slip(
+    "z too",
+    {"size": "z, too"},
+    Words(
+        en="You look at z as well. On a flat floor a turn is about z: z may be as large as it likes.",
+        ko="z도 봅니다. 평평한 바닥에서는 z 둘레로 돌기 때문에 z는 얼마든지 커도 됩니다.",
+    ),
+)
+
+
+EACH_NEXT_TO_NOTHING = Slip(
+    "each next to nothing",
+    {"zero": "each"},
+    Words(
+        en="You ask whether each number is next to nothing. The task asks for the length: four small ones make a longer one.",
+        ko="숫자 하나하나가 0에 가까운지 봅니다. 길이를 보아야 합니다. 작은 숫자 넷이 모이면 더 길어집니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E2.4",
     kind="F",
@@ -336,6 +403,12 @@ TASK = Task(
         ANY_X,
         ZERO_BY_SQUARE,
         WITHOUT_W,
+        SUM_OF_X_AND_Y,
+        SIZE_OF_THE_SUM,
+        LENGTH_OF_X_AND_Y,
+        X_AND_Y_BOTH,
+        Z_TOO,
+        EACH_NEXT_TO_NOTHING,
     ),
     hints=(
         Words(

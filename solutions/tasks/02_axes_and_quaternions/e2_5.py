@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from types import SimpleNamespace
 
 import numpy as np
 
@@ -26,14 +25,29 @@ def turned(given, unit: float = 1.0) -> Transform:
     return Transform.from_rpy(pitch=unit * given.then_pitch_rad) @ Transform.from_rpy(yaw=unit * given.first_yaw_rad)
 
 
-def turned_twice(given, *, unit="radians", yaw="left", pitch="down", order="yaw first", result="as it is"):
+def turned_twice(
+    given, *, angles="in place", unit="radians", yaw="left", pitch="down", order="yaw first", result="as it is"
+):
     """Return the rotation, step by step; other steps are the slips."""
     factor = {"radians": 1.0, "degrees": math.radians(1.0), "to degrees": math.degrees(1.0)}[unit]
-    ways = {"left": 1.0, "down": 1.0, "right": -1.0, "up": -1.0, "left out": 0.0, "roll": 1.0}
-    first = Transform.from_rpy(yaw=ways[yaw] * factor * given.first_yaw_rad)
-    second = ways[pitch] * factor * given.then_pitch_rad
+    yaw_rad, pitch_rad = given.first_yaw_rad, given.then_pitch_rad
+    yaw_rad, pitch_rad = (pitch_rad, yaw_rad) if angles == "exchanged" else (yaw_rad, pitch_rad)
+    ways = {
+        "twice": 2.0,
+        "about x": 1.0,
+        "left": 1.0,
+        "down": 1.0,
+        "right": -1.0,
+        "up": -1.0,
+        "left out": 0.0,
+        "roll": 1.0,
+    }
+    turn = ways[yaw] * factor * yaw_rad
+    first = Transform.from_rpy(roll=turn) if yaw == "about x" else Transform.from_rpy(yaw=turn)
+    second = ways[pitch] * factor * pitch_rad
     then = Transform.from_rpy(roll=second) if pitch == "roll" else Transform.from_rpy(pitch=second)
     both = first @ then if order == "pitch first" else then @ first
+    both = first.inverse() @ then @ first if order == "sandwiched" else both
     return both.inverse().rotation if result == "inverse" else both.rotation
 
 
@@ -129,21 +143,23 @@ TO_DEGREES = Slip(
 )
 
 
+def of_length_one(row):
+    return [number / math.hypot(*row) for number in row]
+
+
+def slanted(given):
+    """Return one turn whose axis and angle are those of the two angles taken for the sides of an arrow."""
+    angle = math.hypot(given.first_yaw_rad, given.then_pitch_rad)
+    share = math.sin(angle / 2) / angle
+    return [0.0, share * given.then_pitch_rad, share * given.first_yaw_rad, math.cos(angle / 2)]
+
+
 def rows(given):
     """Return the quaternions of the two turns, each on its own."""
     return [
         list(Transform.from_rpy(yaw=given.first_yaw_rad).rotation),
         list(Transform.from_rpy(pitch=given.then_pitch_rad).rotation),
     ]
-
-
-def whole_angles(given):
-    twice = SimpleNamespace(first_yaw_rad=2 * given.first_yaw_rad, then_pitch_rad=2 * given.then_pitch_rad)
-    return turned(twice).rotation
-
-
-def angles_exchanged(given):
-    return turned(SimpleNamespace(first_yaw_rad=given.then_pitch_rad, then_pitch_rad=given.first_yaw_rad)).rotation
 
 
 ADDED = Twin(
@@ -176,9 +192,9 @@ NUMBER_BY_NUMBER = Twin(
     "M5",
 )
 
-WHOLE_ANGLES = Twin(
+WHOLE_ANGLES = Slip(
     "whole angles",
-    whole_angles,
+    {"yaw": "twice", "pitch": "twice"},
     Words(
         en="Each turn goes twice as far as asked: a quaternion holds the sine and cosine of half the angle.",
         ko="두 회전 모두 두 배로 돌았습니다. 쿼터니언에는 각도의 절반에 대한 sin과 cos을 넣습니다.",
@@ -186,9 +202,9 @@ WHOLE_ANGLES = Twin(
     "M5",
 )
 
-ANGLES_EXCHANGED = Twin(
+ANGLES_EXCHANGED = Slip(
     "angles exchanged",
-    angles_exchanged,
+    {"angles": "exchanged"},
     Words(
         en="The two angles have changed places: the yaw turns by the pitch's angle, and the pitch by the yaw's.",
         ko="두 각도가 서로 바뀌었습니다. yaw가 pitch의 각도로, pitch가 yaw의 각도로 돌았습니다.",
@@ -221,6 +237,68 @@ HALVES_BESIDE = Twin(
 )
 
 
+YAW_TWICE = Slip(
+    "yaw twice",
+    {"yaw": "twice"},
+    Words(
+        en="The yaw turns twice as far as asked: made twice, or its angle not halved in the quaternion.",
+        ko="yaw가 두 배로 돕니다. 두 번 돌렸거나, 쿼터니언에서 각도를 반으로 나누지 않았습니다.",
+    ),
+    "M5",
+)
+
+
+PITCH_TWICE = Slip(
+    "pitch twice",
+    {"pitch": "twice"},
+    Words(
+        en="The pitch turns twice as far as asked: made twice, or its angle not halved in the quaternion.",
+        ko="pitch가 두 배로 돕니다. 두 번 돌렸거나, 쿼터니언에서 각도를 반으로 나누지 않았습니다.",
+    ),
+    "M5",
+)
+
+
+YAW_ABOUT_X = Slip(
+    "yaw about x",
+    {"yaw": "about x"},
+    Words(
+        en="The first turn goes about x, and yaw is about z.",
+        ko="첫 회전이 x축 둘레로 돕니다. yaw는 z축 둘레입니다.",
+    ),
+)
+
+
+SANDWICHED = Slip(
+    "sandwiched",
+    {"order": "sandwiched"},
+    Words(
+        en="You put the pitch between a yaw and its inverse: then the yaw is undone again. Both turns stay: the later one stands left.",
+        ko="pitch를 yaw와 그 역회전 사이에 넣어서 yaw가 다시 풀렸습니다. 두 회전이 모두 남아야 합니다. 나중 것이 왼쪽에 섭니다.",
+    ),
+)
+
+
+AVERAGED_TO_LENGTH_ONE = Twin(
+    "averaged to length one",
+    lambda given: of_length_one([a + b for a, b in zip(*rows(given), strict=True)]),
+    Words(
+        en="You took the middle of the two quaternions and scaled it to length one: that turns half as far as both. Turns are multiplied.",
+        ko="두 쿼터니언의 중간을 구해 길이를 1로 맞추었습니다. 둘을 합친 것의 절반쯤만 돕니다. 회전은 곱합니다.",
+    ),
+)
+
+
+ONE_TURN_ABOUT_A_SLANTED_AXIS = Twin(
+    "one turn about a slanted axis",
+    slanted,
+    Words(
+        en="You made one turn about the axis between y and z. Two turns one after the other are two factors, and their order counts.",
+        ko="y와 z 사이의 축 하나로 한 번 돌렸습니다. 이어지는 두 회전은 곱하는 두 인자이고 순서가 중요합니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E2.5",
     kind="N",
@@ -249,6 +327,12 @@ TASK = Task(
         ANGLES_EXCHANGED,
         ANGLES_AS_NUMBERS,
         HALVES_BESIDE,
+        YAW_TWICE,
+        PITCH_TWICE,
+        YAW_ABOUT_X,
+        SANDWICHED,
+        AVERAGED_TO_LENGTH_ONE,
+        ONE_TURN_ABOUT_A_SLANTED_AXIS,
     ),
     hints=(
         Words(

@@ -19,13 +19,16 @@ def aside_mm(given, *, quarter="pi / 2", unit="radians", part="whole", reach="ra
     """Return how far off, step by step; other steps are the slips."""
     quarters = {"pi / 2": math.pi / 2, "3.14 / 2": 3.14 / 2, "22/7": 11 / 7, "pi": math.pi, "none": 0.0}
     missing = quarters[quarter] - given.written_yaw_rad
-    missing = math.degrees(missing) if unit == "degrees" else missing
+    missing = {"degrees": math.degrees(missing), "converted": math.radians(missing)}.get(unit, missing)
     missing *= {"whole": 1.0, "half": 0.5, "of a quarter turn": 2 / math.pi, "twice": 2.0}[part]
     reach_m = {"range": given.range_m, "left out": 1.0, "squared": given.range_m**2}[reach]
     off_m = {
         "aside": reach_m * missing,
         "range": reach_m,
         "shorter": reach_m * (1 - math.cos(missing)),
+        "sine of degrees": reach_m * math.sin(math.degrees(missing)),
+        "sine of the written": reach_m * math.sin(given.written_yaw_rad),
+        "tangent of the written": reach_m * math.tan(given.written_yaw_rad),
     }
     return 1000.0 * (abs(off_m[length]) if sign == "dropped" else -abs(off_m[length]))
 
@@ -152,6 +155,48 @@ SHORTER = Slip(
 )
 
 
+CONVERTED_ONCE_MORE = Slip(
+    "converted once more",
+    {"unit": "converted"},
+    Words(
+        en="You turned the missing angle into radians, and it is in radians already.",
+        ko="모자란 각도를 라디안으로 바꾸었는데, 이미 라디안입니다.",
+    ),
+    "M5",
+)
+
+
+SINE_OF_DEGREES = Slip(
+    "sine of degrees",
+    {"length": "sine of degrees"},
+    Words(
+        en="You gave the sine an angle in degrees. math.sin wants radians, as the URDF has them.",
+        ko="sin에 도 단위 각도를 넣었습니다. math.sin은 URDF처럼 라디안을 받습니다.",
+    ),
+    "M5",
+)
+
+
+SINE_OF_THE_WRITTEN = Slip(
+    "sine of the written",
+    {"length": "sine of the written"},
+    Words(
+        en="You took the sine of the whole angle that was written. What swings the ray aside is what is missing up to π/2.",
+        ko="적혀 있는 각도 전체의 sin을 썼습니다. 빛을 옆으로 비키게 하는 것은 π/2까지 모자란 만큼입니다.",
+    ),
+)
+
+
+TANGENT_OF_THE_WRITTEN = Slip(
+    "tangent of the written",
+    {"length": "tangent of the written"},
+    Words(
+        en="You took the tangent of the whole angle that was written. What swings the ray aside is what is missing up to π/2.",
+        ko="적혀 있는 각도 전체의 tan을 썼습니다. 빛을 옆으로 비키게 하는 것은 π/2까지 모자란 만큼입니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E2.7",
     kind="N",
@@ -176,6 +221,10 @@ TASK = Task(
         RANGE_SQUARED,
         THE_RANGE,
         SHORTER,
+        CONVERTED_ONCE_MORE,
+        SINE_OF_DEGREES,
+        SINE_OF_THE_WRITTEN,
+        TANGENT_OF_THE_WRITTEN,
     ),
     hints=(
         Words(

@@ -36,6 +36,9 @@ def taken(transform: Transform, point, way: str) -> tuple[float, ...]:
         "turn back": added(turned(transform.inverse(), point), transform.translation),
         "step back": added(turned(transform, point), back),
         "origin": transform.translation,
+        "no turn, step back": added(point, back),
+        "w first": Transform(transform.translation, transform.rotation[3:] + transform.rotation[:3]).apply(point),
+        "turn back, no step": turned(transform.inverse(), point),
     }[way]
 
 
@@ -47,6 +50,8 @@ def moved_twice(given, *, first="apply", then="apply", product="in order") -> di
         return {"base_link": base_p, "map": (given.base_T_laser @ given.map_T_base).apply(point)}
     if product == "inverted":
         return {"base_link": base_p, "map": (given.map_T_base @ given.base_T_laser).inverse().apply(point)}
+    if product == "laser twice":
+        return {"base_link": base_p, "map": (given.map_T_base @ given.base_T_laser).apply(base_p)}
     return {"base_link": base_p, "map": taken(given.map_T_base, point if product == "skipped" else base_p, then)}
 
 
@@ -275,6 +280,100 @@ THEN_STEP_BACK = Slip(
 )
 
 
+LASER_TWICE = Slip(
+    "laser twice",
+    {"product": "laser twice"},
+    Words(
+        en="for `map` the laser's mount is used twice: a point in `base_link` needs only `map_T_base` to get there.",
+        ko="`map`을 구할 때 레이저 장착 변환을 두 번 썼습니다. `base_link` 기준의 점에는 `map_T_base`만 있으면 됩니다.",
+    ),
+    part="map",
+)
+
+
+FIRST_NO_TURN_STEP_BACK = Slip(
+    "first no turn, step back",
+    {"first": "no turn, step back"},
+    Words(
+        en="on the way to `base_link`, you took the step away and left out the turn: going from child to parent, the point is turned and the step is added.",
+        ko="`base_link`로 가는 길에서 이동을 빼고 회전도 빠뜨렸습니다. 자식에서 부모로 갈 때는 점을 돌리고 이동을 더합니다.",
+    ),
+    "M3",
+    part="base_link",
+)
+
+
+THEN_NO_TURN_STEP_BACK = Slip(
+    "then no turn, step back",
+    {"then": "no turn, step back"},
+    Words(
+        en="on the way to `map`, you took the step away and left out the turn: going from child to parent, the point is turned and the step is added.",
+        ko="`map`로 가는 길에서 이동을 빼고 회전도 빠뜨렸습니다. 자식에서 부모로 갈 때는 점을 돌리고 이동을 더합니다.",
+    ),
+    "M3",
+    part="map",
+)
+
+
+FIRST_W_FIRST = Slip(
+    "first w first",
+    {"first": "w first"},
+    Words(
+        en="on the way to `base_link`, the rotation went in with w in front: `.rotation` is (x, y, z, w), and Transform takes it like that.",
+        ko="`base_link`로 가는 길에서 회전의 w를 앞에 두고 넣었습니다. `.rotation`은 (x, y, z, w)이고 Transform도 그 순서로 받습니다.",
+    ),
+    "M5",
+    part="base_link",
+)
+
+
+THEN_W_FIRST = Slip(
+    "then w first",
+    {"then": "w first"},
+    Words(
+        en="on the way to `map`, the rotation went in with w in front: `.rotation` is (x, y, z, w), and Transform takes it like that.",
+        ko="`map`로 가는 길에서 회전의 w를 앞에 두고 넣었습니다. `.rotation`은 (x, y, z, w)이고 Transform도 그 순서로 받습니다.",
+    ),
+    "M5",
+    part="map",
+)
+
+
+FIRST_TURN_BACK_NO_STEP = Slip(
+    "first turn back, no step",
+    {"first": "turn back, no step"},
+    Words(
+        en="on the way to `base_link`, you turned the point back, and left out the step. As it stands, the transform turns and then adds.",
+        ko="`base_link`로 가는 길에서 점을 거꾸로 돌리고 이동을 빠뜨렸습니다. 변환은 그대로 쓰면 돌린 다음 더합니다.",
+    ),
+    "M1",
+    part="base_link",
+)
+
+
+THEN_TURN_BACK_NO_STEP = Slip(
+    "then turn back, no step",
+    {"then": "turn back, no step"},
+    Words(
+        en="on the way to `map`, you turned the point back, and left out the step. As it stands, the transform turns and then adds.",
+        ko="`map`로 가는 길에서 점을 거꾸로 돌리고 이동을 빠뜨렸습니다. 변환은 그대로 쓰면 돌린 다음 더합니다.",
+    ),
+    "M1",
+    part="map",
+)
+
+
+THE_ROBOT_ITSELF = Slip(
+    "the robot itself",
+    {"then": "origin"},
+    Words(
+        en="for `map`, that is where the robot stands; the corner has not come into it.",
+        ko="`map`에 로봇이 서 있는 곳을 썼습니다. 모서리가 들어가지 않았습니다.",
+    ),
+    part="map",
+)
+
+
 TASK = Task(
     id="E3.2",
     kind="N",
@@ -305,6 +404,14 @@ TASK = Task(
         THEN_TURN_ONLY,
         THEN_TURN_BACK,
         THEN_STEP_BACK,
+        LASER_TWICE,
+        FIRST_NO_TURN_STEP_BACK,
+        THEN_NO_TURN_STEP_BACK,
+        FIRST_W_FIRST,
+        THEN_W_FIRST,
+        FIRST_TURN_BACK_NO_STEP,
+        THEN_TURN_BACK_NO_STEP,
+        THE_ROBOT_ITSELF,
     ),
     hints=(
         Words(

@@ -24,7 +24,7 @@ def inverted(
 ) -> dict[str, float]:
     """Return b_pose_a, step by step; other steps are the slips."""
     yaw = a_pose_b["yaw"]
-    angles = {"back": -yaw, "on": yaw, "none": 0.0, "asin": -math.asin(math.sin(yaw))}
+    angles = {"back": -yaw, "on": yaw, "none": 0.0, "half": -yaw / 2, "asin": -math.asin(math.sin(yaw))}
     by = math.radians(angles[angle]) if unit == "degrees" else angles[angle]
     signs = {"off": (-1.0, -1.0), "on": (1.0, 1.0), "x alone": (-1.0, 1.0), "y alone": (1.0, -1.0)}.get(
         step, (1.0, 1.0)
@@ -34,10 +34,11 @@ def inverted(
     c, s = (s, c) if sine == "cos" else (c, s)
     x = c * u - s * v
     x = x if sine != "one sign" else c * u + s * v
+    to_y = -s if sine == "sign in y" else s
     return {
         "x": x,
-        "y": s * (x if y == "new" else u) + c * v,
-        "yaw": {"back": -yaw, "kept": yaw, "behind": yaw + math.pi}[turn],
+        "y": to_y * (x if y == "new" else u) + c * v,
+        "yaw": {"back": -yaw, "kept": yaw, "behind": yaw + math.pi, "zero": 0.0, "rest of a half": math.pi - yaw}[turn],
     }
 
 
@@ -173,6 +174,47 @@ ONE_SIGN = Slip(
 )
 
 
+SIGN_IN_Y = Slip(
+    "sign in y",
+    {"sine": "sign in y"},
+    Words(
+        en="one sine in your y has the wrong sign: look at the formula once more, u·sin α + v·cos α.",
+        ko="y의 sin 하나의 부호가 틀렸습니다. 공식을 다시 보십시오: u·sin α + v·cos α.",
+    ),
+)
+
+
+BY_HALF_THE_ANGLE = Slip(
+    "by half the angle",
+    {"angle": "half"},
+    Words(
+        en="you turned the step by half the yaw. Halves belong into quaternions; in the plane the step turns by the whole angle.",
+        ko="이동을 yaw의 절반만큼 돌렸습니다. 절반은 쿼터니언에서 씁니다. 평면에서는 각도 전체만큼 돌립니다.",
+    ),
+    "M5",
+)
+
+
+NO_YAW = Slip(
+    "no yaw",
+    {"turn": "zero"},
+    Words(
+        en="the yaw is 0 for you. Seen from b, a is turned too: as far, and to the other side.",
+        ko="yaw를 0으로 두었습니다. b에서 보면 a도 돌아 있습니다. 크기는 같고 방향은 반대입니다.",
+    ),
+)
+
+
+REST_OF_HALF_A_TURN = Slip(
+    "rest of half a turn",
+    {"turn": "rest of a half"},
+    Words(
+        en="you took the yaw off half a turn. To turn back is to turn by as much the other way: minus yaw.",
+        ko="반 바퀴에서 yaw를 뺐습니다. 되돌아가는 것은 같은 만큼 반대로 도는 것입니다: -yaw.",
+    ),
+)
+
+
 TASK = Task(
     id="E3.3",
     kind="F",
@@ -197,6 +239,10 @@ TASK = Task(
         Y_ALONE,
         BEHIND,
         ONE_SIGN,
+        SIGN_IN_Y,
+        BY_HALF_THE_ANGLE,
+        NO_YAW,
+        REST_OF_HALF_A_TURN,
     ),
     hints=(
         Words(

@@ -17,10 +17,27 @@ def compose_inputs(rng: np.random.Generator) -> list[tuple]:
     return [*pairs, (some_planar(rng), nothing), (nothing, some_planar(rng))]
 
 
+def turned_round(pose):
+    """Return the pose of a in b of that of b in a."""
+    return moved({"yaw": -pose["yaw"]}, -pose["x"], -pose["y"], -pose["yaw"])
+
+
 def joined(
-    a_pose_b, b_pose_c, *, order="as given", unit="radians", turned="second", by="first", step="added", yaw="sum"
+    a_pose_b,
+    b_pose_c,
+    *,
+    first="as it is",
+    second="as it is",
+    order="as given",
+    unit="radians",
+    turned="second",
+    by="first",
+    step="added",
+    yaw="sum",
 ):
     """Return a_pose_c, step by step; other steps are the slips."""
+    a_pose_b = turned_round(a_pose_b) if first == "inverted" else a_pose_b
+    b_pose_c = turned_round(b_pose_c) if second == "inverted" else b_pose_c
     outer, inner = (b_pose_c, a_pose_b) if order == "exchanged" else (a_pose_b, b_pose_c)
     one, two = outer["yaw"], inner["yaw"]
     angle = {"first": one, "back": -one, "second": two, "both": one + two, "none": 0.0}[by]
@@ -31,12 +48,29 @@ def joined(
     if turned == "difference":
         x, y = x - outer["x"], y - outer["y"]
     pose = moved(inner, x, y, angle)
+    if step == "x alone turned":
+        pose |= {"y": y}
+    if step in ("one sign in x", "one sign in y"):
+        c, s = math.cos(angle), math.sin(angle)
+        pose |= {"x": c * x + s * y} if step == "one sign in x" else {"y": c * y - s * x}
+    if step == "second lost":
+        pose |= {"x": 0.0, "y": 0.0}
+    if step == "first twice":
+        pose |= {"x": pose["x"] + outer["x"], "y": pose["y"] + outer["y"]}
     if turned == "second" and step != "lost":
         sign = -1.0 if step == "subtracted" else 1.0
         pose |= {"x": -pose["x"], "y": -pose["y"]} if step == "second subtracted" else {}
         pose |= {"x": pose["x"] + sign * outer["x"], "y": pose["y"] + sign * outer["y"]}
     return pose | {
-        "yaw": {"sum": one + two, "second": two, "first": one, "difference": two - one, "product": one * two}[yaw]
+        "yaw": {
+            "sum": one + two,
+            "second": two,
+            "first": one,
+            "difference": two - one,
+            "first minus second": one - two,
+            "mean": (one + two) / 2,
+            "product": one * two,
+        }[yaw]
     }
 
 
@@ -188,6 +222,98 @@ YAWS_MULTIPLIED = Slip(
 )
 
 
+FIRST_INVERTED = Slip(
+    "first inverted",
+    {"first": "inverted"},
+    Words(
+        en="you turned the first pose round before joining. It stands as it is: [a|b] begins with a already.",
+        ko="앞의 자세를 뒤집은 다음 이었습니다. [a|b]는 이미 a로 시작하므로 그대로 씁니다.",
+    ),
+    "M1",
+)
+
+
+SECOND_INVERTED = Slip(
+    "second inverted",
+    {"second": "inverted"},
+    Words(
+        en="you turned the second pose round before joining. It stands as it is: [b|c] begins where the first ends.",
+        ko="뒤의 자세를 뒤집은 다음 이었습니다. [b|c]는 앞의 것이 끝나는 곳에서 시작하므로 그대로 씁니다.",
+    ),
+    "M1",
+)
+
+
+ONE_SIGN_IN_X = Slip(
+    "one sign in x",
+    {"step": "one sign in x"},
+    Words(
+        en="one sine in your x has the wrong sign: look at the formula once more, u·cos α − v·sin α.",
+        ko="x의 sin 하나의 부호가 틀렸습니다. 공식을 다시 보십시오: u·cos α − v·sin α.",
+    ),
+)
+
+
+ONE_SIGN_IN_Y = Slip(
+    "one sign in y",
+    {"step": "one sign in y"},
+    Words(
+        en="one sine in your y has the wrong sign: look at the formula once more, u·sin α + v·cos α.",
+        ko="y의 sin 하나의 부호가 틀렸습니다. 공식을 다시 보십시오: u·sin α + v·cos α.",
+    ),
+)
+
+
+Y_NOT_TURNED = Slip(
+    "y not turned",
+    {"step": "x alone turned"},
+    Words(
+        en="your x is turned, and your y is only added: both take a part of u and of v.",
+        ko="x는 돌렸지만 y는 더하기만 했습니다. 둘 다 u와 v가 함께 들어갑니다.",
+    ),
+)
+
+
+SECOND_STEP_LOST = Slip(
+    "second step lost",
+    {"step": "second lost"},
+    Words(
+        en="you give the place of b: the second step has not come into x and y.",
+        ko="b의 위치를 답했습니다. 두 번째 이동이 x와 y에 들어가지 않았습니다.",
+    ),
+)
+
+
+FIRST_STEP_TWICE = Slip(
+    "first step twice",
+    {"step": "first twice"},
+    Words(
+        en="the first step is added twice. One walks from a to b once, and from there on to c.",
+        ko="첫 번째 이동을 두 번 더했습니다. a에서 b까지 한 번 가고 거기서 c까지 갑니다.",
+    ),
+)
+
+
+FIRST_YAW_MINUS_SECOND = Slip(
+    "first yaw minus second",
+    {"yaw": "first minus second"},
+    Words(
+        en="you took the second yaw off the first: two turns, one after the other, add up.",
+        ko="첫 번째 yaw에서 두 번째를 뺐습니다. 이어지는 두 회전은 더합니다.",
+    ),
+)
+
+
+MEAN_OF_THE_YAWS = Slip(
+    "mean of the yaws",
+    {"yaw": "mean"},
+    Words(
+        en="you took the mean of the two yaws: two turns, one after the other, add up.",
+        ko="두 yaw의 평균을 구했습니다. 이어지는 두 회전은 더합니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E3.4",
     kind="F",
@@ -214,6 +340,15 @@ TASK = Task(
         SECOND_SUBTRACTED,
         DIFFERENCE_TURNED,
         YAWS_MULTIPLIED,
+        FIRST_INVERTED,
+        SECOND_INVERTED,
+        ONE_SIGN_IN_X,
+        ONE_SIGN_IN_Y,
+        Y_NOT_TURNED,
+        SECOND_STEP_LOST,
+        FIRST_STEP_TWICE,
+        FIRST_YAW_MINUS_SECOND,
+        MEAN_OF_THE_YAWS,
     ),
     hints=(
         Words(

@@ -8,7 +8,7 @@ import numpy as np
 
 from tflab.core import LATEST, StampedTransform, Transform
 from tflab.views.sentence import echo_text
-from tflab.workbook.tasks import Angle, Parts, Task, Twin, Vector, Words
+from tflab.workbook.tasks import Angle, Parts, Slip, Task, Vector, Words
 
 from .draws import some_mount, turned
 
@@ -24,18 +24,37 @@ def echoed(given) -> tuple[Transform, float]:
     return Transform.from_rpy(yaw=yaw, translation=tuple(map(float, rows[0]))), yaw
 
 
-def echo_answer(laser_in_base, base_in_laser, yaw_back) -> dict[str, object]:
-    return {"laser_in_base": laser_in_base, "base_in_laser": base_in_laser, "yaw_back": yaw_back}
+def read(given, *, laser="as printed", back="inverse", height="turned with it", yaw="minus"):
+    """Return both places and the yaw, step by step; other steps are the slips."""
+    mount, printed = echoed(given)
+    there, inverse = mount.translation, mount.inverse()
+    away = tuple(-value for value in there)
+    c, s = math.cos(printed), math.sin(printed)
+    returned = {
+        "inverse": inverse.translation,
+        "swapped": there,
+        "sign only": away,
+        "turned on": turned(mount, away),
+        "not taken off": turned(inverse, there),
+        "turned on, not taken off": turned(mount, there),
+        "by degrees": Transform.from_rpy(yaw=-math.degrees(printed)).apply(away),
+        "sine for cosine": (-(there[0] * s + there[1] * c), there[0] * c - there[1] * s, -there[2]),
+        "exchanged": (inverse.translation[1], inverse.translation[0], inverse.translation[2]),
+    }[back]
+    seen = {"as printed": there, "swapped": inverse.translation, "negative": away}[laser]
+    returned = {"kept": (*returned[:2], -returned[2]), "left out": (*returned[:2], 0.0)}.get(height, returned)
+    return {
+        "laser_in_base": (*seen[:2], 0.0) if height == "left out" else seen,
+        "base_in_laser": returned,
+        "yaw_back": {"minus": -printed, "same": printed, "in degrees": round(math.degrees(-printed)),
+                     "behind": printed + math.pi, "rest of a half": math.pi - printed, "zero": 0.0,
+                     "pitch": 0.0}[yaw],
+    }  # fmt: skip
 
 
-def echo_swapped(given) -> dict[str, object]:
-    mount, yaw = echoed(given)
-    return echo_answer(mount.inverse().translation, mount.translation, yaw)
-
-
-SWAPPED = Twin(
+SWAPPED = Slip(
     "swapped",
-    echo_swapped,
+    {"laser": "swapped", "back": "swapped"},
     Words(
         en="where it is wrong stands the answer to the other question. `tf2_echo base_link laser_frame` "
         "prints where the second sits in the first, whatever the tool's help calls them.",
@@ -46,15 +65,9 @@ SWAPPED = Twin(
     partly=True,
 )
 
-
-def echo_sign_only(given) -> dict[str, object]:
-    mount, yaw = echoed(given)
-    return echo_answer(mount.translation, tuple(-value for value in mount.translation), -yaw)
-
-
-SIGN_ONLY = Twin(
+SIGN_ONLY = Slip(
     "sign_only",
-    echo_sign_only,
+    {"back": "sign only"},
     Words(
         en="for the way back you flipped the signs. The mount is turned, so the step has to be turned, "
         "too. Stand where the laser is and look for the robot's middle.",
@@ -64,30 +77,18 @@ SIGN_ONLY = Twin(
     "M3",
 )
 
-
-def echo_turned_on(given) -> dict[str, object]:
-    mount, yaw = echoed(given)
-    return echo_answer(mount.translation, turned(mount, tuple(-value for value in mount.translation)), -yaw)
-
-
-TURNED_ON = Twin(
+TURNED_ON = Slip(
     "turned_on",
-    echo_turned_on,
+    {"back": "turned on"},
     Words(
         en="for the way back the step was turned, but by yaw instead of by minus yaw.",
         ko="돌아가는 쪽의 이동을 돌렸지만, −yaw가 아니라 yaw로 돌렸습니다.",
     ),
 )
 
-
-def echo_not_taken_off(given) -> dict[str, object]:
-    mount, yaw = echoed(given)
-    return echo_answer(mount.translation, turned(mount.inverse(), mount.translation), -yaw)
-
-
-NOT_TAKEN_OFF = Twin(
+NOT_TAKEN_OFF = Slip(
     "not_taken_off",
-    echo_not_taken_off,
+    {"back": "not taken off"},
     Words(
         en="for the way back you turned the step rightly and kept its sign. From the laser, the robot's "
         "middle lies on the other side.",
@@ -95,46 +96,27 @@ NOT_TAKEN_OFF = Twin(
     ),
 )
 
-
-def echo_same_yaw(given) -> dict[str, object]:
-    mount, yaw = echoed(given)
-    return echo_answer(mount.translation, mount.inverse().translation, yaw)
-
-
-SAME_YAW = Twin(
+SAME_YAW = Slip(
     "same_yaw",
-    echo_same_yaw,
+    {"yaw": "same"},
     Words(
         en="both places are right. Going back, one also turns back: look at the sign of the yaw.",
         ko="두 위치는 맞습니다. 돌아갈 때는 회전도 반대입니다. yaw의 부호를 보십시오.",
     ),
 )
 
-
-def echo_height_kept(given) -> dict[str, object]:
-    mount, yaw = echoed(given)
-    back = mount.inverse().translation
-    return echo_answer(mount.translation, (back[0], back[1], -back[2]), -yaw)
-
-
-HEIGHT_KEPT = Twin(
+HEIGHT_KEPT = Slip(
     "height_kept",
-    echo_height_kept,
+    {"height": "kept"},
     Words(
         en="all but one number is right: from the laser, is the robot's middle above or below?",
         ko="숫자 하나만 빼고 모두 맞습니다. 레이저에서 보면 로봇 중심은 위에 있습니까, 아래에 있습니까?",
     ),
 )
 
-
-def echo_yaw_in_degrees(given) -> dict[str, object]:
-    mount, yaw = echoed(given)
-    return echo_answer(mount.translation, mount.inverse().translation, round(math.degrees(-yaw)))
-
-
-YAW_IN_DEGREES = Twin(
+YAW_IN_DEGREES = Slip(
     "yaw_in_degrees",
-    echo_yaw_in_degrees,
+    {"yaw": "in degrees"},
     Words(
         en="both places are right, and the yaw is in degrees. It is asked for in radians: the tool prints "
         "both, one line above the other.",
@@ -144,35 +126,18 @@ YAW_IN_DEGREES = Twin(
     "M5",
 )
 
-
-def echo_behind(given) -> dict[str, object]:
-    mount, yaw = echoed(given)
-    return echo_answer(mount.translation, mount.inverse().translation, yaw + math.pi)
-
-
-def echo_turned_by_degrees(given) -> dict[str, object]:
-    mount, yaw = echoed(given)
-    back = Transform.from_rpy(yaw=-math.degrees(yaw)).apply([-value for value in mount.translation])
-    return echo_answer(mount.translation, back, -yaw)
-
-
-def echo_on_the_floor(given) -> dict[str, object]:
-    mount, yaw = echoed(given)
-    return echo_answer((*mount.translation[:2], 0.0), (*mount.inverse().translation[:2], 0.0), -yaw)
-
-
-BEHIND = Twin(
+BEHIND = Slip(
     "behind",
-    echo_behind,
+    {"yaw": "behind"},
     Words(
         en="you added half a turn. The way back is turned by as much as the way there, to the other side.",
         ko="반 바퀴를 더했습니다. 돌아가는 쪽은 같은 만큼 반대로 돕니다.",
     ),
 )
 
-TURNED_BY_DEGREES = Twin(
+TURNED_BY_DEGREES = Slip(
     "turned_by_degrees",
-    echo_turned_by_degrees,
+    {"back": "by degrees"},
     Words(
         en="the step was turned by the degrees, taken for radians: `math.cos` and `math.sin` want radians.",
         ko="도 단위의 각도를 라디안으로 여기고 이동을 돌렸습니다. `math.cos`과 `math.sin`은 라디안을 받습니다.",
@@ -180,14 +145,63 @@ TURNED_BY_DEGREES = Twin(
     "M5",
 )
 
-ON_THE_FLOOR = Twin(
+ON_THE_FLOOR = Slip(
     "on_the_floor",
-    echo_on_the_floor,
+    {"height": "left out"},
     Words(
         en="the height was left out: the third number counts as well.",
         ko="높이를 빠뜨렸습니다. 셋째 숫자도 필요합니다.",
     ),
     partly=True,
+)
+
+TURNED_ON_AND_NOT_TAKEN_OFF = Slip(
+    "turned on and not taken off",
+    {"back": "turned on, not taken off"},
+    Words(
+        en="for the way back the step was turned by yaw instead of by minus yaw, and it has kept its sign.",
+        ko="돌아가는 길에서 이동을 -yaw가 아니라 yaw만큼 돌렸고 부호도 그대로입니다.",
+    ),
+)
+
+
+SINE_FOR_COSINE = Slip(
+    "sine for cosine",
+    {"back": "sine for cosine"},
+    Words(
+        en="for the way back sine and cosine have changed places in the turn.",
+        ko="돌아가는 길의 회전에서 sin과 cos의 자리가 바뀌었습니다.",
+    ),
+)
+
+
+X_AND_Y_EXCHANGED = Slip(
+    "x and y exchanged",
+    {"back": "exchanged"},
+    Words(
+        en="x and y of the way back have changed places.",
+        ko="돌아가는 길의 x와 y가 서로 바뀌었습니다.",
+    ),
+)
+
+
+NO_YAW = Slip(
+    "no yaw",
+    {"yaw": "zero"},
+    Words(
+        en="the yaw of the way back is 0 for you. Seen from the laser the robot is turned too: as far, and to the other side.",
+        ko="돌아가는 길의 yaw를 0으로 두었습니다. 레이저에서 보면 로봇도 돌아 있습니다. 크기는 같고 방향은 반대입니다.",
+    ),
+)
+
+
+REST_OF_HALF_A_TURN = Slip(
+    "rest of half a turn",
+    {"yaw": "rest of a half"},
+    Words(
+        en="you took the yaw off half a turn. To turn back is to turn by as much the other way.",
+        ko="반 바퀴에서 yaw를 뺐습니다. 되돌아가는 것은 같은 만큼 반대로 도는 것입니다.",
+    ),
 )
 
 
@@ -206,6 +220,7 @@ TASK = Task(
     ),
     given=echo_given,
     variants=6,
+    model=read,
     twins=(
         SWAPPED,
         SIGN_ONLY,
@@ -217,6 +232,11 @@ TASK = Task(
         BEHIND,
         TURNED_BY_DEGREES,
         ON_THE_FLOOR,
+        TURNED_ON_AND_NOT_TAKEN_OFF,
+        SINE_FOR_COSINE,
+        X_AND_Y_EXCHANGED,
+        NO_YAW,
+        REST_OF_HALF_A_TURN,
     ),
     hints=(
         Words(

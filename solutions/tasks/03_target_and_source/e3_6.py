@@ -36,7 +36,8 @@ def mounted(ahead_m, up_m, yaw_deg, *, ends="parent first", numbers="as given", 
     """Return the message, step by step; other steps are the slips."""
     parent, child = ("camera_link", "base_link") if ends == "child first" else ("base_link", "camera_link")
     child = "camera_optical_frame" if ends == "optical" else child
-    yaw = yaw_deg if angle == "degrees" else math.radians(yaw_deg)
+    parent = {"map": "map", "odom": "odom"}.get(ends, parent)
+    yaw = {"degrees": yaw_deg, "radians": math.radians(yaw_deg), "to degrees": math.degrees(yaw_deg)}[angle]
     yaw = -yaw if side == "right" else yaw
     z, w = half_turn(2 * yaw if half == "whole" else yaw)
     ways = {"sine": (0, 0, z, w), "w first": (w, 0, 0, z), "none": (0, 0, 0, 1), "roll": (z, 0, 0, w), "pitch": (0, z, 0, w),
@@ -254,6 +255,39 @@ STAMPED = Slip(
 )
 
 
+TO_DEGREES = Slip(
+    "to degrees",
+    {"angle": "to degrees"},
+    Words(
+        en="`math.degrees` goes the other way: the angle is in degrees already, and `math.radians` makes radians of it.",
+        ko="`math.degrees`는 반대 방향입니다. 각도는 이미 도 단위이고, `math.radians`가 라디안으로 바꿉니다.",
+    ),
+    "M5",
+)
+
+
+PARENT_MAP = Slip(
+    "parent map",
+    {"ends": "map"},
+    Words(
+        en="the parent is map: this bolts the camera to the building. It rides along with `base_link`.",
+        ko="부모가 map입니다. 카메라를 건물에 단 셈입니다. 카메라는 `base_link`와 함께 움직입니다.",
+    ),
+    "M2",
+)
+
+
+PARENT_ODOM = Slip(
+    "parent odom",
+    {"ends": "odom"},
+    Words(
+        en="the parent is odom: this camera stays behind as the robot drives. It rides along with `base_link`.",
+        ko="부모가 odom입니다. 로봇이 달려도 카메라는 그 자리에 남습니다. 카메라는 `base_link`와 함께 움직입니다.",
+    ),
+    "M2",
+)
+
+
 TASK = Task(
     id="E3.6",
     kind="C",
@@ -287,6 +321,9 @@ TASK = Task(
         PITCHED,
         SINE_IN_W,
         STAMPED,
+        TO_DEGREES,
+        PARENT_MAP,
+        PARENT_ODOM,
     ),
     hints=(
         Words(
