@@ -143,6 +143,27 @@ TURN_OF_THE_ROBOT = Twin(
 )
 
 
+SUBTRACTED_THE_OTHER_WAY = Twin(
+    "subtracted the other way",
+    lambda map_T_base, odom_T_base: by_parts(odom_T_base, map_T_base),
+    Words(
+        en="You took the pose on the map off the wheels' pose, number by number: the order is turned round, and poses are joined with `@`, not subtracted.",
+        ko="바퀴의 자세에서 지도의 자세를 숫자끼리 뺐습니다. 순서가 반대이고, 자세는 빼지 않고 `@`로 잇습니다.",
+    ),
+    "M3",
+)
+
+
+THE_ROBOT_S_TURN_KEPT = Twin(
+    "the robot's turn kept",
+    lambda map_T_base, odom_T_base: Transform(right_edge(map_T_base, odom_T_base).translation, map_T_base.rotation),
+    Words(
+        en="The step is right; the turn is still the robot's own on the map. The wheels know a part of it already.",
+        ko="이동은 맞지만 회전이 지도 위 로봇의 것 그대로입니다. 그 가운데 일부는 바퀴가 이미 알고 있습니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E5.1",
     kind="F",
@@ -165,6 +186,8 @@ TASK = Task(
         STEP_ALONE,
         NO_TURN_AT_ALL,
         TURN_OF_THE_ROBOT,
+        SUBTRACTED_THE_OTHER_WAY,
+        THE_ROBOT_S_TURN_KEPT,
     ),
     hints=(
         Words(

@@ -38,10 +38,10 @@ def _one_loop(rng):
 
 
 def closure(g, believed=None, jump=None, edge=None, step=0.0):
-    before = g.map_T_odom @ g.odom_T_base
+    believed = list((g.map_T_odom @ g.odom_T_base).translation[:2]) if believed is None else list(believed)
     return {
-        "believed": list(before.translation[:2]) if believed is None else list(believed),
-        "jump_m": math.dist(before.translation, g.found_T_base.translation) if jump is None else jump,
+        "believed": believed,
+        "jump_m": math.dist(believed, g.found_T_base.translation[:2]) if jump is None else jump,
         "map_T_odom": g.found_T_base @ g.odom_T_base.inverse() if edge is None else edge,
         "step_in_odom_m": step,
     }
@@ -118,6 +118,7 @@ BELIEVED_IN_ODOM = Twin(
         ko="odom 기준 로봇의 위치입니다. 지도 기준으로는 odom 위의 연결을 먼저 이어야 합니다.",
     ),
     part="believed",
+    partly=True,
 )
 
 BELIEVED_ADDED = Twin(
@@ -131,6 +132,7 @@ BELIEVED_ADDED = Twin(
     ),
     "M3",
     part="believed",
+    partly=True,
 )
 
 
@@ -151,6 +153,7 @@ BELIEVED_IS_FOUND = Twin(
         ko="찾아낸 위치입니다. 그 전에 믿던 위치는 연결과 바퀴의 값을 이어야 나옵니다.",
     ),
     part="believed",
+    partly=True,
 )
 
 BELIEVED_OTHER_ORDER = Twin(
@@ -162,6 +165,7 @@ BELIEVED_OTHER_ORDER = Twin(
     ),
     "M1",
     part="believed",
+    partly=True,
 )
 
 BELIEVED_TURNED_BACK = Twin(
@@ -173,6 +177,7 @@ BELIEVED_TURNED_BACK = Twin(
     ),
     "M1",
     part="believed",
+    partly=True,
 )
 
 JUMP_FROM_ODOM = Twin(
@@ -249,6 +254,81 @@ FROM_THE_ORIGIN = Twin(
 )
 
 
+BELIEVED_TURNED_ROUND = Twin(
+    "believed turned round",
+    lambda g: closure(g, believed=before(g).inverse().translation[:2]),
+    Words(
+        en="That is where the map's origin lies, seen from the robot: the inverse. Asked for is the robot on the map.",
+        ko="로봇에서 본 지도 원점의 위치, 곧 역변환입니다. 지도 위의 로봇이 필요합니다.",
+    ),
+    "M1",
+    part="believed",
+    partly=True,
+)
+
+
+BELIEVED_IS_THE_EDGE = Twin(
+    "believed is the edge",
+    lambda g: closure(g, believed=g.map_T_odom.translation[:2]),
+    Words(
+        en="That is where odom's origin lies on the map. The robot has driven away from it since: `odom_T_base` comes on top.",
+        ko="지도에서 odom 원점의 위치입니다. 로봇은 거기서 더 달렸습니다. `odom_T_base`를 이어야 합니다.",
+    ),
+    part="believed",
+    partly=True,
+)
+
+
+JUMP_IS_THE_PLACE_FOUND = Twin(
+    "jump is the place found",
+    lambda g: closure(g, jump=math.hypot(*g.found_T_base.translation[:2])),
+    Words(
+        en="That is how far from the map's origin the robot was found. A leap is from where it was believed.",
+        ko="지도 원점에서 로봇을 찾은 곳까지의 거리입니다. 도약은 있다고 믿던 곳에서 잽니다.",
+    ),
+    part="jump_m",
+)
+
+
+NO_JUMP = Twin(
+    "no jump",
+    lambda g: closure(g, jump=0.0),
+    Words(
+        en="No leap at all? The robot is found elsewhere than it was believed, and on the map that shows.",
+        ko="도약이 없습니까? 믿던 곳과 다른 곳에서 찾았으므로 지도에서는 보입니다.",
+    ),
+    part="jump_m",
+)
+
+
+JUMP_ALONG_X = Twin(
+    "jump along x",
+    lambda g: closure(g, jump=abs(step(g)[0])),
+    Words(
+        en="That is the leap along x alone. It also goes sideways: the straight line counts both.",
+        ko="x 방향의 도약만 셌습니다. 옆으로도 움직였으므로 직선 거리를 구해야 합니다.",
+    ),
+    part="jump_m",
+)
+
+
+EDGE_SHIFTED = Twin(
+    "edge shifted",
+    lambda g: closure(
+        g,
+        edge=Transform(
+            [a + b for a, b in zip(g.map_T_odom.translation, [*step(g)[:2], 0.0], strict=True)], g.map_T_odom.rotation
+        ),
+    ),
+    Words(
+        en="You moved the old edge by the leap. The correction also turns, about odom's origin, so the edge slides by another amount.",
+        ko="이전 간선을 도약만큼 옮겼습니다. 보정은 회전도 하므로 간선이 움직이는 양은 다릅니다.",
+    ),
+    "M3",
+    part="map_T_odom",
+)
+
+
 TASK = Task(
     id="E5.2",
     kind="N",
@@ -283,6 +363,12 @@ TASK = Task(
         EDGE_IS_THE_CORRECTION,
         EDGE_IS_THE_LEAP,
         FROM_THE_ORIGIN,
+        BELIEVED_TURNED_ROUND,
+        BELIEVED_IS_THE_EDGE,
+        JUMP_IS_THE_PLACE_FOUND,
+        NO_JUMP,
+        JUMP_ALONG_X,
+        EDGE_SHIFTED,
     ),
     hints=(
         Words(

@@ -31,12 +31,13 @@ def shadow(odom_T_base, *, foot="straight down", yaw="rpy"):
         "inverse": back.translation[:2],
         "origin": (0.0, 0.0),
         "y and z": (x, height),
+        "through the floor": odom_T_base.apply((0.0, 0.0, -height / math.cos(pitch) / math.cos(roll)))[:2],
         "shortened": (x * math.cos(pitch), y * math.cos(roll)),
     }
     _, _, z, w = odom_T_base.rotation
     yaws = {
         "rpy": right, "twice atan": 2.0 * math.atan2(z, w), "inverse": back.rpy()[2], "negated": -right, "roll": roll,
-        "pitch": pitch, "level": 0.0, "twice asin": 2.0 * math.asin(z), "twice acos": 2.0 * math.acos(w), "z": z,
+        "pitch": pitch, "level": 0.0, "twice asin": 2.0 * math.asin(z), "twice acos": 2.0 * math.acos(w), "z": z, "once atan": math.atan2(z, w),
         "bearing": math.atan2(y, x), "cotangent": 2.0 * math.atan2(w, z),
     }  # fmt: skip
     return {"x": feet[foot][0], "y": feet[foot][1], "yaw": yaws[yaw]}
@@ -194,13 +195,34 @@ COTANGENT = Slip(
 )
 
 
+THROUGH_THE_FLOOR = Slip(
+    "through the floor",
+    {"foot": "through the floor"},
+    Words(
+        en="You followed the body's own z down to the floor. The body is tilted, and straight below is below in odom.",
+        ko="몸체 자신의 z를 따라 바닥까지 내려갔습니다. 몸체가 기울어 있으므로, 바로 아래는 odom 기준의 아래입니다.",
+    ),
+)
+
+
+ONCE_ATAN = Slip(
+    "once atan",
+    {"yaw": "once atan"},
+    Words(
+        en="atan2(z, w) is half of an angle, and a yaw only of a quaternion that turns about z alone: take the yaw of `rpy()`.",
+        ko="atan2(z, w)는 각도의 절반이고, z 둘레로만 도는 쿼터니언에서만 yaw와 관계있습니다. `rpy()`의 yaw를 쓰십시오.",
+    ),
+    "M5",
+)
+
+
 TASK = Task(
     id="E5.5",
     kind="F",
     points=3,
     title=Words(en="The shadow on the floor", ko="바닥에 비친 그림자"),
     answer="footprint",
-    form=Parts({"x": Number(unit="m"), "y": Number(unit="m"), "yaw": Angle()}),
+    form=Parts({"x": Number(unit="m"), "y": Number(unit="m"), "yaw": Angle()}, alone=True),
     inputs=tilted,
     variants=3,
     model=shadow,
@@ -221,6 +243,8 @@ TASK = Task(
         Z_FOR_YAW,
         BEARING,
         COTANGENT,
+        THROUGH_THE_FLOOR,
+        ONCE_ATAN,
     ),
     hints=(
         Words(en="Straight below: which of x, y, z change?", ko="바로 아래로 내려가면 x, y, z 가운데 무엇이 바뀝니까?"),

@@ -40,7 +40,8 @@ def message(mount, stamp, ends, moment, place, order, angle, quaternion):
     step = t.transform.translation
     step.x, step.y, step.z = (0.0, 0.0, 0.0) if place == "none" else mount["xyz"]
     angles = [math.radians(a) if angle == "degrees" else a for a in mount["rpy"]]
-    roll, pitch, yaw = reversed(angles) if order == "yaw first" else angles
+    angles = angles[::-1] if order == "yaw first" else angles
+    roll, pitch, yaw = (angles[1], angles[0], angles[2]) if order == "pitch first" else angles
     x, y, z, w = Transform.from_rpy(roll=roll, pitch=pitch, yaw=yaw).rotation
     only_yaw = (0.0, 0.0, math.sin(angles[2] / 2), math.cos(angles[2] / 2))
     ways = {"xyzw": (x, y, z, w), "w first": (w, x, y, z), "none": (0.0, 0.0, 0.0, 1.0), "angles": (*angles, 1.0),
@@ -53,9 +54,19 @@ def message(mount, stamp, ends, moment, place, order, angle, quaternion):
 def letters(mounts, stamp, *, which="all", objects="each its own", ends="parent first", moment="given",
             place="given", order="roll first", angle="radians", quaternion="xyzw"):  # fmt: skip
     """Return the list for one sendTransform, step by step; other steps are the slips."""
-    rows = {"all": mounts, "last": mounts[-1:], "first": mounts[:1], "reversed": mounts[::-1]}[which]
+    rows = {
+        "all": mounts,
+        "last": mounts[-1:],
+        "first": mounts[:1],
+        "reversed": mounts[::-1],
+        "by name": sorted(mounts, key=lambda mount: mount["child"]),
+    }[which]
     rows = [rows[-1]] * len(rows) if objects == "one" else rows
-    return [message(row, stamp, ends, moment, place, order, angle, quaternion) for row in rows]
+    moments = ["zero" if moment == "first alone" and number else moment for number in range(len(rows))]
+    return [
+        message(row, stamp, ends, each, place, order, angle, quaternion)
+        for row, each in zip(rows, moments, strict=True)
+    ]
 
 
 ONE_OBJECT = Slip(
@@ -210,6 +221,37 @@ INVERSE_TURN = Slip(
 )
 
 
+SORTED_BY_NAME = Slip(
+    "sorted by name",
+    {"which": "by name"},
+    Words(
+        en="The mounts are all there, sorted by name. Here they are wanted in the order of the rows.",
+        ko="장착 위치가 모두 있지만 이름순입니다. 여기서는 주어진 줄의 순서로 필요합니다.",
+    ),
+)
+
+
+FIRST_STAMP_ALONE = Slip(
+    "first stamp alone",
+    {"moment": "first alone"},
+    Words(
+        en="Only the first message has its stamp. Each message has a header of its own: write it inside the loop.",
+        ko="첫 메시지에만 시각이 있습니다. 메시지마다 헤더가 따로 있으므로 반복문 안에서 쓰십시오.",
+    ),
+)
+
+
+PITCH_FIRST = Slip(
+    "pitch first",
+    {"order": "pitch first"},
+    Words(
+        en="Roll and pitch have changed places: `rpy` is roll, pitch, yaw in this order.",
+        ko="roll과 pitch의 자리가 바뀌었습니다. `rpy`는 roll, pitch, yaw 순서입니다.",
+    ),
+    "M5",
+)
+
+
 TASK = Task(
     id="E6.3",
     kind="F",
@@ -242,6 +284,9 @@ TASK = Task(
         ANGLES_AS_QUATERNION,
         YAW_ALONE,
         INVERSE_TURN,
+        SORTED_BY_NAME,
+        FIRST_STAMP_ALONE,
+        PITCH_FIRST,
     ),
     hints=(
         Words(

@@ -32,21 +32,43 @@ def message(odom, base, x, y, xyzw):
 
 def driven(elapsed_s, radius_m, speed_mps, is_left, odom, base, *, ends="parent first", rate="by radius",
            side="as asked", circle="by radius", heading="forward", angle="radians", half="halved",
-           quaternion="z and w"):  # fmt: skip
+           quaternion="z and w", stamp="kept"):  # fmt: skip
     """Return odom -> base on the circle, step by step; other steps are the slips."""
-    theta = elapsed_s * {"by radius": speed_mps / radius_m, "speed": speed_mps, "times": speed_mps * radius_m}[rate]
+    theta = (
+        elapsed_s
+        * {
+            "by radius": speed_mps / radius_m,
+            "speed": speed_mps,
+            "times": speed_mps * radius_m,
+            "to degrees": math.degrees(speed_mps / radius_m),
+            "circles": math.tau * speed_mps / radius_m,
+            "by diameter": speed_mps / radius_m / 2,
+            "time alone": 1.0,
+        }[rate]
+    )
     left = {"as asked": is_left, "always left": True, "other way": not is_left}[side]
     theta = theta if left else -theta
     ahead = math.pi / 2 if left else -math.pi / 2
-    turn = {"forward": ahead, "crab": 0.0, "backwards": -ahead, "left's": math.pi / 2, "inwards": math.pi}[heading]
+    turn = {"forward": ahead, "crab": 0.0, "backwards": -ahead, "left's": math.pi / 2, "inwards": math.pi}.get(
+        heading, ahead
+    )
     yaw = math.degrees(theta + turn) if angle == "degrees" else theta + turn
     size = 1.0 if circle == "of one metre" else radius_m
     x, y = size * math.cos(theta), size * math.sin(theta)
+    x = x - size if circle == "from zero" else x
+    x, y = (
+        (size * math.sin(abs(theta)), (1 if left else -1) * size * (1 - math.cos(theta)))
+        if circle == "ahead of zero"
+        else (x, y)
+    )
+    yaw = turn if heading == "at the start" else yaw
     z, w = (math.sin(yaw), math.cos(yaw)) if half == "whole" else (math.sin(yaw / 2), math.cos(yaw / 2))
     ways = {"z and w": (0, 0, z, w), "w first": (w, 0, 0, z), "angle": (0, 0, yaw, 1), "none": (0, 0, 0, 1)}
     names = {"child first": (base, odom), "fixed": ("odom", "base_link")}
     parent, child = names.get(ends, (odom, base))
-    return message(parent, child, x, y, ways[quaternion])
+    t = message(parent, child, x, y, ways[quaternion])
+    t.header.stamp.sec = int(elapsed_s) + 1 if stamp == "set" else 0
+    return t
 
 
 SWAPPED = Slip(
@@ -210,6 +232,87 @@ NOT_TURNED = Slip(
 )
 
 
+TO_DEGREES = Slip(
+    "to degrees",
+    {"rate": "to degrees"},
+    Words(
+        en="You turned the angle on the circle into degrees, and sin and cos want radians.",
+        ko="원 위의 각도를 도로 바꾸었습니다. sin과 cos은 라디안을 받습니다.",
+    ),
+    "M5",
+)
+
+
+CIRCLES_A_SECOND = Slip(
+    "circles a second",
+    {"rate": "circles"},
+    Words(
+        en="You took speed over radius for circles a second and multiplied by 2π. It is radians a second already.",
+        ko="속도 나누기 반지름을 초당 바퀴 수로 여기고 2π를 곱했습니다. 이미 초당 라디안입니다.",
+    ),
+)
+
+
+BY_THE_DIAMETER = Slip(
+    "by the diameter",
+    {"rate": "by diameter"},
+    Words(
+        en="You divided by the diameter. An arc is radius times angle.",
+        ko="지름으로 나누었습니다. 호의 길이는 반지름 곱하기 각도입니다.",
+    ),
+)
+
+
+TIME_ALONE = Slip(
+    "time alone",
+    {"rate": "time alone"},
+    Words(
+        en="Your robot turns by one radian a second, whatever its speed and its circle.",
+        ko="속도와 원의 크기와 상관없이 초당 1라디안씩 돕니다.",
+    ),
+)
+
+
+FROM_ZERO = Slip(
+    "from zero",
+    {"circle": "from zero"},
+    Words(
+        en="Your circle begins at odom's origin. It goes about the origin: at the start the robot is at (radius, 0).",
+        ko="원이 odom 원점에서 시작합니다. 원은 원점을 중심으로 돌므로 처음에 로봇은 (반지름, 0)에 있습니다.",
+    ),
+)
+
+
+AHEAD_OF_ZERO = Slip(
+    "ahead of zero",
+    {"circle": "ahead of zero"},
+    Words(
+        en="Your robot begins at odom's origin, looking along x, and its circle lies beside it. Asked for is a circle about the origin, begun at (radius, 0).",
+        ko="로봇이 odom 원점에서 x를 보고 시작하고 원이 그 옆에 있습니다. 원점을 중심으로, (반지름, 0)에서 시작해야 합니다.",
+    ),
+)
+
+
+HEADING_OF_THE_START = Slip(
+    "heading of the start",
+    {"heading": "at the start"},
+    Words(
+        en="Your robot keeps the heading of its start all the way round. Forward turns with the circle.",
+        ko="로봇이 처음 방향을 그대로 유지합니다. 앞은 원을 따라 돌아갑니다.",
+    ),
+)
+
+
+STAMPED = Slip(
+    "stamped",
+    {"stamp": "set"},
+    Words(
+        en="You set the stamp; the task leaves it as it is.",
+        ko="시각(stamp)을 바꾸었습니다. 문제에서는 그대로 둡니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E6.4",
     kind="F",
@@ -218,7 +321,7 @@ TASK = Task(
     answer="on_circle",
     form=Message(
         "geometry_msgs/msg/TransformStamped",
-        ("header.frame_id", "child_frame_id", "transform.translation", "transform.rotation"),
+        ("header.frame_id", "child_frame_id", "transform.translation", "transform.rotation", "header.stamp"),
     ),
     inputs=circles,
     variants=3,
@@ -241,6 +344,14 @@ TASK = Task(
         W_FIRST,
         ANGLE_IN_Z,
         NOT_TURNED,
+        TO_DEGREES,
+        CIRCLES_A_SECOND,
+        BY_THE_DIAMETER,
+        TIME_ALONE,
+        FROM_ZERO,
+        AHEAD_OF_ZERO,
+        HEADING_OF_THE_START,
+        STAMPED,
     ),
     hints=(
         Words(

@@ -32,11 +32,19 @@ def _another_unit(given):
 
 def worst(g, *, period="whole", delay="as seconds", together="added", speed="times"):
     """Return how far off the latest is at worst [m], step by step; other steps are the slips."""
-    between = {"whole": 1.0 / g.rate_hz, "half": 0.5 / g.rate_hz, "none": 0.0, "rate": g.rate_hz}[period]
+    between = {
+        "whole": 1.0 / g.rate_hz,
+        "half": 0.5 / g.rate_hz,
+        "twice": 2.0 / g.rate_hz,
+        "none": 0.0,
+        "rate": g.rate_hz,
+    }[period]
     on_its_way = {"as seconds": g.delay_ms / 1000.0, "none": 0.0, "ms": g.delay_ms, "twice": g.delay_ms / 500.0}[delay]
     age = {"added": between + on_its_way, "subtracted": between - on_its_way}
     return {
         "times": g.speed_mps * age[together],
+        "period alone": g.speed_mps * between + on_its_way,
+        "delay alone": g.speed_mps * on_its_way + between,
         "divided": age[together] / g.speed_mps,
         "none": age[together],
         "zero": 0.0,
@@ -187,6 +195,36 @@ SLIPS = (
 )
 
 
+TWO_PERIODS = Slip(
+    "two periods",
+    {"period": "twice"},
+    Words(
+        en="You count two periods. At worst one is about to end: then the next message comes.",
+        ko="주기를 두 번 셌습니다. 최악은 한 주기가 끝나기 직전입니다. 그다음 메시지가 오기 때문입니다.",
+    ),
+)
+
+
+SPEED_TIMES_THE_PERIOD_ALONE = Slip(
+    "speed times the period alone",
+    {"speed": "period alone"},
+    Words(
+        en="You multiplied the period by the speed and added the delay as it is: metres and seconds. The robot drives during both.",
+        ko="주기에만 속도를 곱하고 지연은 그대로 더했습니다. 미터와 초를 더한 셈입니다. 로봇은 그 두 시간 동안 모두 달립니다.",
+    ),
+)
+
+
+SPEED_TIMES_THE_DELAY_ALONE = Slip(
+    "speed times the delay alone",
+    {"speed": "delay alone"},
+    Words(
+        en="You multiplied the delay by the speed and added the period as it is: metres and seconds. The robot drives during both.",
+        ko="지연에만 속도를 곱하고 주기는 그대로 더했습니다. 미터와 초를 더한 셈입니다. 로봇은 그 두 시간 동안 모두 달립니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E6.6",
     kind="N",
@@ -197,7 +235,12 @@ TASK = Task(
     given=bolt,
     variants=6,
     model=worst,
-    twins=SLIPS,
+    twins=(
+        *SLIPS,
+        TWO_PERIODS,
+        SPEED_TIMES_THE_PERIOD_ALONE,
+        SPEED_TIMES_THE_DELAY_ALONE,
+    ),
     hints=(
         Words(
             en="How old is the newest message of the bolt, just before the next one arrives?",

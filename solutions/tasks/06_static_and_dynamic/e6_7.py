@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from tflab.workbook.tasks import Name, Set, Slip, Task, Words
+from tflab.workbook.tasks import Name, Set, Slip, Task, Twin, Words
 
 NODES = ("calibrator", "driver", "wheels", "arm", "lift")
 PARTS = ("camera", "laser", "radar", "sonar", "imu", "gps")
@@ -38,9 +38,11 @@ def _log(rng, join, place):
         (nodes[1], "/tf", join + 1.0, ["base_link"]),
         (nodes[2], "/tf_static", {0: last, 1: last - 0.01, 2: last + 0.01}[place % 3], [f"{names[5]}_link"]),
         (nodes[1], "/tf", last + 1.0, ["tool0"]),
+        (nodes[0], "/tf_static", join + 0.7, [f"{names[0]}_4"]),  # heard, and its node ends before now
     ]
     if place % 2:
         rows.insert(7, (nodes[4], "/tf_static", join - 0.2, [f"{names[4]}_old"]))
+    rows.sort(key=lambda row: row[2])
     letters = [
         {"node": node, "topic": topic, "sent_s": round(sent, 3), "children": children}
         for node, topic, sent, children in rows
@@ -58,14 +60,23 @@ def listened(letters, ends, join_s, now_s, *, past="board", live="both ends", to
         if sent_s >= join_s or past == "everything":
             in_time = {"both ends": sent_s <= now_s, "after join": join_s < sent_s <= now_s, "before now": sent_s < now_s,
                        "forever": True}  # fmt: skip
-            heard |= children if in_time[live] and past != "only" else set()
-        elif past in ("board", "only") and (letter["topic"] == "/tf_static" or topics != "static"):
+            is_deaf = topics == "radio unheard" and letter["topic"] == "/tf"
+            heard |= children if in_time[live] and past != "only" and not is_deaf else set()
+        elif past in ("board", "only") and (letter["topic"] == "/tf_static" or topics in ("both", "each")):
             own = (letter["node"], letter["topic"]) if topics == "each" else letter["node"]
             hook = "one for all" if boards == "shared" else own
             before = held.get(hook, (None, set()))[1] if board == "all" else set()
-            held[hook] = (letter["node"], before | children)
+            if board != "first" or hook not in held:
+                held[hook] = (letter["node"], before | children)
+    if dead == "heard forgotten":
+        gone = [set(each["children"]) for each in letters if ends.get(each["node"], math.inf) <= now_s]
+        heard -= {child for children in gone for child in children}
     for node, children in held.values():
         ends_s = ends.get(node, math.inf)
+        if dead == "at the join" and ends_s == join_s:
+            heard |= children
+        if dead == "none runs on" and ends_s == math.inf:
+            continue
         if dead == "read" or (ends_s > now_s if dead == "forgotten" else ends_s > join_s):
             heard |= children
     return sorted(heard)
@@ -189,13 +200,79 @@ THE_FUTURE = Slip(
 )
 
 
+WHAT_THE_DEAD_SAID = Slip(
+    "what the dead said",
+    {"dead": "heard forgotten"},
+    Words(
+        en="Your listener forgets what a node said when the node ends. What was heard is kept.",
+        ko="노드가 끝나면 그 노드가 한 말까지 잊습니다. 들은 것은 남습니다.",
+    ),
+    "M12",
+)
+
+
+ENDED_AT_THE_JOIN = Slip(
+    "ended at the join",
+    {"dead": "at the join"},
+    Words(
+        en="Your listener reads the board of a node that ends at the very moment of joining. Only those that end after it can still be read.",
+        ko="합류하는 바로 그 순간에 끝나는 노드의 게시판을 읽습니다. 그 뒤에 끝나는 것만 읽을 수 있습니다.",
+    ),
+    "M12",
+)
+
+
+FIRST_LETTER = Slip(
+    "first letter",
+    {"board": "first"},
+    Words(
+        en="Your boards keep the first letter of their node. A later one takes its place: the last counts.",
+        ko="게시판에 노드의 첫 쪽지가 남습니다. 나중 것이 그 자리를 차지하므로 마지막 것이 남습니다.",
+    ),
+    "M12",
+)
+
+
+RADIO_UNHEARD = Slip(
+    "radio unheard",
+    {"topics": "radio unheard"},
+    Words(
+        en="Your listener hears nothing of /tf. From the join on it listens to both topics.",
+        ko="/tf를 전혀 듣지 않습니다. 합류한 뒤로는 두 토픽을 모두 듣습니다.",
+    ),
+    "M12",
+)
+
+
+WHO_RUNS_ON_HAS_NO_BOARD = Slip(
+    "who runs on has no board",
+    {"dead": "none runs on"},
+    Words(
+        en="A node that is not in `ends` still runs, and its board hangs there. Yours counts as ended.",
+        ko="`ends`에 없는 노드는 아직 실행 중이고 게시판도 남아 있습니다. 끝난 것으로 보고 있습니다.",
+    ),
+)
+
+
+NAMES_OF_NODES = Twin(
+    "names of nodes",
+    lambda letters, ends, join_s, now_s: sorted(
+        {each["node"] for each in letters if join_s <= each["sent_s"] <= now_s}
+    ),
+    Words(
+        en="These are nodes. Asked for are the child frames that they speak of.",
+        ko="노드의 이름입니다. 노드가 말한 자식 좌표계가 필요합니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E6.7",
     kind="F",
     points=5,
     title=Words(en="Who knows what?", ko="누가 무엇을 알까요?"),
     answer="known",
-    form=Set(Name()),
+    form=Set(Name(), once=True),
     inputs=logs,
     variants=3,
     model=listened,
@@ -212,6 +289,12 @@ TASK = Task(
         NOW_LEFT_OUT,
         BOARDS_ONLY,
         THE_FUTURE,
+        WHAT_THE_DEAD_SAID,
+        ENDED_AT_THE_JOIN,
+        FIRST_LETTER,
+        RADIO_UNHEARD,
+        WHO_RUNS_ON_HAS_NO_BOARD,
+        NAMES_OF_NODES,
     ),
     hints=(
         Words(

@@ -12,9 +12,9 @@ BASE_UP_M = 0.10
 def a_tilt(rng):
     """The floor is met beyond the wall, so the beam does end on the wall."""
     while True:
-        tilt_deg = round(float(rng.uniform(3.0, 9.0)), 1)
+        tilt_deg = round(float(rng.uniform(8.0, 14.0)), 1)
         up = int(rng.integers(20, 60)) / 100
-        wall = round(float(rng.uniform(0.8, 3.0)), 2)
+        wall = round(float(rng.uniform(0.8, 2.2)), 2)
         left = up + BASE_UP_M - wall * math.tan(math.radians(tilt_deg))
         apart = abs(left - up) > 0.01 and abs(left - (up - BASE_UP_M)) > 0.02  # heights that slips give
         if left > 0.12 and apart and abs(up + BASE_UP_M - 2 * left) > 0.02:
@@ -29,14 +29,28 @@ def a_tilt(rng):
 def beam(g, *, height="both", angle="rad", way="down", ratio="tan", floor="along the floor", wall="what is left"):
     """Return both, step by step; other steps are the slips."""
     up = {"both": g.laser_above_base_link_m + g.base_link_above_floor_m, "laser": g.laser_above_base_link_m,
-          "minus": g.laser_above_base_link_m - g.base_link_above_floor_m}[height]  # fmt: skip
+          "base": g.base_link_above_floor_m, "minus": g.laser_above_base_link_m - g.base_link_above_floor_m}[height]  # fmt: skip
     turn = g.tilt_deg if angle == "deg" else math.radians(g.tilt_deg)
-    slope = {"tan": math.tan(turn), "cot": 1.0 / math.tan(turn), "sin": math.sin(turn)}[ratio]
+    slope = {
+        "tan": math.tan(turn),
+        "cot": 1.0 / math.tan(turn),
+        "sin": math.sin(turn),
+        "cos": math.cos(turn),
+        "angle": turn,
+    }[ratio]
     slope = -slope if way == "up" else slope
     floor_m = {"along the floor": up / slope, "along the beam": math.hypot(up / slope, up),
                "from the wall": up / slope - g.wall_m}[floor]  # fmt: skip
     drop = g.wall_m * slope
-    wall_m = {"what is left": up - drop, "drop": drop, "level": up, "from the laser": -drop}[wall]
+    wall_m = {
+        "what is left": up - drop,
+        "drop": drop,
+        "level": up,
+        "from the laser": -drop,
+        "nothing": 0.0,
+        "ahead of it": up / slope - g.wall_m,
+        "by the sine": up - g.wall_m * math.sin(turn),
+    }[wall]
     return {"floor_m": floor_m, "wall_up_m": wall_m}
 
 
@@ -135,17 +149,99 @@ SLIPS = (
 )
 
 
+BASE_ALONE = Slip(
+    "base alone",
+    {"height": "base"},
+    Words(
+        en="You counted from base_link's height alone. The laser sits above it: the two heights add.",
+        ko="base_link의 높이만 셌습니다. 레이저는 그 위에 있으므로 두 높이를 더합니다.",
+    ),
+)
+
+
+COSINE = Slip(
+    "cosine",
+    {"ratio": "cos"},
+    Words(
+        en="You took the cosine for how far the beam sinks over each metre: that is the tangent.",
+        ko="1미터 앞으로 갈 때 내려가는 양에 cos을 썼습니다. tan입니다.",
+    ),
+)
+
+
+ANGLE_FOR_SLOPE = Slip(
+    "angle for slope",
+    {"ratio": "angle"},
+    Words(
+        en="You took the angle itself for the slope. For small ones that is close; the tangent is exact.",
+        ko="각도를 그대로 기울기로 썼습니다. 작은 각도에서는 비슷하지만, 정확한 것은 tan입니다.",
+    ),
+)
+
+
+SINE = Slip(
+    "sine",
+    {"ratio": "sin"},
+    Words(
+        en="You took the sine for how far the beam sinks over each metre ahead: that is the tangent. The sine is per metre of beam.",
+        ko="앞으로 1미터 갈 때 내려가는 양에 sin을 썼습니다. tan입니다. sin은 빛의 길이 1미터마다입니다.",
+    ),
+)
+
+
+WALL_BY_THE_SINE = Slip(
+    "wall by the sine",
+    {"wall": "by the sine"},
+    Words(
+        en="At the wall you took the sine: that is how far the beam sinks per metre of beam. The wall's distance is measured along the floor: the tangent.",
+        ko="벽에서 sin을 썼습니다. 빛의 길이 1미터마다 내려가는 양입니다. 벽까지의 거리는 바닥을 따라 잰 것이므로 tan입니다.",
+    ),
+    part="wall_up_m",
+)
+
+
+AHEAD_OF_THE_WALL = Slip(
+    "ahead of the wall",
+    {"wall": "ahead of it"},
+    Words(
+        en="That is how much farther ahead than the wall the beam would meet the floor. Asked for is a height.",
+        ko="빛이 벽보다 얼마나 더 앞에서 바닥에 닿는지입니다. 필요한 것은 높이입니다.",
+    ),
+    part="wall_up_m",
+)
+
+
+NOTHING_AT_THE_WALL = Slip(
+    "nothing at the wall",
+    {"wall": "nothing"},
+    Words(
+        en="0 is where the floor is. The wall stands nearer than the place where the beam would meet it: the beam is still up.",
+        ko="0은 바닥입니다. 벽은 빛이 바닥에 닿을 곳보다 가까이 있으므로 빛은 아직 위에 있습니다.",
+    ),
+    part="wall_up_m",
+)
+
+
 TASK = Task(
     id="E7.2",
     kind="N",
     points=3,
     title=Words(en="Where the beam meets the floor", ko="빛이 바닥에 닿는 곳"),
     answer="beam",
-    form=Parts({"floor_m": Number("m", 0.002), "wall_up_m": Number("m", 0.002)}),
+    form=Parts({"floor_m": Number("m", 0.0006), "wall_up_m": Number("m", 0.0006)}),
     given=a_tilt,
     variants=6,
     model=beam,
-    twins=SLIPS,
+    twins=(
+        *SLIPS,
+        BASE_ALONE,
+        COSINE,
+        ANGLE_FOR_SLOPE,
+        SINE,
+        WALL_BY_THE_SINE,
+        AHEAD_OF_THE_WALL,
+        NOTHING_AT_THE_WALL,
+    ),
     hints=(
         Words(en="How high is the laser above the floor?", ko="레이저는 바닥에서 얼마나 높이 있습니까?"),
         Words(

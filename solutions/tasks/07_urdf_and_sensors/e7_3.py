@@ -52,13 +52,26 @@ def walk(chain, positions, *, names="by name", order="origin first", product="on
     """Return base_T_tip, joint by joint; other steps are the slips."""
     pose, moved = Transform(), 0
     for number, each in enumerate(chain):
-        rpy = each["rpy"][::-1] if rotation == "ypr" else each["rpy"] if rotation == "rpy" else (0.0, 0.0, 0.0)
+        rpy = each["rpy"][::-1] if rotation == "ypr" else (0.0, 0.0, 0.0) if rotation == "none" else each["rpy"]
         origin = Transform.from_rpy(*rpy, translation=tuple(each["xyz"]))
         at = positions.get(each["name"], 0.0)
         if names == "by order":
             values = list(positions.values())
             at = values[moved] if each["type"] != "fixed" and moved < len(values) else 0.0
             moved += each["type"] != "fixed"
+        if names == "unnamed left out" and each["type"] != "fixed" and each["name"] not in positions:
+            continue
+        if rotation == "replaced" and each["type"] == "revolute":
+            origin = Transform(tuple(each["xyz"]))
+        if rotation == "xyz left out":
+            origin = Transform.from_rpy(*each["rpy"])
+        if order == "added to rpy" and each["type"] == "revolute":
+            rpy = [
+                angle + (at if letter == each["axis"] else 0.0)
+                for angle, letter in zip(each["rpy"], "xyz", strict=True)
+            ]
+            pose = pose @ Transform.from_rpy(*rpy, translation=tuple(each["xyz"]))
+            continue
         movement = _movement(each, at, turn, kinds, fixed, axis)
         step = movement @ origin if order == "movement first" else origin @ movement
         if frames == "steps added" and number:
@@ -73,7 +86,8 @@ def _movement(each, at, turn, kinds, fixed, axis):
     if each["type"] == "fixed" and fixed == "stays":
         return Transform()
     at = -at if turn == "other way" else math.radians(at) if turn == "deg, all" else at
-    about = "z" if axis == "always z" else each["axis"]
+    about = "z" if axis == "always z" or (axis == "turns about z" and each["type"] != "prismatic") else each["axis"]
+    about = "x" if axis == "slides along x" and each["type"] == "prismatic" else about
     if each["type"] == "prismatic" and kinds == "by type":
         return Transform(tuple(at if letter == about else 0.0 for letter in "xyz"))
     if kinds == "never slides" and each["type"] == "prismatic":
@@ -156,6 +170,77 @@ LAST_ONE = Twin(
 )
 
 
+ALWAYS_TURNS_ABOUT_Z = Slip(
+    "always turns about z",
+    {"axis": "turns about z"},
+    Words(
+        en="Every revolute joint turns about z. Each has an axis of its own.",
+        ko="revolute 관절이 모두 z 둘레로 돕니다. 관절마다 axis가 있습니다.",
+    ),
+)
+
+
+ALWAYS_SLIDES_ALONG_X = Slip(
+    "always slides along x",
+    {"axis": "slides along x"},
+    Words(
+        en="Every prismatic joint slides along x. Each has an axis of its own.",
+        ko="prismatic 관절이 모두 x를 따라 미끄러집니다. 관절마다 axis가 있습니다.",
+    ),
+)
+
+
+UNNAMED_LEFT_OUT = Slip(
+    "unnamed left out",
+    {"names": "unnamed left out"},
+    Words(
+        en="You leave out a joint that has no position. It stands at 0: its origin is still in the chain.",
+        ko="위치가 없는 관절을 건너뜁니다. 0에 서 있을 뿐 origin은 사슬에 남습니다.",
+    ),
+)
+
+
+RPY_OF_WHAT_TURNS = Slip(
+    "rpy of what turns",
+    {"rotation": "replaced"},
+    Words(
+        en="Where a joint turns you left its rpy out, as if the position took its place. The origin is turned first, and then the joint moves.",
+        ko="도는 관절의 rpy를 위치로 대신했습니다. 먼저 origin이 돌고, 그다음에 관절이 움직입니다.",
+    ),
+)
+
+
+ADDED_TO_RPY = Slip(
+    "added to rpy",
+    {"order": "added to rpy"},
+    Words(
+        en="You added the position to the roll, pitch or yaw of the origin. Angles about different axes do not add up so: origin first, then the movement, as two factors.",
+        ko="위치를 origin의 roll, pitch, yaw에 더했습니다. 다른 축의 각도는 그렇게 더해지지 않습니다. origin 다음에 움직임을 곱합니다.",
+    ),
+    "M5",
+)
+
+
+STEPS_LEFT_OUT = Slip(
+    "steps left out",
+    {"rotation": "xyz left out"},
+    Words(
+        en="The xyz of the origins is not in it: only their turns.",
+        ko="origin의 xyz가 빠졌습니다. 회전만 들어 있습니다.",
+    ),
+)
+
+
+FIRST_JOINT_LEFT_OUT = Twin(
+    "first joint left out",
+    lambda chain, positions: walk(chain[1:] or chain[:0], positions),
+    Words(
+        en="The first joint is not in it: the chain begins at the base.",
+        ko="첫 관절이 빠졌습니다. 사슬은 베이스에서 시작합니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E7.3",
     kind="F",
@@ -166,7 +251,19 @@ TASK = Task(
     inputs=chains,
     variants=3,
     model=walk,
-    twins=(*SLIPS, NOT_MOVED, ORIGINS_LEFT_OUT, LAST_ONE),
+    twins=(
+        *SLIPS,
+        NOT_MOVED,
+        ORIGINS_LEFT_OUT,
+        LAST_ONE,
+        ALWAYS_TURNS_ABOUT_Z,
+        ALWAYS_SLIDES_ALONG_X,
+        UNNAMED_LEFT_OUT,
+        RPY_OF_WHAT_TURNS,
+        ADDED_TO_RPY,
+        STEPS_LEFT_OUT,
+        FIRST_JOINT_LEFT_OUT,
+    ),
     hints=(
         Words(
             en="Begin with Transform() and multiply one domino for each joint.",

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from tflab.core import Transform
 from tflab.ros.messages import geometry_msgs
 from tflab.workbook.tasks import Message, Slip, Task, Words
@@ -34,6 +36,12 @@ def touched(base_T_tool0, base_p_tip, *, inverse="turned round", axes="tool", si
         place = [tip - origin for tip, origin in zip(base_p_tip, base_T_tool0.translation, strict=True)]
     if axes == "turned on":
         place = Transform(rotation=base_T_tool0.rotation).apply(place)
+    if axes == "step added":
+        place = [a + b for a, b in zip(base_p_tip, base_T_tool0.inverse().translation, strict=True)]
+    if axes == "flange":
+        place = base_T_tool0.translation
+    if axes == "length":
+        place = (0.0, 0.0, math.dist(base_p_tip, base_T_tool0.translation))
     place = [-each for each in place] if sign == "minus" else list(place)
     names = {"tool0": ("tool0", "tcp"), "base": ("base_link", "tcp"), "tip": ("tool0", "tip")}[parent]
     names = names[::-1] if ends == "child first" else names
@@ -90,6 +98,37 @@ SLIPS = (
 )  # fmt: skip
 
 
+STEP_OF_THE_INVERSE_ADDED = Slip(
+    "step of the inverse added",
+    {"axes": "step added"},
+    Words(
+        en="you added the inverse's step and left out its turn: `.apply` does both.",
+        ko="역변환의 이동만 더하고 회전을 빠뜨렸습니다. `.apply`는 둘 다 합니다.",
+    ),
+    "M3",
+)
+
+
+THE_FLANGE_ITSELF = Slip(
+    "the flange itself",
+    {"axes": "flange"},
+    Words(
+        en="that is where the flange is in base_link. Asked for is where the tip is in tool0.",
+        ko="base_link에서 플랜지의 위치입니다. tool0에서 끝점의 위치가 필요합니다.",
+    ),
+)
+
+
+LENGTH_ALONE = Slip(
+    "length alone",
+    {"axes": "length"},
+    Words(
+        en="that is how far the tip is from the flange, all of it along z. It also lies to the side: three numbers are needed.",
+        ko="플랜지에서 끝점까지의 거리를 모두 z에 넣었습니다. 옆으로도 벗어나 있으므로 세 숫자가 필요합니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E7.6",
     kind="C",
@@ -103,7 +142,12 @@ TASK = Task(
     inputs=touches,
     variants=3,
     model=touched,
-    twins=SLIPS,
+    twins=(
+        *SLIPS,
+        STEP_OF_THE_INVERSE_ADDED,
+        THE_FLANGE_ITSELF,
+        LENGTH_ALONE,
+    ),
     hints=(
         Words(
             en="The tip hangs on tool0. So where is it in tool0's own axes?",

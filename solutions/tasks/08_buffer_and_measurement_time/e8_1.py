@@ -134,6 +134,26 @@ AGE = Slip(
 )
 
 
+SPAN_OF_THE_COMMON_TIME = Twin(
+    "span of the common time",
+    lambda g: min(g.newest_s[edge] for edge in PATH) - max(g.oldest_s[edge] for edge in PATH),
+    Words(
+        en="That is how long both lanes have something to say together. Asked for is the end of that time.",
+        ko="두 줄이 함께 값을 가진 시간의 길이입니다. 그 시간의 끝이 필요합니다.",
+    ),
+)
+
+
+SPAN_OF_ONE_LANE = Twin(
+    "span of one lane",
+    lambda g: g.newest_s[PATH[0]] - g.oldest_s[PATH[0]],
+    Words(
+        en="That is how long one lane has something to say. Asked for is a moment, and of the whole path.",
+        ko="한 줄에 값이 있는 시간의 길이입니다. 필요한 것은 경로 전체의 한 순간입니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E8.1",
     kind="N",
@@ -154,6 +174,8 @@ TASK = Task(
         TIME_ZERO,
         MEAN,
         AGE,
+        SPAN_OF_THE_COMMON_TIME,
+        SPAN_OF_ONE_LANE,
     ),
     hints=(
         Words(

@@ -22,13 +22,17 @@ def two_samples(rng):
         (-1, 1.4),
         (0, -0.001),
         (0, 1.001),
+        (2, 0.4),  # more than a quarter turn, to either side
+        (-2, 0.3),
     ):
         t0, gap = float(rng.uniform(1.0, 9.0)), float(rng.uniform(0.2, 1.0))
         x0, y0, x1, y1 = rng.uniform(-3.0, 3.0, 4).tolist()
         size = float(rng.uniform(0.4, 1.2))
         across = way * (math.pi - float(rng.uniform(0.3, 0.7)) * size)  # where yaw leaps from pi to -pi
-        yaw0 = across if way else float(rng.uniform(-1.5, 0.2))
-        yaw1 = math.remainder(yaw0 + (way or 1) * size, math.tau)
+        yaw0 = across if abs(way) == 1 else float(rng.uniform(-1.5, 0.2))
+        size = size if abs(way) < 2 else float(rng.uniform(1.8, 2.6)) * way / 2
+        yaw0 = -math.copysign(float(rng.uniform(0.2, 0.4)), size) if abs(way) == 2 else yaw0
+        yaw1 = math.remainder(yaw0 + (size if abs(way) == 2 else (way or 1) * size), math.tau)
         rows.append((t0 + share * gap, (t0, x0, y0, yaw0), (t0 + gap, x1, y1, yaw1)))
     return rows
 
@@ -45,17 +49,27 @@ def between(
             return None
         raise ExtrapolationException("outside")
     asked = min(max(stamp_s, t0), t1) if outside == "clamped" else stamp_s
-    share = {"from the first": (asked - t0) / (t1 - t0), "from the second": (t1 - asked) / (t1 - t0), "half": 0.5,
+    share = {"from the first": (asked - t0) / (t1 - t0), "from the second": (t1 - asked) / (t1 - t0), "half": 0.5, "all": 1.0,
+             "back from the second": (asked - t1) / (t1 - t0),
              "seconds": asked - t0, "of the stamp": asked / t1}  # fmt: skip
     at = share.get(ratio, 0.0)
     if ratio == "nearest":
         at = 0.0 if share["from the first"] <= 0.5 else 1.0
     turns = {"short": math.remainder(yaw1 - yaw0, math.tau), "difference": yaw1 - yaw0, "kept": 0.0}
-    place = 0.0 if position == "kept" else at
+    turns |= {"modulo pi": math.remainder(yaw1 - yaw0, math.pi), "to the left": (yaw1 - yaw0) % math.tau}
+    place = {"kept": 0.0, "later": 1.0}.get(position, at)
     steps = (abs(x1 - x0), abs(y1 - y0)) if position == "upwards" else (x1 - x0, y1 - y0)
     from_x, from_y = (0.0, 0.0) if position == "from zero" else (x0, y0)
     along = (from_x + place * steps[0], y0 if position == "x alone" else from_y + place * steps[1])
-    yaws = {"from zero": at * turns["short"], "mean": (yaw0 + yaw1) / 2}
+    yaws = {
+        "from zero": at * turns["short"],
+        "mean": (yaw0 + yaw1) / 2,
+        "later": yaw1,
+        "share of the later": at * yaw1,
+        "arrows": math.atan2(
+            (1 - at) * math.sin(yaw0) + at * math.sin(yaw1), (1 - at) * math.cos(yaw0) + at * math.cos(yaw1)
+        ),
+    }
     yaw = yaws[turn] if turn in yaws else yaw0 + at * turns[turn]
     return {"position": along, "yaw": yaw}
 
@@ -241,6 +255,86 @@ MEAN_YAW = Slip(
 )
 
 
+THE_LATER_SAMPLE = Slip(
+    "the later sample",
+    {"ratio": "all"},
+    Words(
+        en="You return the later sample as it is. The robot is not there yet: go along the line as far as `stamp_s` says.",
+        ko="나중 표본을 그대로 돌려줍니다. 로봇은 아직 거기까지 가지 않았습니다. `stamp_s`만큼만 선을 따라가십시오.",
+    ),
+)
+
+
+BACK_FROM_THE_SECOND = Slip(
+    "back from the second",
+    {"ratio": "back from the second"},
+    Words(
+        en="Your share is counted back from the second sample, and then added to the first: it is below zero. Count it from the first.",
+        ko="비율을 둘째 표본에서 거꾸로 세어 첫째에 더했으므로 0보다 작습니다. 첫째에서부터 세십시오.",
+    ),
+)
+
+
+YAW_OF_THE_LATER = Slip(
+    "yaw of the later",
+    {"turn": "later"},
+    Words(
+        en="The position is on its way, and the yaw has arrived already: it goes along with the same share.",
+        ko="위치는 가는 중인데 yaw는 이미 도착했습니다. yaw도 같은 비율로 갑니다.",
+    ),
+)
+
+
+POSITION_OF_THE_LATER = Slip(
+    "position of the later",
+    {"position": "later"},
+    Words(
+        en="The yaw is on its way, and the position has arrived already: it goes along with the same share.",
+        ko="yaw는 가는 중인데 위치는 이미 도착했습니다. 위치도 같은 비율로 갑니다.",
+    ),
+)
+
+
+SHARE_OF_THE_LATER_YAW = Slip(
+    "share of the later yaw",
+    {"turn": "share of the later"},
+    Words(
+        en="You took a share of the second yaw alone. The way goes from the first yaw to the second: begin at the first.",
+        ko="둘째 yaw만 비율로 곱했습니다. 첫째 yaw에서 둘째까지 가는 길이므로 첫째에서 시작하십시오.",
+    ),
+)
+
+
+MODULO_HALF_A_TURN = Slip(
+    "modulo half a turn",
+    {"turn": "modulo pi"},
+    Words(
+        en="You wrapped the turn at half a circle's width, so that it never exceeds a quarter turn. The shortest arc may be up to half a turn: wrap by 2π.",
+        ko="회전을 π 간격으로 감아서 1/4 바퀴를 넘지 못합니다. 가장 짧은 호는 반 바퀴까지 됩니다. 2π로 감으십시오.",
+    ),
+)
+
+
+ALWAYS_TO_THE_LEFT = Slip(
+    "always to the left",
+    {"turn": "to the left"},
+    Words(
+        en="You always turn to the left: `% (2π)` has no negative turns. To the right may be shorter.",
+        ko="언제나 왼쪽으로 돕니다. `% (2π)`에는 음수가 없습니다. 오른쪽이 더 짧을 수 있습니다.",
+    ),
+)
+
+
+BETWEEN_TWO_ARROWS = Slip(
+    "between two arrows",
+    {"turn": "arrows"},
+    Words(
+        en="You went along the straight line between two arrows and took its direction: the ends and the middle fit, and in between the turn is too slow or too quick. The angle itself goes evenly.",
+        ko="두 화살표 끝을 잇는 직선을 따라가며 방향을 구했습니다. 양 끝과 가운데는 맞지만 그 사이에서는 너무 느리거나 빠릅니다. 각도가 고르게 변해야 합니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E8.2",
     kind="F",
@@ -271,6 +365,14 @@ TASK = Task(
         X_ALONE,
         ALWAYS_UPWARDS,
         MEAN_YAW,
+        THE_LATER_SAMPLE,
+        BACK_FROM_THE_SECOND,
+        YAW_OF_THE_LATER,
+        POSITION_OF_THE_LATER,
+        SHARE_OF_THE_LATER_YAW,
+        MODULO_HALF_A_TURN,
+        ALWAYS_TO_THE_LEFT,
+        BETWEEN_TWO_ARROWS,
     ),
     hints=(
         Words(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from tflab.core import TransformException
 from tflab.ros.messages import builtin_interfaces, geometry_msgs, std_msgs
 from tflab.ros.time import Time
@@ -16,6 +18,8 @@ def sightings(rng):
     for share in (0.1, 0.35, 0.6, 0.75, -0.3, 1.2):
         buffer, start_s, end_s, sensor = drive(rng)
         stamp_s = round(start_s + share * (end_s - start_s), 3)
+        if share == 0.6:  # its nanosec is below 0.1 s
+            stamp_s = round(math.ceil(start_s + 0.05) + 0.045, 3)
         now_s = round(max(end_s, stamp_s) + float(rng.uniform(0.45, 0.7)), 3)
         if share == 0.1:  # it came at once, and transforms have gone on coming
             now_s = round(stamp_s + 0.3, 3)
@@ -32,6 +36,8 @@ def asked_at(moment, stamp, now):
         "now": now,
         "sec alone": Time(seconds=stamp.sec),
         "nanosec alone": Time(nanoseconds=stamp.nanosec),
+        "digits": Time(seconds=float(f"{stamp.sec}.{stamp.nanosec}")),
+        "a tenth before now": Time(nanoseconds=now.nanoseconds - 100_000_000),
         "half way": Time(nanoseconds=(right.nanoseconds + now.nanoseconds) // 2),
     }[moment]
 
@@ -235,6 +241,37 @@ AS_IT_CAME = Slip(
 )
 
 
+DIGITS = Slip(
+    "digits",
+    {"moment": "digits"},
+    Words(
+        en="You wrote nanosec behind a point, as digits: 45000000 ns is 0.045 s, not 0.45 s. `Time.from_msg(stamp)` has it right.",
+        ko="nanosec을 소수점 뒤의 숫자로 그대로 썼습니다. 45000000 ns는 0.45초가 아니라 0.045초입니다. `Time.from_msg(stamp)`를 쓰면 됩니다.",
+    ),
+)
+
+
+A_TENTH_BEFORE_NOW = Slip(
+    "a tenth before now",
+    {"moment": "a tenth before now"},
+    Words(
+        en="You asked for a tenth of a second before now. How old a message is differs each time, and its stamp says when it was.",
+        ko="현재보다 0.1초 전을 물었습니다. 메시지의 나이는 매번 다르고, 언제였는지는 측정 시각이 말합니다.",
+    ),
+    "M9",
+)
+
+
+LEFT_IN_BASE_LINK = Slip(
+    "left in base_link",
+    {"target": "base_link"},
+    Words(
+        en="You moved it into base_link. It is wanted in map.",
+        ko="base_link로 옮겼습니다. map 기준이 필요합니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E8.3",
     kind="F",
@@ -263,6 +300,9 @@ TASK = Task(
         MOVED_TWICE,
         STAMP_LOST,
         AS_IT_CAME,
+        DIGITS,
+        A_TENTH_BEFORE_NOW,
+        LEFT_IN_BASE_LINK,
     ),
     hints=(
         Words(

@@ -37,14 +37,23 @@ def late(
     """Return the estimate, step by step; other steps are the slips."""
     delay_s = given.delay_ms * delay
     yaw_rate = given.yaw_rate_degps if angle == "degrees" else math.radians(given.yaw_rate_degps)
+    yaw_rate = math.degrees(given.yaw_rate_degps) if angle == "to degrees" else yaw_rate
     ahead, aside = forwards * given.speed_mps * delay_s, side * yaw_rate * delay_s
-    aside *= {"range": given.range_m, "none": 1.0, "forgotten": 0.0}[arc]
-    ahead *= given.range_m if way == "times range" else 1.0
+    aside *= {"speed": given.speed_mps, "range": given.range_m, "none": 1.0, "forgotten": 0.0}.get(arc, given.range_m)
+    ahead = {"times range": ahead * given.range_m, "range minus": given.range_m - ahead}.get(way, ahead)
+    aside = {
+        "speed times range": ahead * given.range_m,
+        "one minus cosine": given.range_m * (1 - math.cos(aside / given.range_m)),
+    }.get(arc, aside)
     ahead, aside = (aside, ahead) if places == "exchanged" else (ahead, aside)
     lengths = {
         "hypot": math.hypot(ahead, aside),
         "added": abs(ahead) + abs(aside),
         "forwards": abs(ahead),
+        "left": abs(aside),
+        "mean": (ahead + aside) / 2,
+        "sizes taken off": abs(ahead) - abs(aside),
+        "squares": ahead**2 + aside**2,
     }
     return {"forwards_m": ahead, "left_m": aside, "together_m": lengths[together]}
 
@@ -158,6 +167,117 @@ SPEED_TIMES_RANGE = Slip(
 )
 
 
+TO_DEGREES = Slip(
+    "to degrees",
+    {"angle": "to degrees"},
+    Words(
+        en="You turned the degrees into degrees once more: `math.degrees` goes the other way. An arc is radius times *radians*.",
+        ko="도를 한 번 더 도로 바꾸었습니다. `math.degrees`는 반대 방향입니다. 호의 길이는 반지름 곱하기 *라디안*입니다.",
+    ),
+    "M5",
+    part="left_m",
+)
+
+
+SPEED_FOR_THE_RANGE = Slip(
+    "speed for the range",
+    {"arc": "speed"},
+    Words(
+        en="To the left you multiplied by the speed. What swings is the ray, as long as the range.",
+        ko="왼쪽 오차에 속도를 곱했습니다. 흔들리는 것은 거리만큼 긴 시선입니다.",
+    ),
+    part="left_m",
+)
+
+
+SPEED_TIMES_RANGE_TO_THE_LEFT = Slip(
+    "speed times range to the left",
+    {"arc": "speed times range"},
+    Words(
+        en="To the left you have speed, time and range. It is the *turn* that swings the ray: yaw rate, time and range.",
+        ko="왼쪽 오차에 속도와 시간과 거리를 곱했습니다. 시선을 흔드는 것은 *회전*입니다. yaw 속도와 시간과 거리입니다.",
+    ),
+    part="left_m",
+)
+
+
+ONE_MINUS_COSINE = Slip(
+    "one minus cosine",
+    {"arc": "one minus cosine"},
+    Words(
+        en="That is how much less far ahead the ray's end is, 1 minus the cosine. To the left it is the arc: range times angle.",
+        ko="시선 끝이 앞으로 덜 나간 만큼(1 - cos)입니다. 왼쪽은 호의 길이, 거리 곱하기 각도입니다.",
+    ),
+    part="left_m",
+)
+
+
+RANGE_MINUS_THE_WAY = Slip(
+    "range minus the way",
+    {"way": "range minus"},
+    Words(
+        en="Forwards you have the distance that is left. Asked for is the error: the way driven meanwhile.",
+        ko="앞쪽에 남은 거리를 썼습니다. 오차, 곧 그동안 달린 거리가 필요합니다.",
+    ),
+    part="forwards_m",
+)
+
+
+TOGETHER_MEAN = Slip(
+    "together: mean",
+    {"together": "mean"},
+    Words(
+        en="You took the mean of the two. They stand at right angles: their length together is the hypotenuse.",
+        ko="둘의 평균을 구했습니다. 둘은 직각이므로 함께한 길이는 빗변입니다.",
+    ),
+    part="together_m",
+)
+
+
+TOGETHER_SIZES_TAKEN_OFF = Slip(
+    "together: sizes taken off",
+    {"together": "sizes taken off"},
+    Words(
+        en="You took the size of the one off that of the other. They stand at right angles: take the hypotenuse.",
+        ko="크기끼리 뺐습니다. 둘은 직각이므로 빗변을 구하십시오.",
+    ),
+    part="together_m",
+)
+
+
+TOGETHER_FORWARDS = Slip(
+    "together: forwards",
+    {"together": "forwards"},
+    Words(
+        en="Together it is longer than forwards alone: the way to the left counts as well.",
+        ko="함께한 길이는 앞쪽만보다 깁니다. 왼쪽도 셉니다.",
+    ),
+    part="together_m",
+)
+
+
+TOGETHER_LEFT = Slip(
+    "together: left",
+    {"together": "left"},
+    Words(
+        en="Together it is longer than to the left alone: the way forwards counts as well.",
+        ko="함께한 길이는 왼쪽만보다 깁니다. 앞쪽도 셉니다.",
+    ),
+    part="together_m",
+)
+
+
+TOGETHER_SQUARES = Slip(
+    "together: squares",
+    {"together": "squares"},
+    Words(
+        en="You added the squares and left out the root.",
+        ko="제곱을 더하고 제곱근을 빠뜨렸습니다.",
+    ),
+    part="together_m",
+)
+
+
 TASK = Task(
     id="E8.4",
     kind="N",
@@ -181,6 +301,16 @@ TASK = Task(
         ROTATION_ONLY,
         BACKWARDS,
         SPEED_TIMES_RANGE,
+        TO_DEGREES,
+        SPEED_FOR_THE_RANGE,
+        SPEED_TIMES_RANGE_TO_THE_LEFT,
+        ONE_MINUS_COSINE,
+        RANGE_MINUS_THE_WAY,
+        TOGETHER_MEAN,
+        TOGETHER_SIZES_TAKEN_OFF,
+        TOGETHER_FORWARDS,
+        TOGETHER_LEFT,
+        TOGETHER_SQUARES,
     ),
     hints=(
         Words(

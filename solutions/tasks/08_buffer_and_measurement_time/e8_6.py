@@ -188,6 +188,36 @@ THIRTY = Twin(
 )
 
 
+TEN_MORE = Twin(
+    "ten more",
+    lambda g: 10.0 + g.thinking_s,
+    Words(
+        en="You added the thinking time to the ten seconds that one gets. The ten are a habit: work out the least that is always enough.",
+        ko="기본값 10초에 생각하는 시간을 더했습니다. 10초는 습관일 뿐입니다. 언제나 충분한 가장 짧은 시간을 구하십시오.",
+    ),
+)
+
+
+NUMBER_OF_SAMPLES = Twin(
+    "number of samples",
+    lambda g: g.thinking_s * max(g.rate_hz.values()),
+    Words(
+        en="That is how many samples come meanwhile. Asked for is a time.",
+        ko="그동안 오는 표본의 개수입니다. 시간이 필요합니다.",
+    ),
+)
+
+
+HALF_AS_MUCH_AGAIN = Twin(
+    "half as much again",
+    lambda g: 1.5 * (g.thinking_s + 1.0 / min(g.rate_hz.values())),
+    Words(
+        en="Half as much again, to be safe: it is always enough, and longer than it need be.",
+        ko="안전하게 절반을 더 얹었습니다. 언제나 충분하지만 필요한 것보다 깁니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E8.6",
     kind="N",
@@ -216,6 +246,9 @@ TASK = Task(
         MULTIPLIED,
         ZERO,
         THIRTY,
+        TEN_MORE,
+        NUMBER_OF_SAMPLES,
+        HALF_AS_MUCH_AGAIN,
     ),
     hints=(
         Words(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from tflab.core import TransformException
+from tflab.ros.messages import geometry_msgs
 from tflab.ros.time import Time
 from tflab.workbook.tasks import Slip, Task, Vector, Words
 
@@ -31,9 +32,14 @@ def resting_objects(rng):
 def in_base_link(buffer, message, now, *, sight="stamp", base="now", fixed="odom", target="base_link",
                  ends="wanted first", refusal="let through", move="all"):  # fmt: skip
     """Return the coordinates, step by step; other steps are the slips."""
+    if move == "not":
+        return (message.point.x, message.point.y, message.point.z)
+    if move == "at one moment":  # the mount never changes, so no moment is refused
+        moved = _moved(message, buffer.lookup_transform(target, message.header.frame_id, Time()))
+        return (moved.point.x, moved.point.y, moved.point.z)
     times = {"stamp": Time.from_msg(message.header.stamp), "now": now, "latest": Time()}
     ends_at = [(target, times[base]), (message.header.frame_id, times[sight])]
-    if target == "odom":  # which rests: its time does not matter
+    if target in ("odom", "map"):  # which rests: its time does not matter
         ends_at[0] = (target, times[sight])
     (one, one_time), (other, other_time) = ends_at[::-1] if ends == "swapped" else ends_at
     try:
@@ -44,7 +50,9 @@ def in_base_link(buffer, message, now, *, sight="stamp", base="now", fixed="odom
         if refusal == "None":
             return None
         transform = buffer.lookup_transform(one, other, Time())
-    moved = message if move == "not" else _moved(message, transform)
+    if move == "step alone":
+        transform.transform.rotation = geometry_msgs.Quaternion(w=1.0)
+    moved = _moved(message, transform)
     return (moved.point.x, moved.point.y, moved.point.z)
 
 
@@ -151,6 +159,49 @@ AS_SEEN = Slip(
 )
 
 
+AT_ONE_MOMENT = Slip(
+    "at one moment",
+    {"move": "at one moment"},
+    Words(
+        en="You asked for one moment only. Between the sensor and base_link nothing ever moves, so that is where the object was *seen*; the drive since then is missing.",
+        ko="한 시각으로만 물었습니다. 센서와 base_link 사이는 움직이지 않으므로 물체를 *본* 곳이 나옵니다. 그 뒤에 달린 것이 빠졌습니다.",
+    ),
+    "M9",
+)
+
+
+LEFT_IN_MAP = Slip(
+    "left in map",
+    {"target": "map"},
+    Words(
+        en="These are the coordinates in map. Asked for is base_link, as it is at `now`.",
+        ko="map 기준 좌표입니다. `now`의 base_link 기준이 필요합니다.",
+    ),
+)
+
+
+SIGHTING_OF_THE_LATEST = Slip(
+    "sighting of the latest",
+    {"sight": "latest"},
+    Words(
+        en="The sighting is taken for one of the newest pose in the buffer (`Time()`). It was made at the stamp.",
+        ko="본 시각을 버퍼의 가장 새로운 시각(`Time()`)으로 여겼습니다. 측정 시각에 본 것입니다.",
+    ),
+    "M9",
+)
+
+
+STEP_ALONE = Slip(
+    "step alone",
+    {"move": "step alone"},
+    Words(
+        en="You added the step and left out the turn: the robot has turned since, and the sensor sits turned on it.",
+        ko="이동만 더하고 회전을 빠뜨렸습니다. 로봇은 그 뒤에 돌았고 센서도 돌려 달려 있습니다.",
+    ),
+    "M3",
+)
+
+
 TASK = Task(
     id="E8.7",
     kind="F",
@@ -172,6 +223,10 @@ TASK = Task(
         SWALLOWS,
         FALLS_BACK,
         AS_SEEN,
+        AT_ONE_MOMENT,
+        LEFT_IN_MAP,
+        SIGHTING_OF_THE_LATEST,
+        STEP_ALONE,
     ),
     hints=(
         Words(

@@ -50,8 +50,3 @@ def kind_of(error: TransformException | None) -> str:
     directions = {"future": "future", "past": "past", "no_data": "one sample"}
     names = {"LookupException": "lookup", "ConnectivityException": "connectivity"}
     return directions.get(getattr(error, "direction", "")) or names.get(type(error).__name__, "invalid argument")
-
-
-def two_texts(buffer: Buffer, target: str, source: str, stamp: Time) -> str:
-    kind = kind_of(refusal(buffer, target, source, stamp))
-    return "past" if kind == "one sample" else kind

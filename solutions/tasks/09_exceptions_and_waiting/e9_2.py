@@ -5,11 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from tflab.core import seconds
-from tflab.ros.tf2.buffer import Buffer
 from tflab.ros.time import Time
-from tflab.workbook.tasks import Choice, Task, Twin, Words
+from tflab.workbook.tasks import Choice, Slip, Task, Words
 
-from .draws import kind_of, refusal, robot_buffer, two_texts
+from .draws import kind_of, refusal, robot_buffer
 
 
 def questions(rng: np.random.Generator) -> list[tuple]:
@@ -36,106 +35,179 @@ def questions(rng: np.random.Generator) -> list[tuple]:
     return [(robot_buffer(t), *question) for question in drawn]
 
 
-def latest_only(buffer: Buffer, target: str, source: str, stamp: Time) -> str:
-    return kind_of(refusal(buffer, target, source, Time()))
+def classified(
+    buffer, target, source, stamp, *, ends="as given", moment="stamp", texts="three", classes="each its own"
+):
+    """Return the kind of a refusal, step by step; other steps are the slips."""
+    target, source = (source, target) if ends == "swapped" else (target, source)
+    moments = {"latest": Time(), "whole seconds": Time(nanoseconds=stamp.nanoseconds // 10**9 * 10**9)}
+    kind = kind_of(refusal(buffer, target, source, moments.get(moment, stamp)))
+    if moment == "path first":
+        first = kind_of(refusal(buffer, target, source, Time()))
+        kind = first if first in ("connectivity", "lookup") else kind
+    said = {
+        "turned round": {"past": "future", "future": "past"},
+        "two": {"one sample": "past"},
+        "two, and future": {"one sample": "future"},
+        "all future": {"past": "future", "one sample": "future"},
+        "all past": {"future": "past", "one sample": "past"},
+    }.get(texts, {})
+    kind = said.get(kind, kind)
+    if kind == "ok" or classes == "each its own":
+        return kind
+    return {
+        "base first": "invalid argument",
+        "one word": "lookup",
+        "exchanged": {"lookup": "connectivity", "connectivity": "lookup"}.get(kind, kind),
+        "names alone": {"connectivity": "lookup"}.get(kind, kind),
+        "no question is a name": {"invalid argument": "lookup"}.get(kind, kind),
+    }[classes]
 
 
-ASKED_FOR_THE_LATEST = Twin(
+ASKED_FOR_THE_LATEST = Slip(
     "asked for the latest",
-    latest_only,
-    misconception="M9",
-    reply=Words(
+    {"moment": "latest"},
+    Words(
         en="whatever stamp it is given, your function judges as if the latest had been asked for. Is `stamp` really handed on to the lookup?",
         ko="어떤 시각을 주어도 최신을 물은 것처럼 판단합니다. `stamp`를 조회에 그대로 넘기고 있습니까?",
     ),
+    "M9",
 )
 
-
-def path_first(buffer: Buffer, target: str, source: str, stamp: Time) -> str:
-    first = kind_of(refusal(buffer, target, source, Time()))
-    return first if first in ("connectivity", "lookup") else kind_of(refusal(buffer, target, source, stamp))
-
-
-PATH_BEFORE_MOMENT = Twin(
+PATH_BEFORE_MOMENT = Slip(
     "path before moment",
-    path_first,
-    misconception="M11",
-    reply=Words(
+    {"moment": "path first"},
+    Words(
         en="where a question has no path and no data either, tf2 reports what it finds first while it walks. Ask tf2 once, with the stamp, and believe it; do not check the path yourself beforehand.",
         ko="경로도 없고 데이터도 없는 질문이라면 tf2는 경로를 따라가며 먼저 찾은 것을 보고합니다. 경로를 미리 따로 확인하지 말고, 주어진 시각으로 한 번만 묻고 그 답을 믿으십시오.",
     ),
+    "M11",
 )
 
-
-def base_first(buffer: Buffer, target: str, source: str, stamp: Time) -> str:
-    return "ok" if refusal(buffer, target, source, stamp) is None else "invalid argument"
-
-
-BASE_CLASS_FIRST = Twin(
+BASE_CLASS_FIRST = Slip(
     "base class first",
-    base_first,
-    misconception="M11",
-    reply=Words(
+    {"classes": "base first"},
+    Words(
         en="every refusal ends in the same branch. Python takes the first `except` that fits, and the base class fits everything: let it come last.",
         ko="모든 거절이 같은 분기로 들어갑니다. 파이썬은 조건에 맞는 `except` 가운데 맨 위의 것을 택하고, 부모 클래스는 무엇에나 해당합니다. 맨 뒤로 보내십시오.",
     ),
+    "M11",
 )
 
-
-def one_word(buffer: Buffer, target: str, source: str, stamp: Time) -> str:
-    return "ok" if refusal(buffer, target, source, stamp) is None else "lookup"
-
-
-ONE_WORD_FOR_EVERY_NO = Twin(
+ONE_WORD_FOR_EVERY_NO = Slip(
     "one word for every no",
-    one_word,
-    misconception="M11",
-    reply=Words(
+    {"classes": "one word"},
+    Words(
         en="every refusal gets the same word. An `except TransformException` that stands first takes them all, and `can_transform` says only yes or no: give each class a branch of its own, and let the base class come last.",
         ko="모든 거절에 같은 단어를 돌려줍니다. 맨 앞에 둔 `except TransformException`은 모두를 가져가고, `can_transform`은 예, 아니요만 말합니다. 클래스마다 분기를 두고 부모 클래스는 맨 뒤에 두십시오.",
     ),
+    "M11",
 )
 
-
-def ends_swapped(buffer: Buffer, target: str, source: str, stamp: Time) -> str:
-    return kind_of(refusal(buffer, source, target, stamp))
-
-
-ENDS_SWAPPED = Twin(
+ENDS_SWAPPED = Slip(
     "ends swapped",
-    ends_swapped,
-    misconception="M1",
-    reply=Words(
+    {"ends": "swapped"},
+    Words(
         en="where both names are wrong, tf2 complains of the target first. Your function seems to hand over source and target in the other order: wanted comes first.",
         ko="두 이름이 모두 틀리면 tf2는 목표(target_frame)부터 탓합니다. 이 함수는 원본과 목표를 거꾸로 넘기는 것 같습니다. 기준이 될 목표가 먼저입니다.",
     ),
+    "M1",
 )
 
-
-def turned_round(buffer: Buffer, target: str, source: str, stamp: Time) -> str:
-    kind = kind_of(refusal(buffer, target, source, stamp))
-    return {"past": "future", "future": "past"}.get(kind, kind)
-
-
-FUTURE_AND_PAST_SWAPPED = Twin(
+FUTURE_AND_PAST_SWAPPED = Slip(
     "future and past swapped",
-    turned_round,
-    misconception="M10",
-    reply=Words(
+    {"texts": "turned round"},
+    Words(
         en="future and past have changed places. The words are about the moment asked for: newer than all the data is the future.",
         ko="미래와 과거가 뒤바뀌었습니다. 물어본 시각을 기준으로 한 말입니다. 모든 데이터보다 새로우면 미래입니다.",
     ),
+    "M10",
 )
 
-
-TWO_TEXTS = Twin(
+TWO_TEXTS = Slip(
     "two texts",
-    two_texts,
-    misconception="M11",
-    reply=Words(
+    {"texts": "two"},
+    Words(
         en="extrapolation has three texts, and your function knows two. What does tf2 say of an edge that has been heard exactly once?",
         ko="외삽 오류 메시지는 세 가지인데 이 함수는 두 가지만 압니다. 딱 한 번 들은 연결에 대해 tf2는 무엇이라고 합니까?",
     ),
+    "M11",
+)
+
+
+WHOLE_SECONDS = Slip(
+    "whole seconds",
+    {"moment": "whole seconds"},
+    Words(
+        en="You asked for the whole second alone: the nanoseconds of `stamp` are lost on the way.",
+        ko="초만으로 물었습니다. `stamp`의 나노초가 중간에 사라졌습니다.",
+    ),
+)
+
+
+THIRD_TEXT_IS_THE_FUTURE = Slip(
+    "third text is the future",
+    {"texts": "two, and future"},
+    Words(
+        en="extrapolation has three texts: an edge that was heard just once is neither future nor past, and tf2 says so.",
+        ko="외삽에는 문장이 셋 있습니다. 한 번만 들은 간선은 미래도 과거도 아니고, tf2가 그렇게 말합니다.",
+    ),
+    "M11",
+)
+
+
+EVERY_EXTRAPOLATION_IS_THE_FUTURE = Slip(
+    "every extrapolation is the future",
+    {"texts": "all future"},
+    Words(
+        en="every extrapolation is the future for you. Its text says which way it goes, and an edge heard just once has a text of its own.",
+        ko="모든 외삽을 미래로 봅니다. 문장이 어느 쪽인지 말하고, 한 번만 들은 간선에는 따로 문장이 있습니다.",
+    ),
+    "M11",
+)
+
+
+EVERY_EXTRAPOLATION_IS_THE_PAST = Slip(
+    "every extrapolation is the past",
+    {"texts": "all past"},
+    Words(
+        en="every extrapolation is the past for you. Its text says which way it goes, and an edge heard just once has a text of its own.",
+        ko="모든 외삽을 과거로 봅니다. 문장이 어느 쪽인지 말하고, 한 번만 들은 간선에는 따로 문장이 있습니다.",
+    ),
+    "M11",
+)
+
+
+LOOKUP_AND_CONNECTIVITY_EXCHANGED = Slip(
+    "lookup and connectivity exchanged",
+    {"classes": "exchanged"},
+    Words(
+        en="lookup and connectivity have changed places: a name that nobody knows is lookup, two known ones without a path is connectivity.",
+        ko="lookup과 connectivity가 바뀌었습니다. 아무도 모르는 이름이 lookup, 아는 두 이름 사이에 길이 없는 것이 connectivity입니다.",
+    ),
+    "M11",
+)
+
+
+NO_PATH_IS_A_WRONG_NAME = Slip(
+    "no path is a wrong name",
+    {"classes": "names alone"},
+    Words(
+        en="where both names are known and no path leads across, you say lookup. That is connectivity, another class.",
+        ko="두 이름을 다 알지만 길이 없는 곳에서 lookup이라고 합니다. 그것은 다른 클래스인 connectivity입니다.",
+    ),
+    "M11",
+)
+
+
+NO_QUESTION_IS_A_WRONG_NAME = Slip(
+    "no question is a wrong name",
+    {"classes": "no question is a name"},
+    Words(
+        en="a question that is none (a slash in front, an empty name) is a lookup for you. It has a class of its own: InvalidArgumentException.",
+        ko="질문이 되지 않는 것(앞의 슬래시, 빈 이름)을 lookup이라고 합니다. InvalidArgumentException이라는 클래스가 따로 있습니다.",
+    ),
+    "M11",
 )
 
 
@@ -148,6 +220,7 @@ TASK = Task(
     form=Choice(("ok", "invalid argument", "lookup", "connectivity", "future", "past", "one sample")),
     inputs=questions,
     variants=3,
+    model=classified,
     twins=(
         ASKED_FOR_THE_LATEST,
         PATH_BEFORE_MOMENT,
@@ -156,6 +229,13 @@ TASK = Task(
         FUTURE_AND_PAST_SWAPPED,
         ENDS_SWAPPED,
         ONE_WORD_FOR_EVERY_NO,
+        WHOLE_SECONDS,
+        THIRD_TEXT_IS_THE_FUTURE,
+        EVERY_EXTRAPOLATION_IS_THE_FUTURE,
+        EVERY_EXTRAPOLATION_IS_THE_PAST,
+        LOOKUP_AND_CONNECTIVITY_EXCHANGED,
+        NO_PATH_IS_A_WRONG_NAME,
+        NO_QUESTION_IS_A_WRONG_NAME,
     ),
     hints=(
         Words(

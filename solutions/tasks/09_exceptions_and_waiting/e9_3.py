@@ -69,10 +69,11 @@ def action(
     wait_for_past: bool = False,
     swapped: bool = False,
     two_texts: bool = False,
+    target: str = "map",
 ) -> str:
     """Decide as the task asks; the options are the mistakes."""
     stamp = Time() if latest else Time.from_msg(message.header.stamp)
-    ends = ("map", message.header.frame_id)
+    ends = (target, message.header.frame_id)
     error = refusal(buffer, *(reversed(ends) if swapped else ends), stamp)
     kind = kind_of(error)
     if two_texts and kind == "one sample":
@@ -209,6 +210,16 @@ LIMIT_OF_A_QUARTER = Slip(
 )
 
 
+WANTED_IN_BASE_LINK = Slip(
+    "wanted in base_link",
+    {"target": "base_link"},
+    Words(
+        en="you ask for base_link. The point is wanted in map, and that chain is longer: it has other edges to wait for.",
+        ko="base_link를 물었습니다. 점은 map 기준으로 필요하고, 그 사슬에는 기다려야 할 간선이 더 있습니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E9.3",
     kind="F",
@@ -231,6 +242,7 @@ TASK = Task(
         ONE_ACTION_FOR_EVERY_NO,
         THE_LIMIT_IS_TOO_FAR,
         LIMIT_OF_A_QUARTER,
+        WANTED_IN_BASE_LINK,
     ),
     hints=(
         Words(

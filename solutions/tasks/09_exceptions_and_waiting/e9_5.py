@@ -41,6 +41,8 @@ def kept(stamps_s, now_s, max_age_s, max_size, *, first="sieve", old="dropped", 
         is_young = {
             "dropped": age_s <= max_age_s,
             "at the limit": age_s < max_age_s,
+            "milliseconds": 1000.0 * age_s <= max_age_s,
+            "by the newest": max(stamps_s, default=0.0) - (now_s - age_s) <= max_age_s,
             "kept": True,
             "wanted": age_s >= max_age_s,
         }[old]
@@ -53,6 +55,8 @@ def kept(stamps_s, now_s, max_age_s, max_size, *, first="sieve", old="dropped", 
     cut = {
         "newest": young[max(0, len(young) - max_size) :],
         "slice": young[-max_size:],
+        "one more": young[max(0, len(young) - max_size - 1) :],
+        "one less": young[max(0, len(young) - max_size + 1) :],
         "oldest": young[:max_size],
         "not cut": young,
     }[size]
@@ -257,6 +261,47 @@ OLD_ONES_WANTED = Slip(
 )
 
 
+AGE_IN_MILLISECONDS = Slip(
+    "age in milliseconds",
+    {"old": "milliseconds"},
+    Words(
+        en="You compare an age in milliseconds with a limit in seconds.",
+        ko="밀리초 단위 나이를 초 단위 한계와 비교합니다.",
+    ),
+)
+
+
+AGE_BY_THE_NEWEST = Slip(
+    "age by the newest",
+    {"old": "by the newest"},
+    Words(
+        en="You measure the age from the newest message. It is `now_s` that says how old each is.",
+        ko="가장 새로운 메시지를 기준으로 나이를 잽니다. 얼마나 오래되었는지는 `now_s`로 셉니다.",
+    ),
+    "M9",
+)
+
+
+ONE_TOO_MANY = Slip(
+    "one too many",
+    {"size": "one more"},
+    Words(
+        en="Your queue holds one message more than `max_size`.",
+        ko="큐에 `max_size`보다 하나 더 남습니다.",
+    ),
+)
+
+
+ONE_TOO_FEW = Slip(
+    "one too few",
+    {"size": "one less"},
+    Words(
+        en="Your queue holds one message less than `max_size`.",
+        ko="큐에 `max_size`보다 하나 덜 남습니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E9.5",
     kind="F",
@@ -288,6 +333,10 @@ TASK = Task(
         LOST_OLD,
         AGES,
         OLD_ONES_WANTED,
+        AGE_IN_MILLISECONDS,
+        AGE_BY_THE_NEWEST,
+        ONE_TOO_MANY,
+        ONE_TOO_FEW,
     ),
     hints=(
         Words(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from statistics import mean
+
 import numpy as np
 
 from tflab.workbook.tasks import Number, Slip, Task, Twin, Words
@@ -18,16 +20,27 @@ def two_edges(rng: np.random.Generator) -> dict:
         "wheel_odometry": {
             "rate_hz": float(rng.choice((20.0, 25.0))),
             "delay_s": round(float(rng.uniform(0.004, 0.015)), 3),
-            "jitter_s": round(float(rng.uniform(0.006, 0.012)), 3),
+            "jitter_s": round(float(rng.uniform(0.045, 0.060)), 3),
         },
         "scan_delay_s": round(float(rng.uniform(0.010, 0.022)), 3),
     }
 
 
-def wait_of(given, *, periods=1.0, delay=1.0, jitter=1.0, scan=1.0, combine=max) -> float:
+def wait_of(
+    given, *, periods=1.0, delay=1.0, jitter=1.0, scan=1.0, combine=max, rate="one over it", edges="by edge"
+) -> float:
     """Return the wait; the options are the mistakes."""
     sources = (given.localization, given.wheel_odometry)
-    each = [periods / one["rate_hz"] + delay * one["delay_s"] + jitter * one["jitter_s"] for one in sources]
+    every = {name: [one[name] for one in sources] for name in ("rate_hz", "delay_s", "jitter_s")}
+    if edges == "the worst of each":
+        worst = 1.0 / min(every["rate_hz"]) + max(every["delay_s"]) + max(every["jitter_s"])
+        return worst - scan * given.scan_delay_s
+    each = [
+        periods * (one["rate_hz"] if rate == "as it is" else 1.0 / one["rate_hz"])
+        + delay * one["delay_s"]
+        + jitter * one["jitter_s"]
+        for one in sources
+    ]
     return combine(each) - scan * given.scan_delay_s
 
 
@@ -149,6 +162,46 @@ TEN_SECONDS = Twin(
 )
 
 
+RATE_FOR_PERIOD = Slip(
+    "rate for period",
+    {"rate": "as it is"},
+    Words(
+        en="you used the rate [Hz] as a time. The time between two messages is one over the rate.",
+        ko="발행률[Hz]을 시간으로 썼습니다. 두 메시지 사이의 시간은 그 역수입니다.",
+    ),
+)
+
+
+HALF_THE_JITTER = Slip(
+    "half the jitter",
+    {"jitter": 0.5},
+    Words(
+        en="you counted half of the jitter. In the worst case all of it comes on top.",
+        ko="지터를 절반만 셌습니다. 최악의 경우에는 전부 더해집니다.",
+    ),
+)
+
+
+THE_WORST_OF_EACH = Slip(
+    "the worst of each",
+    {"edges": "the worst of each"},
+    Words(
+        en="you took the longest period, the longest delay and the largest jitter, each from whichever edge has it. They are of two edges: reckon each edge by itself, and then take the later.",
+        ko="주기와 지연과 지터를 저마다 가장 큰 간선에서 골랐습니다. 서로 다른 간선의 것입니다. 간선마다 따로 계산한 다음 늦은 쪽을 고르십시오.",
+    ),
+)
+
+
+MEAN_OF_THE_EDGES = Slip(
+    "mean of the edges",
+    {"combine": mean},
+    Words(
+        en="you took the mean of the two edges. A lookup needs both: the later one decides.",
+        ko="두 간선의 평균을 구했습니다. 조회에는 둘 다 필요하므로 늦은 쪽이 정합니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E9.7",
     kind="N",
@@ -172,6 +225,10 @@ TASK = Task(
         JITTER_TWICE,
         TWO_PERIODS,
         TEN_SECONDS,
+        RATE_FOR_PERIOD,
+        HALF_THE_JITTER,
+        THE_WORST_OF_EACH,
+        MEAN_OF_THE_EDGES,
     ),
     hints=(
         Words(

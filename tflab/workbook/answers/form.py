@@ -105,12 +105,26 @@ class Form:
 
     def alike(self, answer: Plain, other: Plain) -> bool:
         """Return whether two answers are the same; neither need be of this form."""
-        if is_raised(other):
-            return self.same(answer, other)
-        wanted = self.read(other)
-        if wanted is None or not all(wanted):  # or a part of it is of another kind
-            return answer == other
-        return all(matched(self.read(answer), wanted, _is_given, self.in_any_order))
+        return self.comparing()(answer, other)
+
+    def comparing(self) -> Callable[[Plain, Plain], bool]:
+        """Return `alike` for many answers that are compared with one another: each of them is read once."""
+        held: dict[int, tuple[Plain, list[Probe] | None]] = {}  # the answer, too: while it lives, its id is its own
+
+        def read(plain: Plain) -> list[Probe] | None:
+            if id(plain) not in held:
+                held[id(plain)] = (plain, self.read(plain))
+            return held[id(plain)][1]
+
+        def is_alike(answer: Plain, other: Plain) -> bool:
+            if is_raised(other):
+                return self.same(answer, other)
+            wanted = read(other)
+            if wanted is None or not all(wanted):  # or a part of it is of another kind
+                return answer == other
+            return all(matched(read(answer), wanted, _is_given, self.in_any_order))
+
+        return is_alike
 
     def remark(self, answer: Plain, neighbours: Mapping[str, Plain]) -> Words | None:
         """Return what can be said of a wrong answer by itself, beside the other parts of a dict; None if nothing."""

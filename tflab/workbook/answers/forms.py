@@ -70,7 +70,7 @@ def form_from_plain(plain: dict[str, Any]) -> Form:
         raise ValueError(f"there is no form {plain.get('form')!r}; there is {', '.join(sorted(_CLASSES))}")
     row = {name: value for name, value in plain.items() if name != "form"}
     if cls is Parts:
-        return Parts({name: form_from_plain(inner) for name, inner in row["parts"].items()})
+        return Parts({name: form_from_plain(inner) for name, inner in row["parts"].items()}, row.get("alone", False))
     if cls in (Pair, Sequence, Set):
         return cls(**{name: form_from_plain(inner) for name, inner in row.items()})
     return cls(**{name: tuple(value) if isinstance(value, list) else value for name, value in row.items()})

@@ -62,9 +62,10 @@ class Pair(Form):
 
 @dataclass(frozen=True)
 class Set(Form):
-    """Members of one form, in whichever order, each counted once."""
+    """Members of one form, in whichever order, each counted once; with `once`, a list may not hold one twice."""
 
     of: Form
+    once: bool = False
     in_any_order: ClassVar[bool] = True
 
     def probes(self, plain: Plain) -> list[Probe] | None:
@@ -74,7 +75,7 @@ class Set(Form):
         probes: list[Probe] = []
         for member in members:
             probe = as_one(self.of.probes(member))
-            if not probe or probe not in probes:
+            if not probe or self.once or probe not in probes:
                 probes.append(probe)
         return sorted(probes, key=repr) or [NOTHING]
 

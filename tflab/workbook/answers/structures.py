@@ -53,19 +53,28 @@ class Choice(Form):
 
 @dataclass(frozen=True)
 class Parts(Form):
-    """A dict of named parts, each of its own form, and each with credit of its own."""
+    """A dict of named parts, each of its own form, and each with credit of its own.
+
+    What stands under other keys is not looked at; with `alone`, a dict that has such is no answer.
+    """
 
     parts: dict[str, Form]
+    alone: bool = False
 
     def probes(self, plain: Plain) -> list[Probe] | None:
         answers = inside(plain)
         if not isinstance(plain, dict) or not isinstance(answers, dict):
             return None
+        if self.alone and set(answers) - set(self.parts):
+            return None
         return [as_one(form.probes(answers.get(name))) for name, form in self.parts.items()]
 
     def wanted(self) -> Words:
         names = ", ".join(f'"{name}"' for name in self.parts)
-        return Words(en=f"a dict with {names}", ko=f"{names} 키를 가진 dict")
+        alone = Words(" and nothing else", "만") if self.alone else Words("", "")
+        return Words(
+            en=f"a dict with {names}{alone.en}", ko=f"{names} 키{alone.ko}를 가진 dict".replace("키만를", "키만")
+        )
 
 
 @dataclass(frozen=True)

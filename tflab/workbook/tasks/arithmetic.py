@@ -61,10 +61,10 @@ def computed(form: Form, answer: Plain, given: dict[str, Plain] | None) -> tuple
         sums = _of_numbers(given or {})
     else:
         return None
-    if row is None or max(map(_digits, row)) < FEWEST_DIGITS:
+    if row is None or max(map(_digits, row)) < FEWEST_DIGITS - 1:
         return None
     found = next((way for way in sums if _is_same(row, way.value)), None)
-    if found is None:
+    if found is None or (" " in found.text and max(map(_digits, row)) < FEWEST_DIGITS):
         return None
     names, wanted = {"sum": found.text}, form.wanted()
     said = {

@@ -206,9 +206,10 @@ def _distinct(task: Task, cases: Sequence[Case]) -> tuple[Case, ...]:
     """Return the cases without the combinations that look like something simpler, or like an earlier one."""
     seen = [[case.expected for case in cases], *([case.twins[twin.name] for case in cases] for twin in task.twins)]
     kept = {twin.name for twin in task.twins}
+    is_alike = task.form.comparing()
     for key in cases[0].twins:
         row = [case.twins[key] for case in cases]
-        if AND in key and not any(all(map(task.form.alike, row, other)) for other in seen):
+        if AND in key and not any(all(map(is_alike, row, other)) for other in seen):
             kept.add(key)
             seen.append(row)
     return tuple(case._replace(twins={key: case.twins[key] for key in case.twins if key in kept}) for case in cases)
@@ -244,9 +245,10 @@ def _refuse_look_alikes(task: Task, variant: int, cases: Sequence[Case]) -> None
     if task.model and not all(task.form.alike(case.twins[MODEL], case.expected) for case in cases):
         raise CasesError(f"{task.id}, variant {variant}: the model without a slip is not the solution")
     names = ["", *(twin.name for twin in task.twins)]  # "" is the right answer
+    is_alike = task.form.comparing()
     for number, name in enumerate(names):
         for other in names[number + 1 :]:
-            if all(task.form.alike(_of(case, name), _of(case, other)) for case in cases):
+            if all(is_alike(_of(case, name), _of(case, other)) for case in cases):
                 both = (
                     f'the twins "{name}" and "{other}" coincide' if name else f'the twin "{other}" is the right answer'
                 )

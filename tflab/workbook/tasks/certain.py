@@ -16,7 +16,7 @@ import math
 
 from ..answers import sealed
 from ..answers.form import Angle, Form, Mark, Number, Pose, Quaternion, Row, Vector, inside, numbers_of, pose_of
-from ..answers.forms import Message, Name, Parts, Sequence, Set, Tree, Urdf
+from ..answers.forms import Command, Message, Name, Parts, Sequence, Set, Tree, Urdf
 from ..answers.members import edges_of, members_of
 from ..answers.values import Plain, is_raised
 from ..words import Words
@@ -31,6 +31,7 @@ LINK_FAULTS = (  # of a URDF's link: how many of its marks have to fit, and what
     (9, Words("how it is turned in its parent", "부모 기준 방향")),
     (10**6, Words("how it moves", "움직이는 방향(axis)")),
 )
+STATIC = ("frame-id", "child-frame-id", "x", "y", "z")  # what static_transform_publisher is told, and a rotation
 NEARLY = 0.6  # from which share of letters on a name looks like another
 MOST_NAMED = 4  # children that are called by name
 
@@ -53,6 +54,8 @@ def certain(form: Form, answer: Plain, expected: Plain) -> Words | None:
         return _of_sequence(inside(answer), inside(expected))
     if isinstance(form, Pose):
         return _of_pose(answer, expected)
+    if isinstance(form, Command):
+        return _of_command(form, answer, expected)
     if isinstance(form, Name):
         return _of_name(answer, expected)
     return _of_parts(form, answer, expected)
@@ -213,6 +216,28 @@ def _of_message(form: Message, answer: Plain, expected: Plain) -> Words | None:
         if of_field is not None:
             return _joined([*said, Words(f"{name}: {of_field.en}", f"{name}: {of_field.ko}")])
     return _joined(said)
+
+
+def _of_command(form: Command, answer: Plain, expected: Plain) -> Words | None:
+    """Say which words of a command line are right; of a static transform, which of its numbers and names."""
+    given, wanted = form.read(answer), form.probes(expected)
+    if not given or not wanted:
+        return None
+    row, right = given[0][0], wanted[0][0]
+    if right[0].value != "static":
+        same = next((place for place, pair in enumerate(zip(row, right, strict=False)) if not Mark.fits(*pair)), 0)
+        return Words(f"right up to word {same}", f"{same}번째 낱말까지는 맞습니다") if same else None
+    if row[0].value != "static":
+        return Words(
+            "this line publishes no static transform: another program, a word too few, or an option that it lacks",
+            "정적 변환을 발행하는 명령이 아닙니다. 다른 프로그램이거나, 낱말이 빠졌거나, 없는 옵션입니다",
+        )
+    wrong = [name for name, *pair in zip(STATIC, row[1:6], right[1:6], strict=True) if not Mark.fits(*pair)]
+    if not any(all(map(Mark.fits, row[6:], other[6:])) for other in wanted[0]):
+        wrong.append("rotation")
+    right_ones = [name for name in (*STATIC, "rotation") if name not in wrong]
+    names, others = ", ".join(wrong), ", ".join(right_ones)
+    return Words(f"right: {others}; wrong: {names}", f"맞음: {others}; 틀림: {names}")
 
 
 def _of_name(answer: Plain, expected: Plain) -> Words | None:

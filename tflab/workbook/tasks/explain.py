@@ -71,19 +71,16 @@ def _ways(
     """Yield the combinations that give these outcomes, the simplest first."""
     form, expected = task.form, [case.expected for case in cases]
     gives = {name: [case.twins.get(name) for case in cases] for name in cases[0].twins}
-    fitting = [name.split(AND) for name, row in gives.items() if is_just(form, outcomes, row, _share(name))]
-    yield from map(tuple, filter(lambda names: len(names) == 1, fitting))
+    single = {name: row for name, row in gives.items() if AND not in name}
+    yield from ((name,) for name, row in single.items() if is_just(form, outcomes, row, ONE))
     yield from ((name,) for name in undone_to(form, outcomes, expected, only_plain_to_see=True))
     if task.is_function and habit(form, cases, outcomes):
         return
     if not task.is_function and (held := given_to(form, outcomes[0], expected[0], given)):
         yield (f"given {held}",)
-    yield from map(tuple, fitting)
-    yield from _further_ways(task, {name: row for name, row in gives.items() if AND not in name}, outcomes, expected)
-
-
-def _share(name: str) -> float:
-    return TWO if AND in name else ONE
+    pairs = ((name, row) for name, row in gives.items() if AND in name)
+    yield from (tuple(name.split(AND)) for name, row in pairs if is_just(form, outcomes, row, TWO))
+    yield from _further_ways(task, single, outcomes, expected)
 
 
 def _further_ways(

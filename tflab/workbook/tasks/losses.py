@@ -18,7 +18,7 @@ from collections.abc import Iterator
 from ..answers import sealed
 from ..answers.form import Row as Marks
 from ..answers.form import inside, member, numbers_of
-from ..answers.forms import Form, Name, Quaternion, Sequence, Tree, Vector
+from ..answers.forms import Angle, Form, Name, Number, Quaternion, Sequence, Tree, Vector
 from ..answers.members import edges_of
 from ..answers.values import Plain
 from ..words import Words
@@ -33,6 +33,10 @@ LOSSES = {
     "left at zero": Words(
         en="what is not 0 is right; a number that is still 0 is missing.",
         ko="0이 아닌 숫자는 맞습니다. 아직 0인 숫자가 빠졌습니다.",
+    ),
+    "zero": Words(
+        en="0 would say that there is nothing of it, and there is.",
+        ko="0이라면 아무것도 없다는 뜻인데, 없지 않습니다.",
     ),
     "rounded": Words(
         en="digits were cut off: hand over the number as it was computed, without rounding.",
@@ -90,6 +94,8 @@ def _lost(form: Form, rows: list[tuple[Numbers, Numbers]]) -> Iterator[str]:
     is_empty = not any(any(given) for given, _ in rows)
     if isinstance(form, Vector) and all(_left_at_zero(*row, form.tolerance) for row in rows):
         yield "empty" if is_empty else "left at zero"
+    elif is_empty and isinstance(form, Number | Angle):
+        yield "zero"
     if not is_empty and any(all(_rounded(*row, digits) for row in rows) for digits in (0, 1, 2, 3)):
         yield "rounded"
 

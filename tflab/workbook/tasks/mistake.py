@@ -38,6 +38,7 @@ class Mistake(str, Enum):
     SHAPE = "shape"
     OPTION = "option"
     MISSING_PARTS = "missing parts"
+    MORE_PARTS = "more parts"
     NO_ROBOT = "no robot"
     FRAME = "frame"
     UNIT = "unit"
@@ -113,6 +114,10 @@ REPLIES = {
     Mistake.MISSING_PARTS: Words(
         en="there is no answer yet for {parts}.",
         ko="아직 답이 없는 곳: {parts}.",
+    ),
+    Mistake.MORE_PARTS: Words(
+        en="your dict holds more than is asked for: {parts}. Asked for: {wanted}.",
+        ko="딕셔너리에 필요 없는 것이 들어 있습니다: {parts}. 필요한 것: {wanted}.",
     ),
     Mistake.NO_ROBOT: Words(
         en="this is no robot yet. {fault}.",
@@ -198,6 +203,10 @@ WITHOUT_THE_ANSWER = {
         ko="보기에 없는 답입니다. 필요한 것: {wanted_ko}.",
     ),
     Mistake.MISSING_PARTS: Words(en="not answered: {parts}.", ko="답하지 않은 부분: {parts}."),
+    Mistake.MORE_PARTS: Words(
+        en="the dict holds more than is asked for; wanted: {wanted}.",
+        ko="딕셔너리에 필요 없는 것이 들어 있습니다. 필요한 것: {wanted_ko}.",
+    ),
     Mistake.NO_ROBOT: Words(en="the text is no URDF that can be read.", ko="URDF로 읽을 수 없는 텍스트입니다."),
     Mistake.FRAME: Words(
         en="the answer is in another frame; wanted: {wanted_frame}.",

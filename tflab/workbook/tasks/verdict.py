@@ -244,6 +244,9 @@ def _coarse_of_parts(form: Parts, outcome: Plain) -> tuple[Mistake, dict[str, An
     missing = [name for name in form.parts if name not in answers or is_unanswered(answers[name])]
     if missing:
         return Mistake.MISSING_PARTS, {"parts": missing}
+    more = [name for name in answers if name not in form.parts]
+    if form.alone and more:
+        return Mistake.MORE_PARTS, {"parts": more}
     for name, part in form.parts.items():
         fault = _coarse(part, answers[name])
         if fault is not None:
