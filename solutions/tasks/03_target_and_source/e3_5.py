@@ -100,8 +100,8 @@ SAME_YAW = Slip(
     "same_yaw",
     {"yaw": "same"},
     Words(
-        en="both places are right. Going back, one also turns back: look at the sign of the yaw.",
-        ko="두 위치는 맞습니다. 돌아갈 때는 회전도 반대입니다. yaw의 부호를 보십시오.",
+        en="going back, one also turns back: look at the sign of the yaw.",
+        ko="돌아갈 때는 회전도 반대입니다. yaw의 부호를 보십시오.",
     ),
 )
 
@@ -109,8 +109,8 @@ HEIGHT_KEPT = Slip(
     "height_kept",
     {"height": "kept"},
     Words(
-        en="all but one number is right: from the laser, is the robot's middle above or below?",
-        ko="숫자 하나만 빼고 모두 맞습니다. 레이저에서 보면 로봇 중심은 위에 있습니까, 아래에 있습니까?",
+        en="the height has kept its sign: from the laser, is the robot's middle above or below?",
+        ko="높이의 부호가 그대로입니다. 레이저에서 보면 로봇 중심은 위에 있습니까, 아래에 있습니까?",
     ),
 )
 
@@ -118,9 +118,9 @@ YAW_IN_DEGREES = Slip(
     "yaw_in_degrees",
     {"yaw": "in degrees"},
     Words(
-        en="both places are right, and the yaw is in degrees. It is asked for in radians: the tool prints "
+        en="the yaw is in degrees. It is asked for in radians: the tool prints "
         "both, one line above the other.",
-        ko="두 위치는 맞고, yaw가 도(degree)로 되어 있습니다. 라디안으로 답해야 합니다. 도구는 두 단위를 위아래 "
+        ko="yaw가 도(degree)로 되어 있습니다. 라디안으로 답해야 합니다. 도구는 두 단위를 위아래 "
         "두 줄로 출력합니다.",
     ),
     "M5",

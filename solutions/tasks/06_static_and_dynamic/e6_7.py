@@ -37,6 +37,7 @@ def _log(rng, join, place):
         (nodes[4], "/tf_static", on_the_edge, [f"{names[4]}_link"]),
         (nodes[1], "/tf", join + 1.0, ["base_link"]),
         (nodes[2], "/tf_static", {0: last, 1: last - 0.01, 2: last + 0.01}[place % 3], [f"{names[5]}_link"]),
+        (nodes[1], "/tf", join + 1.3, ["base_link"]),  # heard twice, known once
         (nodes[1], "/tf", last + 1.0, ["tool0"]),
         (nodes[0], "/tf_static", join + 0.7, [f"{names[0]}_4"]),  # heard, and its node ends before now
     ]

@@ -72,5 +72,6 @@ def form_from_plain(plain: dict[str, Any]) -> Form:
     if cls is Parts:
         return Parts({name: form_from_plain(inner) for name, inner in row["parts"].items()}, row.get("alone", False))
     if cls in (Pair, Sequence, Set):
-        return cls(**{name: form_from_plain(inner) for name, inner in row.items()})
+        inner = {name: form_from_plain(held) if isinstance(held, dict) else held for name, held in row.items()}
+        return cls(**inner)
     return cls(**{name: tuple(value) if isinstance(value, list) else value for name, value in row.items()})

@@ -18,8 +18,8 @@ from collections.abc import Iterator
 from ..answers import sealed
 from ..answers.form import Row as Marks
 from ..answers.form import inside, member, numbers_of
-from ..answers.forms import Angle, Form, Name, Number, Quaternion, Sequence, Tree, Vector
-from ..answers.members import edges_of
+from ..answers.forms import Angle, Form, Name, Number, Quaternion, Sequence, Set, Tree, Vector
+from ..answers.members import edges_of, members_of
 from ..answers.values import Plain
 from ..words import Words
 from .universal import OF_FORM
@@ -79,6 +79,8 @@ def by_comparison(form: Form, answers: list[Plain], wanted: list[Plain]) -> Iter
         yield "empty"
     elif isinstance(form, Sequence):
         yield from _of_lists(form, answers, wanted)
+    elif isinstance(form, Set) and form.once and all(map(_is_held_twice, [form] * len(wanted), answers, wanted)):
+        yield "members twice"
     elif isinstance(form, Tree):
         yield from _of_trees(form, answers, wanted)
     elif isinstance(form, Name):
@@ -136,6 +138,12 @@ def _ways(form: Sequence, plain: Plain) -> list[str] | None:
 
 def _plain(row: Marks) -> list[float | str]:
     return [mark.value if isinstance(mark.value, str) else round(mark.value, 9) + 0.0 for mark in row]
+
+
+def _is_held_twice(form: Set, answer: Plain, wanted: Plain) -> bool:
+    """Return whether an answer is right once each of its members counts once, or right as it is."""
+    members = members_of(answer)
+    return members is not None and all(sealed.judge(Set(form.of), members, wanted))
 
 
 def _of_trees(form: Tree, answers: list[Plain], wanted: list[Plain]) -> Iterator[str]:
