@@ -50,10 +50,11 @@ ONE, TWO = 0.1, 0.005  # how far from what one slip, or two, give: the more ther
 
 def row_of(form: Form, given: Plain, wanted: Plain) -> list[bool]:
     """Return for each probe of `wanted` whether `given` has it; either may be anything."""
-    try:
-        return sealed.judge(form, given, wanted)
-    except ValueError:  # a mistake need not be of the form at all
-        return [given == wanted]
+    if not sealed.is_sealed(wanted) and not is_raised(wanted):
+        read = form.read(wanted)
+        if read is None or not all(read):  # a mistake need not be of the form at all, nor all of its members
+            return [given == wanted]
+    return sealed.judge(form, given, wanted)
 
 
 def alike(form: Form, given: Plain, wanted: Plain) -> bool:
