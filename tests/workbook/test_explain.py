@@ -6,9 +6,22 @@ import math
 
 import pytest
 
-from tflab.workbook.answers.forms import Angle, Choice, Name, Number, Parts, Quaternion, Set, Tree, Vector
+from tflab.ros.messages import geometry_msgs
+from tflab.workbook.answers.forms import (
+    Angle,
+    Choice,
+    Message,
+    Name,
+    Number,
+    Parts,
+    Quaternion,
+    Sequence,
+    Set,
+    Tree,
+    Vector,
+)
 from tflab.workbook.answers.sealed import seal
-from tflab.workbook.answers.values import outcome_of, to_plain
+from tflab.workbook.answers.values import outcome_of, raised, to_plain
 from tflab.workbook.tasks import Words
 from tflab.workbook.tasks.case import Case, TwinWords
 from tflab.workbook.tasks.mistake import Mistake
@@ -255,3 +268,128 @@ def test_words_that_a_function_confuses_are_named(said, name):
     asked = ["ok", "future", "past", "past"]
     slips = judged_function(form, list(zip(asked, said, strict=True))).slips
     assert [set(slip.replace(" and ", " ").split()) for slip in slips] == [set(name.replace(" and ", " ").split())]
+
+
+# -- what was computed ------------------------------------------------------------------------
+
+GIVEN = {"speed_mps": 0.73, "yaw_rate_radps": 0.87, "delay_ms": 120.0, "base_p_laser": [0.21, 0.05, 0.3]}
+GIVEN |= {"map_p_base": [7.4, -2.2, 0.1]}
+
+
+def judged_with_givens(form, right, answer):
+    task, variant = bare(form, Case(None, to_plain(right), {}))
+    return judge_outcomes(task, variant._replace(given={k: to_plain(v) for k, v in GIVEN.items()}), [to_plain(answer)])
+
+
+@pytest.mark.parametrize(
+    ("form", "right", "answer", "said"),
+    [
+        (Number("rad/s"), -0.87, 0.73 * 0.87, "`speed_mps * yaw_rate_radps` gives (m/s times rad/s)"),
+        (Number("rad/s"), -0.87, 0.73 / 0.87, "`speed_mps / yaw_rate_radps` gives (m/s by rad/s)"),
+        (Number("rad/s"), -0.87, 0.73, "`speed_mps` gives (m/s)"),
+        (Number("m"), 0.1, 0.73 * 120.0, "`delay_ms * speed_mps` gives (ms times m/s)"),
+        (Vector(3), (7.6, -2.1, 0.4), (7.19, -2.25, -0.2), "`map_p_base - base_p_laser` gives"),
+    ],
+)
+def test_what_was_computed_of_what_was_given_is_said(form, right, answer, said):
+    verdict = judged_with_givens(form, right, answer)
+    assert said in verdict.said.en
+    assert next(iter(verdict.slips)).startswith("computed: ")
+
+
+@pytest.mark.parametrize("answer", [0.64, 0.6, 0.635])
+def test_a_number_that_no_sum_gives_to_the_last_digit_hears_of_none(answer):
+    assert not judged_with_givens(Number("rad/s"), -0.87, answer).slips
+
+
+# -- near, and not it -------------------------------------------------------------------------
+
+
+def test_a_slip_is_not_named_by_a_tolerance_that_is_wide_beside_it():
+    form = Number("mm", 0.5)
+    assert list(judged(form, 400.0, {"cosine": 0.2163}, 0.2163).slips) == ["cosine"]
+    assert "cosine" not in judged(form, 400.0, {"cosine": 0.2163}, 0.0208).slips
+    pair = {"late": 80.0, "far": 90.0, "late + far": 100.0}
+    assert list(judged(form, 400.0, pair, 100.0).slips) == ["late", "far"]
+    assert not judged(Number("mm", 5.0), 400.0, pair, 103.0).slips
+
+
+@pytest.mark.parametrize(
+    ("form", "right", "wrong", "name"),
+    [
+        (Number("m"), 2.5, 0.25, "power of ten"),
+        (Number("m"), 2.5, 0.0, "zero"),
+        (Vector(3), (1.0, 2.0, 3.0), (10.0, 20.0, 30.0), "power of ten"),
+        (Sequence(Name()), ["a", "b", "c"], ["c", "b", "a"], "other order"),
+        (Sequence(Name()), ["a", "b", "c"], ["b", "a", "c"], "another order"),
+        (Sequence(Name()), ["a", "b"], ["a", "a", "b"], "members twice"),
+        (Set(Name(), once=True), {"a", "b"}, ["a", "a", "b"], "members twice"),
+        (Tree(), {"odom": "map", "base": "odom"}, {"map": "odom", "odom": "base"}, "parent for child"),
+    ],
+)
+def test_what_shows_only_beside_the_right_answer_is_named(form, right, wrong, name):
+    assert list(judged(form, right, {}, wrong).slips) == [name]
+
+
+def test_a_set_takes_a_member_twice_unless_it_says_that_each_counts_once():
+    assert judged(Set(Name()), {"a", "b"}, {}, ["a", "a", "b"]).mistake is None
+
+
+def test_a_dict_may_hold_what_nobody_asked_for_unless_it_stands_alone():
+    two, more = {"a": Number("m"), "b": Number("m")}, {"a": 1.0, "b": 2.0, "z": 3.0}
+    assert judged(Parts(two), {"a": 1.0, "b": 2.0}, {}, more).mistake is None
+    verdict = judged(Parts(two, alone=True), {"a": 1.0, "b": 2.0}, {}, more)
+    assert (verdict.mistake, verdict.detail["parts"]) == (Mistake.MORE_PARTS, ["z"])
+
+
+# -- refusals, and members of lists -----------------------------------------------------------
+
+REFUSED = raised(LookupError("no"))
+
+
+@pytest.mark.parametrize(
+    ("instead", "name"),
+    [
+        (None, "error swallowed"),
+        (0.0, "error swallowed"),
+        ({"object": "LookupError, returned and not raised"}, "exception returned"),
+    ],
+)
+def test_an_error_that_was_swallowed_is_called_so(instead, name):
+    cases = (Case([1], 1.0, {}), Case([2], 2.0, {}), Case([3], REFUSED, {}), Case([4], REFUSED, {}))
+    task, variant = bare(Number("m"), *cases, is_function=True)
+    assert list(judge_outcomes(task, variant, [1.0, 2.0, instead, instead]).slips) == [name]
+    assert judge_outcomes(task, variant, [1.0, 2.0, REFUSED, REFUSED]).mistake is None
+    both = judge_outcomes(task, variant, [-1.0, -2.0, instead, instead])
+    assert list(both.slips) == ["sign", name]
+
+
+def test_a_refusal_that_is_answered_by_something_else_each_time_is_no_swallowed_error():
+    cases = (Case([1], 1.0, {}), Case([2], 2.0, {}), Case([3], REFUSED, {}), Case([4], REFUSED, {}))
+    task, variant = bare(Number("m"), *cases, is_function=True)
+    assert judge_outcomes(task, variant, [1.0, 2.0, 3.0, 4.0]).mistake is Mistake.NO_REFUSAL
+
+
+def test_what_all_messages_of_a_list_have_wrong_is_said_of_the_field():
+    def sent(frame, x):
+        message = geometry_msgs.PointStamped()
+        message.header.frame_id, message.point.x = frame, x
+        return message
+
+    form = Sequence(Message("geometry_msgs/msg/PointStamped", ("header.frame_id", "point")))
+    asked = [([sent("map", 1.0), sent("odom", 2.0)], [sent("/map", 1.0), sent("/odom", 2.0)])]
+    asked += [([sent("map", 3.0)], [sent("/map", 3.0)])]
+    verdict = judged_function(form, asked)
+    assert list(verdict.slips) == ["slash in front"]
+    assert verdict.said.en.startswith('"header.frame_id": ')
+
+
+def test_two_parts_of_a_function_that_have_changed_places_come_before_two_slips():
+    right = [{"a": 1.0, "b": 2.0, "c": 3.0}, {"a": 4.0, "b": 5.0, "c": 6.0}]
+    wrong = [{"a": 2.0, "b": 1.0, "c": 3.0}, {"a": 5.0, "b": 4.0, "c": 6.0}]
+    twins = {
+        "one": [row | {"a": 9.0} for row in right],
+        "other": [row | {"b": 9.0} for row in right],
+        "one + other": wrong,
+    }
+    assert list(judged_function(PARTS, list(zip(right, wrong, strict=True)), twins).slips) == ["a and b changed places"]

@@ -1,0 +1,43 @@
+"""An explanation is written once: `check`, `tflab check`, the feedback page and the class page say the same words."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+import tiny
+
+from tflab.grading.judging.draw import asks_of
+from tflab.grading.judging.marks import judged
+from tflab.grading.judging.pack import read_pack
+from tflab.grading.reports.class_page import class_page
+from tflab.grading.reports.feedback import feedback_page
+from tflab.workbook.tasks.case import TaskCases
+from tflab.workbook.tasks.verdict import judge_outcomes
+
+
+@pytest.fixture(scope="module")
+def cases(course: tiny.Course) -> dict[str, Any]:
+    return read_pack(course.pack).for_learner("s102")
+
+
+def record(language: str, row: dict[str, Any]) -> dict[str, Any]:
+    chapter = {"tasks": {"E3.2": row}, "remarks": []}
+    return {
+        "learner": "s102", "name": "", "language": language, "handed_in": True, "remarks": [], "seconds": 1.0,
+        "points": row["points"], "most": row["most"], "chapters": {tiny.STEM: chapter},
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize("language", ["en", "ko"])
+def test_check_and_both_pages_of_a_class_say_of_a_slip_the_same_words(cases: dict, language: str) -> None:
+    task = cases[tiny.STEM]["tasks"]["E3.2"]
+    got = {place: task["cases"][number]["twins"]["added"] for place, number in enumerate(asks_of(task))}
+    mark = judged("E3.2", task, got)
+    held = TaskCases.of_a_learner(task)
+    outcomes = [case.twins["added"] for case in held.variants[0].cases]
+    said = judge_outcomes(held, held.variants[0], outcomes).said.say(language)  # what `check` prints
+    assert mark.said.say(language) == said == held.twins["added"].reply.say(language)
+    row = mark.plain()
+    assert said in feedback_page(record(language, row), cases, "named")
+    assert said in class_page([record(language, row)], cases, language=language)
