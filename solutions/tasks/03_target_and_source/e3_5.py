@@ -118,10 +118,8 @@ YAW_IN_DEGREES = Slip(
     "yaw_in_degrees",
     {"yaw": "in degrees"},
     Words(
-        en="the yaw is in degrees. It is asked for in radians: the tool prints "
-        "both, one line above the other.",
-        ko="yaw가 도(degree)로 되어 있습니다. 라디안으로 답해야 합니다. 도구는 두 단위를 위아래 "
-        "두 줄로 출력합니다.",
+        en="the yaw is in degrees. It is asked for in radians: the tool prints both, one line above the other.",
+        ko="yaw가 도(degree)로 되어 있습니다. 라디안으로 답해야 합니다. 도구는 두 단위를 위아래 두 줄로 출력합니다.",
     ),
     "M5",
 )

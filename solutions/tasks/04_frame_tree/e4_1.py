@@ -33,6 +33,8 @@ def built(given, *, fault="mended", way="child -> parent"):
         tree = {child: swap[1] if parent == swap[0] else parent for child, parent in tree.items()}
     elif fault in ("bridged", "bridged at the top"):
         tree = {**tree, wrong: meant if fault == "bridged" else "map"}
+    elif fault == "below the typo":
+        tree = {**tree, meant: wrong}
     elif fault == "left out":
         tree = {child: parent for child, parent in tree.items() if parent != wrong}
     elif fault == "renamed":
@@ -118,6 +120,37 @@ LEFT_OUT = Slip(
 )
 
 
+RIGHT_NAME_BELOW_THE_TYPO = Slip(
+    "right name below the typo",
+    {"fault": "below the typo"},
+    Words(
+        en="You hung the right name below the misspelt one. Both are one place: mend the name, and no edge is needed.",
+        ko="맞는 이름을 틀린 이름 아래에 달았습니다. 둘은 같은 곳입니다. 이름을 고치면 간선은 더 필요 없습니다.",
+    ),
+    "M14",
+)
+
+
+A_PARENT_FOR_MAP = Twin(
+    "a parent for map",
+    lambda given: {**built(given), "map": "world"},
+    Words(
+        en="map has a parent now, and it is the root: nothing stands above it.",
+        ko="map에 부모가 생겼습니다. map은 루트이므로 위에 아무것도 없습니다.",
+    ),
+)
+
+
+ALL_BELOW_ONE = Twin(
+    "all below one",
+    lambda given: dict.fromkeys(built(given), names(given)[2]),
+    Words(
+        en="All frames hang below one. Only the misspelt name is to be mended; every other edge stays as it was heard.",
+        ko="모든 좌표계를 하나 아래에 달았습니다. 틀린 이름만 고치고 나머지 간선은 들은 그대로 두십시오.",
+    ),
+)
+
+
 TASK = Task(
     id="E4.1",
     kind="T",
@@ -128,7 +161,19 @@ TASK = Task(
     given=misspelt,
     variants=8,
     model=built,
-    twins=(UNCHANGED, BRIDGED, RENAMED, AT_THE_TOP, UPSIDE_DOWN, ONLY_THE_EDGE, BRIDGED_AT_THE_TOP, LEFT_OUT),
+    twins=(
+        UNCHANGED,
+        BRIDGED,
+        RENAMED,
+        AT_THE_TOP,
+        UPSIDE_DOWN,
+        ONLY_THE_EDGE,
+        BRIDGED_AT_THE_TOP,
+        LEFT_OUT,
+        RIGHT_NAME_BELOW_THE_TYPO,
+        A_PARENT_FOR_MAP,
+        ALL_BELOW_ONE,
+    ),
     hints=(
         Words(en="Which parents are nobody's child?", ko="누구의 자식도 아닌 부모는 무엇입니까?"),
         Words(

@@ -29,7 +29,7 @@ def questions(rng):
     return rows
 
 
-def walked(parent_of, target, source, *, ends="as asked", climb="until they meet", words="as they are", order="outward", both="up, then down", lost="raises"):  # fmt: skip
+def walked(parent_of, target, source, *, ends="as asked", climb="until they meet", words="as they are", order="outward", both="up, then down", named="child", pairs="child first", lost="raises"):  # fmt: skip
     """Return the steps, one decision after the other; other steps are the slips."""
     if ends == "exchanged":
         target, source = source, target
@@ -37,7 +37,10 @@ def walked(parent_of, target, source, *, ends="as asked", climb="until they meet
     if up[-1] != down[-1]:
         if lost == "raises":
             raise ConnectivityException("not part of the same tree")
-        return [] if lost == "empty" else None
+        if lost != "joined":
+            return [] if lost == "empty" else None
+    if named == "a step to itself" and target == source:
+        return [(source, "up")]
     if climb == "until they meet":
         while up and down and up[-1] == down[-1]:
             up.pop()
@@ -46,7 +49,12 @@ def walked(parent_of, target, source, *, ends="as asked", climb="until they meet
         up, down = up[:-1], down[:-1]
     first, then = {"exchanged": ("down", "up"), "all up": ("up", "up")}.get(words, ("up", "down"))
     down = {"outward": down[::-1], "as climbed": down, "left out": []}[order]
+    if named == "where they meet, too" and up:
+        up = [*up, parent_of.get(up[-1], up[-1])]
+    down = [parent_of[child] for child in down] if named == "parent, going down" else down
     climbing, descending = [(child, first) for child in up], [(child, then) for child in down]
+    if pairs == "way first":
+        return [(way, child) for child, way in climbing + descending]
     if both == "up, then down":
         return climbing + descending
     return descending + climbing if both == "down, then up" else descending
@@ -160,6 +168,57 @@ NEVER_UP = Slip(
 )
 
 
+PARENT_GOING_DOWN = Slip(
+    "parent going down",
+    {"named": "parent, going down"},
+    Words(
+        en="Going down you name the parent of the edge. Each step is named after the edge's child, down as well as up.",
+        ko="내려갈 때 간선의 부모 이름을 썼습니다. 올라갈 때나 내려갈 때나 간선의 자식 이름을 씁니다.",
+    ),
+)
+
+
+WHERE_THEY_MEET_TOO = Slip(
+    "where they meet too",
+    {"named": "where they meet, too"},
+    Words(
+        en="You also name the frame in which the two ways meet. No step is needed above it: its own edge is not walked.",
+        ko="두 길이 만나는 좌표계도 걸음에 넣었습니다. 그 위로는 가지 않으므로 그 간선은 지나지 않습니다.",
+    ),
+)
+
+
+A_STEP_TO_ITSELF = Slip(
+    "a step to itself",
+    {"named": "a step to itself"},
+    Words(
+        en="From a frame to itself you take a step. There is none to take: an empty list.",
+        ko="좌표계에서 자기 자신으로 가는데 한 걸음을 넣었습니다. 갈 곳이 없으므로 빈 리스트입니다.",
+    ),
+)
+
+
+WAY_FIRST = Slip(
+    "way first",
+    {"pairs": "way first"},
+    Words(
+        en="Your pairs have the way first. Asked for is (child, way).",
+        ko="쌍에서 방향이 먼저 나옵니다. (자식, 방향)이 필요합니다.",
+    ),
+)
+
+
+JOINED_OVER_TWO_ROOTS = Slip(
+    "joined over two roots",
+    {"lost": "joined"},
+    Words(
+        en="You walk from one tree into the other, as if their roots were one. Where no frame is above both, raise ConnectivityException.",
+        ko="두 트리의 루트가 하나인 것처럼 건너갑니다. 둘 위에 함께 있는 좌표계가 없으면 ConnectivityException을 일으키십시오.",
+    ),
+    "M11",
+)
+
+
 TASK = Task(
     id="E4.3",
     kind="F",
@@ -182,6 +241,11 @@ TASK = Task(
         ALL_UP,
         DOWN_FIRST,
         NEVER_UP,
+        PARENT_GOING_DOWN,
+        WHERE_THEY_MEET_TOO,
+        A_STEP_TO_ITSELF,
+        WAY_FIRST,
+        JOINED_OVER_TWO_ROOTS,
     ),
     hints=(
         Words(

@@ -6,7 +6,7 @@ from tflab.workbook.tasks import Slip, Task, Tree, Twin, Words
 
 from .draws import robot
 
-TEAMS = (("robot1", "robot2"), ("red", "blue"), ("tb3_0", "tb3_1"), ("alpha", "beta"), ("north", "south"))
+TEAMS = (("left", "right"), ("red", "blue"), ("tb3_0", "tb3_1"), ("alpha", "beta"), ("north", "south"))
 
 
 def robots(rng):
@@ -15,13 +15,29 @@ def robots(rng):
     return {"edges": [(parent, child) for child, parent in tree.items()], "prefixes": [first, second]}
 
 
-def together(given, *, shared=("map",), glue="{}/{}", parents="prefixed", who="both", way="child -> parent"):
+def together(
+    given,
+    *,
+    robots="beside each other",
+    named="as given",
+    shared=("map",),
+    glue="{}/{}",
+    parents="prefixed",
+    who="both",
+    way="child -> parent",
+):
     """Return the tree of both robots, step by step; other steps are the slips."""
     fleet = {}
-    for prefix in given.prefixes[:1] if who == "the first" else given.prefixes:
+    first, second = prefixes = ["robot1", "robot2"] if named == "numbered" else given.prefixes
+    for prefix in prefixes[:1] if who == "the first" else prefixes:
         for parent, child in given.edges:
             above, below = (name if name in shared else glue.format(prefix, name) for name in (parent, child))
             fleet[below] = parent if parents == "bare" else above
+    if parents == "robot by robot":
+        fleet |= {child: prefix for prefix in prefixes for child in fleet if fleet[child] == "map" and prefix in child}
+        fleet |= dict.fromkeys(prefixes, "map")
+    if robots == "one below the other":
+        fleet = {c: p if p != "map" or not c.startswith(second) else f"{first}/odom" for c, p in fleet.items()}
     return {parent: child for child, parent in fleet.items()} if way == "parent -> child" else fleet
 
 
@@ -136,6 +152,50 @@ SLASH_IN_FRONT_OF_ALL = Twin(
 )
 
 
+NUMBERED = Slip(
+    "numbered",
+    {"named": "numbered"},
+    Words(
+        en="You named the robots robot1 and robot2. Their names are in `prefixes`; robot1/odom was an example.",
+        ko="로봇을 robot1, robot2라고 불렀습니다. 이름은 `prefixes`에 있습니다. robot1/odom은 예입니다.",
+    ),
+    "M14",
+)
+
+
+BELOW_MAP_IN_NAME = Slip(
+    "below map in name",
+    {"glue": "map/{}/{}"},
+    Words(
+        en="You wrote map into every name. A name holds no path through the tree: the parents say what hangs where.",
+        ko="모든 이름에 map을 넣었습니다. 이름은 트리의 경로가 아닙니다. 무엇이 어디 달리는지는 부모가 말합니다.",
+    ),
+    "M14",
+)
+
+
+A_FRAME_FOR_EACH_ROBOT = Slip(
+    "a frame for each robot",
+    {"parents": "robot by robot"},
+    Words(
+        en="You put a frame for each robot between map and its odom. A prefix is a part of the names, and no frame of its own.",
+        ko="map과 odom 사이에 로봇마다 좌표계를 하나씩 더 넣었습니다. 접두사는 이름의 일부이지 좌표계가 아닙니다.",
+    ),
+    "M14",
+)
+
+
+ONE_ROBOT_BELOW_THE_OTHER = Slip(
+    "one robot below the other",
+    {"robots": "one below the other"},
+    Words(
+        en="The second robot hangs below the first one's odom: it would be carried along. They share map, and nothing else.",
+        ko="두 번째 로봇이 첫 번째 로봇의 odom 아래에 달렸습니다. 함께 끌려다니게 됩니다. 둘이 함께 쓰는 것은 map뿐입니다.",
+    ),
+    "M2",
+)
+
+
 TASK = Task(
     id="E4.4",
     kind="T",
@@ -158,6 +218,10 @@ TASK = Task(
         THE_FIRST_ALONE,
         NAME_FIRST,
         SLASH_IN_FRONT_OF_ALL,
+        NUMBERED,
+        BELOW_MAP_IN_NAME,
+        A_FRAME_FOR_EACH_ROBOT,
+        ONE_ROBOT_BELOW_THE_OTHER,
     ),
     hints=(
         Words(

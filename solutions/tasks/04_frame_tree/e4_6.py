@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 from tflab.workbook.tasks import Name, Sequence, Slip, Task, Twin, Words
 
 from .draws import robot, sender
@@ -33,13 +35,21 @@ def logs(rng):
     return [(row,) for row in rows]
 
 
+def neighbours(log):
+    """Return the children of which two rows that follow one another have different nodes."""
+    rows = pairwise(log)
+    return sorted({child for (node, _, child), (other, _, same) in rows if child == same and node != other})
+
+
 def counted(log, *, names="whole", key="child", what="nodes", least=2, order="sorted"):
     """Return the children with several owners, step by step; other steps are the slips."""
     seen = {}
     for node, parent, child in log:
         who = node.rpartition("/")[2] if names == "base" else node
+        who = (node, parent) if what == "nodes and parents" else who
         seen.setdefault(child if key == "child" else (parent, child), []).append(who)
-    many = [of for of, who in seen.items() if (len(who) if what == "messages" else len(set(who))) >= least]
+    counts = {of: len(who) if what == "messages" else len(set(who)) for of, who in seen.items()}
+    many = [of for of, count in counts.items() if (count == 2 if least == "just two" else count >= least)]
     many = list(dict.fromkeys(of if key == "child" else of[1] for of in many))
     return sorted(many) if order == "sorted" else many
 
@@ -139,6 +149,46 @@ BUSY_NODES = Twin(
 )
 
 
+JUST_TWO = Slip(
+    "just two",
+    {"least": "just two"},
+    Words(
+        en="You look for just two nodes. Three owners are several as well.",
+        ko="노드가 정확히 둘인 것만 찾습니다. 셋도 여럿입니다.",
+    ),
+)
+
+
+NODES_AND_PARENTS = Slip(
+    "nodes and parents",
+    {"what": "nodes and parents"},
+    Words(
+        en="You count a node once for each parent that it names. One node that moves a child about is still one owner: count the nodes.",
+        ko="한 노드가 부모를 둘 말하면 두 번 셉니다. 자식을 옮겨 다녀도 노드 하나는 하나입니다. 노드를 세십시오.",
+    ),
+)
+
+
+PARENTS_TOO = Twin(
+    "parents",
+    lambda log: sorted({parent for _, parent, child in log if len({n for n, _, c in log if c == child}) > 1}),
+    Words(
+        en="These are the parents. Asked for are the children that several nodes send.",
+        ko="부모들입니다. 여러 노드가 보내는 자식이 필요합니다.",
+    ),
+)
+
+
+NEIGHBOURS_ALONE = Twin(
+    "neighbours alone",
+    neighbours,
+    Words(
+        en="You compare each row only with the one before it. Two owners need not follow one another in the log: gather the nodes of each child first.",
+        ko="각 줄을 바로 앞줄과만 비교합니다. 두 노드가 로그에 잇달아 나온다는 법은 없습니다. 자식마다 노드를 먼저 모으십시오.",
+    ),
+)
+
+
 TASK = Task(
     id="E4.6",
     kind="F",
@@ -149,7 +199,22 @@ TASK = Task(
     inputs=logs,
     variants=3,
     model=counted,
-    twins=(MESSAGES, EDGES, BASE_NAMES, THREE, UNSORTED, ALL, NODES, PARENTS, BY_PARENT, BUSY_NODES),
+    twins=(
+        MESSAGES,
+        EDGES,
+        BASE_NAMES,
+        THREE,
+        UNSORTED,
+        ALL,
+        NODES,
+        PARENTS,
+        BY_PARENT,
+        BUSY_NODES,
+        JUST_TWO,
+        NODES_AND_PARENTS,
+        PARENTS_TOO,
+        NEIGHBOURS_ALONE,
+    ),
     hints=(
         Words(en="For each child, collect who sends it.", ko="자식마다 누가 보내는지 모으십시오."),
         Words(en="A set keeps each node once.", ko="set에는 노드가 하나씩만 남습니다."),

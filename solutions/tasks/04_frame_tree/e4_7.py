@@ -16,14 +16,18 @@ def names(rng):
         second = [frame for frame in FRAMES if frame != first][int(rng.integers(len(FRAMES) - 1))]
         for prefix in ("", "/", robot, f"{robot}/", f"/{robot}", f"/{robot}/"):
             rows += [(prefix, first), (prefix, f"/{second}"), (prefix, "map")]
-        rows += [(robot, "/map"), (f"fleet/{robot}", first), (robot, "map_server_frame")]
+        rows += [(robot, "/map"), (f"fleet/{robot}", first), (robot, "map_server_frame"), (f"/{robot}/", "odom")]
+        rows += [("", "/map"), (robot, "odom")]
     return rows
 
 
 def joined(prefix, name, *, ends="stripped", inner="stripped", glue="/", empty="bare", shared="map alone",
            first="the prefix", slash="between"):  # fmt: skip
     """Return the full name, step by step; other steps are the slips."""
-    if ends == "left only":
+    came = name
+    if ends == "all removed":
+        prefix = prefix.replace("/", "")
+    elif ends == "left only":
         prefix = prefix.lstrip("/")
     elif ends == "right only":
         prefix = prefix.rstrip("/")
@@ -35,6 +39,7 @@ def joined(prefix, name, *, ends="stripped", inner="stripped", glue="/", empty="
         "nothing": False,
         "begins with": name.startswith("map"),
         "odom too": name in ("map", "odom"),
+        "as it came": came == "map",
     }[shared]
     if is_shared or (empty == "bare" and not prefix):
         return name
@@ -118,16 +123,6 @@ LIKE_MAP = Slip(
     Words(
         en="You share whatever begins with map. Names are compared whole: only map itself is shared.",
         ko="map으로 시작하는 이름을 모두 함께 씁니다. 이름은 통째로 비교합니다. 함께 쓰는 것은 map뿐입니다.",
-    ),
-    "M14",
-)
-
-ODOM_TOO = Slip(
-    "odom shared",
-    {"shared": "odom too"},
-    Words(
-        en="odom has no prefix. Each robot counts its own wheels from its own start: two robots with one odom are one robot that jumps.",
-        ko="odom에 접두사가 없습니다. 로봇마다 자기 출발점에서 자기 바퀴를 셉니다. odom을 함께 쓰면 두 로봇이 한 로봇처럼 이리저리 뛰어다닙니다.",
     ),
     "M14",
 )
@@ -243,6 +238,61 @@ DOUBLES_ALONE = Twin(
 )
 
 
+MAP_AS_IT_CAME = Slip(
+    "map as it came",
+    {"shared": "as it came"},
+    Words(
+        en="You look for map before the slash in front of it is gone: `/map` gets a prefix.",
+        ko="앞의 슬래시를 떼기 전에 map인지 봅니다. 그래서 `/map`에 접두사가 붙습니다.",
+    ),
+    "M14",
+)
+
+
+ODOM_SHARED = Slip(
+    "odom shared",
+    {"shared": "odom, too"},
+    Words(
+        en="You share odom as well. Each robot counts its wheels from a place of its own: only map is shared.",
+        ko="odom도 함께 씁니다. 로봇마다 바퀴를 세기 시작한 곳이 다릅니다. 함께 쓰는 것은 map뿐입니다.",
+    ),
+    "M14",
+)
+
+
+ALL_SLASHES_REMOVED = Slip(
+    "all slashes removed",
+    {"ends": "all removed"},
+    Words(
+        en="You take every slash out of the prefix, also the one in the middle: fleet/robot becomes another name. Only those at its ends go.",
+        ko="접두사에서 가운데 슬래시까지 모두 지웁니다. fleet/robot이 다른 이름이 됩니다. 양 끝의 것만 지우십시오.",
+    ),
+    "M14",
+)
+
+
+JOINED_AS_PATHS = Twin(
+    "joined as paths",
+    lambda prefix, name: name if name.startswith("/") else f"{prefix.rstrip('/')}/{name}",
+    Words(
+        en="You join them as paths of files: there, a name with a slash in front throws away all before it. Frames are no files; strip the slashes first.",
+        ko="파일 경로처럼 이었습니다. 경로에서는 앞에 슬래시가 있는 이름이 앞부분을 버립니다. 좌표계는 파일이 아닙니다. 슬래시를 먼저 떼십시오.",
+    ),
+    "M14",
+)
+
+
+CLEANED_AT_THE_END = Twin(
+    "cleaned at the end",
+    lambda prefix, name: name.strip("/") if name.strip("/") == "map" else f"{prefix}/{name}".strip("/"),
+    Words(
+        en="You strip the whole after joining: what stands twice in the middle stays there. Clean prefix and name before.",
+        ko="이은 다음에 양 끝만 정리합니다. 가운데 겹친 슬래시는 그대로 남습니다. 접두사와 이름을 먼저 정리하십시오.",
+    ),
+    "M14",
+)
+
+
 TASK = Task(
     id="E4.7",
     kind="F",
@@ -262,7 +312,6 @@ TASK = Task(
         NAME_AS_IT_IS,
         MAP_TOO,
         LIKE_MAP,
-        ODOM_TOO,
         NEVER,
         GLUED,
         WITH_A_SLASH,
@@ -274,6 +323,11 @@ TASK = Task(
         BEHIND,
         SLASH_ALWAYS,
         DOUBLES_ALONE,
+        MAP_AS_IT_CAME,
+        ODOM_SHARED,
+        ALL_SLASHES_REMOVED,
+        JOINED_AS_PATHS,
+        CLEANED_AT_THE_END,
     ),
     hints=(
         Words(en="Clean both words first, then join them.", ko="두 낱말을 먼저 다듬고 나서 이으십시오."),
