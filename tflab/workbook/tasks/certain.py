@@ -42,14 +42,8 @@ def certain(form: Form, answer: Plain, expected: Plain) -> Words | None:
         return _of_tree(answer, expected) if isinstance(form, Tree) else _of_set(form, answer, expected)
     if sealed.is_sealed(expected) or is_raised(expected) or is_raised(answer):
         return None
-    if isinstance(form, Number):
-        return _of_number(numbers_of(answer, None), numbers_of(expected, None))
-    if isinstance(form, Angle):
-        return _of_angle(numbers_of(answer, None), numbers_of(expected, None))
-    if isinstance(form, Vector):
-        return _of_vector(numbers_of(answer, form.size), numbers_of(expected, form.size), form.tolerance)
-    if isinstance(form, Quaternion):
-        return _of_rotation(numbers_of(answer, 4), numbers_of(expected, 4))
+    if isinstance(form, Number | Angle | Vector | Quaternion):
+        return _of_numbers(form, answer, expected)
     if isinstance(form, Sequence):
         return _of_sequence(inside(answer), inside(expected))
     if isinstance(form, Pose):
@@ -59,6 +53,16 @@ def certain(form: Form, answer: Plain, expected: Plain) -> Words | None:
     if isinstance(form, Name):
         return _of_name(answer, expected)
     return _of_parts(form, answer, expected)
+
+
+def _of_numbers(form: Form, answer: Plain, expected: Plain) -> Words | None:
+    if isinstance(form, Number):
+        return _of_number(numbers_of(answer, None), numbers_of(expected, None))
+    if isinstance(form, Angle):
+        return _of_angle(numbers_of(answer, None), numbers_of(expected, None))
+    if isinstance(form, Vector):
+        return _of_vector(numbers_of(answer, form.size), numbers_of(expected, form.size), form.tolerance)
+    return _of_rotation(numbers_of(answer, 4), numbers_of(expected, 4))
 
 
 def _of_number(given: tuple[float, ...] | None, wanted: tuple[float, ...] | None) -> Words | None:

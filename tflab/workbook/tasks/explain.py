@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from ..answers.forms import Choice, Message, Parts
+from ..answers.forms import Choice, Form, Message, Parts
 from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
 from .arithmetic import computed
@@ -72,15 +72,21 @@ def _ways(
     form, expected = task.form, [case.expected for case in cases]
     gives = {name: [case.twins.get(name) for case in cases] for name in cases[0].twins}
     single = {name: row for name, row in gives.items() if AND not in name}
-    yield from ((name,) for name, row in single.items() if is_just(form, outcomes, row, ONE))
+    yield from _just(form, outcomes, single, ONE)
     yield from ((name,) for name in undone_to(form, outcomes, expected, only_plain_to_see=True))
     if task.is_function and habit(form, cases, outcomes):
         return
     if not task.is_function and (held := given_to(form, outcomes[0], expected[0], given)):
         yield (f"given {held}",)
-    pairs = ((name, row) for name, row in gives.items() if AND in name)
-    yield from (tuple(name.split(AND)) for name, row in pairs if is_just(form, outcomes, row, TWO))
+    yield from _just(form, outcomes, {name: row for name, row in gives.items() if AND in name}, TWO)
     yield from _further_ways(task, single, outcomes, expected)
+
+
+def _just(
+    form: Form, outcomes: Sequence[Plain], gives: dict[str, list[Plain]], share: float
+) -> Iterator[tuple[str, ...]]:
+    """Yield the names of those that give just these outcomes."""
+    yield from (tuple(name.split(AND)) for name, row in gives.items() if is_just(form, outcomes, row, share))
 
 
 def _further_ways(
