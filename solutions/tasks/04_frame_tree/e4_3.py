@@ -51,7 +51,7 @@ def walked(parent_of, target, source, *, ends="as asked", climb="until they meet
     down = {"outward": down[::-1], "as climbed": down, "left out": []}[order]
     if named == "where they meet, too" and up:
         up = [*up, parent_of.get(up[-1], up[-1])]
-    down = [parent_of[child] for child in down] if named == "parent, going down" else down
+    down = [parent_of.get(child, child) for child in down] if named == "parent, going down" else down
     climbing, descending = [(child, first) for child in up], [(child, then) for child in down]
     if pairs == "way first":
         return [(way, child) for child, way in climbing + descending]
