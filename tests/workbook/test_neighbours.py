@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tflab.workbook.answers.forms import Angle, Choice, Form, Number, Parts, Pose, Quaternion, Vector
+from tflab.workbook.answers.forms import Angle, Choice, Form, Name, Number, Parts, Pose, Quaternion, Vector
 from tflab.workbook.places import CASES, workbook_data
 from tflab.workbook.tasks.case import AND, TaskCases, Variant
 from tflab.workbook.tasks.cases import read_chapter
@@ -63,12 +63,12 @@ def test_a_number_beside_that_of_a_slip_does_not_hear_its_reply(task_id: str, ta
     variant = task.variants[0]
     for name, outcomes in list(singles(variant).items())[:MOST_NEIGHBOURS]:
         beside = [nudged(outcome) for outcome in outcomes]
-        assert name not in judge_outcomes(task, variant, beside).slips
+        assert beside == outcomes or name not in judge_outcomes(task, variant, beside).slips
 
 
 @each_task
 def test_a_slip_that_is_made_in_one_call_alone_is_not_called_the_whole_slip(task_id: str, task: TaskCases) -> None:
-    if not task.is_function or isinstance(task.form, Choice):
+    if not task.is_function or isinstance(task.form, Choice | Name):
         pytest.skip("one answer, or words, of which one call may say all")
     variant = task.variants[0]
     right = [case.expected for case in variant.cases]

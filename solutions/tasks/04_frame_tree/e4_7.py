@@ -251,7 +251,7 @@ MAP_AS_IT_CAME = Slip(
 
 ODOM_SHARED = Slip(
     "odom shared",
-    {"shared": "odom, too"},
+    {"shared": "odom too"},
     Words(
         en="You share odom as well. Each robot counts its wheels from a place of its own: only map is shared.",
         ko="odom도 함께 씁니다. 로봇마다 바퀴를 세기 시작한 곳이 다릅니다. 함께 쓰는 것은 map뿐입니다.",
