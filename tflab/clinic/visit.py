@@ -36,11 +36,11 @@ The robot when it is well
     "ko": """\
 정상일 때의 로봇
   트리    map -> odom -> base_footprint -> base_link -> laser_frame, 그 밖의 부품
-  발행자    map -> odom                 /localization, 10 Hz, 0.010초 늦음
+  발행자  map -> odom                 /localization, 10 Hz, 0.010초 늦음
           odom -> base_footprint      /wheel_odometry, 20 Hz, 0.004초 늦음
           base_link -> laser_frame    /laser_mount, static, x 0.200 y 0.000 z 0.150
           나머지                      /robot_state_publisher
-  데이터  /odom 20 Hz, 0.004초 늦음     /scan 10 Hz, 0.105초 늦음, header는 laser_frame
+  데이터  /odom 20 Hz, 0.004초 늦음   /scan 10 Hz, 0.105초 늦음, header는 laser_frame
   노드    joint_driver laser_driver laser_mount localization map_server robot_state_publisher wheel_odometry""",
 }
 
