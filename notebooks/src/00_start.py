@@ -292,6 +292,7 @@ lesson.check_environment()
 #
 # Run the next cell whenever you like, or type `tflab progress` in a terminal.
 # Only a passed check ticks anything, and the file behind it, `progress.json`, stays in your copy.
+# After a chapter, [practice without end](91_practice.ipynb) asks its tasks again with other numbers, first of all what went wrong.
 # When a new version of tflab comes, `tflab lab --update` brings it in around what you wrote.
 
 # %% [markdown] lang="ko" name="progress-why" slide="skip"
@@ -299,6 +300,7 @@ lesson.check_environment()
 #
 # 언제든지 다음 셀을 실행하거나, 터미널에서 `tflab progress`를 입력해 보세요.
 # check를 통과해야만 표시되며, 기록은 내 워크북의 `progress.json`에만 남습니다.
+# 한 장을 마쳤다면 [끝없는 연습](91_practice.ipynb)에서 같은 과제를 다른 숫자로 다시 풀어 보세요. 틀렸던 것이 먼저 나옵니다.
 # tflab의 새 버전이 나오면 `tflab lab --update`로 받습니다. 직접 쓴 내용은 그대로 남습니다.
 
 # %% name="progress" tags=["interactive"]
