@@ -18,7 +18,7 @@ MISCONCEPTIONS = {
     "M5": Words("quaternion: order, degrees, zero, length", "쿼터니언의 순서·도(degree) 단위·모두 0·길이"),
     "M6": Words("two publishers for one child", "자식 하나에 발행자 둘"),
     "M7": Words("localisation publishes map to base_link", "위치 추정이 map→base_link를 발행한다고 여김"),
-    "M8": Words("map pose for control; drift taken for a fault", "제어에 map 자세를 씀, 드리프트를 고장으로 여김"),
+    "M8": Words("map pose for control; drift taken for a fault", "제어에 map 기준 포즈를 씀, 드리프트를 고장으로 여김"),
     "M9": Words("latest or receive time instead of the stamp", "측정 시각 대신 최신값이나 수신 시각을 씀"),
     "M10": Words("a timeout cures everything", "timeout이면 다 해결된다고 여김"),
     "M11": Words("the errors are all one error", "여러 오류를 하나로 여김"),
