@@ -122,6 +122,21 @@ def test_the_page_fits_a_telephone_and_a_desk_in_both_themes(broken, tmp_path, p
         assert page.locator("#moment-1 line.axis-x").count() > 20  # every frame has its axes, in both views
 
 
+@pytest.mark.browser
+def test_on_paper_the_page_is_light_and_whole_also_for_whoever_reads_it_in_the_dark(broken, tmp_path, page):
+    recording = read_bag(broken)
+    file = tmp_path / "report.html"
+    file.write_text(html_from_report(diagnose_recording(recording), recording), encoding="utf-8")
+    paper = "getComputedStyle(document.body).backgroundColor"
+    page.set_viewport_size({"width": 718, "height": 1000})  # an A4 page between its margins
+    page.emulate_media(color_scheme="dark")
+    page.goto(file.as_uri())
+    assert page.evaluate(paper) == "rgb(23, 25, 28)"
+    page.emulate_media(media="print", color_scheme="dark")
+    assert page.evaluate(paper) == "rgb(253, 253, 251)"
+    assert page.evaluate("[...document.querySelectorAll('figure')].every(f => f.scrollWidth <= f.clientWidth)")
+
+
 def test_the_tree_names_both_owners_of_a_static_edge():
     records = TeachingRobot().records(until_s=5.0)
     laser = next(record for record in records if record.stamped.child_frame_id == "laser_frame")

@@ -1,4 +1,4 @@
-"""What do our reports in a browser have in common?  One file each, light or dark, nothing from elsewhere.
+"""What do our reports in a browser have in common?  One file, light, dark or printed, nothing from elsewhere.
 
     +--------------------------------+
     | paper, ink                     |    the reader's system says whether it is day or night
@@ -21,8 +21,8 @@ __all__ = ["report_page"]
 SHELL = """
 :root { color-scheme: light dark; --paper: #fdfdfb; --ink: #1f2328; --quiet: #5b6168; --line: #d5d8dc;
   --card: #f3f4f2; --code: #eff0ec; }
-@media (prefers-color-scheme: dark) { :root { --paper: #17191c; --ink: #e6e8ea; --quiet: #a3a9b0; --line: #3a3f45;
-  --card: #212428; --code: #2a2e33; } }
+@media screen and (prefers-color-scheme: dark) { :root { --paper: #17191c; --ink: #e6e8ea; --quiet: #a3a9b0;
+  --line: #3a3f45; --card: #212428; --code: #2a2e33; } }
 * { box-sizing: border-box; }
 body { margin: 0; background: var(--paper); color: var(--ink); overflow-wrap: anywhere;
   font: 16px/1.55 system-ui, "Apple SD Gothic Neo", "Malgun Gothic", "Noto Sans KR", sans-serif; }
@@ -30,7 +30,7 @@ main { max-width: 60rem; margin: 0 auto; padding: 2.5rem 1.25rem 4rem; }
 h1 { font-size: 1.65rem; margin: 0 0 .3rem; line-height: 1.25; } h2 { font-size: 1.2rem; margin: 2.3rem 0 .65rem; }
 figure { margin: .8rem 0; overflow-x: auto; } figure img, figure svg { max-width: 100%; height: auto; }
 details { color: var(--quiet); margin-top: .4rem; } summary { cursor: pointer; }
-@media print { main { max-width: none; padding: 0; } details { display: none; } }
+@media print { :root { color-scheme: light; } main { max-width: none; padding: 0; } details { display: none; } }
 """
 POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
 

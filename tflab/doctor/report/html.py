@@ -49,7 +49,8 @@ ELSEWHERE = (
 
 STYLE = """
 :root { --error: #b3261e; --warning: #8a5a00; --info: #0b5c8f; }
-@media (prefers-color-scheme: dark) { :root { --error: #ff8a80; --warning: #f2c060; --info: #7cc4f4; } }
+@media screen and (prefers-color-scheme: dark) {
+  :root { --error: #ff8a80; --warning: #f2c060; --info: #7cc4f4; } }
 .outcome { color: var(--quiet); margin: .35rem 0 0; }
 article { background: var(--card); border: 1px solid var(--line); border-left: 5px solid var(--tone);
   border-radius: 9px; padding: 1rem 1.25rem; margin: .75rem 0; }
@@ -77,12 +78,14 @@ ul { padding-left: 1.2rem; color: var(--quiet); }
 .axis-z { stroke: #0072b2; } [class^=axis] { stroke-width: 2.5; }
 figcaption { color: var(--quiet); font-size: .9rem; } figure:target figcaption { color: var(--ink); font-weight: 600; }
 a { color: var(--info); }
-@media (prefers-color-scheme: dark) { .tree svg { filter: invert(.88) hue-rotate(180deg); }
+@media screen and (prefers-color-scheme: dark) { .tree svg { filter: invert(.88) hue-rotate(180deg); }
   .axis-x { stroke: #ff9e4a; } .axis-z { stroke: #62b0ee; } }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: .9rem; }
 th, td { text-align: right; padding: .25rem .75rem .25rem 0; border-bottom: 1px solid var(--line);
   white-space: nowrap; }
 th { color: var(--quiet); font-weight: 600; } th:first-child, td:first-child { text-align: left; }
+@media print { .timeline, .moment { min-width: 0; } table { font-size: .75rem; } h2 { break-after: avoid; }
+  article, figure { break-inside: avoid; } h2:has(+ details) { display: none; } }
 """
 
 
