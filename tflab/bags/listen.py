@@ -7,7 +7,8 @@
 
 A file cannot tell who published a transform; in one process nothing gets lost,
 so here every label has its publisher.  The listener asks a node only for what
-rclpy's nodes offer, so a robot can be heard in the same way.
+rclpy's nodes offer, so a robot can be heard in the same way; of its images and
+clouds only the first bytes are read (a raw subscription).
 
 Read `play.py` next.
 """
@@ -16,6 +17,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from struct import error as StructError
 from typing import Any
 
 import numpy as np
@@ -28,6 +30,7 @@ from tflab.ros.messages.base import type_named
 from tflab.ros.messages.tf2_msgs import TFMessage
 from tflab.ros.node import Node
 
+from .messages import MalformedMessage, header_in
 from .record import adapted_profile
 from .recording import Clock, Connection, Headers, QosProfile, Recording, recording_from_records
 
@@ -46,6 +49,7 @@ class Heard:
         self._clock: list[tuple[int, int]] = []
         self._counts: dict[tuple[str, str, str], int] = {}
         self._qos: dict[tuple[str, str, str], tuple[QosProfile, ...]] = {}
+        self._unreadable: dict[str, int] = {}
 
     def add_publisher(self, topic: str, ros_type: str, publisher: str, qos: QosProfile) -> None:
         """Note that a node offers a topic, whether or not it says something."""
@@ -64,8 +68,21 @@ class Heard:
         elif ros_type == CLOCK_TYPE:
             self._clock.append((receive_ns, _nanoseconds(message.clock)))
         elif hasattr(message, "header"):
-            row = (receive_ns, _nanoseconds(message.header.stamp), message.header.frame_id)
-            self._headers.setdefault((topic, ros_type), []).append(row)
+            self._add_header(topic, ros_type, receive_ns, _nanoseconds(message.header.stamp), message.header.frame_id)
+
+    def add_raw(self, topic: str, ros_type: str, publisher: str, receive_ns: int, data: bytes) -> None:
+        """Take one message that begins with a header, as it is on the wire (CDR)."""
+        key = (topic, ros_type, publisher)
+        self._counts[key] = self._counts.get(key, 0) + 1
+        try:
+            stamp_ns, frame = header_in(data, is_ros1=False)
+        except (MalformedMessage, StructError):
+            self._unreadable[topic] = self._unreadable.get(topic, 0) + 1
+            return
+        self._add_header(topic, ros_type, receive_ns, stamp_ns, frame.decode("utf-8", errors="replace"))
+
+    def _add_header(self, topic: str, ros_type: str, receive_ns: int, stamp_ns: int, frame: str) -> None:
+        self._headers.setdefault((topic, ros_type), []).append((receive_ns, stamp_ns, frame))
 
     def recording(self, name: str) -> Recording:
         """Return everything as a recording."""
@@ -81,6 +98,10 @@ class Heard:
             clock=Clock(clock[:, 0], clock[:, 1]),
             begin_ns=min(moments, default=0),
             end_ns=max(moments, default=0),
+            notes=tuple(
+                f"{count} messages on {topic} could not be read and were passed over"
+                for topic, count in sorted(self._unreadable.items())
+            ),
         )
 
 
@@ -96,17 +117,21 @@ def recording_from_graph(graph: Graph, seconds: float = 5.0) -> Recording:
     return heard.recording("graph")
 
 
-def subscribe_to_all(node: Any, heard: Heard, class_of: Callable[[str], type | None]) -> None:
+def subscribe_to_all(
+    node: Any, heard: Heard, class_of: Callable[[str], type | None], raw_headers: bool = False
+) -> None:
     """Subscribe a node, of ours or of rclpy, to every topic that tells of transforms, frames or time.
 
     Args:
         class_of: the class of messages of a type; None if there is none here.
+        raw_headers: leave what begins with a header as bytes, and read no more of it than that.
     """
     for topic, types in node.get_topic_names_and_types():
         publishers = node.get_publishers_info_by_topic(topic)
         message_class = class_of(types[0]) if len(types) == 1 and publishers else None
         if message_class is not None and _tells_something(types[0], message_class):
-            _subscribe(node, topic, types[0], message_class, publishers, heard)
+            is_raw = raw_headers and _begins_with_header(message_class)
+            _subscribe(node, topic, types[0], message_class, publishers, heard, is_raw)
 
 
 def _listen(heard: Heard) -> None:
@@ -131,18 +156,27 @@ def _tells_something(ros_type: str, message_class: type) -> bool:
     return ros_type in (TFMessage.ROS_TYPE, CLOCK_TYPE) or "header" in message_class.get_fields_and_field_types()
 
 
-def _subscribe(node: Any, topic: str, ros_type: str, message_class: type, publishers: list, heard: Heard) -> None:
+def _begins_with_header(message_class: type) -> bool:
+    first = next(iter(message_class.get_fields_and_field_types().items()), None)
+    return first == ("header", "std_msgs/Header")
+
+
+def _subscribe(
+    node: Any, topic: str, ros_type: str, message_class: type, publishers: list, heard: Heard, is_raw: bool
+) -> None:
     names = {bytes(p.endpoint_gid): f"{p.node_namespace.rstrip('/')}/{p.node_name}" for p in publishers}
     only = next(iter(set(names.values()))) if len(set(names.values())) == 1 else ""
     for publisher in publishers:
         name = names[bytes(publisher.endpoint_gid)]
         heard.add_publisher(topic, ros_type, name, _words_of(publisher.qos_profile))
 
+    take = heard.add_raw if is_raw else heard.add
+
     def on_message(message: Any, info: dict) -> None:
         publisher = names.get(bytes(info.get("publisher_gid") or b""), only)
-        heard.add(topic, ros_type, publisher, info["received_timestamp"], message)
+        take(topic, ros_type, publisher, info["received_timestamp"], message)
 
-    node.create_subscription(message_class, topic, on_message, _profile_for(node, publishers))
+    node.create_subscription(message_class, topic, on_message, _profile_for(node, publishers), raw=is_raw)
 
 
 def _profile_for(node: Any, publishers: list) -> Any:

@@ -4,7 +4,8 @@
 
 The listener is an ordinary node.  Where nobody but one publishes a topic, its
 transforms have an owner with a name; where there are several, some versions of
-rclpy say who sent a message, and otherwise the values must tell.
+rclpy say who sent a message, and otherwise the values must tell.  Images and clouds
+stay bytes: only their headers are read.
 Read `options.py` next.
 """
 
@@ -44,7 +45,7 @@ def recording_from_ros(seconds: float) -> Recording:
         node = rclpy.create_node(NODE_NAME)
         heard = Heard()
         _spin(rclpy, node, DISCOVERY_S)
-        subscribe_to_all(node, heard, _message_class)
+        subscribe_to_all(node, heard, _message_class, raw_headers=True)
         _spin(rclpy, node, seconds)
         node.destroy_node()
     finally:
