@@ -23,9 +23,9 @@ SUMMARY = Words(
 )
 SCORES = Words(
     "{count} learners, right of {of}: before mean {before}, after mean {after}; guessing alone gives {by_guessing}",
-    "{count}명, {of}문제 중 맞은 수: 처음 평균 {before}, 끝 평균 {after}. 짐작만 하면 {by_guessing}",
+    "{count}명, {of}문제 중 맞힌 수: 처음 평균 {before}, 끝 평균 {after}. 짐작만 하면 {by_guessing}",
 )
-SCORE = Words("  {right} right: {before} before, {after} after", "  {right}개 맞음: 처음 {before}명, 끝 {after}명")
+SCORE = Words("  {right} right: {before} before, {after} after", "  {right}개 맞힘: 처음 {before}명, 끝 {after}명")
 BIN = Words("  {low} to {high}: {count}", "  {low}~{high}: {count}명")
 
 

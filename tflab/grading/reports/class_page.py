@@ -31,10 +31,12 @@ __all__ = ["CommonMistake", "class_page", "mistakes"]
 
 MOST_BARS = 14
 TITLE = Words("The class", "반 전체 결과")
-COUNTED = Words("{graded} graded, {empty} with nothing to grade.", "{graded}명 채점, {empty}명은 채점할 것이 없습니다.")
+COUNTED = Words(
+    "{graded} graded, {empty} with nothing to grade.", "{graded}명을 채점했고, {empty}명은 채점할 것이 없습니다."
+)
 TOOK = Words("Running them took {seconds} s in all.", "실행에 모두 {seconds}초가 걸렸습니다.")
-MISUNDERSTOOD = Words("What is misunderstood", "무엇을 잘못 알고 있는가")
-MISTAKES = Words("Which mistakes", "어떤 실수를 하였는가")
+MISUNDERSTOOD = Words("What is misunderstood", "무엇을 잘못 알고 있을까요?")
+MISTAKES = Words("Which mistakes", "어떤 실수를 했을까요?")
 NO_MISTAKES = Words("No answer was one of the named mistakes.", "이름 붙은 실수와 일치한 답이 없습니다.")
 HARDEST = Words("How hard the tasks were", "과제의 난이도")
 DISTRIBUTION = Words("How the class did", "점수 분포")
@@ -46,7 +48,7 @@ NAMED = Words("named mistakes", "이름 붙은 실수")
 LEARNERS = Words("learners", "명")
 HARDEST_FIRST = Words("the hardest tasks first", "어려운 과제부터")
 MEAN = Words("mean points [%]", "평균 점수[%]")
-ON_THE_WALL = Words("What stood between the submissions and this machine", "제출물과 이 컴퓨터를 나눈 벽")
+ON_THE_WALL = Words("What stood between the submissions and this machine", "제출물을 이 컴퓨터와 격리한 방법")
 ABOUT = Words("What was odd about the files", "파일에 대한 알림")
 MISTAKE_HEADS = (
     Words("Learners", "인원"),

@@ -42,15 +42,15 @@ HARDEST, EASIEST, FEWEST_CHOOSE = 0.2, 0.8, 0.05  # of a class, before: else an 
 MOST_NAMES = 12
 
 ONLY = {
-    "A": Words("Only the first form, no second: {who}.", "첫 번째 형만 있고 두 번째 형이 없음: {who}."),
-    "B": Words("Only the second form, no first: {who}.", "두 번째 형만 있고 첫 번째 형이 없음: {who}."),
+    "A": Words("Only the first form, no second: {who}.", "A형만 있고 B형이 없음: {who}."),
+    "B": Words("Only the second form, no first: {who}.", "B형만 있고 A형이 없음: {who}."),
 }
-NEITHER = Words("Neither form: {who}.", "두 형 모두 없음: {who}.")
+NEITHER = Words("Neither form: {who}.", "A형과 B형이 모두 없음: {who}.")
 INCOMPLETE = Words("Not all questions answered: {who}.", "답하지 않은 문제가 있음: {who}.")
 TWICE = Words("Handed in more than once: {learner}. {said}", "두 번 이상 제출함: {learner}. {said}")
 OTHER_LANGUAGE = Words(
     "In another language than the roster's: {who}. The letters are the same, so it counts.",
-    "명단과 다른 언어로 답함: {who}. 보기의 글자가 같으므로 그대로 셉니다.",
+    "명단과 다른 언어로 답함: {who}. 보기의 글자(a~e)는 같으므로 그대로 셉니다.",
 )
 AND_MORE = Words("{names} and {more} more", "{names} 외 {more}명")
 BANDS = {

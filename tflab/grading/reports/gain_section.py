@@ -27,21 +27,21 @@ HEADING = Words("Before and after: the fifteen questions", "처음과 끝: 열�
 MEANS = Words(
     "{count} learners answered both forms. Right of {of}, on average: {before} before, {after} after; "
     "guessing alone gives {by_guessing}.",
-    "두 형에 모두 답한 학습자 {count}명. {of}문제 중 평균: 처음 {before}개, 끝 {after}개. "
+    "A형과 B형에 모두 답한 학습자는 {count}명입니다. {of}문제 중 맞힌 수의 평균: 처음 {before}개, 끝 {after}개. "
     "짐작만 하면 {by_guessing}개입니다.",
 )
 GAIN = Words("Normalised gain {gain}: {band}.", "정규화 향상도(normalised gain) {gain}: {band}.")
 BANDS_FROM = Words(
     "It is the share of what was left to learn, of the means of these learners; the bands are those of a survey "
     "of 62 courses with 6542 students.",
-    "같은 학습자들의 평균으로 계산하며, 배울 것이 남아 있던 만큼 중에서 얼마나 배웠는지를 나타냅니다. "
-    "구간은 62개 강의, 학생 6542명을 조사한 연구에서 가져왔습니다.",
+    "처음에 더 배울 것으로 남아 있던 몫 가운데 얼마를 배웠는지를 이 학습자들의 평균으로 계산했습니다. "
+    "구간은 강의 62개, 학생 6542명을 조사한 연구에서 가져왔습니다.",
 )
 NOTHING_LEFT = Words(
     "Normalised gain: nothing left to gain, everybody had all of it right before.",
-    "정규화 향상도(normalised gain): 처음부터 모두 맞아서 더 오를 것이 없습니다.",
+    "정규화 향상도(normalised gain): 모두가 처음부터 다 맞혀서 더 오를 것이 없습니다.",
 )
-NOBODY = Words("No learner has answered both forms yet.", "두 형에 모두 답한 학습자가 아직 없습니다.")
+NOBODY = Words("No learner has answered both forms yet.", "A형과 B형에 모두 답한 학습자가 아직 없습니다.")
 CURED = Words("Most cured: {which}.", "가장 많이 바로잡힌 것: {which}.")
 GREW = Words("Grew: {which}. Teach it again.", "늘어난 것: {which}. 다시 가르칠 내용입니다.")
 LINES = Words("Who is not in it, and what was odd", "빠진 사람과 특이한 점")
@@ -51,24 +51,24 @@ HEADS = (
     Words("Of these sure", "그중 확신"),
     Words("", ""),
 )
-GROWN, GONE, FELL = Words("grew", "늘었음"), Words("gone", "사라짐"), Words("fell", "줄었음")
+GROWN, GONE, FELL = Words("grew", "늘어남"), Words("gone", "사라짐"), Words("fell", "줄어듦")
 ON_BOTH = Words(
     "Counted on the items on which both forms offer it, so that it has as many chances before as after.",
-    "두 형에 모두 그 보기가 있는 문제만 세었으므로 처음과 끝의 기회가 같습니다.",
+    "A형과 B형에 모두 그 보기가 있는 문제만 세었으므로, 고를 기회는 처음과 끝이 같습니다.",
 )
 ABOUT_THE_TEST = Words("Of the test itself, before the course", "시험 자체에 대하여(강의 전)")
 OUT_OF_REACH = Words(
     "fewer than 20 % or more than 80 % had these right, so they tell little: {which}",
-    "맞은 사람이 20 %보다 적거나 80 %보다 많아서 알려 주는 것이 적은 문제: {which}",
+    "맞힌 사람이 20 %보다 적거나 80 %보다 많아서 알려 주는 것이 적은 문제: {which}",
 )
 UNUSED = Words(
     "fewer than 5 % chose these wrong options, so they should be rewritten: {which}",
-    "고른 사람이 5 %보다 적어서 고쳐 쓸 오답 보기: {which}",
+    "고른 사람이 5 %보다 적어서 고쳐 써야 할 오답 보기: {which}",
 )
 LIMITS = Words(
     "A small test, and not validated yet: use it to find what to teach again, not to compare people.",
-    "작은 시험이고 아직 타당성을 검증하지 않았습니다. "
-    "무엇을 다시 가르칠지 찾는 데 쓰고, 사람을 비교하는 데 쓰지 마십시오.",
+    "문제 수가 적고 아직 타당성을 검증하지 않은 시험입니다. "
+    "무엇을 다시 가르칠지 찾는 데만 쓰고, 사람을 비교하는 데는 쓰지 마십시오.",
 )
 IN_WORDS = Words("the same in words", "글로 보기")
 MOST_NAMED = 3

@@ -47,7 +47,7 @@ NO_COPY = Words(
 )
 HELP = Words(
     en="practice.hint() helps, practice.skip() leaves it for later.",
-    ko="practice.hint()로 힌트를 보고, practice.skip()으로 나중에 다시 볼 수 있습니다.",
+    ko="practice.hint()로 힌트를 보고, practice.skip()으로 나중으로 미룰 수 있습니다.",
 )
 _shown: list[tuple[str, int]] = []  # the questions that have their cell already, in this kernel
 

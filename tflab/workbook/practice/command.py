@@ -44,7 +44,7 @@ WIDEST = 88
 GIVEN = Words(en="Given, as {name}:", ko="주어진 값({name}):")
 HOW_TO_TYPE = Words(
     en="Type your answer; words need no quotes, numbers may be expressions ({name}). Also: hint, skip, quit.",
-    ko="답을 입력하십시오. 낱말에는 따옴표가 필요 없고, 숫자는 식({name})으로도 됩니다. 다른 명령: hint, skip, quit.",
+    ko="답을 입력하십시오. 낱말에 따옴표는 필요 없고, 숫자는 식({name})도 됩니다. 다른 명령: hint, skip, quit.",
 )
 IN_FILE = Words(
     en="Write your answer in this file, save it, and press Enter here:\n  {file}\nAlso: hint, skip, quit{edit}.",

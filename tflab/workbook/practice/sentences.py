@@ -36,25 +36,25 @@ WHY = {
         ko="{number}번 문제입니다. 다시 볼 때가 된 것이 없어 조금 일찍 나왔습니다.",
     ),
 }
-LAST_TIME = Words(en=" Last time: {day}.", ko=" 지난번은 {day}이었습니다.")
+LAST_TIME = Words(en=" Last time: {day}.", ko=" 지난번: {day}.")
 ABOUT = Words(en="It was about {idea}.", ko="{idea}에 관한 문제였습니다.")
-ALSO_SHOWN = Words(en="Your answers showed {ideas}.", ko="답에서 드러난 점: {ideas}.")
+ALSO_SHOWN = Words(en="Your answers showed {ideas}.", ko="답에서 이런 점도 드러났습니다: {ideas}.")
 AGAIN_AFTER = Words(
     en="Box {box} of {last}: it comes again after {tasks} other task{s}, or {wait}.",
-    ko="상자 {last}개 중 {box}번에 있습니다. 다른 과제 {tasks}개를 푼 뒤, 또는 {wait}에 다시 나옵니다.",
+    ko="상자 {last}개 중 {box}번에 있습니다. 다른 과제 {tasks}개를 푼 뒤, 또는 {wait} 다시 나옵니다.",
 )
 WAITS = (
-    Words(en="in an hour", ko="한 시간 뒤"),
+    Words(en="in an hour", ko="한 시간 뒤에"),
     Words(en="tomorrow", ko="내일"),
-    Words(en="in 3 days", ko="사흘 뒤"),
-    Words(en="in a week", ko="일주일 뒤"),
-    Words(en="in 3 weeks", ko="3주 뒤"),
+    Words(en="in 3 days", ko="사흘 뒤에"),
+    Words(en="in a week", ko="일주일 뒤에"),
+    Words(en="in 3 weeks", ko="3주 뒤에"),
 )
 PUT_OFF = Words(en="Put off: nothing was seen of it.", ko="건너뛰었습니다. 상자는 그대로입니다.")
 NOTHING_YET = Words(en="Nothing has been practised yet.", ko="아직 연습한 것이 없습니다.")
 SUM = Words(
     en="{count} question{s} so far, {right} right at the first go. None of it counts for marks or progress.",
-    ko="지금까지 {count}문제, 그중 {right}문제를 한 번에 맞혔습니다. 점수나 학습 현황에는 들어가지 않습니다.",
+    ko="지금까지 {count}문제, 그중 한 번에 맞힌 것은 {right}문제입니다. 점수나 학습 현황에는 들어가지 않습니다.",
 )
 ROW = Words(
     en="box {box}; shown {shown}, right since then {right}; last asked {day}; comes again {next}",
@@ -66,7 +66,7 @@ NEVER = Words(en="never", ko="없음")
 COMES_NEXT = Words(en="What comes next: {ideas}.", ko="다음에 나올 내용: {ideas}.")
 COMES_OLDEST = Words(
     en="Nothing is due; next comes what was asked longest ago.",
-    ko="때가 된 것이 없어 나온 지 가장 오래된 것이 나옵니다.",
+    ko="다시 볼 때가 된 것이 없으므로, 나온 지 가장 오래된 것이 다음에 나옵니다.",
 )
 OPEN = Words(en="Question {number} waits for your answer.", ko="{number}번 문제가 답을 기다립니다.")
 CAME = {
