@@ -26,7 +26,7 @@
 # Two halves: owners first, then diagnosis. Ask: when something is wrong on your robot, what do you do in the first minute? Collect, and come back to it at the end.
 
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
-# 앞은 발행 책임, 뒤는 진단입니다. 먼저 묻습니다. 로봇이 이상할 때 처음 1분 동안 무엇을 합니까? 답을 모아 두고 끝에 다시 봅니다.
+# 앞부분은 발행 책임, 뒷부분은 진단입니다. 먼저 묻습니다. 로봇이 이상할 때 처음 1분 동안 무엇을 합니까? 답을 모아 두고 끝에 다시 봅니다.
 
 # %% name="load" slide="skip"
 # %load_ext tflab
@@ -43,10 +43,10 @@ from tflab.workbook import lesson
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 하나의 트리를 셋이 발행했습니다
 #
-# 카메라가 두 대인 로봇이 지도를 만들면서 앞뒤로 튀었습니다. 카메라도, 좌표계도, 설정도 바꾸어 보았습니다. 마지막에 누가 트리를 발행하는지 세어 보니 지도를 만드는 노드와 그 시각 오도메트리, 필터, 그리고 … 재생하던 기록이었습니다. bag에 옛 `/tf`가 들어 있었습니다(introlab/rtabmap_ros, 2021년).
+# 카메라가 두 대인 로봇이 지도를 만들면서 앞뒤로 튀었습니다. 카메라도, 좌표계도, 설정도 바꾸어 보았습니다. 마지막에 누가 트리를 발행하는지 세어 보니 지도를 만드는 노드와 그 노드의 비주얼 오도메트리(visual odometry), 필터, 그리고 … 재생하던 기록이었습니다. bag에 옛 `/tf`가 들어 있었습니다(introlab/rtabmap_ros, 2021년).
 # 고친 방법은 이렇습니다. bag에서 `/tf`를 빼고 필터를 `publish_tf: false`로 하여 셋 가운데 하나만 남겼습니다.
 #
-# 셋 가운데 고장 난 것은 없었습니다. 오류도 없었습니다. 트리는 멀쩡해 보였습니다. 좌표계는 가장 새로운 부모 아래에만 그려지므로, 몇이 발행하든 그림에는 하나만 보입니다.
+# 셋 가운데 고장 난 것은 없었습니다. 오류도 없었습니다. 트리는 멀쩡해 보였습니다. 좌표계는 가장 새로운 부모 아래에만 그려지므로, 발행하는 노드가 몇이든 그림에는 부모가 하나만 보입니다.
 
 # %% [markdown] lang="en" name="story-notes" slide="notes"
 # Ask who of the three was broken. Nobody. Ask what the tree tool showed. One parent. Write both answers on the board; they come back in ten minutes. Do not tell yet how one would have seen it.
@@ -105,7 +105,7 @@ graph.run(seconds=20.0)
 # What proves it is the edge: how often does it come, and does it run smoothly?
 
 # %% [markdown] lang="ko" name="count-seen" tags=["predicted"]
-# 앞에도 넷, 뒤에도 넷입니다. `topic info`는 `/tf`에서 말할 **수 있는** 노드를 모든 연결에 대해 함께 셉니다. 필터는 회선을 쥔 채 말하지 않을 뿐입니다. 그러니 넷이라는 숫자는 두 번째 발행자의 증거도, 고쳤다는 증거도 아닙니다.
+# 끄기 전에도 넷, 끈 다음에도 넷입니다. `topic info`는 `/tf`로 보낼 **수 있는** 노드를 모든 연결에 걸쳐 함께 셉니다. 필터는 회선을 쥔 채 보내지 않을 뿐입니다. 그러니 넷이라는 숫자는 두 번째 발행자의 증거도, 고쳤다는 증거도 아닙니다.
 # 증거는 연결에 있습니다. 얼마나 자주 오는지, 매끄럽게 움직이는지 보아야 합니다.
 
 # %% [markdown] lang="en" name="count-seen-notes" slide="notes"
@@ -152,7 +152,7 @@ for name, pose in (("one owner", one), ("in between", half), ("the other", other
 # Twenty a second with one owner, fifty with two. And between the two a lookup interpolates, as between any two samples: **a place that nobody ever said**. TF2 has no memory of owners; to it both are one edge.
 
 # %% [markdown] lang="ko" name="between-seen" tags=["predicted"]
-# 발행자가 하나면 1초에 스무 번, 둘이면 쉰 번입니다. 그 사이를 조회하면 여느 두 표본처럼 보간합니다. **아무도 말한 적 없는 자리**가 나옵니다. TF2는 누가 보냈는지 기억하지 않습니다. TF2에는 모두 한 연결입니다.
+# 발행자가 하나면 1초에 스무 번, 둘이면 쉰 번입니다. 그 사이를 조회하면 여느 두 표본처럼 보간합니다. **아무도 알린 적 없는 위치**가 나옵니다. TF2는 누가 보냈는지 기억하지 않습니다. TF2에는 둘이 한 연결일 뿐입니다.
 
 # %% [markdown] lang="en" name="owner" slide="slide"
 # ## An owner is a node, a source, and a switch
@@ -197,8 +197,8 @@ lesson.draw_owners(
 # A kind correction to §14 and §27 of the lecture: in ROS 2 `tf2_monitor` names no owner. Every line says `<no authority available>`. The nodes are named by `ros2 topic info /tf --verbose`, and their edges by nobody but you.
 
 # %% [markdown] lang="ko" name="owner-seen"
-# *그림 읽기:* edge = 연결, owner = 발행자, source = 데이터, switch = 스위치, rate = 발행률. `! 2`는 발행자가 둘인 연결, `! 0`은 아무도 발행하지 않는 연결입니다. 강의 24장은 문제가 생기기 전에 이런 표를 채워 두라고 합니다. 정상을 모르면 이상도 없습니다.
-# 강의 14장과 27장에서 하나 바로잡습니다. ROS 2의 `tf2_monitor`는 발행자의 이름을 대지 못합니다. 줄마다 `<no authority available>`이 나옵니다. 노드 이름은 `ros2 topic info /tf --verbose`가 알려 주고, 그 노드의 연결은 직접 알아내야 합니다.
+# *그림 읽기:* edge = 연결, owner = 발행자, source = 데이터, switch = 스위치, rate = 발행률. `! 2`는 발행자가 둘인 연결, `! 0`은 아무도 발행하지 않는 연결입니다. 강의 24장은 문제가 생기기 전에 이런 표를 채워 두라고 합니다. 정상을 모르면 이상도 알 수 없습니다.
+# 강의 14장과 27장의 내용 하나를 바로잡습니다. ROS 2의 `tf2_monitor`는 발행자의 이름을 대지 못합니다. 줄마다 `<no authority available>`이 나옵니다. 노드 이름은 `ros2 topic info /tf --verbose`가 알려 주고, 그 노드가 어느 연결을 보내는지는 직접 알아내야 합니다.
 
 # %% [markdown] lang="en" name="four-states" slide="slide"
 # ## Four states of an edge
@@ -220,7 +220,7 @@ lesson.draw_owners(
 # | 상태 | `tf2_echo odom base_footprint 20` | 트리 |
 # |---|---|---|
 # | 하나 | 매끄럽게 이어집니다 | 온전합니다 |
-# | 없음 | 답하지 않습니다 | `base_footprint`가 떨어진 뿌리가 됩니다 |
+# | 없음 | 답하지 않습니다 | `base_footprint`가 따로 떨어진 루트가 됩니다 |
 # | 둘 | 오락가락합니다 | 온전하지만 연결이 너무 자주 옵니다 |
 # | 다른 연결 | 답이 나오다 말다 합니다 | 온전했다 끊어졌다 합니다 |
 
@@ -304,7 +304,7 @@ graph = lesson.new_graph()
 # B: `odm`. The first line speaks of the very first moment; the second is the fact: **not part of the same tree**. A believer in dead nodes restarts one now. But the node runs, and says just what it was told. The clue is the name that nobody typed on purpose, and RViz shows it: among its frames stands `odm`.
 
 # %% [markdown] lang="ko" name="experiment-b-seen"
-# B는 `odm`입니다. 첫 줄은 시작한 순간의 것이고 둘째 줄이 사실입니다. **같은 트리가 아닙니다.** 노드가 죽었다고 믿는 사람은 여기서 다시 켭니다. 하지만 노드는 살아 있고 시킨 대로 말합니다. 단서는 아무도 일부러 쓰지 않은 이름입니다. RViz의 좌표계 목록에 `odm`이 있습니다.
+# B는 `odm`입니다. 첫 줄은 시작한 순간의 것이고 둘째 줄이 사실입니다. **같은 트리가 아닙니다.** 노드가 죽었다고 믿는 사람은 여기서 다시 켭니다. 하지만 노드는 살아 있고 시킨 대로 보냅니다. 단서는 아무도 일부러 쓰지 않은 이름입니다. RViz의 좌표계 목록에 `odm`이 있습니다.
 
 # %% name="experiment-c" slide="fragment"
 graph = lesson.new_graph()
@@ -317,7 +317,7 @@ graph = lesson.new_graph()
 # C: 2.000, from whoever was heard last, and not a word about the other. A listener that joins in another order gets the other number. Only the count on `/tf_static` hints at it, and it hints at every honest second publisher, too.
 
 # %% [markdown] lang="ko" name="experiment-c-seen"
-# C는 2.000입니다. 마지막에 들린 쪽의 값이고, 다른 쪽 이야기는 한마디도 없습니다. 다른 순서로 들은 수신기는 다른 숫자를 갖습니다. 단서는 `/tf_static`의 개수뿐인데, 정당한 두 번째 발행기가 있어도 개수는 늘어납니다.
+# C는 2.000입니다. 마지막에 받은 값이고, 다른 쪽에 대해서는 한마디도 없습니다. 다른 순서로 받은 수신기에는 다른 숫자가 남습니다. 단서는 `/tf_static`의 개수뿐인데, 정당한 두 번째 발행기가 있어도 개수는 늘어납니다.
 
 # %% [markdown] lang="en" name="stop-guessing" slide="slide"
 # ## A check is worth what it rules out
@@ -328,8 +328,8 @@ graph = lesson.new_graph()
 # %% [markdown] lang="ko" name="stop-guessing" slide="slide"
 # ## 검사의 값어치는 무엇을 지우느냐에 있습니다
 #
-# 강의 27장의 여섯 걸음은 이름, 트리, 값, 지연, 메시지와 시계, 발행자입니다. 싸고 굵은 것에서 비싸고 가는 것으로 가는 순서입니다. 하지만 질문 없는 순서는 느립니다.
-# “스캔이 깜빡이고 future라는 말이 나온다”는 증상을 봅시다. 용의자는 셋입니다. 레이저의 **시계가 앞섰거나**, **변환이 늦거나**, **오도메트리가 느립니다**. 명령을 치기 전에 물어보세요. 셋의 답이 다를 검사는 무엇입니까?
+# 강의 27장의 여섯 걸음은 이름, 트리, 값, 지연, 메시지와 시계, 발행자입니다. 싸고 대략적인 것에서 비싸고 세밀한 것으로 가는 순서입니다. 하지만 질문 없이 순서만 따르면 느립니다.
+# “스캔이 깜빡이고 future라는 말이 나온다”는 증상을 봅시다. 용의자는 셋입니다. 레이저의 **시계가 앞섰거나**, **변환이 늦거나**, **오도메트리가 느립니다**. 명령을 입력하기 전에 물어보세요. 셋의 답이 다를 검사는 무엇입니까?
 
 # %% [markdown] lang="en" name="stop-guessing-notes" slide="notes"
 # Ask for a check and write it down only if somebody can say what each of the three suspects would answer. Checks that all three answer alike are crossed out aloud. After five minutes one is left that costs a minute.
@@ -350,7 +350,7 @@ lesson.draw_columns("flickers", {"delay /scan": "ahead"})
 # Two people now treat all eighteen suspects of the clinic, with no complaint told. One follows the six steps, one always asks what splits most for a minute.
 
 # %% [markdown] lang="ko" name="two-ways" slide="subslide"
-# 이제 두 사람이 증상을 듣지 않고 진료실의 용의자 열여덟을 모두 맞습니다. 한 사람은 여섯 걸음을 따르고, 한 사람은 늘 1분에 가장 많이 가르는 것을 묻습니다.
+# 이제 두 사람이 증상을 듣지 않은 채 진료실의 용의자 열여덟을 모두 진찰합니다. 한 사람은 여섯 걸음을 따르고, 한 사람은 늘 1분에 가장 많이 가르는 것을 묻습니다.
 
 # %% [markdown] lang="en" name="two-ways-notes" slide="notes"
 # Let them guess both averages first. The point is not that the order is wrong: it is safe, it teaches, and it finds everything. It just does not know what you already know.
@@ -368,7 +368,7 @@ print(lesson.draw_both_ways().text)
 # Order without a question is slow; a question for a minute is not. Both are right in the end, and both beat the one who asks everything: 72 minutes for the whole trolley.
 
 # %% [markdown] lang="ko" name="both-ways-seen" tags=["predicted"]
-# 질문 없는 순서는 느리고, 1분짜리 질문은 빠릅니다. 끝에는 둘 다 맞고, 트롤리를 몽땅 쓰는 사람보다 낫습니다. 전부 물으면 72분이 걸립니다.
+# 질문 없이 순서만 따르면 느리고, 1분짜리 질문을 고르면 빠릅니다. 둘 다 끝내 맞히고, 트롤리를 몽땅 쓰는 사람보다 낫습니다. 전부 물으면 72분이 걸립니다.
 
 # %% [markdown] lang="en" name="clinic" slide="slide"
 # ## The clinic: how it is done
@@ -378,13 +378,13 @@ print(lesson.draw_both_ways().text)
 # %% [markdown] lang="ko" name="clinic" slide="slide"
 # ## 진료실: 이렇게 합니다
 #
-# 환자는 누군가 고장 낸 로봇이고, 그 로봇에서 모든 도구가 출력한 것이 들어 있습니다. 증상과 RViz 화면, 정상일 때의 카드는 거저 받습니다. 질문마다 시간이 들고, 가진 것은 12분입니다.
+# 환자는 누군가 고장 낸 로봇이고, 그 로봇에서 모든 도구가 출력한 것이 들어 있습니다. 증상과 RViz 화면, 정상일 때의 카드는 그냥 받습니다. 질문마다 시간이 들고, 쓸 수 있는 시간은 12분입니다.
 
 # %% [markdown] lang="en" name="clinic-notes" slide="notes"
 # One patient together, aloud: read the complaint, read RViz, and let nobody type before the three suspects are named. Whoever proposes a fix is asked which reading would change after it.
 
 # %% [markdown] lang="ko" name="clinic-notes" slide="notes"
-# 환자 한 명을 함께 봅니다. 증상과 RViz를 소리 내어 읽고, 세 용의자의 이름이 나오기 전에는 아무것도 치지 않습니다. 처치를 제안하는 사람에게는 그 뒤에 어느 값이 바뀔지 묻습니다.
+# 환자 한 명을 함께 봅니다. 증상과 RViz를 소리 내어 읽고, 세 용의자의 이름이 나오기 전에는 아무것도 입력하지 않습니다. 처치를 제안하는 사람에게는 그 뒤에 어느 값이 바뀔지 묻습니다.
 
 # %% name="trolley" slide="skip"
 lesson.show_trolley()
@@ -393,7 +393,7 @@ lesson.show_trolley()
 # On the left the short name, which will do instead of the command. A screwdriver costs more than a question: that is why questions come first.
 
 # %% [markdown] lang="ko" name="trolley-seen"
-# 왼쪽은 짧은 이름이고, 명령 대신 써도 됩니다. 드라이버를 드는 일은 질문보다 비쌉니다. 그래서 질문이 먼저입니다.
+# 왼쪽은 짧은 이름이고, 명령 대신 써도 됩니다. 나사돌리개를 드는 일은 질문보다 비쌉니다. 그래서 질문이 먼저입니다.
 
 # %% name="worked"
 visit = lesson.admit(lesson.worked_patient("laser clock ahead"), helped=True)
@@ -402,7 +402,7 @@ visit = lesson.admit(lesson.worked_patient("laser clock ahead"), helped=True)
 # “Into the future”: the scan's stamp is newer than the newest transform. Either the stamp is too new, or the transforms are too old. One minute each way: `delay /scan` looks at the stamp.
 
 # %% [markdown] lang="ko" name="worked-think"
-# “Into the future”는 스캔의 측정 시각이 가장 새로운 변환보다 새롭다는 뜻입니다. 측정 시각이 너무 새롭거나 변환이 너무 오래되었습니다. `delay /scan`은 1분에 측정 시각을 봅니다.
+# “Into the future”는 스캔의 측정 시각이 최신 변환의 시각보다 늦다는 뜻입니다. 측정 시각이 너무 늦거나 변환이 너무 오래되었습니다. 어느 쪽이든 1분이면 알 수 있고, 측정 시각은 `delay /scan`으로 봅니다.
 
 # %% name="worked-ask"
 visit.ask("ros2 topic delay /scan", because="laser clock ahead")
@@ -411,7 +411,7 @@ visit.ask("ros2 topic delay /scan", because="laser clock ahead")
 # A negative delay: heard before it was measured. No late transform, and no slow odometry, could do that. One suspect is left, so the proof is complete after one minute. Now, and not before, a fix. First the one that everybody tries:
 
 # %% [markdown] lang="ko" name="worked-say"
-# 지연이 음수입니다. 측정하기 전에 들었다는 뜻입니다. 늦은 변환이나 느린 오도메트리로는 이럴 수 없습니다. 용의자가 하나 남았으니 1분 만에 증명이 끝났습니다. 이제 비로소 고칠 차례입니다. 먼저 누구나 해 보는 것부터 봅시다.
+# 지연이 음수입니다. 측정하기도 전에 받았다는 뜻입니다. 늦은 변환이나 느린 오도메트리로는 이럴 수 없습니다. 용의자가 하나 남았으니 1분 만에 증명이 끝났습니다. 이제 비로소 고칠 차례입니다. 먼저 누구나 해 보는 것부터 봅시다.
 
 # %% name="plaster"
 visit.say(cause="laser clock ahead", frame="laser_frame", owner="laser_driver", fix="timeout of 1 s")
@@ -435,7 +435,7 @@ visit.try_fix()
 # %% [markdown] lang="ko" name="faded" slide="slide"
 # ## 반만 도움받기: 로봇이 튑니다
 #
-# 검사 둘은 정해져 있습니다. 원인만 대면 됩니다. `my_cause`를 채우고 처치를 부탁해 보세요. 읽은 값이 다른 용의자에게도 맞으면 거절합니다.
+# 검사 둘은 정해져 있습니다. 원인만 대면 됩니다. `my_cause`를 채우고 처치를 부탁해 보세요. 읽은 값이 다른 용의자에게도 맞으면 병동이 거절합니다.
 
 # %% [markdown] lang="en" name="faded-notes" slide="notes"
 # Five minutes in pairs. One asks, one keeps the list of suspects and strikes. Then change places for the next patient.
@@ -498,7 +498,7 @@ lesson.show_findings("flickers")
 # %% [markdown] lang="ko" name="break-it" slide="slide"
 # ## 일부러 고장 내기: 원인이 둘
 #
-# 밤에는 원인이 둘입니다. **예측해 봅시다.** 위치 추정 노드가 꺼져 있고, 그 뒤에 레이저의 장착이 틀렸습니다. 위치 추정 노드를 켜면 RViz는 무엇이라고 하고, 스캔은 어디에 있을까요?
+# 밤 당번 때의 환자는 원인이 둘입니다. **예측해 봅시다.** 위치 추정 노드가 꺼져 있고, 그 뒤에 레이저의 장착이 틀렸습니다. 위치 추정 노드를 켜면 RViz는 무엇이라고 하고, 스캔은 어디에 있을까요?
 
 # %% [markdown] lang="en" name="break-it-notes" slide="notes"
 # Let them write a sentence about the scan before you run it. The laugh comes with “all Ok”.
@@ -676,7 +676,7 @@ night.try_fix()
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
 #
-# - [[owner|발행 책임]]은 노드, 데이터, 스위치입니다. 연결마다 발행자는 하나입니다. 둘도, 없음도 안 됩니다.
+# - [[owner|발행 책임]]은 노드, 데이터, 스위치입니다. 연결마다 발행자는 하나입니다. 둘이어도, 없어도 안 됩니다.
 # - [[second-owner|두 번째 발행자]]는 오류를 내지 않습니다. 20 Hz로 묻고, 연결이 얼마나 자주 오는지 세어 보세요.
 # - 증상은 원인이 아닙니다. 검사의 값어치는 무엇을 지우느냐에 있습니다. [[suspect|용의자]]들의 답이 다를 것을 물으십시오.
 # - 하나가 남으면 멈추십시오. 고쳤다는 증거는 고장을 찾아낸 검사에 있습니다.
@@ -706,8 +706,8 @@ night.try_fix()
 # <details><summary>답</summary>
 #
 # 1. `map → odom`입니다. 같은 시각의 `map_T_base`와 바퀴의 `odom_T_base`로 구합니다.
-# 2. volatile은 그때 있던 쪽만 듣습니다. transient local은 나중에 온 쪽도 듣습니다.
-# 3. 요청 시각과 버퍼에 있는 가장 새로운 측정 시각입니다.
+# 2. volatile은 보낼 때 있던 쪽만 받습니다. transient local은 나중에 온 쪽도 받습니다.
+# 3. 요청 시각과 버퍼에 있는 최신 표본의 시각입니다.
 #
 # </details>
 
@@ -756,7 +756,7 @@ night.try_fix()
 # <details><summary>완전한 답에 들어 있는 것</summary>
 #
 # - [ ] 오류는 나지 않습니다. TF2는 누가 보내든 표본을 모두 받습니다.
-# - [ ] 부모가 같으면 포즈가 오락가락하고, 그 사이를 조회하면 아무도 말한 적 없는 자리가 나옵니다.
+# - [ ] 부모가 같으면 포즈가 오락가락하고, 그 사이를 조회하면 아무도 알린 적 없는 위치가 나옵니다.
 # - [ ] 부모가 다르면 트리 자체가 바뀌고, 한 부분이 번갈아 끊어집니다.
 # - [ ] `view_frames`에는 부모가 하나만 보입니다. 연결의 발행률과 20 Hz로 본 값이 두 번째 발행자를 드러냅니다.
 #
@@ -773,7 +773,7 @@ night.try_fix()
 #
 # </details>
 #
-# **15.** 로봇이 달릴 때 벽이 번집니다. 어떤 순서로 살펴봅니까? 다섯 걸음 넘게 써 보세요.
+# **15.** 로봇이 달릴 때 벽이 번집니다. 어떤 순서로 살펴봅니까? 다섯 걸음 이상 써 보세요.
 #
 # <details><summary>완전한 답에 들어 있는 것</summary>
 #

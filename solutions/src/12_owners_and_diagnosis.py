@@ -133,7 +133,7 @@ check("E12.2", terminals)
 # - **into the future** 스캔이 깜빡입니다. 레이저의 시계입니까, 늦은 변환입니까?
 # - **localizer silent** 노드는 있는데 아무것도 보내지 않습니다. /clock을 기다립니까, 스캔을 기다립니까?
 # - **unknown frame** RViz: For frame [x]: Frame [x] does not exist. 스캔의 header에 적힌 이름이 틀렸습니까, 장착 변환이 없습니까?
-# - **static late joiner** 늦게 켠 쪽은 장착 변환을 듣지 못합니다. 발행자가 volatile입니까, 보낸 적이 없습니까?
+# - **static late joiner** 늦게 켠 쪽은 장착 변환을 받지 못합니다. 발행자가 volatile입니까, 보낸 적이 없습니까?
 # - **slow robot** 스캔이 나오기는 하는데 뚝뚝 끊깁니다. 오도메트리가 느립니까, 스캔이 느립니까?
 
 # %% name="e12-3-trolley"
@@ -220,7 +220,7 @@ check("E12.4", patients)
 # %% [markdown] lang="ko" name="e12-5"
 # ## E12.5 · 사양서로 만드는 로봇 (5점)
 #
-# 같은 방, 같은 지도에 두 번째 로봇이 들어옵니다. 이름은 `e12_5.robot`입니다. 바퀴의 오도메트리가 있고, imu를 융합할 수도 있으며(`e12_5.fused`), 센서 `e12_5.sensor`의 link(`…_link`)가 `base_link`에, optical frame(`…_optical_frame`)이 그 아래에 있습니다. 좌표계는 `odom`, `base_footprint`, `base_link`와 센서의 둘이고, 저마다 앞에 이름과 빗금이 붙습니다. `map`은 함께 씁니다.
+# 같은 방, 같은 지도에 두 번째 로봇이 들어옵니다. 이름은 `e12_5.robot`입니다. 바퀴의 오도메트리가 있고, imu를 융합할 수도 있으며(`e12_5.fused`), 센서 `e12_5.sensor`의 link(`…_link`)가 `base_link`에, optical frame(`…_optical_frame`)이 그 아래에 있습니다. 좌표계는 `odom`, `base_footprint`, `base_link`와 센서의 둘이고, 저마다 앞에 로봇의 이름과 슬래시(/)가 붙습니다. `map`은 함께 씁니다.
 #
 # - `"tree"`: 자식 → 부모
 # - `"moving"`, `"mounts"`: 움직이는 것과 고정된 것의 토픽. `"/tf"` 또는 `"/tf_static"`
@@ -289,7 +289,7 @@ check("E12.5", robot)
 # - **tree** `view_frames`의 트리가 하나인지 본다
 # - **rates** 연결의 지연과 발행률을 본다
 #
-# 여섯 장을 골라 살펴볼 순서대로, 싸고 굵은 것부터 비싸고 가는 것까지 `"first"`에서 `"sixth"`에 놓으십시오.
+# 여섯 장을 골라 살펴볼 순서대로, 싸고 대략적인 것부터 비싸고 세밀한 것까지 `"first"`에서 `"sixth"`에 놓으십시오.
 
 # %% name="e12-6-answer" tags=["answer"]
 steps = {
@@ -316,7 +316,7 @@ check("E12.6", steps)
 # ## E12.7 · 회진하는 프로그램 (5점)
 #
 # 아는 것은 “작동하지 않습니다”뿐입니다. 용의자는 열여덟, 시간은 12분입니다. `patient.ask(check)`는 그만큼의 분을 쓰고 한 줄짜리 소견을 반환합니다. `"all Ok"`, `"-0.295 s, std dev 0.000 s"`, `"True"`, `"not in one tree"` 같은 것입니다. 다음 셀은 검사마다 정상일 때(`카드`)의 소견과, 누구일 때 무엇이 나오는지를 출력합니다. 이름과 숫자는 로봇 한 대의 것입니다. 시계는 0.35초 틀릴 수도 있고, 좌표계 이름은 `lidar`일 수도 있습니다.
-# `patient.verdict(cause, frame)`을 반환하십시오. 원인과 좌표계는 E12.4와 같은 이름을 씁니다. 물어본 것이 함께 담기며, 그것이 증명이어야 합니다. 나머지 열일곱을 시간 안에 모두 지우고, 그 뒤에는 아무것도 묻지 않아야 합니다.
+# `patient.verdict(cause, frame)`을 반환하십시오. 원인과 좌표계는 E12.4와 같은 이름을 씁니다. 물어본 검사도 함께 담기며, 그 검사들이 증명이 되어야 합니다. 나머지 열일곱을 시간 안에 모두 지우고, 그 뒤에는 아무것도 묻지 않아야 합니다.
 
 # %% name="e12-7-findings"
 lesson.show_findings()
@@ -354,7 +354,7 @@ check("E12.7", triage)
 #
 # 기억납니까? 맨 처음에 만난 것과 같은 내용이고 숫자만 다릅니다. 답하고 나면 두 형을 모두 볼 수 있습니다.
 # 이번에도 채점하지 않습니다. 아무것도 찾아보지 말고, 문제마다 `"a"`에서 `"d"`까지 글자 하나를 쓰십시오. 짐작이면 뒤에 `?`를 붙이고, 모르면 `"e"`를 쓰십시오.
-# 열다섯 문제에 모두 답하면 `check`가 두 형을 열고 보기마다 한 문장씩 설명합니다. [E0.1](E00_start.ipynb)에 아직 답하지 않았다면 비교할 처음이 없습니다.
+# 열다섯 문제에 모두 답하면 `check`가 두 형을 열고 보기마다 한 문장씩 설명합니다. [E0.1](E00_start.ipynb)에 아직 답하지 않았다면 비교할 처음 답이 없습니다.
 
 # %% [markdown] lang="en" name="questions"
 # Where nothing else is said: *x* is ahead, *y* is to the left, *z* is up, and lengths are in metres. (2, 0) is two metres ahead.
@@ -655,4 +655,4 @@ check("E12.8", after)
 # ## 여기까지 해낸 것
 #
 # 발행자의 이름을 대고, 터미널을 읽고, 가장 적은 질문으로 원인을 증명하고, 로봇 한 대를 설계했습니다. 채점은 다른 로봇으로 같은 것을 묻습니다. 프로그램은 아무도 본 적 없는 환자를 만납니다.
-# 로봇 앞에 갈 때는 카드를 가지고 가십시오. 정상을 모르면 이상도 없습니다.
+# 로봇 앞에 갈 때는 카드를 가지고 가십시오. 정상을 모르면 이상도 알 수 없습니다.

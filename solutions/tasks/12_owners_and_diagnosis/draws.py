@@ -81,7 +81,7 @@ MEANS = {
     ),
     "parent misspelt": Words(
         en="Then a root stands in `view_frames` whose name is on no card.",
-        ko="그렇다면 `view_frames`에 카드에 없는 이름의 뿌리가 있습니다.",
+        ko="그렇다면 `view_frames`에 카드에 없는 이름의 루트가 있습니다.",
     ),
     "publish_tf off": Words(
         en="Then /odom comes as ever, and `param get /wheel_odometry publish_tf` says False.",

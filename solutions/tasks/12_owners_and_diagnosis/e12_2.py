@@ -94,7 +94,7 @@ MISSPELT_AS_DOWN = Slip(
     {"odm": "node down"},
     Words(
         en="A frame is not connected there, and the node runs and sends. Read the roots of the tree: one of them nobody ever meant.",
-        ko="좌표계가 이어지지 않았을 뿐, 노드는 실행 중이고 보내고 있습니다. 트리의 뿌리를 읽어 보세요. 아무도 뜻하지 않은 이름이 하나 있습니다.",
+        ko="좌표계가 이어지지 않았을 뿐, 노드는 실행 중이고 보내고 있습니다. 트리의 루트를 읽어 보세요. 아무도 뜻하지 않은 이름이 하나 있습니다.",
     ),
     "M11",
 )
@@ -177,7 +177,7 @@ TASK = Task(
         ),
         "a misspelt parent": Words(
             en="Where a parent is misspelt, the tree has a root whose name is on no card.",
-            ko="부모 이름이 틀리면 트리에 카드에 없는 이름의 뿌리가 있습니다.",
+            ko="부모 이름이 틀리면 트리에 카드에 없는 이름의 루트가 있습니다.",
         ),
         "wheel_odometry": Words(
             en="It owns odom -> base_footprint on the card. Does it run, and does it send just that?",
@@ -217,7 +217,7 @@ TASK = Task(
         ),
         "wheel_odometry: parent odom": Words(
             en="That cures a name. Is there a root here that nobody meant?",
-            ko="이름을 고치는 처치입니다. 아무도 뜻하지 않은 뿌리가 여기 있습니까?",
+            ko="이름을 고치는 처치입니다. 아무도 뜻하지 않은 루트가 여기 있습니까?",
         ),
     },
     hints=(
@@ -227,11 +227,11 @@ TASK = Task(
         ),
         Words(
             en="Read numbers in their order, roots by their names, and lists against the card.",
-            ko="숫자는 차례로, 뿌리는 이름을, 목록은 카드와 견주어 읽으십시오.",
+            ko="숫자는 차례로, 루트는 이름을, 목록은 카드와 견주어 읽으십시오.",
         ),
         Words(
             en="To and fro: two owners. Answers by turns: another edge. A root on no card: misspelt. A name missing from the list: nobody.",
-            ko="오락가락하면 발행자가 둘, 답이 나오다 말다 하면 다른 연결, 카드에 없는 뿌리면 틀린 이름, 목록에 이름이 없으면 아무도 없는 것입니다.",
+            ko="오락가락하면 발행자가 둘, 답이 나오다 말다 하면 다른 연결, 카드에 없는 루트면 틀린 이름, 목록에 이름이 없으면 아무도 없는 것입니다.",
         ),
     ),
     cures=("M6", "M7", "M11"),

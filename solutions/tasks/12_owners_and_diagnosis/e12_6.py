@@ -106,7 +106,10 @@ TASK = Task(
         ),
     },
     hints=(
-        Words(en="Cheap and coarse first, dear and fine last.", ko="싸고 굵은 것이 먼저, 비싸고 가는 것이 나중입니다."),
+        Words(
+            en="Cheap and coarse first, dear and fine last.",
+            ko="싸고 대략적인 것이 먼저, 비싸고 세밀한 것이 나중입니다.",
+        ),
         Words(
             en="Names, then connections, then values, then times, then the message, then who sends.",
             ko="이름, 연결, 값, 시간, 메시지, 발행자 순서입니다.",
