@@ -155,6 +155,14 @@ def test_the_misspelt_parent_of_the_lecture_is_named():
     findings = found(recording(edge("map", "odom"), edge("odm", "base_link"), HEALTHY[2]))
     assert set(findings) == {"name-slip"}
     assert (findings["name-slip"].facts["name"], findings["name-slip"].facts["other"]) == ("odm", "odom")
+    assert findings["name-slip"].facts["said"] == "odm -> base_link on /tf"
+
+
+def test_of_a_name_that_many_say_wrongly_the_first_four_edges_are_told():
+    arm = [mount("Base_link", name) for name in ("a_link", "b_link", "c_link", "d_link", "e_link", "f_link")]
+    facts = found(recording(*HEALTHY, *arm))["name-case"].facts
+    assert facts["name"] == "Base_link" and facts["said"].startswith("Base_link -> a_link on /tf_static, ")
+    assert facts["said"].count(" on /tf_static") == 4 and facts["said"].endswith(" and 2 more")
 
 
 def test_a_missing_link_makes_two_trees():
@@ -165,13 +173,28 @@ def test_a_missing_link_makes_two_trees():
 def test_a_circle_is_told_in_full():
     findings = found(recording(*HEALTHY, edge("base_link", "map", start_ms=1010)))
     assert findings["loop"].facts["circle"] == "base_link -> odom -> map -> base_link"
+    assert findings["loop"].facts["closed"] == ""  # all begin together: nobody knows who was there first
+
+
+def test_of_a_circle_that_forms_on_the_way_the_edge_that_closed_it_is_named():
+    findings = found(recording(*HEALTHY, edge("base_link", "map", 40, start_ms=3010)))
+    assert findings["loop"].facts["closed"] == " It was closed by base_link -> map, which was not there before."
 
 
 def test_messages_in_a_frame_that_nobody_publishes_are_named():
     stamps = np.arange(1, 30, dtype=np.int64) * 100 * MS + SECOND
     scan = Headers("/scan", "sensor_msgs/msg/LaserScan", stamps, stamps, np.zeros(29, dtype=np.int64), ("lidar",))
     findings = found(replace(recording(*HEALTHY), headers=(scan,)))
-    assert findings["unknown-frame"].facts == {"name": "lidar", "topics": "/scan", "count": 29}
+    assert findings["unknown-frame"].facts == {"name": "lidar", "topics": "/scan", "count": 29, "alike": ""}
+
+
+@pytest.mark.parametrize("name", ["laser", "laser_frme", "r1/laser_frame", "laser_frame_link"])
+def test_beside_a_frame_that_nobody_publishes_stands_the_name_of_the_tree_that_it_may_be(name):
+    stamps = np.arange(1, 30, dtype=np.int64) * 100 * MS + SECOND
+    scan = Headers("/scan", "sensor_msgs/msg/LaserScan", stamps, stamps, np.zeros(29, dtype=np.int64), (name,))
+    findings = diagnose_recording(replace(recording(*HEALTHY), headers=(scan,))).findings
+    told = " ".join(sentences(finding).title + sentences(finding).evidence for finding in findings)
+    assert f'"{name}"' in told and '"laser_frame"' in told
 
 
 def test_a_wrong_case_between_a_driver_and_the_tree_is_named():

@@ -21,7 +21,7 @@ from tflab.bags.recording import Headers
 
 from ..evidence import Evidence
 from ..findings import Finding
-from .spelling import endings_of, is_slip, letters_of, likeness, prefix_of
+from .spelling import endings_of, is_slip, letters_of, likeness, prefix_of, remind_of_each_other
 
 __all__ = ["empty_names", "leading_slashes", "misspelt_names", "slashes_in_messages", "unknown_frames_in_messages"]
 
@@ -32,6 +32,7 @@ OF_THE_WORLD = re.compile(r"Odometry|Path|Grid|PoseWithCovariance|PoseArray")
 STANDARD = ("earth", "map", "odom", "base_link", "base_footprint", "world")  # REP-105, and what is usual beside it
 ROBOT_FRAMES = 3  # a prefix that so many frames share, in a tree of their own, is a robot
 MOST_NAMES = 8  # that are told
+MOST_EDGES = 4  # in which a wrong name is said, that are told
 MOST_ROOTS = 40  # with more, it is not a slip
 
 
@@ -108,10 +109,18 @@ def unknown_frames_in_messages(evidence: Evidence) -> Iterator[Finding]:
             "name": frame,
             "topics": ", ".join(header.topic for header, _ in topics),
             "count": sum(count for _, count in topics),
+            "alike": _alike_text(frame, known),
         }
         code = "unknown-world-frame" if is_world else "unknown-frame"
         topic = spatial[0].topic if spatial else topics[0][0].topic
         yield Finding(code, "warning" if spatial else "info", topic=topic, facts=facts)
+
+
+def _alike_text(frame: str, known: set[str]) -> str:
+    """Return a sentence with the names of the tree that a name may be meant for, "" if there are none."""
+    alike = sorted(name for name in known if remind_of_each_other(name, frame))
+    quoted = ", ".join(f'"{name}"' for name in alike[:MOST_NAMES])
+    return f" The tree has {quoted}." if alike else ""
 
 
 def _pairs_alike(evidence: Evidence) -> Iterator[tuple[str, str, str]]:
@@ -174,10 +183,10 @@ def _fills_a_hole(evidence: Evidence, name: str, other: str) -> bool:
 
 
 def _finding_of(evidence: Evidence, code: str, name: str, facts: dict[str, object]) -> Finding:
-    parent, child, topic = next(
-        raw for raw in evidence.raw_names if name in (raw[0].removeprefix("/"), raw[1].removeprefix("/"))
-    )
-    return Finding(code, "error", parent, child, topic, facts=facts)
+    said = [raw for raw in evidence.raw_names if name in (raw[0].removeprefix("/"), raw[1].removeprefix("/"))]
+    edges = list(dict.fromkeys(f"{parent} -> {child} on {topic}" for parent, child, topic in said))
+    more = f" and {len(edges) - MOST_EDGES} more" if len(edges) > MOST_EDGES else ""
+    return Finding(code, "error", *said[0], facts={**facts, "said": ", ".join(edges[:MOST_EDGES]) + more})
 
 
 def _weight(evidence: Evidence, name: str) -> tuple:

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import re
 
-__all__ = ["differ_in_side", "endings_of", "is_slip", "letters_of", "likeness", "prefix_of"]
+__all__ = ["differ_in_side", "endings_of", "is_slip", "letters_of", "likeness", "prefix_of", "remind_of_each_other"]
 
 LONG_NAME = 12  # letters, from which on two slips are one misspelling
 SIDES = {
@@ -44,6 +44,12 @@ def likeness(name: str, other: str) -> str:
     if name.endswith("_" + other) and not {*re.split(r"[_/\d]+", name[: -len(other)])} & SIDES:
         return "prefix"
     return ""
+
+
+def remind_of_each_other(name: str, other: str) -> bool:
+    """Return whether somebody may have written one name for the other: also laser for laser_frame."""
+    longer, shorter = (name, other) if len(name) > len(other) else (other, name)
+    return bool(likeness(longer, shorter)) or longer.startswith(f"{shorter}_") or is_slip(name, other)
 
 
 def letters_of(name: str) -> str:

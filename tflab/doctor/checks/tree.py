@@ -17,6 +17,8 @@ from itertools import permutations, takewhile
 
 import numpy as np
 
+from tflab.core import NSEC_PER_SEC
+
 from ..evidence import Evidence
 from ..findings import Finding
 from .spelling import differ_in_side
@@ -24,6 +26,7 @@ from .spelling import differ_in_side
 __all__ = ["loops", "self_transforms", "separate_trees", "several_parents", "upside_down"]
 
 MOST_SHOWN = 3  # pieces
+NEW_NS = NSEC_PER_SEC  # after the others, for an edge to be new: edges that are there already begin together
 MOST_NAMES = 8  # of a piece
 MOST_CHANGES = 20_000  # of parents; where there are more, each arrangement of two frames is looked at once
 RANKS = {"earth": 0, "map": 1, "odom": 2, "base_footprint": 3, "base_link": 3}  # REP-105, from the top
@@ -39,12 +42,16 @@ def self_transforms(evidence: Evidence) -> Iterator[Finding]:
 def loops(evidence: Evidence) -> Iterator[Finding]:
     """Yield a finding for each circle that the parents form at some moment."""
     reported = set()
+    heard_ns: dict[str, int] = {}
     for moment_ns, parent_of, child in _arrangements(evidence):
+        heard_ns[child] = moment_ns
         circle = _circle_through(parent_of, child)
         if circle and frozenset(circle) not in reported:
             reported.add(frozenset(circle))
             way = " -> ".join([*circle, circle[0]])
-            facts = {"circle": way}
+            is_new = all(heard_ns[frame] < moment_ns - NEW_NS for frame in circle if frame != child)
+            closed = f" It was closed by {parent_of[child]} -> {child}, which was not there before." if is_new else ""
+            facts = {"circle": way, "closed": closed}
             yield Finding("loop", "error", parent_of[circle[0]], circle[0], begin_ns=moment_ns, facts=facts)
 
 

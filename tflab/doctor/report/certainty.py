@@ -40,11 +40,11 @@ OPEN = {
     "clock-offset": "`chronyc tracking` on both computers: if they agree, everything is delayed alike",
     "static-changed": "`ros2 topic info --verbose`: one publisher (calibrated anew), or two",
     "gap": "record on the robot itself: a gap that stays is the publisher's",
-    "went-silent": "`ros2 node list`: is the node still there?",
+    "went-silent": "the log of the node at that moment (~/.ros/log), if it is not there any more",
     "late-start": "the order in the launch file, and the log of the node",
     "re-parented": "`ros2 topic info --verbose`: one publisher (a parameter changed), or two",
     "repeated-stamps": "`ros2 topic info --verbose`: one publisher (it sends too often), or two",
-    "unknown-frame": "`ros2 topic echo /tf_static` while the driver runs: is there a name like it?",
+    "unknown-frame": "the drawn tree: is there a name like it (the driver's is wrong), or none (the mount is missing)?",
 }
 
 

@@ -5,7 +5,7 @@ The blanks are filled from a finding's edge, topic and facts.  Read `gate_texts.
 
 from __future__ import annotations
 
-from .sentences import EDGE_HZ, MONITOR, SIM_TIME, TOPIC_INFO, Sentences
+from .sentences import ECHO, EDGE_HZ, MONITOR, SIM_TIME, TOPIC_INFO, Sentences
 
 __all__ = ["TIME_TEXTS"]
 
@@ -58,7 +58,7 @@ TIME_TEXTS: dict[str, Sentences] = {
         "{edge} begins {late} s after the others",
         "Before, every lookup that needs it fails.",
         "Its node was started later, or waited for something: a pose to begin with, a parameter, a driver.",
-        "ros2 node list",
+        ECHO,
     ),
     "slow-edge": Sentences(
         "{edge} comes only {rate} times a second",
@@ -82,7 +82,8 @@ TIME_TEXTS: dict[str, Sentences] = {
     "late-stamps": Sentences(
         "{edge} comes late",
         "{count} of {total} samples were received {delay} s after their stamp (others: {others} s; spread {spread} s).",
-        "The node takes long, or the clock of its computer is behind the others: this alone cannot tell which.",
+        "The node takes long, or the clock of its computer is behind the others: this alone cannot tell which. A "
+        "lookup at the stamp of a measurement has to wait so long, or fails (extrapolation into the future).",
         MONITOR,
     ),
     "early-stamps": Sentences(
@@ -102,8 +103,8 @@ TIME_TEXTS: dict[str, Sentences] = {
     "messages-early": Sentences(
         "Messages on {topic} are stamped in the future",
         "{count} messages, received {delay} s before their stamp as a rule.",
-        "The clock of the sensor's computer is ahead: lookups at these stamps need an extrapolation into the future, "
-        "and waiting does not help.",
+        "The clock of the sensor's computer is ahead, or the driver adds to its stamps: lookups at these stamps need "
+        "an extrapolation into the future; whoever waits learns where the robot is by then, not where it measured.",
         "ros2 topic delay {topic}",
     ),
     "messages-late": Sentences(
@@ -146,7 +147,7 @@ TIME_TEXTS: dict[str, Sentences] = {
         "{count} messages are {away} s away from the others.",
         "Its node reads another clock: use_sim_time is set for some nodes and not for all. Nothing can be looked up "
         "between the two times.",
-        SIM_TIME,
+        TOPIC_INFO,
     ),
     "mixed-time": Sentences(
         "Some nodes follow /clock and others do not",

@@ -32,7 +32,7 @@ TREE_TEXTS: dict[str, Sentences] = {
     ),
     "name-case": Sentences(
         '"{name}" and "{other}" differ only in how they are written',
-        'Both occur; tf2 takes "{name}" for another frame.',
+        'Both occur; tf2 takes "{name}" for another frame. It is said in {said}.',
         'One of two nodes spells the frame in another case or with other separators: "{other}" is what the others say.',
         TOPIC_INFO,
     ),
@@ -45,7 +45,7 @@ TREE_TEXTS: dict[str, Sentences] = {
     ),
     "name-slip": Sentences(
         '"{name}" is probably meant to be "{other}"',
-        'They are a letter or two apart, and "{hanging}" hangs in the air.',
+        'They are a letter or two apart, and "{hanging}" hangs in the air. "{name}" is said in {said}.',
         "A misspelt frame name in a parameter, a launch file or a URDF.",
         VIEW_FRAMES,
     ),
@@ -57,14 +57,14 @@ TREE_TEXTS: dict[str, Sentences] = {
     ),
     "unknown-frame": Sentences(
         'Messages are in the frame "{name}", which nobody publishes',
-        "{count} messages on {topics} name it; it is not in the tree.",
+        "{count} messages on {topics} name it; it is not in the tree.{alike}",
         "The static transform of the sensor is missing, or its name is written differently in the driver and "
         "in the URDF.",
-        "ros2 topic echo /tf_static --once",
+        VIEW_FRAMES,
     ),
     "unknown-world-frame": Sentences(
         'Messages are in the frame "{name}", which nobody publishes',
-        "{count} messages on {topics} name it; it is not in the tree.",
+        "{count} messages on {topics} name it; it is not in the tree.{alike}",
         "Whoever should publish the transform from or to it does not: for odometry the filter or the driver "
         "(a parameter publish_tf), for a map the localiser.",
         "ros2 topic info /tf --verbose",
@@ -78,7 +78,7 @@ TREE_TEXTS: dict[str, Sentences] = {
     ),
     "loop": Sentences(
         "The frames go round in a circle",
-        "{circle}, each the child of the next.",
+        "{circle}, each the child of the next.{closed}",
         "One of these transforms points the wrong way, or two nodes disagree about which frame is the parent.",
         VIEW_FRAMES,
     ),
