@@ -11,6 +11,7 @@
 # You need basic Python.
 # You do not need ROS, a robot, or a network: nothing you do here leaves this machine.
 # The ROS 2 code that you write runs on a real robot unchanged.
+# The workbook follows one lecture on TF2 from end to end: where a page says "the lecture", that one is meant, and you need not have heard it.
 #
 # On this page: a tour of five minutes, then the chapters, how your answers are checked, and where you stand.
 # Words with a dotted line explain themselves when you rest the pointer on them; the [glossary](90_glossary.ipynb) has all of them.
@@ -28,6 +29,7 @@
 # 파이썬 기초만 알면 됩니다.
 # ROS도, 로봇도, 네트워크도 필요 없고, 여기서 하는 일은 이 컴퓨터 밖으로 나가지 않습니다.
 # 여기서 쓴 ROS 2 코드는 실제 로봇에서 그대로 실행됩니다.
+# 이 워크북은 TF2 강의 하나를 처음부터 끝까지 따라갑니다. 본문에서 '강의'라고 하면 그 강의를 말하며, 몰라도 됩니다.
 #
 # 이 페이지에서는 5분 동안 한 바퀴 둘러본 다음, 각 장의 소개, 답을 확인하는 방법, 나의 학습 현황을 차례로 봅니다.
 # 점선이 그어진 낱말에 마우스를 올리면 설명이 나타납니다. 모든 용어는 [용어집](90_glossary.ipynb)에 모여 있습니다.
@@ -55,7 +57,7 @@ from tflab.workbook import lesson
 # %% [markdown] lang="en" name="motion-why" slide="slide"
 # ## A robot that drives through a room
 #
-# Press ▶ below the picture. Drag to turn it; click into it and scroll to come closer.
+# Run the cell below, then press ▶ under its picture. Drag to turn it; click into it and scroll to come closer.
 #
 # - The body with wheels and an arm is our robot. It goes round a pillar.
 # - The coloured dots are what its laser measures, ten times a second. They lie on the walls, although the laser knows nothing of walls: it only knows how far away something is, *as seen from itself*. In the bends they slip off the walls a little; chapter 08 is about that.
@@ -66,7 +68,7 @@ from tflab.workbook import lesson
 # %% [markdown] lang="ko" name="motion-why" slide="slide"
 # ## 방 안을 달리는 로봇
 #
-# 그림 아래의 ▶를 눌러 보세요. 마우스로 끌면 돌아가고, 그림을 클릭한 뒤 휠을 굴리면 가까워집니다.
+# 아래 셀을 실행하고 그림 밑의 ▶를 눌러 보세요. 마우스로 끌면 돌아가고, 그림을 클릭한 뒤 휠을 굴리면 가까워집니다.
 #
 # - 바퀴와 팔이 달린 몸체가 우리 로봇입니다. 기둥을 돌며 달립니다.
 # - 색이 있는 점은 레이저가 1초에 열 번 재는 곳입니다. 점들은 벽 위에 놓이지만 레이저는 벽을 모릅니다. *레이저를 기준으로* 무언가가 얼마나 떨어져 있는지만 압니다. 모퉁이를 돌 때는 점들이 벽에서 조금 벗어납니다. 그 이야기는 08장에서 합니다.

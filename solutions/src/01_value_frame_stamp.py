@@ -3,18 +3,18 @@
 #
 # Seven tasks, 23 points, about 50 minutes. The page they belong to: [01 · Three numbers are not a place yet](../../notebooks/en/01_value_frame_stamp.ipynb)
 #
-# Write your answer where it says `...` or `your turn`, run the cell, then run the check below it.
+# Run the two cells below first. Then write your answer where it says `...` or `your turn`, run the cell, then run the check below it.
 # A wrong answer is told which mistake it looks like. `hint("E1.1")` gives the first of three hints.
-# Your numbers come from `task(...)` and may differ from your neighbour's, so answer with an expression, such as `e1_4.speed_mps * 2.0`, and not with a number that you worked out elsewhere.
+# Your numbers come from `task(...)` and may differ from your neighbour's, so answer with an expression, such as `e1_4.speed_mps * 2.0` (what E1.4 gives is in `e1_4`), and not with a number that you worked out elsewhere.
 
 # %% [markdown] lang="ko" name="title"
 # # 연습 문제 01 · 숫자 세 개는 아직 위치가 아닙니다
 #
 # 과제 일곱 개, 23점, 50분쯤 걸립니다. 함께 보는 페이지: [01 · 숫자 세 개는 아직 위치가 아닙니다](../../notebooks/ko/01_value_frame_stamp.ipynb)
 #
-# `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 셀을 실행한 다음, 아래의 확인 셀을 실행해 보세요.
+# 먼저 아래 두 셀을 실행해 보세요. 그다음 `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 셀을 실행한 다음, 아래의 확인 셀을 실행해 보세요.
 # 틀린 답을 내면 어떤 실수로 보이는지 알려 줍니다. `hint("E1.1")`은 세 힌트 가운데 첫 번째를 보여 줍니다.
-# 숫자는 `task(...)`가 주며 옆 사람과 다를 수 있습니다. 그러니 따로 계산한 숫자가 아니라 `e1_4.speed_mps * 2.0` 같은 식으로 답해 보세요.
+# 숫자는 `task(...)`가 주며 옆 사람과 다를 수 있습니다. 그러니 따로 계산한 숫자가 아니라 `e1_4.speed_mps * 2.0` 같은 식으로 답해 보세요(E1.4에서 주어진 값은 `e1_4`에 들어 있습니다).
 
 # %% name="load"
 # %load_ext tflab

@@ -123,8 +123,8 @@ NOT_ON_THE_MAP = Slip(
     "not on the map",
     {"robot": "skipped"},
     Words(
-        en="On the map you wrote the numbers of base_link once more. The robot does not stand in the map's corner.",
-        ko="map에도 base_link 기준 값을 그대로 썼습니다. 로봇은 지도 원점에 서 있지 않습니다.",
+        en="On the map the robot's own place is missing. It does not stand in the map's corner: `map_p_base` comes on top.",
+        ko="지도 기준 값에 로봇의 위치가 빠졌습니다. 로봇은 지도 원점에 서 있지 않으므로 `map_p_base`를 더해야 합니다.",
     ),
 )
 
