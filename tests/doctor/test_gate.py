@@ -218,6 +218,15 @@ def test_two_recordings_are_told_by_what_changed(clean, tmp_path, capsys):
     assert "what changed since" in capsys.readouterr().out
 
 
+def test_what_changed_stands_under_its_cause_if_that_is_known(clean, late, capsys):
+    assert main(["doctor", clean, late, "--json"]) == 0
+    first, second = json.loads(capsys.readouterr().out)["reports"]
+    assert first["findings"] == []
+    (finding,) = second["findings"]
+    assert finding["code"] == "late-stamps"
+    assert "expected-delay" in {effect["code"] for effect in finding["effects"]}
+
+
 def test_many_recordings_are_a_table_and_one_that_cannot_be_read_is_a_line_of_it(clean, late, broken, tmp_path, capsys):
     (tmp_path / "cut.mcap").write_bytes(b"")
     assert main(["doctor", clean, late, broken, str(tmp_path / "cut.mcap")]) == 2

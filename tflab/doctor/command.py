@@ -134,8 +134,8 @@ def _compared(examined: list[Examined], options: Namespace) -> list[Examined]:
         return examined
     before, after = examined
     changes = changes_between(before.profile, after.profile)
-    changed = replace(after.report, findings=worst_first([*after.report.findings, *changes]))
-    changed, _ = let_pass(changed, options.ignore)
+    changed, _ = let_pass(replace(after.report, findings=(*after.report.findings, *changes)), options.ignore)
+    changed = replace(changed, findings=worst_first(told_causes(list(changed.findings))))
     return [before, after._replace(report=changed)]
 
 
