@@ -76,7 +76,7 @@ ALL_OFF = Slip(
     {"switches": "all off"},
     Words(
         en="With every switch off nobody sends the moving edges, and the tree falls apart. Each edge needs one owner: not two, and not none.",
-        ko="스위치를 모두 끄면 움직이는 연결을 아무도 보내지 않아 트리가 나뉩니다. 연결마다 발행자가 하나 있어야 합니다. 둘도, 없음도 안 됩니다.",
+        ko="스위치를 모두 끄면 움직이는 연결을 아무도 보내지 않아 트리가 나뉩니다. 연결마다 발행자가 하나 있어야 합니다. 둘이어도, 없어도 안 됩니다.",
     ),
     "M6",
 )
@@ -86,7 +86,7 @@ DRIVER_REPEATS = Slip(
     {"lidar": "repeats"},
     Words(
         en="The mount stands in the URDF, and robot_state_publisher says it once, as a static transform. A driver that says it again is a second owner.",
-        ko="장착 위치는 URDF에 있고, robot_state_publisher가 정적 변환으로 한 번 말합니다. 드라이버가 또 말하면 두 번째 발행자입니다.",
+        ko="장착 위치는 URDF에 있고, robot_state_publisher가 정적 변환으로 한 번 보냅니다. 드라이버가 또 보내면 발행자가 둘이 됩니다.",
     ),
     "M12",
 )
@@ -154,7 +154,7 @@ TASK = Task(
         ),
         "lidar_driver publish_tf": Words(
             en="Does anybody say the laser's mount already?",
-            ko="레이저의 장착을 이미 말하는 노드가 있지 않습니까?",
+            ko="레이저의 장착을 이미 보내는 노드가 있지 않습니까?",
         ),
     },
     hints=(
@@ -165,7 +165,7 @@ TASK = Task(
         ),
         Words(
             en="What is bolted on or turned by a joint comes from the URDF, so from robot_state_publisher; every driver keeps quiet.",
-            ko="고정된 것과 관절로 도는 것은 URDF에서, 곧 robot_state_publisher에서 옵니다. 드라이버는 말하지 않습니다.",
+            ko="고정된 것과 관절로 도는 것은 URDF에서, 곧 robot_state_publisher에서 옵니다. 드라이버는 보내지 않습니다.",
         ),
     ),
     cures=("M6", "M7", "M12"),

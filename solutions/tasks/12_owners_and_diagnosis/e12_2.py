@@ -114,7 +114,7 @@ COUNT_AS_OWNERS = Slip(
     {"count": "owners"},
     Words(
         en="`topic info /tf` counts whoever may speak on /tf, for all edges together. Three publishers are three nodes with an edge each.",
-        ko="`topic info /tf`는 /tf에서 말할 수 있는 노드를 모든 연결에 대해 셉니다. 발행자 셋은 연결을 하나씩 가진 노드 셋입니다.",
+        ko="`topic info /tf`는 /tf로 보낼 수 있는 노드를 모든 연결에 걸쳐 셉니다. 발행자 셋은 연결을 하나씩 맡은 노드 셋입니다.",
     ),
     "M6",
 )

@@ -149,7 +149,7 @@ TASK = Task(
         ),
         "use_sim_time": Words(
             en="It shows in whose time the localiser lives: is that what the two suspects differ in?",
-            ko="위치 추정 노드가 어느 시간에 사는지 보여 줍니다. 두 용의자의 차이가 그것입니까?",
+            ko="위치 추정 노드가 어느 시계를 따르는지 보여 줍니다. 두 용의자의 차이가 그것입니까?",
         ),
         "publish_tf": Words(
             en="It shows one switch of the wheels: is that what the two suspects differ in?",
@@ -157,7 +157,7 @@ TASK = Task(
         ),
         "info /tf": Words(
             en="It counts who may speak on /tf, not who speaks, and not how: would the two suspects differ?",
-            ko="/tf에서 말할 수 있는 노드를 셀 뿐, 누가 어떻게 말하는지는 보여 주지 않습니다. 두 용의자에게서 다르게 나옵니까?",
+            ko="/tf로 보낼 수 있는 노드를 셀 뿐, 누가 무엇을 보내는지는 보여 주지 않습니다. 두 용의자에게서 다르게 나옵니까?",
         ),
         "info /tf_static": Words(
             en="It shows who publishes mounts, and with which durability: is that what the two suspects differ in?",
@@ -165,7 +165,7 @@ TASK = Task(
         ),
         "echo /tf_static": Words(
             en="It shows the mounts that you hear, for two minutes: if one is missing, does it say why, and is there a cheaper check?",
-            ko="2분을 들여 들리는 장착을 보여 줍니다. 하나가 없을 때 그 까닭까지 알려 줍니까? 더 싼 검사는 없습니까?",
+            ko="2분을 들여 받은 장착을 보여 줍니다. 하나가 없을 때 그 까닭까지 알려 줍니까? 더 싼 검사는 없습니까?",
         ),
         "view_frames": Words(
             en="Three minutes for the whole tree: the question is about one thing. Which check shows just that?",

@@ -88,7 +88,7 @@ STAMP_ON_ARRIVAL = Twin(
     but("fix", "stamp on arrival"),
     Words(
         en="Then the stamp says when somebody heard it, not when it was measured. The one who stamps wrongly stays as he was.",
-        ko="그러면 측정 시각이 아니라 들은 시각이 적힙니다. 시각을 틀리게 적는 쪽은 그대로입니다.",
+        ko="그러면 측정 시각이 아니라 받은 시각이 적힙니다. 시각을 틀리게 적는 쪽은 그대로입니다.",
     ),
     "M9",
     partly=True,

@@ -72,7 +72,7 @@ MOUNTS_ON_TF = Slip(
     {"mounts": "moving"},
     Words(
         en="What is bolted on needs saying once, for everybody who comes later too. On /tf it is forgotten after ten seconds, or sent for ever.",
-        ko="고정된 것은 한 번 말하면 나중에 온 쪽도 알아야 합니다. /tf에 보내면 10초 뒤에 잊히거나 끝없이 보내야 합니다.",
+        ko="고정된 것은 한 번 보내면 나중에 온 쪽도 알아야 합니다. /tf에 보내면 10초 뒤에 잊히거나 끝없이 보내야 합니다.",
     ),
     "M12",
 )
@@ -92,7 +92,7 @@ HALF_A_BAG = Slip(
     {"bag": "moving only"},
     Words(
         en="Played tomorrow, that bag has no mounts: they were said once, before anything moved. Record both topics.",
-        ko="내일 그 bag을 재생하면 장착 변환이 없습니다. 움직이기 전에 한 번 말했기 때문입니다. 두 토픽을 모두 기록하십시오.",
+        ko="내일 그 bag을 재생하면 장착 변환이 없습니다. 움직이기 전에 한 번 보냈기 때문입니다. 두 토픽을 모두 기록하십시오.",
     ),
     "M13",
 )
@@ -122,7 +122,7 @@ MOVING_AS_STATIC = Slip(
     {"moving": "static"},
     Words(
         en="What moves is sent as static now: it is heard once, and then the robot stands still on the map for ever.",
-        ko="움직이는 것을 정적으로 보냅니다. 한 번만 들리므로 로봇이 지도 위에 영원히 서 있게 됩니다.",
+        ko="움직이는 것을 정적으로 보냅니다. 한 번만 보내므로 로봇이 지도 위에 영원히 서 있게 됩니다.",
     ),
     "M12",
 )
@@ -211,7 +211,7 @@ DRIVER_TOO = Slip(
     {"driver": "on"},
     Words(
         en="The driver says the camera's edges once more: a second owner of what the URDF has.",
-        ko="드라이버가 카메라의 연결을 한 번 더 말합니다. URDF에 있는 것의 두 번째 발행자입니다.",
+        ko="드라이버가 카메라의 연결을 한 번 더 보냅니다. URDF에 있는 것의 두 번째 발행자입니다.",
     ),
     "M6",
 )
@@ -260,11 +260,11 @@ TASK = Task(
     shows={
         "moving": Words(
             en="What moves is said again and again; who comes later hears the next one. Which topic is for that?",
-            ko="움직이는 것은 거듭 말하므로 늦게 온 쪽도 다음 것을 듣습니다. 그런 것은 어느 토픽으로 보냅니까?",
+            ko="움직이는 것은 거듭 보내므로 늦게 온 쪽도 다음 것을 받습니다. 그런 것은 어느 토픽으로 보냅니까?",
         ),
         "mounts": Words(
             en="What is bolted on is said once, for whoever comes later, too. Which topic keeps it?",
-            ko="고정된 것은 한 번 말하고, 늦게 온 쪽도 알아야 합니다. 그것을 간직하는 토픽은 무엇입니까?",
+            ko="고정된 것은 한 번 보내고, 늦게 온 쪽도 알아야 합니다. 그것을 간직하는 토픽은 무엇입니까?",
         ),
         "odom owner": Words(
             en="The edge below odom is made of wheels, or of wheels and imu: `fused` says which.",
@@ -284,7 +284,7 @@ TASK = Task(
         ),
         "camera_driver publish_tf": Words(
             en="Does anybody say the camera's edges already? `camera_driver_publishes_tf` tells what the driver does when nobody forbids it.",
-            ko="카메라의 연결을 이미 말하는 노드가 있습니다. `camera_driver_publishes_tf`는 막지 않으면 드라이버가 하는 일입니다.",
+            ko="카메라의 연결을 이미 보내는 노드가 있습니다. `camera_driver_publishes_tf`는 막지 않으면 드라이버가 하는 일입니다.",
         ),
     },
     hints=(
@@ -298,7 +298,7 @@ TASK = Task(
         ),
         Words(
             en="The edge from odom has one owner: the filter if there is one, and then the wheels' switch is off. A driver keeps quiet.",
-            ko="odom의 연결은 발행자가 하나입니다. 필터가 있으면 필터이고, 그때 바퀴의 스위치는 끕니다. 드라이버는 말하지 않습니다.",
+            ko="odom의 연결은 발행자가 하나입니다. 필터가 있으면 필터이고, 그때 바퀴의 스위치는 끕니다. 드라이버는 보내지 않습니다.",
         ),
     ),
     cures=("M4", "M6", "M7", "M12", "M13", "M14"),

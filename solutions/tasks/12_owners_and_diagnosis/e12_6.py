@@ -48,7 +48,7 @@ PUBLISHERS_FIRST = Twin(
     in_this_order("publishers", "fixed frame", "tree", "mount", "rates", "header"),
     Words(
         en="Counting publishers is the sixth step of six: it costs most and says least as long as nobody knows which edge it is about.",
-        ko="발행자 세기는 여섯 걸음 가운데 마지막입니다. 어느 연결이 문제인지 모를 때는 가장 비싸고 알려 주는 것도 가장 적습니다.",
+        ko="발행자를 세는 일은 여섯 걸음 가운데 마지막입니다. 어느 연결이 문제인지 모를 때는 가장 비싸고 알려 주는 것도 가장 적습니다.",
     ),
     "M6",
 )

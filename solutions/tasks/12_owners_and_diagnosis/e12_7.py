@@ -203,7 +203,7 @@ ALWAYS_VOLATILE = Slip(
     {"scan_lost": "volatile"},
     Words(
         en="Where laser_frame is unknown your program always says volatile. A mount that is heard can still be refused: what does the log of a tool say?",
-        ko="laser_frame을 모르면 프로그램이 늘 volatile이라고 합니다. 들렸는데 거절된 장착도 있습니다. 도구의 로그는 무엇이라고 합니까?",
+        ko="laser_frame을 모르면 프로그램이 늘 volatile이라고 합니다. 받았는데 거절된 장착도 있습니다. 도구의 로그는 무엇이라고 합니까?",
     ),
     "M12",
 )
@@ -213,7 +213,7 @@ ALWAYS_ZEROS = Slip(
     {"scan_lost": "zeros"},
     Words(
         en="Where laser_frame is unknown your program always blames the quaternion. A mount that was sent too early for a late listener is missing, too.",
-        ko="laser_frame을 모르면 프로그램이 늘 쿼터니언을 탓합니다. 늦게 온 쪽이 듣지 못한 장착도 없는 것으로 나옵니다.",
+        ko="laser_frame을 모르면 프로그램이 늘 쿼터니언을 탓합니다. 늦게 온 쪽이 받지 못한 장착도 없는 것으로 나옵니다.",
     ),
     "M12",
 )
@@ -273,7 +273,7 @@ MOUNT_UNREAD = Slip(
     {"green": "no mount"},
     Words(
         en="Where all is green your program never reads the mount. RViz computes with whatever it is told.",
-        ko="모두 초록색일 때 프로그램이 장착의 값을 읽지 않습니다. RViz는 들은 값으로 계산할 뿐입니다.",
+        ko="모두 초록색일 때 프로그램이 장착의 값을 읽지 않습니다. RViz는 받은 값으로 계산할 뿐입니다.",
     ),
     "M15",
 )
