@@ -16,6 +16,19 @@
 # %load_ext tflab
 from tflab.workbook import practice
 
+# %% [markdown] lang="en" name="where" slide="skip"
+# ## Where do you stand?
+#
+# What was shown, when, and what comes next. It is kept in your copy, in `practice.json`.
+
+# %% [markdown] lang="ko" name="where" slide="skip"
+# ## 지금 어디까지 왔을까요?
+#
+# 무엇이 드러났고 언제였는지, 다음에 무엇이 나오는지 보여 줍니다. 기록은 내 워크북의 `practice.json`에 있습니다.
+
+# %% name="standing"
+practice.standing()
+
 # %% [markdown] lang="en" name="how" slide="skip"
 # ## Ask
 #
@@ -69,18 +82,5 @@ practice.ask()
 # 때가 되어 나온 것을 맞히면 다음 상자로 올라갑니다. 힌트를 보고 맞히면 그대로 있습니다. 틀리거나, 여기서든 연습 문제에서든 잘못 아는 점이 드러나면 1번 상자로 돌아갑니다.
 # 이런 방법을 *간격 반복(spaced repetition)* 이라고 하며, 상자는 제바스티안 라이트너(Sebastian Leitner, 1972)가 생각해 냈습니다.
 
-# %% [markdown] lang="en" name="where" slide="skip"
-# ## Where do you stand?
-#
-# What was shown, when, and what comes next. It is kept in your copy, in `practice.json`.
-
-# %% [markdown] lang="ko" name="where" slide="skip"
-# ## 지금 어디까지 왔을까요?
-#
-# 무엇이 드러났고 언제였는지, 다음에 무엇이 나오는지 보여 줍니다. 기록은 내 워크북의 `practice.json`에 있습니다.
-
 # %% name="boxes-drawn"
 practice.boxes()
-
-# %% name="standing"
-practice.standing()

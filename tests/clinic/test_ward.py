@@ -5,6 +5,7 @@ import pytest
 
 from tflab.clinic.causes import CAUSES, HEALTHY, Numbers, draw_numbers
 from tflab.clinic.cures import CURES
+from tflab.clinic.patient import seen_after
 from tflab.clinic.proof import fitting
 from tflab.clinic.table import COMPLAINTS, SUSPECTS
 from tflab.clinic.trolley import TROLLEY
@@ -47,14 +48,14 @@ def test_a_tool_that_writes_files_leaves_none_here(tmp_path, monkeypatch):
 @pytest.mark.parametrize("cause", SUSPECTS)
 def test_the_right_fix_makes_the_robot_well_and_others_do_not(patients, cause):
     cure = next(fix for fix, causes in CURES.items() if cause in causes)
-    assert "RViz: all Ok" in patients[cause].after(cure)[1] or cause in ("localizer owns the base", "nothing is wrong")
+    assert "RViz: all Ok" in seen_after(patients[cause], cure)[1] or cause in ("localizer owns the base", "nothing is wrong")
     if cause not in ("two owners of one edge", "nothing is wrong"):
-        assert patients[cause].after("new sensor")[1] != patients[cause].after(cure)[1]
+        assert seen_after(patients[cause], "new sensor")[1] != seen_after(patients[cause], cure)[1]
 
 
 def test_a_plaster_takes_the_error_away_and_leaves_the_points_where_they_are(patients):
     ahead = patients["laser clock ahead"]
-    plaster, cure = ahead.after("timeout of 1 s")[1], ahead.after("set the laser's clock")[1]
+    plaster, cure = seen_after(ahead, "timeout of 1 s")[1], seen_after(ahead, "set the laser's clock")[1]
     assert "RViz: all Ok" in plaster and "RViz: all Ok" in cure
     beside = [float(text.split("up to ")[1].split(" m")[0]) for text in (plaster, cure)]
     assert beside[0] > 3 * beside[1]
@@ -89,5 +90,5 @@ def test_a_patient_does_not_name_its_cause(patients):
 def test_two_causes_show_the_first_one_first():
     patient = make_patient(["localizer not running", "mount wrong"], Numbers())
     assert patient.complaint == "no map"
-    after = patient.after("start localization")[1]
+    after = seen_after(patient, "start localization")[1]
     assert "RViz: all Ok" in after and float(after.split("up to ")[1].split(" m")[0]) > 0.12
