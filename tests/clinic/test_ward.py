@@ -48,7 +48,10 @@ def test_a_tool_that_writes_files_leaves_none_here(tmp_path, monkeypatch):
 @pytest.mark.parametrize("cause", SUSPECTS)
 def test_the_right_fix_makes_the_robot_well_and_others_do_not(patients, cause):
     cure = next(fix for fix, causes in CURES.items() if cause in causes)
-    assert "RViz: all Ok" in seen_after(patients[cause], cure)[1] or cause in ("localizer owns the base", "nothing is wrong")
+    assert "RViz: all Ok" in seen_after(patients[cause], cure)[1] or cause in (
+        "localizer owns the base",
+        "nothing is wrong",
+    )
     if cause not in ("two owners of one edge", "nothing is wrong"):
         assert seen_after(patients[cause], "new sensor")[1] != seen_after(patients[cause], cure)[1]
 
