@@ -161,5 +161,5 @@ def choose(
             task = min(with_it, key=lambda task: (asked.get(task, 0), tasks[task].index(name), rank[task]))
             return Pick(task, name, AGAIN if ideas[name].shown else DUE)
     task = min(other, key=lambda task: (asked.get(task, 0), rank[task]))
-    name = min(tasks[task], key=lambda name: ideas[name].box if name in ideas else 0)
+    name = min(tasks[task], key=lambda name: ideas[name].number if name in ideas else 0)
     return Pick(task, name, AHEAD if name in ideas else NEW)
