@@ -16,13 +16,14 @@ import weakref
 from collections.abc import Callable
 from typing import Any
 
-from .action_goals import action_entity_name, is_done
-from .action_server import FEEDBACK_QOS, check_action_type
+from .action_goals import action_entity_name, goal_key, is_done
+from .action_server import FEEDBACK_QOS
 from .callback_groups import CallbackGroup
 from .entity import Kind
 from .messages.action_msgs import GoalInfo, GoalStatus
-from .messages.base import Action, Message
+from .messages.base import Action, Message, is_action_class
 from .messages.unique_identifier_msgs import UUID
+from .node_entities import check_type
 from .qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
 from .task import Future
 
@@ -52,7 +53,7 @@ class ClientGoalHandle:
         return isinstance(other, ClientGoalHandle) and self.goal_id == other.goal_id
 
     def __hash__(self) -> int:
-        return hash(_key(self.goal_id))
+        return hash(goal_key(self.goal_id))
 
     def __repr__(self) -> str:
         return f"ClientGoalHandle <id={self.goal_id.uuid}, accepted={self.accepted}, status={self.status}>"
@@ -98,7 +99,7 @@ class ActionClient:
         feedback_sub_qos_profile: QoSProfile = FEEDBACK_QOS,
         status_sub_qos_profile: QoSProfile = qos_profile_action_status_default,
     ) -> None:
-        check_action_type(action_type)
+        check_type(action_type, is_action_class, "an action")
         self._node = node
         self._action_type = action_type
         carried = action_type.Impl
@@ -141,15 +142,15 @@ class ActionClient:
             raise TypeError(f"Expected {self._action_type.Goal}, got {type(goal)}")
         goal_id = goal_uuid or UUID(uuid=list(next(_goal_numbers).to_bytes(16, "big")))
         if feedback_callback is not None:
-            self._feedback_callbacks[_key(goal_id)] = feedback_callback
+            self._feedback_callbacks[goal_key(goal_id)] = feedback_callback
         sent = Future()
 
         def on_answer(answer: Future) -> None:
             handle = ClientGoalHandle(self, goal_id, answer.result())
             if handle.accepted:
-                self._handles[_key(goal_id)] = handle
+                self._handles[goal_key(goal_id)] = handle
             else:
-                self._feedback_callbacks.pop(_key(goal_id), None)
+                self._feedback_callbacks.pop(goal_key(goal_id), None)
             sent.set_result(handle)
 
         request = self._action_type.Impl.SendGoalService.Request(goal_id=goal_id, goal=goal)
@@ -167,7 +168,7 @@ class ActionClient:
     def ask_for_result(self, goal_id: Message) -> Future:
         """See ClientGoalHandle.get_result_async."""
         answer = self._results.call_async(self._action_type.Impl.GetResultService.Request(goal_id=goal_id))
-        answer.add_done_callback(lambda _: self._feedback_callbacks.pop(_key(goal_id), None))
+        answer.add_done_callback(lambda _: self._feedback_callbacks.pop(goal_key(goal_id), None))
         return answer
 
     def ask_to_cancel(self, goal_id: Message) -> Future:
@@ -199,17 +200,13 @@ class ActionClient:
         return self._goals, self._results, self._cancels
 
     def _on_feedback(self, message: Message) -> Any:
-        callback = self._feedback_callbacks.get(_key(message.goal_id))
+        callback = self._feedback_callbacks.get(goal_key(message.goal_id))
         return None if callback is None else callback(message)
 
     def _on_status(self, message: Message) -> None:
         for each in message.status_list:
-            handle = self._handles.get(_key(each.goal_info.goal_id))
+            handle = self._handles.get(goal_key(each.goal_info.goal_id))
             if handle is not None:
                 handle.status = each.status
                 if is_done(each.status):
-                    del self._handles[_key(each.goal_info.goal_id)]
-
-
-def _key(goal_id: Message) -> bytes:
-    return goal_id.uuid.tobytes()
+                    del self._handles[goal_key(each.goal_info.goal_id)]

@@ -17,8 +17,9 @@ from enum import IntEnum
 
 from .exceptions import RCLError
 from .messages.action_msgs import GoalStatus
+from .messages.base import Message
 
-__all__ = ["GoalEvent", "action_entity_name", "is_done", "may_be_cancelled", "next_status", "status_name"]
+__all__ = ["GoalEvent", "action_entity_name", "goal_key", "is_done", "may_be_cancelled", "next_status", "status_name"]
 
 
 class GoalEvent(IntEnum):
@@ -76,6 +77,11 @@ def is_done(status: int) -> bool:
 def status_name(status: int) -> str:
     """Return how a status is called: 'SUCCEEDED'."""
     return _NAMES[status]
+
+
+def goal_key(goal_id: Message) -> bytes:
+    """Return what a goal is kept under: the bytes of its id, an UUID."""
+    return goal_id.uuid.tobytes()
 
 
 def action_entity_name(action_name: str, what: str) -> str:

@@ -20,16 +20,16 @@ from typing import Any
 
 from tflab.core import NSEC_PER_SEC
 
-from .action_goals import GoalEvent, action_entity_name, is_done, may_be_cancelled, next_status
+from .action_goals import GoalEvent, action_entity_name, goal_key, is_done, may_be_cancelled, next_status
 from .callback_groups import CallbackGroup, ReentrantCallbackGroup
-from .exceptions import NoTypeSupportImportedException
 from .messages.action_msgs import CancelGoal, GoalInfo, GoalStatus
 from .messages.base import Action, Message, is_action_class
+from .node_entities import check_type
 from .qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
 from .task import Future
 from .time import Time
 
-__all__ = ["ActionServer", "CancelResponse", "GoalResponse", "ServerGoalHandle", "check_action_type"]
+__all__ = ["ActionServer", "CancelResponse", "GoalResponse", "ServerGoalHandle"]
 
 FEEDBACK_QOS = QoSProfile(depth=10)
 
@@ -188,7 +188,7 @@ class ActionServer:
         status_pub_qos_profile: QoSProfile = qos_profile_action_status_default,
         result_timeout: float = 10,
     ) -> None:
-        check_action_type(action_type)
+        check_type(action_type, is_action_class, "an action")
         self._node = node
         self._action_type = action_type
         self._result_timeout_ns = round(result_timeout * NSEC_PER_SEC)
@@ -267,7 +267,7 @@ class ActionServer:
     def forget(self, goal_handle: ServerGoalHandle) -> None:
         """See ServerGoalHandle.destroy."""
         with self._lock:
-            self._goals.pop(_key(goal_handle.goal_id), None)
+            self._goals.pop(goal_key(goal_handle.goal_id), None)
 
     def destroy(self) -> None:
         """Work no more."""
@@ -281,7 +281,7 @@ class ActionServer:
 
     async def _on_goal(self, request: Message, response: Message) -> Message:
         self._forget_old_results()
-        if _key(request.goal_id) in self._goals:
+        if goal_key(request.goal_id) in self._goals:
             return response
         answer = await _settled(self._goal_callback(request.goal))
         if not isinstance(answer, GoalResponse):
@@ -291,7 +291,7 @@ class ActionServer:
             response.stamp = self._node.get_clock().now().to_msg()
             handle = ServerGoalHandle(self, GoalInfo(goal_id=request.goal_id, stamp=response.stamp), request.goal)
             with self._lock:
-                self._goals[_key(request.goal_id)] = handle
+                self._goals[goal_key(request.goal_id)] = handle
             self._node.executor.create_task(self._handle_accepted_callback, handle)  # after the answer is sent
         return response
 
@@ -321,7 +321,7 @@ class ActionServer:
 
         An id alone: that one; a time alone: those accepted until then; both: either; neither: all.
         """
-        key, until_ns = _key(info.goal_id), Time.from_msg(info.stamp).nanoseconds
+        key, until_ns = goal_key(info.goal_id), Time.from_msg(info.stamp).nanoseconds
         one = any(key)
         refusal = CancelGoal.Response
         if one and not until_ns:
@@ -335,7 +335,7 @@ class ActionServer:
             if may_be_cancelled(goal.status)
             and (
                 not (one or until_ns)
-                or _key(goal.goal_id) == key
+                or goal_key(goal.goal_id) == key
                 or Time.from_msg(goal.info.stamp).nanoseconds <= until_ns
             )
         ]
@@ -343,7 +343,7 @@ class ActionServer:
 
     async def _on_result_wanted(self, request: Message, response: Message) -> Message:
         self._forget_old_results()
-        handle = self._goals.get(_key(request.goal_id))
+        handle = self._goals.get(goal_key(request.goal_id))
         if handle is not None:
             response.result = await handle.result
             response.status = handle.status
@@ -363,19 +363,6 @@ class ActionServer:
         self._node.get_logger().warning(text)
 
 
-def check_action_type(given: object) -> None:
-    """Raise NoTypeSupportImportedException unless something is the class of an action."""
-    if not is_action_class(given):
-        raise NoTypeSupportImportedException(
-            f"Expected an action type such as example_interfaces.action.Fibonacci, got {given!r}. "
-            "Pass the class, not an object or a text"
-        )
-
-
 async def _settled(answer: Any) -> Any:
     """Return what a callback returned, plain or async."""
     return await answer if inspect.iscoroutine(answer) else answer
-
-
-def _key(goal_id: Message) -> bytes:
-    return goal_id.uuid.tobytes()

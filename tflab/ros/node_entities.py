@@ -24,7 +24,7 @@ from .service import Client, Service
 from .subscription import RawSubscription, Subscription
 from .timer import Rate, Timer
 
-__all__ = ["NodeEntities"]
+__all__ = ["NodeEntities", "check_type"]
 
 
 class NodeEntities:
@@ -98,7 +98,7 @@ class NodeEntities:
             TypeError, ValueError: not a quality of service.
         """
         qos = profile_from(qos_profile)
-        _check_type(msg_type, is_message_class, "message")
+        check_type(msg_type, is_message_class, "a message")
         group = callback_group or self._default_callback_group
         publisher = publisher_class(self, msg_type, self._topic_named(topic), qos, event_callbacks, group)
         self._entities["publisher"].append(publisher)
@@ -123,7 +123,7 @@ class NodeEntities:
             as create_publisher.
         """
         qos = profile_from(qos_profile)
-        _check_type(msg_type, is_message_class, "message")
+        check_type(msg_type, is_message_class, "a message")
         group = callback_group or self._default_callback_group
         name = self._topic_named(topic)
         subscription_class = RawSubscription if raw else subscription_class
@@ -159,7 +159,7 @@ class NodeEntities:
         callback_group: CallbackGroup | None = None,
     ) -> Service:
         """Return a new service; the callback, plain or async, takes (request, response) and returns the response."""
-        _check_type(srv_type, is_service_class, "service")
+        check_type(srv_type, is_service_class, "a service")
         name = self._topic_named(srv_name, is_service=True)
         group = callback_group or self._default_callback_group
         service = Service(self, srv_type, name, callback, qos_profile, group)
@@ -175,7 +175,7 @@ class NodeEntities:
         callback_group: CallbackGroup | None = None,
     ) -> Client:
         """Return a new client of a service."""
-        _check_type(srv_type, is_service_class, "service")
+        check_type(srv_type, is_service_class, "a service")
         name = self._topic_named(srv_name, is_service=True)
         client = Client(self, srv_type, name, qos_profile, callback_group or self._default_callback_group)
         self._entities["client"].append(client)
@@ -255,11 +255,16 @@ class NodeEntities:
 _KINDS = ("publisher", "subscription", "client", "service", "guard")
 
 
-def _check_type(given: object, is_one: Callable[[object], bool], what: str) -> None:
+def check_type(given: object, is_one: Callable[[object], bool], what: str) -> None:
+    """Raise NoTypeSupportImportedException unless something is the class of a message, a service or an action."""
     if not is_one(given):
         raise NoTypeSupportImportedException(
-            f"Expected a {what} type such as {_EXAMPLES[what]}, got {given!r}. Pass the class, not an object or a text"
+            f"Expected {what} type such as {_EXAMPLES[what]}, got {given!r}. Pass the class, not an object or a text"
         )
 
 
-_EXAMPLES = {"message": "geometry_msgs.msg.PointStamped", "service": "tf2_msgs.srv.FrameGraph"}
+_EXAMPLES = {
+    "a message": "geometry_msgs.msg.PointStamped",
+    "a service": "tf2_msgs.srv.FrameGraph",
+    "an action": "example_interfaces.action.Fibonacci",
+}

@@ -14,7 +14,7 @@ from typing import Any
 import yaml
 
 from tflab.ros.action_client import ActionClient
-from tflab.ros.action_goals import action_entity_name, status_name
+from tflab.ros.action_goals import action_entity_name, goal_key, status_name
 from tflab.ros.messages import type_named
 from tflab.ros.messages.base import Message, is_action_class
 from tflab.ros.messages.fill import fill
@@ -119,7 +119,7 @@ def send_goal(options: argparse.Namespace) -> str | None:
         if not handle.accepted:
             print("Goal was rejected.")
             return None
-        print(f"Goal accepted with ID: {handle.goal_id.uuid.tobytes().hex()}\n", flush=True)
+        print(f"Goal accepted with ID: {goal_key(handle.goal_id).hex()}\n", flush=True)
         answer = _result(node, handle.get_result_async())
         print(f"Result:\n    {message_to_yaml(answer.result)}")
         print(f"Goal finished with status: {status_name(answer.status)}", flush=True)
