@@ -29,6 +29,7 @@ from tflab.workbook.answers.sealed import is_sealed, judge
 from tflab.workbook.answers.values import Plain, is_raised
 from tflab.workbook.places import chapters, workbook_data
 from tflab.workbook.tasks.cases import read_cases
+from tflab.workbook.tasks.evidence import negated
 
 MOST = 0.05  # of a function's points
 NOTHING: tuple[Plain, ...] = (0.0, "", [], {"dict": {}}, [0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 1.0], True, None)
@@ -126,6 +127,9 @@ def by_function(task: Mapping[str, Any], shown: Sequence[Plain]) -> Iterator[tup
         yield f"raises {error}", {place: {"raises": error, "text": ""} for place in range(len(asks))}
     for place in range(min(map(len, args))):
         yield f"hands back argument {place}", {number: row[place] for number, row in enumerate(args)}
+        yield f"minus argument {place}", {number: negated(row[place]) for number, row in enumerate(args)}
+        turned = {number: row[place] if number % 3 else negated(row[place]) for number, row in enumerate(args)}
+        yield f"minus argument {place} now and then", turned
         for constant in (0.0, *frequent[:2]):
             mixed = {number: row[place] if number % 2 else constant for number, row in enumerate(args)}
             yield f"hands back argument {place}, or {kind(constant)}, in turn", mixed

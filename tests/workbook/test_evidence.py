@@ -135,6 +135,18 @@ def test_handing_back_what_came_in_is_right_now_and_then_and_worth_nothing():
     assert share_of(Number(), echoes, [0.0, 1.0, 5.0, 5.0]) == 0.0
 
 
+def test_a_minus_before_what_came_in_is_a_guess_too_and_so_is_a_minus_now_and_then():
+    pose = Parts({"x": Number(), "yaw": Number()})
+    asked = [{"x": 1.0, "yaw": 0.5}, {"x": 2.0, "yaw": -1.0}, {"x": 3.0, "yaw": 2.0}]
+    cases = [Case([to_plain(one)], to_plain({"x": 9.0 * one["x"], "yaw": -one["yaw"]}), {}) for one in asked]
+    task, variant = bare(pose, *cases, is_function=True)
+    for turned in ([-1, -1, -1], [-1, 1, -1]):
+        said = [to_plain({name: sign * v for name, v in one.items()}) for sign, one in zip(turned, asked, strict=True)]
+        passed = judge_outcomes(task, variant, said).passed
+        assert passed == turned.count(-1)
+        assert beyond_guessing(pose, cases, passed, [False] * 3) == 0.0
+
+
 def test_raising_always_but_once_is_a_guess():
     refused = raised(LookupException("no"))
     cases = [refused, refused, refused, 1.0, 2.0, 3.0]

@@ -20,7 +20,7 @@ Read `units.py` next.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import combinations
 
 from ..answers import sealed
@@ -28,7 +28,7 @@ from ..answers.forms import Form
 from ..answers.values import Plain, is_raised
 from .case import Case
 
-__all__ = ["beyond_guessing", "beyond_the_given", "credited", "habit"]
+__all__ = ["beyond_guessing", "beyond_the_given", "credited", "habit", "negated"]
 
 
 def credited(
@@ -111,7 +111,10 @@ def _guessed(form: Form, cases: Sequence[Case], known: Sequence[bool]) -> int:
     names = [case.expected["raises"] for case in unseen if is_raised(case.expected)]
     values = [case for case in unseen if not is_raised(case.expected)]
     raising = max(map(names.count, names), default=0)
-    echoed = max((sum(_echoed(form, values, place)) for place in range(_fewest_args(values))), default=0)
+    echoed = max(
+        (_echoed(form, values, place, signed) for place in range(_fewest_args(values)) for signed in (_same, negated)),
+        default=0,
+    )
     return sure + max(raising, echoed, _most_frequent(form, [case.expected for case in values]))
 
 
@@ -123,9 +126,22 @@ def _most_frequent(form: Form, values: Sequence[Plain]) -> int:
     return sum(count for count in counts if count > 1)
 
 
-def _echoed(form: Form, cases: Sequence[Case], place: int) -> list[int]:
-    """Return how many probes each case's argument at `place` has, handed back."""
-    return [sum(form.judge(case.args[place], case.expected)) for case in cases]
+def _echoed(form: Form, cases: Sequence[Case], place: int, signed: Callable[[Plain], Plain]) -> int:
+    """Return how many probes the argument at `place` has, handed back as it is, or with each number's sign turned."""
+    return sum(sum(form.judge(signed(case.args[place]), case.expected)) for case in cases)
+
+
+def _same(value: Plain) -> Plain:
+    return value
+
+
+def negated(value: Plain) -> Plain:
+    """Return a value with the sign of each of its numbers turned: nobody need understand a pose to write `-v`."""
+    if isinstance(value, dict):
+        return {name: negated(part) for name, part in value.items()}
+    if isinstance(value, list):
+        return [negated(part) for part in value]
+    return -value if isinstance(value, int | float) and not isinstance(value, bool) else value
 
 
 def _fewest_args(cases: Sequence[Case]) -> int:
