@@ -12,6 +12,8 @@
     topic  topic_echo  topic_rates  topic_pub    who talks about what, what, and how often?
     node  param                   who is there, and how is it set?
     service  action               who answers, and who works on what takes longer?
+    lifecycle                     who is managed, and in which state?
+    interface                     what is in a message?
     bag                           what was said, kept and said again?
     rviz  rviz2                   what would RViz see of a graph, and where is it?
     ros2                          what was typed?

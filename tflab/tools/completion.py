@@ -13,7 +13,9 @@ from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 from typing import NamedTuple
 
+from tflab.ros.activation import PACKAGES
 from tflab.ros.graph import Graph
+from tflab.ros.messages.base import all_types
 from tflab.ros.snapshot import snapshot
 
 from . import ros2
@@ -64,8 +66,12 @@ def _possible(words: list[str], known: Known) -> Sequence[str]:
             return ros2.verbs_of(command)
         case ["topic", "echo" | "hz" | "info" | "delay" | "type", *options] if _only_options(options):
             return known.topics
-        case ["node", "info", *options] | ["param", _, *options] if _only_options(options):
+        case ["node", "info", *options] | ["param" | "lifecycle", _, *options] if _only_options(options):
             return known.nodes
+        case ["interface", "show" | "proto", *options] if _only_options(options):
+            return list(all_types())
+        case ["interface", "package"]:
+            return PACKAGES
         case ["param", "get" | "set", node]:
             return known.parameters.get(node, ())
     return ()

@@ -48,6 +48,8 @@ class Ros2Command(NamedTuple):
 COMMANDS = {
     "action": Ros2Command("Various action related sub-commands", "tflab.tools.action"),
     "bag": Ros2Command("Various rosbag related sub-commands", "tflab.tools.bag"),
+    "interface": Ros2Command("Show information about ROS interfaces", "tflab.tools.interface"),
+    "lifecycle": Ros2Command("Various lifecycle related sub-commands", "tflab.tools.lifecycle"),
     "node": Ros2Command("Various node related sub-commands", "tflab.tools.node"),
     "param": Ros2Command("Various param related sub-commands", "tflab.tools.param"),
     "run": Ros2Command("Run a package specific executable", ""),

@@ -24,6 +24,9 @@ from collections.abc import Callable
 from copy import deepcopy
 from importlib import import_module
 from operator import attrgetter
+from pathlib import Path
+from pkgutil import iter_modules
+from textwrap import dedent
 from types import SimpleNamespace
 from typing import ClassVar
 
@@ -38,11 +41,13 @@ __all__ = [
     "Message",
     "Service",
     "action",
+    "all_types",
     "copy_message",
     "is_action_class",
     "is_message_class",
     "is_service_class",
     "message",
+    "message_in",
     "ros_type_of",
     "service",
     "type_named",
@@ -58,6 +63,7 @@ class Message:
     __slots__ = ()
 
     ROS_TYPE: ClassVar[str]
+    DEFINITION: ClassVar[str]
     SLOT_TYPES: ClassVar[tuple[SlotType, ...]]
     _FIELDS: ClassVar[tuple[tuple[str, str, object, Callable | None], ...]]  # see _add_field
     _WIRE: ClassVar[tuple[tuple[str, type | None, Callable], ...]]  # see _wire
@@ -131,6 +137,7 @@ def message(ros_type: str, definition: str = "") -> type[Message]:
     cls = _named_class(
         ros_type, Message, __slots__=[f"_{field.name}" for field in fields] + ["_check_fields"], **members
     )
+    cls.DEFINITION = dedent(definition).strip("\n")
     cls.SLOT_TYPES = tuple(field.slot_type for field in fields)
     cls._FIELDS = tuple(_add_field(cls, field) for field in fields)
     cls._WIRE = tuple(_wire(field) for field in fields)
@@ -246,6 +253,13 @@ def type_named(ros_type: str) -> type:
     return _types[ros_type]
 
 
+def all_types() -> dict[str, type]:
+    """Return every type there is, by its ROS name: messages, services and actions, without what these are made of."""
+    for table in iter_modules([str(Path(__file__).parent)]):
+        import_module(f"{__package__}.{table.name}")
+    return {name: cls for name, cls in sorted(_types.items()) if "_" not in name.rpartition("/")[2]}
+
+
 def _named_class(ros_type: str, base: type, **members: object) -> type:
     """Make a class that is named, and says where it comes from, as rosidl's does."""
     package, kind, name = ros_type.split("/")
@@ -259,7 +273,7 @@ def _named_class(ros_type: str, base: type, **members: object) -> type:
 def _add_field(cls: type[Message], field: Field) -> tuple[str, str, object, Callable | None]:
     """Give the class the property of a field; return the field's row: name, slot, default, maker of a fresh default."""
     slot = f"_{field.name}"
-    message_class = _message_class(field.slot_type)
+    message_class = message_in(field.slot_type)
     check = checker(field.name, field.slot_type, message_class)
     pack, packed = array_converter(field.slot_type), numeric_array(field.slot_type)
 
@@ -284,7 +298,7 @@ def _add_field(cls: type[Message], field: Field) -> tuple[str, str, object, Call
 def _wire(field: Field) -> tuple[str, type | None, Callable]:
     """Return how a field travels: its slot, the class of value that goes as it is, and received(value) for others."""
     slot_type = field.slot_type
-    check = checker(field.name, slot_type, _message_class(slot_type))
+    check = checker(field.name, slot_type, message_in(slot_type))
     as_is = {BasicType("double"): float, BasicType("boolean"): bool, UnboundedString(): str}.get(slot_type)
     plain = _plain_value(slot_type)
 
@@ -323,8 +337,8 @@ def _float32(value: float) -> float:
     return array("f", (value,))[0]
 
 
-def _message_class(slot_type: SlotType) -> type[Message] | None:
-    """Return the class of a sub-message, or of the members of a sequence of messages."""
+def message_in(slot_type: SlotType) -> type[Message] | None:
+    """Return the class of the message that a field holds, alone or many times; None of a number or a text."""
     value_type = getattr(slot_type, "value_type", slot_type)
     if isinstance(value_type, NamespacedType):
         return type_named("/".join((*value_type.namespaces, value_type.name)))

@@ -1,0 +1,176 @@
+"""What is in a message, a service, an action?  `ros2 interface show`, `list`, `packages`, `package` and `proto`.
+
+    ros2 interface show geometry_msgs/msg/TransformStamped
+        std_msgs/Header header
+        \tbuiltin_interfaces/Time stamp
+        ...
+
+The definitions of ROS's own packages are kept without their comments; those of a
+package that was defined here show theirs, as the real one does.
+
+upstream: ros2cli/ros2interface.  Read `bag.py` next.
+"""
+
+from __future__ import annotations
+
+import argparse
+import re
+from collections.abc import Callable, Iterator
+
+from tflab.ros.messages import type_named
+from tflab.ros.messages.base import (
+    Message,
+    all_types,
+    is_action_class,
+    is_message_class,
+    is_service_class,
+    message_in,
+)
+from tflab.ros.messages.definition import parse_definition
+from tflab.ros.messages.text import message_to_yaml
+
+__all__ = ["add_verbs", "definition_lines"]
+
+KINDS: dict[str, Callable[[object], bool]] = {
+    "Messages": is_message_class,
+    "Services": is_service_class,
+    "Actions": is_action_class,
+}
+
+
+def add_verbs(verbs: argparse._SubParsersAction) -> None:
+    """Add the verbs of `ros2 interface` to a parser."""
+    what = "List all interface types available"
+    verb = verbs.add_parser("list", help=what, description=what)
+    verb.set_defaults(run=list_types)
+    for letter, kind, word in (("m", "msgs", "message"), ("s", "srvs", "service"), ("a", "actions", "action")):
+        verb.add_argument(
+            f"-{letter}", f"--only-{kind}", action="store_true", help=f"Print out only the {word} types"
+        )  # fmt: skip
+    what = "Output a list of available interface types within one package"
+    verb = verbs.add_parser("package", help=what, description=what)
+    verb.set_defaults(run=list_package)
+    verb.add_argument("package_name", help="Name of the ROS package (e.g. 'example_interfaces')")
+    what = "Output a list of packages that provide interfaces"
+    verb = verbs.add_parser("packages", help=what, description=what)
+    verb.set_defaults(run=list_packages)
+    for letter, kind, word in (("m", "msgs", "messages"), ("s", "srvs", "services"), ("a", "actions", "actions")):
+        verb.add_argument(
+            f"-{letter}", f"--only-{kind}", action="store_true", help=f"Only list packages that generate {word}"
+        )
+    what = "Output an interface prototype"
+    verb = verbs.add_parser("proto", help=what, description=what)
+    verb.set_defaults(run=print_prototype)
+    verb.add_argument("type", help="Show an interface definition (e.g. 'example_interfaces/msg/String')")
+    verb.add_argument("--no-quotes", action="store_true", help="if true output has no outer quotes.")
+    what = "Output the interface definition"
+    verb = verbs.add_parser("show", help=what, description=what)
+    verb.set_defaults(run=show)
+    verb.add_argument("type", help="Show an interface definition (e.g. 'example_interfaces/msg/String')")
+    comments = verb.add_mutually_exclusive_group()
+    comments.add_argument(
+        "--all-comments", action="store_true",
+        help="Show all comments, including for nested interface definitions",
+    )  # fmt: skip
+    comments.add_argument("--no-comments", action="store_true", help="Show no comments or whitespace")
+
+
+def show(options: argparse.Namespace) -> str | None:
+    """Print a definition, each message in it opened below its line."""
+    try:
+        found = _type(options.type)
+    except LookupError as fault:
+        return str(fault.args[0])
+    for number, part in enumerate(_parts(found)):
+        if number:
+            print("---")
+        for line in definition_lines(part, own_comments=not options.no_comments, all_comments=options.all_comments):
+            print(line)
+    return None
+
+
+def definition_lines(
+    cls: type[Message], own_comments: bool = True, all_comments: bool = False, depth: int = 0
+) -> Iterator[str]:
+    """Yield the lines of a message's definition, each followed by what is in it, one tab deeper."""
+    package = cls.ROS_TYPE.split("/")[0]
+    with_comments = all_comments or (own_comments and depth == 0)
+    for line in cls.DEFINITION.splitlines():
+        bare = re.sub(r"\s*(#.*)?$", "", line)
+        if bare or with_comments:
+            yield "\t" * depth + (line.rstrip() if with_comments else bare)
+        for field in parse_definition(line, package)[0]:
+            inner = message_in(field.slot_type)
+            if inner is not None:
+                yield from definition_lines(inner, own_comments, all_comments, depth + 1)
+
+
+def list_types(options: argparse.Namespace) -> None:
+    """Print every type, by kind."""
+    wanted = [options.only_msgs, options.only_srvs, options.only_actions]
+    for (heading, is_kind), asked in zip(KINDS.items(), wanted, strict=True):
+        if asked or not any(wanted):
+            print(f"{heading}:")
+            for name, cls in all_types().items():
+                if is_kind(cls):
+                    print(f"    {name}")
+
+
+def list_packages(options: argparse.Namespace) -> None:
+    """Print the packages that have types."""
+    wanted = [options.only_msgs, options.only_srvs, options.only_actions]
+    kinds = [is_kind for is_kind, asked in zip(KINDS.values(), wanted, strict=True) if asked or not any(wanted)]
+    for package in sorted(
+        {name.split("/")[0] for name, cls in all_types().items() if any(kind(cls) for kind in kinds)}
+    ):
+        print(package)
+
+
+def list_package(options: argparse.Namespace) -> str | None:
+    """Print the types of one package."""
+    names = [name for name in all_types() if name.split("/")[0] == options.package_name]
+    if not names:
+        return f"Unknown package '{options.package_name}'"
+    print("\n".join(names))
+    return None
+
+
+def print_prototype(options: argparse.Namespace) -> str | None:
+    """Print a message of zeros as one would type it for `ros2 topic pub`; of a service its request."""
+    try:
+        first = _parts(_type(options.type))[0]
+    except LookupError as fault:
+        return str(fault.args[0])
+    text = message_to_yaml(first())
+    print(text if options.no_quotes else f'"{text}"')
+    return None
+
+
+def _type(name: str) -> type:
+    """Return the class of a type that was named in full, or as 'geometry_msgs/Point'.
+
+    Raises:
+        LookupError: there is none of that name; with upstream's sentence, and what there is.
+    """
+    parts = name.split("/")
+    if len(parts) == 2:
+        parts.insert(1, "msg")
+    if len(parts) != 3 or not all(parts):
+        raise LookupError(f"Invalid name '{name}'. Expected three parts separated by '/'")
+    there = all_types()
+    try:
+        return type_named("/".join(parts))
+    except KeyError:
+        beside = [each for each in there if each.split("/")[0] == parts[0]]
+        if not beside:
+            raise LookupError(f"Unknown package '{parts[0]}'") from None
+        raise LookupError(
+            f"Could not find the interface '{name}': the in-process ROS 2 has {', '.join(beside)}"
+        ) from None
+
+
+def _parts(cls: type) -> list[type[Message]]:
+    """Return the messages that a type is made of: itself, request and response, or goal, result and feedback."""
+    if is_service_class(cls):
+        return [cls.Request, cls.Response]
+    return [cls.Goal, cls.Result, cls.Feedback] if is_action_class(cls) else [cls]
