@@ -1,10 +1,16 @@
 """A visit costs minutes, keeps a list of suspects, and repairs nothing on a suspicion."""
 
+from itertools import product
+
 import pytest
 
+from tflab.clinic.examples import EXAMPLES
 from tflab.clinic.patient import SickRobot
 from tflab.clinic.practice import answer_of, practice_patient, worked_patient
-from tflab.clinic.visit import CARD, WORDS, admit
+from tflab.clinic.proof import shortest_proof
+from tflab.clinic.table import COMPLAINTS, SUSPECTS, kind_expected
+from tflab.clinic.trolley import TROLLEY
+from tflab.clinic.visit import CARD, WORDS, Visit, admit
 
 
 @pytest.fixture(scope="module")
@@ -51,20 +57,39 @@ def test_suspects_are_struck_by_oneself_unless_the_table_helps(visit, ahead, cap
 def test_no_fix_is_tried_on_a_suspicion(visit, capsys):
     def refusal(cause):
         visit.say(cause, fix="set the laser's clock")
-        capsys.readouterr()
+        said = capsys.readouterr().out
         visit.try_fix()
-        return capsys.readouterr().out
+        tried = capsys.readouterr().out
+        assert said == tried or said.startswith("Noted")
+        return tried
 
     visit.try_fix()
     assert capsys.readouterr().out.startswith("First a diagnosis")
-    assert refusal("laser clock ahead").startswith("Nothing has been asked yet")
+    assert refusal("laser clock ahead").startswith("Nothing was asked yet")
     visit.take("hz /scan")
-    assert 'fit "laser clock ahead" and "transforms late" alike' in refusal("laser clock ahead")
+    assert 'fit "laser clock ahead", and 2 more. What would `ros2 topic hz /odom` say' in refusal("laser clock ahead")
     visit.take("hz /odom")
-    assert "as on the card" in refusal("laser clock ahead")
+    assert "as on the card. Show what is sick first: `ros2 topic delay /scan`" in refusal("laser clock ahead")
     visit.take("delay /scan")
     assert 'If it were "transforms late", `ros2 topic hz /odom` would not say' in refusal("transforms late")
     assert "RViz: all Ok" in refusal("laser clock ahead")
+
+
+@pytest.mark.parametrize("language", WORDS)
+@pytest.mark.parametrize("truth", SUSPECTS)
+def test_a_wrong_diagnosis_is_told_a_check_and_not_the_cause(truth, language, capsys):
+    own = next(key for key, each in COMPLAINTS.items() if truth in each.suspects)
+    finding = {key: EXAMPLES[key][kind_expected(truth, key)] for key in TROLLEY}
+    evidence = {key: (check.minutes, finding[key], finding[key]) for key, check in TROLLEY.items()}
+    after = ([], ["hz /scan"], shortest_proof(truth), list(TROLLEY))
+    for complaint, asked, wrong in product((own, ""), after, (each for each in SUSPECTS if each != truth)):
+        visit = Visit(SickRobot(complaint, "", 12.0, evidence, {}), language)
+        for check in asked:
+            visit.take(check)
+        visit.say(wrong)
+        said = capsys.readouterr().out
+        assert [check for check in TROLLEY.values() if f"`{check.command}`" in said], said
+        assert truth not in said and WORDS[language]["noted"] not in said
 
 
 def test_a_cause_that_is_no_suspect_is_refused(visit):

@@ -26,6 +26,7 @@ from .trolley import BUDGET_MIN, TROLLEY
 __all__ = [
     "NOTHING_IS_WRONG",
     "Flaw",
+    "best_check",
     "fitting",
     "flaw_of",
     "left_after",
@@ -118,3 +119,8 @@ def worth(check: str, suspects: Sequence[str]) -> float:
     sizes = Counter(kind_expected(suspect, check) for suspect in suspects).values()
     told = math.log2(len(suspects)) - sum(size * math.log2(size) for size in sizes) / len(suspects)
     return told / TROLLEY[check].minutes
+
+
+def best_check(suspects: Sequence[str]) -> str:
+    """Return the check that tells most about suspects for a minute; the first of them where several do."""
+    return max(TROLLEY, key=lambda check: worth(check, suspects))

@@ -17,8 +17,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from .patient import SickRobot, seen_after
-from .proof import NOTHING_IS_WRONG, fitting
-from .table import COMPLAINTS, SUSPECTS
+from .proof import NOTHING_IS_WRONG, best_check, fitting
+from .table import COMPLAINTS, DECIDING, SUSPECTS
 from .trolley import TROLLEY, check_named
 
 __all__ = ["CARD", "Visit", "VisitEntry", "admit"]
@@ -50,26 +50,28 @@ WORDS = {
         "budget": "You have {left:g} minutes. Suspects: {suspects}",
         "clock": "{minutes:g} min; {left:g} of {budget:g} left. Your suspects: {suspects}",
         "over": "{minutes:g} min; the time is up, {over:g} minutes over. Your suspects: {suspects}",
-        "noted": "Noted. Now `try_fix()`, if your proof is complete.",
+        "noted": "Noted, and your readings bear it out. Now `try_fix()`.",
         "no diagnosis": "First a diagnosis: say(cause=..., frame=..., owner=..., fix=...).",
-        "nothing asked": "Nothing has been asked yet. A fix on a suspicion is a guess: ask first.",
+        "nothing asked": 'Nothing was asked yet, so "{cause}" is a guess. What would `{command}` say then? Ask it.',
         "contradicted": 'If it were "{cause}", `{command}` would not say: {finding}. You asked it.',
-        "not apart": 'Your readings fit "{cause}" and "{other}" alike. Which check would tell the two apart?',
-        "nothing sick": "Each of your readings is as on the card. Show what is sick before you cure it.",
+        "not apart": 'Your readings fit "{cause}", and {count} more. What would `{command}` say of each? Ask it.',
+        "nothing sick": "Each of your readings is as on the card. Show what is sick first: `{command}` would.",
         "no suspect": '"{cause}" is no suspect; there is {suspects}.',
-        "struck": 'You have struck "{cause}" from your list, and now you name it.',
+        "struck": 'You struck "{cause}" from your list, and now you name it.',
     },
     "ko": {
         "nothing": "작동하지 않습니다.",
         "budget": "{left:g}분 있습니다. 용의자: {suspects}",
         "clock": "{minutes:g}분 사용, {budget:g}분 가운데 {left:g}분 남음. 남은 용의자: {suspects}",
         "over": "{minutes:g}분 사용, 시간이 {over:g}분 초과되었습니다. 남은 용의자: {suspects}",
-        "noted": "적어 두었습니다. 증명이 끝났다면 `try_fix()`를 실행하십시오.",
+        "noted": "적어 두었습니다. 읽은 값과 맞습니다. 이제 `try_fix()`를 실행하십시오.",
         "no diagnosis": "진단이 먼저입니다. say(cause=..., frame=..., owner=..., fix=...)를 실행하십시오.",
-        "nothing asked": "아직 아무것도 묻지 않았습니다. 의심만으로 고치는 것은 찍기입니다. 먼저 물어보십시오.",
+        "nothing asked": '물어본 것이 없으니 "{cause}"은(는) 짐작입니다. '
+        "그렇다면 `{command}`의 결과는 어떻겠습니까? 물어보십시오.",
         "contradicted": '원인이 "{cause}"라면 `{command}`의 결과가 이렇지 않습니다: {finding}. 이미 물어본 것입니다.',
-        "not apart": '지금까지 읽은 값은 "{cause}"에도 맞고 "{other}"에도 맞습니다. 둘을 가르는 검사는 무엇입니까?',
-        "nothing sick": "읽은 값이 모두 카드와 같습니다. 고치기 전에 어디가 아픈지 먼저 보여야 합니다.",
+        "not apart": '읽은 값은 "{cause}" 말고도 용의자 {count}명에게 맞습니다. '
+        "`{command}`의 결과는 저마다 어떻겠습니까? 물어보십시오.",
+        "nothing sick": "읽은 값이 모두 카드와 같습니다. 아픈 곳을 먼저 보이십시오. `{command}`의 결과에 나옵니다.",
         "no suspect": '"{cause}"은(는) 용의자가 아닙니다. 있는 것: {suspects}.',
         "struck": '"{cause}"은(는) 목록에서 지운 용의자입니다.',
     },
@@ -164,7 +166,7 @@ class Visit:
         return self._say("clock", minutes=self.minutes, left=left, budget=self.patient.budget_min, suspects=suspects)
 
     def say(self, cause: str, frame: str = "", owner: str = "", fix: str = "") -> None:
-        """Note a diagnosis.
+        """Note a diagnosis, and print what speaks against it: what was asked, or what should be.
 
         Raises:
             ValueError: the cause is no suspect, or there is no such fix.
@@ -173,7 +175,9 @@ class Visit:
         if fix and fix not in self.patient.fixes:
             raise ValueError(f'there is no fix "{fix}"; there is {", ".join(self.patient.fixes)}')
         self.diagnosis = {"cause": cause, "frame": frame, "owner": owner, "fix": fix}
-        print(self._say("struck", cause=cause) if cause not in self.suspects else self._say("noted"))
+        if cause not in self.suspects:
+            print(self._say("struck", cause=cause))
+        print(self._doubt(cause) or self._say("noted"))
 
     def fixes(self) -> None:
         """Print what can be done about it: every fix, the plasters among them."""
@@ -189,20 +193,24 @@ class Visit:
 
     def _refusal(self) -> str:
         """Return why no fix is tried yet, or ""."""
-        cause = self.diagnosis.get("cause", "")
-        if not cause or not self.diagnosis["fix"]:
+        if not self.diagnosis.get("cause") or not self.diagnosis["fix"]:
             return self._say("no diagnosis")
-        if not self.log:
-            return self._say("nothing asked")
+        return self._doubt(self.diagnosis["cause"])
+
+    def _doubt(self, cause: str) -> str:
+        """Return what the readings say against a cause, with a check that was asked or should be; "" if nothing."""
         for asked in self.log:
             if not fitting({asked.check: TROLLEY[asked.check].kind(asked.finding)}, [cause]):
                 command = TROLLEY[asked.check].command
                 return self._say("contradicted", cause=cause, command=command, finding=asked.finding)
-        others = [other for other in fitting(self.found, self._all) if other != cause]
-        if others:
-            return self._say("not apart", cause=cause, other=others[0])
+        rivals = [each for each in fitting(self.found, self._all) if each != cause]
+        if rivals:
+            command, why = TROLLEY[best_check([cause, *rivals])].command, "not apart" if self.log else "nothing asked"
+            return self._say(why, cause=cause, count=len(rivals), command=command)
         is_sick = any(kind != TROLLEY[check].usual for check, kind in self.found.items())
-        return "" if is_sick or cause == NOTHING_IS_WRONG else self._say("nothing sick")
+        if is_sick or cause == NOTHING_IS_WRONG:
+            return ""
+        return self._say("nothing sick", command=TROLLEY[DECIDING[cause]].command)
 
     def _known(self, suspect: str) -> None:
         if suspect not in SUSPECTS:

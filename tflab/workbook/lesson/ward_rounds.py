@@ -20,9 +20,9 @@ from tflab.clinic.examples import findings_as_text, suspects_as_text, trolley_as
 from tflab.clinic.panel import ClinicPanel, columns_for, suspects_table
 from tflab.clinic.panel import clinic_panel as panel_of
 from tflab.clinic.patient import SickRobot
-from tflab.clinic.proof import left_after, minutes_of, order_of, rivals_of, worth
+from tflab.clinic.proof import best_check, left_after, minutes_of, order_of, rivals_of
 from tflab.clinic.table import COMPLAINTS, SUSPECTS, kind_expected
-from tflab.clinic.trolley import BUDGET_MIN, TROLLEY
+from tflab.clinic.trolley import BUDGET_MIN
 from tflab.views.order import draw_minutes, draw_order
 from tflab.views.picture import Picture
 from tflab.views.suspects import SuspectsPicture, draw_suspects
@@ -104,7 +104,7 @@ def best_questions(cause: str) -> list[str]:
     asked: list[str] = []
     left: tuple[str, ...] = SUSPECTS
     while len(left) > 1:
-        check = max((check for check in TROLLEY if check not in asked), key=lambda check: worth(check, left))
+        check = best_check(left)  # what was asked splits nobody any more
         asked.append(check)
         left = tuple(other for other in left if kind_expected(other, check) == kind_expected(cause, check))
     return asked
