@@ -9,6 +9,7 @@ import pytest
 
 from tflab.core import Transform
 from tflab.workbook.answers.values import from_plain
+from tflab.workbook.copy.lay_out import cases_bytes
 from tflab.workbook.tasks import cases
 from tflab.workbook.tasks.task import TaskError, variant_of
 
@@ -43,6 +44,17 @@ def test_cases_are_read_back_and_damage_is_named(tmp_path):
         path.write_text(text, encoding="utf-8")
         with pytest.raises(cases.CasesError, match=r"cases\.json"):
             cases.read_cases(path)
+
+
+def test_arguments_come_in_the_order_meant_after_writing_and_handing_out(tmp_path):
+    # a file in which `/**` stands last: who lets the last line win is wrong only there
+    plain = make(tmp_path).plain()
+    case = plain["tasks"]["E3.2"]["variants"][0]["cases"][0]
+    case["args"] = [{"dict": {"/mapper": {"dict": {"b": 1, "a": 2}}, "/**": {"dict": {}}}}]
+    again = json.loads(cases.cases_json(plain))
+    for handed in (again, json.loads(cases_bytes(again))):
+        (params,) = handed["tasks"]["E3.2"]["variants"][0]["cases"][0]["args"]
+        assert [*params["dict"]] == ["/mapper", "/**"] and [*params["dict"]["/mapper"]["dict"]] == ["b", "a"]
 
 
 def test_a_function_has_at_least_as_many_inputs_as_asked_for(tmp_path):

@@ -113,7 +113,7 @@ def cases_json(cases: ChapterCases | dict[str, Any]) -> str:
     lines: list[str] = []
 
     def marked(case: dict[str, Plain]) -> str:
-        lines.append(json.dumps(case, ensure_ascii=False, sort_keys=True, allow_nan=False, separators=(",", ":")))
+        lines.append(_in_a_line(case))
         return f"@case {len(lines) - 1}@"
 
     tasks = {
@@ -127,6 +127,12 @@ def cases_json(cases: ChapterCases | dict[str, Any]) -> str:
     }
     text = json.dumps(plain | {"tasks": tasks}, ensure_ascii=False, indent=1, sort_keys=True, allow_nan=False) + "\n"
     return re.sub(r'"@case (\d+)@"', lambda mark: lines[int(mark[1])], text)
+
+
+def _in_a_line(case: dict[str, Plain]) -> str:
+    """Return a case as text: keys sorted, but for those of its arguments, where an order may be part of the question."""
+    write = partial(json.dumps, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
+    return "{" + ",".join(f'"{key}":{write(case[key], sort_keys=key != "args")}' for key in sorted(case)) + "}"
 
 
 def read_cases(path: Path) -> dict[str, Any]:
