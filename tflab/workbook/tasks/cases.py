@@ -130,7 +130,7 @@ def cases_json(cases: ChapterCases | dict[str, Any]) -> str:
 
 
 def _in_a_line(case: dict[str, Plain]) -> str:
-    """Return a case as text: keys sorted, but for those of its arguments, where an order may be part of the question."""
+    """Return a case as text: keys sorted, but for those of its arguments, whose order may be part of the question."""
     write = partial(json.dumps, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
     return "{" + ",".join(f'"{key}":{write(case[key], sort_keys=key != "args")}' for key in sorted(case)) + "}"
 
