@@ -38,6 +38,12 @@ def test_every_reading_of_a_healthy_robot_is_as_on_the_card():
     assert kinds == {key: check.usual for key, check in TROLLEY.items()}
 
 
+def test_a_tools_terminal_shows_no_log_of_the_robots_nodes(patients):
+    text = patients["mount volatile"].reading("echo base_link laser_frame")[1]
+    assert "[transform_listener_impl_55" in text  # the listener's own warning stands in its terminal
+    assert "[laser_mount]" not in text  # the mount's stands where the mount was launched
+
+
 def test_a_tool_that_writes_files_leaves_none_here(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     with ExaminedRobot(HEALTHY, Numbers()) as well:

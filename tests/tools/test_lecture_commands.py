@@ -3,12 +3,16 @@
 The lines are the lecture's own, `\\` at their ends joined, in its order.
 """
 
+import re
 import sys
 import time
 
 import pytest
 from tools_robot import fixed, moving
 
+from tflab.ros import client_library as rclpy
+from tflab.ros.messages.std_msgs import String
+from tflab.ros.messages.tf2_msgs import TFMessage
 from tflab.tools.trees import frame_tree
 
 TF_HASH = "RIHS01_e369d0f05a23ae52508854b66f6aa0437f3449d652e8cbf22d5abe85d020f087"
@@ -71,7 +75,7 @@ Node namespace: /
 Topic type: tf2_msgs/msg/TFMessage
 Topic type hash: {TF_HASH}
 Endpoint type: {kind}
-GID: 01.0f.00.00.00.00.00.00.00.00.00.00.00.00.00.{gid:02x}
+GID: {gid}
 QoS profile:
   Reliability: RELIABLE
   History (Depth): KEEP_LAST ({depth})
@@ -85,7 +89,7 @@ QoS profile:
 
 def gid_of(terminal, topic):
     (publisher,) = terminal.graph.network.topic(topic).publishers
-    return publisher.gid[-1]
+    return ".".join(f"{byte:02x}" for byte in publisher.gid)
 
 
 # -- §7 and §27: static and dynamic ---------------------------------------
@@ -105,6 +109,28 @@ def test_topic_info_tf_static_verbose(robot):
         + endpoint("static_sensor_broadcaster", "PUBLISHER", gid_of(robot, "/tf_static"), 1, "TRANSIENT_LOCAL")
         + "\nSubscription count: 0\n\n"
     )
+
+
+def test_a_gid_has_the_form_of_fast_dds(robot):
+    dynamic, static = gid_of(robot, "/tf"), gid_of(robot, "/tf_static")
+    form = r"01\.0f\.2a\.e5(\.[0-9a-f]{2}){4}\.00\.00\.00\.00(\.[0-9a-f]{2}){3}\.03"
+    assert re.fullmatch(form, dynamic) and re.fullmatch(form, static)
+    assert dynamic[:23] != static[:23]  # two programs, two participants
+
+
+def test_endpoints_of_one_program_share_their_participant_and_differ_in_kind(terminal):
+    def main():
+        rclpy.init()
+        node = rclpy.create_node("both")
+        node.create_subscription(String, "t", print, 1)
+        node.create_publisher(String, "t", 1)
+        rclpy.spin(node)
+
+    terminal.graph.start(main)
+    terminal.graph.run(seconds=0.1)
+    topic = terminal.graph.network.topic("/t")
+    sent, heard = topic.publishers[0].gid, topic.subscriptions[0].gid
+    assert sent[:12] == heard[:12] and (sent[-1], heard[-1]) == (0x03, 0x04)
 
 
 def test_topic_info_without_verbose_is_three_lines(robot):
@@ -261,6 +287,23 @@ def test_tf2_echo_goes_on_when_a_lookup_fails(robot):
         "Frame laser_frame exists with parent base_link.\n"
         "Frame base_link exists with parent elsewhere.\n\n"
     ) in out
+
+
+def test_a_tool_in_cpp_warns_of_qos_with_the_policys_whole_name(terminal):
+    def main():
+        rclpy.init()
+        node = rclpy.create_node("mount")
+        node.create_publisher(TFMessage, "/tf_static", 1)
+        rclpy.spin(node)
+
+    terminal.graph.start(main)
+    terminal.graph.run(seconds=0.1)
+    terminal.type("ros2 run tf2_ros tf2_echo base_link laser_frame")
+    (line,) = [line for line in terminal.error.splitlines() if "[transform_listener_impl_55" in line]
+    assert line.endswith(
+        "New publisher discovered on topic '/tf_static', offering incompatible QoS. "
+        "No messages will be received from it. Last incompatible policy: DURABILITY_QOS_POLICY"
+    )
 
 
 def test_two_tools_at_once_do_not_share_a_listener(robot):

@@ -100,7 +100,7 @@ class ExaminedRobot:
     """A launched robot; each question takes some of its time."""
 
     def __init__(self, launch: Launch, numbers: Numbers) -> None:
-        self._graph, self._fixed_frame = _launched(launch, numbers), launch.fixed_frame
+        self._graph, self._fixed_frame, self._others = _launched(launch, numbers), launch.fixed_frame, [*launch.nodes]
 
     def screen(self, wanted: Callable[[str], bool] = lambda text: True) -> str:
         """Return RViz's list, at a moment at which it shows what is wanted, if there is one."""
@@ -129,7 +129,7 @@ class ExaminedRobot:
         _, words = split_line(command)
         with redirect_stdout(printed), redirect_stderr(printed), _in_a_folder_of_its_own():
             run_words(self._graph, words, span_s)
-        return printed.getvalue().rstrip("\n")
+        return _in_its_own_terminal(printed.getvalue(), self._others).rstrip("\n")
 
     def places(self) -> Places:
         """Return where the scan's points would be, asked in three ways."""
@@ -153,6 +153,12 @@ def _in_a_folder_of_its_own() -> Iterator[None]:
             yield
         finally:
             os.chdir(before)
+
+
+def _in_its_own_terminal(text: str, others: Sequence[str]) -> str:
+    """Return what a tool printed without the log lines of the robot's nodes: those stand in the launch's terminal."""
+    theirs = re.compile(rf"\[\w+\] \[[\d.]+\] \[(?:{'|'.join(others)})\]: ")
+    return "".join(line for line in text.splitlines(keepends=True) if not theirs.match(line))
 
 
 def _launched(launch: Launch, numbers: Numbers) -> Graph:

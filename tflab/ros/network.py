@@ -17,7 +17,9 @@ from __future__ import annotations
 import random
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from itertools import count
 from typing import Any
+from weakref import WeakKeyDictionary
 
 from tflab.core import StampedTransform
 
@@ -27,7 +29,12 @@ from .messages.base import ros_type_of
 from .messages.tf2_msgs import TFMessage
 from .qos_compatibility import incompatible_policy
 
-__all__ = ["Disturbance", "Envelope", "Network", "Topic"]
+__all__ = ["PUBLISHER_KIND", "SUBSCRIPTION_KIND", "Disturbance", "Envelope", "Network", "Topic"]
+
+# An endpoint's identity as Fast DDS makes it: its last byte says which kind it is, writer or reader without a key.
+PUBLISHER_KIND, SUBSCRIPTION_KIND = 0x03, 0x04
+VENDOR_AND_HOST = bytes([0x01, 0x0F, 0x2A, 0xE5])
+FIRST_PROCESS, SCATTERED = 0x57CB, 0x9E37
 
 
 class Envelope:
@@ -157,6 +164,8 @@ class Network:
         self.clients: dict[str, list[Any]] = {}
         self.nodes: list[Any] = []
         self._endpoints = 0
+        self._processes: WeakKeyDictionary[Any, int] = WeakKeyDictionary()
+        self._new_process = count(FIRST_PROCESS, 17)
 
     def topic(self, name: str) -> Topic:
         """Return the topic of that absolute name, new if need be."""
@@ -164,10 +173,17 @@ class Network:
             self.topics[name] = Topic(name)
         return self.topics[name]
 
-    def new_gid(self) -> bytes:
-        """Return the next endpoint's identity: 16 bytes, counted up so that they repeat."""
+    def new_gid(self, context: Any, kind: int) -> bytes:
+        """Return the next endpoint's identity: 16 bytes in the form of Fast DDS, counted up so that they repeat.
+
+        Vendor, host, process and its start, participant (one to a context); then the endpoint's number, and its kind.
+        """
+        if context not in self._processes:
+            self._processes[context] = next(self._new_process) % 2**16
+        process, start = self._processes[context], self._processes[context] * SCATTERED % 2**16
         self._endpoints += 1
-        return bytes([1, 15]) + bytes(6) + self._endpoints.to_bytes(8, "big")
+        prefix = VENDOR_AND_HOST + process.to_bytes(2, "big") + start.to_bytes(2, "big") + bytes(4)
+        return prefix + self._endpoints.to_bytes(3, "big") + bytes([kind])
 
     def topic_names_and_types(self, keep: Callable[[Any], bool] = lambda endpoint: True) -> list[tuple[str, list[str]]]:
         """Return (topic, its types) for each topic that has an endpoint, sorted by name."""

@@ -37,6 +37,7 @@ from .qos import (
     qos_profile_parameter_events,
     qos_profile_rosout_default,
 )
+from .qos_compatibility import QoSPolicyKind, qos_policy_name_from_kind
 from .time import Time
 from .time_source import TimeSource
 
@@ -153,6 +154,10 @@ class Node(graph_queries.GraphQueries, NodeEntities, NodeParameters):
     def get_logger(self) -> RcutilsLogger:
         """Return its logger."""
         return self._logger
+
+    def policy_name(self, policy: str) -> str:
+        """Return what a policy of QoS is called in its log; rclpy and rclcpp differ."""
+        return qos_policy_name_from_kind(QoSPolicyKind[policy])
 
     def get_clock(self) -> Clock:
         """Return its clock: ROS time."""

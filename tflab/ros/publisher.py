@@ -11,9 +11,8 @@ from typing import Any
 from .event_handler import reporter
 from .exceptions import InvalidHandle
 from .messages import tf2_msgs
-from .network import Envelope
+from .network import PUBLISHER_KIND, Envelope
 from .qos import QoSProfile
-from .qos_compatibility import QoSPolicyKind, qos_policy_name_from_kind
 
 __all__ = ["Publisher"]
 
@@ -38,7 +37,7 @@ class Publisher:
         self.topic = topic
         self.qos_profile = qos_profile
         self.callback_group = callback_group
-        self.gid = node.network.new_gid()
+        self.gid = node.network.new_gid(node.context, PUBLISHER_KIND)
         self.matched: list[Any] = []
         self.edges: dict[tuple[str, str], int] = {}
         self._sends_transforms = msg_type is tf2_msgs.TFMessage
@@ -95,7 +94,7 @@ class Publisher:
     def _warn_of(self, policy: str) -> None:
         self.node.get_logger().warning(
             f"New subscription discovered on topic '{self.topic_name}', requesting incompatible QoS. No messages will "
-            f"be sent to it. Last incompatible policy: {qos_policy_name_from_kind(QoSPolicyKind[policy])}"
+            f"be sent to it. Last incompatible policy: {self.node.policy_name(policy)}"
         )
 
     def destroy(self) -> None:

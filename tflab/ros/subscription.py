@@ -13,9 +13,8 @@ from typing import Any
 from .entity import Entity, Kind
 from .event_handler import reporter
 from .messages import copy_message
-from .network import Envelope
+from .network import SUBSCRIPTION_KIND, Envelope
 from .qos import QoSProfile
-from .qos_compatibility import QoSPolicyKind, qos_policy_name_from_kind
 from .serialization import serialize_message
 
 __all__ = ["RawSubscription", "Subscription"]
@@ -41,7 +40,7 @@ class Subscription(Entity):
         self.msg_type = msg_type
         self.topic_name = topic
         self.qos_profile = qos_profile
-        self.gid = node.network.new_gid()
+        self.gid = node.network.new_gid(node.context, SUBSCRIPTION_KIND)
         self.matched_count = 0
         self.callback = callback
         self._wants_info = _wants_info(callback)
@@ -90,7 +89,7 @@ class Subscription(Entity):
     def _warn_of(self, policy: str) -> None:
         self.node.get_logger().warning(
             f"New publisher discovered on topic '{self.topic_name}', offering incompatible QoS. No messages will be "
-            f"received from it. Last incompatible policy: {qos_policy_name_from_kind(QoSPolicyKind[policy])}"
+            f"received from it. Last incompatible policy: {self.node.policy_name(policy)}"
         )
 
     def destroy(self) -> None:

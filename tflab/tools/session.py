@@ -139,14 +139,22 @@ def spin_until_done(node: Node, future: Future) -> None:
 # -- as a C++ program does ------------------------------------------------
 
 
+class _CppNode(Node):
+    """A node as rclcpp makes one, as far as its terminal shows."""
+
+    def policy_name(self, policy: str) -> str:
+        return f"{policy}_QOS_POLICY"  # in every distribution
+
+
 @contextmanager
 def cpp_listener(node: Node) -> Iterator[BufferCore]:
     """Listen to the transforms as rclcpp's listener does: with a node of its own, which `ros2 node list` shows."""
     from tflab.ros.tf2.buffer import Buffer
     from tflab.ros.tf2.listener import TransformListener
 
-    name = unused_name("transform_listener_impl_", [node.get_name()], digits=string.hexdigits[:16], length=12)
-    hidden = Node(name, start_parameter_services=False)
+    # Upstream's name ends with an address on the heap, in hexadecimal digits.
+    name = unused_name("transform_listener_impl_55", [node.get_name()], digits=string.hexdigits[:16], length=10)
+    hidden = _CppNode(name, start_parameter_services=False)
     client_library.get_global_executor().add_node(hidden)
     buffer = Buffer()
     listener = TransformListener(buffer, hidden)
