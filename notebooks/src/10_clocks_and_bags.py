@@ -180,13 +180,13 @@ print(asker.first_no)
 # None. The one message with the mounts stood at 0.000 s, and the player passed over it. From then on nobody knows a `laser_frame`.
 #
 # On the robot its publisher would say it again to whoever comes later; that is how `/tf_static` works. A player has only said what it has played.
-# If you must begin later, play the mounts beside it: a second terminal with `ros2 bag play lap --topics /tf_static`, or `robot_state_publisher` with the robot's URDF.
+# If you must begin later, let `robot_state_publisher` say the mounts, with the robot's URDF. Or play them first, `ros2 bag play lap --topics /tf_static`, while your nodes are listening already: when that player ends, what it kept for late comers goes with it.
 
 # %% [markdown] lang="ko" name="offset-read" tags=["predicted"]
 # 하나도 없습니다. 장착 변환이 담긴 메시지 하나가 0.000초에 있었고, 재생기는 그 메시지를 지나쳤습니다. 그 뒤로 `laser_frame`을 아는 노드가 없습니다.
 #
 # 로봇에서는 발행자가 늦게 오는 노드에게 다시 보내 줍니다. `/tf_static`이 그런 토픽이기 때문입니다. 재생기는 재생한 것만 간직합니다.
-# 꼭 나중부터 재생해야 한다면 장착 변환을 옆에서 함께 재생하십시오. 다른 터미널에서 `ros2 bag play lap --topics /tf_static`을 실행하거나, 로봇의 URDF로 `robot_state_publisher`를 띄웁니다.
+# 꼭 나중부터 재생해야 한다면 장착 변환은 따로 보내십시오. 로봇의 URDF로 `robot_state_publisher`를 띄우면 됩니다. 또는 노드를 모두 띄운 뒤에 `ros2 bag play lap --topics /tf_static`을 먼저 실행합니다. 이 재생기가 끝나면 간직하던 메시지도 함께 사라지므로, 그 뒤에 뜬 노드는 받지 못합니다.
 
 # %% [markdown] lang="en" name="one-number" slide="slide"
 # ## One number for any bag
@@ -217,7 +217,7 @@ for left_out in ((), ("/tf_static",), ("/tf",)):
 # |---|---|
 # | the sensor on the map, as the robot saw it | `/tf` `/tf_static` |
 # | to localise anew, with another algorithm | `/tf_static`, the odometry (`/tf` or `/odom`), and leave `map → odom` out when you play |
-# | the same from a simulation | the same, and `/clock` |
+# | the same from a simulation | the same, and `/clock`, which keeps how fast it ran; play that bag without `--clock`, for older players would say the time twice |
 
 # %% [markdown] lang="ko" name="place-all-read" tags=["predicted"]
 # 크기가 거의 같은 bag 셋인데 149, 0, 0입니다. 그리고 두 오류 메시지에는 서로 다른 좌표계의 이름이 나옵니다. `/tf_static`이 없으면 센서를, `/tf`가 없으면 지도를 아무도 모릅니다.
@@ -229,7 +229,7 @@ for left_out in ((), ("/tf_static",), ("/tf",)):
 # |---|---|
 # | 로봇이 본 대로 센서를 지도에 놓기 | `/tf` `/tf_static` |
 # | 다른 알고리즘으로 위치를 새로 추정하기 | `/tf_static`과 오도메트리(`/tf` 또는 `/odom`). 재생할 때 `map → odom`은 뺍니다 |
-# | 같은 일을 시뮬레이션에서 | 위와 같고 `/clock`도 |
+# | 같은 일을 시뮬레이션에서 | 위와 같고 `/clock`도 담습니다. 시뮬레이션이 얼마나 빨랐는지 남기 때문입니다. 이런 bag은 `--clock` 없이 재생합니다. 예전 재생기는 시각을 두 번 내보냅니다 |
 
 # %% [markdown] lang="en" name="place-all-notes" slide="notes"
 # Let them guess the errors before the numbers. M13 lives here: "I recorded the sensor, so I have the data." And the wall behind it: "laser_frame does not exist" makes people take the laser apart (M15).
@@ -341,7 +341,7 @@ asker = lesson.replay(Asker, bags / "lap", "", for_s=1.0)
 # %ros2 param set /asker use_sim_time false
 
 # %% [markdown] lang="en" name="by-hand-read"
-# *Clearing tf buffer*: when a node changes its clock, what it has is of another time, and it forgets everything, the mounts too. Nobody says those again here. So set `use_sim_time` when you start a node, for all nodes alike, in the launch file:
+# *Clearing tf buffer*: when a node changes its clock, what it has heard is of another time, and it forgets every edge that moves. Only the mounts stay: a static transform holds at any time. Until `/tf` has spoken again nothing can be placed, and what you measured before the switch never. So set `use_sim_time` when you start a node, for all nodes alike (`/**` means every one), in the launch file:
 #
 # ```yaml
 # /**:
@@ -350,7 +350,7 @@ asker = lesson.replay(Asker, bags / "lap", "", for_s=1.0)
 # ```
 
 # %% [markdown] lang="ko" name="by-hand-read"
-# *Clearing tf buffer*라고 나옵니다. 노드의 시계가 바뀌면 지금까지 모은 것은 다른 시간의 것이므로 모두 지웁니다. 장착 변환도 지워지고, 여기서는 아무도 다시 보내 주지 않습니다. 그러니 `use_sim_time`은 노드를 시작할 때, 모든 노드에 똑같이, launch 파일에서 정하십시오.
+# *Clearing tf buffer*라고 나옵니다. 노드의 시계가 바뀌면 지금까지 모은 것은 다른 시간의 것이므로, 움직이는 연결을 모두 지웁니다. 장착 변환만 남습니다. 정적 변환은 어느 시각에나 유효하기 때문입니다. `/tf`가 다시 올 때까지는 아무것도 놓을 수 없고, 바꾸기 전에 측정한 것은 영영 놓을 수 없습니다. 그러니 `use_sim_time`은 노드를 시작할 때, 모든 노드에 똑같이(`/**`는 모든 노드라는 뜻입니다), launch 파일에서 정하십시오.
 #
 # ```yaml
 # /**:
@@ -374,10 +374,10 @@ print("follows /clock:", mapper.get_clock().ros_time_is_active)
 rclpy.shutdown()
 
 # %% [markdown] lang="en" name="quotes-read" tags=["predicted"]
-# A text is no truth value. One line in the log, and the node goes on, in the machine's time.
+# A text is no truth value. One line in the log, and the node goes on, in the machine's time. (A node in C++ is stricter: it does not start.)
 
 # %% [markdown] lang="ko" name="quotes-read" tags=["predicted"]
-# 문자열은 참·거짓 값이 아닙니다. 로그에 한 줄이 남고, 노드는 컴퓨터의 시간에서 그대로 돕니다.
+# 문자열은 참·거짓 값이 아닙니다. 로그에 한 줄이 남고, 노드는 컴퓨터의 시간에서 그대로 돕니다. (C++로 쓴 노드는 더 엄격해서 아예 시작되지 않습니다.)
 
 # %% [markdown] lang="en" name="innocent" slide="slide"
 # ## The innocent complains
@@ -408,12 +408,12 @@ except TransformException as error:
     print(error)
 
 # %% [markdown] lang="en" name="innocent-read" tags=["predicted"]
-# Every node that asks gets the error; the one at fault has none. It publishes, contentedly, in tomorrow's time.
+# Every node that asks gets the error; the one at fault has none. It publishes, contentedly, in tomorrow's time, for this one stamps its transform with its own now. (AMCL stamps by the scan it has used, plus a tolerance, and would be spared here. What a node stamps with is worth a look into its manual.)
 # *Requested time 5, the earliest data is at 86401.* `Time()` does not help either: on this path no moment is common to both days.
 # Whose stamps are they? Ask somebody who sees all nodes at once. (The player may keep the machine's time: it only repeats what was said.)
 
 # %% [markdown] lang="ko" name="innocent-read" tags=["predicted"]
-# 조회하는 노드는 모두 오류를 얻고, 정작 잘못된 노드에는 아무 오류가 없습니다. 아무렇지 않게 내일의 시각으로 발행할 뿐입니다.
+# 조회하는 노드는 모두 오류를 얻고, 정작 잘못된 노드에는 아무 오류가 없습니다. 아무렇지 않게 내일의 시각으로 발행할 뿐입니다. 이 노드는 변환에 자신의 현재 시각을 찍기 때문입니다. (AMCL은 사용한 스캔의 측정 시각에 허용 시간을 더해 찍으므로 여기서는 무사합니다. 노드가 어떤 시각을 찍는지는 설명서에서 확인해 두세요.)
 # *요청 시각은 5초, 가장 오래된 데이터는 86401초.* `Time()`도 소용없습니다. 이 경로에는 두 날에 공통인 시각이 없습니다.
 # 누구의 측정 시각일까요? 모든 노드를 한꺼번에 보는 doctor에게 맡겨 봅시다. (재생기는 컴퓨터의 시간에 있어도 됩니다. 기록된 것을 되풀이할 뿐입니다.)
 
@@ -498,13 +498,13 @@ sound = lesson.replay(lambda: Looped(lambda node: Buffer(node=node)), bags / "la
 show(sound)
 
 # %% [markdown] lang="en" name="with-a-node-read"
-# One line, once a lap, and all is right: it forgets, and the player says the mounts again.
+# One line, once a lap, and all is right: it forgets what moves, keeps the mounts, and fills up with the new lap.
 # In C++ the buffer always has a clock. In Python it was missing until somebody reported just this ([ros2/geometry2, issue 606](https://github.com/ros2/geometry2/issues/606)); since then there is `node=`, and one has to write it.
 #
 # How old is the newest transform, for each of the three?
 
 # %% [markdown] lang="ko" name="with-a-node-read"
-# 바퀴마다 한 줄이 나오고, 모두 맞습니다. 버퍼는 지우고, 재생기는 장착 변환을 다시 보냅니다.
+# 바퀴마다 한 줄이 나오고, 모두 맞습니다. 버퍼는 움직이는 연결을 지우고 장착 변환은 남겨 둔 채, 새 바퀴의 변환을 받습니다.
 # C++의 버퍼에는 언제나 시계가 있습니다. 파이썬에는 없다가 바로 이 문제가 보고된 뒤에 `node=`가 생겼습니다([ros2/geometry2, 이슈 606](https://github.com/ros2/geometry2/issues/606)). 하지만 직접 적어야 합니다.
 #
 # 세 버퍼에서 최신 변환은 각각 얼마나 오래되었을까요?
@@ -587,7 +587,14 @@ print(lesson.doctor(recording))
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
 # ## Checkpoint
 #
-# You play yesterday's bag with `--clock`. RViz shows the robot. Your own node says `extrapolation into the future. Requested time 1795460830.5 but the latest data is at time 1795374431.2`. What do you do first?
+# You play yesterday's bag with `--clock`. RViz shows the robot. Your own node says
+#
+# ```
+# Lookup would require extrapolation into the future.  Requested time 1795460830.512000
+# but the latest data is at time 1795374431.204000, when looking up transform ...
+# ```
+#
+# What do you do first?
 #
 # 1. Raise the timeout.
 # 2. Ask for `Time()` instead.
@@ -618,7 +625,14 @@ print(lesson.doctor(recording))
 # %% [markdown] lang="ko" name="checkpoint" slide="slide"
 # ## 마무리 점검
 #
-# 어제의 bag을 `--clock`으로 재생합니다. RViz에는 로봇이 보입니다. 그런데 여러분의 노드는 `extrapolation into the future. Requested time 1795460830.5 but the latest data is at time 1795374431.2`라고 합니다. 무엇을 먼저 하겠습니까?
+# 어제의 bag을 `--clock`으로 재생합니다. RViz에는 로봇이 보입니다. 그런데 여러분의 노드에는 이런 오류가 나옵니다.
+#
+# ```
+# Lookup would require extrapolation into the future.  Requested time 1795460830.512000
+# but the latest data is at time 1795374431.204000, when looking up transform ...
+# ```
+#
+# 무엇을 먼저 하겠습니까?
 #
 # 1. timeout을 늘립니다.
 # 2. 대신 `Time()`을 조회합니다.

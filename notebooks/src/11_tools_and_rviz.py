@@ -192,13 +192,13 @@ lesson.draw_ages([lesson.Curve('truth', times, [0.11] * len(times)), avg], 'net 
 
 # %% [markdown] lang="en" name="monitor-average-seen"
 # 19 % at the first report, half after 34 s, 91 % after two minutes. (What the field calls a low-pass filter.)
-# So read `max`, and the lines of the frames that move. One more trap: `max` begins at 0, so stamps from the future, a negative delay, show as `Max Delay: 0`, which looks perfect. Their `Average Delay` is below zero: look there.
+# So read `max`, and the lines of the frames that move. One more trap: `max` begins at 0, so stamps from the future, a negative delay, show as `Max Delay: 0`, which looks perfect. Their `Average Delay` is below zero: look there. (One negative delay is meant so: AMCL dates `map → odom` ahead by its `transform_tolerance`, so that nobody has to wait for it.)
 
 # %% [markdown] lang="ko" name="monitor-average-seen"
 # *그림 읽기:* net delay = 사슬의 지연, truth = 실제 지연, avg = 도구가 출력하는 평균, time = 시각.
 #
 # 첫 보고에서 19 %, 34초 뒤에 절반, 2분 뒤에 91 %입니다(저역 통과 필터라고 합니다).
-# 그러니 `max`와, 움직이는 좌표계의 줄을 읽습니다. 함정이 하나 더 있습니다. `max`는 0에서 시작하므로 측정 시각이 미래여서 지연이 음수이면 `Max Delay: 0`으로 나와 완벽해 보입니다. 이때는 `Average Delay`가 음수이므로 그 값을 보십시오.
+# 그러니 `max`와, 움직이는 좌표계의 줄을 읽습니다. 함정이 하나 더 있습니다. `max`는 0에서 시작하므로 측정 시각이 미래여서 지연이 음수이면 `Max Delay: 0`으로 나와 완벽해 보입니다. 이때는 `Average Delay`가 음수이므로 그 값을 보십시오. (일부러 음수로 만든 지연도 있습니다. AMCL은 기다리는 노드가 없도록 `map → odom`에 `transform_tolerance`만큼 늦은 시각을 찍습니다.)
 
 # %% [markdown] lang="en" name="monitor-notes" slide="notes"
 # Let somebody read the first report aloud and say "so it is late by two hundredths". Wait. Then ask what 0.0209 divided by 0.11 is.
@@ -322,14 +322,14 @@ for f in (1, 2, 10, 20):
 
 # %% [markdown] lang="en" name="often-enough-seen" tags=["predicted"]
 # On the straight: **nothing**, at any rate. Halfway between two points of a straight line lies on the line.
-# In a bend TF cuts the corner: the way is an arc, the line its chord, and the gap between them is (v/ω)(1 − cos(ω/2f)): 61 mm at 1 Hz, 0.6 at 10. Half the rate, four times the gap.
+# In a bend TF cuts the corner: the way is an arc, the line its chord, and the gap between them is (v/ω)(1 − cos(ω/2f)), with v the speed, ω the yaw rate [rad/s] and f the rate [Hz]: 61 mm at 1 Hz, 0.6 at 10. Half the rate, four times the gap.
 #
 # What a slow edge costs everywhere is **waiting**: a scan can be placed only when the next sample has come. Our scan has been under way for 0.105 s, so at 10 and 20 Hz nobody waits; at 1 Hz up to 0.9 s.
 # The lecture warns of a slow `odom → base_link` rightly. Its formula v · Δt is how far the robot drives *while you wait*, or if somebody takes the newest pose instead of waiting; it is not how far off TF puts things.
 
 # %% [markdown] lang="ko" name="often-enough-seen" tags=["predicted"]
 # 곧은 길에서는 발행률이 얼마든 **조금도 틀리지 않습니다.** 직선 위 두 점의 중간은 그 직선 위에 있습니다.
-# 굽은 길에서는 모서리를 질러갑니다. 실제 경로는 호, TF가 잇는 선은 현이고, 그 틈은 (v/ω)(1 − cos(ω/2f))입니다. 1 Hz에서 61 mm, 10 Hz에서 0.6 mm입니다. 발행률이 절반이면 틈은 네 배입니다.
+# 굽은 길에서는 모서리를 질러갑니다. 실제 경로는 호, TF가 잇는 선은 현이고, 그 틈은 (v/ω)(1 − cos(ω/2f))입니다. v는 속도, ω는 각속도[rad/s], f는 발행률[Hz]입니다. 1 Hz에서 61 mm, 10 Hz에서 0.6 mm입니다. 발행률이 절반이면 틈은 네 배입니다.
 #
 # 느린 연결이 언제나 치르는 대가는 **기다림**입니다. 다음 표본이 와야 스캔의 자리를 계산할 수 있습니다. 스캔은 이미 0.105초 걸려 왔으므로 10 Hz와 20 Hz에서는 기다리지 않고, 1 Hz에서는 0.9초까지 기다립니다.
 # 강의에서 느린 `odom → base_link`를 경고하는 것은 옳습니다. 다만 강의의 식 v · Δt는 *기다리는 동안*, 또는 기다리지 않고 최신 포즈를 쓸 때 로봇이 달린 거리입니다. TF가 위치를 그만큼 틀리게 계산한다는 뜻은 아닙니다.
@@ -596,10 +596,10 @@ for _ in range(6):
 # | the same, and a name like it | typed wrongly | the spelling in RViz, and in the node |
 # | RobotModel: some links | URDF, joint states | `ros2 topic hz /joint_states` |
 # | `not part of the same tree` | an edge without an owner | `view_frames`: the two roots |
-# | all Ok, beside the walls by always the same | a mount, or the header's frame | `tf2_echo base_link laser_frame`, `--field header` |
-# | all Ok, smeared in bends only | stamps, clocks | `topic delay /scan` |
+# | all Ok, beside the walls even when it stands still | a mount, or the header's frame | `tf2_echo base_link laser_frame`, `--field header` |
+# | all Ok, right when it stands still, smeared in bends | stamps, clocks | `topic delay /scan` |
 # | all Ok, in two places by turns | two owners | the edge's rate in `view_frames`; `topic info --verbose` |
-# | nothing at all: `No messages received` | no publisher, or a QoS that does not fit | `topic info /scan --verbose` |
+# | nothing at all: `No messages received` | no publisher, or a QoS that does not fit: most lasers offer `BEST_EFFORT`, RViz asks for `RELIABLE` | `topic info /scan --verbose`; in RViz, the display's Reliability Policy |
 #
 # "Not in RViz, so the sensor is broken" stands in no row: the sensor comes last, when its message has been seen.
 
@@ -612,17 +612,17 @@ for _ in range(6):
 # | 같은 오류, 비슷한 이름이 있음 | 잘못 입력함 | RViz와 노드의 철자 |
 # | RobotModel의 일부 링크 | URDF, 관절 상태 | `ros2 topic hz /joint_states` |
 # | `not part of the same tree` | 보내는 노드가 없는 연결 | `view_frames`의 두 루트 |
-# | 모두 Ok, 벽에서 늘 같은 만큼 벗어남 | 장착 변환, 헤더의 좌표계 | `tf2_echo base_link laser_frame`, `--field header` |
-# | 모두 Ok, 굽은 길에서만 번짐 | 측정 시각, 시계 | `topic delay /scan` |
+# | 모두 Ok, 서 있을 때도 벽에서 벗어남 | 장착 변환, 헤더의 좌표계 | `tf2_echo base_link laser_frame`, `--field header` |
+# | 모두 Ok, 서 있으면 맞고 굽은 길에서 번짐 | 측정 시각, 시계 | `topic delay /scan` |
 # | 모두 Ok, 두 곳을 오감 | 발행자가 둘 | `view_frames`에서 연결의 발행률, `topic info --verbose` |
-# | 아무것도 없음: `No messages received` | 발행자가 없거나 QoS가 맞지 않음 | `topic info /scan --verbose` |
+# | 아무것도 없음: `No messages received` | 발행자가 없거나 QoS가 맞지 않음. 레이저는 대개 `BEST_EFFORT`로 보내는데 RViz는 `RELIABLE`을 요구합니다 | `topic info /scan --verbose`, RViz에서는 디스플레이의 Reliability Policy |
 #
 # "RViz에 보이지 않으니 센서 고장"은 어느 줄에도 없습니다. 센서는 메시지를 확인한 뒤 마지막에 의심합니다.
 
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
 # ## Checkpoint
 #
-# RViz: everything Ok. In bends the scan smears along the wall; on the straight it lies right. What do you do first?
+# RViz: everything Ok. In bends the scan smears along the wall; when the robot stands still it lies right. What do you do first?
 #
 # 1. Replace the laser.
 # 2. `tf2_echo base_link laser_frame`
@@ -631,17 +631,17 @@ for _ in range(6):
 #
 # <details><summary>I chose 1</summary>
 #
-# A laser that measures the wall right while driving straight is no broken laser. Every first check that costs a purchase is a bad one.
+# A laser that measures the wall right while the robot stands still is no broken laser. Every first check that costs a purchase is a bad one.
 #
 # </details>
 # <details><summary>I chose 2</summary>
 #
-# A wrong mount would show on the straight, too: always off by the same, on the robot's own side.
+# A wrong mount would show standing still, too: always off by the same, seen from the robot.
 #
 # </details>
 # <details><summary>I chose 3</summary>
 #
-# Yes. What is right on the straight and wrong in bends has to do with *when*: a stamp that is 0.3 s off turns the scan by 0.3 s of yaw.
+# Yes. What is right at rest and wrong on the move has to do with *when*: a stamp that is 0.3 s off turns the scan by 0.3 s of yaw. On the straight it only slides it along the way: the walls beside look right, the one ahead is 15 cm off at half a metre a second.
 #
 # </details>
 # <details><summary>I chose 4</summary>
@@ -653,7 +653,7 @@ for _ in range(6):
 # %% [markdown] lang="ko" name="checkpoint" slide="slide"
 # ## 마무리 점검
 #
-# RViz는 모두 Ok입니다. 굽은 길에서는 스캔이 벽을 따라 번지고, 곧은 길에서는 제자리에 놓입니다. 무엇을 먼저 합니까?
+# RViz는 모두 Ok입니다. 굽은 길에서는 스캔이 벽을 따라 번지고, 로봇이 서 있으면 제자리에 놓입니다. 무엇을 먼저 합니까?
 #
 # 1. 레이저를 교체합니다.
 # 2. `tf2_echo base_link laser_frame`
@@ -662,17 +662,17 @@ for _ in range(6):
 #
 # <details><summary>1번을 골랐습니다</summary>
 #
-# 곧은 길에서 벽을 제대로 재는 레이저는 고장이 아닙니다. 돈이 드는 점검은 처음에 할 일이 아닙니다.
+# 서 있을 때 벽을 제대로 재는 레이저는 고장이 아닙니다. 돈이 드는 점검은 처음에 할 일이 아닙니다.
 #
 # </details>
 # <details><summary>2번을 골랐습니다</summary>
 #
-# 장착 변환이 틀렸다면 곧은 길에서도 보입니다. 로봇을 기준으로 늘 같은 만큼 벗어납니다.
+# 장착 변환이 틀렸다면 서 있을 때도 보입니다. 로봇을 기준으로 늘 같은 만큼 벗어납니다.
 #
 # </details>
 # <details><summary>3번을 골랐습니다</summary>
 #
-# 맞습니다. 곧은 길에서 맞고 굽은 길에서 틀리면 *언제*의 문제입니다. 측정 시각이 0.3초 틀리면 스캔은 0.3초 동안 돈 만큼 돌아갑니다.
+# 맞습니다. 서 있을 때 맞고 움직일 때 틀리면 *언제*의 문제입니다. 측정 시각이 0.3초 틀리면 스캔은 0.3초 동안 돈 만큼 돌아갑니다. 곧은 길에서는 나아가는 방향으로만 밀립니다. 옆의 벽은 맞아 보이고, 앞의 벽은 0.5 m/s에서 15 cm 어긋납니다.
 #
 # </details>
 # <details><summary>4번을 골랐습니다</summary>
@@ -807,7 +807,7 @@ graph.stop()
 # %% [markdown] lang="en" name="exit-ticket" slide="slide"
 # ## Exit ticket
 #
-# > RViz shows everything Ok, and the scan lies 20 cm beside the wall, on the straight and in bends alike. Write down two commands, and what you compare their output with.
+# > RViz shows everything Ok, and the scan lies 20 cm beside the wall, standing still and driving alike. Write down two commands, and what you compare their output with.
 #
 # <details><summary>Compare</summary>
 #
@@ -818,7 +818,7 @@ graph.stop()
 # %% [markdown] lang="ko" name="exit-ticket" slide="slide"
 # ## 마무리하며
 #
-# > RViz는 모두 Ok인데, 곧은 길에서나 굽은 길에서나 스캔이 벽에서 20 cm 벗어나 있습니다. 명령 두 개와, 그 출력을 무엇과 견줄지 써 보세요.
+# > RViz는 모두 Ok인데, 서 있을 때나 달릴 때나 스캔이 벽에서 20 cm 벗어나 있습니다. 명령 두 개와, 그 출력을 무엇과 견줄지 써 보세요.
 #
 # <details><summary>맞춰 보기</summary>
 #

@@ -48,8 +48,8 @@ ANY_STEP_BACK = Slip(
     "any step back",
     {"back": "any"},
     Words(
-        en="You forget at every small step back. Messages on /clock overtake each other by milliseconds, and each time everything would be gone, the mounts too.",
-        ko="조금만 돌아가도 지웁니다. /clock 메시지는 몇 밀리초씩 순서가 바뀔 수 있고, 그때마다 장착 변환까지 모두 사라집니다.",
+        en="You forget at every small step back. Messages on /clock overtake each other by milliseconds, and each time all that moves would be gone.",
+        ko="조금만 돌아가도 지웁니다. /clock 메시지는 몇 밀리초씩 순서가 바뀔 수 있고, 그때마다 움직이는 연결이 모두 사라집니다.",
     ),
 )
 

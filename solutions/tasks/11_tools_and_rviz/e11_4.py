@@ -36,8 +36,8 @@ def six_lists(rng):
         "Fixed Frame misspelt": list_of(fixed_frame=typed, moving=joints),
         "joint states missing": list_of(without=joints, moving=joints),
         "odometry down": _two_trees(joints),
-        "stamps late": f"{healthy}\n\non the straight the scan lies on the walls; in bends it smears",
-        "mount wrong": f"{healthy}\n\non the straight and in bends the scan lies {off} m beside the walls, "
+        "stamps late": f"{healthy}\n\nstanding still the scan lies on the walls; in bends it smears",
+        "mount wrong": f"{healthy}\n\nstanding still and in bends the scan lies {off} m beside the walls, "
         "always on the same side of the robot",
     }
     return {f"robot_{name}": lists[SICK[i]] for name, i in zip(NAMES, rng.permutation(len(SICK)), strict=True)}
@@ -128,8 +128,8 @@ MOUNT_FOR_STAMPS = Twin(
     "mount for stamps",
     lambda g: answer(g, {"stamps late": "mount wrong"}),
     Words(
-        en="A wrong mount would show on the straight, too. What shows only in bends?",
-        ko="장착 변환이 틀렸다면 곧은 길에서도 보입니다. 굽은 길에서만 보이는 것은 무엇입니까?",
+        en="A wrong mount would show standing still, too. What shows only on the move?",
+        ko="장착 변환이 틀렸다면 서 있을 때도 보입니다. 움직일 때만 보이는 것은 무엇입니까?",
     ),
     "M9",
 )
