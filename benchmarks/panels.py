@@ -1,84 +1,239 @@
-"""How long does a panel take to follow its slider?  Milliseconds for each redraw.
+"""How long from a slider to the picture?  Every panel of the course, in its page, in a real JupyterLab.
 
-    python benchmarks/panels.py
+    python benchmarks/panels.py              all pages
+    python benchmarks/panels.py 02 08        these
+    python benchmarks/panels.py --steps 12   more of each control
 
-A redraw is everything that happens in Python between a slider's message and the
-picture's bytes: the maths, moving the artists, drawing them, and the PNG.  On a
-busy machine read the processor time, or the best: the median counts the waiting too.
+A learner's copy is laid out and each page run from its start to its end.  Then every
+control of every panel, of every scene and of every player is moved by the keyboard,
+and every slider by the mouse too.  For each step the page itself takes the time from
+the event to the animation frame that shows the changed picture.
+
+After each panel stands an *echo*: a slider whose observer sets a label, which is the
+least that a kernel can do.  Its steps are taken in turn with the panel's, so what it
+needs is the machine's and JupyterLab's share of the time beside it.
 """
 
 from __future__ import annotations
 
+import argparse
 import statistics
-import time
-from collections.abc import Callable
+import sys
+import tempfile
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import NamedTuple
 
-from tflab.core import BufferCore, StampedTransform, Transform, seconds
-from tflab.views import panels
-from tflab.views.timeline import lane_from_history
+import nbformat
 
-TARGET_MS = 45.0
-REDRAWS = 60
+ROOT = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT / "tests"))
+
+from conftest import CHROMIUM_ARGUMENTS, Lab, find_chromium, running_lab  # noqa: E402
+
+from tflab.workbook.copy.lay_out import lay_out  # noqa: E402
+
+GOAL_MS = 50.0
+STEP_PX = 7
+PAUSE_MS = 80  # between two steps: somebody looks
+HAND_MS = 400  # from the hand's coming to a control until it moves it
+ECHO = "echo-of-"  # before a panel's name
+
+ECHO_CELL = """
+import ipywidgets
+_echo = ipywidgets.FloatSlider(min=-1.0, max=1.0, step=0.01), ipywidgets.Label("0")
+_echo[1].add_class("echo")
+_echo[0].observe(lambda change, label=_echo[1]: setattr(label, "value", str(change["new"])), "value")
+ipywidgets.HBox(_echo)
+"""
+FIND = """() => {
+  window.cellNamed = (name) => {
+    const { content } = jupyterapp.shell.currentWidget;
+    return content.widgets.find((cell) => cell.model.getMetadata("name") === name);
+  };
+  const drawImage = CanvasRenderingContext2D.prototype.drawImage;
+  CanvasRenderingContext2D.prototype.drawImage = function (...what) {
+    drawImage.apply(this, what);
+    this.canvas.dispatchEvent(new Event("drawn", { bubbles: true }));
+  };
+}"""
+HAVE_RUN = """() => jupyterapp.shell.currentWidget.content.widgets.every(
+  ({ model }) => model.type !== "code" || model.executionCount !== null || !model.sharedModel.getSource().trim()
+) && jupyterapp.shell.currentWidget.sessionContext.session.kernel.status === "idle" """
+SHOW = """(name) => {
+  const { content } = jupyterapp.shell.currentWidget;
+  return content.scrollToItem(content.widgets.indexOf(cellNamed(name)), "start");
+}"""
+# What can be moved in a cell's output, in the order of the page.
+CONTROLS = """(name) => {
+  const found = [...cellNamed(name).outputArea.node.querySelectorAll(
+    ".noUi-handle, input[type=range], select, input[type=checkbox]")];
+  found.forEach((control, place) => control.setAttribute("data-control", `${name}-${place}`));
+  return found.map((control) => control.matches(".noUi-handle") ? "slider" : control.type ?? control.localName);
+}"""
+# The time from the next event to the frame that shows what came of it [ms]; -1 if nothing changed.
+NEXT_PICTURE = """([name, kind]) => {
+  const root = cellNamed(name).outputArea.node;
+  window.latency = new Promise((done) => {
+    addEventListener(kind, ({ timeStamp }) => {
+      const shown = () => requestAnimationFrame(() => finish(performance.now() - timeStamp));
+      const watch = new MutationObserver((changes) => {
+        for (const { target, addedNodes } of changes) {
+          const element = target.nodeType === Node.TEXT_NODE ? target.parentElement : target;
+          const image = [...addedNodes].find((node) => node.matches?.("img"));
+          if (image) image.decode().then(shown, () => {});
+          else if (element?.closest(".echo, .tflab-picture")) shown();
+        }
+      });
+      const finish = (took) => {
+        watch.disconnect();
+        root.removeEventListener("drawn", shown);
+        done(took);
+      };
+      watch.observe(root, { subtree: true, childList: true, characterData: true, attributes: true });
+      root.addEventListener("drawn", shown);
+      setTimeout(() => finish(-1), 1500);
+    }, { once: true, capture: true });
+  });
+}"""
 
 
-def main() -> None:
-    """Print one line for each panel."""
-    print(f"{'panel':<10} {'median':>9} {'best':>9} {'processor':>9}   target {TARGET_MS:.0f} ms")
-    for name, (panel, drag) in made_panels().items():
-        for step in range(3):
-            drag(step / 3)
-        walls_ms, processors_ms = zip(*(timed_ms(drag, step / REDRAWS) for step in range(REDRAWS)), strict=True)
-        times_ms = (statistics.median(walls_ms), min(walls_ms), statistics.median(processors_ms))
-        print(f"{name:<10} {' '.join(f'{time_ms:>6.1f} ms' for time_ms in times_ms)}")
-        panel.close()
+class Row(NamedTuple):
+    """What was seen of one panel [ms]: by the keyboard, by the mouse, and of the echo beside it."""
+
+    page: str
+    name: str
+    keys: list[float]
+    mouse: list[float]
+    echo: list[float]
 
 
-def timed_ms(drag: Callable[[float], None], part: float) -> tuple[float, float]:
-    """Return the time that passed, and the processor's time, of one redraw [ms]."""
-    wall_s, processor_s = time.perf_counter(), time.process_time()
-    drag(part)
-    return (time.perf_counter() - wall_s) * 1e3, (time.process_time() - processor_s) * 1e3
+def main(chapters: Sequence[str], steps: int) -> None:
+    """Print a line for each panel."""
+    from playwright.sync_api import sync_playwright
+
+    print(f"{'page':<5} {'panel':<22} {'keys':>15} {'mouse':>15} {'echo':>15}   median (95 %) [ms], goal {GOAL_MS:.0f}")
+    with tempfile.TemporaryDirectory() as home, running_lab(Path(home)) as lab, sync_playwright() as driver:
+        copy = lay_out(lab.folder / "copy", "en")
+        browser = driver.chromium.launch(
+            executable_path=find_chromium(driver),
+            args=CHROMIUM_ARGUMENTS,
+            ignore_default_args=["--headless", "--headless=old"],
+        )
+        rows = []
+        for path in sorted((copy / "notebooks" / "en").glob("*.ipynb")):
+            if not chapters or path.name[:2] in chapters:
+                for row in measured_page(lab, browser, path, steps):
+                    rows.append(row)
+                    print(line_of(row), flush=True)
+        browser.close()
+    moved = [row for row in rows if row.keys or row.mouse]
+    within = [row for row in moved if statistics.median([*row.keys, *row.mouse]) <= GOAL_MS]
+    print(f"{len(within)} of {len(moved)} within {GOAL_MS:.0f} ms")
 
 
-def made_panels() -> dict[str, tuple[panels.Panel, Callable[[float], None]]]:
-    """Return each panel, and a function that moves its control to a part, 0 to 1, of its way."""
-    buffer = buffer_of_a_robot()
-    poses = {name: buffer.lookup_transform("map", name, seconds(3.0)).transform for name in buffer.frame_names()}
-    lanes = [lane_from_history(buffer.history(frame)) for frame in ("odom", "base_link", "laser_frame")]
-    timeline = panels.timeline_panel("map", "laser_frame", lanes, buffer.lookup_transform)
-    sentence = panels.sentence_panel(poses, "map", "laser_frame")
-    latency, rotation, cameras = panels.latency_panel(), panels.rotation_panel(), panels.cameras_panel()
-    return {
-        "latency": (latency, lambda part: move(latency, "yaw rate [rad/s]", part)),
-        "timeline": (timeline, lambda part: move(timeline, "query [s]", part)),
-        "rotation": (rotation, lambda part: move(rotation, "yaw [rad]", part)),
-        "cameras": (cameras, lambda part: move(cameras, "left [m]", part)),
-        "sentence": (sentence, lambda part: choose(sentence, part)),
-    }
+def measured_page(lab: Lab, browser, path: Path, steps: int) -> Iterator[Row]:
+    """Run a page, and move whatever can be moved in it."""
+    names = with_echoes(path)
+    if not names:
+        return
+    page = browser.new_page(viewport={"width": 1366, "height": 1100})
+    lab.open(page, str(path.relative_to(lab.folder)))
+    page.evaluate(FIND)
+    page.evaluate("void jupyterapp.commands.execute('notebook:run-all-cells')")
+    page.wait_for_function(HAVE_RUN, timeout=300_000)
+    for name in names:
+        page.evaluate(SHOW, name)
+        page.wait_for_timeout(1500)
+        controls, echo = page.evaluate(CONTROLS, name), page.evaluate(CONTROLS, ECHO + name)
+        if controls and echo:
+            yield measured(page, path.name[:2], name, controls, steps)
+    page.close()
 
 
-def move(panel: panels.Panel, description: str, part: float) -> None:
-    slider = panel.controls[description]
-    slider.value = slider.min + (part + 0.001) * (slider.max - slider.min)
+def with_echoes(path: Path) -> list[str]:
+    """Put an echo after each interactive cell of a page; return the names of those cells."""
+    notebook = nbformat.read(path, 4)
+    cells, names = [], []
+    for cell in notebook.cells:
+        cells.append(cell)
+        if "interactive" in cell.metadata.get("tags", []):
+            names.append(cell.metadata["name"])
+            cells.append(nbformat.v4.new_code_cell(ECHO_CELL, metadata={"name": ECHO + names[-1]}))
+    notebook.cells = cells
+    nbformat.write(notebook, path)
+    return names
 
 
-def choose(panel: panels.Panel, part: float) -> None:
-    menu = panel.controls["Python"]
-    menu.index = (menu.index + 1) % len(menu.options)
+def measured(page, chapter: str, name: str, controls: Sequence[str], steps: int) -> Row:
+    """Return the times of a panel and of its echo, taken in turn."""
+    row = Row(chapter, name, [], [], [])
+    for place, kind in enumerate(controls):
+        pressed(page, name, place, kind, steps, row.keys)
+        pressed(page, ECHO + name, 0, "slider", steps, row.echo)
+        if kind in ("slider", "range"):
+            dragged(page, name, place, kind, steps, row.mouse)
+            dragged(page, ECHO + name, 0, "slider", steps, row.echo)
+    return row
 
 
-def buffer_of_a_robot() -> BufferCore:
-    """Return a buffer with map -> odom at 1 Hz, odom -> base_link at 20 Hz and a laser bolted on."""
-    buffer = BufferCore()
-    for i in range(6):
-        buffer.set_transform(StampedTransform("map", "odom", seconds(1.0 + i), Transform((0.1 * i, 0.0, 0.0))))
-    for i in range(90):
-        pose = Transform.from_rpy(yaw=0.02 * i, translation=(0.05 * i, 0.0, 0.0))
-        buffer.set_transform(StampedTransform("odom", "base_link", seconds(1.5 + 0.05 * i), pose))
-    laser = StampedTransform("base_link", "laser_frame", 0, Transform((0.2, 0.0, 0.15)))
-    buffer.set_transform(laser, is_static=True)
-    return buffer
+def pressed(page, name: str, place: int, kind: str, steps: int, times: list[float]) -> None:
+    """Move a control by the keyboard: there, and back again."""
+    keys = {"checkbox": (" ", " "), "select-one": ("ArrowDown", "ArrowUp")}.get(kind, ("ArrowRight", "ArrowLeft"))
+    page.locator(f'[data-control="{name}-{place}"]').focus()
+    page.wait_for_timeout(HAND_MS)
+    for step in range(steps):
+        take(page, name, "keydown", lambda step=step: page.keyboard.press(keys[step >= steps // 2]), times)
+
+
+def dragged(page, name: str, place: int, kind: str, steps: int, times: list[float]) -> None:
+    """Drag a slider by the mouse, towards its middle."""
+    control = page.locator(f'[data-control="{name}-{place}"]')
+    control.scroll_into_view_if_needed()
+    page.wait_for_timeout(HAND_MS)
+    box = rail = control.bounding_box()
+    if kind == "range":  # the whole rail: its handle is where its value is
+        part = control.evaluate("(range) => (range.value - range.min) / (range.max - range.min)")
+        x = box["x"] + 8 + part * (box["width"] - 16)
+    else:
+        rail = control.locator("xpath=ancestor::*[contains(@class, 'noUi-target')]").bounding_box()
+        x = box["x"] + box["width"] / 2
+    y = box["y"] + box["height"] / 2
+    toward = 1 if rail["x"] + rail["width"] / 2 > x else -1
+    page.mouse.move(x, y)
+    page.wait_for_timeout(HAND_MS)
+    page.mouse.down()
+    for step in range(1, steps + 1):
+        take(page, name, "pointermove", lambda step=step: page.mouse.move(x + toward * STEP_PX * step, y), times)
+    page.mouse.up()
+    page.wait_for_timeout(PAUSE_MS)
+
+
+def take(page, name: str, kind: str, act, times: list[float]) -> None:
+    """Do one step, and note how long the picture took; a step that changes nothing has no time."""
+    page.evaluate(NEXT_PICTURE, [name, kind])
+    act()
+    took = page.evaluate("latency")
+    if took > 0:
+        times.append(took)
+    page.wait_for_timeout(PAUSE_MS)
+
+
+def line_of(row: Row) -> str:
+    """Return a row as text."""
+    return f"{row.page:<5} {row.name:<22} " + " ".join(f"{in_words(times):>15}" for times in row[2:])
+
+
+def in_words(times: Sequence[float]) -> str:
+    """Return median, 95th percentile and number of some times."""
+    if len(times) < 2:
+        return "-"
+    return f"{statistics.median(times):.0f} ({statistics.quantiles(times, n=20)[-1]:.0f}) n={len(times)}"
 
 
 if __name__ == "__main__":
-    main()
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("chapters", nargs="*")
+    parser.add_argument("--steps", type=int, default=6)
+    options = parser.parse_args()
+    main(options.chapters, options.steps)

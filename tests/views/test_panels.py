@@ -92,7 +92,7 @@ def make_fixture(request):
 
 
 def png_of(panel):
-    return next(child for child in panel.widget.children if hasattr(child, "format")).value
+    return panel.shown.png
 
 
 def test_every_control_says_what_it_is_and_changes_the_picture(make):

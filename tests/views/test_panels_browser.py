@@ -22,13 +22,13 @@ CELLS = [
     "panels.cameras_panel()",
 ]
 PANELS = 5
-IMAGE = "img.widget-image"
+IMAGE = "img.tflab-picture"
 
 
 def settled(page, image, before):
     """Wait until an image shows another picture than `before`, and return its address."""
     page.wait_for_function(
-        "([i, old]) => document.querySelectorAll('img.widget-image')[i].src !== old", arg=[image, before]
+        "([i, old]) => document.querySelectorAll('img.tflab-picture')[i].src !== old", arg=[image, before]
     )
     return page.locator(IMAGE).nth(image).get_attribute("src")
 
@@ -55,6 +55,12 @@ def test_panels_follow_mouse_and_keyboard_in_both_themes(lab, shown):
     shown.mouse.move(box["x"] + 80, box["y"] + 5, steps=6)
     settled(shown, 0, before)
     shown.mouse.up()
+
+    # what a hand comes near to is drawn ahead: the same picture, with its own words
+    shown.locator(".noUi-handle").nth(1).focus()
+    for _ in range(3):
+        shown.keyboard.press("ArrowRight")
+    shown.wait_for_function("document.querySelector('img.tflab-picture').alt.includes('turns 0.650 rad/s')")
 
     # move the query of the timeline with the keyboard alone, and read it in words
     before = shown.locator(IMAGE).nth(1).get_attribute("src")

@@ -80,9 +80,9 @@ def test_a_panel_names_its_picture_and_its_sliders(lab, page) -> None:
     lab.write_notebook("panel.ipynb", ["from tflab.views.panels import latency_panel\nlatency_panel()"])
     lab.open(page, "panel.ipynb")
     lab.run_all(page)
-    page.wait_for_selector(".jp-OutputArea-output img.widget-image[alt]", timeout=60_000)
+    page.wait_for_selector(".jp-OutputArea-output img.tflab-picture[alt]", timeout=60_000)
     named = page.eval_on_selector_all("[role=slider]", "(all) => all.map((each) => each.getAttribute('aria-label'))")
     assert len(named) >= 3 and named[0] == "speed [m/s]" and all(named)
-    assert page.locator("img.widget-image").get_attribute("alt") == "An object drawn with the pose at the stamp and now"
+    assert page.locator("img.tflab-picture").get_attribute("alt").startswith("A robot drives 1.000 m/s")
     found = Axe().run(page, context={"include": [[".jp-OutputArea"]]}, options={"runOnly": ["wcag2a", "wcag2aa"]})
     assert [each["id"] for each in found.response["violations"]] == []

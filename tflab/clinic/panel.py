@@ -18,6 +18,7 @@ from html import escape
 
 import ipywidgets as widgets
 
+from tflab.views.panels.drawn_ahead import At
 from tflab.views.panels.panel import Panel, side_by_side
 from tflab.views.suspects import draw_suspects
 
@@ -87,7 +88,7 @@ class ClinicPanel(Panel):
         self._readings.value = f"<b>{clock}</b><pre>$ {command}\n{escape(said)}</pre>"
         self.redraw()
 
-    def _move(self) -> None:
+    def _move(self, at: At) -> None:
         asked = {check: kind for check, kind in self.visit.found.items() if check in self._columns}
         self.picture.tell(asked if self.visit.helped else {})
 

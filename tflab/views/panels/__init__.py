@@ -4,6 +4,7 @@
                                 `-> panel.text, the same in words
 
     panel          controls, a picture, words: what all of them share
+    drawn_ahead    the picture of a panel, drawn before it is asked for
     words          in whose language the controls are
     rulers         move a robot, and see whose numbers change
     joints         move an arm, joint by joint

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 
 from ..axes import CamerasPicture, RotationPicture
+from .drawn_ahead import At
 from .panel import STEP_RAD, Panel, slider
 
 
@@ -19,8 +20,8 @@ def rotation_panel(roll_rad: float = 0.0, pitch_rad: float = 0.0, yaw_rad: float
     yaw = slider("yaw", yaw_rad, -math.pi, math.pi, STEP_RAD, "rad")
     picture = RotationPicture()
 
-    def move() -> None:
-        picture.show(roll.value, pitch.value, yaw.value)
+    def move(at: At) -> None:
+        picture.show(at(roll), at(pitch), at(yaw))
 
     return Panel("A robot turned by roll, pitch and yaw", picture, (roll, pitch, yaw), move, language=language)
 
@@ -32,8 +33,8 @@ def cameras_panel(forward_m: float = 2.0, left_m: float = 0.0, up_m: float = 0.0
     up = slider("up", up_m, -1.0, 1.0, 0.05, "m", language)
     picture = CamerasPicture()
 
-    def move() -> None:
-        picture.show((forward.value, left.value, up.value))
+    def move(at: At) -> None:
+        picture.show((at(forward), at(left), at(up)))
 
     title = "One camera with its body frame and its optical frame"
     return Panel(title, picture, (forward, left, up), move, language=language)

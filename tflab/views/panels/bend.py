@@ -6,6 +6,7 @@ The pure function behind it is `tflab.views.bend.gap_m`.  Read `toolcase.py` nex
 from __future__ import annotations
 
 from ..bend import Bend, BendPicture
+from .drawn_ahead import At
 from .panel import Panel, slider
 
 
@@ -17,8 +18,8 @@ def rate_panel(bend: Bend | None = None, language: str = "en") -> Panel:
     yaw_rate = slider("yaw rate", start.yaw_rate_radps, -1.5, 1.5, 0.05, "rad/s", language)
     picture = BendPicture()
 
-    def move() -> None:
-        picture.show(Bend(speed.value, yaw_rate.value, rate.value))
+    def move(at: At) -> None:
+        picture.show(Bend(at(speed), at(yaw_rate), at(rate)))
 
     title = "The arc that a robot drives and the chord that TF draws"
     return Panel(title, picture, (rate, speed, yaw_rate), move, language=language)

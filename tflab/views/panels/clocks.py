@@ -13,6 +13,7 @@ from dataclasses import replace
 import ipywidgets as widgets
 
 from ..clocks import PASSES, WORDS, ClocksPicture, Play
+from .drawn_ahead import At
 from .panel import Panel, slider
 
 NODES = ("rviz2", "detector")
@@ -39,10 +40,10 @@ def clocks_panel(play: Play | None = None, played_s: float = 9.0, language: str 
     loop, clock = _box("--loop", start.loops), _box("--clock", start.publishes_clock)
     picture = ClocksPicture(NODES)
 
-    def move() -> None:
-        how = replace(start, rate=rate.value, loops=loop.value, publishes_clock=clock.value)
-        nodes = {name: box.value for name, box in zip(NODES, follows, strict=True)}
-        picture.show(nodes, how, played.value, language)
+    def move(at: At) -> None:
+        how = replace(start, rate=at(rate), loops=at(loop), publishes_clock=at(clock))
+        nodes = {name: at(box) for name, box in zip(NODES, follows, strict=True)}
+        picture.show(nodes, how, at(played), language)
 
     title = "What each node's clock shows while a bag is played"
     return Panel(title, picture, (played, rate, *follows, loop, clock), move, language=language)

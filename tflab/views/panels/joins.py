@@ -10,6 +10,7 @@ from collections.abc import Sequence
 import ipywidgets as widgets
 
 from ..joins import JoinsPicture, Sender
+from .drawn_ahead import At
 from .panel import Panel, slider
 
 STEP_S = 0.05
@@ -38,7 +39,7 @@ def joins_panel(
     )
     picture = JoinsPicture(senders, until_s, start_s)
 
-    def move() -> None:
-        picture.show(join.value, durability.value)
+    def move(at: At) -> None:
+        picture.show(at(join), at(durability))
 
     return Panel("What a listener knows that joins", picture, (join, durability), move, language=language)

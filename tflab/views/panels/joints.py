@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 
 from ..joints import JointsPicture, Step
+from .drawn_ahead import At
 from .panel import Panel, slider
 
 __all__ = ["Travel", "joints_panel"]
@@ -43,19 +44,10 @@ def joints_panel(
     sliders = {t.joint: slider(t.joint, t.start, t.low, t.high, 0.05, t.unit) for t in travels}
     for control in sliders.values():
         control.style.description_width = "160px"
-    touched = [travels[0].joint]
-
-    def touch(name: str) -> Callable[[object], None]:
-        def remember(change: object) -> None:
-            touched[0] = name
-
-        return remember
-
-    for name, control in sliders.items():
-        control.observe(touch(name), names="value")
     picture = JointsPicture(chain({t.joint: t.start for t in travels}))
 
-    def move() -> None:
-        picture.show(chain({name: control.value for name, control in sliders.items()}), touched[0])
+    def move(at: At) -> None:
+        touched = next(name for name, control in sliders.items() if control is at.moved)
+        picture.show(chain({name: at(control) for name, control in sliders.items()}), touched)
 
     return Panel("An arm, joint by joint", picture, list(sliders.values()), move, language=language)

@@ -10,6 +10,7 @@ from __future__ import annotations
 from tflab.core import seconds
 
 from ..latency import LatencyPicture, Sight
+from .drawn_ahead import At
 from .panel import Panel, slider
 
 
@@ -22,8 +23,8 @@ def latency_panel(sight: Sight | None = None, language: str = "en") -> Panel:
     delay = slider("delay", start.delay_s, 0.0, 0.5, 0.01, "s", language)
     picture = LatencyPicture()
 
-    def move() -> None:
-        picture.show(Sight(speed.value, yaw_rate.value, range_.value, seconds(delay.value)))
+    def move(at: At) -> None:
+        picture.show(Sight(at(speed), at(yaw_rate), at(range_), seconds(at(delay))))
 
     title = "An object drawn with the pose at the stamp and now"
     return Panel(title, picture, (speed, yaw_rate, range_, delay), move, language=language)

@@ -10,6 +10,7 @@ import math
 from collections.abc import Sequence
 
 from ..mount import LASER_AT, MountPicture
+from .drawn_ahead import At
 from .panel import STEP_RAD, Panel, slider
 
 
@@ -23,8 +24,8 @@ def mount_panel(
     yaw = slider("mount yaw", yaw_rad, -math.pi, math.pi, STEP_RAD, "rad", language)
     picture = MountPicture(laser_p, laser_at)
 
-    def move() -> None:
-        picture.show(yaw.value)
+    def move(at: At) -> None:
+        picture.show(at(yaw))
 
     title = "A turned laser, the corner that it sees, and two wrong answers"
     return Panel(title, picture, (yaw,), move, language=language)

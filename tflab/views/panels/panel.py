@@ -12,7 +12,7 @@ slider, the other controls standing still.
 All controls can be reached and moved with the keyboard: Tab goes from one to the
 next, the arrow keys move a slider.
 
-Read `words.py` next.
+Read `drawn_ahead.py` next.
 """
 
 from __future__ import annotations
@@ -27,6 +27,7 @@ import numpy as np
 
 from ..film import Film
 from ..picture import Picture
+from .drawn_ahead import At, Drawing, DrawnAhead, place_of
 from .words import said
 
 FILM_STEPS = 13
@@ -40,6 +41,7 @@ class Panel:
 
     Attributes:
         picture: what is moved.
+        shown: the picture in the page.
         controls: by their description.
         widget: what Jupyter shows.
     """
@@ -49,7 +51,7 @@ class Panel:
         title: str,
         picture: Picture,
         controls: Sequence[widgets.ValueWidget],
-        move: Callable[[], object],
+        move: Callable[[At], object],
         layout: Sequence[widgets.Widget] | None = None,
         language: str = "en",
     ) -> None:
@@ -58,23 +60,21 @@ class Panel:
         Args:
             title: what it is, for whoever hears it: it names the button that shows the words.
             controls: whatever changes the picture.
-            move: moves the picture to where the controls are.
+            move: moves the picture to where the controls are, or could be; it changes nothing else.
             layout: the controls as they should stand, if not side by side where there is room.
             language: of the button that shows the words, "en" or "ko".
         """
         self.picture = picture
         self.controls = {control.description: control for control in controls}
         self._move = move
-        width, height = picture.size_px
-        self._image = widgets.Image(format="png", width=width, height=height)  # a tooltip would break it in JupyterLab
-        self._image.layout.max_width = "100%"
-        self._image.layout.object_fit = "contain"
+        self.shown = DrawnAhead(controls, picture.size_px, self._draw)
         self._as_text = widgets.ToggleButton(
             description=said("as text", language), tooltip=f"{title}: {said('the same in words', language)}"
         )
         self._words = widgets.HTML()
         self._words.layout.display = "none"
-        self.widget = widgets.VBox([*(layout or [side_by_side(controls)]), self._image, self._as_text, self._words])
+        self.widget = widgets.VBox([*(layout or [side_by_side(controls)]), self.shown, self._as_text, self._words])
+        self.widget.add_class("tflab-panel")
         for control in controls:
             control.observe(self._on_change, names="value")
         self._as_text.observe(self._on_as_text, names="value")
@@ -83,40 +83,36 @@ class Panel:
     @property
     def text(self) -> str:
         """What the picture shows, in words."""
-        return self.picture.text
+        return self.shown.description
 
     def redraw(self) -> None:
-        """Move the picture to where the controls are, and show it."""
-        self._move()
-        self._image.value = self.picture.live_png()
+        """Draw what is to be seen where the controls are, and show it."""
+        self._show(anew=True)
+
+    def _show(self, moved: widgets.ValueWidget | None = None, anew: bool = False) -> None:
+        self.shown.show(moved, anew)
         if self._as_text.value:
             self._words.value = f"<pre>{escape(self.text)}</pre>"
 
     def film(self, steps: int = FILM_STEPS) -> widgets.VBox | None:
         """Return the panel as it lives on without a kernel: along its slider, or its longest menu; None without one."""
-        controls = self.controls.values()
-        along = next((control for control in controls if isinstance(control, widgets.FloatSlider)), None)
-        menus = [control for control in controls if isinstance(control, widgets.Dropdown)]
-        if along is not None:
-            values = np.unique([*np.linspace(along.min, along.max, steps), along.value]).tolist()
-            named = [(format(value, along.readout_format), value) for value in values]
-            others = [control for control in controls if control is not along]
-        elif menus:
-            along = max(menus, key=lambda menu: len(menu.options))
-            named = [each if isinstance(each, tuple) else (each, each) for each in along.options]
-            others = []  # what the other menus say goes along with it
-        else:
+        controls = list(self.controls.values())
+        along = _filmed(controls)
+        if along is None:
             return None
-        before = along.value
-        pictures, texts, words = [], [], []
-        for name, value in named:
-            along.value = value
-            pictures.append(self.picture.live_png())
-            texts.append(f"{along.description}: {name}")
-            words.append(self.text)
-        along.value = before
-        start = [value for _, value in named].index(before)
-        return widgets.VBox([*others, Film(pictures, texts, words, self.picture.size_px, start=start)])
+        is_menu = isinstance(along, widgets.Dropdown)
+        others = [] if is_menu else [control for control in controls if control is not along]  # menus go along with it
+        places, moved = [place_of(control) for control in controls], controls.index(along)
+        start, stations = place_of(along), _stations(along, steps)
+        drawings = [self.shown.drawing([*places[:moved], place, *places[moved + 1 :]], moved) for _, place in stations]
+        film = Film(
+            [drawing.png for drawing in drawings],
+            [f"{along.description}: {name}" for name, _ in stations],
+            [drawing.words for drawing in drawings],
+            self.picture.size_px,
+            start=[place for _, place in stations].index(start),
+        )
+        return widgets.VBox([*others, film])
 
     def close_with_its_cell(self) -> None:
         """Go, because the cell that showed the panel runs again and shows another."""
@@ -132,8 +128,12 @@ class Panel:
         self.picture.redraw_all()
         self._move = _nothing
 
+    def _draw(self, at: At) -> Drawing:
+        self._move(at)
+        return Drawing(self.picture.live_png(), self.picture.text)
+
     def _on_change(self, change) -> None:
-        self.redraw()
+        self._show(change.owner)
 
     def _on_as_text(self, change) -> None:
         self._words.layout.display = "block" if change.new else "none"
@@ -143,6 +143,21 @@ class Panel:
         shown = (self.film() if os.environ.get("TFLAB_FILMS") else None) or self.widget
         data, metadata = shown._repr_mimebundle_(**kwargs), {}
         return {**data, "text/plain": self.text}, metadata
+
+
+def _filmed(controls: Sequence[widgets.ValueWidget]) -> widgets.FloatSlider | widgets.Dropdown | None:
+    """Return the first slider; where there is none, the longest menu."""
+    sliders = [control for control in controls if isinstance(control, widgets.FloatSlider)]
+    menus = [control for control in controls if isinstance(control, widgets.Dropdown)]
+    return sliders[0] if sliders else max(menus, key=lambda menu: len(menu.options), default=None)
+
+
+def _stations(control: widgets.FloatSlider | widgets.Dropdown, steps: int) -> list[tuple[str, float]]:
+    """Return names and places along a slider, where it stands among them, or those of a menu's options."""
+    if isinstance(control, widgets.Dropdown):
+        return [(each[0] if isinstance(each, tuple) else each, i) for i, each in enumerate(control.options)]
+    values = np.unique([*np.linspace(control.min, control.max, steps), control.value]).tolist()
+    return [(format(value, control.readout_format), value) for value in values]
 
 
 def slider(
@@ -194,5 +209,5 @@ def _close_all(widget: widgets.DOMWidget) -> None:
     widget.close()
 
 
-def _nothing() -> None:
+def _nothing(at: At) -> None:
     """Do nothing: a closed panel has nothing to move."""

@@ -15,6 +15,7 @@ from tflab.core import Transform
 from tflab.core.quaternions import Vector3
 
 from ..rulers import RulersPicture, readings_of
+from .drawn_ahead import At
 from .panel import Panel, slider
 from .words import said
 
@@ -59,11 +60,11 @@ def rulers_panel(
     def thing(poses: dict[str, Transform], on: str, on_the_floor: tuple[float, float]) -> Vector3:
         return poses["base_link"].apply(ON_THE_TRAY) if on == "tray" else (*on_the_floor, 0.0)
 
-    def move() -> None:
+    def move(at: At) -> None:
         first = placed(robot_x_m, yaw_rad)
-        before = readings_of(first, thing(first, rests_on.value, thing_m))
-        poses = placed(robot_x.value, yaw.value)
-        picture.show(poses, thing(poses, rests_on.value, (thing_x.value, thing_y.value)), before)
+        before = readings_of(first, thing(first, at(rests_on), thing_m))
+        poses = placed(at(robot_x), at(yaw))
+        picture.show(poses, thing(poses, at(rests_on), (at(thing_x), at(thing_y))), before)
 
     controls = (robot_x, yaw, thing_x, thing_y, rests_on)
     return Panel("A thing, measured from three frames", picture, controls, move, language=language)

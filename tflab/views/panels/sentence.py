@@ -21,6 +21,7 @@ from tflab.core import StampedTransform, Transform
 from tflab.core.quaternions import canonical
 
 from ..sentence import SentencePicture, sentence
+from .drawn_ahead import At
 from .panel import Panel, menu
 from .words import said
 
@@ -54,7 +55,7 @@ class SentencePanel(Panel):
             "One question about two frames, said in five ways",
             picture,
             (self._source, self._target, *self._lines),
-            lambda: picture.show(self._answers[self._pair]),
+            lambda at: picture.show(self._answers[self._pair_at(at)]),
             layout=[
                 widgets.HBox([before, self._source, between_words, self._target, after]),
                 *self._lines,
@@ -74,7 +75,13 @@ class SentencePanel(Panel):
         for line in self._lines:
             line.value = self._pair
         self._is_following = False
-        self.redraw()
+        self._show(change.owner)
+
+    def _pair_at(self, at: At) -> Pair:
+        """Return what is asked when one menu has been set, and the others have not followed yet."""
+        if at.moved in self._lines:
+            return at(at.moved)
+        return _pair_without_repeat(self._pair, (at(self._target), at(self._source)))
 
 
 def sentence_panel(

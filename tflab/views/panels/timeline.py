@@ -12,6 +12,7 @@ import ipywidgets as widgets
 from tflab.core import LATEST, NSEC_PER_SEC, seconds
 
 from ..timeline import Ask, Lane, Timeline, TimelinePicture
+from .drawn_ahead import At
 from .panel import Panel, slider
 from .words import said
 
@@ -48,11 +49,11 @@ def timeline_panel(
     latest = widgets.Checkbox(
         description="LATEST", tooltip=said("Ask for the newest common time", language), indent=False
     )
+    latest.observe(lambda change: setattr(query, "disabled", change.new), names="value")
     picture = TimelinePicture(timeline, ask)
 
-    def move() -> None:
-        query.disabled = latest.value
-        picture.show(LATEST if latest.value else seconds(query.value))
+    def move(at: At) -> None:
+        picture.show(LATEST if at(latest) else seconds(at(query)))
 
     title = f"What the buffer knows between {target_frame} and {source_frame}"
     return Panel(title, picture, (query, latest), move, layout=[widgets.HBox([query, latest])], language=language)

@@ -15,6 +15,7 @@ from html import escape
 import ipywidgets as widgets
 
 from ..toolcase import SIGNS, Suitabilities, ToolOutput, ToolPicture
+from .drawn_ahead import At
 from .panel import Panel
 
 
@@ -46,11 +47,16 @@ def tools_panel(
     why = widgets.HTML()
     picture = ToolPicture(tuple(verdicts))
 
-    def move() -> None:
-        picture.show(tool.value, question.value, verdicts)
+    def move(at: At) -> None:
+        picture.show(at(tool), at(question), verdicts)
+
+    def say_why(_change: object = None) -> None:
         verdict = verdicts[question.value][tool.value.name]
         why.value = f"<b>{SIGNS[verdict.level]}</b> {escape(verdict.why)}"
 
+    for menu in (question, tool):
+        menu.observe(say_why, names="value")
+    say_why()
     return Panel(" × ".join(names), picture, (question, tool), move, layout=[question, tool, why], language=language)
 
 

@@ -14,6 +14,7 @@ from typing import NamedTuple
 import ipywidgets as widgets
 
 from ..climb import TreeWalkPicture, snapshot_of_parents
+from .drawn_ahead import At
 from .panel import Panel, menu
 
 Edge = tuple[str, str]  # parent, child
@@ -72,14 +73,14 @@ def tree_panel(
     target = _menu(words.target, frames, target_frame, words.chosen)
     picture = TreeWalkPicture(len(frames) + 2, len(frames) + LINES)
 
-    def move() -> None:
+    def move(at: At) -> None:
         sent = [(above, below) for below, above in parent_of.items()]
-        sent += [(parent.value, child.value)] if parent_of[child.value] != parent.value else []
+        sent += [(at(parent), at(child))] if parent_of[at(child)] != at(parent) else []
         now = dict(parent_of)
-        if parent.value != child.value:  # tf2 refuses a frame that is its own parent, and keeps what it had
-            now[child.value] = parent.value
-        is_answer, text = ask(sent, target.value, source.value)
-        picture.show(snapshot_of_parents(now, frames), target.value, source.value, text, is_answer)
+        if at(parent) != at(child):  # tf2 refuses a frame that is its own parent, and keeps what it had
+            now[at(child)] = at(parent)
+        is_answer, text = ask(sent, at(target), at(source))
+        picture.show(snapshot_of_parents(now, frames), at(target), at(source), text, is_answer)
 
     return Panel("A tree whose frames can be moved", picture, (child, parent, source, target), move, language=language)
 
