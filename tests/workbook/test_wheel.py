@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from tflab.workbook.copy.lab import SETTINGS
 from tflab.workbook.copy.lay_out import lay_out
 from tflab.workbook.places import chapters, workbook_data
 
@@ -65,6 +66,12 @@ def test_the_wheel_has_the_solutions_that_a_pass_opens_and_no_page_sources(insta
         assert len(list((inside / "solutions" / "tasks" / stem).glob("e*_*.py"))) >= (1 if stem == "00_start" else 5)
     assert not (inside / "notebooks" / "src").exists()
     assert not list(installed.rglob("__pycache__"))
+
+
+def test_a_jupyterlab_that_runs_already_finds_our_extension_where_it_looks_for_them(installed: Path) -> None:
+    (data,) = installed.glob("tflab-*.data/data/share/jupyter/labextensions/tflab")
+    assert contents(data) == contents(SETTINGS / "labextensions" / "tflab")
+    assert {"package.json", "static/remoteEntry.js", "static/tflab.css"} <= set(contents(data))
 
 
 def test_progress_is_shown_from_the_folder_that_holds_the_copy(installed: Path, tmp_path: Path) -> None:

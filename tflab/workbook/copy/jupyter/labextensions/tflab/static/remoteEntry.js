@@ -1,10 +1,13 @@
 // What does JupyterLab not say of a page?  Its language, what a picture shows, and what to do with a widget whose
 // kernel is gone.
 //
-//   image/png + text/plain               <img alt="...">           JupyterLab drops the words that came along
-//   a panel's picture, and its sliders   their names                ipywidgets shows them, and does not say them
-//   a view whose model is nowhere        the words, and "run this cell"    instead of "model not found"
+//   image/png + text/plain           <img alt="...">                   JupyterLab drops the words that came along
+//   a slider                         its name                          ipywidgets shows it, and does not say it
+//   a page of the workbook           its language; no line of code is cut
+//   a view whose model is nowhere    the words, and "run this cell"    instead of "model not found"
 //
+// `tflab lab` brings it along, and an install of tflab puts it where any JupyterLab of the same Python finds it:
+// there, notebooks that are none of ours get names for their pictures and sliders, and nothing else.
 // Written as JupyterLab loads it, so that nothing has to be built.
 (() => {
   const RUN = { en: "Run this cell to see it move.", ko: "이 셀을 실행하면 다시 움직입니다." };
@@ -15,20 +18,17 @@
 
   const words = (data) => [data?.["text/plain"] ?? ""].flat().join("");
 
-  function name(output, text) {
+  function name(output) {
     for (const handle of output.querySelectorAll(".widget-slider [role=slider]:not([aria-label])")) {
       handle.setAttribute("aria-label", handle.closest(".widget-slider").querySelector(".widget-label")?.textContent ?? "");
-    }
-    for (const image of output.querySelectorAll("img.widget-image:not([alt])")) {
-      // What it shows changes; the button below, whose title begins with the panel's, says it in words.
-      image.alt = image.parentElement.querySelector("button[title]")?.title.split(":")[0] ?? text;
     }
   }
 
   function describe(output, model, language) {
     const text = words(model.data);
     for (const image of output.querySelectorAll(".jp-RenderedImage img:not([alt])")) image.alt = text;
-    name(output, text);
+    name(output);
+    if (!language) return;
     for (const view of output.querySelectorAll(".jp-OutputArea-output")) {
       if (!model.data?.["application/vnd.jupyter.widget-view+json"] || !view.textContent.includes("model not found")) continue;
       const said = document.createElement("pre");
@@ -37,10 +37,18 @@
     }
   }
 
+  function dress(notebook, language) {
+    if (notebook.node.lang !== language) notebook.node.lang = language;
+    notebook.node.classList.add("tflab-page");
+    const { code, ...others } = notebook.editorConfig;
+    if (!code.lineWrap) notebook.editorConfig = { ...others, code: { ...code, lineWrap: true } };
+  }
+
   function describeAll(shell) {
     for (const { content } of shell.widgets("main")) {
-      const language = content?.model?.getMetadata?.("tflab")?.language === "ko" ? "ko" : "en";
-      if (content?.widgets && content.node.lang !== language) content.node.lang = language;
+      const ours = content?.widgets && content.model?.getMetadata?.("tflab");
+      const language = ours && (ours.language === "ko" ? "ko" : "en");
+      if (ours) dress(content, language);
       for (const cell of content?.widgets ?? []) {
         const area = cell.outputArea;
         area?.widgets.forEach((output, place) => {
