@@ -99,7 +99,7 @@ bags = lesson.fresh_folder()  # for this page's recordings; it goes away with th
 # Read the counts. `/tf` 750, `/tf_static` **1**. One message carries every mount, and here is when it was heard:
 
 # %% [markdown] lang="ko" name="info-read" slide="-"
-# 개수를 읽어 보세요. `/tf`는 750, `/tf_static`은 **1**입니다. 메시지 하나에 모든 장착 변환이 들어 있고, 들은 때는 다음과 같습니다.
+# 개수를 읽어 보세요. `/tf`는 750, `/tf_static`은 **1**입니다. 메시지 하나에 모든 장착 변환이 들어 있고, 수신 시각은 다음과 같습니다.
 
 # %% name="heard" slide="subslide"
 lap = lesson.read_bag(bags / "lap", show_progress=False)
@@ -117,7 +117,7 @@ lesson.draw_heard(lap, for_s=2.0)
 # %% [markdown] lang="ko" name="heard-read"
 # *그림 읽기:* 행마다 토픽 하나, 동그라미마다 메시지 하나입니다. moments = 메시지 수, time = 시간.
 #
-# 동그라미는 기록기가 메시지를 *들은* 때입니다. 메시지에는 시각이 둘 있습니다. 다른 하나인 측정 시각은 언제 측정했는지를 나타냅니다. 스캔은 측정된 지 0.105초 뒤에 기록기에 들어옵니다.
+# 동그라미는 기록기가 메시지를 받은 *수신 시각*입니다. 메시지에는 시각이 둘 있습니다. 다른 하나인 측정 시각은 언제 측정했는지를 나타냅니다. 스캔은 측정된 지 0.105초 뒤에 기록기에 들어옵니다.
 # `ros2 bag play`는 첫째 시각을, TF는 둘째 시각을 따릅니다.
 #
 # ### 예측해 봅시다
@@ -341,7 +341,7 @@ asker = lesson.replay(Asker, bags / "lap", "", for_s=1.0)
 # %ros2 param set /asker use_sim_time false
 
 # %% [markdown] lang="en" name="by-hand-read"
-# *Clearing tf buffer*: when a node changes its clock, what it has heard is of another time, and it forgets every edge that moves. Only the mounts stay: a static transform holds at any time. Until `/tf` has spoken again nothing can be placed, and what you measured before the switch never. So set `use_sim_time` when you start a node, for all nodes alike (`/**` means every one), in the launch file:
+# *Clearing tf buffer*: when a node changes its clock, what it has heard is of another time, and it forgets every edge that moves. Only the mounts stay: a static transform holds at any time. Until `/tf` has come again nothing can be placed; what was measured before the switch, never. So set `use_sim_time` when you start a node, for all nodes alike (`/**` means every one), in the launch file:
 #
 # ```yaml
 # /**:
@@ -490,7 +490,7 @@ print(warnings[0])
 # A `Buffer()` without a node has no clock, so it cannot see that time went back. Give it one:
 
 # %% [markdown] lang="ko" name="ten-seconds-read"
-# 스캔 쉰 개를 잃었습니다. 버퍼는 이미 다 들은 것이라고 여기고, 시계가 따라잡을 때까지 새 바퀴의 변환을 버립니다.
+# 스캔 쉰 개를 잃었습니다. 버퍼는 이미 다 받은 것이라고 여기고, 시계가 따라잡을 때까지 새 바퀴의 변환을 버립니다.
 # 노드를 주지 않은 `Buffer()`에는 시계가 없어서 시간이 돌아간 것을 알 수 없습니다. 시계를 주어 봅시다.
 
 # %% name="with-a-node" slide="subslide"
@@ -736,7 +736,7 @@ rclpy.try_shutdown()
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
 #
-# - [[bag]]의 메시지에는 시각이 둘 있습니다. 들은 시각에 따라 재생되고, 측정 시각에 따라 TF가 답합니다.
+# - [[bag]]의 메시지에는 시각이 둘 있습니다. 수신 시각에 따라 재생되고, 측정 시각에 따라 TF가 답합니다.
 # - `/tf_static`은 첫 순간에 한 번 나옵니다. 그 순간을 빼면 어떤 센서도 자리를 찾지 못합니다.
 # - *bag은 자기 메시지의 위치를 스스로 찾을 수 있습니까?* 재생하지 않고도 숫자 하나로 압니다.
 # - 모든 노드에 `use_sim_time`, 재생기에 `--clock`. 둘 다 켜거나 둘 다 끕니다. 하나만 켜면 시계가 멈추거나 노드가 다른 날을 삽니다([[simulation time|시뮬레이션 시간]]).
@@ -798,9 +798,9 @@ rclpy.try_shutdown()
 #
 # - [ ] bag과 시뮬레이션의 측정 시각은 컴퓨터가 아니라 자기 시간의 것입니다. `use_sim_time`을 켠 노드는 현재 시각을 `/clock`에서 얻습니다.
 # - [ ] 모든 노드가 같아야 합니다. 하나라도 컴퓨터의 시간에 있으면 다른 날의 시각을 찍고 조회하며, 오류는 다른 노드가 얻습니다.
-# - [ ] `use_sim_time`은 켰는데 `/clock`이 없으면 시간이 0에 멈춥니다. 타이머도 나이도 없고, 현재 시각을 조회하면 조용히 최신을 얻습니다.
+# - [ ] `use_sim_time`은 켰는데 `/clock`이 없으면 시간이 0에 멈춥니다. 타이머는 울리지 않고 나이는 잴 수 없으며, 현재 시각을 조회하면 조용히 최신을 얻습니다.
 # - [ ] `/tf_static`은 한 번만 나옵니다. 없거나 그 뒤부터 재생하면 어떤 센서도 로봇에 이어지지 않습니다.
-# - [ ] 반복 재생에서는 시간이 돌아가므로, 전에 들은 것을 지워야 합니다.
+# - [ ] 반복 재생에서는 시간이 돌아가므로, 전에 받은 것을 지워야 합니다.
 #
 # </details>
 

@@ -592,7 +592,7 @@ for _ in range(6):
 #
 # | you see | likely | first check |
 # |---|---|---|
-# | `Frame [x] does not exist`, and no name like it in TF | its publisher is down | `ros2 node list` |
+# | `Frame [x] does not exist`, and no name like it in TF | its publisher is down, or waits (AMCL: for an initial pose) | `ros2 node list`, its log |
 # | the same, and a name like it | typed wrongly | the spelling in RViz, and in the node |
 # | RobotModel: some links | URDF, joint states | `ros2 topic hz /joint_states` |
 # | `not part of the same tree` | an edge without an owner | `view_frames`: the two roots |
@@ -608,7 +608,7 @@ for _ in range(6):
 #
 # | 보이는 것 | 흔한 원인 | 먼저 확인할 것 |
 # |---|---|---|
-# | `Frame [x] does not exist`, TF에 비슷한 이름도 없음 | 발행 노드가 멈춤 | `ros2 node list` |
+# | `Frame [x] does not exist`, TF에 비슷한 이름도 없음 | 발행 노드가 멈췄거나 기다림(AMCL은 초기 포즈를 기다립니다) | `ros2 node list`, 그 노드의 로그 |
 # | 같은 오류, 비슷한 이름이 있음 | 잘못 입력함 | RViz와 노드의 철자 |
 # | RobotModel의 일부 링크 | URDF, 관절 상태 | `ros2 topic hz /joint_states` |
 # | `not part of the same tree` | 보내는 노드가 없는 연결 | `view_frames`의 두 루트 |
@@ -689,7 +689,7 @@ for _ in range(6):
 # ros2 run tf2_ros tf2_echo map base_link 20           # twenty a second
 # ros2 run tf2_ros tf2_monitor map laser_frame         # first report after 10.5 s: read max
 # ros2 topic delay /scan
-# ros2 topic info /tf --verbose
+# ros2 topic info /tf --verbose                        # History (Depth) may say UNKNOWN: DDS does not pass it on
 # ros2 node info /wheel_odometry
 # rviz2                                                # Fixed Frame map; Add > TF, RobotModel, LaserScan, Map
 # ```
@@ -709,7 +709,7 @@ for _ in range(6):
 # ros2 run tf2_ros tf2_echo map base_link 20           # 1초에 20번
 # ros2 run tf2_ros tf2_monitor map laser_frame         # 첫 보고는 10.5초 뒤, max를 읽기
 # ros2 topic delay /scan
-# ros2 topic info /tf --verbose
+# ros2 topic info /tf --verbose                        # History (Depth)는 UNKNOWN일 수 있음(DDS가 전하지 않음)
 # ros2 node info /wheel_odometry
 # rviz2                                                # Fixed Frame은 map, Add로 TF, RobotModel, LaserScan, Map 추가
 # ```

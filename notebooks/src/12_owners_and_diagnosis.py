@@ -35,7 +35,7 @@ from tflab.workbook import lesson
 # %% [markdown] lang="en" name="story" slide="slide"
 # ## Three who published one tree
 #
-# A robot with two cameras jumped to and fro while it was mapping. Its owner changed cameras, frames and settings. In the end he counted who published the tree: the mapper with its visual odometry, a filter, and … the recording that was being played, which had the old `/tf` in it (introlab/rtabmap_ros, 2021).
+# A robot with two cameras jumped to and fro while it was mapping. Its owner changed cameras, frames and settings. In the end he counted who published the tree: the mapper with its visual odometry (odometry from pictures), a filter, and … the recording that was being played, which had the old `/tf` in it (introlab/rtabmap_ros, 2021).
 # His cure: no `/tf` from the bag, `publish_tf: false` in the filter, and one of the three was left.
 #
 # None of the three was broken. None of them raised an error. And the tree looked whole: a frame stands under its newest parent only, so the drawing shows one, however many there are.
@@ -43,7 +43,7 @@ from tflab.workbook import lesson
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 하나의 트리를 셋이 발행했습니다
 #
-# 카메라가 두 대인 로봇이 지도를 만들면서 앞뒤로 튀었습니다. 카메라도, 좌표계도, 설정도 바꾸어 보았습니다. 마지막에 누가 트리를 발행하는지 세어 보니 지도를 만드는 노드와 그 노드의 비주얼 오도메트리(visual odometry), 필터, 그리고 … 재생하던 기록이었습니다. bag에 옛 `/tf`가 들어 있었습니다(introlab/rtabmap_ros, 2021년).
+# 카메라가 두 대인 로봇이 지도를 만들면서 앞뒤로 튀었습니다. 카메라도, 좌표계도, 설정도 바꾸어 보았습니다. 마지막에 누가 트리를 발행하는지 세어 보니 지도를 만드는 노드와 그 노드의 비주얼 오도메트리(visual odometry, 영상으로 구하는 오도메트리), 필터, 그리고 … 재생하던 기록이었습니다. bag에 옛 `/tf`가 들어 있었습니다(introlab/rtabmap_ros, 2021년).
 # 고친 방법은 이렇습니다. bag에서 `/tf`를 빼고 필터를 `publish_tf: false`로 하여 셋 가운데 하나만 남겼습니다.
 #
 # 셋 가운데 고장 난 것은 없었습니다. 오류도 없었습니다. 트리는 멀쩡해 보였습니다. 좌표계는 가장 새로운 부모 아래에만 그려지므로, 발행하는 노드가 몇이든 그림에는 부모가 하나만 보입니다.
@@ -162,7 +162,7 @@ for name, pose in (("one owner", one), ("in between", half), ("the other", other
 # | package | switch |
 # |---|---|
 # | robot_localization | `publish_tf` |
-# | ros2_controllers, diff drive | `enable_odom_tf` |
+# | ros2_controllers, diff drive (two driven wheels) | `enable_odom_tf` |
 # | nav2 amcl | `tf_broadcast` |
 # | slam_toolbox | `transform_publish_period: 0.0` |
 # | rtabmap | `publish_tf` |
@@ -175,7 +175,7 @@ for name, pose in (("one owner", one), ("in between", half), ("the other", other
 # | 패키지 | 스위치 |
 # |---|---|
 # | robot_localization | `publish_tf` |
-# | ros2_controllers, diff drive | `enable_odom_tf` |
+# | ros2_controllers, diff drive(두 바퀴 구동) | `enable_odom_tf` |
 # | nav2 amcl | `tf_broadcast` |
 # | slam_toolbox | `transform_publish_period: 0.0` |
 # | rtabmap | `publish_tf` |
@@ -347,10 +347,10 @@ lesson.draw_columns("flickers", {"delay /scan": "ahead"})
 # *그림 읽기:* 행은 용의자, 열은 그들을 가를 수 있는 검사입니다. 빗금은 아직 묻지 않은 것입니다. `topic delay /scan`이 “ahead”(앞섬)라고 하자 1분 만에 두 행이 지워졌습니다. 지운 행 하나하나가 논거이고, 남은 것이 증명한 것입니다. 어느 용의자든 똑같이 답했을 것은 [[evidence|증거]]가 아닙니다.
 
 # %% [markdown] lang="en" name="two-ways" slide="subslide"
-# Two people now treat all eighteen suspects of the clinic, with no complaint told. One follows the six steps, one always asks what splits most for a minute.
+# Two people now treat the eighteen sick robots of the clinic below, each with another cause, and no complaint is told. One follows the six steps, one always asks what splits most for a minute.
 
 # %% [markdown] lang="ko" name="two-ways" slide="subslide"
-# 이제 두 사람이 증상을 듣지 않은 채 진료실의 용의자 열여덟을 모두 진찰합니다. 한 사람은 여섯 걸음을 따르고, 한 사람은 늘 1분에 가장 많이 가르는 것을 묻습니다.
+# 이제 두 사람이 아래 진료실의 고장 난 로봇 열여덟 대를 증상도 듣지 않은 채 진찰합니다. 원인은 저마다 다릅니다. 한 사람은 여섯 걸음을 따르고, 한 사람은 늘 1분당 용의자를 가장 많이 가르는 검사를 고릅니다.
 
 # %% [markdown] lang="en" name="two-ways-notes" slide="notes"
 # Let them guess both averages first. The point is not that the order is wrong: it is safe, it teaches, and it finds everything. It just does not know what you already know.
@@ -365,10 +365,10 @@ lesson.draw_both_ways()
 print(lesson.draw_both_ways().text)
 
 # %% [markdown] lang="en" name="both-ways-seen" tags=["predicted"]
-# Order without a question is slow; a question for a minute is not. Both are right in the end, and both beat the one who asks everything: 72 minutes for the whole trolley.
+# Order without a question is slow; a question for a minute is not. Both are right in the end, and both beat the one who asks everything: 72 minutes for every check there is.
 
 # %% [markdown] lang="ko" name="both-ways-seen" tags=["predicted"]
-# 질문 없이 순서만 따르면 느리고, 1분짜리 질문을 고르면 빠릅니다. 둘 다 끝내 맞히고, 트롤리를 몽땅 쓰는 사람보다 낫습니다. 전부 물으면 72분이 걸립니다.
+# 질문 없이 순서만 따르면 느리고, 1분짜리 질문을 고르면 빠릅니다. 둘 다 끝내 맞히고, 검사를 몽땅 하는 사람보다 낫습니다. 전부 물으면 72분이 걸립니다.
 
 # %% [markdown] lang="en" name="clinic" slide="slide"
 # ## The clinic: how it is done
@@ -391,9 +391,11 @@ lesson.show_trolley()
 
 # %% [markdown] lang="en" name="trolley-seen"
 # On the left the short name, which will do instead of the command. A screwdriver costs more than a question: that is why questions come first.
+# `lesson.admit` lets a patient in. With `helped=True` it strikes the suspects that a reading does not fit; without, you strike them yourself. `because=` notes whom you suspect; nobody marks it.
 
 # %% [markdown] lang="ko" name="trolley-seen"
 # 왼쪽은 짧은 이름이고, 명령 대신 써도 됩니다. 나사돌리개를 드는 일은 질문보다 비쌉니다. 그래서 질문이 먼저입니다.
+# `lesson.admit`은 환자를 들입니다. `helped=True`면 읽은 값에 맞지 않는 용의자를 대신 지워 주고, 없으면 직접 지웁니다. `because=`에는 의심하는 용의자를 적습니다. 채점하지는 않습니다.
 
 # %% name="worked"
 visit = lesson.admit(lesson.worked_patient("laser clock ahead"), helped=True)
@@ -408,10 +410,12 @@ visit = lesson.admit(lesson.worked_patient("laser clock ahead"), helped=True)
 visit.ask("ros2 topic delay /scan", because="laser clock ahead")
 
 # %% [markdown] lang="en" name="worked-say"
-# A negative delay: heard before it was measured. No late transform, and no slow odometry, could do that. One suspect is left, so the proof is complete after one minute. Now, and not before, a fix. First the one that everybody tries:
+# A negative delay: heard before it was measured. No late transform, and no slow odometry, could do that. One suspect is left, so the proof is complete after one minute. (The other sign proves less: too large a delay can be a slow clock, or a slow way. Then look at the walls: a late scan with a true stamp lies on them, one with a false stamp beside them.)
+# Now, and not before, a fix. First the one that everybody tries, a plaster: it covers the symptom.
 
 # %% [markdown] lang="ko" name="worked-say"
-# 지연이 음수입니다. 측정하기도 전에 받았다는 뜻입니다. 늦은 변환이나 느린 오도메트리로는 이럴 수 없습니다. 용의자가 하나 남았으니 1분 만에 증명이 끝났습니다. 이제 비로소 고칠 차례입니다. 먼저 누구나 해 보는 것부터 봅시다.
+# 지연이 음수입니다. 측정하기도 전에 받았다는 뜻입니다. 늦은 변환이나 느린 오도메트리로는 이럴 수 없습니다. 용의자가 하나 남았으니 1분 만에 증명이 끝났습니다. (양수일 때는 증명이 약합니다. 지연이 너무 크면 시계가 늦을 수도, 전송이 느릴 수도 있습니다. 그럴 때는 벽을 보십시오. 측정 시각이 맞으면 늦게 온 스캔도 벽에 놓이고, 측정 시각이 틀리면 벽에서 어긋납니다.)
+# 이제 비로소 고칠 차례입니다. 먼저 누구나 해 보는 반창고, 곧 증상만 가리는 처치부터 봅시다.
 
 # %% name="plaster"
 visit.say(cause="laser clock ahead", frame="laser_frame", owner="laser_driver", fix="timeout of 1 s")
@@ -430,12 +434,12 @@ visit.try_fix()
 # %% [markdown] lang="en" name="faded" slide="slide"
 # ## Half with help: it jumps
 #
-# Two checks are given; you name the third thing, the cause. Fill in `my_cause`, then ask the ward for a fix: it refuses as long as your readings fit another suspect.
+# Two checks are given (`take` is `ask` without the clock); you name the cause. Fill in `my_cause`, then ask the ward for a fix: it refuses as long as your readings fit another suspect.
 
 # %% [markdown] lang="ko" name="faded" slide="slide"
 # ## 반만 도움받기: 로봇이 튑니다
 #
-# 검사 둘은 정해져 있습니다. 원인만 대면 됩니다. `my_cause`를 채우고 처치를 부탁해 보세요. 읽은 값이 다른 용의자에게도 맞으면 병동이 거절합니다.
+# 검사 둘은 정해져 있습니다(`take`는 남은 시간을 출력하지 않는 `ask`입니다). 원인만 대면 됩니다. `my_cause`를 채우고 처치를 부탁해 보세요. 읽은 값이 다른 용의자에게도 맞으면 병동이 거절합니다.
 
 # %% [markdown] lang="en" name="faded-notes" slide="notes"
 # Five minutes in pairs. One asks, one keeps the list of suspects and strikes. Then change places for the next patient.
@@ -498,7 +502,7 @@ lesson.show_findings("flickers")
 # %% [markdown] lang="ko" name="break-it" slide="slide"
 # ## 일부러 고장 내기: 원인이 둘
 #
-# 밤 당번 때의 환자는 원인이 둘입니다. **예측해 봅시다.** 위치 추정 노드가 꺼져 있고, 그 뒤에 레이저의 장착이 틀렸습니다. 위치 추정 노드를 켜면 RViz는 무엇이라고 하고, 스캔은 어디에 있을까요?
+# 야간 당직 때 오는 환자는 원인이 둘입니다. **예측해 봅시다.** 위치 추정 노드가 꺼져 있고, 그 뒤에 레이저의 장착이 틀렸습니다. 위치 추정 노드를 켜면 RViz는 무엇이라고 하고, 스캔은 어디에 있을까요?
 
 # %% [markdown] lang="en" name="break-it-notes" slide="notes"
 # Let them write a sentence about the scan before you run it. The laugh comes with “all Ok”.
@@ -544,7 +548,7 @@ night.try_fix()
 # </details>
 # <details><summary>I chose 2</summary>
 #
-# The same nodes come back with the same settings, and what you could have read is gone.
+# The same nodes come back with the same settings, and what you could have read is gone. Where the order of starting was the fault, it may even help, and be back tomorrow.
 #
 # </details>
 # <details><summary>I chose 3</summary>
@@ -575,7 +579,7 @@ night.try_fix()
 # </details>
 # <details><summary>2번을 골랐습니다</summary>
 #
-# 같은 노드가 같은 설정으로 돌아오고, 읽을 수 있었던 것은 사라집니다.
+# 같은 노드가 같은 설정으로 돌아오고, 읽을 수 있었던 것은 사라집니다. 시작 순서가 문제였다면 나은 듯 보이지만, 내일 다시 나타납니다.
 #
 # </details>
 # <details><summary>3번을 골랐습니다</summary>
@@ -605,10 +609,13 @@ night.try_fix()
 # ros2 topic info /tf --verbose                      # who may speak; not who speaks
 # ros2 topic delay /scan                             # the stamp against the clock
 # ros2 param get /localization use_sim_time
+# ros2 lifecycle get /amcl                           # Nav2's localiser: active, and given an initial pose?
 # ros2 node info /ekf_filter_node
+# chronyc tracking                                   # on each computer: how far is its clock off?
 # ```
 #
 # To see who owns an edge, stop one node at a time and look whether the edge goes on: wheels off the ground, and the emergency stop in your hand.
+# A robot knows more than eighteen causes. Three that everybody meets are not in the clinic: a localiser that waits for its initial pose or was never activated, a reader that asks for `RELIABLE` where the driver offers `BEST_EFFORT`, a neighbour's robot on the same `ROS_DOMAIN_ID`. The way is the same: which question would they answer differently?
 
 # %% [markdown] lang="ko" name="on-the-robot" slide="slide"
 # ## 실제 로봇에서
@@ -620,10 +627,13 @@ night.try_fix()
 # ros2 topic info /tf --verbose                      # who may speak; not who speaks
 # ros2 topic delay /scan                             # the stamp against the clock
 # ros2 param get /localization use_sim_time
+# ros2 lifecycle get /amcl                           # Nav2: active? initial pose?
 # ros2 node info /ekf_filter_node
+# chronyc tracking                                   # on each computer
 # ```
 #
 # 누가 연결을 발행하는지 보려면 노드를 하나씩 멈추고 연결이 계속 오는지 봅니다. 바퀴는 바닥에서 띄우고 비상 정지 버튼을 손에 쥐고 하십시오.
+# 실제 로봇의 원인은 열여덟보다 많습니다. 누구나 만나지만 진료실에 없는 것이 셋 있습니다. 초기 포즈(initial pose)를 기다리거나 활성화되지 않은 위치 추정 노드, `BEST_EFFORT`로 보내는 드라이버에 `RELIABLE`을 요구하는 노드, 같은 `ROS_DOMAIN_ID`를 쓰는 옆 로봇입니다. 방법은 같습니다. 이들의 답이 갈릴 질문은 무엇일까요?
 
 # %% [markdown] lang="en" name="twelve" slide="skip"
 # <details><summary>Deeper: the lecture's twelve mistakes (§29), and the patient that has each</summary>

@@ -159,10 +159,10 @@ check("E11.3", verdict)
 # %% [markdown] lang="ko" name="e11-4"
 # ## E11.4 · RViz에 보이는 로봇 여섯 대 (4점)
 #
-# `robot_a`부터 `robot_f`까지는 로봇 여섯 대의 RViz 목록입니다. 모두 Ok이면 무엇이 보이는지 한 문장으로 적었습니다(the scan lies on / beside the walls = 스캔이 벽 위에 / 옆에 놓인다, in bends it smears = 굽은 길에서 번진다). Fixed Frame은 `map`이어야 합니다.
+# `robot_a`부터 `robot_f`까지는 로봇 여섯 대의 RViz 목록입니다. 모두 Ok이면 무엇이 보이는지 한 문장으로 적었습니다(the scan lies on / beside the walls = 스캔이 벽 위에 / 옆에 놓인다, standing still = 서 있을 때, in bends it smears = 굽은 길에서 번진다). Fixed Frame은 `map`이어야 합니다.
 # 로봇마다 가장 그럴듯한 원인(`"a"`)과 첫 점검(`"a check"`)을 고르십시오. 어느 로봇에도 맞지 않는 것이 있고, 둘 이상에 맞는 것도 있습니다.
 #
-# - 원인: `"localiser down"`(위치 추정 노드 멈춤), `"Fixed Frame misspelt"`(잘못 입력), `"joint states missing"`(관절 상태 없음), `"odometry down"`(오도메트리 멈춤), `"stamps late"`(측정 시각이 늦음), `"mount wrong"`(장착 변환이 틀림), `"sensor broken"`(센서 고장), `"nothing wrong"`(이상 없음)
+# - 원인: `"localiser down"`(위치 추정 노드 멈춤), `"Fixed Frame misspelt"`(잘못 입력), `"joint states missing"`(관절 상태 없음), `"odometry down"`(오도메트리 멈춤), `"stamps late"`(측정 시각이 틀려 늦게 온 것처럼 보임), `"mount wrong"`(장착 변환이 틀림), `"sensor broken"`(센서 고장), `"nothing wrong"`(이상 없음)
 # - 점검: `"ros2 node list"`, `"the name in RViz"`(RViz에 입력한 이름), `"ros2 topic hz /joint_states"`, `"ros2 topic delay /scan"`, `"tf2_echo base_link laser_frame"`, `"replace the sensor"`(센서 교체), `"a longer timeout"`(더 긴 timeout), `"no check"`(점검 안 함)
 
 # %% name="e11-4-given"

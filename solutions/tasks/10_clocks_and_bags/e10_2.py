@@ -82,7 +82,7 @@ CLOCK_OF_A_REAL_ROBOT = Slip(
     {"real_clock": True},
     Words(
         en="You record /clock on a real robot. Nobody publishes one there; the player makes it from the times of receipt.",
-        ko="실제 로봇에서 /clock을 기록합니다. 거기에는 발행하는 노드가 없습니다. 재생기가 들은 시각으로 만들어 줍니다.",
+        ko="실제 로봇에서 /clock을 기록합니다. 거기에는 발행하는 노드가 없습니다. 재생기가 수신 시각으로 만들어 줍니다.",
     ),
     "M13",
     partly=True,

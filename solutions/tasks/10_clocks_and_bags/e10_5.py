@@ -121,7 +121,7 @@ TURNED_ROUND = Slip(
     {"way": "stamp - heard"},
     Words(
         en="You took stamp minus heard. Behind means: the stamp shows too little, so the difference is heard minus stamp.",
-        ko="측정 시각에서 들은 시각을 뺐습니다. 뒤처졌다는 것은 측정 시각이 너무 작다는 뜻이므로, 들은 시각에서 측정 시각을 뺍니다.",
+        ko="측정 시각에서 수신 시각을 뺐습니다. 뒤처졌다는 것은 측정 시각이 너무 작다는 뜻이므로, 수신 시각에서 측정 시각을 뺍니다.",
     ),
 )
 
@@ -140,7 +140,7 @@ TASK = Task(
     hints=(
         Words(
             en="heard - stamp holds three things: the clock's error, the healthy delay, and whatever held this message up.",
-            ko="들은 시각 − 측정 시각에는 셋이 들어 있습니다. 시계의 오차, 정상 지연, 그 메시지가 막힌 시간입니다.",
+            ko="수신 시각 − 측정 시각에는 셋이 들어 있습니다. 시계의 오차, 정상 지연, 그 메시지가 막힌 시간입니다.",
         ),
         Words(
             en="Nothing is ever held up by less than nothing. In which message is the third part smallest?",

@@ -67,7 +67,7 @@ LEAPS_AHEAD = Slip(
     {"ahead": True},
     Words(
         en="You forget at leaps ahead, too. What was heard before stays true when the clock hurries on.",
-        ko="앞으로 건너뛸 때도 지웁니다. 시계가 서둘러 나아가도 전에 들은 것은 여전히 맞습니다.",
+        ko="앞으로 건너뛸 때도 지웁니다. 시계가 서둘러 나아가도 전에 받은 것은 여전히 맞습니다.",
     ),
 )
 
