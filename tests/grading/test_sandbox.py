@@ -334,10 +334,12 @@ def test_the_system_is_read_only(inside: Inside, path: str) -> None:
     assert outcome in ("OSError", "PermissionError")
 
 
-def test_a_kernel_has_no_rights_and_can_get_none(shared: Inside) -> None:
+def test_a_kernel_has_no_rights_but_one_to_read_python_and_can_get_none(shared: Inside, kernels: Kernels) -> None:
     status = shared("open('/proc/self/status').read()")
     fields = dict(line.split(":\t", 1) for line in status.splitlines() if ":\t" in line)
-    assert {fields[name] for name in ("CapInh", "CapPrm", "CapEff", "CapAmb")} == {"0" * 16}
+    to_read_python = kernels.sandbox.level == "limits" and keeper.gets_a_user() and keeper.right_to_python()
+    rights = 1 << to_read_python if to_read_python else 0
+    assert {int(fields[name], 16) for name in ("CapInh", "CapPrm", "CapEff", "CapAmb")} == {rights}
     assert fields["NoNewPrivs"] == "1"
 
 
@@ -399,6 +401,16 @@ def test_without_a_file_system_of_its_own_no_socket_reaches_a_name_in_the_machin
     assert shared(f"attempt(lambda: {asked})", "import socket") in ("OSError", "PermissionError")
     works = "import asyncio, socket\nfrom multiprocessing import Pipe\nloop = asyncio.new_event_loop()"
     assert shared("[len(socket.socketpair()), len(Pipe())]", works) == [2, 2]
+
+
+def test_without_a_file_system_of_its_own_nothing_about_a_file_can_be_changed(shared: Inside, kernels: Kernels) -> None:
+    if kernels.sandbox.level != "limits":
+        pytest.skip("this level has a file system of its own")
+    change = "os.chmod('f', 0), os.utime('f', (0, 0)), os.chown('f', 1, 1)"
+    seen = "os.stat('f').st_mode & 0o777, os.stat('f').st_mtime > 1"
+    assert shared(f"[{change}, {seen}]", "open('f', 'w').close()") == [None, None, None, 0o644, True]
+    assert shared("attempt(lambda: os.setxattr('f', 'user.x', b'y'))", TRY) == "OSError"
+    assert shared("[__import__('shutil').copy('f', 'g'), __import__('shutil').copy2('f', 'h')]") == ["g", "h"]
 
 
 def test_kernels_share_no_place_to_leave_something(kernels: Kernels) -> None:
@@ -536,6 +548,26 @@ def bomb():
         children.append(child)
 """
     assert fresh("[attempt(bomb), len(children) < 60]", bomb) == ["BlockingIOError", True]
+
+
+TWO_IN_EACH = """
+import os, signal, socket, types
+from tflab.grading.kernels import keeper
+from tflab.grading.kernels.limits import Limits
+kernel = os.fork()
+if not kernel:
+    for _ in range(5):
+        os.fork() or signal.pause()
+    signal.pause()
+leash = socket.socketpair()
+order = types.SimpleNamespace(limits=Limits(processes=2), leash=leash[0], level="namespaces", folder="", uid=None)
+print(keeper.watch(kernel, order), keeper.descendants(os.getpid()))
+"""
+
+
+def test_where_the_system_counts_no_processes_the_keeper_does() -> None:
+    done = subprocess.run([sys.executable, "-c", TWO_IN_EACH], capture_output=True, text=True, timeout=60)
+    assert done.stdout.strip() == "{'fault': 'process limit'} []", done.stderr
 
 
 def test_files_are_limited(fresh: Inside, kernels: Kernels) -> None:

@@ -15,6 +15,7 @@ from __future__ import annotations
 import contextlib
 import gc
 import importlib
+import io
 import json
 import os
 import random
@@ -112,8 +113,23 @@ def silence() -> None:
     for standard in (0, 1, 2):
         os.dup2(null, standard)
     os.close(null)
-    sys.stdout = open(1, "w", encoding="utf-8", closefd=False)  # noqa: SIM115
-    sys.stderr = open(2, "w", encoding="utf-8", closefd=False)  # noqa: SIM115
+    sys.stdout, sys.stderr = (io.TextIOWrapper(Nowhere(standard), encoding="utf-8") for standard in (1, 2))
+
+
+class Nowhere(io.RawIOBase):
+    """What is printed to: as in JupyterLab no descriptor, so that a print works whatever becomes of that."""
+
+    def __init__(self, descriptor: int) -> None:
+        self._descriptor = descriptor
+
+    def writable(self) -> bool:
+        return True
+
+    def write(self, text: Any) -> int:
+        return len(text)
+
+    def fileno(self) -> int:
+        return self._descriptor
 
 
 def serve(kernel: Any, wire: socket.socket) -> None:

@@ -131,7 +131,7 @@ def in_limits(order: Order) -> int:
         os.environ.update(HOME=order.folder, TMPDIR=order.folder, MPLCONFIGDIR=order.folder)
         tempfile.tempdir = None
         rlimits.apply(order.limits, others=0 if uid is not None else rlimits.tasks_of(os.getuid()))
-        namespaces.become_nobody(uid)
+        namespaces.become_nobody(uid, right_to_python() if uid is not None else None)
         landlock.confine(order.shown, order.hidden, order.folder)
 
     return os.fork() or become_kernel(order, enter)
@@ -145,10 +145,31 @@ START: dict[str, Callable[[Order], int]] = {
 
 
 def gets_a_user() -> bool:
-    """Return whether a kernel that sees all files can be a user of its own: everybody must be able to read Python."""
+    """Return whether a kernel that sees all files can be a user of its own: it must be able to read Python.
+
+    A user of its own has a limit of processes, which root has not, and nobody else's processes to signal.
+    """
+    return os.getuid() == 0 and (is_python_open() or right_to_python() is not None)
+
+
+def is_python_open() -> bool:
+    """Return whether everybody can read Python: some lie in a closed home."""
     places = {Path(place).resolve() for place in (sys.prefix, sys.base_prefix, __file__)}
     folders = {folder for place in places for folder in (place, *place.parents) if folder.is_dir()}
-    return os.getuid() == 0 and all(folder.stat().st_mode & 0o5 == 0o5 for folder in folders)
+    return all(folder.stat().st_mode & 0o5 == 0o5 for folder in folders)
+
+
+def right_to_python() -> int | None:
+    """Return the right that somebody who is not root needs to read Python, the smallest that is there; None if none.
+
+    It opens no more than root has, and less where Landlock confines.
+    """
+    if is_python_open():
+        return None
+    status = Path("/proc/self/status").read_text()
+    held = next(int(line.split()[1], 16) for line in status.splitlines() if line.startswith("CapEff:"))
+    rights = [namespaces.READ_ALL, *([namespaces.WRITE_ALL] if landlock.abi() >= landlock.CONFINES else [])]
+    return next((right for right in rights if held >> right & 1), None)
 
 
 def become_kernel(order: Order, enter: Callable[[], None]) -> int:
@@ -183,6 +204,9 @@ def watch(pid: int, order: Order) -> dict[str, Any]:
     poll.register(order.leash, select.POLLIN)
     while not (ready := poll.poll(TICK_S * 1000)):
         processes = descendants(os.getpid())  # whoever has lost its parent is the keeper's
+        if len(processes) > 2 * order.limits.processes:  # root has no limit of them
+            said["fault"] = "process limit"
+            break
         if memory_of_all(processes, order.limits.memory_bytes) > order.limits.memory_bytes:
             said["fault"] = "memory limit"
             break
@@ -213,6 +237,8 @@ def kill_all(pid: int, uid: int | None) -> None:
                 os.kill(descendant, signal.SIGKILL)
         try:
             os.waitpid(-1, 0)  # orphans come to the keeper
+            while os.waitpid(-1, os.WNOHANG)[0]:
+                pass
         except ChildProcessError:
             return
 

@@ -19,7 +19,7 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
-__all__ = ["LEARNER_HOME", "become_nobody", "check", "furnish", "leave", "libc"]
+__all__ = ["LEARNER_HOME", "READ_ALL", "WRITE_ALL", "become_nobody", "check", "furnish", "leave", "libc"]
 
 LEARNER_HOME = "/home/learner"
 LEARNER_UID = 1000  # inside a namespace of users
@@ -27,7 +27,9 @@ LEARNER_UID = 1000  # inside a namespace of users
 NEWNS, NEWUTS, NEWIPC, NEWUSER, NEWPID, NEWNET = 0x20000, 0x4000000, 0x8000000, 0x10000000, 0x20000000, 0x40000000
 RDONLY, NOSUID, NODEV, NOEXEC, REMOUNT, BIND, REC, PRIVATE = 1, 2, 4, 8, 32, 4096, 16384, 1 << 18
 DETACH = 2
-PR_SET_DUMPABLE, PR_CAPBSET_DROP, PR_SET_NO_NEW_PRIVS = 4, 24, 38
+PR_SET_DUMPABLE, PR_SET_KEEPCAPS, PR_CAPBSET_DROP, PR_SET_NO_NEW_PRIVS, PR_CAP_AMBIENT = 4, 8, 24, 38, 47
+AMBIENT_RAISE = 2
+READ_ALL, WRITE_ALL = 2, 1  # CAP_DAC_READ_SEARCH, CAP_DAC_OVERRIDE: bits of a set of capabilities
 # What of a mount may not be loosened when it is bound again: statvfs flag -> mount flag.
 LOCKED = {
     os.ST_NOSUID: NOSUID,
@@ -175,15 +177,24 @@ def furnish_dev() -> None:
         os.symlink(f"/proc/self/fd{target}", f"/dev/{name}")
 
 
-def become_nobody(uid: int | None) -> None:
-    """Take the user `uid` if this is root (None: stay), give up every right, for good, whatever is executed later."""
+def become_nobody(uid: int | None, kept: int | None = None) -> None:
+    """Take the user `uid` if this is root (None: stay), give up every right, for good, whatever is executed later.
+
+    Args:
+        kept: one right that stays, in all that is executed too (an ambient capability).
+    """
     libc.prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0)
     for capability in range(64):
-        libc.prctl(PR_CAPBSET_DROP, capability, 0, 0, 0)
+        if capability != kept:
+            libc.prctl(PR_CAPBSET_DROP, capability, 0, 0, 0)
     if uid is not None and os.getuid() == 0:
+        libc.prctl(PR_SET_KEEPCAPS, 1, 0, 0, 0)
         os.setgroups([])
         os.setresgid(uid, uid, uid)
         os.setresuid(uid, uid, uid)
+    rights = 0 if kept is None else 1 << kept
     header = (ctypes.c_uint32 * 2)(0x20080522, 0)
-    check(libc.capset(header, (ctypes.c_uint32 * 6)()), "capset")
+    check(libc.capset(header, (ctypes.c_uint32 * 6)(rights, rights, rights)), "capset")
+    if kept is not None:
+        check(libc.prctl(PR_CAP_AMBIENT, AMBIENT_RAISE, kept, 0, 0), "ambient capability")
     libc.prctl(PR_SET_DUMPABLE, 1, 0, 0, 0)  # so that the keeper may measure it

@@ -57,6 +57,23 @@ AARCH64 = {
     "perf_event_open": 241, "name_to_handle_at": 264, "open_by_handle_at": 265, "setns": 268, "process_vm_readv": 270,
     "process_vm_writev": 271, "finit_module": 273, "bpf": 280, "userfaultfd": 282, "kexec_file_load": 294,
 }  # fmt: skip
+# Whose a file is, who may read it and how old it is are of no concern to Landlock: where the files are the machine's,
+# these calls say that they have done it, and do nothing, as on a disk that knows no such things.
+ABOUT_FILES_ANYWHERE = {"fchmodat2": 452, "file_setattr": 469}
+ABOUT_FILES_X86_64 = {
+    "chmod": 90, "fchmod": 91, "chown": 92, "fchown": 93, "lchown": 94, "utime": 132, "utimes": 235, "fchownat": 260,
+    "futimesat": 261, "fchmodat": 268, "utimensat": 280,
+}  # fmt: skip
+ABOUT_FILES_AARCH64 = {"fchmod": 52, "fchmodat": 53, "fchownat": 54, "fchown": 55, "utimensat": 88}
+ATTRIBUTES_ANYWHERE = {"setxattrat": 463, "removexattrat": 466}
+ATTRIBUTES_X86_64 = {
+    "setxattr": 188, "lsetxattr": 189, "fsetxattr": 190,
+    "removexattr": 197, "lremovexattr": 198, "fremovexattr": 199,
+}  # fmt: skip
+ATTRIBUTES_AARCH64 = {
+    "setxattr": 5, "lsetxattr": 6, "fsetxattr": 7,
+    "removexattr": 14, "lremovexattr": 15, "fremovexattr": 16,
+}  # fmt: skip
 
 
 class Machine(NamedTuple):
@@ -64,6 +81,8 @@ class Machine(NamedTuple):
 
     name: int
     refused: Mapping[str, int]
+    about_files: Mapping[str, int]
+    attributes: Mapping[str, int]
     clone: int
     socket: int
     socketpair: int
@@ -74,12 +93,15 @@ class Machine(NamedTuple):
 
 MACHINES = {
     "x86_64": Machine(
-        0xC000003E, {**X86_64, **ANYWHERE}, clone=56, socket=41, socketpair=53, kill=62, mmap=9, fcntl=72
+        0xC000003E, {**X86_64, **ANYWHERE}, {**ABOUT_FILES_X86_64, **ABOUT_FILES_ANYWHERE},
+        {**ATTRIBUTES_X86_64, **ATTRIBUTES_ANYWHERE}, clone=56, socket=41, socketpair=53, kill=62, mmap=9, fcntl=72,
     ),
     "aarch64": Machine(
-        0xC00000B7, {**AARCH64, **ANYWHERE}, clone=220, socket=198, socketpair=199, kill=129, mmap=222, fcntl=25
+        0xC00000B7, {**AARCH64, **ANYWHERE}, {**ABOUT_FILES_AARCH64, **ABOUT_FILES_ANYWHERE},
+        {**ATTRIBUTES_AARCH64, **ATTRIBUTES_ANYWHERE}, clone=220, socket=198, socketpair=199, kill=129, mmap=222,
+        fcntl=25,
     ),
-}
+}  # fmt: skip
 CLONE3 = 435
 NEW_NAMESPACES = 0x7E020000  # CLONE_NEWNS, NEWCGROUP, NEWUTS, NEWIPC, NEWUSER, NEWPID, NEWNET
 AF_UNIX, NO_FAMILY = 1, 0xFFFF
@@ -90,7 +112,7 @@ X32 = 0x40000000
 SHARED_WITH_FORKS = 0x21  # MAP_SHARED and MAP_ANONYMOUS
 
 LOAD, AND, EQUAL, AT_LEAST, ANY_OF, RETURN = 0x20, 0x54, 0x15, 0x35, 0x45, 0x06
-ALLOW, KILL, REFUSE = 0x7FFF0000, 0x80000000, 0x00050000
+ALLOW, KILL, REFUSE, NO_ERROR = 0x7FFF0000, 0x80000000, 0x00050000, 0
 AT_NUMBER, AT_MACHINE, AT_ARGUMENT = 0, 4, (16, 24, 32, 40)
 PR_SET_SECCOMP, MODE_FILTER = 22, 2
 
@@ -106,7 +128,8 @@ def refuse_dangerous_calls(*, names_are_shared: bool = False) -> bool:
     """Install the filter for this process and all that it starts; return whether this machine has one.
 
     Args:
-        names_are_shared: the names of sockets in the file system are the machine's; then none may be connected to.
+        names_are_shared: the names in the file system are the machine's; then no socket may be connected to by name,
+            and nothing about a file can be changed.
     """
     if not is_there():
         return False
@@ -131,6 +154,11 @@ def program(machine: Machine, names_are_shared: bool) -> bytes:
     ]
     for number in sorted(machine.refused.values()):
         steps += [(EQUAL, 0, 1, number), (RETURN, 0, 0, REFUSE | errno.EPERM)]
+    if names_are_shared:
+        for number in sorted(machine.about_files.values()):
+            steps += [(EQUAL, 0, 1, number), (RETURN, 0, 0, REFUSE | NO_ERROR)]
+        for number in sorted(machine.attributes.values()):
+            steps += [(EQUAL, 0, 1, number), (RETURN, 0, 0, REFUSE | errno.EOPNOTSUPP)]
     shared_with_forks = (AND, 0, 0, SHARED_WITH_FORKS), (EQUAL, 0, 1, SHARED_WITH_FORKS)
     no_network = (EQUAL, 1, 0, NO_FAMILY if names_are_shared else AF_UNIX)
     steps += [
