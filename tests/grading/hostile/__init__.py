@@ -6,6 +6,12 @@
     exhaustion   time and memory                   helpers    honest cells of one's own
     survival     what is left for others           odd        right, oddly written
     guessing     no understanding, two answers, any size, slips in one branch
+    counting     by the number of the call, the kernel, the clock, the machine
+    objects      objects that are not what they say
+    shell        the kernel, what it shows and imports; what stands in the notebook around the cells
+    stealing     others' work, the pack, ways out
+    harm         what takes from others
+    late         what comes behind the answer
 
 Each entry is a recipe: an honest notebook of chapter 03 goes in, what is handed in
 comes out.  `spoils` names the task whose answer the recipe replaces by an attack
@@ -14,17 +20,26 @@ honest points have to survive: "all" of them, the "others" (all but the spoilt
 task's), or "none" where there is nothing left to read.
 """
 
+from .counting import COUNTING
 from .exhaustion import EXHAUSTION
 from .files import FILES
 from .forging import FORGING
 from .guessing import GUESSING, SLIPS
+from .harm import HARM
 from .helpers import HELPERS
+from .late import LATE
+from .objects import OBJECTS
 from .odd import ODD
 from .peeking import PEEKING
 from .recipe import Honest, Recipe
+from .shell import NOTEBOOKS, SHELL
+from .stealing import STEALING
 from .survival import SURVIVAL
 from .tampering import TAMPERING
 
 __all__ = ["RECIPES", "Honest", "Recipe"]
 
-RECIPES = [*FORGING, *PEEKING, *EXHAUSTION, *SURVIVAL, *TAMPERING, *FILES, *HELPERS, *ODD, *GUESSING, *SLIPS]
+RECIPES = [
+    *FORGING, *PEEKING, *EXHAUSTION, *SURVIVAL, *TAMPERING, *FILES, *HELPERS, *ODD, *GUESSING, *SLIPS,
+    *COUNTING, *OBJECTS, *SHELL, *NOTEBOOKS, *STEALING, *HARM, *LATE,
+]  # fmt: skip
