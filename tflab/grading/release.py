@@ -41,7 +41,7 @@ from .judging.pack import (
     PACK,
     Pack,
     PackError,
-    chapter_cases,
+    chapters_made,
     keep_chapter,
     learners_cases,
     read_pack,
@@ -118,15 +118,16 @@ def release(
     pack = _pack_to_fill(folder, learners, language, add)
     data = places.workbook_data()
     handed_out: dict[str, dict[str, Any]] = {}
-    for stem in dict.fromkeys([*pack.cases, *stems]):
-        master = data / "exercises" / "en" / places.exercise_file(stem)
+    wanted = list(dict.fromkeys([*pack.cases, *stems]))
+    masters = {stem: data / "exercises" / "en" / places.exercise_file(stem) for stem in wanted}
+    for stem, master in masters.items():
         if not master.is_file():
             raise PackError(f"{stem} has no exercise; `tflab build {stem}` makes it")
-        handed_out[stem], graded = chapter_cases(stem, pack.seed, data / "solutions")
+    for stem, (handed_out[stem], graded) in chapters_made(wanted, pack.seed, data / "solutions", quiet=quiet).items():
         if pack.cases.setdefault(stem, graded) != graded:
             raise PackError(f"the tasks of {stem} have changed since {folder} was released; release to another folder")
         if not add or not (folder / INSTRUCTOR / "cases" / f"{stem}.json").exists():
-            write_chapter(folder / INSTRUCTOR, stem, graded, master.read_bytes())
+            write_chapter(folder / INSTRUCTOR, stem, graded, masters[stem].read_bytes())
     write_pack(folder / INSTRUCTOR, pack)
     everybody: Iterable[Learner | None] = [None] if pack.roster is None else pack.roster.values()
     with ProgressBar(len(list(everybody)), "released", quiet=quiet) as bar:
@@ -150,11 +151,13 @@ def update_release(folder: Path, *, quiet: bool = True) -> tuple[Pack, list[str]
     data = places.workbook_data()
     lines, handed_out = [], {}
     staying: dict[str, tuple[str, ...]] = {}
-    for stem, released in pack.cases.items():
-        master = data / "exercises" / "en" / places.exercise_file(stem)
+    masters = {stem: data / "exercises" / "en" / places.exercise_file(stem) for stem in pack.cases}
+    for stem, master in masters.items():
         if not master.is_file():
             raise PackError(f"{stem} is not part of tflab {__version__}; nothing was changed")
-        handed_out[stem], graded = chapter_cases(stem, pack.seed, data / "solutions")
+    made = chapters_made(list(pack.cases), pack.seed, data / "solutions", quiet=quiet)
+    for stem, (handed_out[stem], graded) in made.items():
+        released, master = pack.cases[stem], masters[stem]
         mended = mended_cases(released, graded)
         staying[stem] = mended.staying
         lines += _said_of(stem, mended)

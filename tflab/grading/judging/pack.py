@@ -18,13 +18,17 @@ import hashlib
 import hmac
 import json
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from typing import Any
 
+from joblib import Parallel, delayed
+from joblib.externals.loky import get_reusable_executor
+
 from tflab import __version__
+from tflab.progress_bar import ProgressBar
 from tflab.workbook.answers.forms import form_from_plain
 from tflab.workbook.answers.sealed import seal
 from tflab.workbook.tasks.cases import CasesError, cases_json, make_cases, read_cases
@@ -36,8 +40,8 @@ from .cells import Master, master_of
 from .draw import POOL, digest_of, drawn, pool_of
 
 __all__ = [
-    "DAMAGE", "Pack", "PackError", "chapter_cases", "keep_chapter", "learners_cases", "read_pack", "write_chapter",
-    "write_pack",
+    "DAMAGE", "Pack", "PackError", "chapter_cases", "chapters_made", "keep_chapter", "learners_cases", "read_pack",
+    "write_chapter", "write_pack",
 ]  # fmt: skip
 
 FORMAT = 2
@@ -120,6 +124,30 @@ def chapter_cases(stem: str, seed: str, solutions: Path) -> tuple[dict[str, Any]
         for task_id, task in learners["tasks"].items()
     }
     return learners, learners | {"tasks": graded}
+
+
+def chapters_made(
+    stems: Sequence[str], seed: str, solutions: Path, *, quiet: bool = True
+) -> dict[str, tuple[dict[str, Any], dict[str, Any]]]:
+    """Return the `chapter_cases` of each chapter, in their order; the longest are begun first, side by side."""
+    size = {stem: sum(path.stat().st_size for path in (solutions / "tasks" / stem).glob("*.py")) for stem in stems}
+    longest_first = sorted(stems, key=size.__getitem__, reverse=True)
+    made = {}
+    work = Parallel(min(len(stems), os.cpu_count() or 1) or 1, return_as="generator_unordered", batch_size=1)
+    with ProgressBar(len(stems), "made", quiet=quiet) as bar:
+        try:
+            for stem, cases in work(delayed(_called)(stem, seed, solutions) for stem in longest_first):
+                made[stem] = cases
+                bar.step(stem)
+        except BaseException:
+            if work.n_jobs != 1:
+                get_reusable_executor().shutdown(wait=True, kill_workers=True)
+            raise
+    return {stem: made[stem] for stem in stems}
+
+
+def _called(stem: str, seed: str, solutions: Path) -> tuple[str, tuple[dict[str, Any], dict[str, Any]]]:
+    return stem, chapter_cases(stem, seed, solutions)
 
 
 def _pooled(hidden: Mapping[str, Any], public: Mapping[str, Any]) -> dict[str, Any]:
