@@ -5,7 +5,7 @@
 Each strategy is judged as a submission is, on what each of so many learners would be asked; none of
 them looks at what it is asked beyond handing it back.  The table has the best strategy's mean share
 of the points.  A function's is to be at most 5 %; a choice's is its chance.  Without a pack one is
-made, which takes a minute for each chapter.
+made.  Chapters are looked at side by side, one for each processor.
 """
 
 from __future__ import annotations
@@ -14,7 +14,10 @@ import argparse
 import secrets
 import sys
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import replace
+from functools import partial
 from itertools import product
 from pathlib import Path
 from statistics import mean
@@ -22,14 +25,15 @@ from typing import Any, NamedTuple
 
 from tflab.grading.judging.cells import Master
 from tflab.grading.judging.draw import asks_of
-from tflab.grading.judging.marks import judged
+from tflab.grading.judging.marks import by_case, judged
 from tflab.grading.judging.pack import Pack, chapter_cases, read_pack
 from tflab.workbook.answers.forms import Choice, Form, Parts, form_from_plain
 from tflab.workbook.answers.sealed import is_sealed, judge
 from tflab.workbook.answers.values import Plain, is_raised
 from tflab.workbook.places import chapters, workbook_data
+from tflab.workbook.tasks.case import TaskCases
 from tflab.workbook.tasks.cases import read_cases
-from tflab.workbook.tasks.evidence import negated
+from tflab.workbook.tasks.evidence import credited, guessed_of, negated, probes_of, share_beyond
 
 MOST = 0.05  # of a function's points
 NOTHING: tuple[Plain, ...] = (0.0, "", [], {"dict": {}}, [0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 1.0], True, None)
@@ -60,22 +64,37 @@ def main(words: Sequence[str] | None = None) -> int:
     numbers = options.chapters.split(",") if options.chapters else None
     root = workbook_data()
     stems = [stem for stem in chapters(root) if numbers is None or stem[:2] in numbers]
-    pack = read_pack(options.pack) if options.pack else pack_of(stems, root)
-    asked = [pack.for_learner(f"s{number}") for number in range(options.learners)]
+    pack = read_pack(options.pack) if options.pack else None
     print("| task | | points | best without understanding | by chance |\n|---|---|---|---|---|")
     rows = []
-    for stem in stems:
-        public = read_cases(root / "exercises" / "cases" / f"{stem}.json")["tasks"]
-        for task_id in pack.cases.get(stem, {"tasks": ()})["tasks"]:
-            row = of_task(
-                task_id, [chapters_[stem]["tasks"][task_id] for chapters_ in asked], shown_in(public[task_id])
-            )
-            what = "function" if row.is_function else "value"
-            print(f"| {row.task} | {what} | {row.points:g} | {row.share:.1%} {row.strategy} | {row.chance:.1%} |")
-            rows.append(row)
+    with ProcessPoolExecutor() as processes:
+        for found in processes.map(partial(of_chapter, root=root, pack=pack, learners=options.learners), stems):
+            for row in found:
+                what = "function" if row.is_function else "value"
+                best = f"{row.share:.1%} {row.strategy}"
+                print(f"| {row.task} | {what} | {row.points:g} | {best} | {row.chance:.1%} |", flush=True)
+            rows += found
     above = [row.task for row in rows if is_above(row)]
     print(f"above: {', '.join(above) or 'none'}")
     return 1 if above else 0
+
+
+def of_chapter(stem: str, *, root: Path, pack: Pack | None, learners: int) -> list[Row]:
+    """Return what the best strategy earns in each task of a chapter."""
+    pack = pack or pack_of([stem], root)
+    public = read_cases(root / "exercises" / "cases" / f"{stem}.json")["tasks"]
+    chapter = replace(pack, cases={name: held for name, held in pack.cases.items() if name == stem})
+    asked = [chapter.for_learner(f"s{number}")[stem]["tasks"] for number in range(learners)]
+    rows = []
+    for task_id, task in chapter.cases.get(stem, {"tasks": {}})["tasks"].items():
+        who = [tasks[task_id] for tasks in asked] if task["is_function"] else variants_of(task)
+        rows.append(of_task(task_id, who, shown_in(public[task_id])))
+    return rows
+
+
+def variants_of(task: Mapping[str, Any]) -> list[dict[str, Any]]:
+    """Return a task as the learners of each of its variants have it."""
+    return [{name: held for name, held in task.items() if name != "variants"} | variant for variant in task["variants"]]
 
 
 def is_above(row: Row) -> bool:
@@ -91,15 +110,15 @@ def pack_of(stems: Sequence[str], root: Path) -> Pack:
 
 
 def of_task(task_id: str, asked: Sequence[Mapping[str, Any]], shown: Sequence[Plain]) -> Row:
-    """Return what the best strategy earns in a task; of a value all who have the same variant are asked the same."""
+    """Return what the best strategy earns in a task, on the mean of all who are asked, or of its variants."""
     first = asked[0]
     form, is_function, points = form_from_plain(first["form"]), first["is_function"], float(first["points"])
-    variants = asked if is_function else asked[:1]
     earned: dict[str, list[float]] = {}
-    for task in variants:
+    for task in asked:
+        share = shares_of(task) if is_function else partial(share_of, task_id, task, form)
         for name, outcomes in by_function(task, shown) if is_function else by_value(task, form):
-            earned.setdefault(name, []).append(share_of(task_id, task, form, outcomes))
-    shares = {name: mean(row) for name, row in earned.items() if len(row) == len(variants)}
+            earned.setdefault(name, []).append(share(outcomes))
+    shares = {name: mean(row) for name, row in earned.items() if len(row) == len(asked)}
     best = max(shares, key=lambda name: shares[name])
     return Row(task_id, is_function, points, shares[best], best, chance(form))
 
@@ -109,6 +128,22 @@ def share_of(task_id: str, task: Mapping[str, Any], form: Form, outcomes: Outcom
     asks = asks_of(task)
     fits = any(any(judge(form, outcomes[place], task["cases"][case]["expected"])) for place, case in enumerate(asks))
     return judged(task_id, task, outcomes).points / float(task["points"]) if fits else 0.0
+
+
+def shares_of(task: Mapping[str, Any]) -> Callable[[Outcomes], float]:
+    """Return what gives the share of a function's points for outcomes, as `judged` does; the reasons, it does not."""
+    held = TaskCases.of_a_learner(dict(task))
+    form, cases, asks = held.form, held.variants[0].cases, asks_of(task)
+    of, guessed = probes_of(form, cases), guessed_of(form, cases, task.get("known") or [False] * len(cases))
+
+    def share(outcomes: Outcomes) -> float:
+        got, _ = by_case(held, asks, outcomes)
+        rights = [judge(form, outcome, case.expected) for outcome, case in zip(got, cases, strict=True)]
+        if not any(map(any, rights)):
+            return 0.0
+        return share_beyond(sum(map(sum, credited(form, cases, got, rights))), of, guessed)
+
+    return share
 
 
 def shown_in(task: Mapping[str, Any]) -> list[Plain]:

@@ -28,7 +28,7 @@ from tflab.workbook.words import Words
 from ..submissions.remarks import Remark
 from .draw import asks_of
 
-__all__ = ["MISSING", "TaskMark", "judged", "members", "most_members", "of_bounded_size", "safe_error_name"]
+__all__ = ["MISSING", "TaskMark", "by_case", "judged", "members", "most_members", "of_bounded_size", "safe_error_name"]
 
 MISSING = {"object": "nothing"}  # an outcome that never came, or that nobody can read; it is of no form
 TOO_LARGE = {"object": "something very large"}
@@ -91,7 +91,7 @@ def judged(
     """
     held = TaskCases.of_a_learner(dict(task))
     cases = held.variants[0].cases
-    got, is_steady = _by_case(held, asks_of(task), outcomes)
+    got, is_steady = by_case(held, asks_of(task), outcomes)
     remarks = [*trouble, *([] if is_steady else [Remark(Mistake.UNSTEADY.value, task_id)])]
     found = _judge(held, got)
     share = found.passed / found.of if found.of else 0.0
@@ -131,7 +131,7 @@ def _judge(task: TaskCases, got: list[Any]) -> Verdict:
     return rounded if rounded.passed > found.passed else found
 
 
-def _by_case(task: TaskCases, asks: Sequence[int], outcomes: Mapping[int, Any]) -> tuple[list[Any], bool]:
+def by_case(task: TaskCases, asks: Sequence[int], outcomes: Mapping[int, Any]) -> tuple[list[Any], bool]:
     """Return an outcome for each case, and whether what was asked again was answered as before.
 
     A case whose answers differ, one right and one wrong, has none.

@@ -28,7 +28,9 @@ from ..answers.forms import Form
 from ..answers.values import Plain, is_raised
 from .case import Case
 
-__all__ = ["beyond_guessing", "beyond_the_given", "credited", "habit", "negated"]
+__all__ = [
+    "beyond_guessing", "beyond_the_given", "credited", "guessed_of", "habit", "negated", "probes_of", "share_beyond",
+]  # fmt: skip
 
 
 def credited(
@@ -96,14 +98,23 @@ def beyond_guessing(form: Form, cases: Sequence[Case], passed: int, known: Seque
         passed: how many probes earn credit (see `credited`).
         known: for each case whether its arguments stand among those that the learner was shown.
     """
-    of = sum(len(form.judge(case.expected, case.expected)) for case in cases)
-    guessed = _guessed(form, cases, known)
+    of = probes_of(form, cases)
+    return share_beyond(passed, of, 0 if passed in (0, of) else guessed_of(form, cases, known))
+
+
+def share_beyond(passed: int, of: int, guessed: int) -> float:
+    """Return which share of so many probes is right beyond those that guessing gives, from 0 to 1."""
     if passed == of or guessed == of:  # where nothing varies, nothing can be guessed
         return passed / of
     return max(0, passed - guessed) / (of - guessed)
 
 
-def _guessed(form: Form, cases: Sequence[Case], known: Sequence[bool]) -> int:
+def probes_of(form: Form, cases: Sequence[Case]) -> int:
+    """Return how many probes cases have."""
+    return sum(len(form.judge(case.expected, case.expected)) for case in cases)
+
+
+def guessed_of(form: Form, cases: Sequence[Case], known: Sequence[bool]) -> int:
     """Return how many probes the best answer has that knows what was shown, and of the rest only what is frequent."""
     sizes = [len(form.judge(case.expected, case.expected)) for case in cases]
     sure = sum(size for size, seen in zip(sizes, known, strict=True) if seen)
