@@ -24,7 +24,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from joblib import Parallel, delayed
+from joblib import Parallel, delayed, parallel_config
 from joblib.externals.loky import get_reusable_executor
 
 from tflab import __version__
@@ -147,7 +147,8 @@ def chapters_made(
 
 
 def _called(stem: str, seed: str, solutions: Path) -> tuple[str, tuple[dict[str, Any], dict[str, Any]]]:
-    return stem, chapter_cases(stem, seed, solutions)
+    with parallel_config(backend="sequential"):  # patients made in threads would share the folder they are made in
+        return stem, chapter_cases(stem, seed, solutions)
 
 
 def _pooled(hidden: Mapping[str, Any], public: Mapping[str, Any]) -> dict[str, Any]:
