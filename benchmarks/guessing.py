@@ -197,7 +197,7 @@ def by_value(task: Mapping[str, Any], form: Form) -> Iterator[tuple[str, Outcome
 
 
 def option(part: Form, number: int) -> Plain:
-    return part.options[number % len(part.options)] if isinstance(part, Choice) and part.options else 0.0
+    return part.options[min(number, len(part.options) - 1)] if isinstance(part, Choice) and part.options else 0.0
 
 
 def most_frequent(shown: Sequence[Plain]) -> list[int]:

@@ -44,6 +44,17 @@ def test_who_knows_what_is_asked_is_above(guessing: ModuleType, course: tiny.Cou
     assert row.strategy == "replays what was shown"
 
 
+def test_the_share_without_reasons_is_the_share_that_judging_gives(guessing: ModuleType, course: tiny.Course) -> None:
+    (task,) = asked_of(read_pack(course.pack), tiny.STEM, TINY, 1)
+    share = guessing.shares_of(task)
+    asks, cases = task["asks"], task["cases"]
+    right = {place: cases[case]["expected"] for place, case in enumerate(asks)}
+    for outcomes in (right, right | {0: -1.0}, dict.fromkeys(right, 3.0), right | {len(asks) - 1: None}):
+        judged = guessing.judged(TINY, task, outcomes)
+        assert share(outcomes) * judged.most == pytest.approx(judged.points, abs=1e-3)
+    assert share(right) == 1.0
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("stem", ["02_axes_and_quaternions", "09_exceptions_and_waiting"])
 def test_no_function_of_words_is_worth_guessing(guessing: ModuleType, stem: str) -> None:
