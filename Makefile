@@ -75,14 +75,33 @@ define virtual_environment
 @echo "Installing what tflab needs into $(VENV): once, and some minutes on a slow line."
 endef
 
+# pip says some 350 lines: a line now and then is shown, and what went wrong; all of it is in the log.
+LOG := $(VENV)/install.log
+define SHORTLY
+{ print > "$(LOG)" }
+/^(Collecting|Processing) / && ++found % 25 == 0 { print "  " found " packages found" }
+/^Installing collected packages/ { print "  " found " packages found, all there are; unpacking them takes longest" }
+/^ *(ERROR|error):/ { print }
+/^ended / { failed = $$2 }
+{ fflush() }
+END { print failed ? "Not installed. What pip said is in $(LOG)" : "  installed; what pip said is in $(LOG)"; exit failed }
+endef
+export SHORTLY
+
+# $(call install,extras)
+define install
+@{ $(BIN)/python -m pip install --disable-pip-version-check --progress-bar off --constraint constraints.txt --editable ".[$(1)]" 2>&1; \
+  echo "ended $$?"; } | awk "$$SHORTLY"
+endef
+
 $(LEARNER): pyproject.toml constraints.txt
 	$(virtual_environment)
-	$(BIN)/python -m pip install --disable-pip-version-check --constraint constraints.txt --editable ".[all]"
+	$(call install,all)
 	@touch $@
 
 $(DEVELOPER): pyproject.toml constraints.txt
 	$(virtual_environment)
-	$(BIN)/python -m pip install --disable-pip-version-check --constraint constraints.txt --editable ".[dev]"
+	$(call install,dev)
 	@touch $@ $(LEARNER)
 
 clean:

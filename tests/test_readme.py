@@ -139,6 +139,24 @@ def test_an_old_python_is_named_before_anything_is_installed(tmp_path: Path) -> 
 
 
 @pytest.mark.skipif(not any((Path(p) / "make").exists() for p in os.defpath.split(":")), reason="no make")
+@pytest.mark.parametrize(
+    ("status", "last"), [(0, "  installed; what pip said is in"), (1, "Not installed. What pip said is in")]
+)
+def test_installing_says_a_few_lines_and_keeps_the_others(tmp_path: Path, status: int, last: str) -> None:
+    collecting = 'for i in $(seq 60); do echo "Collecting p$i"; echo "  Downloading p$i"; done'
+    pip = f'{collecting}; echo "ERROR: p61"; exit {status}'
+    (tmp_path / ".venv" / "bin").mkdir(parents=True)
+    words = f'case "$*" in\n  *print*) echo 3.12;;\n  *"pip install"*) {pip};;\nesac'
+    python = fake_python(tmp_path / ".venv" / "bin", "python", words)
+    done = make(".venv/learner-3.12", f"PYTHON={python}", folder=tmp_path)
+    assert bool(done.returncode) == bool(status)
+    said = done.stdout.splitlines()
+    assert said[1:4] == ["  25 packages found", "  50 packages found", "ERROR: p61"]
+    assert said[4].startswith(last) and len(said) == 5
+    assert len((tmp_path / ".venv" / "install.log").read_text(encoding="utf-8").splitlines()) == 122
+
+
+@pytest.mark.skipif(not any((Path(p) / "make").exists() for p in os.defpath.split(":")), reason="no make")
 def test_an_environment_of_another_python_is_made_anew_and_options_reach_the_lab(tmp_path: Path) -> None:
     (tmp_path / ".venv" / "bin").mkdir(parents=True)
     fake_python(tmp_path / ".venv" / "bin", "python", "echo 3.9")
