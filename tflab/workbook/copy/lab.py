@@ -23,7 +23,7 @@ import os
 import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from shlex import quote
+from shlex import join, quote
 from shutil import which
 
 from tflab import __version__
@@ -84,8 +84,8 @@ BESIDE = Words(
     ko=". {beside}개는 양쪽에서 바뀌었으니 “바뀐 내용입니다”를 찾아보십시오",
 )
 ROOT = Words(
-    en="JupyterLab does not run as root unless it is told to: {tflab} lab -- --allow-root",
-    ko="JupyterLab은 root 계정에서는 따로 허락해야 열립니다: {tflab} lab -- --allow-root",
+    en="JupyterLab does not run as root unless it is told to: {command}",
+    ko="JupyterLab은 root 계정에서는 따로 허락해야 열립니다: {command}",
 )
 BACKUP = Words(
     en="What was there before is in {folder}.",
@@ -95,6 +95,7 @@ BACKUP = Words(
 
 def lab(words: Sequence[str]) -> int:
     """Open JupyterLab on a copy of the workbook, or on any folder as it is; return when it has ended."""
+    given = list(words)
     words, own_options = _split(words)
     options = _parser().parse_args(words)
     if options.as_is:
@@ -122,7 +123,8 @@ def lab(words: Sequence[str]) -> int:
         start_jupyterlab([*OUR_OPTIONS, root, *_terminal(), *first_page, *own_options])
     except SystemExit as stop:
         if stop.code == 1 and _is_root() and "--allow-root" not in own_options:
-            return _refuse(ROOT.say(language, tflab=tflab))
+            typed = [*given, *([] if "--" in given else ["--"]), "--allow-root"]
+            return _refuse(ROOT.say(language, command=f"{tflab} lab {join(typed)}"))
         raise
     return 0
 
