@@ -15,12 +15,12 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import NamedTuple
 
-from tflab.bags.recording import Recording
+from tflab.bags.recording import Recording, namespace_of
 from tflab.core import NSEC_PER_SEC, BufferCore
 
 from .checks import clocks, delay, names, owners, silence, statics, timing, tree, values
 from .evidence import Evidence
-from .findings import SEVERITIES, Finding, NotMade, Report
+from .findings import SEVERITIES, Finding, NotMade, Report, Seen
 from .gather import evidence_from_buffer, evidence_from_recording
 from .report.texts import CHECK_TEXTS
 
@@ -134,7 +134,8 @@ def diagnose_recording(recording: Recording) -> Report:
         evidence = evidence_from_recording(recording, namespace)
         told = told_causes([finding for check in CHECKS for finding in check.run(evidence)])
         findings += [replace(finding, namespace=namespace) for finding in told]
-    return Report(recording.name, recording.begin_ns, worst_first(findings), tuple(check.name for check in CHECKS))
+    made = tuple(check.name for check in CHECKS)
+    return Report(recording.name, recording.begin_ns, worst_first(findings), made, seen=_seen(recording))
 
 
 def diagnose_buffer(buffer: BufferCore, name: str = "buffer") -> Report:
@@ -201,6 +202,15 @@ def _cause_of(effect: Finding, findings: list[Finding]) -> int | None:
 def worst_first(findings: list[Finding]) -> tuple[Finding, ...]:
     """Return findings by severity; among equals the order of the checks stays."""
     return tuple(sorted(findings, key=lambda finding: SEVERITIES.index(finding.severity)))
+
+
+def _seen(recording: Recording) -> Seen:
+    """Return how much there was to look at; a frame counts once in each namespace."""
+    labels = recording.transforms.labels
+    frames = {(namespace_of(label.topic), frame) for label in labels for frame in (label.parent, label.child)}
+    messages = sum(len(header.stamp_ns) for header in recording.headers)
+    duration_s = (recording.end_ns - recording.begin_ns) / NSEC_PER_SEC
+    return Seen(len(frames), len(recording.transforms.label), messages, duration_s)
 
 
 def _unreadable(recording: Recording) -> list[Finding]:

@@ -4,7 +4,7 @@
               severity   error | warning | info
               where      the edge, the topic, from when to when
               facts      the numbers that show it
-    Report    findings, the checks that were made, and those that could not be
+    Report    findings, the checks that were made, those that could not be, and what was looked at
 
 A finding holds no sentences: `report/` makes them of its code and facts, so that
 another language needs another table and nothing else.
@@ -17,7 +17,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Literal, NamedTuple
 
-__all__ = ["SEVERITIES", "Finding", "NotMade", "Report", "Severity"]
+__all__ = ["SEVERITIES", "Finding", "NotMade", "Report", "Seen", "Severity"]
 
 Severity = Literal["error", "warning", "info"]
 SEVERITIES: tuple[Severity, ...] = ("error", "warning", "info")
@@ -58,6 +58,15 @@ class NotMade(NamedTuple):
     needs: str
 
 
+class Seen(NamedTuple):
+    """How much was looked at: frames, transforms, other messages with a stamp, and how long it took to record [s]."""
+
+    frames: int
+    transforms: int
+    messages: int
+    duration_s: float
+
+
 @dataclass(frozen=True, slots=True)
 class Report:
     """What the doctor found.
@@ -68,6 +77,7 @@ class Report:
         findings: worst first, and then in the order of the checks.
         checks_made: names of the checks.
         checks_not_made: the others, and what each would need.
+        seen: what was looked at; None of a buffer, which has forgotten.
     """
 
     subject: str
@@ -75,6 +85,7 @@ class Report:
     findings: tuple[Finding, ...]
     checks_made: tuple[str, ...]
     checks_not_made: tuple[NotMade, ...] = ()
+    seen: Seen | None = None
 
     @property
     def has_errors(self) -> bool:

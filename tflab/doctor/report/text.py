@@ -37,12 +37,25 @@ def text_from_report(report: Report, texts: Mapping[str, Sentences] = TEXTS) -> 
     lines = [headline(report), ""]
     for finding in report.findings:
         lines += [*_finding_lines(report, finding, texts), ""]
-    lines.append(f"{len(report.checks_made)} checks made.")
+    lines.append(f"{len(report.checks_made)} checks made{_looked_at(report)}.")
     for needs in dict.fromkeys(check.needs for check in report.checks_not_made):
         names = [check.check for check in report.checks_not_made if check.needs == needs]
         listed = f": {', '.join(names)}" if report.checks_made else ""
         lines += wrap(f"{len(names)} not made, for want of {needs}{listed}.", WIDTH)
+    if report.seen and not report.findings:
+        lines.append("With --edges: the rate, the delays and the owners of each edge.")
     return "\n".join(lines)
+
+
+def _looked_at(report: Report) -> str:
+    """Return what the checks were made on, as the end of a sentence."""
+    if report.seen is None:
+        return ""
+    seen = report.seen
+    return (
+        f": {seen.frames} frames, {seen.transforms} transforms and {seen.messages} other stamped messages"
+        f" in {seen.duration_s:.1f} s"
+    )
 
 
 def data_from_report(report: Report, texts: Mapping[str, Sentences] = TEXTS) -> dict:
@@ -54,6 +67,7 @@ def data_from_report(report: Report, texts: Mapping[str, Sentences] = TEXTS) -> 
         "findings": [_data_from_finding(finding, texts) for finding in report.findings],
         "checks_made": list(report.checks_made),
         "checks_not_made": [check._asdict() for check in report.checks_not_made],
+        "seen": report.seen._asdict() if report.seen else None,
     }
 
 
