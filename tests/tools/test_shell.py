@@ -1,6 +1,7 @@
 """`tflab run` and `tflab ros2`: in a shell, in real time."""
 
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -112,10 +113,17 @@ def bag(terminal, tmp_path):
 
 def test_a_tool_sees_what_a_bag_plays(bag, capsys):
     assert main(["ros2", "--bag", bag, *["run", "tf2_ros", "tf2_echo", "odom", "base_link"]]) == 0
-    out = capsys.readouterr().out
+    out, err = capsys.readouterr()
     assert [line for line in out.splitlines() if line.startswith("At time")] == [
         f"At time {second}.950000000" for second in (1, 2, 3, 4, 5)
     ]
+    assert err.splitlines()[-1].startswith("tflab ros2: the recording is over, after 5.0 s")
+    assert err.splitlines()[-1].endswith("on a robot this tool runs until Ctrl-C")
+
+
+def test_who_stops_a_tool_before_the_recording_is_over_is_told_how_much_there_was(bag, capsys):
+    main(["ros2", "--bag", bag, "--for", "2", "topic", "hz", "/tf"])
+    assert re.fullmatch(r"tflab ros2: stopped after 2 s; the recording is [45]\.\d s long\n", capsys.readouterr().err)
 
 
 def test_tools_follow_the_clock_of_the_bag(bag, capsys):

@@ -96,7 +96,16 @@ def _on_bag(bag: str, words: Sequence[str], seconds: float | None) -> int:
     graph.start(_play, bag, name="ros2 bag play")
     outcome = run_words(graph, words, seconds, ros_args=["--ros-args", "-p", "use_sim_time:=true"])
     graph.stop()
+    if page_s is not None and outcome.exit_code is None:  # stopped by us: it would have gone on for ever
+        print(f"tflab ros2: {_why_stopped(seconds, bag_s)}", file=sys.stderr)
     return (outcome.exit_code or 0) % 256
+
+
+def _why_stopped(seconds: float, bag_s: float) -> str:
+    """Return why a tool was stopped that runs until Ctrl-C on a robot."""
+    if seconds < bag_s:
+        return f"stopped after {seconds:g} s; the recording is {bag_s:.1f} s long"
+    return f"the recording is over, after {bag_s:.1f} s; on a robot this tool runs until Ctrl-C"
 
 
 def _play(bag: str) -> None:
