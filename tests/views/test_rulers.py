@@ -58,3 +58,13 @@ def test_the_picture_is_small_and_the_same_bytes_every_time():
     first, again = (draw_rulers(POSES, THING).png() for _ in range(2))
     assert first == again
     assert len(first) < 60_000
+
+
+def test_a_number_at_the_edge_of_a_map_stands_on_the_other_side_of_its_leg() -> None:
+    poses = {"far": Transform((-6.0, 0.0, 0.0)), "base_link": Transform.from_rpy(yaw=math.pi / 2)}
+    picture = draw_rulers(poses, (0.0, 2.0, 0.0))
+    picture.figure.canvas.draw()
+    for ruler in picture._maps.values():
+        label = ruler.legs["x"].label
+        if label.get_visible():
+            assert label.get_window_extent().x1 <= picture.figure.bbox.x1

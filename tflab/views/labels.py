@@ -1,8 +1,8 @@
 """Where may a name stand?  Beside its thing, and on nothing else.
 
-        [name]               eight places around a thing, then eight farther away:
-    [name] o [name]          the first that covers no line and no other name, and is on the paper
-        [name]
+        [name]               eight places around a thing, then eight farther away, and in a crowd
+    [name] o [name]          eight more, and more: the first that covers no line and no other name,
+        [name]               and is on the paper
 
 Every name tries its places in the same order, so a figure is the same each time.
 
@@ -25,7 +25,8 @@ if TYPE_CHECKING:
 Place = tuple[float, float]
 
 AIR_PT = 2.5  # between a name and what it must not cover
-NEAR_PT, FAR_PT = 8.0, 26.0  # between a thing and its name; a far name gets a thin line
+GAPS_PT = (8.0, 26.0, 48.0, 72.0)  # between a thing and its name; from the second on with a thin line
+IN_A_CROWD = 10  # what it costs to stand farther than that: less than to cover a name, more than a few lines
 # below right, below left, above right, above left, right, left, below, above
 WAYS = np.array([(1, -1), (-1, -1), (1, 1), (-1, 1), (1.4, 0), (-1.4, 0), (0, -1.4), (0, 1.4)])
 
@@ -105,10 +106,11 @@ def place_labels(labels: Sequence[FloatingLabel]) -> None:
         if not label.text.get_text():
             continue
         half = np.array(label.size_pt()) / 2
-        choices = np.vstack([gap * WAYS + np.sign(WAYS) * half for gap in (NEAR_PT, FAR_PT)])
+        choices = np.vstack([gap * WAYS + np.sign(WAYS) * half for gap in GAPS_PT])
         middles = anchor + choices
         candidates = np.hstack((middles - half, middles + half))
-        best = int(np.argmin(_faults(candidates, taken, boxes, paper)))
+        crowded = IN_A_CROWD * np.repeat(np.arange(len(GAPS_PT)) - 1, len(WAYS)).clip(0)
+        best = int(np.argmin(_faults(candidates, taken, boxes, paper) + crowded))
         label.stand(tuple(choices[best]), best >= len(WAYS))
         boxes = np.vstack((boxes, candidates[best]))
 

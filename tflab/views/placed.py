@@ -34,6 +34,8 @@ CAPTION_PX, TITLE_PX, GAP_PX, EDGE_PX = 46, 34, 18, 16
 LOWEST_PX, HIGHEST_PX = 130, 360
 MARGIN_M = 0.3
 RING_PT = 11.0
+SCALES_M = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0)
+SCALE_PART = 0.2  # of a panel, at most
 
 
 class Offs(NamedTuple):
@@ -117,6 +119,7 @@ def draw_placed(
             _draw_panel(ax, _seen(points), walls, things)
             _show_box(ax, (x_low, y_low, x_high, y_high), panel_px / tall_px)
             ax.set_title(name, loc="left", pad=7)
+            _draw_scale(ax)
             off = offs(points, walls, things)
             ax.set_xlabel(f"off by {style.fmt(off.mean_m)} on average\n{style.fmt(off.worst_m)} at worst", loc="left")
     picture.text = describe_placed(placed, walls, things)
@@ -144,6 +147,16 @@ def _show_box(ax, shown_m: tuple[float, float, float, float], width_per_height: 
     middle_x, middle_y = (x_low + x_high) / 2, (y_low + y_high) / 2
     ax.set_xlim(middle_x - half_x, middle_x + half_x)
     ax.set_ylim(middle_y - half_y, middle_y + half_y)
+
+
+def _draw_scale(ax) -> None:
+    """Draw how long a metre is, or what is near it: a bar at the lower right, with its length."""
+    (left, right), (low, high) = ax.get_xlim(), ax.get_ylim()
+    length_m = max(length for length in SCALES_M if length <= max(SCALE_PART * (right - left), SCALES_M[0]))
+    end, height = right - 0.02 * (right - left), low + 0.04 * (high - low)
+    ax.plot([end - length_m, end], [height, height], color=style.GREY, linewidth=2.0, solid_capstyle="butt", zorder=3)
+    ax.annotate(f"{length_m:g} m", (end - length_m / 2, height), (0, 3), textcoords="offset points", ha="center",
+                color=style.GREY, fontsize=style.SMALL_PT)  # fmt: skip
 
 
 def _everything(

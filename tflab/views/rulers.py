@@ -42,6 +42,8 @@ CAPTION_PX, TALL_PX, EDGE_PX, GAP_PX = 66, 250, 16, 14
 SAME_M = 0.0005  # what prints alike is called the same
 MARGIN_M = 1.0  # around what is shown, at the least
 ROOM_FOR_LABELS = 0.22  # part of its width
+LABEL_REACH_PT = 46.0  # from the middle of a leg to the far end of its number, where that stands aside
+SHORT_PT = 20.0  # a leg that is shorter leaves no room for a number on its other side, where the other leg is
 SHORT_M = 0.25  # a leg shorter than this has no number beside it
 
 
@@ -191,9 +193,18 @@ class _Leg:
         aside = np.array((along[1], -along[0])) / size
         if aside @ (other - start) > 1e-9:
             aside = -aside
+        if not self._has_room(start, end, aside):
+            aside = -aside
         self.label.xy = tuple((start + end) / 2)
         self.label.set_position(tuple((11 + 13 * abs(aside[0])) * aside))
         self.label.set_text(f"{self._axis} {length_m:.2f}")
+
+    def _has_room(self, start: np.ndarray, end: np.ndarray, aside: np.ndarray) -> bool:
+        """Return whether the length, written on this side, stays on its map; beside a short leg it need not."""
+        ax = self.line.axes
+        points = ax.transData.transform([start, end]) * 72.0 / ax.figure.dpi
+        far = (points.mean(axis=0) + LABEL_REACH_PT * aside) * ax.figure.dpi / 72.0
+        return np.hypot(*(points[1] - points[0])) < SHORT_PT or bool(ax.bbox.contains(*far))
 
 
 def draw_rulers(

@@ -21,7 +21,7 @@ function lighter(colour) { // a dark blue letter on a dark page
 const overlap = (a, b) => a.x < b.x + b.w && b.x < a.x + a.w && a.y < b.y + b.h && b.y < a.y + a.h;
 
 // Where a name may stand, seen from its frame's origin, nearest wish first: below, above, to the sides, farther.
-const PLACES = [16, 34, 52, 70].flatMap((far) => [
+const PLACES = [16, 34, 52, 70, 90, 112, 136].flatMap((far) => [
   [0, far], [0, -far], [0.6, far], [-0.6, far], [0.6, -far], [-0.6, -far], [1, 0.25 * far], [-1, 0.25 * far],
 ].map(([side, down]) => [side, down, far]));
 
