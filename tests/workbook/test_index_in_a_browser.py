@@ -13,7 +13,8 @@ from tflab.workbook.progress import record_try
 pytestmark = pytest.mark.browser
 
 PYTHON = {"name": "python3", "display_name": "Python 3"}
-CELLS = "jupyterapp.shell.currentWidget.content.model.cells"
+MODEL = "jupyterapp.shell.currentWidget.content.model"
+CELLS = f"{MODEL}.cells"
 # A page of this length is drawn only where one looks: what has run is asked of its cells, not of their pictures.
 HAVE_RUN = f"[...Array({CELLS}.length).keys()].every((i) => {CELLS}.get(i).executionCount !== null)"
 SHOW = f"""(name) => {{
@@ -74,6 +75,19 @@ def test_a_view_whose_kernel_is_gone_says_its_words_and_what_to_run(lab, page) -
     said = page.locator(".jp-OutputArea-output").inner_text()
     assert said.startswith("odom and base_link, 2.00 m apart")
     assert "model not found" not in said
+
+
+def test_a_page_is_unsaved_when_somebody_writes_into_it_and_not_for_what_its_kernel_is_called(lab, page) -> None:
+    cells = [nbformat.v4.new_code_cell("1 + 1"), nbformat.v4.new_code_cell("2 + 2")]
+    notebook = nbformat.v4.new_notebook(cells=cells, metadata={"tflab": {"language": "en"}, "kernelspec": PYTHON})
+    nbformat.write(notebook, lab.folder / "clean.ipynb")
+    lab.open(page, "clean.ipynb")
+    page.wait_for_function(f"{MODEL}.getMetadata('language_info').version !== undefined", timeout=60_000)
+    page.wait_for_timeout(500)
+    assert page.evaluate(f"{MODEL}.dirty") is False
+    page.evaluate(f"{MODEL}.cells.get(1).sharedModel.setSource('3 + 3')")
+    page.wait_for_timeout(500)
+    assert page.evaluate(f"{MODEL}.dirty") is True
 
 
 def test_a_panel_names_its_picture_and_its_sliders(lab, page) -> None:

@@ -1,10 +1,11 @@
-// What does JupyterLab not say of a page?  Its language, what a picture shows, and what to do with a widget whose
-// kernel is gone.
+// What does JupyterLab not say of a page?  Its language, what a picture shows, what to do with a widget whose
+// kernel is gone, and that nothing in it was changed.
 //
 //   image/png + text/plain           <img alt="...">                   JupyterLab drops the words that came along
 //   a slider                         its name                          ipywidgets shows it, and does not say it
 //   a page of the workbook           its language; no line of code is cut
 //   a view whose model is nowhere    the words, and "run this cell"    instead of "model not found"
+//   a kernel that says what it is    a page is not unsaved for that   JupyterLab writes it into the page
 //
 // `tflab lab` brings it along, and an install of tflab puts it where any JupyterLab of the same Python finds it:
 // there, notebooks that are none of ours get names for their pictures and sliders, and nothing else.
@@ -45,7 +46,9 @@
   }
 
   function describeAll(shell) {
-    for (const { content } of shell.widgets("main")) {
+    for (const widget of shell.widgets("main")) {
+      const { content } = widget;
+      watch(widget);
       const ours = content?.widgets && content.model?.getMetadata?.("tflab");
       const language = ours && (ours.language === "ko" ? "ko" : "en");
       if (ours) dress(content, language);
@@ -57,6 +60,27 @@
         });
       }
     }
+  }
+
+  // On opening, the kernel's own name and version go into a page, and JupyterLab calls it unsaved.
+  function keepClean({ model }) {
+    const written = () => JSON.stringify(model.toJSON().cells);
+    const opened = written();
+    const look = (_, change) => {
+      if (change.name !== "dirty" || !change.newValue) return;
+      if (written() === opened) model.dirty = false;
+      else model.stateChanged.disconnect(look);
+    };
+    model.stateChanged.connect(look);
+    look(model, { name: "dirty", newValue: model.dirty }); // a quick kernel was there first
+  }
+
+  const watched = new WeakSet();
+
+  function watch({ context }) {
+    if (!context?.ready || watched.has(context)) return;
+    watched.add(context);
+    context.ready.then(() => context.model.getMetadata?.("tflab") && keepClean(context));
   }
 
   const plugin = {
