@@ -153,7 +153,7 @@ def material(
 def answers_hidden(page: bytes, language: str) -> bytes:
     """Return a page without the outputs that it asks to predict, with the texts that tell them folded.
 
-    A figure that says standing still what the live view before it says is folded, too: JupyterLab
+    A figure that says standing still what the live view right before it says is folded, too: JupyterLab
     shows three dots in its place.  A page with neither is returned as it is.
     """
     if not any(f'"{tag}"'.encode() in page for tag in (PREDICTED, INTERACTIVE)):
@@ -162,10 +162,9 @@ def answers_hidden(page: bytes, language: str) -> bytes:
     live = False
     for cell in notebook["cells"]:
         tags = cell["metadata"].get("tags", ())
-        if cell["cell_type"] == "code":
-            if live and _is_figure(cell):
-                cell["metadata"]["jupyter"] = {"outputs_hidden": True}
-            live = INTERACTIVE in tags
+        if live and _is_figure(cell) and PREDICTED not in tags:
+            cell["metadata"]["jupyter"] = {"outputs_hidden": True}
+        live = _is_live(cell) or (live and cell["cell_type"] == "markdown" and not _leads_on(cell))
         if PREDICTED not in tags:
             continue
         if cell["cell_type"] == "code":
@@ -223,8 +222,18 @@ def _is_in(name: str, language: str) -> bool:
 
 
 def _is_figure(cell: Mapping) -> bool:
-    """Return whether a code cell shows a picture."""
-    return any("image/png" in output.get("data", ()) for output in cell["outputs"])
+    """Return whether a cell shows a picture."""
+    return any("image/png" in output.get("data", ()) for output in cell.get("outputs", ()))
+
+
+def _is_live(cell: Mapping) -> bool:
+    """Return whether a cell shows something that moves; what a tool prints does not."""
+    return INTERACTIVE in cell["metadata"].get("tags", ()) and "%ros2" not in "".join(cell["source"])
+
+
+def _leads_on(cell: Mapping) -> bool:
+    """Return whether a text begins something else: a figure behind it is no twin of the view before it."""
+    return "".join(cell["source"]).startswith("#")
 
 
 def _folded(text: str, summary: str) -> str:
