@@ -63,7 +63,10 @@ def exercise_notebook(page: Page, language: str, tasks: Mapping[str, Mapping[str
         if _is_note(cell):
             continue
         made = _cell(cell, language)
-        if cell.kind == "code":
+        made["metadata"]["deletable"] = False  # nothing of it goes by an accident; cells may be added anywhere
+        if cell.kind == "markdown":
+            made["metadata"]["editable"] = False
+        else:
             made["source"] = _lines(blank(cell.source))
             task = task_of(cell.name, tasks)
             if task:
@@ -138,7 +141,7 @@ def _task_metadata(name: str, task: str, points: float) -> dict:
     }
     if role == "check":
         nbgrader["points"] = points
-    made: dict[str, Any] = {"deletable": False, "nbgrader": nbgrader, "tflab": {"task": task}}
+    made: dict[str, Any] = {"nbgrader": nbgrader, "tflab": {"task": task}}
     if role != "answer":
         made["editable"] = False
     return made
