@@ -73,7 +73,7 @@ check("E3.1", calls)
 # `e3_2.base_T_laser.apply(point)` moves a point; `@` joins transforms that match.
 
 # %% [markdown] lang="ko" name="e3-2" slide="slide"
-# ## E3.2 · 돌려 단 레이저가 본 모서리 (4점)
+# ## E3.2 · 돌려서 장착한 레이저가 본 모서리 (4점)
 #
 # 레이저는 돌린 채 달려 있고, 로봇도 지도 위에서 돌아서 있습니다.
 # 레이저가 `laser_p_corner`에서 모서리를 봅니다.
@@ -138,7 +138,7 @@ check("E3.3", invert)
 #
 # `[a|b][b|c]`는 `[a|c]`입니다.
 # a 기준의 b와 b 기준의 c를 알 때, a를 기준으로 c가 어디에 있는지 반환하십시오.
-# 자세의 꼴과 공식은 E3.3과 같습니다.
+# 포즈의 꼴과 공식은 E3.3과 같습니다.
 
 # %% name="e3-4-answer" tags=["answer"]
 def compose(a_pose_b, b_pose_c):

@@ -40,3 +40,13 @@ def test_a_page_has_no_sentence_that_is_heard_otherwise(stem: str) -> None:
 def test_one_kind_of_section_has_one_name(stem: str) -> None:
     page = read_page(workbook_data() / "notebooks" / "src" / f"{stem}.py")
     assert [cell.name for cell in page.cells if cell.lang == "ko" and re.search(SECTIONS, cell.source, re.M)] == []
+
+
+def test_what_is_said_of_answers_is_heard_as_it_is_meant() -> None:
+    never = re.compile("|".join([*NEVER.values(), "습관", "오류 문구", "대기 한도", "물어본 시각"]))
+    folder = workbook_data() / "solutions"
+    found = []
+    for path in sorted([*folder.glob("src/*.py"), *folder.glob("tasks/**/*.py"), *folder.glob("teaching/*.yaml")]):
+        lines = path.read_text(encoding="utf-8").splitlines()
+        found += [f"{path.name}: {line.strip()}" for line in lines if never.search(line)]
+    assert found == []

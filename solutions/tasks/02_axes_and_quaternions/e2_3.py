@@ -71,7 +71,7 @@ W_FIRST = Slip(
     {"order": "w first"},
     Words(
         en="The four numbers are right, their order is not: this is (w, x, y, z). ROS writes w last. For a yaw of 0 your robot lies on its back.",
-        ko="숫자 넷은 맞지만 순서가 (w, x, y, z)입니다. ROS는 w를 마지막에 씁니다. yaw가 0일 때 로봇이 뒤집혀 누워 있습니다.",
+        ko="숫자 네 개는 맞지만 순서가 (w, x, y, z)입니다. ROS는 w를 마지막에 씁니다. yaw가 0일 때 로봇이 뒤집혀 누워 있습니다.",
     ),
     misconception="M5",
 )
@@ -193,7 +193,7 @@ ANGLE_ALONE = Slip(
     {"z": "angle alone"},
     Words(
         en="You wrote the angle into z and left w at 0. The four numbers are no angles: z takes the sine of half of it, w the cosine.",
-        ko="z에 각도를 넣고 w를 0으로 두었습니다. 네 숫자는 각도가 아닙니다. z에는 절반의 sin, w에는 cos을 넣으십시오.",
+        ko="z에 각도를 넣고 w를 0으로 두었습니다. 숫자 네 개는 각도가 아닙니다. z에는 절반의 sin, w에는 cos을 넣으십시오.",
     ),
     "M5",
 )
@@ -306,7 +306,7 @@ ANGLE_TO_LENGTH_ONE = Slip(
     {"z": "angle to length one"},
     Words(
         en="You wrote the angle into z and scaled the four numbers to length one. z is the sine of half the angle, w the cosine.",
-        ko="z에 각도를 넣고 네 숫자의 길이를 1로 맞추었습니다. z는 각도 절반의 sin, w는 cos입니다.",
+        ko="z에 각도를 넣고 숫자 네 개의 길이를 1로 맞추었습니다. z는 각도 절반의 sin, w는 cos입니다.",
     ),
     "M5",
 )

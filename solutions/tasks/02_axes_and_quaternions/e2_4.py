@@ -115,7 +115,7 @@ ZERO_IF_W_IS_ZERO = Slip(
     {"zero": "w"},
     Words(
         en="You call (0, 0, 1, 0) zero. It is half a turn: w is 0, the length is 1. Look at all four numbers.",
-        ko="(0, 0, 1, 0)을 zero라고 했습니다. 이것은 반 바퀴 회전입니다. w는 0이지만 길이는 1입니다. 네 숫자를 모두 보십시오.",
+        ko="(0, 0, 1, 0)을 zero라고 했습니다. 이것은 반 바퀴 회전입니다. w는 0이지만 길이는 1입니다. 숫자 네 개를 모두 보십시오.",
     ),
     misconception="M5",
 )
@@ -365,7 +365,7 @@ EACH_NEXT_TO_NOTHING = Slip(
     {"zero": "each"},
     Words(
         en="You ask whether each number is next to nothing. The task asks for the length: four small ones make a longer one.",
-        ko="숫자 하나하나가 0에 가까운지 봅니다. 길이를 보아야 합니다. 작은 숫자 넷이 모이면 더 길어집니다.",
+        ko="숫자 하나하나가 0에 가까운지 봅니다. 길이를 보아야 합니다. 작은 숫자도 네 개가 모이면 더 길어집니다.",
     ),
 )
 

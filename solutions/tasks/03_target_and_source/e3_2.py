@@ -378,7 +378,7 @@ TASK = Task(
     id="E3.2",
     kind="N",
     points=4,
-    title=Words(en="A corner seen by a turned laser", ko="돌려 단 레이저가 본 모서리"),
+    title=Words(en="A corner seen by a turned laser", ko="돌려서 장착한 레이저가 본 모서리"),
     answer="corner",
     form=Parts({"base_link": Vector(3, "m", "base_link", 0.005), "map": Vector(3, "m", "map", 0.005)}),
     given=corner_given,

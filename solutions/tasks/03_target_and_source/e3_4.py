@@ -227,7 +227,7 @@ FIRST_INVERTED = Slip(
     {"first": "inverted"},
     Words(
         en="you turned the first pose round before joining. It stands as it is: [a|b] begins with a already.",
-        ko="앞의 자세를 뒤집은 다음 이었습니다. [a|b]는 이미 a로 시작하므로 그대로 씁니다.",
+        ko="앞의 포즈를 뒤집은 다음 이었습니다. [a|b]는 이미 a로 시작하므로 그대로 씁니다.",
     ),
     "M1",
 )
@@ -238,7 +238,7 @@ SECOND_INVERTED = Slip(
     {"second": "inverted"},
     Words(
         en="you turned the second pose round before joining. It stands as it is: [b|c] begins where the first ends.",
-        ko="뒤의 자세를 뒤집은 다음 이었습니다. [b|c]는 앞의 것이 끝나는 곳에서 시작하므로 그대로 씁니다.",
+        ko="뒤의 포즈를 뒤집은 다음 이었습니다. [b|c]는 앞의 것이 끝나는 곳에서 시작하므로 그대로 씁니다.",
     ),
     "M1",
 )

@@ -58,7 +58,7 @@ SWAPPED = Slip(
     Words(
         en="where it is wrong stands the answer to the other question. `tf2_echo base_link laser_frame` "
         "prints where the second sits in the first, whatever the tool's help calls them.",
-        ko="틀린 값은 서로의 자리에 놓여 있습니다. `tf2_echo base_link laser_frame`은 둘째가 첫째 안 어디에 있는지 "
+        ko="틀린 값은 서로 바뀌어 있습니다. `tf2_echo base_link laser_frame`은 첫째를 기준으로 둘째가 어디에 있는지 "
         "출력합니다. 도움말이 무엇이라 부르든 그렇습니다.",
     ),
     "M1",

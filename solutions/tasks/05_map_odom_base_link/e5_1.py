@@ -148,7 +148,7 @@ SUBTRACTED_THE_OTHER_WAY = Twin(
     lambda map_T_base, odom_T_base: by_parts(odom_T_base, map_T_base),
     Words(
         en="You took the pose on the map off the wheels' pose, number by number: the order is turned round, and poses are joined with `@`, not subtracted.",
-        ko="바퀴의 자세에서 지도의 자세를 숫자끼리 뺐습니다. 순서가 반대이고, 자세는 빼지 않고 `@`로 잇습니다.",
+        ko="바퀴의 포즈에서 지도의 포즈를 숫자끼리 뺐습니다. 순서가 반대이고, 포즈는 빼지 않고 `@`로 잇습니다.",
     ),
     "M3",
 )

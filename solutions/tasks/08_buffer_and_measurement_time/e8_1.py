@@ -79,7 +79,7 @@ NOW = Twin(
     lambda g: g.clock_s,
     Words(
         en="That is the clock on the wall. `Time()` does not mean now; nothing in the buffer is that fresh.",
-        ko="벽시계의 시각입니다. `Time()`은 지금이 아닙니다. 버퍼 안에 그만큼 새로운 것은 없습니다.",
+        ko="현재 시각(시스템 시각)입니다. `Time()`은 지금이 아닙니다. 버퍼 안에 그만큼 새로운 것은 없습니다.",
     ),
     "M9",
 )
@@ -110,7 +110,7 @@ TIME_ZERO = Twin(
     0.0,
     Words(
         en="Zero is how the question is written: `Time()` is time zero, and tf2 reads it as a wish for the latest. The answer has a stamp of its own. Which?",
-        ko="0은 질문을 적는 방법입니다. `Time()`은 시각 0이고 tf2는 이것을 최신을 달라는 말로 읽습니다. 답에는 자기 시각이 붙어 있습니다. 몇 초입니까?",
+        ko="0은 시각이 아니라 ‘최신’을 뜻하는 약속입니다. `Time()`은 시각 0이고 tf2는 최신 변환을 달라는 뜻으로 읽습니다. 답에는 자기 시각이 붙어 있습니다. 몇 초입니까?",
     ),
     "M9",
 )

@@ -75,7 +75,7 @@ LATEST = Slip(
     {"moment": "latest"},
     Words(
         en="You asked for `Time()`, the latest common time, and the point was moved with a pose from another moment. No error came, did it? Use the message's own stamp.",
-        ko="최신 공통 시각인 `Time()`으로 물어서, 점이 다른 순간의 자세로 옮겨졌습니다. 오류는 나지 않았습니다. 메시지 자신의 측정 시각을 쓰십시오.",
+        ko="최신 공통 시각인 `Time()`으로 물어서, 점이 다른 순간의 포즈로 옮겨졌습니다. 오류는 나지 않았습니다. 메시지 자신의 측정 시각을 쓰십시오.",
     ),
     "M9",
 )

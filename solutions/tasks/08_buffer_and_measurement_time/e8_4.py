@@ -63,7 +63,7 @@ SPEED_ONLY = Slip(
     {"arc": "forgotten"},
     Words(
         en="You left out the turn. The pose of now looks another way, and drags the object along sideways: the more, the farther it is.",
-        ko="회전을 빠뜨렸습니다. 지금의 자세는 다른 쪽을 보고 있어 물체를 옆으로 끌고 갑니다. 멀리 있을수록 더 그렇습니다.",
+        ko="회전을 빠뜨렸습니다. 로봇은 지금 다른 쪽을 보고 있어서, 그 회전이 물체를 옆으로 끌고 갑니다. 멀리 있을수록 더 그렇습니다.",
     ),
     "M9",
     part="left_m",

@@ -145,7 +145,7 @@ TASK = Task(
         ),
         Words(
             en="For the three texts: into the past or into the future, and by how much? Milliseconds, seconds or years?",
-            ko="오류 문구에서는 과거인지 미래인지, 그리고 얼마나 모자라는지를 보십시오. 밀리초입니까, 초입니까, 년입니까?",
+            ko="오류 메시지에서는 과거인지 미래인지, 그리고 얼마나 모자라는지를 보십시오. 밀리초입니까, 초입니까, 년입니까?",
         ),
         Words(
             en="One of them is no TransformException at all, one has been made to look fresh, one forgot too soon. Each cause is used once.",

@@ -193,7 +193,7 @@ TEN_MORE = Twin(
     lambda g: 10.0 + g.thinking_s,
     Words(
         en="You added the thinking time to the ten seconds that one gets. The ten are a habit: work out the least that is always enough.",
-        ko="기본값 10초에 생각하는 시간을 더했습니다. 10초는 습관일 뿐입니다. 언제나 충분한 가장 짧은 시간을 구하십시오.",
+        ko="기본값 10초에 생각하는 시간을 더했습니다. 10초는 흔히 쓰는 값일 뿐입니다. 언제나 충분한 가장 짧은 시간을 구하십시오.",
     ),
 )
 

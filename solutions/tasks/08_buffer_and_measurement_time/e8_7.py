@@ -72,7 +72,7 @@ LATEST_INSTEAD_OF_NOW = Slip(
     {"base": "latest"},
     Words(
         en="The moment of the sighting is right. But for base_link you took `Time()`, the newest pose in the buffer, and `now` is asked for.",
-        ko="본 순간은 맞습니다. 그런데 base_link에는 버퍼의 가장 새로운 자세를 뜻하는 `Time()`을 썼습니다. 필요한 것은 `now`입니다.",
+        ko="본 순간은 맞습니다. 그런데 base_link에는 버퍼의 가장 새로운 포즈를 뜻하는 `Time()`을 썼습니다. 필요한 것은 `now`입니다.",
     ),
     "M9",
 )

@@ -46,7 +46,7 @@ ACCUSED_THE_ONE_THAT_MOVES = Twin(
     misconception="M11",
     reply=Words(
         en="that edge had news until later than line c says. The window of a chain ends where its laziest publisher ends.",
-        ko="그 연결에는 c에 나온 시각보다 뒤까지 소식이 있었습니다. 체인의 구간은 가장 게으른 발행자가 끝나는 곳에서 끝납니다.",
+        ko="그 연결에는 c에 나온 시각 이후의 표본도 있었습니다. 체인의 구간은 가장 게으른 발행자가 끝나는 곳에서 끝납니다.",
     ),
 )
 
@@ -125,7 +125,7 @@ DIRECTION_OF_H_TURNED_ROUND = Twin(
     misconception="M11",
     reply=Words(
         en="line h says itself which way it goes. The moment asked for counts: is it before or after all that the buffer has?",
-        ko="h는 방향을 스스로 말하고 있습니다. 물어본 시각을 기준으로 합니다. 버퍼가 가진 모든 것보다 이릅니까, 늦습니까?",
+        ko="h의 메시지에 방향이 적혀 있습니다. 요청 시각이 기준입니다. 버퍼가 가진 모든 것보다 이릅니까, 늦습니까?",
     ),
 )
 

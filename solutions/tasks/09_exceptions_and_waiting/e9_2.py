@@ -119,7 +119,7 @@ FUTURE_AND_PAST_SWAPPED = Slip(
     {"texts": "turned round"},
     Words(
         en="future and past have changed places. The words are about the moment asked for: newer than all the data is the future.",
-        ko="미래와 과거가 뒤바뀌었습니다. 물어본 시각을 기준으로 한 말입니다. 모든 데이터보다 새로우면 미래입니다.",
+        ko="미래와 과거가 뒤바뀌었습니다. 요청 시각을 기준으로 한 말입니다. 요청 시각이 모든 데이터보다 늦으면 미래입니다.",
     ),
     "M10",
 )

@@ -127,7 +127,7 @@ LATEST_INSTEAD_OF_THE_STAMP = Slip(
     misconception="M9",
     reply=Words(
         en="this asks for the latest transform, whatever the message's stamp. Then nothing is ever too old or too new, and the robot uses poses of another moment.",
-        ko="메시지의 시각과 상관없이 최신 변환을 묻고 있습니다. 그러면 너무 오래되거나 너무 새로운 것이 없어지고, 로봇은 다른 시각의 자세를 쓰게 됩니다.",
+        ko="메시지의 시각과 상관없이 최신 변환을 묻고 있습니다. 그러면 너무 오래되거나 너무 새로운 것이 없어지고, 로봇은 다른 시각의 포즈를 쓰게 됩니다.",
     ),
 )
 

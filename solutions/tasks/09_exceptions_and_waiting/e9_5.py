@@ -118,7 +118,7 @@ NEWEST_FIRST = Slip(
     {"out": "newest first"},
     reply=Words(
         en="the right messages, in the other order: asked for is oldest first.",
-        ko="메시지는 맞게 골랐지만 순서가 반대입니다. 오래된 것부터 써야 합니다.",
+        ko="메시지는 맞게 골랐지만 순서가 반대입니다. 오래된 것부터 넣어야 합니다.",
     ),
 )
 

@@ -120,7 +120,7 @@ A_ROUND_SECOND = Twin(
     misconception="M10",
     reply=Words(
         en="one second is a habit, not a result: it is longer than any of these numbers asks for, and it hides a clock that is wrong. Work it out.",
-        ko="1초는 습관이지 계산한 값이 아닙니다. 이 숫자들에 필요한 것보다 길고, 틀린 시계를 가립니다. 계산해 보십시오.",
+        ko="1초는 흔히 쓰는 값일 뿐, 계산한 값이 아닙니다. 이 숫자들에 필요한 것보다 길고, 틀린 시계를 숨깁니다. 계산해 보십시오.",
     ),
 )
 
@@ -156,7 +156,7 @@ TEN_SECONDS = Twin(
     10.0,
     reply=Words(
         en="ten seconds is a habit, not a result: the scan would be ten seconds old. Work it out.",
-        ko="10초는 습관이지 결과가 아닙니다. 그때 스캔은 10초나 지난 것입니다. 계산해 보십시오.",
+        ko="10초는 흔히 쓰는 값일 뿐, 계산한 결과가 아닙니다. 그때 스캔은 10초나 지난 것입니다. 계산해 보십시오.",
     ),
     misconception="M10",
 )

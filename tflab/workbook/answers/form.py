@@ -206,7 +206,7 @@ class Quaternion(Form):
         return None if row is None else [_both_signs((), row, self.tolerance)]
 
     def wanted(self) -> Words:
-        return Words(en="a quaternion: 4 numbers (x, y, z, w)", ko="쿼터니언: 숫자 4개 (x, y, z, w)")
+        return Words(en="a quaternion: 4 numbers (x, y, z, w)", ko="쿼터니언: 숫자 네 개 (x, y, z, w)")
 
 
 @dataclass(frozen=True)

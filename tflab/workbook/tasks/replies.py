@@ -20,8 +20,8 @@ PHRASES = {
         ko="이렇게 호출했습니다: {call}. 나온 결과: {got}.",
     ),
     "hint": Words(
-        en='hint("{id}") helps, one step at a time.',
-        ko='hint("{id}")를 실행하면 한 단계씩 도움을 받을 수 있습니다.',
+        en='hint("{id}") in a new cell (Esc, then b) helps, one step at a time.',
+        ko='새 셀을 만들어(Esc, b) hint("{id}")를 실행하면 한 단계씩 도움을 받을 수 있습니다.',
     ),
     "hint_number": Words(en="hint {number} of 3", ko="힌트 {number}/3"),
     "last_hint": Words(en="that was the last hint, once more", ko="마지막 힌트를 다시 보여 드립니다"),
@@ -41,7 +41,7 @@ PHRASES = {
         en="there is no such task here; there is {known}.{close}",
         ko="그런 과제가 없습니다. 있는 과제: {known}.{close}",
     ),
-    "did_you_mean": Words(en=' Did you mean "{name}"?', ko=' 혹시 "{name}" 아닙니까?'),
+    "did_you_mean": Words(en=' Did you mean "{name}"?', ko=' 혹시 "{name}"을(를) 찾으십니까?'),
     "no_cases": Words(
         en="cannot be checked: {why}. `tflab lab --update` brings back what is missing, and keeps what you wrote.",
         ko="검사할 수 없습니다: {why}. `tflab lab --update`를 실행하면 빠진 것이 복구되고 작성한 것은 그대로 남습니다.",
