@@ -199,7 +199,7 @@ graph.stop()
 # 시간은 읽고, 예측하고, 실행하는 데 걸리는 시간입니다. 연습 문제에도 그만큼 더 걸립니다.
 
 # %% [markdown] lang="en" name="chapters-table" slide="-"
-# | | chapter | its question | minutes | builds on | exercise |
+# | no. | chapter | its question | minutes | builds on | exercise |
 # |--:|:--|:--|--:|:--|:--|
 # | 1 | **[Value, frame and stamp](01_value_frame_stamp.ipynb)** | What makes three numbers a place? | 45 |  | [E1](../../exercises/en/E01_value_frame_stamp.ipynb) |
 # | 2 | **[Axes and quaternions](02_axes_and_quaternions.ipynb)** | Which way is forward? | 75 | 1 | [E2](../../exercises/en/E02_axes_and_quaternions.ipynb) |
@@ -215,7 +215,7 @@ graph.stop()
 # | 12 | **[Owners and diagnosis](12_owners_and_diagnosis.ipynb)** | Who owns each edge, and what is broken? | 60 | 5, 6, 7, 9, 10, 11 | [E12](../../exercises/en/E12_owners_and_diagnosis.ipynb) |
 
 # %% [markdown] lang="ko" name="chapters-table" slide="-"
-# | | 장 | 장의 질문 | 시간 | 먼저 볼 장 | 연습 |
+# | 번호 | 장 | 장의 질문 | 시간 | 먼저 볼 장 | 연습 |
 # |--:|:--|:--|--:|:--|:--|
 # | 1 | **[값, 좌표계, 측정 시각](01_value_frame_stamp.ipynb)** | 숫자 세 개는 언제 위치가 될까요? | 45분 |  | [E1](../../exercises/ko/E01_value_frame_stamp.ipynb) |
 # | 2 | **[좌표축과 쿼터니언](02_axes_and_quaternions.ipynb)** | 어느 쪽이 앞일까요? | 75분 | 1 | [E2](../../exercises/ko/E02_axes_and_quaternions.ipynb) |

@@ -15,12 +15,12 @@
 #
 # **값, 좌표계, 측정 시각** · 약 45분 · 00장을 바탕으로 합니다
 #
-# 이 장을 마치면 다음을 할 수 있습니다.
+# 이 장을 마치면
 #
-# - 쓸 수 있는 측정값의 세 부분, 곧 값, 좌표계, 측정 시각을 말합니다.
-# - 한 위치를 세 좌표계에서 말하고, 무엇이 움직이면 어느 숫자가 바뀌는지 말합니다.
-# - 메시지의 헤더를 나노초까지 읽고, 측정값이 얼마나 오래되었는지 계산합니다.
-# - 한 부분이라도 빠진 데이터는 거절하고, 이유를 말합니다.
+# - 쓸 수 있는 측정값의 세 부분, 곧 값, 좌표계, 측정 시각을 말할 수 있습니다.
+# - 한 위치를 세 좌표계를 기준으로 나타내고, 무엇이 움직이면 어느 숫자가 바뀌는지 말할 수 있습니다.
+# - 메시지의 헤더를 나노초까지 읽고, 측정값이 얼마나 오래되었는지 계산할 수 있습니다.
+# - 한 부분이라도 빠진 데이터는 거절하고, 이유를 설명할 수 있습니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
 # One idea: a number without its frame and its moment is a rumour.
@@ -261,7 +261,7 @@ lesson.draw_scene(poses, places, length_m=0.7)
 #
 # 이번에는 반대입니다. 공은 한 곳에 가만히 있고, 좌표계마다 공까지의 거리를 자기 자로 잽니다.
 
-# %% name="one-place-picture"
+# %% name="one-place-picture" tags=["predicted"]
 ball_in_map = map_T_laser.apply((2.0, 0.0, 0.0))
 lesson.draw_rulers(poses, ball_in_map, 'ball')
 
@@ -364,7 +364,7 @@ for t, pose in poses_at.items():
 #
 # 다음은 그 세 시각의 그림입니다. *그림 읽기:* ball = 공, ahead = 로봇 앞으로 떨어진 거리.
 
-# %% name="moments-picture" slide="subslide"
+# %% name="moments-picture" tags=["predicted"] slide="subslide"
 lesson.draw_moments({f'{t} s': pose for t, pose in poses_at.items()}, map_p_ball, 'ball')
 
 # %% [markdown] lang="en" name="rulers-try" slide="subslide"
@@ -883,7 +883,7 @@ rclpy.shutdown()
 # ### 서술형 문제 · Q1
 #
 # 어느 노드가 `(2.0, 0.0, 0.0)`만 건네줍니다. 이 숫자로 무엇을 할 수 있고, 만든 사람에게 무엇을 고쳐 달라고 하겠습니까?
-# 네다섯 문장으로 쓴 다음, 목록을 펼쳐 스스로 채점해 보세요. 들어 있는 내용 하나에 1점입니다.
+# 네다섯 문장으로 쓴 다음, 목록을 펼쳐 스스로 채점해 보세요. 아래 내용이 하나 들어 있을 때마다 1점입니다.
 #
 # <details><summary>완전한 답에 들어 있는 것</summary>
 #

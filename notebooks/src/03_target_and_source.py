@@ -484,7 +484,7 @@ lesson.draw_question(buffer, 'base_link', 'laser_frame')
 # %% [markdown] lang="ko" name="the-sentence-panel-answer" slide="skip"
 # <details><summary>부호 하나만 다른 쌍</summary>
 #
-# `base_link`와 `rear_laser`입니다. 뒤쪽에 반 바퀴 돌려 단 레이저입니다.
+# `base_link`와 `rear_laser`입니다. 뒤쪽에 반 바퀴 돌려서 단 레이저입니다.
 # 그 행렬과 반대 행렬은 z의 부호만 다릅니다.
 # 이 레이저를 기억해 두십시오. 뒤에서 팀 하나를 통째로 속입니다.
 #

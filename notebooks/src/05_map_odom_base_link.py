@@ -15,12 +15,12 @@
 #
 # **map, odom, base_link** · 약 50분 · 03, 04장을 바탕으로 합니다
 #
-# 이 장을 마치면 다음을 할 수 있습니다.
+# 이 장을 마치면
 #
-# - 매끄럽지만 조금씩 틀려 가는 포즈와 정확하지만 튀는 포즈를 구별하고, 알맞은 곳에 씁니다.
-# - [[localisation|위치 추정(localization)]] 노드가 발행하는 `map → odom`을 같은 시각의 두 포즈로 계산합니다.
-# - `map → base_link`를 아무도 발행하지 않는 이유를 설명하고, 누군가 발행하는 로봇을 알아봅니다.
-# - 기울어진 로봇을 바닥으로 투영합니다. `base_footprint`입니다.
+# - 매끄럽지만 조금씩 틀려 가는 포즈와 정확하지만 튀는 포즈를 구별하고, 알맞은 곳에 쓸 수 있습니다.
+# - [[localisation|위치 추정(localization)]] 노드가 발행하는 `map → odom`을 같은 시각의 두 포즈로 계산할 수 있습니다.
+# - `map → base_link`를 아무도 발행하지 않는 이유를 설명하고, 누군가 발행하는 로봇을 알아볼 수 있습니다.
+# - 기울어진 로봇을 바닥으로 투영할 수 있습니다. 그것이 `base_footprint`입니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
 # One edge carries the chapter: map to odom. Ask now: if the robot knows where it is on the map, why not simply publish that? Collect answers, promise to come back.

@@ -15,12 +15,12 @@
 #
 # **정적 변환과 동적 변환** · 약 60분 · 03, 04장을 바탕으로 합니다
 #
-# 이 장을 마치면 다음을 할 수 있습니다.
+# 이 장을 마치면
 #
-# - 연결마다 `/tf_static`과 `/tf` 가운데 어디에 발행할지 정하고, 잘못 골랐을 때 무엇을 잃는지 설명합니다.
-# - 늦게 온 수신기가 무엇을 아는지, 발행자가 멈추면 무엇이 남는지 설명합니다.
-# - [[static transform|정적 변환(static transform)]]을 명령줄에서 발행하고, 두 종류를 모두 파이썬으로 발행합니다.
-# - RViz에서는 완벽한 원인데 로봇은 옆으로 미끄러지고 있음을 알아냅니다.
+# - 연결마다 `/tf_static`과 `/tf` 가운데 어디에 발행할지 정하고, 잘못 골랐을 때 무엇을 잃는지 설명할 수 있습니다.
+# - 늦게 온 수신기가 무엇을 아는지, 발행자가 멈추면 무엇이 남는지 설명할 수 있습니다.
+# - [[static transform|정적 변환(static transform)]]을 명령줄에서 발행하고, 두 종류를 모두 파이썬으로 발행할 수 있습니다.
+# - RViz에서는 완벽한 원인데 로봇은 옆으로 미끄러지고 있음을 알아낼 수 있습니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
 # Two pictures carry the hour: a notice board and a radio. Ask: how do you tell a room something that never changes, if people come in late? And something that changes all the time?
@@ -433,7 +433,7 @@ graph = lesson.new_graph()
 # %% [markdown] lang="ko" name="break-command" slide="slide"
 # ## 일부러 고장 내기: 명령줄
 #
-# 0.2 m 앞에 30° 돌려 단 카메라를 두 가지로 적었습니다. 각각 오류가 날지, 다른 일이 일어날지 **예측해 봅시다.**
+# 0.2 m 앞에 30° 돌려서 단 카메라를 두 가지로 적었습니다. 각각 오류가 날지, 다른 일이 일어날지 **예측해 봅시다.**
 
 # %% name="thirty" tags=["predicted"] slide="fragment"
 # %ros2 run tf2_ros static_transform_publisher --x 0.2 --yaw 30 --frame-id base_link --child-frame-id camera_link
@@ -809,16 +809,16 @@ for t in (1.0, 3.0, 6.0):
 # 0.5 m, for any time, also for second 1, when it was on the floor. A board has no past and no future: its last word holds for ever, before and after.
 # No error will ever tell you. A link that is sent once and then moves stays frozen in RViz where it was at first.
 #
-# | | on the board `/tf_static` | on the radio `/tf` |
+# | the link | on the board `/tf_static` | on the radio `/tf` |
 # |---|---|---|
-# | bolted on | **right** | the chain grows old |
+# | is bolted on | **right** | the chain grows old |
 # | moves | no past, or frozen | **right**, if it never falls silent |
 
 # %% [markdown] lang="ko" name="static-lift-seen" tags=["predicted"]
 # 어느 시각을 조회해도 0.5 m입니다. 바닥에 있던 1초의 높이까지 0.5 m라고 합니다. 게시판에는 과거도 미래도 없습니다. 마지막 값이 모든 시각에 적용됩니다.
 # 오류는 끝내 나지 않습니다. 한 번만 보내고 움직이면 RViz에서는 처음 위치에 얼어붙어 있습니다.
 #
-# | | 게시판 `/tf_static` | 라디오 `/tf` |
+# | 연결 | 게시판 `/tf_static` | 라디오 `/tf` |
 # |---|---|---|
 # | 고정된 것 | **맞습니다** | 사슬 전체가 낡습니다 |
 # | 움직이는 것 | 과거가 없거나 얼어붙습니다 | 멈춰도 계속 알리면 **맞습니다** |

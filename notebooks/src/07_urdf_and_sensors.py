@@ -15,12 +15,12 @@
 #
 # **URDF와 센서** · 약 60분 · 02, 06장을 바탕으로 합니다
 #
-# 이 장을 마치면 다음을 할 수 있습니다.
+# 이 장을 마치면
 #
-# - [[urdf|URDF]]의 관절 하나를 읽습니다. origin과 axis에 적히는 것, 그리고 어디에도 적히지 않는 것을 압니다.
-# - 로봇 팔 끝의 위치를 도미노처럼 하나씩 이어 계산합니다.
-# - `robot_state_publisher`가 어떤 좌표계를 어느 토픽으로 발행하는지, 왜 일부가 빠지는지 설명합니다.
-# - 도면과 다르게 달린 센서를 알아봅니다. 돌아간 것, 기울어진 것, 뒤집힌 것입니다.
+# - [[urdf|URDF]]의 관절 하나를 읽고, origin과 axis에 적히는 것과 어디에도 적히지 않는 것을 구별할 수 있습니다.
+# - 로봇 팔 끝의 위치를 도미노처럼 하나씩 이어 계산할 수 있습니다.
+# - `robot_state_publisher`가 어떤 좌표계를 어느 토픽으로 발행하는지, 왜 일부가 빠지는지 설명할 수 있습니다.
+# - 도면과 다르게 달린 센서(돌아간 것, 기울어진 것, 뒤집힌 것)를 알아볼 수 있습니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
 # One sentence carries the chapter: a URDF is a promise about screws, and TF repeats it without looking. Ask: how would you notice that a laser is turned by 90 degrees? Collect answers; somebody will say "RViz shows an error".

@@ -936,7 +936,7 @@ print(*patient.answers, sep='\n')
 # 그런데 왜 회복하지 못할까요? 숫자를 보세요. 마지막에는 2.595초의 변환을 조회하는데, 변환이 1초에 스무 개씩 도착했는데도 아는 최신 변환은 1.146초의 것입니다.
 # 기다릴수록 아는 것이 줄어듭니다. 이유는 이렇습니다.
 
-# %% name="lanes-picture" slide="subslide"
+# %% name="lanes-picture" tags=["predicted"] slide="subslide"
 lesson.draw_lanes(patient)
 
 # %% [markdown] lang="en" name="lanes-why" slide="-"

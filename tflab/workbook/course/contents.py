@@ -44,8 +44,8 @@ README_ROWS = re.compile(r"(?<=\n\|--:\|:--\|:--\|--:\|\n)(?:\|.*\n)*")
 README_TO_COME = re.compile(r"(?m)^(?:To come|준비 중인 장): .*\n")
 
 HEAD = Words(
-    en="| | chapter | its question | minutes | builds on | exercise |",
-    ko="| | 장 | 장의 질문 | 시간 | 먼저 볼 장 | 연습 |",
+    en="| no. | chapter | its question | minutes | builds on | exercise |",
+    ko="| 번호 | 장 | 장의 질문 | 시간 | 먼저 볼 장 | 연습 |",
 )
 MINUTES = Words(en="{minutes}", ko="{minutes}분")
 TO_COME = Words(en="To come: {chapters}.", ko="준비 중인 장: {chapters}.")
