@@ -123,8 +123,7 @@ def lab(words: Sequence[str]) -> int:
         start_jupyterlab([*OUR_OPTIONS, root, *_terminal(), *first_page, *own_options])
     except SystemExit as stop:
         if stop.code == 1 and _is_root() and "--allow-root" not in own_options:
-            typed = [*given, *([] if "--" in given else ["--"]), "--allow-root"]
-            return _refuse(ROOT.say(language, command=f"{tflab} lab {join(typed)}"))
+            return _refuse(ROOT.say(language, command=f"{tflab} lab {join(_with_root(given))}"))
         raise
     return 0
 
@@ -245,6 +244,11 @@ def _tell(changes: Sequence[Change], folder: Path, language: str) -> None:
 
 def _is_root() -> bool:
     return hasattr(os, "geteuid") and os.geteuid() == 0
+
+
+def _with_root(words: list[str]) -> list[str]:
+    """Return what was typed, with JupyterLab allowed to run as root."""
+    return [*words, *([] if "--" in words else ["--"]), "--allow-root"]
 
 
 def _refuse(reason: str) -> int:
