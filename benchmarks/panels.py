@@ -10,8 +10,9 @@ and every slider by the mouse too.  For each step the page itself takes the time
 the event to the animation frame that shows the changed picture.
 
 After each panel stands an *echo*: a slider whose observer sets a label, which is the
-least that a kernel can do.  Its steps are taken in turn with the panel's, so what it
-needs is the machine's and JupyterLab's share of the time beside it.
+least that a kernel can do.  Its steps are taken in turn with the panel's, and for each
+the page also notes when its next *frame* came, which is the least that a browser can
+do.  The two are the machine's and JupyterLab's share of the time beside them.
 """
 
 from __future__ import annotations
@@ -74,8 +75,10 @@ CONTROLS = """(name) => {
 # The time from the next event to the frame that shows what came of it [ms]; -1 if nothing changed.
 NEXT_PICTURE = """([name, kind]) => {
   const root = cellNamed(name).outputArea.node;
+  window.frame = -1;
   window.latency = new Promise((done) => {
     addEventListener(kind, ({ timeStamp }) => {
+      requestAnimationFrame(() => { window.frame = performance.now() - timeStamp; });
       const shown = () => requestAnimationFrame(() => finish(performance.now() - timeStamp));
       const watch = new MutationObserver((changes) => {
         for (const { target, addedNodes } of changes) {
@@ -99,20 +102,22 @@ NEXT_PICTURE = """([name, kind]) => {
 
 
 class Row(NamedTuple):
-    """What was seen of one panel [ms]: by the keyboard, by the mouse, and of the echo beside it."""
+    """What was seen of one panel [ms]: by the keyboard, by the mouse, of the echo beside it, and of frames."""
 
     page: str
     name: str
     keys: list[float]
     mouse: list[float]
     echo: list[float]
+    frame: list[float]
 
 
 def main(chapters: Sequence[str], steps: int) -> None:
     """Print a line for each panel."""
     from playwright.sync_api import sync_playwright
 
-    print(f"{'page':<5} {'panel':<22} {'keys':>15} {'mouse':>15} {'echo':>15}   median (95 %) [ms], goal {GOAL_MS:.0f}")
+    head = "".join(f"{name:>16}" for name in ("keys", "mouse", "echo", "frame"))
+    print(f"{'page':<5} {'panel':<22}{head}   median (95 %) [ms], goal {GOAL_MS:.0f}")
     with tempfile.TemporaryDirectory() as home, running_lab(Path(home)) as lab, sync_playwright() as driver:
         copy = lay_out(lab.folder / "copy", "en")
         browser = driver.chromium.launch(
@@ -167,26 +172,26 @@ def with_echoes(path: Path) -> list[str]:
 
 def measured(page, chapter: str, name: str, controls: Sequence[str], steps: int) -> Row:
     """Return the times of a panel and of its echo, taken in turn."""
-    row = Row(chapter, name, [], [], [])
+    row = Row(chapter, name, [], [], [], [])
     for place, kind in enumerate(controls):
         pressed(page, name, place, kind, steps, row.keys)
-        pressed(page, ECHO + name, 0, "slider", steps, row.echo)
+        pressed(page, ECHO + name, 0, "slider", steps, row.echo, row.frame)
         if kind in ("slider", "range"):
             dragged(page, name, place, kind, steps, row.mouse)
-            dragged(page, ECHO + name, 0, "slider", steps, row.echo)
+            dragged(page, ECHO + name, 0, "slider", steps, row.echo, row.frame)
     return row
 
 
-def pressed(page, name: str, place: int, kind: str, steps: int, times: list[float]) -> None:
+def pressed(page, name: str, place: int, kind: str, steps: int, *times: list[float]) -> None:
     """Move a control by the keyboard: there, and back again."""
     keys = {"checkbox": (" ", " "), "select-one": ("ArrowDown", "ArrowUp")}.get(kind, ("ArrowRight", "ArrowLeft"))
     page.locator(f'[data-control="{name}-{place}"]').focus()
     page.wait_for_timeout(HAND_MS)
     for step in range(steps):
-        take(page, name, "keydown", lambda step=step: page.keyboard.press(keys[step >= steps // 2]), times)
+        take(page, name, "keydown", lambda step=step: page.keyboard.press(keys[step >= steps // 2]), *times)
 
 
-def dragged(page, name: str, place: int, kind: str, steps: int, times: list[float]) -> None:
+def dragged(page, name: str, place: int, kind: str, steps: int, *times: list[float]) -> None:
     """Drag a slider by the mouse, towards its middle."""
     control = page.locator(f'[data-control="{name}-{place}"]')
     control.scroll_into_view_if_needed()
@@ -204,18 +209,19 @@ def dragged(page, name: str, place: int, kind: str, steps: int, times: list[floa
     page.wait_for_timeout(HAND_MS)
     page.mouse.down()
     for step in range(1, steps + 1):
-        take(page, name, "pointermove", lambda step=step: page.mouse.move(x + toward * STEP_PX * step, y), times)
+        take(page, name, "pointermove", lambda step=step: page.mouse.move(x + toward * STEP_PX * step, y), *times)
     page.mouse.up()
     page.wait_for_timeout(PAUSE_MS)
 
 
-def take(page, name: str, kind: str, act, times: list[float]) -> None:
+def take(page, name: str, kind: str, act, *times: list[float]) -> None:
     """Do one step, and note how long the picture took; a step that changes nothing has no time."""
     page.evaluate(NEXT_PICTURE, [name, kind])
     act()
-    took = page.evaluate("latency")
-    if took > 0:
-        times.append(took)
+    took = page.evaluate("latency"), page.evaluate("frame")
+    if took[0] > 0:
+        for each, taken in zip(took, times, strict=False):
+            taken.append(each)
     page.wait_for_timeout(PAUSE_MS)
 
 

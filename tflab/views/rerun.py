@@ -12,7 +12,9 @@ Read `eye.py` next.
 
 from __future__ import annotations
 
+import ctypes
 import gc
+import sys
 from itertools import count
 from typing import Any
 
@@ -27,7 +29,8 @@ _let_go = count(1)
 
 
 def register(ipython: Any) -> None:
-    """Let views go when the cell that showed them runs again; a second call changes nothing."""
+    """Let views go when the cell that showed them runs again; a second call only sweeps up what a page has left."""
+    _sweep()
     ipython.events.register("pre_run_cell", _forget)
     ipython.events.register("post_run_cell", _remember)
 
@@ -45,7 +48,16 @@ def _forget(info: Any) -> None:
         close()
     del view, close
     if next(_let_go) % SWEEP_AFTER == 0:
-        gc.collect()
+        _sweep()
+
+
+def _sweep() -> None:
+    """Free what nothing holds any more, and where the C library keeps freed memory (glibc), have it given back."""
+    gc.collect()
+    if sys.platform == "linux":
+        trim = getattr(ctypes.CDLL(None), "malloc_trim", None)
+        if trim is not None:
+            trim(0)
 
 
 def _remember(result: Any) -> None:
