@@ -65,6 +65,7 @@ def main(words: Sequence[str] | None = None) -> int:
     root = workbook_data()
     stems = [stem for stem in chapters(root) if numbers is None or stem[:2] in numbers]
     pack = read_pack(options.pack) if options.pack else None
+    stems = [stem for stem in stems if pack is None or stem in pack.cases]
     print("| task | | points | best without understanding | by chance |\n|---|---|---|---|---|")
     rows = []
     with ProcessPoolExecutor() as processes:
