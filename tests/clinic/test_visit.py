@@ -4,13 +4,16 @@ from itertools import product
 
 import pytest
 
+from tflab.clinic.causes import Numbers
 from tflab.clinic.examples import EXAMPLES
 from tflab.clinic.patient import SickRobot
-from tflab.clinic.practice import answer_of, practice_patient, worked_patient
+from tflab.clinic.practice import answer_of, practice_patient, second_opinion, worked_patient
 from tflab.clinic.proof import shortest_proof
 from tflab.clinic.table import COMPLAINTS, SUSPECTS, kind_expected
+from tflab.clinic.told import done
 from tflab.clinic.trolley import TROLLEY
 from tflab.clinic.visit import CARD, WORDS, Visit, admit
+from tflab.clinic.ward import examined
 
 
 @pytest.fixture(scope="module")
@@ -88,7 +91,7 @@ def test_a_wrong_diagnosis_is_told_a_check_and_not_the_cause(truth, language, ca
             visit.take(check)
         visit.say(wrong)
         said = capsys.readouterr().out
-        assert [check for check in TROLLEY.values() if f"`{check.command}`" in said], said
+        assert [check for check in TROLLEY.values() if f"`{done(check, language)}`" in said], said
         assert truth not in said and WORDS[language]["noted"] not in said
 
 
@@ -113,6 +116,18 @@ def test_a_practice_patient_is_the_same_wherever_it_is_made():
     assert answer_of(5, "jumps") in ("two owners of one edge", "localizer owns the base", "nothing is wrong")
     with pytest.raises(ValueError, match='there is no complaint "tired"'):
         practice_patient(5, "tired")
+
+
+def test_the_doctor_has_a_word_on_fourteen_robots_and_not_on_those_that_somebody_may_have_wanted_so():
+    said = {cause: examined([cause], Numbers()).splitlines()[0] for cause in SUSPECTS}
+    assert {cause for cause, line in said.items() if line == "graph: nothing is wrong"} == {
+        "Fixed Frame misspelt", "mount wrong", "header says base_link", "nothing is wrong",
+    }  # fmt: skip
+
+
+def test_the_second_opinion_is_on_the_robot_of_that_number():
+    assert answer_of(7) == "localizer not running"
+    assert 'Messages are in the frame "map", which nobody publishes' in second_opinion(7)
 
 
 def test_who_asks_pays_and_a_fresh_copy_has_paid_nothing(ahead):

@@ -23,9 +23,11 @@ from tflab.views.panels import (
     sentence_panel,
     timeline_panel,
     tree_panel,
+    visit_panel,
 )
 from tflab.views.panels.sentence import between
 from tflab.views.timeline import Lane
+from tflab.views.visited import VisitStep
 
 POSES = {
     "map": Transform(),
@@ -64,6 +66,7 @@ def one_tree_panel(language="en"):
     return tree_panel(PARENTS, "map", "laser_frame", lambda *asked: (True, f"asked {asked}"), language=language)
 
 
+VISIT = [VisitStep("RViz", 0.0, "?", "", ("a", "b")), VisitStep("hz /odom", 1.0, "2.0 Hz", "card: 20.0 Hz", ("a",))]
 PANELS = {
     "tree": one_tree_panel,
     "joints": lambda language="en": joints_panel(
@@ -79,6 +82,7 @@ PANELS = {
     "rulers": lambda language="en": rulers_panel(language=language),
     "joins": listener_panel,
     "rate": lambda language="en": rate_panel(language=language),
+    "visit": lambda language="en": visit_panel(VISIT, 12.0, language),
 }
 NAMES = {  # of ROS 2, of Python, of a joint, of an angle, of a unit: the same in both languages
     "Python", "LATEST", "durability", "use_sim_time", "rviz2", "detector", "loop", "clock", "rate", "frame",

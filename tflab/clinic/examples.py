@@ -15,6 +15,7 @@ from __future__ import annotations
 
 from .findings import AS_ON_THE_CARD, DENORMALIZED, INCOMPATIBLE
 from .table import COMPLAINTS, SUSPECTS, kind_expected
+from .told import done
 from .trolley import TROLLEY
 
 __all__ = ["EXAMPLES", "findings_as_text", "suspects_as_text", "trolley_as_text"]
@@ -132,7 +133,7 @@ def trolley_as_text(language: str = "en") -> str:
     """Return each check by its short name, what it costs, and what is typed."""
     width = max(map(len, TROLLEY))
     return "\n".join(
-        f"{key:<{width}} {MINUTES[language].format(minutes=check.minutes)}   {check.command}"
+        f"{key:<{width}} {MINUTES[language].format(minutes=check.minutes)}   {done(check, language)}"
         for key, check in TROLLEY.items()
     )
 
@@ -157,7 +158,7 @@ def findings_as_text(complaint: str = "", language: str = "en") -> str:
         if complaint and sum(map(bool, who.values())) < 2:
             continue
         rows = [(EXAMPLES[key][kind], ", ".join(who[kind]) if kind != check.usual else CARD[language]) for kind in who]
-        blocks.append(f"{key}  {MINUTES[language].format(minutes=check.minutes).strip()}  $ {check.command}")
+        blocks.append(f"{key}  {MINUTES[language].format(minutes=check.minutes).strip()}  $ {done(check, language)}")
         width = max(len(line) for line, _ in rows)
         blocks += [f"    {line:<{width}}   {names}" for line, names in rows]
     return "\n".join(blocks)

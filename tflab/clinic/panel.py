@@ -1,38 +1,51 @@
 """How does one examine a patient without typing?  A trolley to choose from, a clock that runs down, a table that fills.
 
-    check [ delay /scan ]  because [ laser clock ahead ]  ( Ask )      2 min; 10 of 12 left
+    check [ delay /scan ]  because [ laser clock ahead ]  ( Ask )      [=======   ] 10 of 12 left
+    cause [ laser clock ahead ]  fix [ set the laser's clock ]  ( Try )
     +--------------------------------+
-    |  suspects by checks            |    the readings below it, and all of it as text
+    |  suspects by checks            |    what was printed above it, what each question cost below
     +--------------------------------+
 
 Which checks stand in the table is its own choice: those that can tell the suspects
-of this complaint apart, and the ones asked.  The same visit can be carried on in
-code: `panel.visit`.
+of this complaint apart.  The same visit can be carried on in code: `panel.visit`.
+Where nobody can ask, on an exported page, it shows what each check would say.
 
 This is the last page of the room.
 """
 
 from __future__ import annotations
 
+from contextlib import redirect_stdout
 from html import escape
+from io import StringIO
 
 import ipywidgets as widgets
 
+from tflab.views.film import Film
+from tflab.views.order import describe_order, draw_order
 from tflab.views.panels.drawn_ahead import At
 from tflab.views.panels.panel import Panel, side_by_side
 from tflab.views.suspects import draw_suspects
 
+from .examples import MINUTES
 from .patient import SickRobot
-from .table import COMPLAINTS, SUSPECTS, kind_expected
+from .table import kind_expected
+from .told import done
 from .trolley import TROLLEY
 from .visit import Visit
 
 __all__ = ["ClinicPanel", "clinic_panel", "columns_for", "suspects_table"]
 
 LABELS = {
-    "en": {"check": "check", "because": "because", "ask": "Ask", "nobody": "(nobody yet)"},
-    "ko": {"check": "검사", "because": "의심", "ask": "묻기", "nobody": "(아직 없음)"},
-}
+    "en": {
+        "check": "check", "because": "because", "ask": "Ask", "nobody": "(nobody yet)", "cause": "cause", "fix": "fix",
+        "try": "Try", "clock": "min left", "title": "The clinic",
+    },
+    "ko": {
+        "check": "검사", "because": "의심", "ask": "묻기", "nobody": "(아직 없음)", "cause": "원인", "fix": "처치",
+        "try": "해 보기", "clock": "남은 시간", "title": "진료실",
+    },
+}  # fmt: skip
 
 
 def columns_for(suspects: tuple[str, ...]) -> list[str]:
@@ -55,42 +68,94 @@ class ClinicPanel(Panel):
 
     def __init__(self, visit: Visit) -> None:
         self.visit = visit
-        words = LABELS[visit.language]
-        complaint = COMPLAINTS.get(visit.patient.complaint)
-        suspects = complaint.suspects if complaint else SUSPECTS
+        self._labels = LABELS[visit.language]
+        suspects = visit.suspects
         self._columns = columns_for(suspects)
-        options = [(f"{check.command} ({check.minutes:g} min)", key) for key, check in TROLLEY.items()]
-        check = widgets.Dropdown(options=options, description=words["check"], layout={"width": "430px"})
-        because = widgets.Dropdown(
-            options=[(words["nobody"], ""), *((suspect, suspect) for suspect in suspects)],
-            description=words["because"], layout={"width": "300px"},
-        )  # fmt: skip
-        button = widgets.Button(description=words["ask"], button_style="primary")
-        button.on_click(lambda _: self.ask())
-        self._check, self._because = check, because
+        self._check = self._menu("check", [(self._priced(key), key) for key in TROLLEY], "430px")
+        nobody = (self._labels["nobody"], "")
+        self._because = self._menu("because", [nobody, *((each, each) for each in suspects)], "300px")
+        self._cause = self._menu("cause", [nobody, *((each, each) for each in suspects)], "300px")
+        self._fix = self._menu("fix", list(visit.patient.fixes), "430px")
+        budget_min = visit.patient.budget_min
+        self._clock = widgets.FloatProgress(
+            value=budget_min, min=0.0, max=budget_min, description=self._labels["clock"], layout={"width": "300px"}
+        )
         self._readings = widgets.HTML(f"<pre>{escape(visit.opening())}</pre>")
+        self._order = widgets.Image(format="png", layout={"display": "none", "max_width": "100%"})
+        rows = [
+            side_by_side([self._check, self._because, self._button("ask", self.ask), self._clock]),
+            side_by_side([self._cause, self._fix, self._button("try", self.try_fix)]),
+        ]
         picture = draw_suspects(suspects_table(suspects, self._columns))
         super().__init__(
-            "clinic", picture, [], self._move,
-            layout=[side_by_side([check, because, button]), self._readings],
-        )  # fmt: skip
+            self._labels["title"], picture, [], self._move, layout=[*rows, self._readings], language=visit.language
+        )
+        self.widget.children = (*self.widget.children, self._order)
 
     @property
     def text(self) -> str:
-        """The clock, and the table in words."""
-        return f"{self.visit.clock()}\n{self.picture.text}"
+        """The clock, the table and the questions in words."""
+        return f"{self.visit.clock()}\n{self.picture.text}\n{describe_order(self._questions())}"
 
     def ask(self) -> None:
         """Ask what is chosen."""
-        said = self.visit.take(self._check.value, self._because.value)
-        command = escape(TROLLEY[self._check.value].command)
-        clock = escape(self.visit.clock())
-        self._readings.value = f"<b>{clock}</b><pre>$ {command}\n{escape(said)}</pre>"
+        with redirect_stdout(StringIO()) as printed:
+            self.visit.ask(self._check.value, self._because.value)
+        order = draw_order(self._questions())
+        self._order.value, self._order.layout.display = order.png(), "block"
+        self._order.layout.width = f"{order.size_px[0]}px"
+        self._clock.value = max(0.0, self.visit.patient.budget_min - self.visit.minutes)
+        self._clock.bar_style = "" if self._clock.value else "danger"
+        self._tell(printed.getvalue())
+
+    def try_fix(self) -> None:
+        """Say the cause that is chosen, and try the fix."""
+        with redirect_stdout(StringIO()) as printed:
+            if self._cause.value:
+                self.visit.say(self._cause.value, fix=self._fix.value)
+                printed.truncate(printed.seek(0))
+            self.visit.try_fix()
+        self._tell(printed.getvalue())
+
+    def film(self, steps: int = 0) -> widgets.VBox:
+        """Return the panel as it lives on without a kernel: what each check would say, and who would be left."""
+        pictures, texts, words = [], [], []
+        for key in TROLLEY:
+            alone = Visit(SickRobot.unpacked(self.visit.patient.packed()), self.visit.language, helped=True)
+            with redirect_stdout(StringIO()) as printed:
+                alone.ask(key)
+            self.picture.tell({check: kind for check, kind in alone.found.items() if check in self._columns})
+            pictures.append(self.picture.live_png())
+            texts.append(self._priced(key))
+            words.append(f"{printed.getvalue()}{self.picture.text}")
         self.redraw()
+        return widgets.VBox([self._readings, Film(pictures, texts, words, self.picture.size_px)])
+
+    def _tell(self, printed: str) -> None:
+        self._readings.value = f"<b>{escape(self.visit.clock())}</b><pre>{escape(printed)}</pre>"
+        self.redraw()
+
+    def _questions(self) -> list[tuple[str, float, int]]:
+        return [(asked.check, asked.minutes, len(asked.suspects)) for asked in self.visit.log]
 
     def _move(self, at: At) -> None:
         asked = {check: kind for check, kind in self.visit.found.items() if check in self._columns}
         self.picture.tell(asked if self.visit.helped else {})
+
+    def _priced(self, key: str) -> str:
+        language = self.visit.language
+        return f"{done(TROLLEY[key], language)} ({MINUTES[language].format(minutes=TROLLEY[key].minutes).strip()})"
+
+    def _menu(self, name: str, options: list, width: str) -> widgets.Dropdown:
+        words = self._labels[name]
+        return widgets.Dropdown(
+            options=options, description=words, tooltip=words, layout={"width": width, "max_width": "100%"}
+        )
+
+    def _button(self, name: str, press) -> widgets.Button:
+        button = widgets.Button(description=self._labels[name], button_style="primary")
+        button.on_click(lambda _: press())
+        return button
 
 
 def clinic_panel(patient: SickRobot, language: str = "en", helped: bool = True) -> ClinicPanel:

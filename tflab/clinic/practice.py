@@ -5,7 +5,8 @@
     night_shift(7)                            two causes, the second behind the first
 
 The same number gives the same patient everywhere.  What was wrong is told by
-`answer_of`, which reads no patient: it draws again what the number draws.
+`answer_of`, which reads no patient: it draws again what the number draws.  And
+`second_opinion` starts that robot once more and lets the doctor listen to it.
 
 Read `panel.py` next.
 """
@@ -17,9 +18,9 @@ import numpy as np
 from .causes import draw_numbers
 from .patient import SickRobot
 from .table import COMPLAINTS
-from .ward import make_patient
+from .ward import examined, make_patient
 
-__all__ = ["answer_of", "night_shift", "practice_patient", "worked_patient"]
+__all__ = ["answer_of", "night_shift", "practice_patient", "second_opinion", "worked_patient"]
 
 # A first cause hides a second one: until it is cured, the second cannot be seen.
 NIGHTS = (
@@ -54,6 +55,12 @@ def worked_patient(cause: str, number: int = 0) -> SickRobot:
 def answer_of(number: int, complaint: str = "") -> str:
     """Return the cause of `practice_patient(number, complaint)`."""
     return _drawn(number, complaint)[1][0]
+
+
+def second_opinion(number: int, complaint: str = "") -> str:
+    """Return what the doctor says of the robot of `practice_patient(number, complaint)`."""
+    rng, causes = _drawn(number, complaint)
+    return examined(causes, draw_numbers(rng))
 
 
 def _drawn(number: int, complaint: str) -> tuple[np.random.Generator, tuple[str, ...]]:

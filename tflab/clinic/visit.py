@@ -9,7 +9,7 @@
 Nobody repairs here on a suspicion: as long as the readings fit another suspect as
 well, or do not fit the one that was named, no fix is tried.
 
-Read `practice.py` next.
+Read `steps.py` next.
 """
 
 from __future__ import annotations
@@ -19,9 +19,10 @@ from typing import NamedTuple
 from .patient import SickRobot, seen_after
 from .proof import NOTHING_IS_WRONG, best_check, fitting
 from .table import COMPLAINTS, DECIDING, SUSPECTS
+from .told import done, told
 from .trolley import TROLLEY, check_named
 
-__all__ = ["CARD", "Visit", "VisitEntry", "admit"]
+__all__ = ["CARD", "FixTried", "Visit", "VisitEntry", "admit"]
 
 CARD = {
     "en": """\
@@ -56,6 +57,7 @@ WORDS = {
         "contradicted": 'If it were "{cause}", `{command}` would not say: {finding}. You asked it.',
         "not apart": 'Your readings fit "{cause}", and {count} more. What would `{command}` say of each? Ask it.',
         "nothing sick": "Each of your readings is as on the card. Show what is sick first: `{command}` would.",
+        "after": "{fix} (+{minutes:g} min)",
         "no suspect": '"{cause}" is no suspect; there is {suspects}.',
         "struck": 'You struck "{cause}" from your list, and now you name it.',
     },
@@ -72,6 +74,7 @@ WORDS = {
         "not apart": '읽은 값은 "{cause}" 말고도 용의자 {count}명에게 맞습니다. '
         "`{command}`의 결과는 저마다 어떻겠습니까? 물어보십시오.",
         "nothing sick": "읽은 값이 모두 카드와 같습니다. 아픈 곳을 먼저 보이십시오. `{command}`의 결과에 나옵니다.",
+        "after": "{fix} (+{minutes:g}분)",
         "no suspect": '"{cause}"은(는) 용의자가 아닙니다. 있는 것: {suspects}.',
         "struck": '"{cause}"은(는) 목록에서 지운 용의자입니다.',
     },
@@ -88,6 +91,14 @@ class VisitEntry(NamedTuple):
     suspects: tuple[str, ...]
 
 
+class FixTried(NamedTuple):
+    """One fix of a visit: which, what it cost [min], and what was seen after it."""
+
+    fix: str
+    minutes: float
+    text: str
+
+
 class Visit:
     """A patient, a clock and a list of suspects.
 
@@ -97,6 +108,7 @@ class Visit:
 
     Attributes:
         log: what was asked.
+        tried: which fixes were tried.
         suspects: who is not struck yet.
         diagnosis: what was said last; empty before.
     """
@@ -104,6 +116,7 @@ class Visit:
     def __init__(self, patient: SickRobot, language: str = "en", helped: bool = False) -> None:
         self.patient, self.language, self.helped = patient, language, helped
         self.log: list[VisitEntry] = []
+        self.tried: list[FixTried] = []
         complaint = COMPLAINTS.get(patient.complaint)
         self.suspects = complaint.suspects if complaint else SUSPECTS
         self._all = self.suspects
@@ -133,9 +146,7 @@ class Visit:
         Raises:
             ValueError: there is no such check on the trolley.
         """
-        command = check_named(check).command
-        text = self.take(check, because)
-        print(f"$ {command}\n{text}\n\n{self.clock()}")
+        print(f"{self._typed(check)}\n{self.take(check, because)}\n\n{self.clock()}")
 
     def take(self, check: str, because: str = "") -> str:
         """Ask without printing, and return the text."""
@@ -145,7 +156,7 @@ class Visit:
             kind = TROLLEY[key].kind(finding)
             self.suspects = fitting({key: kind}, self.suspects)
         self.log.append(VisitEntry(key, minutes, finding, because, self.suspects))
-        return text
+        return told(text, self.language)
 
     def strike(self, *suspects: str) -> None:
         """Take suspects off one's own list.
@@ -188,8 +199,10 @@ class Visit:
         print(self._refusal() or self._after())
 
     def _after(self) -> str:
-        minutes, text = seen_after(self.patient, self.diagnosis["fix"])
-        return f"{self.diagnosis['fix']} (+{minutes:g} min)\n{_indented(text)}"
+        fix = self.diagnosis["fix"]
+        minutes, text = seen_after(self.patient, fix)
+        self.tried.append(FixTried(fix, minutes, text))
+        return f"{self._say('after', fix=fix, minutes=minutes)}\n{_indented(told(text, self.language))}"
 
     def _refusal(self) -> str:
         """Return why no fix is tried yet, or ""."""
@@ -201,16 +214,23 @@ class Visit:
         """Return what the readings say against a cause, with a check that was asked or should be; "" if nothing."""
         for asked in self.log:
             if not fitting({asked.check: TROLLEY[asked.check].kind(asked.finding)}, [cause]):
-                command = TROLLEY[asked.check].command
-                return self._say("contradicted", cause=cause, command=command, finding=asked.finding)
+                finding = told(asked.finding, self.language)
+                return self._say("contradicted", cause=cause, command=self._done(asked.check), finding=finding)
         rivals = [each for each in fitting(self.found, self._all) if each != cause]
         if rivals:
-            command, why = TROLLEY[best_check([cause, *rivals])].command, "not apart" if self.log else "nothing asked"
+            command, why = self._done(best_check([cause, *rivals])), "not apart" if self.log else "nothing asked"
             return self._say(why, cause=cause, count=len(rivals), command=command)
         is_sick = any(kind != TROLLEY[check].usual for check, kind in self.found.items())
         if is_sick or cause == NOTHING_IS_WRONG:
             return ""
-        return self._say("nothing sick", command=TROLLEY[DECIDING[cause]].command)
+        return self._say("nothing sick", command=self._done(DECIDING[cause]))
+
+    def _done(self, check: str) -> str:
+        return done(TROLLEY[check], self.language)
+
+    def _typed(self, check: str) -> str:
+        command = self._done(check_named(check).key)
+        return f"$ {command}" if command.startswith("ros2 ") else command
 
     def _known(self, suspect: str) -> None:
         if suspect not in SUSPECTS:

@@ -21,6 +21,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from tflab.core import LATEST, NSEC_PER_SEC, TransformException, seconds, stamp_from_sec_nanosec
+from tflab.doctor import examine
+from tflab.doctor.report.text import text_from_report
 from tflab.robots.motion import Drive
 from tflab.robots.teaching import SOURCES, TeachingRobot, teaching_urdf
 from tflab.robots.world import ROOM
@@ -44,7 +46,7 @@ from .patient import SickRobot
 from .table import COMPLAINTS, DECIDING
 from .trolley import BUDGET_MIN, TROLLEY
 
-__all__ = ["ExaminedRobot", "make_patient"]
+__all__ = ["ExaminedRobot", "examined", "make_patient"]
 
 DRIVEN_S = 20.0
 LOOKS = 8  # at RViz, until it shows what the operator complains of
@@ -89,6 +91,15 @@ def make_patient(causes: Sequence[str], numbers: Numbers, complaint: str | None 
     return SickRobot(own if complaint is None else complaint, screen, BUDGET_MIN, evidence, fixes)
 
 
+def examined(causes: Sequence[str], numbers: Numbers) -> str:
+    """Return what the doctor says of a robot that has these causes: a program that was told neither card nor plan."""
+    launch = HEALTHY
+    for cause in causes:
+        launch = CAUSES[cause](launch, numbers)
+    with ExaminedRobot(launch, numbers) as sick:
+        return sick.report()
+
+
 def _prices() -> list[tuple[str, float]]:
     return [(fix, 10.0) for fix in (*CURES, *PLASTERS)]
 
@@ -130,6 +141,11 @@ class ExaminedRobot:
         with redirect_stdout(printed), redirect_stderr(printed), _in_a_folder_of_its_own():
             run_words(self._graph, words, span_s)
         return _in_its_own_terminal(printed.getvalue(), self._others).rstrip("\n")
+
+    def report(self) -> str:
+        """Return what the doctor says of the robot, having listened for a while."""
+        with redirect_stdout(io.StringIO()), redirect_stderr(io.StringIO()):
+            return text_from_report(examine(self._graph, WATCHED_S))
 
     def places(self) -> Places:
         """Return where the scan's points would be, asked in three ways."""

@@ -8,7 +8,7 @@
 What comes after the star told nothing.  Two ways of asking stand side by side as
 two such pictures, or as a line of minutes for each patient: `draw_minutes`.
 
-Read `boxes.py` next.
+Read `visited.py` next.
 """
 
 from __future__ import annotations

@@ -13,6 +13,7 @@
     sentence       choose target and source in any of five ways
     bend           how often is often enough
     toolcase       put a question to each tool
+    visited        go through a visit, step by step
     tree           give a frame another parent, and ask
     timeline       drag a query past either end of the buffer
     joins          come later, and see what is still known
@@ -36,6 +37,7 @@ from .sentence import SentencePanel, sentence_panel
 from .timeline import timeline_panel
 from .toolcase import tools_panel
 from .tree import tree_panel
+from .visited import visit_panel
 
 __all__ = [
     "Panel",
@@ -54,4 +56,5 @@ __all__ = [
     "timeline_panel",
     "tools_panel",
     "tree_panel",
+    "visit_panel",
 ]

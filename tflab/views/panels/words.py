@@ -38,6 +38,9 @@ KOREAN = {
     "arrow": "화살표",
     "shell": "터미널",
     "played": "재생 시간",
+    "step": "단계",
+    "a visit": "진료",
+    "the arrow keys go on and back": "화살표 키로 앞뒤로 넘깁니다",
     "choose, and the others follow": "고르면 나머지가 따라 바뀝니다",
 }
 

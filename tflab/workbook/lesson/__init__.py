@@ -111,9 +111,12 @@ from .ward_rounds import (
     draw_both_ways,
     draw_columns,
     draw_questions,
+    draw_visit,
+    second_opinion,
     show_findings,
     show_suspects,
     show_trolley,
+    visit_panel,
 )
 
 __all__ = [
@@ -198,6 +201,7 @@ __all__ = [
     "draw_toolbox",
     "draw_tracks",
     "draw_turns",
+    "draw_visit",
     "draw_walk",
     "draw_walls",
     "drive",
@@ -233,6 +237,7 @@ __all__ = [
     "rulers_panel",
     "run_node",
     "scan_on_map",
+    "second_opinion",
     "seconds",
     "seen_from",
     "sentence_panel",
@@ -250,6 +255,7 @@ __all__ = [
     "timeline_panel",
     "tools_panel",
     "tree_panel",
+    "visit_panel",
     "wall_cloud",
     "walls_seen",
     "worked_patient",

@@ -2,6 +2,8 @@
 
     admit(patient)            the complaint, the card, twelve minutes
     clinic_panel(patient)     the same with controls
+    draw_visit(visit)         how a visit went, step by step; visit_panel(visit) plays it
+    second_opinion(7, cause)  what the doctor says of a practice patient, beside one's own diagnosis
     draw_columns("flickers")  the table of a complaint: who would answer what
     draw_both_ways()          the lecture's order beside the best question next, for all eighteen
     show_suspects()           whom each complaint may come from, in print
@@ -15,17 +17,23 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from tflab.clinic import visit
+from tflab.clinic import practice
 from tflab.clinic.examples import findings_as_text, suspects_as_text, trolley_as_text
 from tflab.clinic.panel import ClinicPanel, columns_for, suspects_table
 from tflab.clinic.panel import clinic_panel as panel_of
 from tflab.clinic.patient import SickRobot
 from tflab.clinic.proof import best_check, left_after, minutes_of, order_of, rivals_of
+from tflab.clinic.steps import steps_of
 from tflab.clinic.table import COMPLAINTS, SUSPECTS, kind_expected
 from tflab.clinic.trolley import BUDGET_MIN
+from tflab.clinic.visit import Visit
+from tflab.clinic.visit import admit as admitted
+from tflab.views import panels
 from tflab.views.order import draw_minutes, draw_order
+from tflab.views.panels import Panel
 from tflab.views.picture import Picture
 from tflab.views.suspects import SuspectsPicture, draw_suspects
+from tflab.views.visited import draw_visit as drawn_visit
 
 from ..places import read_workbook, workbook_root
 
@@ -37,10 +45,18 @@ __all__ = [
     "draw_both_ways",
     "draw_columns",
     "draw_questions",
+    "draw_visit",
+    "second_opinion",
     "show_findings",
     "show_suspects",
     "show_trolley",
+    "visit_panel",
 ]
+
+OPINIONS = {
+    "en": {"first": "First your own diagnosis: name one of the suspects.", "you": "You", "doctor": "The doctor"},
+    "ko": {"first": "먼저 스스로 진단하십시오. 용의자 하나를 대면 됩니다.", "you": "나", "doctor": "의사"},
+}
 
 # The lecture's six steps: names, tree, values, delays, message and clock, publishers and settings.
 LECTURES_ORDER = (
@@ -53,14 +69,33 @@ LECTURES_ORDER = (
 )  # fmt: skip
 
 
-def admit(patient: SickRobot, helped: bool = False) -> visit.Visit:
+def admit(patient: SickRobot, helped: bool = False) -> Visit:
     """Let a patient in, in the language of this copy; where the table helps, it strikes whom a reading does not fit."""
-    return visit.admit(patient, _language(), helped)
+    return admitted(patient, _language(), helped)
 
 
 def clinic_panel(patient: SickRobot, helped: bool = True) -> ClinicPanel:
     """Return a visit with controls, in the language of this copy."""
     return panel_of(patient, _language(), helped)
+
+
+def draw_visit(seen: Visit) -> Picture:
+    """Draw how a visit went so far: what each step cost and said, and where each suspect was struck."""
+    return drawn_visit(steps_of(seen), seen.patient.budget_min)
+
+
+def visit_panel(seen: Visit) -> Panel:
+    """Return the same step by step, in the language of this copy."""
+    return panels.visit_panel(steps_of(seen), seen.patient.budget_min, _language())
+
+
+def second_opinion(number: int, cause: str = "", complaint: str = "") -> None:
+    """Print one's own diagnosis of a practice patient and what the doctor says of it; without the first, nothing."""
+    words = OPINIONS[_language()]
+    if cause not in SUSPECTS:
+        print(words["first"])
+        return
+    print(f"{words['you']}: {cause}\n{words['doctor']}: {practice.second_opinion(number, complaint)}")
 
 
 def show_suspects() -> None:
