@@ -23,10 +23,10 @@
 # - 여러분의 bag을 검사합니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
-# Ask first: you play yesterday's recording. What time is it? Two answers are right, and a robot needs to agree on one. 55 minutes: 10 to the offset, 10 for one number, 15 for the two clocks, 10 for the loop, 10 for their own bag.
+# Ask first: you play yesterday's recording. What time is it? Two answers are right, and a robot needs to agree on one. 55 minutes: 11 to the offset, 9 for one number, 15 for the two clocks and the innocent, 8 for the loop, 6 for their own bag, 6 for the vote and the ticket.
 
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
-# 먼저 묻습니다. 어제 기록한 것을 지금 재생합니다. 지금은 몇 시일까요? 답은 둘 다 맞고, 로봇은 하나로 통일해야 합니다. 55분 배분: 시작 위치 10분, 숫자 하나 10분, 두 시계 15분, 반복 10분, 각자의 bag 10분.
+# 먼저 묻습니다. 어제 기록한 것을 지금 재생합니다. 지금은 몇 시일까요? 답은 둘 다 맞고, 로봇은 하나로 통일해야 합니다. 55분 배분: 건너뛰기까지 11분, 숫자 하나 9분, 두 시계와 잘못 없는 노드 15분, 반복 8분, 각자의 bag 6분, 투표와 쪽지 6분.
 
 # %% [markdown] lang="en" name="needed" slide="slide"
 # ## What you need to begin
@@ -41,6 +41,12 @@
 # - **정적 변환**(06)은 `/tf_static`으로 한 번 보냅니다. 늦게 오는 노드를 위해 발행자가 메시지를 간직합니다.
 # - **측정 시각**(08)은 언제 측정했는지를 나타냅니다. [[buffer|버퍼]]는 가장 오래된 표본과 최신 표본 사이의 시각에만 답하고, `Time()`은 최신을 뜻합니다.
 # - **세 가지 거절**(09): 모르는 이름, 경로 없음, 범위 밖의 시각(과거, 미래). 버퍼에 표본이 하나뿐이면 시각에 관한 셋째 오류 메시지가 나옵니다.
+
+# %% [markdown] lang="en" name="needed-notes" slide="notes"
+# A minute of the four. Read one line, ask which chapter it comes from, go on. Whoever hesitates writes the number down for tonight.
+
+# %% [markdown] lang="ko" name="needed-notes" slide="notes"
+# 4분 가운데 1분입니다. 한 줄을 읽고 어느 장에서 배웠는지 묻고 넘어갑니다. 망설이는 사람은 오늘 복습할 장을 적어 둡니다.
 
 # %% name="load" slide="skip"
 # %load_ext tflab
@@ -66,6 +72,12 @@ from tflab.workbook import lesson
 # 일시 정지 상태로 기록을 시작한 사람들은 장착 변환이 하나도 없는 bag을 얻었습니다([이슈 1302](https://github.com/ros2/rosbag2/issues/1302)).
 #
 # 그 첫 순간에 무엇이 있었을까요? 우리 로봇의 한 바퀴를 기록해 봅시다.
+
+# %% [markdown] lang="en" name="story-notes" slide="notes"
+# Stop after the first paragraph: what may have been in that second? Collect guesses on the board, and tell nothing yet.
+
+# %% [markdown] lang="ko" name="story-notes" slide="notes"
+# 첫 문단에서 멈추고 묻습니다. 그 1초에 무엇이 있었을까요? 추측을 칠판에 모으고 답은 아직 말하지 않습니다.
 
 # %% name="start-the-robot" slide="skip"
 graph = lesson.new_graph()
@@ -101,6 +113,12 @@ bags = lesson.fresh_folder()  # for this page's recordings; it goes away with th
 # %% [markdown] lang="ko" name="info-read" slide="-"
 # 개수를 읽어 보세요. `/tf`는 750, `/tf_static`은 **1**입니다. 메시지 하나에 모든 장착 변환이 들어 있고, 수신 시각은 다음과 같습니다.
 
+# %% [markdown] lang="en" name="record-notes" slide="notes"
+# Seven minutes from here to the offset. Why five subscriptions for six topics? Then `bag info`: who finds the count of 1 first?
+
+# %% [markdown] lang="ko" name="record-notes" slide="notes"
+# 여기서 건너뛰기까지 7분입니다. 토픽은 여섯인데 왜 구독은 다섯입니까? 이어서 `bag info`에서 개수가 1인 토픽을 찾게 합니다.
+
 # %% name="heard" slide="subslide"
 lap = lesson.read_bag(bags / "lap", show_progress=False)
 lesson.draw_heard(lap, for_s=2.0)
@@ -124,6 +142,12 @@ lesson.draw_heard(lap, for_s=2.0)
 #
 # 스캔 150개 가운데 149개는 bag 자신의 변환으로 지도에 놓을 수 있습니다. 스캔마다 자기 측정 시각의 `map ← laser_frame`을 씁니다. (첫 스캔은 TF 전체보다 오래되었습니다.)
 # `--start-offset 0.001`, 곧 1밀리초 뒤부터 재생하면 몇 개를 놓을 수 있을까요?
+
+# %% [markdown] lang="en" name="heard-notes" slide="notes"
+# Cover the last row with your hand and ask how often each of the others speaks. Uncover it. Then everybody writes a number for one millisecond.
+
+# %% [markdown] lang="ko" name="heard-notes" slide="notes"
+# 마지막 줄을 손으로 가리고 나머지 줄의 빈도를 묻습니다. 손을 떼고, 1밀리초를 건너뛰면 몇 개일지 모두 숫자로 적게 합니다.
 
 # %% [markdown] lang="en" name="asker-intro" slide="subslide"
 # To find out we need a node that listens while the bag plays. It asks for each scan three times: at the scan's stamp, at its own now, and with `Time()`. It also counts how often its timer rings, and how old a scan seems to it.
@@ -150,6 +174,12 @@ def ask(node, question, frame, moment):
     except TransformException as error:
         node.first_no = node.first_no or error
 
+
+# %% [markdown] lang="en" name="asker-intro-notes" slide="notes"
+# Nobody has to read the code. Say what the node will do: three moments for each scan, a timer, an age.
+
+# %% [markdown] lang="ko" name="asker-intro-notes" slide="notes"
+# 코드를 다 읽지 않아도 됩니다. 노드가 하는 일만 말합니다. 스캔마다 시각 셋, 타이머 하나, 나이 하나입니다.
 
 # %% name="asker" slide="subslide"
 class Asker(Node):
@@ -187,6 +217,12 @@ print(asker.first_no)
 #
 # 로봇에서는 발행자가 늦게 오는 노드에게 다시 보내 줍니다. `/tf_static`이 그런 토픽이기 때문입니다. 재생기는 재생한 것만 간직합니다.
 # 꼭 나중부터 재생해야 한다면 장착 변환은 따로 보내십시오. 로봇의 URDF로 `robot_state_publisher`를 띄우면 됩니다. 또는 노드를 모두 띄운 뒤에 `ros2 bag play lap --topics /tf_static`을 먼저 실행합니다. 이 재생기가 끝나면 간직하던 메시지도 함께 사라지므로, 그 뒤에 뜬 노드는 받지 못합니다.
+
+# %% [markdown] lang="en" name="offset-notes" slide="notes"
+# Hands for 149, for all but a few, for none; then run it. One sentence is enough: a player says only what it has played.
+
+# %% [markdown] lang="ko" name="offset-notes" slide="notes"
+# 149개, 몇 개만 빼고 모두, 하나도 없음에 손을 들게 한 다음 실행합니다. 한 문장이면 됩니다. 재생기는 재생한 것만 보냅니다.
 
 # %% [markdown] lang="en" name="one-number" slide="slide"
 # ## One number for any bag
@@ -283,6 +319,12 @@ for use_sim_time in (False, True):
 # - **둘 다 켜면** 노드는 bag의 시간에 삽니다. 스캔의 나이는 로봇에서처럼 0.105초입니다. *현재 시각*의 조회는 0.01초 모자라 정직하게 실패합니다. 변환이 오는 데도 시간이 걸리기 때문입니다.
 # - **셋째 줄은 어떨까요?** `use_sim_time`은 켰고 `--clock`은 없습니다. 타이머는 한 번도 울리지 않고, 나이는 −7초쯤이며, *현재 시각*은 60번 가운데 59번 답을 얻습니다. 답을 얻는 유일한 설정입니다!
 
+# %% [markdown] lang="en" name="two-clocks-notes" slide="notes"
+# Fifteen minutes from here to the innocent. Four rows and three columns on the board; the room fills each before it is run. Most leave the first cell empty, and it is 59.
+
+# %% [markdown] lang="ko" name="two-clocks-notes" slide="notes"
+# 여기서 잘못 없는 노드까지 15분입니다. 칠판에 네 줄 세 칸을 그리고, 실행하기 전에 함께 채웁니다. 대부분 첫 칸을 비워 두지만 답은 59입니다.
+
 # %% [markdown] lang="en" name="stopped" slide="subslide"
 # ### The stopped clock
 #
@@ -298,6 +340,12 @@ for use_sim_time in (False, True):
 # 그런데 tf2에서 `Time(0)`은 *최신*을 뜻합니다. 그래서 시계가 멈춘 채로 *현재 시각*을 조회하면 조용히 최신 변환을 얻습니다. 고장 난 설정이 가장 멀쩡해 보입니다.
 #
 # 어느 사용자는 변환 라이브러리가 `use_sim_time`에서 동작하지 않는다고 보고했다가 그날 바로 거두었습니다. `--clock`을 빠뜨렸던 것입니다([swri-robotics/marti_common, 이슈 495](https://github.com/swri-robotics/marti_common/issues/495)).
+
+# %% [markdown] lang="en" name="stopped-notes" slide="notes"
+# Stay with the third row: why does the broken set-up look best? Wait until somebody says that zero means the latest.
+
+# %% [markdown] lang="ko" name="stopped-notes" slide="notes"
+# 셋째 줄을 오래 봅니다. 왜 고장 난 설정이 가장 멀쩡해 보입니까? 0이 최신을 뜻한다는 말이 나올 때까지 기다립니다.
 
 # %% [markdown] lang="en" name="panel-intro" slide="subslide"
 # Set the clocks yourself. `--clock` off: whose line falls to zero? Then drag the moment, change `--rate`, switch the loop off.
@@ -319,6 +367,12 @@ lesson.draw_clocks({"rviz2": True, "detector": False}, lesson.Play(loops=True), 
 #
 # 아래는 bag의 시간입니다. `--rate`만큼 가파르게 올라가고, 반복하면 처음으로 돌아갑니다. 끊어진 축의 위는 컴퓨터의 시간입니다. 표는 노드마다 *현재 시각*을 조회한 결과입니다.
 
+# %% [markdown] lang="en" name="clocks-notes" slide="notes"
+# Somebody from the room has the mouse: two switches, four pictures. Before each, ask whose line will move.
+
+# %% [markdown] lang="ko" name="clocks-notes" slide="notes"
+# 한 사람에게 마우스를 맡깁니다. 스위치 둘, 그림 넷입니다. 바꾸기 전에 누구의 선이 움직일지 묻습니다.
+
 # %% [markdown] lang="en" name="by-hand-intro" slide="subslide"
 # ### By hand
 #
@@ -336,6 +390,12 @@ asker = lesson.replay(Asker, bags / "lap", "", for_s=1.0)
 # %% name="by-hand-clock" slide="-"
 # %ros2 topic echo /clock --once
 # %ros2 param get /asker use_sim_time
+
+# %% [markdown] lang="en" name="by-hand-notes" slide="notes"
+# The first to fall out when time is short. Otherwise ask what `&` stands for on a robot: a second terminal.
+
+# %% [markdown] lang="ko" name="by-hand-notes" slide="notes"
+# 시간이 모자라면 가장 먼저 건너뜁니다. 아니라면 `&`가 로봇에서 무엇에 해당하는지 묻습니다. 두 번째 터미널입니다.
 
 # %% name="by-hand-set" slide="subslide"
 # %ros2 param set /asker use_sim_time false
@@ -358,6 +418,12 @@ asker = lesson.replay(Asker, bags / "lap", "", for_s=1.0)
 #     use_sim_time: true
 # ```
 
+# %% [markdown] lang="en" name="by-hand-set-notes" slide="notes"
+# Ask what the change has cost: the mounts are gone, and nobody says them again. Hence at the start, and for all nodes.
+
+# %% [markdown] lang="ko" name="by-hand-set-notes" slide="notes"
+# 바꾼 대가를 묻습니다. 장착 변환이 지워졌고 다시 보내 줄 노드가 없습니다. 그래서 시작할 때, 모든 노드에 정합니다.
+
 # %% [markdown] lang="en" name="quotes" slide="subslide"
 # **Break it:** somebody writes `"true"` in quotes. **Predict:** simulation time, the machine's, or no node at all?
 
@@ -378,6 +444,12 @@ rclpy.shutdown()
 
 # %% [markdown] lang="ko" name="quotes-read" tags=["predicted"]
 # 문자열은 참·거짓 값이 아닙니다. 로그에 한 줄이 남고, 노드는 컴퓨터의 시간에서 그대로 돕니다. (C++로 쓴 노드는 더 엄격해서 아예 시작되지 않습니다.)
+
+# %% [markdown] lang="en" name="quotes-notes" slide="notes"
+# Hands: simulation time, the machine's, or no node at all? Read the line of the log aloud; the node goes on.
+
+# %% [markdown] lang="ko" name="quotes-notes" slide="notes"
+# 손을 들게 합니다. 시뮬레이션 시간, 컴퓨터의 시간, 노드 없음 가운데 무엇입니까? 로그 한 줄을 소리 내어 읽습니다. 노드는 계속 돕니다.
 
 # %% [markdown] lang="en" name="innocent" slide="slide"
 # ## The innocent complains
@@ -419,6 +491,12 @@ except TransformException as error:
 
 # %% name="innocent-doctor" slide="-"
 print(lesson.doctor(lesson.current_graph(), seconds=3.0))
+
+# %% [markdown] lang="en" name="innocent-notes" slide="notes"
+# Who complains is not who is at fault. Let them name the guilty node from the two times, before the doctor does.
+
+# %% [markdown] lang="ko" name="innocent-notes" slide="notes"
+# 오류를 내는 노드와 잘못한 노드는 다릅니다. doctor를 실행하기 전에 두 시각만 보고 잘못한 노드를 대게 합니다.
 
 # %% [markdown] lang="en" name="loop" slide="slide"
 # ## Back in time
@@ -477,6 +555,12 @@ show(long)
 # *지난* 바퀴의 끝이라고 합니다. 실제 위치에서 2 m 가까이 떨어져 있습니다. 오류도 경고도 없고, 스캔도 모두 놓였습니다. 20초짜리 버퍼에는 두 바퀴가 다 들어가고, "최신"이란 측정 시각이 가장 큰 표본이기 때문입니다.
 # 보통의 10초짜리 버퍼라면 경고가 나옵니다. 아주 많이 나옵니다.
 
+# %% [markdown] lang="en" name="loop-notes" slide="notes"
+# Eight minutes for the loop. Write the clock on the board: 15, 16, 1, 2. Where is the robot, says the latest? Wait for the one who says: where it stopped.
+
+# %% [markdown] lang="ko" name="loop-notes" slide="notes"
+# 반복 재생은 8분입니다. 칠판에 시계를 적습니다. 15, 16, 1, 2. 최신을 조회하면 로봇은 어디에 있습니까? 멈췄던 자리라는 답을 기다립니다.
+
 # %% name="ten-seconds" slide="subslide"
 with redirect_stdout(io.StringIO()) as log:  # it would fill the page
     warned = lesson.replay(lambda: Looped(lambda node: Buffer()), bags / "lap", "--clock --loop", for_s=25.93)
@@ -492,6 +576,12 @@ print(warnings[0])
 # %% [markdown] lang="ko" name="ten-seconds-read"
 # 스캔 쉰 개를 잃었습니다. 버퍼는 이미 다 받은 것이라고 여기고, 시계가 따라잡을 때까지 새 바퀴의 변환을 버립니다.
 # 노드를 주지 않은 `Buffer()`에는 시계가 없어서 시간이 돌아간 것을 알 수 없습니다. 시계를 주어 봅시다.
+
+# %% [markdown] lang="en" name="ten-seconds-notes" slide="notes"
+# 643 warnings and fifty scans lost. Ask which is worse: this one, that shouts, or the one before, that was silent.
+
+# %% [markdown] lang="ko" name="ten-seconds-notes" slide="notes"
+# 경고가 643개, 잃은 스캔이 쉰 개입니다. 어느 쪽이 더 나쁜지 묻습니다. 시끄러운 이쪽입니까, 조용하던 앞의 것입니까?
 
 # %% name="with-a-node" slide="subslide"
 sound = lesson.replay(lambda: Looped(lambda node: Buffer(node=node)), bags / "lap", "--clock --loop", for_s=25.93)
@@ -523,6 +613,12 @@ lesson.draw_ages([Curve(name, tuple(node.times), tuple(node.ages)) for name, nod
 #
 # 0 아래는 최신 변환이 노드의 미래에 있다는 뜻입니다. 이음매를 지나면 버퍼 둘은 15초 뒤의 변환으로 답합니다.
 
+# %% [markdown] lang="en" name="node-self-notes" slide="notes"
+# One word: `node=self`. Point at the picture: two lines fall by fifteen seconds, one does not.
+
+# %% [markdown] lang="ko" name="node-self-notes" slide="notes"
+# 한 단어입니다. `node=self`. 그림에서 선 둘은 15초 떨어지고 하나는 그대로인 것을 짚어 줍니다.
+
 # %% [markdown] lang="en" name="your-bag" slide="slide"
 # ## Your own bag
 #
@@ -539,10 +635,22 @@ BAG = lesson.example_bag()  # or the path of yours
 # %% name="bag-info"
 # %ros2 bag info {BAG}
 
+# %% [markdown] lang="en" name="your-bag-notes" slide="notes"
+# Six minutes, at their own machines. Who has a bag writes its path; the others keep ours. What do you expect of it?
+
+# %% [markdown] lang="ko" name="your-bag-notes" slide="notes"
+# 각자 컴퓨터에서 6분 동안 합니다. 자기 bag이 있으면 경로를 적고, 없으면 우리 것을 씁니다. 무엇을 예상합니까?
+
 # %% name="bag-tree" slide="subslide"
 recording = lesson.read_bag(BAG, show_progress=False)
 tree = recording.buffer(namespace=(recording.namespaces() or [None])[0])  # of the first robot, if there are more
 lesson.draw_buffer(tree, recording.end_ns)
+
+# %% [markdown] lang="en" name="bag-tree-notes" slide="notes"
+# One question: which edges have no rate here, and why is that no fault?
+
+# %% [markdown] lang="ko" name="bag-tree-notes" slide="notes"
+# 질문 하나입니다. 발행률이 없는 연결은 어느 것이고, 왜 고장이 아닙니까?
 
 # %% name="bag-places" slide="subslide"
 for topic in lesson.place_messages(recording):
@@ -562,7 +670,7 @@ print(lesson.doctor(recording))
 # Stamps that begin with 17… or 18… count the seconds since 1970. Small ones come from a simulation, or from a page like this one.
 
 # %% [markdown] lang="ko" name="bag-read"
-# *그림 읽기:* D(dynamic) = 동적, S(static) = 정적, Hz = 발행률, s = 나이.
+# *그림 읽기:* D(dynamic) = 동적(실선, 표본의 시각에만 유효), S(static) = 정적(점선, 어느 시각에나 유효), rate = 발행률, age = 나이, published by = 발행자.
 #
 # 정적 변환은 기록 전체보다 오래되었습니다. 로봇을 먼저 켰기 때문이고, 고장이 아닙니다. 정적 변환은 어느 시각에나 유효하고, 측정 시각은 보낸 때를 알려 줄 뿐입니다. 이것을 오래된 데이터로 오해한 일도 있습니다([SteveMacenski/slam_toolbox, 이슈 814](https://github.com/SteveMacenski/slam_toolbox/issues/814)).
 #
@@ -583,6 +691,12 @@ print(lesson.doctor(recording))
 # tflab doctor ~/bags/kitchen
 # tflab ros2 --bag ~/bags/kitchen run tf2_ros tf2_echo map base_link
 # ```
+
+# %% [markdown] lang="en" name="bag-places-notes" slide="notes"
+# The one number first, the doctor last. Stamps from before the recording are the trap; let somebody fall into it.
+
+# %% [markdown] lang="ko" name="bag-places-notes" slide="notes"
+# 숫자 하나를 먼저 보고 doctor는 마지막에 봅니다. 기록보다 오래된 정적 변환의 시각이 함정입니다. 누군가 빠질 때까지 기다립니다.
 
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
 # ## Checkpoint
@@ -660,6 +774,12 @@ print(lesson.doctor(recording))
 #
 # </details>
 
+# %% [markdown] lang="en" name="checkpoint-notes" slide="notes"
+# Four minutes. Before the vote somebody subtracts the two times aloud: 86 399 s.
+
+# %% [markdown] lang="ko" name="checkpoint-notes" slide="notes"
+# 4분입니다. 투표하기 전에 한 사람이 두 시각을 소리 내어 뺍니다. 86,399초입니다.
+
 # %% [markdown] lang="en" name="faded" slide="subslide"
 # ### Now you write
 #
@@ -692,6 +812,12 @@ print(lesson.doctor(recording))
 #
 # </details>
 
+# %% [markdown] lang="en" name="faded-notes" slide="notes"
+# For whoever is quick; the others do it at home. Two blanks, and the third thing that is needed is in the answer.
+
+# %% [markdown] lang="ko" name="faded-notes" slide="notes"
+# 빠른 사람이 풀고 나머지는 집에서 합니다. 빈칸은 둘이고, 하나 더 필요한 것은 답에 있습니다.
+
 # %% [markdown] lang="en" name="on-the-robot" slide="slide"
 # ## On a real robot
 #
@@ -718,6 +844,12 @@ print(lesson.doctor(recording))
 #
 # `use_sim_time`은 launch 파일의 `/**:` 아래에 적어 빠지는 노드가 없게 하십시오. RViz도 노드입니다.
 
+# %% [markdown] lang="en" name="on-the-robot-notes" slide="notes"
+# To photograph, not to read aloud. One sentence: RViz is a node, too.
+
+# %% [markdown] lang="ko" name="on-the-robot-notes" slide="notes"
+# 읽지 말고 사진으로 찍게 합니다. 한 문장만 말합니다. RViz도 노드입니다.
+
 # %% name="stop" slide="skip"
 lesson.current_graph().stop()
 rclpy.try_shutdown()
@@ -743,6 +875,12 @@ rclpy.try_shutdown()
 # - 0에 멈춘 시계는 최신을 조회하므로, 고장 났을 때 가장 멀쩡해 보입니다. 측정 시각의 변환을 조회하면 언제나 맞습니다.
 # - 시계 오류를 내는 노드가 잘못한 노드인 경우는 드뭅니다.
 # - `Buffer(node=self)`를 쓰지 않으면 반복 재생에 속습니다.
+
+# %% [markdown] lang="en" name="recap-notes" slide="notes"
+# Leave it on the screen while the slips are handed out.
+
+# %% [markdown] lang="ko" name="recap-notes" slide="notes"
+# 쪽지를 나누어 주는 동안 화면에 띄워 둡니다.
 
 # %% [markdown] lang="en" name="from-before" slide="subslide"
 # ### Three questions from earlier chapters
@@ -774,6 +912,12 @@ rclpy.try_shutdown()
 #
 # </details>
 
+# %% [markdown] lang="en" name="from-before-notes" slide="notes"
+# For home; one of the three aloud if a minute is left.
+
+# %% [markdown] lang="ko" name="from-before-notes" slide="notes"
+# 집에서 합니다. 1분이 남으면 하나만 소리 내어 풉니다.
+
 # %% [markdown] lang="en" name="practice" slide="subslide"
 # ### Practice question · Q13
 #
@@ -804,6 +948,12 @@ rclpy.try_shutdown()
 #
 # </details>
 
+# %% [markdown] lang="en" name="practice-notes" slide="notes"
+# Written at home. Five points make a full answer; the clock that stands at 0 is the one that is forgotten.
+
+# %% [markdown] lang="ko" name="practice-notes" slide="notes"
+# 집에서 씁니다. 완전한 답에는 다섯 가지가 있고, 0에 멈춘 시계를 가장 많이 빠뜨립니다.
+
 # %% [markdown] lang="en" name="exit-ticket" slide="slide"
 # ## Exit ticket
 #
@@ -825,6 +975,12 @@ rclpy.try_shutdown()
 # `ros2 bag info`에 `/tf_static`이 있고 개수가 0보다 큰지 봅니다. 그리고 처음부터 재생했는지, 나중부터 재생했는지 봅니다.
 #
 # </details>
+
+# %% [markdown] lang="en" name="exit-ticket-notes" slide="notes"
+# Two minutes, on a slip, without talking. Collect them before the laboratory begins.
+
+# %% [markdown] lang="ko" name="exit-ticket-notes" slide="notes"
+# 2분 동안 말없이 쪽지에 적습니다. 실습을 시작하기 전에 걷습니다.
 
 # %% [markdown] lang="en" name="next" slide="skip"
 # **Next:** the exercises, [E10 Clocks and bags](../../exercises/en/E10_clocks_and_bags.ipynb), and after them [11 Tools and RViz](11_tools_and_rviz.ipynb): which tool answers which question?

@@ -71,6 +71,12 @@ print(f'1 - 0.99 ** 21 = {1 - 0.99**21:.6f}')
 # 그리고 이 평균은 아직 평균이 아닙니다. 0에서 시작해 도구가 볼 때마다 남은 차이의 100분의 1만큼 다가갑니다. 이 도구는 그때까지 21번 보았습니다.
 # 도구는 맞게 골랐지만 잘못 읽었습니다.
 
+# %% [markdown] lang="en" name="story-notes" slide="notes"
+# Six minutes with the title. A minute to divide 1.6318e9 s by a year, with a phone; open the output when somebody has said 51. Why avg is a fifth of max is told at tf2_monitor.
+
+# %% [markdown] lang="ko" name="story-notes" slide="notes"
+# 제목까지 6분입니다. 1.6318e9초를 1년으로 나누게 하고 51이라는 답이 나오면 출력을 엽니다. avg가 max의 5분의 1인 까닭은 tf2_monitor에서 다룹니다.
+
 # %% [markdown] lang="en" name="story-sources" slide="skip"
 # *Read them:* [gazebo_ros_pkgs 1310](https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1310), open to this day; further below [ros2/ros2 1655](https://github.com/ros2/ros2/issues/1655), [geometry2 88](https://github.com/ros2/geometry2/issues/88).
 
@@ -134,6 +140,12 @@ late_s, wheels_hz, red_line, pose_changes = ..., ..., ..., ...
 lesson.start_robot()
 lesson.tools_panel()
 
+# %% [markdown] lang="en" name="ask-first-notes" slide="notes"
+# Four minutes with the table. Put two questions to the wrong tool first, then to the right one: a wrong tool prints, too.
+
+# %% [markdown] lang="ko" name="ask-first-notes" slide="notes"
+# 표까지 4분입니다. 질문 둘을 먼저 틀린 도구에, 이어서 맞는 도구에 던집니다. 틀린 도구도 무언가를 출력합니다.
+
 # %% name="ask-first-table" slide="subslide"
 lesson.draw_toolbox()
 
@@ -146,6 +158,12 @@ lesson.draw_toolbox()
 #
 # 어느 열에나 보지 못하는 것이 있고, ✓가 하나도 없는 행도 있습니다. **연결의 [[owner|발행 책임(owner)]]이 어느 노드에 있는지, 곧 누가 그 연결을 보내는지 알려 주는 ROS 2 도구는 없습니다.** `topic info --verbose`는 `/tf`에 발행하는 노드들의 이름을 알려 주지만, 누가 어느 연결을 보내는지는 메시지 어디에도 없습니다.
 # 강의에서는 `tf2_monitor`로 발행자 이름을 확인합니다. ROS 1에서는 그랬지만, ROS 2에서는 누구나 `<no authority available>`입니다.
+
+# %% [markdown] lang="en" name="ask-first-table-notes" slide="notes"
+# Which row has no tick? Wait for the owner, and leave it open: chapter 12 is about it.
+
+# %% [markdown] lang="ko" name="ask-first-table-notes" slide="notes"
+# ✓가 하나도 없는 행은 어느 것입니까? 발행 책임이라는 답을 기다리고, 답은 12장으로 미룹니다.
 
 # %% [markdown] lang="en" name="monitor" slide="slide"
 # ## tf2_monitor: how late?
@@ -184,6 +202,12 @@ graph.run(seconds=9.1)
 #
 # 계속 켜 두면 `avg`는 이렇게 됩니다.
 
+# %% [markdown] lang="en" name="monitor-run-notes" slide="notes"
+# Eight minutes with the curve. Before you read line by line, everybody underlines the one number that they would report.
+
+# %% [markdown] lang="ko" name="monitor-run-notes" slide="notes"
+# 곡선까지 8분입니다. 한 줄씩 읽기 전에, 보고하고 싶은 숫자 하나에 밑줄을 긋게 합니다.
+
 # %% name="monitor-average" slide="subslide"
 looks = range(0, 481, 4)  # two a second, for four minutes
 times = [0.5 * n for n in looks]
@@ -220,6 +244,12 @@ lesson.draw_ages([lesson.Curve('truth', times, [0.11] * len(times)), avg], 'net 
 # %ros2 --for 1.5 topic hz /tf
 # %ros2 topic info /tf
 
+# %% [markdown] lang="en" name="rates-notes" slide="notes"
+# Eight minutes from here to tf2_echo. 50: whose? Three nodes share the topic, 20 and 20 and 10.
+
+# %% [markdown] lang="ko" name="rates-notes" slide="notes"
+# 여기서 tf2_echo까지 8분입니다. 50은 누구의 것입니까? 세 노드가 토픽을 함께 씁니다. 20, 20, 10입니다.
+
 # %% name="rates-view-frames" slide="subslide"
 # %ros2 run tf2_tools view_frames -o frames
 
@@ -239,7 +269,13 @@ lesson.draw_ages([lesson.Curve('truth', times, [0.11] * len(times)), avg], 'net 
 # - 정적 연결의 10000.0은 발행률이 아니라, 정적이라는 표시입니다.
 # - 모든 연결이 `default_authority`이므로 발행 책임은 여기서도 알 수 없습니다.
 #
-# 5초 동안의 **[[snapshot|스냅샷]]**이라서, 1분에 한 번 일어나는 일은 거의 놓칩니다.
+# 5초 동안의 [[snapshot|스냅샷]]이라서, 1분에 한 번 일어나는 일은 거의 놓칩니다.
+
+# %% [markdown] lang="en" name="view-frames-notes" slide="notes"
+# Find one edge together, `odom → base_footprint`, and read its rate. 10000 is a mark for static edges, and no rate.
+
+# %% [markdown] lang="ko" name="view-frames-notes" slide="notes"
+# 연결 하나(`odom → base_footprint`)를 함께 찾아 발행률을 읽습니다. 10000은 정적이라는 표시이지 발행률이 아닙니다.
 
 # %% [markdown] lang="en" name="two-owners" slide="subslide"
 # Still, it gives two owners away. **Predict:** a second node, the EKF, sends `odom → base_footprint` too, 30 times a second. What does the edge's rate say?
@@ -255,7 +291,15 @@ lesson.frame_tree()
 # `frame_tree()` is ours, not ROS's: in one process we do know who sent what, so it names the owners. What you would have on a robot is the rate: **50.1 Hz where 20.2 is normal**. More messages than one node sends means more than one node.
 
 # %% [markdown] lang="ko" name="two-owners-seen" tags=["predicted"]
+# *그림 읽기:* D(dynamic) = 동적, S(static) = 정적, rate = 발행률, age = 나이, published by = 발행자. 아래의 색 있는 줄은 이 연결의 발행자가 둘이며 조회한 값이 그 사이에 떨어진다는 뜻입니다.
+#
 # `frame_tree()`는 ROS가 아니라 이 워크북의 것입니다. 한 프로세스 안에서는 누가 보냈는지 알 수 있으므로 이름이 나옵니다. 실제 로봇에서 볼 수 있는 것은 발행률입니다. **평소에는 20.2 Hz인데 50.1 Hz입니다.** 노드 하나가 보내는 것보다 많이 오면 노드가 하나가 아닌 것입니다.
+
+# %% [markdown] lang="en" name="two-owners-notes" slide="notes"
+# On fingers: two, three or five times ten a second? On a robot you would have the 50 alone, and no names beside it.
+
+# %% [markdown] lang="ko" name="two-owners-notes" slide="notes"
+# 손가락으로 답합니다. 1초에 스무 번, 서른 번, 쉰 번 가운데 무엇입니까? 로봇에서는 50만 보이고 이름은 없습니다.
 
 # %% [markdown] lang="en" name="echo" slide="slide"
 # ## tf2_echo: which value?
@@ -297,6 +341,12 @@ print(f'{int(sec) + int(nanosec) / 1e9:.3f} s')
 #
 # - 사이에 정적 연결만 있는 두 좌표계는 `At time 0.0`으로 나옵니다. 언제나 유효하다는 뜻입니다.
 # - *가끔만 봅니다.* 두 출력 사이에 일어난 일은 보이지 않습니다. 무언가 깜빡이면 `tf2_echo map base_link 20`처럼 더 자주 출력하게 합니다.
+
+# %% [markdown] lang="en" name="echo-notes" slide="notes"
+# One sentence: what stands behind the point is nanoseconds without their leading zeros. E11.2 asks it again.
+
+# %% [markdown] lang="ko" name="echo-notes" slide="notes"
+# 한 문장입니다. 소수점 오른쪽은 앞자리 0이 빠진 나노초입니다. E11.2에서 다시 묻습니다.
 
 # %% [markdown] lang="en" name="often-enough" slide="slide"
 # ## Often enough?
@@ -357,8 +407,20 @@ for f in (1, 2, 10, 20):
 # %% name="often-enough-panel" tags=["interactive"]
 lesson.rate_panel()
 
+# %% [markdown] lang="en" name="often-enough-notes" slide="notes"
+# Two minutes, the answer only: nothing on the straight, 61 mm at 1 Hz in a bend, up to 0.9 s of waiting. The panel is for reading.
+
+# %% [markdown] lang="ko" name="often-enough-notes" slide="notes"
+# 2분 동안 답만 봅니다. 곧은 길에서는 0, 굽은 길에서는 1 Hz일 때 61 mm, 기다림은 최대 0.9초입니다. 패널은 읽을 때 씁니다.
+
 # %% name="often-enough-still" slide="subslide"
 lesson.draw_bend(lesson.Bend(speed_mps=0.5, yaw_rate_radps=1.0, rate_hz=1.0))
+
+# %% [markdown] lang="en" name="often-enough-still-notes" slide="notes"
+# Hold a ruler against the arc: that is TF between two samples.
+
+# %% [markdown] lang="ko" name="often-enough-still-notes" slide="notes"
+# 호에 자를 대어 보입니다. 두 표본 사이에서 TF는 그 자와 같습니다.
 
 # %% [markdown] lang="en" name="rviz" slide="slide"
 # ## RViz: one frame for everything
@@ -376,6 +438,12 @@ lesson.draw_bend(lesson.Bend(speed_mps=0.5, yaw_rate_radps=1.0, rate_hz=1.0))
 graph = lesson.start_robot()
 graph.run(seconds=20)
 # %rviz2 -f map
+
+# %% [markdown] lang="en" name="rviz-notes" slide="notes"
+# Four minutes with the still picture. Change the Fixed Frame, and let them say what moves before it does.
+
+# %% [markdown] lang="ko" name="rviz-notes" slide="notes"
+# 정지 그림까지 4분입니다. Fixed Frame을 바꾸기 전에 무엇이 움직일지 말하게 합니다.
 
 # %% name="rviz-still" slide="subslide"
 graph = lesson.start_robot()
@@ -434,13 +502,31 @@ for fixed_frame in ('map', 'odom', 'base_link'):
 # - **header**: 레이저 드라이버가 헤더에 `base_link`라고 적습니다.
 # - **clock**: 레이저를 읽는 컴퓨터의 시계가 0.3초 느립니다.
 
+# %% [markdown] lang="en" name="ok-is-not-true-notes" slide="notes"
+# Five minutes for the three robots. Stop at the four ticks: which was a lie? None. Then let them vote on paper, once for each robot.
+
+# %% [markdown] lang="ko" name="ok-is-not-true-notes" slide="notes"
+# 로봇 셋에 5분입니다. ✔ 네 개에서 멈추고 묻습니다. 거짓은 어느 것입니까? 없습니다. 이어서 로봇마다 하나씩 종이에 적게 합니다.
+
 # %% name="three-robots-mount" tags=["predicted"] slide="subslide"
 lesson.start_robot('mount')
 lesson.draw_rviz(until_s=25.0)
 
+# %% [markdown] lang="en" name="three-robots-mount-notes" slide="notes"
+# Who has a red line on paper? Let the room find the wall that does not fit. With what would you compare: the drawing.
+
+# %% [markdown] lang="ko" name="three-robots-mount-notes" slide="notes"
+# 빨간 줄을 적은 사람이 있습니까? 맞지 않는 벽을 함께 찾습니다. 무엇과 견줄까요? 도면입니다.
+
 # %% name="three-robots-header" tags=["predicted"] slide="subslide"
 lesson.start_robot('header')
 lesson.draw_rviz(until_s=25.0)
+
+# %% [markdown] lang="en" name="three-robots-header-notes" slide="notes"
+# The same list again. With what would you compare the header: the driver's manual. The first to fall out when time is short.
+
+# %% [markdown] lang="ko" name="three-robots-header-notes" slide="notes"
+# 또 같은 목록입니다. 헤더는 무엇과 견줄까요? 드라이버의 설명서입니다. 시간이 모자라면 여기를 건너뜁니다.
 
 # %% name="three-robots-clock" tags=["predicted"] slide="subslide"
 lesson.start_robot('clock')
@@ -489,6 +575,12 @@ lesson.start_robot('clock').run(seconds=5)
 
 # %% [markdown] lang="ko" name="one-minute-seen"
 # 자로 재면 +0.20인데 −0.200입니다. 레이저는 `laser_frame`인데 `base_link`입니다. 한 바퀴와 전송에 0.105초면 되는데 0.405초입니다.
+
+# %% [markdown] lang="en" name="one-minute-notes" slide="notes"
+# In pairs, a minute each. Before typing they say what the healthy value is.
+
+# %% [markdown] lang="ko" name="one-minute-notes" slide="notes"
+# 둘씩 1분마다 하나씩 합니다. 입력하기 전에 정상인 값을 먼저 말합니다.
 
 # %% [markdown] lang="en" name="break-it" slide="slide"
 # ## Break it
@@ -619,6 +711,12 @@ for _ in range(6):
 #
 # "RViz에 보이지 않으니 센서 고장"은 어느 줄에도 없습니다. 센서는 메시지를 확인한 뒤 마지막에 의심합니다.
 
+# %% [markdown] lang="en" name="symptoms-notes" slide="notes"
+# Cover the last column, fill in three rows together, then let them photograph it.
+
+# %% [markdown] lang="ko" name="symptoms-notes" slide="notes"
+# 마지막 열을 가리고 세 줄을 함께 채운 다음, 사진으로 찍게 합니다.
+
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
 # ## Checkpoint
 #
@@ -681,6 +779,12 @@ for _ in range(6):
 #
 # </details>
 
+# %% [markdown] lang="en" name="checkpoint-notes" slide="notes"
+# Two minutes. Open the reply of the wrong option that most have taken, then that of the right one.
+
+# %% [markdown] lang="ko" name="checkpoint-notes" slide="notes"
+# 2분입니다. 가장 많이 고른 틀린 보기의 설명을 먼저 열고, 이어서 맞는 보기의 설명을 엽니다.
+
 # %% [markdown] lang="en" name="on-the-robot" slide="slide"
 # ## On a real robot
 #
@@ -721,6 +825,12 @@ for _ in range(6):
 # rviz2 --ros-args -p use_sim_time:=true
 # ```
 
+# %% [markdown] lang="en" name="on-the-robot-notes" slide="notes"
+# To look up. One sentence: with a simulation or a bag the tools need `use_sim_time`, too; that was the cure of the first story.
+
+# %% [markdown] lang="ko" name="on-the-robot-notes" slide="notes"
+# 찾아보는 슬라이드입니다. 한 문장만 말합니다. 시뮬레이션이나 bag에서는 도구에도 `use_sim_time`이 필요합니다. 첫머리 이야기의 해결책이었습니다.
+
 # %% name="stop" slide="skip"
 graph.stop()
 
@@ -743,6 +853,12 @@ graph.stop()
 # - 느린 연결은 곧은 길에서는 틀리지 않고, 굽은 길에서 (v/ω)(1 − cos(ω/2f))만큼 틀리며, 어디서나 기다리게 합니다.
 # - [[fixed frame|Fixed Frame]]은 그림을 옮길 뿐 데이터를 바꾸지 않습니다.
 # - **Ok는 계산했다는 뜻이지 맞다는 뜻이 아닙니다.** 값과 이름과 시각은 직접 견주어 확인합니다.
+
+# %% [markdown] lang="en" name="recap-notes" slide="notes"
+# Leave it on the screen while the slips are written.
+
+# %% [markdown] lang="ko" name="recap-notes" slide="notes"
+# 쪽지를 쓰는 동안 화면에 띄워 둡니다.
 
 # %% [markdown] lang="en" name="from-before" slide="subslide"
 # ### Three questions from earlier chapters
@@ -774,6 +890,12 @@ graph.stop()
 #
 # </details>
 
+# %% [markdown] lang="en" name="from-before-notes" slide="notes"
+# For home; the second one aloud if a minute is left.
+
+# %% [markdown] lang="ko" name="from-before-notes" slide="notes"
+# 집에서 합니다. 1분이 남으면 둘째 문제만 소리 내어 풉니다.
+
 # %% [markdown] lang="en" name="practice" slide="subslide"
 # ### Practice question · Q9
 #
@@ -804,6 +926,12 @@ graph.stop()
 #
 # </details>
 
+# %% [markdown] lang="en" name="practice-notes" slide="notes"
+# Written at home. What each tool cannot see is worth as much as what it shows.
+
+# %% [markdown] lang="ko" name="practice-notes" slide="notes"
+# 집에서 씁니다. 도구가 보여 주는 것만큼 보지 못하는 것도 중요합니다.
+
 # %% [markdown] lang="en" name="exit-ticket" slide="slide"
 # ## Exit ticket
 #
@@ -825,6 +953,12 @@ graph.stop()
 # `tf2_echo base_link laser_frame`의 값을 도면이나 자로 잰 값과 견줍니다. `topic echo /scan --once --field header`의 `frame_id`를 센서의 좌표계와 견줍니다.
 #
 # </details>
+
+# %% [markdown] lang="en" name="exit-ticket-notes" slide="notes"
+# Two minutes, without talking: two commands, and with what you compare each. Collect before the laboratory.
+
+# %% [markdown] lang="ko" name="exit-ticket-notes" slide="notes"
+# 2분 동안 말없이 적습니다. 명령 두 개와 저마다 견줄 것입니다. 실습 전에 걷습니다.
 
 # %% [markdown] lang="en" name="next" slide="skip"
 # **Next:** the exercises, [E11 Tools and RViz](../../exercises/en/E11_tools_and_rviz.ipynb), and after them [12 Owners and diagnosis](12_owners_and_diagnosis.ipynb), which asks who says so, and what is broken.

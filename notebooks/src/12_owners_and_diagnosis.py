@@ -200,6 +200,12 @@ lesson.draw_owners(
 # *그림 읽기:* edge = 연결, owner = 발행자, source = 데이터, switch = 스위치, rate = 발행률. `! 2`는 발행자가 둘인 연결, `! 0`은 아무도 발행하지 않는 연결입니다. 강의 24장은 문제가 생기기 전에 이런 표를 채워 두라고 합니다. 정상을 모르면 이상도 알 수 없습니다.
 # 강의 14장과 27장의 내용 하나를 바로잡습니다. ROS 2의 `tf2_monitor`는 발행자의 이름을 대지 못합니다. 줄마다 `<no authority available>`이 나옵니다. 노드 이름은 `ros2 topic info /tf --verbose`가 알려 주고, 그 노드가 어느 연결을 보내는지는 직접 알아내야 합니다.
 
+# %% [markdown] lang="en" name="owner-notes" slide="notes"
+# Fourteen minutes, most of them at the board: an empty table, one sheet for two. They shout, you write node, data and switch. Leave a wrong line standing until somebody objects; only then the figure.
+
+# %% [markdown] lang="ko" name="owner-notes" slide="notes"
+# 14분이고, 대부분 칠판 앞에서 보냅니다. 빈 표를 그리고 두 사람에 한 장씩 나눕니다. 학생이 말하면 노드, 데이터, 스위치를 적습니다. 틀린 줄은 누가 지적할 때까지 두고, 그런 다음 그림을 보입니다.
+
 # %% [markdown] lang="en" name="four-states" slide="slide"
 # ## Four states of an edge
 #
@@ -361,14 +367,13 @@ lesson.draw_columns("flickers", {"delay /scan": "ahead"})
 # %% name="both-ways" tags=["predicted"] slide="fragment"
 lesson.draw_both_ways()
 
-# %% name="both-ways-words" tags=["predicted"] slide="skip"
-print(lesson.draw_both_ways().text)
-
 # %% [markdown] lang="en" name="both-ways-seen" tags=["predicted"]
-# Order without a question is slow; a question for a minute is not. Both are right in the end, and both beat the one who asks everything: 72 minutes for every check there is.
+# By the six steps 6.1 minutes on average, 14 at worst, and three of the eighteen come too late; by the best question next 2.3, and 5 at worst. Order without a question is slow; a question for a minute is not. Both are right in the end, and both beat the one who asks everything: 72 minutes for every check there is.
 
 # %% [markdown] lang="ko" name="both-ways-seen" tags=["predicted"]
-# 질문 없이 순서만 따르면 느리고, 1분짜리 질문을 고르면 빠릅니다. 둘 다 끝내 맞히고, 검사를 몽땅 하는 사람보다 낫습니다. 전부 물으면 72분이 걸립니다.
+# *그림 읽기:* six steps = 강의의 여섯 걸음, best next = 가장 잘 가르는 질문부터, minutes = 걸린 시간(분), 세로 점선 = 쓸 수 있는 12분.
+#
+# 여섯 걸음은 평균 6.1분, 가장 길 때 14분이고 열여덟 가운데 셋은 시간을 넘깁니다. 가장 잘 가르는 질문부터 하면 평균 2.3분, 가장 길 때 5분입니다. 질문 없이 순서만 따르면 느리고, 1분짜리 질문을 고르면 빠릅니다. 둘 다 끝내 맞히고, 검사를 몽땅 하는 사람보다 낫습니다. 전부 물으면 72분이 걸립니다.
 
 # %% [markdown] lang="en" name="clinic" slide="slide"
 # ## The clinic: how it is done
@@ -431,6 +436,32 @@ visit.try_fix()
 # %% [markdown] lang="ko" name="cure-seen"
 # 두 번 다 RViz는 모두 Ok입니다. 하지만 timeout을 늘렸을 때는 점이 벽에서 0.5미터 가까이 어긋나고, 고장을 찾아낸 지연도 그대로입니다. **고쳤다는 증거는 고장을 찾아낸 검사에 있습니다.** 증상이 사라진 것이 아닙니다.
 
+# %% [markdown] lang="en" name="film-intro" slide="subslide"
+# The whole visit once more, step by step. Choose a step, or go on with the arrow keys; your own visits can be played in the same way.
+
+# %% [markdown] lang="ko" name="film-intro" slide="subslide"
+# 진료 전체를 한 단계씩 다시 봅시다. 단계를 고르거나 화살표 키로 넘겨 보세요. 여러분의 진료도 이렇게 볼 수 있습니다.
+
+# %% name="film" tags=["interactive"]
+lesson.visit_panel(visit)
+
+# %% name="film-still" slide="-"
+lesson.draw_visit(visit)
+
+# %% [markdown] lang="en" name="film-seen"
+# On the left the clock: a filled bar for a question, a hatched one for a fix, and the dashed line for your twelve minutes. On the right each suspect, until a reading strikes it. Compare the last two rows: both are all Ok, and only one has the reading of the card.
+
+# %% [markdown] lang="ko" name="film-seen"
+# *그림 읽기:* 왼쪽은 시계입니다. 색칠한 막대는 질문, 빗금 친 막대는 처치, 세로 점선은 쓸 수 있는 12분(min)입니다. 오른쪽의 선은 용의자이고, 읽은 값이 맞지 않는 데서 ×로 끝납니다. card = 카드의 값, std dev = 표준편차, all Ok = 모두 Ok, scan up to … off = 스캔이 벽에서 벗어난 최대 거리.
+#
+# 마지막 두 줄을 비교해 보세요. 둘 다 모두 Ok이지만, 카드와 같은 값은 한 줄에만 있습니다.
+
+# %% [markdown] lang="en" name="film-notes" slide="notes"
+# Play it with the arrow keys. Stop at the second step: who is still a suspect? Stop at the third: it is green; is it cured? Only then the last.
+
+# %% [markdown] lang="ko" name="film-notes" slide="notes"
+# 화살표 키로 넘깁니다. 둘째 단계에서 멈추고 남은 용의자를 묻습니다. 셋째 단계에서 멈추고 묻습니다. 초록색인데 나았습니까? 그런 다음 마지막을 보입니다.
+
 # %% [markdown] lang="en" name="faded" slide="slide"
 # ## Half with help: it jumps
 #
@@ -463,24 +494,46 @@ if my_cause is not ...:
 # %% [markdown] lang="en" name="alone" slide="slide"
 # ## Alone
 #
-# `lesson.practice_patient(7)` makes a patient in some seconds, another number another patient, without end. The panel does what the calls do: choose a check, say whom you suspect, ask. `lesson.answer_of(7)` tells what it was; look there last.
+# `lesson.practice_patient(7)` makes a patient in some seconds, another number another patient, without end. The panel does what the calls do: choose a check, say whom you suspect, ask; then choose a cause and a fix, and try. `lesson.answer_of(7)` tells what it was; look there last.
 
 # %% [markdown] lang="ko" name="alone" slide="slide"
 # ## 혼자서
 #
-# `lesson.practice_patient(7)`은 몇 초 만에 환자를 만듭니다. 숫자가 다르면 다른 환자이고, 얼마든지 있습니다. 패널은 호출과 같은 일을 합니다. 검사를 고르고, 누구를 의심하는지 정하고, 물으십시오. 답은 `lesson.answer_of(7)`에 있으니 맨 나중에 보세요.
+# `lesson.practice_patient(7)`은 몇 초 만에 환자를 만듭니다. 숫자가 다르면 다른 환자이고, 얼마든지 있습니다. 패널은 호출과 같은 일을 합니다. 검사를 고르고, 누구를 의심하는지 정하고, 물으십시오. 그다음 원인과 처치를 골라 해 보세요. 답은 `lesson.answer_of(7)`에 있으니 맨 나중에 보세요.
 
 # %% name="panel" tags=["interactive"]
 lesson.clinic_panel(lesson.practice_patient(7))
 
 # %% name="panel-still" slide="skip"
-lesson.draw_questions(lesson.answer_of(7), ["node list", "hz /scan", "view_frames"])
+lesson.draw_questions(lesson.answer_of(7), ["hz /scan", "view_frames", "node list", "use_sim_time"])
 
 # %% [markdown] lang="en" name="panel-seen"
-# Standing still, three questions to the same patient: what each cost, and who was left. `★` marks where one suspect was left; what comes after it is hatched, and told nothing.
+# Standing still, four questions to the same patient: what each cost, and who was left. `★` marks where one suspect was left; what comes after it is hatched, and told nothing.
 
 # %% [markdown] lang="ko" name="panel-seen"
-# *그림 읽기:* 같은 환자에게 한 질문 셋입니다. 막대는 걸린 시간, left는 남은 용의자의 수입니다. `★`에서 하나가 남았고, 그 뒤의 빗금 친 막대는 알려 준 것이 없습니다.
+# *그림 읽기:* 같은 환자에게 한 질문 넷입니다. 막대는 걸린 시간, left는 남은 용의자의 수입니다. `★`에서 하나가 남았고, 그 뒤의 빗금 친 막대는 알려 준 것이 없습니다.
+
+# %% [markdown] lang="en" name="second" slide="subslide"
+# And what does a machine say? `second_opinion` starts that robot once more and lets the doctor listen to it, as soon as you have named a suspect.
+
+# %% [markdown] lang="ko" name="second" slide="subslide"
+# 기계는 무엇이라고 할까요? 용의자를 대면 `second_opinion`이 그 로봇을 다시 켜고 의사(doctor)에게 보입니다.
+
+# %% name="second-opinion" slide="-"
+my_suspect = ...  # one of the three
+lesson.second_opinion(7, my_suspect)
+
+# %% [markdown] lang="en" name="second-seen"
+# Compare: did it name the same node, or only what is missing? Which of its sentences could you have written with your readings, and which check of yours did it not need?
+
+# %% [markdown] lang="ko" name="second-seen"
+# 비교해 보세요. 같은 노드를 댔습니까, 빠진 것만 말했습니까? 그 문장 가운데 여러분이 읽은 값으로 쓸 수 있었던 것은 무엇이고, 의사에게는 필요 없었던 검사는 무엇입니까?
+
+# %% [markdown] lang="en" name="alone-notes" slide="notes"
+# In pairs, 45 minutes together with E12.4. One types; the other says why before each check. Change places with each patient.
+
+# %% [markdown] lang="ko" name="alone-notes" slide="notes"
+# 둘씩, E12.4까지 45분입니다. 한 사람은 입력하고 한 사람은 검사마다 까닭을 먼저 말합니다. 환자가 바뀌면 역할도 바꿉니다.
 
 # %% [markdown] lang="en" name="suspects" slide="skip"
 # To look things up, without a panel: the six complaints with their suspects, and of one complaint what each check would say. `lesson.show_findings()` prints it for all eighteen; E12.7 has it, too.
@@ -526,10 +579,16 @@ night.try_fix()
 # 첫 원인은 사라지고 RViz는 모두 Ok인데, 스캔은 벽에서 어긋나 있습니다. 두 번째 원인은 처음부터 있었지만 보이지 않았습니다. 하나를 고치면 처음부터 다시 진찰하십시오.
 
 # %% [markdown] lang="en" name="doctor" slide="subslide"
-# A machine helps, and does not know what you meant. `doctor(graph)`, shown all eighteen robots, has a word on fourteen, rightly leaves one in peace, and is silent about three: a Fixed Frame that somebody typed, a mount that is merely elsewhere, a header that names a real frame. Those look like a robot that somebody wanted so. Only the card knows.
+# A machine helps, and does not know what you meant. The doctor, shown all eighteen robots, has a word on fourteen, rightly leaves one in peace, and is silent about three: a Fixed Frame that somebody typed, a mount that is merely elsewhere, a header that names a real frame. Those look like a robot that somebody wanted so. Only the card knows.
 
 # %% [markdown] lang="ko" name="doctor" slide="subslide"
-# 기계는 도와주지만 여러분의 뜻은 모릅니다. 열여덟 대를 모두 `doctor(graph)`에 보이면 열넷에는 할 말이 있고, 하나는 옳게 그냥 두며, 셋에는 말이 없습니다. 사람이 틀리게 입력한 Fixed Frame, 그저 다른 곳에 있는 장착, 실제로 있는 다른 좌표계를 적은 header입니다. 누군가 일부러 그렇게 한 로봇처럼 보이기 때문입니다. 카드만이 압니다.
+# 기계는 도와주지만 여러분의 뜻은 모릅니다. 열여덟 대를 모두 의사(doctor)에게 보이면 열넷에는 할 말이 있고, 하나는 옳게 그냥 두며, 셋에는 말이 없습니다. 사람이 틀리게 입력한 Fixed Frame, 그저 다른 곳에 있는 장착, 실제로 있는 다른 좌표계를 적은 header입니다. 누군가 일부러 그렇게 한 로봇처럼 보이기 때문입니다. 카드만이 압니다.
+
+# %% [markdown] lang="en" name="doctor-notes" slide="notes"
+# Only after a pair has a diagnosis of its own. Who was right about the mount, and why could the machine not be?
+
+# %% [markdown] lang="ko" name="doctor-notes" slide="notes"
+# 둘이 스스로 진단한 다음에 보입니다. 장착을 맞힌 사람은 누구입니까? 기계는 왜 맞힐 수 없었습니까?
 
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
 # ## Checkpoint
@@ -605,13 +664,13 @@ night.try_fix()
 # ```
 # ros2 node list
 # ros2 run tf2_tools view_frames
-# ros2 run tf2_ros tf2_echo odom base_footprint 20   # at 20 Hz: smooth, or to and fro
-# ros2 topic info /tf --verbose                      # who may speak; not who speaks
-# ros2 topic delay /scan                             # the stamp against the clock
+# ros2 run tf2_ros tf2_echo odom base_footprint 20  # smooth?
+# ros2 topic info /tf --verbose       # who may speak
+# ros2 topic delay /scan              # stamp and clock
 # ros2 param get /localization use_sim_time
-# ros2 lifecycle get /amcl                           # Nav2's localiser: active, and given an initial pose?
+# ros2 lifecycle get /amcl            # active?
 # ros2 node info /ekf_filter_node
-# chronyc tracking                                   # on each computer: how far is its clock off?
+# chronyc tracking                    # on each computer
 # ```
 #
 # To see who owns an edge, stop one node at a time and look whether the edge goes on: wheels off the ground, and the emergency stop in your hand.
@@ -623,17 +682,23 @@ night.try_fix()
 # ```
 # ros2 node list
 # ros2 run tf2_tools view_frames
-# ros2 run tf2_ros tf2_echo odom base_footprint 20   # at 20 Hz: smooth, or to and fro
-# ros2 topic info /tf --verbose                      # who may speak; not who speaks
-# ros2 topic delay /scan                             # the stamp against the clock
+# ros2 run tf2_ros tf2_echo odom base_footprint 20  # 매끄러운지
+# ros2 topic info /tf --verbose       # 보낼 수 있는 노드
+# ros2 topic delay /scan              # 측정 시각과 시계
 # ros2 param get /localization use_sim_time
-# ros2 lifecycle get /amcl                           # Nav2: active? initial pose?
+# ros2 lifecycle get /amcl            # 활성 상태인지
 # ros2 node info /ekf_filter_node
-# chronyc tracking                                   # on each computer
+# chronyc tracking                    # 컴퓨터마다
 # ```
 #
 # 누가 연결을 발행하는지 보려면 노드를 하나씩 멈추고 연결이 계속 오는지 봅니다. 바퀴는 바닥에서 띄우고 비상 정지 버튼을 손에 쥐고 하십시오.
 # 실제 로봇의 원인은 열여덟보다 많습니다. 누구나 만나지만 진료실에 없는 것이 셋 있습니다. 초기 포즈(initial pose)를 기다리거나 활성화되지 않은 위치 추정 노드, `BEST_EFFORT`로 보내는 드라이버에 `RELIABLE`을 요구하는 노드, 같은 `ROS_DOMAIN_ID`를 쓰는 옆 로봇입니다. 방법은 같습니다. 이들의 답이 갈릴 질문은 무엇일까요?
+
+# %% [markdown] lang="en" name="on-the-robot-notes" slide="notes"
+# To photograph. Say the last line aloud: wheels off the ground, the emergency stop in your hand.
+
+# %% [markdown] lang="ko" name="on-the-robot-notes" slide="notes"
+# 사진으로 찍게 합니다. 마지막 줄은 소리 내어 말합니다. 바퀴는 바닥에서 띄우고, 비상 정지 버튼은 손에 쥡니다.
 
 # %% [markdown] lang="en" name="twelve" slide="skip"
 # <details><summary>Deeper: the lecture's twelve mistakes (§29), and the patient that has each</summary>
@@ -691,6 +756,12 @@ night.try_fix()
 # - 증상은 원인이 아닙니다. 검사의 값어치는 무엇을 지우느냐에 있습니다. [[suspect|용의자]]들의 답이 다를 것을 물으십시오.
 # - 하나가 남으면 멈추십시오. 고쳤다는 증거는 고장을 찾아낸 검사에 있습니다.
 
+# %% [markdown] lang="en" name="recap-notes" slide="notes"
+# Five minutes at the end of the second sitting. Two pairs read their lists of checks: which one could they have left out?
+
+# %% [markdown] lang="ko" name="recap-notes" slide="notes"
+# 둘째 시간 끝의 5분입니다. 두 조가 검사 목록을 읽습니다. 어느 검사를 뺄 수 있었을까요?
+
 # %% [markdown] lang="en" name="from-before" slide="subslide"
 # ### Three questions from earlier chapters
 #
@@ -720,6 +791,12 @@ night.try_fix()
 # 3. 요청 시각과 버퍼에 있는 최신 표본의 시각입니다.
 #
 # </details>
+
+# %% [markdown] lang="en" name="from-before-notes" slide="notes"
+# For home; the first one aloud if a minute is left.
+
+# %% [markdown] lang="ko" name="from-before-notes" slide="notes"
+# 집에서 합니다. 1분이 남으면 첫 문제만 소리 내어 풉니다.
 
 # %% [markdown] lang="en" name="practice" slide="subslide"
 # ### Practice questions · Q4, Q14 and Q15
@@ -795,6 +872,12 @@ night.try_fix()
 #
 # </details>
 
+# %% [markdown] lang="en" name="practice-notes" slide="notes"
+# Written at home. Question 15 is graded by its order as well as by its steps.
+
+# %% [markdown] lang="ko" name="practice-notes" slide="notes"
+# 집에서 씁니다. 15번은 걸음뿐 아니라 순서도 봅니다.
+
 # %% [markdown] lang="en" name="exit-ticket" slide="slide"
 # ## Exit ticket
 #
@@ -816,6 +899,12 @@ night.try_fix()
 # 고장을 찾아낸 그 검사입니다. `delay /scan`이었다면 카드와 같은 값이 나와야 합니다. 음수인 동안에는 초록색이어도 점이 벽에서 어긋나 있습니다.
 #
 # </details>
+
+# %% [markdown] lang="en" name="exit-ticket-notes" slide="notes"
+# Two minutes, in silence, on a slip. It ends the first sitting.
+
+# %% [markdown] lang="ko" name="exit-ticket-notes" slide="notes"
+# 2분 동안 말없이 쪽지에 적습니다. 첫째 시간은 여기서 끝납니다.
 
 # %% [markdown] lang="en" name="next" slide="skip"
 # **Next:** the exercises, [E12 Owners and diagnosis](../../exercises/en/E12_owners_and_diagnosis.ipynb), with three patients of your own. This was the last chapter; [the start page](00_start.ipynb) shows what you have passed, and what is left.

@@ -13,9 +13,7 @@ def test_what_is_typed_stays_and_what_is_done_is_told():
 
 
 def test_of_a_fix_the_wards_own_lines_are_told_and_the_tools_stay():
-    text = (
-        "RViz: all Ok\nScan on the map: up to 0.47 m beside the walls\n$ ros2 topic delay /scan\n  average delay: 1"
-    )
+    text = "RViz: all Ok\nScan on the map: up to 0.47 m beside the walls\n$ ros2 topic delay /scan\n  average delay: 1"
     assert told(text) == text
     assert told(text, "ko").splitlines() == [
         "RViz: 모두 Ok", "지도 위의 스캔: 벽에서 최대 0.47 m 벗어남", "$ ros2 topic delay /scan", "  average delay: 1",

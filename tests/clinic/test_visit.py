@@ -8,7 +8,7 @@ from tflab.clinic.causes import Numbers
 from tflab.clinic.examples import EXAMPLES
 from tflab.clinic.patient import SickRobot
 from tflab.clinic.practice import answer_of, practice_patient, second_opinion, worked_patient
-from tflab.clinic.proof import shortest_proof
+from tflab.clinic.proof import fitting, shortest_proof
 from tflab.clinic.table import COMPLAINTS, SUSPECTS, kind_expected
 from tflab.clinic.told import done
 from tflab.clinic.trolley import TROLLEY
@@ -123,6 +123,14 @@ def test_the_doctor_has_a_word_on_fourteen_robots_and_not_on_those_that_somebody
     assert {cause for cause, line in said.items() if line == "graph: nothing is wrong"} == {
         "Fixed Frame misspelt", "mount wrong", "header says base_link", "nothing is wrong",
     }  # fmt: skip
+
+
+def test_a_practice_patient_fits_its_cause_and_no_other_also_where_the_first_numbers_do_not():
+    assert answer_of(6, "flickers") == "odometry slow"  # with the first numbers drawn RViz never speaks of the future
+    visit = Visit(practice_patient(6, "flickers"))
+    for check in TROLLEY:
+        visit.take(check)
+    assert fitting(visit.found) == ("odometry slow",) and "into the future" in visit.patient.screen
 
 
 def test_the_second_opinion_is_on_the_robot_of_that_number():

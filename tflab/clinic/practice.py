@@ -15,9 +15,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from .causes import draw_numbers
+from .causes import Numbers, draw_numbers
 from .patient import SickRobot
+from .proof import fitting
 from .table import COMPLAINTS
+from .trolley import TROLLEY
 from .ward import examined, make_patient
 
 __all__ = ["answer_of", "night_shift", "practice_patient", "second_opinion", "worked_patient"]
@@ -37,8 +39,7 @@ def practice_patient(number: int, complaint: str = "") -> SickRobot:
     Raises:
         ValueError: there is no such complaint.
     """
-    rng, causes = _drawn(number, complaint)
-    return make_patient(causes, draw_numbers(rng))
+    return _clear(*_drawn(number, complaint))[0]
 
 
 def night_shift(number: int) -> SickRobot:
@@ -60,7 +61,17 @@ def answer_of(number: int, complaint: str = "") -> str:
 def second_opinion(number: int, complaint: str = "") -> str:
     """Return what the doctor says of the robot of `practice_patient(number, complaint)`."""
     rng, causes = _drawn(number, complaint)
-    return examined(causes, draw_numbers(rng))
+    return examined(causes, _clear(rng, causes)[1])
+
+
+def _clear(rng: np.random.Generator, causes: tuple[str, ...]) -> tuple[SickRobot, Numbers]:
+    """Return a patient of one cause and its numbers; where its readings fit nobody, others are drawn."""
+    while True:
+        numbers = draw_numbers(rng)
+        patient = make_patient(causes, numbers)
+        if fitting({key: check.kind(patient.reading(key)[2]) for key, check in TROLLEY.items()}) == causes:
+            patient.asked = ()
+            return patient, numbers
 
 
 def _drawn(number: int, complaint: str) -> tuple[np.random.Generator, tuple[str, ...]]:

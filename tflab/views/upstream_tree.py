@@ -86,25 +86,40 @@ def _places(frames: Frames) -> tuple[dict[str, _Place], float]:
     for name, frame in frames.items():
         children.setdefault(frame["parent"], []).append(name)
     places: dict[str, _Place] = {}
+    tops = [frame["parent"] for frame in frames.values() if frame["parent"] not in frames]
 
-    def put(name: str, left: float, depth: int) -> float:
-        """Place a frame and all below it to the right of `left`; return where they end."""
+    def put(name: str, left: float, depth: int) -> tuple[list[str], float]:
+        """Place a frame and all below it to the right of `left`; return their names, and where they end."""
         places[name] = _Place(0.0, 0.0)  # it has its turn: in a loop, nobody comes here again
-        right = left
+        below: list[str] = []
+        mine, right = [], left
         for child in children.get(name, ()):
             if child not in places:
-                right = put(child, right, depth + 1)
-        room = max(_oval_width(name), _label_width(frames.get(name)))
-        right = max(right, left + room + GAP)
-        places[name] = _Place((left + right - GAP) / 2, MARGIN + LEGEND_HEIGHT + OVAL / 2 + depth * STORY)
-        return right
+                names, right = put(child, right, depth + 1)
+                mine.append(child)
+                below += names
+        west, east = _room(name, frames.get(name), bool(tops))
+        middle = (places[mine[0]].x + places[mine[-1]].x) / 2 if mine else left + west
+        x = max(middle, left + west)
+        for other in below:  # what is narrower than its parent stands in its middle
+            places[other] = _Place(places[other].x + x - middle, places[other].y)
+        places[name] = _Place(x, MARGIN + LEGEND_HEIGHT + OVAL / 2 + depth * STORY)
+        return [name, *below], max(right + x - middle if mine else left, x + east + GAP)
 
     right = MARGIN
-    tops = [frame["parent"] for frame in frames.values() if frame["parent"] not in frames]
-    for name in (*tops, *frames):  # frames that no top leads to are in loops
+    for name in (*dict.fromkeys(tops), *frames):  # frames that no top leads to are in loops
         if name not in places:
-            right = put(name, right, 0)
+            _, right = put(name, right, 0)
     return places, max(right - GAP, MARGIN + _legend_width()) + MARGIN
+
+
+def _room(name: str, frame: Mapping[str, Any] | None, has_top: bool) -> tuple[float, float]:
+    """Return the room that a frame takes left and right of its middle: its oval, and the label of its edge.
+
+    The label stands on the right; in a loop, where an edge runs back up, on either side.
+    """
+    oval, label = _oval_width(name) / 2, _label_width(frame)
+    return oval if has_top else max(oval, label), max(oval, label)
 
 
 def _oval_width(name: str) -> float:
@@ -112,10 +127,10 @@ def _oval_width(name: str) -> float:
 
 
 def _label_width(frame: Mapping[str, Any] | None) -> float:
-    """Return the room that an edge's label takes, which stands beside the middle, on one side or the other."""
+    """Return the room that an edge's label takes, which stands beside the middle."""
     if frame is None:
         return 0.0
-    return 2 * (18 + max(text_width(f"{label}: {frame[key]}", SMALL) for key, label in LABELS.items()))
+    return 18 + max(text_width(f"{label}: {frame[key]}", SMALL) for key, label in LABELS.items())
 
 
 # -- as marks -------------------------------------------------------------

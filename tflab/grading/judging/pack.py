@@ -30,7 +30,7 @@ from joblib.externals.loky import get_reusable_executor
 from tflab import __version__
 from tflab.progress_bar import ProgressBar
 from tflab.workbook.answers.forms import form_from_plain
-from tflab.workbook.answers.sealed import seal
+from tflab.workbook.answers.sealed import sealed_variant
 from tflab.workbook.tasks.cases import CasesError, cases_json, make_cases, read_cases
 from tflab.workbook.tasks.task import variant_of
 from tflab.workbook.whole_files import write_whole
@@ -170,7 +170,9 @@ def learners_cases(
     tasks = {}
     for task_id, task in cases["tasks"].items():
         variant = task["variants"][variant_for(roster, learner or "", task_id, task)]
-        tasks[task_id] = task | {"variants": [variant if task["is_function"] else _sealed(task, variant, learner)]}
+        if not task["is_function"]:
+            variant = sealed_variant(form_from_plain(task["form"]), variant, learner)
+        tasks[task_id] = task | {"variants": [variant]}
     return dict(cases) | {"tasks": tasks}
 
 
@@ -264,19 +266,3 @@ def _read_master(folder: Path, stem: str, cases: Mapping[str, Any]) -> Master:
 
 def _derived(seed: str, purpose: str) -> bytes:
     return hmac.new(bytes.fromhex(seed), purpose.encode(), "sha256").digest()
-
-
-def _sealed(task: Mapping[str, Any], variant: Mapping[str, Any], learner: str | None) -> dict[str, Any]:
-    """Return a variant whose expected values, and the mistakes beside them, cannot be read off."""
-    form = form_from_plain(task["form"])
-    cases = []
-    for number, case in enumerate(variant["cases"]):
-        salt = hashlib.sha256(f"{learner}/{number}/{json.dumps(variant['given'])}".encode()).hexdigest()[:16]
-        twins = {}
-        for name, value in case["twins"].items():
-            try:
-                twins[name] = seal(form, value, salt)
-            except (ValueError, TypeError, KeyError):  # a mistake of another form: nothing of the answer is in it
-                twins[name] = value
-        cases.append(case | {"expected": seal(form, case["expected"], salt), "twins": twins})
-    return dict(variant) | {"cases": cases}

@@ -15,6 +15,8 @@ Read `showing.py` next.
 from __future__ import annotations
 
 import hashlib
+import json
+from collections.abc import Mapping
 from functools import lru_cache
 from typing import Any
 
@@ -22,7 +24,7 @@ from .form import Mark, Probe, Row, inside, matched
 from .forms import Form
 from .values import Plain, is_raised
 
-__all__ = ["belongs", "is_sealed", "judge", "part_of", "seal"]
+__all__ = ["belongs", "is_sealed", "judge", "part_of", "seal", "sealed_variant"]
 
 ROUNDS = 300
 NEIGHBOURS = (0, -1, 1)
@@ -44,6 +46,21 @@ def seal(form: Form, expected: Plain, salt: str) -> Plain:
         for probe in probes
     ]
     return {"sealed": {"salt": salt, "probes": rows}}
+
+
+def sealed_variant(form: Form, variant: Mapping[str, Any], learner: str | None) -> dict[str, Any]:
+    """Return a variant whose expected values, and the mistakes beside them, cannot be read off."""
+    cases = []
+    for number, case in enumerate(variant["cases"]):
+        salt = hashlib.sha256(f"{learner}/{number}/{json.dumps(variant['given'])}".encode()).hexdigest()[:16]
+        twins = {}
+        for name, value in case["twins"].items():
+            try:
+                twins[name] = seal(form, value, salt)
+            except (ValueError, TypeError, KeyError):  # a mistake of another form: nothing of the answer is in it
+                twins[name] = value
+        cases.append(case | {"expected": seal(form, case["expected"], salt), "twins": twins})
+    return dict(variant) | {"cases": cases}
 
 
 def is_sealed(expected: Plain) -> bool:

@@ -5,6 +5,7 @@
 
     answers_hidden(page, "en")    what a text asks to predict is not in sight before the learner has run it,
                                   and the still twin of a live view is folded
+    causes_sealed(cases)          no patient of the clinic has its cause beside it
     without_notes(page)           a class reads without what the page says to the speaker
 
     .tflab/pristine/...      each file as it was handed out: what tells the learner's hand from ours
@@ -23,6 +24,8 @@ from pathlib import Path, PurePosixPath
 
 from tflab import __version__
 
+from ..answers.forms import form_from_plain
+from ..answers.sealed import sealed_variant
 from ..pages.editions import text_of
 from ..places import MARK, Workbook, WorkbookError, chapter_of, read_workbook, workbook_data, write_workbook
 from ..whole_files import locked, write_whole
@@ -30,8 +33,8 @@ from ..words import Words
 from .merge import Merged, merge_notebooks
 
 __all__ = [
-    "PRISTINE", "Change", "answers_hidden", "cases_bytes", "handed_out_in", "has_language", "is_free", "lay_out",
-    "material", "update", "without_notes",
+    "PRISTINE", "Change", "answers_hidden", "cases_bytes", "causes_sealed", "handed_out_in", "has_language", "is_free",
+    "lay_out", "material", "update", "without_notes",
 ]  # fmt: skip
 
 HIDDEN = Path(".tflab")
@@ -144,10 +147,23 @@ def material(
                 page = without_notes(page) if edition == "class" else page
                 yield PurePosixPath(folder, path.name).as_posix(), page
             elif cases is None:
-                yield PurePosixPath(folder, path.name).as_posix(), path.read_bytes()
+                content = path.read_bytes()
+                yield PurePosixPath(folder, path.name).as_posix(), causes_sealed(content) if given else content
             elif (stem := chapter_of(path)) in cases:
                 content = cases_bytes(cases[stem]) if given else path.read_bytes()
                 yield PurePosixPath(folder, path.name).as_posix(), content
+
+
+def causes_sealed(content: bytes) -> bytes:
+    """Return cases in which no patient has its cause beside it; a file without patients is returned as it is."""
+    if b'"Patient"' not in content:
+        return content
+    cases = json.loads(content)
+    for task in cases["tasks"].values():
+        if not task["is_function"] and '"Patient"' in json.dumps(task["variants"]):
+            form = form_from_plain(task["form"])
+            task["variants"] = [sealed_variant(form, variant, None) for variant in task["variants"]]
+    return cases_bytes(cases)
 
 
 def answers_hidden(page: bytes, language: str) -> bytes:
