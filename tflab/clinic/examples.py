@@ -117,6 +117,7 @@ EXAMPLES: dict[str, dict[str, str]] = {
     "tape measure": {_CARD: "0.200 m ahead, 0.000 m to the side, 0.150 m up: where the drawing has it"},
     "other cable": {_CARD: "360 points ten times a second, as with the cable before"},
 }
+WIDEST = 64  # letters of a finding that has its suspects beside it
 CARD = {"en": "(card)", "ko": "(카드)"}
 MINUTES = {"en": "{minutes:>4g} min", "ko": "{minutes:>4g}분"}
 
@@ -160,5 +161,6 @@ def findings_as_text(complaint: str = "", language: str = "en") -> str:
         rows = [(EXAMPLES[key][kind], ", ".join(who[kind]) if kind != check.usual else CARD[language]) for kind in who]
         blocks.append(f"{key}  {MINUTES[language].format(minutes=check.minutes).strip()}  $ {done(check, language)}")
         width = max(len(line) for line, _ in rows)
-        blocks += [f"    {line:<{width}}   {names}" for line, names in rows]
+        between = "   " if width <= WIDEST else "\n        "  # a list of nodes leaves no room beside it
+        blocks += [f"    {line:<{width if width <= WIDEST else 0}}{between}{names}" for line, names in rows]
     return "\n".join(blocks)
