@@ -173,3 +173,11 @@ def test_an_environment_of_another_python_is_made_anew_and_options_reach_the_lab
     assert "opened lab --no-browser --lang ko" in done.stdout
     assert not (tmp_path / ".venv" / "left_over").exists()
     assert "made by another" not in make("lab", f"PYTHON={new}", folder=tmp_path).stdout
+
+
+@pytest.mark.parametrize("language", READMES)
+def test_the_sample_is_what_check_says_today(language: str) -> None:
+    cases = (ROOT / "exercises" / "cases" / "03_target_and_source.json").read_text(encoding="utf-8")
+    page = (ROOT / READMES[language]).read_text(encoding="utf-8")
+    sample = re.search(r"E3\.3 ✗ 10/18: (.*?)\n(?:It was called|```)", page, re.DOTALL)
+    assert json.dumps(" ".join(sample[1].split()), ensure_ascii=False) in cases
