@@ -264,3 +264,14 @@ def test_an_exported_page_works_from_the_disk(executed, tmp_path, page, single_f
     controls = page.locator("input, button, select, textarea")
     assert controls.count() == page.locator(".tflab-scrubber :is(input, button)").count() == 6
     assert page.locator(".tflab-value").all_inner_texts() == ["x: 0.00", "map"]
+
+
+def test_the_arrow_keys_move_a_sweep_in_jupyterlab(lab, page):
+    sweep = "scene = box_scene()\nscene.sweep('x', [0.0, 1.0, 2.0], lambda x: scene['robot'].set_transform(at(x)))\nscene"
+    lab.write_notebook("sweep_by_keys.ipynb", [SETUP, sweep])
+    lab.open(page, "sweep_by_keys.ipynb")
+    lab.run_all(page)
+    page.locator(".tflab-scrubber input").focus()
+    for key in ("ArrowRight", "ArrowRight", "ArrowLeft"):
+        page.keyboard.press(key)
+    page.wait_for_function("document.querySelector('.tflab-scrubber output').innerText === 'x = 1.00'")

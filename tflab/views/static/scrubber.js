@@ -32,6 +32,9 @@ function makeScrubber(track, onMove) {
     playing = requestAnimationFrame(tick);
   };
   button.onclick = () => (playing ? pause() : play());
+  slider.onkeydown = (event) => { // else JupyterLab takes the arrows for itself, and the slider stands still
+    if (/^(Arrow|Page|Home|End)/.test(event.key)) event.stopPropagation();
+  };
   slider.oninput = () => { pause(); onMove(Number(slider.value)); };
   pause();
   show(track.start);

@@ -1,7 +1,7 @@
 // What does JupyterLab not say of a page?  Its language, what a picture shows, what to do with a widget whose
 // kernel is gone, and that nothing in it was changed.
 //
-//   image/png + text/plain           <img alt="...">                   JupyterLab drops the words that came along
+//   image/png, svg + text/plain      <img alt="...">                   JupyterLab drops the words that came along
 //   a slider                         its name                          ipywidgets shows it, and does not say it
 //   a page of the workbook           its language; no line of code is cut
 //   a view whose model is nowhere    the words, and "run this cell"    instead of "model not found"
@@ -27,7 +27,7 @@
 
   function describe(output, model, language) {
     const text = words(model.data);
-    for (const image of output.querySelectorAll(".jp-RenderedImage img:not([alt])")) image.alt = text;
+    for (const image of output.querySelectorAll(":is(.jp-RenderedImage, .jp-RenderedSVG) img:not([alt])")) image.alt = text;
     name(output);
     if (!language) return;
     for (const view of output.querySelectorAll(".jp-OutputArea-output")) {
