@@ -267,8 +267,8 @@ def test_an_exported_page_works_from_the_disk(executed, tmp_path, page, single_f
 
 
 def test_the_arrow_keys_move_a_sweep_in_jupyterlab(lab, page):
-    sweep = "scene = box_scene()\nscene.sweep('x', [0.0, 1.0, 2.0], lambda x: scene['robot'].set_transform(at(x)))\nscene"
-    lab.write_notebook("sweep_by_keys.ipynb", [SETUP, sweep])
+    sweep = "scene.sweep('x', [0.0, 1.0, 2.0], lambda x: scene['robot'].set_transform(at(x)))"
+    lab.write_notebook("sweep_by_keys.ipynb", [SETUP, f"scene = box_scene()\n{sweep}\nscene"])
     lab.open(page, "sweep_by_keys.ipynb")
     lab.run_all(page)
     page.locator(".tflab-scrubber input").focus()
