@@ -125,6 +125,15 @@ def test_as_is_opens_any_folder_and_passes_options_on_to_jupyterlab(started: lis
     assert files(other) == {"chapter.ipynb"}
 
 
+def test_an_option_of_jupyterlab_that_does_not_stand_after_the_dashes_is_told_where_it_does(
+    started: list, capsys
+) -> None:
+    with pytest.raises(SystemExit):
+        lab.lab(["--port", "9000"])
+    assert "unrecognized arguments: --port; an option of JupyterLab stands after --" in capsys.readouterr().err
+    assert started == []
+
+
 @pytest.mark.parametrize("words", [["/no/such/folder"], ["/no/such/folder", "--as-is"]])
 def test_a_folder_that_is_not_there_is_said_and_nothing_is_started(words: list, started: list, capsys) -> None:
     assert lab.lab(words) == 2

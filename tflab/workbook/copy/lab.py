@@ -97,7 +97,7 @@ def lab(words: Sequence[str]) -> int:
     """Open JupyterLab on a copy of the workbook, or on any folder as it is; return when it has ended."""
     given = list(words)
     words, own_options = _split(words)
-    options = _parser().parse_args(words)
+    options = _parsed(words)
     if options.as_is:
         folder, language = Path(options.folder or ".").resolve(), language_of(os.environ)
         if not folder.is_dir():
@@ -190,6 +190,16 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--copy-only", action="store_true", help="make the copy, say where its first page is, and end")
     parser.add_argument("--no-browser", action="store_true", help="print the address instead of opening a browser")
     return parser
+
+
+def _parsed(words: Sequence[str]) -> argparse.Namespace:
+    """Return our own options; whatever is none of them ends it, with where one of JupyterLab's stands."""
+    parser = _parser()
+    options, unknown = parser.parse_known_args(words)
+    if unknown:
+        behind = "an option of JupyterLab stands after --, as in: tflab lab -- --port 9000"
+        parser.error(f"unrecognized arguments: {' '.join(unknown)}; {behind}")
+    return options
 
 
 def _folder(named: str | None) -> Path:
