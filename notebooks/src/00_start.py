@@ -75,6 +75,8 @@ from tflab.workbook import lesson
 # - 로봇에 붙은 화살표 세 개가 [[base_link|`base_link`]] 좌표계이고, 그 위의 것이 `laser_frame`입니다. 바닥에 가만히 있는 것은 `map`입니다.
 #
 # 이 워크북은 *레이저 기준*의 값을 *지도 기준*으로 옮기는 이야기입니다.
+#
+# 3D 다음의 그림은 같은 방을 위에서 본 것입니다. *그림 읽기:* laser scan = 레이저가 잰 점, on the map = 지도 기준, off by = 점이 벽에서 벗어난 거리(on average = 평균, at worst = 최대).
 
 # %% name="motion" tags=["interactive"]
 lesson.show_drive()
@@ -147,7 +149,7 @@ graph.run(seconds=2.0)
 # This is a small [[rviz]], ROS 2's window for looking. Choose another [[fixed frame|Fixed Frame]] in the menu: the picture changes, the data does not.
 # Take `base_link`, and the robot stands still while the room comes towards it.
 #
-# If the box stays empty, your browser has WebGL switched off. Every 3D view is followed by a figure of the same thing: in your copy it is folded; click on the three dots to open it.
+# If the box stays empty, your browser has WebGL switched off. Every 3D view is followed by a figure of the same thing: in your copy it is folded until you run its cell or click on the three dots.
 
 # %% [markdown] lang="ko" name="rviz-why" slide="slide"
 # ## ROS 2가 보는 것을 봅시다
@@ -155,7 +157,7 @@ graph.run(seconds=2.0)
 # ROS 2의 화면 도구인 [[rviz|RViz]]를 작게 만든 것입니다. 메뉴에서 [[fixed frame|고정 좌표계(Fixed Frame)]]를 바꿔 보세요. 그림은 바뀌지만 데이터는 바뀌지 않습니다.
 # `base_link`를 고르면 로봇은 가만히 있고 방이 다가옵니다.
 #
-# 상자가 비어 있다면 브라우저의 WebGL이 꺼져 있는 것입니다. 3D 화면 다음에는 늘 같은 내용의 그림이 있습니다. 내 워크북에서는 접혀 있으니 점 세 개를 클릭해 펼치면 됩니다.
+# 상자가 비어 있다면 브라우저의 WebGL이 꺼져 있는 것입니다. 3D 화면 다음에는 늘 같은 내용의 그림이 있습니다. 내 워크북에서는 접혀 있고, 그 셀을 실행하거나 점 세 개를 클릭하면 펼쳐집니다.
 
 # %% name="rviz" tags=["interactive"]
 # %rviz2 -f map
@@ -188,15 +190,15 @@ graph.stop()
 # ## The chapters
 #
 # Each begins with something that went wrong on a real robot.
-# You can begin with any chapter that is there: it says what it needs from the ones before.
+# You can begin with any chapter: it says what it needs from the ones before.
 # The minutes are for reading, predicting and running; the exercise takes about as long again.
 
 # %% [markdown] lang="ko" name="chapters" slide="slide"
 # ## 장 목록
 #
 # 장마다 실제 로봇에서 일어난 실패로 시작합니다.
-# 준비된 장이라면 어디서든 시작할 수 있습니다. 앞 장에서 알아야 할 내용은 각 장의 첫머리에 적어 두었습니다.
-# 시간은 읽고, 예측하고, 실행하는 데 걸리는 시간입니다. 연습 문제에도 그만큼 더 걸립니다.
+# 어느 장에서든 시작할 수 있습니다. 앞 장에서 알아야 할 내용은 각 장의 첫머리에 적어 두었습니다.
+# 표의 분은 읽고, 예측하고, 실행하는 데 걸리는 시간입니다. 연습 문제에도 그만큼 더 걸립니다.
 
 # %% [markdown] lang="en" name="chapters-table" slide="-"
 # | no. | chapter | its question | minutes | builds on | exercise |
@@ -215,20 +217,20 @@ graph.stop()
 # | 12 | **[Owners and diagnosis](12_owners_and_diagnosis.ipynb)** | Who owns each edge, and what is broken? | 60 | 5, 6, 7, 9, 10, 11 | [E12](../../exercises/en/E12_owners_and_diagnosis.ipynb) |
 
 # %% [markdown] lang="ko" name="chapters-table" slide="-"
-# | 번호 | 장 | 장의 질문 | 시간 | 먼저 볼 장 | 연습 |
+# | 번호 | 장 | 장의 질문 | 분 | 먼저 볼 장 | 연습 |
 # |--:|:--|:--|--:|:--|:--|
-# | 1 | **[값, 좌표계, 측정 시각](01_value_frame_stamp.ipynb)** | 숫자 세 개는 언제 위치가 될까요? | 45분 |  | [E1](../../exercises/ko/E01_value_frame_stamp.ipynb) |
-# | 2 | **[좌표축과 쿼터니언](02_axes_and_quaternions.ipynb)** | 어느 쪽이 앞일까요? | 75분 | 1 | [E2](../../exercises/ko/E02_axes_and_quaternions.ipynb) |
-# | 3 | **[목표 좌표계와 원본 좌표계](03_target_and_source.ipynb)** | 어느 좌표계 기준의 데이터를 어느 좌표계 기준으로 보려 할까요? | 60분 | 1, 2 | [E3](../../exercises/ko/E03_target_and_source.ipynb) |
-# | 4 | **[좌표계 트리](04_frame_tree.ipynb)** | 한 좌표계에서 다른 좌표계까지 어떻게 이어질까요? | 50분 | 3 | [E4](../../exercises/ko/E04_frame_tree.ipynb) |
-# | 5 | **[map, odom, base_link](05_map_odom_base_link.ipynb)** | 세계에 고정된 기준 좌표계는 왜 둘이나 필요할까요? | 50분 | 3, 4 | [E5](../../exercises/ko/E05_map_odom_base_link.ipynb) |
-# | 6 | **[정적 변환과 동적 변환](06_static_and_dynamic.ipynb)** | 누가, 얼마나 자주 위치를 알려 줄까요? | 60분 | 3, 4 | [E6](../../exercises/ko/E06_static_and_dynamic.ipynb) |
-# | 7 | **[URDF와 센서](07_urdf_and_sensors.ipynb)** | 로봇의 부품은 어디에 붙어 있을까요? | 60분 | 2, 6 | [E7](../../exercises/ko/E07_urdf_and_sensors.ipynb) |
-# | 8 | **[버퍼와 측정 시각](08_buffer_and_measurement_time.ipynb)** | 그것을 본 순간, 나는 어디에 있었을까요? | 75분 | 3, 6 | [E8](../../exercises/ko/E08_buffer_and_measurement_time.ipynb) |
-# | 9 | **[예외와 기다림](09_exceptions_and_waiting.ipynb)** | 왜 답이 없을까요? 기다리면 될까요? | 90분 | 4, 8 | [E9](../../exercises/ko/E09_exceptions_and_waiting.ipynb) |
-# | 10 | **[시계와 bag](10_clocks_and_bags.ipynb)** | 누구의 시간일까요? | 55분 | 8, 9 | [E10](../../exercises/ko/E10_clocks_and_bags.ipynb) |
-# | 11 | **[도구와 RViz](11_tools_and_rviz.ipynb)** | 어떤 질문에 어떤 도구를 쓸까요? | 60분 | 4, 5, 8 | [E11](../../exercises/ko/E11_tools_and_rviz.ipynb) |
-# | 12 | **[발행 책임과 진단](12_owners_and_diagnosis.ipynb)** | 각 연결은 누가 책임지고, 무엇이 고장 났을까요? | 60분 | 5, 6, 7, 9, 10, 11 | [E12](../../exercises/ko/E12_owners_and_diagnosis.ipynb) |
+# | 1 | **[값, 좌표계, 측정 시각](01_value_frame_stamp.ipynb)** | 숫자 세 개는 언제 위치가 될까요? | 45 |  | [E1](../../exercises/ko/E01_value_frame_stamp.ipynb) |
+# | 2 | **[좌표축과 쿼터니언](02_axes_and_quaternions.ipynb)** | 어느 쪽이 앞일까요? | 75 | 1 | [E2](../../exercises/ko/E02_axes_and_quaternions.ipynb) |
+# | 3 | **[목표 좌표계와 원본 좌표계](03_target_and_source.ipynb)** | 어느 좌표계 기준의 데이터를 어느 좌표계 기준으로 보려 할까요? | 60 | 1, 2 | [E3](../../exercises/ko/E03_target_and_source.ipynb) |
+# | 4 | **[좌표계 트리](04_frame_tree.ipynb)** | 한 좌표계에서 다른 좌표계까지 어떻게 이어질까요? | 50 | 3 | [E4](../../exercises/ko/E04_frame_tree.ipynb) |
+# | 5 | **[map, odom, base_link](05_map_odom_base_link.ipynb)** | 세계에 고정된 기준 좌표계는 왜 둘이나 필요할까요? | 50 | 3, 4 | [E5](../../exercises/ko/E05_map_odom_base_link.ipynb) |
+# | 6 | **[정적 변환과 동적 변환](06_static_and_dynamic.ipynb)** | 누가, 얼마나 자주 위치를 알려 줄까요? | 60 | 3, 4 | [E6](../../exercises/ko/E06_static_and_dynamic.ipynb) |
+# | 7 | **[URDF와 센서](07_urdf_and_sensors.ipynb)** | 로봇의 부품은 어디에 붙어 있을까요? | 60 | 2, 6 | [E7](../../exercises/ko/E07_urdf_and_sensors.ipynb) |
+# | 8 | **[버퍼와 측정 시각](08_buffer_and_measurement_time.ipynb)** | 그것을 본 순간, 나는 어디에 있었을까요? | 75 | 3, 6 | [E8](../../exercises/ko/E08_buffer_and_measurement_time.ipynb) |
+# | 9 | **[예외와 기다림](09_exceptions_and_waiting.ipynb)** | 왜 답이 없을까요? 기다리면 될까요? | 90 | 4, 8 | [E9](../../exercises/ko/E09_exceptions_and_waiting.ipynb) |
+# | 10 | **[시계와 bag](10_clocks_and_bags.ipynb)** | 누구의 시간일까요? | 55 | 8, 9 | [E10](../../exercises/ko/E10_clocks_and_bags.ipynb) |
+# | 11 | **[도구와 RViz](11_tools_and_rviz.ipynb)** | 어떤 질문에 어떤 도구를 쓸까요? | 60 | 4, 5, 8 | [E11](../../exercises/ko/E11_tools_and_rviz.ipynb) |
+# | 12 | **[발행 책임과 진단](12_owners_and_diagnosis.ipynb)** | 각 연결은 누가 책임지고, 무엇이 고장 났을까요? | 60 | 5, 6, 7, 9, 10, 11 | [E12](../../exercises/ko/E12_owners_and_diagnosis.ipynb) |
 
 # %% [markdown] lang="en" name="checks" slide="slide"
 # ## How your answers are checked
@@ -311,12 +313,12 @@ lesson.show_progress()
 # %% [markdown] lang="en" name="map-why" slide="slide"
 # ## In which order?
 #
-# An arrow means *builds on*; the numbers are those of the table.
+# Run the cell to unfold its picture. An arrow means *builds on*; the numbers are those of the table of chapters.
 
 # %% [markdown] lang="ko" name="map-why" slide="slide"
 # ## 어떤 순서로 볼까요?
 #
-# 화살표는 앞 장을 바탕으로 한다는 뜻이고, 번호는 표의 번호입니다.
+# 셀을 실행하면 그림이 펼쳐집니다. 화살표는 앞 장을 바탕으로 한다는 뜻이고, 번호는 장 목록의 번호입니다.
 
 # %% name="map"
 lesson.draw_course([1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12])

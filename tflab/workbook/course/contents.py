@@ -45,9 +45,8 @@ README_TO_COME = re.compile(r"(?m)^(?:To come|준비 중인 장): .*\n")
 
 HEAD = Words(
     en="| no. | chapter | its question | minutes | builds on | exercise |",
-    ko="| 번호 | 장 | 장의 질문 | 시간 | 먼저 볼 장 | 연습 |",
+    ko="| 번호 | 장 | 장의 질문 | 분 | 먼저 볼 장 | 연습 |",
 )
-MINUTES = Words(en="{minutes}", ko="{minutes}분")
 TO_COME = Words(en="To come: {chapters}.", ko="준비 중인 장: {chapters}.")
 GLOSSARY_TITLE = Words(
     en="# Glossary\n\n"
@@ -76,7 +75,7 @@ def chapter_table(language: str, root: Path) -> str:
             str(chapter.number),
             f"**[{title}]({chapter.stem}.ipynb)**",
             chapter.question.say(language),
-            MINUTES.say(language, minutes=chapter.minutes),
+            str(chapter.minutes),
             before,
             exercise,
         )
