@@ -50,7 +50,7 @@ from tflab.workbook import lesson
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 클릭 한 번, 지도 두 장
 #
-# 로봇이 제 위치를 잃었습니다. 사람이 지도를 클릭해 알려 줍니다. *너는 여기 있다.*
+# 로봇이 자기 위치를 잃었습니다. 사람이 지도를 클릭해 알려 줍니다. *너는 여기 있다.*
 # 클릭은 메시지입니다. 숫자 세 개와 함께, 이 숫자는 `world`라는 [[frame|좌표계(frame)]]를 기준으로 한다는 이름표가 들어 있습니다.
 # 지도를 만드는 프로그램은 숫자만 옮기고 이름표는 읽지 않았습니다.
 # 프로그램의 기준은 `map`이었고, `map`의 원점은 `world`의 원점에서 5미터 떨어져 있었습니다.
@@ -78,7 +78,7 @@ lesson.draw_scene({'world': Transform(), 'map': Transform(translation=(5.0, 0.0,
 
 # %% [markdown] lang="ko" name="story-seen"
 # *그림 읽기:* meant는 사람이 뜻한 위치, understood는 프로그램이 알아들은 위치입니다.
-# meant는 `world`에서 세어 (2, 1.5)입니다. 같은 숫자를 `map`에서 세면 understood에 서게 됩니다.
+# meant는 `world`의 원점에서 재면 (2, 1.5)입니다. 같은 숫자를 `map`의 원점에서 재면 understood에 서게 됩니다.
 #
 # 여기서는 읽는 쪽이 이름표를 잊었습니다. 쓰는 쪽이 이름표를 망친 일도 있습니다. 어느 프로그램은 카메라 1미터 앞의 코드를 보고는 이름표를 `/map`으로 덮어썼습니다.
 # 그러자 로봇이 어디에 있든 코드는 지도 원점에서 1미터 떨어진 것이 되었습니다.
@@ -89,7 +89,7 @@ lesson.draw_scene({'world': Transform(), 'map': Transform(translation=(5.0, 0.0,
 # Nobody did anything wrong on purpose, and nothing complained. That is the kind of bug this course is about.
 
 # %% [markdown] lang="ko" name="story-notes" slide="notes"
-# 직접 해 봅니다. 한 사람이 쪽지에 (2, 1.5)를 적고, 다른 사람은 자기가 고른 모서리에서 세어 걸어갑니다.
+# 직접 해 봅니다. 한 사람이 쪽지에 (2, 1.5)를 적고, 다른 사람은 자기가 고른 모서리에서부터 재어 걸어갑니다.
 # 아무도 일부러 틀리지 않았고 아무 경고도 없었습니다. 이 강의가 다루는 버그가 바로 이런 것입니다.
 
 # %% [markdown] lang="en" name="predict" slide="slide"
@@ -107,7 +107,7 @@ lesson.draw_scene({'world': Transform(), 'map': Transform(translation=(5.0, 0.0,
 #
 # 로봇이 방 안에 서 있습니다. 로봇의 중심 `base_link`는 `map` 기준 <b>(6.2, −1.7, 0.10)</b>에 있고, 지도의 x 방향을 봅니다.
 # 레이저 `laser_frame`은 `base_link` 기준 **(0.20, 0, 0.15)**, 곧 중심보다 앞쪽 위에 달려 있고 로봇과 같은 방향을 봅니다.
-# 레이저는 `laser_frame` 기준 **(2, 0, 0)**, 곧 정면 2미터에서 공을 봅니다.
+# 레이저가 공을 봅니다. 공은 `laser_frame` 기준 **(2, 0, 0)**, 곧 레이저 정면 2미터에 있습니다.
 #
 # 공은 `base_link` 기준으로 어디에 있을까요? `map` 기준으로는 어디일까요?
 # 넘어가기 전에 다음 셀에 예측을 적어 보세요. 틀린 예측도 예측하지 않은 것보다 낫습니다.
@@ -232,7 +232,7 @@ print('you guessed ', my_guess)
 # %% [markdown] lang="ko" name="three-places" slide="slide"
 # ## 같은 숫자, 세 곳의 위치
 #
-# (2, 0, 0)만으로는 위치가 아닙니다. 세 좌표계에서 세면 세 곳이 됩니다.
+# (2, 0, 0)만으로는 위치가 아닙니다. 좌표계 셋을 기준으로 재면 서로 다른 세 곳이 됩니다.
 
 # %% name="three-places-picture"
 map_T_base = Transform(translation=(6.2, -1.7, 0.10))
@@ -280,7 +280,7 @@ lesson.draw_rulers(poses, ball_in_map, 'ball')
 # **Predict:** which of the three triples stay what they were?
 
 # %% [markdown] lang="ko" name="while-nobody-turns" slide="subslide"
-# 아무도 돌아 있지 않으면 그냥 더해도 됩니다. 2 + 0.20 + 6.2.
+# 아무것도 돌아 있지 않으면 그냥 더해도 됩니다. 2 + 0.20 + 6.2.
 # 이제 로봇이 제자리에서 왼쪽으로 90° 돌고, 레이저 정면에서 다른 공을 봅니다.
 #
 # **예측해 봅시다.** 세 가지 숫자 가운데 그대로인 것은 무엇일까요?
@@ -648,7 +648,7 @@ print(usable(seen, arrived_ns), '|', usable(seen, arrived_ns + seconds(3.0)), '|
 #
 # <details><summary>맞춰 보기</summary>
 #
-# `'laser_frame'`입니다. 1.4는 그 좌표계의 x를 따라 센 값입니다. 시각은 `now`가 아니라 `measured`입니다. 그렇지 않으면 실제보다 새로운 측정값처럼 보이고, 읽는 사람은 알아낼 방법이 없습니다.
+# `'laser_frame'`입니다. 1.4는 그 좌표계의 x를 따라 잰 값입니다. 시각은 `now`가 아니라 `measured`입니다. 그렇지 않으면 실제보다 새로운 측정값처럼 보이고, 읽는 사람은 알아낼 방법이 없습니다.
 #
 # </details>
 
@@ -799,7 +799,7 @@ print('in map', lesson.fmt_all((point.x, point.y, point.z), digits=1))
 # %% [markdown] lang="en" name="on-the-robot" slide="slide"
 # ## On a real robot
 #
-# The first lines of a callback that can be trusted, two commands that show you the labels of any topic, and a third:
+# The first lines of a callback that can be trusted; below them two commands that show the labels of any topic, and one that publishes a point:
 #
 # ```python
 # def on_point(self, message):
@@ -820,7 +820,7 @@ print('in map', lesson.fmt_all((point.x, point.y, point.z), digits=1))
 # %% [markdown] lang="ko" name="on-the-robot" slide="slide"
 # ## 실제 로봇에서
 #
-# 믿을 수 있는 콜백의 첫 몇 줄과, 어느 토픽이든 이름표를 보여 주는 명령 두 개, 그리고 명령 하나가 더 있습니다.
+# 믿을 수 있는 콜백의 첫 몇 줄입니다. 그 아래는 어느 토픽이든 이름표를 확인하는 명령 두 개와, 점을 발행하는 명령 하나입니다.
 #
 # ```python
 # def on_point(self, message):
@@ -888,7 +888,7 @@ rclpy.shutdown()
 # <details><summary>완전한 답에 들어 있는 것</summary>
 #
 # - [ ] 숫자만으로는 위치가 아닙니다. 레이저 앞일 수도, 로봇 앞일 수도, 지도 원점 옆일 수도 있습니다.
-# - [ ] 좌표계(`header.frame_id`)가 필요합니다. 누구의 원점과 축에서 센 값인지 알려 줍니다.
+# - [ ] 좌표계(`header.frame_id`)가 필요합니다. 누구의 원점에서 어느 축을 따라 잰 값인지 알려 줍니다.
 # - [ ] 측정 시각(`header.stamp`)이 필요합니다. 보낸 때나 도착한 때가 아니라 측정한 때입니다.
 # - [ ] 둘이 있으면 TF가 그 시각의 포즈로, 이어진 어느 좌표계 기준으로든 옮길 수 있습니다.
 # - [ ] 없으면 거절하고 이유를 말합니다. 짐작하면 오류 없이 틀린 위치가 나옵니다.

@@ -29,6 +29,7 @@ from rclpy.time import Time
 #
 # A robot stands at `map_p_base` in `map` and looks along the map's x. Its laser sits at `base_p_laser` in `base_link` and looks the same way.
 # The laser sees a post at `laser_p_post`. Nobody is turned.
+# What is given are lists of three numbers, and `+` between two lists joins them: add x to x, y to y, z to z.
 #
 # Where is the post in `base_link`, and where in `map`? Give (x, y, z) for each.
 
@@ -36,7 +37,8 @@ from rclpy.time import Time
 # ## E1.1 · 한 위치, 세 가지 숫자 (4점)
 #
 # 로봇은 `map` 기준 `map_p_base`에 서서 지도의 x 방향을 봅니다. 레이저는 `base_link` 기준 `base_p_laser`에 달려 있고 같은 방향을 봅니다.
-# 레이저는 `laser_p_post`에서 기둥을 봅니다. 아무것도 돌아 있지 않습니다.
+# 레이저가 기둥을 봅니다. 기둥은 `laser_frame` 기준 `laser_p_post`에 있습니다. 아무것도 돌아 있지 않습니다.
+# 주어진 값은 숫자 세 개짜리 리스트입니다. 리스트끼리 `+`를 쓰면 더해지지 않고 이어지므로, x는 x끼리, y는 y끼리, z는 z끼리 더하십시오.
 #
 # 기둥은 `base_link` 기준으로 어디에 있고, `map` 기준으로는 어디에 있습니까? 각각 (x, y, z)로 답하십시오.
 
