@@ -146,7 +146,7 @@ check("E10.3", findings)
 # %% [markdown] lang="en" name="e10-4"
 # ## E10.4 · Which clock does a node get? (4 points)
 #
-# `params` is a launch file's YAML as Python reads it, such as `{"/**": {"ros__parameters": {"use_sim_time": True}}, "mapper": {"ros__parameters": {"rate": 5.0}}}`; `nodes` are full names, such as `["/mapper", "/planner"]`.
+# `params` is a launch file's YAML as Python reads it, such as `{"/**": {"ros__parameters": {"use_sim_time": True}}, "mapper": {"ros__parameters": {"rate": 5.0}}}`; `nodes` are full names, such as `["/mapper", "/front/mapper"]`, which are two nodes.
 #
 # - `/**` is for all nodes. A node's own entry, written with or without its slash, replaces what it names, wherever it stands in the file. A node has one entry of its own at most: never both `mapper` and `/mapper`.
 # - `True` is `"sim"`, `False` is `"wall"`, and so is a node for which it is not set.
@@ -157,7 +157,7 @@ check("E10.3", findings)
 # %% [markdown] lang="ko" name="e10-4"
 # ## E10.4 · 노드는 어느 시계를 얻습니까? (4점)
 #
-# `params`는 launch 파일의 YAML을 파이썬이 읽은 것입니다. 예: `{"/**": {"ros__parameters": {"use_sim_time": True}}, "mapper": {"ros__parameters": {"rate": 5.0}}}`. `nodes`는 `["/mapper", "/planner"]` 같은 전체 이름입니다.
+# `params`는 launch 파일의 YAML을 파이썬이 읽은 것입니다. 예: `{"/**": {"ros__parameters": {"use_sim_time": True}}, "mapper": {"ros__parameters": {"rate": 5.0}}}`. `nodes`는 `["/mapper", "/front/mapper"]` 같은 전체 이름이며, 이 둘은 서로 다른 노드입니다.
 #
 # - `/**`는 모든 노드의 것입니다. 노드 자신의 항목은 슬래시가 있든 없든, 파일의 어디에 있든, 거기에 적힌 것을 바꿉니다. 노드 자신의 항목은 많아야 하나입니다. `mapper`와 `/mapper`가 함께 있는 일은 없습니다.
 # - `True`면 `"sim"`, `False`면 `"wall"`입니다. 설정되지 않은 노드도 `"wall"`입니다.

@@ -30,38 +30,56 @@ def launch_files(rng):
         ({**entry(f"/{c}", number), **file(ALL=wall), **entry(b, sim)}, nodes),
         ({**entry(a, wall), **file(ALL=sim)}, nodes),  # /** comes last in the file, and counts first all the same
         ({}, nodes[:2]),
+        ({**file(ALL=sim), **entry(b, wall), **entry(f"/front/{c}", wall)}, [f"/front/{b}", f"/{c}", f"/{b}"]),
         ({**file(ALL={"rate": 5.0}), **entry(f"/{b}", {"use_sim_time": "false"})}, nodes),
     ]
 
 
-def clocks(params, nodes, everyone=True, own=True, slash="either", text="refused", order="own last", unset="wall",
-           lacking="everyone's"):  # fmt: skip
+def clocks(params, nodes, everyone=True, own="its own", slash="either", text="refused", order="own last",
+           unset="wall", lacking="everyone's", level="parameters"):  # fmt: skip
     """Return what each node's clock is, step by step."""
+    if level == "too high":
+        return [unset for _ in nodes]
     return [_clock(params, node, everyone, own, slash, text, order, unset, lacking) for node in nodes]
 
 
 def _clock(params, node, everyone, own, slash, text, order, unset, lacking):
-    names = {"either": (node, node[1:]), "with": (node,), "without": (node[1:],)}[slash]
-    keys = [key for key in params if (own and key in names) or (everyone and key == "/**")]
+    value = _held(_keys(params, node, everyone, own, slash, order), params, order, lacking)
+    if value is ABSENT:
+        return unset
+    if isinstance(value, bool):
+        return "sim" if value else "wall"
+    if text == "unquoted":
+        return {"true": "sim", "false": "wall"}.get(str(value).lower(), "refused")
+    if text == "numbers":
+        return {1: "sim", 0: "wall"}.get(value, "refused")
+    if text == "read":
+        return "sim" if str(value).lower() in ("true", "1", "yes") else "wall"
+    return {"refused": "refused", "wall": "wall", "truthy": "sim" if value else "wall"}[text]
+
+
+def _keys(params, node, everyone, own, slash, order):
+    """Return the entries that count for a node, the one that counts most last."""
+    bare = node.split("/")[-1] if slash == "last part" else node[1:]
+    names = {"with": (f"/{bare}",), "without": (bare,)}.get(slash, (node, node[1:], bare))
+    mine = {"its own": lambda key: key in names, "nobody's": lambda key: False, "everybody's": lambda key: key != "/**"}
+    keys = [key for key in params if mine[own](key) or (everyone and key == "/**")]
     if order == "own last":
         keys.sort(key=lambda key: key != "/**")
     elif order == "everyone last":
         keys.sort(key=lambda key: key == "/**")
+    return keys[::-1] if order == "the first of the file" else keys
+
+
+def _held(keys, params, order, lacking):
+    """Return what is set last; ABSENT if nothing is."""
     value = ABSENT
     for key in keys:
         held = params[key]["ros__parameters"]
         if lacking == "nothing" and key != "/**" and "use_sim_time" not in held:
             value = ABSENT
-        value = held.get("use_sim_time", value)
-    if value is ABSENT:
-        return unset
-    if not isinstance(value, bool) and text == "refused":
-        return "refused"
-    if text == "read":
-        return "sim" if str(value).lower() in ("true", "1", "yes") else "wall"
-    if text == "wall":
-        return "sim" if value is True else "wall"
-    return "sim" if value else "wall"
+        value = held.get("use_sim_time", value) if order != "any true" or value is not True else value
+    return value
 
 
 TEXT_IS_READ = Slip(
@@ -94,6 +112,26 @@ TEXT_IS_WALL = Slip(
     "M13",
 )
 
+QUOTES_DO_NOT_COUNT = Slip(
+    "quotes do not count",
+    {"text": "unquoted"},
+    Words(
+        en='You read the texts "true" and "false" as the values of that name. In YAML quotes make a text, and rclpy takes no text for this parameter.',
+        ko='"true"와 "false"라는 텍스트를 True와 False로 읽습니다. YAML에서 따옴표가 있으면 텍스트이고, rclpy는 이 파라미터에 텍스트를 받지 않습니다.',
+    ),
+    "M13",
+)
+
+NUMBERS_COUNT = Slip(
+    "numbers count",
+    {"text": "numbers"},
+    Words(
+        en="`1 == True` holds in Python, and still 1 is no bool: rclpy takes no number for this parameter. Look at the type.",
+        ko="파이썬에서 `1 == True`는 참이지만 1은 bool이 아닙니다. rclpy는 이 파라미터에 숫자를 받지 않습니다. 타입을 보십시오.",
+    ),
+    "M13",
+)
+
 EVERYONE_IGNORED = Slip(
     "everyone ignored",
     {"everyone": False},
@@ -106,7 +144,7 @@ EVERYONE_IGNORED = Slip(
 
 OWN_IGNORED = Slip(
     "own ignored",
-    {"own": False},
+    {"own": "nobody's"},
     Words(
         en="A node's own entry does not count for you. It stands there to make an exception.",
         ko="노드 자신의 항목을 보지 않았습니다. 예외를 두려고 적은 항목입니다.",
@@ -153,6 +191,62 @@ LAST_LINE_WINS = Slip(
     ),
 )
 
+FIRST_LINE_WINS = Slip(
+    "first line wins",
+    {"order": "the first of the file"},
+    Words(
+        en="You take whichever stands first in the file. Where in the file an entry stands does not matter; whose it is does.",
+        ko="파일에서 먼저 나오는 것을 따릅니다. 항목이 파일의 어디에 있는지가 아니라 누구의 항목인지가 중요합니다.",
+    ),
+)
+
+ONE_TRUE_IS_ENOUGH = Slip(
+    "one true is enough",
+    {"order": "any true"},
+    Words(
+        en="One True among the entries, and for you the node is in simulated time. The special entry can take back what the general one says.",
+        ko="항목 가운데 True가 하나만 있어도 그 노드를 시뮬레이션 시간으로 봅니다. 노드 자신의 항목은 모두의 항목을 물릴 수 있습니다.",
+    ),
+)
+
+ENTRIES_OF_OTHERS = Slip(
+    "entries of others",
+    {"own": "everybody's"},
+    Words(
+        en="You let the entries of other nodes count, too. For a node two things count: what is for all, and what is its own.",
+        ko="다른 노드의 항목까지 셉니다. 노드에게는 모두의 항목과 자신의 항목만 통합니다.",
+    ),
+)
+
+NAMESPACE_DROPPED = Slip(
+    "namespace dropped",
+    {"slash": "last part"},
+    Words(
+        en="You compare the last part of a name alone. `/front/mapper` is another node than `/mapper`, and has an entry of its own.",
+        ko="이름의 마지막 부분만 비교합니다. `/front/mapper`는 `/mapper`와 다른 노드이고 항목도 따로 있습니다.",
+    ),
+    "M14",
+)
+
+ONE_LEVEL_TOO_HIGH = Slip(
+    "one level too high",
+    {"level": "too high"},
+    Words(
+        en='Whatever the file says, every node hears the same word from you. Do you look one level too high? What is set stands below "ros__parameters".',
+        ko='파일에 무엇이 적혀 있든 모든 노드에 같은 단어를 줍니다. 한 단계 위를 보고 있지 않습니까? 설정한 값은 "ros__parameters" 아래에 있습니다.',
+    ),
+)
+
+UNSET_IS_REFUSED = Slip(
+    "unset is refused",
+    {"unset": "refused"},
+    Words(
+        en='A node for which nobody sets it is "refused" for you. There is nothing that could be refused: it keeps what every node begins with.',
+        ko='아무도 설정하지 않은 노드를 "refused"라고 합니다. 거부할 값이 없습니다. 노드가 처음에 갖는 값 그대로입니다.',
+    ),
+    "M13",
+)
+
 UNSET_IS_SIM = Slip(
     "unset is sim",
     {"unset": "sim"},
@@ -184,14 +278,22 @@ TASK = Task(
     variants=4,
     model=clocks,
     twins=(
+        ONE_LEVEL_TOO_HIGH,
         EVERYONE_IGNORED,
         OWN_IGNORED,
+        ENTRIES_OF_OTHERS,
+        NAMESPACE_DROPPED,
         SLASH_NEEDED,
         SLASH_REFUSED,
         EVERYONE_WINS,
         LAST_LINE_WINS,
+        FIRST_LINE_WINS,
+        ONE_TRUE_IS_ENOUGH,
         OWN_ENTRY_REPLACES_ALL,
         UNSET_IS_SIM,
+        UNSET_IS_REFUSED,
+        QUOTES_DO_NOT_COUNT,
+        NUMBERS_COUNT,
         TEXT_IS_READ,
         TEXT_IS_TRUTHY,
         TEXT_IS_WALL,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import statistics
 from itertools import pairwise
 
-from tflab.workbook.tasks import Number, Slip, Task, Words
+from tflab.workbook.tasks import Number, Slip, Task, Twin, Words
 
 PICKS = {
     "smallest": min,
@@ -14,6 +14,7 @@ PICKS = {
     "largest": max,
     "first": lambda gaps: gaps[0],
     "last": lambda gaps: gaps[-1],
+    "halfway": lambda gaps: (min(gaps) + max(gaps)) / 2,
 }
 
 
@@ -22,17 +23,17 @@ def log_of_a_sensor(rng):
     while True:
         given = _one_log(rng)
         gaps = [heard - stamp for stamp, heard in given["log"]]
-        told = sorted(pick(gaps) + k * given["shortest_delay_s"] for pick in PICKS.values() for k in (-1, 0, 1))
-        if min(after - before for before, after in pairwise(told)) > 0.005:
+        told = sorted(pick(gaps) + k * given["shortest_delay_s"] for pick in PICKS.values() for k in (-1, -0.5, 0, 1))
+        if min(after - before for before, after in pairwise(told)) > 0.004:
             return given
 
 
 def _one_log(rng):
-    """Draw a dozen messages: delays that only add to the healthiest one, and a clock that is off."""
+    """Draw thirteen messages: delays that only add to the healthiest one, and a clock that is off."""
     shortest_s = round(float(rng.uniform(0.03, 0.12)), 3)
     behind_s = round(float(rng.choice([-1.0, 1.0])) * float(rng.uniform(0.25, 0.9)), 3)
     begin_s = round(float(rng.uniform(20.0, 60.0)), 1)
-    late_s = [round(float(late), 3) for late in rng.uniform(0.02, 0.25, 12)]
+    late_s = [round(float(late), 3) for late in rng.uniform(0.02, 0.25, 13)]  # an odd number: one is in the middle
     late_s[int(rng.integers(3, 9))] = 0.0
     log = []
     for number, extra_s in enumerate(late_s):
@@ -45,7 +46,7 @@ def behind(g, pick="smallest", delay="taken off", way="heard - stamp"):
     """Return by how much the sensor's clock is behind, step by step."""
     gaps = [heard - stamp if way == "heard - stamp" else stamp - heard for stamp, heard in g.log]
     picked = PICKS[pick](gaps)
-    return picked + {"taken off": -1, "forgotten": 0, "added": 1}[delay] * g.shortest_delay_s
+    return picked + {"taken off": -1, "halved": -0.5, "forgotten": 0, "added": 1}[delay] * g.shortest_delay_s
 
 
 MEAN = Slip(
@@ -96,6 +97,44 @@ LAST = Slip(
     ),
 )
 
+HALFWAY = Slip(
+    "halfway",
+    {"pick": "halfway"},
+    Words(
+        en="You took the middle between smallest and largest. The largest is the message that was held up most.",
+        ko="가장 작은 차와 가장 큰 차의 한가운데를 썼습니다. 가장 큰 차는 가장 오래 막힌 메시지의 것입니다.",
+    ),
+    "M10",
+)
+
+SPREAD = Twin(
+    "spread",
+    lambda g: max(h - s for s, h in g.log) - min(h - s for s, h in g.log),
+    Words(
+        en="That is by how much the delays differ: largest minus smallest. The clock's error is in both, and so it is gone.",
+        ko="지연이 서로 얼마나 다른지, 곧 가장 큰 차에서 가장 작은 차를 뺀 값입니다. 시계의 오차는 둘 다에 들어 있어 사라졌습니다.",
+    ),
+)
+
+GAINED = Twin(
+    "gained",
+    lambda g: (g.log[-1][1] - g.log[0][1]) - (g.log[-1][0] - g.log[0][0]),
+    Words(
+        en="You compared how far either clock went from the first message to the last. That would show whether one runs faster, not how far they are apart.",
+        ko="첫 메시지에서 마지막 메시지까지 두 시계가 간 시간을 비교했습니다. 그것으로는 어느 쪽이 더 빨리 가는지 알 뿐, 얼마나 어긋났는지는 모릅니다.",
+    ),
+)
+
+DELAY_HALVED = Slip(
+    "delay halved",
+    {"delay": "halved"},
+    Words(
+        en="You took off half of the healthy delay. Half is for the way there and back; these messages went one way.",
+        ko="정상 지연의 절반만 뺐습니다. 절반은 왕복 시간을 쟀을 때 씁니다. 이 메시지들은 한 방향으로만 왔습니다.",
+    ),
+    "M10",
+)
+
 DELAY_FORGOTTEN = Slip(
     "delay forgotten",
     {"delay": "forgotten"},
@@ -136,7 +175,8 @@ TASK = Task(
     given=log_of_a_sensor,
     variants=8,
     model=behind,
-    twins=(MEAN, MEDIAN, LARGEST, FIRST, LAST, TURNED_ROUND, DELAY_FORGOTTEN, DELAY_ADDED),
+    twins=(MEAN, MEDIAN, LARGEST, FIRST, LAST, TURNED_ROUND, HALFWAY, SPREAD, GAINED, DELAY_HALVED,
+           DELAY_FORGOTTEN, DELAY_ADDED),
     hints=(
         Words(
             en="heard - stamp holds three things: the clock's error, the healthy delay, and whatever held this message up.",

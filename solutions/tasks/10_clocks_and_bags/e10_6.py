@@ -31,7 +31,7 @@ def message(frame, time_s):
 
 def bags(rng):
     """Draw what bags hold: whole, begun late, without mounts, with two trees, with a lost frame, and in another order."""
-    t = round(float(rng.uniform(20.0, 40.0)), 1)
+    t = int(rng.integers(20, 40)) + 0.2
 
     def at(share):
         return round(t + 10.0 * share + float(rng.uniform(0.01, 0.4)), 3)
@@ -40,6 +40,7 @@ def bags(rng):
     laser, camera = edge("base_link", "laser_frame"), edge("mast", "camera_link")
     scans = [message("laser_frame", at(share)) for share in (0.1, 0.3, 0.5, 0.7, 0.9)]
     barely = message("laser_frame", t + 10.05)  # in the same whole second as what can be placed
+    soon = message("laser_frame", t + 9.85)  # its nanosec has lost a zero
     early, late, seen = (
         message("laser_frame", t - 0.3),
         message("laser_frame", t + 11.5),
@@ -47,10 +48,10 @@ def bags(rng):
     )
     lost = message("lazer_frame", at(0.2))
     return [
-        (filled(*drive, laser), scans, "map"),
+        (filled(*drive, laser), [*scans, soon], "map"),
         (filled(*drive, laser), [early, *scans, late], "map"),
         (filled(*drive), scans[:3], "map"),
-        (filled(*drive, laser, camera), [scans[0], seen, scans[1], barely, lost, late, scans[2]], "map"),
+        (filled(*drive, laser, camera), [scans[0], seen, scans[1], barely, late, lost, scans[2]], "map"),
         (filled(*drive, laser), [lost, early, *scans[:2]], "odom"),
         (filled(*drive, laser, camera), [*scans[:2], late, seen, lost], "base_link"),
         (filled(*drive, laser), [], "map"),
@@ -58,24 +59,34 @@ def bags(rng):
 
 
 def placing(buffer, messages, target, ask="the stamp", stops=False, which="first", kind="its own",
-            frame="each"):  # fmt: skip
+            frame="each", into="target", count="placed"):  # fmt: skip
     """Return what the bag can place, step by step."""
     placed, noes = 0, []
     for each in messages:
-        source = (messages[0] if frame == "the first's" else each).header.frame_id
+        source = {"the first's": messages[0].header.frame_id, "base_link": "base_link"}.get(frame, each.header.frame_id)
         try:
-            stamp = each.header.stamp
-            whole = Time(seconds=stamp.sec) if ask == "whole seconds" else Time.from_msg(stamp)
-            buffer.lookup_transform(target, source, Time() if ask == "the latest" else whole)
+            when = _asked(ask, messages[0].header.stamp if ask == "the first's" else each.header.stamp)
+            buffer.lookup_transform("map" if into == "map" else target, source, when)
         except Exception as error:
             noes.append(_named(type(error).__name__, kind))
             if stops:
                 break
         else:
             placed += 1
-    no = (noes[0] if which in ("first", "counts all") else noes[-1]) if noes else "none"
-    counted = {"counts noes": len(messages) - placed, "counts all": len(messages)}.get(which, placed)
+    no = {"first": noes[0], "last": noes[-1], "most": max(noes, key=noes.count)}[which] if noes else "none"
+    share = placed / max(1, len(messages))
+    counted = {"noes": len(messages) - placed, "all": len(messages), "share": share}.get(count, placed)
     return {"placed": counted, "first_no": no}
+
+
+def _asked(ask, stamp):
+    """Return the moment that is asked for."""
+    return {
+        "the latest": lambda: Time(),
+        "whole seconds": lambda: Time(seconds=stamp.sec),
+        "decimals": lambda: Time(seconds=float(f"{stamp.sec}.{stamp.nanosec}")),
+        "millionths": lambda: Time(seconds=stamp.sec + stamp.nanosec / 1e6),
+    }.get(ask, lambda: Time.from_msg(stamp))()
 
 
 def _named(name, kind):
@@ -119,10 +130,10 @@ LAST_NO = Slip(
 
 COUNTS_NOES = Slip(
     "counts noes",
-    {"which": "counts noes"},
+    {"count": "noes"},
     Words(
-        en="That is how many could *not* be placed, and the last refusal. Count the answers.",
-        ko="놓을 수 *없는* 것의 개수와 마지막 거절입니다. 답을 얻은 것을 세십시오.",
+        en="That is how many could *not* be placed. Count the answers.",
+        ko="놓을 수 *없는* 것의 개수입니다. 답을 얻은 것을 세십시오.",
     ),
 )
 
@@ -177,7 +188,7 @@ FRAME_OF_THE_FIRST = Slip(
 
 COUNTS_EVERYTHING = Slip(
     "counts everything",
-    {"which": "counts all"},
+    {"count": "all"},
     Words(
         en="That is how many messages there are. Count those for which the lookup answered.",
         ko="그것은 메시지의 개수입니다. 조회에 답이 나온 것을 세십시오.",
@@ -204,6 +215,74 @@ LOOKUP_FOR_EXTRAPOLATION = Slip(
     "M11",
 )
 
+A_SHARE = Slip(
+    "a share",
+    {"count": "share"},
+    Words(
+        en="You divide by the number of messages. Asked for is how many there are, not which share.",
+        ko="메시지의 수로 나눴습니다. 비율이 아니라 개수를 물었습니다.",
+    ),
+)
+
+MOST_FREQUENT_NO = Slip(
+    "the most frequent no",
+    {"which": "most"},
+    Words(
+        en="You tell the refusal that comes most often. Asked for is the one that comes first.",
+        ko="가장 자주 나온 거절을 답했습니다. 물은 것은 맨 처음 나온 거절입니다.",
+    ),
+)
+
+STAMP_OF_THE_FIRST = Slip(
+    "stamp of the first",
+    {"ask": "the first's"},
+    Words(
+        en="You ask at the stamp of the first message for all of them. Each has its own.",
+        ko="모든 메시지를 첫 메시지의 측정 시각으로 조회합니다. 측정 시각은 메시지마다 다릅니다.",
+    ),
+    "M9",
+)
+
+BASE_FOR_THE_SENSOR = Slip(
+    "base for the sensor",
+    {"frame": "base_link"},
+    Words(
+        en="You ask where the robot was, and not where the sensor was: each message says in which frame its numbers are.",
+        ko="센서가 아니라 로봇의 위치를 조회합니다. 메시지의 숫자가 어느 좌표계 기준인지는 메시지마다 적혀 있습니다.",
+    ),
+    "M1",
+)
+
+ALWAYS_IN_MAP = Slip(
+    "always in map",
+    {"into": "map"},
+    Words(
+        en="You ask for all of it in `map`. The third argument says in which frame it is wanted.",
+        ko="언제나 `map` 기준으로 조회합니다. 어느 좌표계 기준으로 필요한지는 셋째 인자가 말합니다.",
+    ),
+    "M1",
+)
+
+NANOSEC_AS_DECIMALS = Slip(
+    "nanosec as decimals",
+    {"ask": "decimals"},
+    Words(
+        en="You write `nanosec` behind a point. It is a number of nanoseconds and has lost its leading zeros: 50000000 would become half a second.",
+        ko="`nanosec`을 소수점 뒤에 붙였습니다. 나노초의 수이므로 첫머리의 0이 없습니다. 그러면 50000000이 0.5초가 됩니다.",
+    ),
+    "M9",
+)
+
+NANOSEC_IN_MILLIONTHS = Slip(
+    "nanosec in millionths",
+    {"ask": "millionths"},
+    Words(
+        en="You divide `nanosec` by 1e6: those are milliseconds, and you add them to seconds. `Time.from_msg` reads both fields.",
+        ko="`nanosec`을 1e6으로 나누면 밀리초인데 그것을 초에 더했습니다. 두 필드는 `Time.from_msg`가 읽어 줍니다.",
+    ),
+    "M9",
+)
+
 WHOLE_SECONDS = Slip(
     "whole seconds",
     {"ask": "whole seconds"},
@@ -227,13 +306,20 @@ TASK = Task(
     model=placing,
     twins=(
         FRAME_OF_THE_FIRST,
+        BASE_FOR_THE_SENSOR,
+        ALWAYS_IN_MAP,
         LATEST,
+        STAMP_OF_THE_FIRST,
+        NANOSEC_AS_DECIMALS,
+        NANOSEC_IN_MILLIONTHS,
         ALWAYS_EXTRAPOLATION,
         ALWAYS_LOOKUP,
         BASE_CLASS,
         YES_OR_NO,
         FIRST_NO_ENDS_IT,
         LAST_NO,
+        MOST_FREQUENT_NO,
+        A_SHARE,
         COUNTS_NOES,
         COUNTS_EVERYTHING,
         CONNECTIVITY_FOR_LOOKUP,
