@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from typing import NamedTuple
 
 from tflab.core import StampedTransform, Transform, seconds
 from tflab.tools.tf2_echo import echo_text
@@ -30,32 +31,62 @@ def two_readings(rng):
     }
 
 
+class Reading(NamedTuple):
+    """What one block says: the stamp's two texts, the place, the turn as radians, degrees and quaternion."""
+
+    sec: str
+    nanosec: str
+    x: float
+    y: float
+    radians: float
+    degrees: float
+    z: float
+    w: float
+
+
 def parts_of(block):
     rows = block.splitlines()
     sec, nanosec = rows[0].removeprefix("At time ").split(".")
-    (x, y, _), (_, _, radians), (_, _, degrees) = (map(float, NUMBER.findall(rows[i])) for i in (1, 3, 4))
-    return sec, nanosec, x, y, radians, degrees
+    (x, y, _), (*_, z, w), (*_, radians), (*_, degrees) = (map(float, NUMBER.findall(rows[i])) for i in (1, 2, 3, 4))
+    return Reading(sec, nanosec, x, y, radians, degrees, z, w)
 
 
-def read(given, *, zeros="nanoseconds", period="of the stamps", which="distance", angle="radians", turned="later"):
+def stamp_of(block):
+    one = parts_of(block)
+    return int(one.sec) + int(one.nanosec) / 1e9
+
+
+def read(given, *, zeros="nanoseconds", period="of the stamps", time="divided", which="distance", angle="radians",
+         turned="later"):  # fmt: skip
     """Return the three numbers, step by step; other steps are the slips."""
-    (sec_a, nano_a, x_a, y_a, rad_a, deg_a), (sec_b, nano_b, x_b, y_b, rad_b, deg_b) = map(
-        parts_of, (given.first, given.second)
-    )
+    a, b = parts_of(given.first), parts_of(given.second)
 
-    def stamp(sec, nano):
-        return float(f"{sec}.{nano}") if zeros == "decimals" else int(sec) + int(nano) / 1e9
+    def stamp(one):
+        if zeros == "decimals":
+            return float(f"{one.sec}.{one.nanosec}")
+        return int(one.sec) + int(one.nanosec) / (1e6 if zeros == "millionths" else 1e9)
 
-    between = {"of the stamps": stamp(sec_b, nano_b) - stamp(sec_a, nano_a), "a second": 1.0}
-    dt = {**between, "two seconds": float(int(sec_b) - int(sec_a))}[period]
-    way = {"distance": math.hypot(x_b - x_a, y_b - y_a), "x": abs(x_b - x_a), "y": abs(y_b - y_a)}
-    way["sum"] = way["x"] + way["y"]
-    turn = deg_b - deg_a if angle == "degrees" else rad_b - rad_a
-    return {
-        "speed_mps": way[which] / dt,
-        "yaw_rate_radps": (-turn if turned == "earlier" else turn) / dt,
-        "stamp_s": stamp(sec_b, nano_b),
-    }
+    dt = {
+        "of the stamps": stamp(b) - stamp(a),
+        "a second": 1.0,
+        "two seconds": float(int(b.sec) - int(a.sec)),
+        "nanoseconds alone": (int(b.nanosec) - int(a.nanosec)) / 1e9,
+        "the second stamp": stamp(b),
+    }[period]
+    x, y = abs(b.x - a.x), abs(b.y - a.y)
+    way = {
+        "distance": math.hypot(x, y), "x": x, "y": y, "sum": x + y, "no root": x * x + y * y,
+        "from the origin": math.hypot(b.x, b.y), "of the distances": math.hypot(b.x, b.y) - math.hypot(a.x, a.y),
+    }[which]  # fmt: skip
+    one, other = ({
+        "radians": each.radians, "degrees": each.degrees, "z": each.z, "twice z": 2 * each.z, "w": each.w,
+    }[angle] for each in (a, b))  # fmt: skip
+    turn = {
+        "later": other - one, "earlier": one - other, "second": other, "first": one, "added": one + other,
+        "course": math.atan2(b.y - a.y, b.x - a.x),
+    }[turned]  # fmt: skip
+    per = dt if time == "multiplied" else 1 / dt
+    return {"speed_mps": way * per, "yaw_rate_radps": turn * per, "stamp_s": stamp(b)}
 
 
 ZEROS_LOST = Slip(
@@ -135,9 +166,162 @@ TWO_SECONDS = Slip(
     partly=True,
 )
 
+NANOSECONDS_ALONE = Slip(
+    "nanoseconds alone",
+    {"period": "nanoseconds alone"},
+    Words(
+        en="You subtracted only what stands behind the point. The whole seconds passed, too.",
+        ko="점 뒤만 뺐습니다. 점 앞의 초도 지나갔습니다.",
+    ),
+    partly=True,
+)
+
+STAMP_FOR_THE_TIME_BETWEEN = Slip(
+    "stamp for the time between",
+    {"period": "the second stamp"},
+    Words(
+        en="You divided by the second stamp. That is a moment on the clock, not the time between the two.",
+        ko="둘째 측정 시각으로 나눴습니다. 그것은 시계가 가리키는 순간이지 두 시각의 간격이 아닙니다.",
+    ),
+    partly=True,
+)
+
+MULTIPLIED = Slip(
+    "multiplied by the time",
+    {"time": "multiplied"},
+    Words(
+        en="You multiplied by the time between. A rate is how much changes in one second.",
+        ko="사이의 시간을 곱했습니다. 속도는 1초에 얼마나 바뀌는지입니다.",
+    ),
+    partly=True,
+)
+
+MILLIONTHS = Slip(
+    "nanoseconds as millionths",
+    {"zeros": "millionths"},
+    Words(
+        en="You divided what stands behind the point by 1e6: that makes milliseconds of nanoseconds, and seconds are asked for.",
+        ko="점 뒤를 1e6으로 나눴습니다. 그러면 나노초가 밀리초가 됩니다. 필요한 것은 초입니다.",
+    ),
+    part="stamp_s",
+)
+
+NO_ROOT = Slip(
+    "no root",
+    {"which": "no root"},
+    Words(
+        en="You added the squares of the two differences. That is the square of the distance.",
+        ko="두 차이의 제곱을 더했습니다. 그것은 거리의 제곱입니다.",
+    ),
+    part="speed_mps",
+)
+
+FROM_THE_ORIGIN = Slip(
+    "from the origin",
+    {"which": "from the origin"},
+    Words(
+        en="You took the second position itself. That is how far it is from the origin of `map`, not how far it went.",
+        ko="둘째 위치 자체를 썼습니다. 그것은 `map`의 원점에서 떨어진 거리이지 간 거리가 아닙니다.",
+    ),
+    part="speed_mps",
+)
+
+NEARER_OR_FARTHER = Slip(
+    "nearer or farther",
+    {"which": "of the distances"},
+    Words(
+        en="You subtracted two distances from the origin. A robot that drives around it would stand still: subtract the positions first.",
+        ko="원점에서 떨어진 두 거리를 뺐습니다. 그러면 원점 둘레를 도는 로봇은 서 있는 것이 됩니다. 위치부터 빼십시오.",
+    ),
+    part="speed_mps",
+)
+
+Z_FOR_THE_YAW = Slip(
+    "z for the yaw",
+    {"angle": "z"},
+    Words(
+        en="You took z of the quaternion for the yaw. It is the sine of half of it; the line below has angles.",
+        ko="쿼터니언의 z를 yaw로 썼습니다. 그것은 yaw 절반의 sin입니다. 각도는 아랫줄에 있습니다.",
+    ),
+    "M5",
+    part="yaw_rate_radps",
+)
+
+TWICE_Z = Slip(
+    "twice z for the yaw",
+    {"angle": "twice z"},
+    Words(
+        en="You took twice z of the quaternion for the yaw. That holds for small angles only; the line below has angles.",
+        ko="쿼터니언 z의 두 배를 yaw로 썼습니다. 작은 각도에서만 맞습니다. 각도는 아랫줄에 있습니다.",
+    ),
+    "M5",
+    part="yaw_rate_radps",
+)
+
+W_FOR_THE_YAW = Slip(
+    "w for the yaw",
+    {"angle": "w"},
+    Words(
+        en="You took w of the quaternion for the yaw. It is the cosine of half of it; the line below has angles.",
+        ko="쿼터니언의 w를 yaw로 썼습니다. 그것은 yaw 절반의 cos입니다. 각도는 아랫줄에 있습니다.",
+    ),
+    "M5",
+    part="yaw_rate_radps",
+)
+
+SECOND_YAW_ALONE = Slip(
+    "second yaw alone",
+    {"turned": "second"},
+    Words(
+        en="You took the second yaw itself. It says which way the robot looks then, not how much it turned.",
+        ko="둘째 yaw 자체를 썼습니다. 그때 어디를 보는지이지 얼마나 돌았는지가 아닙니다.",
+    ),
+    part="yaw_rate_radps",
+)
+
+FIRST_YAW_ALONE = Slip(
+    "first yaw alone",
+    {"turned": "first"},
+    Words(
+        en="You took the first yaw itself. It says which way the robot looked, not how much it turned.",
+        ko="첫째 yaw 자체를 썼습니다. 처음에 어디를 보았는지이지 얼마나 돌았는지가 아닙니다.",
+    ),
+    part="yaw_rate_radps",
+)
+
+YAWS_ADDED = Slip(
+    "yaws added",
+    {"turned": "added"},
+    Words(
+        en="You added the two yaws. How much it turned is their difference.",
+        ko="두 yaw를 더했습니다. 얼마나 돌았는지는 둘의 차이입니다.",
+    ),
+    part="yaw_rate_radps",
+)
+
+COURSE_FOR_THE_TURN = Slip(
+    "course for the turn",
+    {"turned": "course"},
+    Words(
+        en="You took the direction of the way from one position to the other. How the robot turned stands in the yaws.",
+        ko="한 위치에서 다른 위치로 가는 방향을 썼습니다. 로봇이 얼마나 돌았는지는 yaw에 있습니다.",
+    ),
+    part="yaw_rate_radps",
+)
+
+TIME_BETWEEN_FOR_THE_STAMP = Twin(
+    "time between for the stamp",
+    lambda g: {**read(g), "stamp_s": stamp_of(g.second) - stamp_of(g.first)},
+    Words(
+        en="stamp_s: that is the time between the two. Asked is the moment that the second one tells.",
+        ko="stamp_s: 두 시각의 간격입니다. 물은 것은 둘째 출력이 말하는 순간입니다.",
+    ),
+    part="stamp_s",
+)
+
 YAW_ITSELF = Twin(
     "yaw itself",
-    lambda g: {**read(g), "yaw_rate_radps": parts_of(g.second)[4]},
+    lambda g: {**read(g), "yaw_rate_radps": parts_of(g.second).radians},
     Words(
         en="yaw_rate_radps: that is the yaw of the second reading. How much did it change, and in which time?",
         ko="yaw_rate_radps: 둘째 출력의 yaw 자체입니다. 얼마 동안 얼마나 바뀌었습니까?",
@@ -157,7 +341,7 @@ STAMP_AS_DECIMALS = Twin(
 
 STAMP_OF_THE_FIRST = Twin(
     "stamp of the first",
-    lambda g: {**read(g), "stamp_s": int(parts_of(g.first)[0]) + int(parts_of(g.first)[1]) / 1e9},
+    lambda g: {**read(g), "stamp_s": stamp_of(g.first)},
     Words(en="stamp_s: that is the first reading's.", ko="stamp_s: 첫째 출력의 시각입니다."),
     part="stamp_s",
 )
@@ -188,6 +372,21 @@ TASK = Task(
         BACKWARDS,
         Y_ONLY,
         TWO_SECONDS,
+        NANOSECONDS_ALONE,
+        STAMP_FOR_THE_TIME_BETWEEN,
+        MULTIPLIED,
+        MILLIONTHS,
+        NO_ROOT,
+        FROM_THE_ORIGIN,
+        NEARER_OR_FARTHER,
+        Z_FOR_THE_YAW,
+        TWICE_Z,
+        W_FOR_THE_YAW,
+        SECOND_YAW_ALONE,
+        FIRST_YAW_ALONE,
+        YAWS_ADDED,
+        COURSE_FOR_THE_TURN,
+        TIME_BETWEEN_FOR_THE_STAMP,
         YAW_ITSELF,
         STAMP_AS_DECIMALS,
         STAMP_OF_THE_FIRST,

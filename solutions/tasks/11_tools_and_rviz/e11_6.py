@@ -18,10 +18,11 @@ def reports(rng):
     long_running = one_report(rng, future=1, looks=2000)
     spiky = one_report(rng, future=0, spike=True)
     at_once = one_report(rng, future=1, second_s=0.0)  # neither late nor early
-    return [*usual, wrong_clock, long_running, spiky, at_once]
+    ahead = one_report(rng, future=2, static_s=-round(float(rng.uniform(2.0, 5.0)), 1))  # mounts of a fast clock
+    return [*usual, wrong_clock, long_running, spiky, at_once, ahead]
 
 
-def one_report(rng, future, late_s=None, looks=21, spike=False, second_s=None):
+def one_report(rng, future, late_s=None, looks=21, spike=False, second_s=None, static_s=None):
     """Return a report's text and the names of the static frames."""
     statics = [STATIC[i] for i in rng.permutation(len(STATIC))[: int(rng.integers(1, 4))]]
     moving = [MOVING[i] for i in rng.permutation(len(MOVING))[: future + 2]]
@@ -35,7 +36,7 @@ def one_report(rng, future, late_s=None, looks=21, spike=False, second_s=None):
             delays.hear(50.0 + number, [(frame, 50.0 + number - delay_s)])
     if spike:  # the second is late on average, the first was once later
         delays.of_frame[moving[0]].extend([0.001] * 40)
-    static_s = round(float(rng.uniform(8.0, 60.0)), 1)
+    static_s = round(float(rng.uniform(8.0, 60.0)), 1) if static_s is None else static_s
     for frame in statics:
         delays.hear(50.0, [(frame, 50.0 - static_s)])
     for _ in range(looks):
@@ -46,7 +47,7 @@ def one_report(rng, future, late_s=None, looks=21, spike=False, second_s=None):
 
 
 def figures(
-    report, static_frames, *, keep="moving", late="largest max", sign="average", net="max",
+    report, static_frames, *, keep="moving", late="largest max", ahead="moving", sign="average", net="max",
 ):  # fmt: skip
     """Return the three figures, step by step; other steps are the slips."""
     rows = re.findall(r"Frame: (\S+), .*Average Delay: (\S+), Max Delay: (\S+)", report)
@@ -55,19 +56,25 @@ def figures(
         rows = [row for row in rows if row[0] not in static_frames]
     by = {
         "largest max": lambda row: row[2], "largest average": lambda row: row[1], "smallest": lambda row: -row[2],
-        "first": lambda row: -rows.index(row), "last": rows.index, "static": lambda row: (row[0] in static_frames, row[2]),
+        "largest size": lambda row: abs(row[1]), "first": lambda row: -rows.index(row), "last": rows.index, "static": lambda row: (row[0] in static_frames, row[2]),
     }[late]  # fmt: skip
     below = {
         "average": lambda row: row[1] < 0, "max": lambda row: row[2] < 0, "max is 0": lambda row: row[2] <= 0,
         "positive": lambda row: row[1] > 0,
-        "first": lambda row: row[1] < 0, "all": lambda row: True,
+        "first": lambda row: row[1] < 0, "all": lambda row: True, "earliest": lambda row: row[1] < 0,
     }[sign]  # fmt: skip
+    early = sorted(row[0] for row in (every if ahead == "all" else rows) if below(row))
+    if sign == "earliest":
+        early = [min(rows, key=lambda row: row[1])[0]]
     found = re.search(r"avg = (\S+): max = (\S+)", report).groups()
     worst = max(every if late == "static" else rows, key=by)
-    of_frames = {"frame": worst[2], "largest frame": max(row[2] for row in every)}
+    of_frames = {
+        "frame": worst[2], "largest frame": max(row[2] for row in every), "sum": sum(row[2] for row in rows),
+        "sum of all": sum(row[2] for row in every), "average of a frame": worst[1],
+    }  # fmt: skip
     return {
         "late": worst[0],
-        "future": sorted(row[0] for row in rows if below(row))[: 1 if sign == "first" else None],
+        "future": early[: 1 if sign == "first" else None],
         "delay_s": of_frames.get(net, float(found[net != "avg"])),
     }
 
@@ -141,6 +148,60 @@ ONE_IS_ENOUGH = Slip(
         ko="future: 많아야 하나를 반환합니다. 여럿일 수 있습니다.",
     ),
     part="future",
+)
+
+LARGEST_SIZE = Slip(
+    "largest size",
+    {"late": "largest size"},
+    Words(
+        en="late: you compare averages by their size. A stamp far ahead of the clock is the opposite of late.",
+        ko="late: 평균을 크기로만 비교합니다. 시계보다 훨씬 앞선 시각은 늦은 것의 반대입니다.",
+    ),
+    "M10",
+    part="late",
+)
+
+STATIC_AHEAD = Slip(
+    "static ahead",
+    {"ahead": "all"},
+    Words(
+        en="future: you name frames that do not move. Theirs is the age of one message: leave static_frames out here, too.",
+        ko="future: 움직이지 않는 좌표계도 들어 있습니다. 그것은 메시지 하나의 나이입니다. 여기서도 static_frames를 빼십시오.",
+    ),
+    "M12",
+    part="future",
+)
+
+EARLIEST_ALONE = Slip(
+    "earliest alone",
+    {"sign": "earliest"},
+    Words(
+        en="future: you always name the one with the smallest average. There may be none in the future, and there may be several.",
+        ko="future: 평균이 가장 작은 하나를 언제나 답합니다. 미래인 것은 없을 수도, 여럿일 수도 있습니다.",
+    ),
+    "M10",
+    part="future",
+)
+
+SUM_OF_DELAYS = Slip(
+    "sum of delays",
+    {"net": "sum"},
+    Words(
+        en="delay_s: you added up what the frames say. Each of them comes by itself: the chain's own figure stands in the line Net delay.",
+        ko="delay_s: 좌표계들의 값을 더했습니다. 좌표계는 저마다 따로 옵니다. 사슬의 값은 Net delay 줄에 있습니다.",
+    ),
+    part="delay_s",
+)
+
+SUM_OF_ALL = Slip(
+    "sum of all delays",
+    {"net": "sum of all"},
+    Words(
+        en="delay_s: you added up what all frames say, static ones with them. Each comes by itself; the chain's own figure stands in the line Net delay.",
+        ko="delay_s: 정적 좌표계까지 모두 더했습니다. 저마다 따로 옵니다. 사슬의 값은 Net delay 줄에 있습니다.",
+    ),
+    "M12",
+    part="delay_s",
 )
 
 NET_AVERAGE = Slip(
@@ -242,6 +303,11 @@ TASK = Task(
         STATICS_ALONE,
         ALL_THAT_MOVE,
         LARGEST_OF_ALL,
+        LARGEST_SIZE,
+        STATIC_AHEAD,
+        EARLIEST_ALONE,
+        SUM_OF_DELAYS,
+        SUM_OF_ALL,
     ),
     hints=(
         Words(
