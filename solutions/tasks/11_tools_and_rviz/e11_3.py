@@ -56,6 +56,7 @@ def judged(given, *, rate="the rest", late="max", curve="chord", period="whole",
     }[rate]
     avg, largest = map(float, re.search(r"avg = (\S+): max = (\S+)", given.report).groups())
     static = float(re.search(r"laser_frame,.*Average Delay: (\S+),", given.report)[1])
+    of_the_report = {"max": largest, "avg": avg, "static": static, "without its way": largest - given.transform_travels_s}
     v, w = given.speed_mps, given.yaw_rate_radps
     gap = {
         "chord": v / w * (1 - math.cos(w / (2 * f))),
@@ -63,17 +64,21 @@ def judged(given, *, rate="the rest", late="max", curve="chord", period="whole",
         "half way": v / (2 * f),
         "whole angle": v / w * (1 - math.cos(w / f)),
         "straight": 0.0,
+        "radius": v / w,
+        "chord itself": 2 * v / w * math.sin(w / (2 * f)),
+        "sideways": v / w * math.sin(w / (2 * f)),
     }[curve]
     way = {
         "with the scan": given.transform_travels_s - given.scan_travels_s,
         "without the scan": given.transform_travels_s,
         "scan added": given.transform_travels_s + given.scan_travels_s,
+        "the other way": given.scan_travels_s - given.transform_travels_s,
         "nothing": 0.0,
     }[travel]
     wait = {"whole": 1.0, "half": 0.5}[period] / f + way
     return {
         "odometry_hz": f,
-        "late_s": {"max": largest, "avg": avg, "static": static}[late],
+        "late_s": of_the_report[late],
         "off_mm": 1000 * gap,
         "wait_s": max(0.0, wait),
         "enough": "yes" if 1000 * gap <= given.allowed_mm else "no",
@@ -210,6 +215,56 @@ STRAIGHT_AHEAD = Slip(
     part="off_mm",
 )
 
+WITHOUT_ITS_WAY = Slip(
+    "without its way",
+    {"late": "without its way"},
+    Words(
+        en="You took the transform's way off. What the tool prints is how late the chain is, its way with it.",
+        ko="변환이 오는 시간을 뺐습니다. 도구가 출력하는 것은 오는 시간까지 포함해 사슬이 얼마나 늦는지입니다.",
+    ),
+    part="late_s",
+)
+
+RADIUS = Slip(
+    "radius",
+    {"curve": "radius"},
+    Words(
+        en="v/ω is the radius of the bend. How far is the middle of the arc from the straight line between its ends?",
+        ko="v/ω는 굽은 길의 반지름입니다. 호의 가운데는 두 끝을 이은 직선에서 얼마나 떨어져 있습니까?",
+    ),
+    part="off_mm",
+)
+
+CHORD_ITSELF = Slip(
+    "chord itself",
+    {"curve": "chord itself"},
+    Words(
+        en="That is how long the straight line is. Asked is how far the arc is from it.",
+        ko="직선의 길이입니다. 물은 것은 호가 직선에서 얼마나 떨어져 있는지입니다.",
+    ),
+    part="off_mm",
+)
+
+SINE_FOR_THE_GAP = Slip(
+    "sine for the gap",
+    {"curve": "sideways"},
+    Words(
+        en="With the sine you get half of the straight line itself. How far the arc is from it, the cosine says.",
+        ko="sin으로는 직선 자체의 절반이 나옵니다. 호가 직선에서 얼마나 떨어져 있는지는 cos으로 구합니다.",
+    ),
+    part="off_mm",
+)
+
+TRAVELS_EXCHANGED = Slip(
+    "travels exchanged",
+    {"travel": "the other way"},
+    Words(
+        en="The two travels have changed places. What is on its way for longer arrives later: for which of the two does the other wait?",
+        ko="두 이동 시간이 서로 바뀌었습니다. 오래 걸리는 쪽이 늦게 옵니다. 어느 쪽이 어느 쪽을 기다립니까?",
+    ),
+    part="wait_s",
+)
+
 OTHER_VERDICT = Twin(
     "other verdict",
     lambda g: {**judged(g), "enough": "no" if judged(g)["enough"] == "yes" else "yes"},
@@ -253,6 +308,11 @@ TASK = Task(
         SCAN_ADDED,
         PERIOD_ALONE,
         STRAIGHT_AHEAD,
+        WITHOUT_ITS_WAY,
+        RADIUS,
+        CHORD_ITSELF,
+        SINE_FOR_THE_GAP,
+        TRAVELS_EXCHANGED,
         OTHER_VERDICT,
     ),
     hints=(

@@ -140,6 +140,8 @@ def _slips_in_parts(task: TaskCases, table: _Table, cases: Sequence[Case], wrong
             found.append(_Found(slips, said_of(task, list(slips)), changed, is_whole=True))
         elif same & changed & wrong and all(words.partly for words in slips.values()):
             found.append(_Found(slips, said_of(task, list(slips)), same & changed & wrong))
+        elif len(slips) == 1 and (made_in := slips[key].part) in same & changed & wrong:  # but what follows is not so
+            found.append(_Found(slips, said_of(task, list(slips)), {made_in}))
     return sorted(found, key=lambda cause: (-len(cause.parts), len(cause.slips), not cause.is_whole))
 
 
