@@ -116,6 +116,36 @@ NOW_IS_FINE = Slip(
     "M9",
 )
 
+RUNNING_NOW_IS_THE_LATEST = Slip(
+    "the running now is the latest",
+    {"running": "silently latest"},
+    Words(
+        en="With everything set right you let now stand for the latest. That clock runs, so now is a moment like any other.",
+        ko="모두 제대로 설정했는데 지금을 최신으로 보았습니다. 시계가 가고 있으므로 지금도 여느 시각과 같습니다.",
+    ),
+    "M9",
+)
+
+RUNNING_NOW_IS_YEARS_OFF = Slip(
+    "the running now is years off",
+    {"running": "years off"},
+    Words(
+        en="With everything set right you find now years off. From where does that node take its time, and of which year is it?",
+        ko="모두 제대로 설정했는데 지금이 몇 년 어긋난다고 보았습니다. 그 노드는 어디서 시간을 얻고, 그것은 어느 해입니까?",
+    ),
+    "M13",
+)
+
+STOPPED_NOW_IS_JUST_SHORT = Slip(
+    "the stopped now is just short",
+    {"stopped": "just short"},
+    Words(
+        en="With a clock that stands you find now only just too new. What number does that clock show?",
+        ko="멈춘 시계에서 지금이 조금 이를 뿐이라고 보았습니다. 그 시계는 어떤 숫자를 가리킵니까?",
+    ),
+    "M13",
+)
+
 MACHINE_NOW_IS_FINE = Slip(
     "the machine's now is fine",
     {"machine": "works"},
@@ -286,6 +316,9 @@ TASK = Task(
         PLAYED_CLOCK_HELPS,
         STOPPED_NOW_IS_FINE,
         TIMER_BEFORE_NOW,
+        RUNNING_NOW_IS_THE_LATEST,
+        RUNNING_NOW_IS_YEARS_OFF,
+        STOPPED_NOW_IS_JUST_SHORT,
     ),
     hints=(
         Words(

@@ -64,7 +64,7 @@ def _keys(params, node, everyone, own, slash, order):
     names = {"with": (f"/{bare}",), "without": (bare,)}.get(slash, (node, node[1:], bare))
     mine = {"its own": lambda key: key in names, "nobody's": lambda key: False, "everybody's": lambda key: key != "/**"}
     keys = [key for key in params if mine[own](key) or (everyone and key == "/**")]
-    if order == "own last":
+    if order in ("own last", "any true"):
         keys.sort(key=lambda key: key != "/**")
     elif order == "everyone last":
         keys.sort(key=lambda key: key == "/**")

@@ -26,22 +26,30 @@ def a_specification(rng):
 
 
 def robot(
-    given, *, prefix="own", map="shared", chain="whole", optical="below the camera", moving="again and again",
-    mounts="static", localizer="map to odom", fuse="as given", owner="one", driver="quiet", bag="all",
+    given, *, prefix="own", map="shared", chain="whole", camera="on the base", optical="below the camera",
+    more="nothing", moving="again and again", mounts="static", localizer="map to odom", fuse="as given", owner="one",
+    driver="quiet", bag="all",
 ):  # fmt: skip
     """Return the robot, step by step; other steps are the slips."""
-    own = f"{given.robot}/" if prefix == "own" else ""
-    odom, foot, base = f"{own}odom", f"{own}base_footprint", f"{own}base_link"
-    camera, seen = f"{own}{given.sensor}_link", f"{own}{given.sensor}_optical_frame"
-    tree = {odom: f"{given.robot}/map" if map == "own" else "map", foot: odom, base: foot, camera: base, seen: camera}
+    odom, foot, base = "odom", "base_footprint", "base_link"
+    link, seen = f"{given.sensor}_link", f"{given.sensor}_optical_frame"
+    tree = {odom: "map", foot: odom, base: foot, link: {"on the base": base, "on the footprint": foot}[camera]}
+    tree[seen] = tree[link] if optical == "beside the camera" else link
     if chain == "no footprint":
-        tree = {child: odom if child == base else parent for child, parent in tree.items() if child != foot}
-    if optical == "on the base":
-        tree[seen] = base
+        tree = {child: odom if parent == foot else parent for child, parent in tree.items() if child != foot}
+    elif chain == "footprint below the base":
+        tree |= {base: odom, foot: base}
     if optical == "left out":
         del tree[seen]
+    elif optical == "above the camera":
+        tree |= {seen: tree[link], link: seen}
     if localizer == "map to base":
-        tree = {**tree, odom: "map", foot: "map"}
+        tree[foot] = "map"
+    if map == "left out":
+        del tree[odom]
+    tree = _called(tree, given, prefix, {link, seen}, "" if map == "own" else "map")
+    if more == "the first robot's":
+        tree |= {odom: "map", foot: odom, base: foot, link: base, seen: link}
     fused = bool(given.fused) != (fuse == "the other way")
     switch = {"both": True, "none": False}.get(owner)
     return {
@@ -55,6 +63,19 @@ def robot(
         "camera_driver publish_tf": driver == "on",
         "bag": BAGS[bag],
     }
+
+
+def _called(tree, given, prefix, sensors, bare):
+    """Return a tree with the robot's name before its frames; before which of them, `prefix` says."""
+
+    def name(frame, side):
+        without = {
+            "own": False, "none": True, "not the sensor's": frame in sensors, "not odom's": frame == "odom",
+            "not the parents'": side == "parent", "not the children's": side == "child",
+        }[prefix]  # fmt: skip
+        return frame if frame == bare or without else f"{given.robot}/{frame}"
+
+    return {name(child, "child"): name(parent, "parent") for child, parent in tree.items()}
 
 
 NO_OPTICAL = Slip(
@@ -178,12 +199,100 @@ OWN_MAP = Slip(
 
 OPTICAL_ON_THE_BASE = Slip(
     "optical frame on the base",
-    {"optical": "on the base"},
+    {"optical": "beside the camera"},
     Words(
-        en="The optical frame turns the camera's axes; it hangs on the camera's link, not on base_link.",
+        en="The optical frame turns the camera's axes; it hangs on the camera's link, not beside it.",
         ko="optical frame은 카메라의 축을 돌린 것입니다. base_link가 아니라 카메라의 link에 달립니다.",
     ),
     "M4",
+)
+
+OPTICAL_ABOVE = Slip(
+    "optical frame above the camera",
+    {"optical": "above the camera"},
+    Words(
+        en="You have the optical frame above the camera's link. The link is what is bolted on; the optical frame only turns its axes.",
+        ko="광학 좌표계가 카메라 링크 위에 있습니다. 로봇에 고정된 것은 링크이고, 광학 좌표계는 그 축을 돌릴 뿐입니다.",
+    ),
+    "M4",
+)
+
+CAMERA_ON_THE_FOOTPRINT = Slip(
+    "camera on the footprint",
+    {"camera": "on the footprint"},
+    Words(
+        en="You hang the camera on base_footprint, the robot's shadow on the floor. What is it bolted to?",
+        ko="카메라를 base_footprint에 이었습니다. 바닥에 비친 그림자입니다. 카메라는 무엇에 고정되어 있습니까?",
+    ),
+)
+
+FOOTPRINT_BELOW = Slip(
+    "footprint below the base",
+    {"chain": "footprint below the base"},
+    Words(
+        en="Odometry sends the edge from odom to base_footprint. With the footprint below base_link that child has two parents.",
+        ko="오도메트리가 보내는 연결은 odom에서 base_footprint로 갑니다. base_footprint가 base_link 아래에 있으면 부모가 둘이 됩니다.",
+    ),
+    "M6",
+)
+
+NOT_BELOW_MAP = Slip(
+    "not below map",
+    {"map": "left out"},
+    Words(
+        en="Nothing hangs on map now, so the two robots know nothing of each other.",
+        ko="map에 이어진 것이 없습니다. 그러면 두 로봇은 서로의 위치를 모릅니다.",
+    ),
+    "M7",
+)
+
+SENSOR_WITHOUT_NAME = Slip(
+    "sensor without the name",
+    {"prefix": "not the sensor's"},
+    Words(
+        en="The sensor's frames lack the robot's name. Bolt the same sensor on the other robot, and one frame has two parents.",
+        ko="센서의 좌표계에 로봇 이름이 없습니다. 다른 로봇에도 같은 센서를 달면 좌표계 하나의 부모가 둘이 됩니다.",
+    ),
+    "M14",
+)
+
+ODOM_SHARED = Slip(
+    "odom shared",
+    {"prefix": "not odom's"},
+    Words(
+        en="The two robots share an odom now. Each begins to count its way at a place of its own.",
+        ko="두 로봇이 odom을 함께 씁니다. 로봇마다 길을 세기 시작한 곳이 다릅니다.",
+    ),
+    "M14",
+)
+
+PARENTS_WITHOUT_NAME = Slip(
+    "parents without the name",
+    {"prefix": "not the parents'"},
+    Words(
+        en="Only the children have the robot's name. A parent is a child itself, one edge higher, and is called the same there.",
+        ko="자식에만 로봇 이름이 있습니다. 부모도 한 단계 위에서는 자식이고, 이름은 같아야 합니다.",
+    ),
+    "M14",
+)
+
+CHILDREN_WITHOUT_NAME = Slip(
+    "children without the name",
+    {"prefix": "not the children's"},
+    Words(
+        en="Only the parents have the robot's name. A child is a parent itself, one edge lower, and is called the same there.",
+        ko="부모에만 로봇 이름이 있습니다. 자식도 한 단계 아래에서는 부모이고, 이름은 같아야 합니다.",
+    ),
+    "M14",
+)
+
+FIRST_ROBOTS_TOO = Slip(
+    "the first robot's, too",
+    {"more": "the first robot's"},
+    Words(
+        en="There are frames without a name among them. The first robot has a tree already; asked is that of the second.",
+        ko="로봇 이름이 없는 좌표계도 들어 있습니다. 첫째 로봇의 트리는 이미 있습니다. 물은 것은 둘째 로봇의 트리입니다.",
+    ),
 )
 
 THE_OTHER_OWNER = Slip(
@@ -253,11 +362,24 @@ TASK = Task(
         NO_FOOTPRINT,
         OWN_MAP,
         OPTICAL_ON_THE_BASE,
+        OPTICAL_ABOVE,
+        CAMERA_ON_THE_FOOTPRINT,
+        FOOTPRINT_BELOW,
+        NOT_BELOW_MAP,
+        SENSOR_WITHOUT_NAME,
+        ODOM_SHARED,
+        PARENTS_WITHOUT_NAME,
+        CHILDREN_WITHOUT_NAME,
+        FIRST_ROBOTS_TOO,
         THE_OTHER_OWNER,
         NO_OWNER,
         DRIVER_TOO,
     ),
     shows={
+        "bag": Words(
+            en="A tree is made of transforms, and of nothing else. Which topics carry them, as `ros2 topic list` prints them?",
+            ko="트리는 변환으로만 만들어집니다. 변환이 담긴 토픽은 무엇이고, `ros2 topic list`에는 어떻게 적혀 있습니까?",
+        ),
         "moving": Words(
             en="What moves is said again and again; who comes later hears the next one. Which topic is for that?",
             ko="움직이는 것은 거듭 보내므로 늦게 온 쪽도 다음 것을 받습니다. 그런 것은 어느 토픽으로 보냅니까?",

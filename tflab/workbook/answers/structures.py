@@ -44,6 +44,8 @@ class Choice(Form):
             return text
         are_names = any(map(_is_name, self.options))
         meant = [option for option in self.options if _meant(option, are_names) == _meant(text, are_names)]
+        if not meant and all(option.startswith("/") for option in self.options if _is_name(option)):
+            meant = [option for option in self.options if option == "/" + _meant(text, are_names)]  # `ros2` takes both
         return meant[0] if len(meant) == 1 else None
 
     def wanted(self) -> Words:

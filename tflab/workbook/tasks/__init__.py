@@ -8,6 +8,7 @@
     units       in which other unit it may be
     universal   mistakes that any answer can have
     losses      what was lost and cannot be put back
+    shell_words where a command line goes wrong
     fields      which parts an answer has
     fitting     whether outcomes are just what a mistake gives
     certain     what is certain where none fits

@@ -6,27 +6,29 @@
     answer 12.000000000        expected 12.345000000              a stamp of whole seconds
 
 Only where the right answer is open; a tree's edges are found where it is sealed, too.
-Read `fields.py` next.
+Read `shell_words.py` next.
 """
 
 from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from ..answers import sealed
 from ..answers.form import Row as Marks
 from ..answers.form import inside, member, numbers_of
-from ..answers.forms import Angle, Form, Name, Number, Quaternion, Sequence, Set, Tree, Vector
+from ..answers.forms import Angle, Command, Form, Name, Number, Quaternion, Sequence, Set, Tree, Vector
 from ..answers.members import edges_of, members_of
 from ..answers.values import Plain
 from ..words import Words
+from .shell_words import LINES, wrong_in
 from .universal import OF_FORM
 
 __all__ = ["LOSSES", "by_comparison"]
 
 Numbers = tuple[float, ...]
+Parents = dict[str, str]  # child -> parent
 
 LOSSES = {
     "empty": Words(en="this is still empty.", ko="아직 비어 있습니다."),
@@ -55,6 +57,34 @@ LOSSES = {
         "child -> parent.",
         ko="부모와 자식의 자리가 바뀌었습니다. 자식의 부모는 하나뿐이므로 자식이 키입니다: 자식 -> 부모.",
     ),
+    "tree: not whole": Words(
+        en="all that is there is right, and a part of the tree is missing.",
+        ko="있는 것은 모두 맞지만 트리의 일부가 빠졌습니다.",
+    ),
+    "tree: more than asked for": Words(
+        en="the tree that is asked for is there, and more beside it.",
+        ko="필요한 트리는 다 있지만 필요 없는 것이 더 있습니다.",
+    ),
+    "tree: a frame left out": Words(
+        en="a frame is left out of the chain: what hung below it hangs on the frame above it.",
+        ko="사슬에서 좌표계가 빠졌습니다. 그 아래에 있던 것이 그 위의 좌표계에 이어졌습니다.",
+    ),
+    "tree: too high": Words(
+        en="the frames are the right ones; what hangs wrong hangs too high: there is a frame between.",
+        ko="좌표계는 모두 맞습니다. 틀린 것은 너무 위에 이어졌습니다. 그 사이에 좌표계가 더 있습니다.",
+    ),
+    "tree: too low": Words(
+        en="the frames are the right ones; what hangs wrong hangs too low: below a frame that is beside it, or below that.",
+        ko="좌표계는 모두 맞습니다. 틀린 것은 너무 아래에 이어졌습니다. 옆에 있어야 할 좌표계나 그 아래에 있습니다.",
+    ),
+    "tree: places changed": Words(
+        en="the right frames, in a tree of the right shape, and some of them stand in each other's places.",
+        ko="좌표계도 트리의 모양도 맞지만 일부 좌표계의 자리가 서로 바뀌었습니다.",
+    ),
+    "tree: other names": Words(
+        en="the tree has the shape that is asked for, and not all of its names.",
+        ko="트리의 모양은 맞지만 이름 가운데 다른 것이 있습니다.",
+    ),
     "stamp: seconds alone": Words(
         en="only `sec` is right: the nanoseconds are missing. `.to_msg()` of a Time writes both.",
         ko="`sec`만 맞고 나노초가 빠졌습니다. Time의 `.to_msg()`가 둘 다 씁니다.",
@@ -70,6 +100,7 @@ LOSSES = {
         en="a stamp was written, and here it is to be left as it is, zero.",
         ko="시각을 썼습니다. 여기서는 0인 그대로 두어야 합니다.",
     ),
+    **LINES,
 }
 
 
@@ -85,6 +116,8 @@ def by_comparison(form: Form, answers: list[Plain], wanted: list[Plain]) -> Iter
         yield from _of_trees(form, answers, wanted)
     elif isinstance(form, Name):
         yield from _of_stamps(answers, wanted)
+    elif isinstance(form, Command) and len(answers) == 1:
+        yield from _of_a_line(form, answers[0], wanted[0])
     elif type(form) in OF_FORM and all(form.read(answer) is not None for answer in answers):
         size = form.size if isinstance(form, Vector) else 4 if isinstance(form, Quaternion) else None
         rows = [(numbers_of(given, size), numbers_of(want, size)) for given, want in zip(answers, wanted, strict=True)]
@@ -148,12 +181,83 @@ def _is_held_twice(form: Set, answer: Plain, wanted: Plain) -> bool:
 
 def _of_trees(form: Tree, answers: list[Plain], wanted: list[Plain]) -> Iterator[str]:
     """Yield that an answer has its edges the wrong way round; a dict by parents has lost some of them."""
-    for answer, want in zip(answers, wanted, strict=True):
-        edges = edges_of(answer) or []
-        turned = [[child, parent] for child, parent in edges]  # a Tree takes pairs (parent, child)
-        if len(edges) < 2 or not all(sealed.belongs(form, turned, want)):
-            return
-    yield "parent for child"
+    if all(_is_turned(form, *pair) for pair in zip(answers, wanted, strict=True)):
+        yield "parent for child"
+    elif not any(map(sealed.is_sealed, wanted)):
+        pairs = [(_parents(answer), _parents(want)) for answer, want in zip(answers, wanted, strict=True)]
+        yield from (name for name, fits in TREES.items() if all(given == want or fits(given, want) for given, want in pairs))
+
+
+def _is_turned(form: Tree, answer: Plain, want: Plain) -> bool:
+    edges = edges_of(answer) or []
+    turned = [[child, parent] for child, parent in edges]  # a Tree takes pairs (parent, child)
+    return len(edges) >= 2 and all(sealed.belongs(form, turned, want))
+
+
+def _parents(plain: Plain) -> Parents:
+    return dict(edges_of(plain) or [])
+
+
+def _names(tree: Parents) -> set[str]:
+    return {*tree, *tree.values()}
+
+
+def _above(tree: Parents, frame: str) -> list[str]:
+    """Return the frames above one, the nearest first; a loop ends where it began."""
+    found: list[str] = []
+    while (frame := tree.get(frame, "")) and frame not in found:
+        found.append(frame)
+    return found
+
+
+def _is_left_out(given: Parents, want: Parents) -> bool:
+    """Return whether a tree is what is wanted without some frames, what hung on them hanging above them."""
+    gone = _names(want) - _names(given)
+    kept = {child: [each for each in _above(want, child) if each not in gone] for child in want if child not in gone}
+    below = gone & set(want.values())
+    return bool(below) and given == {child: above[0] for child, above in kept.items() if above}
+
+
+def _hang(given: Parents, want: Parents, is_so: Callable[[str, str], bool]) -> bool:
+    """Return whether the frames are those wanted, and each that hangs wrong `is_so`: child, and its parent now."""
+    wrong = [(child, parent) for child, parent in given.items() if want.get(child) != parent]
+    return set(given) == set(want) and all(is_so(child, parent) for child, parent in wrong)
+
+
+def _shape(tree: Parents) -> str:
+    """Return how a tree branches, without any names; none for what is no tree."""
+    roots = sorted(_names(tree) - set(tree))
+
+    def below(frame: str) -> str:
+        return "(" + "".join(sorted(below(child) for child, parent in tree.items() if parent == frame)) + ")"
+
+    is_tree = all(_above(tree, child)[-1] in roots for child in tree)
+    return "".join(sorted(map(below, roots))) if is_tree else ""
+
+
+def _has_shape(given: Parents, want: Parents) -> bool:
+    return bool(_shape(want)) and _shape(given) == _shape(want)
+
+
+TREES: dict[str, Callable[[Parents, Parents], bool]] = {
+    "tree: not whole": lambda given, want: bool(given) and given.items() <= want.items(),
+    "tree: more than asked for": lambda given, want: given.items() >= want.items(),
+    "tree: a frame left out": _is_left_out,
+    "tree: too high": lambda given, want: _hang(
+        given, want, lambda child, parent: parent in _above(want, child)
+    ),
+    "tree: too low": lambda given, want: _hang(
+        given, want, lambda child, parent: want[child] in _above(want, parent) and child not in _above(want, parent)
+    ),
+    "tree: places changed": lambda given, want: _names(given) == _names(want) and _has_shape(given, want),
+    "tree: other names": lambda given, want: _names(given) != _names(want) and _has_shape(given, want),
+}
+
+
+def _of_a_line(form: Command, answer: Plain, wanted: Plain) -> Iterator[str]:
+    given, right = form.read(answer), None if sealed.is_sealed(wanted) else form.read(wanted)
+    if given and right:
+        yield from wrong_in(*([mark.value for mark in probes[0][0]] for probes in (given, right)))
 
 
 def _of_stamps(answers: list[Plain], wanted: list[Plain]) -> Iterator[str]:

@@ -184,9 +184,9 @@ def _holds(table: _Table, one: str, other: str) -> bool:
 def _by_itself(task: TaskCases, table: _Table, name: str, given: dict[str, Plain] | None) -> list[_Found]:
     """Return what explains one part alone: its option, what any answer can have, another's answer, what was given."""
     form, outcomes, wanted = table.forms[name], table.given[name], table.wanted[name]
-    words = _choice(task, name, outcomes[0]) if len(outcomes) == 1 else None
-    if words is not None:
-        return [_Found({f"{name}: {outcomes[0]}": TwinWords(words, "")}, words, {name})]
+    hint = _choice(task, name, outcomes[0]) if len(outcomes) == 1 else None
+    if hint is not None and isinstance(form, Choice):
+        return [_Found({f"{name}: {outcomes[0]}": TwinWords(hint, "")}, hint, {name})]
     words = form.remark(outcomes[0], {part: row[0] for part, row in table.given.items()})
     if words is not None:
         return [_Found({f"{name}: no proof": TwinWords(words, "")}, words, {name})]
@@ -195,7 +195,8 @@ def _by_itself(task: TaskCases, table: _Table, name: str, given: dict[str, Plain
     if (other := _anothers(table, name)) is not None:
         said = Words(ANOTHERS.say("en", other=other), ANOTHERS.say("ko", other=other))
         return [_Found({f"{other} under {name}": TwinWords(said, "")}, said, {name})]
-    return _of_the_given(task, name, form, outcomes[0], wanted[0], given) if len(outcomes) == 1 else []
+    found = _of_the_given(task, name, form, outcomes[0], wanted[0], given) if len(outcomes) == 1 else []
+    return found or ([_Found({f"{name}: another": TwinWords(hint, "")}, hint, {name})] if hint else [])
 
 
 def _anothers(table: _Table, name: str) -> str | None:

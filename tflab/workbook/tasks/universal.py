@@ -12,6 +12,7 @@ what is wrong, but what was done.  Read `losses.py` next.
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Iterator
 from itertools import permutations, product
 from typing import NamedTuple
@@ -19,7 +20,7 @@ from typing import NamedTuple
 from tflab.core import Transform
 
 from ..answers.form import inside, numbers_of, pose_of
-from ..answers.forms import Angle, Form, Name, Number, Pose, Quaternion, Vector
+from ..answers.forms import Angle, Form, Name, Number, Pose, Quaternion, Set, Tree, Vector
 from ..answers.values import Plain, to_plain
 from ..words import Words
 from .units import OTHER_UNITS, unit_of
@@ -262,6 +263,22 @@ UNIVERSAL = {
         lambda row: iter(()),
         "M14",
     ),
+    "no slash in front": Universal(
+        Words(
+            en="right, but for the slash in front, which is missing.",
+            ko="앞의 슬래시가 빠진 것만 빼면 맞습니다.",
+        ),
+        lambda row: iter(()),
+        "M14",
+    ),
+    "other separator": Universal(
+        Words(
+            en="right, but for what stands between a robot's name and its frame: that is a slash.",
+            ko="로봇 이름과 좌표계 이름 사이에 있는 것만 빼면 맞습니다. 그 사이에는 슬래시를 씁니다.",
+        ),
+        lambda row: iter(()),
+        "M14",
+    ),
     "inverse transform": Universal(
         Words(
             en="this is the inverse transform: target and source are swapped.",
@@ -308,8 +325,8 @@ def undone(form: Form, answer: Plain) -> Iterator[Undone]:
     """Yield what an answer would be without each of the mistakes that an answer of its form can have."""
     if isinstance(form, Pose):
         yield from _undone_pose(answer)
-    elif isinstance(form, Name) and isinstance(answer, str):
-        yield from _undone_name(answer)
+    elif isinstance(form, Name | Tree) or (isinstance(form, Set) and isinstance(form.of, Name)):
+        yield from _undone_names(answer)
     elif type(form) in OF_FORM and form.read(answer) is not None:  # not, say, a message in another frame
         yield from _undone_numbers(form, answer)
 
@@ -341,9 +358,32 @@ def _undone_pose(answer: Plain) -> Iterator[Undone]:
             yield Undone(name, "", {"Transform": [list(parts[2]), list(left)]})
 
 
-def _undone_name(answer: str) -> Iterator[Undone]:
-    ways = {"other case": answer.lower(), "slash in front": answer.removeprefix("/"), "space around": answer.strip()}
+RENAMED: dict[str, Callable[[str], str]] = {
+    "other case": str.lower,
+    "slash in front": lambda name: name.removeprefix("/"),
+    "no slash in front": lambda name: name if name.startswith("/") else f"/{name}",
+    "space around": str.strip,
+    "other separator": lambda name: re.sub(r"[_.:-]+", "/", name, count=1) if "/" not in name else name,
+}
+
+
+def _undone_names(answer: Plain) -> Iterator[Undone]:
+    """Yield a name, a set of names or a tree as it would be if each of its names were written otherwise."""
+    ways = {name: _renamed(answer, change) for name, change in RENAMED.items()}
     yield from (Undone(name, "", left) for name, left in ways.items() if left != answer)
+
+
+def _renamed(plain: Plain, change: Callable[[str], str]) -> Plain:
+    if isinstance(plain, str):
+        return change(plain)
+    if isinstance(plain, list):
+        return [_renamed(member, change) for member in plain]
+    held = next(iter(plain.values())) if isinstance(plain, dict) and set(plain) in ({"tuple"}, {"set"}) else None
+    if held is not None:
+        return {kind: _renamed(held, change) for kind in plain}
+    if isinstance(plain, dict) and set(plain) == {"dict"}:
+        return {"dict": {change(key): _renamed(value, change) for key, value in plain["dict"].items()}}
+    return plain
 
 
 def _plain(row: Row, size: int | None) -> Plain:
