@@ -35,6 +35,10 @@ def by_arrival(given, *, age="all", way="arrival minus stamp", unit="s", drive="
         "sec alone": float(arrived_sec - sec),
         "nanosec alone": (arrived_nanosec - nanosec) / 1e9,
         "by a million": arrived_sec - sec + (arrived_nanosec - nanosec) / 1e6,
+        "by a thousand": arrived_sec - sec + (arrived_nanosec - nanosec) / 1e3,
+        "added": arrived_sec - sec + (arrived_nanosec + nanosec) / 1e9,
+        "as they are": float(arrived_sec - sec + arrived_nanosec - nanosec),
+        "sum": seconds_of(given.arrived) + seconds_of(given.stamp),
         "none": 0.0,
         "arrival": seconds_of(given.arrived),
         "stamp": seconds_of(given.stamp),
@@ -237,6 +241,43 @@ WAY_MINUS_DISTANCE = Slip(
     ),
 )
 
+BY_A_THOUSAND = Slip(
+    "by a thousand",
+    {"age": "by a thousand"},
+    Words(
+        en="You divided nanosec by a thousand. A second has a thousand million of them: 1e9.",
+        ko="nanosec을 1000으로 나눴습니다. 1초는 10억 나노초입니다: 1e9.",
+    ),
+)
+
+NANOSECONDS_ADDED = Slip(
+    "nanoseconds added",
+    {"age": "added"},
+    Words(
+        en="You subtracted sec, but you added the two nanosec. Arrival minus stamp holds for both.",
+        ko="sec은 뺐지만 nanosec은 더했습니다. 둘 다 도착한 시각에서 측정 시각을 빼야 합니다.",
+    ),
+)
+
+NANOSEC_AS_IT_IS = Slip(
+    "nanosec as it is",
+    {"age": "as they are"},
+    Words(
+        en="You took nanosec as it is, together with seconds. It is a number of nanoseconds: divide by 1e9.",
+        ko="nanosec을 그대로 초에 더했습니다. 나노초의 수이므로 1e9으로 나눠야 합니다.",
+    ),
+)
+
+TIMES_ADDED = Slip(
+    "times added",
+    {"age": "sum"},
+    Words(
+        en="You added the two moments. An age is their difference.",
+        ko="두 시각을 더했습니다. 나이는 두 시각의 차이입니다.",
+    ),
+    "M9",
+)
+
 
 TASK = Task(
     id="E1.4",
@@ -268,6 +309,10 @@ TASK = Task(
         WITHOUT_BORROWING,
         AGE_OVER_SPEED,
         WAY_MINUS_DISTANCE,
+        BY_A_THOUSAND,
+        NANOSECONDS_ADDED,
+        NANOSEC_AS_IT_IS,
+        TIMES_ADDED,
     ),
     hints=(
         Words(

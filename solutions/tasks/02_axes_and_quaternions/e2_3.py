@@ -29,6 +29,8 @@ def turned(yaw, *, unit="radians", half="inside", z="sine", way="left", axis="z"
         "cosine": (cosine, sine),
         "angle": (yaw, 1.0),
         "half of it": (yaw / 2, 1.0),
+        "angle beside the cosine": (yaw, cosine),
+        "half of it beside the cosine": (yaw / 2, cosine),
         "angle alone": (yaw, 0.0),
         "tangent": (math.tan(yaw / 2), 1.0),
         "positive": (abs(sine), cosine),
@@ -311,6 +313,26 @@ ANGLE_TO_LENGTH_ONE = Slip(
     "M5",
 )
 
+ANGLE_BESIDE_THE_COSINE = Slip(
+    "angle beside the cosine",
+    {"z": "angle beside the cosine"},
+    Words(
+        en="z holds the angle itself, beside a cosine in w. A quaternion holds no angle: z takes the sine of half of it.",
+        ko="w에는 cos이 있지만 z에 각도 자체를 넣었습니다. 쿼터니언에는 각도가 없습니다. z에는 각도 절반의 sin을 넣습니다.",
+    ),
+    misconception="M5",
+)
+
+HALF_BESIDE_THE_COSINE = Slip(
+    "half of it beside the cosine",
+    {"z": "half of it beside the cosine"},
+    Words(
+        en="z holds half of the angle, beside a cosine in w. z takes the sine of that half.",
+        ko="w에는 cos이 있지만 z에 각도의 절반을 넣었습니다. z에는 그 절반의 sin을 넣습니다.",
+    ),
+    misconception="M5",
+)
+
 
 TASK = Task(
     id="E2.3",
@@ -349,6 +371,8 @@ TASK = Task(
         W_LEFT_AT_ONE,
         HALF_ANGLE_AND_ITS_ROOT,
         ANGLE_TO_LENGTH_ONE,
+        ANGLE_BESIDE_THE_COSINE,
+        HALF_BESIDE_THE_COSINE,
     ),
     hints=(
         Words(

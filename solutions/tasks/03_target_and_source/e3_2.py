@@ -39,7 +39,14 @@ def taken(transform: Transform, point, way: str) -> tuple[float, ...]:
         "no turn, step back": added(point, back),
         "w first": Transform(transform.translation, transform.rotation[3:] + transform.rotation[:3]).apply(point),
         "turn back, no step": turned(transform.inverse(), point),
+        "twice": transform.apply(transform.apply(point)),
+        "half the turn": added(turned(_half(transform), point), transform.translation),
+        "turned twice": added(turned(transform, turned(transform, point)), transform.translation),
     }[way]
+
+
+def _half(transform: Transform) -> Transform:
+    return Transform.from_rpy(yaw=transform.rpy()[2] / 2)
 
 
 def moved_twice(given, *, first="apply", then="apply", product="in order") -> dict[str, tuple]:
@@ -373,6 +380,47 @@ THE_ROBOT_ITSELF = Slip(
     part="map",
 )
 
+FIRST_TWICE = Slip(
+    "mount twice, base",
+    {"first": "twice"},
+    Words(
+        en="base_link: the mount is applied twice. Once, and the point is in base_link.",
+        ko="base_link: 장착 변환을 두 번 적용했습니다. 한 번이면 점은 base_link 기준이 됩니다.",
+    ),
+    part="base_link",
+)
+
+THEN_TWICE = Slip(
+    "robot twice, map",
+    {"then": "twice"},
+    Words(
+        en="map: where the robot stands is applied twice. Once, and the point is in map.",
+        ko="map: 로봇의 위치를 두 번 적용했습니다. 한 번이면 점은 map 기준이 됩니다.",
+    ),
+    part="map",
+)
+
+FIRST_HALF = Slip(
+    "half the mount's turn",
+    {"first": "half the turn"},
+    Words(
+        en="base_link: the point is turned by half of the angle. A quaternion holds the sine and cosine of half of it, and still turns by all of it.",
+        ko="base_link: 점을 각도의 절반만 돌렸습니다. 쿼터니언에는 각도 절반의 sin과 cos이 들어 있지만 돌리는 것은 각도 전체입니다.",
+    ),
+    "M5",
+    part="base_link",
+)
+
+FIRST_TURNED_TWICE = Slip(
+    "mount turned twice",
+    {"first": "turned twice"},
+    Words(
+        en="base_link: the point is turned twice, and moved once.",
+        ko="base_link: 점을 두 번 돌리고 한 번 옮겼습니다.",
+    ),
+    part="base_link",
+)
+
 
 TASK = Task(
     id="E3.2",
@@ -412,6 +460,10 @@ TASK = Task(
         FIRST_TURN_BACK_NO_STEP,
         THEN_TURN_BACK_NO_STEP,
         THE_ROBOT_ITSELF,
+        FIRST_TWICE,
+        THEN_TWICE,
+        FIRST_HALF,
+        FIRST_TURNED_TWICE,
     ),
     hints=(
         Words(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from tflab.core import ConnectivityException
-from tflab.workbook.tasks import Choice, Name, Pair, Sequence, Slip, Task, Twin, Words
+from tflab.workbook.tasks import Choice, Name, Pair, Sequence, Slip, Task, Words
 
 from .draws import climbed, robot
 
@@ -51,6 +51,10 @@ def walked(parent_of, target, source, *, ends="as asked", climb="until they meet
     down = {"outward": down[::-1], "as climbed": down, "left out": []}[order]
     if named == "where they meet, too" and up:
         up = [*up, parent_of.get(up[-1], up[-1])]
+    if named == "parent":
+        up, down = ([parent_of.get(child, child) for child in way] for way in (up, down))
+    if named == "where it arrives":
+        up = [parent_of[child] for child in up]
     down = [parent_of.get(child, child) for child in down] if named == "parent, going down" else down
     climbing, descending = [(child, first) for child in up], [(child, then) for child in down]
     if pairs == "way first":
@@ -107,11 +111,9 @@ NEVER_DOWN = Slip(
     ),
 )
 
-NAMED_AFTER_PARENTS = Twin(
+NAMED_AFTER_PARENTS = Slip(
     "up to, not up from",
-    lambda parent_of, target, source: [
-        (parent_of[child] if way == "up" else child, way) for child, way in walked(parent_of, target, source)
-    ],
+    {"named": "where it arrives"},
     Words(
         en="You name the frame that a step arrives at. An edge has one child: name the step after it, up and down.",
         ko="걸음이 도착하는 좌표계의 이름을 썼습니다. 연결마다 자식은 하나입니다. 올라가든 내려가든 자식의 이름을 쓰십시오.",
@@ -218,6 +220,16 @@ JOINED_OVER_TWO_ROOTS = Slip(
     "M11",
 )
 
+ALWAYS_THE_PARENT = Slip(
+    "named after the parent",
+    {"named": "parent"},
+    Words(
+        en="You name each step after the parent of its edge. A frame can have many children, so the child is what tells an edge.",
+        ko="걸음마다 연결의 부모 이름을 붙였습니다. 자식은 여럿일 수 있으므로 연결을 가리키는 것은 자식입니다.",
+    ),
+    "M2",
+)
+
 
 TASK = Task(
     id="E4.3",
@@ -246,6 +258,7 @@ TASK = Task(
         A_STEP_TO_ITSELF,
         WAY_FIRST,
         JOINED_OVER_TWO_ROOTS,
+        ALWAYS_THE_PARENT,
     ),
     hints=(
         Words(

@@ -32,10 +32,16 @@ def together(
     for prefix in prefixes[:1] if who == "the first" else prefixes:
         for parent, child in given.edges:
             above, below = (name if name in shared else glue.format(prefix, name) for name in (parent, child))
-            fleet[below] = parent if parents == "bare" else above
+            is_bare = parents == "bare" or (parents == "odom bare" and parent == "odom")
+            fleet[below] = parent if is_bare else above
     if parents == "robot by robot":
         fleet |= {child: prefix for prefix in prefixes for child in fleet if fleet[child] == "map" and prefix in child}
         fleet |= dict.fromkeys(prefixes, "map")
+    if who == "the first bare":
+        fleet |= {child: parent for parent, child in given.edges}
+        fleet = {child: parent for child, parent in fleet.items() if not child.startswith(f"{first}/")}
+    if robots == "on the other's base":
+        fleet[f"{second}/odom"] = f"{first}/base_link"
     if robots == "one below the other":
         fleet = {c: p if p != "map" or not c.startswith(second) else f"{first}/odom" for c, p in fleet.items()}
     return {parent: child for child, parent in fleet.items()} if way == "parent -> child" else fleet
@@ -195,6 +201,36 @@ ONE_ROBOT_BELOW_THE_OTHER = Slip(
     "M2",
 )
 
+ON_THE_OTHERS_BASE = Slip(
+    "on the other's base",
+    {"robots": "on the other's base"},
+    Words(
+        en="The second robot hangs on the first one's base_link: it would be carried along. What do the two share?",
+        ko="둘째 로봇이 첫째 로봇의 base_link에 달려 있어서 함께 실려 다닙니다. 두 로봇이 함께 쓰는 것은 무엇입니까?",
+    ),
+    "M14",
+)
+
+FIRST_BARE = Slip(
+    "first robot bare",
+    {"who": "the first bare"},
+    Words(
+        en="The first robot has no prefix. A bare name belongs to nobody: the next robot that joins sends the same.",
+        ko="첫째 로봇에는 접두사가 없습니다. 접두사가 없는 이름은 누구의 것인지 알 수 없습니다. 다음 로봇도 같은 이름을 보낼 수 있습니다.",
+    ),
+    "M14",
+)
+
+ODOM_BARE_AS_PARENT = Slip(
+    "odom bare as a parent",
+    {"parents": "odom bare"},
+    Words(
+        en="As a parent odom has no prefix, and as a child it has one: these are two frames, and the tree breaks between them.",
+        ko="부모로 쓴 odom에는 접두사가 없고 자식으로 쓴 odom에는 있습니다. 둘은 다른 좌표계라서 트리가 그 사이에서 끊깁니다.",
+    ),
+    "M14",
+)
+
 
 TASK = Task(
     id="E4.4",
@@ -222,6 +258,9 @@ TASK = Task(
         BELOW_MAP_IN_NAME,
         A_FRAME_FOR_EACH_ROBOT,
         ONE_ROBOT_BELOW_THE_OTHER,
+        ON_THE_OTHERS_BASE,
+        FIRST_BARE,
+        ODOM_BARE_AS_PARENT,
     ),
     hints=(
         Words(

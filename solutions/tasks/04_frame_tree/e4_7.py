@@ -40,6 +40,7 @@ def joined(prefix, name, *, ends="stripped", inner="stripped", glue="/", empty="
         "begins with": name.startswith("map"),
         "odom too": name in ("map", "odom"),
         "as it came": came == "map",
+        "a slash in front": name == "map" or came.startswith("/"),
     }[shared]
     if is_shared or (empty == "bare" and not prefix):
         return name
@@ -292,6 +293,16 @@ CLEANED_AT_THE_END = Twin(
     "M14",
 )
 
+SLASH_IS_ABSOLUTE = Slip(
+    "slash is absolute",
+    {"shared": "a slash in front"},
+    Words(
+        en="A frame that comes with a slash in front gets no prefix from you. That is how paths and topics work; a frame's slash says nothing.",
+        ko="앞에 슬래시가 있는 좌표계에는 접두사를 붙이지 않습니다. 경로나 토픽에서는 그렇지만, 좌표계 앞의 슬래시에는 뜻이 없습니다.",
+    ),
+    "M14",
+)
+
 
 TASK = Task(
     id="E4.7",
@@ -328,6 +339,7 @@ TASK = Task(
         ALL_SLASHES_REMOVED,
         JOINED_AS_PATHS,
         CLEANED_AT_THE_END,
+        SLASH_IS_ABSOLUTE,
     ),
     hints=(
         Words(en="Clean both words first, then join them.", ko="두 낱말을 먼저 다듬고 나서 이으십시오."),

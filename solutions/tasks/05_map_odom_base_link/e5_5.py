@@ -38,6 +38,7 @@ def shadow(odom_T_base, *, foot="straight down", yaw="rpy"):
     yaws = {
         "rpy": right, "twice atan": 2.0 * math.atan2(z, w), "inverse": back.rpy()[2], "negated": -right, "roll": roll,
         "pitch": pitch, "level": 0.0, "twice asin": 2.0 * math.asin(z), "twice acos": 2.0 * math.acos(w), "z": z, "once atan": math.atan2(z, w),
+        "degrees": math.degrees(right), "roll in degrees": math.degrees(roll), "height": height,
         "bearing": math.atan2(y, x), "cotangent": 2.0 * math.atan2(w, z),
     }  # fmt: skip
     return {"x": feet[foot][0], "y": feet[foot][1], "yaw": yaws[yaw]}
@@ -215,6 +216,36 @@ ONCE_ATAN = Slip(
     "M5",
 )
 
+YAW_IN_DEGREES = Slip(
+    "yaw in degrees",
+    {"yaw": "degrees"},
+    Words(
+        en="yaw is in degrees, and asked for are radians.",
+        ko="yaw가 도(degree) 단위입니다. 필요한 것은 라디안입니다.",
+    ),
+    part="yaw",
+)
+
+ROLL_IN_DEGREES = Slip(
+    "roll in degrees",
+    {"yaw": "roll in degrees"},
+    Words(
+        en="yaw: this is the roll, and in degrees. `rpy()` gives roll, pitch and yaw in this order, in radians.",
+        ko="yaw: roll을 도(degree)로 바꾼 값입니다. `rpy()`는 roll, pitch, yaw 순서로, 라디안으로 줍니다.",
+    ),
+    part="yaw",
+)
+
+HEIGHT_FOR_YAW = Slip(
+    "height for the yaw",
+    {"yaw": "height"},
+    Words(
+        en="yaw: this is the height, the third number of the translation. The turn about z is asked for.",
+        ko="yaw: 이동의 셋째 숫자인 높이입니다. 물은 것은 z축 둘레의 회전입니다.",
+    ),
+    part="yaw",
+)
+
 
 TASK = Task(
     id="E5.5",
@@ -245,6 +276,9 @@ TASK = Task(
         COTANGENT,
         THROUGH_THE_FLOOR,
         ONCE_ATAN,
+        YAW_IN_DEGREES,
+        ROLL_IN_DEGREES,
+        HEIGHT_FOR_YAW,
     ),
     hints=(
         Words(en="Straight below: which of x, y, z change?", ko="바로 아래로 내려가면 x, y, z 가운데 무엇이 바뀝니까?"),

@@ -57,6 +57,10 @@ def driven(elapsed_s, radius_m, speed_mps, is_left, odom, base, *, ends="parent 
     x, y = size * math.cos(theta), size * math.sin(theta)
     x = x - size if circle == "from zero" else x
     x, y = (
+        (size * math.cos(math.degrees(theta)), size * math.sin(math.degrees(theta))) if circle == "degrees" else (x, y)
+    )
+    x, y = (y, x) if circle == "sine first" else (x, y)
+    x, y = (
         (size * math.sin(abs(theta)), (1 if left else -1) * size * (1 - math.cos(theta)))
         if circle == "ahead of zero"
         else (x, y)
@@ -312,6 +316,25 @@ STAMPED = Slip(
     ),
 )
 
+DEGREES_TO_COSINE = Slip(
+    "degrees to the cosine",
+    {"circle": "degrees"},
+    Words(
+        en="The place: sine and cosine are given degrees. They take radians, as speed over radius gives them.",
+        ko="위치: sin과 cos에 도(degree)를 넣었습니다. 라디안을 받습니다. 속력을 반지름으로 나누면 라디안입니다.",
+    ),
+    "M5",
+)
+
+SINE_FIRST = Slip(
+    "sine first",
+    {"circle": "sine first"},
+    Words(
+        en="The place: sine and cosine have changed places. At the start the robot is on the x axis.",
+        ko="위치: sin과 cos의 자리가 바뀌었습니다. 처음에 로봇은 x축 위에 있습니다.",
+    ),
+)
+
 
 TASK = Task(
     id="E6.4",
@@ -352,6 +375,8 @@ TASK = Task(
         AHEAD_OF_ZERO,
         HEADING_OF_THE_START,
         STAMPED,
+        DEGREES_TO_COSINE,
+        SINE_FIRST,
     ),
     hints=(
         Words(

@@ -59,6 +59,9 @@ def walk(chain, positions, *, names="by name", order="origin first", product="on
             values = list(positions.values())
             at = values[moved] if each["type"] != "fixed" and moved < len(values) else 0.0
             moved += each["type"] != "fixed"
+        if names == "by place":
+            values = list(positions.values())
+            at = values[number] if number < len(values) else 0.0
         if names == "unnamed left out" and each["type"] != "fixed" and each["name"] not in positions:
             continue
         if rotation == "replaced" and each["type"] == "revolute":
@@ -72,6 +75,9 @@ def walk(chain, positions, *, names="by name", order="origin first", product="on
             ]
             pose = pose @ Transform.from_rpy(*rpy, translation=tuple(each["xyz"]))
             continue
+        if order in ("added to xyz", "added to both") and each["type"] != "fixed":
+            pose = pose @ _added(each, at, order)
+            continue
         movement = _movement(each, at, turn, kinds, fixed, axis)
         step = movement @ origin if order == "movement first" else origin @ movement
         if frames == "steps added" and number:
@@ -82,12 +88,24 @@ def walk(chain, positions, *, names="by name", order="origin first", product="on
     return pose
 
 
+def _added(each, at, order):
+    """Return a joint whose position was added to the numbers of its origin, number by number."""
+    more = [at if letter == each["axis"] else 0.0 for letter in "xyz"]
+    xyz, rpy = each["xyz"], each["rpy"]
+    if each["type"] == "prismatic":
+        return Transform.from_rpy(*rpy, translation=tuple(a + b for a, b in zip(xyz, more, strict=True)))
+    if order == "added to both":
+        return Transform.from_rpy(*(a + b for a, b in zip(rpy, more, strict=True)), translation=tuple(xyz))
+    return Transform.from_rpy(*rpy, translation=tuple(xyz)) @ turned_about(each["axis"], at)
+
+
 def _movement(each, at, turn, kinds, fixed, axis):
     if each["type"] == "fixed" and fixed == "stays":
         return Transform()
     at = -at if turn == "other way" else math.radians(at) if turn == "deg, all" else at
     about = "z" if axis == "always z" or (axis == "turns about z" and each["type"] != "prismatic") else each["axis"]
     about = "x" if axis == "slides along x" and each["type"] == "prismatic" else about
+    about = "z" if axis == "slides along z" and each["type"] == "prismatic" else about
     if each["type"] == "prismatic" and kinds == "by type":
         return Transform(tuple(at if letter == about else 0.0 for letter in "xyz"))
     if kinds == "never slides" and each["type"] == "prismatic":
@@ -240,6 +258,42 @@ FIRST_JOINT_LEFT_OUT = Twin(
     ),
 )
 
+ALWAYS_SLIDES_ALONG_Z = Slip(
+    "always slides along z",
+    {"axis": "slides along z"},
+    Words(
+        en="You let every prismatic joint slide along z. Each joint names its own axis.",
+        ko="모든 prismatic 관절을 z축으로 밀었습니다. 축은 관절마다 적혀 있습니다.",
+    ),
+)
+
+ADDED_TO_XYZ = Slip(
+    "added to xyz",
+    {"order": "added to xyz"},
+    Words(
+        en="You added how far a joint slides to its xyz. That is along the parent's axes; it slides along its own, after the turn of its origin.",
+        ko="관절이 미끄러진 거리를 xyz에 더했습니다. 그러면 부모의 축을 따라 움직입니다. 관절은 origin만큼 돌린 뒤 자신의 축을 따라 움직입니다.",
+    ),
+)
+
+ADDED_TO_BOTH = Slip(
+    "added to xyz and rpy",
+    {"order": "added to both"},
+    Words(
+        en="You added each position to the numbers of the origin. Then it moves along and about the parent's axes, and not its own.",
+        ko="위치를 origin의 숫자에 더했습니다. 그러면 자신의 축이 아니라 부모의 축을 따라 움직입니다.",
+    ),
+)
+
+BY_PLACE = Slip(
+    "positions by place",
+    {"names": "by place"},
+    Words(
+        en="You took the positions by their place, one for each joint of the chain. They have names: a joint's own is the one under its name.",
+        ko="위치를 관절의 순서대로 하나씩 썼습니다. 위치에는 이름이 있습니다. 관절의 위치는 그 이름 아래에 있는 것입니다.",
+    ),
+)
+
 
 TASK = Task(
     id="E7.3",
@@ -263,6 +317,10 @@ TASK = Task(
         ADDED_TO_RPY,
         STEPS_LEFT_OUT,
         FIRST_JOINT_LEFT_OUT,
+        ALWAYS_SLIDES_ALONG_Z,
+        ADDED_TO_XYZ,
+        ADDED_TO_BOTH,
+        BY_PLACE,
     ),
     hints=(
         Words(

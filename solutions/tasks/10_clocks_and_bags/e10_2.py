@@ -5,7 +5,7 @@ from __future__ import annotations
 from tflab.workbook.tasks import Command, Parts, Slip, Task, Twin, Words
 
 SENSORS = ("/scan", "/front/scan", "/rear/scan", "/lidar/points", "/depth/points", "/radar/points", "/sonar/range")
-ODOMETRY = ("/odom", "/wheel/odom", "/base/odometry", "/encoders/odom")
+ODOMETRY = ("/wheel/odom", "/base/odometry", "/encoders/odom", "/drive/odom")
 
 
 def three_robots(rng):
@@ -23,7 +23,9 @@ def lines(
 ):  # fmt: skip
     """Return the three lines, step by step."""
     speaks = g.wheels["c"]
-    for_c = {"message": [speaks], "none": [], "transform": ["/tf"], "both": [speaks, "/tf"]}[wheels]
+    for_c = {"message": [speaks], "none": [], "transform": ["/tf"], "by habit": ["/odom"], "both": [speaks, "/tf"]}[
+        wheels
+    ]
     topics = {"a": [moving], "b": [moving], "c": for_c}
     answers = {}
     for letter, more in topics.items():
@@ -181,6 +183,16 @@ THE_LECTURES_LINE = Twin(
     "M13",
 )
 
+ODOM_BY_HABIT = Slip(
+    "odom by habit",
+    {"wheels": "by habit"},
+    Words(
+        en="c: you record /odom. Where these wheels speak stands in `e10_2.wheels`.",
+        ko="c: /odom을 기록했습니다. 이 로봇의 바퀴가 어디에 발행하는지는 `e10_2.wheels`에 있습니다.",
+    ),
+    part="c",
+)
+
 
 TASK = Task(
     id="E10.2",
@@ -207,6 +219,7 @@ TASK = Task(
         ODOM_TOO,
         THE_SENSOR_ALONE,
         THE_LECTURES_LINE,
+        ODOM_BY_HABIT,
     ),
     hints=(
         Words(

@@ -46,7 +46,11 @@ def behind(g, pick="smallest", delay="taken off", way="heard - stamp"):
     """Return by how much the sensor's clock is behind, step by step."""
     gaps = [heard - stamp if way == "heard - stamp" else stamp - heard for stamp, heard in g.log]
     picked = PICKS[pick](gaps)
-    return picked + {"taken off": -1, "halved": -0.5, "forgotten": 0, "added": 1}[delay] * g.shortest_delay_s
+    return (
+        picked
+        + {"taken off": -1, "taken off twice": -2, "halved": -0.5, "forgotten": 0, "added": 1}[delay]
+        * g.shortest_delay_s
+    )
 
 
 MEAN = Slip(
@@ -164,6 +168,16 @@ TURNED_ROUND = Slip(
     ),
 )
 
+DELAY_TWICE = Slip(
+    "delay taken off twice",
+    {"delay": "taken off twice"},
+    Words(
+        en="You took the healthy delay off twice. A message travels once, from the sensor to the robot.",
+        ko="정상 지연을 두 번 뺐습니다. 메시지는 센서에서 로봇으로 한 번 옵니다.",
+    ),
+    "M10",
+)
+
 
 TASK = Task(
     id="E10.5",
@@ -175,8 +189,21 @@ TASK = Task(
     given=log_of_a_sensor,
     variants=8,
     model=behind,
-    twins=(MEAN, MEDIAN, LARGEST, FIRST, LAST, TURNED_ROUND, HALFWAY, SPREAD, GAINED, DELAY_HALVED,
-           DELAY_FORGOTTEN, DELAY_ADDED),
+    twins=(
+        MEAN,
+        MEDIAN,
+        LARGEST,
+        FIRST,
+        LAST,
+        TURNED_ROUND,
+        HALFWAY,
+        SPREAD,
+        GAINED,
+        DELAY_HALVED,
+        DELAY_FORGOTTEN,
+        DELAY_ADDED,
+        DELAY_TWICE,
+    ),
     hints=(
         Words(
             en="heard - stamp holds three things: the clock's error, the healthy delay, and whatever held this message up.",

@@ -84,8 +84,8 @@ def _asked(ask, stamp):
     return {
         "the latest": lambda: Time(),
         "whole seconds": lambda: Time(seconds=stamp.sec),
+        "nanosec alone": lambda: Time(nanoseconds=stamp.nanosec),
         "decimals": lambda: Time(seconds=float(f"{stamp.sec}.{stamp.nanosec}")),
-        "millionths": lambda: Time(seconds=stamp.sec + stamp.nanosec / 1e6),
     }.get(ask, lambda: Time.from_msg(stamp))()
 
 
@@ -273,22 +273,22 @@ NANOSEC_AS_DECIMALS = Slip(
     "M9",
 )
 
-NANOSEC_IN_MILLIONTHS = Slip(
-    "nanosec in millionths",
-    {"ask": "millionths"},
-    Words(
-        en="You divide `nanosec` by 1e6: those are milliseconds, and you add them to seconds. `Time.from_msg` reads both fields.",
-        ko="`nanosec`을 1e6으로 나누면 밀리초인데 그것을 초에 더했습니다. 두 필드는 `Time.from_msg`가 읽어 줍니다.",
-    ),
-    "M9",
-)
-
 WHOLE_SECONDS = Slip(
     "whole seconds",
     {"ask": "whole seconds"},
     Words(
         en="You ask at the whole second of a stamp. Its nanosec belongs to it: `Time.from_msg`.",
         ko="측정 시각에서 초만 조회했습니다. nanosec도 시각의 일부입니다. `Time.from_msg`를 쓰십시오.",
+    ),
+    "M9",
+)
+
+NANOSEC_ALONE = Slip(
+    "a moment far away",
+    {"ask": "nanosec alone"},
+    Words(
+        en="You ask at moments that are far away from all transforms. `sec` and `nanosec` make one moment together: `Time.from_msg`.",
+        ko="모든 변환에서 멀리 떨어진 시각으로 조회합니다. `sec`과 `nanosec`이 함께 한 시각입니다: `Time.from_msg`.",
     ),
     "M9",
 )
@@ -311,7 +311,6 @@ TASK = Task(
         LATEST,
         STAMP_OF_THE_FIRST,
         NANOSEC_AS_DECIMALS,
-        NANOSEC_IN_MILLIONTHS,
         ALWAYS_EXTRAPOLATION,
         ALWAYS_LOOKUP,
         BASE_CLASS,
@@ -325,6 +324,7 @@ TASK = Task(
         CONNECTIVITY_FOR_LOOKUP,
         LOOKUP_FOR_EXTRAPOLATION,
         WHOLE_SECONDS,
+        NANOSEC_ALONE,
     ),
     hints=(
         Words(

@@ -20,22 +20,23 @@ def clocks(rng):
         ([*lap, end - 1.0005, end + 0.5],),
         ([*lap, end + 30.0, end + 30.25],),
         ([*lap, end - 0.25, end, end - 0.5],),
+        ([*lap, end + 0.25, t],),
         ([*lap, end + 30.0, end + 30.25, t, t + 0.25, t - 5.0, t - 4.75, t + 0.5],),
         ([t],),
         ([],),
     ]
 
 
-def moments(clock_s, back="a second", against="the one before", which="all", tell="after", ahead=False):
+def moments(clock_s, back="a second", against="the one before", which="all", tell="after", ahead=False, upto="the end"):
     """Return when to forget, step by step."""
     found = []
     highest = clock_s[0] if clock_s else 0.0
-    for place, (before, after) in enumerate(pairwise(clock_s)):
+    for place, (before, after) in enumerate(pairwise(clock_s[:-1] if upto == "the last but one" else clock_s)):
         highest = max(highest, before)
         step = {"the one before": before, "the highest": highest, "the first": clock_s[0]}[against] - after
         is_back = {
             "a second": step >= 1.0, "any": step > 0.0, "more": step > 1.0, "ahead": step <= -1.0,
-            "small": 0.0 < step < 1.0,
+            "small": 0.0 < step < 1.0, "half a second": step >= 0.5, "turned round": step >= -1.0,
         }[back]  # fmt: skip
         if is_back or (ahead and -step >= 1.0):
             found.append(
@@ -161,6 +162,24 @@ AGAINST_THE_FIRST = Slip(
     ),
 )
 
+LAST_READING_LEFT_OUT = Slip(
+    "last reading left out",
+    {"upto": "the last but one"},
+    Words(
+        en="You never look at the last reading. The clock can go back there, too.",
+        ko="마지막 값을 보지 않습니다. 시계는 거기서도 돌아갈 수 있습니다.",
+    ),
+)
+
+TURNED_ROUND = Slip(
+    "turned round",
+    {"back": "turned round"},
+    Words(
+        en="You find nearly every reading. Whether a clock went back shows in before minus after, and not the other way round.",
+        ko="거의 모든 값을 찾습니다. 시계가 돌아갔는지는 이전 값에서 다음 값을 빼야 보입니다.",
+    ),
+)
+
 
 TASK = Task(
     id="E10.7",
@@ -186,6 +205,8 @@ TASK = Task(
         ONLY_THE_LAST,
         ONLY_SMALL_STEPS,
         AGAINST_THE_FIRST,
+        LAST_READING_LEFT_OUT,
+        TURNED_ROUND,
     ),
     hints=(
         Words(

@@ -19,7 +19,7 @@ def a_slow_robot(rng):
     chord_mm = 1000 * v / w * (1 - math.cos(w / (2 * rate)))
     share = float(rng.choice((0.6, 1.6)))
     travel_s = round(float(rng.uniform(0.004, 0.020)), 3)
-    late_s = round(1 / rate + travel_s, 3)
+    late_s = round(1 / rate + travel_s + float(rng.uniform(0.02, 0.05)), 3)  # one message came later than its turn
     return {
         "sends_hz": others,
         "hz_of_tf": sum(others.values()) + rate,
@@ -56,7 +56,12 @@ def judged(given, *, rate="the rest", late="max", curve="chord", period="whole",
     }[rate]
     avg, largest = map(float, re.search(r"avg = (\S+): max = (\S+)", given.report).groups())
     static = float(re.search(r"laser_frame,.*Average Delay: (\S+),", given.report)[1])
-    of_the_report = {"max": largest, "avg": avg, "static": static, "without its way": largest - given.transform_travels_s}
+    of_the_report = {
+        "max": largest,
+        "avg": avg,
+        "static": static,
+        "without its way": largest - given.transform_travels_s,
+    }
     v, w = given.speed_mps, given.yaw_rate_radps
     gap = {
         "chord": v / w * (1 - math.cos(w / (2 * f))),
@@ -73,8 +78,10 @@ def judged(given, *, rate="the rest", late="max", curve="chord", period="whole",
         "without the scan": given.transform_travels_s,
         "scan added": given.transform_travels_s + given.scan_travels_s,
         "the other way": given.scan_travels_s - given.transform_travels_s,
-        "nothing": 0.0,
-    }[travel]
+        "without the transform": -given.scan_travels_s,
+    }.get(travel, 0.0)
+    if travel == "lateness without the scan":
+        way = largest - given.scan_travels_s - 1 / f
     wait = {"whole": 1.0, "half": 0.5}[period] / f + way
     return {
         "odometry_hz": f,
@@ -275,6 +282,25 @@ OTHER_VERDICT = Twin(
     part="enough",
 )
 
+LATENESS_FOR_THE_PERIOD = Slip(
+    "lateness for the period",
+    {"travel": "lateness without the scan"},
+    Words(
+        en="You began with how late the chain was at worst. Asked is what follows from the period and the two travels.",
+        ko="사슬이 최악으로 늦은 값에서 시작했습니다. 물은 것은 주기와 두 이동 시간에서 나오는 값입니다.",
+    ),
+    part="wait_s",
+)
+
+TRANSFORM_FORGOTTEN = Slip(
+    "transform forgotten",
+    {"travel": "without the transform"},
+    Words(
+        en="The transform is on its way, too, before it is heard.",
+        ko="변환도 들릴 때까지 오는 시간이 걸립니다.",
+    ),
+    part="wait_s",
+)
 
 TASK = Task(
     id="E11.3",
@@ -314,6 +340,8 @@ TASK = Task(
         SINE_FOR_THE_GAP,
         TRAVELS_EXCHANGED,
         OTHER_VERDICT,
+        LATENESS_FOR_THE_PERIOD,
+        TRANSFORM_FORGOTTEN,
     ),
     hints=(
         Words(

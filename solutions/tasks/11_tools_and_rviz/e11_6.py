@@ -52,6 +52,8 @@ def figures(
     """Return the three figures, step by step; other steps are the slips."""
     rows = re.findall(r"Frame: (\S+), .*Average Delay: (\S+), Max Delay: (\S+)", report)
     rows = every = [(frame, float(average), float(largest)) for frame, average, largest in rows]
+    if keep == "not the laser":
+        rows = [row for row in rows if row[0] != "laser_frame"]
     if keep == "moving":
         rows = [row for row in rows if row[0] not in static_frames]
     by = {
@@ -111,8 +113,8 @@ MAX_ZERO_IS_HEALTHY = Slip(
     "max zero is healthy",
     {"sign": "max"},
     Words(
-        en="future: Max Delay is never below 0, so this finds nobody. Which figure of the line does go below?",
-        ko="future: Max Delay는 0보다 작아지지 않으므로 아무도 찾지 못합니다. 줄에서 0보다 작아지는 숫자는 무엇입니까?",
+        en="future: you find nobody in any report. Max Delay is never below 0: which figure of the line is, and do you read its minus?",
+        ko="future: 어느 보고에서도 아무도 찾지 못합니다. Max Delay는 0보다 작아지지 않습니다. 0보다 작아지는 숫자는 무엇이고, 마이너스까지 읽습니까?",
     ),
     "M10",
     part="future",
@@ -277,6 +279,15 @@ LARGEST_OF_ALL = Slip(
     part="delay_s",
 )
 
+ONLY_THE_LASER = Slip(
+    "only the laser left out",
+    {"keep": "not the laser"},
+    Words(
+        en="You leave out laser_frame alone. The second argument names all that hang on static transforms.",
+        ko="laser_frame만 뺐습니다. 정적 변환에 이어진 것은 모두 둘째 인자에 있습니다.",
+    ),
+    "M12",
+)
 
 TASK = Task(
     id="E11.6",
@@ -308,6 +319,7 @@ TASK = Task(
         EARLIEST_ALONE,
         SUM_OF_DELAYS,
         SUM_OF_ALL,
+        ONLY_THE_LASER,
     ),
     hints=(
         Words(

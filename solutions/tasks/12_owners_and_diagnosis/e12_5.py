@@ -202,7 +202,7 @@ OPTICAL_ON_THE_BASE = Slip(
     {"optical": "beside the camera"},
     Words(
         en="The optical frame turns the camera's axes; it hangs on the camera's link, not beside it.",
-        ko="optical frame은 카메라의 축을 돌린 것입니다. base_link가 아니라 카메라의 link에 달립니다.",
+        ko="optical frame은 카메라의 축을 돌린 것입니다. 카메라의 link 옆이 아니라 그 아래에 달립니다.",
     ),
     "M4",
 )

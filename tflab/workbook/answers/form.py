@@ -122,7 +122,13 @@ class Form:
             wanted = read(other)
             if wanted is None or not all(wanted):  # or a part of it is of another kind
                 return answer == other
-            return all(matched(read(answer), wanted, _is_given, self.in_any_order))
+            given = read(answer)
+            if given is None or len(given) != len(wanted):
+                return False
+            if not self.in_any_order:
+                return all(map(_is_given, given, wanted))  # up to the first that differs
+            is_there = (any(_is_given(probe, right) for probe in given) for right in wanted)
+            return given == wanted or (all(is_there) and all(matched(given, wanted, _is_given, True)))
 
         return is_alike
 

@@ -14,23 +14,25 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from ..answers import sealed
+from ..answers.form import inside
 from ..answers.forms import Choice
+from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
 from ..words import Words
 
-__all__ = ["Confusion", "confused"]
+__all__ = ["Confusion", "confused", "confused_in_lists"]
 
 SWAPPED = Words(
     en='"{one}" and "{other}" have changed places.',
     ko='"{one}"과(와) "{other}"이(가) 서로 바뀌었습니다.',
 )
 NEVER = Words(
-    en='"{wanted}" never comes: wherever it is asked for, your function says "{said}".',
-    ko='"{wanted}"이(가) 한 번도 나오지 않습니다. 그래야 할 곳에서 함수가 "{said}"이라고 합니다.',
+    en='"{wanted}" never comes: wherever it is asked for, there is "{said}".',
+    ko='"{wanted}"이(가) 한 번도 나오지 않습니다. 그래야 할 곳에 "{said}"이(가) 있습니다.',
 )
 SOMETIMES = Words(
-    en='in {wrong} of the {of} calls that ask for "{wanted}", your function says "{said}".',
-    ko='"{wanted}"이어야 하는 호출 {of}개 가운데 {wrong}개에서 함수가 "{said}"이라고 합니다.',
+    en='in {wrong} of the {of} places that ask for "{wanted}", there is "{said}".',
+    ko='"{wanted}"이어야 하는 곳 {of}개 가운데 {wrong}개에 "{said}"이(가) 있습니다.',
 )
 
 
@@ -56,6 +58,18 @@ def confused(form: Choice, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -
     words = NEVER if whole else SOMETIMES
     named = _filled(words, wanted=want, said=word, wrong=count, of=asked.count(want))
     return Confusion(f"{word} for {want}", named)
+
+
+def confused_in_lists(form: ListForm, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> Confusion | None:
+    """Return the same of lists of words, all their members together; None if a list is too long or too short."""
+    if not isinstance(form.of, Choice) or any(map(sealed.is_sealed, wanted)) or any(map(is_raised, wanted)):
+        return None
+    pairs = [(inside(outcome), inside(want)) for outcome, want in zip(outcomes, wanted, strict=True)]
+    if not all(isinstance(said, list) and len(said) == len(asked) for said, asked in pairs):
+        return None
+    return confused(
+        form.of, [word for said, _ in pairs for word in said], [word for _, asked in pairs for word in asked]
+    )
 
 
 def _word(form: Choice, plain: Plain) -> str | None:

@@ -19,7 +19,7 @@ from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
 from .arithmetic import computed
 from .case import AND, Case, TaskCases, TwinWords
-from .confused import confused
+from .confused import confused, confused_in_lists
 from .evidence import habit
 from .explanation import Explanation, said_of
 from .fitting import IN_SOME, MEASURED, ONE, TWO, all_alike, in_some, is_just, undone_to, words_of
@@ -57,12 +57,18 @@ def _of_the_form(
     if isinstance(task.form, Parts | Message):
         return of_members(task, cases, outcomes, given)
     if isinstance(task.form, ListForm):
-        return of_lists(task, cases, outcomes)
+        return of_lists(task, cases, outcomes) or _of_words_in_lists(task, cases, outcomes)
     if isinstance(task.form, Choice) and task.is_function:
         confusion = confused(task.form, outcomes, [case.expected for case in cases])
         return Explanation({confusion.name: TwinWords(confusion.said, "")}, confusion.said) if confusion else None
     found = None if task.is_function else computed(task.form, outcomes[0], given)
     return Explanation({found[0]: TwinWords(found[1], "")}, found[1]) if found else None
+
+
+def _of_words_in_lists(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain]) -> Explanation | None:
+    """Return which words a function confuses in the lists that it gives."""
+    confusion = confused_in_lists(task.form, outcomes, [case.expected for case in cases]) if task.is_function else None
+    return Explanation({confusion.name: TwinWords(confusion.said, "")}, confusion.said) if confusion else None
 
 
 def _ways(

@@ -52,6 +52,18 @@ LOSSES = {
     "members twice": Words(
         en="the right members, and some of them more than once.", ko="원소는 맞지만 두 번 이상 든 것이 있습니다."
     ),
+    "members once": Words(
+        en="the right members, each of them once; a member counts as often as it comes.",
+        ko="원소는 맞지만 한 번씩만 있습니다. 같은 원소도 나온 횟수만큼 있어야 합니다.",
+    ),
+    "members missing": Words(
+        en="what is there belongs there, in this order; members are missing.",
+        ko="있는 원소와 그 순서는 맞지만 빠진 원소가 있습니다.",
+    ),
+    "members too many": Words(
+        en="all members that are asked for are there, in their order, and others among them.",
+        ko="필요한 원소가 순서대로 다 있지만 들어가면 안 되는 원소도 섞여 있습니다.",
+    ),
     "parent for child": Words(
         en="parents and children have changed places. Each child has one parent, so the child is the key: "
         "child -> parent.",
@@ -74,8 +86,8 @@ LOSSES = {
         ko="좌표계는 모두 맞습니다. 틀린 것은 너무 위에 이어졌습니다. 그 사이에 좌표계가 더 있습니다.",
     ),
     "tree: too low": Words(
-        en="the frames are the right ones; what hangs wrong hangs too low: below a frame that is beside it, or below that.",
-        ko="좌표계는 모두 맞습니다. 틀린 것은 너무 아래에 이어졌습니다. 옆에 있어야 할 좌표계나 그 아래에 있습니다.",
+        en="the frames are the right ones; what hangs wrong hangs too low: below one that belongs beside it.",
+        ko="좌표계는 모두 맞습니다. 틀린 것은 너무 아래에, 옆에 있어야 할 좌표계 밑에 이어졌습니다.",
     ),
     "tree: places changed": Words(
         en="the right frames, in a tree of the right shape, and some of them stand in each other's places.",
@@ -158,6 +170,18 @@ def _of_lists(form: Sequence, answers: list[Plain], wanted: list[Plain]) -> Iter
         yield "another order"
     if all(list(dict.fromkeys(given)) == want for given, want in pairs):
         yield "members twice"
+    if all(list(dict.fromkeys(want)) == given for given, want in pairs):
+        yield "members once"
+    if any(given for given, _ in pairs) and all(_is_within(given, want) for given, want in pairs):
+        yield "members missing"
+    if any(want for _, want in pairs) and all(_is_within(want, given) for given, want in pairs):
+        yield "members too many"
+
+
+def _is_within(few: list[str], many: list[str]) -> bool:
+    """Return whether these members stand among those, in the same order."""
+    rest = iter(many)
+    return all(member in rest for member in few)
 
 
 def _ways(form: Sequence, plain: Plain) -> list[str] | None:
@@ -185,7 +209,9 @@ def _of_trees(form: Tree, answers: list[Plain], wanted: list[Plain]) -> Iterator
         yield "parent for child"
     elif not any(map(sealed.is_sealed, wanted)):
         pairs = [(_parents(answer), _parents(want)) for answer, want in zip(answers, wanted, strict=True)]
-        yield from (name for name, fits in TREES.items() if all(given == want or fits(given, want) for given, want in pairs))
+        yield from (
+            name for name, fits in TREES.items() if all(given == want or fits(given, want) for given, want in pairs)
+        )
 
 
 def _is_turned(form: Tree, answer: Plain, want: Plain) -> bool:
@@ -243,9 +269,7 @@ TREES: dict[str, Callable[[Parents, Parents], bool]] = {
     "tree: not whole": lambda given, want: bool(given) and given.items() <= want.items(),
     "tree: more than asked for": lambda given, want: given.items() >= want.items(),
     "tree: a frame left out": _is_left_out,
-    "tree: too high": lambda given, want: _hang(
-        given, want, lambda child, parent: parent in _above(want, child)
-    ),
+    "tree: too high": lambda given, want: _hang(given, want, lambda child, parent: parent in _above(want, child)),
     "tree: too low": lambda given, want: _hang(
         given, want, lambda child, parent: want[child] in _above(want, parent) and child not in _above(want, parent)
     ),

@@ -23,6 +23,7 @@ from ..answers.values import Plain, is_raised
 from ..words import Words
 from .arithmetic import computed, leaves
 from .case import AND, Case, TaskCases, TwinWords
+from .confused import confused
 from .explanation import Explanation, said_of
 from .fields import section, sections
 from .fitting import ONE, TWO, alike, all_alike, in_some, is_just, undone_to, words_of
@@ -187,7 +188,8 @@ def _by_itself(task: TaskCases, table: _Table, name: str, given: dict[str, Plain
     hint = _choice(task, name, outcomes[0]) if len(outcomes) == 1 else None
     if hint is not None and isinstance(form, Choice):
         return [_Found({f"{name}: {outcomes[0]}": TwinWords(hint, "")}, hint, {name})]
-    words = form.remark(outcomes[0], {part: row[0] for part, row in table.given.items()})
+    first = next(n for n, pair in enumerate(zip(outcomes, wanted, strict=True)) if not alike(form, *pair))
+    words = form.remark(outcomes[first], {part: row[first] for part, row in table.given.items()})
     if words is not None:
         return [_Found({f"{name}: no proof": TwinWords(words, "")}, words, {name})]
     for way in [*undone_to(form, outcomes, wanted), *in_some(form, outcomes, wanted)][:1]:
@@ -195,6 +197,8 @@ def _by_itself(task: TaskCases, table: _Table, name: str, given: dict[str, Plain
     if (other := _anothers(table, name)) is not None:
         said = Words(ANOTHERS.say("en", other=other), ANOTHERS.say("ko", other=other))
         return [_Found({f"{other} under {name}": TwinWords(said, "")}, said, {name})]
+    if isinstance(form, Choice) and len(outcomes) > 1 and (confusion := confused(form, outcomes, wanted)):
+        return [_Found({f"{name}: {confusion.name}": TwinWords(confusion.said, "")}, confusion.said, {name})]
     found = _of_the_given(task, name, form, outcomes[0], wanted[0], given) if len(outcomes) == 1 else []
     return found or ([_Found({f"{name}: another": TwinWords(hint, "")}, hint, {name})] if hint else [])
 

@@ -40,9 +40,7 @@ LINES = {
         en="these first words belong here, and in another order: `ros2`, then what it is about, then what to do.",
         ko="앞의 단어는 맞지만 순서가 다릅니다. `ros2` 다음에 무엇에 관한 것인지, 그다음에 무엇을 할지를 씁니다.",
     ),
-    "line: other package": Words(
-        en="this program is not in that package.", ko="그 패키지에는 이 프로그램이 없습니다."
-    ),
+    "line: other package": Words(en="this program is not in that package.", ko="그 패키지에는 이 프로그램이 없습니다."),
     "line: other command": Words(
         en="this line starts another command than the one that does what is asked for.",
         ko="요청한 일을 하는 명령이 아니라 다른 명령입니다.",
