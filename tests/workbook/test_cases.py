@@ -35,6 +35,16 @@ def test_one_seed_makes_one_text_and_another_makes_others(tmp_path):
     assert json.loads(text)["chapter"] == chapter.STEM
 
 
+def test_a_dict_among_the_arguments_keeps_its_order(tmp_path):
+    made = make(tmp_path)
+    task = made.tasks["E3.1"]
+    case = task.variants[0].cases[0]._replace(args=[{"dict": {"b": 1, "a": 2}}])
+    variant = task.variants[0]._replace(cases=(case,))
+    text = cases.cases_json(made._replace(tasks={"E3.1": task._replace(variants=(variant,))}))
+    read = json.loads(text)["tasks"]["E3.1"]["variants"][0]["cases"][0]
+    assert list(from_plain(read["args"][0])) == ["b", "a"]
+
+
 def test_cases_are_read_back_and_damage_is_named(tmp_path):
     made = make(tmp_path)
     path = tmp_path / "cases.json"
