@@ -126,10 +126,8 @@ def by_comparison(form: Form, answers: list[Plain], wanted: list[Plain]) -> Iter
         yield "members twice"
     elif isinstance(form, Tree):
         yield from _of_trees(form, answers, wanted)
-    elif isinstance(form, Name):
-        yield from _of_stamps(answers, wanted)
-    elif isinstance(form, Command) and len(answers) == 1:
-        yield from _of_a_line(form, answers[0], wanted[0])
+    elif isinstance(form, Name | Command):
+        yield from _of_stamps(answers, wanted) if isinstance(form, Name) else _of_lines(form, answers, wanted)
     elif type(form) in OF_FORM and all(form.read(answer) is not None for answer in answers):
         size = form.size if isinstance(form, Vector) else 4 if isinstance(form, Quaternion) else None
         rows = [(numbers_of(given, size), numbers_of(want, size)) for given, want in zip(answers, wanted, strict=True)]
@@ -162,26 +160,24 @@ def _rounded(given: Numbers, wanted: Numbers, digits: int) -> bool:
 
 def _of_lists(form: Sequence, answers: list[Plain], wanted: list[Plain]) -> Iterator[str]:
     pairs = [(_ways(form, answer), _ways(form, want)) for answer, want in zip(answers, wanted, strict=True)]
-    if any(None in pair for pair in pairs):
-        return
-    if all(given == want or given == want[::-1] for given, want in pairs):
-        yield "other order"
-    if all(sorted(given) == sorted(want) for given, want in pairs):
-        yield "another order"
-    if all(list(dict.fromkeys(given)) == want for given, want in pairs):
-        yield "members twice"
-    if all(list(dict.fromkeys(want)) == given for given, want in pairs):
-        yield "members once"
-    if any(given for given, _ in pairs) and all(_is_within(given, want) for given, want in pairs):
-        yield "members missing"
-    if any(want for _, want in pairs) and all(_is_within(want, given) for given, want in pairs):
-        yield "members too many"
+    if not any(None in pair for pair in pairs) and any(given for given, _ in pairs):
+        yield from (name for name, fits in LISTS.items() if all(fits(given, want) for given, want in pairs))
 
 
 def _is_within(few: list[str], many: list[str]) -> bool:
     """Return whether these members stand among those, in the same order."""
     rest = iter(many)
     return all(member in rest for member in few)
+
+
+LISTS: dict[str, Callable[[list[str], list[str]], bool]] = {
+    "other order": lambda given, want: given in (want, want[::-1]),
+    "another order": lambda given, want: sorted(given) == sorted(want),
+    "members twice": lambda given, want: list(dict.fromkeys(given)) == want,
+    "members once": lambda given, want: list(dict.fromkeys(want)) == given,
+    "members missing": lambda given, want: _is_within(given, want),
+    "members too many": lambda given, want: _is_within(want, given),
+}
 
 
 def _ways(form: Sequence, plain: Plain) -> list[str] | None:
@@ -278,9 +274,9 @@ TREES: dict[str, Callable[[Parents, Parents], bool]] = {
 }
 
 
-def _of_a_line(form: Command, answer: Plain, wanted: Plain) -> Iterator[str]:
-    given, right = form.read(answer), None if sealed.is_sealed(wanted) else form.read(wanted)
-    if given and right:
+def _of_lines(form: Command, answers: list[Plain], wanted: list[Plain]) -> Iterator[str]:
+    given, right = form.read(answers[0]), None if sealed.is_sealed(wanted[0]) else form.read(wanted[0])
+    if given and right and len(answers) == 1:
         yield from wrong_in(*([mark.value for mark in probes[0][0]] for probes in (given, right)))
 
 

@@ -197,10 +197,20 @@ def _by_itself(task: TaskCases, table: _Table, name: str, given: dict[str, Plain
     if (other := _anothers(table, name)) is not None:
         said = Words(ANOTHERS.say("en", other=other), ANOTHERS.say("ko", other=other))
         return [_Found({f"{other} under {name}": TwinWords(said, "")}, said, {name})]
-    if isinstance(form, Choice) and len(outcomes) > 1 and (confusion := confused(form, outcomes, wanted)):
-        return [_Found({f"{name}: {confusion.name}": TwinWords(confusion.said, "")}, confusion.said, {name})]
-    found = _of_the_given(task, name, form, outcomes[0], wanted[0], given) if len(outcomes) == 1 else []
+    if len(outcomes) > 1:
+        return _of_words(name, form, outcomes, wanted)
+    found = _of_the_given(task, name, form, outcomes[0], wanted[0], given)
     return found or ([_Found({f"{name}: another": TwinWords(hint, "")}, hint, {name})] if hint else [])
+
+
+def _of_words(name: str, form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> list[_Found]:
+    """Return which words a function confuses in one part of what it gives."""
+    confusion = confused(form, outcomes, wanted) if isinstance(form, Choice) else None
+    return (
+        [_Found({f"{name}: {confusion.name}": TwinWords(confusion.said, "")}, confusion.said, {name})]
+        if confusion
+        else []
+    )
 
 
 def _anothers(table: _Table, name: str) -> str | None:

@@ -120,17 +120,22 @@ def _wrong_rest(given: Line, wanted: Line) -> Iterator[str]:
         return
     more, less = Counter(given) - Counter(wanted), Counter(wanted) - Counter(given)
     too_many, missing = ([word for word in words if _is_option([word])] for words in (more, less))
-    if too_many and missing:
-        bare = [{str(word).lstrip("-") for word in words} for words in (too_many, missing)]
-        yield "line: hyphens" if bare[0] == bare[1] else "line: other options"
-    elif too_many or missing:
-        yield "line: option too many" if too_many else "line: option missing"
-    elif more and less:
-        yield "line: other names"
+    if too_many or missing:
+        yield _wrong_options(too_many, missing)
     elif more or less:
-        yield "line: too many names" if more else "line: too few names"
+        sides = (bool(more), bool(less))
+        yield {(True, True): "line: other names", (True, False): "line: too many names"}.get(
+            sides, "line: too few names"
+        )
     elif given != wanted:
         yield "line: order of names"
+
+
+def _wrong_options(too_many: Line, missing: Line) -> str:
+    if not (too_many and missing):
+        return "line: option too many" if too_many else "line: option missing"
+    given, wanted = ({str(word).lstrip("-") for word in words} for words in (too_many, missing))
+    return "line: hyphens" if given == wanted else "line: other options"
 
 
 def _is_option(words: Line) -> bool:
