@@ -130,12 +130,13 @@ def by_comparison(form: Form, answers: list[Plain], wanted: list[Plain]) -> Iter
         yield from _of_stamps(answers, wanted) if isinstance(form, Name) else _of_lines(form, answers, wanted)
     elif type(form) in OF_FORM and all(form.read(answer) is not None for answer in answers):
         size = form.size if isinstance(form, Vector) else 4 if isinstance(form, Quaternion) else None
-        rows = [(numbers_of(given, size), numbers_of(want, size)) for given, want in zip(answers, wanted, strict=True)]
-        if None not in sum(rows, ()):
-            yield from _lost(form, rows)
+        yield from _lost(form, [(numbers_of(*pair), numbers_of(want, size)) for *pair, want in
+                                zip(answers, [size] * len(answers), wanted, strict=True)])  # fmt: skip
 
 
 def _lost(form: Form, rows: list[tuple[Numbers, Numbers]]) -> Iterator[str]:
+    if None in sum(rows, ()):
+        return
     is_empty = not any(any(given) for given, _ in rows)
     if isinstance(form, Vector) and all(_left_at_zero(*row, form.tolerance) for row in rows):
         yield "empty" if is_empty else "left at zero"
