@@ -24,7 +24,7 @@ VERSION := $(shell $(PYTHON) -c '$(SAY_VERSION)' 2>/dev/null)
 LEARNER := $(VENV)/learner-$(VERSION)
 DEVELOPER := $(VENV)/developer-$(VERSION)
 
-.PHONY: lab test test-fast check build site pictures fast test-compiled bench clean
+.PHONY: lab test test-fast check build site pictures fast test-compiled test-walls bench clean
 
 lab: $(LEARNER)
 	$(BIN)/tflab lab $(ARGS)
@@ -56,6 +56,9 @@ fast: $(DEVELOPER)
 test-compiled: fast
 	$(BIN)/python -c "import tflab.core; assert tflab.core.BUILD == 'compiled'"
 	$(BIN)/python -m pytest -n $(WORKERS) --dist loadscope tests/core tests/ros
+
+test-walls: $(DEVELOPER)
+	TFLAB_TEST_WALLS=all $(BIN)/python -m pytest tests/grading/test_hostile_library.py
 
 bench: $(DEVELOPER)
 	$(BIN)/python -m pip install --quiet --constraint constraints.txt --editable ".[bench]"
