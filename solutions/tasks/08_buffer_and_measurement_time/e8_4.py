@@ -40,7 +40,12 @@ def late(
     yaw_rate = math.degrees(given.yaw_rate_degps) if angle == "to degrees" else yaw_rate
     ahead, aside = forwards * given.speed_mps * delay_s, side * yaw_rate * delay_s
     aside *= {"speed": given.speed_mps, "range": given.range_m, "none": 1.0, "forgotten": 0.0}.get(arc, given.range_m)
-    ahead = {"times range": ahead * given.range_m, "range minus": given.range_m - ahead}.get(way, ahead)
+    aside = {"the way": ahead * yaw_rate * delay_s, "no delay": given.range_m * side * yaw_rate}.get(arc, aside)
+    ahead = {
+        "times range": ahead * given.range_m,
+        "range minus": given.range_m - ahead,
+        "range plus": given.range_m + ahead,
+    }.get(way, ahead)
     aside = {
         "speed times range": ahead * given.range_m,
         "one minus cosine": given.range_m * (1 - math.cos(aside / given.range_m)),
@@ -223,6 +228,39 @@ RANGE_MINUS_THE_WAY = Slip(
 )
 
 
+RANGE_PLUS_THE_WAY = Slip(
+    "range plus the way",
+    {"way": "range plus"},
+    Words(
+        en="Forwards you added the range. Asked for is how far off the answer is, and not where the object lies.",
+        ko="앞쪽에 거리를 더했습니다. 물체가 있는 곳이 아니라 답이 얼마나 빗나가는지가 필요합니다.",
+    ),
+    part="forwards_m",
+)
+
+
+WAY_FOR_THE_RANGE = Slip(
+    "way for the range",
+    {"arc": "the way"},
+    Words(
+        en="To the left you multiplied the angle by the way driven. What swings is the ray, as long as the range.",
+        ko="왼쪽 오차에서 각도에 달린 거리를 곱했습니다. 흔들리는 것은 물체까지의 거리만큼 긴 시선입니다.",
+    ),
+    part="left_m",
+)
+
+
+NO_DELAY_IN_THE_ARC = Slip(
+    "no delay in the arc",
+    {"arc": "no delay"},
+    Words(
+        en="To the left the delay is missing: range × yaw rate is what a whole second swings.",
+        ko="왼쪽 오차에 지연이 빠졌습니다. 거리 × 각속도는 1초 내내 흔들린 만큼입니다.",
+    ),
+    part="left_m",
+)
+
+
 TOGETHER_MEAN = Slip(
     "together: mean",
     {"together": "mean"},
@@ -306,6 +344,9 @@ TASK = Task(
         SPEED_TIMES_RANGE_TO_THE_LEFT,
         ONE_MINUS_COSINE,
         RANGE_MINUS_THE_WAY,
+        RANGE_PLUS_THE_WAY,
+        WAY_FOR_THE_RANGE,
+        NO_DELAY_IN_THE_ARC,
         TOGETHER_MEAN,
         TOGETHER_SIZES_TAKEN_OFF,
         TOGETHER_FORWARDS,

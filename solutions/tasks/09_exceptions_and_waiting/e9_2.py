@@ -36,12 +36,16 @@ def questions(rng: np.random.Generator) -> list[tuple]:
 
 
 def classified(
-    buffer, target, source, stamp, *, ends="as given", moment="stamp", texts="three", classes="each its own"
-):
+    buffer, target, source, stamp, *, ends="as given", moment="stamp", texts="three", classes="each its own",
+    let_through="none",
+):  # fmt: skip
     """Return the kind of a refusal, step by step; other steps are the slips."""
     target, source = (source, target) if ends == "swapped" else (target, source)
     moments = {"latest": Time(), "whole seconds": Time(nanoseconds=stamp.nanoseconds // 10**9 * 10**9)}
-    kind = kind_of(refusal(buffer, target, source, moments.get(moment, stamp)))
+    refused = refusal(buffer, target, source, moments.get(moment, stamp))
+    kind = kind_of(refused)
+    if refused is not None and kind == let_through:
+        raise refused
     if moment == "path first":
         first = kind_of(refusal(buffer, target, source, Time()))
         kind = first if first in ("connectivity", "lookup") else kind
@@ -211,6 +215,39 @@ NO_QUESTION_IS_A_WRONG_NAME = Slip(
 )
 
 
+NO_BRANCH_FOR_NO_QUESTION = Slip(
+    "no branch for no question",
+    {"let_through": "invalid argument"},
+    Words(
+        en="you catch three of the four classes. A question that is none (a slash in front, an empty name) goes through your function as an InvalidArgumentException.",
+        ko="네 클래스 가운데 셋만 잡습니다. 질문이 되지 않는 것(앞의 슬래시, 빈 이름)은 InvalidArgumentException이 되어 함수를 그대로 지나갑니다.",
+    ),
+    "M11",
+)
+
+
+NO_BRANCH_FOR_NO_PATH = Slip(
+    "no branch for no path",
+    {"let_through": "connectivity"},
+    Words(
+        en="you catch three of the four classes. Where no path leads across, a ConnectivityException goes through your function.",
+        ko="네 클래스 가운데 셋만 잡습니다. 이어진 길이 없으면 ConnectivityException이 함수를 그대로 지나갑니다.",
+    ),
+    "M11",
+)
+
+
+NO_BRANCH_FOR_NO_NAME = Slip(
+    "no branch for no name",
+    {"let_through": "lookup"},
+    Words(
+        en="you catch three of the four classes. Where a name is unknown, a LookupException goes through your function.",
+        ko="네 클래스 가운데 셋만 잡습니다. 모르는 이름이 있으면 LookupException이 함수를 그대로 지나갑니다.",
+    ),
+    "M11",
+)
+
+
 TASK = Task(
     id="E9.2",
     kind="F",
@@ -236,6 +273,9 @@ TASK = Task(
         LOOKUP_AND_CONNECTIVITY_EXCHANGED,
         NO_PATH_IS_A_WRONG_NAME,
         NO_QUESTION_IS_A_WRONG_NAME,
+        NO_BRANCH_FOR_NO_QUESTION,
+        NO_BRANCH_FOR_NO_PATH,
+        NO_BRANCH_FOR_NO_NAME,
     ),
     hints=(
         Words(

@@ -115,8 +115,8 @@ NEVER_WAITS = Slip(
     {"limit_s": -1.0},
     misconception="M10",
     reply=Words(
-        en="a small gap into the future is ordinary: the transform is on its way. Your function suspects the clocks even then.",
-        ko="작은 미래 간격은 흔한 일이고 변환이 오는 중입니다. 이 함수는 그때도 시계를 의심합니다.",
+        en="a small gap into the future is ordinary: the transform is on its way. Your function suspects the clocks even then. Has the bound the unit of what you compare with it?",
+        ko="작은 미래 간격은 흔한 일이고 변환이 오는 중입니다. 이 함수는 그때도 시계를 의심합니다. 한계의 단위가 비교하는 값의 단위와 같습니까?",
     ),
 )
 

@@ -35,7 +35,18 @@ def kept(stamps_s, now_s, max_age_s, max_size, *, first="sieve", old="dropped", 
          size="newest", out="oldest first", lost="went") -> dict:  # fmt: skip
     """Return what a policy keeps, step by step; other steps are the slips."""
     came = len(stamps_s)
-    stamps_s = sorted(stamps_s)[-max_size:] if first == "cut" else stamps_s
+
+    def cut_to_size(stamps_s: list[float]) -> list[float]:
+        return {
+            "newest": stamps_s[max(0, len(stamps_s) - max_size) :],
+            "slice": stamps_s[-max_size:],
+            "one more": stamps_s[max(0, len(stamps_s) - max_size - 1) :],
+            "one less": stamps_s[max(0, len(stamps_s) - max_size + 1) :],
+            "oldest": stamps_s[:max_size],
+            "not cut": stamps_s,
+        }[size]
+
+    stamps_s = cut_to_size(sorted(stamps_s)) if first == "cut" else stamps_s
 
     def stays(age_s: float) -> bool:
         is_young = {
@@ -52,14 +63,7 @@ def kept(stamps_s, now_s, max_age_s, max_size, *, first="sieve", old="dropped", 
 
     young = [stamp for stamp in stamps_s if stays(now_s - stamp)]
     young = {"by stamp": sorted(young), "by place": young, "set": sorted(set(young))}[order]
-    cut = {
-        "newest": young[max(0, len(young) - max_size) :],
-        "slice": young[-max_size:],
-        "one more": young[max(0, len(young) - max_size - 1) :],
-        "one less": young[max(0, len(young) - max_size + 1) :],
-        "oldest": young[:max_size],
-        "not cut": young,
-    }[size]
+    cut = young if first == "cut" else cut_to_size(young)
     losses = {
         "went": came - len(cut),
         "stayed": len(cut),
