@@ -57,6 +57,7 @@ def between(
         at = 0.0 if share["from the first"] <= 0.5 else 1.0
     turns = {"short": math.remainder(yaw1 - yaw0, math.tau), "difference": yaw1 - yaw0, "kept": 0.0}
     turns |= {"modulo pi": math.remainder(yaw1 - yaw0, math.pi), "to the left": (yaw1 - yaw0) % math.tau}
+    turns |= {"size": abs(turns["short"])}
     place = {"kept": 0.0, "later": 1.0}.get(position, at)
     steps = (abs(x1 - x0), abs(y1 - y0)) if position == "upwards" else (x1 - x0, y1 - y0)
     from_x, from_y = (0.0, 0.0) if position == "from zero" else (x0, y0)
@@ -335,6 +336,17 @@ BETWEEN_TWO_ARROWS = Slip(
 )
 
 
+SIZE_OF_THE_TURN = Slip(
+    "size of the turn",
+    {"turn": "size"},
+    Words(
+        en="you took the size of the turn, without its sign: a robot that turns right turns left in your answer.",
+        ko="회전의 부호를 떼고 크기만 썼습니다. 오른쪽으로 도는 로봇이 답에서는 왼쪽으로 돕니다.",
+    ),
+    part="yaw",
+)
+
+
 TASK = Task(
     id="E8.2",
     kind="F",
@@ -346,6 +358,7 @@ TASK = Task(
     variants=4,
     model=between,
     twins=(
+        SIZE_OF_THE_TURN,
         THE_LONG_WAY,
         THE_NEAREST_SAMPLE,
         GUESSES_OUTSIDE,
