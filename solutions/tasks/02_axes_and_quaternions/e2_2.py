@@ -29,11 +29,13 @@ def picked(
         "back": lambda: (-y, -z, x),
         "other order": lambda: (y, z, x),
         "x and z exchanged": lambda: (z, y, x),
+        "x and z exchanged, y minus": lambda: (z, -y, x),
         "upright": lambda: (x, z, -y),
         "roll alone": lambda: Transform.from_rpy(roll=-quarter).apply((x, y, z)),
         "yaw alone": lambda: Transform.from_rpy(yaw=-quarter).apply((x, y, z)),
         "pitch": lambda: Transform.from_rpy(pitch=quarter).apply((x, y, z)),
         "roll to the other side": lambda: Transform.from_rpy(roll=quarter, yaw=-quarter).apply((x, y, z)),
+        "yaw to the other side": lambda: Transform.from_rpy(roll=-quarter, yaw=quarter).apply((x, y, z)),
         "eighths": lambda: Transform.from_rpy(roll=-quarter / 2, yaw=-quarter / 2).apply((x, y, z)),
         "degrees": lambda: Transform.from_rpy(roll=-90.0, yaw=-90.0).apply((x, y, z)),
         "degrees, plus": lambda: Transform.from_rpy(roll=90.0, yaw=90.0).apply((x, y, z)),
@@ -104,8 +106,8 @@ SIDE_AND_HEIGHT = Slip(
     "side and height",
     {"places": "exchanged"},
     Words(
-        en="The depth is right. Sideways and upwards changed places: in the picture x counts sideways and y downwards; on the body y is the side and z the height.",
-        ko="깊이는 맞습니다. 옆 방향과 높이의 자리가 바뀌었습니다. 영상에서는 x가 옆, y가 아래이고, 본체에서는 y가 옆, z가 높이입니다.",
+        en="Sideways and upwards changed places: in the picture x counts sideways and y downwards; on the body y is the side and z the height.",
+        ko="옆 방향과 높이의 자리가 바뀌었습니다. 영상에서는 x가 옆, y가 아래이고, 본체에서는 y가 옆, z가 높이입니다.",
     ),
     misconception="M4",
 )
@@ -115,8 +117,8 @@ BEHIND = Slip(
     "behind",
     {"depth": "behind"},
     Words(
-        en="Side and height are right, but this part lies behind the camera. Depth counts forward in the picture, and x counts forward on the body.",
-        ko="옆 방향과 높이는 맞지만 부품이 카메라 뒤에 있습니다. 영상의 깊이도 앞으로 세고, 본체의 x도 앞으로 셉니다.",
+        en="This part lies behind the camera. Depth counts forward in the picture, and x counts forward on the body.",
+        ko="부품이 카메라 뒤에 있습니다. 영상의 깊이도 앞으로 세고, 본체의 x도 앞으로 셉니다.",
     ),
     misconception="M4",
 )
@@ -193,6 +195,17 @@ ONLY_X_AND_Z = Slip(
 )
 
 
+X_AND_Z_AND_A_MINUS = Slip(
+    "x and z, and a minus",
+    {"turns": "x and z exchanged, y minus"},
+    Words(
+        en="Depth has gone to the front, and the sideways number up; the downward number, with a minus, became the side. Only the depth's place is right: the picture's x counts to the right, its y down.",
+        ko="깊이는 앞으로 갔지만 옆으로 잰 숫자가 위로 갔고, 아래로 잰 숫자가 부호만 바뀌어 옆이 되었습니다. 깊이의 자리만 맞습니다. 영상의 x는 오른쪽, y는 아래쪽으로 셉니다.",
+    ),
+    "M4",
+)
+
+
 ONE_PITCH = Slip(
     "one pitch",
     {"turns": "pitch"},
@@ -208,8 +221,19 @@ ROLL_TO_THE_OTHER_SIDE = Slip(
     "roll to the other side",
     {"turns": "roll to the other side"},
     Words(
-        en="The roll goes the other way: both quarter turns are negative, -π/2.",
-        ko="roll의 방향이 반대입니다. 1/4 바퀴 둘 다 음수, -π/2입니다.",
+        en="Depth and height have the other sign, as after a roll the other way: both quarter turns are negative, -π/2.",
+        ko="깊이와 높이의 부호가 반대입니다. roll을 반대 방향으로 돌리면 이렇게 됩니다. 1/4 바퀴 둘 다 음수, -π/2입니다.",
+    ),
+    "M4",
+)
+
+
+YAW_TO_THE_OTHER_SIDE = Slip(
+    "yaw to the other side",
+    {"turns": "yaw to the other side"},
+    Words(
+        en="Depth and side have the other sign, as after a yaw the other way: both quarter turns are negative, -π/2.",
+        ko="깊이와 옆 방향의 부호가 반대입니다. yaw를 반대 방향으로 돌리면 이렇게 됩니다. 1/4 바퀴 둘 다 음수, -π/2입니다.",
     ),
     "M4",
 )
@@ -262,8 +286,10 @@ TASK = Task(
         YAW_ALONE,
         DIRECTION,
         ONLY_X_AND_Z,
+        X_AND_Z_AND_A_MINUS,
         ONE_PITCH,
         ROLL_TO_THE_OTHER_SIDE,
+        YAW_TO_THE_OTHER_SIDE,
         EIGHTHS_OF_A_TURN,
         DEGREES_AND_PLUS,
     ),

@@ -26,7 +26,7 @@ def turned(given, unit: float = 1.0) -> Transform:
 
 
 def turned_twice(
-    given, *, angles="in place", unit="radians", yaw="left", pitch="down", order="yaw first", result="as it is"
+    given, *, angles="in place", order="yaw first", unit="radians", yaw="left", pitch="down", result="as it is"
 ):
     """Return the rotation, step by step; other steps are the slips."""
     factor = {"radians": 1.0, "degrees": math.radians(1.0), "to degrees": math.degrees(1.0)}[unit]
