@@ -37,7 +37,7 @@ def inverted(
     to_y = -s if sine == "sign in y" else s
     return {
         "x": x,
-        "y": to_y * (x if y == "new" else u) + c * v,
+        "y": to_y * {"old": u, "new": x, "new, taken off": -x}[y] + c * v,
         "yaw": {"back": -yaw, "kept": yaw, "behind": yaw + math.pi, "zero": 0.0, "rest of a half": math.pi - yaw}[turn],
     }
 
@@ -84,6 +84,17 @@ X_OVERWRITTEN = Slip(
         en="for `y` you used the new `x`, which had just been overwritten; both need the old "
         "ones. Give the results other names.",
         ko="`y`를 구할 때 방금 덮어쓴 새 `x`를 썼습니다. 둘 다 원래 값으로 계산해야 합니다. 결과에는 "
+        "다른 이름을 붙이십시오.",
+    ),
+)
+
+X_OVERWRITTEN_IN_PLACE = Slip(  # x = -(x * c + y * s), and then y = x * s - y * c
+    "x overwritten in place",
+    {"y": "new, taken off"},
+    Words(
+        en="your `y` is computed from the result for `x`, which had taken the place of the old `x`. Both results need "
+        "the old ones: give them other names.",
+        ko="`y`를 원래의 `x`가 아니라, 그 자리에 덮어쓴 결과 `x`로 계산했습니다. 두 결과 모두 원래 값이 필요합니다. 결과에는 "
         "다른 이름을 붙이십시오.",
     ),
 )
@@ -232,6 +243,7 @@ TASK = Task(
         NOT_TAKEN_OFF,
         TURN_KEPT,
         X_OVERWRITTEN,
+        X_OVERWRITTEN_IN_PLACE,
         RADIANS_TWICE,
         BY_ASIN,
         SINE_FOR_COSINE,

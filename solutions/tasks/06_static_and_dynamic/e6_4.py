@@ -291,6 +291,16 @@ AHEAD_OF_ZERO = Slip(
     "ahead of zero",
     {"circle": "ahead of zero"},
     Words(
+        en="The place: your circle begins at odom's origin, going along x, and lies beside it. Asked for is a circle about the origin, begun at (radius, 0).",
+        ko="위치: 원이 odom 원점에서 x를 따라 시작하고 원점 옆에 있습니다. 원점을 중심으로, (반지름, 0)에서 시작해야 합니다.",
+    ),
+)
+
+
+DRIVEN_FROM_ZERO = Slip(
+    "driven from zero",
+    {"circle": "ahead of zero", "heading": "crab"},
+    Words(
         en="Your robot begins at odom's origin, looking along x, and its circle lies beside it. Asked for is a circle about the origin, begun at (radius, 0).",
         ko="로봇이 odom 원점에서 x를 보고 시작하고 원이 그 옆에 있습니다. 원점을 중심으로, (반지름, 0)에서 시작해야 합니다.",
     ),
@@ -373,6 +383,7 @@ TASK = Task(
         TIME_ALONE,
         FROM_ZERO,
         AHEAD_OF_ZERO,
+        DRIVEN_FROM_ZERO,
         HEADING_OF_THE_START,
         STAMPED,
         DEGREES_TO_COSINE,
