@@ -54,7 +54,7 @@ def walked(parent_of, target, source, *, ends="as asked", climb="until they meet
     if named == "parent":
         up, down = ([parent_of.get(child, child) for child in way] for way in (up, down))
     if named == "where it arrives":
-        up = [parent_of[child] for child in up]
+        up = [parent_of.get(child, child) for child in up]
     down = [parent_of.get(child, child) for child in down] if named == "parent, going down" else down
     climbing, descending = [(child, first) for child in up], [(child, then) for child in down]
     if pairs == "way first":
