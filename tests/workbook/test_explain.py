@@ -327,6 +327,14 @@ def test_a_slip_is_not_named_by_a_tolerance_that_is_wide_beside_it():
     assert not judged(Number("mm", 5.0), 400.0, pair, 103.0).slips
 
 
+def test_an_answer_of_one_other_part_is_named_and_one_of_several_is_chance():
+    form = Parts({"a": Name(), "b": Name(), "c": Name()})
+    assert list(
+        judged(form, {"a": "lidar", "b": "imu", "c": "none"}, {}, {"a": "none", "b": "imu", "c": "none"}).slips
+    ) == ["c under a"]
+    assert not judged(form, {"a": "lidar", "b": "none", "c": "none"}, {}, {"a": "none", "b": "none", "c": "none"}).slips
+
+
 @pytest.mark.parametrize(
     ("form", "right", "wrong", "name"),
     [
@@ -344,6 +352,7 @@ def test_a_slip_is_not_named_by_a_tolerance_that_is_wide_beside_it():
         (Tree(), FIVE, {"odom": "map", "base": "odom"}, "tree: not whole"),
         (Tree(), FIVE, FIVE | {"lamp": "base"}, "tree: more than asked for"),
         (Tree(), FIVE, {"odom": "map", "laser": "odom", "camera": "odom", "imu": "odom"}, "tree: a frame left out"),
+        (Tree(), FIVE, FIVE | {"laser": ["base"]}, "tree: a list for a name"),
         (Tree(), FIVE, FIVE | {"laser": "odom"}, "tree: too high"),
         (Tree(), FIVE, FIVE | {"laser": "camera"}, "tree: too low"),
         (

@@ -6,7 +6,7 @@ import re
 
 import pytest
 
-from tflab.core import Transform
+from tflab.core import ConnectivityException, Transform
 from tflab.ros.clock_type import ClockType
 from tflab.ros.messages import checks as field_checks
 from tflab.ros.messages import geometry_msgs
@@ -28,6 +28,10 @@ def stamped_with_a_time():
     point.header.stamp = Time(seconds=1)
 
 
+def raised_by_oneself():
+    raise ConnectivityException("no way")
+
+
 STUMBLES = [
     (lambda: Time(clock_type=ClockType.ROS_TIME) - Time(), "nanoseconds"),
     (lambda: POSE @ POSE.inverse, "not called"),
@@ -41,6 +45,7 @@ STUMBLES = [
     (lambda: [][0], "short, or empty"),
     (lambda: max([]), "short, or empty"),
     (lambda: 1 / 0.0, "is 0"),
+    (raised_by_oneself, "a `raise` of your own"),
     (lambda: undefined_name, "misspelt"),  # noqa: F821
 ]
 

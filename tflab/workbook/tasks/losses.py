@@ -69,6 +69,10 @@ LOSSES = {
         "child -> parent.",
         ko="부모와 자식의 자리가 바뀌었습니다. 자식의 부모는 하나뿐이므로 자식이 키입니다: 자식 -> 부모.",
     ),
+    "tree: a list for a name": Words(
+        en="a list stands where the name of one frame belongs, child -> parent; out of a list comes a name by `[0]`.",
+        ko="좌표계 이름 하나가 올 자리에 리스트가 있습니다. 자식 -> 부모로 쓰고, 리스트의 이름은 `[0]`으로 꺼냅니다.",
+    ),
     "tree: not whole": Words(
         en="all that is there is right, and a part of the tree is missing.",
         ko="있는 것은 모두 맞지만 트리의 일부가 빠졌습니다.",
@@ -204,7 +208,9 @@ def _of_trees(form: Tree, answers: list[Plain], wanted: list[Plain]) -> Iterator
     """Yield that an answer has its edges the wrong way round; a dict by parents has lost some of them."""
     if all(_is_turned(form, *pair) for pair in zip(answers, wanted, strict=True)):
         yield "parent for child"
-    elif not any(map(sealed.is_sealed, wanted)):
+    elif any(map(_has_lists, answers)):
+        yield "tree: a list for a name"
+    elif not any(map(sealed.is_sealed, wanted)) and all(edges_of(answer) is not None for answer in answers):
         pairs = [(_parents(answer), _parents(want)) for answer, want in zip(answers, wanted, strict=True)]
         yield from (
             name for name, fits in TREES.items() if all(given == want or fits(given, want) for given, want in pairs)
@@ -215,6 +221,12 @@ def _is_turned(form: Tree, answer: Plain, want: Plain) -> bool:
     edges = edges_of(answer) or []
     turned = [[child, parent] for child, parent in edges]  # a Tree takes pairs (parent, child)
     return len(edges) >= 2 and all(sealed.belongs(form, turned, want))
+
+
+def _has_lists(answer: Plain) -> bool:
+    """Return whether a dict has a list for one of its values."""
+    is_dict = isinstance(answer, dict) and "dict" in answer
+    return is_dict and any(isinstance(inside(parent), list) for parent in answer["dict"].values())
 
 
 def _parents(plain: Plain) -> Parents:

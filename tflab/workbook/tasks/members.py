@@ -214,13 +214,14 @@ def _of_words(name: str, form: Form, outcomes: Sequence[Plain], wanted: Sequence
 
 
 def _anothers(table: _Table, name: str) -> str | None:
-    """Return the part whose answer stands here, if it is that."""
+    """Return the part whose answer stands here, if it is that of one other part: what several have is chance."""
+    found = []
     form = table.forms[name]
     for other, part in table.forms.items():
         is_like = other != name and type(part) is type(form) and not isinstance(part, Choice | ListForm)
         if is_like and _holds(table, name, other) and any(_is_something(part, value) for value in table.given[name]):
-            return other
-    return None
+            found.append(other)
+    return found[0] if len(found) == 1 else None
 
 
 def _of_the_given(

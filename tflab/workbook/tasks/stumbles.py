@@ -135,9 +135,10 @@ TIPS = (  # the error's name and text, the first that fits
     (
         r"(Lookup|Connectivity|Extrapolation|InvalidArgument|Transform)Exception",
         Words(
-            "That is tf2's own no to what your function asked: are the frames, their order and the time those "
-            "of this call?",
-            "함수가 한 질문에 tf2가 답한 거절입니다. 좌표계와 그 순서, 시각이 이 호출의 것입니까?",
+            "That is a refusal, tf2's or that of a `raise` of your own, and this call has an answer: are the frames, "
+            "their order and the time those of this call? Is a `raise` reached too soon?",
+            "tf2나 직접 쓴 `raise`가 거절했는데, 이 호출에는 답이 있습니다. 좌표계와 그 순서, 시각이 이 호출의 "
+            "것입니까? `raise`에 너무 일찍 이르지는 않습니까?",
         ),
     ),
 )
