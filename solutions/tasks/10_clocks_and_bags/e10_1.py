@@ -64,6 +64,7 @@ STAMPS_NEED_SIM_TIME = Slip(
         ko="노드가 컴퓨터의 시간에 있으면 측정 시각의 조회가 실패한다고 했습니다. 측정 시각과 변환은 어디에서 옵니까? 둘을 비교하는 데 시계가 끼어듭니까?",
     ),
     "M13",
+    partly=True,
 )
 
 STAMPS_NEED_A_CLOCK = Slip(

@@ -141,6 +141,7 @@ TF_BESIDE_THE_WHEELS = Slip(
         ko="c: 필요 없는 토픽이 하나 있습니다. 위치 추정은 꺼져 있고 바퀴는 자기 토픽으로 발행하는데, 거기에 누가 발행합니까?",
     ),
     part="c",
+    partly=True,
 )
 
 THE_MAP_TOO = Slip(

@@ -14,6 +14,7 @@ PICKS = {
     "largest": max,
     "first": lambda gaps: gaps[0],
     "last": lambda gaps: gaps[-1],
+    "both ends": lambda gaps: (gaps[0] + gaps[-1]) / 2,
     "halfway": lambda gaps: (min(gaps) + max(gaps)) / 2,
 }
 
@@ -111,6 +112,33 @@ HALFWAY = Slip(
     "M10",
 )
 
+BOTH_ENDS = Slip(
+    "both ends",
+    {"pick": "both ends"},
+    Words(
+        en="You took the mean of the first message and the last. Were just these two not held up anywhere?",
+        ko="첫 메시지와 마지막 메시지의 평균을 썼습니다. 하필 그 둘이 어디에서도 막히지 않았을까요?",
+    ),
+)
+
+SPREAD_TURNED_ROUND = Twin(
+    "spread turned round",
+    lambda g: min(h - s for s, h in g.log) - max(h - s for s, h in g.log),
+    Words(
+        en="That is by how much the delays differ: smallest minus largest. The clock's error is in both, and so it is gone.",
+        ko="지연이 서로 얼마나 다른지, 곧 가장 작은 차에서 가장 큰 차를 뺀 값입니다. 시계의 오차는 둘 다에 들어 있어 사라졌습니다.",
+    ),
+)
+
+TWO_MESSAGES = Twin(
+    "two messages",
+    lambda g: g.log[0][1] - g.log[-1][0] - g.shortest_delay_s,
+    Words(
+        en="You took when the first message was heard, and what the last one's stamp says. Between these two lies the whole log: subtract within each message.",
+        ko="첫 메시지의 수신 시각에서 마지막 메시지의 측정 시각을 뺐습니다. 그 사이에 로그 전체가 들어 있습니다. 메시지마다 따로 빼십시오.",
+    ),
+)
+
 SPREAD = Twin(
     "spread",
     lambda g: max(h - s for s, h in g.log) - min(h - s for s, h in g.log),
@@ -197,7 +225,10 @@ TASK = Task(
         LAST,
         TURNED_ROUND,
         HALFWAY,
+        BOTH_ENDS,
         SPREAD,
+        SPREAD_TURNED_ROUND,
+        TWO_MESSAGES,
         GAINED,
         DELAY_HALVED,
         DELAY_FORGOTTEN,

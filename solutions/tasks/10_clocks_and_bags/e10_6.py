@@ -63,7 +63,11 @@ def placing(buffer, messages, target, ask="the stamp", stops=False, which="first
     """Return what the bag can place, step by step."""
     placed, noes = 0, []
     for each in messages:
-        source = {"the first's": messages[0].header.frame_id, "base_link": "base_link"}.get(frame, each.header.frame_id)
+        source = {
+            "the first's": messages[0].header.frame_id,
+            "base_link": "base_link",
+            "laser_frame": "laser_frame",
+        }.get(frame, each.header.frame_id)
         try:
             when = _asked(ask, messages[0].header.stamp if ask == "the first's" else each.header.stamp)
             buffer.lookup_transform("map" if into == "map" else target, source, when)
@@ -253,6 +257,16 @@ BASE_FOR_THE_SENSOR = Slip(
     "M1",
 )
 
+LASER_FOR_ALL = Slip(
+    "laser for all",
+    {"frame": "laser_frame"},
+    Words(
+        en="You ask for `laser_frame` each time. Not every message is of the laser: its header says in which frame its numbers are.",
+        ko="언제나 `laser_frame`으로 조회합니다. 모두 레이저의 메시지인 것은 아닙니다. 숫자가 어느 좌표계 기준인지는 header에 적혀 있습니다.",
+    ),
+    "M1",
+)
+
 ALWAYS_IN_MAP = Slip(
     "always in map",
     {"into": "map"},
@@ -307,6 +321,7 @@ TASK = Task(
     twins=(
         FRAME_OF_THE_FIRST,
         BASE_FOR_THE_SENSOR,
+        LASER_FOR_ALL,
         ALWAYS_IN_MAP,
         LATEST,
         STAMP_OF_THE_FIRST,

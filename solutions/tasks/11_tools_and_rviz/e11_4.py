@@ -255,7 +255,8 @@ TASK = Task(
             ko="부품 구입은 첫 점검이 아닙니다. 1분이면 되는 것은 무엇입니까?",
         ),
         "a longer timeout": Words(
-            en="what nobody sends does not come later either.", ko="아무도 보내지 않는 것은 기다려도 오지 않습니다."
+            en="waiting shows nothing: what is not sent does not come, and what is sent with a wrong stamp, name or value stays so.",
+            ko="기다려서는 아무것도 알 수 없습니다. 보내지 않은 것은 오지 않고, 시각이나 이름, 값이 틀린 것은 틀린 채로 옵니다.",
         ),
         "no check": Words(en="something is wrong here.", ko="여기에는 잘못이 있습니다."),
     },

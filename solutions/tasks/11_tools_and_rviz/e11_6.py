@@ -73,6 +73,7 @@ def figures(
     of_frames = {
         "frame": worst[2], "largest frame": max(row[2] for row in every), "sum": sum(row[2] for row in rows),
         "sum of all": sum(row[2] for row in every), "average of a frame": worst[1],
+        "digits": float(found[0].partition("e")[0]),
     }  # fmt: skip
     return {
         "late": worst[0],
@@ -135,8 +136,8 @@ ZERO_IS_FUTURE = Slip(
     "zero is future",
     {"sign": "max is 0"},
     Words(
-        en="future: Max Delay is 0 for the future, and also for a frame that was never late. The average tells them apart.",
-        ko="future: Max Delay는 미래일 때도 0이지만, 한 번도 늦지 않은 좌표계도 0입니다. 둘을 가르는 것은 평균입니다.",
+        en="future: you count a 0 as the future, too. A stamp that is just as new as the clock is neither late nor early: which figure falls below 0 for the future alone?",
+        ko="future: 0까지 미래로 셉니다. 측정 시각이 시계와 똑같으면 늦은 것도 이른 것도 아닙니다. 미래일 때만 0보다 작아지는 숫자는 무엇입니까?",
     ),
     "M10",
     part="future",
@@ -226,6 +227,16 @@ DELAY_OF_A_FRAME = Slip(
     part="delay_s",
 )
 
+EXPONENT_LOST = Slip(
+    "exponent lost",
+    {"net": "digits"},
+    Words(
+        en="delay_s: a long delay is written with an exponent, as in 2.5e+03. You read the digits before the e, and leave the rest.",
+        ko="delay_s: 아주 긴 지연은 2.5e+03처럼 지수로 적힙니다. e 앞의 숫자만 읽고 나머지를 버렸습니다.",
+    ),
+    part="delay_s",
+)
+
 FIRST_ROW = Slip(
     "first row",
     {"late": "first"},
@@ -309,6 +320,7 @@ TASK = Task(
         ONE_IS_ENOUGH,
         NET_AVERAGE,
         DELAY_OF_A_FRAME,
+        EXPONENT_LOST,
         FIRST_ROW,
         LAST_ROW,
         STATICS_ALONE,

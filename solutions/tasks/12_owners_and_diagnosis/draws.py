@@ -140,8 +140,8 @@ MEANS = {
         ko="map이 문제인 것은 누군가 그 이름을 틀리게 불렀을 때입니다.",
     ),
     "odom": Words(
-        en="That would be the edge map → odom. Is it missing?",
-        ko="map → odom 연결을 가리키는 답입니다. 그 연결이 없습니까?",
+        en="odom is at fault where map → odom is missing, and every other edge is as on the card. Is it so here?",
+        ko="odom이 문제인 것은 map → odom 연결만 없고 나머지 연결은 모두 카드와 같을 때입니다. 여기서도 그렇습니까?",
     ),
     "base_footprint": Words(
         en="That would be the edge odom → base_footprint. Is it the one that is not as on the card?",

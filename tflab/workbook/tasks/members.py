@@ -11,7 +11,7 @@ Read `lists.py` next.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import combinations
 from typing import NamedTuple
 
@@ -189,7 +189,7 @@ def _by_itself(task: TaskCases, table: _Table, name: str, given: dict[str, Plain
     if hint is not None and isinstance(form, Choice):
         return [_Found({f"{name}: {outcomes[0]}": TwinWords(hint, "")}, hint, {name})]
     first = next(n for n, pair in enumerate(zip(outcomes, wanted, strict=True)) if not alike(form, *pair))
-    words = form.remark(outcomes[first], {part: row[first] for part, row in table.given.items()})
+    words = form.remark(outcomes[first], {part: table.given[part][first] for part in _beside(name, table.given)})
     if words is not None:
         return [_Found({f"{name}: no proof": TwinWords(words, "")}, words, {name})]
     for way in [*undone_to(form, outcomes, wanted), *in_some(form, outcomes, wanted)][:1]:
@@ -201,6 +201,12 @@ def _by_itself(task: TaskCases, table: _Table, name: str, given: dict[str, Plain
         return _of_words(name, form, outcomes, wanted)
     found = _of_the_given(task, name, form, outcomes[0], wanted[0], given)
     return found or ([_Found({f"{name}: another": TwinWords(hint, "")}, hint, {name})] if hint else [])
+
+
+def _beside(name: str, parts: Iterable[str]) -> list[str]:
+    """Return the parts that speak of the same one: of "c checks" those of c; of a name of one word, all."""
+    who, space, _ = name.rpartition(" ")
+    return [part for part in parts if part.startswith(who + space)]
 
 
 def _of_words(name: str, form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> list[_Found]:
