@@ -107,7 +107,7 @@ check("E12.2", terminals)
 # %% [markdown] lang="en" name="e12-3"
 # ## E12.3 · The first question (3 points)
 #
-# Ten symptoms. For each: what do you ask **first**? The cheapest check that tells its two suspects apart. An answer is the short name of a check, as the next cell prints them; besides these there are `"longer timeout"` and `"read the code"`.
+# Ten symptoms. For each: what do you ask **first**? A check of two minutes at most that tells its two suspects apart; where there are several, any of them. An answer is the short name of a check, as the next cell prints them; besides these there are `"longer timeout"` and `"read the code"`.
 #
 # - **no frame map** RViz knows no `map`. Is the localiser off, or does it wait?
 # - **odom stands alone** /odom comes, and no edge below `odom`. Is the switch off, or the parent misspelt?
@@ -123,7 +123,7 @@ check("E12.2", terminals)
 # %% [markdown] lang="ko" name="e12-3"
 # ## E12.3 · 첫 질문 (3점)
 #
-# 열 가지 증상입니다. 무엇을 **먼저** 물어보겠습니까? 두 용의자를 가르는 가장 싼 검사를 고르십시오. 답은 다음 셀이 출력하는 검사의 짧은 이름입니다. 그 밖에 `"longer timeout"`과 `"read the code"`도 있습니다.
+# 열 가지 증상입니다. 무엇을 **먼저** 물어보겠습니까? 두 용의자를 가르는 검사를 2분 이내의 것으로 고르십시오. 여럿이면 어느 것이든 좋습니다. 답은 다음 셀이 출력하는 검사의 짧은 이름입니다. 그 밖에 `"longer timeout"`과 `"read the code"`도 있습니다.
 #
 # - **no frame map** RViz가 `map`을 모릅니다. 위치 추정 노드가 꺼졌습니까, 기다립니까?
 # - **odom stands alone** /odom은 오는데 `odom` 아래에 연결이 없습니다. 스위치가 꺼졌습니까, 부모 이름이 틀렸습니까?

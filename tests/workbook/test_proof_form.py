@@ -1,7 +1,12 @@
 """A proof as an answer: judged without knowing the diagnosis, sealed like any other."""
 
 from tflab.workbook.answers import sealed
-from tflab.workbook.answers.forms import Proof, form_from_plain
+from tflab.workbook.answers.forms import Choice, Parts, Proof, Telling, form_from_plain
+from tflab.workbook.answers.values import to_plain
+from tflab.workbook.tasks.case import Case
+from tflab.workbook.tasks.verdict import judge_outcomes
+
+from .small_chapter import bare
 
 FORM = Proof()
 EXPECTED = {"tuple": ["laser clock ahead", ["delay /scan"]]}
@@ -39,3 +44,25 @@ def test_what_is_said_of_a_list_depends_on_the_cause_beside_it():
 
 def test_the_form_comes_back_from_json():
     assert form_from_plain(Proof(whole=True).plain()) == Proof(whole=True)
+
+
+def test_what_is_said_of_checks_is_of_the_patient_whose_they_are():
+    cause = Choice(("localizer waits for /clock", "odometry slow", "sensor broken"))
+    form = Parts({"a cause": cause, "a checks": FORM, "c cause": cause, "c checks": FORM})
+    right = {
+        "a cause": "localizer waits for /clock", "a checks": ["use_sim_time"],
+        "c cause": "odometry slow", "c checks": ["hz /odom"],
+    }  # fmt: skip
+    task, variant = bare(form, Case(None, to_plain(right), {}))
+    said = judge_outcomes(task, variant, [to_plain(right | {"c checks": ["tape measure", "hz /odom"]})])
+    assert "16 of 12 minutes" in str(said)
+    said = judge_outcomes(task, variant, [to_plain(right | {"c checks": ["delay /scan"]})])
+    assert "“odometry slow” and “transforms late”" in str(said)
+    said = judge_outcomes(task, variant, [to_plain(right | {"c cause": "sensor broken", "c checks": ["delay /scan"]})])
+    assert "localizer" not in str(said)
+
+
+def test_any_cheap_check_that_two_suspects_answer_differently_tells_them_apart():
+    form = Telling(("hz /odom", "hz /scan", "scan header", "monitor", "no check"), ("odometry slow", "scan slow"))
+    assert [form.judge(check, "hz /odom") for check in form.options] == [[True], [True], [False], [False], [False]]
+    assert form_from_plain(form.plain()) == form

@@ -120,6 +120,17 @@ _COLUMNS = {
         **dict.fromkeys(_LISTENERS, "incompatible QoS"), "rviz": "scan's own frame unknown",
         "info /tf_static": "laser_mount VOLATILE", "echo /tf_static": "no laser_frame",
     },
+    # Of no complaint, but at hand when one compares two.
+    "wheel bad": {},
+    "map wrong": {},
+    "localizer waits for a scan": {
+        **_NO_MAP, "hz /scan": "nothing heard", "delay /scan": "nothing heard", "scan header": "nothing heard",
+    },
+    "mount never sent": {
+        **dict.fromkeys(("echo base_link laser_frame", "view_frames", "monitor"), "laser_frame unknown"),
+        "rviz": "scan's own frame unknown", "echo /tf_static": "no laser_frame",
+    },
+    "scan slow": {"hz /scan": "too seldom"},
 }  # fmt: skip
 
 # Which reading shows whether the suspect is gone.

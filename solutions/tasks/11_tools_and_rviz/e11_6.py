@@ -73,7 +73,7 @@ def figures(
     of_frames = {
         "frame": worst[2], "largest frame": max(row[2] for row in every), "sum": sum(row[2] for row in rows),
         "sum of all": sum(row[2] for row in every), "average of a frame": worst[1],
-        "digits": float(found[0].partition("e")[0]),
+        "digits": float(found[1].partition("e")[0]),
     }  # fmt: skip
     return {
         "late": worst[0],

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from tflab.clinic.trolley import TROLLEY
-from tflab.workbook.tasks import Choice, Parts, Task, Twin, Words
+from tflab.workbook.tasks import Parts, Task, Telling, Twin, Words
 
 OTHERS = ("longer timeout", "read the code")
-CHECKS = (*(key for key in TROLLEY if key != "rviz"), *OTHERS)
+CHECKS = (*TROLLEY, *OTHERS)
 RIGHT = {
     "no frame map": "node list",
     "odom stands alone": "publish_tf",
@@ -18,6 +18,18 @@ RIGHT = {
     "unknown frame": "scan header",
     "static late joiner": "info /tf_static",
     "slow robot": "hz /odom",
+}
+SUSPECTS = {
+    "no frame map": ("localizer not running", "localizer waits for /clock"),
+    "odom stands alone": ("publish_tf off", "parent misspelt"),
+    "robot to and fro": ("two owners of one edge", "wheel bad"),
+    "scan beside the walls": ("mount wrong", "map wrong"),
+    "walls smear in bends": ("laser clock behind", "mount wrong"),
+    "into the future": ("laser clock ahead", "transforms late"),
+    "localizer silent": ("localizer waits for /clock", "localizer waits for a scan"),
+    "unknown frame": ("header says another frame", "mount never sent"),
+    "static late joiner": ("mount volatile", "mount never sent"),
+    "slow robot": ("odometry slow", "scan slow"),
 }
 
 
@@ -104,12 +116,16 @@ TASK = Task(
     points=3,
     title=Words(en="The first question", ko="첫 질문"),
     answer="first",
-    form=Parts({symptom: Choice(CHECKS) for symptom in RIGHT}),
+    form=Parts({symptom: Telling(CHECKS, suspects) for symptom, suspects in SUSPECTS.items()}),
     twins=(CABLE, TIMEOUT, CODE, MONITOR_FOR_OWNERS, MONITOR_FOR_A_SMEAR, NODE_DOWN, TAPE),
     means={
+        "rviz": Words(
+            en="It shows the symptom once more: would RViz say something else for the other of the two suspects?",
+            ko="증상을 다시 볼 뿐입니다. 두 용의자 가운데 누구인지에 따라 RViz에 나오는 말이 다릅니까?",
+        ),
         "node list": Words(
-            en="It shows who runs: does one of the two suspects take a node away?",
-            ko="누가 실행 중인지 보여 줍니다. 두 용의자 가운데 한쪽에서만 노드가 없어집니까?",
+            en="It shows who runs: is there a node more or less with one of the two suspects, and not with the other?",
+            ko="누가 실행 중인지 보여 줍니다. 두 용의자 가운데 한쪽에서만 노드가 더 있거나 없습니까?",
         ),
         "echo map base_footprint": Words(
             en="It shows whether map and base hang together: would that differ between the two suspects?",

@@ -7,6 +7,7 @@
     command_lines  what one would type
     urdf_text      a robot, as its file has it
     proof          the checks of a diagnosis
+    telling        a check that tells two suspects apart
     forms          all of them together
     sealed         a right answer that cannot be read: a salted hash
     showing        an answer in words

@@ -13,6 +13,7 @@ from .form import Angle, Form, Number, Pose, Quaternion, Vector
 from .members import Name, Pair, Set, Tree
 from .proof import Proof
 from .structures import Choice, Command, Message, Parts, Sequence
+from .telling import Telling
 from .urdf_text import Urdf
 
 __all__ = [
@@ -30,6 +31,7 @@ __all__ = [
     "Quaternion",
     "Sequence",
     "Set",
+    "Telling",
     "Tree",
     "Urdf",
     "Vector",
@@ -52,6 +54,7 @@ _CLASSES = {
         Quaternion,
         Sequence,
         Set,
+        Telling,
         Tree,
         Urdf,
         Vector,

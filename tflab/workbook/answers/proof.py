@@ -8,7 +8,7 @@ The form turns a list into the suspects that it would prove, each a row; which o
 them is the true one is nowhere in it, so what is expected can be sealed.  What is
 said of a list that proves nothing is true whatever the patient has.
 
-Read `forms.py` next.
+Read `telling.py` next.
 """
 
 from __future__ import annotations
