@@ -104,8 +104,8 @@ REPLIES = {
         ko="답의 종류가 다릅니다({got}). 필요한 것: {wanted}.",
     ),
     Mistake.SHAPE: Words(
-        en="your answer has the wrong shape ({got}). Asked for: {wanted}.",
-        ko="답의 모양이 다릅니다({got}). 필요한 것: {wanted}.",
+        en="your answer has the wrong shape ({got}). Asked for: {wanted}{tip}.",
+        ko="답의 모양이 다릅니다({got}). 필요한 것: {wanted}{tip}.",
     ),
     Mistake.OPTION: Words(
         en='"{answer}" is not among the answers to choose from: {wanted}.',

@@ -34,6 +34,11 @@ from .units import unit_of
 
 __all__ = ["Verdict", "judge_outcomes", "kind_of"]
 
+JOINED = Words(
+    en="`+` between two lists or tuples joins them; it does not add their numbers",
+    ko="리스트나 튜플끼리 `+`를 쓰면 이어 붙을 뿐, 숫자가 더해지지 않습니다",
+)
+
 
 @dataclass(frozen=True)
 class Verdict:
@@ -233,7 +238,8 @@ def _unread(form: Form, outcome: Plain) -> tuple[Mistake, dict[str, Any]]:
         return Mistake.A_FUNCTION, {}
     body = inside(outcome)
     if isinstance(body, list | dict) and not isinstance(form, Number | Angle | Choice) and _holds_numbers(body):
-        return Mistake.SHAPE, {}
+        is_joined = isinstance(form, Vector) and len(body) > form.size and len(body) % form.size == 0
+        return Mistake.SHAPE, {"tip": JOINED} if is_joined and kind_of(outcome).startswith(("list", "tuple")) else {}
     return Mistake.TYPE, {}
 
 
