@@ -41,6 +41,7 @@ def turned_twice(
         "up": -1.0,
         "left out": 0.0,
         "roll": 1.0,
+        "to degrees": math.degrees(1.0),
     }
     turn = ways[yaw] * factor * yaw_rad
     first = Transform.from_rpy(roll=turn) if yaw == "about x" else Transform.from_rpy(yaw=turn)
@@ -140,6 +141,27 @@ TO_DEGREES = Slip(
         en="You turned the radians into degrees first: from_rpy wants radians as they are.",
         ko="라디안을 도로 바꾸어 넣었습니다. from_rpy에는 라디안을 그대로 넣습니다.",
     ),
+)
+
+
+YAW_TO_DEGREES = Slip(
+    "yaw to degrees",
+    {"yaw": "to degrees"},
+    Words(
+        en="You turned the yaw's radians into degrees first: from_rpy wants radians as they are.",
+        ko="yaw의 라디안을 도로 바꾸어 넣었습니다. from_rpy에는 라디안을 그대로 넣습니다.",
+    ),
+    "M5",
+)
+
+PITCH_TO_DEGREES = Slip(
+    "pitch to degrees",
+    {"pitch": "to degrees"},
+    Words(
+        en="You turned the pitch's radians into degrees first: from_rpy wants radians as they are.",
+        ko="pitch의 라디안을 도로 바꾸어 넣었습니다. from_rpy에는 라디안을 그대로 넣습니다.",
+    ),
+    "M5",
 )
 
 
@@ -320,6 +342,8 @@ TASK = Task(
         PITCH_UP,
         ROLL_FOR_PITCH,
         TO_DEGREES,
+        YAW_TO_DEGREES,
+        PITCH_TO_DEGREES,
         ADDED,
         AVERAGED,
         NUMBER_BY_NUMBER,
