@@ -238,9 +238,15 @@ def _unread(form: Form, outcome: Plain) -> tuple[Mistake, dict[str, Any]]:
         return Mistake.A_FUNCTION, {}
     body = inside(outcome)
     if isinstance(body, list | dict) and not isinstance(form, Number | Angle | Choice) and _holds_numbers(body):
-        is_joined = isinstance(form, Vector) and len(body) > form.size and len(body) % form.size == 0
-        return Mistake.SHAPE, {"tip": JOINED} if is_joined and kind_of(outcome).startswith(("list", "tuple")) else {}
+        return Mistake.SHAPE, {"tip": JOINED} if _is_joined(form, outcome) else {}
     return Mistake.TYPE, {}
+
+
+def _is_joined(form: Form, outcome: Plain) -> bool:
+    """Return whether a list or tuple holds as many numbers as several points have."""
+    body = inside(outcome)
+    is_list = kind_of(outcome).startswith(("list", "tuple")) and isinstance(form, Vector)
+    return is_list and len(body) > form.size and len(body) % form.size == 0
 
 
 def _coarse_of_parts(form: Parts, outcome: Plain) -> tuple[Mistake, dict[str, Any]] | None:
