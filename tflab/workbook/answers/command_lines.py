@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import shlex
 from collections.abc import Sequence
+from functools import lru_cache
 
 from tflab.tools import static_transform_publisher
 
@@ -41,12 +42,7 @@ NAMES_WITH_A_ROOT = {"topic", "node", "param", "service", "bag"}  # `tf` and `/t
 
 def rows(line: str) -> list[list[MarkPair]] | None:
     """Return the equal ways to write what `line` does, or None if it is not a line for a shell."""
-    if len(line) > LONGEST:
-        return None
-    try:
-        words = shlex.split(line.strip().lstrip("$!%").replace("\\\n", " "), comments=True)
-    except ValueError:
-        return None
+    words = list(_words(line)) if len(line) <= LONGEST else []
     if not words:
         return None
     if words[:4] == ["ros2", "run", "tf2_ros", "static_transform_publisher"]:
@@ -54,6 +50,15 @@ def rows(line: str) -> list[list[MarkPair]] | None:
         if published is not None:
             return published
     return [_row(words)]
+
+
+@lru_cache(maxsize=1024)  # an answer is held against hundreds of lines, and these against each other
+def _words(line: str) -> tuple[str, ...]:
+    """Return the words of a line; none of one that a shell would not take."""
+    try:
+        return tuple(shlex.split(line.strip().lstrip("$!%").replace("\\\n", " "), comments=True))
+    except ValueError:
+        return ()
 
 
 def _without_node_name(arguments: list[str]) -> list[str]:
