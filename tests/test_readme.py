@@ -124,7 +124,9 @@ def make(*words: str, folder: Path) -> subprocess.CompletedProcess[str]:
     (folder / "Makefile").write_text((ROOT / "Makefile").read_text(encoding="utf-8"), encoding="utf-8")
     for name in ("pyproject.toml", "constraints.txt"):
         (folder / name).touch()
-    return subprocess.run(["make", *words], cwd=folder, capture_output=True, text=True)
+    outer = ("MAKELEVEL", "MAKEFLAGS", "MFLAGS")  # of the make that runs the tests: an inner one says where it is
+    alone = {name: value for name, value in os.environ.items() if name not in outer}
+    return subprocess.run(["make", *words], cwd=folder, capture_output=True, text=True, env=alone)
 
 
 @pytest.mark.skipif(not any((Path(p) / "make").exists() for p in os.defpath.split(":")), reason="no make")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+from concurrent.futures import ThreadPoolExecutor
 
 import ipywidgets as widgets
 
@@ -36,7 +37,8 @@ def sent_for(picture: DrawnAhead, *messages: dict) -> list[dict]:
         while picture._is_at_work:
             await asyncio.sleep(0)
 
-    asyncio.run(hear())
+    with ThreadPoolExecutor(1) as elsewhere:  # a browser's test before this one may have left a loop running here
+        elsewhere.submit(asyncio.run, hear()).result()
     return sent
 
 
