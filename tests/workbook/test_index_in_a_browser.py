@@ -95,6 +95,7 @@ def test_a_panel_names_its_picture_and_its_sliders(lab, page) -> None:
     lab.open(page, "panel.ipynb")
     lab.run_all(page)
     page.wait_for_selector(".jp-OutputArea-output img.tflab-picture[alt]", timeout=60_000)
+    page.wait_for_selector("[role=slider][aria-label]", timeout=10_000)  # the extension looks five times a second
     named = page.eval_on_selector_all("[role=slider]", "(all) => all.map((each) => each.getAttribute('aria-label'))")
     assert len(named) >= 3 and named[0] == "speed [m/s]" and all(named)
     assert page.locator("img.tflab-picture").get_attribute("alt").startswith("A robot drives 1.000 m/s")
