@@ -1,8 +1,28 @@
 """A patient is made once, and found again by what it was made from."""
 
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import tflab
 from tflab.clinic import archive
-from tflab.clinic.archive import Admission, patients
+from tflab.clinic.archive import Admission, digest_of, pages_of, patients
 from tflab.clinic.causes import Numbers
+
+PACKAGE = Path(tflab.__file__).parent
+READS = """
+import sys
+opened = set()
+sys.addaudithook(lambda name, args: opened.add(str(args[0])) if name == "open" else None)
+from tflab.clinic.causes import Numbers
+from tflab.clinic.ward import make_patient
+make_patient(["mount wrong"], Numbers())
+loaded = {module.__file__ for module in list(sys.modules.values()) if getattr(module, "__file__", None)}
+print(*sorted(opened | loaded), sep="\\n")
+"""
 
 
 def test_a_patient_is_made_once(tmp_path, monkeypatch):
@@ -11,4 +31,24 @@ def test_a_patient_is_made_once(tmp_path, monkeypatch):
     made = patients([admission])[0].packed()
     monkeypatch.setattr(archive, "make_patient", None)
     assert patients([admission, admission])[1].packed() == made
-    assert len([path for path in tmp_path.rglob("*") if path.is_file()]) == 1
+    assert len([path for path in (tmp_path / "tflab").rglob("*") if path.is_file()]) == 1
+
+
+@pytest.mark.parametrize(
+    "page", ["clinic/ward.py", "tools/tf2_monitor.py", "robots/data/tf_lab_robot.urdf", "ros/tf2/buffer.py"]
+)
+def test_after_an_edit_of_what_makes_patients_none_is_found_again(tmp_path, page):
+    for room in archive.MADE_BY:
+        shutil.copytree(PACKAGE / room, tmp_path / room, ignore=shutil.ignore_patterns("__pycache__", "*.so"))
+    before = digest_of(tmp_path)
+    assert before == digest_of(PACKAGE)
+    (tmp_path / page).write_text((tmp_path / page).read_text(encoding="utf-8") + " ", encoding="utf-8")
+    assert digest_of(tmp_path) != before
+
+
+def test_whatever_a_patient_is_made_from_is_in_its_name():
+    run = subprocess.run([sys.executable, "-c", READS], capture_output=True, text=True, check=True)
+    ours = {Path(line) for line in run.stdout.splitlines() if line.startswith(f"{PACKAGE}/")}
+    made_from = {path for path in ours if path.suffix not in archive.COMPILED and path.parent != PACKAGE}
+    assert made_from, "the reading of a patient's sources found nothing"
+    assert made_from <= set(pages_of(PACKAGE))

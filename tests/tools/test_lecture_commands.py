@@ -8,11 +8,13 @@ import sys
 import time
 
 import pytest
-from tools_robot import fixed, moving
+from tools_robot import fixed, moving, transform
 
 from tflab.ros import client_library as rclpy
 from tflab.ros.messages.std_msgs import String
 from tflab.ros.messages.tf2_msgs import TFMessage
+from tflab.ros.tf2.broadcaster import TransformBroadcaster
+from tflab.tools.rviz import look
 from tflab.tools.trees import frame_tree
 
 TF_HASH = "RIHS01_e369d0f05a23ae52508854b66f6aa0437f3449d652e8cbf22d5abe85d020f087"
@@ -287,6 +289,42 @@ def test_tf2_echo_goes_on_when_a_lookup_fails(robot):
         "Frame laser_frame exists with parent base_link.\n"
         "Frame base_link exists with parent elsewhere.\n\n"
     ) in out
+
+
+def late():
+    """Sends base_link's place of a minute ago, after all tools have begun."""
+    rclpy.init()
+    node = rclpy.create_node("late")
+    broadcaster = TransformBroadcaster(node)
+
+    def send():
+        old = transform(node, "odom", "base_link")
+        old.header.stamp.sec -= 60
+        broadcaster.sendTransform(old)
+
+    node.create_timer(0.5, send)
+    rclpy.spin(node)
+
+
+@pytest.mark.parametrize(
+    ("command", "authority"),
+    [
+        ("ros2 --for 4 run tf2_ros tf2_echo odom base_link", "Authority undetectable"),
+        ("ros2 --for 4 run tf2_ros tf2_monitor odom base_link", "Authority undetectable"),
+        ("ros2 run tf2_tools view_frames", "default_authority"),
+    ],
+)
+def test_a_tool_names_the_authority_of_its_client_library(robot, command, authority, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    robot.graph.start(late)
+    robot.type(command)
+    assert f"according to authority {authority}\n" in robot.error
+
+
+def test_rviz_is_a_tool_in_cpp(robot, capsys):
+    robot.graph.start(late)
+    look(robot.graph)
+    assert "according to authority Authority undetectable\n" in capsys.readouterr().err
 
 
 def test_a_tool_in_cpp_warns_of_qos_with_the_policys_whole_name(terminal):

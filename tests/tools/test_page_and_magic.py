@@ -247,3 +247,17 @@ def test_an_ampersand_with_a_time_ends_after_it(terminal):
 
 def test_an_ampersand_inside_quotes_is_a_letter():
     assert split_line("topic pub /chatter std_msgs/msg/String 'data: a&'")[1][-1] == "data: a&"
+
+
+def test_the_first_cell_of_a_page_begins_a_new_world_whenever_it_runs(capsys):
+    shell = InteractiveShell.instance()
+    try:
+        said = []
+        for _ in range(2):
+            shell.run_cell("%load_ext tflab")
+            shell.run_cell("import rclpy\nrclpy.init()\ngraph.run(seconds=1.5)\nprint(graph.now_ns)")
+            said.append(capsys.readouterr().out)
+        assert said[0] == said[1]
+        assert said[0].startswith("tflab: in-process ROS 2")
+    finally:
+        InteractiveShell.clear_instance()

@@ -3,9 +3,10 @@
     admissions --known?--> file           a hash of causes, numbers, and of the code that makes patients
                --new-----> ward --> file
 
-A patient follows from its causes, its numbers and this room's pages, so those are its
-name: content-addressed, as git's objects are.  Where the tools or the robot changed
-what they print, delete the folder; the ward's tests never look into it.
+A patient follows from its causes, its numbers and the pages of all rooms that this
+one may import from (the tools print it, the robots drive it), so those are its name:
+content-addressed, as git's objects are.  Whatever is edited there, an old patient is
+not found again.
 
 Read `visit.py` next.
 """
@@ -19,15 +20,18 @@ from functools import lru_cache
 from pathlib import Path
 from typing import NamedTuple
 
+import numpy as np
+
 from tflab import __version__
 
 from .causes import Numbers
 from .patient import SickRobot
 from .ward import make_patient
 
-__all__ = ["Admission", "patients"]
+__all__ = ["Admission", "digest_of", "pages_of", "patients"]
 
-MADE_BY = ("causes", "cures", "findings", "patient", "table", "trolley", "ward")  # pages of this room
+MADE_BY = ("core", "views", "ros", "robots", "bags", "doctor", "tools", "clinic")  # this room, and those above it
+COMPILED = {".pyc", ".so", ".pyd"}  # made from the pages
 
 
 class Admission(NamedTuple):
@@ -63,8 +67,23 @@ def _place(admission: Admission) -> Path:
 
 @lru_cache
 def _sources() -> str:
-    """Return a digest of the code that makes patients."""
-    digest = hashlib.sha256(__version__.encode())
-    for page in MADE_BY:
-        digest.update(Path(__file__).with_name(f"{page}.py").read_bytes())
+    return digest_of(Path(__file__).parents[1])
+
+
+def digest_of(package: Path) -> str:
+    """Return a digest of all that makes patients: each file of the rooms in a folder, and the versions."""
+    digest = hashlib.sha256(f"{__version__} numpy {np.__version__}".encode())
+    for path in pages_of(package):
+        held = path.read_bytes()
+        digest.update(f"{path.relative_to(package).as_posix()} {len(held)}\n".encode() + held)
     return digest.hexdigest()
+
+
+def pages_of(package: Path) -> list[Path]:
+    """Return every file of a package's folder that a patient is made from, in one order; not what tools left there."""
+    files = (path for room in MADE_BY for path in (package / room).rglob("*") if path.is_file())
+    return sorted(
+        path
+        for path in files
+        if path.suffix not in COMPILED and not any(part.startswith(".") for part in path.relative_to(package).parts)
+    )

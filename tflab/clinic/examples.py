@@ -48,7 +48,7 @@ EXAMPLES: dict[str, dict[str, str]] = {
         "without wheel_odometry": _NODES.replace(" wheel_odometry", ""),
         "with ekf_filter_node": f"ekf_filter_node {_NODES}",
     },
-    "echo map base_footprint": {_CARD: "answers", **_LOST, **_LOGS},
+    "echo map base_footprint": {_CARD: "answers", "comes and goes": "comes and goes", **_LOST, **_LOGS},
     "echo odom base_footprint": {
         _CARD: "smooth",
         "to and fro": "to and fro, 0.51 m apart",
@@ -111,6 +111,7 @@ EXAMPLES: dict[str, dict[str, str]] = {
         "too much in all": "base_footprint 0.006 s; odom 0.010 s; 80.2 Hz in all",
         "too little in all": "base_footprint 0.004 s; odom 0.010 s; 32.2 Hz in all",
         "late": "base_footprint 0.369 s; odom 0.367 s; 48.4 Hz in all",
+        "answers, then aborts": "answers, then aborts",
         **_LOST,
         **_NO_LASER,
     },

@@ -30,7 +30,7 @@ CARD_FRAMES = (
     "left_wheel", "map", "odom", "right_wheel", "shoulder", "tcp", "tool0", "wrist",
 )  # fmt: skip
 NOTHING = "nothing heard"
-UNKNOWN, APART, COMES_AND_GOES = "unknown", "not in one tree", "comes and goes"
+UNKNOWN, APART, COMES_AND_GOES, ABORTED = "unknown", "not in one tree", "comes and goes", "answers, then aborts"
 DENORMALIZED, INCOMPATIBLE = "TF_DENORMALIZED_QUATERNION", "incompatible QoS"
 
 
@@ -116,7 +116,9 @@ def correction(text: str) -> str:
 
 
 def monitor(text: str) -> str:
-    """Read the mean delay of the two moving edges."""
+    """Read the mean delay of the two moving edges, or that the tool died of a chain that broke."""
+    if "terminate called" in text:
+        return ABORTED
     delays = re.findall(r"Frame: (odom|base_footprint), published by .*?Average Delay: ([-\d.e+]+)", text)
     if not delays:
         return connection(text)

@@ -24,6 +24,7 @@ from .ward import examined, make_patient
 
 __all__ = ["answer_of", "night_shift", "practice_patient", "second_opinion", "worked_patient"]
 
+TRIES = 20  # of drawing a patient again
 # A first cause hides a second one: until it is cured, the second cannot be seen.
 NIGHTS = (
     ("localizer not running", "mount wrong"),
@@ -66,12 +67,13 @@ def second_opinion(number: int, complaint: str = "") -> str:
 
 def _clear(rng: np.random.Generator, causes: tuple[str, ...]) -> tuple[SickRobot, Numbers]:
     """Return a patient of one cause and its numbers; where its readings fit nobody, others are drawn."""
-    while True:
+    for _ in range(TRIES):
         numbers = draw_numbers(rng)
         patient = make_patient(causes, numbers)
         if fitting({key: check.kind(patient.reading(key)[2]) for key, check in TROLLEY.items()}) == causes:
             patient.asked = ()
             return patient, numbers
+    raise ValueError(f"after {TRIES} draws no patient's readings fit {causes[0]} alone")
 
 
 def _drawn(number: int, complaint: str) -> tuple[np.random.Generator, tuple[str, ...]]:

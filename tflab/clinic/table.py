@@ -98,8 +98,8 @@ _COLUMNS = {
         "view_frames": "base_footprint too often", "monitor": "too much in all",
     },
     "localizer owns the base": {
-        "rviz": "robot lost", "echo odom base_footprint": "comes and goes", "echo map odom": _APART,
-        "view_frames": "base_footprint too often",
+        "rviz": "robot lost", "echo map base_footprint": "comes and goes", "echo odom base_footprint": "comes and goes",
+        "echo map odom": _APART, "view_frames": "base_footprint too often", "monitor": "answers, then aborts",
     },
     "nothing is wrong": {},
     "mount wrong": {"echo base_link laser_frame": "elsewhere", "echo /tf_static": "elsewhere"},

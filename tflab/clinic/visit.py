@@ -33,7 +33,8 @@ The robot when it is well
           base_link -> laser_frame    /laser_mount, static, x 0.200 y 0.000 z 0.150
           the rest                    /robot_state_publisher
   data    /odom 20 Hz, 0.004 s behind     /scan 10 Hz, 0.105 s behind, header laser_frame
-  nodes   joint_driver laser_driver laser_mount localization map_server robot_state_publisher wheel_odometry""",
+  nodes   joint_driver laser_driver laser_mount localization map_server robot_state_publisher wheel_odometry
+          (RViz is open only while you look at it, and so in no list of nodes)""",
     "ko": """\
 정상일 때의 로봇
   트리    map -> odom -> base_footprint -> base_link -> laser_frame, 그 밖의 부품
@@ -42,7 +43,8 @@ The robot when it is well
           base_link -> laser_frame    /laser_mount, static, x 0.200 y 0.000 z 0.150
           나머지                      /robot_state_publisher
   데이터  /odom 20 Hz, 0.004초 늦음   /scan 10 Hz, 0.105초 늦음, header는 laser_frame
-  노드    joint_driver laser_driver laser_mount localization map_server robot_state_publisher wheel_odometry""",
+  노드    joint_driver laser_driver laser_mount localization map_server robot_state_publisher wheel_odometry
+          (RViz는 들여다볼 때만 켜므로 노드 목록에 나오지 않음)""",
 }
 
 WORDS = {

@@ -20,33 +20,27 @@ from tflab.ros.messages.base import Message, is_action_class
 from tflab.ros.messages.fill import fill
 from tflab.ros.messages.text import message_to_yaml
 from tflab.ros.node import Node
-from tflab.ros.task import Future
 
-from .session import cli_node, spin_until_done, tool_node
+from .discovery import add_verb
+from .session import answer_of, cli_node, tool_node
 
 __all__ = ["action_class", "actions_among", "add_verbs"]
 
 
 def add_verbs(verbs: argparse._SubParsersAction) -> None:
     """Add the verbs of `ros2 action` to a parser."""
-    what = "Print information about an action"
-    verb = verbs.add_parser("info", help=what, description=what)
-    verb.set_defaults(run=info)
+    verb = add_verb(verbs, "info", "Print information about an action", info, looks_around=False)
     verb.add_argument("action_name", help="Name of the ROS action to get info (e.g. '/fibonacci')")
     verb.add_argument("-t", "--show-types", action="store_true", help="Additionally show the action type")
     verb.add_argument(
         "-c", "--count", action="store_true", help="Only display the number of action clients and action servers"
     )
-    what = "Output a list of action names"
-    verb = verbs.add_parser("list", help=what, description=what)
-    verb.set_defaults(run=list_actions)
+    verb = add_verb(verbs, "list", "Output a list of action names", list_actions, looks_around=False)
     verb.add_argument("-t", "--show-types", action="store_true", help="Additionally show the action type")
     verb.add_argument(
         "-c", "--count-actions", action="store_true", help="Only display the number of actions discovered"
     )
-    what = "Send an action goal"
-    verb = verbs.add_parser("send_goal", help=what, description=what)
-    verb.set_defaults(run=send_goal)
+    verb = add_verb(verbs, "send_goal", "Send an action goal", send_goal, looks_around=False)
     verb.add_argument("action_name", help="Name of the ROS action (e.g. '/fibonacci')")
     verb.add_argument("action_type", help="Type of the ROS action (e.g. 'example_interfaces/action/Fibonacci')")
     verb.add_argument("goal", nargs="?", default="{}", help="Goal request values in YAML format (e.g. '{order: 10}')")
@@ -115,12 +109,12 @@ def send_goal(options: argparse.Namespace) -> str | None:
         print("Waiting for an action server to become available...", flush=True)
         client.wait_for_server()
         print(f"Sending goal:\n     {message_to_yaml(goal)}", flush=True)
-        handle = _result(node, client.send_goal_async(goal, _print_feedback if options.feedback else None))
+        handle = answer_of(node, client.send_goal_async(goal, _print_feedback if options.feedback else None))
         if not handle.accepted:
             print("Goal was rejected.")
             return None
         print(f"Goal accepted with ID: {goal_key(handle.goal_id).hex()}\n", flush=True)
-        answer = _result(node, handle.get_result_async())
+        answer = answer_of(node, handle.get_result_async())
         print(f"Result:\n    {message_to_yaml(answer.result)}")
         print(f"Goal finished with status: {status_name(answer.status)}", flush=True)
     return None
@@ -128,11 +122,6 @@ def send_goal(options: argparse.Namespace) -> str | None:
 
 def _print_feedback(message: Message) -> None:
     print(f"Feedback:\n    {message_to_yaml(message.feedback)}", flush=True)
-
-
-def _result(node: Node, future: Future) -> Any:
-    spin_until_done(node, future)
-    return future.result()
 
 
 def _line(name: str, types: Sequence[str], show_types: bool) -> str:

@@ -26,6 +26,7 @@ from tflab.ros import distro
 from tflab.ros.graph import current_process
 from tflab.ros.logging import get_logger
 
+from .discovery import add_verb
 from .session import spin, spin_for, tool_node, zone_here
 
 __all__ = ["add_verbs"]
@@ -35,17 +36,11 @@ DEFAULT_CLOCK_HZ = 40.0
 
 def add_verbs(verbs: argparse._SubParsersAction) -> None:
     """Add the verbs of `ros2 bag` to a parser."""
-    what = "Print information about a bag to the screen"
-    verb = verbs.add_parser("info", help=what, description=what)
-    verb.set_defaults(run=info)
+    verb = add_verb(verbs, "info", "Print information about a bag to the screen", info, looks_around=False)
     verb.add_argument("bag_path", help="Bag to open")
-    what = "Play back ROS data from a bag"
-    verb = verbs.add_parser("play", help=what, description=what)
-    verb.set_defaults(run=play)
+    verb = add_verb(verbs, "play", "Play back ROS data from a bag", play, looks_around=False)
     _add_play_options(verb)
-    what = "Record ROS data to a bag"
-    verb = verbs.add_parser("record", help=what, description=what)
-    verb.set_defaults(run=record)
+    verb = add_verb(verbs, "record", "Record ROS data to a bag", record, looks_around=False)
     _add_record_options(verb)
 
 

@@ -9,13 +9,13 @@ upstream: ros2cli/ros2cli/node/strategy.py, ros2topic/api.  Read `topic.py` next
 from __future__ import annotations
 
 import argparse
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from tflab.ros.exceptions import InvalidTopicNameException
 from tflab.ros.messages import type_named
 from tflab.ros.node import Node
 
-__all__ = ["add_discovery_options", "message_class", "topic_class", "types_of", "visible"]
+__all__ = ["add_discovery_options", "add_verb", "full_type_name", "message_class", "topic_class", "types_of", "visible"]
 
 
 def add_discovery_options(parser: argparse.ArgumentParser) -> None:
@@ -28,6 +28,17 @@ def add_discovery_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--no-daemon", action="store_true", help="Do not spawn nor use an already running daemon")
 
 
+def add_verb(
+    verbs: argparse._SubParsersAction, name: str, what: str, run: Callable, *, looks_around: bool = True
+) -> argparse.ArgumentParser:
+    """Add a verb that says `what` in its help; if it looks around in the graph, with the options about discovery."""
+    verb = verbs.add_parser(name, help=what, description=what)
+    verb.set_defaults(run=run)
+    if looks_around:
+        add_discovery_options(verb)
+    return verb
+
+
 def visible(names_and_types: Sequence[tuple[str, Sequence[str]]], hidden: bool = False) -> list[tuple[str, list[str]]]:
     """Return those topics or services that are not hidden (no part of their name begins with "_"), by name."""
     return sorted((name, list(types)) for name, types in names_and_types if hidden or "/_" not in name)
@@ -38,15 +49,20 @@ def types_of(node: Node, topic_name: str) -> list[str] | None:
     return dict(node.get_topic_names_and_types()).get(topic_name)
 
 
+def full_type_name(type_name: str, kind: str) -> str:
+    """Return the name of a type with its kind in it: 'geometry_msgs/Point' is 'geometry_msgs/msg/Point'."""
+    package, _, name = type_name.rpartition("/")
+    return type_name if "/" in package else f"{package}/{kind}/{name}"
+
+
 def message_class(type_name: str) -> type:
     """Return the class of a message type.
 
     Raises:
         RuntimeError: there is none of that name; upstream's text.
     """
-    package, _, name = type_name.rpartition("/")
     try:
-        return type_named(type_name if "/" in package else f"{package}/msg/{name}")
+        return type_named(full_type_name(type_name, "msg"))
     except KeyError:
         raise RuntimeError(f"The message type '{type_name}' is invalid") from None
 

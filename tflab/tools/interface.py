@@ -29,6 +29,8 @@ from tflab.ros.messages.base import (
 from tflab.ros.messages.definition import parse_definition
 from tflab.ros.messages.text import message_to_yaml
 
+from .discovery import add_verb, full_type_name
+
 __all__ = ["add_verbs", "definition_lines"]
 
 KINDS: dict[str, Callable[[object], bool]] = {
@@ -38,41 +40,42 @@ KINDS: dict[str, Callable[[object], bool]] = {
 }
 
 
+TYPE_HELP = "Show an interface definition (e.g. 'example_interfaces/msg/String')"
+
+
 def add_verbs(verbs: argparse._SubParsersAction) -> None:
     """Add the verbs of `ros2 interface` to a parser."""
-    what = "List all interface types available"
-    verb = verbs.add_parser("list", help=what, description=what)
-    verb.set_defaults(run=list_types)
-    for letter, kind, word in (("m", "msgs", "message"), ("s", "srvs", "service"), ("a", "actions", "action")):
-        verb.add_argument(
-            f"-{letter}", f"--only-{kind}", action="store_true", help=f"Print out only the {word} types"
-        )  # fmt: skip
+    verb = add_verb(verbs, "list", "List all interface types available", list_types, looks_around=False)
+    _add_kinds(verb, "Print out only the {} types")
     what = "Output a list of available interface types within one package"
-    verb = verbs.add_parser("package", help=what, description=what)
-    verb.set_defaults(run=list_package)
+    verb = add_verb(verbs, "package", what, list_package, looks_around=False)
     verb.add_argument("package_name", help="Name of the ROS package (e.g. 'example_interfaces')")
     what = "Output a list of packages that provide interfaces"
-    verb = verbs.add_parser("packages", help=what, description=what)
-    verb.set_defaults(run=list_packages)
-    for letter, kind, word in (("m", "msgs", "messages"), ("s", "srvs", "services"), ("a", "actions", "actions")):
-        verb.add_argument(
-            f"-{letter}", f"--only-{kind}", action="store_true", help=f"Only list packages that generate {word}"
-        )
-    what = "Output an interface prototype"
-    verb = verbs.add_parser("proto", help=what, description=what)
-    verb.set_defaults(run=print_prototype)
-    verb.add_argument("type", help="Show an interface definition (e.g. 'example_interfaces/msg/String')")
+    verb = add_verb(verbs, "packages", what, list_packages, looks_around=False)
+    _add_kinds(verb, "Only list packages that generate {}s")
+    verb = add_verb(verbs, "proto", "Output an interface prototype", print_prototype, looks_around=False)
+    verb.add_argument("type", help=TYPE_HELP)
     verb.add_argument("--no-quotes", action="store_true", help="if true output has no outer quotes.")
-    what = "Output the interface definition"
-    verb = verbs.add_parser("show", help=what, description=what)
-    verb.set_defaults(run=show)
-    verb.add_argument("type", help="Show an interface definition (e.g. 'example_interfaces/msg/String')")
+    verb = add_verb(verbs, "show", "Output the interface definition", show, looks_around=False)
+    verb.add_argument("type", help=TYPE_HELP)
     comments = verb.add_mutually_exclusive_group()
     comments.add_argument(
         "--all-comments", action="store_true",
         help="Show all comments, including for nested interface definitions",
     )  # fmt: skip
     comments.add_argument("--no-comments", action="store_true", help="Show no comments or whitespace")
+
+
+def _add_kinds(verb: argparse.ArgumentParser, what: str) -> None:
+    """Add an option for each kind of type; the blank in `what` is for its name."""
+    for letter, kind, word in (("m", "msgs", "message"), ("s", "srvs", "service"), ("a", "actions", "action")):
+        verb.add_argument(f"-{letter}", f"--only-{kind}", action="store_true", help=what.format(word))
+
+
+def _kinds_wanted(options: argparse.Namespace) -> dict[str, Callable[[object], bool]]:
+    """Return the kinds that were asked for; all if none was."""
+    asked = (options.only_msgs, options.only_srvs, options.only_actions)
+    return {kind: KINDS[kind] for kind, wanted in zip(KINDS, asked, strict=True) if wanted} or KINDS
 
 
 def show(options: argparse.Namespace) -> str | None:
@@ -107,22 +110,18 @@ def definition_lines(
 
 def list_types(options: argparse.Namespace) -> None:
     """Print every type, by kind."""
-    wanted = [options.only_msgs, options.only_srvs, options.only_actions]
-    for (heading, is_kind), asked in zip(KINDS.items(), wanted, strict=True):
-        if asked or not any(wanted):
-            print(f"{heading}:")
-            for name, cls in all_types().items():
-                if is_kind(cls):
-                    print(f"    {name}")
+    for heading, is_kind in _kinds_wanted(options).items():
+        print(f"{heading}:")
+        for name, cls in all_types().items():
+            if is_kind(cls):
+                print(f"    {name}")
 
 
 def list_packages(options: argparse.Namespace) -> None:
     """Print the packages that have types."""
-    wanted = [options.only_msgs, options.only_srvs, options.only_actions]
-    kinds = [is_kind for is_kind, asked in zip(KINDS.values(), wanted, strict=True) if asked or not any(wanted)]
-    for package in sorted(
-        {name.split("/")[0] for name, cls in all_types().items() if any(kind(cls) for kind in kinds)}
-    ):
+    kinds = _kinds_wanted(options).values()
+    names = [name for name, cls in all_types().items() if any(is_kind(cls) for is_kind in kinds)]
+    for package in sorted({name.split("/")[0] for name in names}):
         print(package)
 
 
@@ -152,9 +151,7 @@ def _type(name: str) -> type:
     Raises:
         LookupError: there is none of that name; with upstream's sentence, and what there is.
     """
-    parts = name.split("/")
-    if len(parts) == 2:
-        parts.insert(1, "msg")
+    parts = full_type_name(name, "msg").split("/")
     if len(parts) != 3 or not all(parts):
         raise LookupError(f"Invalid name '{name}'. Expected three parts separated by '/'")
     there = all_types()

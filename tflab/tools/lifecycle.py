@@ -16,46 +16,34 @@ from typing import Any
 from tflab.ros.messages import lifecycle_msgs
 from tflab.ros.node import Node
 
-from .discovery import add_discovery_options, visible
-from .node import full_names
-from .session import cli_node, spin_until_done
+from .discovery import add_verb, visible
+from .node import NOT_FOUND, absolute_name, full_names
+from .session import call_service, cli_node
 
 __all__ = ["add_verbs", "managed_nodes"]
 
 GET_STATE = "lifecycle_msgs/srv/GetState"
-NOT_FOUND = "Node not found"
 
 
 def add_verbs(verbs: argparse._SubParsersAction) -> None:
     """Add the verbs of `ros2 lifecycle` to a parser."""
-    what = "Get lifecycle state for one or more nodes"
-    verb = _verb(verbs, "get", what)
-    verb.set_defaults(run=get)
+    verb = add_verb(verbs, "get", "Get lifecycle state for one or more nodes", get)
     verb.add_argument(
         "node_name", nargs="?",
         help="Name of the ROS node. If no name is provided, then get the state for all nodes.",
     )  # fmt: skip
     _consider_hidden(verb)
-    verb = _verb(verbs, "list", "Output a list of available transitions")
-    verb.set_defaults(run=list_transitions)
+    verb = add_verb(verbs, "list", "Output a list of available transitions", list_transitions)
     verb.add_argument("node_name", help="Name of the ROS node")
     verb.add_argument("-a", "--all", action="store_true", help="Display all existing transitions")
     _consider_hidden(verb)
-    verb = _verb(verbs, "nodes", "Output a list of nodes with lifecycle")
-    verb.set_defaults(run=list_nodes)
+    verb = add_verb(verbs, "nodes", "Output a list of nodes with lifecycle", list_nodes)
     verb.add_argument("-a", "--all", action="store_true", help="Display all nodes even hidden ones")
     verb.add_argument("-c", "--count-nodes", action="store_true", help="Only display the number of nodes discovered")
-    verb = _verb(verbs, "set", "Trigger lifecycle state transition")
-    verb.set_defaults(run=set_state)
+    verb = add_verb(verbs, "set", "Trigger lifecycle state transition", set_state)
     verb.add_argument("node_name", help="Name of the ROS node")
     verb.add_argument("transition", help="The lifecycle transition")
     _consider_hidden(verb)
-
-
-def _verb(verbs: argparse._SubParsersAction, name: str, what: str) -> argparse.ArgumentParser:
-    verb = verbs.add_parser(name, help=what, description=what)
-    add_discovery_options(verb)
-    return verb
 
 
 def _consider_hidden(verb: argparse.ArgumentParser) -> None:
@@ -88,7 +76,7 @@ def get(options: argparse.Namespace) -> str | None:
             for name in names:
                 print(f"{name}: {_state_of(node, name)}")
             return None
-        wanted = _absolute(options.node_name)
+        wanted = absolute_name(options.node_name)
         if wanted not in names:
             return NOT_FOUND
         print(_state_of(node, wanted))
@@ -98,7 +86,7 @@ def get(options: argparse.Namespace) -> str | None:
 def list_transitions(options: argparse.Namespace) -> str | None:
     """Print what can be done with a managed node now, or ever."""
     with cli_node() as node:
-        wanted = _absolute(options.node_name)
+        wanted = absolute_name(options.node_name)
         if wanted not in managed_nodes(node, options.include_hidden_nodes):
             return NOT_FOUND
         for each in _transitions(node, wanted, "get_transition_graph" if options.all else "get_available_transitions"):
@@ -110,7 +98,7 @@ def list_transitions(options: argparse.Namespace) -> str | None:
 def set_state(options: argparse.Namespace) -> str | None:
     """Move a managed node on: by the label of a transition, or its number."""
     with cli_node() as node:
-        wanted = _absolute(options.node_name)
+        wanted = absolute_name(options.node_name)
         if wanted not in managed_nodes(node, options.include_hidden_nodes):
             return NOT_FOUND
         ways = [each.transition for each in _transitions(node, wanted, "get_available_transitions")]
@@ -120,31 +108,21 @@ def set_state(options: argparse.Namespace) -> str | None:
             there = "".join(f"\n- {way.label} [{way.id}]" for way in ways)
             return f"Unknown transition requested, available ones are:{there}"
         request = lifecycle_msgs.ChangeState.Request(transition=(by_label + by_number)[0])
-        if _answer(node, lifecycle_msgs.ChangeState, f"{wanted}/change_state", request).success:
+        if call_service(node, lifecycle_msgs.ChangeState, f"{wanted}/change_state", request).success:
             print("Transitioning successful")
         else:
             print("Transitioning failed", file=sys.stderr)
     return None
 
 
-def _absolute(name: str) -> str:
-    return name if name.startswith("/") else f"/{name}"
-
-
 def _state_of(node: Node, name: str) -> str:
     """Return the state of a managed node as upstream prints it: 'active [3]'."""
     request = lifecycle_msgs.GetState.Request()
-    state = _answer(node, lifecycle_msgs.GetState, f"{name}/get_state", request).current_state
+    state = call_service(node, lifecycle_msgs.GetState, f"{name}/get_state", request).current_state
     return f"{state.label} [{state.id}]"
 
 
 def _transitions(node: Node, name: str, service: str) -> list[Any]:
     """Return the transitions that a managed node has, by the service that is asked."""
     srv_type = lifecycle_msgs.GetAvailableTransitions
-    return list(_answer(node, srv_type, f"{name}/{service}", srv_type.Request()).available_transitions)
-
-
-def _answer(node: Node, srv_type: type, name: str, request: Any) -> Any:
-    future = node.create_client(srv_type, name).call_async(request)
-    spin_until_done(node, future)
-    return future.result()
+    return list(call_service(node, srv_type, f"{name}/{service}", srv_type.Request()).available_transitions)

@@ -10,32 +10,27 @@ import sys
 from collections.abc import Sequence
 
 from .action import actions_among
-from .discovery import add_discovery_options, visible
+from .discovery import add_verb, visible
 from .session import cli_node
 
-__all__ = ["add_verbs", "duplicates_warning", "full_names", "info_text"]
+__all__ = ["NOT_FOUND", "absolute_name", "add_verbs", "duplicates_warning", "full_names", "info_text"]
 
 SAME_NAME = (
     "WARNING: Be aware that there are nodes in the graph that share an exact name, "
     "which can have unintended side effects."
 )
+NOT_FOUND = "Node not found"  # what `param` and `lifecycle` say
 SECTIONS = ("Subscribers", "Publishers", "Service Servers", "Service Clients", "Action Servers", "Action Clients")
 
 
 def add_verbs(verbs: argparse._SubParsersAction) -> None:
     """Add the verbs of `ros2 node` to a parser."""
-    what = "Output information about a node"
-    verb = verbs.add_parser("info", help=what, description=what)
-    verb.set_defaults(run=info)
-    add_discovery_options(verb)
+    verb = add_verb(verbs, "info", "Output information about a node", info)
     verb.add_argument("node_name", help="Fully qualified node name to request information")
     verb.add_argument(
         "--include-hidden", action="store_true", help="Display hidden topics, services, and actions as well"
     )
-    what = "Output a list of available nodes"
-    verb = verbs.add_parser("list", help=what, description=what)
-    verb.set_defaults(run=list_nodes)
-    add_discovery_options(verb)
+    verb = add_verb(verbs, "list", "Output a list of available nodes", list_nodes)
     verb.add_argument("-a", "--all", action="store_true", help="Display all nodes even hidden ones")
     verb.add_argument("-c", "--count-nodes", action="store_true", help="Only display the number of nodes discovered")
 
@@ -44,6 +39,11 @@ def full_names(names_and_namespaces: Sequence[tuple[str, str]], hidden: bool = F
     """Return the full names of nodes, sorted; of hidden ones, whose name begins with "_", only if asked."""
     shown = [pair for pair in names_and_namespaces if hidden or not pair[0].startswith("_")]
     return sorted(f"{namespace.rstrip('/')}/{name}" for name, namespace in shown)
+
+
+def absolute_name(name: str) -> str:
+    """Return the full name of a node that was typed without its leading slash, or with it."""
+    return name if name.startswith("/") else f"/{name}"
 
 
 def duplicates_warning(names: Sequence[str]) -> str:

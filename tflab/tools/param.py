@@ -17,9 +17,9 @@ import yaml
 
 from tflab.ros.node import Node
 
-from .discovery import add_discovery_options
-from .node import full_names
-from .session import cli_node, spin_until_done
+from .discovery import add_verb
+from .node import NOT_FOUND, absolute_name, full_names
+from .session import call_service, cli_node
 
 __all__ = ["add_verbs", "python_value", "value_text"]
 
@@ -51,9 +51,7 @@ def add_verbs(verbs: argparse._SubParsersAction) -> None:
 
 
 def _add(verbs: argparse._SubParsersAction, name: str, what: str, run, nargs=None) -> argparse.ArgumentParser:
-    verb = verbs.add_parser(name, help=what, description=what)
-    verb.set_defaults(run=run)
-    add_discovery_options(verb)
+    verb = add_verb(verbs, name, what, run)
     verb.add_argument("node_name", nargs=nargs, help="Name of the ROS node")
     verb.add_argument("--include-hidden-nodes", action="store_true", help="Consider hidden nodes as well")
     return verb
@@ -89,20 +87,16 @@ def value_text(value, hide_type: bool = False) -> str:
     return str(shown) if hide_type else f"{label} {shown}"
 
 
-def _absolute(name: str) -> str:
-    return name if name.startswith("/") else f"/{name}"
-
-
 def get(options: argparse.Namespace) -> str | None:
     """Print the value of a parameter."""
     from tflab.ros.messages.rcl_interfaces import GetParameters
 
     with cli_node() as node:
-        name = _absolute(options.node_name)
+        name = absolute_name(options.node_name)
         if not _exists(node, name, options):
-            return "Node not found"
+            return NOT_FOUND
         request = GetParameters.Request(names=[options.parameter_name])
-        values = _call(node, GetParameters, f"{name}/get_parameters", request).values
+        values = call_service(node, GetParameters, f"{name}/get_parameters", request).values
         if not values:
             return "Parameter not set"
         if values[0].type not in KINDS:
@@ -117,12 +111,12 @@ def set_parameter(options: argparse.Namespace) -> str | None:
     from tflab.ros.messages.rcl_interfaces import Parameter, SetParameters
 
     with cli_node() as node:
-        name = _absolute(options.node_name)
+        name = absolute_name(options.node_name)
         if not _exists(node, name, options):
-            return "Node not found"
+            return NOT_FOUND
         parameter = Parameter(name=options.parameter_name, value=parameter_value(options.value))
         request = SetParameters.Request(parameters=[parameter])
-        (result,) = _call(node, SetParameters, f"{name}/set_parameters", request).results
+        (result,) = call_service(node, SetParameters, f"{name}/set_parameters", request).results
         reason = f": {result.reason}" if result.reason else ""
         if result.successful:
             print(f"Set parameter successful{reason}")
@@ -138,15 +132,15 @@ def list_parameters(options: argparse.Namespace) -> str | None:
     with cli_node() as node:
         names = full_names(node.get_node_names_and_namespaces(), options.include_hidden_nodes)
         if options.node_name is not None:
-            if _absolute(options.node_name) not in names:
-                return "Node not found"
-            names = [_absolute(options.node_name)]
+            if absolute_name(options.node_name) not in names:
+                return NOT_FOUND
+            names = [absolute_name(options.node_name)]
         served = dict(node.get_service_names_and_types())
         for name in dict.fromkeys(names):
             if f"{name}/list_parameters" not in served:
                 continue
             request = ListParameters.Request(prefixes=options.param_prefixes)
-            found = _call(node, ListParameters, f"{name}/list_parameters", request).result.names
+            found = call_service(node, ListParameters, f"{name}/list_parameters", request).result.names
             if options.node_name is None:
                 print(f"{name}:")
             print("\n".join(f"  {parameter}" for parameter in sorted(found)))
@@ -155,11 +149,3 @@ def list_parameters(options: argparse.Namespace) -> str | None:
 
 def _exists(node: Node, name: str, options: argparse.Namespace) -> bool:
     return name in full_names(node.get_node_names_and_namespaces(), options.include_hidden_nodes)
-
-
-def _call(node: Node, service_type: type, service_name: str, request):
-    """Return a service's answer; wait for it as long as it takes, as upstream does."""
-    client = node.create_client(service_type, service_name)
-    future = client.call_async(request)
-    spin_until_done(node, future)
-    return future.result()

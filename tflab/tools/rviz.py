@@ -37,7 +37,7 @@ from tflab.ros.graph import Graph, current_graph
 from tflab.ros.messages import geometry_msgs, nav_msgs, sensor_msgs, std_msgs
 from tflab.ros.node import Node
 
-from .session import result_of, spin_for, tool_node
+from .session import CPP_AUTHORITY, result_of, spin_for, tool_node
 
 if TYPE_CHECKING:
     from tflab.views.rviz import RViz
@@ -86,6 +86,7 @@ def _watch(seconds: float, decay_s: float) -> Look:
     with tool_node("rviz", start_parameter_services=False) as node:
         buffer = Buffer()
         listener = TransformListener(buffer, node)
+        listener.authority = CPP_AUTHORITY
         heard = _hear_everything(node)
         spin_for(node, seconds)
         displays = tuple(_displays(heard, decay_s))

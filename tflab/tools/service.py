@@ -8,7 +8,7 @@ upstream: ros2cli/ros2service.  Read `action.py` next.
 from __future__ import annotations
 
 import argparse
-from typing import Any
+from collections.abc import Callable
 
 import yaml
 
@@ -16,8 +16,8 @@ from tflab.ros.messages import type_named
 from tflab.ros.messages.base import is_service_class
 from tflab.ros.messages.fill import fill
 
-from .discovery import add_discovery_options, visible
-from .session import cli_node, spin_for, spin_until_done
+from .discovery import add_verb, full_type_name, visible
+from .session import answer_of, cli_node, spin_for
 from .topic_pub import positive_float
 
 __all__ = ["add_verbs", "service_class"]
@@ -25,9 +25,7 @@ __all__ = ["add_verbs", "service_class"]
 
 def add_verbs(verbs: argparse._SubParsersAction) -> None:
     """Add the verbs of `ros2 service` to a parser."""
-    what = "Call a service"
-    verb = verbs.add_parser("call", help=what, description=what)
-    verb.set_defaults(run=call)
+    verb = add_verb(verbs, "call", "Call a service", call, looks_around=False)
     verb.add_argument("service_name", help="Name of the ROS service to call to (e.g. '/add_two_ints')")
     verb.add_argument("service_type", help="Type of the ROS service (e.g. 'std_srvs/srv/Empty')")
     verb.add_argument(
@@ -36,21 +34,17 @@ def add_verbs(verbs: argparse._SubParsersAction) -> None:
              "request will be published with default values",
     )  # fmt: skip
     verb.add_argument("-r", "--rate", metavar="N", type=positive_float, help="Repeat the call at a specific rate in Hz")
-    what = "Output a list of available services"
-    verb = _looking_verb(verbs, "list", what)
-    verb.set_defaults(run=list_services)
+    verb = _looking_verb(verbs, "list", "Output a list of available services", list_services)
     verb.add_argument("-t", "--show-types", action="store_true", help="Additionally show the service type")
     verb.add_argument(
         "-c", "--count-services", action="store_true", help="Only display the number of services discovered"
     )
-    verb = _looking_verb(verbs, "type", "Output a service's type")
-    verb.set_defaults(run=print_type)
+    verb = _looking_verb(verbs, "type", "Output a service's type", print_type)
     verb.add_argument("service_name", help="Name of the ROS service to get type (e.g. '/talker/list_parameters')")
 
 
-def _looking_verb(verbs: argparse._SubParsersAction, name: str, what: str) -> argparse.ArgumentParser:
-    verb = verbs.add_parser(name, help=what, description=what)
-    add_discovery_options(verb)
+def _looking_verb(verbs: argparse._SubParsersAction, name: str, what: str, run: Callable) -> argparse.ArgumentParser:
+    verb = add_verb(verbs, name, what, run)
     verb.add_argument("--include-hidden-services", action="store_true", help="Consider hidden services as well")
     return verb
 
@@ -61,9 +55,8 @@ def service_class(type_name: str) -> type:
     Raises:
         RuntimeError: there is none of that name, with upstream's text.
     """
-    package, _, name = type_name.rpartition("/")
     try:
-        found = type_named(type_name if "/" in package else f"{package}/srv/{name}")
+        found = type_named(full_type_name(type_name, "srv"))
     except KeyError:
         raise RuntimeError("The passed service type is invalid") from None
     if not is_service_class(found):
@@ -86,7 +79,7 @@ def call(options: argparse.Namespace) -> str | None:
             client.wait_for_service()
         while True:
             print(f"requester: making request: {request!r}\n", flush=True)
-            print(f"response:\n{_answer(node, client, request)!r}\n", flush=True)
+            print(f"response:\n{answer_of(node, client.call_async(request))!r}\n", flush=True)
             if options.rate is None:
                 return None
             spin_for(node, 1.0 / options.rate)
@@ -110,9 +103,3 @@ def print_type(options: argparse.Namespace) -> int:
     for type_name in services.get(options.service_name, ()):
         print(type_name)
     return 0 if options.service_name in services else 1
-
-
-def _answer(node: Any, client: Any, request: Any) -> Any:
-    future = client.call_async(request)
-    spin_until_done(node, future)
-    return future.result()

@@ -27,7 +27,10 @@ from tflab.ros.node import Node
 from tflab.ros.task import Future
 
 __all__ = [
+    "CPP_AUTHORITY",
     "abort",
+    "answer_of",
+    "call_service",
     "cli_node",
     "cpp_listener",
     "log_as_root",
@@ -42,6 +45,7 @@ __all__ = [
 
 DISCOVERY_S = 0.5  # how long a command looks around before it answers; on virtual time everybody is known at once
 MOMENT_S = 0.01
+CPP_AUTHORITY = "Authority undetectable"  # under which rclcpp's listener stores what it hears
 ABORTED = -6  # what the parent of a process sees that called abort()
 
 
@@ -136,6 +140,17 @@ def spin_until_done(node: Node, future: Future) -> None:
     client_library.spin_until_future_complete(node, future)
 
 
+def answer_of(node: Node, future: Future) -> Any:
+    """Run callbacks until a future is done, and return its result."""
+    spin_until_done(node, future)
+    return future.result()
+
+
+def call_service(node: Node, srv_type: type, name: str, request: Any) -> Any:
+    """Return a service's answer; wait for it as long as it takes, as upstream does."""
+    return answer_of(node, node.create_client(srv_type, name).call_async(request))
+
+
 # -- as a C++ program does ------------------------------------------------
 
 
@@ -158,6 +173,7 @@ def cpp_listener(node: Node) -> Iterator[BufferCore]:
     client_library.get_global_executor().add_node(hidden)
     buffer = Buffer()
     listener = TransformListener(buffer, hidden)
+    listener.authority = CPP_AUTHORITY
     threshold = JumpThreshold(min_forward=None, min_backward=Duration(nanoseconds=-1), on_clock_change=True)
 
     def on_jump(jump: TimeJump) -> None:

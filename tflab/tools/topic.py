@@ -15,7 +15,7 @@ from collections.abc import Sequence
 
 from tflab.ros import distro
 
-from .discovery import add_discovery_options, types_of, visible
+from .discovery import add_verb, types_of, visible
 from .session import cli_node
 from .topic_echo import add_echo
 from .topic_pub import add_pub
@@ -53,9 +53,7 @@ def add_verbs(verbs: argparse._SubParsersAction) -> None:
 
 def _add(verbs, name, what, run, argument="", argument_help="", hidden=False, count=False) -> argparse.ArgumentParser:
     """Add one verb, with the options that several share."""
-    verb = verbs.add_parser(name, help=what, description=what)
-    verb.set_defaults(run=run)
-    add_discovery_options(verb)
+    verb = add_verb(verbs, name, what, run)
     if argument:
         verb.add_argument(argument, help=argument_help)
     if count:

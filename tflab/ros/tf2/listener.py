@@ -4,7 +4,7 @@
     /tf_static  reliable, depth 100, transient local   -->  set_transform_static
 
 Who published a transform is not on the wire, so tf2 cannot know: the authority is
-always the same.  Read `broadcaster.py` next.
+always the same, "Authority undetectable" in a program in C++.  Read `broadcaster.py` next.
 """
 
 from __future__ import annotations
@@ -25,7 +25,6 @@ __all__ = ["DEFAULT_STATIC_TF_TOPIC", "DEFAULT_TF_TOPIC", "StaticTransformListen
 
 DEFAULT_TF_TOPIC = "/tf"
 DEFAULT_STATIC_TF_TOPIC = "/tf_static"
-AUTHORITY = "default_authority"
 
 
 class _TFSubscription(Subscription):
@@ -42,6 +41,8 @@ class TransformListener:
         spin_thread: whether a thread of its own runs the callbacks of the *whole* node.
         qos, static_qos: profiles, or depths, instead of those above.
     """
+
+    authority = "default_authority"
 
     def __init__(
         self,
@@ -90,7 +91,7 @@ class TransformListener:
         if _is_plain(self, buffer) and not buffer.has_waiting():
             store = buffer.core.set_transform
             for stamped in envelope.stampeds:
-                store(stamped, AUTHORITY, is_static)
+                store(stamped, self.authority, is_static)
         elif is_static:
             self.static_callback(copy_message(envelope.message))
         else:
@@ -99,12 +100,12 @@ class TransformListener:
     def callback(self, data: tf2_msgs.TFMessage) -> None:
         """Store what came on /tf."""
         for transform in data.transforms:
-            self.buffer.set_transform(transform, AUTHORITY)
+            self.buffer.set_transform(transform, self.authority)
 
     def static_callback(self, data: tf2_msgs.TFMessage) -> None:
         """Store what came on /tf_static."""
         for transform in data.transforms:
-            self.buffer.set_transform_static(transform, AUTHORITY)
+            self.buffer.set_transform_static(transform, self.authority)
 
     def unregister(self) -> None:
         """Listen no more."""
