@@ -21,7 +21,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "tests"))
 
-from conftest import CHROMIUM_ARGUMENTS, find_chromium, running_lab  # noqa: E402
+from conftest import CHROMIUM_ARGUMENTS, PATIENCE_S, find_chromium, running_lab  # noqa: E402
 
 STEPS = 12
 GOAL = 1.4
@@ -87,6 +87,7 @@ def main(rounds: int) -> None:
             ignore_default_args=["--headless", "--headless=old"],
         )
         page = browser.new_page(viewport={"width": 1100, "height": 1400})
+        page.set_default_timeout(PATIENCE_S * 1000)
         lab.open(page, "latency.ipynb")
         lab.run_all(page)
         page.wait_for_function(

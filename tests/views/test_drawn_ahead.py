@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import asyncio
+import time
 from concurrent.futures import ThreadPoolExecutor
 
 import ipywidgets as widgets
+from matplotlib import rcParams
 
 from tflab.core import StampedTransform, Transform, seconds
 from tflab.views.panels import cameras_panel, sentence_panel, timeline_panel
 from tflab.views.panels.drawn_ahead import KEPT, At, Drawing, DrawnAhead
+from tflab.views.style import our_settings
 from tflab.views.timeline import Lane
 
 POSES = {name: Transform((x, 0.0, 0.0)) for name, x in (("map", 0.0), ("base_link", 1.0), ("laser_frame", 2.0))}
@@ -91,6 +94,33 @@ def test_no_more_drawings_are_kept_than_fit():
     assert len(drawn) == KEPT + 1
     picture.drawing([0], 0)  # the oldest went
     assert len(drawn) == KEPT + 2
+
+
+def test_two_threads_that_draw_get_each_its_own_picture():
+    """JupyterLab hears of a slider in one thread, while another draws ahead."""
+    slider, figure = widgets.FloatSlider(0.0, max=100.0, description="speed"), []
+
+    def draw(at: At) -> Drawing:
+        figure[:] = [at(slider)]
+        time.sleep(0.001)  # drawing takes a while, and lets others have their turn
+        return Drawing(b"", str(figure[0]))
+
+    picture = DrawnAhead([slider], (760, 380), draw)
+    with ThreadPoolExecutor(2) as threads:
+        drawings = list(threads.map(lambda place: picture.drawing([place], 0), map(float, range(40))))
+    assert [drawing.words for drawing in drawings] == [str(float(place)) for place in range(40)]
+
+
+def test_matplotlibs_settings_are_held_for_one_thread():
+    def seen(number: int) -> float:
+        with our_settings():
+            time.sleep(0.002 * (number % 3))
+            return rcParams["axes.ymargin"]
+
+    before = rcParams["axes.ymargin"]
+    with ThreadPoolExecutor(4) as threads:
+        assert set(threads.map(seen, range(40))) == {0.0}
+    assert rcParams["axes.ymargin"] == before != 0.0
 
 
 def test_a_menu_is_at_the_value_of_its_option_and_a_box_at_yes_or_no():

@@ -39,7 +39,7 @@ def shown_fixture(lab, page):
     lab.write_notebook("panels.ipynb", CELLS)
     lab.open(page, "panels.ipynb")
     lab.run_all(page)
-    page.wait_for_function(f"document.querySelectorAll('{IMAGE}').length === {PANELS}", timeout=30_000)
+    page.wait_for_function(f"document.querySelectorAll('{IMAGE}').length === {PANELS}")
     return page
 
 

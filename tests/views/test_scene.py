@@ -21,11 +21,14 @@ from tflab.views.scene import (
     draw_camera,
     draw_frame,
     draw_frames,
+    draw_mug,
     draw_path,
     draw_points,
     draw_robot,
     draw_scan,
 )
+from tflab.views.scene.meshes import grid
+from tflab.views.scene.shapes import mug
 
 FORWARD = Transform((1.0, 0.0, 0.0))
 TURNED = Transform.from_rpy(yaw=math.pi / 2, translation=(1.0, 2.0, 0.0))
@@ -115,6 +118,23 @@ def test_an_arrow_points_from_its_start_to_its_end(scene):
     pose = scene._state.pose("/meshcat/step")
     assert pose.translation == (1.0, 2.0, 0.0)
     assert pose.apply((3.0, 0.0, 0.0)) == pytest.approx((1.0, 2.0, 3.0))
+
+
+def test_a_mug_stands_where_it_is_seen_and_is_said_by_name(scene):
+    draw_mug(scene, "mug", (1.6, -0.4, 0.5))
+    assert scene._state.pose("/meshcat/mug").translation == (1.6, -0.4, 0.5)
+    assert scene.describe().splitlines()[1].split(maxsplit=1) == ["mug", "mug at (1.600, -0.400, 0.500) m"]
+
+
+def test_a_mug_is_as_tall_as_it_is_said_and_has_a_handle_on_one_side():
+    points = mug(0.2, "#B5539B").points
+    assert np.ptp(points[:, 2]) == pytest.approx(0.2)
+    assert -points[:, 1].min() > 1.5 * points[:, 1].max()
+
+
+def test_the_ground_is_as_large_as_one_asks():
+    ends = grid(0.5, cells=16).geometry.position
+    assert (ends.min(), ends.max()) == (-4.0, 4.0)
 
 
 def test_a_redraw_is_one_message(scene):

@@ -69,7 +69,7 @@ def find(page, colour, view: int = 0) -> tuple[int, float, float]:
 
 
 def wait_for_views(page, count: int = 1) -> None:
-    page.wait_for_function(f"globalThis.tflabViews?.size >= {count}", timeout=30_000)
+    page.wait_for_function(f"globalThis.tflabViews?.size >= {count}")
     page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
 
 
@@ -77,7 +77,7 @@ def wait_for_colour(page, colour, left: float, right: float, view: int = 0) -> t
     """Wait until a view shows a colour with its middle between `left` and `right`; return what `find` does."""
     page.locator(".tflab-scene").nth(view).scroll_into_view_if_needed()  # what nobody can see is not drawn
     condition = f"(a) => {{ const [count, x] = ({FIND})(a); return count > 30 && x > {left} && x < {right}; }}"
-    page.wait_for_function(condition, arg=[view, colour], timeout=20_000)
+    page.wait_for_function(condition, arg=[view, colour])
     return find(page, colour, view)
 
 
@@ -144,7 +144,7 @@ def test_twenty_views_share_one_webgl_context_and_none_is_lost(lab, page):
     assert page.evaluate("[contexts.size, lost]") == [1, 0]
 
     page.evaluate("void jupyterapp.commands.execute('notebook:clear-all-cell-outputs')")
-    page.wait_for_function("globalThis.tflabViews.size === 0", timeout=10_000)
+    page.wait_for_function("globalThis.tflabViews.size === 0")
 
 
 def test_a_click_picks_a_frame_and_python_hears_of_it(lab, page):
@@ -162,7 +162,7 @@ def test_a_click_picks_a_frame_and_python_hears_of_it(lab, page):
     wait_for_views(page)
     pane = page.locator(".tflab-scene-pane").bounding_box()
     page.mouse.click(pane["x"] + pane["width"] / 2, pane["y"] + pane["height"] / 2)
-    page.wait_for_function("document.body.innerText.includes('picked: base_link')", timeout=10_000)
+    page.wait_for_function("document.body.innerText.includes('picked: base_link')")
     assert "base_link  frame" in page.locator(".tflab-scene-pane").get_attribute("aria-label")
 
 
@@ -181,9 +181,9 @@ def test_scenes_start_no_process_and_open_no_port_and_follow_the_dark_theme(lab,
     page.wait_for_selector(".jp-OutputArea-output >> text=True")
     background = "getComputedStyle(document.querySelector('.tflab-scene')).backgroundColor"
     lab.set_theme(page, "JupyterLab Light")  # another test may have left it dark
-    page.wait_for_function(f"{background} === 'rgb(255, 255, 255)'", timeout=10_000)
+    page.wait_for_function(f"{background} === 'rgb(255, 255, 255)'")
     lab.set_theme(page, "JupyterLab Dark")
-    page.wait_for_function(f"Math.max(...{background}.match(/\\d+/g)) < 40", timeout=10_000)
+    page.wait_for_function(f"Math.max(...{background}.match(/\\d+/g)) < 40")
     wait_for_colour(page, ORANGE, *IN_THE_MIDDLE)
     lab.set_theme(page, "JupyterLab Light")
 
@@ -244,7 +244,7 @@ def test_an_exported_page_works_from_the_disk(executed, tmp_path, page, single_f
     before = page.evaluate(picture)
     pane = page.locator(".tflab-scene-pane").first.bounding_box()
     drag(page, pane, pane["x"] + pane["width"] / 2, pane["y"] + pane["height"] - 5)
-    page.wait_for_function(f"(before) => {picture} !== before", arg=before, timeout=10_000)
+    page.wait_for_function(f"(before) => {picture} !== before", arg=before)
     assert find(page, ORANGE)[0] > 0
 
     # each scrubber moves its own box
@@ -275,3 +275,25 @@ def test_the_arrow_keys_move_a_sweep_in_jupyterlab(lab, page):
     for key in ("ArrowRight", "ArrowRight", "ArrowLeft"):
         page.keyboard.press(key)
     page.wait_for_function("document.querySelector('.tflab-scrubber output').innerText === 'x = 1.00'")
+
+
+CROWD = """
+scene = Scene()
+draw_frame(scene, "map", Transform())
+draw_frame(scene, "base_link", Transform(translation=(9.0, 0.0, 0.0)), "map", 0.1)
+for i in range(6):
+    draw_frame(scene, f"part_{i}", Transform(translation=(9.0, 0.05 * i, 0.1)), "base_link", 0.1)
+scene
+"""
+WRITTEN = "[...globalThis.tflabViews][0].names.map((name) => name.frame).sort().join(' ')"
+
+
+def test_from_afar_one_name_stands_for_a_crowd_and_from_near_each_has_its_own(lab, page) -> None:
+    lab.write_notebook("crowd.ipynb", [SETUP, CROWD])
+    lab.open(page, "crowd.ipynb")
+    lab.run_all(page)
+    wait_for_views(page)
+    page.wait_for_function(f"{WRITTEN} === 'base_link map'")
+    page.evaluate("[...globalThis.tflabViews][0].look([9.4, -0.5, 0.5], [9, 0.12, 0.1])")
+    everybody = " ".join(["base_link", *(f"part_{i}" for i in range(6))])
+    page.wait_for_function(f"{WRITTEN}.replace('map ', '') === '{everybody}'")

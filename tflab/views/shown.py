@@ -35,7 +35,8 @@ __all__ = ["describe_shown", "draw_shown", "points_of"]
 SIGNS = {"Ok": "✓", "Warn": "!", "Error": "✗"}
 COLOURS = {"Ok": "#00694E", "Warn": "#8A5A00", "Error": "#B34700"}
 SEEN_COLOURS = (style.ACCENT, style.AXIS_COLOURS["z"])
-AXIS_M, NEAR_M = 0.35, 0.3  # length of a frame's axes; a name this near to another's frame is left out
+AXIS_M = 0.35  # length of a frame's axes
+NEAR_M, OF_ONE_BODY_M = 0.3, 0.9  # a name this near to another's frame is left out; the second, that of a robot's link
 LINE_PX, TOP_PX, LEAST_PX = 15, 34, 320
 LETTERS, SAME_SHOWN = 50, 2  # of a line of the list; how many lines of one kind are shown in full
 MANY = 1500  # points that are drawn smaller
@@ -188,15 +189,20 @@ def _draw_frames(ax, shown: Sequence[Shown]) -> None:
     links = {link for entry in shown if entry.display for link in entry.poses}
     sensors = {message.frame_id for entry in shown for message, _ in entry.placed}
     labels: list[FloatingLabel] = []
-    for frame, pose in sorted(poses.items(), key=lambda row: (row[0] in links and row[0] not in sensors, row[0])):
+    axes: list[tuple] = []
+    parts = links - sensors
+    for frame, pose in sorted(poses.items(), key=lambda row: (row[0] in parts, row[0])):
         origin = np.array(pose.translation[:2])
         for axis, tip in (("x", (AXIS_M, 0.0, 0.0)), ("y", (0.0, AXIS_M, 0.0))):
             ends = np.vstack([origin, pose.apply(tip)[:2]])
             colour, line = style.AXIS_COLOURS[axis], style.AXIS_LINES[axis]
             ax.plot(*ends.T, color=colour, linestyle=line, linewidth=1.4, zorder=5)
-        if all(np.hypot(*(origin - label.anchor)) > NEAR_M for label in labels):
+            axes.append(tuple(map(tuple, ends)))
+        near_m = OF_ONE_BODY_M if frame in parts else NEAR_M
+        if all(np.hypot(*(origin - label.anchor)) > near_m for label in labels):
             label = FloatingLabel(ax, frame)
             label.follow(tuple(origin))
+            label.keep_off = axes
             labels.append(label)
     ax.apply_aspect()
     place_labels(labels)

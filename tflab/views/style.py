@@ -11,7 +11,9 @@ is being taught.
 
 A figure is a card of its own light paper with rounded corners, so it looks the
 same on a light and on a dark page.  Nothing here touches matplotlib's global
-settings: `our_settings()` holds them only while one of our figures is at work.
+settings: `our_settings()` holds them only while one of our figures is at work, and
+one at a time: a slider's callback may run in another thread than a cell, and
+matplotlib's settings are of all threads.
 
 The colours are those of Okabe and Ito.  Read `picture.py` next.
 """
@@ -20,6 +22,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
+from threading import RLock
 from typing import TYPE_CHECKING
 
 from tflab.core import format_stamp
@@ -94,12 +97,15 @@ _SETTINGS = {
 }
 
 
+ONE_AT_A_TIME = RLock()  # held by a thread while it moves a figure, draws it or reads it
+
+
 @contextmanager
 def our_settings() -> Iterator[None]:
-    """Hold matplotlib's settings as our figures need them, and give back the learner's."""
+    """Hold matplotlib's settings as our figures need them, for one thread, and give back the learner's."""
     from matplotlib import rc_context
 
-    with rc_context(_SETTINGS):
+    with ONE_AT_A_TIME, rc_context(_SETTINGS):
         yield
 
 

@@ -4,8 +4,10 @@
                      Recorded at time: 6.0
                               |
                             (map)
-                              |  Broadcaster: default_authority
-                              |  Average rate: 10.204
+                              |
+                Broadcaster: default_authority
+                Average rate: 10.204
+                              |
                             (odom)
 
 Each frame stands under the parent that its newest sample names; other parents, and
@@ -28,7 +30,7 @@ from .tree import TreePicture
 
 __all__ = ["draw_upstream_tree"]
 
-MARGIN, GAP, OVAL = 18.0, 16.0, 30.0  # [pt] rim, between neighbours, height of a frame
+MARGIN, GAP, OVAL = 18.0, 10.0, 30.0  # [pt] rim, between neighbours, height of a frame
 SMALL, LINE = 9.0, 11.5  # [pt] size and height of a line of an edge's label
 LABELS = {
     "broadcaster": "Broadcaster",
@@ -37,8 +39,8 @@ LABELS = {
     "most_recent_transform": "Most recent transform",
     "oldest_transform": "Oldest transform",
 }
-BEND = 8.0  # [pt] how far below a parent its edges part
-STORY = OVAL + BEND + LINE * (len(LABELS) + 1)  # from one generation to the next
+BEND, STEM, LOOP = 8.0, 12.0, 12.0  # [pt] where edges part, how long an arrow is, how far left a loop closes
+STORY = OVAL + BEND + STEM + LINE * (len(LABELS) + 1.5)  # from one generation to the next
 NOTHING = "No tf data received"
 
 Frames = Mapping[str, Mapping[str, Any]]
@@ -116,10 +118,10 @@ def _places(frames: Frames) -> tuple[dict[str, _Place], float]:
 def _room(name: str, frame: Mapping[str, Any] | None, has_top: bool) -> tuple[float, float]:
     """Return the room that a frame takes left and right of its middle: its oval, and the label of its edge.
 
-    The label stands on the right; in a loop, where an edge runs back up, on either side.
+    The label stands in the middle; in a loop, where an edge runs back up, on the left.
     """
     oval, label = _oval_width(name) / 2, _label_width(frame)
-    return oval if has_top else max(oval, label), max(oval, label)
+    return max(oval, label / 2 if has_top else label + LOOP), max(oval, label / 2)
 
 
 def _oval_width(name: str) -> float:
@@ -127,10 +129,10 @@ def _oval_width(name: str) -> float:
 
 
 def _label_width(frame: Mapping[str, Any] | None) -> float:
-    """Return the room that an edge's label takes, which stands beside the middle."""
+    """Return the room that an edge's label takes."""
     if frame is None:
         return 0.0
-    return 18 + max(text_width(f"{label}: {frame[key]}", SMALL) for key, label in LABELS.items())
+    return max(text_width(f"{label}: {frame[key]}", SMALL) for key, label in LABELS.items())
 
 
 # -- as marks -------------------------------------------------------------
@@ -161,20 +163,21 @@ def _legend(recorded_s: float) -> Iterator[Mark]:
 
 
 def _edge(parent: _Place, child: _Place, frame: Mapping[str, Any]) -> Iterator[Mark]:
-    """Yield the arrow from a parent to a child, and its label; one that closes a loop runs back up, on the left."""
+    """Yield the line from a parent to the label and on to the child; one that closes a loop runs up, on the left."""
     lines = [f"{label}: {frame[key]}" for key, label in LABELS.items()]
-    below, beside = parent.y + OVAL / 2, 6.0
+    below, width = parent.y + OVAL / 2, _label_width(frame)
     if child.y > parent.y:
-        bend = below + BEND
-        way = ((parent.x, below), (parent.x, bend), (child.x, bend), (child.x, child.y - OVAL / 2))
-        x, top = child.x + beside, child.y - OVAL / 2 - LINE * (len(lines) + 0.1)
+        end, bend = child.y - OVAL / 2, below + BEND
+        top = end - STEM - LINE * (len(lines) - 0.5)
+        yield LineMark(((parent.x, below), (parent.x, bend), (child.x, bend), (child.x, top - LINE)), style.INK)
+        yield LineMark(((child.x, end - STEM), (child.x, end)), style.INK, arrow=True)
+        x = child.x - width / 2
     else:
-        left = parent.x - 2 * beside
-        way = ((left, parent.y - OVAL / 2), (child.x - 2 * beside, child.y + OVAL / 2))
+        left = parent.x - LOOP
+        way = ((left, parent.y - OVAL / 2), (child.x - LOOP, child.y + OVAL / 2))
         if parent == child:
             way = ((left, below), (left, below + BEND), (parent.x, below + BEND), (parent.x, below))
-        x = left - beside - max(text_width(line, SMALL) for line in lines)
-        top = child.y + OVAL / 2 + BEND + LINE
-    yield LineMark(way, style.INK, arrow=True)
+        x, top = left - LOOP / 2 - width, child.y + OVAL / 2 + BEND + LINE
+        yield LineMark(way, style.INK, arrow=True)
     for number, line in enumerate(lines):
         yield TextMark(x, top + number * LINE, line, style.INK, size=SMALL)

@@ -9,6 +9,9 @@ message back.  On a busy machine these take longer than a hand does; so the brow
 asks for drawings while nobody waits, and they are made one at a time, between the
 messages that come in.  What was drawn is kept, up to a number.
 
+JupyterLab has some messages heard in a thread of their own, beside the one that
+draws ahead.  A picture is moved, drawn and read by one thread before another may.
+
 The field's term is *prefetching*.  The browser's half is `static/follow.js`.
 Read `words.py` next.
 """
@@ -25,6 +28,7 @@ import ipywidgets as widgets
 import traitlets
 
 from ..film import STATIC, javascript
+from ..style import ONE_AT_A_TIME
 
 __all__ = ["At", "Drawing", "DrawnAhead"]
 
@@ -97,50 +101,57 @@ class DrawnAhead(anywidget.AnyWidget):
 
     def show(self, moved: widgets.ValueWidget | None = None, anew: bool = False) -> Drawing:
         """Show where the controls are, and return it; `anew` if what is drawn depends on more than them."""
-        if anew:
-            self._drawn.clear()
         number = next((i for i, control in enumerate(self.controls) if control is moved), 0)
-        places = [place_of(control) for control in self.controls]
-        drawing = self.drawing(places, number)
-        with self.hold_sync():
-            self.png, self.description = drawing
-            self.at = {"places": places, "moved": number}
+        with ONE_AT_A_TIME:
+            if anew:
+                self._drawn.clear()
+            places = [place_of(control) for control in self.controls]
+            drawing = self.drawing(places, number)
+            with self.hold_sync():
+                self.png, self.description = drawing
+                self.at = {"places": places, "moved": number}
         return drawing
 
     def drawing(self, places: Sequence[Any], moved: int) -> Drawing:
         """Return what is to be seen with the controls at `places`, when the one numbered `moved` was moved."""
         key = (moved, *(round(place, DIGITS) for place in places))
-        if key not in self._drawn:
-            self._drawn[key] = self._draw(At(self.controls, places, moved))
-        self._drawn.move_to_end(key)
-        if len(self._drawn) > KEPT:
-            self._drawn.popitem(last=False)
-        return self._drawn[key]
+        with ONE_AT_A_TIME:
+            if key not in self._drawn:
+                self._drawn[key] = self._draw(At(self.controls, places, moved))
+            self._drawn.move_to_end(key)
+            if len(self._drawn) > KEPT:
+                self._drawn.popitem(last=False)
+            return self._drawn[key]
 
     def close(self) -> None:
-        self._wanted.clear()
-        self._drawn.clear()
-        self._draw = _nothing
-        super().close()
+        with ONE_AT_A_TIME:
+            self._wanted.clear()
+            self._drawn.clear()
+            self._draw = _nothing
+            super().close()
 
     def _hear(self, _widget: object, message: dict, _buffers: object) -> None:
         """Take what the browser would like to have next; what it wanted before, it wants no longer."""
         if message.get("type") != "want":
             return
         places, moved = message["places"], message["moved"]
-        self._wanted = [([*places[:moved], place, *places[moved + 1 :]], moved) for place in message["missing"][::-1]]
-        if self._wanted and not self._is_at_work:
-            self._is_at_work = True
-            asyncio.get_running_loop().call_soon(self._draw_next)
+        with ONE_AT_A_TIME:
+            self._wanted = [
+                ([*places[:moved], place, *places[moved + 1 :]], moved) for place in message["missing"][::-1]
+            ]
+            if self._wanted and not self._is_at_work:
+                self._is_at_work = True
+                asyncio.get_running_loop().call_soon(self._draw_next)
 
     def _draw_next(self) -> None:
         """Draw and send one, and come again when whatever else there is has had its turn."""
-        self._is_at_work = bool(self._wanted)
-        if not self._wanted:
-            return
-        places, moved = self._wanted.pop()
-        png, words = self.drawing(places, moved)
-        self.send({"type": "drawn", "places": places, "moved": moved, "words": words}, [png])
+        with ONE_AT_A_TIME:
+            self._is_at_work = bool(self._wanted)
+            if not self._wanted:
+                return
+            places, moved = self._wanted.pop()
+            png, words = self.drawing(places, moved)
+            self.send({"type": "drawn", "places": places, "moved": moved, "words": words}, [png])
         asyncio.get_running_loop().call_later(PAUSE_S, self._draw_next)
 
 

@@ -4,6 +4,7 @@
     draw_frames(scene, poses, parents)                   many, with arrows between them
     draw_scan, draw_points, draw_path, draw_arrow        what sensors and planners say
     draw_camera                                          what a camera sees, and its image plane
+    draw_mug                                             something to be seen
     draw_robot                                           links, from boxes, cylinders, spheres
     ... is_ghost=True                                    the wrong answer: grey, translucent, hatched
 
@@ -110,6 +111,14 @@ def draw_arrow(
     if name:
         scene[path].set_property("labels", [_label(name, (0.5 * length_m, 0.0, 0.0), colour)])
         scene[path].set_property("words", f"arrow from {style.fmt_all(start)} to {style.fmt_all(end)}")
+
+
+def draw_mug(scene: Scene, path: str, at: Sequence[float], name: str = "mug", height_m: float = 0.2) -> None:
+    """Draw an upright mug whose middle is at a point (x, y, z) [m], and its name above it."""
+    scene[path].set_object(*triangles(shapes.mug(height_m, ACCENT)))
+    scene[path].set_transform(Transform(at).matrix())
+    scene[path].set_property("labels", [_label(name, (0.0, 0.0, height_m), ACCENT)])
+    scene[path].set_property("words", f"{name} at {style.fmt_all(at)}")
 
 
 def draw_path(

@@ -1,9 +1,10 @@
-"""What are arrows and axes made of?  Triangles: bars, cones, and dashes of both.
+"""What are arrows, axes and mugs made of?  Triangles: bars, cones, and dashes of both.
 
     bar      o=========o          a prism of eight sides
     cone     |>                   its base first, then its tip
     dashes   o==  ==  ==o         several bars
     axes     x solid, y dashed, z dotted, each ending in a cone
+    mug      a wall, a bottom, a handle
 
 Browsers draw every line one pixel wide, so whatever must be seen from afar is a
 mesh.  All functions here are arithmetic on arrays: points in, triangles out.
@@ -21,7 +22,7 @@ import numpy as np
 
 from .. import style
 
-__all__ = ["Triangles", "across", "arrow", "axes", "bar", "frustum", "joined", "polyline", "rgb"]
+__all__ = ["Triangles", "across", "arrow", "axes", "bar", "frustum", "joined", "mug", "polyline", "rgb"]
 
 SIDES = 8
 DASHES = {"solid": 1, "dashed": 4, "dotted": 8}
@@ -116,6 +117,30 @@ def polyline(points: np.ndarray, radius_m: float, colour: str, dashed: bool = Fa
     if dashed:
         pieces = [(a, a + 0.5 * (b - a)) for a, b in pieces]
     return joined([bar(a, b, radius_m, colour) for a, b in pieces])
+
+
+def mug(height_m: float, colour: str) -> Triangles:
+    """Return an upright mug, open at its top, around the origin; its handle is at -y."""
+    radius_m, rounded = 0.42 * height_m, 24
+    angle = np.linspace(0.0, 2.0 * np.pi, rounded, endpoint=False)
+    ring = radius_m * np.column_stack([np.cos(angle), np.sin(angle), np.zeros(rounded)])
+    up = np.array((0.0, 0.0, 0.5 * height_m))
+    inside = np.array((0.86, 0.86, 1.0))
+    points = np.vstack([ring - up, ring + up, (ring + up) * inside, (ring - 0.8 * up) * inside, [-up, -0.8 * up]])
+    here, there = np.arange(rounded), np.roll(np.arange(rounded), -1)
+    faces = []
+    for low in (0, rounded, 2 * rounded):  # the wall outside, the rim, the wall inside
+        faces += [np.column_stack([low + here, low + there, low + rounded + there])]
+        faces += [np.column_stack([low + here, low + rounded + there, low + rounded + here])]
+    under, bottom = 4 * rounded, 4 * rounded + 1
+    faces += [np.column_stack([there, here, np.full(rounded, under)])]
+    faces += [np.column_stack([3 * rounded + here, 3 * rounded + there, np.full(rounded, bottom)])]
+    light = 0.78 + 0.22 * np.cos(angle + 2.2)  # nothing is shaded in a scene: its roundness is in its colours
+    shades = np.concatenate([light, light, 0.75 * light[::-1], 0.55 * light, [0.5, 0.6]])
+    turn = np.linspace(-0.5 * np.pi, 0.5 * np.pi, 9)
+    bow = 0.3 * height_m * np.column_stack([np.zeros(9), -np.cos(turn), np.sin(turn)])
+    body = Triangles(points, np.vstack(faces), shades[:, None] * np.array(rgb(colour)))
+    return joined([body, polyline(bow - (0.0, 0.92 * radius_m, 0.0), 0.055 * height_m, colour)])
 
 
 def frustum(half_width_m: float, half_height_m: float, depth_m: float, radius_m: float, colour: str) -> Triangles:

@@ -65,6 +65,7 @@ class Scene(anywidget.AnyWidget):
     Args:
         height_px: how tall it stands on the page; it is as wide as the page.
         grid_m: the side of the ground grid's cells [m]; 0 for no grid.
+        grid_cells: how many of them the ground is long and wide, as in RViz.
 
     Attributes:
         picked: the name of the frame that was clicked on, "" for none.
@@ -80,7 +81,7 @@ class Scene(anywidget.AnyWidget):
     picked = traitlets.Unicode("").tag(sync=True)
     position = traitlets.Float(0.0).tag(sync=True)
 
-    def __init__(self, height_px: int = 420, grid_m: float = 1.0) -> None:
+    def __init__(self, height_px: int = 420, grid_m: float = 1.0, grid_cells: int = 10) -> None:
         self._lock = RLock()
         self._state = SceneState()
         self._pending: list[bytes] = []  # drawn, but not yet sent
@@ -90,7 +91,7 @@ class Scene(anywidget.AnyWidget):
         super().__init__(asset=_asset(), height_px=height_px)
         self.visualizer = _visualizer(_Window(self._hear))
         if grid_m > 0.0:
-            self["/Grid"].set_object(grid(grid_m))
+            self["/Grid"].set_object(grid(grid_m, grid_cells))
         _flush_after_cells(self)
 
     # -- ordinary meshcat -------------------------------------------------

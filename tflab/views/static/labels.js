@@ -1,6 +1,7 @@
 // Where do names stand?  On the copy of the picture, as text: sharp, in the page's colours, never hidden.
 //
 // Letters at the tips of axes stay where they are; names make way for them and for each other.
+// Where many frames stand in one spot, seen from afar, one name stands for all: "base_link +7".
 // Read camera.js next.
 
 function isShown(object) {
@@ -32,6 +33,31 @@ function placed(label, taken) {
   return boxes.find((box) => !taken.some((other) => overlap(box, other))) ?? boxes[0];
 }
 
+const CROWD_PX = 26;           // how near to each other frames must stand to be a crowd
+const CROWD = 5;               // and how many they must be
+const LETTERS_PX = 9;          // an axis that is shorter has no letter
+
+// Of frames that stand in one spot, the one nearest to the root speaks for the others, which are left out;
+// a frame that somebody has picked keeps its name.
+function leftOut(names, picked) {
+  const parents = new Map(names.map((label) => [label.frame, label.parent]));
+  const depth = ({ frame }) => {
+    let steps = 0;
+    for (let at = frame; parents.has(at) && steps <= names.length; at = parents.get(at)) steps += 1;
+    return steps;
+  };
+  const out = new Set();
+  for (const one of names.map((label) => [depth(label), label]).sort((a, b) => a[0] - b[0]).map(([, label]) => label)) {
+    if (out.has(one)) continue;
+    const near = names.filter((other) => other !== one && !out.has(other) && other.frame !== picked
+      && Math.hypot(other.x - one.x, other.y - one.y) < CROWD_PX);
+    if (near.length + 1 < CROWD) continue;
+    one.text += ` +${near.length}`;
+    for (const other of near) out.add(other);
+  }
+  return out;
+}
+
 // A name that had to go far away is tied to its origin.
 function tie(context, label, x, y, colour) {
   const far = Math.hypot(x - label.x, y - label.y);
@@ -52,16 +78,23 @@ function writeLabels(context, view, camera) {
   const look = getComputedStyle(box);
   const ink = look.color, paper = look.backgroundColor;
   const dark = ink.match(/\d+/g).slice(0, 3).reduce((sum, c) => sum + Number(c), 0) > 384;
-  const found = [];
+  const everything = [];
   scene.updateMatrixWorld();
   scene.traverse((object) => {
     if (!object.labels || !isShown(object)) return;
+    const written = [];
     for (const label of object.labels) {
       const at = object.localToWorld(new THREE.Vector3(...label.at));
       const pixels = toPixels(at, camera, renderer.width, renderer.height);
-      if (pixels) found.push({ ...label, ...pixels, frame: object.frame?.name });
+      if (pixels) written.push({ ...label, ...pixels, frame: object.frame?.name, parent: object.frame?.parent, object });
     }
+    const middle = written.find((label) => label.name);
+    everything.push(...written.filter((label) => !middle || label.name
+      || Math.hypot(label.x - middle.x, label.y - middle.y) >= LETTERS_PX));
   });
+  const out = leftOut(everything.filter((label) => label.name && label.frame && !label.slanted), view.picked);
+  const silent = new Set([...out].map((label) => label.object));
+  const found = everything.filter((label) => !silent.has(label.object));
   found.sort((a, b) => a.name - b.name || a.depth - b.depth); // letters first: they cannot move
   context.textAlign = "center";
   context.textBaseline = "middle";
