@@ -1,16 +1,18 @@
 """What does an answer earn that understands nothing?  A table by task: constants, echoes, replays, majorities.
 
-    python benchmarks/guessing.py [--pack DIR/instructor] [--chapters 03,12] [--learners 60]
+    python benchmarks/guessing.py [--pack DIR/instructor] [--chapters 03,12] [--learners 60] [--seeds 3]
 
 Each strategy is judged as a submission is, on what each of so many learners would be asked; none of
 them looks at what it is asked beyond handing it back.  The table has the best strategy's mean share
-of the points.  A function's is to be at most 5 %; a choice's is its chance.  Without a pack one is
-made.  Chapters are looked at side by side, one for each processor.
+of the points.  A function's is to be at most 5 %; a choice's is its chance.  Without a pack so many
+are made, each from a seed of its own.  Chapters are looked at side by side, one for each processor.
 """
 
 from __future__ import annotations
 
 import argparse
+import math
+import random
 import secrets
 import sys
 from collections import Counter
@@ -18,7 +20,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import replace
 from functools import partial
-from itertools import product
+from itertools import chain, product
 from pathlib import Path
 from statistics import mean
 from typing import Any, NamedTuple
@@ -26,22 +28,26 @@ from typing import Any, NamedTuple
 from tflab.grading.judging.cells import Master
 from tflab.grading.judging.draw import asks_of
 from tflab.grading.judging.marks import by_case, judged
-from tflab.grading.judging.pack import Pack, chapter_cases, read_pack
+from tflab.grading.judging.pack import Pack, chapter_cases, read_pack, usual_of
 from tflab.workbook.answers.forms import Choice, Form, Parts, form_from_plain
 from tflab.workbook.answers.sealed import is_sealed, judge
 from tflab.workbook.answers.values import Plain, is_raised
 from tflab.workbook.places import chapters, workbook_data
 from tflab.workbook.tasks.case import TaskCases
 from tflab.workbook.tasks.cases import read_cases
-from tflab.workbook.tasks.evidence import credited, guessed_of, negated, probes_of, share_beyond
+from tflab.workbook.tasks.evidence import asked_alike, credited, guessed_of, negated, probes_of, share_beyond
 
 MOST = 0.05  # of a function's points
+TIMES = 40  # that an answer is drawn by chance
+MOST_CONSTANTS = 100  # of choices that are combined in every way
+DICE = random.Random(0)
 NOTHING: tuple[Plain, ...] = (0.0, "", [], {"dict": {}}, [0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 1.0], True, None)
 IDENTITY = {"Transform": [[0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 1.0]]}
 RAISED = ("ValueError", "LookupException", "ExtrapolationException", "ConnectivityException",
           "InvalidArgumentException", "TimeoutException")  # fmt: skip
 
 Outcomes = dict[int, Plain]
+Words = Mapping[tuple[str, ...], Sequence[Plain]]  # by the options that they are among
 
 
 class Row(NamedTuple):
@@ -60,6 +66,7 @@ def main(words: Sequence[str] | None = None) -> int:
     parser.add_argument("--pack", type=Path, metavar="DIR")
     parser.add_argument("--chapters", default="", metavar="03,12")
     parser.add_argument("--learners", type=int, default=60)
+    parser.add_argument("--seeds", type=int, default=1)
     options = parser.parse_args(words)
     numbers = options.chapters.split(",") if options.chapters else None
     root = workbook_data()
@@ -69,7 +76,8 @@ def main(words: Sequence[str] | None = None) -> int:
     print("| task | | points | best without understanding | by chance |\n|---|---|---|---|---|")
     rows = []
     with ProcessPoolExecutor() as processes:
-        for found in processes.map(partial(of_chapter, root=root, pack=pack, learners=options.learners), stems):
+        look = partial(of_chapter, root=root, pack=pack, learners=options.learners, seeds=options.seeds)
+        for found in processes.map(look, stems):
             for row in found:
                 what = "function" if row.is_function else "value"
                 best = f"{row.share:.1%} {row.strategy}"
@@ -80,22 +88,25 @@ def main(words: Sequence[str] | None = None) -> int:
     return 1 if above else 0
 
 
-def of_chapter(stem: str, *, root: Path, pack: Pack | None, learners: int) -> list[Row]:
+def of_chapter(stem: str, *, root: Path, pack: Pack | None, learners: int, seeds: int = 1) -> list[Row]:
     """Return what the best strategy earns in each task of a chapter."""
-    pack = pack or pack_of([stem], root)
+    packs = [pack] if pack else [pack_of([stem], root) for _ in range(seeds)]
     public = read_cases(root / "exercises" / "cases" / f"{stem}.json")["tasks"]
-    chapter = replace(pack, cases={name: held for name, held in pack.cases.items() if name == stem})
-    asked = [chapter.for_learner(f"s{number}")[stem]["tasks"] for number in range(learners)]
+    packs = [replace(one, cases={name: held for name, held in one.cases.items() if name == stem}) for one in packs]
+    asked = [one.for_learner(f"s{number}")[stem]["tasks"] for one in packs for number in range(learners)]
     rows = []
-    for task_id, task in chapter.cases.get(stem, {"tasks": {}})["tasks"].items():
-        who = [tasks[task_id] for tasks in asked] if task["is_function"] else variants_of(task)
+    for task_id, task in packs[0].cases.get(stem, {"tasks": {}})["tasks"].items():
+        who = [tasks[task_id] for tasks in asked]
+        if not task["is_function"]:
+            who = list(chain.from_iterable(variants_of(one.cases[stem]["tasks"][task_id]) for one in packs))
         rows.append(of_task(task_id, who, shown_in(public[task_id])))
     return rows
 
 
 def variants_of(task: Mapping[str, Any]) -> list[dict[str, Any]]:
     """Return a task as the learners of each of its variants have it."""
-    return [{name: held for name, held in task.items() if name != "variants"} | variant for variant in task["variants"]]
+    held = {name: held for name, held in task.items() if name != "variants"}
+    return [held | variant | {"usual": usual} for variant, usual in zip(task["variants"], usual_of(task), strict=True)]
 
 
 def is_above(row: Row) -> bool:
@@ -114,14 +125,18 @@ def of_task(task_id: str, asked: Sequence[Mapping[str, Any]], shown: Sequence[Pl
     """Return what the best strategy earns in a task, on the mean of all who are asked, or of its variants."""
     first = asked[0]
     form, is_function, points = form_from_plain(first["form"]), first["is_function"], float(first["points"])
-    earned: dict[str, list[float]] = {}
+    earned: list[dict[str, list[float]]] = []
+    rights = [] if is_function else [task["cases"][0]["expected"] for task in asked]
+    words, often = ({}, None) if is_function else (frequent_words(form, rights), usual_answer(form, rights))
     for task in asked:
         share = shares_of(task) if is_function else partial(share_of, task_id, task, form)
-        for name, outcomes in by_function(task, shown) if is_function else by_value(task, form):
-            earned.setdefault(name, []).append(share(outcomes))
-    shares = {name: mean(row) for name, row in earned.items() if len(row) == len(asked)}
+        earned.append({})
+        for name, outcomes in by_function(task, shown) if is_function else by_value(task, form, words, often):
+            earned[-1].setdefault(name, []).append(share(outcomes))
+    shares = {name: mean(mean(row[name]) for row in earned) for name in set.intersection(*map(set, earned))}
     best = max(shares, key=lambda name: shares[name])
-    return Row(task_id, is_function, points, shares[best], best, chance(form))
+    by_chance = 0.0 if is_function else mean(chance(form, right) for right in rights)
+    return Row(task_id, is_function, points, shares[best], best, by_chance)
 
 
 def share_of(task_id: str, task: Mapping[str, Any], form: Form, outcomes: Outcomes) -> float:
@@ -177,8 +192,10 @@ def by_function(task: Mapping[str, Any], shown: Sequence[Plain]) -> Iterator[tup
             yield f"{kind(one)}, but once {kind(other)}", {n: other if n == 1 else one for n in range(len(asks))}
 
 
-def by_value(task: Mapping[str, Any], form: Form) -> Iterator[tuple[str, Outcomes]]:
+def by_value(task: Mapping[str, Any], form: Form, words: Words, often: Plain = None) -> Iterator[tuple[str, Outcomes]]:
     """Yield answers to a value task that were not worked out: nothing, what was given, one option everywhere."""
+    if often is not None:
+        yield "in each part what is most often right", {0: often}
     for number, constant in enumerate([*NOTHING, IDENTITY]):
         yield f"constant {number}", {0: constant}
     for name, held in (task["given"] or {}).items():
@@ -188,13 +205,48 @@ def by_value(task: Mapping[str, Any], form: Form) -> Iterator[tuple[str, Outcome
     if isinstance(form, Parts):
         for number, constant in enumerate([*NOTHING, IDENTITY]):
             yield f"constant {number} everywhere", {0: {"dict": dict.fromkeys(form.parts, constant)}}
+        for _ in range(TIMES):
+            yield "options at random", {0: {"dict": at_random(form.parts)}}
+            yield "options at random, by how frequent they are", {0: {"dict": at_random(form.parts, words)}}
         longest = max((len(part.options) for part in form.parts.values() if isinstance(part, Choice)), default=0)
         for number in range(longest):
             row = {name: option(part, number) for name, part in form.parts.items()}
             yield f"option {number + 1} everywhere", {0: {"dict": row}}
+        for row in every_constant(form) if often is not None else ():
+            yield f"always {', '.join(map(str, row.values()))}", {0: {"dict": row}}
     elif isinstance(form, Choice):
         for word in form.options:
             yield "an option", {0: word}
+
+
+def every_constant(form: Parts) -> Iterator[dict[str, Plain]]:
+    """Yield all ways to choose an option of each part, if these are few; 0 for what is no choice."""
+    options = [part.options if isinstance(part, Choice) else (0.0,) for part in form.parts.values()]
+    if 1 < math.prod(map(len, options)) <= MOST_CONSTANTS:
+        for chosen in product(*options):
+            yield dict(zip(form.parts, chosen, strict=True))
+
+
+def usual_answer(form: Form, expected: Sequence[Plain]) -> Plain:
+    """Return what is right most often in each part, of variants that differ; None if there are none."""
+    if not isinstance(form, Parts) or all(form.alike(plain, expected[0]) for plain in expected):
+        return None
+    columns = {name: [plain["dict"][name] for plain in expected] for name in form.parts}
+    return {"dict": {name: column[most_frequent(column)[0]] for name, column in columns.items()}}
+
+
+def frequent_words(form: Form, expected: Sequence[Plain]) -> Words:
+    """Return the right words of all parts that are asked alike, as often as they are right in all variants."""
+    parts = form.parts if isinstance(form, Parts) else {}
+    alike = {parts[names[0]].options: names for names in asked_alike(parts)}
+    return {options: [plain["dict"][name] for plain in expected for name in names] for options, names in alike.items()}
+
+
+def at_random(parts: Mapping[str, Form], words: Words | None = None) -> dict[str, Plain]:
+    """Return an option of each part, drawn from all of them, or from `words` if it is among these."""
+    options = {name: part.options for name, part in parts.items() if isinstance(part, Choice)}
+    drawn = {name: DICE.choice((words or {}).get(row, row)) for name, row in options.items()}
+    return dict.fromkeys(parts, 0.0) | drawn
 
 
 def option(part: Form, number: int) -> Plain:
@@ -213,11 +265,12 @@ def kind(plain: Plain) -> str:
     return str(plain["raises"]) if is_raised(plain) else "a value"
 
 
-def chance(form: Form) -> float:
+def chance(form: Form, expected: Plain) -> float:
     """Return which share of the points options give by chance; of anything else nothing."""
     if isinstance(form, Parts):
-        return mean(chance(part) for part in form.parts.values())
-    return 1 / len(form.options) if isinstance(form, Choice) and form.options else 0.0
+        return mean(chance(part, expected["dict"][name]) for name, part in form.parts.items())
+    fits = [all(judge(form, word, expected)) for word in form.options] if isinstance(form, Choice) else []
+    return mean(fits) if fits else 0.0
 
 
 if __name__ == "__main__":

@@ -242,14 +242,22 @@ def test_where_nobody_has_voted_nothing_is_written(tmp_path: Path, capsys: pytes
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-def test_each_vote_is_a_slide_behind_the_one_that_asks(language: str) -> None:
+def test_each_vote_is_a_slide_behind_the_one_that_asks_or_takes_its_place(language: str) -> None:
     for teaching in teachings_called([]):
         page = lectured_page(teaching.stem, language)
         votes = votes_of(teaching, page)
         before = copy.deepcopy(page.notebook)
-        names = [slide.name for slide in slides_of(with_votes(page.notebook, votes, language))]
+        voted = with_votes(page.notebook, votes, language)
+        names = [slide.name for slide in slides_of(voted)]
         assert page.notebook == before
+        asked_once = {vote.after for vote in votes if f"vote-{vote.name}" not in names}
+        assert asked_once >= {"checkpoint"}
+        for cell in voted["cells"]:
+            if cell["id"] in asked_once:
+                assert cell["source"].count("tflab-vote") == 1 and "<details>" not in cell["source"]
         for vote in votes:
+            if vote.after in asked_once:
+                continue
             behind = names[: names.index(f"vote-{vote.name}")]
             asking = next(name for name in reversed(behind) if not name.startswith("vote-"))
             assert asking == page.slides[page.shown[vote.after]].name

@@ -24,7 +24,6 @@ from tflab.grading import release
 from tflab.grading.kernels.limits import Limits
 from tflab.grading.kernels.sandbox import LEVELS, Sandbox
 from tflab.grading.kernels.take import KernelError, Kernels
-from tflab.workbook.places import workbook_data
 
 STEM = "03_target_and_source"
 SEEDS = dict(zip(LEVELS, ("5a17", "c0de", "0b5e"), strict=True))  # drawn once: what is luck is the same luck each time
@@ -39,16 +38,6 @@ SAID = {"limits": {"a pool of processes"}}  # what a wall says itself that it co
 EVERY = 1 if os.environ.get("TFLAB_TEST_WALLS") == "all" else 10  # recipe, behind a wall that is not the best one
 SECONDS = "1"  # of a cell: what does not end is tried once more with three times as long
 pytestmark = pytest.mark.slow
-
-
-def honest_notebook(folder: Path) -> dict[str, Any]:
-    """Return the exercise as it was handed out, with the solution's answers in it."""
-    solution = json.loads((workbook_data() / f"solutions/en/{STEM}.ipynb").read_text(encoding="utf-8"))
-    answers = {cell["id"]: cell["source"] for cell in solution["cells"] if cell["id"].endswith("-answer")}
-    notebook = json.loads((folder / f"exercises/en/E{STEM}.ipynb").read_text(encoding="utf-8"))
-    for cell in notebook["cells"]:
-        cell["source"] = "".join(answers.get(cell["id"], cell["source"]))
-    return notebook
 
 
 def is_there(wall: str) -> bool:
@@ -76,7 +65,7 @@ def library(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFac
         fixed.setattr(release.secrets, "token_hex", lambda count: (SEEDS[wall] * count)[: 2 * count])
         assert release.main([str(folder / "release"), "--chapters", "03"]) == 0
     handed_out = next((folder / "release/learners").iterdir())
-    honest = hostile.Honest(honest_notebook(handed_out), "E3.3", "invert", "E3.2", "corner")
+    honest = hostile.Honest(hostile.honest_notebook(handed_out, STEM), "E3.3", "invert", "E3.2", "corner")
     made: dict[str, Any] = {"a-neighbour": honest.fresh(), "z-neighbour": honest.fresh()}
     for number, recipe in enumerate(recipes):
         made[f"r{number:03}"] = recipe.make(honest)

@@ -64,6 +64,14 @@ def test_half_of_the_parts_is_half_of_the_points(tasks: dict) -> None:
     assert (mark.status, mark.points) == ("partly", 1.0)
 
 
+def test_a_part_that_most_learners_have_alike_earns_nothing_by_itself(tasks: dict) -> None:
+    one_part = {0: {"dict": {"target": "map", "source": "map"}}}
+    for usual, points in (([False, True], 0.0), ([True, False], 1.0), ([], 1.0)):  # "source" stands first
+        assert judged("E3.3", tasks["E3.3"] | {"usual": usual}, one_part).points == points
+    task = tasks["E3.3"] | {"usual": [False, True]}
+    assert judged("E3.3", task, expected(task)).points == task["points"]
+
+
 def test_a_function_that_changes_its_mind_loses_that_case(tasks: dict) -> None:
     task = tasks["E3.2"]
     again = next(place for place, number in enumerate(asks_of(task)) if number in asks_of(task)[:place])

@@ -14,7 +14,7 @@ from tflab.grading.kernels.sandbox import Sandbox
 from tflab.grading.reports.class_figures import bars, histogram
 from tflab.grading.reports.class_page import LEARNERS, NAMED, class_page, mistakes
 from tflab.grading.reports.feedback import LEVELS, feedback_page
-from tflab.grading.reports.gradebook import file_name, grades_csv
+from tflab.grading.reports.gradebook import file_name, file_names, grades_csv
 from tflab.grading.reports.html import prose, text
 from tflab.grading.submissions.reasons import REASONS
 from tflab.grading.submissions.remarks import Remark
@@ -104,6 +104,12 @@ def test_a_name_that_cannot_be_a_files_gets_one_of_its_own() -> None:
     odd = {file_name(name) for name in ("a b", "a_b", "a/b", "..", "", ".", "a" * 65, "a" * 66)}
     assert len(odd) == 8
     assert not any("/" in name or name in ("", ".", "..") for name in odd)
+
+
+def test_names_that_differ_in_their_case_only_are_two_files_on_any_disk() -> None:
+    names = file_names(["s0", "S0", "t1"])
+    assert names["S0"] == "S0" and names["t1"] == "t1"
+    assert len({name.casefold() for name in names.values()}) == 3
 
 
 def test_bars_say_their_numbers_in_words() -> None:

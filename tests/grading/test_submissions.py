@@ -276,8 +276,63 @@ def test_the_masses_beside_somebodys_notebook_cost_nobody_else(tmp_path: Path) -
     put(tmp_path, *(f"s101/copies/{n}.ipynb" for n in range(100)))
     collection = collect(tmp_path, ROSTER, CHAPTERS)
     assert len(who(collection)["s101"]) == 60
-    assert "the first 60 are looked at" in remarks_of(collection, "s101")[0]
+    assert "the 60 largest are looked at" in remarks_of(collection, "s101")[0]
     assert who(collection)["s102"] == ["s102/03_tiny.ipynb"]
+
+
+@pytest.mark.parametrize("is_zip", [False, True])
+def test_a_notebook_with_answers_is_found_behind_two_thousand_empty_ones(tmp_path: Path, is_zip: bool) -> None:
+    names = [f"{number:04}.ipynb" for number in range(2000)]
+    if is_zip:
+        zipped(tmp_path / "s101.zip", dict.fromkeys(names, b"{}") | {"zz_03_tiny.ipynb": b'{"cells": []}'})
+    else:
+        put(put(tmp_path / "s101", *names), "zz_03_tiny.ipynb", data=b'{"cells": []}')
+    collection = collect(tmp_path, ROSTER, CHAPTERS)
+    assert "s101/zz_03_tiny.ipynb" in who(collection)["s101"]
+    assert remarks_of(collection, "s101") == ("more than 60 notebooks; the 60 largest are looked at",)
+
+
+@pytest.mark.parametrize("name", ["S101/03_tiny.ipynb", "s101 /03_tiny.ipynb", "s101./03_tiny.ipynb", "s101 .ipynb"])
+def test_a_name_that_only_looks_like_an_id_brings_no_other_learners_work_into_that_place(
+    tmp_path: Path, name: str
+) -> None:
+    stamped = b'{"cells": [], "metadata": {"tflab": {"learner": "s102", "seal": "ours"}}}'
+    put(put(tmp_path, "s101/03_tiny.ipynb"), name, data=stamped)
+    collection = collect(tmp_path, ROSTER, CHAPTERS)
+    assert who(collection)["s101"] == ["s101/03_tiny.ipynb"]
+    assert sum(map(len, who(collection).values())) == 2  # and it is not lost
+
+
+def test_without_a_roster_names_that_differ_in_a_dot_or_a_blank_are_two_people(tmp_path: Path) -> None:
+    put(tmp_path, "s0/03_tiny.ipynb", "S0/03_tiny.ipynb", "s0 /03_tiny.ipynb", "s0./03_tiny.ipynb")
+    found = who(collect(tmp_path, None, CHAPTERS))
+    assert found == {
+        "s0": ["s0/03_tiny.ipynb"],
+        "S0": ["S0/03_tiny.ipynb"],
+        "s0 (2)": ["s0 /03_tiny.ipynb"],
+        "s0 (3)": ["s0./03_tiny.ipynb"],
+    }
+
+
+def test_strangers_whose_names_are_written_alike_are_two_lines(tmp_path: Path) -> None:
+    put(tmp_path, "a*b/03_tiny.ipynb", "a?b/03_tiny.ipynb")
+    found = who(collect(tmp_path, ROSTER, CHAPTERS))
+    assert (found["a_b"], found["a_b (2)"]) == (["a*b/03_tiny.ipynb"], ["a?b/03_tiny.ipynb"])
+
+
+def test_a_zip_that_is_forty_deep_is_said_once_and_read_no_further(tmp_path: Path) -> None:
+    inner = b"{}"
+    for level in range(40):
+        held = io.BytesIO()
+        with zipfile.ZipFile(held, "w") as archive:
+            for copy in range(2):
+                archive.writestr(f"{copy}_{level}.zip" if level else f"{copy}.ipynb", inner)
+        inner = held.getvalue() if len(held.getvalue()) < 1 << 16 else inner
+    (tmp_path / "s101.zip").write_bytes(inner)
+    collection = collect(tmp_path, ROSTER, CHAPTERS)
+    said = [remark.say("en") for remark in collection.remarks]
+    assert len([line for line in said if "a zip in a zip in a zip" in line]) == 1
+    assert who(collection)["s101"] == []
 
 
 def test_a_name_that_is_no_text_is_made_one(tmp_path: Path) -> None:

@@ -31,7 +31,7 @@ from .judging.job import SEVERAL
 from .judging.pack import Pack, PackError, read_pack
 from .reports.class_page import class_page
 from .reports.feedback import LEVELS, feedback_page
-from .reports.gradebook import LMS, file_name, grades_csv, remarks_of, results_json
+from .reports.gradebook import LMS, file_names, grades_csv, remarks_of, results_json
 from .submissions.collect import Collection, collect
 from .submissions.reader import Unreadable
 from .submissions.remarks import Remark
@@ -141,13 +141,13 @@ def _write_pages(
     before: list[str],
 ) -> None:
     pages = out / "feedback"
-    for learner in before:  # of an earlier run, perhaps on another level
-        (pages / f"{file_name(learner)}.html").unlink(missing_ok=True)
+    for name in file_names(before).values():  # of an earlier run, perhaps on another level
+        (pages / f"{name}.html").unlink(missing_ok=True)
     if options.feedback != "none":
+        names = file_names(record["learner"] for record in records)
         for record in records:
-            write_whole(
-                pages / f"{file_name(record['learner'])}.html", feedback_page(record, pack.cases, options.feedback)
-            )
+            page = feedback_page(record, pack.cases, options.feedback)
+            write_whole(pages / f"{names[record['learner']]}.html", page)
     shown = class_page(records, pack.cases, language=pack.language, wall=wall, remarks=collection.remarks)
     write_whole(out / "class.html", shown)
 

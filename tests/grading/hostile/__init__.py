@@ -12,14 +12,17 @@
     stealing     others' work, the pack, ways out
     harm         what takes from others
     late         what comes behind the answer
+    settings     what is set for the whole process
+    clinic       patients named without being examined; these are for chapter 12
 
-Each entry is a recipe: an honest notebook of chapter 03 goes in, what is handed in
+Each entry is a recipe: an honest notebook, of chapter 03 but for the clinic, goes in, what is handed in
 comes out.  `spoils` names the task whose answer the recipe replaces by an attack
 ("function", "value", or "" for none): it must get nothing; a "slip" may get a part.  `keeps` says which
 honest points have to survive: "all" of them, the "others" (all but the spoilt
 task's), or "none" where there is nothing left to read.
 """
 
+from .clinic import CLINIC
 from .counting import COUNTING
 from .exhaustion import EXHAUSTION
 from .files import FILES
@@ -31,15 +34,16 @@ from .late import LATE
 from .objects import OBJECTS
 from .odd import ODD
 from .peeking import PEEKING
-from .recipe import Honest, Recipe
+from .recipe import Honest, Recipe, honest_notebook
+from .settings import SETTINGS
 from .shell import NOTEBOOKS, SHELL
 from .stealing import STEALING
 from .survival import SURVIVAL
 from .tampering import TAMPERING
 
-__all__ = ["RECIPES", "Honest", "Recipe"]
+__all__ = ["CLINIC", "RECIPES", "Honest", "Recipe", "honest_notebook"]
 
 RECIPES = [
     *FORGING, *PEEKING, *EXHAUSTION, *SURVIVAL, *TAMPERING, *FILES, *HELPERS, *ODD, *GUESSING, *SLIPS,
-    *COUNTING, *OBJECTS, *SHELL, *NOTEBOOKS, *STEALING, *HARM, *LATE,
+    *COUNTING, *OBJECTS, *SHELL, *NOTEBOOKS, *STEALING, *HARM, *LATE, *SETTINGS,
 ]  # fmt: skip

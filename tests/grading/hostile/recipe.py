@@ -7,7 +7,10 @@ import json
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
+
+from tflab.workbook.places import workbook_data
 
 Notebook = dict[str, Any]
 
@@ -55,6 +58,16 @@ class Honest:
         place = notebook["cells"].index(self.cell(notebook, before, role))
         notebook["cells"].insert(place, own_cell(named(source, "F", self.function)))
         return notebook
+
+
+def honest_notebook(folder: Path, stem: str) -> Notebook:
+    """Return an exercise as it was handed out, with the solution's answers in it."""
+    solution = json.loads((workbook_data() / f"solutions/en/{stem}.ipynb").read_text(encoding="utf-8"))
+    answers = {cell["id"]: cell["source"] for cell in solution["cells"] if cell["id"].endswith("-answer")}
+    notebook = json.loads((folder / f"exercises/en/E{stem}.ipynb").read_text(encoding="utf-8"))
+    for cell in notebook["cells"]:
+        cell["source"] = "".join(answers.get(cell["id"], cell["source"]))
+    return notebook
 
 
 @dataclass(frozen=True)

@@ -2,6 +2,7 @@
 
     page's cells  --votes put among them-->  notebook  --as `tflab slides`-->  deck, with `static/votes.js` in it
 
+A slide that does nothing but ask is not shown twice: the vote takes its place.
 The deck is a file: what is typed stays in this browser, and a button writes it as votes.csv.
 For a plan only some cells are shown; all of them run.  Read `plans.py` next.
 """
@@ -26,6 +27,7 @@ from .vote import ARGUE_BELOW, EXPLAIN_BELOW, RULES, Vote
 __all__ = ["only", "with_votes", "write_deck"]
 
 BEGINS, FRAGMENT = ("slide", "subslide"), "fragment"
+HEADING = re.compile(r"#{1,6} .*\S")
 VOTE = Words("Vote", "투표")
 SAYS = {
     "expected": Words("expected", "예상"),
@@ -79,10 +81,17 @@ def write_deck(
 
 
 def with_votes(notebook: Mapping[str, Any], votes: Sequence[Vote], language: str) -> dict[str, Any]:
-    """Return a notebook with a slide for each vote, behind what is shown together with the cell it comes after."""
+    """Return a notebook with a slide for each vote, behind what is shown together with the cell it comes after.
+
+    Where that is one cell, and the question all that it says, the vote takes its place.
+    """
     cells: list[dict[str, Any]] = copy.deepcopy(notebook["cells"])
     for number, vote in reversed(list(enumerate(votes, start=1))):
-        at = next(index for index, cell in enumerate(cells) if cell["id"] == vote.after) + 1
+        asks = next(index for index, cell in enumerate(cells) if cell["id"] == vote.after)
+        at = asks + 1
+        if vote.asked == vote.after and _is_alone(cells, asks):
+            _take_its_place(cells[asks], vote, number, language)
+            continue
         while at < len(cells) and _kind(cells[at]) not in (*BEGINS, FRAGMENT):
             at += 1
         if at < len(cells) and _kind(cells[at]) == FRAGMENT:  # what a fragment tells, a vote must not know
@@ -110,6 +119,21 @@ def only(notebook: Mapping[str, Any], chosen: Collection[str]) -> dict[str, Any]
 
 def _kind(cell: Mapping[str, Any]) -> str:
     return cell["metadata"].get("slideshow", {}).get("slide_type", "-")
+
+
+def _is_alone(cells: Sequence[Mapping[str, Any]], at: int) -> bool:
+    """Return whether a cell is all that its slide shows."""
+    rest = (_kind(cell) for cell in cells[at + 1 :] if _kind(cell) != "skip")
+    return _kind(cells[at]) in BEGINS and next(rest, "slide") in BEGINS
+
+
+def _take_its_place(cell: dict[str, Any], vote: Vote, number: int, language: str) -> None:
+    """Let a slide that only asks take the vote itself, under its own heading."""
+    made = _slide(vote, number, language)
+    heading = HEADING.match("".join(cell["source"]))
+    cell["source"] = made["source"].replace("## ", f"{heading[0]} · " if heading else "## ", 1)
+    ours = cell["metadata"].setdefault("tflab", {})
+    ours["notes"] = "\n\n".join(filter(None, (ours.get("notes"), _notes(vote, language))))
 
 
 def _slide(vote: Vote, number: int, language: str) -> dict[str, Any]:

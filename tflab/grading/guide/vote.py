@@ -72,7 +72,11 @@ class VoteOption:
 
 @dataclass(frozen=True)
 class Vote:
-    """A question to the room, in one language; it follows the cell `after`, and is answered at `answered`, if later."""
+    """A question to the room, in one language; it follows the cell `after`, and is answered at `answered`, if later.
+
+    Attributes:
+        asked: the cell of which the question is the whole text; none if it is a part of one.
+    """
 
     stem: str
     name: str
@@ -81,6 +85,7 @@ class Vote:
     question: str
     options: tuple[VoteOption, ...]
     answered: str = ""
+    asked: str = ""
 
     @property
     def key(self) -> tuple[str, str]:
@@ -122,6 +127,8 @@ def _vote(plain: Mapping[str, Any], stem: str, page: LecturedPage) -> Vote:
         options.append(VoteOption(label, text, row["expect"], bool(row.get("right")), said, types))
     question = page.item(cell, plain["item"]) if "item" in plain else page.text(cell)
     answer = plain.get("answer", plain["name"].replace("-", "_"))
+    asked = "" if "item" in plain else cell
     return Vote(
-        stem, plain["name"], plain.get("after", cell), answer, question or "", tuple(options), plain.get("answered", "")
-    )
+        stem, plain["name"], plain.get("after", cell), answer, question or "", tuple(options),
+        plain.get("answered", ""), asked,
+    )  # fmt: skip

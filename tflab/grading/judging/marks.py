@@ -20,7 +20,7 @@ from tflab.workbook.answers.sealed import is_sealed, judge, seal
 from tflab.workbook.answers.values import is_raised
 from tflab.workbook.inventory.replies import chosen
 from tflab.workbook.tasks.case import TaskCases, TwinWords
-from tflab.workbook.tasks.evidence import beyond_guessing
+from tflab.workbook.tasks.evidence import beyond_guessing, beyond_the_usual
 from tflab.workbook.tasks.mistake import WITHOUT_THE_ANSWER, Mistake
 from tflab.workbook.tasks.verdict import Verdict, judge_outcomes
 from tflab.workbook.words import Words
@@ -90,14 +90,10 @@ def judged(
         trouble: what the run had to say about this task.
     """
     held = TaskCases.of_a_learner(dict(task))
-    cases = held.variants[0].cases
     got, is_steady = by_case(held, asks_of(task), outcomes)
     remarks = [*trouble, *([] if is_steady else [Remark(Mistake.UNSTEADY.value, task_id)])]
     found = _judge(held, got)
-    share = found.passed / found.of if found.of else 0.0
-    if held.is_function and share:
-        share = beyond_guessing(held.form, cases, found.passed, task.get("known") or [False] * len(cases))
-    points = round(held.points * share, DIGITS)
+    points = round(held.points * _share(held, task, found), DIGITS)
     if found.mistake is Mistake.UNANSWERED and not trouble:
         status = "unanswered"
     elif found.mistake is None:
@@ -111,6 +107,17 @@ def judged(
         task_id, status, found.passed, found.of, points, float(held.points), found.slips, found.said, tuple(remarks),
         answers,
     )  # fmt: skip
+
+
+def _share(held: TaskCases, task: Mapping[str, Any], found: Verdict) -> float:
+    """Return which share of the points is earned, beyond what guessing gives."""
+    if not found.passed:
+        return 0.0
+    if held.is_function:
+        cases = held.variants[0].cases
+        return beyond_guessing(held.form, cases, found.passed, task.get("known") or [False] * len(cases))
+    usual = () if held.counts else task.get("usual", ())
+    return sum(beyond_the_usual(found.right, usual, found.follows)) / found.of
 
 
 def safe_error_name(name: Any) -> str | Remark:

@@ -32,6 +32,7 @@ from tflab.progress_bar import ProgressBar
 from tflab.workbook.answers.forms import form_from_plain
 from tflab.workbook.answers.sealed import sealed_variant
 from tflab.workbook.tasks.cases import CasesError, cases_json, make_cases, read_cases
+from tflab.workbook.tasks.evidence import usual_among
 from tflab.workbook.tasks.task import variant_of
 from tflab.workbook.whole_files import write_whole
 
@@ -41,7 +42,7 @@ from .draw import POOL, digest_of, drawn, pool_of
 
 __all__ = [
     "DAMAGE", "Pack", "PackError", "chapter_cases", "chapters_made", "keep_chapter", "learners_cases", "read_pack",
-    "write_chapter", "write_pack",
+    "usual_of", "write_chapter", "write_pack",
 ]  # fmt: skip
 
 FORMAT = 2
@@ -80,6 +81,12 @@ class Pack:
         held = json.dumps([self.release, self.seed, self.version, self.cases], sort_keys=True)
         return hashlib.sha256(held.encode()).hexdigest()
 
+    @cached_property
+    def usual(self) -> dict[str, list[list[bool]]]:
+        """By task and variant, which parts of a value are right in most other variants, too."""
+        tasks = {task_id: task for cases in self.cases.values() for task_id, task in cases["tasks"].items()}
+        return {task_id: usual_of(task) for task_id, task in tasks.items() if not task["is_function"]}
+
     def seal_of(self, stamp: Mapping[str, str]) -> str:
         """Return what proves that a notebook's stamp is ours: a code for it that only this pack can make (an HMAC)."""
         said = json.dumps([stamp.get(name, "") for name in ("release", "chapter", "learner")])
@@ -98,10 +105,13 @@ class Pack:
             ]
             tasks = {}
             for task_id, task in cases["tasks"].items():
-                variant = task["variants"][variant_for(self.roster, learner, task_id, task)]
+                number = variant_for(self.roster, learner, task_id, task)
+                variant = task["variants"][number]
                 held = {name: held for name, held in task.items() if name != "variants"} | variant
                 if "tells" in held["cases"][0]:
                     held |= drawn(held["cases"], _derived(self.seed, f"asked/{learner}/{task_id}"))
+                if not task["is_function"]:
+                    held["usual"] = self.usual[task_id][number]
                 tasks[task_id] = held
             chapters[stem] = {"master": cells, "tasks": tasks}
         return chapters
@@ -110,6 +120,15 @@ class Pack:
 def variant_for(roster: Mapping[str, Learner] | None, learner: str, task_id: str, task: Mapping[str, Any]) -> int:
     """Return which variant of a task a learner has; without a roster everybody has the first."""
     return variant_of(learner, task_id, len(task["variants"])) if roster is not None and learner in roster else 0
+
+
+def usual_of(task: Mapping[str, Any]) -> list[list[bool]]:
+    """Return for each variant of a value task which of its parts are right in most others, too."""
+    form = form_from_plain(task["form"])
+    expected = [variant["cases"][0]["expected"] for variant in task["variants"]]
+    return [
+        usual_among(form, right, [*expected[:number], *expected[number + 1 :]]) for number, right in enumerate(expected)
+    ]
 
 
 def chapter_cases(stem: str, seed: str, solutions: Path) -> tuple[dict[str, Any], dict[str, Any]]:

@@ -16,12 +16,12 @@ import io
 import json
 import re
 import unicodedata
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 from ..submissions.remarks import Remark
 
-__all__ = ["LMS", "file_name", "grades_csv", "remarks_of", "results_json", "tasks_of", "verdicts_of"]
+__all__ = ["LMS", "file_name", "file_names", "grades_csv", "remarks_of", "results_json", "tasks_of", "verdicts_of"]
 
 FORMULA = ("=", "+", "-", "@", "\t", "\r", "\n", "|", "%")
 PARTED = re.compile(r"(;\s*|\S[\t\n\r]\s*)([=+\-@|%＝＋－＠｜％])")
@@ -64,9 +64,22 @@ def remarks_of(record: Record) -> list[Remark]:
 def file_name(learner: str) -> str:
     """Return a learner's id as the name of a file; if it cannot be one, with a part of its digest."""
     letters = "".join(letter if letter.isalnum() or letter in "._@-" else "_" for letter in learner)[:64].strip(".")
-    return (
-        letters if letters and letters == learner else f"{letters}~{hashlib.sha256(learner.encode()).hexdigest()[:6]}"
-    )
+    return letters if letters and letters == learner else _with_digest(letters, learner)
+
+
+def file_names(learners: Iterable[str]) -> dict[str, str]:
+    """Return a file's name for each learner; of two that differ in their case only, one has a part of its digest."""
+    names: dict[str, str] = {}
+    taken: set[str] = set()
+    for learner in sorted(learners):
+        name = file_name(learner)
+        names[learner] = _with_digest(name, learner) if name.casefold() in taken else name
+        taken.add(name.casefold())
+    return names
+
+
+def _with_digest(letters: str, learner: str) -> str:
+    return f"{letters}~{hashlib.sha256(learner.encode()).hexdigest()[:6]}"
 
 
 def _plain_rows(records: Sequence[Record]) -> list[list[Any]]:

@@ -43,7 +43,7 @@ class Member:
 
     Attributes:
         path: that of a file on the disk.
-        size: what it says that it has, of a file in a zip [bytes].
+        size: what it has, or, in a zip, says that it has [bytes].
         outside: of a file in somebody's zip, how many of the parts were not named by whoever made the zip; else 0.
     """
 

@@ -17,13 +17,14 @@ Read `listing.py` next.
 from __future__ import annotations
 
 import unicodedata
-from collections.abc import Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import chain, count
 from pathlib import Path
 from typing import NamedTuple
 
 from .archives import Member
-from .listing import MAX_NOTEBOOKS, few_of_each, is_notebook, listed
+from .listing import MAX_NOTEBOOKS, few_of_each, is_notebook, largest, listed
 from .owners import IsGenuine, group_of, is_of_a_system, owner_of, stamped_for
 from .remarks import Remark
 from .roster import Learner
@@ -73,7 +74,7 @@ class HandIn(NamedTuple):
     @property
     def is_the_id(self) -> bool:
         """Whether it is called by its owner's id, and by nothing else."""
-        return not self.number and self.name.lower() == (self.owner or "").lower()
+        return not self.number and self.name == self.owner
 
     @property
     def called(self) -> str:
@@ -104,6 +105,8 @@ def collect(
     found: dict[str, Submission] = {}
     for hand_in in _with_owners(_hand_ins(members, chapters), people, is_genuine):
         submission = _submission(hand_in, _strange(hand_in, found) if roster else (), roster is None)
+        if not roster or not submission.known:
+            submission = replace(submission, learner=_own_name(submission.learner, {*people, *found}))
         there = found.get(submission.learner)
         found[submission.learner] = _together(there, submission, hand_in) if there else submission
     on_roster = [found.pop(learner, Submission(learner, (), (Remark("no file"),))) for learner in people]
@@ -124,7 +127,7 @@ def _hand_ins(members: Sequence[Member], chapters: Sequence[str]) -> list[HandIn
 def _with_owners(hand_ins: Sequence[HandIn], roster: Mapping[str, Learner], is_genuine: IsGenuine) -> list[HandIn]:
     """Return the hand-ins with their owners, those first whose owner is said by where they were found."""
     if not roster:
-        return list(hand_ins)
+        return sorted(hand_ins, key=lambda hand_in: hand_in.name != hand_in.called)  # who is called just so comes first
     by_path = [
         hand_in._replace(owner=owner_of(hand_in.name, roster, whole=bool(hand_in.number))) for hand_in in hand_ins
     ]
@@ -188,10 +191,10 @@ def _submission(hand_in: HandIn, strange: tuple[Remark, ...], everybody_is_known
     if not notebooks:
         remarks.append(Remark("no notebook", stamp=_few(sorted(others))) if others else Remark("empty"))
     if len(notebooks) > MAX_NOTEBOOKS:
-        remarks.append(Remark("many", stamp=len(notebooks), ours=MAX_NOTEBOOKS))
+        remarks.append(Remark("many", ours=MAX_NOTEBOOKS))
     learner = None if strange else hand_in.owner or hand_in.stamp
     is_known = everybody_is_known or learner is not None
-    return Submission(learner or hand_in.called, notebooks[:MAX_NOTEBOOKS], tuple(remarks), is_known)
+    return Submission(learner or hand_in.called, tuple(largest(notebooks, MAX_NOTEBOOKS)), tuple(remarks), is_known)
 
 
 def _together(there: Submission, more: Submission, hand_in: HandIn) -> Submission:
@@ -270,6 +273,12 @@ def _printable(key: str) -> str:
         )
         or "unnamed"
     )
+
+
+def _own_name(name: str, taken: Container[str]) -> str:
+    """Return a name that nobody else goes by, though it was written otherwise: "s0 (2)" for "s0 " beside "s0"."""
+    numbered = (f"{name} ({number})" for number in count(2))
+    return next(own for own in chain([name], numbered) if own not in taken)
 
 
 def _few(names: list[str]) -> str | Remark:

@@ -12,7 +12,7 @@ somebody handed in.  Read `owners.py` next.
 from __future__ import annotations
 
 import os
-from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -21,7 +21,7 @@ from .archives import Member, archive_members, is_zip_name
 from .reader import Unreadable, read_bytes
 from .remarks import Remark, printable
 
-__all__ = ["few_of_each", "is_notebook", "listed"]
+__all__ = ["few_of_each", "is_notebook", "largest", "listed"]
 
 NOTEBOOKS = (".ipynb", ".ipynb.txt", ".ipynb.json")  # a browser adds the last ones
 SKIPPED = {"__MACOSX", "__pycache__", "Thumbs.db", "desktop.ini"}
@@ -40,6 +40,7 @@ class Budget:
 
     zips: int = MOST_ZIPS
     bytes: int = MOST_BYTES
+    is_too_deep: bool = False
 
     def take(self, size: int) -> None:
         """Spend one zip of a size; raise Unreadable if there is no more."""
@@ -76,14 +77,20 @@ def is_notebook(member: Member) -> bool:
 
 def few_of_each(members: list[Member]) -> list[Member]:
     """Return the members without the masses that somebody may have put beside their notebooks."""
-    counts: Counter[tuple[str, bool]] = Counter()
-    kept = []
+    kinds: dict[tuple[str, bool], list[Member]] = {}
     for member in members:
         kind = (member.parts[0] if len(member.parts) > 1 else "", is_notebook(member))
-        counts[kind] += 1
-        if not kind[0] or counts[kind] <= MAX_NOTEBOOKS + 1:
-            kept.append(member)
-    return kept
+        kinds.setdefault(kind, []).append(member)
+    crowded = {kind for kind, those in kinds.items() if kind[0] and len(those) > MAX_NOTEBOOKS + 1}
+    kept = {id(member) for kind in crowded for member in largest(kinds[kind], MAX_NOTEBOOKS + 1)}
+    left_out = {id(member) for kind in crowded for member in kinds[kind]} - kept
+    return [member for member in members if id(member) not in left_out]
+
+
+def largest(members: Sequence[Member], most: int) -> list[Member]:
+    """Return at most so many of the members, in their order; an answered notebook is larger than an empty one."""
+    by_size = sorted(range(len(members)), key=lambda place: members[place].size, reverse=True)
+    return [members[place] for place in sorted(by_size[:most])]
 
 
 def _walked(place: Path, leave_out: set[Path]) -> tuple[list[Member], list[Remark]]:
@@ -105,8 +112,15 @@ def _walked(place: Path, leave_out: set[Path]) -> tuple[list[Member], list[Remar
             members.append(Member((*parts, ""), bytes))  # so that who handed in an empty folder is heard of
         for name in sorted(files):
             path = Path(folder) / name
-            members.append(Member((*parts, name), partial(read_bytes, path), path))
+            members.append(Member((*parts, name), partial(read_bytes, path), path, _size_of(path)))
     return members, remarks
+
+
+def _size_of(path: Path) -> int:
+    try:
+        return path.lstat().st_size
+    except OSError:
+        return 0
 
 
 def _inside(zipped: Member, remarks: list[Remark], budget: Budget, depth: int = 1) -> list[Member]:
@@ -127,8 +141,11 @@ def _inside(zipped: Member, remarks: list[Remark], budget: Budget, depth: int = 
         if any(map(_is_skipped, member.parts)):
             continue
         below = replace(member, parts=(*folder, *member.parts), outside=outside)
-        is_zip = is_zip_name(member.parts[-1]) and depth < MOST_DEEP
-        found += _inside(below, remarks, budget, depth + 1) if is_zip else [below]
+        is_zip = is_zip_name(member.parts[-1])
+        if is_zip and depth == MOST_DEEP and not budget.is_too_deep:
+            budget.is_too_deep = True
+            remarks.append(Remark("unreadable", file=printable("/".join(below.parts)), why=Remark("deep zip")))
+        found += _inside(below, remarks, budget, depth + 1) if is_zip and depth < MOST_DEEP else [below]
     return found
 
 

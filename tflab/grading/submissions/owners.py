@@ -55,12 +55,13 @@ def group_of(parts: tuple[str, ...], chapters: Sequence[str]) -> tuple[str, str]
     for chapter in chapters:
         if chapter in stem and stem != chapter:
             stem = re.sub(f"E?{re.escape(chapter)}", "", stem)
-    return stem.strip(" _-.") or parts[0], ""
+            stem = re.sub("^[ _-]|[ _-]$", "", stem)  # what joined the two; "s0." and "s0 " are other names than "s0"
+    return stem or parts[0], ""
 
 
 def owner_of(name: str, roster: Mapping[str, Learner], *, whole: bool = False) -> str | None:
     """Return whose name this is: an id, a part of it that is one (unless it is to be taken whole), or a name."""
-    name = unicodedata.normalize("NFC", name)  # a Mac takes Hangul apart
+    name = unicodedata.normalize("NFC", name).strip(" _-.")  # a Mac takes Hangul apart
     by_lower = {unicodedata.normalize("NFC", learner).lower(): learner for learner in roster}
     words = [] if whole else [*re.split(r"[\s_,()+]+", name), *re.split(r"[^A-Za-z0-9.@-]+", name)]
     for word in [name, *words]:

@@ -41,6 +41,10 @@ REASONS = {
         en="more than {most} zips in a zip, or more than {megabytes} MB of them: hand in the notebooks themselves",
         ko="zip 안의 zip이 {most}개, 모두 합해 {megabytes} MB를 넘습니다. 노트북 파일을 그대로 제출하십시오",
     ),
+    "deep zip": Words(
+        en="a zip in a zip in a zip, not opened: hand in the notebooks themselves",
+        ko="zip 안의 zip 안에 또 zip이 있어 열지 않았습니다. 노트북 파일을 그대로 제출하십시오",
+    ),
     "leads out": Words(
         en="it leads out of the archive; refused",
         ko="압축 파일 밖을 가리키는 이름이라서 받지 않았습니다",

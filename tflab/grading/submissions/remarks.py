@@ -113,8 +113,8 @@ KINDS = {
     "empty": Words(en="an empty folder.", ko="빈 폴더입니다."),
     "no notebook": Words(en="no notebook; there is {stamp}.", ko="노트북이 없습니다. 있는 것: {stamp}."),
     "many": Words(
-        en="{stamp} notebooks; the first {ours} are looked at.",
-        ko="노트북이 {stamp}개라서 앞의 {ours}개만 보았습니다.",
+        en="more than {ours} notebooks; the {ours} largest are looked at.",
+        ko="노트북이 {ours}개보다 많아서 큰 것부터 {ours}개만 보았습니다.",
     ),
     "nobody": Words(
         en='"{stamp}" is nobody on the roster, and neither is the stamp in the notebook.',

@@ -1,0 +1,73 @@
+"""Does anybody name a patient's trouble without examining it?  Chapter 12, from the release to the grades.
+
+Patients take minutes to make, so those that learners are shown are the graded ones here, too.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from typing import Any
+
+import hostile
+import pytest
+
+from tflab.grading import grade, release
+from tflab.grading.judging.draw import pool_of
+from tflab.workbook.places import workbook_data
+from tflab.workbook.tasks.cases import read_cases
+
+STEM = "12_owners_and_diagnosis"
+PROGRAM, PATIENTS = "E12.7", "E12.4"
+pytestmark = pytest.mark.slow
+
+
+def chapters_made(*_: Any, **__: Any) -> dict[str, tuple[dict[str, Any], dict[str, Any]]]:
+    """Return the cases that are here already, as if a release had drawn them."""
+    shown = read_cases(workbook_data() / f"exercises/cases/{STEM}.json")
+    program = shown["tasks"][PROGRAM]
+    pooled = [one | {"cases": pool_of(program, one["cases"], ())} for one in program["variants"]]
+    return {STEM: (shown, shown | {"tasks": shown["tasks"] | {PROGRAM: program | {"variants": pooled}}})}
+
+
+@pytest.fixture(scope="module")
+def marks(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Mapping[str, Any]]:
+    """What each recipe got in each task, and an honest neighbour at either end."""
+    folder = tmp_path_factory.mktemp("clinic")
+    with pytest.MonkeyPatch.context() as fixed:
+        fixed.setattr(release, "chapters_made", chapters_made)
+        fixed.setattr(release.secrets, "token_hex", lambda count: ("5a17" * count)[: 2 * count])
+        assert release.main([str(folder / "release"), "--chapters", "12"]) == 0
+    handed_out = next((folder / "release/learners").iterdir())
+    honest = hostile.Honest(hostile.honest_notebook(handed_out, STEM), PROGRAM, "triage", PATIENTS, "patients")
+    made = {"a": honest.fresh()} | {f"r{number:02}": one.make(honest) for number, one in enumerate(hostile.CLINIC)}
+    for name, notebook in (made | {"z": honest.fresh()}).items():
+        path = folder / "submissions" / name / f"{STEM}.ipynb"
+        path.parent.mkdir(parents=True)
+        path.write_text(json.dumps(notebook), encoding="utf-8")
+    words = ["--pack", str(folder / "release/instructor"), "--out", str(folder / "results"), "--jobs", "2", "--quiet"]
+    assert grade.main([str(folder / "submissions"), *words]) == 0
+    held = json.loads((folder / "results/results.json").read_text(encoding="utf-8"))
+    return {record["learner"]: record["chapters"][STEM]["tasks"] for record in held["submissions"]}
+
+
+def test_nobody_diagnoses_what_they_did_not_examine(marks: Mapping[str, Mapping[str, Any]]) -> None:
+    spoilt = {"function": PROGRAM, "value": PATIENTS}
+    rows = [(one.name, marks[f"r{number:02}"][spoilt[one.spoils]]) for number, one in enumerate(hostile.CLINIC)]
+    assert {name: row["points"] for name, row in rows if row["points"]} == {}
+
+
+def test_an_examination_gets_all_points_and_so_does_what_stands_beside_a_fraud(
+    marks: Mapping[str, Mapping[str, Any]],
+) -> None:
+    spoilt = {
+        f"r{number:02}": {"function": PROGRAM, "value": PATIENTS}[one.spoils]
+        for number, one in enumerate(hostile.CLINIC)
+    }
+    lost = {
+        (name, task): row["points"]
+        for name, tasks in marks.items()
+        for task, row in tasks.items()
+        if task != spoilt.get(name) and row["points"] < row["most"]
+    }
+    assert lost == {}
