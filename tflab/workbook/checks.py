@@ -83,7 +83,9 @@ def check(task_id: str, answer: Any = NOTHING) -> float | None:
     else:
         verdict, outcomes = tried_on(assigned, answer)
         if verdict.mistake is not Mistake.UNANSWERED:
-            progress.record_try(assigned.root, assigned.id, verdict.passed, verdict.of, next(iter(verdict.slips), None))
+            twin = next(iter(verdict.slips), None)
+            came = outcomes or [str(verdict.mistake)]  # what could not be tried on all cases
+            progress.record_try(assigned.root, assigned.id, verdict.passed, verdict.of, twin, came)
         if assigned.cases.counts and verdict.mistake is not Mistake.UNANSWERED:
             language, form = assigned.workbook.language, assigned.cases.form
             say_taken_part(assigned.id, assigned.root, language, form, verdict, outcomes[0])

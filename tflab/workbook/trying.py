@@ -20,6 +20,7 @@ from .answers.values import Plain, from_plain, is_raised, is_unanswered, outcome
 from .places import Workbook
 from .reply import show_reply
 from .tasks.case import TaskCases, Variant
+from .tasks.changes import gave
 from .tasks.mistake import REPLIES, Mistake
 from .tasks.replies import PHRASES
 from .tasks.verdict import Verdict, judge_outcomes, kind_of
@@ -132,6 +133,7 @@ def _call(assigned: AssignedTask, case: int) -> str:
 
 
 def _shown(outcome: Plain) -> str:
+    outcome = gave(outcome)
     if is_raised(outcome):
         return outcome["raises"]
     try:

@@ -52,7 +52,7 @@ SAME_NUMBERS = Twin(
     lambda g: answer(g.laser_p_post, g.laser_p_post),
     Words(
         en="These are the laser's numbers with other labels. A frame is not a name to be changed: count the way from each frame's own origin.",
-        ko="레이저의 숫자에 이름표만 바꾸어 달았습니다. 좌표계는 이름만 바꾼다고 바뀌지 않습니다. 각 좌표계의 원점에서부터 다시 세어 보세요.",
+        ko="레이저의 숫자에 이름표만 바꾸어 달았습니다. 좌표계는 이름만 바꾼다고 바뀌지 않습니다. 각 좌표계의 원점에서 기둥까지 다시 재어 보세요.",
     ),
 )
 

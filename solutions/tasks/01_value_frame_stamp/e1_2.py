@@ -104,7 +104,10 @@ TASK = Task(
         ),
         "b": Words(en="b: read its `frame_id` once more.", ko="b: `frame_id`를 다시 읽어 보세요."),
         "c": Words(en="c: read its stamp once more.", ko="c: 측정 시각을 다시 읽어 보세요."),
-        "d": Words(en="d: do the lamps of a building move?", ko="d: 건물의 전등이 움직입니까?"),
+        "d": Words(
+            en="d: do the lamps of a building move? Whoever saw one may have moved its numbers into map before sending them.",
+            ko="d: 건물의 전등이 움직입니까? 카메라가 본 것이라도 map 기준으로 바꾼 뒤에 보낼 수 있습니다.",
+        ),
         "e": Words(
             en="e: the same three numbers wherever the robot stands: whose numbers are they?",
             ko="e: 로봇이 어디에 있든 같은 숫자 셋입니다. 누구 기준의 숫자입니까?",

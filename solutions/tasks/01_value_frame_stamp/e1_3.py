@@ -14,7 +14,7 @@ OPTIONS = ("use it", "no frame", "no stamp", "too old", "from the future")
 def messages(rng):
     """Each verdict twice or more; ages across a full second, a nanosec below 0.1 s, both bounds and a hair beside."""
     second = int(rng.integers(20, 90))
-    limit = float(rng.choice([0.5, 0.8, 1.2]))
+    limit = float(rng.choice([1.2, 1.5, 1.8]))
     hair = 200_000
     limit_ns = seconds(limit)
 
@@ -75,10 +75,12 @@ def verdict(
     age="right",
     ahead="after now",
     bound="older",
+    limit="as given",
 ):
     """Return what a reader says, step by step; other steps are the slips."""
     stamp = message.header.stamp
     old_s = age_s(message, now, age)
+    max_age_s = {"as given": max_age_s, "whole": float(int(max_age_s))}[limit]
     early_s = round(old_s - max_age_s, 10)  # what floats make of it is no slip
     says = {
         "frame": (not message.header.frame_id, "no frame"),
@@ -87,6 +89,8 @@ def verdict(
             "no stamp",
         ),
         "future": ({"after now": old_s < 0, "now, too": old_s <= 0, "a tenth": old_s < -0.1}[ahead], "from the future"),
+        "young": (early_s < 0, "too old"),
+        "far": (round(abs(old_s) - max_age_s, 10) > 0, "too old"),
         "old": (early_s > 0 if bound == "older" else early_s >= 0, "too old"),
     }
     return next((says[look][1] for look in looks.split() if says[look][0]), "use it")
@@ -106,8 +110,8 @@ NO_LOOK_AT_ZERO = Slip(
     "no look at zero",
     {"looks": "frame future old"},
     Words(
-        en="A stamp of zero is said to be too old, or even good. Zero means that nobody wrote a stamp: that is a fault of its own.",
-        ko="0인 측정 시각을 오래된 것이나 쓸 수 있는 것으로 봅니다. 0은 아무도 측정 시각을 쓰지 않았다는 뜻이고, 따로 알려야 할 잘못입니다.",
+        en="A stamp of zero is said to be too old, or even good. Zero means that nobody wrote a stamp: that is a fault of its own. `not header.stamp` does not find it, for an object is always true: look at its sec and nanosec.",
+        ko="0인 측정 시각을 오래된 것이나 쓸 수 있는 것으로 봅니다. 0은 아무도 측정 시각을 쓰지 않았다는 뜻이고, 따로 알려야 할 잘못입니다. 객체는 언제나 참이므로 `not header.stamp`로는 찾지 못합니다. sec와 nanosec을 보세요.",
     ),
     "M9",
 )
@@ -279,6 +283,34 @@ A_TENTH_AHEAD = Slip(
     "M10",
 )
 
+FAR_BEFORE_THE_SIGN = Slip(
+    "far before the sign",
+    {"looks": "frame stamp far future"},
+    Words(
+        en="What lies far in the future is called too old: you compare the size of the age with the limit before you look at its sign.",
+        ko="먼 미래의 것을 너무 오래되었다고 합니다. 부호를 보기 전에 나이의 크기부터 한계와 비교합니다.",
+    ),
+    "M10",
+)
+
+OLD_FOR_YOUNG = Slip(
+    "old for young",
+    {"looks": "frame stamp future young"},
+    Words(
+        en="The comparison is the wrong way round: what is young enough is called too old, and what is too old is used.",
+        ko="비교의 방향이 반대입니다. 충분히 새로운 것을 너무 오래되었다고 하고, 너무 오래된 것을 씁니다.",
+    ),
+)
+
+LIMIT_CUT = Slip(
+    "limit cut",
+    {"limit": "whole"},
+    Words(
+        en="The limit lost its digits behind the point: of max_age_s you keep whole seconds alone.",
+        ko="한계의 소수 부분을 잃었습니다. max_age_s에서 초의 정수 부분만 남깁니다.",
+    ),
+)
+
 
 TASK = Task(
     id="E1.3",
@@ -311,6 +343,9 @@ TASK = Task(
         TENTHS,
         NOW_IS_THE_FUTURE,
         A_TENTH_AHEAD,
+        FAR_BEFORE_THE_SIGN,
+        OLD_FOR_YOUNG,
+        LIMIT_CUT,
     ),
     hints=(
         Words(

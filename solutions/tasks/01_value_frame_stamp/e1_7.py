@@ -86,8 +86,8 @@ SHRINKING_IS_A_LIE = Twin(
     "shrinking is a lie",
     instead(none=LABEL),
     Words(
-        en="In base_link a ball ahead *must* come nearer while the robot drives. Look at the stamps of that one instead.",
-        ko="로봇이 달리면 base_link 기준으로 앞의 공은 *당연히* 가까워집니다. 그 검출기는 측정 시각을 보십시오.",
+        en="The numbers of that one are right for its frame: in base_link a ball ahead *must* come nearer while the robot drives. Look at its stamps instead. They are 0.0, and that is how a missing stamp looks: there is no empty field in a message.",
+        ko="그 숫자는 좌표계에 맞습니다. 로봇이 달리면 base_link 기준으로 앞의 공은 *당연히* 가까워집니다. 대신 측정 시각을 보십시오. 0.0입니다. 메시지에는 빈 칸이 없으므로, 아무도 쓰지 않은 측정 시각은 이렇게 보입니다.",
     ),
     "M15",
 )

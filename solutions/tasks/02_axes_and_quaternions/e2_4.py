@@ -62,7 +62,7 @@ def judged(q: tuple, *, finite="all", zero="length", below=1e-6, length="root", 
     x, y = (q[0] if "x" in looks else 0.0), (q[1] if "y" in looks else 0.0)
     sizes = {"abs": max(abs(x), abs(y)), "signed": max(x, y), "sum": abs(x) + abs(y), "of the sum": abs(x + y),
              "length": math.hypot(x, y), "both": min(abs(x), abs(y)), "z, too": max(map(abs, q[:3]))}  # fmt: skip
-    is_tipped = sizes[size] > above or (w == "positive" and q[3] < 0.0)
+    is_tipped = (abs(q[3]) < above if size == "w" else sizes[size] > above) or (w == "positive" and q[3] < 0.0)
     if first == "w" and is_tipped:
         return "w first"
     is_zero = {
@@ -203,6 +203,17 @@ SQUARE_FOR_LENGTH = Slip(
     ),
 )
 
+
+SMALL_W = Slip(
+    "small w",
+    {"size": "w"},
+    Words(
+        en="You look whether w is small. It is in every half turn, and those are good; look at the size of x and of y, "
+        "which a robot on a floor does not need.",
+        ko="w가 작은지를 보았습니다. 반 바퀴 회전은 모두 그렇지만 올바릅니다. 바닥 위의 로봇이 쓰지 않는 x와 y의 크기를 "
+        "보십시오.",
+    ),
+)
 
 NEGATIVE_X_OR_Y_PASSES = Slip(
     "negative x or y passes",
@@ -387,6 +398,7 @@ TASK = Task(
         ZERO_BY_SUM,
         SQUARE_FOR_LENGTH,
         NEGATIVE_X_OR_Y_PASSES,
+        SMALL_W,
         ONLY_X,
         TOO_SHORT_PASSES,
         ZERO_IF_W_IS_ZERO,

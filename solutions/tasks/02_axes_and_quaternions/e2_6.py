@@ -4,12 +4,19 @@ from __future__ import annotations
 
 import numpy as np
 
+from tflab.core import Transform
 from tflab.workbook.tasks import Choice, Parts, Task, Twin, Words
 
 OPTICAL_RPY_DEG = (-90.0, 0.0, -90.0)
-
-
 STRAIGHT_DEG = (0.0, 0.0, 0.0)
+LINK, OPTICAL = "camera_link", "camera_optical_frame"
+ODD = (  # the header, the camera's mount, the optical one: one of the three is not as it should be
+    (LINK, STRAIGHT_DEG, OPTICAL_RPY_DEG),
+    (OPTICAL, STRAIGHT_DEG, STRAIGHT_DEG),
+    (OPTICAL, STRAIGHT_DEG, (-90.0, 0.0, 0.0)),
+    (OPTICAL, OPTICAL_RPY_DEG, OPTICAL_RPY_DEG),
+    (OPTICAL, (0.0, -90.0, 0.0), OPTICAL_RPY_DEG),
+)
 
 
 DIAGNOSIS = Parts(
@@ -22,12 +29,8 @@ DIAGNOSIS = Parts(
 
 
 def turned_cloud(rng: np.random.Generator) -> dict:
-    """Draw one of three ways to turn a cloud by ninety degrees: the evidence, as one would read it off."""
-    frame_id, body_deg, optical_deg = (
-        ("camera_link", STRAIGHT_DEG, OPTICAL_RPY_DEG),
-        ("camera_optical_frame", STRAIGHT_DEG, STRAIGHT_DEG),
-        ("camera_optical_frame", OPTICAL_RPY_DEG, OPTICAL_RPY_DEG),
-    )[int(rng.integers(3))]
+    """Draw one of five ways to turn a cloud by ninety degrees: the evidence, as one would read it off."""
+    frame_id, body_deg, optical_deg = ODD[int(rng.integers(len(ODD)))]
     return {
         "header_frame_id": frame_id,
         "rpy_of_camera_link_in_base_link_deg": body_deg,
@@ -37,7 +40,15 @@ def turned_cloud(rng: np.random.Generator) -> dict:
 
 
 def wall_appears(given) -> str:
-    return "above" if given.rpy_of_camera_link_in_base_link_deg == STRAIGHT_DEG else "right"
+    """Return where in base_link the cloud's depth points, its z."""
+    mounts = [given.rpy_of_camera_link_in_base_link_deg]
+    if given.header_frame_id == OPTICAL:
+        mounts.append(given.rpy_of_camera_optical_frame_in_camera_link_deg)
+    depth = np.array([0.0, 0.0, 1.0])
+    for rpy_deg in reversed(mounts):
+        depth = Transform.from_rpy(*np.radians(rpy_deg)).apply(depth)
+    x, y, z = np.round(depth)
+    return {(1, 0, 0): "ahead", (0, 0, 1): "above", (0, 1, 0): "left", (0, -1, 0): "right"}[x, y, z]
 
 
 TURN_THE_DATA = Twin(
@@ -68,7 +79,7 @@ def named(given) -> dict:
     """Return what is wrong, and where it is mended."""
     if given.header_frame_id == "camera_link":
         return {"fault": "header", "change": "driver"}
-    mount = "camera_optical_frame" if wall_appears(given) == "above" else "camera_link"
+    mount = OPTICAL if tuple(given.rpy_of_camera_link_in_base_link_deg) == STRAIGHT_DEG else LINK
     return {"fault": f"mount of {mount}", "change": "URDF"}
 
 
@@ -122,7 +133,7 @@ MENDED_ELSEWHERE = Twin(
 
 def the_other_mount(given) -> dict:
     """Blame camera_link whatever the evidence, or the optical frame if camera_link it is."""
-    blamed = "camera_link" if wall_appears(given) == "above" else "camera_optical_frame"
+    blamed = OPTICAL if named(given)["fault"] == f"mount of {LINK}" else LINK
     return {"wall_appears": wall_appears(given), "fault": f"mount of {blamed}", "change": "URDF"}
 
 
@@ -146,7 +157,7 @@ TASK = Task(
     answer="diagnosis",
     form=DIAGNOSIS,
     given=turned_cloud,
-    variants=6,
+    variants=20,
     twins=(
         TURN_THE_DATA,
         WRONG_END,
@@ -157,12 +168,12 @@ TASK = Task(
     ),
     hints=(
         Words(
-            en="Write down the chain from the data to base_link: header, then the optical mount, then the camera's mount. How often does the turn by -90 0 -90 occur? It should be once.",
-            ko="데이터에서 base_link까지의 길을 적으십시오. 헤더, 광학 좌표계 장착, 카메라 장착 순서입니다. -90 0 -90 회전이 몇 번 나옵니까? 한 번이어야 합니다.",
+            en="Write down the chain from the data to base_link: header, then the optical mount, then the camera's mount. The turn by -90 0 -90 should occur once, whole, and nothing else should turn.",
+            ko="데이터에서 base_link까지의 길을 적으십시오. 헤더, 광학 좌표계 장착, 카메라 장착 순서입니다. -90 0 -90 회전이 온전히 한 번 나오고, 그 밖에는 돌지 않아야 합니다.",
         ),
         Words(
-            en="Never: the wall's depth (z) is read as height. Twice: what is ahead ends at the side. Which is it here, and which line makes it so?",
-            ko="한 번도 없으면 벽까지의 깊이(z)가 높이로 읽힙니다. 두 번이면 앞에 있는 것이 옆으로 갑니다. 여기서는 어느 쪽이며, 어느 줄 때문입니까?",
+            en="Follow the wall's depth, the z of the data, along that chain: what does each turn make of it? In base_link, x is ahead, y to the left, z up.",
+            ko="벽까지의 깊이, 곧 데이터의 z를 그 길을 따라 옮겨 보십시오. 회전마다 어느 축이 됩니까? base_link에서는 x가 앞, y가 왼쪽, z가 위입니다.",
         ),
         Words(
             en="A header is set in the driver, a mount in the URDF. The data stays as it is, always.",

@@ -91,22 +91,53 @@ TASK = Task(
         ),
     ),
     cures=("M1", "M2"),
+    means={
+        "odom": Words(
+            en="In none of the four is anything written or wanted in odom.",
+            ko="네 문장 어디에도 odom 기준인 데이터나 odom 기준으로 보려는 데이터가 없습니다.",
+        ),
+        "camera_optical_frame": Words(
+            en="None of the four speaks of the optical frame.",
+            ko="네 문장 어디에도 광학 좌표계는 나오지 않습니다.",
+        ),
+    },
     shows={
-        "a": Words(
-            en="say it as one sentence, data written in …, wanted in …: the frame wanted comes first, the one it is written in second.",
-            ko="“… 기준 데이터를 … 기준으로 보고 싶다”로 말해 보십시오. 기준이 될 좌표계(목표)를 먼저, 데이터가 적힌 좌표계(원본)를 다음에 씁니다.",
+        "a[0]": Words(
+            en="The first name is where the data is wanted: on what are the obstacles painted?",
+            ko="첫 번째는 데이터를 보고 싶은 좌표계입니다. 장애물을 어디에 그립니까?",
         ),
-        "b": Words(
-            en="say it as one sentence, data written in …, wanted in …: the frame wanted comes first, the one it is written in second.",
-            ko="“… 기준 데이터를 … 기준으로 보고 싶다”로 말해 보십시오. 기준이 될 좌표계(목표)를 먼저, 데이터가 적힌 좌표계(원본)를 다음에 씁니다.",
+        "a[1]": Words(
+            en="The second name is the frame in which the data is written: not that of the robot they belong to, but of the "
+            "sensor that reports the obstacles, in its own axes. Which one is it?",
+            ko="두 번째는 데이터가 적힌 좌표계입니다. 장애물을 피할 로봇의 좌표계가 아니라, 장애물을 제 축으로 재서 알려 주는 "
+            "센서의 좌표계입니다. 어느 센서입니까?",
         ),
-        "c": Words(
-            en="say it as one sentence, data written in …, wanted in …: the frame wanted comes first, the one it is written in second.",
-            ko="“… 기준 데이터를 … 기준으로 보고 싶다”로 말해 보십시오. 기준이 될 좌표계(목표)를 먼저, 데이터가 적힌 좌표계(원본)를 다음에 씁니다.",
+        "b[0]": Words(
+            en="The first name is where the data is wanted: who works with the goal, and in which frame?",
+            ko="첫 번째는 데이터를 보고 싶은 좌표계입니다. 목표를 쓰는 것은 무엇이고, 어느 좌표계에서 계산합니까?",
         ),
-        "d": Words(
-            en="say it as one sentence, data written in …, wanted in …: the frame wanted comes first, the one it is written in second.",
-            ko="“… 기준 데이터를 … 기준으로 보고 싶다”로 말해 보십시오. 기준이 될 좌표계(목표)를 먼저, 데이터가 적힌 좌표계(원본)를 다음에 씁니다.",
+        "b[1]": Words(
+            en="The second name is the frame in which the data is written: in which was the goal given?",
+            ko="두 번째는 데이터가 적힌 좌표계입니다. 목표는 어느 좌표계 기준으로 주어졌습니까?",
+        ),
+        "c[0]": Words(
+            en="The first name is where the data is wanted: from where is it seen?",
+            ko="첫 번째는 데이터를 보고 싶은 좌표계입니다. 어디에서 보았을 때의 위치입니까?",
+        ),
+        "c[1]": Words(
+            en='The second name is the frame in which the data is written. "Where is X?" asks for X\'s own origin, '
+            "(0, 0, 0): in which frame has it these numbers?",
+            ko='두 번째는 데이터가 적힌 좌표계입니다. "X는 어디에 있습니까?"는 X의 원점 (0, 0, 0)을 묻습니다. '
+            "어느 좌표계에서 이 숫자입니까?",
+        ),
+        "d[0]": Words(
+            en="The first name is where the data is wanted: in which frame is this picture drawn?",
+            ko="첫 번째는 데이터를 보고 싶은 좌표계입니다. 이 그림은 어느 좌표계로 그립니까?",
+        ),
+        "d[1]": Words(
+            en="The second name is the frame in which the data is written: the robot's middle is the origin of one "
+            "frame. Of which?",
+            ko="두 번째는 데이터가 적힌 좌표계입니다. 로봇의 한가운데는 어느 좌표계의 원점입니까?",
         ),
     },
 )

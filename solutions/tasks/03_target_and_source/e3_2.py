@@ -49,7 +49,7 @@ def _half(transform: Transform) -> Transform:
     return Transform.from_rpy(yaw=transform.rpy()[2] / 2)
 
 
-def moved_twice(given, *, first="apply", then="apply", product="in order") -> dict[str, tuple]:
+def moved_twice(given, *, first="apply", then="apply", product="in order", between="as computed") -> dict[str, tuple]:
     """Return the corner in both frames, step by step; other steps are the slips."""
     point = given.laser_p_corner
     base_p = taken(given.base_T_laser, point, first)
@@ -59,7 +59,8 @@ def moved_twice(given, *, first="apply", then="apply", product="in order") -> di
         return {"base_link": base_p, "map": (given.map_T_base @ given.base_T_laser).inverse().apply(point)}
     if product == "laser twice":
         return {"base_link": base_p, "map": (given.map_T_base @ given.base_T_laser).apply(base_p)}
-    return {"base_link": base_p, "map": taken(given.map_T_base, point if product == "skipped" else base_p, then)}
+    carried = {"as computed": base_p, "to tenths": tuple(round(number, 1) for number in base_p)}[between]
+    return {"base_link": base_p, "map": taken(given.map_T_base, point if product == "skipped" else carried, then)}
 
 
 SWAPPED = Slip(
@@ -422,6 +423,17 @@ FIRST_TURNED_TWICE = Slip(
 )
 
 
+ROUNDED_BETWEEN = Slip(
+    "rounded between",
+    {"between": "to tenths"},
+    Words(
+        en="on the way to `map`, you went on with a rounded `base_link`. Carry a number on as it was computed, and round only what you print.",
+        ko="`map`을 구할 때 반올림한 `base_link` 값으로 이어서 계산했습니다. 계산한 값을 그대로 이어 쓰고, 반올림은 출력할 때만 하십시오.",
+    ),
+    part="map",
+)
+
+
 TASK = Task(
     id="E3.2",
     kind="N",
@@ -464,6 +476,7 @@ TASK = Task(
         THEN_TWICE,
         FIRST_HALF,
         FIRST_TURNED_TWICE,
+        ROUNDED_BETWEEN,
     ),
     hints=(
         Words(

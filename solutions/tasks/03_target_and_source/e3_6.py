@@ -42,7 +42,8 @@ def mounted(ahead_m, up_m, yaw_deg, *, ends="parent first", numbers="as given", 
     z, w = half_turn(2 * yaw if half == "whole" else yaw)
     ways = {"sine": (0, 0, z, w), "w first": (w, 0, 0, z), "none": (0, 0, 0, 1), "roll": (z, 0, 0, w), "pitch": (0, z, 0, w),
             "angle": (0, 0, yaw, 1), "w one": (0, 0, z, 1), "zero": (0, 0, 0, 0), "exchanged": (0, 0, w, z)}  # fmt: skip
-    x, y, up = {"x and z": (ahead_m, 0.0, up_m), "exchanged": (up_m, 0.0, ahead_m), "y": (ahead_m, up_m, 0.0)}[axes]
+    x, y, up = {"x and z": (ahead_m, 0.0, up_m), "exchanged": (up_m, 0.0, ahead_m), "y": (ahead_m, up_m, 0.0),
+                "optical": (0.0, -up_m, ahead_m)}[axes]  # fmt: skip
     if numbers == "inverse":
         back = Transform(rotation=(0, 0, *half_turn(yaw)), translation=(x, y, up)).inverse()
         (x, y, up), ways["sine"] = back.translation, back.rotation
@@ -288,6 +289,19 @@ PARENT_ODOM = Slip(
 )
 
 
+OPTICAL_AXES = Slip(
+    "optical axes",
+    {"axes": "optical"},
+    Words(
+        en="you measured along the axes of a picture, where z looks ahead and y down. The numbers are those of "
+        "`base_link`: x ahead, y to the left, z up.",
+        ko="z가 앞, y가 아래인 영상의 축으로 쟀습니다. 이 숫자는 `base_link`의 것이므로 x가 앞, y가 왼쪽, z가 "
+        "위입니다.",
+    ),
+    "M4",
+)
+
+
 TASK = Task(
     id="E3.6",
     kind="C",
@@ -317,6 +331,7 @@ TASK = Task(
         INVERSE_NUMBERS,
         NEGATIVE_NUMBERS,
         UP_IN_Y,
+        OPTICAL_AXES,
         MILLIMETRES,
         PITCHED,
         SINE_IN_W,

@@ -23,7 +23,9 @@ def together(
     shared=("map",),
     glue="{}/{}",
     parents="prefixed",
+    children="prefixed",
     who="both",
+    whose="all frames",
     way="child -> parent",
 ):
     """Return the tree of both robots, step by step; other steps are the slips."""
@@ -31,9 +33,14 @@ def together(
     first, second = prefixes = ["robot1", "robot2"] if named == "numbered" else given.prefixes
     for prefix in prefixes[:1] if who == "the first" else prefixes:
         for parent, child in given.edges:
-            above, below = (name if name in shared else glue.format(prefix, name) for name in (parent, child))
+            prefixed = {
+                name: glue.format(prefix, name)
+                for name in (parent, child)
+                if name not in shared and (whose == "all frames" or name.startswith(("odom", "base")))
+            }
+            above, below = prefixed.get(parent, parent), prefixed.get(child, child)
             is_bare = parents == "bare" or (parents == "odom bare" and parent == "odom")
-            fleet[below] = parent if is_bare else above
+            fleet[below if children == "prefixed" else child] = parent if is_bare else above
     if parents == "robot by robot":
         fleet |= {child: prefix for prefix in prefixes for child in fleet if fleet[child] == "map" and prefix in child}
         fleet |= dict.fromkeys(prefixes, "map")
@@ -93,6 +100,18 @@ NAMESPACE_DOES_IT = Slip(
     Words(
         en="There is no prefix. A namespace does not put one before frames: both robots would send the very same names.",
         ko="접두사가 없습니다. 네임스페이스는 좌표계 이름에 붙지 않으므로 두 로봇이 똑같은 이름을 보내게 됩니다.",
+    ),
+    "M14",
+)
+
+SENSORS_BARE = Slip(
+    "sensors bare",
+    {"whose": "odom and base"},
+    Words(
+        en="Only odom and the base have a prefix. A frame is known by its name alone, not by what it hangs below: two "
+        "lasers of one name are one frame with two parents.",
+        ko="odom과 base에만 접두사를 붙였습니다. 좌표계는 어디에 매달렸는지가 아니라 이름으로만 구별합니다. 이름이 같은 "
+        "레이저 둘은 부모가 둘인 좌표계 하나입니다.",
     ),
     "M14",
 )
@@ -232,6 +251,17 @@ ODOM_BARE_AS_PARENT = Slip(
 )
 
 
+CHILDREN_BARE = Slip(
+    "children bare",
+    {"children": "bare"},
+    Words(
+        en="Only the parents have a prefix. As children the frames of both robots have one name, so the second robot's row takes the place of the first one's.",
+        ko="부모에만 접두사가 붙었습니다. 자식으로서는 두 로봇의 좌표계 이름이 같아서 두 번째 로봇의 줄이 첫 번째의 것을 덮어씁니다.",
+    ),
+    "M14",
+)
+
+
 TASK = Task(
     id="E4.4",
     kind="T",
@@ -250,6 +280,7 @@ TASK = Task(
         NAMESPACE_DOES_IT,
         UNDERSCORE,
         CHILDREN_ONLY,
+        SENSORS_BARE,
         UPSIDE_DOWN,
         THE_FIRST_ALONE,
         NAME_FIRST,
@@ -261,6 +292,7 @@ TASK = Task(
         ON_THE_OTHERS_BASE,
         FIRST_BARE,
         ODOM_BARE_AS_PARENT,
+        CHILDREN_BARE,
     ),
     hints=(
         Words(

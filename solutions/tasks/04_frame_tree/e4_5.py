@@ -27,12 +27,14 @@ def fates(given, *, slash="forgiven", case="told apart", double="told apart", se
     """Return what becomes of each line, one belief after the other; other beliefs are the slips."""
     beliefs = {
         "send '/odom' -> 'base_link'": {"forgiven": "kept as odom"}.get(slash, slash),
-        "send 'Odom' -> 'base_link'": "another frame" if case == "told apart" else "kept as odom",
+        "send 'Odom' -> 'base_link'": {"told apart": "another frame", "ignored": "kept as odom"}.get(case, case),
         "send '//odom' -> 'base_link'": {"told apart": "another frame"}.get(double, double),
-        "send '' -> 'base_link'": "refused when sent" if senseless == "refused" else "another frame",
-        "send 'odom' -> 'odom'": "refused when sent" if senseless == "refused" else "kept as odom",
+        "send '' -> 'base_link'": {"refused": "refused when sent", "stored": "another frame"}.get(senseless, senseless),
+        "send 'odom' -> 'odom'": {"refused": "refused when sent", "stored": "kept as odom"}.get(senseless, senseless),
         "ask lookup_transform('/odom', 'base_link', Time())": {"refused": "refused when asked"}.get(asked, asked),
-        "robot1 and robot2 both send 'map' -> 'odom'": "shared by accident" if shared == "told" else "kept as odom",
+        "robot1 and robot2 both send 'map' -> 'odom'": {"told": "shared by accident", "fine": "kept as odom"}.get(
+            shared, shared
+        ),
         "robot1 and robot2, each in a namespace of its own, both send 'odom' -> 'base_link'": {
             "no prefix": "shared by accident"
         }.get(namespace, namespace),
@@ -97,6 +99,7 @@ ANYTHING_STORED = Slip(
         en="tf2 checks little, but not nothing: what has no name, or is its own parent, cannot be stored.",
         ko="tf2는 거의 확인하지 않지만 전혀 확인하지 않는 것은 아닙니다. 이름이 없거나 자기 자신이 부모이면 저장할 수 없습니다.",
     ),
+    partly=True,
 )
 
 ASKING_FORGIVEN = Slip(
@@ -150,6 +153,56 @@ SHARING_IS_FINE = Slip(
 )
 
 
+CAPITAL_REFUSED = Slip(
+    "a capital refused",
+    {"case": "refused when sent"},
+    Words(
+        en="tf2 has nothing against capitals: `Odom` is as good a name as any, that of another frame.",
+        ko="tf2는 대문자를 막지 않습니다. `Odom`도 다른 이름만큼 쓸 수 있는, 다른 좌표계의 이름입니다.",
+    ),
+    "M14",
+)
+
+SENT_IS_ASKED = Slip(
+    "sent, and called asked",
+    dict.fromkeys(("slash", "case", "double", "senseless"), "refused when asked"),
+    Words(
+        en="Nobody asks anything there: the line is sent. What becomes of it is settled when it arrives.",
+        ko="묻는 줄이 아니라 보내는 줄입니다. 어떻게 될지는 도착했을 때 정해집니다.",
+    ),
+    partly=True,
+)
+
+ASKED_IS_SENT = Slip(
+    "asked, and called sent",
+    {"asked": "refused when sent"},
+    Words(
+        en="Nothing is sent there: the line is a question, and its own form is at fault.",
+        ko="보내는 줄이 아니라 묻는 줄이고, 물음의 형식 자체가 잘못되었습니다.",
+    ),
+)
+
+SHARED_IS_REFUSED = Slip(
+    "two senders refused",
+    {"shared": "refused when sent", "namespace": "refused when sent"},
+    Words(
+        en="tf2 does not ask who sends. Both messages are well made and both are stored, each over the other.",
+        ko="tf2는 누가 보내는지 따지지 않습니다. 두 메시지 모두 형식이 맞고, 서로를 덮으며 둘 다 저장됩니다.",
+    ),
+    partly=True,
+)
+
+SHARED_IS_ANOTHER = Slip(
+    "two senders told apart",
+    {"shared": "another frame"},
+    Words(
+        en="Both send the same letters, so to tf2 it is one frame, whoever sends.",
+        ko="둘 다 같은 글자를 보내므로 tf2에게는 누가 보내든 한 좌표계입니다.",
+    ),
+    "M14",
+)
+
+
 TASK = Task(
     id="E4.5",
     kind="M",
@@ -172,6 +225,11 @@ TASK = Task(
         NAMESPACE_DIVIDES,
         NAMESPACE_PREFIXES,
         SHARING_IS_FINE,
+        CAPITAL_REFUSED,
+        SENT_IS_ASKED,
+        ASKED_IS_SENT,
+        SHARED_IS_REFUSED,
+        SHARED_IS_ANOTHER,
     ),
     hints=(
         Words(

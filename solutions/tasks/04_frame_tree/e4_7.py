@@ -17,12 +17,12 @@ def names(rng):
         for prefix in ("", "/", robot, f"{robot}/", f"/{robot}", f"/{robot}/"):
             rows += [(prefix, first), (prefix, f"/{second}"), (prefix, "map")]
         rows += [(robot, "/map"), (f"fleet/{robot}", first), (robot, "map_server_frame"), (f"/{robot}/", "odom")]
-        rows += [("", "/map"), (robot, "odom")]
+        rows += [("", "/map"), (robot, "odom"), (robot, f"arm/{second}"), (robot.capitalize(), first)]
     return rows
 
 
 def joined(prefix, name, *, ends="stripped", inner="stripped", glue="/", empty="bare", shared="map alone",
-           first="the prefix", slash="between"):  # fmt: skip
+           first="the prefix", slash="between", letters="as they are"):  # fmt: skip
     """Return the full name, step by step; other steps are the slips."""
     came = name
     if ends == "all removed":
@@ -34,6 +34,8 @@ def joined(prefix, name, *, ends="stripped", inner="stripped", glue="/", empty="
     elif ends == "stripped":
         prefix = prefix.strip("/")
     name = name.strip("/") if inner == "stripped" else name
+    if letters == "small":
+        prefix, name = prefix.lower(), name.lower()
     is_shared = {
         "map alone": name == "map",
         "nothing": False,
@@ -41,12 +43,33 @@ def joined(prefix, name, *, ends="stripped", inner="stripped", glue="/", empty="
         "odom too": name in ("map", "odom"),
         "as it came": came == "map",
         "a slash in front": name == "map" or came.startswith("/"),
+        "a slash inside": name == "map" or "/" in name,
     }[shared]
     if is_shared or (empty == "bare" and not prefix):
         return name
     whole = f"{name}{glue}{prefix}" if first == "the name" else f"{prefix}{glue}{name}"
     return {"in front": f"/{whole}", "behind": f"{whole}/"}.get(slash, whole)
 
+
+SMALL_LETTERS = Slip(
+    "small letters",
+    {"letters": "small"},
+    Words(
+        en="You make all letters small. TF2 takes names as they are: Spot/odom and spot/odom are two frames.",
+        ko="글자를 모두 소문자로 바꿨습니다. TF2는 이름을 있는 그대로 봅니다. Spot/odom과 spot/odom은 서로 다른 좌표계입니다.",
+    ),
+    "M14",
+)
+
+SLASH_INSIDE_IS_A_PREFIX = Slip(
+    "a slash inside is a prefix",
+    {"shared": "a slash inside"},
+    Words(
+        en="A frame with a slash inside gets no prefix from you. arm/tool0 is a name like any other: the robot's is missing in front.",
+        ko="안에 슬래시가 있는 이름에는 접두사를 붙이지 않았습니다. arm/tool0도 여느 이름과 같습니다. 앞에 로봇 이름이 빠졌습니다.",
+    ),
+    "M14",
+)
 
 EMPTY_GLUED = Slip(
     "slash after nothing",
@@ -340,6 +363,8 @@ TASK = Task(
         JOINED_AS_PATHS,
         CLEANED_AT_THE_END,
         SLASH_IS_ABSOLUTE,
+        SLASH_INSIDE_IS_A_PREFIX,
+        SMALL_LETTERS,
     ),
     hints=(
         Words(en="Clean both words first, then join them.", ko="두 낱말을 먼저 다듬고 나서 이으십시오."),

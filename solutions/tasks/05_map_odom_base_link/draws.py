@@ -13,6 +13,14 @@ def on_the_floor(rng, reach_m=4.0):
     return Transform.from_rpy(yaw=round(yaw, 2), translation=(round(x, 2), round(y, 2), 0.0))
 
 
+def on_a_slope(rng):
+    """Return a pose with height, roll and pitch besides: a robot on a ramp."""
+    here = on_the_floor(rng)
+    z, roll, pitch = (float(rng.choice([-1.0, 1.0])) * float(rng.uniform(0.08, 0.3)) for _ in range(3))
+    lifted = Transform(translation=(0.0, 0.0, round(z, 2)))
+    return lifted @ here @ Transform.from_rpy(roll=round(roll, 2), pitch=round(pitch, 2))
+
+
 def yaw_of(pose):
     return pose.rpy()[2]
 

@@ -5,24 +5,29 @@ from __future__ import annotations
 from tflab.core import Transform
 from tflab.workbook.tasks import Pose, Slip, Task, Twin, Words
 
-from .draws import by_parts, on_the_floor
+from .draws import by_parts, on_a_slope, on_the_floor
 
 
 def two_poses(rng):
-    """Both turned; the wheels without a fault; odom's origin under the robot."""
+    """Both turned; the wheels without a fault; odom's origin under the robot; a ramp that either knows, or both."""
     same = on_the_floor(rng)
     pairs = [(on_the_floor(rng), on_the_floor(rng)) for _ in range(4)]
-    return [*pairs, (same, same), (on_the_floor(rng), Transform())]
+    ramps = [(on_a_slope(rng), on_the_floor(rng)), (on_the_floor(rng), on_a_slope(rng))]
+    return [*pairs, (same, same), (on_the_floor(rng), Transform()), *ramps, (on_a_slope(rng), on_a_slope(rng))]
 
 
-def product(map_T_base, odom_T_base, *, found="as given", wheels="turned round", order="found first", way="as asked"):
+def product(map_T_base, odom_T_base, *, poses="as given", found="as given", wheels="turned round",
+            order="found first", way="as asked", edge="whole"):  # fmt: skip
     """Return map_T_odom, step by step; other steps are the slips."""
+    if poses == "flat":
+        map_T_base, odom_T_base = flat(map_T_base), flat(odom_T_base)
     left = map_T_base.inverse() if found == "turned round" else map_T_base
     right = odom_T_base.inverse() if wheels == "turned round" else odom_T_base
     if wheels == "step negated":
         right = Transform([-number for number in odom_T_base.translation], odom_T_base.rotation)
-    edge = left @ right if order == "found first" else right @ left
-    return edge.inverse() if way == "turned round" else edge
+    joined = left @ right if order == "found first" else right @ left
+    joined = joined.inverse() if way == "turned round" else joined
+    return flat(joined) if edge == "flat" else joined
 
 
 NO_INVERSE = Slip(
@@ -164,6 +169,31 @@ THE_ROBOT_S_TURN_KEPT = Twin(
 )
 
 
+def flat(pose):
+    """Return a pose as a map of the floor has it: x, y and yaw."""
+    x, y, _ = pose.translation
+    return Transform.from_rpy(yaw=pose.rpy()[2], translation=(x, y, 0.0))
+
+
+FLATTENED = Slip(
+    "flattened",
+    {"poses": "flat"},
+    Words(
+        en="You kept x, y and yaw of the two poses and left out height and tilt. A ramp has both: the edge is made of whole poses.",
+        ko="두 포즈에서 x, y, yaw만 쓰고 높이와 기울기를 버렸습니다. 경사로에는 둘 다 있습니다. 연결은 포즈 전체로 구합니다.",
+    ),
+)
+
+EDGE_FLATTENED = Slip(
+    "edge flattened",
+    {"edge": "flat"},
+    Words(
+        en="Of the edge you kept x, y and yaw. Where the two poses differ in height or tilt, the edge has that difference, too.",
+        ko="연결에서 x, y, yaw만 남겼습니다. 두 포즈의 높이나 기울기가 다르면 그 차이도 연결에 들어 있어야 합니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E5.1",
     kind="F",
@@ -188,6 +218,8 @@ TASK = Task(
         TURN_OF_THE_ROBOT,
         SUBTRACTED_THE_OTHER_WAY,
         THE_ROBOT_S_TURN_KEPT,
+        FLATTENED,
+        EDGE_FLATTENED,
     ),
     hints=(
         Words(

@@ -8,15 +8,23 @@ from tflab.workbook.tasks import Pose, Slip, Task, Twin, Words
 from .draws import by_parts, on_the_floor
 
 STEP_S = 0.2  # between two poses of the wheels
+HAIR_NS = 400_000  # less than half a millisecond
 
 
 def scans(rng):
-    """Scans between two poses of the wheels, one when the map's edge was silent already, one too new, one too old."""
+    """Scans between two poses of the wheels, one when the map's edge was silent already, one too new, one too old.
+
+    Then at the newest pose and the oldest, and a hair beyond: there a stamp that was rounded asks for another moment.
+    """
     rows = []
     for share in (0.15, 0.35, 0.55, 0.95, 1.25, -0.25):
         buffer, start_s, newest_s = in_a_bend(rng)
         stamp_s = start_s + share * (newest_s - start_s)
         rows.append((buffer, on_the_floor(rng), seconds(round(stamp_s, 3))))
+    for end, beyond_ns in (("newest", 0), ("newest", HAIR_NS), ("oldest", 0), ("oldest", -HAIR_NS)):
+        buffer, start_s, newest_s = in_a_bend(rng)
+        stamp_s = newest_s if end == "newest" else start_s
+        rows.append((buffer, on_the_floor(rng), seconds(stamp_s) + beyond_ns))
     return rows
 
 
@@ -43,7 +51,8 @@ def in_a_bend(rng):
 def corrected(buffer, map_T_base, stamp_ns, *, moment="stamp", asked="odom", refusal="let through",
               wheels="turned round", order="found first", way="as asked"):  # fmt: skip
     """Return map_T_odom, step by step; other steps are the slips."""
-    asked_ns = {"stamp": stamp_ns, "latest": LATEST, "seconds": seconds(stamp_ns)}[moment]
+    asked_ns = {"stamp": stamp_ns, "latest": LATEST, "seconds": seconds(stamp_ns),
+                "milliseconds": round(stamp_ns / 1e6) * 10**6}[moment]  # fmt: skip
     try:
         odom_T_base = buffer.lookup_transform(asked, "base_footprint", asked_ns).transform
     except TransformException:
@@ -75,6 +84,15 @@ STAMP_TAKEN_FOR_SECONDS = Slip(
     Words(
         en="`stamp_ns` is in nanoseconds already, and `seconds(...)` made a billion times as much of it. The buffer refuses a moment that far away.",
         ko="`stamp_ns`는 이미 나노초인데 `seconds(...)`로 10억 배가 되었습니다. 버퍼는 그렇게 먼 시각을 거절합니다.",
+    ),
+)
+
+STAMP_ROUNDED = Slip(
+    "stamp rounded",
+    {"moment": "milliseconds"},
+    Words(
+        en="You round the stamp. A hair beyond the wheels' poses the buffer then answers for a moment that nobody asked about: hand over `stamp_ns` as it is.",
+        ko="시각을 반올림했습니다. 바퀴의 포즈가 끝난 바로 다음 시각을 물을 때, 버퍼가 다른 시각의 값을 답하게 됩니다. `stamp_ns`를 그대로 넘기십시오.",
     ),
 )
 
@@ -198,6 +216,7 @@ TASK = Task(
         THE_OTHER_WAY,
         SUBTRACTED,
         STAMP_TAKEN_FOR_SECONDS,
+        STAMP_ROUNDED,
         WHAT_THE_WHEELS_SAY,
         WHERE_THE_ROBOT_IS,
         THE_OLD_EDGE,

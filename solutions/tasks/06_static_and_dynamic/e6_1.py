@@ -184,7 +184,6 @@ OTHER_WAY_ROUND = Twin(
         ko="반대입니다. 게시판은 고정된 것, 라디오는 움직이는 것에 씁니다.",
     ),
     "M12",
-    partly=True,
 )
 
 

@@ -117,42 +117,6 @@ SUBTRACTED = Slip(
 )
 
 SECONDS = Slip(
-    "milliseconds",
-    {"delay": "ms"},
-    Words(
-        en="The delay went in as milliseconds, as if they were seconds.",
-        ko="지연을 밀리초 그대로, 초인 것처럼 넣었습니다.",
-    ),
-)
-
-DELAY_TWICE = Slip(
-    "delay twice",
-    {"delay": "twice"},
-    Words(
-        en="You count the delay twice. The last message has been on its way once.",
-        ko="지연을 두 번 셌습니다. 마지막 메시지가 오는 길은 한 번입니다.",
-    ),
-)
-
-SUBTRACTED = Slip(
-    "subtracted",
-    {"together": "subtracted"},
-    Words(
-        en="You took the delay off. It makes things worse: what arrives is old already.",
-        ko="지연을 뺐습니다. 지연이 있으면 더 나빠집니다. 도착한 값은 이미 낡았습니다.",
-    ),
-)
-
-THE_LARGER = Slip(
-    "the larger",
-    {"together": "larger"},
-    Words(
-        en="You took the larger of the two. They come one after the other, so they add up.",
-        ko="둘 가운데 큰 것을 골랐습니다. 둘은 차례로 일어나므로 더해집니다.",
-    ),
-)
-
-SECONDS = Slip(
     "seconds",
     {"speed": "none"},
     Words(

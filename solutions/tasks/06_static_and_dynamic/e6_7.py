@@ -11,20 +11,24 @@ PARTS = ("camera", "laser", "radar", "sonar", "imu", "gps")
 
 
 def logs(rng):
-    """Logs in which each rule decides somewhere; joins and ends at the very moment, and a hair to either side."""
+    """Logs in which each rule decides somewhere; joins and ends at the very moment, and a hair to either side.
+
+    In the last ones the listener is asked as it joins, and a hair later: it has read the boards, and heard next to
+    nothing.
+    """
     rows = []
-    for place in range(6):
-        join = 10.0 + round(float(rng.uniform(0.0, 4.0)), 2)
-        rows.append(_log(rng, join, place))
+    for place, stay in enumerate((2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 0.0, 0.0, 0.01)):
+        join = round(10.0 + float(rng.uniform(0.0, 4.0)), 2)
+        rows.append(_log(rng, join, place, stay))
     return rows
 
 
-def _log(rng, join, place):
+def _log(rng, join, place, stay):
     """Several letters before and after the join, on both topics; one board ends before, one at it, one after."""
     names = [str(name) for name in rng.permutation(PARTS)]
     nodes = [str(node) for node in rng.permutation(NODES)]
     end = {0: join, 1: join + 0.01, 2: join - 0.01}[place % 3]
-    last = join + 2.0
+    last = join + stay
     on_the_edge = {0: join, 1: join - 0.01, 2: join + 0.01}[(place + 1) % 3]
     rows = [
         (nodes[0], "/tf_static", join - 6.0, [f"{names[0]}_1"]),
@@ -52,20 +56,26 @@ def _log(rng, join, place):
     return letters, ends, join, round(last, 3)
 
 
-def listened(letters, ends, join_s, now_s, *, past="board", live="both ends", topics="static", boards="own",
+def listened(letters, ends, join_s, now_s, *, past="board", edge="heard", live="both ends", topics="static", boards="own",
              board="last", dead="gone"):  # fmt: skip
     """Return the children that a listener knows, step by step; other steps are the slips."""
     held, heard = {}, set()
+    is_over = {node for node, ends_s in ends.items() if ends_s <= join_s}
     for letter in letters:
+        if dead == "never heard" and ends.get(letter["node"], math.inf) <= now_s:
+            continue
         sent_s, children = letter["sent_s"], set(letter["children"])
-        if sent_s >= join_s or past == "everything":
+        is_after = sent_s >= join_s if edge == "heard" else sent_s > join_s
+        if is_after or past == "everything":
             in_time = {"both ends": sent_s <= now_s, "after join": join_s < sent_s <= now_s, "before now": sent_s < now_s,
                        "forever": True}  # fmt: skip
             is_deaf = topics == "radio unheard" and letter["topic"] == "/tf"
             heard |= children if in_time[live] and past != "only" and not is_deaf else set()
         elif past in ("board", "only") and (letter["topic"] == "/tf_static" or topics in ("both", "each")):
             own = (letter["node"], letter["topic"]) if topics == "each" else letter["node"]
-            hook = "one for all" if boards == "shared" else own
+            if boards == "shared by the living" and letter["node"] in is_over:
+                continue
+            hook = own if boards == "own" else "one for all"
             before = held.get(hook, (None, set()))[1] if board == "all" else set()
             if board != "first" or hook not in held:
                 held[hook] = (letter["node"], before | children)
@@ -76,12 +86,23 @@ def listened(letters, ends, join_s, now_s, *, past="board", live="both ends", to
         ends_s = ends.get(node, math.inf)
         if dead == "at the join" and ends_s == join_s:
             heard |= children
+        if dead == "ends now" and ends_s == math.inf:
+            ends_s = now_s
         if dead == "none runs on" and ends_s == math.inf:
             continue
         if dead == "read" or (ends_s > now_s if dead == "forgotten" else ends_s > join_s):
             heard |= children
     return sorted(heard)
 
+
+JOIN_IS_BEFORE = Slip(
+    "the join counts as before",
+    {"edge": "before"},
+    Words(
+        en="What is sent at the very moment of the join you look for on the boards. It is heard, and the board of before is read as well.",
+        ko="참가한 바로 그 시각에 보낸 것을 게시판에서 찾습니다. 그것은 듣게 되고, 그 전의 게시판도 따로 읽습니다.",
+    ),
+)
 
 TF_LATCHED = Slip(
     "tf latched",
@@ -119,6 +140,16 @@ ONE_BOARD = Slip(
     Words(
         en="You have one board for all nodes, and only the very last letter hangs there. Each node has a board of its own.",
         ko="모든 노드가 게시판 하나를 함께 쓰고 맨 마지막 쪽지만 남습니다. 게시판은 노드마다 따로 있습니다.",
+    ),
+    "M12",
+)
+
+ONE_BOARD_OF_THE_LIVING = Slip(
+    "one board of the living",
+    {"boards": "shared by the living"},
+    Words(
+        en="You have one board for all nodes that still run, and only the last of their letters hangs there. Each node has a board of its own, and its last letter stays though another node writes later.",
+        ko="실행 중인 모든 노드가 게시판 하나를 함께 쓰고 맨 마지막 쪽지만 남습니다. 게시판은 노드마다 따로 있고, 다른 노드가 나중에 써도 그 노드의 마지막 쪽지는 남습니다.",
     ),
     "M12",
 )
@@ -212,6 +243,17 @@ WHAT_THE_DEAD_SAID = Slip(
 )
 
 
+THE_DEAD_UNHEARD = Slip(
+    "the dead unheard",
+    {"dead": "never heard"},
+    Words(
+        en="Whoever has ended by now is left out altogether: what you heard or read of it while it ran is kept.",
+        ko="지금 이미 끝난 노드의 쪽지를 모두 빼놓았습니다. 살아 있을 때 듣거나 읽은 것은 그대로 압니다.",
+    ),
+    "M12",
+)
+
+
 ENDED_AT_THE_JOIN = Slip(
     "ended at the join",
     {"dead": "at the join"},
@@ -255,6 +297,16 @@ WHO_RUNS_ON_HAS_NO_BOARD = Slip(
 )
 
 
+ENDS_NOW = Slip(
+    "ends now",
+    {"dead": "ends now"},
+    Words(
+        en="A node that is not in `ends` has no end. You put `now_s` there: asked at the very moment of joining, it then counts as ended.",
+        ko="`ends`에 없는 노드는 끝나지 않은 것입니다. 그 자리에 `now_s`를 넣으면, 참가하는 바로 그 시각에 물을 때 끝난 것으로 봅니다.",
+    ),
+)
+
+
 NAMES_OF_NODES = Twin(
     "names of nodes",
     lambda letters, ends, join_s, now_s: sorted(
@@ -282,6 +334,7 @@ TASK = Task(
         TF_LATCHED_TOO,
         ALL_KEPT,
         ONE_BOARD,
+        ONE_BOARD_OF_THE_LIVING,
         DEAD_READ,
         DEAD_FORGOTTEN,
         VOLATILE,
@@ -291,11 +344,14 @@ TASK = Task(
         BOARDS_ONLY,
         THE_FUTURE,
         WHAT_THE_DEAD_SAID,
+        THE_DEAD_UNHEARD,
         ENDED_AT_THE_JOIN,
         FIRST_LETTER,
         RADIO_UNHEARD,
         WHO_RUNS_ON_HAS_NO_BOARD,
+        ENDS_NOW,
         NAMES_OF_NODES,
+        JOIN_IS_BEFORE,
     ),
     hints=(
         Words(

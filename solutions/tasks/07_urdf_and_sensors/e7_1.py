@@ -35,22 +35,33 @@ def finished(g, *, place="joint", ends="parent first", name="nod_joint", kind="r
     """Return the two joints, step by step; other steps are the slips."""
     scale = {"m": 0.01, "cm": 1.0, "mm": 10.0}[length]
     ahead, left, up = g.ahead_cm, -g.to_its_right_cm if side == "right" else g.to_its_right_cm, g.up_cm
-    xyz = {"x y z": (ahead, left, up), "y first": (left, ahead, up), "z first": (up, left, ahead)}[order]
+    xyz = {"x y z": (ahead, left, up), "y first": (left, ahead, up), "z first": (up, left, ahead)}.get(order)
     yaw = g.turned_to_the_right_deg if angle == "deg" else math.radians(g.turned_to_the_right_deg)
     yaw = yaw if way == "left" else -yaw
+    if order == "turned":
+        xyz = (ahead * math.cos(yaw) - left * math.sin(yaw), ahead * math.sin(yaw) + left * math.cos(yaw), up)
+    if lens == "in the head":
+        xyz = (xyz[0] + g.lens_ahead_cm, *xyz[1:])
     rpy = {"once": (0.0, 0.0, yaw), "twice": (OPTICAL[0], 0.0, OPTICAL[2] + yaw), "none": (0.0, 0.0, 0.0),
            "roll": (yaw, 0.0, 0.0), "pitch": (0.0, yaw, 0.0)}[turns]  # fmt: skip
     axes = {
         "its own": (0, 1, 0), "parent": (-math.sin(yaw), math.cos(yaw), 0), "z": (0, 0, 1), "x": (1, 0, 0), "upwards": (0, -1, 0),
     }  # fmt: skip
     lens_m = {"m": 0.01, "cm": 1.0, "mm": 10.0}[lens_length] * g.lens_ahead_cm
-    lens_xyz = {"ahead": (lens_m, 0.0, 0.0), "z": (0.0, 0.0, lens_m), "forgotten": (0.0, 0.0, 0.0)}[lens]
+    lens_xyz = {
+        "ahead": (lens_m, 0.0, 0.0),
+        "z": (0.0, 0.0, lens_m),
+        "y": (0.0, lens_m, 0.0),
+        "behind": (-lens_m, 0.0, 0.0),
+    }.get(lens, (0.0, 0.0, 0.0))
     turned = {
         "turned": OPTICAL,
         "not": (0.0, 0.0, 0.0),
         "back": (math.pi / 2, -math.pi / 2, 0.0),
         "deg": (-90.0, 0.0, -90.0),
         "plus": (math.pi / 2, 0.0, math.pi / 2),
+        "yaw plus": (OPTICAL[0], 0.0, math.pi / 2),
+        "roll plus": (math.pi / 2, 0.0, OPTICAL[2]),
         "roll": (OPTICAL[0], 0.0, 0.0),
         "yaw": (0.0, 0.0, OPTICAL[2]),
         "pitch": (0.0, OPTICAL[0], OPTICAL[2]),
@@ -114,8 +125,20 @@ SLIPS = (
          "the optical frame hangs on base_link: it would not nod along. It hangs on camera_link.",
          "광학 좌표계가 base_link에 달려 있어 함께 끄덕이지 않습니다. camera_link에 달려야 합니다.", "M12"),
     slip("optical plus signs", {"optical": "plus"},
-         "both quarter turns of optical_joint go the other way: with plus signs this camera looks backwards.",
-         "optical_joint의 90도 회전 두 개가 모두 반대입니다. 양수로 쓰면 카메라가 뒤를 봅니다.", "M4"),
+         "both quarter turns of optical_joint go the other way: with plus signs its z looks ahead, but its x points left and its y up. The picture stands on its head.",
+         "optical_joint의 90도 회전 두 개가 모두 반대입니다. 양수로 쓰면 z는 앞을 보지만 x가 왼쪽, y가 위를 향해 영상이 뒤집힙니다.", "M4"),
+    slip("optical yaw plus", {"optical": "yaw plus"},
+         "the roll of optical_joint is right, its yaw goes the other way: this camera looks backwards.",
+         "optical_joint의 roll은 맞지만 yaw가 반대입니다. 카메라가 뒤를 봅니다.", "M4"),
+    slip("optical roll plus", {"optical": "roll plus"},
+         "the yaw of optical_joint is right, its roll goes the other way: this camera looks backwards, and its y points up.",
+         "optical_joint의 yaw는 맞지만 roll이 반대입니다. 카메라가 뒤를 보고 y가 위를 향합니다.", "M4"),
+    slip("lengths turned", {"order": "turned"},
+         "you turned the lengths by the head's own turn. They were measured along the robot: an origin says where in the parent's axes, and only then how it is turned.",
+         "머리의 회전만큼 길이를 돌렸습니다. 로봇을 따라 잰 길이입니다. origin은 부모의 축으로 위치를 적고, 그다음에 방향을 적습니다.", "M3"),
+    slip("lens in the head", {"lens": "in the head"},
+         "the lens's way stands in nod_joint: now the whole head sits farther ahead and nods about another place. It belongs to optical_joint.",
+         "렌즈까지의 거리가 nod_joint에 있습니다. 머리 전체가 더 앞에 놓여 다른 곳을 중심으로 끄덕입니다. optical_joint에 적으십시오."),
     slip("optical only rolled", {"optical": "roll"},
          "optical_joint makes one of its two quarter turns: after the roll, a yaw has to follow.",
          "optical_joint가 90도 회전 두 개 가운데 하나만 합니다. roll 다음에 yaw도 있어야 합니다.", "M4"),

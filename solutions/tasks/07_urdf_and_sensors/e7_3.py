@@ -64,6 +64,8 @@ def walk(chain, positions, *, names="by name", order="origin first", product="on
             at = values[number] if number < len(values) else 0.0
         if names == "unnamed left out" and each["type"] != "fixed" and each["name"] not in positions:
             continue
+        if fixed == "left out" and each["type"] == "fixed":
+            continue
         if rotation == "replaced" and each["type"] == "revolute":
             origin = Transform(tuple(each["xyz"]))
         if rotation == "xyz left out":
@@ -80,6 +82,10 @@ def walk(chain, positions, *, names="by name", order="origin first", product="on
             continue
         movement = _movement(each, at, turn, kinds, fixed, axis)
         step = movement @ origin if order == "movement first" else origin @ movement
+        if frames == "in the base":
+            steps = [pose.translation, each["xyz"], movement.translation]
+            pose = Transform(tuple(map(sum, zip(*steps, strict=True))), (pose @ step).rotation)
+            continue
         if frames == "steps added" and number:
             place = tuple(a + b for a, b in zip(pose.translation, step.translation, strict=True))
             pose = Transform(place, (pose @ step).rotation)
@@ -103,6 +109,10 @@ def _movement(each, at, turn, kinds, fixed, axis):
     if each["type"] == "fixed" and fixed == "stays":
         return Transform()
     at = -at if turn == "other way" else math.radians(at) if turn == "deg, all" else at
+    if axis == "turned round" and each["type"] == "revolute":
+        return turned_about({"x": "z", "y": "y", "z": "x"}[each["axis"]], at)
+    if each["type"] == "fixed" and fixed == "slides":
+        return Transform(tuple(at if letter == each["axis"] else 0.0 for letter in "xyz"))
     about = "z" if axis == "always z" or (axis == "turns about z" and each["type"] != "prismatic") else each["axis"]
     about = "x" if axis == "slides along x" and each["type"] == "prismatic" else about
     about = "z" if axis == "slides along z" and each["type"] == "prismatic" else about
@@ -295,6 +305,88 @@ BY_PLACE = Slip(
 )
 
 
+FIXED_LEFT_OUT = Slip(
+    "fixed left out",
+    {"fixed": "left out"},
+    Words(
+        en="You leave fixed joints out. They never move, but each has an origin, and what comes after hangs on it.",
+        ko="fixed 관절을 건너뜁니다. 움직이지는 않지만 origin이 있고, 그다음 것이 거기에 달려 있습니다.",
+    ),
+)
+
+SLIDES_WHAT_IS_FIXED = Slip(
+    "slides what is fixed",
+    {"fixed": "slides"},
+    Words(
+        en="A fixed joint slides with you, because a position goes by its name and it is not revolute. Fixed is a third type: it never moves.",
+        ko="revolute가 아니고 이름이 같은 위치가 있다고 고정된 관절을 미끄러뜨렸습니다. fixed는 셋째 종류이고 움직이지 않습니다.",
+    ),
+)
+
+STEPS_IN_THE_BASE = Slip(
+    "steps in the base",
+    {"frames": "in the base"},
+    Words(
+        en="You joined the turns, and added all steps as if they were measured along the base's axes. Each is measured in axes that the joints before it have turned.",
+        ko="회전은 이었지만 이동은 모두 베이스의 축으로 잰 것처럼 더했습니다. 이동은 저마다 앞의 관절들이 돌려놓은 축으로 잰 것입니다.",
+    ),
+    "M3",
+)
+
+LETTERS_TURNED_ROUND = Slip(
+    "letters turned round",
+    {"axis": "turned round"},
+    Words(
+        en="You took a turn about x for a yaw, and one about z for a roll. Roll is about x, yaw about z.",
+        ko="x를 중심으로 도는 것을 yaw, z를 중심으로 도는 것을 roll로 여겼습니다. roll이 x, yaw가 z입니다.",
+    ),
+    "M5",
+)
+
+FIRST_JOINT_ALONE = Twin(
+    "first joint alone",
+    lambda chain, positions: walk(chain[:1], positions),
+    Words(
+        en="That is the first joint alone. Does your `return` stand inside the loop?",
+        ko="첫 관절 하나뿐입니다. `return`이 반복문 안에 있지 않습니까?",
+    ),
+)
+
+LAST_MOVEMENT_LEFT_OUT = Twin(
+    "last movement left out",
+    lambda chain, positions: walk(
+        chain, {name: at for name, at in positions.items() if not chain or name != chain[-1]["name"]}
+    ),
+    Words(
+        en="The last joint stands still with you. The tip is behind it: it moves, too.",
+        ko="마지막 관절이 움직이지 않습니다. 팔 끝은 그 뒤에 있으므로 함께 움직입니다.",
+    ),
+)
+
+
+def numbers_added(chain, positions):
+    """Return the sum of all offsets and angles, as if a chain were one joint."""
+    place, angles = [0.0] * 3, [0.0] * 3
+    for each in chain:
+        at = positions.get(each["name"], 0.0)
+        for number, letter in enumerate("xyz"):
+            moved = at if letter == each["axis"] else 0.0
+            place[number] += each["xyz"][number] + (moved if each["type"] == "prismatic" else 0.0)
+            angles[number] += each["rpy"][number] + (moved if each["type"] == "revolute" else 0.0)
+    return Transform.from_rpy(*angles, translation=tuple(place))
+
+
+NUMBERS_ADDED = Twin(
+    "numbers added",
+    numbers_added,
+    Words(
+        en="You added up all offsets, and all angles. Each joint stands in axes that those before it have turned, and turns about different axes do not add up: multiply transforms, joint by joint.",
+        ko="오프셋은 오프셋끼리, 각도는 각도끼리 모두 더했습니다. 관절은 앞의 관절들이 돌려놓은 축에 서 있고, 서로 다른 축의 회전은 더해지지 않습니다. 관절마다 변환을 곱하십시오.",
+    ),
+    "M3",
+)
+
+
 TASK = Task(
     id="E7.3",
     kind="F",
@@ -321,6 +413,13 @@ TASK = Task(
         ADDED_TO_XYZ,
         ADDED_TO_BOTH,
         BY_PLACE,
+        FIXED_LEFT_OUT,
+        SLIDES_WHAT_IS_FIXED,
+        STEPS_IN_THE_BASE,
+        LETTERS_TURNED_ROUND,
+        FIRST_JOINT_ALONE,
+        LAST_MOVEMENT_LEFT_OUT,
+        NUMBERS_ADDED,
     ),
     hints=(
         Words(

@@ -196,6 +196,48 @@ TASK = Task(
             ko="오고 있는 것이 없습니다. 한 시간 뒤에도 똑같습니다.",
         ),
     },
+    seen={
+        "other names": Words(
+            en="Here somebody publishes, and with a time; hold the names against the URDF's, letter by letter.",
+            ko="여기서는 발행하고 있고 시각도 있습니다. 이름을 URDF의 이름과 한 글자씩 견주어 보십시오.",
+        ),
+        "stamp zero": Words(
+            en="Here somebody publishes, and under the right names; read the line above them.",
+            ko="여기서는 발행하고 있고 이름도 맞습니다. 그 윗줄을 읽어 보십시오.",
+        ),
+        "no driver": Words(
+            en="Here it was asked who publishes: read the count.",
+            ko="여기서는 누가 발행하는지 물었습니다. 그 수를 읽어 보십시오.",
+        ),
+        "paint moved": Words(
+            en="Here the joint's own rpy is zero, and the turn stands somewhere else.",
+            ko="여기서는 관절의 rpy가 0이고, 회전은 다른 곳에 있습니다.",
+        ),
+        "degrees": Words(
+            en="Here the turn stands in the joint, as a number of many whole turns if it were radians.",
+            ko="여기서는 회전이 관절에 있는데, 라디안이라면 여러 바퀴가 되는 숫자입니다.",
+        ),
+        "use the URDF's names": Words(
+            en="Here the message is lively and stamped, and the joints that it names move nothing.",
+            ko="여기서는 메시지가 오고 시각도 있지만, 메시지에 적힌 관절로는 아무것도 움직이지 않습니다.",
+        ),
+        "stamp the message": Words(
+            en="Here names and positions are right, and each message is passed over for what its header says.",
+            ko="여기서는 이름과 위치가 맞지만, header 때문에 메시지가 매번 무시됩니다.",
+        ),
+        "start the joint driver": Words(
+            en="Here nothing is sent that could be wrong.",
+            ko="여기서는 틀릴 만한 것조차 아무것도 오지 않습니다.",
+        ),
+        "write it into the joint": Words(
+            en="Here the tree holds no turn at all, though one is drawn.",
+            ko="여기서는 회전이 그려져 보이는데도 트리에는 없습니다.",
+        ),
+        "write radians": Words(
+            en="Here the tree holds a turn, of another size than the file's number was meant to be.",
+            ko="여기서는 트리에 회전이 있지만, 파일의 숫자로 뜻한 크기가 아닙니다.",
+        ),
+    },
     hints=(
         Words(
             en="In which trees is the hand without an arm? There, ask who publishes /joint_states, and what.",

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from tflab.core import Transform
-from tflab.workbook.tasks import Choice, Number, Parts, Task, Words
+from tflab.workbook.tasks import Choice, Number, Parts, Task, Twin, Words
 
 MOUNTS = {
     "as drawn": {},
@@ -30,6 +30,26 @@ def an_imu(rng):
     return {"at_rest": at_rest, "in_left_bend": in_bend, "speed_mps": speed, "yaw_rate_radps": rate}
 
 
+def with_x_and_y_exchanged(given) -> dict:
+    """Return the answers of one who reads the accelerometer as (y, x, z)."""
+    x, y, z = given.in_left_bend
+    pull = (0.0, given.speed_mps * given.yaw_rate_radps, 9.81)
+    mount = min(MOUNTS, key=lambda each: math.dist((y, x, z), Transform.from_rpy(**MOUNTS[each]).inverse().apply(pull)))
+    rate = given.yaw_rate_radps
+    return {"mount": mount, "gyro_z": rate if z > 0 else -rate, "mend": MENDS[3 if mount == "as drawn" else 0]}
+
+
+X_AND_Y_EXCHANGED = Twin(
+    "x and y exchanged",
+    with_x_and_y_exchanged,
+    Words(
+        en="that would be the mount if x and y were exchanged. The readings are (x, y, z): the first number is along the IMU's x, the second along its y. In which of them is the bend?",
+        ko="x와 y를 서로 바꾸었을 때의 장착입니다. 값은 (x, y, z) 순서라서 첫째가 IMU의 x, 둘째가 y입니다. 굽은 길의 값은 어느 쪽에 나옵니까?",
+    ),
+    part="mount",
+)
+
+
 TASK = Task(
     id="E7.5",
     kind="D",
@@ -39,6 +59,7 @@ TASK = Task(
     form=Parts({"mount": Choice(tuple(MOUNTS)), "gyro_z": Number("rad/s", 0.02), "mend": Choice(MENDS)}),
     given=an_imu,
     variants=8,
+    twins=(X_AND_Y_EXCHANGED,),
     means={
         "as drawn": Words(
             en="then at rest z reads +9.8, and in a bend to the left +y is pulled, as the robot's own.",

@@ -30,6 +30,10 @@ def touched(base_T_tool0, base_p_tip, *, inverse="turned round", axes="tool", si
     """Return the message, step by step; other steps are the slips."""
     pose = base_T_tool0.inverse() if inverse == "turned round" else base_T_tool0
     place = pose.apply(base_p_tip)
+    if inverse in ("translation negated", "step not turned back"):
+        back = tuple(-each for each in base_T_tool0.translation)
+        turn = base_T_tool0 if inverse == "translation negated" else base_T_tool0.inverse()
+        place = Transform(back, turn.rotation).apply(base_p_tip)
     if inverse == "as it is":
         place = base_p_tip
     if axes != "tool":
@@ -64,6 +68,12 @@ SLIPS = (
     slip("no inverse", {"inverse": "not turned round"},
          "base_T_tool0 went in as it is: [base|tool0] takes points out of tool0. You want the tip in tool0, so it has to be turned round.",
          "base_T_tool0를 그대로 썼습니다. [base|tool0]는 tool0의 점을 꺼내는 변환입니다. tool0 기준이 필요하므로 뒤집어야 합니다.", "M1"),
+    slip("translation negated", {"inverse": "translation negated"},
+         "to invert base_T_tool0 only its translation was negated: the rotation was not turned back. An inverse turns back, and it turns the negated step, too.",
+         "base_T_tool0를 뒤집으면서 이동의 부호만 바꾸었습니다. 회전을 되돌리지 않았습니다. 역변환은 회전을 되돌리고, 부호를 바꾼 이동도 함께 되돌립니다.", "M1"),
+    slip("step not turned back", {"inverse": "step not turned back"},
+         "the rotation was turned back, and the translation only negated. The step back is measured in tool0's axes: take the tip minus the flange first, and turn that back.",
+         "회전은 되돌렸지만 이동은 부호만 바꾸었습니다. 되돌아가는 이동은 tool0의 축으로 잽니다. 먼저 끝점에서 플랜지를 빼고, 그것을 되돌리십시오.", "M3"),
     slip("tip in base", {"inverse": "as it is"},
          "that is the tip as seen from base_link. The parent is tool0: give it in tool0's axes.",
          "base_link에서 본 위치입니다. 부모는 tool0이므로 tool0 기준으로 적으십시오."),

@@ -15,7 +15,7 @@ from .draws import _moved, _time, drive, seen
 def sightings(rng):
     """Points from within the buffer, one from before it, and one whose transform has not come yet."""
     rows = []
-    for share in (0.1, 0.35, 0.6, 0.75, -0.3, 1.2):
+    for share in (0.1, 0.35, 0.6, 0.75, -0.3, 1.2, 0.15):
         buffer, start_s, end_s, sensor = drive(rng)
         stamp_s = round(start_s + share * (end_s - start_s), 3)
         if share == 0.6:  # its nanosec is below 0.1 s
@@ -23,6 +23,8 @@ def sightings(rng):
         now_s = round(max(end_s, stamp_s) + float(rng.uniform(0.45, 0.7)), 3)
         if share == 0.1:  # it came at once, and transforms have gone on coming
             now_s = round(stamp_s + 0.3, 3)
+        if share == 0.15:  # it is old, and transforms have come for what is now
+            now_s = round(stamp_s + 0.9, 3)
         rows.append((buffer, seen(rng, sensor, stamp_s), _time(now_s)))
     return rows
 
@@ -43,12 +45,14 @@ def asked_at(moment, stamp, now):
 
 
 def on_the_map(buffer, message, now, *, ends="wanted first", target="map", source="the message's", moment="stamp",
-               refusal="let through", move="all", stamp="kept"):  # fmt: skip
+               refusal="let through", move="all", stamp="kept", asks="nothing"):  # fmt: skip
     """Return the point, step by step; other steps are the slips."""
     if move == "label":
         return geometry_msgs.PointStamped(
             header=std_msgs.Header(stamp=message.header.stamp, frame_id=target), point=message.point
         )
+    if asks == "for now" and not buffer.can_transform(target, message.header.frame_id, now):
+        return None
     names = (target, message.header.frame_id if source == "the message's" else "base_link")
     names = names[::-1] if ends == "swapped" else names
     try:
@@ -98,6 +102,28 @@ FALLS_BACK_ON_LATEST = Slip(
     Words(
         en="Where the buffer refuses, you fall back on the latest transform. That turns an honest refusal into a wrong point: let the exception through.",
         ko="버퍼가 거절하면 최신 변환으로 물러섭니다. 정직한 거절을 틀린 점으로 바꾸는 일입니다. 예외를 그대로 내보내십시오.",
+    ),
+    "M9",
+)
+
+
+FALLS_BACK_AND_PUTS_BACK = Slip(
+    "falls back on latest, and the stamp put back",
+    {"refusal": "latest", "stamp": "put back"},
+    Words(
+        en="Where the buffer refuses, you take the latest transform and put the message's own stamp on the result: a wrong point, and a label that hides it. Let the exception through.",
+        ko="버퍼가 거절하면 최신 변환을 쓰고 결과에 메시지의 측정 시각을 적습니다. 틀린 점인데 이름표가 그것을 숨깁니다. 예외를 그대로 내보내십시오.",
+    ),
+    "M9",
+)
+
+
+ASKS_FOR_NOW_FIRST = Slip(
+    "asks for now first",
+    {"asks": "for now"},
+    Words(
+        en="You first ask whether there is a transform for `now`, and mostly there is none yet: nothing in the buffer is that fresh. Whether there is one for the stamp, the lookup itself tells.",
+        ko="먼저 `now`의 변환이 있는지 묻는데, 버퍼에 그만큼 새로운 것은 대개 아직 없습니다. 측정 시각의 변환이 있는지는 조회가 직접 알려 줍니다.",
     ),
     "M9",
 )
@@ -161,6 +187,16 @@ LATEST_PUT_BACK = Slip(
     Words(
         en="You asked for the latest transform and put the message's stamp back afterwards. The label is true again, and the numbers are those of another moment.",
         ko="최신 변환으로 물은 뒤 메시지의 측정 시각을 되돌려 놓았습니다. 이름표는 다시 맞지만 숫자는 다른 순간의 것입니다.",
+    ),
+    "M9",
+)
+
+NOW_PUT_BACK = Slip(
+    "now, and the stamp put back",
+    {"moment": "now", "stamp": "put back"},
+    Words(
+        en="You asked for `now` and put the message's stamp back afterwards. Mostly the buffer refuses, for nothing in it is that fresh; where it does answer, the label is true again and the numbers are those of the moment of arrival.",
+        ko="`now`로 물은 뒤 메시지의 측정 시각을 되돌려 놓았습니다. 버퍼에 그만큼 새로운 것은 대개 없어서 거절하고, 답하더라도 이름표만 다시 맞을 뿐 숫자는 도착한 순간의 것입니다.",
     ),
     "M9",
 )
@@ -286,12 +322,15 @@ TASK = Task(
         LATEST,
         NOW,
         FALLS_BACK_ON_LATEST,
+        FALLS_BACK_AND_PUTS_BACK,
+        ASKS_FOR_NOW_FIRST,
         SWALLOWS_THE_REFUSAL,
         SWAPPED,
         STAMPED_ANEW,
         ONLY_THE_LABEL,
         LEFT_IN_ODOM,
         LATEST_PUT_BACK,
+        NOW_PUT_BACK,
         FROM_BASE_LINK,
         SEC_ALONE,
         NANOSEC_ALONE,

@@ -69,8 +69,8 @@ CLOCKS_FOR_A_SHORT_CACHE = Twin(
     "clocks for a short cache",
     {**RIGHT, "d": "two clocks"},
     Words(
-        en="d: the past is 1.6 s out of reach, and somebody thinks for 12 s. How long does a buffer remember if you say nothing?",
-        ko="d: 1.6초 차이로 과거에 닿지 못했고, 누군가는 12초를 계산합니다. 따로 정하지 않으면 버퍼는 얼마나 기억합니까?",
+        en="d: no clock has to be wrong for this. The picture is thought about for 12 s, so its stamp is 12 s old by every clock; and the earliest data is 1.6 s younger than that. How long does a buffer remember if you say nothing?",
+        ko="d: 시계가 틀리지 않아도 이렇게 됩니다. 영상을 12초 동안 계산하므로 그 측정 시각은 어느 시계로 보아도 12초 지난 것이고, 버퍼의 가장 오래된 데이터는 그보다 1.6초 늦습니다. 따로 정하지 않으면 버퍼는 얼마나 기억합니까?",
     ),
     "M11",
 )

@@ -10,10 +10,10 @@ from tflab.workbook.tasks import Number, Slip, Task, Twin, Words
 def detector(rng):
     """Draw until no two of the times that one may come to are near one another."""
     while True:
-        slow = float(rng.choice([0.4, 2.0, 2.5, 4.0]))
+        slow = float(rng.choice([0.4, 1.25, 2.5, 4.0]))
         thinking_s, period_s = round(float(rng.uniform(1.5, 6.0)), 2), 1.0 / slow
         sums = [by * thinking_s + times * period_s for by in (0, 1, 2) for times in (-1, 0, 0.5, 1, 2, 3)]
-        times_s = sorted([*sums, thinking_s * period_s, thinking_s + slow, 10.0, 20.0, 30.0])
+        times_s = sorted([*sums, thinking_s * period_s, thinking_s * slow, thinking_s + slow, 10.0, 20.0, 30.0])
         if min(b - a for a, b in pairwise(times_s)) > 0.01:
             return {
                 "thinking_s": thinking_s,
@@ -208,6 +208,16 @@ NUMBER_OF_SAMPLES = Twin(
 )
 
 
+NUMBER_OF_SLOW_SAMPLES = Twin(
+    "number of slow samples",
+    lambda g: g.thinking_s * min(g.rate_hz.values()),
+    Words(
+        en="You multiplied the thinking time by the slow rate: that is how many samples of the slowest edge come meanwhile. `cache_time` is a time and no count.",
+        ko="계산 시간에 느린 쪽의 Hz를 곱했습니다. 그동안 가장 느린 연결에 오는 표본의 개수입니다. `cache_time`은 개수가 아니라 시간입니다.",
+    ),
+)
+
+
 HALF_AS_MUCH_AGAIN = Twin(
     "half as much again",
     lambda g: 1.5 * (g.thinking_s + 1.0 / min(g.rate_hz.values())),
@@ -248,6 +258,7 @@ TASK = Task(
         THIRTY,
         TEN_MORE,
         NUMBER_OF_SAMPLES,
+        NUMBER_OF_SLOW_SAMPLES,
         HALF_AS_MUCH_AGAIN,
     ),
     hints=(

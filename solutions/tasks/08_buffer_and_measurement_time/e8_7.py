@@ -37,6 +37,16 @@ def in_base_link(buffer, message, now, *, sight="stamp", base="now", fixed="odom
     if move == "at one moment":  # the mount never changes, so no moment is refused
         moved = _moved(message, buffer.lookup_transform(target, message.header.frame_id, Time()))
         return (moved.point.x, moved.point.y, moved.point.z)
+    if move == "base taken off":
+        seen_in_odom = _moved(message, buffer.lookup_transform("odom", message.header.frame_id, message.header.stamp))
+        base = buffer.lookup_transform("odom", "base_link", now).transform.translation
+        return tuple(getattr(seen_in_odom.point, name) - getattr(base, name) for name in "xyz")
+    if move in ("second way round", "first way round"):
+        first, second = ("odom", message.header.frame_id, message.header.stamp), (target, "odom", now)
+        for one, other, moment in (first, second):
+            is_round = (one == "odom") is (move == "first way round")
+            message = _moved(message, buffer.lookup_transform(*((other, one) if is_round else (one, other)), moment))
+        return (message.point.x, message.point.y, message.point.z)
     times = {"stamp": Time.from_msg(message.header.stamp), "now": now, "latest": Time()}
     ends_at = [(target, times[base]), (message.header.frame_id, times[sight])]
     if target in ("odom", "map"):  # which rests: its time does not matter
@@ -202,6 +212,39 @@ STEP_ALONE = Slip(
 )
 
 
+BASE_TAKEN_OFF = Slip(
+    "base taken off",
+    {"move": "base taken off"},
+    Words(
+        en="From the point in odom you took off where base_link is, and left out how it is turned: these are steps along odom's axes, and base_link has its own.",
+        ko="odom 기준의 점에서 base_link의 위치만 뺐습니다. base_link가 돌아간 것을 빠뜨려 odom의 축으로 잰 값입니다. base_link에는 자기 축이 있습니다.",
+    ),
+    "M3",
+)
+
+
+SECOND_WAY_ROUND = Slip(
+    "second step swapped",
+    {"move": "second way round"},
+    Words(
+        en="In the second of your two steps, from odom to base_link, target and source are swapped: the point is in odom and wanted in base_link, so base_link comes first there.",
+        ko="두 단계 가운데 odom에서 base_link로 가는 둘째 단계에서 목표와 원본이 뒤바뀌었습니다. 점은 odom 기준이고 base_link 기준이 필요하므로 그 조회에서는 base_link가 먼저입니다.",
+    ),
+    "M1",
+)
+
+
+FIRST_WAY_ROUND = Slip(
+    "first step swapped",
+    {"move": "first way round"},
+    Words(
+        en="In the first of the two steps target and source are swapped: the point is in the message's frame and wanted in odom, so odom comes first there.",
+        ko="두 단계 가운데 첫 단계에서 목표와 원본이 뒤바뀌었습니다. 점은 메시지의 좌표계 기준이고 odom 기준이 필요하므로 그 조회에서는 odom이 먼저입니다.",
+    ),
+    "M1",
+)
+
+
 TASK = Task(
     id="E8.7",
     kind="F",
@@ -227,6 +270,9 @@ TASK = Task(
         LEFT_IN_MAP,
         SIGHTING_OF_THE_LATEST,
         STEP_ALONE,
+        BASE_TAKEN_OFF,
+        SECOND_WAY_ROUND,
+        FIRST_WAY_ROUND,
     ),
     hints=(
         Words(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 
 from tflab.core import seconds
@@ -28,8 +30,8 @@ def point_in(frame: str, time_s: float) -> geometry_msgs.PointStamped:
 
 
 def messages(rng: np.random.Generator) -> list[tuple]:
-    """Draw messages for each action, gaps on both sides of the limit, one gap longer than its text says, and one
-    frame that is no name for a robot that has no map yet: tf2 speaks of its target first.
+    """Draw messages for each action, gaps on both sides of the limit, one gap longer than its text says, a frame on
+    a slower edge than the robot's own, and one that is no name where there is no map yet: tf2 speaks of its target first.
     """
     t = round(float(rng.uniform(20.0, 60.0)), 1)
     drawn = [
@@ -40,6 +42,8 @@ def messages(rng: np.random.Generator) -> list[tuple]:
         ("laser_frame", 4.0 + rng.uniform(1.2, 2.0)),
         ("laser_frame", 4.5 + rng.uniform(0.02, 0.12)),  # 0.5 s more for map -> odom
         ("laser_frame", rng.uniform(0.2, 0.8)),
+        ("gripper_link", 3.6 + rng.uniform(0.05, 0.15)),
+        ("gripper_link", 3.6 + rng.uniform(0.25, 0.35)),  # map has heard of the robot later than that
         ("tool0", rng.uniform(2.3, 3.5)),
         ("Laser_frame", rng.uniform(1.2, 3.8)),
         ("camera_link", rng.uniform(1.2, 3.8)),
@@ -64,12 +68,13 @@ def action(
     message: geometry_msgs.PointStamped,
     *,
     limit_s: float = LIMIT_S,
-    by_text: bool = False,
+    by_text: bool | str = False,
     latest: bool = False,
-    wait_for_past: bool = False,
+    wait_for_past: bool | str = False,
     swapped: bool = False,
     two_texts: bool = False,
     target: str = "map",
+    newest_of: tuple[str, str] | None = None,
 ) -> str:
     """Decide as the task asks; the options are the mistakes."""
     stamp = Time() if latest else Time.from_msg(message.header.stamp)
@@ -79,11 +84,19 @@ def action(
     if two_texts and kind == "one sample":
         return "check clocks"
     if kind == "future":
-        newest_ns = buffer.get_latest_common_time("map", message.header.frame_id).nanoseconds
+        one, other = newest_of or ("map", "")
+        newest_ns = buffer.get_latest_common_time(one, other or message.header.frame_id).nanoseconds
         gap_ns = stamp.nanoseconds - (error.bound_ns if by_text else newest_ns)
+        if by_text == "as a float":
+            asked_s, newest_s = map(float, re.findall(r"time (\d+\.\d+)", str(error))[:2])
+            return "wait" if asked_s - newest_s <= limit_s else "check clocks"
+        if by_text == "to its six digits":
+            gap_ns = round(stamp.nanoseconds, -3) - round(error.bound_ns, -3)
         return "wait" if gap_ns <= seconds(limit_s) else "check clocks"
     words = {"ok": "use", "past": "drop", "one sample": "drop", "lookup": "check names", "connectivity": "check tree"}
-    if wait_for_past and kind in ("past", "one sample"):
+    if kind == "past" and wait_for_past == "the past alone":
+        return "wait"
+    if wait_for_past is True and kind in ("past", "one sample"):
         return "wait"
     return words.get(kind, "fix message")
 
@@ -106,6 +119,83 @@ GAP_FROM_THE_TEXT = Slip(
     reply=Words(
         en="the time in the text is that of the first edge that failed, not of the slowest. A wait must last until every edge on the way is there: reckon from the latest common time.",
         ko="오류 메시지의 시각은 처음 실패한 연결의 것이지, 가장 느린 연결의 것이 아닙니다. 경로의 모든 연결이 올 때까지 기다려야 하므로 최신 공통 시각에서 계산하십시오.",
+    ),
+)
+
+
+GAP_FROM_THE_TEXT_AS_A_FLOAT = Slip(
+    "gap from the text, as a float",
+    {"by_text": "as a float"},
+    misconception="M11",
+    reply=Words(
+        en="you read the gap off the text, as decimals. The text names the first edge that failed, not the slowest, and it has six digits; at the limit itself a float errs. Reckon in nanoseconds from the latest common time.",
+        ko="오류 메시지에서 간격을 소수로 읽었습니다. 메시지의 시각은 가장 느린 연결이 아니라 처음 실패한 연결의 것이고 여섯 자리뿐이며, 한계에서는 float가 어긋납니다. 최신 공통 시각에서 나노초로 계산하십시오.",
+    ),
+)
+
+
+GAP_FROM_THE_TEXT_TO_ITS_DIGITS = Slip(
+    "gap from the text, to its six digits",
+    {"by_text": "to its six digits"},
+    misconception="M11",
+    reply=Words(
+        en="you read the gap off the text. The text tells of one edge, the first that failed, and another may be slower; nor has it all digits: a nanosecond beyond 0.2 s reads like 0.2 s. Reckon in nanoseconds from the latest common time, which looks at every edge on the way.",
+        ko="오류 메시지에서 간격을 읽었습니다. 메시지는 처음 실패한 연결 하나만 말하고, 더 느린 연결이 있을 수 있습니다. 자릿수도 모자라 0.2초를 1나노초 넘어도 0.2초로 보입니다. 경로의 모든 연결을 보는 최신 공통 시각에서 나노초로 계산하십시오.",
+    ),
+)
+
+
+GAP_FROM_THE_FIRST_EDGE = Slip(
+    "gap from map and odom",
+    {"newest_of": ("map", "odom")},
+    misconception="M11",
+    reply=Words(
+        en="you reckon from the newest map in odom alone. The way to the message's frame has other edges, and one of them may be slower: ask for the latest common time of both ends.",
+        ko="map과 odom 사이의 최신 시각에서만 계산했습니다. 메시지의 좌표계까지는 다른 연결도 있고, 그중 하나가 더 느릴 수 있습니다. 양 끝의 최신 공통 시각을 물으십시오.",
+    ),
+)
+
+
+GAP_FROM_THE_WHEELS_EDGE = Slip(
+    "gap from the wheels' edge",
+    {"newest_of": ("odom", "base_footprint")},
+    misconception="M11",
+    reply=Words(
+        en="you reckon from the newest odometry alone. The way from map to the message's frame has other edges, and one of them may be slower: ask for the latest common time of both ends.",
+        ko="오도메트리의 최신 시각에서만 계산했습니다. map에서 메시지의 좌표계까지는 다른 연결도 있고, 그중 하나가 더 느릴 수 있습니다. 양 끝의 최신 공통 시각을 물으십시오.",
+    ),
+)
+
+
+GAP_FROM_THE_ROBOT = Slip(
+    "gap from the robot's own pose",
+    {"newest_of": ("map", "base_footprint")},
+    misconception="M11",
+    reply=Words(
+        en="you reckon from the newest pose of the robot in map. A message's frame may move on the robot, by an edge of its own that is slower: ask for the latest common time of map and *that* frame.",
+        ko="map에서 로봇 포즈의 최신 시각으로 계산했습니다. 메시지의 좌표계가 로봇 위에서 움직이고 그 연결이 더 느릴 수 있습니다. map과 *그* 좌표계의 최신 공통 시각을 물으십시오.",
+    ),
+)
+
+
+GAP_BELOW_ODOM = Slip(
+    "gap below odom",
+    {"newest_of": ("odom", "")},
+    misconception="M11",
+    reply=Words(
+        en="you reckon from odom to the message's frame. The point is wanted in map: the edge from map to odom is on the way, too, and it is often the slowest.",
+        ko="odom에서 메시지의 좌표계까지만 계산했습니다. 점은 map 기준으로 필요하므로 map과 odom 사이의 연결도 경로에 있고, 그것이 가장 느릴 때가 많습니다.",
+    ),
+)
+
+
+WAITS_FOR_THE_PAST_ALONE = Slip(
+    "waits for the past alone",
+    {"wait_for_past": "the past alone"},
+    misconception="M10",
+    reply=Words(
+        en='you wait where the text says "into the past". The buffer has forgotten that moment, or never had it: nothing on its way will bring it. Such a message is a "drop".',
+        ko='"into the past"일 때 기다립니다. 버퍼가 이미 잊었거나 가진 적이 없는 시각이라 앞으로 올 것이 없습니다. 그런 메시지는 "drop"입니다.',
     ),
 )
 
@@ -220,6 +310,16 @@ WANTED_IN_BASE_LINK = Slip(
 )
 
 
+WANTED_IN_ODOM = Slip(
+    "wanted in odom",
+    {"target": "odom"},
+    Words(
+        en="you ask for odom. The point is wanted in map: that is one edge more, and often the slowest.",
+        ko="odom을 물었습니다. 점은 map 기준으로 필요합니다. 연결이 하나 더 있고, 그것이 가장 느릴 때가 많습니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E9.3",
     kind="F",
@@ -233,6 +333,13 @@ TASK = Task(
     twins=(
         WAITS_HOWEVER_FAR,
         GAP_FROM_THE_TEXT,
+        GAP_FROM_THE_TEXT_AS_A_FLOAT,
+        GAP_FROM_THE_TEXT_TO_ITS_DIGITS,
+        GAP_FROM_THE_FIRST_EDGE,
+        GAP_FROM_THE_WHEELS_EDGE,
+        GAP_FROM_THE_ROBOT,
+        GAP_BELOW_ODOM,
+        WAITS_FOR_THE_PAST_ALONE,
         NEVER_WAITS,
         LATEST_INSTEAD_OF_THE_STAMP,
         WAITS_FOR_THE_PAST,
@@ -243,6 +350,7 @@ TASK = Task(
         THE_LIMIT_IS_TOO_FAR,
         LIMIT_OF_A_QUARTER,
         WANTED_IN_BASE_LINK,
+        WANTED_IN_ODOM,
     ),
     hints=(
         Words(

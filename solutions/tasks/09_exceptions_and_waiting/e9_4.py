@@ -156,6 +156,40 @@ TEN_SECONDS_FOR_THE_LATE_ONE = Twin(
 )
 
 
+def turned_around(fast: str):
+    """Return the answers of one who takes heard from stamp, and finds this for the laser that is fast."""
+
+    def answer(given) -> dict:
+        def cause_of(scan, odom) -> str:
+            return FAST if max(scan) > 0 else fast
+
+        return guess(given, cause_of)
+
+    return answer
+
+
+STAMP_MINUS_HEARD = Twin(
+    "stamp minus heard",
+    turned_around(UNKNOWN),
+    misconception="M10",
+    reply=Words(
+        en="you call the laser's clock fast just where it is not, and not where it is: your subtraction is turned around. The delay is heard minus stamp; then what has come from the future is below zero.",
+        ko="레이저 시계가 빠르지 않은 곳에서만 빠르다고 하고, 빠른 곳에서는 아니라고 합니다. 뺄셈이 뒤집혔습니다. 지연은 들은 시각에서 측정 시각을 뺀 값이고, 그러면 미래에서 온 것이 음수가 됩니다.",
+    ),
+)
+
+
+STAMP_MINUS_HEARD_AND_LATE = Twin(
+    "stamp minus heard, and late",
+    turned_around(LATE),
+    misconception="M10",
+    reply=Words(
+        en="you call the one fast clock late, and the two others fast: your subtraction is turned around. The delay is heard minus stamp; then what has come from the future is below zero.",
+        ko="빠른 시계 하나를 늦었다고 하고 나머지 둘을 빠르다고 했습니다. 뺄셈이 뒤집혔습니다. 지연은 들은 시각에서 측정 시각을 뺀 값이고, 그러면 미래에서 온 것이 음수가 됩니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E9.4",
     kind="D",
@@ -178,6 +212,8 @@ TASK = Task(
         ALWAYS_A_CLOCK,
         SIGN_OVERLOOKED,
         TREMBLE_NOT_TRUSTED,
+        STAMP_MINUS_HEARD,
+        STAMP_MINUS_HEARD_AND_LATE,
     ),
     hints=(
         Words(

@@ -44,7 +44,7 @@ def clocks(params, nodes, everyone=True, own="its own", slash="either", text="re
 
 
 def _clock(params, node, everyone, own, slash, text, order, unset, lacking):
-    value = _held(_keys(params, node, everyone, own, slash, order), params, order, lacking)
+    value = _held(_keys(params, node, everyone, own, slash, order), params, order, lacking, text)
     if value is ABSENT:
         return unset
     if isinstance(value, bool):
@@ -55,7 +55,7 @@ def _clock(params, node, everyone, own, slash, text, order, unset, lacking):
         return {1: "sim", 0: "wall"}.get(value, "refused")
     if text == "read":
         return "sim" if str(value).lower() in ("true", "1", "yes") else "wall"
-    return {"refused": "refused", "wall": "wall", "truthy": "sim" if value else "wall"}[text]
+    return {"wall": "wall", "truthy": "sim" if value else "wall"}.get(text, "refused")
 
 
 def _keys(params, node, everyone, own, slash, order):
@@ -64,20 +64,24 @@ def _keys(params, node, everyone, own, slash, order):
     names = {"with": (f"/{bare}",), "without": (bare,)}.get(slash, (node, node[1:], bare))
     mine = {"its own": lambda key: key in names, "nobody's": lambda key: False, "everybody's": lambda key: key != "/**"}
     keys = [key for key in params if mine[own](key) or (everyone and key == "/**")]
-    if order in ("own last", "any true"):
+    if order in ("own last", "any true", "or"):
         keys.sort(key=lambda key: key != "/**")
     elif order == "everyone last":
         keys.sort(key=lambda key: key == "/**")
     return keys[::-1] if order == "the first of the file" else keys
 
 
-def _held(keys, params, order, lacking):
+def _held(keys, params, order, lacking, text):
     """Return what is set last; ABSENT if nothing is."""
     value = ABSENT
     for key in keys:
         held = params[key]["ros__parameters"]
         if lacking == "nothing" and key != "/**" and "use_sim_time" not in held:
             value = ABSENT
+        if key != "/**" and text == "passed over" and not isinstance(held.get("use_sim_time", True), bool):
+            continue
+        if key != "/**" and order == "or" and not held.get("use_sim_time"):
+            continue
         value = held.get("use_sim_time", value) if order != "any true" or value is not True else value
     return value
 
@@ -209,6 +213,26 @@ ONE_TRUE_IS_ENOUGH = Slip(
     ),
 )
 
+FALSE_IS_PASSED_OVER = Slip(
+    "false is passed over",
+    {"order": "or"},
+    Words(
+        en="A node's own False does not count for you, as if it said nothing: `or` passes over what is false. False is an answer; ask whether it is set.",
+        ko="노드 자신의 False를 설정하지 않은 것처럼 지나칩니다. `or`는 거짓인 값을 건너뜁니다. False도 설정한 값이므로, 설정되었는지를 물으십시오.",
+    ),
+    "M13",
+)
+
+NO_BOOL_IS_PASSED_OVER = Slip(
+    "no bool is passed over",
+    {"text": "passed over"},
+    Words(
+        en="Where a node's own entry holds no True or False, you take what is for all instead. The entry replaces it all the same, and the node refuses it.",
+        ko="노드 자신의 항목이 True나 False가 아니면 모두의 항목을 대신 썼습니다. 그래도 자신의 항목이 우선하고, 노드는 그 값을 거부합니다.",
+    ),
+    "M13",
+)
+
 ENTRIES_OF_OTHERS = Slip(
     "entries of others",
     {"own": "everybody's"},
@@ -289,6 +313,8 @@ TASK = Task(
         LAST_LINE_WINS,
         FIRST_LINE_WINS,
         ONE_TRUE_IS_ENOUGH,
+        FALSE_IS_PASSED_OVER,
+        NO_BOOL_IS_PASSED_OVER,
         OWN_ENTRY_REPLACES_ALL,
         UNSET_IS_SIM,
         UNSET_IS_REFUSED,

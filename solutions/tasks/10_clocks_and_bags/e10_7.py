@@ -22,6 +22,7 @@ def clocks(rng):
         ([*lap, end - 0.25, end, end - 0.5],),
         ([*lap, end + 0.25, t],),
         ([*lap, end + 30.0, end + 30.25, t, t + 0.25, t - 5.0, t - 4.75, t + 0.5],),
+        ([*lap, end - 0.4, end - 0.8, end - 1.2, end + 0.25],),
         ([t],),
         ([],),
     ]
@@ -31,18 +32,22 @@ def moments(clock_s, back="a second", against="the one before", which="all", tel
     """Return when to forget, step by step."""
     found = []
     highest = clock_s[0] if clock_s else 0.0
+    if tell == "after" and which == "and the first":
+        found = list(clock_s[:1])
     for place, (before, after) in enumerate(pairwise(clock_s[:-1] if upto == "the last but one" else clock_s)):
         highest = max(highest, before)
         step = {"the one before": before, "the highest": highest, "the first": clock_s[0]}[against] - after
         is_back = {
             "a second": step >= 1.0, "any": step > 0.0, "more": step > 1.0, "ahead": step <= -1.0,
-            "small": 0.0 < step < 1.0, "half a second": step >= 0.5, "turned round": step >= -1.0,
+            "small": 0.0 < step < 1.0, "almost": step >= 0.9, "turned round": step >= -1.0,
         }[back]  # fmt: skip
+        if is_back and against == "the highest" and which == "begun anew":
+            highest = after
         if is_back or (ahead and -step >= 1.0):
             found.append(
                 {"after": after, "before": before, "step": step, "place": place + 1, "place before": place}[tell]
             )
-    return {"all": found, "first": found[:1], "last": found[-1:]}[which]
+    return {"first": found[:1], "last": found[-1:]}.get(which, found)
 
 
 ANY_STEP_BACK = Slip(
@@ -78,6 +83,33 @@ AGAINST_THE_HIGHEST = Slip(
     Words(
         en="You compare with the largest value so far. After a jump back the new lap lies below it for long, and you would forget at every tick: compare with the reading before.",
         ko="지금까지의 최댓값과 비교합니다. 한번 돌아가면 새 바퀴는 오랫동안 그보다 작으므로 매번 지우게 됩니다. 바로 앞의 값과 비교하십시오.",
+    ),
+)
+
+AGAINST_THE_HIGHEST_SINCE = Slip(
+    "against the highest since",
+    {"against": "the highest", "which": "begun anew"},
+    Words(
+        en="You compare with the largest value since the last jump, so that small steps back add up. Each step counts by itself: compare with the reading just before.",
+        ko="마지막으로 돌아간 뒤의 최댓값과 비교하므로 작게 돌아간 것들이 더해집니다. 한 걸음씩 따로 봅니다. 바로 앞의 값과 비교하십시오.",
+    ),
+)
+
+ALMOST_A_SECOND = Slip(
+    "almost a second",
+    {"back": "almost"},
+    Words(
+        en='A step back of a hair less than 1 s counts for you. "By 1 s or more" has a sharp bound: nothing is rounded before it is compared.',
+        ko='1초에 조금 못 미치게 돌아간 것도 셉니다. "1초 이상"의 한계는 정확합니다. 비교하기 전에 반올림하지 마십시오.',
+    ),
+)
+
+AND_THE_FIRST = Slip(
+    "and the first reading",
+    {"which": "and the first"},
+    Words(
+        en="You always name the first reading of all. Nothing came before it, so nothing is to be forgotten there.",
+        ko="맨 처음 값을 언제나 넣습니다. 그 앞에는 아무것도 없었으므로 지울 것도 없습니다.",
     ),
 )
 
@@ -193,6 +225,9 @@ TASK = Task(
     model=moments,
     twins=(
         AGAINST_THE_HIGHEST,
+        AGAINST_THE_HIGHEST_SINCE,
+        ALMOST_A_SECOND,
+        AND_THE_FIRST,
         ANY_STEP_BACK,
         NOT_AT_THE_BOUND,
         LEAPS_AHEAD,

@@ -52,6 +52,7 @@ def judged(given, *, rate="the rest", late="max", curve="chord", period="whole",
         "the rest": given.hz_of_tf - sum(given.sends_hz.values()),
         "everybody": given.hz_of_tf,
         "shared": given.hz_of_tf / (len(given.sends_hz) + 1),
+        "localization's": given.sends_hz["localization"],
         "without localization": given.hz_of_tf - given.sends_hz["robot_state_publisher"],
     }[rate]
     avg, largest = map(float, re.search(r"avg = (\S+): max = (\S+)", given.report).groups())
@@ -69,6 +70,8 @@ def judged(given, *, rate="the rest", late="max", curve="chord", period="whole",
         "half way": v / (2 * f),
         "whole angle": v / w * (1 - math.cos(w / f)),
         "straight": 0.0,
+        "way while late": v * largest,
+        "product": v * w * (1 - math.cos(w / (2 * f))),
         "radius": v / w,
         "chord itself": 2 * v / w * math.sin(w / (2 * f)),
         "sideways": v / w * math.sin(w / (2 * f)),
@@ -78,6 +81,7 @@ def judged(given, *, rate="the rest", late="max", curve="chord", period="whole",
         "without the scan": given.transform_travels_s,
         "scan added": given.transform_travels_s + given.scan_travels_s,
         "the other way": given.scan_travels_s - given.transform_travels_s,
+        "both taken off": -given.transform_travels_s - given.scan_travels_s,
         "without the transform": -given.scan_travels_s,
     }.get(travel, 0.0)
     if travel == "lateness without the scan":
@@ -116,6 +120,16 @@ ONE_LEFT_IN = Slip(
     "one left in",
     {"rate": "without localization"},
     Words(en="You took one other node away; there are two.", ko="다른 노드 하나만 뺐습니다. 둘입니다."),
+    part="odometry_hz",
+)
+
+ANOTHER_NODES = Slip(
+    "another node's",
+    {"rate": "localization's"},
+    Words(
+        en="That is how often localization sends, by the card. Asked is the node that is not on the card.",
+        ko="카드에 적힌 localization의 발행률입니다. 카드에 없는 노드를 물었습니다.",
+    ),
     part="odometry_hz",
 )
 
@@ -170,6 +184,37 @@ WHOLE_ANGLE = Slip(
         ko="두 표본 사이에 로봇은 ω/f만큼 돕니다. 가운데에서 끝까지는 그 절반입니다.",
     ),
     part="off_mm",
+)
+
+WAY_WHILE_LATE = Slip(
+    "way while late",
+    {"curve": "way while late"},
+    Words(
+        en="That is how far the robot drives while the chain is late. Asked is how far the straight line between two samples is from the arc.",
+        ko="사슬이 늦는 동안 로봇이 달리는 거리입니다. 물은 것은 두 표본을 이은 직선이 호에서 얼마나 떨어져 있는지입니다.",
+    ),
+    "M9",
+    part="off_mm",
+)
+
+PRODUCT_FOR_THE_RADIUS = Slip(
+    "product for the radius",
+    {"curve": "product"},
+    Words(
+        en="You began with v·ω. The radius of the bend is v/ω: the faster it turns, the narrower the bend.",
+        ko="v·ω에서 시작했습니다. 굽은 길의 반지름은 v/ω입니다. 빨리 돌수록 더 급하게 굽습니다.",
+    ),
+    part="off_mm",
+)
+
+BOTH_TAKEN_OFF = Slip(
+    "both travels taken off",
+    {"travel": "both taken off"},
+    Words(
+        en="You took both travels off. The transform is under way, too, after it was measured: its way makes the wait longer.",
+        ko="두 이동 시간을 모두 뺐습니다. 변환도 측정된 뒤에 오는 시간이 걸리므로 그만큼 더 기다립니다.",
+    ),
+    part="wait_s",
 )
 
 HALF_A_PERIOD = Slip(
@@ -324,6 +369,10 @@ TASK = Task(
         SUM_OF_TF,
         SHARED_EVENLY,
         ONE_LEFT_IN,
+        ANOTHER_NODES,
+        WAY_WHILE_LATE,
+        PRODUCT_FOR_THE_RADIUS,
+        BOTH_TAKEN_OFF,
         AVERAGE_BELIEVED,
         STATIC_COUNTED,
         WAY_FOR_PLACE,

@@ -23,6 +23,7 @@ OWNERS = (
     "nobody",
 )
 FIXES = (*CURES, *PLASTERS)
+TRIES = 8  # of drawing a patient again
 
 
 def admitted(rng, groups):
@@ -43,11 +44,15 @@ def _clear(rng, wanted):
     """Return a patient for each cause and complaint, whose readings fit its cause and no other."""
     admissions = [Admission((cause,), draw_numbers(rng), complaint) for cause, complaint in wanted]
     made = patients(admissions)
-    while unclear := [place for place, patient in enumerate(made) if cause_of(patient) != wanted[place][0]]:
-        for place in unclear:
-            cause, complaint = wanted[place]
-            made[place] = patients([Admission((cause,), draw_numbers(rng), complaint)])[0]
-    return made
+    for _ in range(TRIES):
+        unclear = [place for place, patient in enumerate(made) if cause_of(patient) != wanted[place][0]]
+        if not unclear:
+            return made
+        others = patients([Admission((wanted[place][0],), draw_numbers(rng), wanted[place][1]) for place in unclear])
+        for place, patient in zip(unclear, others, strict=True):
+            made[place] = patient
+    causes = ", ".join(wanted[place][0] for place in unclear)
+    raise ValueError(f"after {TRIES} draws no patient's readings fit its cause alone: {causes}")
 
 
 def cause_of(patient):

@@ -40,6 +40,10 @@ def owners(given, *, odom="one", localizer="its edge", switches="as needed", lid
     }
     if odom == "both":
         answers |= {"wheel_odometry enable_odom_tf": True, "ekf publish_tf": True}
+    elif odom in ("the other", "switches exchanged"):
+        answers |= {"wheel_odometry enable_odom_tf": fused, "ekf publish_tf": not fused}
+        if odom == "the other":
+            answers["odom -> base_footprint"] = "wheel_odometry" if fused else "ekf_filter_node"
     if localizer == "the base":
         answers["odom -> base_footprint"] = "amcl" if finder == "nobody" else finder
     if switches == "all off":
@@ -57,6 +61,26 @@ BOTH_ON = Slip(
     Words(
         en="Two nodes send odom → base_footprint now. TF2 takes both, without an error, and the robot goes to and fro. One has to be switched off.",
         ko="이제 두 노드가 odom → base_footprint를 보냅니다. TF2는 오류 없이 둘 다 받고, 로봇은 오락가락합니다. 하나는 꺼야 합니다.",
+    ),
+    "M6",
+)
+
+OTHER_OWNER = Slip(
+    "the other owner",
+    {"odom": "the other"},
+    Words(
+        en="You gave odom → base_footprint to the other of the two, its switch with it. A filter owns the edge where there is something to fuse; where the wheels stand alone, they do.",
+        ko="odom → base_footprint를 둘 가운데 다른 쪽에 맡기고 스위치도 그렇게 두었습니다. 합칠 것이 있으면 필터가, 바퀴뿐이면 바퀴가 이 연결을 맡습니다.",
+    ),
+    "M6",
+)
+
+SWITCHES_EXCHANGED = Slip(
+    "switches exchanged",
+    {"odom": "switches exchanged"},
+    Words(
+        en="The two switches stand the wrong way round: the node that you name as the owner is silent, and the other one sends.",
+        ko="두 스위치가 반대입니다. 발행자로 적은 노드는 조용하고 다른 노드가 보냅니다.",
     ),
     "M6",
 )
@@ -114,7 +138,49 @@ TASK = Task(
     given=a_robot,
     variants=6,
     model=owners,
-    twins=(BOTH_ON, LOCALIZER_OWNS_BASE, ALL_OFF, DRIVER_REPEATS, ARM_BY_DRIVER),
+    twins=(BOTH_ON, OTHER_OWNER, SWITCHES_EXCHANGED, LOCALIZER_OWNS_BASE, ALL_OFF, DRIVER_REPEATS, ARM_BY_DRIVER),
+    means={
+        "amcl": Words(
+            en="amcl finds the robot on a map that is there, and sends map -> odom.",
+            ko="amcl은 이미 있는 지도에서 로봇을 찾아 map -> odom을 보냅니다.",
+        ),
+        "slam_toolbox": Words(
+            en="slam_toolbox makes a map while the robot drives, and sends map -> odom.",
+            ko="slam_toolbox는 로봇이 달리는 동안 지도를 만들며 map -> odom을 보냅니다.",
+        ),
+        "wheel_odometry": Words(
+            en="wheel_odometry knows what the wheels have counted, and sends odom -> base_footprint at the most.",
+            ko="wheel_odometry는 바퀴가 센 것만 압니다. 보낸다면 odom -> base_footprint뿐입니다.",
+        ),
+        "ekf_filter_node": Words(
+            en="The filter fuses wheels and imu, and sends odom -> base_footprint at the most.",
+            ko="필터는 바퀴와 imu를 합칩니다. 보낸다면 odom -> base_footprint뿐입니다.",
+        ),
+        "lidar_driver": Words(
+            en="A driver measures; where its sensor is bolted on it was only told.",
+            ko="드라이버는 측정합니다. 센서가 어디에 달렸는지는 전해 들을 뿐입니다.",
+        ),
+        "joint_driver": Words(
+            en="joint_driver sends the angles of joints, and no transforms.",
+            ko="joint_driver가 보내는 것은 관절의 각도이지 변환이 아닙니다.",
+        ),
+        "robot_state_publisher": Words(
+            en="robot_state_publisher sends what stands in the URDF, and nothing of where the robot is.",
+            ko="robot_state_publisher는 URDF에 있는 것을 보냅니다. 로봇이 어디에 있는지는 모릅니다.",
+        ),
+        "nobody": Words(
+            en="An edge that nobody sends is not there, and what hangs below it is cut off.",
+            ko="아무도 보내지 않는 연결은 없는 것이고, 그 아래는 끊어집니다.",
+        ),
+        "True": Words(
+            en="Switched on, this node sends its edge, whoever else does.",
+            ko="켜면 다른 노드가 보내든 말든 이 노드도 연결을 보냅니다.",
+        ),
+        "False": Words(
+            en="Switched off, this node sends no edge, and another one has to.",
+            ko="끄면 이 노드는 연결을 보내지 않으므로 다른 노드가 보내야 합니다.",
+        ),
+    },
     shows={
         "map -> odom": Words(
             en="`map_frame` says who finds the robot on a map, and whether anybody does.",

@@ -17,58 +17,67 @@ CURES = (
     "localization: send map -> odom",
     "wheel_odometry: parent odom",
 )
-# What each terminal shows: of which cause, with which checks.
 TERMINALS = {
-    "one owner": ("nothing is wrong", ("info /tf", "echo odom base_footprint")),
-    "nobody": ("odometry not running", ("echo odom base_footprint", "node list")),
-    "two owners": ("two owners of one edge", ("echo odom base_footprint",)),
-    "another edge": ("localizer owns the base", ("echo map odom", "echo odom base_footprint")),
-    "a misspelt parent": ("parent misspelt", ("echo odom base_footprint", "view_frames")),
+    "one owner": "nothing is wrong",
+    "nobody": "odometry not running",
+    "two owners": "two owners of one edge",
+    "another edge": "localizer owns the base",
+    "a misspelt parent": "parent misspelt",
 }
 NODE_OF = dict(
     zip(TERMINALS, ("none", "wheel_odometry", "ekf_filter_node", "localization", "wheel_odometry"), strict=True)
 )
 CURE_OF = dict(zip(TERMINALS, CURES, strict=True))
-PLACES = ("first", "second", "third", "fourth", "fifth")
-LINES = 26  # of a reading
+PLACES = "abcde"
+LINES = 19  # of a reading
+# What each terminal shows, the same of all five, or the questions would tell what the answers should.
+COUNT = r"^(?:Type|Publisher count|Subscription count): .*"
+MOVING = r"(?:odom|base_footprint): \\n(?:  \S+: \S+?\\n)+"
 
 
 def five(rng):
     """Draw five robots, run their tools, and put what they print into any order."""
     numbers = [draw_numbers(rng) for _ in TERMINALS]
-    made = patients([Admission((cause,), drawn) for (cause, _), drawn in zip(TERMINALS.values(), numbers, strict=True)])
-    shown = [_shown(patient, checks) for patient, (_, checks) in zip(made, TERMINALS.values(), strict=True)]
+    made = patients([Admission((cause,), drawn) for cause, drawn in zip(TERMINALS.values(), numbers, strict=True)])
+    shown = [_shown(patient) for patient in made]
     return {place: shown[int(number)] for place, number in zip(PLACES, rng.permutation(len(shown)), strict=True)}
 
 
-def _shown(patient, checks):
-    from tflab.clinic.trolley import TROLLEY
+def _shown(patient):
+    def read(check):
+        return patient.reading(check)[1]
 
-    texts = []
-    for check in checks:
-        _, text, _ = patient.reading(check)
-        short = re.sub(r"\n- Rotation.*?(?=\nAt time|\nFailure|\n\[|\Z)", "", text, flags=re.DOTALL)
-        short = re.sub(r"(?s)\nThe current list of frames is:.*?(?=\nAt time|\nFailure|\Z)", "", short)
-        texts.append("\n".join([f"$ {TROLLEY[check].command}", *short.splitlines()[:LINES]]))
-    return "\n".join(texts)
+    echoed = re.sub(
+        r"\n- Rotation.*?(?=\nAt time|\nFailure|\n\[|\Z)", "", read("echo odom base_footprint"), flags=re.DOTALL
+    )
+    echoed = re.sub(r"(?s)\nThe current list of frames is:.*?(?=\nAt time|\nFailure|\Z)", "", echoed)
+    readings = {
+        "ros2 node list": read("node list"),
+        "ros2 topic info /tf": "\n".join(re.findall(COUNT, read("info /tf"), re.MULTILINE)),
+        "ros2 run tf2_ros tf2_echo odom base_footprint 20": "\n".join(echoed.splitlines()[:LINES]),
+        "ros2 run tf2_tools view_frames   (odom and base_footprint of it)": "\n".join(
+            found.replace("\\n", "\n").rstrip() for found in sorted(re.findall(MOVING, read("view_frames")))
+        ),
+    }
+    return "\n".join(f"$ {command}\n{text}" for command, text in readings.items())
 
 
 def state_of(text):
     """Return what a terminal shows."""
     if "Failure at" in text:
         return "another edge"
-    if "node list" in text:
+    if "wheel_odometry" not in text:
         return "nobody"
-    if "view_frames" in text:
-        return "a misspelt parent"
-    return "one owner" if "topic info" in text else "two owners"
+    if "ekf_filter_node" in text:
+        return "two owners"
+    return "one owner" if re.search(r"base_footprint: *\n +parent: 'odom'", text) else "a misspelt parent"
 
 
 def told(given, *, odm="misspelt", calm="one", count="endpoints", another="another edge", nobody="nobody"):
     """Return state, node and cure of each terminal, step by step; other steps are the slips."""
     answers = {}
     for place in PLACES:
-        state = state_of(getattr(given, place))
+        state = seen = state_of(getattr(given, place))
         node, cure = NODE_OF[state], CURE_OF[state]
         if state == "a misspelt parent" and odm == "node down":
             state, cure = "nobody", "start wheel_odometry"
@@ -78,12 +87,7 @@ def told(given, *, odm="misspelt", calm="one", count="endpoints", another="anoth
             state, node, cure = "two owners", "ekf_filter_node", "ekf_filter_node: publish_tf false"
         if state == "another edge" and another == "two owners":
             state = "two owners"
-        if (
-            state == "nobody"
-            and nobody == "switch"
-            and node == "wheel_odometry"
-            and "node list" in getattr(given, place)
-        ):
+        if seen == "nobody" and nobody == "switch":
             node, cure = "localization", "localization: send map -> odom"
         answers |= {f"{place} state": state, f"{place} node": node, f"{place} cure": cure}
     return answers
@@ -218,6 +222,64 @@ TASK = Task(
         "wheel_odometry: parent odom": Words(
             en="That cures a name. Is there a root here that nobody meant?",
             ko="이름을 고치는 처치입니다. 아무도 뜻하지 않은 루트가 여기 있습니까?",
+        ),
+    },
+    seen={
+        "one owner": Words(
+            en="Here each answer follows from the one before, and the nodes on /tf are those of the card.",
+            ko="여기서는 값이 매끄럽게 이어지고, /tf의 노드는 카드에 있는 그대로입니다.",
+        ),
+        "nobody": Words(
+            en="Here no answer ever comes, and the list of nodes is one short of the card.",
+            ko="여기서는 답이 한 번도 나오지 않고, 노드 목록에 카드의 노드 하나가 없습니다.",
+        ),
+        "two owners": Words(
+            en="Here answers come one after the other, and the robot is now in one place and now in another.",
+            ko="여기서는 답이 잇달아 나오지만 로봇의 위치가 이곳저곳으로 오락가락합니다.",
+        ),
+        "another edge": Words(
+            en="Here answers and failures take turns, of the same question.",
+            ko="여기서는 같은 질문에 답이 나오다 말다 합니다.",
+        ),
+        "a misspelt parent": Words(
+            en="Here the edge comes, and hangs below a root that stands on no card.",
+            ko="여기서는 연결이 오는데, 카드에 없는 루트 아래에 있습니다.",
+        ),
+        "wheel_odometry": Words(
+            en="Here the edge below odom, which the card gives to one node, does not come as the card has it.",
+            ko="여기서는 카드에서 한 노드가 맡은 odom 아래의 연결이 카드대로 오지 않습니다.",
+        ),
+        "ekf_filter_node": Words(
+            en="Here somebody who is on no card sends as well.",
+            ko="여기서는 카드에 없는 누군가도 함께 보냅니다.",
+        ),
+        "localization": Words(
+            en="Here map -> odom does not come, and base_footprint hangs now on this frame, now on that.",
+            ko="여기서는 map -> odom이 오지 않고, base_footprint가 이 좌표계에 달렸다가 저 좌표계에 달렸다가 합니다.",
+        ),
+        "none": Words(
+            en="Here everything is as the card has it.",
+            ko="여기서는 모든 것이 카드대로입니다.",
+        ),
+        "leave it as it is": Words(
+            en="Here nothing differs from the card.",
+            ko="여기서는 카드와 다른 것이 없습니다.",
+        ),
+        "start wheel_odometry": Words(
+            en="Here a node of the card does not run at all.",
+            ko="여기서는 카드에 있는 노드 하나가 아예 실행되지 않습니다.",
+        ),
+        "ekf_filter_node: publish_tf false": Words(
+            en="Here two send the same edge.",
+            ko="여기서는 둘이 같은 연결을 보냅니다.",
+        ),
+        "localization: send map -> odom": Words(
+            en="Here a node sends an edge that is not its own.",
+            ko="여기서는 한 노드가 자기 것이 아닌 연결을 보냅니다.",
+        ),
+        "wheel_odometry: parent odom": Words(
+            en="Here the edge is sent, and the name of its parent is not the card's.",
+            ko="여기서는 연결이 오지만 부모의 이름이 카드와 다릅니다.",
         ),
     },
     hints=(

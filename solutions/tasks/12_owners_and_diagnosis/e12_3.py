@@ -89,15 +89,24 @@ MONITOR_FOR_A_SMEAR = Twin(
     "M9",
 )
 
-NODE_DOWN = Twin(
-    "surely a node is down",
-    but("odom stands alone", "localizer silent", check="node list"),
+WHEELS_DOWN = Twin(
+    "surely the wheels are down",
+    but("odom stands alone", check="node list"),
     Words(
-        en="/odom comes, so that node is there, and so is a localiser that waits. A list of names shows no switch.",
-        ko="/odom이 오므로 그 노드는 있습니다. 기다리는 위치 추정 노드도 마찬가지입니다. 이름 목록에는 스위치가 보이지 않습니다.",
+        en="/odom comes, so that node is there, in both cases. A list of names shows no switch.",
+        ko="/odom이 오므로 그 노드는 어느 경우든 있습니다. 이름 목록에는 스위치가 보이지 않습니다.",
     ),
     "M11",
-    partly=True,
+)
+
+LOCALIZER_DOWN = Twin(
+    "surely the localizer is down",
+    but("localizer silent", check="node list"),
+    Words(
+        en="A node that waits is in the list as one that works is: both suspects are a localiser that runs and waits. Whose clock it lives by, no list of names shows.",
+        ko="기다리는 노드도 일하는 노드처럼 목록에 나옵니다. 두 용의자 모두 실행 중이면서 기다리는 위치 추정 노드입니다. 어느 시계를 따르는지는 이름 목록에 보이지 않습니다.",
+    ),
+    "M11",
 )
 
 TAPE = Twin(
@@ -117,7 +126,7 @@ TASK = Task(
     title=Words(en="The first question", ko="첫 질문"),
     answer="first",
     form=Parts({symptom: Telling(CHECKS, suspects) for symptom, suspects in SUSPECTS.items()}),
-    twins=(CABLE, TIMEOUT, CODE, MONITOR_FOR_OWNERS, MONITOR_FOR_A_SMEAR, NODE_DOWN, TAPE),
+    twins=(CABLE, TIMEOUT, CODE, MONITOR_FOR_OWNERS, MONITOR_FOR_A_SMEAR, WHEELS_DOWN, LOCALIZER_DOWN, TAPE),
     means={
         "rviz": Words(
             en="It shows the symptom once more: would RViz say something else for the other of the two suspects?",

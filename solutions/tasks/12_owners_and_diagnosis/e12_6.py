@@ -33,6 +33,25 @@ TIMEOUT_AMONG_THEM = Twin(
     "M10",
 )
 
+TIMEOUT_FIRST = Twin(
+    "timeout first",
+    in_this_order("longer timeout", *ORDER[:5]),
+    Words(
+        en="A longer timeout stands first, and so each check after it comes one place too late, and the last has none. It is no check: it waits, and shows no fact.",
+        ko="timeout을 늘리는 것이 맨 앞에 있어서 그 뒤의 검사가 모두 한 자리씩 밀리고, 마지막 검사는 자리를 잃었습니다. 그것은 검사가 아닙니다. 기다릴 뿐 사실을 보여 주지 않습니다.",
+    ),
+    "M10",
+)
+
+NAMES_LAST = Twin(
+    "names last",
+    in_this_order(*ORDER[1:], ORDER[0]),
+    Words(
+        en="The names stand last, and so all else comes one place too early. A name costs one glance, and while it is wrong nothing else can be judged.",
+        ko="이름을 맨 나중에 두어서 나머지가 모두 한 자리씩 앞당겨졌습니다. 이름은 한 번 보면 되고, 이름이 틀린 동안에는 다른 것을 판단할 수 없습니다.",
+    ),
+)
+
 NO_STAMP = Twin(
     "ends before the stamp",
     in_this_order("fixed frame", "tree", "mount", "rates", "publishers", "new sensor"),
@@ -70,7 +89,7 @@ TASK = Task(
     title=Words(en="The wall that smears", ko="번지는 벽"),
     answer="steps",
     form=Parts({place: Choice(CARDS) for place in RIGHT}),
-    twins=(SENSOR_FIRST, TIMEOUT_AMONG_THEM, NO_STAMP, PUBLISHERS_FIRST, VALUE_BEFORE_TREE),
+    twins=(SENSOR_FIRST, TIMEOUT_FIRST, TIMEOUT_AMONG_THEM, NAMES_LAST, NO_STAMP, PUBLISHERS_FIRST, VALUE_BEFORE_TREE),
     means={
         "fixed frame": Words(
             en="Names cost one glance. What can be judged while a name is wrong?",

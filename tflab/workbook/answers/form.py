@@ -136,6 +136,10 @@ class Form:
         """Return what can be said of a wrong answer by itself, beside the other parts of a dict; None if nothing."""
         return None
 
+    def beside(self, answer: Plain, neighbours: Mapping[str, Plain]) -> Plain:
+        """Return an answer as it is meant beside the other parts of a dict that speak of the same one."""
+        return answer
+
     def plain(self) -> dict[str, Any]:
         """Return the form as JSON has it: its class and its fields."""
         row = {field.name: getattr(self, field.name) for field in fields(self)}

@@ -5,8 +5,10 @@
     ("laser clock ahead", ["delay /scan"])   the same, for this suspect alone
 
 The form turns a list into the suspects that it would prove, each a row; which of
-them is the true one is nowhere in it, so what is expected can be sealed.  What is
-said of a list that proves nothing is true whatever the patient has.
+them is the true one is nowhere in it, so what is expected can be sealed.  In a dict
+a list proves the cause that is named beside it, or nothing: some lists prove two of
+three, whoever looked at the robot.  What is said of a list that proves nothing is
+true whatever the patient has.
 
 Read `telling.py` next.
 """
@@ -22,11 +24,24 @@ from tflab.clinic.trolley import BUDGET_MIN, check_named
 
 from ..words import Words
 from .form import Form, Mark, Probe, inside
+from .structures import Choice
 from .values import Plain
 
 __all__ = ["Proof"]
 
+NOBODY = "nobody"  # who is proved by a list beside which no suspect is named
+
 SAID = {
+    "none": Words(
+        en="without a check nothing is proved: what was asked, and what did it say?",
+        ko="검사 없이는 아무것도 증명되지 않습니다. 무엇을 물었고 어떤 답이 나왔습니까?",
+    ),
+    "contradicted": Words(
+        en="this would prove “{cause}”; but on this patient these checks say otherwise. Compare what they said with "
+        "what that cause would make them say.",
+        ko="“{cause}”을(를) 증명할 수 있는 검사들이지만, 이 환자에게서는 다르게 나옵니다. 나온 답을 그 원인일 때 "
+        "나올 답과 비교하십시오.",
+    ),
     "unproved": Words(
         en="your checks say the same for “{cause}” and “{rival}”. Which check on the trolley would not?",
         ko="이 검사들은 “{cause}”일 때와 “{rival}”일 때 똑같이 나옵니다. 다르게 나올 검사는 무엇입니까?",
@@ -58,12 +73,19 @@ class Proof(Form):
     whole: bool = False
     budget_min: float = BUDGET_MIN
 
+    def beside(self, answer: Plain, neighbours: Mapping[str, Plain]) -> Plain:
+        read = _read(answer)
+        if read is None or read[0] is not None or not neighbours:
+            return answer
+        causes = [word for other in neighbours.values() if (word := _suspect(other))]
+        return {"tuple": [causes[0] if causes else NOBODY, read[1]]}
+
     def probes(self, plain: Plain) -> list[Probe] | None:
         read = _read(plain)
         if read is None:
             return None
         claimed, checks = read
-        suspects = SUSPECTS if claimed is None else (claimed,)
+        suspects = SUSPECTS if claimed is None else [suspect for suspect in SUSPECTS if suspect == claimed]
         rows = [(Mark(suspect),) for suspect in suspects if self._flaw(checks, suspect) is None]
         return [rows or [(Mark(f"no proof of {claimed or 'any'}: {checks}"),)]]  # the same as itself, and as no proof
 
@@ -75,14 +97,11 @@ class Proof(Form):
 
     def remark(self, answer: Plain, neighbours: Mapping[str, Plain]) -> Words | None:
         """Return what keeps a list from proving the cause that stands beside it."""
-        read = _read(answer)
-        causes = [other for other in neighbours.values() if isinstance(other, str) and other in SUSPECTS]
-        if read is None or not (read[0] or causes):
+        read = _read(self.beside(answer, neighbours))
+        if read is None or not read[0] or read[0] == NOBODY:
             return None
-        cause = read[0] or causes[0]
-        flaw = self._flaw(read[1], cause)
-        if flaw is None:
-            return None
+        cause = read[0]
+        flaw = (self._flaw(read[1], cause) or Flaw("contradicted")) if read[1] else Flaw("none")
         names = {**flaw._asdict(), "cause": cause, "budget": self.budget_min}
         return Words(*(SAID[flaw.kind].say(language, **names) for language in ("en", "ko")))
 
@@ -93,12 +112,20 @@ class Proof(Form):
 def _read(plain: Plain) -> tuple[str | None, list[str]] | None:
     """Return whom an answer claims to prove, None if nobody in particular, and its checks; None if it is no list."""
     members = inside(plain)
-    if not isinstance(members, list) or not members:
+    if not isinstance(members, list):
         return None
     claimed = None
-    if len(members) == 2 and members[0] in SUSPECTS and isinstance(inside(members[1]), list):
+    if len(members) == 2 and members[0] in (*SUSPECTS, NOBODY) and isinstance(inside(members[1]), list):
         claimed, members = members[0], inside(members[1])
+    if not all(isinstance(member, str) for member in members):
+        return None
     try:
-        return claimed, [check_named(member).key for member in members if isinstance(member, str)]
+        return claimed, [check_named(member).key for member in members]
     except ValueError:
         return None
+
+
+def _suspect(plain: Plain) -> str | None:
+    """Return the suspect that somebody names, written as a person may write it; None if it is none."""
+    read = Choice(SUSPECTS).read(plain)
+    return str(read[0][0][0].value) if read else None

@@ -12,6 +12,7 @@ What has no order, sets and trees, is next.  Read `members.py` next.
 from __future__ import annotations
 
 import json
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from itertools import islice, product
 
@@ -20,7 +21,7 @@ from . import command_lines
 from .form import Form, Mark, Probe, Quaternion, Vector, inside, member, numbers_of
 from .values import Plain
 
-__all__ = ["Choice", "Command", "Message", "Parts", "Sequence", "as_one"]
+__all__ = ["Choice", "Command", "Message", "Parts", "Sequence", "as_one", "named_beside"]
 
 MOST_WAYS = 64  # to write one sequence; beyond these, the plainest
 
@@ -32,20 +33,17 @@ class Choice(Form):
     options: tuple[str, ...] = ()
 
     def probes(self, plain: Plain) -> list[Probe] | None:
-        if isinstance(plain, bool):
-            plain = str(plain)
-        word = self._option(plain) if isinstance(plain, str) else None
+        word = self.option(plain)
         return None if word is None else [[(Mark(word),)]]
 
-    def _option(self, text: str) -> str | None:
+    def option(self, plain: Plain) -> str | None:
         """Return the option that is meant, or None if there is none, or more than one."""
-        text = text.strip()
+        if not isinstance(plain, str | bool):
+            return None
+        text = str(plain).strip()
         if not self.options or text in self.options:
             return text
-        are_names = any(map(_is_name, self.options))
-        meant = [option for option in self.options if _meant(option, are_names) == _meant(text, are_names)]
-        if not meant and all(option.startswith("/") for option in self.options if _is_name(option)):
-            meant = [option for option in self.options if option == "/" + _meant(text, are_names)]  # `ros2` takes both
+        meant = _options_meant(self.options, text)
         return meant[0] if len(meant) == 1 else None
 
     def wanted(self) -> Words:
@@ -69,7 +67,12 @@ class Parts(Form):
             return None
         if self.alone and set(answers) - set(self.parts):
             return None
-        return [as_one(form.probes(answers.get(name))) for name, form in self.parts.items()]
+        return [as_one(form.probes(self.part(answers, name))) for name, form in self.parts.items()]
+
+    def part(self, answers: Mapping[str, Plain], name: str) -> Plain:
+        """Return one part of a dict, as it is meant beside the others."""
+        neighbours = {other: answers.get(other) for other in named_beside(name, self.parts) if other != name}
+        return self.parts[name].beside(answers.get(name), neighbours)
 
     def wanted(self) -> Words:
         names = ", ".join(f'"{name}"' for name in self.parts)
@@ -77,6 +80,12 @@ class Parts(Form):
         return Words(
             en=f"a dict with {names}{alone.en}", ko=f"{names} 키{alone.ko}를 가진 dict".replace("키만를", "키만")
         )
+
+
+def named_beside(name: str, parts: Iterable[str]) -> list[str]:
+    """Return the parts that speak of the same one: of "c checks" those of c; of a name of one word, all."""
+    who, space, _ = name.rpartition(" ")
+    return [part for part in parts if part.startswith(who + space)]
 
 
 @dataclass(frozen=True)
@@ -145,15 +154,31 @@ def as_one(probes: list[Probe] | None) -> Probe:
     return [tuple(mark for row in rows for mark in row) for rows in ways]
 
 
+UNHEARD = str.maketrans("", "", "_-,'’")  # what nobody hears in words
+
+
 def _is_name(option: str) -> bool:
     """Return whether this is a frame, a node or an edge, and no words about one."""
     return ("_" in option or "/" in option) and (" " not in option or "->" in option)
 
 
+def _options_meant(options: tuple[str, ...], text: str) -> list[str]:
+    """Return the options that a person may mean by a text."""
+    names = [option for option in options if _is_name(option)]
+    as_names = {option: bool(names) and (" " not in option or option in names) for option in options}
+    meant = [option for option, is_name in as_names.items() if _meant(option, is_name) == _meant(text, is_name)]
+    spelt = {"_".join(text.split())}  # no name has a space in it
+    if " " in text.strip():
+        spelt.add("_".join(text.casefold().split()))  # "Node B" is said, not written
+    if all(name.startswith("/") for name in names):
+        spelt.add("/" + _meant(text, is_name=True))  # `ros2` takes both
+    return meant or [option for option in options if option in spelt]
+
+
 def _meant(text: str, is_name: bool) -> str:
-    """Return a text without quotes, spaces and the like; a word also without capitals, hyphens and a full stop."""
+    """Return a text without quotes, spaces and the like; a word also without capitals, commas, "Exception"."""
     text = "".join(text.replace("→", "->").split()).strip("\"'`“”‘’")
-    return text if is_name else text.rstrip(".").replace("_", "").replace("-", "").casefold()
+    return text if is_name else text.rstrip(".").translate(UNHEARD).casefold().removesuffix("exception")
 
 
 def _text(plain: Plain) -> str:

@@ -38,7 +38,7 @@ class Telling(Choice):
     most_min: float = 2.0
 
     def probes(self, plain: Plain) -> list[Probe] | None:
-        word = self._option(plain) if isinstance(plain, str) else None
+        word = self.option(plain)
         if word is None:
             return None
         return [[(Mark("tells them apart" if self._tells(word) else word),)]]

@@ -91,7 +91,12 @@ def outcome_of(function: Callable[..., Any], args: Sequence[Plain]) -> Plain:
     except Exception:  # an argument without end, by now
         changed = [0]
     if changed:
-        return {"changed": changed[0] + 1}
+        return {"changed": changed[0] + 1, "gave": _result(given)}
+    return _result(given)
+
+
+def _result(given: object) -> Plain:
+    """Return what a function gave."""
     if callable(given) and not isinstance(given, type):
         return {"object": "function"}
     try:

@@ -8,6 +8,7 @@
     units       in which other unit it may be
     universal   mistakes that any answer can have
     losses      what was lost and cannot be put back
+    trees       what is wrong with a tree
     shell_words where a command line goes wrong
     fields      which parts an answer has
     fitting     whether outcomes are just what a mistake gives
@@ -17,7 +18,11 @@
     arithmetic  what was computed of what was given
     members     parts of a dict, fields of a message, each by itself
     lists       members of a list, all together
+    robots      links of a robot, each by itself
     refusals    errors that were swallowed
+    beside      slips that show in different calls
+    stops       errors in some calls, beside what is wrong in others
+    changes     arguments that were changed
     explain     how a wrong answer came about: slips, alone and two together
     verdict     what became of an answer
     stumbles    what one of Python's own errors means

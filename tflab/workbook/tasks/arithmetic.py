@@ -83,9 +83,7 @@ def leaves(given: dict[str, Plain], before: str = "") -> Iterator[tuple[str, Pla
 
 
 def _of_numbers(given: dict[str, Plain]) -> Iterator[_Sum]:
-    held = [(name, row[0]) for name, leaf in leaves(given) if (row := numbers_of(leaf, None)) is not None]
-    if len(held) > MOST_LEAVES:
-        return
+    held = _held(given)
     for name, value in held:
         yield _Sum(name, _units(_unit(name)), (value,))
         for text, changed in _changed(value):
@@ -96,6 +94,17 @@ def _of_numbers(given: dict[str, Plain]) -> Iterator[_Sum]:
                 continue  # the same as the other way round
             units = _units_of(_unit(one), _unit(other), en, ko) if not _is_plain_sum(sign, one, other) else _units("")
             yield _Sum(f"{one} {sign} {other}", units, (join(a, b),))
+
+
+def _held(given: dict[str, Plain]) -> list[tuple[str, float]]:
+    """Return the numbers among the givens, and the members of lists where there are few; none where there are many."""
+    single = [(name, row[0]) for name, leaf in leaves(given) if (row := numbers_of(leaf, None)) is not None]
+    lists = [(name, inside(leaf)) for name, leaf in leaves(given) if isinstance(inside(leaf), list)]
+    members = [(f"{name}[{place}]", member) for name, held in lists for place, member in enumerate(held)]
+    listed = [(name, row[0]) for name, member in members if (row := numbers_of(member, None)) is not None]
+    if len(single) + len(listed) <= MOST_LEAVES:
+        return single + listed
+    return single if len(single) <= MOST_LEAVES else []
 
 
 def _changed(value: float) -> Iterator[tuple[str, float]]:

@@ -89,13 +89,15 @@ class TaskCases(NamedTuple):
     variants: tuple[Variant, ...]
     means: dict[str, Words] = {}  # noqa: RUF012  what each option would mean
     shows: dict[str, Words] = {}  # noqa: RUF012  what each part shows instead
+    seen: dict[str, Words] = {}  # noqa: RUF012  what there is to see where an option is right
     counts: str = ""  # as of a Task
 
     def plain(self) -> dict[str, Plain]:
-        """Return the task as JSON has it; what counts only where it is not being right."""
-        held = self._asdict()
-        if not self.counts:
-            del held["counts"]
+        """Return the task as JSON has it; what counts only where it is not being right, what is seen only if said."""
+        held = self._asdict() | {"seen": {name: words.plain() for name, words in self.seen.items()}}
+        for name in ("counts", "seen"):
+            if not held[name]:
+                del held[name]
         return held | {
             "title": self.title.plain(),
             "form": self.form.plain(),
@@ -123,6 +125,7 @@ class TaskCases(NamedTuple):
             variants=tuple(map(Variant.from_plain, plain["variants"])),
             means={name: Words(**words) for name, words in plain["means"].items()},
             shows={name: Words(**words) for name, words in plain["shows"].items()},
+            seen={name: Words(**words) for name, words in plain.get("seen", {}).items()},
             counts=plain.get("counts", ""),
         )
 

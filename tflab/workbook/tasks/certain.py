@@ -15,8 +15,8 @@ import difflib
 import math
 
 from ..answers import sealed
-from ..answers.form import Angle, Form, Mark, Number, Pose, Quaternion, Row, Vector, inside, numbers_of, pose_of
-from ..answers.forms import Command, Message, Name, Parts, Sequence, Set, Tree, Urdf
+from ..answers.form import Angle, Form, Mark, Number, Pose, Quaternion, Vector, inside, numbers_of, pose_of
+from ..answers.forms import Command, Message, Name, Parts, Sequence, Set, Tree
 from ..answers.members import edges_of, members_of
 from ..answers.values import Plain, is_raised
 from ..words import Words
@@ -25,12 +25,6 @@ from .fields import section, sections
 __all__ = ["certain"]
 
 NAMES = "xyzw"
-LINK_FAULTS = (  # of a URDF's link: how many of its marks have to fit, and what is wrong if they do not
-    (2, Words("its root, its parent or the type of its joint", "루트, 부모 또는 관절의 종류")),
-    (5, Words("where it is in its parent", "부모 기준 위치")),
-    (9, Words("how it is turned in its parent", "부모 기준 방향")),
-    (10**6, Words("how it moves", "움직이는 방향(axis)")),
-)
 STATIC = ("frame-id", "child-frame-id", "x", "y", "z")  # what static_transform_publisher is told, and a rotation
 NEARLY = 0.6  # from which share of letters on a name looks like another
 MOST_NAMED = 4  # children that are called by name
@@ -122,20 +116,6 @@ def _of_pose(answer: Plain, expected: Plain) -> Words | None:
     return Words(f"translation: {place.en}. Rotation: {turn.en}", f"이동: {place.ko}. 회전: {turn.ko}")
 
 
-def _of_urdf(form: Urdf, answer: Plain, expected: Plain) -> Words | None:
-    """Say of the first link that is wrong whether it hangs, stands or moves otherwise."""
-    given, wanted = form.read(answer) or [], form.probes(expected) or []
-    for link, rows, (right, *_) in zip(form.links, given, wanted, strict=False):
-        if not any(_begins_alike(row, right, len(right)) for row in rows):
-            which = next(which for upto, which in LINK_FAULTS if not any(_begins_alike(r, right, upto) for r in rows))
-            return Words(f"{link}: {which.en}", f"{link}: {which.ko}")
-    return None
-
-
-def _begins_alike(row: Row, right: Row, upto: int) -> bool:
-    return len(row) >= min(upto, len(right)) and all(map(Mark.fits, row[:upto], right[:upto]))
-
-
 def _of_sequence(given: Plain, wanted: Plain) -> Words | None:
     if not isinstance(given, list) or not isinstance(wanted, list):
         return None
@@ -193,8 +173,6 @@ def _joined(said: list[Words]) -> Words | None:
 
 def _of_parts(form: Form, answer: Plain, expected: Plain) -> Words | None:
     """Say it of the first part that is wrong and can be spoken of."""
-    if isinstance(form, Urdf):
-        return _of_urdf(form, answer, expected)
     if not isinstance(form, Parts):
         return _of_message(form, answer, expected) if isinstance(form, Message) else None
     given, wanted = inside(answer), inside(expected)

@@ -20,7 +20,7 @@ from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
 from ..words import Words
 
-__all__ = ["Confusion", "confused", "confused_in_lists"]
+__all__ = ["Confusion", "confused", "confused_in_lists", "word_of"]
 
 SWAPPED = Words(
     en='"{one}" and "{other}" have changed places.',
@@ -45,10 +45,11 @@ class Confusion(NamedTuple):
 
 def confused(form: Choice, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> Confusion | None:
     """Return which words a function confuses, the one that it confuses most first; None if it says others."""
-    asked = [_word(form, want) for want in wanted]
-    said = [_word(form, outcome) for outcome in outcomes]
-    wrong = Counter((want, word) for want, word in zip(asked, said, strict=True) if want != word)
-    if not wrong or any(want is None or word is None for want, word in wrong):
+    asked = [word_of(form, want) for want in wanted]
+    said = [word_of(form, outcome) for outcome in outcomes]
+    pairs = [(want, word) for want, word in zip(asked, said, strict=True) if want != word]
+    wrong = Counter(pair for pair in pairs if None not in pair)
+    if not wrong or None in pairs[0]:  # what comes first is no word at all
         return None
     whole = {pair: count for pair, count in wrong.items() if count == asked.count(pair[0])}
     for want, word in whole:
@@ -72,7 +73,7 @@ def confused_in_lists(form: ListForm, outcomes: Sequence[Plain], wanted: Sequenc
     )
 
 
-def _word(form: Choice, plain: Plain) -> str | None:
+def word_of(form: Choice, plain: Plain) -> str | None:
     """Return the option that this is, open or sealed; None if it is none."""
     if is_raised(plain):
         return None

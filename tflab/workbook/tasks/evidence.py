@@ -8,7 +8,16 @@ results; a clock that stands still is right twice a day.  So a constant earns
 nothing, neither does handing back what came in, nor raising whatever is asked.
 
 Of a value that is put together, such as a tree, what stood in the givens already
-shows nothing either: to hand back the broken tree is no mending.
+shows nothing either: to hand back the broken tree is no mending.  Of choices between
+the same words, a word that is said too often earns nothing if it is right no more
+often than it would be anywhere:
+
+    right                stays  changes changes changes stays  stays      changes in half of them
+    "changes" to all       -      +       +       +       -      -        right in half: no credit
+    "changes" to four      -      +       +       +       0      0        right in three of four: credit
+
+Where learners have variants of their own, a part that is right alike in most of them
+shows nothing either, unless all is right: whoever writes 0 m has not closed a loop.
 
 Grading also takes off what guessing gives (correction for guessing): the best that
 an answer can get that never looks at what it is asked counts as nothing.
@@ -24,13 +33,17 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import combinations
 
 from ..answers import sealed
-from ..answers.forms import Form
+from ..answers.form import inside
+from ..answers.forms import Choice, Form, Parts
 from ..answers.values import Plain, is_raised
 from .case import Case
 
 __all__ = [
-    "beyond_guessing", "beyond_the_given", "credited", "guessed_of", "habit", "negated", "probes_of", "share_beyond",
+    "asked_alike", "beyond_guessing", "beyond_one_word", "beyond_the_given", "beyond_the_usual", "credited",
+    "guessed_of", "habit", "negated", "probes_of", "share_beyond", "usual_among",
 ]  # fmt: skip
+
+FEWEST_ALIKE = 3  # choices between the same words: of two, one word is as likely a slip as a guess
 
 
 def credited(
@@ -63,6 +76,58 @@ def beyond_the_given(
         return list(right)
     handed_out = [sealed.judge(form, value, expected) for value in (given or {}).values()]
     return [good and not any(row[place] for row in handed_out) for place, good in enumerate(right)]
+
+
+def beyond_one_word(form: Form, answer: Plain, expected: Plain, right: Sequence[bool]) -> list[bool]:
+    """Return which probes of several choices earn credit: of a word said too often, those that no chance explains."""
+    if all(right) or form.read(answer) is None or not isinstance(form, Parts):
+        return list(right)
+    answers = inside(answer)
+    earned = dict(zip(form.parts, right, strict=True))
+    for names in asked_alike(form.parts):
+        said = {name: form.parts[name].option(answers.get(name)) for name in names}
+        for word in set(said.values()) - {None}:
+            there = [name for name in names if said[name] == word]
+            fits = sum(sealed.judge(form, {"dict": dict.fromkeys(names, word)}, expected))
+            if fits < len(there) and sum(earned[name] for name in there) * len(names) <= fits * len(there):
+                earned |= dict.fromkeys(there, False)
+    return list(earned.values())
+
+
+def usual_among(form: Form, expected: Plain, others: Sequence[Plain]) -> list[bool]:
+    """Return for each part of a value whether what is right there is right in half of the other variants, too.
+
+    Nothing is usual, [], where nothing differs: then a part is known, and not guessed from others.
+    """
+    if not others or not isinstance(form, Parts):
+        return []
+    columns = list(zip(*(form.judge(expected, other) for other in others), strict=True))
+    return [] if all(map(all, columns)) else [2 * sum(column) >= len(others) for column in columns]
+
+
+def beyond_the_usual(right: Sequence[bool], usual: Sequence[bool], follows: Sequence[bool] = ()) -> list[bool]:
+    """Return which probes of a value earn credit: all if all are right, else those that are not usual.
+
+    What only follows from a slip earns none unless something else does.
+    """
+    if all(right) or len(right) != len(usual):
+        return list(right)
+    earned = [good and not often for good, often in zip(right, usual, strict=True)]
+    only_follow = follows or [False] * len(earned)
+    return (
+        earned
+        if any(good and not after for good, after in zip(earned, only_follow, strict=True))
+        else [False] * len(earned)
+    )
+
+
+def asked_alike(parts: Mapping[str, Form]) -> list[list[str]]:
+    """Return the names of the parts that are choices between the same words, for each such words."""
+    alike: dict[tuple[str, ...], list[str]] = {}
+    for name, part in parts.items():
+        if isinstance(part, Choice):
+            alike.setdefault(part.options, []).append(name)
+    return [names for words, names in alike.items() if words and len(names) >= FEWEST_ALIKE]
 
 
 def _right_by_luck(form: Form, cases: Sequence[Case], rights: Sequence[list[bool]]) -> set[int]:

@@ -14,18 +14,24 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from ..answers.forms import Choice, Form, Message, Parts
+from ..answers.forms import Choice, Command, Form, Message, Parts, Urdf
 from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
 from .arithmetic import computed
+from .beside import side_by_side
 from .case import AND, Case, TaskCases, TwinWords
+from .changes import of_changes
 from .confused import confused, confused_in_lists
 from .evidence import habit
 from .explanation import Explanation, said_of
+from .fields import sections
 from .fitting import IN_SOME, MEASURED, ONE, TWO, all_alike, in_some, is_just, undone_to, words_of
 from .lists import of_lists
+from .losses import TOLD
 from .members import changed_places, given_to, of_members
 from .refusals import of_refusals
+from .robots import of_robots
+from .stops import of_stops
 
 __all__ = ["explained"]
 
@@ -40,27 +46,35 @@ def explained(
     """
     if isinstance(task.form, Parts) and not task.is_function:
         return of_members(task, cases, outcomes, given)
+    if task.is_function and (found := of_changes(task, cases, outcomes, explained)):
+        return found
     names = next(_ways(task, cases, outcomes, given), None)
     if (names is None or len(names) > 1) and (places := changed_places(task, cases, outcomes, given)):
         return places
     if names:
-        return Explanation({name: words_of(task, name) for name in names}, said_of(task, names))
+        return Explanation({name.partition(TOLD)[0]: words_of(task, name) for name in names}, said_of(task, names))
     if task.is_function and habit(task.form, cases, outcomes):  # a constant, or what came in: that says it all
         return None
-    return of_refusals(task, cases, outcomes, explained) or _of_the_form(task, cases, outcomes, given)
+    return (
+        of_stops(task, cases, outcomes, explained)
+        or of_refusals(task, cases, outcomes, explained)
+        or _of_the_form(task, cases, outcomes, given)
+    )
 
 
 def _of_the_form(
     task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], given: dict[str, Plain] | None
 ) -> Explanation | None:
     """Return what explains an answer of this form: its members, the words that it confuses, how it was computed."""
-    if isinstance(task.form, Parts | Message):
+    if isinstance(task.form, Parts | Message) or (isinstance(task.form, Command) and sections(task.form, outcomes[0])):
         return of_members(task, cases, outcomes, given)
     if isinstance(task.form, ListForm):
         return of_lists(task, cases, outcomes) or _of_words_in_lists(task, cases, outcomes)
     if isinstance(task.form, Choice) and task.is_function:
         confusion = confused(task.form, outcomes, [case.expected for case in cases])
         return Explanation({confusion.name: TwinWords(confusion.said, "")}, confusion.said) if confusion else None
+    if isinstance(task.form, Urdf):
+        return of_robots(task, outcomes[0], cases[0].expected)
     found = None if task.is_function else computed(task.form, outcomes[0], given)
     return Explanation({found[0]: TwinWords(found[1], "")}, found[1]) if found else None
 
@@ -85,6 +99,8 @@ def _ways(
     if not task.is_function and (held := given_to(form, outcomes[0], expected[0], given)):
         yield (f"given {held}",)
     yield from _just(form, outcomes, {name: row for name, row in gives.items() if AND in name}, TWO)
+    if task.is_function and not isinstance(form, Choice):  # words of two kinds of calls fit by chance
+        yield from side_by_side(form, outcomes, expected, gives)
     yield from _further_ways(task, single, outcomes, expected)
 
 

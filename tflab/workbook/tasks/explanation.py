@@ -14,9 +14,13 @@ from ..words import Words
 from .case import TaskCases, TwinWords
 from .fitting import words_of
 
-__all__ = ["Explanation", "said_of"]
+__all__ = ["Explanation", "and_then", "said_of"]
 
 AND_THEN = Words(en="Two things. First: {first} Then: {then}", ko="두 가지입니다. 먼저, {first} 다음으로, {then}")
+THREE = Words(
+    en="Three things. First: {first} Then: {then} And: {last}",
+    ko="세 가지입니다. 먼저, {first} 다음으로, {then} 끝으로, {last}",
+)
 
 
 class Explanation(NamedTuple):
@@ -33,10 +37,30 @@ class Explanation(NamedTuple):
     follows: tuple[str, ...] = ()
 
 
+def and_then(first: Explanation, then: Explanation) -> Explanation:
+    """Return both as one: what comes first, and what is wrong besides."""
+    said = _both(first.said, then.said) if len(first.slips) == 1 else _in_a_row(first.said, then.said)
+    return Explanation(first.slips | then.slips, said, first.follows)
+
+
 def said_of(task: TaskCases, names: Sequence[str]) -> Words:
-    """Return what to say of one slip, or of two in the order of the work."""
+    """Return what to say of one slip, or of two or three in the order of the work."""
     said = [words_of(task, name).reply for name in names]
     if len(said) == 1:
         return said[0]
-    first, then = said
+    if len(said) == 2:
+        return _both(*said)
+    texts = {tongue: [words.say(tongue) for words in said] for tongue in ("en", "ko")}
+    return Words(*(THREE.say(tongue, first=a, then=b, last=c) for tongue, (a, b, c) in texts.items()))
+
+
+def _both(first: Words, then: Words) -> Words:
     return Words(AND_THEN.say("en", first=first.en, then=then.en), AND_THEN.say("ko", first=first.ko, then=then.ko))
+
+
+def _in_a_row(first: Words, then: Words) -> Words:
+    return Words(f"{first.en} {_begun(then.en)}", f"{first.ko} {then.ko}")
+
+
+def _begun(text: str) -> str:
+    return text[:1].upper() + text[1:]

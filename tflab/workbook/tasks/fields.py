@@ -1,19 +1,28 @@
 """Which parts does an answer have?  Those of a dict by their names, those of a message by their fields.
 
     Parts({"x": Number(), ...})                      "x", "y", "yaw"
+    Parts({"a": Sequence(Choice(...)), ...})         "a[0]", "a[1]"
     Message(..., ("header.frame_id", "point"))       a name, three numbers [m]
+    Command, `static_transform_publisher`            two names, three numbers [m], a rotation
 
 Read `fitting.py` next.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from ..answers import sealed
 from ..answers.form import Form, inside, member, numbers_of
-from ..answers.forms import Message, Name, Number, Parts, Quaternion, Vector
+from ..answers.forms import Command, Message, Name, Number, Parts, Quaternion, Vector
+from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain
 
-__all__ = ["section", "sections"]
+__all__ = ["section", "sections", "split"]
+
+OF_A_MOUNT = {
+    "--frame-id": Name(), "--child-frame-id": Name(), "translation": Vector(3, "m"), "rotation": Quaternion(),
+}  # fmt: skip
 
 
 def sections(form: Form, like: Plain) -> dict[str, Form]:
@@ -23,15 +32,48 @@ def sections(form: Form, like: Plain) -> dict[str, Form]:
     if isinstance(form, Message):
         held = {path: section(form, like, number, path) for number, path in enumerate(form.fields)}
         return {path: _form_of_field(path, field, form.tolerance) for path, field in held.items()}
-    return {}
+    return dict(OF_A_MOUNT) if isinstance(form, Command) and _mount(form, like) else {}
+
+
+def split(form: Form, parts: dict[str, Form], answers: Sequence[Plain]) -> dict[str, Form]:
+    """Return the same parts, with each member of a list a part of its own, where all answers have as many."""
+    found: dict[str, Form] = {}
+    for number, (name, part) in enumerate(parts.items()):
+        lists = [inside(section(form, answer, number, name)) for answer in answers]
+        lengths = {len(held) if isinstance(held, list) else None for held in lists}
+        is_split = isinstance(form, Parts) and isinstance(part, ListForm) and len(lengths) == 1 and None not in lengths
+        found |= {f"{name}[{place}]": part.of for place in range(len(lists[0]))} if is_split else {name: part}
+    return found
 
 
 def section(form: Form, plain: Plain, number: int, name: str) -> Plain:
-    """Return one of an answer's parts, the `number`th; of something else, None."""
-    if sealed.is_sealed(plain) or isinstance(form, Parts):
+    """Return one of an answer's parts, the `number`th, as it is meant beside the others; of something else, None."""
+    if isinstance(form, Command):
+        return _mount(form, plain).get(name)
+    is_sealed = sealed.is_sealed(plain)
+    if is_sealed or isinstance(form, Parts):
         held = inside(plain)
-        return sealed.part_of(plain, number, name) if sealed.is_sealed(plain) or isinstance(held, dict) else None
+        if not is_sealed and not isinstance(held, dict):
+            return None
+        name, _, place = name.partition("[")
+        is_read = isinstance(form, Parts) and not is_sealed
+        part = form.part(held, name) if is_read else sealed.part_of(plain, number, name)
+        return _member(part, int(place[:-1])) if place else part
     return member(plain, *name.split("."))
+
+
+def _member(plain: Plain, place: int) -> Plain:
+    held = inside(plain)
+    return held[place] if isinstance(held, list) and place < len(held) else None
+
+
+def _mount(form: Command, plain: Plain) -> dict[str, Plain]:
+    """Return what a line publishes as a static transform, by parts; nothing of another line."""
+    read = None if sealed.is_sealed(plain) else form.read(plain)
+    words = [mark.value for mark in read[0][0]] if read else []
+    if words[:1] != ["static"]:
+        return {}
+    return dict(zip(OF_A_MOUNT, (words[1], words[2], words[3:6], words[6:]), strict=True))
 
 
 def _form_of_field(path: str, held: Plain, tolerance: float) -> Form:

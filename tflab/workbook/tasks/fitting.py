@@ -20,7 +20,7 @@ from ..answers.values import Plain, is_raised
 from ..words import Words
 from .case import TaskCases, TwinWords
 from .fields import section
-from .losses import LOSSES, by_comparison
+from .losses import by_comparison, words_of_loss
 from .universal import PLAIN_TO_SEE, UNIVERSAL, undone
 
 __all__ = [
@@ -46,6 +46,7 @@ SOME = Words(
 IN_SOME = "in some: "
 MEASURED = (Number, Angle, Vector, Quaternion, Pose, Message, Parts)  # words and lists are alike by chance
 ONE, TWO = 0.1, 0.005  # how far from what one slip, or two, give: the more there are, the sooner one fits by chance
+COMPUTED = 1e-4  # the same of a number that was not rounded: it is what was done, and little else
 
 
 def row_of(form: Form, given: Plain, wanted: Plain) -> list[bool]:
@@ -85,7 +86,17 @@ def _is_near(form: Form, given: Plain, wanted: Plain, share: float) -> bool:
         return True
     size = form.size if isinstance(form, Vector) else None
     one, other = numbers_of(given, size), numbers_of(wanted, size)
-    return one is None or other is None or math.dist(one, other) <= share * math.hypot(*other) + 1e-9
+    if one is None or other is None:
+        return True
+    size = math.hypot(*other)
+    closest = [max(10.0 ** -_decimals(number), COMPUTED * size) + 1e-9 for number in one]
+    is_close = all(abs(a - b) <= allowed for a, b, allowed in zip(one, other, closest, strict=True))
+    return is_close and math.dist(one, other) <= share * size + 1e-9
+
+
+def _decimals(number: float) -> int:
+    """Return to how many digits behind its point a number is written: the more, the closer a slip has to fit."""
+    return len(f"{number:.9f}".rstrip("0").partition(".")[2])
 
 
 def undone_to(
@@ -144,6 +155,6 @@ def words_of(task: TaskCases, name: str) -> TwinWords:
         if name.startswith(start):
             rest = name.removeprefix(start)
             return TwinWords(Words(*(words.say(tongue, unit=rest, name=rest) for tongue in ("en", "ko"))), "")
-    if name in LOSSES:
-        return TwinWords(LOSSES[name], "")
+    if (words := words_of_loss(name)) is not None:
+        return TwinWords(words, "")
     return TwinWords(UNIVERSAL[name].reply, UNIVERSAL[name].misconception)

@@ -11,22 +11,24 @@ Read `lists.py` next.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from itertools import combinations
 from typing import NamedTuple
 
 from ..answers import sealed
 from ..answers.form import Form, numbers_of, pose_of
-from ..answers.forms import Angle, Choice, Number, Parts, Pose, Quaternion, Vector
+from ..answers.forms import Angle, Choice, Message, Number, Parts, Pose, Quaternion, Vector
 from ..answers.forms import Sequence as ListForm
+from ..answers.structures import named_beside
 from ..answers.values import Plain, is_raised
 from ..words import Words
 from .arithmetic import computed, leaves
 from .case import AND, Case, TaskCases, TwinWords
-from .confused import confused
+from .confused import confused, word_of
 from .explanation import Explanation, said_of
-from .fields import section, sections
-from .fitting import ONE, TWO, alike, all_alike, in_some, is_just, undone_to, words_of
+from .fields import section, sections, split
+from .fitting import MEASURED, ONE, TWO, alike, all_alike, in_some, is_just, undone_to, words_of
+from .losses import TOLD, stamp_of, time_of
 from .units import unit_of
 
 __all__ = ["changed_places", "given_to", "of_members"]
@@ -40,6 +42,15 @@ CHANGED_PLACES = Words(
     en="the two have changed places: each holds what is asked for under the other.",
     ko="두 답의 자리가 바뀌었습니다. 서로 상대의 자리에 들어갈 값입니다.",
 )
+FOLLOWS = Words(
+    en='this follows from another "{part}" than the one you give: {said}',
+    ko='따로 답한 "{part}"과(와) 다른 값에서 나온 답입니다. {said}',
+)
+TIME_OF = Words(
+    en="this is the time in argument {number}, and not the one that is asked for.",
+    ko="{number}번째 인자의 시각입니다. 필요한 시각이 아닙니다.",
+)
+LABELS = ("header.", "child_frame_id")  # fields of a message that say what its numbers are
 AS_IT_CAME = Words(en="this is still what came in, unchanged.", ko="받은 값을 바꾸지 않고 그대로 두었습니다.")
 
 
@@ -121,7 +132,9 @@ def given_to(form: Form, outcome: Plain, expected: Plain, given: dict[str, Plain
 
 
 def _table(form: Form, cases: Sequence[Case], outcomes: Sequence[Plain]) -> _Table:
-    forms = sections(form, outcomes[0] if sealed.is_sealed(cases[0].expected) else cases[0].expected)
+    is_sealed = sealed.is_sealed(cases[0].expected)
+    forms = sections(form, outcomes[0] if is_sealed else cases[0].expected)
+    forms = forms if is_sealed else split(form, forms, [*outcomes, *(case.expected for case in cases)])
     given = {name: [section(form, plain, n, name) for plain in outcomes] for n, name in enumerate(forms)}
     wanted = {name: [section(form, case.expected, n, name) for case in cases] for n, name in enumerate(forms)}
     return _Table(forms, given, wanted)
@@ -143,7 +156,43 @@ def _slips_in_parts(task: TaskCases, table: _Table, cases: Sequence[Case], wrong
             found.append(_Found(slips, said_of(task, list(slips)), same & changed & wrong))
         elif len(slips) == 1 and (made_in := slips[key].part) in same & changed & wrong:  # but what follows is not so
             found.append(_Found(slips, said_of(task, list(slips)), {made_in}))
-    return sorted(found, key=lambda cause: (-len(cause.parts), len(cause.slips), not cause.is_whole))
+        elif len(slips) == 1:
+            found += _of_one_slip(task.form, table, key, slips[key], changed, same & wrong, wrong)
+    return sorted(_held_together(found), key=lambda cause: (-len(cause.parts), len(cause.slips), not cause.is_whole))
+
+
+def _held_together(found: list[_Found]) -> list[_Found]:
+    return [cause for cause in found if len(cause.slips) == 1 or not _falls_apart(cause, found)]
+
+
+def _of_one_slip(
+    form: Form,
+    table: _Table,
+    name: str,
+    words: TwinWords,
+    changed: set[str],
+    same: set[str],
+    wrong: set[str],
+) -> list[_Found]:
+    """Return what a slip explains whose labels were put right by hand, or that was made on the way to another part."""
+    values = {part for part in changed if not part.startswith(LABELS)}
+    same = _more_than_zero(table, same)
+    if isinstance(form, Message) and values and values <= same:
+        return [_Found({name: words}, words.reply, values)]
+    made_in, follow = words.part, {part for part in changed & same if isinstance(table.forms[part], MEASURED)}
+    if not isinstance(form, Parts) or not made_in or not follow or made_in in wrong or made_in not in changed:
+        return []
+    said = (FOLLOWS.say(tongue, part=made_in, said=words.reply.say(tongue)) for tongue in ("en", "ko"))
+    return [_Found({name: words}, Words(*said), follow)]
+
+
+def _falls_apart(both: _Found, found: Sequence[_Found]) -> bool:
+    """Return whether each of two slips, and no other, explains parts of its own: then each is said of those."""
+    single = [cause for cause in found if len(cause.slips) == 1]
+    alone = [cause.parts for cause in single if cause.slips.keys() <= both.slips.keys()]
+    if len(alone) < len(both.slips) or set.intersection(*alone) or not both.parts <= set.union(*alone):
+        return False
+    return all(sum(cause.parts == parts for cause in single) == 1 for parts in alone)
 
 
 def _shown(form: Form, table: _Table, twins: Sequence[Plain], share: float) -> tuple[set[str], set[str]]:
@@ -185,15 +234,16 @@ def _holds(table: _Table, one: str, other: str) -> bool:
 def _by_itself(task: TaskCases, table: _Table, name: str, given: dict[str, Plain] | None) -> list[_Found]:
     """Return what explains one part alone: its option, what any answer can have, another's answer, what was given."""
     form, outcomes, wanted = table.forms[name], table.given[name], table.wanted[name]
-    hint = _choice(task, name, outcomes[0]) if len(outcomes) == 1 else None
+    hint = _choice(task, name, form, outcomes[0], wanted[0]) if len(outcomes) == 1 else None
     if hint is not None and isinstance(form, Choice):
         return [_Found({f"{name}: {outcomes[0]}": TwinWords(hint, "")}, hint, {name})]
-    first = next(n for n, pair in enumerate(zip(outcomes, wanted, strict=True)) if not alike(form, *pair))
-    words = form.remark(outcomes[first], {part: table.given[part][first] for part in _beside(name, table.given)})
-    if words is not None:
+    beside = named_beside(name, table.given)
+    wrong = [n for n, pair in enumerate(zip(outcomes, wanted, strict=True)) if not alike(form, *pair)]
+    remarks = (form.remark(outcomes[n], {part: table.given[part][n] for part in beside}) for n in wrong)
+    if (words := next(filter(None, remarks), None)) is not None:
         return [_Found({f"{name}: no proof": TwinWords(words, "")}, words, {name})]
     for way in [*undone_to(form, outcomes, wanted), *in_some(form, outcomes, wanted)][:1]:
-        return [_Found({way: words_of(task, way)}, words_of(task, way).reply, {name})]
+        return [_Found({way.partition(TOLD)[0]: words_of(task, way)}, words_of(task, way).reply, {name})]
     if (other := _anothers(table, name)) is not None:
         said = Words(ANOTHERS.say("en", other=other), ANOTHERS.say("ko", other=other))
         return [_Found({f"{other} under {name}": TwinWords(said, "")}, said, {name})]
@@ -201,12 +251,6 @@ def _by_itself(task: TaskCases, table: _Table, name: str, given: dict[str, Plain
         return _of_words(name, form, outcomes, wanted)
     found = _of_the_given(task, name, form, outcomes[0], wanted[0], given)
     return found or ([_Found({f"{name}: another": TwinWords(hint, "")}, hint, {name})] if hint else [])
-
-
-def _beside(name: str, parts: Iterable[str]) -> list[str]:
-    """Return the parts that speak of the same one: of "c checks" those of c; of a name of one word, all."""
-    who, space, _ = name.rpartition(" ")
-    return [part for part in parts if part.startswith(who + space)]
 
 
 def _of_words(name: str, form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> list[_Found]:
@@ -248,7 +292,16 @@ def _as_it_came(form: Form, table: _Table, number: int, name: str, cases: Sequen
         came = [section(form, case.args[place], number, name) for case in cases]
         if all(part is not None for part in came) and all_alike(table.forms[name], table.given[name], came):
             return [_Found({f"{name} as it came": TwinWords(AS_IT_CAME, "")}, AS_IT_CAME, {name})]
+        times = [time_of(case.args[place]) for case in cases]
+        if None not in times and times == [stamp_of(value) for value in table.given[name]]:
+            said = Words(*(TIME_OF.say(tongue, number=place + 1) for tongue in ("en", "ko")))
+            return [_Found({f"{name}: a time": TwinWords(said, "")}, said, {name})]
     return []
+
+
+def _more_than_zero(table: _Table, parts: set[str]) -> set[str]:
+    """Return those of the parts in which something else than zeros was given, which many mistakes come to."""
+    return {part for part in parts if any(_is_something(table.forms[part], value) for value in table.given[part])}
 
 
 def _is_something(form: Form, value: Plain) -> bool:
@@ -257,10 +310,14 @@ def _is_something(form: Form, value: Plain) -> bool:
     return row is None or any(row)
 
 
-def _choice(task: TaskCases, part: str, answer: Plain) -> Words | None:
+def _choice(task: TaskCases, part: str, form: Form, answer: Plain, wanted: Plain) -> Words | None:
     """Return what an option would mean, and what the part shows: why one is not the other."""
-    means = task.means.get(answer) if isinstance(answer, str) else None
-    shows = task.shows.get(part)
+    option = (
+        form.option(answer) if isinstance(form, Choice) else str(answer) if isinstance(answer, str | bool) else None
+    )
+    means = task.means.get(option or "")
+    right = word_of(form, wanted) if isinstance(form, Choice) else None
+    shows = task.shows.get(part, task.shows.get(part.partition("[")[0])) or task.seen.get(right or "")
     if means is None and shows is None:
         return None
     return Words(*(" ".join(row) for row in zip(*filter(None, (means, shows)), strict=True)))
@@ -285,12 +342,22 @@ def _shaped(form: Form, name: str, leaf: Plain) -> Iterator[Plain]:
 
 def _together(found: list[_Found], left: set[str], names: list[str]) -> Explanation:
     """Return one explanation of what was found in several parts, and of those `left` that nothing explains."""
-    found = sorted(found, key=lambda cause: min(map(names.index, cause.parts)))
+    found = sorted(_merged(found), key=lambda cause: min(map(names.index, cause.parts)))
     said = [cause.said if cause.parts == set(names) else _where(cause.said, cause.parts, names) for cause in found]
     said += [_where(LOOK, left, names)] if left else []
     slips = {name: words for cause in found for name, words in cause.slips.items()}
     follows = set() if left else {name for cause in found for name in _follows(cause)}
     return Explanation(slips, Words(*(" ".join(row) for row in zip(*said, strict=True))), tuple(sorted(follows)))
+
+
+def _merged(found: Sequence[_Found]) -> list[_Found]:
+    """Return what was found with each reply once, for all parts that it is given to."""
+    merged: dict[Words, _Found] = {}
+    for cause in found:
+        held = merged.get(cause.said)
+        both = cause if held is None else held._replace(slips=held.slips | cause.slips, parts=held.parts | cause.parts)
+        merged[cause.said] = both
+    return list(merged.values())
 
 
 def _follows(found: _Found) -> set[str]:
@@ -300,6 +367,9 @@ def _follows(found: _Found) -> set[str]:
 
 
 def _where(words: Words, parts: set[str], names: Sequence[str]) -> Words:
-    """Say in which parts it is."""
-    where = ", ".join(f'"{name}"' for name in names if name in parts)
+    """Say in which parts it is; a list by its name where it is in all of its members."""
+    lists = {name.partition("[")[0] for name in names}
+    whole = {name for name in lists if {held for held in names if held.partition("[")[0] == name} <= parts}
+    called = [name.partition("[")[0] if name.partition("[")[0] in whole else name for name in names if name in parts]
+    where = ", ".join(f'"{name}"' for name in dict.fromkeys(called))
     return Words(f"{where}: {words.en}", f"{where}: {words.ko}")

@@ -77,10 +77,10 @@ REPLIES = {
         ko="함수가 아무것도 돌려주지 않았습니다(None). `return`을 빠뜨리지 않았습니까? 출력한 것은 검사하지 않습니다.",
     ),
     Mistake.SOMETIMES_NOTHING: Words(
-        en="for this call your function returned None, and for others it did not. "
-        "Each way through it needs a `return`.",
-        ko="다른 호출에서는 값을 반환했지만 이 호출에서는 None이 나왔습니다. "
-        "어느 갈래로 가도 `return`이 있어야 합니다.",
+        en="for this call there is an answer, and your function returned None; for others it did not. "
+        "Either a way through it has no `return`, or it gives up where it need not.",
+        ko="답이 있는 호출인데 None이 나왔고, 다른 호출에서는 값이 나왔습니다. "
+        "`return`이 없는 갈래가 있거나, 포기하지 않아도 될 곳에서 포기한 것입니다.",
     ),
     Mistake.INPUT_CHANGED: Words(
         en="your function changes what it is given (argument {changed}): whoever called it has lost the original. "
@@ -96,8 +96,8 @@ REPLIES = {
         ko="여기서 예외를 일으키는 것은 맞지만, 다른 예외가 필요합니다. 함수가 낸 예외: {error}: {text}",
     ),
     Mistake.NO_REFUSAL: Words(
-        en="for this call an exception has to be raised, and your function returned something.",
-        ko="이렇게 부르면 예외를 일으켜야 하는데, 함수가 값을 반환했습니다.",
+        en="for this call an exception has to be raised, and your function raised none.",
+        ko="이렇게 부르면 예외를 일으켜야 하는데, 예외가 나오지 않았습니다.",
     ),
     Mistake.TYPE: Words(
         en="your answer is of the wrong kind ({got}). Asked for: {wanted}.",
@@ -112,8 +112,8 @@ REPLIES = {
         ko='보기에 없는 답입니다: "{answer}". 필요한 것: {wanted}.',
     ),
     Mistake.MISSING_PARTS: Words(
-        en="there is no answer yet for {parts}.",
-        ko="아직 답이 없는 곳: {parts}.",
+        en="there is no answer yet for {parts}{tip}.",
+        ko="아직 답이 없는 곳: {parts}{tip}.",
     ),
     Mistake.MORE_PARTS: Words(
         en="your dict holds more than is asked for: {parts}. Asked for: {wanted}.",

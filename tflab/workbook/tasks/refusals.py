@@ -4,7 +4,7 @@
                                                   returned   2.0   (0.0, 0.0)       the same each time: no answer
                                                   returned   2.0   the exception    `return`, and not `raise`
 
-What else is wrong is explained beside it.  Read `explain.py` next.
+What else is wrong is explained beside it.  Read `beside.py` next.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from collections.abc import Callable, Sequence
 from ..answers.values import Plain, is_raised
 from ..words import Words
 from .case import Case, TaskCases, TwinWords
-from .explanation import AND_THEN, Explanation
+from .explanation import Explanation, and_then
 from .fitting import alike
 
 __all__ = ["of_refusals"]
@@ -60,8 +60,7 @@ def of_refusals(
     first = explained(task, *zip(*rest, strict=True))
     if first is None:
         return None
-    both = (AND_THEN.say(tongue, first=first.said.say(tongue), then=said.say(tongue)) for tongue in ("en", "ko"))
-    return Explanation(first.slips | slip.slips, Words(*both))
+    return and_then(first, slip)
 
 
 def _swallowed(refused: Sequence[Plain]) -> tuple[str, Words]:

@@ -6,22 +6,25 @@
     ros2 topic delay /tf                          another command
 
 A line is read as what it does (`answers/command_lines.py`); nothing is said of which
-words are asked for.  Read `fields.py` next.
+words are asked for.  Read `trees.py` next.
 """
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from ..words import Words
 
-__all__ = ["LINES", "Line", "wrong_in"]
+__all__ = ["LINES", "Line", "told_of_a_line", "wrong_in"]
 
 Line = list[float | str]
 
 ROS_1 = ("rosrun", "rostopic", "rosnode", "rosbag", "rosparam", "rosservice", "roslaunch", "roscore")
 STATIC = ["ros2", "run", "tf2_ros", "static_transform_publisher"]
+STATIC_OPTIONS = {
+    "--x", "--y", "--z", "--qx", "--qy", "--qz", "--qw", "--roll", "--pitch", "--yaw", "--frame-id", "--child-frame-id",
+}  # fmt: skip
 
 LINES = {
     "line: ROS 1": Words(
@@ -44,6 +47,10 @@ LINES = {
     "line: other command": Words(
         en="this line starts another command than the one that does what is asked for.",
         ko="요청한 일을 하는 명령이 아니라 다른 명령입니다.",
+    ),
+    "line: other program": Words(
+        en="the package is the right one, the program behind it is not.",
+        ko="패키지는 맞지만 그 뒤의 프로그램이 다릅니다.",
     ),
     "line: commas": Words(
         en="on a command line words are separated by spaces alone: a comma becomes part of a name.",
@@ -69,6 +76,32 @@ LINES = {
         en="the right words, and not in the order in which the command takes them.",
         ko="단어는 맞지만 명령이 받는 순서가 아닙니다.",
     ),
+    "static: underscores": Words(
+        en="the words of an option are joined by hyphens here, not by underscores.",
+        ko="여기서 옵션의 단어는 밑줄이 아니라 하이픈으로 잇습니다.",
+    ),
+    "static: no such option": Words(
+        en="this program lacks an option that you use. Lengths are `--x`, `--y`, `--z`, angles `--roll`, `--pitch`, "
+        "`--yaw`, and the two frames `--frame-id` and `--child-frame-id`.",
+        ko="이 프로그램에 없는 옵션이 있습니다. 길이는 `--x`, `--y`, `--z`, 각도는 `--roll`, `--pitch`, `--yaw`, "
+        "두 좌표계는 `--frame-id`와 `--child-frame-id`입니다.",
+    ),
+    "static: a frame missing": Words(
+        en="with options, both frames have to be named: the parent by `--frame-id`, the child by `--child-frame-id`.",
+        ko="옵션을 쓸 때는 두 좌표계를 모두 적습니다. 부모는 `--frame-id`, 자식은 `--child-frame-id`입니다.",
+    ),
+    "static: a word without option": Words(
+        en="among the options stands a word that belongs to none: an option takes one word after it, and each "
+        "number and each name needs an option of its own.",
+        ko="옵션 사이에 어느 옵션의 것도 아닌 단어가 있습니다. 옵션은 뒤의 단어 하나를 받으므로, 숫자와 이름마다 "
+        "옵션을 따로 붙여야 합니다.",
+    ),
+    "static: not eight words": Words(
+        en="without options there are eight words behind the program's name, x y z yaw pitch roll parent child, or "
+        "nine with a quaternion; here is another number of them.",
+        ko="옵션 없이 쓰면 프로그램 이름 뒤에 x y z yaw pitch roll 부모 자식의 여덟 단어, 쿼터니언이면 아홉 단어가 "
+        "옵니다. 그 수가 다릅니다.",
+    ),
     "line: too few names": Words(
         en="the command is the right one, and it is told too little: something is missing behind it.",
         ko="명령은 맞지만 그 뒤에 써야 할 것이 빠졌습니다.",
@@ -77,21 +110,123 @@ LINES = {
         en="the command is the right one, and it is told too much: there is more behind it than asked for.",
         ko="명령은 맞지만 그 뒤에 필요 없는 것이 더 있습니다.",
     ),
+    "line: slash in front": Words(
+        en="the command is the right one; here a name has no slash in front of it.",
+        ko="명령은 맞습니다. 여기서는 이름 앞에 슬래시를 쓰지 않습니다.",
+    ),
     "line: other names": Words(
         en="the command is the right one; a name or a value behind it is not.",
         ko="명령은 맞지만 그 뒤의 이름이나 값이 다릅니다.",
     ),
 }
 
+ANOTHER = ("line: other command", "line: other program")
+DOES = {  # what a command does, by its program or its first words
+    "tf2_echo": Words(
+        "prints where one frame is, as seen from another.", "한 좌표계 기준으로 다른 좌표계가 어디 있는지 출력합니다."
+    ),
+    "tf2_monitor": Words(
+        en="measures how late transforms are.",
+        ko="변환이 얼마나 늦는지 잽니다.",
+    ),
+    "view_frames": Words(
+        en="draws the tree.",
+        ko="트리를 그립니다.",
+    ),
+    "static_transform_publisher": Words(
+        en="publishes a transform that never changes.",
+        ko="변하지 않는 변환을 발행합니다.",
+    ),
+    "ros2 topic echo": Words(
+        en="prints the messages of a topic.",
+        ko="토픽의 메시지를 출력합니다.",
+    ),
+    "ros2 topic hz": Words(
+        "counts how often the messages of a topic come.", "토픽의 메시지가 얼마나 자주 오는지 셉니다."
+    ),
+    "ros2 topic delay": Words(
+        "tells how old the messages of a topic are when they arrive.",
+        "토픽의 메시지가 도착할 때 얼마나 오래되었는지 알려 줍니다.",
+    ),
+    "ros2 topic info": Words(
+        "tells how many publish and subscribe on a topic.", "토픽의 발행자와 구독자가 몇인지 알려 줍니다."
+    ),
+    "ros2 topic list": Words(
+        en="lists the topics.",
+        ko="토픽의 목록을 보여 줍니다.",
+    ),
+    "ros2 topic bw": Words(
+        en="measures how many bytes come on a topic.",
+        ko="토픽으로 오는 데이터의 양을 잽니다.",
+    ),
+    "ros2 topic pub": Words(
+        en="publishes a message.",
+        ko="메시지를 발행합니다.",
+    ),
+    "ros2 node list": Words(
+        en="lists the nodes.",
+        ko="노드의 목록을 보여 줍니다.",
+    ),
+    "ros2 node info": Words(
+        en="takes a node, and lists its topics.",
+        ko="노드 하나의 토픽을 보여 줍니다.",
+    ),
+    "ros2 param": Words(
+        "reads or sets a parameter of a node that runs already.", "이미 실행 중인 노드의 파라미터를 읽거나 바꿉니다."
+    ),
+    "ros2 launch": Words(
+        en="starts what a launch file lists.",
+        ko="launch 파일에 적힌 것을 실행합니다.",
+    ),
+    "ros2 service": Words(
+        en="is about services.",
+        ko="서비스를 다룹니다.",
+    ),
+    "ros2 interface": Words(
+        en="shows how messages are defined.",
+        ko="메시지의 정의를 보여 줍니다.",
+    ),
+    "ros2 doctor": Words(
+        en="looks at how ROS 2 is installed.",
+        ko="ROS 2의 설치 상태를 봅니다.",
+    ),
+    "ros2 bag record": Words(
+        en="records topics.",
+        ko="토픽을 기록합니다.",
+    ),
+    "ros2 bag play": Words(
+        en="plays what was recorded.",
+        ko="기록한 것을 재생합니다.",
+    ),
+    "ros2 bag info": Words(
+        en="tells what is in a recording.",
+        ko="기록에 무엇이 들어 있는지 알려 줍니다.",
+    ),
+    "rviz2": Words(
+        en="shows things on a screen.",
+        ko="화면에 보여 줍니다.",
+    ),
+}
 
-def wrong_in(given: Line, wanted: Line) -> Iterator[str]:
-    """Yield what is wrong with a line, as it is read, beside the one that is asked for; one thing at most."""
+
+def told_of_a_line(kind: str, told: str) -> Words:
+    """Return what is told of a line: what the command does that it starts, or which of its words nobody asked for."""
+    if kind in ANOTHER:
+        return Words(f"`{told}` {DOES[told].en}", f"`{told}`: {DOES[told].ko}")
+    return Words(f"Not asked for: {told}.", f"필요 없는 것: {told}.")
+
+
+def wrong_in(given: Line, wanted: Line) -> Iterator[tuple[str, str]]:
+    """Yield one thing that is wrong with a line, beside the one that is asked for, and what to tell of it."""
+    if given[:1] == ["static"] == wanted[:1]:
+        return
     is_static = wanted[:1] == ["static"]
     head = STATIC if is_static else wanted[: 4 if wanted[1:2] == ["run"] else 3]
     if given[: len(head)] != head:
-        yield _wrong_head(given, head)
-    elif not is_static:
-        yield from _wrong_rest(given[len(head) :], wanted[len(head) :])
+        kind = _wrong_head(given, head)
+        yield kind, _starts(given) if kind in ANOTHER else ""
+    else:
+        yield from _wrong_static(given[4:]) if is_static else _wrong_rest(given[len(head) :], wanted[len(head) :])
 
 
 def _wrong_head(given: Line, head: Line) -> str:
@@ -109,26 +244,66 @@ def _wrong_head(given: Line, head: Line) -> str:
         return "line: no run"
     if given[:3] == head[:3] and _is_option(given[3:4]):
         return "line: no run"
+    if given[:3] == head[:3]:
+        return "line: other program"
     is_elsewhere = given[1:2] == ["run"] and given[3:4] == [program]
     return "line: other package" if is_elsewhere else "line: other command"
 
 
-def _wrong_rest(given: Line, wanted: Line) -> Iterator[str]:
+def _starts(given: Line) -> str:
+    """Return which of the known commands a line starts: its program, or its first words; none if it is not known."""
+    words = [str(word) for word in given if not _is_option([word])]
+    program = words[3:4] if words[1:2] == ["run"] else words[1:2]
+    known = (" ".join(program), " ".join(words[:3]), " ".join(words[:2]))
+    return next((name for name in known if name in DOES), "")
+
+
+def _wrong_static(given: Line) -> Iterator[tuple[str, str]]:
+    """Yield why a line with the right beginning publishes no static transform."""
+    options = [str(word) for word in given if _is_option([word])]
+    foreign = [option for option in options if option not in STATIC_OPTIONS]
+    if foreign:
+        kind = _foreign(foreign)
+        yield kind, _quoted(foreign) if kind == "static: no such option" else ""
+    elif not options and len(given) not in (8, 9):
+        yield "static: not eight words", ""
+    elif options and not {"--frame-id", "--child-frame-id"} <= set(options):
+        yield "static: a frame missing", ""
+    elif options and len(given) > 2 * len(options):
+        yield "static: a word without option", ""
+
+
+def _foreign(options: list[str]) -> str:
+    """Return what is wrong with options that the program lacks."""
+    if any(option.replace("_", "-") in STATIC_OPTIONS for option in options):
+        return "static: underscores"
+    is_short = any(not option.startswith("--") and f"-{option}" in STATIC_OPTIONS for option in options)
+    return "line: hyphens" if is_short else "static: no such option"
+
+
+def _wrong_rest(given: Line, wanted: Line) -> Iterator[tuple[str, str]]:
     """Yield what is wrong behind the command: a comma, the options, the names; nothing if no word differs."""
     if any(isinstance(word, str) and word.endswith(",") for word in given):
-        yield "line: commas"
+        yield "line: commas", ""
         return
     more, less = Counter(given) - Counter(wanted), Counter(wanted) - Counter(given)
     too_many, missing = ([word for word in words if _is_option([word])] for words in (more, less))
     if too_many or missing:
-        yield _wrong_options(too_many, missing)
+        yield _wrong_options(too_many, missing), _quoted(too_many)
     elif more or less:
-        sides = (bool(more), bool(less))
-        yield {(True, True): "line: other names", (True, False): "line: too many names"}.get(
-            sides, "line: too few names"
-        )
+        yield f"line: {_wrong_words(list(more.elements()), list(less.elements()))}", _quoted(more)
     elif given != wanted:
-        yield "line: order of names"
+        yield "line: order of names", ""
+
+
+def _wrong_words(more: Line, less: Line) -> str:
+    if more and sorted(str(word).removeprefix("/") for word in more) == sorted(map(str, less)):
+        return "slash in front"
+    return "other names" if more and less else "too many names" if more else "too few names"
+
+
+def _quoted(words: Iterable[float | str]) -> str:
+    return ", ".join(f"`{word:g}`" if isinstance(word, float) else f"`{word}`" for word in words)
 
 
 def _wrong_options(too_many: Line, missing: Line) -> str:

@@ -123,6 +123,7 @@ class Task:
         twins: the mistakes that are named.
         model: the answer by steps, keyword arguments in the order of the work; without any it is the solution.
         means, shows: of choices, what an option would mean, and what a part shows instead.
+        seen: what there is to see wherever an option is right, for parts that differ from learner to learner.
         equivalent: mutants of the solution that are right, and why (see mutants.py).
         cures: misconceptions that it looks for.
         is_costly: whether its cases take seconds each, so that tests draw few.
@@ -143,6 +144,7 @@ class Task:
     model: Callable[..., Any] | None = None
     means: dict[str, Words] = field(default_factory=dict)
     shows: dict[str, Words] = field(default_factory=dict)
+    seen: dict[str, Words] = field(default_factory=dict)
     equivalent: dict[str, str] = field(default_factory=dict)
     cures: tuple[str, ...] = ()
     is_costly: bool = False

@@ -194,10 +194,7 @@ UNIVERSAL = {
         _one_sign,
     ),
     "exchanged": Universal(
-        Words(
-            en="these are the right numbers in the wrong places.",
-            ko="숫자는 맞지만 자리가 서로 바뀌었습니다.",
-        ),
+        Words(en="these are the right numbers in the wrong places.", ko="숫자는 맞지만 자리가 서로 바뀌었습니다."),
         _exchanged,
     ),
     "places and signs": Universal(
@@ -264,10 +261,7 @@ UNIVERSAL = {
         "M14",
     ),
     "no slash in front": Universal(
-        Words(
-            en="right, but for the slash in front, which is missing.",
-            ko="앞의 슬래시가 빠진 것만 빼면 맞습니다.",
-        ),
+        Words(en="right, but for the slash in front, which is missing.", ko="앞의 슬래시가 빠진 것만 빼면 맞습니다."),
         lambda row: iter(()),
         "M14",
     ),
@@ -283,6 +277,14 @@ UNIVERSAL = {
         Words(
             en="this is the inverse transform: target and source are swapped.",
             ko="역변환입니다. 목표와 원본이 바뀌었습니다.",
+        ),
+        lambda row: iter(()),
+        "M1",
+    ),
+    "not turned back": Universal(
+        Words(
+            en="of what has to be inverted only the translation was negated: the rotation was not turned back.",
+            ko="뒤집어야 할 변환에서 이동의 부호만 바꾸었습니다. 회전을 되돌리지 않았습니다.",
         ),
         lambda row: iter(()),
         "M1",
@@ -318,7 +320,10 @@ OF_FORM = {
     Quaternion: ("w first", "inverse rotation", "not normalised", "whole angle", "exchanged"),
 }
 # What is seen at once, and so may stand behind another slip; of the others nobody could say that it was just that.
-PLAIN_TO_SEE = {"unit", "sign", "all signs", "w first", "inverse rotation", "inverse transform", "not normalised"}
+PLAIN_TO_SEE = {
+    *("unit", "sign", "all signs", "w first", "not normalised"),
+    *("inverse rotation", "inverse transform", "not turned back"),
+}
 
 
 def undone(form: Form, answer: Plain) -> Iterator[Undone]:
@@ -352,7 +357,9 @@ def _undone_pose(answer: Plain) -> Iterator[Undone]:
     if parts is None or math.hypot(*parts[3]) < 1e-9:
         return
     yield Undone("inverse transform", "", to_plain(Transform(parts[2], parts[3]).inverse()))
-    yield Undone("translation taken away", "", {"Transform": [[-number for number in parts[2]], list(parts[3])]})
+    step_back = tuple(-number for number in parts[2])
+    yield Undone("not turned back", "", to_plain(Transform(step_back, parts[3]).inverse()))
+    yield Undone("translation taken away", "", {"Transform": [list(step_back), list(parts[3])]})
     for name in OF_FORM[Quaternion]:
         for left in UNIVERSAL[name].undo(parts[3]):
             yield Undone(name, "", {"Transform": [list(parts[2]), list(left)]})

@@ -18,7 +18,7 @@ from typing import Any
 
 from ..answers import forms, sealed
 from ..answers.form import inside, member
-from ..answers.forms import Angle, Choice, Form, Message, Number, Parts, Urdf, Vector
+from ..answers.forms import Angle, Choice, Command, Form, Message, Number, Parts, Urdf, Vector
 from ..answers.members import members_of
 from ..answers.values import Plain, is_raised, is_unanswered
 from ..words import Words
@@ -51,6 +51,7 @@ class Verdict:
         slips: those that it comes of, the first in the work first, and what is said of each.
         case: the first case that failed, from 0.
         right: for each probe, in the order of the cases, whether it earns credit.
+        follows: of a value's, whether it is counted as right only since it follows from the slip; empty if none is.
         detail: what a reply fills in.
         said: what to say of the slips; None if it comes of none that is known.
     """
@@ -63,6 +64,7 @@ class Verdict:
     right: tuple[bool, ...] = ()
     detail: dict[str, Any] = field(default_factory=dict)
     said: Words | None = None
+    follows: tuple[bool, ...] = ()
 
 
 def judge_outcomes(task: TaskCases, variant: Variant, outcomes: Sequence[Plain]) -> Verdict:
@@ -80,7 +82,8 @@ def judge_outcomes(task: TaskCases, variant: Variant, outcomes: Sequence[Plain])
     if task.is_function:
         counted = evidence.credited(form, cases, outcomes, rights)
     else:
-        counted = [evidence.beyond_the_given(form, variant.given, cases[0].expected, rights[0])]
+        beyond = evidence.beyond_the_given(form, variant.given, cases[0].expected, rights[0])
+        counted = [evidence.beyond_one_word(form, outcomes[0], cases[0].expected, beyond)]
     right = tuple(probe for row in counted for probe in row)
     if all(right):
         return Verdict(len(right), len(right), right=right)
@@ -91,9 +94,11 @@ def judge_outcomes(task: TaskCases, variant: Variant, outcomes: Sequence[Plain])
         mistake, detail, found = Mistake.VALUE, {}, None
     if found is None:
         return Verdict(sum(right), len(right), mistake, {}, case, right, {"certain": None} | detail)
+    follows: tuple[bool, ...] = ()
     if found.follows and isinstance(form, Parts):  # one slip costs the part that it is made in, not what follows
-        right = tuple(was or name in found.follows for was, name in zip(right, form.parts, strict=True))
-    return Verdict(sum(right), len(right), mistake, found.slips, case, right, detail, found.said)
+        follows = tuple(not was and name in found.follows for was, name in zip(right, form.parts, strict=True))
+        right = tuple(map(max, right, follows))
+    return Verdict(sum(right), len(right), mistake, found.slips, case, right, detail, found.said, follows)
 
 
 def _taking_part(form: Parts, outcome: Plain) -> Verdict:
@@ -143,7 +148,7 @@ def _mistake(
         return missing[0], {"got": kind_of(outcome), **missing[1]}, None
     found = explained(task, cases, outcomes, variant.given)
     is_unit = found is not None and len(found.slips) == 1 and next(iter(found.slips)).startswith("unit ")
-    if is_unit and not isinstance(form, Message):
+    if is_unit and not isinstance(form, Message | Command):
         return Mistake.UNIT, _unit(form, next(iter(found.slips)), rights[case]), found
     if found is not None:
         return Mistake.SLIP, {}, found
@@ -194,7 +199,7 @@ def _ending(
         error, text = outcome["raises"], outcome.get("text", "")
         detail = {"error": error, "text": text, "tip": tip_for(error, text)}
         return Mistake.OTHER_EXCEPTION if meant else Mistake.RAISES, detail
-    if task.is_function and outcome is None:
+    if task.is_function and outcome is None and not is_raised(expected):
         always = all(other is None for other in outcomes)
         return Mistake.NOTHING_RETURNED if always else Mistake.SOMETIMES_NOTHING, {}
     return (Mistake.NO_REFUSAL, {}) if is_raised(expected) else None
@@ -254,9 +259,9 @@ def _coarse_of_parts(form: Parts, outcome: Plain) -> tuple[Mistake, dict[str, An
     if not (isinstance(outcome, dict) and "dict" in outcome and isinstance(answers, dict)):
         return Mistake.TYPE, {}
     missing = [name for name in form.parts if name not in answers or is_unanswered(answers[name])]
-    if missing:
-        return Mistake.MISSING_PARTS, {"parts": missing}
     more = [name for name in answers if name not in form.parts]
+    if missing:
+        return Mistake.MISSING_PARTS, {"parts": missing, **({"tip": _not_asked_for(more)} if more else {})}
     if form.alone and more:
         return Mistake.MORE_PARTS, {"parts": more}
     for name, part in form.parts.items():
@@ -264,6 +269,11 @@ def _coarse_of_parts(form: Parts, outcome: Plain) -> tuple[Mistake, dict[str, An
         if fault is not None:
             return fault[0], {**fault[1], "part": name, "got": kind_of(answers[name])}
     return None
+
+
+def _not_asked_for(names: list[str]) -> Words:
+    quoted = ", ".join(f'"{name}"' for name in names[:3])
+    return Words(en=f"Nobody asked for {quoted}", ko=f"묻지 않은 이름: {quoted}")
 
 
 def _holds_numbers(body: Plain) -> bool:

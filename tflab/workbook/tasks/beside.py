@@ -1,0 +1,80 @@
+"""Which slips stand beside each other in a function?  Two that do not compose, or three: told from where each shows.
+
+    asked   "", odom   red/, odom   red, map   red/, map
+    given   /odom      red//odom    red/map    red//map      slash after nothing: shows alone in the first call,
+                                                             slashes kept: in the second, map prefixed: in the third
+
+Of three, only what each two give together was computed: each call has to be what some
+two of them give, and each of them has to show alone somewhere.  Read `stops.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import combinations, permutations
+
+from ..answers import sealed
+from ..answers.form import Form
+from ..answers.values import Plain
+from .case import AND
+from .fitting import alike, is_just
+
+__all__ = ["side_by_side"]
+
+MOST = 3  # that are looked for
+
+
+def side_by_side(
+    form: Form, outcomes: Sequence[Plain], expected: Sequence[Plain], gives: dict[str, list[Plain]]
+) -> Iterator[tuple[str, ...]]:
+    """Yield two or three slips of which each shows alone in some call, and that give together what came out.
+
+    Args:
+        gives: what each slip gives, call by call, and each two together.
+    """
+    shows = {
+        name: _calls(_is_other(form, *pair) for pair in zip(row, expected, strict=True)) for name, row in gives.items()
+    }
+    wrong = _calls(not alike(form, *pair) for pair in zip(outcomes, expected, strict=True))
+    within = [name for name in gives if AND not in name and shows[name] and not shows[name] & ~wrong]
+    for chosen in (slips for count in range(2, MOST + 1) for slips in combinations(within, count)):
+        ways = _ways(gives, chosen)
+        if _covers(shows, chosen, ways, wrong) and _fit(form, outcomes, gives, shows, ways):
+            yield chosen
+
+
+def _ways(gives: dict[str, list[Plain]], chosen: tuple[str, ...]) -> list[str]:
+    """Return what was computed of these slips: each two together, and those alone that are in no pair."""
+    pairs = [name for pair in permutations(chosen, 2) if (name := AND.join(pair)) in gives]
+    return pairs + [name for name in chosen if not any(name in pair.split(AND) for pair in pairs)]
+
+
+def _calls(marks: Iterator[bool]) -> int:
+    """Return the calls that are marked, as the bits of a number."""
+    return sum(1 << number for number, mark in enumerate(marks) if mark)
+
+
+def _is_other(form: Form, twin: Plain, wanted: Plain) -> bool:
+    return twin != wanted if sealed.is_sealed(wanted) else not form.alike(twin, wanted)
+
+
+def _covers(shows: dict[str, int], chosen: tuple[str, ...], ways: Sequence[str], wrong: int) -> bool:
+    """Return whether the slips show in just the calls that are wrong, and each alone in one of them."""
+    seen = once = together = 0
+    for way in ways:
+        together |= shows[way]
+    for name in chosen:
+        once = (once & ~shows[name]) | (shows[name] & ~seen)
+        seen |= shows[name]
+    return together == wrong and all(shows[name] & once for name in chosen)
+
+
+def _fit(
+    form: Form, outcomes: Sequence[Plain], gives: dict[str, list[Plain]], shows: dict[str, int], ways: Sequence[str]
+) -> bool:
+    """Return whether each call that is wrong gives what one of the ways gives that show in it."""
+    for number, outcome in enumerate(outcomes):
+        seen = [way for way in ways if shows[way] >> number & 1]
+        if seen and not any(is_just(form, [outcome], [gives[way][number]]) for way in seen):
+            return False
+    return True

@@ -1,0 +1,48 @@
+"""Did a function change what it was given?  That is said, and what else is wrong with what it gave.
+
+    def later(message):                       the caller's own message has another stamp now
+        message.header.stamp = now            -> and what came of that stamp is explained as ever
+        return buffer.transform(message, "map")
+
+The field calls it a side effect.  Read `explain.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from ..answers.values import Plain
+from ..words import Words
+from .case import Case, TaskCases, TwinWords
+from .explanation import Explanation, and_then
+from .fitting import all_alike
+
+__all__ = ["gave", "of_changes"]
+
+CHANGED = Words(
+    en="your function writes into argument {number}: whoever called it has lost the original. Work on a copy.",
+    ko="함수가 {number}번째 인자에 값을 씁니다. 호출한 쪽은 원래 값을 잃습니다. 복사본으로 계산하십시오.",
+)
+
+
+def gave(outcome: Plain) -> Plain:
+    """Return what a function gave, whether or not it changed an argument."""
+    return outcome["gave"] if isinstance(outcome, dict) and "gave" in outcome else outcome
+
+
+def of_changes(
+    task: TaskCases,
+    cases: Sequence[Case],
+    outcomes: Sequence[Plain],
+    explained: Callable[[TaskCases, Sequence[Case], Sequence[Plain]], Explanation | None],
+) -> Explanation | None:
+    """Return what `explained` says of the results, and that an argument was changed; None if it says nothing."""
+    numbers = [outcome["changed"] for outcome in outcomes if isinstance(outcome, dict) and "changed" in outcome]
+    results = [gave(outcome) for outcome in outcomes]
+    if not numbers or all_alike(task.form, results, [case.expected for case in cases]):
+        return None
+    first = explained(task, cases, results)
+    if first is None:
+        return None
+    said = Words(*(CHANGED.say(tongue, number=numbers[0]) for tongue in ("en", "ko")))
+    return and_then(first, Explanation({"input changed": TwinWords(said, "")}, said))

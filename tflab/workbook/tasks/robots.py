@@ -1,0 +1,135 @@
+"""What is wrong with a robot?  Of each link: what it hangs on, where it stands, how it is turned, how it moves.
+
+    asked for   turns on base_link   (0.2, -0.1, 0.4)   yaw -0.6    moved by 0.4: about its own y
+    given       turns on base_link   (0.2,  0.1, 0.4)   yaw -0.6    the same
+                -> "camera_link": where it is: one of the numbers has the wrong sign
+
+Its place and its turn are answers of their own, and can have what any answer can have
+(`universal.py`).  Read `refusals.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from tflab.core import Transform
+
+from ..answers import sealed
+from ..answers.form import Row
+from ..answers.forms import Form, Quaternion, Urdf, Vector
+from ..answers.values import Plain
+from ..words import Words
+from .case import TaskCases, TwinWords
+from .certain import certain
+from .explanation import Explanation
+from .fitting import undone_to, words_of
+
+__all__ = ["of_robots"]
+
+PLACE = Words("where it is in its parent: {said}", "부모 기준 위치: {said}")
+TURN = Words("how it is turned in its parent: {said}", "부모 기준 방향: {said}")
+ROOT = Words(
+    en="what it hangs on is right, and that hangs on {name} in the end, where it should not.",
+    ko="바로 위의 부모는 맞지만, 맨 위가 {name}입니다. 그래서는 안 됩니다.",
+)
+PARENT = Words(en="it hangs on {name}, and another parent is asked for.", ko="{name}에 달려 있습니다. 부모가 다릅니다.")
+NOWHERE = Words(
+    en="it hangs on nothing: no joint has it as its child.",
+    ko="아무 데도 달려 있지 않습니다. 이것을 자식으로 둔 관절이 없습니다.",
+)
+KIND = Words(en="its joint {name}, and here it should not.", ko="관절이 {name}. 여기서는 그러면 안 됩니다.")
+KINDS = {  # of a joint, and what it does
+    "turns": Words("turns", "돕니다"),
+    "slides": Words("slides", "미끄러집니다"),
+    "fixed": Words("is fixed", "고정되어 있습니다"),
+}
+MOVES = Words(
+    en="at 0 it stands right; moved, it {name}, and that is not how it should move.",
+    ko="0에서는 맞습니다. 움직이면 {name}. 그렇게 움직여서는 안 됩니다.",
+)
+ABOUT = Words(en="turns about {name} of its own axes", ko="자신의 {name}축을 중심으로 돕니다")
+ALONG = Words(en="slides along {name} of its own axes", ko="자신의 {name}축을 따라 미끄러집니다")
+STAYS = Words(en="stays where it is", ko="그대로 있습니다")
+POSE = 7  # marks of a place and a rotation
+SMALL = 1e-6
+
+
+def of_robots(task: TaskCases, answer: Plain, expected: Plain) -> Explanation | None:
+    """Return what is wrong with each link of a robot; None if the answer is none, or the right one is sealed."""
+    form = task.form
+    given = None if sealed.is_sealed(expected) or not isinstance(form, Urdf) else form.read(answer)
+    if not given:
+        return None
+    slips, said = {}, []
+    for link, rows, right in zip(form.links, given, form.read(expected) or [], strict=True):
+        row = next((row for row in rows if _fits(row[: 2 + POSE], right[0][: 2 + POSE])), rows[0])
+        for name, words in [] if any(_fits(row, right[0]) for row in rows) else _of_link(task, row, right[0]):
+            slips[f"{link}: {name}"] = TwinWords(words, "")
+            said.append(Words(f'"{link}": {words.en}', f'"{link}": {words.ko}'))
+    return Explanation(slips, Words(*(" ".join(texts) for texts in zip(*said, strict=True)))) if said else None
+
+
+def _fits(row: Row, right: Row) -> bool:
+    return len(row) == len(right) and all(mark.fits(other) for mark, other in zip(row, right, strict=True))
+
+
+def _of_link(task: TaskCases, row: Row, right: Row) -> Iterator[tuple[str, Words]]:
+    """Yield what is wrong with one link: what it hangs on alone, or its place and its turn, or how it moves."""
+    if not _fits(row[:2], right[:2]):
+        yield "hangs", _of_joint(str(row[0].value), str(row[1].value), str(right[1].value))
+        return
+    is_placed = True
+    for name, words, start, form in (("place", PLACE, 2, Vector(3, "m")), ("turn", TURN, 5, Quaternion())):
+        values = [[float(mark.value) for mark in marks[start : start + len(_names(form))]] for marks in (row, right)]
+        if not form.same(*values):
+            is_placed = False
+            yield name, _filled(words, _of_numbers(task, form, *values))
+    if is_placed:
+        yield "moves", _filled(MOVES, _movement(row))
+
+
+def _names(form: Form) -> str:
+    return "xyz" if isinstance(form, Vector) else "xyzw"
+
+
+def _of_joint(root: str, hangs: str, right: str) -> Words:
+    """Return what is wrong with what a link hangs on."""
+    kind, _, parent = hangs.partition(" on ")
+    if not parent:
+        return NOWHERE
+    if hangs == right:
+        return _filled(ROOT, Words(*[root.removeprefix("root ")] * 2))
+    if parent != right.partition(" on ")[2]:
+        return _filled(PARENT, Words(parent, parent))
+    return _filled(KIND, KINDS.get(kind, Words(f"is {kind}", f"{kind}입니다")))
+
+
+def _of_numbers(task: TaskCases, form: Form, given: Plain, wanted: Plain) -> Words:
+    """Return what any answer can have wrong, or else what is certain."""
+    name = next(undone_to(form, [given], [wanted]), None)
+    return words_of(task, name).reply if name else certain(form, given, wanted) or Words("", "")
+
+
+def _movement(row: Row) -> Words:
+    """Return how a link moves from its first setting to its second."""
+    first, second = (
+        Transform(tuple(numbers[:3]), tuple(numbers[3:]))
+        for numbers in ([float(mark.value) for mark in row[start : start + POSE]] for start in (2, 2 + POSE))
+    )
+    step = first.inverse() @ second
+    turned, moved = step.rotation[:3], step.translation
+    if max(map(abs, turned)) > SMALL:
+        sign = 1.0 if step.rotation[3] >= 0.0 else -1.0
+        return _filled(ABOUT, _axis([sign * number for number in turned]))
+    return _filled(ALONG, _axis(list(moved))) if max(map(abs, moved)) > SMALL else STAYS
+
+
+def _axis(numbers: list[float]) -> Words:
+    """Return the axis that a direction is nearest to, with its sign."""
+    most = max(numbers, key=abs)
+    name = ("" if most > 0.0 else "-") + "xyz"[numbers.index(most)]
+    return Words(name, name)
+
+
+def _filled(words: Words, name: Words) -> Words:
+    return Words(words.say("en", name=name.en, said=name.en), words.say("ko", name=name.ko, said=name.ko))

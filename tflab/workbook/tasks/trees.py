@@ -1,0 +1,194 @@
+"""What is wrong with a tree?  Its edges the wrong way round, a frame too few, one that hangs elsewhere, other names.
+
+    asked for   base -> odom -> map        given   base -> map        a frame is left out: "base" hangs so
+                r/odom -> map                      odom -> map        before "odom" a robot's name is missing
+
+What is told names frames of the answer alone; a tree's edges are turned round where it is
+sealed, too.  Read `fields.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+from ..answers import sealed
+from ..answers.form import inside
+from ..answers.forms import Tree
+from ..answers.members import edges_of
+from ..answers.values import Plain
+from ..words import Words
+
+__all__ = ["TREES", "of_trees", "told_of_a_tree"]
+
+Parents = dict[str, str]  # child -> parent
+MOST_NAMED = 4  # frames
+
+TREES = {
+    "parent for child": Words(
+        en="parents and children have changed places. Each child has one parent, so the child is the key: "
+        "child -> parent.",
+        ko="부모와 자식의 자리가 바뀌었습니다. 자식의 부모는 하나뿐이므로 자식이 키입니다: 자식 -> 부모.",
+    ),
+    "tree: a list for a name": Words(
+        en="a list stands where the name of one frame belongs, child -> parent; out of a list comes a name by `[0]`.",
+        ko="좌표계 이름 하나가 올 자리에 리스트가 있습니다. 자식 -> 부모로 쓰고, 리스트의 이름은 `[0]`으로 꺼냅니다.",
+    ),
+    "tree: not whole": Words(
+        en="all that is there is right, and a part of the tree is missing.",
+        ko="있는 것은 모두 맞지만 트리의 일부가 빠졌습니다.",
+    ),
+    "tree: more than asked for": Words(
+        en="the tree that is asked for is there, and more beside it.",
+        ko="필요한 트리는 다 있지만 필요 없는 것이 더 있습니다.",
+    ),
+    "tree: a frame left out": Words(
+        en="a frame is left out of the chain: what hung below it hangs on the frame above it.",
+        ko="사슬에서 좌표계가 빠졌습니다. 그 아래에 있던 것이 그 위의 좌표계에 이어졌습니다.",
+    ),
+    "tree: too high": Words(
+        en="the frames are the right ones; what hangs wrong hangs too high: there is a frame between.",
+        ko="좌표계는 모두 맞습니다. 틀린 것은 너무 위에 이어졌습니다. 그 사이에 좌표계가 더 있습니다.",
+    ),
+    "tree: too low": Words(
+        en="the frames are the right ones; what hangs wrong hangs too low: below one that belongs beside it.",
+        ko="좌표계는 모두 맞습니다. 틀린 것은 너무 아래에, 옆에 있어야 할 좌표계 밑에 이어졌습니다.",
+    ),
+    "tree: places changed": Words(
+        en="the right frames, in a tree of the right shape, and some of them stand in each other's places.",
+        ko="좌표계도 트리의 모양도 맞지만 일부 좌표계의 자리가 서로 바뀌었습니다.",
+    ),
+    "tree: names without a robot's": Words(
+        en="the tree has the shape that is asked for; before some of its names a robot's name and a slash are missing.",
+        ko="트리의 모양은 맞지만 로봇 이름과 슬래시가 빠진 좌표계 이름이 있습니다.",
+    ),
+    "tree: names with a robot's": Words(
+        en="the tree has the shape that is asked for; some of its names have a robot's name before them, and should "
+        "have none.",
+        ko="트리의 모양은 맞지만 로봇 이름이 붙으면 안 되는 좌표계 이름에 붙어 있습니다.",
+    ),
+    "tree: other names": Words(
+        en="the tree has the shape that is asked for, and not all of its names.",
+        ko="트리의 모양은 맞지만 이름 가운데 다른 것이 있습니다.",
+    ),
+}
+SO = Words("It shows at {names}.", "드러난 곳: {names}.")
+NOT_ASKED = Words("Not asked for: {names}.", "필요 없는 것: {names}.")
+ORPHANS = Words("In your tree these have no parent: {names}.", "이 트리에서 부모가 없는 것: {names}.")
+TOLD = {"tree: not whole": ORPHANS, "tree: more than asked for": NOT_ASKED, "tree: other names": NOT_ASKED}
+
+
+def told_of_a_tree(kind: str, names: str) -> Words:
+    """Return what is told of the frames in which a fault shows."""
+    words = TOLD.get(kind, SO)
+    return Words(words.say("en", names=names), words.say("ko", names=names))
+
+
+def of_trees(form: Tree, answers: list[Plain], wanted: list[Plain]) -> Iterator[tuple[str, str]]:
+    """Yield what is wrong with trees, and the names of the first one in which it shows."""
+    if all(_is_turned(form, *pair) for pair in zip(answers, wanted, strict=True)):
+        yield "parent for child", ""
+    elif any(map(_has_lists, answers)):
+        yield "tree: a list for a name", ""
+    elif not any(map(sealed.is_sealed, wanted)) and all(edges_of(answer) is not None for answer in answers):
+        pairs = [(_parents(answer), _parents(want)) for answer, want in zip(answers, wanted, strict=True)]
+        yield from _fitting([pair for pair in pairs if pair[0] != pair[1]])
+
+
+def _fitting(wrong: list[tuple[Parents, Parents]]) -> Iterator[tuple[str, str]]:
+    """Yield what all wrong trees have in common, given beside wanted, and the names of the first."""
+    for name, fits in FITS.items():
+        if wrong and all(fits(*pair) for pair in wrong):
+            yield name, ", ".join(f'"{frame}"' for frame in _shown_in(name, *wrong[0])[:MOST_NAMED])
+
+
+def _is_turned(form: Tree, answer: Plain, want: Plain) -> bool:
+    edges = edges_of(answer) or []
+    turned = [[child, parent] for child, parent in edges]  # a Tree takes pairs (parent, child)
+    return len(edges) >= 2 and all(sealed.belongs(form, turned, want))
+
+
+def _has_lists(answer: Plain) -> bool:
+    """Return whether a dict has a list for one of its values."""
+    is_dict = isinstance(answer, dict) and "dict" in answer
+    return is_dict and any(isinstance(inside(parent), list) for parent in answer["dict"].values())
+
+
+def _parents(plain: Plain) -> Parents:
+    return dict(edges_of(plain) or [])
+
+
+def _names(tree: Parents) -> set[str]:
+    return {*tree, *tree.values()}
+
+
+def _above(tree: Parents, frame: str) -> list[str]:
+    """Return the frames above one, the nearest first; a loop ends where it began."""
+    found: list[str] = []
+    while (frame := tree.get(frame, "")) and frame not in found:
+        found.append(frame)
+    return found
+
+
+def _is_left_out(given: Parents, want: Parents) -> bool:
+    """Return whether a tree is what is wanted without some frames, what hung on them hanging above them."""
+    gone = _names(want) - _names(given)
+    kept = {child: [each for each in _above(want, child) if each not in gone] for child in want if child not in gone}
+    below = gone & set(want.values())
+    return bool(below) and given == {child: above[0] for child, above in kept.items() if above}
+
+
+def _hang(given: Parents, want: Parents, is_so: Callable[[str, str], bool]) -> bool:
+    """Return whether the frames are those wanted, and each that hangs wrong `is_so`: child, and its parent now."""
+    wrong = [(child, parent) for child, parent in given.items() if want.get(child) != parent]
+    return set(given) == set(want) and all(is_so(child, parent) for child, parent in wrong)
+
+
+def _shape(tree: Parents) -> str:
+    """Return how a tree branches, without any names; none for what is no tree."""
+    roots = sorted(_names(tree) - set(tree))
+
+    def below(frame: str) -> str:
+        return "(" + "".join(sorted(below(child) for child, parent in tree.items() if parent == frame)) + ")"
+
+    is_tree = all(_above(tree, child)[-1] in roots for child in tree)
+    return "".join(sorted(map(below, roots))) if is_tree else ""
+
+
+def _has_shape(given: Parents, want: Parents) -> bool:
+    return bool(_shape(want)) and _shape(given) == _shape(want)
+
+
+def _shown_in(kind: str, given: Parents, want: Parents) -> list[str]:
+    """Return the frames of an answer in which a fault shows: those without a parent, those nobody asked for, or those
+    that hang wrong.
+    """
+    if kind == "tree: not whole":
+        return sorted(frame for frame in _names(given) & set(want) if frame not in given)
+    if kind.startswith(("tree: names", "tree: other names")):
+        return sorted(_names(given) - _names(want))
+    return sorted(child for child, parent in given.items() if want.get(child) != parent)
+
+
+def _names_end_alike(given: Parents, want: Parents, longer: Callable[[str, str], bool]) -> bool:
+    """Return whether each name that nobody asked for is one that is asked for, but for what stands before it."""
+    odd, lacking = _names(given) - _names(want), _names(want) - _names(given)
+    return _has_shape(given, want) and all(any(longer(name, other) for other in lacking) for name in odd)
+
+
+FITS: dict[str, Callable[[Parents, Parents], bool]] = {
+    "tree: not whole": lambda given, want: bool(given) and given.items() <= want.items(),
+    "tree: more than asked for": lambda given, want: given.items() >= want.items(),
+    "tree: a frame left out": _is_left_out,
+    "tree: too high": lambda given, want: _hang(given, want, lambda child, parent: parent in _above(want, child)),
+    "tree: too low": lambda given, want: _hang(
+        given, want, lambda child, parent: want[child] in _above(want, parent) and child not in _above(want, parent)
+    ),
+    "tree: places changed": lambda given, want: _names(given) == _names(want) and _has_shape(given, want),
+    "tree: names without a robot's": lambda given, want: _names_end_alike(
+        given, want, lambda name, other: other.endswith(f"/{name}")
+    ),
+    "tree: names with a robot's": lambda given, want: _names_end_alike(
+        given, want, lambda name, other: name.endswith(f"/{other}")
+    ),
+    "tree: other names": lambda given, want: _names(given) != _names(want) and _has_shape(given, want),
+}
