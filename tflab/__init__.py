@@ -16,11 +16,13 @@ A room imports only from rooms above it, and importing `tflab` loads none of the
 Each begins with a page that says what is in it.  Start with `core/__init__.py`.
 """
 
+from importlib import import_module
+
 __version__ = "0.1.0"
 
 
 def load_ipython_extension(ipython):
-    """Answer `%load_ext tflab`: the in-process ROS 2 on virtual time, and the magic %ros2."""
+    """Answer `%load_ext tflab`: the in-process ROS 2 on virtual time, and the magic %ros2; each time in a new world."""
     from tflab.ros import load_in_notebook
     from tflab.tools import magic
     from tflab.views import rerun
@@ -28,3 +30,13 @@ def load_ipython_extension(ipython):
     load_in_notebook(ipython)
     magic.register(ipython)
     rerun.register(ipython)
+    import_module("tflab.workbook.unmade").register(ipython)  # by name: the workbook asks this page for its version
+    ipython.events.register("post_run_cell", _load_anew_next_time)
+
+
+def _load_anew_next_time(_result):
+    """Let `%load_ext tflab` do the same when its cell is run again, and not say that it is loaded already."""
+    from IPython import get_ipython
+
+    if get_ipython() is not None:
+        get_ipython().extension_manager.loaded.discard(__name__)

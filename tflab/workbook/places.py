@@ -47,7 +47,11 @@ EDITIONS = ("self-study", "class")
 
 
 class WorkbookError(Exception):
-    """A `workbook.json` that cannot be used; the text says what is wrong with it and what to try."""
+    """What a workbook does not have, or a `workbook.json` that cannot be used; the text says what to try."""
+
+    def _render_traceback_(self) -> list[str]:
+        """Return what IPython shows: the text, and not where in our code it was found."""
+        return [f"{self}"]
 
 
 @dataclass(frozen=True)

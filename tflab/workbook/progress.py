@@ -13,9 +13,12 @@ from __future__ import annotations
 
 import json
 import sys
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field
+from hashlib import sha256
 from pathlib import Path
 
+from .answers.values import Plain
 from .places import MARK
 from .whole_files import locked, write_whole
 
@@ -25,6 +28,7 @@ __all__ = [
     "Attempts",
     "attempts",
     "keep_aside",
+    "mark_of",
     "read_progress",
     "record_answers",
     "record_hint",
@@ -40,12 +44,13 @@ class Attempts:
     """What happened with one task.
 
     Attributes:
-        tries: how often an answer was checked.
+        tries: how many answers were checked; one that was checked before is no new try.
         hints: how many hints were asked for.
         passed: whether any try got everything right.
         best: the most that was right at once, and `of` how many, in that try.
         twins: the mistakes that were named, by name, and how often.
         answers: where taking part counts, the first complete answers.
+        seen: what came of each of them, hashed.
     """
 
     tries: int = 0
@@ -55,20 +60,36 @@ class Attempts:
     of: int = 0
     twins: dict[str, int] = field(default_factory=dict)
     answers: dict[str, str] = field(default_factory=dict)
+    seen: list[str] = field(default_factory=list)
 
 
-def record_try(root: Path, task_id: str, passed: int, of: int, twin: str | None = None) -> None:
-    """Write down that an answer was checked: `passed` of `of` were right, and which mistake it was."""
+def record_try(
+    root: Path, task_id: str, passed: int, of: int, twin: str | None = None, outcomes: Sequence[Plain] = ()
+) -> None:
+    """Write down that an answer was checked: `passed` of `of` were right, and which mistake it was.
+
+    Args:
+        outcomes: what came of it.  What has been seen before is the same answer again, and counts once.
+    """
+    mark = mark_of(outcomes) if outcomes else ""
 
     def tried(task: Attempts) -> None:
-        task.tries += 1
         task.passed = task.passed or (of > 0 and passed >= of)
         if not task.of or passed * task.of >= task.best * of:
             task.best, task.of = passed, of
+        if mark in task.seen:
+            return
+        task.seen += [mark] if mark else []
+        task.tries += 1
         if twin:
             task.twins[twin] = task.twins.get(twin, 0) + 1
 
     _change(Path(root), task_id, tried)
+
+
+def mark_of(outcomes: Sequence[Plain]) -> str:
+    """Return a short mark of what came of an answer, the same for the same."""
+    return sha256(repr(outcomes).encode()).hexdigest()[:16]
 
 
 def record_hint(root: Path, task_id: str) -> int:
@@ -131,7 +152,9 @@ def _tasks(found: dict) -> dict[str, Attempts]:
 
 
 def _attempts(line: dict) -> Attempts:
-    read = Attempts(**line)
+    line = dict(line)
+    last = line.pop("last", "")  # of a file that knew no more than the last answer
+    read = Attempts(**{"seen": [last] if last else [], **line})
     for name, value in asdict(Attempts()).items():
         if type(getattr(read, name)) is not type(value):
             raise ValueError(f'"{name}" is {getattr(read, name)!r}')

@@ -14,6 +14,7 @@ from warnings import catch_warnings, simplefilter
 __all__ = ["HIDDEN", "write_reference"]
 
 HIDDEN = ("tflab.ros.packages", "tflab.__main__", "tflab.grading.kernels", "tflab.grading.plugin")
+OUR_STYLE = Path(__file__).with_name("static") / "reference"
 
 
 def write_reference(folder: Path) -> Path:
@@ -24,7 +25,9 @@ def write_reference(folder: Path) -> Path:
     """
     import pdoc
 
-    pdoc.render.configure(docformat="google", show_source=False, footer_text="tflab", search=True)
+    pdoc.render.configure(
+        docformat="google", show_source=False, footer_text="tflab", search=True, template_directory=OUR_STYLE
+    )
     with catch_warnings():  # a name that only a type checker imports stays a word, without a link
         simplefilter("ignore", UserWarning)
         pdoc.pdoc("tflab", *(f"!{name}" for name in HIDDEN), output_directory=folder)

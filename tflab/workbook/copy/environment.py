@@ -4,8 +4,8 @@
     numbers and figures       ✓
     widgets and 3D            ✗  ipywidgets is missing: pip install "tflab"
 
-Where all is well it prints the same everywhere.  Whether the browser shows 3D, only
-eyes can tell: the start page draws something.  Read `lab.py` next.
+Where all is well it prints the same everywhere, in the language of the copy.  Whether the
+browser shows 3D, only eyes can tell: the start page draws something.  Read `lab.py` next.
 """
 
 from __future__ import annotations
@@ -15,37 +15,72 @@ import os
 import sys
 from collections.abc import Iterator
 from pathlib import Path
+from typing import NamedTuple
 
-from ..places import MARK, workbook_root
+from ..places import MARK, WorkbookError, read_workbook, workbook_root
+from ..words import LANGUAGES, Words
 
 __all__ = ["check_environment", "missing"]
 
-NEEDED = {  # what it is for, and what of tflab brings it
-    "numbers and figures": ("tflab", ("numpy", "matplotlib", "PIL", "yaml")),
-    "widgets and 3D": ("tflab", ("ipywidgets", "anywidget", "meshcat")),
-    "notebooks": ("tflab[lab]", ("jupyterlab", "ipykernel")),
-    "recordings": ("tflab[bags]", ("rosbags",)),
-}
+
+class Need(NamedTuple):
+    """What the pages need: what it is for, and what of tflab brings which modules."""
+
+    what: Words
+    brought_by: str
+    modules: tuple[str, ...]
+
+
+NEEDED = (
+    Need(Words("numbers and figures", "숫자와 그림"), "tflab", ("numpy", "matplotlib", "PIL", "yaml")),
+    Need(Words("widgets and 3D", "위젯과 3D"), "tflab", ("ipywidgets", "anywidget", "meshcat")),
+    Need(Words("notebooks", "노트북"), "tflab[lab]", ("jupyterlab", "ipykernel")),
+    Need(Words("recordings", "bag 파일"), "tflab[bags]", ("rosbags",)),
+)
 LEAST_PYTHON = (3, 10)
-OUR_PYTHON = f"Python {'.'.join(map(str, LEAST_PYTHON))} or later"
+LEAST = ".".join(map(str, LEAST_PYTHON))
+OUR_PYTHON = Words(f"Python {LEAST} or later", f"Python {LEAST} 이상")
+A_PLACE = Words("a place to keep your progress", "학습 기록을 저장할 곳")
+OLD_PYTHON = Words(
+    "this is Python {found}: install a later one, and tflab in it",
+    "지금은 Python {found}입니다. 새 Python을 설치하고 거기에 tflab을 설치하십시오",
+)
+ABSENT = Words(
+    'missing: {names}. Type: pip install "{brought_by}"',
+    '없음: {names}. 이렇게 설치하십시오: pip install "{brought_by}"',
+)
+LOCKED = Words(
+    "{folder} cannot be written to: copy it elsewhere, and open it there",
+    "{folder}에 쓸 수 없습니다. 다른 곳에 복사해서 여십시오",
+)
+WIDTH = 32  # columns; a Korean letter takes two
 
 
 def check_environment() -> None:
     """Print what is there and what is missing."""
+    try:
+        language = read_workbook().language
+    except WorkbookError:  # said wherever a task is asked for
+        language = "en"
     faults = dict(missing())
-    for what in (OUR_PYTHON, *NEEDED, "a place to keep your progress"):
-        print(f"{what:<32}{'✗  ' + faults[what] if what in faults else '✓'}")
+    for what in (OUR_PYTHON, *(need.what for need in NEEDED), A_PLACE):
+        name = what.say(language)
+        air = " " * (WIDTH - sum(1 + ("가" <= letter <= "힣") for letter in name))
+        print(f"{name}{air}{'✗  ' + faults[what].say(language) if what in faults else '✓'}")
 
 
-def missing() -> Iterator[tuple[str, str]]:
+def missing() -> Iterator[tuple[Words, Words]]:
     """Yield what is not as the pages need it, and what to do."""
     if sys.version_info < LEAST_PYTHON:
-        found = ".".join(str(part) for part in sys.version_info[:2])
-        yield OUR_PYTHON, f"this is Python {found}: install a later one, and tflab in it"
-    for what, (brought_by, names) in NEEDED.items():
-        absent = [name for name in names if importlib.util.find_spec(name) is None]
+        yield OUR_PYTHON, _filled(OLD_PYTHON, found=".".join(str(part) for part in sys.version_info[:2]))
+    for what, brought_by, modules in NEEDED:
+        absent = [name for name in modules if importlib.util.find_spec(name) is None]
         if absent:
-            yield what, f'{" and ".join(absent)} is missing: pip install "{brought_by}"'
+            yield what, _filled(ABSENT, names=", ".join(absent), brought_by=brought_by)
     folder = workbook_root()
     if (Path(folder) / MARK).is_file() and not os.access(folder, os.W_OK):
-        yield "a place to keep your progress", f"{folder} cannot be written to: copy it elsewhere, and open it there"
+        yield A_PLACE, _filled(LOCKED, folder=folder)
+
+
+def _filled(words: Words, **names: object) -> Words:
+    return Words(*(words.say(language, **names) for language in LANGUAGES))

@@ -26,7 +26,7 @@ from tflab import __version__
 
 from ..answers.forms import form_from_plain
 from ..answers.sealed import sealed_variant
-from ..pages.editions import text_of
+from ..pages.editions import still_twins, text_of
 from ..places import MARK, Workbook, WorkbookError, chapter_of, read_workbook, workbook_data, write_workbook
 from ..whole_files import locked, write_whole
 from ..words import Words
@@ -42,6 +42,8 @@ PRISTINE = HIDDEN / "pristine"
 BACKUPS = HIDDEN / "backups"
 INTERACTIVE = "interactive"  # the tag of code that shows what moves; the figure after it stands still
 PREDICTED = "predicted"  # the tag of code whose output a text asks to predict, and of a text that tells it
+OWN_FOLD = re.compile(r"(<details>.*?</details>)", re.DOTALL)
+CAPTION = "그림 읽기:"  # a Korean page says below a figure what its English words mean
 UNFOLD = Words(en="Run it first, then open this", ko="먼저 실행한 다음 펼치십시오")
 
 
@@ -175,13 +177,10 @@ def answers_hidden(page: bytes, language: str) -> bytes:
     if not any(f'"{tag}"'.encode() in page for tag in (PREDICTED, INTERACTIVE)):
         return page
     notebook = json.loads(page)
-    live = False
+    for cell in still_twins(notebook["cells"]):
+        cell["metadata"]["jupyter"] = {"outputs_hidden": True}
     for cell in notebook["cells"]:
-        tags = cell["metadata"].get("tags", ())
-        if live and _is_figure(cell) and PREDICTED not in tags:
-            cell["metadata"]["jupyter"] = {"outputs_hidden": True}
-        live = _is_live(cell) or (live and cell["cell_type"] == "markdown" and not _leads_on(cell))
-        if PREDICTED not in tags:
+        if PREDICTED not in cell["metadata"].get("tags", ()):
             continue
         if cell["cell_type"] == "code":
             cell.update(execution_count=None, outputs=[])
@@ -237,25 +236,21 @@ def _is_in(name: str, language: str) -> bool:
     return PurePosixPath(name).parts[1] in (language, "cases")
 
 
-def _is_figure(cell: Mapping) -> bool:
-    """Return whether a cell shows a picture."""
-    return any("image/png" in output.get("data", ()) for output in cell.get("outputs", ()))
-
-
-def _is_live(cell: Mapping) -> bool:
-    """Return whether a cell shows something that moves; what a tool prints does not."""
-    return INTERACTIVE in cell["metadata"].get("tags", ()) and "%ros2" not in "".join(cell["source"])
-
-
-def _leads_on(cell: Mapping) -> bool:
-    """Return whether a text begins something else: a figure behind it is no twin of the view before it."""
-    return "".join(cell["source"]).startswith("#")
-
-
 def _folded(text: str, summary: str) -> str:
-    """Return a text to be opened with a click; its heading stays in sight."""
+    """Return a text to be opened with a click; its heading, its own folds and what explains a figure stay in sight."""
     heading, rest = re.match(r"((?:#[^\n]*\n+)?)(.*)", text, re.DOTALL).groups()
-    return f"{heading}<details><summary>{summary}</summary>\n\n{rest}\n\n</details>"
+    parts = []
+    for part in OWN_FOLD.split(rest.strip()):
+        if OWN_FOLD.fullmatch(part) or not part.strip():
+            parts.append(part.strip())
+            continue
+        lines = part.strip().splitlines(keepends=True)
+        last = [lines.pop()] if CAPTION in lines[-1] and len(lines) > 1 else []
+        captions = [line for line in lines if CAPTION in line]
+        told = "".join(line for line in lines if CAPTION not in line).strip()
+        fold = f"<details><summary>{summary}</summary>\n\n{told}\n\n</details>" if told else ""
+        parts += ["".join(captions).strip(), fold, *last]
+    return heading + "\n\n".join(filter(None, parts))
 
 
 def is_free(folder: Path) -> bool:

@@ -62,7 +62,7 @@ from tflab.views.owners import draw_owners
 from tflab.views.placed import draw_placed
 from tflab.views.readings import draw_readings
 from tflab.views.rulers import draw_rulers, readings_of
-from tflab.views.scene import Scene, draw_arrow, draw_camera, draw_frame, draw_path, draw_scan
+from tflab.views.scene import Scene, draw_arrow, draw_camera, draw_frame, draw_mug, draw_path, draw_scan
 from tflab.views.scene.drawing import ACCENT
 from tflab.views.sentence import draw_sentence
 from tflab.views.style import fmt, fmt_all
@@ -182,6 +182,7 @@ __all__ = [
     "draw_misread",
     "draw_moments",
     "draw_mount",
+    "draw_mug",
     "draw_now",
     "draw_orders",
     "draw_owners",

@@ -29,6 +29,7 @@ from tflab.views.scene.drawing import ACCENT
 
 __all__ = ["draw_now", "draw_room", "draw_walls", "scan_on_map", "show_drive", "show_latency"]
 
+GRID_CELLS = 16  # of a metre, from -8 m to 8 m: the ground of the whole room
 EVERY_RAY = 4  # of the laser's: enough to see the walls
 WALL_COLOUR = "#808890"
 STEP_S = 0.25
@@ -38,7 +39,7 @@ def show_drive(for_s: float = 24.0) -> Scene:
     """Return a scene to be played: the robot drives for `for_s` [s], and its laser looks round."""
     robot = TeachingRobot(Drive(start_ns=0))
     links = links_to_see(robot.urdf)
-    scene = Scene(height_px=420)
+    scene = Scene(grid_cells=GRID_CELLS)
     scene.look((0.4, -5.2, 4.2), (2.6, -0.3, 0.0))
     draw_walls(scene)
     draw_frame(scene, "map", Transform(), length_m=0.8)

@@ -32,7 +32,7 @@ from tflab.views.ages import Curve
 from tflab.views.scene import Scene, draw_frame, draw_scan
 from tflab.views.work import Work, WorkPicture, draw_work
 
-from .room import draw_walls
+from .room import GRID_CELLS, draw_walls
 
 __all__ = [
     "GapWatcher",
@@ -174,7 +174,7 @@ def show_clock_error(at_s: float = 8.8) -> Scene:
     robot = TeachingRobot(Drive(start_ns=seconds(1.0)))
     stamp_ns = seconds(at_s)
     scan = robot.laser.scan_at(stamp_ns)
-    scene = Scene()
+    scene = Scene(grid_cells=GRID_CELLS)
     scene.look(eye=(3.0, -8.0, 9.0), target=(3.0, 0.0, 0.0))
     draw_walls(scene)
 

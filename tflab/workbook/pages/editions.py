@@ -13,7 +13,7 @@ Read `kernel.py` next.
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from ..course.glossary import MARKED, UnknownTerm, expand
@@ -21,7 +21,7 @@ from ..tasks.blank import blank
 from ..tasks.task import slug
 from .source import Page, SourceCell
 
-__all__ = ["Outputs", "exercise_notebook", "lecture_notebook", "task_of", "text_of"]
+__all__ = ["Outputs", "exercise_notebook", "lecture_notebook", "live_and_still", "still_twins", "task_of", "text_of"]
 
 KERNEL = {"display_name": "Python 3", "language": "python", "name": "python3"}
 ROLES = ("given", "answer", "check")
@@ -81,9 +81,38 @@ def task_of(name: str, tasks) -> str | None:
     return by_name.get(name)
 
 
+def still_twins(cells: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
+    """Return the cells of a notebook whose figure says, standing still, what the live view right before it says."""
+    return [still for _, still in live_and_still(cells)]
+
+
+def live_and_still(cells: Sequence[Mapping[str, Any]]) -> list[tuple[Mapping[str, Any], Mapping[str, Any]]]:
+    """Return each live view that a figure right after it repeats, and that figure."""
+    found, live = [], None
+    for cell in cells:
+        if live and _is_figure(cell) and "predicted" not in cell["metadata"].get("tags", ()):
+            found.append((live, cell))
+        begins_anew = cell["cell_type"] != "markdown" or "".join(cell["source"]).startswith("#")
+        if _is_live(cell):
+            live = cell
+        elif begins_anew:
+            live = None
+    return found
+
+
 def text_of(notebook: Notebook) -> str:
     """Return a notebook as the text of its file, the same every time."""
     return json.dumps(notebook, sort_keys=True, indent=1, ensure_ascii=False) + "\n"
+
+
+def _is_figure(cell: Mapping[str, Any]) -> bool:
+    """Return whether a cell shows a picture."""
+    return any("image/png" in output.get("data", ()) for output in cell.get("outputs", ()))
+
+
+def _is_live(cell: Mapping[str, Any]) -> bool:
+    """Return whether a cell shows something that moves; what a tool prints does not."""
+    return "interactive" in cell["metadata"].get("tags", ()) and "%ros2" not in "".join(cell["source"])
 
 
 def _notebook(page: Page, language: str, cells: list[dict]) -> Notebook:

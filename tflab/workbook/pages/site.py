@@ -16,11 +16,12 @@ import json
 import re
 import shutil
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import Any
 
 from ..book.frame import STATIC, BookPage, framed, shell
 from ..book.front import CONVENTIONS, conventions_text, door, front_page
@@ -30,6 +31,7 @@ from ..book.reference import write_reference
 from ..course.course import read_course
 from ..places import chapter_of, workbook_data
 from ..words import Words
+from .editions import live_and_still
 from .html import PageFailed, run_with_films
 
 __all__ = ["write_book"]
@@ -117,9 +119,17 @@ def _lecture(notebook: Path, language: str, assets: Path) -> _Ran:
     with TemporaryDirectory() as folder:
         executed = run_with_films(notebook, Path(folder))
         title, file = _title(notebook.stem, language), f"{notebook.stem}.html"
-        pictures = pictures_of(json.loads(executed.read_text(encoding="utf-8")), file, title)
-        text = _exported(executed, Path(folder) / "pages", assets)
+        ran = json.loads(executed.read_text(encoding="utf-8"))
+        pictures = pictures_of(ran, file, title)
+        text = twins_marked(_exported(executed, Path(folder) / "pages", assets), ran["cells"])
         return _Ran(BookPage(file, title, text, sections_of(text)), pictures)
+
+
+def twins_marked(text: str, cells: Sequence[Mapping[str, Any]]) -> str:
+    """Return a page on which each live view that a figure repeats is marked: on paper, the figure stands alone."""
+    for live, _ in live_and_still(cells):
+        text = text.replace(place := f'id="cell-id={live["id"]}"', f"{place} data-repeated", 1)
+    return text
 
 
 def _exercise(notebook: Path, language: str, assets: Path) -> _Ran:

@@ -6,6 +6,7 @@
     slide, subslide   begins a slide             fragment   appears with the next key
     -                 goes on with it            skip       is not shown
 
+A figure that says standing still what the live view before it says is left out.
 What the speaker says stands in the cells' metadata and goes along; `--no-notes`
 leaves it out of a deck to hand on.  3D turns and sliders move, as in `html.py`:
 nbconvert's own decks fetch reveal.js from the network, so this one has a script of
@@ -30,6 +31,7 @@ from typing import Any
 
 from ..places import WorkbookError, read_workbook, workbook_root
 from ..words import LANGUAGES, Words
+from .editions import still_twins
 from .html import PageFailed, notebooks_called, run_with_films
 
 __all__ = ["Slide", "deck_from_notebook", "main", "slides_of"]
@@ -127,8 +129,9 @@ def deck_from_notebook(notebook: Path, out_dir: Path, *, notes: bool = True, sin
 def slides_of(notebook: dict[str, Any], *, notes: bool = True) -> list[Slide]:
     """Return a notebook's cells, grouped into slides by their slide types."""
     slides: list[Slide] = []
+    twins = _twins(notebook["cells"])
     for cells in _groups(notebook["cells"]):
-        steps = _steps(cells)
+        steps = _steps(cell for cell in cells if cell["id"] not in twins)
         if steps:
             title = next(filter(None, (_title(cell) for step in steps for cell in step)), "")
             said = [cell["metadata"].get("tflab", {}).get("notes", "") for cell in cells] if notes else []
@@ -136,6 +139,13 @@ def slides_of(notebook: dict[str, Any], *, notes: bool = True) -> list[Slide]:
             title_before = slides[-1].title if slides else ""
             slides.append(Slide(names[0][0], title or title_before, names, _html("\n\n".join(filter(None, said)))))
     return slides
+
+
+def _twins(cells: list[dict]) -> set[str]:
+    """Return the figures that only repeat a live view which is shown, and begin no slide."""
+    shown = [cell for cell in cells if _kind(cell) != "skip"]
+    repeated = {cell["id"] for cell in still_twins(cells)} & {cell["id"] for cell in still_twins(shown)}
+    return repeated - {cell["id"] for cell in shown if _kind(cell) in BEGINS}
 
 
 def _kind(cell: dict) -> str:

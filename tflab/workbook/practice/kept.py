@@ -38,7 +38,8 @@ class Open:
 
     Attributes:
         number: of the question, from 1; its draw is made from it.
-        tries, hints: how often it was answered wrongly, and how many hints were read.
+        tries, hints: how many wrong answers were given to it, each counted once, and how many hints were read.
+        seen: what came of each of these answers, hashed.
         shown: the misconceptions that its answers showed.
         typed: what was typed at the prompt, by part.
     """
@@ -51,6 +52,7 @@ class Open:
     hints: int = 0
     shown: tuple[str, ...] = ()
     typed: dict[str, str] = field(default_factory=dict)
+    seen: tuple[str, ...] = ()
 
     @property
     def choice(self) -> Pick:
@@ -131,6 +133,7 @@ def _from_plain(found: dict) -> Kept:
     ideas = {name: _idea(line) for name, line in found["ideas"].items()}
     asked = tuple(_with_tuple(Practised(**line)) for line in found["asked"])
     opened = None if found["open"] is None else _with_tuple(Open(**found["open"]))
+    opened = opened and replace(opened, seen=tuple(map(str, opened.seen)))
     exercises = {str(name): int(count) for name, count in found["exercises"].items()}
     if opened is not None and not (isinstance(opened.typed, dict) and opened.number > 0):
         raise ValueError("the open question is damaged")

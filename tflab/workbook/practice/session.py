@@ -18,6 +18,7 @@ from typing import Any, NamedTuple
 
 from ..answers.values import Plain
 from ..places import WorkbookError, read_workbook, stems_called, workbook_data
+from ..progress import mark_of
 from ..tasks.mistake import Mistake
 from ..tasks.verdict import Verdict
 from ..trying import AssignedTask, tried_on
@@ -94,15 +95,17 @@ class Session:
         if verdict.mistake in NO_ANSWER:
             return Result(assigned, verdict, outcomes, self.kept, False)
         shown = {words.misconception for words in verdict.slips.values() if words.misconception}
-        passed = verdict.mistake is None
+        passed, mark = verdict.mistake is None, mark_of(outcomes or [str(verdict.mistake)])
 
         def answered(kept: Kept) -> Kept:
             if kept.open is None or kept.open.number != question.open.number:  # another notebook was quicker
                 return kept
             if passed:
                 return self._closed(kept, question.item, "wrong" if kept.open.tries else "right")
-            seen = tuple(sorted({*kept.open.shown, *shown}))
-            return replace(kept, open=replace(kept.open, tries=kept.open.tries + 1, shown=seen))
+            if mark in kept.open.seen:  # the same answer again is no new try
+                return kept
+            named, seen = tuple(sorted({*kept.open.shown, *shown})), (*kept.open.seen, mark)
+            return replace(kept, open=replace(kept.open, tries=kept.open.tries + 1, shown=named, seen=seen))
 
         return Result(assigned, verdict, outcomes, change_kept(self.root, answered), passed)
 

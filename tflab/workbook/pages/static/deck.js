@@ -39,6 +39,7 @@
       go(sections.indexOf(section), 0);
     });
     section.addEventListener("scroll", sayMore);
+    section.addEventListener("toggle", fit, true); // a fold was opened
     return section;
   }
 
@@ -52,6 +53,7 @@
       part.classList.toggle("deck-shown", i <= step));
     history.replaceState(null, "", `#${slides[index].name}`);
     fit();
+    for (const wait_ms of [250, 1000]) setTimeout(fit, wait_ms); // a view grows when it has drawn itself
     say();
   }
 
@@ -77,12 +79,31 @@
   function fit() { // as large as the window allows, and a little smaller if that shows all steps of the slide
     const section = sections[index], content = section.firstChild;
     section.classList.add("deck-measured");
+    inOneColumn(content);
     const largest = Math.max(0.7, Math.min(2.4, innerWidth / 1120, innerHeight / 640));
     content.style.zoom = largest;
     const room = (section.clientHeight - 40) / section.scrollHeight;
     if (room < 1) content.style.zoom = largest * (room > 0.75 ? room : 0.85);
+    if (room <= 0.75 && innerWidth > 1000) setInColumns(section, content, largest);
     section.classList.remove("deck-measured");
     sayMore();
+  }
+
+  function setInColumns(section, content, largest) { // a text beside its figure, where one below the other is too long
+    const before = content.style.zoom;
+    content.classList.add("deck-columns");
+    for (const part of [0.95, 0.85, 0.75, 0.65]) {
+      content.style.zoom = largest * part;
+      content.style.height = `${(section.clientHeight - 44) / (largest * part)}px`;
+      if (content.scrollWidth <= content.clientWidth + 4 && section.scrollHeight <= section.clientHeight + 4) return;
+    }
+    inOneColumn(content);
+    content.style.zoom = before;
+  }
+
+  function inOneColumn(content) {
+    content.classList.remove("deck-columns");
+    content.style.height = "";
   }
 
   function sayMore() { byId("deck-more")?.classList.toggle("deck-shown", below(sections[index]) > 8); }
