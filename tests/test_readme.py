@@ -183,3 +183,10 @@ def test_the_sample_is_what_check_says_today(language: str) -> None:
     page = (ROOT / READMES[language]).read_text(encoding="utf-8")
     sample = re.search(r"E3\.3 ✗ 10/18: (.*?)\n(?:It was called|```)", page, re.DOTALL)
     assert json.dumps(" ".join(sample[1].split()), ensure_ascii=False) in cases
+
+
+def test_what_a_korean_teacher_is_told_to_type_is_what_an_english_one_is() -> None:
+    ko, en = ((ROOT / "docs" / name).read_text(encoding="utf-8") for name in ("grading.ko.md", "grading.md"))
+    for typed in (r"tflab [a-z]+", r"--[a-z][a-z-]+", r"[\w/]+\.(?:csv|json|html|zip)"):
+        named = [set(re.findall(typed, text.replace("--lang ko", ""))) for text in (ko, en)]
+        assert named[0] and named[0] <= named[1]

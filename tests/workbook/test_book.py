@@ -6,17 +6,21 @@ import json
 import re
 from collections.abc import Iterator
 from pathlib import Path
+from pkgutil import iter_modules
 from urllib.parse import unquote
 
 import nbformat
 import pytest
 from axe_playwright_python.sync_playwright import Axe
 
-from tflab.workbook.book.frame import BookPage, framed, shell
+import tflab
+from tflab.workbook.book.frame import STATIC, BookPage, framed, shell
 from tflab.workbook.book.front import conventions_text
 from tflab.workbook.book.gallery import last_line
 from tflab.workbook.book.reading import sections_of
+from tflab.workbook.book.reference import write_reference
 from tflab.workbook.pages.build import build
+from tflab.workbook.pages.site import twins_marked
 
 TEXTS = {
     "en": "# 03 · A title\n\nFirst words.\n\n## Predict\n\nWhere is the <b>laser</b>? It turns by $\\pi / 2$.\n\n"
@@ -181,6 +185,23 @@ def test_in_a_browser_one_finds_changes_the_language_on_the_place_and_prints(sit
 
 
 @pytest.mark.browser
+def test_on_paper_a_figure_stands_alone_where_it_repeats_a_live_view(page) -> None:
+    picture = nbformat.v4.new_output("display_data", {"image/png": ""})
+    cells = [
+        nbformat.v4.new_code_cell("panel()", id="live", metadata={"tags": ["interactive"]}),
+        nbformat.v4.new_code_cell("draw()", id="still", outputs=[picture]),
+        nbformat.v4.new_code_cell("alone()", id="alone", metadata={"tags": ["interactive"]}),
+    ]
+    shown = "".join(f'<div id="cell-id={c.id}"><p class="jp-Cell-outputWrapper">{c.id}</p></div>' for c in cells)
+    style = (STATIC / "book.css").read_text(encoding="utf-8")
+    page.set_content(f'<style>{style}</style><body class="book"><main>{twins_marked(shown, cells)}</main></body>')
+    seen = "[...document.querySelectorAll('main p')].filter((p) => p.checkVisibility()).map((p) => p.textContent)"
+    assert page.evaluate(seen) == ["live", "still", "alone"]
+    page.emulate_media(media="print")
+    assert page.evaluate(seen) == ["still", "alone"]
+
+
+@pytest.mark.browser
 @pytest.mark.parametrize(("width", "scheme"), [(390, "light"), (1366, "dark")])
 def test_a_page_fits_a_telephone_and_a_desk(width: int, scheme: str, site: Path, page) -> None:
     page.emulate_media(color_scheme=scheme)
@@ -203,3 +224,22 @@ def test_an_accessibility_checker_finds_nothing_serious(scheme: str, site: Path,
         found = Axe().run(page, options={"runOnly": ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "best-practice"]})
         serious = [each for each in found.response["violations"] if each["impact"] in ("serious", "critical")]
         assert [(each["id"], each["nodes"][0]["html"]) for each in serious] == [], name
+
+
+@pytest.mark.browser
+def test_the_reference_is_dark_at_night_and_on_paper_the_text_alone(tmp_path: Path, page, monkeypatch) -> None:
+    rooms = [f"tflab.{found.name}" for found in iter_modules(tflab.__path__) if found.name != "core"]
+    monkeypatch.setattr("tflab.workbook.book.reference.HIDDEN", rooms)
+    write_reference(tmp_path)
+    page.goto(f"file://{tmp_path}/tflab/core.html")
+    background = "getComputedStyle(document.body).backgroundColor"
+    assert page.evaluate(background) == "rgb(255, 255, 255)"
+    page.emulate_media(color_scheme="dark")
+    assert page.evaluate(background) == "rgb(20, 23, 27)"
+
+    page.emulate_media(media="print")
+    page.set_viewport_size({"width": 690, "height": 900})
+    assert page.evaluate(background) == "rgb(255, 255, 255)"
+    assert not page.locator("nav.pdoc").is_visible()
+    cut = "[...document.querySelectorAll('main pre')].filter((pre) => pre.scrollWidth > pre.clientWidth + 1).length"
+    assert page.evaluate(cut) == 0

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import json
+import random
 import sys
 
 import pytest
 
 from tflab.core import Transform
+from tflab.ros import activation
 from tflab.workbook.answers.values import from_plain
 from tflab.workbook.copy.lay_out import cases_bytes
 from tflab.workbook.tasks import cases
@@ -104,6 +106,20 @@ def test_numbers_with_which_two_mistakes_meet_are_drawn_anew(tmp_path, monkeypat
     assert drawn_anew["E3.2"] == drawn_once["E3.2"]
 
 
+def test_no_seed_is_refused_because_its_first_draws_meet(tmp_path, monkeypatch):
+    usual, dice = cases._refuse_look_alikes, random.Random(0)
+
+    def refuse_half(task, variant, made):
+        if dice.random() < 0.5:
+            raise cases.LookAlikes("these two meet")
+        usual(task, variant, made)
+
+    monkeypatch.setattr(cases, "_refuse_look_alikes", refuse_half)
+    source = chapter.lay_out(tmp_path)
+    for number in range(30):
+        assert cases.make_cases(chapter.STEM, f"seed {number}", solutions=source).tasks
+
+
 def test_a_solution_that_is_not_of_its_form_is_refused(tmp_path):
     with pytest.raises(cases.CasesError, match=r"E3\.4: the solution's answer is not one number"):
         make(tmp_path, cells=chapter.CELLS | {"e3-4-answer": "angle_rad = '90 degrees'"})
@@ -134,6 +150,7 @@ def test_a_task_file_that_is_wrong_says_what(tmp_path, old, new, says):
 
 
 def test_making_cases_leaves_no_ros_behind(tmp_path):
+    activation.deactivate()  # another test's, which would stay
     before = {name for name in sys.modules if name.partition(".")[0] in ("rclpy", "tf2_ros")}
     made = chapter.CELLS | {"imports": "import math\nfrom tf2_ros import Buffer"}
     make(tmp_path, cells=made)

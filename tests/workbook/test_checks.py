@@ -10,12 +10,13 @@ import pytest
 from tflab.core import BufferCore, LookupException, Transform
 from tflab.ros.messages import geometry_msgs
 from tflab.ros.time import Time
-from tflab.workbook import check, checks, hint, solution, task
+from tflab.workbook import check, checks, hint, solution, task, trying
 from tflab.workbook.answers.forms import Angle, Choice, Number, Parts, Sequence, Vector
 from tflab.workbook.answers.sealed import seal
 from tflab.workbook.answers.showing import show, show_in_a_line
 from tflab.workbook.answers.values import raised, to_plain
 from tflab.workbook.places import WorkbookError
+from tflab.workbook.tasks import comparison
 from tflab.workbook.tasks.case import Case
 from tflab.workbook.tasks.mistake import Mistake
 from tflab.workbook.tasks.verdict import judge_outcomes
@@ -198,9 +199,26 @@ def test_a_learner_has_a_variant_of_their_own(tmp_path, monkeypatch, capsys):
 def test_the_solution_opens_after_three_tries(copy, capsys):
     solution("E3.4")
     assert "0 so far" in capsys.readouterr().out
-    for _ in range(3):
-        said(capsys, "E3.4", 7.0)
-    assert "solution(" in said(capsys, "E3.4", 7.0)
+    for wrong in (7.0, 8.0, 8.0, 7.0):  # the same answer again is no new try
+        said(capsys, "E3.4", wrong)
+    solution("E3.4")
+    assert "2 so far" in capsys.readouterr().out
+    assert "solution(" in said(capsys, "E3.4", 9.0)
+
+
+def test_what_stops_a_check_in_the_same_way_again_is_no_new_try(copy, capsys):
+    for wrong in ("no function", "none, either"):
+        said(capsys, "E3.2", wrong)
+    assert json.loads((copy.root / "progress.json").read_text())["tasks"]["E3.2"]["tries"] == 1
+
+
+def test_words_are_shown_before_a_picture_is_made(copy, capsys, monkeypatch):
+    shown = []
+    monkeypatch.setattr(trying, "show_reply", lambda *_: shown.append("words"))
+    monkeypatch.setattr(comparison, "picture_of", lambda *_: shown.append("picture"))
+    for wrong in (7.0, 8.0, 9.0):
+        check("E3.4", wrong)
+    assert shown == ["words"] * 3 + ["picture"]
 
 
 def test_a_solution_is_shown_without_the_marks_of_its_regions(copy, capsys, monkeypatch, tmp_path):
@@ -209,8 +227,8 @@ def test_a_solution_is_shown_without_the_marks_of_its_regions(copy, capsys, monk
     path.parent.mkdir(parents=True)
     path.write_text(json.dumps({"cells": [cell]}))
     monkeypatch.setattr(checks, "workbook_data", lambda: tmp_path)
-    for _ in range(3):
-        said(capsys, "E3.4", 7.0)
+    for wrong in (7.0, 8.0, 9.0):
+        said(capsys, "E3.4", wrong)
     solution("E3.4")
     assert capsys.readouterr().out == "angle = 1.57\n"
 
@@ -251,6 +269,15 @@ def test_a_name_that_is_no_option_is_said_inside_lists_of_parts():
     task, variant = chapter.bare(form, Case(None, to_plain({"a": ["map", "laser_frame"]}), {}))
     verdict = judge_outcomes(task, variant, [to_plain({"a": ["map", "laser"]})])
     assert (verdict.mistake, verdict.detail["answer"], verdict.detail["part"]) == ("option", "laser", "a")
+
+
+def test_a_part_under_another_name_is_named_beside_the_one_that_is_missing():
+    task, variant = chapter.bare(
+        Parts({"x": Number(), "yaw": Angle()}), Case(None, to_plain({"x": 1.0, "yaw": 0.5}), {})
+    )
+    verdict = judge_outcomes(task, variant, [to_plain({"x": 1.0, "theta": 0.5})])
+    assert (verdict.mistake, verdict.detail["parts"]) == ("missing parts", ["yaw"])
+    assert verdict.detail["tip"].en == 'Nobody asked for "theta"'
 
 
 @pytest.mark.parametrize("is_sealed", [False, True])
@@ -301,6 +328,6 @@ def test_an_exception_that_is_asked_for_has_to_be_raised_and_the_right_one():
 
     assert verdict(raised(LookupException("no such frame"))) is None
     assert verdict(to_plain(LookupException("no such frame"))) is Mistake.NO_REFUSAL
-    assert verdict(to_plain(None)) is Mistake.NOTHING_RETURNED
+    assert verdict(to_plain(None)) is Mistake.NO_REFUSAL  # it was to raise: "need a return" would be no help
     assert verdict(raised(ValueError("no such frame"))) is Mistake.OTHER_EXCEPTION
     assert verdict(raised(KeyError("no such frame"))) is Mistake.RAISES

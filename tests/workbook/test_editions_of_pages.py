@@ -91,6 +91,16 @@ def test_an_exercise_holds_nothing_of_its_solution(stem: str) -> None:
                 assert cell["source"] != solved[cell["id"]]["source"]
 
 
+@pytest.mark.parametrize("language", ["en", "ko"])
+@pytest.mark.parametrize("stem", CHAPTERS[1:])
+def test_an_exercise_says_how_to_see_a_solution_how_to_start_over_and_what_comes_next(stem: str, language: str) -> None:
+    first, *_, last = cells_of(ROOT / "exercises" / language / f"E{stem}.ipynb")
+    begins, ends = "".join(first["source"]), "".join(last["source"])
+    assert f'`solution("E{int(stem[:2])}.1")`' in begins
+    assert "`tflab lab`" in begins
+    assert re.search(r"\*\*(Next|다음):\*\* \[[^]]+\]\(\.\./\.\./notebooks/", ends)
+
+
 @pytest.mark.slow
 def test_what_is_committed_is_what_the_sources_make() -> None:
     built = build_pages(sources(ROOT))

@@ -5,10 +5,22 @@ from __future__ import annotations
 import pytest
 
 from tflab.core import LookupException
+from tflab.workbook.answers.form import inside
 from tflab.workbook.answers.forms import Angle, Choice, Name, Number, Parts, Set
+from tflab.workbook.answers.sealed import seal
 from tflab.workbook.answers.values import raised, to_plain
+from tflab.workbook.places import workbook_data
 from tflab.workbook.tasks.case import Case
-from tflab.workbook.tasks.evidence import beyond_guessing, credited, habit
+from tflab.workbook.tasks.cases import read_chapter
+from tflab.workbook.tasks.evidence import (
+    asked_alike,
+    beyond_guessing,
+    beyond_one_word,
+    beyond_the_usual,
+    credited,
+    habit,
+    usual_among,
+)
 from tflab.workbook.tasks.mistake import Mistake
 from tflab.workbook.tasks.verdict import judge_outcomes
 
@@ -158,3 +170,83 @@ def test_results_of_different_sizes_can_be_guessed_at_too():
     cases = [Case([number], to_plain(names), {}) for number, names in enumerate([{"a"}, {"a", "b"}, {"a", "b", "c"}])]
     assert beyond_guessing(form, cases, 6, [False] * 3) == 1.0
     assert beyond_guessing(form, cases, 3, [False] * 3) == 0.0  # who always says {"a"} has three of the six
+
+
+LOOP = Parts({"leap_m": Number("m"), "step_m": Number("m")})
+
+
+@pytest.mark.parametrize(
+    ("own", "others", "usual"),
+    [
+        ((1.0, 0.0), [(2.0, 0.0), (3.0, 0.0)], [False, True]),
+        ((1.0, 0.0), [(2.0, 0.0), (3.0, 5.0)], [False, True]),
+        ((1.0, 0.0), [(2.0, 4.0), (3.0, 5.0), (4.0, 0.0)], [False, False]),
+        ((1.0, 0.0), [(1.0, 0.0), (1.0, 0.0)], []),  # nothing differs: this is known, or not
+        ((1.0, 0.0), [], []),
+    ],
+)
+def test_a_part_is_usual_that_is_right_in_half_of_the_other_variants(own, others, usual):
+    plain = [{"dict": dict(zip(LOOP.parts, values, strict=True))} for values in (own, *others)]
+    assert usual_among(LOOP, plain[0], plain[1:]) == usual
+
+
+def test_what_is_usual_earns_nothing_by_itself_and_costs_nothing_where_all_is_right():
+    assert beyond_the_usual([True, True], [False, True]) == [True, True]
+    assert beyond_the_usual([False, True], [False, True]) == [False, False]
+    assert beyond_the_usual([True, False], [False, True]) == [True, False]
+    assert beyond_the_usual([False, True], []) == [False, True]
+
+
+def test_what_follows_from_a_slip_earns_nothing_where_only_what_is_usual_is_right():
+    assert beyond_the_usual([True, True, False], [True, False, False], [False, True, False]) == [False] * 3
+    assert beyond_the_usual([True, True, False], [False, False, False], [False, True, False]) == [True, True, False]
+
+
+YES_NO = Choice(("yes", "no"))
+FOUR_OF_SIX = {"a": "yes", "b": "yes", "c": "yes", "d": "yes", "e": "no", "f": "no"}
+
+
+def passed_of(right, answer, form=YES_NO):
+    case = Case(None, to_plain(right), {})
+    task, variant = bare(Parts(dict.fromkeys(right, form)), case)
+    sealed_case = case._replace(expected=seal(task.form, case.expected, "salt"))
+    counts = {
+        judge_outcomes(task, variant._replace(cases=(one,)), [to_plain(answer)]).passed for one in (case, sealed_case)
+    }
+    assert len(counts) == 1  # a learner's own check says what grading says
+    return counts.pop()
+
+
+@pytest.mark.parametrize(
+    ("answer", "passed"),
+    [
+        (dict.fromkeys("abcdef", "yes"), 0),
+        (dict.fromkeys("abcdef", "no"), 0),
+        (dict.fromkeys("abcdf", "yes") | {"e": "no"}, 5),
+        (dict.fromkeys("bcdef", "yes") | {"a": "no"}, 0),  # right in three of five: less than anywhere
+        (dict.fromkeys("abc", "yes"), 3),  # the others are not answered yet
+        (dict.fromkeys("abc", "yes") | dict.fromkeys("def", "no"), 5),
+        (dict.fromkeys("abcdef", "perhaps"), 0),
+        ("yes", 0),
+    ],
+)
+def test_a_word_said_too_often_earns_nothing_where_it_is_right_as_it_would_be_anywhere(answer, passed):
+    assert passed_of(FOUR_OF_SIX, answer) == passed
+
+
+def test_one_word_for_all_is_right_where_it_is_right_for_all_and_of_two_it_is_a_slip():
+    assert passed_of(dict.fromkeys("abc", "yes"), dict.fromkeys("abc", "yes")) == 3
+    assert passed_of(dict.fromkeys("abc", "yes"), {"a": "yes", "b": "yes", "c": "no"}) == 2
+    assert passed_of({"a": "yes", "b": "no"}, {"a": "yes", "b": "yes"}) == 1
+
+
+@pytest.mark.parametrize("path", sorted(workbook_data().glob("exercises/cases/*.json")), ids=lambda path: path.stem)
+def test_no_known_mistake_loses_by_it_what_it_has_right_unless_it_is_one_word_for_all(path):
+    for task_id, task in read_chapter(path).tasks.items():
+        groups = asked_alike(task.form.parts) if isinstance(task.form, Parts) and not task.counts else []
+        for case in (case for variant in task.variants for case in variant.cases if groups):
+            for name in task.twins:
+                answer, right = case.twins[name], task.form.judge(case.twins[name], case.expected)
+                said = [{str(inside(answer).get(part)) for part in group} for group in groups]
+                if all(len(words) > 1 for words in said):
+                    assert beyond_one_word(task.form, answer, case.expected, right) == right, (task_id, name)

@@ -6,6 +6,7 @@ import math
 
 import pytest
 
+from tflab.core import Transform
 from tflab.ros.messages import geometry_msgs
 from tflab.workbook.answers.forms import (
     Angle,
@@ -15,10 +16,12 @@ from tflab.workbook.answers.forms import (
     Name,
     Number,
     Parts,
+    Pose,
     Quaternion,
     Sequence,
     Set,
     Tree,
+    Urdf,
     Vector,
 )
 from tflab.workbook.answers.sealed import seal
@@ -65,6 +68,15 @@ def test_what_any_answer_can_have_wrong_is_named_and_a_neighbour_is_not(form, ri
     shifted = wrong * 1.3 if isinstance(wrong, float) else (*wrong[:-1], wrong[-1] + 0.3)
     assert name not in judged(form, right, {}, shifted).slips
     assert judged(form, right, {}, right).mistake is None
+
+
+def test_an_inverse_of_which_only_the_translation_was_negated_is_not_taken_for_the_inverse():
+    there = Transform.from_rpy(0.1, 0.2, 0.7, translation=(1.0, 2.0, 3.0))
+    half = Transform((-1.0, -2.0, -3.0), there.rotation)
+    assert list(judged(Pose(), there.inverse(), {}, half).slips) == ["not turned back"]
+    assert list(judged(Pose(), there.inverse(), {}, there).slips) == ["inverse transform"]
+    beside = Transform((-1.0, -2.0, -3.3), there.rotation)
+    assert judged(Pose(), there.inverse(), {}, beside).slips == {}
 
 
 def test_it_is_recognised_where_the_right_answer_is_sealed():
@@ -142,6 +154,40 @@ def test_an_option_says_what_it_would_mean_and_the_part_what_it_shows():
     )
     verdict = judge_outcomes(task, variant, [to_plain({"a": "mount", "b": "mount"})])
     assert verdict.said.en == '"a": It would stay. It goes.'
+    loosely = judge_outcomes(task, variant, [to_plain({"a": "Mount.", "b": "mount"})])
+    assert loosely.said == verdict.said
+
+
+def test_an_option_says_what_there_is_to_see_where_another_one_is_right():
+    form = Parts({"a": Choice(("clock", "mount")), "b": Choice(("clock", "mount"))})
+    task, variant = bare(form, Case(None, to_plain({"a": "clock", "b": "mount"}), {}))
+    task = task._replace(
+        means={"mount": Words("It stays.", "남습니다.")}, seen={"clock": Words("It goes.", "사라집니다.")}
+    )
+    verdict = judge_outcomes(task, variant, [to_plain({"a": "mount", "b": "mount"})])
+    assert verdict.said.en == '"a": It stays. It goes.'
+
+
+def test_a_slip_on_the_way_to_a_part_is_named_though_the_part_that_it_is_made_in_is_right():
+    right, twin = {"a": 1.0, "b": 2.0, "c": 3.0}, {"a": 5.0, "b": 6.0, "c": 3.0}
+    said = {"late": words("late", part="a")}
+    verdict = judged(PARTS, right, {"late": twin}, right | {"b": 6.0}, said)
+    assert verdict.said.en == '"b": this follows from another "a" than the one you give: late'
+    assert not judged(PARTS, right, {"late": twin}, right | {"b": 6.0}, {"late": words("late")}).slips
+    cut_off = judged(PARTS, right, {"late": twin | {"b": 0.0}}, right | {"b": 0.0}, said)
+    assert list(cut_off.slips) == ["zero"]
+
+
+def test_a_slip_is_named_though_the_labels_of_its_message_were_put_right_by_hand():
+    def point(frame, x):
+        message = geometry_msgs.PointStamped()
+        message.header.frame_id, message.point.x = frame, x
+        return message
+
+    form = Message("geometry_msgs/msg/PointStamped", ("header.frame_id", "point"))
+    asked = [(point("map", x), point("map", 7.3 * x)) for x in (1.0, 2.0)]
+    twins = {"left": [point("odom", 7.3 * x) for x in (1.0, 2.0)]}
+    assert list(judged_function(form, asked, twins).slips) == ["left"]
 
 
 def test_where_nothing_fits_the_bounds_are_said_and_not_the_answer():
@@ -208,6 +254,20 @@ def test_a_function_that_changes_what_it_is_given_is_told_so():
     task, variant = bare(Number("s"), case, is_function=True)
     verdict = judge_outcomes(task, variant, [outcome_of(popped, case.args)])
     assert (verdict.mistake, verdict.detail["changed"]) == (Mistake.INPUT_CHANGED, 1)
+
+
+def test_what_a_function_gives_is_explained_though_it_changes_what_it_is_given():
+    def first_and_gone(stamps):
+        return stamps.pop(0)
+
+    cases = [Case([[1.0, 2.5]], 2.5, {"first": 1.0}), Case([[3.0, 4.5]], 4.5, {"first": 3.0})]
+    task, variant = bare(Number("s"), *cases, is_function=True)
+    verdict = judge_outcomes(
+        task._replace(twins={"first": words("first")}),
+        variant,
+        [outcome_of(first_and_gone, case.args) for case in cases],
+    )
+    assert list(verdict.slips) == ["first", "input changed"]
 
 
 def judged_function(form, asked, twins=None):
@@ -346,6 +406,7 @@ def test_an_answer_of_one_other_part_is_named_and_one_of_several_is_chance():
         (Sequence(Name()), ["a", "b"], ["a", "a", "b"], "members twice"),
         (Set(Name(), once=True), {"a", "b"}, ["a", "a", "b"], "members twice"),
         (Sequence(Name()), ["a", "b", "a"], ["a", "b"], "members once"),
+        (Sequence(Name()), ["b", "a", "b"], ["a", "b"], "members once, in another order"),
         (Sequence(Name()), ["a", "b", "c"], ["a", "c"], "members missing"),
         (Sequence(Name()), ["a", "b"], ["a", "c", "b"], "members too many"),
         (Tree(), {"odom": "map", "base": "odom"}, {"map": "odom", "odom": "base"}, "parent for child"),
@@ -362,6 +423,14 @@ def test_an_answer_of_one_other_part_is_named_and_one_of_several_is_chance():
             "tree: places changed",
         ),
         (Tree(), FIVE, FIVE | {"laser": "imu", "camera": "odom", "imu": "base"}, None),
+        (
+            Tree(),
+            {"r/odom": "map", "r/base": "r/odom"},
+            {"odom": "map", "r/base": "odom"},
+            "tree: names without a robot's",
+        ),
+        (Tree(), {"r/odom": "map"}, {"r/odom": "r/map"}, "tree: names with a robot's"),
+        (Tree(), {"r/odom": "map"}, {"r/odom": "world"}, "tree: other names"),
         (Tree(), {"r/odom": "map"}, {"r_odom": "map"}, "other separator"),
         (Tree(), {"r/odom": "map"}, {"/r/odom": "/map"}, "slash in front"),
         (Set(Name()), {"/tf", "/tf_static"}, {"tf", "tf_static"}, "no slash in front"),
@@ -377,6 +446,7 @@ def test_an_answer_of_one_other_part_is_named_and_one_of_several_is_chance():
         (Command(), "ros2 topic echo /tf --once", "ros2 topic echo /tf -once", "line: hyphens"),
         (Command(), "ros2 topic echo /tf --once", "ros2 topic echo /tf --csv", "line: other options"),
         (Command(), "ros2 run tf2_ros tf2_echo a b", "ros2 tf2_echo a b", "line: no run"),
+        (Command(), "ros2 run tf2_ros tf2_echo a b", "ros2 run tf2_ros tf2_echo /a b", "line: slash in front"),
         (Command(), "ros2 run tf2_ros tf2_echo a b", "ros2 run tf2_tools tf2_echo a b", "line: other package"),
         (Command(), "ros2 run tf2_ros tf2_echo a b", "ros2 run tf2_ros tf2_echo a, b", "line: commas"),
         (Command(), "ros2 run tf2_ros tf2_echo a b", "ros2 run tf2_ros tf2_echo b a", "line: order of names"),
@@ -384,6 +454,21 @@ def test_an_answer_of_one_other_part_is_named_and_one_of_several_is_chance():
 )
 def test_what_shows_only_beside_the_right_answer_is_named(form, right, wrong, name):
     assert next(iter(judged(form, right, {}, wrong).slips), None) == name
+
+
+@pytest.mark.parametrize(
+    ("form", "right", "wrong", "told"),
+    [
+        (Tree(), {"odom": "map", "base": "odom"}, {"base": "odom"}, 'these have no parent: "odom"'),
+        (Tree(), FIVE, FIVE | {"laser": "odom"}, 'It shows at "laser"'),
+        (Tree(), {"odom": "map"}, {"odom": "world"}, 'Not asked for: "world"'),
+        (Command(), "ros2 topic hz /tf", "ros2 topic hz /odom", "Not asked for: `/odom`"),
+        (Command(), "ros2 topic hz /tf", "ros2 topic list", "`ros2 topic list` lists the topics"),
+        (Command(), "ros2 run tf2_ros tf2_echo a b", "ros2 run tf2_tools view_frames", "`view_frames` draws the tree"),
+    ],
+)
+def test_where_it_shows_is_told_by_what_stands_in_the_answer(form, right, wrong, told):
+    assert told in judged(form, right, {}, wrong).said.en
 
 
 def test_a_set_takes_a_member_twice_unless_it_says_that_each_counts_once():
@@ -448,3 +533,37 @@ def test_two_parts_of_a_function_that_have_changed_places_come_before_two_slips(
         "one + other": wrong,
     }
     assert list(judged_function(PARTS, list(zip(right, wrong, strict=True)), twins).slips) == ["a and b changed places"]
+
+
+def robot(origin='xyz="0.2 -0.1 0.4" rpy="0 0 -0.6"', axis="0 1 0", kind="revolute", parent="base_link"):
+    return (
+        f'<joint name="nod" type="{kind}"><parent link="{parent}"/><child link="head"/>'
+        f'<origin {origin}/><axis xyz="{axis}"/></joint>'
+        '<joint name="lens_joint" type="fixed"><parent link="base_link"/><child link="lens"/></joint>'
+    )
+
+
+def test_words_that_two_slips_would_give_in_different_calls_are_confused_words():
+    form = Choice(("wait", "check", "drop"))
+    asked = [("wait", "check"), ("check", "wait"), ("wait", "check"), ("drop", "drop")]
+    twins = {"never waits": ["check", "check", "check", "drop"], "always waits": ["wait", "wait", "wait", "drop"]}
+    assert list(judged_function(form, asked, twins).slips) == ["wait and check swapped"]
+
+
+@pytest.mark.parametrize(
+    ("wrong", "said"),
+    [
+        ({"origin": 'xyz="0.2 0.1 0.4" rpy="0 0 -0.6"'}, '"head": where it is in its parent: one of the numbers has'),
+        ({"origin": 'xyz="20 -10 40" rpy="0 0 -0.6"'}, '"head": where it is in its parent: right, if it were in cm.'),
+        ({"origin": 'xyz="0.2 -0.1 0.4" rpy="0 0 0.6"'}, '"head": how it is turned in its parent: this is the inverse'),
+        ({"axis": "-1 0 0"}, '"head": at 0 it stands right; moved, it turns about -x of its own axes'),
+        ({"axis": "0 0 1"}, '"head": at 0 it stands right; moved, it turns about z of its own axes'),
+        ({"kind": "fixed"}, '"head": its joint is fixed'),
+        ({"kind": "prismatic"}, '"head": its joint slides'),
+        ({"parent": "lens"}, '"head": it hangs on lens'),
+    ],
+)
+def test_of_a_robot_each_link_is_told_what_is_wrong_with_it(wrong, said):
+    form = Urdf(("head", "lens"), joint="nod", settings=(0.0, 0.4))
+    assert judged(form, robot(), {}, robot(**wrong)).said.en.startswith(said)
+    assert judged(form, robot(), {}, robot()).mistake is None

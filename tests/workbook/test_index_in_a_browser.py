@@ -30,11 +30,11 @@ def test_the_first_page_runs_and_shows_what_has_been_passed(language: str, lab, 
     lab.open(page, f"{copy.name}/notebooks/{language}/00_start.ipynb")
     assert page.get_by_text("Jupyter news").count() == 0
     page.evaluate("void jupyterapp.commands.execute('notebook:run-all-cells')")
-    page.wait_for_function(HAVE_RUN, timeout=60_000)
+    page.wait_for_function(HAVE_RUN)
     page.evaluate(SHOW, "rviz")
-    page.wait_for_selector(".jp-OutputArea-output canvas", timeout=60_000)
+    page.wait_for_selector(".jp-OutputArea-output canvas")
     page.evaluate(SHOW, "progress")
-    page.wait_for_selector('.tflab-progress [title^="E3.1"]', state="attached", timeout=60_000)
+    page.wait_for_selector('.tflab-progress [title^="E3.1"]', state="attached")
     assert page.locator('.tflab-progress [title^="E3.1"]').text_content() == "■"
     assert page.locator('.tflab-progress [title^="E3.2"]').text_content() == "□"
     assert page.locator('.jp-OutputArea-output[data-mime-type*="error"]').count() == 0
@@ -47,17 +47,16 @@ def test_a_link_on_the_first_page_opens_the_exercise_in_the_same_copy(lab, page)
     page.locator(".jp-RenderedMarkdown a", has_text="E3").click()
     page.wait_for_function(
         "jupyterapp.shell.currentWidget?.context?.path === 'copy_of_links/exercises/en/E03_target_and_source.ipynb'",
-        timeout=60_000,
     )
 
 
 def test_a_picture_says_what_it_shows_a_page_its_language_and_no_line_of_code_is_cut(lab, page) -> None:
     copy = lay_out(lab.folder / "copy_of_words", "ko")
     lab.open(page, f"{copy.name}/notebooks/ko/03_target_and_source.ipynb")
-    page.wait_for_selector(".jp-Notebook[lang=ko]", timeout=60_000)
-    page.wait_for_selector(".jp-CodeCell .cm-content.cm-lineWrapping", timeout=60_000)
+    page.wait_for_selector(".jp-Notebook[lang=ko]")
+    page.wait_for_selector(".jp-CodeCell .cm-content.cm-lineWrapping")
     page.evaluate("jupyterapp.shell.currentWidget.content.scrollToItem(6, 'start')")
-    page.wait_for_selector(".jp-RenderedImage img", timeout=60_000)
+    page.wait_for_selector(".jp-RenderedImage img")
     page.wait_for_function(
         "[...document.querySelectorAll('.jp-RenderedImage img')].every((image) => image.alt.length > 20)"
     )
@@ -71,7 +70,7 @@ def test_a_view_whose_kernel_is_gone_says_its_words_and_what_to_run(lab, page) -
     nbformat.write(notebook, lab.folder / "yesterday.ipynb")
     NotebookNotary().sign(nbformat.read(lab.folder / "yesterday.ipynb", 4))
     lab.open(page, "yesterday.ipynb")
-    page.wait_for_function("document.body.innerText.includes('Run this cell to see it move.')", timeout=60_000)
+    page.wait_for_function("document.body.innerText.includes('Run this cell to see it move.')")
     said = page.locator(".jp-OutputArea-output").inner_text()
     assert said.startswith("odom and base_link, 2.00 m apart")
     assert "model not found" not in said
@@ -82,7 +81,7 @@ def test_a_page_is_unsaved_when_somebody_writes_into_it_and_not_for_what_its_ker
     notebook = nbformat.v4.new_notebook(cells=cells, metadata={"tflab": {"language": "en"}, "kernelspec": PYTHON})
     nbformat.write(notebook, lab.folder / "clean.ipynb")
     lab.open(page, "clean.ipynb")
-    page.wait_for_function(f"{MODEL}.getMetadata('language_info').version !== undefined", timeout=60_000)
+    page.wait_for_function(f"{MODEL}.getMetadata('language_info').version !== undefined")
     page.wait_for_timeout(500)
     assert page.evaluate(f"{MODEL}.dirty") is False
     page.evaluate(f"{MODEL}.cells.get(1).sharedModel.setSource('3 + 3')")
@@ -94,8 +93,8 @@ def test_a_panel_names_its_picture_and_its_sliders(lab, page) -> None:
     lab.write_notebook("panel.ipynb", ["from tflab.views.panels import latency_panel\nlatency_panel()"])
     lab.open(page, "panel.ipynb")
     lab.run_all(page)
-    page.wait_for_selector(".jp-OutputArea-output img.tflab-picture[alt]", timeout=60_000)
-    page.wait_for_selector("[role=slider][aria-label]", timeout=10_000)  # the extension looks five times a second
+    page.wait_for_selector(".jp-OutputArea-output img.tflab-picture[alt]")
+    page.wait_for_selector("[role=slider][aria-label]")  # the extension looks five times a second
     named = page.eval_on_selector_all("[role=slider]", "(all) => all.map((each) => each.getAttribute('aria-label'))")
     assert len(named) >= 3 and named[0] == "speed [m/s]" and all(named)
     assert page.locator("img.tflab-picture").get_attribute("alt").startswith("A robot drives 1.000 m/s")

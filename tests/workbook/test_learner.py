@@ -189,6 +189,21 @@ def test_a_text_that_tells_what_was_to_be_predicted_is_folded_under_its_heading(
     assert "\n\nIt says it.\n\n</details>" in cells(copy / START)["guess-told"]
 
 
+def test_what_is_folded_holds_no_fold_and_no_caption_of_a_figure(handed_out: HandedOut, tmp_path: Path) -> None:
+    own = "<details><summary>I said 2</summary>\n\nNo.\n\n</details>"
+    for told, laid_out in (
+        (f"{own}\n{own}", f"{own}\n\n{own}"),
+        (f"Three.\n\n{own}", f"{{0}}\n\nThree.\n\n</details>\n\n{own}"),
+        ("*그림 읽기:* same = 같음.\n셋입니다.", "*그림 읽기:* same = 같음.\n\n{0}\n\n셋입니다.\n\n</details>"),
+        ("셋입니다.\n\n그림 읽기: ball = 공.", "{0}\n\n셋입니다.\n\n</details>\n\n그림 읽기: ball = 공."),
+        ("*그림 읽기:* ball = 공.", "*그림 읽기:* ball = 공."),
+    ):
+        ask_to_predict(handed_out, "guess", guess="print('hello')", guess_told=f"## So?\n\n{told}")
+        copy = lay_out(tmp_path / str(len(told)), "en")
+        summary = "<details><summary>Run it first, then open this</summary>"
+        assert cells(copy / START)["guess-told"] == "## So?\n\n" + laid_out.replace("{0}", summary)
+
+
 def test_a_figure_is_folded_where_a_live_view_says_the_same_and_nowhere_else(
     handed_out: HandedOut, tmp_path: Path
 ) -> None:

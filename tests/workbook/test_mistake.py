@@ -64,5 +64,4 @@ def test_a_urdf_that_cannot_be_read_is_answered_with_the_readers_own_error():
     lost = judge_outcomes(*bare(form, Case(None, joint.format("lens"), {})), [joint.format("lense")])
     assert lost.mistake is Mistake.NO_ROBOT and 'its child link "lense" does not exist' in lost.detail["fault"]
     moved = judge_outcomes(*bare(form, Case(None, joint.format("lens"), {})), wrong)
-    assert moved.mistake is Mistake.PARTS and moved.detail["wrong"] == ["lens"]
-    assert moved.detail["certain"].en == "lens: where it is in its parent"
+    assert moved.said.en == '"lens": where it is in its parent: y, z: right; x: too large'

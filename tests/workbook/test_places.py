@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from tflab.workbook.copy import environment
-from tflab.workbook.places import chapters, stems_called, workbook_data
+from tflab.workbook.places import Workbook, chapters, stems_called, workbook_data, write_workbook
 from tflab.workbook.whole_files import write_whole
 
 from .conftest import HandedOut
@@ -56,12 +56,20 @@ def test_a_page_is_named_by_its_stem_or_its_number_and_stands_once() -> None:
         stems_called([""], [])
 
 
-def test_what_is_missing_is_named_with_what_to_type(monkeypatch, capsys) -> None:
+def test_what_is_missing_is_named_with_what_to_type(tmp_path: Path, monkeypatch, capsys) -> None:
     environment.check_environment()
     assert "✗" not in capsys.readouterr().out
     monkeypatch.setattr(environment, "LEAST_PYTHON", (99, 0))
-    monkeypatch.setitem(environment.NEEDED, "widgets and 3D", ("tflab[lab]", ("no_such_package",)))
+    needed = environment.Need(environment.NEEDED[1].what, "tflab[lab]", ("no_such_package",))
+    monkeypatch.setattr(environment, "NEEDED", (environment.NEEDED[0], needed))
     environment.check_environment()
     said = capsys.readouterr().out
     assert "install a later one" in said
-    assert 'no_such_package is missing: pip install "tflab[lab]"' in said
+    assert 'missing: no_such_package. Type: pip install "tflab[lab]"' in said
+    write_workbook(tmp_path, Workbook(language="ko"))
+    monkeypatch.chdir(tmp_path)
+    environment.check_environment()
+    said = capsys.readouterr().out
+    assert "새 Python을 설치하고" in said
+    assert "위젯과 3D" in said and '없음: no_such_package. 이렇게 설치하십시오: pip install "tflab[lab]"' in said
+    assert "missing" not in said

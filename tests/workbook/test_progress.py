@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import subprocess
 import sys
 from pathlib import Path
@@ -41,6 +42,30 @@ def test_tries_hints_and_mistakes_are_counted_and_a_pass_stays(copy: Path) -> No
     assert [record_hint(copy, "E3.2"), record_hint(copy, "E3.2"), record_hint(copy, "E3.3")] == [1, 2, 1]
     assert attempts(copy, "E3.2") == Attempts(tries=3, hints=2, passed=True, best=6, of=6, twins={"swapped": 2})
     assert attempts(copy, "E3.4") == Attempts()
+
+
+def test_an_answer_that_was_checked_before_is_no_new_try(copy):
+    for outcomes in ([1.0, "a"], [1.0, "a"], [2.0, "a"], [1.0, "a"]):
+        record_try(copy, "E3.2", 0, 6, "swapped", outcomes)
+    assert attempts(copy, "E3.2").tries == 2
+    assert attempts(copy, "E3.2").twins == {"swapped": 2}
+
+
+def test_an_answer_that_was_wrong_and_is_right_by_now_passes(copy):
+    record_try(copy, "E3.2", 0, 1, None, [1.0])
+    record_try(copy, "E3.2", 1, 1, None, [1.0])
+    assert attempts(copy, "E3.2").passed and attempts(copy, "E3.2").tries == 1
+
+
+def test_a_file_that_knows_the_last_answer_alone_is_read(copy):
+    record_try(copy, "E3.2", 0, 1, None, [1.0])
+    file = copy / progress.FILE
+    plain = json.loads(file.read_text())
+    line = plain["tasks"]["E3.2"]
+    line["last"] = line.pop("seen")[0]
+    file.write_text(json.dumps(plain))
+    record_try(copy, "E3.2", 0, 1, None, [1.0])
+    assert attempts(copy, "E3.2").tries == 1
 
 
 def test_nothing_is_kept_where_there_is_no_copy(tmp_path: Path) -> None:

@@ -1,5 +1,7 @@
 """A proof as an answer: judged without knowing the diagnosis, sealed like any other."""
 
+from tflab.clinic.proof import flaw_of
+from tflab.clinic.table import COMPLAINTS, SUSPECTS
 from tflab.workbook.answers import sealed
 from tflab.workbook.answers.forms import Choice, Parts, Proof, Telling, form_from_plain
 from tflab.workbook.answers.values import to_plain
@@ -39,7 +41,39 @@ def test_what_is_said_of_a_list_depends_on_the_cause_beside_it():
     assert said.en.startswith("your checks say the same for “laser clock ahead” and “transforms late”")
     assert FORM.remark(["hz /scan"], {"a cause": "gremlins"}) is None
     assert "the other 4 min tell nothing" in FORM.remark(["delay /scan", "monitor"], {"c": "laser clock ahead"}).en
-    assert FORM.remark(["delay /scan"], {"c": "laser clock ahead"}) is None
+    assert FORM.remark([], {"c": "laser clock ahead"}).en.startswith("without a check")
+    assert "on this patient these checks say otherwise" in FORM.remark(["delay /scan"], {"c": "laser clock ahead"}).en
+
+
+ONE = Parts({"a cause": Choice((*SUSPECTS, "sensor broken")), "a checks": FORM})
+PROVED = {"a cause": "laser clock ahead", "a checks": ("laser clock ahead", ["delay /scan"])}
+
+
+def judged(cause, checks):
+    answer = {"a cause": cause, "a checks": checks}
+    return ONE.judge(to_plain(answer), to_plain(PROVED))
+
+
+def test_beside_a_cause_a_list_proves_that_one_or_nothing():
+    assert judged("laser clock ahead", ["delay /scan"]) == [True, True]
+    assert judged("Laser clock ahead.", ["ros2 topic delay /scan"]) == [True, True]
+    for cause in ("odometry slow", "sensor broken", "", None, 3):
+        assert judged(cause, ["delay /scan"]) == [False, False], cause
+
+
+def test_a_list_that_proves_two_of_three_suspects_earns_nothing_without_a_name():
+    both = ["hz /odom"]
+    proved = [suspect for suspect in COMPLAINTS["flickers"].suspects if flaw_of(both, suspect) is None]
+    assert proved == ["transforms late", "odometry slow"]
+    for guess in (*proved, "laser clock ahead", "sensor broken", None):
+        bound = FORM.beside(both, {"a cause": guess})
+        right = [suspect for suspect in proved if FORM.judge(bound, {"tuple": [suspect, both]}) == [True]]
+        assert right == ([guess] if guess in proved else [])
+
+
+def test_what_is_no_check_spoils_a_list():
+    for odd in (True, float("nan"), 10**400, None, ["delay /scan"], "x-ray"):
+        assert judged("laser clock ahead", ["delay /scan", odd]) == [True, False], odd
 
 
 def test_the_form_comes_back_from_json():

@@ -7,19 +7,14 @@ import re
 import pytest
 
 from tflab.workbook.answers.forms import form_from_plain
-from tflab.workbook.places import workbook_data
 from tflab.workbook.tasks.cases import PUBLIC_SEED, make_cases, task_cases
-from tflab.workbook.tasks.mistake import Mistake
 from tflab.workbook.tasks.reference import in_process_ros, solution_in_notebook
 from tflab.workbook.tasks.task import read_tasks
 from tflab.workbook.tasks.verdict import judge_outcomes
 
-SOLUTIONS = workbook_data() / "solutions"
-STEMS = sorted(path.name for path in (SOLUTIONS / "tasks").glob("[0-9]*"))
-TASKS = [(stem, task) for stem in STEMS for task in read_tasks(SOLUTIONS / "tasks" / stem)]
+from .each_task import SOLUTIONS, STEMS, each_task
+
 SEEDS, SEEDS_OF_PAIRS = 200, 20  # where slips compose, each seed is some hundred answers
-SAID_MORE_SIMPLY = {Mistake.ECHO, Mistake.CONSTANT, Mistake.NOTHING_RETURNED}  # what two slips together may come to
-each_task = pytest.mark.parametrize(("stem", "task"), TASKS, ids=[task.id for _, task in TASKS])
 
 
 def _seeds(task):
@@ -39,39 +34,6 @@ def test_twins_stay_apart_for_any_seed(stem, task):
     with in_process_ros():
         for seed in _seeds(task):
             task_cases(task, seed, solution, variants=1)  # raises where two look alike
-
-
-@each_task
-def test_every_slip_and_every_two_get_their_own_reply_and_the_solution_full_marks(stem, task):
-    solution = solution_in_notebook(SOLUTIONS / "en" / f"{stem}.ipynb")
-    with in_process_ros():
-        made = task_cases(task, PUBLIC_SEED if task.is_costly else "replies", solution)
-    for variant in made.variants:
-        right = [case.expected for case in variant.cases]
-        assert judge_outcomes(made, variant, right).mistake is None
-        for name in variant.cases[0].twins:
-            verdict = judge_outcomes(made, variant, [case.twins[name] for case in variant.cases])
-            if verdict.mistake in SAID_MORE_SIMPLY and " + " in name:
-                continue
-            assert verdict.mistake is Mistake.SLIP
-            if " + " in name and len(verdict.slips) == 1 and not verdict.slips.keys() & made.twins.keys():
-                continue  # two signs that come to what anybody's one slip gives: x and y changed places, say
-            if " + " in name and _is_explained_by_one(task, variant, name, verdict):
-                continue
-            assert " + ".join(verdict.slips) == name
-
-
-def _is_explained_by_one(task, variant, name, verdict):
-    """Return whether one slip gives in each part that is wrong what the two gave together, in these numbers."""
-    (one, *others), parts = verdict.slips, getattr(task.form, "parts", {})
-    if others or not parts or one not in variant.cases[0].twins:
-        return False
-    rows = [(case.twins[name]["dict"], case.twins[one]["dict"], case.expected["dict"]) for case in variant.cases]
-    return all(
-        form.alike(both[part], alone[part]) or form.alike(both[part], right[part])
-        for both, alone, right in rows
-        for part, form in parts.items()
-    )
 
 
 @each_task

@@ -1,0 +1,114 @@
+"""How a wrong answer came about, where two mistakes stand beside each other: in other calls, in other places."""
+
+from __future__ import annotations
+
+import pytest
+
+from tflab.workbook.answers.forms import Choice, Command, Name, Number, Parts, Sequence
+from tflab.workbook.answers.values import raised
+from tflab.workbook.tasks.case import Case
+from tflab.workbook.tasks.mistake import Mistake
+from tflab.workbook.tasks.verdict import judge_outcomes
+
+from .small_chapter import bare
+from .test_explain import judged, judged_function, words
+
+STOPPED = raised(TypeError("no"))
+MOUNT = "ros2 run tf2_ros static_transform_publisher"
+ASKED = f"{MOUNT} --x 0.2 --y -0.1 --z 0.3 --yaw 0.5 --frame-id base_link --child-frame-id laser"
+
+
+def test_a_function_that_stops_in_some_calls_hears_what_is_wrong_in_the_others_first():
+    cases = [Case([place], float(place + 1), {}) for place in range(4)]
+    task, variant = bare(Number("m"), *cases, is_function=True)
+    verdict = judge_outcomes(task, variant, [-1.0, -2.0, -3.0, STOPPED])
+    assert list(verdict.slips) == ["sign", "stops: TypeError"]
+    assert "in 1 of the 4 calls" in verdict.said.en
+    assert judge_outcomes(task, variant, [1.0, 2.0, 3.0, STOPPED]).mistake is Mistake.RAISES
+    assert judge_outcomes(task, variant, [-1.0, 2.5, -3.0, STOPPED]).mistake is not Mistake.SLIP
+
+
+def test_a_slip_that_would_show_only_where_a_function_stops_is_not_said_of_it():
+    cases = [Case([place], float(place + 1), {"late": float(place + 1) if place < 3 else 9.0}) for place in range(4)]
+    task, variant = bare(Number("m"), *cases, is_function=True)
+    verdict = judge_outcomes(task._replace(twins={"late": words("late")}), variant, [1.0, 2.0, 3.0, STOPPED])
+    assert (verdict.mistake, verdict.slips) == (Mistake.RAISES, {})
+
+
+def test_two_slips_that_show_in_different_calls_are_both_named_and_a_third_mistake_is_not_passed_over():
+    twins = {"bound": ["a", "y", "c", "d"], "empty": ["a", "b", "c", "z"]}
+    right = ["a", "b", "c", "d"]
+    assert list(judged_function(Name(), list(zip(right, ["a", "y", "c", "z"], strict=True)), twins).slips) == [
+        "bound",
+        "empty",
+    ]
+    assert judged_function(Name(), list(zip(right, ["q", "y", "c", "z"], strict=True)), twins).slips == {}
+
+
+def test_each_member_of_a_list_of_choices_has_a_slip_of_its_own():
+    form = Parts({name: Sequence(Choice(("in", "out"))) for name in "ab"})
+    right = {"a": ["in", "in", "in"], "b": ["out", "out", "out"]}
+    twins = {f"no {place}": right | {"a": ["in"] * place + ["out"] + ["in"] * (2 - place)} for place in range(3)}
+    answer = right | {"a": ["out", "out", "out"]}
+    verdict = judged(form, right, twins, answer)
+    assert list(verdict.slips) == ["no 0", "no 1", "no 2"]
+    assert verdict.said.en == '"a[0]": no 0 "a[1]": no 1 "a[2]": no 2'
+
+
+def test_a_whole_list_is_called_by_its_name_and_one_reply_is_given_once():
+    form = Parts({name: Sequence(Choice(("in", "out"))) for name in "ab"})
+    right = {"a": ["in", "out"], "b": ["out", "out"]}
+    swapped = {"a": ["out", "in"], "b": ["in", "out"]}
+    said = {"swapped": words("swapped", partly=True)}
+    assert judged(form, right, {"swapped": swapped}, swapped | {"b": ["out", "out"]}, said).said.en == '"a": swapped'
+
+
+@pytest.mark.parametrize(
+    ("line", "name"),
+    [
+        (ASKED.replace("frame-id", "frame_id"), "static: underscores"),
+        (ASKED.replace("--child-frame-id", "--child"), "static: no such option"),
+        (ASKED.replace("--frame-id base_link ", ""), "static: a frame missing"),
+        (ASKED.replace("0.2 --y", "0.2 0.1 --y"), "static: a word without option"),
+        (ASKED.replace(" --", " -"), "line: hyphens"),
+        (f"{MOUNT} 0.2 -0.1 0.3 base_link laser", "static: not eight words"),
+        (ASKED.replace("publisher", "broadcaster"), "line: other program"),
+        (ASKED.replace("run", "launch"), "line: other command"),
+        (ASKED.replace("laser", "/laser"), "slash in front"),
+        (ASKED.replace("0.2", "200").replace("-0.1", "-100").replace("0.3", "300"), "unit mm"),
+        (ASKED.replace("0.5", "-0.5"), "inverse rotation"),
+    ],
+)
+def test_what_is_wrong_with_a_mount_on_a_command_line_is_said_of_its_option_or_its_part(line, name):
+    assert list(judged(Command(), ASKED, {}, line).slips) == [name]
+    assert judged(Command(), ASKED, {}, ASKED).mistake is None
+
+
+@pytest.mark.parametrize(("answer", "fits"), [(0.3333333333, True), (0.333, True), (0.332, False), (0.3326667, False)])
+def test_the_more_digits_a_number_has_the_closer_a_slip_has_to_fit(answer, fits):
+    form = Number("m", tolerance=0.002)
+    verdict = judged(form, 0.47, {"one third": 1 / 3}, answer)
+    assert (list(verdict.slips) == ["one third"]) is fits
+
+
+def test_three_slips_are_named_where_each_shows_alone_and_each_two_give_what_came_out():
+    right = ["a", "b", "c", "d"]
+    gives = {"one": ["x", "b", "c", "d"], "two": ["a", "y", "c", "d"], "three": ["a", "b", "z", "d"]}
+    pairs = {
+        "one + two": ["x", "y", "c", "q"],
+        "one + three": ["x", "b", "z", "d"],
+        "two + three": ["a", "y", "z", "d"],
+    }
+
+    def slips(*outcomes):
+        return list(judged_function(Name(), list(zip(right, outcomes, strict=True)), gives | pairs).slips)
+
+    assert slips("x", "y", "z", "q") == ["one", "two", "three"]
+    assert slips("x", "y", "z", "d") == []  # of "one" and "two" together, the last call would be another one
+
+
+def test_two_slips_in_two_parts_are_each_said_of_its_own():
+    form = Parts({name: Choice(("in", "out")) for name in "ab"})
+    right, both = {"a": "in", "b": "in"}, {"a": "out", "b": "out"}
+    twins = {"first": right | {"a": "out"}, "second": right | {"b": "out"}, "first + second": both}
+    assert judged(form, right, twins, both).said.en == '"a": first "b": second'

@@ -1,0 +1,48 @@
+"""Every mistake that a task knows, alone and with each other one, is told apart and named."""
+
+from __future__ import annotations
+
+from tflab.workbook.tasks.cases import PUBLIC_SEED, task_cases
+from tflab.workbook.tasks.mistake import Mistake
+from tflab.workbook.tasks.reference import in_process_ros, solution_in_notebook
+from tflab.workbook.tasks.verdict import judge_outcomes
+
+from .each_task import SOLUTIONS, each_task
+
+SAID_MORE_SIMPLY = {Mistake.ECHO, Mistake.CONSTANT, Mistake.NOTHING_RETURNED}  # what two slips together may come to
+
+
+@each_task
+def test_every_slip_and_every_two_get_their_own_reply_and_the_solution_full_marks(stem, task):
+    solution = solution_in_notebook(SOLUTIONS / "en" / f"{stem}.ipynb")
+    with in_process_ros():
+        made = task_cases(task, PUBLIC_SEED if task.is_costly else "replies", solution)
+    for variant in made.variants:
+        right = [case.expected for case in variant.cases]
+        assert judge_outcomes(made, variant, right).mistake is None
+        for name in variant.cases[0].twins:
+            verdict = judge_outcomes(made, variant, [case.twins[name] for case in variant.cases])
+            if verdict.mistake in SAID_MORE_SIMPLY and " + " in name:
+                continue
+            assert verdict.mistake is Mistake.SLIP
+            if " + " in name and len(verdict.slips) == 1 and not verdict.slips.keys() & made.twins.keys():
+                continue  # two signs that come to what anybody's one slip gives: x and y changed places, say
+            if " + " in name and _is_explained_by_one(task, variant, name, verdict):
+                continue
+            said = " + ".join(verdict.slips)  # in two parts: in the order of the parts, not of the work
+            assert said == name or (
+                made.form.plain().get("parts") and sorted(verdict.slips) == sorted(name.split(" + "))
+            )
+
+
+def _is_explained_by_one(task, variant, name, verdict):
+    """Return whether one slip gives in each part that is wrong what the two gave together, in these numbers."""
+    (one, *others), parts = verdict.slips, getattr(task.form, "parts", {})
+    if others or not parts or one not in variant.cases[0].twins:
+        return False
+    rows = [(case.twins[name]["dict"], case.twins[one]["dict"], case.expected["dict"]) for case in variant.cases]
+    return all(
+        form.alike(both[part], alone[part]) or form.alike(both[part], right[part])
+        for both, alone, right in rows
+        for part, form in parts.items()
+    )
