@@ -288,7 +288,7 @@ graph.stop()
 #
 # 페이지에 필요한 것을 한 줄에 하나씩 점검합니다. ✗가 있으면 무엇이 없는지, 무엇을 입력하면 되는지 알려 줍니다.
 
-# %% name="environment"
+# %% name="environment" tags=["predicted"] slide="skip"
 lesson.check_environment()
 
 # %% [markdown] lang="en" name="progress-why" slide="skip"
@@ -307,7 +307,7 @@ lesson.check_environment()
 # 한 장을 마쳤다면 [끝없는 연습](91_practice.ipynb)에서 같은 과제를 다른 숫자로 다시 풀어 보세요. 틀렸던 것이 먼저 나옵니다.
 # tflab의 새 버전이 나오면 `tflab lab --update`로 받습니다. 직접 쓴 내용은 그대로 남습니다.
 
-# %% name="progress" tags=["interactive"]
+# %% name="progress" tags=["interactive"] slide="skip"
 lesson.show_progress()
 
 # %% [markdown] lang="en" name="map-why" slide="slide"

@@ -526,14 +526,10 @@ print(f'age {age_s:.3f} s, ahead at the stamp {ahead_then:.2f} m, ahead on arriv
 # %% [markdown] lang="en" name="age-seen" tags=["predicted"]
 # 3.50 m: in 0.2 s the robot drove 0.1 m towards the ball. Who said 3.60 took the moment of arrival for the moment of the picture; who said 3.70 drove backwards.
 # The lecture says that a place shifts by the distance driven. That holds straight on; when the robot turns meanwhile, what is far away shifts by much more (chapter 08).
-#
-# The next command measures the age, and the figure shows the journeys of three messages.
 
 # %% [markdown] lang="ko" name="age-seen" tags=["predicted"]
 # 3.50 m입니다. 0.2초 동안 로봇이 공 쪽으로 0.1 m 달렸습니다. 3.60이라고 했다면 도착한 시각을 촬영한 시각으로 본 것이고, 3.70이라고 했다면 뒤로 달린 것입니다.
 # 강의 자료에는 움직인 거리만큼 위치가 밀린다고 되어 있습니다. 곧게 달릴 때는 그렇습니다. 그사이 로봇이 돌면 멀리 있는 것은 훨씬 크게 밀립니다(08장).
-#
-# 다음 명령은 나이를 재고, 이어지는 그림은 메시지 세 개의 여정입니다. *그림 읽기:* stamped = 측정, sent = 보냄, received = 받음, transformed = 옮김.
 
 # %% [markdown] lang="en" name="age-notes" slide="notes"
 # Draw it: a line for the camera, a line for the robot, and the 0.2 s between.
@@ -547,6 +543,12 @@ print(f'age {age_s:.3f} s, ahead at the stamp {ahead_then:.2f} m, ahead on arriv
 # 그리고 말합니다.
 # 숫자는 맞았습니다.
 # 그때 맞았습니다.
+
+# %% [markdown] lang="en" name="topic-delay-why"
+# The next command measures the age, and the figure shows the journeys of three messages.
+
+# %% [markdown] lang="ko" name="topic-delay-why"
+# 다음 명령은 나이를 재고, 이어지는 그림은 메시지 세 개의 여정입니다. *그림 읽기:* stamped = 측정, sent = 보냄, received = 받음, transformed = 옮김.
 
 # %% name="topic-delay"
 # %ros2 --for 2.2 topic delay /detected_point
@@ -704,12 +706,14 @@ for frame in ('base_link', 'map'):
 
 # %% [markdown] lang="en" name="no-stamp-seen" tags=["predicted"]
 # Not a word, and a ball that rolled forward with the robot. Into `base_link` nothing changed: between the camera and the robot lies only a mount, and a mount is the same at all times.
-#
-# Last, overwrite the label as the program with the code did:
 
 # %% [markdown] lang="ko" name="no-stamp-seen" tags=["predicted"]
 # 아무 말이 없고, 공은 로봇과 함께 앞으로 굴러갔습니다. `base_link` 기준으로는 달라지지 않았습니다. 카메라와 로봇 사이에는 장착 변환만 있고, 장착 변환은 언제나 같기 때문입니다.
-#
+
+# %% [markdown] lang="en" name="wrong-label-why"
+# Last, overwrite the label as the program with the code did:
+
+# %% [markdown] lang="ko" name="wrong-label-why"
 # 마지막으로, 앞에서 본 프로그램처럼 이름표를 덮어써 봅시다.
 
 # %% name="wrong-label"

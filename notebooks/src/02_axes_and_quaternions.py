@@ -780,7 +780,8 @@ lesson.draw_frame(view, "base_link", Transform(), length_m=0.3)
 lesson.draw_frame(view, "camera_link", base_T_camera, "base_link", length_m=0.3)
 lesson.draw_frame(view, "camera_optical_frame", base_T_optical, "camera_link", length_m=0.5)
 lesson.draw_camera(view, "camera", base_T_optical, depth_m=1.5, pixels=[(460.0, 170.0)])
-lesson.draw_arrow(view, "ray", base_T_optical.translation, base_p_mug, name="mug")
+lesson.draw_arrow(view, "ray", base_T_optical.translation, base_p_mug)
+lesson.draw_mug(view, "mug", base_p_mug)
 view
 
 # %% name="scene-figure" slide="skip"

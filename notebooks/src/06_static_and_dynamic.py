@@ -439,7 +439,7 @@ graph = lesson.new_graph()
 # %ros2 run tf2_ros static_transform_publisher --x 0.2 --yaw 30 --frame-id base_link --child-frame-id camera_link
 # %ros2 --for 1.2 run tf2_ros tf2_echo base_link camera_link
 
-# %% name="equals-sign" tags=["predicted"] slide="-"
+# %% name="equals-sign" tags=["predicted"] slide="subslide"
 # %ros2 run tf2_ros static_transform_publisher --x=0.2 --yaw 0.52 --frame-id base_link --child-frame-id camera_link
 
 # %% [markdown] lang="en" name="break-command-seen" tags=["predicted"]
@@ -523,7 +523,7 @@ graph = lesson.new_graph()
 #         transform.transform.rotation.w = 1.0
 #
 #         self.broadcaster.sendTransform(transform)
-#         self.get_logger().info('base_link → laser_frame 발행')
+#         self.get_logger().info('sent: base_link → laser_frame')
 #
 #
 # def main(args=None):
@@ -541,8 +541,6 @@ graph = lesson.new_graph()
 # if __name__ == '__main__':
 #     main()
 # ```
-#
-# (The text that it logs is Korean: "published".)
 #
 # </details>
 #
@@ -752,7 +750,7 @@ rclpy.init()
 listener = listen('listener')
 graph.run(seconds=2.5)
 
-# %% name="hundred-questions" tags=["predicted"] slide="fragment"
+# %% name="hundred-questions" tags=["predicted"] slide="subslide"
 asked, age, where, refused = [], {'camera_link': [], 'laser_frame': []}, [], 0
 for _ in range(100):
     graph.run(seconds=0.03)
@@ -966,7 +964,7 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 #         transform.transform.translation.x = math.cos(self.theta)
 #         transform.transform.translation.y = math.sin(self.theta)
 #         transform.transform.translation.z = 0.0
-#         # 평면 Yaw를 Quaternion으로 변환
+#         # a yaw in the plane, as a quaternion
 #         transform.transform.rotation.z = math.sin(self.theta / 2.0)
 #         transform.transform.rotation.w = math.cos(self.theta / 2.0)
 #         self.broadcaster.sendTransform(transform)
@@ -1176,7 +1174,7 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 #
 # 첫 명령으로 볼 것은 다음 줄들입니다. 게시판이 있는 발행자와 없는 발행자가 하나씩 있습니다.
 
-# %% name="two-durabilities" slide="-"
+# %% name="two-durabilities" slide="subslide"
 graph = lesson.new_graph()
 graph.start(driver, name='driver')
 # %ros2 run tf2_ros static_transform_publisher --x 0.1 --frame-id base_link --child-frame-id camera_link

@@ -131,7 +131,7 @@ in_visual = URDF.replace(paint, f'<origin {QUARTER}/> {paint}')
 in_joint = URDF.replace('xyz="0.20 0.0 0.15" rpy="0.0 0.0 0.0"', f'xyz="0.20 0.0 0.15" {QUARTER}')
 truly = {'laser_frame': Transform.from_rpy(yaw=math.pi / 2, translation=(0.20, 0.0, 0.15))}
 
-# %% name="where-the-walls-are" tags=["predicted"] slide="fragment"
+# %% name="where-the-walls-are" tags=["predicted"] slide="subslide"
 placed = {}
 for name, urdf in {'nothing written': URDF, 'in <visual>': in_visual, 'in <joint>': in_joint}.items():
     robot = lesson.TeachingRobot(urdf=urdf, screws=truly)
@@ -238,14 +238,14 @@ base_T_tool0 = poses['base_link'].inverse() @ poses['tool0']
 x, y, z = base_T_tool0.translation
 lesson.draw_joints(at, touched='elbow_joint', ghosts={'0.12 added to z': (x, y, z + 0.12)})
 
-# %% [markdown] lang="en" name="chain-seen"
+# %% [markdown] lang="en" name="chain-seen" slide="subslide"
 # - A joint changes one domino, its own. The tip moves because the product does.
 # - The fixed joints have numbers, too, and no hinge.
 # - [[tcp|`tcp`]] (tool centre point) is where the tool works, 0.12 m beyond `tool0`, where the arm ends. It is a **frame of its own**, along the tool's z, so that another tool changes one domino. Who adds 0.12 to the z of `base_link` lands at the grey ring, 15 cm beside it.
 #
 # Zero is a position like any other: at zero the tip is at (0.470, 0, 0.150).
 
-# %% [markdown] lang="ko" name="chain-seen"
+# %% [markdown] lang="ko" name="chain-seen" slide="subslide"
 # *그림 읽기:* from above = 위에서, from the side = 옆에서, fixed = 고정. 둥근 고리가 있는 도미노가 움직이는 관절이고, 아래는 굵은 테두리 관절의 URDF입니다. 회색 고리는 0.12를 z에 더한 경우입니다.
 #
 # - 관절은 자기 도미노 하나만 바꿉니다. 팔 끝은 곱이 바뀌어서 움직입니다.

@@ -946,11 +946,11 @@ print(f"the truth now:  ({truth[0]:.2f}, {truth[1]:.2f})")
 # %% name="picture-of-two-moments" slide="subslide"
 ball = finder.buffer.transform(message, "odom").point
 moments = {"base_link, 7.4 s": stamp, "base_link, 8.4 s": now}
-poses = {
+poses_then = {
     name: finder.buffer.core.lookup_transform("odom", "base_link", moment.nanoseconds).transform
     for name, moment in moments.items()
 }
-lesson.draw_moments(poses, (ball.x, ball.y, ball.z), "ball")
+lesson.draw_moments(poses_then, (ball.x, ball.y, ball.z), "ball")
 
 # %% [markdown] lang="en" name="two-moments-read"
 # A second ago the ball was 1.6 m to the **right**. Now it is 0.7 m to the **left**.
@@ -1043,7 +1043,6 @@ lesson.draw_moments(poses, (ball.x, ball.y, ball.z), "ball")
 #
 # This is the node for the lab, whole, as you would save it in `tf_lab_py/point_to_map.py`.
 # It is our finder, grown up: it refuses a point without a frame, uses the point's own stamp, and says so when TF cannot answer.
-# (It comes from a lecture in Korean, and so do the three texts in it: *registers the geometry messages*, *refused: a point without a frame_id*, *no transform*.)
 
 # %% [markdown] lang="ko" name="on-a-robot" slide="slide"
 # ## 실제 로봇에서도 똑같이
@@ -1059,7 +1058,7 @@ lesson.draw_moments(poses, (ball.x, ball.y, ball.z), "ball")
 # from rclpy.duration import Duration
 # from rclpy.node import Node
 # from tf2_ros import Buffer, TransformListener, TransformException
-# import tf2_geometry_msgs  # Geometry Message 변환 등록
+# import tf2_geometry_msgs  # registers the geometry messages
 #
 #
 # class PointToMap(Node):
@@ -1072,7 +1071,7 @@ lesson.draw_moments(poses, (ball.x, ball.y, ball.z), "ball")
 #
 #     def on_point(self, message):
 #         if not message.header.frame_id:
-#             self.get_logger().warning('frame_id가 없는 Point 거절')
+#             self.get_logger().warning('refused: a point without a frame_id')
 #             return
 #         try:
 #             transformed = self.buffer.transform(
@@ -1085,7 +1084,7 @@ lesson.draw_moments(poses, (ball.x, ball.y, ball.z), "ball")
 #                 f'{transformed.point.y:.2f}, '
 #                 f'{transformed.point.z:.2f})')
 #         except TransformException as error:
-#             self.get_logger().warning(f'TF 변환 실패: {error}')
+#             self.get_logger().warning(f'no transform: {error}')
 #
 #
 # def main(args=None):

@@ -133,7 +133,7 @@ lesson.draw_heard(lap, for_s=2.0)
 # How many can be placed if you play with `--start-offset 0.001`, one millisecond later?
 
 # %% [markdown] lang="ko" name="heard-read"
-# *그림 읽기:* 행마다 토픽 하나, 동그라미마다 메시지 하나입니다. moments = 메시지 수, time = 시간.
+# *그림 읽기:* 행마다 토픽 하나, 동그라미마다 메시지 하나입니다. time = 시간.
 #
 # 동그라미는 기록기가 메시지를 받은 *수신 시각*입니다. 메시지에는 시각이 둘 있습니다. 다른 하나인 측정 시각은 언제 측정했는지를 나타냅니다. 스캔은 측정된 지 0.105초 뒤에 기록기에 들어옵니다.
 # `ros2 bag play`는 첫째 시각을, TF는 둘째 시각을 따릅니다.

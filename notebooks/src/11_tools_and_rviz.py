@@ -1,7 +1,7 @@
 # %% [markdown] lang="en" name="title" slide="slide"
 # # 11 · Ok means computed, not true
 #
-# **Tools and RViz** · about 60 minutes · builds on 04, 05 and 08
+# **Tools and RViz** · about 60 minutes, 50 as a talk · builds on 04, 05 and 08
 #
 # After this chapter you can
 #
@@ -13,7 +13,7 @@
 # %% [markdown] lang="ko" name="title" slide="slide"
 # # 11 · Ok는 계산했다는 뜻이지 맞다는 뜻이 아닙니다
 #
-# **도구와 RViz** · 약 60분 · 04, 05, 08장을 바탕으로 합니다
+# **도구와 RViz** · 약 60분, 강의로는 50분 · 04, 05, 08장을 바탕으로 합니다
 #
 # 이 장을 마치면 다음을 할 수 있습니다.
 #
@@ -217,12 +217,14 @@ lesson.draw_ages([lesson.Curve('truth', times, [0.11] * len(times)), avg], 'net 
 # %% [markdown] lang="en" name="monitor-average-seen"
 # 19 % at the first report, half after 34 s, 91 % after two minutes. (What the field calls a low-pass filter.)
 # So read `max`, and the lines of the frames that move. One more trap: `max` begins at 0, so stamps from the future, a negative delay, show as `Max Delay: 0`, which looks perfect. Their `Average Delay` is below zero: look there. (One negative delay is meant so: AMCL dates `map → odom` ahead by its `transform_tolerance`, so that nobody has to wait for it.)
+# And where a chain comes and goes, the tool gives no report at all: it ends at the first look that fails, with `terminate called after throwing an instance of 'tf2::ConnectivityException'`. That is a reading, too.
 
 # %% [markdown] lang="ko" name="monitor-average-seen"
 # *그림 읽기:* net delay = 사슬의 지연, truth = 실제 지연, avg = 도구가 출력하는 평균, time = 시각.
 #
 # 첫 보고에서 19 %, 34초 뒤에 절반, 2분 뒤에 91 %입니다(저역 통과 필터라고 합니다).
 # 그러니 `max`와, 움직이는 좌표계의 줄을 읽습니다. 함정이 하나 더 있습니다. `max`는 0에서 시작하므로 측정 시각이 미래여서 지연이 음수이면 `Max Delay: 0`으로 나와 완벽해 보입니다. 이때는 `Average Delay`가 음수이므로 그 값을 보십시오. (일부러 음수로 만든 지연도 있습니다. AMCL은 기다리는 노드가 없도록 `map → odom`에 `transform_tolerance`만큼 늦은 시각을 찍습니다.)
+# 사슬이 이어졌다 끊어졌다 하면 보고도 없이 끝납니다. 처음 실패한 조회에서 `terminate called after throwing an instance of 'tf2::ConnectivityException'`을 출력하고 멈춥니다. 이것도 읽을 수 있는 결과입니다.
 
 # %% [markdown] lang="en" name="monitor-notes" slide="notes"
 # Let somebody read the first report aloud and say "so it is late by two hundredths". Wait. Then ask what 0.0209 divided by 0.11 is.
@@ -253,7 +255,7 @@ lesson.draw_ages([lesson.Curve('truth', times, [0.11] * len(times)), avg], 'net 
 # %% name="rates-view-frames" slide="subslide"
 # %ros2 run tf2_tools view_frames -o frames
 
-# %% [markdown] lang="en" name="rates-seen"
+# %% [markdown] lang="en" name="rates-seen" slide="subslide"
 # The long line is the answer of a service, and the picture is drawn from it (on a robot: `frames.pdf` and `frames.gv`; without `-o` their names hold date and time). In it, each edge has its own `Average rate`:
 #
 # - `odom → base_footprint` 20.204 and `map → odom` 10.208: **the answer to question 2 is 20**; the 50 of `topic hz` is 20 + 20 + 10. (It divides n samples by the time from the first to the last; with n − 1 it would be 20.0.)
@@ -262,7 +264,7 @@ lesson.draw_ages([lesson.Curve('truth', times, [0.11] * len(times)), avg], 'net 
 #
 # It is a **[[snapshot]]** of five seconds: what happens once a minute it most likely misses.
 
-# %% [markdown] lang="ko" name="rates-seen"
+# %% [markdown] lang="ko" name="rates-seen" slide="subslide"
 # 긴 줄은 서비스의 응답이고, 그림은 그 응답으로 그린 것입니다(로봇에서는 `frames.pdf`와 `frames.gv`가 생기고, `-o`가 없으면 이름에 날짜와 시각이 들어갑니다). 그림에는 연결마다 `Average rate`(평균 발행률)가 있습니다.
 #
 # - `odom → base_footprint` 20.204, `map → odom` 10.208입니다. **질문 2의 답은 20입니다.** `topic hz`의 50은 20 + 20 + 10입니다. (표본 n개를 첫 표본과 마지막 표본 사이의 시간으로 나눕니다. n − 1로 세면 20.0입니다.)
@@ -603,10 +605,10 @@ lesson.draw_rviz()
 # %% [markdown] lang="ko" name="break-localization-seen" tags=["predicted"]
 # `Frame [map] does not exist`: `map`을 발행하던 노드는 위치 추정 노드뿐이었습니다. 로봇도 센서도 멀쩡합니다. 그런데 **`Map: Ok`**입니다. 지도 메시지는 `map` 기준이고, `map`에서 `map`으로 옮길 때는 TF가 필요 없습니다. Map이 Ok라고 해서 위치 추정 노드가 살아 있다는 뜻은 아닙니다.
 
-# %% [markdown] lang="en" name="break-capital-predict"
+# %% [markdown] lang="en" name="break-capital-predict" slide="subslide"
 # Next, a capital letter: Fixed Frame `Map`.
 
-# %% [markdown] lang="ko" name="break-capital-predict"
+# %% [markdown] lang="ko" name="break-capital-predict" slide="subslide"
 # 다음은 대문자 하나입니다. Fixed Frame이 `Map`입니다.
 
 # %% name="break-capital" tags=["predicted"]
@@ -619,10 +621,10 @@ lesson.draw_rviz(fixed_frame='Map')
 # %% [markdown] lang="ko" name="break-capital-seen" tags=["predicted"]
 # 첫 줄은 같지만 원인이 다릅니다. 이번에는 TF 목록에 `map`이 *있고*, Map까지 실패합니다. 없는 이름 옆에 비슷한 이름이 있으면 잘못 입력한 것이고, 어디에도 없으면 그 이름을 발행하는 노드가 멈춘 것입니다.
 
-# %% [markdown] lang="en" name="break-joints-predict"
+# %% [markdown] lang="en" name="break-joints-predict" slide="subslide"
 # Next, nobody says any more where the joints are.
 
-# %% [markdown] lang="ko" name="break-joints-predict"
+# %% [markdown] lang="ko" name="break-joints-predict" slide="subslide"
 # 다음은 관절 위치를 아무도 알려 주지 않을 때입니다.
 
 # %% name="break-joints" tags=["predicted"]
@@ -653,10 +655,10 @@ lesson.draw_rviz()
 # %% [markdown] lang="ko" name="break-odometry-seen" tags=["predicted"]
 # 원인을 알려 주는 오류입니다. `not part of the same tree`. `map`과 `odom`이 한 트리, 로봇의 좌표계 모두가 다른 트리입니다. 둘 사이의 연결을 보낼 노드가 없어졌습니다.
 
-# %% [markdown] lang="en" name="break-ekf-predict"
+# %% [markdown] lang="en" name="break-ekf-predict" slide="subslide"
 # And the one without a red line: the EKF sends `odom → base_footprint`, too. RViz draws the robot here, then there; every single answer is Ok. What the list cannot say, several looks in a row can:
 
-# %% [markdown] lang="ko" name="break-ekf-predict"
+# %% [markdown] lang="ko" name="break-ekf-predict" slide="subslide"
 # 그리고 빨간 줄이 없는 고장입니다. EKF도 `odom → base_footprint`를 보냅니다. RViz는 로봇을 여기 그렸다가 저기 그리지만, 답은 하나하나 Ok입니다. 목록이 알려 주지 못하는 것도 잇달아 여러 번 보면 드러납니다.
 
 # %% name="break-ekf" tags=["predicted"]

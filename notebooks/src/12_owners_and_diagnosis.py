@@ -402,7 +402,7 @@ lesson.show_trolley()
 # 왼쪽은 짧은 이름이고, 명령 대신 써도 됩니다. 나사돌리개를 드는 일은 질문보다 비쌉니다. 그래서 질문이 먼저입니다.
 # `lesson.admit`은 환자를 들입니다. `helped=True`면 읽은 값에 맞지 않는 용의자를 대신 지워 주고, 없으면 직접 지웁니다. `because=`에는 의심하는 용의자를 적습니다. 채점하지는 않습니다.
 
-# %% name="worked"
+# %% name="worked" slide="subslide"
 visit = lesson.admit(lesson.worked_patient("laser clock ahead"), helped=True)
 
 # %% [markdown] lang="en" name="worked-think"
@@ -422,7 +422,7 @@ visit.ask("ros2 topic delay /scan", because="laser clock ahead")
 # 지연이 음수입니다. 측정하기도 전에 받았다는 뜻입니다. 늦은 변환이나 느린 오도메트리로는 이럴 수 없습니다. 용의자가 하나 남았으니 1분 만에 증명이 끝났습니다. (양수일 때는 증명이 약합니다. 지연이 너무 크면 시계가 늦을 수도, 전송이 느릴 수도 있습니다. 그럴 때는 벽을 보십시오. 측정 시각이 맞으면 늦게 온 스캔도 벽에 놓이고, 측정 시각이 틀리면 벽에서 어긋납니다.)
 # 이제 비로소 고칠 차례입니다. 먼저 누구나 해 보는 반창고, 곧 증상만 가리는 처치부터 봅시다.
 
-# %% name="plaster"
+# %% name="plaster" slide="subslide"
 visit.say(cause="laser clock ahead", frame="laser_frame", owner="laser_driver", fix="timeout of 1 s")
 visit.try_fix()
 
@@ -481,9 +481,10 @@ lesson.draw_visit(visit)
 # %% name="faded-visit"
 jumps = lesson.admit(lesson.worked_patient("two owners of one edge"))
 
-# %% name="faded-checks"
-print(jumps.take("echo odom base_footprint")[:900])
-print(jumps.take("node list"))
+# %% name="faded-checks" slide="subslide"
+lines = jumps.take("echo odom base_footprint").splitlines()
+print(*[line for line in lines if line.startswith(("At time", "- Translation"))][:12], sep="\n")
+print("", jumps.take("node list"), sep="\n")
 
 # %% name="faded-yours"
 my_cause = ...  # 'two owners of one edge', 'localizer owns the base' or 'nothing is wrong'
@@ -566,7 +567,7 @@ lesson.show_findings("flickers")
 # %% name="night" tags=["predicted"]
 night = lesson.admit(lesson.night_shift(4))
 
-# %% name="night-fix" tags=["predicted"]
+# %% name="night-fix" tags=["predicted"] slide="subslide"
 night.take("node list")
 night.take("use_sim_time")
 night.say(cause="localizer not running", frame="odom", owner="localization", fix="start localization")

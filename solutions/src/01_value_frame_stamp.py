@@ -5,6 +5,7 @@
 #
 # Run the two cells below first. Then write your answer where it says `...` or `your turn`, run the cell, then run the check below it.
 # A wrong answer is told which mistake it looks like. `hint("E1.1")` gives the first of three hints.
+# After a pass, or three tries, `solution("E1.1")` shows a solution. To start over, delete this file and type `tflab lab` in a terminal.
 # Your numbers come from `task(...)` and may differ from your neighbour's, so answer with an expression, such as `e1_4.speed_mps * 2.0` (what E1.4 gives is in `e1_4`), and not with a number that you worked out elsewhere.
 
 # %% [markdown] lang="ko" name="title"
@@ -14,6 +15,7 @@
 #
 # 먼저 아래 두 셀을 실행해 보세요. 그다음 `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 셀을 실행한 다음, 아래의 확인 셀을 실행해 보세요.
 # 틀린 답을 내면 어떤 실수로 보이는지 알려 줍니다. `hint("E1.1")`은 세 힌트 가운데 첫 번째를 보여 줍니다.
+# 통과하거나 세 번 시도한 뒤에는 `solution("E1.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 이 파일을 지우고 터미널에서 `tflab lab`을 입력하세요.
 # 숫자는 `task(...)`가 주며 옆 사람과 다를 수 있습니다. 그러니 따로 계산한 숫자가 아니라 `e1_4.speed_mps * 2.0` 같은 식으로 답해 보세요(E1.4에서 주어진 값은 `e1_4`에 들어 있습니다).
 
 # %% name="load"
@@ -268,9 +270,13 @@ check("E1.7", findings)
 #
 # The checks here used your own numbers. Grading asks the same questions with others.
 # On a robot, try `ros2 topic echo --once --field header` on every topic that you mean to use: are both labels there, and are they true?
+#
+# **Next:** [02 Axes and quaternions](../../notebooks/en/02_axes_and_quaternions.ipynb).
 
 # %% [markdown] lang="ko" name="after"
 # ## 여기까지 해낸 것
 #
 # 이곳의 check는 여러분의 숫자로 확인했습니다. 채점은 같은 질문을 다른 숫자로 묻습니다.
 # 로봇에서는 쓰려는 토픽마다 `ros2 topic echo --once --field header`를 실행해 보세요. 두 이름표가 모두 있습니까? 그리고 사실입니까?
+#
+# **다음:** [02 좌표축과 쿼터니언](../../notebooks/ko/02_axes_and_quaternions.ipynb)

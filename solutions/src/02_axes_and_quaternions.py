@@ -213,7 +213,11 @@ e2_6 = task("E2.6")
 # %% name="e2-6-answer" tags=["answer"]
 diagnosis = {
     # BEGIN SOLUTION
-    "wall_appears": "right" if any(e2_6.rpy_of_camera_link_in_base_link_deg) else "above",
+    "wall_appears": (
+        "right" if e2_6.rpy_of_camera_link_in_base_link_deg[2]  # turned twice
+        else "left" if e2_6.rpy_of_camera_optical_frame_in_camera_link_deg == (-90.0, 0.0, 0.0)  # half of the turn
+        else "above"
+    ),
     "fault": (
         "header" if e2_6.header_frame_id == "camera_link"
         else "mount of camera_link" if any(e2_6.rpy_of_camera_link_in_base_link_deg)

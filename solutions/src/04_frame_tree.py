@@ -5,6 +5,7 @@
 #
 # Write your answer where it says `...` or `your turn`, run the cell, then run the check below it.
 # A wrong answer is told which mistake it looks like. `hint("E4.1")` gives the first of three hints.
+# After a pass, or three tries, `solution("E4.1")` shows a solution. To start over, delete this file and type `tflab lab` in a terminal.
 # Your frames come from `task(...)` and may differ from your neighbour's.
 
 # %% [markdown] lang="ko" name="title"
@@ -14,6 +15,7 @@
 #
 # `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 셀을 실행한 다음, 아래의 확인 셀을 실행해 보세요.
 # 틀린 답을 내면 어떤 실수로 보이는지 알려 줍니다. `hint("E4.1")`은 세 힌트 가운데 첫 번째를 보여 줍니다.
+# 통과하거나 세 번 시도한 뒤에는 `solution("E4.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 이 파일을 지우고 터미널에서 `tflab lab`을 입력하세요.
 # 좌표계는 `task(...)`가 주며 옆 사람과 다를 수 있습니다.
 
 # %% name="load"

@@ -5,6 +5,7 @@
 #
 # Write your answer where it says `...` or `your turn`, run the cell, then run the check below it.
 # A wrong answer is told which mistake it looks like. `hint("E5.1")` gives the first of three hints.
+# After a pass, or three tries, `solution("E5.1")` shows a solution. To start over, delete this file and type `tflab lab` in a terminal.
 # Your numbers come from `task(...)` and may differ from your neighbour's, so answer with an expression, such as `e5_2.odom_T_base.inverse()`, and not with a number that you worked out elsewhere.
 
 # %% [markdown] lang="ko" name="title"
@@ -14,6 +15,7 @@
 #
 # `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 셀을 실행한 다음, 아래의 확인 셀을 실행해 보세요.
 # 틀린 답을 내면 어떤 실수로 보이는지 알려 줍니다. `hint("E5.1")`은 세 힌트 가운데 첫 번째를 보여 줍니다.
+# 통과하거나 세 번 시도한 뒤에는 `solution("E5.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 이 파일을 지우고 터미널에서 `tflab lab`을 입력하세요.
 # 숫자는 `task(...)`가 주며 옆 사람과 다를 수 있습니다. 그러니 따로 계산한 숫자가 아니라 `e5_2.odom_T_base.inverse()` 같은 식으로 답해 보세요.
 
 # %% name="load"
@@ -229,9 +231,13 @@ check("E5.6", correction)
 #
 # The checks here used your own numbers. Grading asks the same questions with others.
 # On a robot, let `ros2 run tf2_ros tf2_echo map odom` run while it drives: it stands still, and then it steps.
+#
+# **Next:** [06 Static and dynamic](../../notebooks/en/06_static_and_dynamic.ipynb).
 
 # %% [markdown] lang="ko" name="after"
 # ## 여기까지 해낸 것
 #
 # 이곳의 check는 여러분의 숫자로 확인했습니다. 채점은 같은 질문을 다른 숫자로 묻습니다.
 # 로봇에서는 달리는 동안 `ros2 run tf2_ros tf2_echo map odom`을 실행해 보세요. 가만히 있다가 한 걸음 튑니다.
+#
+# **다음:** [06 정적 변환과 동적 변환](../../notebooks/ko/06_static_and_dynamic.ipynb)

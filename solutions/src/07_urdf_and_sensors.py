@@ -5,6 +5,7 @@
 #
 # Write your answer where it says `...` or `your turn`, run the cell, then run the check below it.
 # A wrong answer is told which mistake it looks like. `hint("E7.1")` gives the first of three hints.
+# After a pass, or three tries, `solution("E7.1")` shows a solution. To start over, delete this file and type `tflab lab` in a terminal.
 # Your numbers come from `task(...)` and may differ from your neighbour's, so answer with an expression, such as `e7_1.up_cm / 100`, and not with a number that you worked out elsewhere.
 
 # %% [markdown] lang="ko" name="title"
@@ -14,6 +15,7 @@
 #
 # `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 셀을 실행한 다음, 아래의 확인 셀을 실행해 보세요.
 # 틀린 답을 내면 어떤 실수로 보이는지 알려 줍니다. `hint("E7.1")`은 세 힌트 가운데 첫 번째를 보여 줍니다.
+# 통과하거나 세 번 시도한 뒤에는 `solution("E7.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 이 파일을 지우고 터미널에서 `tflab lab`을 입력하세요.
 # 숫자는 `task(...)`가 주며 옆 사람과 다를 수 있습니다. 그러니 따로 계산한 숫자가 아니라 `e7_1.up_cm / 100` 같은 식으로 답해 보세요.
 
 # %% name="load"
@@ -253,9 +255,13 @@ check("E7.6", tcp_mount)
 #
 # The checks here used your own numbers. Grading asks the same questions with others.
 # On a robot, begin with a box straight ahead of the laser, and with a turn to the left by hand: two promises, looked at.
+#
+# **Next:** [08 Buffer and measurement time](../../notebooks/en/08_buffer_and_measurement_time.ipynb).
 
 # %% [markdown] lang="ko" name="after"
 # ## 여기까지 해낸 것
 #
 # 이곳의 check는 여러분의 숫자로 확인했습니다. 채점은 같은 질문을 다른 숫자로 묻습니다.
 # 로봇에서는 레이저 바로 앞에 상자를 놓고, 손으로 왼쪽으로 돌려 보는 것부터 해 보세요. 약속 두 가지를 직접 확인하는 셈입니다.
+#
+# **다음:** [08 버퍼와 측정 시각](../../notebooks/ko/08_buffer_and_measurement_time.ipynb)

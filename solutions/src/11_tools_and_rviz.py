@@ -5,6 +5,7 @@
 #
 # Write your answer where it says `...` or `your turn`, run the cell, then run the check below it.
 # A wrong answer is told which mistake it looks like. `hint("E11.1")` gives the first of three hints.
+# After a pass, or three tries, `solution("E11.1")` shows a solution. To start over, delete this file and type `tflab lab` in a terminal.
 # What `task(...)` prints may differ from your neighbour's, so answer with an expression, and not with a number that you worked out elsewhere.
 
 # %% [markdown] lang="ko" name="title"
@@ -14,6 +15,7 @@
 #
 # `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 셀을 실행한 다음, 아래의 확인 셀을 실행해 보세요.
 # 틀린 답을 내면 어떤 실수로 보이는지 알려 줍니다. `hint("E11.1")`은 세 힌트 가운데 첫 번째를 보여 줍니다.
+# 통과하거나 세 번 시도한 뒤에는 `solution("E11.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 이 파일을 지우고 터미널에서 `tflab lab`을 입력하세요.
 # `task(...)`가 출력하는 값은 옆 사람과 다를 수 있습니다. 그러니 따로 계산한 숫자가 아니라 식으로 답해 보세요.
 
 # %% name="load"
@@ -303,7 +305,7 @@ check("E11.7", commands)
 # The checks here used your own numbers. Grading asks the same questions with others.
 # On a robot, do C5, C6 and C7 of the lab checklist: draw the tree, read a delay, show the axes in RViz; and write down of each output what you compared it with.
 #
-# **Next:** [the start page](../../notebooks/en/00_start.ipynb) shows what you have passed, and what is left.
+# **Next:** [12 Owners and diagnosis](../../notebooks/en/12_owners_and_diagnosis.ipynb). [The start page](../../notebooks/en/00_start.ipynb) shows what you have passed, and what is left.
 
 # %% [markdown] lang="ko" name="after"
 # ## 여기까지 해낸 것
@@ -311,4 +313,4 @@ check("E11.7", commands)
 # 이곳의 check는 여러분의 숫자로 확인했습니다. 채점은 같은 질문을 다른 숫자로 묻습니다.
 # 로봇에서 실습 체크리스트 C5, C6, C7을 해 보세요. 트리를 그리고, 지연을 읽고, RViz에 축을 표시합니다. 출력마다 무엇과 견주었는지도 적어 두세요.
 #
-# **다음:** [첫 페이지](../../notebooks/ko/00_start.ipynb)에서 무엇을 통과했고 무엇이 남았는지 볼 수 있습니다.
+# **다음:** [12 발행 책임과 진단](../../notebooks/ko/12_owners_and_diagnosis.ipynb)으로 갑니다. [첫 페이지](../../notebooks/ko/00_start.ipynb)에서 무엇을 통과했고 무엇이 남았는지 볼 수 있습니다.

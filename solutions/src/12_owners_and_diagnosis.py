@@ -5,6 +5,7 @@
 #
 # Write your answer where it says `...` or `your turn`, run the cell, then run the check below it.
 # A wrong answer is told which mistake it looks like. `hint("E12.1")` gives the first of three hints.
+# After a pass, or three tries, `solution("E12.1")` shows a solution. To start over, delete this file and type `tflab lab` in a terminal.
 # What `task(...)` gives may differ from your neighbour's. Your patients are your own.
 
 # %% [markdown] lang="ko" name="title"
@@ -14,6 +15,7 @@
 #
 # `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 셀을 실행한 다음, 아래의 확인 셀을 실행해 보세요.
 # 틀린 답을 내면 어떤 실수로 보이는지 알려 줍니다. `hint("E12.1")`은 세 힌트 가운데 첫 번째를 보여 줍니다.
+# 통과하거나 세 번 시도한 뒤에는 `solution("E12.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 이 파일을 지우고 터미널에서 `tflab lab`을 입력하세요.
 # `task(...)`가 주는 것은 옆 사람과 다를 수 있습니다. 환자도 저마다 다릅니다.
 
 # %% name="load"
@@ -67,7 +69,7 @@ check("E12.1", owners)
 # %% [markdown] lang="en" name="e12-2"
 # ## E12.2 · Five terminals (4 points)
 #
-# Five terminals on five robots, and each shows what its tools printed about `odom → base_footprint`. The card of the healthy robot is the one from the page. For each terminal, from `"first"` to `"fifth"`:
+# Five terminals on five robots, `e12_2.a` to `e12_2.e`: print them. Each was asked the same four questions about `odom → base_footprint`; what they printed is shortened. The card of the healthy robot is the one from the page. For each terminal, from `"a …"` to `"e …"`:
 #
 # - `"… state"`: `"one owner"`, `"nobody"`, `"two owners"`, `"another edge"` or `"a misspelt parent"`
 # - `"… node"`: who has to change: `"wheel_odometry"`, `"ekf_filter_node"`, `"localization"`, `"laser_mount"` or `"none"`
@@ -76,7 +78,7 @@ check("E12.1", owners)
 # %% [markdown] lang="ko" name="e12-2"
 # ## E12.2 · 터미널 다섯 개 (4점)
 #
-# 로봇 다섯 대의 터미널입니다. 저마다 `odom → base_footprint`에 관해 도구가 출력한 것을 보여 줍니다. 정상일 때의 카드는 이 장의 것과 같습니다. `"first"`부터 `"fifth"`까지 터미널마다 답하십시오.
+# 로봇 다섯 대의 터미널 `e12_2.a`부터 `e12_2.e`까지입니다. 출력해 보세요. `odom → base_footprint`에 관해 똑같은 네 가지를 물었고, 출력은 조금 줄였습니다. 정상일 때의 카드는 이 장의 것과 같습니다. `"a …"`부터 `"e …"`까지 터미널마다 답하십시오.
 #
 # - `"… state"`: `"one owner"`, `"nobody"`, `"two owners"`, `"another edge"`, `"a misspelt parent"` 가운데 하나
 # - `"… node"`: 고쳐야 할 노드. `"wheel_odometry"`, `"ekf_filter_node"`, `"localization"`, `"laser_mount"`, `"none"` 가운데 하나
@@ -87,16 +89,16 @@ e12_2 = task("E12.2")
 
 # %% name="e12-2-answer" tags=["answer"]
 # BEGIN SOLUTION
-terminals = {}  # {"first state": ..., "first node": ..., "first cure": ..., "second state": ..., and so on}
-_states = {  # how each shows: in what was printed, or in which tool was asked
-    "Failure at": ("another edge", "localization", "localization: send map -> odom"),
-    "node list": ("nobody", "wheel_odometry", "start wheel_odometry"),
-    "view_frames": ("a misspelt parent", "wheel_odometry", "wheel_odometry: parent odom"),
-    "topic info": ("one owner", "none", "leave it as it is"),
-    "tf2_echo": ("two owners", "ekf_filter_node", "ekf_filter_node: publish_tf false"),
-}
+terminals = {}  # {"a state": ..., "a node": ..., "a cure": ..., "b state": ..., and so on}
+_states = (  # the first that fits: how it shows, and what is to be done
+    ("Failure at", True, ("another edge", "localization", "localization: send map -> odom")),
+    ("/wheel_odometry", False, ("nobody", "wheel_odometry", "start wheel_odometry")),
+    ("/ekf_filter_node", True, ("two owners", "ekf_filter_node", "ekf_filter_node: publish_tf false")),
+    ("base_footprint: \n  parent: 'odom'", False, ("a misspelt parent", "wheel_odometry", "wheel_odometry: parent odom")),
+    ("", True, ("one owner", "none", "leave it as it is")),
+)
 for place, text in vars(e12_2).items():
-    told = next(told for word, told in _states.items() if word in text)
+    told = next(told for words, are_there, told in _states if (words in text) == are_there)
     for what, said in zip(("state", "node", "cure"), told, strict=True):
         terminals[f"{place} {what}"] = said
 # END SOLUTION
@@ -650,9 +652,13 @@ check("E12.8", after)
 #
 # You have named owners, read terminals, proved causes with the fewest questions, and drawn up a robot. Grading asks the same with other robots; your program will meet patients that nobody has seen.
 # On a robot, take the card with you: without a normal nothing is abnormal.
+#
+# **Next:** [the start page](../../notebooks/en/00_start.ipynb) shows what you have learnt between the two tests, and what to read again; [practice without end](../../notebooks/en/91_practice.ipynb) asks it again.
 
 # %% [markdown] lang="ko" name="after"
 # ## 여기까지 해낸 것
 #
 # 발행자의 이름을 대고, 터미널을 읽고, 가장 적은 질문으로 원인을 증명하고, 로봇 한 대를 설계했습니다. 채점은 다른 로봇으로 같은 것을 묻습니다. 프로그램은 아무도 본 적 없는 환자를 만납니다.
 # 로봇 앞에 갈 때는 카드를 가지고 가십시오. 정상을 모르면 이상도 알 수 없습니다.
+#
+# **다음:** [첫 페이지](../../notebooks/ko/00_start.ipynb)에서 두 시험 사이에 무엇을 배웠고 무엇을 다시 볼지 볼 수 있습니다. [끝없는 연습](../../notebooks/ko/91_practice.ipynb)에서는 다른 숫자로 다시 풀 수 있습니다.
