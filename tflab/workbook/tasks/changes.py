@@ -9,12 +9,12 @@ The field calls it a side effect.  Read `explain.py` next.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 from ..answers.values import Plain
 from ..words import Words
-from .case import Case, TaskCases, TwinWords
-from .explanation import Explanation, and_then
+from .case import Case, TaskCases
+from .explanation import Explains, Explanation, and_then
 from .fitting import all_alike
 
 __all__ = ["gave", "of_changes"]
@@ -34,7 +34,7 @@ def of_changes(
     task: TaskCases,
     cases: Sequence[Case],
     outcomes: Sequence[Plain],
-    explained: Callable[[TaskCases, Sequence[Case], Sequence[Plain]], Explanation | None],
+    explained: Explains,
 ) -> Explanation | None:
     """Return what `explained` says of the results, and that an argument was changed; None if it says nothing."""
     numbers = [outcome["changed"] for outcome in outcomes if isinstance(outcome, dict) and "changed" in outcome]
@@ -45,4 +45,4 @@ def of_changes(
     if first is None:
         return None
     said = Words(*(CHANGED.say(tongue, number=numbers[0]) for tongue in ("en", "ko")))
-    return and_then(first, Explanation({"input changed": TwinWords(said, "")}, said))
+    return and_then(first, Explanation.of("input changed", said))

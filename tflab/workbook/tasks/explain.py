@@ -19,7 +19,7 @@ from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
 from .arithmetic import computed
 from .beside import side_by_side
-from .case import AND, Case, TaskCases, TwinWords
+from .case import AND, Case, TaskCases
 from .changes import of_changes
 from .confused import confused, confused_in_lists
 from .evidence import habit
@@ -72,17 +72,17 @@ def _of_the_form(
         return of_lists(task, cases, outcomes) or _of_words_in_lists(task, cases, outcomes)
     if isinstance(task.form, Choice) and task.is_function:
         confusion = confused(task.form, outcomes, [case.expected for case in cases])
-        return Explanation({confusion.name: TwinWords(confusion.said, "")}, confusion.said) if confusion else None
+        return Explanation.of(confusion.name, confusion.said) if confusion else None
     if isinstance(task.form, Urdf):
         return of_robots(task, outcomes[0], cases[0].expected)
     found = None if task.is_function else computed(task.form, outcomes[0], given)
-    return Explanation({found[0]: TwinWords(found[1], "")}, found[1]) if found else None
+    return Explanation.of(*found) if found else None
 
 
 def _of_words_in_lists(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain]) -> Explanation | None:
     """Return which words a function confuses in the lists that it gives."""
     confusion = confused_in_lists(task.form, outcomes, [case.expected for case in cases]) if task.is_function else None
-    return Explanation({confusion.name: TwinWords(confusion.said, "")}, confusion.said) if confusion else None
+    return Explanation.of(confusion.name, confusion.said) if confusion else None
 
 
 def _ways(

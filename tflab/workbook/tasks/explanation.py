@@ -7,14 +7,15 @@ Read `confused.py` next.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
+from ..answers.values import Plain
 from ..words import Words
-from .case import TaskCases, TwinWords
+from .case import Case, TaskCases, TwinWords
 from .fitting import words_of
 
-__all__ = ["Explanation", "and_then", "said_of"]
+__all__ = ["Explains", "Explanation", "and_then", "said_of"]
 
 AND_THEN = Words(en="Two things. First: {first} Then: {then}", ko="두 가지입니다. 먼저, {first} 다음으로, {then}")
 THREE = Words(
@@ -35,6 +36,14 @@ class Explanation(NamedTuple):
     slips: dict[str, TwinWords]
     said: Words
     follows: tuple[str, ...] = ()
+
+    @classmethod
+    def of(cls, name: str, said: Words) -> Explanation:
+        """Return that of one mistake which no task has to know."""
+        return cls({name: TwinWords(said, "")}, said)
+
+
+Explains = Callable[[TaskCases, Sequence[Case], Sequence[Plain]], Explanation | None]
 
 
 def and_then(first: Explanation, then: Explanation) -> Explanation:

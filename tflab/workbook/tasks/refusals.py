@@ -9,12 +9,12 @@ What else is wrong is explained beside it.  Read `beside.py` next.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 from ..answers.values import Plain, is_raised
 from ..words import Words
-from .case import Case, TaskCases, TwinWords
-from .explanation import Explanation, and_then
+from .case import Case, TaskCases
+from .explanation import Explains, Explanation, and_then
 from .fitting import alike
 
 __all__ = ["of_refusals"]
@@ -45,7 +45,7 @@ def of_refusals(
     task: TaskCases,
     cases: Sequence[Case],
     outcomes: Sequence[Plain],
-    explained: Callable[[TaskCases, Sequence[Case], Sequence[Plain]], Explanation | None],
+    explained: Explains,
 ) -> Explanation | None:
     """Return what became of the exceptions that a function has to raise, and of the rest what `explained` says."""
     pairs = list(zip(cases, outcomes, strict=True))
@@ -53,21 +53,18 @@ def of_refusals(
     rest = [(case, outcome) for case, outcome in pairs if not is_raised(case.expected)]
     if not refused or not rest or any(map(is_raised, refused)):
         return None
-    name, said = _swallowed(refused)
-    slip = Explanation({name: TwinWords(said, "")}, said)
+    slip = _swallowed(refused)
     if all(alike(task.form, outcome, case.expected) for case, outcome in rest):
-        return slip if said is not SOMETHING else None
+        return slip if slip.said is not SOMETHING else None
     first = explained(task, *zip(*rest, strict=True))
-    if first is None:
-        return None
-    return and_then(first, slip)
+    return and_then(first, slip) if first else None
 
 
-def _swallowed(refused: Sequence[Plain]) -> tuple[str, Words]:
+def _swallowed(refused: Sequence[Plain]) -> Explanation:
     if all(outcome is None for outcome in refused):
-        return "error swallowed", NOTHING
+        return Explanation.of("error swallowed", NOTHING)
     if all(isinstance(one, dict) and "returned and not raised" in str(one.get("object")) for one in refused):
-        return "exception returned", RETURNED
+        return Explanation.of("exception returned", RETURNED)
     if len(refused) > 1 and all(outcome == refused[0] for outcome in refused):
-        return "error swallowed", THE_SAME
-    return "no refusal", SOMETHING
+        return Explanation.of("error swallowed", THE_SAME)
+    return Explanation.of("no refusal", SOMETHING)

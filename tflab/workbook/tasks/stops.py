@@ -8,12 +8,12 @@ Read `changes.py` next.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 from ..answers.values import Plain, is_raised
 from ..words import Words
-from .case import Case, TaskCases, TwinWords
-from .explanation import Explanation, and_then
+from .case import Case, TaskCases
+from .explanation import Explains, Explanation, and_then
 from .fitting import ANY_BUG, alike
 from .stumbles import tip_for
 
@@ -30,7 +30,7 @@ def of_stops(
     task: TaskCases,
     cases: Sequence[Case],
     outcomes: Sequence[Plain],
-    explained: Callable[[TaskCases, Sequence[Case], Sequence[Plain]], Explanation | None],
+    explained: Explains,
 ) -> Explanation | None:
     """Return what `explained` says of the calls that go on, and then that others stop; None if either is missing."""
     pairs = list(zip(cases, outcomes, strict=True))
@@ -46,4 +46,4 @@ def of_stops(
     error, tip = stopped[0]["raises"], tip_for(stopped[0]["raises"], stopped[0].get("text", ""))
     filled = {"stopped": len(stopped), "of": len(pairs), "error": error}
     said = Words(*(STOPS.say(tongue, **filled, tip=tip.say(tongue)).rstrip() for tongue in ("en", "ko")))
-    return and_then(first, Explanation({f"stops: {error}": TwinWords(said, "")}, said))
+    return and_then(first, Explanation.of(f"stops: {error}", said))
