@@ -3,25 +3,29 @@
     kim_1_2_03.ipynb          a file
     ../../etc/passwd          refused: it leads out of the archive
     link -> /home/you         refused: a link
-    zeros.ipynb  42 kB -> 4 GB    refused when it is read: too large
+    zeros.ipynb  42 kB -> 4 GB    refused when it is read: too large, however it was packed
 
-Nothing is ever unpacked to a disk.  Names that Windows wrote in Korean are read
+Nothing is ever unpacked to a disk, and of nothing more than the limit to memory: of a list of
+names as long as no learner's work has, whatever number stands beside it; of bzip2 and LZMA,
+which `zipfile` unpacks whole, in steps of ours.  Names that Windows wrote in Korean are read
 as it meant them.  Read `roster.py` next.
 """
 
 from __future__ import annotations
 
+import bz2
+import copy
 import io
 import lzma
 import stat
 import struct
+import weakref
 import zipfile
 import zlib
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
-from typing import IO
 
 from .reader import MAX_BYTES, Unreadable, too_large
 from .remarks import Remark, printable
@@ -31,8 +35,9 @@ __all__ = ["Member", "archive_members", "is_zip_name", "safe_parts"]
 MAX_MEMBERS = 200_000
 MAX_ARCHIVE = 64 * 1024 * 1024  # of a zip inside a zip, which is held in memory while it is read
 UTF8_NAME, ENCRYPTED = 0x800, 0x1
-END_OF_LIST, LONGEST_END = b"PK\5\6", (1 << 16) + 22
 LONGEST_ENTRY = 400  # of a zip's list, in the mean [bytes]
+LONGEST_END = 1 << 17  # what stands behind that list [bytes]
+MOST_OF_A_DICTIONARY = 64 << 20  # that LZMA asks for before it has unpacked anything
 BROKEN = (zipfile.BadZipFile, zlib.error, lzma.LZMAError, EOFError, OSError, NotImplementedError, RuntimeError,
           struct.error, ValueError)  # fmt: skip
 
@@ -119,34 +124,51 @@ def _opened(source: Path | Callable[[], bytes], most: int = MAX_MEMBERS) -> zipf
     return _kept_open(source, most, (status.st_ino, status.st_mtime_ns, status.st_size))
 
 
+class _Held(io.BytesIO):
+    """A zip in memory, of which no more is read at once than `longest`, if that is set."""
+
+    longest: int | None = None
+
+    def read(self, size: int | None = -1, /) -> bytes:
+        if self.longest is not None and size is not None and size > self.longest:
+            raise _LongList
+        return super().read(size)
+
+
+class _OnDisk(io.BufferedReader):
+    """The same for a zip on the disk."""
+
+    longest: int | None = None
+
+    def read(self, size: int | None = -1, /) -> bytes:
+        if self.longest is not None and size is not None and size > self.longest:
+            raise _LongList
+        return super().read(size)
+
+
+class _LongList(Exception):
+    """The list of a zip is longer than so many names can be."""
+
+
 @lru_cache(maxsize=2)
 def _kept_open(source: Path | Callable[[], bytes], most: int, _state: tuple[int, ...] = ()) -> zipfile.ZipFile:
-    """Open an archive; its files are read one after the other, and its list may be long."""
+    """Open an archive; its files are read one after the other, and its list, which is read at once, may be long."""
     try:
-        if not isinstance(source, Path):
-            held = io.BytesIO(source())
-            _refuse_long_lists(held, most)
-            return zipfile.ZipFile(held)
-        with open(source, "rb") as file:
-            _refuse_long_lists(file, most)
-        return zipfile.ZipFile(source)
+        held = _OnDisk(io.FileIO(source)) if isinstance(source, Path) else _Held(source())
+    except OSError as error:
+        raise Unreadable("closed", error=error.strerror) from None
+    try:
+        held.longest = most * LONGEST_ENTRY + LONGEST_END
+        archive = zipfile.ZipFile(held)
+    except _LongList:
+        held.close()
+        raise Unreadable("many names", most=most) from None
     except BROKEN as error:
+        held.close()
         raise Unreadable("no zip", error=type(error).__name__) from None
-
-
-def _refuse_long_lists(file: IO[bytes], most: int) -> None:
-    """Raise Unreadable if a zip's list is longer than so many names can be: reading it would take long."""
-    file.seek(0, io.SEEK_END)
-    size = file.tell()
-    file.seek(max(0, size - LONGEST_END))
-    end = file.read()
-    at = end.rfind(END_OF_LIST)
-    if at < 0 or len(end) < at + 20:
-        return  # no zip: whoever opens it says so
-    count, length = struct.unpack_from("<HI", end, at + 10)
-    is_large = count == 0xFFFF or length == 0xFFFFFFFF  # then the true numbers stand elsewhere
-    if most < MAX_MEMBERS and (is_large or count > most or length > most * LONGEST_ENTRY):
-        raise Unreadable("many files", count=count, most=most)
+    held.longest = None
+    weakref.finalize(archive, held.close)
+    return archive
 
 
 def _reader(source: Path | Callable[[], bytes], entry: zipfile.ZipInfo) -> Callable[[], bytes]:
@@ -156,8 +178,7 @@ def _reader(source: Path | Callable[[], bytes], entry: zipfile.ZipInfo) -> Calla
         if entry.file_size > limit:
             raise too_large(entry.file_size, limit)
         try:
-            with _opened(source).open(entry) as file:
-                data = file.read(limit + 1)
+            data = _unpacked(_opened(source), entry, limit)
         except BROKEN as error:
             raise Unreadable("damaged", error=type(error).__name__) from None
         if len(data) > limit:
@@ -165,6 +186,42 @@ def _reader(source: Path | Callable[[], bytes], entry: zipfile.ZipInfo) -> Calla
         return data
 
     return read
+
+
+def _unpacked(archive: zipfile.ZipFile, entry: zipfile.ZipInfo, limit: int) -> bytes:
+    """Return what a file in a zip holds, and no more of it than a byte above the limit."""
+    if entry.compress_type in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
+        with archive.open(entry) as file:
+            return file.read(limit + 1)
+    if entry.compress_type not in UNPACKERS:
+        raise NotImplementedError("a way of packing that Python has not had for long")
+    packed = copy.copy(entry)  # what is packed, as it stands there
+    packed.compress_type, packed.file_size = zipfile.ZIP_STORED, entry.compress_size
+    del packed.CRC  # this is of what it was before it was packed
+    with archive.open(packed) as file:
+        data = UNPACKERS[entry.compress_type](file.read(MAX_BYTES), limit + 1)
+    if len(data) <= limit and (len(data) != entry.file_size or zlib.crc32(data) != entry.CRC):
+        raise zipfile.BadZipFile("not what was packed")
+    return data
+
+
+def _of_bzip2(packed: bytes, most: int) -> bytes:
+    return bz2.BZ2Decompressor().decompress(packed, max_length=most)
+
+
+def _of_lzma(packed: bytes, most: int) -> bytes:
+    """Return the first bytes of what LZMA has packed; before that stand two numbers and its properties."""
+    (length,) = struct.unpack_from("<H", packed, 2)
+    properties, dictionary = struct.unpack_from("<BI", packed, 4)
+    if length != 5 or dictionary > MOST_OF_A_DICTIONARY:
+        raise ValueError("properties of LZMA that no zip has")
+    lc, lp, pb = properties % 9, properties // 9 % 5, properties // 45
+    how = {"id": lzma.FILTER_LZMA1, "dict_size": max(dictionary, 4096), "lc": lc, "lp": lp, "pb": pb}
+    unpacker = lzma.LZMADecompressor(lzma.FORMAT_RAW, filters=[how])
+    return unpacker.decompress(packed[4 + length :], max_length=most)
+
+
+UNPACKERS = {zipfile.ZIP_BZIP2: _of_bzip2, zipfile.ZIP_LZMA: _of_lzma}
 
 
 def _name(entry: zipfile.ZipInfo) -> str:

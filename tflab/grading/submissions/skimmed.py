@@ -16,7 +16,8 @@ import re
 __all__ = ["skimmed"]
 
 UNREAD = {'"outputs"', '"attachments"', '"widgets"'}
-TOKEN = re.compile(r'"[^"\\]*(?:\\.[^"\\]*)*"|[\[\]{}]', re.DOTALL)
+# A string that nobody closed ends with the text: else each of its quotes is one more beginning, in a text without end.
+TOKEN = re.compile(r'"[^"\\]*(?:\\.[^"\\]*)*(?:"|\\?\Z)|[\[\]{}]', re.DOTALL)
 EMPTY = {"[": "[]", "{": "{}"}
 
 
