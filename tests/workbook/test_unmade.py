@@ -1,7 +1,8 @@
-"""A cell that was run before the one that makes its names: below Python's error, a line says what to run."""
+"""A cell that fails: its own lines are shown, and where another has to be run first, a line says so."""
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -25,6 +26,11 @@ def said(shell: InteractiveShell, cell: str, capsys: pytest.CaptureFixture) -> t
     return type(ran.error_in_exec).__name__, capsys.readouterr().out.rstrip().splitlines()[-1]
 
 
+def plain(text: str) -> str:
+    """Return what was printed in colours, without them."""
+    return re.sub(r"\x1b\[[0-9;]*m", "", text)
+
+
 def test_a_check_before_its_answer_says_which_cell_to_run(shell, capsys) -> None:
     error, line = said(shell, 'check("E3.2", base_p_corner)', capsys)
     assert error == "NameError"
@@ -45,6 +51,36 @@ def test_it_is_said_in_the_language_of_the_copy(shell, capsys, tmp_path: Path, m
 def test_any_other_error_is_pythons_alone(shell, capsys) -> None:
     assert said(shell, "def f():\n    x += 1\nf()", capsys)[0] == "UnboundLocalError"
     assert "Not there" not in said(shell, "1 / 0", capsys)[1]
+
+
+def test_an_error_is_shown_as_far_as_the_readers_own_lines_go(shell, capsys) -> None:
+    asks = "from tflab.core import BufferCore\ndef ask():\n    BufferCore().lookup_transform('map', 'odom', 0)\nask()"
+    assert said(shell, asks, capsys)[0] == "LookupException"
+    shell.run_cell(asks)
+    shown = plain(capsys.readouterr().out)
+    assert "in ask()" in shown
+    assert "tflab/core" not in shown
+    shell.run_line_magic("xmode", "Verbose")
+    shell.run_cell(asks)
+    assert "tflab/core" in plain(capsys.readouterr().out)
+
+
+def test_the_readers_own_lines_below_ours_are_shown_and_another_librarys_too(shell, capsys) -> None:
+    shell.run_cell(
+        "import fractions\nfrom tflab.workbook.words import Words\n"
+        "class Mine(str):\n    def format(self, **names):\n        fractions.Fraction('x')\n"
+        "Words(Mine('a'), 'b').say('en', x=1)"
+    )
+    shown = plain(capsys.readouterr().out)
+    assert "in Mine.format(" in shown
+    assert "words.py" not in shown
+    assert "fractions.py" in shown
+
+
+def test_rclpy_begun_twice_says_how_to_end_it(shell, capsys) -> None:
+    error, line = said(shell, "raise RuntimeError('Context.init() must only be called once')", capsys)
+    assert error == "RuntimeError"
+    assert "`rclpy.try_shutdown()` ends it" in line
 
 
 def test_a_shell_that_treats_its_own_errors_keeps_doing_so() -> None:

@@ -13,7 +13,8 @@ In an exercise one calls four functions:
     inventory/    a test before and after; nothing in it is marked
     checks        check, hint, solution, task
     reply         how a reply looks
-    unmade        what is said of a name that no cell has made yet
+    again         what a cell finds that runs again
+    unmade        what is said of a cell that fails, and of a name that no cell has made yet
     progress      what was tried, and what was passed
     course/       chapters, objectives, checklist, terms; where a learner stands
     book/         the frame, the front page and the gallery of the pages as a book

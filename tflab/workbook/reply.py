@@ -8,7 +8,7 @@
     +-----------------------------------------------------------+
 
 The colour at its left says what the sign says: passed, not yet, or neither.
-Read `unmade.py` next.
+Read `again.py` next.
 """
 
 from __future__ import annotations

@@ -1,15 +1,20 @@
-"""Why is a name not there?  Its cell was not run yet: below Python's error, a line says so.
+"""Why did a cell fail?  Its own lines say so, without ours below them; and if it was run too early, a line more.
 
     NameError: name 'base_p_corner' is not defined
     base_p_corner: Not there yet. Run the cell above with your answer, then this one again.
 
-An answer's cell that fails leaves no older answer behind for `check` to speak of.
-`%load_ext tflab` sees to both.  Read `progress.py` next.
+An error is shown as far as the reader's own code goes: what the engine was at is
+left out, unless somebody asks for everything (`%xmode Verbose`).  An answer's cell
+that fails leaves no older answer behind for `check` to speak of.
+`%load_ext tflab` sees to it.  Read `progress.py` next.
 """
 
 from __future__ import annotations
 
 import re
+import sysconfig
+from pathlib import Path
+from types import TracebackType
 from typing import Any
 
 from .places import WorkbookError, read_workbook
@@ -35,13 +40,27 @@ NOT_YET = Words(
     "아직 없습니다. 위의 셀에서 만드는 이름이라면 그 셀을 먼저 실행한 다음(Run → Run All Above Selected Cell) "
     "이 셀을 다시 실행하십시오. 그런 셀이 없다면 철자를 확인하십시오.",
 )
+BEGUN_TWICE = Words(
+    "rclpy has begun already, in another cell. `rclpy.try_shutdown()` ends it; then run this cell again.",
+    "다른 셀에서 이미 rclpy를 시작했습니다. `rclpy.try_shutdown()`으로 끝낸 다음 이 셀을 다시 실행하십시오.",
+)
+NOT_THERE_TO_END = Words(
+    "rclpy has not begun, or another cell has ended it already: there is nothing left to end.",
+    "rclpy를 아직 시작하지 않았거나 다른 셀에서 이미 끝냈습니다. 더 끝낼 것이 없습니다.",
+)
+OF_ORDER = {
+    "Context.init() must only be called once": BEGUN_TWICE,
+    "Context must be initialized before it can be shutdown": NOT_THERE_TO_END,
+}
+OURS_IS = str(Path(__file__).parents[1])
+NOT_A_READERS = (OURS_IS, *{str(Path(sysconfig.get_path(name))) for name in ("stdlib", "purelib", "platlib")})
 
 
 def register(ipython: Any) -> None:
-    """Let a shell explain a name that is not there, unless it already treats errors of its own; drop stale answers."""
+    """Let a shell say what a reader can do about an error, unless it treats errors of its own; drop stale answers."""
     ipython.events.register("post_run_cell", _drop_stale)
     if not ipython.custom_exceptions:
-        ipython.set_custom_exc((NameError,), _show)
+        ipython.set_custom_exc((Exception,), _show)
 
 
 def _drop_stale(result: Any) -> None:
@@ -55,10 +74,46 @@ def _drop_stale(result: Any) -> None:
         shell.user_ns.pop(function or value, None)
 
 
-def _show(shell: Any, kind: type, error: NameError, traceback: Any, tb_offset: int | None = None) -> None:
+def _show(shell: Any, kind: type, error: Exception, traceback: Any, tb_offset: int | None = None) -> None:
+    if shell.InteractiveTB.mode != "Verbose":
+        for each in _with_those_before(error):
+            each.__traceback__ = of_the_reader(each.__traceback__)
+            each.__suppress_context__ |= each.__context__ is not None and not _is_readers(each.__context__)
+        traceback = error.__traceback__
     shell.showtraceback((kind, error, traceback), tb_offset=tb_offset)
     if kind is NameError and error.name:
         show_reply(error.name, _said(error.name, shell.user_ns["In"][-1]).say(_language()))
+    elif kind is RuntimeError and str(error) in OF_ORDER:
+        show_reply("rclpy", OF_ORDER[str(error)].say(_language()))
+
+
+def of_the_reader(traceback: TracebackType | None) -> TracebackType | None:
+    """Return a traceback without what lies below our own code, up to where the reader's begins again."""
+    kept, is_below = [], False
+    while traceback is not None:
+        file = traceback.tb_frame.f_code.co_filename
+        is_below = file.startswith(OURS_IS) or (is_below and file.startswith(NOT_A_READERS))
+        if not is_below:
+            kept.append(traceback)
+        traceback = traceback.tb_next
+    shown = None
+    for each in reversed(kept):
+        shown = TracebackType(shown, each.tb_frame, each.tb_lasti, each.tb_lineno)
+    return shown
+
+
+def _with_those_before(error: BaseException) -> list[BaseException]:
+    """Return an error, and those that led to it."""
+    chain: list[BaseException] = []
+    while error is not None and error not in chain:
+        chain.append(error)
+        error = error.__cause__ or error.__context__
+    return chain
+
+
+def _is_readers(error: BaseException) -> bool:
+    """Return whether an error came from a reader's own lines."""
+    return of_the_reader(error.__traceback__) is not None
 
 
 def _said(name: str, cell: str) -> Words:

@@ -1,0 +1,105 @@
+"""What does a cell find that runs again?  What it began the last time has ended: a program is started anew.
+
+    In [5]:  rclpy.init(); node = Node('reader')     /reader is there
+    In [9]:  the same cell, again                    the old /reader goes, rclpy ends, and both begin anew
+
+On a robot one stops a program before one starts it again, and nobody can stop a cell
+that has run.  So the cell's own nodes, participants and contexts are ended before it
+runs; what other cells began stays.  A cell that ended rclpy may end it once more.
+
+`%load_ext tflab` sees to it.  Read `unmade.py` next.
+"""
+
+from __future__ import annotations
+
+import weakref
+from typing import Any, NamedTuple
+
+from tflab.ros import client_library
+from tflab.ros.process import process_here
+
+__all__ = ["register"]
+
+
+class _There(NamedTuple):
+    """What there is in a graph, of the page's own process."""
+
+    graph: Any
+    contexts: list[Any]
+    nodes: list[Any]
+    participants: list[Any]
+
+
+class _Began(NamedTuple):
+    """What a cell began in its last run, as weak references; whether it ended a context of another cell."""
+
+    graph: weakref.ref
+    contexts: list[weakref.ref]
+    nodes: list[weakref.ref]
+    participants: list[weakref.ref]
+    has_ended: bool
+
+
+_began: dict[str, _Began] = {}
+_before: list[_There] = []
+
+
+def register(ipython: Any) -> None:
+    """Let each cell of a shell begin anew when it runs again."""
+    ipython.events.register("pre_run_cell", _begin_anew)
+    ipython.events.register("post_run_cell", _remember)
+
+
+def _begin_anew(info: Any) -> None:
+    last, process = _began.pop(_cell(info), None), process_here()
+    if last is not None and process is not None and last.graph() is process.graph:
+        _end(last, process)
+    _before[:] = [_there()]
+
+
+def _end(last: _Began, process: Any) -> None:
+    for participant in _alive(last.participants):
+        if participant.is_running:
+            process.graph.stop(participant)
+    for node in _alive(last.nodes):
+        node.destroy_node()
+    for context in _alive(last.contexts):
+        client_library.try_shutdown(context=None if context is process.default_context else context)
+    if last.has_ended and not client_library.ok():
+        client_library.init()  # so that it can be ended once more
+
+
+def _remember(result: Any) -> None:
+    before, now = (_before or [_there()])[0], _there()
+    if now.graph is None or now.graph is not before.graph:
+        return  # a new world: whoever makes one ends the old one
+    _began[_cell(result.info)] = _Began(
+        weakref.ref(now.graph),
+        _new(now.contexts, before.contexts),
+        _new(now.nodes, before.nodes),
+        _new(now.participants, before.participants),
+        any(context not in now.contexts for context in before.contexts),
+    )
+
+
+def _there() -> _There:
+    process = process_here()
+    if process is None:
+        return _There(None, [], [], [])
+    graph = process.graph
+    nodes = [node for node in graph.nodes if node.context.process is process]
+    return _There(graph, list(process.contexts), nodes, [each for each in graph.participants if each.is_running])
+
+
+def _new(now: list[Any], before: list[Any]) -> list[weakref.ref]:
+    known = set(map(id, before))
+    return [weakref.ref(each) for each in now if id(each) not in known]
+
+
+def _alive(references: list[weakref.ref]) -> list[Any]:
+    return [each for reference in references if (each := reference()) is not None]
+
+
+def _cell(info: Any) -> str:
+    """Return what a cell is known by: its id, or where nothing gives one, its text."""
+    return info.cell_id or info.raw_cell
