@@ -36,5 +36,5 @@ def test_of_one_complaint_only_the_checks_stand_there_that_tell_its_suspects_apa
     heads = [line.split("  ")[0] for line in text.splitlines() if not line.startswith(" ")]
     assert heads == ["echo base_link laser_frame", "delay /scan", "scan header", "echo /tf_static"]
     assert "clock ahead" not in text
-    with pytest.raises(ValueError, match='there is no complaint "tired"; there is no map'):
+    with pytest.raises(ValueError, match='"tired" is no complaint; there is no map'):
         findings_as_text("tired")

@@ -7,9 +7,9 @@ import pytest
 from tflab.clinic.causes import Numbers
 from tflab.clinic.examples import EXAMPLES
 from tflab.clinic.patient import SickRobot
-from tflab.clinic.practice import answer_of, practice_patient, second_opinion, worked_patient
+from tflab.clinic.practice import answer_of, night_shift, practice_patient, second_opinion, worked_patient
 from tflab.clinic.proof import fitting, shortest_proof
-from tflab.clinic.table import COMPLAINTS, SUSPECTS, kind_expected
+from tflab.clinic.table import COMPLAINTS, SENSOR_BROKEN, SUSPECTS, kind_expected
 from tflab.clinic.told import done
 from tflab.clinic.trolley import TROLLEY
 from tflab.clinic.visit import CARD, WORDS, Visit, admit
@@ -85,7 +85,8 @@ def test_a_wrong_diagnosis_is_told_a_check_and_not_the_cause(truth, language, ca
     finding = {key: EXAMPLES[key][kind_expected(truth, key)] for key in TROLLEY}
     evidence = {key: (check.minutes, finding[key], finding[key]) for key, check in TROLLEY.items()}
     after = ([], ["hz /scan"], shortest_proof(truth), list(TROLLEY))
-    for complaint, asked, wrong in product((own, ""), after, (each for each in SUSPECTS if each != truth)):
+    others = [each for each in (*SUSPECTS, SENSOR_BROKEN) if each != truth]
+    for complaint, asked, wrong in product((own, ""), after, others):
         visit = Visit(SickRobot(complaint, "", 12.0, evidence, {}), language)
         for check in asked:
             visit.take(check)
@@ -98,8 +99,83 @@ def test_a_wrong_diagnosis_is_told_a_check_and_not_the_cause(truth, language, ca
 def test_a_cause_that_is_no_suspect_is_refused(visit):
     with pytest.raises(ValueError, match='"gremlins" is no suspect; there is localizer not running'):
         visit.say("gremlins")
-    with pytest.raises(ValueError, match='there is no fix "hope"; there is start localization'):
+    with pytest.raises(ValueError, match='"hope" is no fix; there is start localization'):
         visit.say("laser clock ahead", fix="hope")
+
+
+@pytest.mark.parametrize(
+    ("tell", "error"),
+    [
+        (lambda visit: visit.ask("delay /scn"), '"delay /scn" is not on the trolley; did you mean "delay /scan"[?]'),
+        (lambda visit: visit.ask("DELAY /Scan"), 'did you mean "delay /scan"[?] There is rviz, node list'),
+        (lambda visit: visit.ask("ros2 topic delay /scam"), 'did you mean "ros2 topic delay /scan"[?]'),
+        (lambda visit: visit.ask(["delay /scan"]), 'did you mean "delay /scan"[?]'),
+        (lambda visit: visit.ask(None), '"None" is not on the trolley; there is rviz'),
+        (
+            lambda visit: visit.ask("delay /scan", "hz /scan"),
+            'one check at a time: first "delay /scan", then "hz /scan"',
+        ),
+        (lambda visit: visit.say("Laser clock ahead"), 'did you mean "laser clock ahead"[?] There is localizer not'),
+        (lambda visit: visit.say({"laser clock ahead"}), 'is no suspect; did you mean "laser clock ahead"[?]'),
+        (
+            lambda visit: visit.say("laser clock ahead", frame="laser"),
+            '"laser" is no frame; did you mean "laser_frame"',
+        ),
+        (
+            lambda visit: visit.say("laser clock ahead", owner="Laser driver"),
+            'is no owner; did you mean "laser_driver"[?]',
+        ),
+        (lambda visit: visit.say("laser clock ahead", fix="Set the laser's clock"), 'mean "set the laser\'s clock"[?]'),
+        (lambda visit: visit.try_fix("Timeout of 1s"), 'did you mean "timeout of 1 s"[?]'),
+        (lambda visit: visit.strike("odometry slo"), 'did you mean "odometry slow"[?]'),
+    ],
+)
+def test_what_is_misspelt_is_refused_with_what_is_near_and_costs_nothing(visit, tell, error):
+    visit.take("hz /scan")
+    with pytest.raises(ValueError, match=error):
+        tell(visit)
+    assert (visit.minutes, len(visit.suspects), visit.diagnosis, visit.tried) == (1, 3, {}, [])
+
+
+@pytest.mark.parametrize("typed", ["%ros2 topic info /tf -v", "$ ros2 topic info /tf --verbose", "`topic info /tf -v`"])
+def test_a_command_may_be_asked_as_it_is_typed_on_a_page_or_in_a_shell(visit, typed):
+    visit.take(typed)
+    assert visit.log[-1].check == "info /tf"
+
+
+def test_who_asks_twice_is_told_so_and_pays_twice(visit, capsys):
+    visit.ask("hz /scan", because=None)
+    assert "asked this before" not in capsys.readouterr().out
+    visit.ask("ros2 topic hz /scan", because="I forgot")
+    assert "You asked this before" in capsys.readouterr().out and visit.minutes == 2
+
+
+def test_the_sensor_may_be_named_and_its_messages_speak_for_it(visit, capsys):
+    visit.say("sensor broken")
+    assert capsys.readouterr().out.startswith("Nothing was asked yet")  # and not that it was struck before
+    visit.take("hz /scan")
+    visit.say("sensor broken", fix="new sensor")
+    assert 'If it were "sensor broken", `ros2 topic hz /scan` would not say: 10.0 Hz' in capsys.readouterr().out
+
+
+def test_a_fix_may_be_named_when_it_is_tried(visit, capsys):
+    visit.take("delay /scan")
+    visit.try_fix("set the laser's clock")
+    assert capsys.readouterr().out.startswith("First a diagnosis")
+    visit.say("laser clock ahead")
+    visit.try_fix()
+    assert capsys.readouterr().out.count("Now a fix: `fixes()` prints what there is") == 2
+    visit.try_fix("set the laser's clock")
+    assert "RViz: all Ok" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("number", [-1, 7.5, "7", None, True])
+def test_patients_go_by_whole_numbers(number):
+    for make in (practice_patient, night_shift, answer_of):
+        with pytest.raises(ValueError, match="patients go by whole numbers: 0, 1, 2 and so on, not"):
+            make(number)
+    with pytest.raises(ValueError, match=r'"clock ahead" is no cause; did you mean "laser clock ahead"\?'):
+        worked_patient("clock ahead")
 
 
 def test_only_a_patient_is_let_in():
@@ -114,7 +190,7 @@ def test_both_languages_say_the_same_things():
 def test_a_practice_patient_is_the_same_wherever_it_is_made():
     assert practice_patient(5).packed() == practice_patient(5).packed()
     assert answer_of(5, "jumps") in ("two owners of one edge", "localizer owns the base", "nothing is wrong")
-    with pytest.raises(ValueError, match='there is no complaint "tired"'):
+    with pytest.raises(ValueError, match='"tired" is no complaint; there is no map'):
         practice_patient(5, "tired")
 
 

@@ -72,13 +72,17 @@ def test_a_right_robot_stands_on_the_map_with_one_owner_for_each_edge(capsys):
         ({"bag": ["/tf"]}, "Tomorrow, from a bag of /tf: 0 of 17 pictures find their place in map."),
         ({"bag": ...}, "Tomorrow, from a bag of nothing: 0 of 17 pictures find their place in map."),
         ({"mounts__owner": ...}, "alpha/base_link -> alpha/rgb_link nobody ! 0"),
+        ({"parents": [("alpha/base_link", ...)]}, "alpha/rgb_link: No transform from [alpha/rgb_link] to frame [map]"),
+        ({"parents": [("alpha/odom", "alpha/rgb_link")]}, "alpha/odom: No transform from [alpha/odom] to frame [map]"),
     ],
 )  # fmt: skip
 def test_a_wrong_robot_shows_what_a_real_one_would(wrong, seen, capsys):
     assert seen in seen_of(robot(**wrong), capsys)
 
 
-@pytest.mark.parametrize("nothing", [..., None, {}, {"tree": ...}, {"tree": {}}])
+@pytest.mark.parametrize(
+    "nothing", [..., None, {}, {"tree": ...}, {"tree": {}}, {"tree": {"alpha/odom": ...}}, {"tree": {"map": ["odom"]}}]
+)
 def test_what_is_no_robot_yet_is_not_launched(nothing, capsys):
     assert lesson.launch_answer(nothing, ASKED) is None
     assert "no robot yet" in capsys.readouterr().out

@@ -16,7 +16,7 @@ from __future__ import annotations
 from .findings import AS_ON_THE_CARD, DENORMALIZED, INCOMPATIBLE
 from .table import COMPLAINTS, SUSPECTS, kind_expected
 from .told import done
-from .trolley import TROLLEY
+from .trolley import TROLLEY, no_such
 
 __all__ = ["EXAMPLES", "findings_as_text", "suspects_as_text", "trolley_as_text"]
 
@@ -150,7 +150,7 @@ def findings_as_text(complaint: str = "", language: str = "en") -> str:
         ValueError: there is no such complaint.
     """
     if complaint and complaint not in COMPLAINTS:
-        raise ValueError(f'there is no complaint "{complaint}"; there is {", ".join(COMPLAINTS)}')
+        raise no_such(complaint, "no complaint", COMPLAINTS)
     suspects = COMPLAINTS[complaint].suspects if complaint else SUSPECTS
     blocks = []
     for key, check in TROLLEY.items():

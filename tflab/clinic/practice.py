@@ -15,11 +15,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from .causes import Numbers, draw_numbers
+from .causes import CAUSES, Numbers, draw_numbers
 from .patient import SickRobot
 from .proof import fitting
 from .table import COMPLAINTS
-from .trolley import TROLLEY
+from .trolley import TROLLEY, no_such
 from .ward import examined, make_patient
 
 __all__ = ["answer_of", "night_shift", "practice_patient", "second_opinion", "worked_patient"]
@@ -38,20 +38,30 @@ def practice_patient(number: int, complaint: str = "") -> SickRobot:
     """Return a patient to practise on; it takes two or three seconds.
 
     Raises:
-        ValueError: there is no such complaint.
+        ValueError: there is no such complaint, or no such number.
     """
     return _clear(*_drawn(number, complaint))[0]
 
 
 def night_shift(number: int) -> SickRobot:
-    """Return a patient with two causes."""
-    rng = np.random.default_rng([12, number])
+    """Return a patient with two causes.
+
+    Raises:
+        ValueError: there is no such number.
+    """
+    rng = _chance(12, number)
     return make_patient(NIGHTS[int(rng.integers(len(NIGHTS)))], draw_numbers(rng))
 
 
 def worked_patient(cause: str, number: int = 0) -> SickRobot:
-    """Return a patient whose cause is known, to show how it is done."""
-    return make_patient([cause], draw_numbers(np.random.default_rng([1, number])))
+    """Return a patient whose cause is known, to show how it is done.
+
+    Raises:
+        ValueError: there is no such cause, or no such number.
+    """
+    if cause not in list(CAUSES):
+        raise no_such(cause, "no cause", CAUSES)
+    return make_patient([cause], draw_numbers(_chance(1, number)))
 
 
 def answer_of(number: int, complaint: str = "") -> str:
@@ -78,9 +88,15 @@ def _clear(rng: np.random.Generator, causes: tuple[str, ...]) -> tuple[SickRobot
 
 def _drawn(number: int, complaint: str) -> tuple[np.random.Generator, tuple[str, ...]]:
     if complaint and complaint not in COMPLAINTS:
-        raise ValueError(f'there is no complaint "{complaint}"; there is {", ".join(COMPLAINTS)}')
-    rng = np.random.default_rng([7, number])
+        raise no_such(complaint, "no complaint", COMPLAINTS)
+    rng = _chance(7, number)
     keys = list(COMPLAINTS)
     key = complaint or keys[int(rng.integers(len(keys)))]
     suspects = COMPLAINTS[key].suspects
     return rng, (suspects[int(rng.integers(len(suspects)))],)
+
+
+def _chance(ward: int, number: int) -> np.random.Generator:
+    if isinstance(number, bool) or not isinstance(number, int | np.integer) or number < 0:
+        raise ValueError(f"patients go by whole numbers: 0, 1, 2 and so on, not {number!r}")
+    return np.random.default_rng([ward, int(number)])

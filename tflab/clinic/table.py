@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 from .trolley import TROLLEY
 
-__all__ = ["COMPLAINTS", "DECIDING", "SUSPECTS", "Complaint", "kind_expected"]
+__all__ = ["COMPLAINTS", "DECIDING", "SENSOR_BROKEN", "SUSPECTS", "Complaint", "kind_expected"]
 
 
 class Complaint(NamedTuple):
@@ -64,6 +64,7 @@ COMPLAINTS = {
 }
 
 SUSPECTS = tuple(suspect for complaint in COMPLAINTS.values() for suspect in complaint.suspects)
+SENSOR_BROKEN = "sensor broken"  # whom everybody suspects, and nobody in the clinic has
 
 _APART, _MAP = "not in one tree", "map unknown"
 _NO_MAP = {
@@ -131,6 +132,7 @@ _COLUMNS = {
         "rviz": "scan's own frame unknown", "echo /tf_static": "no laser_frame",
     },
     "scan slow": {"hz /scan": "too seldom"},
+    SENSOR_BROKEN: {"hz /scan": "nothing heard", "delay /scan": "nothing heard", "scan header": "nothing heard"},
 }  # fmt: skip
 
 # Which reading shows whether the suspect is gone.
@@ -153,6 +155,7 @@ DECIDING = {
     "quaternion of zeros": "echo /tf_static",
     "header says another frame": "scan header",
     "mount volatile": "info /tf_static",
+    SENSOR_BROKEN: "hz /scan",
 }
 
 

@@ -12,11 +12,12 @@ Read `told.py` next.
 from __future__ import annotations
 
 import difflib
+from collections.abc import Iterable
 from typing import NamedTuple
 
 from .findings import AS_ON_THE_CARD, kind_of
 
-__all__ = ["BUDGET_MIN", "TROLLEY", "TrolleyCheck", "check_named"]
+__all__ = ["BUDGET_MIN", "TROLLEY", "TrolleyCheck", "check_named", "no_such"]
 
 BUDGET_MIN = 12.0
 
@@ -76,15 +77,28 @@ TROLLEY = {
 
 
 def check_named(asked: str) -> TrolleyCheck:
-    """Return the check of a key, or of the command as one types it.
+    """Return the check of a key, or of the command as one types it: on a page, after a prompt, or with `-v`.
 
     Raises:
         ValueError: there is no such check on the trolley.
     """
-    words = " ".join(str(asked).split())
+    words = " ".join(str(asked).strip("`$%! \n").split())
+    words = f"{words.removesuffix('-v')}--verbose" if words.endswith(" -v") else words
     for check in TROLLEY.values():
         if words in (check.key, check.command, check.command.removeprefix("ros2 ")):
             return check
-    close = difflib.get_close_matches(words, [*TROLLEY, *(check.command for check in TROLLEY.values())], n=1)
-    near = f' Did you mean "{close[0]}"?' if close else ""
-    raise ValueError(f'"{asked}" is not on the trolley; there is {", ".join(TROLLEY)}.{near}')
+    raise no_such(words, "not on the trolley", TROLLEY, (check.command for check in TROLLEY.values()))
+
+
+def no_such(said: object, what: str, names: Iterable[str], others: Iterable[str] = ()) -> ValueError:
+    """Return the error for a name that nothing has: the nearest of them, whatever its capitals, and all there are.
+
+    Args:
+        what: is wrong with it, as after "is".
+        others: names that it may be near to, too, and that are not listed.
+    """
+    names = list(names)
+    spelt = {name.lower(): name for name in (*others, *names)}
+    close = difflib.get_close_matches(str(said).lower(), spelt, n=1)
+    near = f'did you mean "{spelt[close[0]]}"? There is' if close else "there is"
+    return ValueError(f'"{said}" is {what}; {near} {", ".join(names)}')

@@ -6,6 +6,8 @@
     visit.say(cause=..., frame=..., owner=..., fix=...)
     visit.try_fix()                                 the robot after it
 
+Whatever is misspelt is refused before it costs anything.
+
 Nobody repairs here on a suspicion: as long as the readings fit another suspect as
 well, or do not fit the one that was named, no fix is tried.
 
@@ -16,11 +18,12 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from .cures import DIAGNOSES
 from .patient import SickRobot, seen_after
 from .proof import NOTHING_IS_WRONG, best_check, fitting
-from .table import COMPLAINTS, DECIDING, SUSPECTS
+from .table import COMPLAINTS, DECIDING, SENSOR_BROKEN, SUSPECTS
 from .told import done, told
-from .trolley import TROLLEY, check_named
+from .trolley import TROLLEY, check_named, no_such
 
 __all__ = ["CARD", "FixTried", "Visit", "VisitEntry", "admit"]
 
@@ -47,20 +50,24 @@ The robot when it is well
           (RViz는 들여다볼 때만 켜므로 노드 목록에 나오지 않음)""",
 }
 
+FRAMES = dict.fromkeys(remedy.frame for remedy in DIAGNOSES.values())
+OWNERS = dict.fromkeys(remedy.owner for remedy in DIAGNOSES.values())
+
 WORDS = {
     "en": {
         "nothing": "It does not work.",
         "budget": "You have {left:g} minutes. Suspects: {suspects}",
         "clock": "{minutes:g} min; {left:g} of {budget:g} left. Your suspects: {suspects}",
         "over": "{minutes:g} min; the time is up, {over:g} minutes over. Your suspects: {suspects}",
-        "noted": "Noted, and your readings bear it out. Now `try_fix()`.",
+        "again": "You asked this before: it says the same, and takes its minutes once more.",
+        "noted": "Noted: your readings prove this cause. Now `try_fix()`.",
         "no diagnosis": "First a diagnosis: say(cause=..., frame=..., owner=..., fix=...).",
+        "no fix": 'Now a fix: `fixes()` prints what there is, then `try_fix("...")`.',
         "nothing asked": 'Nothing was asked yet, so "{cause}" is a guess. What would `{command}` say then? Ask it.',
         "contradicted": 'If it were "{cause}", `{command}` would not say: {finding}. You asked it.',
         "not apart": 'Your readings fit "{cause}", and {count} more. What would `{command}` say of each? Ask it.',
         "nothing sick": "Each of your readings is as on the card. Show what is sick first: `{command}` would.",
         "after": "{fix} (+{minutes:g} min)",
-        "no suspect": '"{cause}" is no suspect; there is {suspects}.',
         "struck": 'You struck "{cause}" from your list, and now you name it.',
     },
     "ko": {
@@ -68,8 +75,10 @@ WORDS = {
         "budget": "{left:g}분 있습니다. 용의자: {suspects}",
         "clock": "{minutes:g}분 사용, {budget:g}분 가운데 {left:g}분 남음. 남은 용의자: {suspects}",
         "over": "{minutes:g}분 사용, 시간이 {over:g}분 초과되었습니다. 남은 용의자: {suspects}",
-        "noted": "적어 두었습니다. 읽은 값과 맞습니다. 이제 `try_fix()`를 실행하십시오.",
+        "again": "이미 물어본 검사입니다. 결과는 같고 시간만 다시 듭니다.",
+        "noted": "적어 두었습니다. 읽은 값이 이 원인을 증명합니다. 이제 `try_fix()`를 실행하십시오.",
         "no diagnosis": "진단이 먼저입니다. say(cause=..., frame=..., owner=..., fix=...)를 실행하십시오.",
+        "no fix": '이제 처치를 고르십시오. `fixes()`로 목록을 보고 `try_fix("...")`를 실행합니다.',
         "nothing asked": '물어본 것이 없으니 "{cause}"은(는) 짐작입니다. '
         "그렇다면 `{command}`의 결과는 어떻겠습니까? 물어보십시오.",
         "contradicted": '원인이 "{cause}"라면 `{command}`의 결과가 이렇지 않습니다: {finding}. 이미 물어본 것입니다.',
@@ -77,7 +86,6 @@ WORDS = {
         "`{command}`의 결과는 저마다 어떻겠습니까? 물어보십시오.",
         "nothing sick": "읽은 값이 모두 카드와 같습니다. 아픈 곳을 먼저 보이십시오. `{command}`의 결과에 나옵니다.",
         "after": "{fix} (+{minutes:g}분)",
-        "no suspect": '"{cause}"은(는) 용의자가 아닙니다. 있는 것: {suspects}.',
         "struck": '"{cause}"은(는) 목록에서 지운 용의자입니다.',
     },
 }
@@ -143,16 +151,21 @@ class Visit:
         return f"{said}\n{screen}\n{CARD[self.language]}\n\n{budget}"
 
     def ask(self, check: str, because: str = "") -> None:
-        """Print what a check says, and what time is left; `because` is the suspect that it is asked for.
+        """Print what a check says, and what time is left; `because` says whom one suspects, or why one asks.
 
         Raises:
-            ValueError: there is no such check on the trolley.
+            ValueError: there is no such check on the trolley, or `because` is a second one.
         """
-        print(f"{self._typed(check)}\n{self.take(check, because)}\n\n{self.clock()}")
+        before = {asked.check for asked in self.log}
+        text = self.take(check, because)
+        again = f"{self._say('again')}\n" if self.log[-1].check in before else ""
+        print(f"{self._typed(check)}\n{text}\n\n{again}{self.clock()}")
 
     def take(self, check: str, because: str = "") -> str:
         """Ask without printing, and return the text."""
         key = check_named(check).key
+        if any(because in (each.key, each.command) for each in TROLLEY.values()):
+            raise ValueError(f'one check at a time: first "{key}", then "{because}"')
         minutes, text, finding = self.patient.reading(key)
         if self.helped:
             kind = TROLLEY[key].kind(finding)
@@ -182,22 +195,31 @@ class Visit:
         """Note a diagnosis, and print what speaks against it: what was asked, or what should be.
 
         Raises:
-            ValueError: the cause is no suspect, or there is no such fix.
+            ValueError: the cause is no suspect, or there is no such frame, owner or fix.
         """
         self._known(cause)
-        if fix and fix not in self.patient.fixes:
-            raise ValueError(f'there is no fix "{fix}"; there is {", ".join(self.patient.fixes)}')
+        for name, what, names in ((frame, "frame", FRAMES), (owner, "owner", OWNERS), (fix, "fix", self.patient.fixes)):
+            if name and name not in list(names):
+                raise no_such(name, f"no {what}", names)
         self.diagnosis = {"cause": cause, "frame": frame, "owner": owner, "fix": fix}
-        if cause not in self.suspects:
+        if cause in self._all and cause not in self.suspects and not self.helped:
             print(self._say("struck", cause=cause))
-        print(self._doubt(cause) or self._say("noted"))
+        print(self._doubt(cause) or self._say("noted" if fix else "no fix"))
 
     def fixes(self) -> None:
         """Print what can be done about it: every fix, the plasters among them."""
         print("\n".join(self.patient.fixes))
 
-    def try_fix(self) -> None:
-        """Print the robot after the fix that was said, if the readings warrant the diagnosis; else why not."""
+    def try_fix(self, fix: str = "") -> None:
+        """Print the robot after this fix, or that which was said, if the readings warrant the diagnosis; else why not.
+
+        Raises:
+            ValueError: there is no such fix.
+        """
+        if fix and fix not in self.patient.fixes:
+            raise no_such(fix, "no fix", self.patient.fixes)
+        if fix and self.diagnosis:
+            self.diagnosis["fix"] = fix
         print(self._refusal() or self._after())
 
     def _after(self) -> str:
@@ -208,9 +230,9 @@ class Visit:
 
     def _refusal(self) -> str:
         """Return why no fix is tried yet, or ""."""
-        if not self.diagnosis.get("cause") or not self.diagnosis["fix"]:
+        if not self.diagnosis:
             return self._say("no diagnosis")
-        return self._doubt(self.diagnosis["cause"])
+        return self._doubt(self.diagnosis["cause"]) or ("" if self.diagnosis["fix"] else self._say("no fix"))
 
     def _doubt(self, cause: str) -> str:
         """Return what the readings say against a cause, with a check that was asked or should be; "" if nothing."""
@@ -235,8 +257,8 @@ class Visit:
         return f"$ {command}" if command.startswith("ros2 ") else command
 
     def _known(self, suspect: str) -> None:
-        if suspect not in SUSPECTS:
-            raise ValueError(self._say("no suspect", cause=suspect, suspects=", ".join(SUSPECTS)))
+        if suspect not in (*SUSPECTS, SENSOR_BROKEN):
+            raise no_such(suspect, "no suspect", SUSPECTS)
 
     def _say(self, name: str, **names: object) -> str:
         return WORDS[self.language][name].format(**names)
@@ -249,7 +271,7 @@ def admit(patient: SickRobot, language: str = "en", helped: bool = False) -> Vis
         TypeError: that is no patient.
     """
     if not isinstance(patient, SickRobot):
-        raise TypeError(f"a patient is wanted, such as practice_patient(3), not {type(patient).__name__}")
+        raise TypeError(f"a patient is wanted, such as practice_patient(3) or e12_4.a, not {type(patient).__name__}")
     visit = Visit(SickRobot.unpacked(patient.packed()), language, helped)
     print(visit.opening())
     return visit

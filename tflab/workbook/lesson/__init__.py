@@ -22,6 +22,7 @@ from __future__ import annotations
 
 from tflab.bags.example import example_bag
 from tflab.bags.reader import read_bag
+from tflab.clinic.causes import BaseLocalizer
 from tflab.clinic.practice import answer_of, night_shift, practice_patient, worked_patient
 from tflab.core import LATEST, BufferCore, StampedTransform, Transform, seconds
 from tflab.core.quaternions import angle, xyzw_from_wxyz
@@ -127,6 +128,7 @@ __all__ = [
     "LATEST",
     "LECTURES_ORDER",
     "ROOM",
+    "BaseLocalizer",
     "Bend",
     "BufferCore",
     "Curve",

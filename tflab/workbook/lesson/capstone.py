@@ -158,10 +158,10 @@ def launch_answer(answer: Any, specification: Any) -> RViz | None:
         specification: what `task("E12.5")` gave: the robot's name and its sensor.
     """
     words = WORDS[read_workbook(workbook_root()).language]
-    if not isinstance(answer, Mapping) or not isinstance(answer.get("tree"), Mapping) or not answer["tree"]:
+    tree = _written(answer)
+    if not tree:
         print(words["nothing"])
         return None
-    tree = {str(child): str(parent) for child, parent in answer["tree"].items()}
     name, sensor = str(specification.robot), f"{specification.robot}/{specification.sensor}_optical_frame"
     topics, graph, recorders = _topics(answer.get("bag")), new_graph(), []
     with redirect_stdout(io.StringIO()), redirect_stderr(io.StringIO()):
@@ -178,6 +178,13 @@ def launch_answer(answer: Any, specification: Any) -> RViz | None:
     print(words["who"].format(seconds=LAUNCHED_S), *_rows(senders, tree, words), "", sep="\n")
     print(*_places(recorders[0], sensor, topics, words), sep="\n")
     return view
+
+
+def _written(answer: Any) -> dict[str, str]:
+    """Return the edges that are written, child -> parent: not a blank, and not a child of many."""
+    tree = answer.get("tree") if isinstance(answer, Mapping) else None
+    edges = tree.items() if isinstance(tree, Mapping) else ()
+    return {child: parent for child, parent in edges if isinstance(child, str) and isinstance(parent, str)}
 
 
 class _Shares(NamedTuple):

@@ -25,7 +25,7 @@ from tflab.clinic.patient import SickRobot
 from tflab.clinic.proof import best_check, left_after, minutes_of, order_of, rivals_of
 from tflab.clinic.steps import steps_of
 from tflab.clinic.table import COMPLAINTS, SUSPECTS, kind_expected
-from tflab.clinic.trolley import BUDGET_MIN
+from tflab.clinic.trolley import BUDGET_MIN, no_such
 from tflab.clinic.visit import Visit
 from tflab.clinic.visit import admit as admitted
 from tflab.views import panels
@@ -124,7 +124,7 @@ def draw_columns(complaint: str, asked: Mapping[str, str] = {}) -> SuspectsPictu
         ValueError: there is no such complaint.
     """
     if complaint and complaint not in COMPLAINTS:
-        raise ValueError(f'there is no complaint "{complaint}"; there is {", ".join(COMPLAINTS)}')
+        raise no_such(complaint, "no complaint", COMPLAINTS)
     suspects = COMPLAINTS[complaint].suspects if complaint else SUSPECTS
     return draw_suspects(suspects_table(suspects, columns_for(suspects)), asked)
 
