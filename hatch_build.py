@@ -1,7 +1,12 @@
-"""Compile four pages of the engine, beside their sources: `make fast`.
+"""Compile four pages of the engine, beside their sources: `make fast`; and say where the project lives.
 
 A wheel holds them if it is built with TFLAB_COMPILED=1 in the environment; every
 other build is pure Python.  See tflab/core/builds.py.
+
+What is built with TFLAB_ADDRESS=https://… names that address: in its project URLs,
+and in the README that a package index shows, for the picture and for files that it
+names.  Without it, nothing points anywhere; the repository itself knows no address.
+TFLAB_REF is the tag to link to (main), TFLAB_BOOK the address of the book, if it has one.
 """
 
 from __future__ import annotations
@@ -15,6 +20,7 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from hatchling.builders.hooks.plugin.interface import BuildHookInterface
+from hatchling.metadata.plugin.interface import MetadataHookInterface
 
 ROOT = Path(__file__).parent
 COMPILERS = ["mypy>=1.18", "setuptools>=70", "numpy>=1.26"]
@@ -56,6 +62,42 @@ class CompiledPages(BuildHookInterface):  # type: ignore[type-arg]
         for file in compiled():
             inside = file.resolve().relative_to(ROOT).as_posix()
             build_data["force_include"][str(file)] = inside
+
+
+def indexed(readme: str, address: str, ref: str = "main") -> str:
+    """Return the README as a package index can show it: whole addresses, or no picture at all."""
+    picture = r"!\[([^\]]*)\]\(([^)]+)\)"
+    if not address:
+        return re.sub(rf"^{picture}\n\n(?:\*[^*\n].*\*\n\n)?", "", readme, flags=re.MULTILINE)
+
+    def linked(name: re.Match[str]) -> str:
+        return f"[{name[0]}]({address}/blob/{ref}/{name[0]})" if (ROOT / name[0]).is_file() else name[0]
+
+    prose = re.sub(picture, rf"![\1]({address}/raw/{ref}/\2)", readme)
+    parts = re.split(r"(^```.*?^```$|`[^`\n]+`)", prose, flags=re.MULTILINE | re.DOTALL)
+    return "".join(
+        part if part.startswith("`") else re.sub(r"(?<![\w/(])(?:docs/)?\w[\w.]*\.md\b", linked, part) for part in parts
+    )
+
+
+def urls(address: str, ref: str = "main", book: str = "") -> dict[str, str]:
+    """Return the project's addresses, by what an index calls them."""
+    there = {"Documentation": book, "Source": address}
+    if address:
+        there |= {"Issues": f"{address}/issues", "Changelog": f"{address}/blob/{ref}/CHANGELOG.md"}
+    return {name: one for name, one in there.items() if one}
+
+
+class Address(MetadataHookInterface):
+    """Hatchling's hook: the README for an index, and where the project lives, if the environment says it."""
+
+    PLUGIN_NAME = "custom"
+
+    def update(self, metadata: dict[str, Any]) -> None:
+        address, ref = os.environ.get("TFLAB_ADDRESS", "").rstrip("/"), os.environ.get("TFLAB_REF", "main")
+        readme = (Path(self.root) / "README.md").read_text(encoding="utf-8")
+        metadata["readme"] = {"content-type": "text/markdown", "text": indexed(readme, address, ref)}
+        metadata["urls"] = urls(address, ref, os.environ.get("TFLAB_BOOK", ""))
 
 
 if __name__ == "__main__":

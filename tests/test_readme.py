@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib.util
 import json
 import os
 import re
@@ -9,6 +10,7 @@ import shlex
 import subprocess
 import sys
 from pathlib import Path
+from types import ModuleType
 
 import pytest
 import yaml
@@ -63,6 +65,49 @@ def test_no_link_of_the_readme_is_dead_on_a_package_index(language: str) -> None
     for picture in re.findall(r"!\[[^\]]+\]\(([^)]+)\)", readme(language)):
         assert (ROOT / picture).is_file()
         assert (ROOT / picture).stat().st_size < 1_500_000
+
+
+def of_the_build() -> ModuleType:
+    pytest.importorskip("hatchling", reason="no hatchling: pip install 'tflab[dev]'")
+    spec = importlib.util.spec_from_file_location("hatch_build", ROOT / "hatch_build.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def test_an_index_shows_no_picture_that_it_has_not() -> None:
+    shown = of_the_build().indexed(readme("en"), "")
+    assert "](" not in shown
+    assert "docs/pictures" not in shown and "smear" not in shown
+    assert shown.startswith("# tflab\n\n**A book that runs")
+    assert "nothing leaves your machine.\n\nThe official tutorials show you" in shown
+    assert shown.partition("## Try it")[2] == readme("en").partition("## Try it")[2]
+    assert of_the_build().urls("") == {}
+
+
+def test_a_release_that_says_where_it_lives_has_links_that_lead_there() -> None:
+    build, address = of_the_build(), "https://git.example/someone/tflab"
+    shown = build.indexed(readme("en"), address, "v1")
+    links = re.findall(r"\]\(([^)]+)\)", shown)
+    assert {link.partition("/v1/")[0] for link in links} == {f"{address}/raw", f"{address}/blob"}
+    files = [link.partition("/v1/")[2] for link in links]
+    assert {"docs/pictures/drive.webp", "README.ko.md", "docs/grading.md", "CONTRIBUTING.md"} <= set(files)
+    assert [name for name in files if not (ROOT / name).is_file()] == []
+    assert re.sub(r"\[([\w./]+)\]\(https[^)]+\)", r"\1", shown.replace(f"{address}/raw/v1/", "")) == readme("en")
+    assert build.urls(address, "v1", "https://someone.example/tflab/") == {
+        "Documentation": "https://someone.example/tflab/",
+        "Source": address,
+        "Issues": f"{address}/issues",
+        "Changelog": f"{address}/blob/v1/CHANGELOG.md",
+    }
+
+
+def test_the_release_says_where_it_lives_by_the_names_that_the_build_reads() -> None:
+    workflow = yaml.safe_load((ROOT / ".github" / "workflows" / "release.yml").read_text(encoding="utf-8"))
+    read = set(re.findall(r'environ\.get\("(TFLAB_\w+)"', (ROOT / "hatch_build.py").read_text(encoding="utf-8")))
+    assert set(workflow["env"]) == read - {"TFLAB_COMPILED"}
+    into_containers = workflow["jobs"]["compiled"]["env"]["CIBW_ENVIRONMENT_PASS_LINUX"].split()
+    assert set(into_containers) == read
 
 
 def test_the_files_that_the_readme_names_are_there() -> None:
