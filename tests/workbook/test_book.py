@@ -18,7 +18,7 @@ from tflab.workbook.book.frame import STATIC, BookPage, framed, shell
 from tflab.workbook.book.front import conventions_text
 from tflab.workbook.book.gallery import last_line
 from tflab.workbook.book.reading import sections_of
-from tflab.workbook.book.reference import write_reference
+from tflab.workbook.book.reference import sentences_kept, write_reference
 from tflab.workbook.pages.build import build
 from tflab.workbook.pages.site import twins_marked
 
@@ -224,6 +224,15 @@ def test_an_accessibility_checker_finds_nothing_serious(scheme: str, site: Path,
         found = Axe().run(page, options={"runOnly": ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "best-practice"]})
         serious = [each for each in found.response["violations"] if each["impact"] in ("serious", "critical")]
         assert [(each["id"], each["nodes"][0]["html"]) for each in serious] == [], name
+
+
+def test_a_sentence_that_ends_in_a_colon_is_no_section_of_a_docstring() -> None:
+    google = pytest.importorskip("pdoc.docstrings", reason="no pdoc: pip install 'tflab[site]'").google
+    text = "One calls four functions:\n\n    import x\n\n    words    is read\n\nRaises:\n    ValueError: no.\n"
+    assert google(text).startswith("\n###### One calls four functions:\n> import x")
+    kept = google(sentences_kept(text))
+    assert kept.startswith("One calls four functions: \n\n    import x\n\n    words    is read\n")
+    assert "###### Raises:\n - **ValueError:**  no." in kept
 
 
 @pytest.mark.browser

@@ -23,8 +23,8 @@ TITLE = Words(en="A book that runs: ROS 2 TF2", ko="실행되는 책: ROS 2 TF2"
 LEAD = Words(
     en="On a robot, every number has a frame and a moment. This book teaches ROS 2 <strong>TF2</strong>, coordinate "
     "frames, transforms and the time that belongs to them, to people who have only Python: no robot, no ROS.",
-    ko="로봇에서는 모든 숫자에 좌표계와 측정 시각이 있습니다. 이 책은 ROS 2의 <strong>TF2</strong>, 곧 좌표계와 변환, "
-    "그리고 거기에 속한 시간을 가르칩니다. 파이썬만 있으면 됩니다. 로봇도 ROS도 없어도 됩니다.",
+    ko="로봇에서는 모든 숫자에 좌표계와 측정 시각이 있습니다. 이 워크북에서는 ROS 2의 <strong>TF2</strong>, 곧 "
+    "좌표계와 변환, 그리고 그 시각을 처음부터 배웁니다. 파이썬 기초만 알면 됩니다. 로봇도 ROS도 필요 없습니다.",
 )
 CHAPTERS = Words(en="Chapters", ko="장")
 MINUTES = Words(en="{n} min", ko="{n}분")

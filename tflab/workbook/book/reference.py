@@ -8,12 +8,15 @@ packages only hand on names, so they are left out.  Read `pages/` next.
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
+from unittest.mock import patch
 from warnings import catch_warnings, simplefilter
 
-__all__ = ["HIDDEN", "write_reference"]
+__all__ = ["HIDDEN", "sentences_kept", "write_reference"]
 
 HIDDEN = ("tflab.ros.packages", "tflab.__main__", "tflab.grading.kernels", "tflab.grading.plugin")
+SECTIONS = ("Args", "Attributes", "Returns", "Raises", "Yields")
 OUR_STYLE = Path(__file__).with_name("static") / "reference"
 
 
@@ -24,11 +27,23 @@ def write_reference(folder: Path) -> Path:
         ModuleNotFoundError: pdoc is not installed.
     """
     import pdoc
+    from pdoc.docstrings import google
+
+    def _sections(docstring: str) -> str:
+        return google(sentences_kept(docstring))
 
     pdoc.render.configure(
         docformat="google", show_source=False, footer_text="tflab", search=True, template_directory=OUR_STYLE
     )
-    with catch_warnings():  # a name that only a type checker imports stays a word, without a link
+    with (
+        patch("pdoc.docstrings.google", _sections),
+        catch_warnings(),
+    ):  # a name that only a type checker imports stays a word, without a link
         simplefilter("ignore", UserWarning)
         pdoc.pdoc("tflab", *(f"!{name}" for name in HIDDEN), output_directory=folder)
     return folder / "tflab.html"
+
+
+def sentences_kept(docstring: str) -> str:
+    """Return a docstring whose sentences that end in a colon are no sections of Google's, whatever stands below."""
+    return re.sub(rf"^(?!(?:{'|'.join(SECTIONS)}):)([A-Z][A-Za-z ]*):$", r"\1: ", docstring, flags=re.MULTILINE)
