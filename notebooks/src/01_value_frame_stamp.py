@@ -786,7 +786,7 @@ print('in map', lesson.fmt_all((point.x, point.y, point.z), digits=1))
 # </details>
 # <details><summary>2번을 골랐습니다</summary>
 #
-# 맞습니다. 값과 좌표계와 시각은 함께 다닙니다. `buffer.transform(message, 'map')`이 바로 이 일을 합니다.
+# 맞습니다. 값, 좌표계, 시각은 함께 다닙니다. `buffer.transform(message, 'map')`이 바로 이 일을 합니다.
 #
 # </details>
 # <details><summary>3번을 골랐습니다</summary>

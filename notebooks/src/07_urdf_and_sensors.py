@@ -362,7 +362,7 @@ lesson.frame_tree(graph, seconds=1.0)
 # The hand without an arm gets a laugh; let it. Then: who publishes wrist? Nobody, and nobody complains. The four drivers after this take five minutes; let each be voted on.
 
 # %% [markdown] lang="ko" name="alone-notes" slide="notes"
-# 팔 없는 손에서 웃음이 나옵니다. 잠시 둡니다. 그다음 묻습니다. wrist는 누가 발행합니까? 아무도 하지 않고, 아무도 불평하지 않습니다. 이어지는 네 드라이버는 5분입니다. 하나씩 손을 들게 합니다.
+# 팔 없는 손에서 웃음이 나옵니다. 잠시 둡니다. 그다음 묻습니다. wrist는 누가 발행합니까? 아무도 하지 않는데 오류도 나지 않습니다. 이어지는 네 드라이버는 5분입니다. 하나씩 손을 들게 합니다.
 
 # %% name="ask-for-the-hand" slide="-"
 rclpy.init()

@@ -79,7 +79,7 @@ check("E1.1", post)
 # - **a** 레이저의 `/scan`: `frame_id: laser_frame`, 측정 시각 59.9, 거리 0.4에서 9.8 사이
 # - **b** 카메라 검출기의 `/detected_point`: `frame_id: ''`, 측정 시각 59.8, 점 (0.1, 0.2, 3.1)
 # - **c** 카메라 검출기의 `/apple`: `frame_id: camera_optical_frame`, 측정 시각 0.0, 점 (0.0, 0.1, 2.2)
-# - **d** 전등 목록을 가진 노드의 `/landmark`: `frame_id: map`, 측정 시각 31.2, 점 (7.5, 2.0, 2.6)
+# - **d** 전등 목록이 있는 노드의 `/landmark`: `frame_id: map`, 측정 시각 31.2, 점 (7.5, 2.0, 2.6)
 # - **e** 카메라 검출기의 `/door`: `frame_id: map`, 측정 시각 59.8, 점 (0.0, 0.0, 1.9). 로봇이 어느 문 앞에 서도 늘 같은 세 숫자
 # - **f** 정비사의 `/battery_tray`: `frame_id: base_link`, 측정 시각 12.0, 점 (−0.1, 0.0, 0.2)
 

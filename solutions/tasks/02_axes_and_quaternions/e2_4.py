@@ -146,7 +146,7 @@ SUM_FOR_LENGTH = Slip(
     {"length": "sum"},
     Words(
         en="That is the sum of the four numbers, not their length. The length is the root of the sum of squares: math.hypot.",
-        ko="그것은 네 수의 합이지 길이가 아닙니다. 길이는 제곱의 합의 제곱근입니다. math.hypot을 쓰십시오.",
+        ko="그것은 숫자 네 개의 합이지 길이가 아닙니다. 길이는 제곱의 합의 제곱근입니다. math.hypot을 쓰십시오.",
     ),
 )
 
@@ -188,7 +188,7 @@ ZERO_BY_SUM = Slip(
     {"zero": "sum"},
     Words(
         en="You add the four numbers, and a quarter turn to the right adds up to zero. The length is the root of the sum of squares: math.hypot.",
-        ko="네 수를 그냥 더했습니다. 오른쪽으로 4분의 1바퀴 도는 회전은 더하면 0이 됩니다. 길이는 제곱의 합의 제곱근입니다. math.hypot을 쓰십시오.",
+        ko="숫자 네 개를 그냥 더했습니다. 오른쪽으로 4분의 1바퀴 도는 회전은 더하면 0이 됩니다. 길이는 제곱의 합의 제곱근입니다. math.hypot을 쓰십시오.",
     ),
     misconception="M5",
 )

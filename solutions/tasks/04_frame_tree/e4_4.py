@@ -182,7 +182,7 @@ NUMBERED = Slip(
     {"named": "numbered"},
     Words(
         en="You named the robots robot1 and robot2. Their names are in `prefixes`; robot1/odom was an example.",
-        ko="로봇을 robot1, robot2라고 불렀습니다. 이름은 `prefixes`에 있습니다. robot1/odom은 예입니다.",
+        ko="로봇의 이름을 robot1, robot2라고 적었습니다. 이름은 `prefixes`에 있습니다. robot1/odom은 예입니다.",
     ),
     "M14",
 )

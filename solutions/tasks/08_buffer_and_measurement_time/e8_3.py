@@ -186,7 +186,7 @@ LATEST_PUT_BACK = Slip(
     {"moment": "latest", "stamp": "put back"},
     Words(
         en="You asked for the latest transform and put the message's stamp back afterwards. The label is true again, and the numbers are those of another moment.",
-        ko="최신 변환으로 물은 뒤 메시지의 측정 시각을 되돌려 놓았습니다. 이름표는 다시 맞지만 숫자는 다른 순간의 것입니다.",
+        ko="최신 변환을 조회한 뒤 메시지의 측정 시각을 되돌려 놓았습니다. 이름표는 다시 맞지만 숫자는 다른 순간의 것입니다.",
     ),
     "M9",
 )
@@ -196,7 +196,7 @@ NOW_PUT_BACK = Slip(
     {"moment": "now", "stamp": "put back"},
     Words(
         en="You asked for `now` and put the message's stamp back afterwards. Mostly the buffer refuses, for nothing in it is that fresh; where it does answer, the label is true again and the numbers are those of the moment of arrival.",
-        ko="`now`로 물은 뒤 메시지의 측정 시각을 되돌려 놓았습니다. 버퍼에 그만큼 새로운 것은 대개 없어서 거절하고, 답하더라도 이름표만 다시 맞을 뿐 숫자는 도착한 순간의 것입니다.",
+        ko="`now`의 변환을 조회한 뒤 메시지의 측정 시각을 되돌려 놓았습니다. 버퍼에 그만큼 새로운 것은 대개 없어서 거절하고, 답하더라도 이름표만 다시 맞을 뿐 숫자는 도착한 순간의 것입니다.",
     ),
     "M9",
 )

@@ -114,7 +114,7 @@ WAIT_FOR_A_CLOCK = Twin(
     misconception="M10",
     reply=Words(
         en="compare the two times in line h: they are about 56 years apart. Which timeout would bridge that? Two kinds of clock are at work.",
-        ko="h의 두 시각을 비교해 보십시오. 약 56년 차이가 납니다. 어떤 timeout이 그것을 건널 수 있겠습니까? 종류가 다른 두 시계가 돌고 있습니다.",
+        ko="h의 두 시각을 비교해 보십시오. 약 56년 차이가 납니다. timeout을 얼마로 늘려야 그만큼을 기다리겠습니까? 종류가 다른 두 시계가 돌고 있습니다.",
     ),
 )
 
