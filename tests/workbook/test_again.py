@@ -58,6 +58,13 @@ def test_what_another_cell_began_stays(run, graph) -> None:
     assert names(graph) == ["circle", "reader"]
 
 
+def test_what_a_cell_puts_in_the_place_of_anothers_stays(run, graph) -> None:
+    run("a", CIRCLE)
+    anew = f"graph.stop(next(each for each in graph.participants if each.is_running))\n{CIRCLE}"
+    assert [run("b", anew), run("b", anew)] == [None, None]
+    assert names(graph) == ["circle"]
+
+
 def test_two_cells_that_begin_rclpy_are_told_as_on_a_robot(run) -> None:
     run("a", READER)
     assert str(run("b", READER)) == "Context.init() must only be called once"

@@ -5,7 +5,8 @@
 
 On a robot one stops a program before one starts it again, and nobody can stop a cell
 that has run.  So the cell's own nodes, participants and contexts are ended before it
-runs; what other cells began stays.  A cell that ended rclpy may end it once more.
+runs; what other cells began stays, and so does what took the place of theirs.  A
+cell that ended rclpy may end it once more.
 
 `%load_ext tflab` sees to it.  Read `unmade.py` next.
 """
@@ -13,6 +14,7 @@ runs; what other cells began stays.  A cell that ended rclpy may end it once mor
 from __future__ import annotations
 
 import weakref
+from collections.abc import Set
 from typing import Any, NamedTuple
 
 from tflab.ros import client_library
@@ -76,8 +78,8 @@ def _remember(result: Any) -> None:
     _began[_cell(result.info)] = _Began(
         weakref.ref(now.graph),
         _new(now.contexts, before.contexts),
-        _new(now.nodes, before.nodes),
-        _new(now.participants, before.participants),
+        _new(now.nodes, before.nodes, set(map(_name, before.nodes))),
+        _new(now.participants, before.participants, set(map(_name, before.participants))),
         any(context not in now.contexts for context in before.contexts),
     )
 
@@ -91,9 +93,14 @@ def _there() -> _There:
     return _There(graph, list(process.contexts), nodes, [each for each in graph.participants if each.is_running])
 
 
-def _new(now: list[Any], before: list[Any]) -> list[weakref.ref]:
+def _new(now: list[Any], before: list[Any], replaced: Set[str] = frozenset()) -> list[weakref.ref]:
+    """Return what is there now and was not before; what has the name of one that was there took its place."""
     known = set(map(id, before))
-    return [weakref.ref(each) for each in now if id(each) not in known]
+    return [weakref.ref(each) for each in now if id(each) not in known and _name(each) not in replaced]
+
+
+def _name(each: Any) -> str:
+    return each.get_name() if hasattr(each, "get_name") else getattr(each, "name", "")
 
 
 def _alive(references: list[weakref.ref]) -> list[Any]:
