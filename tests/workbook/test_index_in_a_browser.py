@@ -100,3 +100,20 @@ def test_a_panel_names_its_picture_and_its_sliders(lab, page) -> None:
     assert page.locator("img.tflab-picture").get_attribute("alt").startswith("A robot drives 1.000 m/s")
     found = Axe().run(page, context={"include": [[".jp-OutputArea"]]}, options={"runOnly": ["wcag2a", "wcag2aa"]})
     assert [each["id"] for each in found.response["violations"]] == []
+
+
+def test_a_still_twin_stays_folded_when_all_is_run_and_unfolds_when_it_is_run_alone(lab, page) -> None:
+    live = nbformat.v4.new_code_cell("1 + 1", metadata={"tags": ["interactive"]})
+    twin = nbformat.v4.new_code_cell("2 + 2", metadata={"jupyter": {"outputs_hidden": True}})
+    cells = [live, twin, *(nbformat.v4.new_code_cell("3 + 3") for _ in range(3))]
+    notebook = nbformat.v4.new_notebook(cells=cells, metadata={"tflab": {"language": "en"}, "kernelspec": PYTHON})
+    nbformat.write(notebook, lab.folder / "twins.ipynb")
+    lab.open(page, "twins.ipynb")
+    page.wait_for_selector(".tflab-page")
+    page.wait_for_timeout(500)  # the extension looks five times a second
+    lab.run_all(page)
+    folded = "jupyterapp.shell.currentWidget.content.widgets.map((cell) => cell.outputHidden)"
+    assert page.evaluate(folded) == [False, True, False, False, False]
+    page.evaluate("jupyterapp.shell.currentWidget.content.activeCellIndex = 1")
+    page.evaluate("jupyterapp.commands.execute('notebook:run-cell')")
+    page.wait_for_function(f"!({folded})[1]")

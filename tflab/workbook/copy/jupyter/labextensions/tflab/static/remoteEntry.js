@@ -6,6 +6,7 @@
 //   a page of the workbook           its language; no line of code is cut
 //   a view whose model is nowhere    the words, and "run this cell"    instead of "model not found"
 //   a kernel that says what it is    a page is not unsaved for that   JupyterLab writes it into the page
+//   Run All                          a live view's still twin stays folded   JupyterLab unfolds what it runs
 //
 // `tflab lab` brings it along, and an install of tflab puts it where any JupyterLab of the same Python finds it:
 // there, notebooks that are none of ours get names for their pictures and sliders, and nothing else.
@@ -45,6 +46,23 @@
     if (!code.lineWrap) notebook.editorConfig = { ...others, code: { ...code, lineWrap: true } };
   }
 
+  const twins = new WeakSet();
+
+  // Whoever runs a still twin alone wants to see it; with all others, it says what moves right above it.
+  function keepFolded(notebook) {
+    notebook.widgets.forEach((cell, place) => {
+      const isTwin = notebook.widgets[place - 1]?.model.getMetadata("tags")?.includes("interactive")
+        && cell.model.getMetadata("jupyter")?.outputs_hidden;
+      if (!isTwin || twins.has(cell)) return;
+      twins.add(cell);
+      cell.model.stateChanged.connect((_, change) => {
+        if (change.name !== "executionCount" || !change.newValue) return;
+        const ahead = notebook.activeCellIndex - notebook.widgets.indexOf(cell);
+        if (ahead !== 0 && ahead !== 1) cell.outputHidden = true;
+      });
+    });
+  }
+
   function describeAll(shell) {
     for (const widget of shell.widgets("main")) {
       const { content } = widget;
@@ -52,6 +70,7 @@
       const ours = content?.widgets && content.model?.getMetadata?.("tflab");
       const language = ours && (ours.language === "ko" ? "ko" : "en");
       if (ours) dress(content, language);
+      if (ours) keepFolded(content);
       for (const cell of content?.widgets ?? []) {
         const area = cell.outputArea;
         area?.widgets.forEach((output, place) => {
