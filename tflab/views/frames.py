@@ -41,6 +41,7 @@ LETTERS_Z = 45  # above every shaft, below arrows, points and names
 FLAT = 0.2  # an axis shorter than this part of its length is seen end-on
 HEAD_LENGTH, HEAD_WIDTH = 0.16, 0.1  # parts of an axis's length
 LETTER_PT = 11.0
+CROWD = 5  # frames in one spot: none of them has letters at its axes
 ARROW_LENGTH = 1.6  # the longest arrow of a scene, in lengths of an axis
 
 
@@ -192,16 +193,30 @@ def draw_frames(
     is_ghost: bool = False,
 ) -> dict[str, FrameArtists]:
     """Draw frames on `ax` and return the artists of each; `poses` are in the drawing's own frame."""
-    drawn = {}
+    drawn, crowd = {}, _crowd(poses, eye, length_m)
     for name, pose in poses.items():
         drawn[name] = FrameArtists(name, ax, eye, length_m, is_ghost)
         drawn[name].move(pose)
     taken: list[tuple[float, float]] = []
-    for axis in (axis for frame in drawn.values() for axis in frame.axes.values()):
-        axis.step_aside(taken, length_m)
-        taken.append(axis.letter_place)
+    for name, frame in drawn.items():
+        for axis in frame.axes.values():
+            if name in crowd:
+                axis.letter.set_visible(False)
+            else:
+                axis.step_aside(taken, length_m)
+                taken.append(axis.letter_place)
     place_labels([frame.label for frame in drawn.values()])
     return drawn
+
+
+def _crowd(poses: Mapping[str, Transform], eye: Eye, length_m: float) -> set[str]:
+    """Return the frames that stand with many others in one spot of the paper: their letters would cover each other."""
+    if len(poses) < CROWD:
+        return set()
+    places = eye.on_paper(np.array([pose.translation for pose in poses.values()]))
+    far = np.linalg.norm(places[:, None] - places, axis=-1)
+    near = (far < length_m).sum(axis=1)
+    return {name for name, count in zip(poses, near, strict=True) if count >= CROWD}
 
 
 def draw_points(

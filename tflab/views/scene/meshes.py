@@ -8,6 +8,7 @@ meshcat is loaded only when something is drawn.  Read `state.py` next.
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -31,11 +32,15 @@ def triangles(mesh: Triangles, opacity: float = 1.0) -> tuple[Any, Any]:
 
 
 def grid(step_m: float = 1.0, cells: int = 10) -> Any:
-    """Return the ground: a square of `cells` by `cells` squares around the origin, each `step_m` [m] wide."""
+    """Return the ground: a square of `cells` by `cells` squares around the origin, each `step_m` [m] wide.
+
+    A line goes along one square: of one that began behind the camera, some drivers draw nothing at all.
+    """
     from meshcat.geometry import LineBasicMaterial, LineSegments, PointsGeometry
 
     half = 0.5 * cells * step_m
     at = np.linspace(-half, half, cells + 1)
-    ends = [((x, -half, 0.0), (x, half, 0.0)) for x in at] + [((-half, y, 0.0), (half, y, 0.0)) for y in at]
+    along = [((x, y0, 0.0), (x, y1, 0.0)) for x in at for y0, y1 in pairwise(at)]
+    ends = along + [tuple((y, x, z) for x, y, z in line) for line in along]
     material = LineBasicMaterial(color=int(GRID_COLOUR[1:], 16), opacity=GRID_OPACITY)
     return LineSegments(PointsGeometry(np.array(ends, np.float32).reshape(-1, 3).T), material)

@@ -33,6 +33,15 @@ function placed(label, taken) {
   return boxes.find((box) => !taken.some((other) => overlap(box, other))) ?? boxes[0];
 }
 
+// What is written at the middle of an arrow stays there if nothing else is, and else goes as far as it must.
+function beside(own, taken) {
+  const free = (box) => !taken.some((other) => overlap(box, other));
+  if (free(own)) return own;
+  const boxes = [1, 2, 3, 4].flatMap((far) => [[0, -far], [0, far], [1, 0], [-1, 0], [1, -far], [-1, -far]]
+    .map(([side, down]) => ({ ...own, x: own.x + side * far * 0.6 * own.w, y: own.y + down * own.h })));
+  return boxes.find(free) ?? own;
+}
+
 const CROWD_PX = 26;           // how near to each other frames must stand to be a crowd
 const CROWD = 5;               // and how many they must be
 const LETTERS_PX = 9;          // an axis that is shorter has no letter
@@ -49,9 +58,11 @@ function leftOut(names, picked) {
   const out = new Set();
   for (const one of names.map((label) => [depth(label), label]).sort((a, b) => a[0] - b[0]).map(([, label]) => label)) {
     if (out.has(one)) continue;
-    const near = names.filter((other) => other !== one && !out.has(other) && other.frame !== picked
-      && Math.hypot(other.x - one.x, other.y - one.y) < CROWD_PX);
+    const free = names.filter((other) => other !== one && !out.has(other) && other.frame !== picked);
+    const closeTo = (member) => free.filter((other) => Math.hypot(other.x - member.x, other.y - member.y) < CROWD_PX);
+    const near = closeTo(one);
     if (near.length + 1 < CROWD) continue;
+    for (const member of near) near.push(...closeTo(member).filter((other) => !near.includes(other))); // and theirs
     one.text += ` +${near.length}`;
     for (const other of near) out.add(other);
   }
@@ -107,12 +118,12 @@ function writeLabels(context, view, camera) {
     label.w = context.measureText(label.text).width + 4;
     label.h = size + 4;
     const own = { x: label.x - label.w / 2, y: label.y - label.h / 2, w: label.w, h: label.h };
-    const spot = label.name ? placed(label, taken) : own;
+    const spot = label.name ? placed(label, taken) : label.small ? own : beside(own, taken);
     taken.push(spot);
     const x = spot.x + spot.w / 2, y = spot.y + spot.h / 2;
     if (label.name) names.push({ frame: label.frame, spot, origin: { x: label.x, y: label.y } });
     if (label.name && label.frame && label.frame === view.picked) ring(context, label, spot);
-    if (label.name) tie(context, label, x, y, ink);
+    if (label.name || spot !== own) tie(context, label, x, y, ink);
     context.lineWidth = 3.5;
     context.strokeStyle = paper;
     context.strokeText(label.text, x, y);

@@ -95,6 +95,16 @@ class View {
     if (!this.pane.clientWidth || !this.pane.clientHeight) return;
     if (this.grown) { this.grown = false; this.fit(); }
     this.viewer.render();
+    const lost = this.before && this.seenFrames().size && [...this.before].some((frame) => this.isOut(frame));
+    this.before = null;
+    if (lost) this.fit(true);
+  }
+
+  // The frames that are in the picture; whether one was drawn outside of it.
+  seenFrames() { return new Set(this.names.map(({ frame }) => frame).filter((frame) => frame && !this.isOut(frame))); }
+  isOut(frame) {
+    const { width, height } = this.renderer;
+    return this.names.some(({ frame: name, origin: { x, y } }) => name === frame && (x < 0 || y < 0 || x > width || y > height));
   }
 
   run(bytes) { notingListeners(this.listeners, () => this.viewer.handle_command_bytearray(bytes)); }
@@ -135,6 +145,13 @@ class View {
     place.theta += right;
     place.phi = Math.min(Math.PI - 0.05, Math.max(0.05, place.phi - up));
     camera.position.copy(controls.target).add(arm.setFromSpherical(place));
+    this.turned = true;
+    this.wake();
+  }
+
+  zoom(by) { // how far away, in parts of what it was
+    const { camera, controls } = this.viewer;
+    camera.position.sub(controls.target).multiplyScalar(by).add(controls.target);
     this.turned = true;
     this.wake();
   }
@@ -223,7 +240,7 @@ function emptyBox(model) {
   pane.style.height = `${model.get("height_px")}px`;
   pane.tabIndex = 0;
   pane.setAttribute("role", "img");
-  pane.title = "drag: turn; right drag: move; click, then wheel: zoom; double click: see everything";
+  pane.title = "drag, arrow keys: turn; right drag: move; click, then wheel, + and -: zoom; double click, Home: see everything";
   box.append(pane);
   return { box, pane };
 }
@@ -261,6 +278,7 @@ function connect(view, player, model, live, on) {
     view.wake();
   };
   const hear = (first, last, commands) => {
+    view.before ??= view.seenFrames(); // another fixed frame may put them elsewhere
     for (const command of commands) view.run(command);
     if (first === view.seen) view.seen = last; // else something was missed: the next snapshot mends it
     view.wake();
@@ -319,11 +337,15 @@ function listenToPointer(view, onPick) {
     if (document.activeElement !== pane && !event.ctrlKey) event.stopPropagation();
   }, { capture: true, passive: true });
   const turns = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, 0.1], ArrowDown: [0, -0.1] };
+  const keys = {
+    ...Object.fromEntries(Object.entries(turns).map(([key, by]) => [key, () => view.turn(...by)])),
+    "+": () => view.zoom(1 / 1.2), "=": () => view.zoom(1 / 1.2), "-": () => view.zoom(1.2), Home: () => view.fit(true),
+  };
   pane.addEventListener("keydown", (event) => {
-    if (!turns[event.key]) return;
+    if (!keys[event.key] || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
     event.stopPropagation();
-    view.turn(...turns[event.key]);
+    keys[event.key]();
   });
 }
 
