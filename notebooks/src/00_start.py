@@ -91,7 +91,7 @@ lesson.draw_room(at_s=5.0)
 # One node adds up the turns of the wheels, another finds the robot on the map, a third one knows where each part is bolted on.
 # Each tells everybody (it *publishes*) the part that it knows. TF2 puts the parts together.
 #
-# `launch` switches them on, and `graph.run` lets two seconds pass. (`graph` came with `%load_ext tflab`. A robot needs no such thing: there, time passes by itself.)
+# `new_graph` makes a world for them, `launch` switches them on, and `graph.run` lets two seconds pass. (A robot needs neither the first nor the last: it is in the world already, and there time passes by itself.)
 
 # %% [markdown] lang="ko" name="robot-why" slide="slide"
 # ## 같은 로봇을 ROS 2로
@@ -100,7 +100,7 @@ lesson.draw_room(at_s=5.0)
 # 어떤 노드는 바퀴가 돈 만큼을 더하고, 어떤 노드는 지도에서 로봇의 위치를 찾고, 또 어떤 노드는 부품이 어디에 달려 있는지 압니다.
 # 노드마다 자기가 아는 것을 모두에게 알립니다. 이것을 *발행*이라고 합니다. TF2는 그 조각들을 하나로 잇습니다.
 #
-# `launch`는 노드들을 켜고, `graph.run`은 2초를 흐르게 합니다. (`graph`는 `%load_ext tflab`이 만들어 둔 것입니다. 로봇에서는 시간이 저절로 흐르므로 필요 없습니다.)
+# `new_graph`는 노드들이 살 세계를 만들고, `launch`는 노드들을 켜고, `graph.run`은 2초를 흐르게 합니다. (로봇은 이미 현실에 있고 시간도 저절로 흐르므로, 로봇에서는 첫 번째와 세 번째가 필요 없습니다.)
 
 # %% name="robot"
 graph = lesson.new_graph()

@@ -288,7 +288,7 @@ print('newcomer knows:', newcomer.all_frames_as_string().splitlines())
 #
 # So a static publisher has to stay alive. That is why the lecture's node does nothing but `spin` after it has sent its one message. "Late listeners receive it" holds while the publisher lives.
 #
-# And this is what `late`, with its one camera, says when somebody asks it for another:
+# And this is what `newcomer` says when somebody asks it for a camera:
 
 # %% [markdown] lang="ko" name="ctrl-c-seen" tags=["predicted"]
 # 정적 변환을 "ROS가" 어딘가에 저장해 두는 것이 아닙니다. 게시판은 발행자의 프로세스 안에 있고, 프로세스가 끝나면 함께 사라집니다. `Publisher count: 0`이 그 뜻입니다.
@@ -296,7 +296,7 @@ print('newcomer knows:', newcomer.all_frames_as_string().splitlines())
 #
 # 그래서 정적 변환의 발행자는 계속 살아 있어야 합니다. 강의 자료의 노드가 메시지 하나를 보낸 뒤에 `spin`만 하는 것도 이 때문입니다. "늦게 온 구독자도 받는다"는 말은 발행자가 살아 있는 동안에만 맞습니다.
 #
-# 카메라 한 대만 아는 `late`에 다른 카메라를 조회하면 다음 오류가 납니다.
+# 아무것도 받지 못한 `newcomer`에게 카메라의 위치를 조회하면 다음 오류가 납니다.
 
 # %% [markdown] lang="en" name="ctrl-c-notes" slide="notes"
 # Take the board off the wall and carry it out with you.
@@ -309,7 +309,7 @@ print('newcomer knows:', newcomer.all_frames_as_string().splitlines())
 
 # %% name="a-newcomer-asks" slide="-"
 try:
-    late.lookup_transform('base_link', 'camera_1', Time())
+    newcomer.lookup_transform('base_link', 'camera_1', Time())
 except TransformException as error:
     print(f'{type(error).__name__}: {error}')
 

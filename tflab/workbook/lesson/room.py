@@ -29,6 +29,7 @@ from tflab.views.scene.drawing import ACCENT
 
 __all__ = ["draw_now", "draw_room", "draw_walls", "scan_on_map", "show_drive", "show_latency"]
 
+NOW_AXIS_M = 0.3  # of each frame of a whole robot: its parts stand a hand apart
 GRID_CELLS = 16  # of a metre, from -8 m to 8 m: the ground of the whole room
 EVERY_RAY = 4  # of the laser's: enough to see the walls
 WALL_COLOUR = "#808890"
@@ -80,7 +81,8 @@ def scan_on_map(robot: TeachingRobot, at_s: float) -> np.ndarray:
 def draw_now(graph: Graph, fixed_frame: str) -> Picture:
     """Draw every frame that a graph's nodes publish, where it is in `fixed_frame` now."""
     parents, _, ask = look(graph)
-    return draw_scene({frame: ask(fixed_frame, frame, LATEST) for frame in parents}, fixed_frame=fixed_frame)
+    poses = {frame: ask(fixed_frame, frame, LATEST) for frame in parents}
+    return draw_scene(poses, fixed_frame=fixed_frame, length_m=NOW_AXIS_M)
 
 
 def show_latency(speed_mps: float = 1.0, yaw_rate_radps: float = 0.5, range_m: float = 5.0) -> Scene:
