@@ -98,6 +98,16 @@ def test_a_large_honest_notebook_is_read_apart_as_it_is_here(course: tiny.Course
     assert [one.page.file.data for one in apart_[0].values()] == [b""]
 
 
+@pytest.mark.parametrize("count", [1, 40])
+def test_a_strangers_files_are_read_for_their_stamps_within_the_same_end(
+    course: tiny.Course, count: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    stamped = json.dumps({"cells": [], "metadata": {"tflab": {"learner": "s102"}}}).encode()
+    assert apart.stamps([stamped, b"no notebook"] * count) == [{"learner": "s102"}] * count
+    monkeypatch.setattr(apart, "MEMORY", 8 << 20)
+    assert apart.stamps([stamped, b'{"cells": [' + b'"x", ' * 4_000_000 + b"0]}"]) == []
+
+
 def test_a_server_that_was_killed_is_started_anew(task: dict[str, Any]) -> None:
     large = [outcomes(task, [0.0] * 1_900)]
     first = apart.marked("E3.2", task, large)

@@ -285,6 +285,7 @@ LOCKS = {
     "a lock on a part of it": "fcntl.lockf(open(os.__file__), fcntl.LOCK_SH)",
     "a question whether it is locked": "fcntl.fcntl(open(os.__file__), fcntl.F_GETLK, bytes(32))",
     "a lease on it": "fcntl.fcntl(open(os.__file__), fcntl.F_SETLEASE, fcntl.F_RDLCK)",
+    "what happens in its folder": "fcntl.fcntl(os.open(os.path.dirname(os.__file__), 0), fcntl.F_NOTIFY, 1)",
 }
 
 
@@ -369,6 +370,9 @@ CALLS = {
     "a queue with a name": "libc.syscall(240, b'x', 0o100, 0o600, 0)",
     "a watch on a file": "libc.inotify_init1(0)",
     "a watch on all files": "libc.fanotify_init(0, 0)",
+    "rules of files, which no limit counts": "libc.syscall(444, bytes([4] + [0] * 7), ctypes.c_size_t(8), 0)",
+    "one rule more": "libc.syscall(445, 99, 2, bytes(16), 0)",
+    "a layer of rules": "libc.syscall(446, 99, 0)",
     "TCP": "libc.socket(2, 1, 0)",
     "UDP": "libc.socket(2, 2, 0)",
     "UDP of version 6": "libc.socket(10, 2 | 0o4000, 0)",

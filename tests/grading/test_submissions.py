@@ -523,6 +523,23 @@ def test_a_display_name_does_not_bring_a_notebook_into_anothers_submission(
     assert len(found["s101"]) == 1
 
 
+@pytest.mark.parametrize("data", [OWN, FORGED, NOTHING])
+@pytest.mark.parametrize("theirs", ["Ada Byron - 03_tiny.ipynb", "s102/03_tiny.ipynb"])
+@pytest.mark.parametrize("named", ["Mallory s102 - 03_tiny.ipynb", "s102 (1).ipynb", "zz_s102_03_tiny.ipynb"])
+def test_a_name_of_ones_own_choice_brings_nothing_to_what_bears_its_owners_seal(
+    tmp_path: Path, named: str, theirs: str, data: bytes
+) -> None:
+    put(tmp_path, named, data=data)
+    put(tmp_path, theirs, data=OTHERS)
+    assert who(collect(tmp_path, ROSTER, CHAPTERS))["s102"] == [theirs]
+
+
+def test_two_attempts_that_bear_their_owners_seal_or_of_which_none_does_are_that_owners(tmp_path: Path) -> None:
+    for data in (OTHERS, NOTHING):
+        put(tmp_path, "HW1_s102_attempt1/03_tiny.ipynb", "HW1_s102_attempt2/03_tiny.ipynb", data=data)
+        assert len(who(collect(tmp_path, ROSTER, CHAPTERS))["s102"]) == 2
+
+
 def test_zips_in_a_zip_are_opened_within_a_budget(tmp_path: Path) -> None:
     inner = a_zip(**{"03_tiny.ipynb": b"{}"})
     put(tmp_path, "s101.zip", data=a_zip(**{f"{number}.zip": inner for number in range(60)}))

@@ -35,6 +35,7 @@ from .kernels.sandbox import Sandbox
 from .kernels.take import KernelError
 from .reports.gradebook import file_name
 from .submissions.collect import Collection, Submission
+from .submissions.owners import MOST_BYTES
 from .submissions.reader import Unreadable
 from .submissions.remarks import Remark, printable
 
@@ -43,7 +44,6 @@ __all__ = ["RECORDS", "HowToGrade", "grade_batch", "grade_job", "job_of", "run_b
 RECORDS = "submissions"
 RECORD_FORMAT = 3
 MOST_THREADS = 8
-MOST_BYTES = 160 * 1024 * 1024  # of all the notebooks of one learner
 
 
 @dataclass(frozen=True)

@@ -16,7 +16,7 @@ import json
 import os
 import re
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from importlib import import_module
 from pathlib import Path
@@ -59,8 +59,9 @@ def main(words: Sequence[str]) -> int:
             return _refuse("the results would be taken for submissions; name another folder with --out")
         elsewhere = (out, Path(options.pack))
         collection = collect(
-            Path(options.submissions), pack.roster, list(pack.cases), elsewhere, is_genuine=pack.sealed_this
-        )
+            Path(options.submissions), pack.roster, list(pack.cases), elsewhere,
+            is_genuine=pack.sealed_this, stamps_in=_stamps_in,
+        )  # fmt: skip
         if pack.version != __version__:
             other = Remark("other tflab", stamp=pack.version, ours=__version__)
             collection = replace(collection, remarks=(*collection.remarks, other))
@@ -79,6 +80,12 @@ def main(words: Sequence[str]) -> int:
         return BY_CTRL_C
     _say(records, collection, out, wall)
     return 0
+
+
+def _stamps_in(files: Sequence[bytes]) -> Sequence[Mapping[str, str]]:
+    from .judging.apart import stamps
+
+    return stamps(files)
 
 
 def _graded(

@@ -62,13 +62,16 @@ class TasksFile(pytest.File):
         """Return the record of grading it."""
         if self._record is None:
             from .batch import grade_job, job_of
+            from .judging.apart import stamps
             from .judging.submission import graded_twice
             from .kernels.limits import Limits
             from .kernels.take import choose
             from .submissions.collect import collect
 
             pack = self.read_pack()
-            found = collect(self.path, pack.roster, list(pack.cases), is_genuine=pack.sealed_this).submissions
+            found = collect(
+                self.path, pack.roster, list(pack.cases), is_genuine=pack.sealed_this, stamps_in=stamps
+            ).submissions
             submission = next(submission for submission in found if submission.notebooks)
             hide = (str(Path(self.config.getoption("--tflab-grade")).resolve()),)
             job, sandbox = job_of(submission, pack, Limits()), choose(hide)

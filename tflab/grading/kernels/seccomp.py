@@ -3,11 +3,13 @@
     mount, unshare, ptrace, bpf, ...     EPERM
     memfd_create, vmsplice, ...          EPERM (memory that is in no process, and so in nobody's limit)
     semget, shmget, msgget, ...          EPERM (the same, and it outlives whoever made it: System V's)
+    landlock_create_ruleset, ...         EPERM (the same: a list of rules takes 4 MB, and there may be thousands)
     mmap that forks share, of no file    EPERM (the same)
     kill(-1)                             EPERM (that is everybody)
     clone with a new namespace           EPERM
     clone3                               ENOSYS (its flags cannot be seen; libc then uses clone)
-    flock, fcntl(F_SETLK), inotify       EPERM (a neighbour would see it on a file of Python's)
+    flock, fcntl(F_SETLK, F_NOTIFY), inotify
+                                         EPERM (a neighbour would see it on a file of Python's)
     every socket of a network            EAFNOSUPPORT (UDP too: what is on its way is in no process's limit)
     where files are the machine's: a socket that could be connected to a name in them, too
 
@@ -34,6 +36,7 @@ ANYWHERE = {
     "io_uring_setup": 425, "io_uring_enter": 426, "io_uring_register": 427, "open_tree": 428, "move_mount": 429,
     "fsopen": 430, "fsconfig": 431, "fsmount": 432, "fspick": 433, "pidfd_getfd": 438, "process_madvise": 440,
     "mount_setattr": 442, "quotactl_fd": 443, "memfd_secret": 447,
+    "landlock_create_ruleset": 444, "landlock_add_rule": 445, "landlock_restrict_self": 446,
 }  # fmt: skip
 X86_64 = {
     "flock": 73, "inotify_init": 253, "inotify_init1": 294, "fanotify_init": 300,
@@ -106,7 +109,8 @@ CLONE3 = 435
 NEW_NAMESPACES = 0x7E020000  # CLONE_NEWNS, NEWCGROUP, NEWUTS, NEWIPC, NEWUSER, NEWPID, NEWNET
 AF_UNIX, NO_FAMILY = 1, 0xFFFF
 STREAM, SEQUENCED, SOCKET_TYPES = 1, 5, 0xF
-LOCKS = (5, 6, 7, 36, 37, 38, 1024)  # F_GETLK and F_SETLK, with and without waiting, of processes and of files; leases
+# F_GETLK and F_SETLK, with and without waiting, of processes and of files; leases; what happens in a folder (dnotify).
+LOCKS = (5, 6, 7, 36, 37, 38, 1024, 1026)
 X32 = 0x40000000
 
 SHARED_WITH_FORKS = 0x21  # MAP_SHARED and MAP_ANONYMOUS

@@ -17,7 +17,7 @@ Read `listing.py` next.
 from __future__ import annotations
 
 import unicodedata
-from collections.abc import Container, Mapping, Sequence
+from collections.abc import Callable, Container, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain, count
 from pathlib import Path
@@ -25,7 +25,7 @@ from typing import NamedTuple
 
 from .archives import Member
 from .listing import MAX_NOTEBOOKS, few_of_each, is_notebook, largest, listed
-from .owners import IsGenuine, group_of, is_of_a_system, owner_of, stamped_for
+from .owners import IsGenuine, StampsIn, group_of, is_of_a_system, owner_of, read_stamps, stamped_for
 from .remarks import Remark
 from .roster import Learner
 
@@ -82,6 +82,9 @@ class HandIn(NamedTuple):
         return _printable(f"{self.name}_{self.number}" if self.number else self.name)
 
 
+StampOf = Callable[[HandIn], str | None]  # for whom a hand-in was handed out, by the stamps in it
+
+
 def collect(
     place: Path,
     roster: Mapping[str, Learner] | None,
@@ -89,12 +92,14 @@ def collect(
     leave_out: Sequence[Path] = (),
     *,
     is_genuine: IsGenuine,
+    stamps_in: StampsIn = read_stamps,
 ) -> Collection:
     """Return what there is in a folder, a zip or a notebook; with a roster, one submission for each who is on it.
 
     Args:
         leave_out: folders that are no submissions, wherever they are: the results, the pack.
         is_genuine: whether a notebook's stamp is as it was handed out.
+        stamps_in: reads the stamps in files; what strangers made may be read in a process of its own.
 
     Raises:
         Unreadable: there is no such thing, or it cannot be listed.
@@ -103,7 +108,8 @@ def collect(
     members, remarks = listed(place, {path.resolve() for path in leave_out})
     members = few_of_each(_by_learner(_unwrapped(members, people), people, chapters))
     found: dict[str, Submission] = {}
-    for hand_in in _with_owners(_hand_ins(members, chapters), people, is_genuine):
+    stamp_of = _stamp_of(people, is_genuine, stamps_in)
+    for hand_in in _with_owners(_hand_ins(members, chapters), people, stamp_of):
         submission = _submission(hand_in, _strange(hand_in, found) if roster else (), roster is None)
         if not roster or not submission.known:
             submission = replace(submission, learner=_own_name(submission.learner, {*people, *found}))
@@ -116,6 +122,20 @@ def collect(
 # -- whose is it? --------------------------------------------------------------------------
 
 
+def _stamp_of(roster: Mapping[str, Learner], is_genuine: IsGenuine, stamps_in: StampsIn) -> StampOf:
+    """Return what says for whom a hand-in was handed out; each is read once, and of it no more than is graded."""
+    said: dict[int, str | None] = {}  # by the list of the files: it is there as long as this is
+
+    def stamp_of(hand_in: HandIn) -> str | None:
+        key = id(hand_in.members)
+        if key not in said:
+            counted = largest([member for member in hand_in.members if is_notebook(member)], MAX_NOTEBOOKS)
+            said[key] = stamped_for(counted, roster, is_genuine, stamps_in)
+        return said[key]
+
+    return stamp_of
+
+
 def _hand_ins(members: Sequence[Member], chapters: Sequence[str]) -> list[HandIn]:
     """Return the files by the names that they go by."""
     groups: dict[tuple[str, str], list[Member]] = {}
@@ -124,20 +144,20 @@ def _hand_ins(members: Sequence[Member], chapters: Sequence[str]) -> list[HandIn
     return [HandIn(name, number, group, None) for (name, number), group in sorted(groups.items())]
 
 
-def _with_owners(hand_ins: Sequence[HandIn], roster: Mapping[str, Learner], is_genuine: IsGenuine) -> list[HandIn]:
+def _with_owners(hand_ins: Sequence[HandIn], roster: Mapping[str, Learner], stamp_of: StampOf) -> list[HandIn]:
     """Return the hand-ins with their owners, those first whose owner is said by where they were found."""
     if not roster:
         return sorted(hand_ins, key=lambda hand_in: hand_in.name != hand_in.called)  # who is called just so comes first
     by_path = [
         hand_in._replace(owner=owner_of(hand_in.name, roster, whole=bool(hand_in.number))) for hand_in in hand_ins
     ]
-    settled = [_settled(hand_in, by_path, roster, is_genuine) for hand_in in by_path]
+    settled = [_settled(hand_in, by_path, stamp_of) for hand_in in by_path]
     said = [hand_in for hand_in in settled if hand_in.owner is not None]
     left = [hand_in for hand_in in settled if hand_in.owner is None]
-    return [*said, *(hand_in._replace(stamp=stamped_for(hand_in.members, roster, is_genuine)) for hand_in in left)]
+    return [*said, *(hand_in._replace(stamp=stamp_of(hand_in)) for hand_in in left)]
 
 
-def _settled(hand_in: HandIn, all_: Sequence[HandIn], roster: Mapping[str, Learner], is_genuine: IsGenuine) -> HandIn:
+def _settled(hand_in: HandIn, all_: Sequence[HandIn], stamp_of: StampOf) -> HandIn:
     """Return a hand-in with its owner by where it was found, or without one where it may be another person's.
 
     A learning system's numbers are different people, and the names that it shows can be changed to somebody else's:
@@ -150,28 +170,19 @@ def _settled(hand_in: HandIn, all_: Sequence[HandIn], roster: Mapping[str, Learn
     rivals = [other for other in all_ if other.owner == owner and other is not hand_in]
     if not rivals and not hand_in.number:
         return hand_in
-    stamp = stamped_for(hand_in.members, roster, is_genuine)
+    stamp = stamp_of(hand_in)
     if not rivals:  # a copy of what another handed in, too, is whose place it is in
         is_moved = stamp not in (None, owner) and all(other.owner != stamp for other in all_)
         return hand_in._replace(owner=None) if is_moved else hand_in
-    return (
-        hand_in
-        if _is_the_one(hand_in, stamp, rivals, roster, is_genuine)
-        else hand_in._replace(owner=None, contested=owner)
-    )
+    return hand_in if _is_the_one(hand_in, stamp, rivals, stamp_of) else hand_in._replace(owner=None, contested=owner)
 
 
-def _is_the_one(
-    hand_in: HandIn,
-    stamp: str | None,
-    rivals: Sequence[HandIn],
-    roster: Mapping[str, Learner],
-    is_genuine: IsGenuine,
-) -> bool:
+def _is_the_one(hand_in: HandIn, stamp: str | None, rivals: Sequence[HandIn], stamp_of: StampOf) -> bool:
     """Return whether a hand-in stays its owner's beside others that were found for the same."""
-    if not hand_in.number:
-        return stamp in (None, hand_in.owner)
-    others = [stamped_for(other.members, roster, is_genuine) for other in rivals if other.number]
+    if not hand_in.number:  # some systems show a learner's own words only: beside the owner's seal they say nothing
+        is_sealed_elsewhere = any(stamp_of(other) == hand_in.owner for other in rivals)
+        return stamp == hand_in.owner or (stamp is None and not is_sealed_elsewhere)
+    others = [stamp_of(other) for other in rivals if other.number]
     return stamp == hand_in.owner and hand_in.owner not in others
 
 

@@ -42,23 +42,28 @@ NAMES_WITH_A_ROOT = {"topic", "node", "param", "service", "bag"}  # `tf` and `/t
 
 def rows(line: str) -> list[list[MarkPair]] | None:
     """Return the equal ways to write what `line` does, or None if it is not a line for a shell."""
-    words = list(_words(line)) if len(line) <= LONGEST else []
+    read = _rows(line) if len(line) <= LONGEST else None
+    return None if read is None else list(map(list, read))
+
+
+@lru_cache(maxsize=1024)  # an answer is held against hundreds of lines, and these against each other
+def _rows(line: str) -> tuple[tuple[MarkPair, ...], ...] | None:
+    words = _words(line)
     if not words:
         return None
     if words[:4] == ["ros2", "run", "tf2_ros", "static_transform_publisher"]:
         published = _published(_without_node_name(words[4:]))
         if published is not None:
-            return published
-    return [_row(words)]
+            return tuple(map(tuple, published))
+    return (tuple(_row(words)),)
 
 
-@lru_cache(maxsize=1024)  # an answer is held against hundreds of lines, and these against each other
-def _words(line: str) -> tuple[str, ...]:
+def _words(line: str) -> list[str]:
     """Return the words of a line; none of one that a shell would not take."""
     try:
-        return tuple(shlex.split(line.strip().lstrip("$!%").replace("\\\n", " "), comments=True))
+        return shlex.split(line.strip().lstrip("$!%").replace("\\\n", " "), comments=True)
     except ValueError:
-        return ()
+        return []
 
 
 def _without_node_name(arguments: list[str]) -> list[str]:
