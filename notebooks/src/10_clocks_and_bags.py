@@ -18,7 +18,7 @@
 # 이 장을 마치면 다음을 할 수 있습니다.
 #
 # - 자기 메시지의 위치를 스스로 찾을 수 있는 [[bag]]을 기록하고, 그런지 아닌지를 숫자 하나로 말합니다.
-# - 노드가 어느 시간에 사는지 말합니다. 컴퓨터의 시간, bag의 시간([[simulation time|시뮬레이션 시간]]), 또는 멈춘 시간입니다.
+# - 노드가 어느 시간을 따르는지 말합니다. 컴퓨터의 시간, bag의 시간([[simulation time|시뮬레이션 시간]]), 또는 멈춘 시간입니다.
 # - 빠뜨린 `--clock`, 다른 날을 사는 노드, 반복 재생되는 bag을 알아봅니다.
 # - 여러분의 bag을 검사합니다.
 
@@ -289,7 +289,7 @@ for left_out in ((), ("/tf_static",), ("/tf",)):
 # ## 두 시계
 #
 # 다음 날이 되었습니다. bag의 측정 시각은 어제의 것이고, 컴퓨터의 시계는 86,400초 더 나아갔습니다.
-# 노드의 파라미터 `use_sim_time`은 둘 가운데 어느 시간에 살지 정합니다. `false`면 컴퓨터의 시간, `true`면 `/clock`이 알려 주는 시간입니다. 그리고 재생기는 `--clock`을 주어야만 `/clock`을 발행합니다.
+# 노드의 파라미터 `use_sim_time`은 둘 가운데 어느 시간을 따를지 정합니다. `false`면 컴퓨터의 시간, `true`면 `/clock`이 알려 주는 시간입니다. 그리고 재생기는 `--clock`을 주어야만 `/clock`을 발행합니다.
 #
 # ### 예측해 봅시다
 #
@@ -316,7 +316,7 @@ for use_sim_time in (False, True):
 # %% [markdown] lang="ko" name="four-set-ups-read" tags=["predicted"]
 # - **측정 시각으로는 언제나 60개 가운데 59개입니다.** 측정 시각과 변환은 같은 bag에서 왔으므로, 시계가 무엇을 가리키든 서로 맞습니다. 측정 시각의 변환을 써야 하는 또 하나의 이유입니다(08).
 # - **컴퓨터의 시간에서는** 나머지가 모두 하루씩 틀립니다. 현재 시각은 모든 데이터보다 86,400초 늦고, 스캔은 하루 묵은 것으로 보이며, 노드가 새로 찍는 측정 시각은 내일의 것이 됩니다.
-# - **둘 다 켜면** 노드는 bag의 시간에 삽니다. 스캔의 나이는 로봇에서처럼 0.105초입니다. *현재 시각*의 조회는 0.01초 모자라 정직하게 실패합니다. 변환이 오는 데도 시간이 걸리기 때문입니다.
+# - **둘 다 켜면** 노드는 bag의 시간을 따릅니다. 스캔의 나이는 로봇에서처럼 0.105초입니다. *현재 시각*의 조회는 0.01초 모자라 정직하게 실패합니다. 변환이 오는 데도 시간이 걸리기 때문입니다.
 # - **셋째 줄은 어떨까요?** `use_sim_time`은 켰고 `--clock`은 없습니다. 타이머는 한 번도 울리지 않고, 나이는 −7초쯤이며, *현재 시각*은 60번 가운데 59번 답을 얻습니다. 답을 얻는 유일한 설정입니다!
 
 # %% [markdown] lang="en" name="two-clocks-notes" slide="notes"
@@ -419,10 +419,10 @@ asker = lesson.replay(Asker, bags / "lap", "", for_s=1.0)
 # ```
 
 # %% [markdown] lang="en" name="by-hand-set-notes" slide="notes"
-# Ask what the change has cost: the mounts are gone, and nobody says them again. Hence at the start, and for all nodes.
+# Ask what the change has cost: every edge that moves is forgotten, and what was measured before the switch is never placed. The mounts stay. Hence at the start, and for all nodes.
 
 # %% [markdown] lang="ko" name="by-hand-set-notes" slide="notes"
-# 바꾼 대가를 묻습니다. 장착 변환이 지워졌고 다시 보내 줄 노드가 없습니다. 그래서 시작할 때, 모든 노드에 정합니다.
+# 바꾼 대가를 묻습니다. 움직이는 연결이 모두 지워졌고, 바꾸기 전에 측정한 것은 영영 놓을 수 없습니다. 장착 변환은 남습니다. 그래서 시작할 때, 모든 노드에 정합니다.
 
 # %% [markdown] lang="en" name="quotes" slide="subslide"
 # **Break it:** somebody writes `"true"` in quotes. **Predict:** simulation time, the machine's, or no node at all?
@@ -653,8 +653,8 @@ lesson.draw_buffer(tree, recording.end_ns)
 # 질문 하나입니다. 발행률이 없는 연결은 어느 것이고, 왜 고장이 아닙니까?
 
 # %% name="bag-places" slide="subslide"
-for topic in lesson.place_messages(recording):
-    print(topic)
+placed = lesson.place_messages(recording)
+print(f"{len(placed)} topics have a frame", *placed, sep="\n")
 
 # %% name="bag-statics" slide="-"
 for record in [record for record in recording.records() if record.is_static][:2]:
@@ -765,7 +765,7 @@ print(lesson.doctor(recording))
 # </details>
 # <details><summary>3번을 골랐습니다</summary>
 #
-# 맞습니다. 요청 시각은 오늘의 것이고 데이터는 어제의 것입니다. 조회한 노드가 bag의 시간에 살고 있지 않습니다.
+# 맞습니다. 요청 시각은 오늘의 것이고 데이터는 어제의 것입니다. 조회한 노드가 bag의 시간을 따르지 않습니다.
 #
 # </details>
 # <details><summary>4번을 골랐습니다</summary>
@@ -827,8 +827,10 @@ print(lesson.doctor(recording))
 # ros2 bag play kitchen --clock
 # ros2 topic echo /clock --once
 # ros2 param get /point_to_map use_sim_time    # of every node
+# ros2 param set /point_to_map use_sim_time true
 # ```
 #
+# From a simulation record `/clock`, too: `ros2 bag record /scan /odom /tf /tf_static /clock`.
 # `use_sim_time` goes into the launch file, under `/**:`, so that no node is forgotten. RViz is a node, too.
 
 # %% [markdown] lang="ko" name="on-the-robot" slide="slide"
@@ -840,8 +842,10 @@ print(lesson.doctor(recording))
 # ros2 bag play kitchen --clock
 # ros2 topic echo /clock --once
 # ros2 param get /point_to_map use_sim_time    # 모든 노드에서
+# ros2 param set /point_to_map use_sim_time true
 # ```
 #
+# 시뮬레이션에서는 `/clock`도 기록합니다. `ros2 bag record /scan /odom /tf /tf_static /clock`입니다.
 # `use_sim_time`은 launch 파일의 `/**:` 아래에 적어 빠지는 노드가 없게 하십시오. RViz도 노드입니다.
 
 # %% [markdown] lang="en" name="on-the-robot-notes" slide="notes"

@@ -792,14 +792,16 @@ for _ in range(6):
 #
 # ```
 # ros2 run tf2_tools view_frames                       # five seconds, then frames_<date>.pdf
+# ros2 run tf2_tools view_frames --help                # its options differ between distributions
 # ros2 run tf2_ros tf2_echo map base_link 20           # twenty a second
 # ros2 run tf2_ros tf2_monitor map laser_frame         # first report after 10.5 s: read max
 # ros2 topic delay /scan
 # ros2 topic info /tf --verbose                        # History (Depth) may say UNKNOWN: DDS does not pass it on
 # ros2 node info /wheel_odometry
-# rviz2                                                # Fixed Frame map; Add > TF, RobotModel, LaserScan, Map
+# rviz2
 # ```
 #
+# In RViz set the Fixed Frame to `map` or `odom`, and add TF (tick *Show Names* and *Show Axes*), RobotModel, LaserScan, PointCloud2 and Map.
 # In simulation, or while a bag is played, the tools need the simulated clock as your nodes do. That was the cure of the story:
 #
 # ```
@@ -812,14 +814,16 @@ for _ in range(6):
 #
 # ```
 # ros2 run tf2_tools view_frames                       # 5초 뒤 frames_<날짜>.pdf
+# ros2 run tf2_tools view_frames --help                # 옵션은 배포판마다 다름
 # ros2 run tf2_ros tf2_echo map base_link 20           # 1초에 20번
 # ros2 run tf2_ros tf2_monitor map laser_frame         # 첫 보고는 10.5초 뒤, max를 읽기
 # ros2 topic delay /scan
 # ros2 topic info /tf --verbose                        # History (Depth)는 UNKNOWN일 수 있음(DDS가 전하지 않음)
 # ros2 node info /wheel_odometry
-# rviz2                                                # Fixed Frame은 map, Add로 TF, RobotModel, LaserScan, Map 추가
+# rviz2
 # ```
 #
+# RViz에서는 Fixed Frame을 `map`이나 `odom`으로 정하고 TF(*Show Names*와 *Show Axes*를 켭니다), RobotModel, LaserScan, PointCloud2, Map을 추가합니다.
 # 시뮬레이션이나 bag 재생 중에는 도구도 노드처럼 시뮬레이션 시각을 써야 합니다. 첫머리 이야기도 이렇게 풀립니다.
 #
 # ```
@@ -849,7 +853,7 @@ graph.stop()
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
 #
-# - 질문부터 정하고 그다음에 입력합니다. [[view_frames]]는 좌표계와 연결마다의 발행률, [[tf2_echo]]는 값, [[tf2_monitor]]는 지연, `topic delay`는 메시지의 나이, RViz는 모습입니다. [[owner|발행 책임]]을 알려 주는 도구는 없습니다.
+# - 질문부터 정하고 그다음에 입력합니다. [[view_frames]]는 좌표계와 연결별 발행률, [[tf2_echo]]는 값, [[tf2_monitor]]는 지연, `topic delay`는 메시지의 나이, RViz는 모습입니다. [[owner|발행 책임]]을 알려 주는 도구는 없습니다.
 # - 지연과 발행률은 다릅니다. `hz /tf`와 tf2_monitor의 Hz는 모두를 합친 값입니다.
 # - `tf2_monitor`에서는 `avg`가 아니라 `max`를 읽습니다. 정적 좌표계의 줄은 읽지 않고, 평균이 음수면 미래의 시각입니다.
 # - 느린 연결은 곧은 길에서는 틀리지 않고, 굽은 길에서 (v/ω)(1 − cos(ω/2f))만큼 틀리며, 어디서나 기다리게 합니다.
@@ -965,7 +969,9 @@ graph.stop()
 # %% [markdown] lang="en" name="next" slide="skip"
 # **Next:** the exercises, [E11 Tools and RViz](../../exercises/en/E11_tools_and_rviz.ipynb), and after them [12 Owners and diagnosis](12_owners_and_diagnosis.ipynb), which asks who says so, and what is broken.
 # After a pass, or three tries, `solution("E11.1")` shows a solution there. To start a page over, delete its file and type `tflab lab`.
+# On your checklist this chapter is **C5** (`view_frames`), **C6** (`tf2_monitor`) and **C7** (RViz2), and **C2** (`tf2_echo`) once more. Here it was simulated; do it once on the robot.
 
 # %% [markdown] lang="ko" name="next" slide="skip"
 # **다음:** 연습 문제 [E11 도구와 RViz](../../exercises/ko/E11_tools_and_rviz.ipynb)를 풀고, 누가 발행하고 무엇이 고장 났는지 묻는 [12 발행 책임과 진단](12_owners_and_diagnosis.ipynb)으로 갑니다.
 # 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E11.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력하세요.
+# 실습 체크리스트에서 이 장은 **C5**(`view_frames`), **C6**(`tf2_monitor`), **C7**(RViz2)이고, **C2**(`tf2_echo`)도 다시 나옵니다. 여기서는 시뮬레이션이었으니, 로봇에서도 한 번 해 보세요.

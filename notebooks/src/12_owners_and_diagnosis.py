@@ -128,7 +128,7 @@ listener = TransformListener(buffer, node, spin_thread=True)
 def count_edge(seconds=4.0):
     buffer.clear()
     graph.run(seconds=seconds)
-    stamps = buffer.core.history("base_footprint").stamps_ns
+    stamps = buffer.core.history("base_footprint").stamps_ns  # `.core` is ours: ROS's Buffer does not list its samples
     print(f"odom -> base_footprint: {len(stamps) / seconds:.1f} a second")
 
 
@@ -140,13 +140,16 @@ count_edge()
 # %% name="between" tags=["predicted"]
 from itertools import pairwise
 
+from rclpy.time import Time
+
 history = buffer.core.history("base_footprint")
 moments = list(zip(history.stamps_ns, history.transforms, strict=True))[-12:]
 pairs = [(a, b) for a, b in pairwise(moments) if abs(a[1].translation[0] - b[1].translation[0]) > 0.08]
 (first, one), (then, other) = pairs[0]
-half = buffer.core.lookup_transform("odom", "base_footprint", (first + then) // 2).transform
-for name, pose in (("one owner", one), ("in between", half), ("the other", other)):
-    print(f"{name:<11} x {pose.translation[0]:.3f}  y {pose.translation[1]:.3f}")
+half = buffer.lookup_transform("odom", "base_footprint", Time(nanoseconds=(first + then) // 2)).transform.translation
+places = (("one owner", one.translation), ("in between", (half.x, half.y)), ("the other", other.translation))
+for name, (x, y, *_) in places:
+    print(f"{name:<11} x {x:.3f}  y {y:.3f}")
 
 # %% [markdown] lang="en" name="between-seen" tags=["predicted"]
 # Twenty a second with one owner, fifty with two. And between the two a lookup interpolates, as between any two samples: **a place that nobody ever said**. TF2 has no memory of owners; to it both are one edge.
@@ -200,6 +203,34 @@ lesson.draw_owners(
 # *그림 읽기:* edge = 연결, owner = 발행자, source = 데이터, switch = 스위치, rate = 발행률. `! 2`는 발행자가 둘인 연결, `! 0`은 아무도 발행하지 않는 연결입니다. 강의 24장은 문제가 생기기 전에 이런 표를 채워 두라고 합니다. 정상을 모르면 이상도 알 수 없습니다.
 # 강의 14장과 27장의 내용 하나를 바로잡습니다. ROS 2의 `tf2_monitor`는 발행자의 이름을 대지 못합니다. 줄마다 `<no authority available>`이 나옵니다. 노드 이름은 `ros2 topic info /tf --verbose`가 알려 주고, 그 노드가 어느 연결을 보내는지는 직접 알아내야 합니다.
 
+# %% [markdown] lang="en" name="owner-blank" slide="skip"
+# <details><summary>To print: the table of your own robot, with the lecture's five edges (§24)</summary>
+#
+# | edge | usual owner | made of | our node | its switch, on or off | rate |
+# |---|---|---|---|---|---|
+# | `map → odom` | AMCL, SLAM, localisation | map and sensors | | | |
+# | `odom → base_link` | EKF or odometry | encoders, IMU, visual odometry | | | |
+# | `base_link → sensor` | robot_state_publisher | fixed joints of the URDF | | | static |
+# | `base_link → moving_link` | robot_state_publisher | `/joint_states` | | | |
+# | `earth → map`, or a fleet's frame | localisation, fleet manager | GNSS, a survey | | | |
+# | | | | | | |
+#
+# </details>
+
+# %% [markdown] lang="ko" name="owner-blank" slide="skip"
+# <details><summary>인쇄용: 강의 24장의 다섯 연결로 만드는 여러분 로봇의 표</summary>
+#
+# | 연결 | 흔한 발행자 | 데이터 | 우리 노드 | 스위치(켬/끔) | 발행률 |
+# |---|---|---|---|---|---|
+# | `map → odom` | AMCL, SLAM, 위치 추정 | 지도와 센서 | | | |
+# | `odom → base_link` | EKF 또는 오도메트리 | 인코더, IMU, 비주얼 오도메트리 | | | |
+# | `base_link → sensor` | robot_state_publisher | URDF의 고정 관절 | | | static |
+# | `base_link → moving_link` | robot_state_publisher | `/joint_states` | | | |
+# | `earth → map`, 또는 여러 로봇의 공통 좌표계 | 위치 추정, 관제 시스템 | GNSS, 측량 | | | |
+# | | | | | | |
+#
+# </details>
+
 # %% [markdown] lang="en" name="owner-notes" slide="notes"
 # Fourteen minutes, most of them at the board: an empty table, one sheet for two. They shout, you write node, data and switch. Leave a wrong line standing until somebody objects; only then the figure.
 
@@ -240,9 +271,9 @@ lesson.draw_owners(
 graph.run(seconds=0.005)
 for _ in range(6):
     graph.run(seconds=0.05)
-    newest = buffer.core.lookup_transform("odom", "base_footprint", 0)
-    x, y, _ = newest.transform.translation
-    print(f"{newest.stamp_ns / 1e9:.3f}  x {x:.3f}  y {y:.3f}")
+    newest = buffer.lookup_transform("odom", "base_footprint", Time())
+    at, stamp = newest.transform.translation, Time.from_msg(newest.header.stamp)
+    print(f"{stamp.nanoseconds / 1e9:.3f}  x {at.x:.3f}  y {at.y:.3f}")
 
 # %% [markdown] lang="en" name="to-and-fro-seen"
 # Asked twenty times a second, the two take turns. Asked once a second, as `tf2_echo` does by itself, it can look calm for minutes: hence the `20`.
@@ -279,6 +310,40 @@ for name in ("ekf_filter_node", "wheel_odometry", "localization"):
 # %% [markdown] lang="ko" name="stop-one-seen" tags=["predicted"]
 # 필터를 멈추면 1초에 스무 번, 바퀴 노드를 멈추면 서른 번이 남고, 위치 추정 노드를 멈추면 쉰 번 그대로입니다. 이 연결과 상관없는 노드이기 때문입니다. 멈췄을 때 연결의 일부가 함께 사라지는 노드가 그 연결의 발행자입니다. 실제 로봇에서는 바퀴를 바닥에서 띄우고 비상 정지 버튼을 손에 쥐고 하십시오.
 
+# %% [markdown] lang="en" name="another-edge" slide="subslide"
+# ### The fourth state
+#
+# A localiser knows where the robot is on the map, and sends just that: `map → base_footprint`. The wheels go on as before. **Predict:** of forty looks, how many find `odom → base_footprint`?
+
+# %% [markdown] lang="ko" name="another-edge" slide="subslide"
+# ### 네 번째 상태
+#
+# 위치 추정 노드가 지도에서 로봇의 위치를 찾아 `map → base_footprint`를 그대로 보냅니다. 바퀴 노드는 그대로입니다. **예측해 봅시다.** 마흔 번 조회하면 몇 번이나 `odom → base_footprint`가 나올까요?
+
+# %% [markdown] lang="en" name="another-edge-notes" slide="notes"
+# Draw the tree on the board and let somebody add the new arrow. Whose child is the robot then? Wait for "of both, by turns".
+
+# %% [markdown] lang="ko" name="another-edge-notes" slide="notes"
+# 칠판에 트리를 그리고 한 사람에게 새 화살표를 더하게 합니다. 그러면 로봇의 부모는 누구입니까? "번갈아 둘"이라는 답을 기다립니다.
+
+# %% name="another-edge-look" tags=["predicted"] slide="fragment"
+for name in ("ekf_filter_node", "localization"):
+    lesson.stop_node(name)
+graph.run(seconds=0.03)
+bold = lesson.run_node(lambda: lesson.BaseLocalizer(robot), 1.0)
+buffer.clear()
+looks = ""
+for _ in range(40):
+    graph.run(seconds=0.05)
+    looks += "+" if buffer.can_transform("odom", "base_footprint", Time()) else "."
+print(looks)
+
+# %% [markdown] lang="en" name="another-edge-seen" tags=["predicted"]
+# Each `.` is a look at which the newest word came from the localiser: then the robot hangs below `map`, `odom` is loose, and `tf2_echo` says *not part of the same tree*. A child has one parent, the newest (04). So a localiser sends `map → odom` and leaves the base to the wheels.
+
+# %% [markdown] lang="ko" name="another-edge-seen" tags=["predicted"]
+# `.`은 가장 새로운 변환이 위치 추정 노드에서 온 순간입니다. 그때 로봇은 `map` 아래에 달리고 `odom`은 떨어져 나가며, `tf2_echo`에는 *not part of the same tree*가 나옵니다. 자식의 부모는 가장 새로운 하나뿐입니다(04). 그래서 위치 추정 노드는 `map → odom`만 보내고 base는 바퀴 노드에 맡깁니다.
+
 # %% name="stop-two" slide="skip"
 graph.stop()
 node.destroy_node()
@@ -287,18 +352,34 @@ rclpy.shutdown()
 # %% [markdown] lang="en" name="experiments" slide="slide"
 # ## Experiments A, B, C of the lecture
 #
-# §23 of the lecture has three, each with `static_transform_publisher`. A: everything right. B: the parent misspelt. C: two owners of one static edge.
+# §23 of the lecture has three, each with `static_transform_publisher`. A: everything right. B: the parent misspelt. C: two owners of one edge.
+# Do them in simulation only, and stop every process afterwards: on a robot somebody drives by what they say.
 
 # %% [markdown] lang="ko" name="experiments" slide="slide"
 # ## 강의의 실험 A, B, C
 #
-# 강의 23장에는 `static_transform_publisher`로 하는 실험이 셋 있습니다. A는 모두 맞는 경우, B는 부모 이름이 틀린 경우, C는 정적 연결 하나를 둘이 발행하는 경우입니다.
+# 강의 23장에는 `static_transform_publisher`로 하는 실험이 셋 있습니다. A는 모두 맞는 경우, B는 부모 이름이 틀린 경우, C는 연결 하나를 둘이 발행하는 경우입니다.
+# 시뮬레이션에서만 하고, 끝나면 프로세스를 모두 종료하십시오. 실제 로봇은 이 변환을 믿고 움직입니다.
 
 # %% [markdown] lang="en" name="experiments-notes" slide="notes"
-# Do A on the blackboard in a minute. Before B ask: what does the first line of the tool say, and what the second? Before C: 1.000, 2.000, or an error?
+# A takes a minute; who calls 2e+08 Hz a fault? Before B ask: what does the first line of the tool say, and what the second? Before C: 1.000, 2.000, or an error?
 
 # %% [markdown] lang="ko" name="experiments-notes" slide="notes"
-# A는 칠판에서 1분이면 됩니다. B 전에는 도구의 첫 줄과 둘째 줄이 무엇일지 묻습니다. C 전에는 1.000, 2.000, 오류 가운데 무엇일지 묻습니다.
+# A는 1분이면 됩니다. 2e+08 Hz를 고장이라고 하는 사람이 있습니까? B 전에는 도구의 첫 줄과 둘째 줄이 무엇일지 묻습니다. C 전에는 1.000, 2.000, 오류 가운데 무엇일지 묻습니다.
+
+# %% name="experiment-a" slide="fragment"
+graph = lesson.new_graph()
+zero = "--y 0 --z 0 --yaw 0 --pitch 0 --roll 0"
+# %ros2 run tf2_ros static_transform_publisher --x 0 {zero} --frame-id map --child-frame-id odom
+# %ros2 run tf2_ros static_transform_publisher --x 1 {zero} --frame-id odom --child-frame-id base_link
+# %ros2 --for 1 run tf2_ros tf2_echo map base_link
+# %ros2 --for 11 run tf2_ros tf2_monitor map base_link
+
+# %% [markdown] lang="en" name="experiment-a-seen"
+# A: 1.000, `At time 0.0`. And a monitor that looks ill: a delay that grows, and `2e+08 Hz` (two messages, no time between them). Both are what statics look like: sent once, good for ever (11). Know the healthy picture first.
+
+# %% [markdown] lang="ko" name="experiment-a-seen"
+# A는 1.000이고 `At time 0.0`입니다. 그런데 tf2_monitor는 아픈 것처럼 보입니다. 지연은 점점 커지고 `2e+08 Hz`라고 나옵니다(메시지 둘 사이의 간격이 0이기 때문입니다). 둘 다 정적 변환의 정상적인 모습입니다. 한 번 보내고 언제까지나 유효하기 때문입니다(11). 정상부터 알아 두어야 합니다.
 
 # %% name="experiment-b" slide="fragment"
 graph = lesson.new_graph()
@@ -307,10 +388,13 @@ graph = lesson.new_graph()
 # %ros2 --for 2 run tf2_ros tf2_echo map base_link
 
 # %% [markdown] lang="en" name="experiment-b-seen"
-# B: `odm`. The first line speaks of the very first moment; the second is the fact: **not part of the same tree**. A believer in dead nodes restarts one now. But the node runs, and says just what it was told. The clue is the name that nobody typed on purpose, and RViz shows it: among its frames stands `odm`.
+# B: `odm`. The first line speaks of the very first moment; the second is the fact: **not part of the same tree**. A believer in dead nodes restarts one now. But the node runs, and says just what it was told. The clue is the name that nobody typed on purpose. RViz lists it:
 
 # %% [markdown] lang="ko" name="experiment-b-seen"
-# B는 `odm`입니다. 첫 줄은 시작한 순간의 것이고 둘째 줄이 사실입니다. **같은 트리가 아닙니다.** 노드가 죽었다고 믿는 사람은 여기서 다시 켭니다. 하지만 노드는 살아 있고 시킨 대로 보냅니다. 단서는 아무도 일부러 쓰지 않은 이름입니다. RViz의 좌표계 목록에 `odm`이 있습니다.
+# B는 `odm`입니다. 첫 줄은 시작한 순간의 것이고 둘째 줄이 사실입니다. **같은 트리가 아닙니다.** 노드가 죽었다고 믿는 사람은 여기서 다시 켭니다. 하지만 노드는 살아 있고 시킨 대로 보냅니다. 단서는 아무도 일부러 쓰지 않은 이름입니다. RViz의 목록에 그 이름이 나옵니다.
+
+# %% name="experiment-b-rviz"
+lesson.draw_rviz()
 
 # %% name="experiment-c" slide="fragment"
 graph = lesson.new_graph()
@@ -405,10 +489,21 @@ lesson.show_trolley()
 # %% name="worked" slide="subslide"
 visit = lesson.admit(lesson.worked_patient("laser clock ahead"), helped=True)
 
+# %% [markdown] lang="en" name="hasty"
+# Everybody wants to mend it now. Try it, without a question:
+
+# %% [markdown] lang="ko" name="hasty"
+# 누구나 바로 고치고 싶어 합니다. 아무것도 묻지 않고 해 봅시다.
+
+# %% name="hasty-say"
+visit.say(cause="laser clock ahead", fix="set the laser's clock")
+
 # %% [markdown] lang="en" name="worked-think"
+# Refused: no fix on a suspicion. It names a check that all three would answer differently. But were it the clock, `hz /odom` would be as on the card, and a proof shows something sick, too. Where would that be?
 # “Into the future”: the scan's stamp is newer than the newest transform. Either the stamp is too new, or the transforms are too old. One minute each way: `delay /scan` looks at the stamp.
 
 # %% [markdown] lang="ko" name="worked-think"
+# 거절당했습니다. 의심만으로는 고치지 않습니다. 그 대신 셋의 답이 모두 다를 검사를 알려 줍니다. 다만 원인이 시계라면 `hz /odom`은 카드와 같을 것이고, 증명에는 아픈 곳도 보여야 합니다. 아픈 곳은 어디에 나타날까요?
 # “Into the future”는 스캔의 측정 시각이 최신 변환의 시각보다 늦다는 뜻입니다. 측정 시각이 너무 늦거나 변환이 너무 오래되었습니다. 어느 쪽이든 1분이면 알 수 있고, 측정 시각은 `delay /scan`으로 봅니다.
 
 # %% name="worked-ask"
@@ -665,13 +760,22 @@ night.try_fix()
 # ```
 # ros2 node list
 # ros2 run tf2_tools view_frames
-# ros2 run tf2_ros tf2_echo odom base_footprint 20  # smooth?
-# ros2 topic info /tf --verbose       # who may speak
-# ros2 topic delay /scan              # stamp and clock
-# ros2 param get /localization use_sim_time
-# ros2 lifecycle get /amcl            # active?
+# ros2 run tf2_ros tf2_echo map base_link
+# ros2 run tf2_ros tf2_monitor map base_link
+# ros2 topic info /tf --verbose                # who may speak
+# ros2 topic info /tf_static --verbose         # and VOLATILE?
+# ros2 topic echo /tf_static --once            # of two publishers only one
+# ros2 param get /problem_node use_sim_time    # whatever its name
+# ```
+#
+# These are the lecture's eight (§27). What they cannot see:
+#
+# ```
+# ros2 run tf2_ros tf2_echo odom base_footprint 20   # smooth?
+# ros2 topic delay /scan                             # stamp and clock
+# ros2 lifecycle get /amcl                           # active?
 # ros2 node info /ekf_filter_node
-# chronyc tracking                    # on each computer
+# chronyc tracking                                   # on each computer
 # ```
 #
 # To see who owns an edge, stop one node at a time and look whether the edge goes on: wheels off the ground, and the emergency stop in your hand.
@@ -683,13 +787,22 @@ night.try_fix()
 # ```
 # ros2 node list
 # ros2 run tf2_tools view_frames
-# ros2 run tf2_ros tf2_echo odom base_footprint 20  # 매끄러운지
-# ros2 topic info /tf --verbose       # 보낼 수 있는 노드
-# ros2 topic delay /scan              # 측정 시각과 시계
-# ros2 param get /localization use_sim_time
-# ros2 lifecycle get /amcl            # 활성 상태인지
+# ros2 run tf2_ros tf2_echo map base_link
+# ros2 run tf2_ros tf2_monitor map base_link
+# ros2 topic info /tf --verbose                # 보낼 수 있는 노드
+# ros2 topic info /tf_static --verbose         # VOLATILE은 아닌지
+# ros2 topic echo /tf_static --once            # 발행자가 둘이면 하나만
+# ros2 param get /problem_node use_sim_time    # 문제가 되는 노드의 이름으로
+# ```
+#
+# 강의 27장의 여덟 명령입니다. 이 명령으로 보이지 않는 것은 다음으로 봅니다.
+#
+# ```
+# ros2 run tf2_ros tf2_echo odom base_footprint 20   # 매끄러운지
+# ros2 topic delay /scan                             # 측정 시각과 시계
+# ros2 lifecycle get /amcl                           # 활성 상태인지
 # ros2 node info /ekf_filter_node
-# chronyc tracking                    # 컴퓨터마다
+# chronyc tracking                                   # 컴퓨터마다
 # ```
 #
 # 누가 연결을 발행하는지 보려면 노드를 하나씩 멈추고 연결이 계속 오는지 봅니다. 바퀴는 바닥에서 띄우고 비상 정지 버튼을 손에 쥐고 하십시오.
@@ -700,6 +813,42 @@ night.try_fix()
 
 # %% [markdown] lang="ko" name="on-the-robot-notes" slide="notes"
 # 사진으로 찍게 합니다. 마지막 줄은 소리 내어 말합니다. 바퀴는 바닥에서 띄우고, 비상 정지 버튼은 손에 쥡니다.
+
+# %% [markdown] lang="en" name="ten" slide="skip"
+# <details><summary>To look up: the lecture's ten symptoms (§28), and the first check of each</summary>
+#
+# | you see | likely | first check | chapter |
+# |---|---|---|---|
+# | no Fixed Frame | misspelt, or nobody sends it | RViz's own list, `view_frames` | 11 |
+# | two frames not connected | an edge in between is missing | `view_frames`: the two roots | 04, 09 |
+# | the robot trembles | two owners | the edge's rate and `tf2_echo … 20`, then `topic info /tf --verbose` | 12 |
+# | the sensor stands off the body | the mount's value | `tf2_echo base_link laser_frame`, the URDF's origin | 07, 11 |
+# | its traces smear along walls | stamps, late odometry | `topic delay /scan`, then `tf2_monitor` (which does not see the scan) | 11 |
+# | future extrapolation | late transforms, or a clock ahead | `topic delay`: its sign; `/clock` | 09, 12 |
+# | past extrapolation | processed too slowly, or a short buffer | the message's age beside the cache time | 08, 09 |
+# | it fails with a bag only | `/tf`, `/tf_static` or `/clock` missing | `ros2 bag info`, and `--clock` | 10 |
+# | several robots' frames mixed up | prefix and namespace disagree | the whole tree in `view_frames` | 04 |
+# | off by 90° or 180° | axes, rpy, the order of a quaternion | the URDF's rpy, the axes in RViz | 02, 07 |
+#
+# </details>
+
+# %% [markdown] lang="ko" name="ten" slide="skip"
+# <details><summary>찾아보기: 강의의 열 가지 증상(28장)과 먼저 할 확인</summary>
+#
+# | 보이는 것 | 흔한 원인 | 먼저 확인할 것 | 장 |
+# |---|---|---|---|
+# | Fixed Frame 없음 | 잘못 입력했거나 아무도 발행하지 않음 | RViz의 목록, `view_frames` | 11 |
+# | 두 좌표계가 이어지지 않음 | 사이의 연결이 빠짐 | `view_frames`의 두 루트 | 04, 09 |
+# | 로봇이 떨림 | 발행자가 둘 | 연결의 발행률과 `tf2_echo … 20`, 이어서 `topic info /tf --verbose` | 12 |
+# | 센서가 몸체에서 떨어져 보임 | 장착 변환의 값 | `tf2_echo base_link laser_frame`, URDF의 origin | 07, 11 |
+# | 센서 자취가 벽에 번짐 | 측정 시각, 늦은 오도메트리 | `topic delay /scan`, 이어서 `tf2_monitor`(스캔은 보지 못함) | 11 |
+# | 미래 외삽 | 늦은 변환, 앞선 시계 | `topic delay`의 부호, `/clock` | 09, 12 |
+# | 과거 외삽 | 느린 처리, 짧은 버퍼 | 메시지의 나이와 보관 시간 | 08, 09 |
+# | bag에서만 실패 | `/tf`, `/tf_static`, `/clock`이 없음 | `ros2 bag info`, `--clock` | 10 |
+# | 여러 로봇의 좌표계가 섞임 | prefix와 네임스페이스가 어긋남 | `view_frames`의 트리 전체 | 04 |
+# | 방향이 90°나 180° 틀림 | 축, rpy, 쿼터니언의 순서 | URDF의 rpy, RViz의 축 | 02, 07 |
+#
+# </details>
 
 # %% [markdown] lang="en" name="twelve" slide="skip"
 # <details><summary>Deeper: the lecture's twelve mistakes (§29), and the patient that has each</summary>
@@ -748,6 +897,7 @@ night.try_fix()
 # - A [[second-owner|second owner]] raises no error. Ask twenty times a second, and count how often the edge comes.
 # - A complaint is not a cause. A check is worth what it rules out; ask what your [[suspect|suspects]] would answer differently.
 # - Stop when one is left. A fix is proved by the check that found the fault.
+# - And of all twelve chapters (§31): a value needs its frame and its stamp. `map` is right in the long run, `odom` runs smoothly, `base_link` is the robot. What is bolted on is said once on `/tf_static`, what moves again and again on `/tf`. Most errors are a name, a gap, a second owner or a clock, and seldom mathematics.
 
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
@@ -756,6 +906,7 @@ night.try_fix()
 # - [[second-owner|두 번째 발행자]]는 오류를 내지 않습니다. 20 Hz로 묻고, 연결이 얼마나 자주 오는지 세어 보세요.
 # - 증상은 원인이 아닙니다. 검사의 값어치는 무엇을 지우느냐에 있습니다. [[suspect|용의자]]들의 답이 다를 것을 물으십시오.
 # - 하나가 남으면 멈추십시오. 고쳤다는 증거는 고장을 찾아낸 검사에 있습니다.
+# - 그리고 열두 장 모두의 정리입니다(31장). 값에는 좌표계와 측정 시각이 필요합니다. `map`은 길게 보아 맞고, `odom`은 매끄럽게 이어지며, `base_link`는 로봇의 몸체입니다. 고정된 것은 `/tf_static`으로 한 번, 움직이는 것은 `/tf`로 계속 보냅니다. 오류는 대개 이름, 빠진 연결, 두 번째 발행자, 시계에서 나오고 수학에서 나오는 일은 드뭅니다.
 
 # %% [markdown] lang="en" name="recap-notes" slide="notes"
 # Five minutes at the end of the second sitting. Two pairs read their lists of checks: which one could they have left out?
@@ -910,7 +1061,9 @@ night.try_fix()
 # %% [markdown] lang="en" name="next" slide="skip"
 # **Next:** the exercises, [E12 Owners and diagnosis](../../exercises/en/E12_owners_and_diagnosis.ipynb), with three patients of your own. This was the last chapter; [the start page](00_start.ipynb) shows what you have passed, and what is left.
 # After a pass, or three tries, `solution("E12.1")` shows a solution there. To start a page over, delete its file and type `tflab lab`.
+# On your checklist this chapter is **C13** (a second broadcaster found and removed) and **C14** (the table of owners). Here it was simulated; do it once on the robot.
 
 # %% [markdown] lang="ko" name="next" slide="skip"
 # **다음:** 연습 문제 [E12 발행 책임과 진단](../../exercises/ko/E12_owners_and_diagnosis.ipynb)을 풀어 보세요. 여러분만의 환자 세 명이 기다립니다. 이것이 마지막 장입니다. [시작 페이지](00_start.ipynb)에서 통과한 것과 남은 것을 볼 수 있습니다.
 # 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E12.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력하세요.
+# 실습 체크리스트에서 이 장은 **C13**(중복 발행기를 찾아 제거)과 **C14**(발행 책임표)입니다. 여기서는 시뮬레이션이었으니, 로봇에서도 한 번 해 보세요.
