@@ -1,8 +1,8 @@
 """Does this machine have what the pages need?  One line for each thing, and what to do where it is missing.
 
-    Python 3.10 or later      ✓
-    numbers and figures       ✓
-    widgets and 3D            ✗  ipywidgets is missing: pip install "tflab"
+    ✓  Python 3.10 or later
+    ✓  numbers and figures
+    ✗  widgets and 3D: ipywidgets is missing: pip install "tflab"
 
 Where all is well it prints the same everywhere, in the language of the copy.  Whether the
 browser shows 3D, only eyes can tell: the start page draws something.  Read `lab.py` next.
@@ -53,7 +53,6 @@ LOCKED = Words(
     "{folder} cannot be written to: copy it elsewhere, and open it there",
     "{folder}에 쓸 수 없습니다. 다른 곳에 복사해서 여십시오",
 )
-WIDTH = 32  # columns; a Korean letter takes two
 
 
 def check_environment() -> None:
@@ -65,8 +64,7 @@ def check_environment() -> None:
     faults = dict(missing())
     for what in (OUR_PYTHON, *(need.what for need in NEEDED), A_PLACE):
         name = what.say(language)
-        air = " " * (WIDTH - sum(1 + ("가" <= letter <= "힣") for letter in name))
-        print(f"{name}{air}{'✗  ' + faults[what].say(language) if what in faults else '✓'}")
+        print(f"✗  {name}: {faults[what].say(language)}" if what in faults else f"✓  {name}")
 
 
 def missing() -> Iterator[tuple[Words, Words]]:

@@ -5,10 +5,13 @@
 
 Only answers that are somewhere in space can be drawn: points, poses, poses in the
 plane, messages that hold one of these, and dicts of them, of which the first wrong
-one is drawn.  And only where the right one is open.  Read `mutants.py` next.
+one is drawn.  And only where the right one is open, and another: two that lie on each
+other say nothing of names that were exchanged.  Read `mutants.py` next.
 """
 
 from __future__ import annotations
+
+import numpy as np
 
 from tflab.core import Transform
 from tflab.views.frames import draw_scene
@@ -21,6 +24,7 @@ from ..answers.values import Plain
 
 __all__ = ["picture_of"]
 
+NEAREST = 1e-6  # two poses whose matrices differ by less look the same
 FARTHEST_M = 1e4  # beyond that there is nothing to see
 
 
@@ -66,14 +70,14 @@ def _part(plain: Plain, name: str) -> Plain:
 
 
 def _poses(yours: Transform | None, right: Transform | None) -> Picture | None:
-    if yours is None or right is None:
+    if yours is None or right is None or np.allclose(yours.matrix(), right.matrix(), rtol=0.0, atol=NEAREST):
         return None
     return draw_scene({"expected": right}, ghosts={"yours": yours}, fixed_frame="the parent")
 
 
 def _points(frame: Plain, answer: Plain, expected: Plain) -> Picture | None:
     yours, right = numbers_of(answer, 3), numbers_of(expected, 3)
-    if yours is None or right is None or max(map(abs, yours)) > FARTHEST_M:
+    if yours is None or right is None or max(map(abs, yours)) > FARTHEST_M or np.allclose(yours, right, atol=NEAREST):
         return None
     name = frame if isinstance(frame, str) and frame else "origin"
     return draw_scene({name: Transform()}, {"expected": right}, ghost_points={"yours": yours}, fixed_frame=name)
