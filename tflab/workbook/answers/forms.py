@@ -73,7 +73,8 @@ def form_from_plain(plain: dict[str, Any]) -> Form:
         raise ValueError(f"there is no form {plain.get('form')!r}; there is {', '.join(sorted(_CLASSES))}")
     row = {name: value for name, value in plain.items() if name != "form"}
     if cls is Parts:
-        return Parts({name: form_from_plain(inner) for name, inner in row["parts"].items()}, row.get("alone", False))
+        names = row.get("order", row["parts"])
+        return Parts({name: form_from_plain(row["parts"][name]) for name in names}, row.get("alone", False))
     if cls in (Pair, Sequence, Set):
         inner = {name: form_from_plain(held) if isinstance(held, dict) else held for name, held in row.items()}
         return cls(**inner)

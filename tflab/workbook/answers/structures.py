@@ -15,6 +15,7 @@ import json
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from itertools import islice, product
+from typing import Any
 
 from ..words import Words
 from . import command_lines
@@ -28,7 +29,7 @@ MOST_WAYS = 64  # to write one sequence; beyond these, the plainest
 
 @dataclass(frozen=True)
 class Choice(Form):
-    """One of `options`, read as a person means it: `'Use it.'` is "use it"; of names, each letter counts."""
+    """One of `options`, read as a person means it: `'Use it.'` is "use it"; of names alone, each letter counts."""
 
     options: tuple[str, ...] = ()
 
@@ -80,6 +81,11 @@ class Parts(Form):
         return Words(
             en=f"a dict with {names}{alone.en}", ko=f"{names} 키{alone.ko}를 가진 dict".replace("키만를", "키만")
         )
+
+    def plain(self) -> dict[str, Any]:
+        """Return the form as JSON has it, and where that would sort the parts, their order: that of the work."""
+        names = list(self.parts)
+        return super().plain() | ({"order": names} if names != sorted(names) else {})
 
 
 def named_beside(name: str, parts: Iterable[str]) -> list[str]:
@@ -154,6 +160,7 @@ def as_one(probes: list[Probe] | None) -> Probe:
     return [tuple(mark for row in rows for mark in row) for rows in ways]
 
 
+NO_NAME = {"none", "nobody", "nothing"}  # words among names, and read as words
 UNHEARD = str.maketrans("", "", "_-,'’")  # what nobody hears in words
 
 
@@ -165,7 +172,7 @@ def _is_name(option: str) -> bool:
 def _options_meant(options: tuple[str, ...], text: str) -> list[str]:
     """Return the options that a person may mean by a text."""
     names = [option for option in options if _is_name(option)]
-    as_names = {option: bool(names) and (" " not in option or option in names) for option in options}
+    as_names = {option: _is_read_as_a_name(option, options, names) for option in options}
     meant = [option for option, is_name in as_names.items() if _meant(option, is_name) == _meant(text, is_name)]
     spelt = {"_".join(text.split())}  # no name has a space in it
     if " " in text.strip():
@@ -173,6 +180,15 @@ def _options_meant(options: tuple[str, ...], text: str) -> list[str]:
     if all(name.startswith("/") for name in names):
         spelt.add("/" + _meant(text, is_name=True))  # `ros2` takes both
     return meant or [option for option in options if option in spelt]
+
+
+def _is_read_as_a_name(option: str, options: tuple[str, ...], names: list[str]) -> bool:
+    """Return whether each letter of an option counts: among names alone, and where it does not say that there is none.
+
+    Where phrases stand among them (`tf2_echo` beside "no ROS 2 tool"), it is a list of words.
+    """
+    is_list_of_names = bool(names) and all(" " not in other or other in names for other in options)
+    return is_list_of_names and option.casefold() not in NO_NAME
 
 
 def _meant(text: str, is_name: bool) -> str:

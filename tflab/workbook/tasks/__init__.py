@@ -15,7 +15,12 @@
     certain     what is certain where none fits
     explanation what an explanation is
     confused    which word a function says for which
+    common      what the calls that go wrong have in common
     arithmetic  what was computed of what was given
+    habits      what habits of writing give: the first member, a loop that removes
+    together    what is said of several parts at once
+    edges       edges that were named by their parents
+    orders      an order the other way round, or one place off
     members     parts of a dict, fields of a message, each by itself
     lists       members of a list, all together
     robots      links of a robot, each by itself

@@ -6,7 +6,7 @@
 
 Numbers: one of them, or two joined by + - * /.  Points: up to three, added or
 subtracted.  Only what fits to the last digit, and has digits enough not to be luck.
-The field calls it symbolic regression.  Read `members.py` next.
+The field calls it symbolic regression.  Read `habits.py` next.
 """
 
 from __future__ import annotations

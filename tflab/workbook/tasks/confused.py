@@ -4,7 +4,7 @@
     said        ok   future future future
 
 The field calls the table of both a confusion matrix.  A word that is asked for may be
-sealed; it is found by trying the few there are.  Read `arithmetic.py` next.
+sealed; it is found by trying the few there are.  Read `common.py` next.
 """
 
 from __future__ import annotations

@@ -17,15 +17,18 @@ from collections.abc import Iterator, Sequence
 from ..answers.forms import Choice, Command, Form, Message, Parts, Urdf
 from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
+from ..words import Words
 from .arithmetic import computed
 from .beside import side_by_side
 from .case import AND, Case, TaskCases
 from .changes import of_changes
+from .common import in_common
 from .confused import confused, confused_in_lists
 from .evidence import habit
 from .explanation import Explanation, said_of
 from .fields import sections
-from .fitting import IN_SOME, MEASURED, ONE, TWO, all_alike, in_some, is_just, undone_to, words_of
+from .fitting import IN_SOME, MEASURED, ONE, TWO, alike, all_alike, in_some, is_just, undone_to, words_of
+from .habits import habit_of
 from .lists import of_lists
 from .losses import TOLD
 from .members import changed_places, given_to, of_members
@@ -33,7 +36,7 @@ from .refusals import of_refusals
 from .robots import of_robots
 from .stops import of_stops
 
-__all__ = ["explained"]
+__all__ = ["calls_in_common", "explained"]
 
 
 def explained(
@@ -52,7 +55,7 @@ def explained(
     if (names is None or len(names) > 1) and (places := changed_places(task, cases, outcomes, given)):
         return places
     if names:
-        return Explanation({name.partition(TOLD)[0]: words_of(task, name) for name in names}, said_of(task, names))
+        return _by_name(task, cases, outcomes, names)
     if task.is_function and habit(task.form, cases, outcomes):  # a constant, or what came in: that says it all
         return None
     return (
@@ -62,27 +65,62 @@ def explained(
     )
 
 
+def _by_name(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], names: tuple[str, ...]) -> Explanation:
+    """Return what is said of slips that give an answer; a habit says more than that a list is too long."""
+    if names == ("members too many",) and task.is_function and (found := _of_a_habit(task, cases, outcomes)):
+        return found
+    slips = {name.partition(TOLD)[0]: words_of(task, name) for name in names}
+    explanation = Explanation(slips, said_of(task, names))
+    return _and_where(task, cases, outcomes, explanation) if names[0].startswith(IN_SOME) else explanation
+
+
 def _of_the_form(
     task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], given: dict[str, Plain] | None
 ) -> Explanation | None:
     """Return what explains an answer of this form: its members, the words that it confuses, how it was computed."""
     if isinstance(task.form, Parts | Message) or (isinstance(task.form, Command) and sections(task.form, outcomes[0])):
         return of_members(task, cases, outcomes, given)
-    if isinstance(task.form, ListForm):
-        return of_lists(task, cases, outcomes) or _of_words_in_lists(task, cases, outcomes)
-    if isinstance(task.form, Choice) and task.is_function:
-        confusion = confused(task.form, outcomes, [case.expected for case in cases])
-        return Explanation.of(confusion.name, confusion.said) if confusion else None
     if isinstance(task.form, Urdf):
         return of_robots(task, outcomes[0], cases[0].expected)
-    found = None if task.is_function else computed(task.form, outcomes[0], given)
+    if task.is_function:
+        return _of_calls(task, cases, outcomes)
+    found = of_lists(task, cases, outcomes)
+    summed = None if found else computed(task.form, outcomes[0], given)
+    return Explanation.of(*summed) if summed else found
+
+
+def _of_calls(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain]) -> Explanation | None:
+    """Return what all calls together show: a habit, what the members of lists have wrong, words that are confused."""
+    return _of_a_habit(task, cases, outcomes) or of_lists(task, cases, outcomes) or _of_words(task, cases, outcomes)
+
+
+def _of_a_habit(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain]) -> Explanation | None:
+    found = habit_of(task.form, [case.args or [] for case in cases], outcomes, [case.expected for case in cases])
     return Explanation.of(*found) if found else None
 
 
-def _of_words_in_lists(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain]) -> Explanation | None:
-    """Return which words a function confuses in the lists that it gives."""
-    confusion = confused_in_lists(task.form, outcomes, [case.expected for case in cases]) if task.is_function else None
-    return Explanation.of(confusion.name, confusion.said) if confusion else None
+def _of_words(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain]) -> Explanation | None:
+    """Return which words a function confuses, alone or in the lists that it gives, and in which calls."""
+    wanted, form = [case.expected for case in cases], task.form
+    if not isinstance(form, Choice | ListForm):
+        return None
+    found = confused(form, outcomes, wanted) if isinstance(form, Choice) else confused_in_lists(form, outcomes, wanted)
+    return _and_where(task, cases, outcomes, Explanation.of(found.name, found.said)) if found else None
+
+
+def _and_where(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], found: Explanation) -> Explanation:
+    """Return an explanation with what the calls that go wrong have in common, if that can be said."""
+    common = calls_in_common(task.form, cases, outcomes)
+    return (
+        found._replace(said=Words(f"{found.said.en} {common.en}", f"{found.said.ko} {common.ko}")) if common else found
+    )
+
+
+def calls_in_common(form: Form, cases: Sequence[Case], outcomes: Sequence[Plain]) -> Words | None:
+    """Return what the arguments of the calls that go wrong have in common; None if nothing that others have not."""
+    wrong = [not alike(form, outcome, case.expected) for case, outcome in zip(cases, outcomes, strict=True)]
+    rows = [(case.args or [], is_wrong) for case, is_wrong in zip(cases, wrong, strict=True)]
+    return in_common(*([args for args, is_so in rows if is_so is side] for side in (True, False)))
 
 
 def _ways(

@@ -24,16 +24,20 @@ from ..answers.values import Plain, is_raised
 from ..words import Words
 from .arithmetic import computed, leaves
 from .case import AND, Case, TaskCases, TwinWords
+from .certain import certain
+from .common import in_common
 from .confused import confused, word_of
 from .explanation import Explanation, said_of
 from .fields import section, sections, split
 from .fitting import MEASURED, ONE, TWO, alike, all_alike, in_some, is_just, undone_to, words_of
+from .habits import habit_of
 from .losses import TOLD, stamp_of, time_of
+from .orders import of_orders
+from .together import Found, together
 from .units import unit_of
 
 __all__ = ["changed_places", "given_to", "of_members"]
 
-LOOK = Words(en="look again.", ko="다시 보십시오.")
 ANOTHERS = Words(
     en='this is what is asked for under "{other}".',
     ko='이 값은 "{other}"의 자리에 들어갈 답입니다.',
@@ -54,21 +58,13 @@ LABELS = ("header.", "child_frame_id")  # fields of a message that say what its 
 AS_IT_CAME = Words(en="this is still what came in, unchanged.", ko="받은 값을 바꾸지 않고 그대로 두었습니다.")
 
 
-class _Found(NamedTuple):
-    """What explains some parts: the slips by name, what to say, and whether the rest of it shows, too."""
-
-    slips: dict[str, TwinWords]
-    said: Words
-    parts: set[str]
-    is_whole: bool = False
-
-
 class _Table(NamedTuple):
-    """An answer by its parts: the form of each, what came out in each case, and what was wanted."""
+    """An answer by its parts: the form of each, what came out in each case, what was wanted, and the arguments."""
 
     forms: dict[str, Form]
     given: dict[str, list[Plain]]
     wanted: dict[str, list[Plain]]
+    args: list[list[Plain]]
 
 
 def of_members(
@@ -93,10 +89,8 @@ def _of_table(
     table = _table(form, cases, outcomes)
     names = list(table.forms)
     wrong = {name for name, part in table.forms.items() if not all_alike(part, table.given[name], table.wanted[name])}
-    slips = _slips_in_parts(task, table, cases, wrong)
-    pairs = [pair for pair in _changed_places(table, wrong) if not any(pair.parts <= slip.parts for slip in slips)]
     left, found = set(wrong), []
-    for cause in [*pairs, *slips]:
+    for cause in _of_several(task, table, cases, wrong):
         if cause.parts <= left:
             found.append(cause)
             left -= cause.parts
@@ -104,7 +98,16 @@ def _of_table(
         if name in left:
             found += _by_itself(task, table, name, given) or _as_it_came(task.form, table, number, name, cases)
     left -= {name for cause in found for name in cause.parts}
-    return _together(found, left, names) if found else None
+    return together(found, {name: _certain(table, name) for name in names if name in left}, names) if found else None
+
+
+def _of_several(task: TaskCases, table: _Table, cases: Sequence[Case], wrong: set[str]) -> list[Found]:
+    """Return what explains parts together: two that changed places, slips, an order; all that is wrong by one first."""
+    slips = _slips_in_parts(task, table, cases, wrong)
+    pairs = [pair for pair in _changed_places(table, wrong) if not any(pair.parts <= slip.parts for slip in slips)]
+    orders = of_orders(table.forms, table.given, table.wanted)
+    is_one_slip = any(wrong <= slip.parts for slip in slips)
+    return [*pairs, *slips, *orders] if is_one_slip else [*pairs, *orders, *slips]
 
 
 def changed_places(
@@ -117,7 +120,7 @@ def changed_places(
     names = list(table.forms)
     wrong = {name for name in names if not all_alike(table.forms[name], table.given[name], table.wanted[name])}
     found = next((pair for pair in _changed_places(table, wrong) if pair.parts == wrong), None)
-    return _together([found], set(), names) if found else None
+    return together([found], {}, names) if found else None
 
 
 def given_to(form: Form, outcome: Plain, expected: Plain, given: dict[str, Plain] | None) -> str | None:
@@ -137,13 +140,13 @@ def _table(form: Form, cases: Sequence[Case], outcomes: Sequence[Plain]) -> _Tab
     forms = forms if is_sealed else split(form, forms, [*outcomes, *(case.expected for case in cases)])
     given = {name: [section(form, plain, n, name) for plain in outcomes] for n, name in enumerate(forms)}
     wanted = {name: [section(form, case.expected, n, name) for case in cases] for n, name in enumerate(forms)}
-    return _Table(forms, given, wanted)
+    return _Table(forms, given, wanted, [case.args or [] for case in cases])
 
 
 # -- what explains a part ------------------------------------------------------------------
 
 
-def _slips_in_parts(task: TaskCases, table: _Table, cases: Sequence[Case], wrong: set[str]) -> list[_Found]:
+def _slips_in_parts(task: TaskCases, table: _Table, cases: Sequence[Case], wrong: set[str]) -> list[Found]:
     """Return what slips explain, most parts and fewest slips first."""
     found = []
     for key in cases[0].twins:
@@ -151,17 +154,17 @@ def _slips_in_parts(task: TaskCases, table: _Table, cases: Sequence[Case], wrong
         slips = {name: words_of(task, name) for name in key.split(AND)}
         changed, same = _shown(task.form, table, twins, TWO if AND in key else ONE)
         if changed and changed <= same & wrong:
-            found.append(_Found(slips, said_of(task, list(slips)), changed, is_whole=True))
+            found.append(Found(slips, said_of(task, list(slips)), changed, is_whole=True))
         elif same & changed & wrong and all(words.partly for words in slips.values()):
-            found.append(_Found(slips, said_of(task, list(slips)), same & changed & wrong))
+            found.append(Found(slips, said_of(task, list(slips)), same & changed & wrong))
         elif len(slips) == 1 and (made_in := slips[key].part) in same & changed & wrong:  # but what follows is not so
-            found.append(_Found(slips, said_of(task, list(slips)), {made_in}))
+            found.append(Found(slips, said_of(task, list(slips)), {made_in}))
         elif len(slips) == 1:
             found += _of_one_slip(task.form, table, key, slips[key], changed, same & wrong, wrong)
     return sorted(_held_together(found), key=lambda cause: (-len(cause.parts), len(cause.slips), not cause.is_whole))
 
 
-def _held_together(found: list[_Found]) -> list[_Found]:
+def _held_together(found: list[Found]) -> list[Found]:
     return [cause for cause in found if len(cause.slips) == 1 or not _falls_apart(cause, found)]
 
 
@@ -173,20 +176,20 @@ def _of_one_slip(
     changed: set[str],
     same: set[str],
     wrong: set[str],
-) -> list[_Found]:
+) -> list[Found]:
     """Return what a slip explains whose labels were put right by hand, or that was made on the way to another part."""
     values = {part for part in changed if not part.startswith(LABELS)}
     same = _more_than_zero(table, same)
     if isinstance(form, Message) and values and values <= same:
-        return [_Found({name: words}, words.reply, values)]
+        return [Found({name: words}, words.reply, values)]
     made_in, follow = words.part, {part for part in changed & same if isinstance(table.forms[part], MEASURED)}
     if not isinstance(form, Parts) or not made_in or not follow or made_in in wrong or made_in not in changed:
         return []
     said = (FOLLOWS.say(tongue, part=made_in, said=words.reply.say(tongue)) for tongue in ("en", "ko"))
-    return [_Found({name: words}, Words(*said), follow)]
+    return [Found({name: words}, Words(*said), follow)]
 
 
-def _falls_apart(both: _Found, found: Sequence[_Found]) -> bool:
+def _falls_apart(both: Found, found: Sequence[Found]) -> bool:
     """Return whether each of two slips, and no other, explains parts of its own: then each is said of those."""
     single = [cause for cause in found if len(cause.slips) == 1]
     alone = [cause.parts for cause in single if cause.slips.keys() <= both.slips.keys()]
@@ -217,50 +220,74 @@ def _all_same(form: Form, twins: Sequence[Plain], wanted: Sequence[Plain]) -> bo
     )
 
 
-def _changed_places(table: _Table, wrong: set[str]) -> Iterator[_Found]:
+def _changed_places(table: _Table, wrong: set[str]) -> Iterator[Found]:
     """Yield two parts of which each holds the other's answer."""
     names = [name for name in table.forms if name in wrong and not isinstance(table.forms[name], Choice | ListForm)]
     for one, other in combinations(names, 2):
         is_alike = type(table.forms[one]) is type(table.forms[other])
         if is_alike and _holds(table, one, other) and _holds(table, other, one):
             key = f"{one} and {other} changed places"
-            yield _Found({key: TwinWords(CHANGED_PLACES, "")}, CHANGED_PLACES, {one, other})
+            yield Found({key: TwinWords(CHANGED_PLACES, "")}, CHANGED_PLACES, {one, other})
 
 
 def _holds(table: _Table, one: str, other: str) -> bool:
     return all_alike(table.forms[other], table.given[one], table.wanted[other])
 
 
-def _by_itself(task: TaskCases, table: _Table, name: str, given: dict[str, Plain] | None) -> list[_Found]:
+def _by_itself(task: TaskCases, table: _Table, name: str, given: dict[str, Plain] | None) -> list[Found]:
     """Return what explains one part alone: its option, what any answer can have, another's answer, what was given."""
     form, outcomes, wanted = table.forms[name], table.given[name], table.wanted[name]
     hint = _choice(task, name, form, outcomes[0], wanted[0]) if len(outcomes) == 1 else None
     if hint is not None and isinstance(form, Choice):
-        return [_Found({f"{name}: {outcomes[0]}": TwinWords(hint, "")}, hint, {name})]
+        return [Found({f"{name}: {outcomes[0]}": TwinWords(hint, "")}, hint, {name})]
+    if found := _remarked(table, name) or _of_any(task, table, name):
+        return found
+    if len(outcomes) > 1:
+        return _of_words(table, name)
+    found = _of_the_given(task, name, form, outcomes[0], wanted[0], given)
+    return found or ([Found.of(f"{name}: another", hint, name)] if hint else [])
+
+
+def _remarked(table: _Table, name: str) -> list[Found]:
+    """Return what a form itself says of a wrong answer, beside the other parts that speak of the same one."""
+    form, outcomes = table.forms[name], table.given[name]
     beside = named_beside(name, table.given)
-    wrong = [n for n, pair in enumerate(zip(outcomes, wanted, strict=True)) if not alike(form, *pair)]
+    wrong = [n for n, pair in enumerate(zip(outcomes, table.wanted[name], strict=True)) if not alike(form, *pair)]
     remarks = (form.remark(outcomes[n], {part: table.given[part][n] for part in beside}) for n in wrong)
-    if (words := next(filter(None, remarks), None)) is not None:
-        return [_Found({f"{name}: no proof": TwinWords(words, "")}, words, {name})]
+    words = next(filter(None, remarks), None)
+    return [Found.of(f"{name}: no proof", words, name)] if words else []
+
+
+def _of_any(task: TaskCases, table: _Table, name: str) -> list[Found]:
+    """Return what any answer can have: a habit, something universal, another part's answer."""
+    form, outcomes, wanted = table.forms[name], table.given[name], table.wanted[name]
+    if len(outcomes) > 1 and (habit := habit_of(form, table.args, outcomes, wanted)):
+        return [Found.of(f"{name}: {habit[0]}", habit[1], name)]
     for way in [*undone_to(form, outcomes, wanted), *in_some(form, outcomes, wanted)][:1]:
-        return [_Found({way.partition(TOLD)[0]: words_of(task, way)}, words_of(task, way).reply, {name})]
+        words = words_of(task, way)
+        return [Found({way.partition(TOLD)[0]: words}, _shown_too(task, name, words.reply), {name})]
     if (other := _anothers(table, name)) is not None:
         said = Words(ANOTHERS.say("en", other=other), ANOTHERS.say("ko", other=other))
-        return [_Found({f"{other} under {name}": TwinWords(said, "")}, said, {name})]
-    if len(outcomes) > 1:
-        return _of_words(name, form, outcomes, wanted)
-    found = _of_the_given(task, name, form, outcomes[0], wanted[0], given)
-    return found or ([_Found({f"{name}: another": TwinWords(hint, "")}, hint, {name})] if hint else [])
+        return [Found.of(f"{other} under {name}", said, name)]
+    return []
 
 
-def _of_words(name: str, form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> list[_Found]:
-    """Return which words a function confuses in one part of what it gives."""
-    confusion = confused(form, outcomes, wanted) if isinstance(form, Choice) else None
-    return (
-        [_Found({f"{name}: {confusion.name}": TwinWords(confusion.said, "")}, confusion.said, {name})]
-        if confusion
-        else []
-    )
+def _of_words(table: _Table, name: str) -> list[Found]:
+    """Return which words a function confuses in one part of what it gives, and in which calls."""
+    form = table.forms[name]
+    confusion = confused(form, table.given[name], table.wanted[name]) if isinstance(form, Choice) else None
+    if confusion is None:
+        return []
+    common = _in_common(table, name)
+    said = Words(f"{confusion.said.en} {common.en}", f"{confusion.said.ko} {common.ko}") if common else confusion.said
+    return [Found.of(f"{name}: {confusion.name}", said, name)._replace(is_of_words=True)]
+
+
+def _in_common(table: _Table, name: str) -> Words | None:
+    """Return what the arguments of the calls have in common in which a part is wrong."""
+    right = [alike(table.forms[name], *pair) for pair in zip(table.given[name], table.wanted[name], strict=True)]
+    rows = list(zip(table.args, right, strict=True))
+    return in_common(*([args for args, is_right in rows if is_right is side] for side in (False, True)))
 
 
 def _anothers(table: _Table, name: str) -> str | None:
@@ -276,26 +303,26 @@ def _anothers(table: _Table, name: str) -> str | None:
 
 def _of_the_given(
     task: TaskCases, name: str, form: Form, outcome: Plain, wanted: Plain, given: dict[str, Plain] | None
-) -> list[_Found]:
+) -> list[Found]:
     """Return that a part is what was given, or what a sum of it gives."""
     held = given_to(form, outcome, wanted, given)
     if held:
         way = f"given {held}"
-        return [_Found({way: words_of(task, way)}, words_of(task, way).reply, {name})]
+        return [Found({way: words_of(task, way)}, _shown_too(task, name, words_of(task, way).reply), {name})]
     found = computed(form, outcome, given)
-    return [_Found({found[0]: TwinWords(found[1], "")}, found[1], {name})] if found else []
+    return [Found.of(found[0], _shown_too(task, name, found[1]), name)] if found else []
 
 
-def _as_it_came(form: Form, table: _Table, number: int, name: str, cases: Sequence[Case]) -> list[_Found]:
+def _as_it_came(form: Form, table: _Table, number: int, name: str, cases: Sequence[Case]) -> list[Found]:
     """Return whether a part of what a function gives is that part of an argument, in every case."""
     for place in range(len(cases[0].args or ())):
         came = [section(form, case.args[place], number, name) for case in cases]
         if all(part is not None for part in came) and all_alike(table.forms[name], table.given[name], came):
-            return [_Found({f"{name} as it came": TwinWords(AS_IT_CAME, "")}, AS_IT_CAME, {name})]
+            return [Found({f"{name} as it came": TwinWords(AS_IT_CAME, "")}, AS_IT_CAME, {name})]
         times = [time_of(case.args[place]) for case in cases]
         if None not in times and times == [stamp_of(value) for value in table.given[name]]:
             said = Words(*(TIME_OF.say(tongue, number=place + 1) for tongue in ("en", "ko")))
-            return [_Found({f"{name}: a time": TwinWords(said, "")}, said, {name})]
+            return [Found({f"{name}: a time": TwinWords(said, "")}, said, {name})]
     return []
 
 
@@ -317,10 +344,31 @@ def _choice(task: TaskCases, part: str, form: Form, answer: Plain, wanted: Plain
     )
     means = task.means.get(option or "")
     right = word_of(form, wanted) if isinstance(form, Choice) else None
-    shows = task.shows.get(part, task.shows.get(part.partition("[")[0])) or task.seen.get(right or "")
+    shows = _shows(task, part) or task.seen.get(right or "")
     if means is None and shows is None:
         return None
     return Words(*(" ".join(row) for row in zip(*filter(None, (means, shows)), strict=True)))
+
+
+def _shows(task: TaskCases, part: str) -> Words | None:
+    """Return what there is to see in a part: of "c[0]", what was written for it, for c, or for each list's first."""
+    name, bracket, place = part.partition("[")
+    return task.shows.get(part) or task.shows.get(name) or task.shows.get(bracket + place)
+
+
+def _shown_too(task: TaskCases, part: str, said: Words) -> Words:
+    """Return what is said of a part that is no choice, and what there is to see in it, if that was written."""
+    shows = task.shows.get(part)
+    return Words(f"{said.en} {shows.en}", f"{said.ko} {shows.ko}") if shows else said
+
+
+def _certain(table: _Table, name: str) -> Words | None:
+    """Return what is certain of a part that nothing explains, where it goes wrong first."""
+    pairs = zip(table.given[name], table.wanted[name], strict=True)
+    wrong = next((pair for pair in pairs if not alike(table.forms[name], *pair)), None)
+    said = [certain(table.forms[name], *wrong) if wrong else None, _in_common(table, name)]
+    rows = list(zip(*filter(None, said), strict=True))
+    return Words(*(". ".join(row).rstrip(".") for row in rows)) if rows else None
 
 
 # -- what was given ------------------------------------------------------------------------
@@ -335,41 +383,3 @@ def _shaped(form: Form, name: str, leaf: Plain) -> Iterator[Plain]:
         yield from ([leaf] if parts is None else [list(parts[2])[: form.size]])
     elif isinstance(form, Quaternion):
         yield from ([leaf] if parts is None else [list(parts[3])])
-
-
-# -- together ------------------------------------------------------------------------------
-
-
-def _together(found: list[_Found], left: set[str], names: list[str]) -> Explanation:
-    """Return one explanation of what was found in several parts, and of those `left` that nothing explains."""
-    found = sorted(_merged(found), key=lambda cause: min(map(names.index, cause.parts)))
-    said = [cause.said if cause.parts == set(names) else _where(cause.said, cause.parts, names) for cause in found]
-    said += [_where(LOOK, left, names)] if left else []
-    slips = {name: words for cause in found for name, words in cause.slips.items()}
-    follows = set() if left else {name for cause in found for name in _follows(cause)}
-    return Explanation(slips, Words(*(" ".join(row) for row in zip(*said, strict=True))), tuple(sorted(follows)))
-
-
-def _merged(found: Sequence[_Found]) -> list[_Found]:
-    """Return what was found with each reply once, for all parts that it is given to."""
-    merged: dict[Words, _Found] = {}
-    for cause in found:
-        held = merged.get(cause.said)
-        both = cause if held is None else held._replace(slips=held.slips | cause.slips, parts=held.parts | cause.parts)
-        merged[cause.said] = both
-    return list(merged.values())
-
-
-def _follows(found: _Found) -> set[str]:
-    """Return the parts that are wrong only because of a slip in another part."""
-    made_in = {words.part for words in found.slips.values()} - {""}
-    return found.parts - made_in if found.is_whole and made_in & found.parts else set()
-
-
-def _where(words: Words, parts: set[str], names: Sequence[str]) -> Words:
-    """Say in which parts it is; a list by its name where it is in all of its members."""
-    lists = {name.partition("[")[0] for name in names}
-    whole = {name for name in lists if {held for held in names if held.partition("[")[0] == name} <= parts}
-    called = [name.partition("[")[0] if name.partition("[")[0] in whole else name for name in names if name in parts]
-    where = ", ".join(f'"{name}"' for name in dict.fromkeys(called))
-    return Words(f"{where}: {words.en}", f"{where}: {words.ko}")

@@ -25,7 +25,7 @@ from ..words import Words
 from . import evidence
 from .case import Case, TaskCases, TwinWords, Variant
 from .certain import certain
-from .explain import explained
+from .explain import calls_in_common, explained
 from .explanation import Explanation
 from .fitting import ANY_BUG
 from .mistake import Mistake
@@ -144,6 +144,10 @@ def _mistake(
     if all(map(is_unanswered, outcomes)):
         return Mistake.UNANSWERED, {}, None
     missing = _coarse(form, outcome) if isinstance(form, Parts) and not task.is_function else None
+    if missing is not None and missing[0] is Mistake.OPTION:  # a frame that is no child at all is none to choose from
+        found = explained(task, cases, outcomes, variant.given)
+        if found is not None and "parents for children" in found.slips:
+            return Mistake.SLIP, {}, found
     if missing is not None:
         return missing[0], {"got": kind_of(outcome), **missing[1]}, None
     found = explained(task, cases, outcomes, variant.given)
@@ -174,6 +178,9 @@ def _unexplained(
     if task.is_function and (habit := evidence.habit(form, cases, outcomes)):
         return Mistake(habit), {}
     bounds = certain(form, outcome, expected)
+    if task.is_function and (common := calls_in_common(form, cases, outcomes)):
+        told = [bounds, common] if bounds else [common]
+        bounds = Words(*(". ".join(row).rstrip(".") for row in zip(*told, strict=True)))
     if isinstance(form, Parts | Message | Urdf):
         return Mistake.PARTS, {"wrong": _wrong_names(form, rights[case]), "certain": bounds}
     return Mistake.VALUE, {"certain": bounds}

@@ -1,0 +1,150 @@
+"""How a wrong answer came about, seen from all its parts and all its calls together: orders, habits, what is common."""
+
+from __future__ import annotations
+
+import pytest
+
+from tflab.workbook.answers.forms import Choice, Name, Number, Parts, Sequence, form_from_plain
+from tflab.workbook.answers.values import to_plain
+from tflab.workbook.tasks import Words
+from tflab.workbook.tasks.case import Case
+from tflab.workbook.tasks.common import in_common
+from tflab.workbook.tasks.mistake import Mistake
+from tflab.workbook.tasks.verdict import judge_outcomes
+
+from .small_chapter import bare
+from .test_explain import judged, judged_function
+
+PLACES = ("third", "first", "second", "last")  # in another order than the alphabet's
+CARDS = ("names", "tree", "mount", "rates", "wait")
+IN_ORDER = Parts({place: Choice(CARDS) for place in PLACES})
+
+
+def placed(*cards):
+    return dict(zip(PLACES, cards, strict=True))
+
+
+@pytest.mark.parametrize(
+    ("given", "name"),
+    [
+        (("rates", "mount", "tree", "names"), "order reversed"),
+        (("wait", "names", "tree", "mount"), "one place too late"),
+        (("tree", "mount", "rates", "names"), "one place too early"),
+        (("tree", "names", "rates", "mount"), None),
+    ],
+)
+def test_a_whole_order_is_recognised_and_another_one_is_not(given, name):
+    verdict = judged(IN_ORDER, placed(*CARDS[:4]), {}, placed(*given))
+    assert next(iter(verdict.slips), None) == name
+
+
+def test_parts_keep_the_order_of_the_work_in_a_file():
+    assert list(form_from_plain(IN_ORDER.plain()).parts) == list(PLACES)
+    assert "order" not in Parts({"a": Number(), "b": Number()}).plain()
+
+
+def test_edges_that_were_named_by_their_parents_are_told_so_and_a_single_one_is_not():
+    frames = Choice(("odom", "base_footprint", "base_link"))
+    form = Parts({"c edge": frames, "d edge": frames})
+    right = {"c edge": "odom", "d edge": "base_footprint"}
+    assert list(judged(form, right, {}, {"c edge": "map", "d edge": "odom"}).slips) == ["parents for children"]
+    assert judged(form, right, {}, right | {"d edge": "odom"}).slips == {}
+    assert judged(form, right, {}, right | {"c edge": "nonsense"}).mistake is Mistake.OPTION
+
+
+def test_what_a_part_shows_is_said_beside_its_sign_and_of_a_list_by_the_place():
+    words = Words("It turns about its own z.", "제 z축으로 돕니다.")
+    form = Parts({"a": Number("m"), "b": Sequence(Choice(("in", "out")))})
+    task, variant = bare(form, Case(None, to_plain({"a": 1.0, "b": ["in", "out"]}), {}))
+    task = task._replace(shows={"a": words, "[1]": Words("The second.", "둘째입니다.")})
+    verdict = judge_outcomes(task, variant, [to_plain({"a": -1.0, "b": ["in", "in"]})])
+    assert verdict.said.en == '"a": the size is right, the sign is not. It turns about its own z. "b[1]": The second.'
+
+
+def test_of_a_part_that_nothing_explains_it_is_said_how_far_it_is_off():
+    form = Parts({"a": Number("m"), "b": Number("m")})
+    verdict = judged(form, {"a": 1.0, "b": 2.0}, {}, {"a": -1.0, "b": 2.1})
+    assert verdict.said.en.endswith('"b": look again (too large, by less than a tenth).')
+
+
+def test_which_word_is_said_for_which_comes_after_a_cause():
+    form = Parts({"a": Choice(("in", "out")), "b": Number("m")})
+    asked = [({"a": "in", "b": 1.0}, {"a": "out", "b": -1.0}), ({"a": "in", "b": 2.0}, {"a": "out", "b": -2.0}),
+             ({"a": "out", "b": 3.0}, {"a": "out", "b": -3.0})]  # fmt: skip
+    assert list(judged_function(form, asked).slips) == ["sign", "a: out for in"]
+
+
+# -- what calls have in common ----------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("wrong", "right", "said"),
+    [
+        ([[[]], [[]]], [[[1]], [[2, 3]]], "argument 1 is empty"),
+        ([[[3, 1]], [[9, 2, 4]]], [[[1, 3]], [[]]], "argument 1 is not in rising order"),
+        ([["a", 0], ["b", 0]], [["a", 1], ["b", 2]], "argument 2 is 0"),
+        ([["/a"], ["/b"]], [["a"], ["b"]], "argument 1 begins with a slash"),
+        ([[-1.0], [-2.0]], [[1.0], [2.0]], "argument 1 is below 0"),
+        ([[2.0, 1.0], [7.0, 3.0]], [[1.0, 2.0], [3.0, 7.0]], "argument 1 is larger than argument 2"),
+        ([[{"dict": {"x": 1}}], [{"dict": {"x": 2}}]], [[{"dict": {}}], [{"dict": {}}]], 'argument 1 has the key "x"'),
+        ([[1.0], [2.0]], [[3.0], [4.0]], None),
+        ([[0.0]], [[3.0], [4.0]], None),  # of a single call everything is true
+        ([["map"], ["map"]], [["map"], ["map"], ["odom"]], None),  # so do most that are right
+    ],
+)
+def test_what_parts_the_wrong_calls_from_the_right_ones_is_told(wrong, right, said):
+    common = in_common(wrong, right)
+    assert common is None if said is None else said in common.en
+
+
+def test_it_is_told_beside_the_words_that_are_confused_and_where_nothing_else_is_known():
+    cases = [Case([flag, number], want, {}) for flag, number, want in
+             ((True, 1, "in"), (True, 2, "in"), (False, 3, "in"), (False, 4, "out"))]  # fmt: skip
+    task, variant = bare(Choice(("in", "out")), *cases, is_function=True)
+    verdict = judge_outcomes(task, variant, ["out", "out", "in", "out"])
+    assert "in just the calls in which argument 1 is True" in verdict.said.en
+    numbers = [Case([number], 10.0 + number, {}) for number in (0, 0, 3, 4)]
+    task, variant = bare(Number("m"), *numbers, is_function=True)
+    verdict = judge_outcomes(task, variant, [0.7, 0.8, 13.0, 14.0])
+    assert verdict.mistake is Mistake.VALUE
+    assert "argument 1 is 0" in verdict.detail["certain"].en
+
+
+# -- habits ------------------------------------------------------------------------------------
+
+
+def called(form, rows):
+    """Return the verdict on a function, where `rows` are (arguments, expected, outcome)."""
+    cases = [Case(to_plain(list(args)), to_plain(want), {}) for args, want, _ in rows]
+    task, variant = bare(form, *cases, is_function=True)
+    return judge_outcomes(task, variant, [to_plain(outcome) for *_, outcome in rows])
+
+
+LISTS = [[3.0, 9.0, 4.0], [8.0, 1.0, 2.5], [5.0, 7.0, 6.0]]
+
+
+@pytest.mark.parametrize(
+    ("takes", "name"),
+    [(lambda held: held[0], "the first member"), (lambda held: held[-1], "the last member"), (min, "the smallest"),
+     (sum, "the sum"), (lambda held: held[1], None)],
+)  # fmt: skip
+def test_a_function_that_takes_one_thing_of_a_list_is_told_which(takes, name):
+    verdict = called(Number("m"), [([held], 100.0 * max(held) + 0.7, float(takes(held))) for held in LISTS])
+    assert next(iter(verdict.slips), None) == name
+
+
+def test_a_name_that_is_always_the_first_is_told_so():
+    rows = [([["b", "a"]], "a", "b"), ([["d", "c"]], "c", "d"), ([["f", "e"]], "e", "f")]
+    assert list(called(Name(), rows).slips) == ["the first member"]
+
+
+def test_two_arguments_that_were_only_joined_are_told_so():
+    rows = [([a, b], 3.7 * a + b, a - b) for a, b in ((1.0, 2.5), (4.0, 1.0), (7.0, 3.0))]
+    assert list(called(Number("m"), rows).slips) == ["argument 1 - argument 2"]
+
+
+def test_a_loop_that_removes_from_its_own_list_is_recognised_and_a_member_too_many_is_not():
+    rows = [([[1, 2, 8, 9]], [8, 9], [2, 8, 9]), ([[3, 7]], [7], [7])]
+    assert list(called(Sequence(Number()), rows).slips) == ["removed in the loop"]
+    rows = [([[1, 2, 8, 9]], [8, 9], [1, 8, 9]), ([[3, 7]], [7], [7])]
+    assert list(called(Sequence(Number()), rows).slips) == ["members too many"]

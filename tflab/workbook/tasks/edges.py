@@ -1,0 +1,50 @@
+"""Was an edge named by its parent?  It goes by its child, the frame below: map -> odom is the edge of "odom".
+
+    asked for   "odom", "base_footprint"      given   "map", "odom"      each the parent of what is asked for
+
+Who hangs below whom is read from what was given (buffers, trees, edges written with an
+arrow), and else from the robot that runs through the course.  Read `orders.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from ..answers.form import Form, inside
+from ..answers.forms import Choice
+from ..answers.values import Plain
+from ..words import Words
+from .together import Found
+
+__all__ = ["CARD", "parents_named"]
+
+CARD = {  # child -> parent, of the robot that every chapter meets
+    "odom": "map", "base_footprint": "odom", "base_link": "base_footprint", "laser_frame": "base_link",
+}  # fmt: skip
+BY_ITS_CHILD = Words(
+    en="you named the frame above: {named}. An edge goes by its child, the frame below, and that is asked for.",
+    ko="위쪽 좌표계를 적었습니다: {named}. 연결은 자식, 곧 아래쪽 좌표계의 이름으로 부르고, 그것을 물었습니다.",
+)
+FEWEST = 2  # of a single one nobody knows whether another edge was meant, unless it is no child at all
+
+
+def parents_named(
+    forms: Mapping[str, Form], given: Mapping[str, Plain], wanted: Mapping[str, str | None]
+) -> list[Found]:
+    """Return that edges were named by their parents: all that are wrong among choices between the same frames.
+
+    Args:
+        given: the answers that are wrong, by part.
+        wanted: the word that is asked for, of these parts at least.
+    """
+    named = {name: inside(answer) for name, answer in given.items()}
+    if not named or not all(CARD.get(str(wanted[name])) == answer for name, answer in named.items()):
+        return []
+    is_no_child = any(
+        isinstance(form, Choice) and named.get(name, "") not in (*form.options, "") for name, form in forms.items()
+    )
+    if len(named) < FEWEST and not is_no_child:
+        return []
+    quoted = ", ".join(f'"{answer}"' for answer in dict.fromkeys(named.values()))
+    said = Words(*(BY_ITS_CHILD.say(tongue, named=quoted) for tongue in ("en", "ko")))
+    return [Found.of("parents for children", said, *named)]

@@ -1,0 +1,146 @@
+"""Which habit of writing gives this?  A member for the whole list, a loop that removes from what it goes through.
+
+    argument 1   [3, 9, 4]      gives   3     in each call its first member: a `return` inside the loop
+    argument 1   [1, 2, 8, 9]   kept   [2, 9]  where nothing was to be kept: each that followed one that went
+
+Only the outcomes are looked at, never the learner's text; so what is said is what they
+are, in every call.  Read `together.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from itertools import permutations
+
+from ..answers.form import Form, inside
+from ..answers.forms import Angle, Name, Number, Set
+from ..answers.forms import Sequence as ListForm
+from ..answers.members import members_of
+from ..answers.values import Plain, is_raised
+from ..words import Words
+
+__all__ = ["habit_of"]
+
+FEWEST = 3  # calls with a result of their own, for it to be no luck
+ALWAYS = Words(
+    en="in every call this is {what}, and no more.",
+    ko="어느 호출에서나 {what}일 뿐입니다.",
+)
+OF_A_LIST: dict[str, tuple[Callable[[list], Plain], Words, Words]] = {
+    "the first member": (
+        lambda held: held[0],
+        Words("the first member of argument {at}", "{at}번째 인자의 첫 원소"),
+        Words(" Does a `return` stand inside the loop?", " 반복문 안에 `return`이 있지 않습니까?"),
+    ),
+    "the last member": (
+        lambda held: held[-1],
+        Words("the last member of argument {at}", "{at}번째 인자의 마지막 원소"),
+        Words(" Does each round of the loop write over the one before?",
+              " 반복문을 돌 때마다 앞의 결과를 덮어쓰지 않습니까?"),
+    ),
+    "the smallest": (min, Words("the smallest in argument {at}", "{at}번째 인자에서 가장 작은 것"), Words("", "")),
+    "the largest": (max, Words("the largest in argument {at}", "{at}번째 인자에서 가장 큰 것"), Words("", "")),
+    "the number of members": (
+        len, Words("the number of members in argument {at}", "{at}번째 인자의 원소 수"), Words("", "")
+    ),
+    "the sum": (sum, Words("the sum of argument {at}", "{at}번째 인자의 합"), Words("", "")),
+    "the mean": (
+        lambda held: sum(held) / len(held), Words("the mean of argument {at}", "{at}번째 인자의 평균"), Words("", "")
+    ),
+}  # fmt: skip
+OF_TWO: tuple[tuple[str, Callable[[float, float], float]], ...] = (
+    ("+", lambda a, b: a + b), ("-", lambda a, b: a - b), ("*", lambda a, b: a * b), ("/", lambda a, b: a / b),
+)  # fmt: skip
+COMPUTED = Words("argument {at} {sign} argument {of}", "{at}번째 인자 {sign} {of}번째 인자")
+PASSED_OVER = Words(
+    en="what is too much follows each time on something that went: whoever removes from the list that the loop goes "
+    "through makes it pass over the next one. Build a new list, or loop over a copy.",
+    ko="남으면 안 되는 것은 모두 빠진 것의 바로 다음입니다. 반복문이 지나는 리스트에서 원소를 지우면 그다음 원소를 "
+    "건너뜁니다. 새 리스트를 만들거나 사본으로 반복하십시오.",
+)
+
+
+def habit_of(
+    form: Form, args: Sequence[list[Plain]], outcomes: Sequence[Plain], wanted: Sequence[Plain]
+) -> tuple[str, Words] | None:
+    """Return the habit that gives what came out in every call, and what to say of it; None if none does."""
+    if any(map(is_raised, outcomes)) or any(map(is_raised, wanted)):
+        return None
+    if isinstance(form, ListForm | Set) and _passes_over(form, args, outcomes, wanted):
+        return "removed in the loop", PASSED_OVER
+    if not isinstance(form, Number | Angle | Name) or len({str(outcome) for outcome in outcomes}) < FEWEST:
+        return None
+    for name, what, asks, values in _candidates(args):
+        if all(form.alike(*pair) for pair in zip(outcomes, values, strict=True)):
+            said = (ALWAYS.say(tongue, what=what.say(tongue)) + asks.say(tongue) for tongue in ("en", "ko"))
+            return name, Words(*said)
+    return None
+
+
+def _candidates(args: Sequence[list[Plain]]) -> Iterator[tuple[str, Words, Words, list[Plain]]]:
+    """Yield what may be made of arguments: a name, what it is, what to ask, and what it gives in each call."""
+    count = min(map(len, args), default=0)
+    for at in range(count):
+        yield from _of_one(at, [inside(row[at]) for row in args])
+    for one, other in permutations(range(count), 2):
+        yield from _of_two(one, other, [(row[one], row[other]) for row in args])
+
+
+def _of_one(at: int, held: list[Plain]) -> Iterator[tuple[str, Words, Words, list[Plain]]]:
+    if not all(isinstance(each, list) and each for each in held):
+        return
+    for name, (make, what, asks) in OF_A_LIST.items():
+        if (values := _made(make, held)) is not None:
+            yield name, Words(*(what.say(tongue, at=at + 1) for tongue in ("en", "ko"))), asks, values
+
+
+def _of_two(one: int, other: int, pairs: list[tuple[Plain, Plain]]) -> Iterator[tuple[str, Words, Words, list[Plain]]]:
+    if not all(_is_number(a) and _is_number(b) for a, b in pairs):
+        return
+    for sign, join in OF_TWO:
+        values = _made(lambda pair, join=join: join(*pair), pairs)
+        if values is not None and (sign in "-/" or one < other):
+            names = {"at": one + 1, "of": other + 1, "sign": sign}
+            what = Words(*(COMPUTED.say(tongue, **names) for tongue in ("en", "ko")))
+            yield f"argument {one + 1} {sign} argument {other + 1}", what, Words("", ""), values
+
+
+def _made(make: Callable, held: Sequence) -> list[Plain] | None:
+    try:
+        return [make(each) for each in held]
+    except (TypeError, ValueError, ZeroDivisionError):
+        return None
+
+
+def _is_number(plain: Plain) -> bool:
+    return isinstance(plain, int | float) and not isinstance(plain, bool)
+
+
+def _passes_over(
+    form: ListForm | Set, args: Sequence[list[Plain]], outcomes: Sequence[Plain], wanted: Sequence[Plain]
+) -> bool:
+    """Return whether some argument, removed from in a loop over itself, leaves in each call just what came out."""
+    for at in range(min(map(len, args), default=0)):
+        rows = [tuple(map(members_of, (row[at], one, other)))
+                for row, one, other in zip(args, outcomes, wanted, strict=True)]  # fmt: skip
+        if any(None in row for row in rows):
+            continue
+        left = [_removed_in_the_loop(came, want) for came, _, want in rows]
+        shows = sum(sorted(map(str, one)) != sorted(map(str, row[2])) for one, row in zip(left, rows, strict=True))
+        is_so = all(_same(one, row[1]) for one, row in zip(left, rows, strict=True))
+        if is_so and shows:
+            return True
+    return False
+
+
+def _removed_in_the_loop(came: list[Plain], want: list[Plain]) -> list[Plain]:
+    left, place = list(came), 0
+    while place < len(left):
+        if left[place] not in want:
+            del left[place]
+        place += 1
+    return left
+
+
+def _same(one: list[Plain], other: list[Plain]) -> bool:
+    return sorted(map(str, one)) == sorted(map(str, other))

@@ -1,0 +1,84 @@
+"""Is a whole order the other way round, or does all of it stand one place off?  Seen from all places together.
+
+    first, second, third     wanted  names, tree, mount
+                             given   mount, tree, names      the other way round
+                             given   wait, names, tree       one place too late: "wait" stands before it
+                             given   tree, mount, names      one place too early
+
+Place by place three answers are wrong; together it is one mistake.  So it is where
+edges are asked for by the frame below, and each was named by the frame above.
+Read `members.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Any
+
+from ..answers.form import Form
+from ..answers.forms import Choice
+from ..answers.values import Plain
+from ..words import Words
+from .confused import word_of
+from .edges import parents_named
+from .together import Found
+
+__all__ = ["of_orders"]
+
+FEWEST = 3  # places, for an order to be more than two words that are exchanged
+
+Row = Sequence[Any]
+
+ORDERS: dict[str, tuple[Callable[[Row, Row], bool], Words]] = {
+    "order reversed": (
+        lambda given, want: given == want[::-1],
+        Words(
+            en="the whole order is the other way round: what you put last comes first.",
+            ko="순서 전체가 거꾸로입니다. 맨 나중에 둔 것이 맨 처음입니다.",
+        ),
+    ),
+    "one place too late": (
+        lambda given, want: given[1:] == want[:-1],
+        Words(
+            en="what stands first does not belong there; without it, all the others would stand right, each one place "
+            "earlier.",
+            ko="맨 앞의 것이 거기에 있을 것이 아닙니다. 그것만 빼고 나머지를 한 자리씩 당기면 모두 맞습니다.",
+        ),
+    ),
+    "one place too early": (
+        lambda given, want: given[:-1] == want[1:],
+        Words(
+            en="each stands one place too early: something comes before all of them.",
+            ko="모두 한 자리씩 앞에 있습니다. 이 모두보다 먼저 올 것이 있습니다.",
+        ),
+    ),
+}
+
+
+def of_orders(
+    forms: Mapping[str, Form], given: Mapping[str, Sequence[Plain]], wanted: Mapping[str, Sequence[Plain]]
+) -> list[Found]:
+    """Return what is wrong with places that are filled from the same words, all of them together."""
+    found = []
+    for names in _asked_in_order(forms):
+        if len(given[names[0]]) != 1:  # a function: its words are confused, and no places
+            continue
+        want = [word_of(forms[name], wanted[name][0]) for name in names]
+        have = [word_of(forms[name], given[name][0]) for name in names]
+        wrong = [name for name, one, other in zip(names, have, want, strict=True) if one != other]
+        for name, (fits, said) in ORDERS.items():
+            if wrong and len(names) >= FEWEST and len(set(want)) == len(want) and fits(have, want):
+                found.append(Found.of(name, said, *wrong))
+                break
+        else:
+            found += parents_named(forms, {name: given[name][0] for name in wrong}, dict(zip(names, want, strict=True)))
+    return found
+
+
+def _asked_in_order(forms: Mapping[str, Form]) -> Iterator[list[str]]:
+    """Yield the names of the parts that are choices between the same words."""
+    alike: dict[tuple[str, ...], list[str]] = {}
+    for name, form in forms.items():
+        if isinstance(form, Choice) and form.options:
+            alike.setdefault(form.options, []).append(name)
+    yield from alike.values()

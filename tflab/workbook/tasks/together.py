@@ -1,0 +1,88 @@
+"""What is said where several parts of an answer are wrong?  Each cause once, the first in the work first.
+
+    "mount" by an option    "gyro_z" by its sign    "mend" by nothing known
+    -->  "mount": then z reads +9.8 ...  "gyro_z": the size is right ...  "mend": look again.
+
+What tells only which word is said for which comes last: a cause helps more than what
+follows from it.  Read `edges.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+from ..words import Words
+from .case import TwinWords
+from .explanation import Explanation
+
+__all__ = ["Found", "together"]
+
+LOOK = Words(en="look again.", ko="다시 보십시오.")
+LOOK_AND_SEE = Words(en="look again ({certain}).", ko="다시 보십시오({certain}).")
+
+
+class Found(NamedTuple):
+    """What explains some parts: the slips by name, what to say, whether the rest of it shows, and whether it is only
+    a fact about words.
+    """
+
+    slips: dict[str, TwinWords]
+    said: Words
+    parts: set[str]
+    is_whole: bool = False
+    is_of_words: bool = False
+
+    @classmethod
+    def of(cls, name: str, said: Words, *parts: str) -> Found:
+        """Return that of one mistake which no task has to know."""
+        return cls({name: TwinWords(said, "")}, said, set(parts))
+
+
+def together(found: Sequence[Found], left: Mapping[str, Words | None], names: Sequence[str]) -> Explanation:
+    """Return one explanation of what was found in several parts.
+
+    Args:
+        left: the parts that nothing explains, and what is certain of each.
+        names: of all parts, in the order of the work.
+    """
+    found = sorted(_merged(found), key=lambda cause: (cause.is_of_words, min(map(names.index, cause.parts))))
+    said = [cause.said if cause.parts == set(names) else _where(cause.said, cause.parts, names) for cause in found]
+    said += [_where(words, parts, names) for words, parts in _looks(left).items()]
+    slips = {name: words for cause in found for name, words in cause.slips.items()}
+    follows = set() if left else {name for cause in found for name in _follows(cause)}
+    return Explanation(slips, Words(*(" ".join(row) for row in zip(*said, strict=True))), tuple(sorted(follows)))
+
+
+def _looks(left: Mapping[str, Words | None]) -> dict[Words, set[str]]:
+    """Return what to say of the parts that are left, and of which."""
+    looks: dict[Words, set[str]] = {}
+    for name, certain in left.items():
+        tell = {tongue: certain and LOOK_AND_SEE.say(tongue, certain=certain.say(tongue)) for tongue in ("en", "ko")}
+        looks.setdefault(Words(**tell) if certain else LOOK, set()).add(name)
+    return looks
+
+
+def _merged(found: Sequence[Found]) -> list[Found]:
+    """Return what was found with each reply once, for all parts that it is given to."""
+    merged: dict[Words, Found] = {}
+    for cause in found:
+        held = merged.get(cause.said)
+        both = cause if held is None else held._replace(slips=held.slips | cause.slips, parts=held.parts | cause.parts)
+        merged[cause.said] = both
+    return list(merged.values())
+
+
+def _follows(found: Found) -> set[str]:
+    """Return the parts that are wrong only because of a slip in another part."""
+    made_in = {words.part for words in found.slips.values()} - {""}
+    return found.parts - made_in if found.is_whole and made_in & found.parts else set()
+
+
+def _where(words: Words, parts: set[str], names: Sequence[str]) -> Words:
+    """Say in which parts it is; a list by its name where it is in all of its members."""
+    lists = {name.partition("[")[0] for name in names}
+    whole = {name for name in lists if {held for held in names if held.partition("[")[0] == name} <= parts}
+    called = [name.partition("[")[0] if name.partition("[")[0] in whole else name for name in names if name in parts]
+    where = ", ".join(f'"{name}"' for name in dict.fromkeys(called))
+    return Words(f"{where}: {words.en}", f"{where}: {words.ko}")
