@@ -297,6 +297,21 @@ def test_no_kernel_can_say_something_to_another_by_a_lock(shared: Inside, lock: 
     assert shared("fcntl.fcntl(file, fcntl.F_GETFD)", works) == 1
 
 
+def test_nobody_reads_what_is_typed_into_a_terminal_of_the_machine(shared: Inside) -> None:
+    keyboard, terminal = os.openpty()
+    os.write(keyboard, b"a password\n")
+    name = os.ttyname(terminal)
+    tried = f"attempt(lambda: os.read(os.open({name!r}, os.O_RDONLY | os.O_NOCTTY | os.O_NONBLOCK), 100).decode())"
+    assert shared(tried) in ("PermissionError", "FileNotFoundError")
+    for end in (keyboard, terminal):
+        os.close(end)
+
+
+def test_a_command_runs_without_a_terminal_and_waits_for_no_keyboard(shared: Inside) -> None:
+    before = "!cat\n!exit 3\nwhere = 'b'\n!echo $where {1 + 1} > c.txt\nsaid = !echo hi"
+    assert shared("[open('c.txt').read(), list(said), _exit_code]", before) == ["b 2\n", ["hi"], 0]
+
+
 def test_without_a_wall_landlock_keeps_the_pack_from_being_read(confined: Inside, secret: Path) -> None:
     assert confined(f"attempt(lambda: open({str(secret / 'pack.json')!r}).read())") == "PermissionError"
     assert confined(f"attempt(lambda: os.listdir({str(secret)!r}))") == "PermissionError"

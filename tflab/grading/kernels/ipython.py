@@ -19,6 +19,7 @@ import json
 import logging
 import os
 import socket
+import subprocess
 import sys
 import threading
 from types import SimpleNamespace
@@ -67,6 +68,15 @@ def build() -> Any:
         def enable_gui(self, gui: Any = None) -> None:
             """Accept every event loop of windows: there are none."""
             self.active_eventloop = gui
+
+        def system_piped(self, cmd: str) -> None:
+            """Run `!cmd` without a terminal: not every wall has one, and nobody reads what it prints."""
+            null = subprocess.DEVNULL
+            words = self.var_expand(cmd, depth=1)
+            done = subprocess.run(words, shell=True, stdin=null, stdout=null, stderr=null, check=False)
+            self.user_ns["_exit_code"] = done.returncode
+
+        system = system_piped
 
         def ask_exit(self) -> None:
             """End nothing: there may be answers after a cell with `exit` in it."""
