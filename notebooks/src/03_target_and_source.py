@@ -42,7 +42,7 @@
 # - A rotation is a quaternion (x, y, z, w), and "no rotation" is (0, 0, 0, 1).
 # - Where a sensor is bolted on does not change, so it is published once, as a static transform.
 # - A `Buffer` remembers what was published, and a `TransformListener` fills it; `Time()` asks for the latest.
-# - In the workbook's code, `base_T_laser @ laser_p` moves a point from laser_frame to base_link. `Transform.from_rpy(yaw=…, translation=…)` makes such a transform by hand, and `LATEST` is the engine's word for `Time()`.
+# - In the workbook's code, `base_T_laser.apply(laser_p)` moves a point from laser_frame to base_link. `Transform.from_rpy(yaw=…, translation=…)` makes such a transform by hand, and `LATEST` is the engine's word for `Time()`.
 #
 # Today the robot stands still, so time plays no part; chapter 08 brings it back.
 
@@ -56,7 +56,7 @@
 # - 회전은 쿼터니언 (x, y, z, w)이고, "회전 없음"은 (0, 0, 0, 1)입니다.
 # - 센서를 단 자리는 변하지 않으므로 정적 변환으로 한 번만 발행합니다.
 # - `Buffer`는 발행된 변환을 기억하고, `TransformListener`가 버퍼를 채웁니다. `Time()`은 가장 최근 값을 달라는 뜻입니다.
-# - 이 워크북의 코드에서 `base_T_laser @ laser_p`는 laser_frame 기준의 점을 base_link 기준으로 옮깁니다. `Transform.from_rpy(yaw=…, translation=…)`은 그런 변환을 직접 만들고, `LATEST`는 엔진에서 쓰는 `Time()`입니다.
+# - 이 워크북의 코드에서 `base_T_laser.apply(laser_p)`는 laser_frame 기준의 점을 base_link 기준으로 옮깁니다. `Transform.from_rpy(yaw=…, translation=…)`은 그런 변환을 직접 만들고, `LATEST`는 엔진에서 쓰는 `Time()`입니다.
 #
 # 오늘은 로봇이 서 있으므로 시간은 신경 쓰지 않습니다. 시간은 08장에서 다시 나옵니다.
 

@@ -39,7 +39,7 @@ def test_the_picture_in_words():
         "laser_frame at (0.200, 0.000, 0.150) m in base_link, yaw 1.57 rad\n"
         "the laser says    (2.000, 0.000, 0.000) m  in laser_frame\n"
         "the corner is at  (0.200, 2.000, 0.150) m  in base_link\n"
-        "swapped:          (0.000, -1.800, -0.150) m  off by 3.817 m  (laser_T_base @ laser_p)\n"
+        "swapped:          (0.000, -1.800, -0.150) m  off by 3.817 m  (laser_T_base.apply(laser_p))\n"
         "turn forgotten:   (2.200, 0.000, 0.150) m  off by 2.828 m  (laser_p + translation)"
     )
 

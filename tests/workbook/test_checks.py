@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from threading import Event
 
 import pytest
 
@@ -92,6 +93,16 @@ def test_a_function_that_remembers_is_found_out(copy, capsys):
         return Transform((len(calls), 0, 0))
 
     assert "two different results" in said(capsys, "E3.2", growing)
+
+
+def test_while_a_function_does_not_come_back_it_is_said_how_to_stop_it(copy, capsys, monkeypatch):
+    told = Event()
+    monkeypatch.setattr(trying, "in_notebook", lambda: True)
+    monkeypatch.setattr(trying, "PATIENCE_S", 0.01)
+    monkeypatch.setattr(trying, "show_reply", lambda *said, **_: (print(*said), told.set()))
+    assert "still waiting for your function" in said(capsys, "E3.2", lambda T: told.wait(20.0) and T.inverse())
+    monkeypatch.setattr(trying, "PATIENCE_S", 1000.0)
+    assert "still waiting" not in said(capsys, "E3.2", lambda T: T.inverse())
 
 
 def test_arguments_are_fresh_copies(copy, capsys):

@@ -54,7 +54,7 @@ def describe_mount(yaw_rad: float, laser_p: Sequence[float], laser_at: Sequence[
         f"the laser says    {style.fmt_all(laser_p)}  in laser_frame",
         f"the corner is at  {style.fmt_all(places['corner'])}  in base_link",
     ]
-    for name, formula in (("swapped", "laser_T_base @ laser_p"), ("turn forgotten", "laser_p + translation")):
+    for name, formula in (("swapped", "laser_T_base.apply(laser_p)"), ("turn forgotten", "laser_p + translation")):
         off = style.fmt(float(np.linalg.norm(np.array(places[name]) - truth)))
         lines.append(f"{name + ':':<17} {style.fmt_all(places[name])}  off by {off}  ({formula})")
     return "\n".join(lines)

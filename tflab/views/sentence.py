@@ -4,7 +4,7 @@
                   source                  target
     lookup_transform('map', 'laser_frame', t)
     laser_frame o------------------------> map           the way the data goes
-    4x4 matrix        map_p = map_T_laser_frame @ laser_frame_p
+    4x4 matrix        map_p = map_T_laser_frame.apply(laser_frame_p)
     tf2_echo map laser_frame                             where laser_frame sits in map
 
 "From A to B" can be read both ways, and for ten years people have reported tf2
@@ -163,7 +163,7 @@ class SentencePicture(Picture):
                 label.text.set_color(style.ACCENT if roles else style.GREY)
             place_labels([*labels.values(), self.arrow.label])
             self.words.set_text(said.english)
-            product = f"{target}_p = {target}_T_{source} @ {source}_p"
+            product = f"{target}_p = {target}_T_{source}.apply({source}_p)"
             self.lines.write("\n".join((said.call, f"tf2_echo {target} {source}", product)))
             self.matrix.write("\n".join(said.matrix))
         self.text = said.text

@@ -8,17 +8,18 @@ Read `inventory/` next.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from contextlib import redirect_stdout
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager, redirect_stdout
 from io import StringIO
 from pathlib import Path
+from threading import Timer
 from typing import Any, NamedTuple
 
 from .answers.forms import Sequence as SequenceForm
 from .answers.showing import show_in_a_line
 from .answers.values import Plain, from_plain, is_raised, is_unanswered, outcome_of
 from .places import Workbook
-from .reply import show_reply
+from .reply import in_notebook, show_reply
 from .tasks.case import TaskCases, Variant
 from .tasks.changes import gave
 from .tasks.mistake import REPLIES, Mistake
@@ -27,6 +28,8 @@ from .tasks.verdict import Verdict, judge_outcomes, kind_of
 from .words import Words
 
 __all__ = ["AssignedTask", "say_verdict", "tried_on"]
+
+PATIENCE_S = 10.0  # after that, somebody who waits for a reply asks herself whether there will be one
 
 
 class AssignedTask(NamedTuple):
@@ -58,7 +61,28 @@ def tried_on(assigned: AssignedTask, answer: Any) -> tuple[Verdict, list[Plain]]
         mistake = Mistake.UNANSWERED if answer is ... else Mistake.NOT_A_FUNCTION
         verdict = Verdict(0, len(cases), mistake, detail={"got": kind_of(outcome_of(lambda: answer, ()))})
         return verdict, []
-    outcomes = []
+    with _patience(assigned):
+        return _called(assigned, answer)
+
+
+@contextmanager
+def _patience(assigned: AssignedTask) -> Iterator[None]:
+    """Say after a while that a function has not come back, for otherwise nothing is to be seen."""
+    if not in_notebook():
+        yield
+        return
+    timer = Timer(PATIENCE_S, show_reply, (assigned.id, assigned.phrase("still_waiting")))
+    timer.daemon = True
+    timer.start()
+    try:
+        yield
+    finally:
+        timer.cancel()
+
+
+def _called(assigned: AssignedTask, answer: Any) -> tuple[Verdict, list[Plain]]:
+    """Return the verdict on a function, and what it gave in each case."""
+    cases, outcomes = assigned.variant.cases, []
     for number, case in enumerate(cases):
         try:
             first = outcome_of(answer, case.args)

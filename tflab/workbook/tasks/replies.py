@@ -11,6 +11,10 @@ from ..words import Words
 __all__ = ["LATER", "PHRASES"]
 
 PHRASES = {
+    "still_waiting": Words(
+        en="still waiting for your function. If a loop in it never ends, ■ at the top of the page stops it.",
+        ko="아직 함수가 끝나기를 기다리고 있습니다. 끝나지 않는 반복이 있다면 페이지 위쪽의 ■로 멈추십시오.",
+    ),
     "no_answer_given": Words(
         en='nothing to check: write check("{id}", {answer}).',
         ko='검사할 답이 없습니다. check("{id}", {answer})처럼 쓰십시오.',
