@@ -50,15 +50,16 @@ const LETTERS_PX = 9;          // an axis that is shorter has no letter
 // a frame that somebody has picked keeps its name.
 function leftOut(names, picked) {
   const parents = new Map(names.map((label) => [label.frame, label.parent]));
-  const depth = ({ frame }) => {
-    let steps = 0;
-    for (let at = frame; parents.has(at) && steps <= names.length; at = parents.get(at)) steps += 1;
-    return steps;
+  const upwards = ({ frame }) => {
+    const way = [];
+    for (let at = frame; parents.has(at) && way.length <= names.length; at = parents.get(at)) way.push(at);
+    return way;
   };
   const out = new Set();
-  for (const one of names.map((label) => [depth(label), label]).sort((a, b) => a[0] - b[0]).map(([, label]) => label)) {
+  for (const one of names.map((label) => [upwards(label).length, label]).sort((a, b) => a[0] - b[0]).map(([, label]) => label)) {
     if (out.has(one)) continue;
-    const free = names.filter((other) => other !== one && !out.has(other) && other.frame !== picked);
+    const above = new Set(upwards(one)); // nobody speaks for those above
+    const free = names.filter((other) => !above.has(other.frame) && !out.has(other) && other.frame !== picked);
     const closeTo = (member) => free.filter((other) => Math.hypot(other.x - member.x, other.y - member.y) < CROWD_PX);
     const near = closeTo(one);
     if (near.length + 1 < CROWD) continue;
