@@ -106,6 +106,12 @@ TASK = Task(
             ko="그러면 모든 벡터가 돌아간 채로 남습니다. 값이 도면과 다릅니다.",
         ),
     },
+    shows={
+        "gyro_z": Words(
+            en="A gyro's z counts a turn about the IMU's own z: to the left is positive only while that z points up. Where does it point here?",
+            ko="자이로 z는 IMU 자신의 z축 둘레로 도는 빠르기입니다. 그 z가 위를 향할 때만 왼쪽 회전이 양수입니다. 여기서는 어디를 향합니까?",
+        ),
+    },
     hints=(
         Words(
             en="At rest: does z read +9.8 or −9.8? That tells upright from upside down, and nothing else.",

@@ -57,7 +57,7 @@ def between(
         at = 0.0 if share["from the first"] <= 0.5 else 1.0
     turns = {"short": math.remainder(yaw1 - yaw0, math.tau), "difference": yaw1 - yaw0, "kept": 0.0}
     turns |= {"modulo pi": math.remainder(yaw1 - yaw0, math.pi), "to the left": (yaw1 - yaw0) % math.tau}
-    turns |= {"size": abs(turns["short"])}
+    turns |= {"size": abs(turns["short"]), "left over of pi": math.fmod(yaw1 - yaw0, math.pi)}
     place = {"kept": 0.0, "later": 1.0}.get(position, at)
     steps = (abs(x1 - x0), abs(y1 - y0)) if position == "upwards" else (x1 - x0, y1 - y0)
     from_x, from_y = (0.0, 0.0) if position == "from zero" else (x0, y0)
@@ -190,6 +190,16 @@ POSITION_KEPT = Slip(
         en="Your position stays that of the first sample: it goes on along the straight line between the two.",
         ko="위치가 첫 표본의 값 그대로입니다. 두 표본을 잇는 직선을 따라 움직여야 합니다.",
     ),
+)
+
+LEFT_OVER_OF_PI = Slip(
+    "what is left over of pi",
+    {"turn": "left over of pi"},
+    Words(
+        en="A turn of more than half is cut down by a wrong amount: `math.fmod` by pi takes a half turn off and keeps the sign of what it divides. A difference of two yaws is wrapped by a whole turn, 2 pi, into -pi .. pi.",
+        ko="반 바퀴가 넘는 차이를 엉뚱한 만큼 줄입니다. pi에 대한 `math.fmod`는 반 바퀴를 빼고 나뉘는 수의 부호를 그대로 둡니다. 두 yaw의 차이는 한 바퀴, 곧 2π를 더하거나 빼서 −π와 π 사이로 만듭니다.",
+    ),
+    "M5",
 )
 
 SECONDS_FOR_A_RATIO = Slip(
@@ -358,6 +368,7 @@ TASK = Task(
     variants=4,
     model=between,
     twins=(
+        LEFT_OVER_OF_PI,
         SIZE_OF_THE_TURN,
         THE_LONG_WAY,
         THE_NEAREST_SAMPLE,

@@ -333,8 +333,8 @@ TASK = Task(
             ko="f줄에 바로 그 말이 있는지 찾아보십시오.",
         ),
         "g": Words(
-            en="Look for just these words in line g.",
-            ko="g줄에 바로 그 말이 있는지 찾아보십시오.",
+            en="Line g names no frame and no time, but a type of Python that is not loaded. Is that a no of tf2's at all?",
+            ko="g줄에는 좌표계도 시각도 없고, 불러오지 않은 파이썬 타입만 나옵니다. 이것이 tf2가 한 거절입니까?",
         ),
         "h": Words(
             en="Look for just these words in line h.",

@@ -285,8 +285,8 @@ THE_LIMIT_IS_TOO_FAR = Slip(
     "the limit is too far",
     {"limit_s": LIMIT_S - 1e-9},
     Words(
-        en='at exactly 0.2 s you check the clocks already. "0.2 s or less" lets the limit itself wait: `<=`.',
-        ko='간격이 정확히 0.2초일 때 이미 시계를 의심합니다. "0.2초 이하"이므로 한계 자체는 기다립니다. `<=`입니다.',
+        en='at exactly 0.2 s you check the clocks already, and "0.2 s or less" lets the limit itself wait. Is it `<` where `<=` is meant? If not, you compare seconds as floats, whose last digit errs: then just 0.2 comes out larger. Compare nanoseconds, which are whole numbers.',
+        ko='간격이 정확히 0.2초일 때 이미 시계를 의심합니다. "0.2초 이하"이므로 한계 자체는 기다려야 합니다. `<=`를 쓸 곳에 `<`를 썼습니까? 아니라면 초를 float로 비교한 것입니다. 마지막 자리가 어긋나 0.2가 조금 더 커집니다. 정수인 나노초로 비교하십시오.',
     ),
 )
 

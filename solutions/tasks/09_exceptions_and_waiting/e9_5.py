@@ -32,7 +32,7 @@ def queues(rng: np.random.Generator) -> list[tuple]:
 
 
 def kept(stamps_s, now_s, max_age_s, max_size, *, first="sieve", old="dropped", ahead="dropped", order="by stamp",
-         size="newest", out="oldest first", lost="went") -> dict:  # fmt: skip
+         size="newest", out="oldest first", lost="went", loop="a new list") -> dict:  # fmt: skip
     """Return what a policy keeps, step by step; other steps are the slips."""
     came = len(stamps_s)
 
@@ -62,6 +62,11 @@ def kept(stamps_s, now_s, max_age_s, max_size, *, first="sieve", old="dropped", 
         )
 
     young = [stamp for stamp in stamps_s if stays(now_s - stamp)]
+    if loop == "removed in it":
+        young = list(stamps_s)
+        for stamp in young:
+            if not stays(now_s - stamp):
+                young.remove(stamp)
     young = {"by stamp": sorted(young), "by place": young, "set": sorted(set(young))}[order]
     cut = young if first == "cut" else cut_to_size(young)
     losses = {
@@ -286,6 +291,16 @@ AGE_BY_THE_NEWEST = Slip(
 )
 
 
+REMOVED_IN_THE_LOOP = Slip(
+    "removed in the loop",
+    {"loop": "removed in it"},
+    Words(
+        en="What has to go stays where it follows on another that went: whoever removes from the list that the loop goes through makes it pass over the next one. Build a new list of those that stay.",
+        ko="나가야 할 것 가운데 앞의 것이 빠진 바로 다음 것이 남습니다. 반복문이 지나는 리스트에서 지우면 그다음 것을 건너뛰기 때문입니다. 남길 것만 모아 새 리스트를 만드십시오.",
+    ),
+)
+
+
 ONE_TOO_MANY = Slip(
     "one too many",
     {"size": "one more"},
@@ -339,6 +354,7 @@ TASK = Task(
         OLD_ONES_WANTED,
         AGE_IN_MILLISECONDS,
         AGE_BY_THE_NEWEST,
+        REMOVED_IN_THE_LOOP,
         ONE_TOO_MANY,
         ONE_TOO_FEW,
     ),

@@ -321,6 +321,20 @@ TASK = Task(
         RUNNING_NOW_IS_YEARS_OFF,
         STOPPED_NOW_IS_JUST_SHORT,
     ),
+    shows={
+        "[0]": Words(
+            en="The question at the stamp hands over a number from the bag and is answered by transforms from the same bag: no clock takes part in it.",
+            ko="측정 시각의 조회는 bag에 적힌 숫자를 넘기고, 같은 bag에서 온 변환이 답합니다. 시계는 끼어들지 않습니다.",
+        ),
+        "[1]": Words(
+            en="The question for now hands over what the node's clock shows: the machine's year, the bag's moment, or 0. How far is that from the newest transform?",
+            ko="현재 시각의 조회는 노드의 시계가 가리키는 것을 넘깁니다. 컴퓨터의 올해, bag의 순간, 또는 0입니다. 최신 변환과 얼마나 떨어져 있습니까?",
+        ),
+        "[2]": Words(
+            en="A timer waits until its node's clock has moved on. Does that clock move in this set-up?",
+            ko="타이머는 노드의 시계가 그만큼 가기를 기다립니다. 이 설정에서 그 시계가 갑니까?",
+        ),
+    },
     hints=(
         Words(
             en="Say for each set-up first what the node's clock shows: this year, the bag's year, or 0.",

@@ -54,6 +54,16 @@ def behind(g, pick="smallest", delay="taken off", way="heard - stamp"):
     )
 
 
+HOW_LONG_THE_LOG_IS = Twin(
+    "how long the log is",
+    lambda g: g.log[-1][1] - g.log[0][0],
+    Words(
+        en="That is last heard minus first stamp: how long the whole log is. A clock that is off shows in one and the same message, as heard minus stamp.",
+        ko="마지막으로 받은 시각에서 첫 측정 시각을 뺀 것, 곧 로그 전체의 길이입니다. 시계의 오차는 같은 메시지의 받은 시각과 측정 시각의 차이에서 드러납니다.",
+    ),
+    "M10",
+)
+
 MEAN = Slip(
     "mean",
     {"pick": "mean"},
@@ -218,6 +228,7 @@ TASK = Task(
     variants=8,
     model=behind,
     twins=(
+        HOW_LONG_THE_LOG_IS,
         MEAN,
         MEDIAN,
         LARGEST,

@@ -155,8 +155,8 @@ TASK = Task(
             ko="topic info --verbose는 누가 발행하고 구독하는지 압니다. 메시지 안은 보지 않습니다.",
         ),
         "RViz": Words(
-            en="RViz shows to the eye what could be computed; numbers, rates and nodes it does not give.",
-            ko="RViz는 계산할 수 있었던 것을 눈에 보여 줍니다. 숫자, 발행률, 노드는 알려 주지 않습니다.",
+            en="RViz shows to the eye what could be computed, each frame from its own Fixed Frame; of roots, numbers, rates and nodes it tells nothing.",
+            ko="RViz는 계산할 수 있었던 것을 자신의 Fixed Frame 기준으로 눈에 보여 줍니다. 루트, 숫자, 발행률, 노드는 알려 주지 않습니다.",
         ),
         "no ROS 2 tool": Words(
             en="for this one there is a tool: its answer is printed on the page.",

@@ -321,8 +321,8 @@ OTHER_VERDICT = Twin(
     "other verdict",
     lambda g: {**judged(g), "enough": "no" if judged(g)["enough"] == "yes" else "yes"},
     Words(
-        en="enough: compare off_mm with allowed_mm, both in millimetres. Waiting is another question.",
-        ko="enough: off_mm과 allowed_mm을 견주십시오. 둘 다 mm입니다. 기다림은 다른 문제입니다.",
+        en="yes and no are the wrong way round, or something else was compared: it is enough where off_mm is at most allowed_mm, both in millimetres, and not where it is more. Waiting is another question.",
+        ko="예와 아니요가 뒤바뀌었거나 다른 것을 비교했습니다. off_mm이 allowed_mm을 넘지 않으면 충분하고, 넘으면 충분하지 않습니다. 둘 다 mm입니다. 기다림은 다른 문제입니다.",
     ),
     part="enough",
 )

@@ -52,6 +52,7 @@ def figures(
 ):  # fmt: skip
     """Return the three figures, step by step; other steps are the slips."""
     rows = re.findall(r"Frame: (\S+), .*Average Delay: (\S+), Max Delay: (\S+)", report)
+    texts = {frame: largest for frame, _, largest in rows}
     rows = every = [(frame, float(average), float(largest)) for frame, average, largest in rows]
     if keep == "not the laser":
         rows = [row for row in rows if row[0] != "laser_frame"]
@@ -59,7 +60,8 @@ def figures(
         rows = [row for row in rows if row[0] not in static_frames]
     by = {
         "largest max": lambda row: row[2], "largest average": lambda row: row[1], "smallest": lambda row: -row[2],
-        "largest size": lambda row: abs(row[1]), "first": lambda row: -rows.index(row), "last": rows.index, "static": lambda row: (row[0] in static_frames, row[2]),
+        "largest size": lambda row: abs(row[1]), "first": lambda row: -rows.index(row), "last": rows.index, "text": lambda row: texts[row[0]],
+        "static": lambda row: (row[0] in static_frames, row[2]),
     }[late]  # fmt: skip
     below = {
         "average": lambda row: row[1] < 0, "max": lambda row: row[2] < 0, "max is 0": lambda row: row[2] <= 0,
@@ -269,6 +271,16 @@ STATICS_ALONE = Slip(
     part="late",
 )
 
+COMPARED_AS_TEXT = Slip(
+    "compared as text",
+    {"late": "text"},
+    Words(
+        en='late: you compare Max Delay as text, letter by letter: there "9.1" comes after "10.2", and "4e+08" after "1e+09". Turn them into numbers first: `float(...)`.',
+        ko='late: Max Delay를 문자열로 비교하여 글자 하나씩 견줍니다. 그러면 "9.1"이 "10.2"보다, "4e+08"이 "1e+09"보다 큽니다. 먼저 `float(...)`로 숫자로 바꾸십시오.',
+    ),
+    part="late",
+)
+
 ALL_THAT_MOVE = Slip(
     "all that move",
     {"sign": "all"},
@@ -325,6 +337,7 @@ TASK = Task(
         FIRST_ROW,
         LAST_ROW,
         STATICS_ALONE,
+        COMPARED_AS_TEXT,
         ALL_THAT_MOVE,
         LARGEST_OF_ALL,
         LARGEST_SIZE,

@@ -226,8 +226,8 @@ TASK = Task(
     },
     seen={
         "one owner": Words(
-            en="Here each answer follows from the one before, and the nodes on /tf are those of the card.",
-            ko="여기서는 값이 매끄럽게 이어지고, /tf의 노드는 카드에 있는 그대로입니다.",
+            en="Here each answer follows from the one before, and the nodes on /tf are those of the card. A first line that says Invalid frame ID is printed by every healthy robot, too, until its first message has come.",
+            ko="여기서는 값이 매끄럽게 이어지고, /tf의 노드는 카드에 있는 그대로입니다. 첫 줄의 Invalid frame ID는 건강한 로봇에서도 첫 메시지가 올 때까지 나옵니다.",
         ),
         "nobody": Words(
             en="Here no answer ever comes, and the list of nodes is one short of the card.",

@@ -342,7 +342,7 @@ TASK = Task(
             "wheel_odometry publish_tf": Choice(("True", "False")),
             "ekf publish_tf": Choice(("True", "False")),
             "camera_driver publish_tf": Choice(("True", "False")),
-            "bag": Set(Name()),
+            "bag": Set(Name(topic=True)),
         }
     ),
     given=a_specification,

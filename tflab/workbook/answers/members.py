@@ -15,7 +15,7 @@ Read `command_lines.py` next.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from ..words import Words
 from .form import Form, Mark, Probe, inside, pose_of
@@ -32,13 +32,24 @@ Edge = tuple[str, str]  # child, parent
 
 @dataclass(frozen=True)
 class Name(Form):
-    """A name, written by the learner: compared to the letter, for `odom` and `Odom` are two frames."""
+    """A name, written by the learner: compared to the letter, for `odom` and `Odom` are two frames.
+
+    Of a `topic`, the slash in front may be left out, as `ros2` takes it.
+    """
+
+    topic: bool = False
 
     def probes(self, plain: Plain) -> list[Probe] | None:
-        return [[(Mark(plain),)]] if isinstance(plain, str) else None
+        if not isinstance(plain, str):
+            return None
+        return [[(Mark("/" + plain.strip().lstrip("/") if self.topic else plain),)]]
 
     def wanted(self) -> Words:
         return Words(en="a name, as a str", ko="이름 하나(str)")
+
+    def plain(self) -> dict[str, Any]:
+        """Return the form as JSON has it: what kind of name it is only where that is said."""
+        return super().plain() if self.topic else {"form": "Name"}
 
 
 @dataclass(frozen=True)

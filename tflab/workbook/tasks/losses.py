@@ -13,6 +13,7 @@ from __future__ import annotations
 import json
 import math
 import re
+from collections import Counter
 from collections.abc import Callable, Iterator
 
 from ..answers import sealed
@@ -50,8 +51,43 @@ LOSSES = {
         en="the right members, and not in the order that is asked for.",
         ko="원소는 맞지만 요구한 순서가 아닙니다.",
     ),
+    "first alone": Words(
+        en="only the first member is there: does a `return` stand inside the loop, or is only the first looked at?",
+        ko="첫 원소만 있습니다. 반복문 안에 `return`이 있거나, 첫 원소만 보지 않았습니까?",
+    ),
+    "last alone": Words(
+        en="only the last member is there: is the list made anew in each round of the loop, or is only the last kept?",
+        ko="마지막 원소만 있습니다. 반복할 때마다 리스트를 새로 만들거나, 마지막 것만 남기지 않았습니까?",
+    ),
+    "all but the last": Words(
+        en="the last member is missing, and all others are there: does the loop, or the slice, end one too early?",
+        ko="마지막 원소만 빠지고 나머지는 다 있습니다. 반복문이나 슬라이스가 하나 일찍 끝나지 않습니까?",
+    ),
+    "all but the first": Words(
+        en="the first member is missing, and all others are there: does the loop, or the slice, begin one too late?",
+        ko="첫 원소만 빠지고 나머지는 다 있습니다. 반복문이나 슬라이스가 하나 늦게 시작하지 않습니까?",
+    ),
+    "in order of text": Words(
+        en='the right members, in the order of texts, in which "10" comes before "9": turn them into numbers before '
+        "sorting.",
+        ko='원소는 맞지만 문자열의 순서입니다. 문자열에서는 "10"이 "9"보다 앞입니다. 정렬하기 전에 숫자로 바꾸십시오.',
+    ),
+    "one too many": Words(
+        en="this is one more than it should be: is an end, or the one you count from, counted too?",
+        ko="하나 더 많습니다. 끝이나 세기 시작한 것까지 세지 않았습니까?",
+    ),
+    "one too few": Words(
+        en="this is one less than it should be: is an end, or the one you count from, left out?",
+        ko="하나 모자랍니다. 끝이나 세기 시작한 것을 빠뜨리지 않았습니까?",
+    ),
+    "no sign": Words(
+        en="the sizes are right, and every sign is plus: was it taken off, by `abs`, a square or a distance?",
+        ko="크기는 맞지만 부호가 모두 플러스입니다. `abs`나 제곱, 거리로 부호를 없애지 않았습니까?",
+    ),
     "members twice": Words(
-        en="the right members, and some of them more than once.", ko="원소는 맞지만 두 번 이상 든 것이 있습니다."
+        en="the right members, and some of them more than once: collect them in a set, or ask first whether one is in "
+        "there already.",
+        ko="원소는 맞지만 두 번 이상 든 것이 있습니다. 집합에 모으거나, 이미 들어 있는지 먼저 확인하십시오.",
     ),
     "members once": Words(
         en="the right members, each of them once; a member counts as often as it comes.",
@@ -87,6 +123,9 @@ LOSSES = {
     **TREES,
     **LINES,
 }
+TOO_MANY = ("members twice", "members too many")
+MOST_TOLD = 3
+SHOWS_AT = Words(en="The first time it shows: {told}.", ko="처음 드러난 곳: {told}.")
 
 
 def by_comparison(form: Form, answers: list[Plain], wanted: list[Plain]) -> Iterator[str]:
@@ -94,7 +133,7 @@ def by_comparison(form: Form, answers: list[Plain], wanted: list[Plain]) -> Iter
     if answers == [""] * len(answers):
         yield "empty"
     elif isinstance(form, Sequence):
-        yield from _of_lists(form, answers, wanted)
+        yield from _told(_of_lists(form, answers, wanted))
     elif isinstance(form, Set) and form.once and all(map(_is_held_twice, [form] * len(wanted), answers, wanted)):
         yield "members twice"
     elif isinstance(form, Tree):
@@ -112,9 +151,15 @@ def words_of_loss(name: str) -> Words | None:
     kind, _, told = name.partition(TOLD)
     if kind not in LOSSES:
         return None
-    more = (told_of_a_tree if kind in TREES else told_of_a_line)(kind, told) if told else None
+    more = _more(kind, told) if told else None
     words = LOSSES[kind]
     return Words(f"{words.en} {more.en}", f"{words.ko} {more.ko}") if more else words
+
+
+def _more(kind: str, told: str) -> Words:
+    if kind in TOO_MANY:
+        return Words(SHOWS_AT.say("en", told=told), SHOWS_AT.say("ko", told=told))
+    return (told_of_a_tree if kind in TREES else told_of_a_line)(kind, told)
 
 
 def _told(rows: Iterator[tuple[str, str]]) -> Iterator[str]:
@@ -129,8 +174,26 @@ def _lost(form: Form, rows: list[tuple[Numbers, Numbers]]) -> Iterator[str]:
         yield "empty" if is_empty else "left at zero"
     elif is_empty and isinstance(form, Number | Angle):
         yield "zero"
+    if isinstance(form, Number):
+        yield from _counted_or_signed([(given[0], want[0]) for given, want in rows], form)
     if not is_empty and any(all(_rounded(*row, digits) for row in rows) for digits in (0, 1, 2, 3)):
         yield "rounded"
+
+
+def _counted_or_signed(pairs: list[tuple[float, float]], form: Number) -> Iterator[str]:
+    """Yield whether counts are one off in every call, or the sizes of several numbers right and their signs not."""
+    off = {given - want for given, want in pairs}
+    is_a_count = not form.unit and all(number == int(number) for pair in pairs for number in pair)
+    if is_a_count and len(pairs) > 1 and off in ({1}, {-1}):
+        yield "one too many" if off == {1} else "one too few"
+    if not all(abs(abs(given) - abs(want)) <= form.tolerance for given, want in pairs):
+        return
+    if all(given >= 0 for given, _ in pairs) and any(want > 0 for _, want in pairs) and min(pairs, key=_wanted)[1] < 0:
+        yield "no sign"
+
+
+def _wanted(pair: tuple[float, float]) -> float:
+    return pair[1]
 
 
 def _left_at_zero(given: Numbers, wanted: Numbers, tolerance: float) -> bool:
@@ -138,18 +201,43 @@ def _left_at_zero(given: Numbers, wanted: Numbers, tolerance: float) -> bool:
 
 
 def _rounded(given: Numbers, wanted: Numbers, digits: int) -> bool:
-    """Return whether each number was rounded to so many digits, or cut there."""
-    scale = 10**digits
+    """Return whether each number was rounded to so many digits, up or down from a half, or cut there."""
+    half, step = 0.5 * 10.0**-digits, 10**digits
     return all(
-        any(abs(number - cut / scale) < 1e-9 for cut in (round(want * scale), math.trunc(want * scale)))
+        abs(number * step - round(number * step)) < 1e-6
+        and (abs(number - want) <= half + 1e-9 or abs(number - math.trunc(want * step) / step) < 1e-9)
         for number, want in zip(given, wanted, strict=True)
     )
 
 
-def _of_lists(form: Sequence, answers: list[Plain], wanted: list[Plain]) -> Iterator[str]:
+def _of_lists(form: Sequence, answers: list[Plain], wanted: list[Plain]) -> Iterator[tuple[str, str]]:
+    """Yield what is wrong with all of these lists, and the members of the first in which it shows."""
     pairs = [(_ways(form, answer), _ways(form, want)) for answer, want in zip(answers, wanted, strict=True)]
-    if not any(None in pair for pair in pairs) and any(given for given, _ in pairs):
-        yield from (name for name, fits in LISTS.items() if all(fits(given, want) for given, want in pairs))
+    if any(None in pair for pair in pairs) or not any(given for given, _ in pairs):
+        return
+    place = next((place for place, (given, want) in enumerate(pairs) if given != want), 0)
+    for name, fits in LISTS.items():
+        if all(fits(given, want) for given, want in pairs):
+            yield name, _too_many(answers[place], *pairs[place]) if name in TOO_MANY else ""
+
+
+def _too_many(answer: Plain, given: list[str], want: list[str]) -> str:
+    """Return the members of a list that nobody asked for, or not so often, as they are written; nothing of others."""
+    lacking, found = Counter(want), []
+    for plain, way in zip(inside(answer), given, strict=True):
+        lacking[way] -= 1
+        if lacking[way] < 0:
+            found.append(_written(plain))
+    return ", ".join(list(dict.fromkeys(found))[:MOST_TOLD]) if all(found) else ""
+
+
+def _written(plain: Plain) -> str:
+    """Return a member as it is written in Python: a word, or words that belong together; nothing of anything else."""
+    held = inside(plain)
+    if isinstance(held, str):
+        return f'"{held}"'
+    is_row = isinstance(held, list) and all(isinstance(one, str) for one in held)
+    return "(" + ", ".join(f'"{one}"' for one in held) + ")" if is_row else ""
 
 
 def _is_within(few: list[str], many: list[str]) -> bool:
@@ -158,8 +246,22 @@ def _is_within(few: list[str], many: list[str]) -> bool:
     return all(member in rest for member in few)
 
 
+def _by_text(members: list[str]) -> list[str]:
+    """Return numbers in the order in which texts would sort; `members` are the JSON that `_ways` wrote."""
+    values = {member: json.loads(member)[0][0] for member in members}
+    is_of_numbers = all(isinstance(value, float) for value in values.values())
+    return sorted(members, key=lambda member: f"{values[member]:g}") if is_of_numbers else members
+
+
+ENDS: dict[str, Callable[[list[str], list[str]], bool]] = {  # of a function: one list may miss anything
+    "first alone": lambda given, want: given == want[:1],
+    "last alone": lambda given, want: given == want[-1:],
+    "all but the last": lambda given, want: given == want[:-1],
+    "all but the first": lambda given, want: given == want[1:],
+}
 LISTS: dict[str, Callable[[list[str], list[str]], bool]] = {
     "other order": lambda given, want: given in (want, want[::-1]),
+    "in order of text": lambda given, want: given in (want, _by_text(want)),
     "another order": lambda given, want: sorted(given) == sorted(want),
     "members twice": lambda given, want: list(dict.fromkeys(given)) == want,
     "members once": lambda given, want: list(dict.fromkeys(want)) == given,

@@ -91,10 +91,50 @@ TIPS = (  # the error's name and text, the first that fits
         ),
     ),
     (
+        r"ValueError: (could not convert string to float|invalid literal for int)",
+        Words(
+            "That text is no number as it stands: another word, a colon or a comma hangs on it. Lines and words "
+            "counted off in one text stand elsewhere in another: look for the words around the number.",
+            "그 문자열은 그대로는 숫자가 아닙니다. 다른 낱말이나 콜론, 쉼표가 붙어 있습니다. 한 글에서 센 줄과 낱말의 "
+            "자리는 다른 글에서 달라집니다. 숫자 앞뒤의 낱말로 찾으십시오.",
+        ),
+    ),
+    (
         r"ValueError: .*(to unpack|unpack )",
         Words(
             "As many names as values have to stand on the left.",
             "왼쪽의 이름 수와 값의 수가 같아야 합니다.",
+        ),
+    ),
+    (
+        r"(Assertion|Type)Error: .*field must be an? (un)?signed integer",
+        Words(
+            "The type is right, and the number does not fit. `nanosec` holds only what is left over the whole "
+            "seconds, below 1000000000: `.to_msg()` of a Time splits it.",
+            "자료형은 맞지만 들어갈 수 없는 수입니다. `nanosec`에는 초를 뺀 나머지, 곧 1000000000보다 작은 수만 "
+            "들어갑니다. Time의 `.to_msg()`가 나누어 줍니다.",
+        ),
+    ),
+    (
+        r"(Assertion|Type)Error: .*field must be a sub message of type '(Vector3|Point|Quaternion)'",
+        Words(
+            "A tuple or a list is no such message: write its numbers one by one, `.x`, `.y`, `.z`, of a rotation "
+            "`.w` too.",
+            "튜플이나 리스트는 그런 메시지가 아닙니다. `.x`, `.y`, `.z`에 하나씩, 회전은 `.w`까지 쓰십시오.",
+        ),
+    ),
+    (
+        r"(Assertion|Type)Error: .*field must be a sub message of type 'Time'",
+        Words(
+            "A stamp is a message of its own: `.to_msg()` of a Time makes it.",
+            "stamp도 하나의 메시지입니다. Time의 `.to_msg()`로 만드십시오.",
+        ),
+    ),
+    (
+        r"(Assertion|Type)Error: .*field must be of type 'float'",
+        Words(
+            "The field takes a `float` alone: `float(…)` makes one of a whole number or a text.",
+            "이 필드에는 `float`만 들어갑니다. 정수나 글자는 `float(…)`로 바꾸십시오.",
         ),
     ),
     (
