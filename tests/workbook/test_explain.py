@@ -76,7 +76,8 @@ def test_an_inverse_of_which_only_the_translation_was_negated_is_not_taken_for_t
     assert list(judged(Pose(), there.inverse(), {}, half).slips) == ["not turned back"]
     assert list(judged(Pose(), there.inverse(), {}, there).slips) == ["inverse transform"]
     beside = Transform((-1.0, -2.0, -3.3), there.rotation)
-    assert judged(Pose(), there.inverse(), {}, beside).slips == {}
+    assert list(judged(Pose(), there.inverse(), {}, beside).slips) == ["inverse rotation"]
+    assert judged(Pose(), there.inverse(), {}, beside).said.en.startswith('"rotation": this is the inverse rotation')
 
 
 def test_it_is_recognised_where_the_right_answer_is_sealed():

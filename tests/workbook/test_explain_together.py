@@ -126,7 +126,7 @@ LISTS = [[3.0, 9.0, 4.0], [8.0, 1.0, 2.5], [5.0, 7.0, 6.0]]
 @pytest.mark.parametrize(
     ("takes", "name"),
     [(lambda held: held[0], "the first member"), (lambda held: held[-1], "the last member"), (min, "the smallest"),
-     (sum, "the sum"), (lambda held: held[1], None)],
+     (sum, "the sum"), (lambda held: held[1], "computed: argument 1[1]"), (lambda held: held[1] ** 3 + 0.1, None)],
 )  # fmt: skip
 def test_a_function_that_takes_one_thing_of_a_list_is_told_which(takes, name):
     verdict = called(Number("m"), [([held], 100.0 * max(held) + 0.7, float(takes(held))) for held in LISTS])

@@ -7,6 +7,7 @@
     evidence    what an answer shows, beyond luck: guess correction
     units       in which other unit it may be
     universal   mistakes that any answer can have
+    names       what is wrong with a name: its slashes, or nothing was filled in
     losses      what was lost and cannot be put back
     trees       what is wrong with a tree
     shell_words where a command line goes wrong

@@ -5,23 +5,28 @@
     answer  (1, 2, 0)  -->  `map_p_base - base_p_laser`
 
 Numbers: one of them, or two joined by + - * /.  Points: up to three, added or
-subtracted.  Only what fits to the last digit, and has digits enough not to be luck.
+subtracted, or one moved by a pose or two.  Poses: one, two or three, turned round or not.
+Of a function: what it computes of its arguments in every call.  Only what fits to the
+last digit, and has digits enough not to be luck.
 The field calls it symbolic regression.  Read `habits.py` next.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
+from functools import reduce
 from itertools import combinations, permutations, product
 from typing import NamedTuple
 
+from tflab.core import Transform
+
 from ..answers.form import Form, inside, numbers_of, pose_of
-from ..answers.forms import Angle, Number, Vector
+from ..answers.forms import Angle, Number, Pose, Vector
 from ..answers.values import Plain
 from ..words import Words
 
-__all__ = ["computed", "leaves"]
+__all__ = ["computed", "computed_in_all", "leaves"]
 
 Row = tuple[float, ...]
 MOST_LEAVES = 12  # numbers among the givens; with more of them, luck would find a sum
@@ -35,6 +40,12 @@ SAID = Words(
     en="this is what `{sum}` gives{units}. Asked for: {wanted}.",
     ko="`{sum}`의 값입니다{units}. 필요한 것: {wanted}.",
 )
+IN_ALL = Words(
+    en="in every call this is what `{sum}` gives{units}. Asked for: {wanted}.",
+    ko="어느 호출에서나 `{sum}`의 값입니다{units}. 필요한 것: {wanted}.",
+)
+MOST_POSES = 3  # that are joined
+FEWEST_CALLS = 3  # with results of their own, for a sum to be no luck
 JOINED: tuple[tuple[str, str, str, Callable[[float, float], float]], ...] = (
     ("+", "and", "와(과)", lambda a, b: a + b),
     ("-", "and", "와(과)", lambda a, b: a - b),
@@ -53,25 +64,85 @@ class _Sum(NamedTuple):
 
 def computed(form: Form, answer: Plain, given: dict[str, Plain] | None) -> tuple[str, Words] | None:
     """Return what an answer was computed by, and what to say of it; None if no sum of what was given gives it."""
-    if isinstance(form, Vector):
-        row = numbers_of(answer, form.size)
-        sums = _of_points(form.size, given or {})
-    elif isinstance(form, Number | Angle):
-        row = numbers_of(answer, None)
-        sums = _of_numbers(given or {})
-    else:
-        return None
+    row = _row(form, answer)
     if row is None or max(map(_digits, row)) < FEWEST_DIGITS - 1:
         return None
-    found = next((way for way in sums if _is_same(row, way.value)), None)
+    found = next((way for way in _sums(form, given or {}) if _is_same(form, row, way.value)), None)
     if found is None or (" " in found.text and max(map(_digits, row)) < FEWEST_DIGITS):
         return None
-    names, wanted = {"sum": found.text}, form.wanted()
-    said = {
-        "en": SAID.say("en", **names, units=found.units.en, wanted=wanted.en),
-        "ko": SAID.say("ko", **names, units=found.units.ko, wanted=wanted.ko),
-    }
-    return f"computed: {found.text}", Words(**said)
+    return f"computed: {found.text}", _said(SAID, found, form)
+
+
+def computed_in_all(form: Form, args: Sequence[list[Plain]], answers: Sequence[Plain]) -> tuple[str, Words] | None:
+    """Return what a function computes of its arguments in every call, and what to say of it; None if no sum does."""
+    rows = [_row(form, answer) for answer in answers]
+    if len(rows) < FEWEST_CALLS or None in rows or len({str(row) for row in rows}) < FEWEST_CALLS:
+        return None
+    left: dict[str, _Sum] | None = None
+    for row, call in zip(rows, args, strict=True):
+        given = {f"argument {number}": plain for number, plain in enumerate(call, start=1)}
+        fits = {way.text: way for way in _sums(form, given) if _is_same(form, row, way.value)}
+        left = {text: way for text, way in (fits if left is None else left).items() if text in fits}
+        if not left:
+            return None
+    found = min((left or {}).values(), key=lambda way: len(way.text))
+    return f"computed: {found.text}", _said(IN_ALL, found, form)
+
+
+def _said(words: Words, found: _Sum, form: Form) -> Words:
+    wanted = form.wanted()
+    filled = {tongue: {"sum": found.text, "units": found.units.say(tongue), "wanted": wanted.say(tongue)}
+              for tongue in ("en", "ko")}  # fmt: skip
+    return Words(*(words.say(tongue, **row) for tongue, row in filled.items()))
+
+
+def _row(form: Form, answer: Plain) -> Row | None:
+    """Return an answer's numbers, None if it has none of this form; of a pose those of its matrix."""
+    if isinstance(form, Pose):
+        parts = pose_of(answer)
+        return None if parts is None or not any(parts[3]) else _matrix(Transform(parts[2], parts[3]))
+    return numbers_of(answer, form.size if isinstance(form, Vector) else None)
+
+
+def _matrix(pose: Transform) -> Row:
+    return tuple(float(number) for line in pose.matrix() for number in line)
+
+
+def _sums(form: Form, given: dict[str, Plain]) -> Iterator[_Sum]:
+    """Yield what may be computed of what was given, for an answer of this form, the plainest first."""
+    if isinstance(form, Vector):
+        yield from _of_points(form.size, given)
+        yield from _of_moved(given) if form.size == 3 else ()
+    elif isinstance(form, Number | Angle):
+        yield from _of_numbers(given)
+    elif isinstance(form, Pose):
+        yield from (_Sum(text, Words("", ""), _matrix(pose)) for text, pose in _products(given))
+
+
+def _poses(given: dict[str, Plain]) -> list[tuple[str, Transform]]:
+    """Return the poses among the givens and their inverses, by how they are written."""
+    parts = [(name, pose_of(leaf)) for name, leaf in leaves(given)]
+    held = [(name, Transform(each[2], each[3])) for name, each in parts if each is not None and any(each[3])]
+    return [row for name, pose in held[:MOST_POSES] for row in ((name, pose), (f"{name}.inverse()", pose.inverse()))]
+
+
+def _products(given: dict[str, Plain]) -> Iterator[tuple[str, Transform]]:
+    """Yield the poses among the givens, what two of them give, and three."""
+    held = _poses(given)
+    yield from held
+    for count in (2, 3):
+        for chosen in permutations(held, count):
+            text = " @ ".join(name for name, _ in chosen)
+            yield text, reduce(lambda left, right: left @ right, (pose for _, pose in chosen))
+
+
+def _of_moved(given: dict[str, Plain]) -> Iterator[_Sum]:
+    """Yield each point among the givens moved by a pose, or by two."""
+    points = [(name, row) for name, leaf in leaves(given) if (row := numbers_of(leaf, 3)) is not None]
+    held = _poses(given)
+    for name, row in points[:MOST_POSES]:
+        for text, pose in [*held, *((f"({a} @ {b})", one @ other) for (a, one), (b, other) in permutations(held, 2))]:
+            yield _Sum(f"{text}.apply({name})", Words("", ""), tuple(pose.apply(row)))
 
 
 def leaves(given: dict[str, Plain], before: str = "") -> Iterator[tuple[str, Plain]]:
@@ -153,8 +224,11 @@ def _is_plain_sum(sign: str, one: str, other: str) -> bool:
     return sign in "+-" and _unit(one) == _unit(other)
 
 
-def _is_same(row: Row, value: Row) -> bool:
-    return all(math.isfinite(number) for number in value) and math.dist(row, value) <= CLOSE * math.hypot(*row)
+def _is_same(form: Form, row: Row, value: Row) -> bool:
+    is_near = all(math.isfinite(number) for number in value) and math.dist(row, value) <= CLOSE * math.hypot(*row)
+    if not is_near and isinstance(form, Angle):  # a whole turn more or less is the same
+        return all(map(math.isfinite, value)) and abs(math.remainder(row[0] - value[0], math.tau)) <= CLOSE
+    return is_near
 
 
 def _digits(number: float) -> int:

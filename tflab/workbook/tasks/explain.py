@@ -14,11 +14,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from ..answers.forms import Choice, Command, Form, Message, Parts, Urdf
+from ..answers.forms import Choice, Command, Form, Message, Parts, Pose, Urdf
 from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
 from ..words import Words
-from .arithmetic import computed
+from .arithmetic import computed, computed_in_all
 from .beside import side_by_side
 from .case import AND, Case, TaskCases
 from .changes import of_changes
@@ -32,6 +32,7 @@ from .habits import habit_of
 from .lists import of_lists
 from .losses import TOLD
 from .members import changed_places, given_to, of_members
+from .names import of_names, unfilled
 from .refusals import of_refusals
 from .robots import of_robots
 from .stops import of_stops
@@ -49,6 +50,8 @@ def explained(
     """
     if isinstance(task.form, Parts) and not task.is_function:
         return of_members(task, cases, outcomes, given)
+    if words := unfilled(task.form, outcomes):
+        return Explanation.of("nothing filled in", words)
     if task.is_function and (found := of_changes(task, cases, outcomes, explained)):
         return found
     names = next(_ways(task, cases, outcomes, given), None)
@@ -67,7 +70,11 @@ def explained(
 
 def _by_name(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], names: tuple[str, ...]) -> Explanation:
     """Return what is said of slips that give an answer; a habit says more than that a list is too long."""
-    if names == ("members too many",) and task.is_function and (found := _of_a_habit(task, cases, outcomes)):
+    if (
+        [name.partition(TOLD)[0] for name in names] == ["members too many"]
+        and task.is_function
+        and (found := _of_a_habit(task, cases, outcomes))
+    ):
         return found
     slips = {name.partition(TOLD)[0]: words_of(task, name) for name in names}
     explanation = Explanation(slips, said_of(task, names))
@@ -78,7 +85,10 @@ def _of_the_form(
     task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], given: dict[str, Plain] | None
 ) -> Explanation | None:
     """Return what explains an answer of this form: its members, the words that it confuses, how it was computed."""
-    if isinstance(task.form, Parts | Message) or (isinstance(task.form, Command) and sections(task.form, outcomes[0])):
+    is_split = isinstance(task.form, Command | Pose) and sections(task.form, outcomes[0])
+    if isinstance(task.form, Pose) and (summed := _summed_pose(task, cases, outcomes, given)):
+        return Explanation.of(*summed)
+    if isinstance(task.form, Parts | Message) or is_split:
         return of_members(task, cases, outcomes, given)
     if isinstance(task.form, Urdf):
         return of_robots(task, outcomes[0], cases[0].expected)
@@ -91,7 +101,26 @@ def _of_the_form(
 
 def _of_calls(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain]) -> Explanation | None:
     """Return what all calls together show: a habit, what the members of lists have wrong, words that are confused."""
-    return _of_a_habit(task, cases, outcomes) or of_lists(task, cases, outcomes) or _of_words(task, cases, outcomes)
+    found = _of_a_habit(task, cases, outcomes) or of_lists(task, cases, outcomes) or _of_words(task, cases, outcomes)
+    if found is None and (summed := _summed(task, cases, outcomes)):
+        return Explanation.of(*summed)
+    words = None if found else of_names(task.form, outcomes, [case.expected for case in cases])
+    return Explanation.of("names", words) if words else found
+
+
+def _summed_pose(
+    task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], given: dict[str, Plain] | None
+) -> tuple[str, Words] | None:
+    return _summed(task, cases, outcomes) if task.is_function else computed(task.form, outcomes[0], given)
+
+
+def _summed(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain]) -> tuple[str, Words] | None:
+    """Return what a function computes of its arguments wherever an answer is asked for, and answers nothing else."""
+    rows = [(case.args or [], outcome) for case, outcome in zip(cases, outcomes, strict=True)
+            if not is_raised(case.expected)]  # fmt: skip
+    if not rows or not isinstance(task.form, MEASURED):
+        return None
+    return computed_in_all(task.form, *map(list, zip(*rows, strict=True)))
 
 
 def _of_a_habit(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain]) -> Explanation | None:
@@ -157,7 +186,9 @@ def _further_ways(
         yield from ((first, then) for then in undone_to(task.form, outcomes, row, only_plain_to_see=True))
     yield from ((name,) for name in undone_to(task.form, outcomes, expected))
     if task.is_function and isinstance(task.form, MEASURED):
-        yield from ((IN_SOME + name,) for name, row in single.items() if _in_some(task, outcomes, expected, row))
+        answered = [row for row in zip(outcomes, expected, strict=True) if not is_raised(row[1])]
+        where = IN_SOME if len(answered) < 2 or any(alike(task.form, *row) for row in answered) else ""
+        yield from ((where + name,) for name, row in single.items() if _in_some(task, outcomes, expected, row))
         yield from ((name,) for name in in_some(task.form, outcomes, expected))
 
 

@@ -3,6 +3,7 @@
     Parts({"x": Number(), ...})                      "x", "y", "yaw"
     Parts({"a": Sequence(Choice(...)), ...})         "a[0]", "a[1]"
     Message(..., ("header.frame_id", "point"))       a name, three numbers [m]
+    Pose                                             a translation, three numbers [m], and a rotation
     Command, `static_transform_publisher`            two names, three numbers [m], a rotation
 
 Read `fitting.py` next.
@@ -13,8 +14,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ..answers import sealed
-from ..answers.form import Form, inside, member, numbers_of
-from ..answers.forms import Command, Message, Name, Number, Parts, Quaternion, Vector
+from ..answers.form import Form, inside, member, numbers_of, pose_of
+from ..answers.forms import Command, Message, Name, Number, Parts, Pose, Quaternion, Vector
 from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain
 
@@ -32,6 +33,8 @@ def sections(form: Form, like: Plain) -> dict[str, Form]:
     if isinstance(form, Message):
         held = {path: section(form, like, number, path) for number, path in enumerate(form.fields)}
         return {path: _form_of_field(path, field, form.tolerance) for path, field in held.items()}
+    if isinstance(form, Pose) and not form.frames and not form.stamp:
+        return {"translation": Vector(3, "m", "", form.tolerance_m), "rotation": Quaternion(form.tolerance_rad)}
     return dict(OF_A_MOUNT) if isinstance(form, Command) and _mount(form, like) else {}
 
 
@@ -50,6 +53,9 @@ def section(form: Form, plain: Plain, number: int, name: str) -> Plain:
     """Return one of an answer's parts, the `number`th, as it is meant beside the others; of something else, None."""
     if isinstance(form, Command):
         return _mount(form, plain).get(name)
+    if isinstance(form, Pose):
+        parts = None if sealed.is_sealed(plain) else pose_of(plain)
+        return None if parts is None else list(parts[2 if name == "translation" else 3])
     is_sealed = sealed.is_sealed(plain)
     if is_sealed or isinstance(form, Parts):
         held = inside(plain)

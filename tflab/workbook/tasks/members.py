@@ -22,7 +22,7 @@ from ..answers.forms import Sequence as ListForm
 from ..answers.structures import named_beside
 from ..answers.values import Plain, is_raised
 from ..words import Words
-from .arithmetic import computed, leaves
+from .arithmetic import computed, computed_in_all, leaves
 from .case import AND, Case, TaskCases, TwinWords
 from .certain import certain
 from .common import in_common
@@ -243,7 +243,8 @@ def _by_itself(task: TaskCases, table: _Table, name: str, given: dict[str, Plain
     if found := _remarked(table, name) or _of_any(task, table, name):
         return found
     if len(outcomes) > 1:
-        return _of_words(table, name)
+        summed = computed_in_all(form, table.args, outcomes)
+        return [Found.of(f"{name}: {summed[0]}", summed[1], name)] if summed else _of_words(table, name)
     found = _of_the_given(task, name, form, outcomes[0], wanted[0], given)
     return found or ([Found.of(f"{name}: another", hint, name)] if hint else [])
 

@@ -6,13 +6,12 @@
 Each is undone, and what is left is compared with what was expected, or with what a
 slip of the task would give: so it works where the right answer is sealed, too.
 Such rules are the *mal-rules* of a *bug library* (Brown and Burton's BUGGY): not
-what is wrong, but what was done.  Read `losses.py` next.
+what is wrong, but what was done.  Read `names.py` next.
 """
 
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Callable, Iterator
 from itertools import permutations, product
 from typing import NamedTuple
@@ -23,6 +22,7 @@ from ..answers.form import inside, numbers_of, pose_of
 from ..answers.forms import Angle, Form, Name, Number, Pose, Quaternion, Set, Tree, Vector
 from ..answers.values import Plain, to_plain
 from ..words import Words
+from .names import renamed
 from .units import OTHER_UNITS, unit_of
 
 __all__ = ["OF_FORM", "PLAIN_TO_SEE", "UNIVERSAL", "Undone", "undone"]
@@ -115,6 +115,11 @@ def _one_sign(row: Row) -> Iterator[Row]:
 
 def _w_first(row: Row) -> Iterator[Row]:
     yield (*row[1:], row[0])
+
+
+def _w_taken_first(row: Row) -> Iterator[Row]:
+    """What came as (x, y, z, w) was written to (w, x, y, z)."""
+    yield (row[3], *row[:3])
 
 
 def _conjugate(row: Row) -> Iterator[Row]:
@@ -210,6 +215,15 @@ UNIVERSAL = {
             ko="회전은 맞지만 숫자의 순서가 다릅니다. ROS에서는 w가 마지막입니다: (x, y, z, w).",
         ),
         _w_first,
+        "M5",
+    ),
+    "w taken first": Universal(
+        Words(
+            en="these are the right numbers, each one place off: they came as (x, y, z, w), and were taken for "
+            "(w, x, y, z).",
+            ko="숫자는 맞지만 모두 한 자리씩 밀렸습니다. (x, y, z, w)로 나온 것을 (w, x, y, z)로 읽었습니다.",
+        ),
+        _w_taken_first,
         "M5",
     ),
     "inverse rotation": Universal(
@@ -317,11 +331,11 @@ OF_FORM = {
     Number: ("sign", "one over it", "twice", "half", "squared", "root", "power of ten"),
     Angle: ("sign", "half a turn", "z for the angle", "twice", "half"),
     Vector: ("all signs", "exchanged", "one sign", "places and signs", "twice", "half", "power of ten"),
-    Quaternion: ("w first", "inverse rotation", "not normalised", "whole angle", "exchanged"),
+    Quaternion: ("w first", "w taken first", "inverse rotation", "not normalised", "whole angle", "exchanged"),
 }
 # What is seen at once, and so may stand behind another slip; of the others nobody could say that it was just that.
 PLAIN_TO_SEE = {
-    *("unit", "sign", "all signs", "w first", "not normalised"),
+    *("unit", "sign", "all signs", "w first", "w taken first", "not normalised"),
     *("inverse rotation", "inverse transform", "not turned back"),
 }
 
@@ -365,32 +379,9 @@ def _undone_pose(answer: Plain) -> Iterator[Undone]:
             yield Undone(name, "", {"Transform": [list(parts[2]), list(left)]})
 
 
-RENAMED: dict[str, Callable[[str], str]] = {
-    "other case": str.lower,
-    "slash in front": lambda name: name.removeprefix("/"),
-    "no slash in front": lambda name: name if name.startswith("/") else f"/{name}",
-    "space around": str.strip,
-    "other separator": lambda name: re.sub(r"[_.:-]+", "/", name, count=1) if "/" not in name else name,
-}
-
-
 def _undone_names(answer: Plain) -> Iterator[Undone]:
     """Yield a name, a set of names or a tree as it would be if each of its names were written otherwise."""
-    ways = {name: _renamed(answer, change) for name, change in RENAMED.items()}
-    yield from (Undone(name, "", left) for name, left in ways.items() if left != answer)
-
-
-def _renamed(plain: Plain, change: Callable[[str], str]) -> Plain:
-    if isinstance(plain, str):
-        return change(plain)
-    if isinstance(plain, list):
-        return [_renamed(member, change) for member in plain]
-    held = next(iter(plain.values())) if isinstance(plain, dict) and set(plain) in ({"tuple"}, {"set"}) else None
-    if held is not None:
-        return {kind: _renamed(held, change) for kind in plain}
-    if isinstance(plain, dict) and set(plain) == {"dict"}:
-        return {"dict": {change(key): _renamed(value, change) for key, value in plain["dict"].items()}}
-    return plain
+    yield from (Undone(name, "", left) for name, left in renamed(answer))
 
 
 def _plain(row: Row, size: int | None) -> Plain:

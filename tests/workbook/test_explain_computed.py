@@ -1,0 +1,117 @@
+"""How a wrong answer came about, where it can be seen: what a function computes, what its names hold."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import pytest
+
+from tflab.core import Transform
+from tflab.workbook.answers.forms import Command, Name, Number, Pose, Quaternion, Sequence, Vector
+from tflab.workbook.answers.values import raised
+from tflab.workbook.tasks.case import Case
+from tflab.workbook.tasks.stumbles import tip_for
+from tflab.workbook.tasks.verdict import judge_outcomes
+
+from .small_chapter import bare
+from .test_explain import judged, words
+from .test_explain_together import called
+
+POSES = [Transform.from_rpy(0.1 * n, 0.2, 0.3 + n, translation=(1.0 + n, 2.3 - n, 0.4)) for n in range(1, 6)]
+PAIRS = list(pairwise(POSES))
+
+
+def rows_of(right, wrong):
+    """Return the arguments, the right pose and the wrong one of each pair."""
+    return [((a, b), right(a, b), wrong(a, b)) for a, b in PAIRS]
+
+
+@pytest.mark.parametrize(
+    ("wrong", "text"),
+    [
+        (lambda a, b: b.inverse() @ a, "argument 2.inverse() @ argument 1"),
+        (lambda a, b: a.inverse() @ b @ a, "argument 1.inverse() @ argument 2 @ argument 1"),
+        (lambda a, b: b.inverse(), "argument 2.inverse()"),
+    ],
+)
+def test_a_function_of_poses_is_told_which_product_it_makes(wrong, text):
+    verdict = called(Pose(), rows_of(lambda a, b: a @ b.inverse(), wrong))
+    assert list(verdict.slips) == [f"computed: {text}"] and f"`{text}`" in verdict.said.en
+
+
+def test_a_function_that_moves_a_point_by_the_wrong_pose_is_told_so():
+    points = [(pose, (1.0, 0.2, number + 0.7)) for number, pose in enumerate(POSES)]
+    rows = [((pose, point), pose.apply(point), pose.inverse().apply(point)) for pose, point in points]
+    assert list(called(Vector(3, "m"), rows).slips) == ["computed: argument 1.inverse().apply(argument 2)"]
+
+
+def test_step_and_turn_of_a_pose_are_looked_at_each_by_itself():
+    here, there = POSES[0], POSES[1]
+    half = Transform(here.translation, there.rotation)
+    verdict = judged(Pose(), here, {"turn kept": half}, Transform((9.0, 8.0, 7.7), there.rotation))
+    assert list(verdict.slips) == ["turn kept"] and '"rotation": turn kept' in verdict.said.en
+    assert '"translation": look again' in verdict.said.en
+
+
+def test_a_slip_in_all_calls_that_have_an_answer_is_not_said_to_be_in_some():
+    cases = [Case([n], float(n), {"late": n + 5.0}) for n in range(1, 4)]
+    cases.append(Case([9], raised(LookupError("no")), {"late": 14.0}))
+    task, variant = bare(Number("m"), *cases, is_function=True)
+    task = task._replace(twins={"late": words("late")})
+    outcomes = [6.0, 7.0, 8.0, raised(LookupError("no"))]
+    assert judge_outcomes(task, variant, outcomes).said.en == "late"
+    assert judge_outcomes(task, variant, [1.0, *outcomes[1:]]).said.en.startswith("In some calls")
+
+
+def test_a_quaternion_that_was_taken_for_w_first_is_told_so():
+    x, y, z, w = POSES[2].rotation
+    assert list(judged(Quaternion(), [x, y, z, w], {}, [y, z, w, x]).slips) == ["w taken first"]
+    assert list(judged(Quaternion(), [x, y, z, w], {}, [w, x, y, z]).slips) == ["w first"]
+
+
+def test_names_are_told_what_is_to_be_seen_in_them_and_nothing_where_that_is_not_all():
+    wanted = ["r/odom", "odom", "r/arm/tool", "r/base"]
+    rows = [
+        ([n, want], want, given)
+        for n, (want, given) in enumerate(zip(wanted, ["/r/odom", "/odom", "r//arm/tool", "r/base"], strict=True))
+    ]
+    said = called(Name(), rows).said.en
+    assert said == (
+        "in 2 of the 3 names that are wrong: a slash in front, `/r/odom`; "
+        "in 1 of the 3 names that are wrong: two slashes in a row, `r//arm/tool`."
+    )
+    assert called(Name(), [*rows[:3], ([3, "r/base"], "r/base", "lamp")]).slips == {}
+
+
+@pytest.mark.parametrize("text", ["{prefix}/odom", "{t.x/100}", "{yaw:.3f}", "{t.right_cm / 100}"])
+def test_braces_that_are_left_in_a_text_are_told_as_an_f_that_is_missing(text):
+    assert list(judged(Command(), "ros2 topic hz /tf", {}, f"ros2 topic hz {text}").slips) == ["nothing filled in"]
+
+
+def test_braces_of_a_message_are_none_that_were_left():
+    line = 'ros2 topic pub /a std_msgs/msg/Int32 "{data: 1}"'
+    assert "nothing filled in" not in judged(Command(), line.replace("1", "2"), {}, line).slips
+
+
+def test_of_a_list_that_is_too_long_the_members_are_shown_that_nobody_asked_for():
+    assert judged(Sequence(Name()), ["a", "b"], {}, ["a", "c", "b"]).said.en.endswith('The first time it shows: "c".')
+    assert judged(Sequence(Name()), ["a", "b"], {}, ["a", "a", "b"]).said.en.endswith('The first time it shows: "a".')
+
+
+def test_a_half_is_rounded_up_or_down_and_is_rounded_either_way():
+    for number in (0.8, 0.9):
+        assert list(judged(Vector(3, "m"), (2.76, 0.64, 0.85), {}, (2.8, 0.6, number)).slips) == ["rounded"]
+    assert judged(Vector(3, "m"), (2.76, 0.64, 0.85), {}, (2.8, 0.6, 0.7)).slips == {}
+
+
+@pytest.mark.parametrize(
+    ("text", "tip"),
+    [
+        ("The 'nanosec' field must be an unsigned integer in [0, 4294967295]", "does not fit"),
+        ("The 'translation' field must be a sub message of type 'Vector3'", "one by one"),
+        ("The 'stamp' field must be a sub message of type 'Time'", "`.to_msg()`"),
+        ("The 'x' field must be of type 'float'", "`float(…)`"),
+    ],
+)
+def test_a_field_of_a_message_says_what_it_takes(text, tip):
+    assert tip in tip_for("AssertionError", text).en

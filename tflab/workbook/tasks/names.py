@@ -1,0 +1,114 @@
+"""What is wrong with a name?  Its letters, its slashes, or nothing was filled in.
+
+    asked for   red/odom   odom         given   /red/odom   /odom      one begins with a slash that should not,
+                red/arm/tool0                   red//arm/tool0         another holds two slashes in a row
+                                                {prefix}/{name}        an f before the quotes is missing
+
+Each name is looked at beside the one that is asked for; what is told is so in the learner's
+own.  Read `losses.py` next.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Sequence
+
+from ..answers import sealed
+from ..answers.form import Form
+from ..answers.forms import Command, Name
+from ..answers.values import Plain, is_raised
+from ..words import Words
+
+__all__ = ["of_names", "renamed", "unfilled"]
+
+RENAMED: dict[str, Callable[[str], str]] = {
+    "other case": str.lower,
+    "slash in front": lambda name: name.removeprefix("/"),
+    "no slash in front": lambda name: name if name.startswith("/") else f"/{name}",
+    "space around": str.strip,
+    "other separator": lambda name: re.sub(r"[_.:-]+", "/", name, count=1) if "/" not in name else name,
+}
+UNFILLED = Words(
+    en='`{text}` still stands in the text: nothing was filled in. An f before the quotes does it, as in f"…".',
+    ko='`{text}`이(가) 글자 그대로 남아 있습니다. 값이 채워지지 않았습니다. f"…"처럼 따옴표 앞에 f를 붙이십시오.',
+)
+BRACES = re.compile(r"\{[A-Za-z_][^{}:\"\s]*(?:\s?[-+*/]\s?[^{}:\"\s]+)*(?::[.\d]*[a-z]?)?\}")
+IN = Words("in {count} of the {of} names that are wrong: {fact}", "틀린 이름 {of}개 가운데 {count}개에서 {fact}")
+FACTS: dict[str, tuple[Callable[[str, str], bool], Words]] = {
+    "nothing": (
+        lambda given, want: not given and bool(want),
+        Words("nothing is left of it", "이름이 비어 있습니다"),
+    ),
+    "slash in front": (
+        lambda given, want: given.startswith("/") and not want.startswith("/"),
+        Words("a slash in front, `{one}`", "맨 앞에 슬래시가 있습니다(`{one}`)"),
+    ),
+    "slashes in a row": (
+        lambda given, want: "//" in given.lstrip("/") and "//" not in want,
+        Words("two slashes in a row, `{one}`", "슬래시가 연달아 있습니다(`{one}`)"),
+    ),
+    "slash behind": (
+        lambda given, want: len(given) > 1 and given.endswith("/") and not want.endswith("/"),
+        Words("a slash at the end, `{one}`", "맨 끝에 슬래시가 있습니다(`{one}`)"),
+    ),
+    "too little in front": (
+        lambda given, want: bool(given.strip("/")) and want.endswith("/" + given.strip("/")),
+        Words("what belongs before the frame is missing, `{one}`", "좌표계 앞에 있어야 할 것이 없습니다(`{one}`)"),
+    ),
+    "too much in front": (
+        lambda given, want: bool(want) and given.strip("/").endswith("/" + want),
+        Words("something before the frame that does not belong there, `{one}`",
+              "좌표계 앞에 없어야 할 것이 있습니다(`{one}`)"),
+    ),
+    "other letters": (
+        lambda given, want: given != want and given.lower() == want.lower(),
+        Words("other capitals, `{one}`", "대소문자가 다릅니다(`{one}`)"),
+    ),
+}  # fmt: skip
+
+
+def unfilled(form: Form, outcomes: Sequence[Plain]) -> Words | None:
+    """Return what to say of texts in whose braces nothing was filled in; None if there is none."""
+    texts = [outcome for outcome in outcomes if isinstance(outcome, str)]
+    found = [BRACES.search(text) for text in texts]
+    if not isinstance(form, Name | Command) or len(texts) < len(outcomes) or not any(found):
+        return None
+    first = next(filter(None, found))
+    return Words(*(UNFILLED.say(tongue, text=first[0]) for tongue in ("en", "ko")))
+
+
+def of_names(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> Words | None:
+    """Return what can be seen at the names that a function gives; None unless that covers all that are wrong."""
+    if not isinstance(form, Name) or any(sealed.is_sealed(want) or is_raised(want) for want in wanted):
+        return None
+    wrong = [(given, want) for given, want in zip(outcomes, wanted, strict=True) if given != want]
+    if not wrong or not all(isinstance(given, str) and isinstance(want, str) for given, want in wrong):
+        return None
+    shows = {name: [pair for pair in wrong if is_so(*pair)] for name, (is_so, _) in FACTS.items()}
+    if not all(any(pair in pairs for pairs in shows.values()) for pair in wrong):
+        return None
+    said = [_filled(FACTS[name][1], pairs, wrong) for name, pairs in shows.items() if pairs]
+    return Words("; ".join(words.en for words in said) + ".", ". ".join(words.ko for words in said) + ".")
+
+
+def _filled(words: Words, pairs: list[tuple[str, str]], wrong: list[tuple[str, str]]) -> Words:
+    counts = {"count": len(pairs), "of": len(wrong)}
+    return Words(*(IN.say(tongue, **counts, fact=words.say(tongue, one=pairs[0][0])) for tongue in ("en", "ko")))
+
+
+def renamed(answer: Plain) -> Iterator[tuple[str, Plain]]:
+    """Yield a name, a set of names or a tree as it would be if each of its names were written otherwise."""
+    ways = {name: _changed(answer, change) for name, change in RENAMED.items()}
+    yield from ((name, left) for name, left in ways.items() if left != answer)
+
+
+def _changed(plain: Plain, change: Callable[[str], str]) -> Plain:
+    if isinstance(plain, str):
+        return change(plain)
+    if isinstance(plain, list):
+        return [_changed(member, change) for member in plain]
+    if isinstance(plain, dict) and set(plain) in ({"tuple"}, {"set"}):
+        return {kind: _changed(held, change) for kind, held in plain.items()}
+    if isinstance(plain, dict) and set(plain) == {"dict"}:
+        return {"dict": {change(key): _changed(value, change) for key, value in plain["dict"].items()}}
+    return plain
