@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import io
+import random
 import struct
 import time
 import tracemalloc
@@ -139,6 +140,40 @@ def zipped_in_a_zip(held: bytes) -> bytes:
     with zipfile.ZipFile(outer, "w", zipfile.ZIP_DEFLATED) as archive:
         archive.writestr("in.zip", held)
     return outer.getvalue()
+
+
+@pytest.mark.parametrize("begin", [(1 << 64) - 1, 1 << 63, (1 << 63) - 1, 1 << 40])
+@pytest.mark.parametrize("inside", [False, True], ids=["on the disk", "in a zip"])
+def test_a_file_that_is_said_to_begin_nowhere_is_damaged(begin: int, inside: bool, tmp_path: Path) -> None:
+    name, long_form = NAME.encode(), struct.pack("<HHQ", 1, 8, begin)
+    lengths = 0, 0, 0, len(name), len(long_form), 0, 0, 0, 0
+    entry = struct.pack("<4sHHHHHHIIIHHHHHII", b"PK\1\2", 45, 45, 0, 0, 0, 0x21, *lengths, 0xFFFFFFFF)
+    entry += name + long_form
+    held = entry + struct.pack("<4sHHHHIIH", b"PK\5\6", 0, 0, 1, 1, len(entry), 0, 0)
+    (tmp_path / "a.zip").write_bytes(held)
+    (member,), _ = archive_members((lambda: held) if inside else tmp_path / "a.zip", most=10)
+    with pytest.raises(Unreadable, match="damaged"):
+        member.read()
+
+
+def test_a_zip_whose_bits_were_changed_anywhere_is_read_or_refused() -> None:
+    dice = random.Random(0)
+    for way in [*WAYS.values()] * 60:
+        held = bytearray(packed(b"{} " * 50, way))
+        for _ in range(dice.choice((1, 2, 8))):
+            held[dice.randrange(len(held))] = dice.choice((0, 0xFF, dice.randrange(256)))
+        with contextlib.suppress(Unreadable):
+            for member in archive_members(lambda held=bytes(held): held, most=10)[0]:
+                member.read()
+
+
+def test_of_ten_thousand_names_that_lead_out_few_are_said(tmp_path: Path) -> None:
+    with zipfile.ZipFile(tmp_path / "s101.zip", "w") as archive:
+        for number in range(5000):
+            archive.writestr(f"../{number}.ipynb", b"{}")
+    found = collect.collect(tmp_path, {"s101": Learner("s101")}, ["03_tiny"], is_genuine=bool)
+    assert len(found.remarks) == 21
+    assert found.remarks[-1].say("en") == "s101.zip: 4980 more like these."
 
 
 def test_more_files_than_one_learner_has_are_refused(tmp_path: Path) -> None:

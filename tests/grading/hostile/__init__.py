@@ -13,6 +13,8 @@
     harm         what takes from others
     late         what comes behind the answer
     settings     what is set for the whole process
+    unseen       what no look at memory, files and processes sees
+    made         objects, patches and outcomes by the dozen
     clinic       patients named without being examined; these are for chapter 12
 
 Each entry is a recipe: an honest notebook, of chapter 03 but for the clinic, goes in, what is handed in
@@ -31,6 +33,7 @@ from .guessing import GUESSING, SLIPS
 from .harm import HARM
 from .helpers import HELPERS
 from .late import LATE
+from .made import MADE
 from .objects import OBJECTS
 from .odd import ODD
 from .peeking import PEEKING
@@ -40,10 +43,11 @@ from .shell import NOTEBOOKS, SHELL
 from .stealing import STEALING
 from .survival import SURVIVAL
 from .tampering import TAMPERING
+from .unseen import UNSEEN
 
 __all__ = ["CLINIC", "RECIPES", "Honest", "Recipe", "honest_notebook"]
 
 RECIPES = [
     *FORGING, *PEEKING, *EXHAUSTION, *SURVIVAL, *TAMPERING, *FILES, *HELPERS, *ODD, *GUESSING, *SLIPS,
-    *COUNTING, *OBJECTS, *SHELL, *NOTEBOOKS, *STEALING, *HARM, *LATE, *SETTINGS,
+    *COUNTING, *OBJECTS, *SHELL, *NOTEBOOKS, *STEALING, *HARM, *LATE, *SETTINGS, *UNSEEN, *MADE,
 ]  # fmt: skip

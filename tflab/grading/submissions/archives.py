@@ -38,8 +38,6 @@ UTF8_NAME, ENCRYPTED = 0x800, 0x1
 LONGEST_ENTRY = 400  # of a zip's list, in the mean [bytes]
 LONGEST_END = 1 << 17  # what stands behind that list [bytes]
 MOST_OF_A_DICTIONARY = 64 << 20  # that LZMA asks for before it has unpacked anything
-BROKEN = (zipfile.BadZipFile, zlib.error, lzma.LZMAError, EOFError, OSError, NotImplementedError, RuntimeError,
-          struct.error, ValueError)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -81,7 +79,7 @@ def archive_members(
     members, refused = [], []
     before = f"{name}: " if name else ""
     for entry in entries:
-        if entry.is_dir():
+        if entry.filename.endswith("/"):  # a folder; `is_dir` fails where there is no name at all
             continue
         called = _name(entry)
         parts = safe_parts(called)
@@ -163,7 +161,7 @@ def _kept_open(source: Path | Callable[[], bytes], most: int, _state: tuple[int,
     except _LongList:
         held.close()
         raise Unreadable("many names", most=most) from None
-    except BROKEN as error:
+    except Exception as error:  # whatever its numbers lead to
         held.close()
         raise Unreadable("no zip", error=type(error).__name__) from None
     held.longest = None
@@ -179,7 +177,9 @@ def _reader(source: Path | Callable[[], bytes], entry: zipfile.ZipInfo) -> Calla
             raise too_large(entry.file_size, limit)
         try:
             data = _unpacked(_opened(source), entry, limit)
-        except BROKEN as error:
+        except Unreadable:
+            raise
+        except Exception as error:  # an OverflowError, say: a file can be said to begin anywhere
             raise Unreadable("damaged", error=type(error).__name__) from None
         if len(data) > limit:
             raise too_large(len(data), limit)

@@ -29,6 +29,7 @@ MAX_NOTEBOOKS = 60  # of one learner
 MAX_DEPTH = 12
 MOST_DEEP = 2  # zips in each other, in what a learner handed in
 MOST_ZIPS = 8  # in what a learner handed in, all together
+MOST_SAID = 20  # lines on what a learner handed in as a zip
 MOST_MEMBERS = 10_000  # in each of them
 MIB = 1 << 20
 MOST_BYTES = 64 * MIB  # of the zips in a zip
@@ -66,7 +67,9 @@ def listed(place: Path, leave_out: set[Path]) -> tuple[list[Member], list[Remark
     found: list[Member] = []
     for member in members:
         if not any(map(_is_skipped, member.parts)):
-            found += _inside(member, remarks, Budget()) if is_zip_name(member.parts[-1]) else [member]
+            said: list[Remark] = []
+            found += _inside(member, said, Budget()) if is_zip_name(member.parts[-1]) else [member]
+            remarks += _few(said, member)
     return found, remarks
 
 
@@ -147,6 +150,14 @@ def _inside(zipped: Member, remarks: list[Remark], budget: Budget, depth: int = 
             remarks.append(Remark("unreadable", file=printable("/".join(below.parts)), why=Remark("deep zip")))
         found += _inside(below, remarks, budget, depth + 1) if is_zip and depth < MOST_DEEP else [below]
     return found
+
+
+def _few(said: list[Remark], zipped: Member) -> list[Remark]:
+    """Return what is said of a learner's zip, in few lines: there may be ten thousand names that lead out."""
+    if len(said) <= MOST_SAID:
+        return said
+    more = Remark("more like these", count=len(said) - MOST_SAID)
+    return [*said[:MOST_SAID], Remark("file", file=printable("/".join(zipped.parts)), why=more)]
 
 
 def _is_skipped(name: str) -> bool:

@@ -37,6 +37,7 @@ REASONS = {
     "no zip": Words(en="not a zip file that can be read ({error})", ko="읽을 수 있는 zip 파일이 아닙니다({error})"),
     "pipe": Words(en="a link, a pipe or a device, not a file", ko="파일이 아니라 링크나 파이프, 장치입니다"),
     "many files": Words(en="{count} files in it, more than {most}", ko="파일이 {count}개로 한도 {most}개를 넘습니다"),
+    "more like these": Words(en="{count} more like these", ko="이와 같은 것이 {count}개 더 있습니다"),
     "many names": Words(
         en="the list of its files is longer than {most} files have",
         ko="파일 목록이 {most}개 분량을 넘습니다",
