@@ -226,7 +226,7 @@ def test_an_environment_of_another_python_is_made_anew_and_options_reach_the_lab
 def test_the_sample_is_what_check_says_today(language: str) -> None:
     cases = (ROOT / "exercises" / "cases" / "03_target_and_source.json").read_text(encoding="utf-8")
     page = (ROOT / READMES[language]).read_text(encoding="utf-8")
-    sample = re.search(r"E3\.3 ✗ 10/18: (.*?)\n(?:It was called|```)", page, re.DOTALL)
+    sample = re.search(r"E3\.3 ✗ 10/18: (.*?)\n(?:It was called|이렇게 호출)", page, re.DOTALL)
     assert json.dumps(" ".join(sample[1].split()), ensure_ascii=False) in cases
 
 
@@ -235,3 +235,17 @@ def test_what_a_korean_teacher_is_told_to_type_is_what_an_english_one_is() -> No
     for typed in (r"tflab [a-z]+", r"--[a-z][a-z-]+", r"[\w/]+\.(?:csv|json|html|zip)"):
         named = [set(re.findall(typed, text.replace("--lang ko", ""))) for text in (ko, en)]
         assert named[0] and named[0] <= named[1]
+
+
+def test_a_korean_reader_is_told_all_that_an_english_one_is() -> None:
+    for named in (
+        r"tflab\.\w+`",
+        r"\*\*(?:VS Code|Windows)",
+        r"TFLAB_\w+=\w+",
+        r"`tflab [a-z]+",
+        r"\| *\d+ \| \d+ \|$",
+        r"[A-Za-z.]+\.md",
+    ):
+        found = {language: set(re.findall(named, readme(language), re.MULTILINE)) for language in READMES}
+        own = {"README.ko.md", "README.md", "grading.md", "grading.ko.md"}  # each names the other's
+        assert found["en"] - own == found["ko"] - own, named
