@@ -148,3 +148,43 @@ def test_a_loop_that_removes_from_its_own_list_is_recognised_and_a_member_too_ma
     assert list(called(Sequence(Number()), rows).slips) == ["removed in the loop"]
     rows = [([[1, 2, 8, 9]], [8, 9], [1, 8, 9]), ([[3, 7]], [7], [7])]
     assert list(called(Sequence(Number()), rows).slips) == ["members too many"]
+
+
+# -- words, each on its own --------------------------------------------------------------------
+
+
+def lists_of_words(answers, twins):
+    """Return the verdict on lists of words, where `answers` are (expected, outcome), by call, and twins by call."""
+    form = Sequence(Choice(("sim", "wall", "off")))
+    return judged_function(form, answers, twins)
+
+
+def test_slips_that_show_in_different_words_of_a_list_are_all_named():
+    asked = [(["sim", "off", "wall"], ["wall", "sim", "wall"]), (["off", "wall"], ["sim", "wall"])]
+    twins = {
+        "never sim": [["wall", "off", "wall"], ["off", "wall"]],
+        "text is read": [["sim", "sim", "wall"], ["sim", "wall"]],
+    }
+    assert list(lists_of_words(asked, twins).slips) == ["never sim", "text is read"]
+
+
+def test_a_slip_that_gives_most_of_the_words_is_told_with_how_many_and_one_that_gives_few_is_not():
+    asked = [(["sim", "off", "wall"], ["wall", "off", "off"]), (["sim", "wall"], ["wall", "wall"])]
+    twins = {"never sim": [["wall", "off", "wall"], ["wall", "wall"]]}
+    verdict = lists_of_words(asked, twins)
+    assert list(verdict.slips) == ["never sim"]
+    assert "explains 2 of the 3 words" in verdict.said.en
+    elsewhere = {"never off": [["sim", "sim", "wall"], ["sim", "wall"]]}
+    assert list(lists_of_words(asked, elsewhere).slips) == ["wall for sim"]
+
+
+def test_beside_words_that_are_confused_stands_what_there_is_to_see():
+    cases = [Case([place], want, {}) for place, want in enumerate(("in", "in", "out"))]
+    task, variant = bare(Choice(("in", "out")), *cases, is_function=True)
+    task = task._replace(seen={"in": Words("There the door is open.", "문이 열려 있습니다.")})
+    verdict = judge_outcomes(task, variant, ["out", "out", "out"])
+    assert verdict.mistake is Mistake.CONSTANT
+    cases = [Case([place], want, {}) for place, want in enumerate(("in", "in", "out", "off"))]
+    task, variant = bare(Choice(("in", "out", "off")), *cases, is_function=True)
+    task = task._replace(seen={"in": Words("There the door is open.", "문이 열려 있습니다.")})
+    assert "There the door is open." in judge_outcomes(task, variant, ["out", "out", "out", "off"]).said.en

@@ -291,5 +291,35 @@ TASK = Task(
             ko='오류 메시지에서 "into the future"와 "into the past"를 찾으십시오. 둘 다 없으면 세 번째입니다. 나머지 TransformException이 InvalidArgumentException입니다.',
         ),
     ),
+    seen={
+        "ok": Words(
+            en="There tf2 answers, and nothing is to be classified: ask it first, whatever you know of the names, and sort only what it raises. A root such as map has no entry of its own in a list of frames.",
+            ko="여기서는 tf2가 답하므로 분류할 것이 없습니다. 이름을 따지기 전에 먼저 묻고, 일으킨 예외만 분류하십시오. map 같은 루트는 좌표계 목록에 자기 항목이 없습니다.",
+        ),
+        "invalid argument": Words(
+            en="There the question is none, by its slash or its empty name, before any name is looked up.",
+            ko="여기서는 앞의 슬래시나 빈 이름 때문에 질문이 되지 않습니다. 이름을 찾아보기도 전입니다.",
+        ),
+        "lookup": Words(
+            en="There tf2 raises a LookupException: a name is unknown to it, and it asks neither for a path nor for a moment then.",
+            ko="여기서는 tf2가 LookupException을 일으킵니다. 모르는 이름이 있으면 길도 시각도 묻지 않습니다.",
+        ),
+        "connectivity": Words(
+            en="There tf2 knows both names and raises a ConnectivityException, whatever the moment.",
+            ko="여기서는 tf2가 두 이름을 다 알고, 시각이 언제든 ConnectivityException을 일으킵니다.",
+        ),
+        "future": Words(
+            en='There tf2 raises an ExtrapolationException whose text says "into the future".',
+            ko='여기서는 tf2가 "into the future"라고 적힌 ExtrapolationException을 일으킵니다.',
+        ),
+        "past": Words(
+            en='There tf2 raises an ExtrapolationException whose text says "into the past".',
+            ko='여기서는 tf2가 "into the past"라고 적힌 ExtrapolationException을 일으킵니다.',
+        ),
+        "one sample": Words(
+            en="There tf2 raises an ExtrapolationException whose text names a single time and no direction.",
+            ko="여기서는 tf2가 시각 하나만 말하고 방향은 말하지 않는 ExtrapolationException을 일으킵니다.",
+        ),
+    },
     cures=("M11",),
 )

@@ -366,6 +366,36 @@ TASK = Task(
             ko='gap = stamp.nanoseconds − newest.nanoseconds이고, 0.2e9까지는 "wait", 넘으면 "check clocks"입니다. 미래가 아닌 외삽은 모두 "drop"입니다.',
         ),
     ),
+    seen={
+        "use": Words(
+            en="There tf2 answers at the message's own stamp.",
+            ko="여기서는 메시지의 측정 시각에 tf2가 답합니다.",
+        ),
+        "wait": Words(
+            en="There the message is at most 0.2 s newer than the latest common time of map and its frame.",
+            ko="여기서는 메시지가 map과 메시지 좌표계의 최신 공통 시각보다 많아야 0.2초 새롭습니다.",
+        ),
+        "check clocks": Words(
+            en="There the message is more than 0.2 s newer than the latest common time of map and its frame.",
+            ko="여기서는 메시지가 map과 메시지 좌표계의 최신 공통 시각보다 0.2초 넘게 새롭습니다.",
+        ),
+        "drop": Words(
+            en="There an extrapolation does not lead into the future, so that nothing on its way can help.",
+            ko="여기서는 외삽이 미래를 향하지 않아, 앞으로 올 것이 도움이 되지 않습니다.",
+        ),
+        "check names": Words(
+            en="There tf2 does not know a name, and asks for no path and no moment then.",
+            ko="여기서는 tf2가 이름을 모르고, 그러면 길도 시각도 묻지 않습니다.",
+        ),
+        "check tree": Words(
+            en="There tf2 knows both names, and no path leads from one to the other.",
+            ko="여기서는 tf2가 두 이름을 다 알지만 둘을 잇는 길이 없습니다.",
+        ),
+        "fix message": Words(
+            en="There the question is none, by a slash in front or an empty name.",
+            ko="여기서는 앞의 슬래시나 빈 이름 때문에 질문이 되지 않습니다.",
+        ),
+    },
     cures=("M9", "M10", "M11"),
     equivalent={
         "buffer.get_latest_common_time('map', source) -> buffer.get_latest_common_time(source, 'map') in: newest = buffer.get_latest_common_time('map', source)": "the latest "

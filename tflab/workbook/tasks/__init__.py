@@ -27,6 +27,7 @@
     robots      links of a robot, each by itself
     refusals    errors that were swallowed
     beside      slips that show in different calls
+    apart       slips that show in different words
     stops       errors in some calls, beside what is wrong in others
     changes     arguments that were changed
     explain     how a wrong answer came about: slips, alone and two together

@@ -5,7 +5,7 @@
                                                              slashes kept: in the second, map prefixed: in the third
 
 Of three, only what each two give together was computed: each call has to be what some
-two of them give, and each of them has to show alone somewhere.  Read `stops.py` next.
+two of them give, and each of them has to show alone somewhere.  Read `apart.py` next.
 """
 
 from __future__ import annotations

@@ -37,10 +37,15 @@ SOMETIMES = Words(
 
 
 class Confusion(NamedTuple):
-    """Which words are confused, in a word or two, and what to say of it."""
+    """Which words are confused, in a word or two, what to say of it, and the word that is asked for and that is said.
+
+    Two that have changed places are none of these: both are as much asked for as said.
+    """
 
     name: str
     said: Words
+    wanted: str = ""
+    word: str = ""
 
 
 def confused(form: Choice, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> Confusion | None:
@@ -58,7 +63,7 @@ def confused(form: Choice, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -
     (want, word), count = max((whole or wrong).items(), key=lambda row: row[1])
     words = NEVER if whole else SOMETIMES
     named = _filled(words, wanted=want, said=word, wrong=count, of=asked.count(want))
-    return Confusion(f"{word} for {want}", named)
+    return Confusion(f"{word} for {want}", named, want, word)
 
 
 def confused_in_lists(form: ListForm, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> Confusion | None:

@@ -18,6 +18,7 @@ from ..answers.forms import Choice, Command, Form, Message, Parts, Pose, Urdf
 from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
 from ..words import Words
+from .apart import of_words_apart
 from .arithmetic import computed, computed_in_all
 from .beside import side_by_side
 from .case import AND, Case, TaskCases
@@ -134,7 +135,13 @@ def _of_words(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain])
     if not isinstance(form, Choice | ListForm):
         return None
     found = confused(form, outcomes, wanted) if isinstance(form, Choice) else confused_in_lists(form, outcomes, wanted)
-    return _and_where(task, cases, outcomes, Explanation.of(found.name, found.said)) if found else None
+    if found is None or not found.word:
+        return Explanation.of(found.name, found.said) if found else None
+    if (apart := of_words_apart(task, cases, outcomes)) is not None:
+        return apart
+    shown = [words for words in (task.means.get(found.word), task.seen.get(found.wanted)) if words]
+    said = Words(*map(" ".join, zip(found.said, *shown, strict=True)))
+    return _and_where(task, cases, outcomes, Explanation.of(found.name, said))
 
 
 def _and_where(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], found: Explanation) -> Explanation:

@@ -183,17 +183,12 @@ def _lost(form: Form, rows: list[tuple[Numbers, Numbers]]) -> Iterator[str]:
 def _counted_or_signed(pairs: list[tuple[float, float]], form: Number) -> Iterator[str]:
     """Yield whether counts are one off in every call, or the sizes of several numbers right and their signs not."""
     off = {given - want for given, want in pairs}
-    is_a_count = not form.unit and all(number == int(number) for pair in pairs for number in pair)
-    if is_a_count and len(pairs) > 1 and off in ({1}, {-1}):
+    if not form.unit and len(pairs) > 1 and off in ({1}, {-1}):
         yield "one too many" if off == {1} else "one too few"
-    if not all(abs(abs(given) - abs(want)) <= form.tolerance for given, want in pairs):
-        return
-    if all(given >= 0 for given, _ in pairs) and any(want > 0 for _, want in pairs) and min(pairs, key=_wanted)[1] < 0:
+    sizes_fit = all(abs(abs(given) - abs(want)) <= form.tolerance for given, want in pairs)
+    wanted = [want for _, want in pairs]
+    if sizes_fit and min(wanted) < 0 < max(wanted) and all(given >= 0 for given, _ in pairs):
         yield "no sign"
-
-
-def _wanted(pair: tuple[float, float]) -> float:
-    return pair[1]
 
 
 def _left_at_zero(given: Numbers, wanted: Numbers, tolerance: float) -> bool:

@@ -244,7 +244,7 @@ def _by_itself(task: TaskCases, table: _Table, name: str, given: dict[str, Plain
         return found
     if len(outcomes) > 1:
         summed = computed_in_all(form, table.args, outcomes)
-        return [Found.of(f"{name}: {summed[0]}", summed[1], name)] if summed else _of_words(table, name)
+        return [Found.of(f"{name}: {summed[0]}", summed[1], name)] if summed else _of_words(task, table, name)
     found = _of_the_given(task, name, form, outcomes[0], wanted[0], given)
     return found or ([Found.of(f"{name}: another", hint, name)] if hint else [])
 
@@ -273,14 +273,14 @@ def _of_any(task: TaskCases, table: _Table, name: str) -> list[Found]:
     return []
 
 
-def _of_words(table: _Table, name: str) -> list[Found]:
+def _of_words(task: TaskCases, table: _Table, name: str) -> list[Found]:
     """Return which words a function confuses in one part of what it gives, and in which calls."""
     form = table.forms[name]
     confusion = confused(form, table.given[name], table.wanted[name]) if isinstance(form, Choice) else None
     if confusion is None:
         return []
-    common = _in_common(table, name)
-    said = Words(f"{confusion.said.en} {common.en}", f"{confusion.said.ko} {common.ko}") if common else confusion.said
+    shown = [words for words in (task.seen.get(confusion.wanted), _in_common(table, name)) if words]
+    said = Words(*map(" ".join, zip(confusion.said, *shown, strict=True)))
     return [Found.of(f"{name}: {confusion.name}", said, name)._replace(is_of_words=True)]
 
 
