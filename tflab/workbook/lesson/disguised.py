@@ -74,13 +74,15 @@ def start_robot(name: str = "healthy", also: Iterable[str] = ()) -> Graph:
 
 
 def stop_node(name: str) -> None:
-    """Stop one node of the current graph, as Ctrl-C in its terminal does.
+    """Stop one node of the current graph, as Ctrl-C in its terminal does; one that was stopped stays so.
 
     Raises:
-        ValueError: no such node runs.
+        ValueError: no such node has been started.
     """
     graph = current_graph()
     running = {each.name: each for each in graph.participants if each.is_running}
+    if name not in running and any(each.name == name for each in graph.participants):
+        return  # a cell that runs again
     if name not in running:
         raise ValueError(f"no node {name!r} runs; there is {', '.join(sorted(running))}")
     graph.stop(running[name])
