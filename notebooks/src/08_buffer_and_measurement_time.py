@@ -699,7 +699,8 @@ finder.buffer.transform(late, "map")
 # 겨우 54 ms 차이라 쉽게 해결될 것 같습니다. 0.2초 기다렸다 다시 조회하면 됩니다.
 
 # %% name="the-cure" slide="fragment"
-while graph.now_ns < seconds(13.2):
+end_ns = graph.now_ns + seconds(0.2)
+while graph.now_ns < end_ns:
     rclpy.spin_once(finder)
 for name, sight in (("overwritten", late), ("as measured", measured)):
     point = finder.buffer.transform(sight, "map").point
@@ -935,7 +936,8 @@ forgetful.lookup_transform("map", "camera_optical_frame", seconds(11.0))
 
 # %% name="six-arguments"
 message = finder.messages[12]
-stamp, now = Time.from_msg(message.header.stamp), Time(nanoseconds=8_400_000_000)
+stamp = Time.from_msg(message.header.stamp)
+now = stamp + Duration(seconds=1.0)
 now_T_then = finder.buffer.lookup_transform_full("base_link", now, message.header.frame_id, stamp, "odom")
 old = finder.buffer.transform(message, "base_link").point
 fresh = do_transform_point(message, now_T_then).point
@@ -945,7 +947,7 @@ print(f"the truth now:  ({truth[0]:.2f}, {truth[1]:.2f})")
 
 # %% name="picture-of-two-moments" slide="subslide"
 ball = finder.buffer.transform(message, "odom").point
-moments = {"base_link, 7.4 s": stamp, "base_link, 8.4 s": now}
+moments = {f"base_link, {moment.nanoseconds / 1e9:.1f} s": moment for moment in (stamp, now)}
 poses_then = {
     name: finder.buffer.core.lookup_transform("odom", "base_link", moment.nanoseconds).transform
     for name, moment in moments.items()
