@@ -41,6 +41,8 @@ def classified(
 ):  # fmt: skip
     """Return the kind of a refusal, step by step; other steps are the slips."""
     target, source = (source, target) if ends == "swapped" else (target, source)
+    written = {"without slashes": lambda name: name.lstrip("/"), "in small letters": str.lower}.get(ends, str)
+    target, source = written(target), written(source)
     moments = {"latest": Time(), "whole seconds": Time(nanoseconds=stamp.nanoseconds // 10**9 * 10**9)}
     refused = refusal(buffer, target, source, moments.get(moment, stamp))
     kind = kind_of(refused)
@@ -193,6 +195,28 @@ LOOKUP_AND_CONNECTIVITY_EXCHANGED = Slip(
 )
 
 
+SLASHES_TAKEN_OFF = Slip(
+    "slashes taken off",
+    {"ends": "without slashes"},
+    Words(
+        en="You take the slash in front off before you ask. Then tf2 answers a question that nobody asked: hand over the names as they came, and let it refuse them.",
+        ko="묻기 전에 이름 앞의 슬래시를 뗍니다. 그러면 tf2는 아무도 묻지 않은 질문에 답합니다. 받은 이름을 그대로 넘기고, 거절은 tf2에 맡기십시오.",
+    ),
+    "M14",
+)
+
+
+IN_SMALL_LETTERS = Slip(
+    "names in small letters",
+    {"ends": "in small letters"},
+    Words(
+        en="You write the names in small letters before you ask. `Laser_frame` is another name than `laser_frame`, and tf2 does not know it: hand over the names as they came.",
+        ko="묻기 전에 이름을 소문자로 바꿉니다. `Laser_frame`은 `laser_frame`과 다른 이름이고 tf2는 그것을 모릅니다. 받은 이름을 그대로 넘기십시오.",
+    ),
+    "M14",
+)
+
+
 NO_PATH_IS_A_WRONG_NAME = Slip(
     "no path is a wrong name",
     {"classes": "names alone"},
@@ -271,6 +295,8 @@ TASK = Task(
         EVERY_EXTRAPOLATION_IS_THE_FUTURE,
         EVERY_EXTRAPOLATION_IS_THE_PAST,
         LOOKUP_AND_CONNECTIVITY_EXCHANGED,
+        SLASHES_TAKEN_OFF,
+        IN_SMALL_LETTERS,
         NO_PATH_IS_A_WRONG_NAME,
         NO_QUESTION_IS_A_WRONG_NAME,
         NO_BRANCH_FOR_NO_QUESTION,

@@ -73,19 +73,28 @@ def action(
     wait_for_past: bool | str = False,
     swapped: bool = False,
     two_texts: bool = False,
+    drops: str = "what is no future",
+    spelt: str = "as it came",
     target: str = "map",
     newest_of: tuple[str, str] | None = None,
 ) -> str:
     """Decide as the task asks; the options are the mistakes."""
     stamp = Time() if latest else Time.from_msg(message.header.stamp)
-    ends = (target, message.header.frame_id)
+    written = {"without slashes": lambda name: name.lstrip("/"), "in small letters": str.lower}.get(spelt, str)
+    frame = written(message.header.frame_id)
+    ends = (target, frame)
     error = refusal(buffer, *(reversed(ends) if swapped else ends), stamp)
     kind = kind_of(error)
+    if kind == "future" and drops == "every extrapolation":
+        return "drop"
+    if kind == "future" and drops == "whole seconds":
+        newest_s = buffer.get_latest_common_time("map", frame).nanoseconds // 10**9
+        return "wait" if stamp.nanoseconds // 10**9 - newest_s <= limit_s else "check clocks"
     if two_texts and kind == "one sample":
         return "check clocks"
     if kind == "future":
         one, other = newest_of or ("map", "")
-        newest_ns = buffer.get_latest_common_time(one, other or message.header.frame_id).nanoseconds
+        newest_ns = buffer.get_latest_common_time(one, other or frame).nanoseconds
         gap_ns = stamp.nanoseconds - (error.bound_ns if by_text else newest_ns)
         if by_text == "as a float":
             asked_s, newest_s = map(float, re.findall(r"time (\d+\.\d+)", str(error))[:2])
@@ -281,6 +290,49 @@ ONE_ACTION_FOR_EVERY_NO = Twin(
 )
 
 
+EVERY_EXTRAPOLATION_IS_DROPPED = Slip(
+    "every extrapolation is dropped",
+    {"drops": "every extrapolation"},
+    Words(
+        en="you drop every message that meets an extrapolation. One that is newer than the transforms is not lost: 0.2 s or less are worth a wait, and more is a matter of clocks. The text says which way it goes.",
+        ko="외삽 오류가 난 메시지를 모두 버립니다. 변환보다 새로운 메시지는 잃은 것이 아닙니다. 0.2초까지는 기다릴 만하고, 그보다 크면 시계의 문제입니다. 방향은 오류 메시지에 있습니다.",
+    ),
+    "M10",
+)
+
+
+GAP_IN_WHOLE_SECONDS = Slip(
+    "gap in whole seconds",
+    {"drops": "whole seconds"},
+    Words(
+        en="you reckon the gap from whole seconds: `sec` alone, or `//`, drops the nanoseconds, and then a gap is 0 or 1 s. Compare nanoseconds.",
+        ko="간격을 초 단위로 끊어 계산합니다. `sec`만 쓰거나 `//`로 나누면 나노초가 사라져 간격이 0초 아니면 1초가 됩니다. 나노초로 비교하십시오.",
+    ),
+)
+
+
+SLASHES_TAKEN_OFF = Slip(
+    "slashes taken off",
+    {"spelt": "without slashes"},
+    Words(
+        en="you take the slash in front off before you ask, and a message that nobody else can place is used: hand over its frame as it came.",
+        ko="묻기 전에 이름 앞의 슬래시를 떼어, 다른 누구도 놓을 수 없는 메시지를 씁니다. 좌표계 이름을 받은 그대로 넘기십시오.",
+    ),
+    "M14",
+)
+
+
+IN_SMALL_LETTERS = Slip(
+    "names in small letters",
+    {"spelt": "in small letters"},
+    Words(
+        en="you write the frame in small letters before you ask. `Laser_frame` is another name than `laser_frame`, and tf2 does not know it.",
+        ko="묻기 전에 좌표계 이름을 소문자로 바꿉니다. `Laser_frame`은 `laser_frame`과 다른 이름이고 tf2는 그것을 모릅니다.",
+    ),
+    "M14",
+)
+
+
 THE_LIMIT_IS_TOO_FAR = Slip(
     "the limit is too far",
     {"limit_s": LIMIT_S - 1e-9},
@@ -347,6 +399,10 @@ TASK = Task(
         WAITS_FOR_EVERY_EXTRAPOLATION,
         THIRD_TEXT_TAKEN_FOR_THE_FUTURE,
         ONE_ACTION_FOR_EVERY_NO,
+        EVERY_EXTRAPOLATION_IS_DROPPED,
+        GAP_IN_WHOLE_SECONDS,
+        SLASHES_TAKEN_OFF,
+        IN_SMALL_LETTERS,
         THE_LIMIT_IS_TOO_FAR,
         LIMIT_OF_A_QUARTER,
         WANTED_IN_BASE_LINK,

@@ -53,6 +53,7 @@ def kept(stamps_s, now_s, max_age_s, max_size, *, first="sieve", old="dropped", 
             "dropped": age_s <= max_age_s,
             "at the limit": age_s < max_age_s,
             "milliseconds": 1000.0 * age_s <= max_age_s,
+            "rounded": round(age_s, 1) <= max_age_s,
             "by the newest": max(stamps_s, default=0.0) - (now_s - age_s) <= max_age_s,
             "kept": True,
             "wanted": age_s >= max_age_s,
@@ -62,6 +63,10 @@ def kept(stamps_s, now_s, max_age_s, max_size, *, first="sieve", old="dropped", 
         )
 
     young = [stamp for stamp in stamps_s if stays(now_s - stamp)]
+    if loop == "ends at the first":
+        young = [
+            stamp for place, stamp in enumerate(stamps_s) if all(stays(now_s - each) for each in stamps_s[: place + 1])
+        ]
     if loop == "removed in it":
         young = list(stamps_s)
         for stamp in young:
@@ -291,6 +296,26 @@ AGE_BY_THE_NEWEST = Slip(
 )
 
 
+ENDS_AT_THE_FIRST = Slip(
+    "ends at the first that goes",
+    {"loop": "ends at the first"},
+    Words(
+        en="After the first message that has to go you look at no further one: `break` ends the loop, `continue` only goes on to the next.",
+        ko="나가야 할 메시지를 처음 만나면 그 뒤는 보지 않습니다. `break`는 반복문을 끝내고, `continue`는 다음으로 넘어갑니다.",
+    ),
+)
+
+
+AGES_ROUNDED = Slip(
+    "ages rounded",
+    {"old": "rounded"},
+    Words(
+        en="You round the age before you compare it: what is a little older than the limit is let in. Compare first, and round, if at all, what is printed.",
+        ko="나이를 반올림한 다음 비교합니다. 그러면 한계보다 조금 오래된 것이 통과합니다. 먼저 비교하고, 반올림은 출력할 때만 하십시오.",
+    ),
+)
+
+
 REMOVED_IN_THE_LOOP = Slip(
     "removed in the loop",
     {"loop": "removed in it"},
@@ -354,6 +379,8 @@ TASK = Task(
         OLD_ONES_WANTED,
         AGE_IN_MILLISECONDS,
         AGE_BY_THE_NEWEST,
+        ENDS_AT_THE_FIRST,
+        AGES_ROUNDED,
         REMOVED_IN_THE_LOOP,
         ONE_TOO_MANY,
         ONE_TOO_FEW,

@@ -39,6 +39,7 @@ def moments(clock_s, back="a second", against="the one before", which="all", tel
         step = {"the one before": before, "the highest": highest, "the first": clock_s[0]}[against] - after
         is_back = {
             "a second": step >= 1.0, "any": step > 0.0, "more": step > 1.0, "ahead": step <= -1.0,
+            "whole seconds": int(before) - int(after) >= 1 and against == "the one before",
             "small": 0.0 < step < 1.0, "almost": step >= 0.9, "turned round": step >= -1.0,
         }[back]  # fmt: skip
         if is_back and against == "the highest" and which == "begun anew":
@@ -48,6 +49,16 @@ def moments(clock_s, back="a second", against="the one before", which="all", tel
                 {"after": after, "before": before, "step": step, "place": place + 1, "place before": place}[tell]
             )
     return {"first": found[:1], "last": found[-1:]}.get(which, found)
+
+
+WHOLE_SECONDS = Slip(
+    "whole seconds",
+    {"back": "whole seconds"},
+    Words(
+        en="You cut the readings to whole seconds before you compare them: a step from 30.1 back to 29.9 then counts as a second. Subtract first.",
+        ko="읽은 값을 초 단위로 자른 다음 비교합니다. 그러면 30.1에서 29.9로 가는 것도 1초로 셉니다. 먼저 빼십시오.",
+    ),
+)
 
 
 ANY_STEP_BACK = Slip(
@@ -224,6 +235,7 @@ TASK = Task(
     variants=3,
     model=moments,
     twins=(
+        WHOLE_SECONDS,
         AGAINST_THE_HIGHEST,
         AGAINST_THE_HIGHEST_SINCE,
         ALMOST_A_SECOND,

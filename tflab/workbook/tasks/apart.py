@@ -36,6 +36,9 @@ SO_FAR = Words(
 )
 
 
+AND_MORE = Words(en="Something else is wrong beside it.", ko="그 밖에도 틀린 것이 있습니다.")
+
+
 class _Place(NamedTuple):
     """One word: what was said, what is asked for, and what each mistake gives."""
 
@@ -53,9 +56,15 @@ def of_words_apart(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Pl
     said, wanted = [place.said for place in places], [place.wanted for place in places]
     gives = {name: [place.twins[name] for place in places] for name in places[0].twins}
     if isinstance(task.form, ListForm):  # of single words, some fit any three slips by chance
-        found = next(side_by_side(form, said, wanted, gives), None)
-        if found:
-            return Explanation({name: words_of(task, name) for name in found}, said_of(task, found))
+        ways = list(side_by_side(form, said, wanted, gives))
+        ways = [way for way in ways if len(way) == len(ways[0])]  # of several, what all have in common is sure
+        sure = [name for name in ways[0] if all(name in way for way in ways)] if ways else []
+        if sure:
+            slips = {name: words_of(task, name) for name in sure}
+            told = said_of(task, sure)
+            return Explanation(
+                slips, told if len(ways) == 1 else Words(*map(" ".join, zip(told, AND_MORE, strict=True)))
+            )
     return _of_most(task, form, places, {name: row for name, row in gives.items() if AND not in name})
 
 
@@ -71,9 +80,9 @@ def _of_most(
             explained[name] = shows
     if not explained:
         return None
-    best = max(explained, key=lambda name: len(explained[name]))
-    if len(explained[best]) < SHARE * len(wrong):
-        return None
+    best, *others = sorted(explained, key=lambda name: -len(explained[name]))
+    if len(explained[best]) < SHARE * len(wrong) or (others and explained[others[0]] & explained[best]):
+        return None  # little is explained by it, or as well by another
     words = words_of(task, best)
     counts = {"some": len(explained[best]), "all": len(wrong)}
     said = Words(*(SO_FAR.say(tongue, said=words.reply.say(tongue), **counts) for tongue in ("en", "ko")))

@@ -173,7 +173,7 @@ def _ways(
     if not task.is_function and (held := given_to(form, outcomes[0], expected[0], given)):
         yield (f"given {held}",)
     yield from _just(form, outcomes, {name: row for name, row in gives.items() if AND in name}, TWO)
-    if task.is_function and not isinstance(form, Choice):  # words of two kinds of calls fit by chance
+    if task.is_function and not isinstance(getattr(form, "of", form), Choice):  # words fit by chance: see apart.py
         yield from side_by_side(form, outcomes, expected, gives)
     yield from _further_ways(task, single, outcomes, expected)
 

@@ -211,7 +211,8 @@ def _of_lists(form: Sequence, answers: list[Plain], wanted: list[Plain]) -> Iter
     if any(None in pair for pair in pairs) or not any(given for given, _ in pairs):
         return
     place = next((place for place, (given, want) in enumerate(pairs) if given != want), 0)
-    for name, fits in LISTS.items():
+    ends = ENDS if len(pairs) > 1 and max(len(want) for _, want in pairs) > 2 else {}
+    for name, fits in (ends | LISTS).items():
         if all(fits(given, want) for given, want in pairs):
             yield name, _too_many(answers[place], *pairs[place]) if name in TOO_MANY else ""
 
