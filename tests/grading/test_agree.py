@@ -39,6 +39,12 @@ def test_where_a_run_has_no_value_the_other_counts() -> None:
     assert heard(TASK, {1: RAISED}, {}) == {0: [], 1: [RAISED], 2: []}
 
 
+def test_who_gives_a_value_now_and_none_then_in_one_run_has_changed_their_mind() -> None:
+    assert heard(TASK, {0: RAISED, 3: 1.0}, {0: 1.0}) == {0: [RAISED, 1.0, 1.0], 1: [], 2: []}
+    assert heard(TASK, {0: 1.0}, {0: "x", 3: 1.0}) == {0: [1.0, "x", 1.0], 1: [], 2: []}
+    assert heard(TASK, {0: RAISED, 3: RAISED}, {0: 1.0, 3: 1.0}) == {0: [1.0, 1.0], 1: [], 2: []}
+
+
 def test_an_answer_of_which_a_part_is_missing_is_no_value_so_it_cannot_be_filled_up_later() -> None:
     half, other = {"dict": {"a": 1.0, "b": None}}, {"dict": {"a": 7.0, "b": 2.0}}
     assert heard(PARTS, {0: half}, {0: other}) == {0: [other]}

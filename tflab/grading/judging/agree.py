@@ -4,9 +4,10 @@
     second run    2.0   3.0      4.0   -              asked in another order, in a fresh kernel
     together      2.0   3.0     (none) 1.0
 
-A run that gave no value at all is no answer: another answer may have been in its way
-(`math = 3`), so the other run counts.  Nowhere does the better of two count: that would
-be two guesses for one task.  Read `apart.py` next.
+A run that gave no value at all for a case is no answer: another answer may have been in
+its way (`math = 3`), so the other run counts.  Who gives a value now and none then, in one
+run, has changed their mind.  Nowhere does the better of two count: that would be two
+guesses for one task.  Read `apart.py` next.
 """
 
 from __future__ import annotations
@@ -37,13 +38,18 @@ def together(
     outcomes = dict(first) | {len(asks) + place: outcome for place, outcome in second.items()}
     outcomes = {place: of_bounded_size(outcome, most) for place, outcome in outcomes.items()}
     both = [*asks, *asks_again]
-    answered = {both[place] for place, outcome in outcomes.items() if _is_a_value(form, outcome)}
+    values = {(both[place], place < len(asks)) for place, outcome in outcomes.items() if _is_a_value(form, outcome)}
     kept = {
         place: outcome
         for place, outcome in outcomes.items()
-        if both[place] not in answered or _is_a_value(form, outcome)
+        if not _is_silent(both[place], place < len(asks), values) or _is_a_value(form, outcome)
     }
     return dict(task) | {"asks": both}, kept
+
+
+def _is_silent(case: int, is_first: bool, values: set[tuple[int, bool]]) -> bool:
+    """Return whether one run gave no value at all for a case, and the other one did."""
+    return (case, is_first) not in values and (case, not is_first) in values
 
 
 def _is_a_value(form: Form, outcome: Any) -> bool:
