@@ -62,6 +62,10 @@ def age_s(message, now, age):
         "nanosec by a million": float(now.nanoseconds // 10**9 - stamp.sec)
         + (now.nanoseconds % 10**9 - stamp.nanosec) / 1e6,
         "tenths": round(right, 1),
+        "stamp by a million": now.nanoseconds / 1e9 - stamp.sec - stamp.nanosec / 1e6,
+        "stamp in nanoseconds": now.nanoseconds / 1e9 - (stamp.sec * 10**9 + stamp.nanosec),
+        "now in nanoseconds": now.nanoseconds - (stamp.sec + stamp.nanosec / 1e9),
+        "now cut": now.nanoseconds // 10**9 - (stamp.sec + stamp.nanosec / 1e9),
     }[age]
 
 
@@ -312,6 +316,46 @@ LIMIT_CUT = Slip(
 )
 
 
+STAMP_FAR_TOO_LARGE = Slip(
+    "stamp not by 1e9",
+    {"age": "stamp by a million"},
+    Words(
+        en="The stamp comes out far too late: its nanosec is divided by too little. A second has a thousand million of them: sec + nanosec / 1e9.",
+        ko="측정 시각이 훨씬 늦게 나옵니다. nanosec을 너무 작은 수로 나누었습니다. 1초는 10억 나노초이므로 sec + nanosec / 1e9입니다.",
+    ),
+)
+
+
+STAMP_IN_NANOSECONDS = Slip(
+    "stamp in nanoseconds",
+    {"age": "stamp in nanoseconds"},
+    Words(
+        en="The stamp is in nanoseconds and now in seconds, so every stamp looks like the future: bring both to one unit.",
+        ko="측정 시각은 나노초, 현재는 초라서 모든 측정 시각이 미래로 보입니다. 둘을 같은 단위로 맞추십시오.",
+    ),
+)
+
+
+NOW_IN_NANOSECONDS = Slip(
+    "now in nanoseconds",
+    {"age": "now in nanoseconds"},
+    Words(
+        en="now is not in seconds and the stamp is, so every stamp looks far too old: bring both to one unit, `now.nanoseconds / 1e9`.",
+        ko="현재 시각은 초가 아니고 측정 시각은 초라서 모두 너무 오래된 것으로 보입니다. `now.nanoseconds / 1e9`처럼 둘을 같은 단위로 맞추십시오.",
+    ),
+)
+
+
+NOW_IN_WHOLE_SECONDS = Slip(
+    "now in whole seconds",
+    {"age": "now cut"},
+    Words(
+        en="Of now you keep whole seconds alone, and of the stamp all: what was measured within this second looks like the future.",
+        ko="현재 시각은 초만 남기고 측정 시각은 모두 썼습니다. 이번 1초 안에 잰 것이 미래로 보입니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E1.3",
     kind="F",
@@ -346,6 +390,10 @@ TASK = Task(
         FAR_BEFORE_THE_SIGN,
         OLD_FOR_YOUNG,
         LIMIT_CUT,
+        STAMP_FAR_TOO_LARGE,
+        STAMP_IN_NANOSECONDS,
+        NOW_IN_NANOSECONDS,
+        NOW_IN_WHOLE_SECONDS,
     ),
     hints=(
         Words(

@@ -39,6 +39,8 @@ def turned(yaw, *, unit="radians", half="inside", z="sine", way="left", axis="z"
         "sine alone": (sine, 0.0),
         "sine beside one": (sine, 1.0),
         "half of it beside its root": (yaw / 2, math.sqrt(max(0.0, 1.0 - (yaw / 2) ** 2))),
+        "sine beside the rest": (sine, 1.0 - sine),
+        "sine beside the square": (sine, 1.0 - sine**2),
         "angle to length one": (yaw / math.hypot(yaw, 1.0), 1.0 / math.hypot(yaw, 1.0)),
     }[z]
     sine = -sine if way == "right" else sine
@@ -334,6 +336,28 @@ HALF_BESIDE_THE_COSINE = Slip(
 )
 
 
+REST_OF_ONE = Slip(
+    "what is left of one",
+    {"z": "sine beside the rest"},
+    Words(
+        en="You took 1 minus z for w. Sine and cosine are no shares of one, their squares are: w is the cosine of half the angle.",
+        ko="w에 1에서 z를 뺀 값을 썼습니다. 더해서 1이 되는 것은 sin과 cos이 아니라 그 제곱입니다. w는 각도 절반의 cos입니다.",
+    ),
+    "M5",
+)
+
+
+ROOT_FORGOTTEN = Slip(
+    "root forgotten",
+    {"z": "sine beside the square"},
+    Words(
+        en="w is 1 minus the square of z, which is the square of the cosine: the root is missing, and its sign beyond half a turn.",
+        ko="w가 1에서 z의 제곱을 뺀 값, 곧 cos의 제곱입니다. 제곱근과, 반 바퀴를 넘을 때의 부호가 빠졌습니다.",
+    ),
+    "M5",
+)
+
+
 TASK = Task(
     id="E2.3",
     kind="F",
@@ -373,6 +397,8 @@ TASK = Task(
         ANGLE_TO_LENGTH_ONE,
         ANGLE_BESIDE_THE_COSINE,
         HALF_BESIDE_THE_COSINE,
+        REST_OF_ONE,
+        ROOT_FORGOTTEN,
     ),
     hints=(
         Words(

@@ -60,9 +60,10 @@ def judged(q: tuple, *, finite="all", zero="length", below=1e-6, length="root", 
     if not all(map(finites[finite], q)):
         return "nan"
     x, y = (q[0] if "x" in looks else 0.0), (q[1] if "y" in looks else 0.0)
-    sizes = {"abs": max(abs(x), abs(y)), "signed": max(x, y), "sum": abs(x) + abs(y), "of the sum": abs(x + y),
-             "length": math.hypot(x, y), "both": min(abs(x), abs(y)), "z, too": max(map(abs, q[:3]))}  # fmt: skip
-    is_tipped = (abs(q[3]) < above if size == "w" else sizes[size] > above) or (w == "positive" and q[3] < 0.0)
+    sizes = {"never": 0.0, "abs": max(abs(x), abs(y)), "signed": max(x, y), "sum": abs(x) + abs(y), "of the sum": abs(x + y),
+             "length": math.hypot(x, y), "both": min(abs(q[0]), abs(q[1])), "z, too": max(map(abs, q[:3]))}  # fmt: skip
+    beside = {"w": abs(q[3]) < above, "w over z": abs(q[3]) > abs(q[2]), "x over w": abs(q[0]) > abs(q[3])}
+    is_tipped = (beside[size] if size in beside else sizes[size] > above) or (w == "positive" and q[3] < 0.0)
     if first == "w" and is_tipped:
         return "w first"
     is_zero = {
@@ -381,6 +382,47 @@ EACH_NEXT_TO_NOTHING = Slip(
 )
 
 
+W_OVER_Z = Slip(
+    "w over z",
+    {"size": "w over z"},
+    Words(
+        en="You ask whether w is larger than z. It is in every turn by less than a quarter circle, and in no turn at all: ask whether x or y is large.",
+        ko="w가 z보다 큰지 물었습니다. 90°보다 작게 돌거나 돌지 않으면 늘 그렇습니다. x나 y가 큰지 물으십시오.",
+    ),
+)
+
+
+X_OVER_W = Slip(
+    "x over w",
+    {"size": "x over w"},
+    Words(
+        en="You ask whether x is larger than w. A w that came first may be small, and then z stands last; y may be large as well: the task asks whether x or y is larger than 0.1.",
+        ko="x가 w보다 큰지 물었습니다. 앞에 온 w가 작을 수도 있고 y가 클 수도 있습니다. 과제는 x나 y가 0.1보다 큰지 묻습니다.",
+    ),
+)
+
+
+NEVER_W_FIRST = Slip(
+    "never w first",
+    {"size": "never"},
+    Words(
+        en='You say "w first" to none of these. The question about x and y is missing, or it asks for both to be large, on one side of zero: one of them is enough, to either side, so compare the abs() of each and join with `or`.',
+        ko='어느 것에도 "w first"라고 하지 않습니다. x와 y를 묻지 않았거나, 둘 다 한쪽으로 커야 한다고 물었습니다. 어느 쪽으로든 하나만 커도 됩니다. 각각 abs()로 비교하고 `or`로 이으십시오.',
+    ),
+    "M5",
+)
+
+
+HALF_A_UNIT = Slip(
+    "bound of 0.5",
+    {"above": 0.5},
+    Words(
+        en="Your bound for x and y is higher than the task's: 0.3 passes, and it tips the robot over.",
+        ko="x와 y의 한계가 과제보다 높습니다. 0.3이 통과하는데, 그래도 로봇이 기울어집니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E2.4",
     kind="F",
@@ -421,6 +463,10 @@ TASK = Task(
         X_AND_Y_BOTH,
         Z_TOO,
         EACH_NEXT_TO_NOTHING,
+        W_OVER_Z,
+        X_OVER_W,
+        NEVER_W_FIRST,
+        HALF_A_UNIT,
     ),
     hints=(
         Words(

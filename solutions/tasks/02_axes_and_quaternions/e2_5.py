@@ -34,6 +34,7 @@ def turned_twice(
     yaw_rad, pitch_rad = (pitch_rad, yaw_rad) if angles == "exchanged" else (yaw_rad, pitch_rad)
     ways = {
         "twice": 2.0,
+        "half": 0.5,
         "about x": 1.0,
         "left": 1.0,
         "down": 1.0,
@@ -321,6 +322,39 @@ ONE_TURN_ABOUT_A_SLANTED_AXIS = Twin(
 )
 
 
+HALVED = Slip(
+    "halved",
+    {"yaw": "half", "pitch": "half"},
+    Words(
+        en="Both turns go half as far as asked: the angles were halved before they became turns. `from_rpy` takes the whole angle; the half is made inside.",
+        ko="두 회전이 모두 절반만 돕니다. 각도를 미리 절반으로 나누었습니다. `from_rpy`에는 각도를 그대로 넣습니다. 절반은 안에서 만듭니다.",
+    ),
+    "M5",
+)
+
+
+YAW_HALVED = Slip(
+    "yaw halved",
+    {"yaw": "half"},
+    Words(
+        en="The yaw turns half as far as asked: `from_rpy` takes the whole angle.",
+        ko="yaw가 절반만 돕니다. `from_rpy`에는 각도를 그대로 넣습니다.",
+    ),
+    "M5",
+)
+
+
+PITCH_HALVED = Slip(
+    "pitch halved",
+    {"pitch": "half"},
+    Words(
+        en="The pitch turns half as far as asked: `from_rpy` takes the whole angle.",
+        ko="pitch가 절반만 돕니다. `from_rpy`에는 각도를 그대로 넣습니다.",
+    ),
+    "M5",
+)
+
+
 TASK = Task(
     id="E2.5",
     kind="N",
@@ -357,6 +391,9 @@ TASK = Task(
         SANDWICHED,
         AVERAGED_TO_LENGTH_ONE,
         ONE_TURN_ABOUT_A_SLANTED_AXIS,
+        HALVED,
+        YAW_HALVED,
+        PITCH_HALVED,
     ),
     hints=(
         Words(

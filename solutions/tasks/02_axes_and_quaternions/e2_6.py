@@ -55,8 +55,8 @@ TURN_THE_DATA = Twin(
     "turn the data",
     lambda given: {"wall_appears": wall_appears(given), "fault": "data", "change": "my node"},
     Words(
-        en="Turning the numbers in your node makes your node right and everybody else's wrong, and it breaks on the day the cause is mended. The numbers are what the camera measured; one of the three labels or mounts is not what it should be.",
-        ko="내 노드에서 숫자를 돌리면 내 노드만 맞고 다른 모두는 틀립니다. 게다가 원인이 고쳐지는 날 망가집니다. 숫자는 카메라가 잰 그대로입니다. 이름표와 두 장착 변환 가운데 하나가 잘못되어 있습니다.",
+        en="The numbers are what the camera measured: right, down, forward. To turn them would mend one program, and break on the day the cause is mended; one of the three labels or mounts is not what it should be.",
+        ko="숫자는 카메라가 잰 그대로입니다(오른쪽, 아래, 앞). 숫자를 돌리면 프로그램 하나만 맞고, 원인이 고쳐지는 날 그것마저 틀려집니다. 세 이름표와 장착 가운데 하나가 잘못되었습니다.",
     ),
     misconception="M4",
     part="fault",
@@ -213,6 +213,18 @@ TASK = Task(
         "my node": Words(
             en="in your own node you would mend it for yourself alone.",
             ko="내 노드에서 고치면 나에게만 고쳐집니다.",
+        ),
+        "right": Words(
+            en="right is -y of base_link: then the depth, the third number, would have to be read as -y.",
+            ko="오른쪽은 base_link의 -y입니다. 그러려면 세 번째 숫자인 깊이가 -y로 읽혀야 합니다.",
+        ),
+        "left": Words(
+            en="left is +y of base_link: then the depth, the third number, would have to be read as y.",
+            ko="왼쪽은 base_link의 +y입니다. 그러려면 세 번째 숫자인 깊이가 y로 읽혀야 합니다.",
+        ),
+        "above": Words(
+            en="above is +z of base_link: then the depth, the third number, would have to be read as z.",
+            ko="위는 base_link의 +z입니다. 그러려면 세 번째 숫자인 깊이가 z로 읽혀야 합니다.",
         ),
         "ahead": Words(
             en="ahead is where the wall would be if nothing were wrong.",

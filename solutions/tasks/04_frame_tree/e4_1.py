@@ -46,8 +46,8 @@ UNCHANGED = Slip(
     "unchanged",
     {"fault": "left"},
     Words(
-        en="The fault is still in there. Collect the parents that are nobody's child: one of the two is no root but a typo.",
-        ko="고장이 그대로 있습니다. 누구의 자식도 아닌 부모를 모아 보세요. 둘 가운데 하나는 루트가 아니라 오타입니다.",
+        en="The fault is still in there. Collect the parents that are nobody's child: one of the two is no root but a typo. Whoever looks for the name nearest to it leaves it out of the search: a word is most like itself.",
+        ko="고장이 그대로 있습니다. 누구의 자식도 아닌 부모를 모아 보세요. 둘 가운데 하나는 루트가 아니라 오타입니다. 가장 비슷한 이름을 찾을 때는 그 이름을 후보에서 빼십시오. 자기 자신과 가장 비슷하기 때문입니다.",
     ),
     "M14",
 )
@@ -151,6 +151,28 @@ ALL_BELOW_ONE = Twin(
 )
 
 
+THE_MENDING_ALONE = Twin(
+    "the mending alone",
+    lambda given: {names(given)[1]: names(given)[2]},
+    Words(
+        en="That says which name is meant by which, and is no tree: asked for are all edges, child → parent, with that parent mended.",
+        ko="어느 이름이 어느 이름이어야 하는지만 있고 트리는 없습니다. 그 부모를 고친 모든 간선을 자식 → 부모로 쓰십시오.",
+    ),
+    "M14",
+)
+
+
+THE_MENDING_TURNED = Twin(
+    "the mending turned round",
+    lambda given: {names(given)[2]: names(given)[1]},
+    Words(
+        en="That sets the right name below the misspelt one, and is no tree: asked for are all edges, child → parent, with that parent mended.",
+        ko="맞는 이름을 오타 밑에 두었을 뿐 트리가 아닙니다. 그 부모를 고친 모든 간선을 자식 → 부모로 쓰십시오.",
+    ),
+    "M14",
+)
+
+
 TASK = Task(
     id="E4.1",
     kind="T",
@@ -173,6 +195,8 @@ TASK = Task(
         RIGHT_NAME_BELOW_THE_TYPO,
         A_PARENT_FOR_MAP,
         ALL_BELOW_ONE,
+        THE_MENDING_ALONE,
+        THE_MENDING_TURNED,
     ),
     hints=(
         Words(en="Which parents are nobody's child?", ko="누구의 자식도 아닌 부모는 무엇입니까?"),

@@ -41,16 +41,21 @@ def walked(parent_of, target, source, *, ends="as asked", climb="until they meet
             return [] if lost == "empty" else None
     if named == "a step to itself" and target == source:
         return [(source, "up")]
-    if climb == "until they meet":
+    if (climb == "up alone" and target not in up) or (climb == "down alone" and source not in down):
+        raise ConnectivityException("no way up") if climb == "up alone" else ConnectivityException("no way down")
+    if climb != "to the root":
         while up and down and up[-1] == down[-1]:
             up.pop()
             down.pop()
     else:
         up, down = up[:-1], down[:-1]
+    meeting = parent_of.get(up[-1], up[-1]) if up else source
     first, then = {"exchanged": ("down", "up"), "all up": ("up", "up")}.get(words, ("up", "down"))
     down = {"outward": down[::-1], "as climbed": down, "left out": []}[order]
     if named == "where they meet, too" and up:
         up = [*up, parent_of.get(up[-1], up[-1])]
+    up = [*up, meeting] if named == "where they meet, always" else up
+    down = [meeting, *down] if named == "where they meet, down" else down
     if named == "parent":
         up, down = ([parent_of.get(child, child) for child in way] for way in (up, down))
     if named == "where it arrives":
@@ -231,6 +236,48 @@ ALWAYS_THE_PARENT = Slip(
 )
 
 
+UP_ALONE = Slip(
+    "up alone",
+    {"climb": "up alone"},
+    Words(
+        en="You only climb, and give up where the target is not above the source. The way goes up to a frame that both have above them, and down from there; it is lost only if there is none.",
+        ko="위로만 올라가고, 목표가 원본 위에 없으면 포기합니다. 둘의 위에 함께 있는 좌표계까지 올라갔다가 거기서 내려갑니다. 그런 좌표계가 없을 때만 길이 없습니다.",
+    ),
+    "M11",
+)
+
+
+DOWN_ALONE = Slip(
+    "down alone",
+    {"climb": "down alone"},
+    Words(
+        en="You only go down, and give up where the source is not above the target. The way goes up first, to a frame that both have above them.",
+        ko="아래로만 내려가고, 원본이 목표 위에 없으면 포기합니다. 먼저 둘의 위에 함께 있는 좌표계까지 올라갑니다.",
+    ),
+    "M11",
+)
+
+
+MEETING_ALWAYS = Slip(
+    "the meeting always a step",
+    {"named": "where they meet, always"},
+    Words(
+        en="The frame in which the two ways meet has a step of its own in your list. The way turns there, and its own edge is not walked: no step.",
+        ko="두 길이 만나는 좌표계에도 단계가 있습니다. 거기서 방향만 바꿀 뿐 그 좌표계의 간선은 지나지 않으므로 단계가 없습니다.",
+    ),
+)
+
+
+MEETING_DOWN = Slip(
+    "the meeting a step down",
+    {"named": "where they meet, down"},
+    Words(
+        en="The frame in which the two ways meet stands among your steps down. The way turns there, and its own edge is not walked: no step.",
+        ko="두 길이 만나는 좌표계가 내려가는 단계에 들어 있습니다. 거기서 방향만 바꿀 뿐 그 좌표계의 간선은 지나지 않으므로 단계가 없습니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E4.3",
     kind="F",
@@ -259,6 +306,10 @@ TASK = Task(
         WAY_FIRST,
         JOINED_OVER_TWO_ROOTS,
         ALWAYS_THE_PARENT,
+        UP_ALONE,
+        DOWN_ALONE,
+        MEETING_ALWAYS,
+        MEETING_DOWN,
     ),
     hints=(
         Words(

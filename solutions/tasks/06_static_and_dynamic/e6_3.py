@@ -44,7 +44,7 @@ def message(mount, stamp, ends, moment, place, order, angle, quaternion):
     roll, pitch, yaw = (angles[1], angles[0], angles[2]) if order == "pitch first" else angles
     x, y, z, w = Transform.from_rpy(roll=roll, pitch=pitch, yaw=yaw).rotation
     only_yaw = (0.0, 0.0, math.sin(angles[2] / 2), math.cos(angles[2] / 2))
-    ways = {"xyzw": (x, y, z, w), "w first": (w, x, y, z), "none": (0.0, 0.0, 0.0, 1.0), "angles": (*angles, 1.0),
+    ways = {"xyzw": (x, y, z, w), "w first": (w, x, y, z), "taken for w first": (y, z, w, x), "none": (0.0, 0.0, 0.0, 1.0), "angles": (*angles, 1.0),
             "yaw alone": only_yaw, "inverse": (-x, -y, -z, w)}  # fmt: skip
     turn = t.transform.rotation
     turn.x, turn.y, turn.z, turn.w = ways[quaternion]
@@ -252,6 +252,17 @@ PITCH_FIRST = Slip(
 )
 
 
+TAKEN_FOR_W_FIRST = Slip(
+    "taken for w first",
+    {"quaternion": "taken for w first"},
+    Words(
+        en="You wrote `.rotation` to w, x, y, z in this order, and it comes as (x, y, z, w): each number stands one place off.",
+        ko="`.rotation`은 (x, y, z, w)로 나오는데 w, x, y, z의 순서로 넣었습니다. 숫자가 모두 한 자리씩 밀렸습니다.",
+    ),
+    "M5",
+)
+
+
 TASK = Task(
     id="E6.3",
     kind="F",
@@ -287,6 +298,7 @@ TASK = Task(
         SORTED_BY_NAME,
         FIRST_STAMP_ALONE,
         PITCH_FIRST,
+        TAKEN_FOR_W_FIRST,
     ),
     hints=(
         Words(
