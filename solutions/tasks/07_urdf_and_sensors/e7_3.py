@@ -352,6 +352,24 @@ FIRST_JOINT_ALONE = Twin(
     ),
 )
 
+LAST_JOINT_DROPPED = Twin(
+    "last joint dropped",
+    lambda chain, positions: walk(chain[:-1], positions),
+    Words(
+        en="You stop one joint before the tip: the last one is not in your product, neither its place nor its movement. Does the loop, or a slice, end one too early?",
+        ko="팔 끝보다 관절 하나 앞에서 멈춥니다. 마지막 관절이 위치도 움직임도 곱에 들어 있지 않습니다. 반복문이나 슬라이스가 하나 일찍 끝나지 않습니까?",
+    ),
+)
+
+ENDS_WITH_THE_POSITIONS = Twin(
+    "ends with the positions",
+    lambda chain, positions: walk(chain[: len(positions)], positions, names="by place"),
+    Words(
+        en="You pair joints and positions by their places, as `zip` does: the first joint gets the first number, and whichever list is shorter ends the chain. Go through all joints, and look each one up by its name.",
+        ko="관절과 위치를 `zip`처럼 순서대로 짝짓습니다. 첫 관절이 첫 숫자를 받고, 짧은 쪽이 끝나면 사슬도 끝납니다. 관절을 모두 지나면서 이름으로 찾으십시오.",
+    ),
+)
+
 LAST_MOVEMENT_LEFT_OUT = Twin(
     "last movement left out",
     lambda chain, positions: walk(
@@ -418,6 +436,8 @@ TASK = Task(
         STEPS_IN_THE_BASE,
         LETTERS_TURNED_ROUND,
         FIRST_JOINT_ALONE,
+        LAST_JOINT_DROPPED,
+        ENDS_WITH_THE_POSITIONS,
         LAST_MOVEMENT_LEFT_OUT,
         NUMBERS_ADDED,
     ),
