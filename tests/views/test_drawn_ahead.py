@@ -73,6 +73,9 @@ def test_a_place_that_was_drawn_ahead_is_not_drawn_again_when_the_slider_comes_t
     assert picture.show(speed).png == b"[1.3000000000000003]"
     assert len(drawn) == 1
     assert picture.at == {"places": [1.3], "moved": 0}
+    before = picture.anew
+    picture.show(anew=True)
+    assert picture.anew == before + 1  # nothing else tells a browser of it where no control has moved
 
 
 def test_drawn_anew_means_that_nothing_from_before_is_used():

@@ -43,6 +43,30 @@ def shown_fixture(lab, page):
     return page
 
 
+def test_a_panel_without_a_slider_shows_what_its_button_has_changed_and_its_menu_has_its_own_keys(lab, page):
+    patient = "from tflab.clinic.panel import clinic_panel\nfrom tflab.clinic.practice import practice_patient"
+    lab.write_notebook("clinic.ipynb", [patient, "clinic_panel(practice_patient(7))"])
+    lab.open(page, "clinic.ipynb")
+    lab.run_all(page)
+    page.locator(IMAGE).wait_for()
+    before = page.locator(IMAGE).get_attribute("src")
+    page.get_by_role("button", name="Ask").click()
+    settled(page, 0, before)
+    assert page.locator(IMAGE).get_attribute("alt").startswith("2 of 3 suspects left")  # it has looked at RViz again
+
+    # in a notebook's command mode an arrow goes to another cell, and "dd" deletes one
+    menu, cells = page.locator(".widget-dropdown select").nth(0), page.locator(".jp-Cell").count()
+    page.wait_for_function("document.querySelector('.widget-dropdown select').dataset.lmSuppressShortcuts === 'true'")
+    menu.click()
+    page.keyboard.press("Escape")
+    was = menu.input_value()
+    page.keyboard.press("ArrowDown")
+    page.wait_for_function("was => document.querySelector('.widget-dropdown select').value !== was", arg=was)
+    page.keyboard.type("dd")
+    assert page.evaluate("document.activeElement.tagName") == "SELECT"
+    assert page.locator(".jp-Cell").count() == cells
+
+
 def test_panels_follow_mouse_and_keyboard_in_both_themes(lab, shown):
     assert shown.locator(".jupyter-widgets-error-widget").count() == 0
     assert shown.locator(".jp-RenderedImage img").get_attribute("width") == "760"

@@ -76,6 +76,7 @@ class DrawnAhead(anywidget.AnyWidget):
         png: what is shown.
         description: the same in words; the picture's alternative text.
         at: where the controls are in it, and the number of the one that was moved.
+        anew: how often what is drawn came to depend on more than them; what the browser has of before is gone then.
     """
 
     _esm = javascript("follow")
@@ -84,6 +85,7 @@ class DrawnAhead(anywidget.AnyWidget):
     png = traitlets.Bytes().tag(sync=True)
     description = traitlets.Unicode().tag(sync=True)
     at = traitlets.Dict().tag(sync=True)
+    anew = traitlets.Int().tag(sync=True)
     width = traitlets.Int().tag(sync=True)
     height = traitlets.Int().tag(sync=True)
 
@@ -110,6 +112,7 @@ class DrawnAhead(anywidget.AnyWidget):
             with self.hold_sync():
                 self.png, self.description = drawing
                 self.at = {"places": places, "moved": number}
+                self.anew += anew
         return drawing
 
     def drawing(self, places: Sequence[Any], moved: int) -> Drawing:

@@ -71,7 +71,7 @@ class Drawings {
 export default {
   render({ model, el }) {
     const drawings = new Drawings(model), undo = [];
-    let controls = [], moved = 0, shown = null, asking = 0, asked = { line: "", here: 0, left: 0 };
+    let controls = [], moved = 0, anew = model.get("anew"), shown = null, asking = 0, asked = { line: "", here: 0, left: 0 };
     const places = () => controls.map(placeOf);
     const nearest = () => { // the key of the drawing that is most like what should be seen now, if there is one
       const now = places(), key = (place) => keyOf(now.map((each, i) => (i === moved ? place : each)), moved);
@@ -91,6 +91,8 @@ export default {
     const take = () => { // what the kernel has drawn: shown, unless we are further already
       const { places: drawnAt, moved: drawnFor } = model.get("at");
       const key = keyOf(drawnAt, drawnFor);
+      if (anew !== model.get("anew")) drawings.clear(); // of a time when there was something else to be seen
+      anew = model.get("anew");
       drawings.add(key, model.get("png"), model.get("description"));
       const now = controls.length ? nearest() : key;
       show(drawings.has(now) ? now : key);
@@ -111,7 +113,7 @@ export default {
     };
     const on = (source, event, action) => { source.on(event, action); undo.push(() => source.off(event, action)); };
 
-    on(model, "change:at", take);
+    on(model, "change:at change:anew", take);
     on(model, "msg:custom", (message, [png]) => {
       if (message.type !== "drawn") return;
       const key = keyOf(message.places, message.moved);

@@ -3,13 +3,15 @@
 //
 //   image/png, svg + text/plain      <img alt="...">                   JupyterLab drops the words that came along
 //   a slider                         its name                          ipywidgets shows it, and does not say it
+//   a menu, a button, a handle       its own keys                      JupyterLab takes them for its shortcuts
 //   a page of the workbook           its language; no line of code is cut
 //   a view whose model is nowhere    the words, and "run this cell"    instead of "model not found"
 //   a kernel that says what it is    a page is not unsaved for that   JupyterLab writes it into the page
 //   Run All                          a live view's still twin stays folded   JupyterLab unfolds what it runs
 //
 // `tflab lab` brings it along, and an install of tflab puts it where any JupyterLab of the same Python finds it:
-// there, notebooks that are none of ours get names for their pictures and sliders, and nothing else.
+// there, notebooks that are none of ours get names for their pictures and sliders, keys for their menus, and nothing
+// else.
 // Written as JupyterLab loads it, so that nothing has to be built.
 (() => {
   const RUN = { en: "Run this cell to see it move.", ko: "이 셀을 실행하면 다시 움직입니다." };
@@ -26,10 +28,18 @@
     }
   }
 
+  // An arrow in a menu would go to another cell, and a letter typed there may delete one.
+  function keepKeys(output) {
+    for (const control of output.querySelectorAll(".jupyter-widgets :is(select, button, [tabindex])")) {
+      control.dataset.lmSuppressShortcuts = "true";
+    }
+  }
+
   function describe(output, model, language) {
     const text = words(model.data);
     for (const image of output.querySelectorAll(":is(.jp-RenderedImage, .jp-RenderedSVG) img:not([alt])")) image.alt = text;
     name(output);
+    keepKeys(output);
     if (!language) return;
     for (const view of output.querySelectorAll(".jp-OutputArea-output")) {
       if (!model.data?.["application/vnd.jupyter.widget-view+json"] || !view.textContent.includes("model not found")) continue;
