@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
+from urllib.parse import quote
 
 import pytest
 from making_pages import TITLE, code, text, written
 
+from tflab.workbook.pages import slides
 from tflab.workbook.pages.build import build
 from tflab.workbook.pages.slides import main, slides_of
 
@@ -164,6 +166,18 @@ def test_the_deck_of_a_chapter_shows_every_slide_and_draws_every_view(tmp_path: 
     assert page.locator(".deck-slide canvas").count() >= 1
     assert page.evaluate(DRAWN)
     assert wrong == []
+
+
+@pytest.mark.browser
+def test_no_picture_is_cut_where_it_stands_in_half_a_slide(page) -> None:
+    style = (Path(slides.__file__).parent / "static" / "deck.css").read_text(encoding="utf-8")
+    drawn = '<svg width="900" height="300"></svg>'
+    picture = f'<img width="900" height="300" src="data:image/svg+xml,{quote(drawn)}">'
+    wide = f'<div class="jp-OutputArea-output">{picture}{drawn}</div>'
+    half = f'<div class="deck-content deck-columns" style="width: 800px">{wide}</div>'
+    page.set_content(f'<style>{style}</style><div class="deck-slide deck-current">{half}</div>')
+    widths = page.evaluate("[...document.querySelectorAll('img, svg')].map((one) => one.getBoundingClientRect().width)")
+    assert len(widths) == 2 and max(widths) < 400
 
 
 @pytest.mark.browser
