@@ -63,6 +63,7 @@ TEMPLATE = """{%- extends 'lab/index.html.j2' -%}
 """
 OUR_STYLE = """
 .tflab-live pre { white-space: pre-wrap; }
+:is(.tflab-live, .jp-RenderedHTML) pre { font-family: var(--jp-code-font-family, monospace); }
 .tflab-value { margin: 2px 0; font-variant-numeric: tabular-nums; }
 """
 
