@@ -338,5 +338,19 @@ TASK = Task(
             ko="마지막에 타입을 보십시오. `isinstance(value, bool)`입니다. 숫자는 bool이 아닙니다.",
         ),
     ),
+    seen={
+        "sim": Words(
+            en="There the entry that counts for the node, its own before that of `/**`, says True.",
+            ko="여기서는 그 노드에 통하는 항목이 True입니다. 노드 자신의 항목이 `/**`보다 먼저입니다.",
+        ),
+        "wall": Words(
+            en="There the entry that counts for the node says False, or nobody sets it: every node begins with false.",
+            ko="여기서는 그 노드에 통하는 항목이 False이거나 아무도 설정하지 않았습니다. 모든 노드는 false로 시작합니다.",
+        ),
+        "refused": Words(
+            en="There the entry that counts for the node, its own before that of `/**`, holds a text or a number. Do you find that entry, written with a slash and without, and do you look at its type?",
+            ko="여기서는 그 노드에 통하는 항목이 텍스트나 숫자입니다. 노드 자신의 항목이 `/**`보다 먼저입니다. 슬래시가 있든 없든 그 항목을 찾고, 타입을 봅니까?",
+        ),
+    },
     cures=("M13", "M14"),
 )
