@@ -7,7 +7,7 @@ from itertools import pairwise
 import pytest
 
 from tflab.core import Transform
-from tflab.workbook.answers.forms import Command, Name, Number, Pose, Quaternion, Sequence, Vector
+from tflab.workbook.answers.forms import Command, Name, Number, Parts, Pose, Quaternion, Sequence, Tree, Vector
 from tflab.workbook.answers.values import raised
 from tflab.workbook.tasks.case import Case
 from tflab.workbook.tasks.stumbles import tip_for
@@ -115,3 +115,18 @@ def test_a_half_is_rounded_up_or_down_and_is_rounded_either_way():
 )
 def test_a_field_of_a_message_says_what_it_takes(text, tip):
     assert tip in tip_for("AssertionError", text).en
+
+
+def test_a_slip_that_copies_another_parts_answer_is_named_where_that_answer_is_wrong_too():
+    form = Parts({"leap": Number("m"), "step": Number("m")})
+    right = {"leap": 1.25, "step": 0.0}
+    said = {"step leaps": words("in odom nothing leaps", part="step")}
+    verdict = judged(form, right, {"step leaps": {"leap": 1.25, "step": 1.25}}, {"leap": 3.617, "step": 3.617}, said)
+    assert '"step": in odom nothing leaps' in verdict.said.en
+
+
+def test_none_for_a_word_and_dicts_inside_a_tree_are_told_how_they_are_written():
+    verdict = judged(Parts({"a": Name(), "b": Name()}), {"a": "x", "b": "y"}, {}, {"a": None, "b": "y"})
+    assert "in quotes" in verdict.detail["tip"].en
+    nested = {"red": {"red/odom": "map"}, "blue": {"blue/odom": "map"}}
+    assert "One dict" in judged(Tree(), {"red/odom": "map", "blue/odom": "map"}, {}, nested).detail["tip"].en

@@ -83,17 +83,6 @@ def named(given) -> dict:
     return {"fault": f"mount of {mount}", "change": "URDF"}
 
 
-WALL_ELSEWHERE = Twin(
-    "wall elsewhere",
-    lambda given: {**named(given), "wall_appears": "above" if wall_appears(given) == "right" else "right"},
-    Words(
-        en="Put three fingers on the numbers (right, down, forward) and read them as the fault makes them be read: which one becomes x, which one becomes z?",
-        ko="(오른쪽, 아래, 앞) 세 숫자를 손가락으로 짚고, 이 결함에서 각각 무엇으로 읽히는지 따라가 보십시오. 어느 것이 x가 되고 어느 것이 z가 됩니까?",
-    ),
-    misconception="M4",
-)
-
-
 def at_the_wrong_end(given) -> dict:
     """Blame the mount for a wrong header, and the header for a wrong mount."""
     if given.header_frame_id == "camera_link":
@@ -162,7 +151,6 @@ TASK = Task(
         TURN_THE_DATA,
         WRONG_END,
         OTHER_MOUNT,
-        WALL_ELSEWHERE,
         MENDED_ELSEWHERE,
         QUATERNION,
     ),

@@ -163,8 +163,8 @@ THE_ROBOT_S_TURN_KEPT = Twin(
     "the robot's turn kept",
     lambda map_T_base, odom_T_base: Transform(right_edge(map_T_base, odom_T_base).translation, map_T_base.rotation),
     Words(
-        en="The step is right; the turn is still the robot's own on the map. The wheels know a part of it already.",
-        ko="이동은 맞지만 회전이 지도 위 로봇의 것 그대로입니다. 그 가운데 일부는 바퀴가 이미 알고 있습니다.",
+        en="The turn is still the robot's own on the map. The wheels know a part of it already.",
+        ko="회전이 아직 지도에서 본 로봇의 회전 그대로입니다. 그 일부는 바퀴가 이미 알고 있습니다.",
     ),
 )
 

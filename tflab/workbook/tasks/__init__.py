@@ -18,6 +18,7 @@
     confused    which word a function says for which
     common      what the calls that go wrong have in common
     arithmetic  what was computed of what was given
+    givens      what was given, as it was
     habits      what habits of writing give: the first member, a loop that removes
     together    what is said of several parts at once
     edges       edges that were named by their parents

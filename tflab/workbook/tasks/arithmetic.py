@@ -8,7 +8,7 @@ Numbers: one of them, or two joined by + - * /.  Points: up to three, added or
 subtracted, or one moved by a pose or two.  Poses: one, two or three, turned round or not.
 Of a function: what it computes of its arguments in every call.  Only what fits to the
 last digit, and has digits enough not to be luck.
-The field calls it symbolic regression.  Read `habits.py` next.
+The field calls it symbolic regression.  Read `givens.py` next.
 """
 
 from __future__ import annotations
@@ -81,7 +81,7 @@ def computed_in_all(form: Form, args: Sequence[list[Plain]], answers: Sequence[P
     left: dict[str, _Sum] | None = None
     for row, call in zip(rows, args, strict=True):
         given = {f"argument {number}": plain for number, plain in enumerate(call, start=1)}
-        fits = {way.text: way for way in _sums(form, given) if _is_same(form, row, way.value)}
+        fits = {way.text: way for way in _sums(form, given, zeros=True) if _is_same(form, row, way.value)}
         left = {text: way for text, way in (fits if left is None else left).items() if text in fits}
         if not left:
             return None
@@ -108,10 +108,10 @@ def _matrix(pose: Transform) -> Row:
     return tuple(float(number) for line in pose.matrix() for number in line)
 
 
-def _sums(form: Form, given: dict[str, Plain]) -> Iterator[_Sum]:
+def _sums(form: Form, given: dict[str, Plain], *, zeros: bool = False) -> Iterator[_Sum]:
     """Yield what may be computed of what was given, for an answer of this form, the plainest first."""
     if isinstance(form, Vector):
-        yield from _of_points(form.size, given)
+        yield from _of_points(form.size, given, zeros)
         yield from _of_moved(given) if form.size == 3 else ()
     elif isinstance(form, Number | Angle):
         yield from _of_numbers(given)
@@ -188,12 +188,12 @@ def _changed(value: float) -> Iterator[tuple[str, float]]:
             yield f"math.{function.__name__}({of})", function(angle)
 
 
-def _of_points(size: int, given: dict[str, Plain]) -> Iterator[_Sum]:
+def _of_points(size: int, given: dict[str, Plain], zeros: bool) -> Iterator[_Sum]:
     held = []
     for name, leaf in leaves(given):
         parts = pose_of(leaf)
         row = numbers_of(leaf, size) if parts is None else parts[2][:size]
-        if row is not None and any(row):
+        if row is not None and (zeros or any(row)):
             held.append((name if parts is None else f"{name}.translation", row))
     for count in (2, 3):
         for chosen in combinations(held[:MOST_LEAVES], count):

@@ -29,10 +29,11 @@ from .evidence import habit
 from .explanation import Explanation, said_of
 from .fields import sections
 from .fitting import IN_SOME, MEASURED, ONE, TWO, alike, all_alike, in_some, is_just, undone_to, words_of
+from .givens import given_to
 from .habits import habit_of
 from .lists import of_lists
 from .losses import TOLD
-from .members import changed_places, given_to, of_members
+from .members import changed_places, of_members
 from .names import of_names, unfilled
 from .refusals import of_refusals
 from .robots import of_robots

@@ -16,13 +16,13 @@ from itertools import combinations
 from typing import NamedTuple
 
 from ..answers import sealed
-from ..answers.form import Form, numbers_of, pose_of
-from ..answers.forms import Angle, Choice, Message, Number, Parts, Pose, Quaternion, Vector
+from ..answers.form import Form, numbers_of
+from ..answers.forms import Choice, Message, Parts, Vector
 from ..answers.forms import Sequence as ListForm
 from ..answers.structures import named_beside
 from ..answers.values import Plain, is_raised
 from ..words import Words
-from .arithmetic import computed, computed_in_all, leaves
+from .arithmetic import computed, computed_in_all
 from .case import AND, Case, TaskCases, TwinWords
 from .certain import certain
 from .common import in_common
@@ -30,13 +30,13 @@ from .confused import confused, word_of
 from .explanation import Explanation, said_of
 from .fields import section, sections, split
 from .fitting import MEASURED, ONE, TWO, alike, all_alike, in_some, is_just, undone_to, words_of
+from .givens import given_to
 from .habits import habit_of
 from .losses import TOLD, stamp_of, time_of
 from .orders import of_orders
 from .together import Found, together
-from .units import unit_of
 
-__all__ = ["changed_places", "given_to", "of_members"]
+__all__ = ["changed_places", "of_members"]
 
 ANOTHERS = Words(
     en='this is what is asked for under "{other}".',
@@ -96,7 +96,9 @@ def _of_table(
             left -= cause.parts
     for number, name in enumerate(names):
         if name in left:
-            found += _by_itself(task, table, name, given) or _as_it_came(task.form, table, number, name, cases)
+            found += _by_itself(task, table, name, given, cases[0].twins) or _as_it_came(
+                task.form, table, number, name, cases
+            )
     left -= {name for cause in found for name in cause.parts}
     return together(found, {name: _certain(table, name) for name in names if name in left}, names) if found else None
 
@@ -121,17 +123,6 @@ def changed_places(
     wrong = {name for name in names if not all_alike(table.forms[name], table.given[name], table.wanted[name])}
     found = next((pair for pair in _changed_places(table, wrong) if pair.parts == wrong), None)
     return together([found], {}, names) if found else None
-
-
-def given_to(form: Form, outcome: Plain, expected: Plain, given: dict[str, Plain] | None) -> str | None:
-    """Return under which name an answer was given, if it is nothing else than that."""
-    if isinstance(form, Choice | Parts | ListForm) or alike(form, outcome, expected):
-        return None
-    for name, leaf in leaves(given or {}):
-        for shaped in _shaped(form, name, leaf):
-            if form.read(shaped) is not None and alike(form, outcome, shaped):
-                return name
-    return None
 
 
 def _table(form: Form, cases: Sequence[Case], outcomes: Sequence[Plain]) -> _Table:
@@ -234,7 +225,9 @@ def _holds(table: _Table, one: str, other: str) -> bool:
     return all_alike(table.forms[other], table.given[one], table.wanted[other])
 
 
-def _by_itself(task: TaskCases, table: _Table, name: str, given: dict[str, Plain] | None) -> list[Found]:
+def _by_itself(
+    task: TaskCases, table: _Table, name: str, given: dict[str, Plain] | None, twins: dict[str, Plain]
+) -> list[Found]:
     """Return what explains one part alone: its option, what any answer can have, another's answer, what was given."""
     form, outcomes, wanted = table.forms[name], table.given[name], table.wanted[name]
     hint = _choice(task, name, form, outcomes[0], wanted[0]) if len(outcomes) == 1 else None
@@ -245,7 +238,7 @@ def _by_itself(task: TaskCases, table: _Table, name: str, given: dict[str, Plain
     if len(outcomes) > 1:
         summed = computed_in_all(form, table.args, outcomes)
         return [Found.of(f"{name}: {summed[0]}", summed[1], name)] if summed else _of_words(task, table, name)
-    found = _of_the_given(task, name, form, outcomes[0], wanted[0], given)
+    found = _of_the_given(task, name, form, outcomes[0], wanted[0], given) or _as_another_is(task, table, name, twins)
     return found or ([Found.of(f"{name}: another", hint, name)] if hint else [])
 
 
@@ -314,6 +307,20 @@ def _of_the_given(
     return [Found.of(found[0], _shown_too(task, name, found[1]), name)] if found else []
 
 
+def _as_another_is(task: TaskCases, table: _Table, name: str, twins: dict[str, Plain]) -> list[Found]:
+    """Return the slip that writes another part's right answer here, where that one as it was given stands here."""
+    form, number = table.forms[name], list(table.forms).index(name)
+    for other, part in table.forms.items():
+        is_like = other != name and type(part) is type(form) and isinstance(form, MEASURED)
+        if not is_like or not alike(form, table.given[name][0], table.given[other][0]):
+            continue
+        for key, twin in twins.items():
+            is_made_here = AND not in key and words_of(task, key).part == name
+            if is_made_here and alike(form, section(task.form, twin, number, name), table.wanted[other][0]):
+                return [Found({key: words_of(task, key)}, words_of(task, key).reply, {name})]
+    return []
+
+
 def _as_it_came(form: Form, table: _Table, number: int, name: str, cases: Sequence[Case]) -> list[Found]:
     """Return whether a part of what a function gives is that part of an argument, in every case."""
     for place in range(len(cases[0].args or ())):
@@ -370,17 +377,3 @@ def _certain(table: _Table, name: str) -> Words | None:
     said = [certain(table.forms[name], *wrong) if wrong else None, _in_common(table, name)]
     rows = list(zip(*filter(None, said), strict=True))
     return Words(*(". ".join(row).rstrip(".") for row in rows)) if rows else None
-
-
-# -- what was given ------------------------------------------------------------------------
-
-
-def _shaped(form: Form, name: str, leaf: Plain) -> Iterator[Plain]:
-    """Yield what was given as an answer of this form might have it; a number only if its name ends in the unit."""
-    if isinstance(form, Pose) or (isinstance(form, Number | Angle) and name.endswith(f"_{unit_of(form)}")):
-        yield leaf
-    parts = pose_of(leaf)
-    if isinstance(form, Vector):
-        yield from ([leaf] if parts is None else [list(parts[2])[: form.size]])
-    elif isinstance(form, Quaternion):
-        yield from ([leaf] if parts is None else [list(parts[3])])

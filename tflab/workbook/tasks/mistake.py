@@ -100,8 +100,8 @@ REPLIES = {
         ko="이렇게 부르면 예외를 일으켜야 하는데, 예외가 나오지 않았습니다.",
     ),
     Mistake.TYPE: Words(
-        en="your answer is of the wrong kind ({got}). Asked for: {wanted}.",
-        ko="답의 종류가 다릅니다({got}). 필요한 것: {wanted}.",
+        en="your answer is of the wrong kind ({got}). Asked for: {wanted}{tip}.",
+        ko="답의 종류가 다릅니다({got}). 필요한 것: {wanted}{tip}.",
     ),
     Mistake.SHAPE: Words(
         en="your answer has the wrong shape ({got}). Asked for: {wanted}{tip}.",

@@ -34,34 +34,34 @@ UNFILLED = Words(
 )
 BRACES = re.compile(r"\{[A-Za-z_][^{}:\"\s]*(?:\s?[-+*/]\s?[^{}:\"\s]+)*(?::[.\d]*[a-z]?)?\}")
 IN = Words("in {count} of the {of} names that are wrong: {fact}", "틀린 이름 {of}개 가운데 {count}개에서 {fact}")
-FACTS: dict[str, tuple[Callable[[str, str], bool], Words]] = {
+FACTS: dict[str, tuple[Callable[[tuple[str, str]], bool], Words]] = {
     "nothing": (
-        lambda given, want: not given and bool(want),
+        lambda pair: not pair[0] and bool(pair[1]),
         Words("nothing is left of it", "이름이 비어 있습니다"),
     ),
     "slash in front": (
-        lambda given, want: given.startswith("/") and not want.startswith("/"),
+        lambda pair: pair[0].startswith("/") and not pair[1].startswith("/"),
         Words("a slash in front, `{one}`", "맨 앞에 슬래시가 있습니다(`{one}`)"),
     ),
     "slashes in a row": (
-        lambda given, want: "//" in given.lstrip("/") and "//" not in want,
+        lambda pair: "//" in pair[0].lstrip("/") and "//" not in pair[1],
         Words("two slashes in a row, `{one}`", "슬래시가 연달아 있습니다(`{one}`)"),
     ),
     "slash behind": (
-        lambda given, want: len(given) > 1 and given.endswith("/") and not want.endswith("/"),
+        lambda pair: len(pair[0]) > 1 and pair[0].endswith("/") and not pair[1].endswith("/"),
         Words("a slash at the end, `{one}`", "맨 끝에 슬래시가 있습니다(`{one}`)"),
     ),
     "too little in front": (
-        lambda given, want: bool(given.strip("/")) and want.endswith("/" + given.strip("/")),
+        lambda pair: bool(pair[0].strip("/")) and pair[1].endswith("/" + pair[0].strip("/")),
         Words("what belongs before the frame is missing, `{one}`", "좌표계 앞에 있어야 할 것이 없습니다(`{one}`)"),
     ),
     "too much in front": (
-        lambda given, want: bool(want) and given.strip("/").endswith("/" + want),
+        lambda pair: bool(pair[1]) and pair[0].strip("/").endswith("/" + pair[1]),
         Words("something before the frame that does not belong there, `{one}`",
               "좌표계 앞에 없어야 할 것이 있습니다(`{one}`)"),
     ),
     "other letters": (
-        lambda given, want: given != want and given.lower() == want.lower(),
+        lambda pair: pair[0] != pair[1] and pair[0].lower() == pair[1].lower(),
         Words("other capitals, `{one}`", "대소문자가 다릅니다(`{one}`)"),
     ),
 }  # fmt: skip
@@ -81,14 +81,19 @@ def of_names(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> 
     """Return what can be seen at the names that a function gives; None unless that covers all that are wrong."""
     if not isinstance(form, Name) or any(sealed.is_sealed(want) or is_raised(want) for want in wanted):
         return None
-    wrong = [(given, want) for given, want in zip(outcomes, wanted, strict=True) if given != want]
-    if not wrong or not all(isinstance(given, str) and isinstance(want, str) for given, want in wrong):
-        return None
-    shows = {name: [pair for pair in wrong if is_so(*pair)] for name, (is_so, _) in FACTS.items()}
-    if not all(any(pair in pairs for pairs in shows.values()) for pair in wrong):
+    wrong = _that_differ(outcomes, wanted)
+    shows = {name: list(filter(is_shown, wrong)) for name, (is_shown, _) in FACTS.items()}
+    seen = [pair for pairs in shows.values() for pair in pairs]
+    if not wrong or any(pair not in seen for pair in wrong):
         return None
     said = [_filled(FACTS[name][1], pairs, wrong) for name, pairs in shows.items() if pairs]
     return Words("; ".join(words.en for words in said) + ".", ". ".join(words.ko for words in said) + ".")
+
+
+def _that_differ(outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> list[tuple[str, str]]:
+    """Return the names that are wrong, each beside the one that is asked for; none if one is no text."""
+    wrong = [(given, want) for given, want in zip(outcomes, wanted, strict=True) if given != want]
+    return wrong if all(isinstance(word, str) for pair in wrong for word in pair) else []
 
 
 def _filled(words: Words, pairs: list[tuple[str, str]], wrong: list[tuple[str, str]]) -> Words:

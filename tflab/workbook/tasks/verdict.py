@@ -18,7 +18,7 @@ from typing import Any
 
 from ..answers import forms, sealed
 from ..answers.form import inside, member
-from ..answers.forms import Angle, Choice, Command, Form, Message, Number, Parts, Urdf, Vector
+from ..answers.forms import Angle, Choice, Command, Form, Message, Name, Number, Parts, Tree, Urdf, Vector
 from ..answers.members import members_of
 from ..answers.values import Plain, is_raised, is_unanswered
 from ..words import Words
@@ -37,6 +37,15 @@ __all__ = ["Verdict", "judge_outcomes", "kind_of"]
 JOINED = Words(
     en="`+` between two lists or tuples joins them; it does not add their numbers",
     ko="리스트나 튜플끼리 `+`를 쓰면 이어 붙을 뿐, 숫자가 더해지지 않습니다",
+)
+
+NO_NAME = Words(
+    en='Python\'s None is nothing; if you mean the word, write it in quotes: "none"',
+    ko='파이썬의 None은 아무것도 없다는 뜻입니다. 그 낱말을 쓰려면 따옴표로 묶으십시오: "none"',
+)
+NESTED = Words(
+    en="One dict holds all edges; in yours, other dicts stand inside it",
+    ko="모든 간선을 딕셔너리 하나에 씁니다. 지금은 딕셔너리 안에 다른 딕셔너리가 들어 있습니다",
 )
 
 
@@ -251,7 +260,16 @@ def _unread(form: Form, outcome: Plain) -> tuple[Mistake, dict[str, Any]]:
     body = inside(outcome)
     if isinstance(body, list | dict) and not isinstance(form, Number | Angle | Choice) and _holds_numbers(body):
         return Mistake.SHAPE, {"tip": JOINED} if _is_joined(form, outcome) else {}
-    return Mistake.TYPE, {}
+    return Mistake.TYPE, _meant(form, outcome)
+
+
+def _meant(form: Form, outcome: Plain) -> dict[str, Any]:
+    """Return the tip for what has the wrong kind in a way that is plain to see."""
+    if outcome is None and (isinstance(form, Name) or (isinstance(form, Choice) and "none" in form.options)):
+        return {"tip": NO_NAME}
+    body = inside(outcome)
+    is_nested = isinstance(body, dict) and any(isinstance(inside(held), dict) for held in body.values())
+    return {"tip": NESTED} if isinstance(form, Tree) and is_nested else {}
 
 
 def _is_joined(form: Form, outcome: Plain) -> bool:
