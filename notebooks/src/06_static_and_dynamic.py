@@ -877,7 +877,7 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 # 뒤로 2센티미터, 왼쪽으로 20센티미터입니다. 로봇은 줄곧 바깥을 보면서 게처럼 **옆으로** 미끄러집니다. 바퀴로는 할 수 없는 일입니다.
 #
 # 코드에는 `yaw = θ`라고 적혀 있습니다. 그런데 θ는 원의 중심에서 본 *위치*의 각도입니다. 원 위에서 앞은 그 방향과 직각, 곧 `θ + π/2`입니다.
-# 메시지 하나하나는 올바른 포즈이므로 어떤 도구도 불평하지 않습니다. 로봇이 *자기 축으로* 어디로 가는지 따져 보아야만 드러납니다.
+# 메시지 하나하나는 올바른 포즈이므로 어떤 도구에서도 오류가 나지 않습니다. 로봇이 *자기 축으로* 어디로 가는지 따져 보아야만 드러납니다.
 
 # %% [markdown] lang="en" name="crab-notes" slide="notes"
 # Before the numbers, show only the circle and ask what is wrong with it.

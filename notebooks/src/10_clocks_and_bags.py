@@ -15,12 +15,12 @@
 #
 # **시계와 bag** · 약 55분 · 06, 08, 09장을 바탕으로 합니다
 #
-# 이 장을 마치면 다음을 할 수 있습니다.
+# 이 장을 마치면
 #
-# - 자기 메시지의 위치를 스스로 찾을 수 있는 [[bag]]을 기록하고, 그런지 아닌지를 숫자 하나로 말합니다.
-# - 노드가 어느 시간을 따르는지 말합니다. 컴퓨터의 시간, bag의 시간([[simulation time|시뮬레이션 시간]]), 또는 멈춘 시간입니다.
-# - 빠뜨린 `--clock`, 다른 날을 사는 노드, 반복 재생되는 bag을 알아봅니다.
-# - 여러분의 bag을 검사합니다.
+# - 자기 메시지의 위치를 스스로 찾을 수 있는 [[bag]]을 기록하고, 그런지 아닌지를 숫자 하나로 말할 수 있습니다.
+# - 노드가 컴퓨터의 시간, bag의 시간([[simulation time|시뮬레이션 시간]]), 멈춘 시간 가운데 어느 것을 따르는지 말할 수 있습니다.
+# - 빠뜨린 `--clock`, 다른 날을 사는 노드, 반복 재생되는 bag을 알아볼 수 있습니다.
+# - 자신의 bag을 검사할 수 있습니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
 # Ask first: you play yesterday's recording. What time is it? Two answers are right, and a robot needs to agree on one. 55 minutes: 11 to the offset, 9 for one number, 15 for the two clocks and the innocent, 8 for the loop, 6 for their own bag, 6 for the vote and the ticket.
@@ -140,8 +140,8 @@ lesson.draw_heard(lap, for_s=2.0)
 #
 # ### 예측해 봅시다
 #
-# 스캔 150개 가운데 149개는 bag 자신의 변환으로 지도에 놓을 수 있습니다. 스캔마다 자기 측정 시각의 `map ← laser_frame`을 씁니다. (첫 스캔은 TF 전체보다 오래되었습니다.)
-# `--start-offset 0.001`, 곧 1밀리초 뒤부터 재생하면 몇 개를 놓을 수 있을까요?
+# 스캔 150개 가운데 149개는 bag에 담긴 변환만으로 지도에 옮길 수 있습니다. 스캔마다 자기 측정 시각의 `map ← laser_frame`을 씁니다. (첫 스캔은 TF 전체보다 오래되었습니다.)
+# `--start-offset 0.001`, 곧 1밀리초 뒤부터 재생하면 몇 개를 옮길 수 있을까요?
 
 # %% [markdown] lang="en" name="heard-notes" slide="notes"
 # Cover the last row with your hand and ask how often each of the others speaks. Uncover it. Then everybody writes a number for one millisecond.
@@ -263,7 +263,7 @@ for left_out in ((), ("/tf_static",), ("/tf",)):
 #
 # | 내일 하려는 일 | 센서 말고 기록할 것 |
 # |---|---|
-# | 로봇이 본 대로 센서를 지도에 놓기 | `/tf` `/tf_static` |
+# | 로봇이 본 대로 센서 데이터를 지도에 옮기기 | `/tf` `/tf_static` |
 # | 다른 알고리즘으로 위치를 새로 추정하기 | `/tf_static`과 오도메트리(`/tf` 또는 `/odom`). 재생할 때 `map → odom`은 뺍니다 |
 # | 같은 일을 시뮬레이션에서 | 위와 같고 `/clock`도 담습니다. 시뮬레이션이 얼마나 빨랐는지 남기 때문입니다. 이런 bag은 `--clock` 없이 재생합니다. 예전 재생기는 시각을 두 번 내보냅니다 |
 
@@ -381,7 +381,7 @@ lesson.draw_clocks({"rviz2": True, "detector": False}, lesson.Play(loops=True), 
 # %% [markdown] lang="ko" name="by-hand-intro" slide="subslide"
 # ### 직접 확인하기
 #
-# 강의에 나온 두 명령입니다. `&`를 붙이면 터미널을 하나 더 연 것처럼 재생기가 계속 돕니다. 돌고 있는 노드에 `param set`도 할 수 있습니다. 그 대가를 읽어 보세요.
+# 강의에 나온 두 명령입니다. `&`를 붙이면 터미널을 하나 더 연 것처럼 재생기가 계속 돕니다. 돌고 있는 노드에 `param set`도 할 수 있습니다. 그러면 무엇을 잃는지 출력에서 읽어 보세요.
 
 # %% name="by-hand-play" slide="-"
 asker = lesson.replay(Asker, bags / "lap", "", for_s=1.0)
@@ -410,7 +410,7 @@ asker = lesson.replay(Asker, bags / "lap", "", for_s=1.0)
 # ```
 
 # %% [markdown] lang="ko" name="by-hand-read"
-# *Clearing tf buffer*라고 나옵니다. 노드의 시계가 바뀌면 지금까지 모은 것은 다른 시간의 것이므로, 움직이는 연결을 모두 지웁니다. 장착 변환만 남습니다. 정적 변환은 어느 시각에나 유효하기 때문입니다. `/tf`가 다시 올 때까지는 아무것도 놓을 수 없고, 바꾸기 전에 측정한 것은 영영 놓을 수 없습니다. 그러니 `use_sim_time`은 노드를 시작할 때, 모든 노드에 똑같이(`/**`는 모든 노드라는 뜻입니다), launch 파일에서 정하십시오.
+# *Clearing tf buffer*라고 나옵니다. 노드의 시계가 바뀌면 지금까지 모은 것은 다른 시간의 것이므로, 움직이는 연결을 모두 지웁니다. 장착 변환만 남습니다. 정적 변환은 어느 시각에나 유효하기 때문입니다. `/tf`가 다시 올 때까지는 아무것도 지도에 옮길 수 없고, 바꾸기 전에 측정한 것은 영영 옮길 수 없습니다. 그러니 `use_sim_time`은 노드를 시작할 때, 모든 노드에 똑같이(`/**`는 모든 노드라는 뜻입니다), launch 파일에서 정하십시오.
 #
 # ```yaml
 # /**:
@@ -422,7 +422,7 @@ asker = lesson.replay(Asker, bags / "lap", "", for_s=1.0)
 # Ask what the change has cost: every edge that moves is forgotten, and what was measured before the switch is never placed. The mounts stay. Hence at the start, and for all nodes.
 
 # %% [markdown] lang="ko" name="by-hand-set-notes" slide="notes"
-# 바꾼 대가를 묻습니다. 움직이는 연결이 모두 지워졌고, 바꾸기 전에 측정한 것은 영영 놓을 수 없습니다. 장착 변환은 남습니다. 그래서 시작할 때, 모든 노드에 정합니다.
+# 바꾸면서 무엇을 잃었는지 묻습니다. 움직이는 연결이 모두 지워졌고, 바꾸기 전에 측정한 것은 영영 옮길 수 없습니다. 장착 변환은 남습니다. 그래서 시작할 때, 모든 노드에 정합니다.
 
 # %% [markdown] lang="en" name="quotes" slide="subslide"
 # **Break it:** somebody writes `"true"` in quotes. **Predict:** simulation time, the machine's, or no node at all?
@@ -510,7 +510,7 @@ print(lesson.doctor(lesson.current_graph(), seconds=3.0))
 # ## 과거로 돌아가기
 #
 # `ros2 bag play lap --clock --loop`는 15초를 거듭 재생합니다. 이음매에서 시계가 16초에서 1초로 돌아갑니다.
-# 강의의 노드는 `Buffer(cache_time=Duration(seconds=20.0))`을 씁니다. 지금 두 번째 바퀴이고, 노드의 시계는 11.9초입니다.
+# 강의에 나온 노드는 `Buffer(cache_time=Duration(seconds=20.0))`을 씁니다. 지금 두 번째 바퀴이고, 노드의 시계는 11.9초입니다.
 #
 # **예측해 봅시다.** `Time()`은 로봇이 어디에 있다고 할까요?
 
@@ -552,7 +552,7 @@ show(long)
 # With the usual ten seconds there is a warning. Many:
 
 # %% [markdown] lang="ko" name="twenty-seconds-read" tags=["predicted"]
-# *지난* 바퀴의 끝이라고 합니다. 실제 위치에서 2 m 가까이 떨어져 있습니다. 오류도 경고도 없고, 스캔도 모두 놓였습니다. 20초짜리 버퍼에는 두 바퀴가 다 들어가고, "최신"이란 측정 시각이 가장 큰 표본이기 때문입니다.
+# *지난* 바퀴의 끝이라고 합니다. 실제 위치에서 2 m 가까이 떨어져 있습니다. 오류도 경고도 없고, 스캔도 모두 지도에 옮겨졌습니다. 20초짜리 버퍼에는 두 바퀴가 다 들어가고, "최신"이란 측정 시각이 가장 큰 표본이기 때문입니다.
 # 보통의 10초짜리 버퍼라면 경고가 나옵니다. 아주 많이 나옵니다.
 
 # %% [markdown] lang="en" name="loop-notes" slide="notes"
@@ -874,7 +874,7 @@ rclpy.try_shutdown()
 #
 # - [[bag]]의 메시지에는 시각이 둘 있습니다. 수신 시각에 따라 재생되고, 측정 시각에 따라 TF가 답합니다.
 # - `/tf_static`은 첫 순간에 한 번 나옵니다. 그 순간을 빼면 어떤 센서도 자리를 찾지 못합니다.
-# - *bag은 자기 메시지의 위치를 스스로 찾을 수 있습니까?* 재생하지 않고도 숫자 하나로 압니다.
+# - *bag은 자기 메시지의 위치를 스스로 찾을 수 있을까요?* 재생하지 않고도 숫자 하나로 압니다.
 # - 모든 노드에 `use_sim_time`, 재생기에 `--clock`. 둘 다 켜거나 둘 다 끕니다. 하나만 켜면 시계가 멈추거나 노드가 다른 날을 삽니다([[simulation time|시뮬레이션 시간]]).
 # - 0에 멈춘 시계는 최신을 조회하므로, 고장 났을 때 가장 멀쩡해 보입니다. 측정 시각의 변환을 조회하면 언제나 맞습니다.
 # - 시계 오류를 내는 노드가 잘못한 노드인 경우는 드뭅니다.

@@ -15,12 +15,12 @@
 #
 # **도구와 RViz** · 약 60분, 강의로는 50분 · 04, 05, 08장을 바탕으로 합니다
 #
-# 이 장을 마치면 다음을 할 수 있습니다.
+# 이 장을 마치면
 #
-# - 질문에 맞는 도구를 고르고, 그 도구가 보지 못하는 것을 말합니다.
-# - `view_frames`, `tf2_echo`, `tf2_monitor`의 출력을 읽고, 거기에 숨은 함정을 압니다.
-# - 주어진 속도에서 변환이 얼마나 자주 와야 하는지, 덜 오면 무엇을 잃는지 계산합니다.
-# - RViz의 목록을 읽고, "계산할 수 있었다"와 "맞다"를 구별합니다.
+# - 질문에 맞는 도구를 고르고, 그 도구가 보지 못하는 것을 말할 수 있습니다.
+# - `view_frames`, `tf2_echo`, `tf2_monitor`의 출력을 읽고, 거기에 숨은 함정을 피할 수 있습니다.
+# - 주어진 속도에서 변환이 얼마나 자주 와야 하는지, 덜 오면 무엇을 잃는지 계산할 수 있습니다.
+# - RViz의 목록을 읽고, "계산할 수 있었다"와 "맞다"를 구별할 수 있습니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
 # Ask: who has seen a green Ok beside a picture that was wrong? Collect one story. The chapter gives three that look alike.
@@ -539,7 +539,7 @@ lesson.draw_rviz(until_s=25.0)
 # *Ok* says: I could compute where to draw it. Whether the numbers, the name or the stamp that went in are true, no tool can know; it has nothing to compare them with. You have: the drawing, the driver's manual, the clock.
 
 # %% [markdown] lang="ko" name="three-robots-seen" tags=["predicted"]
-# **아무 줄도 빨개지지 않습니다.** 세 목록은 건강한 로봇의 목록과 글자까지 같습니다. 점은 벽에서 평균 0.20, 0.12, 0.30 m 벗어나 있고(건강한 로봇은 0.05 m), 그것은 눈이나 아래에 깐 지도만 알려 줍니다.
+# **아무 줄도 빨개지지 않습니다.** 세 목록은 건강한 로봇의 목록과 한 글자도 다르지 않습니다. 점은 벽에서 평균 0.20, 0.12, 0.30 m 벗어나 있지만(건강한 로봇은 0.05 m), 지도를 깔고 눈으로 보아야만 알 수 있습니다.
 # *Ok*는 어디에 그릴지 계산할 수 있었다는 뜻입니다. 들어간 숫자, 이름, 시각이 사실인지는 어떤 도구도 모릅니다. 견줄 것이 없기 때문입니다. 여러분에게는 견줄 것이 있습니다. 도면, 드라이버 설명서, 시계입니다.
 
 # %% [markdown] lang="en" name="three-robots-notes" slide="notes"
@@ -858,7 +858,7 @@ graph.stop()
 # - `tf2_monitor`에서는 `avg`가 아니라 `max`를 읽습니다. 정적 좌표계의 줄은 읽지 않고, 평균이 음수면 미래의 시각입니다.
 # - 느린 연결은 곧은 길에서는 틀리지 않고, 굽은 길에서 (v/ω)(1 − cos(ω/2f))만큼 틀리며, 어디서나 기다리게 합니다.
 # - [[fixed frame|Fixed Frame]]은 그림을 옮길 뿐 데이터를 바꾸지 않습니다.
-# - **Ok는 계산했다는 뜻이지 맞다는 뜻이 아닙니다.** 값과 이름과 시각은 직접 견주어 확인합니다.
+# - **Ok는 계산했다는 뜻이지 맞다는 뜻이 아닙니다.** 값, 이름, 시각은 직접 견주어 확인합니다.
 
 # %% [markdown] lang="en" name="recap-notes" slide="notes"
 # Leave it on the screen while the slips are written.

@@ -11,16 +11,16 @@
 # - tell a cure from a plaster.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
-# # 12 · 누가 그렇게 말합니까?
+# # 12 · 누가 한 말일까요?
 #
 # **발행 책임과 진단** · 약 60분, 진료실은 원하는 만큼 · 05, 06, 07, 09, 10, 11장을 바탕으로 합니다
 #
-# 이 장을 마치면 다음을 할 수 있습니다.
+# 이 장을 마치면
 #
-# - 연결마다 [[owner|발행 책임]]을 적습니다. 어느 노드가, 어떤 데이터로, 어떤 스위치로 발행하는지입니다.
-# - 터미널을 보고 연결의 네 가지 상태를 읽습니다. 발행자가 하나, 없음, 둘, 그리고 다른 연결입니다.
-# - [[suspect|용의자]]를 가장 적은 시간에 가르는 질문을 고르고, 증명이 끝나면 멈춥니다.
-# - 치료와 반창고를 구별합니다.
+# - 연결마다 어느 노드가, 어떤 데이터로, 어떤 스위치로 발행하는지, 곧 [[owner|발행 책임]]을 적을 수 있습니다.
+# - 터미널을 보고 연결의 네 가지 상태(발행자가 하나, 없음, 둘, 그리고 다른 연결)를 읽을 수 있습니다.
+# - [[suspect|용의자]]를 가장 적은 시간에 가르는 질문을 고르고, 증명이 끝나면 멈출 수 있습니다.
+# - 치료와 반창고를 구별할 수 있습니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
 # Two halves: owners first, then diagnosis. Ask: when something is wrong on your robot, what do you do in the first minute? Collect, and come back to it at the end.
@@ -73,8 +73,8 @@ from tflab.workbook import lesson
 #
 # 바퀴와 필터(`ekf_filter_node`)가 모두 `odom → base_footprint`를 발행합니다.
 #
-# 1. `ros2 topic info /tf`는 발행자를 몇이라고 셉니까? 필터의 `publish_tf`를 false로 한 뒤에는 하나 줄어듭니까, 그대로입니까?
-# 2. 바퀴의 포즈와 필터의 포즈 **사이**의 시각을 조회하면 무엇이 나옵니까? 한쪽, 다른 쪽, 아니면 다른 값입니까?
+# 1. `ros2 topic info /tf`는 발행자를 몇이라고 셀까요? 필터의 `publish_tf`를 false로 한 뒤에는 하나 줄어들까요, 그대로일까요?
+# 2. 바퀴의 포즈와 필터의 포즈 **사이**의 시각을 조회하면 무엇이 나올까요? 한쪽, 다른 쪽, 아니면 또 다른 값일까요?
 
 # %% [markdown] lang="en" name="predict-notes" slide="notes"
 # Let everybody write down a number for the first and a word for the second. Most say: one fewer.
@@ -105,7 +105,7 @@ graph.run(seconds=20.0)
 # What proves it is the edge: how often does it come, and does it run smoothly?
 
 # %% [markdown] lang="ko" name="count-seen" tags=["predicted"]
-# 끄기 전에도 넷, 끈 다음에도 넷입니다. `topic info`는 `/tf`로 보낼 **수 있는** 노드를 모든 연결에 걸쳐 함께 셉니다. 필터는 회선을 쥔 채 보내지 않을 뿐입니다. 그러니 넷이라는 숫자는 두 번째 발행자의 증거도, 고쳤다는 증거도 아닙니다.
+# 끄기 전에도 넷, 끈 다음에도 넷입니다. `topic info`는 `/tf`로 보낼 **수 있는** 노드를 모든 연결에 걸쳐 함께 셉니다. 필터는 보낼 준비를 갖춘 채 보내지 않을 뿐입니다. 그러니 넷이라는 숫자는 두 번째 발행자의 증거도, 고쳤다는 증거도 아닙니다.
 # 증거는 연결에 있습니다. 얼마나 자주 오는지, 매끄럽게 움직이는지 보아야 합니다.
 
 # %% [markdown] lang="en" name="count-seen-notes" slide="notes"
@@ -173,7 +173,7 @@ for name, (x, y, *_) in places:
 # %% [markdown] lang="ko" name="owner" slide="slide"
 # ## 발행 책임은 노드, 데이터, 스위치입니다
 #
-# 연결마다 세 가지를 적습니다. **어느 노드**가, **어떤 데이터로**, **어떤 스위치**로 발행합니까? 발행자가 둘이면 스위치 하나를 꺼야 합니다. 실제 로봇에서 그 이름은 다음과 같습니다.
+# 연결마다 세 가지를 적습니다. **어느 노드**가, **어떤 데이터로**, **어떤 스위치**로 발행하는지입니다. 발행자가 둘이면 스위치 하나를 꺼야 합니다. 실제 로봇에서 그 이름은 다음과 같습니다.
 #
 # | 패키지 | 스위치 |
 # |---|---|
@@ -367,7 +367,7 @@ rclpy.shutdown()
 # %% [markdown] lang="ko" name="experiments-notes" slide="notes"
 # A는 1분이면 됩니다. 2e+08 Hz를 고장이라고 하는 사람이 있습니까? B 전에는 도구의 첫 줄과 둘째 줄이 무엇일지 묻습니다. C 전에는 1.000, 2.000, 오류 가운데 무엇일지 묻습니다.
 
-# %% name="experiment-a" slide="fragment"
+# %% name="experiment-a" slide="subslide"
 graph = lesson.new_graph()
 zero = "--y 0 --z 0 --yaw 0 --pitch 0 --roll 0"
 # %ros2 run tf2_ros static_transform_publisher --x 0 {zero} --frame-id map --child-frame-id odom
@@ -381,7 +381,7 @@ zero = "--y 0 --z 0 --yaw 0 --pitch 0 --roll 0"
 # %% [markdown] lang="ko" name="experiment-a-seen"
 # A는 1.000이고 `At time 0.0`입니다. 그런데 tf2_monitor는 아픈 것처럼 보입니다. 지연은 점점 커지고 `2e+08 Hz`라고 나옵니다(메시지 둘 사이의 간격이 0이기 때문입니다). 둘 다 정적 변환의 정상적인 모습입니다. 한 번 보내고 언제까지나 유효하기 때문입니다(11). 정상부터 알아 두어야 합니다.
 
-# %% name="experiment-b" slide="fragment"
+# %% name="experiment-b" slide="subslide"
 graph = lesson.new_graph()
 # %ros2 run tf2_ros static_transform_publisher --frame-id map --child-frame-id odom
 # %ros2 run tf2_ros static_transform_publisher --x 1 --frame-id odm --child-frame-id base_link
@@ -393,10 +393,10 @@ graph = lesson.new_graph()
 # %% [markdown] lang="ko" name="experiment-b-seen"
 # B는 `odm`입니다. 첫 줄은 시작한 순간의 것이고 둘째 줄이 사실입니다. **같은 트리가 아닙니다.** 노드가 죽었다고 믿는 사람은 여기서 다시 켭니다. 하지만 노드는 살아 있고 시킨 대로 보냅니다. 단서는 아무도 일부러 쓰지 않은 이름입니다. RViz의 목록에 그 이름이 나옵니다.
 
-# %% name="experiment-b-rviz"
+# %% name="experiment-b-rviz" slide="subslide"
 lesson.draw_rviz()
 
-# %% name="experiment-c" slide="fragment"
+# %% name="experiment-c" slide="subslide"
 graph = lesson.new_graph()
 # %ros2 run tf2_ros static_transform_publisher --x 1 --frame-id map --child-frame-id base_link
 # %ros2 run tf2_ros static_transform_publisher --x 2 --frame-id map --child-frame-id base_link
@@ -434,7 +434,7 @@ lesson.draw_columns("flickers", {"delay /scan": "ahead"})
 # Rows are suspects, columns are checks that can tell them apart; hatched is what nobody has asked yet. `topic delay /scan` said “ahead”: two rows struck, for one minute. Each struck row is an argument; what is left is what you have proved, and what nobody would have said otherwise is no [[evidence]].
 
 # %% [markdown] lang="ko" name="columns-seen"
-# *그림 읽기:* 행은 용의자, 열은 그들을 가를 수 있는 검사입니다. 빗금은 아직 묻지 않은 것입니다. `topic delay /scan`이 “ahead”(앞섬)라고 하자 1분 만에 두 행이 지워졌습니다. 지운 행 하나하나가 논거이고, 남은 것이 증명한 것입니다. 어느 용의자든 똑같이 답했을 것은 [[evidence|증거]]가 아닙니다.
+# *그림 읽기:* 행은 용의자, 열은 그들을 가를 수 있는 검사입니다. 빗금은 아직 묻지 않은 것입니다. `topic delay /scan`이 “ahead”(앞섬)라고 하자 1분 만에 두 행이 지워졌습니다. 지운 행 하나하나가 근거이고, 남은 하나로 증명이 끝납니다. 어느 용의자였든 똑같이 나왔을 출력은 [[evidence|증거]]가 아닙니다.
 
 # %% [markdown] lang="en" name="two-ways" slide="subslide"
 # Two people now treat the eighteen sick robots of the clinic below, each with another cause, and no complaint is told. One follows the six steps, one always asks what splits most for a minute.
@@ -483,8 +483,8 @@ lesson.show_trolley()
 # `lesson.admit` lets a patient in. With `helped=True` it strikes the suspects that a reading does not fit; without, you strike them yourself. `because=` notes whom you suspect; nobody marks it.
 
 # %% [markdown] lang="ko" name="trolley-seen"
-# 왼쪽은 짧은 이름이고, 명령 대신 써도 됩니다. 나사돌리개를 드는 일은 질문보다 비쌉니다. 그래서 질문이 먼저입니다.
-# `lesson.admit`은 환자를 들입니다. `helped=True`면 읽은 값에 맞지 않는 용의자를 대신 지워 주고, 없으면 직접 지웁니다. `because=`에는 의심하는 용의자를 적습니다. 채점하지는 않습니다.
+# 왼쪽은 짧은 이름이고, 명령 대신 써도 됩니다. 공구를 드는 일은 질문보다 비쌉니다. 그래서 질문이 먼저입니다.
+# `lesson.admit`은 환자를 받습니다. `helped=True`면 읽은 값에 맞지 않는 용의자를 대신 지워 주고, 없으면 직접 지웁니다. `because=`에는 의심하는 용의자를 적습니다. 채점하지는 않습니다.
 
 # %% name="worked" slide="subslide"
 visit = lesson.admit(lesson.worked_patient("laser clock ahead"), helped=True)
@@ -597,16 +597,16 @@ if my_cause is not ...:
 #
 # `lesson.practice_patient(7)`은 몇 초 만에 환자를 만듭니다. 숫자가 다르면 다른 환자이고, 얼마든지 있습니다. 패널은 호출과 같은 일을 합니다. 검사를 고르고, 누구를 의심하는지 정하고, 물으십시오. 그다음 원인과 처치를 골라 해 보세요. 답은 `lesson.answer_of(7)`에 있으니 맨 나중에 보세요.
 
-# %% name="panel" tags=["interactive"]
+# %% name="panel" tags=["interactive"] slide="skip"
 lesson.clinic_panel(lesson.practice_patient(7))
 
 # %% name="panel-still" slide="skip"
 lesson.draw_questions(lesson.answer_of(7), ["hz /scan", "view_frames", "node list", "use_sim_time"])
 
-# %% [markdown] lang="en" name="panel-seen"
+# %% [markdown] lang="en" name="panel-seen" slide="skip"
 # Standing still, four questions to the same patient: what each cost, and who was left. `★` marks where one suspect was left; what comes after it is hatched, and told nothing.
 
-# %% [markdown] lang="ko" name="panel-seen"
+# %% [markdown] lang="ko" name="panel-seen" slide="skip"
 # *그림 읽기:* 같은 환자에게 한 질문 넷입니다. 막대는 걸린 시간, left는 남은 용의자의 수입니다. `★`에서 하나가 남았고, 그 뒤의 빗금 친 막대는 알려 준 것이 없습니다.
 
 # %% [markdown] lang="en" name="second" slide="subslide"
@@ -659,7 +659,7 @@ lesson.show_findings("flickers")
 # %% [markdown] lang="ko" name="break-it-notes" slide="notes"
 # 실행하기 전에 스캔이 어떨지 한 문장으로 적게 합니다. “모두 Ok”가 나오면 웃음이 터집니다.
 
-# %% name="night" tags=["predicted"]
+# %% name="night" tags=["predicted"] slide="subslide"
 night = lesson.admit(lesson.night_shift(4))
 
 # %% name="night-fix" tags=["predicted"] slide="subslide"

@@ -218,11 +218,11 @@ check("E10.5", behind_s)
 # Return `{"placed": how many have a transform at their own stamps, "first_no": the name of the first refusal's class}`; if all are placed, `"first_no"` is `"none"`. Such as `{"placed": 4, "first_no": "LookupException"}`.
 
 # %% [markdown] lang="ko" name="e10-6"
-# ## E10.6 · bag은 자기 메시지를 스스로 놓을 수 있습니까? (4점)
+# ## E10.6 · bag은 자기 메시지의 위치를 스스로 찾을 수 있습니까? (4점)
 #
 # `buffer`에는 bag의 변환이, `messages`에는 측정 시각이 있는 메시지(`header`가 있습니다)가 들어 있습니다. `target`은 기준이 될 좌표계입니다.
 #
-# `{"placed": 자기 측정 시각의 변환이 있는 메시지의 수, "first_no": 첫 거절의 클래스 이름}`을 반환하십시오. 모두 놓을 수 있으면 `"first_no"`는 `"none"`입니다. 예: `{"placed": 4, "first_no": "LookupException"}`.
+# `{"placed": 자기 측정 시각의 변환이 있는 메시지의 수, "first_no": 첫 거절의 클래스 이름}`을 반환하십시오. 모두 위치를 찾으면 `"first_no"`는 `"none"`입니다. 예: `{"placed": 4, "first_no": "LookupException"}`.
 
 
 # %% name="e10-6-answer" tags=["answer"]

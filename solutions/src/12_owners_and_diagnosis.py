@@ -9,9 +9,9 @@
 # What `task(...)` gives may differ from your neighbour's. Your patients are your own.
 
 # %% [markdown] lang="ko" name="title"
-# # 연습 문제 12 · 누가 그렇게 말합니까?
+# # 연습 문제 12 · 누가 한 말일까요?
 #
-# 과제 여덟 개, 31점, 105분쯤 걸립니다. 함께 보는 페이지: [12 · 누가 그렇게 말합니까?](../../notebooks/ko/12_owners_and_diagnosis.ipynb)
+# 과제 여덟 개, 31점, 105분쯤 걸립니다. 함께 보는 페이지: [12 · 누가 한 말일까요?](../../notebooks/ko/12_owners_and_diagnosis.ipynb)
 #
 # `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 셀을 실행한 다음, 아래의 확인 셀을 실행해 보세요.
 # 틀린 답을 내면 어떤 실수로 보이는지 알려 줍니다. `hint("E12.1")`은 세 힌트 가운데 첫 번째를 보여 줍니다.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 
 import pytest
 
@@ -10,7 +11,7 @@ from tflab.workbook.pages.source import read_page
 from tflab.workbook.places import workbook_data
 
 NEVER = {
-    "the wanted side is the source, to a Korean ear": r"쪽이 먼저|쪽을 먼저|보고 싶은 쪽",
+    "the wanted side is the source, to a Korean ear": r"쪽이 먼저|쪽을 먼저|보고 싶은 쪽|보려는 쪽",
     "asked at that second: when the asking happens": r"초에 [^.]{0,40}(묻|물)",
     "in front or behind is space; time is earlier or later": r"표본보다 (앞|뒤)|시각보다 (앞|뒤)",
     "in, as inside of": r"안 어디",
@@ -19,6 +20,8 @@ NEVER = {
     "no Korean word": r"오류문",
     "beside the target frame, another target": r"목표점",
     "a visible space before a particle": r"\*\* (은|는|이|가|을|를|의|입니다)\b",
+    "things do not complain": r"불평|항의합",
+    "data are moved to a frame, not put there": r"(?<!내)놓을 수 (있습|있을|없습)",
     "a fixed frame that jumps": r"(odom|map).{0,30}고정 좌표계",
 }
 SECTIONS = r"^## (확인 문제|나가기 전에|풀이 예제|기억할 것|이것만은|해 보기|예측하기|망가뜨리기)"
@@ -50,3 +53,21 @@ def test_what_is_said_of_answers_is_heard_as_it_is_meant() -> None:
         lines = path.read_text(encoding="utf-8").splitlines()
         found += [f"{path.name}: {line.strip()}" for line in lines if never.search(line)]
     assert found == []
+
+
+def test_what_is_said_beside_the_pages_is_heard_as_it_is_meant() -> None:
+    root = Path(__file__).parents[2]
+    never = re.compile("|".join([*NEVER.values(), "습관", "오류 문구", "대기 한도", "물어본 시각"]))
+    beside = [root / "README.ko.md", *root.glob("docs/*.ko.md")]
+    beside += [path for ending in ("md", "py", "yaml", "html") for path in root.glob(f"tflab/**/*.{ending}")]
+    lines = [(path, line) for path in beside for line in path.read_text(encoding="utf-8").splitlines()]
+    assert [f"{path.name}: {line.strip()}" for path, line in lines if never.search(line)] == []
+
+
+@pytest.mark.parametrize("stem", [stem for stem in PAGES if "01" <= stem[:2] <= "12"])
+def test_after_a_chapter_one_can_do_what_its_first_list_says(stem: str) -> None:
+    page = read_page(workbook_data() / "notebooks" / "src" / f"{stem}.py")
+    (title,) = (cell.source for cell in page.cells if cell.lang == "ko" and cell.name == "title")
+    able = re.findall(r"^- (.+)$", title.partition("이 장을 마치면\n")[2], re.MULTILINE)
+    assert 3 <= len(able) <= 6
+    assert [line for line in able if not re.search("수 있습니다|않게 됩니다", line)] == []

@@ -118,7 +118,7 @@ FIRST_NO_ENDS_IT = Slip(
     {"stops": True},
     Words(
         en="After the first message without a place you stop looking. One old scan says nothing about the others: catch inside the loop, and go on.",
-        ko="놓을 수 없는 메시지가 처음 나오면 멈춥니다. 오래된 스캔 하나가 나머지를 말해 주지는 않습니다. 반복문 안에서 예외를 잡고 계속하십시오.",
+        ko="위치를 찾지 못하는 메시지가 처음 나오면 멈춥니다. 오래된 스캔 하나가 나머지를 말해 주지는 않습니다. 반복문 안에서 예외를 잡고 계속하십시오.",
     ),
     "M11",
 )
@@ -137,7 +137,7 @@ COUNTS_NOES = Slip(
     {"count": "noes"},
     Words(
         en="That is how many could *not* be placed. Count the answers.",
-        ko="놓을 수 *없는* 것의 개수입니다. 답을 얻은 것을 세십시오.",
+        ko="위치를 찾지 *못한* 메시지의 개수입니다. 답을 얻은 것을 세십시오.",
     ),
 )
 
@@ -312,7 +312,7 @@ TASK = Task(
     id="E10.6",
     kind="F",
     points=4,
-    title=Words(en="Can a bag place its own messages?", ko="bag은 자기 메시지를 스스로 놓을 수 있습니까?"),
+    title=Words(en="Can a bag place its own messages?", ko="bag은 자기 메시지의 위치를 스스로 찾을 수 있습니까?"),
     answer="placeable",
     form=Parts({"placed": Number(tolerance=0.0), "first_no": Choice(KINDS)}),
     inputs=bags,

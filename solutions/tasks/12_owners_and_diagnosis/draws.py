@@ -142,7 +142,7 @@ MEANS = {
     ),
     "map": Words(
         en="map is at fault where somebody asked for it by a wrong name.",
-        ko="map이 문제인 것은 누군가 그 이름을 틀리게 불렀을 때입니다.",
+        ko="map이 문제인 것은 누군가 그 이름을 틀리게 적었을 때입니다.",
     ),
     "odom": Words(
         en="odom is at fault where map → odom is missing, and every other edge is as on the card. Is it so here?",

@@ -233,7 +233,7 @@ HEADER_UNREAD = Slip(
     {"green": "no header"},
     Words(
         en="Where all is green your program never reads the scan's header, and a header that says base_link gets another name.",
-        ko="모두 초록색일 때 프로그램이 스캔의 header를 읽지 않습니다. header가 base_link인 환자를 다른 병으로 부릅니다.",
+        ko="모두 초록색일 때 프로그램이 스캔의 header를 읽지 않습니다. 그래서 header가 base_link인 환자를 다른 원인으로 진단합니다.",
     ),
     "M15",
 )
@@ -243,7 +243,7 @@ DELAY_UNREAD = Slip(
     {"green": "no delay"},
     Words(
         en="Where all is green your program never holds the scan's stamp against the clock, and a clock that is behind gets another name.",
-        ko="모두 초록색일 때 프로그램이 스캔의 측정 시각을 시계와 견주지 않습니다. 시계가 늦은 환자를 다른 병으로 부릅니다.",
+        ko="모두 초록색일 때 프로그램이 스캔의 측정 시각을 시계와 견주지 않습니다. 그래서 시계가 늦은 환자를 다른 원인으로 진단합니다.",
     ),
     "M9",
 )
