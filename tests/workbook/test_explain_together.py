@@ -193,3 +193,27 @@ def test_beside_words_that_are_confused_stands_what_there_is_to_see():
     task, variant = bare(Choice(("in", "out", "off")), *cases, is_function=True)
     task = task._replace(seen={"in": Words("There the door is open.", "문이 열려 있습니다.")})
     assert "There the door is open." in judge_outcomes(task, variant, ["out", "out", "out", "off"]).said.en
+
+
+# -- what is lost of lists, and of numbers that are counted -------------------------------------
+
+COUNT, NAMES = Number(), Sequence(Name())
+ROWS = [["c", "a", "b"], ["b", "c"], ["d"]]
+
+
+@pytest.mark.parametrize(
+    ("form", "asked", "name"),
+    [
+        (NAMES, [(row, row[:1]) for row in ROWS], "first alone"),
+        (NAMES, [(row, row[-1:]) for row in ROWS], "last alone"),
+        (NAMES, [(row, row[:-1]) for row in ROWS], "all but the last"),
+        (NAMES, [(row, row[1:]) for row in ROWS], "all but the first"),
+        (Sequence(Number()), [([9.0, 10.0, 11.0], [10.0, 11.0, 9.0]), ([2.0, 3.0], [2.0, 3.0])], "in order of text"),
+        (COUNT, [(3, 4), (5, 6), (0, 1)], "one too many"),
+        (COUNT, [(3, 2), (5, 4), (1, 0)], "one too few"),
+        (Number("m"), [(3.0, 3.0), (-5.0, 5.0), (-1.0, 1.0)], "no sign"),
+        (Number("m"), [(3.0, 4.0), (5.0, 6.0), (7.0, 8.0)], None),
+    ],
+)
+def test_what_a_function_loses_in_every_call_is_named(form, asked, name):
+    assert next(iter(judged_function(form, asked).slips), None) == name
