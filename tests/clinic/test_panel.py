@@ -23,6 +23,7 @@ def test_a_panel_asks_what_is_chosen_and_the_table_and_the_clock_follow(ahead):
     assert panel.text.startswith("1 min; 11 of 12 left. Your suspects: laser clock ahead\n1 of 3 suspects left")
     assert panel.text.endswith("1. delay /scan: 1 min, 1 in all, 1 left  one suspect left")
     assert "-0." in panel._readings.value and panel._order.layout.display == "block"
+    assert panel._readings.value.count("11 of 12 left") == 1
     panel._check.value = "tape measure"
     panel.ask()
     assert (panel._clock.value, panel._clock.bar_style) == (0, "danger")

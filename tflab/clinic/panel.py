@@ -132,7 +132,9 @@ class ClinicPanel(Panel):
         return widgets.VBox([self._readings, Film(pictures, texts, words, self.picture.size_px)])
 
     def _tell(self, printed: str) -> None:
-        self._readings.value = f"<b>{escape(self.visit.clock())}</b><pre>{escape(printed)}</pre>"
+        clock = self.visit.clock()
+        said = printed.rstrip().removesuffix(clock).rstrip()  # once, and not below all that a tool printed
+        self._readings.value = f"<b>{escape(clock)}</b><pre>{escape(said)}</pre>"
         self.redraw()
 
     def _questions(self) -> list[tuple[str, float, int]]:
