@@ -85,7 +85,7 @@ def test_a_tool_alone_ends_with_its_exit_code():
     [
         (["run", "nope.py"], "tflab run: no such node file: nope.py\n"),
         (["run", "x.py", "--with", "rm -r"],
-         "tflab run: --with takes a line that begins with ros2, such as 'ros2 topic hz /tf', not 'rm -r'\n"),
+         'tflab run: --with takes a line that begins with ros2, such as "ros2 topic hz /tf", not \'rm -r\'\n'),
         (["run", "page.ipynb"], "tflab run: a notebook is no node file: page.ipynb; open it with `tflab lab`\n"),
         (["rnu"], 'tflab: there is no "rnu"; '),
     ],

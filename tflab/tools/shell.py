@@ -133,8 +133,8 @@ def _run_parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("files", nargs="+", metavar="node.py", help="a file that `python node.py` would run")
     parser.add_argument(
-        "--with", dest="tools", action="append", default=[], metavar="'ros2 ...'",
-        help="a tool to run beside them, such as 'ros2 topic hz /tf'; may be given several times",
+        "--with", dest="tools", action="append", default=[], metavar='"ros2 ..."',
+        help='a tool to run beside them, such as "ros2 topic hz /tf"; may be given several times',
     )  # fmt: skip
     parser.add_argument(
         "--for", dest="seconds", type=_seconds, metavar="SECONDS", help="stop after this time, as by Ctrl-C"
@@ -180,7 +180,7 @@ def _words_of(line: str) -> list[str]:
         return words[1:]
     if words[:1] == ["rviz2"]:
         return ["run", "rviz2", *words]
-    raise ValueError(f"--with takes a line that begins with ros2, such as 'ros2 topic hz /tf', not {line!r}")
+    raise ValueError(f'--with takes a line that begins with ros2, such as "ros2 topic hz /tf", not {line!r}')
 
 
 def _program(words: Sequence[str], codes: list[int] | None = None) -> Callable[[], None]:
