@@ -43,15 +43,19 @@ def of_words_apart(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Pl
     places = _places(cases, outcomes) if isinstance(task.form, ListForm) else []
     if not places or not isinstance(task.form.of, Choice):
         return None
-    gives = {name: [place.twins[name] for place in places] for name in places[0].twins}
-    said, wanted = [place.said for place in places], [place.wanted for place in places]
-    ways = list(side_by_side(task.form.of, said, wanted, gives))
-    ways = [way for way in ways if len(way) == len(ways[0])]
-    sure = [name for name in ways[0] if all(name in way for way in ways)] if ways else []
+    sure, is_all = _sure(task.form.of, places)
     if not sure:
         return None
     told, slips = said_of(task, sure), {name: words_of(task, name) for name in sure}
-    return Explanation(slips, told if len(ways) == 1 else Words(*map(" ".join, zip(told, AND_MORE, strict=True))))
+    return Explanation(slips, told if is_all else Words(f"{told.en} {AND_MORE.en}", f"{told.ko} {AND_MORE.ko}"))
+
+
+def _sure(form: Choice, places: Sequence[_Place]) -> tuple[list[str], bool]:
+    """Return the slips that all the simplest explanations have in common, and whether there is but one."""
+    gives = {name: [place.twins[name] for place in places] for name in places[0].twins}
+    found = list(side_by_side(form, [place.said for place in places], [place.wanted for place in places], gives))
+    ways = [way for way in found if len(way) == len(found[0])]
+    return [name for name in (ways or [()])[0] if all(name in way for way in ways)], len(ways) == 1
 
 
 def _places(cases: Sequence[Case], outcomes: Sequence[Plain]) -> list[_Place]:
