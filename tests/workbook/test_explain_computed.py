@@ -32,6 +32,7 @@ def rows_of(right, wrong):
         (lambda a, b: b.inverse() @ a, "argument 2.inverse() @ argument 1"),
         (lambda a, b: a.inverse() @ b @ a, "argument 1.inverse() @ argument 2 @ argument 1"),
         (lambda a, b: b.inverse(), "argument 2.inverse()"),
+        (lambda a, b: a @ b @ a, "argument 1 @ argument 2 @ argument 1"),
     ],
 )
 def test_a_function_of_poses_is_told_which_product_it_makes(wrong, text):
@@ -117,12 +118,14 @@ def test_a_field_of_a_message_says_what_it_takes(text, tip):
     assert tip in tip_for("AssertionError", text).en
 
 
-def test_a_slip_that_copies_another_parts_answer_is_named_where_that_answer_is_wrong_too():
+def test_a_slip_that_copies_another_parts_answer_is_named_where_that_answer_is_wrong_by_another():
     form = Parts({"leap": Number("m"), "step": Number("m")})
     right = {"leap": 1.25, "step": 0.0}
-    said = {"step leaps": words("in odom nothing leaps", part="step")}
-    verdict = judged(form, right, {"step leaps": {"leap": 1.25, "step": 1.25}}, {"leap": 3.617, "step": 3.617}, said)
-    assert '"step": in odom nothing leaps' in verdict.said.en
+    twins = {"step leaps": {"leap": 1.25, "step": 1.25}, "far": {"leap": 3.617, "step": 0.0}}
+    said = {"step leaps": words("in odom nothing leaps", part="step"), "far": words("too far", part="leap")}
+    verdict = judged(form, right, twins, {"leap": 3.617, "step": 3.617}, said)
+    assert list(verdict.slips) == ["far", "step leaps"] and '"step": in odom nothing leaps' in verdict.said.en
+    assert judged(form, right, twins, {"leap": 4.219, "step": 4.219}, said).slips == {}
 
 
 def test_none_for_a_word_and_dicts_inside_a_tree_are_told_how_they_are_written():

@@ -131,7 +131,7 @@ def _products(given: dict[str, Plain]) -> Iterator[tuple[str, Transform]]:
     held = _poses(given)
     yield from held
     for count in (2, 3):
-        for chosen in permutations(held, count):
+        for chosen in product(held, repeat=count):
             text = " @ ".join(name for name, _ in chosen)
             yield text, reduce(lambda left, right: left @ right, (pose for _, pose in chosen))
 

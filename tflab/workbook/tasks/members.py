@@ -96,7 +96,7 @@ def _of_table(
             left -= cause.parts
     for number, name in enumerate(names):
         if name in left:
-            found += _by_itself(task, table, name, given, cases[0].twins) or _as_it_came(
+            found += _by_itself(task, table, name, given, cases[0].twins, wrong - left) or _as_it_came(
                 task.form, table, number, name, cases
             )
     left -= {name for cause in found for name in cause.parts}
@@ -226,7 +226,12 @@ def _holds(table: _Table, one: str, other: str) -> bool:
 
 
 def _by_itself(
-    task: TaskCases, table: _Table, name: str, given: dict[str, Plain] | None, twins: dict[str, Plain]
+    task: TaskCases,
+    table: _Table,
+    name: str,
+    given: dict[str, Plain] | None,
+    twins: dict[str, Plain],
+    known: set[str],
 ) -> list[Found]:
     """Return what explains one part alone: its option, what any answer can have, another's answer, what was given."""
     form, outcomes, wanted = table.forms[name], table.given[name], table.wanted[name]
@@ -238,7 +243,9 @@ def _by_itself(
     if len(outcomes) > 1:
         summed = computed_in_all(form, table.args, outcomes)
         return [Found.of(f"{name}: {summed[0]}", summed[1], name)] if summed else _of_words(task, table, name)
-    found = _of_the_given(task, name, form, outcomes[0], wanted[0], given) or _as_another_is(task, table, name, twins)
+    found = _of_the_given(task, name, form, outcomes[0], wanted[0], given) or _as_another_is(
+        task, table, name, twins, known
+    )
     return found or ([Found.of(f"{name}: another", hint, name)] if hint else [])
 
 
@@ -307,11 +314,11 @@ def _of_the_given(
     return [Found.of(found[0], _shown_too(task, name, found[1]), name)] if found else []
 
 
-def _as_another_is(task: TaskCases, table: _Table, name: str, twins: dict[str, Plain]) -> list[Found]:
-    """Return the slip that writes another part's right answer here, where that one as it was given stands here."""
+def _as_another_is(task: TaskCases, table: _Table, name: str, twins: dict[str, Plain], known: set[str]) -> list[Found]:
+    """Return the slip that writes another part's right answer here, where that one, wrong as is `known`, stands."""
     form, number = table.forms[name], list(table.forms).index(name)
     for other, part in table.forms.items():
-        is_like = other != name and type(part) is type(form) and isinstance(form, MEASURED)
+        is_like = other in known and type(part) is type(form) and isinstance(form, MEASURED)
         if not is_like or not alike(form, table.given[name][0], table.given[other][0]):
             continue
         for key, twin in twins.items():
