@@ -66,9 +66,9 @@ def test_half_of_the_parts_is_half_of_the_points(tasks: dict) -> None:
 
 def test_a_part_that_most_learners_have_alike_earns_nothing_by_itself(tasks: dict) -> None:
     one_part = {0: {"dict": {"target": "map", "source": "map"}}}
-    for usual, points in (([False, True], 0.0), ([True, False], 1.0), ([], 1.0)):  # "source" stands first
+    for usual, points in (([True, False], 0.0), ([False, True], 1.0), ([], 1.0)):  # "target" stands first
         assert judged("E3.3", tasks["E3.3"] | {"usual": usual}, one_part).points == points
-    task = tasks["E3.3"] | {"usual": [False, True]}
+    task = tasks["E3.3"] | {"usual": [True, False]}
     assert judged("E3.3", task, expected(task)).points == task["points"]
 
 

@@ -13,7 +13,7 @@ from tflab.grading.judging.pack import read_pack
 from tflab.grading.reports.class_page import class_page
 from tflab.grading.reports.feedback import feedback_page
 from tflab.workbook.tasks.case import TaskCases
-from tflab.workbook.tasks.verdict import judge_outcomes
+from tflab.workbook.verdicts.verdict import judge_outcomes
 
 
 @pytest.fixture(scope="module")

@@ -17,10 +17,10 @@ from tflab.workbook.answers.sealed import seal
 from tflab.workbook.answers.showing import show, show_in_a_line
 from tflab.workbook.answers.values import raised, to_plain
 from tflab.workbook.places import WorkbookError
-from tflab.workbook.tasks import comparison
 from tflab.workbook.tasks.case import Case
-from tflab.workbook.tasks.mistake import Mistake
-from tflab.workbook.tasks.verdict import judge_outcomes
+from tflab.workbook.verdicts import comparison
+from tflab.workbook.verdicts.mistake import Mistake
+from tflab.workbook.verdicts.verdict import judge_outcomes
 
 from . import small_chapter as chapter
 

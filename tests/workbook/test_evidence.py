@@ -21,8 +21,8 @@ from tflab.workbook.tasks.evidence import (
     habit,
     usual_among,
 )
-from tflab.workbook.tasks.mistake import Mistake
-from tflab.workbook.tasks.verdict import judge_outcomes
+from tflab.workbook.verdicts.mistake import Mistake
+from tflab.workbook.verdicts.verdict import judge_outcomes
 
 from .small_chapter import bare
 

@@ -28,8 +28,8 @@ from tflab.workbook.answers.sealed import seal
 from tflab.workbook.answers.values import outcome_of, raised, to_plain
 from tflab.workbook.tasks import Words
 from tflab.workbook.tasks.case import Case, TwinWords
-from tflab.workbook.tasks.mistake import Mistake
-from tflab.workbook.tasks.verdict import judge_outcomes
+from tflab.workbook.verdicts.mistake import Mistake
+from tflab.workbook.verdicts.verdict import judge_outcomes
 
 from .small_chapter import bare
 

@@ -7,8 +7,8 @@ import pytest
 from tflab.workbook.answers.forms import Choice, Command, Name, Number, Parts, Sequence
 from tflab.workbook.answers.values import raised
 from tflab.workbook.tasks.case import Case
-from tflab.workbook.tasks.mistake import Mistake
-from tflab.workbook.tasks.verdict import judge_outcomes
+from tflab.workbook.verdicts.mistake import Mistake
+from tflab.workbook.verdicts.verdict import judge_outcomes
 
 from .small_chapter import bare
 from .test_explain import judged, judged_function, words

@@ -9,9 +9,9 @@ import pytest
 from tflab.core import Transform
 from tflab.workbook.answers.forms import Command, Name, Number, Parts, Pose, Quaternion, Sequence, Tree, Vector
 from tflab.workbook.answers.values import raised
+from tflab.workbook.mistakes.stumbles import tip_for
 from tflab.workbook.tasks.case import Case
-from tflab.workbook.tasks.stumbles import tip_for
-from tflab.workbook.tasks.verdict import judge_outcomes
+from tflab.workbook.verdicts.verdict import judge_outcomes
 
 from .small_chapter import bare
 from .test_explain import judged, words

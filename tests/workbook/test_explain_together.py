@@ -6,11 +6,11 @@ import pytest
 
 from tflab.workbook.answers.forms import Choice, Name, Number, Parts, Sequence, form_from_plain
 from tflab.workbook.answers.values import to_plain
+from tflab.workbook.explaining.common import in_common
 from tflab.workbook.tasks import Words
 from tflab.workbook.tasks.case import Case
-from tflab.workbook.tasks.common import in_common
-from tflab.workbook.tasks.mistake import Mistake
-from tflab.workbook.tasks.verdict import judge_outcomes
+from tflab.workbook.verdicts.mistake import Mistake
+from tflab.workbook.verdicts.verdict import judge_outcomes
 
 from .small_chapter import bare
 from .test_explain import judged, judged_function

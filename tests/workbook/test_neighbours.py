@@ -8,8 +8,8 @@ from tflab.workbook.answers.forms import Angle, Choice, Form, Name, Number, Part
 from tflab.workbook.places import CASES, workbook_data
 from tflab.workbook.tasks.case import AND, TaskCases, Variant
 from tflab.workbook.tasks.cases import read_chapter
-from tflab.workbook.tasks.mistake import Mistake
-from tflab.workbook.tasks.verdict import judge_outcomes
+from tflab.workbook.verdicts.mistake import Mistake
+from tflab.workbook.verdicts.verdict import judge_outcomes
 
 OF_NUMBERS = (Number, Angle, Vector, Quaternion, Pose)
 MOST_NEIGHBOURS = 40  # of a task; where there are more slips, each is still looked at beside the right answer

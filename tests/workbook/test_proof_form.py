@@ -6,7 +6,7 @@ from tflab.workbook.answers import sealed
 from tflab.workbook.answers.forms import Choice, Parts, Proof, Telling, form_from_plain
 from tflab.workbook.answers.values import to_plain
 from tflab.workbook.tasks.case import Case
-from tflab.workbook.tasks.verdict import judge_outcomes
+from tflab.workbook.verdicts.verdict import judge_outcomes
 
 from .small_chapter import bare
 

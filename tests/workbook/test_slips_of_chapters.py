@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from tflab.workbook.tasks.cases import PUBLIC_SEED, task_cases
-from tflab.workbook.tasks.mistake import Mistake
 from tflab.workbook.tasks.reference import in_process_ros, solution_in_notebook
-from tflab.workbook.tasks.verdict import judge_outcomes
+from tflab.workbook.verdicts.mistake import Mistake
+from tflab.workbook.verdicts.verdict import judge_outcomes
 
 from .each_task import SOLUTIONS, each_task
 

@@ -13,10 +13,10 @@ from tflab.ros.messages import geometry_msgs
 from tflab.ros.time import Time
 from tflab.workbook.answers.forms import Number
 from tflab.workbook.answers.values import outcome_of
+from tflab.workbook.mistakes.stumbles import TIPS, tip_for
 from tflab.workbook.tasks.case import Case
-from tflab.workbook.tasks.mistake import Mistake
-from tflab.workbook.tasks.stumbles import TIPS, tip_for
-from tflab.workbook.tasks.verdict import judge_outcomes
+from tflab.workbook.verdicts.mistake import Mistake
+from tflab.workbook.verdicts.verdict import judge_outcomes
 
 from .small_chapter import bare
 

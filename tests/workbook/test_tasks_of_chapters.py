@@ -10,7 +10,7 @@ from tflab.workbook.answers.forms import form_from_plain
 from tflab.workbook.tasks.cases import PUBLIC_SEED, make_cases, task_cases
 from tflab.workbook.tasks.reference import in_process_ros, solution_in_notebook
 from tflab.workbook.tasks.task import read_tasks
-from tflab.workbook.tasks.verdict import judge_outcomes
+from tflab.workbook.verdicts.verdict import judge_outcomes
 
 from .each_task import SOLUTIONS, STEMS, each_task
 

@@ -8,7 +8,10 @@ In an exercise one calls four functions:
     whole_files   files that are written whole or not at all: atomic writes
     places        where the workbook is
     answers/      what an answer may be, and when two are the same
-    tasks/        a task, its right answer, its wrong ones; what is said of each
+    tasks/        a task, its right answer, its wrong ones, what it is tried on
+    mistakes/     those that any answer can have: a bug library
+    explaining/   how a wrong answer came about
+    verdicts/     what became of an answer, in words
     trying        what became of an answer, and what is said of it
     inventory/    a test before and after; nothing in it is marked
     checks        check, hint, solution, task

@@ -32,12 +32,12 @@ from .reply import show_reply
 from .tasks.blank import without_marks
 from .tasks.case import ChapterCases
 from .tasks.cases import CasesError, read_chapter
-from .tasks.mistake import Mistake
 from .tasks.reference import answer_cell_name
-from .tasks.replies import LATER, PHRASES
 from .tasks.task import TaskError, variant_of
-from .tasks.verdict import Verdict
 from .trying import AssignedTask, say_verdict, tried_on
+from .verdicts.mistake import Mistake
+from .verdicts.replies import LATER, PHRASES
+from .verdicts.verdict import Verdict
 from .words import Words
 
 __all__ = ["TRIES_BEFORE_SOLUTION", "check", "hint", "solution", "solution_text", "task"]

@@ -18,13 +18,13 @@ from typing import Any, NamedTuple
 from .answers.forms import Sequence as SequenceForm
 from .answers.showing import show_in_a_line
 from .answers.values import Plain, from_plain, is_raised, is_unanswered, outcome_of
+from .explaining.changes import gave
 from .places import Workbook
 from .reply import in_notebook, show_reply
 from .tasks.case import TaskCases, Variant
-from .tasks.changes import gave
-from .tasks.mistake import REPLIES, Mistake
-from .tasks.replies import PHRASES
-from .tasks.verdict import Verdict, judge_outcomes, kind_of
+from .verdicts.mistake import REPLIES, Mistake
+from .verdicts.replies import PHRASES
+from .verdicts.verdict import Verdict, judge_outcomes, kind_of
 from .words import Words
 
 __all__ = ["AssignedTask", "say_verdict", "tried_on"]
@@ -168,7 +168,7 @@ def _shown(outcome: Plain) -> str:
 
 def _show_both(assigned: AssignedTask, verdict: Verdict, outcomes: list[Plain]) -> None:
     """Draw the answer beside the right one, where both are in space."""
-    from .tasks.comparison import picture_of
+    from .verdicts.comparison import picture_of
 
     if not outcomes or verdict.mistake not in (Mistake.SLIP, Mistake.VALUE, Mistake.UNIT):
         return

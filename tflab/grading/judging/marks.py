@@ -21,8 +21,8 @@ from tflab.workbook.answers.values import is_raised
 from tflab.workbook.inventory.replies import chosen
 from tflab.workbook.tasks.case import TaskCases, TwinWords
 from tflab.workbook.tasks.evidence import beyond_guessing, beyond_the_usual
-from tflab.workbook.tasks.mistake import WITHOUT_THE_ANSWER, Mistake
-from tflab.workbook.tasks.verdict import Verdict, judge_outcomes
+from tflab.workbook.verdicts.mistake import WITHOUT_THE_ANSWER, Mistake
+from tflab.workbook.verdicts.verdict import Verdict, judge_outcomes
 from tflab.workbook.words import Words
 
 from ..submissions.remarks import Remark

@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from tflab.workbook.tasks.mistake import Mistake
+from tflab.workbook.verdicts.mistake import Mistake
 from tflab.workbook.words import LANGUAGES
 
 from ..submissions.remarks import Remark

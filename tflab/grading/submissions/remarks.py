@@ -14,7 +14,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
-from tflab.workbook.tasks.mistake import WITHOUT_THE_ANSWER
+from tflab.workbook.verdicts.mistake import WITHOUT_THE_ANSWER
 from tflab.workbook.words import Words
 
 from .reasons import REASONS

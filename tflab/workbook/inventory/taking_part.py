@@ -16,8 +16,8 @@ from ..answers.form import Form
 from ..answers.values import Plain
 from ..places import workbook_data
 from ..reply import show_page, show_reply
-from ..tasks.mistake import Mistake
-from ..tasks.verdict import Verdict
+from ..verdicts.mistake import Mistake
+from ..verdicts.verdict import Verdict
 from ..words import Words
 from .opened import opened
 from .replies import chosen

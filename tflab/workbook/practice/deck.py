@@ -19,11 +19,11 @@ from functools import lru_cache
 from pathlib import Path
 from typing import NamedTuple
 
+from ..mistakes.fitting import words_of
 from ..places import CASES, chapters, workbook_data
 from ..progress import Attempts, read_progress
 from ..tasks.case import TaskCases
 from ..tasks.cases import CasesError, read_chapter, task_cases
-from ..tasks.fitting import words_of
 from ..tasks.reference import Solution, in_process_ros, solution_in_notebook
 from ..tasks.task import Task, read_tasks
 

@@ -19,9 +19,9 @@ from typing import Any, NamedTuple
 from ..answers.values import Plain
 from ..places import WorkbookError, read_workbook, stems_called, workbook_data
 from ..progress import mark_of
-from ..tasks.mistake import Mistake
-from ..tasks.verdict import Verdict
 from ..trying import AssignedTask, tried_on
+from ..verdicts.mistake import Mistake
+from ..verdicts.verdict import Verdict
 from .deck import Askable, items, reached, shown_in_exercises
 from .kept import Kept, Open, Practised, change_kept, read_kept
 from .question import DrawnQuestion, question_of

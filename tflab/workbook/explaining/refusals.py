@@ -12,10 +12,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ..answers.values import Plain, is_raised
+from ..mistakes.fitting import alike
+from ..tasks.case import Case, TaskCases
 from ..words import Words
-from .case import Case, TaskCases
 from .explanation import Explains, Explanation, and_then
-from .fitting import alike
 
 __all__ = ["of_refusals"]
 

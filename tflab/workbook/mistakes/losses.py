@@ -5,7 +5,7 @@
     answer [b, a, c]           expected [a, b, c]                 another order
     answer 12.000000000        expected 12.345000000              a stamp of whole seconds
 
-Only where the right answer is open.  Read `shell_words.py` next.
+Only where the right answer is open.  Read `trees.py` next.
 """
 
 from __future__ import annotations

@@ -4,7 +4,7 @@
                                         -> a method was not called: its brackets are missing
 
 Python says what it could not do; this page adds which slip is behind it, where that is
-sure.  Read `mistake.py` next.
+sure.  Read `fields.py` next.
 """
 
 from __future__ import annotations

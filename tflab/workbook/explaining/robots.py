@@ -18,11 +18,11 @@ from ..answers import sealed
 from ..answers.form import Row
 from ..answers.forms import Form, Quaternion, Urdf, Vector
 from ..answers.values import Plain
+from ..mistakes.fitting import undone_to, words_of
+from ..tasks.case import TaskCases, TwinWords
 from ..words import Words
-from .case import TaskCases, TwinWords
 from .certain import certain
 from .explanation import Explanation
-from .fitting import undone_to, words_of
 
 __all__ = ["of_robots"]
 

@@ -4,7 +4,7 @@
                 r/odom -> map                      odom -> map        before "odom" a robot's name is missing
 
 What is told names frames of the answer alone; a tree's edges are turned round where it is
-sealed, too.  Read `fields.py` next.
+sealed, too.  Read `shell_words.py` next.
 """
 
 from __future__ import annotations

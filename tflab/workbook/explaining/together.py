@@ -12,8 +12,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
+from ..tasks.case import TwinWords
 from ..words import Words
-from .case import TwinWords
 from .explanation import Explanation
 
 __all__ = ["Found", "together"]

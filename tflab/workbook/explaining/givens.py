@@ -15,9 +15,9 @@ from ..answers.form import Form, pose_of
 from ..answers.forms import Angle, Choice, Number, Parts, Pose, Quaternion, Vector
 from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain
+from ..mistakes.fitting import alike
+from ..mistakes.units import unit_of
 from .arithmetic import leaves
-from .fitting import alike
-from .units import unit_of
 
 __all__ = ["given_to"]
 

@@ -12,10 +12,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ..answers.values import Plain
+from ..mistakes.fitting import all_alike
+from ..tasks.case import Case, TaskCases
 from ..words import Words
-from .case import Case, TaskCases
 from .explanation import Explains, Explanation, and_then
-from .fitting import all_alike
 
 __all__ = ["gave", "of_changes"]
 

@@ -11,9 +11,9 @@ from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 from ..answers.values import Plain
+from ..mistakes.fitting import words_of
+from ..tasks.case import Case, TaskCases, TwinWords
 from ..words import Words
-from .case import Case, TaskCases, TwinWords
-from .fitting import words_of
 
 __all__ = ["Explains", "Explanation", "and_then", "said_of"]
 

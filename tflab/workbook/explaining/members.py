@@ -21,18 +21,18 @@ from ..answers.forms import Choice, Message, Parts, Vector
 from ..answers.forms import Sequence as ListForm
 from ..answers.structures import named_beside
 from ..answers.values import Plain, is_raised
+from ..mistakes.fields import section, sections, split
+from ..mistakes.fitting import MEASURED, ONE, TWO, alike, all_alike, in_some, is_just, undone_to, words_of
+from ..mistakes.losses import TOLD, stamp_of, time_of
+from ..tasks.case import AND, Case, TaskCases, TwinWords
 from ..words import Words
 from .arithmetic import computed, computed_in_all
-from .case import AND, Case, TaskCases, TwinWords
 from .certain import certain
 from .common import in_common
 from .confused import confused, word_of
 from .explanation import Explanation, said_of
-from .fields import section, sections, split
-from .fitting import MEASURED, ONE, TWO, alike, all_alike, in_some, is_just, undone_to, words_of
 from .givens import given_to
 from .habits import habit_of
-from .losses import TOLD, stamp_of, time_of
 from .orders import of_orders
 from .together import Found, together
 

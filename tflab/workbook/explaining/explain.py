@@ -7,7 +7,7 @@
 The combinations were computed when the cases were made (`cases.py`).  In the field:
 a *bug library* whose bugs compose (BUGGY, DEBUGGY), searched by model tracing.
 A name is given only where the whole of the answer, or of a part, is what that slip
-gives.  Read `verdict.py` next.
+gives.  Read `verdicts/` next.
 """
 
 from __future__ import annotations
@@ -17,24 +17,24 @@ from collections.abc import Iterator, Sequence
 from ..answers.forms import Choice, Command, Form, Message, Parts, Pose, Urdf
 from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
+from ..mistakes.fields import sections
+from ..mistakes.fitting import IN_SOME, MEASURED, ONE, TWO, alike, all_alike, in_some, is_just, undone_to, words_of
+from ..mistakes.losses import TOLD
+from ..mistakes.names import of_names, unfilled
+from ..tasks.case import AND, Case, TaskCases
+from ..tasks.evidence import habit
 from ..words import Words
 from .apart import of_words_apart
 from .arithmetic import computed, computed_in_all
 from .beside import side_by_side
-from .case import AND, Case, TaskCases
 from .changes import of_changes
 from .common import in_common
 from .confused import confused, confused_in_lists
-from .evidence import habit
 from .explanation import Explanation, said_of
-from .fields import sections
-from .fitting import IN_SOME, MEASURED, ONE, TWO, alike, all_alike, in_some, is_just, undone_to, words_of
 from .givens import given_to
 from .habits import habit_of
 from .lists import of_lists
-from .losses import TOLD
 from .members import changed_places, of_members
-from .names import of_names, unfilled
 from .refusals import of_refusals
 from .robots import of_robots
 from .stops import of_stops

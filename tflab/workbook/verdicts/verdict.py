@@ -7,7 +7,7 @@
     Verdict(passed=6, of=6)
 
 Only JSON is compared, so this serves a learner's `check` and the grader alike.
-Read `stumbles.py` next.
+Read `mistake.py` next.
 """
 
 from __future__ import annotations
@@ -21,16 +21,16 @@ from ..answers.form import inside, member
 from ..answers.forms import Angle, Choice, Command, Form, Message, Name, Number, Parts, Tree, Urdf, Vector
 from ..answers.members import members_of
 from ..answers.values import Plain, is_raised, is_unanswered
+from ..explaining.certain import certain
+from ..explaining.explain import calls_in_common, explained
+from ..explaining.explanation import Explanation
+from ..mistakes.fitting import ANY_BUG
+from ..mistakes.stumbles import tip_for
+from ..mistakes.units import unit_of
+from ..tasks import evidence
+from ..tasks.case import Case, TaskCases, TwinWords, Variant
 from ..words import Words
-from . import evidence
-from .case import Case, TaskCases, TwinWords, Variant
-from .certain import certain
-from .explain import calls_in_common, explained
-from .explanation import Explanation
-from .fitting import ANY_BUG
 from .mistake import Mistake
-from .stumbles import tip_for
-from .units import unit_of
 
 __all__ = ["Verdict", "judge_outcomes", "kind_of"]
 

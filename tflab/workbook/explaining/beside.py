@@ -16,8 +16,8 @@ from itertools import combinations, permutations
 from ..answers import sealed
 from ..answers.form import Form
 from ..answers.values import Plain
-from .case import AND
-from .fitting import alike, is_just
+from ..mistakes.fitting import alike, is_just
+from ..tasks.case import AND
 
 __all__ = ["side_by_side"]
 

@@ -19,18 +19,18 @@ from ..answers.form import inside
 from ..answers.forms import Choice
 from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
+from ..mistakes.fitting import words_of
+from ..tasks.case import Case, TaskCases
 from ..words import Words
 from .beside import side_by_side
-from .case import Case, TaskCases
 from .explanation import Explanation, said_of
-from .fitting import words_of
 
 __all__ = ["of_words_apart"]
 
 AND_MORE = Words(en="Something else is wrong beside it.", ko="그 밖에도 틀린 것이 있습니다.")
 
 
-class _Place(NamedTuple):
+class _Word(NamedTuple):
     """One word: what was said, what is asked for, and what each mistake gives."""
 
     said: Plain
@@ -50,7 +50,7 @@ def of_words_apart(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Pl
     return Explanation(slips, told if is_all else Words(f"{told.en} {AND_MORE.en}", f"{told.ko} {AND_MORE.ko}"))
 
 
-def _sure(form: Choice, places: Sequence[_Place]) -> tuple[list[str], bool]:
+def _sure(form: Choice, places: Sequence[_Word]) -> tuple[list[str], bool]:
     """Return the slips that all the simplest explanations have in common, and whether there is but one."""
     gives = {name: [place.twins[name] for place in places] for name in places[0].twins}
     found = list(side_by_side(form, [place.said for place in places], [place.wanted for place in places], gives))
@@ -58,7 +58,7 @@ def _sure(form: Choice, places: Sequence[_Place]) -> tuple[list[str], bool]:
     return [name for name in (ways or [()])[0] if all(name in way for way in ways)], len(ways) == 1
 
 
-def _places(cases: Sequence[Case], outcomes: Sequence[Plain]) -> list[_Place]:
+def _places(cases: Sequence[Case], outcomes: Sequence[Plain]) -> list[_Word]:
     """Return each word on its own; nothing if lists differ in length, or something is no answer or sealed."""
     if any(sealed.is_sealed(case.expected) or is_raised(case.expected) for case in cases):
         return []
@@ -68,6 +68,6 @@ def _places(cases: Sequence[Case], outcomes: Sequence[Plain]) -> list[_Place]:
         twins = {name: inside(twin) for name, twin in case.twins.items()}
         if not all(isinstance(held, list) and len(held) == len(wanted) for held in (said, *twins.values())):
             return []
-        found += [_Place(said[place], wanted[place], {name: twin[place] for name, twin in twins.items()})
+        found += [_Word(said[place], wanted[place], {name: twin[place] for name, twin in twins.items()})
                   for place in range(len(wanted))]  # fmt: skip
     return found

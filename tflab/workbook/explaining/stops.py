@@ -11,11 +11,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ..answers.values import Plain, is_raised
+from ..mistakes.fitting import ANY_BUG, alike
+from ..mistakes.stumbles import tip_for
+from ..tasks.case import Case, TaskCases
 from ..words import Words
-from .case import Case, TaskCases
 from .explanation import Explains, Explanation, and_then
-from .fitting import ANY_BUG, alike
-from .stumbles import tip_for
 
 __all__ = ["of_stops"]
 

@@ -19,8 +19,8 @@ from ..answers.form import Angle, Form, Mark, Number, Pose, Quaternion, Vector, 
 from ..answers.forms import Command, Message, Name, Parts, Sequence, Set, Tree
 from ..answers.members import edges_of, members_of
 from ..answers.values import Plain, is_raised
+from ..mistakes.fields import section, sections
 from ..words import Words
-from .fields import section, sections
 
 __all__ = ["certain"]
 

@@ -5,7 +5,7 @@
                                     "sign, in some": yes, and that is said
 
 A name is given only where it explains all that is wrong, and where what is right would
-be right with it, too.  Read `certain.py` next.
+be right with it, too.  Read `explaining/` next.
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ from ..answers import sealed
 from ..answers.form import Form, numbers_of
 from ..answers.forms import Angle, Message, Number, Parts, Pose, Quaternion, Vector
 from ..answers.values import Plain, is_raised
+from ..tasks.case import TaskCases, TwinWords
 from ..words import Words
-from .case import TaskCases, TwinWords
 from .fields import section
 from .losses import by_comparison, words_of_loss
 from .universal import PLAIN_TO_SEE, UNIVERSAL, undone

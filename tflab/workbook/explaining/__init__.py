@@ -1,0 +1,24 @@
+"""How a wrong answer came about: the slips that give it, part by part and call by call; else, what is certain.
+
+    certain     what is certain where none fits
+    explanation what an explanation is
+    confused    which word a function says for which
+    common      what the calls that go wrong have in common
+    arithmetic  what was computed of what was given
+    givens      what was given, as it was
+    habits      what habits of writing give: the first member, a loop that removes
+    together    what is said of several parts at once
+    edges       edges that were named by their parents
+    orders      an order the other way round, or one place off
+    members     parts of a dict, fields of a message, each by itself
+    lists       members of a list, all together
+    robots      links of a robot, each by itself
+    refusals    errors that were swallowed
+    beside      slips that show in different calls
+    apart       slips that show in different words
+    stops       errors in some calls, beside what is wrong in others
+    changes     arguments that were changed
+    explain     how a wrong answer came about: slips, alone and two together
+
+Start with `certain.py`; each page names the next.
+"""

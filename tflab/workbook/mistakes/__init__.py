@@ -1,0 +1,14 @@
+"""The mistakes that any answer can have, and whether outcomes are just what one of them gives: a bug library.
+
+    units       in which other unit it may be
+    universal   mistakes that any answer can have
+    names       what is wrong with a name: its slashes, or nothing was filled in
+    losses      what was lost and cannot be put back
+    trees       what is wrong with a tree
+    shell_words where a command line goes wrong
+    stumbles    what one of Python's own errors means
+    fields      which parts an answer has
+    fitting     whether outcomes are just what a mistake gives
+
+Start with `units.py`; each page names the next.
+"""

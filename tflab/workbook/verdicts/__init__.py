@@ -1,0 +1,9 @@
+"""What became of an answer, and the words for it.
+
+    verdict    what became of an answer
+    mistake    what may be wrong with it, in two tables of words
+    replies    what `check` says besides
+    comparison the wrong answer drawn beside the right one
+
+Start with `verdict.py`; each page names the next.
+"""
