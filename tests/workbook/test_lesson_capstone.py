@@ -88,6 +88,11 @@ def test_what_is_no_robot_yet_is_not_launched(nothing, capsys):
     assert "no robot yet" in capsys.readouterr().out
 
 
+def test_without_a_specification_it_says_where_one_comes_from():
+    with pytest.raises(TypeError, match=r'e12_5 = task\("E12.5"\)'):
+        lesson.launch_answer(robot(), None)
+
+
 def test_a_korean_copy_hears_of_it_in_korean(tmp_path, monkeypatch, capsys):
     mark = {"tflab": "0.1.0", "edition": "self-study", "language": "ko", "learner": None}
     (tmp_path / MARK).write_text(json.dumps(mark))

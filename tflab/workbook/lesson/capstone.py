@@ -156,7 +156,14 @@ def launch_answer(answer: Any, specification: Any) -> RViz | None:
     Args:
         answer: as E12.5 asks for it.
         specification: what `task("E12.5")` gave: the robot's name and its sensor.
+
+    Raises:
+        TypeError: the specification is something else.
     """
+    if not (hasattr(specification, "robot") and hasattr(specification, "sensor")):
+        raise TypeError(
+            'the second argument is the specification, as in launch_answer(robot, e12_5): e12_5 = task("E12.5")'
+        )
     words = WORDS[read_workbook(workbook_root()).language]
     tree = _written(answer)
     if not tree:
