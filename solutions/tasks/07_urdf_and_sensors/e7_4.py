@@ -104,8 +104,8 @@ RVIZ_FOR_ALL = Twin(
     "restart RViz",
     lambda g: answers(g, do=lambda cause: "restart RViz"),
     Words(
-        en="RViz only draws what TF says. None of these is in RViz, and all come back when it does.",
-        ko="RViz는 TF가 알려 주는 것을 그릴 뿐입니다. 이 가운데 RViz에 있는 문제는 없고, 다시 켜도 그대로입니다.",
+        en="RViz only draws what it is given. None of these is in RViz, and all come back when it does.",
+        ko="RViz는 받은 것을 그릴 뿐입니다. 이 가운데 RViz에 있는 문제는 없고, 다시 켜도 그대로입니다.",
     ),
     "M15",
 )
@@ -124,8 +124,8 @@ WAIT_FOR_ARMS = Twin(
     "wait for the arms",
     lambda g: answers(g, do=lambda cause: "wait longer" if cause in ARMS else MENDS[cause]),
     Words(
-        en="Nothing is on its way: waiting brings no joint that nobody publishes, or that is passed over each time.",
-        ko="오고 있는 것이 없습니다. 아무도 발행하지 않거나 매번 지나치는 관절은 기다려도 오지 않습니다.",
+        en="Waiting brings no joint that nobody publishes, or that is passed over each time.",
+        ko="아무도 발행하지 않거나 매번 지나치는 관절은 기다려도 오지 않습니다.",
     ),
     "M10",
 )
@@ -184,16 +184,16 @@ TASK = Task(
             en="that is for an rpy that was written in degrees.", ko="rpy를 도(degree)로 썼을 때 하는 일입니다."
         ),
         "restart RViz": Words(
-            en="RViz only draws what TF says; the same would be missing again.",
-            ko="RViz는 TF가 알려 주는 것을 그릴 뿐입니다. 다시 켜도 똑같이 빠집니다.",
+            en="RViz only draws what it is given; started again, it is given the same.",
+            ko="RViz는 받은 것을 그릴 뿐입니다. 다시 켜도 받는 것은 똑같습니다.",
         ),
         "change the cable": Words(
-            en="nothing here says that a device is silent: what is wrong is what is said.",
-            ko="장치가 조용하다는 증거가 없습니다. 틀린 것은 전해지는 내용입니다.",
+            en="no cable is to blame: with a new one the report reads the same.",
+            ko="케이블 탓이 아닙니다. 새것으로 바꾸어도 보고는 똑같습니다.",
         ),
         "wait longer": Words(
-            en="nothing is on its way; it will look the same in an hour.",
-            ko="오고 있는 것이 없습니다. 한 시간 뒤에도 똑같습니다.",
+            en="waiting changes nothing of it; it will look the same in an hour.",
+            ko="기다려도 달라지지 않습니다. 한 시간 뒤에도 똑같습니다.",
         ),
     },
     seen={

@@ -62,7 +62,7 @@ TASK = Task(
     twins=(X_AND_Y_EXCHANGED,),
     means={
         "as drawn": Words(
-            en="then at rest z reads +9.8, and in a bend to the left +y is pulled, as the robot's own.",
+            en="then at rest z reads +9.8, and in a bend to the left y reads above 0, as along the robot's own y.",
             ko="그렇다면 서 있을 때 z가 +9.8이고, 왼쪽으로 굽은 길에서 +y가 커져야 합니다.",
         ),
         "left": Words(

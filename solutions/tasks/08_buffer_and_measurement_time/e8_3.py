@@ -155,8 +155,8 @@ STAMPED_ANEW = Slip(
     "stamped anew",
     {"stamp": "now"},
     Words(
-        en="The place is right, but your point says that it was measured when it arrived. Whoever uses it next can no longer ask about the right moment.",
-        ko="위치는 맞지만, 여러분의 점은 도착한 때 측정했다고 말합니다. 다음에 쓰는 사람은 올바른 순간을 물을 수 없게 됩니다.",
+        en="Your point says that it was measured when it arrived. Whoever uses it next can no longer ask about the right moment.",
+        ko="여러분의 점은 도착한 때 측정했다고 말합니다. 다음에 쓰는 사람은 올바른 순간을 물을 수 없게 됩니다.",
     ),
     "M9",
 )
@@ -176,8 +176,8 @@ LEFT_IN_ODOM = Slip(
     "left in odom",
     {"target": "odom"},
     Words(
-        en="You stopped in odom. The moment is right, but asked for is map: one edge further up.",
-        ko="odom에서 멈추었습니다. 순간은 맞지만 필요한 것은 map입니다. 한 연결 더 올라가야 합니다.",
+        en="You stopped in odom. Asked for is map: one edge further up.",
+        ko="odom에서 멈추었습니다. 필요한 것은 map입니다. 한 연결 더 올라가야 합니다.",
     ),
 )
 

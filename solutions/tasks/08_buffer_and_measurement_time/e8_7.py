@@ -81,8 +81,8 @@ LATEST_INSTEAD_OF_NOW = Slip(
     "latest instead of now",
     {"base": "latest"},
     Words(
-        en="The moment of the sighting is right. But for base_link you took `Time()`, the newest pose in the buffer, and `now` is asked for.",
-        ko="본 순간은 맞습니다. 그런데 base_link에는 버퍼의 가장 새로운 포즈를 뜻하는 `Time()`을 썼습니다. 필요한 것은 `now`입니다.",
+        en="For base_link you took `Time()`, the newest pose in the buffer, and `now` is asked for.",
+        ko="base_link에 버퍼의 가장 새로운 포즈를 뜻하는 `Time()`을 썼습니다. 필요한 것은 `now`입니다.",
     ),
     "M9",
 )
@@ -173,8 +173,8 @@ AT_ONE_MOMENT = Slip(
     "at one moment",
     {"move": "at one moment"},
     Words(
-        en="You asked for one moment only. Between the sensor and base_link nothing ever moves, so that is where the object was *seen*; the drive since then is missing.",
-        ko="한 시각으로만 물었습니다. 센서와 base_link 사이는 움직이지 않으므로 물체를 *본* 곳이 나옵니다. 그 뒤에 달린 것이 빠졌습니다.",
+        en="Your point stays in one moment: you asked for one alone, or held fast a frame that rides along. Between the sensor and base_link nothing ever moves, so that is where the object was *seen*; the drive since then is missing.",
+        ko="점이 한 시각에 머물러 있습니다. 한 시각의 변환만 조회했거나, 로봇과 함께 움직이는 좌표계를 고정으로 삼았습니다. 센서와 base_link 사이는 움직이지 않으므로 물체를 *본* 곳이 나옵니다. 그 뒤에 달린 것이 빠졌습니다.",
     ),
     "M9",
 )

@@ -214,8 +214,8 @@ NEVER_WAITS = Slip(
     {"limit_s": -1.0},
     misconception="M10",
     reply=Words(
-        en="a small gap into the future is ordinary: the transform is on its way. Your function suspects the clocks even then. Has the bound the unit of what you compare with it?",
-        ko="작은 미래 간격은 흔한 일이고 변환이 오는 중입니다. 이 함수는 그때도 시계를 의심합니다. 한계의 단위가 비교하는 값의 단위와 같습니까?",
+        en="a small gap into the future is ordinary: the transform is on its way. Your function suspects the clocks even then. Between which two moments do you take the gap, and is your bound in its unit?",
+        ko="작은 미래 간격은 흔한 일이고 변환이 오는 중입니다. 이 함수는 그때도 시계를 의심합니다. 어느 두 시각의 차이를 구하고, 한계의 단위는 그 차이의 단위와 같습니까?",
     ),
 )
 

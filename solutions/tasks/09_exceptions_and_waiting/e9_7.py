@@ -68,8 +68,8 @@ JITTER_FORGOTTEN = Slip(
     "jitter forgotten",
     {"jitter": 0.0},
     reply=Words(
-        en="this is enough on a quiet day. By how much may a transform be later than its delay?",
-        ko="조용한 날에는 충분합니다. 변환은 정해진 지연보다 얼마나 더 늦을 수 있습니까?",
+        en="you reckon with a quiet day. By how much may a transform be later than its delay?",
+        ko="조용한 날만 계산했습니다. 변환은 정해진 지연보다 얼마나 더 늦을 수 있습니까?",
     ),
 )
 
@@ -78,8 +78,8 @@ SCAN_S_DELAY_FORGOTTEN = Slip(
     "scan's delay forgotten",
     {"scan": 0.0},
     reply=Words(
-        en="your wait is longer than it need be. While the scan was under way, time had already passed.",
-        ko="필요보다 길게 기다립니다. 스캔이 오는 동안 이미 시간이 흘렀습니다.",
+        en="the scan's own delay is missing. While it was under way, time had already passed: by that much the wait is shorter.",
+        ko="스캔 자신의 지연이 빠졌습니다. 스캔이 오는 동안 이미 시간이 흘렀으므로 기다림은 그만큼 짧아집니다.",
     ),
 )
 

@@ -44,6 +44,8 @@ def outcomes(
             answers[letter] = ["works", running, "works"]
         if order == "timer second":
             answers[letter] = [answers[letter][place] for place in (0, 2, 1)]
+        elif order == "timer first":
+            answers[letter] = [answers[letter][place] for place in (2, 0, 1)]
     return answers
 
 
@@ -101,8 +103,8 @@ STOPPED_IS_LONG_AGO = Slip(
     "stopped clock is long ago",
     {"stopped": "years off"},
     Words(
-        en="A clock that stands at 0 looks like 1970, years before the bag. But tf2 does not read that 0 as a moment.",
-        ko="0에 멈춘 시계는 bag보다 여러 해 전인 1970년처럼 보입니다. 하지만 tf2는 그 0을 시각으로 읽지 않습니다.",
+        en="With nobody on /clock that node's clock stands at 0: it does not fall back on the machine's time. 0 looks like 1970, years before the bag, but tf2 does not read that 0 as a moment.",
+        ko="/clock이 발행되지 않으면 그 노드의 시계는 0에 멈춰 있고, 컴퓨터의 시간으로 돌아가지 않습니다. 0은 bag보다 여러 해 전인 1970년처럼 보이지만, tf2는 그 0을 시각으로 읽지 않습니다.",
     ),
     "M13",
 )
@@ -285,6 +287,15 @@ TIMER_BEFORE_NOW = Slip(
     ),
 )
 
+TIMER_FIRST = Slip(
+    "timer first",
+    {"order": "timer first"},
+    Words(
+        en="The order is: at the stamp, at now, the timer. You have the timer first of all.",
+        ko="순서는 측정 시각, 현재 시각, 타이머입니다. 타이머를 맨 먼저 썼습니다.",
+    ),
+)
+
 
 TASK = Task(
     id="E10.1",
@@ -317,6 +328,7 @@ TASK = Task(
         PLAYED_CLOCK_HELPS,
         STOPPED_NOW_IS_FINE,
         TIMER_BEFORE_NOW,
+        TIMER_FIRST,
         RUNNING_NOW_IS_THE_LATEST,
         RUNNING_NOW_IS_YEARS_OFF,
         STOPPED_NOW_IS_JUST_SHORT,

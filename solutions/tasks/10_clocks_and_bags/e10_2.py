@@ -51,8 +51,8 @@ NO_TF = Slip(
     "no tf",
     {"moving": ""},
     Words(
-        en="/tf is missing in a or b: the mounts are there, but not where the robot was at each moment.",
-        ko="a나 b에 /tf가 없습니다. 장착 변환은 있지만, 순간마다 로봇이 어디에 있었는지가 없습니다.",
+        en="/tf is missing: the mounts alone do not tell where the robot was at each moment.",
+        ko="/tf가 없습니다. 장착 변환만으로는 순간마다 로봇이 어디에 있었는지 알 수 없습니다.",
     ),
     "M13",
     partly=True,

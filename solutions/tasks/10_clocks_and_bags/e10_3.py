@@ -156,8 +156,8 @@ SIM_TIME_FOR_ALL = Slip(
     "sim time for all",
     {"apart": ("one node in another time", "set use_sim_time on all nodes")},
     Words(
-        en="Look at the list of nodes: which of them lack it? Setting a parameter again at the others empties their buffers for nothing.",
-        ko="노드 목록을 보세요. 어느 노드에 빠져 있습니까? 나머지에 다시 설정하면 버퍼만 비게 됩니다.",
+        en="Look at the list of nodes: which of them lack it? At the others it changes nothing.",
+        ko="노드 목록을 보세요. 어느 노드에 빠져 있습니까? 나머지 노드에서는 달라지는 것이 없습니다.",
     ),
     "M13",
 )
@@ -324,8 +324,8 @@ TASK = Task(
             ko="timeout을 늘리는 것은 무언가 잠깐 늦을 때 도움이 됩니다.",
         ),
         "replace the sensor": Words(
-            en="a new sensor would not say where it is bolted on either.",
-            ko="새 센서도 자신이 어디에 달려 있는지는 말하지 않습니다.",
+            en="the sensor's messages are in the bag: a new sensor would send no others.",
+            ko="센서의 메시지는 bag에 있습니다. 새 센서도 똑같은 메시지를 보낼 뿐입니다.",
         ),
     },
 )

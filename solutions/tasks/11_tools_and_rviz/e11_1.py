@@ -104,8 +104,8 @@ RVIZ_FIRST = Twin(
     "RViz first",
     dict.fromkeys(RIGHT, "RViz"),
     Words(
-        en="RViz for everything: it shows the result of all of it at once, and no number. Ask what exactly you want to know: a name, a value, a time, a node?",
-        ko="모든 질문에 RViz라고 답했습니다. RViz는 모든 것의 결과를 한꺼번에, 숫자 없이 보여 줍니다. 정확히 무엇을 알고 싶은지 물어보세요. 이름입니까, 값입니까, 시각입니까, 노드입니까?",
+        en="RViz for everything: it shows the result of all of it at once, to the eye. Ask what exactly you want to know: a name, a value, a time, a node?",
+        ko="모든 질문에 RViz라고 답했습니다. RViz는 모든 것의 결과를 한꺼번에 눈에 보여 줍니다. 정확히 무엇을 알고 싶은지 물어보세요. 이름입니까, 값입니까, 시각입니까, 노드입니까?",
     ),
     "M15",
 )
@@ -155,8 +155,8 @@ TASK = Task(
             ko="topic info --verbose는 누가 발행하고 구독하는지 압니다. 메시지 안은 보지 않습니다.",
         ),
         "RViz": Words(
-            en="RViz shows to the eye what could be computed, each frame from its own Fixed Frame; of roots, numbers, rates and nodes it tells nothing.",
-            ko="RViz는 계산할 수 있었던 것을 자신의 Fixed Frame 기준으로 눈에 보여 줍니다. 루트, 숫자, 발행률, 노드는 알려 주지 않습니다.",
+            en="RViz shows to the eye what could be computed, all of it from its Fixed Frame; on the page it gave no root, no value, no rate and no node.",
+            ko="RViz는 계산할 수 있었던 것을 Fixed Frame 기준으로 눈에 보여 줍니다. 이 장의 RViz에는 루트, 값, 발행률, 노드가 나오지 않았습니다.",
         ),
         "no ROS 2 tool": Words(
             en="for this one there is a tool: its answer is printed on the page.",

@@ -54,6 +54,7 @@ def judged(given, *, rate="the rest", late="max", curve="chord", period="whole",
         "shared": given.hz_of_tf / (len(given.sends_hz) + 1),
         "localization's": given.sends_hz["localization"],
         "without localization": given.hz_of_tf - given.sends_hz["robot_state_publisher"],
+        "the report's": float(re.search(r"([\d.]+) Hz", given.report)[1]),
     }[rate]
     avg, largest = map(float, re.search(r"avg = (\S+): max = (\S+)", given.report).groups())
     static = float(re.search(r"laser_frame,.*Average Delay: (\S+),", given.report)[1])
@@ -129,6 +130,16 @@ ANOTHER_NODES = Slip(
     Words(
         en="That is how often localization sends, by the card. Asked is the node that is not on the card.",
         ko="카드에 적힌 localization의 발행률입니다. 카드에 없는 노드를 물었습니다.",
+    ),
+    part="odometry_hz",
+)
+
+THE_REPORT_S = Slip(
+    "the report's",
+    {"rate": "the report's"},
+    Words(
+        en="That is the Hz in the report's last line, which counts all broadcasters together. Asked is what odometry alone sends.",
+        ko="보고의 마지막 줄에 있는 Hz이고, 발행하는 노드를 모두 합쳐 센 값입니다. 오도메트리만의 발행률을 물었습니다.",
     ),
     part="odometry_hz",
 )
@@ -321,8 +332,8 @@ OTHER_VERDICT = Twin(
     "other verdict",
     lambda g: {**judged(g), "enough": "no" if judged(g)["enough"] == "yes" else "yes"},
     Words(
-        en="yes and no are the wrong way round, or something else was compared: it is enough where off_mm is at most allowed_mm, both in millimetres, and not where it is more. Waiting is another question.",
-        ko="예와 아니요가 뒤바뀌었거나 다른 것을 비교했습니다. off_mm이 allowed_mm을 넘지 않으면 충분하고, 넘으면 충분하지 않습니다. 둘 다 mm입니다. 기다림은 다른 문제입니다.",
+        en="Compare off_mm with allowed_mm: it is enough where off_mm is at most that, both in millimetres, and not where it is more. Waiting is another question. If your own off_mm is not right yet, look at that first.",
+        ko="off_mm과 allowed_mm을 비교하십시오. off_mm이 allowed_mm을 넘지 않으면 충분하고, 넘으면 충분하지 않습니다. 둘 다 mm입니다. 기다림은 다른 문제입니다. 구한 off_mm이 아직 틀리다면 그것부터 보십시오.",
     ),
     part="enough",
 )
@@ -370,6 +381,7 @@ TASK = Task(
         SHARED_EVENLY,
         ONE_LEFT_IN,
         ANOTHER_NODES,
+        THE_REPORT_S,
         WAY_WHILE_LATE,
         PRODUCT_FOR_THE_RADIUS,
         BOTH_TAKEN_OFF,

@@ -181,8 +181,8 @@ MEANS = {
         ko="base_link → laser_frame의 발행자입니다. 그 연결의 값, w, durability를 읽어 보십시오.",
     ),
     "laser_driver": Words(
-        en="It writes the scan's frame and stamp. Which of the two is not as on the card?",
-        ko="스캔의 좌표계와 측정 시각을 적는 노드입니다. 둘 가운데 무엇이 카드와 다릅니까?",
+        en="It writes the scan's frame and stamp. Is either of the two not as on the card?",
+        ko="스캔의 좌표계와 측정 시각을 적는 노드입니다. 둘 가운데 카드와 다른 것이 있습니까?",
     ),
     "rviz": Words(
         en="RViz only shows. It is at fault where what was typed into it names no frame.",

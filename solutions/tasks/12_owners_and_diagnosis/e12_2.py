@@ -117,7 +117,7 @@ COUNT_AS_OWNERS = Slip(
     "count taken for owners",
     {"count": "owners"},
     Words(
-        en="`topic info /tf` counts whoever may speak on /tf, for all edges together. Three publishers are three nodes with an edge each.",
+        en="`topic info /tf` counts whoever may speak on /tf, for all edges together. Three publishers may be three nodes with edges of their own.",
         ko="`topic info /tf`는 /tf로 보낼 수 있는 노드를 모든 연결에 걸쳐 셉니다. 발행자 셋은 연결을 하나씩 맡은 노드 셋입니다.",
     ),
     "M6",

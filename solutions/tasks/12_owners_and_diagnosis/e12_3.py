@@ -149,7 +149,7 @@ TASK = Task(
             ko="TF가 믿는 장착의 값을 보여 줍니다. 두 용의자에게서 다르게 나옵니까?",
         ),
         "echo map odom": Words(
-            en="It shows the correction, for two minutes: would it differ, and is there a check for one?",
+            en="It shows the correction, and takes two minutes: would it differ between the two suspects, and is there a check of one minute?",
             ko="2분을 들여 보정을 보여 줍니다. 두 용의자에게서 다르게 나옵니까? 1분짜리는 없습니까?",
         ),
         "hz /odom": Words(

@@ -108,7 +108,7 @@ TASK = Task(
             ko="지연과 발행률은 한동안 들어야 합니다. 더 싼 카드는 무엇이고, 연결이 아니라 메시지 하나를 보는 카드는 무엇입니까?",
         ),
         "header": Words(
-            en="The header belongs to the message: it is held against what TF itself does. Has TF been looked at before, and who sends it not yet?",
+            en="The header belongs to the message: it is held against what TF itself does. Has TF been looked at before it, and is the question who sends still to come?",
             ko="header는 메시지의 것이고, TF가 하는 일에 견주어 봅니다. 그 전에 TF를 보았습니까? 누가 보내는지는 아직 보지 않았습니까?",
         ),
         "publishers": Words(
