@@ -315,6 +315,7 @@ a_point.header.frame_id, a_point.header.stamp = "laser_frame", Time(nanoseconds=
         ({"x": -3.87, "kept": ["a", 1]}, '{x: -3.870, kept: ["a", 1]}'),
         (-1.03e-13, "0.000"),
         (0.00012, "0.00012"),
+        ([23.0005, 23.0], "[23.0005, 23.000]"),
         (Transform(), "translation (0.000, 0.000, 0.000), rotation xyzw (0.000, 0.000, 0.000, 1.000)"),
         ("two\nlines", "two …"),
         (a_point, 'PointStamped in "laser_frame" at 2.500000000 s'),

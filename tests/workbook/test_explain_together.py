@@ -7,8 +7,9 @@ import pytest
 from tflab.workbook.answers.forms import Choice, Name, Number, Parts, Sequence, form_from_plain
 from tflab.workbook.answers.values import to_plain
 from tflab.workbook.explaining.common import in_common
+from tflab.workbook.explaining.together import Found, together
 from tflab.workbook.tasks import Words
-from tflab.workbook.tasks.case import Case
+from tflab.workbook.tasks.case import Case, TwinWords
 from tflab.workbook.verdicts.mistake import Mistake
 from tflab.workbook.verdicts.verdict import judge_outcomes
 
@@ -65,6 +66,14 @@ def test_of_a_part_that_nothing_explains_it_is_said_how_far_it_is_off():
     form = Parts({"a": Number("m"), "b": Number("m")})
     verdict = judged(form, {"a": 1.0, "b": 2.0}, {}, {"a": -1.0, "b": 2.1})
     assert verdict.said.en.endswith('"b": look again (too large, by less than a tenth).')
+
+
+def test_a_part_whose_name_the_reply_says_already_is_named_once():
+    named = TwinWords(Words("a: it was turned.", "a: 돌렸습니다."), "")
+    other = TwinWords(Words("b: it was moved.", "b: 옮겼습니다."), "")
+    found = [Found({"turned": named}, named.reply, {"a"}), Found({"moved": other}, other.reply, {"b"})]
+    said = together(found, {}, ["a", "b"]).said
+    assert said == Words('"a": it was turned. "b": it was moved.', '"a": 돌렸습니다. "b": 옮겼습니다.')
 
 
 def test_which_word_is_said_for_which_comes_after_a_cause():
@@ -140,7 +149,7 @@ def test_a_name_that_is_always_the_first_is_told_so():
 
 def test_two_arguments_that_were_only_joined_are_told_so():
     rows = [([a, b], 3.7 * a + b, a - b) for a, b in ((1.0, 2.5), (4.0, 1.0), (7.0, 3.0))]
-    assert list(called(Number("m"), rows).slips) == ["argument 1 - argument 2"]
+    assert list(called(Number("m"), rows).slips) == ["computed: argument 1 - argument 2"]
 
 
 def test_a_loop_that_removes_from_its_own_list_is_recognised_and_a_member_too_many_is_not():
@@ -193,6 +202,15 @@ def test_beside_words_that_are_confused_stands_what_there_is_to_see():
     task, variant = bare(Choice(("in", "out", "off")), *cases, is_function=True)
     task = task._replace(seen={"in": Words("There the door is open.", "문이 열려 있습니다.")})
     assert "There the door is open." in judge_outcomes(task, variant, ["out", "out", "out", "off"]).said.en
+
+
+def test_the_call_that_is_shown_is_one_of_which_the_reply_speaks():
+    asked, said = ("in", "off", "off", "out"), ("out", "out", "out", "out")
+    cases = [Case([place], want, {}) for place, want in enumerate((*asked, "in"))]
+    task, variant = bare(Choice(("in", "out", "off")), *cases, is_function=True)
+    verdict = judge_outcomes(task, variant, [*said, "in"])
+    assert verdict.said.en.startswith('"off" never comes')
+    assert verdict.case == 1
 
 
 # -- what is lost of lists, and of numbers that are counted -------------------------------------

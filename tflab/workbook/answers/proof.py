@@ -32,6 +32,10 @@ __all__ = ["Proof"]
 NOBODY = "nobody"  # who is proved by a list beside which no suspect is named
 
 SAID = {
+    "no suspect": Words(
+        en="no check on the trolley proves the cause that you name beside them.",
+        ko="옆에 적은 원인을 증명하는 검사는 트롤리에 없습니다.",
+    ),
     "none": Words(
         en="without a check nothing is proved: what was asked, and what did it say?",
         ko="검사 없이는 아무것도 증명되지 않습니다. 무엇을 물었고 어떤 답이 나왔습니까?",
@@ -98,9 +102,11 @@ class Proof(Form):
     def remark(self, answer: Plain, neighbours: Mapping[str, Plain]) -> Words | None:
         """Return what keeps a list from proving the cause that stands beside it."""
         read = _read(self.beside(answer, neighbours))
-        if read is None or not read[0] or read[0] == NOBODY:
+        if read is None or not read[0]:
             return None
         cause = read[0]
+        if cause == NOBODY:
+            return SAID["no suspect"]
         flaw = (self._flaw(read[1], cause) or Flaw("contradicted")) if read[1] else Flaw("none")
         names = {**flaw._asdict(), "cause": cause, "budget": self.budget_min}
         return Words(*(SAID[flaw.kind].say(language, **names) for language in ("en", "ko")))

@@ -78,6 +78,8 @@ def show_in_a_line(value: Any, at_most: int = 200) -> str:
         header = value.header
         stamp = _seconds(header.stamp.sec * NS_PER_S + header.stamp.nanosec)
         text = f'{value.ROS_TYPE.rpartition("/")[2]} in "{header.frame_id}" at {stamp}'
+    elif isinstance(value, float) and round(value, 3) != value == round(value, 4):
+        text = f"{value:.4f}"  # 23.0005 and 23.0 are two: such a digit was put there
     else:
         lines = show(value).splitlines() or ['""']
         text = lines[0] if len(lines) == 1 else f"{lines[0]} …"

@@ -29,7 +29,7 @@ from .arithmetic import computed, computed_in_all
 from .beside import side_by_side
 from .changes import of_changes
 from .common import in_common
-from .confused import confused, confused_in_lists
+from .confused import confused, confused_in_lists, word_of
 from .explanation import Explanation, said_of
 from .givens import given_to
 from .habits import habit_of
@@ -142,7 +142,11 @@ def _of_words(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain])
         return apart
     shown = [words for words in (task.means.get(found.word), task.seen.get(found.wanted)) if words]
     said = Words(*map(" ".join, zip(found.said, *shown, strict=True)))
-    return _and_where(task, cases, outcomes, Explanation.of(found.name, said))
+    explanation = Explanation.of(found.name, said)
+    if isinstance(form, Choice):
+        pairs = [(word_of(form, want), word_of(form, outcome)) for want, outcome in zip(wanted, outcomes, strict=True)]
+        explanation = explanation._replace(shows=pairs.index((found.wanted, found.word)))
+    return _and_where(task, cases, outcomes, explanation)
 
 
 def _and_where(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], found: Explanation) -> Explanation:

@@ -31,11 +31,13 @@ class Explanation(NamedTuple):
         slips: by name, the first in the work first, and what is said of each.
         said: what to say of them.
         follows: parts that are wrong only because of an earlier one.
+        shows: the number of the call in which it is plain to see; None: the first that goes wrong.
     """
 
     slips: dict[str, TwinWords]
     said: Words
     follows: tuple[str, ...] = ()
+    shows: int | None = None
 
     @classmethod
     def of(cls, name: str, said: Words) -> Explanation:

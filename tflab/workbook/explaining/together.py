@@ -84,5 +84,7 @@ def _where(words: Words, parts: set[str], names: Sequence[str]) -> Words:
     lists = {name.partition("[")[0] for name in names}
     whole = {name for name in lists if {held for held in names if held.partition("[")[0] == name} <= parts}
     called = [name.partition("[")[0] if name.partition("[")[0] in whole else name for name in names if name in parts]
-    where = ", ".join(f'"{name}"' for name in dict.fromkeys(called))
-    return Words(f"{where}: {words.en}", f"{where}: {words.ko}")
+    called = list(dict.fromkeys(called))
+    where = ", ".join(f'"{name}"' for name in called)
+    said = [text.removeprefix(f"{called[0]}: ") if len(called) == 1 else text for text in (words.en, words.ko)]
+    return Words(*(f"{where}: {text}" for text in said))

@@ -39,7 +39,7 @@ LOSSES = {
         ko="0이 아닌 숫자는 맞습니다. 아직 0인 숫자가 빠졌습니다.",
     ),
     "zero": Words(
-        en="0 would say that there is nothing of it, and there is.",
+        en="0 would mean that there is none of it, and there is some.",
         ko="0이라면 아무것도 없다는 뜻인데, 없지 않습니다.",
     ),
     "rounded": Words(

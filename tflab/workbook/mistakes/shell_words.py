@@ -103,11 +103,11 @@ LINES = {
         "옵니다. 그 수가 다릅니다.",
     ),
     "line: too few names": Words(
-        en="the command is the right one, and it is told too little: something is missing behind it.",
+        en="the command is the right one; something is missing behind it.",
         ko="명령은 맞지만 그 뒤에 써야 할 것이 빠졌습니다.",
     ),
     "line: too many names": Words(
-        en="the command is the right one, and it is told too much: there is more behind it than asked for.",
+        en="the command is the right one; there is more behind it than asked for.",
         ko="명령은 맞지만 그 뒤에 필요 없는 것이 더 있습니다.",
     ),
     "line: slash in front": Words(

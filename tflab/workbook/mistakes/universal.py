@@ -260,8 +260,8 @@ UNIVERSAL = {
     ),
     "slash in front": Universal(
         Words(
-            en="right, but for the slash in front: it is part of a name.",
-            ko="앞의 슬래시만 빼면 맞습니다. 슬래시도 이름의 일부입니다.",
+            en="right, but for a slash in front that does not belong there: to TF it is part of the name.",
+            ko="앞에 붙인 슬래시만 지우면 맞습니다. TF는 슬래시까지 이름으로 읽습니다.",
         ),
         lambda row: iter(()),
         "M14",

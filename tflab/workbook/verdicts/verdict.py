@@ -103,6 +103,7 @@ def judge_outcomes(task: TaskCases, variant: Variant, outcomes: Sequence[Plain])
         mistake, detail, found = Mistake.VALUE, {}, None
     if found is None:
         return Verdict(sum(right), len(right), mistake, {}, case, right, {"certain": None} | detail)
+    case = case if found.shows is None else found.shows
     follows: tuple[bool, ...] = ()
     if found.follows and isinstance(form, Parts):  # one slip costs the part that it is made in, not what follows
         follows = tuple(not was and name in found.follows for was, name in zip(right, form.parts, strict=True))
@@ -213,7 +214,7 @@ def _ending(
     if is_raised(outcome):
         meant = is_raised(expected) and outcome["raises"] not in ANY_BUG - {"ValueError"}
         error, text = outcome["raises"], outcome.get("text", "")
-        detail = {"error": error, "text": text, "tip": tip_for(error, text)}
+        detail = {"error": error, "text": text.rstrip(". "), "tip": tip_for(error, text)}
         return Mistake.OTHER_EXCEPTION if meant else Mistake.RAISES, detail
     if task.is_function and outcome is None and not is_raised(expected):
         always = all(other is None for other in outcomes)
@@ -232,10 +233,17 @@ def _coarse(form: Form, outcome: Plain) -> tuple[Mistake, dict[str, Any]] | None
         return _coarse_of_parts(form, outcome)
     members = _members(form, outcome)
     if members is not None:
-        return next(filter(None, (_coarse(form.of, answer) for answer in members)), None)
+        faults = ((_coarse(form.of, answer), answer) for answer in members)
+        return next((_holding(outcome, answer, fault) for fault, answer in faults if fault is not None), None)
     if form.read(outcome) is not None:
         return None
     return _unread(form, outcome)
+
+
+def _holding(outcome: Plain, answer: Plain, fault: tuple[Mistake, dict[str, Any]]) -> tuple[Mistake, dict[str, Any]]:
+    """Return what is wrong with a member as what is wrong with the whole: a list is right, and holds what is not."""
+    held = fault[1].get("got", kind_of(answer))
+    return fault[0], fault[1] | {"got": f"{kind_of(outcome)}, holding {held}"}
 
 
 def _members(form: Form, outcome: Plain) -> list[Plain] | None:
@@ -268,8 +276,11 @@ def _meant(form: Form, outcome: Plain) -> dict[str, Any]:
     if outcome is None and (isinstance(form, Name) or (isinstance(form, Choice) and "none" in form.options)):
         return {"tip": NO_NAME}
     body = inside(outcome)
-    is_nested = isinstance(body, dict) and any(isinstance(inside(held), dict) for held in body.values())
-    return {"tip": NESTED} if isinstance(form, Tree) and is_nested else {}
+    if not (isinstance(form, Tree) and isinstance(body, dict)):
+        return {}
+    odd = next((held for held in body.values() if not isinstance(held, str)), None)
+    is_nested = any(isinstance(inside(held), dict) for held in body.values())
+    return {"got": f"{kind_of(outcome)}, holding {kind_of(odd)}", **({"tip": NESTED} if is_nested else {})}
 
 
 def _is_joined(form: Form, outcome: Plain) -> bool:
@@ -292,7 +303,7 @@ def _coarse_of_parts(form: Parts, outcome: Plain) -> tuple[Mistake, dict[str, An
     for name, part in form.parts.items():
         fault = _coarse(part, answers[name])
         if fault is not None:
-            return fault[0], {**fault[1], "part": name, "got": kind_of(answers[name])}
+            return fault[0], {"got": kind_of(answers[name]), **fault[1], "part": name}
     return None
 
 
