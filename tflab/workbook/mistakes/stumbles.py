@@ -86,8 +86,8 @@ TIPS = (  # the error's name and text, the first that fits
     (
         r"IndexError|ValueError: (max|min)\(\) .*empty|StopIteration",
         Words(
-            "There is less in it than you count on: what if a list is short, or empty?",
-            "생각보다 적게 들어 있습니다. 리스트가 짧거나 비어 있으면 어떻게 됩니까?",
+            "There is less in it than you count on: is a list short, or empty? Did nothing fit what you looked for?",
+            "생각보다 적게 들어 있습니다. 리스트가 짧거나 비어 있습니까? 찾으려던 것과 맞는 것이 하나도 없었습니까?",
         ),
     ),
     (
@@ -176,9 +176,10 @@ TIPS = (  # the error's name and text, the first that fits
         r"(Lookup|Connectivity|Extrapolation|InvalidArgument|Transform)Exception",
         Words(
             "That is a refusal, tf2's or that of a `raise` of your own, and this call has an answer: are the frames, "
-            "their order and the time those of this call? Is a `raise` reached too soon?",
+            "their order and the time those of this call? Is a `raise` reached too soon, or does an `except` name "
+            "another class?",
             "tf2나 직접 쓴 `raise`가 거절했는데, 이 호출에는 답이 있습니다. 좌표계와 그 순서, 시각이 이 호출의 "
-            "것입니까? `raise`에 너무 일찍 이르지는 않습니까?",
+            "것입니까? `raise`에 너무 일찍 이르거나, `except`에 다른 클래스를 쓰지는 않았습니까?",
         ),
     ),
 )
