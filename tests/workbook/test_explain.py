@@ -196,6 +196,38 @@ def test_where_nothing_fits_the_bounds_are_said_and_not_the_answer():
     assert (verdict.mistake, verdict.detail["certain"].en) == (Mistake.VALUE, "x: right; y: too large; z: too small")
 
 
+@pytest.mark.parametrize(
+    ("answer", "said"),
+    [
+        ((0.8, 9.0), "translation: x, y: right; z: too large. Rotation: right"),
+        ((0.803, 0.0), "translation: x, y, z: right. Rotation: off by less than 1°"),
+    ],
+)
+def test_a_turn_that_is_right_is_called_right(answer, said):
+    pose = Transform.from_rpy(yaw=0.8, translation=(1.0, 2.0, 0.0))
+    yaw, z = answer
+    given = Transform.from_rpy(yaw=yaw, translation=(1.0, 2.0, z))
+    certainly = judged(Pose(), pose, {}, given).detail["certain"]
+    assert certainly.en == said
+    assert ("회전: 맞음" in certainly.ko) is said.endswith("right")
+
+
+@pytest.mark.parametrize(
+    ("form", "answer", "got"),
+    [
+        (Sequence(Sequence(Name())), ["map", "odom"], "list of 2, holding str"),
+        (Sequence(Sequence(Name())), [["map", 3]], "list of 1, holding list of 2, holding int"),
+        (Tree(), {"odom": "map", "base": 3}, "dict, holding int"),
+        (Parts({"a": Sequence(Name())}), {"a": [3]}, "list of 1, holding int"),
+    ],
+)
+def test_where_a_list_or_a_dict_is_right_and_a_member_is_of_the_wrong_kind_it_is_the_member_that_is_named(
+    form, answer, got
+):
+    right = {"a": ["map"]} if isinstance(form, Parts) else FIVE if isinstance(form, Tree) else [["map", "odom"]]
+    assert judged(form, right, {}, answer).detail["got"] == got
+
+
 FIVE = {"odom": "map", "base": "odom", "laser": "base", "camera": "base", "imu": "base"}
 
 
@@ -415,6 +447,8 @@ def test_an_answer_of_one_other_part_is_named_and_one_of_several_is_chance():
         (Tree(), FIVE, FIVE | {"lamp": "base"}, "tree: more than asked for"),
         (Tree(), FIVE, {"odom": "map", "laser": "odom", "camera": "odom", "imu": "odom"}, "tree: a frame left out"),
         (Tree(), FIVE, FIVE | {"laser": ["base"]}, "tree: a list for a name"),
+        (Tree(), FIVE, FIVE | {"map": None}, "tree: None for a name"),
+        (Tree(), FIVE, [(None, "map"), *((parent, child) for child, parent in FIVE.items())], "tree: None for a name"),
         (Tree(), FIVE, FIVE | {"laser": "odom"}, "tree: too high"),
         (Tree(), FIVE, FIVE | {"laser": "camera"}, "tree: too low"),
         (

@@ -41,7 +41,7 @@ def certain(form: Form, answer: Plain, expected: Plain) -> Words | None:
     if isinstance(form, Sequence):
         return _of_sequence(inside(answer), inside(expected))
     if isinstance(form, Pose):
-        return _of_pose(answer, expected)
+        return _of_pose(form, answer, expected)
     if isinstance(form, Command):
         return _of_command(form, answer, expected)
     if isinstance(form, Name):
@@ -56,7 +56,7 @@ def _of_numbers(form: Form, answer: Plain, expected: Plain) -> Words | None:
         return _of_angle(numbers_of(answer, None), numbers_of(expected, None))
     if isinstance(form, Vector):
         return _of_vector(numbers_of(answer, form.size), numbers_of(expected, form.size), form.tolerance)
-    return _of_rotation(numbers_of(answer, 4), numbers_of(expected, 4))
+    return _of_rotation(numbers_of(answer, 4), numbers_of(expected, 4), 1e-3)
 
 
 def _of_number(given: tuple[float, ...] | None, wanted: tuple[float, ...] | None) -> Words | None:
@@ -99,20 +99,22 @@ def _of_vector(given: tuple[float, ...] | None, wanted: tuple[float, ...] | None
     return Words("; ".join(f"{names}: {en}" for names, en, _ in said), "; ".join(f"{n}: {ko}" for n, _, ko in said))
 
 
-def _of_rotation(given: tuple[float, ...] | None, wanted: tuple[float, ...] | None) -> Words | None:
+def _of_rotation(given: tuple[float, ...] | None, wanted: tuple[float, ...] | None, tolerance: float) -> Words | None:
     if given is None or wanted is None or math.hypot(*given) < 1e-9:
         return Words("all zeros is no rotation", "모두 0이면 회전이 아닙니다") if given is not None else None
+    if any(all(abs(sign * a - b) <= tolerance for a, b in zip(given, wanted, strict=True)) for sign in (1.0, -1.0)):
+        return Words("right", "맞음")
     cosine = abs(sum(map(lambda a, b: a * b, given, wanted))) / math.hypot(*given) / math.hypot(*wanted)
     size = _degrees(2.0 * math.acos(min(1.0, cosine)))
     return Words(f"off by {size.en}", f"{size.ko} 어긋났습니다")
 
 
-def _of_pose(answer: Plain, expected: Plain) -> Words | None:
+def _of_pose(form: Pose, answer: Plain, expected: Plain) -> Words | None:
     given, wanted = pose_of(answer), pose_of(expected)
     if given is None or wanted is None:
         return None
-    place = _of_vector(given[2], wanted[2], 1e-3)
-    turn = _of_rotation(given[3], wanted[3])
+    place = _of_vector(given[2], wanted[2], form.tolerance_m)
+    turn = _of_rotation(given[3], wanted[3], form.tolerance_rad / 2.0)  # as the form compares its parts
     return Words(f"translation: {place.en}. Rotation: {turn.en}", f"이동: {place.ko}. 회전: {turn.ko}")
 
 

@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator
 from ..answers import sealed
 from ..answers.form import inside
 from ..answers.forms import Tree
-from ..answers.members import edges_of
+from ..answers.members import edges_of, members_of
 from ..answers.values import Plain
 from ..words import Words
 
@@ -32,6 +32,11 @@ TREES = {
     "tree: a list for a name": Words(
         en="a list stands where the name of one frame belongs, child -> parent; out of a list comes a name by `[0]`.",
         ko="좌표계 이름 하나가 올 자리에 리스트가 있습니다. 자식 -> 부모로 쓰고, 리스트의 이름은 `[0]`으로 꺼냅니다.",
+    ),
+    "tree: None for a name": Words(
+        en="None stands where the name of a parent belongs. A root is nobody's child, so it has no line of its own: "
+        "leave that line out.",
+        ko="부모 이름이 올 자리에 None이 있습니다. 루트는 누구의 자식도 아니므로 루트의 줄은 쓰지 않습니다.",
     ),
     "tree: not whole": Words(
         en="all that is there is right, and a part of the tree is missing.",
@@ -89,6 +94,8 @@ def of_trees(form: Tree, answers: list[Plain], wanted: list[Plain]) -> Iterator[
         yield "parent for child", ""
     elif any(map(_has_lists, answers)):
         yield "tree: a list for a name", ""
+    elif any(map(_has_none, answers)):
+        yield "tree: None for a name", ""
     elif not any(map(sealed.is_sealed, wanted)) and all(edges_of(answer) is not None for answer in answers):
         pairs = [(_parents(answer), _parents(want)) for answer, want in zip(answers, wanted, strict=True)]
         yield from _fitting([pair for pair in pairs if pair[0] != pair[1]])
@@ -111,6 +118,16 @@ def _has_lists(answer: Plain) -> bool:
     """Return whether a dict has a list for one of its values."""
     is_dict = isinstance(answer, dict) and "dict" in answer
     return is_dict and any(isinstance(inside(parent), list) for parent in answer["dict"].values())
+
+
+def _has_none(answer: Plain) -> bool:
+    """Return whether one parent of a dict, or of pairs (parent, child), is None, and every other one a name."""
+    if isinstance(answer, dict) and "dict" in answer:
+        parents = list(answer["dict"].values())
+    else:
+        pairs = list(map(inside, members_of(answer) or []))
+        parents = [pair[0] for pair in pairs if isinstance(pair, list) and len(pair) == 2]
+    return None in parents and all(parent is None or isinstance(parent, str) for parent in parents)
 
 
 def _parents(plain: Plain) -> Parents:
