@@ -83,8 +83,8 @@ DIGITS = Slip(
     "digits",
     {"age": "digits"},
     Words(
-        en="You wrote nanosec behind a point, as digits. 58000000 ns is 0.058 s, not 0.58 s: divide by 1e9.",
-        ko="nanosec을 소수점 뒤의 숫자로 그대로 썼습니다. 58000000 ns는 0.58초가 아니라 0.058초입니다. 1e9로 나누십시오.",
+        en="You wrote nanosec behind a point, as digits. In another message, 58000000 ns would be 0.058 s, not 0.58 s: divide by 1e9.",
+        ko="nanosec을 소수점 뒤의 숫자로 그대로 썼습니다. 예를 들어 58000000 ns는 0.58초가 아니라 0.058초입니다. 1e9로 나누십시오.",
     ),
 )
 

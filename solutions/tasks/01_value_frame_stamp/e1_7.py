@@ -117,17 +117,17 @@ MEANS = {
         ko="정직한 것은 도착할 때 0.2초 지난 것이고, x의 변화가 그 좌표계에 맞습니다.",
     ),
     ARRIVAL: Words(
-        en="Then each line's stamp would be its arrival, to the hundredth: compare the two.",
-        ko="그렇다면 줄마다 측정 시각과 도착 시각이 소수점까지 같을 것입니다. 둘을 비교해 보십시오.",
+        en="A stamp that is the arrival would equal it line by line, to the hundredth: compare the two.",
+        ko="stamp is the arrival이라면 줄마다 측정 시각과 도착 시각이 소수점까지 같을 것입니다. 둘을 비교해 보십시오.",
     ),
     NONE: Words(
-        en="Then the stamps would be 0: read the second number.",
-        ko="그렇다면 측정 시각이 0일 것입니다. 두 번째 숫자를 보십시오.",
+        en="Without a stamp, the stamps would be 0: read the second number.",
+        ko="no stamp라면 측정 시각이 0일 것입니다. 두 번째 숫자를 보십시오.",
     ),
     LABEL: Words(
-        en="Then the numbers could not be of the frame that is written there: follow x from line to line. The ball "
+        en="A wrong label would mean that the numbers cannot be of the frame that is written there: follow x from line to line. The ball "
         "rests, and the robot drives.",
-        ko="그렇다면 숫자가 거기 적힌 좌표계의 것일 수 없습니다. 줄마다 x를 따라가 보십시오. 공은 가만히 있고 로봇은 달립니다.",
+        ko="wrong label이라면 숫자가 거기 적힌 좌표계의 것일 수 없습니다. 줄마다 x를 따라가 보십시오. 공은 가만히 있고 로봇은 달립니다.",
     ),
 }
 

@@ -138,8 +138,8 @@ OTHER_ORDER = Slip(
     "other order",
     {"turns": "other order"},
     Words(
-        en="These are the two right turns in the other order, or a pitch where the yaw belongs: with quarter turns both come to the same. First the roll, about x, which stands next to the point; then the yaw, about z.",
-        ko="두 회전의 순서가 반대이거나, yaw가 올 자리에 pitch를 썼습니다. 90도 회전에서는 둘의 결과가 같습니다. 먼저 x축으로 도는 roll이 점 바로 옆에 오고, 그다음이 z축으로 도는 yaw입니다.",
+        en="These are the two right turns in the other order, or a pitch stands in the place of one of them: with quarter turns all of that comes to the same. First the roll, about x, which stands next to the point; then the yaw, about z.",
+        ko="두 회전의 순서가 반대이거나, 둘 가운데 하나가 올 자리에 pitch를 썼습니다. 90도 회전에서는 모두 결과가 같습니다. 먼저 x축으로 도는 roll이 점 바로 옆에 오고, 그다음이 z축으로 도는 yaw입니다.",
     ),
 )
 

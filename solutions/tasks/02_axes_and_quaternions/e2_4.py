@@ -184,6 +184,17 @@ W_FIRST_BEFORE_LENGTH = Slip(
 )
 
 
+SUM_EVERYWHERE = Slip(
+    "sum everywhere",
+    {"zero": "sum", "length": "sum"},
+    Words(
+        en="You took the sum of the four numbers for their length, once for zero and once for one. The length is the root of the sum of squares: math.hypot.",
+        ko="숫자 네 개의 합을 길이로 보았습니다. zero인지 볼 때도, 길이가 1인지 볼 때도 그랬습니다. 길이는 제곱의 합의 제곱근입니다. math.hypot을 쓰십시오.",
+    ),
+    misconception="M5",
+)
+
+
 ZERO_BY_SUM = Slip(
     "zero by sum",
     {"zero": "sum"},
@@ -447,6 +458,7 @@ TASK = Task(
         EXACTLY_ONE,
         TOO_STRICT,
         SUM_FOR_LENGTH,
+        SUM_EVERYWHERE,
         MINUS_Q_REFUSED,
         ZERO_IS_ONLY_NOT_UNIT,
         ONLY_Y,

@@ -306,7 +306,7 @@ AVERAGED_TO_LENGTH_ONE = Twin(
     "averaged to length one",
     lambda given: of_length_one([a + b for a, b in zip(*rows(given), strict=True)]),
     Words(
-        en="You took the middle of the two quaternions and scaled it to length one: that turns half as far as both. Turns are multiplied.",
+        en="You took the middle of the two quaternions and scaled it to length one: that turns about half as far as both together. Turns are multiplied.",
         ko="두 쿼터니언의 중간을 구해 길이를 1로 맞추었습니다. 둘을 합친 것의 절반쯤만 돕니다. 회전은 곱합니다.",
     ),
 )

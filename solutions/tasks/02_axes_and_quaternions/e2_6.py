@@ -130,8 +130,8 @@ OTHER_MOUNT = Twin(
     "other mount",
     the_other_mount,
     Words(
-        en="There are two mounts, and you blame the wrong one. The turn by -90 0 -90 belongs exactly once between base_link and the data: between camera_link and camera_optical_frame.",
-        ko="장착 변환은 둘인데 엉뚱한 쪽을 의심하고 있습니다. -90 0 -90 회전은 base_link와 데이터 사이에 딱 한 번, camera_link와 camera_optical_frame 사이에 있어야 합니다.",
+        en="The mount that you blame is as it should be. camera_link has to look ahead, 0 0 0; the turn by -90 0 -90 belongs exactly once between base_link and the data, between camera_link and camera_optical_frame. If both mounts are so, the header is left.",
+        ko="멀쩡한 장착 변환을 의심하고 있습니다. camera_link는 0 0 0으로 앞을 보아야 하고, -90 0 -90 회전은 base_link와 데이터 사이에 딱 한 번, camera_link와 camera_optical_frame 사이에 있어야 합니다. 두 장착 변환이 모두 그렇다면 헤더를 보십시오.",
     ),
     misconception="M4",
     part="fault",

@@ -54,13 +54,12 @@ PARENT_FIRST_TWIN = Twin(
     "parent_first",
     PARENT_FIRST,
     Words(
-        en="where it is wrong, you put the parent first. Target and source have nothing to do with who is whose "
-        "parent: in b and d the data is wanted farther down the tree. Say each sentence aloud.",
-        ko="틀린 곳에서는 부모를 앞에 두었습니다. 목표와 원본은 누가 누구의 부모인지와 상관없습니다. b와 d는 트리 "
+        en="in b and d you put the parent first. Target and source have nothing to do with who is whose "
+        "parent: in these two the data is wanted farther down the tree. Say each sentence aloud.",
+        ko="b와 d에서 부모를 앞에 두었습니다. 목표와 원본은 누가 누구의 부모인지와 상관없습니다. 두 문장은 트리 "
         "아래쪽에서 데이터를 보고 싶은 경우입니다. 문장을 하나씩 소리 내어 읽어 보십시오.",
     ),
     "M2",
-    partly=True,
 )
 
 

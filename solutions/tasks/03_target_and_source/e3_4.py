@@ -42,7 +42,9 @@ def joined(
     one, two = outer["yaw"], inner["yaw"]
     angle = {"first": one, "back": -one, "second": two, "both": one + two, "none": 0.0}[by]
     angle = math.radians(angle) if unit == "degrees" else angle
-    x, y = inner["x"], inner["y"]
+    if turned == "first":  # and the second added as it is
+        angle, step = one, "as it is"
+    x, y = (outer["x"], outer["y"]) if turned == "first" else (inner["x"], inner["y"])
     if turned == "sum":
         x, y = x + outer["x"], y + outer["y"]
     if turned == "difference":
@@ -57,6 +59,8 @@ def joined(
         pose |= {"x": 0.0, "y": 0.0}
     if step == "first twice":
         pose |= {"x": pose["x"] + outer["x"], "y": pose["y"] + outer["y"]}
+    if turned == "first":
+        pose |= {"x": pose["x"] + inner["x"], "y": pose["y"] + inner["y"]}
     if turned == "second" and step != "lost":
         sign = -1.0 if step == "subtracted" else 1.0
         pose |= {"x": -pose["x"], "y": -pose["y"]} if step == "second subtracted" else {}
@@ -99,8 +103,9 @@ TURNED_BACK = Slip(
     "turned_back",
     {"by": "back"},
     Words(
-        en="the second step is turned the wrong way. b data goes to a with b's yaw, as it stands.",
-        ko="둘째 이동을 반대로 돌렸습니다. b의 데이터는 b의 yaw 그대로 돌려서 a로 옮깁니다.",
+        en="the second step is turned the wrong way. What is measured along b's axes goes to a by b's own yaw, with the "
+        "sign that it has.",
+        ko="둘째 이동을 반대로 돌렸습니다. b의 축을 따라 잰 것은 b의 yaw만큼, 부호도 그대로 돌려서 a로 옮깁니다.",
     ),
     "M1",
 )
@@ -125,6 +130,19 @@ ADDED_THEN_TURNED = Slip(
         en="you added the steps and then turned the sum. The first step is measured in a already, so nobody turns it.",
         ko="이동을 더한 다음 합을 돌렸습니다. 첫째 이동은 이미 a에서 잰 값이므로 돌리지 않습니다.",
     ),
+)
+
+
+FIRST_TURNED_INSTEAD = Slip(
+    "first turned instead",
+    {"turned": "first"},
+    Words(
+        en="you turned the first step and added the second as it is. It is the second that is measured along b's axes, "
+        "which are turned in a.",
+        ko="첫째 이동을 돌리고 둘째 이동은 그대로 더했습니다. a를 기준으로 돌아가 있는 b의 축을 따라 잰 것은 둘째 "
+        "이동입니다.",
+    ),
+    "M3",
 )
 
 
@@ -331,6 +349,7 @@ TASK = Task(
         TURNED_BY_THE_SECOND,
         TURNED_BY_BOTH,
         ADDED_THEN_TURNED,
+        FIRST_TURNED_INSTEAD,
         FIRST_STEP_LOST,
         YAWS_NOT_ADDED,
         DEGREES,

@@ -47,6 +47,8 @@ def mounted(ahead_m, up_m, yaw_deg, *, ends="parent first", numbers="as given", 
     if numbers == "inverse":
         back = Transform(rotation=(0, 0, *half_turn(yaw)), translation=(x, y, up)).inverse()
         (x, y, up), ways["sine"] = back.translation, back.rotation
+    if numbers == "turned":
+        x, y, up = Transform(rotation=(0, 0, *half_turn(yaw))).apply((x, y, up))
     if numbers == "negative":
         x, y, up = -x, -y, -up
     scale = 1000.0 if length == "mm" else 1.0
@@ -66,6 +68,19 @@ PARENT_AND_CHILD_SWAPPED = Slip(
         "숫자는 부모에서 잽니다.",
     ),
     "M2",
+)
+
+
+OFFSET_TURNED = Slip(
+    "offset turned along",
+    {"numbers": "turned"},
+    Words(
+        en="you turned the offset along with the camera. It is measured along the axes of `base_link`: however the "
+        "camera is turned, it sits in the same place.",
+        ko="카메라의 회전만큼 위치까지 돌렸습니다. 위치는 `base_link`의 축을 따라 잰 것이므로, 카메라가 어느 쪽을 보든 "
+        "달린 자리는 같습니다.",
+    ),
+    "M3",
 )
 
 
@@ -317,6 +332,7 @@ TASK = Task(
     model=mounted,
     twins=(
         PARENT_AND_CHILD_SWAPPED,
+        OFFSET_TURNED,
         DEGREES,
         WHOLE_ANGLE,
         W_FIRST,

@@ -46,8 +46,8 @@ UNCHANGED = Slip(
     "unchanged",
     {"fault": "left"},
     Words(
-        en="The fault is still in there. Collect the parents that are nobody's child: one of the two is no root but a typo. Whoever looks for the name nearest to it leaves it out of the search: a word is most like itself.",
-        ko="고장이 그대로 있습니다. 누구의 자식도 아닌 부모를 모아 보세요. 둘 가운데 하나는 루트가 아니라 오타입니다. 가장 비슷한 이름을 찾을 때는 그 이름을 후보에서 빼십시오. 자기 자신과 가장 비슷하기 때문입니다.",
+        en="The fault is still in there. Collect the parents that are nobody's child: one of the two is no root but a typo. If you look for the name that is most like the typo, look among the others: every word is most like itself.",
+        ko="고장이 그대로 있습니다. 누구의 자식도 아닌 부모를 모아 보세요. 둘 가운데 하나는 루트가 아니라 오타입니다. 오타와 가장 비슷한 이름을 찾을 때는 오타를 후보에서 빼십시오. 어떤 이름이든 자기 자신과 가장 비슷합니다.",
     ),
     "M14",
 )

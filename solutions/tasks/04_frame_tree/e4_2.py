@@ -92,7 +92,7 @@ SAME_EDGE_TWICE = Slip(
     "the same edge twice is fine",
     {"owners": "healthy"},
     Words(
-        en="The shape of one of them is fine, and you stopped there. Read the nodes: an edge that two of them send goes to and fro.",
+        en="The shape is fine there, and you looked no further. Read the nodes: an edge that two of them send goes to and fro.",
         ko="모양이 멀쩡해서 거기에서 멈췄습니다. 노드를 읽어 보세요. 한 연결을 두 노드가 보내면 값이 오갑니다.",
     ),
     "M6",

@@ -31,7 +31,7 @@ def together(
     """Return the tree of both robots, step by step; other steps are the slips."""
     fleet = {}
     first, second = prefixes = ["robot1", "robot2"] if named == "numbered" else given.prefixes
-    for prefix in prefixes[:1] if who == "the first" else prefixes:
+    for prefix in {"the first": prefixes[:1], "the last": prefixes[1:]}.get(who, prefixes):
         for parent, child in given.edges:
             prefixed = {
                 name: glue.format(prefix, name)
@@ -151,6 +151,15 @@ THE_FIRST_ALONE = Slip(
     Words(
         en="The second robot is missing: both stand in one tree, under one map.",
         ko="두 번째 로봇이 빠졌습니다. 두 로봇 모두 한 map 아래의 한 트리에 있습니다.",
+    ),
+)
+
+THE_LAST_ALONE = Slip(
+    "the last alone",
+    {"who": "the last"},
+    Words(
+        en="The first robot is missing, and the second is there. A dict that is made inside the loop over the robots begins anew for each: make one, before the loop.",
+        ko="첫 번째 로봇이 빠지고 두 번째 로봇만 있습니다. 로봇마다 도는 반복문 안에서 dict를 만들면 그때마다 새로 시작합니다. 반복문 앞에서 하나만 만드십시오.",
     ),
 )
 
@@ -283,6 +292,7 @@ TASK = Task(
         SENSORS_BARE,
         UPSIDE_DOWN,
         THE_FIRST_ALONE,
+        THE_LAST_ALONE,
         NAME_FIRST,
         SLASH_IN_FRONT_OF_ALL,
         NUMBERED,

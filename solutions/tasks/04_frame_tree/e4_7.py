@@ -24,7 +24,7 @@ def names(rng):
 def joined(prefix, name, *, ends="stripped", inner="stripped", glue="/", empty="bare", shared="map alone",
            first="the prefix", slash="between", letters="as they are"):  # fmt: skip
     """Return the full name, step by step; other steps are the slips."""
-    came = name
+    came, was_empty = name, not prefix
     if ends == "all removed":
         prefix = prefix.replace("/", "")
     elif ends == "left only":
@@ -45,7 +45,8 @@ def joined(prefix, name, *, ends="stripped", inner="stripped", glue="/", empty="
         "a slash in front": name == "map" or came.startswith("/"),
         "a slash inside": name == "map" or "/" in name,
     }[shared]
-    if is_shared or (empty == "bare" and not prefix):
+    is_bare = {"bare": not prefix, "asked first": was_empty, "glued": False}[empty]
+    if is_shared or is_bare:
         return name
     whole = f"{name}{glue}{prefix}" if first == "the name" else f"{prefix}{glue}{name}"
     return {"in front": f"/{whole}", "behind": f"{whole}/"}.get(slash, whole)
@@ -77,6 +78,16 @@ EMPTY_GLUED = Slip(
     Words(
         en="A robot without a name gets a slash in front: /odom, the very fault of the story.",
         ko="이름이 없는 로봇의 좌표계 앞에 슬래시가 붙습니다. 이야기 속의 바로 그 /odom입니다.",
+    ),
+    "M14",
+)
+
+EMPTY_ASKED_FIRST = Slip(
+    "emptiness asked first",
+    {"empty": "asked first"},
+    Words(
+        en='You ask whether the prefix is empty before its slashes are gone. One that is only "/" is an empty one, too.',
+        ko='슬래시를 떼기 전에 접두사가 비었는지 봅니다. "/"뿐인 접두사도 빈 접두사입니다.',
     ),
     "M14",
 )
@@ -225,8 +236,8 @@ IN_FRONT = Slip(
     "slash in front",
     {"slash": "in front"},
     Words(
-        en="A name with a prefix begins with a slash. It is kept without it, and refused when somebody asks for it: write none.",
-        ko="접두사가 붙은 이름이 슬래시로 시작합니다. 저장할 때는 떼지만 조회하면 거부합니다. 쓰지 마십시오.",
+        en="Some of your results begin with a slash. Such a name is kept without it, and refused when somebody asks for it: write none.",
+        ko="슬래시로 시작하는 결과가 있습니다. 저장할 때는 떼지만 조회하면 거부합니다. 맨 앞에는 슬래시를 쓰지 마십시오.",
     ),
     "M14",
 )
@@ -339,6 +350,7 @@ TASK = Task(
     model=joined,
     twins=(
         EMPTY_GLUED,
+        EMPTY_ASKED_FIRST,
         NO_SLASH,
         PREFIX_AS_IT_IS,
         LEFT_ONLY,

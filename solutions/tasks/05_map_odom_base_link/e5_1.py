@@ -118,8 +118,8 @@ STEP_ALONE = Twin(
     "step alone",
     lambda map_T_base, odom_T_base: Transform(right_edge(map_T_base, odom_T_base).translation),
     Words(
-        en="The edge has its step, and no turn: odom is turned in map as well.",
-        ko="연결에 이동만 있고 회전이 없습니다. odom은 map 기준으로 돌아가 있기도 합니다.",
+        en="The edge has no turn: odom does not only lie elsewhere in map, it is turned as well.",
+        ko="연결에 회전이 없습니다. odom은 map 기준으로 자리만 다른 것이 아니라 돌아가 있기도 합니다.",
     ),
 )
 
@@ -143,6 +143,30 @@ TURN_OF_THE_ROBOT = Twin(
     Words(
         en="You subtracted the two steps and kept the robot's turn on the map. Both parts of the wheels' pose have to be taken out: join with `@`.",
         ko="두 이동을 빼고 지도 기준 로봇의 회전을 그대로 두었습니다. 바퀴 포즈의 두 부분을 모두 빼내야 합니다. `@`로 이으십시오.",
+    ),
+    "M3",
+)
+
+
+NO_TURN_ON_THE_FLOOR = Twin(
+    "x and y subtracted, no turn",
+    lambda map_T_base, odom_T_base: Transform(
+        [*(a - b for a, b in zip(map_T_base.translation[:2], odom_T_base.translation[:2], strict=True)), 0.0]
+    ),
+    Words(
+        en="You subtracted x and y and left out the turns, and the height with them. Whole poses are joined with `@`.",
+        ko="x와 y만 빼고 회전과 높이를 빠뜨렸습니다. 포즈는 통째로 `@`로 잇습니다.",
+    ),
+    "M3",
+)
+
+
+SUBTRACTED_ON_THE_FLOOR = Twin(
+    "x, y and yaw subtracted",
+    lambda map_T_base, odom_T_base: by_parts(flat(map_T_base), flat(odom_T_base)),
+    Words(
+        en="You subtracted x, y and yaw. That is right only on a flat floor, and while nobody is turned: whole poses are joined with `@`.",
+        ko="x, y, yaw를 따로 뺐습니다. 바닥이 평평하고 아무것도 돌아 있지 않을 때만 맞습니다. 포즈는 통째로 `@`로 잇습니다.",
     ),
     "M3",
 )
@@ -216,6 +240,8 @@ TASK = Task(
         STEP_ALONE,
         NO_TURN_AT_ALL,
         TURN_OF_THE_ROBOT,
+        NO_TURN_ON_THE_FLOOR,
+        SUBTRACTED_ON_THE_FLOOR,
         SUBTRACTED_THE_OTHER_WAY,
         THE_ROBOT_S_TURN_KEPT,
         FLATTENED,

@@ -242,6 +242,28 @@ EDGE_IS_THE_LEAP = Twin(
     part="map_T_odom",
 )
 
+LEAP_BEHIND_THE_EDGE = Twin(
+    "leap behind the edge",
+    lambda g: closure(g, edge=g.map_T_odom @ before(g).inverse() @ g.found_T_base),
+    Words(
+        en="You multiplied the leap, as the robot sees it, onto the old edge. That leap goes behind the robot's pose; the edge ends at odom, whose axes and origin are others.",
+        ko="로봇에서 본 도약을 이전 연결에 곱했습니다. 그 도약은 로봇의 포즈 뒤에 붙는 것입니다. 연결은 odom에서 끝나고, odom은 축도 원점도 다릅니다.",
+    ),
+    "M1",
+    part="map_T_odom",
+)
+
+CORRECTION_BEHIND_THE_EDGE = Twin(
+    "correction behind the edge",
+    lambda g: closure(g, edge=g.map_T_odom @ g.found_T_base @ before(g).inverse()),
+    Words(
+        en="You put the correction behind the old edge. It is measured in map, so it stands in front of what begins with map.",
+        ko="보정을 이전 연결 뒤에 두었습니다. 보정은 map 기준으로 잰 것이므로 map으로 시작하는 것 앞에 옵니다.",
+    ),
+    "M1",
+    part="map_T_odom",
+)
+
 FROM_THE_ORIGIN = Twin(
     "from the origin",
     lambda g: closure(g, step=math.hypot(*g.odom_T_base.translation[:2])),
@@ -362,6 +384,8 @@ TASK = Task(
         EDGE_NOT_INVERTED,
         EDGE_IS_THE_CORRECTION,
         EDGE_IS_THE_LEAP,
+        LEAP_BEHIND_THE_EDGE,
+        CORRECTION_BEHIND_THE_EDGE,
         FROM_THE_ORIGIN,
         BELIEVED_TURNED_ROUND,
         BELIEVED_IS_THE_EDGE,

@@ -36,7 +36,7 @@ def shadow(odom_T_base, *, foot="straight down", yaw="rpy"):
     }
     _, _, z, w = odom_T_base.rotation
     yaws = {
-        "rpy": right, "twice atan": 2.0 * math.atan2(z, w), "inverse": back.rpy()[2], "negated": -right, "roll": roll,
+        "rpy": right, "twice atan": 2.0 * math.atan2(z, w), "inverse": back.rpy()[2], "inverse pitch": back.rpy()[1], "negated": -right, "roll": roll,
         "pitch": pitch, "level": 0.0, "twice asin": 2.0 * math.asin(z), "twice acos": 2.0 * math.acos(w), "z": z, "once atan": math.atan2(z, w),
         "degrees": math.degrees(right), "roll in degrees": math.degrees(roll), "height": height,
         "bearing": math.atan2(y, x), "cotangent": 2.0 * math.atan2(w, z),
@@ -80,6 +80,16 @@ SIGN_OF_YAW = Slip(
         en="The yaw has the wrong sign: positive turns to the left.",
         ko="yaw의 부호가 틀렸습니다. 양수는 왼쪽으로 도는 것입니다.",
     ),
+)
+
+PITCH_OF_THE_INVERSE = Slip(
+    "pitch of the inverse",
+    {"yaw": "inverse pitch"},
+    Words(
+        en="That is the pitch of the inverse, of odom as seen from the robot. `rpy()` gives roll, pitch, yaw in this order, and what is asked for is the robot's yaw in odom.",
+        ko="로봇에서 본 odom의 pitch, 곧 역변환의 pitch입니다. `rpy()`는 roll, pitch, yaw 순서로 돌려주고, 필요한 것은 odom 기준 로봇의 yaw입니다.",
+    ),
+    "M1",
 )
 
 ROLL_FOR_YAW = Slip(
@@ -264,6 +274,7 @@ TASK = Task(
         SIGN_OF_YAW,
         ROLL_FOR_YAW,
         PITCH_FOR_YAW,
+        PITCH_OF_THE_INVERSE,
         INVERTED,
         AT_THE_ORIGIN,
         HEIGHT_FOR_Y,

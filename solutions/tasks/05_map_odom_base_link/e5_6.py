@@ -82,8 +82,8 @@ STAMP_TAKEN_FOR_SECONDS = Slip(
     "stamp taken for seconds",
     {"moment": "seconds"},
     Words(
-        en="`stamp_ns` is in nanoseconds already, and `seconds(...)` made a billion times as much of it. The buffer refuses a moment that far away.",
-        ko="`stamp_ns`는 이미 나노초인데 `seconds(...)`로 10억 배가 되었습니다. 버퍼는 그렇게 먼 시각을 거절합니다.",
+        en="`stamp_ns` is in nanoseconds already, and you made a billion times as much of it, as `seconds(...)` or `* 10**9` does. The buffer refuses a moment that far away.",
+        ko="`stamp_ns`는 이미 나노초인데 10억 배로 만들었습니다. `seconds(...)`나 `* 10**9`를 쓰면 그렇게 됩니다. 버퍼는 그렇게 먼 시각을 거절합니다.",
     ),
 )
 

@@ -53,6 +53,7 @@ def driven(elapsed_s, radius_m, speed_mps, is_left, odom, base, *, ends="parent 
         heading, ahead
     )
     yaw = math.degrees(theta + turn) if angle == "degrees" else theta + turn
+    yaw = theta + math.degrees(turn) if angle == "quarter in degrees" else yaw
     size = 1.0 if circle == "of one metre" else radius_m
     x, y = size * math.cos(theta), size * math.sin(theta)
     x = x - size if circle == "from zero" else x
@@ -74,6 +75,16 @@ def driven(elapsed_s, radius_m, speed_mps, is_left, odom, base, *, ends="parent 
     t.header.stamp.sec = int(elapsed_s) + 1 if stamp == "set" else 0
     return t
 
+
+QUARTER_IN_DEGREES = Slip(
+    "quarter in degrees",
+    {"angle": "quarter in degrees"},
+    Words(
+        en="A turn in degrees is added to an angle in radians. A quarter turn is pi / 2 rad.",
+        ko="라디안인 각도에 도 단위의 회전을 더했습니다. 4분의 1바퀴는 pi / 2 rad입니다.",
+    ),
+    "M5",
+)
 
 SWAPPED = Slip(
     "swapped",
@@ -362,6 +373,7 @@ TASK = Task(
     twins=(
         SWAPPED,
         FIXED_NAMES,
+        QUARTER_IN_DEGREES,
         AS_IN_THE_LECTURE,
         SPEED_AS_RATE,
         TIMES_THE_RADIUS,

@@ -163,12 +163,23 @@ SOLD_OUT = Twin(
     partly=True,
 )
 
-BOARD_FOR_ALL = Twin(
-    "durability for all",
-    but(d="no board", d_do="offer TRANSIENT_LOCAL", f="no board", f_do="offer TRANSIENT_LOCAL"),
+BOARD_FOR_LETTERS = Twin(
+    "durability for letters",
+    but(d="no board", d_do="offer TRANSIENT_LOCAL"),
     Words(
-        en="TRANSIENT_LOCAL is on offer there, or nobody is left to offer anything. Where it is missing, both sides log a warning.",
-        ko="TRANSIENT_LOCAL은 이미 제공하고 있거나, 제공할 발행자가 남아 있지 않습니다. 지속성이 맞지 않으면 양쪽이 경고를 냅니다.",
+        en="TRANSIENT_LOCAL is on offer there already. Where it is missing, both sides log a warning.",
+        ko="TRANSIENT_LOCAL은 그곳에서 이미 제공하고 있습니다. 지속성이 맞지 않으면 양쪽이 경고를 냅니다.",
+    ),
+    "M12",
+    partly=True,
+)
+
+BOARD_FOR_THE_GONE = Twin(
+    "durability for the gone",
+    but(f="no board", f_do="offer TRANSIENT_LOCAL"),
+    Words(
+        en="Nobody is left there to offer TRANSIENT_LOCAL, or anything else: look at the publisher count.",
+        ko="그곳에는 TRANSIENT_LOCAL이든 무엇이든 제공할 발행자가 남아 있지 않습니다. 발행자 수를 보십시오.",
     ),
     "M12",
     partly=True,
@@ -213,7 +224,8 @@ TASK = Task(
         FASTER_MOVER,
         MOVER_TO_THE_BOARD,
         SOLD_OUT,
-        BOARD_FOR_ALL,
+        BOARD_FOR_LETTERS,
+        BOARD_FOR_THE_GONE,
         AGAIN_ON_THE_BOARD,
         TWO_SILENCES,
     ),
