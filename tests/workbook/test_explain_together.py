@@ -8,6 +8,7 @@ from tflab.workbook.answers.forms import Choice, Name, Number, Parts, Sequence, 
 from tflab.workbook.answers.values import to_plain
 from tflab.workbook.explaining.common import in_common
 from tflab.workbook.explaining.together import Found, together
+from tflab.workbook.mistakes.fitting import words_of
 from tflab.workbook.tasks import Words
 from tflab.workbook.tasks.case import Case, TwinWords
 from tflab.workbook.verdicts.mistake import Mistake
@@ -74,6 +75,14 @@ def test_a_part_whose_name_the_reply_says_already_is_named_once():
     found = [Found({"turned": named}, named.reply, {"a"}), Found({"moved": other}, other.reply, {"b"})]
     said = together(found, {}, ["a", "b"]).said
     assert said == Words('"a": it was turned. "b": it was moved.', '"a": 돌렸습니다. "b": 옮겼습니다.')
+
+
+def test_of_a_slip_that_shows_in_some_calls_the_part_comes_first():
+    task, _ = bare(Number("m"), Case([1.0], 1.0, {}), is_function=True)
+    task = task._replace(twins={"static": TwinWords(Words("late: it is old.", "late: 오래되었습니다."), "", "late")})
+    said = words_of(task, "in some: static").reply
+    assert said.en.startswith('"late": In some calls, not in all: it is old. ')
+    assert said.ko.startswith('"late": 모든 호출이 아니라 일부에서 그렇습니다. 오래되었습니다. ')
 
 
 def test_which_word_is_said_for_which_comes_after_a_cause():

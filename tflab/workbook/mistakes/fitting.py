@@ -149,7 +149,7 @@ def words_of(task: TaskCases, name: str) -> TwinWords:
         return task.twins[name]
     if name.startswith(IN_SOME):
         words = words_of(task, name.removeprefix(IN_SOME))
-        said = Words(SOME.say("en", said=words.reply.en), SOME.say("ko", said=words.reply.ko))
+        said = Words(*(_of_some(tongue, words.reply.say(tongue), words.part) for tongue in ("en", "ko")))
         return TwinWords(said, words.misconception)
     for start, words in (("unit ", UNIT), ("given ", GIVEN)):
         if name.startswith(start):
@@ -158,3 +158,9 @@ def words_of(task: TaskCases, name: str) -> TwinWords:
     if (words := words_of_loss(name)) is not None:
         return TwinWords(words, "")
     return TwinWords(UNIVERSAL[name].reply, UNIVERSAL[name].misconception)
+
+
+def _of_some(tongue: str, reply: str, part: str) -> str:
+    """Return what is said of a slip that shows in some calls, the part first where the reply begins with it."""
+    rest = reply.removeprefix(f"{part}: ") if part else reply
+    return ("" if rest == reply else f'"{part}": ') + SOME.say(tongue, said=rest)
