@@ -89,6 +89,16 @@ def test_braces_that_are_left_in_a_text_are_told_as_an_f_that_is_missing(text):
     assert list(judged(Command(), "ros2 topic hz /tf", {}, f"ros2 topic hz {text}").slips) == ["nothing filled in"]
 
 
+def test_braces_without_an_end_are_looked_through_once():
+    long = "{a" + "+a" * 100_000
+    assert judged(Command(), "ros2 topic hz /tf", {}, f"ros2 topic hz {long}").slips.get("nothing filled in") is None
+
+
+@pytest.mark.parametrize("text", ["{data:5}", "/${robot}/tf"])
+def test_braces_of_yaml_and_of_a_shell_are_none_that_were_left(text):
+    assert "nothing filled in" not in judged(Command(), "ros2 topic hz /tf", {}, f"ros2 topic hz {text}").slips
+
+
 def test_braces_of_a_message_are_none_that_were_left():
     line = 'ros2 topic pub /a std_msgs/msg/Int32 "{data: 1}"'
     assert "nothing filled in" not in judged(Command(), line.replace("1", "2"), {}, line).slips

@@ -52,6 +52,8 @@ def test_edges_that_were_named_by_their_parents_are_told_so_and_a_single_one_is_
     assert list(judged(form, right, {}, {"c edge": "map", "d edge": "odom"}).slips) == ["parents for children"]
     assert judged(form, right, {}, right | {"d edge": "odom"}).slips == {}
     assert judged(form, right, {}, right | {"c edge": "nonsense"}).mistake is Mistake.OPTION
+    jobs = Parts({"line": frames, "speed": frames})  # which frame for which job: no edge is asked for
+    assert judged(jobs, {"line": "odom", "speed": "odom"}, {}, {"line": "map", "speed": "map"}).slips == {}
 
 
 def test_what_a_part_shows_is_said_beside_its_sign_and_of_a_list_by_the_place():

@@ -43,6 +43,9 @@ STUMBLES = [
     (lambda: {"x": 1.0}.x, "square brackets"),
     (lambda: {}["joint_b"], ".get("),
     (lambda: [][0], "short, or empty"),
+    (lambda: "2" + 1, "float(text)"),
+    (lambda: int("5.0"), "a point where a whole number"),
+    (lambda: int("5", basis=2), "of that name"),
     (lambda: max([]), "short, or empty"),
     (lambda: 1 / 0.0, "is 0"),
     (raised_by_oneself, "a `raise` of your own"),
@@ -67,6 +70,11 @@ def test_a_message_that_gets_a_time_says_how_a_time_becomes_a_stamp(monkeypatch)
 def test_an_error_of_ones_own_gets_none():
     assert tip_for("ValueError", "the robot is tired").en == ""
     assert tip_for("Tired", "KeyError").en == ""
+    assert tip_for("IndexError", "only integers, slices (`:`) and integer arrays are valid indices").en == ""
+
+
+def test_however_long_an_error_is_its_tip_is_there_at_once():
+    assert tip_for("TypeError", "unsupported operand" * 100_000).en == ""
 
 
 def test_each_tip_is_said_in_both_languages():

@@ -8,8 +8,10 @@ from pathlib import Path
 import pytest
 from IPython.core.interactiveshell import InteractiveShell
 
+import tflab
 from tflab.workbook import unmade
 from tflab.workbook.places import Workbook, write_workbook
+from tflab.workbook.unmade import of_the_reader
 
 
 @pytest.fixture
@@ -75,6 +77,21 @@ def test_the_readers_own_lines_below_ours_are_shown_and_another_librarys_too(she
     assert "in Mine.format(" in shown
     assert "words.py" not in shown
     assert "fractions.py" in shown
+
+
+def test_a_readers_module_in_a_copy_beside_the_package_is_the_readers() -> None:
+    beside = f"{Path(tflab.__file__).parent}_workbook/notebooks/mine.py"
+    try:
+        exec(compile("1 / 0", beside, "exec"), {})
+    except ZeroDivisionError as error:
+        assert of_the_reader(error.__traceback__.tb_next).tb_frame.f_code.co_filename == beside
+
+
+def test_errors_that_call_themselves_equal_to_nothing_are_shown(shell, capsys) -> None:
+    shell.run_cell(
+        "class Odd(Exception):\n    def __eq__(self, other):\n        raise TypeError\nraise Odd('no') from Odd('way')"
+    )
+    assert "Odd: no" in plain(capsys.readouterr().out)
 
 
 def test_rclpy_begun_twice_says_how_to_end_it(shell, capsys) -> None:

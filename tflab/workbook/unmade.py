@@ -11,6 +11,7 @@ that fails leaves no older answer behind for `check` to speak of.
 
 from __future__ import annotations
 
+import os
 import re
 import sysconfig
 from pathlib import Path
@@ -52,8 +53,8 @@ OF_ORDER = {
     "Context.init() must only be called once": BEGUN_TWICE,
     "Context must be initialized before it can be shutdown": NOT_THERE_TO_END,
 }
-OURS_IS = str(Path(__file__).parents[1])
-NOT_A_READERS = (OURS_IS, *{str(Path(sysconfig.get_path(name))) for name in ("stdlib", "purelib", "platlib")})
+OURS_IS = str(Path(__file__).parents[1]) + os.sep  # and not tflab_workbook beside it
+NOT_A_READERS = (OURS_IS, *{str(Path(sysconfig.get_path(name))) + os.sep for name in ("stdlib", "purelib", "platlib")})
 
 
 def register(ipython: Any) -> None:
@@ -105,7 +106,7 @@ def of_the_reader(traceback: TracebackType | None) -> TracebackType | None:
 def _with_those_before(error: BaseException) -> list[BaseException]:
     """Return an error, and those that led to it."""
     chain: list[BaseException] = []
-    while error is not None and error not in chain:
+    while error is not None and not any(error is each for each in chain):
         chain.append(error)
         error = error.__cause__ or error.__context__
     return chain

@@ -33,7 +33,7 @@ __all__ = ["CPU_S", "MEMORY", "WORK", "Ended", "apart", "chosen", "marked", "sta
 
 CPU_S, MEMORY = 10, 1 << 30  # of one look; an honest one takes some milliseconds
 PATIENCE = 12  # times as long by the clock on the wall
-LARGE_ANSWERS = 10_000  # values in all outcomes of a task together; fewer are judged in a fifth of a second
+LARGE_ANSWERS = 1_000  # values in all outcomes of a task together; fewer are judged in a fifth of a second
 LARGE_FILES = 1 << 20  # bytes of all files together
 IS_POSSIBLE = sys.platform == "linux"  # elsewhere only learners look at their own work
 SERVER = f"{__package__}.apart_server"

@@ -14,6 +14,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import islice, product
 from typing import Any
 
@@ -169,7 +170,8 @@ def _is_name(option: str) -> bool:
     return ("_" in option or "/" in option) and (" " not in option or "->" in option)
 
 
-def _options_meant(options: tuple[str, ...], text: str) -> list[str]:
+@lru_cache(4096)  # one word is read again for each mistake that a task knows
+def _options_meant(options: tuple[str, ...], text: str) -> tuple[str, ...]:
     """Return the options that a person may mean by a text."""
     names = [option for option in options if _is_name(option)]
     as_names = {option: _is_read_as_a_name(option, options, names) for option in options}
@@ -179,7 +181,7 @@ def _options_meant(options: tuple[str, ...], text: str) -> list[str]:
         spelt.add("_".join(text.casefold().split()))  # "Node B" is said, not written
     if all(name.startswith("/") for name in names):
         spelt.add("/" + _meant(text, is_name=True))  # `ros2` takes both
-    return meant or [option for option in options if option in spelt]
+    return tuple(meant or [option for option in options if option in spelt])
 
 
 def _is_read_as_a_name(option: str, options: tuple[str, ...], names: list[str]) -> bool:

@@ -41,8 +41,8 @@ SAID = Words(
     ko="`{sum}`의 값입니다{units}. 필요한 것: {wanted}.",
 )
 IN_ALL = Words(
-    en="in every call this is what `{sum}` gives{units}. Asked for: {wanted}.",
-    ko="어느 호출에서나 `{sum}`의 값입니다{units}. 필요한 것: {wanted}.",
+    en="wherever there is an answer, this is what `{sum}` gives{units}. Asked for: {wanted}.",
+    ko="답이 있는 호출에서는 언제나 `{sum}`의 값입니다{units}. 필요한 것: {wanted}.",
 )
 MOST_POSES = 3  # that are joined
 FEWEST_CALLS = 3  # with results of their own, for a sum to be no luck

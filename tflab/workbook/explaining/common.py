@@ -53,7 +53,7 @@ FACTS = {  # the plainest first; the Korean ones stand before a noun
     "frame": Words("the frame in the header of argument {at} is {of}", "{at}번째 인자의 헤더에 있는 좌표계가 {of}인"),
     "key": Words("argument {at} has the key {of}", "{at}번째 인자에 {of} 키가 있는"),
     "no key": Words("argument {at} has no key {of}", "{at}번째 인자에 {of} 키가 없는"),
-    "holds": Words("argument {at} holds {of}", "{at}번째 인자에 {of}이(가) 든"),
+    "holds": Words("argument {at} holds {of}", "{at}번째 인자에 {of}도 든"),
 }
 
 

@@ -2,8 +2,8 @@
 
     asked for   "odom", "base_footprint"      given   "map", "odom"      each the parent of what is asked for
 
-Who hangs below whom is read from what was given (buffers, trees, edges written with an
-arrow), and else from the robot that runs through the course.  Read `orders.py` next.
+Only parts that ask for an edge ("c edge") are looked at; who hangs below whom is known of
+the robot that runs through the course.  Read `orders.py` next.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ CARD = {  # child -> parent, of the robot that every chapter meets
 }  # fmt: skip
 BY_ITS_CHILD = Words(
     en="you named the frame above: {named}. An edge goes by its child, the frame below, and that is asked for.",
-    ko="위쪽 좌표계를 적었습니다: {named}. 연결은 자식, 곧 아래쪽 좌표계의 이름으로 부르고, 그것을 물었습니다.",
+    ko="위쪽 좌표계를 적었습니다: {named}. 연결은 자식, 곧 아래쪽 좌표계의 이름으로 부릅니다. 물은 것도 그 이름입니다.",
 )
 FEWEST = 2  # of a single one nobody knows whether another edge was meant, unless it is no child at all
 
@@ -31,14 +31,16 @@ FEWEST = 2  # of a single one nobody knows whether another edge was meant, unles
 def parents_named(
     forms: Mapping[str, Form], given: Mapping[str, Plain], wanted: Mapping[str, str | None]
 ) -> list[Found]:
-    """Return that edges were named by their parents: all that are wrong among choices between the same frames.
+    """Return that edges were named by their parents: of parts that ask for one, all that are wrong.
 
     Args:
         given: the answers that are wrong, by part.
         wanted: the word that is asked for, of these parts at least.
     """
     named = {name: inside(answer) for name, answer in given.items()}
-    if not named or not all(CARD.get(str(wanted[name])) == answer for name, answer in named.items()):
+    if not named or not all(name.split()[-1] == "edge" for name in named):
+        return []
+    if not all(answer is not None and CARD.get(str(wanted[name])) == answer for name, answer in named.items()):
         return []
     is_no_child = any(
         isinstance(form, Choice) and named.get(name, "") not in (*form.options, "") for name, form in forms.items()

@@ -10,13 +10,13 @@ are, in every call.  Read `together.py` next.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from itertools import permutations
 
 from ..answers.form import Form, inside
 from ..answers.forms import Angle, Name, Number, Set
 from ..answers.forms import Sequence as ListForm
 from ..answers.members import members_of
 from ..answers.values import Plain, is_raised
+from ..mistakes.fitting import is_just
 from ..words import Words
 
 __all__ = ["habit_of"]
@@ -48,15 +48,11 @@ OF_A_LIST: dict[str, tuple[Callable[[list], Plain], Words, Words]] = {
         lambda held: sum(held) / len(held), Words("the mean of argument {at}", "{at}번째 인자의 평균"), Words("", "")
     ),
 }  # fmt: skip
-OF_TWO: tuple[tuple[str, Callable[[float, float], float]], ...] = (
-    ("+", lambda a, b: a + b), ("-", lambda a, b: a - b), ("*", lambda a, b: a * b), ("/", lambda a, b: a / b),
-)  # fmt: skip
-COMPUTED = Words("argument {at} {sign} argument {of}", "{at}번째 인자 {sign} {of}번째 인자")
 PASSED_OVER = Words(
     en="what is too much follows each time on something that went: whoever removes from the list that the loop goes "
     "through makes it pass over the next one. Build a new list, or loop over a copy.",
-    ko="남으면 안 되는 것은 모두 빠진 것의 바로 다음입니다. 반복문이 지나는 리스트에서 원소를 지우면 그다음 원소를 "
-    "건너뜁니다. 새 리스트를 만들거나 사본으로 반복하십시오.",
+    ko="남으면 안 되는데 남은 것은 모두, 빠진 원소 바로 다음에 있던 것입니다. 반복문이 지나는 리스트에서 원소를 지우면 "
+    "그다음 원소를 건너뜁니다. 새 리스트를 만들거나 사본으로 반복하십시오.",
 )
 
 
@@ -71,7 +67,7 @@ def habit_of(
     if not isinstance(form, Number | Angle | Name) or len({str(outcome) for outcome in outcomes}) < FEWEST:
         return None
     for name, what, asks, values in _candidates(args):
-        if all(form.alike(*pair) for pair in zip(outcomes, values, strict=True)):
+        if is_just(form, outcomes, values):
             said = (ALWAYS.say(tongue, what=what.say(tongue)) + asks.say(tongue) for tongue in ("en", "ko"))
             return name, Words(*said)
     return None
@@ -82,8 +78,6 @@ def _candidates(args: Sequence[list[Plain]]) -> Iterator[tuple[str, Words, Words
     count = min(map(len, args), default=0)
     for at in range(count):
         yield from _of_one(at, [inside(row[at]) for row in args])
-    for one, other in permutations(range(count), 2):
-        yield from _of_two(one, other, [(row[one], row[other]) for row in args])
 
 
 def _of_one(at: int, held: list[Plain]) -> Iterator[tuple[str, Words, Words, list[Plain]]]:
@@ -94,26 +88,11 @@ def _of_one(at: int, held: list[Plain]) -> Iterator[tuple[str, Words, Words, lis
             yield name, Words(*(what.say(tongue, at=at + 1) for tongue in ("en", "ko"))), asks, values
 
 
-def _of_two(one: int, other: int, pairs: list[tuple[Plain, Plain]]) -> Iterator[tuple[str, Words, Words, list[Plain]]]:
-    if not all(_is_number(a) and _is_number(b) for a, b in pairs):
-        return
-    for sign, join in OF_TWO:
-        values = _made(lambda pair, join=join: join(*pair), pairs)
-        if values is not None and (sign in "-/" or one < other):
-            names = {"at": one + 1, "of": other + 1, "sign": sign}
-            what = Words(*(COMPUTED.say(tongue, **names) for tongue in ("en", "ko")))
-            yield f"argument {one + 1} {sign} argument {other + 1}", what, Words("", ""), values
-
-
 def _made(make: Callable, held: Sequence) -> list[Plain] | None:
     try:
         return [make(each) for each in held]
     except (TypeError, ValueError, ZeroDivisionError):
         return None
-
-
-def _is_number(plain: Plain) -> bool:
-    return isinstance(plain, int | float) and not isinstance(plain, bool)
 
 
 def _passes_over(
@@ -126,7 +105,7 @@ def _passes_over(
         if any(None in row for row in rows):
             continue
         left = [_removed_in_the_loop(came, want) for came, _, want in rows]
-        shows = sum(sorted(map(str, one)) != sorted(map(str, row[2])) for one, row in zip(left, rows, strict=True))
+        shows = not all(_same(one, row[2]) for one, row in zip(left, rows, strict=True))
         is_so = all(_same(one, row[1]) for one, row in zip(left, rows, strict=True))
         if is_so and shows:
             return True

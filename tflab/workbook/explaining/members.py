@@ -319,7 +319,8 @@ def _as_another_is(task: TaskCases, table: _Table, name: str, twins: dict[str, P
     form, number = table.forms[name], list(table.forms).index(name)
     for other, part in table.forms.items():
         is_like = other in known and type(part) is type(form) and isinstance(form, MEASURED)
-        if not is_like or not alike(form, table.given[name][0], table.given[other][0]):
+        is_something = _is_something(form, table.given[name][0])  # zeros are alike by chance
+        if not is_like or not is_something or not alike(form, table.given[name][0], table.given[other][0]):
             continue
         for key, twin in twins.items():
             is_made_here = AND not in key and words_of(task, key).part == name

@@ -30,9 +30,9 @@ RENAMED: dict[str, Callable[[str], str]] = {
 }
 UNFILLED = Words(
     en='`{text}` still stands in the text: nothing was filled in. An f before the quotes does it, as in f"…".',
-    ko='`{text}`이(가) 글자 그대로 남아 있습니다. 값이 채워지지 않았습니다. f"…"처럼 따옴표 앞에 f를 붙이십시오.',
+    ko='값이 채워지지 않고 `{text}` 그대로 남아 있습니다. f"…"처럼 따옴표 앞에 f를 붙이십시오.',
 )
-BRACES = re.compile(r"\{[A-Za-z_][^{}:\"\s]*(?:\s?[-+*/]\s?[^{}:\"\s]+)*(?::[.\d]*[a-z]?)?\}")
+BRACES = re.compile(r"(?<!\$)\{[A-Za-z_][^{}:\"\s]*(?:\s[-+*/]\s?[^{}:\"\s]+)*(?::(?:[.\d]*[a-z]|\.\d+))?\}")
 IN = Words("in {count} of the {of} names that are wrong: {fact}", "틀린 이름 {of}개 가운데 {count}개에서 {fact}")
 FACTS: dict[str, tuple[Callable[[tuple[str, str]], bool], Words]] = {
     "nothing": (
@@ -70,10 +70,11 @@ FACTS: dict[str, tuple[Callable[[tuple[str, str]], bool], Words]] = {
 def unfilled(form: Form, outcomes: Sequence[Plain]) -> Words | None:
     """Return what to say of texts in whose braces nothing was filled in; None if there is none."""
     texts = [outcome for outcome in outcomes if isinstance(outcome, str)]
-    found = [BRACES.search(text) for text in texts]
-    if not isinstance(form, Name | Command) or len(texts) < len(outcomes) or not any(found):
+    if not isinstance(form, Name | Command) or len(texts) < len(outcomes):
         return None
-    first = next(filter(None, found))
+    first = next(filter(None, map(BRACES.search, texts)), None)
+    if first is None:
+        return None
     return Words(*(UNFILLED.say(tongue, text=first[0]) for tongue in ("en", "ko")))
 
 
@@ -114,6 +115,6 @@ def _changed(plain: Plain, change: Callable[[str], str]) -> Plain:
         return [_changed(member, change) for member in plain]
     if isinstance(plain, dict) and set(plain) in ({"tuple"}, {"set"}):
         return {kind: _changed(held, change) for kind, held in plain.items()}
-    if isinstance(plain, dict) and set(plain) == {"dict"}:
+    if isinstance(plain, dict) and set(plain) == {"dict"} and isinstance(plain["dict"], dict):
         return {"dict": {change(key): _changed(value, change) for key, value in plain["dict"].items()}}
     return plain

@@ -16,6 +16,7 @@ from ..words import Words
 __all__ = ["tip_for"]
 
 NO_TIP = Words("", "")
+LONGEST = 500  # letters of an error that are looked at
 TIPS = (  # the error's name and text, the first that fits
     (
         r"TypeError: .*different clock types",
@@ -48,7 +49,16 @@ TIPS = (  # the error's name and text, the first that fits
         ),
     ),
     (
-        r"TypeError: .*(unsupported operand.*'(tuple|list)'|can only concatenate|can't multiply sequence)",
+        r"TypeError: (can only concatenate str|.*unsupported operand.*'str'|can't multiply sequence)",
+        Words(
+            "A text or a list does not compute: `float(text)` makes a number of a text, members of a list are taken "
+            "one by one.",
+            "글자나 리스트로는 계산할 수 없습니다. 글자는 `float(글자)`로 수를 만들고, 리스트는 원소를 하나씩 "
+            "꺼내십시오.",
+        ),
+    ),
+    (
+        r"TypeError: .*(unsupported operand.*'(tuple|list)'|can only concatenate (list|tuple))",
         Words(
             "Lists and tuples do not compute as wholes: take their members one by one.",
             "리스트와 튜플은 통째로 계산되지 않습니다. 원소를 하나씩 꺼내 계산하십시오.",
@@ -79,12 +89,12 @@ TIPS = (  # the error's name and text, the first that fits
     (
         r"KeyError",
         Words(
-            "A dict does not hold every key: `.get(key, otherwise)` does not stop where one is missing.",
-            "딕셔너리에 없는 키입니다. 없을 수 있는 키는 `.get(key, 기본값)`으로 꺼내면 멈추지 않습니다.",
+            "That key is not in it: of a dict, `.get(key, otherwise)` does not stop where one is missing.",
+            "그 안에 없는 키입니다. 딕셔너리라면 `.get(key, 기본값)`으로 꺼내면 멈추지 않습니다.",
         ),
     ),
     (
-        r"IndexError|ValueError: (max|min)\(\) .*empty|StopIteration",
+        r"IndexError: .*(out of range|out of bounds|pop from empty)|ValueError: (max|min)\(\) .*empty|StopIteration",
         Words(
             "There is less in it than you count on: is a list short, or empty? Did nothing fit what you looked for?",
             "생각보다 적게 들어 있습니다. 리스트가 짧거나 비어 있습니까? 찾으려던 것과 맞는 것이 하나도 없었습니까?",
@@ -93,10 +103,11 @@ TIPS = (  # the error's name and text, the first that fits
     (
         r"ValueError: (could not convert string to float|invalid literal for int)",
         Words(
-            "That text is no number as it stands: another word, a colon or a comma hangs on it. Lines and words "
-            "counted off in one text stand elsewhere in another: look for the words around the number.",
-            "그 문자열은 그대로는 숫자가 아닙니다. 다른 낱말이나 콜론, 쉼표가 붙어 있습니다. 한 글에서 센 줄과 낱말의 "
-            "자리는 다른 글에서 달라집니다. 숫자 앞뒤의 낱말로 찾으십시오.",
+            "That text is no such number as it stands: a point where a whole number is wanted, or another word, a "
+            "colon or a comma on it. Lines and words counted off in one text stand elsewhere in another: look for the "
+            "words around the number.",
+            "그 문자열은 그대로는 그런 수가 아닙니다. 정수여야 하는데 소수점이 있거나 다른 낱말, 콜론, 쉼표가 붙어 "
+            "있습니다. 한 글에서 센 줄과 낱말의 자리는 다른 글에서 달라집니다. 숫자 앞뒤의 낱말로 찾으십시오.",
         ),
     ),
     (
@@ -155,7 +166,26 @@ TIPS = (  # the error's name and text, the first that fits
         r"NameError|UnboundLocalError",
         Words(
             "Inside the function nobody has given that name a value: is it misspelt, or set on another way through?",
-            "함수 안에서 그 이름에 값을 준 적이 없습니다. 철자가 다르거나 다른 갈래에서만 정해지지 않습니까?",
+            "함수 안에서 그 이름에 값을 준 적이 없습니다. 철자가 다르거나, 값을 정하지 않고 지나가는 갈래가 "
+            "있지 않습니까?",
+        ),
+    ),
+    (
+        r"AttributeError: 'Time' object has no attribute '(sec|nanosec|nanoseconds)'",
+        Words(
+            "There are two kinds of Time: the stamp of a message has `.sec` and `.nanosec`, a Time of rclpy has "
+            "`.nanoseconds`. `Time.from_msg(stamp)` makes the second of the first.",
+            "Time은 두 가지입니다. 메시지의 stamp에는 `.sec`과 `.nanosec`이, rclpy의 Time에는 `.nanoseconds`가 "
+            "있습니다. `Time.from_msg(stamp)`가 앞의 것을 뒤의 것으로 바꿉니다.",
+        ),
+    ),
+    (
+        r"TypeError: unhashable type: '(list|set|dict)'",
+        Words(
+            "A list, a set or a dict cannot be a member of a set or a key of a dict: `.update(…)` puts its members into "
+            "a set one by one.",
+            "리스트, 집합, 딕셔너리는 집합의 원소나 딕셔너리의 키가 될 수 없습니다. `.update(…)`를 쓰면 그 원소가 "
+            "하나씩 집합에 들어갑니다.",
         ),
     ),
     (
@@ -163,6 +193,13 @@ TIPS = (  # the error's name and text, the first that fits
         Words(
             "It calls itself without an end: which case has to stop it?",
             "자기 자신을 끝없이 호출합니다. 어떤 경우에 멈춰야 합니까?",
+        ),
+    ),
+    (
+        r"TypeError: .*(an unexpected|an invalid) keyword argument",
+        Words(
+            "It takes no argument of that name: is it misspelt?",
+            "그런 이름의 인자는 없습니다. 철자가 다르지 않습니까?",
         ),
     ),
     (
@@ -187,5 +224,5 @@ TIPS = (  # the error's name and text, the first that fits
 
 def tip_for(error: str, text: str) -> Words:
     """Return what is behind one of Python's errors, or nothing."""
-    said = f"{error}: {text}"
+    said = f"{error}: {text}"[:LONGEST]
     return next((tip for pattern, tip in TIPS if re.match(pattern, said, re.DOTALL)), NO_TIP)
