@@ -200,8 +200,8 @@ lesson.draw_owners(
 # A kind correction to §14 and §27 of the lecture: in ROS 2 `tf2_monitor` names no owner. Every line says `<no authority available>`. The nodes are named by `ros2 topic info /tf --verbose`, and their edges by nobody but you.
 
 # %% [markdown] lang="ko" name="owner-seen"
-# *그림 읽기:* edge = 연결, owner = 발행자, source = 데이터, switch = 스위치, rate = 발행률. `! 2`는 발행자가 둘인 연결, `! 0`은 아무도 발행하지 않는 연결입니다. 강의 24장은 문제가 생기기 전에 이런 표를 채워 두라고 합니다. 정상을 모르면 이상도 알 수 없습니다.
-# 강의 14장과 27장의 내용 하나를 바로잡습니다. ROS 2의 `tf2_monitor`는 발행자의 이름을 대지 못합니다. 줄마다 `<no authority available>`이 나옵니다. 노드 이름은 `ros2 topic info /tf --verbose`가 알려 주고, 그 노드가 어느 연결을 보내는지는 직접 알아내야 합니다.
+# *그림 읽기:* edge = 연결, owner = 발행자, source = 데이터, switch = 스위치, rate = 발행률. `! 2`는 발행자가 둘인 연결, `! 0`은 아무도 발행하지 않는 연결입니다. 강의 24절은 문제가 생기기 전에 이런 표를 채워 두라고 합니다. 정상을 모르면 이상도 알 수 없습니다.
+# 강의 14절과 27절의 내용 하나를 바로잡습니다. ROS 2의 `tf2_monitor`는 발행자의 이름을 대지 못합니다. 줄마다 `<no authority available>`이 나옵니다. 노드 이름은 `ros2 topic info /tf --verbose`가 알려 주고, 그 노드가 어느 연결을 보내는지는 직접 알아내야 합니다.
 
 # %% [markdown] lang="en" name="owner-blank" slide="skip"
 # <details><summary>To print: the table of your own robot, with the lecture's five edges (§24)</summary>
@@ -218,7 +218,7 @@ lesson.draw_owners(
 # </details>
 
 # %% [markdown] lang="ko" name="owner-blank" slide="skip"
-# <details><summary>인쇄용: 강의 24장의 다섯 연결로 만드는 여러분 로봇의 표</summary>
+# <details><summary>인쇄용: 강의 24절의 다섯 연결로 만드는 여러분 로봇의 표</summary>
 #
 # | 연결 | 흔한 발행자 | 데이터 | 우리 노드 | 스위치(켬/끔) | 발행률 |
 # |---|---|---|---|---|---|
@@ -358,7 +358,7 @@ rclpy.shutdown()
 # %% [markdown] lang="ko" name="experiments" slide="slide"
 # ## 강의의 실험 A, B, C
 #
-# 강의 23장에는 `static_transform_publisher`로 하는 실험이 셋 있습니다. A는 모두 맞는 경우, B는 부모 이름이 틀린 경우, C는 연결 하나를 둘이 발행하는 경우입니다.
+# 강의 23절에는 `static_transform_publisher`로 하는 실험이 셋 있습니다. A는 모두 맞는 경우, B는 부모 이름이 틀린 경우, C는 연결 하나를 둘이 발행하는 경우입니다.
 # 시뮬레이션에서만 하고, 끝나면 프로세스를 모두 종료하십시오. 실제 로봇은 이 변환을 믿고 움직입니다.
 
 # %% [markdown] lang="en" name="experiments-notes" slide="notes"
@@ -418,7 +418,7 @@ graph = lesson.new_graph()
 # %% [markdown] lang="ko" name="stop-guessing" slide="slide"
 # ## 검사의 값어치는 무엇을 지우느냐에 있습니다
 #
-# 강의 27장의 여섯 걸음은 이름, 트리, 값, 지연, 메시지와 시계, 발행자입니다. 싸고 대략적인 것에서 비싸고 세밀한 것으로 가는 순서입니다. 하지만 질문 없이 순서만 따르면 느립니다.
+# 강의 27절의 여섯 걸음은 이름, 트리, 값, 지연, 메시지와 시계, 발행자입니다. 싸고 대략적인 것에서 비싸고 세밀한 것으로 가는 순서입니다. 하지만 질문 없이 순서만 따르면 느립니다.
 # “스캔이 깜빡이고 future라는 말이 나온다”는 증상을 봅시다. 용의자는 셋입니다. 레이저의 **시계가 앞섰거나**, **변환이 늦거나**, **오도메트리가 느립니다**. 명령을 입력하기 전에 물어보세요. 셋의 답이 다를 검사는 무엇입니까?
 
 # %% [markdown] lang="en" name="stop-guessing-notes" slide="notes"
@@ -795,7 +795,7 @@ night.try_fix()
 # ros2 param get /problem_node use_sim_time    # 문제가 되는 노드의 이름으로
 # ```
 #
-# 강의 27장의 여덟 명령입니다. 이 명령으로 보이지 않는 것은 다음으로 봅니다.
+# 강의 27절의 여덟 명령입니다. 이 명령으로 보이지 않는 것은 다음으로 봅니다.
 #
 # ```
 # ros2 run tf2_ros tf2_echo odom base_footprint 20   # 매끄러운지
@@ -833,7 +833,7 @@ night.try_fix()
 # </details>
 
 # %% [markdown] lang="ko" name="ten" slide="skip"
-# <details><summary>찾아보기: 강의의 열 가지 증상(28장)과 먼저 할 확인</summary>
+# <details><summary>찾아보기: 강의의 열 가지 증상(28절)과 먼저 할 확인</summary>
 #
 # | 보이는 것 | 흔한 원인 | 먼저 확인할 것 | 장 |
 # |---|---|---|---|
@@ -871,7 +871,7 @@ night.try_fix()
 # </details>
 
 # %% [markdown] lang="ko" name="twelve" slide="skip"
-# <details><summary>더 깊이: 강의의 열두 가지 실수(29장)와 그 환자</summary>
+# <details><summary>더 깊이: 강의의 열두 가지 실수(29절)와 그 환자</summary>
 #
 # | 실수 | 그 환자 |
 # |---|---|
@@ -906,7 +906,7 @@ night.try_fix()
 # - [[second-owner|두 번째 발행자]]는 오류를 내지 않습니다. 20 Hz로 묻고, 연결이 얼마나 자주 오는지 세어 보세요.
 # - 증상은 원인이 아닙니다. 검사의 값어치는 무엇을 지우느냐에 있습니다. [[suspect|용의자]]들의 답이 다를 것을 물으십시오.
 # - 하나가 남으면 멈추십시오. 고쳤다는 증거는 고장을 찾아낸 검사에 있습니다.
-# - 그리고 열두 장 모두의 정리입니다(31장). 값에는 좌표계와 측정 시각이 필요합니다. `map`은 길게 보아 맞고, `odom`은 매끄럽게 이어지며, `base_link`는 로봇의 몸체입니다. 고정된 것은 `/tf_static`으로 한 번, 움직이는 것은 `/tf`로 계속 보냅니다. 오류는 대개 이름, 빠진 연결, 두 번째 발행자, 시계에서 나오고 수학에서 나오는 일은 드뭅니다.
+# - 그리고 열두 장 모두의 정리입니다(31절). 값에는 좌표계와 측정 시각이 필요합니다. `map`은 길게 보아 맞고, `odom`은 매끄럽게 이어지며, `base_link`는 로봇의 몸체입니다. 고정된 것은 `/tf_static`으로 한 번, 움직이는 것은 `/tf`로 계속 보냅니다. 오류는 대개 이름, 빠진 연결, 두 번째 발행자, 시계에서 나오고 수학에서 나오는 일은 드뭅니다.
 
 # %% [markdown] lang="en" name="recap-notes" slide="notes"
 # Five minutes at the end of the second sitting. Two pairs read their lists of checks: which one could they have left out?

@@ -316,7 +316,7 @@ SLASHES_TAKEN_OFF = Slip(
     {"spelt": "without slashes"},
     Words(
         en="you take the slash in front off before you ask, and a message that nobody else can place is used: hand over its frame as it came.",
-        ko="묻기 전에 이름 앞의 슬래시를 떼어, 다른 누구도 놓을 수 없는 메시지를 씁니다. 좌표계 이름을 받은 그대로 넘기십시오.",
+        ko="묻기 전에 이름 앞의 슬래시를 떼어, 다른 노드는 위치를 알 수 없는 메시지를 씁니다. 좌표계 이름을 받은 그대로 넘기십시오.",
     ),
     "M14",
 )
@@ -429,7 +429,7 @@ TASK = Task(
         ),
         "wait": Words(
             en="There the message is at most 0.2 s newer than the latest common time of map and its frame.",
-            ko="여기서는 메시지가 map과 메시지 좌표계의 최신 공통 시각보다 많아야 0.2초 새롭습니다.",
+            ko="여기서는 메시지가 map과 메시지 좌표계의 최신 공통 시각보다 많아야 0.2초 나중 것입니다.",
         ),
         "check clocks": Words(
             en="There the message is more than 0.2 s newer than the latest common time of map and its frame.",

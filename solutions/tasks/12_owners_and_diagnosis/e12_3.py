@@ -64,7 +64,7 @@ CODE = Twin(
     but(*RIGHT, check="read the code"),
     Words(
         en="The lecture says it in its last line: facts from the graph first, then code. Which tool shows the fact?",
-        ko="강의 27장의 마지막 줄입니다. 코드보다 그래프의 사실이 먼저입니다. 그 사실을 보여 주는 도구는 무엇입니까?",
+        ko="강의 27절의 마지막 줄입니다. 코드보다 그래프의 사실이 먼저입니다. 그 사실을 보여 주는 도구는 무엇입니까?",
     ),
     partly=True,
 )

@@ -42,7 +42,7 @@ ORDERS: dict[str, tuple[Callable[[Row, Row], bool], Words]] = {
         Words(
             en="what stands first does not belong there; without it, all the others would stand right, each one place "
             "earlier.",
-            ko="맨 앞의 것이 거기에 있을 것이 아닙니다. 그것만 빼고 나머지를 한 자리씩 당기면 모두 맞습니다.",
+            ko="맨 앞에 둔 것은 그 자리가 아닙니다. 그것만 빼고 나머지를 한 자리씩 당기면 모두 맞습니다.",
         ),
     ),
     "one place too early": (
