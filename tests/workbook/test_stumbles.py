@@ -47,6 +47,8 @@ STUMBLES = [
     (lambda: int("5.0"), "a point where a whole number"),
     (lambda: int("5", basis=2), "of that name"),
     (lambda: max([]), "short, or empty"),
+    (lambda: Time().sec, "two kinds of Time"),
+    (lambda: {["base_link"]}, "`.update(…)`"),
     (lambda: 1 / 0.0, "is 0"),
     (raised_by_oneself, "a `raise` of your own"),
     (lambda: undefined_name, "misspelt"),  # noqa: F821

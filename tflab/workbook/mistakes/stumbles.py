@@ -182,8 +182,8 @@ TIPS = (  # the error's name and text, the first that fits
     (
         r"TypeError: unhashable type: '(list|set|dict)'",
         Words(
-            "A list, a set or a dict cannot be a member of a set or a key of a dict: `.update(…)` puts its members into "
-            "a set one by one.",
+            "A list, a set or a dict cannot be a member of a set or a key of a dict: `.update(…)` puts its members "
+            "into a set one by one.",
             "리스트, 집합, 딕셔너리는 집합의 원소나 딕셔너리의 키가 될 수 없습니다. `.update(…)`를 쓰면 그 원소가 "
             "하나씩 집합에 들어갑니다.",
         ),
