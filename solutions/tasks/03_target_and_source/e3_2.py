@@ -38,6 +38,7 @@ def taken(transform: Transform, point, way: str) -> tuple[float, ...]:
         "origin": transform.translation,
         "no turn, step back": added(point, back),
         "w first": Transform(transform.translation, transform.rotation[3:] + transform.rotation[:3]).apply(point),
+        "z for the yaw": Transform.from_rpy(yaw=transform.rotation[2], translation=transform.translation).apply(point),
         "turn back, no step": turned(transform.inverse(), point),
         "twice": transform.apply(transform.apply(point)),
         "half the turn": added(turned(_half(transform), point), transform.translation),
@@ -347,6 +348,30 @@ THEN_W_FIRST = Slip(
 )
 
 
+FIRST_Z_FOR_THE_YAW = Slip(
+    "first z for the yaw",
+    {"first": "z for the yaw"},
+    Words(
+        en="on the way to `base_link`, you took the quaternion's z for the yaw. It is the sine of half the yaw; `.rpy()` or `.apply` know the angle.",
+        ko="`base_link`로 가는 길에서 쿼터니언의 z를 yaw로 썼습니다. z는 yaw 절반의 sin입니다. 각도는 `.rpy()`나 `.apply`에 맡기십시오.",
+    ),
+    "M5",
+    part="base_link",
+)
+
+
+THEN_Z_FOR_THE_YAW = Slip(
+    "then z for the yaw",
+    {"then": "z for the yaw"},
+    Words(
+        en="on the way to `map`, you took the quaternion's z for the yaw. It is the sine of half the yaw; `.rpy()` or `.apply` know the angle.",
+        ko="`map`로 가는 길에서 쿼터니언의 z를 yaw로 썼습니다. z는 yaw 절반의 sin입니다. 각도는 `.rpy()`나 `.apply`에 맡기십시오.",
+    ),
+    "M5",
+    part="map",
+)
+
+
 FIRST_TURN_BACK_NO_STEP = Slip(
     "first turn back, no step",
     {"first": "turn back, no step"},
@@ -468,6 +493,8 @@ TASK = Task(
         FIRST_NO_TURN_STEP_BACK,
         THEN_NO_TURN_STEP_BACK,
         FIRST_W_FIRST,
+        FIRST_Z_FOR_THE_YAW,
+        THEN_Z_FOR_THE_YAW,
         THEN_W_FIRST,
         FIRST_TURN_BACK_NO_STEP,
         THEN_TURN_BACK_NO_STEP,
