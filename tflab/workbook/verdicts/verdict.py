@@ -103,12 +103,17 @@ def judge_outcomes(task: TaskCases, variant: Variant, outcomes: Sequence[Plain])
         mistake, detail, found = Mistake.VALUE, {}, None
     if found is None:
         return Verdict(sum(right), len(right), mistake, {}, case, right, {"certain": None} | detail)
-    case = case if found.shows is None else found.shows
+    case = _to_show(found, case)
     follows: tuple[bool, ...] = ()
     if found.follows and isinstance(form, Parts):  # one slip costs the part that it is made in, not what follows
         follows = tuple(not was and name in found.follows for was, name in zip(right, form.parts, strict=True))
         right = tuple(map(max, right, follows))
     return Verdict(sum(right), len(right), mistake, found.slips, case, right, detail, found.said, follows)
+
+
+def _to_show(found: Explanation, first: int) -> int:
+    """Return the call in which an explanation is plain to see, or the first that goes wrong."""
+    return first if found.shows is None else found.shows
 
 
 def _taking_part(form: Parts, outcome: Plain) -> Verdict:
