@@ -98,6 +98,8 @@ def _said(words: Words, found: _Sum, form: Form) -> Words:
 
 def _row(form: Form, answer: Plain) -> Row | None:
     """Return an answer's numbers, None if it has none of this form; of a pose those of its matrix."""
+    if form.read(answer) is None:  # of another shape, or in another frame: that says more
+        return None
     if isinstance(form, Pose):
         parts = pose_of(answer)
         return None if parts is None or not any(parts[3]) else _matrix(Transform(parts[2], parts[3]))
