@@ -39,14 +39,21 @@ def is_of_numbers(form: Form) -> bool:
     return isinstance(form, OF_NUMBERS) or (isinstance(form, Parts) and all(map(is_of_numbers, form.parts.values())))
 
 
+def without_its_part(form: Form, text: str) -> str:
+    """Return a reply without the name of a part that it begins with: that is said once, in front."""
+    named = (f"{part}: " for part in getattr(form, "parts", {}))
+    return next((text.removeprefix(name) for name in named if text.startswith(name)), text)
+
+
 @each_task
 def test_a_slips_answer_hears_its_own_reply_first_and_nobody_elses(task_id: str, task: TaskCases) -> None:
     variant = task.variants[0]
     for name, outcomes in list(singles(variant).items())[:MOST_NEIGHBOURS]:
         verdict = judge_outcomes(task, variant, outcomes)
         assert verdict.mistake is Mistake.SLIP and list(verdict.slips) == [name]
-        assert verdict.said.en == task.twins[name].reply.en or task.twins[name].reply.en in verdict.said.en
-        assert verdict.said.ko == task.twins[name].reply.ko or task.twins[name].reply.ko in verdict.said.ko
+        reply = task.twins[name].reply
+        assert without_its_part(task.form, reply.en) in verdict.said.en
+        assert without_its_part(task.form, reply.ko) in verdict.said.ko
 
 
 @each_task
