@@ -14,11 +14,12 @@ from collections.abc import Iterator, Sequence
 from itertools import combinations
 from typing import NamedTuple
 
-from ..answers.form import inside, member
+from ..answers.form import Form, inside, member
 from ..answers.values import Plain
+from ..mistakes.fitting import alike
 from ..words import Words
 
-__all__ = ["in_common"]
+__all__ = ["calls_in_common", "in_common"]
 
 FEWEST = 2  # calls on either side: of one call everything is true
 SELDOM = 1 / 3  # of the calls that are right, at most, may share it, too
@@ -63,6 +64,14 @@ class Fact(NamedTuple):
     kind: str
     at: int
     of: str = ""
+
+
+def calls_in_common(
+    form: Form, args: Sequence[list[Plain] | None], outcomes: Sequence[Plain], wanted: Sequence[Plain]
+) -> Words | None:
+    """Return what the arguments of the calls that go wrong have in common; None if nothing that others have not."""
+    rows = [(call or [], alike(form, *pair)) for call, *pair in zip(args, outcomes, wanted, strict=True)]
+    return in_common(*([call for call, is_right in rows if is_right is side] for side in (False, True)))
 
 
 def in_common(wrong: Sequence[list[Plain]], right: Sequence[list[Plain]]) -> Words | None:

@@ -28,7 +28,7 @@ from .apart import of_words_apart
 from .arithmetic import computed, computed_in_all
 from .beside import side_by_side
 from .changes import of_changes
-from .common import in_common
+from .common import calls_in_common
 from .confused import confused, confused_in_lists, word_of
 from .explanation import Explanation, said_of
 from .givens import given_to
@@ -39,7 +39,7 @@ from .refusals import of_refusals
 from .robots import of_robots
 from .stops import of_stops
 
-__all__ = ["calls_in_common", "explained"]
+__all__ = ["explained"]
 
 
 def explained(
@@ -151,17 +151,10 @@ def _of_words(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain])
 
 def _and_where(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], found: Explanation) -> Explanation:
     """Return an explanation with what the calls that go wrong have in common, if that can be said."""
-    common = calls_in_common(task.form, cases, outcomes)
+    common = calls_in_common(task.form, [case.args for case in cases], outcomes, [case.expected for case in cases])
     return (
         found._replace(said=Words(f"{found.said.en} {common.en}", f"{found.said.ko} {common.ko}")) if common else found
     )
-
-
-def calls_in_common(form: Form, cases: Sequence[Case], outcomes: Sequence[Plain]) -> Words | None:
-    """Return what the arguments of the calls that go wrong have in common; None if nothing that others have not."""
-    wrong = [not alike(form, outcome, case.expected) for case, outcome in zip(cases, outcomes, strict=True)]
-    rows = [(case.args or [], is_wrong) for case, is_wrong in zip(cases, wrong, strict=True)]
-    return in_common(*([args for args, is_so in rows if is_so is side] for side in (True, False)))
 
 
 def _ways(

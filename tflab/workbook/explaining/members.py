@@ -28,7 +28,7 @@ from ..tasks.case import AND, Case, TaskCases, TwinWords
 from ..words import Words
 from .arithmetic import computed, computed_in_all
 from .certain import certain
-from .common import in_common
+from .common import calls_in_common
 from .confused import confused, word_of
 from .explanation import Explanation, said_of
 from .givens import given_to
@@ -286,9 +286,7 @@ def _of_words(task: TaskCases, table: _Table, name: str) -> list[Found]:
 
 def _in_common(table: _Table, name: str) -> Words | None:
     """Return what the arguments of the calls have in common in which a part is wrong."""
-    right = [alike(table.forms[name], *pair) for pair in zip(table.given[name], table.wanted[name], strict=True)]
-    rows = list(zip(table.args, right, strict=True))
-    return in_common(*([args for args, is_right in rows if is_right is side] for side in (False, True)))
+    return calls_in_common(table.forms[name], table.args, table.given[name], table.wanted[name])
 
 
 def _anothers(table: _Table, name: str) -> str | None:

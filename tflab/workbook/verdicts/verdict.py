@@ -22,7 +22,8 @@ from ..answers.forms import Angle, Choice, Command, Form, Message, Name, Number,
 from ..answers.members import members_of
 from ..answers.values import Plain, is_raised, is_unanswered
 from ..explaining.certain import certain
-from ..explaining.explain import calls_in_common, explained
+from ..explaining.common import calls_in_common
+from ..explaining.explain import explained
 from ..explaining.explanation import Explanation
 from ..mistakes.fitting import ANY_BUG
 from ..mistakes.stumbles import tip_for
@@ -193,7 +194,9 @@ def _unexplained(
     if task.is_function and (habit := evidence.habit(form, cases, outcomes)):
         return Mistake(habit), {}
     bounds = certain(form, outcome, expected)
-    if task.is_function and (common := calls_in_common(form, cases, outcomes)):
+    if task.is_function and (
+        common := calls_in_common(form, [case.args for case in cases], outcomes, [case.expected for case in cases])
+    ):
         told = [bounds, common] if bounds else [common]
         bounds = Words(*(". ".join(row).rstrip(".") for row in zip(*told, strict=True)))
     if isinstance(form, Parts | Message | Urdf):
