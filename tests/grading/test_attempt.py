@@ -205,6 +205,20 @@ def test_our_own_cells_failing_is_not_the_learners_fault() -> None:
         )  # fmt: skip
 
 
+def test_a_kernel_that_dies_in_our_cell_was_killed_by_what_ran_before_it() -> None:
+    (load, *others), here = pieces(e1_1="a = 1\nspoilt = True").cells, Here()
+    dies_late = RunCell("ours", "scene", "if 'spoilt' in globals(): die()")
+    made = attempt(
+        Transplant((load, *others[:2], dies_late, *others[2:]), tuple(TASKS)),
+        TASKS, here, wanted=list(TASKS), cell_s=1.0, notebook_s=6.0,
+    )  # fmt: skip
+    assert kinds(made, "E1.1") == ["died"]
+    assert made.set_aside == ["E1.1"]
+    assert kinds(made, "E1.2") == kinds(made, "E1.3") == []
+    assert made.outcomes["E1.3"] == {0: 1}
+    assert len(here.runs) == 2
+
+
 def test_only_the_cells_that_the_wanted_tasks_need_are_planned() -> None:
     planned = plan(pieces(), TASKS, ["E1.1"])
     assert [cell.name for cell in planned.cells] == ["ours", "e1_1-answer", "e1_1-check"]

@@ -35,6 +35,7 @@ MOST_RUNS = 40
 SHORTLY = 0.05  # of the time of a cell, for each own cell of one who has had several that did not end
 ENOUGH_TO_KNOW = 2  # cases of one task, or own cells, that do not end
 MOST_TIMES_THE_NOTEBOOK = 2.0
+OURS = ("ours", "stub")  # cells in which there is nothing of the learner's
 REMARK_OF = {"timed out": "timed out", "output limit": "flood", "unreadable output": "flood"}  # else it died
 
 Runner = Callable[[Sequence[RunCell], bool], Run]  # patiently, or with the usual limits
@@ -123,7 +124,7 @@ class Tally:
         """Take in the results of a run.
 
         Raises:
-            NotRun: it stopped in a cell of ours.
+            NotRun: it stopped in a cell of ours, and nothing of the learner's had run by then.
         """
         self.seconds += ran.seconds
         for cell, outcome in zip(planned.cells, ran.outcomes, strict=False):
@@ -131,8 +132,8 @@ class Tally:
         if ran.stopped is None:
             self.left = []
             return
-        cell = planned.cells[len(ran.outcomes) - 1]
-        if cell.kind == "ours":
+        cell = _to_blame(planned.cells[: len(ran.outcomes)])
+        if cell is None:
             raise NotRun(ran.stopped)
         if cell.kind == "own":
             self.own_that_hang.add(cell.name)
@@ -193,6 +194,14 @@ class Tally:
     def _was_answered_later(self, task: str) -> bool:
         """Return whether there was nothing at the check, and something behind the learner's own cells."""
         return _is_nothing(self._outcomes.get(task, {})) and not _is_nothing(self._outcomes_again[task])
+
+
+def _to_blame(ran: Sequence[RunCell]) -> RunCell | None:
+    """Return the cell that ended a run: the last one, or, if that is ours, the learner's last one before it.
+
+    A patched event loop may give its answer and die a moment later, in whatever runs then.
+    """
+    return next((cell for cell in reversed(ran) if cell.kind not in OURS), None)
 
 
 def _is_nothing(outcomes: Mapping[int, Any]) -> bool:
