@@ -49,7 +49,7 @@
     advice.setAttribute("aria-live", "polite");
     says.hidden = true;
     below.append(advice,
-      button(words.again, () => { states.get(vote).again = {}; keep(vote); says.hidden = true; show(true); setTimeout(() => rows[0].input.focus()); }),
+      button(words.again, () => { states.get(vote).again = {}; keep(vote); says.hidden = true; show(true); rows[0].input.focus(); }),
       button(words.say, () => { says.hidden = !says.hidden; show(); }),
       button(words.save, save),
       button(words.clear, () => { states.set(vote, { first: {}, again: null }); keep(vote); says.hidden = true; show(true); }));
