@@ -339,6 +339,21 @@ def test_landlock_hides_what_lies_in_a_folder_that_is_shown(tmp_path: Path) -> N
 # Nothing can be changed.
 
 
+def test_no_two_kernels_are_the_same_user(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(keeper.os, "getpid", lambda: 7)  # or a number as far away as there are users
+    monkeypatch.setattr(keeper, "FIRST_UID", 60000)  # those of the kernels that run are not in the way
+    monkeypatch.setattr(keeper, "UIDS", 3)
+    users = [keeper.a_free_user() for _ in range(3)]
+    assert sorted(uid for uid, _ in users) == [60000, 60001, 60002]
+    with pytest.raises(OSError, match="no user from 60000 to 60002 is free"):
+        keeper.a_free_user()
+    first, reserved = users.pop(0)
+    reserved.close()
+    assert keeper.a_free_user()[0] == first
+    for _, taken in users:
+        taken.close()
+
+
 @pytest.mark.parametrize("path", ["/", "/usr", "/etc", "/proc/sys/kernel/hostname", "/dev", "TFLAB"])
 def test_the_system_is_read_only(inside: Inside, path: str) -> None:
     import tflab

@@ -14,6 +14,7 @@ Read `forkserver.py` next: who makes keepers.
 from __future__ import annotations
 
 import contextlib
+import errno
 import json
 import os
 import select
@@ -73,6 +74,7 @@ class Order:
     environment: dict[str, str]
     uid: int
     folder: str  # of the kernel, where it has no file system of its own
+    reserved: socket.socket  # whose name says that the user is taken
     wire: socket.socket
     leash: socket.socket
     serve: Callable[[socket.socket], None]
@@ -83,10 +85,11 @@ def keep(said: dict[str, Any], wire: socket.socket, leash: socket.socket, serve:
     namespaces.libc.prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
     signal.signal(signal.SIGCHLD, signal.SIG_DFL)
     folder = tempfile.mkdtemp(prefix="tflab-kernel-") if said["level"] == "limits" else ""
-    of_its_own = {"uid": FIRST_UID + os.getpid() % UIDS, "folder": folder}
-    of_its_own |= {"limits": Limits(**said["limits"]), "environment": ENVIRONMENT | said["environment"]}
-    order = Order(**said | of_its_own, wire=wire, leash=leash, serve=serve)
     try:
+        uid, reserved = a_free_user()
+        of_its_own = {"uid": uid, "reserved": reserved, "folder": folder}
+        of_its_own |= {"limits": Limits(**said["limits"]), "environment": ENVIRONMENT | said["environment"]}
+        order = Order(**said | of_its_own, wire=wire, leash=leash, serve=serve)
         pid = START[order.level](order)
         wire.close()
         end = watch(pid, order)
@@ -97,6 +100,29 @@ def keep(said: dict[str, Any], wire: socket.socket, leash: socket.socket, serve:
             shutil.rmtree(folder, ignore_errors=True)
     with contextlib.suppress(OSError):
         leash.sendall(json.dumps(end).encode())
+
+
+def a_free_user() -> tuple[int, socket.socket]:
+    """Return a user that no other keeper on this machine has given away, and the socket that says so while it is open.
+
+    At its kernel's end a keeper kills whoever runs as this user.  A name of the abstract kind is taken by one socket
+    at a time and is free when its process is gone, however that ended.
+
+    Raises:
+        OSError: all are taken.
+    """
+    reserved = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
+    for number in range(UIDS):
+        uid = FIRST_UID + (os.getpid() + number) % UIDS
+        try:
+            reserved.bind(f"\0tflab-kernel-user-{uid}")
+        except OSError as fault:
+            if fault.errno != errno.EADDRINUSE:
+                break
+        else:
+            return uid, reserved
+    reserved.close()
+    raise OSError(f"no user from {FIRST_UID} to {FIRST_UID + UIDS - 1} is free for a kernel")
 
 
 # Three ways to start it.
@@ -176,6 +202,7 @@ def become_kernel(order: Order, enter: Callable[[], None]) -> int:
     """Go behind the wall and serve there; never returns."""
     try:
         order.leash.close()
+        order.reserved.close()
         namespaces.libc.prctl(PR_SET_PDEATHSIG, signal.SIGKILL, 0, 0, 0)
         os.setsid()
         os.nice(5)  # the keeper and the grader come first
