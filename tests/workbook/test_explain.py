@@ -596,6 +596,11 @@ def test_words_that_two_slips_would_give_in_different_calls_are_confused_words()
         ({"kind": "fixed"}, '"head": its joint is fixed'),
         ({"kind": "prismatic"}, '"head": its joint slides'),
         ({"parent": "lens"}, '"head": it hangs on lens'),
+        (
+            {"origin": 'xyz="0.2 -0.1 0.4" rpy="0 1.5707963 0"'},
+            '"head": how it is turned in its parent: off by more than 90°. Now its axes x, y, z point along -z, y, x of '
+            "its parent",
+        ),
     ],
 )
 def test_of_a_robot_each_link_is_told_what_is_wrong_with_it(wrong, said):

@@ -65,6 +65,8 @@ def finished(g, *, place="joint", ends="parent first", name="nod_joint", kind="r
         "roll": (OPTICAL[0], 0.0, 0.0),
         "yaw": (0.0, 0.0, OPTICAL[2]),
         "pitch": (0.0, OPTICAL[0], OPTICAL[2]),
+        "pitch alone": (0.0, math.pi / 2, 0.0),
+        "pitch up alone": (0.0, -math.pi / 2, 0.0),
     }
     first, second = origin([scale * each for each in xyz], rpy), origin(lens_xyz, turned[optical])
     painted = "" if place == "joint" else "<geometry><sphere radius='0.01'/></geometry>"
@@ -148,6 +150,12 @@ SLIPS = (
     slip("optical pitched", {"optical": "pitch"},
          "the two quarter turns of optical_joint stand in the wrong places of rpy: it is roll and yaw that are needed.",
          "optical_joint의 90도 회전 두 개가 rpy의 다른 자리에 있습니다. roll과 yaw가 필요합니다.", "M4"),
+    slip("optical only pitched", {"optical": "pitch alone"},
+         "optical_joint makes one quarter turn, a pitch: z looks ahead, but x points down and y to the left. In a picture x goes to the right and y down, and that takes two quarter turns, a roll and a yaw.",
+         "optical_joint가 pitch로 90도 한 번만 돕니다. z는 앞을 보지만 x가 아래, y가 왼쪽을 향합니다. 영상에서는 x가 오른쪽, y가 아래이므로 roll과 yaw로 두 번 돌려야 합니다.", "M4"),
+    slip("optical only pitched up", {"optical": "pitch up alone"},
+         "optical_joint makes one quarter turn, a pitch with a minus: z looks backwards, x points up and y to the left. In a picture z looks ahead, x goes to the right and y down, and that takes two quarter turns, a roll and a yaw.",
+         "optical_joint가 pitch로 −90도 한 번만 돕니다. z가 뒤, x가 위, y가 왼쪽을 향합니다. 영상에서는 z가 앞, x가 오른쪽, y가 아래이므로 roll과 yaw로 두 번 돌려야 합니다.", "M4"),
     slip("to its left", {"side": "left"},
          "the camera hangs on the robot's left. y points to the left (REP-103), so to the right is negative.",
          "카메라가 로봇의 왼쪽에 있습니다. y는 왼쪽을 향하므로(REP-103) 오른쪽은 음수입니다."),

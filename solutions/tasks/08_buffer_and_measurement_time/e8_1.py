@@ -154,6 +154,36 @@ SPAN_OF_ONE_LANE = Twin(
 )
 
 
+SPAN_OF_ALL = Twin(
+    "span of all samples",
+    lambda g: max(g.newest_s.values()) - min(g.oldest_s.values()),
+    Words(
+        en="That is how long the buffer's whole record is, from its oldest sample to its newest. Asked for is a moment, as the clock counts it, and no length of time.",
+        ko="버퍼에 든 가장 오래된 표본부터 가장 새로운 표본까지의 길이입니다. 시간의 길이가 아니라 시계가 세는 한 순간이 필요합니다.",
+    ),
+)
+
+
+COUNTED_FROM_THE_START = Twin(
+    "counted from the start",
+    lambda g: min(g.newest_s[edge] for edge in PATH) - min(g.oldest_s.values()),
+    Words(
+        en="That is counted from the oldest sample of all. A stamp is a time of the clock, and nothing is taken off it.",
+        ko="가장 오래된 표본부터 센 값입니다. 측정 시각은 시계의 시각이므로 아무것도 빼지 않습니다.",
+    ),
+)
+
+
+AGE_OF_THE_NEWEST = Twin(
+    "age of the newest",
+    lambda g: g.clock_s - max(g.newest_s.values()),
+    Words(
+        en="That is how long ago the newest sample was taken. Asked for is a moment, and that of the whole path.",
+        ko="가장 새로운 표본이 얼마나 오래되었는지입니다. 필요한 것은 경로 전체의 한 순간입니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E8.1",
     kind="N",
@@ -176,6 +206,9 @@ TASK = Task(
         AGE,
         SPAN_OF_THE_COMMON_TIME,
         SPAN_OF_ONE_LANE,
+        SPAN_OF_ALL,
+        COUNTED_FROM_THE_START,
+        AGE_OF_THE_NEWEST,
     ),
     hints=(
         Words(

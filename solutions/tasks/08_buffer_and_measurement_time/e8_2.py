@@ -62,6 +62,9 @@ def between(
     steps = (abs(x1 - x0), abs(y1 - y0)) if position == "upwards" else (x1 - x0, y1 - y0)
     from_x, from_y = (0.0, 0.0) if position == "from zero" else (x0, y0)
     along = (from_x + place * steps[0], y0 if position == "x alone" else from_y + place * steps[1])
+    if position in ("arc", "heading first"):
+        way, heading = place * math.hypot(*steps), yaw0 + (at * turns["short"] if position == "arc" else 0.0)
+        along = (x0 + way * math.cos(heading), y0 + way * math.sin(heading))
     yaws = {
         "from zero": at * turns["short"],
         "mean": (yaw0 + yaw1) / 2,
@@ -191,6 +194,26 @@ POSITION_KEPT = Slip(
         ko="위치가 첫 표본의 값 그대로입니다. 두 표본을 잇는 직선을 따라 움직여야 합니다.",
     ),
 )
+
+ALONG_THE_HEADING = Slip(
+    "along the turning heading",
+    {"position": "arc"},
+    Words(
+        en="Your position goes the length of the way along the heading, as a robot drives that never slides. The buffer knows nothing of robots: it goes along the straight line between the two places, wherever the yaw points.",
+        ko="두 곳 사이의 거리만큼 방향을 따라 갑니다. 미끄러지지 않는 로봇이라면 그렇게 달립니다. 버퍼는 로봇을 모릅니다. yaw가 어디를 향하든 두 위치를 잇는 직선 위로 갑니다.",
+    ),
+)
+
+
+ALONG_THE_FIRST_HEADING = Slip(
+    "along the first heading",
+    {"position": "heading first"},
+    Words(
+        en="Your position goes along the heading of the first sample. The buffer does not drive: it goes along the straight line between the two places, wherever the yaw points.",
+        ko="첫 표본의 방향을 따라 갑니다. 버퍼는 달리지 않습니다. yaw가 어디를 향하든 두 위치를 잇는 직선 위로 갑니다.",
+    ),
+)
+
 
 LEFT_OVER_OF_PI = Slip(
     "what is left over of pi",
@@ -387,6 +410,8 @@ TASK = Task(
         POSITION_FROM_ZERO,
         YAW_FROM_ZERO,
         X_ALONE,
+        ALONG_THE_HEADING,
+        ALONG_THE_FIRST_HEADING,
         ALWAYS_UPWARDS,
         MEAN_YAW,
         THE_LATER_SAMPLE,

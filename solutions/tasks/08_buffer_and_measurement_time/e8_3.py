@@ -53,7 +53,7 @@ def on_the_map(buffer, message, now, *, ends="wanted first", target="map", sourc
         )
     if asks == "for now" and not buffer.can_transform(target, message.header.frame_id, now):
         return None
-    names = (target, message.header.frame_id if source == "the message's" else "base_link")
+    names = (target, message.header.frame_id if source == "the message's" else source)
     names = names[::-1] if ends == "swapped" else names
     try:
         transform = buffer.lookup_transform(*names, asked_at(moment, message.header.stamp, now))
@@ -210,6 +210,26 @@ FROM_BASE_LINK = Slip(
     ),
 )
 
+ALWAYS_FROM_THE_LASER = Slip(
+    "always from laser_frame",
+    {"source": "laser_frame"},
+    Words(
+        en='You wrote the name "laser_frame" into your function. The message says itself in which frame its numbers are: `message.header.frame_id`, and here it is not always the same.',
+        ko='함수 안에 "laser_frame"이라는 이름을 적어 두었습니다. 숫자가 어느 좌표계 기준인지는 메시지의 `message.header.frame_id`에 있고, 늘 같지는 않습니다.',
+    ),
+    "M14",
+)
+
+ALWAYS_FROM_THE_CAMERA = Slip(
+    "always from camera_link",
+    {"source": "camera_link"},
+    Words(
+        en='You wrote the name "camera_link" into your function. The message says itself in which frame its numbers are: `message.header.frame_id`, and here it is not always the same.',
+        ko='함수 안에 "camera_link"라는 이름을 적어 두었습니다. 숫자가 어느 좌표계 기준인지는 메시지의 `message.header.frame_id`에 있고, 늘 같지는 않습니다.',
+    ),
+    "M14",
+)
+
 SEC_ALONE = Slip(
     "sec alone",
     {"moment": "sec alone"},
@@ -332,6 +352,8 @@ TASK = Task(
         LATEST_PUT_BACK,
         NOW_PUT_BACK,
         FROM_BASE_LINK,
+        ALWAYS_FROM_THE_LASER,
+        ALWAYS_FROM_THE_CAMERA,
         SEC_ALONE,
         NANOSEC_ALONE,
         HALF_WAY,

@@ -41,6 +41,13 @@ def in_base_link(buffer, message, now, *, sight="stamp", base="now", fixed="odom
         seen_in_odom = _moved(message, buffer.lookup_transform("odom", message.header.frame_id, message.header.stamp))
         base = buffer.lookup_transform("odom", "base_link", now).transform.translation
         return tuple(getattr(seen_in_odom.point, name) - getattr(base, name) for name in "xyz")
+    if move == "step taken off":
+        seen = _moved(message, buffer.lookup_transform(target, message.header.frame_id, message.header.stamp)).point
+        then, later = (
+            buffer.lookup_transform("odom", "base_link", moment).transform.translation
+            for moment in (message.header.stamp, now)
+        )
+        return tuple(getattr(seen, name) - (getattr(later, name) - getattr(then, name)) for name in "xyz")
     if move in ("second way round", "first way round"):
         first, second = ("odom", message.header.frame_id, message.header.stamp), (target, "odom", now)
         for one, other, moment in (first, second):
@@ -48,6 +55,7 @@ def in_base_link(buffer, message, now, *, sight="stamp", base="now", fixed="odom
             message = _moved(message, buffer.lookup_transform(*((other, one) if is_round else (one, other)), moment))
         return (message.point.x, message.point.y, message.point.z)
     times = {"stamp": Time.from_msg(message.header.stamp), "now": now, "latest": Time()}
+    times["sec alone"] = Time(seconds=message.header.stamp.sec)
     ends_at = [(target, times[base]), (message.header.frame_id, times[sight])]
     if target in ("odom", "map"):  # which rests: its time does not matter
         ends_at[0] = (target, times[sight])
@@ -223,6 +231,27 @@ BASE_TAKEN_OFF = Slip(
 )
 
 
+STEP_TAKEN_OFF = Slip(
+    "step taken off",
+    {"move": "step taken off"},
+    Words(
+        en="From the point in the base_link of then you took off how far base_link has come since, counted along odom's axes. The two do not lie alike, and the turn that the robot made since is left out: a pose is more than a step.",
+        ko="그때의 base_link 기준 점에서 그 뒤로 base_link가 간 거리를 odom의 축으로 재어 뺐습니다. 두 좌표계의 축은 나란하지 않고, 그사이 로봇이 돈 것도 빠졌습니다. 포즈는 이동만이 아닙니다.",
+    ),
+    "M3",
+)
+
+
+SEC_ALONE = Slip(
+    "sec alone",
+    {"sight": "sec alone"},
+    Words(
+        en="For the sighting you took the stamp's sec alone: up to a second too early. `Time.from_msg(stamp)` reads both fields.",
+        ko="본 시각을 sec만으로 물었습니다. 최대 1초나 이릅니다. `Time.from_msg(stamp)`는 두 항목을 모두 읽습니다.",
+    ),
+)
+
+
 SECOND_WAY_ROUND = Slip(
     "second step swapped",
     {"move": "second way round"},
@@ -271,6 +300,8 @@ TASK = Task(
         SIGHTING_OF_THE_LATEST,
         STEP_ALONE,
         BASE_TAKEN_OFF,
+        STEP_TAKEN_OFF,
+        SEC_ALONE,
         SECOND_WAY_ROUND,
         FIRST_WAY_ROUND,
     ),

@@ -64,6 +64,9 @@ def classified(
     return {
         "base first": "invalid argument",
         "one word": "lookup",
+        "one word: future": "future",
+        "one word: past": "past",
+        "one word: connectivity": "connectivity",
         "exchanged": {"lookup": "connectivity", "connectivity": "lookup"}.get(kind, kind),
         "names alone": {"connectivity": "lookup"}.get(kind, kind),
         "no question is a name": {"invalid argument": "lookup"}.get(kind, kind),
@@ -118,6 +121,36 @@ ENDS_SWAPPED = Slip(
         ko="두 이름이 모두 틀리면 tf2는 목표(target_frame)부터 탓합니다. 이 함수는 원본과 목표를 거꾸로 넘기는 것 같습니다. 기준이 될 목표가 먼저입니다.",
     ),
     "M1",
+)
+
+EVERY_NO_IS_THE_FUTURE = Slip(
+    "every no is the future",
+    {"classes": "one word: future"},
+    Words(
+        en='every refusal is "future" for you, whatever the reason. `can_transform` says only yes or no, and so does a single `except`; why tf2 refuses stands in the class of its exception, and of an extrapolation in its text.',
+        ko='이유가 무엇이든 모든 거절이 "future"입니다. `can_transform`은 예, 아니요만 말하고 `except` 하나도 마찬가지입니다. 거절하는 이유는 예외의 클래스에 있고, 외삽이라면 메시지에 있습니다.',
+    ),
+    "M11",
+)
+
+EVERY_NO_IS_THE_PAST = Slip(
+    "every no is the past",
+    {"classes": "one word: past"},
+    Words(
+        en='every refusal is "past" for you, whatever the reason. `can_transform` says only yes or no, and so does a single `except`; why tf2 refuses stands in the class of its exception, and of an extrapolation in its text.',
+        ko='이유가 무엇이든 모든 거절이 "past"입니다. `can_transform`은 예, 아니요만 말하고 `except` 하나도 마찬가지입니다. 거절하는 이유는 예외의 클래스에 있고, 외삽이라면 메시지에 있습니다.',
+    ),
+    "M11",
+)
+
+EVERY_NO_IS_NO_PATH = Slip(
+    "every no is no path",
+    {"classes": "one word: connectivity"},
+    Words(
+        en='every refusal is "connectivity" for you, whatever the reason. `can_transform` says only yes or no, and so does a single `except`; why tf2 refuses stands in the class of its exception, and of an extrapolation in its text.',
+        ko='이유가 무엇이든 모든 거절이 "connectivity"입니다. `can_transform`은 예, 아니요만 말하고 `except` 하나도 마찬가지입니다. 거절하는 이유는 예외의 클래스에 있고, 외삽이라면 메시지에 있습니다.',
+    ),
+    "M11",
 )
 
 FUTURE_AND_PAST_SWAPPED = Slip(
@@ -290,6 +323,9 @@ TASK = Task(
         FUTURE_AND_PAST_SWAPPED,
         ENDS_SWAPPED,
         ONE_WORD_FOR_EVERY_NO,
+        EVERY_NO_IS_THE_FUTURE,
+        EVERY_NO_IS_THE_PAST,
+        EVERY_NO_IS_NO_PATH,
         WHOLE_SECONDS,
         THIRD_TEXT_IS_THE_FUTURE,
         EVERY_EXTRAPOLATION_IS_THE_FUTURE,

@@ -49,9 +49,14 @@ MOVES = Words(
 )
 ABOUT = Words(en="turns about {name} of its own axes", ko="자신의 {name}축을 중심으로 돕니다")
 ALONG = Words(en="slides along {name} of its own axes", ko="자신의 {name}축을 따라 미끄러집니다")
+AXES = Words(
+    en="{said}. Now its axes x, y, z point along {name} of its parent",
+    ko="{said}. 지금 이 링크의 x, y, z축은 부모의 {name}축 방향을 향합니다",
+)
 STAYS = Words(en="stays where it is", ko="그대로 있습니다")
 POSE = 7  # marks of a place and a rotation
 SMALL = 1e-6
+ALONG_AN_AXIS = 1e-4  # by so much less than all of a step along it
 
 
 def of_robots(task: TaskCases, answer: Plain, expected: Plain) -> Explanation | None:
@@ -107,7 +112,20 @@ def _of_joint(root: str, hangs: str, right: str) -> Words:
 def _of_numbers(task: TaskCases, form: Form, given: Plain, wanted: Plain) -> Words:
     """Return what any answer can have wrong, or else what is certain."""
     name = next(undone_to(form, [given], [wanted]), None)
-    return words_of(task, name).reply if name else certain(form, given, wanted) or Words("", "")
+    if name:
+        return words_of(task, name).reply
+    bounds = certain(form, given, wanted) or Words("", "")
+    axes = _axes(given) if isinstance(form, Quaternion) else ""
+    texts = (AXES.say(tongue, said=bounds.say(tongue), name=axes) for tongue in ("en", "ko"))
+    return Words(*texts) if axes else bounds
+
+
+def _axes(rotation: Plain) -> str:
+    """Return along which of its parent's axes those of a link point, if each of them lies along one; else nothing."""
+    turned = Transform((0.0, 0.0, 0.0), tuple(rotation))
+    rows = [list(turned.apply(axis)) for axis in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))]
+    is_along = all(max(map(abs, row)) > 1.0 - ALONG_AN_AXIS for row in rows)
+    return ", ".join(_axis(row).en for row in rows) if is_along else ""
 
 
 def _movement(row: Row) -> Words:
