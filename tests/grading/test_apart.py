@@ -52,6 +52,13 @@ def test_what_is_as_small_as_what_is_asked_for_is_judged_here(task: dict[str, An
     assert apart._servers == {}
 
 
+def test_as_much_as_is_asked_for_is_judged_here_however_much_that_is(task: dict[str, Any]) -> None:
+    many = [0.0] * (apart.LARGE_ANSWERS // 3)
+    asking = task | {"cases": [case | {"expected": many} for case in task["cases"]]}
+    apart.marked("E3.2", asking, [outcomes(asking)] * 2)
+    assert apart._servers == {}
+
+
 def test_what_is_large_is_judged_apart_and_its_mark_is_the_same(task: dict[str, Any]) -> None:
     large = outcomes(task, [0.0] * 1_900)
     mark = apart.marked("E3.2", task, [large])

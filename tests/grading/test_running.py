@@ -48,6 +48,11 @@ def test_a_probe_brings_back_the_value_of_an_answer(sandbox: Sandbox) -> None:
     assert done.stopped is None
 
 
+def test_what_a_probe_brings_back_is_plain_and_carries_no_library_along(sandbox: Sandbox) -> None:
+    (outcome,) = run(sandbox, probe("[{'x': {'y': [{}]}}]")).outcomes
+    assert type(outcome.value[0]) is type(outcome.value[0]["x"]) is type(outcome.value[0]["x"]["y"][0]) is dict
+
+
 def test_an_error_is_told_in_short_and_stops_nothing(sandbox: Sandbox) -> None:
     done = run(sandbox, "1 / 0", "x = 1 +* 2", "y = 2", probe("y"))
     troubles = [outcome.trouble for outcome in done.outcomes]

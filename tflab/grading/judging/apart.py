@@ -26,6 +26,7 @@ from ..submissions.owners import read_stamps
 from ..submissions.remarks import Remark
 from .agree import together
 from .choose import Candidate, choose
+from .draw import asks_of
 from .job import HandedIn, Job
 from .marks import TaskMark, judged, members
 
@@ -33,7 +34,7 @@ __all__ = ["CPU_S", "MEMORY", "WORK", "Ended", "apart", "chosen", "marked", "sta
 
 CPU_S, MEMORY = 10, 1 << 30  # of one look; an honest one takes some milliseconds
 PATIENCE = 12  # times as long by the clock on the wall
-LARGE_ANSWERS = 1_000  # values in all outcomes of a task together; fewer are judged in a fifth of a second
+LARGE_ANSWERS = 1_000  # values of a task's outcomes beyond those expected; fewer are judged in a fifth of a second
 LARGE_FILES = 1 << 20  # bytes of all files together
 IS_POSSIBLE = sys.platform == "linux"  # elsewhere only learners look at their own work
 SERVER = f"{__package__}.apart_server"
@@ -52,7 +53,7 @@ def marked(task_id: str, task: Mapping[str, Any], runs: Sequence[Outcomes], trou
     What fails here or has no end costs no other task anything, and says nothing of what is expected.
     """
     try:
-        if IS_POSSIBLE and _are_large(runs):
+        if IS_POSSIBLE and _are_large(task, runs):
             return apart("mark", task_id, task, runs, trouble)
         return _mark(task_id, task, runs, trouble)
     except Ended:
@@ -107,9 +108,10 @@ def _choose(job: Job) -> Chosen:
 WORK = {"mark": _mark, "choose": _choose, "stamps": read_stamps}
 
 
-def _are_large(runs: Sequence[Outcomes]) -> bool:
+def _are_large(task: Mapping[str, Any], runs: Sequence[Outcomes]) -> bool:
     """Return whether the outcomes are more than anybody is asked for."""
-    room = LARGE_ANSWERS
+    expected = sum(members(task["cases"][case]["expected"], LARGE_ANSWERS) for case in asks_of(task))
+    room = LARGE_ANSWERS + expected * len(runs)
     for outcome in (outcome for outcomes in runs for outcome in outcomes.values()):
         room -= members(outcome, room)
         if room <= 0:

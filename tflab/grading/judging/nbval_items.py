@@ -12,6 +12,7 @@ Read `nbval_run.py` next.
 
 from __future__ import annotations
 
+import json
 import secrets
 import sys
 import time
@@ -218,7 +219,7 @@ class AnswerCell(IPyNbCell):
         if len(said) != 1 or len(mine) != 1 or "v" not in mine[0]:
             self.trouble = "no answer came" if not said else "something else than one answer came"
             return False
-        self.value = mine[0]["v"]
+        self.value = json.loads(json.dumps(mine[0]["v"]))  # nbformat has made nodes of it, slow to hand on
         return True
 
     def repr_failure(self, excinfo: Any) -> str:
