@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import math
 import re
 
 import pytest
 
-from tflab.core import ConnectivityException, Transform
+from tflab.core import BufferCore, ConnectivityException, StampedTransform, Transform
 from tflab.ros.clock_type import ClockType
 from tflab.ros.messages import checks as field_checks
 from tflab.ros.messages import geometry_msgs
@@ -26,6 +27,18 @@ POSE = Transform((1.0, 0.0, 0.0))
 def stamped_with_a_time():
     point = geometry_msgs.PointStamped()
     point.header.stamp = Time(seconds=1)
+
+
+def in_a_buffer(*args):
+    buffer = BufferCore()
+    for stamp_ns in (4, 9):
+        buffer.set_transform(StampedTransform("map", "base", stamp_ns, POSE), "")
+        buffer.set_transform(StampedTransform("hall", "lamp", stamp_ns, POSE), "")
+    return buffer.lookup_transform(*args)
+
+
+def looked_up():
+    return in_a_buffer("map", "base", 5)
 
 
 def raised_by_oneself():
@@ -52,6 +65,42 @@ STUMBLES = [
     (lambda: 1 / 0.0, "is 0"),
     (raised_by_oneself, "a `raise` of your own"),
     (lambda: undefined_name, "misspelt"),  # noqa: F821
+    (lambda: looked_up().inverse(), "`.transform`"),
+    (lambda: POSE @ looked_up(), "`.transform`"),
+    (lambda: geometry_msgs.TransformStamped().inverse(), "does not compute"),
+    (lambda: geometry_msgs.Transform() @ geometry_msgs.Transform(), "does not compute"),
+    (lambda: geometry_msgs.TransformStamped().translation, "one level down"),
+    (lambda: geometry_msgs.TransformStamped().frame, "three parts"),
+    (lambda: geometry_msgs.PointStamped().stamp, "header"),
+    (lambda: geometry_msgs.PointStamped().header.child_frame_id, "beside the header"),
+    (lambda: POSE.yaw, "`.rpy()`"),
+    (lambda: POSE.apply(geometry_msgs.Point()), "and no object"),
+    (lambda: POSE.apply(1.0, 2.0, 3.0), "takes one point"),
+    (lambda: POSE.translation.x, "places, and no names"),
+    (lambda: POSE.rpy().yaw, "in this order"),
+    (lambda: POSE.translation(), "Brackets behind a value"),
+    (lambda: Time().to_msg() - Time().to_msg(), "does not compute"),
+    (lambda: Time().to_msg().to_msg(), "already"),
+    (lambda: Time() - 5, "no number"),
+    (lambda: Time() - Time() > 0.5, "no number"),
+    (lambda: (Time() - Time()).sec, "a Duration"),
+    (lambda: Time(5), "`Time(nanoseconds="),
+    (lambda: (5).nanoseconds, "plain number"),
+    (lambda: len(5), "no members"),
+    (lambda: [{"x": 1}].__getitem__("x"), "numbers, and no names"),
+    (lambda: [].add(1), "`.append("),
+    (lambda: set().append(1), "`.add("),
+    (lambda: {}.append(1), "by a key"),
+    (lambda: math.sin((1.0, 2.0)), "single numbers"),
+    (lambda: math.asin(1.5), "from -1 to 1"),
+    (lambda: max([{"x": 1}, {"x": 2}]), "no order"),
+    (lambda: math.radian(90), "spelling"),
+    (lambda: in_a_buffer("/map", "base", 5), "without the slash"),
+    (lambda: in_a_buffer("", "base", 5), "without a name"),
+    (lambda: in_a_buffer("map", "base", 50), "later than all"),
+    (lambda: in_a_buffer("map", "base", 2), "earlier than all"),
+    (lambda: in_a_buffer("map", "lamp", 5), "no way leads"),
+    (lambda: in_a_buffer("map", "base"), "three things"),
 ]
 
 
@@ -72,6 +121,7 @@ def test_a_message_that_gets_a_time_says_how_a_time_becomes_a_stamp(monkeypatch)
 def test_an_error_of_ones_own_gets_none():
     assert tip_for("ValueError", "the robot is tired").en == ""
     assert tip_for("Tired", "KeyError").en == ""
+    assert tip_for("AttributeError", "'Robot' object has no attribute 'x'").en == ""
     assert tip_for("IndexError", "only integers, slices (`:`) and integer arrays are valid indices").en == ""
 
 

@@ -4,7 +4,8 @@
                                         -> a method was not called: its brackets are missing
 
 Python says what it could not do; this page adds which slip is behind it, where that is
-sure.  Read `fields.py` next.
+sure; what was asked of a message, a Time or a tuple that has no such thing is told in
+`objects.py`.  Read `objects.py` next.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ from __future__ import annotations
 import re
 
 from ..words import Words
+from .objects import OF_OBJECTS
 
 __all__ = ["tip_for"]
 
@@ -225,4 +227,4 @@ TIPS = (  # the error's name and text, the first that fits
 def tip_for(error: str, text: str) -> Words:
     """Return what is behind one of Python's errors, or nothing."""
     said = f"{error}: {text}"[:LONGEST]
-    return next((tip for pattern, tip in TIPS if re.match(pattern, said, re.DOTALL)), NO_TIP)
+    return next((tip for pattern, tip in (*OF_OBJECTS, *TIPS) if re.match(pattern, said, re.DOTALL)), NO_TIP)
