@@ -112,3 +112,16 @@ def test_two_slips_in_two_parts_are_each_said_of_its_own():
     right, both = {"a": "in", "b": "in"}, {"a": "out", "b": "out"}
     twins = {"first": right | {"a": "out"}, "second": right | {"b": "out"}, "first + second": both}
     assert judged(form, right, twins, both).said.en == '"a": first "b": second'
+
+
+@pytest.mark.parametrize("error", [ValueError("no way"), KeyError("map")])
+def test_another_exception_than_the_one_asked_for_hides_no_other_mistake(error):
+    wanted, other = raised(LookupError("no")), raised(error)
+    cases = (Case([1], 1.0, {}), Case([2], 2.0, {}), Case([3], wanted, {}), Case([4], wanted, {}))
+    task, variant = bare(Number("m"), *cases, is_function=True)
+    verdict = judge_outcomes(task, variant, [-1.0, -2.0, other, other])
+    assert list(verdict.slips) == ["sign", "another exception"]
+    assert type(error).__name__ in verdict.said.en and type(error).__name__ in verdict.said.ko
+    assert list(judge_outcomes(task, variant, [-1.0, -2.0, wanted, wanted]).slips) == ["sign"]
+    assert "another exception" not in judge_outcomes(task, variant, [-1.0, -2.0, wanted, other]).slips
+    assert judge_outcomes(task, variant, [1.0, 2.0, other, other]).slips == {}

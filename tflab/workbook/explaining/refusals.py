@@ -3,6 +3,7 @@
     asked for   2.0   ExtrapolationException      returned   2.0   None             an `except` that says nothing
                                                   returned   2.0   (0.0, 0.0)       the same each time: no answer
                                                   returned   2.0   the exception    `return`, and not `raise`
+                                                  raised     2.0   ValueError       another one than is asked for
 
 What else is wrong is explained beside it.  Read `beside.py` next.
 """
@@ -40,6 +41,11 @@ SOMETHING = Words(
     ko="예외를 일으켜야 하는 곳에서 함수가 값을 반환합니다.",
 )
 
+ANOTHER = Words(
+    en="where an exception has to be raised, your function raises {error}, and another one is asked for.",
+    ko="예외를 일으켜야 하는 곳에서 {error} 예외가 나오는데, 필요한 것은 다른 예외입니다.",
+)
+
 
 def of_refusals(
     task: TaskCases,
@@ -50,12 +56,14 @@ def of_refusals(
     """Return what became of the exceptions that a function has to raise, and of the rest what `explained` says."""
     pairs = list(zip(cases, outcomes, strict=True))
     refused = [outcome for case, outcome in pairs if is_raised(case.expected)]
+    are_right = [alike(task.form, outcome, case.expected) for case, outcome in pairs if is_raised(case.expected)]
     rest = [(case, outcome) for case, outcome in pairs if not is_raised(case.expected)]
-    if not refused or not rest or any(map(is_raised, refused)):
+    is_another = all(map(is_raised, refused)) and not any(are_right)
+    if not refused or not rest or (any(map(is_raised, refused)) and not is_another):
         return None
-    slip = _swallowed(refused)
-    if all(alike(task.form, outcome, case.expected) for case, outcome in rest):
-        return slip if slip.said is not SOMETHING else None
+    slip = _another(refused) if is_another else _swallowed(refused)
+    if all(alike(task.form, outcome, case.expected) for case, outcome in rest):  # the verdict says the rest by itself
+        return slip if not is_another and slip.said is not SOMETHING else None
     first = explained(task, *zip(*rest, strict=True))
     return and_then(first, slip) if first else None
 
@@ -68,3 +76,8 @@ def _swallowed(refused: Sequence[Plain]) -> Explanation:
     if len(refused) > 1 and all(outcome == refused[0] for outcome in refused):
         return Explanation.of("error swallowed", THE_SAME)
     return Explanation.of("no refusal", SOMETHING)
+
+
+def _another(refused: Sequence[Plain]) -> Explanation:
+    errors = " / ".join(sorted({str(outcome["raises"]) for outcome in refused if isinstance(outcome, dict)}))
+    return Explanation.of("another exception", Words(*(ANOTHER.say(tongue, error=errors) for tongue in ("en", "ko"))))
