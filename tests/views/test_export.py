@@ -80,6 +80,39 @@ def test_what_an_output_widget_held_is_kept_as_it_is():
 
 def test_a_view_whose_state_was_not_stored_says_what_to_do():
     assert words_of() == ["<p><em>This view was not stored; run the notebook to see it.</em></p>"]
+    (korean,) = outputs_from_widget("top", {}, {}, "ko")
+    assert "저장되지 않았습니다" in korean["data"]["text/html"]
+
+
+PANEL = {
+    "top": widget("VBox", _dom_classes=["tflab-panel"], children=["IPY_MODEL_a", "IPY_MODEL_b", "IPY_MODEL_c"]),
+    "a": widget("FloatSlider", description="speed [m/s]", value=0.5, readout_format=".2f"),
+    "b": live(description="a robot drives"),
+    "c": widget("ToggleButton", description="as text", value=False),
+}
+
+
+@pytest.mark.parametrize(("language", "said"), [("en", "Run the notebook to move it"), ("ko", "실행하면 움직이고")])
+def test_a_panel_whose_kernel_is_gone_says_that_it_stands_still_and_how_to_have_its_slider(language, said):
+    outputs = outputs_from_widget("top", PANEL, {}, language)
+    slider, picture, sentence = (output["data"]["text/html"] for output in outputs)
+    assert "speed [m/s]: 0.50" in slider and "a robot drives" in picture
+    assert said in sentence and "tflab build --html" in sentence
+
+
+def test_the_command_counts_the_panels_that_stand_still(tmp_path, capsys):
+    notebook = notebook_at(tmp_path / "page.ipynb", PANEL, ("top",))
+    assert main([str(notebook), "--out", str(tmp_path / "out")]) == 0
+    said = capsys.readouterr().err
+    assert "1 panel stands still" in said and f'tflab build --html "{notebook}"' in said
+
+
+def test_a_drawing_shrinks_with_its_column_by_a_fifth_and_no_more(tmp_path):
+    data = {"image/svg+xml": '<svg xmlns="http://www.w3.org/2000/svg" width="1087.2" height="9"/>', "text/plain": "x"}
+    cell = nbformat.v4.new_code_cell("tree", outputs=[nbformat.v4.new_output("display_data", data)], id="a")
+    nbformat.write(nbformat.v4.new_notebook(cells=[cell]), tmp_path / "page.ipynb")
+    text = export_html(tmp_path / "page.ipynb", tmp_path / "out").read_text(encoding="utf-8")
+    assert 'style="min-width: 870px"' in re.findall(r"<img[^>]*>", text)[0]
 
 
 def test_pages_share_their_assets_and_fetch_nothing(tmp_path):

@@ -117,3 +117,21 @@ def test_a_still_twin_stays_folded_when_all_is_run_and_unfolds_when_it_is_run_al
     page.evaluate("jupyterapp.shell.currentWidget.content.activeCellIndex = 1")
     page.evaluate("jupyterapp.commands.execute('notebook:run-cell')")
     page.wait_for_function(f"!({folded})[1]")
+
+
+@pytest.mark.parametrize(("width", "scrolls"), [(900, False), (2000, True)])
+def test_a_drawing_that_is_wider_than_its_column_shrinks_or_says_that_it_scrolls(lab, page, width, scrolls) -> None:
+    source = f"""from IPython.display import SVG
+SVG('<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="40"><rect width="{width}" height="40"/></svg>')"""
+    cells = [nbformat.v4.new_code_cell(source)]
+    notebook = nbformat.v4.new_notebook(cells=cells, metadata={"tflab": {"language": "en"}, "kernelspec": PYTHON})
+    nbformat.write(notebook, lab.folder / "wide.ipynb")
+    page.set_viewport_size({"width": 1000, "height": 600})
+    lab.open(page, "wide.ipynb")
+    page.wait_for_selector(".tflab-page")
+    lab.run_all(page)
+    page.wait_for_selector(".jp-RenderedSVG[tabindex]")
+    column = page.locator(".jp-RenderedSVG")
+    assert (column.get_attribute("data-scrolls") is not None) is scrolls
+    shown = page.locator(".jp-RenderedSVG img").bounding_box()["width"]
+    assert shown == pytest.approx(0.8 * width) if scrolls else shown <= column.bounding_box()["width"]

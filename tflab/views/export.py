@@ -26,7 +26,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from .export_widgets import NOT_STORED, WIDGET_VIEW, LiveView, live_view, outputs_from_widget
+from .export_widgets import NOT_STORED, STANDS_STILL, WIDGET_VIEW, LiveView, live_view, outputs_from_widget
 from .mathml import with_mathml
 from .scene import viewer_file
 
@@ -36,6 +36,7 @@ STATIC = Path(__file__).parent / "static"
 STATE = "application/vnd.jupyter.widget-state+json"
 VIEWER_LICENCES = "meshcat.LICENSE.txt"
 LARGE_STYLE = 10_000  # characters; smaller styles stay in the page
+SMALLEST = 0.8  # a drawing shrinks with its column, but not its letters below what can be read: then it scrolls
 
 # nbconvert's page, without what it would fetch from elsewhere, and with pictures that say what they show.
 TEMPLATE = """{%- extends 'lab/index.html.j2' -%}
@@ -55,7 +56,9 @@ TEMPLATE = """{%- extends 'lab/index.html.j2' -%}
 {%- endblock data_png %}
 {% block data_svg scoped %}
 <div class="jp-RenderedSVG jp-OutputArea-output {{ extra_class }}" data-mime-type="image/svg+xml">
+{%- set least = output.metadata.get('image/svg+xml', {}).get('least_width') -%}
 <img src="data:image/svg+xml;base64,{{ output.data['image/svg+xml'] | text_base64 | escape_html }}"
+{%- if least %} style="min-width: {{ least | escape_html }}px"{% endif -%}
 {%- if output.data['text/plain'] %} alt="{{ output.data['text/plain'] | escape_html }}"{% endif -%}
 >
 </div>
@@ -63,6 +66,7 @@ TEMPLATE = """{%- extends 'lab/index.html.j2' -%}
 """
 OUR_STYLE = """
 .tflab-live pre { white-space: pre-wrap; }
+.jp-RenderedSVG img { max-width: 100%; height: auto; }
 :is(.tflab-live, .jp-RenderedHTML) pre { font-family: var(--jp-code-font-family, monospace); }
 .tflab-value { margin: 2px 0; font-variant-numeric: tabular-nums; }
 """
@@ -129,11 +133,19 @@ def main(words: Sequence[str]) -> int:
     try:
         page = export_html(asked.notebook, asked.out, asked.single_file)
         print(page)
-        lost = page.read_text(encoding="utf-8").count(NOT_STORED)
+        text = page.read_text(encoding="utf-8")
+        lost, still = (sum(map(text.count, said.values())) for said in (NOT_STORED, STANDS_STILL))
+        again = f'tflab build --html "{asked.notebook}"'
         if lost:
             print(
                 f"tflab export: {lost} live view{'s are' if lost > 1 else ' is'} missing, for the notebook was saved "
-                f'without. To run a copy of it and have all: tflab build --html "{asked.notebook}"',
+                f"without. To run a copy of it and have all: {again}",
+                file=sys.stderr,
+            )
+        if still:
+            print(
+                f"tflab export: {still} panel{'s stand' if still > 1 else ' stands'} still, without a kernel to draw "
+                f"anew. To run a copy of it and have a slider that moves: {again}",
                 file=sys.stderr,
             )
     except FileNotFoundError:
@@ -149,6 +161,8 @@ def _without_widgets(notebook: Any) -> list[LiveView]:
     """Replace every widget in the notebook by what is left of it, and formulas by MathML; return its live views."""
     import nbformat
 
+    language = page_language(notebook)
+
     models = notebook.metadata.pop("widgets", {}).get(STATE, {}).get("state", {})
     names: dict[str, str] = {}
     for cell in notebook.cells:
@@ -159,9 +173,17 @@ def _without_widgets(notebook: Any) -> list[LiveView]:
         outputs = []
         for output in cell.outputs:
             view = output.get("data", {}).get(WIDGET_VIEW)
-            outputs += [output] if view is None else outputs_from_widget(view["model_id"], models, names)
+            _say_least_width(output)
+            outputs += [output] if view is None else outputs_from_widget(view["model_id"], models, names, language)
         cell.outputs = [nbformat.from_dict(output) for output in outputs]
     return [live_view(name, models[model_id]) for model_id, name in names.items()]
+
+
+def _say_least_width(output: Any) -> None:
+    """Write beside a drawing how narrow it may stand, if it says how wide it is."""
+    said = re.match(r"<svg[^>]*\swidth=\"([\d.]+)\"", output.get("data", {}).get("image/svg+xml", ""))
+    if said:
+        output.metadata["image/svg+xml"] = {"least_width": round(SMALLEST * float(said[1]))}
 
 
 def _page(notebook: Any, title: str, language: str) -> str:

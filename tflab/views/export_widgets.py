@@ -17,12 +17,22 @@ from __future__ import annotations
 from html import escape
 from typing import Any, NamedTuple
 
-__all__ = ["NOT_STORED", "LiveView", "Model", "Models", "live_view", "outputs_from_widget"]
+__all__ = ["NOT_STORED", "STANDS_STILL", "LiveView", "Model", "Models", "live_view", "outputs_from_widget"]
 
 WIDGET_VIEW = "application/vnd.jupyter.widget-view+json"
 REFERENCE = "IPY_MODEL_"
-NOT_STORED = "This view was not stored; run the notebook to see it."
-WITHOUT_KERNEL_NOTHING = ("ButtonModel", "PlayModel", "FileUploadModel", "ControllerModel")
+NOT_STORED = {
+    "en": "This view was not stored; run the notebook to see it.",
+    "ko": "이 화면은 저장되지 않았습니다. 노트북을 실행하면 보입니다.",
+}
+STANDS_STILL = {
+    "en": "As it was when the notebook was saved. Run the notebook to move it; a page that tflab build --html writes "
+    "keeps a slider.",
+    "ko": "노트북을 저장했을 때의 모습입니다. 노트북을 실행하면 움직이고, "
+    "tflab build --html로 만든 페이지에는 슬라이더가 하나 남습니다.",
+}
+PANEL = "tflab-panel"  # the class of a picture with controls that only a kernel can draw anew
+WITHOUT_KERNEL_NOTHING = ("ButtonModel", "ToggleButtonModel", "PlayModel", "FileUploadModel", "ControllerModel")
 
 Models = dict[str, dict]  # as stored in a notebook: model id -> model_name, state, buffers
 Model = dict[str, Any]
@@ -44,14 +54,14 @@ class LiveView(NamedTuple):
     css: str
 
 
-def outputs_from_widget(model_id: str, models: Models, names: dict[str, str]) -> list[dict]:
-    """Return the widget `model_id`, and all inside it, as notebook outputs.
+def outputs_from_widget(model_id: str, models: Models, names: dict[str, str], language: str = "en") -> list[dict]:
+    """Return the widget `model_id`, and all inside it, as notebook outputs; what is missing is said in `language`.
 
     Live views are named "view-0", "view-1", ... in `names`, in the order they are met.
     """
     model = models.get(model_id)
     if model is None:
-        return [_html(f"<p><em>{NOT_STORED}</em></p>")]
+        return [_html(f"<p><em>{NOT_STORED[language]}</em></p>")]
     state, kind = model["state"], model["model_name"]
     if kind == "AnyModel":
         name = names.setdefault(model_id, f"view-{len(names)}")
@@ -59,13 +69,15 @@ def outputs_from_widget(model_id: str, models: Models, names: dict[str, str]) ->
         return [_html(f'<div class="tflab-live" data-view="{name}"><pre>{words}</pre></div>')]
     if "children" in state:
         inside = [reference.removeprefix(REFERENCE) for reference in state["children"]]
-        return [output for child in inside for output in outputs_from_widget(child, models, names)]
+        outputs = [output for child in inside for output in outputs_from_widget(child, models, names, language)]
+        is_panel = PANEL in state.get("_dom_classes", ())
+        return [*outputs, _html(f"<p><em>{STANDS_STILL[language]}</em></p>")] if is_panel else outputs
     if kind == "OutputModel":
         return [
             shown
             for output in state.get("outputs", ())
             for shown in (
-                outputs_from_widget(output["data"][WIDGET_VIEW]["model_id"], models, names)
+                outputs_from_widget(output["data"][WIDGET_VIEW]["model_id"], models, names, language)
                 if WIDGET_VIEW in output.get("data", {})
                 else [output]
             )

@@ -20,6 +20,11 @@
     if (one.scrollWidth > one.clientWidth + 1 || one.scrollHeight > one.clientHeight + 1) one.tabIndex = 0;
   }
 
+  // -- a drawing shrinks with the page as far as it can be read; then it says that it scrolls
+  const wide = new ResizeObserver((all) => all.forEach(({ target }) =>
+    target.toggleAttribute("data-scrolls", target.scrollWidth > target.clientWidth + 1)));
+  for (const one of document.querySelectorAll("main .jp-RenderedSVG")) wide.observe(one);
+
   // -- the same place in the other language: cells have the same names there
   byClass("book-language").addEventListener("click", (event) => {
     const below = byClass("book-head").getBoundingClientRect().bottom + 8;

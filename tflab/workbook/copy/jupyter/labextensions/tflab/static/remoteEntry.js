@@ -7,6 +7,7 @@
 //   a page of the workbook           its language; no line of code is cut
 //   a view whose model is nowhere    the words, and "run this cell"    instead of "model not found"
 //   a kernel that says what it is    a page is not unsaved for that   JupyterLab writes it into the page
+//   a drawing wider than its column  smaller, as far as it can be read; then it scrolls, and says so
 //   Run All                          a live view's still twin stays folded   JupyterLab unfolds what it runs
 //
 // `tflab lab` brings it along, and an install of tflab puts it where any JupyterLab of the same Python finds it:
@@ -35,12 +36,30 @@
     }
   }
 
+  const SMALLEST = 0.8;
+  const columns = new ResizeObserver((all) => all.forEach(({ target }) => {
+    const scrolls = target.toggleAttribute("data-scrolls", target.scrollWidth > target.clientWidth + 1);
+    target.tabIndex = scrolls ? 0 : -1; // reached by key
+  }));
+
+  function shrink(output) {
+    for (const image of output.querySelectorAll(".jp-RenderedSVG img:not([style])")) {
+      if (!image.complete) {
+        image.addEventListener("load", () => shrink(output), { once: true });
+        continue;
+      }
+      Object.assign(image.style, { maxWidth: "100%", minWidth: `${Math.round(SMALLEST * image.naturalWidth)}px`, height: "auto" });
+      columns.observe(image.parentElement);
+    }
+  }
+
   function describe(output, model, language) {
     const text = words(model.data);
     for (const image of output.querySelectorAll(":is(.jp-RenderedImage, .jp-RenderedSVG) img:not([alt])")) image.alt = text;
     name(output);
     keepKeys(output);
     if (!language) return;
+    shrink(output);
     for (const view of output.querySelectorAll(".jp-OutputArea-output")) {
       if (!model.data?.["application/vnd.jupyter.widget-view+json"] || !view.textContent.includes("model not found")) continue;
       const said = document.createElement("pre");
