@@ -598,8 +598,8 @@ def test_words_that_two_slips_would_give_in_different_calls_are_confused_words()
         ({"parent": "lens"}, '"head": it hangs on lens'),
         (
             {"origin": 'xyz="0.2 -0.1 0.4" rpy="0 1.5707963 0"'},
-            '"head": how it is turned in its parent: off by more than 90°. Now its axes x, y, z point along -z, y, x of '
-            "its parent",
+            '"head": how it is turned in its parent: off by more than 90°. Now its '
+            "axes x, y, z point along -z, y, x of its parent",
         ),
     ],
 )

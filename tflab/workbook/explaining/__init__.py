@@ -6,10 +6,13 @@
     common      what the calls that go wrong have in common
     arithmetic  what was computed of what was given
     givens      what was given, as it was
+    kinds       what is of the wrong kind, plain to see
     habits      what habits of writing give: the first member, a loop that removes
     together    what is said of several parts at once
     edges       edges that were named by their parents
     orders      an order the other way round, or one place off
+    slips_in_parts  which slips of a task explain which parts
+    after       what another part is, once a slip is known in one
     members     parts of a dict, fields of a message, each by itself
     lists       members of a list, all together
     robots      links of a robot, each by itself

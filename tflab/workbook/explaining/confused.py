@@ -10,7 +10,7 @@ sealed; it is found by trying the few there are.  Read `common.py` next.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from ..answers import sealed
@@ -30,14 +30,22 @@ NEVER = Words(
     en='"{wanted}" never comes: wherever it is asked for, there is "{said}".',
     ko='"{wanted}"이(가) 한 번도 나오지 않습니다. 그래야 할 곳에 "{said}"이(가) 있습니다.',
 )
+NONE_OF_THEM = Words(
+    en='{wanted} never come: wherever one of them is asked for, there is "{said}".',
+    ko='{wanted}이(가) 한 번도 나오지 않습니다. 이들 가운데 하나여야 할 곳에 언제나 "{said}"이(가) 있습니다.',
+)
 SOMETIMES = Words(
     en='in {wrong} of the {of} places that ask for "{wanted}", there is "{said}".',
     ko='"{wanted}"이어야 하는 곳 {of}개 가운데 {wrong}개에 "{said}"이(가) 있습니다.',
 )
 
 
+MOST_NAMED = 4  # words that never come, by name
+
+
 class Confusion(NamedTuple):
-    """Which words are confused, in a word or two, what to say of it, and the word that is asked for and that is said.
+    """Which words are confused, in a word or two, what to say of it, the word that is asked for and that is said, and
+    whether that word is said for several.
 
     Two that have changed places are none of these: both are as much asked for as said.
     """
@@ -46,24 +54,44 @@ class Confusion(NamedTuple):
     said: Words
     wanted: str = ""
     word: str = ""
+    is_of_several: bool = False
 
 
 def confused(form: Choice, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> Confusion | None:
     """Return which words a function confuses, the one that it confuses most first; None if it says others."""
     asked = [word_of(form, want) for want in wanted]
-    said = [word_of(form, outcome) for outcome in outcomes]
-    pairs = [(want, word) for want, word in zip(asked, said, strict=True) if want != word]
+    pairs = _different(asked, [word_of(form, outcome) for outcome in outcomes])
     wrong = Counter(pair for pair in pairs if None not in pair)
     if not wrong or None in pairs[0]:  # what comes first is no word at all
         return None
     whole = {pair: count for pair, count in wrong.items() if count == asked.count(pair[0])}
-    for want, word in whole:
-        if (word, want) in whole:
-            return Confusion(f"{want} and {word} swapped", _filled(SWAPPED, one=want, other=word))
+    if swapped := next((pair for pair in whole if pair[::-1] in whole), None):
+        return Confusion("{} and {} swapped".format(*swapped), _filled(SWAPPED, one=swapped[0], other=swapped[1]))
+    return _most_confused(asked, wrong, whole)
+
+
+def _most_confused(asked: Sequence[str | None], wrong: Counter, whole: Mapping[tuple[str, str], int]) -> Confusion:
+    """Return the word that is said most for another, and whether it stands for several that never come."""
     (want, word), count = max((whole or wrong).items(), key=lambda row: row[1])
+    never = [one for one in dict.fromkeys(asked) if (one, word) in whole]
+    if len(never) > 1:
+        quoted = [f'"{one}"' for one in never[:MOST_NAMED]]
+        more = len(never) - len(quoted)
+        names = Words(*(", ".join(quoted) + (text if more else "") for text in (f" and {more} more", f" 외 {more}개")))
+        return Confusion(
+            f"{word} for all of them",
+            Words(*(NONE_OF_THEM.say(tongue, wanted=names.say(tongue), said=word) for tongue in ("en", "ko"))),
+            want,
+            word,
+            True,
+        )
     words = NEVER if whole else SOMETIMES
     named = _filled(words, wanted=want, said=word, wrong=count, of=asked.count(want))
     return Confusion(f"{word} for {want}", named, want, word)
+
+
+def _different(asked: Sequence[str | None], said: Sequence[str | None]) -> list[tuple[str | None, str | None]]:
+    return [(want, word) for want, word in zip(asked, said, strict=True) if want != word]
 
 
 def confused_in_lists(form: ListForm, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> Confusion | None:

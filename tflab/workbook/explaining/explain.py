@@ -140,7 +140,8 @@ def _of_words(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain])
         return Explanation.of(found.name, found.said) if found else None
     if (apart := of_words_apart(task, cases, outcomes)) is not None:
         return apart
-    shown = [words for words in (task.means.get(found.word), task.seen.get(found.wanted)) if words]
+    seen = None if found.is_of_several else task.seen.get(found.wanted)
+    shown = [words for words in (task.means.get(found.word), seen) if words]
     said = Words(*map(" ".join, zip(found.said, *shown, strict=True)))
     explanation = Explanation.of(found.name, said)
     if isinstance(form, Choice):

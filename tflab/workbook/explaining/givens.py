@@ -4,7 +4,7 @@
     answer  0.73, in m/s     "this is `speed_mps` as it was given"       0.73, in m: chance
             (x, y, z)        "this is `map_T_base` as it was given"
 
-Read `habits.py` next.
+Read `kinds.py` next.
 """
 
 from __future__ import annotations

@@ -12,14 +12,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 
 from ..answers.form import Form, inside
-from ..answers.forms import Angle, Name, Number, Set
+from ..answers.forms import Angle, Choice, Name, Number, Set
 from ..answers.forms import Sequence as ListForm
 from ..answers.members import members_of
 from ..answers.values import Plain, is_raised
 from ..mistakes.fitting import is_just
 from ..words import Words
 
-__all__ = ["habit_of"]
+__all__ = ["constant_of", "habit_of"]
 
 FEWEST = 3  # calls with a result of their own, for it to be no luck
 ALWAYS = Words(
@@ -48,6 +48,10 @@ OF_A_LIST: dict[str, tuple[Callable[[list], Plain], Words, Words]] = {
         lambda held: sum(held) / len(held), Words("the mean of argument {at}", "{at}번째 인자의 평균"), Words("", "")
     ),
 }  # fmt: skip
+SAME = Words(
+    en="this is {what} in every call, and it should not be: what of the arguments does it depend on?",
+    ko="모든 호출에서 {what} 나옵니다. 그래서는 안 됩니다. 인자의 무엇에 따라 달라져야 합니까?",
+)
 PASSED_OVER = Words(
     en="what is too much follows each time on something that went: whoever removes from the list that the loop goes "
     "through makes it pass over the next one. Build a new list, or loop over a copy.",
@@ -71,6 +75,18 @@ def habit_of(
             said = (ALWAYS.say(tongue, what=what.say(tongue)) + asks.say(tongue) for tongue in ("en", "ko"))
             return name, Words(*said)
     return None
+
+
+def constant_of(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> tuple[str, Words] | None:
+    """Return that a part of what a function gives is the same in every call, though others are wanted; else None."""
+    others = [want for want in wanted if not form.alike(want, wanted[0])]
+    differs = any(not form.alike(want, others[0]) for want in others[1:])  # two values are no more than confused
+    if len(outcomes) < FEWEST or not differs or any(not form.alike(one, outcomes[0]) for one in outcomes[1:]):
+        return None
+    word = inside(outcomes[0])
+    is_word = isinstance(form, Choice) and isinstance(word, str)
+    what = Words(f'"{word}"', f'"{word}"이(가)') if is_word else Words("the same", "같은 것이")
+    return "the same in every call", Words(*(SAME.say(tongue, what=what.say(tongue)) for tongue in ("en", "ko")))
 
 
 def _candidates(args: Sequence[list[Plain]]) -> Iterator[tuple[str, Words, Words, list[Plain]]]:

@@ -13,27 +13,29 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import combinations
-from typing import NamedTuple
 
 from ..answers import sealed
-from ..answers.form import Form, numbers_of
-from ..answers.forms import Choice, Message, Parts, Vector
+from ..answers.form import Form
+from ..answers.forms import Choice, Parts
 from ..answers.forms import Sequence as ListForm
 from ..answers.structures import named_beside
 from ..answers.values import Plain, is_raised
 from ..mistakes.fields import section, sections, split
-from ..mistakes.fitting import MEASURED, ONE, TWO, alike, all_alike, in_some, is_just, undone_to, words_of
+from ..mistakes.fitting import MEASURED, alike, all_alike, in_some, is_just, undone_to, words_of
 from ..mistakes.losses import TOLD, stamp_of, time_of
 from ..tasks.case import AND, Case, TaskCases, TwinWords
 from ..words import Words
+from .after import after_a_slip
 from .arithmetic import computed, computed_in_all
 from .certain import certain
 from .common import calls_in_common
 from .confused import confused, word_of
-from .explanation import Explanation, said_of
+from .explanation import Explanation
 from .givens import given_to
-from .habits import habit_of
-from .orders import of_orders
+from .habits import constant_of, habit_of
+from .kinds import kinds_said
+from .orders import named_twice, of_orders
+from .slips_in_parts import Table, is_something, slips_in_parts
 from .together import Found, together
 
 __all__ = ["changed_places", "of_members"]
@@ -46,25 +48,11 @@ CHANGED_PLACES = Words(
     en="the two have changed places: each holds what is asked for under the other.",
     ko="두 답의 자리가 바뀌었습니다. 서로 상대의 자리에 들어갈 값입니다.",
 )
-FOLLOWS = Words(
-    en='this follows from another "{part}" than the one you give: {said}',
-    ko='따로 답한 "{part}"과(와) 다른 값에서 나온 답입니다. {said}',
-)
 TIME_OF = Words(
     en="this is the time in argument {number}, and not the one that is asked for.",
     ko="{number}번째 인자의 시각입니다. 필요한 시각이 아닙니다.",
 )
-LABELS = ("header.", "child_frame_id")  # fields of a message that say what its numbers are
 AS_IT_CAME = Words(en="this is still what came in, unchanged.", ko="받은 값을 바꾸지 않고 그대로 두었습니다.")
-
-
-class _Table(NamedTuple):
-    """An answer by its parts: the form of each, what came out in each case, what was wanted, and the arguments."""
-
-    forms: dict[str, Form]
-    given: dict[str, list[Plain]]
-    wanted: dict[str, list[Plain]]
-    args: list[list[Plain]]
 
 
 def of_members(
@@ -72,13 +60,25 @@ def of_members(
 ) -> Explanation | None:
     """Return how the wrong parts of an answer came about, or None if nothing explains any of them."""
     form = task.form
-    pairs = [(case, outcome) for case, outcome in zip(cases, outcomes, strict=True) if not is_raised(case.expected)]
-    refused = [(case, outcome) for case, outcome in zip(cases, outcomes, strict=True) if is_raised(case.expected)]
-    if not pairs or not all(alike(form, outcome, case.expected) for case, outcome in refused):
+    every = list(zip(cases, outcomes, strict=True))
+    if not all(alike(form, outcome, case.expected) for case, outcome in every if is_raised(case.expected)):
         return None
-    if any(form.read(outcome) is None for _, outcome in pairs):
+    asked = [pair for pair in every if not is_raised(pair[0].expected)]
+    stopped, going = ([pair for pair in asked if is_raised(pair[1]) is stops] for stops in (True, False))
+    if not going or len(going) < len(stopped) or any(form.read(outcome) is None for _, outcome in going):
         return None
-    return _of_table(task, [case for case, _ in pairs], [outcome for _, outcome in pairs], given)
+    of_going, came = map(list, zip(*going, strict=True))
+    return _beside_stops(task, stopped, of_going, came) if stopped else _of_table(task, of_going, came, given)
+
+
+def _beside_stops(
+    task: TaskCases, stopped: Sequence[tuple[Case, Plain]], going: Sequence[Case], outcomes: Sequence[Plain]
+) -> Explanation | None:
+    """Return which of the task's slips explains the calls that go on, if it stops in the others just as this did."""
+    names = {name for name in going[0].twins if all(alike(task.form, was, case.twins[name]) for case, was in stopped)}
+    only = [case._replace(twins={name: case.twins[name] for name in case.twins if name in names}) for case in going]
+    found = _of_table(task, only, outcomes, None) if names else None
+    return found if found and found.slips.keys() <= task.twins.keys() else None
 
 
 def _of_table(
@@ -96,16 +96,18 @@ def _of_table(
             left -= cause.parts
     for number, name in enumerate(names):
         if name in left:
-            found += _by_itself(task, table, name, given, cases[0].twins, wrong - left) or _as_it_came(
-                task.form, table, number, name, cases
+            found += (
+                _by_itself(task, table, name, given, cases[0].twins, wrong - left)
+                or _as_it_came(task.form, table, number, name, cases)
+                or _after_a_slip(task, table, name, cases, found)
             )
     left -= {name for cause in found for name in cause.parts}
     return together(found, {name: _certain(table, name) for name in names if name in left}, names) if found else None
 
 
-def _of_several(task: TaskCases, table: _Table, cases: Sequence[Case], wrong: set[str]) -> list[Found]:
+def _of_several(task: TaskCases, table: Table, cases: Sequence[Case], wrong: set[str]) -> list[Found]:
     """Return what explains parts together: two that changed places, slips, an order; all that is wrong by one first."""
-    slips = _slips_in_parts(task, table, cases, wrong)
+    slips = slips_in_parts(task, table, cases, wrong)
     pairs = [pair for pair in _changed_places(table, wrong) if not any(pair.parts <= slip.parts for slip in slips)]
     orders = of_orders(table.forms, table.given, table.wanted)
     is_one_slip = any(wrong <= slip.parts for slip in slips)
@@ -125,93 +127,19 @@ def changed_places(
     return together([found], {}, names) if found else None
 
 
-def _table(form: Form, cases: Sequence[Case], outcomes: Sequence[Plain]) -> _Table:
+def _table(form: Form, cases: Sequence[Case], outcomes: Sequence[Plain]) -> Table:
     is_sealed = sealed.is_sealed(cases[0].expected)
     forms = sections(form, outcomes[0] if is_sealed else cases[0].expected)
     forms = forms if is_sealed else split(form, forms, [*outcomes, *(case.expected for case in cases)])
     given = {name: [section(form, plain, n, name) for plain in outcomes] for n, name in enumerate(forms)}
     wanted = {name: [section(form, case.expected, n, name) for case in cases] for n, name in enumerate(forms)}
-    return _Table(forms, given, wanted, [case.args or [] for case in cases])
+    return Table(forms, given, wanted, [case.args or [] for case in cases])
 
 
 # -- what explains a part ------------------------------------------------------------------
 
 
-def _slips_in_parts(task: TaskCases, table: _Table, cases: Sequence[Case], wrong: set[str]) -> list[Found]:
-    """Return what slips explain, most parts and fewest slips first."""
-    found = []
-    for key in cases[0].twins:
-        twins = [case.twins[key] for case in cases]
-        slips = {name: words_of(task, name) for name in key.split(AND)}
-        changed, same = _shown(task.form, table, twins, TWO if AND in key else ONE)
-        if changed and changed <= same & wrong:
-            found.append(Found(slips, said_of(task, list(slips)), changed, is_whole=True))
-        elif same & changed & wrong and all(words.partly for words in slips.values()):
-            found.append(Found(slips, said_of(task, list(slips)), same & changed & wrong))
-        elif len(slips) == 1 and (made_in := slips[key].part) in same & changed & wrong:  # but what follows is not so
-            found.append(Found(slips, said_of(task, list(slips)), {made_in}))
-        elif len(slips) == 1:
-            found += _of_one_slip(task.form, table, key, slips[key], changed, same & wrong, wrong)
-    return sorted(_held_together(found), key=lambda cause: (-len(cause.parts), len(cause.slips), not cause.is_whole))
-
-
-def _held_together(found: list[Found]) -> list[Found]:
-    return [cause for cause in found if len(cause.slips) == 1 or not _falls_apart(cause, found)]
-
-
-def _of_one_slip(
-    form: Form,
-    table: _Table,
-    name: str,
-    words: TwinWords,
-    changed: set[str],
-    same: set[str],
-    wrong: set[str],
-) -> list[Found]:
-    """Return what a slip explains whose labels were put right by hand, or that was made on the way to another part."""
-    values = {part for part in changed if not part.startswith(LABELS)}
-    same = _more_than_zero(table, same)
-    if isinstance(form, Message) and values and values <= same:
-        return [Found({name: words}, words.reply, values)]
-    made_in, follow = words.part, {part for part in changed & same if isinstance(table.forms[part], MEASURED)}
-    if not isinstance(form, Parts) or not made_in or not follow or made_in in wrong or made_in not in changed:
-        return []
-    said = (FOLLOWS.say(tongue, part=made_in, said=words.reply.say(tongue)) for tongue in ("en", "ko"))
-    return [Found({name: words}, Words(*said), follow)]
-
-
-def _falls_apart(both: Found, found: Sequence[Found]) -> bool:
-    """Return whether each of two slips, and no other, explains parts of its own: then each is said of those."""
-    single = [cause for cause in found if len(cause.slips) == 1]
-    alone = [cause.parts for cause in single if cause.slips.keys() <= both.slips.keys()]
-    if len(alone) < len(both.slips) or set.intersection(*alone) or not both.parts <= set.union(*alone):
-        return False
-    return all(sum(cause.parts == parts for cause in single) == 1 for parts in alone)
-
-
-def _shown(form: Form, table: _Table, twins: Sequence[Plain], share: float) -> tuple[set[str], set[str]]:
-    """Return in which parts a mistake gives something else than what is right, and in which it gives what came out."""
-    changed: set[str] = set()
-    same: set[str] = set()
-    if any(map(is_raised, twins)) or any(twin is None for twin in twins):
-        return changed, same
-    for number, (name, part) in enumerate(table.forms.items()):
-        row = [section(form, twin, number, name) for twin in twins]
-        if not _all_same(part, row, table.wanted[name]):
-            changed.add(name)
-        if is_just(part, table.given[name], row, share):
-            same.add(name)
-    return changed, same
-
-
-def _all_same(form: Form, twins: Sequence[Plain], wanted: Sequence[Plain]) -> bool:
-    return all(
-        twin == want if sealed.is_sealed(want) else form.alike(twin, want)
-        for twin, want in zip(twins, wanted, strict=True)
-    )
-
-
-def _changed_places(table: _Table, wrong: set[str]) -> Iterator[Found]:
+def _changed_places(table: Table, wrong: set[str]) -> Iterator[Found]:
     """Yield two parts of which each holds the other's answer."""
     names = [name for name in table.forms if name in wrong and not isinstance(table.forms[name], Choice | ListForm)]
     for one, other in combinations(names, 2):
@@ -221,13 +149,13 @@ def _changed_places(table: _Table, wrong: set[str]) -> Iterator[Found]:
             yield Found({key: TwinWords(CHANGED_PLACES, "")}, CHANGED_PLACES, {one, other})
 
 
-def _holds(table: _Table, one: str, other: str) -> bool:
+def _holds(table: Table, one: str, other: str) -> bool:
     return all_alike(table.forms[other], table.given[one], table.wanted[other])
 
 
 def _by_itself(
     task: TaskCases,
-    table: _Table,
+    table: Table,
     name: str,
     given: dict[str, Plain] | None,
     twins: dict[str, Plain],
@@ -236,9 +164,11 @@ def _by_itself(
     """Return what explains one part alone: its option, what any answer can have, another's answer, what was given."""
     form, outcomes, wanted = table.forms[name], table.given[name], table.wanted[name]
     hint = _choice(task, name, form, outcomes[0], wanted[0]) if len(outcomes) == 1 else None
+    twice = named_twice(table.forms, table.given, table.wanted, name) if len(outcomes) == 1 else None
     if hint is not None and isinstance(form, Choice):
+        hint = Words(f"{twice.en} {hint.en}", f"{twice.ko} {hint.ko}") if twice else hint
         return [Found({f"{name}: {outcomes[0]}": TwinWords(hint, "")}, hint, {name})]
-    if found := _remarked(table, name) or _of_any(task, table, name):
+    if found := _of_kinds(table, name) or _remarked(table, name) or _of_any(task, table, name):
         return found
     if len(outcomes) > 1:
         summed = computed_in_all(form, table.args, outcomes)
@@ -249,7 +179,31 @@ def _by_itself(
     return found or ([Found.of(f"{name}: another", hint, name)] if hint else [])
 
 
-def _remarked(table: _Table, name: str) -> list[Found]:
+def _of_kinds(table: Table, name: str) -> list[Found]:
+    """Return whether what is no word at all stands where one is asked for, in some calls of a function."""
+    said = kinds_said(table.forms[name], table.given[name])[:2]
+    return (
+        [Found.of(f"{name}: no word", Words(*(". ".join(row) + "." for row in zip(*said, strict=True))), name)]
+        if (said)
+        else []
+    )
+
+
+def _after_a_slip(
+    task: TaskCases, table: Table, name: str, cases: Sequence[Case], found: Sequence[Found]
+) -> list[Found]:
+    """Return what a part is beside the slips of the task that were found in others."""
+    known = {part for cause in found for part in cause.parts} - {name}
+    for slip, part in ((slip, words.part) for slip, words in task.twins.items() if words.part in known):
+        rows = {one: [section(task.form, case.twins[slip], list(table.forms).index(one), one) for case in cases]
+                for one in (part, name)}  # fmt: skip
+        more = after_a_slip(task, name, table.forms[name], table.given[name], part, rows[name])
+        if more and is_just(table.forms[part], table.given[part], rows[part]):
+            return more
+    return []
+
+
+def _remarked(table: Table, name: str) -> list[Found]:
     """Return what a form itself says of a wrong answer, beside the other parts that speak of the same one."""
     form, outcomes = table.forms[name], table.given[name]
     beside = named_beside(name, table.given)
@@ -259,11 +213,13 @@ def _remarked(table: _Table, name: str) -> list[Found]:
     return [Found.of(f"{name}: no proof", words, name)] if words else []
 
 
-def _of_any(task: TaskCases, table: _Table, name: str) -> list[Found]:
+def _of_any(task: TaskCases, table: Table, name: str) -> list[Found]:
     """Return what any answer can have: a habit, something universal, another part's answer."""
     form, outcomes, wanted = table.forms[name], table.given[name], table.wanted[name]
     if len(outcomes) > 1 and (habit := habit_of(form, table.args, outcomes, wanted)):
         return [Found.of(f"{name}: {habit[0]}", habit[1], name)]
+    if same := constant_of(form, outcomes, wanted):
+        return [Found.of(f"{name}: {same[0]}", same[1], name)]
     for way in [*undone_to(form, outcomes, wanted), *in_some(form, outcomes, wanted)][:1]:
         words = words_of(task, way)
         return [Found({way.partition(TOLD)[0]: words}, _shown_too(task, name, words.reply), {name})]
@@ -273,29 +229,30 @@ def _of_any(task: TaskCases, table: _Table, name: str) -> list[Found]:
     return []
 
 
-def _of_words(task: TaskCases, table: _Table, name: str) -> list[Found]:
+def _of_words(task: TaskCases, table: Table, name: str) -> list[Found]:
     """Return which words a function confuses in one part of what it gives, and in which calls."""
     form = table.forms[name]
     confusion = confused(form, table.given[name], table.wanted[name]) if isinstance(form, Choice) else None
     if confusion is None:
         return []
-    shown = [words for words in (task.seen.get(confusion.wanted), _in_common(table, name)) if words]
+    seen = None if confusion.is_of_several else task.seen.get(confusion.wanted)
+    shown = [words for words in (seen, _in_common(table, name)) if words]
     said = Words(*map(" ".join, zip(confusion.said, *shown, strict=True)))
     return [Found.of(f"{name}: {confusion.name}", said, name)._replace(is_of_words=True)]
 
 
-def _in_common(table: _Table, name: str) -> Words | None:
+def _in_common(table: Table, name: str) -> Words | None:
     """Return what the arguments of the calls have in common in which a part is wrong."""
     return calls_in_common(table.forms[name], table.args, table.given[name], table.wanted[name])
 
 
-def _anothers(table: _Table, name: str) -> str | None:
+def _anothers(table: Table, name: str) -> str | None:
     """Return the part whose answer stands here, if it is that of one other part: what several have is chance."""
     found = []
     form = table.forms[name]
     for other, part in table.forms.items():
         is_like = other != name and type(part) is type(form) and not isinstance(part, Choice | ListForm)
-        if is_like and _holds(table, name, other) and any(_is_something(part, value) for value in table.given[name]):
+        if is_like and _holds(table, name, other) and any(is_something(part, value) for value in table.given[name]):
             found.append(other)
     return found[0] if len(found) == 1 else None
 
@@ -312,13 +269,13 @@ def _of_the_given(
     return [Found.of(found[0], _shown_too(task, name, found[1]), name)] if found else []
 
 
-def _as_another_is(task: TaskCases, table: _Table, name: str, twins: dict[str, Plain], known: set[str]) -> list[Found]:
+def _as_another_is(task: TaskCases, table: Table, name: str, twins: dict[str, Plain], known: set[str]) -> list[Found]:
     """Return the slip that writes another part's right answer here, where that one, wrong as is `known`, stands."""
     form, number = table.forms[name], list(table.forms).index(name)
     for other, part in table.forms.items():
         is_like = other in known and type(part) is type(form) and isinstance(form, MEASURED)
-        is_something = _is_something(form, table.given[name][0])  # zeros are alike by chance
-        if not is_like or not is_something or not alike(form, table.given[name][0], table.given[other][0]):
+        is_more = is_something(form, table.given[name][0])  # zeros are alike by chance
+        if not is_like or not is_more or not alike(form, table.given[name][0], table.given[other][0]):
             continue
         for key, twin in twins.items():
             is_made_here = AND not in key and words_of(task, key).part == name
@@ -327,7 +284,7 @@ def _as_another_is(task: TaskCases, table: _Table, name: str, twins: dict[str, P
     return []
 
 
-def _as_it_came(form: Form, table: _Table, number: int, name: str, cases: Sequence[Case]) -> list[Found]:
+def _as_it_came(form: Form, table: Table, number: int, name: str, cases: Sequence[Case]) -> list[Found]:
     """Return whether a part of what a function gives is that part of an argument, in every case."""
     for place in range(len(cases[0].args or ())):
         came = [section(form, case.args[place], number, name) for case in cases]
@@ -338,17 +295,6 @@ def _as_it_came(form: Form, table: _Table, number: int, name: str, cases: Sequen
             said = Words(*(TIME_OF.say(tongue, number=place + 1) for tongue in ("en", "ko")))
             return [Found({f"{name}: a time": TwinWords(said, "")}, said, {name})]
     return []
-
-
-def _more_than_zero(table: _Table, parts: set[str]) -> set[str]:
-    """Return those of the parts in which something else than zeros was given, which many mistakes come to."""
-    return {part for part in parts if any(_is_something(table.forms[part], value) for value in table.given[part])}
-
-
-def _is_something(form: Form, value: Plain) -> bool:
-    """Return whether a value is more than zeros, which many answers are."""
-    row = numbers_of(value, form.size if isinstance(form, Vector) else None)
-    return row is None or any(row)
 
 
 def _choice(task: TaskCases, part: str, form: Form, answer: Plain, wanted: Plain) -> Words | None:
@@ -376,7 +322,7 @@ def _shown_too(task: TaskCases, part: str, said: Words) -> Words:
     return Words(f"{said.en} {shows.en}", f"{said.ko} {shows.ko}") if shows else said
 
 
-def _certain(table: _Table, name: str) -> Words | None:
+def _certain(table: Table, name: str) -> Words | None:
     """Return what is certain of a part that nothing explains, where it goes wrong first."""
     pairs = zip(table.given[name], table.wanted[name], strict=True)
     wrong = next((pair for pair in pairs if not alike(table.forms[name], *pair)), None)

@@ -7,7 +7,7 @@
 
 Place by place three answers are wrong; together it is one mistake.  So it is where
 edges are asked for by the frame below, and each was named by the frame above.
-Read `members.py` next.
+Read `slips_in_parts.py` next.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from .confused import word_of
 from .edges import parents_named
 from .together import Found
 
-__all__ = ["of_orders"]
+__all__ = ["named_twice", "of_orders"]
 
 FEWEST = 3  # places, for an order to be more than two words that are exchanged
 
@@ -55,6 +55,13 @@ ORDERS: dict[str, tuple[Callable[[Row, Row], bool], Words]] = {
 }
 
 
+NAMED_TWICE = Words(
+    en='You have "{word}" in {count} of the places, and each place has a word of its own: another one is missing.',
+    ko='"{word}"을(를) {count}곳에 두었습니다. 자리마다 낱말이 다르므로 다른 하나가 빠졌습니다.',
+)
+ORDINALS = {"first", "second", "third", "fourth", "fifth", "sixth", "seventh", "last"}
+
+
 def of_orders(
     forms: Mapping[str, Form], given: Mapping[str, Sequence[Plain]], wanted: Mapping[str, Sequence[Plain]]
 ) -> list[Found]:
@@ -73,6 +80,23 @@ def of_orders(
         else:
             found += parents_named(forms, {name: given[name][0] for name in wrong}, dict(zip(names, want, strict=True)))
     return found
+
+
+def named_twice(
+    forms: Mapping[str, Form], given: Mapping[str, Sequence[Plain]], wanted: Mapping[str, Sequence[Plain]], name: str
+) -> Words | None:
+    """Return that a part's word stands in other places, too, where each place has a word of its own; None if not."""
+    form = forms[name]
+    names = next((names for names in _asked_in_order(forms) if name in names), [])
+    if not isinstance(form, Choice) or len(names) < FEWEST:
+        return None
+    if len(names) != len(form.options) and not ORDINALS.issuperset(names):  # words may come twice elsewhere
+        return None
+    want, have = ([word_of(form, held[one][0]) for one in names] for held in (wanted, given))
+    word = word_of(form, given[name][0])
+    if word is None or len(set(want)) < len(want) or have.count(word) < 2:
+        return None
+    return Words(*(NAMED_TWICE.say(tongue, word=word, count=have.count(word)) for tongue in ("en", "ko")))
 
 
 def _asked_in_order(forms: Mapping[str, Form]) -> Iterator[list[str]]:

@@ -212,6 +212,15 @@ TIPS = (  # the error's name and text, the first that fits
         ),
     ),
     (
+        r'LookupException: "[^"]*" passed to lookupTransform argument',
+        Words(
+            "The buffer of this call holds no frame of that name, and yet the call has an answer: is the name written "
+            "down in your function where an argument tells it, or is it misspelt?",
+            "이 호출의 버퍼에는 그런 이름의 좌표계가 없는데, 이 호출에는 답이 있습니다. 인자에 있는 이름을 쓰지 않고 "
+            "함수 안에 이름을 적어 두었거나, 철자가 다르지 않습니까?",
+        ),
+    ),
+    (
         r"(Lookup|Connectivity|Extrapolation|InvalidArgument|Transform)Exception",
         Words(
             "That is a refusal, tf2's or that of a `raise` of your own, and this call has an answer: are the frames, "

@@ -108,8 +108,8 @@ REPLIES = {
         ko="답의 모양이 다릅니다({got}). 필요한 것: {wanted}{tip}.",
     ),
     Mistake.OPTION: Words(
-        en='"{answer}" is not among the answers to choose from: {wanted}.',
-        ko='보기에 없는 답입니다: "{answer}". 필요한 것: {wanted}.',
+        en='"{answer}" is not among the answers to choose from: {wanted}{tip}.',
+        ko='보기에 없는 답입니다: "{answer}". 필요한 것: {wanted}{tip}.',
     ),
     Mistake.MISSING_PARTS: Words(
         en="there is no answer yet for {parts}{tip}.",

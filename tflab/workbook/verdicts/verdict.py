@@ -7,7 +7,7 @@
     Verdict(passed=6, of=6)
 
 Only JSON is compared, so this serves a learner's `check` and the grader alike.
-Read `mistake.py` next.
+Read `options.py` next.
 """
 
 from __future__ import annotations
@@ -18,13 +18,14 @@ from typing import Any
 
 from ..answers import forms, sealed
 from ..answers.form import inside, member
-from ..answers.forms import Angle, Choice, Command, Form, Message, Name, Number, Parts, Tree, Urdf, Vector
+from ..answers.forms import Angle, Choice, Command, Form, Message, Number, Parts, Tree, Urdf, Vector
 from ..answers.members import members_of
 from ..answers.values import Plain, is_raised, is_unanswered
 from ..explaining.certain import certain
 from ..explaining.common import calls_in_common
 from ..explaining.explain import explained
 from ..explaining.explanation import Explanation
+from ..explaining.kinds import kind_said
 from ..mistakes.fitting import ANY_BUG
 from ..mistakes.stumbles import tip_for
 from ..mistakes.units import unit_of
@@ -32,6 +33,7 @@ from ..tasks import evidence
 from ..tasks.case import Case, TaskCases, TwinWords, Variant
 from ..words import Words
 from .mistake import Mistake
+from .options import near_an_option, option_of_another
 
 __all__ = ["Verdict", "judge_outcomes", "kind_of"]
 
@@ -40,10 +42,6 @@ JOINED = Words(
     ko="리스트나 튜플끼리 `+`를 쓰면 이어 붙을 뿐, 숫자가 더해지지 않습니다",
 )
 
-NO_NAME = Words(
-    en='Python\'s None is nothing; if you mean the word, write it in quotes: "none"',
-    ko='파이썬의 None은 아무것도 없다는 뜻입니다. 그 낱말을 쓰려면 따옴표로 묶으십시오: "none"',
-)
 NESTED = Words(
     en="One dict holds all edges; in yours, other dicts stand inside it",
     ko="모든 간선을 딕셔너리 하나에 씁니다. 지금은 딕셔너리 안에 다른 딕셔너리가 들어 있습니다",
@@ -265,7 +263,8 @@ def _members(form: Form, outcome: Plain) -> list[Plain] | None:
 def _unread(form: Form, outcome: Plain) -> tuple[Mistake, dict[str, Any]]:
     """Return why an answer is not of its form."""
     if isinstance(form, Choice) and isinstance(outcome, str):
-        return Mistake.OPTION, {"answer": outcome}
+        tip = near_an_option(form, outcome)
+        return Mistake.OPTION, {"answer": outcome, **({"tip": tip} if tip else {})}
     if isinstance(form, Urdf) and (fault := form.fault(outcome)):
         return Mistake.NO_ROBOT, {"fault": fault}
     frame = member(outcome, "header", "frame_id")
@@ -281,8 +280,8 @@ def _unread(form: Form, outcome: Plain) -> tuple[Mistake, dict[str, Any]]:
 
 def _meant(form: Form, outcome: Plain) -> dict[str, Any]:
     """Return the tip for what has the wrong kind in a way that is plain to see."""
-    if outcome is None and (isinstance(form, Name) or (isinstance(form, Choice) and "none" in form.options)):
-        return {"tip": NO_NAME}
+    if (said := kind_said(form, outcome)) is not None:
+        return {"tip": said}
     body = inside(outcome)
     if not (isinstance(form, Tree) and isinstance(body, dict)):
         return {}
@@ -311,8 +310,15 @@ def _coarse_of_parts(form: Parts, outcome: Plain) -> tuple[Mistake, dict[str, An
     for name, part in form.parts.items():
         fault = _coarse(part, answers[name])
         if fault is not None:
-            return fault[0], {"got": kind_of(answers[name]), **fault[1], "part": name}
+            detail = _with_tip(form, name, answers[name], fault)
+            return fault[0], {"got": kind_of(answers[name]), **detail, "part": name}
     return None
+
+
+def _with_tip(form: Parts, name: str, answer: Plain, fault: tuple[Mistake, dict[str, Any]]) -> dict[str, Any]:
+    """Return the details of what is wrong with a part, and under which other part its word is to choose from."""
+    tip = option_of_another(form, name, answer) if fault[0] is Mistake.OPTION else None
+    return fault[1] | ({"tip": tip} if tip else {})
 
 
 def _not_asked_for(names: list[str]) -> Words:

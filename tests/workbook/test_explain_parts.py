@@ -1,0 +1,125 @@
+"""How a wrong part of an answer came about beside the others, and which words it holds that are none to choose from."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from tflab.workbook.answers.forms import Choice, Message, Number, Parts
+from tflab.workbook.answers.values import to_plain
+from tflab.workbook.mistakes.stumbles import tip_for
+from tflab.workbook.tasks import Words
+from tflab.workbook.tasks.case import Case, TwinWords
+from tflab.workbook.verdicts.mistake import Mistake
+from tflab.workbook.verdicts.verdict import judge_outcomes
+
+from .small_chapter import bare
+from .test_explain import judged, judged_function
+
+STAMP = Parts({"stamp_s": Number("s"), "speed": Number("m/s"), "turn": Number("rad/s")})
+READ = {"stamp_s": 38.02, "speed": 0.62, "turn": 0.3571}
+DECIMALS = {"stamp_s": 38.2, "speed": 0.55, "turn": 0.3137}
+IN = {"zeros lost": TwinWords(Words("Zeros.", "0입니다."), "", part="stamp_s")}
+
+
+@pytest.mark.parametrize(
+    ("answer", "said"),
+    [
+        (DECIMALS | {"turn": math.degrees(0.3137)}, '"turn": right, if it were in degrees/s.'),
+        (READ | {"stamp_s": 38.2, "turn": 0.3137}, '"turn": this only follows from what is wrong in "stamp_s".'),
+        (DECIMALS | {"turn": 0.41}, '"turn": look again'),
+        (READ | {"turn": 0.3137}, "Zeros."),
+    ],
+)
+def test_a_part_that_follows_from_a_slip_is_told_so_and_a_second_mistake_on_it_is_named(answer, said):
+    verdict = judged(STAMP, READ, {"zeros lost": DECIMALS}, answer, IN)
+    assert said in verdict.said.en
+
+
+@pytest.mark.parametrize(
+    ("answer", "tip"),
+    [
+        ({"a": "start it", "a do": "no driver"}, 'to choose from under "a do"'),
+        ({"a": "no drivers", "a do": "start it"}, 'The nearest of them is "no driver"'),
+        ({"a": "no driver", "a do": "/dolly/tf"}, 'whoever listens on "/tf" hears nothing of it'),
+        ({"a": "the moon", "a do": "start it"}, None),
+    ],
+)
+def test_a_word_that_is_none_to_choose_from_is_told_where_it_would_be_one(answer, tip):
+    form = Parts({"a": Choice(("no driver", "degrees")), "a do": Choice(("start it", "write radians", "/tf"))})
+    verdict = judged(form, {"a": "degrees", "a do": "start it"}, {}, answer)
+    assert verdict.mistake is Mistake.OPTION
+    assert verdict.detail.get("tip") is None if tip is None else tip in verdict.detail["tip"].en
+
+
+def test_a_word_that_stands_in_two_places_of_an_order_is_told_so_and_elsewhere_it_is_not():
+    cards = Choice(("names", "tree", "mount", "rates"))
+    task, variant = bare(Parts(dict.fromkeys(("first", "second", "third"), cards)),
+                         Case(None, to_plain({"first": "names", "second": "tree", "third": "mount"}), {}))  # fmt: skip
+    task = task._replace(means={"tree": Words("A tree.", "트리입니다.")})
+
+    def said(**places):
+        return judge_outcomes(task, variant, [to_plain(places)]).said.en
+
+    assert said(first="names", second="tree", third="tree").startswith('"third": You have "tree" in 2 of the places')
+    assert said(first="tree", second="names", third="mount").startswith('"first": A tree.')
+    edges = Parts(dict.fromkeys("abc", cards))  # where a word may come twice
+    verdict = judged(edges, {"a": "names", "b": "tree", "c": "mount"}, {}, {"a": "names", "b": "tree", "c": "tree"})
+    assert verdict.said is None
+
+
+def test_words_that_all_have_one_said_for_them_are_named_together():
+    kinds = Choice(("ok", "past", "future", "lookup"))
+    pairs = [("ok", "ok"), ("past", "future"), ("future", "future"), ("lookup", "future")]
+    assert '"past", "lookup" never come' in judged_function(kinds, pairs).said.en
+    one = [("ok", "ok"), ("past", "future"), ("future", "future"), ("lookup", "lookup")]
+    assert '"past" never comes' in judged_function(kinds, one).said.en
+
+
+def test_a_part_that_never_changes_is_told_so_and_one_that_does_is_not():
+    form = Parts({"cause": Choice(("a", "b", "c")), "frame": Choice(("map", "odom", "none"))})
+    asked = [("a", "map"), ("b", "odom"), ("c", "none"), ("a", "odom")]
+
+    def verdict(*frames):
+        return judged_function(form, [
+            ({"cause": cause, "frame": frame}, {"cause": cause, "frame": said})
+            for (cause, frame), said in zip(asked, frames, strict=True)
+        ])  # fmt: skip
+
+    assert 'this is "none" in every call' in verdict("none", "none", "none", "none").said.en
+    assert "in every call" not in verdict("none", "none", "none", "map").said.en
+
+
+def test_a_class_for_its_name_is_told_how_it_is_written():
+    form = Parts({"placed": Number(tolerance=0.0), "first": Choice(("none", "LookupException"))})
+    pairs = [({"placed": 1, "first": "none"}, {"placed": 1, "first": "none"}),
+             ({"placed": 2, "first": "LookupException"}, {"placed": 2, "first": LookupError})]  # fmt: skip
+    assert "`type(error).__name__`" in judged_function(form, pairs).said.en
+    named = [pairs[0], (pairs[1][0], {"placed": 2, "first": "lookup"})]
+    verdict = judged_function(form, named)
+    assert verdict.said is None or "`type(error).__name__`" not in verdict.said.en
+
+
+def test_a_slip_that_stops_in_some_calls_is_named_in_a_part_where_the_others_show_it():
+    form = Message("geometry_msgs/msg/Point", ("x", "y"))
+    raised = {"raises": "ExtrapolationException", "text": ""}
+    wants = [{"message": ["geometry_msgs/msg/Point", {"x": float(x), "y": 1.0}]} for x in (1, 2, 3)]
+    gives = [{"message": ["geometry_msgs/msg/Point", {"x": x + 0.5, "y": 2.0}]} for x in (1, 2, 3)]
+    halves = [{"message": ["geometry_msgs/msg/Point", {"x": x + 0.5, "y": 1.0}]} for x in (1, 2)]
+
+    def verdict(last_of_the_slip, last):
+        rows = zip(wants, [*gives[:2], last_of_the_slip], strict=True)
+        task, variant = bare(form, *(Case([n], want, {"late": give}) for n, (want, give) in enumerate(rows)),
+                             is_function=True)  # fmt: skip
+        task = task._replace(twins={"late": TwinWords(Words("Late.", "늦습니다."), "", partly=True)})
+        return judge_outcomes(task, variant, [*halves, last])
+
+    assert list(verdict(raised, raised).slips) == ["late"]
+    assert verdict(gives[2], raised).slips == {}
+
+
+def test_a_frame_that_a_buffer_does_not_hold_is_asked_after_and_another_lookup_is_not():
+    text = '"camera" passed to lookupTransform argument source_frame does not exist. '
+    assert "written down in your function" in tip_for("LookupException", text).en
+    assert "written down" not in tip_for("LookupException", "no such thing").en

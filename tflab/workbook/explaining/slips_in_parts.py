@@ -1,0 +1,133 @@
+"""Which slips of a task explain parts of an answer?  All of it, the part that it is made in, or some of the parts.
+
+    slip shows in    a  b  c        wrong    a  b  c     the whole of it
+                                             a  b        those parts, if its reply is true of each
+                                             a           the part that it is made in: the rest was put right
+
+Read `after.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from ..answers import sealed
+from ..answers.form import Form, numbers_of
+from ..answers.forms import Message, Parts, Vector
+from ..answers.values import Plain, is_raised
+from ..mistakes.fields import section
+from ..mistakes.fitting import MEASURED, ONE, TWO, is_just, words_of
+from ..tasks.case import AND, Case, TaskCases, TwinWords
+from ..words import Words
+from .explanation import said_of
+from .together import Found
+
+__all__ = ["Table", "is_something", "slips_in_parts"]
+
+FOLLOWS = Words(
+    en='this follows from another "{part}" than the one you give: {said}',
+    ko='따로 답한 "{part}"과(와) 다른 값에서 나온 답입니다. {said}',
+)
+LABELS = ("header.", "child_frame_id")  # fields of a message that say what its numbers are
+
+
+class Table(NamedTuple):
+    """An answer by its parts: the form of each, what came out in each case, what was wanted, and the arguments."""
+
+    forms: dict[str, Form]
+    given: dict[str, list[Plain]]
+    wanted: dict[str, list[Plain]]
+    args: list[list[Plain]]
+
+
+def slips_in_parts(task: TaskCases, table: Table, cases: Sequence[Case], wrong: set[str]) -> list[Found]:
+    """Return what slips explain, most parts and fewest slips first."""
+    found = []
+    for key in cases[0].twins:
+        twins = [case.twins[key] for case in cases]
+        slips = {name: words_of(task, name) for name in key.split(AND)}
+        changed, same = _shown(task.form, table, twins, TWO if AND in key else ONE)
+        if changed and changed <= same & wrong:
+            found.append(Found(slips, said_of(task, list(slips)), changed, is_whole=True))
+        elif same & changed & wrong and all(_is_partly(task.form, table, cases, *row) for row in slips.items()):
+            found.append(Found(slips, said_of(task, list(slips)), same & changed & wrong))
+        elif len(slips) == 1 and (made_in := slips[key].part) in same & changed & wrong:  # but what follows is not so
+            found.append(Found(slips, said_of(task, list(slips)), {made_in}))
+        elif len(slips) == 1:
+            found += _of_one_slip(task.form, table, key, slips[key], changed, same & wrong, wrong)
+    return sorted(_held_together(found), key=lambda cause: (-len(cause.parts), len(cause.slips), not cause.is_whole))
+
+
+def _is_partly(form: Form, table: Table, cases: Sequence[Case], name: str, words: TwinWords) -> bool:
+    """Return whether a slip's reply is true of some parts alone: it says so, or it shows in a single one anyway."""
+    return words.partly or (
+        bool(words.part) and _shown(form, table, [case.twins.get(name) for case in cases], ONE)[0] == {words.part}
+    )
+
+
+def _held_together(found: list[Found]) -> list[Found]:
+    return [cause for cause in found if len(cause.slips) == 1 or not _falls_apart(cause, found)]
+
+
+def _of_one_slip(
+    form: Form,
+    table: Table,
+    name: str,
+    words: TwinWords,
+    changed: set[str],
+    same: set[str],
+    wrong: set[str],
+) -> list[Found]:
+    """Return what a slip explains whose labels were put right by hand, or that was made on the way to another part."""
+    values = {part for part in changed if not part.startswith(LABELS)}
+    same = _more_than_zero(table, same)
+    if isinstance(form, Message) and values and values <= same:
+        return [Found({name: words}, words.reply, values)]
+    made_in, follow = words.part, {part for part in changed & same if isinstance(table.forms[part], MEASURED)}
+    if not isinstance(form, Parts) or not made_in or not follow or made_in in wrong or made_in not in changed:
+        return []
+    said = (FOLLOWS.say(tongue, part=made_in, said=words.reply.say(tongue)) for tongue in ("en", "ko"))
+    return [Found({name: words}, Words(*said), follow)]
+
+
+def _falls_apart(both: Found, found: Sequence[Found]) -> bool:
+    """Return whether each of two slips, and no other, explains parts of its own: then each is said of those."""
+    single = [cause for cause in found if len(cause.slips) == 1]
+    alone = [cause.parts for cause in single if cause.slips.keys() <= both.slips.keys()]
+    if len(alone) < len(both.slips) or set.intersection(*alone) or not both.parts <= set.union(*alone):
+        return False
+    return all(sum(cause.parts == parts for cause in single) == 1 for parts in alone)
+
+
+def _shown(form: Form, table: Table, twins: Sequence[Plain], share: float) -> tuple[set[str], set[str]]:
+    """Return in which parts a mistake gives something else than what is right, and in which it gives what came out."""
+    changed: set[str] = set()
+    same: set[str] = set()
+    if any(map(is_raised, twins)) or any(twin is None for twin in twins):
+        return changed, same
+    for number, (name, part) in enumerate(table.forms.items()):
+        row = [section(form, twin, number, name) for twin in twins]
+        if not _all_same(part, row, table.wanted[name]):
+            changed.add(name)
+        if is_just(part, table.given[name], row, share):
+            same.add(name)
+    return changed, same
+
+
+def _all_same(form: Form, twins: Sequence[Plain], wanted: Sequence[Plain]) -> bool:
+    return all(
+        twin == want if sealed.is_sealed(want) else form.alike(twin, want)
+        for twin, want in zip(twins, wanted, strict=True)
+    )
+
+
+def _more_than_zero(table: Table, parts: set[str]) -> set[str]:
+    """Return those of the parts in which something else than zeros was given, which many mistakes come to."""
+    return {part for part in parts if any(is_something(table.forms[part], value) for value in table.given[part])}
+
+
+def is_something(form: Form, value: Plain) -> bool:
+    """Return whether a value is more than zeros, which many answers are."""
+    row = numbers_of(value, form.size if isinstance(form, Vector) else None)
+    return row is None or any(row)

@@ -1,0 +1,50 @@
+"""What was meant by a word that is none to choose from?  Another part's, nearly one of these, a topic with a name.
+
+    "a"       "start the driver"     that is to choose from under "a do"
+    "moving"  "/dolly/tf"            another topic than "/tf"
+    "cause"   "laser clock ahed"     nearly "laser clock ahead"
+
+Only what stands in the question is said.  Read `mistake.py` next.
+"""
+
+from __future__ import annotations
+
+import difflib
+
+from ..answers.forms import Choice, Parts
+from ..answers.values import Plain
+from ..words import Words
+
+__all__ = ["near_an_option", "option_of_another"]
+
+NEAR = 0.8  # share of letters that two words have in common
+ANOTHERS = Words(
+    en='It is one of those to choose from under "{name}". Look whether two keys are exchanged',
+    ko='"{name}"의 보기에 있는 낱말입니다. 두 키를 서로 바꾸어 썼는지 보십시오',
+)
+NEARLY = Words(en='The nearest of them is "{option}"', ko='가장 비슷한 보기는 "{option}"입니다')
+A_TOPIC = Words(
+    en='With a name in front it is another topic: whoever listens on "{option}" hears nothing of it',
+    ko='앞에 이름을 붙이면 다른 토픽입니다. "{option}"을(를) 듣는 노드는 그것을 받지 못합니다',
+)
+
+
+def near_an_option(form: Choice, answer: str) -> Words | None:
+    """Return which option a word is near to, or is with a name in front; None if it is near none."""
+    topic = next((one for one in form.options if one.startswith("/") and answer.endswith(one)), None)
+    if topic is not None:
+        return _filled(A_TOPIC, option=topic)
+    near = difflib.get_close_matches(answer[:100], form.options, 1, NEAR)
+    return _filled(NEARLY, option=near[0]) if near else None
+
+
+def option_of_another(form: Parts, name: str, answer: Plain) -> Words | None:
+    """Return under which other part a word is to choose from; None if it is under none, or of a kind of its own."""
+    for other, part in form.parts.items():
+        if other != name and isinstance(part, Choice) and part.options and part.option(answer) is not None:
+            return _filled(ANOTHERS, name=other)
+    return None
+
+
+def _filled(words: Words, **names: str) -> Words:
+    return Words(words.say("en", **names), words.say("ko", **names))
