@@ -261,3 +261,17 @@ def test_what_is_too_long_for_a_slide_stands_in_two_columns(deck: Path, page) ->
     page.evaluate("dispatchEvent(new Event('resize'))")
     assert page.locator(".deck-current .deck-columns").count() == 0
     assert page.locator("#deck-more.deck-shown").count() == 1
+
+
+@pytest.mark.browser
+def test_a_long_text_goes_on_in_the_second_half_of_its_slide(page) -> None:
+    style = (Path(slides.__file__).parent / "static" / "deck.css").read_text(encoding="utf-8")
+    child = '<div class="jp-OutputArea-child" style="display: table; overflow: hidden">{}</div>'
+    text = f'<div class="jp-OutputArea-output" style="display: table-cell"><pre>{"line<br>" * 40}</pre></div>'
+    area = f'<div class="jp-OutputArea jp-Cell-outputArea" style="overflow: auto">{child.format(text)}</div>'
+    page.set_content(
+        f'<style>{style}</style><div class="deck-slide deck-current">'
+        f'<div class="deck-content deck-columns" style="width: 900px; height: 600px">{area}</div></div>'
+    )
+    content = page.locator(".deck-content")
+    assert content.evaluate("(all) => all.scrollHeight <= all.clientHeight && all.scrollWidth <= all.clientWidth")
