@@ -23,16 +23,18 @@ def answer(base, map_):
     return {"base_link": base, "map": map_}
 
 
-SIGN = {"added": 1.0, "taken away": -1.0, "skipped": 0.0, "turned round": 1.0}
+SIGN = {"added": 1.0, "taken away": -1.0, "skipped": 0.0, "turned round": 1.0, "twice": 2.0}
 
 
 def both(g, *, side="left", mount="added", way="laser to post", height="added", start="base_link", robot="added"):
     """Return where the post is, step by step; other steps are the slips."""
     x, y, z = g.laser_p_post
     seen = [x, -y if side == "right" else y, z]
-    base = plus(
-        [SIGN[mount] * number for number in g.base_p_laser], [seen, [-one for one in seen]][way == "mount minus post"]
-    )
+    kept = {"x alone": "x", "without y": "xz"}.get(mount, "xyz")
+    there = [
+        SIGN.get(mount, 1.0) * n if letter in kept else 0.0 for letter, n in zip("xyz", g.base_p_laser, strict=True)
+    ]
+    base = plus(there, [seen, [-one for one in seen]][way == "mount minus post"])
     base = plus(g.map_p_base, g.base_p_laser) if way == "the laser in map" else base
     starts = {
         "base_link": base,
@@ -43,7 +45,8 @@ def both(g, *, side="left", mount="added", way="laser to post", height="added", 
     map_ = plus([SIGN[robot] * number for number in g.map_p_base], starts[start])
     map_ = plus(map_, g.laser_p_post, [-number for number in g.map_p_base]) if way == "the laser in map" else map_
     map_ = plus(g.map_p_base, [-number for number in starts[start]]) if robot == "turned round" else map_
-    heights = {"added": (base[2], map_[2]), "the laser's": (z, z), "floor": (0.0, 0.0)}[height]
+    heights = {"added": (base[2], map_[2]), "the laser's": (z, z), "floor": (0.0, 0.0),
+               "robot's forgotten": (base[2], map_[2] - g.map_p_base[2])}[height]  # fmt: skip
     return answer([*base[:2], heights[0]], [*map_[:2], heights[1]])
 
 
@@ -198,6 +201,46 @@ THE_LASER_IN_MAP = Slip(
 )
 
 
+MOUNT_ALONG_X = Slip(
+    "mount along x alone",
+    {"mount": "x alone"},
+    Words(
+        en="Of the mount you added x alone. It also sits to one side and higher up: y and z add like x.",
+        ko="장착 위치에서 x만 더했습니다. 레이저는 옆으로, 위로도 떨어져 있습니다. y와 z도 x처럼 더합니다.",
+    ),
+)
+
+
+MOUNT_WITHOUT_Y = Slip(
+    "mount without y",
+    {"mount": "without y"},
+    Words(
+        en="The mount's y is missing: the laser does not sit in the middle, but a little to one side.",
+        ko="장착 위치의 y가 빠졌습니다. 레이저는 한가운데가 아니라 옆으로 조금 치우쳐 있습니다.",
+    ),
+)
+
+
+ROBOT_TWICE = Slip(
+    "robot twice",
+    {"robot": "twice"},
+    Words(
+        en="On the map the robot's place is counted twice. Once, and the way from the map's origin is whole.",
+        ko="지도에서 로봇의 위치를 두 번 더했습니다. 한 번만 더하면 지도 원점에서 오는 길이 됩니다.",
+    ),
+)
+
+
+HEIGHT_OF_THE_ROBOT = Slip(
+    "height of the robot",
+    {"height": "robot's forgotten"},
+    Words(
+        en="On the map the height lacks the robot's own: `map_p_base` has a z, too.",
+        ko="지도 기준 높이에 로봇의 높이가 빠졌습니다. `map_p_base`에도 z가 있습니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E1.1",
     kind="N",
@@ -224,6 +267,10 @@ TASK = Task(
         ROBOT_MINUS_POST,
         MOUNT_MINUS_POST,
         THE_LASER_IN_MAP,
+        MOUNT_ALONG_X,
+        MOUNT_WITHOUT_Y,
+        ROBOT_TWICE,
+        HEIGHT_OF_THE_ROBOT,
     ),
     hints=(
         Words(

@@ -65,6 +65,8 @@ def age_s(message, now, age):
         "stamp by a million": now.nanoseconds / 1e9 - stamp.sec - stamp.nanosec / 1e6,
         "stamp in nanoseconds": now.nanoseconds / 1e9 - (stamp.sec * 10**9 + stamp.nanosec),
         "now in nanoseconds": now.nanoseconds - (stamp.sec + stamp.nanosec / 1e9),
+        "stamp cut": now.nanoseconds / 1e9 - stamp.sec,
+        "nanosec as it is": now.nanoseconds // 10**9 + now.nanoseconds % 10**9 - stamp.sec - stamp.nanosec,
         "now cut": now.nanoseconds // 10**9 - (stamp.sec + stamp.nanosec / 1e9),
     }[age]
 
@@ -89,7 +91,12 @@ def verdict(
     says = {
         "frame": (not message.header.frame_id, "no frame"),
         "stamp": (
-            {"both": not (stamp.sec or stamp.nanosec), "sec": not stamp.sec, "nanosec": not stamp.nanosec}[zero],
+            {
+                "both": not (stamp.sec or stamp.nanosec),
+                "sec": not stamp.sec,
+                "nanosec": not stamp.nanosec,
+                "either": not (stamp.sec and stamp.nanosec),
+            }[zero],
             "no stamp",
         ),
         "future": ({"after now": old_s < 0, "now, too": old_s <= 0, "a tenth": old_s < -0.1}[ahead], "from the future"),
@@ -199,8 +206,8 @@ ALREADY_AT_THE_BOUND = Slip(
     "already at the bound",
     {"bound": "from it on"},
     Words(
-        en="At exactly max_age_s you refuse. Older than that is too old; exactly that old is still good.",
-        ko="나이가 딱 max_age_s일 때 거절합니다. 그보다 오래된 것만 거절하고, 딱 그만큼은 아직 쓸 수 있습니다.",
+        en="At exactly max_age_s you refuse: there stands `>=`, or the difference of two floats lies a hair above it (whole nanoseconds have no such hair). Exactly that old is still good.",
+        ko="나이가 딱 max_age_s일 때 거절합니다. `>=`로 비교했거나, 실수끼리 뺀 값이 미세하게 커진 것입니다(나노초 정수로 빼면 그런 일이 없습니다). 딱 그만큼은 아직 쓸 수 있습니다.",
     ),
 )
 
@@ -356,6 +363,47 @@ NOW_IN_WHOLE_SECONDS = Slip(
 )
 
 
+NO_LOOK_AT_THE_FRAME = Slip(
+    "no look at the frame",
+    {"looks": "stamp future old"},
+    Words(
+        en='A message without a frame is judged as if it had one. A missing frame is the empty text, `""`: `is None` does not find it, `not frame_id` does.',
+        ko='좌표계가 없는 메시지를 있는 것처럼 판정합니다. 없는 좌표계는 빈 문자열 `""`입니다. `is None`으로는 찾지 못하고, `not frame_id`로 찾습니다.',
+    ),
+)
+
+
+EITHER_FOR_ZERO = Slip(
+    "either for zero",
+    {"zero": "either"},
+    Words(
+        en="You take a stamp for missing when sec *or* nanosec is 0. It is missing only where both are: at each full second nanosec is 0, and at the start of a simulation sec.",
+        ko="sec *또는* nanosec이 0이면 측정 시각이 없다고 합니다. 둘 다 0일 때만 없는 것입니다. 정각에는 nanosec이 0이고, 시뮬레이션이 시작될 때는 sec이 0입니다.",
+    ),
+    "M9",
+)
+
+
+STAMP_IN_WHOLE_SECONDS = Slip(
+    "stamp in whole seconds",
+    {"age": "stamp cut"},
+    Words(
+        en="Of the stamp you keep whole seconds alone, and of now all: what is measured looks older than it is, by up to a second. nanosec is a part of the stamp.",
+        ko="측정 시각에서는 초만, now에서는 전부를 썼습니다. 측정값이 실제보다 최대 1초까지 더 오래되어 보입니다. nanosec도 측정 시각의 일부입니다.",
+    ),
+)
+
+
+NANOSEC_AS_IT_IS = Slip(
+    "nanosec as it is",
+    {"age": "nanosec as it is"},
+    Words(
+        en="You add nanosec to the seconds as it is. It is a number of nanoseconds: divide it by 1e9 first.",
+        ko="나노초를 그대로 초에 더했습니다. 나노초이므로 먼저 1e9로 나누십시오.",
+    ),
+)
+
+
 TASK = Task(
     id="E1.3",
     kind="F",
@@ -394,6 +442,10 @@ TASK = Task(
         STAMP_IN_NANOSECONDS,
         NOW_IN_NANOSECONDS,
         NOW_IN_WHOLE_SECONDS,
+        NO_LOOK_AT_THE_FRAME,
+        EITHER_FOR_ZERO,
+        STAMP_IN_WHOLE_SECONDS,
+        NANOSEC_AS_IT_IS,
     ),
     hints=(
         Words(

@@ -39,6 +39,8 @@ def by_arrival(given, *, age="all", way="arrival minus stamp", unit="s", drive="
         "added": arrived_sec - sec + (arrived_nanosec + nanosec) / 1e9,
         "as they are": float(arrived_sec - sec + arrived_nanosec - nanosec),
         "sum": seconds_of(given.arrived) + seconds_of(given.stamp),
+        "to tenths": round(seconds_of(given.arrived) - seconds_of(given.stamp), 1),
+        "to hundredths": round(seconds_of(given.arrived) - seconds_of(given.stamp), 2),
         "none": 0.0,
         "arrival": seconds_of(given.arrived),
         "stamp": seconds_of(given.stamp),
@@ -50,6 +52,12 @@ def by_arrival(given, *, age="all", way="arrival minus stamp", unit="s", drive="
         "closer": ahead_m - driven_m,
         "away": ahead_m + driven_m,
         "left out": ahead_m,
+        "until the arrival": ahead_m - given.speed_mps * seconds_of(given.arrived),
+        "in km/h": ahead_m - given.speed_mps / 3.6 * age_s,
+        "faster in km/h": ahead_m - given.speed_mps * 3.6 * age_s,
+        "difference first": (ahead_m - given.speed_mps) * age_s,
+        "speed minus age": ahead_m - (given.speed_mps - age_s),
+        "speed plus age": ahead_m - (given.speed_mps + age_s),
         "the way driven": driven_m,
         "age alone": ahead_m - age_s,
         "divided": ahead_m - given.speed_mps / age_s if age_s else ahead_m,
@@ -279,6 +287,92 @@ TIMES_ADDED = Slip(
 )
 
 
+UNTIL_THE_ARRIVAL = Slip(
+    "until the arrival",
+    {"drive": "until the arrival"},
+    Words(
+        en="You let the robot drive from second 0 up to the arrival. It is the age that counts: from the stamp up to the arrival.",
+        ko="로봇이 0초부터 도착 시각까지 달린 것으로 계산했습니다. 필요한 것은 나이, 곧 측정 시각부터 도착까지입니다.",
+    ),
+    part="ahead_m",
+)
+
+
+IN_KMH = Slip(
+    "speed in km/h",
+    {"drive": "in km/h"},
+    Words(
+        en="You divided the speed by 3.6. It is in metres a second already.",
+        ko="속도를 3.6으로 나누었습니다. 속도는 이미 m/s입니다.",
+    ),
+    part="ahead_m",
+)
+
+
+TO_KMH = Slip(
+    "speed to km/h",
+    {"drive": "faster in km/h"},
+    Words(
+        en="You multiplied the speed by 3.6, which makes km/h of it. Metres and seconds want it in metres a second, as it is.",
+        ko="속도에 3.6을 곱해 km/h로 만들었습니다. 미터와 초로 계산하려면 m/s 그대로 쓰십시오.",
+    ),
+    part="ahead_m",
+)
+
+
+DIFFERENCE_FIRST = Slip(
+    "difference first",
+    {"drive": "difference first"},
+    Words(
+        en="You took the speed off the distance and multiplied after that: metres minus metres a second. Speed times age is the way, and that is taken off.",
+        ko="거리에서 속도를 먼저 빼고 그다음 곱했습니다. 미터에서 m/s를 뺄 수 없습니다. 속도 × 나이가 달린 거리이고, 그것을 뺍니다.",
+    ),
+    part="ahead_m",
+)
+
+
+SPEED_AND_AGE_SUBTRACTED = Slip(
+    "speed minus age",
+    {"drive": "speed minus age"},
+    Words(
+        en="You took the age off the speed. The way driven is speed *times* time.",
+        ko="속도에서 나이를 뺐습니다. 달린 거리는 속도와 시간의 *곱*입니다.",
+    ),
+    part="ahead_m",
+)
+
+
+SPEED_AND_AGE_ADDED = Slip(
+    "speed plus age",
+    {"drive": "speed plus age"},
+    Words(
+        en="You added age and speed. The way driven is speed *times* time.",
+        ko="나이와 속도를 더했습니다. 달린 거리는 속도와 시간의 *곱*입니다.",
+    ),
+    part="ahead_m",
+)
+
+
+AGE_TO_TENTHS = Slip(
+    "age to tenths",
+    {"age": "to tenths"},
+    Words(
+        en="You rounded the age to tenths of a second, and went on with that. Carry a number on as it was computed.",
+        ko="나이를 0.1초 단위로 반올림하고 그 값으로 계산을 이어 갔습니다. 계산한 그대로 쓰십시오.",
+    ),
+)
+
+
+AGE_TO_HUNDREDTHS = Slip(
+    "age to hundredths",
+    {"age": "to hundredths"},
+    Words(
+        en="You rounded the age to hundredths of a second, and went on with that. Carry a number on as it was computed.",
+        ko="나이를 0.01초 단위로 반올림하고 그 값으로 계산을 이어 갔습니다. 계산한 그대로 쓰십시오.",
+    ),
+)
+
+
 TASK = Task(
     id="E1.4",
     kind="N",
@@ -313,6 +407,14 @@ TASK = Task(
         NANOSECONDS_ADDED,
         NANOSEC_AS_IT_IS,
         TIMES_ADDED,
+        UNTIL_THE_ARRIVAL,
+        IN_KMH,
+        TO_KMH,
+        DIFFERENCE_FIRST,
+        SPEED_AND_AGE_SUBTRACTED,
+        SPEED_AND_AGE_ADDED,
+        AGE_TO_TENTHS,
+        AGE_TO_HUNDREDTHS,
     ),
     hints=(
         Words(

@@ -33,6 +33,8 @@ def honest(range_m, measured, now, *, frame="laser_frame", moment="measured", si
     message = point(frame, stamps_ns.get(moment, 0), 0.0)
     if moment == "all in nanosec":
         message.header.stamp = builtin_interfaces.Time(sec=0, nanosec=measured_ns % 2**32)
+    if moment == "milliseconds in nanosec":
+        message.header.stamp = builtin_interfaces.Time(sec=measured_ns // 10**9, nanosec=measured_ns % 10**9 // 10**6)
     for letter in axis:
         setattr(message.point, letter, value)
     return message
@@ -194,6 +196,48 @@ IN_ODOM = Slip(
 )
 
 
+AGE_ADDED = Slip(
+    "age added",
+    {"sight": "age added"},
+    Words(
+        en="You added the age to the range: seconds to metres. A driver reports what was measured, and says when.",
+        ko="거리에 나이를 더했습니다. 미터에 초를 더할 수 없습니다. 드라이버는 측정한 것과 그 시각을 그대로 알립니다.",
+    ),
+    "M9",
+)
+
+
+IN_CAMERA_LINK = Slip(
+    "in camera_link",
+    {"frame": "camera_link"},
+    Words(
+        en="The label says camera_link, and no camera measured this: the number was counted from the laser.",
+        ko="이름표는 camera_link인데 카메라가 잰 것이 아닙니다. 레이저에서 센 숫자입니다.",
+    ),
+)
+
+
+LASER_LINK = Slip(
+    "laser_link",
+    {"frame": "laser_link"},
+    Words(
+        en="`laser_link` is no frame of this robot: its laser's frame is called `laser_frame`.",
+        ko="`laser_link`라는 좌표계는 이 로봇에 없습니다. 레이저의 좌표계는 `laser_frame`입니다.",
+    ),
+    "M14",
+)
+
+
+MILLISECONDS_IN_NANOSEC = Slip(
+    "milliseconds in nanosec",
+    {"moment": "milliseconds in nanosec"},
+    Words(
+        en="sec is right, and nanosec holds milliseconds: a second has a thousand million nanoseconds. `measured.to_msg()` splits a time into both fields.",
+        ko="sec은 맞지만 nanosec에 밀리초를 넣었습니다. 1초는 10억 나노초입니다. `measured.to_msg()`가 시각을 두 항목으로 나눠 줍니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E1.6",
     kind="C",
@@ -221,6 +265,10 @@ TASK = Task(
         AGE_TAKEN_OFF,
         ALONG_Y,
         IN_ODOM,
+        AGE_ADDED,
+        IN_CAMERA_LINK,
+        LASER_LINK,
+        MILLISECONDS_IN_NANOSEC,
     ),
     hints=(
         Words(
