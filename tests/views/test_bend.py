@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tflab.views.bend import Bend, draw_bend, gap_m, wait_s
+from tflab.views.bend import Bend, deepest, draw_bend, gap_m, wait_s
 from tflab.views.panels import rate_panel
 
 
@@ -48,3 +48,14 @@ def test_the_panel_follows_its_sliders():
     panel.controls["yaw rate [rad/s]"].value = 0.0
     assert "0.00 mm" in panel.text
     panel.close()
+
+
+@pytest.mark.parametrize("turn", [0.0, 0.5, -1.5, 3.0])
+def test_the_card_is_as_high_as_the_arc_and_nothing_is_cut(turn):
+    picture = draw_bend(Bend(0.5, turn, 1.0))
+    low, high = picture.ax.get_ylim()
+    heights = picture._arc.get_ydata()
+    assert low < heights.min() and heights.max() < high
+    assert np.abs(heights).max() == pytest.approx(deepest(turn), abs=1e-9)
+    across, up = 1.24 / picture.ax.bbox.width, (high - low) / picture.ax.bbox.height
+    assert across == pytest.approx(up)  # a circle is drawn round

@@ -291,3 +291,19 @@ def test_the_menus_of_a_tree_speak_the_language_of_the_copy():
     assert list(one_tree_panel("ko").controls) == ["옮길 frame", "새 부모", "원본", "목표"]
     with pytest.raises(ValueError, match="languages are en, ko"):
         one_tree_panel("fr")
+
+
+def test_whatever_is_asked_of_a_tree_it_and_tf2s_words_stand_on_its_card_and_the_panel_fits_a_laptop():
+    def looped(edges, target, source):  # tf2's longest answer: it names every edge
+        named = (f"Frame {child} exists with parent {parent}." for parent, child in edges[:-1])
+        return False, "\n".join(["lookup", "loop", *named])
+
+    panel = tree_panel(PARENTS, "map", "laser_frame", looped)
+    (axes,) = panel.picture.figure.axes
+    for child in PARENTS:
+        for parent in (*PARENTS, "map", "odm"):
+            panel.controls["move"].value, panel.controls["under"].value = child, parent
+            lowest = min((text.get_position()[1] for text in axes.texts), default=0.0)
+            card_inch = panel.picture.figure.artists[0].get_height()
+            assert lowest - 10.0 > -72.0 * card_inch > axes.get_ylim()[0]
+    assert panel.picture.size_px[1] < 520

@@ -68,8 +68,14 @@ def test_the_sentence_agrees_with_the_engine():
 
 def test_the_text_holds_all_five():
     said = sentence(LASER_IN_BASE)
-    for part in (said.english, said.korean, said.call, said.arrow, *said.matrix, said.echo_command, said.echo_output):
+    for part in (said.english, said.call, said.arrow, *said.matrix, said.echo_command, said.echo_output):
         assert part in said.text
+
+
+def test_the_text_reads_the_sentence_in_one_language_only():
+    said = sentence(LASER_IN_BASE)
+    assert said.text.startswith(said.english) and said.korean not in said.text
+    assert said.text_in("ko").startswith(said.korean) and said.english not in said.text_in("ko")
 
 
 def test_the_arrow_goes_from_source_to_target():

@@ -135,7 +135,32 @@ def test_stamps_since_1970_are_counted_from_a_whole_second():
     ax = draw_timeline("a", "b", lanes, lambda a, b, t: StampedTransform(a, b, t, Transform()), start).ax
     assert ax.get_xlabel() == "stamp [s] after 1699999999"  # a sixth of 6 s before the first sample
     labels = [label.get_text() for label in ax.get_xticklabels()]
-    assert labels == ["1.5", "3.0", "4.5", "6.0", "7.5"]
+    assert labels == ["1.0", "2.0", "3.0", "4.0", "5.0", "6.0", "7.0", "8.0"]
+
+
+@pytest.mark.parametrize(
+    ("last_s", "labels"),
+    [
+        (4.75, ["1.0", "1.5", "2.0", "2.5", "3.0", "3.5", "4.0", "4.5", "5.0"]),
+        (1.62, ["1.50", "1.55", "1.60", "1.65"]),
+    ],
+)
+def test_stamps_stand_at_numbers_that_people_count_in(last_s, labels):
+    ax = draw_timeline("a", "b", [lane(1.52, last_s)], _at_rest, seconds(1.52)).ax
+    assert [label.get_text() for label in ax.get_xticklabels()] == labels
+
+
+def test_a_still_card_is_as_high_as_its_answer(timeline, buffer):
+    two_rows, text_of_tf2 = (
+        draw_timeline(timeline.target_frame, timeline.source_frame, timeline.lanes, buffer.lookup_transform, seconds(s))
+        for s in (3.0, 9.0)
+    )
+    assert two_rows.size_px[1] < text_of_tf2.size_px[1] < TimelinePicture(timeline, _at_rest).size_px[1]
+    assert "..." not in text_of_tf2.body.text
+
+
+def _at_rest(target, source, stamp_ns):
+    return StampedTransform(target, source, stamp_ns, Transform())
 
 
 def test_static_only_and_empty_lanes_are_drawn_too():

@@ -19,10 +19,11 @@ import numpy as np
 from . import style
 from .picture import Picture
 
-__all__ = ["Bend", "BendPicture", "describe_bend", "draw_bend", "gap_m", "wait_s"]
+__all__ = ["Bend", "BendPicture", "deepest", "describe_bend", "draw_bend", "gap_m", "wait_s"]
 
 NEARLY_STRAIGHT = 1e-9  # [rad/s]
 POINTS = 60
+CHORD_PX, LEGEND_PX, RIM_PX, LEAST_PX = 380, 34, 26, 160  # a chord, what stands above and below, a card's height
 
 
 class Bend(NamedTuple):
@@ -67,21 +68,27 @@ def describe_bend(bend: Bend) -> str:
 class BendPicture(Picture):
     """Arc and chord between two samples, as large as the paper; the three numbers beside them."""
 
-    def __init__(self) -> None:
-        super().__init__(style.WIDE)
+    def __init__(self, lowest: float, highest: float) -> None:
+        """Make room for arcs that reach from `lowest` to `highest`, in chords, 0 being the chord itself."""
+        arc_px = CHORD_PX * (highest - lowest)
+        height_px = max(LEGEND_PX + arc_px + 2 * RIM_PX, LEAST_PX)
+        super().__init__((style.WIDE[0], height_px / style.SCREEN_DPI))
+        width_px = self.size_px[0]
+        middle, half = (lowest + highest) / 2, (height_px - LEGEND_PX) / CHORD_PX / 2
+        box = (0.04, 0.0, 1.24 * CHORD_PX / width_px, 1.0 - LEGEND_PX / height_px)
         with style.our_settings():
-            self.ax = self.figure.add_axes((0.04, 0.06, 0.62, 0.88))
+            self.ax = self.figure.add_axes(box)
             self.ax.set_axis_off()
             self.ax.set_xlim(-0.62, 0.62)
-            self.ax.set_ylim(-0.42, 0.42)
-            self.ax.set_aspect("equal")
+            self.ax.set_ylim(middle - half, middle + half)
             (self._arc,) = self.ax.plot([], [], color=style.INK, linewidth=2.2, label="arc")
             dashes = (0, (4.0, 1.6))
             (self._chord,) = self.ax.plot([], [], color=style.ACCENT, linewidth=1.8, linestyle=dashes, label="chord")
             (self._gap,) = self.ax.plot([], [], color=style.AXIS_COLOURS["x"], linewidth=2.6, label="gap")
             (self._samples,) = self.ax.plot([], [], "o", color=style.INK, markersize=7, label="samples")
-            self.ax.legend(loc="upper left", ncols=4, frameon=False, fontsize=style.SMALL_PT, borderaxespad=0.0)
-            self._numbers = self.figure.text(0.70, 0.52, "", va="center", linespacing=2.1)
+            self.figure.legend(loc="upper left", bbox_to_anchor=(0.03, 1.0 - 10 / height_px), ncols=4, frameon=False,
+                               fontsize=style.SMALL_PT, borderaxespad=0.0)  # fmt: skip
+            self._numbers = self.figure.text(0.70, 0.5, "", va="center", linespacing=1.9)
         self.moving = [self._arc, self._chord, self._gap, self._samples, self._numbers]
 
     def show(self, bend: Bend) -> None:
@@ -102,9 +109,15 @@ class BendPicture(Picture):
 
 def draw_bend(bend: Bend) -> BendPicture:
     """Draw what TF knows of a bend between two samples."""
-    picture = BendPicture()
+    heights = _arc_of(bend)[:, 1]
+    picture = BendPicture(float(heights.min()), float(heights.max()))
     picture.show(bend)
     return picture
+
+
+def deepest(turn_rad: float) -> float:
+    """Return how far the arc of a period in which the robot turns so far [rad] is from its chord, in chords."""
+    return math.tan(abs(turn_rad) / 4.0) / 2.0
 
 
 def _arc_of(bend: Bend) -> np.ndarray:

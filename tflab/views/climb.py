@@ -110,7 +110,7 @@ class TreeWalkPicture(Picture):
 
     def __init__(self, rows: int, lines: int = 0) -> None:
         """Make room for so many rows, and lines of words below them."""
-        self._height_pt = HEAD + ROW * rows + LINE * lines + (10.0 if lines else 0.0) + 10.0
+        self._height_pt = _height_pt(rows, lines)
         super().__init__((style.WIDE[0], self._height_pt / 72.0))
         self._axes = clear_paper(self.figure.add_axes((0.0, 0.0, 1.0, 1.0)))
 
@@ -136,18 +136,20 @@ class TreeWalkPicture(Picture):
         with style.our_settings():
             faulty = {frame for fault in tree_faults(snapshot) for frame in fault.frames}
             _Drawing(self._axes, rows, walk, faulty).draw()
-            if answer:
-                self._write_below(len(rows), answer, is_answer)
+            lines = self._write_below(len(rows), answer, is_answer)
+        style.shorten_card(self.figure, min(_height_pt(len(rows), lines), self._height_pt) / 72.0)
         self.redraw_all()
         faults = [f"! {fault.text}" for fault in tree_faults(snapshot)]
         self.text = "\n".join([_listing(rows), *faults, describe_walk(walk, parent_of), *([answer] if answer else [])])
 
-    def _write_below(self, rows: int, answer: str, is_answer: bool) -> None:
+    def _write_below(self, rows: int, answer: str, is_answer: bool) -> int:
+        """Write the answer below so many rows; return how many lines it takes."""
         lines = [part for line in answer.splitlines() for part in textwrap.wrap(line, MOST_LETTERS)]
         y = -(HEAD + ROW * rows + 10.0)
         for number, line in enumerate(lines):
             self._axes.text(RIM, y - LINE * number, line, va="top", fontsize=style.SMALL_PT, family="monospace",
                             color=style.INK if is_answer else style.ACCENT)  # fmt: skip
+        return len(lines)
 
 
 class _Drawing:
@@ -223,6 +225,11 @@ class _Drawing:
     def _box(self, shape, place, width: float, height: float, edge: str, face: str) -> None:
         self._ax.add_patch(shape(place, width, height, boxstyle="round,pad=0,rounding_size=6", edgecolor=edge,
                                  facecolor=face, linewidth=1.6 if face == "none" else 1.1, zorder=10))  # fmt: skip
+
+
+def _height_pt(rows: int, lines: int) -> float:
+    """Return how high a tree of so many rows is, with so many lines of words below it [pt]."""
+    return HEAD + ROW * rows + LINE * lines + (10.0 if lines else 0.0) + 10.0
 
 
 def _climb(parent_of: Mapping[str, str], frame: str, until: set[str]) -> tuple[list[str], bool]:

@@ -73,6 +73,8 @@ def draw_moments(poses: Mapping[str, Transform], point: Sequence[float], name: s
             top(left_px / width_px, 1 - 14 / height_px, moment, va="top", fontsize=style.TITLE_PT)
             said = beside(pose.inverse().apply(point))
             top(left_px / width_px, 1 - 36 / height_px, said, va="top", color=style.ACCENT, fontsize=style.SMALL_PT)
+        grid = {"ha": "right", "va": "top", "color": style.GREY, "fontsize": style.SMALL_PT}
+        picture.figure.text(1 - EDGE_PX / width_px, 1 - 14 / height_px, "grid of 1 m", **grid)
     picture.text = describe_moments(poses, point)
     return picture
 

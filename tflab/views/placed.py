@@ -35,7 +35,7 @@ LOWEST_PX, HIGHEST_PX = 130, 360
 MARGIN_M = 0.3
 RING_PT = 11.0
 SCALES_M = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0)
-SCALE_PART = 0.2  # of a panel, at most
+SCALE_PART, SCALE_PT = 0.2, 8.0  # of a panel, at most; how far below it
 
 
 class Offs(NamedTuple):
@@ -150,13 +150,16 @@ def _show_box(ax, shown_m: tuple[float, float, float, float], width_per_height: 
 
 
 def _draw_scale(ax) -> None:
-    """Draw how long a metre is, or what is near it: a bar at the lower right, with its length."""
-    (left, right), (low, high) = ax.get_xlim(), ax.get_ylim()
+    """Draw how long a metre is, or what is near it: a bar below the lower right corner, with its length."""
+    from matplotlib.transforms import ScaledTranslation
+
+    left, right = ax.get_xlim()
     length_m = max(length for length in SCALES_M if length <= max(SCALE_PART * (right - left), SCALES_M[0]))
-    end, height = right - 0.02 * (right - left), low + 0.04 * (high - low)
-    ax.plot([end - length_m, end], [height, height], color=style.GREY, linewidth=2.0, solid_capstyle="butt", zorder=3)
-    ax.annotate(f"{length_m:g} m", (end - length_m / 2, height), (0, 3), textcoords="offset points", ha="center",
-                color=style.GREY, fontsize=style.SMALL_PT)  # fmt: skip
+    below = ax.get_xaxis_transform() + ScaledTranslation(0.0, -SCALE_PT / 72.0, ax.figure.dpi_scale_trans)
+    ax.plot([right - length_m, right], [0.0, 0.0], color=style.GREY, linewidth=2.0, solid_capstyle="butt",
+            transform=below, clip_on=False)  # fmt: skip
+    ax.annotate(f"{length_m:g} m", (right - length_m / 2, 0.0), (0, -3), xycoords=below, textcoords="offset points",
+                ha="center", va="top", color=style.GREY, fontsize=style.SMALL_PT)  # fmt: skip
 
 
 def _everything(

@@ -56,8 +56,12 @@ class Sentence:
     @property
     def text(self) -> str:
         """All of it, for a terminal or a screen reader."""
-        return "\n".join((self.english, self.korean, self.call, self.arrow, *self.matrix, self.echo_command,
-                          self.echo_output))  # fmt: skip
+        return self.text_in("en")
+
+    def text_in(self, language: str) -> str:
+        """Return the same with the sentence in another language: "en" or "ko"."""
+        read_aloud = self.korean if language == "ko" else self.english
+        return "\n".join((read_aloud, self.call, self.arrow, *self.matrix, self.echo_command, self.echo_output))
 
 
 def sentence(stamped: StampedTransform, asked_ns: int = LATEST) -> Sentence:
@@ -126,11 +130,12 @@ def _rpy_of_echo(matrix: np.ndarray) -> tuple[float, float, float]:
 class SentencePicture(Picture):
     """All frames, an arrow from source to target, and the sentence, the call and the matrix."""
 
-    def __init__(self, poses: Mapping[str, Transform]) -> None:
+    def __init__(self, poses: Mapping[str, Transform], language: str = "en") -> None:
+        """Draw the frames; `language` is that of `text`."""
         from .typed import TypedBlock
 
         super().__init__((style.WIDE[0], 4.3))
-        self.poses = dict(poses)
+        self.poses, self._language = dict(poses), language
         places = np.array([pose.translation for pose in self.poses.values()])
         span_m = float(np.ptp(places, axis=0).max()) or 1.0
         length_m = 0.22 * span_m
@@ -166,7 +171,7 @@ class SentencePicture(Picture):
             product = f"{target}_p = {target}_T_{source}.apply({source}_p)"
             self.lines.write("\n".join((said.call, f"tf2_echo {target} {source}", product)))
             self.matrix.write("\n".join(said.matrix))
-        self.text = said.text
+        self.text = said.text_in(self._language)
         return self
 
 

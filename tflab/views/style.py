@@ -128,6 +128,14 @@ def figure(size_inch: tuple[float, float] = WIDE) -> Figure:
     return fig
 
 
+def shorten_card(fig: Figure, height_inch: float) -> None:
+    """Let a card end `height_inch` below its upper edge; below, the page is seen."""
+    card = fig.artists[0]
+    _, full = fig.get_size_inches()
+    card.set_y(full - height_inch + 0.02)
+    card.set_height(height_inch - 0.04)
+
+
 def room_px(names: Iterable[str], at_least_px: int = 110) -> int:
     """Return how much room the longest of these names takes left of a row [screen pixels]."""
     return max(at_least_px, *(42 + 7 * len(name) for name in names))

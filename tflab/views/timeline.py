@@ -30,11 +30,13 @@ Ask = Callable[[str, str, int], StampedTransform]
 
 TEXT_COLUMNS = 48  # how wide a lane is in words
 RIGHT_PX = 24  # what stands right of a lane
-LANE_PX, TOP_PX, ANSWER_PX = 34, 30, 164
+LANE_PX, TOP_PX = 34, 30
+AXIS_PX, HEADLINE_PX, ROW_PX, FOOT_PX = 58, 22, 20.5, 10  # below the lanes: stamps, a headline, a row, the rim
 BODY_COLUMNS, BODY_ROWS = 88, 4  # how many letters go side by side on the card, and rows below each other
 LONG_STAMP_NS = 100_000 * NSEC_PER_SEC
 QUERY_ROW = -0.75  # above the lanes
 MOST_MARKS = 120  # a lane with more samples is drawn as a band
+MOST_TICKS, TICK_STEPS = 9, (1, 2, 5, 10)  # people count in these
 
 
 class Lane(NamedTuple):
@@ -191,23 +193,26 @@ def _lane_remark(lane: Lane) -> str:
 class TimelinePicture(Picture):
     """The lanes, the common interval, and a query that can be moved."""
 
-    def __init__(self, timeline: Timeline, ask: Ask) -> None:
-        self.timeline, self._ask = timeline, ask
-        height_px = TOP_PX + LANE_PX * (len(timeline.lanes) + 1) + ANSWER_PX
+    def __init__(self, timeline: Timeline, ask: Ask, rows: int = BODY_ROWS) -> None:
+        """Draw the lanes, with room for so many rows of an answer below them."""
+        self.timeline, self._ask, self._rows = timeline, ask, rows
+        self._answer_px = AXIS_PX + HEADLINE_PX + ROW_PX * rows + FOOT_PX
+        height_px = TOP_PX + LANE_PX * (len(timeline.lanes) + 1) + self._answer_px
         width_px = style.WIDE[0] * style.SCREEN_DPI
         super().__init__((style.WIDE[0], height_px / style.SCREEN_DPI))
-        lanes_px = height_px - TOP_PX - ANSWER_PX
+        lanes_px = height_px - TOP_PX - self._answer_px
         name_px = style.room_px(lane.name for lane in timeline.lanes)
         with style.our_settings():
-            box = (name_px / width_px, ANSWER_PX / height_px, 1 - (name_px + RIGHT_PX) / width_px, lanes_px / height_px)
+            right_px = width_px - name_px - RIGHT_PX
+            box = (name_px / width_px, self._answer_px / height_px, right_px / width_px, lanes_px / height_px)
             self.ax = self.figure.add_axes(box)
             self._draw_lanes()
             self._draw_query()
         self.moving = [self.query, self.handle, self.moment, self.headline, self.body]
 
-    def show(self, stamp_ns: int) -> TimelinePicture:
-        """Move the query to `stamp_ns` [ns], and return the picture."""
-        reply = answer(self.timeline, self._ask, stamp_ns)
+    def show(self, stamp_ns: int, reply: Answer | None = None) -> TimelinePicture:
+        """Move the query to `stamp_ns` [ns], and return the picture; `reply` if it has been asked already."""
+        reply = reply or answer(self.timeline, self._ask, stamp_ns)
         lines = describe_answer(self.timeline, reply)
         refused = reply.stamped is None
         left_ns, right_ns = self.timeline.shown_ns
@@ -223,7 +228,7 @@ class TimelinePicture(Picture):
             self.moment.set_position((-9, 0) if is_near_end else (9, 0))
             self.moment.set_horizontalalignment("right" if is_near_end else "left")
             self.headline.set_text(lines[0])
-            self.body.write("\n".join(_fitting(lines[1:])))
+            self.body.write("\n".join(_fitting(lines[1:], self._rows)))
         self.text = describe_timeline(self.timeline, reply)
         return self
 
@@ -275,15 +280,16 @@ class TimelinePicture(Picture):
         self.moment = ax.annotate("", (0.0, QUERY_ROW), (9, 0), textcoords="offset points", va="center",
                                   color=style.ACCENT, annotation_clip=False)  # fmt: skip
         _, height = self.size_px
-        self.headline = self.figure.text(0.025, 106 / height, "", fontsize=style.TITLE_PT, fontweight="bold", va="top",
+        head, body = self._answer_px - AXIS_PX, self._answer_px - AXIS_PX - HEADLINE_PX
+        self.headline = self.figure.text(0.025, head / height, "", fontsize=style.TITLE_PT, fontweight="bold", va="top",
                                          color=style.ACCENT)  # fmt: skip
-        self.body = TypedBlock(self.figure, 0.025, 84 / height)
+        self.body = TypedBlock(self.figure, 0.025, body / height)
 
 
-def _fitting(lines: Sequence[str]) -> list[str]:
+def _fitting(lines: Sequence[str], most: int) -> list[str]:
     """Return lines broken to fit on the card; what does not fit is still in the words of the picture."""
     rows = [row for line in lines for row in wrap(line, BODY_COLUMNS)]
-    return rows if len(rows) <= BODY_ROWS else [*rows[: BODY_ROWS - 1], "..."]
+    return rows if len(rows) <= most else [*rows[: most - 1], "..."]
 
 
 def _label_time(ax, left_ns: int, right_ns: int) -> None:
@@ -296,8 +302,9 @@ def _label_time(ax, left_ns: int, right_ns: int) -> None:
 
     base_ns = left_ns // NSEC_PER_SEC * NSEC_PER_SEC if left_ns >= LONG_STAMP_NS else 0
     first, last = (left_ns - base_ns) / 1e9, (right_ns - base_ns) / 1e9
-    ticks = [tick for tick in MaxNLocator(6).tick_values(first, last) if first <= tick <= last]
-    digits = 1 if last - first > 3.0 else 2
+    round_ones = MaxNLocator(MOST_TICKS, steps=TICK_STEPS).tick_values(first, last)
+    ticks = [tick for tick in round_ones if first <= tick <= last]
+    digits = 1 if round_ones[1] - round_ones[0] > 0.09 else 2
     ax.set_xticks([tick - first for tick in ticks], [style.fmt(tick, "", digits) for tick in ticks])
     ax.set_xlabel(f"stamp [s] after {base_ns // NSEC_PER_SEC}" if base_ns else "stamp [s]", loc="right")
 
@@ -306,4 +313,7 @@ def draw_timeline(
     target_frame: str, source_frame: str, lanes: Sequence[Lane], ask: Ask, stamp_ns: int
 ) -> TimelinePicture:
     """Draw the edges between two frames through time, and the answer to a query at `stamp_ns` [ns]."""
-    return TimelinePicture(Timeline(target_frame, source_frame, tuple(lanes)), ask).show(stamp_ns)
+    timeline = Timeline(target_frame, source_frame, tuple(lanes))
+    reply = answer(timeline, ask, stamp_ns)
+    rows = len(_fitting(describe_answer(timeline, reply)[1:], BODY_ROWS))
+    return TimelinePicture(timeline, ask, rows).show(stamp_ns, reply)

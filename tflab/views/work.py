@@ -104,7 +104,8 @@ class WorkPicture(Picture):
             )  # fmt: skip
             moments = [moment / 1e9 for moment in row.moments_ns]
             ax.plot(moments, [i] * len(moments), color=style.INK, linestyle="none", marker="o", markersize=5.5,
-                    markerfacecolor=style.PAPER, markeredgewidth=1.5, zorder=3, gid=row.name)  # fmt: skip
+                    markerfacecolor=style.PAPER, markeredgewidth=1.5, zorder=3, clip_on=False,
+                    gid=row.name)  # fmt: skip
 
 
 def draw_work(rows: Sequence[Work], start_ns: int, end_ns: int) -> WorkPicture:

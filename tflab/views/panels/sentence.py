@@ -50,7 +50,7 @@ class SentencePanel(Panel):
             _menu("shell", [(words.echo_command, pair) for pair, words in forms.items()], self._pair, language),
         ]
         before, between_words, after = (widgets.Label(words) for words in WORDS[language])
-        picture = SentencePicture(poses)
+        picture = SentencePicture(poses, language)
         super().__init__(
             "One question about two frames, said in five ways",
             picture,

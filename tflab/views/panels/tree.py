@@ -20,7 +20,7 @@ from .panel import Panel, menu
 Edge = tuple[str, str]  # parent, child
 Ask = Callable[[list[Edge], str, str], tuple[bool, str]]  # edges as sent, target, source -> an answer at all? its text
 
-LINES = 4  # for tf2's words, besides one for each frame
+LINES = 2  # for tf2's words, besides one for each frame: of a loop it names every edge
 
 
 class MenuWords(NamedTuple):
@@ -71,7 +71,7 @@ def tree_panel(
     parent = _menu(words.under, [*frames, misspelt], parent_of[first], words.chosen)
     source = _menu(words.source, frames, source_frame, words.chosen)
     target = _menu(words.target, frames, target_frame, words.chosen)
-    picture = TreeWalkPicture(len(frames) + 2, len(frames) + LINES)
+    picture = TreeWalkPicture(len(frames) + 1, len(frames) + LINES)
 
     def move(at: At) -> None:
         sent = [(above, below) for below, above in parent_of.items()]
