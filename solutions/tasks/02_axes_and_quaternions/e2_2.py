@@ -42,7 +42,8 @@ def picked(
     }[turns]()
     x, y, z = (-x if depth == "behind" else x), (-y if side == "right" else y), (-z if height == "down" else z)
     x, y, z = (x, z, y) if places == "exchanged" else (x, y, z)
-    x, z = (x + 0.10, z + 0.30) if origin == "base_link" else (x, z)
+    ahead, up = {"base_link": (0.10, 0.30), "taken off": (-0.10, -0.30), "raised": (0.0, 0.30)}.get(origin, (0.0, 0.0))
+    x, z = x + ahead, z + up
     share = math.hypot(x, y, z) if length == "one" else 1.0
     return (x / share, y / share, z / share)
 
@@ -261,6 +262,26 @@ DEGREES_AND_PLUS = Slip(
 )
 
 
+MOUNT_TAKEN_OFF = Slip(
+    "mount taken off",
+    {"origin": "taken off"},
+    Words(
+        en="You took the camera's mount of the page off. The picture and camera_link have one origin, the camera: nothing is added or taken off.",
+        ko="본문의 카메라 장착 위치를 뺐습니다. 영상의 좌표계와 camera_link는 원점이 같으므로 더하거나 뺄 것이 없습니다.",
+    ),
+)
+
+
+CAMERA_RAISED = Slip(
+    "camera raised",
+    {"origin": "raised"},
+    Words(
+        en="You added the height of the camera. camera_link has its origin in the camera, and heights count from there.",
+        ko="카메라의 높이를 더했습니다. camera_link의 원점은 카메라에 있고 높이도 거기서 잽니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E2.2",
     kind="N",
@@ -292,6 +313,8 @@ TASK = Task(
         YAW_TO_THE_OTHER_SIDE,
         EIGHTHS_OF_A_TURN,
         DEGREES_AND_PLUS,
+        MOUNT_TAKEN_OFF,
+        CAMERA_RAISED,
     ),
     hints=(
         Words(

@@ -27,6 +27,7 @@ def turned(yaw, *, unit="radians", half="inside", z="sine", way="left", axis="z"
     sine, cosine = {
         "sine": (sine, cosine),
         "cosine": (cosine, sine),
+        "squares": (sine**2, cosine**2),
         "angle": (yaw, 1.0),
         "half of it": (yaw / 2, 1.0),
         "angle beside the cosine": (yaw, cosine),
@@ -358,6 +359,17 @@ ROOT_FORGOTTEN = Slip(
 )
 
 
+SQUARES = Slip(
+    "squares",
+    {"z": "squares"},
+    Words(
+        en="You squared sine and cosine. Their squares add up to one, and the numbers themselves are the quaternion.",
+        ko="sin과 cos을 제곱했습니다. 제곱의 합이 1이 되는 것이고, 쿼터니언에는 제곱하지 않은 값을 넣습니다.",
+    ),
+    "M5",
+)
+
+
 TASK = Task(
     id="E2.3",
     kind="F",
@@ -399,6 +411,7 @@ TASK = Task(
         HALF_BESIDE_THE_COSINE,
         REST_OF_ONE,
         ROOT_FORGOTTEN,
+        SQUARES,
     ),
     hints=(
         Words(

@@ -56,7 +56,12 @@ def quaternions(rng: np.random.Generator) -> list[tuple[tuple[float, float, floa
 def judged(q: tuple, *, finite="all", zero="length", below=1e-6, length="root", tolerance=0.01, sides="both",
            looks="xy", size="abs", above=0.1, w="any sign", first="length") -> str:  # fmt: skip
     """Judge a quaternion as the task asks, step by step; other steps are the slips."""
-    finites = {"all": math.isfinite, "nan": lambda part: not math.isnan(part), "not asked": lambda part: True}
+    finites = {
+        "all": math.isfinite,
+        "infinity": lambda part: not math.isinf(part),
+        "nan": lambda part: not math.isnan(part),
+        "not asked": lambda part: True,
+    }
     if not all(map(finites[finite], q)):
         return "nan"
     x, y = (q[0] if "x" in looks else 0.0), (q[1] if "y" in looks else 0.0)
@@ -434,6 +439,17 @@ HALF_A_UNIT = Slip(
 )
 
 
+NAN_COMPARED = Slip(
+    "nan compared",
+    {"finite": "infinity"},
+    Words(
+        en="Infinity is caught, and NaN is not. NaN equals nothing, not even itself, so `part == math.nan` is never true: ask math.isfinite, or math.isnan.",
+        ko="무한대는 걸러지는데 NaN은 지나갑니다. NaN은 자기 자신과도 같지 않으므로 `part == math.nan`은 늘 거짓입니다. math.isfinite나 math.isnan으로 확인하십시오.",
+    ),
+    "M5",
+)
+
+
 TASK = Task(
     id="E2.4",
     kind="F",
@@ -479,6 +495,7 @@ TASK = Task(
         X_OVER_W,
         NEVER_W_FIRST,
         HALF_A_UNIT,
+        NAN_COMPARED,
     ),
     hints=(
         Words(

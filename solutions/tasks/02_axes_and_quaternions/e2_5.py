@@ -185,6 +185,17 @@ def rows(given):
     ]
 
 
+SUM_AS_YAW = Twin(
+    "sum as one yaw",
+    lambda given: Transform.from_rpy(yaw=given.first_yaw_rad + given.then_pitch_rad).rotation,
+    Words(
+        en="You added the two angles to one yaw. They turn about two axes: each is a turn of its own.",
+        ko="두 각도를 더해 yaw 하나로 만들었습니다. 두 각도는 서로 다른 축을 중심으로 돕니다. 회전을 따로 만드십시오.",
+    ),
+    "M5",
+)
+
+
 ADDED = Twin(
     "added",
     lambda given: [a + b for a, b in zip(*rows(given), strict=True)],
@@ -355,6 +366,16 @@ PITCH_HALVED = Slip(
 )
 
 
+BOTH_TO_THE_OTHER_SIDE = Slip(
+    "both to the other side",
+    {"yaw": "right", "pitch": "up"},
+    Words(
+        en="Both turns go to the other side: a positive yaw turns left, a positive pitch takes the nose down.",
+        ko="두 회전 모두 반대쪽으로 돕니다. 양의 yaw는 왼쪽으로, 양의 pitch는 앞이 내려가는 쪽으로 돕니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E2.5",
     kind="N",
@@ -379,6 +400,7 @@ TASK = Task(
         YAW_TO_DEGREES,
         PITCH_TO_DEGREES,
         ADDED,
+        SUM_AS_YAW,
         AVERAGED,
         NUMBER_BY_NUMBER,
         WHOLE_ANGLES,
@@ -394,6 +416,7 @@ TASK = Task(
         HALVED,
         YAW_HALVED,
         PITCH_HALVED,
+        BOTH_TO_THE_OTHER_SIDE,
     ),
     hints=(
         Words(

@@ -25,6 +25,7 @@ def aside_mm(given, *, quarter="pi / 2", unit="radians", part="whole", reach="ra
     off_m = {
         "aside": reach_m * missing,
         "range": reach_m,
+        "angle in degrees": math.degrees(missing) / 1000.0,
         "shorter": reach_m * (1 - math.cos(missing)),
         "sine of degrees": reach_m * math.sin(math.degrees(missing)),
         "sine of the written": reach_m * math.sin(given.written_yaw_rad),
@@ -181,8 +182,8 @@ SINE_OF_THE_WRITTEN = Slip(
     "sine of the written",
     {"length": "sine of the written"},
     Words(
-        en="You took the sine of the whole angle that was written. What swings the ray aside is what is missing up to π/2.",
-        ko="적혀 있는 각도 전체의 sin을 썼습니다. 빛을 옆으로 비키게 하는 것은 π/2까지 모자란 만큼입니다.",
+        en="That is the sine of the whole angle that was written, or the cosine of the one that is missing. What swings the ray aside is what is missing up to π/2.",
+        ko="적혀 있는 각도 전체의 sin, 또는 모자란 각도의 cos입니다. 빛을 옆으로 비키게 하는 것은 π/2까지 모자란 만큼입니다.",
     ),
 )
 
@@ -193,6 +194,16 @@ TANGENT_OF_THE_WRITTEN = Slip(
     Words(
         en="You took the tangent of the whole angle that was written. What swings the ray aside is what is missing up to π/2.",
         ko="적혀 있는 각도 전체의 tan을 썼습니다. 빛을 옆으로 비키게 하는 것은 π/2까지 모자란 만큼입니다.",
+    ),
+)
+
+
+ANGLE_IN_DEGREES = Slip(
+    "angle in degrees",
+    {"length": "angle in degrees"},
+    Words(
+        en="That is the missing angle, in degrees. How far does it swing a point at this range?",
+        ko="모자란 각도를 도 단위로 쓴 것입니다. 이 거리에 있는 점은 그 각도만큼 돌면 얼마나 움직입니까?",
     ),
 )
 
@@ -225,6 +236,7 @@ TASK = Task(
         SINE_OF_DEGREES,
         SINE_OF_THE_WRITTEN,
         TANGENT_OF_THE_WRITTEN,
+        ANGLE_IN_DEGREES,
     ),
     hints=(
         Words(

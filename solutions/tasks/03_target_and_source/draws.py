@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from tflab.core import Transform
-from tflab.workbook.tasks import Angle, Number, Parts
+from tflab.workbook.tasks import Angle, Number, Parts, Words
 
 PLANAR = Parts({"x": Number("m"), "y": Number("m"), "yaw": Angle()})
 
@@ -39,3 +39,38 @@ def moved(pose: dict, x: float, y: float, yaw: float) -> dict[str, float]:
     """Return where a pose lies after a turn about the origin by its yaw."""
     c, s = math.cos(yaw), math.sin(yaw)
     return {"x": c * x - s * y, "y": s * x + c * y, "yaw": pose["yaw"]}
+
+
+def by_formula(x: float, y: float, angle: float, way: str) -> tuple[float, float]:
+    """Return a point turned in the plane by the formula, or with one of its terms written wrongly."""
+    c, s = math.cos(angle), math.sin(angle)
+    right = (c * x - s * y, s * x + c * y)
+    return {
+        "cosine's sign in x": (-c * x - s * y, right[1]),
+        "cosine's sign in y": (right[0], s * x - c * y),
+        "exchanged in x": (s * x - c * y, right[1]),
+        "exchanged in y": (right[0], c * x + s * y),
+        "places in x": (c * y - s * x, right[1]),
+    }[way]
+
+
+COSINES_SIGN_IN_X = Words(
+    en="one cosine in your x has the wrong sign: look at the formula once more, u·cos α − v·sin α.",
+    ko="x를 구하는 식에서 cos 앞의 부호 하나가 틀렸습니다. u·cos α − v·sin α를 다시 확인하십시오.",
+)
+COSINES_SIGN_IN_Y = Words(
+    en="one cosine in your y has the wrong sign: look at the formula once more, u·sin α + v·cos α.",
+    ko="y를 구하는 식에서 cos 앞의 부호 하나가 틀렸습니다. u·sin α + v·cos α를 다시 확인하십시오.",
+)
+EXCHANGED_IN_X = Words(
+    en="in your x alone, sine and cosine have changed places: it is u·cos α − v·sin α.",
+    ko="x를 구하는 식에서만 sin과 cos의 자리가 바뀌었습니다. u·cos α − v·sin α입니다.",
+)
+EXCHANGED_IN_Y = Words(
+    en="in your y alone, sine and cosine (or u and v) have changed places: it is u·sin α + v·cos α.",
+    ko="y를 구하는 식에서만 sin과 cos(또는 u와 v)의 자리가 바뀌었습니다. u·sin α + v·cos α입니다.",
+)
+PLACES_IN_X = Words(
+    en="in your x alone, u and v have changed places: it is u·cos α − v·sin α.",
+    ko="x를 구하는 식에서만 u와 v의 자리가 바뀌었습니다. u·cos α − v·sin α입니다.",
+)

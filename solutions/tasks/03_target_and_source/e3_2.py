@@ -50,7 +50,9 @@ def _half(transform: Transform) -> Transform:
     return Transform.from_rpy(yaw=transform.rpy()[2] / 2)
 
 
-def moved_twice(given, *, first="apply", then="apply", product="in order", between="as computed") -> dict[str, tuple]:
+def moved_twice(
+    given, *, first="apply", height="kept", then="apply", product="in order", between="as computed"
+) -> dict[str, tuple]:
     """Return the corner in both frames, step by step; other steps are the slips."""
     point = given.laser_p_corner
     base_p = taken(given.base_T_laser, point, first)
@@ -60,6 +62,9 @@ def moved_twice(given, *, first="apply", then="apply", product="in order", betwe
         return {"base_link": base_p, "map": (given.map_T_base @ given.base_T_laser).inverse().apply(point)}
     if product == "laser twice":
         return {"base_link": base_p, "map": (given.map_T_base @ given.base_T_laser).apply(base_p)}
+    if product == "laser itself":
+        return {"base_link": base_p, "map": given.map_T_base.apply(given.base_T_laser.translation)}
+    base_p = (*base_p[:2], 0.0) if height == "left out" else base_p
     carried = {"as computed": base_p, "to tenths": tuple(round(number, 1) for number in base_p)}[between]
     return {"base_link": base_p, "map": taken(given.map_T_base, point if product == "skipped" else carried, then)}
 
@@ -459,6 +464,28 @@ ROUNDED_BETWEEN = Slip(
 )
 
 
+HEIGHT_LEFT_OUT = Slip(
+    "height left out",
+    {"height": "left out"},
+    Words(
+        en="on the way to `base_link`, the height was left out: the laser does not sit on the floor, and z counts as well.",
+        ko="`base_link`로 옮길 때 높이를 빠뜨렸습니다. 레이저는 바닥에 있지 않으므로 z도 더합니다.",
+    ),
+    part="base_link",
+)
+
+
+THE_LASER_ON_THE_MAP = Slip(
+    "the laser on the map",
+    {"product": "laser itself"},
+    Words(
+        en="for `map`, that is where the laser sits; the corner has not come into it yet. Give the product a point: `.apply(laser_p_corner)`.",
+        ko="`map`에 쓴 것은 레이저의 위치입니다. 모서리는 아직 들어가지 않았습니다. 곱한 것에 점을 넣으십시오: `.apply(laser_p_corner)`.",
+    ),
+    part="map",
+)
+
+
 TASK = Task(
     id="E3.2",
     kind="N",
@@ -504,6 +531,8 @@ TASK = Task(
         FIRST_HALF,
         FIRST_TURNED_TWICE,
         ROUNDED_BETWEEN,
+        HEIGHT_LEFT_OUT,
+        THE_LASER_ON_THE_MAP,
     ),
     hints=(
         Words(

@@ -8,7 +8,16 @@ import numpy as np
 
 from tflab.workbook.tasks import Slip, Task, Words
 
-from .draws import PLANAR, some_planar
+from .draws import (
+    COSINES_SIGN_IN_X,
+    COSINES_SIGN_IN_Y,
+    EXCHANGED_IN_X,
+    EXCHANGED_IN_Y,
+    PLACES_IN_X,
+    PLANAR,
+    by_formula,
+    some_planar,
+)
 
 
 def invert_inputs(rng: np.random.Generator) -> list[tuple]:
@@ -17,6 +26,18 @@ def invert_inputs(rng: np.random.Generator) -> list[tuple]:
     straight = {"x": 2.0, "y": 1.0, "yaw": 0.0}
     on_the_spot = {"x": 0.0, "y": 0.0, "yaw": round(float(rng.uniform(0.4, 1.2)), 4)}
     return [*((pose,) for pose in quarters), (straight,), (on_the_spot,)]
+
+
+def yaws(yaw: float) -> dict[str, float]:
+    """Return what people make of the yaw on the way back."""
+    return {
+        "back": -yaw,
+        "kept": yaw,
+        "behind": yaw + math.pi,
+        "zero": 0.0,
+        "rest of a half": math.pi - yaw,
+        "one over": 1.0 / yaw if yaw else 0.0,
+    }
 
 
 def inverted(
@@ -35,10 +56,16 @@ def inverted(
     x = c * u - s * v
     x = x if sine != "one sign" else c * u + s * v
     to_y = -s if sine == "sign in y" else s
+    by_hand = sine in ("cosine's sign in x", "cosine's sign in y", "exchanged in x", "exchanged in y", "places in x")
+    if step == "one over":
+        u, v = (1.0 / number if number else 0.0 for number in (a_pose_b["x"], a_pose_b["y"]))
+    if by_hand or step == "one over":
+        x, straight_y = by_formula(u, v, by, sine) if by_hand else (u, v)
+        return {"x": x, "y": straight_y, "yaw": yaws(yaw)[turn]}
     return {
         "x": x,
         "y": to_y * {"old": u, "new": x, "new, taken off": -x}[y] + c * v,
-        "yaw": {"back": -yaw, "kept": yaw, "behind": yaw + math.pi, "zero": 0.0, "rest of a half": math.pi - yaw}[turn],
+        "yaw": yaws(yaw)[turn],
     }
 
 
@@ -226,6 +253,38 @@ REST_OF_HALF_A_TURN = Slip(
 )
 
 
+COSINES_SIGN_IN_X_OF = Slip("cosine's sign in x", {"sine": "cosine's sign in x"}, COSINES_SIGN_IN_X)
+
+COSINES_SIGN_IN_Y_OF = Slip("cosine's sign in y", {"sine": "cosine's sign in y"}, COSINES_SIGN_IN_Y)
+
+EXCHANGED_IN_X_OF = Slip("exchanged in x", {"sine": "exchanged in x"}, EXCHANGED_IN_X)
+
+EXCHANGED_IN_Y_OF = Slip("exchanged in y", {"sine": "exchanged in y"}, EXCHANGED_IN_Y)
+
+PLACES_IN_X_OF = Slip("places in x", {"sine": "places in x"}, PLACES_IN_X)
+
+ONE_OVER = Slip(
+    "one over",
+    {"step": "one over"},
+    Words(
+        en="you divided 1 by the numbers. The inverse of a pose is no one-over: it is the way back, from b to a, turned and stepped.",
+        ko="1을 숫자로 나누었습니다. 포즈의 역은 역수가 아니라 b에서 a로 돌아가는 길입니다. 회전과 이동을 되돌리십시오.",
+    ),
+    "M3",
+)
+
+
+ONE_OVER_THE_YAW = Slip(
+    "one over the yaw",
+    {"turn": "one over"},
+    Words(
+        en="your yaw is 1 divided by the yaw. To turn back is to turn by as much the other way.",
+        ko="1을 yaw로 나누었습니다. 돌아갈 때는 같은 만큼 반대쪽으로 돕니다.",
+    ),
+    "M3",
+)
+
+
 TASK = Task(
     id="E3.3",
     kind="F",
@@ -255,6 +314,13 @@ TASK = Task(
         BY_HALF_THE_ANGLE,
         NO_YAW,
         REST_OF_HALF_A_TURN,
+        COSINES_SIGN_IN_X_OF,
+        COSINES_SIGN_IN_Y_OF,
+        EXCHANGED_IN_X_OF,
+        EXCHANGED_IN_Y_OF,
+        PLACES_IN_X_OF,
+        ONE_OVER,
+        ONE_OVER_THE_YAW,
     ),
     hints=(
         Words(

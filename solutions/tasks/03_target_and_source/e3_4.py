@@ -8,7 +8,17 @@ import numpy as np
 
 from tflab.workbook.tasks import Slip, Task, Words
 
-from .draws import PLANAR, moved, some_planar
+from .draws import (
+    COSINES_SIGN_IN_X,
+    COSINES_SIGN_IN_Y,
+    EXCHANGED_IN_X,
+    EXCHANGED_IN_Y,
+    PLACES_IN_X,
+    PLANAR,
+    by_formula,
+    moved,
+    some_planar,
+)
 
 
 def compose_inputs(rng: np.random.Generator) -> list[tuple]:
@@ -55,6 +65,10 @@ def joined(
     if step in ("one sign in x", "one sign in y"):
         c, s = math.cos(angle), math.sin(angle)
         pose |= {"x": c * x + s * y} if step == "one sign in x" else {"y": c * y - s * x}
+    if step in ("cosine's sign in x", "cosine's sign in y", "exchanged in x", "exchanged in y", "places in x"):
+        pose |= dict(zip("xy", by_formula(x, y, angle, step), strict=True))
+    if step == "exchanged":
+        pose |= {"x": math.sin(angle) * x - math.cos(angle) * y, "y": math.cos(angle) * x + math.sin(angle) * y}
     if step == "second lost":
         pose |= {"x": 0.0, "y": 0.0}
     if step == "first twice":
@@ -332,6 +346,26 @@ MEAN_OF_THE_YAWS = Slip(
 )
 
 
+COSINES_SIGN_IN_X_OF = Slip("cosine's sign in x", {"step": "cosine's sign in x"}, COSINES_SIGN_IN_X)
+
+COSINES_SIGN_IN_Y_OF = Slip("cosine's sign in y", {"step": "cosine's sign in y"}, COSINES_SIGN_IN_Y)
+
+EXCHANGED_IN_X_OF = Slip("exchanged in x", {"step": "exchanged in x"}, EXCHANGED_IN_X)
+
+EXCHANGED_IN_Y_OF = Slip("exchanged in y", {"step": "exchanged in y"}, EXCHANGED_IN_Y)
+
+PLACES_IN_X_OF = Slip("places in x", {"step": "places in x"}, PLACES_IN_X)
+
+SINE_FOR_COSINE = Slip(
+    "sine for cosine",
+    {"step": "exchanged"},
+    Words(
+        en="sine and cosine have changed places in the turn.",
+        ko="회전 공식에서 sin과 cos의 자리가 바뀌었습니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E3.4",
     kind="F",
@@ -368,6 +402,12 @@ TASK = Task(
         FIRST_STEP_TWICE,
         FIRST_YAW_MINUS_SECOND,
         MEAN_OF_THE_YAWS,
+        COSINES_SIGN_IN_X_OF,
+        COSINES_SIGN_IN_Y_OF,
+        EXCHANGED_IN_X_OF,
+        EXCHANGED_IN_Y_OF,
+        PLACES_IN_X_OF,
+        SINE_FOR_COSINE,
     ),
     hints=(
         Words(

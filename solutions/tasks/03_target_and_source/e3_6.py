@@ -43,7 +43,8 @@ def mounted(ahead_m, up_m, yaw_deg, *, ends="parent first", numbers="as given", 
     ways = {"sine": (0, 0, z, w), "w first": (w, 0, 0, z), "none": (0, 0, 0, 1), "roll": (z, 0, 0, w), "pitch": (0, z, 0, w),
             "angle": (0, 0, yaw, 1), "w one": (0, 0, z, 1), "zero": (0, 0, 0, 0), "exchanged": (0, 0, w, z)}  # fmt: skip
     x, y, up = {"x and z": (ahead_m, 0.0, up_m), "exchanged": (up_m, 0.0, ahead_m), "y": (ahead_m, up_m, 0.0),
-                "optical": (0.0, -up_m, ahead_m)}[axes]  # fmt: skip
+                "optical": (0.0, -up_m, ahead_m), "minus y": (ahead_m, -up_m, 0.0), "y ahead": (0.0, ahead_m, up_m),
+                "y up, z ahead": (0.0, up_m, ahead_m)}[axes]  # fmt: skip
     if numbers == "inverse":
         back = Transform(rotation=(0, 0, *half_turn(yaw)), translation=(x, y, up)).inverse()
         (x, y, up), ways["sine"] = back.translation, back.rotation
@@ -317,6 +318,39 @@ OPTICAL_AXES = Slip(
 )
 
 
+UP_IN_MINUS_Y = Slip(
+    "up in minus y",
+    {"axes": "minus y"},
+    Words(
+        en="up_m stands in y, with a minus: that is up in a picture, the optical frame. On `base_link` z points up.",
+        ko="up_m을 y에 음수로 넣었습니다. 그것은 영상(광학 좌표계)의 위쪽입니다. `base_link`에서는 z가 위입니다.",
+    ),
+    "M4",
+)
+
+
+Y_AHEAD = Slip(
+    "y ahead",
+    {"axes": "y ahead"},
+    Words(
+        en="ahead_m stands in y, as on a map. On a robot x points ahead and y to the left.",
+        ko="ahead_m을 지도처럼 y에 넣었습니다. 로봇에서는 x가 앞, y가 왼쪽입니다.",
+    ),
+    "M4",
+)
+
+
+Y_UP_Z_AHEAD = Slip(
+    "y up and z ahead",
+    {"axes": "y up, z ahead"},
+    Words(
+        en="up_m stands in y and ahead_m in z. On `base_link` x points ahead and z up.",
+        ko="up_m을 y에, ahead_m을 z에 넣었습니다. `base_link`에서는 x가 앞, z가 위입니다.",
+    ),
+    "M4",
+)
+
+
 TASK = Task(
     id="E3.6",
     kind="C",
@@ -355,6 +389,9 @@ TASK = Task(
         TO_DEGREES,
         PARENT_MAP,
         PARENT_ODOM,
+        UP_IN_MINUS_Y,
+        Y_AHEAD,
+        Y_UP_Z_AHEAD,
     ),
     hints=(
         Words(
