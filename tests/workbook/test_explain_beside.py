@@ -72,6 +72,8 @@ def test_a_whole_list_is_called_by_its_name_and_one_reply_is_given_once():
         (ASKED.replace("0.2 --y", "0.2 0.1 --y"), "static: a word without option"),
         (ASKED.replace(" --", " -"), "line: hyphens"),
         (f"{MOUNT} 0.2 -0.1 0.3 base_link laser", "static: not eight words"),
+        (f"{MOUNT} 0.2 -0.1 0.3 0.5 0 0 base_link laser 100", "static: a period"),
+        (f"{MOUNT} 0.2 -0.1 0.3 0 0 0.2 0.9 base_link laser 100", "static: a period"),
         (ASKED.replace("publisher", "broadcaster"), "line: other program"),
         (ASKED.replace("run", "launch"), "line: other command"),
         (ASKED.replace("laser", "/laser"), "slash in front"),

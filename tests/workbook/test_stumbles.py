@@ -118,6 +118,24 @@ def test_a_message_that_gets_a_time_says_how_a_time_becomes_a_stamp(monkeypatch)
     assert "`.to_msg()`" in tip_for("AssertionError", str(raised.value)).en
 
 
+@pytest.mark.parametrize(
+    ("field", "value", "tip"),
+    [("sec", 5_000_000_000, "whole seconds"), ("sec", 5.5, "whole seconds"), ("nanosec", 0.5, "`int(…)`")],
+)
+def test_a_stamp_that_is_filled_wrongly_says_what_its_fields_hold(monkeypatch, field, value, tip):
+    monkeypatch.setattr(field_checks, "on", True)
+    with pytest.raises(AssertionError) as raised:
+        setattr(geometry_msgs.PointStamped().header.stamp, field, value)
+    assert tip in tip_for("AssertionError", str(raised.value)).en
+
+
+def test_a_frame_that_is_no_text_hears_that_a_text_is_wanted(monkeypatch):
+    monkeypatch.setattr(field_checks, "on", True)
+    with pytest.raises(AssertionError) as raised:
+        geometry_msgs.PointStamped().header.frame_id = 5
+    assert "takes a text" in tip_for("AssertionError", str(raised.value)).en
+
+
 def test_an_error_of_ones_own_gets_none():
     assert tip_for("ValueError", "the robot is tired").en == ""
     assert tip_for("Tired", "KeyError").en == ""

@@ -96,6 +96,12 @@ LINES = {
         ko="옵션 사이에 어느 옵션의 것도 아닌 단어가 있습니다. 옵션은 뒤의 단어 하나를 받으므로, 숫자와 이름마다 "
         "옵션을 따로 붙여야 합니다.",
     ),
+    "static: a period": Words(
+        en="the number at the end is a period, as ROS 1 had it. The tool of ROS 2 takes none: a static transform is "
+        "sent once. Named options, `--x` … `--yaw` … `--frame-id` … `--child-frame-id`, are its own form.",
+        ko="끝의 숫자는 ROS 1에서 쓰던 주기입니다. ROS 2의 정적 변환은 한 번만 보내므로 주기를 쓰지 않습니다. "
+        "`--x` … `--yaw` … `--frame-id` … `--child-frame-id`처럼 이름이 있는 옵션을 쓰십시오.",
+    ),
     "static: not eight words": Words(
         en="without options there are eight words behind the program's name, x y z yaw pitch roll parent child, or "
         "nine with a quaternion; here is another number of them.",
@@ -265,12 +271,18 @@ def _wrong_static(given: Line) -> Iterator[tuple[str, str]]:
     if foreign:
         kind = _foreign(foreign)
         yield kind, _quoted(foreign) if kind == "static: no such option" else ""
+    elif not options and len(given) in (9, 10) and [_is_a_number(word) for word in given[-3:]] == [False, False, True]:
+        yield "static: a period", ""
     elif not options and len(given) not in (8, 9):
         yield "static: not eight words", ""
     elif options and not {"--frame-id", "--child-frame-id"} <= set(options):
         yield "static: a frame missing", ""
     elif options and len(given) > 2 * len(options):
         yield "static: a word without option", ""
+
+
+def _is_a_number(word: float | str) -> bool:
+    return str(word).replace(".", "", 1).lstrip("-").isdigit()
 
 
 def _foreign(options: list[str]) -> str:

@@ -120,6 +120,28 @@ TIPS = (  # the error's name and text, the first that fits
         ),
     ),
     (
+        r"(Assertion|Type)Error: .*'sec' field must be (an integer in|of type 'int')",
+        Words(
+            "`sec` holds whole seconds, as an `int`, and `nanosec` what is left over of them: `.to_msg()` of a Time "
+            "writes both.",
+            "`sec`에는 초의 정수 부분(`int`)이, `nanosec`에는 나머지가 들어갑니다. Time의 `.to_msg()`가 둘을 채웁니다.",
+        ),
+    ),
+    (
+        r"(Assertion|Type)Error: .*field must be of type 'int'",
+        Words(
+            "The field takes a whole number alone: `int(…)` or `round(…)` makes one.",
+            "이 필드에는 정수만 들어갑니다. `int(…)`나 `round(…)`로 바꾸십시오.",
+        ),
+    ),
+    (
+        r"(Assertion|Type)Error: .*field must be of type 'str'",
+        Words(
+            "The field takes a text: a name in quotes, or a variable that holds one.",
+            "이 필드에는 글자가 들어갑니다. 따옴표로 묶은 이름이나 그런 값을 담은 변수를 쓰십시오.",
+        ),
+    ),
+    (
         r"(Assertion|Type)Error: .*field must be an? (un)?signed integer",
         Words(
             "The type is right, and the number does not fit. `nanosec` holds only what is left over the whole "
