@@ -393,6 +393,7 @@ def judged_with_givens(form, right, answer):
         (Number("rad/s"), -0.87, 0.73 * 0.87, "`speed_mps * yaw_rate_radps` gives (m/s times rad/s)"),
         (Number("rad/s"), -0.87, 0.73 / 0.87, "`speed_mps / yaw_rate_radps` gives (m/s by rad/s)"),
         (Number("rad/s"), -0.87, 0.73, "`speed_mps` gives (m/s)"),
+        (Number("rad/s"), -0.87, -0.73 * 0.87, "`-(speed_mps * yaw_rate_radps)` gives (m/s times rad/s)"),
         (Number("m"), 0.1, 0.73 * 120.0, "`delay_ms * speed_mps` gives (ms times m/s)"),
         (Vector(3), (7.6, -2.1, 0.4), (7.19, -2.25, -0.2), "`map_p_base - base_p_laser` gives"),
     ],

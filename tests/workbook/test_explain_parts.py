@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from tflab.workbook.answers.forms import Choice, Message, Number, Parts
+from tflab.workbook.answers.forms import Choice, Message, Number, Parts, Sequence
 from tflab.workbook.answers.values import to_plain
 from tflab.workbook.mistakes.stumbles import tip_for
 from tflab.workbook.tasks import Words
@@ -62,7 +62,9 @@ def test_a_word_that_stands_in_two_places_of_an_order_is_told_so_and_elsewhere_i
     def said(**places):
         return judge_outcomes(task, variant, [to_plain(places)]).said.en
 
-    assert said(first="names", second="tree", third="tree").startswith('"third": You have "tree" in 2 of the places')
+    assert said(first="names", second="tree", third="tree").startswith(
+        '"third": A tree. You have "tree" in 2 of the places'
+    )
     assert said(first="tree", second="names", third="mount").startswith('"first": A tree.')
     edges = Parts(dict.fromkeys("abc", cards))  # where a word may come twice
     verdict = judged(edges, {"a": "names", "b": "tree", "c": "mount"}, {}, {"a": "names", "b": "tree", "c": "tree"})
@@ -123,3 +125,12 @@ def test_a_frame_that_a_buffer_does_not_hold_is_asked_after_and_another_lookup_i
     text = '"camera" passed to lookupTransform argument source_frame does not exist. '
     assert "written down in your function" in tip_for("LookupException", text).en
     assert "written down" not in tip_for("LookupException", "no such thing").en
+
+
+def test_lists_whose_members_all_stand_in_one_other_order_are_told_so():
+    words = Sequence(Choice(("works", "never", "years off")))
+    form = Parts(dict.fromkeys("abc", words))
+    right = {"a": ["works", "never", "works"], "b": ["works", "years off", "works"], "c": ["never", "works", "works"]}
+    first_two = {name: [row[1], row[0], row[2]] for name, row in right.items()}
+    assert list(judged(form, right, {}, first_two).slips) == ["places exchanged"]
+    assert "places exchanged" not in judged(form, right, {}, first_two | {"c": ["works", "works", "never"]}).slips

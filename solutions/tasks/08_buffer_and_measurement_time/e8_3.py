@@ -318,6 +318,21 @@ A_TENTH_BEFORE_NOW = Slip(
 )
 
 
+PUT_BACK = tuple(
+    Slip(
+        f"{slip.name}, and the stamp put back",
+        slip.at | {"stamp": "put back"},
+        Words(
+            en=slip.reply.en
+            + " The message's own stamp, put back afterwards, makes the label true again and not the numbers.",
+            ko=slip.reply.ko + " 나중에 메시지의 측정 시각을 되돌려 놓아도 이름표만 맞고 숫자는 그대로 틀립니다.",
+        ),
+        slip.misconception,
+    )
+    for slip in (SEC_ALONE, HALF_WAY, DIGITS, A_TENTH_BEFORE_NOW)
+)
+
+
 LEFT_IN_BASE_LINK = Slip(
     "left in base_link",
     {"target": "base_link"},
@@ -364,6 +379,7 @@ TASK = Task(
         DIGITS,
         A_TENTH_BEFORE_NOW,
         LEFT_IN_BASE_LINK,
+        *PUT_BACK,
     ),
     hints=(
         Words(

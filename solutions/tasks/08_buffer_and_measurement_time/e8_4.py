@@ -119,6 +119,15 @@ MILLISECONDS = Slip(
 )
 
 
+HUNDREDTHS = Slip(
+    "hundredths",
+    {"delay": 1e-2},
+    Words(
+        en="Your delay is ten times too long: a millisecond is a thousandth of a second, not a hundredth.",
+        ko="지연이 열 배입니다. 1밀리초는 100분의 1초가 아니라 1000분의 1초입니다.",
+    ),
+)
+
 WITHOUT_THE_RANGE = Slip(
     "without the range",
     {"arc": "none"},
@@ -334,6 +343,7 @@ TASK = Task(
         WRONG_SIDE,
         ADDED,
         MILLISECONDS,
+        HUNDREDTHS,
         WITHOUT_THE_RANGE,
         CROSSWISE,
         ROTATION_ONLY,

@@ -31,7 +31,9 @@ def lines(
     for letter, more in topics.items():
         has_clock = sim_clock if letter == "b" else real_clock
         row = [g.sensor[letter]] * sensor + [topic for topic in more if topic] + ["/tf_static"] * mounts
-        row += ["/clock"] * has_clock + ["/map"] * (map_too and letter != "c")
+        row += ["--clock" if has_clock == "option" else "/clock"] * bool(has_clock) + ["/map"] * (
+            map_too and letter != "c"
+        )
         answers[letter] = "ros2 bag record " + ("-a" if everything else " ".join(row))
     return answers
 
@@ -96,6 +98,17 @@ NO_CLOCK_OF_THE_SIMULATION = Slip(
     Words(
         en="b is a simulation, and its time is a topic like the others. Asked for was also to keep how fast it ran.",
         ko="b는 시뮬레이션이고, 그 시간도 다른 것처럼 토픽입니다. 시간이 어떻게 흘렀는지도 남겨야 합니다.",
+    ),
+    "M13",
+    part="b",
+)
+
+CLOCK_AS_AN_OPTION = Slip(
+    "clock as an option",
+    {"sim_clock": "option"},
+    Words(
+        en="b: `--clock` is an option of `ros2 bag play`, which makes a clock. To record the one that the simulation publishes, its topic stands in the line, as the others do.",
+        ko="b: `--clock`은 시계를 만드는 `ros2 bag play`의 옵션입니다. 시뮬레이션이 발행하는 시계를 기록하려면 다른 것처럼 그 토픽을 적습니다.",
     ),
     "M13",
     part="b",
@@ -215,6 +228,7 @@ TASK = Task(
         TF_BESIDE_THE_WHEELS,
         NO_MOUNTS,
         NO_CLOCK_OF_THE_SIMULATION,
+        CLOCK_AS_AN_OPTION,
         CLOCK_OF_A_REAL_ROBOT,
         THE_MAP_TOO,
         ODOM_TOO,

@@ -40,6 +40,6 @@ def after_a_slip(
         return []
     if is_just(form, outcomes, row):
         said = (ONLY_FOLLOWS.say(tongue, part=made_in) for tongue in ("en", "ko"))
-        return [Found.of(f"{name} follows", Words(*said), name)]
+        return [Found.of(f"{name} follows", Words(*said), name)._replace(is_of_words=True)]  # a cause comes first
     way = next(undone_to(form, outcomes, row, only_plain_to_see=True), None)
     return [Found({way: words_of(task, way)}, words_of(task, way).reply, {name})] if way else []

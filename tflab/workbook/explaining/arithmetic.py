@@ -67,7 +67,11 @@ def computed(form: Form, answer: Plain, given: dict[str, Plain] | None) -> tuple
     row = _row(form, answer)
     if row is None or max(map(_digits, row)) < FEWEST_DIGITS - 1:
         return None
-    found = next((way for way in _sums(form, given or {}) if _is_same(form, row, way.value)), None)
+    ways = list(_sums(form, given or {}))
+    found = next((way for way in ways if _is_same(form, row, way.value)), None)
+    if found is None and isinstance(form, Number | Angle):
+        ways = [_Sum(f"-({way.text})", way.units, (-way.value[0],)) for way in ways]
+        found = next((way for way in ways if _is_same(form, row, way.value)), None)
     if found is None or (" " in found.text and max(map(_digits, row)) < FEWEST_DIGITS):
         return None
     return f"computed: {found.text}", _said(SAID, found, form)

@@ -20,7 +20,7 @@ from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
 from ..words import Words
 
-__all__ = ["Confusion", "confused", "confused_in_lists", "word_of"]
+__all__ = ["confused", "confused_in_lists", "word_of"]
 
 SWAPPED = Words(
     en='"{one}" and "{other}" have changed places.',

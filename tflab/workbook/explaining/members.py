@@ -34,7 +34,7 @@ from .explanation import Explanation
 from .givens import given_to
 from .habits import constant_of, habit_of
 from .kinds import kinds_said
-from .orders import named_twice, of_orders
+from .orders import named_twice, of_orders, of_places
 from .slips_in_parts import Table, is_something, slips_in_parts
 from .together import Found, together
 
@@ -109,7 +109,7 @@ def _of_several(task: TaskCases, table: Table, cases: Sequence[Case], wrong: set
     """Return what explains parts together: two that changed places, slips, an order; all that is wrong by one first."""
     slips = slips_in_parts(task, table, cases, wrong)
     pairs = [pair for pair in _changed_places(table, wrong) if not any(pair.parts <= slip.parts for slip in slips)]
-    orders = of_orders(table.forms, table.given, table.wanted)
+    orders = [how for of in (of_places, of_orders) for how in of(table.forms, table.given, table.wanted)]
     is_one_slip = any(wrong <= slip.parts for slip in slips)
     return [*pairs, *slips, *orders] if is_one_slip else [*pairs, *orders, *slips]
 
@@ -166,7 +166,7 @@ def _by_itself(
     hint = _choice(task, name, form, outcomes[0], wanted[0]) if len(outcomes) == 1 else None
     twice = named_twice(table.forms, table.given, table.wanted, name) if len(outcomes) == 1 else None
     if hint is not None and isinstance(form, Choice):
-        hint = Words(f"{twice.en} {hint.en}", f"{twice.ko} {hint.ko}") if twice else hint
+        hint = Words(f"{hint.en} {twice.en}", f"{hint.ko} {twice.ko}") if twice else hint
         return [Found({f"{name}: {outcomes[0]}": TwinWords(hint, "")}, hint, {name})]
     if found := _of_kinds(table, name) or _remarked(table, name) or _of_any(task, table, name):
         return found

@@ -13,6 +13,7 @@ Read `slips_in_parts.py` next.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from itertools import permutations
 from typing import Any
 
 from ..answers.form import Form
@@ -23,7 +24,7 @@ from .confused import word_of
 from .edges import parents_named
 from .together import Found
 
-__all__ = ["named_twice", "of_orders"]
+__all__ = ["named_twice", "of_orders", "of_places"]
 
 FEWEST = 3  # places, for an order to be more than two words that are exchanged
 
@@ -59,6 +60,13 @@ NAMED_TWICE = Words(
     en='You have "{word}" in {count} of the places, and each place has a word of its own: another one is missing.',
     ko='"{word}"을(를) {count}곳에 두었습니다. 자리마다 낱말이 다르므로 다른 하나가 빠졌습니다.',
 )
+PLACES = Words(
+    en="each of these lists holds the right words in another order, and it is the same order in all of them: read "
+    "again which question stands first, second, third.",
+    ko="리스트마다 낱말은 맞지만 순서가 다르고, 어느 리스트에서나 같은 순서로 바뀌었습니다. "
+    "첫째, 둘째, 셋째 물음이 무엇인지 다시 읽으십시오.",
+)
+MOST_PLACES = 5  # of a list: with more of them there are too many orders
 ORDINALS = {"first", "second", "third", "fourth", "fifth", "sixth", "seventh", "last"}
 
 
@@ -80,6 +88,31 @@ def of_orders(
         else:
             found += parents_named(forms, {name: given[name][0] for name in wrong}, dict(zip(names, want, strict=True)))
     return found
+
+
+def of_places(
+    forms: Mapping[str, Form], given: Mapping[str, Sequence[Plain]], wanted: Mapping[str, Sequence[Plain]]
+) -> list[Found]:
+    """Return that each of several lists is right once its members are put in one other order, the same for all."""
+    rows = _lists_of_words(forms, given)
+    if len(rows) < FEWEST or len({len(row) for row in rows}) > 1 or len(rows[0]) > MOST_PLACES:
+        return []
+    want, have = ([[word_of(forms[name], held[name][0]) for name in row] for row in rows] for held in (wanted, given))
+    orders = permutations(range(len(rows[0])))
+    order = next((order for order in orders if [[row[place] for place in order] for row in want] == have), None)
+    if order is None or have == want:
+        return []
+    wrong = [row[place] for row in rows for place, at in enumerate(order) if place != at]
+    return [Found.of("places exchanged", PLACES, *wrong)]
+
+
+def _lists_of_words(forms: Mapping[str, Form], given: Mapping[str, Sequence[Plain]]) -> list[list[str]]:
+    """Return the names of the members of each list of choices that a value holds."""
+    lists: dict[str, list[str]] = {}
+    for name in forms:
+        if "[" in name and isinstance(forms[name], Choice) and len(given[name]) == 1:
+            lists.setdefault(name.partition("[")[0], []).append(name)
+    return list(lists.values())
 
 
 def named_twice(

@@ -27,7 +27,7 @@ from .shell_words import LINES, told_of_a_line, wrong_in
 from .trees import TREES, of_trees, told_of_a_tree
 from .universal import OF_FORM
 
-__all__ = ["LOSSES", "TOLD", "by_comparison", "stamp_of", "time_of", "words_of_loss"]
+__all__ = ["TOLD", "by_comparison", "stamp_of", "time_of", "words_of_loss"]
 
 Numbers = tuple[float, ...]
 TOLD = " | "  # between the name of a loss and what is told of it: names that stand in the answer

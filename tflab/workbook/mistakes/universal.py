@@ -25,7 +25,7 @@ from ..words import Words
 from .names import renamed
 from .units import OTHER_UNITS, unit_of
 
-__all__ = ["OF_FORM", "PLAIN_TO_SEE", "UNIVERSAL", "Undone", "undone"]
+__all__ = ["OF_FORM", "PLAIN_TO_SEE", "UNIVERSAL", "undone"]
 
 Row = tuple[float, ...]
 NOTHING = 10.0  # tolerances: a number below is as good as zero, whatever its unit
