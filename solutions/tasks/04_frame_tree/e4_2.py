@@ -144,8 +144,8 @@ LOOK_AGAIN = Words(
     ko="그 목록을 dict로 적어 보세요. 두 번 쓰이는 자식이 있습니까? 부모는 모두 map이거나 누군가의 자식입니까?",
 )
 WHO = Words(
-    en="The child stands second in its row; for a healthy robot and for a loop write none.",
-    ko="자식은 줄의 두 번째에 있습니다. 멀쩡한 로봇과 고리에는 none이라고 씁니다.",
+    en="For a healthy robot and for a loop write none; everywhere else the child that is meant stands second in its row.",
+    ko="멀쩡한 로봇과 고리에는 none이라고 씁니다. 나머지에서는 문제가 되는 자식이 줄의 두 번째에 있습니다.",
 )
 
 

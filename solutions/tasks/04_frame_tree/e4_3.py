@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from tflab.core import ConnectivityException
-from tflab.workbook.tasks import Choice, Name, Pair, Sequence, Slip, Task, Words
+from tflab.workbook.tasks import Choice, Name, Pair, Sequence, Slip, Task, Twin, Words
 
 from .draws import climbed, robot
 
@@ -41,20 +41,25 @@ def walked(parent_of, target, source, *, ends="as asked", climb="until they meet
             return [] if lost == "empty" else None
     if named == "a step to itself" and target == source:
         return [(source, "up")]
+    if climb == "to the root, but for itself":
+        up, down = ([], []) if target == source else (up[:-1], down[:-1])
     if (climb == "up alone" and target not in up) or (climb == "down alone" and source not in down):
         raise ConnectivityException("no way up") if climb == "up alone" else ConnectivityException("no way down")
-    if climb != "to the root":
+    if climb not in ("to the root", "to the root, but for itself"):
         while up and down and up[-1] == down[-1]:
             up.pop()
             down.pop()
-    else:
+    elif climb == "to the root":
         up, down = up[:-1], down[:-1]
     meeting = parent_of.get(up[-1], up[-1]) if up else source
-    first, then = {"exchanged": ("down", "up"), "all up": ("up", "up")}.get(words, ("up", "down"))
+    first, then = {"exchanged": ("down", "up"), "all up": ("up", "up"), "all down": ("down", "down")}.get(
+        words, ("up", "down")
+    )
     down = {"outward": down[::-1], "as climbed": down, "left out": []}[order]
     if named == "where they meet, too" and up:
         up = [*up, parent_of.get(up[-1], up[-1])]
-    up = [*up, meeting] if named == "where they meet, always" else up
+    is_met = named == "where they meet, always" or (named == "where they meet, but for itself" and target != source)
+    up = [*up, meeting] if is_met else up
     down = [meeting, *down] if named == "where they meet, down" else down
     if named == "parent":
         up, down = ([parent_of.get(child, child) for child in way] for way in (up, down))
@@ -278,6 +283,55 @@ MEETING_DOWN = Slip(
 )
 
 
+OVER_THE_ROOT_BUT_FOR_ITSELF = Slip(
+    "over the root, but for itself",
+    {"climb": "to the root, but for itself"},
+    Words(
+        en="You climb to the root each time, and come down the same edges again. The ways meet earlier: turn round where they do, and leave out what both share.",
+        ko="늘 루트까지 올라갔다가 같은 연결을 다시 내려옵니다. 두 길은 그전에 만납니다. 만나는 곳에서 돌아서고, 두 길이 함께 지나는 부분은 빼십시오.",
+    ),
+)
+
+
+MEETING_BUT_FOR_ITSELF = Slip(
+    "the meeting a step, but for itself",
+    {"named": "where they meet, but for itself"},
+    Words(
+        en="You count one step too many: the frame in which the two ways meet. Going up ends as soon as one stands on it, and its own edge is not walked.",
+        ko="걸음이 하나 더 많습니다. 두 길이 만나는 좌표계까지 세었습니다. 그 좌표계에 닿으면 올라가는 길은 끝나고, 그 좌표계의 연결은 지나지 않습니다.",
+    ),
+)
+
+
+ALL_DOWN = Slip(
+    "all down",
+    {"words": "all down"},
+    Words(
+        en="Every step of yours goes down. From the source the way first leads up, from child to parent.",
+        ko="모든 걸음이 내려갑니다. 원본에서는 먼저 자식에서 부모로 올라갑니다.",
+    ),
+)
+
+
+def climbs_alone(parent_of, target, source):
+    way = []
+    while source in parent_of and source != target:
+        way.append((source, "up"))
+        source = parent_of[source]
+    return way
+
+
+CLIMBS_ALONE = Twin(
+    "climbs alone",
+    climbs_alone,
+    Words(
+        en="You climb from the source until the target comes or the tree ends, and never go down: a target beside or below is not met that way. And where no way leads, raise ConnectivityException.",
+        ko="원본에서 목표가 나오거나 트리가 끝날 때까지 올라가기만 합니다. 옆이나 아래에 있는 목표는 그렇게 만날 수 없습니다. 길이 없을 때는 ConnectivityException을 일으키십시오.",
+    ),
+    "M11",
+)
+
+
 TASK = Task(
     id="E4.3",
     kind="F",
@@ -310,6 +364,10 @@ TASK = Task(
         DOWN_ALONE,
         MEETING_ALWAYS,
         MEETING_DOWN,
+        OVER_THE_ROOT_BUT_FOR_ITSELF,
+        MEETING_BUT_FOR_ITSELF,
+        ALL_DOWN,
+        CLIMBS_ALONE,
     ),
     hints=(
         Words(

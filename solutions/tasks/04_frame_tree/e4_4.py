@@ -271,6 +271,17 @@ CHILDREN_BARE = Slip(
 )
 
 
+SUFFIX = Slip(
+    "robot behind",
+    {"glue": "{1}_{0}"},
+    Words(
+        en="The robot's name stands behind the frame, with an underscore. A prefix stands in front, with a slash: robot1/odom.",
+        ko="로봇 이름이 좌표계 뒤에 밑줄로 붙었습니다. 접두어는 앞에 쓰고 슬래시로 잇습니다: robot1/odom.",
+    ),
+    "M14",
+)
+
+
 TASK = Task(
     id="E4.4",
     kind="T",
@@ -303,6 +314,7 @@ TASK = Task(
         FIRST_BARE,
         ODOM_BARE_AS_PARENT,
         CHILDREN_BARE,
+        SUFFIX,
     ),
     hints=(
         Words(

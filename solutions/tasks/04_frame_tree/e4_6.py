@@ -46,7 +46,7 @@ def counted(log, *, names="whole", key="child", what="nodes", least=2, order="so
     seen = {}
     for node, parent, child in log:
         who = node.rpartition("/")[2] if names == "base" else node
-        who = (node, parent) if what == "nodes and parents" else who
+        who = {"nodes and parents": (node, parent), "parents": parent}.get(what, who)
         seen.setdefault(child if key == "child" else (parent, child), []).append(who)
     counts = {of: len(who) if what == "messages" else len(set(who)) for of, who in seen.items()}
     many = [of for of, count in counts.items() if (count == 2 if least == "just two" else count >= least)]
@@ -94,8 +94,8 @@ UNSORTED = Slip(
     "unsorted",
     {"order": "as heard"},
     Words(
-        en="The right children, in the order in which they were heard: sort them by name.",
-        ko="자식은 맞지만 들은 순서대로입니다. 이름 순서로 정렬하십시오.",
+        en="Your list is in the order in which the children were heard: sort it by name.",
+        ko="리스트가 자식을 들은 순서대로입니다. 이름 순서로 정렬하십시오.",
     ),
 )
 
@@ -118,9 +118,9 @@ NODES = Twin(
     "M2",
 )
 
-PARENTS = Twin(
+PARENTS = Slip(
     "two parents only",
-    lambda log: sorted({child for _, _, child in log if len({p for _, p, c in log if c == child}) > 1}),
+    {"what": "parents"},
     Words(
         en="You look for children with two parents. Two nodes may give the same parent, and quarrel about the numbers.",
         ko="부모가 둘인 자식을 찾습니다. 두 노드가 같은 부모를 주면서 값을 두고 다툴 수도 있습니다.",

@@ -218,6 +218,28 @@ EDGE_FLATTENED = Slip(
 )
 
 
+THE_OTHER_ONE_TURNED_ROUND = Slip(
+    "the other one turned round",
+    {"found": "turned round", "wheels": "as given"},
+    Words(
+        en="You turned the wrong one of the two round: the product begins with base and ends with base. The pose on the map begins with map already; it is the wheels' that has to be turned.",
+        ko="둘 가운데 다른 쪽을 뒤집었습니다. 곱이 base로 시작해서 base로 끝납니다. 지도 위의 포즈는 이미 map으로 시작합니다. 뒤집을 것은 바퀴의 포즈입니다.",
+    ),
+    "M1",
+)
+
+
+ORDER_AND_NO_INVERSE = Slip(
+    "other order, nothing turned",
+    {"wheels": "as given", "order": "wheels first"},
+    Words(
+        en="Both poses went in as they are, and the wheels' one stands first: [odom|base][map|base] do not match. Begin with map, and turn the wheels' pose round.",
+        ko="두 포즈를 그대로 곱했고 바퀴의 포즈가 앞에 있습니다. [odom|base][map|base]는 이웃이 맞지 않습니다. map부터 시작하고 바퀴의 포즈를 뒤집으십시오.",
+    ),
+    "M1",
+)
+
+
 TASK = Task(
     id="E5.1",
     kind="F",
@@ -246,6 +268,8 @@ TASK = Task(
         THE_ROBOT_S_TURN_KEPT,
         FLATTENED,
         EDGE_FLATTENED,
+        THE_OTHER_ONE_TURNED_ROUND,
+        ORDER_AND_NO_INVERSE,
     ),
     hints=(
         Words(

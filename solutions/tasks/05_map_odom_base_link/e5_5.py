@@ -34,12 +34,15 @@ def shadow(odom_T_base, *, foot="straight down", yaw="rpy"):
         "through the floor": odom_T_base.apply((0.0, 0.0, -height / math.cos(pitch) / math.cos(roll)))[:2],
         "shortened": (x * math.cos(pitch), y * math.cos(roll)),
     }
-    _, _, z, w = odom_T_base.rotation
+    q_x, q_y, z, w = odom_T_base.rotation
     yaws = {
         "rpy": right, "twice atan": 2.0 * math.atan2(z, w), "inverse": back.rpy()[2], "inverse pitch": back.rpy()[1], "negated": -right, "roll": roll,
         "pitch": pitch, "level": 0.0, "twice asin": 2.0 * math.asin(z), "twice acos": 2.0 * math.acos(w), "z": z, "once atan": math.atan2(z, w),
         "degrees": math.degrees(right), "roll in degrees": math.degrees(roll), "height": height,
         "bearing": math.atan2(y, x), "cotangent": 2.0 * math.atan2(w, z),
+        "w taken first": 2.0 * math.atan2(w, q_x),
+        "formula, w taken first": math.atan2(2.0 * (q_x * w + q_y * z), 1.0 - 2.0 * (z * z + w * w)),
+        "formula of x": math.atan2(2.0 * (w * z + q_x * q_y), 1.0 - 2.0 * (q_x * q_x + q_y * q_y)),
     }  # fmt: skip
     return {"x": feet[foot][0], "y": feet[foot][1], "yaw": yaws[yaw]}
 
@@ -257,6 +260,42 @@ HEIGHT_FOR_YAW = Slip(
 )
 
 
+W_TAKEN_FIRST = Slip(
+    "w taken first",
+    {"yaw": "w taken first"},
+    Words(
+        en="You took the quaternion for (w, x, y, z), and it comes as (x, y, z, w). Nor is twice an arc tangent the yaw of a tilted body: take the yaw of `rpy()`.",
+        ko="쿼터니언을 (w, x, y, z)로 읽었습니다. 순서는 (x, y, z, w)입니다. 기울어진 몸체에서는 atan2의 두 배가 yaw도 아닙니다. `rpy()`의 yaw를 쓰십시오.",
+    ),
+    "M5",
+    part="yaw",
+)
+
+
+FORMULA_W_TAKEN_FIRST = Slip(
+    "formula, w taken first",
+    {"yaw": "formula, w taken first"},
+    Words(
+        en="Your formula takes the quaternion for (w, x, y, z), and it comes as (x, y, z, w). `rpy()` needs no formula.",
+        ko="공식에서 쿼터니언을 (w, x, y, z)로 읽었습니다. 순서는 (x, y, z, w)입니다. `rpy()`를 쓰면 공식이 필요 없습니다.",
+    ),
+    "M5",
+    part="yaw",
+)
+
+
+FORMULA_OF_X = Slip(
+    "formula of x",
+    {"yaw": "formula of x"},
+    Words(
+        en="In your formula for the yaw, the second half is that of the roll: 1 − 2(y² + z²) belongs there. `rpy()` needs no formula.",
+        ko="yaw 공식의 뒷부분이 roll의 것입니다. 1 − 2(y² + z²)이어야 합니다. `rpy()`를 쓰면 공식이 필요 없습니다.",
+    ),
+    "M5",
+    part="yaw",
+)
+
+
 TASK = Task(
     id="E5.5",
     kind="F",
@@ -290,6 +329,9 @@ TASK = Task(
         YAW_IN_DEGREES,
         ROLL_IN_DEGREES,
         HEIGHT_FOR_YAW,
+        W_TAKEN_FIRST,
+        FORMULA_W_TAKEN_FIRST,
+        FORMULA_OF_X,
     ),
     hints=(
         Words(en="Straight below: which of x, y, z change?", ko="바로 아래로 내려가면 x, y, z 가운데 무엇이 바뀝니까?"),

@@ -49,7 +49,7 @@ def in_a_bend(rng):
 
 
 def corrected(buffer, map_T_base, stamp_ns, *, moment="stamp", asked="odom", refusal="let through",
-              wheels="turned round", order="found first", way="as asked"):  # fmt: skip
+              wheels="turned round", found="as given", order="found first", way="as asked"):  # fmt: skip
     """Return map_T_odom, step by step; other steps are the slips."""
     asked_ns = {"stamp": stamp_ns, "latest": LATEST, "seconds": seconds(stamp_ns),
                 "milliseconds": round(stamp_ns / 1e6) * 10**6}[moment]  # fmt: skip
@@ -64,7 +64,8 @@ def corrected(buffer, map_T_base, stamp_ns, *, moment="stamp", asked="odom", ref
     if wheels == "parts":
         return by_parts(map_T_base, odom_T_base)
     right = odom_T_base.inverse() if wheels == "turned round" else odom_T_base
-    edge = map_T_base @ right if order == "found first" else right @ map_T_base
+    left = map_T_base.inverse() if found == "turned round" else map_T_base
+    edge = left @ right if order == "found first" else right @ left
     return edge.inverse() if way == "turned round" else edge
 
 
@@ -82,8 +83,8 @@ STAMP_TAKEN_FOR_SECONDS = Slip(
     "stamp taken for seconds",
     {"moment": "seconds"},
     Words(
-        en="`stamp_ns` is in nanoseconds already, and you made a billion times as much of it, as `seconds(...)` or `* 10**9` does. The buffer refuses a moment that far away.",
-        ko="`stamp_ns`는 이미 나노초인데 10억 배로 만들었습니다. `seconds(...)`나 `* 10**9`를 쓰면 그렇게 됩니다. 버퍼는 그렇게 먼 시각을 거절합니다.",
+        en="The buffer refuses each of your questions: the moment that you ask about is none of those that it holds. `stamp_ns` is in nanoseconds, just as the buffer takes it: hand it over as it is, neither multiplied (`seconds(...)` does so, too) nor divided.",
+        ko="버퍼가 모든 질문을 거절합니다. 물어본 시각이 버퍼에 있는 시각이 아닙니다. `stamp_ns`는 버퍼가 받는 그대로 나노초이므로, 곱하지도(`seconds(...)`도 곱셈입니다) 나누지도 말고 그대로 넘기십시오.",
     ),
 )
 
@@ -196,6 +197,28 @@ THE_OLD_EDGE = Twin(
 )
 
 
+THE_OTHER_ONE_TURNED_ROUND = Slip(
+    "the other one turned round",
+    {"wheels": "as given", "found": "turned round"},
+    Words(
+        en="You turned the wrong one of the two round: the pose on the map begins with map already; it is the wheels' that has to be turned.",
+        ko="둘 가운데 다른 쪽을 뒤집었습니다. 지도 위의 포즈는 이미 map으로 시작합니다. 뒤집을 것은 바퀴의 포즈입니다.",
+    ),
+    "M1",
+)
+
+
+ORDER_AND_NO_INVERSE = Slip(
+    "other order, nothing turned",
+    {"wheels": "as given", "order": "wheels first"},
+    Words(
+        en="Both poses went in as they are, and the wheels' one stands first. Begin with map, and turn the wheels' pose round.",
+        ko="두 포즈를 그대로 곱했고 바퀴의 포즈가 앞에 있습니다. map부터 시작하고 바퀴의 포즈를 뒤집으십시오.",
+    ),
+    "M1",
+)
+
+
 TASK = Task(
     id="E5.6",
     kind="F",
@@ -220,6 +243,8 @@ TASK = Task(
         WHAT_THE_WHEELS_SAY,
         WHERE_THE_ROBOT_IS,
         THE_OLD_EDGE,
+        THE_OTHER_ONE_TURNED_ROUND,
+        ORDER_AND_NO_INVERSE,
     ),
     hints=(
         Words(

@@ -46,8 +46,8 @@ def driven(elapsed_s, radius_m, speed_mps, is_left, odom, base, *, ends="parent 
             "time alone": 1.0,
         }[rate]
     )
-    left = {"as asked": is_left, "always left": True, "other way": not is_left}[side]
-    theta = theta if left else -theta
+    left = {"always left": True, "other way": not is_left}.get(side, is_left)
+    theta = theta if left or side == "place always left" else -theta
     ahead = math.pi / 2 if left else -math.pi / 2
     turn = {"forward": ahead, "crab": 0.0, "backwards": -ahead, "left's": math.pi / 2, "inwards": math.pi}.get(
         heading, ahead
@@ -56,6 +56,7 @@ def driven(elapsed_s, radius_m, speed_mps, is_left, odom, base, *, ends="parent 
     yaw = theta + math.degrees(turn) if angle == "quarter in degrees" else yaw
     size = 1.0 if circle == "of one metre" else radius_m
     x, y = size * math.cos(theta), size * math.sin(theta)
+    y = -y if side == "heading alone" and not left else y
     x = x - size if circle == "from zero" else x
     x, y = (
         (size * math.cos(math.degrees(theta)), size * math.sin(math.degrees(theta))) if circle == "degrees" else (x, y)
@@ -357,6 +358,26 @@ SINE_FIRST = Slip(
 )
 
 
+PLACE_ALWAYS_LEFT = Slip(
+    "place always left",
+    {"side": "place always left"},
+    Words(
+        en="To the right your robot still goes round to the left: `is_left` changes only which way it looks. There the angle on the circle falls below zero, for place and heading.",
+        ko="오른쪽으로 돌 때도 위치는 왼쪽으로 돕니다. `is_left`에 따라 바라보는 방향만 바뀝니다. 오른쪽에서는 원 위의 각도가 음수가 되고, 위치와 방향 모두 그 각도를 씁니다.",
+    ),
+)
+
+
+HEADING_ALONE = Slip(
+    "place mirrored twice",
+    {"side": "heading alone"},
+    Words(
+        en="To the right the heading turns rightly, and the place goes round to the left: its y has the wrong sign there.",
+        ko="오른쪽으로 돌 때 방향은 맞는데 위치는 왼쪽으로 돕니다. 거기서 y의 부호가 반대입니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E6.4",
     kind="F",
@@ -400,6 +421,8 @@ TASK = Task(
         STAMPED,
         DEGREES_TO_COSINE,
         SINE_FIRST,
+        PLACE_ALWAYS_LEFT,
+        HEADING_ALONE,
     ),
     hints=(
         Words(
