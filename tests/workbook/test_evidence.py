@@ -60,7 +60,11 @@ NEGATED = [({"x": x, "yaw": yaw}, planar(-x, -yaw)) for x, yaw in POSES]
         (lambda pose: {"x": -pose["x"], "yaw": 0.0}, 4, "slip"),  # the x is understood
         (lambda pose: {"x": pose["x"] ** 2, "yaw": -pose["yaw"]}, 4, "parts"),  # 0 ** 2 shows nothing
         (lambda pose: {"x": -pose["x"], "yaw": pose["yaw"]}, 4, "slip"),  # neither does a yaw of 0
-        (lambda pose: {"x": -pose["x"] if pose["x"] < 2 else 9.0, "yaw": 9.0}, 2, "parts"),  # two different ones do
+        (
+            lambda pose: {"x": -pose["x"] if pose["x"] < 2 else 9.0, "yaw": 9.0},
+            2,
+            "slip",
+        ),  # two different ones do; a yaw that is always the same is told so
         (lambda pose: 1 / 0, 0, "raises"),
         (lambda pose: "?", 0, "type"),
     ],

@@ -8,6 +8,7 @@ import pytest
 
 from tflab.workbook.answers.forms import Choice, Message, Number, Parts, Sequence
 from tflab.workbook.answers.values import to_plain
+from tflab.workbook.explaining.together import Found, together
 from tflab.workbook.mistakes.stumbles import tip_for
 from tflab.workbook.tasks import Words
 from tflab.workbook.tasks.case import Case, TwinWords
@@ -134,3 +135,14 @@ def test_lists_whose_members_all_stand_in_one_other_order_are_told_so():
     first_two = {name: [row[1], row[0], row[2]] for name, row in right.items()}
     assert list(judged(form, right, {}, first_two).slips) == ["places exchanged"]
     assert "places exchanged" not in judged(form, right, {}, first_two | {"c": ["works", "works", "never"]}).slips
+
+
+def test_of_many_causes_the_first_are_told_and_the_rest_comes_later():
+    def reply(count):
+        found = [Found.of(name, Words(f"Cause {name}.", "원인입니다."), name) for name in "abcdefg"[:count]]
+        return together(
+            [cause._replace(said=Words(cause.said.en, cause.said.en)) for cause in found], {}, "abcdefgh"
+        ).said
+
+    assert reply(7).en.endswith('"d": Cause d. "e", "f", "g": look again once these are right.')
+    assert reply(5).en.endswith('"e": Cause e.')

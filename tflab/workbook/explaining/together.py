@@ -19,6 +19,8 @@ from .explanation import Explanation
 __all__ = ["Found", "together"]
 
 LOOK = Words(en="look again.", ko="다시 보십시오.")
+MOST_TOLD = 4  # causes; who reads more than that at once mends none
+LATER = Words(en="look again once these are right.", ko="앞의 것을 고친 다음에 다시 보십시오.")
 LOOK_AND_SEE = Words(en="look again ({certain}).", ko="다시 보십시오({certain}).")
 
 
@@ -47,7 +49,10 @@ def together(found: Sequence[Found], left: Mapping[str, Words | None], names: Se
         names: of all parts, in the order of the work.
     """
     found = sorted(_merged(found), key=lambda cause: (cause.is_of_words, min(map(names.index, cause.parts))))
-    said = [cause.said if cause.parts == set(names) else _where(cause.said, cause.parts, names) for cause in found]
+    told = found[:MOST_TOLD] if len(found) > MOST_TOLD + 1 else found
+    said = [cause.said if cause.parts == set(names) else _where(cause.said, cause.parts, names) for cause in told]
+    if rest := {name for cause in found[len(told) :] for name in cause.parts}:
+        said.append(_where(LATER, rest, names))
     said += [_where(words, parts, names) for words, parts in _looks(left).items()]
     slips = {name: words for cause in found for name, words in cause.slips.items()}
     follows = set() if left else {name for cause in found for name in _follows(cause)}

@@ -40,7 +40,7 @@ from .case import Case
 
 __all__ = [
     "asked_alike", "beyond_guessing", "beyond_one_word", "beyond_the_given", "beyond_the_usual", "credited",
-    "guessed_of", "habit", "negated", "probes_of", "share_beyond", "usual_among",
+    "habit", "negated", "usual_among",
 ]  # fmt: skip
 
 FEWEST_ALIKE = 3  # choices between the same words: of two, one word is as likely a slip as a guess
