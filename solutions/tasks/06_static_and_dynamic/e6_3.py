@@ -42,6 +42,7 @@ def message(mount, stamp, ends, moment, place, order, angle, quaternion):
     angles = [math.radians(a) if angle == "degrees" else a for a in mount["rpy"]]
     angles = angles[::-1] if order == "yaw first" else angles
     roll, pitch, yaw = (angles[1], angles[0], angles[2]) if order == "pitch first" else angles
+    pitch, yaw = (yaw, pitch) if order == "yaw second" else (pitch, yaw)
     x, y, z, w = Transform.from_rpy(roll=roll, pitch=pitch, yaw=yaw).rotation
     only_yaw = (0.0, 0.0, math.sin(angles[2] / 2), math.cos(angles[2] / 2))
     ways = {"xyzw": (x, y, z, w), "w first": (w, x, y, z), "taken for w first": (y, z, w, x), "none": (0.0, 0.0, 0.0, 1.0), "angles": (*angles, 1.0),
@@ -263,6 +264,16 @@ TAKEN_FOR_W_FIRST = Slip(
 )
 
 
+YAW_SECOND = Slip(
+    "yaw second",
+    {"order": "yaw second"},
+    Words(
+        en="Pitch and yaw have changed places: `rpy` is roll, pitch, yaw in this order.",
+        ko="pitch와 yaw의 자리가 바뀌었습니다. `rpy`는 roll, pitch, yaw 순서입니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E6.3",
     kind="F",
@@ -299,6 +310,7 @@ TASK = Task(
         FIRST_STAMP_ALONE,
         PITCH_FIRST,
         TAKEN_FOR_W_FIRST,
+        YAW_SECOND,
     ),
     hints=(
         Words(

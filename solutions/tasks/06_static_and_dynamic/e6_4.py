@@ -44,6 +44,8 @@ def driven(elapsed_s, radius_m, speed_mps, is_left, odom, base, *, ends="parent 
             "circles": math.tau * speed_mps / radius_m,
             "by diameter": speed_mps / radius_m / 2,
             "time alone": 1.0,
+            "turned over": radius_m / speed_mps,
+            "in rounds": speed_mps / radius_m / math.tau,
         }[rate]
     )
     left = {"always left": True, "other way": not is_left}.get(side, is_left)
@@ -378,6 +380,27 @@ HEADING_ALONE = Slip(
 )
 
 
+RADIUS_OVER_SPEED = Slip(
+    "radius over speed",
+    {"rate": "turned over"},
+    Words(
+        en="You divided the radius by the speed. The rate of turning is speed over radius: on a larger circle it is smaller.",
+        ko="반지름을 속도로 나누었습니다. 도는 빠르기는 속도 / 반지름입니다. 원이 클수록 느립니다.",
+    ),
+)
+
+
+IN_ROUNDS = Slip(
+    "in rounds",
+    {"rate": "in rounds"},
+    Words(
+        en="Your angle counts rounds: it lacks the factor 2π that makes radians of them.",
+        ko="각도를 바퀴 수로 셌습니다. 라디안으로 만드는 2π가 빠졌습니다.",
+    ),
+    "M5",
+)
+
+
 TASK = Task(
     id="E6.4",
     kind="F",
@@ -423,6 +446,8 @@ TASK = Task(
         SINE_FIRST,
         PLACE_ALWAYS_LEFT,
         HEADING_ALONE,
+        RADIUS_OVER_SPEED,
+        IN_ROUNDS,
     ),
     hints=(
         Words(

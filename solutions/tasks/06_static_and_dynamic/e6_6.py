@@ -40,7 +40,7 @@ def worst(g, *, period="whole", delay="as seconds", together="added", speed="tim
         "rate": g.rate_hz,
     }[period]
     on_its_way = {"as seconds": g.delay_ms / 1000.0, "none": 0.0, "ms": g.delay_ms, "twice": g.delay_ms / 500.0}[delay]
-    age = {"added": between + on_its_way, "subtracted": between - on_its_way}
+    age = {"added": between + on_its_way, "subtracted": between - on_its_way, "multiplied": between * on_its_way}
     return {
         "times": g.speed_mps * age[together],
         "period alone": g.speed_mps * between + on_its_way,
@@ -189,6 +189,16 @@ SPEED_TIMES_THE_DELAY_ALONE = Slip(
 )
 
 
+MULTIPLIED = Slip(
+    "multiplied",
+    {"together": "multiplied"},
+    Words(
+        en="You multiplied the period by the delay. The one comes after the other: two times add up.",
+        ko="주기와 지연을 곱했습니다. 하나가 끝난 뒤 다른 하나가 이어지므로 두 시간을 더합니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E6.6",
     kind="N",
@@ -204,6 +214,7 @@ TASK = Task(
         TWO_PERIODS,
         SPEED_TIMES_THE_PERIOD_ALONE,
         SPEED_TIMES_THE_DELAY_ALONE,
+        MULTIPLIED,
     ),
     hints=(
         Words(

@@ -88,6 +88,8 @@ def listened(letters, ends, join_s, now_s, *, past="board", edge="heard", live="
             heard |= children
         if dead == "ends now" and ends_s == math.inf:
             ends_s = now_s
+        if dead == "any end" and ends_s < math.inf:
+            continue
         if dead == "none runs on" and ends_s == math.inf:
             continue
         if dead == "read" or (ends_s > now_s if dead == "forgotten" else ends_s > join_s):
@@ -307,6 +309,39 @@ ENDS_NOW = Slip(
 )
 
 
+def as_the_boards_hang_now(letters, ends, join_s, now_s, topics=("/tf", "/tf_static")):
+    heard, boards = set(), {}
+    for letter in letters:
+        if letter["topic"] == "/tf_static" and letter["sent_s"] <= now_s:
+            boards[letter["node"]] = letter["children"]
+        elif letter["topic"] in topics and join_s <= letter["sent_s"] <= now_s:
+            heard |= set(letter["children"])
+    lasting = {child for node, held in boards.items() if ends.get(node, math.inf) > join_s for child in held}
+    return sorted(heard | lasting)
+
+
+BOARDS_OF_NOW = Twin(
+    "boards of now",
+    as_the_boards_hang_now,
+    Words(
+        en="You look at the boards as they hang at `now_s`. The listener reads them as it joins, and hears each later letter: what a later one covers stays known.",
+        ko="게시판을 `now_s`의 모습으로 봅니다. 듣는 쪽은 들어올 때 게시판을 읽고 그 뒤의 쪽지는 하나씩 듣습니다. 나중 쪽지가 덮어도 이미 안 것은 남습니다.",
+    ),
+    "M12",
+)
+
+
+BOARDS_OF_NOW_ALONE = Twin(
+    "boards of now alone",
+    lambda letters, ends, join_s, now_s: as_the_boards_hang_now(letters, ends, join_s, now_s, topics=()),
+    Words(
+        en="You look at the boards alone, as they hang at `now_s`. The listener reads them as it joins, and from then on hears each letter of both topics.",
+        ko="게시판만, 그것도 `now_s`의 모습으로 봅니다. 듣는 쪽은 들어올 때 게시판을 읽고, 그때부터 두 토픽의 쪽지를 하나씩 듣습니다.",
+    ),
+    "M12",
+)
+
+
 NAMES_OF_NODES = Twin(
     "names of nodes",
     lambda letters, ends, join_s, now_s: sorted(
@@ -315,6 +350,16 @@ NAMES_OF_NODES = Twin(
     Words(
         en="These are nodes. Asked for are the child frames that they speak of.",
         ko="노드의 이름입니다. 노드가 말한 자식 좌표계가 필요합니다.",
+    ),
+)
+
+
+ANY_END = Slip(
+    "any end",
+    {"dead": "any end"},
+    Words(
+        en="You leave out the board of every node that ends some time. One that ends after the join still hangs there when your listener comes.",
+        ko="언젠가 끝나는 노드의 게시판을 모두 뺐습니다. 들어온 뒤에 끝나는 노드의 게시판은 들어올 때 아직 걸려 있습니다.",
     ),
 )
 
@@ -351,7 +396,10 @@ TASK = Task(
         WHO_RUNS_ON_HAS_NO_BOARD,
         ENDS_NOW,
         NAMES_OF_NODES,
+        BOARDS_OF_NOW,
+        BOARDS_OF_NOW_ALONE,
         JOIN_IS_BEFORE,
+        ANY_END,
     ),
     hints=(
         Words(
