@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from tflab.workbook.answers.forms import Choice, Command, Name, Number, Parts, Sequence
+from tflab.core import Transform
+from tflab.ros.messages import geometry_msgs
+from tflab.workbook.answers.forms import Choice, Command, Message, Name, Number, Parts, Quaternion, Sequence, Vector
 from tflab.workbook.answers.values import raised
 from tflab.workbook.tasks.case import Case
 from tflab.workbook.verdicts.mistake import Mistake
@@ -127,3 +129,29 @@ def test_another_exception_than_the_one_asked_for_hides_no_other_mistake(error):
     assert list(judge_outcomes(task, variant, [-1.0, -2.0, wanted, wanted]).slips) == ["sign"]
     assert "another exception" not in judge_outcomes(task, variant, [-1.0, -2.0, wanted, other]).slips
     assert judge_outcomes(task, variant, [1.0, 2.0, other, other]).slips == {}
+
+
+POINT = Message("geometry_msgs/msg/PointStamped", ("header.frame_id", "point"))
+
+
+@pytest.mark.parametrize(
+    ("form", "right", "wrong", "tip"),
+    [
+        (Quaternion(), (0.0, 0.0, 0.0, 1.0), Transform(), "`.rotation`"),
+        (Vector(3, "m"), (1.0, 0.0, 0.0), Transform((1.0, 0.0, 0.0)), "`.translation`"),
+        (POINT, geometry_msgs.PointStamped(), geometry_msgs.Point(), "`message = PointStamped()`"),
+        (POINT, geometry_msgs.PointStamped(), {"x": 1.0}, "`message = PointStamped()`"),
+        (Sequence(Name()), ["a", "b"], {"a", "b"}, "`sorted(…)`"),
+        (Sequence(Name()), ["a", "b"], "a", "a list is asked for"),
+    ],
+)
+def test_an_answer_of_another_kind_hears_how_the_right_one_is_made_of_it(form, right, wrong, tip):
+    verdict = judged(form, right, {}, wrong)
+    assert verdict.mistake is Mistake.TYPE
+    assert tip in verdict.detail["tip"].en
+
+
+@pytest.mark.parametrize("wrong", [None, 5.0, True])
+def test_an_answer_of_a_kind_of_which_nothing_can_be_made_hears_no_tip(wrong):
+    for form, right in ((Quaternion(), (0.0, 0.0, 0.0, 1.0)), (Sequence(Name()), ["a"])):
+        assert "tip" not in judged(form, right, {}, wrong).detail

@@ -4,6 +4,10 @@
     given       None                   LookupException, the class itself
                 the word needs quotes  `type(error).__name__` is its name
 
+    asked for   a quaternion           a PointStamped            a list of names
+    given       a Transform            a Point                   a set
+                its `.rotation`        it is only a part         `sorted(…)` makes a list
+
 Read `habits.py` next.
 """
 
@@ -12,7 +16,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ..answers.form import Form
-from ..answers.forms import Choice, Name
+from ..answers.forms import Angle, Choice, Message, Name, Quaternion, Vector
+from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain
 from ..words import Words
 
@@ -31,15 +36,57 @@ AN_ERROR = Words(
     ko="예외 자체를 넘겼습니다. 여기서 필요한 것은 낱말입니다. 그 클래스의 이름은 `type(error).__name__`입니다",
 )
 
+OF_A_TRANSFORM = {
+    Quaternion: Words(
+        en="That is a whole transform; its quaternion is `.rotation`",
+        ko="변환 전체를 넘겼습니다. 쿼터니언은 `.rotation`입니다",
+    ),
+    Vector: Words(
+        en="That is a whole transform; its place is `.translation`",
+        ko="변환 전체를 넘겼습니다. 위치는 `.translation`입니다",
+    ),
+    Angle: Words(
+        en="That is a whole transform; its yaw is `.rpy()[2]`",
+        ko="변환 전체를 넘겼습니다. yaw는 `.rpy()[2]`입니다",
+    ),
+}
+NO_MESSAGE = Words(
+    en="A message is made by its class, and then its fields are filled in: `message = {name}()`",
+    ko="메시지는 그 클래스로 만들고 항목을 채웁니다: `message = {name}()`",
+)
+A_SET = Words(
+    en="A set has no order: `sorted(…)` makes a list of it",
+    ko="집합에는 순서가 없습니다. `sorted(…)`로 리스트를 만드십시오",
+)
+ONE_ALONE = Words(
+    en="One alone is given, and a list is asked for, even if it holds only that one: `[…]`",
+    ko="여럿을 담을 리스트가 필요한 곳에 하나만 있습니다. 하나뿐이어도 `[…]`에 넣으십시오",
+)
+
 
 def kind_said(form: Form, outcome: Plain) -> Words | None:
-    """Return what to say of an answer where a word is asked for and something else stands; None if nothing is plain."""
+    """Return what to say of an answer of another kind than the one asked for; None if nothing is plain."""
     if outcome is None and (isinstance(form, Name) or (isinstance(form, Choice) and "none" in form.options)):
         return NO_NAME
-    if not isinstance(form, Name | Choice) or not isinstance(outcome, dict):
+    if isinstance(form, ListForm):
+        return _said_of_a_list(form, outcome)
+    if isinstance(form, Message) and form.read(outcome) is None and outcome is not None:
+        name = form.type.rpartition("/")[2]
+        return Words(*(NO_MESSAGE.say(tongue, name=name) for tongue in ("en", "ko")))
+    if not isinstance(outcome, dict):
+        return None
+    if "Transform" in outcome and type(form) in OF_A_TRANSFORM:
+        return OF_A_TRANSFORM[type(form)]
+    if not isinstance(form, Name | Choice):
         return None
     held = str(outcome.get("object"))
     return A_CLASS if held == "type" else AN_ERROR if "returned and not raised" in held else None
+
+
+def _said_of_a_list(form: ListForm, outcome: Plain) -> Words | None:
+    if isinstance(outcome, dict) and "set" in outcome:
+        return A_SET
+    return ONE_ALONE if not isinstance(outcome, list) and form.of.read(outcome) is not None else None
 
 
 def kinds_said(form: Form, outcomes: Sequence[Plain]) -> list[Words]:

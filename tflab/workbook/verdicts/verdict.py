@@ -273,7 +273,11 @@ def _unread(form: Form, outcome: Plain) -> tuple[Mistake, dict[str, Any]]:
     if outcome == {"object": "function"}:
         return Mistake.A_FUNCTION, {}
     body = inside(outcome)
-    if isinstance(body, list | dict) and not isinstance(form, Number | Angle | Choice) and _holds_numbers(body):
+    if (
+        isinstance(body, list | dict)
+        and not isinstance(form, Number | Angle | Choice | Message)
+        and _holds_numbers(body)
+    ):
         return Mistake.SHAPE, {"tip": JOINED} if _is_joined(form, outcome) else {}
     return Mistake.TYPE, _meant(form, outcome)
 
