@@ -73,8 +73,10 @@ def kind_said(form: Form, outcome: Plain) -> Words | None:
     if isinstance(form, Message) and form.read(outcome) is None and outcome is not None:
         name = form.type.rpartition("/")[2]
         return Words(*(NO_MESSAGE.say(tongue, name=name) for tongue in ("en", "ko")))
-    if not isinstance(outcome, dict):
-        return None
+    return _said_of_an_object(form, outcome) if isinstance(outcome, dict) else None
+
+
+def _said_of_an_object(form: Form, outcome: dict[str, Plain]) -> Words | None:
     if "Transform" in outcome and type(form) in OF_A_TRANSFORM:
         return OF_A_TRANSFORM[type(form)]
     if not isinstance(form, Name | Choice):

@@ -56,9 +56,8 @@ def of_refusals(
     """Return what became of the exceptions that a function has to raise, and of the rest what `explained` says."""
     pairs = list(zip(cases, outcomes, strict=True))
     refused = [outcome for case, outcome in pairs if is_raised(case.expected)]
-    are_right = [alike(task.form, outcome, case.expected) for case, outcome in pairs if is_raised(case.expected)]
     rest = [(case, outcome) for case, outcome in pairs if not is_raised(case.expected)]
-    is_another = all(map(is_raised, refused)) and not any(are_right)
+    is_another = _are_others(task, pairs)
     if not refused or not rest or (any(map(is_raised, refused)) and not is_another):
         return None
     slip = _another(refused) if is_another else _swallowed(refused)
@@ -76,6 +75,12 @@ def _swallowed(refused: Sequence[Plain]) -> Explanation:
     if len(refused) > 1 and all(outcome == refused[0] for outcome in refused):
         return Explanation.of("error swallowed", THE_SAME)
     return Explanation.of("no refusal", SOMETHING)
+
+
+def _are_others(task: TaskCases, pairs: Sequence[tuple[Case, Plain]]) -> bool:
+    """Return whether an exception is raised wherever one is asked for, and never that one."""
+    refused = [(case, outcome) for case, outcome in pairs if is_raised(case.expected)]
+    return all(is_raised(outcome) and not alike(task.form, outcome, case.expected) for case, outcome in refused)
 
 
 def _another(refused: Sequence[Plain]) -> Explanation:

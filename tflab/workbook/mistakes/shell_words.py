@@ -271,14 +271,20 @@ def _wrong_static(given: Line) -> Iterator[tuple[str, str]]:
     if foreign:
         kind = _foreign(foreign)
         yield kind, _quoted(foreign) if kind == "static: no such option" else ""
-    elif not options and len(given) in (9, 10) and [_is_a_number(word) for word in given[-3:]] == [False, False, True]:
-        yield "static: a period", ""
-    elif not options and len(given) not in (8, 9):
-        yield "static: not eight words", ""
-    elif options and not {"--frame-id", "--child-frame-id"} <= set(options):
+    elif not options:
+        yield from _wrong_count(given)
+    elif not {"--frame-id", "--child-frame-id"} <= set(options):
         yield "static: a frame missing", ""
-    elif options and len(given) > 2 * len(options):
+    elif len(given) > 2 * len(options):
         yield "static: a word without option", ""
+
+
+def _wrong_count(given: Line) -> Iterator[tuple[str, str]]:
+    """Yield what is wrong with how many words there are, where none is an option."""
+    if len(given) in (9, 10) and [_is_a_number(word) for word in given[-3:]] == [False, False, True]:
+        yield "static: a period", ""
+    elif len(given) not in (8, 9):
+        yield "static: not eight words", ""
 
 
 def _is_a_number(word: float | str) -> bool:
