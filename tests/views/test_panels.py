@@ -307,3 +307,9 @@ def test_whatever_is_asked_of_a_tree_it_and_tf2s_words_stand_on_its_card_and_the
             card_inch = panel.picture.figure.artists[0].get_height()
             assert lowest - 10.0 > -72.0 * card_inch > axes.get_ylim()[0]
     assert panel.picture.size_px[1] < 520
+
+
+def test_a_panels_picture_leaves_room_for_its_controls_in_a_laptops_window(make):
+    panel = make()
+    assert panel.picture.size_px[1] <= 545  # of 656 on a screen 768 high: two rows of controls, a button, a line
+    panel.close()

@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 __all__ = ["JointsPicture", "Step", "describe_joints", "draw_joints", "poses_along"]
 
 FROM_THE_SIDE = eye_at(-np.pi / 2.0, 0.0)  # x to the right, z up
-SIZE = (7.6, 5.7)
+SIZE = (7.6, 5.4)
 ARM_PX, ROW_PX, EDGE_PX = 280, 112, 16
 TILE_PX, HIGH_PX, GAP_PX = 150, 26, 8  # a domino at its widest, its height, and between two
 LETTER_PX = 5.6  # of a name on a domino, at most
