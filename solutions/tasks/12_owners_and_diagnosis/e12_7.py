@@ -7,6 +7,8 @@ from tflab.workbook.tasks import Choice, Parts, Proof, Slip, Task, Words
 
 from .draws import CAUSES, FRAMES, everything, one_of_each
 
+PARENTS = {"odom": "map", "base_footprint": "odom", "laser_frame": "base_link"}
+
 
 def eighteen(rng):
     """One patient of each cause."""
@@ -34,6 +36,8 @@ def treat(
     if asks == "one more" and cause == "nothing is wrong":
         patient.ask("view_frames")
     its_own = DIAGNOSES[cause].frame if cause in DIAGNOSES else "laser_frame"
+    if frame == "the parent":
+        return patient.verdict(cause, PARENTS.get(its_own, its_own))
     return patient.verdict(cause, its_own if frame == "by cause" else frame)
 
 
@@ -51,7 +55,7 @@ def _cause(patient, map_lost, robot_lost, scan_lost, future, green, jumps, fixed
         hz, spread = patient.ask("hz /odom").split(" Hz, std dev ")
         if float(hz) < 10.0:
             return "odometry slow"
-        return "transforms late" if float(spread.split()[0]) > 0.02 else "laser clock ahead"
+        return "transforms late" if future != "rate alone" and float(spread.split()[0]) > 0.02 else "laser clock ahead"
     return _all_green(patient, green, jumps)
 
 
@@ -228,6 +232,16 @@ ALWAYS_AHEAD = Slip(
     "M10",
 )
 
+SPREAD_UNREAD = Slip(
+    "spread unread",
+    {"future": "rate alone"},
+    Words(
+        en="Of `hz /odom` your program reads the rate alone. Transforms that come late come as often as ever; what gives them away is the std dev behind it, and a laser's clock leaves that as it was.",
+        ko="`hz /odom`에서 주파수만 읽습니다. 늦게 오는 변환도 횟수는 그대로입니다. 뒤에 적힌 std dev가 달라지고, 레이저의 시계는 그것을 바꾸지 않습니다.",
+    ),
+    "M10",
+)
+
 HEADER_UNREAD = Slip(
     "header unread",
     {"green": "no header"},
@@ -307,6 +321,25 @@ ALWAYS_THE_BASE = Slip(
 )
 
 
+THE_EDGES_PARENT = Slip(
+    "the edge's parent",
+    {"frame": "the parent"},
+    Words(
+        en="You name the frame above: of the edge that is missing or wrong, its parent. The parent stays where it is; the frame whose place is not right is the child.",
+        ko="위쪽 좌표계를 답합니다. 빠지거나 틀린 연결의 부모입니다. 부모는 제자리에 있고, 자리가 틀린 것은 자식입니다.",
+    ),
+)
+
+NOBODYS_FRAME = Slip(
+    "nobody's frame",
+    {"frame": "none"},
+    Words(
+        en='You answer "none" for every patient: that nobody\'s place is wrong. It is so of a robot that has nothing; of all others some frame does not stand where it should.',
+        ko='모든 환자에게 "none", 곧 틀린 자리가 없다고 답합니다. 아무 이상이 없는 로봇만 그렇습니다. 다른 환자는 어느 좌표계의 자리가 틀립니다.',
+    ),
+)
+
+
 TASK = Task(
     id="E12.7",
     kind="F",
@@ -332,6 +365,7 @@ TASK = Task(
         ALWAYS_VOLATILE,
         ALWAYS_ZEROS,
         ALWAYS_AHEAD,
+        SPREAD_UNREAD,
         HEADER_UNREAD,
         DELAY_UNREAD,
         NEITHER_READ,
@@ -340,6 +374,8 @@ TASK = Task(
         ONE_MORE_QUESTION,
         ALWAYS_THE_LASER,
         ALWAYS_THE_BASE,
+        THE_EDGES_PARENT,
+        NOBODYS_FRAME,
     ),
     hints=(
         Words(
