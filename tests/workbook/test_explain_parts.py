@@ -124,7 +124,7 @@ def test_a_slip_that_stops_in_some_calls_is_named_in_a_part_where_the_others_sho
 
 def test_a_frame_that_a_buffer_does_not_hold_is_asked_after_and_another_lookup_is_not():
     text = '"camera" passed to lookupTransform argument source_frame does not exist. '
-    assert "written down in your function" in tip_for("LookupException", text).en
+    assert "written down in your function, which argument" in tip_for("LookupException", text).en
     assert "written down" not in tip_for("LookupException", "no such thing").en
 
 

@@ -20,7 +20,7 @@ from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
 from ..words import Words
 
-__all__ = ["confused", "confused_in_lists", "word_of"]
+__all__ = ["confused", "confused_in_lists", "seen_of", "word_of"]
 
 SWAPPED = Words(
     en='"{one}" and "{other}" have changed places.',
@@ -92,6 +92,14 @@ def _most_confused(asked: Sequence[str | None], wrong: Counter, whole: Mapping[t
 
 def _different(asked: Sequence[str | None], said: Sequence[str | None]) -> list[tuple[str | None, str | None]]:
     return [(want, word) for want, word in zip(asked, said, strict=True) if want != word]
+
+
+def seen_of(found: Confusion, seen: Mapping[str, Words]) -> Words | None:
+    """Return what there is to see where the word that is asked for is right; of several words, of which one it is."""
+    words = seen.get(found.wanted)
+    if words is None or not found.is_of_several:
+        return words
+    return Words(f'"{found.wanted}": {words.en}', f'"{found.wanted}": {words.ko}')
 
 
 def confused_in_lists(form: ListForm, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> Confusion | None:

@@ -29,7 +29,7 @@ from .arithmetic import computed, computed_in_all
 from .beside import side_by_side
 from .changes import of_changes
 from .common import calls_in_common
-from .confused import confused, confused_in_lists, word_of
+from .confused import confused, confused_in_lists, seen_of, word_of
 from .explanation import Explanation, said_of
 from .givens import given_to
 from .habits import habit_of
@@ -140,8 +140,7 @@ def _of_words(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain])
         return Explanation.of(found.name, found.said) if found else None
     if (apart := of_words_apart(task, cases, outcomes)) is not None:
         return apart
-    seen = None if found.is_of_several else task.seen.get(found.wanted)
-    shown = [words for words in (task.means.get(found.word), seen) if words]
+    shown = [words for words in (task.means.get(found.word), seen_of(found, task.seen)) if words]
     said = Words(*map(" ".join, zip(found.said, *shown, strict=True)))
     explanation = Explanation.of(found.name, said)
     if isinstance(form, Choice):

@@ -29,7 +29,7 @@ from .after import after_a_slip
 from .arithmetic import computed, computed_in_all
 from .certain import certain
 from .common import calls_in_common
-from .confused import confused, word_of
+from .confused import confused, seen_of, word_of
 from .explanation import Explanation
 from .givens import given_to
 from .habits import constant_of, habit_of
@@ -235,8 +235,7 @@ def _of_words(task: TaskCases, table: Table, name: str) -> list[Found]:
     confusion = confused(form, table.given[name], table.wanted[name]) if isinstance(form, Choice) else None
     if confusion is None:
         return []
-    seen = None if confusion.is_of_several else task.seen.get(confusion.wanted)
-    shown = [words for words in (seen, _in_common(table, name)) if words]
+    shown = [words for words in (seen_of(confusion, task.seen), _in_common(table, name)) if words]
     said = Words(*map(" ".join, zip(confusion.said, *shown, strict=True)))
     return [Found.of(f"{name}: {confusion.name}", said, name)._replace(is_of_words=True)]
 

@@ -121,10 +121,8 @@ def named_twice(
     """Return that a part's word stands in other places, too, where each place has a word of its own; None if not."""
     form = forms[name]
     names = next((names for names in _asked_in_order(forms) if name in names), [])
-    if not isinstance(form, Choice) or len(names) < FEWEST:
-        return None
-    if len(names) != len(form.options) and not ORDINALS.issuperset(names):  # words may come twice elsewhere
-        return None
+    if not isinstance(form, Choice) or len(names) < FEWEST or not ORDINALS.issuperset(names):
+        return None  # where no order is asked for, a word may come twice
     want, have = ([word_of(form, held[one][0]) for one in names] for held in (wanted, given))
     word = word_of(form, given[name][0])
     if word is None or len(set(want)) < len(want) or have.count(word) < 2:
