@@ -98,12 +98,15 @@ def of_places(
     if len(rows) < FEWEST or len({len(row) for row in rows}) > 1 or len(rows[0]) > MOST_PLACES:
         return []
     want, have = ([[word_of(forms[name], held[name][0]) for name in row] for row in rows] for held in (wanted, given))
-    orders = permutations(range(len(rows[0])))
-    order = next((order for order in orders if [[row[place] for place in order] for row in want] == have), None)
-    if order is None or have == want:
-        return []
+    order = _order_of(want, have)
     wrong = [row[place] for row in rows for place, at in enumerate(order) if place != at]
-    return [Found.of("places exchanged", PLACES, *wrong)]
+    return [Found.of("places exchanged", PLACES, *wrong)] if wrong else []
+
+
+def _order_of(want: list[Row], have: list[Row]) -> tuple[int, ...]:
+    """Return in which order the members of each list were put, the first way that fits all; nothing if none does."""
+    orders = permutations(range(len(want[0])))  # as it is comes first
+    return next((order for order in orders if [[row[place] for place in order] for row in want] == have), ())
 
 
 def _lists_of_words(forms: Mapping[str, Form], given: Mapping[str, Sequence[Plain]]) -> list[list[str]]:
