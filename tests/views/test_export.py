@@ -43,6 +43,7 @@ def notebook_at(path, models: dict, shown: tuple[str, ...], source: str = "1 + 1
     ("model", "text"),
     [
         (widget("FloatSlider", description="yaw:", value=0.5, readout_format=".2f"), "yaw: 0.50"),
+        (widget("FloatSlider", description="yaw", value=1.5707963), "yaw: 1.57"),
         (widget("IntSlider", description="n", value=3, readout_format="d"), "n: 3"),
         (widget("FloatRangeSlider", description="t", value=[0.0, 1.0], readout_format=".1f"), "t: 0.0 to 1.0"),
         (widget("Checkbox", description="names", value=True), "names: yes"),

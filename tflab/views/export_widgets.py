@@ -32,6 +32,7 @@ STANDS_STILL = {
     "tflab build --html로 만든 페이지에는 슬라이더가 하나 남습니다.",
 }
 PANEL = "tflab-panel"  # the class of a picture with controls that only a kernel can draw anew
+FLOAT_SLIDERS, FLOATS = ("FloatSliderModel", "FloatRangeSliderModel"), ".2f"  # JupyterLab saves no form that is usual
 WITHOUT_KERNEL_NOTHING = ("ButtonModel", "ToggleButtonModel", "PlayModel", "FileUploadModel", "ControllerModel")
 
 Models = dict[str, dict]  # as stored in a notebook: model id -> model_name, state, buffers
@@ -105,14 +106,14 @@ def _words(kind: str, state: Model) -> str:
         return ""
     if kind in ("HTMLModel", "HTMLMathModel"):
         return f"<div>{state['value']}</div>"
-    value = escape(_value(state))
+    value = escape(_value(state, FLOATS if kind in FLOAT_SLIDERS else ""))
     if kind == "LabelModel":
         return f"<p>{value}</p>"
     called = escape(state.get("description") or "").rstrip(": ")
     return f'<p class="tflab-value">{called}: {value}</p>' if called else f'<p class="tflab-value">{value}</p>'
 
 
-def _value(state: Model) -> str:
+def _value(state: Model, usual_form: str) -> str:
     labels, index = state.get("_options_labels"), state.get("index")
     if labels is not None and index is not None:
         chosen = index if isinstance(index, (list, tuple)) else [index]
@@ -121,7 +122,7 @@ def _value(state: Model) -> str:
     if isinstance(value, bool):
         return "yes" if value else "no"
     values = value if isinstance(value, (list, tuple)) else [value]
-    form = state.get("readout_format") or ""
+    form = state.get("readout_format") or usual_form
     return " to ".join(format(v, form) if isinstance(v, float) and form else str(v) for v in values)
 
 
