@@ -46,3 +46,17 @@ def test_a_shell_without_a_kernel_gets_text():
         assert not reply.in_notebook()
     finally:
         InteractiveShell.clear_instance()
+
+
+def test_a_reply_begins_as_a_sentence_does_and_leaves_names_as_they_are():
+    shown = {
+        said: as_html("E1.1", said, [], "wrong").partition("<br>")[2]
+        for said in (
+            "you swapped x and y",
+            "base_link에 서 있다고",
+            "nanosec을 소수점",
+            "map is the target",
+            "odom: late",
+        )
+    }
+    assert [card[:2] for card in shown.values()] == ["Yo", "ba", "na", "ma", "od"]

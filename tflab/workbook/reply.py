@@ -18,6 +18,8 @@ import re
 from collections.abc import Sequence
 from typing import Any
 
+from .words import begun
+
 __all__ = ["as_html", "in_notebook", "show_page", "show_reply"]
 
 CODE = re.compile(r"`([^`\n]+)`")
@@ -66,7 +68,7 @@ def as_html(head: str, said: str, more: Sequence[str], kind: str) -> str:
     """Return the card; whatever an answer held is text in it, and nothing else."""
     lines = [f"<strong>{html.escape(head)}</strong>"]
     if said:
-        lines.append(_with_code(said[0].upper() + said[1:]))
+        lines.append(_with_code(begun(said)))
     lines += [f"<small>{_with_code(CALL.sub(_in_backticks, line))}</small>" for line in more]
     return f'<div class="tflab-reply" style="{CARD.format(colour=COLOURS[kind])}">{"<br>".join(lines)}</div>'
 

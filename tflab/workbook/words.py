@@ -7,11 +7,14 @@ Names, code and numbers are the same in both.  Read `whole_files.py` next.
 
 from __future__ import annotations
 
+import re
 from typing import NamedTuple
 
-__all__ = ["LANGUAGES", "Words"]
+__all__ = ["LANGUAGES", "Words", "begun"]
 
 LANGUAGES = ("en", "ko")
+ENGLISH_WORD = re.compile(r"[a-z]+(?=[ ,:;.'’-]|$)")
+NAMES = ("map", "nanosec", "odom", "rclpy", "sec")  # written small, wherever they stand
 
 
 class Words(NamedTuple):
@@ -28,3 +31,9 @@ class Words(NamedTuple):
     def plain(self) -> dict[str, str]:
         """Return both texts as JSON has them: {"en": ..., "ko": ...}."""
         return self._asdict()
+
+
+def begun(text: str) -> str:
+    """Return a text as a sentence begins: with a capital, but for a name, which another capital would make another."""
+    word = ENGLISH_WORD.match(text)
+    return text[:1].upper() + text[1:] if word and word[0] not in NAMES else text

@@ -13,7 +13,7 @@ from typing import NamedTuple
 from ..answers.values import Plain
 from ..mistakes.fitting import words_of
 from ..tasks.case import Case, TaskCases, TwinWords
-from ..words import Words
+from ..words import Words, begun
 
 __all__ = ["Explains", "Explanation", "and_then", "said_of"]
 
@@ -70,8 +70,4 @@ def _both(first: Words, then: Words) -> Words:
 
 
 def _in_a_row(first: Words, then: Words) -> Words:
-    return Words(f"{first.en} {_begun(then.en)}", f"{first.ko} {then.ko}")
-
-
-def _begun(text: str) -> str:
-    return text[:1].upper() + text[1:]
+    return Words(f"{first.en} {begun(then.en)}", f"{first.ko} {then.ko}")
