@@ -44,6 +44,13 @@ def test_what_the_first_cells_make_and_what_any_other_makes_are_told_apart(shell
     assert "look how it is spelt" in said(shell, "print(map_T_laser)", capsys)[1]
 
 
+def test_what_a_task_gives_is_found_where_it_is(shell, capsys) -> None:
+    shell.run_cell("from types import SimpleNamespace\ne1_1 = SimpleNamespace(base_p_laser=(1.0, 2.0))")
+    line = said(shell, "base_p_laser[0]", capsys)[1]
+    assert line.endswith("stands in what you called e1_1: `e1_1.base_p_laser`.")
+    assert "look how it is spelt" in said(shell, "base_p_lasr", capsys)[1]
+
+
 def test_it_is_said_in_the_language_of_the_copy(shell, capsys, tmp_path: Path, monkeypatch) -> None:
     write_workbook(tmp_path, Workbook(language="ko"))
     monkeypatch.chdir(tmp_path)

@@ -62,8 +62,13 @@ def task(task_id: str) -> SimpleNamespace | None:
     if given is None:
         return None
     values = {name: from_plain(value) for name, value in given.items()}
-    print(show_all(values))
+    print(show_all({f"{_usual_name(assigned.id)}.{name}": value for name, value in values.items()}))
     return SimpleNamespace(**values)
+
+
+def _usual_name(task_id: str) -> str:
+    """Return what the exercises call what a task gives: e3_2."""
+    return task_id.lower().replace(".", "_")
 
 
 def check(task_id: str, answer: Any = NOTHING) -> float | None:

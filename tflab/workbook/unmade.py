@@ -14,8 +14,9 @@ from __future__ import annotations
 import os
 import re
 import sysconfig
+from collections.abc import Mapping
 from pathlib import Path
-from types import TracebackType
+from types import SimpleNamespace, TracebackType
 from typing import Any
 
 from .places import WorkbookError, read_workbook
@@ -40,6 +41,10 @@ NOT_YET = Words(
     "then this one again; if none does, look how it is spelt.",
     "아직 없습니다. 위의 셀에서 만드는 이름이라면 그 셀을 먼저 실행한 다음(Run → Run All Above Selected Cell) "
     "이 셀을 다시 실행하십시오. 그런 셀이 없다면 철자를 확인하십시오.",
+)
+GIVEN = Words(
+    "That is given with the task, and stands in what you called {holder}: `{holder}.{name}`.",
+    "과제에서 주어진 값이고, {holder} 안에 있습니다. `{holder}.{name}`으로 쓰십시오.",
 )
 BEGUN_TWICE = Words(
     "rclpy has begun already, in another cell. `rclpy.try_shutdown()` ends it; then run this cell again.",
@@ -83,7 +88,7 @@ def _show(shell: Any, kind: type, error: Exception, traceback: Any, tb_offset: i
         traceback = error.__traceback__
     shell.showtraceback((kind, error, traceback), tb_offset=tb_offset)
     if kind is NameError and error.name:
-        show_reply(error.name, _said(error.name, shell.user_ns["In"][-1]).say(_language()))
+        show_reply(error.name, _said(error.name, shell.user_ns))
     elif kind is RuntimeError and str(error) in OF_ORDER:
         show_reply("rclpy", OF_ORDER[str(error)].say(_language()))
 
@@ -117,10 +122,14 @@ def _is_readers(error: BaseException) -> bool:
     return of_the_reader(error.__traceback__) is not None
 
 
-def _said(name: str, cell: str) -> Words:
+def _said(name: str, space: Mapping[str, Any]) -> str:
+    """Return what a reader can do about a name that is not there."""
     if name in OURS:
-        return NOT_BEGUN
-    return NO_ANSWER if CHECKS.search(cell) else NOT_YET
+        return NOT_BEGUN.say(_language())
+    for holder, held in space.items():
+        if type(held) is SimpleNamespace and name in vars(held) and not holder.startswith("_"):
+            return GIVEN.say(_language(), holder=holder, name=name)
+    return (NO_ANSWER if CHECKS.search(space["In"][-1]) else NOT_YET).say(_language())
 
 
 def _language() -> str:
