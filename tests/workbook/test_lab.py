@@ -129,9 +129,14 @@ def test_an_option_of_jupyterlab_that_does_not_stand_after_the_dashes_is_told_wh
     started: list, capsys
 ) -> None:
     with pytest.raises(SystemExit):
-        lab.lab(["--port", "9000"])
-    assert "unrecognized arguments: --port; an option of JupyterLab stands after --" in capsys.readouterr().err
+        lab.lab(["--ip", "0.0.0.0"])
+    assert "unrecognized arguments: --ip; an option of JupyterLab stands after --" in capsys.readouterr().err
     assert started == []
+
+
+def test_the_port_is_ours_too_for_everybody_tries_that_first(started: list) -> None:
+    assert lab.lab(["--port", "9000", "--no-browser"]) == 0
+    assert started[0][0][-2:] == ["--no-browser", "--ServerApp.port=9000"]
 
 
 @pytest.mark.parametrize("words", [["/no/such/folder"], ["/no/such/folder", "--as-is"]])

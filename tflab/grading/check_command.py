@@ -47,6 +47,10 @@ LATER = Words(
     "채점할 때는 여기에 없는 입력으로도 함수를 시험합니다.",
 )
 ANSWERED = Words("{passed} of {of} answered", "{of}개 중 {passed}개에 답함")
+AS_SAVED = Words(
+    "This is the file as it was last saved: what you have written since is seen once you save it (Ctrl+S).",
+    "마지막으로 저장한 파일을 보았습니다. 그 뒤에 쓴 것은 저장해야(Ctrl+S) 보입니다.",
+)
 IGNORED = Words("What grading would do with this notebook:", "이 노트북을 채점할 때 달라지는 점:")
 PLAIN = Words(
     "Checked in an ordinary kernel ({why}).",
@@ -156,6 +160,8 @@ def report(checked: Checked) -> tuple[list[str], bool]:
         lines += ["", IGNORED.say(language), *(f"  {line}" for line in remarks)]
     got, most = (sum(row[name] for row in rows.values()) for name in ("points", "most"))
     lines += ["", f"{SUM.say(language, points=f'{got:g}', most=f'{most:g}')} {LATER.say(language)}"]
+    if any(row["status"] == "unanswered" for row in rows.values()):
+        lines.append(AS_SAVED.say(language))
     return lines, got == most and not remarks
 
 

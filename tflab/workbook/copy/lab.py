@@ -7,7 +7,8 @@
     tflab lab DIR --as-is     any folder of notebooks; nothing is written there
     tflab lab --copy-only     makes the copy and starts nothing, for a JupyterLab that runs already
     tflab lab --no-browser    says where it is to be seen, instead of opening a browser
-    tflab lab -- ...          what stands after -- goes to JupyterLab itself: --port 9000
+    tflab lab --port 9000     there
+    tflab lab -- ...          what stands after -- goes to JupyterLab itself: --ip 0.0.0.0
 
 JupyterLab would look for news, for updates and for extensions on the network;
 here it does none of that.  Its terminals know the command `tflab`, a page saves the
@@ -115,7 +116,7 @@ def lab(words: Sequence[str]) -> int:
             return 0
     root = f"--ServerApp.root_dir={folder}"  # whatever the user's own settings say
     first_page = [f"--LabApp.default_url=/lab/tree/{page}" for page in pages if (folder / page).exists()]
-    own_options = [*(["--no-browser"] if options.no_browser else []), *own_options]
+    own_options = [*_in_jupyterlabs_words(options), *own_options]
     os.chdir(folder)
     sys.stdout.flush()  # JupyterLab's own lines come after ours, also in a file
     tflab = "tflab" if which("tflab") else quote(sys.argv[0])  # as this shell knows it
@@ -173,7 +174,7 @@ def _parser() -> argparse.ArgumentParser:
         prog="tflab lab",
         usage="tflab lab [DIR] [option ...] [-- option of JupyterLab ...]",
         description="Open your copy of the workbook, offline.",
-        epilog="What stands after -- goes to JupyterLab itself: tflab lab -- --port 9000 --ip 0.0.0.0",
+        epilog="What stands after -- goes to JupyterLab itself: tflab lab -- --ip 0.0.0.0",
     )
     parser.add_argument(
         "folder", nargs="?", metavar="DIR", help=f"where your copy is, or will be; ./{COPY} if left out"
@@ -188,6 +189,7 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("--as-is", action="store_true", help="open DIR as any folder of notebooks, and write nothing")
     parser.add_argument("--copy-only", action="store_true", help="make the copy, say where its first page is, and end")
+    parser.add_argument("--port", type=int, help="of JupyterLab's, if 8888 is not to be the first that it tries")
     parser.add_argument("--no-browser", action="store_true", help="print the address instead of opening a browser")
     return parser
 
@@ -197,9 +199,15 @@ def _parsed(words: Sequence[str]) -> argparse.Namespace:
     parser = _parser()
     options, unknown = parser.parse_known_args(words)
     if unknown:
-        behind = "an option of JupyterLab stands after --, as in: tflab lab -- --port 9000"
+        behind = "an option of JupyterLab stands after --, as in: tflab lab -- --ip 0.0.0.0"
         parser.error(f"unrecognized arguments: {' '.join(unknown)}; {behind}")
     return options
+
+
+def _in_jupyterlabs_words(options: argparse.Namespace) -> list[str]:
+    """Return those of our options that JupyterLab has, too."""
+    browser = ["--no-browser"] if options.no_browser else []
+    return browser + ([f"--ServerApp.port={options.port}"] if options.port is not None else [])
 
 
 def _folder(named: str | None) -> Path:
