@@ -72,16 +72,16 @@ lesson.draw_scene({'world': Transform(), 'map': Transform(translation=(5.0, 0.0,
 # %% [markdown] lang="en" name="story-seen"
 # The point *meant* is (2, 1.5) counted from `world`. Read the same numbers from `map`, and you stand at *understood*.
 #
-# The reader forgot the label here. Elsewhere the writer spoilt it: a program saw a code one metre in front of its camera and wrote `/map` over the label.
-# Now the code "was" one metre from the corner of the map (its origin, from which the map is counted), wherever the robot stood.
+# The reader forgot the label here. Elsewhere the writer spoilt it: a program saw a marker (a printed code) one metre in front of its camera and wrote `/map` over the label.
+# Now the marker "was" one metre from the corner of the map (its origin, from which the map is counted), wherever the robot stood.
 # A label must be written *and* read.
 
 # %% [markdown] lang="ko" name="story-seen"
 # *그림 읽기:* meant는 사람이 뜻한 위치, understood는 프로그램이 알아들은 위치입니다.
 # meant는 `world`의 원점에서 재면 (2, 1.5)입니다. 같은 숫자를 `map`의 원점에서 재면 understood에 서게 됩니다.
 #
-# 여기서는 읽는 쪽이 이름표를 잊었습니다. 쓰는 쪽이 이름표를 망친 일도 있습니다. 어느 프로그램은 카메라 1미터 앞의 코드를 보고는 이름표를 `/map`으로 덮어썼습니다.
-# 그러자 로봇이 어디에 있든 코드는 지도 원점에서 1미터 떨어진 것이 되었습니다.
+# 여기서는 받는 쪽이 이름표를 잊었습니다. 보내는 쪽이 이름표를 망친 일도 있습니다. 어느 프로그램은 카메라 1미터 앞의 마커(QR 코드 같은 표식)를 보고는 이름표를 `/map`으로 덮어썼습니다.
+# 그러자 로봇이 어디에 있든 마커는 지도 원점에서 1미터 떨어진 것이 되었습니다.
 # 이름표는 제대로 써야 하고, 또 *읽어야* 합니다.
 
 # %% [markdown] lang="en" name="story-notes" slide="notes"
@@ -127,15 +127,15 @@ my_guess = {'base_link': (0.0, 0.0, 0.0), 'map': (0.0, 0.0, 0.0)}  # your guesse
 # Two lines tell ROS where the robot stands and where the laser is bolted on.
 # Then a [[node]] with a [[buffer]], which remembers what was said, and a [[listener]], which fills it: what you would write on a robot.
 # `rclpy` is ROS 2 for Python, and `spin_thread=True` lets the listener listen while your program goes on. A `PointStamped` is a point with a label. In what the two lines print, the rotation (0, 0, 0, 1) means *not turned* (chapter 02).
-# Time is virtual in these pages: it passes only inside `graph.run(…)`.
+# Time is virtual in these pages: it passes only inside `graph.run(…)`. `graph` is the small world in which the nodes live; the first `%ros2` has made it.
 
 # %% [markdown] lang="ko" name="run-it" slide="subslide"
 # ## 실행해 봅시다
 #
 # 두 줄로 로봇이 서 있는 위치와 레이저를 단 위치를 ROS에 알립니다.
-# 이어서 들은 것을 기억하는 [[buffer|버퍼(buffer)]]와 버퍼를 채우는 [[listener|수신기(listener)]]를 가진 [[node|노드(node)]]를 만듭니다. 로봇에서도 똑같이 씁니다.
-# `rclpy`는 파이썬용 ROS 2이고, `spin_thread=True`이면 프로그램이 다른 일을 하는 동안에도 수신기가 변환을 받습니다. `PointStamped`는 이름표가 달린 점입니다. 두 줄이 출력하는 rotation (0, 0, 0, 1)은 *돌아 있지 않다*는 뜻입니다(02장).
-# 이 페이지에서 시간은 가상이며 `graph.run(…)` 안에서만 흐릅니다.
+# 이어서 [[node|노드(node)]]를 만들고, 받은 변환을 기억하는 [[buffer|버퍼(buffer)]]와 그 버퍼를 채우는 [[listener|수신기(listener)]]를 붙입니다. 로봇에서도 똑같이 씁니다.
+# `rclpy`는 파이썬용 ROS 2이고, `spin_thread=True`이면 프로그램이 다른 일을 하는 동안에도 수신기가 변환을 받습니다. `PointStamped`는 이름표가 달린 점입니다. 이 두 줄이 출력하는 rotation (0, 0, 0, 1)은 *돌아 있지 않다*는 뜻입니다(02장).
+# 이 페이지에서 시간은 가상이며 `graph.run(…)` 안에서만 흐릅니다. `graph`는 노드가 실행되는 가상 세계이고, `%ros2`를 처음 쓸 때 만들어집니다.
 
 # %% name="say-where"
 # %ros2 run tf2_ros static_transform_publisher --x 6.2 --y -1.7 --z 0.10 --frame-id map --child-frame-id base_link
@@ -477,7 +477,7 @@ print('point    ', lesson.fmt_all((seen.point.x, seen.point.y, seen.point.z), di
 # %% [markdown] lang="ko" name="one-message-seen"
 # 카메라 자신의 좌표계에서 공은 **z** 방향으로 3.5 m에 있습니다. 카메라에서는 z가 앞을 향합니다(02장). 이름표가 없었다면 공을 로봇 위쪽에 두었을 것입니다.
 #
-# 다음은 다른 메시지의 같은 두 항목입니다. 로봇의 회전과 가속을 재는 센서인 IMU의 것입니다. **예측해 봅시다.** 몇 초일까요?
+# 이번에는 IMU(로봇의 회전과 가속을 재는 센서) 메시지에서 같은 두 항목을 읽습니다. **예측해 봅시다.** 몇 초일까요?
 
 # %% name="imu-header" slide="-"
 # %ros2 topic echo /imu --once --field header
@@ -590,7 +590,7 @@ print('in map', lesson.fmt_all((point.x, point.y, point.z), digits=2))
 # ## 약속
 #
 # > **측정값은 값, 좌표계, 측정 시각입니다.**
-# > 쓰는 쪽은 측정하는 순간에 두 이름표를 모두 채웁니다. 읽는 쪽은 둘 다 읽고, 읽을 수 없으면 거절하고 이유를 말합니다.
+# > 보내는 쪽은 측정하는 순간에 두 이름표를 모두 채웁니다. 받는 쪽은 둘 다 읽고, 읽을 수 없으면 거절하고 이유를 말합니다.
 #
 # 약속을 지키며 읽는 함수입니다. 한 번 소리 내어 읽어 보세요.
 

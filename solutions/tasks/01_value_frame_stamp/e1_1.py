@@ -97,7 +97,7 @@ MOUNT_SKIPPED_ON_THE_MAP = Slip(
     {"start": "laser"},
     Words(
         en="For the map you went on from the laser's numbers: start from where you have just arrived, in base_link.",
-        ko="지도로 갈 때 레이저의 숫자에서 다시 시작했습니다. 방금 구한 base_link 기준 값에서 이어 가 보세요.",
+        ko="지도로 갈 때 레이저를 단 위치를 건너뛰고 레이저의 숫자에서 다시 시작했습니다. 방금 구한 base_link 기준 값에서 이어 가 보세요.",
     ),
 )
 

@@ -45,7 +45,7 @@ STAMPED_NOW = Slip(
     {"moment": "now"},
     Words(
         en="The stamp is the moment at which your function was called. By then the measurement was already old, and nobody who reads the message can know.",
-        ko="측정 시각에 함수가 호출된 시각을 적었습니다. 그때는 이미 지난 측정값이고, 메시지를 읽는 사람은 그것을 알 수 없습니다.",
+        ko="측정 시각에 함수가 호출된 시각을 적었습니다. 그때는 측정한 지 이미 시간이 지났고, 메시지를 읽는 사람은 그것을 알 수 없습니다.",
     ),
     "M9",
 )

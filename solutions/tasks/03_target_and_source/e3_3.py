@@ -75,7 +75,7 @@ SIGN_ONLY = Slip(
     Words(
         en="the step is not turned, it has at most got a minus sign. It is measured along a's axes; you need it along b's, "
         "which are turned.",
-        ko="이동을 돌리지 않았습니다. 기껏해야 마이너스만 붙였습니다. 그 이동은 a의 축을 따라 잰 값인데, 필요한 것은 돌아가 있는 b의 축을 "
+        ko="이동을 돌리지 않았습니다. 부호를 바꾸는 것만으로는 부족합니다. 그 이동은 a의 축을 따라 잰 값인데, 필요한 것은 돌아가 있는 b의 축을 "
         "따라 잰 값입니다.",
     ),
     "M3",

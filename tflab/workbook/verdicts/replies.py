@@ -64,6 +64,6 @@ LATER = {
     ),
     "value": Words(
         en="Your answer was compared for the numbers given to you. Grading runs your cell again and compares.",
-        ko="주어진 값에 대한 답을 비교했습니다. 채점에서는 셀을 다시 실행하여 그 결과를 봅니다.",
+        ko="주어진 값으로는 맞았습니다. 채점에서는 셀을 다시 실행하여 그 결과를 봅니다.",
     ),
 }
