@@ -40,7 +40,7 @@ def test_what_is_said_of_a_list_depends_on_the_cause_beside_it():
     said = FORM.remark(["hz /scan"], {"a cause": "laser clock ahead"})
     assert said.en.startswith("your checks say the same for “laser clock ahead” and “transforms late”")
     assert FORM.remark(["hz /scan"], {"a cause": "gremlins"}).en.startswith("no check on the trolley proves the cause")
-    assert "the other 4 min tell nothing" in FORM.remark(["delay /scan", "monitor"], {"c": "laser clock ahead"}).en
+    assert "the rest, 4 min, tells nothing" in FORM.remark(["delay /scan", "monitor"], {"c": "laser clock ahead"}).en
     assert FORM.remark([], {"c": "laser clock ahead"}).en.startswith("without a check")
     assert "on this patient these checks say otherwise" in FORM.remark(["delay /scan"], {"c": "laser clock ahead"}).en
 

@@ -123,7 +123,7 @@ PARENTS_ARE_FINE = Slip(
     {"parents": "healthy"},
     Words(
         en="A child hangs below two parents there. tf2 will take both, by turns: that is no healthy tree.",
-        ko="한 목록에서는 자식 하나가 두 부모 아래에 있습니다. tf2는 둘을 번갈아 받아들입니다. 멀쩡한 트리가 아닙니다.",
+        ko="거기에는 두 부모 아래에 있는 자식이 하나 있습니다. tf2는 둘을 번갈아 받아들입니다. 멀쩡한 트리가 아닙니다.",
     ),
     "M6",
 )

@@ -55,7 +55,7 @@ SAID = {
         ko="원인이 “{cause}”라면 이 검사들은 모두 카드와 같습니다. 증명에는 아픈 곳을 보여 주는 검사도 필요합니다.",
     ),
     "idle": Words(
-        en="for “{cause}” the first {count} of your checks would be enough; the other {minutes:g} min tell nothing.",
+        en="for “{cause}” it was proved after {count} of your checks; the rest, {minutes:g} min, tells nothing.",
         ko="원인이 “{cause}”라면 앞의 검사 {count}개로 충분합니다. 나머지 {minutes:g}분은 알려 주는 것이 없습니다.",
     ),
     "late": Words(
