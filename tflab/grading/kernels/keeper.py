@@ -116,12 +116,10 @@ def a_free_user() -> tuple[int, socket.socket]:
         uid = FIRST_UID + (os.getpid() + number) % UIDS
         try:
             reserved.bind(f"\0tflab-kernel-user-{uid}")
+            return uid, reserved
         except OSError as fault:
             if fault.errno != errno.EADDRINUSE:
-                break
-        else:
-            return uid, reserved
-    reserved.close()
+                raise
     raise OSError(f"no user from {FIRST_UID} to {FIRST_UID + UIDS - 1} is free for a kernel")
 
 
