@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from tflab.core import Transform
-from tflab.workbook.tasks import Angle, Number, Parts, Words
+from tflab.workbook.tasks import Angle, Number, Parts, Slip, Words
 
 PLANAR = Parts({"x": Number("m"), "y": Number("m"), "yaw": Angle()})
 
@@ -54,23 +54,30 @@ def by_formula(x: float, y: float, angle: float, way: str) -> tuple[float, float
     }[way]
 
 
-COSINES_SIGN_IN_X = Words(
-    en="one cosine in your x has the wrong sign: look at the formula once more, u·cos α − v·sin α.",
-    ko="x를 구하는 식에서 cos 앞의 부호 하나가 틀렸습니다. u·cos α − v·sin α를 다시 확인하십시오.",
-)
-COSINES_SIGN_IN_Y = Words(
-    en="one cosine in your y has the wrong sign: look at the formula once more, u·sin α + v·cos α.",
-    ko="y를 구하는 식에서 cos 앞의 부호 하나가 틀렸습니다. u·sin α + v·cos α를 다시 확인하십시오.",
-)
-EXCHANGED_IN_X = Words(
-    en="in your x alone, sine and cosine have changed places: it is u·cos α − v·sin α.",
-    ko="x를 구하는 식에서만 sin과 cos의 자리가 바뀌었습니다. u·cos α − v·sin α입니다.",
-)
-EXCHANGED_IN_Y = Words(
-    en="in your y alone, sine and cosine (or u and v) have changed places: it is u·sin α + v·cos α.",
-    ko="y를 구하는 식에서만 sin과 cos(또는 u와 v)의 자리가 바뀌었습니다. u·sin α + v·cos α입니다.",
-)
-PLACES_IN_X = Words(
-    en="in your x alone, u and v have changed places: it is u·cos α − v·sin α.",
-    ko="x를 구하는 식에서만 u와 v의 자리가 바뀌었습니다. u·cos α − v·sin α입니다.",
-)
+WRONG_TERMS = {
+    "cosine's sign in x": Words(
+        en="one cosine in your x has the wrong sign: look at the formula once more, u·cos α − v·sin α.",
+        ko="x를 구하는 식에서 cos 앞의 부호 하나가 틀렸습니다. u·cos α − v·sin α를 다시 확인하십시오.",
+    ),
+    "cosine's sign in y": Words(
+        en="one cosine in your y has the wrong sign: look at the formula once more, u·sin α + v·cos α.",
+        ko="y를 구하는 식에서 cos 앞의 부호 하나가 틀렸습니다. u·sin α + v·cos α를 다시 확인하십시오.",
+    ),
+    "exchanged in x": Words(
+        en="in your x alone, sine and cosine have changed places: it is u·cos α − v·sin α.",
+        ko="x를 구하는 식에서만 sin과 cos의 자리가 바뀌었습니다. u·cos α − v·sin α입니다.",
+    ),
+    "exchanged in y": Words(
+        en="in your y alone, sine and cosine (or u and v) have changed places: it is u·sin α + v·cos α.",
+        ko="y를 구하는 식에서만 sin과 cos(또는 u와 v)의 자리가 바뀌었습니다. u·sin α + v·cos α입니다.",
+    ),
+    "places in x": Words(
+        en="in your x alone, u and v have changed places: it is u·cos α − v·sin α.",
+        ko="x를 구하는 식에서만 u와 v의 자리가 바뀌었습니다. u·cos α − v·sin α입니다.",
+    ),
+}
+
+
+def wrong_terms(step: str) -> tuple[Slip, ...]:
+    """Return a slip for each term of the formula that may be wrong, at the step of a task that has `by_formula`."""
+    return tuple(Slip(way, {step: way}, words) for way, words in WRONG_TERMS.items())

@@ -9,14 +9,10 @@ import numpy as np
 from tflab.workbook.tasks import Slip, Task, Words
 
 from .draws import (
-    COSINES_SIGN_IN_X,
-    COSINES_SIGN_IN_Y,
-    EXCHANGED_IN_X,
-    EXCHANGED_IN_Y,
-    PLACES_IN_X,
     PLANAR,
     by_formula,
     some_planar,
+    wrong_terms,
 )
 
 
@@ -253,16 +249,6 @@ REST_OF_HALF_A_TURN = Slip(
 )
 
 
-COSINES_SIGN_IN_X_OF = Slip("cosine's sign in x", {"sine": "cosine's sign in x"}, COSINES_SIGN_IN_X)
-
-COSINES_SIGN_IN_Y_OF = Slip("cosine's sign in y", {"sine": "cosine's sign in y"}, COSINES_SIGN_IN_Y)
-
-EXCHANGED_IN_X_OF = Slip("exchanged in x", {"sine": "exchanged in x"}, EXCHANGED_IN_X)
-
-EXCHANGED_IN_Y_OF = Slip("exchanged in y", {"sine": "exchanged in y"}, EXCHANGED_IN_Y)
-
-PLACES_IN_X_OF = Slip("places in x", {"sine": "places in x"}, PLACES_IN_X)
-
 ONE_OVER = Slip(
     "one over",
     {"step": "one over"},
@@ -314,11 +300,7 @@ TASK = Task(
         BY_HALF_THE_ANGLE,
         NO_YAW,
         REST_OF_HALF_A_TURN,
-        COSINES_SIGN_IN_X_OF,
-        COSINES_SIGN_IN_Y_OF,
-        EXCHANGED_IN_X_OF,
-        EXCHANGED_IN_Y_OF,
-        PLACES_IN_X_OF,
+        *wrong_terms("sine"),
         ONE_OVER,
         ONE_OVER_THE_YAW,
     ),

@@ -9,15 +9,11 @@ import numpy as np
 from tflab.workbook.tasks import Slip, Task, Words
 
 from .draws import (
-    COSINES_SIGN_IN_X,
-    COSINES_SIGN_IN_Y,
-    EXCHANGED_IN_X,
-    EXCHANGED_IN_Y,
-    PLACES_IN_X,
     PLANAR,
     by_formula,
     moved,
     some_planar,
+    wrong_terms,
 )
 
 
@@ -346,16 +342,6 @@ MEAN_OF_THE_YAWS = Slip(
 )
 
 
-COSINES_SIGN_IN_X_OF = Slip("cosine's sign in x", {"step": "cosine's sign in x"}, COSINES_SIGN_IN_X)
-
-COSINES_SIGN_IN_Y_OF = Slip("cosine's sign in y", {"step": "cosine's sign in y"}, COSINES_SIGN_IN_Y)
-
-EXCHANGED_IN_X_OF = Slip("exchanged in x", {"step": "exchanged in x"}, EXCHANGED_IN_X)
-
-EXCHANGED_IN_Y_OF = Slip("exchanged in y", {"step": "exchanged in y"}, EXCHANGED_IN_Y)
-
-PLACES_IN_X_OF = Slip("places in x", {"step": "places in x"}, PLACES_IN_X)
-
 SINE_FOR_COSINE = Slip(
     "sine for cosine",
     {"step": "exchanged"},
@@ -402,11 +388,7 @@ TASK = Task(
         FIRST_STEP_TWICE,
         FIRST_YAW_MINUS_SECOND,
         MEAN_OF_THE_YAWS,
-        COSINES_SIGN_IN_X_OF,
-        COSINES_SIGN_IN_Y_OF,
-        EXCHANGED_IN_X_OF,
-        EXCHANGED_IN_Y_OF,
-        PLACES_IN_X_OF,
+        *wrong_terms("step"),
         SINE_FOR_COSINE,
     ),
     hints=(
