@@ -32,7 +32,7 @@ from .reply import show_reply
 from .tasks.blank import without_marks
 from .tasks.case import ChapterCases
 from .tasks.cases import CasesError, read_chapter
-from .tasks.reference import answer_cell_name
+from .tasks.reference import answer_cell_name, given_name
 from .tasks.task import TaskError, variant_of
 from .trying import AssignedTask, say_verdict, tried_on
 from .verdicts.mistake import Mistake
@@ -62,13 +62,8 @@ def task(task_id: str) -> SimpleNamespace | None:
     if given is None:
         return None
     values = {name: from_plain(value) for name, value in given.items()}
-    print(show_all({f"{_usual_name(assigned.id)}.{name}": value for name, value in values.items()}))
+    print(show_all({f"{given_name(assigned.id)}.{name}": value for name, value in values.items()}))
     return SimpleNamespace(**values)
-
-
-def _usual_name(task_id: str) -> str:
-    """Return what the exercises call what a task gives: e3_2."""
-    return task_id.lower().replace(".", "_")
 
 
 def check(task_id: str, answer: Any = NOTHING) -> float | None:

@@ -1,6 +1,7 @@
 """In which language?  What a person reads stands here twice, in English and in Korean.
 
     Words(en="Not answered yet.", ko="아직 답하지 않았습니다.").say("ko")
+    Words(en="{part} is wrong.", ko="{part} 부분이 틀렸습니다.").filled(part="yaw")     both texts
 
 Names, code and numbers are the same in both.  Read `whole_files.py` next.
 """
@@ -27,6 +28,14 @@ class Words(NamedTuple):
         """Return the text in a language, with its {names} filled in."""
         text = self.ko if language == "ko" else self.en
         return text.format(**names) if names else text
+
+    def filled(self, **names: object) -> Words:
+        """Return both texts with their {names} filled in; of a name that is Words, each text takes its own."""
+        texts = []
+        for language in LANGUAGES:
+            own = {name: one.say(language) if isinstance(one, Words) else one for name, one in names.items()}
+            texts.append(self.say(language, **own))
+        return Words(*texts)
 
     def plain(self) -> dict[str, str]:
         """Return both texts as JSON has them: {"en": ..., "ko": ...}."""

@@ -206,8 +206,7 @@ def _why_not_matched(record: Mapping[str, Any], both: Mapping[str, Any]) -> Word
 
 def _line(words: Words, who: Sequence[str]) -> Words:
     names, more = ", ".join(who[:MOST_NAMES]), len(who) - MOST_NAMES
-    said = [AND_MORE.say(language, names=names, more=more) if more > 0 else names for language in ("en", "ko")]
-    return Words(*(words.say(language, who=named) for language, named in zip(("en", "ko"), said, strict=True)))
+    return words.filled(who=AND_MORE.filled(names=names, more=more) if more > 0 else names)
 
 
 def _is_in_another_language(record: Mapping[str, Any]) -> bool:

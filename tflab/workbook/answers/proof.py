@@ -109,7 +109,7 @@ class Proof(Form):
             return SAID["no suspect"]
         flaw = (self._flaw(read[1], cause) or Flaw("contradicted")) if read[1] else Flaw("none")
         names = {**flaw._asdict(), "cause": cause, "budget": self.budget_min}
-        return Words(*(SAID[flaw.kind].say(language, **names) for language in ("en", "ko")))
+        return SAID[flaw.kind].filled(**names)
 
     def _flaw(self, checks: list[str], suspect: str) -> Flaw | None:
         return flaw_of(checks, suspect, self.whole, self.budget_min)

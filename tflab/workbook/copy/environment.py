@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from ..places import MARK, WorkbookError, read_workbook, workbook_root
-from ..words import LANGUAGES, Words
+from ..words import Words
 
 __all__ = ["check_environment", "missing"]
 
@@ -70,15 +70,11 @@ def check_environment() -> None:
 def missing() -> Iterator[tuple[Words, Words]]:
     """Yield what is not as the pages need it, and what to do."""
     if sys.version_info < LEAST_PYTHON:
-        yield OUR_PYTHON, _filled(OLD_PYTHON, found=".".join(str(part) for part in sys.version_info[:2]))
+        yield OUR_PYTHON, OLD_PYTHON.filled(found=".".join(str(part) for part in sys.version_info[:2]))
     for what, brought_by, modules in NEEDED:
         absent = [name for name in modules if importlib.util.find_spec(name) is None]
         if absent:
-            yield what, _filled(ABSENT, names=", ".join(absent), brought_by=brought_by)
+            yield what, ABSENT.filled(names=", ".join(absent), brought_by=brought_by)
     folder = workbook_root()
     if (Path(folder) / MARK).is_file() and not os.access(folder, os.W_OK):
-        yield A_PLACE, _filled(LOCKED, folder=folder)
-
-
-def _filled(words: Words, **names: object) -> Words:
-    return Words(*(words.say(language, **names) for language in LANGUAGES))
+        yield A_PLACE, LOCKED.filled(folder=folder)

@@ -39,7 +39,7 @@ def after_a_slip(
     if not isinstance(form, MEASURED) or any(value is None for value in row):
         return []
     if is_just(form, outcomes, row):
-        said = (ONLY_FOLLOWS.say(tongue, part=made_in) for tongue in ("en", "ko"))
-        return [Found.of(f"{name} follows", Words(*said), name)._replace(is_of_words=True)]  # a cause comes first
+        follows = Found.of(f"{name} follows", ONLY_FOLLOWS.filled(part=made_in), name)
+        return [follows._replace(is_of_words=True)]  # a cause comes first
     way = next(undone_to(form, outcomes, row, only_plain_to_see=True), None)
     return [Found({way: words_of(task, way)}, words_of(task, way).reply, {name})] if way else []

@@ -94,10 +94,7 @@ def computed_in_all(form: Form, args: Sequence[list[Plain]], answers: Sequence[P
 
 
 def _said(words: Words, found: _Sum, form: Form) -> Words:
-    wanted = form.wanted()
-    filled = {tongue: {"sum": found.text, "units": found.units.say(tongue), "wanted": wanted.say(tongue)}
-              for tongue in ("en", "ko")}  # fmt: skip
-    return Words(*(words.say(tongue, **row) for tongue, row in filled.items()))
+    return words.filled(sum=found.text, units=found.units, wanted=form.wanted())
 
 
 def _row(form: Form, answer: Plain) -> Row | None:

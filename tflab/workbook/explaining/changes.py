@@ -44,5 +44,5 @@ def of_changes(
     first = explained(task, cases, results)
     if first is None:
         return None
-    said = Words(*(CHANGED.say(tongue, number=numbers[0]) for tongue in ("en", "ko")))
+    said = CHANGED.filled(number=numbers[0])
     return and_then(first, Explanation.of("input changed", said))

@@ -92,8 +92,7 @@ def in_common(wrong: Sequence[list[Plain]], right: Sequence[list[Plain]]) -> Wor
         return None
     fact = ranked[0]
     words = IN_ALL if often[fact] else JUST_THERE
-    said = {tongue: FACTS[fact.kind].say(tongue, at=fact.at, of=fact.of) for tongue in ("en", "ko")}
-    return Words(*(words.say(tongue, fact=text) for tongue, text in said.items()))
+    return words.filled(fact=FACTS[fact.kind].filled(at=fact.at, of=fact.of))
 
 
 def _keys(calls: Sequence[list[Plain]]) -> dict[int, set[str]]:

@@ -66,7 +66,7 @@ def confused(form: Choice, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -
         return None
     whole = {pair: count for pair, count in wrong.items() if count == asked.count(pair[0])}
     if swapped := next((pair for pair in whole if pair[::-1] in whole), None):
-        return Confusion("{} and {} swapped".format(*swapped), _filled(SWAPPED, one=swapped[0], other=swapped[1]))
+        return Confusion("{} and {} swapped".format(*swapped), SWAPPED.filled(one=swapped[0], other=swapped[1]))
     return _most_confused(asked, wrong, whole)
 
 
@@ -80,13 +80,13 @@ def _most_confused(asked: Sequence[str | None], wrong: Counter, whole: Mapping[t
         names = Words(*(", ".join(quoted) + (text if more else "") for text in (f" and {more} more", f" 외 {more}개")))
         return Confusion(
             f"{word} for all of them",
-            Words(*(NONE_OF_THEM.say(tongue, wanted=names.say(tongue), said=word) for tongue in ("en", "ko"))),
+            NONE_OF_THEM.filled(wanted=names, said=word),
             want,
             word,
             True,
         )
     words = NEVER if whole else SOMETIMES
-    named = _filled(words, wanted=want, said=word, wrong=count, of=asked.count(want))
+    named = words.filled(wanted=want, said=word, wrong=count, of=asked.count(want))
     return Confusion(f"{word} for {want}", named, want, word)
 
 
@@ -122,7 +122,3 @@ def word_of(form: Choice, plain: Plain) -> str | None:
         return next((option for option in form.options if all(sealed.judge(form, option, plain))), None)
     probes = form.read(plain)
     return str(probes[0][0][0].value) if probes else None
-
-
-def _filled(words: Words, **names: object) -> Words:
-    return Words(words.say("en", **names), words.say("ko", **names))

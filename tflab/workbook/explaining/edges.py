@@ -48,5 +48,5 @@ def parents_named(
     if len(named) < FEWEST and not is_no_child:
         return []
     quoted = ", ".join(f'"{answer}"' for answer in dict.fromkeys(named.values()))
-    said = Words(*(BY_ITS_CHILD.say(tongue, named=quoted) for tongue in ("en", "ko")))
+    said = BY_ITS_CHILD.filled(named=quoted)
     return [Found.of("parents for children", said, *named)]

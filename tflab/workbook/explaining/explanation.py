@@ -61,12 +61,11 @@ def said_of(task: TaskCases, names: Sequence[str]) -> Words:
         return said[0]
     if len(said) == 2:
         return _both(*said)
-    texts = {tongue: [words.say(tongue) for words in said] for tongue in ("en", "ko")}
-    return Words(*(THREE.say(tongue, first=a, then=b, last=c) for tongue, (a, b, c) in texts.items()))
+    return THREE.filled(first=said[0], then=said[1], last=said[2])
 
 
 def _both(first: Words, then: Words) -> Words:
-    return Words(AND_THEN.say("en", first=first.en, then=then.en), AND_THEN.say("ko", first=first.ko, then=then.ko))
+    return AND_THEN.filled(first=first, then=then)
 
 
 def _in_a_row(first: Words, then: Words) -> Words:

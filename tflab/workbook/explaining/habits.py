@@ -72,8 +72,7 @@ def habit_of(
         return None
     for name, what, asks, values in _candidates(args):
         if is_just(form, outcomes, values):
-            said = (ALWAYS.say(tongue, what=what.say(tongue)) + asks.say(tongue) for tongue in ("en", "ko"))
-            return name, Words(*said)
+            return name, Words(*map("".join, zip(ALWAYS.filled(what=what), asks, strict=True)))
     return None
 
 
@@ -86,7 +85,7 @@ def constant_of(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) 
     word = inside(outcomes[0])
     is_word = isinstance(form, Choice) and isinstance(word, str)
     what = Words(f'"{word}"', f'"{word}"이(가)') if is_word else Words("the same", "같은 것이")
-    return "the same in every call", Words(*(SAME.say(tongue, what=what.say(tongue)) for tongue in ("en", "ko")))
+    return "the same in every call", SAME.filled(what=what)
 
 
 def _candidates(args: Sequence[list[Plain]]) -> Iterator[tuple[str, Words, Words, list[Plain]]]:
@@ -101,7 +100,7 @@ def _of_one(at: int, held: list[Plain]) -> Iterator[tuple[str, Words, Words, lis
         return
     for name, (make, what, asks) in OF_A_LIST.items():
         if (values := _made(make, held)) is not None:
-            yield name, Words(*(what.say(tongue, at=at + 1) for tongue in ("en", "ko"))), asks, values
+            yield name, what.filled(at=at + 1), asks, values
 
 
 def _made(make: Callable, held: Sequence) -> list[Plain] | None:

@@ -71,8 +71,7 @@ def kind_said(form: Form, outcome: Plain) -> Words | None:
     if isinstance(form, ListForm):
         return _said_of_a_list(form, outcome)
     if isinstance(form, Message) and form.read(outcome) is None and outcome is not None:
-        name = form.type.rpartition("/")[2]
-        return Words(*(NO_MESSAGE.say(tongue, name=name) for tongue in ("en", "ko")))
+        return NO_MESSAGE.filled(name=form.type.rpartition("/")[2])
     return _said_of_an_object(form, outcome) if isinstance(outcome, dict) else None
 
 

@@ -182,11 +182,8 @@ def _by_itself(
 def _of_kinds(table: Table, name: str) -> list[Found]:
     """Return whether what is no word at all stands where one is asked for, in some calls of a function."""
     said = kinds_said(table.forms[name], table.given[name])[:2]
-    return (
-        [Found.of(f"{name}: no word", Words(*(". ".join(row) + "." for row in zip(*said, strict=True))), name)]
-        if (said)
-        else []
-    )
+    texts = (". ".join(row) + "." for row in zip(*said, strict=True))
+    return [Found.of(f"{name}: no word", Words(*texts), name)] if said else []
 
 
 def _after_a_slip(
@@ -224,8 +221,7 @@ def _of_any(task: TaskCases, table: Table, name: str) -> list[Found]:
         words = words_of(task, way)
         return [Found({way.partition(TOLD)[0]: words}, _shown_too(task, name, words.reply), {name})]
     if (other := _anothers(table, name)) is not None:
-        said = Words(ANOTHERS.say("en", other=other), ANOTHERS.say("ko", other=other))
-        return [Found.of(f"{other} under {name}", said, name)]
+        return [Found.of(f"{other} under {name}", ANOTHERS.filled(other=other), name)]
     return []
 
 
@@ -291,7 +287,7 @@ def _as_it_came(form: Form, table: Table, number: int, name: str, cases: Sequenc
             return [Found({f"{name} as it came": TwinWords(AS_IT_CAME, "")}, AS_IT_CAME, {name})]
         times = [time_of(case.args[place]) for case in cases]
         if None not in times and times == [stamp_of(value) for value in table.given[name]]:
-            said = Words(*(TIME_OF.say(tongue, number=place + 1) for tongue in ("en", "ko")))
+            said = TIME_OF.filled(number=place + 1)
             return [Found({f"{name}: a time": TwinWords(said, "")}, said, {name})]
     return []
 

@@ -130,7 +130,7 @@ def named_twice(
     word = word_of(form, given[name][0])
     if word is None or len(set(want)) < len(want) or have.count(word) < 2:
         return None
-    return Words(*(NAMED_TWICE.say(tongue, word=word, count=have.count(word)) for tongue in ("en", "ko")))
+    return NAMED_TWICE.filled(word=word, count=have.count(word))
 
 
 def _asked_in_order(forms: Mapping[str, Form]) -> Iterator[list[str]]:

@@ -85,4 +85,4 @@ def _are_others(task: TaskCases, pairs: Sequence[tuple[Case, Plain]]) -> bool:
 
 def _another(refused: Sequence[Plain]) -> Explanation:
     errors = " / ".join(sorted({str(outcome["raises"]) for outcome in refused if isinstance(outcome, dict)}))
-    return Explanation.of("another exception", Words(*(ANOTHER.say(tongue, error=errors) for tongue in ("en", "ko"))))
+    return Explanation.of("another exception", ANOTHER.filled(error=errors))

@@ -103,9 +103,9 @@ def _of_joint(root: str, hangs: str, right: str) -> Words:
     if not parent:
         return NOWHERE
     if hangs == right:
-        return _filled(ROOT, Words(*[root.removeprefix("root ")] * 2))
+        return _filled(ROOT, root.removeprefix("root "))
     if parent != right.partition(" on ")[2]:
-        return _filled(PARENT, Words(parent, parent))
+        return _filled(PARENT, parent)
     return _filled(KIND, KINDS.get(kind, Words(f"is {kind}", f"{kind}입니다")))
 
 
@@ -116,8 +116,7 @@ def _of_numbers(task: TaskCases, form: Form, given: Plain, wanted: Plain) -> Wor
         return words_of(task, name).reply
     bounds = certain(form, given, wanted) or Words("", "")
     axes = _axes(given) if isinstance(form, Quaternion) else ""
-    texts = (AXES.say(tongue, said=bounds.say(tongue), name=axes) for tongue in ("en", "ko"))
-    return Words(*texts) if axes else bounds
+    return AXES.filled(said=bounds, name=axes) if axes else bounds
 
 
 def _axes(rotation: Plain) -> str:
@@ -125,7 +124,7 @@ def _axes(rotation: Plain) -> str:
     turned = Transform((0.0, 0.0, 0.0), tuple(rotation))
     rows = [list(turned.apply(axis)) for axis in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))]
     is_along = all(max(map(abs, row)) > 1.0 - ALONG_AN_AXIS for row in rows)
-    return ", ".join(_axis(row).en for row in rows) if is_along else ""
+    return ", ".join(_axis(row) for row in rows) if is_along else ""
 
 
 def _movement(row: Row) -> Words:
@@ -142,12 +141,11 @@ def _movement(row: Row) -> Words:
     return _filled(ALONG, _axis(list(moved))) if max(map(abs, moved)) > SMALL else STAYS
 
 
-def _axis(numbers: list[float]) -> Words:
+def _axis(numbers: list[float]) -> str:
     """Return the axis that a direction is nearest to, with its sign."""
     most = max(numbers, key=abs)
-    name = ("" if most > 0.0 else "-") + "xyz"[numbers.index(most)]
-    return Words(name, name)
+    return ("" if most > 0.0 else "-") + "xyz"[numbers.index(most)]
 
 
-def _filled(words: Words, name: Words) -> Words:
-    return Words(words.say("en", name=name.en, said=name.en), words.say("ko", name=name.ko, said=name.ko))
+def _filled(words: Words, name: Words | str) -> Words:
+    return words.filled(name=name, said=name)

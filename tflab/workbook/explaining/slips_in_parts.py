@@ -87,8 +87,7 @@ def _of_one_slip(
     made_in, follow = words.part, {part for part in changed & same if isinstance(table.forms[part], MEASURED)}
     if not isinstance(form, Parts) or not made_in or not follow or made_in in wrong or made_in not in changed:
         return []
-    said = (FOLLOWS.say(tongue, part=made_in, said=words.reply.say(tongue)) for tongue in ("en", "ko"))
-    return [Found({name: words}, Words(*said), follow)]
+    return [Found({name: words}, FOLLOWS.filled(part=made_in, said=words.reply), follow)]
 
 
 def _falls_apart(both: Found, found: Sequence[Found]) -> bool:

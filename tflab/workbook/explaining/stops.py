@@ -45,5 +45,5 @@ def of_stops(
         return None
     error, tip = stopped[0]["raises"], tip_for(stopped[0]["raises"], stopped[0].get("text", ""))
     filled = {"stopped": len(stopped), "of": len(pairs), "error": error}
-    said = Words(*(STOPS.say(tongue, **filled, tip=tip.say(tongue)).rstrip() for tongue in ("en", "ko")))
+    said = Words(*map(str.rstrip, STOPS.filled(**filled, tip=tip)))
     return and_then(first, Explanation.of(f"stops: {error}", said))

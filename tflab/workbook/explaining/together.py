@@ -63,8 +63,7 @@ def _looks(left: Mapping[str, Words | None]) -> dict[Words, set[str]]:
     """Return what to say of the parts that are left, and of which."""
     looks: dict[Words, set[str]] = {}
     for name, certain in left.items():
-        tell = {tongue: certain and LOOK_AND_SEE.say(tongue, certain=certain.say(tongue)) for tongue in ("en", "ko")}
-        looks.setdefault(Words(**tell) if certain else LOOK, set()).add(name)
+        looks.setdefault(LOOK_AND_SEE.filled(certain=certain) if certain else LOOK, set()).add(name)
     return looks
 
 

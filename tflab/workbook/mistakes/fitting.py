@@ -154,7 +154,7 @@ def words_of(task: TaskCases, name: str) -> TwinWords:
     for start, words in (("unit ", UNIT), ("given ", GIVEN)):
         if name.startswith(start):
             rest = name.removeprefix(start)
-            return TwinWords(Words(*(words.say(tongue, unit=rest, name=rest) for tongue in ("en", "ko"))), "")
+            return TwinWords(words.filled(unit=rest, name=rest), "")
     if (words := words_of_loss(name)) is not None:
         return TwinWords(words, "")
     return TwinWords(UNIVERSAL[name].reply, UNIVERSAL[name].misconception)

@@ -158,7 +158,7 @@ def words_of_loss(name: str) -> Words | None:
 
 def _more(kind: str, told: str) -> Words:
     if kind in TOO_MANY:
-        return Words(SHOWS_AT.say("en", told=told), SHOWS_AT.say("ko", told=told))
+        return SHOWS_AT.filled(told=told)
     return (told_of_a_tree if kind in TREES else told_of_a_line)(kind, told)
 
 

@@ -75,7 +75,7 @@ def unfilled(form: Form, outcomes: Sequence[Plain]) -> Words | None:
     first = next(filter(None, map(BRACES.search, texts)), None)
     if first is None:
         return None
-    return Words(*(UNFILLED.say(tongue, text=first[0]) for tongue in ("en", "ko")))
+    return UNFILLED.filled(text=first[0])
 
 
 def of_names(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> Words | None:
@@ -98,8 +98,7 @@ def _that_differ(outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> list[tup
 
 
 def _filled(words: Words, pairs: list[tuple[str, str]], wrong: list[tuple[str, str]]) -> Words:
-    counts = {"count": len(pairs), "of": len(wrong)}
-    return Words(*(IN.say(tongue, **counts, fact=words.say(tongue, one=pairs[0][0])) for tongue in ("en", "ko")))
+    return IN.filled(count=len(pairs), of=len(wrong), fact=words.filled(one=pairs[0][0]))
 
 
 def renamed(answer: Plain) -> Iterator[tuple[str, Plain]]:

@@ -281,14 +281,10 @@ def _wrong_static(given: Line) -> Iterator[tuple[str, str]]:
 
 def _wrong_count(given: Line) -> Iterator[tuple[str, str]]:
     """Yield what is wrong with how many words there are, where none is an option."""
-    if len(given) in (9, 10) and [_is_a_number(word) for word in given[-3:]] == [False, False, True]:
+    if len(given) in (9, 10) and [isinstance(word, float) for word in given[-3:]] == [False, False, True]:
         yield "static: a period", ""
     elif len(given) not in (8, 9):
         yield "static: not eight words", ""
-
-
-def _is_a_number(word: float | str) -> bool:
-    return str(word).replace(".", "", 1).lstrip("-").isdigit()
 
 
 def _foreign(options: list[str]) -> str:

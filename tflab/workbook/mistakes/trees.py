@@ -84,8 +84,7 @@ TOLD = {"tree: not whole": ORPHANS, "tree: more than asked for": NOT_ASKED, "tre
 
 def told_of_a_tree(kind: str, names: str) -> Words:
     """Return what is told of the frames in which a fault shows."""
-    words = TOLD.get(kind, SO)
-    return Words(words.say("en", names=names), words.say("ko", names=names))
+    return TOLD.get(kind, SO).filled(names=names)
 
 
 def of_trees(form: Tree, answers: list[Plain], wanted: list[Plain]) -> Iterator[tuple[str, str]]:

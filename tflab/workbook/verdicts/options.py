@@ -33,18 +33,14 @@ def near_an_option(form: Choice, answer: str) -> Words | None:
     """Return which option a word is near to, or is with a name in front; None if it is near none."""
     topic = next((one for one in form.options if one.startswith("/") and answer.endswith(one)), None)
     if topic is not None:
-        return _filled(A_TOPIC, option=topic)
+        return A_TOPIC.filled(option=topic)
     near = difflib.get_close_matches(answer[:100], form.options, 1, NEAR)
-    return _filled(NEARLY, option=near[0]) if near else None
+    return NEARLY.filled(option=near[0]) if near else None
 
 
 def option_of_another(form: Parts, name: str, answer: Plain) -> Words | None:
     """Return under which other part a word is to choose from; None if it is under none, or of a kind of its own."""
     for other, part in form.parts.items():
         if other != name and isinstance(part, Choice) and part.options and part.option(answer) is not None:
-            return _filled(ANOTHERS, name=other)
+            return ANOTHERS.filled(name=other)
     return None
-
-
-def _filled(words: Words, **names: str) -> Words:
-    return Words(words.say("en", **names), words.say("ko", **names))
