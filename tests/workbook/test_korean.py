@@ -16,6 +16,7 @@ NEVER = {
     "in front or behind is space; time is earlier or later": r"표본보다 (앞|뒤)|시각보다 (앞|뒤)",
     "in, as inside of": r"안 어디",
     "a lane of traffic": r"차선",
+    "an edge of a graph on paper": r"간선",
     "a clock on a wall": r"벽시계",
     "no Korean word": r"오류문",
     "beside the target frame, another target": r"목표점",

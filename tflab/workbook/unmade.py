@@ -44,7 +44,7 @@ NOT_YET = Words(
 )
 GIVEN = Words(
     "That is given with the task, and stands in what you called {holder}: `{holder}.{name}`.",
-    "과제에서 주어진 값이고, {holder} 안에 있습니다. `{holder}.{name}`으로 쓰십시오.",
+    "과제에서 주어진 값이고, {holder} 안에 있습니다. `{holder}.{name}`라고 쓰십시오.",
 )
 BEGUN_TWICE = Words(
     "rclpy has begun already, in another cell. `rclpy.try_shutdown()` ends it; then run this cell again.",

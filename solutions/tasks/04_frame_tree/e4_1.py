@@ -125,7 +125,7 @@ RIGHT_NAME_BELOW_THE_TYPO = Slip(
     {"fault": "below the typo"},
     Words(
         en="You hung the right name below the misspelt one. Both are one place: mend the name, and no edge is needed.",
-        ko="맞는 이름을 틀린 이름 아래에 달았습니다. 둘은 같은 곳입니다. 이름을 고치면 간선은 더 필요 없습니다.",
+        ko="맞는 이름을 틀린 이름 아래에 달았습니다. 둘은 같은 곳입니다. 이름을 고치면 연결은 더 필요 없습니다.",
     ),
     "M14",
 )
@@ -146,7 +146,7 @@ ALL_BELOW_ONE = Twin(
     lambda given: dict.fromkeys(built(given), names(given)[2]),
     Words(
         en="All frames hang below one. Only the misspelt name is to be mended; every other edge stays as it was heard.",
-        ko="모든 좌표계를 하나 아래에 달았습니다. 틀린 이름만 고치고 나머지 간선은 들은 그대로 두십시오.",
+        ko="모든 좌표계를 하나 아래에 달았습니다. 틀린 이름만 고치고 나머지 연결은 들은 그대로 두십시오.",
     ),
 )
 
@@ -156,7 +156,7 @@ THE_MENDING_ALONE = Twin(
     lambda given: {names(given)[1]: names(given)[2]},
     Words(
         en="That says which name is meant by which, and is no tree: asked for are all edges, child → parent, with that parent mended.",
-        ko="어느 이름이 어느 이름이어야 하는지만 있고 트리는 없습니다. 그 부모를 고친 모든 간선을 자식 → 부모로 쓰십시오.",
+        ko="어느 이름이 어느 이름이어야 하는지만 있고 트리는 없습니다. 그 부모를 고친 모든 연결을 자식 → 부모로 쓰십시오.",
     ),
     "M14",
 )
@@ -167,7 +167,7 @@ THE_MENDING_TURNED = Twin(
     lambda given: {names(given)[2]: names(given)[1]},
     Words(
         en="That sets the right name below the misspelt one, and is no tree: asked for are all edges, child → parent, with that parent mended.",
-        ko="맞는 이름을 오타 밑에 두었을 뿐 트리가 아닙니다. 그 부모를 고친 모든 간선을 자식 → 부모로 쓰십시오.",
+        ko="맞는 이름을 오타 밑에 두었을 뿐 트리가 아닙니다. 그 부모를 고친 모든 연결을 자식 → 부모로 쓰십시오.",
     ),
     "M14",
 )

@@ -185,7 +185,7 @@ PARENT_GOING_DOWN = Slip(
     {"named": "parent, going down"},
     Words(
         en="Going down you name the parent of the edge. Each step is named after the edge's child, down as well as up.",
-        ko="내려갈 때 간선의 부모 이름을 썼습니다. 올라갈 때나 내려갈 때나 간선의 자식 이름을 씁니다.",
+        ko="내려갈 때 연결의 부모 이름을 썼습니다. 올라갈 때나 내려갈 때나 연결의 자식 이름을 씁니다.",
     ),
 )
 
@@ -195,7 +195,7 @@ WHERE_THEY_MEET_TOO = Slip(
     {"named": "where they meet, too"},
     Words(
         en="You also name the frame in which the two ways meet. No step is needed above it: its own edge is not walked.",
-        ko="두 길이 만나는 좌표계도 걸음에 넣었습니다. 그 위로는 가지 않으므로 그 간선은 지나지 않습니다.",
+        ko="두 길이 만나는 좌표계도 걸음에 넣었습니다. 그 위로는 가지 않으므로 그 연결은 지나지 않습니다.",
     ),
 )
 
@@ -268,7 +268,7 @@ MEETING_ALWAYS = Slip(
     {"named": "where they meet, always"},
     Words(
         en="The frame in which the two ways meet has a step of its own in your list. The way turns there, and its own edge is not walked: no step.",
-        ko="두 길이 만나는 좌표계에도 단계가 있습니다. 거기서 방향만 바꿀 뿐 그 좌표계의 간선은 지나지 않으므로 단계가 없습니다.",
+        ko="두 길이 만나는 좌표계에도 단계가 있습니다. 거기서 방향만 바꿀 뿐 그 좌표계의 연결은 지나지 않으므로 단계가 없습니다.",
     ),
 )
 
@@ -278,7 +278,7 @@ MEETING_DOWN = Slip(
     {"named": "where they meet, down"},
     Words(
         en="The frame in which the two ways meet stands among your steps down. The way turns there, and its own edge is not walked: no step.",
-        ko="두 길이 만나는 좌표계가 내려가는 단계에 들어 있습니다. 거기서 방향만 바꿀 뿐 그 좌표계의 간선은 지나지 않으므로 단계가 없습니다.",
+        ko="두 길이 만나는 좌표계가 내려가는 단계에 들어 있습니다. 거기서 방향만 바꿀 뿐 그 좌표계의 연결은 지나지 않으므로 단계가 없습니다.",
     ),
 )
 

@@ -344,7 +344,7 @@ EDGE_SHIFTED = Twin(
     ),
     Words(
         en="You moved the old edge by the leap. The correction also turns, about odom's origin, so the edge slides by another amount.",
-        ko="이전 간선을 도약만큼 옮겼습니다. 보정은 회전도 하므로 간선이 움직이는 양은 다릅니다.",
+        ko="이전 연결을 도약만큼 옮겼습니다. 보정은 회전도 하므로 연결이 움직이는 양은 다릅니다.",
     ),
     "M3",
     part="map_T_odom",

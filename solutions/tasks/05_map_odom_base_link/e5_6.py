@@ -84,7 +84,7 @@ STAMP_TAKEN_FOR_SECONDS = Slip(
     {"moment": "seconds"},
     Words(
         en="The buffer refuses each of your questions: the moment that you ask about is none of those that it holds. `stamp_ns` is in nanoseconds, just as the buffer takes it: hand it over as it is, neither multiplied (`seconds(...)` does so, too) nor divided.",
-        ko="버퍼가 모든 질문을 거절합니다. 조회한 시각이 버퍼에 있는 시각이 아닙니다. `stamp_ns`는 버퍼가 받는 그대로 나노초이므로, 곱하지도(`seconds(...)`도 곱셈입니다) 나누지도 말고 그대로 넘기십시오.",
+        ko="버퍼가 모든 질문을 거절합니다. 요청 시각이 버퍼에 있는 시각이 아닙니다. `stamp_ns`는 버퍼가 받는 그대로 나노초이므로, 곱하지도(`seconds(...)`도 곱셈입니다) 나누지도 말고 그대로 넘기십시오.",
     ),
 )
 

@@ -189,7 +189,7 @@ THIRD_TEXT_IS_THE_FUTURE = Slip(
     {"texts": "two, and future"},
     Words(
         en="extrapolation has three texts: an edge that was heard just once is neither future nor past, and tf2 says so.",
-        ko="외삽에는 문장이 셋 있습니다. 한 번만 들은 간선은 미래도 과거도 아니고, tf2가 그렇게 말합니다.",
+        ko="외삽에는 문장이 셋 있습니다. 한 번만 들은 연결은 미래도 과거도 아니고, tf2가 그렇게 말합니다.",
     ),
     "M11",
 )
@@ -200,7 +200,7 @@ EVERY_EXTRAPOLATION_IS_THE_FUTURE = Slip(
     {"texts": "all future"},
     Words(
         en="every extrapolation is the future for you. Its text says which way it goes, and an edge heard just once has a text of its own.",
-        ko="모든 외삽을 미래로 봅니다. 문장이 어느 쪽인지 말하고, 한 번만 들은 간선에는 따로 문장이 있습니다.",
+        ko="모든 외삽을 미래로 봅니다. 문장이 어느 쪽인지 말하고, 한 번만 들은 연결에는 따로 문장이 있습니다.",
     ),
     "M11",
 )
@@ -211,7 +211,7 @@ EVERY_EXTRAPOLATION_IS_THE_PAST = Slip(
     {"texts": "all past"},
     Words(
         en="every extrapolation is the past for you. Its text says which way it goes, and an edge heard just once has a text of its own.",
-        ko="모든 외삽을 과거로 봅니다. 문장이 어느 쪽인지 말하고, 한 번만 들은 간선에는 따로 문장이 있습니다.",
+        ko="모든 외삽을 과거로 봅니다. 문장이 어느 쪽인지 말하고, 한 번만 들은 연결에는 따로 문장이 있습니다.",
     ),
     "M11",
 )

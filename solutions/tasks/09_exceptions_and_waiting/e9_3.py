@@ -357,7 +357,7 @@ WANTED_IN_BASE_LINK = Slip(
     {"target": "base_link"},
     Words(
         en="you ask for base_link. The point is wanted in map, and that chain is longer: it has other edges to wait for.",
-        ko="base_link를 물었습니다. 점은 map 기준으로 필요하고, 그 사슬에는 기다려야 할 간선이 더 있습니다.",
+        ko="base_link를 물었습니다. 점은 map 기준으로 필요하고, 그 사슬에는 기다려야 할 연결이 더 있습니다.",
     ),
 )
 

@@ -187,7 +187,7 @@ THE_WORST_OF_EACH = Slip(
     {"edges": "the worst of each"},
     Words(
         en="you took the longest period, the longest delay and the largest jitter, each from whichever edge has it. They are of two edges: reckon each edge by itself, and then take the later.",
-        ko="주기와 지연과 지터를 저마다 가장 큰 간선에서 골랐습니다. 서로 다른 간선의 것입니다. 간선마다 따로 계산한 다음 늦은 쪽을 고르십시오.",
+        ko="주기와 지연과 지터를 저마다 가장 큰 연결에서 골랐습니다. 서로 다른 연결의 것입니다. 연결마다 따로 계산한 다음 늦은 쪽을 고르십시오.",
     ),
 )
 
@@ -197,7 +197,7 @@ MEAN_OF_THE_EDGES = Slip(
     {"combine": mean},
     Words(
         en="you took the mean of the two edges. A lookup needs both: the later one decides.",
-        ko="두 간선의 평균을 구했습니다. 조회에는 둘 다 필요하므로 늦은 쪽이 정합니다.",
+        ko="두 연결의 평균을 구했습니다. 조회에는 둘 다 필요하므로 늦은 쪽이 정합니다.",
     ),
 )
 

@@ -22,7 +22,7 @@ __all__ = ["after_a_slip"]
 
 ONLY_FOLLOWS = Words(
     en='this only follows from what is wrong in "{part}".',
-    ko='"{part}"이(가) 틀려서 따라 틀린 것입니다.',
+    ko='"{part}"이(가) 틀렸기 때문에 함께 틀린 값입니다.',
 )
 
 

@@ -44,7 +44,7 @@ JOINED = Words(
 
 NESTED = Words(
     en="One dict holds all edges; in yours, other dicts stand inside it",
-    ko="모든 간선을 딕셔너리 하나에 씁니다. 지금은 딕셔너리 안에 다른 딕셔너리가 들어 있습니다",
+    ko="모든 연결을 딕셔너리 하나에 씁니다. 지금은 딕셔너리 안에 다른 딕셔너리가 들어 있습니다",
 )
 
 
