@@ -8,7 +8,8 @@ from tflab.views.film import STATIC
 
 pytestmark = pytest.mark.browser
 
-# A model as anywidget gives it, with a slider from 0 to 10 in steps of 0.01; what it sends is kept.
+# A model as anywidget gives it, with a slider from 0 to 10 in steps of 0.01, and a box that the kernel ticks
+# when the slider has moved; what it sends is kept.
 PANEL = """async (source) => {
   class Source {
     constructor(values) { this.values = values; this.heard = {}; }
@@ -19,11 +20,12 @@ PANEL = """async (source) => {
     tell(event, ...what) { for (const action of this.heard[event] ?? []) action(...what); }
   }
   const slider = new Source({ min: 0, max: 10, step: 0.01, value: 5, description: "delay" });
+  const box = new Source({ value: false, description: "moved" });
   const model = new Source({
-    controls: ["IPY_MODEL_slider"], png: new Uint8Array(), description: "at 5", at: { places: [5], moved: 0 },
-    width: 76, height: 38,
+    controls: ["IPY_MODEL_slider", "IPY_MODEL_box"], png: new Uint8Array(), description: "at 5",
+    at: { places: [5, false], moved: 0 }, width: 76, height: 38,
   });
-  model.widget_manager = { get_model: async () => slider };
+  model.widget_manager = { get_model: async (name) => ({ slider, box })[name] };
   model.sent = [];
   model.send = (message) => model.sent.push(message);
   const { default: panel } = await import(URL.createObjectURL(new Blob([source], { type: "text/javascript" })));
@@ -31,12 +33,18 @@ PANEL = """async (source) => {
   panel.render({ model, el: document.getElementById("panel") });
   await new Promise((done) => setTimeout(done));
   window.move = (value) => slider.set("value", value);
-  window.drawn = (place) => model.tell(
-    "msg:custom", { type: "drawn", places: [place], moved: 0, words: `at ${place}` }, [new Uint8Array()]);
-  window.asked = async () => {
-    while (!model.sent.length) await new Promise((done) => setTimeout(done, 10));
-    return model.sent.shift().missing;
+  window.follow = () => { // as ipywidgets does when the kernel says so
+    box._state_lock = { value: true };
+    box.set("value", true);
+    box._state_lock = null;
   };
+  window.drawn = (place) => model.tell(
+    "msg:custom", { type: "drawn", places: [place, false], moved: 0, words: `at ${place}` }, [new Uint8Array()]);
+  window.sent = async () => {
+    while (!model.sent.length) await new Promise((done) => setTimeout(done, 10));
+    return model.sent.shift();
+  };
+  window.asked = async () => (await sent()).missing;
   window.seen = async () => {
     await new Promise((done) => setTimeout(done, 20));
     const shown = document.getElementById("panel");
@@ -80,3 +88,11 @@ def test_neighbours_are_asked_for_first_and_then_some_over_the_whole_rail(panel)
     assert over_all[-1] > 9.7
     assert max(b - a for a, b in pairwise(over_all)) < 0.5
     assert len(asked) == len(set(asked)) == 200
+
+
+def test_drawn_next_is_what_the_hand_moves_and_not_what_follows_it(panel):
+    panel.evaluate("move(6)")
+    panel.evaluate("follow()")
+    sent = panel.evaluate("sent()")
+    assert sent["moved"] == 0
+    assert sent["places"] == [6, True]

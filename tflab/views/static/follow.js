@@ -20,6 +20,7 @@ const rounded = (place) => (typeof place === "number" ? Number(place.toFixed(6))
 const keyOf = (places, moved) => JSON.stringify([moved, ...places.map(rounded)]);
 const isMenu = (control) => control.get("_options_labels") !== undefined;
 const placeOf = (control) => control.get(isMenu(control) ? "index" : "value");
+const isTold = (control) => Boolean(control._state_lock); // the kernel moves it: it follows another one
 
 // Every place that a control can be moved to.
 function placesOf(control) {
@@ -124,11 +125,11 @@ export default {
     controlsOf(model).then((found) => {
       controls = found;
       controls.forEach((control, i) => on(control, "change:value change:index", () => {
-        moved = i;
+        if (!isTold(control)) moved = i;
         const key = nearest();
         if (drawings.has(key)) show(key);
         else el.ariaBusy = true;
-        want(i);
+        want(moved);
       }));
     });
     const touch = ({ target }) => { // a hand comes near: by the mouse, by the keyboard
