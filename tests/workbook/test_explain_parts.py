@@ -146,3 +146,100 @@ def test_of_many_causes_the_first_are_told_and_the_rest_comes_later():
 
     assert reply(7).en.endswith('"d": Cause d. "e", "f", "g": look again once these are right.')
     assert reply(5).en.endswith('"e": Cause e.')
+
+
+FIVE = ("names", "tree", "mount", "rates", "header")
+PLACED = Parts({place: Choice(FIVE) for place in ("first", "second", "third", "fourth", "fifth")})
+
+
+def in_order(*cards):
+    return dict(zip(PLACED.parts, cards, strict=True))
+
+
+@pytest.mark.parametrize(
+    ("cards", "said"),
+    [
+        (("names", "header", "tree", "mount", "rates"), '"header" alone is out of its place, and comes later.'),
+        (("names", "mount", "rates", "tree", "header"), '"tree" alone is out of its place, and comes earlier.'),
+        (("tree", "names", "mount", "rates", "header"), None),  # two neighbours: either may be the one
+        (("names", "header", "mount", "rates", "tree"), None),
+        (("header", "names", "mount", "tree", "rates"), None),
+        (("header", "names", "tree", "tree", "rates"), None),
+    ],
+)
+def test_a_single_word_out_of_its_place_is_told_as_one_and_others_are_not(cards, said):
+    verdict = judged(PLACED, in_order(*FIVE), {}, in_order(*cards))
+    assert (list(verdict.slips) == ["one out of place"]) is (said is not None)
+    assert said is None or said in verdict.said.en
+
+
+def test_where_no_order_is_asked_for_nothing_is_out_of_its_place():
+    form = Parts({name: Choice(FIVE) for name in "abcde"})
+    right, moved = (dict(zip("abcde", row, strict=True)) for row in (FIVE, ("header", *FIVE[:4])))
+    assert "one out of place" not in judged(form, right, {}, moved).slips
+
+
+@pytest.mark.parametrize(("answer", "near"), [("off", '"False"'), ("On", '"True"'), ("perhaps", None)])
+def test_what_a_switch_is_called_elsewhere_is_near_to_what_it_is_called_here(answer, near):
+    form = Parts({"a": Choice(("True", "False"))})
+    verdict = judged(form, {"a": "True"}, {}, {"a": answer})
+    assert verdict.mistake is Mistake.OPTION
+    assert verdict.detail["tip"].en.endswith(near) if near else "tip" not in verdict.detail
+
+
+@pytest.mark.parametrize(("answer", "part"), [("tree", '"a"'), ("clock", '"b"'), ("wind", None), (3, None)])
+def test_a_word_for_one_part_alone_is_told_for_which(answer, part):
+    form = Parts({"a": Choice(("tree", "mount")), "b": Choice(("clock", "wait"))})
+    verdict = judged(form, {"a": "tree", "b": "wait"}, {}, answer)
+    assert verdict.mistake is Mistake.TYPE
+    assert part in verdict.detail["tip"].en if part else "tip" not in verdict.detail
+
+
+def test_a_slip_of_a_function_that_is_made_in_one_part_is_told_and_costs_what_follows():
+    form = Parts({"cause": Choice(("late", "fast")), "frame": Choice(("all", "laser"))})
+    late, fast = to_plain({"cause": "late", "frame": "all"}), to_plain({"cause": "fast", "frame": "laser"})
+    cases = [
+        Case([1], late, {"never late": fast}),
+        Case([2], fast, {"never late": fast}),
+        Case([3], late, {"never late": fast}),
+    ]
+    task, variant = bare(form, *cases)
+    task = task._replace(
+        is_function=True, twins={"never late": TwinWords(Words("Late?", "늦었습니까?"), "", part="cause")}
+    )
+    verdict = judge_outcomes(task, variant, [fast, fast, to_plain({"cause": "fast", "frame": "all"})])
+    assert next(iter(verdict.slips)) == "never late"
+    assert verdict.follows == ()
+
+
+def test_a_number_that_two_slips_give_to_a_hair_is_not_called_by_one_that_it_is_only_near_to():
+    twins = {"mean": 0.1445, "late": 0.2, "far": 0.3, "late + far": 0.144}
+    assert list(judged(Number("s"), 0.223, twins, 0.144).slips) == ["late", "far"]
+    assert list(judged(Number("s"), 0.223, twins, 0.1445).slips) == ["mean"]
+    assert list(judged(Number("s"), 0.223, {"mean": 0.1445}, 0.144).slips) == ["mean"]  # to three digits
+
+
+@pytest.mark.parametrize(("names", "is_order"), [(("first", "second", "third"), True), ("abc", False)])
+def test_places_that_stand_in_no_order_are_not_told_to_move_up(names, is_order):
+    form = Parts({name: Choice(("clock", "network", "open")) for name in names})
+    right, moved = (
+        dict(zip(names, row, strict=True)) for row in (("clock", "network", "open"), ("open", "clock", "network"))
+    )
+    assert ("one place too late" in judged(form, right, {}, moved).slips) is is_order
+
+
+def test_exceptions_that_go_through_where_words_are_asked_for_are_named():
+    form = Choice(("ok", "lookup", "connectivity", "past", "future"))
+    expected = ["ok", "lookup", "connectivity", "past", "future"]
+    task, variant = bare(form, *(Case([n], word, {}) for n, word in enumerate(expected)))
+    task = task._replace(is_function=True)
+    outcomes = ["ok", {"raises": "LookupException"}, {"raises": "ConnectivityException"}, "past", "future"]
+    verdict = judge_outcomes(task, variant, outcomes)
+    assert list(verdict.slips) == ["uncaught"]
+    assert (
+        "in 2 of the 5 your function lets an exception through: ConnectivityException, LookupException"
+        in verdict.said.en
+    )
+    assert list(judge_outcomes(task, variant, ["ok", {"raises": "KeyError"}, *expected[2:]]).slips) == []
+    beside = judge_outcomes(task, variant, ["ok", *outcomes[1:3], "ok", "future"])
+    assert list(beside.slips) == ["ok for past", "uncaught"]

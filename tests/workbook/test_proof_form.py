@@ -100,3 +100,11 @@ def test_any_cheap_check_that_two_suspects_answer_differently_tells_them_apart()
     form = Telling(("hz /odom", "hz /scan", "scan header", "monitor", "no check"), ("odometry slow", "scan slow"))
     assert [form.judge(check, "hz /odom") for check in form.options] == [[True], [True], [False], [False], [False]]
     assert form_from_plain(form.plain()) == form
+
+
+def test_why_a_check_does_not_tell_two_suspects_apart_is_said():
+    form = Telling(("hz /odom", "scan header", "monitor", "tape measure", "no check"), ("odometry slow", "scan slow"))
+    said = {check: form.remark(check, {}) for check in form.options}
+    assert said["scan header"].en == "It says the same whichever of these two it is."
+    assert said["monitor"].en == "It would tell these two apart, but it takes 4 minutes, and 2 are allowed."
+    assert said["hz /odom"] is said["tape measure"] is said["no check"] is None

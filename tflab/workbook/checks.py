@@ -24,6 +24,8 @@ from types import SimpleNamespace
 from typing import Any
 
 from . import progress
+from .answers import sealed
+from .answers.forms import Parts
 from .answers.showing import show_all
 from .answers.values import Plain, from_plain
 from .inventory.taking_part import NO_HELP, say_taken_part
@@ -32,6 +34,7 @@ from .reply import show_reply
 from .tasks.blank import without_marks
 from .tasks.case import ChapterCases
 from .tasks.cases import CasesError, read_chapter
+from .tasks.evidence import beyond_one_word
 from .tasks.reference import answer_cell_name, given_name
 from .tasks.task import TaskError, variant_of
 from .trying import AssignedTask, say_verdict, tried_on
@@ -152,6 +155,8 @@ def _say(assigned: AssignedTask, verdict: Verdict, outcomes: list[Plain]) -> Non
         return
     tries = progress.attempts(assigned.root, assigned.id).tries
     more = []
+    if names := _said_too_often(assigned, outcomes):
+        more.append(assigned.phrase("one word", names=", ".join(f'"{name}"' for name in names)))
     if verdict.mistake is None:
         more.append(assigned.words(LATER[_what_was_tried(assigned)], of=verdict.of))
     elif assigned.workbook.edition == "self-study" and tries >= TRIES_BEFORE_SOLUTION:
@@ -159,6 +164,16 @@ def _say(assigned: AssignedTask, verdict: Verdict, outcomes: list[Plain]) -> Non
     elif verdict.mistake in (Mistake.VALUE, Mistake.SLIP, Mistake.PARTS):
         more.append(assigned.phrase("hint"))
     say_verdict(assigned, verdict, outcomes, more, draws=tries >= TRIES_BEFORE_SOLUTION)
+
+
+def _said_too_often(assigned: AssignedTask, outcomes: list[Plain]) -> list[str]:
+    """Return the parts that are right and count nothing, for their word was said nearly everywhere."""
+    form, cases = assigned.cases.form, assigned.variant.cases
+    if assigned.cases.is_function or not isinstance(form, Parts) or not outcomes:
+        return []
+    right = sealed.judge(form, outcomes[0], cases[0].expected)
+    counts = beyond_one_word(form, outcomes[0], cases[0].expected, right)
+    return [name for name, *earned in zip(form.parts, right, counts, strict=True) if earned == [True, False]]
 
 
 def _what_was_tried(assigned: AssignedTask) -> str:

@@ -40,6 +40,7 @@ __all__ = [
     "Row",
     "Vector",
     "inside",
+    "is_number",
     "matched",
     "member",
     "numbers_of",
@@ -259,10 +260,10 @@ def numbers_of(plain: Plain, size: int | None) -> tuple[float, ...] | None:
         plain = plain[0] if size is None and len(plain) == 1 else plain
     plain = inside(plain)
     if size is None:
-        return (plain,) if _is_number(plain) else None
+        return (plain,) if is_number(plain) else None
     if isinstance(plain, dict):  # a message, or a dict, of x, y, z (and w)
         plain = [plain.get(name) for name in ("x", "y", "z", "w")[:size]] if len(plain) == size else None
-    if isinstance(plain, list) and len(plain) == size and all(map(_is_number, plain)):
+    if isinstance(plain, list) and len(plain) == size and all(map(is_number, plain)):
         return tuple(plain)
     return None
 
@@ -364,7 +365,8 @@ def _flat(rows: Plain) -> list[Plain]:
     return [number for row in rows for number in _flat(row)] if isinstance(rows, list) else [rows]
 
 
-def _is_number(plain: Plain) -> bool:
+def is_number(plain: Plain) -> bool:
+    """Return whether this is one finite number; True and False are none."""
     if isinstance(plain, bool) or not isinstance(plain, int | float):
         return False
     return abs(plain) < 10**30 and math.isfinite(plain)

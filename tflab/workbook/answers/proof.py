@@ -18,9 +18,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from tflab.clinic.proof import Flaw, flaw_of
-from tflab.clinic.table import SUSPECTS
-from tflab.clinic.trolley import BUDGET_MIN, check_named
+from tflab.clinic.proof import NOTHING_IS_WRONG, Flaw, flaw_of
+from tflab.clinic.table import SUSPECTS, kind_expected
+from tflab.clinic.trolley import BUDGET_MIN, TROLLEY, check_named
 
 from ..words import Words
 from .form import Form, Mark, Probe, inside
@@ -53,6 +53,12 @@ SAID = {
     "all healthy": Words(
         en="for “{cause}” each of these checks would be as on the card. A proof also shows something that is sick.",
         ko="원인이 “{cause}”라면 이 검사들은 모두 카드와 같습니다. 증명에는 아픈 곳을 보여 주는 검사도 필요합니다.",
+    ),
+    "unproved, all healthy": Words(
+        en="your checks say the same for “{cause}” and “{rival}”, and for “{cause}” each of them would be as on the "
+        "card. Only what is on the list counts: which check would show something sick?",
+        ko="이 검사들은 “{cause}”일 때와 “{rival}”일 때 똑같이 나오고, 원인이 “{cause}”라면 모두 카드와 같습니다. "
+        "목록에 쓴 것만 셉니다. 아픈 곳을 보여 줄 검사는 무엇입니까?",
     ),
     "idle": Words(
         en="for “{cause}” it was proved after {count} of your checks; the rest, {minutes:g} min, tells nothing.",
@@ -109,7 +115,11 @@ class Proof(Form):
             return SAID["no suspect"]
         flaw = (self._flaw(read[1], cause) or Flaw("contradicted")) if read[1] else Flaw("none")
         names = {**flaw._asdict(), "cause": cause, "budget": self.budget_min}
-        return SAID[flaw.kind].filled(**names)
+        is_healthy = cause != NOTHING_IS_WRONG and all(
+            kind_expected(cause, check) == TROLLEY[check].usual for check in read[1]
+        )
+        is_both = flaw.kind == "unproved" and is_healthy
+        return SAID["unproved, all healthy" if is_both else flaw.kind].filled(**names)
 
     def _flaw(self, checks: list[str], suspect: str) -> Flaw | None:
         return flaw_of(checks, suspect, self.whole, self.budget_min)

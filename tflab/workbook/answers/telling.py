@@ -13,16 +13,27 @@ Read `forms.py` next.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from tflab.clinic.table import kind_expected
 from tflab.clinic.trolley import TROLLEY
 
+from ..words import Words
 from .form import Mark, Probe
 from .structures import Choice
 from .values import Plain
 
 __all__ = ["Telling"]
+
+TOO_DEAR = Words(
+    en="It would tell these two apart, but it takes {minutes:g} minutes, and {most:g} are allowed.",
+    ko="두 용의자를 가르기는 하지만 {minutes:g}분이 걸립니다. 허용된 것은 {most:g}분입니다.",
+)
+THE_SAME = Words(
+    en="It says the same whichever of these two it is.",
+    ko="두 용의자 가운데 어느 쪽이든 똑같이 나옵니다.",
+)
 
 
 @dataclass(frozen=True)
@@ -43,7 +54,18 @@ class Telling(Choice):
             return None
         return [[(Mark("tells them apart" if self._tells(word) else word),)]]
 
+    def remark(self, answer: Plain, neighbours: Mapping[str, Plain]) -> Words | None:
+        """Return why a check does not do: it tells nothing, or it would and costs too much; None if it is none."""
+        word = self.option(answer)
+        if word not in TROLLEY or self._tells(word):
+            return None
+        if self._differs(word):
+            return TOO_DEAR.filled(minutes=TROLLEY[word].minutes, most=self.most_min)
+        return THE_SAME if TROLLEY[word].minutes <= self.most_min else None
+
     def _tells(self, word: str) -> bool:
-        check = TROLLEY.get(word)
-        kinds = {kind_expected(suspect, word) for suspect in self.suspects} if check else set()
-        return len(kinds) > 1 and check.minutes <= self.most_min
+        return self._differs(word) and TROLLEY[word].minutes <= self.most_min
+
+    def _differs(self, word: str) -> bool:
+        """Return whether the suspects would answer a check differently."""
+        return word in TROLLEY and len({kind_expected(suspect, word) for suspect in self.suspects}) > 1

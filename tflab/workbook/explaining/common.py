@@ -14,7 +14,7 @@ from collections.abc import Iterator, Sequence
 from itertools import combinations
 from typing import NamedTuple
 
-from ..answers.form import Form, inside, member
+from ..answers.form import Form, inside, is_number, member
 from ..answers.values import Plain
 from ..mistakes.fitting import alike
 from ..words import Words
@@ -110,7 +110,7 @@ def _facts(args: list[Plain], keys: dict[int, set[str]]) -> Iterator[Fact]:
     for at, plain in enumerate(args, start=1):
         if isinstance(plain, bool | str) or plain is None:
             yield from _of_a_word(at, plain)
-        elif _is_number(plain):
+        elif is_number(plain):
             yield from _that_are(at, zero=plain == 0, negative=plain < 0)
         elif isinstance(held := inside(plain), list):
             yield from _of_a_list(at, held)
@@ -127,9 +127,9 @@ def _that_are(at: int, **facts: bool) -> Iterator[Fact]:
 
 def _of_two(args: list[Plain]) -> Iterator[Fact]:
     for (one, a), (other, b) in combinations(enumerate(args, start=1), 2):
-        if _is_number(a) and _is_number(b) and a == b:
+        if is_number(a) and is_number(b) and a == b:
             yield Fact("equal", one, str(other))
-        elif _is_number(a) and _is_number(b):
+        elif is_number(a) and is_number(b):
             yield Fact("larger", one, str(other)) if a > b else Fact("larger", other, str(one))
 
 
@@ -151,7 +151,7 @@ def _of_a_list(at: int, held: list[Plain]) -> Iterator[Fact]:
     is_twice = any(one in held[:place] for place, one in enumerate(held))
     yield from _that_are(at, empty=not held, one=len(held) == 1, twice=is_twice)
     numbers = [one[0] if isinstance(one := inside(each), list) and one else one for each in held]
-    if numbers and all(map(_is_number, numbers)):
+    if numbers and all(map(is_number, numbers)):
         yield from _that_are(at, unsorted=numbers != sorted(numbers), some_negative=min(numbers) < 0)
     yield from (Fact("holds", at, _quoted(each)) for each in held if isinstance(each, str) and len(each) <= LONGEST)
 
@@ -171,7 +171,3 @@ def _of_an_object(at: int, plain: Plain) -> Iterator[Fact]:
 
 def _quoted(plain: Plain) -> str:
     return f'"{plain}"' if isinstance(plain, str) else str(plain)
-
-
-def _is_number(plain: Plain) -> bool:
-    return isinstance(plain, int | float) and not isinstance(plain, bool)

@@ -41,6 +41,8 @@ from .stops import of_stops
 
 __all__ = ["explained"]
 
+A_HAIR = 1e-6  # how far, at most, a number that was not rounded is from what gives it
+
 
 def explained(
     task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], given: dict[str, Plain] | None = None
@@ -164,7 +166,7 @@ def _ways(
     form, expected = task.form, [case.expected for case in cases]
     gives = {name: [case.twins.get(name) for case in cases] for name in cases[0].twins}
     single = {name: row for name, row in gives.items() if AND not in name}
-    yield from _just(form, outcomes, single, ONE)
+    yield from _ones(task, outcomes, single, gives)
     yield from ((name,) for name in undone_to(form, outcomes, expected, only_plain_to_see=True))
     if task.is_function and habit(form, cases, outcomes):
         return
@@ -174,6 +176,18 @@ def _ways(
     if task.is_function and not isinstance(getattr(form, "of", form), Choice):  # words fit by chance: see apart.py
         yield from side_by_side(form, outcomes, expected, gives)
     yield from _further_ways(task, single, outcomes, expected)
+
+
+def _ones(
+    task: TaskCases, outcomes: Sequence[Plain], single: dict[str, list[Plain]], gives: dict[str, list[Plain]]
+) -> Iterator[tuple[str, ...]]:
+    """Yield the single slips that give a number; before one that it is only near to, the two that give it to a hair."""
+    ones = list(_just(task.form, outcomes, single, ONE))
+    is_number = not task.is_function and isinstance(task.form, MEASURED)
+    if ones and is_number and not any(_just(task.form, outcomes, single, A_HAIR)):
+        pairs = {name: row for name, row in gives.items() if AND in name}
+        yield from _just(task.form, outcomes, pairs, A_HAIR)
+    yield from ones
 
 
 def _just(

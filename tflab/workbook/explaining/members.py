@@ -109,7 +109,8 @@ def _of_several(task: TaskCases, table: Table, cases: Sequence[Case], wrong: set
     """Return what explains parts together: two that changed places, slips, an order; all that is wrong by one first."""
     slips = slips_in_parts(task, table, cases, wrong)
     pairs = [pair for pair in _changed_places(table, wrong) if not any(pair.parts <= slip.parts for slip in slips)]
-    orders = [how for of in (of_places, of_orders) for how in of(table.forms, table.given, table.wanted)]
+    rows = (table.forms, table.given, table.wanted)
+    orders = [*of_places(*rows), *of_orders(*rows, task.means)]
     is_one_slip = any(wrong <= slip.parts for slip in slips)
     return [*pairs, *slips, *orders] if is_one_slip else [*pairs, *orders, *slips]
 
@@ -166,7 +167,8 @@ def _by_itself(
     hint = _choice(task, name, form, outcomes[0], wanted[0]) if len(outcomes) == 1 else None
     twice = named_twice(table.forms, table.given, table.wanted, name) if len(outcomes) == 1 else None
     if hint is not None and isinstance(form, Choice):
-        hint = Words(f"{hint.en} {twice.en}", f"{hint.ko} {twice.ko}") if twice else hint
+        said = [words for words in (hint, form.remark(outcomes[0], {}), twice) if words]
+        hint = Words(*map(" ".join, zip(*said, strict=True)))
         return [Found({f"{name}: {outcomes[0]}": TwinWords(hint, "")}, hint, {name})]
     if found := _of_kinds(table, name) or _remarked(table, name) or _of_any(task, table, name):
         return found

@@ -4,6 +4,7 @@
                              given   mount, tree, names      the other way round
                              given   wait, names, tree       one place too late: "wait" stands before it
                              given   tree, mount, names      one place too early
+    and of more              given   rates, names, tree, mount      "rates" alone is out of its place
 
 Place by place three answers are wrong; together it is one mistake.  So it is where
 edges are asked for by the frame below, and each was named by the frame above.
@@ -56,6 +57,16 @@ ORDERS: dict[str, tuple[Callable[[Row, Row], bool], Words]] = {
 }
 
 
+OUT_OF_PLACE = {  # whether it belongs further to the front
+    False: Words(
+        en='all the others stand in the right order; "{word}" alone is out of its place, and comes later.',
+        ko='나머지는 순서가 모두 맞습니다. "{word}" 하나만 제자리가 아니며, 더 나중에 옵니다.',
+    ),
+    True: Words(
+        en='all the others stand in the right order; "{word}" alone is out of its place, and comes earlier.',
+        ko='나머지는 순서가 모두 맞습니다. "{word}" 하나만 제자리가 아니며, 더 먼저 옵니다.',
+    ),
+}
 NAMED_TWICE = Words(
     en='You have "{word}" in {count} of the places, and each place has a word of its own: another one is missing.',
     ko='"{word}"을(를) {count}곳에 두었습니다. 자리마다 낱말이 다르므로 다른 하나가 빠졌습니다.',
@@ -71,9 +82,16 @@ ORDINALS = {"first", "second", "third", "fourth", "fifth", "sixth", "seventh", "
 
 
 def of_orders(
-    forms: Mapping[str, Form], given: Mapping[str, Sequence[Plain]], wanted: Mapping[str, Sequence[Plain]]
+    forms: Mapping[str, Form],
+    given: Mapping[str, Sequence[Plain]],
+    wanted: Mapping[str, Sequence[Plain]],
+    means: Mapping[str, Words] | None = None,
 ) -> list[Found]:
-    """Return what is wrong with places that are filled from the same words, all of them together."""
+    """Return what is wrong with places that are filled from the same words, all of them together.
+
+    Args:
+        means: what is said of a word, by the word.
+    """
     found = []
     for names in _asked_in_order(forms):
         if len(given[names[0]]) != 1:  # a function: its words are confused, and no places
@@ -81,13 +99,35 @@ def of_orders(
         want = [word_of(forms[name], wanted[name][0]) for name in names]
         have = [word_of(forms[name], given[name][0]) for name in names]
         wrong = [name for name, one, other in zip(names, have, want, strict=True) if one != other]
-        for name, (fits, said) in ORDERS.items():
-            if wrong and len(names) >= FEWEST and len(set(want)) == len(want) and fits(have, want):
-                found.append(Found.of(name, said, *wrong))
-                break
+        is_order = len(names) >= FEWEST and len(set(want)) == len(want) and ORDINALS.issuperset(names)
+        order = _of_an_order(have, want, means or {}) if wrong and is_order else None
+        if order is not None:
+            found.append(Found.of(*order, *wrong))
         else:
             found += parents_named(forms, {name: given[name][0] for name in wrong}, dict(zip(names, want, strict=True)))
     return found
+
+
+def _of_an_order(have: Row, want: Row, means: Mapping[str, Words]) -> tuple[str, Words] | None:
+    """Return what is wrong with an order as a whole, and what to say; None if it is not one thing."""
+    for name, (fits, said) in ORDERS.items():
+        if fits(have, want):
+            return name, said
+    moved = _out_of_place(have, want, means)
+    return ("one out of place", moved) if moved else None
+
+
+def _out_of_place(have: Row, want: Row, means: Mapping[str, Words]) -> Words | None:
+    """Return which one word stands elsewhere than it should, by two places or more, while the others are in order."""
+    if sorted(map(str, have)) != sorted(map(str, want)):
+        return None
+    for at, word in enumerate(have):
+        place = want.index(word)
+        others = ([one for one in row if one != word] for row in (have, want))
+        if abs(place - at) > 1 and next(others) == next(others):
+            said, more = OUT_OF_PLACE[place < at].filled(word=word), means.get(word)
+            return Words(f"{said.en} {more.en}", f"{said.ko} {more.ko}") if more else said
+    return None
 
 
 def of_places(

@@ -2,6 +2,7 @@
 
     asked for   1.0   2.0   3.0          returned   -1.0   -2.0   TypeError
                                          -> in 1 of 3 calls it stops; where it does not, the sign is wrong
+    asked for   "ok"  "lookup"           returned   "ok"  LookupException     goes through, and wants a word
 
 Read `changes.py` next.
 """
@@ -10,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from ..answers.forms import Choice
 from ..answers.values import Plain, is_raised
 from ..mistakes.fitting import ANY_BUG, alike
 from ..mistakes.stumbles import tip_for
@@ -19,10 +21,18 @@ from .explanation import Explains, Explanation, and_then
 
 __all__ = ["of_stops"]
 
+OF_TF2 = {"ConnectivityException", "ExtrapolationException", "InvalidArgumentException", "LookupException"}
 FEWEST = 3  # calls that have to go on, for what is wrong in them to be no chance
 STOPS = Words(
     en="in {stopped} of the {of} calls your function stops with {error}. {tip}",
     ko="호출 {of}번 가운데 {stopped}번에서 함수가 {error} 예외를 내고 멈춥니다. {tip}",
+)
+
+UNCAUGHT = Words(
+    en="a word is asked for in each call, and in {stopped} of the {of} your function lets an exception through: "
+    "{errors}. Each of them needs an `except`, and a word of its own.",
+    ko="호출마다 낱말 하나가 필요한데, 호출 {of}번 가운데 {stopped}번에서 예외가 함수를 그대로 지나갑니다({errors}). "
+    "클래스마다 `except`를 두고 낱말로 바꾸십시오.",
 )
 
 
@@ -36,14 +46,25 @@ def of_stops(
     pairs = list(zip(cases, outcomes, strict=True))
     stopped = [outcome for case, outcome in pairs if is_raised(outcome) and not is_raised(case.expected)]
     rest = [(case, outcome) for case, outcome in pairs if not is_raised(outcome) or is_raised(case.expected)]
-    if not stopped or len(rest) < FEWEST or stopped[0]["raises"] not in ANY_BUG | {"AssertionError"}:
+    if not stopped:
         return None
-    if all(alike(task.form, outcome, case.expected) for case, outcome in rest):  # any slip fits that shows in none
-        return None
-    first = explained(task, *zip(*rest, strict=True))
-    if first is None:
+    is_rest_right = all(alike(task.form, outcome, case.expected) for case, outcome in rest)
+    first = None if is_rest_right else explained(task, *zip(*rest, strict=True))  # any slip fits that shows in none
+    if (uncaught := _uncaught(task, pairs, stopped)) is not None:
+        return and_then(first, uncaught) if first else uncaught
+    if first is None or len(rest) < FEWEST or stopped[0]["raises"] not in ANY_BUG | {"AssertionError"}:
         return None
     error, tip = stopped[0]["raises"], tip_for(stopped[0]["raises"], stopped[0].get("text", ""))
     filled = {"stopped": len(stopped), "of": len(pairs), "error": error}
     said = Words(*map(str.rstrip, STOPS.filled(**filled, tip=tip)))
     return and_then(first, Explanation.of(f"stops: {error}", said))
+
+
+def _uncaught(task: TaskCases, pairs: Sequence[tuple[Case, Plain]], stopped: Sequence[Plain]) -> Explanation | None:
+    """Return that tf2's own exceptions go through a function which is to put each of them into a word."""
+    errors = sorted({str(outcome["raises"]) for outcome in stopped})
+    is_of_words = isinstance(task.form, Choice) and not any(is_raised(case.expected) for case, _ in pairs)
+    if not errors or not is_of_words or not all(error in OF_TF2 for error in errors):
+        return None
+    names = ", ".join(errors)
+    return Explanation.of("uncaught", UNCAUGHT.filled(stopped=len(stopped), of=len(pairs), errors=names))

@@ -3,6 +3,7 @@
     "a"       "start the driver"     that is to choose from under "a do"
     "moving"  "/dolly/tf"            another topic than "/tf"
     "cause"   "laser clock ahed"     nearly "laser clock ahead"
+    "switch"  "off"                  "False" means that here
 
 Only what stands in the question is said.  Read `mistake.py` next.
 """
@@ -15,14 +16,19 @@ from ..answers.forms import Choice, Parts
 from ..answers.values import Plain
 from ..words import Words
 
-__all__ = ["near_an_option", "option_of_another"]
+__all__ = ["near_an_option", "one_part_alone", "option_of_another"]
 
+ON, OFF = ("true", "on", "yes"), ("false", "off", "no")
 NEAR = 0.8  # share of letters that two words have in common
 ANOTHERS = Words(
     en='It is one of those to choose from under "{name}". Look whether two keys are exchanged',
     ko='"{name}"의 보기에 있는 낱말입니다. 두 키를 서로 바꾸어 썼는지 보십시오',
 )
 NEARLY = Words(en='The nearest of them is "{option}"', ko='가장 비슷한 보기는 "{option}"입니다')
+ALONE = Words(
+    en='That is the word for "{name}" alone, and each of these is asked for each time',
+    ko='"{name}"에 들어갈 낱말 하나뿐입니다. 이것들이 언제나 모두 있어야 합니다',
+)
 A_TOPIC = Words(
     en='With a name in front it is another topic: whoever listens on "{option}" hears nothing of it',
     ko='앞에 이름을 붙이면 다른 토픽입니다. "{option}"을(를) 듣는 노드는 그것을 받지 못합니다',
@@ -35,7 +41,18 @@ def near_an_option(form: Choice, answer: str) -> Words | None:
     if topic is not None:
         return A_TOPIC.filled(option=topic)
     near = difflib.get_close_matches(answer[:100], form.options, 1, NEAR)
+    meant = next((words for words in (ON, OFF) if answer.lower() in words), ())
+    near += [option for option in form.options if option.lower() in meant]
     return NEARLY.filled(option=near[0]) if near else None
+
+
+def one_part_alone(form: Parts, outcome: Plain) -> Words | None:
+    """Return which part a word is for that was given where all parts are asked for; None if it is for none."""
+    if not isinstance(outcome, str):
+        return None
+    parts = (name for name, part in form.parts.items() if isinstance(part, Choice) and part.option(outcome) is not None)
+    name = next(parts, None)
+    return ALONE.filled(name=name) if name else None
 
 
 def option_of_another(form: Parts, name: str, answer: Plain) -> Words | None:

@@ -29,6 +29,10 @@ PHRASES = {
     ),
     "hint_number": Words(en="hint {number} of 3", ko="힌트 {number}/3"),
     "last_hint": Words(en="that was the last hint, once more", ko="마지막 힌트를 다시 보여 드립니다"),
+    "one word": Words(
+        en="{names}: right, and counts nothing yet. One word nearly everywhere is right somewhere by chance.",
+        ko="{names}: 맞지만 아직 점수가 없습니다. 거의 모든 곳에 같은 말을 쓰면 어딘가는 우연히 맞습니다.",
+    ),
     "solution": Words(
         en='Three tries: if you like, read the solution with solution("{id}").',
         ko='세 번 시도했습니다. 원하면 solution("{id}")로 풀이를 볼 수 있습니다.',

@@ -33,7 +33,7 @@ from ..tasks import evidence
 from ..tasks.case import Case, TaskCases, TwinWords, Variant
 from ..words import Words
 from .mistake import Mistake
-from .options import near_an_option, option_of_another
+from .options import near_an_option, one_part_alone, option_of_another
 
 __all__ = ["Verdict", "judge_outcomes", "kind_of"]
 
@@ -103,11 +103,16 @@ def judge_outcomes(task: TaskCases, variant: Variant, outcomes: Sequence[Plain])
     if found is None:
         return Verdict(sum(right), len(right), mistake, {}, case, right, {"certain": None} | detail)
     case = _to_show(found, case)
-    follows: tuple[bool, ...] = ()
-    if found.follows and isinstance(form, Parts):  # one slip costs the part that it is made in, not what follows
-        follows = tuple(not was and name in found.follows for was, name in zip(right, form.parts, strict=True))
-        right = tuple(map(max, right, follows))
+    follows = () if task.is_function else _following(form, found, right)
+    right = tuple(map(max, right, follows)) if follows else right  # one slip costs the part that it is made in
     return Verdict(sum(right), len(right), mistake, found.slips, case, right, detail, found.said, follows)
+
+
+def _following(form: Form, found: Explanation, right: Sequence[bool]) -> tuple[bool, ...]:
+    """Return for each part of a value whether it is wrong only since it follows from a slip; empty if none is."""
+    if not found.follows or not isinstance(form, Parts):
+        return ()
+    return tuple(not was and name in found.follows for was, name in zip(right, form.parts, strict=True))
 
 
 def _to_show(found: Explanation, first: int) -> int:
@@ -304,7 +309,7 @@ def _is_joined(form: Form, outcome: Plain) -> bool:
 def _coarse_of_parts(form: Parts, outcome: Plain) -> tuple[Mistake, dict[str, Any]] | None:
     answers = inside(outcome)
     if not (isinstance(outcome, dict) and "dict" in outcome and isinstance(answers, dict)):
-        return Mistake.TYPE, {}
+        return Mistake.TYPE, _of_one_part(form, outcome)
     missing = [name for name in form.parts if name not in answers or is_unanswered(answers[name])]
     more = [name for name in answers if name not in form.parts]
     if missing:
@@ -317,6 +322,11 @@ def _coarse_of_parts(form: Parts, outcome: Plain) -> tuple[Mistake, dict[str, An
             detail = _with_tip(form, name, answers[name], fault)
             return fault[0], {"got": kind_of(answers[name]), **detail, "part": name}
     return None
+
+
+def _of_one_part(form: Parts, outcome: Plain) -> dict[str, Any]:
+    tip = one_part_alone(form, outcome)
+    return {"tip": tip} if tip else {}
 
 
 def _with_tip(form: Parts, name: str, answer: Plain, fault: tuple[Mistake, dict[str, Any]]) -> dict[str, Any]:
