@@ -216,7 +216,10 @@ def test_a_number_that_two_slips_give_to_a_hair_is_not_called_by_one_that_it_is_
     twins = {"mean": 0.1445, "late": 0.2, "far": 0.3, "late + far": 0.144}
     assert list(judged(Number("s"), 0.223, twins, 0.144).slips) == ["late", "far"]
     assert list(judged(Number("s"), 0.223, twins, 0.1445).slips) == ["mean"]
-    assert list(judged(Number("s"), 0.223, {"mean": 0.1445}, 0.144).slips) == ["mean"]  # to three digits
+    near = judged(Number("s"), 0.223, {"mean": 0.1445}, 0.144)  # to three digits
+    assert list(near.slips) == ["mean"]
+    assert near.said.en.startswith("To the digits that it has, this is what comes of the following. ")
+    assert judged(Number("s"), 0.223, {"mean": 0.1445}, 0.1445).said.en == "mean"
 
 
 @pytest.mark.parametrize(("names", "is_order"), [(("first", "second", "third"), True), ("abc", False)])

@@ -31,6 +31,7 @@ def questions(rng: np.random.Generator) -> list[tuple]:
         ("camera_link", "odom", at(20.0, 40.0)),  # no path either
         ("map", "gripper", at(20.0, 40.0)),  # an unknown name, and too late
         ("gripper", "/laser_frame", at(1.1, 3.9)),  # two names that are wrong, each in its way
+        ("map", "", at(1.1, 3.9)),
     ]
     return [(robot_buffer(t), *question) for question in drawn]
 
@@ -46,7 +47,8 @@ def classified(
     moments = {"latest": Time(), "whole seconds": Time(nanoseconds=stamp.nanoseconds // 10**9 * 10**9)}
     refused = refusal(buffer, target, source, moments.get(moment, stamp))
     kind = kind_of(refused)
-    if refused is not None and kind == let_through:
+    extrapolations = ("future", "past", "one sample")
+    if refused is not None and let_through in (kind, "extrapolation" if kind in extrapolations else kind, "any"):
         raise refused
     if moment == "path first":
         first = kind_of(refusal(buffer, target, source, Time()))
@@ -57,9 +59,11 @@ def classified(
         "two, and future": {"one sample": "future"},
         "all future": {"past": "future", "one sample": "future"},
         "all past": {"future": "past", "one sample": "past"},
+        "none read": dict.fromkeys(extrapolations, "one sample"),
     }.get(texts, {})
     kind = said.get(kind, kind)
-    if kind == "ok" or classes == "each its own":
+    has_slash = any(name.startswith("/") for name in (target, source))
+    if kind == "ok" or classes == "each its own" or (classes == "a slash is a name" and not has_slash):
         return kind
     return {
         "base first": "invalid argument",
@@ -70,6 +74,7 @@ def classified(
         "exchanged": {"lookup": "connectivity", "connectivity": "lookup"}.get(kind, kind),
         "names alone": {"connectivity": "lookup"}.get(kind, kind),
         "no question is a name": {"invalid argument": "lookup"}.get(kind, kind),
+        "a slash is a name": {"invalid argument": "lookup"}.get(kind, kind),
     }[classes]
 
 
@@ -117,8 +122,8 @@ ENDS_SWAPPED = Slip(
     "ends swapped",
     {"ends": "swapped"},
     Words(
-        en="where both names are wrong, tf2 complains of the target first. Your function seems to hand over source and target in the other order: wanted comes first.",
-        ko="두 이름이 모두 틀리면 tf2는 목표(target_frame)부터 탓합니다. 이 함수는 원본과 목표를 거꾸로 넘기는 것 같습니다. 기준이 될 목표가 먼저입니다.",
+        en="where both names are wrong, tf2 complains of the target first, and your function of the source. Does it hand over the two in the other order (wanted comes first), or look at the names before tf2 does?",
+        ko="두 이름이 모두 틀리면 tf2는 목표(target_frame)부터 탓하는데, 이 함수는 원본을 탓합니다. 둘을 거꾸로 넘기고 있습니까(목표가 먼저입니다), 아니면 tf2보다 먼저 이름을 따지고 있습니까?",
     ),
     "M1",
 )
@@ -217,6 +222,17 @@ EVERY_EXTRAPOLATION_IS_THE_PAST = Slip(
 )
 
 
+NO_TEXT_IS_READ = Slip(
+    "no text is read",
+    {"texts": "none read"},
+    Words(
+        en='every extrapolation is "one sample" for you. Its text may say "into the future" or "into the past"; what is left says neither. Do you look for just these words, in `str(error)`?',
+        ko='외삽이면 무조건 "one sample"입니다. 오류 메시지에 "into the future"나 "into the past"가 있을 수 있고, 둘 다 없는 것만 남습니다. `str(error)`에서 바로 그 말을 찾고 있습니까?',
+    ),
+    "M11",
+)
+
+
 LOOKUP_AND_CONNECTIVITY_EXCHANGED = Slip(
     "lookup and connectivity exchanged",
     {"classes": "exchanged"},
@@ -272,6 +288,17 @@ NO_QUESTION_IS_A_WRONG_NAME = Slip(
 )
 
 
+SLASH_IS_A_WRONG_NAME = Slip(
+    "a slash is a wrong name",
+    {"classes": "a slash is a name"},
+    Words(
+        en="a name with a slash in front is a lookup for you. tf2 looks no such name up: it raises an InvalidArgumentException, a class of its own. Do you look at the names yourself, before you ask?",
+        ko="앞에 슬래시가 붙은 이름을 lookup이라고 합니다. tf2는 그런 이름을 찾아보지도 않고 InvalidArgumentException이라는 다른 클래스를 일으킵니다. 묻기 전에 이름을 직접 따지고 있습니까?",
+    ),
+    "M11",
+)
+
+
 NO_BRANCH_FOR_NO_QUESTION = Slip(
     "no branch for no question",
     {"let_through": "invalid argument"},
@@ -305,6 +332,28 @@ NO_BRANCH_FOR_NO_NAME = Slip(
 )
 
 
+NO_BRANCH_FOR_EXTRAPOLATION = Slip(
+    "no branch for extrapolation",
+    {"let_through": "extrapolation"},
+    Words(
+        en="you catch three of the four classes. Where there is no data for the moment, an ExtrapolationException goes through your function.",
+        ko="네 클래스 가운데 셋만 잡습니다. 그 시각의 데이터가 없으면 ExtrapolationException이 함수를 그대로 지나갑니다.",
+    ),
+    "M11",
+)
+
+
+NOTHING_IS_CAUGHT = Slip(
+    "nothing is caught",
+    {"let_through": "any"},
+    Words(
+        en="every refusal goes through your function as the exception that it is. Ask inside of a `try`, and turn each class into its word in an `except`.",
+        ko="거절이 모두 예외 그대로 함수를 지나갑니다. `try` 안에서 묻고, `except`에서 클래스마다 단어로 바꾸십시오.",
+    ),
+    "M11",
+)
+
+
 TASK = Task(
     id="E9.2",
     kind="F",
@@ -330,14 +379,18 @@ TASK = Task(
         THIRD_TEXT_IS_THE_FUTURE,
         EVERY_EXTRAPOLATION_IS_THE_FUTURE,
         EVERY_EXTRAPOLATION_IS_THE_PAST,
+        NO_TEXT_IS_READ,
         LOOKUP_AND_CONNECTIVITY_EXCHANGED,
         SLASHES_TAKEN_OFF,
         IN_SMALL_LETTERS,
         NO_PATH_IS_A_WRONG_NAME,
         NO_QUESTION_IS_A_WRONG_NAME,
+        SLASH_IS_A_WRONG_NAME,
         NO_BRANCH_FOR_NO_QUESTION,
         NO_BRANCH_FOR_NO_PATH,
         NO_BRANCH_FOR_NO_NAME,
+        NO_BRANCH_FOR_EXTRAPOLATION,
+        NOTHING_IS_CAUGHT,
     ),
     hints=(
         Words(

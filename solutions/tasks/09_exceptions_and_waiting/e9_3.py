@@ -60,7 +60,12 @@ def messages(rng: np.random.Generator) -> list[tuple]:
     slow = point_in("laser_frame", t + 4.0 + round(float(rng.uniform(0.02, 0.1)), 3))
     rows.append((robot_buffer(t, wheels_s=3.4), slow))
     lost = point_in("/laser_frame", round(t + float(rng.uniform(1.2, 3.8)), 3))
-    return [*rows, (robot_buffer(t, is_localized=False), lost)]
+    rows.append((robot_buffer(t, is_localized=False), lost))
+    for gap_ns in (100, 100_000, 100_000_000_000):  # what a bound in another unit lets wait
+        point = point_in("laser_frame", t + 4.0)
+        point.header.stamp = Time(nanoseconds=seconds(t + 4.0) + gap_ns).to_msg()
+        rows.append((robot_buffer(t), point))
+    return rows
 
 
 def action(
@@ -77,6 +82,8 @@ def action(
     spelt: str = "as it came",
     target: str = "map",
     newest_of: tuple[str, str] | None = None,
+    classes: str = "each its own",
+    let_through: str = "none",
 ) -> str:
     """Decide as the task asks; the options are the mistakes."""
     stamp = Time() if latest else Time.from_msg(message.header.stamp)
@@ -85,8 +92,21 @@ def action(
     ends = (target, frame)
     error = refusal(buffer, *(reversed(ends) if swapped else ends), stamp)
     kind = kind_of(error)
+    if error is not None and kind == let_through:
+        raise error
+    if error is not None and classes == "base first":
+        return "fix message"
+    kind = {
+        "names alone": {"connectivity": "lookup"},
+        "no question is a name": {"invalid argument": "lookup"},
+        "a slash is a name": {"invalid argument": "lookup"} if frame.startswith("/") else {},
+        "exchanged": {"connectivity": "lookup", "lookup": "connectivity"},
+    }.get(classes, {}).get(kind, kind)
     if kind == "future" and drops == "every extrapolation":
         return "drop"
+    if kind == "future" and drops == "turned round":
+        gap_ns = stamp.nanoseconds - buffer.get_latest_common_time("map", frame).nanoseconds
+        return "wait" if gap_ns >= seconds(limit_s) else "check clocks"
     if kind == "future" and drops == "whole seconds":
         newest_s = buffer.get_latest_common_time("map", frame).nanoseconds // 10**9
         return "wait" if stamp.nanoseconds // 10**9 - newest_s <= limit_s else "check clocks"
@@ -115,8 +135,8 @@ WAITS_HOWEVER_FAR = Slip(
     {"limit_s": 1e6},
     misconception="M10",
     reply=Words(
-        en="your function waits for any future, however far off. A gap of more than 0.2 s is not data on its way: no wait cures it. Is the gap compared with anything, and is it the stamp minus the latest common time? The other way round it is below zero for every future.",
-        ko="아무리 먼 미래라도 기다립니다. 0.2초를 넘는 간격은 오는 중인 데이터가 아닙니다. 기다려도 해결되지 않습니다. 간격을 무엇과 비교하고 있습니까? 측정 시각에서 최신 공통 시각을 뺀 것입니까? 반대로 빼면 미래는 언제나 음수입니다.",
+        en="your function waits for any future, however far off. A gap of more than 0.2 s is not data on its way: no wait cures it. Is the gap compared with anything, and is it the whole stamp minus the latest common time? The other way round it is below zero for every future.",
+        ko="아무리 먼 미래라도 기다립니다. 0.2초를 넘는 간격은 오는 중인 데이터가 아닙니다. 기다려도 해결되지 않습니다. 간격을 무엇과 비교하고 있습니까? 측정 시각 전체에서 최신 공통 시각을 뺀 것입니까? 반대로 빼면 미래는 언제나 음수입니다.",
     ),
 )
 
@@ -198,6 +218,28 @@ GAP_BELOW_ODOM = Slip(
 )
 
 
+GAP_FROM_THE_BASE = Slip(
+    "gap from base_link",
+    {"newest_of": ("base_link", "")},
+    misconception="M11",
+    reply=Words(
+        en="you reckon from base_link to the message's frame. A mount is good at any time and has no newest moment, and map and odom are not on that way: ask for the latest common time of map and the message's frame.",
+        ko="base_link에서 메시지의 좌표계까지만 계산했습니다. 장착 변환은 언제나 유효해서 최신 시각이 없고, map과 odom은 그 경로에 없습니다. map과 메시지 좌표계의 최신 공통 시각을 물으십시오.",
+    ),
+)
+
+
+COMPARISON_TURNED_ROUND = Slip(
+    "comparison turned round",
+    {"drops": "turned round"},
+    misconception="M10",
+    reply=Words(
+        en="you wait where the gap is 0.2 s or more, and check the clocks where it is less: the comparison is the wrong way round.",
+        ko="간격이 0.2초 이상이면 기다리고, 그보다 작으면 시계를 의심합니다. 비교가 거꾸로입니다.",
+    ),
+)
+
+
 WAITS_FOR_THE_PAST_ALONE = Slip(
     "waits for the past alone",
     {"wait_for_past": "the past alone"},
@@ -214,8 +256,8 @@ NEVER_WAITS = Slip(
     {"limit_s": -1.0},
     misconception="M10",
     reply=Words(
-        en="a small gap into the future is ordinary: the transform is on its way. Your function suspects the clocks even then. Between which two moments do you take the gap, and is your bound in its unit?",
-        ko="작은 미래 간격은 흔한 일이고 변환이 오는 중입니다. 이 함수는 그때도 시계를 의심합니다. 어느 두 시각의 차이를 구하고, 한계의 단위는 그 차이의 단위와 같습니까?",
+        en="your function suspects the clocks at any gap, even at one of 100 ns. A small one is ordinary: the transform is on its way. Is the bound in the unit of the gap? In nanoseconds 0.2 s are 200 000 000.",
+        ko="간격이 100나노초뿐이어도 시계를 의심합니다. 작은 간격은 흔한 일이고 변환이 오는 중입니다. 한계의 단위가 간격의 단위와 같습니까? 0.2초를 나노초로 쓰면 200 000 000입니다.",
     ),
 )
 
@@ -236,8 +278,8 @@ WAITS_FOR_THE_PAST = Slip(
     {"wait_for_past": True},
     misconception="M10",
     reply=Words(
-        en="your function waits for data that is older than everything in the buffer. Old data does not come back: what does a robot do with such a message?",
-        ko="버퍼의 모든 것보다 오래된 데이터를 기다리고 있습니다. 지나간 데이터는 돌아오지 않습니다. 그런 메시지는 어떻게 해야 합니까?",
+        en='your function waits where the text does not say "into the future", too. What the buffer has forgotten does not come back, and an edge that was heard just once says nothing of late: such a message is a "drop".',
+        ko='오류 메시지가 "into the future"가 아닐 때도 기다립니다. 버퍼가 잊은 것은 돌아오지 않고, 딱 한 번 들은 연결이라면 늦는다고 볼 근거가 없습니다. 그런 메시지는 "drop"입니다.',
     ),
 )
 
@@ -259,7 +301,7 @@ WAITS_FOR_EVERY_EXTRAPOLATION = Slip(
     misconception="M10",
     reply=Words(
         en="every extrapolation is a wait for you. Three kinds are in this class: a little into the future may wait, far into the future is a clock, and what is past does not come back. The text tells them apart.",
-        ko="외삽이면 무조건 기다립니다. 이 클래스에는 세 가지가 있습니다. 조금 늦은(미래의) 시각은 기다릴 만하고, 한참 늦은(미래의) 시각은 시계 문제이며, 과거는 돌아오지 않습니다. 오류 메시지이 셋을 가려 줍니다.",
+        ko="외삽이면 무조건 기다립니다. 이 클래스에는 세 가지가 있습니다. 조금 늦은(미래의) 시각은 기다릴 만하고, 한참 늦은(미래의) 시각은 시계 문제이며, 과거는 돌아오지 않습니다. 오류 메시지가 셋을 가려 줍니다.",
     ),
 )
 
@@ -277,6 +319,105 @@ THIRD_TEXT_TAKEN_FOR_THE_FUTURE = Slip(
 
 def use_or_drop(buffer: Buffer, message: geometry_msgs.PointStamped) -> str:
     return "use" if action(buffer, message) == "use" else "drop"
+
+
+DIRECTION_UNREAD = Slip(
+    "direction unread",
+    {"wait_for_past": "the past alone", "two_texts": True},
+    misconception="M11",
+    reply=Words(
+        en='you judge every extrapolation by its gap. Into the past the gap is below zero, and so it "waits" for what the buffer has forgotten; and an edge that was heard just once has no newest sample to wait for. Read the direction in the text first: only "into the future" has a gap to compare.',
+        ko='외삽이면 모두 간격으로 판단합니다. 과거라면 간격이 음수라서 버퍼가 잊은 것을 "wait"하게 되고, 딱 한 번 들은 연결에는 기다릴 다음 표본이 없습니다. 먼저 오류 메시지에서 방향을 읽으십시오. 간격을 비교할 것은 "into the future"뿐입니다.',
+    ),
+)
+
+
+BASE_CLASS_FIRST = Slip(
+    "base class first",
+    {"classes": "base first"},
+    misconception="M11",
+    reply=Words(
+        en='every refusal is "fix message" for you. Python takes the first `except` that fits, and the base class fits everything: let it come last.',
+        ko='거절이면 무조건 "fix message"입니다. 파이썬은 조건에 맞는 `except` 가운데 맨 위의 것을 택하고, 부모 클래스는 무엇에나 해당합니다. 맨 뒤로 보내십시오.',
+    ),
+)
+
+
+NO_PATH_IS_A_WRONG_NAME = Slip(
+    "no path is a wrong name",
+    {"classes": "names alone"},
+    misconception="M11",
+    reply=Words(
+        en='where tf2 knows both names and no path leads across, you say "check names". That is a ConnectivityException, and the tree is to be checked.',
+        ko='tf2가 두 이름을 다 알지만 길이 없는 곳에서 "check names"라고 합니다. 그것은 ConnectivityException이고, 확인할 것은 트리입니다.',
+    ),
+)
+
+
+NO_QUESTION_IS_A_WRONG_NAME = Slip(
+    "no question is a wrong name",
+    {"classes": "no question is a name"},
+    misconception="M11",
+    reply=Words(
+        en='where the question is none (a slash in front, an empty name), you say "check names". It has a class of its own, InvalidArgumentException: the message is to be mended.',
+        ko='질문이 되지 않는 곳(앞의 슬래시, 빈 이름)에서 "check names"라고 합니다. InvalidArgumentException이라는 클래스가 따로 있습니다. 고칠 것은 메시지입니다.',
+    ),
+)
+
+
+SLASH_IS_A_WRONG_NAME = Slip(
+    "a slash is a wrong name",
+    {"classes": "a slash is a name"},
+    misconception="M14",
+    reply=Words(
+        en='where the frame begins with a slash, you say "check names". tf2 looks no such name up: it raises an InvalidArgumentException, and the message is to be mended. Do you look at the name yourself, before you ask?',
+        ko='좌표계가 슬래시로 시작하면 "check names"라고 합니다. tf2는 그런 이름을 찾아보지도 않고 InvalidArgumentException을 일으키며, 고칠 것은 메시지입니다. 묻기 전에 이름을 직접 따지고 있습니까?',
+    ),
+)
+
+
+NAMES_AND_TREE_EXCHANGED = Slip(
+    "names and tree exchanged",
+    {"classes": "exchanged"},
+    misconception="M11",
+    reply=Words(
+        en='"check names" and "check tree" have changed places: a name that nobody knows is a LookupException, two known ones without a path a ConnectivityException.',
+        ko='"check names"와 "check tree"가 바뀌었습니다. 아무도 모르는 이름이 LookupException, 아는 두 이름 사이에 길이 없는 것이 ConnectivityException입니다.',
+    ),
+)
+
+
+NO_BRANCH_FOR_NO_QUESTION = Slip(
+    "no branch for no question",
+    {"let_through": "invalid argument"},
+    misconception="M11",
+    reply=Words(
+        en="you catch three of the four classes. A message whose frame is no name (a slash in front, nothing at all) goes through your function as an InvalidArgumentException.",
+        ko="네 클래스 가운데 셋만 잡습니다. 좌표계가 이름이 될 수 없는 메시지(앞의 슬래시, 빈 이름)는 InvalidArgumentException이 되어 함수를 그대로 지나갑니다.",
+    ),
+)
+
+
+NO_BRANCH_FOR_NO_PATH = Slip(
+    "no branch for no path",
+    {"let_through": "connectivity"},
+    misconception="M11",
+    reply=Words(
+        en="you catch three of the four classes. Where no path leads to map, a ConnectivityException goes through your function.",
+        ko="네 클래스 가운데 셋만 잡습니다. map까지 이어진 길이 없으면 ConnectivityException이 함수를 그대로 지나갑니다.",
+    ),
+)
+
+
+NO_BRANCH_FOR_NO_NAME = Slip(
+    "no branch for no name",
+    {"let_through": "lookup"},
+    misconception="M11",
+    reply=Words(
+        en="you catch three of the four classes. Where a name is unknown, a LookupException goes through your function.",
+        ko="네 클래스 가운데 셋만 잡습니다. 모르는 이름이 있으면 LookupException이 함수를 그대로 지나갑니다.",
+    ),
+)
 
 
 ONE_ACTION_FOR_EVERY_NO = Twin(
@@ -346,8 +487,60 @@ LIMIT_OF_A_QUARTER = Slip(
     "another limit",
     {"limit_s": 0.25},
     Words(
-        en="you wait somewhat beyond 0.2 s. The task draws the line at 0.2 s sharp; 0.2 s are 200 000 000 ns.",
-        ko="0.2초를 조금 넘어도 기다립니다. 문제의 기준은 정확히 0.2초이고, 0.2초는 200 000 000 ns입니다.",
+        en="you wait somewhat beyond 0.2 s. The task draws the line at 0.2 s sharp; 0.2 s are 200 000 000 ns. Is the gap rounded before you compare it?",
+        ko="0.2초를 조금 넘어도 기다립니다. 문제의 기준은 정확히 0.2초이고, 0.2초는 200 000 000 ns입니다. 비교하기 전에 간격을 반올림합니까?",
+    ),
+)
+
+
+LIMIT_IS_BLUNT = Slip(
+    "the limit is blunt",
+    {"limit_s": 0.2005},
+    Words(
+        en="you wait where the gap is a nanosecond beyond 0.2 s, and no longer at a millisecond: the gap loses its last digits before you compare it. Compare nanoseconds as they are.",
+        ko="간격이 0.2초를 1나노초 넘어도 기다리고 1밀리초를 넘으면 기다리지 않습니다. 비교하기 전에 간격의 아래 자릿수가 사라집니다. 나노초를 그대로 비교하십시오.",
+    ),
+)
+
+
+LIMIT_OF_A_SECOND = Slip(
+    "a limit of a second",
+    {"limit_s": 1.0},
+    misconception="M10",
+    reply=Words(
+        en="you still wait where the gap is a third of a second, and no longer where it is more than one. The task draws the line at 0.2 s: 200 000 000 ns.",
+        ko="간격이 3분의 1초일 때도 기다리고, 1초를 넘으면 기다리지 않습니다. 문제의 기준은 0.2초, 곧 200 000 000 ns입니다.",
+    ),
+)
+
+
+LIMIT_OF_SECONDS = Slip(
+    "a limit of seconds",
+    {"limit_s": 2.0},
+    misconception="M10",
+    reply=Words(
+        en="you still wait where the gap is more than a second, and no longer where it is a hundred. The task draws the line at 0.2 s: that is 200 000 000 ns. Is there a zero too many?",
+        ko="간격이 1초를 넘어도 기다리고, 100초라면 기다리지 않습니다. 문제의 기준은 0.2초, 곧 200 000 000 ns입니다. 0이 하나 더 있지 않습니까?",
+    ),
+)
+
+
+LIMIT_IN_MICROSECONDS = Slip(
+    "a limit in microseconds",
+    {"limit_s": 2e-4},
+    Words(
+        en="your function waits where the gap is a tenth of a millisecond, and no longer where it is some hundredths of a second: the bound is far below 0.2 s. Which unit is it in? In nanoseconds 0.2 s are 200 000 000.",
+        ko="간격이 0.1밀리초일 때는 기다리고, 100분의 몇 초만 되어도 기다리지 않습니다. 한계가 0.2초보다 훨씬 작습니다. 어떤 단위입니까? 0.2초를 나노초로 쓰면 200 000 000입니다.",
+    ),
+)
+
+
+LIMIT_IN_MILLISECONDS = Slip(
+    "a limit in milliseconds",
+    {"limit_s": 2e-7},
+    Words(
+        en="your function waits where the gap is 100 ns, and no longer where it is a tenth of a millisecond: the bound is far below 0.2 s. Which unit is it in? In nanoseconds 0.2 s are 200 000 000.",
+        ko="간격이 100나노초일 때는 기다리고, 0.1밀리초만 되어도 기다리지 않습니다. 한계가 0.2초보다 훨씬 작습니다. 어떤 단위입니까? 0.2초를 나노초로 쓰면 200 000 000입니다.",
     ),
 )
 
@@ -372,6 +565,17 @@ WANTED_IN_ODOM = Slip(
 )
 
 
+ODOM_THROUGHOUT = Slip(
+    "odom throughout",
+    {"target": "odom", "newest_of": ("odom", "")},
+    misconception="M11",
+    reply=Words(
+        en="you ask for odom, and reckon the gap from there, too. The point is wanted in map: the edge from map to odom is on the way, and it is often the slowest.",
+        ko="odom을 물었고 간격도 odom에서 계산했습니다. 점은 map 기준으로 필요합니다. map과 odom 사이의 연결도 경로에 있고, 그것이 가장 느릴 때가 많습니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E9.3",
     kind="F",
@@ -391,6 +595,8 @@ TASK = Task(
         GAP_FROM_THE_WHEELS_EDGE,
         GAP_FROM_THE_ROBOT,
         GAP_BELOW_ODOM,
+        GAP_FROM_THE_BASE,
+        COMPARISON_TURNED_ROUND,
         WAITS_FOR_THE_PAST_ALONE,
         NEVER_WAITS,
         LATEST_INSTEAD_OF_THE_STAMP,
@@ -398,6 +604,15 @@ TASK = Task(
         ENDS_SWAPPED,
         WAITS_FOR_EVERY_EXTRAPOLATION,
         THIRD_TEXT_TAKEN_FOR_THE_FUTURE,
+        DIRECTION_UNREAD,
+        BASE_CLASS_FIRST,
+        NO_PATH_IS_A_WRONG_NAME,
+        NO_QUESTION_IS_A_WRONG_NAME,
+        SLASH_IS_A_WRONG_NAME,
+        NAMES_AND_TREE_EXCHANGED,
+        NO_BRANCH_FOR_NO_QUESTION,
+        NO_BRANCH_FOR_NO_PATH,
+        NO_BRANCH_FOR_NO_NAME,
         ONE_ACTION_FOR_EVERY_NO,
         EVERY_EXTRAPOLATION_IS_DROPPED,
         GAP_IN_WHOLE_SECONDS,
@@ -405,8 +620,14 @@ TASK = Task(
         IN_SMALL_LETTERS,
         THE_LIMIT_IS_TOO_FAR,
         LIMIT_OF_A_QUARTER,
+        LIMIT_IS_BLUNT,
+        LIMIT_OF_A_SECOND,
+        LIMIT_OF_SECONDS,
+        LIMIT_IN_MICROSECONDS,
+        LIMIT_IN_MILLISECONDS,
         WANTED_IN_BASE_LINK,
         WANTED_IN_ODOM,
+        ODOM_THROUGHOUT,
     ),
     hints=(
         Words(

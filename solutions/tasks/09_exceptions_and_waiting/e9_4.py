@@ -85,8 +85,8 @@ TREMBLE_OVERLOOKED = Twin(
     no_tremble,
     misconception="M10",
     reply=Words(
-        en="of the two robots without a negative delay, one trembles and one is smooth as glass: can a smooth delay only be a slow network?",
-        ko="지연이 음수가 아닌 둘 가운데 하나는 떨리고 하나는 유리처럼 매끈합니다. 매끈한 지연이 느린 네트워크에서만 나올까요?",
+        en="of the two robots without a negative delay, one trembles and one is smooth as glass: can a smooth delay only be a slow network? A clock that is slow by so much gives the same numbers.",
+        ko="지연이 음수가 아닌 둘 가운데 하나는 떨리고 하나는 유리처럼 매끈합니다. 매끈한 지연이 느린 네트워크에서만 나올까요? 시계가 그만큼 느려도 숫자는 똑같습니다.",
     ),
 )
 
@@ -115,8 +115,8 @@ SIGN_OVERLOOKED = Twin(
     no_sign,
     misconception="M10",
     reply=Words(
-        en="one robot hears its scans before they are measured. That much can be told from the numbers: look at the sign.",
-        ko="한 로봇은 스캔을 측정하기도 전에 듣습니다. 그것만은 숫자로 알 수 있습니다. 부호를 보십시오.",
+        en="one robot hears its scans before they are measured: a clock does that, and no network. And were it the listener's clock, that robot's /odom would come out wrong by as much. What is its delay there?",
+        ko="한 로봇은 스캔을 측정하기도 전에 듣습니다. 네트워크로는 그럴 수 없으니 시계 탓입니다. 듣는 쪽의 시계가 틀렸다면 그 로봇의 /odom도 그만큼 어긋났을 것입니다. /odom의 지연은 얼마입니까?",
     ),
 )
 
@@ -132,6 +132,36 @@ TREMBLE_NOT_TRUSTED = Twin(
     reply=Words(
         en="one robot's /odom trembles by a quarter of a second from message to message. A clock does not do that, a network does: so much can be told.",
         ko="한 로봇의 /odom은 메시지마다 4분의 1초씩 떨립니다. 시계는 그러지 않지만 네트워크는 그럽니다. 그만큼은 알 수 있습니다.",
+    ),
+)
+
+
+def always_open(given) -> dict:
+    return guess(given, lambda scan, odom: UNKNOWN)
+
+
+ALWAYS_OPEN = Twin(
+    "always open",
+    always_open,
+    misconception="M10",
+    reply=Words(
+        en="you leave all three open. Of two of them the numbers do tell it: one hears its scans before their stamps while its /odom comes as it should, and the /odom of another trembles, which no clock does.",
+        ko="셋 다 알 수 없다고 했습니다. 그 가운데 둘은 숫자로 알 수 있습니다. 하나는 /odom은 제대로 오는데 스캔을 측정 시각보다 먼저 듣고, 다른 하나는 /odom이 떨립니다. 시계는 그렇게 떨리지 않습니다.",
+    ),
+)
+
+
+def smooth_and_trembling_exchanged(given) -> dict:
+    return guess(given, lambda scan, odom: FAST if scan.min() < 0 else UNKNOWN if np.ptp(odom) > 0.1 else LATE)
+
+
+SMOOTH_AND_TREMBLING_EXCHANGED = Twin(
+    "smooth and trembling exchanged",
+    smooth_and_trembling_exchanged,
+    misconception="M10",
+    reply=Words(
+        en="you call the smooth delay late and leave the trembling one open; it is the other way round. No clock trembles by a quarter of a second, so there it is the network; and what is the same each time, a clock may do as well.",
+        ko="매끈한 지연을 늦은 것이라 하고 떨리는 지연은 알 수 없다고 했는데, 반대입니다. 시계는 4분의 1초씩 떨리지 않으므로 떨리면 네트워크입니다. 매번 똑같은 지연은 시계 때문일 수도 있습니다.",
     ),
 )
 
@@ -212,6 +242,8 @@ TASK = Task(
         ALWAYS_A_CLOCK,
         SIGN_OVERLOOKED,
         TREMBLE_NOT_TRUSTED,
+        ALWAYS_OPEN,
+        SMOOTH_AND_TREMBLING_EXCHANGED,
         STAMP_MINUS_HEARD,
         STAMP_MINUS_HEARD_AND_LATE,
     ),
@@ -236,28 +268,54 @@ TASK = Task(
             ko="변환이 늦으면 /odom의 지연이 크고 메시지마다 떨립니다.",
         ),
         "laser clock is fast": Words(
-            en="a fast laser clock: the delays of /scan are too small, even negative.",
-            ko="레이저 시계가 빠르면 /scan의 지연이 너무 작아지고 음수까지 됩니다.",
+            en="a fast laser clock: the delays of /scan are too small, even negative, and /odom has nothing to do with it.",
+            ko="레이저 시계가 빠르면 /scan의 지연이 너무 작아지고 음수까지 됩니다. /odom은 상관없습니다.",
         ),
         "cannot be told from this": Words(
-            en="it cannot be told only where a delay is positive and smooth: a network or a clock may do that.",
-            ko="지연이 양수이고 매끈할 때만 구별할 수 없습니다. 네트워크도 시계도 그럴 수 있습니다.",
+            en="it cannot be told only where a delay is too large and smooth: a network or a clock may do that.",
+            ko="지연이 너무 크고 매끈할 때만 구별할 수 없습니다. 네트워크도 시계도 그럴 수 있습니다.",
         ),
         "wait a little": Words(
-            en="to wait a little cures what is on its way, nothing else.",
-            ko="조금 기다리는 것은 오는 중인 데이터에만 통합니다.",
+            en="to wait a little cures what is on its way, nothing else: a wrong clock stays wrong meanwhile.",
+            ko="조금 기다리는 것은 오는 중인 데이터에만 통합니다. 틀린 시계는 기다려도 그대로입니다.",
         ),
         "set the laser's clock": Words(
-            en="the laser's clock is set only where the numbers show that it is the wrong one.",
-            ko="레이저 시계는 그 시계가 틀렸다고 숫자가 보여 줄 때만 맞춥니다.",
+            en="the laser's clock is set only where the numbers show that it is the wrong one: where /scan comes too soon, and /odom as it should.",
+            ko="레이저 시계는 그 시계가 틀렸다고 숫자가 보여 줄 때만 맞춥니다. /scan은 너무 일찍, /odom은 제대로 올 때입니다.",
         ),
         "ask chrony on both computers": Words(
-            en="chrony is asked where the numbers leave it open.",
-            ko="chrony는 숫자만으로 알 수 없을 때 확인합니다.",
+            en="chrony is asked where the numbers leave it open: where a delay is too large, and the same each time.",
+            ko="chrony는 숫자만으로 알 수 없을 때, 곧 지연이 너무 크면서 매번 똑같을 때 확인합니다.",
         ),
         "set a timeout of 10 s": Words(
             en="the gap is about a third of a second: whoever may wait ten seconds will decide on data that is ten seconds old.",
             ko="간격은 3분의 1초쯤입니다. 10초를 기다려도 되는 로봇은 10초 묵은 데이터로 결정합니다.",
+        ),
+    },
+    seen={
+        LATE: Words(
+            en="Here /scan is heard as it should be, and /odom too late, by another amount each time.",
+            ko="여기서는 /scan은 제대로 들리고, /odom은 매번 다른 만큼 늦습니다.",
+        ),
+        FAST: Words(
+            en="Here /scan is heard before its stamp, which no network does, and /odom as it should be, which it would not be if the listener's clock were wrong.",
+            ko="여기서는 /scan이 측정 시각보다 먼저 들립니다. 네트워크로는 그럴 수 없습니다. /odom은 제대로 들립니다. 듣는 쪽의 시계가 틀렸다면 그럴 수 없습니다.",
+        ),
+        UNKNOWN: Words(
+            en="Here /scan is heard as it should be, and /odom a third of a second too late or so, by the same amount each time.",
+            ko="여기서는 /scan은 제대로 들리고, /odom은 매번 같은 만큼, 3분의 1초쯤 늦습니다.",
+        ),
+        REMEDIES[0]: Words(
+            en="Here what is late is on its way.",
+            ko="여기서는 늦는 것이 오는 중입니다.",
+        ),
+        REMEDIES[1]: Words(
+            en="Here the numbers leave nothing open: they show whose clock it is.",
+            ko="여기서는 숫자만으로 누구의 시계인지 알 수 있습니다.",
+        ),
+        REMEDIES[2]: Words(
+            en="Here the numbers fit a network, and a clock as well.",
+            ko="여기서는 숫자가 네트워크에도 시계에도 들어맞습니다.",
         ),
     },
 )

@@ -28,6 +28,7 @@ def queues(rng: np.random.Generator) -> list[tuple]:
         ([int(now) - 0.501, int(now) - 0.4995, int(now) + 5e-4, int(now) - 5e-4], float(int(now)), 0.5, 5),
         ([int(now) - 0.5005, int(now) + 0.005, int(now) - 0.005], float(int(now)), 0.5, 5),  # a hair beside them
         ([int(now) - 0.25, int(now) - 0.25, int(now) + 0.05], float(int(now)), 0.5, 5),  # two at once
+        (before(0.3, -0.9, 0.2), now, 0.5, 5),  # further ahead than the limit
     ]
 
 
@@ -54,13 +55,22 @@ def kept(stamps_s, now_s, max_age_s, max_size, *, first="sieve", old="dropped", 
             "at the limit": age_s < max_age_s,
             "milliseconds": 1000.0 * age_s <= max_age_s,
             "rounded": round(age_s, 1) <= max_age_s,
+            "whole seconds": int(age_s) <= max_age_s,
+            "the stamp itself": now_s - age_s <= max_age_s,
             "by the newest": max(stamps_s, default=0.0) - (now_s - age_s) <= max_age_s,
             "kept": True,
             "wanted": age_s >= max_age_s,
         }[old]
-        return (
-            is_young and {"dropped": age_s >= 0.0, "now, too": age_s > 0.0, "0.1 s": age_s >= -0.1, "kept": True}[ahead]
-        )
+        is_past = {
+            "dropped": age_s >= 0.0,
+            "now, too": age_s > 0.0,
+            "0.1 s": age_s >= -0.1,
+            "rounded": round(age_s, 1) >= 0.0,
+            "whole seconds": int(age_s) >= 0,
+            "by its size": abs(age_s) <= max_age_s,
+            "kept": True,
+        }[ahead]
+        return is_young and is_past
 
     young = [stamp for stamp in stamps_s if stays(now_s - stamp)]
     if loop == "ends at the first":
@@ -81,6 +91,7 @@ def kept(stamps_s, now_s, max_age_s, max_size, *, first="sieve", old="dropped", 
         "cut": len(young) - len(cut),
         "none": 0,
         "too old": sum(now_s - stamp > max_age_s for stamp in stamps_s),
+        "too old and cut": sum(now_s - stamp > max_age_s for stamp in stamps_s) + len(young) - len(cut),
     }
     kept = {"newest first": cut[::-1], "ages": [now_s - stamp for stamp in cut]}.get(out, cut)
     return {"kept": kept, "lost": losses[lost]}
@@ -123,6 +134,17 @@ FUTURE_KEPT = Slip(
     reply=Words(
         en="a message from the future has a negative age, which is younger than any limit. It comes from a clock that is wrong: do not keep it.",
         ko="미래에서 온 메시지는 나이가 음수라서 어떤 한계보다도 젊습니다. 틀린 시계에서 온 것이니 두지 마십시오.",
+    ),
+)
+
+
+AGE_BY_ITS_SIZE = Slip(
+    "age by its size",
+    {"ahead": "by its size"},
+    misconception="M10",
+    reply=Words(
+        en="you keep a message from the future if it is no further ahead than `max_age_s`, as `abs(...)` makes it. What is ahead of `now_s` comes from a clock that is wrong, by whatever: its age is below 0, so let the sign stand.",
+        ko="미래에서 온 메시지도 `max_age_s`보다 멀리 앞서지 않으면 남깁니다. `abs(...)`를 쓰면 그렇게 됩니다. `now_s`보다 앞선 것은 조금이든 많이든 틀린 시계에서 온 것입니다. 나이가 음수이니 부호를 그대로 두십시오.",
     ),
 )
 
@@ -256,6 +278,15 @@ LOST_OLD = Slip(
     ),
 )
 
+LOST_WITHOUT_THE_FUTURE = Slip(
+    "lost without the future",
+    {"lost": "too old and cut"},
+    Words(
+        en='"lost" leaves out those from the future. They came, and they do not stay.',
+        ko='"lost"에 미래에서 온 것이 빠졌습니다. 들어왔지만 남지 않은 것입니다.',
+    ),
+)
+
 AGES = Slip(
     "ages",
     {"out": "ages"},
@@ -279,8 +310,28 @@ AGE_IN_MILLISECONDS = Slip(
     "age in milliseconds",
     {"old": "milliseconds"},
     Words(
-        en="You compare an age in milliseconds with a limit in seconds.",
-        ko="밀리초 단위 나이를 초 단위 한계와 비교합니다.",
+        en="Only what is younger than a thousandth of `max_age_s` stays: the age and the limit are in two units. Both are given in seconds.",
+        ko="`max_age_s`의 1000분의 1보다 젊은 것만 남습니다. 나이와 한계의 단위가 다릅니다. 둘 다 초 단위로 주어집니다.",
+    ),
+)
+
+
+STAMP_FOR_AGE = Slip(
+    "stamp for age",
+    {"old": "the stamp itself"},
+    Words(
+        en="Nothing ever stays in your queue. What do you compare with `max_age_s`: the age, which is `now_s - stamp`, or the stamp itself?",
+        ko="큐에 아무것도 남지 않습니다. `max_age_s`와 무엇을 비교합니까? 나이, 곧 `now_s - stamp`입니까, 측정 시각 자체입니까?",
+    ),
+)
+
+
+AGES_IN_WHOLE_SECONDS = Slip(
+    "ages in whole seconds",
+    {"old": "whole seconds", "ahead": "whole seconds"},
+    Words(
+        en="You cut ages to whole seconds: then all that is less than a second old, or less than a second ahead, counts as 0. Compare the age as it is.",
+        ko="나이를 초 단위로 끊습니다. 그러면 1초가 되지 않은 것과 1초 안쪽의 미래가 모두 0이 됩니다. 나이를 있는 그대로 비교하십시오.",
     ),
 )
 
@@ -310,8 +361,18 @@ AGES_ROUNDED = Slip(
     "ages rounded",
     {"old": "rounded"},
     Words(
-        en="You round the age before you compare it: what is a little older than the limit is let in. Compare first, and round, if at all, what is printed.",
-        ko="나이를 반올림한 다음 비교합니다. 그러면 한계보다 조금 오래된 것이 통과합니다. 먼저 비교하고, 반올림은 출력할 때만 하십시오.",
+        en="What is older than the limit by a thousandth of a second stays in your queue. Do you round the age, or allow some more? Compare it as it is, and round, if at all, what is printed.",
+        ko="한계보다 1000분의 1초 더 오래된 것이 큐에 남습니다. 나이를 반올림하거나 여유를 두었습니까? 있는 그대로 비교하고, 반올림은 출력할 때만 하십시오.",
+    ),
+)
+
+
+EVERYTHING_ROUNDED = Slip(
+    "everything rounded",
+    {"old": "rounded", "ahead": "rounded"},
+    Words(
+        en="Some thousandths of a second do not count for you: what is older than the limit by so little stays, and so does what is so little ahead of `now_s`. Do you round the age? Compare it as it is.",
+        ko="1000분의 몇 초를 무시합니다. 그만큼 한계보다 오래된 것도, 그만큼 `now_s`보다 앞선 것도 남습니다. 나이를 반올림합니까? 있는 그대로 비교하십시오.",
     ),
 )
 
@@ -361,6 +422,7 @@ TASK = Task(
         AGE_IGNORED,
         SIZE_IGNORED,
         FUTURE_KEPT,
+        AGE_BY_ITS_SIZE,
         NEWEST_FIRST,
         BY_PLACE,
         CUT_BEFORE_SIEVING,
@@ -375,12 +437,16 @@ TASK = Task(
         LOST_CUT,
         LOST_NONE,
         LOST_OLD,
+        LOST_WITHOUT_THE_FUTURE,
         AGES,
         OLD_ONES_WANTED,
         AGE_IN_MILLISECONDS,
+        STAMP_FOR_AGE,
+        AGES_IN_WHOLE_SECONDS,
         AGE_BY_THE_NEWEST,
         ENDS_AT_THE_FIRST,
         AGES_ROUNDED,
+        EVERYTHING_ROUNDED,
         REMOVED_IN_THE_LOOP,
         ONE_TOO_MANY,
         ONE_TOO_FEW,

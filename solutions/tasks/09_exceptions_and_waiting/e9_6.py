@@ -42,10 +42,31 @@ THREADS_CANNOT_HELP = Twin(
     waits(b="waits in vain", h="waits in vain"),
     misconception="M10",
     reply=Words(
-        en="waiting in a callback is not bad as such. Where another thread may call the listener meanwhile, it works.",
-        ko="콜백에서 기다리는 것 자체가 나쁜 것은 아닙니다. 그동안 다른 스레드가 수신기를 부를 수 있으면 통합니다.",
+        en="waiting is not bad as such. Where another thread takes in transforms meanwhile, it works: an executor of several threads has one to spare for the listener, which is in a callback group of its own, and `spin_thread=True` starts one at once.",
+        ko="기다리는 것 자체가 나쁜 것은 아닙니다. 그동안 다른 스레드가 변환을 받으면 통합니다. 스레드가 여럿인 실행기에는 자기 콜백 그룹에 있는 수신기를 부를 스레드가 남아 있고, `spin_thread=True`는 스레드를 바로 하나 시작합니다.",
     ),
-    partly=True,
+)
+
+
+SEVERAL_THREADS_CANNOT_HELP = Twin(
+    "several threads cannot help",
+    waits(b="waits in vain"),
+    misconception="M10",
+    reply=Words(
+        en="waiting in a callback is not bad as such. The listener has a callback group of its own, so an executor of several threads calls it in another one meanwhile.",
+        ko="콜백에서 기다리는 것 자체가 나쁜 것은 아닙니다. 수신기는 자기 콜백 그룹에 있으므로, 스레드가 여럿인 실행기는 그동안 다른 스레드에서 수신기를 부릅니다.",
+    ),
+)
+
+
+ITS_OWN_THREAD_COMES_LATER = Twin(
+    "its own thread comes later",
+    waits(h="waits in vain"),
+    misconception="M10",
+    reply=Words(
+        en="`spin_thread=True` does not wait for anybody's `spin`: the listener starts a thread of its own as soon as it is made, and that one takes in transforms while `main()` waits.",
+        ko="`spin_thread=True`는 누가 `spin`하기를 기다리지 않습니다. 수신기는 만들어지자마자 자기 스레드를 시작하고, `main()`이 기다리는 동안 그 스레드가 변환을 받습니다.",
+    ),
 )
 
 
@@ -94,6 +115,8 @@ TASK = Task(
         A_TIMEOUT_ALWAYS_HELPS,
         ONLY_SUBSCRIPTIONS_BLOCK,
         THREADS_CANNOT_HELP,
+        SEVERAL_THREADS_CANNOT_HELP,
+        ITS_OWN_THREAD_COMES_LATER,
         A_TIMEOUT_NEVER_ENDS,
         A_PROMISE_BLOCKS,
         PROMISES_EXPIRE,

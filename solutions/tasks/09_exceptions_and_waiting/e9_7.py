@@ -32,6 +32,11 @@ def wait_of(
     """Return the wait; the options are the mistakes."""
     sources = (given.localization, given.wheel_odometry)
     every = {name: [one[name] for one in sources] for name in ("rate_hz", "delay_s", "jitter_s")}
+    if edges in ("periods added", "rates added"):
+        rates = every["rate_hz"]
+        period = sum(1.0 / hz for hz in rates) if edges == "periods added" else 1.0 / sum(rates)
+        late = max(delay * one["delay_s"] + jitter * one["jitter_s"] for one in sources)
+        return periods * period + late - scan * given.scan_delay_s
     if edges == "the worst of each":
         worst = 1.0 / min(every["rate_hz"]) + max(every["delay_s"]) + max(every["jitter_s"])
         return worst - scan * given.scan_delay_s
@@ -142,6 +147,15 @@ JITTER_TWICE = Slip(
     ),
 )
 
+JITTER_TAKEN_OFF = Slip(
+    "jitter taken off",
+    {"jitter": -1.0},
+    reply=Words(
+        en="you take the jitter off. It makes a transform later, and the worst case has all of it on top of the delay.",
+        ko="흔들림을 뺐습니다. 흔들림은 변환을 더 늦게 합니다. 최악의 경우에는 지연에 흔들림을 모두 더합니다.",
+    ),
+)
+
 TWO_PERIODS = Slip(
     "two periods",
     {"periods": 2.0},
@@ -192,6 +206,26 @@ THE_WORST_OF_EACH = Slip(
 )
 
 
+PERIODS_ADDED = Slip(
+    "periods added",
+    {"edges": "periods added"},
+    Words(
+        en="you added the periods of the two edges. They run side by side, each at its own rate: reckon each edge by itself, and then take the later.",
+        ko="두 연결의 주기를 더했습니다. 둘은 저마다의 주파수로 나란히 옵니다. 연결마다 따로 계산한 다음 늦은 쪽을 고르십시오.",
+    ),
+)
+
+
+RATES_ADDED = Slip(
+    "rates added",
+    {"edges": "rates added"},
+    Words(
+        en="you added the rates, as if either message would do. A lookup needs one of each edge: reckon each by itself, and then take the later.",
+        ko="두 연결의 주파수를 더해, 아무 메시지나 오면 되는 것처럼 계산했습니다. 조회에는 연결마다 하나씩 필요합니다. 따로 계산한 다음 늦은 쪽을 고르십시오.",
+    ),
+)
+
+
 MEAN_OF_THE_EDGES = Slip(
     "mean of the edges",
     {"combine": mean},
@@ -223,11 +257,14 @@ TASK = Task(
         A_ROUND_SECOND,
         DELAY_FORGOTTEN,
         JITTER_TWICE,
+        JITTER_TAKEN_OFF,
         TWO_PERIODS,
         TEN_SECONDS,
         RATE_FOR_PERIOD,
         HALF_THE_JITTER,
         THE_WORST_OF_EACH,
+        PERIODS_ADDED,
+        RATES_ADDED,
         MEAN_OF_THE_EDGES,
     ),
     hints=(

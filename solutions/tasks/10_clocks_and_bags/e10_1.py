@@ -6,6 +6,13 @@ from tflab.workbook.tasks import Choice, Parts, Sequence, Slip, Task, Words
 
 KINDS = ("works", "just short", "years off", "silently latest", "never")
 LETTERS = "abcd"
+ORDERS = {
+    "timer second": (0, 2, 1),
+    "timer first": (2, 0, 1),
+    "now first": (1, 0, 2),
+    "now, timer, stamp": (1, 2, 0),
+    "backwards": (2, 1, 0),
+}
 
 
 def four_set_ups(rng):
@@ -42,10 +49,7 @@ def outcomes(
             answers[letter] = [at_stamp.get(stamp, "years off"), stopped, stopped_timer.split(",")[0]]
         else:
             answers[letter] = ["works", running, "works"]
-        if order == "timer second":
-            answers[letter] = [answers[letter][place] for place in (0, 2, 1)]
-        elif order == "timer first":
-            answers[letter] = [answers[letter][place] for place in (2, 0, 1)]
+        answers[letter] = [answers[letter][place] for place in ORDERS.get(order, (0, 1, 2))]
     return answers
 
 
@@ -297,6 +301,34 @@ TIMER_FIRST = Slip(
 )
 
 
+NOW_FIRST = Slip(
+    "now first",
+    {"order": "now first"},
+    Words(
+        en="The order is: at the stamp, at now, the timer. You have now before the stamp.",
+        ko="순서는 측정 시각, 현재 시각, 타이머입니다. 현재 시각을 측정 시각보다 먼저 썼습니다.",
+    ),
+)
+
+STAMP_LAST = Slip(
+    "stamp last",
+    {"order": "now, timer, stamp"},
+    Words(
+        en="The order is: at the stamp, at now, the timer. You have the stamp last of all.",
+        ko="순서는 측정 시각, 현재 시각, 타이머입니다. 측정 시각을 맨 뒤에 썼습니다.",
+    ),
+)
+
+BACKWARDS = Slip(
+    "backwards",
+    {"order": "backwards"},
+    Words(
+        en="The order is: at the stamp, at now, the timer. You have the three the other way round.",
+        ko="순서는 측정 시각, 현재 시각, 타이머입니다. 셋을 거꾸로 썼습니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E10.1",
     kind="M",
@@ -329,6 +361,9 @@ TASK = Task(
         STOPPED_NOW_IS_FINE,
         TIMER_BEFORE_NOW,
         TIMER_FIRST,
+        NOW_FIRST,
+        STAMP_LAST,
+        BACKWARDS,
         RUNNING_NOW_IS_THE_LATEST,
         RUNNING_NOW_IS_YEARS_OFF,
         STOPPED_NOW_IS_JUST_SHORT,

@@ -32,6 +32,7 @@ def launch_files(rng):
         ({}, nodes[:2]),
         ({**file(ALL=sim), **entry(b, wall), **entry(f"/front/{c}", wall)}, [f"/front/{b}", f"/{c}", f"/{b}"]),
         ({**file(ALL={"rate": 5.0}), **entry(f"/{b}", {"use_sim_time": "false"})}, nodes),
+        ({**file(ALL=wall), **entry(f"/{a}", {"use_sim_time": "true"})}, nodes),
     ]
 
 
@@ -53,6 +54,8 @@ def _clock(params, node, everyone, own, slash, text, order, unset, lacking):
         return {"true": "sim", "false": "wall"}.get(str(value).lower(), "refused")
     if text == "numbers":
         return {1: "sim", 0: "wall"}.get(value, "refused")
+    if text in ("true in quotes", "true in quotes, and 1"):
+        return "sim" if value == "true" or (value == 1 and text.endswith("1")) else "refused"
     if text == "read":
         return "sim" if str(value).lower() in ("true", "1", "yes") else "wall"
     return {"wall": "wall", "truthy": "sim" if value else "wall"}.get(text, "refused")
@@ -122,6 +125,26 @@ QUOTES_DO_NOT_COUNT = Slip(
     Words(
         en='You read the texts "true" and "false" as the values of that name. In YAML quotes make a text, and rclpy takes no text for this parameter.',
         ko='"true"와 "false"라는 텍스트를 True와 False로 읽습니다. YAML에서 따옴표가 있으면 텍스트이고, rclpy는 이 파라미터에 텍스트를 받지 않습니다.',
+    ),
+    "M13",
+)
+
+TRUE_IN_QUOTES = Slip(
+    "true in quotes",
+    {"text": "true in quotes"},
+    Words(
+        en='You take the text "true" for True. In YAML quotes make a text, and rclpy takes no text for this parameter.',
+        ko='"true"라는 텍스트를 True로 읽었습니다. YAML에서 따옴표가 있으면 텍스트이고, rclpy는 이 파라미터에 텍스트를 받지 않습니다.',
+    ),
+    "M13",
+)
+
+TRUE_IN_QUOTES_AND_ONE = Slip(
+    "true in quotes, and 1",
+    {"text": "true in quotes, and 1"},
+    Words(
+        en='You take the text "true" for True, and the number 1 with it, for `1 == True` holds in Python. rclpy takes neither a text nor a number for this parameter: look at the type.',
+        ko='"true"라는 텍스트를 True로 읽었고, 파이썬에서 `1 == True`가 참이라 숫자 1도 함께 통과했습니다. rclpy는 이 파라미터에 텍스트도 숫자도 받지 않습니다. 타입을 보십시오.',
     ),
     "M13",
 )
@@ -319,6 +342,8 @@ TASK = Task(
         UNSET_IS_SIM,
         UNSET_IS_REFUSED,
         QUOTES_DO_NOT_COUNT,
+        TRUE_IN_QUOTES,
+        TRUE_IN_QUOTES_AND_ONE,
         NUMBERS_COUNT,
         TEXT_IS_READ,
         TEXT_IS_TRUTHY,

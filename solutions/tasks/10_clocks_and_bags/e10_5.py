@@ -43,15 +43,12 @@ def _one_log(rng):
     return {"log": log, "shortest_delay_s": shortest_s}
 
 
-def behind(g, pick="smallest", delay="taken off", way="heard - stamp"):
+def behind(g, pick="smallest", delay="taken off", way="heard - stamp", sign="behind"):
     """Return by how much the sensor's clock is behind, step by step."""
     gaps = [heard - stamp if way == "heard - stamp" else stamp - heard for stamp, heard in g.log]
-    picked = PICKS[pick](gaps)
-    return (
-        picked
-        + {"taken off": -1, "taken off twice": -2, "halved": -0.5, "forgotten": 0, "added": 1}[delay]
-        * g.shortest_delay_s
-    )
+    healthy = {"taken off": -1, "taken off twice": -2, "halved": -0.5, "forgotten": 0, "added": 1}[delay]
+    found = PICKS[pick](gaps) + healthy * g.shortest_delay_s
+    return -found if sign == "ahead" else found
 
 
 HOW_LONG_THE_LOG_IS = Twin(
@@ -206,6 +203,15 @@ TURNED_ROUND = Slip(
     ),
 )
 
+AHEAD_FOR_BEHIND = Slip(
+    "ahead for behind",
+    {"sign": "ahead"},
+    Words(
+        en="The size is right, the sign is not. A clock that is behind writes a stamp that is too small, and heard minus stamp comes out too large: what is asked for is above 0 then, and below 0 for a clock that is ahead.",
+        ko="크기는 맞고 부호가 반대입니다. 늦은 시계는 너무 작은 시각을 적으므로 들은 시각에서 측정 시각을 뺀 값이 너무 커집니다. 그때 답은 0보다 크고, 앞선 시계라면 0보다 작습니다.",
+    ),
+)
+
 DELAY_TWICE = Slip(
     "delay taken off twice",
     {"delay": "taken off twice"},
@@ -245,6 +251,7 @@ TASK = Task(
         DELAY_FORGOTTEN,
         DELAY_ADDED,
         DELAY_TWICE,
+        AHEAD_FOR_BEHIND,
     ),
     hints=(
         Words(

@@ -83,7 +83,7 @@ def read(given, *, zeros="nanoseconds", period="of the stamps", time="divided", 
     }[angle] for each in (a, b))  # fmt: skip
     turn = {
         "later": other - one, "earlier": one - other, "second": other, "first": one, "added": one + other,
-        "course": math.atan2(b.y - a.y, b.x - a.x),
+        "course": math.atan2(b.y - a.y, b.x - a.x), "wrapped": math.remainder(other - one, math.tau),
     }[turned]  # fmt: skip
     per = dt if time == "multiplied" else 1 / dt
     return {"speed_mps": way * per, "yaw_rate_radps": turn * per, "stamp_s": stamp(b)}
@@ -133,6 +133,16 @@ DEGREES = Slip(
     "degrees",
     {"angle": "degrees"},
     Words(en="The yaw is in degrees: take the line above it.", ko="yaw가 도(degree) 단위입니다. 그 윗줄을 쓰십시오."),
+    part="yaw_rate_radps",
+)
+
+DEGREES_WRAPPED = Slip(
+    "degrees wrapped",
+    {"angle": "degrees", "turned": "wrapped"},
+    Words(
+        en="The yaw is in degrees, and then whole turns of 2π were taken off, as of radians: take the line above it.",
+        ko="yaw가 도(degree) 단위인데, 라디안인 것처럼 2π의 배수를 뺐습니다. 그 윗줄을 쓰십시오.",
+    ),
     part="yaw_rate_radps",
 )
 
@@ -369,6 +379,7 @@ TASK = Task(
         X_ONLY,
         X_PLUS_Y,
         DEGREES,
+        DEGREES_WRAPPED,
         BACKWARDS,
         Y_ONLY,
         TWO_SECONDS,

@@ -70,6 +70,7 @@ def judged(given, *, rate="the rest", late="max", curve="chord", period="whole",
         "way": v / f,
         "half way": v / (2 * f),
         "whole angle": v / w * (1 - math.cos(w / f)),
+        "angle in degrees": v / w * (1 - math.cos(math.degrees(w / (2 * f)))),
         "straight": 0.0,
         "way while late": v * largest,
         "product": v * w * (1 - math.cos(w / (2 * f))),
@@ -193,6 +194,16 @@ WHOLE_ANGLE = Slip(
     Words(
         en="Between two samples the robot turns by ω/f; from the middle of the bend to its end it is half of that.",
         ko="두 표본 사이에 로봇은 ω/f만큼 돕니다. 가운데에서 끝까지는 그 절반입니다.",
+    ),
+    part="off_mm",
+)
+
+ANGLE_IN_DEGREES = Slip(
+    "angle in degrees",
+    {"curve": "angle in degrees"},
+    Words(
+        en="The cosine was taken of an angle in degrees. `math.cos` wants radians, and ω/(2f) is in radians as it is.",
+        ko="도 단위 각도의 cos을 구했습니다. `math.cos`에는 라디안을 넣어야 하고, ω/(2f)는 그대로 라디안입니다.",
     ),
     part="off_mm",
 )
@@ -390,6 +401,7 @@ TASK = Task(
         WAY_FOR_PLACE,
         HALF_WAY_FOR_PLACE,
         WHOLE_ANGLE,
+        ANGLE_IN_DEGREES,
         HALF_A_PERIOD,
         SCAN_FORGOTTEN,
         SCAN_ADDED,
@@ -418,5 +430,11 @@ TASK = Task(
             ko="기다림은 한 주기 + 변환의 이동 시간 − 스캔의 이동 시간이고 0보다 작지 않습니다. off_mm이 허용 범위 안이면 충분합니다.",
         ),
     ),
+    shows={
+        "off_mm": Words(
+            en="The angle in it is in radians already, as `math.cos` wants it, and metres become millimetres at the end. Through which angle does the robot turn from the middle between two samples to one of them?",
+            ko="식의 각도는 이미 라디안이므로 `math.cos`에 그대로 넣고, 미터는 마지막에 밀리미터로 바꿉니다. 두 표본의 가운데에서 한 표본까지 로봇이 도는 각도는 얼마입니까?",
+        ),
+    },
     cures=("M9",),
 )

@@ -233,8 +233,8 @@ TASK = Task(
             ko="무언가 잘못되었습니다. 오류나 목록 아래 문장을 보십시오.",
         ),
         "ros2 node list": Words(
-            en="the list of nodes shows who is down; here everybody speaks.",
-            ko="노드 목록은 멈춘 노드를 보여 줍니다. 이 로봇에서는 모두 발행하고 있습니다.",
+            en="the list of nodes shows which node is not there. A wrong name, stamp or mount, or a topic on which nothing comes, does not show in it.",
+            ko="노드 목록은 어느 노드가 없는지 보여 줍니다. 틀린 이름이나 시각이나 장착, 아무것도 오지 않는 토픽은 거기에 나오지 않습니다.",
         ),
         "the name in RViz": Words(
             en="the typed name is the one that the others use.", ko="입력한 이름은 다른 노드가 쓰는 이름과 같습니다."

@@ -20,10 +20,12 @@ def reports(rng):
     spiky = one_report(rng, future=0, spike=True)
     at_once = one_report(rng, future=1, second_s=0.0)  # neither late nor early
     ahead = one_report(rng, future=2, static_s=-round(float(rng.uniform(2.0, 5.0)), 1))  # mounts of a fast clock
-    return [*usual, far_ahead, wrong_clock, long_running, spiky, at_once, ahead]
+    slow = one_report(rng, future=0, late_s=round(float(rng.uniform(10.5, 19.0)), 2))  # "4.2" comes after "14" as text
+    restless = one_report(rng, future=2, once_s=0.1)  # ahead on average, and once late
+    return [*usual, far_ahead, wrong_clock, long_running, spiky, at_once, ahead, slow, restless]
 
 
-def one_report(rng, future, late_s=None, looks=21, spike=False, second_s=None, static_s=None, early_s=0.05):
+def one_report(rng, future, late_s=None, looks=21, spike=False, second_s=None, static_s=None, early_s=0.05, once_s=None):  # fmt: skip
     """Return a report's text and the names of the static frames."""
     statics = [STATIC[i] for i in rng.permutation(len(STATIC))[: int(rng.integers(1, 4))]]
     moving = [MOVING[i] for i in rng.permutation(len(MOVING))[: future + 2]]
@@ -37,6 +39,8 @@ def one_report(rng, future, late_s=None, looks=21, spike=False, second_s=None, s
             delays.hear(50.0 + number, [(frame, 50.0 + number - delay_s)])
     if spike:  # the second is late on average, the first was once later
         delays.of_frame[moving[0]].extend([0.001] * 40)
+    if once_s is not None:
+        delays.of_frame[moving[-1]].append(once_s)
     static_s = round(float(rng.uniform(8.0, 60.0)), 1) if static_s is None else static_s
     for frame in statics:
         delays.hear(50.0, [(frame, 50.0 - static_s)])
@@ -61,11 +65,12 @@ def figures(
     by = {
         "largest max": lambda row: row[2], "largest average": lambda row: row[1], "smallest": lambda row: -row[2],
         "largest size": lambda row: abs(row[1]), "first": lambda row: -rows.index(row), "last": rows.index, "text": lambda row: texts[row[0]],
+        "digits": lambda row: float(texts[row[0]].partition("e")[0]),
         "static": lambda row: (row[0] in static_frames, row[2]),
     }[late]  # fmt: skip
     below = {
         "average": lambda row: row[1] < 0, "max": lambda row: row[2] < 0, "max is 0": lambda row: row[2] <= 0,
-        "positive": lambda row: row[1] > 0,
+        "average is 0": lambda row: row[1] <= 0, "positive": lambda row: row[1] > 0,
         "first": lambda row: row[1] < 0, "all": lambda row: True, "earliest": lambda row: row[1] < 0,
     }[sign]  # fmt: skip
     early = sorted(row[0] for row in (every if ahead == "all" else rows) if below(row))
@@ -137,10 +142,21 @@ LATE_FOR_FUTURE = Slip(
 
 ZERO_IS_FUTURE = Slip(
     "zero is future",
+    {"sign": "average is 0"},
+    Words(
+        en="future: an Average Delay of 0 counts as the future for you, too. A stamp that is just as new as the clock is neither late nor early.",
+        ko="future: Average Delay가 0일 때도 미래로 셉니다. 측정 시각이 시계와 똑같으면 늦은 것도 이른 것도 아닙니다.",
+    ),
+    "M10",
+    part="future",
+)
+
+MAX_FOR_AVERAGE = Slip(
+    "max for average",
     {"sign": "max is 0"},
     Words(
-        en="future: you count a 0 as the future, too. A stamp that is just as new as the clock is neither late nor early: which figure falls below 0 for the future alone?",
-        ko="future: 0까지 미래로 셉니다. 측정 시각이 시계와 똑같으면 늦은 것도 이른 것도 아닙니다. 미래일 때만 0보다 작아지는 숫자는 무엇입니까?",
+        en="future: you name the frames whose Max Delay is 0. That one begins at 0 and never falls below: it says 0 of a frame that is just in time, and more of one that is ahead on average and was late once. Asked is for the average: which figure of the line is it?",
+        ko="future: Max Delay가 0인 좌표계를 답합니다. Max Delay는 0에서 시작해 더 작아지지 않습니다. 꼭 맞게 온 좌표계도 0이고, 평균적으로는 앞서도 한 번 늦었다면 0보다 큽니다. 물은 것은 평균입니다. 줄에서 어느 숫자입니까?",
     ),
     "M10",
     part="future",
@@ -220,6 +236,16 @@ NET_AVERAGE = Slip(
     part="delay_s",
 )
 
+AVERAGE_OF_A_FRAME = Slip(
+    "average of a frame",
+    {"net": "average of a frame"},
+    Words(
+        en="delay_s: that is one frame's Average Delay. Asked is for the chain, and for its worst: the line Net delay has both.",
+        ko="delay_s: 한 좌표계의 Average Delay입니다. 물은 것은 사슬 전체의 최악의 값이고, 둘 다 Net delay 줄에 있습니다.",
+    ),
+    part="delay_s",
+)
+
 DELAY_OF_A_FRAME = Slip(
     "delay of a frame",
     {"net": "frame"},
@@ -228,6 +254,25 @@ DELAY_OF_A_FRAME = Slip(
         ko="delay_s: 한 좌표계의 값입니다. 사슬의 값은 Net delay 줄에 있습니다.",
     ),
     part="delay_s",
+)
+
+EXPONENTS_LOST = Slip(
+    "exponents lost",
+    {"late": "digits", "net": "digits"},
+    Words(
+        en="What is very large is written with an exponent, as in 2.5e+03, which is 2500. You read the digits before the e, and leave the rest: then 4.5e+02 counts as more than 1.5e+03. `float` reads the whole of it.",
+        ko="아주 큰 값은 2.5e+03(2500)처럼 지수로 적힙니다. e 앞의 숫자만 읽고 나머지를 버렸습니다. 그러면 4.5e+02가 1.5e+03보다 크다고 나옵니다. `float`는 전체를 읽습니다.",
+    ),
+)
+
+EXPONENT_LOST_OF_FRAMES = Slip(
+    "exponent lost of frames",
+    {"late": "digits"},
+    Words(
+        en="late: what is very large is written with an exponent, as in 2.5e+03, which is 2500. You compare the digits before the e alone: then 4.5e+02 counts as more than 1.5e+03.",
+        ko="late: 아주 큰 값은 2.5e+03(2500)처럼 지수로 적힙니다. e 앞의 숫자만 비교하고 있습니다. 그러면 4.5e+02가 1.5e+03보다 크다고 나옵니다.",
+    ),
+    part="late",
 )
 
 EXPONENT_LOST = Slip(
@@ -330,9 +375,13 @@ TASK = Task(
         MAX_ZERO_IS_HEALTHY,
         LATE_FOR_FUTURE,
         ZERO_IS_FUTURE,
+        MAX_FOR_AVERAGE,
         ONE_IS_ENOUGH,
         NET_AVERAGE,
         DELAY_OF_A_FRAME,
+        AVERAGE_OF_A_FRAME,
+        EXPONENTS_LOST,
+        EXPONENT_LOST_OF_FRAMES,
         EXPONENT_LOST,
         FIRST_ROW,
         LAST_ROW,

@@ -12,6 +12,10 @@ SWITCHES = ("amcl tf_broadcast", "slam_toolbox publishes", "wheel_odometry enabl
             "lidar_driver publish_tf")  # fmt: skip
 LOCALIZERS = {"a map is there": "amcl", "the map is being made": "slam_toolbox", "no map at all": "nobody"}
 
+FINDERS = (
+    ("amcl", "slam_toolbox", "nobody"), ("slam_toolbox", "amcl", "nobody"), ("nobody", "amcl", "slam_toolbox"),
+)  # fmt: skip
+
 
 def a_robot(rng):
     """Draw what the robot is for, and whether wheels and imu are fused."""
@@ -21,9 +25,11 @@ def a_robot(rng):
     }
 
 
-def owners(given, *, odom="one", localizer="its edge", switches="as needed", lidar="quiet", arm="by the drawing"):
+def owners(given, *, finder="by the map", odom="one", localizer="its edge", switches="as needed", lidar="quiet",
+           arm="by the drawing"):  # fmt: skip
     """Return the owner of each edge and every switch, step by step; other steps are the slips."""
-    finder = LOCALIZERS[given.map_frame]
+    right = list(LOCALIZERS).index(given.map_frame)
+    finder = FINDERS[right][("by the map", "the other", "the third").index(finder)]
     fused = "ekf" in given.odometry
     wheels = "ekf_filter_node" if fused else "wheel_odometry"
     answers = {
@@ -48,12 +54,34 @@ def owners(given, *, odom="one", localizer="its edge", switches="as needed", lid
         answers["odom -> base_footprint"] = "amcl" if finder == "nobody" else finder
     if switches == "all off":
         answers |= dict.fromkeys(SWITCHES, False)
+    elif switches == "both localizers on":
+        answers |= dict.fromkeys(SWITCHES[:2], True)
+    if lidar == "switched on":
+        answers |= {"lidar_driver publish_tf": True}
     if lidar == "repeats":
         answers |= {"lidar_driver publish_tf": True, "base_link -> laser_frame": "lidar_driver"}
     if arm == "by the driver":
         answers["wrist -> tool0"] = "joint_driver"
     return answers
 
+
+OTHER_LOCALIZER = Slip(
+    "the other localizer",
+    {"finder": "the other"},
+    Words(
+        en="map → odom and its switch: amcl finds a robot on a map that is there, slam_toolbox makes the map while it drives, and where there is no map nobody sends this edge. Which of the three does `map_frame` say?",
+        ko="map → odom과 그 스위치: amcl은 이미 있는 지도에서 로봇을 찾고, slam_toolbox는 달리면서 지도를 만들며, 지도가 없으면 아무도 이 연결을 보내지 않습니다. `map_frame`은 셋 가운데 무엇입니까?",
+    ),
+)
+
+THIRD_LOCALIZER = Slip(
+    "the third localizer",
+    {"finder": "the third"},
+    Words(
+        en="map → odom and its switch do not fit what `map_frame` says: a map that is there, a map that is being made, or no map at all. Who finds the robot in each of the three, and does anybody?",
+        ko="map → odom과 그 스위치가 `map_frame`과 맞지 않습니다. 지도가 있거나, 만들고 있거나, 아예 없습니다. 셋에서 각각 누가 로봇을 찾고, 찾기는 합니까?",
+    ),
+)
 
 BOTH_ON = Slip(
     "both switches on",
@@ -105,6 +133,26 @@ ALL_OFF = Slip(
     "M6",
 )
 
+BOTH_LOCALIZERS_ON = Slip(
+    "both localizers on",
+    {"switches": "both localizers on"},
+    Words(
+        en="amcl and slam_toolbox are both on, so two nodes send map → odom, and TF2 takes both. Whom you name as the owner changes nothing of that.",
+        ko="amcl과 slam_toolbox를 모두 켰으므로 두 노드가 map → odom을 보내고 TF2는 둘 다 받습니다. 발행자로 누구를 적든 그대로입니다.",
+    ),
+    "M6",
+)
+
+DRIVER_ON = Slip(
+    "driver switched on",
+    {"lidar": "switched on"},
+    Words(
+        en="The driver's switch is on, so it says the laser's mount, too, beside the one whom you name as the owner. Two that agree today need not agree tomorrow.",
+        ko="드라이버의 스위치를 켰으므로, 발행자로 적은 노드 말고 드라이버도 레이저의 장착을 보냅니다. 오늘은 둘이 같은 값을 보내도 내일은 다를 수 있습니다.",
+    ),
+    "M6",
+)
+
 DRIVER_REPEATS = Slip(
     "driver repeats the mount",
     {"lidar": "repeats"},
@@ -138,7 +186,19 @@ TASK = Task(
     given=a_robot,
     variants=6,
     model=owners,
-    twins=(BOTH_ON, OTHER_OWNER, SWITCHES_EXCHANGED, LOCALIZER_OWNS_BASE, ALL_OFF, DRIVER_REPEATS, ARM_BY_DRIVER),
+    twins=(
+        OTHER_LOCALIZER,
+        THIRD_LOCALIZER,
+        BOTH_ON,
+        OTHER_OWNER,
+        SWITCHES_EXCHANGED,
+        LOCALIZER_OWNS_BASE,
+        ALL_OFF,
+        BOTH_LOCALIZERS_ON,
+        DRIVER_REPEATS,
+        DRIVER_ON,
+        ARM_BY_DRIVER,
+    ),
     means={
         "amcl": Words(
             en="amcl finds the robot on a map that is there, and sends map -> odom.",

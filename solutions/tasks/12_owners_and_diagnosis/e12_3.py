@@ -41,8 +41,8 @@ CABLE = Twin(
     "cable first",
     but(*RIGHT, check="other cable"),
     Words(
-        en="Half an hour, and each of these symptoms comes with data that flows. Ask a question for a minute first.",
-        ko="30분이 걸립니다. 그런데 이 증상들은 모두 데이터가 잘 오는데도 생깁니다. 먼저 1분짜리 질문을 하십시오.",
+        en="Half an hour, and a cable is neither of the two suspects. Ask a question for a minute first.",
+        ko="30분이 걸리는데 두 용의자 가운데 케이블은 없습니다. 먼저 1분짜리 질문을 하십시오.",
     ),
     "M15",
     partly=True,
@@ -73,8 +73,8 @@ MONITOR_FOR_OWNERS = Twin(
     "monitor for owners",
     but("robot to and fro", check="monitor"),
     Words(
-        en="tf2_monitor names nobody: every line says <no authority available>. Ask for the values at 20 Hz and watch whether they alternate.",
-        ko="tf2_monitor는 아무의 이름도 대지 못합니다. 줄마다 <no authority available>입니다. 값을 20 Hz로 물어 번갈아 나오는지 보십시오.",
+        en="tf2_monitor names nobody: every line says <no authority available>. That too many come in all it would show, after four minutes, and two are allowed. Ask for the values at 20 Hz and watch whether they alternate.",
+        ko="tf2_monitor는 아무의 이름도 대지 못합니다. 줄마다 <no authority available>입니다. 모두 합쳐 너무 많이 온다는 것은 보이지만 4분이 걸리고, 허용된 것은 2분입니다. 값을 20 Hz로 물어 번갈아 나오는지 보십시오.",
     ),
     "M6",
 )
@@ -197,16 +197,16 @@ TASK = Task(
             ko="3분을 들여 트리 전체를 봅니다. 물을 것은 하나입니다. 바로 그것을 보여 주는 검사는 무엇입니까?",
         ),
         "monitor": Words(
-            en="Four minutes, for the delays of transforms alone: is that what the two suspects differ in, and is there a check for one minute?",
-            ko="4분을 들여 변환의 지연만 봅니다. 두 용의자의 차이가 그것입니까? 1분짜리 검사는 없습니까?",
+            en="It listens to transforms for four minutes: how late they are, and how many come in all. In what do the two suspects differ, and which check shows just that in a minute or two?",
+            ko="4분 동안 변환을 듣고 얼마나 늦는지, 모두 합쳐 얼마나 자주 오는지 보여 줍니다. 두 용의자의 차이는 무엇이고, 그것을 1, 2분에 보여 주는 검사는 무엇입니까?",
         ),
         "tape measure": Words(
             en="A quarter of an hour, and it shows where the laser is, not what TF believes. What does a minute show?",
             ko="15분이 걸립니다. 레이저의 자리를 보여 줄 뿐, TF가 믿는 것은 보여 주지 않습니다. 1분으로 볼 수 있는 것은 무엇입니까?",
         ),
         "other cable": Words(
-            en="Half an hour, while data flows through the old one. What does a minute show?",
-            ko="데이터가 잘 오는데 30분을 들입니다. 1분으로 볼 수 있는 것은 무엇입니까?",
+            en="Half an hour, and a cable is neither of the two suspects. What does a minute show?",
+            ko="30분이 걸리는데 두 용의자 가운데 케이블은 없습니다. 1분으로 볼 수 있는 것은 무엇입니까?",
         ),
         "longer timeout": Words(
             en="A timeout asks nothing. Which check shows a fact?",

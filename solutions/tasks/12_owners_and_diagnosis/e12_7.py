@@ -27,6 +27,8 @@ def treat(
     jumps="correction",
     fixed="a name",
     frame="by cause",
+    named="map",
+    late="all that move",
 ):
     """Return the verdict, step by step; other steps are the slips."""
     if asks == "everything":
@@ -36,9 +38,12 @@ def treat(
     if asks == "one more" and cause == "nothing is wrong":
         patient.ask("view_frames")
     its_own = DIAGNOSES[cause].frame if cause in DIAGNOSES else "laser_frame"
+    its_own = {"Fixed Frame misspelt": named, "transforms late": late}.get(cause, its_own)
+    if frame == "laser_frame for the future" and cause in ("transforms late", "odometry slow"):
+        return patient.verdict(cause, "laser_frame")
     if frame == "the parent":
         return patient.verdict(cause, PARENTS.get(its_own, its_own))
-    return patient.verdict(cause, its_own if frame == "by cause" else frame)
+    return patient.verdict(cause, frame if frame in FRAMES else its_own)
 
 
 def _cause(patient, map_lost, robot_lost, scan_lost, future, green, jumps, fixed):
@@ -98,8 +103,10 @@ def _all_green(patient, green, jumps):
         return "mount wrong"
     if green not in ("no header", "neither") and patient.ask("scan header") == "base_link":
         return "header says base_link"
-    if green not in ("no delay", "neither") and float(patient.ask("delay /scan").split()[0]) > 0.2:
-        return "laser clock behind"
+    if green not in ("no delay", "neither"):
+        delay_s = float(patient.ask("delay /scan").split()[0])
+        if delay_s > 0.2 and green != "delay misread":
+            return "laser clock behind"
     return "nothing is wrong" if jumps == "correction" else "localizer owns the base"
 
 
@@ -120,6 +127,7 @@ NO_NODE_NO_MAP = Slip(
         ko="map이 없으면 프로그램이 노드가 꺼졌다고 합니다. 켜져 있으면서 기다리는 노드도 있습니다. 둘을 가르는 검사는 무엇입니까?",
     ),
     "M11",
+    part="cause",
 )
 
 NO_NODE_NO_ROBOT = Slip(
@@ -130,6 +138,7 @@ NO_NODE_NO_ROBOT = Slip(
         ko="로봇이 안 보이면 프로그램이 늘 노드가 꺼졌다고 합니다. 틀린 부모 이름이나 꺼진 스위치도 지도에서는 똑같아 보입니다.",
     ),
     "M11",
+    part="cause",
 )
 
 SECOND_PARENT = Slip(
@@ -140,6 +149,7 @@ SECOND_PARENT = Slip(
         ko="두 노드가 한 자식에게 *서로 다른* 연결을 보내는 것은 한 연결의 두 번째 발행자가 아닙니다. 트리 자체가 오락가락합니다.",
     ),
     "M7",
+    part="cause",
 )
 
 SENSOR = Slip(
@@ -150,6 +160,7 @@ SENSOR = Slip(
         ko="스캔이 안 보이면 프로그램이 센서를 탓합니다. RViz는 메시지를 받았고, 모르는 좌표계의 이름을 댑니다.",
     ),
     "M15",
+    part="cause",
 )
 
 ALWAYS_LATE = Slip(
@@ -160,6 +171,7 @@ ALWAYS_LATE = Slip(
         ko="“into the future”가 늘 변환이 늦다는 뜻은 아닙니다. 앞선 시계도, 2 Hz로 느린 오도메트리도 같은 말을 합니다.",
     ),
     "M10",
+    part="cause",
 )
 
 ALL_IS_WELL = Slip(
@@ -170,6 +182,7 @@ ALL_IS_WELL = Slip(
         ko="RViz가 초록색이면 프로그램이 환자를 돌려보냅니다. 틀린 장착, 틀린 header, 늦은 시계, 두 번째 발행자도 모두 초록색입니다.",
     ),
     "M6",
+    part="cause",
 )
 
 A_STEP_IS_A_FAULT = Slip(
@@ -180,16 +193,18 @@ A_STEP_IS_A_FAULT = Slip(
         ko="아무 이상이 없는 로봇에서 고장을 찾아냅니다. map → odom이 튀는 것은 보정입니다. 그러라고 있는 연결입니다.",
     ),
     "M8",
+    part="cause",
 )
 
 NO_CLOCK_BUT_ITS_OWN = Slip(
     "always waits for /clock",
     {"map_lost": "clock"},
     Words(
-        en="Where map is missing your program says that the localiser waits for /clock. A node that is not there waits for nothing: which check tells?",
-        ko="map이 없으면 프로그램이 위치 추정 노드가 /clock을 기다린다고 합니다. 없는 노드는 기다리지도 않습니다. 어느 검사로 알 수 있습니까?",
+        en="Where map is missing your program always says that the localiser waits for /clock. A node that is not there waits for nothing, and asked for its parameter it gives an error, which is a text, too. Which check tells, and what does it say to the letter?",
+        ko="map이 없으면 프로그램이 늘 위치 추정 노드가 /clock을 기다린다고 합니다. 없는 노드는 기다리지도 않고, 그 파라미터를 물으면 오류가 나옵니다. 오류도 텍스트입니다. 어느 검사로 알 수 있고, 정확히 무엇이라고 나옵니까?",
     ),
     "M11",
+    part="cause",
 )
 
 NAME_IS_NODE = Slip(
@@ -200,6 +215,7 @@ NAME_IS_NODE = Slip(
         ko="RViz의 목록에 map이 있는데도 프로그램이 위치 추정 노드를 탓합니다. 그 좌표계는 있고 입력한 이름은 없다면 무슨 뜻입니까?",
     ),
     "M11",
+    part="cause",
 )
 
 ALWAYS_VOLATILE = Slip(
@@ -210,6 +226,7 @@ ALWAYS_VOLATILE = Slip(
         ko="laser_frame을 모르면 프로그램이 늘 volatile이라고 합니다. 받았는데 거절된 장착도 있습니다. 도구의 로그는 무엇이라고 합니까?",
     ),
     "M12",
+    part="cause",
 )
 
 ALWAYS_ZEROS = Slip(
@@ -220,6 +237,7 @@ ALWAYS_ZEROS = Slip(
         ko="laser_frame을 모르면 프로그램이 늘 쿼터니언을 탓합니다. 늦게 온 쪽이 받지 못한 장착도 없는 것으로 나옵니다.",
     ),
     "M12",
+    part="cause",
 )
 
 ALWAYS_AHEAD = Slip(
@@ -230,6 +248,7 @@ ALWAYS_AHEAD = Slip(
         ko="RViz에 future가 나오면 프로그램이 늘 레이저의 시계를 탓합니다. 늦은 변환과 느린 오도메트리도 같은 줄을 냅니다.",
     ),
     "M10",
+    part="cause",
 )
 
 SPREAD_UNREAD = Slip(
@@ -240,6 +259,7 @@ SPREAD_UNREAD = Slip(
         ko="`hz /odom`에서 주파수만 읽습니다. 늦게 오는 변환도 횟수는 그대로입니다. 뒤에 적힌 std dev가 달라지고, 레이저의 시계는 그것을 바꾸지 않습니다.",
     ),
     "M10",
+    part="cause",
 )
 
 HEADER_UNREAD = Slip(
@@ -260,6 +280,17 @@ DELAY_UNREAD = Slip(
         ko="모두 초록색일 때 프로그램이 스캔의 측정 시각을 시계와 견주지 않습니다. 그래서 시계가 늦은 환자를 다른 원인으로 진단합니다.",
     ),
     "M9",
+)
+
+DELAY_MISREAD = Slip(
+    "delay misread",
+    {"green": "delay misread"},
+    Words(
+        en="Where all is green, a laser's clock that is behind is never found: with it you say that nothing is wrong. If your program reads `delay /scan`, what does it compare it with? Patients differ: compare with the card, and by more or less, not with one number to the letter.",
+        ko="모두 초록색일 때 늦은 레이저 시계를 찾지 못하고 이상이 없다고 합니다. `delay /scan`을 읽는다면 무엇과 비교합니까? 환자마다 값이 다릅니다. 한 숫자와 글자까지 같은지가 아니라 카드보다 얼마나 큰지를 보십시오.",
+    ),
+    "M9",
+    part="cause",
 )
 
 NEITHER_READ = Slip(
@@ -309,6 +340,7 @@ ALWAYS_THE_LASER = Slip(
         ko="모든 환자에게 laser_frame이라고 합니다. 어느 자리가 틀렸는지는 원인에 달렸습니다. 위치 추정의 것, 바퀴의 것, 움직이는 모든 것, 또는 없음입니다.",
     ),
     "M15",
+    part="frame",
 )
 
 ALWAYS_THE_BASE = Slip(
@@ -318,6 +350,7 @@ ALWAYS_THE_BASE = Slip(
         en="You name base_footprint for every patient. Whose place is not right depends on the cause: a localiser's, the laser's, everything that moves, or nobody's.",
         ko="모든 환자에게 base_footprint라고 합니다. 어느 자리가 틀렸는지는 원인에 달렸습니다. 위치 추정의 것, 레이저의 것, 움직이는 모든 것, 또는 없음입니다.",
     ),
+    part="frame",
 )
 
 
@@ -328,6 +361,38 @@ THE_EDGES_PARENT = Slip(
         en="You name the frame above: of the edge that is missing or wrong, its parent. The parent stays where it is; the frame whose place is not right is the child.",
         ko="위쪽 좌표계를 답합니다. 빠지거나 틀린 연결의 부모입니다. 부모는 제자리에 있고, 자리가 틀린 것은 자식입니다.",
     ),
+    part="frame",
+)
+
+NO_FRAME_FOR_A_NAME = Slip(
+    "no frame for a name",
+    {"named": "none"},
+    Words(
+        en='For a misspelt Fixed Frame you answer "none". The frame that is asked for under a wrong name is one of those to choose from: which one did RViz not find?',
+        ko='Fixed Frame이 틀린 환자에게 "none"이라고 답합니다. 틀린 이름으로 찾은 좌표계가 보기에 있습니다. RViz가 찾지 못한 것은 어느 좌표계입니까?',
+    ),
+    part="frame",
+)
+
+LASER_FOR_THE_FUTURE = Slip(
+    "the laser's frame for the future",
+    {"frame": "laser_frame for the future"},
+    Words(
+        en="Wherever RViz speaks of the future you name laser_frame: that is where it shows. Whose place is not right is another question: of a slow odometry it is the wheels' edge, of late transforms every edge that moves.",
+        ko="RViz에 future가 나오면 언제나 laser_frame이라고 합니다. 그것은 증상이 보이는 곳입니다. 자리가 틀린 것은 따로 있습니다. 오도메트리가 느리면 바퀴의 연결, 변환이 늦으면 움직이는 연결 모두입니다.",
+    ),
+    "M15",
+    part="frame",
+)
+
+LATE_IS_THE_BASE = Slip(
+    "late is the base",
+    {"late": "base_footprint"},
+    Words(
+        en="For late transforms you name base_footprint. The wheels' edge is late, and not alone: what else comes over the same network, and moves?",
+        ko="변환이 늦은 환자에게 base_footprint라고 답합니다. 바퀴의 연결도 늦지만 그것만이 아닙니다. 같은 네트워크로 오면서 움직이는 것이 또 무엇입니까?",
+    ),
+    part="frame",
 )
 
 NOBODYS_FRAME = Slip(
@@ -337,8 +402,108 @@ NOBODYS_FRAME = Slip(
         en='You answer "none" for every patient: that nobody\'s place is wrong. It is so of a robot that has nothing; of all others some frame does not stand where it should.',
         ko='모든 환자에게 "none", 곧 틀린 자리가 없다고 답합니다. 아무 이상이 없는 로봇만 그렇습니다. 다른 환자는 어느 좌표계의 자리가 틀립니다.',
     ),
+    part="frame",
 )
 
+
+SEEN = {  # what there is to see wherever a cause, or a frame, is right
+    "localizer not running": Words(
+        en="There `node list` holds no localization.",
+        ko="여기서는 `node list`에 localization이 없습니다.",
+    ),
+    "localizer waits for /clock": Words(
+        en="There localization runs, and its `use_sim_time` says True.",
+        ko="여기서는 localization이 실행 중이고 `use_sim_time`이 True입니다.",
+    ),
+    "Fixed Frame misspelt": Words(
+        en="There RViz does not know its Fixed Frame, and lists map.",
+        ko="여기서는 RViz가 Fixed Frame을 모르는데 목록에는 map이 있습니다.",
+    ),
+    "odometry not running": Words(
+        en="There wheel_odometry is not found, neither in `node list` nor for `publish_tf`.",
+        ko="여기서는 `node list`에도, `publish_tf`를 물어도 wheel_odometry가 없습니다.",
+    ),
+    "parent misspelt": Words(
+        en="There RViz tells of a foreign frame.",
+        ko="여기서는 RViz에 낯선 좌표계가 나옵니다.",
+    ),
+    "publish_tf off": Words(
+        en="There `publish_tf` says False.",
+        ko="여기서는 `publish_tf`가 False입니다.",
+    ),
+    "two owners of one edge": Words(
+        en="There `node list` holds an ekf_filter_node.",
+        ko="여기서는 `node list`에 ekf_filter_node가 있습니다.",
+    ),
+    "localizer owns the base": Words(
+        en="There the robot is lost to RViz, and yet `publish_tf` says True.",
+        ko="여기서는 RViz에 로봇이 없는데 `publish_tf`는 True입니다.",
+    ),
+    "nothing is wrong": Words(
+        en="There every reading is as on the card.",
+        ko="여기서는 읽은 값이 모두 카드와 같습니다.",
+    ),
+    "mount wrong": Words(
+        en="There `echo base_link laser_frame` is not what the card says.",
+        ko="여기서는 `echo base_link laser_frame`이 카드와 다릅니다.",
+    ),
+    "header says base_link": Words(
+        en="There `scan header` says base_link.",
+        ko="여기서는 `scan header`가 base_link입니다.",
+    ),
+    "laser clock behind": Words(
+        en="There `delay /scan` is much larger than on the card.",
+        ko="여기서는 `delay /scan`이 카드보다 훨씬 큽니다.",
+    ),
+    "laser clock ahead": Words(
+        en="There RViz speaks of the future, and `hz /odom` is as on the card, its std dev with it.",
+        ko="여기서는 RViz에 future가 나오고 `hz /odom`은 std dev까지 카드와 같습니다.",
+    ),
+    "transforms late": Words(
+        en="There `hz /odom` has the rate of the card, and a std dev far above it.",
+        ko="여기서는 `hz /odom`의 주파수는 카드와 같지만 std dev가 훨씬 큽니다.",
+    ),
+    "odometry slow": Words(
+        en="There the rate in `hz /odom` is far below the card's.",
+        ko="여기서는 `hz /odom`의 주파수가 카드보다 훨씬 작습니다.",
+    ),
+    "quaternion of zeros": Words(
+        en="There a tool that listens logs TF_DENORMALIZED_QUATERNION.",
+        ko="여기서는 수신하는 도구의 로그에 TF_DENORMALIZED_QUATERNION이 나옵니다.",
+    ),
+    "header says another frame": Words(
+        en="There RViz names another frame than laser_frame as unknown.",
+        ko="여기서는 RViz가 모른다고 하는 좌표계가 laser_frame이 아닙니다.",
+    ),
+    "mount volatile": Words(
+        en="There laser_frame is unknown, and `info /tf_static` shows a publisher that is VOLATILE.",
+        ko="여기서는 laser_frame을 모르고, `info /tf_static`에 VOLATILE인 발행자가 있습니다.",
+    ),
+    "map": Words(
+        en="There the Fixed Frame is misspelt: it is map that is asked for by a wrong name.",
+        ko="여기서는 Fixed Frame이 틀렸습니다. 틀린 이름으로 찾은 것이 map입니다.",
+    ),
+    "odom": Words(
+        en="There map → odom is missing, and its child is odom.",
+        ko="여기서는 map → odom 연결이 없고, 그 자식이 odom입니다.",
+    ),
+    "base_footprint": Words(
+        en="There it is the edge odom → base_footprint, and its child is base_footprint.",
+        ko="여기서는 odom → base_footprint 연결이 문제이고, 그 자식이 base_footprint입니다.",
+    ),
+    "laser_frame": Words(
+        en="There it is the laser's mount, header or clock.",
+        ko="여기서는 레이저의 장착이나 header나 시계가 문제입니다.",
+    ),
+    "all that move": Words(
+        en="There transforms come late over the network: of every edge that moves.",
+        ko="여기서는 네트워크로 오는 변환이 늦습니다. 움직이는 연결이 모두 그렇습니다.",
+    ),
+    "none": Words(
+        en="There nothing is wrong.",
+        ko="여기서는 아무 이상이 없습니다.",
+    ),
+}
 
 TASK = Task(
     id="E12.7",
@@ -368,6 +533,7 @@ TASK = Task(
         SPREAD_UNREAD,
         HEADER_UNREAD,
         DELAY_UNREAD,
+        DELAY_MISREAD,
         NEITHER_READ,
         OWNERS_UNSEEN,
         MOUNT_UNREAD,
@@ -376,7 +542,11 @@ TASK = Task(
         ALWAYS_THE_BASE,
         THE_EDGES_PARENT,
         NOBODYS_FRAME,
+        NO_FRAME_FOR_A_NAME,
+        LASER_FOR_THE_FUTURE,
+        LATE_IS_THE_BASE,
     ),
+    seen=SEEN,
     hints=(
         Words(
             en='Begin with the check that splits best: `patient.ask("rviz")` tells six complaints apart for a minute.',

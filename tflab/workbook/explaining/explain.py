@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from ..answers.forms import Choice, Command, Form, Message, Parts, Pose, Urdf
+from ..answers.forms import Angle, Choice, Command, Form, Message, Number, Parts, Pose, Urdf, Vector
 from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
 from ..mistakes.fields import sections
@@ -23,7 +23,7 @@ from ..mistakes.losses import TOLD
 from ..mistakes.names import of_names, unfilled
 from ..tasks.case import AND, Case, TaskCases
 from ..tasks.evidence import habit
-from ..words import Words
+from ..words import Words, begun
 from .apart import of_words_apart
 from .arithmetic import computed, computed_in_all
 from .beside import side_by_side
@@ -42,6 +42,10 @@ from .stops import of_stops
 __all__ = ["explained"]
 
 A_HAIR = 1e-6  # how far, at most, a number that was not rounded is from what gives it
+ONLY_NEAR = Words(
+    en="To the digits that it has, this is what comes of the following. {said}",
+    ko="적은 자릿수까지는 다음과 같이 했을 때의 값과 같습니다. {said}",
+)
 
 
 def explained(
@@ -81,8 +85,18 @@ def _by_name(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], 
     ):
         return found
     slips = {name.partition(TOLD)[0]: words_of(task, name) for name in names}
-    explanation = Explanation(slips, said_of(task, names))
+    said = said_of(task, names)
+    if len(names) == 1 and _is_only_near(task, cases, outcomes, names[0]):
+        said = ONLY_NEAR.filled(said=Words(begun(said.en), said.ko))
+    explanation = Explanation(slips, said)
     return _and_where(task, cases, outcomes, explanation) if names[0].startswith(IN_SOME) else explanation
+
+
+def _is_only_near(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], name: str) -> bool:
+    """Return whether a number is what a slip of the task gives to some digits alone: two others may come to it, too."""
+    if task.is_function or name not in cases[0].twins or not isinstance(task.form, Number | Angle | Vector):
+        return False
+    return not is_just(task.form, outcomes, [cases[0].twins[name]], A_HAIR)
 
 
 def _of_the_form(
