@@ -34,6 +34,7 @@ from .explanation import Explanation, said_of
 from .givens import given_to
 from .habits import habit_of
 from .lists import of_lists
+from .kinds import of_times
 from .members import changed_places, of_members
 from .refusals import of_refusals
 from .robots import of_robots
@@ -61,6 +62,8 @@ def explained(
     if words := unfilled(task.form, outcomes):
         return Explanation.of("nothing filled in", words)
     if task.is_function and (found := of_changes(task, cases, outcomes, explained)):
+    if found := of_times(task, cases, outcomes, lambda *rest: explained(*rest, given)):
+        return found
         return found
     names = next(_ways(task, cases, outcomes, given), None)
     if (names is None or len(names) > 1) and (places := changed_places(task, cases, outcomes, given)):

@@ -8,6 +8,7 @@
     given       a Transform            a Point                   a set
                 its `.rotation`        it is only a part         `sorted(…)` makes a list
 
+A Duration or a Time where seconds are asked for has a number in it: what is wrong with that is said, too.
 Read `habits.py` next.
 """
 
@@ -15,13 +16,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ..answers.form import Form
-from ..answers.forms import Angle, Choice, Message, Name, Quaternion, Vector
+from ..answers.form import Form, member
+from ..answers.forms import Angle, Choice, Message, Name, Number, Quaternion, Vector
 from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain
+from ..mistakes.fitting import all_alike
+from ..tasks.case import Case, TaskCases
 from ..words import Words
+from .explanation import Explains, Explanation, and_then
 
-__all__ = ["kind_said", "kinds_said"]
+__all__ = ["kind_said", "kinds_said", "of_times"]
 
 NO_NAME = Words(
     en='Python\'s None is nothing; if you mean the word, write it in quotes: "none"',
@@ -54,6 +58,14 @@ NO_MESSAGE = Words(
     en="A message is made by its class, and then its fields are filled in: `message = {name}()`",
     ko="메시지는 그 클래스로 만들고 항목을 채웁니다: `message = {name}()`",
 )
+A_TIME = Words(
+    en="A {kind} is no number: its seconds are `.nanoseconds / 1e9`",
+    ko="{kind}은(는) 수가 아닙니다. 초는 `.nanoseconds / 1e9`입니다",
+)
+A_STAMP = Words(
+    en="A stamp is no number: its seconds are `.sec + .nanosec / 1e9`",
+    ko="시각 메시지는 수가 아닙니다. 초는 `.sec + .nanosec / 1e9`입니다",
+)
 A_SET = Words(
     en="A set has no order: `sorted(…)` makes a list of it",
     ko="집합에는 순서가 없습니다. `sorted(…)`로 리스트를 만드십시오",
@@ -70,6 +82,9 @@ def kind_said(form: Form, outcome: Plain) -> Words | None:
         return NO_NAME
     if isinstance(form, ListForm):
         return _said_of_a_list(form, outcome)
+    if seconds_of(form, outcome) is not None:
+        kind = next(iter(outcome))
+        return A_STAMP if kind == "message" else A_TIME.filled(kind=kind)
     if isinstance(form, Message) and form.read(outcome) is None and outcome is not None:
         return NO_MESSAGE.filled(name=form.type.rpartition("/")[2])
     return _said_of_an_object(form, outcome) if isinstance(outcome, dict) else None
@@ -93,3 +108,28 @@ def _said_of_a_list(form: ListForm, outcome: Plain) -> Words | None:
 def kinds_said(form: Form, outcomes: Sequence[Plain]) -> list[Words]:
     """Return the same of all calls of a function, each once."""
     return list(dict.fromkeys(words for outcome in outcomes if (words := kind_said(form, outcome)) is not None))
+
+
+def seconds_of(form: Form, outcome: Plain) -> float | None:
+    """Return the seconds of a Duration, a Time or a stamp that was given for a number of seconds; None of others."""
+    if not (isinstance(form, Number) and form.unit == "s" and isinstance(outcome, dict)):
+        return None
+    sec, nanosec = member(outcome, "sec"), member(outcome, "nanosec")
+    if isinstance(sec, int) and isinstance(nanosec, int) and "message" in outcome:
+        return sec + nanosec / 1e9
+    held = outcome.get("Duration", outcome.get("Time"))
+    length = held[0] if isinstance(held, list) and held else held
+    return length / 1e9 if isinstance(length, int) else None
+
+
+def of_times(
+    task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], explained: Explains
+) -> Explanation | None:
+    """Return what `explained` says of the seconds in Durations or Times, and that they are no numbers; else None."""
+    seconds = [seconds_of(task.form, outcome) for outcome in outcomes]
+    if None in seconds or all_alike(task.form, seconds, [case.expected for case in cases]):
+        return None
+    first, said = explained(task, cases, seconds), kind_said(task.form, outcomes[0])
+    if first is None or said is None:
+        return None
+    return and_then(first, Explanation.of("no number", Words(f"{said.en}.", f"{said.ko}.")))

@@ -249,7 +249,8 @@ def _anothers(table: Table, name: str) -> str | None:
     form = table.forms[name]
     for other, part in table.forms.items():
         is_like = other != name and type(part) is type(form) and not isinstance(part, Choice | ListForm)
-        if is_like and _holds(table, name, other) and any(is_something(part, value) for value in table.given[name]):
+        is_more = is_like and any(is_something(part, value) for value in table.given[name])
+        if is_more and is_just(part, table.given[name], table.wanted[other]):  # near to it may be chance
             found.append(other)
     return found[0] if len(found) == 1 else None
 

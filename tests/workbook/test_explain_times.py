@@ -1,0 +1,59 @@
+"""A length of time for a number of seconds: what it is, and what is wrong with the number in it."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from tflab.ros.duration import Duration
+from tflab.ros.messages import builtin_interfaces
+from tflab.ros.time import Time
+from tflab.workbook.answers.forms import Number, Parts
+from tflab.workbook.tasks import Words
+from tflab.workbook.tasks.case import TwinWords
+from tflab.workbook.verdicts.mistake import Mistake
+
+from .test_explain import judged
+
+TWINS = {"the fast one": 3.05}
+REPLIES = {"the fast one": TwinWords(Words("You counted the fast one.", "빠른 쪽을 셌습니다."), "")}
+
+
+@pytest.mark.parametrize(
+    ("answer", "kind"),
+    [
+        (Duration(seconds=3.05), "A Duration is no number"),
+        (Time(seconds=3.05), "A Time is no number"),
+        (builtin_interfaces.Time(sec=3, nanosec=50_000_000), "A stamp is no number"),
+    ],
+)
+def test_a_time_for_seconds_hears_what_it_is_and_what_is_wrong_with_its_length(answer, kind):
+    verdict = judged(Number("s"), 3.4, TWINS, answer, REPLIES)
+    assert list(verdict.slips) == ["the fast one", "no number"]
+    assert "You counted the fast one." in verdict.said.en and kind in verdict.said.en
+    assert "빠른 쪽을 셌습니다." in verdict.said.ko
+
+
+def test_a_time_that_is_right_inside_hears_only_what_it_is():
+    verdict = judged(Number("s"), 3.4, TWINS, Duration(seconds=3.4), REPLIES)
+    assert verdict.mistake is Mistake.TYPE and ".nanoseconds / 1e9" in verdict.detail["tip"].en
+
+
+@pytest.mark.parametrize("answer", [Duration(seconds=3.1), 3.05, "3.05"])
+def test_what_is_no_time_or_holds_another_number_hears_nothing_of_both(answer):
+    assert "no number" not in judged(Number("s"), 3.4, TWINS, answer, REPLIES).slips
+
+
+def test_a_time_for_metres_is_only_of_the_wrong_kind():
+    verdict = judged(Number("m"), 3.4, TWINS, Duration(seconds=3.05), REPLIES)
+    assert verdict.mistake is Mistake.TYPE and "tip" not in verdict.detail
+
+
+@pytest.mark.parametrize(("together", "is_anothers"), [(0.6, True), (math.hypot(0.05, 0.6), False)])
+def test_a_part_that_is_near_to_anothers_answer_by_its_tolerance_alone_is_not_called_that(together, is_anothers):
+    form = Parts({name: Number("m", tolerance=0.003) for name in ("ahead", "left", "together")})
+    right = {"ahead": 0.4, "left": 0.6, "together": math.hypot(0.4, 0.6)}
+    verdict = judged(form, right, {}, right | {"ahead": 0.05, "together": together})
+    said = verdict.said.en if verdict.said else ""
+    assert ('under "left"' in said) is is_anothers
