@@ -146,6 +146,17 @@ def test_the_page_says_what_is_left_and_what_to_type_on_a_robot(copy: Path) -> N
     assert 'title="E3.1 · Which? · tries: 1, hints: 0"' in ProgressPage(standing(copy)).html
 
 
+def test_every_sign_of_the_page_is_explained_where_it_stands(copy: Path) -> None:
+    give_tasks(copy, "03_target_and_source", "E3.1", "E3.5", "E3.6")
+    record_try(copy, "E3.1", 4, 4)
+    record_try(copy, "E3.5", 1, 4)
+    page = ProgressPage(standing(copy))
+    assert "Chapters (■ passed, ◧ tried and not passed yet, □ not tried)" in page.text.splitlines()
+    assert "03  ■ ◧ □   1/3" in page.text
+    assert page.html.index("◧ tried") < page.html.index(">◧</span>")
+    assert page.html.count("○ not yet") == 2  # of what one can do, and of what one has done
+
+
 def test_the_page_is_in_the_language_of_the_copy(handed_out: HandedOut, tmp_path: Path) -> None:
     copy = lay_out(tmp_path / "copy", "ko")
     text = ProgressPage(standing(copy)).text

@@ -43,6 +43,14 @@ NO_COPY = Words(
 )
 PASSED, TRIED, UNTRIED = "■", "◧", "□"
 STATES = {"passed": "✓", "open": "○"}
+SQUARES = Words(
+    en=f"{PASSED} passed, {TRIED} tried and not passed yet, {UNTRIED} not tried",
+    ko=f"{PASSED} 통과, {TRIED} 시도했으나 아직 통과 못 함, {UNTRIED} 아직 시도 안 함",
+)
+TICKS = Words(
+    en=f"{STATES['passed']} every task for it is passed, {STATES['open']} not yet",
+    ko=f"{STATES['passed']} 해당 과제를 모두 통과, {STATES['open']} 아직",
+)
 
 STYLE = """
 .tflab-progress > table {border-collapse: collapse; margin: 0.4em 0 1.2em; font-size: 1em}
@@ -55,6 +63,7 @@ STYLE = """
 .tflab-progress > table td.count {white-space: nowrap}
 .tflab-progress > table tr.later {opacity: 0.62}
 div.tflab-progress > h3 {margin: 0.8em 0 0.2em}
+div.tflab-progress > p.signs {margin: 0}
 .tflab-progress > table code {background: none; padding: 0; white-space: pre-wrap; overflow-wrap: anywhere}
 .tflab-progress small {opacity: 0.85}
 """
@@ -78,7 +87,8 @@ class ProgressPage:
     @property
     def text(self) -> str:
         """Return it as a terminal shows it."""
-        lines = [self._say(TITLE) + ": " + self._sum(), self._note(), "", self._say(CHAPTERS)]
+        lines = [self._say(TITLE) + ": " + self._sum(), self._note()]
+        lines += ["", f"{self._say(CHAPTERS)} ({self._say(SQUARES)})"]
         for stands in self._here:
             marks = " ".join(_mark(task) for task in stands.tasks)
             count = f"{stands.passed}/{len(stands.tasks)}"
@@ -87,7 +97,7 @@ class ProgressPage:
         forms = self._forms if isinstance(self._forms, str) else self._forms.summary
         lines += ["", forms] if forms else []
         for title, goals in ((OBJECTIVES, self._standing.objectives), (CHECKLIST, self._standing.checklist)):
-            lines += ["", self._say(title)]
+            lines += ["", f"{self._say(title)} ({self._say(TICKS)})"]
             for number, stands in _not_later(goals):
                 lines.append(f"  {STATES[stands.state]} {number:>2}  {stands.goal.words.say(self._language)}")
                 lines += [f"        {line}" for line in self._details(stands)]
@@ -99,7 +109,7 @@ class ProgressPage:
         rows = [
             f'<style>{STYLE}</style><div class="tflab-progress"><p><b>{self._say(TITLE)}:</b> {self._sum()}. '
             f"<small>{html.escape(self._note())}</small></p>",
-            f"<h3>{self._say(CHAPTERS)}</h3><table>",
+            f"{self._heading(CHAPTERS, SQUARES)}<table>",
         ]
         for stands in self._here:
             marks = "".join(self._square(task) for task in stands.tasks)
@@ -113,10 +123,14 @@ class ProgressPage:
         said = f"<p>{html.escape(self._forms)}</p>" if isinstance(self._forms, str) else self._forms.html
         rows += ["</table>", said] if self._forms else ["</table>"]
         for title, goals in ((OBJECTIVES, self._standing.objectives), (CHECKLIST, self._standing.checklist)):
-            rows.append(f"<h3>{self._say(title)}</h3><table>")
+            rows.append(f"{self._heading(title, TICKS)}<table>")
             rows += [self._row(number, stands) for number, stands in _not_later(goals)]
             rows.append("</table>")
         return "".join([*rows, "</div>"])
+
+    def _heading(self, title: Words, signs: Words) -> str:
+        """Return a heading, and below it what the signs of its table mean."""
+        return f'<h3>{self._say(title)}</h3><p class="signs"><small>{self._say(signs)}</small></p>'
 
     def _row(self, number: int, stands: GoalStanding) -> str:
         details = "<br>".join(
