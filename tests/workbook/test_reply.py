@@ -37,6 +37,18 @@ def test_a_call_is_set_as_code_and_a_sentence_of_its_own_begins_like_one():
     assert "<code>invert({x: (1.0, 2.0)})</code>." in card
 
 
+def test_what_is_said_of_each_part_has_a_line_of_its_own(capsys):
+    said = '"a", "b": turned the wrong way. "c": is "x": "y" a name? Look again. 그렇습니다. "d[0]": look again.'
+    show_reply("E1.2 ✗ 1/4", said, ["once more"], "wrong")
+    lines = [
+        '"a", "b": turned the wrong way.',
+        '"c": is "x": "y" a name? Look again. 그렇습니다.',
+        '"d[0]": look again.',
+    ]
+    assert capsys.readouterr().out.splitlines() == ["E1.2 ✗ 1/4:", *lines, "once more"]
+    assert "<br>".join(lines) in as_html("E1.2 ✗ 1/4", said, (), "wrong")
+
+
 def test_korean_is_not_broken_inside_a_word():
     assert "word-break: keep-all" in as_html("E3.2", "답하지 않았습니다.", (), "said")
 

@@ -7,6 +7,7 @@
     | hint("E3.2") helps.                                       |
     +-----------------------------------------------------------+
 
+What is said of several parts of an answer stands on a line for each.
 The colour at its left says what the sign says: passed, not yet, or neither.
 Read `again.py` next.
 """
@@ -24,6 +25,7 @@ __all__ = ["as_html", "in_notebook", "show_page", "show_reply"]
 
 CODE = re.compile(r"`([^`\n]+)`")
 CALL = re.compile(r"\b[a-z_][\w.]*\((?:[^()\n]|\([^()\n]*\))*\)")
+PART = re.compile(r'(?<=[.?!)])\s(?="[^"\n]+"(?:, "[^"\n]+")*: )')  # what is said of a part begins with its name
 COLOURS = {  # JupyterLab's own, so that they suit its theme
     "passed": "var(--jp-success-color1, #388e3c)",
     "wrong": "var(--jp-warn-color1, #f57c00)",
@@ -45,7 +47,8 @@ def show_reply(head: str, said: str = "", more: Sequence[str] = (), kind: str = 
         more: lines that go with it, smaller.
         kind: "passed", "wrong", or "said" where nothing was judged.
     """
-    text = "\n".join([f"{head}: {said}" if said else head, *more])
+    parts = PART.split(said)
+    text = "\n".join([f"{head}:", *parts, *more] if parts[1:] else [f"{head}: {said}" if said else head, *more])
     if not in_notebook():
         print(text)
         return
@@ -68,7 +71,7 @@ def as_html(head: str, said: str, more: Sequence[str], kind: str) -> str:
     """Return the card; whatever an answer held is text in it, and nothing else."""
     lines = [f"<strong>{html.escape(head)}</strong>"]
     if said:
-        lines.append(_with_code(begun(said)))
+        lines += [_with_code(begun(part)) for part in PART.split(said)]
     lines += [f"<small>{_with_code(CALL.sub(_in_backticks, line))}</small>" for line in more]
     return f'<div class="tflab-reply" style="{CARD.format(colour=COLOURS[kind])}">{"<br>".join(lines)}</div>'
 
