@@ -34,6 +34,7 @@ from .judging.run import RunCells
 from .judging.submission import graded, graded_twice
 from .kernels.limits import Limits
 from .reports.feedback import STATUS, WRONG
+from .reports.html import points
 from .submissions.reader import Unreadable, read_bytes, read_notebook
 from .submissions.remarks import Remark
 
@@ -159,7 +160,7 @@ def report(checked: Checked) -> tuple[list[str], bool]:
     if remarks:
         lines += ["", IGNORED.say(language), *(f"  {line}" for line in remarks)]
     got, most = (sum(row[name] for row in rows.values()) for name in ("points", "most"))
-    lines += ["", f"{SUM.say(language, points=f'{got:g}', most=f'{most:g}')} {LATER.say(language)}"]
+    lines += ["", f"{SUM.say(language, points=points(got), most=points(most))} {LATER.say(language)}"]
     if any(row["status"] == "unanswered" for row in rows.values()):
         lines.append(AS_SAVED.say(language))
     return lines, got == most and not remarks

@@ -87,6 +87,7 @@ class TaskItem(pytest.Item):
         self.chapter = chapter
 
     def runtest(self) -> None:
+        from .reports.html import points
         from .submissions.remarks import Remark
 
         record = self.parent.record()
@@ -96,7 +97,7 @@ class TaskItem(pytest.Item):
             remarks = row["remarks"] or (record["remarks"] if row["status"] == "missing" else [])
             said = [Remark.from_plain(remark).say("en") for remark in remarks]
             mistake = [f"As the mistake {name!r} would have it." for name in row["slips"]]
-            worth = f"{self.name}: {row['points']:g} of {row['most']:g} points, {row['status']}."
+            worth = f"{self.name}: {points(row['points'])} of {points(row['most'])} points, {row['status']}."
             pytest.fail(" ".join([worth, *mistake, *said]), pytrace=False)
 
     def reportinfo(self) -> tuple[Path, int, str]:
