@@ -18,6 +18,7 @@ from tflab.views.scene import (
     Part,
     Scene,
     draw_arrow,
+    draw_ball,
     draw_camera,
     draw_frame,
     draw_frames,
@@ -28,7 +29,7 @@ from tflab.views.scene import (
     draw_scan,
 )
 from tflab.views.scene.meshes import grid
-from tflab.views.scene.shapes import mug
+from tflab.views.scene.shapes import ball, mug
 
 FORWARD = Transform((1.0, 0.0, 0.0))
 TURNED = Transform.from_rpy(yaw=math.pi / 2, translation=(1.0, 2.0, 0.0))
@@ -118,6 +119,19 @@ def test_an_arrow_points_from_its_start_to_its_end(scene):
     pose = scene._state.pose("/meshcat/step")
     assert pose.translation == (1.0, 2.0, 0.0)
     assert pose.apply((3.0, 0.0, 0.0)) == pytest.approx((1.0, 2.0, 3.0))
+
+
+def test_an_arrow_says_which_line_its_name_keeps_clear_of(scene):
+    draw_arrow(scene, "step", (1.0, 2.0, 0.0), (1.0, 2.0, 3.0), "3 m")
+    (label,) = scene._state.properties("labels")["/meshcat/step"]
+    assert (label["at"], label["along"]) == ([1.5, 0.0, 0.0], [3.0, 0.0, 0.0])
+
+
+def test_a_ball_is_round_and_said_by_name(scene):
+    draw_ball(scene, "ball", (6.5, -1.5, 0.3))
+    assert scene._state.pose("/meshcat/ball").translation == (6.5, -1.5, 0.3)
+    assert scene.describe().splitlines()[1].split(maxsplit=1) == ["ball", "ball at (6.500, -1.500, 0.300) m"]
+    assert np.linalg.norm(ball(0.3, "#B5539B").points, axis=1) == pytest.approx(0.3)
 
 
 def test_a_mug_stands_where_it_is_seen_and_is_said_by_name(scene):

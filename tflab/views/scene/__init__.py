@@ -13,6 +13,7 @@ Start with `shapes.py`; each page names the next.
 from .drawing import (
     Part,
     draw_arrow,
+    draw_ball,
     draw_camera,
     draw_frame,
     draw_frames,
@@ -28,6 +29,7 @@ __all__ = [
     "Part",
     "Scene",
     "draw_arrow",
+    "draw_ball",
     "draw_camera",
     "draw_frame",
     "draw_frames",

@@ -4,7 +4,7 @@
     draw_frames(scene, poses, parents)                   many, with arrows between them
     draw_scan, draw_points, draw_path, draw_arrow        what sensors and planners say
     draw_camera                                          what a camera sees, and its image plane
-    draw_mug                                             something to be seen
+    draw_ball, draw_mug                                  something to be seen
     draw_robot                                           links, from boxes, cylinders, spheres
     ... is_ghost=True                                    the wrong answer: grey, translucent, hatched
 
@@ -35,6 +35,7 @@ from .widget import Scene
 
 IDENTITY = Transform()
 GHOST_OPACITY = 0.28
+BALL_OPACITY = 0.5
 ACCENT = "#B5539B"  # style.ACCENT, in a shade that stands out on a light and on a dark page
 
 
@@ -100,7 +101,7 @@ def draw_arrow(
     colour: str = style.GREY,
     radius_m: float = 0.01,
 ) -> None:
-    """Draw an arrow between two points (x, y, z) [m], its name at the middle; of no length, it vanishes."""
+    """Draw an arrow between two points (x, y, z) [m], its name beside the middle; of no length, it vanishes."""
     start, end = np.asarray(start, dtype=float), np.asarray(end, dtype=float)
     length_m = float(np.linalg.norm(end - start))
     if length_m < 4.0 * radius_m:
@@ -109,8 +110,19 @@ def draw_arrow(
     scene[path].set_object(*triangles(_arrow_along_x(round(length_m, 6), radius_m, colour)))
     scene[path].set_transform(_x_along(start, end))
     if name:
-        scene[path].set_property("labels", [_label(name, (0.5 * length_m, 0.0, 0.0), colour)])
+        beside = {"along": [length_m, 0.0, 0.0]}  # the name keeps clear of the line from the origin to there
+        scene[path].set_property("labels", [_label(name, (0.5 * length_m, 0.0, 0.0), colour) | beside])
         scene[path].set_property("words", f"arrow from {style.fmt_all(start)} to {style.fmt_all(end)}")
+
+
+def draw_ball(
+    scene: Scene, path: str, at: Sequence[float], name: str = "ball", radius_m: float = 0.3, colour: str = ACCENT
+) -> None:
+    """Draw a ball around a point (x, y, z) [m], through which one sees what ends there, and its name above it."""
+    scene[path].set_object(*triangles(shapes.ball(radius_m, colour), BALL_OPACITY))
+    scene[path].set_transform(Transform(at).matrix())
+    scene[path].set_property("labels", [_label(name, (0.0, 0.0, 1.6 * radius_m), colour)])
+    scene[path].set_property("words", f"{name} at {style.fmt_all(at)}")
 
 
 def draw_mug(scene: Scene, path: str, at: Sequence[float], name: str = "mug", height_m: float = 0.2) -> None:

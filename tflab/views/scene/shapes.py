@@ -119,6 +119,20 @@ def polyline(points: np.ndarray, radius_m: float, colour: str, dashed: bool = Fa
     return joined([bar(a, b, radius_m, colour) for a, b in pieces])
 
 
+def ball(radius_m: float, colour: str) -> Triangles:
+    """Return a ball around the origin."""
+    rounded, rings = 24, 12
+    turned = np.linspace(0.0, 2.0 * np.pi, rounded, endpoint=False)
+    up = np.linspace(-0.5 * np.pi, 0.5 * np.pi, rings + 1)
+    points = np.array([(np.cos(a) * np.cos(b), np.sin(a) * np.cos(b), np.sin(b)) for b in up for a in turned])
+    here, there = np.arange(rounded), np.roll(np.arange(rounded), -1)
+    faces = []
+    for low in range(0, rings * rounded, rounded):
+        faces.append(np.column_stack([low + here, low + there, low + rounded + there]))
+        faces.append(np.column_stack([low + here, low + rounded + there, low + rounded + here]))
+    return Triangles(radius_m * points, np.vstack(faces), np.tile(rgb(colour), (len(points), 1)))
+
+
 def mug(height_m: float, colour: str) -> Triangles:
     """Return an upright mug, open at its top, around the origin; its handle is at -y."""
     radius_m, rounded = 0.42 * height_m, 24

@@ -33,7 +33,16 @@ function placed(label, taken) {
   return boxes.find((box) => !taken.some((other) => overlap(box, other))) ?? boxes[0];
 }
 
-// What is written at the middle of an arrow stays there if nothing else is, and else goes as far as it must.
+// What is written at the middle of an arrow stands clear of its line: above it, or to its right where it is upright.
+function clearOf(from, to, size) {
+  const long = Math.hypot(to.x - from.x, to.y - from.y);
+  const [x, y] = long > 1 ? [(to.y - from.y) / long, (from.x - to.x) / long] : [0, -1];
+  const far = (Math.abs(x) * size.w + Math.abs(y) * size.h) / 2 + 4;
+  const up = y < -0.01 || (y < 0.01 && x > 0) ? 1 : -1;
+  return { x: up * far * x, y: up * far * y };
+}
+
+// It stays there if nothing else does, and else goes as far as it must.
 function beside(own, taken) {
   const free = (box) => !taken.some((other) => overlap(box, other));
   if (free(own)) return own;
@@ -96,9 +105,10 @@ function writeLabels(context, view, camera) {
     if (!object.labels || !isShown(object)) return;
     const written = [];
     for (const label of object.labels) {
-      const at = object.localToWorld(new THREE.Vector3(...label.at));
-      const pixels = toPixels(at, camera, renderer.width, renderer.height);
-      if (pixels) written.push({ ...label, ...pixels, frame: object.frame?.name, parent: object.frame?.parent, object });
+      const seen = (at) => toPixels(object.localToWorld(new THREE.Vector3(...at)), camera, renderer.width, renderer.height);
+      const pixels = seen(label.at);
+      const line = label.along && [seen([0, 0, 0]), seen(label.along)];
+      if (pixels) written.push({ ...label, ...pixels, line, frame: object.frame?.name, parent: object.frame?.parent, object });
     }
     const middle = written.find((label) => label.name);
     everything.push(...written.filter((label) => !middle || label.name
@@ -118,6 +128,11 @@ function writeLabels(context, view, camera) {
     context.font = `${label.slanted ? "italic " : ""}${label.name || label.small ? "600 " : ""}${size}px ${look.fontFamily}`;
     label.w = context.measureText(label.text).width + 4;
     label.h = size + 4;
+    if (label.line?.[0] && label.line[1]) {
+      const { x, y } = clearOf(...label.line, label);
+      label.x += x;
+      label.y += y;
+    }
     const own = { x: label.x - label.w / 2, y: label.y - label.h / 2, w: label.w, h: label.h };
     const spot = label.name ? placed(label, taken) : label.small ? own : beside(own, taken);
     taken.push(spot);
