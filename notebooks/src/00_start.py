@@ -21,7 +21,7 @@
 #
 # 좌표계가 없는 숫자는 뜬소문과 다를 바 없습니다.
 # `(2.0, 0.0, 0.0)`은 레이저 앞 2미터일 수도, 로봇 앞 2미터일 수도, 지도의 원점에서 2미터 떨어진 곳일 수도 있습니다.
-# 조금 전에 '앞 2미터'였던 곳이 지금은 앞 2미터가 아닙니다.
+# 조금 전에 ‘앞 2미터’였던 곳이 지금은 앞 2미터가 아닙니다.
 #
 # [[tf2|TF2]]는 한 [[frame|좌표계(frame)]]가 다른 좌표계를 기준으로 어디에 있었는지를 시각마다 기억하는 ROS 2의 라이브러리입니다.
 # 이 워크북에서는 페이지 안에서 움직이는 로봇과 함께 TF2를 처음부터 배웁니다.
@@ -29,7 +29,7 @@
 # 파이썬 기초만 알면 됩니다.
 # ROS도, 로봇도, 네트워크도 필요 없고, 여기서 하는 일은 이 컴퓨터 밖으로 나가지 않습니다.
 # 여기서 쓴 ROS 2 코드는 실제 로봇에서 그대로 실행됩니다.
-# 이 워크북은 TF2 강의 하나를 처음부터 끝까지 따라갑니다. 본문에서 '강의'라고 하면 그 강의를 말하며, 몰라도 됩니다.
+# 이 워크북은 TF2 강의 하나를 처음부터 끝까지 따라갑니다. 본문에서 ‘강의’라고 하면 그 강의를 말하며, 몰라도 됩니다.
 #
 # 이 페이지에서는 5분 동안 한 바퀴 둘러본 다음, 각 장의 소개, 답을 확인하는 방법, 나의 학습 현황을 차례로 봅니다.
 # 점선이 그어진 낱말에 마우스를 올리면 설명이 나타납니다. 모든 용어는 [용어집](90_glossary.ipynb)에 모여 있습니다.
@@ -83,6 +83,26 @@ lesson.show_drive()
 
 # %% name="motion-still"
 lesson.draw_room(at_s=5.0)
+
+# %% [markdown] lang="en" name="first-question" slide="slide"
+# ## Be wrong once, on purpose
+#
+# The laser sits 0.20 m ahead of the robot's middle and 0.15 m above it, and looks the same way. It reports a post at (2.0, 0.5, 0.0): 2 m ahead of the laser, 0.5 m to the left.
+# Where is the post for `base_link`, the robot's middle?
+#
+# Below stands an answer that many programs give. Run the cell, and read what is said to it. Then mend the numbers and run it again.
+
+# %% [markdown] lang="ko" name="first-question" slide="slide"
+# ## 한 번 틀려 봅시다
+#
+# 레이저는 로봇의 중심에서 앞으로 0.20 m, 위로 0.15 m 떨어져 있고 로봇과 같은 방향을 봅니다. 레이저가 (2.0, 0.5, 0.0)에 기둥이 있다고 알립니다. 레이저에서 앞으로 2 m, 왼쪽으로 0.5 m입니다.
+# 로봇의 중심인 `base_link`를 기준으로 기둥은 어디에 있을까요?
+#
+# 아래에는 많은 프로그램이 내놓는 답이 적혀 있습니다. 셀을 실행하고 답장을 읽어 보세요. 그다음 숫자를 고쳐 다시 실행해 보세요.
+
+# %% name="first-try" tags=["predicted"]
+base_p_post = (2.0, 0.5, 0.0)  # (x, y, z) [m]
+lesson.ask_first(base_p_post)
 
 # %% [markdown] lang="en" name="robot-why" slide="slide"
 # ## The same robot, in ROS 2
@@ -245,13 +265,7 @@ graph.stop()
 # solution("E2.2")             # after a pass, or three tries
 # ```
 #
-# A wrong answer is named for what it is. This is what `check` says if you hand back the camera's numbers unchanged:
-#
-# ```
-# E2.2 ✗ 0/1: These are the numbers of the picture, unchanged. In camera_link, which of the three says how far ahead?
-# ```
-#
-# You may try as often as you like, in any order.
+# A wrong answer is named for what it is, as above. You may try as often as you like, in any order.
 # `check` tries your answer on a few inputs; in a class, grading tries it on others that nobody has seen.
 # To start a page over, delete its file and type `tflab lab` in a terminal: it lays out what is missing, and touches nothing else.
 
@@ -268,13 +282,7 @@ graph.stop()
 # solution("E2.2")             # 통과하거나 세 번 시도하면 풀이를 봅니다
 # ```
 #
-# 틀린 답을 내면 어떤 실수인지 알려 줍니다. 카메라의 숫자를 그대로 답하면 다음과 같은 답장이 옵니다.
-#
-# ```
-# E2.2 ✗ 0/1: 영상의 숫자를 그대로 썼습니다. camera_link에서는 셋 가운데 앞쪽으로 떨어진 거리는 어느 것입니까?
-# ```
-#
-# 순서에 상관없이 몇 번이든 다시 해 볼 수 있습니다.
+# 틀린 답을 내면 앞에서 본 것처럼 어떤 실수인지 알려 줍니다. 순서에 상관없이 몇 번이든 다시 해 볼 수 있습니다.
 # `check`는 몇 가지 입력으로 확인하고, 수업에서는 공개하지 않은 입력으로 채점합니다.
 # 어떤 페이지를 처음부터 다시 하려면 그 파일을 지우고 터미널에서 `tflab lab`을 입력하세요. 없는 파일만 새로 만들고 나머지는 건드리지 않습니다.
 

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import json
 import math
+from dataclasses import asdict
 
 import pytest
 
-from tflab.core import Transform
+from tflab.core import Transform, seconds
+from tflab.robots.motion import Drive
 from tflab.workbook import lesson
-from tflab.workbook.places import MARK
+from tflab.workbook.lesson.room import STRAIGHT_S
+from tflab.workbook.places import MARK, Workbook
 
 POSES = {"base_link": Transform(), "laser_frame": Transform.from_rpy(yaw=math.pi / 2, translation=(0.2, 0.0, 0.15))}
 
@@ -30,6 +33,31 @@ def test_the_drive_is_played_with_a_robot_a_laser_and_the_walls():
     assert "robot, 13 of 13 links" in words
     assert "laser scan, 90 points" in words
     assert "base_link    frame in map" in words
+
+
+def test_the_drive_begins_to_be_seen_where_the_robot_goes_straight_on():
+    drive, shown_ns = Drive(start_ns=0), seconds(STRAIGHT_S)
+    assert {drive.twist_at(shown_ns + seconds(later_s)) for later_s in (0.0, 2.0, 4.0)} == {(0.5, 0.0)}
+
+
+@pytest.mark.parametrize(
+    ("answer", "said"),
+    [
+        ((2.0, 0.5, 0.0), "These are the laser's numbers with another label."),
+        ((1.8, 0.5, -0.15), "You took the step away."),
+        ((2.2, 0.5, 0.0), "the height is still the laser's"),
+        ((2.0, 0.5, 0.15), "the way ahead is still the laser's"),
+        ((0.2, 0.0, 0.15), "That is where the laser is."),
+        ((2.2, -0.5, 0.15), "y has the wrong sign"),
+        ((2.2, 0.5, 0.15), "First question ✓ 1/1\n"),
+    ],
+)
+def test_the_first_question_has_a_reply_to_each_mistake_and_keeps_nothing(answer, said, tmp_path, monkeypatch, capsys):
+    (tmp_path / MARK).write_text(json.dumps(asdict(Workbook())))
+    monkeypatch.chdir(tmp_path)
+    lesson.ask_first(answer)
+    assert said in capsys.readouterr().out
+    assert [path.name for path in tmp_path.iterdir()] == [MARK]
 
 
 def test_a_queue_without_end_makes_data_old_and_a_short_one_keeps_it_young():

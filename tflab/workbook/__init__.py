@@ -18,6 +18,7 @@ In an exercise one calls four functions:
     reply         how a reply looks
     again         what a cell finds that runs again
     unmade        what is said of a cell that fails, and of a name that no cell has made yet
+    first_question    a question to be wrong at, before there is an exercise
     progress      what was tried, and what was passed
     course/       chapters, objectives, checklist, terms; where a learner stands
     book/         the frame, the front page and the gallery of the pages as a book

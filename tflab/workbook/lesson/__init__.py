@@ -63,7 +63,7 @@ from tflab.views.owners import draw_owners
 from tflab.views.placed import draw_placed
 from tflab.views.readings import draw_readings
 from tflab.views.rulers import draw_rulers, readings_of
-from tflab.views.scene import Scene, draw_arrow, draw_camera, draw_frame, draw_mug, draw_path, draw_scan
+from tflab.views.scene import Scene, draw_arrow, draw_ball, draw_camera, draw_frame, draw_mug, draw_path, draw_scan
 from tflab.views.scene.drawing import ACCENT
 from tflab.views.sentence import draw_sentence
 from tflab.views.style import fmt, fmt_all
@@ -74,6 +74,7 @@ from tflab.views.turns import draw_drives, draw_orders, draw_turns
 from ..copy.environment import check_environment
 from ..course.course_map import draw_course
 from ..course.progress_page import show_progress
+from ..first_question import ask_first
 from .capstone import launch_answer
 from .clouds import floor_cloud, wall_cloud
 from .disguised import draw_rviz, start_robot, stop_node
@@ -151,6 +152,7 @@ __all__ = [
     "ages_of_decisions",
     "angle",
     "answer_of",
+    "ask_first",
     "best_questions",
     "cameras_panel",
     "check_environment",
@@ -161,6 +163,7 @@ __all__ = [
     "doctor",
     "draw_ages",
     "draw_arrow",
+    "draw_ball",
     "draw_bend",
     "draw_body_axes",
     "draw_both_ways",

@@ -24,8 +24,9 @@ from tflab.views.frames import draw_scene
 from tflab.views.latency import drive
 from tflab.views.picture import Picture
 from tflab.views.placed import draw_placed
-from tflab.views.scene import Scene, draw_arrow, draw_frame, draw_path, draw_robot, draw_scan
+from tflab.views.scene import Scene, draw_arrow, draw_ball, draw_frame, draw_path, draw_robot, draw_scan
 from tflab.views.scene.drawing import ACCENT
+from tflab.views.style import GREY
 
 __all__ = ["draw_now", "draw_room", "draw_walls", "scan_on_map", "show_drive", "show_latency"]
 
@@ -34,6 +35,7 @@ GRID_CELLS = 16  # of a metre, from -8 m to 8 m: the ground of the whole room
 EVERY_RAY = 4  # of the laser's: enough to see the walls
 WALL_COLOUR = "#808890"
 STEP_S = 0.25
+STRAIGHT_S = 2.0  # the drive begins to be seen here, where ahead is to be seen: it goes straight on for five seconds
 
 
 def show_drive(for_s: float = 24.0) -> Scene:
@@ -56,7 +58,7 @@ def show_drive(for_s: float = 24.0) -> Scene:
         draw_scan(scene, "scan", poses["laser_frame"], few, scan.angle_min, scan.angle_increment * EVERY_RAY)
 
     moments_s = np.arange(0.0, for_s + STEP_S, STEP_S).tolist()
-    scene.sweep("time", moments_s, draw, unit="s", start=len(moments_s) // 2)
+    scene.sweep("time", moments_s, draw, unit="s", start=min(round(STRAIGHT_S / STEP_S), len(moments_s) - 1))
     return scene
 
 
@@ -96,7 +98,7 @@ def show_latency(speed_mps: float = 1.0, yaw_rate_radps: float = 0.5, range_m: f
         drawn_at = then_T_now.apply(seen_at)
         draw_frame(scene, "robot at the stamp", Transform())
         draw_frame(scene, "robot now", then_T_now, is_ghost=True)
-        draw_arrow(scene, "ball", (range_m, 0.0, 0.0), seen_at, "ball", radius_m=0.02)
+        draw_ball(scene, "ball", seen_at, colour=GREY)
         draw_arrow(scene, "sight", then_T_now.translation, drawn_at, radius_m=0.01)
         draw_arrow(scene, "error", seen_at, drawn_at, "error", ACCENT, radius_m=0.04)
 
