@@ -182,9 +182,9 @@ print('you guessed ', my_guess)
 # You left out the mount: you went from the laser to the map as if the laser were the robot's middle.
 #
 # </details>
-# <details><summary>The lecture says z = 0.3, in both</summary>
+# <details><summary>I know the lecture, and there z = 0.3 stands in both</summary>
 #
-# Its example came before its robot: later it mounts the laser 0.15 m up, as here, and then a ball straight ahead of the laser is 0.15 m above the middle. This workbook uses that one robot throughout, and counts the middle's own 0.10 m in `map`.
+# You need not know it: this is for those who have heard the lecture that the workbook follows. Its first example, a ball at (2.2, 0, 0.3) in base_link and (8.4, −1.7, 0.3) in map, came before its robot. Later it mounts the laser 0.15 m up, as here, and then a ball straight ahead of the laser is 0.15 m above the middle. The workbook uses that one robot throughout, and counts the middle's own 0.10 m in `map`.
 #
 # </details>
 
@@ -206,9 +206,9 @@ print('you guessed ', my_guess)
 # 레이저를 단 위치를 건너뛰었습니다. 레이저가 로봇의 중심에 있는 것처럼 바로 지도로 옮겼습니다.
 #
 # </details>
-# <details><summary>강의 자료에는 둘 다 z = 0.3이라고 되어 있습니다</summary>
+# <details><summary>강의를 들었는데, 거기서는 둘 다 z = 0.3이었습니다</summary>
 #
-# 로봇을 정하기 전에 든 예입니다. 강의 뒷부분에서는 여기처럼 레이저를 0.15 m 위에 달고, 그러면 레이저 정면의 공은 중심보다 0.15 m 위에 있습니다. 이 워크북은 끝까지 그 로봇 하나를 쓰며, `map` 기준에서는 중심의 높이 0.10 m도 셉니다.
+# 이 워크북이 따라가는 강의를 들은 분에게 드리는 설명입니다. 듣지 않았다면 넘어가도 됩니다. 강의의 첫 예에서 공은 base_link 기준 (2.2, 0, 0.3), map 기준 (8.4, −1.7, 0.3)에 있는데, 이것은 로봇을 정하기 전에 든 예입니다. 강의 뒷부분에서는 여기처럼 레이저를 0.15 m 위에 달고, 그러면 레이저 정면의 공은 중심보다 0.15 m 위에 있습니다. 이 워크북은 끝까지 그 로봇 하나를 쓰며, `map` 기준에서는 중심의 높이 0.10 m도 셉니다.
 #
 # </details>
 
@@ -424,6 +424,7 @@ lesson.draw_rulers(later, map_p_ball, 'ball', before=lesson.readings_of(at_first
 scene = lesson.Scene(height_px=360)
 scene.look(eye=(2.5, -8.0, 4.5), target=(3.5, -1.0, 0.0))
 lesson.draw_frame(scene, 'map', Transform(), length_m=0.8)
+lesson.draw_ball(scene, 'ball', map_p_ball)
 
 
 def at_time(t):
@@ -525,11 +526,11 @@ print(f'age {age_s:.3f} s, ahead at the stamp {ahead_then:.2f} m, ahead on arriv
 
 # %% [markdown] lang="en" name="age-seen" tags=["predicted"]
 # 3.50 m: in 0.2 s the robot drove 0.1 m towards the ball. Who said 3.60 took the moment of arrival for the moment of the picture; who said 3.70 drove backwards.
-# The lecture says that a place shifts by the distance driven. That holds straight on; when the robot turns meanwhile, what is far away shifts by much more (chapter 08).
+# It is often said that a place shifts by the distance driven. That holds straight on; when the robot turns meanwhile, what is far away shifts by much more (chapter 08).
 
 # %% [markdown] lang="ko" name="age-seen" tags=["predicted"]
 # 3.50 m입니다. 0.2초 동안 로봇이 공 쪽으로 0.1 m 달렸습니다. 3.60이라고 했다면 도착한 시각을 촬영한 시각으로 본 것이고, 3.70이라고 했다면 뒤로 달린 것입니다.
-# 강의 자료에는 움직인 거리만큼 위치가 밀린다고 되어 있습니다. 곧게 달릴 때는 그렇습니다. 그사이 로봇이 돌면 멀리 있는 것은 훨씬 크게 밀립니다(08장).
+# 흔히 움직인 거리만큼 위치가 밀린다고 합니다. 곧게 달릴 때는 그렇습니다. 그사이 로봇이 돌면 멀리 있는 것은 훨씬 크게 밀립니다(08장).
 
 # %% [markdown] lang="en" name="age-notes" slide="notes"
 # Draw it: a line for the camera, a line for the robot, and the 0.2 s between.
