@@ -6,6 +6,7 @@
 //   a menu, a button, a handle       its own keys                      JupyterLab takes them for its shortcuts
 //   a page of the workbook           its language; no line of code is cut
 //   a view whose model is nowhere    the words, and "run this cell"    instead of "model not found"
+//   a name, in a new kernel          what to run first                 the page's first cell would say so, had it run
 //   a kernel that says what it is    a page is not unsaved for that   JupyterLab writes it into the page
 //   a drawing wider than its column  smaller, as far as it can be read; then it scrolls, and says so
 //   Run All                          a live view's still twin stays folded   JupyterLab unfolds what it runs
@@ -16,6 +17,11 @@
 // Written as JupyterLab loads it, so that nothing has to be built.
 (() => {
   const RUN = { en: "Run this cell to see it move.", ko: "이 셀을 실행하면 다시 움직입니다." };
+
+  const FIRST = {
+    en: "The page's first cell has not run in this kernel. Run it first (or all of them: Run → Run All Above Selected Cell), then this cell again.",
+    ko: "이 커널에서는 페이지의 첫 셀을 아직 실행하지 않았습니다. 첫 셀을 먼저 실행한 다음(Run → Run All Above Selected Cell을 고르면 위의 셀을 모두 실행합니다) 이 셀을 다시 실행하세요.",
+  };
 
   const style = Object.assign(document.createElement("link"), { rel: "stylesheet" });
   style.href = new URL("tflab.css", document.currentScript.src);
@@ -53,13 +59,28 @@
     }
   }
 
-  function describe(output, model, language) {
+  // Once the first cell has run, tflab itself says what to do about a name that is not there, in an output of its own.
+  function isTooEarly(model, isLast) {
+    if (!isLast) return false;
+    const { ename } = model.data?.["application/vnd.jupyter.error"] ?? {};
+    return ename === "NameError" || /magic function `%\w+` not found/.test(model.data?.["application/vnd.jupyter.stderr"] ?? "");
+  }
+
+  function sayWhatIsFirst(output, language) {
+    if (output.querySelector(".tflab-first")) return;
+    const said = Object.assign(document.createElement("p"), { className: "tflab-first", textContent: FIRST[language] });
+    output.querySelector(".jp-OutputArea-output")?.append(said); // below the error, not beside it
+  }
+
+  function describe(output, model, language, isLast) {
     const text = words(model.data);
     for (const image of output.querySelectorAll(":is(.jp-RenderedImage, .jp-RenderedSVG) img:not([alt])")) image.alt = text;
     name(output);
     keepKeys(output);
     if (!language) return;
     shrink(output);
+    if (isTooEarly(model, isLast)) sayWhatIsFirst(output, language);
+    else output.querySelector(".tflab-first")?.remove();
     for (const view of output.querySelectorAll(".jp-OutputArea-output")) {
       if (!model.data?.["application/vnd.jupyter.widget-view+json"] || !view.textContent.includes("model not found")) continue;
       const said = document.createElement("pre");
@@ -104,7 +125,7 @@
         const area = cell.outputArea;
         area?.widgets.forEach((output, place) => {
           const model = area.model.get(place);
-          if (model) describe(output.node, model, language);
+          if (model) describe(output.node, model, language, place === area.model.length - 1);
         });
       }
     }
