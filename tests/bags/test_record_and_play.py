@@ -2,9 +2,11 @@
 
 import time
 from pathlib import Path
+from shutil import copyfile
 
 import numpy as np
 import pytest
+import yaml
 from making_bags import circle, write_rosbag1
 from rosbags.highlevel import AnyReader
 from rosbags.interfaces import QosDurability
@@ -304,14 +306,28 @@ def test_the_robot_of_the_recording_is_the_teaching_robot(drive):
     assert read_bag(drive).robot_description == TeachingRobot().urdf
 
 
-def test_a_name_in_korean_is_read_where_the_system_writes_another_encoding(graph, tmp_path, monkeypatch):
+@pytest.mark.parametrize("parts", [1, 2])
+def test_a_name_in_korean_is_read_where_the_system_writes_another_encoding(parts, graph, tmp_path, monkeypatch):
     launch(graph)
     path = record(graph, tmp_path / "주행", 2.0, "/tf", "/tf_static")
+    if parts == 2:
+        split(path)
     before = read_bag(path)
     real = Path.read_text
-    monkeypatch.setattr("tflab.bags.reader.getpreferredencoding", lambda do_setlocale: "cp949")
-    monkeypatch.setattr(Path, "read_text", lambda file, encoding=None: real(file, encoding or "cp949", "replace"))
+    monkeypatch.setattr(Path, "read_text", lambda file, *how: real(file, *(how if any(how) else ("cp949", "replace"))))
+    assert "주행" not in (path / "metadata.yaml").read_text()
     assert read_bag(path).transforms.numbers.tolist() == before.transforms.numbers.tolist()
+
+
+def split(path: Path) -> None:
+    """Make of a bag of one file one of two, which hold the same."""
+    (file,) = path.glob("*.mcap")
+    copyfile(file, path / f"{file.stem}_1.mcap")
+    told = yaml.safe_load((path / "metadata.yaml").read_text(encoding="utf-8"))
+    about = told["rosbag2_bagfile_information"]
+    about["relative_file_paths"].append(f"{file.stem}_1.mcap")
+    about["files"] += [dict(about["files"][0], path=f"{file.stem}_1.mcap")]
+    (path / "metadata.yaml").write_text(yaml.safe_dump(told, allow_unicode=True), encoding="utf-8")
 
 
 def test_a_bag_names_the_distribution_that_recorded_it(drive, monkeypatch):

@@ -20,7 +20,6 @@ import sqlite3
 import struct
 from collections.abc import Iterator
 from contextlib import contextmanager
-from locale import getpreferredencoding
 from pathlib import Path
 from shutil import copyfile
 from tempfile import TemporaryDirectory
@@ -131,6 +130,17 @@ def _with_its_log(path: Path, log: Path, folder: Path) -> Path:
     return whole
 
 
+class _InUtf8(type(Path())):
+    """A path below which texts are UTF-8.
+
+    rosbags names no encoding where it reads metadata.yaml, and that of a Korean Windows spoils the names in it.
+    """
+
+    def read_text(self, encoding: str | None = None, errors: str | None = None) -> str:
+        """Return the text of the file."""
+        return super().read_text(encoding or "utf-8", errors)
+
+
 @contextmanager
 def open_bag(path: str | Path) -> Iterator[tuple]:
     """Open a bag for reading: (the reader of rosbags, whether it is ROS 1), closed at the end.
@@ -145,7 +155,7 @@ def open_bag(path: str | Path) -> Iterator[tuple]:
     path = Path(path).expanduser()
     kind = _kind_of(path)
     try:
-        with (Reader1 if kind == ".bag" else Reader2)(_as_rosbags_reads_it(path, kind)) as reader:
+        with (Reader1 if kind == ".bag" else Reader2)(_InUtf8(path)) as reader:
             yield reader, kind == ".bag"
     except (BagError, KeyboardInterrupt, GeneratorExit):
         raise
@@ -154,17 +164,6 @@ def open_bag(path: str | Path) -> Iterator[tuple]:
     except Exception as error:
         reason = " ".join(str(error).split()) or type(error).__name__
         raise BagError(f"{path}: cannot be read, it seems to be broken or cut short ({reason})") from error
-
-
-def _as_rosbags_reads_it(path: Path, kind: str) -> Path:
-    """Return what to open: rosbags reads metadata.yaml in the system's encoding, which spoils names that are not ASCII.
-
-    Where that is not UTF-8, as on a Korean Windows, and there is one storage file, that file is opened itself.
-    """
-    if kind != "directory" or getpreferredencoding(False).lower().replace("-", "") == "utf8":
-        return path
-    files = [*path.glob("*.mcap"), *path.glob("*.db3")]
-    return path if len(files) != 1 or (path / "metadata.yaml").read_bytes().isascii() else files[0]
 
 
 def _kind_of(path: Path) -> str:
