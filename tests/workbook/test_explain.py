@@ -88,7 +88,7 @@ def test_it_is_recognised_where_the_right_answer_is_sealed():
 def test_two_slips_are_named_in_the_order_of_the_work():
     verdict = judged(Number("m"), 1.0, {"late": 2.0, "far": 3.0, "late + far": 7.0}, 7.0)
     assert list(verdict.slips) == ["late", "far"]
-    assert verdict.said.en == "Two things. First: late Then: far"
+    assert verdict.said.en == "Two things together give just this. First: late Then: far"
 
 
 def test_one_slip_comes_before_two_and_the_tasks_before_everybodys():
@@ -173,7 +173,7 @@ def test_a_slip_on_the_way_to_a_part_is_named_though_the_part_that_it_is_made_in
     right, twin = {"a": 1.0, "b": 2.0, "c": 3.0}, {"a": 5.0, "b": 6.0, "c": 3.0}
     said = {"late": words("late", part="a")}
     verdict = judged(PARTS, right, {"late": twin}, right | {"b": 6.0}, said)
-    assert verdict.said.en == '"b": this follows from another "a" than the one you give: late'
+    assert verdict.said.en == '"b": this is what would follow from another "a" than the one you give: late'
     assert not judged(PARTS, right, {"late": twin}, right | {"b": 6.0}, {"late": words("late")}).slips
     cut_off = judged(PARTS, right, {"late": twin | {"b": 0.0}}, right | {"b": 0.0}, said)
     assert list(cut_off.slips) == ["zero"]
@@ -345,6 +345,35 @@ def test_what_was_given_is_named_where_it_comes_back():
     given = variant._replace(given={"p_laser": [4.0, 5.0, 6.0]})
     assert list(judge_outcomes(task, given, [[4.0, 5.0, 6.0]]).slips) == ["given p_laser"]
     assert judge_outcomes(task, given, [[4.0, 5.0, 6.5]]).slips == {}
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ((1.0, -2.0, 3.0), "y has the wrong sign, and the rest is right."),
+        ((1.0, 3.0, 2.0), "y and z have changed places."),
+        ((2.0, 3.0, 1.0), "these are the right numbers in the wrong places."),
+        ((1.0, 3.0, -2.0), "x is right; of the other two the sizes are right, their places or signs are not."),
+        ((3.0, -1.0, 2.0), "the sizes of the numbers are right; their places and signs are not."),
+    ],
+)
+def test_which_numbers_of_a_point_have_it_is_told_where_it_is_sure(given, said):
+    assert judged(Vector(3), (1.0, 2.0, 3.0), {}, given).said.en == said
+
+
+def test_of_calls_it_is_told_only_where_it_is_the_same_number_in_all_that_are_wrong():
+    first = ((1.0, 2.0, 3.0), (1.0, -2.0, 3.0))
+    said = [
+        judged_function(Vector(3), [first, other]).said.en
+        for other in (
+            ((4.0, 5.0, 6.0), (4.0, -5.0, 6.0)),
+            ((4.0, 5.0, 6.0), (4.0, 5.0, -6.0)),
+            ((4.0, 5.0, 6.0), (4.0, 5.0, 6.0)),
+        )
+    ]
+    assert said[0] == "y has the wrong sign, and the rest is right."
+    assert said[1] == "one of the numbers has the wrong sign."
+    assert said[2].startswith("In some calls, not in all: y has the wrong sign, and the rest is right.")
 
 
 def test_a_mistake_in_some_calls_is_said_to_be_in_some():
@@ -589,7 +618,7 @@ def test_words_that_two_slips_would_give_in_different_calls_are_confused_words()
 @pytest.mark.parametrize(
     ("wrong", "said"),
     [
-        ({"origin": 'xyz="0.2 0.1 0.4" rpy="0 0 -0.6"'}, '"head": where it is in its parent: one of the numbers has'),
+        ({"origin": 'xyz="0.2 0.1 0.4" rpy="0 0 -0.6"'}, '"head": where it is in its parent: y has the wrong sign'),
         ({"origin": 'xyz="20 -10 40" rpy="0 0 -0.6"'}, '"head": where it is in its parent: right, if it were in cm.'),
         ({"origin": 'xyz="0.2 -0.1 0.4" rpy="0 0 0.6"'}, '"head": how it is turned in its parent: this is the inverse'),
         ({"axis": "-1 0 0"}, '"head": at 0 it stands right; moved, it turns about -x of its own axes'),

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from itertools import pairwise
 
 import pytest
 
 from tflab.core import Transform
 from tflab.workbook.answers.forms import Command, Name, Number, Parts, Pose, Quaternion, Sequence, Tree, Vector
-from tflab.workbook.answers.values import raised
+from tflab.workbook.answers.values import raised, to_plain
 from tflab.workbook.mistakes.stumbles import tip_for
 from tflab.workbook.tasks.case import Case
 from tflab.workbook.verdicts.verdict import judge_outcomes
@@ -143,3 +144,52 @@ def test_none_for_a_word_and_dicts_inside_a_tree_are_told_how_they_are_written()
     assert "in quotes" in verdict.detail["tip"].en
     nested = {"red": {"red/odom": "map"}, "blue": {"blue/odom": "map"}}
     assert "One dict" in judged(Tree(), {"red/odom": "map", "blue/odom": "map"}, {}, nested).detail["tip"].en
+
+
+GIVEN_POINTS = {"base_p_laser": [0.25, 0.08, 0.21], "laser_p_post": [2.37, 0.64, 0.45]}
+
+
+@pytest.mark.parametrize(
+    ("answer", "said"),
+    [
+        ((2.62, 0.72, 0.53), "x, y: right; z: this is what `base_p_laser[1] + laser_p_post[2]` gives."),
+        ((2.62, 0.72, 0.24), "x, y: right; z: this is what `laser_p_post[2] - base_p_laser[2]` gives."),
+        ((2.62, 2.45, 2.58), "x: right; y: this is what `base_p_laser[1] + laser_p_post[0]` gives; "
+         "z: this is what `base_p_laser[2] + laser_p_post[0]` gives."),
+        ((2.62, 0.72, 0.57), None),
+        ((2.61, 0.53, 0.53), None),  # none of them is right
+    ],
+)  # fmt: skip
+def test_a_number_of_a_point_that_differs_in_one_term_is_told_by_its_sum(answer, said):
+    right = tuple(map(sum, zip(*GIVEN_POINTS.values(), strict=True)))
+    task, variant = bare(Vector(3, "m"), Case(None, to_plain(right), {}))
+    verdict = judge_outcomes(task, variant._replace(given=GIVEN_POINTS), [to_plain(answer)])
+    assert (verdict.said and verdict.said.en) == said
+
+
+TURNED = [{"x": 1.0 + n, "y": 0.4 - 0.3 * n, "yaw": 0.5 + 0.7 * n} for n in range(5)]
+
+
+@pytest.mark.parametrize(
+    ("wrong", "text"),
+    [
+        (lambda x, y, a: x * math.sin(a) - y, "argument 1: x * sin(argument 1: yaw) - argument 1: y"),
+        (lambda x, y, a: -math.hypot(x, y) * math.cos(a),
+         "- hypot(argument 1: x, argument 1: y) * cos(argument 1: yaw)"),
+        (lambda x, y, a: x * math.sin(a) + 0.2 * y, None),
+    ],
+)  # fmt: skip
+def test_of_a_point_that_is_turned_in_the_plane_the_terms_are_told(wrong, text):
+    form = Parts({"x": Number("m"), "y": Number("m")})
+    rows = [((pose,), {"x": 100.0 + n, "y": 1.0}, {"x": wrong(*pose.values()), "y": 1.0})
+            for n, pose in enumerate(TURNED)]  # fmt: skip
+    assert list(called(form, rows).slips) == ([f"x: computed: {text}"] if text else [])
+
+
+def test_a_sign_in_one_part_alone_is_told_before_two_slips_that_meet_there():
+    form = Parts({"x": Number("m"), "y": Number("m")})
+    right, wrong = {"x": 1.0, "y": 2.0}, {"x": 1.0, "y": -2.0}
+    twins = {"late": {"x": 3.0, "y": 2.0}, "far": {"x": 5.0, "y": 7.0}, "late + far": wrong}
+    assert judged(form, right, twins, wrong).said.en == '"y": the size is right, the sign is not.'
+    both = wrong | {"x": 4.0}
+    assert list(judged(form, right, twins | {"late + far": both}, both).slips) == ["late", "far"]

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from tflab.ros.messages import builtin_interfaces, geometry_msgs, std_msgs
+from tflab.ros.time import Time
 from tflab.workbook.answers.forms import Choice, Name, Number, Parts, Sequence, form_from_plain
 from tflab.workbook.answers.values import to_plain
 from tflab.workbook.explaining.common import in_common
@@ -83,8 +85,10 @@ def test_of_a_slip_that_shows_in_some_calls_the_part_comes_first():
     task, _ = bare(Number("m"), Case([1.0], 1.0, {}), is_function=True)
     task = task._replace(twins={"static": TwinWords(Words("late: it is old.", "late: 오래되었습니다."), "", "late")})
     said = words_of(task, "in some: static").reply
-    assert said.en.startswith('"late": In some calls, not in all: it is old. ')
-    assert said.ko.startswith('"late": 모든 호출이 아니라 일부에서 그렇습니다. 오래되었습니다. ')
+    assert said.en.startswith('"late": In some calls, not in all, it comes out as by this mistake: it is old. ')
+    assert said.ko.startswith(
+        '"late": 모든 호출이 아니라 일부에서, 다음 실수를 했을 때와 같은 값이 나옵니다. 오래되었습니다. '
+    )
 
 
 def test_which_word_is_said_for_which_comes_after_a_cause():
@@ -97,6 +101,15 @@ def test_which_word_is_said_for_which_comes_after_a_cause():
 # -- what calls have in common ----------------------------------------------------------------
 
 
+def stamped(sec, nanosec=0):
+    header = std_msgs.Header(stamp=builtin_interfaces.Time(sec=sec, nanosec=nanosec), frame_id="map")
+    return to_plain(geometry_msgs.PointStamped(header=header))
+
+
+def moment(sec):
+    return to_plain(Time(nanoseconds=sec * 10**9))
+
+
 @pytest.mark.parametrize(
     ("wrong", "right", "said"),
     [
@@ -107,6 +120,19 @@ def test_which_word_is_said_for_which_comes_after_a_cause():
         ([[-1.0], [-2.0]], [[1.0], [2.0]], "argument 1 is below 0"),
         ([[2.0, 1.0], [7.0, 3.0]], [[1.0, 2.0], [3.0, 7.0]], "argument 1 is larger than argument 2"),
         ([[{"dict": {"x": 1}}], [{"dict": {"x": 2}}]], [[{"dict": {}}], [{"dict": {}}]], 'argument 1 has the key "x"'),
+        (
+            [[stamped(5), moment(4)], [stamped(9, 1), moment(9)]],
+            [[stamped(3), moment(4)], [stamped(0), moment(2)]],
+            "the stamp in the header of argument 1 is later than argument 2",
+        ),
+        (
+            [[stamped(5), moment(9)], [stamped(7), moment(9)]],
+            [[stamped(5, 1), moment(9)], [stamped(6, 3), moment(7)]],
+            "the stamp in the header of argument 1 has a nanosec of 0",
+        ),
+        ([[stamped(5)], [stamped(7)]], [[stamped(5, 1)], [stamped(6)], [stamped(6, 3)], [stamped(2, 3)]], None),
+        ([[[0.0, 0.6, -0.8]], [[0.0, 0.8, -0.6]]], [[[0.0, 0.6, 0.8]], [[0.0, -0.8, 0.6]]], "argument 1[2] is below 0"),
+        ([[[0.6, 0.0]], [[0.8, 0.0]]], [[[0.6, 0.8]], [[0.0, -0.8]]], "argument 1[1] is 0"),
         ([[1.0], [2.0]], [[3.0], [4.0]], None),
         ([[0.0]], [[3.0], [4.0]], None),  # of a single call everything is true
         ([["map"], ["map"]], [["map"], ["map"], ["odom"]], None),  # so do most that are right

@@ -5,6 +5,8 @@
     confused    which word a function says for which
     common      what the calls that go wrong have in common
     arithmetic  what was computed of what was given
+    components  which number of a point was computed of what
+    turning     how a point was turned in the plane
     givens      what was given, as it was
     kinds       what is of the wrong kind, plain to see
     habits      what habits of writing give: the first member, a loop that removes

@@ -17,6 +17,7 @@ from typing import NamedTuple
 from ..answers.form import Form, inside, is_number, member
 from ..answers.values import Plain
 from ..mistakes.fitting import alike
+from ..mistakes.losses import stamp_of, time_of
 from ..words import Words
 
 __all__ = ["calls_in_common", "in_common"]
@@ -38,6 +39,26 @@ FACTS = {  # the plainest first; the Korean ones stand before a noun
     "zero": Words("argument {at} is 0", "{at}번째 인자가 0인"),
     "zero time": Words("argument {at} is a time of 0", "{at}번째 인자가 시각 0인"),
     "no frame": Words("the header of argument {at} names no frame", "{at}번째 인자의 헤더에 좌표계가 없는"),
+    "no stamp": Words("the stamp in the header of argument {at} is zero", "{at}번째 인자의 헤더에 있는 시각이 0인"),
+    "later": Words(
+        "the stamp in the header of argument {at} is later than argument {of}",
+        "{at}번째 인자의 헤더에 있는 시각이 {of}번째 인자보다 늦은",
+    ),
+    "earlier": Words(
+        "the stamp in the header of argument {at} is earlier than argument {of}",
+        "{at}번째 인자의 헤더에 있는 시각이 {of}번째 인자보다 이른",
+    ),
+    "at once": Words(
+        "the stamp in the header of argument {at} is just argument {of}",
+        "{at}번째 인자의 헤더에 있는 시각이 {of}번째 인자와 같은",
+    ),
+    "no sec": Words(
+        "the stamp in the header of argument {at} has a sec of 0", "{at}번째 인자의 헤더에 있는 시각의 sec이 0인"
+    ),
+    "no nanosec": Words(
+        "the stamp in the header of argument {at} has a nanosec of 0",
+        "{at}번째 인자의 헤더에 있는 시각의 nanosec이 0인",
+    ),
     "one": Words("argument {at} has a single member", "{at}번째 인자의 원소가 하나뿐인"),
     "twice": Words("argument {at} holds a member twice", "{at}번째 인자에 같은 원소가 두 번 든"),
     "unsorted": Words("argument {at} is not in rising order", "{at}번째 인자가 커지는 순서가 아닌"),
@@ -47,6 +68,7 @@ FACTS = {  # the plainest first; the Korean ones stand before a noun
         "{at}번째 인자의 헤더에 있는 좌표계가 슬래시로 시작하는",
     ),
     "negative": Words("argument {at} is below 0", "{at}번째 인자가 0보다 작은"),
+    "member negative": Words("argument {at}[{of}] is below 0", "{at}번째 인자의 [{of}]가 0보다 작은"),
     "some negative": Words("argument {at} holds a number below 0", "{at}번째 인자에 0보다 작은 수가 든"),
     "equal": Words("arguments {at} and {of} are the same", "{at}번째 인자와 {of}번째 인자가 같은"),
     "larger": Words("argument {at} is larger than argument {of}", "{at}번째 인자가 {of}번째 인자보다 큰"),
@@ -55,7 +77,10 @@ FACTS = {  # the plainest first; the Korean ones stand before a noun
     "key": Words("argument {at} has the key {of}", "{at}번째 인자에 {of} 키가 있는"),
     "no key": Words("argument {at} has no key {of}", "{at}번째 인자에 {of} 키가 없는"),
     "holds": Words("argument {at} holds {of}", "{at}번째 인자에 {of}도 든"),
+    "member zero": Words("argument {at}[{of}] is 0", "{at}번째 인자의 [{of}]가 0인"),
 }
+ONLY_JUST_THERE = {"no sec", "no nanosec", "member negative", "member zero"}  # of many, one is shared by chance
+MOST_MEMBERS = 4  # of a tuple of numbers that are looked at one by one
 
 
 class Fact(NamedTuple):
@@ -86,8 +111,9 @@ def in_common(wrong: Sequence[list[Plain]], right: Sequence[list[Plain]]) -> Wor
     keys = _keys([*wrong, *right])
     shared = set.intersection(*(set(_facts(args, keys)) for args in wrong))
     often = {fact: sum(fact in set(_facts(args, keys)) for args in right) for fact in shared}
+    often = {fact: count for fact, count in often.items() if not count or fact.kind not in ONLY_JUST_THERE}
     order = list(FACTS)
-    ranked = sorted(shared, key=lambda fact: (often[fact] > 0, order.index(fact.kind), often[fact], fact))
+    ranked = sorted(often, key=lambda fact: (often[fact] > 0, order.index(fact.kind), often[fact], fact))
     if not ranked or often[ranked[0]] > SELDOM * len(right):
         return None
     fact = ranked[0]
@@ -119,6 +145,20 @@ def _facts(args: list[Plain], keys: dict[int, set[str]]) -> Iterator[Fact]:
         else:
             yield from _of_an_object(at, plain)
     yield from _of_two(args)
+    yield from _of_times(args)
+
+
+def _of_times(args: list[Plain]) -> Iterator[Fact]:
+    """Yield what is so of the stamp in a header, alone and beside a Time."""
+    for at, plain in enumerate(args, start=1):
+        stamp = stamp_of(member(plain, "header", "stamp"))
+        if stamp is None:
+            continue
+        yield from _that_are(at, no_stamp=stamp == (0, 0), no_sec=stamp[0] == 0, no_nanosec=stamp[1] == 0)
+        for of, other in enumerate(args, start=1):
+            time = time_of(other)
+            if time is not None:
+                yield Fact("later" if stamp > time else "earlier" if stamp < time else "at once", at, str(of))
 
 
 def _that_are(at: int, **facts: bool) -> Iterator[Fact]:
@@ -151,9 +191,17 @@ def _of_a_list(at: int, held: list[Plain]) -> Iterator[Fact]:
     is_twice = any(one in held[:place] for place, one in enumerate(held))
     yield from _that_are(at, empty=not held, one=len(held) == 1, twice=is_twice)
     numbers = [one[0] if isinstance(one := inside(each), list) and one else one for each in held]
+    yield from _of_each_member(at, held)
     if numbers and all(map(is_number, numbers)):
         yield from _that_are(at, unsorted=numbers != sorted(numbers), some_negative=min(numbers) < 0)
     yield from (Fact("holds", at, _quoted(each)) for each in held if isinstance(each, str) and len(each) <= LONGEST)
+
+
+def _of_each_member(at: int, held: list[Plain]) -> Iterator[Fact]:
+    """Yield what is so of each number of a short list by its place."""
+    if len(held) <= MOST_MEMBERS and all(map(is_number, held)):
+        yield from (Fact("member negative", at, str(of)) for of, number in enumerate(held) if number < 0)
+        yield from (Fact("member zero", at, str(of)) for of, number in enumerate(held) if number == 0)
 
 
 def _of_an_object(at: int, plain: Plain) -> Iterator[Fact]:

@@ -29,13 +29,14 @@ from .arithmetic import computed, computed_in_all
 from .beside import side_by_side
 from .changes import of_changes
 from .common import calls_in_common
+from .components import of_components, put_together
 from .confused import confused, confused_in_lists, seen_of, word_of
 from .explanation import Explanation, said_of
 from .givens import given_to
 from .habits import habit_of
-from .lists import of_lists
 from .kinds import of_times
-from .members import changed_places, of_members
+from .lists import of_lists
+from .members import changed_places, of_members, plain_in_one
 from .refusals import of_refusals
 from .robots import of_robots
 from .stops import of_stops
@@ -58,16 +59,17 @@ def explained(
         given: what the learner was shown, where that varies.
     """
     if isinstance(task.form, Parts) and not task.is_function:
-        return of_members(task, cases, outcomes, given)
+        return _of_parts(task, cases, outcomes, given)
     if words := unfilled(task.form, outcomes):
         return Explanation.of("nothing filled in", words)
-    if task.is_function and (found := of_changes(task, cases, outcomes, explained)):
     if found := of_times(task, cases, outcomes, lambda *rest: explained(*rest, given)):
         return found
+    if task.is_function and (found := of_changes(task, cases, outcomes, explained)):
         return found
     names = next(_ways(task, cases, outcomes, given), None)
-    if (names is None or len(names) > 1) and (places := changed_places(task, cases, outcomes, given)):
-        return places
+    is_simple = names is not None and len(names) == 1 and not names[0].startswith("places and signs")
+    if not is_simple and (found := _more_simply(task, cases, outcomes, given)):
+        return found
     if names:
         return _by_name(task, cases, outcomes, names)
     if task.is_function and habit(task.form, cases, outcomes):  # a constant, or what came in: that says it all
@@ -77,6 +79,23 @@ def explained(
         or of_refusals(task, cases, outcomes, explained)
         or _of_the_form(task, cases, outcomes, given)
     )
+
+
+def _of_parts(
+    task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], given: dict[str, Plain] | None
+) -> Explanation | None:
+    """Return how a value of several parts came about: two slips that meet only where nothing simpler is to be seen."""
+    found = of_members(task, cases, outcomes, given)
+    return (plain_in_one(task, cases, outcomes) or found) if found and len(found.slips) > 1 else found
+
+
+def _more_simply(
+    task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], given: dict[str, Plain] | None
+) -> Explanation | None:
+    """Return what is more certain than two slips that meet: two parts exchanged, a sign, numbers in other places."""
+    found = changed_places(task, cases, outcomes, given) or plain_in_one(task, cases, outcomes)
+    put = None if found or task.is_function else put_together(task.form, outcomes[0], given)
+    return Explanation.of(*put) if put else found
 
 
 def _by_name(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], names: tuple[str, ...]) -> Explanation:
@@ -116,7 +135,11 @@ def _of_the_form(
     if task.is_function:
         return _of_calls(task, cases, outcomes)
     found = of_lists(task, cases, outcomes)
-    summed = None if found else computed(task.form, outcomes[0], given)
+    summed = (
+        None
+        if found
+        else computed(task.form, outcomes[0], given) or of_components(task.form, outcomes[0], cases[0].expected, given)
+    )
     return Explanation.of(*summed) if summed else found
 
 

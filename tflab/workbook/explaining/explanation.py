@@ -1,8 +1,9 @@
 """What is an explanation?  Slips by name, what to say of them, and what only follows from them.
 
-    Explanation({"late": ..., "far": ...}, Words("Two things. First: ... Then: ..."), follows=("ahead_m",))
+    Explanation({"late": ..., "far": ...}, Words("Two things together give ..."), follows=("ahead_m",))
 
-Read `confused.py` next.
+Slips that were made together are told as what gives this answer, for another mistake may come to the same numbers;
+what was seen of itself, as in `and_then`, is told as it is.  Read `confused.py` next.
 """
 
 from __future__ import annotations
@@ -18,9 +19,13 @@ from ..words import Words, begun
 __all__ = ["Explains", "Explanation", "and_then", "said_of"]
 
 AND_THEN = Words(en="Two things. First: {first} Then: {then}", ko="두 가지입니다. 먼저, {first} 다음으로, {then}")
-THREE = Words(
-    en="Three things. First: {first} Then: {then} And: {last}",
-    ko="세 가지입니다. 먼저, {first} 다음으로, {then} 끝으로, {last}",
+TWO_TOGETHER = Words(
+    en="Two things together give just this. First: {first} Then: {then}",
+    ko="두 가지가 겹치면 바로 이런 답이 나옵니다. 먼저, {first} 다음으로, {then}",
+)
+THREE_TOGETHER = Words(
+    en="Three things together give just this. First: {first} Then: {then} And: {last}",
+    ko="세 가지가 겹치면 바로 이런 답이 나옵니다. 먼저, {first} 다음으로, {then} 끝으로, {last}",
 )
 
 
@@ -50,7 +55,9 @@ Explains = Callable[[TaskCases, Sequence[Case], Sequence[Plain]], Explanation | 
 
 def and_then(first: Explanation, then: Explanation) -> Explanation:
     """Return both as one: what comes first, and what is wrong besides."""
-    said = _both(first.said, then.said) if len(first.slips) == 1 else _in_a_row(first.said, then.said)
+    said = (
+        AND_THEN.filled(first=first.said, then=then.said) if len(first.slips) == 1 else _in_a_row(first.said, then.said)
+    )
     return Explanation(first.slips | then.slips, said, first.follows)
 
 
@@ -60,12 +67,8 @@ def said_of(task: TaskCases, names: Sequence[str]) -> Words:
     if len(said) == 1:
         return said[0]
     if len(said) == 2:
-        return _both(*said)
-    return THREE.filled(first=said[0], then=said[1], last=said[2])
-
-
-def _both(first: Words, then: Words) -> Words:
-    return AND_THEN.filled(first=first, then=then)
+        return TWO_TOGETHER.filled(first=said[0], then=said[1])
+    return THREE_TOGETHER.filled(first=said[0], then=said[1], last=said[2])
 
 
 def _in_a_row(first: Words, then: Words) -> Words:

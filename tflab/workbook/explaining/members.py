@@ -29,6 +29,7 @@ from .after import after_a_slip
 from .arithmetic import computed, computed_in_all
 from .certain import certain
 from .common import calls_in_common
+from .components import of_components
 from .confused import confused, seen_of, word_of
 from .explanation import Explanation
 from .givens import given_to
@@ -37,8 +38,9 @@ from .kinds import kinds_said
 from .orders import named_twice, of_orders, of_places
 from .slips_in_parts import Table, is_something, slips_in_parts
 from .together import Found, together
+from .turning import turned_in_all
 
-__all__ = ["changed_places", "of_members"]
+__all__ = ["changed_places", "of_members", "plain_in_one"]
 
 ANOTHERS = Words(
     en='this is what is asked for under "{other}".',
@@ -128,6 +130,25 @@ def changed_places(
     return together([found], {}, names) if found else None
 
 
+def plain_in_one(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain]) -> Explanation | None:
+    """Return what is plain to see in the only part that is wrong: no two slips have to meet for a sign alone."""
+    if not isinstance(task.form, Parts) or any(map(is_raised, (*outcomes, *(case.expected for case in cases)))):
+        return None
+    if any(task.form.read(outcome) is None for outcome in outcomes):
+        return None
+    table = _table(task.form, cases, outcomes)
+    wrong = [name for name, part in table.forms.items() if not all_alike(part, table.given[name], table.wanted[name])]
+    if len(wrong) != 1:
+        return None
+    (name,) = wrong
+    way = next(undone_to(table.forms[name], table.given[name], table.wanted[name], only_plain_to_see=True), None)
+    if way is None:
+        return None
+    words = words_of(task, way)
+    found = Found({way: words}, _shown_too(task, name, words.reply), {name})
+    return together([found], {}, list(table.forms))
+
+
 def _table(form: Form, cases: Sequence[Case], outcomes: Sequence[Plain]) -> Table:
     is_sealed = sealed.is_sealed(cases[0].expected)
     forms = sections(form, outcomes[0] if is_sealed else cases[0].expected)
@@ -173,12 +194,18 @@ def _by_itself(
     if found := _of_kinds(table, name) or _remarked(table, name) or _of_any(task, table, name):
         return found
     if len(outcomes) > 1:
-        summed = computed_in_all(form, table.args, outcomes)
-        return [Found.of(f"{name}: {summed[0]}", summed[1], name)] if summed else _of_words(task, table, name)
+        return _summed_in_all(table, name) or _of_words(task, table, name)
     found = _of_the_given(task, name, form, outcomes[0], wanted[0], given) or _as_another_is(
         task, table, name, twins, known
     )
     return found or ([Found.of(f"{name}: another", hint, name)] if hint else [])
+
+
+def _summed_in_all(table: Table, name: str) -> list[Found]:
+    """Return what a function computes for one part in every call."""
+    form, outcomes = table.forms[name], table.given[name]
+    found = computed_in_all(form, table.args, outcomes) or turned_in_all(form, table.args, outcomes)
+    return [Found.of(f"{name}: {found[0]}", found[1], name)] if found else []
 
 
 def _of_kinds(table: Table, name: str) -> list[Found]:
@@ -263,7 +290,7 @@ def _of_the_given(
     if held:
         way = f"given {held}"
         return [Found({way: words_of(task, way)}, _shown_too(task, name, words_of(task, way).reply), {name})]
-    found = computed(form, outcome, given)
+    found = computed(form, outcome, given) or of_components(form, outcome, wanted, given)
     return [Found.of(found[0], _shown_too(task, name, found[1]), name)] if found else []
 
 

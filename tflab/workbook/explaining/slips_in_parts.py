@@ -26,8 +26,8 @@ from .together import Found
 __all__ = ["Table", "is_something", "slips_in_parts"]
 
 FOLLOWS = Words(
-    en='this follows from another "{part}" than the one you give: {said}',
-    ko='따로 답한 "{part}"과(와) 다른 값에서 나온 답입니다. {said}',
+    en='this is what would follow from another "{part}" than the one you give: {said}',
+    ko='"{part}"이(가) 따로 답한 것과 다른 값일 때 나오는 답입니다. {said}',
 )
 LABELS = ("header.", "child_frame_id")  # fields of a message that say what its numbers are
 

@@ -1,6 +1,7 @@
 """The mistakes that any answer can have, and whether outcomes are just what one of them gives: a bug library.
 
     units       in which other unit it may be
+    by_place    which of a point's numbers has the wrong sign, which two have changed places
     universal   mistakes that any answer can have
     names       what is wrong with a name: its slashes, or nothing was filled in
     losses      what was lost and cannot be put back

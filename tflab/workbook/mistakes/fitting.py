@@ -19,8 +19,9 @@ from ..answers.forms import Angle, Message, Number, Parts, Pose, Quaternion, Vec
 from ..answers.values import Plain, is_raised
 from ..tasks.case import TaskCases, TwinWords
 from ..words import Words
+from .by_place import said_of_letters
 from .fields import section
-from .losses import by_comparison, words_of_loss
+from .losses import TOLD, by_comparison, words_of_loss
 from .universal import PLAIN_TO_SEE, UNIVERSAL, undone
 
 __all__ = [
@@ -43,8 +44,13 @@ SOME = Words(
     en="In some calls, not in all: {said} What do these calls have in common?",
     ko="모든 호출이 아니라 일부에서 그렇습니다. {said} 이 호출들의 공통점은 무엇입니까?",
 )
+SOME_AS_BY = Words(  # what is said of a task's slip was written for all calls: of some it is what they look like
+    en="In some calls, not in all, it comes out as by this mistake: {said} What do these calls have in common?",
+    ko="모든 호출이 아니라 일부에서, 다음 실수를 했을 때와 같은 값이 나옵니다. {said} 이 호출들의 공통점은 무엇입니까?",
+)
 IN_SOME = "in some: "
 MEASURED = (Number, Angle, Vector, Quaternion, Pose, Message, Parts)  # words and lists are alike by chance
+FITS_WHAT_IS_RIGHT = {"places and signs"}  # any order and signs, as they are, too: where some is right, it is not so
 ONE, TWO = 0.1, 0.005  # how far from what one slip, or two, give: the more there are, the sooner one fits by chance
 COMPUTED = 1e-4  # the same of a number that was not rounded: it is what was done, and little else
 
@@ -107,8 +113,9 @@ def undone_to(
     wrong = next((given for given, want in values if not alike(form, given, want)), None)
     if wrong is None:
         return
+    is_all_wrong = not any(alike(form, given, want) for given, want in values)
     for name, unit in dict.fromkeys(way[:2] for way in undone(form, wrong)):
-        if only_plain_to_see and name not in PLAIN_TO_SEE:
+        if (only_plain_to_see and name not in PLAIN_TO_SEE) or (name in FITS_WHAT_IS_RIGHT and not is_all_wrong):
             continue
         if all(_fits(form, name, unit, *pair) for pair in values):
             yield f"{name} {unit}".strip()
@@ -134,7 +141,8 @@ def in_some(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> I
     if not isinstance(form, MEASURED) or (isinstance(form, Number) and not form.unit):
         return
     if 0 < len(wrong) < len(outcomes) and not any(is_raised(want) for _, want in wrong):
-        yield from (IN_SOME + name for name in undone_to(form, *map(list, zip(*wrong, strict=True))))
+        names = undone_to(form, *map(list, zip(*wrong, strict=True)))
+        yield from (IN_SOME + name for name in names if len(wrong) > 1 or name != "rounded")  # one is round by chance
 
 
 def _fits(form: Form, name: str, unit: str, given: Plain, wanted: Plain) -> bool:
@@ -148,8 +156,9 @@ def words_of(task: TaskCases, name: str) -> TwinWords:
     if name in task.twins:
         return task.twins[name]
     if name.startswith(IN_SOME):
-        words = words_of(task, name.removeprefix(IN_SOME))
-        said = Words(*(_of_some(tongue, words.reply.say(tongue), words.part) for tongue in ("en", "ko")))
+        slip = name.removeprefix(IN_SOME)
+        words, some = words_of(task, slip), SOME_AS_BY if slip in task.twins else SOME
+        said = Words(*(_of_some(tongue, some, words.reply.say(tongue), words.part) for tongue in ("en", "ko")))
         return TwinWords(said, words.misconception)
     for start, words in (("unit ", UNIT), ("given ", GIVEN)):
         if name.startswith(start):
@@ -157,10 +166,11 @@ def words_of(task: TaskCases, name: str) -> TwinWords:
             return TwinWords(words.filled(unit=rest, name=rest), "")
     if (words := words_of_loss(name)) is not None:
         return TwinWords(words, "")
-    return TwinWords(UNIVERSAL[name].reply, UNIVERSAL[name].misconception)
+    kind, _, told = name.partition(TOLD)
+    return TwinWords(said_of_letters(kind, told) or UNIVERSAL[kind].reply, UNIVERSAL[kind].misconception)
 
 
-def _of_some(tongue: str, reply: str, part: str) -> str:
+def _of_some(tongue: str, some: Words, reply: str, part: str) -> str:
     """Return what is said of a slip that shows in some calls, the part first where the reply begins with it."""
     rest = reply.removeprefix(f"{part}: ") if part else reply
-    return ("" if rest == reply else f'"{part}": ') + SOME.say(tongue, said=rest)
+    return ("" if rest == reply else f'"{part}": ') + some.say(tongue, said=rest)

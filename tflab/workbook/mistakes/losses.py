@@ -176,7 +176,7 @@ def _lost(form: Form, rows: list[tuple[Numbers, Numbers]]) -> Iterator[str]:
         yield "zero"
     if isinstance(form, Number):
         yield from _counted_or_signed([(given[0], want[0]) for given, want in rows], form)
-    if not is_empty and any(all(_rounded(*row, digits) for row in rows) for digits in (0, 1, 2, 3)):
+    if not is_empty and _all_rounded(form, rows):
         yield "rounded"
 
 
@@ -193,6 +193,12 @@ def _counted_or_signed(pairs: list[tuple[float, float]], form: Number) -> Iterat
 
 def _left_at_zero(given: Numbers, wanted: Numbers, tolerance: float) -> bool:
     return all(number == 0.0 or abs(number - want) <= tolerance for number, want in zip(given, wanted, strict=True))
+
+
+def _all_rounded(form: Form, rows: list[tuple[Numbers, Numbers]]) -> bool:
+    """Return whether all were rounded to as many digits; in a quaternion 0 and 1 are near everything."""
+    places = (1, 2, 3) if isinstance(form, Quaternion) else (0, 1, 2, 3)
+    return any(all(_rounded(*row, digits) for row in rows) for digits in places)
 
 
 def _rounded(given: Numbers, wanted: Numbers, digits: int) -> bool:

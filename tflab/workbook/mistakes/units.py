@@ -2,7 +2,7 @@
 
     asked for [m], answered 2200      2200 / 1000 == 2.2: millimetres
 
-Read `universal.py` next.
+Read `by_place.py` next.
 """
 
 from __future__ import annotations

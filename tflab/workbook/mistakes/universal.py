@@ -22,6 +22,7 @@ from ..answers.form import inside, numbers_of, pose_of
 from ..answers.forms import Angle, Form, Name, Number, Pose, Quaternion, Set, Tree, Vector
 from ..answers.values import Plain, to_plain
 from ..words import Words
+from .by_place import letters_told
 from .names import renamed
 from .units import OTHER_UNITS, unit_of
 
@@ -44,7 +45,7 @@ class Universal(NamedTuple):
 
 
 class Undone(NamedTuple):
-    """An answer without one universal mistake: its name, the unit if it is one of units, and what is left."""
+    """An answer without one universal mistake: its name, the unit or the numbers it is told of, and what is left."""
 
     name: str
     unit: str
@@ -359,9 +360,12 @@ def _undone_numbers(form: Form, answer: Plain) -> Iterator[Undone]:
             yield Undone("unit", unit, _plain(left, size))
     is_a_count = isinstance(form, Number) and not form.unit
     for name in ("sign",) if is_a_count else OF_FORM[type(form)]:
-        for left in UNIVERSAL[name].undo(row):
-            if name != "power of ten" or max(map(abs, left)) > NOTHING * form.tolerance:
-                yield Undone(name, "", _plain(left, size))
+        lefts = list(UNIVERSAL[name].undo(row))
+        if isinstance(form, Vector):  # what is sure of a number by its name comes first
+            yield from (Undone(name, f"| {told}", _plain(left, size)) for left in lefts
+                        if (told := letters_told(name, row, left)))  # fmt: skip
+        yield from (Undone(name, "", _plain(left, size)) for left in lefts
+                    if name != "power of ten" or max(map(abs, left)) > NOTHING * form.tolerance)  # fmt: skip
 
 
 def _undone_pose(answer: Plain) -> Iterator[Undone]:

@@ -78,9 +78,9 @@ REPLIES = {
     ),
     Mistake.SOMETIMES_NOTHING: Words(
         en="for this call there is an answer, and your function returned None; for others it did not. "
-        "Either a way through it has no `return`, or it gives up where it need not.",
+        "Either a way through it has no `return`, or it gives up where it need not.{certain}",
         ko="답이 있는 호출인데 None이 나왔고, 다른 호출에서는 값이 나왔습니다. "
-        "`return`이 없는 갈래가 있거나, 포기하지 않아도 될 곳에서 포기한 것입니다.",
+        "`return`이 없는 갈래가 있거나, 포기하지 않아도 될 곳에서 포기한 것입니다.{certain}",
     ),
     Mistake.INPUT_CHANGED: Words(
         en="your function changes what it is given (argument {changed}): whoever called it has lost the original. "

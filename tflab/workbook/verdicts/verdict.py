@@ -190,7 +190,7 @@ def _unexplained(
     """Return what can be said of an answer that no slip gives."""
     form = task.form
     if (ending := _ending(task, outcomes, outcome, expected)) is not None:
-        return ending
+        return (ending[0], _of_nothing(form, cases, outcomes, rights)) if outcome is None else ending
     coarse = _coarse(form, outcome)
     if coarse is not None:
         return coarse[0], {"got": kind_of(outcome), **coarse[1]}
@@ -205,6 +205,16 @@ def _unexplained(
     if isinstance(form, Parts | Message | Urdf):
         return Mistake.PARTS, {"wrong": _wrong_names(form, rights[case]), "certain": bounds}
     return Mistake.VALUE, {"certain": bounds}
+
+
+def _of_nothing(
+    form: Form, cases: Sequence[Case], outcomes: Sequence[Plain], rights: Sequence[list[bool]]
+) -> dict[str, Any]:
+    """Return what the calls have in common in which a function gives nothing, if all others are right."""
+    if not all(other is None or all(row) for other, row in zip(outcomes, rights, strict=True)):
+        return {}
+    args = [case.args for case in cases]
+    return {"certain": calls_in_common(form, args, outcomes, [case.expected for case in cases])}
 
 
 def _unit(form: Form, name: str, rights: list[bool]) -> dict[str, Any]:

@@ -1,0 +1,144 @@
+"""Which number of a point was computed of what?  Where the others are right, and it differs from them in one thing.
+
+    asked for   mount + seen     (m[0] + s[0], m[1] + s[1], m[2] + s[2])
+    given       x, y right; z is     m[1] + s[2]       one index stands twice, or one term is missing, or has a minus
+
+How the right answer is the sum of points that were given is found first; then one change
+is tried in each number that is wrong.  Read `turning.py` next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import combinations, product
+from typing import NamedTuple
+
+from ..answers import sealed
+from ..answers.form import Form, numbers_of, pose_of
+from ..answers.forms import Vector
+from ..answers.values import Plain
+from ..words import Words
+from .arithmetic import leaves
+
+__all__ = ["of_components", "put_together"]
+
+LETTERS = "xyz"
+MOST_POINTS = 6
+CLOSE = 1e-6
+RIGHT = Words(en="{names}: right", ko="{names}: 맞음")
+PUT = Words(
+    en="these are the numbers of `{name}`, put together as ({places}). Ask of each: does it stand where it belongs, "
+    "and with which sign?",
+    ko="`{name}`의 숫자를 ({places})로 늘어놓은 값입니다. 하나씩 확인하십시오. 제자리에 있고 부호가 맞습니까?",
+)
+GIVES = Words(en="{name}: this is what `{sum}` gives", ko="{name}: `{sum}`의 값입니다")
+
+
+_Signed = tuple[float, str, tuple[float, ...]]  # how often a point counts, its name, its numbers
+
+
+class _Term(NamedTuple):
+    """One number in a sum: how often it counts, and the point and the place that it comes from."""
+
+    factor: float
+    name: str
+    row: tuple[float, ...]
+    place: int
+
+    @property
+    def value(self) -> float:
+        return self.factor * self.row[self.place]
+
+    @property
+    def text(self) -> str:
+        often = "" if abs(self.factor) == 1.0 else f"{abs(self.factor):g} * "
+        return f"{'-' if self.factor < 0 else '+'} {often}{self.name}[{self.place}]"
+
+
+def of_components(
+    form: Form, answer: Plain, expected: Plain, given: dict[str, Plain] | None
+) -> tuple[str, Words] | None:
+    """Return what the wrong numbers of a point were computed by, and what to say; None if not all are known."""
+    if not isinstance(form, Vector) or form.size > len(LETTERS) or sealed.is_sealed(expected):
+        return None
+    have, want = numbers_of(answer, form.size), numbers_of(expected, form.size)
+    if have is None or want is None:
+        return None
+    wrong = [place for place in range(form.size) if abs(have[place] - want[place]) > form.tolerance]
+    way = _way(form, want, given or {}) if 0 < len(wrong) < form.size else None
+    sums = {place: _changed(way, place, have[place]) for place in wrong} if way else {}
+    return _said(form.size, sums) if sums and all(sums.values()) else None
+
+
+def _said(size: int, sums: dict[int, str]) -> tuple[str, Words]:
+    right = [LETTERS[place] for place in range(size) if place not in sums]
+    said = [RIGHT.filled(names=", ".join(right))]
+    said += [GIVES.filled(name=LETTERS[place], sum=text) for place, text in sums.items()]
+    texts = ("; ".join(row) for row in zip(*said, strict=True))
+    return f"computed: {'; '.join(sums.values())}", Words(*(f"{text}." for text in texts))
+
+
+def put_together(form: Form, answer: Plain, given: dict[str, Plain] | None) -> tuple[str, Words] | None:
+    """Return in which places and with which signs the numbers of a point that was given stand in an answer; else None.
+
+    Only where no two of them are alike in size, and none is 0: then it is no chance.
+    """
+    have = numbers_of(answer, form.size) if isinstance(form, Vector) and form.size == len(LETTERS) else None
+    for name, row in _points(len(LETTERS), given or {}) if have else ():
+        if _are_distinct(row, form.tolerance) and (places := _order(have, row)):
+            return f"put together: {places}", PUT.filled(name=name, places=places)
+    return None
+
+
+def _are_distinct(row: Sequence[float], tolerance: float) -> bool:
+    sizes = [0.0, *map(abs, row)]
+    return min(abs(a - b) for a, b in combinations(sizes, 2)) > 2 * tolerance
+
+
+def _order(have: Sequence[float], row: Sequence[float]) -> str:
+    """Return the letters of a point's numbers in the order and with the signs in which they stand; "" if not all do."""
+    places = ["".join(f"{'-' if number * one < 0 else ''}{letter}" for letter, one in zip(LETTERS, row, strict=True)
+                      if abs(abs(number) - abs(one)) <= CLOSE) for number in have]  # fmt: skip
+    return ", ".join(places) if sorted(place[-1:] for place in places) == list(LETTERS) else ""
+
+
+def _way(form: Vector, want: Sequence[float], given: dict[str, Plain]) -> list[_Signed] | None:
+    """Return the points that were given whose sum is right, each with its sign; None if no two or three of them are."""
+    points = list(_points(form.size, given))[:MOST_POINTS]
+    for count in (2, 3):
+        for chosen in combinations(points, count):
+            for signs in product((1.0, -1.0), repeat=count):
+                sums = [sum(sign * row[place] for sign, (_, row) in zip(signs, chosen, strict=True))
+                        for place in range(form.size)]  # fmt: skip
+                if all(abs(one - other) <= form.tolerance for one, other in zip(sums, want, strict=True)):
+                    return [(sign, *point) for sign, point in zip(signs, chosen, strict=True)]
+    return None
+
+
+def _points(size: int, given: dict[str, Plain]) -> Iterator[tuple[str, tuple[float, ...]]]:
+    for name, leaf in leaves(given):
+        parts = pose_of(leaf)
+        row = numbers_of(leaf, size) if parts is None else parts[2][:size]
+        if row is not None:
+            yield (name if parts is None else f"{name}.translation"), tuple(row)
+
+
+def _changed(way: Sequence[_Signed], place: int, number: float) -> str:
+    """Return how a number was computed, where it is right but for one term, or for signs; "" if it was not."""
+    terms = [_Term(sign, name, row, place) for sign, name, row in way]
+    for row in _changes(terms):
+        if abs(sum(one.value for one in row) - number) <= CLOSE:
+            return " ".join(one.text for one in sorted(row, key=lambda one: one.factor < 0)).removeprefix("+ ")
+    return ""
+
+
+def _changes(terms: list[_Term]) -> Iterator[list[_Term]]:
+    """Yield the sum with another place in one term, without one, with one twice, and with other signs."""
+    for at, term in enumerate(terms):
+        others = [term._replace(place=other) for other in range(len(term.row)) if other != term.place]
+        for change in (*others, term._replace(factor=2.0 * term.factor)):
+            yield [*terms[:at], change, *terms[at + 1 :]]
+        yield [*terms[:at], *terms[at + 1 :]]
+        yield [term]
+    for signs in product((1.0, -1.0), repeat=len(terms)):
+        yield [term._replace(factor=sign * term.factor) for sign, term in zip(signs, terms, strict=True)]
