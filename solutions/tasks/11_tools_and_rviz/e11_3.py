@@ -82,6 +82,7 @@ def judged(given, *, rate="the rest", late="max", curve="chord", period="whole",
         "with the scan": given.transform_travels_s - given.scan_travels_s,
         "without the scan": given.transform_travels_s,
         "scan added": given.transform_travels_s + given.scan_travels_s,
+        "the scan's alone": given.scan_travels_s,
         "the other way": given.scan_travels_s - given.transform_travels_s,
         "both taken off": -given.transform_travels_s - given.scan_travels_s,
         "without the transform": -given.scan_travels_s,
@@ -269,6 +270,16 @@ SCAN_ADDED = Slip(
     part="wait_s",
 )
 
+SCAN_S_WAY_ALONE = Slip(
+    "the scan's way alone",
+    {"travel": "the scan's alone"},
+    Words(
+        en="You added the scan's way, and the transform's is not in it. Which of the two has passed already when the wait begins, and which is still to come?",
+        ko="스캔이 오는 시간을 더했고 변환이 오는 시간은 없습니다. 기다림이 시작될 때 이미 지난 것은 어느 쪽이고, 아직 남은 것은 어느 쪽입니까?",
+    ),
+    part="wait_s",
+)
+
 PERIOD_ALONE = Slip(
     "period alone",
     {"travel": "nothing"},
@@ -405,6 +416,7 @@ TASK = Task(
         HALF_A_PERIOD,
         SCAN_FORGOTTEN,
         SCAN_ADDED,
+        SCAN_S_WAY_ALONE,
         PERIOD_ALONE,
         STRAIGHT_AHEAD,
         WITHOUT_ITS_WAY,

@@ -60,6 +60,8 @@ def figures(
     rows = every = [(frame, float(average), float(largest)) for frame, average, largest in rows]
     if keep == "not the laser":
         rows = [row for row in rows if row[0] != "laser_frame"]
+    if keep == "static":
+        rows = [row for row in rows if row[0] in static_frames]
     if keep == "moving":
         rows = [row for row in rows if row[0] not in static_frames]
     by = {
@@ -358,6 +360,16 @@ ONLY_THE_LASER = Slip(
     "M12",
 )
 
+ONLY_STATICS = Slip(
+    "only statics",
+    {"keep": "static"},
+    Words(
+        en="You keep just those that do not move, for who is late and for who is ahead: is there an `in` where `not in` is meant? The second argument names what is to be left out.",
+        ko="누가 늦는지도, 누가 앞서는지도 움직이지 않는 것 가운데서만 찾습니다. `not in`을 쓸 곳에 `in`을 썼습니까? 둘째 인자에 있는 것은 빼야 합니다.",
+    ),
+    "M12",
+)
+
 TASK = Task(
     id="E11.6",
     kind="F",
@@ -395,6 +407,7 @@ TASK = Task(
         SUM_OF_DELAYS,
         SUM_OF_ALL,
         ONLY_THE_LASER,
+        ONLY_STATICS,
     ),
     hints=(
         Words(
