@@ -145,8 +145,8 @@ Y_TO_THE_RIGHT = Slip(
     "y to the right",
     {"side": "right"},
     Words(
-        en="You counted the post's y to the right. In ROS, y points to the left.",
-        ko="기둥의 y를 오른쪽으로 셌습니다. ROS에서 y는 왼쪽을 가리킵니다.",
+        en="The post's y went in with a minus, as if it counted to the right. In ROS, y points to the left.",
+        ko="기둥의 y를 오른쪽으로 잰 것처럼 빼서 계산했습니다. ROS에서 y는 왼쪽을 가리킵니다.",
     ),
 )
 
@@ -154,8 +154,8 @@ ON_THE_FLOOR = Slip(
     "on the floor",
     {"height": "floor"},
     Words(
-        en="You set the heights to zero. The laser sits up on the robot and saw the post higher still: z adds like x and y.",
-        ko="높이를 0으로 두었습니다. 레이저는 로봇 위에 있고 기둥을 더 높은 곳에서 보았습니다. z도 x, y처럼 더합니다.",
+        en="The heights are zero. The laser sits up on the robot and saw the post higher still: z adds like x and y.",
+        ko="높이가 0입니다. 레이저는 로봇 위에 있고 기둥을 더 높은 곳에서 보았습니다. z도 x, y처럼 더합니다.",
     ),
 )
 

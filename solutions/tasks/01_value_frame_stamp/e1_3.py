@@ -38,6 +38,7 @@ def messages(rng):
         row("laser_frame", 0.5, -hair),
         row("laser_frame", 0.5, -1),
         row("camera_link", 0.9, -seconds(limit + 0.4)),
+        (*row("laser_frame", 0.5, seconds(1.0))[:2], 1.0),  # a limit of whole seconds, and just that old
         (point("laser_frame", 0, 1.0), clock(seconds(second)), limit),
         (point("base_link", 0, 3.0), clock(seconds(0.3)), limit),
         (point("base_link", 1, 3.0), clock(seconds(0.3)), limit),  # a nanosecond is a stamp
@@ -54,6 +55,7 @@ def age_s(message, now, age):
     return {
         "right": right,
         "sec alone": float(now.nanoseconds // 10**9 - stamp.sec),
+        "nanosec alone": (now.nanoseconds - stamp.nanosec) / 1e9,
         "digits": now.nanoseconds / 1e9 - float(f"{stamp.sec}.{stamp.nanosec}"),
         "without sign": abs(right),
         "stamp minus now": -right,
@@ -79,6 +81,7 @@ def verdict(
     looks="frame stamp future old",
     zero="both",
     age="right",
+    old_by="right",
     ahead="after now",
     bound="older",
     limit="as given",
@@ -86,8 +89,9 @@ def verdict(
     """Return what a reader says, step by step; other steps are the slips."""
     stamp = message.header.stamp
     old_s = age_s(message, now, age)
+    apart_s = old_s if old_by == "right" else age_s(message, now, old_by)
     max_age_s = {"as given": max_age_s, "whole": float(int(max_age_s))}[limit]
-    early_s = round(old_s - max_age_s, 10)  # what floats make of it is no slip
+    early_s = round(apart_s - max_age_s, 10)  # what floats make of it is no slip
     says = {
         "frame": (not message.header.frame_id, "no frame"),
         "stamp": (
@@ -111,8 +115,8 @@ FRAME_ONLY = Slip(
     "frame only",
     {"looks": "frame"},
     Words(
-        en="You look at the frame alone. A stamp can be missing, too old, or later than now.",
-        ko="좌표계만 봅니다. 측정 시각이 없거나, 너무 오래되었거나, 현재보다 나중일 수도 있습니다.",
+        en="Nothing but a missing frame makes you refuse. A stamp can be missing, too old, or later than now.",
+        ko="거절하는 것은 좌표계가 없을 때뿐입니다. 측정 시각이 없거나, 너무 오래되었거나, 현재보다 나중일 수도 있습니다.",
     ),
     "M9",
 )
@@ -141,8 +145,8 @@ NO_LOOK_BACK = Slip(
     "no look back",
     {"looks": "frame stamp future"},
     Words(
-        en="Nothing is ever too old for you: compare the age with max_age_s.",
-        ko="아무리 오래되어도 받아들입니다. 나이를 max_age_s와 비교해 보세요.",
+        en="Nothing is ever too old for you: compare the age with max_age_s, and both in one unit.",
+        ko="아무리 오래되어도 받아들입니다. 나이를 max_age_s와 같은 단위로 비교하십시오.",
     ),
 )
 
@@ -150,8 +154,8 @@ AGE_WITHOUT_SIGN = Slip(
     "age without sign",
     {"age": "without sign"},
     Words(
-        en="abs() makes the future look like the past. An age below zero is a verdict of its own.",
-        ko="abs()를 쓰면 미래가 과거처럼 보입니다. 0보다 작은 나이는 따로 판단해야 합니다.",
+        en="The future is judged like the past, as with abs() or with the larger time minus the smaller. An age below zero is a verdict of its own.",
+        ko="미래를 과거처럼 판정합니다. abs()를 쓰거나 큰 시각에서 작은 시각을 빼면 이렇게 됩니다. 0보다 작은 나이는 따로 판단해야 합니다.",
     ),
     "M10",
 )
@@ -233,8 +237,8 @@ TURNED_ROUND = Slip(
     "turned round",
     {"age": "stamp minus now"},
     Words(
-        en="Your age is stamp minus now: what is old looks like the future, and the future like something old.",
-        ko="나이를 측정 시각에서 현재를 빼서 구했습니다. 오래된 것이 미래처럼, 미래가 오래된 것처럼 보입니다.",
+        en="Your age has the other sign, as stamp minus now has: what is old looks like the future, and the future like something old.",
+        ko="측정 시각에서 현재를 뺀 것처럼 나이의 부호가 반대입니다. 오래된 것이 미래처럼, 미래가 오래된 것처럼 보입니다.",
     ),
     "M10",
 )
@@ -243,8 +247,8 @@ AGE_IN_MS = Slip(
     "age in milliseconds",
     {"age": "milliseconds"},
     Words(
-        en="The age is in milliseconds, and max_age_s in seconds: bring both to one unit before you compare.",
-        ko="나이는 밀리초, max_age_s는 초입니다. 비교하기 전에 단위를 맞추십시오.",
+        en="Beside max_age_s the age is a thousand times too large, as milliseconds are beside seconds: bring both to one unit before you compare.",
+        ko="max_age_s에 비해 나이가 천 배 큽니다. 나이는 밀리초, max_age_s는 초일 때 이렇게 됩니다. 비교하기 전에 단위를 맞추십시오.",
     ),
 )
 
@@ -252,8 +256,8 @@ AGE_IN_NS = Slip(
     "age in nanoseconds",
     {"age": "nanoseconds"},
     Words(
-        en="The age is in nanoseconds, and max_age_s in seconds: bring both to one unit before you compare.",
-        ko="나이는 나노초, max_age_s는 초입니다. 비교하기 전에 단위를 맞추십시오.",
+        en="Beside max_age_s the age is far too large, as nanoseconds are beside seconds: bring both to one unit before you compare.",
+        ko="max_age_s에 비해 나이가 너무 큽니다. 나이는 나노초, max_age_s는 초일 때 이렇게 됩니다. 비교하기 전에 단위를 맞추십시오.",
     ),
 )
 
@@ -327,8 +331,8 @@ STAMP_FAR_TOO_LARGE = Slip(
     "stamp not by 1e9",
     {"age": "stamp by a million"},
     Words(
-        en="The stamp comes out far too late: its nanosec is divided by too little. A second has a thousand million of them: sec + nanosec / 1e9.",
-        ko="측정 시각이 훨씬 늦게 나옵니다. nanosec을 너무 작은 수로 나누었습니다. 1초는 10억 나노초이므로 sec + nanosec / 1e9입니다.",
+        en="The stamp comes out far too late: its nanosec is divided by too little, or not at all. A second has a thousand million of them: sec + nanosec / 1e9.",
+        ko="측정 시각이 훨씬 늦게 나옵니다. nanosec을 너무 작은 수로 나누었거나 나누지 않았습니다. 1초는 10억 나노초이므로 sec + nanosec / 1e9입니다.",
     ),
 )
 
@@ -347,8 +351,8 @@ NOW_IN_NANOSECONDS = Slip(
     "now in nanoseconds",
     {"age": "now in nanoseconds"},
     Words(
-        en="now is not in seconds and the stamp is, so every stamp looks far too old: bring both to one unit, `now.nanoseconds / 1e9`.",
-        ko="현재 시각은 초가 아니고 측정 시각은 초라서 모두 너무 오래된 것으로 보입니다. `now.nanoseconds / 1e9`처럼 둘을 같은 단위로 맞추십시오.",
+        en="Every stamp looks far too old to you: now goes in as nanoseconds, and what you take off it is much less, seconds or nanosec alone. Bring both to one unit, as `Time.from_msg(stamp).nanoseconds` and `now.nanoseconds` are.",
+        ko="모든 측정 시각이 너무 오래된 것으로 보입니다. 현재는 나노초인데 거기서 뺀 것은 초이거나 nanosec뿐이라 훨씬 작습니다. `Time.from_msg(stamp).nanoseconds`와 `now.nanoseconds`처럼 둘을 같은 단위로 맞추십시오.",
     ),
 )
 
@@ -404,6 +408,26 @@ NANOSEC_AS_IT_IS = Slip(
 )
 
 
+STAMP_BY_NANOSEC_ALONE = Slip(
+    "stamp by nanosec alone",
+    {"age": "nanosec alone"},
+    Words(
+        en="Of the stamp only nanosec counts for you, which begins anew with each second: its sec is missing. `Time.from_msg(stamp).nanoseconds` has both.",
+        ko="측정 시각에서 nanosec만 썼습니다. nanosec은 초마다 0부터 다시 셉니다. sec이 빠졌습니다. `Time.from_msg(stamp).nanoseconds`에는 둘 다 들어 있습니다.",
+    ),
+)
+
+
+OLD_BY_WHOLE_SECONDS = Slip(
+    "old by whole seconds",
+    {"old_by": "sec alone"},
+    Words(
+        en="The future you tell rightly, but what is too old comes out as if by sec alone: 0.2 s across a full second counts as 1 s, and so may 1.9 s. The nanoseconds are a part of the age.",
+        ko="미래는 바르게 가려내지만, 너무 오래되었는지는 sec만 본 것처럼 나옵니다. 초가 바뀌는 사이의 0.2초는 1초가 되고, 1.9초도 1초가 될 수 있습니다. 나노초도 나이의 일부입니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E1.3",
     kind="F",
@@ -446,6 +470,8 @@ TASK = Task(
         EITHER_FOR_ZERO,
         STAMP_IN_WHOLE_SECONDS,
         NANOSEC_AS_IT_IS,
+        STAMP_BY_NANOSEC_ALONE,
+        OLD_BY_WHOLE_SECONDS,
     ),
     hints=(
         Words(

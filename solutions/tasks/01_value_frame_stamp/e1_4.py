@@ -34,6 +34,11 @@ def by_arrival(given, *, age="all", way="arrival minus stamp", unit="s", drive="
         "digits": as_digits(given.arrived) - as_digits(given.stamp),
         "sec alone": float(arrived_sec - sec),
         "nanosec alone": (arrived_nanosec - nanosec) / 1e9,
+        "nanosec alone, without sign": abs(arrived_nanosec - nanosec) / 1e9,
+        "stamp cut": seconds_of(given.arrived) - sec,
+        "arrival cut": arrived_sec - seconds_of(given.stamp),
+        "a zero too few": arrived_sec - sec + (arrived_nanosec - nanosec) / 1e8,
+        "a zero too many": arrived_sec - sec + (arrived_nanosec - nanosec) / 1e10,
         "by a million": arrived_sec - sec + (arrived_nanosec - nanosec) / 1e6,
         "by a thousand": arrived_sec - sec + (arrived_nanosec - nanosec) / 1e3,
         "added": arrived_sec - sec + (arrived_nanosec + nanosec) / 1e9,
@@ -46,7 +51,7 @@ def by_arrival(given, *, age="all", way="arrival minus stamp", unit="s", drive="
         "stamp": seconds_of(given.stamp),
         "without borrowing": arrived_sec - sec + abs(arrived_nanosec - nanosec) / 1e9,
     }[age]
-    age_s *= (-1.0 if way == "stamp minus arrival" else 1.0) * (1000.0 if unit == "ms" else 1.0)
+    age_s *= (-1.0 if way == "stamp minus arrival" else 1.0) * {"ms": 1e3, "ns": 1e9}.get(unit, 1.0)
     ahead_m, driven_m = given.ahead_m, given.speed_mps * age_s
     left = {
         "closer": ahead_m - driven_m,
@@ -60,6 +65,7 @@ def by_arrival(given, *, age="all", way="arrival minus stamp", unit="s", drive="
         "speed plus age": ahead_m - (given.speed_mps + age_s),
         "the way driven": driven_m,
         "age alone": ahead_m - age_s,
+        "age added": ahead_m + age_s,
         "divided": ahead_m - given.speed_mps / age_s if age_s else ahead_m,
         "age over speed": ahead_m - age_s / given.speed_mps,
         "way minus distance": driven_m - ahead_m,
@@ -128,8 +134,8 @@ BACKWARDS = Slip(
     "backwards",
     {"way": "stamp minus arrival"},
     Words(
-        en="Stamp minus arrival: an age below zero. It was measured first, and arrived later.",
-        ko="측정 시각에서 도착 시각을 뺐습니다. 나이가 0보다 작을 수는 없습니다. 먼저 측정하고 나중에 도착했습니다.",
+        en="This is stamp minus arrival. It was measured first and arrived later: an age is arrival minus stamp.",
+        ko="측정 시각에서 도착 시각을 뺀 값입니다. 먼저 측정하고 나중에 도착했으므로, 나이는 도착 시각에서 측정 시각을 뺀 것입니다.",
     ),
 )
 
@@ -224,8 +230,8 @@ WITHOUT_BORROWING = Slip(
     "without borrowing",
     {"age": "without borrowing"},
     Words(
-        en="You took the smaller nanosec off the larger, whichever was first. Arrival minus stamp, nanosec below zero and all: a second is borrowed.",
-        ko="어느 것이 먼저인지와 상관없이 큰 nanosec에서 작은 것을 뺐습니다. nanosec의 차이가 음수가 되더라도 도착에서 측정 시각을 뺍니다. 1초에서 빌려 오게 됩니다.",
+        en="Your difference of the two nanosec is above zero, by abs() or by taking the smaller off the larger. Arrival minus stamp is below zero there, and so it has to stay: a second is borrowed.",
+        ko="nanosec의 차이가 양수입니다. abs()를 썼거나 큰 것에서 작은 것을 뺀 값입니다. 도착에서 측정 시각을 빼면 음수이고, 그대로 두어야 합니다. 1초에서 빌려 오게 됩니다.",
     ),
 )
 
@@ -373,6 +379,77 @@ AGE_TO_HUNDREDTHS = Slip(
 )
 
 
+NANOSEC_ALONE_WITHOUT_SIGN = Slip(
+    "nanosec alone, without sign",
+    {"age": "nanosec alone, without sign"},
+    Words(
+        en="Only nanosec went into the age, the smaller off the larger. Arrival minus stamp comes out negative there, for between the two a new second began; abs() only hides it. sec is a part of the age, too.",
+        ko="나이에 nanosec만 들어갔고, 큰 것에서 작은 것을 뺀 값입니다. 그사이에 초가 바뀌었으므로 도착에서 측정 시각을 빼면 음수가 나옵니다. abs()는 그것을 가릴 뿐입니다. sec도 함께 계산해야 합니다.",
+    ),
+)
+
+
+STAMP_CUT = Slip(
+    "stamp cut",
+    {"age": "stamp cut"},
+    Words(
+        en="The stamp's nanosec is missing: of the arrival both numbers went in, of the stamp sec alone.",
+        ko="측정 시각의 nanosec이 빠졌습니다. 도착 시각은 두 숫자를 모두 썼지만 측정 시각은 sec만 썼습니다.",
+    ),
+)
+
+
+ARRIVAL_CUT = Slip(
+    "arrival cut",
+    {"age": "arrival cut"},
+    Words(
+        en="The arrival's nanosec is missing: of the stamp both numbers went in, of the arrival sec alone.",
+        ko="도착 시각의 nanosec이 빠졌습니다. 측정 시각은 두 숫자를 모두 썼지만 도착 시각은 sec만 썼습니다.",
+    ),
+)
+
+
+A_ZERO_TOO_FEW = Slip(
+    "a zero too few",
+    {"age": "a zero too few"},
+    Words(
+        en="nanosec counts ten times too much, as by 1e8. A second has a thousand million of them: 1e9.",
+        ko="nanosec이 열 배 크게 들어갔습니다. 1e8로 나눈 값입니다. 1초는 10억, 곧 1e9 나노초입니다.",
+    ),
+)
+
+
+A_ZERO_TOO_MANY = Slip(
+    "a zero too many",
+    {"age": "a zero too many"},
+    Words(
+        en="nanosec counts ten times too little, as by 1e10. A second has a thousand million of them: 1e9.",
+        ko="nanosec이 10분의 1로 들어갔습니다. 1e10으로 나눈 값입니다. 1초는 10억, 곧 1e9 나노초입니다.",
+    ),
+)
+
+
+NANOSECONDS = Slip(
+    "nanoseconds",
+    {"unit": "ns"},
+    Words(
+        en="The age is in nanoseconds, and so it went on into the distance. Asked for are seconds, and the speed is per second, too.",
+        ko="나이가 나노초 단위이고, 거리도 그것으로 계산했습니다. 초로 답해야 하고, 속도도 초당입니다.",
+    ),
+)
+
+
+AGE_ADDED = Slip(
+    "age added",
+    {"drive": "age added"},
+    Words(
+        en="You added the age to the distance: seconds to metres. How far does the robot drive in that time, and which way?",
+        ko="거리에 나이를 더했습니다. 미터에 초를 더할 수는 없습니다. 그동안 로봇은 얼마나, 어느 쪽으로 달립니까?",
+    ),
+    part="ahead_m",
+)
+
+
 TASK = Task(
     id="E1.4",
     kind="N",
@@ -415,6 +492,13 @@ TASK = Task(
         SPEED_AND_AGE_ADDED,
         AGE_TO_TENTHS,
         AGE_TO_HUNDREDTHS,
+        NANOSEC_ALONE_WITHOUT_SIGN,
+        STAMP_CUT,
+        ARRIVAL_CUT,
+        A_ZERO_TOO_FEW,
+        A_ZERO_TOO_MANY,
+        NANOSECONDS,
+        AGE_ADDED,
     ),
     hints=(
         Words(

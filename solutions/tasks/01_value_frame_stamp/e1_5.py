@@ -80,6 +80,40 @@ A_LASER_IS_NO_ROBOT = Twin(
 )
 
 
+DRIVES_TOWARDS = Words(
+    en="The ball lies on the floor, and this frame drives. Straight ahead it may stay; how far ahead, its x, gets less with every metre.",
+    ko="공은 바닥에 가만히 있고 이 좌표계는 달립니다. 계속 정면에 있더라도, 얼마나 앞인지를 말하는 x는 달릴수록 줄어듭니다.",
+)
+RIDES_ALONG = Words(
+    en="The cup rides on the robot, and so does this frame: between the two nothing moves.",
+    ko="컵은 로봇에 실려 가고 이 좌표계도 함께 갑니다. 둘 사이에서는 아무것도 움직이지 않습니다.",
+)
+DRIVES_APART = Words(
+    en="The lamp drives one way and this frame the other: how far apart they are changes from moment to moment.",
+    ko="전등과 이 좌표계는 서로 반대쪽으로 달립니다. 둘 사이의 거리는 순간마다 달라집니다.",
+)
+SHOWS = {
+    "ball in map": Words(
+        en="The ball lies on the floor, and map stands still as the floor does.",
+        ko="공은 바닥에 가만히 있고, map도 바닥처럼 움직이지 않습니다.",
+    ),
+    "ball in base_link": DRIVES_TOWARDS,
+    "ball in laser_frame": DRIVES_TOWARDS,
+    "cup in map": Words(
+        en="The cup rides on the robot, and the robot drives across the map.",
+        ko="컵은 로봇에 실려 가고, 로봇은 지도 위를 달립니다.",
+    ),
+    "cup in base_link": RIDES_ALONG,
+    "cup in laser_frame": RIDES_ALONG,
+    "lamp in map": Words(
+        en="The lamp is carried by a robot that drives across the map.",
+        ko="전등은 지도 위를 달리는 로봇이 들고 있습니다.",
+    ),
+    "lamp in base_link": DRIVES_APART,
+    "lamp in laser_frame": DRIVES_APART,
+}
+
+
 TASK = Task(
     id="E1.5",
     kind="M",
@@ -96,29 +130,7 @@ TASK = Task(
         TWO_DRIVES_CANCEL,
         A_LASER_IS_NO_ROBOT,
     ),
-    shows={
-        **{
-            f"ball in {frame}": Words(
-                en="The ball lies on the floor: ask whether the frame lies there, too, or drives.",
-                ko="공은 바닥에 가만히 있습니다. 좌표계도 가만히 있습니까, 달립니까?",
-            )
-            for frame in FRAMES
-        },
-        **{
-            f"cup in {frame}": Words(
-                en="The cup rides on the robot: ask whether the frame rides along.",
-                ko="컵은 로봇에 실려 갑니다. 좌표계도 함께 갑니까?",
-            )
-            for frame in FRAMES
-        },
-        **{
-            f"lamp in {frame}": Words(
-                en="The lamp drives with the other robot: which of these frames drives with it?",
-                ko="전등은 다른 로봇과 함께 달립니다. 이 가운데 전등과 함께 가는 좌표계가 있습니까?",
-            )
-            for frame in FRAMES
-        },
-    },
+    shows=SHOWS,
     hints=(
         Words(
             en="Sit down in each frame in turn, and look at the thing.",

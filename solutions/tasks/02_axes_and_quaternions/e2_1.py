@@ -59,8 +59,8 @@ OPTICAL_AS_BODY = Twin(
     "optical as body",
     signs(OPTICAL_RIGHT, OPTICAL_UP),
     Words(
-        en="You read the optical frame with the body's habits. A picture counts to the right and down.",
-        ko="광학 좌표계를 본체의 관례로 읽었습니다. 영상은 오른쪽과 아래로 셉니다.",
+        en="So it would be with the body's axes. In the optical frame one counts as in a picture: x to the right, y down.",
+        ko="본체의 축이라면 그렇습니다. 광학 좌표계는 영상처럼 셉니다. x는 오른쪽, y는 아래입니다.",
     ),
     misconception="M4",
     partly=True,

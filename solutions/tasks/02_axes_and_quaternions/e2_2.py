@@ -74,8 +74,8 @@ NO_SIGNS = Slip(
     "no signs",
     {"side": "right", "height": "down"},
     Words(
-        en="The axes are in their places, but their directions are not: right is not left, and down is not up.",
-        ko="축의 자리는 맞지만 방향이 틀립니다. 오른쪽은 왼쪽이 아니고, 아래는 위가 아닙니다.",
+        en="The axes are in their places, but their directions are not: right is not left, and down is not up. (Quarter turns by +π/2, a roll and a yaw, come to the same: both are negative.)",
+        ko="축의 자리는 맞지만 방향이 틀립니다. 오른쪽은 왼쪽이 아니고, 아래는 위가 아닙니다. (roll과 yaw를 +π/2로 돌려도 같은 값이 됩니다. 둘 다 음수입니다.)",
     ),
     misconception="M4",
 )
@@ -159,8 +159,8 @@ ROLL_ALONE = Slip(
     "roll alone",
     {"turns": "roll alone"},
     Words(
-        en="Only the roll was made, a quarter turn about x. The yaw comes after it.",
-        ko="roll, 곧 x축 4분의 1바퀴만 돌렸습니다. 그다음에 yaw가 남았습니다.",
+        en="This is what the roll alone gives, a quarter turn about x. The yaw comes after it.",
+        ko="roll, 곧 x축 4분의 1바퀴만 돌린 값입니다. 그다음에 yaw가 남았습니다.",
     ),
     "M4",
 )
@@ -169,8 +169,8 @@ YAW_ALONE = Slip(
     "yaw alone",
     {"turns": "yaw alone"},
     Words(
-        en="Only the yaw was made, a quarter turn about z. A roll comes before it.",
-        ko="yaw, 곧 z축 4분의 1바퀴만 돌렸습니다. 그 앞에 roll이 있습니다.",
+        en="This is what the yaw alone gives, a quarter turn about z. A roll comes before it.",
+        ko="yaw, 곧 z축 4분의 1바퀴만 돌린 값입니다. 그 앞에 roll이 있습니다.",
     ),
     "M4",
 )
@@ -211,8 +211,8 @@ ONE_PITCH = Slip(
     "one pitch",
     {"turns": "pitch"},
     Words(
-        en="One quarter turn about y brings the depth to the front and leaves the rest askew: it takes two turns, a roll and a yaw.",
-        ko="y축 둘레의 1/4 바퀴로는 깊이만 앞으로 옵니다. roll과 yaw, 두 번 돌려야 합니다.",
+        en="This is what one quarter turn about y gives: the depth comes to the front, and the rest lies askew. It takes two turns, a roll and a yaw.",
+        ko="y축 둘레로 1/4 바퀴 돌린 값입니다. 그러면 깊이만 앞으로 옵니다. roll과 yaw, 두 번 돌려야 합니다.",
     ),
     "M4",
 )

@@ -18,12 +18,14 @@ def yaws(rng: np.random.Generator) -> list[tuple[float]]:
 def turned(yaw, *, unit="radians", half="inside", z="sine", way="left", axis="z", order="w last"):
     """Return the quaternion, step by step; other steps are the slips."""
     yaw = {"radians": yaw, "degrees": math.radians(yaw), "to degrees": math.degrees(yaw)}[unit]
-    angle = {"inside": yaw / 2, "none": yaw, "outside": yaw, "double": 2 * yaw, "whole number": yaw // 2, "quarter": yaw / 4,
+    angle = {"inside": yaw / 2, "none": yaw, "outside": yaw, "sine outside": yaw, "cosine outside": yaw, "double": 2 * yaw, "whole number": yaw // 2, "quarter": yaw / 4,
              "of the sine alone": yaw / 2, "of the cosine alone": yaw, "modulo pi": yaw % math.pi / 2}[half]  # fmt: skip
     sine, cosine = math.sin(angle), math.cos(yaw if half == "of the sine alone" else angle)
     cosine = math.cos(yaw / 2) if half == "of the cosine alone" else cosine
-    if half == "outside":
-        sine, cosine = sine / 2, cosine / 2
+    if half in ("outside", "sine outside"):
+        sine, cosine = sine / 2, math.cos(yaw / 2) if half == "sine outside" else cosine / 2
+    if half == "cosine outside":
+        sine, cosine = math.sin(yaw / 2), cosine / 2
     sine, cosine = {
         "sine": (sine, cosine),
         "cosine": (cosine, sine),
@@ -36,11 +38,13 @@ def turned(yaw, *, unit="radians", half="inside", z="sine", way="left", axis="z"
         "tangent": (math.tan(yaw / 2), 1.0),
         "positive": (abs(sine), cosine),
         "w positive": (sine, abs(cosine)),
+        "both positive": (abs(sine), abs(cosine)),
         "all three": (sine, cosine),
         "sine alone": (sine, 0.0),
         "sine beside one": (sine, 1.0),
         "half of it beside its root": (yaw / 2, math.sqrt(max(0.0, 1.0 - (yaw / 2) ** 2))),
         "sine beside the rest": (sine, 1.0 - sine),
+        "sine beside the rest of its size": (sine, 1.0 - abs(sine)),
         "sine beside the square": (sine, 1.0 - sine**2),
         "angle to length one": (yaw / math.hypot(yaw, 1.0), 1.0 / math.hypot(yaw, 1.0)),
     }[z]
@@ -97,8 +101,8 @@ TO_THE_RIGHT = Slip(
     "to the right",
     {"way": "right"},
     Words(
-        en="Your robot turns right where left was asked. Positive yaw goes from x towards y.",
-        ko="왼쪽으로 돌아야 하는데 오른쪽으로 돕니다. 양의 yaw는 x에서 y 쪽으로 돕니다.",
+        en="Your robot turns as far as asked, and to the other side. A positive yaw goes from x towards y, to the left.",
+        ko="도는 크기는 맞지만 반대쪽으로 돕니다. 양의 yaw는 x에서 y 쪽, 곧 왼쪽으로 돕니다.",
     ),
 )
 
@@ -370,6 +374,49 @@ SQUARES = Slip(
 )
 
 
+NO_SIGN_AT_ALL = Slip(
+    "no sign at all",
+    {"z": "both positive"},
+    Words(
+        en="Neither z nor w is ever negative here, as if both came from square roots: the signs are lost. For a turn to the right by less than half a circle z is negative, and beyond half a turn w is. Sine and cosine of half the angle have both signs.",
+        ko="z도 w도 음수가 되지 않습니다. 둘 다 제곱근으로 구한 것처럼 부호가 사라졌습니다. 오른쪽으로 반 바퀴보다 적게 돌면 z가, 반 바퀴를 넘으면 w가 음수입니다. 각도 절반의 sin과 cos에는 두 부호가 모두 들어 있습니다.",
+    ),
+)
+
+
+SINE_HALVED_OUTSIDE = Slip(
+    "sine halved outside",
+    {"half": "sine outside"},
+    Words(
+        en="w is right, and z is half of the sine of the whole angle. The half belongs inside the brackets: the sine of half the angle.",
+        ko="w는 맞지만 z가 각도 전체의 sin을 2로 나눈 값입니다. 절반은 괄호 안에서 나누어야 합니다. z는 각도 절반의 sin입니다.",
+    ),
+    "M5",
+)
+
+
+COSINE_HALVED_OUTSIDE = Slip(
+    "cosine halved outside",
+    {"half": "cosine outside"},
+    Words(
+        en="z is right, and w is half of the cosine of the whole angle. The half belongs inside the brackets: the cosine of half the angle.",
+        ko="z는 맞지만 w가 각도 전체의 cos을 2로 나눈 값입니다. 절반은 괄호 안에서 나누어야 합니다. w는 각도 절반의 cos입니다.",
+    ),
+    "M5",
+)
+
+
+REST_OF_THE_SIZE = Slip(
+    "what the size leaves of one",
+    {"z": "sine beside the rest of its size"},
+    Words(
+        en="w is 1 minus the size of z. The two add up to one only when they are squared: w is the cosine of half the angle.",
+        ko="w가 1에서 z의 크기를 뺀 값입니다. 둘은 제곱해야 더해서 1이 됩니다. w는 각도 절반의 cos입니다.",
+    ),
+    "M5",
+)
+
+
 TASK = Task(
     id="E2.3",
     kind="F",
@@ -412,6 +459,10 @@ TASK = Task(
         REST_OF_ONE,
         ROOT_FORGOTTEN,
         SQUARES,
+        NO_SIGN_AT_ALL,
+        SINE_HALVED_OUTSIDE,
+        COSINE_HALVED_OUTSIDE,
+        REST_OF_THE_SIZE,
     ),
     hints=(
         Words(

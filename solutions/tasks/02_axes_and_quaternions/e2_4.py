@@ -39,8 +39,9 @@ def quaternions(rng: np.random.Generator) -> list[tuple[tuple[float, float, floa
         tuple(length * part for part in wxyz_from_xyzw(yawed(0.3, 1.2))),
         Transform.from_rpy(pitch=float(rng.uniform(0.4, 1.2))).rotation,
         Transform.from_rpy(pitch=-float(rng.uniform(0.4, 1.2))).rotation,
+        Transform.from_rpy(pitch=float(rng.uniform(1.9, 2.4))).rotation,
         *(
-            (0.0, 0.0, 0.0, w) for w in (1.0005, 1.003, 1.009995, 1.010005, 0.990005, 0.989995)
+            (0.0, 0.0, 0.0, w) for w in (1.0005, 1.003, 1.004995, 1.009995, 1.010005, 0.990005, 0.989995)
         ),  # a hair beside the tolerance
         *((0.0, 0.0, 0.0, w) for w in (9.995e-7, 1.0005e-6, 5e-3)),  # a hair beside zero
         *((x, 0.0, math.sqrt(1.0 - x * x), 0.0) for x in (0.1, 0.09995, 0.10005)),  # at the bound, and beside it
@@ -67,13 +68,16 @@ def judged(q: tuple, *, finite="all", zero="length", below=1e-6, length="root", 
     x, y = (q[0] if "x" in looks else 0.0), (q[1] if "y" in looks else 0.0)
     sizes = {"never": 0.0, "abs": max(abs(x), abs(y)), "signed": max(x, y), "sum": abs(x) + abs(y), "of the sum": abs(x + y),
              "length": math.hypot(x, y), "both": min(abs(q[0]), abs(q[1])), "z, too": max(map(abs, q[:3]))}  # fmt: skip
-    beside = {"w": abs(q[3]) < above, "w over z": abs(q[3]) > abs(q[2]), "x over w": abs(q[0]) > abs(q[3])}
+    beside = {"w": abs(q[3]) < above, "w over z": abs(q[3]) > abs(q[2]), "x over w": abs(q[0]) > abs(q[3]),
+              "w over z, signed": q[3] > q[2], "x over w, signed": q[0] > q[3],
+              "x or y over w": max(abs(q[0]), abs(q[1])) > abs(q[3])}  # fmt: skip
     is_tipped = (beside[size] if size in beside else sizes[size] > above) or (w == "positive" and q[3] < 0.0)
     if first == "w" and is_tipped:
         return "w first"
     is_zero = {
         "w": q[3] == 0.0,
         "sum": abs(sum(q)) < below,
+        "signed sum": sum(q) < below,
         "length": math.hypot(*q) < below,
         "square": math.hypot(*q) ** 2 < below,
         "without w": math.hypot(*q[:3]) < below,
@@ -87,6 +91,7 @@ def judged(q: tuple, *, finite="all", zero="length", below=1e-6, length="root", 
         "root": math.hypot(*q),
         "square": math.hypot(*q) ** 2,
         "sum": sum(map(abs, q)),
+        "signed sum": sum(q),
     }
     off = lengths[length] - 1.0
     if (off if sides == "above" else abs(off)) > tolerance:
@@ -276,8 +281,8 @@ LOOSE = Slip(
     "tolerance 0.1",
     {"tolerance": 0.1},
     Words(
-        en="Your tolerance for the length is wider than the task's: a length of 1.05 passes, and it should not.",
-        ko="길이의 허용 오차가 문제에서 정한 것보다 넓습니다. 길이 1.05가 통과하는데, 통과하면 안 됩니다.",
+        en="Your tolerance for the length is wider than the task's: a length just beyond 1.01 passes, and it should not.",
+        ko="길이의 허용 오차가 문제에서 정한 것보다 넓습니다. 1.01을 갓 넘은 길이가 통과하는데, 통과하면 안 됩니다.",
     ),
 )
 
@@ -303,8 +308,8 @@ ZERO_EXACTLY = Slip(
     "exactly zero",
     {"below": 5e-324},
     Words(
-        en="You call only a length of exactly 0 zero. The task draws the line at 0.000001: below it nothing can be scaled.",
-        ko="길이가 정확히 0일 때만 zero라고 합니다. 문제의 기준은 0.000001입니다. 그보다 짧으면 길이를 맞출 수 없습니다.",
+        en="Your bound for zero is lower than the task's, or 0 itself: a length just below 0.000001 is not zero for you. The task draws the line there: what is shorter cannot be scaled.",
+        ko="zero의 기준이 문제보다 낮거나 0 자체입니다. 0.000001보다 조금 짧은 길이를 zero라고 하지 않습니다. 문제의 기준은 0.000001이고, 그보다 짧으면 길이를 맞출 수 없습니다.",
     ),
 )
 
@@ -312,8 +317,8 @@ ANY_X = Slip(
     "any x or y",
     {"above": 0.0},
     Words(
-        en="You take any x or y for a w that came first. Small ones are noise: the task draws the line at 0.1.",
-        ko="x나 y가 조금만 있어도 w를 먼저 쓴 것으로 보았습니다. 작은 값은 잡음입니다. 문제의 기준은 0.1입니다.",
+        en="Your bound for x and y is lower than the task's, or there is none: a small x or y is taken for a w that came first. Small ones are noise: the task draws the line at 0.1.",
+        ko="x와 y의 기준이 문제보다 낮거나 없습니다. 작은 x나 y까지 w를 먼저 쓴 것으로 보았습니다. 작은 값은 잡음입니다. 문제의 기준은 0.1입니다.",
     ),
 )
 
@@ -321,8 +326,8 @@ ZERO_BY_SQUARE = Slip(
     "zero by square",
     {"zero": "square"},
     Words(
-        en="You compare the square of the length with the bound for zero: a length of 0.0005 is then zero as well. Take the root first.",
-        ko="길이의 제곱을 0의 한계와 비교합니다. 그러면 길이 0.0005도 zero가 됩니다. 먼저 제곱근을 구하십시오.",
+        en="A length of 0.0005 is zero for you, as it is where the square of the length is compared with 0.000001 (or the length with 0.001). Take the root first, and compare with the task's bound.",
+        ko="길이 0.0005도 zero가 됩니다. 길이의 제곱을 0.000001과 비교하거나 길이를 0.001과 비교하면 그렇습니다. 먼저 제곱근을 구하고 문제의 기준과 비교하십시오.",
     ),
     "M5",
 )
@@ -402,8 +407,8 @@ W_OVER_Z = Slip(
     "w over z",
     {"size": "w over z"},
     Words(
-        en="You ask whether w is larger than z. It is in every turn by less than a quarter circle, and in no turn at all: ask whether x or y is large.",
-        ko="w가 z보다 큰지 물었습니다. 90°보다 작게 돌거나 돌지 않으면 늘 그렇습니다. x나 y가 큰지 물으십시오.",
+        en="You ask whether w is larger than z in size. It is in every turn by less than a quarter circle, and in no turn at all: ask whether x or y is large.",
+        ko="w의 크기가 z보다 큰지 물었습니다. 90°보다 작게 돌거나 돌지 않으면 늘 그렇습니다. x나 y가 큰지 물으십시오.",
     ),
 )
 
@@ -412,8 +417,8 @@ X_OVER_W = Slip(
     "x over w",
     {"size": "x over w"},
     Words(
-        en="You ask whether x is larger than w. A w that came first may be small, and then z stands last; y may be large as well: the task asks whether x or y is larger than 0.1.",
-        ko="x가 w보다 큰지 물었습니다. 앞에 온 w가 작을 수도 있고 y가 클 수도 있습니다. 과제는 x나 y가 0.1보다 큰지 묻습니다.",
+        en="You ask whether x is larger than w in size. A w that came first may be small, and then z stands last; y may be large as well: the task asks whether x or y is larger than 0.1.",
+        ko="x의 크기가 w보다 큰지 물었습니다. 앞에 온 w가 작을 수도 있고 y가 클 수도 있습니다. 과제는 x나 y가 0.1보다 큰지 묻습니다.",
     ),
 )
 
@@ -422,8 +427,8 @@ NEVER_W_FIRST = Slip(
     "never w first",
     {"size": "never"},
     Words(
-        en='You say "w first" to none of these. The question about x and y is missing, or it asks for both to be large, on one side of zero: one of them is enough, to either side, so compare the abs() of each and join with `or`.',
-        ko='어느 것에도 "w first"라고 하지 않습니다. x와 y를 묻지 않았거나, 둘 다 한쪽으로 커야 한다고 물었습니다. 어느 쪽으로든 하나만 커도 됩니다. 각각 abs()로 비교하고 `or`로 이으십시오.',
+        en='You say "w first" to none of these. The question about x and y is missing or never reached, or it asks for both to be large, on one side of zero: one of them is enough, to either side, so compare the abs() of each and join with `or`.',
+        ko='어느 것에도 "w first"라고 하지 않습니다. x와 y를 묻지 않았거나, 거기까지 가지 못하거나, 둘 다 한쪽으로 커야 한다고 물었습니다. 어느 쪽으로든 하나만 커도 됩니다. 각각 abs()로 비교하고 `or`로 이으십시오.',
     ),
     "M5",
 )
@@ -447,6 +452,68 @@ NAN_COMPARED = Slip(
         ko="무한대는 걸러지는데 NaN은 지나갑니다. NaN은 자기 자신과도 같지 않으므로 `part == math.nan`은 늘 거짓입니다. math.isfinite나 math.isnan으로 확인하십시오.",
     ),
     "M5",
+)
+
+
+SQUARE_EVERYWHERE = Slip(
+    "square everywhere",
+    {"zero": "square", "length": "square"},
+    Words(
+        en="You take the square of the length for the length, once for zero and once for one: it strays from 1 twice as fast, and calls a length of 0.0005 zero. The root is missing: math.sqrt, or math.hypot at once.",
+        ko="길이의 제곱을 길이로 썼습니다. zero인지 볼 때도, 길이가 1인지 볼 때도 그랬습니다. 제곱은 1에서 두 배 빨리 벗어나고, 길이 0.0005도 zero로 만듭니다. 제곱근이 빠졌습니다. math.sqrt를 쓰거나 처음부터 math.hypot을 쓰십시오.",
+    ),
+)
+
+
+SIGNED_SUM = Slip(
+    "signed sum",
+    {"zero": "signed sum", "length": "signed sum"},
+    Words(
+        en="You added the four numbers, signs and all, and took the sum for the length. The length is the root of the sum of squares: math.hypot.",
+        ko="숫자 네 개를 부호까지 그대로 더해 길이로 썼습니다. 길이는 제곱의 합의 제곱근입니다. math.hypot을 쓰십시오.",
+    ),
+    "M5",
+)
+
+
+W_OVER_Z_WITH_SIGNS = Slip(
+    "w over z, signs and all",
+    {"size": "w over z, signed"},
+    Words(
+        en="You ask whether w is larger than z, signs and all. So it is in every small turn, and in none where both are negative: ask whether x or y is large in size.",
+        ko="w가 z보다 큰지 부호까지 넣어 물었습니다. 조금만 돌아도 그렇고, 부호가 바뀌면 달라집니다. x나 y의 크기가 큰지 물으십시오.",
+    ),
+)
+
+
+X_OVER_W_WITH_SIGNS = Slip(
+    "x over w, signs and all",
+    {"size": "x over w, signed"},
+    Words(
+        en="You ask whether x is larger than w, signs and all. A good turn may have a negative w (q and -q are the same), and a w that came first may be negative as well: the task asks whether x or y is larger than 0.1 in size.",
+        ko="x가 w보다 큰지 부호까지 넣어 물었습니다. 올바른 회전에서도 w가 음수일 수 있고(q와 -q는 같습니다), 맨 앞에 온 w도 음수일 수 있습니다. 과제는 x나 y의 크기가 0.1보다 큰지 묻습니다.",
+    ),
+    "M5",
+)
+
+
+X_OR_Y_OVER_W = Slip(
+    "x or y over w",
+    {"size": "x or y over w"},
+    Words(
+        en="You compare x and y with w. In half a turn w is next to nothing, and a tipped robot may have a large one: the task compares them with 0.1.",
+        ko="x와 y를 w와 비교했습니다. 반 바퀴에서는 w가 거의 0이고, 기울어진 로봇의 w는 클 수도 있습니다. 과제에서는 0.1과 비교합니다.",
+    ),
+)
+
+
+FIVE_THOUSANDTHS = Slip(
+    "tolerance 0.005",
+    {"tolerance": 0.005},
+    Words(
+        en="Your tolerance for the length is narrower than the task's: a length of 1.008 is refused, and it should not be.",
+        ko="길이의 허용 오차가 문제에서 정한 것보다 좁습니다. 길이 1.008을 거절하는데, 통과시켜야 합니다.",
+    ),
 )
 
 
@@ -496,6 +563,12 @@ TASK = Task(
         NEVER_W_FIRST,
         HALF_A_UNIT,
         NAN_COMPARED,
+        SQUARE_EVERYWHERE,
+        SIGNED_SUM,
+        W_OVER_Z_WITH_SIGNS,
+        X_OVER_W_WITH_SIGNS,
+        X_OR_Y_OVER_W,
+        FIVE_THOUSANDTHS,
     ),
     hints=(
         Words(

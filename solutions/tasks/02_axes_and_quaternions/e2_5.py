@@ -139,8 +139,8 @@ TO_DEGREES = Slip(
     "to degrees",
     {"unit": "to degrees"},
     Words(
-        en="You turned the radians into degrees first: from_rpy wants radians as they are.",
-        ko="라디안을 도로 바꾸어 넣었습니다. from_rpy에는 라디안을 그대로 넣습니다.",
+        en="Both turns go as by degrees: the angles are radians, and `from_rpy`, sine and cosine want them as they are.",
+        ko="두 각도를 도로 바꾼 것처럼 돌았습니다. 각도는 라디안이고, `from_rpy`와 sin, cos에는 그대로 넣습니다.",
     ),
 )
 
@@ -149,8 +149,8 @@ YAW_TO_DEGREES = Slip(
     "yaw to degrees",
     {"yaw": "to degrees"},
     Words(
-        en="You turned the yaw's radians into degrees first: from_rpy wants radians as they are.",
-        ko="yaw의 라디안을 도로 바꾸어 넣었습니다. from_rpy에는 라디안을 그대로 넣습니다.",
+        en="The yaw turns as by degrees: it is in radians, and `from_rpy`, sine and cosine want it as it is.",
+        ko="yaw를 도로 바꾼 것처럼 돌았습니다. yaw는 라디안이고, `from_rpy`와 sin, cos에는 그대로 넣습니다.",
     ),
     "M5",
 )
@@ -159,8 +159,8 @@ PITCH_TO_DEGREES = Slip(
     "pitch to degrees",
     {"pitch": "to degrees"},
     Words(
-        en="You turned the pitch's radians into degrees first: from_rpy wants radians as they are.",
-        ko="pitch의 라디안을 도로 바꾸어 넣었습니다. from_rpy에는 라디안을 그대로 넣습니다.",
+        en="The pitch turns as by degrees: it is in radians, and `from_rpy`, sine and cosine want it as it is.",
+        ko="pitch를 도로 바꾼 것처럼 돌았습니다. pitch는 라디안이고, `from_rpy`와 sin, cos에는 그대로 넣습니다.",
     ),
     "M5",
 )

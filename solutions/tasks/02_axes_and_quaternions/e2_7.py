@@ -17,14 +17,15 @@ def few_digits(rng: np.random.Generator) -> dict:
 
 def aside_mm(given, *, quarter="pi / 2", unit="radians", part="whole", reach="range", length="aside", sign="dropped"):
     """Return how far off, step by step; other steps are the slips."""
-    quarters = {"pi / 2": math.pi / 2, "3.14 / 2": 3.14 / 2, "22/7": 11 / 7, "pi": math.pi, "none": 0.0}
+    quarters = {"pi / 2": math.pi / 2, "3.14 / 2": 3.14 / 2, "22/7": 11 / 7, "three digits": 1.571, "3.141 / 2": 3.141 / 2, "pi": math.pi, "none": 0.0}
     missing = quarters[quarter] - given.written_yaw_rad
     missing = {"degrees": math.degrees(missing), "converted": math.radians(missing)}.get(unit, missing)
-    missing *= {"whole": 1.0, "half": 0.5, "of a quarter turn": 2 / math.pi, "twice": 2.0}[part]
+    missing *= {"whole": 1.0, "half": 0.5, "of a quarter turn": 2 / math.pi, "of a whole turn": 0.5 / math.pi, "twice": 2.0}[part]
     reach_m = {"range": given.range_m, "left out": 1.0, "squared": given.range_m**2}[reach]
     off_m = {
         "aside": reach_m * missing,
         "range": reach_m,
+        "quarter": reach_m * math.pi / 2,
         "angle in degrees": math.degrees(missing) / 1000.0,
         "shorter": reach_m * (1 - math.cos(missing)),
         "sine of degrees": reach_m * math.sin(math.degrees(missing)),
@@ -58,8 +59,8 @@ HALF = Slip(
     "half",
     {"part": "half"},
     Words(
-        en="You halved the angle. Halves belong into quaternions; the ray swings by the whole missing angle.",
-        ko="각도를 절반으로 나누었습니다. 절반은 쿼터니언에 쓰는 것이고, 광선은 모자란 각도만큼 그대로 돌아갑니다.",
+        en="This is half of it, as by half the angle. Halves belong into quaternions; the ray swings by the whole missing angle.",
+        ko="절반입니다. 각도를 절반으로 나누면 이렇게 됩니다. 절반은 쿼터니언에 쓰는 것이고, 광선은 모자란 각도만큼 그대로 돌아갑니다.",
     ),
 )
 
@@ -114,8 +115,8 @@ TWICE = Slip(
     "twice",
     {"part": "twice"},
     Words(
-        en="You took twice the missing angle.",
-        ko="모자란 각도의 두 배를 썼습니다.",
+        en="This is twice as far: the missing angle counts once.",
+        ko="두 배입니다. 모자란 각도는 한 번만 곱합니다.",
     ),
 )
 
@@ -160,8 +161,8 @@ CONVERTED_ONCE_MORE = Slip(
     "converted once more",
     {"unit": "converted"},
     Words(
-        en="You turned the missing angle into radians, and it is in radians already.",
-        ko="모자란 각도를 라디안으로 바꾸었는데, 이미 라디안입니다.",
+        en="The missing angle went in as if it were degrees, by math.radians, by π/180 or as a part of 360. It is in radians already.",
+        ko="모자란 각도를 도(degree)로 여기고 math.radians나 π/180, 360으로 나눈 비율을 쓴 값입니다. 이미 라디안입니다.",
     ),
     "M5",
 )
@@ -208,6 +209,46 @@ ANGLE_IN_DEGREES = Slip(
 )
 
 
+THREE_DIGITS = Slip(
+    "pi / 2 to three digits",
+    {"quarter": "three digits"},
+    Words(
+        en="You compared with 1.571, π/2 to three decimals: far away that shows. Use math.pi.",
+        ko="1.571, 곧 소수 셋째 자리까지의 π/2와 비교했습니다. 먼 곳에서는 차이가 납니다. math.pi를 쓰십시오.",
+    ),
+)
+
+
+PI_CUT_SHORT = Slip(
+    "pi cut short",
+    {"quarter": "3.141 / 2"},
+    Words(
+        en="You compared with 3.141 / 2, a π that was cut short: far away that shows. Use math.pi.",
+        ko="3.141 / 2, 곧 뒤를 자른 π와 비교했습니다. 먼 곳에서는 차이가 납니다. math.pi를 쓰십시오.",
+    ),
+)
+
+
+OF_A_WHOLE_TURN = Slip(
+    "of a whole turn",
+    {"part": "of a whole turn"},
+    Words(
+        en="That is the missing angle as a part of a whole circle, times the range. An arc is radius times angle: 2π is in the radians already.",
+        ko="모자란 각도가 한 바퀴에서 차지하는 비율에 거리를 곱한 값입니다. 호의 길이는 반지름 곱하기 각도입니다. 라디안에는 2π가 이미 들어 있습니다.",
+    ),
+)
+
+
+A_QUARTER_OF_A_CIRCLE = Slip(
+    "a quarter of a circle",
+    {"length": "quarter"},
+    Words(
+        en="That is the arc of the whole quarter turn. What swings the ray aside is only what is missing up to π/2.",
+        ko="4분의 1바퀴 전체의 호입니다. 광선을 옆으로 미는 것은 π/2에 모자란 만큼뿐입니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E2.7",
     kind="N",
@@ -237,6 +278,10 @@ TASK = Task(
         SINE_OF_THE_WRITTEN,
         TANGENT_OF_THE_WRITTEN,
         ANGLE_IN_DEGREES,
+        THREE_DIGITS,
+        PI_CUT_SHORT,
+        OF_A_WHOLE_TURN,
+        A_QUARTER_OF_A_CIRCLE,
     ),
     hints=(
         Words(

@@ -111,9 +111,10 @@ PRODUCT_REVERSED = Slip(
     "product_reversed",
     {"product": "reversed"},
     Words(
-        en="in the product for `map`, the dominoes do not match: which halves touch in `base_T_laser @ map_T_base`?",
-        ko="`map`을 구한 곱에서는 도미노가 맞지 않습니다. `base_T_laser @ map_T_base`에서 "
-        "맞닿은 두 칸은 무엇과 무엇입니까?",
+        en="for `map`, the two transforms act in the other order, as in `base_T_laser @ map_T_base`: which halves of the "
+        "dominoes touch there?",
+        ko="`map`을 구할 때 두 변환의 순서가 `base_T_laser @ map_T_base`처럼 반대입니다. 그 도미노에서 맞닿은 두 칸은 "
+        "무엇과 무엇입니까?",
     ),
     part="map",
 )

@@ -160,8 +160,8 @@ BY_ASIN = Slip(
     "by asin",
     {"angle": "asin"},
     Words(
-        en="Your angle comes from asin, which knows only ±90°: beyond that the step is turned by another angle. The yaw is given as it is.",
-        ko="각도를 asin으로 구했는데 asin은 ±90°까지만 압니다. 그 밖에서는 이동이 다른 각도로 돌아갑니다. yaw는 그대로 주어져 있습니다.",
+        en="The step is turned by an angle within ±90°, as asin gives it: beyond that it is another angle than the yaw. The yaw is given as it is.",
+        ko="이동을 ±90° 이내의 각도로만 돌렸습니다. asin으로 구하면 이렇게 됩니다. 그 밖에서는 이동이 다른 각도로 돌아갑니다. yaw는 그대로 주어져 있습니다.",
     ),
 )
 

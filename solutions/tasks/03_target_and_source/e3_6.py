@@ -112,8 +112,9 @@ W_FIRST = Slip(
     "w_first",
     {"quaternion": "w first"},
     Words(
-        en="your quaternion has w first. ROS writes (x, y, z, w), so this camera lies on its side.",
-        ko="쿼터니언에 w를 먼저 썼습니다. ROS는 (x, y, z, w) 순서이므로 이 카메라는 옆으로 누워 버립니다.",
+        en="your quaternion has w first. ROS writes (x, y, z, w), so this camera rolls about x instead of turning.",
+        ko="쿼터니언에 w를 먼저 썼습니다. ROS는 (x, y, z, w) 순서이므로 이 카메라는 왼쪽으로 도는 대신 x축을 중심으로 "
+        "기울어집니다.",
     ),
     "M5",
 )
@@ -123,8 +124,10 @@ TO_THE_RIGHT = Slip(
     "to_the_right",
     {"side": "right"},
     Words(
-        en="your camera turns to the right. A turn to the left is positive: check the sign of the angle.",
-        ko="카메라가 오른쪽으로 돌아갑니다. 왼쪽으로 도는 회전이 양수입니다. 각도의 부호를 확인하십시오.",
+        en="your camera turns to the other side. A turn to the left is positive, and one to the right comes with a minus "
+        "already: check the sign of the angle.",
+        ko="카메라가 반대쪽으로 돌아갑니다. 왼쪽으로 도는 회전이 양수이고, 오른쪽으로 도는 각도는 이미 음수로 들어옵니다. "
+        "각도의 부호를 확인하십시오.",
     ),
 )
 
@@ -309,9 +312,9 @@ OPTICAL_AXES = Slip(
     "optical axes",
     {"axes": "optical"},
     Words(
-        en="you measured along the axes of a picture, where z looks ahead and y down. The numbers are those of "
+        en="these are the numbers along the axes of a picture, where z looks ahead and y down. Asked for are those of "
         "`base_link`: x ahead, y to the left, z up.",
-        ko="z가 앞, y가 아래인 영상의 축으로 쟀습니다. 이 숫자는 `base_link`의 것이므로 x가 앞, y가 왼쪽, z가 "
+        ko="z가 앞, y가 아래인 영상의 축으로 잰 숫자입니다. 필요한 것은 `base_link` 기준이므로 x가 앞, y가 왼쪽, z가 "
         "위입니다.",
     ),
     "M4",

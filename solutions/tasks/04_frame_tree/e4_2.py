@@ -74,8 +74,8 @@ ROOTS_ONLY = Slip(
     "roots only",
     {"loops": "roots only"},
     Words(
-        en="You counted roots. A loop beside a sound tree has none, and hides behind the one root of the other.",
-        ko="루트만 셌습니다. 멀쩡한 트리 옆의 고리에는 루트가 없어서, 다른 트리의 루트 하나만 보입니다.",
+        en="Counting roots does not show it: a loop beside a sound tree has none, and hides behind the one root of the other. Climb from each frame.",
+        ko="루트를 세어서는 보이지 않습니다. 멀쩡한 트리 옆의 고리에는 루트가 없어서, 다른 트리의 루트 하나만 보입니다. 좌표계마다 위로 올라가 보십시오.",
     ),
 )
 
@@ -92,8 +92,8 @@ SAME_EDGE_TWICE = Slip(
     "the same edge twice is fine",
     {"owners": "healthy"},
     Words(
-        en="The shape is fine there, and you looked no further. Read the nodes: an edge that two of them send goes to and fro.",
-        ko="모양이 멀쩡해서 거기에서 멈췄습니다. 노드를 읽어 보세요. 한 연결을 두 노드가 보내면 값이 오갑니다.",
+        en="The shape is fine there; read the nodes, too: an edge that two of them send goes to and fro.",
+        ko="모양은 멀쩡합니다. 노드까지 읽어 보세요. 한 연결을 두 노드가 보내면 값이 오갑니다.",
     ),
     "M6",
 )
@@ -102,8 +102,8 @@ OWNERS_ARE_PARENTS = Slip(
     "two owners are two parents",
     {"owners": "two parents"},
     Words(
-        en="You took two nodes for two parents. One child stands in two rows with the *same* parent there.",
-        ko="두 노드를 두 부모로 보았습니다. 그 목록에서 두 줄에 나오는 자식의 부모는 *같습니다*.",
+        en="There are two nodes, and no two parents: one child stands in two rows with the *same* parent there.",
+        ko="노드는 둘이지만 부모는 둘이 아닙니다. 그 목록에서 두 줄에 나오는 자식의 부모는 *같습니다*.",
     ),
     "M6",
 )

@@ -51,6 +51,8 @@ def walked(parent_of, target, source, *, ends="as asked", climb="until they meet
             down.pop()
     elif climb == "to the root":
         up, down = up[:-1], down[:-1]
+    whole = climbed(parent_of, source)[:-1]
+    up = whole if climb == "up to the root" and target != source else up
     meeting = parent_of.get(up[-1], up[-1]) if up else source
     first, then = {"exchanged": ("down", "up"), "all up": ("up", "up"), "all down": ("down", "down")}.get(
         words, ("up", "down")
@@ -69,6 +71,8 @@ def walked(parent_of, target, source, *, ends="as asked", climb="until they meet
     climbing, descending = [(child, first) for child in up], [(child, then) for child in down]
     if pairs == "way first":
         return [(way, child) for child, way in climbing + descending]
+    if both == "reversed":
+        return (climbing + descending)[::-1]
     if both == "up, then down":
         return climbing + descending
     return descending + climbing if both == "down, then up" else descending
@@ -303,6 +307,26 @@ MEETING_BUT_FOR_ITSELF = Slip(
 )
 
 
+REVERSED = Slip(
+    "reversed",
+    {"both": "reversed"},
+    Words(
+        en="The steps are the right ones, and stand the other way round: what you give last is the first step, that of the source.",
+        ko="걸음은 모두 맞지만 순서가 거꾸로입니다. 맨 끝에 있는 것이 원본에서 떼는 첫걸음입니다.",
+    ),
+)
+
+
+UP_TO_THE_ROOT = Slip(
+    "up to the root",
+    {"climb": "up to the root"},
+    Words(
+        en="Your steps up go on to the root, and your steps down begin below the frame in which the two ways meet. Go up no farther than to that frame.",
+        ko="올라가는 걸음은 루트까지 가는데 내려가는 걸음은 두 길이 만나는 좌표계 아래에서 시작합니다. 올라갈 때도 그 좌표계까지만 가십시오.",
+    ),
+)
+
+
 ALL_DOWN = Slip(
     "all down",
     {"words": "all down"},
@@ -368,6 +392,8 @@ TASK = Task(
         MEETING_BUT_FOR_ITSELF,
         ALL_DOWN,
         CLIMBS_ALONE,
+        REVERSED,
+        UP_TO_THE_ROOT,
     ),
     hints=(
         Words(

@@ -136,8 +136,8 @@ NAMESPACE_PREFIXES = Slip(
     "a namespace prefixes",
     {"namespace": "another frame"},
     Words(
-        en="You expect the namespace to make robot1/odom of odom. It does that to topics, never to frames.",
-        ko="네임스페이스가 odom을 robot1/odom으로 바꿔 준다고 여겼습니다. 토픽은 그렇지만 좌표계는 아닙니다.",
+        en="It would be another frame if the namespace made robot1/odom of odom. It does that to topics, never to frames.",
+        ko="네임스페이스가 odom을 robot1/odom으로 바꿔 준다면 다른 좌표계일 것입니다. 토픽은 그렇게 되지만 좌표계는 아닙니다.",
     ),
     "M14",
 )

@@ -68,8 +68,8 @@ EDGES = Slip(
     "counts by edge",
     {"key": "edge"},
     Words(
-        en="You count by edge, parent and child together. Two nodes that give one child two parents slip through: count by child.",
-        ko="부모와 자식을 묶은 연결마다 셉니다. 두 노드가 한 자식에게 다른 부모를 주면 빠져나갑니다. 자식마다 세십시오.",
+        en="A child that two nodes hang below two parents slips through, as it does where one counts by edge, parent and child together. It has two owners as well: count by child.",
+        ko="두 노드가 한 자식에게 서로 다른 부모를 주면 빠져나갑니다. 부모와 자식을 묶은 연결마다 셀 때 그렇습니다. 그런 자식도 발행하는 노드가 둘입니다. 자식마다 세십시오.",
     ),
     "M6",
 )
@@ -163,8 +163,8 @@ NODES_AND_PARENTS = Slip(
     "nodes and parents",
     {"what": "nodes and parents"},
     Words(
-        en="You count a node once for each parent that it names. One node that moves a child about is still one owner: count the nodes.",
-        ko="한 노드가 부모를 둘 말하면 두 번 셉니다. 자식을 옮겨 다녀도 노드 하나는 하나입니다. 노드를 세십시오.",
+        en="A child that one node hangs below two parents counts for you, too. One node that moves a child about is still one owner: count the nodes alone.",
+        ko="노드 하나가 부모를 둘 말한 자식까지 들어갑니다. 자식을 옮겨 다녀도 노드 하나는 하나입니다. 노드만 세십시오.",
     ),
 )
 

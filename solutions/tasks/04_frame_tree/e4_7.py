@@ -33,7 +33,8 @@ def joined(prefix, name, *, ends="stripped", inner="stripped", glue="/", empty="
         prefix = prefix.rstrip("/")
     elif ends == "stripped":
         prefix = prefix.strip("/")
-    name = name.strip("/") if inner == "stripped" else name
+    name = name.strip("/") if inner != "as it is" else name
+    name = name.rpartition("/")[2] if inner == "last word" else name
     if letters == "small":
         prefix, name = prefix.lower(), name.lower()
     is_shared = {
@@ -156,8 +157,8 @@ LIKE_MAP = Slip(
     "whatever begins with map",
     {"shared": "begins with"},
     Words(
-        en="You share whatever begins with map. Names are compared whole: only map itself is shared.",
-        ko="map으로 시작하는 이름을 모두 함께 씁니다. 이름은 통째로 비교합니다. 함께 쓰는 것은 map뿐입니다.",
+        en="You share more than map: whatever begins with it, or holds it. Names are compared whole: only map itself is shared.",
+        ko="map으로 시작하거나 map이 든 이름까지 함께 씁니다. 이름은 통째로 비교합니다. 함께 쓰는 것은 map뿐입니다.",
     ),
     "M14",
 )
@@ -338,6 +339,17 @@ SLASH_IS_ABSOLUTE = Slip(
 )
 
 
+LAST_WORD_OF_THE_NAME = Slip(
+    "last word of the name",
+    {"inner": "last word"},
+    Words(
+        en="Of a name with a slash inside only what follows the last slash is left: arm/tool0 is one name, and stays whole.",
+        ko="안에 슬래시가 있는 이름에서 마지막 슬래시 뒤만 남았습니다. arm/tool0은 이름 하나이므로 통째로 두십시오.",
+    ),
+    "M14",
+)
+
+
 TASK = Task(
     id="E4.7",
     kind="F",
@@ -377,6 +389,7 @@ TASK = Task(
         SLASH_IS_ABSOLUTE,
         SLASH_INSIDE_IS_A_PREFIX,
         SMALL_LETTERS,
+        LAST_WORD_OF_THE_NAME,
     ),
     hints=(
         Words(en="Clean both words first, then join them.", ko="두 낱말을 먼저 다듬고 나서 이으십시오."),

@@ -67,8 +67,7 @@ def explained(
     if task.is_function and (found := of_changes(task, cases, outcomes, explained)):
         return found
     names = next(_ways(task, cases, outcomes, given), None)
-    is_simple = names is not None and len(names) == 1 and not names[0].startswith("places and signs")
-    if not is_simple and (found := _more_simply(task, cases, outcomes, given)):
+    if not _is_simple(names) and (found := _more_simply(task, cases, outcomes, given)):
         return found
     if names:
         return _by_name(task, cases, outcomes, names)
@@ -87,6 +86,11 @@ def _of_parts(
     """Return how a value of several parts came about: two slips that meet only where nothing simpler is to be seen."""
     found = of_members(task, cases, outcomes, given)
     return (plain_in_one(task, cases, outcomes) or found) if found and len(found.slips) > 1 else found
+
+
+def _is_simple(names: tuple[str, ...] | None) -> bool:
+    """Return whether this is one mistake, and says more than that places and signs are others."""
+    return names is not None and len(names) == 1 and not names[0].startswith("places and signs")
 
 
 def _more_simply(

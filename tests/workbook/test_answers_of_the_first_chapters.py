@@ -1,0 +1,293 @@
+"""What is said of whole answers in chapters 1 to 4: the reply that they mean, and not what is untrue of them."""
+
+from __future__ import annotations
+
+import math
+from types import SimpleNamespace
+
+import pytest
+
+from tflab.ros.time import Time
+from tflab.workbook.answers.values import from_plain, outcome_of, to_plain
+from tflab.workbook.places import CASES, workbook_data
+from tflab.workbook.tasks.cases import read_chapter
+from tflab.workbook.tasks.reference import in_process_ros
+from tflab.workbook.verdicts.verdict import judge_outcomes
+
+CHAPTERS = {number: read_chapter(next((workbook_data() / CASES).glob(f"0{number}_*.json"))) for number in range(1, 5)}
+
+
+def verdict_on(task_id, answer):
+    """Return the verdict on a function, or on what a function makes of what is given."""
+    task = CHAPTERS[int(task_id[1])].tasks[task_id]
+    variant = task.variants[0]
+    with in_process_ros():
+        if task.is_function:
+            outcomes = [outcome_of(answer, case.args) for case in variant.cases]
+        else:
+            held = {name: from_plain(plain) for name, plain in (variant.given or {}).items()}
+            outcomes = [to_plain(answer(SimpleNamespace(**held)))]
+    return judge_outcomes(task, variant, outcomes)
+
+
+def slips_of(task_id, answer):
+    return list(verdict_on(task_id, answer).slips)
+
+
+# -- chapter 1 ------------------------------------------------------------------------
+
+
+def test_a_post_with_one_index_written_twice_is_told_which():
+    def answer(given):
+        mount, post, robot = given.base_p_laser, given.laser_p_post, given.map_p_base
+        base = [mount[0] + post[0], mount[1] + post[1], mount[1] + post[2]]
+        return {"base_link": base, "map": [a + b for a, b in zip(robot, base, strict=True)]}
+
+    said = verdict_on("E1.1", answer).said.en
+    assert '"base_link": x, y: right; z: this is what `base_p_laser[1] + laser_p_post[2]` gives.' in said
+
+
+def reader(age_s, *, is_old=lambda age, limit: age > limit, is_ahead=lambda age: age < 0):
+    """Return a reader that takes this for the age; it looks at all that it is asked to."""
+
+    def judge(message, now, max_age_s):
+        stamp = message.header.stamp
+        if not message.header.frame_id:
+            return "no frame"
+        if stamp.sec == 0 and stamp.nanosec == 0:
+            return "no stamp"
+        age = age_s(stamp, now)
+        return "from the future" if is_ahead(age) else "too old" if is_old(age, max_age_s) else "use it"
+
+    return judge
+
+
+def exact(stamp, now):
+    return (now.nanoseconds - Time.from_msg(stamp).nanoseconds) / 1e9
+
+
+@pytest.mark.parametrize(
+    ("judge", "slips"),
+    [
+        (reader(exact, is_old=lambda age, limit: round(age - limit, 10) > 0), []),
+        (reader(lambda stamp, now: now.nanoseconds // 10**9 - stamp.sec, is_old=lambda age, limit: age >= limit),
+         ["whole seconds", "already at the bound"]),
+        (reader(lambda stamp, now: now.nanoseconds - stamp.nanosec), ["now in nanoseconds"]),
+        (reader(lambda stamp, now: (now.nanoseconds - stamp.nanosec) / 1e9), ["stamp by nanosec alone"]),
+        (reader(lambda stamp, now: now.nanoseconds - Time.from_msg(stamp).nanoseconds,
+                is_old=lambda age, limit: age > limit * 1e6), ["age in milliseconds"]),
+        (reader(exact, is_old=lambda age, limit: age > limit * 1e9), ["no look back"]),
+    ],
+)  # fmt: skip
+def test_a_reader_is_told_what_its_verdicts_show(judge, slips):
+    assert slips_of("E1.3", judge) == slips
+
+
+def test_nanosec_alone_is_not_called_a_stamp_in_seconds_and_no_unit_is_guessed():
+    alone = verdict_on("E1.3", reader(lambda stamp, now: now.nanoseconds - stamp.nanosec)).said
+    assert "seconds or nanosec alone" in alone.en and "초이거나 nanosec뿐" in alone.ko
+    limit = reader(exact, is_old=lambda age, limit: age > limit / 1e3)
+    assert "a thousand times too large, as milliseconds" in verdict_on("E1.3", limit).said.en
+
+
+def on_arrival(given, age_s):
+    return {"age_s": age_s, "ahead_m": given.ahead_m - given.speed_mps * age_s}
+
+
+@pytest.mark.parametrize(
+    ("age", "slip"),
+    [
+        (lambda s, a: abs(a[1] - s[1]) / 1e9, "nanosec alone, without sign"),
+        (lambda s, a: (a[1] - s[1]) / 1e9, "nanosec alone"),
+        (lambda s, a: s[0] - a[0] + (s[1] - a[1]) / 1e9, "backwards"),
+        (lambda s, a: a[0] - s[0] + (s[1] - a[1]) / 1e9, "without borrowing"),
+        (lambda s, a: a[0] + a[1] / 1e9 - s[0], "stamp cut"),
+        (lambda s, a: a[0] - s[0] + (a[1] - s[1]) / 1e8, "a zero too few"),
+        (lambda s, a: 1e9 * (a[0] - s[0]) + a[1] - s[1], "nanoseconds"),
+    ],
+)
+def test_an_age_is_told_by_what_went_into_it(age, slip):
+    verdict = verdict_on("E1.4", lambda given: on_arrival(given, age(given.stamp, given.arrived)))
+    assert list(verdict.slips) == [slip]
+    assert "below zero" not in verdict.said.en or slip != "nanosec alone, without sign"
+
+
+def test_a_ball_straight_ahead_is_told_that_its_distance_shrinks():
+    right = {"ball in map": "stays", "ball in base_link": "changes", "ball in laser_frame": "stays",
+             "cup in map": "changes", "cup in base_link": "stays", "cup in laser_frame": "stays",
+             "lamp in map": "changes", "lamp in base_link": "changes", "lamp in laser_frame": "changes"}  # fmt: skip
+    said = verdict_on("E1.5", lambda given: right).said
+    assert "Straight ahead it may stay; how far ahead, its x, gets less" in said.en
+    assert "정면에 있더라도" in said.ko
+
+
+# -- chapter 2 ------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("places", "slips"),
+    [
+        (lambda x, y, z: (x, z, y), ["put together: x, z, y"]),
+        (lambda x, y, z: (-z, y, x), ["put together: -z, y, x"]),
+        (lambda x, y, z: (z, -x, y), ["up and down"]),
+        (lambda x, y, z: (z, -x, -y), []),
+    ],
+)
+def test_numbers_of_the_picture_in_other_places_are_told_by_their_places(places, slips):
+    assert slips_of("E2.2", lambda given: places(*given.optical_p_part)) == slips
+
+
+def about_z(z, w):
+    return (0.0, 0.0, z, w)
+
+
+@pytest.mark.parametrize(
+    ("of_yaw", "slips"),
+    [
+        (lambda yaw: about_z(math.sqrt((1 - math.cos(yaw)) / 2), math.sqrt((1 + math.cos(yaw)) / 2)),
+         ["no sign at all"]),
+        (lambda yaw: about_z(math.sin(-yaw / 2), math.cos(yaw / 2)), ["to the right"]),
+        (lambda yaw: about_z(abs(math.sin(yaw / 2)), math.cos(yaw / 2)), ["never to the right"]),
+        (lambda yaw: about_z(math.sin(yaw) / 2, math.cos(yaw / 2)), ["sine halved outside"]),
+        (lambda yaw: about_z(math.sin(yaw / 2), math.cos(yaw) / 2), ["cosine halved outside"]),
+        (lambda yaw: about_z(math.sin(min(yaw, math.pi) / 2), math.cos(min(yaw, math.pi) / 2)), []),
+    ],
+)  # fmt: skip
+def test_a_quaternion_of_a_yaw_is_told_what_became_of_its_signs_and_halves(of_yaw, slips):
+    assert slips_of("E2.3", of_yaw) == slips
+
+
+def test_of_a_turn_to_the_other_side_it_is_not_said_which_was_asked():
+    said = verdict_on("E2.3", lambda yaw: about_z(math.sin(-yaw / 2), math.cos(yaw / 2))).said
+    assert "to the other side" in said.en and "turns right" not in said.en
+    assert "반대쪽으로 돕니다" in said.ko
+    later = verdict_on("E2.3", lambda yaw: about_z(math.sin((yaw if yaw < 3 else -yaw) / 2), math.cos(yaw / 2)))
+    assert later.said is None or "it comes out as by this mistake" in later.said.en
+
+
+def customs(
+    *, is_first=lambda q: max(abs(q[0]), abs(q[1])) > 0.1, length=lambda q: math.hypot(*q), zero=1e-6, off=0.01
+):
+    """Return a judge of quaternions that asks the four questions in their order."""
+
+    def judge(q):
+        if not all(map(math.isfinite, q)):
+            return "nan"
+        if length(q) < zero:
+            return "zero"
+        if abs(length(q) - 1.0) > off:
+            return "not unit"
+        return "w first" if is_first(q) else "ok"
+
+    return judge
+
+
+@pytest.mark.parametrize(
+    ("judge", "slips"),
+    [
+        (customs(), []),
+        (customs(is_first=lambda q: q[0] > q[3]), ["x over w, signs and all"]),
+        (customs(is_first=lambda q: abs(q[0]) > abs(q[3])), ["x over w"]),
+        (customs(is_first=lambda q: q[3] > q[2]), ["w over z, signs and all"]),
+        (customs(is_first=lambda q: max(abs(q[0]), abs(q[1])) > abs(q[3])), ["x or y over w"]),
+        (customs(length=lambda q: math.hypot(*q) ** 2), ["square everywhere"]),
+        (customs(length=sum), ["signed sum"]),
+        (customs(off=0.02), ["tolerance 0.1"]),
+        (customs(off=0.005), ["tolerance 0.005"]),
+        (customs(zero=1e-9), ["exactly zero"]),
+        (customs(zero=1e-3), ["zero by square"]),
+        (customs(is_first=lambda q: max(abs(q[0]), abs(q[1])) > 0.05), ["any x or y"]),
+    ],
+)
+def test_an_officer_is_told_which_question_is_another(judge, slips):
+    assert slips_of("E2.4", judge) == slips
+
+
+def test_a_bound_that_is_another_is_not_said_to_be_a_certain_one():
+    assert "just beyond 1.01" in verdict_on("E2.4", customs(off=0.02)).said.en
+    assert "lower than the task's, or 0 itself" in verdict_on("E2.4", customs(zero=1e-9)).said.en
+    assert "(or the length with 0.001)" in verdict_on("E2.4", customs(zero=1e-3)).said.en
+    assert (
+        "lower than the task's, or there is none"
+        in verdict_on("E2.4", customs(is_first=lambda q: max(abs(q[0]), abs(q[1])) > 0.05)).said.en
+    )
+
+
+@pytest.mark.parametrize(
+    ("off", "slip"),
+    [
+        (lambda r, a: 1000 * r * 2 * math.pi * abs(math.pi / 2 - a) / 360, "converted once more"),
+        (lambda r, a: 1000 * r * abs(math.pi / 2 - a) / (2 * math.pi), "of a whole turn"),
+        (lambda r, a: 1000 * r * abs(1.571 - a), "pi / 2 to three digits"),
+        (lambda r, a: 1000 * r * math.pi / 2, "a quarter of a circle"),
+    ],
+)
+def test_how_far_a_point_is_off_is_told_by_the_angle_that_went_in(off, slip):
+    assert slips_of("E2.7", lambda given: off(given.range_m, given.written_yaw_rad)) == [slip]
+
+
+# -- chapters 3 and 4 -----------------------------------------------------------------
+
+
+def test_the_way_back_by_a_distance_is_told_term_by_term():
+    def polar(pose):
+        far, yaw = math.hypot(pose["x"], pose["y"]), pose["yaw"]
+        return {"x": -far * math.cos(yaw), "y": -far * math.sin(yaw), "yaw": -yaw}
+
+    said = verdict_on("E3.3", polar).said.en
+    assert "`- hypot(argument 1: x, argument 1: y) * sin(argument 1: yaw)`" in said
+
+
+def test_a_way_is_told_apart_from_two_mistakes_that_look_like_it():
+    def climbed(parent_of, frame):
+        way = [frame]
+        while way[-1] in parent_of:
+            way.append(parent_of[way[-1]])
+        return way
+
+    def path(parent_of, target, source):
+        from tflab.core import ConnectivityException
+
+        up, down = climbed(parent_of, source), climbed(parent_of, target)
+        if up[-1] != down[-1]:
+            raise ConnectivityException("two trees")
+        top = next(frame for frame in up if frame in down)
+        there = [(frame, "up") for frame in up[: up.index(top)]]
+        return there + [(frame, "down") for frame in reversed(down[: down.index(top)])]
+
+    def to_the_root(parent_of, target, source):
+        steps = path(parent_of, target, source)
+        whole = [(frame, "up") for frame in climbed(parent_of, source)[:-1]] if target != source else []
+        return whole + [step for step in steps if step[1] == "down"]
+
+    assert slips_of("E4.3", path) == []
+    assert slips_of("E4.3", lambda *asked: path(*asked)[::-1]) == ["reversed"]
+    assert slips_of("E4.3", to_the_root) == ["up to the root"]
+
+
+def owners(log, who=lambda node, parent: node):
+    seen = {}
+    for node, parent, child in log:
+        seen.setdefault(child, set()).add(who(node, parent))
+    return sorted(child for child, found in seen.items() if len(found) > 1)
+
+
+def test_children_that_are_missing_or_too_many_are_told_without_a_guess_at_how():
+    def of_one_parent(log):
+        return [name for name in owners(log) if len({parent for _, parent, child in log if child == name}) == 1]
+
+    missing, more = (
+        verdict_on("E4.6", answer).said.en
+        for answer in (of_one_parent, lambda log: sorted({*owners(log), *owners(log, lambda node, parent: parent)}))
+    )
+    assert missing.startswith("A child that two nodes hang below two parents slips through")
+    assert more.startswith("A child that one node hangs below two parents counts for you, too.")
+    assert slips_of("E4.6", owners) == []
+
+
+def test_a_name_of_which_the_last_word_is_left_is_told_so():
+    def named(prefix, name):
+        name = name.strip("/").rpartition("/")[2]
+        return name if name == "map" or not prefix.strip("/") else f"{prefix.strip('/')}/{name}"
+
+    assert slips_of("E4.7", named) == ["last word of the name"]
