@@ -58,8 +58,8 @@ EARLIEST_START = Slip(
     "earliest start",
     {"end": "oldest"},
     Words(
-        en="That is where the common interval begins. `Time()` asks for its other end.",
-        ko="공통 구간이 시작되는 시각입니다. `Time()`은 반대쪽 끝을 묻습니다.",
+        en="That is the latest of the *first* samples, where the common interval begins. `Time()` asks for its end, and that is up to the last samples.",
+        ko="*첫* 표본들 가운데 가장 늦은 시각, 곧 공통 구간이 시작되는 시각입니다. `Time()`은 그 구간의 끝을 묻고, 끝은 마지막 표본들이 정합니다.",
     ),
 )
 
@@ -68,8 +68,8 @@ OLDEST_OF_ALL = Slip(
     "oldest of all",
     {"end": "oldest", "which": "earliest"},
     Words(
-        en="That is the oldest sample on the path. `Time()` asks for something as new as possible.",
-        ko="경로에서 가장 오래된 표본의 시각입니다. `Time()`은 될 수 있는 대로 새로운 것을 묻습니다.",
+        en="That is the oldest of the samples. `Time()` asks for something as new as possible.",
+        ko="표본 가운데 가장 오래된 것의 시각입니다. `Time()`은 될 수 있는 대로 새로운 것을 묻습니다.",
     ),
 )
 
@@ -89,8 +89,8 @@ COUNTING_THE_STATIC = Slip(
     "counting the static",
     {"lanes": "and the static one"},
     Words(
-        en="You let the static edge limit the answer. It is good for any time, however long ago it was sent.",
-        ko="정적 연결이 답을 붙잡게 했습니다. 아무리 오래전에 보냈어도 정적 연결은 어느 시각에나 유효합니다.",
+        en="That is when the static edge was sent. It is good for any time, however long ago that was, and limits no answer.",
+        ko="정적 연결을 보낸 시각입니다. 아무리 오래전에 보냈어도 정적 연결은 어느 시각에나 유효하므로 답을 제한하지 않습니다.",
     ),
 )
 
@@ -174,6 +174,26 @@ COUNTED_FROM_THE_START = Twin(
 )
 
 
+GAP_OF_THE_NEWEST = Twin(
+    "gap of the newest",
+    lambda g: abs(g.newest_s[PATH[0]] - g.newest_s[PATH[1]]),
+    Words(
+        en="That is how far apart the last samples of the two lanes are. Asked for is a moment, as the clock counts it.",
+        ko="두 줄의 마지막 표본이 서로 얼마나 떨어져 있는지입니다. 시계가 세는 한 순간이 필요합니다.",
+    ),
+)
+
+
+MIDDLE_OF_THE_COMMON_TIME = Twin(
+    "middle of the common time",
+    lambda g: (min(g.newest_s[edge] for edge in PATH) + max(g.oldest_s[edge] for edge in PATH)) / 2,
+    Words(
+        en="That is the middle of the time in which both lanes have something to say. `Time()` asks for something as new as possible: the end of it.",
+        ko="두 줄이 함께 값을 가진 시간의 한가운데입니다. `Time()`은 될 수 있는 대로 새로운 것, 곧 그 시간의 끝을 묻습니다.",
+    ),
+)
+
+
 AGE_OF_THE_NEWEST = Twin(
     "age of the newest",
     lambda g: g.clock_s - max(g.newest_s.values()),
@@ -209,6 +229,8 @@ TASK = Task(
         SPAN_OF_ALL,
         COUNTED_FROM_THE_START,
         AGE_OF_THE_NEWEST,
+        MIDDLE_OF_THE_COMMON_TIME,
+        GAP_OF_THE_NEWEST,
     ),
     hints=(
         Words(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from tflab.core import ExtrapolationException
-from tflab.workbook.tasks import Angle, Parts, Slip, Task, Vector, Words
+from tflab.workbook.tasks import Angle, Parts, Slip, Task, Twin, Vector, Words
 
 
 def two_samples(rng):
@@ -38,44 +38,90 @@ def two_samples(rng):
 
 
 def between(
-    stamp_s, before, after, *, outside="refused", ratio="from the first", position="line", turn="short"
+    stamp_s, before, after, *, early="refused", late="refused", ratio="from the first", position="line", turn="short"
 ) -> dict:
     """Return what the buffer does, step by step; other steps are the slips."""
     (t0, x0, y0, yaw0), (t1, x1, y1, yaw1) = before, after
-    inside = t0 < stamp_s < t1 if outside == "samples, too" else t0 <= stamp_s <= t1
-    near = abs(stamp_s - (t0 + t1) / 2) <= 0.6 * (t1 - t0)  # a tenth of the gap beyond either sample
-    if not inside and not (outside == "guessed" or outside == "clamped" or (outside == "a little" and near)):
+    outside = early if 2 * stamp_s < t0 + t1 else late
+    if not _is_answered(stamp_s, t0, t1, outside):
         if outside == "None":
             return None
         raise ExtrapolationException("outside")
-    asked = min(max(stamp_s, t0), t1) if outside == "clamped" else stamp_s
-    share = {"from the first": (asked - t0) / (t1 - t0), "from the second": (t1 - asked) / (t1 - t0), "half": 0.5, "all": 1.0,
-             "back from the second": (asked - t1) / (t1 - t0),
-             "seconds": asked - t0, "of the stamp": asked / t1}  # fmt: skip
-    at = share.get(ratio, 0.0)
-    if ratio == "nearest":
-        at = 0.0 if share["from the first"] <= 0.5 else 1.0
-    turns = {"short": math.remainder(yaw1 - yaw0, math.tau), "difference": yaw1 - yaw0, "kept": 0.0}
-    turns |= {"modulo pi": math.remainder(yaw1 - yaw0, math.pi), "to the left": (yaw1 - yaw0) % math.tau}
-    turns |= {"size": abs(turns["short"]), "left over of pi": math.fmod(yaw1 - yaw0, math.pi)}
-    place = {"kept": 0.0, "later": 1.0}.get(position, at)
-    steps = (abs(x1 - x0), abs(y1 - y0)) if position == "upwards" else (x1 - x0, y1 - y0)
-    from_x, from_y = (0.0, 0.0) if position == "from zero" else (x0, y0)
-    along = (from_x + place * steps[0], y0 if position == "x alone" else from_y + place * steps[1])
+    at = _share(min(max(stamp_s, t0), t1) if outside == "clamped" else stamp_s, t0, t1, ratio)
+    short = math.remainder(yaw1 - yaw0, math.tau)
+    return {
+        "position": _place(at, (x0, y0), (x1, y1), position, yaw0, short if position == "arc" else 0.0),
+        "yaw": _yaw(at, yaw0, yaw1, turn),
+    }
+
+
+def _is_answered(stamp_s, t0, t1, outside):
+    inside = t0 < stamp_s < t1 if outside == "samples, too" else t0 <= stamp_s <= t1
+    if outside == "the inside":
+        return not inside
+    near = abs(stamp_s - (t0 + t1) / 2) <= 0.6 * (t1 - t0)  # a tenth of the gap beyond either sample
+    return inside or outside in ("guessed", "clamped") or (outside == "a little" and near)
+
+
+def _share(asked, t0, t1, ratio):
+    """Return how far along the answer is taken from."""
+    share = (asked - t0) / (t1 - t0)
+    return {
+        "from the first": share,
+        "from the second": 1.0 - share,
+        "back from the second": share - 1.0,
+        "away": -share,
+        "half": 0.5,
+        "all": 1.0,
+        "whole": math.floor(share),
+        "nearest": 0.0 if share <= 0.5 else 1.0,
+        "seconds": asked - t0,
+        "of the stamp": asked / t1,
+        "of the gap": asked / (t1 - t0),
+        "by the second stamp": (asked - t0) / t1,
+    }.get(ratio, 0.0)
+
+
+def _place(at, first, second, position, yaw0, turn):
+    """Return the position; `turn` is how far the heading has turned at the end."""
+    steps = [b - a for a, b in zip(first, second, strict=True)]
     if position in ("arc", "heading first"):
-        way, heading = place * math.hypot(*steps), yaw0 + (at * turns["short"] if position == "arc" else 0.0)
-        along = (x0 + way * math.cos(heading), y0 + way * math.sin(heading))
+        way, heading = at * math.hypot(*steps), yaw0 + at * turn
+        return (first[0] + way * math.cos(heading), first[1] + way * math.sin(heading))
+    part = {"kept": 0.0, "later": 1.0, "half": 0.5}.get(position, at)
+    steps = [abs(step) for step in steps] if position == "upwards" else steps
+    steps = second if position in ("second added", "share of the second") else steps
+    x0, y0 = (0.0, 0.0) if position in ("from zero", "share of the second") else first
+    return (x0 + part * steps[0], y0 if position == "x alone" else y0 + part * steps[1])
+
+
+def _yaw(at, yaw0, yaw1, turn):
+    difference, short = yaw1 - yaw0, math.remainder(yaw1 - yaw0, math.tau)
+    turns = {
+        "short": short,
+        "difference": difference,
+        "kept": 0.0,
+        "modulo pi": math.remainder(difference, math.pi),
+        "to the left": difference % math.tau,
+        "size": abs(short),
+        "away": -short,
+        "left over of pi": math.fmod(difference, math.pi),
+        "above alone": difference - math.tau if difference > math.pi else difference,
+        "below alone": difference + math.tau if difference < -math.pi else difference,
+        "second added": yaw1,
+        "too far": difference + math.copysign(math.tau, difference) if abs(difference) > math.pi else difference,
+        "left of pi": difference % math.pi,
+    }
+    sines, cosines = ((1 - at) * of(yaw0) + at * of(yaw1) for of in (math.sin, math.cos))
     yaws = {
-        "from zero": at * turns["short"],
+        "from zero": at * short,
         "mean": (yaw0 + yaw1) / 2,
+        "half": yaw0 + short / 2,
         "later": yaw1,
         "share of the later": at * yaw1,
-        "arrows": math.atan2(
-            (1 - at) * math.sin(yaw0) + at * math.sin(yaw1), (1 - at) * math.cos(yaw0) + at * math.cos(yaw1)
-        ),
+        "arrows": math.atan2(sines, cosines),
     }
-    yaw = yaws[turn] if turn in yaws else yaw0 + at * turns[turn]
-    return {"position": along, "yaw": yaw}
+    return yaws[turn] if turn in yaws else yaw0 + at * turns[turn]
 
 
 THE_LONG_WAY = Slip(
@@ -100,7 +146,7 @@ THE_NEAREST_SAMPLE = Slip(
 
 GUESSES_OUTSIDE = Slip(
     "guesses outside",
-    {"outside": "guessed"},
+    {"early": "guessed", "late": "guessed"},
     Words(
         en="Outside the two samples your function goes on along the line. A buffer never guesses: raise `ExtrapolationException`.",
         ko="두 표본 바깥에서도 선을 따라 계속 갑니다. 버퍼는 결코 짐작하지 않습니다. `ExtrapolationException`을 일으키십시오.",
@@ -110,7 +156,7 @@ GUESSES_OUTSIDE = Slip(
 
 STOPS_AT_THE_ENDS = Slip(
     "stops at the ends",
-    {"outside": "clamped"},
+    {"early": "clamped", "late": "clamped"},
     Words(
         en="Outside the two samples your function answers with the nearest end. That is a guess, too: raise `ExtrapolationException`.",
         ko="두 표본 바깥에서 가까운 끝의 값을 답합니다. 그것도 짐작입니다. `ExtrapolationException`을 일으키십시오.",
@@ -140,7 +186,7 @@ THE_EARLIER_SAMPLE = Slip(
 
 REFUSES_AT_A_SAMPLE = Slip(
     "refuses at a sample",
-    {"outside": "samples, too"},
+    {"early": "samples, too", "late": "samples, too"},
     Words(
         en="Exactly at a sample you refuse. There the buffer knows the answer best of all: only before the first and after the second is outside.",
         ko="표본의 시각을 그대로 물으면 거절합니다. 버퍼가 가장 잘 아는 순간입니다. 첫 표본 앞과 둘째 표본 뒤만 바깥입니다.",
@@ -160,7 +206,7 @@ COUNTED_FROM_THE_WRONG_END = Slip(
 
 NOTHING_OUTSIDE = Slip(
     "nothing outside",
-    {"outside": "None"},
+    {"early": "None", "late": "None"},
     Words(
         en="Outside the two samples you return None, and whoever calls you learns nothing. Refuse as the buffer does: raise `ExtrapolationException`.",
         ko="두 표본 바깥에서 None을 반환하므로 호출한 쪽은 아무것도 알지 못합니다. 버퍼처럼 거절하십시오. `ExtrapolationException`을 일으킵니다.",
@@ -170,10 +216,127 @@ NOTHING_OUTSIDE = Slip(
 
 A_LITTLE_OUTSIDE = Slip(
     "a little outside",
-    {"outside": "a little"},
+    {"early": "a little", "late": "a little"},
     Words(
         en="A little beyond the samples your function still answers. A buffer refuses even a hair outside: only from the first stamp to the second is there an answer.",
         ko="표본을 조금 벗어나도 답합니다. 버퍼는 머리카락만큼만 벗어나도 거절합니다. 첫 측정 시각부터 둘째 측정 시각까지만 답이 있습니다.",
+    ),
+)
+
+GUESSES_BEFORE = Slip(
+    "guesses before",
+    {"early": "guessed"},
+    Words(
+        en="Before the first sample your function goes on along the line, backwards. A buffer refuses a time that is too early as it refuses one that is too late: raise `ExtrapolationException`.",
+        ko="첫 표본보다 이른 시각에서는 선을 거꾸로 이어서 답합니다. 버퍼는 너무 늦은 시각처럼 너무 이른 시각도 거절합니다. `ExtrapolationException`을 일으키십시오.",
+    ),
+)
+
+GUESSES_AFTER = Slip(
+    "guesses after",
+    {"late": "guessed"},
+    Words(
+        en="After the second sample your function goes on along the line. A buffer refuses a time that is too late as it refuses one that is too early: raise `ExtrapolationException`.",
+        ko="둘째 표본보다 늦은 시각에서는 선을 이어서 답합니다. 버퍼는 너무 이른 시각처럼 너무 늦은 시각도 거절합니다. `ExtrapolationException`을 일으키십시오.",
+    ),
+)
+
+STOPS_AT_THE_FIRST = Slip(
+    "stops at the first",
+    {"early": "clamped"},
+    Words(
+        en="Before the first sample your function answers with the first. That is a guess: raise `ExtrapolationException`.",
+        ko="첫 표본보다 이른 시각에는 첫 표본의 값을 답합니다. 그것은 짐작입니다. `ExtrapolationException`을 일으키십시오.",
+    ),
+)
+
+STOPS_AT_THE_SECOND = Slip(
+    "stops at the second",
+    {"late": "clamped"},
+    Words(
+        en="After the second sample your function answers with the second. That is a guess: raise `ExtrapolationException`.",
+        ko="둘째 표본보다 늦은 시각에는 둘째 표본의 값을 답합니다. 그것은 짐작입니다. `ExtrapolationException`을 일으키십시오.",
+    ),
+)
+
+REFUSES_AT_THE_FIRST = Slip(
+    "refuses at the first",
+    {"early": "samples, too"},
+    Words(
+        en="Exactly at the first sample you refuse. There the buffer knows the answer best of all: outside begins before it.",
+        ko="첫 표본의 시각을 그대로 물으면 거절합니다. 버퍼가 가장 잘 아는 순간입니다. 그보다 이른 시각부터가 바깥입니다.",
+    ),
+)
+
+REFUSES_AT_THE_SECOND = Slip(
+    "refuses at the second",
+    {"late": "samples, too"},
+    Words(
+        en="Exactly at the second sample you refuse. There the buffer knows the answer best of all: outside begins after it.",
+        ko="둘째 표본의 시각을 그대로 물으면 거절합니다. 버퍼가 가장 잘 아는 순간입니다. 그보다 늦은 시각부터가 바깥입니다.",
+    ),
+)
+
+REFUSES_INSIDE = Twin(
+    "refuses inside",
+    lambda *given: between(*given, early="the inside", late="the inside"),
+    Words(
+        en="You refuse between the two samples, and answer outside of them. The condition is the other way round.",
+        ko="두 표본 사이에서 거절하고 바깥에서 답합니다. 조건이 거꾸로입니다.",
+    ),
+)
+
+LONG_WAY_FROM_BELOW = Slip(
+    "long way from below",
+    {"turn": "above alone"},
+    Words(
+        en="Where yaw1 − yaw0 lies below −π, your yaw goes the long way round: a whole turn has to be added there.",
+        ko="yaw1 − yaw0이 −π보다 작은 곳에서 yaw가 먼 길로 돌아갑니다. 거기서는 한 바퀴를 더해야 합니다.",
+    ),
+)
+
+LONG_WAY_FROM_ABOVE = Slip(
+    "long way from above",
+    {"turn": "below alone"},
+    Words(
+        en="Where yaw1 − yaw0 lies above π, your yaw goes the long way round: a whole turn has to be taken off there.",
+        ko="yaw1 − yaw0이 π보다 큰 곳에서 yaw가 먼 길로 돌아갑니다. 거기서는 한 바퀴를 빼야 합니다.",
+    ),
+)
+
+YAW_AWAY = Slip(
+    "yaw away",
+    {"turn": "away"},
+    Words(
+        en="Your yaw turns away from the second sample's. The turn is the second yaw minus the first.",
+        ko="yaw가 둘째 표본의 반대쪽으로 돕니다. 회전은 둘째 yaw에서 첫째를 뺀 것입니다.",
+    ),
+)
+
+SECOND_YAW_ADDED = Slip(
+    "second yaw added",
+    {"turn": "second added"},
+    Words(
+        en="To the first yaw you add a share of the second yaw itself. What is added is a share of the turn between the two.",
+        ko="첫째 yaw에 둘째 yaw 자체를 비율만큼 더합니다. 더할 것은 둘 사이의 회전에 비율을 곱한 값입니다.",
+    ),
+)
+
+SECOND_POSITION_ADDED = Slip(
+    "second position added",
+    {"position": "second added"},
+    Words(
+        en="To the first position you add a share of the second position itself. What is added is a share of the way between the two.",
+        ko="첫째 위치에 둘째 위치 자체를 비율만큼 더합니다. 더할 것은 둘의 차이에 비율을 곱한 값입니다.",
+    ),
+)
+
+SHARE_OF_THE_LATER_POSITION = Slip(
+    "share of the later position",
+    {"position": "share of the second"},
+    Words(
+        en="Your position is a share of the second position alone. The way goes from the first to the second: begin at the first.",
+        ko="위치가 둘째 위치에 비율만 곱한 값입니다. 첫째에서 둘째까지 가는 길이므로 첫째에서 시작하십시오.",
     ),
 )
 
@@ -219,8 +382,8 @@ LEFT_OVER_OF_PI = Slip(
     "what is left over of pi",
     {"turn": "left over of pi"},
     Words(
-        en="A turn of more than half is cut down by a wrong amount: `math.fmod` by pi takes a half turn off and keeps the sign of what it divides. A difference of two yaws is wrapped by a whole turn, 2 pi, into -pi .. pi.",
-        ko="반 바퀴가 넘는 차이를 엉뚱한 만큼 줄입니다. pi에 대한 `math.fmod`는 반 바퀴를 빼고 나뉘는 수의 부호를 그대로 둡니다. 두 yaw의 차이는 한 바퀴, 곧 2π를 더하거나 빼서 −π와 π 사이로 만듭니다.",
+        en="A difference of more than half a turn is brought back by half a turn, π: that is another direction. Only a whole turn, 2π, changes none: take that off or add it, until the difference lies between −π and π. (`math.fmod` by π takes half a turn off, too.)",
+        ko="반 바퀴가 넘는 차이에서 반 바퀴, 곧 π를 빼거나 더하면 다른 방향이 됩니다. 방향이 그대로인 것은 한 바퀴, 곧 2π를 더하거나 뺄 때뿐입니다. 그렇게 해서 −π와 π 사이로 만드십시오(π에 대한 `math.fmod`도 반 바퀴를 뺍니다).",
     ),
     "M5",
 )
@@ -240,6 +403,78 @@ RATIO_OF_THE_STAMP = Slip(
     Words(
         en="Your ratio is counted from time zero. Count from the first sample, and divide by the time between the two.",
         ko="비율을 시각 0에서부터 셌습니다. 첫 표본에서부터 세고, 두 표본 사이의 시간으로 나누십시오.",
+    ),
+)
+
+STAMP_BY_THE_GAP = Twin(
+    "stamp by the gap",
+    lambda *given: between(*given, ratio="of the gap"),
+    Words(
+        en="Your ratio is `stamp_s` divided by the time between the two samples. Take the first sample's stamp off it before you divide: at the first sample the ratio is 0.",
+        ko="`stamp_s`를 두 표본 사이의 시간으로 나눈 것이 비율이 되었습니다. 나누기 전에 첫 표본의 시각을 빼십시오. 첫 표본에서는 비율이 0입니다.",
+    ),
+)
+
+BY_THE_SECOND_STAMP = Twin(
+    "by the second stamp",
+    lambda *given: between(*given, ratio="by the second stamp"),
+    Words(
+        en="Your ratio is divided by the second stamp itself. Divide by the time from the first sample to the second: at the second sample the ratio is 1.",
+        ko="비율을 둘째 측정 시각 자체로 나누었습니다. 첫 표본에서 둘째 표본까지의 시간으로 나누십시오. 둘째 표본에서는 비율이 1입니다.",
+    ),
+)
+
+POSITION_IN_THE_MIDDLE = Twin(
+    "position in the middle",
+    lambda *given: between(*given, position="half"),
+    Words(
+        en="Your position is the middle of the two, wherever `stamp_s` lies. It goes along the line with the ratio.",
+        ko="`stamp_s`가 어디에 있든 위치가 두 표본의 한가운데입니다. 비율만큼 선을 따라가야 합니다.",
+    ),
+)
+
+YAW_IN_THE_MIDDLE = Twin(
+    "yaw in the middle",
+    lambda *given: between(*given, turn="half"),
+    Words(
+        en="Your yaw is the middle of the two, wherever `stamp_s` lies. It turns with the ratio.",
+        ko="`stamp_s`가 어디에 있든 yaw가 두 표본의 한가운데입니다. 비율만큼 돌아가야 합니다.",
+    ),
+)
+
+TURNED_TOO_FAR = Slip(
+    "turned too far",
+    {"turn": "too far"},
+    Words(
+        en="Where the difference of the yaws is more than half a turn, your yaw turns by a whole turn more than that, not less: the sign with which 2π is applied is the wrong one.",
+        ko="두 yaw의 차이가 반 바퀴를 넘는 곳에서 yaw가 한 바퀴 덜 도는 것이 아니라 더 돕니다. 2π를 더하고 빼는 부호가 반대입니다.",
+    ),
+)
+
+LEFT_OF_PI = Slip(
+    "modulo half a turn, to the left",
+    {"turn": "left of pi"},
+    Words(
+        en="The difference of your yaws lies between 0 and π, as `% π` makes it: half a turn less is another direction, and a turn to the right becomes one to the left. Wrap by 2π, into −π to π.",
+        ko="`% π`를 한 것처럼 두 yaw의 차이가 0과 π 사이에 있습니다. 반 바퀴를 빼면 다른 방향이 되고, 오른쪽 회전이 왼쪽 회전으로 바뀝니다. 2π로 감아 −π와 π 사이로 만드십시오.",
+    ),
+)
+
+A_WHOLE_RATIO = Twin(
+    "a whole ratio",
+    lambda *given: between(*given, ratio="whole"),
+    Words(
+        en="Your ratio is a whole number, 0 up to the second sample and 1 at it, as `//` or `int()` makes it. How far along `stamp_s` lies is a fraction: divide by `/`.",
+        ko="비율이 정수입니다. `//`나 `int()`를 쓴 것처럼 둘째 표본 전까지는 0이고 거기서 1이 됩니다. `stamp_s`가 어디쯤인지는 0과 1 사이의 소수입니다. `/`로 나누십시오.",
+    ),
+)
+
+AWAY_FROM_THE_SECOND = Slip(
+    "away from the second",
+    {"ratio": "away"},
+    Words(
+        en="You go from the first sample away from the second. The way between them is the second minus the first.",
+        ko="첫 표본에서 둘째 표본의 반대쪽으로 갑니다. 둘 사이의 차이는 둘째에서 첫째를 뺀 것입니다.",
     ),
 )
 
@@ -274,8 +509,8 @@ ALWAYS_UPWARDS = Slip(
     "always upwards",
     {"position": "upwards"},
     Words(
-        en="abs() takes the sign of the difference away, and then x and y only ever grow.",
-        ko="abs()가 차이의 부호를 없애서 x와 y가 늘기만 합니다.",
+        en="x and y only ever grow: the sign of the differences is gone, as with abs(), so a robot that drives back is sent on.",
+        ko="x와 y가 늘기만 합니다. abs()를 쓴 것처럼 차이의 부호가 없어져서, 되돌아가는 로봇도 앞으로 갑니다.",
     ),
 )
 
@@ -353,8 +588,8 @@ ALWAYS_TO_THE_LEFT = Slip(
     "always to the left",
     {"turn": "to the left"},
     Words(
-        en="You always turn to the left: `% (2π)` has no negative turns. To the right may be shorter.",
-        ko="언제나 왼쪽으로 돕니다. `% (2π)`에는 음수가 없습니다. 오른쪽이 더 짧을 수 있습니다.",
+        en="Your yaw always turns to the left: the difference lies between 0 and 2π, as `% (2π)` makes it, and is never negative. To the right may be shorter.",
+        ko="yaw가 언제나 왼쪽으로 돕니다. `% (2π)`를 한 것처럼 차이가 0과 2π 사이에 있어 음수가 되지 않습니다. 오른쪽이 더 짧을 수 있습니다.",
     ),
 )
 
@@ -373,7 +608,7 @@ SIZE_OF_THE_TURN = Slip(
     "size of the turn",
     {"turn": "size"},
     Words(
-        en="you took the size of the turn, without its sign: a robot that turns right turns left in your answer.",
+        en="You took the size of the turn, without its sign: a robot that turns right turns left in your answer.",
         ko="회전의 부호를 떼고 크기만 썼습니다. 오른쪽으로 도는 로봇이 답에서는 왼쪽으로 돕니다.",
     ),
     part="yaw",
@@ -422,6 +657,27 @@ TASK = Task(
         MODULO_HALF_A_TURN,
         ALWAYS_TO_THE_LEFT,
         BETWEEN_TWO_ARROWS,
+        GUESSES_BEFORE,
+        GUESSES_AFTER,
+        STOPS_AT_THE_FIRST,
+        STOPS_AT_THE_SECOND,
+        REFUSES_AT_THE_FIRST,
+        REFUSES_AT_THE_SECOND,
+        REFUSES_INSIDE,
+        LONG_WAY_FROM_BELOW,
+        LONG_WAY_FROM_ABOVE,
+        STAMP_BY_THE_GAP,
+        A_WHOLE_RATIO,
+        BY_THE_SECOND_STAMP,
+        POSITION_IN_THE_MIDDLE,
+        YAW_IN_THE_MIDDLE,
+        TURNED_TOO_FAR,
+        LEFT_OF_PI,
+        AWAY_FROM_THE_SECOND,
+        YAW_AWAY,
+        SECOND_YAW_ADDED,
+        SECOND_POSITION_ADDED,
+        SHARE_OF_THE_LATER_POSITION,
     ),
     hints=(
         Words(

@@ -67,6 +67,8 @@ def on_the_map(buffer, message, now, *, ends="wanted first", target="map", sourc
         transform = buffer.lookup_transform(*names, Time())
     if move == "step":
         transform.transform.rotation = geometry_msgs.Quaternion(w=1.0)
+    if move == "turn":
+        transform.transform.translation = geometry_msgs.Vector3()
     moved = _moved(message, transform)
     moved = _moved(moved, transform) if move == "twice" else moved
     stamps = {"now": now.to_msg(), "zero": builtin_interfaces.Time(), "put back": message.header.stamp}
@@ -78,8 +80,8 @@ LATEST = Slip(
     "latest",
     {"moment": "latest"},
     Words(
-        en="You asked for `Time()`, the latest common time, and the point was moved with a pose from another moment. No error came, did it? Use the message's own stamp.",
-        ko="최신 공통 시각인 `Time()`으로 물어서, 점이 다른 순간의 포즈로 옮겨졌습니다. 오류는 나지 않았습니다. 메시지 자신의 측정 시각을 쓰십시오.",
+        en="The point was moved with the latest transform there is, as `Time()` gives it: with a pose from another moment. No error came, did it? Use the message's own stamp.",
+        ko="`Time()`이 주는 최신 변환, 곧 다른 순간의 포즈로 점을 옮겼습니다. 오류는 나지 않았습니다. 메시지 자신의 측정 시각을 쓰십시오.",
     ),
     "M9",
 )
@@ -122,8 +124,8 @@ ASKS_FOR_NOW_FIRST = Slip(
     "asks for now first",
     {"asks": "for now"},
     Words(
-        en="You first ask whether there is a transform for `now`, and mostly there is none yet: nothing in the buffer is that fresh. Whether there is one for the stamp, the lookup itself tells.",
-        ko="먼저 `now`의 변환이 있는지 묻는데, 버퍼에 그만큼 새로운 것은 대개 아직 없습니다. 측정 시각의 변환이 있는지는 조회가 직접 알려 줍니다.",
+        en="You answer only where there is a transform for `now`, too, and mostly there is none yet: nothing in the buffer is that fresh. Whether there is one for the stamp, the lookup itself tells.",
+        ko="`now`의 변환까지 있을 때만 답하는데, 버퍼에 그만큼 새로운 것은 대개 아직 없습니다. 측정 시각의 변환이 있는지는 조회가 직접 알려 줍니다.",
     ),
     "M9",
 )
@@ -210,6 +212,15 @@ FROM_BASE_LINK = Slip(
     ),
 )
 
+FROM_ODOM = Slip(
+    "from odom",
+    {"source": "odom"},
+    Words(
+        en="You asked from odom. The numbers were counted in the frame that the message names.",
+        ko="odom을 원본으로 물었습니다. 숫자는 메시지에 적힌 좌표계에서 센 것입니다.",
+    ),
+)
+
 ALWAYS_FROM_THE_LASER = Slip(
     "always from laser_frame",
     {"source": "laser_frame"},
@@ -243,8 +254,8 @@ NANOSEC_ALONE = Slip(
     "nanosec alone",
     {"moment": "nanosec alone"},
     Words(
-        en="You asked for the stamp's nanosec alone: a moment within the first second of all. `Time.from_msg(stamp)` reads both fields.",
-        ko="nanosec만으로 물었습니다. 맨 처음 1초 안의 순간이 됩니다. `Time.from_msg(stamp)`는 두 항목을 모두 읽습니다.",
+        en="Every call ends in a refusal, even where the buffer knows the message's moment. Read in the error which time was requested: nanosec alone, say, is a moment within the first second of all. `Time.from_msg(stamp)` reads both fields. Whether the rest is right shows only once the buffer answers.",
+        ko="버퍼가 메시지의 순간을 아는 때에도 호출이 모두 거절로 끝납니다. 어느 시각을 요청했는지 오류에서 읽어 보십시오. 이를테면 nanosec만 쓰면 맨 처음 1초 안의 순간이 됩니다. `Time.from_msg(stamp)`는 두 항목을 모두 읽습니다. 나머지가 맞는지는 버퍼가 답한 다음에 알 수 있습니다.",
     ),
 )
 
@@ -264,6 +275,15 @@ STEP_ALONE = Slip(
     Words(
         en="You added the translation and left the rotation out. The sensor looks another way than the map's x.",
         ko="이동만 더하고 회전을 빠뜨렸습니다. 센서는 지도의 x와 다른 쪽을 봅니다.",
+    ),
+)
+
+TURN_ALONE = Slip(
+    "turn alone",
+    {"move": "turn"},
+    Words(
+        en="You turned the point and left the translation out: the sensor does not stand where the map begins.",
+        ko="점을 돌리기만 하고 이동을 빠뜨렸습니다. 센서는 지도의 원점에 있지 않습니다.",
     ),
 )
 
@@ -301,8 +321,8 @@ DIGITS = Slip(
     "digits",
     {"moment": "digits"},
     Words(
-        en="You wrote nanosec behind a point, as digits: 45000000 ns is 0.045 s, not 0.45 s. `Time.from_msg(stamp)` has it right.",
-        ko="nanosec을 소수점 뒤의 숫자로 그대로 썼습니다. 45000000 ns는 0.45초가 아니라 0.045초입니다. `Time.from_msg(stamp)`를 쓰면 됩니다.",
+        en="The digits of nanosec stand right behind the decimal point: 45000000 ns is 0.045 s, not 0.45 s. `Time.from_msg(stamp)` has it right.",
+        ko="nanosec의 숫자가 소수점 바로 뒤에 왔습니다. 45000000 ns는 0.45초가 아니라 0.045초입니다. `Time.from_msg(stamp)`를 쓰면 됩니다.",
     ),
 )
 
@@ -367,12 +387,14 @@ TASK = Task(
         LATEST_PUT_BACK,
         NOW_PUT_BACK,
         FROM_BASE_LINK,
+        FROM_ODOM,
         ALWAYS_FROM_THE_LASER,
         ALWAYS_FROM_THE_CAMERA,
         SEC_ALONE,
         NANOSEC_ALONE,
         HALF_WAY,
         STEP_ALONE,
+        TURN_ALONE,
         MOVED_TWICE,
         STAMP_LOST,
         AS_IT_CAME,

@@ -48,6 +48,7 @@ def late(
     }.get(way, ahead)
     aside = {
         "speed times range": ahead * given.range_m,
+        "sine of degrees": given.range_m * math.sin(given.yaw_rate_degps * delay_s),
         "one minus cosine": given.range_m * (1 - math.cos(aside / given.range_m)),
     }.get(arc, aside)
     ahead, aside = (aside, ahead) if places == "exchanged" else (ahead, aside)
@@ -67,8 +68,8 @@ SPEED_ONLY = Slip(
     "speed only",
     {"arc": "forgotten"},
     Words(
-        en="You left out the turn. The pose of now looks another way, and drags the object along sideways: the more, the farther it is.",
-        ko="회전을 빠뜨렸습니다. 로봇은 지금 다른 쪽을 보고 있어서, 그 회전이 물체를 옆으로 끌고 갑니다. 멀리 있을수록 더 그렇습니다.",
+        en="The turn is left out: it is no zero. The pose of now looks another way, and drags the object along sideways: the more, the farther it is.",
+        ko="회전이 빠져 0이 되었습니다. 로봇은 지금 다른 쪽을 보고 있어서, 그 회전이 물체를 옆으로 끌고 갑니다. 멀리 있을수록 더 그렇습니다.",
     ),
     "M9",
     part="left_m",
@@ -102,8 +103,8 @@ ADDED = Slip(
     "added",
     {"together": "added"},
     Words(
-        en="The two pieces are at right angles: their lengths do not simply add up.",
-        ko="두 성분은 서로 직각입니다. 길이를 그냥 더하지 않습니다.",
+        en="That is the sum of the two lengths. The two pieces are at right angles: their lengths do not simply add up.",
+        ko="두 길이의 합입니다. 두 성분은 서로 직각이므로 길이를 그냥 더하지 않습니다.",
     ),
     part="together_m",
 )
@@ -185,8 +186,8 @@ TO_DEGREES = Slip(
     "to degrees",
     {"angle": "to degrees"},
     Words(
-        en="You turned the degrees into degrees once more: `math.degrees` goes the other way. An arc is radius times *radians*.",
-        ko="도를 한 번 더 도로 바꾸었습니다. `math.degrees`는 반대 방향입니다. 호의 길이는 반지름 곱하기 *라디안*입니다.",
+        en="The degrees were multiplied by 180/π, as `math.degrees` does, and that turns radians into degrees. An arc is radius times *radians*.",
+        ko="`math.degrees`처럼 도에 180/π를 곱했습니다. 그것은 라디안을 도로 바꾸는 계산입니다. 호의 길이는 반지름 곱하기 *라디안*입니다.",
     ),
     "M5",
     part="left_m",
@@ -197,8 +198,8 @@ SPEED_FOR_THE_RANGE = Slip(
     "speed for the range",
     {"arc": "speed"},
     Words(
-        en="To the left you multiplied by the speed. What swings is the ray, as long as the range.",
-        ko="왼쪽 오차에 속도를 곱했습니다. 흔들리는 것은 거리만큼 긴 시선입니다.",
+        en="To the left you have yaw rate, delay and speed: the speed stands where the range belongs. What swings is the ray, as long as the range.",
+        ko="왼쪽 오차에 yaw 속도와 지연과 주행 속도를 곱했습니다. 거리가 올 자리에 속도가 왔습니다. 흔들리는 것은 물체까지의 거리만큼 긴 시선입니다.",
     ),
     part="left_m",
 )
@@ -222,6 +223,18 @@ ONE_MINUS_COSINE = Slip(
         en="That is how much less far ahead the ray's end is, 1 minus the cosine. To the left it is the arc: range times angle.",
         ko="시선 끝이 앞으로 덜 나간 만큼(1 - cos)입니다. 왼쪽은 호의 길이, 거리 곱하기 각도입니다.",
     ),
+    part="left_m",
+)
+
+
+SINE_OF_DEGREES = Slip(
+    "sine of degrees",
+    {"arc": "sine of degrees"},
+    Words(
+        en="To the left you have the range times the sine of an angle in degrees. `math.sin` takes radians, and the product of the page is range × angle.",
+        ko="왼쪽 오차가 거리에 도 단위 각도의 sin을 곱한 값입니다. `math.sin`은 라디안을 받고, 본문의 곱은 거리 × 각도입니다.",
+    ),
+    "M5",
     part="left_m",
 )
 
@@ -285,8 +298,8 @@ TOGETHER_SIZES_TAKEN_OFF = Slip(
     "together: sizes taken off",
     {"together": "sizes taken off"},
     Words(
-        en="You took the size of the one off that of the other. They stand at right angles: take the hypotenuse.",
-        ko="크기끼리 뺐습니다. 둘은 직각이므로 빗변을 구하십시오.",
+        en="That is the one length less the other; a sum of two numbers with different signs comes to the same. They stand at right angles: take the hypotenuse.",
+        ko="한 길이에서 다른 길이를 뺀 값입니다. 부호가 다른 두 수를 더해도 이렇게 됩니다. 둘은 직각이므로 빗변을 구하십시오.",
     ),
     part="together_m",
 )
@@ -353,6 +366,7 @@ TASK = Task(
         SPEED_FOR_THE_RANGE,
         SPEED_TIMES_RANGE_TO_THE_LEFT,
         ONE_MINUS_COSINE,
+        SINE_OF_DEGREES,
         RANGE_MINUS_THE_WAY,
         RANGE_PLUS_THE_WAY,
         WAY_FOR_THE_RANGE,

@@ -98,6 +98,17 @@ CLOCKS_FOR_A_SLOW_LANE = Twin(
 )
 
 
+OVERWRITTEN_FOR_A_SLOW_LANE = Twin(
+    "overwritten for a slow lane",
+    {**RIGHT, "e": "stamp overwritten"},
+    Words(
+        en="e: a stamp that was overwritten asks too late as well, but by its delay, and so does every message alike. Here one in four gets through, others lack up to a second, and one publisher speaks once a second.",
+        ko="e: 덮어쓴 stamp도 너무 늦은 시각을 묻지만, 숨긴 지연만큼이고 어느 메시지나 똑같습니다. 여기서는 넷 중 하나가 통과하고 나머지는 길면 1초까지 모자라며, 한 발행자는 초당 한 번 말합니다.",
+    ),
+    "M9",
+)
+
+
 SLOW_FOR_A_SHORT_CACHE = Twin(
     "slow for a short cache",
     {**RIGHT, "d": "odometry slow"},
@@ -135,6 +146,7 @@ TASK = Task(
         CLOCKS_FOR_A_SHORT_CACHE,
         CACHE_FOR_A_SLOW_LANE,
         CLOCKS_FOR_A_SLOW_LANE,
+        OVERWRITTEN_FOR_A_SLOW_LANE,
         SLOW_FOR_A_SHORT_CACHE,
         A_CAUSE_OF_TIME_FOR_THE_TRACEBACK,
     ),
@@ -155,8 +167,8 @@ TASK = Task(
     cures=("M9", "M10", "M11", "M15"),
     means={
         "stamp overwritten": Words(
-            en="a stamp that was overwritten makes data look fresh, and shows only while the robot moves.",
-            ko="stamp을 덮어쓰면 데이터가 새것처럼 보이고, 로봇이 움직일 때만 어긋납니다.",
+            en="a stamp that was overwritten makes data look fresh: it is late by the delay that it hides, some hundredths or tenths of a second, in every message alike.",
+            ko="stamp을 덮어쓰면 데이터가 새것처럼 보입니다. 숨긴 지연만큼, 곧 0.01초에서 0.1초대만큼 어느 메시지에서나 똑같이 늦습니다.",
         ),
         "odometry slow": Words(
             en="a slow edge lacks its newest samples only: it refuses the latest requests, by less than its period.",

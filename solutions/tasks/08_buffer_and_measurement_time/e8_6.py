@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from itertools import pairwise
 
 from tflab.workbook.tasks import Number, Slip, Task, Twin, Words
@@ -10,15 +11,15 @@ from tflab.workbook.tasks import Number, Slip, Task, Twin, Words
 def detector(rng):
     """Draw until no two of the times that one may come to are near one another."""
     while True:
-        slow = float(rng.choice([0.4, 1.25, 2.5, 4.0]))
-        thinking_s, period_s = round(float(rng.uniform(1.5, 6.0)), 2), 1.0 / slow
+        slow, fast = float(rng.choice([0.4, 1.25, 2.5, 4.0])), float(rng.choice([20.0, 25.0, 50.0]))
+        thinking_s, period_s, short_s = round(float(rng.uniform(1.5, 6.0)), 2), 1.0 / slow, 1.0 / fast
         sums = [by * thinking_s + times * period_s for by in (0, 1, 2) for times in (-1, 0, 0.5, 1, 2, 3)]
-        times_s = sorted([*sums, thinking_s * period_s, thinking_s * slow, thinking_s + slow, 10.0, 20.0, 30.0])
-        if min(b - a for a, b in pairwise(times_s)) > 0.01:
-            return {
-                "thinking_s": thinking_s,
-                "rate_hz": {"map -> odom": slow, "odom -> base_link": float(rng.choice([20.0, 25.0, 50.0]))},
-            }
+        means = [(period_s + short_s) / 2, period_s + short_s, 1.0 / (slow + fast), 2.0 / (slow + fast), 1.0]
+        sums += [thinking_s + more for more in (*means, -short_s, short_s, 2 * short_s, 3 * short_s)]
+        times_s = [*sums, thinking_s * period_s, thinking_s * slow, thinking_s + slow, 10.0, 20.0, 30.0]
+        times_s = sorted([*times_s, 1.5 * thinking_s, 10.0 + period_s, float(math.ceil(thinking_s + period_s))])
+        if min(b - a for a, b in pairwise(times_s)) > 0.005:
+            return {"thinking_s": thinking_s, "rate_hz": {"map -> odom": slow, "odom -> base_link": fast}}
 
 
 def memory(g, *, thinking=1.0, lane="slow", times=1.0, joined="added"):
@@ -72,8 +73,8 @@ RATE_INSTEAD_OF_PERIOD = Slip(
     "rate instead of period",
     {"lane": "rate"},
     Words(
-        en="Did you add a rate to a time? A period is one over the rate.",
-        ko="시간에 Hz를 더하지 않았습니까? 주기는 Hz의 역수입니다.",
+        en="That is a time with a rate added to it. A period is one over the rate.",
+        ko="시간에 Hz를 더한 값입니다. 주기는 Hz의 역수입니다.",
     ),
 )
 
@@ -128,7 +129,7 @@ TWICE_THINKING_ALONE = Slip(
     "twice the thinking time",
     {"thinking": 2.0, "times": 0.0},
     Words(
-        en="That is twice the thinking time. Double is no rule: how much more than the thinking time is needed, the slowest edge says.",
+        en="That is twice the thinking time. To double is no rule: how much more than the thinking time is needed, the slowest edge says.",
         ko="계산 시간의 두 배입니다. 두 배라는 규칙은 없습니다. 계산 시간보다 얼마나 더 필요한지는 가장 느린 연결이 정합니다.",
     ),
 )
@@ -164,8 +165,8 @@ MULTIPLIED = Slip(
     "multiplied",
     {"joined": "multiplied"},
     Words(
-        en="You multiplied two times. One comes after the other: they add up.",
-        ko="두 시간을 곱했습니다. 하나 다음에 다른 하나가 오므로 더합니다.",
+        en="That is the thinking time multiplied by a period (or divided by a rate, which is the same). One time comes after the other: they add up.",
+        ko="계산 시간에 주기를 곱한 값입니다. Hz로 나누어도 같습니다. 두 시간은 하나 다음에 다른 하나가 오므로 더합니다.",
     ),
 )
 
@@ -192,8 +193,8 @@ TEN_MORE = Twin(
     "ten more",
     lambda g: 10.0 + g.thinking_s,
     Words(
-        en="You added the thinking time to the ten seconds that one gets. The ten are a habit: work out the least that is always enough.",
-        ko="기본값 10초에 생각하는 시간을 더했습니다. 10초는 흔히 쓰는 값일 뿐입니다. 언제나 충분한 가장 짧은 시간을 구하십시오.",
+        en="That is the thinking time and the ten seconds that one gets unasked. The ten are only what is set where nobody says anything: work out the least that is always enough.",
+        ko="계산 시간에 기본값 10초를 더한 값입니다. 10초는 따로 정하지 않을 때의 값일 뿐입니다. 언제나 충분한 가장 짧은 시간을 구하십시오.",
     ),
 )
 
@@ -212,8 +213,88 @@ NUMBER_OF_SLOW_SAMPLES = Twin(
     "number of slow samples",
     lambda g: g.thinking_s * min(g.rate_hz.values()),
     Words(
-        en="You multiplied the thinking time by the slow rate: that is how many samples of the slowest edge come meanwhile. `cache_time` is a time and no count.",
+        en="That is the thinking time by the slow rate: how many samples of the slowest edge come meanwhile. `cache_time` is a time and no count.",
         ko="계산 시간에 느린 쪽의 Hz를 곱했습니다. 그동안 가장 느린 연결에 오는 표본의 개수입니다. `cache_time`은 개수가 아니라 시간입니다.",
+    ),
+)
+
+
+MEAN_PERIOD = Twin(
+    "mean period",
+    lambda g: g.thinking_s + sum(1.0 / rate for rate in g.rate_hz.values()) / 2,
+    Words(
+        en="That is the thinking time and the mean of the two periods. Every edge of the path must still hold the sample before the stamp, the slow one, too.",
+        ko="계산 시간에 두 주기의 평균을 더한 값입니다. 경로의 모든 연결이, 느린 연결도, 측정 시각 이전의 표본을 갖고 있어야 합니다.",
+    ),
+)
+
+
+MEAN_RATE = Twin(
+    "mean rate",
+    lambda g: g.thinking_s + 2.0 / sum(g.rate_hz.values()),
+    Words(
+        en="That is the thinking time and the period of the mean of the two rates. Each edge has a period of its own, and the slow one decides.",
+        ko="계산 시간에 두 Hz의 평균으로 구한 주기를 더한 값입니다. 연결마다 자기 주기가 있고 느린 쪽이 정합니다.",
+    ),
+)
+
+
+SUM_OF_RATES = Twin(
+    "sum of rates",
+    lambda g: g.thinking_s + 1.0 / sum(g.rate_hz.values()),
+    Words(
+        en="That is the thinking time and one over the sum of both rates. Each edge has a period of its own, and the slow one decides.",
+        ko="계산 시간에 두 Hz의 합의 역수를 더한 값입니다. 연결마다 자기 주기가 있고 느린 쪽이 정합니다.",
+    ),
+)
+
+
+HALF_THE_THINKING_MORE = Twin(
+    "half the thinking more",
+    lambda g: 1.5 * g.thinking_s,
+    Words(
+        en="That is one and a half times the thinking time. How much more than the thinking time is needed, the slowest edge says.",
+        ko="계산 시간의 한 배 반입니다. 계산 시간보다 얼마나 더 필요한지는 가장 느린 연결이 정합니다.",
+    ),
+)
+
+
+A_SECOND_MORE = Twin(
+    "a second more",
+    lambda g: g.thinking_s + 1.0,
+    Words(
+        en="That is the thinking time and a second. How much more than the thinking time is needed, the slowest edge says.",
+        ko="계산 시간에 1초를 더한 값입니다. 계산 시간보다 얼마나 더 필요한지는 가장 느린 연결이 정합니다.",
+    ),
+)
+
+
+TEN_AND_A_PERIOD = Twin(
+    "ten and a period",
+    lambda g: 10.0 + 1.0 / min(g.rate_hz.values()),
+    Words(
+        en="That is ten seconds and a period. The ten are what one gets unasked: how far back the picture's stamp lies when the question comes, the thinking time says.",
+        ko="10초에 한 주기를 더한 값입니다. 10초는 따로 정하지 않을 때의 값입니다. 물어볼 때 영상의 측정 시각이 얼마나 과거인지는 계산 시간이 정합니다.",
+    ),
+)
+
+
+MINUTE = Twin(
+    "a minute",
+    60.0,
+    Words(
+        en="A minute is more than is needed, and hides what is. Work out the least that is always enough.",
+        ko="1분은 필요보다 길고, 얼마가 필요한지 알 수 없게 합니다. 언제나 충분한 값 가운데 가장 작은 것을 계산하십시오.",
+    ),
+)
+
+
+ROUNDED_UP = Twin(
+    "rounded up",
+    lambda g: float(math.ceil(g.thinking_s + 1.0 / min(g.rate_hz.values()))),
+    Words(
+        en="That is what is needed, rounded up to whole seconds: it is always enough, and longer than it need be.",
+        ko="필요한 값을 초 단위로 올린 것입니다. 언제나 충분하지만 필요한 것보다 깁니다.",
     ),
 )
 
@@ -260,6 +341,14 @@ TASK = Task(
         NUMBER_OF_SAMPLES,
         NUMBER_OF_SLOW_SAMPLES,
         HALF_AS_MUCH_AGAIN,
+        MEAN_PERIOD,
+        MEAN_RATE,
+        SUM_OF_RATES,
+        HALF_THE_THINKING_MORE,
+        A_SECOND_MORE,
+        TEN_AND_A_PERIOD,
+        MINUTE,
+        ROUNDED_UP,
     ),
     hints=(
         Words(

@@ -30,7 +30,7 @@ def resting_objects(rng):
 
 
 def in_base_link(buffer, message, now, *, sight="stamp", base="now", fixed="odom", target="base_link",
-                 ends="wanted first", refusal="let through", move="all"):  # fmt: skip
+                 ends="wanted first", refusal="let through", move="all", source="the message's"):  # fmt: skip
     """Return the coordinates, step by step; other steps are the slips."""
     if move == "not":
         return (message.point.x, message.point.y, message.point.z)
@@ -48,6 +48,10 @@ def in_base_link(buffer, message, now, *, sight="stamp", base="now", fixed="odom
             for moment in (message.header.stamp, now)
         )
         return tuple(getattr(seen, name) - (getattr(later, name) - getattr(then, name)) for name in "xyz")
+    if move == "second from map":
+        seen_in_odom = _moved(message, buffer.lookup_transform("odom", message.header.frame_id, message.header.stamp))
+        point = _moved(seen_in_odom, buffer.lookup_transform(target, "map", now)).point
+        return (point.x, point.y, point.z)
     if move in ("second way round", "first way round"):
         first, second = ("odom", message.header.frame_id, message.header.stamp), (target, "odom", now)
         for one, other, moment in (first, second):
@@ -56,7 +60,8 @@ def in_base_link(buffer, message, now, *, sight="stamp", base="now", fixed="odom
         return (message.point.x, message.point.y, message.point.z)
     times = {"stamp": Time.from_msg(message.header.stamp), "now": now, "latest": Time()}
     times["sec alone"] = Time(seconds=message.header.stamp.sec)
-    ends_at = [(target, times[base]), (message.header.frame_id, times[sight])]
+    target = message.header.frame_id if target == "the sensor" else target
+    ends_at = [(target, times[base]), (message.header.frame_id if source == "the message's" else source, times[sight])]
     if target in ("odom", "map"):  # which rests: its time does not matter
         ends_at[0] = (target, times[sight])
     (one, one_time), (other, other_time) = ends_at[::-1] if ends == "swapped" else ends_at
@@ -70,6 +75,8 @@ def in_base_link(buffer, message, now, *, sight="stamp", base="now", fixed="odom
         transform = buffer.lookup_transform(one, other, Time())
     if move == "step alone":
         transform.transform.rotation = geometry_msgs.Quaternion(w=1.0)
+    if move == "turn alone":
+        transform.transform.translation = geometry_msgs.Vector3()
     moved = _moved(message, transform)
     return (moved.point.x, moved.point.y, moved.point.z)
 
@@ -220,6 +227,47 @@ STEP_ALONE = Slip(
 )
 
 
+TURN_ALONE = Slip(
+    "turn alone",
+    {"move": "turn alone"},
+    Words(
+        en="You turned the point and left the translation out: how far the robot has come since, and where the sensor sits on it.",
+        ko="점을 돌리기만 하고 이동을 빠뜨렸습니다. 로봇이 그 뒤에 간 거리와 센서가 달린 위치가 들어가지 않았습니다.",
+    ),
+    "M3",
+)
+
+
+IN_THE_SENSORS_FRAME = Slip(
+    "in the sensor's frame",
+    {"target": "the sensor"},
+    Words(
+        en="These are coordinates in the sensor's frame. Asked for is base_link: the sensor sits turned on it, and not at its origin.",
+        ko="센서 좌표계 기준의 좌표입니다. 필요한 것은 base_link 기준입니다. 센서는 base_link의 원점이 아닌 곳에 돌려 달려 있습니다.",
+    ),
+)
+
+
+FROM_BASE_LINK = Slip(
+    "from base_link",
+    {"source": "base_link"},
+    Words(
+        en="You asked from base_link. The numbers were counted in the frame that the message names.",
+        ko="base_link를 원본으로 물었습니다. 숫자는 메시지에 적힌 좌표계에서 센 것입니다.",
+    ),
+)
+
+
+SECOND_FROM_MAP = Slip(
+    "second step from map",
+    {"move": "second from map"},
+    Words(
+        en="In the second of your two steps the source is map, and the point is in odom by then: the source is the frame in which the numbers are.",
+        ko="두 단계 가운데 둘째 단계의 원본이 map인데 그때 점은 odom 기준입니다. 원본은 숫자가 놓인 좌표계입니다.",
+    ),
+)
+
+
 BASE_TAKEN_OFF = Slip(
     "base taken off",
     {"move": "base taken off"},
@@ -299,6 +347,10 @@ TASK = Task(
         LEFT_IN_MAP,
         SIGHTING_OF_THE_LATEST,
         STEP_ALONE,
+        TURN_ALONE,
+        IN_THE_SENSORS_FRAME,
+        FROM_BASE_LINK,
+        SECOND_FROM_MAP,
         BASE_TAKEN_OFF,
         STEP_TAKEN_OFF,
         SEC_ALONE,
