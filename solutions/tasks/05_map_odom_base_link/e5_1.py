@@ -69,6 +69,16 @@ THE_OTHER_WAY = Slip(
     "M1",
 )
 
+TURN_BACK_ALONE = Twin(
+    "turn back alone",
+    lambda map_T_base, odom_T_base: map_T_base @ Transform(odom_T_base.translation, odom_T_base.inverse().rotation),
+    Words(
+        en="Of the wheels' pose the rotation is turned round, and the step is still as it was. An inverse has another step, too: `.inverse()` gives both.",
+        ko="바퀴 포즈의 회전만 뒤집고 이동은 그대로 두었습니다. 역변환은 이동도 다릅니다. `.inverse()`가 둘 다 구합니다.",
+    ),
+    "M3",
+)
+
 SUBTRACTED = Twin(
     "subtracted",
     by_parts,
@@ -259,6 +269,7 @@ TASK = Task(
         WHERE_THE_ROBOT_IS,
         WHAT_THE_WHEELS_SAY,
         STEP_NEGATED,
+        TURN_BACK_ALONE,
         STEP_ALONE,
         NO_TURN_AT_ALL,
         TURN_OF_THE_ROBOT,

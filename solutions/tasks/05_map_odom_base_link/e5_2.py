@@ -19,7 +19,9 @@ def closing_loop(rng):
         believed = given["map_T_odom"] @ given["odom_T_base"]
         leap_m = math.dist(believed.translation, given["found_T_base"].translation)
         sides_m = sum(abs(a - b) for a, b in zip(believed.translation, given["found_T_base"].translation, strict=True))
-        apart = (abs(slide_m - leap_m), abs(slide_m - sides_m), sides_m - leap_m)
+        origin_m = [math.hypot(*pose.translation) for pose in (believed, given["found_T_base"])]
+        farther_m = abs(origin_m[1] - origin_m[0])
+        apart = (abs(slide_m - leap_m), abs(slide_m - sides_m), sides_m - leap_m, leap_m - farther_m, farther_m)
         if min(apart) > 0.05:
             return given
 
@@ -264,6 +266,19 @@ CORRECTION_BEHIND_THE_EDGE = Twin(
     part="map_T_odom",
 )
 
+STEP_IS_THE_SLIDE = Twin(
+    "step is the slide",
+    lambda g: closure(
+        g, step=math.dist((g.found_T_base @ g.odom_T_base.inverse()).translation, g.map_T_odom.translation)
+    ),
+    Words(
+        en="That is how far odom's origin slides on the map. Seen in odom the robot stays where its wheels say: they did not turn in that moment.",
+        ko="지도에서 odom의 원점이 미끄러진 거리입니다. odom 기준으로 로봇은 바퀴가 말하는 곳에 그대로 있습니다. 그 순간 바퀴는 구르지 않았습니다.",
+    ),
+    "M8",
+    part="step_in_odom_m",
+)
+
 FROM_THE_ORIGIN = Twin(
     "from the origin",
     lambda g: closure(g, step=math.hypot(*g.odom_T_base.translation[:2])),
@@ -334,6 +349,30 @@ JUMP_ALONG_X = Twin(
 )
 
 
+JUMP_OF_DISTANCES = Twin(
+    "jump of distances",
+    lambda g: closure(
+        g, jump=abs(math.hypot(*g.found_T_base.translation[:2]) - math.hypot(*before(g).translation[:2]))
+    ),
+    Words(
+        en="That is how much farther from the map's origin, or nearer to it, the robot is found. A leap is the way from the one place to the other.",
+        ko="지도 원점에서 얼마나 더 멀어졌거나 가까워졌는지입니다. 도약은 한 곳에서 다른 곳까지의 거리입니다.",
+    ),
+    part="jump_m",
+)
+
+
+JUMP_ALONG_Y = Twin(
+    "jump along y",
+    lambda g: closure(g, jump=abs(step(g)[1])),
+    Words(
+        en="That is the leap along y alone. It also goes along x: the straight line counts both.",
+        ko="y 방향의 도약만 셌습니다. x 방향으로도 움직였으므로 직선 거리를 구해야 합니다.",
+    ),
+    part="jump_m",
+)
+
+
 EDGE_SHIFTED = Twin(
     "edge shifted",
     lambda g: closure(
@@ -386,12 +425,15 @@ TASK = Task(
         EDGE_IS_THE_LEAP,
         LEAP_BEHIND_THE_EDGE,
         CORRECTION_BEHIND_THE_EDGE,
+        STEP_IS_THE_SLIDE,
         FROM_THE_ORIGIN,
         BELIEVED_TURNED_ROUND,
         BELIEVED_IS_THE_EDGE,
         JUMP_IS_THE_PLACE_FOUND,
         NO_JUMP,
         JUMP_ALONG_X,
+        JUMP_ALONG_Y,
+        JUMP_OF_DISTANCES,
         EDGE_SHIFTED,
     ),
     hints=(

@@ -40,6 +40,24 @@ SPEED_IN_MAP = Twin(
     "M8",
 )
 
+SPEED_ON_BOARD = Twin(
+    "speed on board",
+    but("speed", frame="base_link"),
+    Words(
+        en="speed: in base_link the robot never moves. Its own pose is zero there at every moment, and so is each difference.",
+        ko="speed: base_link 기준으로 로봇은 움직이지 않습니다. 자기 포즈가 언제나 0이므로 차이도 0입니다.",
+    ),
+)
+
+LINE_ON_BOARD = Twin(
+    "line on board",
+    but("line", frame="base_link"),
+    Words(
+        en="line: the line rests on the floor. In base_link its numbers change as the robot drives along it, and a point half a metre ahead stays half a metre ahead.",
+        ko="line: 선은 바닥에 그대로 있습니다. base_link 기준 숫자는 로봇이 선을 따라갈수록 바뀌고, 0.5미터 앞의 점은 언제까지나 0.5미터 앞에 있습니다.",
+    ),
+)
+
 LINE_IN_MAP = Twin(
     "line in map",
     but("line", frame="map"),
@@ -130,6 +148,8 @@ TASK = Task(
         MAP_FOR_CONTROL,
         SPEED_IN_MAP,
         LINE_IN_MAP,
+        SPEED_ON_BOARD,
+        LINE_ON_BOARD,
         OBSTACLES_IN_MAP,
         OBSTACLES_ON_BOARD,
         GOALS_IN_ODOM,

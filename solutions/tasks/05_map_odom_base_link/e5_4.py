@@ -54,8 +54,8 @@ SWITCH_IT_OFF = Twin(
     "switch it off",
     {**RIGHT, "edge": "none"},
     Words(
-        en="edge: then the flicker ends, and nobody knows any more where odom is on the map.",
-        ko="edge: 깜빡임은 멈추지만, odom이 지도의 어디에 있는지 아무도 모르게 됩니다.",
+        en="edge: the node that gives a second parent could keep silent, and the flicker would end; but nobody would know where odom is on the map.",
+        ko="edge: 두 번째 부모를 주는 노드가 조용해지면 깜빡임은 멈추지만, odom이 지도의 어디에 있는지 아무도 모르게 됩니다.",
     ),
     part="edge",
 )

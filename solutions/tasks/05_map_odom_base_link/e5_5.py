@@ -33,12 +33,20 @@ def shadow(odom_T_base, *, foot="straight down", yaw="rpy"):
         "y and z": (x, height),
         "through the floor": odom_T_base.apply((0.0, 0.0, -height / math.cos(pitch) / math.cos(roll)))[:2],
         "shortened": (x * math.cos(pitch), y * math.cos(roll)),
+        "up its own z": odom_T_base.apply((0.0, 0.0, height))[:2],
+        "by the sine": (x - height * math.sin(pitch), y + height * math.sin(roll)),
+        "by the tangent": (x - height * math.tan(pitch), y + height * math.tan(roll)),
+        "turned": (x * math.cos(right) - y * math.sin(right), x * math.sin(right) + y * math.cos(right)),
     }
     q_x, q_y, z, w = odom_T_base.rotation
     yaws = {
         "rpy": right, "twice atan": 2.0 * math.atan2(z, w), "inverse": back.rpy()[2], "inverse pitch": back.rpy()[1], "negated": -right, "roll": roll,
         "pitch": pitch, "level": 0.0, "twice asin": 2.0 * math.asin(z), "twice acos": 2.0 * math.acos(w), "z": z, "once atan": math.atan2(z, w),
         "degrees": math.degrees(right), "roll in degrees": math.degrees(roll), "height": height,
+        "size": abs(right), "x": q_x, "w": w, "signed acos": math.copysign(2.0 * math.acos(w), z),
+        "asin": math.asin(max(-1.0, min(1.0, 2.0 * (w * z + q_x * q_y)))),
+        "acos": math.acos(max(-1.0, min(1.0, 1.0 - 2.0 * (q_y * q_y + z * z)))),
+        "formula without y": math.atan2(2.0 * (w * z + q_x * q_y), 1.0 - 2.0 * z * z),
         "bearing": math.atan2(y, x), "cotangent": 2.0 * math.atan2(w, z),
         "w taken first": 2.0 * math.atan2(w, q_x),
         "formula, w taken first": math.atan2(2.0 * (q_x * w + q_y * z), 1.0 - 2.0 * (z * z + w * w)),
@@ -260,6 +268,112 @@ HEIGHT_FOR_YAW = Slip(
 )
 
 
+SIZE_OF_YAW = Slip(
+    "size of yaw",
+    {"yaw": "size"},
+    Words(
+        en="Your yaw is never negative: it has lost its sign, as by abs(). Positive turns to the left, negative to the right.",
+        ko="yaw가 음수가 되지 않습니다. abs()를 쓴 것처럼 부호를 잃었습니다. 양수는 왼쪽, 음수는 오른쪽으로 도는 것입니다.",
+    ),
+)
+
+X_FOR_YAW = Slip(
+    "x for yaw",
+    {"yaw": "x"},
+    Words(
+        en="That is the first number of the quaternion, which is no angle: take the yaw of `rpy()`.",
+        ko="쿼터니언의 첫째 숫자이며 각도가 아닙니다. `rpy()`의 yaw를 쓰십시오.",
+    ),
+    "M5",
+)
+
+W_FOR_YAW = Slip(
+    "w for yaw",
+    {"yaw": "w"},
+    Words(
+        en="That is the last number of the quaternion, which is no angle: take the yaw of `rpy()`.",
+        ko="쿼터니언의 마지막 숫자이며 각도가 아닙니다. `rpy()`의 yaw를 쓰십시오.",
+    ),
+    "M5",
+)
+
+SIGNED_ACOS = Slip(
+    "signed acos",
+    {"yaw": "signed acos"},
+    Words(
+        en="2·acos(w) with the sign of z is the yaw only of a quaternion that turns about z alone. This body is rolled and pitched as well: take the yaw of `rpy()`.",
+        ko="z의 부호를 붙인 2·acos(w)는 z축으로만 도는 쿼터니언에서만 yaw입니다. 이 몸체는 roll과 pitch도 있으므로 `rpy()`의 yaw를 쓰십시오.",
+    ),
+    "M5",
+)
+
+ASIN_OF_THE_FORMULA = Slip(
+    "asin of the formula",
+    {"yaw": "asin"},
+    Words(
+        en="The asin of 2(wz + xy) is not the yaw of a tilted body, and knows no turn beyond a quarter. `rpy()` needs no formula.",
+        ko="2(wz + xy)의 asin은 기울어진 몸체의 yaw가 아니고 90도를 넘는 회전도 나타내지 못합니다. `rpy()`를 쓰면 공식이 필요 없습니다.",
+    ),
+    "M5",
+)
+
+ACOS_OF_THE_FORMULA = Slip(
+    "acos of the formula",
+    {"yaw": "acos"},
+    Words(
+        en="The acos of 1 − 2(y² + z²) is not the yaw of a tilted body, and it has lost the side. `rpy()` needs no formula.",
+        ko="1 − 2(y² + z²)의 acos은 기울어진 몸체의 yaw가 아니고 방향도 잃었습니다. `rpy()`를 쓰면 공식이 필요 없습니다.",
+    ),
+    "M5",
+)
+
+FORMULA_WITHOUT_Y = Slip(
+    "formula without y",
+    {"yaw": "formula without y"},
+    Words(
+        en="In your formula for the yaw y² is missing: its second half is 1 − 2(y² + z²). `rpy()` needs no formula.",
+        ko="yaw 공식에서 y²가 빠졌습니다. 뒷부분은 1 − 2(y² + z²)입니다. `rpy()`를 쓰면 공식이 필요 없습니다.",
+    ),
+    "M5",
+)
+
+UP_ITS_OWN_Z = Slip(
+    "up its own z",
+    {"foot": "up its own z"},
+    Words(
+        en="You went along the robot's own z, and upwards. Below means along odom's z, and there x and y stay as they are.",
+        ko="로봇 자신의 z를 따라, 그것도 위로 갔습니다. 아래란 odom의 z 방향이고, 그때 x와 y는 그대로입니다.",
+    ),
+)
+
+MOVED_BY_THE_SINE = Slip(
+    "moved by the sine",
+    {"foot": "by the sine"},
+    Words(
+        en="x and y are moved by the height times a sine of the tilt. Straight below is below in odom, however the body leans: x and y stay.",
+        ko="높이에 기울기의 sin을 곱한 만큼 x와 y를 옮겼습니다. 몸체가 기울어도 바로 아래는 odom 기준의 아래이므로 x와 y는 그대로입니다.",
+    ),
+)
+
+MOVED_BY_THE_TANGENT = Slip(
+    "moved by the tangent",
+    {"foot": "by the tangent"},
+    Words(
+        en="x and y are moved by the height times a tangent of the tilt. Straight below is below in odom, however the body leans: x and y stay.",
+        ko="높이에 기울기의 tan을 곱한 만큼 x와 y를 옮겼습니다. 몸체가 기울어도 바로 아래는 odom 기준의 아래이므로 x와 y는 그대로입니다.",
+    ),
+)
+
+PLACE_TURNED = Slip(
+    "place turned",
+    {"foot": "turned"},
+    Words(
+        en="x and y are turned by the yaw. They are in odom already, and stay as they are.",
+        ko="x와 y를 yaw만큼 돌렸습니다. 이미 odom 기준이므로 그대로 둡니다.",
+    ),
+)
+
+
 W_TAKEN_FIRST = Slip(
     "w taken first",
     {"yaw": "w taken first"},
@@ -332,6 +446,17 @@ TASK = Task(
         W_TAKEN_FIRST,
         FORMULA_W_TAKEN_FIRST,
         FORMULA_OF_X,
+        SIZE_OF_YAW,
+        X_FOR_YAW,
+        W_FOR_YAW,
+        SIGNED_ACOS,
+        ASIN_OF_THE_FORMULA,
+        ACOS_OF_THE_FORMULA,
+        FORMULA_WITHOUT_Y,
+        UP_ITS_OWN_Z,
+        MOVED_BY_THE_SINE,
+        MOVED_BY_THE_TANGENT,
+        PLACE_TURNED,
     ),
     hints=(
         Words(en="Straight below: which of x, y, z change?", ko="바로 아래로 내려가면 x, y, z 가운데 무엇이 바뀝니까?"),

@@ -60,6 +60,8 @@ def corrected(buffer, map_T_base, stamp_ns, *, moment="stamp", asked="odom", ref
             raise
         if refusal == "None":
             return None
+        if refusal == "old edge":
+            return buffer.lookup_transform("map", "odom", LATEST).transform
         odom_T_base = buffer.lookup_transform(asked, "base_footprint", LATEST).transform
     if wheels == "parts":
         return by_parts(map_T_base, odom_T_base)
@@ -83,8 +85,8 @@ STAMP_TAKEN_FOR_SECONDS = Slip(
     "stamp taken for seconds",
     {"moment": "seconds"},
     Words(
-        en="The buffer refuses each of your questions: the moment that you ask about is none of those that it holds. `stamp_ns` is in nanoseconds, just as the buffer takes it: hand it over as it is, neither multiplied (`seconds(...)` does so, too) nor divided.",
-        ko="버퍼가 모든 질문을 거절합니다. 요청 시각이 버퍼에 있는 시각이 아닙니다. `stamp_ns`는 버퍼가 받는 그대로 나노초이므로, 곱하지도(`seconds(...)`도 곱셈입니다) 나누지도 말고 그대로 넘기십시오.",
+        en="The buffer refuses each of your questions: the moment that you ask about is none of those that it holds. `stamp_ns` is in nanoseconds, just as the buffer takes it: hand it over as it is, neither multiplied (`seconds(...)` does so, too) nor divided. Whether the rest is right shows only once the buffer answers.",
+        ko="버퍼가 모든 질문을 거절합니다. 요청 시각이 버퍼에 있는 시각이 아닙니다. `stamp_ns`는 버퍼가 받는 그대로 나노초이므로, 곱하지도(`seconds(...)`도 곱셈입니다) 나누지도 말고 그대로 넘기십시오. 나머지가 맞는지는 버퍼가 답한 다음에 알 수 있습니다.",
     ),
 )
 
@@ -113,6 +115,16 @@ FALLS_BACK_ON_LATEST = Slip(
     Words(
         en="Where the buffer has no pose of that moment, you take the latest. The edge is then wrong, and nobody hears of it: let the exception through.",
         ko="버퍼에 그 시각의 포즈가 없으면 최신 포즈를 씁니다. 그러면 연결이 틀리는데도 아무도 알지 못합니다. 예외를 그대로 내보내십시오.",
+    ),
+    "M9",
+)
+
+FALLS_BACK_ON_THE_OLD_EDGE = Slip(
+    "falls back on the old edge",
+    {"refusal": "old edge"},
+    Words(
+        en="Where the buffer has no pose of that moment, you hand back the newest `map → odom` that is in it, as if the scan had corrected nothing, and nobody hears of it: let the exception through.",
+        ko="버퍼에 그 시각의 포즈가 없으면 버퍼의 최신 `map → odom`을 그대로 반환합니다. 스캔이 아무것도 바로잡지 않은 셈인데 아무도 알지 못합니다. 예외를 그대로 내보내십시오.",
     ),
     "M9",
 )
@@ -187,6 +199,18 @@ WHERE_THE_ROBOT_IS = Twin(
     "M7",
 )
 
+AGAINST_THE_OLD_EDGE = Twin(
+    "against the old edge",
+    lambda buffer, map_T_base, stamp_ns: (
+        map_T_base @ buffer.lookup_transform("map", "odom", stamp_ns).transform.inverse()
+    ),
+    Words(
+        en="You turned the old edge round, `map → odom`, and took it out of the pose on the map. What has to be taken out is the wheels' pose, from odom to `base_footprint`.",
+        ko="이전 연결 `map → odom`을 뒤집어 지도 위의 포즈에서 빼냈습니다. 빼낼 것은 odom에서 `base_footprint`까지, 곧 바퀴의 포즈입니다.",
+    ),
+    "M7",
+)
+
 THE_OLD_EDGE = Twin(
     "the old edge",
     lambda buffer, map_T_base, stamp_ns: buffer.lookup_transform("map", "odom", stamp_ns).transform,
@@ -234,6 +258,7 @@ TASK = Task(
         NOT_TURNED_ROUND,
         AGAINST_THE_MAP,
         FALLS_BACK_ON_LATEST,
+        FALLS_BACK_ON_THE_OLD_EDGE,
         SWALLOWS_THE_REFUSAL,
         OTHER_ORDER,
         THE_OTHER_WAY,
@@ -243,6 +268,7 @@ TASK = Task(
         WHAT_THE_WHEELS_SAY,
         WHERE_THE_ROBOT_IS,
         THE_OLD_EDGE,
+        AGAINST_THE_OLD_EDGE,
         THE_OTHER_ONE_TURNED_ROUND,
         ORDER_AND_NO_INVERSE,
     ),

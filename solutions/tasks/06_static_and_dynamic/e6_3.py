@@ -74,8 +74,8 @@ ONE_OBJECT = Slip(
     "one object",
     {"objects": "one"},
     Words(
-        en="All messages of your list are the last one: there is one TransformStamped, appended again and again, and each round writes over it. Make a new one inside the loop.",
-        ko="리스트의 메시지가 모두 마지막 것과 같습니다. TransformStamped 하나를 거듭 넣고 매번 덮어썼습니다. 반복문 안에서 새로 만드십시오.",
+        en="All messages of your list are the last one, as when one TransformStamped is appended again and again, and each round writes over it. Make a new one inside the loop.",
+        ko="리스트의 메시지가 모두 마지막 것과 같습니다. TransformStamped 하나를 거듭 넣고 매번 덮어쓰면 이렇게 됩니다. 반복문 안에서 새로 만드십시오.",
     ),
 )
 
@@ -93,8 +93,8 @@ FIRST_ONLY = Slip(
     "first only",
     {"which": "first"},
     Words(
-        en="Only the first mount is in the letter: the `return` stands inside the loop.",
-        ko="첫 장착 위치만 들어 있습니다. `return`이 반복문 안에 있습니다.",
+        en="Only the first mount is in the letter, as when the `return` stands inside the loop. Collect them all, and return the list after it.",
+        ko="첫 장착 위치만 들어 있습니다. `return`이 반복문 안에 있으면 이렇게 됩니다. 모두 모은 다음 반복문이 끝나고 반환하십시오.",
     ),
 )
 
@@ -167,8 +167,8 @@ CONVERTED_TWICE = Slip(
     "converted twice",
     {"angle": "degrees"},
     Words(
-        en="The angles are radians already; `math.radians` made them almost nothing.",
-        ko="각도는 이미 라디안입니다. `math.radians`를 거치면서 거의 0이 되었습니다.",
+        en="The angles are radians already. Multiplied by π/180 once more, as `math.radians` does, they are almost nothing.",
+        ko="각도는 이미 라디안입니다. `math.radians`처럼 π/180을 한 번 더 곱하면 거의 0이 됩니다.",
     ),
     "M5",
 )

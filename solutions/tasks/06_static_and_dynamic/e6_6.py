@@ -19,8 +19,15 @@ def bolt(rng):
         given = SimpleNamespace(**drawn)
         lengths = sorted(worst(given, **at) for at in ({}, *(slip.at for slip in SLIPS)))
         apart = min(after - before for before, after in pairwise(lengths))
-        if apart > 0.008 and not _another_unit(given):
+        if apart > 0.008 and not _another_unit(given) and not _meets_another(given):
             return drawn
+
+
+def _meets_another(given):
+    """Return whether two of all the slips, or one and a time that was given, come to nearly the same number."""
+    lengths = [worst(given, **at) for at in ({}, *(slip.at for slip in TASK.twins))]
+    lengths = sorted([*lengths, given.delay_ms / 1000.0, 1.0 / given.rate_hz])
+    return min(after - before for before, after in pairwise(lengths)) < 0.004
 
 
 def _another_unit(given):
@@ -39,7 +46,14 @@ def worst(g, *, period="whole", delay="as seconds", together="added", speed="tim
         "none": 0.0,
         "rate": g.rate_hz,
     }[period]
-    on_its_way = {"as seconds": g.delay_ms / 1000.0, "none": 0.0, "ms": g.delay_ms, "twice": g.delay_ms / 500.0}[delay]
+    on_its_way = {
+        "as seconds": g.delay_ms / 1000.0,
+        "none": 0.0,
+        "ms": g.delay_ms,
+        "twice": g.delay_ms / 500.0,
+        "half": g.delay_ms / 2000.0,
+        "hundredths": g.delay_ms / 100.0,
+    }[delay]
     age = {"added": between + on_its_way, "subtracted": between - on_its_way, "multiplied": between * on_its_way}
     return {
         "times": g.speed_mps * age[together],
@@ -189,12 +203,30 @@ SPEED_TIMES_THE_DELAY_ALONE = Slip(
 )
 
 
+HALF_THE_DELAY = Slip(
+    "half the delay",
+    {"delay": "half"},
+    Words(
+        en="You count half of the delay. The message was on its way for all of it.",
+        ko="지연을 절반만 셌습니다. 메시지는 지연만큼 내내 오는 중이었습니다.",
+    ),
+)
+
+HUNDREDTHS = Slip(
+    "hundredths",
+    {"delay": "hundredths"},
+    Words(
+        en="Your delay is ten times too long: a millisecond is a thousandth of a second, not a hundredth.",
+        ko="지연이 열 배입니다. 1밀리초는 100분의 1초가 아니라 1000분의 1초입니다.",
+    ),
+)
+
 MULTIPLIED = Slip(
     "multiplied",
     {"together": "multiplied"},
     Words(
-        en="You multiplied the period by the delay. The one comes after the other: two times add up.",
-        ko="주기와 지연을 곱했습니다. 하나가 끝난 뒤 다른 하나가 이어지므로 두 시간을 더합니다.",
+        en="Period and delay are multiplied here (the delay divided by the rate is the same). The one comes after the other: two times add up.",
+        ko="주기와 지연을 곱한 값이 들어 있습니다. 지연을 발행률로 나누어도 같습니다. 하나가 끝난 뒤 다른 하나가 이어지므로 두 시간을 더합니다.",
     ),
 )
 
@@ -214,6 +246,8 @@ TASK = Task(
         TWO_PERIODS,
         SPEED_TIMES_THE_PERIOD_ALONE,
         SPEED_TIMES_THE_DELAY_ALONE,
+        HALF_THE_DELAY,
+        HUNDREDTHS,
         MULTIPLIED,
     ),
     hints=(
