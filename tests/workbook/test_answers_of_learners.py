@@ -304,6 +304,14 @@ def test_a_true_in_quotes_is_told_whatever_word_was_drawn(test, slips):
         assert slips_of("E10.4", CLOCK_OF % test, variant) == slips
 
 
+def test_whoever_lets_the_general_entry_stand_for_all_hears_one_thing():
+    general = CLOCK_OF % "value is True"
+    old = '("/**", node.lstrip("/"), node)'
+    assert old in general
+    alone = general.replace(old, '(("/**",) if "/**" in params else (node.lstrip("/"), node))')
+    assert slips_of("E10.4", alone) == ["everyone alone"]
+
+
 @pytest.mark.parametrize(
     ("order", "name"),
     [((1, 0, 2), "now first"), ((1, 2, 0), "stamp last"), ((2, 1, 0), "backwards"), ((2, 0, 1), "timer first")],
@@ -343,6 +351,7 @@ def read_monitor(report, static_frames):
         ({"if avg < 0": "if most <= 0"}, ["max for average"]),
         ({"if avg < 0": "if most == 0"}, ["max for average"]),
         ({"if avg < 0": "if avg <= 0"}, ["zero is future"]),
+        ({"not in static_frames": "in static_frames"}, ["only statics"]),
     ],
 )
 def test_which_figure_of_a_report_was_read_and_how_is_told(changes, slips):

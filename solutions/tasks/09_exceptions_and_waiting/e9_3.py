@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import partial
 
 import numpy as np
 
@@ -218,9 +219,9 @@ GAP_BELOW_ODOM = Slip(
 )
 
 
-GAP_FROM_THE_BASE = Slip(
+GAP_FROM_THE_BASE = Twin(
     "gap from base_link",
-    {"newest_of": ("base_link", "")},
+    partial(action, newest_of=("base_link", "")),
     misconception="M11",
     reply=Words(
         en="you reckon from base_link to the message's frame. A mount is good at any time and has no newest moment, and map and odom are not on that way: ask for the latest common time of map and the message's frame.",
@@ -229,9 +230,9 @@ GAP_FROM_THE_BASE = Slip(
 )
 
 
-COMPARISON_TURNED_ROUND = Slip(
+COMPARISON_TURNED_ROUND = Twin(
     "comparison turned round",
-    {"drops": "turned round"},
+    partial(action, drops="turned round"),
     misconception="M10",
     reply=Words(
         en="you wait where the gap is 0.2 s or more, and check the clocks where it is less: the comparison is the wrong way round.",
@@ -332,9 +333,9 @@ DIRECTION_UNREAD = Slip(
 )
 
 
-BASE_CLASS_FIRST = Slip(
+BASE_CLASS_FIRST = Twin(
     "base class first",
-    {"classes": "base first"},
+    partial(action, classes="base first"),
     misconception="M11",
     reply=Words(
         en='every refusal is "fix message" for you. Python takes the first `except` that fits, and the base class fits everything: let it come last.',
@@ -376,9 +377,9 @@ SLASH_IS_A_WRONG_NAME = Slip(
 )
 
 
-NAMES_AND_TREE_EXCHANGED = Slip(
+NAMES_AND_TREE_EXCHANGED = Twin(
     "names and tree exchanged",
-    {"classes": "exchanged"},
+    partial(action, classes="exchanged"),
     misconception="M11",
     reply=Words(
         en='"check names" and "check tree" have changed places: a name that nobody knows is a LookupException, two known ones without a path a ConnectivityException.',
@@ -387,9 +388,9 @@ NAMES_AND_TREE_EXCHANGED = Slip(
 )
 
 
-NO_BRANCH_FOR_NO_QUESTION = Slip(
+NO_BRANCH_FOR_NO_QUESTION = Twin(
     "no branch for no question",
-    {"let_through": "invalid argument"},
+    partial(action, let_through="invalid argument"),
     misconception="M11",
     reply=Words(
         en="you catch three of the four classes. A message whose frame is no name (a slash in front, nothing at all) goes through your function as an InvalidArgumentException.",
@@ -398,9 +399,9 @@ NO_BRANCH_FOR_NO_QUESTION = Slip(
 )
 
 
-NO_BRANCH_FOR_NO_PATH = Slip(
+NO_BRANCH_FOR_NO_PATH = Twin(
     "no branch for no path",
-    {"let_through": "connectivity"},
+    partial(action, let_through="connectivity"),
     misconception="M11",
     reply=Words(
         en="you catch three of the four classes. Where no path leads to map, a ConnectivityException goes through your function.",
@@ -409,9 +410,9 @@ NO_BRANCH_FOR_NO_PATH = Slip(
 )
 
 
-NO_BRANCH_FOR_NO_NAME = Slip(
+NO_BRANCH_FOR_NO_NAME = Twin(
     "no branch for no name",
-    {"let_through": "lookup"},
+    partial(action, let_through="lookup"),
     misconception="M11",
     reply=Words(
         en="you catch three of the four classes. Where a name is unknown, a LookupException goes through your function.",
@@ -493,9 +494,9 @@ LIMIT_OF_A_QUARTER = Slip(
 )
 
 
-LIMIT_IS_BLUNT = Slip(
+LIMIT_IS_BLUNT = Twin(
     "the limit is blunt",
-    {"limit_s": 0.2005},
+    partial(action, limit_s=0.2005),
     Words(
         en="you wait where the gap is a nanosecond beyond 0.2 s, and no longer at a millisecond: the gap loses its last digits before you compare it. Compare nanoseconds as they are.",
         ko="간격이 0.2초를 1나노초 넘어도 기다리고 1밀리초를 넘으면 기다리지 않습니다. 비교하기 전에 간격의 아래 자릿수가 사라집니다. 나노초를 그대로 비교하십시오.",
@@ -565,9 +566,9 @@ WANTED_IN_ODOM = Slip(
 )
 
 
-ODOM_THROUGHOUT = Slip(
+ODOM_THROUGHOUT = Twin(
     "odom throughout",
-    {"target": "odom", "newest_of": ("odom", "")},
+    partial(action, target="odom", newest_of=("odom", "")),
     misconception="M11",
     reply=Words(
         en="you ask for odom, and reckon the gap from there, too. The point is wanted in map: the edge from map to odom is on the way, and it is often the slowest.",

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from tflab.workbook.tasks import Choice, Parts, Sequence, Slip, Task, Words
+from functools import partial
+
+from tflab.workbook.tasks import Choice, Parts, Sequence, Slip, Task, Twin, Words
 
 KINDS = ("works", "just short", "years off", "silently latest", "never")
 LETTERS = "abcd"
@@ -301,27 +303,27 @@ TIMER_FIRST = Slip(
 )
 
 
-NOW_FIRST = Slip(
+NOW_FIRST = Twin(
     "now first",
-    {"order": "now first"},
+    partial(outcomes, order="now first"),
     Words(
         en="The order is: at the stamp, at now, the timer. You have now before the stamp.",
         ko="순서는 측정 시각, 현재 시각, 타이머입니다. 현재 시각을 측정 시각보다 먼저 썼습니다.",
     ),
 )
 
-STAMP_LAST = Slip(
+STAMP_LAST = Twin(
     "stamp last",
-    {"order": "now, timer, stamp"},
+    partial(outcomes, order="now, timer, stamp"),
     Words(
         en="The order is: at the stamp, at now, the timer. You have the stamp last of all.",
         ko="순서는 측정 시각, 현재 시각, 타이머입니다. 측정 시각을 맨 뒤에 썼습니다.",
     ),
 )
 
-BACKWARDS = Slip(
+BACKWARDS = Twin(
     "backwards",
-    {"order": "backwards"},
+    partial(outcomes, order="backwards"),
     Words(
         en="The order is: at the stamp, at now, the timer. You have the three the other way round.",
         ko="순서는 측정 시각, 현재 시각, 타이머입니다. 셋을 거꾸로 썼습니다.",

@@ -67,6 +67,8 @@ def _keys(params, node, everyone, own, slash, order):
     names = {"with": (f"/{bare}",), "without": (bare,)}.get(slash, (node, node[1:], bare))
     mine = {"its own": lambda key: key in names, "nobody's": lambda key: False, "everybody's": lambda key: key != "/**"}
     keys = [key for key in params if mine[own](key) or (everyone and key == "/**")]
+    if order == "everyone alone" and "/**" in keys:
+        keys = ["/**"]
     if order in ("own last", "any true", "or"):
         keys.sort(key=lambda key: key != "/**")
     elif order == "everyone last":
@@ -209,6 +211,16 @@ EVERYONE_WINS = Slip(
     "M13",
 )
 
+EVERYONE_ALONE = Slip(
+    "everyone alone",
+    {"order": "everyone alone"},
+    Words(
+        en="Where the file has an entry `/**`, you look at no other one. It is the general one: a node's own entry replaces what it names.",
+        ko="파일에 `/**` 항목이 있으면 다른 항목을 보지 않습니다. 그것은 일반 항목이고, 노드 자신의 항목은 거기에 적힌 것을 바꿉니다.",
+    ),
+    "M13",
+)
+
 LAST_LINE_WINS = Slip(
     "last line wins",
     {"order": "of the file"},
@@ -333,6 +345,7 @@ TASK = Task(
         SLASH_NEEDED,
         SLASH_REFUSED,
         EVERYONE_WINS,
+        EVERYONE_ALONE,
         LAST_LINE_WINS,
         FIRST_LINE_WINS,
         ONE_TRUE_IS_ENOUGH,
