@@ -7,6 +7,7 @@ from types import SimpleNamespace
 
 import pytest
 
+from tflab.core import Transform
 from tflab.ros.time import Time
 from tflab.workbook.answers.values import from_plain, outcome_of, to_plain
 from tflab.workbook.places import CASES, workbook_data
@@ -135,6 +136,13 @@ def test_a_ball_straight_ahead_is_told_that_its_distance_shrinks():
 )
 def test_numbers_of_the_picture_in_other_places_are_told_by_their_places(places, slips):
     assert slips_of("E2.2", lambda given: places(*given.optical_p_part)) == slips
+
+
+def test_two_angles_by_position_in_degrees_are_told_for_what_they_are():
+    def answer(given):
+        return Transform.from_rpy(-90, -90).apply(given.optical_p_part)
+
+    assert slips_of("E2.2", answer) == ["degrees, by position"]
 
 
 def about_z(z, w):

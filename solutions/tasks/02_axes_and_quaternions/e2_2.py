@@ -38,6 +38,7 @@ def picked(
         "yaw to the other side": lambda: Transform.from_rpy(roll=-quarter, yaw=quarter).apply((x, y, z)),
         "eighths": lambda: Transform.from_rpy(roll=-quarter / 2, yaw=-quarter / 2).apply((x, y, z)),
         "degrees": lambda: Transform.from_rpy(roll=-90.0, yaw=-90.0).apply((x, y, z)),
+        "degrees, by position": lambda: Transform.from_rpy(-90.0, -90.0).apply((x, y, z)),
         "degrees, plus": lambda: Transform.from_rpy(roll=90.0, yaw=90.0).apply((x, y, z)),
     }[turns]()
     x, y, z = (-x if depth == "behind" else x), (-y if side == "right" else y), (-z if height == "down" else z)
@@ -282,6 +283,17 @@ CAMERA_RAISED = Slip(
 )
 
 
+DEGREES_BY_POSITION = Slip(
+    "degrees, by position",
+    {"turns": "degrees, by position"},
+    Words(
+        en="This is what `from_rpy(-90, -90)` gives. It counts in radians, a quarter turn is math.pi / 2; and the second angle is the pitch, not the yaw: write `roll=` and `yaw=`.",
+        ko="`from_rpy(-90, -90)`의 값입니다. 각도는 라디안이므로 1/4 바퀴는 math.pi / 2입니다. 그리고 두 번째 자리는 yaw가 아니라 pitch입니다. `roll=`, `yaw=`처럼 이름을 쓰십시오.",
+    ),
+    "M5",
+)
+
+
 TASK = Task(
     id="E2.2",
     kind="N",
@@ -315,6 +327,7 @@ TASK = Task(
         DEGREES_AND_PLUS,
         MOUNT_TAKEN_OFF,
         CAMERA_RAISED,
+        DEGREES_BY_POSITION,
     ),
     hints=(
         Words(
