@@ -84,21 +84,32 @@
     content.style.zoom = largest;
     const room = (section.clientHeight - 40) / section.scrollHeight;
     if (room < 1) content.style.zoom = largest * (room > 0.75 ? room : 0.85);
-    if (room <= 0.75 && innerWidth > 1000) setInColumns(section, content, largest);
+    if (room <= 0.75 && innerWidth > 1000) setInColumns(section, content, largest, room);
     section.classList.remove("deck-measured");
     sayMore();
   }
 
-  function setInColumns(section, content, largest) { // a text beside its figure, where one below the other is too long
-    const before = content.style.zoom;
+  // A text beside its figure, where one below the other is too long; not if all of it would stand at the left.
+  function setInColumns(section, content, largest, room) {
+    let before = content.style.zoom;
     content.classList.add("deck-columns");
     for (const part of [0.95, 0.85, 0.75, 0.65]) {
       content.style.zoom = largest * part;
       content.style.height = `${(section.clientHeight - 44) / (largest * part)}px`;
-      if (content.scrollWidth <= content.clientWidth + 4 && section.scrollHeight <= section.clientHeight + 4) return;
+      if (content.scrollWidth <= content.clientWidth + 4 && section.scrollHeight <= section.clientHeight + 4) {
+        if (hasTwoColumns(content)) return;
+        before = largest * Math.max(0.6, room);
+        break;
+      }
     }
     inOneColumn(content);
     content.style.zoom = before;
+  }
+
+  function hasTwoColumns(content) {
+    const { left, width } = content.getBoundingClientRect();
+    const boxes = [...content.querySelectorAll(".jp-Cell")].flatMap((cell) => [...cell.getClientRects()]);
+    return boxes.some((box) => box.left > left + width / 2);
   }
 
   function inOneColumn(content) {
