@@ -189,8 +189,8 @@ TASK = Task(
             ko="장착을 발행하는 노드와 durability를 보여 줍니다. 두 용의자의 차이가 그것입니까?",
         ),
         "echo /tf_static": Words(
-            en="It shows the mounts that you hear, for two minutes: if one is missing, does it say why, and is there a cheaper check?",
-            ko="2분을 들여 받은 장착을 보여 줍니다. 하나가 없을 때 그 까닭까지 알려 줍니까? 더 싼 검사는 없습니까?",
+            en="It shows the mounts that you hear: if one is missing, does it say why?",
+            ko="받은 장착을 보여 줍니다. 하나가 없을 때 그 까닭까지 알려 줍니까?",
         ),
         "view_frames": Words(
             en="Three minutes for the whole tree: the question is about one thing. Which check shows just that?",

@@ -255,8 +255,8 @@ SPREAD_UNREAD = Slip(
     "spread unread",
     {"future": "rate alone"},
     Words(
-        en="Of `hz /odom` your program reads the rate alone. Transforms that come late come as often as ever; what gives them away is the std dev behind it, and a laser's clock leaves that as it was.",
-        ko="`hz /odom`에서 주파수만 읽습니다. 늦게 오는 변환도 횟수는 그대로입니다. 뒤에 적힌 std dev가 달라지고, 레이저의 시계는 그것을 바꾸지 않습니다.",
+        en="Your program takes late transforms for a laser's clock. They come as often as ever; what gives them away is the std dev behind the rate in `hz /odom`, which is far above the card's, and a laser's clock leaves that as it was.",
+        ko="늦은 변환을 레이저의 시계로 봅니다. 늦게 오는 변환도 횟수는 그대로입니다. `hz /odom`의 주파수 뒤에 적힌 std dev가 카드보다 훨씬 커지고, 레이저의 시계는 그것을 바꾸지 않습니다.",
     ),
     "M10",
     part="cause",
