@@ -166,6 +166,7 @@ COSINE = Slip(
         en="You took the cosine for how far the beam sinks over each metre: that is the tangent.",
         ko="1미터 앞으로 갈 때 내려가는 양에 cos을 썼습니다. tan입니다.",
     ),
+    partly=True,
 )
 
 
@@ -176,6 +177,7 @@ ANGLE_FOR_SLOPE = Slip(
         en="You took the angle itself for the slope. For small ones that is close; the tangent is exact.",
         ko="각도를 그대로 기울기로 썼습니다. 작은 각도에서는 비슷하지만, 정확한 것은 tan입니다.",
     ),
+    partly=True,
 )
 
 
@@ -186,6 +188,7 @@ SINE = Slip(
         en="You took the sine for how far the beam sinks over each metre ahead: that is the tangent. The sine is per metre of beam.",
         ko="앞으로 1미터 갈 때 내려가는 양에 sin을 썼습니다. tan입니다. sin은 빛의 길이 1미터마다입니다.",
     ),
+    partly=True,
 )
 
 

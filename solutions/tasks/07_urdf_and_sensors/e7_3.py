@@ -54,6 +54,8 @@ def walk(chain, positions, *, names="by name", order="origin first", product="on
     for number, each in enumerate(chain):
         rpy = each["rpy"][::-1] if rotation == "ypr" else (0.0, 0.0, 0.0) if rotation == "none" else each["rpy"]
         origin = Transform.from_rpy(*rpy, translation=tuple(each["xyz"]))
+        if rotation == "before xyz":
+            origin = Transform(Transform(rotation=origin.rotation).apply(each["xyz"]), origin.rotation)
         at = positions.get(each["name"], 0.0)
         if names == "by order":
             values = list(positions.values())
@@ -62,7 +64,7 @@ def walk(chain, positions, *, names="by name", order="origin first", product="on
         if names == "by place":
             values = list(positions.values())
             at = values[number] if number < len(values) else 0.0
-        if names == "unnamed left out" and each["type"] != "fixed" and each["name"] not in positions:
+        if _is_left_out(each, positions, names):
             continue
         if fixed == "left out" and each["type"] == "fixed":
             continue
@@ -94,6 +96,11 @@ def walk(chain, positions, *, names="by name", order="origin first", product="on
     return pose
 
 
+def _is_left_out(each, positions, names):
+    is_unnamed = each["name"] not in positions
+    return is_unnamed and (names == "named alone" or (names == "unnamed left out" and each["type"] != "fixed"))
+
+
 def _added(each, at, order):
     """Return a joint whose position was added to the numbers of its origin, number by number."""
     more = [at if letter == each["axis"] else 0.0 for letter in "xyz"]
@@ -109,14 +116,21 @@ def _movement(each, at, turn, kinds, fixed, axis):
     if each["type"] == "fixed" and fixed == "stays":
         return Transform()
     at = -at if turn == "other way" else math.radians(at) if turn == "deg, all" else at
+    if turn in ("turns other way", "slides other way"):
+        at = -at if (each["type"] == "prismatic") == (turn == "slides other way") else at
+    if kinds == "never turns" and each["type"] == "revolute":
+        return Transform()
+    if kinds == "all slide":
+        return Transform(tuple(at if letter == each["axis"] else 0.0 for letter in "xyz"))
     if axis == "turned round" and each["type"] == "revolute":
         return turned_about({"x": "z", "y": "y", "z": "x"}[each["axis"]], at)
     if each["type"] == "fixed" and fixed == "slides":
         return Transform(tuple(at if letter == each["axis"] else 0.0 for letter in "xyz"))
     about = "z" if axis == "always z" or (axis == "turns about z" and each["type"] != "prismatic") else each["axis"]
+    about = axis[-1] if axis in ("always x", "always y") else about
     about = "x" if axis == "slides along x" and each["type"] == "prismatic" else about
     about = "z" if axis == "slides along z" and each["type"] == "prismatic" else about
-    if each["type"] == "prismatic" and kinds == "by type":
+    if each["type"] == "prismatic" and kinds in ("by type", "never turns"):
         return Transform(tuple(at if letter == about else 0.0 for letter in "xyz"))
     if kinds == "never slides" and each["type"] == "prismatic":
         return Transform()
@@ -343,6 +357,86 @@ LETTERS_TURNED_ROUND = Slip(
     "M5",
 )
 
+ALWAYS_X = Twin(
+    "always about x",
+    lambda chain, positions: walk(chain, positions, axis="always x"),
+    Words(
+        en="Every joint moves about x, or along it. Each has an axis of its own.",
+        ko="모든 관절이 x를 중심으로, 또는 x를 따라 움직입니다. 관절마다 axis가 있습니다.",
+    ),
+)
+
+
+ALWAYS_Y = Twin(
+    "always about y",
+    lambda chain, positions: walk(chain, positions, axis="always y"),
+    Words(
+        en="Every joint moves about y, or along it. Each has an axis of its own.",
+        ko="모든 관절이 y를 중심으로, 또는 y를 따라 움직입니다. 관절마다 axis가 있습니다.",
+    ),
+)
+
+
+TURNS_THE_OTHER_WAY = Twin(
+    "turns the other way",
+    lambda chain, positions: walk(chain, positions, turn="turns other way"),
+    Words(
+        en="Your revolute joints turn the other way: the sign of their positions is turned round.",
+        ko="revolute 관절이 반대로 돕니다. 위치의 부호가 뒤집혔습니다.",
+    ),
+)
+
+
+SLIDES_THE_OTHER_WAY = Twin(
+    "slides the other way",
+    lambda chain, positions: walk(chain, positions, turn="slides other way"),
+    Words(
+        en="Your prismatic joints slide the other way: the sign of their positions is turned round.",
+        ko="prismatic 관절이 반대로 미끄러집니다. 위치의 부호가 뒤집혔습니다.",
+    ),
+)
+
+
+NOTHING_TURNS = Twin(
+    "nothing turns",
+    lambda chain, positions: walk(chain, positions, kinds="never turns"),
+    Words(
+        en="Revolute joints stand still with you. They turn about their axis, in radians.",
+        ko="revolute 관절이 움직이지 않습니다. 축을 중심으로 라디안 단위로 돕니다.",
+    ),
+)
+
+
+EVERYTHING_SLIDES = Twin(
+    "everything slides",
+    lambda chain, positions: walk(chain, positions, kinds="all slide"),
+    Words(
+        en="You slide revolute joints, too. They turn about their axis, in radians.",
+        ko="revolute 관절까지 미끄러뜨렸습니다. 축을 중심으로 라디안 단위로 돕니다.",
+    ),
+)
+
+
+NAMED_ALONE = Twin(
+    "named alone",
+    lambda chain, positions: walk(chain, positions, names="named alone"),
+    Words(
+        en="You leave out every joint that has no position, fixed ones, too. Each has an origin, and what comes after hangs on it.",
+        ko="위치가 없는 관절을, fixed 관절까지 모두 건너뜁니다. 관절마다 origin이 있고 그다음 것이 거기에 달려 있습니다.",
+    ),
+)
+
+
+TURNED_BEFORE_THE_STEP = Twin(
+    "turned before the step",
+    lambda chain, positions: walk(chain, positions, rotation="before xyz"),
+    Words(
+        en="The origin is turned by its rpy before its xyz is gone. xyz is measured along the parent's axes: first the place, then the turn.",
+        ko="origin에서 rpy로 먼저 돌린 다음 xyz만큼 갔습니다. xyz는 부모의 축으로 잽니다. 먼저 위치, 다음에 회전입니다.",
+    ),
+)
+
+
 FIRST_JOINT_ALONE = Twin(
     "first joint alone",
     lambda chain, positions: walk(chain[:1], positions),
@@ -440,6 +534,14 @@ TASK = Task(
         ENDS_WITH_THE_POSITIONS,
         LAST_MOVEMENT_LEFT_OUT,
         NUMBERS_ADDED,
+        ALWAYS_X,
+        ALWAYS_Y,
+        TURNS_THE_OTHER_WAY,
+        SLIDES_THE_OTHER_WAY,
+        NOTHING_TURNS,
+        EVERYTHING_SLIDES,
+        NAMED_ALONE,
+        TURNED_BEFORE_THE_STEP,
     ),
     hints=(
         Words(

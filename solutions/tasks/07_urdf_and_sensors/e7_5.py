@@ -43,8 +43,8 @@ X_AND_Y_EXCHANGED = Twin(
     "x and y exchanged",
     with_x_and_y_exchanged,
     Words(
-        en="that would be the mount if x and y were exchanged. The readings are (x, y, z): the first number is along the IMU's x, the second along its y. In which of them is the bend?",
-        ko="x와 y를 서로 바꾸었을 때의 장착입니다. 값은 (x, y, z) 순서라서 첫째가 IMU의 x, 둘째가 y입니다. 굽은 길의 값은 어느 쪽에 나옵니까?",
+        en="that would be the mount if x and y were exchanged. The readings are (x, y, z): in which number is the bend?",
+        ko="x와 y를 서로 바꾸었을 때의 장착입니다. 값은 (x, y, z) 순서입니다. 굽은 길의 값은 몇째 숫자에 나옵니까?",
     ),
     part="mount",
 )
@@ -108,8 +108,8 @@ TASK = Task(
     },
     shows={
         "gyro_z": Words(
-            en="A gyro's z counts a turn about the IMU's own z: to the left is positive only while that z points up. Where does it point here?",
-            ko="자이로 z는 IMU 자신의 z축 둘레로 도는 빠르기입니다. 그 z가 위를 향할 때만 왼쪽 회전이 양수입니다. 여기서는 어디를 향합니까?",
+            en="A gyro's z turns about the IMU's own z: left is positive only while that points up.",
+            ko="자이로 z는 IMU 자신의 z축 둘레 회전입니다. 그 z가 위를 향할 때만 왼쪽이 양수입니다.",
         ),
     },
     hints=(
