@@ -108,8 +108,8 @@
 
   function hasTwoColumns(content) {
     const { left, width } = content.getBoundingClientRect();
-    const boxes = [...content.querySelectorAll(".jp-Cell")].flatMap((cell) => [...cell.getClientRects()]);
-    return boxes.some((box) => box.left > left + width / 2);
+    const boxes = [...content.querySelectorAll(".deck-step *")].flatMap((part) => [...part.getClientRects()]);
+    return boxes.some((box) => box.width && box.left > left + width / 2);
   }
 
   function inOneColumn(content) {
