@@ -50,14 +50,14 @@ from tflab.workbook import lesson
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 클릭 한 번, 지도 두 장
 #
-# 로봇이 자기 위치를 잃었습니다. 사람이 지도를 클릭해 알려 줍니다. *너는 여기 있다.*
+# 로봇이 자기 위치를 잃었습니다. 사람이 지도를 클릭해 알려 줍니다. ‘지금 여기야.’
 # 클릭은 메시지입니다. 숫자 세 개와 함께, 이 숫자는 `world`라는 [[frame|좌표계(frame)]]를 기준으로 한다는 이름표가 들어 있습니다.
 # 지도를 만드는 프로그램은 숫자만 옮기고 이름표는 읽지 않았습니다.
 # 프로그램의 기준은 `map`이었고, `map`의 원점은 `world`의 원점에서 5미터 떨어져 있었습니다.
 #
 # 오류도 경고도 없었습니다.
 # 프로그램은 엉뚱한 위치에서 지도를 계속 그렸고, 한 건물의 지도가 5미터 어긋난 채 두 장이 되었습니다(SteveMacenski/slam_toolbox, 2026년).
-# 고치는 데는 질문 하나면 되었습니다. *이 위치를 `map` 기준으로는 어떻게 말할까?* TF가 그 답을 줍니다.
+# 고치는 데는 질문 하나면 되었습니다. *이 위치를 `map` 기준으로는 어떻게 나타낼까?* TF가 그 답을 줍니다.
 
 # %% [markdown] lang="en" name="story-sources" slide="skip"
 # *Read them:* slam_toolbox [863](https://github.com/SteveMacenski/slam_toolbox/issues/863), [872](https://github.com/SteveMacenski/slam_toolbox/pull/872), [876](https://github.com/SteveMacenski/slam_toolbox/pull/876); the writer's side of it: vision_visp [96](https://github.com/lagadic/vision_visp/issues/96).
@@ -78,7 +78,7 @@ lesson.draw_scene({'world': Transform(), 'map': Transform(translation=(5.0, 0.0,
 
 # %% [markdown] lang="ko" name="story-seen"
 # *그림 읽기:* meant는 사람이 뜻한 위치, understood는 프로그램이 알아들은 위치입니다.
-# meant는 `world`의 원점에서 재면 (2, 1.5)입니다. 같은 숫자를 `map`의 원점에서 재면 understood에 서게 됩니다.
+# meant는 `world`의 원점에서 재면 (2, 1.5)입니다. 같은 숫자를 `map`의 원점에서 재면 understood 자리가 됩니다.
 #
 # 여기서는 받는 쪽이 이름표를 잊었습니다. 보내는 쪽이 이름표를 망친 일도 있습니다. 어느 프로그램은 카메라 1미터 앞의 마커(QR 코드 같은 표식)를 보고는 이름표를 `/map`으로 덮어썼습니다.
 # 그러자 로봇이 어디에 있든 마커는 지도 원점에서 1미터 떨어진 것이 되었습니다.
@@ -280,7 +280,7 @@ lesson.draw_rulers(poses, ball_in_map, 'ball')
 # **Predict:** which of the three triples stay what they were?
 
 # %% [markdown] lang="ko" name="while-nobody-turns" slide="subslide"
-# 아무것도 돌아 있지 않으면 그냥 더해도 됩니다. 2 + 0.20 + 6.2.
+# 회전이 없으면 그냥 더해도 됩니다. 2 + 0.20 + 6.2.
 # 이제 로봇이 제자리에서 왼쪽으로 90° 돌고, 레이저 정면에서 다른 공을 봅니다.
 #
 # **예측해 봅시다.** 세 가지 숫자 가운데 그대로인 것은 무엇일까요?
@@ -573,7 +573,7 @@ lesson.draw_journeys([
 #
 # `base_link` 기준의 숫자는 우유입니다. 3.60 m는 5.8초에는 맞았지만 도착했을 때는 이미 상했습니다.
 # 가만히 있는 물체라면, 같은 위치를 `map` 기준으로 적은 (6.5, −1.5)는 통조림입니다. 상하지 않습니다.
-# 그러니 측정값은 오래가는 좌표계로 일찍 옮기되, **측정 시각의 포즈로** 옮기십시오.
+# 그러니 측정값은 오래 지나도 변하지 않는 좌표계로 일찍 옮기되, **측정 시각의 포즈로** 옮기십시오.
 
 # %% name="keeps" slide="fragment"
 point = buffer.transform(seen, 'map').point  # with the pose of the stamp: the message says which
@@ -665,7 +665,7 @@ print(usable(seen, arrived_ns), '|', usable(seen, arrived_ns + seconds(3.0)), '|
 # %% [markdown] lang="ko" name="break-it" slide="slide"
 # ## 일부러 고장 내기
 #
-# > 좌표계를 잊으면 TF2가 소리칩니다. 측정 시각을 잊으면 웃고 넘어갑니다.
+# > 좌표계를 잊으면 TF2가 큰 소리로 알립니다. 측정 시각을 잊으면 말없이 넘어갑니다.
 #
 # 한 가지씩 망가뜨린 메시지 네 개입니다. (`%xmode Minimal`은 오류에서 꼭 읽어야 할 마지막 줄만 보여 줍니다.)
 
@@ -728,7 +728,7 @@ print('in map', lesson.fmt_all((point.x, point.y, point.z), digits=1))
 # The ball now hovers three and a half metres above the corner of the map, and no tool can tell that the label is a lie.
 
 # %% [markdown] lang="ko" name="wrong-label-seen"
-# 숫자가 그대로 돌아왔습니다. TF2는 `map` 기준의 점을 `map` 기준으로 옮겨 달라는 부탁을 받았습니다.
+# 숫자가 그대로 돌아왔습니다. TF2가 받은 요청은 `map` 기준의 점을 `map` 기준으로 옮기는 것이었습니다.
 # 이제 공은 지도 원점 위 3.5미터에 떠 있고, 이름표가 거짓이라는 것을 알아낼 도구는 없습니다.
 
 # %% [markdown] lang="en" name="break-it-notes" slide="notes"
@@ -861,7 +861,7 @@ rclpy.shutdown()
 # ## 정리
 #
 # - 숫자 세 개는 [[frame|좌표계]]와 [[stamp|측정 시각]]이 있어야 위치입니다.
-# - 한 위치의 숫자는 좌표계마다 다릅니다. 더하기는 아무것도 돌아 있지 않을 때만 맞습니다.
+# - 한 위치의 숫자는 좌표계마다 다릅니다. 더하기는 회전이 없을 때만 맞습니다.
 # - 물체의 숫자는 그 물체가 가만히 있는 좌표계에서만 그대로입니다.
 # - `nanosec`은 아홉 자리입니다. 나이는 도착한 시각에서 측정 시각을 뺀 것입니다.
 # - 좌표계가 없으면 TF2가 소리칩니다. 측정 시각이 없거나 이름표가 거짓이면 아무 말도 하지 않습니다.

@@ -25,7 +25,7 @@ GO_ON = Words(
 )
 DONE = Words(
     en="From the laser to the middle of the robot is a step, and the step was added. That is half of TF.",
-    ko="레이저와 로봇 중심 사이의 거리를 더했습니다. TF의 절반이 이것입니다.",
+    ko="레이저를 단 위치를 더했습니다. TF가 하는 일의 절반이 바로 이것입니다.",
 )
 LASER_P_POST, BASE_P_LASER = (2.0, 0.5, 0.0), (0.2, 0.0, 0.15)
 RIGHT = [round(seen + mount, 3) for seen, mount in zip(LASER_P_POST, BASE_P_LASER, strict=True)]
@@ -44,7 +44,8 @@ MISTAKES = {
         Words(
             en="You took the step away. The laser sits ahead of the middle: from the middle, is the post nearer or "
             "farther?",
-            ko="거리를 뺐습니다. 레이저는 중심보다 앞에 있습니다. 중심에서 보면 기둥은 더 가까울까요, 더 멀까요?",
+            ko="레이저를 단 위치를 뺐습니다. 레이저는 중심보다 앞에 있습니다. "
+            "중심에서 보면 기둥은 더 가까울까요, 더 멀까요?",
         ),
     ),
     "height forgotten": (

@@ -283,7 +283,7 @@ TASK = Task(
         ),
         Words(
             en="While nobody is turned, add part by part: base = mount + laser's numbers, map = robot's place + base.",
-            ko="아무것도 돌아 있지 않으면 성분끼리 더합니다. base = 장착 위치 + 레이저의 숫자, map = 로봇의 위치 + base입니다.",
+            ko="회전이 없으면 성분끼리 더합니다. base = 장착 위치 + 레이저의 숫자, map = 로봇의 위치 + base입니다.",
         ),
     ),
     cures=("M3",),

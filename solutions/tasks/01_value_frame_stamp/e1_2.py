@@ -30,8 +30,10 @@ A_NAME_THAT_LOOKS_FINE = Twin(
     "a name that looks fine",
     {**RIGHT, "e": "usable"},
     Words(
-        en="e: map is a good name, but would a door of the map have the same three numbers wherever the robot stands? Whose numbers are these?",
-        ko="e: map은 올바른 이름입니다. 그런데 지도 위의 문이라면 로봇이 어디에 있든 같은 숫자일까요? 이 숫자는 누구의 것입니까?",
+        en="e: map is a good name, but can every door of a building be at the same place in map? "
+        "From where would each of them look alike?",
+        ko="e: map은 올바른 이름입니다. 그런데 건물의 문이 모두 지도에서 같은 자리에 있을 수 있습니까? "
+        "어디에서 보면 어느 문이든 똑같아 보입니까?",
     ),
 )
 
@@ -109,8 +111,8 @@ TASK = Task(
             ko="d: 건물의 전등이 움직입니까? 카메라가 본 것이라도 map 기준으로 바꾼 뒤에 보낼 수 있습니다.",
         ),
         "e": Words(
-            en="e: the same three numbers wherever the robot stands: whose numbers are they?",
-            ko="e: 로봇이 어디에 있든 같은 숫자 셋입니다. 누구 기준의 숫자입니까?",
+            en="e: the same three numbers before every door: seen from where?",
+            ko="e: 어느 문 앞에서나 같은 숫자 셋입니다. 어디에서 본 숫자입니까?",
         ),
         "f": Words(
             en="f: a tray that is bolted on does not move in base_link, however long ago it was measured.",

@@ -9,6 +9,7 @@ follows from it.  Read `edges.py` next.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
@@ -90,5 +91,10 @@ def _where(words: Words, parts: set[str], names: Sequence[str]) -> Words:
     called = [name.partition("[")[0] if name.partition("[")[0] in whole else name for name in names if name in parts]
     called = list(dict.fromkeys(called))
     where = ", ".join(f'"{name}"' for name in called)
-    said = [text.removeprefix(f"{called[0]}: ") if len(called) == 1 else text for text in (words.en, words.ko)]
+    said = [_without_its_name(text, called[0]) if len(called) == 1 else text for text in (words.en, words.ko)]
     return Words(*(f"{where}: {text}" for text in said))
+
+
+def _without_its_name(text: str, name: str) -> str:
+    """Return what is said of one part without its name, which stands before all of it."""
+    return re.sub(rf"(?:^|(?<=[.?!] )){re.escape(name)}: ", "", text)
