@@ -17,10 +17,24 @@ def few_digits(rng: np.random.Generator) -> dict:
 
 def aside_mm(given, *, quarter="pi / 2", unit="radians", part="whole", reach="range", length="aside", sign="dropped"):
     """Return how far off, step by step; other steps are the slips."""
-    quarters = {"pi / 2": math.pi / 2, "3.14 / 2": 3.14 / 2, "22/7": 11 / 7, "three digits": 1.571, "3.141 / 2": 3.141 / 2, "pi": math.pi, "none": 0.0}
+    quarters = {
+        "pi / 2": math.pi / 2,
+        "3.14 / 2": 3.14 / 2,
+        "22/7": 11 / 7,
+        "three digits": 1.571,
+        "3.141 / 2": 3.141 / 2,
+        "pi": math.pi,
+        "none": 0.0,
+    }
     missing = quarters[quarter] - given.written_yaw_rad
     missing = {"degrees": math.degrees(missing), "converted": math.radians(missing)}.get(unit, missing)
-    missing *= {"whole": 1.0, "half": 0.5, "of a quarter turn": 2 / math.pi, "of a whole turn": 0.5 / math.pi, "twice": 2.0}[part]
+    missing *= {
+        "whole": 1.0,
+        "half": 0.5,
+        "of a quarter turn": 2 / math.pi,
+        "of a whole turn": 0.5 / math.pi,
+        "twice": 2.0,
+    }[part]
     reach_m = {"range": given.range_m, "left out": 1.0, "squared": given.range_m**2}[reach]
     off_m = {
         "aside": reach_m * missing,
