@@ -190,6 +190,11 @@ def customs(
     return judge
 
 
+def scaled_first(q):
+    length = math.hypot(*q)
+    return customs()([part / length for part in q] if 1e-6 <= length < math.inf else q)
+
+
 @pytest.mark.parametrize(
     ("judge", "slips"),
     [
@@ -200,6 +205,7 @@ def customs(
         (customs(is_first=lambda q: max(abs(q[0]), abs(q[1])) > abs(q[3])), ["x or y over w"]),
         (customs(length=lambda q: math.hypot(*q) ** 2), ["square everywhere"]),
         (customs(length=sum), ["signed sum"]),
+        (scaled_first, ["scaled first"]),
         (customs(off=0.02), ["tolerance 0.1"]),
         (customs(off=0.005), ["tolerance 0.005"]),
         (customs(zero=1e-9), ["exactly zero"]),
@@ -299,3 +305,15 @@ def test_a_name_of_which_the_last_word_is_left_is_told_so():
         return name if name == "map" or not prefix.strip("/") else f"{prefix.strip('/')}/{name}"
 
     assert slips_of("E4.7", named) == ["last word of the name"]
+
+
+def test_two_dominoes_turned_round_at_the_end_are_called_the_way_back():
+    def way_back(a_pose_b, b_pose_c):
+        one, two = (
+            Transform.from_rpy(yaw=pose["yaw"], translation=(pose["x"], pose["y"], 0.0))
+            for pose in (a_pose_b, b_pose_c)
+        )
+        back = (one @ two).inverse()
+        return {"x": back.translation[0], "y": back.translation[1], "yaw": back.rpy()[2]}
+
+    assert slips_of("E3.4", way_back) == ["way_back"]

@@ -109,6 +109,13 @@ def test_a_point_onto_the_map(source, time, slips):
     assert slips_of("E8.3", ON_THE_MAP.format(source=source, time=time)) == slips
 
 
+def test_a_point_left_in_odom_and_called_map_is_told_apart_from_one_that_says_odom():
+    left = ON_THE_MAP.format(source=OWN, time=AT).replace('"map"', '"odom"')
+    assert slips_of("E8.3", left) == ["left in odom"]
+    called = left.replace("return do", "moved = do") + '    moved.header.frame_id = "map"\n    return moved\n'
+    assert slips_of("E8.3", called) == ["odom called map"]
+
+
 LATE_ERROR = """
 delay_s = given.delay_ms / {delay}
 forwards_m = given.speed_mps * delay_s

@@ -200,7 +200,9 @@ def test_where_nothing_fits_the_bounds_are_said_and_not_the_answer():
     ("answer", "said"),
     [
         ((0.8, 9.0), "translation: x, y: right; z: too large. Rotation: right"),
-        ((0.803, 0.0), "translation: x, y, z: right. Rotation: off by less than 1°"),
+        ((0.803, 0.0), "translation: x, y, z: right. Rotation: off by at most 1°"),
+        ((0.8 + math.pi / 2, 0.0), "translation: x, y, z: right. Rotation: off by at most 90°"),
+        ((0.8 + math.pi / 2 + 0.001, 0.0), "translation: x, y, z: right. Rotation: off by more than 90°"),
     ],
 )
 def test_a_turn_that_is_right_is_called_right(answer, said):

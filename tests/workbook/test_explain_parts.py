@@ -78,6 +78,9 @@ def test_words_that_all_have_one_said_for_them_are_named_together():
     assert '"past", "lookup" never come' in judged_function(kinds, pairs).said.en
     one = [("ok", "ok"), ("past", "future"), ("future", "future"), ("lookup", "lookup")]
     assert '"past" never comes' in judged_function(kinds, one).said.en
+    elsewhere = [("ok", "ok"), ("past", "future"), ("future", "future"), ("lookup", "past")]
+    said = judged_function(kinds, elsewhere).said.en
+    assert 'wherever "past" is asked for, there is "future"' in said and "never" not in said
 
 
 def test_a_part_that_never_changes_is_told_so_and_one_that_does_is_not():
@@ -124,7 +127,7 @@ def test_a_slip_that_stops_in_some_calls_is_named_in_a_part_where_the_others_sho
 
 def test_a_frame_that_a_buffer_does_not_hold_is_asked_after_and_another_lookup_is_not():
     text = '"camera" passed to lookupTransform argument source_frame does not exist. '
-    assert "written down in your function, which argument" in tip_for("LookupException", text).en
+    assert "written down in your function, is it the name" in tip_for("LookupException", text).en
     assert "written down" not in tip_for("LookupException", "no such thing").en
 
 
@@ -218,7 +221,7 @@ def test_a_number_that_two_slips_give_to_a_hair_is_not_called_by_one_that_it_is_
     assert list(judged(Number("s"), 0.223, twins, 0.1445).slips) == ["mean"]
     near = judged(Number("s"), 0.223, {"mean": 0.1445}, 0.144)  # to three digits
     assert list(near.slips) == ["mean"]
-    assert near.said.en.startswith("To the digits that it has, this is what comes of the following. ")
+    assert near.said.en.startswith("Rounding aside, this is what comes of the following. ")
     assert judged(Number("s"), 0.223, {"mean": 0.1445}, 0.1445).said.en == "mean"
 
 

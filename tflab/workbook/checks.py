@@ -167,7 +167,7 @@ def _say(assigned: AssignedTask, verdict: Verdict, outcomes: list[Plain]) -> Non
 
 
 def _said_too_often(assigned: AssignedTask, outcomes: list[Plain]) -> list[str]:
-    """Return the parts that are right and count nothing, for their word was said nearly everywhere."""
+    """Return the parts that are right and count nothing, for their word was said too often."""
     form, cases = assigned.cases.form, assigned.variant.cases
     if assigned.cases.is_function or not isinstance(form, Parts) or not outcomes:
         return []

@@ -65,6 +65,8 @@ def judged(q: tuple, *, finite="all", zero="length", below=1e-6, length="root", 
     }
     if not all(map(finites[finite], q)):
         return "nan"
+    if length == "of the scaled" and math.hypot(*q) >= below:
+        q = tuple(part / math.hypot(*q) for part in q)
     x, y = (q[0] if "x" in looks else 0.0), (q[1] if "y" in looks else 0.0)
     sizes = {"never": 0.0, "abs": max(abs(x), abs(y)), "signed": max(x, y), "sum": abs(x) + abs(y), "of the sum": abs(x + y),
              "length": math.hypot(x, y), "both": min(abs(q[0]), abs(q[1])), "z, too": max(map(abs, q[:3]))}  # fmt: skip
@@ -89,6 +91,7 @@ def judged(q: tuple, *, finite="all", zero="length", below=1e-6, length="root", 
     lengths = {
         "without w": math.hypot(*q[:3]),
         "root": math.hypot(*q),
+        "of the scaled": math.hypot(*q),
         "square": math.hypot(*q) ** 2,
         "sum": sum(map(abs, q)),
         "signed sum": sum(q),
@@ -114,10 +117,20 @@ INFINITY_SLIPS_THROUGH = Slip(
     "infinity slips through",
     {"finite": "nan"},
     Words(
-        en="You catch NaN, but not infinity, which is no number to compute with either. math.isfinite asks for both at once.",
-        ko="NaN은 잡았지만 무한대가 빠져나갔습니다. 무한대로도 계산할 수 없습니다. math.isfinite는 둘을 한꺼번에 확인합니다.",
+        en="Infinity slips through: it is no number to compute with either. Ask math.isfinite of each of the four numbers; it finds NaN and infinity.",
+        ko="무한대가 빠져나갔습니다. 무한대로도 계산할 수 없습니다. math.isfinite로 숫자 네 개를 모두 확인하십시오. NaN과 무한대를 다 찾아냅니다.",
     ),
     misconception="M5",
+)
+
+
+SCALED_FIRST = Slip(
+    "scaled first",
+    {"length": "of the scaled"},
+    Words(
+        en="You scale the numbers before you measure their length; after that it is one, whatever came. Measure what came.",
+        ko="길이를 재기 전에 크기부터 맞춥니다. 그러면 무엇이 들어왔든 길이는 1입니다. 들어온 그대로 재십시오.",
+    ),
 )
 
 
@@ -529,6 +542,7 @@ TASK = Task(
     model=judged,
     twins=(
         NAN_SLIPS_THROUGH,
+        SCALED_FIRST,
         INFINITY_SLIPS_THROUGH,
         W_FIRST_BEFORE_LENGTH,
         ZERO_BY_SUM,

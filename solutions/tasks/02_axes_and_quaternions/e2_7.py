@@ -93,8 +93,8 @@ ROUNDED_PI = Slip(
     "rounded pi",
     {"quarter": "3.14 / 2"},
     Words(
-        en="You compared with 3.14 / 2, which is as short of digits as the URDF. Use math.pi.",
-        ko="3.14 / 2와 비교했습니다. 그 값도 URDF만큼이나 자릿수가 모자랍니다. math.pi를 쓰십시오.",
+        en="Digits were lost once more: 3.14 / 2 for a quarter turn, or an angle that was rounded, gives this. Use math.pi, and round nothing.",
+        ko="자릿수가 또 없어졌습니다. 4분의 1바퀴를 3.14 / 2로 쓰거나 각도를 반올림하면 이 값이 나옵니다. math.pi를 쓰고, 반올림하지 마십시오.",
     ),
 )
 

@@ -40,6 +40,7 @@ def joined(
     by="first",
     step="added",
     yaw="sum",
+    end="as it is",
 ):
     """Return a_pose_c, step by step; other steps are the slips."""
     a_pose_b = turned_round(a_pose_b) if first == "inverted" else a_pose_b
@@ -75,7 +76,7 @@ def joined(
         sign = -1.0 if step == "subtracted" else 1.0
         pose |= {"x": -pose["x"], "y": -pose["y"]} if step == "second subtracted" else {}
         pose |= {"x": pose["x"] + sign * outer["x"], "y": pose["y"] + sign * outer["y"]}
-    return pose | {
+    pose |= {
         "yaw": {
             "sum": one + two,
             "second": two,
@@ -86,6 +87,7 @@ def joined(
             "product": one * two,
         }[yaw]
     }
+    return turned_round(pose) if end == "inverted" else pose
 
 
 OTHER_ORDER = Slip(
@@ -95,6 +97,17 @@ OTHER_ORDER = Slip(
         en="you put them together in the other order: b_pose_c first, then a_pose_b. Lay the dominoes: [a|b][b|c].",
         ko="순서를 바꿔 이었습니다. b_pose_c가 먼저, a_pose_b가 나중입니다. 도미노를 놓아 보십시오. [a|b][b|c]",
     ),
+)
+
+
+WAY_BACK = Slip(
+    "way_back",
+    {"end": "inverted"},
+    Words(
+        en="that is the way back, c_pose_a, and a_pose_c is asked for: it is inverted once too often.",
+        ko="구해야 할 것은 a_pose_c인데 돌아오는 길인 c_pose_a가 나왔습니다. 한 번 더 뒤집혔습니다.",
+    ),
+    "M1",
 )
 
 
@@ -364,6 +377,7 @@ TASK = Task(
     model=joined,
     twins=(
         OTHER_ORDER,
+        WAY_BACK,
         ONLY_ADDED,
         TURNED_BACK,
         TURNED_BY_THE_SECOND,

@@ -68,8 +68,8 @@ OLDEST_OF_ALL = Slip(
     "oldest of all",
     {"end": "oldest", "which": "earliest"},
     Words(
-        en="That is the oldest of the samples. `Time()` asks for something as new as possible.",
-        ko="표본 가운데 가장 오래된 것의 시각입니다. `Time()`은 될 수 있는 대로 새로운 것을 묻습니다.",
+        en="That is the oldest sample on the way. `Time()` asks for something as new as possible.",
+        ko="경로에 있는 표본 가운데 가장 오래된 것의 시각입니다. `Time()`은 될 수 있는 대로 새로운 것을 묻습니다.",
     ),
 )
 

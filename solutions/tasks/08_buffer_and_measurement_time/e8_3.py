@@ -45,7 +45,7 @@ def asked_at(moment, stamp, now):
 
 
 def on_the_map(buffer, message, now, *, ends="wanted first", target="map", source="the message's", moment="stamp",
-               refusal="let through", move="all", stamp="kept", asks="nothing"):  # fmt: skip
+               refusal="let through", move="all", stamp="kept", asks="nothing", label="true"):  # fmt: skip
     """Return the point, step by step; other steps are the slips."""
     if move == "label":
         return geometry_msgs.PointStamped(
@@ -73,6 +73,7 @@ def on_the_map(buffer, message, now, *, ends="wanted first", target="map", sourc
     moved = _moved(moved, transform) if move == "twice" else moved
     stamps = {"now": now.to_msg(), "zero": builtin_interfaces.Time(), "put back": message.header.stamp}
     moved.header.stamp = stamps.get(stamp, moved.header.stamp)
+    moved.header.frame_id = "map" if label == "map" else moved.header.frame_id
     return moved
 
 
@@ -183,6 +184,15 @@ LEFT_IN_ODOM = Slip(
     ),
 )
 
+ODOM_CALLED_MAP = Slip(
+    "odom called map",
+    {"target": "odom", "label": "map"},
+    Words(
+        en="You moved the point into odom and wrote map on it. The numbers are still counted from odom: look up one edge further.",
+        ko="점을 odom까지만 옮기고 이름표에 map이라고 썼습니다. 숫자는 아직 odom 기준입니다. 한 연결 더 올라가 조회하십시오.",
+    ),
+)
+
 LATEST_PUT_BACK = Slip(
     "latest, and the stamp put back",
     {"moment": "latest", "stamp": "put back"},
@@ -197,8 +207,8 @@ NOW_PUT_BACK = Slip(
     "now, and the stamp put back",
     {"moment": "now", "stamp": "put back"},
     Words(
-        en="You asked for `now` and put the message's stamp back afterwards. Mostly the buffer refuses, for nothing in it is that fresh; where it does answer, the label is true again and the numbers are those of the moment of arrival.",
-        ko="`now`의 변환을 조회한 뒤 메시지의 측정 시각을 되돌려 놓았습니다. 버퍼에 그만큼 새로운 것은 대개 없어서 거절하고, 답하더라도 이름표만 다시 맞을 뿐 숫자는 도착한 순간의 것입니다.",
+        en="You asked for `now`, and the label says the message's stamp. Mostly the buffer refuses, for nothing in it is that fresh; where it does answer, the numbers are those of the moment of arrival.",
+        ko="`now`의 변환을 조회했는데, 이름표에는 메시지의 측정 시각이 있습니다. 버퍼에 그만큼 새로운 것은 대개 없어서 거절하고, 답하더라도 숫자는 도착한 순간의 것입니다.",
     ),
     "M9",
 )
@@ -310,8 +320,8 @@ AS_IT_CAME = Slip(
     "as it came",
     {"refusal": "as it came"},
     Words(
-        en="Where the buffer refuses, you hand the message on as it came, in the sensor's frame. Let the exception through.",
-        ko="버퍼가 거절하면 메시지를 센서 좌표계 그대로 넘깁니다. 예외를 그대로 내보내십시오.",
+        en="Where the buffer refuses, you hand the message on, its numbers still in the sensor's frame. Let the exception through.",
+        ko="버퍼가 거절하면 메시지를 그대로 넘기는데, 숫자는 아직 센서 좌표계의 것입니다. 예외를 그대로 내보내십시오.",
     ),
     "M11",
 )
@@ -384,6 +394,7 @@ TASK = Task(
         STAMPED_ANEW,
         ONLY_THE_LABEL,
         LEFT_IN_ODOM,
+        ODOM_CALLED_MAP,
         LATEST_PUT_BACK,
         NOW_PUT_BACK,
         FROM_BASE_LINK,

@@ -136,8 +136,8 @@ WAITS_HOWEVER_FAR = Slip(
     {"limit_s": 1e6},
     misconception="M10",
     reply=Words(
-        en="your function waits for any future, however far off. A gap of more than 0.2 s is not data on its way: no wait cures it. Is the gap compared with anything, and is it the whole stamp minus the latest common time? The other way round it is below zero for every future.",
-        ko="아무리 먼 미래라도 기다립니다. 0.2초를 넘는 간격은 오는 중인 데이터가 아닙니다. 기다려도 해결되지 않습니다. 간격을 무엇과 비교하고 있습니까? 측정 시각 전체에서 최신 공통 시각을 뺀 것입니까? 반대로 빼면 미래는 언제나 음수입니다.",
+        en="your function waits for a future that is too far off. A gap of more than 0.2 s is not data on its way: no wait cures it. Is the gap compared with anything, and is it the whole stamp minus the latest common time? The other way round it is below zero for every future.",
+        ko="너무 먼 미래까지 기다립니다. 0.2초를 넘는 간격은 오는 중인 데이터가 아닙니다. 기다려도 해결되지 않습니다. 간격을 무엇과 비교하고 있습니까? 측정 시각 전체에서 최신 공통 시각을 뺀 것입니까? 반대로 빼면 미래는 언제나 음수입니다.",
     ),
 )
 

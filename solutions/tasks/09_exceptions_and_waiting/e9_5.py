@@ -49,6 +49,8 @@ def kept(stamps_s, now_s, max_age_s, max_size, *, first="sieve", old="dropped", 
 
     stamps_s = cut_to_size(sorted(stamps_s)) if first == "cut" else stamps_s
 
+    newest_s = max((stamp for stamp in stamps_s if stamp <= now_s), default=0.0)
+
     def stays(age_s: float) -> bool:
         is_young = {
             "dropped": age_s <= max_age_s,
@@ -58,6 +60,7 @@ def kept(stamps_s, now_s, max_age_s, max_size, *, first="sieve", old="dropped", 
             "whole seconds": int(age_s) <= max_age_s,
             "the stamp itself": now_s - age_s <= max_age_s,
             "by the newest": max(stamps_s, default=0.0) - (now_s - age_s) <= max_age_s,
+            "by the newest of the past": newest_s - (now_s - age_s) <= max_age_s,
             "kept": True,
             "wanted": age_s >= max_age_s,
         }[old]
@@ -347,6 +350,14 @@ AGE_BY_THE_NEWEST = Slip(
 )
 
 
+AGE_BY_THE_NEWEST_OF_THE_PAST = Slip(
+    "age by the newest of the past",
+    {"old": "by the newest of the past"},
+    AGE_BY_THE_NEWEST.reply,
+    "M9",
+)
+
+
 ENDS_AT_THE_FIRST = Slip(
     "ends at the first that goes",
     {"loop": "ends at the first"},
@@ -444,6 +455,7 @@ TASK = Task(
         STAMP_FOR_AGE,
         AGES_IN_WHOLE_SECONDS,
         AGE_BY_THE_NEWEST,
+        AGE_BY_THE_NEWEST_OF_THE_PAST,
         ENDS_AT_THE_FIRST,
         AGES_ROUNDED,
         EVERYTHING_ROUNDED,

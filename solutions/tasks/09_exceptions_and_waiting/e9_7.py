@@ -230,8 +230,8 @@ MEAN_OF_THE_EDGES = Slip(
     "mean of the edges",
     {"combine": mean},
     Words(
-        en="you took the mean of the two edges. A lookup needs both: the later one decides.",
-        ko="두 연결의 평균을 구했습니다. 조회에는 둘 다 필요하므로 늦은 쪽이 정합니다.",
+        en="the mean of the two edges gives this. A lookup needs both: the later one decides.",
+        ko="두 연결의 평균이 이 값입니다. 조회에는 둘 다 필요하므로 늦은 쪽이 정합니다.",
     ),
 )
 

@@ -27,6 +27,7 @@ __all__ = ["certain"]
 NAMES = "xyzw"
 STATIC = ("frame-id", "child-frame-id", "x", "y", "z")  # what static_transform_publisher is told, and a rotation
 NEARLY = 0.6  # from which share of letters on a name looks like another
+TINY_DEG = 1e-6  # what adding up leaves
 MOST_NAMED = 4  # children that are called by name
 
 
@@ -239,6 +240,6 @@ def _of_name(answer: Plain, expected: Plain) -> Words | None:
 def _degrees(angle_rad: float) -> Words:
     angle = math.degrees(angle_rad)
     for bound in (1, 5, 15, 45, 90):
-        if angle < bound:
-            return Words(f"less than {bound}°", f"{bound}° 이내로")
+        if angle <= bound + TINY_DEG:
+            return Words(f"at most {bound}°", f"{bound}° 이내로")
     return Words("more than 90°", "90° 넘게")

@@ -30,6 +30,10 @@ NEVER = Words(
     en='"{wanted}" never comes: wherever it is asked for, there is "{said}".',
     ko='"{wanted}"이(가) 한 번도 나오지 않습니다. 그래야 할 곳에 "{said}"이(가) 있습니다.',
 )
+INSTEAD = Words(
+    en='wherever "{wanted}" is asked for, there is "{said}".',
+    ko='"{wanted}"이어야 하는 곳마다 "{said}"이(가) 있습니다.',
+)
 NONE_OF_THEM = Words(
     en='{wanted} never come: wherever one of them is asked for, there is "{said}".',
     ko='{wanted}이(가) 한 번도 나오지 않습니다. 이들 가운데 하나여야 할 곳에 언제나 "{said}"이(가) 있습니다.',
@@ -60,20 +64,26 @@ class Confusion(NamedTuple):
 def confused(form: Choice, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> Confusion | None:
     """Return which words a function confuses, the one that it confuses most first; None if it says others."""
     asked = [word_of(form, want) for want in wanted]
-    pairs = _different(asked, [word_of(form, outcome) for outcome in outcomes])
+    said = [word_of(form, outcome) for outcome in outcomes]
+    pairs = _different(asked, said)
     wrong = Counter(pair for pair in pairs if None not in pair)
     if not wrong or None in pairs[0]:  # what comes first is no word at all
         return None
     whole = {pair: count for pair, count in wrong.items() if count == asked.count(pair[0])}
     if swapped := next((pair for pair in whole if pair[::-1] in whole), None):
         return Confusion("{} and {} swapped".format(*swapped), SWAPPED.filled(one=swapped[0], other=swapped[1]))
-    return _most_confused(asked, wrong, whole)
+    return _most_confused(asked, said, wrong, whole)
 
 
-def _most_confused(asked: Sequence[str | None], wrong: Counter, whole: Mapping[tuple[str, str], int]) -> Confusion:
+def _most_confused(
+    asked: Sequence[str | None],
+    said: Sequence[str | None],
+    wrong: Counter,
+    whole: Mapping[tuple[str, str], int],
+) -> Confusion:
     """Return the word that is said most for another, and whether it stands for several that never come."""
     (want, word), count = max((whole or wrong).items(), key=lambda row: row[1])
-    never = [one for one in dict.fromkeys(asked) if (one, word) in whole]
+    never = [one for one in dict.fromkeys(asked) if (one, word) in whole and one not in said]
     if len(never) > 1:
         quoted = [f'"{one}"' for one in never[:MOST_NAMED]]
         more = len(never) - len(quoted)
@@ -85,7 +95,7 @@ def _most_confused(asked: Sequence[str | None], wrong: Counter, whole: Mapping[t
             word,
             True,
         )
-    words = NEVER if whole else SOMETIMES
+    words = SOMETIMES if not whole else INSTEAD if want in said else NEVER
     named = words.filled(wanted=want, said=word, wrong=count, of=asked.count(want))
     return Confusion(f"{word} for {want}", named, want, word)
 

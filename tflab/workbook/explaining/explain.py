@@ -45,8 +45,8 @@ __all__ = ["explained"]
 
 A_HAIR = 1e-6  # how far, at most, a number that was not rounded is from what gives it
 ONLY_NEAR = Words(
-    en="To the digits that it has, this is what comes of the following. {said}",
-    ko="적은 자릿수까지는 다음과 같이 했을 때의 값과 같습니다. {said}",
+    en="Rounding aside, this is what comes of the following. {said}",
+    ko="반올림을 빼면 다음과 같이 했을 때의 값입니다. {said}",
 )
 
 

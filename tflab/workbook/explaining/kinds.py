@@ -46,8 +46,8 @@ OF_A_TRANSFORM = {
         ko="변환 전체를 넘겼습니다. 쿼터니언은 `.rotation`입니다",
     ),
     Vector: Words(
-        en="That is a whole transform; its place is `.translation`",
-        ko="변환 전체를 넘겼습니다. 위치는 `.translation`입니다",
+        en="That is a whole transform: its own place is `.translation`, and a point is moved by `.apply(point)`",
+        ko="변환 전체를 넘겼습니다. 변환 자체의 위치는 `.translation`이고, 점은 `.apply(점)`으로 옮깁니다",
     ),
     Angle: Words(
         en="That is a whole transform; its yaw is `.rpy()[2]`",
@@ -67,8 +67,8 @@ A_STAMP = Words(
     ko="시각 메시지는 수가 아닙니다. 초는 `.sec + .nanosec / 1e9`입니다",
 )
 A_SET = Words(
-    en="A set has no order: `sorted(…)` makes a list of it",
-    ko="집합에는 순서가 없습니다. `sorted(…)`로 리스트를 만드십시오",
+    en="A set has no order, a list has one: `[…]`",
+    ko="집합에는 순서가 없습니다. 순서가 있는 리스트 `[…]`로 쓰십시오",
 )
 ONE_ALONE = Words(
     en="One alone is given, and a list is asked for, even if it holds only that one: `[…]`",

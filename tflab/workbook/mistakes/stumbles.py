@@ -237,10 +237,10 @@ TIPS = (  # the error's name and text, the first that fits
         r'LookupException: "[^"]*" passed to lookupTransform argument',
         Words(
             "The buffer of this call holds no frame of that name, and yet the call has an answer. If the name is "
-            "written down in your function, which argument tells it? If it came with the call, does your `except` "
-            "name another class?",
+            "written down in your function, is it the name that this call is about? If it came with the call, does "
+            "your `except` name another class?",
             "이 호출의 버퍼에는 그런 이름의 좌표계가 없는데, 이 호출에는 답이 있습니다. 함수 안에 적어 둔 이름이라면, "
-            "어느 인자가 그 이름을 알려 줍니까? 호출과 함께 온 이름이라면, `except`에 다른 클래스를 쓰지는 않았습니까?",
+            "이 호출에서 묻는 이름이 맞습니까? 호출과 함께 온 이름이라면, `except`에 다른 클래스를 쓰지는 않았습니까?",
         ),
     ),
     (

@@ -30,8 +30,8 @@ PHRASES = {
     "hint_number": Words(en="hint {number} of 3", ko="힌트 {number}/3"),
     "last_hint": Words(en="that was the last hint, once more", ko="마지막 힌트를 다시 보여 드립니다"),
     "one word": Words(
-        en="{names}: right, and counts nothing yet. One word nearly everywhere is right somewhere by chance.",
-        ko="{names}: 맞지만 아직 점수가 없습니다. 거의 모든 곳에 같은 말을 쓰면 어딘가는 우연히 맞습니다.",
+        en="{names}: right, and counts nothing yet. A word that stands in too many places is right in some by chance.",
+        ko="{names}: 맞지만 아직 점수가 없습니다. 같은 말을 너무 여러 곳에 쓰면 어딘가는 우연히 맞습니다.",
     ),
     "solution": Words(
         en='Three tries: if you like, read the solution with solution("{id}").',
