@@ -37,6 +37,11 @@ class Words(NamedTuple):
             texts.append(self.say(language, **own))
         return Words(*texts)
 
+    @classmethod
+    def joined(cls, *parts: Words | None, between: str = " ") -> Words:
+        """Return texts one after the other, at least one; what is None is left out."""
+        return cls(*(between.join(row) for row in zip(*filter(None, parts), strict=True)))
+
     def plain(self) -> dict[str, str]:
         """Return both texts as JSON has them: {"en": ..., "ko": ...}."""
         return self._asdict()

@@ -47,7 +47,7 @@ def of_words_apart(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Pl
     if not sure:
         return None
     told, slips = said_of(task, sure), {name: words_of(task, name) for name in sure}
-    return Explanation(slips, told if is_all else Words(f"{told.en} {AND_MORE.en}", f"{told.ko} {AND_MORE.ko}"))
+    return Explanation(slips, told if is_all else Words.joined(told, AND_MORE))
 
 
 def _sure(form: Choice, places: Sequence[_Word]) -> tuple[list[str], bool]:

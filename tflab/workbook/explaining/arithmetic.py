@@ -14,7 +14,7 @@ The field calls it symbolic regression.  Read `components.py` next.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import reduce
 from itertools import combinations, permutations, product
 from typing import NamedTuple
@@ -26,7 +26,7 @@ from ..answers.forms import Angle, Number, Pose, Vector
 from ..answers.values import Plain
 from ..words import Words
 
-__all__ = ["computed", "computed_in_all", "leaves"]
+__all__ = ["as_written", "computed", "computed_in_all", "leaves"]
 
 Row = tuple[float, ...]
 MOST_LEAVES = 12  # numbers among the givens; with more of them, luck would find a sum
@@ -205,10 +205,15 @@ def _of_points(size: int, given: dict[str, Plain], zeros: bool) -> Iterator[_Sum
 
 
 def _signed_sum(chosen: tuple[tuple[str, Row], ...], signs: tuple[float, ...]) -> _Sum:
-    order = sorted(zip(signs, chosen, strict=True), key=lambda one: -one[0])
-    text = " ".join(f"{'+' if sign > 0 else '-'} {name}" for sign, (name, _) in order).removeprefix("+ ")
-    rows = [[sign * number for number in row] for sign, (_, row) in order]
+    text = as_written((sign, name) for sign, (name, _) in zip(signs, chosen, strict=True))
+    rows = [[sign * number for number in row] for sign, (_, row) in zip(signs, chosen, strict=True)]
     return _Sum(text, Words("", ""), tuple(map(sum, zip(*rows, strict=True))))
+
+
+def as_written(terms: Iterable[tuple[float, str]]) -> str:
+    """Return a sum as one writes it, of its terms with their signs: what is added first, then what is taken off."""
+    order = sorted(terms, key=lambda term: term[0] < 0)
+    return " ".join(f"{'-' if sign < 0 else '+'} {text}" for sign, text in order).removeprefix("+ ")
 
 
 def _unit(name: str) -> str:

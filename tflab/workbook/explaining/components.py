@@ -17,12 +17,12 @@ from ..answers import sealed
 from ..answers.form import Form, numbers_of, pose_of
 from ..answers.forms import Vector
 from ..answers.values import Plain
+from ..mistakes.by_place import LETTERS
 from ..words import Words
-from .arithmetic import leaves
+from .arithmetic import as_written, leaves
 
 __all__ = ["of_components", "put_together"]
 
-LETTERS = "xyz"
 MOST_POINTS = 6
 CLOSE = 1e-6
 RIGHT = Words(en="{names}: right", ko="{names}: 맞음")
@@ -51,8 +51,9 @@ class _Term(NamedTuple):
 
     @property
     def text(self) -> str:
+        """The term as one writes it, without its sign."""
         often = "" if abs(self.factor) == 1.0 else f"{abs(self.factor):g} * "
-        return f"{'-' if self.factor < 0 else '+'} {often}{self.name}[{self.place}]"
+        return f"{often}{self.name}[{self.place}]"
 
 
 def of_components(
@@ -74,8 +75,7 @@ def _said(size: int, sums: dict[int, str]) -> tuple[str, Words]:
     right = [LETTERS[place] for place in range(size) if place not in sums]
     said = [RIGHT.filled(names=", ".join(right))]
     said += [GIVES.filled(name=LETTERS[place], sum=text) for place, text in sums.items()]
-    texts = ("; ".join(row) for row in zip(*said, strict=True))
-    return f"computed: {'; '.join(sums.values())}", Words(*(f"{text}." for text in texts))
+    return f"computed: {'; '.join(sums.values())}", Words(*(f"{text}." for text in Words.joined(*said, between="; ")))
 
 
 def put_together(form: Form, answer: Plain, given: dict[str, Plain] | None) -> tuple[str, Words] | None:
@@ -128,7 +128,7 @@ def _changed(way: Sequence[_Signed], place: int, number: float) -> str:
     terms = [_Term(sign, name, row, place) for sign, name, row in way]
     for row in _changes(terms):
         if abs(sum(one.value for one in row) - number) <= CLOSE:
-            return " ".join(one.text for one in sorted(row, key=lambda one: one.factor < 0)).removeprefix("+ ")
+            return as_written((one.factor, one.text) for one in row)
     return ""
 
 

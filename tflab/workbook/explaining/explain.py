@@ -186,9 +186,9 @@ def _of_words(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain])
         return Explanation.of(found.name, found.said) if found else None
     if (apart := of_words_apart(task, cases, outcomes)) is not None:
         return apart
-    shown = [words for words in (task.means.get(found.word), seen_of(found, task.seen)) if words]
-    said = Words(*map(" ".join, zip(found.said, *shown, strict=True)))
-    explanation = Explanation.of(found.name, said)
+    explanation = Explanation.of(
+        found.name, Words.joined(found.said, task.means.get(found.word), seen_of(found, task.seen))
+    )
     if isinstance(form, Choice):
         pairs = [(word_of(form, want), word_of(form, outcome)) for want, outcome in zip(wanted, outcomes, strict=True)]
         explanation = explanation._replace(shows=pairs.index((found.wanted, found.word)))
@@ -198,9 +198,7 @@ def _of_words(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain])
 def _and_where(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], found: Explanation) -> Explanation:
     """Return an explanation with what the calls that go wrong have in common, if that can be said."""
     common = calls_in_common(task.form, [case.args for case in cases], outcomes, [case.expected for case in cases])
-    return (
-        found._replace(said=Words(f"{found.said.en} {common.en}", f"{found.said.ko} {common.ko}")) if common else found
-    )
+    return found._replace(said=Words.joined(found.said, common))
 
 
 def _ways(

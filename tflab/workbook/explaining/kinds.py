@@ -6,7 +6,7 @@
 
     asked for   a quaternion           a PointStamped            a list of names
     given       a Transform            a Point                   a set
-                its `.rotation`        it is only a part         `sorted(…)` makes a list
+                its `.rotation`        it is only a part         it has no order
 
 A Duration or a Time where seconds are asked for has a number in it: what is wrong with that is said, too.
 Read `habits.py` next.

@@ -188,8 +188,7 @@ def _by_itself(
     hint = _choice(task, name, form, outcomes[0], wanted[0]) if len(outcomes) == 1 else None
     twice = named_twice(table.forms, table.given, table.wanted, name) if len(outcomes) == 1 else None
     if hint is not None and isinstance(form, Choice):
-        said = [words for words in (hint, form.remark(outcomes[0], {}), twice) if words]
-        hint = Words(*map(" ".join, zip(*said, strict=True)))
+        hint = Words.joined(hint, form.remark(outcomes[0], {}), twice)
         return [Found({f"{name}: {outcomes[0]}": TwinWords(hint, "")}, hint, {name})]
     if found := _of_kinds(table, name) or _remarked(table, name) or _of_any(task, table, name):
         return found
@@ -260,8 +259,7 @@ def _of_words(task: TaskCases, table: Table, name: str) -> list[Found]:
     confusion = confused(form, table.given[name], table.wanted[name]) if isinstance(form, Choice) else None
     if confusion is None:
         return []
-    shown = [words for words in (seen_of(confusion, task.seen), _in_common(table, name)) if words]
-    said = Words(*map(" ".join, zip(confusion.said, *shown, strict=True)))
+    said = Words.joined(confusion.said, seen_of(confusion, task.seen), _in_common(table, name))
     return [Found.of(f"{name}: {confusion.name}", said, name)._replace(is_of_words=True)]
 
 
@@ -332,7 +330,7 @@ def _choice(task: TaskCases, part: str, form: Form, answer: Plain, wanted: Plain
     shows = _shows(task, part) or task.seen.get(right or "")
     if means is None and shows is None:
         return None
-    return Words(*(" ".join(row) for row in zip(*filter(None, (means, shows)), strict=True)))
+    return Words.joined(means, shows)
 
 
 def _shows(task: TaskCases, part: str) -> Words | None:
@@ -343,8 +341,7 @@ def _shows(task: TaskCases, part: str) -> Words | None:
 
 def _shown_too(task: TaskCases, part: str, said: Words) -> Words:
     """Return what is said of a part that is no choice, and what there is to see in it, if that was written."""
-    shows = task.shows.get(part)
-    return Words(f"{said.en} {shows.en}", f"{said.ko} {shows.ko}") if shows else said
+    return Words.joined(said, task.shows.get(part))
 
 
 def _certain(table: Table, name: str) -> Words | None:

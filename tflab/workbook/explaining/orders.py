@@ -125,8 +125,7 @@ def _out_of_place(have: Row, want: Row, means: Mapping[str, Words]) -> Words | N
         place = want.index(word)
         others = ([one for one in row if one != word] for row in (have, want))
         if abs(place - at) > 1 and next(others) == next(others):
-            said, more = OUT_OF_PLACE[place < at].filled(word=word), means.get(word)
-            return Words(f"{said.en} {more.en}", f"{said.ko} {more.ko}") if more else said
+            return Words.joined(OUT_OF_PLACE[place < at].filled(word=word), means.get(word))
     return None
 
 

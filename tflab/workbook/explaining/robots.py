@@ -71,7 +71,7 @@ def of_robots(task: TaskCases, answer: Plain, expected: Plain) -> Explanation | 
         for name, words in [] if any(_fits(row, right[0]) for row in rows) else _of_link(task, row, right[0]):
             slips[f"{link}: {name}"] = TwinWords(words, "")
             said.append(Words(f'"{link}": {words.en}', f'"{link}": {words.ko}'))
-    return Explanation(slips, Words(*(" ".join(texts) for texts in zip(*said, strict=True)))) if said else None
+    return Explanation(slips, Words.joined(*said)) if said else None
 
 
 def _fits(row: Row, right: Row) -> bool:

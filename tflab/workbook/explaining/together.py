@@ -57,7 +57,7 @@ def together(found: Sequence[Found], left: Mapping[str, Words | None], names: Se
     said += [_where(words, parts, names) for words, parts in _looks(left).items()]
     slips = {name: words for cause in found for name, words in cause.slips.items()}
     follows = set() if left else {name for cause in found for name in _follows(cause)}
-    return Explanation(slips, Words(*(" ".join(row) for row in zip(*said, strict=True))), tuple(sorted(follows)))
+    return Explanation(slips, Words.joined(*said), tuple(sorted(follows)))
 
 
 def _looks(left: Mapping[str, Words | None]) -> dict[Words, set[str]]:

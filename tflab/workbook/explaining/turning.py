@@ -18,6 +18,7 @@ from ..answers.form import Form, inside, numbers_of
 from ..answers.forms import Number
 from ..answers.values import Plain
 from ..words import Words
+from .arithmetic import as_written
 
 __all__ = ["turned_in_all"]
 
@@ -81,10 +82,6 @@ def _sum_of(terms: Sequence[tuple[str, np.ndarray]], wanted: np.ndarray) -> str:
                     off = np.max(np.abs(sign * values - rest), axis=1)
                     last = int(np.argmin(off))
                     if off[last] <= CLOSE and last not in chosen:
-                        return _written([*zip(signs, chosen, strict=True), (sign, last)], terms)
+                        found = {**dict(zip(chosen, signs, strict=True)), last: sign}
+                        return as_written((found[at], terms[at][0]) for at in sorted(found))
     return ""
-
-
-def _written(chosen: Sequence[tuple[float, int]], terms: Sequence[tuple[str, np.ndarray]]) -> str:
-    order = sorted(chosen, key=lambda one: (-one[0], one[1]))
-    return " ".join(f"{'+' if sign > 0 else '-'} {terms[at][0]}" for sign, at in order).removeprefix("+ ")

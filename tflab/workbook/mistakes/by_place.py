@@ -13,7 +13,7 @@ from collections.abc import Sequence
 
 from ..words import Words
 
-__all__ = ["letters_told", "said_of_letters"]
+__all__ = ["LETTERS", "letters_told", "said_of_letters"]
 
 LETTERS = "xyz"
 SAID = {

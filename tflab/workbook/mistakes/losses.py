@@ -151,9 +151,7 @@ def words_of_loss(name: str) -> Words | None:
     kind, _, told = name.partition(TOLD)
     if kind not in LOSSES:
         return None
-    more = _more(kind, told) if told else None
-    words = LOSSES[kind]
-    return Words(f"{words.en} {more.en}", f"{words.ko} {more.ko}") if more else words
+    return Words.joined(LOSSES[kind], _more(kind, told) if told else None)
 
 
 def _more(kind: str, told: str) -> Words:
