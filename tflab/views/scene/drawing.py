@@ -120,17 +120,20 @@ def draw_ball(
 ) -> None:
     """Draw a ball around a point (x, y, z) [m], through which one sees what ends there, and its name above it."""
     scene[path].set_object(*triangles(shapes.ball(radius_m, colour), BALL_OPACITY))
-    scene[path].set_transform(Transform(at).matrix())
-    scene[path].set_property("labels", [_label(name, (0.0, 0.0, 1.6 * radius_m), colour)])
-    scene[path].set_property("words", f"{name} at {style.fmt_all(at)}")
+    _place_thing(scene, path, at, _label(name, (0.0, 0.0, 1.6 * radius_m), colour))
 
 
 def draw_mug(scene: Scene, path: str, at: Sequence[float], name: str = "mug", height_m: float = 0.2) -> None:
     """Draw an upright mug whose middle is at a point (x, y, z) [m], and its name above it."""
     scene[path].set_object(*triangles(shapes.mug(height_m, ACCENT)))
+    _place_thing(scene, path, at, _label(name, (0.0, 0.0, height_m), ACCENT))
+
+
+def _place_thing(scene: Scene, path: str, at: Sequence[float], label: dict) -> None:
+    """Put what was drawn at a point (x, y, z) [m], with its label."""
     scene[path].set_transform(Transform(at).matrix())
-    scene[path].set_property("labels", [_label(name, (0.0, 0.0, height_m), ACCENT)])
-    scene[path].set_property("words", f"{name} at {style.fmt_all(at)}")
+    scene[path].set_property("labels", [label])
+    scene[path].set_property("words", f"{label['text']} at {style.fmt_all(at)}")
 
 
 def draw_path(
