@@ -7,47 +7,9 @@ from types import SimpleNamespace
 import pytest
 
 from tflab.workbook import checks
-from tflab.workbook.answers.values import from_plain, outcome_of, to_plain
-from tflab.workbook.places import CASES, workbook_data
-from tflab.workbook.tasks.cases import read_chapter
-from tflab.workbook.tasks.reference import in_process_ros
-from tflab.workbook.verdicts.verdict import judge_outcomes
+from tflab.workbook.answers.values import to_plain
 
-IMPORTS = """
-import math, re
-from types import SimpleNamespace
-from rclpy.time import Time
-from tf2_ros import ConnectivityException, ExtrapolationException, InvalidArgumentException, LookupException
-"""
-
-
-def task_of(task_id):
-    (path,) = (workbook_data() / CASES).glob(f"{int(task_id[1:].partition('.')[0]):02d}_*.json")
-    return read_chapter(path).tasks[task_id]
-
-
-def verdict_on(task_id, source, variant=0):
-    """Return the verdict on an answer cell; what is given is `given` in it."""
-    task = task_of(task_id)
-    drawn = task.variants[variant]
-    with in_process_ros():
-        names = {}
-        exec(IMPORTS, names)
-        names["given"] = names["SimpleNamespace"](
-            **{name: from_plain(value) for name, value in (drawn.given or {}).items()}
-        )
-        exec(source, names)
-        answer = names[task.answer]
-        outcomes = [
-            outcome_of(answer, case.args) if task.is_function else outcome_of(lambda: answer, ())
-            for case in drawn.cases
-        ]
-    return judge_outcomes(task, drawn, outcomes)
-
-
-def slips_of(task_id, source, variant=0):
-    return list(verdict_on(task_id, source, variant).slips)
-
+from .whole_answers import slips_of, task_of, verdict_on
 
 # -- chapter 9 ------------------------------------------------------------------------
 

@@ -3,37 +3,13 @@
 from __future__ import annotations
 
 import math
-from types import SimpleNamespace
 
 import pytest
 
 from tflab.core import Transform
 from tflab.ros.time import Time
-from tflab.workbook.answers.values import from_plain, outcome_of, to_plain
-from tflab.workbook.places import CASES, workbook_data
-from tflab.workbook.tasks.cases import read_chapter
-from tflab.workbook.tasks.reference import in_process_ros
-from tflab.workbook.verdicts.verdict import judge_outcomes
 
-CHAPTERS = {number: read_chapter(next((workbook_data() / CASES).glob(f"0{number}_*.json"))) for number in range(1, 5)}
-
-
-def verdict_on(task_id, answer):
-    """Return the verdict on a function, or on what a function makes of what is given."""
-    task = CHAPTERS[int(task_id[1])].tasks[task_id]
-    variant = task.variants[0]
-    with in_process_ros():
-        if task.is_function:
-            outcomes = [outcome_of(answer, case.args) for case in variant.cases]
-        else:
-            held = {name: from_plain(plain) for name, plain in (variant.given or {}).items()}
-            outcomes = [to_plain(answer(SimpleNamespace(**held)))]
-    return judge_outcomes(task, variant, outcomes)
-
-
-def slips_of(task_id, answer):
-    return list(verdict_on(task_id, answer).slips)
-
+from .whole_answers import slips_of, verdict_on
 
 # -- chapter 1 ------------------------------------------------------------------------
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from .test_answers_of_learners import slips_of, verdict_on
+from .whole_answers import slips_of, verdict_on
 
 # -- chapter 8 ------------------------------------------------------------------------
 

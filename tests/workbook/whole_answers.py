@@ -1,0 +1,57 @@
+"""What is said of a whole answer, as a learner writes it or as Python has it, for tests that read replies."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cache
+from types import SimpleNamespace
+from typing import Any
+
+from tflab.workbook.answers.values import from_plain, outcome_of
+from tflab.workbook.places import CASES, workbook_data
+from tflab.workbook.tasks.case import ChapterCases, TaskCases
+from tflab.workbook.tasks.cases import read_chapter
+from tflab.workbook.tasks.reference import in_process_ros
+from tflab.workbook.verdicts.verdict import Verdict, judge_outcomes
+
+IMPORTS = """
+import math, re
+from types import SimpleNamespace
+from rclpy.time import Time
+from tf2_ros import ConnectivityException, ExtrapolationException, InvalidArgumentException, LookupException
+"""
+
+
+def task_of(task_id: str) -> TaskCases:
+    return _chapter(int(task_id[1:].partition(".")[0])).tasks[task_id]
+
+
+@cache
+def _chapter(number: int) -> ChapterCases:
+    (path,) = (workbook_data() / CASES).glob(f"{number:02d}_*.json")
+    return read_chapter(path)
+
+
+def verdict_on(task_id: str, answer: str | Callable[..., Any], variant: int = 0) -> Verdict:
+    """Return the verdict on an answer's cell, in which what is given is `given`; or on a function, or what it makes
+    of what is given.
+    """
+    task = task_of(task_id)
+    drawn = task.variants[variant]
+    given = SimpleNamespace(**{name: from_plain(value) for name, value in (drawn.given or {}).items()})
+    with in_process_ros():
+        if isinstance(answer, str):
+            names = {"given": given}
+            exec(IMPORTS + answer, names)
+            answer = names[task.answer]
+        elif not task.is_function:
+            answer = answer(given)
+        outcomes = [
+            outcome_of(answer, case.args) if task.is_function else outcome_of(lambda: answer, ())
+            for case in drawn.cases
+        ]
+    return judge_outcomes(task, drawn, outcomes)
+
+
+def slips_of(task_id: str, answer: str | Callable[..., Any], variant: int = 0) -> list[str]:
+    return list(verdict_on(task_id, answer, variant).slips)
