@@ -103,7 +103,7 @@ OVERWRITTEN_FOR_A_SLOW_LANE = Twin(
     {**RIGHT, "e": "stamp overwritten"},
     Words(
         en="e: a stamp that was overwritten asks too late as well, but by its delay, and so does every message alike. Here one in four gets through, others lack up to a second, and one publisher speaks once a second.",
-        ko="e: 덮어쓴 stamp도 너무 늦은 시각을 묻지만, 숨긴 지연만큼이고 어느 메시지나 똑같습니다. 여기서는 넷 중 하나가 통과하고 나머지는 길면 1초까지 모자라며, 한 발행자는 초당 한 번 말합니다.",
+        ko="e: 덮어쓴 측정 시각도 너무 늦은 시각을 묻지만, 숨긴 지연만큼이고 어느 메시지나 똑같습니다. 여기서는 넷 중 하나가 통과하고 나머지는 길면 1초까지 모자라며, 한 발행자는 초당 한 번 말합니다.",
     ),
     "M9",
 )
@@ -168,7 +168,7 @@ TASK = Task(
     means={
         "stamp overwritten": Words(
             en="a stamp that was overwritten makes data look fresh: it is late by the delay that it hides, some hundredths or tenths of a second, in every message alike.",
-            ko="stamp을 덮어쓰면 데이터가 새것처럼 보입니다. 숨긴 지연만큼, 곧 0.01초에서 0.1초대만큼 어느 메시지에서나 똑같이 늦습니다.",
+            ko="측정 시각을 덮어쓰면 데이터가 새것처럼 보입니다. 숨긴 지연만큼, 곧 0.01초에서 0.1초대만큼 어느 메시지에서나 똑같이 늦습니다.",
         ),
         "odometry slow": Words(
             en="a slow edge lacks its newest samples only: it refuses the latest requests, by less than its period.",
