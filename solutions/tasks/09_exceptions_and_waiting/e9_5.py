@@ -353,7 +353,10 @@ AGE_BY_THE_NEWEST = Slip(
 AGE_BY_THE_NEWEST_OF_THE_PAST = Slip(
     "age by the newest of the past",
     {"old": "by the newest of the past"},
-    AGE_BY_THE_NEWEST.reply,
+    Words(
+        en="You measure the age from the newest message that is not from the future. It is `now_s` that says how old each is.",
+        ko="미래에서 온 것을 뺀 가장 새로운 메시지를 기준으로 나이를 잽니다. 얼마나 오래되었는지는 `now_s`로 셉니다.",
+    ),
     "M9",
 )
 
