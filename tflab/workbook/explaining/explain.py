@@ -83,9 +83,14 @@ def explained(
 def _of_parts(
     task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], given: dict[str, Plain] | None
 ) -> Explanation | None:
-    """Return how a value of several parts came about: two slips that meet only where nothing simpler is to be seen."""
+    """Return how a value of several parts came about: several slips only where nothing simpler is to be seen."""
     found = of_members(task, cases, outcomes, given)
-    return (plain_in_one(task, cases, outcomes) or found) if found and len(found.slips) > 1 else found
+    if found is None or len(found.slips) < 2:
+        return found
+    if simpler := plain_in_one(task, cases, outcomes):
+        return simpler
+    pair = next(_just(task.form, outcomes, _gives(cases)[1], ONE), None) if len(found.slips) > 2 else None
+    return _by_name(task, cases, outcomes, pair) if pair else found
 
 
 def _is_simple(names: tuple[str, ...] | None) -> bool:
@@ -206,28 +211,33 @@ def _ways(
 ) -> Iterator[tuple[str, ...]]:
     """Yield the combinations that give these outcomes, the simplest first."""
     form, expected = task.form, [case.expected for case in cases]
-    gives = {name: [case.twins.get(name) for case in cases] for name in cases[0].twins}
-    single = {name: row for name, row in gives.items() if AND not in name}
-    yield from _ones(task, outcomes, single, gives)
+    single, pairs = _gives(cases)
+    yield from _ones(task, outcomes, single, pairs)
     yield from ((name,) for name in undone_to(form, outcomes, expected, only_plain_to_see=True))
     if task.is_function and habit(form, cases, outcomes):
         return
     if not task.is_function and (held := given_to(form, outcomes[0], expected[0], given)):
         yield (f"given {held}",)
-    yield from _just(form, outcomes, {name: row for name, row in gives.items() if AND in name}, TWO)
+    yield from _just(form, outcomes, pairs, TWO)
     if task.is_function and not isinstance(getattr(form, "of", form), Choice):  # words fit by chance: see apart.py
-        yield from side_by_side(form, outcomes, expected, gives)
+        yield from side_by_side(form, outcomes, expected, single | pairs)
     yield from _further_ways(task, single, outcomes, expected)
 
 
+def _gives(cases: Sequence[Case]) -> tuple[dict[str, list[Plain]], dict[str, list[Plain]]]:
+    """Return what each single slip gives, case by case, and what each two of them give."""
+    gives = {name: [case.twins.get(name) for case in cases] for name in cases[0].twins}
+    pairs = {name: row for name, row in gives.items() if AND in name}
+    return {name: row for name, row in gives.items() if name not in pairs}, pairs
+
+
 def _ones(
-    task: TaskCases, outcomes: Sequence[Plain], single: dict[str, list[Plain]], gives: dict[str, list[Plain]]
+    task: TaskCases, outcomes: Sequence[Plain], single: dict[str, list[Plain]], pairs: dict[str, list[Plain]]
 ) -> Iterator[tuple[str, ...]]:
     """Yield the single slips that give a number; before one that it is only near to, the two that give it to a hair."""
     ones = list(_just(task.form, outcomes, single, ONE))
     is_number = not task.is_function and isinstance(task.form, MEASURED)
     if ones and is_number and not any(_just(task.form, outcomes, single, A_HAIR)):
-        pairs = {name: row for name, row in gives.items() if AND in name}
         yield from _just(task.form, outcomes, pairs, A_HAIR)
     yield from ones
 
