@@ -16,11 +16,15 @@ import base64
 import json
 import zlib
 from collections.abc import Mapping
+from copy import copy
+from functools import lru_cache
 from typing import Any
 
 from .trolley import TROLLEY, check_named
 
 __all__ = ["SickRobot", "seen_after"]
+
+KNOWN = 128  # patients that are held open: a ward is asked over and over
 
 
 class SickRobot:
@@ -72,12 +76,12 @@ class SickRobot:
 
     def packed(self) -> str:
         """Return all of it as one word."""
-        return _packed([self.complaint, self.screen, self.budget_min, *_unpacked(self._word)])
+        return _whole(self.complaint, self.screen, self.budget_min, self._word)
 
     @classmethod
     def unpacked(cls, word: str) -> SickRobot:
         """Return the patient that `packed` wrote, nothing asked of it yet."""
-        return cls(*_unpacked(word))
+        return copy(_known(word))
 
     def __repr__(self) -> str:
         return f"<Patient: {self.complaint or 'it does not work'}>"
@@ -92,5 +96,17 @@ def _packed(rows: list[Any]) -> str:
     return base64.b85encode(zlib.compress(json.dumps(rows).encode(), 9)).decode()
 
 
+@lru_cache(maxsize=KNOWN)
 def _unpacked(word: str) -> list[Any]:
+    """Return the rows; the same ones each time, which nobody changes."""
     return json.loads(zlib.decompress(base64.b85decode(word)))
+
+
+@lru_cache(maxsize=KNOWN)
+def _whole(complaint: str, screen: str, budget_min: float, word: str) -> str:
+    return _packed([complaint, screen, budget_min, *_unpacked(word)])
+
+
+@lru_cache(maxsize=KNOWN)
+def _known(word: str) -> SickRobot:
+    return SickRobot(*_unpacked(word))

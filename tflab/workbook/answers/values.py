@@ -23,7 +23,7 @@ import json
 import math
 from array import array
 from collections import deque
-from collections.abc import Callable, Iterator, Mapping, Sequence, Set, ValuesView
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set, ValuesView
 from decimal import Decimal
 from fractions import Fraction
 from itertools import islice
@@ -40,7 +40,7 @@ from tflab.ros.messages.base import Message, type_named
 from tflab.ros.tf2 import buffer as tf2_buffer
 from tflab.ros.time import Time
 
-__all__ = ["Plain", "from_plain", "is_raised", "is_unanswered", "outcome_of", "raised", "to_plain"]
+__all__ = ["Plain", "from_plain", "is_raised", "is_unanswered", "outcome_of", "outcomes_of", "raised", "to_plain"]
 
 Plain = Any  # what json.loads may return
 MAX_DEPTH = 30
@@ -80,19 +80,25 @@ def raised(error: BaseException) -> Plain:
 
 def outcome_of(function: Callable[..., Any], args: Sequence[Plain]) -> Plain:
     """Return what a function gives for fresh copies of its arguments: a value, what it raises, or which it changed."""
-    held = [from_plain(arg) for arg in args]
-    before = [to_plain(arg) for arg in held]
-    try:
-        given = function(*held)
-    except Exception as error:
-        return raised(error)
-    try:
-        changed = [number for number, arg in enumerate(held) if to_plain(arg) != before[number]]
-    except Exception:  # an argument without end, by now
-        changed = [0]
-    if changed:
-        return {"changed": changed[0] + 1, "gave": _result(given)}
-    return _result(given)
+    return next(outcomes_of([function], args))
+
+
+def outcomes_of(functions: Iterable[Callable[..., Any]], args: Sequence[Plain]) -> Iterator[Plain]:
+    """Yield `outcome_of` for each function; what the arguments look like is written down once for all."""
+    before = None
+    for function in functions:
+        held = [from_plain(arg) for arg in args]
+        before = before or [to_plain(arg) for arg in held]
+        try:
+            given = function(*held)
+        except Exception as error:
+            yield raised(error)
+            continue
+        try:
+            changed = [number for number, arg in enumerate(held) if to_plain(arg) != before[number]]
+        except Exception:  # an argument without end, by now
+            changed = [0]
+        yield {"changed": changed[0] + 1, "gave": _result(given)} if changed else _result(given)
 
 
 def _result(given: object) -> Plain:

@@ -17,7 +17,7 @@ import hashlib
 import inspect
 import json
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from functools import partial
 from itertools import combinations as pairs_of
@@ -27,7 +27,7 @@ from typing import Any
 
 import numpy as np
 
-from ..answers.values import Plain, from_plain, is_raised, outcome_of, to_plain
+from ..answers.values import Plain, from_plain, is_raised, outcome_of, outcomes_of, to_plain
 from .case import AND, FORMAT, Case, ChapterCases, TaskCases, TwinWords, Variant
 from .reference import Solution, in_process_ros, solution_in_notebook
 from .task import Slip, Task, TaskError, read_tasks
@@ -180,11 +180,12 @@ def _drawn(task: Task, rng: np.random.Generator, number: int, solution: Solution
     held = {name: from_plain(value) for name, value in given.items()} if given is not None else {}
     answer = solution.answer(task, held if given is not None else None)
     if task.inputs is None:
-        cases = [Case(None, _rounded(to_plain(answer)), _wrong(task, lambda give: _value(give, held)))]
+        cases = [Case(None, _rounded(to_plain(answer)), {})]
     else:
         cases = [_function_case(task, answer, args) for args in _inputs(task, rng, fewest_inputs)]
-    _refuse_look_alikes(task, number, cases)
-    return Variant(given, _distinct(task, cases))
+    cases = _with_twins(cases, held, _each_mistake(task))
+    _refuse_look_alikes(task, number, cases)  # before the pairs, which are many
+    return Variant(given, _distinct(task, _with_twins(cases, held, _each_pair(task))))
 
 
 def combinations(task: Task) -> list[tuple[Slip, Slip]]:
@@ -195,14 +196,30 @@ def combinations(task: Task) -> list[tuple[Slip, Slip]]:
     return [(first, then) for first, then in pairs_of(slips, 2) if not set(first.at) & set(then.at)]
 
 
-def _wrong(task: Task, outcome: Callable[[Any], Plain]) -> dict[str, Plain]:
-    """Return what each mistake gives, and each two that can be made together; `outcome` tells of one function."""
-    wrong = {MODEL: outcome(task.model)} if task.model else {}
-    for twin in task.twins:
-        wrong[twin.name] = outcome(partial(task.model, **twin.at) if isinstance(twin, Slip) else twin.answer)
-    for first, then in combinations(task):
-        wrong[first.name + AND + then.name] = outcome(partial(task.model, **first.at, **then.at))
-    return wrong
+def _each_mistake(task: Task) -> dict[str, Any]:
+    """Return what answers as each mistake does, and as the model does without one."""
+    right = {MODEL: task.model} if task.model else {}
+    return right | {
+        twin.name: partial(task.model, **twin.at) if isinstance(twin, Slip) else twin.answer for twin in task.twins
+    }
+
+
+def _each_pair(task: Task) -> dict[str, Any]:
+    """Return what answers as each two mistakes do that can be made together."""
+    model: Any = task.model  # which has steps, where there are pairs
+    return {first.name + AND + then.name: partial(model, **first.at, **then.at) for first, then in combinations(task)}
+
+
+def _with_twins(cases: Sequence[Case], held: dict[str, Any], answers: dict[str, Any]) -> list[Case]:
+    """Return the cases with what these answers give, beside what they had."""
+    return [case._replace(twins=case.twins | _given_by(answers, case, held)) for case in cases]
+
+
+def _given_by(answers: dict[str, Any], case: Case, held: dict[str, Any]) -> dict[str, Plain]:
+    if case.args is None:
+        return {name: _value(answer, held) for name, answer in answers.items()}
+    outcomes = outcomes_of(answers.values(), case.args)
+    return {name: _as_kept(outcome) for name, outcome in zip(answers, outcomes, strict=True)}
 
 
 def _value(give: Any, held: dict[str, Any]) -> Plain:
@@ -236,12 +253,11 @@ def _inputs(task: Task, rng: np.random.Generator, fewest: int) -> Iterator[list[
 def _function_case(task: Task, function: Any, args: list[Plain]) -> Case:
     if not callable(function):
         raise TaskError(f"{task.id} has inputs, so {task.answer} should be a function, and it is {function!r}")
-    return Case(args, _outcome(function, args), _wrong(task, lambda wrong: _outcome(wrong, args)))
+    return Case(args, _as_kept(outcome_of(function, args)), {})
 
 
-def _outcome(function: Any, args: list[Plain]) -> Plain:
-    """Return what a function gives, rounded; of what it raises only the class."""
-    outcome = outcome_of(function, args)
+def _as_kept(outcome: Plain) -> Plain:
+    """Return an outcome rounded; of what was raised only the class."""
     return outcome | {"text": ""} if is_raised(outcome) else _rounded(outcome)
 
 
